@@ -1,0 +1,49 @@
+/* lib/config.h -- every option of loft: meaning, default, range, cost
+ * SPDX-License-Identifier: MIT
+ *
+ * Set an option on the compiler's command line (-DLOFT_NUM=LOFT_F32) or change it here. All files of
+ * one program that share a loft object must agree on LOFT_NUM and LOFT_AXES; names.h turns a
+ * disagreement into a link error that names both.
+ */
+#ifndef LOFT_CONFIG_H
+#define LOFT_CONFIG_H
+
+#define LOFT_Q16 1      /* Q16.16 fixed point: -32768 .. 32767.99998 in steps of 2^-16  */
+#define LOFT_F32 2      /* float, with double sums                                      */
+#define LOFT_F64 3      /* double                                                       */
+
+/* The number type of coordinates. */
+#ifndef LOFT_NUM
+#  define LOFT_NUM LOFT_Q16
+#endif
+
+/* Coordinates per point, 1..6; must be a bare literal (it becomes part of every symbol).
+ * Cost: memory and time are proportional to it. */
+#ifndef LOFT_AXES
+#  define LOFT_AXES 3
+#endif
+#if LOFT_AXES < 1 || LOFT_AXES > 6
+#  error "LOFT_AXES must be 1..6"
+#endif
+
+/* Items (spans or points) that a machine keeps in its queue; a power of two, 2..32768.
+ * Cost: about 12 * LOFT_AXES + 4 bytes of RAM each in q16. */
+#ifndef LOFT_MACHINE_QUEUE
+#  define LOFT_MACHINE_QUEUE 64
+#endif
+#if LOFT_MACHINE_QUEUE < 2 || LOFT_MACHINE_QUEUE > 32768 || (LOFT_MACHINE_QUEUE & (LOFT_MACHINE_QUEUE - 1))
+#  error "LOFT_MACHINE_QUEUE must be a power of two, 2..32768"
+#endif
+
+/* The longest frame on the wire in bytes, delimiter included, 64..254 (one COBS block).
+ * Cost: that much RAM for receiving and again for sending. Both ends announce theirs; the smaller holds. */
+#ifndef LOFT_FRAME_MAX
+#  define LOFT_FRAME_MAX 128
+#endif
+#if LOFT_FRAME_MAX < 64 || LOFT_FRAME_MAX > 254
+#  error "LOFT_FRAME_MAX must be 64..254"
+#endif
+
+#include "names.h"
+
+#endif

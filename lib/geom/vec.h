@@ -1,0 +1,93 @@
+/* lib/geom/vec.h -- what a point is: LOFT_AXES coordinates, and boxes of points
+ * SPDX-License-Identifier: MIT
+ *
+ * Small structs, passed and returned by value. Sums and differences are plain: they must fit a
+ * loft_real, which holds for coordinates within half its range (q16: +-16384).
+ */
+#ifndef LOFT_GEOM_VEC_H
+#define LOFT_GEOM_VEC_H
+
+#include "num/num.h"    /* loft_real, loft_lerp */
+
+typedef struct {
+    loft_real axis[LOFT_AXES];
+} loft_vec;
+
+typedef struct {
+    loft_vec min, max;
+} loft_box;
+
+static inline loft_vec loft_vec_add(loft_vec a, loft_vec b)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        a.axis[i] += b.axis[i];
+    return a;
+}
+
+static inline loft_vec loft_vec_sub(loft_vec a, loft_vec b)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        a.axis[i] -= b.axis[i];
+    return a;
+}
+
+/*   range   t in 0..1, any points
+ *   error   q16: 1/2 LSB   f32, f64: 1 ulp of the larger coordinate */
+static inline loft_vec loft_vec_lerp(loft_vec a, loft_vec b, loft_unit t)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        a.axis[i] = loft_lerp(a.axis[i], b.axis[i], t);
+    return a;
+}
+
+static inline bool loft_vec_equal(loft_vec a, loft_vec b)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (a.axis[i] < b.axis[i] || b.axis[i] < a.axis[i])
+            return false;
+    return true;
+}
+
+/* Is every coordinate within -limit .. limit? */
+static inline bool loft_vec_within(loft_vec a, loft_real limit)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (!(a.axis[i] >= -limit && a.axis[i] <= limit))
+            return false;
+    return true;
+}
+
+/* The scalar product.
+ *
+ *   range   q16: the sum of the products must stay within +-2^30 (vectors to 13000 in three axes)
+ *   error   q16: none   f32, f64: LOFT_AXES roundings of double */
+static inline loft_acc loft_vec_dot(loft_vec a, loft_vec b)
+{
+    loft_acc sum = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum += loft_prod(a.axis[i], b.axis[i]);
+    return sum;
+}
+
+/* The distance between any two points.
+ *
+ *   error   that of loft_acc_hypot */
+static inline loft_acc loft_vec_distance(loft_vec a, loft_vec b)
+{
+    loft_acc d[LOFT_AXES];
+    for (int i = 0; i < LOFT_AXES; i++)
+        d[i] = loft_wide(b.axis[i]) - loft_wide(a.axis[i]);
+    return loft_acc_hypot(d, LOFT_AXES);
+}
+
+/* The smallest box around `box` and `p`. Start with { p, p }. */
+static inline loft_box loft_box_join(loft_box box, loft_vec p)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        if (p.axis[i] < box.min.axis[i]) box.min.axis[i] = p.axis[i];
+        if (p.axis[i] > box.max.axis[i]) box.max.axis[i] = p.axis[i];
+    }
+    return box;
+}
+
+#endif

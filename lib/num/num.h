@@ -1,0 +1,71 @@
+/* lib/num/num.h -- what loft asks of a number
+ * SPDX-License-Identifier: MIT
+ *
+ * Every algorithm in lib/ is written once, with these three types:
+ *
+ *   loft_real   a coordinate, a length, a speed     q16: int32_t Q16.16   f32: float   f64: double
+ *   loft_unit   a parameter or weight               q16: int32_t Q8.24    f32: float   f64: double
+ *   loft_acc    a wide value with guard bits        q16: int64_t Q32.32   f32: double  f64: double
+ *
+ * and these operations, which mean the same in every build:
+ *
+ *   a + b   a - b   -a   a < b   3 * a      plain C, within one type
+ *   loft_mul(a, b)       loft_div(a, b)     rounded product and quotient of two reals
+ *   loft_lerp(a, b, t)                      real between two reals: a at t = 0, b at t = 1, exactly
+ *   loft_wide(a)                            a real as acc, exactly
+ *   loft_prod(a, b)                         exact product of two reals as acc
+ *   loft_acc_lerp(x, y, t)                  acc between two accs
+ *   loft_acc_scale(x, t)                    acc times unit
+ *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real
+ *   loft_acc_ratio(x, k)                    acc by a whole number k >= 1
+ *   loft_acc_fits(x)     loft_acc_round(x)  does it fit a real? the nearest real
+ *   loft_acc_sqrt(x)                        square root as real
+ *   loft_acc_hypot(x, n)                    sqrt(x[0]^2 + .. + x[n-1]^2), no overflow inside
+ *   loft_unit_of(j, n)                      the parameter j / n
+ *   loft_unit_from(a)                       a real as unit, |a| < 128, exactly in q16
+ *   loft_real_from_int(i)                   a whole number as real
+ *   loft_real_floor(a)                      the whole number below a real
+ *   LOFT_REAL(1.25)  LOFT_UNIT(0.5)         constants, folded by the compiler
+ *
+ * q16 rounds to nearest, ties upward. Nothing saturates and nothing may wrap: each operation states
+ * its range, and the algorithms that use it check theirs once, in init.
+ *
+ * Only the files in this room may test LOFT_NUM.
+ */
+#ifndef LOFT_NUM_NUM_H
+#define LOFT_NUM_NUM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "config.h"
+#include "num/status.h"
+
+#if   LOFT_NUM == LOFT_Q16
+#  include "num/q16.h"
+#elif LOFT_NUM == LOFT_F32
+#  include "num/f32.h"
+#elif LOFT_NUM == LOFT_F64
+#  include "num/f64.h"
+#else
+#  error "LOFT_NUM must be LOFT_Q16, LOFT_F32 or LOFT_F64 (see config.h)"
+#endif
+
+/* The square root of x.
+ *
+ *   range   x >= 0; a negative x gives 0
+ *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: 1 ulp
+ *   cost    q16: 32 rounds of shift and subtract, no division
+ */
+loft_real loft_acc_sqrt(loft_acc x);
+
+/* The length of the vector x[0..n-1].
+ *
+ *   range   q16: |x[i]| < 2^61, n = 1..6
+ *   error   q16: 2^-29 of the result + 2^-32   f32, f64: 4 ulp of double
+ *   cost    q16: n multiplications and one square root
+ */
+loft_acc loft_acc_hypot(const loft_acc x[], int n);
+
+#endif

@@ -1,0 +1,131 @@
+/* lib/num/q16.h -- Q16.16 backend: coordinates in int32_t, wide values in int64_t
+ * SPDX-License-Identifier: MIT
+ *
+ * A loft_acc holds a value times 2^32: a coordinate with 16 guard bits below its LSB and 15 bits of
+ * room above. The product of two reals is an acc without any shift, its square root a real.
+ */
+#ifndef LOFT_NUM_Q16_H
+#define LOFT_NUM_Q16_H
+
+typedef int32_t loft_real;      /* Q16.16: -32768 .. 32767.99998, LSB = 2^-16           */
+typedef int32_t loft_unit;      /* Q8.24: -128 .. 127.99999994, 0..1 as fine as a float */
+typedef int64_t loft_acc;       /* Q32.32: value * 2^32                                 */
+
+#define LOFT_REAL(x)   ((loft_real)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
+#define LOFT_UNIT(x)   ((loft_unit)((x) * 16777216.0 + ((x) < 0 ? -0.5 : 0.5)))
+#define LOFT_REAL_MAX  INT32_MAX
+#define LOFT_REAL_LSB  ((loft_real)1)       /* the distance between neighbouring coordinates; 0 in floats */
+
+/* The only places where a wide number is shifted. A right shift of a negative number must be
+ * arithmetic. avr-gcc shifts 64 bits one by one in a loop; there a shift by bytes is a move. */
+typedef char loft_assert_arithmetic_shift[((-1 >> 1) == -1) ? 1 : -1];
+
+#if defined(__AVR__)
+typedef union { int64_t all; struct { uint32_t low; int32_t high; } half;
+                struct { uint16_t low; int32_t middle; uint16_t high; } mid;
+                uint8_t byte[8]; } loft_bytes;
+static inline int32_t  loft_acc_high(int64_t x)   { loft_bytes b; b.all = x; return b.half.high; }
+static inline uint32_t loft_acc_low(int64_t x)    { loft_bytes b; b.all = x; return b.half.low; }
+static inline int32_t  loft_acc_middle(int64_t x) { loft_bytes b; b.all = x; return b.mid.middle; }
+static inline int64_t  loft_shift_24(int64_t x)
+{
+    loft_bytes b, r;
+    b.all = x;
+    r.half.low  = (uint32_t)b.byte[3] | ((uint32_t)b.byte[4] << 8) | ((uint32_t)b.byte[5] << 16) | ((uint32_t)b.byte[6] << 24);
+    r.half.high = (int8_t)b.byte[7];
+    return r.all;
+}
+static inline int64_t  loft_shift_16(int64_t x)
+{
+    loft_bytes b, r;
+    b.all = x;
+    r.half.low  = (uint32_t)b.mid.middle;
+    r.half.high = (int16_t)b.mid.high;
+    return r.all;
+}
+#else
+static inline int32_t  loft_acc_high(int64_t x)   { return (int32_t)(x >> 32); }
+static inline uint32_t loft_acc_low(int64_t x)    { return (uint32_t)((uint64_t)x & 0xffffffffu); }
+static inline int32_t  loft_acc_middle(int64_t x) { return (int32_t)(uint32_t)(((uint64_t)x >> 16) & 0xffffffffu); }
+static inline int64_t  loft_shift_24(int64_t x)   { return x >> 24; }
+static inline int64_t  loft_shift_16(int64_t x)   { return x >> 16; }
+#endif
+
+/* error none */
+static inline loft_acc loft_wide(loft_real a)               { return (loft_acc)a * 65536; }
+static inline loft_acc loft_prod(loft_real a, loft_real b)  { return (loft_acc)a * b; }
+
+/* Does x round into a real? */
+static inline bool loft_acc_fits(loft_acc x)
+{
+    return x >= (loft_acc)INT32_MIN * 65536 - 32768 && x < (loft_acc)INT32_MAX * 65536 + 32768;
+}
+
+/* error 1/2 LSB; range loft_acc_fits(x) */
+static inline loft_real loft_acc_round(loft_acc x)          { return loft_acc_middle(x + 32768); }
+
+/* error 1/2 LSB; |a * b| < 32768 */
+static inline loft_real loft_mul(loft_real a, loft_real b)  { return loft_acc_round(loft_prod(a, b)); }
+
+/* error 1/2 LSB; b != 0, |a / b| < 32768 */
+static inline loft_real loft_div(loft_real a, loft_real b)
+{
+    const int64_t n = (int64_t)a * 65536 * (b < 0 ? -1 : 1), d = b < 0 ? -(int64_t)b : b;
+    const int64_t q = n / d, r = n % d;
+    return (loft_real)(2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q);
+}
+
+/* error 1/2 LSB; any a, b: the difference has 33 bits, t in 0..1 has 25, the product 58 */
+static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
+{
+    return (loft_real)(a + loft_shift_24(((int64_t)b - a) * t + 8388608));
+}
+
+/* x * t: the two 32-bit halves of x apart, so that no product exceeds 64 bits.
+ * error 2^-33 (1/2 of an acc LSB); |x * t| < 2^62 */
+static inline loft_acc loft_acc_scale(loft_acc x, loft_unit t)
+{
+    return (loft_acc)loft_acc_high(x) * t * 256 + loft_shift_24((int64_t)loft_acc_low(x) * t + 8388608);
+}
+
+/* error 2^-33; |x|, |y| and |(y - x) t| below 2^62 */
+static inline loft_acc loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
+{
+    return x + loft_acc_scale(y - x, t);
+}
+
+/* error 2^-33; |x * a| < 2^62 as an acc */
+static inline loft_acc loft_acc_mul(loft_acc x, loft_real a)
+{
+    return (loft_acc)loft_acc_high(x) * a * 65536 + loft_shift_16((int64_t)loft_acc_low(x) * a + 32768);
+}
+
+/* error 1/2 of an acc LSB; k >= 1 */
+static inline loft_acc loft_acc_ratio(loft_acc x, int32_t k)
+{
+    const int64_t q = x / k, r = x % k;
+    return 2*r >= k ? q + 1 : 2*r < -(int64_t)k ? q - 1 : q;
+}
+
+/* error 1/2 of an acc LSB of the quotient; a != 0, |x| < 2^46, |x / a| < 2^62 as an acc */
+static inline loft_acc loft_acc_div(loft_acc x, loft_real a)
+{
+    const int64_t n = x * 65536 * (a < 0 ? -1 : 1), d = a < 0 ? -(int64_t)a : a;
+    const int64_t q = n / d, r = n % d;
+    return 2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q;
+}
+
+/* error 2^-25; j <= n, n >= 1 */
+static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)
+{
+    return (loft_unit)((((uint64_t)j << 24) + n / 2) / n);
+}
+
+/* exact; |a| < 128 */
+static inline loft_unit loft_unit_from(loft_real a)         { return a * 256; }
+
+/* exact; -32768 <= i <= 32767 */
+static inline loft_real loft_real_from_int(int32_t i)       { return i * 65536; }
+static inline int32_t   loft_real_floor(loft_real a)        { return a >> 16; }
+
+#endif

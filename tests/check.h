@@ -1,0 +1,88 @@
+/* tests/check.h -- assertions and seeded properties; no files, no malloc: runs on a target as well
+ * SPDX-License-Identifier: MIT
+ *
+ * A property is a function whose name is a sentence. It is run with many seeds; a failure prints the
+ * seed, and LOFT_SEED=<seed> in the environment (or -DLOFT_SEED) repeats that one.
+ *
+ *     static void ends_on_the_last_point(arb *a) { ... CHECK(x == y); ... }
+ *     int main(void) { PROPERTY(ends_on_the_last_point, 2000); return check_failures(); }
+ *
+ * Each property prints one line, `ok` or `FAIL`; check_failures() prints the sums and gives the exit code.
+ */
+#ifndef LOFT_TESTS_CHECK_H
+#define LOFT_TESTS_CHECK_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "num/num.h"
+#include "arb.h"
+
+/* One tolerance per number type, in one place. */
+#if LOFT_NUM == LOFT_Q16
+#  define BY_NUM(q16, f32, f64) (q16)
+#  define CHECK_NUM "q16"
+#elif LOFT_NUM == LOFT_F32
+#  define BY_NUM(q16, f32, f64) (f32)
+#  define CHECK_NUM "f32"
+#else
+#  define BY_NUM(q16, f32, f64) (f64)
+#  define CHECK_NUM "f64"
+#endif
+
+static unsigned check_passed, check_failed;
+static uint64_t check_seed;
+static bool     check_bad;
+
+#define CHECK(condition) do { if (!(condition)) check_report(__FILE__, __LINE__, #condition); } while (0)
+
+/* |got - want| <= bound, as doubles; prints the three. */
+#define CHECK_NEAR(got, want, bound) check_near((double)(got), (double)(want), (double)(bound), __FILE__, __LINE__, #got)
+
+static inline void check_report(const char *file, int line, const char *what)
+{
+    if (!check_bad)
+        printf("%s:%d: seed %llu: %s\n", file, line, (unsigned long long)check_seed, what);
+    check_bad = true;
+}
+
+static inline void check_near(double got, double want, double bound, const char *file, int line, const char *what)
+{
+    const double off = got > want ? got - want : want - got;
+    if (off <= bound)
+        return;
+    if (!check_bad)
+        printf("%s:%d: seed %llu: %s = %.17g, wanted %.17g, off by %.6g, bound %.6g\n",
+               file, line, (unsigned long long)check_seed, what, got, want, off, bound);
+    check_bad = true;
+}
+
+#define PROPERTY(name, times) check_property(#name, name, (times))
+
+static inline void check_property(const char *name, void (*property)(arb *), unsigned times)
+{
+    const char *one = getenv("LOFT_SEED");
+    const uint64_t first = one ? strtoull(one, NULL, 10) : 1, last = one ? first : times;
+
+    check_bad = false;
+    for (check_seed = first; check_seed <= last && !check_bad; check_seed++) {
+        arb a = arb_start(check_seed);
+        property(&a);
+    }
+    if (check_bad)
+        check_failed++;
+    else
+        check_passed++;
+    printf("%s %s %s (%u)\n", check_bad ? "FAIL" : "ok  ", CHECK_NUM, name, times);
+    fflush(stdout);
+}
+
+static inline int check_failures(void)
+{
+    printf("%u passed, %u failed\n", check_passed, check_failed);
+    return check_failed ? 1 : 0;
+}
+
+#endif
