@@ -57,6 +57,42 @@ test-%: $(foreach n,$(NUMS),build/test/$(n)/%)
 	@for n in $(NUMS); do build/test/$$n/$* || exit 1; done
 .PRECIOUS: $(foreach n,$(NUMS),build/test/$(n)/%)
 
+# --- on a fresh machine ------------------------------------------------------------------------------
+HOST_PACKAGES := gcc libc6-dev make pkg-config clang libclang-rt-14-dev libxml2-dev libcairo2-dev libserialport-dev
+
+## Install the Debian packages that demo and check need
+.PHONY: deps
+deps:
+	@sh tests/deps.sh $(HOST_PACKAGES)
+
+## Install what else `make bench` compares with (AGG, GSL)
+.PHONY: deps-bench
+deps-bench:
+	@sh tests/deps.sh g++ libagg-dev libgsl-dev
+
+# --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
+CHECK_STAGES := lint test test-readme
+
+## Check everything: rules of the house, all tests in all number types under sanitizers, vectors, README, whole jobs
+.PHONY: check
+check:
+	@MAKE="$(MAKE)" bash tests/check.sh $(CHECK_STAGES)
+
+## Check the rules of the house: warnings of gcc and clang as errors, arrows, freestanding, names, docstrings
+.PHONY: lint
+lint: lib/names.h
+	@sh tests/lint.sh
+
+## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
+.PHONY: test
+test: $(foreach n,$(NUMS),$(foreach t,$(TESTS),build/test/$(n)/$(t)))
+	@bad=0; for t in $(TESTS); do for n in $(NUMS); do echo "-- $$t $$n"; build/test/$$n/$$t || bad=1; done; done; exit $$bad
+
+## Compile and run the README's example
+.PHONY: test-readme
+test-readme: build/q16x3/libloft.a
+	@sh tests/readme.sh build/q16x3/libloft.a build/readme
+
 ## Remove build/
 .PHONY: clean
 clean:

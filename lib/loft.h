@@ -1,0 +1,38 @@
+/* lib/loft.h -- include this: the whole of loft, room by room
+ * SPDX-License-Identifier: MIT
+ *
+ *   num/      what a number is       loft_real loft_unit loft_acc; one source for Q16.16, float and double
+ *   geom/     what a point is        loft_vec, loft_box
+ *   basis/    weights                Bernstein polynomials, power form, Horner
+ *   curve/    one parameter          bezier: point, derivative, pieces   forward: exact walking   measure: flatten, length
+ *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
+ *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
+ *   machine/  the controller         wire -> queue -> span -> step
+ *
+ * A file includes its own room and rooms above it. DESIGN.md says why it is so.
+ */
+#ifndef LOFT_H
+#define LOFT_H
+
+#define LOFT_VERSION_MAJOR 0
+#define LOFT_VERSION_MINOR 1
+#define LOFT_VERSION_PATCH 0
+#define LOFT_VERSION "0.1.0"
+
+#include "num/num.h"
+#include "geom/vec.h"
+#include "basis/bernstein.h"
+#include "curve/bezier.h"
+#include "curve/forward.h"
+#include "curve/measure.h"
+#include "motion/plan.h"
+#include "motion/span.h"
+#include "motion/pace.h"
+#include "motion/step.h"
+#include "wire/frame.h"
+#include "wire/codec.h"
+#include "wire/message.h"
+#include "wire/session.h"
+#include "machine/machine.h"
+
+#endif

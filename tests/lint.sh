@@ -1,0 +1,82 @@
+#!/bin/sh
+# tests/lint.sh -- the rules of the house, each one line `ok` or `FAIL` with the places
+# SPDX-License-Identifier: MIT
+set -u
+result=$(mktemp); trap 'rm -f "$result"' EXIT
+rule() {        # rule NAME: standard input lists the offending places; none is good
+    places=$(cat)
+    if [ -z "$places" ]; then echo "ok   lint $1"
+    else echo "FAIL lint $1"; echo "$places" | sed 's/^/     /' | head -20; fi | tee -a "$result"
+}
+
+# 1. arrows: a file includes its own room and rooms before it
+rooms="num geom basis curve surface polygon toolpath motion wire machine"
+wrong_arrows() {
+    rank=0
+    for room in $rooms; do
+        rank=$((rank + 1)) later=0
+        [ -d "lib/$room" ] || continue
+        for other in $rooms; do
+            later=$((later + 1))
+            [ $later -le $rank ] || grep -nE "#[[:space:]]*include[[:space:]]*\"$other/" "lib/$room"/*.[ch]
+        done
+    done
+    grep -nE '#[[:space:]]*include.*(ports|host-tools|loft\.h|port\.h)' lib/*/*.[ch]
+}
+wrong_arrows | rule "arrows point one way"
+
+# 2. freestanding
+grep -nE '#[[:space:]]*include[[:space:]]*<' lib/*.h lib/*/*.[ch] |
+    grep -vE '<(stdint|stddef|stdbool|limits|float|stdarg|iso646)\.h>' | rule "lib/ includes freestanding headers only"
+grep -nwE 'malloc|calloc|realloc|free|alloca|printf|setjmp|longjmp' lib/*/*.[ch] |
+    grep -vE ':[0-9]+:[[:space:]]*(/?\*|//)' | rule "no heap and no libc in lib/"
+
+# 3. names.h is what the headers say
+sh tests/names.sh | diff - lib/names.h | rule "names.h is fresh"
+
+# 4. only num/ tests the number type
+grep -nE '^[[:space:]]*#.*LOFT_(NUM|Q16|F32|F64)\b' lib/*/*.[ch] | grep -v '^lib/num/' | rule "only num/ tests LOFT_NUM"
+
+# 5. every public function of lib/ is documented: a comment stands above it, or above the group it opens
+for header in lib/*/*.h; do
+    awk -v file="$header" '
+        /^(static|typedef|#|}|extern|struct|enum loft_[a-z]+ *\{|\/)/ { if ($0 !~ /^\//) grouped = 0 }
+        /\*\/[ \t]*$/               { grouped = 1 }
+        /^$/                        { grouped = 0 }
+        /^[a-z][A-Za-z0-9_ ]*[ *]loft_[a-z0-9_]*\(/ && !/^(static|typedef)/ {
+            if (!grouped) print file ":" FNR ": " $0
+            grouped = 1
+        }' "$header"
+done | rule "public functions are documented"
+
+# 6. every source says its licence and what it is
+for file in lib/*.h lib/*/*.[ch] ports/*.h ports/*/*.[ch] host-tools/*.[ch] tests/*.[ch] tests/*.sh; do
+    [ -f "$file" ] || continue
+    head -4 "$file" | grep -q 'SPDX-License-Identifier: MIT' || echo "$file: no SPDX line"
+    head -3 "$file" | grep -qF "$file" || echo "$file: the first lines do not name the file"
+done | rule "files name themselves and their licence"
+
+# 7. gcc and clang, warnings as errors, all number types, one, three and six axes
+warnings="-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -Werror"
+for compiler in gcc clang; do
+    for num in Q16 F32 F64; do
+        for axes in 1 3 6; do
+            for source in lib/*/*.c; do
+                $compiler $warnings -ffreestanding -Ilib -DLOFT_NUM=LOFT_$num -DLOFT_AXES=$axes -fsyntax-only "$source" 2>&1
+            done | rule "$compiler $num x$axes"
+        done
+    done
+done
+gnu="-std=c99 -D_GNU_SOURCE ${warnings#-std=c99}"
+for compiler in gcc clang; do
+    for source in host-tools/*.c ports/host/*.c ports/template/*.c; do
+        [ -f "$source" ] || continue
+        $compiler $gnu -Ilib -Iports -Ihost-tools -I. $(pkg-config --cflags libxml-2.0 cairo libserialport) \
+            -DLOFT_NUM=LOFT_Q16 -fsyntax-only "$source" 2>&1
+    done | rule "$compiler host tools and ports"
+done
+
+passed=$(grep -c '^ok' "$result")
+failed=$(grep -c '^FAIL' "$result")
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
