@@ -57,6 +57,39 @@ test-%: $(foreach n,$(NUMS),build/test/$(n)/%)
 	@for n in $(NUMS); do build/test/$$n/$* || exit 1; done
 .PRECIOUS: $(foreach n,$(NUMS),build/test/$(n)/%)
 
+# --- tools: build/loft, one program with all three number types -------------------------------------
+TOOL_PKG  := libxml-2.0 cairo libserialport
+TOOL_OUT  ?= build
+TOOL_STD   = $(STD) -D_GNU_SOURCE -Ihost-tools -Iports -MMD -MP \
+             $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(TOOL_PKG)))
+tool_flag  = -DLOFT_NUM=LOFT_$(shell echo $(1) | tr a-z A-Z) -DLOFT_AXES=3
+TOOL_SRC  := $(filter-out host-tools/engine.c,$(sort $(wildcard host-tools/*.c)))
+TOOL_EACH := host-tools/engine.c $(sort $(wildcard ports/host/*.c)) $(LIB_SRC)
+TOOL_OBJ  := $(patsubst %.c,$(TOOL_OUT)/tools/%.o,$(TOOL_SRC)) \
+             $(foreach n,$(NUMS),$(patsubst %.c,$(TOOL_OUT)/tools/$(n)/%.o,$(TOOL_EACH)))
+
+# what exists per number type: the library, the engine, the simulated machine
+define tooled
+$(TOOL_OUT)/tools/$(1)/%.o: %.c lib/names.h
+	@mkdir -p $$(@D)
+	$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(TOOL_STD) $$(call tool_flag,$(1)) -c $$< -o $$@
+endef
+$(foreach n,$(NUMS),$(eval $(call tooled,$(n))))
+
+# the rest is built once; where it talks to a machine, it does so in q16
+$(TOOL_OUT)/tools/host-tools/%.o: host-tools/%.c lib/names.h
+	@mkdir -p $(@D)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(TOOL_STD) $(call tool_flag,q16) -c $< -o $@
+
+$(TOOL_OUT)/loft: $(TOOL_OBJ)
+	$(CC) $(CFLAGS) $(LDFLAGS) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
+
+-include $(TOOL_OBJ:.o=.d)
+
+## Build the command build/loft
+.PHONY: tools
+tools: $(TOOL_OUT)/loft
+
 # --- on a fresh machine ------------------------------------------------------------------------------
 HOST_PACKAGES := gcc libc6-dev make pkg-config clang libclang-rt-14-dev libxml2-dev libcairo2-dev libserialport-dev
 

@@ -6,6 +6,7 @@
 #ifndef LOFT_ENGINE_H
 #define LOFT_ENGINE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -35,6 +36,7 @@ typedef void engine_span_sink(void *context, const engine_span *span);
 /* Functions return enum loft_status (0 = OK, negative = error). Points in mm. */
 typedef struct {
     const char *name;                       /* "q16" "f32" "f64"                    */
+    bool fixed;                             /* the step is the same for all sizes   */
     double lsb;                             /* the step of a coordinate of size 1   */
     int (*eval)(const double p[][ENGINE_AXES], unsigned degree, double t, double out[ENGINE_AXES]);
     int (*walk)(const double p[][ENGINE_AXES], unsigned degree, uint32_t n, engine_point_sink *sink, void *context);

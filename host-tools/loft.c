@@ -1,0 +1,60 @@
+/* host-tools/loft.c -- the command `loft`: finds the subcommand, nothing else
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "tool.h"       /* tool_command */
+
+static const tool_command *const commands[] = {
+    &command_ports,
+    &command_eval, &command_sample, &command_flatten, &command_compare
+};
+
+#define COMMANDS (sizeof commands / sizeof commands[0])
+
+static const tool_command *find(const char *name)
+{
+    for (size_t i = 0; i < COMMANDS; i++)
+        if (strcmp(commands[i]->name, name) == 0)
+            return commands[i];
+    return NULL;
+}
+
+static int help(void)
+{
+    printf("loft -- curves from the drawing to the step pulse\n\nusage: loft COMMAND [options] [FILE|-]\n\n");
+    for (size_t i = 0; i < COMMANDS; i++)
+        printf("  %-10s %s\n", commands[i]->name, commands[i]->summary);
+    printf("\n`loft help COMMAND` tells more. Coordinates are in mm; exit codes are those of sysexits.h.\n");
+    return EX_OK;
+}
+
+static int run(const char *name, int argc, char **argv)
+{
+    const tool_command *c = find(name);
+
+    if (c == NULL)
+        return tool_error(EX_USAGE, "%s is no command: see `loft --help`", name);
+    return c->run(c, argc, argv);
+}
+
+int main(int argc, char **argv)
+{
+    const char *name = argc > 1 ? argv[1] : "";
+
+    if (argc < 2) {
+        help();
+        return EX_USAGE;
+    }
+    if (strcmp(name, "--version") == 0)
+        return printf("loft %s\n", TOOL_VERSION) < 0 ? EX_IOERR : EX_OK;
+    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || (strcmp(name, "help") == 0 && argc == 2))
+        return help();
+    if (strcmp(name, "help") == 0) {
+        char option[] = "--help";
+        char *line[] = { argv[2], option, NULL };
+        return run(argv[2], 2, line);
+    }
+    return run(name, argc - 1, argv + 1);
+}

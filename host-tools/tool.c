@@ -1,0 +1,180 @@
+/* host-tools/tool.c -- options, help, errors in one line
+ * SPDX-License-Identifier: MIT
+ */
+#include <errno.h>
+#include <getopt.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "tool.h"
+
+int tool_error(int code, const char *format, ...)
+{
+    va_list values;
+
+    fflush(stdout);
+    fputs("loft: ", stderr);
+    va_start(values, format);
+    vfprintf(stderr, format, values);
+    va_end(values);
+    fputc('\n', stderr);
+    return code;
+}
+
+void *tool_grow(void *old, size_t bytes)
+{
+    void *grown = realloc(old, bytes ? bytes : 1);
+
+    if (grown == NULL)
+        exit(tool_error(EX_OSERR, "no memory for %zu bytes: give a smaller drawing", bytes));
+    return grown;
+}
+
+double tool_clock(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* The number at the start of `text`, and where it ends; false if there is none or it is out of bounds. */
+static bool number_at(const char *text, double least, double most, double *out, char **end)
+{
+    const double value = strtod(text, end);
+
+    if (*end == text || !(value >= least && value <= most))
+        return false;
+    *out = value;
+    return true;
+}
+
+static bool number_refused(const char *option, const char *text, double least, double most, const char *unit)
+{
+    (void)tool_error(EX_USAGE, "--%s %s: give a number from %g to %g%s", option, text, least, most, unit);
+    return false;
+}
+
+bool tool_number(const char *option, const char *text, double least, double most, double *out)
+{
+    char *end;
+
+    if (!number_at(text, least, most, out, &end) || *end != '\0')
+        return number_refused(option, text, least, most, "");
+    return true;
+}
+
+static bool speed_of(const char *option, const char *text, double least, double most, double *out)
+{
+    static const struct { const char *unit; double factor; } units[] = {
+        { "", 1 }, { "mm/s", 1 }, { "mm/min", 1 / 60.0 }, { "m/min", 1000 / 60.0 }, { "in/min", 25.4 / 60.0 }
+    };
+    char *end;
+    double value;
+
+    if (number_at(text, -HUGE_VAL, HUGE_VAL, &value, &end)) {
+        while (*end == ' ')
+            end++;
+        for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
+            if (strcmp(end, units[i].unit) == 0 && value * units[i].factor >= least && value * units[i].factor <= most) {
+                *out = value * units[i].factor;
+                return true;
+            }
+    }
+    return number_refused(option, text, least, most, " mm/s, as 20, 20mm/s or 1200mm/min");
+}
+
+static bool list_of(const tool_option *o, const char *text)
+{
+    tool_list *list = o->out;
+
+    for (char *end;; text = end + 1) {
+        double value;
+        if (!number_at(text, o->least, o->most, &value, &end) || (*end != ',' && *end != '\0'))
+            return number_refused(o->name, text, o->least, o->most, ", or several with commas between");
+        list->value = tool_grow(list->value, (list->count + 1) * sizeof *list->value);
+        list->value[list->count++] = value;
+        if (*end == '\0')
+            return true;
+    }
+}
+
+static bool engine_of(const char *text, const engine **out)
+{
+    const engine *e = engine_find(text);
+
+    if (e == NULL) {
+        (void)tool_error(EX_USAGE, "--num %s: give q16, f32 or f64", text);
+        return false;
+    }
+    *out = e;
+    return true;
+}
+
+static bool take(const tool_option *o, const char *text)
+{
+    switch (o->kind) {
+    case TOOL_IS_SWITCH: *(bool *)o->out = true; return true;
+    case TOOL_IS_NUMBER: return tool_number(o->name, text, o->least, o->most, o->out);
+    case TOOL_IS_SPEED:  return speed_of(o->name, text, o->least, o->most, o->out);
+    case TOOL_IS_TEXT:   *(const char **)o->out = text; return true;
+    case TOOL_IS_LIST:   return list_of(o, text);
+    case TOOL_IS_ENGINE: return engine_of(text, o->out);
+    case TOOL_END:       break;
+    }
+    return false;
+}
+
+static void print_help(const tool_command *self, const tool_option options[])
+{
+    printf("loft %s -- %s\n\nusage: loft %s %s\n", self->name, self->summary, self->name, self->arguments);
+    if (self->detail)
+        printf("\n%s", self->detail);
+    printf("\noptions:\n");
+    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
+        char both[40];
+        snprintf(both, sizeof both, "--%s%s%s", o->name, o->argument ? " " : "", o->argument ? o->argument : "");
+        printf("  %-20s %s\n", both, o->help);
+    }
+    printf("  %-20s %s\n", "--help", "this text");
+}
+
+int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv, int *first)
+{
+    size_t count = 0;
+    while (options[count].kind != TOOL_END)
+        count++;
+
+    struct option *table = tool_grow(NULL, (count + 2) * sizeof *table);
+    for (size_t i = 0; i < count; i++)
+        table[i] = (struct option){ options[i].name, options[i].argument ? required_argument : no_argument, NULL, 0 };
+    table[count]     = (struct option){ "help", no_argument, NULL, 'h' };
+    table[count + 1] = (struct option){ NULL, 0, NULL, 0 };
+
+    int code = 0;
+    optind = 1;
+    opterr = 0;
+    while (code == 0) {
+        int which = -1;
+        const int c = getopt_long(argc, argv, ":h", table, &which);
+        if (c == -1)
+            break;
+        if (c == 'h') {
+            print_help(self, options);
+            code = TOOL_HELP;
+        } else if (c == ':') {
+            code = tool_error(EX_USAGE, "%s needs a value: see `loft %s --help`", argv[optind - 1], self->name);
+        } else if (c != 0) {
+            code = tool_error(EX_USAGE, "%s is no option of %s: see `loft %s --help`", argv[optind - 1], self->name, self->name);
+        } else if (!take(&options[which], optarg)) {
+            code = EX_USAGE;
+        }
+    }
+    free(table);
+    *first = optind;
+    return code;
+}
