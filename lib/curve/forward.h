@@ -1,23 +1,99 @@
 /* lib/curve/forward.h -- walk a Bezier curve at equal parameter steps, by exact forward differences
  * SPDX-License-Identifier: MIT
+ *
+ * degree additions per axis and point, no multiplication, no drift: the way to trace a curve at a fixed
+ * rate. For single points use loft_bezier_eval; for steps that follow the curvature use measure.h.
+ *
+ *     loft_forward w;
+ *     loft_vec     p;
+ *     if (loft_forward_init(&w, &curve, 64) == LOFT_OK)
+ *         while (loft_forward_next(&w, &p))
+ *             move_to(p);                      // 64 points, the last one is the last control point
+ *
+ * The law of ranges: n steps are accepted while C(n,1) + .. + C(n,degree) < 2^32, in every number type:
+ *
+ *     degree                  1        2       3      4     5
+ *     n at most       2^32 - 1    92,681   2,953    567   220
+ *     n = 2^m, exact      2^31    65,536   1,024    256    64      q16: correctly rounded up to here
  */
 #ifndef LOFT_CURVE_FORWARD_H
 #define LOFT_CURVE_FORWARD_H
 
 #include "curve/bezier.h"   /* loft_bezier */
+#include "num/walk.h"       /* loft_walk, loft_strict: the state of one axis */
 
-#define LOFT_FORWARD_DEGREE_MAX 5
+#define LOFT_FORWARD_DEGREE_MAX LOFT_WALK_DEGREE_MAX
 
-/* (draft: the fields are the author's of forward.c; the calls below are fixed) */
+/* State of one walk. Complete so that it can be static; do not rely on its fields. */
 typedef struct {
-    struct { uint64_t d[LOFT_FORWARD_DEGREE_MAX + 1]; } axis[LOFT_AXES];
-    uint32_t left;
+    loft_walk axis[LOFT_AXES];
+    uint32_t left;                      /* points to come                                               */
     uint8_t degree;
+    int8_t halvings, doublings;         /* halvings that the guard bits still allow, and doublings from
+                                           which a halving leads back exactly (negative: none does now) */
 } loft_forward;
 
-/* n equal steps, any n within the law of ranges; yields n points, t = 1/n .. 1. */
+/* State of a walk that is exact for any n. */
+typedef struct {
+    loft_strict axis[LOFT_AXES];
+    uint64_t power;                     /* n^degree */
+    uint32_t left;
+    uint8_t degree;
+} loft_forward_strict;
+
+/* Prepare to walk `b` in n equal parameter steps.
+ *
+ *   shape   will yield n points, at t = 1/n, 2/n .. 1; the start is not repeated; `b` is not kept
+ *   range   degree 0..5, n >= 1, otherwise LOFT_ERR_ARG; n within the law of ranges, any control points
+ *           (f32, f64: to LOFT_REAL_MAX / 4096), otherwise LOFT_ERR_RANGE; then *w is untouched
+ *   cost    q16: degree^2 divisions and degree long divisions of 32 rounds per axis
+ *   see     Foley, van Dam, Feiner, Hughes: Computer Graphics, ch. 11
+ */
 enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32_t n) LOFT_CHECKED;
-bool             loft_forward_next(loft_forward *w, loft_vec *out);
-uint32_t         loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count);
+
+/* Give the next point. Returns false, and leaves *out alone, when the walk is over.
+ *
+ *   error   q16: 1/2 LSB for n = 2^m with degree * m <= 32; any other n: 1/2 LSB + (C(n,1) + ..
+ *           + C(n,degree)) / 2^33, which is 0.521 LSB for a cubic of 1023 steps. The last point: none.
+ *           f32, f64: (K n + 8 * 3^degree) / 2^53 of the largest control value, K = 1 3 8 21 55 for
+ *           degree 1..5, and f32 1/2 ulp more. The last point: none.
+ *   cost    `degree` additions per axis; no branch on data; safe in an ISR
+ */
+bool loft_forward_next(loft_forward *w, loft_vec *out);
+
+/* Give the next `count` points at once, or as many as are left; returns how many. The same points as
+ * loft_forward_next, faster: one axis after the other, its state in registers. */
+uint32_t loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count);
+
+/* Go on with half the step, from the point where the walk is: the points to come double in number.
+ *
+ *   range   q16: n = 2^m with degree * (m + 1) <= 32, m as it is now, or back from loft_forward_double;
+ *           4 steps or more for the whole curve, and control values no wider apart than
+ *           2^31 / (degree * 3^(degree-1)) LSB per step; otherwise LOFT_ERR_RANGE and *w is untouched.
+ *           f32, f64: degree * (m + 1) <= 32 likewise
+ *   error   as if the walk had begun with this step
+ */
+enum loft_status loft_forward_halve(loft_forward *w) LOFT_CHECKED;
+
+/* Go on with twice the step.
+ *
+ *   range   an even number of points to come; otherwise LOFT_ERR_RANGE and *w is untouched
+ *   error   every second point of the walk as it was, bit for bit in q16
+ */
+enum loft_status loft_forward_double(loft_forward *w) LOFT_CHECKED;
+
+/* Prepare a walk whose points are exact for any n, at about ten times the cost per point: a quotient and
+ * a remainder per difference instead of a rounded one.
+ *
+ *   range   as loft_forward_init, but n^degree < 2^63: n to 2,097,151 for a cubic
+ */
+enum loft_status loft_forward_strict_init(loft_forward_strict *w, const loft_bezier *b, uint32_t n) LOFT_CHECKED;
+
+/* Give the next point. Returns false, and leaves *out alone, when the walk is over.
+ *
+ *   error   q16: 1/2 LSB, and none at the last point   f32, f64: as loft_forward_next
+ *   cost    `degree` additions of a quotient and of a remainder per axis; safe in an ISR
+ */
+bool loft_forward_strict_next(loft_forward_strict *w, loft_vec *out);
 
 #endif

@@ -1,0 +1,200 @@
+/* lib/curve/forward.c -- exact walking; the arithmetic of one axis is num/walk.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "curve/forward.h"
+
+static void control_values(loft_real p[], const loft_bezier *b, int axis)
+{
+    for (unsigned k = 0; k <= b->degree; k++)
+        p[k] = b->p[k].axis[axis];
+}
+
+static bool accepted(const loft_bezier *b)
+{
+    loft_real p[LOFT_FORWARD_DEGREE_MAX + 1];
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        control_values(p, b, i);
+        if (!loft_walk_accepts(p, b->degree))
+            return false;
+    }
+    return true;
+}
+
+/* One halving of the step adds `degree` bits to the fractions of the differences; 32 are there. A step
+ * that is no power of two has its fractions rounded, so none is free. */
+static int8_t halvings(unsigned degree, uint32_t n)
+{
+    uint8_t used = 0;
+
+    if (n & (n - 1))
+        return 0;
+    for (; n > 1; n >>= 1)
+        used++;
+    if (degree == 0)
+        return 32;
+    return (int8_t)(32 / degree > used ? 32 / degree - used : 0);
+}
+
+/* How often n can be halved and stay at least `coarsest`; -1 if it is below already. */
+static int8_t doublings(uint32_t n, uint32_t coarsest)
+{
+    int8_t times = -1;
+
+    for (; n >= coarsest; n >>= 1)
+        times++;
+    return times;
+}
+
+enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32_t n)
+{
+    uint32_t coarsest = 1;
+
+    if (b->degree > LOFT_FORWARD_DEGREE_MAX || n == 0)
+        return LOFT_ERR_ARG;
+    if (!loft_walk_admits(b->degree, n) || !accepted(b))
+        return LOFT_ERR_RANGE;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_real p[LOFT_FORWARD_DEGREE_MAX + 1];
+
+        control_values(p, b, i);
+        loft_walk_init(&w->axis[i], p, b->degree, n);
+        const uint32_t least = loft_walk_coarsest(p, b->degree);
+        if (coarsest < least)
+            coarsest = least;
+    }
+    w->left = n;
+    w->degree = b->degree;
+    w->halvings = halvings(b->degree, n);
+    w->doublings = doublings(n, coarsest);
+    return LOFT_OK;
+}
+
+bool loft_forward_next(loft_forward *w, loft_vec *out)
+{
+    if (w->left == 0)
+        return false;
+    w->left--;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_state *d = w->axis[i].d;
+        for (unsigned k = 0; k < w->degree; k++)
+            d[k] += d[k + 1];
+        out->axis[i] = loft_state_real(d[0]);
+        if (w->left == 0)
+            out->axis[i] = loft_walk_end(&w->axis[i], out->axis[i]);
+    }
+    return true;
+}
+
+/* The differences are named, not an array: compilers keep names in registers. Those above the degree
+ * are 0. */
+static void run_cubic(loft_state d[], loft_vec out[], uint32_t count, int axis)
+{
+    loft_state d0 = d[0], d1 = d[1], d2 = d[2];
+    const loft_state d3 = d[3];
+
+    for (uint32_t j = 0; j < count; j++) {
+        d0 += d1;
+        d1 += d2;
+        d2 += d3;
+        out[j].axis[axis] = loft_state_real(d0);
+    }
+    d[0] = d0;
+    d[1] = d1;
+    d[2] = d2;
+}
+
+static void run_quintic(loft_state d[], loft_vec out[], uint32_t count, int axis)
+{
+    loft_state d0 = d[0], d1 = d[1], d2 = d[2], d3 = d[3], d4 = d[4];
+    const loft_state d5 = d[5];
+
+    for (uint32_t j = 0; j < count; j++) {
+        d0 += d1;
+        d1 += d2;
+        d2 += d3;
+        d3 += d4;
+        d4 += d5;
+        out[j].axis[axis] = loft_state_real(d0);
+    }
+    d[0] = d0;
+    d[1] = d1;
+    d[2] = d2;
+    d[3] = d3;
+    d[4] = d4;
+}
+
+uint32_t loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count)
+{
+    if (count > w->left)
+        count = w->left;
+    if (count == 0)
+        return 0;
+    w->left -= count;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        if (w->degree <= 3)
+            run_cubic(w->axis[i].d, out, count, i);
+        else
+            run_quintic(w->axis[i].d, out, count, i);
+        if (w->left == 0)
+            out[count - 1].axis[i] = loft_walk_end(&w->axis[i], out[count - 1].axis[i]);
+    }
+    return count;
+}
+
+enum loft_status loft_forward_halve(loft_forward *w)
+{
+    if (w->halvings == 0 || w->doublings < 0 || w->left > UINT32_MAX / 2)
+        return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES; i++)
+        loft_walk_halve(&w->axis[i], w->degree);
+    w->left *= 2;
+    w->halvings--;
+    w->doublings++;
+    return LOFT_OK;
+}
+
+enum loft_status loft_forward_double(loft_forward *w)
+{
+    if (w->left & 1)
+        return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES; i++)
+        loft_walk_double(&w->axis[i], w->degree);
+    w->left /= 2;
+    w->halvings++;
+    w->doublings--;
+    return LOFT_OK;
+}
+
+enum loft_status loft_forward_strict_init(loft_forward_strict *w, const loft_bezier *b, uint32_t n)
+{
+    if (b->degree > LOFT_FORWARD_DEGREE_MAX || n == 0)
+        return LOFT_ERR_ARG;
+    if (!loft_strict_admits(b->degree, n) || !accepted(b))
+        return LOFT_ERR_RANGE;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_real p[LOFT_FORWARD_DEGREE_MAX + 1];
+
+        control_values(p, b, i);
+        loft_strict_init(&w->axis[i], p, b->degree, n);
+    }
+    w->power = loft_strict_power(b->degree, n);
+    w->left = n;
+    w->degree = b->degree;
+    return LOFT_OK;
+}
+
+bool loft_forward_strict_next(loft_forward_strict *w, loft_vec *out)
+{
+    if (w->left == 0)
+        return false;
+    w->left--;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        out->axis[i] = loft_strict_step(&w->axis[i], w->degree, w->power, w->left == 0);
+    return true;
+}

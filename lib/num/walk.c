@@ -1,0 +1,287 @@
+/* lib/num/walk.c -- the differences of a polynomial, from its control values
+ * SPDX-License-Identifier: MIT
+ *
+ * With D^k p the k-th difference of the control values at p[0], the Bezier polynomial at t = i/n is
+ *
+ *     P(i/n) = sum_k  g_k (i/n)^k          g_k = C(degree, k) D^k p
+ *
+ * and the j-th difference of i^k at i = 0, step 1, is c(k, j) = j! S(k, j), the number of ways to map k
+ * things onto j (S: Stirling's numbers of the second kind). So the differences to start with are
+ *
+ *     e_j = sum_k  g_k c(k, j) / n^k
+ *
+ * q16, exactly. g_k and c are whole, |g_k c(k, j)| < 2^45, and e_j is a whole number and a rest over
+ * n^degree. Horner's scheme in 1/n finds both: if V = I + R / n^s then
+ *
+ *     V / n = floor(I / n) + (R + (I mod n) n^s) / n^(s+1)
+ *
+ * Nothing is rounded and R < n^degree < 2^63. loft_strict keeps I and R. loft_walk keeps I and 32 bits of
+ * R / n^degree, rounded to nearest: none is lost when n is a power of two and n^degree <= 2^32.
+ *
+ * The law of ranges. d[0] after i steps is sum_k C(i, k) e_k, so errors of 2^-33 in e_1.. err there by at
+ * most sum_{k=1..degree} C(n, k) 2^-33 LSB. The walk is admitted while that is below 1/2: then no value
+ * leaves the 32 bits in which its control values are, and the last one, being whole, is met exactly. All
+ * else may wrap: the sums are right modulo 2^64 and d[0] needs no more.
+ */
+#include "num/walk.h"
+
+/* The differences of the powers: c(k, j) for j <= k <= 5. */
+static const uint8_t maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 1] = {
+    { 1 }, { 0, 1 }, { 0, 1, 2 }, { 0, 1, 6, 6 }, { 0, 1, 14, 36, 24 }, { 0, 1, 30, 150, 240, 120 }
+};
+
+/* C(n, k) < 2^32 before each product, so none exceeds 2^64. */
+bool loft_walk_admits(unsigned degree, uint32_t n)
+{
+    const uint64_t limit = (uint64_t)1 << 32;
+    uint64_t choose = 1, sum = 0;
+
+    for (unsigned k = 1; k <= degree && k <= n; k++) {
+        choose = choose * (n - k + 1) / k;
+        sum += choose;
+        if (sum >= limit)
+            return false;
+    }
+    return true;
+}
+
+bool loft_strict_admits(unsigned degree, uint32_t n)
+{
+    const uint64_t limit = (uint64_t)INT64_MAX;
+    uint64_t power = 1;
+
+    for (unsigned k = 0; k < degree; k++) {
+        if (power > limit / n)
+            return false;
+        power *= n;
+    }
+    return true;
+}
+
+uint64_t loft_strict_power(unsigned degree, uint32_t n)
+{
+    uint64_t power = 1;
+
+    while (degree--)
+        power *= n;
+    return power;
+}
+
+#if LOFT_NUM == LOFT_Q16
+typedef int64_t wide;
+#else
+typedef double wide;
+#endif
+
+/* g[k] = C(degree, k) D^k p. q16: |D^k p| < 2^(k+31), so |g| < 40 * 2^32. */
+static void power_form(wide g[], const loft_real p[], unsigned degree)
+{
+    unsigned choose = 1;
+
+    for (unsigned k = 0; k <= degree; k++)
+        g[k] = p[k];
+    for (unsigned k = 1; k <= degree; k++)
+        for (unsigned i = degree; i >= k; i--)
+            g[i] -= g[i - 1];
+    for (unsigned k = 1; k <= degree; k++) {
+        choose = choose * (degree - k + 1) / k;
+        g[k] *= (wide)choose;
+    }
+}
+
+#if LOFT_NUM == LOFT_Q16
+
+static uint64_t join(uint32_t high, uint32_t low)
+{
+#if defined(__AVR__)
+    loft_bytes b;
+    b.half.high = (int32_t)high;
+    b.half.low = low;
+    return (uint64_t)b.all;
+#else
+    return (uint64_t)high << 32 | low;
+#endif
+}
+
+bool loft_walk_accepts(const loft_real p[], unsigned degree)
+{
+    (void)p;
+    (void)degree;
+    return true;
+}
+
+/* e_j as a whole number and the rest over n^degree, for j >= 1. */
+static int64_t difference(const wide g[], unsigned degree, unsigned j, uint32_t n, uint64_t *rest)
+{
+    int64_t whole = 0;
+    uint64_t power = 1;
+
+    *rest = 0;
+    for (unsigned k = degree; k >= 1; k--) {
+        whole += g[k] * maps[k][j];
+        int64_t quotient = whole / n, left = whole - quotient * n;
+        if (left < 0) {
+            left += n;
+            quotient--;
+        }
+        *rest += (uint64_t)left * power;
+        power *= n;
+        whole = quotient;
+    }
+    return whole;
+}
+
+/* 2^32 rest / power, rounded to nearest, for rest < power < 2^63. May be 2^32. */
+static uint64_t fraction(uint64_t rest, uint64_t power)
+{
+    uint32_t bits = 0;
+
+    for (uint8_t i = 0; i < 32; i++) {
+        rest += rest;
+        bits += bits;
+        if (rest >= power) {
+            rest -= power;
+            bits++;
+        }
+    }
+    return (uint64_t)bits + (rest + rest >= power);
+}
+
+void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, uint32_t n)
+{
+    const uint64_t power = loft_strict_power(degree, n);
+    wide g[LOFT_WALK_DEGREE_MAX + 1];
+    uint64_t rest;
+
+    power_form(g, p, degree);
+    w->d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
+    for (unsigned j = 1; j <= LOFT_WALK_DEGREE_MAX; j++) {
+        w->d[j] = 0;
+        if (j <= degree) {
+            const uint32_t whole = (uint32_t)difference(g, degree, j, n, &rest);
+            w->d[j] = join(whole, 0) + fraction(rest, power);
+        }
+    }
+}
+
+void loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n)
+{
+    wide g[LOFT_WALK_DEGREE_MAX + 1];
+
+    power_form(g, p, degree);
+    s->whole[0] = (uint32_t)p[0];
+    s->rest[0] = loft_strict_power(degree, n) / 2;
+    for (unsigned j = 1; j <= LOFT_WALK_DEGREE_MAX; j++) {
+        s->whole[j] = 0;
+        s->rest[j] = 0;
+        if (j <= degree)
+            s->whole[j] = (uint32_t)difference(g, degree, j, n, &s->rest[j]);
+    }
+}
+
+/* loft_walk_halve divides by powers of two and so needs true differences, |D^k| < 2^31 LSB, none wrapped.
+ * With n >= 4 steps all parameters that a difference sees, 0 .. 1 + (degree-1)/n, are within 0..2, where a
+ * Bezier polynomial is at most 3^degree times its largest control value. So, w being the width of p,
+ *
+ *     |D^k| <= degree!/(degree-k)! 2^(k-1) w 3^(degree-k) / n^k
+ *
+ * of which, for n >= 4 and degree <= 5, k = 1 gives the largest: n >= degree 3^(degree-1) w / 2^31 suffices. */
+uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree)
+{
+    int64_t low = p[0], high = p[0];
+    uint64_t bound = degree;
+
+    for (unsigned k = 1; k <= degree; k++) {
+        if (p[k] < low)  low = p[k];
+        if (p[k] > high) high = p[k];
+    }
+    for (unsigned k = 1; k < degree; k++)
+        bound *= 3;
+    bound = bound * (uint64_t)(high - low) / ((uint64_t)1 << 31) + 1;
+    return bound < 4 ? 4 : (uint32_t)bound;
+}
+
+/* sum is 2^k times a whole number when no true difference wraps. */
+static loft_state over_power_of_two(loft_state sum, unsigned k)
+{
+    return (uint64_t)((int64_t)sum / (int32_t)(1 << k));
+}
+
+#else
+
+bool loft_walk_accepts(const loft_real p[], unsigned degree)
+{
+    for (unsigned k = 0; k <= degree; k++)
+        if (!(p[k] >= -LOFT_REAL_MAX / 4096 && p[k] <= LOFT_REAL_MAX / 4096))
+            return false;
+    return true;
+}
+
+void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, uint32_t n)
+{
+    wide g[LOFT_WALK_DEGREE_MAX + 1];
+
+    power_form(g, p, degree);
+    w->d[0] = p[0];
+    w->end = p[degree];
+    for (unsigned j = 1; j <= LOFT_WALK_DEGREE_MAX; j++) {
+        w->d[j] = 0;
+        for (unsigned k = degree; k >= 1; k--)
+            w->d[j] = (w->d[j] + g[k] * maps[k][j]) / n;
+    }
+}
+
+void loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n)
+{
+    loft_walk_init(s, p, degree, n);
+}
+
+/* Sums of floats do not wrap. */
+uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree)
+{
+    (void)p;
+    (void)degree;
+    return 1;
+}
+
+static loft_state over_power_of_two(loft_state sum, unsigned k)
+{
+    return sum / (1 << k);
+}
+
+#endif
+
+/* Twice the step, D, from the single, d: 1 + D = (1 + d)^2, so
+ *
+ *     D^k = (2d + d^2)^k = sum_i  C(k, i) 2^(k-i) d^(k+i)
+ *
+ * The places from k upwards are still those of the single step when D^k is computed, as k rises. The
+ * factor goes from i to i + 1 by (k - i) / (2 (i + 1)), without a rest. */
+void loft_walk_double(loft_walk *w, unsigned degree)
+{
+    for (unsigned k = 1; k <= degree; k++) {
+        loft_state sum = 0;
+        unsigned factor = 1u << k;
+
+        for (unsigned i = 0; i <= k && k + i <= degree; i++) {
+            sum += (loft_state)factor * w->d[k + i];
+            factor = factor * (k - i) / (2 * (i + 1));
+        }
+        w->d[k] = sum;
+    }
+}
+
+/* The same solved for d^k, from the highest difference down. */
+void loft_walk_halve(loft_walk *w, unsigned degree)
+{
+    for (unsigned k = degree; k >= 1; k--) {
+        loft_state sum = w->d[k];
+        unsigned factor = 1u << k;
+
+        for (unsigned i = 1; i <= k && k + i <= degree; i++) {
+            factor = factor * (k - i + 1) / (2 * i);
+            sum -= (loft_state)factor * w->d[k + i];
+        }
+        w->d[k] = over_power_of_two(sum, k);
+    }
+}

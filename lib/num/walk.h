@@ -1,0 +1,97 @@
+/* lib/num/walk.h -- a polynomial walked at whole numbers by its forward differences, in one coordinate
+ * SPDX-License-Identifier: MIT
+ *
+ * The state is d[0] = the value and d[k] = the k-th difference; a step is d[k] += d[k+1] for k = 0, 1 ..
+ * upwards. curve/forward.h walks all coordinates of a curve with it.
+ *
+ *   loft_walk     q16: wrapping Q32.32 of the LSB, correctly rounded in its last place (see walk.c)
+ *   loft_strict   q16: whole number and rest over n^degree, never rounded, for steps that are no power of two
+ *                 f32, f64: both are the same plain sums of doubles, which end on the last control value
+ */
+#ifndef LOFT_NUM_WALK_H
+#define LOFT_NUM_WALK_H
+
+#include "num/num.h"
+
+#define LOFT_WALK_DEGREE_MAX 5
+
+#if LOFT_NUM == LOFT_Q16
+
+typedef uint64_t loft_state;    /* the LSB counts 2^32; wraps, which only a value outside 32 bits would notice */
+
+typedef struct {
+    loft_state d[LOFT_WALK_DEGREE_MAX + 1];     /* d[0] carries the 1/2 LSB that rounds it when it is cut */
+} loft_walk;
+
+typedef struct {
+    uint64_t rest[LOFT_WALK_DEGREE_MAX + 1];    /* below n^degree; rest[0] carries half of that */
+    uint32_t whole[LOFT_WALK_DEGREE_MAX + 1];   /* wraps                                        */
+} loft_strict;
+
+/* error none: the rounding is in the state */
+static inline loft_real loft_state_real(loft_state s)   { return loft_acc_high((int64_t)s); }
+
+/* The value that the walk gives as its last one: here the differences lead to it. */
+static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)w; return arrived; }
+
+static inline loft_real loft_strict_step(loft_strict *s, unsigned degree, uint64_t power, bool last)
+{
+    (void)last;
+    for (unsigned k = 0; k < degree; k++) {
+        const uint64_t rest = s->rest[k] + s->rest[k + 1];      /* below 2 power < 2^64 */
+        const bool carry = rest >= power;
+
+        s->rest[k] = carry ? rest - power : rest;
+        s->whole[k] += s->whole[k + 1] + carry;
+    }
+    return (loft_real)s->whole[0];
+}
+
+#else
+
+typedef double loft_state;
+
+typedef struct {
+    loft_state d[LOFT_WALK_DEGREE_MAX + 1];
+    loft_real end;
+} loft_walk;
+
+typedef loft_walk loft_strict;
+
+static inline loft_real loft_state_real(loft_state s)   { return (loft_real)s; }
+static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)arrived; return w->end; }
+
+static inline loft_real loft_strict_step(loft_strict *s, unsigned degree, uint64_t power, bool last)
+{
+    (void)power;
+    for (unsigned k = 0; k < degree; k++)
+        s->d[k] += s->d[k + 1];
+    return last ? s->end : (loft_real)s->d[0];
+}
+
+#endif
+
+/* Does the law of ranges (walk.c) admit n >= 1 steps: for loft_walk, and for loft_strict? */
+bool loft_walk_admits(unsigned degree, uint32_t n);
+bool loft_strict_admits(unsigned degree, uint32_t n);
+
+/* Start at p[0] of the Bezier polynomial p[0..degree], n steps ahead. Differences above degree are 0.
+ *
+ *   range   an admitted n; f32, f64: |p| <= LOFT_REAL_MAX / 4096
+ *   cost    q16: degree^2 divisions of 64 by 32 bits and degree long divisions of 32 rounds
+ */
+void     loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, uint32_t n);
+void     loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n);
+uint64_t loft_strict_power(unsigned degree, uint32_t n);       /* n^degree */
+
+/* The fewest steps for the whole of p[0..degree] from which loft_walk_halve is proven exact. */
+uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree);
+
+/* Half and twice the step, at the same point; exact in q16 under the conditions in forward.h. */
+void loft_walk_halve(loft_walk *w, unsigned degree);
+void loft_walk_double(loft_walk *w, unsigned degree);
+
+/* Is every value a number that a walk may start from? */
+bool loft_walk_accepts(const loft_real p[], unsigned degree);
+
+#endif
