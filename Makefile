@@ -104,7 +104,7 @@ deps-bench:
 	@sh tests/deps.sh g++ libagg-dev libgsl-dev
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
-CHECK_STAGES := lint test test-readme
+CHECK_STAGES := lint test test-mixed test-readme
 
 ## Check everything: rules of the house, all tests in all number types under sanitizers, vectors, README, whole jobs
 .PHONY: check
@@ -120,6 +120,11 @@ lint: lib/names.h
 .PHONY: test
 test: $(foreach n,$(NUMS),$(foreach t,$(TESTS),build/test/$(n)/$(t)))
 	@bad=0; for t in $(TESTS); do for n in $(NUMS); do echo "-- $$t $$n"; build/test/$$n/$$t || bad=1; done; done; exit $$bad
+
+## Show that builds that disagree do not link, and that three number types do in one program
+.PHONY: test-mixed
+test-mixed: $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
+	@sh tests/mixed.sh build
 
 ## Compile and run the README's example
 .PHONY: test-readme

@@ -13,7 +13,7 @@
  *   loft_mul(a, b)       loft_div(a, b)     rounded product and quotient of two reals
  *   loft_lerp(a, b, t)                      real between two reals: a at t = 0, b at t = 1, exactly
  *   loft_wide(a)                            a real as acc, exactly
- *   loft_prod(a, b)                         exact product of two reals as acc
+ *   loft_prod(a, b)                         product of two reals as acc, exactly in q16 and f32
  *   loft_acc_lerp(x, y, t)                  acc between two accs
  *   loft_acc_scale(x, t)                    acc times unit
  *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real
@@ -54,16 +54,16 @@
 
 /* The square root of x.
  *
- *   range   x >= 0; a negative x gives 0
- *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: 1 ulp
+ *   range   q16: x <= 2^30 - 1/2, above that LOFT_REAL_MAX; a negative x gives 0
+ *   error   q16: 1/2 LSB   f32: 0.5001 ulp   f64: 1 ulp
  *   cost    q16: 32 rounds of shift and subtract, no division
  */
 loft_real loft_acc_sqrt(loft_acc x);
 
 /* The length of the vector x[0..n-1].
  *
- *   range   q16: |x[i]| < 2^61, n = 1..6
- *   error   q16: 2^-29 of the result + 2^-32   f32, f64: 4 ulp of double
+ *   range   q16: |x[i]| < 2^29, n = 0..6   f32, f64: any n, the result below DBL_MAX
+ *   error   q16: 2^-28 of the result + 2^-32   f32, f64: 2^-50 of the result, normal numbers
  *   cost    q16: n multiplications and one square root
  */
 loft_acc loft_acc_hypot(const loft_acc x[], int n);

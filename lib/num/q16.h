@@ -64,10 +64,11 @@ static inline bool loft_acc_fits(loft_acc x)
 /* error 1/2 LSB; range loft_acc_fits(x) */
 static inline loft_real loft_acc_round(loft_acc x)          { return loft_acc_middle(x + 32768); }
 
-/* error 1/2 LSB; |a * b| < 32768 */
+/* error 1/2 LSB; range loft_acc_fits(loft_prod(a, b)), that is -32768 <= a * b < 32768 - 2^-17 */
 static inline loft_real loft_mul(loft_real a, loft_real b)  { return loft_acc_round(loft_prod(a, b)); }
 
-/* error 1/2 LSB; b != 0, |a / b| < 32768 */
+/* error 1/2 LSB; b != 0, -32768 <= a / b < 32768. (The quotient cannot round up to 32768: b would have to
+ * exceed 2, and then a would not fit.) */
 static inline loft_real loft_div(loft_real a, loft_real b)
 {
     const int64_t n = (int64_t)a * 65536 * (b < 0 ? -1 : 1), d = b < 0 ? -(int64_t)b : b;
@@ -75,39 +76,39 @@ static inline loft_real loft_div(loft_real a, loft_real b)
     return (loft_real)(2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q);
 }
 
-/* error 1/2 LSB; any a, b: the difference has 33 bits, t in 0..1 has 25, the product 58 */
+/* error 1/2 LSB, none at t = 0 and 1; t in 0..1, any a, b: the difference has 33 bits, t 25, the product 58 */
 static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
 {
     return (loft_real)(a + loft_shift_24(((int64_t)b - a) * t + 8388608));
 }
 
 /* x * t: the two 32-bit halves of x apart, so that no product exceeds 64 bits.
- * error 2^-33 (1/2 of an acc LSB); |x * t| < 2^62 */
+ * error 2^-33 (1/2 of an acc LSB); |x * t| <= 2^30 */
 static inline loft_acc loft_acc_scale(loft_acc x, loft_unit t)
 {
     return (loft_acc)loft_acc_high(x) * t * 256 + loft_shift_24((int64_t)loft_acc_low(x) * t + 8388608);
 }
 
-/* error 2^-33; |x|, |y| and |(y - x) t| below 2^62 */
+/* error 2^-33; |x|, |y| < 2^30, t in 0..1 or |(y - x) t| <= 2^30; none at t = 0 and 1 */
 static inline loft_acc loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
 {
     return x + loft_acc_scale(y - x, t);
 }
 
-/* error 2^-33; |x * a| < 2^62 as an acc */
+/* error 2^-33; |x * a| <= 2^30 */
 static inline loft_acc loft_acc_mul(loft_acc x, loft_real a)
 {
     return (loft_acc)loft_acc_high(x) * a * 65536 + loft_shift_16((int64_t)loft_acc_low(x) * a + 32768);
 }
 
-/* error 1/2 of an acc LSB; k >= 1 */
+/* error 2^-33; any x, k >= 1 */
 static inline loft_acc loft_acc_ratio(loft_acc x, int32_t k)
 {
     const int64_t q = x / k, r = x % k;
     return 2*r >= k ? q + 1 : 2*r < -(int64_t)k ? q - 1 : q;
 }
 
-/* error 1/2 of an acc LSB of the quotient; a != 0, |x| < 2^46, |x / a| < 2^62 as an acc */
+/* error 2^-33; a != 0, |x| < 2^15, |x / a| < 2^30 */
 static inline loft_acc loft_acc_div(loft_acc x, loft_real a)
 {
     const int64_t n = x * 65536 * (a < 0 ? -1 : 1), d = a < 0 ? -(int64_t)a : a;

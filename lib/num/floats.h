@@ -1,0 +1,72 @@
+/* lib/num/floats.h -- the operations that the float and the double backend share
+ * SPDX-License-Identifier: MIT
+ *
+ * Included by f32.h and f64.h after their types. Each operation is one to four correctly rounded IEEE
+ * operations; nothing is reordered that the compiler was not told to. "ulp" is one of loft_real for
+ * functions that return a real or a unit, one of double for those that return an acc, each of the
+ * result where nothing else is said, and results stay within the normal numbers of their type.
+ */
+#ifndef LOFT_NUM_FLOATS_H
+#define LOFT_NUM_FLOATS_H
+
+#define LOFT_REAL(x)   ((loft_real)(x))
+#define LOFT_UNIT(x)   ((loft_unit)(x))
+#define LOFT_REAL_LSB  ((loft_real)0)       /* the distance between neighbouring coordinates; 0 in floats */
+
+/* error none */
+static inline loft_acc  loft_wide(loft_real a)                  { return (loft_acc)a; }
+
+/* error f32: none   f64: 1/2 ulp */
+static inline loft_acc  loft_prod(loft_real a, loft_real b)     { return (loft_acc)a * (loft_acc)b; }
+
+/* Does x round into a real? (Not said of the half ulp of f32 above LOFT_REAL_MAX, nor of NaN.) */
+static inline bool      loft_acc_fits(loft_acc x)
+{
+    return x <= (loft_acc)LOFT_REAL_MAX && x >= -(loft_acc)LOFT_REAL_MAX;
+}
+
+/* error f32: 1/2 ulp   f64: none */
+static inline loft_real loft_acc_round(loft_acc x)              { return (loft_real)x; }
+
+/* error 1/2 ulp */
+static inline loft_real loft_mul(loft_real a, loft_real b)      { return a * b; }
+static inline loft_real loft_div(loft_real a, loft_real b)      { return a / b; }
+
+/* error 2 ulp of the larger of |a|, |b|: 1/2 in 1 - t, 1/2 and 1/4 in the products, 1/2 in the sum;
+ * none at t = 0 and 1. t in 0..1 */
+static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
+{
+    return (1 - t) * a + t * b;
+}
+
+/* error 1/2 ulp */
+static inline loft_acc  loft_acc_scale(loft_acc x, loft_unit t) { return x * (loft_acc)t; }
+
+/* error 2 ulp of the larger of |x|, |y|; none at t = 0 and 1. t in 0..1 */
+static inline loft_acc  loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
+{
+    return (1 - (loft_acc)t) * x + (loft_acc)t * y;
+}
+
+/* error 1/2 ulp */
+static inline loft_acc  loft_acc_mul(loft_acc x, loft_real a)   { return x * (loft_acc)a; }
+static inline loft_acc  loft_acc_div(loft_acc x, loft_real a)   { return x / (loft_acc)a; }
+static inline loft_acc  loft_acc_ratio(loft_acc x, int32_t k)   { return x / (loft_acc)k; }
+
+/* error f32: 0.5001 ulp (rounded twice)   f64: 1/2 ulp; j <= n, n >= 1 */
+static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)    { return (loft_unit)((loft_acc)j / (loft_acc)n); }
+
+/* error none */
+static inline loft_unit loft_unit_from(loft_real a)             { return a; }
+
+/* error none for |i| <= 2^24, f32: 1/2 ulp above */
+static inline loft_real loft_real_from_int(int32_t i)           { return (loft_real)i; }
+
+/* error none; |a| < 2^31 */
+static inline int32_t   loft_real_floor(loft_real a)
+{
+    const int32_t i = (int32_t)a;
+    return (loft_real)i > a ? i - 1 : i;
+}
+
+#endif
