@@ -1,0 +1,194 @@
+/* host-tools/transport_fd.c -- ptys and other terminals, sockets, standard input and output
+ * SPDX-License-Identifier: MIT
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "tool.h"
+#include "transport.h"
+
+static bool later(int error)
+{
+    return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
+}
+
+static long fd_read(transport *t, void *bytes, size_t max, int timeout_ms)
+{
+    struct pollfd p = { .fd = t->in, .events = POLLIN };
+    const int ready = poll(&p, 1, timeout_ms);
+
+    if (ready <= 0)
+        return ready == 0 || errno == EINTR ? 0 : -1;
+    const ssize_t got = read(t->in, bytes, max);
+    if (got > 0)
+        return (long)got;
+    if (got < 0 && later(errno) && !(p.revents & (POLLHUP | POLLERR)))
+        return 0;
+    if (got == 0)
+        errno = EPIPE;
+    return -1;
+}
+
+static long fd_write(transport *t, const void *bytes, size_t count, int timeout_ms)
+{
+    struct pollfd p = { .fd = t->out, .events = POLLOUT };
+    const int ready = poll(&p, 1, timeout_ms);
+
+    if (ready <= 0)
+        return ready == 0 || errno == EINTR ? 0 : -1;
+    const ssize_t put = write(t->out, bytes, count);
+    return put >= 0 ? (long)put : later(errno) ? 0 : -1;
+}
+
+static void fd_close(transport *t)
+{
+    close(t->in);
+    if (t->out != t->in)
+        close(t->out);
+}
+
+static const transport_kind kind = { fd_read, fd_write, fd_close };
+
+static int take(transport *t, int in, int out, const char *name)
+{
+    (void)fcntl(in, F_SETFL, fcntl(in, F_GETFL) | O_NONBLOCK);
+    (void)fcntl(out, F_SETFL, fcntl(out, F_GETFL) | O_NONBLOCK);
+    t->kind = &kind;
+    t->in   = in;
+    t->out  = out;
+    snprintf(t->text, sizeof t->text, "%.120s", name);
+    return 0;
+}
+
+static bool speed_of(unsigned baud, speed_t *out)
+{
+    static const struct { unsigned baud; speed_t speed; } speeds[] = {
+        { 9600, B9600 }, { 19200, B19200 }, { 38400, B38400 }, { 57600, B57600 }, { 115200, B115200 }, { 230400, B230400 },
+        { 460800, B460800 }, { 500000, B500000 }, { 921600, B921600 }, { 1000000, B1000000 }, { 2000000, B2000000 }
+    };
+    for (size_t i = 0; i < sizeof speeds / sizeof speeds[0]; i++)
+        if (speeds[i].baud == baud) {
+            *out = speeds[i].speed;
+            return true;
+        }
+    return false;
+}
+
+/* Raw bytes, no modem lines; the lock is advisory because TIOCEXCL would outlive a killed sender on a pty. */
+static int make_raw(int fd, const char *name, unsigned baud)
+{
+    struct termios mode;
+    speed_t speed;
+
+    if (!speed_of(baud, &speed))
+        return tool_error(EX_USAGE, "--baud %u: give 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600 ..", baud);
+    if (tcgetattr(fd, &mode) != 0)
+        return transport_refused(name, errno);
+    cfmakeraw(&mode);
+    cfsetispeed(&mode, speed);
+    cfsetospeed(&mode, speed);
+    mode.c_cflag |= CLOCAL | CREAD;
+    mode.c_cflag &= ~(tcflag_t)(HUPCL | CRTSCTS);
+    mode.c_cc[VMIN]  = 1;
+    mode.c_cc[VTIME] = 0;
+    return tcsetattr(fd, TCSANOW, &mode) == 0 ? 0 : transport_refused(name, errno);
+}
+
+int transport_open_terminal(transport *t, const char *name, unsigned baud)
+{
+    const int fd = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    int code     = 0;
+
+    if (fd < 0)
+        return transport_refused(name, errno);
+    if (!isatty(fd))
+        code = tool_error(EX_UNAVAILABLE, "%s: not a serial port: see `loft ports`, or name a pty, unix:PATH or tcp:HOST:PORT", name);
+    else if (!transport_own(fd, name))
+        code = EX_UNAVAILABLE;
+    else
+        code = make_raw(fd, name, baud);
+    if (code != 0) {
+        close(fd);
+        return code;
+    }
+    return take(t, fd, fd, name);
+}
+
+static int open_unix(transport *t, const char *name)
+{
+    struct sockaddr_un address = { .sun_family = AF_UNIX };
+    const char *path = name + strlen("unix:");
+
+    if (strlen(path) >= sizeof address.sun_path)
+        return tool_error(EX_USAGE, "%s: the path is too long: give at most %zu characters", name, sizeof address.sun_path - 1);
+    strcpy(address.sun_path, path);
+    const int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (fd < 0 || connect(fd, (const struct sockaddr *)&address, sizeof address) != 0) {
+        const int error = errno;
+        if (fd >= 0)
+            close(fd);
+        return transport_refused(name, error);
+    }
+    return take(t, fd, fd, name);
+}
+
+static int connect_any(const struct addrinfo *list)
+{
+    const int one = 1;
+
+    errno = EHOSTUNREACH;
+    for (const struct addrinfo *a = list; a; a = a->ai_next) {
+        const int fd = socket(a->ai_family, a->ai_socktype | SOCK_CLOEXEC, a->ai_protocol);
+        if (fd < 0)
+            continue;
+        if (connect(fd, a->ai_addr, a->ai_addrlen) == 0) {
+            (void)setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+            return fd;
+        }
+        const int error = errno;
+        close(fd);
+        errno = error;
+    }
+    return -1;
+}
+
+static int open_tcp(transport *t, const char *name)
+{
+    const struct addrinfo hints = { .ai_family = AF_UNSPEC, .ai_socktype = SOCK_STREAM };
+    const char *colon = strrchr(name, ':');
+    struct addrinfo *list;
+    char host[256];
+
+    const size_t length = (size_t)(colon - name) - 3;       /* "tcp" and what is before the last colon */
+    if (colon == name + 3 || length > sizeof host || colon[1] == '\0')
+        return tool_error(EX_USAGE, "%s: give tcp:HOST:PORT", name);
+    memcpy(host, name + 4, length - 1);
+    host[length - 1] = '\0';
+    const int failed = getaddrinfo(host, colon + 1, &hints, &list);
+    if (failed)
+        return tool_error(EX_NOHOST, "%s: %s: look at the name of the host and the port", name, gai_strerror(failed));
+    const int fd = connect_any(list);
+    const int error = errno;
+    freeaddrinfo(list);
+    return fd < 0 ? transport_refused(name, error) : take(t, fd, fd, name);
+}
+
+int transport_open_socket(transport *t, const char *name)
+{
+    return strncmp(name, "unix:", 5) == 0 ? open_unix(t, name) : open_tcp(t, name);
+}
+
+int transport_open_standard(transport *t)
+{
+    return take(t, STDIN_FILENO, STDOUT_FILENO, "standard input and output");
+}
