@@ -1,0 +1,190 @@
+/* lib/wire/message.h -- messages: what the content of a frame says
+ * SPDX-License-Identifier: MIT
+ *
+ * Every message is a struct and two functions: encode makes a whole frame of it, ready to be sent; decode
+ * reads the content of a received frame. All numbers are little endian; WIRE.md has the tables.
+ *
+ *     host to machine   HELLO  JOB  SPANS  POINTS  END  CONTROL  POLL
+ *     machine to host   WELCOME  AXIS  ACK  STATUS  REPORT
+ */
+#ifndef LOFT_WIRE_MESSAGE_H
+#define LOFT_WIRE_MESSAGE_H
+
+#include "wire/codec.h"     /* loft_packer, enum loft_kind */
+#include "wire/frame.h"     /* LOFT_FRAME_MAX, loft_frame  */
+
+#define LOFT_WIRE_VERSION 1
+
+enum loft_message {
+    LOFT_HELLO   = 0x1,     LOFT_WELCOME = 0x8,     /* who is there? the one thing that never changes its form */
+    LOFT_JOB     = 0x2,     LOFT_AXIS    = 0x9,
+    LOFT_DATA_SPANS  = 0x3, LOFT_ACK     = 0xA,
+    LOFT_DATA_POINTS = 0x4, LOFT_STATUS  = 0xB,
+    LOFT_END     = 0x5,     LOFT_REPORT  = 0xC,
+    LOFT_CONTROL = 0x6,
+    LOFT_POLL    = 0x7
+};
+
+/* What the machine is doing. */
+enum loft_state {
+    LOFT_STATE_IDLE,        /* no job                                                           */
+    LOFT_STATE_RUNNING,     /* in a job: moving, or waiting for items                           */
+    LOFT_STATE_HOLDING,     /* slowing down on the path, to be held                             */
+    LOFT_STATE_HELD,        /* standing on the path                                             */
+    LOFT_STATE_STOPPING,    /* slowing down on the path, then the job is over                   */
+    LOFT_STATE_DONE,        /* the job is drawn; the report has not been closed                 */
+    LOFT_STATE_ABORTED,     /* the job was ended early; the report has not been closed          */
+    LOFT_STATE_FAULT        /* position is not to be trusted: no job until the machine restarts */
+};
+
+/* Is a job under way, so that another one cannot begin? */
+static inline bool loft_state_busy(uint8_t state)
+{
+    return state >= LOFT_STATE_RUNNING && state <= LOFT_STATE_STOPPING;
+}
+
+enum loft_flag {
+    LOFT_FLAG_NAK     = 1,  /* a frame was damaged or missing: send again from `next`           */
+    LOFT_FLAG_ENDED   = 2,  /* END was taken: all items are here                                */
+    LOFT_FLAG_STARVED = 4   /* the queue ran low and the job slowed down or stands still        */
+};
+
+/* Why the machine did not take a JOB, or an item. */
+enum loft_refusal {
+    LOFT_REFUSAL_NONE,
+    LOFT_REFUSAL_BUSY,      /* a job is under way                                               */
+    LOFT_REFUSAL_START,     /* the job does not start where the machine stands                  */
+    LOFT_REFUSAL_KIND,      /* the machine does not take items of this kind                     */
+    LOFT_REFUSAL_ITEM,      /* an item cannot be read, or asks for more than the machine can do */
+    LOFT_REFUSAL_FAULT      /* the machine's position is not to be trusted                      */
+};
+
+enum loft_verb {
+    LOFT_HOLD   = 1,        /* slow down on the path, stand still                               */
+    LOFT_RESUME = 2,
+    LOFT_ABORT  = 3,        /* slow down on the path, end the job                               */
+    LOFT_CLOSE  = 4         /* the report was read: forget the job                              */
+};
+
+typedef struct {
+    uint8_t  min_version, max_version;
+    uint8_t  frame_max;                 /* the longest frame that the host takes        */
+    uint32_t nonce;                     /* any number, another one for each connection  */
+} loft_hello;
+
+typedef struct {
+    uint32_t boot;                      /* WELCOME's: a job is for this run of the machine only     */
+    uint32_t id;                        /* not 0; the same for the same job, see loft_job_id        */
+    uint8_t  kind;                      /* enum loft_kind                                           */
+    int32_t  start[LOFT_AXES];          /* spans: raw Q16.16 mm; points: steps                      */
+} loft_job;
+
+typedef struct {
+    uint8_t number;                     /* counts up; the same number is obeyed once                */
+    uint8_t verb;                       /* enum loft_verb                                           */
+} loft_control;
+
+/* How far things are: part of every answer. */
+typedef struct {
+    uint32_t next;                      /* items taken = number of the next item wanted             */
+    uint32_t limit;                     /* items below this number may be sent                      */
+    uint32_t executed;                  /* items executed entirely                                  */
+    uint8_t  state;                     /* enum loft_state                                          */
+    uint8_t  flags;                     /* of enum loft_flag                                        */
+    uint8_t  refusal;                   /* enum loft_refusal: the last one in this session          */
+    uint8_t  control;                   /* number of the last CONTROL obeyed in this session        */
+} loft_ack;
+
+typedef struct {
+    uint8_t  version;                   /* 0: none in common                                        */
+    uint32_t nonce;                     /* HELLO's                                                  */
+    uint32_t boot;                      /* another one for each start of the machine                */
+    uint32_t job;                       /* 0: none                                                  */
+    loft_ack ack;
+    uint8_t  axes;
+    uint8_t  num;                       /* LOFT_Q16, LOFT_F32, LOFT_F64                             */
+    uint8_t  frame_max;                 /* the longest frame that the machine takes                 */
+    uint16_t queue;                     /* items that fit the queue                                 */
+    uint16_t tick_hz;                   /* ticks per second                                         */
+    uint16_t slots;                     /* chances to step per tick                                 */
+} loft_welcome;
+
+/* One per axis after each WELCOME. */
+typedef struct {
+    uint8_t number;                     /* 0 .. axes - 1                                            */
+    int32_t steps_per_mm;               /* raw Q16.16                                               */
+    int32_t max_speed;                  /* mm/s, raw Q16.16                                         */
+    int32_t max_accel;                  /* mm/s^2, raw Q16.16                                       */
+    int32_t position;                   /* steps                                                    */
+} loft_axis;
+
+typedef struct {
+    loft_ack ack;
+    uint32_t ticks;                     /* ticks of the job's plan executed                         */
+    uint32_t elapsed;                   /* ticks of time that took                                  */
+    uint32_t slowed;                    /* ticks that lasted longer because their steps did not fit */
+    uint32_t damaged;                   /* frames that arrived damaged                              */
+    uint32_t dropped;                   /* good frames not taken: repeated, early, unknown, stale   */
+    int32_t  position[LOFT_AXES];       /* steps                                                    */
+} loft_machine_status;
+
+typedef struct {
+    uint32_t job;
+    uint32_t items;                     /* executed                                                 */
+    uint32_t ticks, elapsed, slowed;    /* as in loft_machine_status                                */
+    uint8_t  state;                     /* LOFT_STATE_DONE or LOFT_STATE_ABORTED                    */
+    int32_t  position[LOFT_AXES];       /* where the pulses have led, in steps                      */
+} loft_report;
+
+
+// Any frame
+// ---------
+
+/* Of the content of a frame: what it is, and the session it belongs to. */
+static inline enum loft_message loft_message_type(const loft_frame *f)    { return (enum loft_message)(f->byte[0] >> 4); }
+static inline uint8_t           loft_message_version(const loft_frame *f) { return f->byte[0] & 15; }
+static inline uint8_t           loft_message_session(const loft_frame *f) { return f->byte[1]; }
+
+
+// Host to machine: each encode gives the length of the frame
+// ----------------------------------------------------------
+
+/* HELLO begins with one 0x00 more, which ends whatever the line held before. */
+size_t loft_hello_encode(const loft_hello *m, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_end_encode(uint32_t total, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+
+/* SPANS and POINTS: init prepares `p` to pack items into the frame, encode finishes it with what was packed.
+ * `frame_max` is the shorter of both ends' longest frames. */
+void   loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t frame_max,
+                      uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_data_encode(const loft_packer *p, uint32_t first, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+
+/* Each decode gives LOFT_ERR_DATA if the content has another length or holds a value that its table does not list. */
+enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m) LOFT_CHECKED;
+enum loft_status loft_job_decode(const loft_frame *f, loft_job *m) LOFT_CHECKED;
+enum loft_status loft_end_decode(const loft_frame *f, uint32_t *total) LOFT_CHECKED;
+enum loft_status loft_control_decode(const loft_frame *f, loft_control *m) LOFT_CHECKED;
+enum loft_status loft_data_decode(const loft_frame *f, uint16_t *first, loft_unpacker *u) LOFT_CHECKED;
+
+
+// Machine to host
+// ---------------
+
+/* As above. WELCOME may grow at its end in later versions: more bytes than known are no error. */
+size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_axis_encode(const loft_axis *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_ack_encode(const loft_ack *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_report_encode(const loft_report *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+
+/* As above. */
+enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m) LOFT_CHECKED;
+enum loft_status loft_axis_decode(const loft_frame *f, loft_axis *m) LOFT_CHECKED;
+enum loft_status loft_ack_decode(const loft_frame *f, loft_ack *m) LOFT_CHECKED;
+enum loft_status loft_machine_status_decode(const loft_frame *f, loft_machine_status *m) LOFT_CHECKED;
+enum loft_status loft_report_decode(const loft_frame *f, loft_report *m) LOFT_CHECKED;
+
+#endif

@@ -1,0 +1,103 @@
+/* lib/wire/sender.h -- the host's half of a session: a job goes out, is repaired, resumed and reported
+ * SPDX-License-Identifier: MIT
+ *
+ * No transport and no clock: the caller moves the bytes and tells the time in ms (any origin, may wrap). Items
+ * are asked for by number, again when frames were lost; nothing that was sent is stored.
+ *
+ *     loft_sender_init(&s, nonce, now);
+ *     loop:
+ *         for each byte read        loft_sender_push(&s, byte, now);
+ *         if the line is free       write(wire, loft_sender_poll(&s, now, wire));
+ *         if s.phase is LOFT_PHASE_READY          plan for s.machine and s.axis; loft_sender_begin(&s, &job, ..);
+ *         if s.phase >= LOFT_PHASE_DONE           print what happened; stop
+ *         sleep until a byte comes or loft_sender_wait(&s, now) ms have passed
+ */
+#ifndef LOFT_WIRE_SENDER_H
+#define LOFT_WIRE_SENDER_H
+
+#include "wire/message.h"   /* the messages, loft_frame, loft_packer */
+
+#define LOFT_SENDER_WINDOW  8           /* frames on their way at most                    */
+#define LOFT_SENDER_SILENCE 1500        /* ms without an answer until HELLO is said again */
+#define LOFT_SENDER_POLL    100         /* ms between two questions for the status        */
+
+enum loft_phase {
+    LOFT_PHASE_HELLO,       /* nobody has answered yet                                                          */
+    LOFT_PHASE_READY,       /* welcomed: `machine` and `axis` are known; waits for loft_sender_begin            */
+    LOFT_PHASE_OPENING,     /* JOB is sent                                                                      */
+    LOFT_PHASE_STREAMING,   /* items go out; also after the last one, until the report                          */
+    LOFT_PHASE_CLOSING,     /* the report is here, the machine is told so                                       */
+                            /* ... from here on nothing more happens                                            */
+    LOFT_PHASE_DONE,        /* drawn: `report`                                                                  */
+    LOFT_PHASE_ABORTED,     /* ended early: `report` if report.job is not 0                                     */
+    LOFT_PHASE_BUSY,        /* another job is under way: `machine.job`                                          */
+    LOFT_PHASE_LOST,        /* the machine restarted or serves another job: its position is not to be trusted   */
+    LOFT_PHASE_REFUSED,     /* by the machine: ack.refusal                                                      */
+    LOFT_PHASE_UNFIT        /* no common version, other number of axes, or too short a frame: see `machine`     */
+};
+
+/* Fill *out with item `index` of the job, 0 .. count - 1. Asked for any item from the last acknowledged one on,
+ * and the two before, again and again: it must answer the same each time. */
+typedef void loft_item_source(void *context, uint32_t index, loft_item *out);
+
+/* Complete so that it can be static. Read what stands above the line; the rest may change without notice. */
+typedef struct {
+    enum loft_phase     phase;
+    loft_welcome        machine;
+    loft_axis           axis[LOFT_AXES];
+    loft_ack            ack;                /* the latest                                                       */
+    loft_machine_status status;             /* the latest, about LOFT_SENDER_POLL ms old; its ack is not kept   */
+    loft_report         report;
+    bool     resumed;                       /* the job was already under way when it was begun                  */
+    bool     collected;                     /* the job was already over: only its report was fetched            */
+    uint32_t sent, resent, naks, timeouts, hellos, damaged, unknown;    /* frames; data frames in the first two  */
+    uint32_t rtt_ms;                        /* smoothed; 0 until measured                                       */
+    /* ---- */
+    loft_frame  frame;
+    loft_job    job;
+    loft_item_source *source;
+    void       *context;
+    uint32_t    count;                      /* items of the job                                                 */
+    uint32_t    base, send, high;           /* acknowledged, to be sent next, sent at least once                */
+    struct { uint32_t end, time; bool again; } flight[LOFT_SENDER_WINDOW];
+    uint8_t     flights, first;
+    uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come                     */
+    uint8_t     verb, number;               /* CONTROL waiting for its acknowledgement                          */
+    bool        verb_sent, opened, aborting, hello_sent, end_sent, job_sent, went_back;
+    uint32_t    nonce, boot;
+    uint32_t    rtt8, var4, rto;            /* Jacobson's, times 8 and 4; ms                                    */
+    uint32_t    heard, tried, polled, back, verb_time;  /* times                                                */
+} loft_sender;
+
+/* Prepare to greet a machine. `nonce`: any number that the last connection did not use (a clock, a random number). */
+void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms);
+
+/* Begin `job` of `count` items (job->boot is filled in). What follows depends on the machine:
+ * it is idle: the job starts. It is in the middle of this very job (same id): the job goes on where the machine
+ * stands. It has finished it, and nobody has fetched the report: the report is fetched. It is in another job: BUSY.
+ *
+ *   range   phase is LOFT_PHASE_READY, job->id not 0, job->kind known; otherwise LOFT_ERR_ARG
+ */
+enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count, loft_item_source *source,
+                                   void *context) LOFT_CHECKED;
+
+/* Hold, resume or abort (not LOFT_CLOSE), at any time after the welcome, also with a full window, also when BUSY.
+ * The latest counts. After an abort no more items are sent and the phase becomes ABORTED. */
+void loft_sender_control(loft_sender *s, enum loft_verb verb);
+
+/* Take one byte from the line. Gives true when `phase`, `ack`, `status` or `report` may have changed. */
+bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms);
+
+/* Give the next frame to send; 0 when there is none now. */
+size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME_MAX]);
+
+/* For how many ms loft_sender_poll has nothing to send if no byte comes in; 0: it has something now. */
+uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms);
+
+/* For how many ms no good frame has come. */
+uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms);
+
+/* The id of a job: a CRC-32C of its kind, start, count and all items; never 0. The same job has the same id. */
+uint32_t loft_job_id(const loft_job *job, uint32_t count, loft_item_source *source, void *context);
+
+#endif
