@@ -27,8 +27,8 @@ static void draw(subject *s, arb *a, unsigned degree)
         for (int i = 0; i < LOFT_AXES; i++) {
             s->p[k].axis[i] = arb_real(a, 32767);
             if (extreme)
-                s->p[k].axis[i] = (k + (unsigned)i) & 1 ? LOFT_REAL_MAX / BY_NUM(1, 4096, 4096)
-                                                        : -LOFT_REAL_MAX / BY_NUM(1, 4096, 4096) - BY_NUM(1, 0, 0);
+                s->p[k].axis[i] = (k + (unsigned)i) & 1 ? LOFT_REAL_MAX / BY_NUM(1, 65536, 65536)
+                                                        : -LOFT_REAL_MAX / BY_NUM(1, 65536, 65536) - BY_NUM(1, 0, 0);
         }
     s->curve.p = s->p;
     s->curve.degree = (uint8_t)degree;
@@ -40,15 +40,6 @@ static uint64_t choose(uint64_t n, unsigned k)
     for (unsigned i = 1; i <= k; i++)
         c = c * (n - i + 1) / i;
     return c;
-}
-
-/* The most by which rounded differences may displace point i, times 2^33. */
-static uint64_t drift(unsigned degree, uint64_t i)
-{
-    uint64_t sum = 0;
-    for (unsigned k = 1; k <= degree && k <= i; k++)
-        sum += choose(i, k);
-    return sum;
 }
 
 #if LOFT_NUM == LOFT_Q16
@@ -81,6 +72,15 @@ static void check_exact(const subject *s, uint32_t n, uint64_t i, loft_vec got)
         const exact off = 2 * (scaled(s, n, i, x) - got.axis[x] * whole);
         CHECK(off >= -whole && off < whole);
     }
+}
+
+/* The most by which rounded differences may displace point i, times 2^33. */
+static uint64_t drift(unsigned degree, uint64_t i)
+{
+    uint64_t sum = 0;
+    for (unsigned k = 1; k <= degree && k <= i; k++)
+        sum += choose(i, k);
+    return sum;
 }
 
 /* Does it keep the law, 1/2 LSB and the drift? */
@@ -252,7 +252,9 @@ static void a_run_gives_the_points_of_single_steps(arb *a)
             CHECK(loft_vec_equal(single, run[j]));
         }
         done += got;
-        CHECK(memcmp(w.axis, v.axis, sizeof w.axis) == 0 && w.left == v.left);
+        CHECK(w.left == v.left);
+        for (int i = 0; i < LOFT_AXES; i++)
+            CHECK(memcmp(w.axis[i].d, v.axis[i].d, sizeof w.axis[i].d) == 0);
     }
     CHECK(loft_forward_run(&w, run, 1) == 0);
     CHECK(!loft_forward_next(&w, &after));
@@ -293,6 +295,23 @@ static void a_halved_step_is_the_finer_walk(arb *a)
     CHECK(i == count);
     if (before < n)
         check_last(&s, p);
+}
+
+/* Rounded differences have no exact half. */
+static void a_step_that_is_no_power_of_two_is_not_halved(arb *a)
+{
+    const unsigned degree = 1 + arb_below(a, 5);
+    const uint32_t n = 3 + arb_below(a, 200);
+    subject s;
+    loft_forward w, was;
+
+    draw(&s, a, degree);
+    CHECK(loft_forward_init(&w, &s.curve, n) == LOFT_OK);
+    was = w;
+    if ((n & (n - 1)) != 0) {
+        CHECK(loft_forward_halve(&w) == LOFT_ERR_RANGE);
+        CHECK(memcmp(&w, &was, sizeof w) == 0);
+    }
 }
 
 /* Curves of ordinary size may be halved down to the last guard bit. */
@@ -411,6 +430,7 @@ int main(void)
     PROPERTY(strict_walks_are_exact_for_any_number,   300);
     PROPERTY(a_run_gives_the_points_of_single_steps,  300);
     PROPERTY(a_halved_step_is_the_finer_walk,         600);
+    PROPERTY(a_step_that_is_no_power_of_two_is_not_halved, 100);
     PROPERTY(ordinary_curves_are_halved_to_the_limit, 300);
     PROPERTY(a_doubled_step_is_every_second_point,    300);
     PROPERTY(halving_undoes_doubling,                 600);

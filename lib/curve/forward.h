@@ -45,7 +45,7 @@ typedef struct {
  *
  *   shape   will yield n points, at t = 1/n, 2/n .. 1; the start is not repeated; `b` is not kept
  *   range   degree 0..5, n >= 1, otherwise LOFT_ERR_ARG; n within the law of ranges, any control points
- *           (f32, f64: to LOFT_REAL_MAX / 4096), otherwise LOFT_ERR_RANGE; then *w is untouched
+ *           (f32, f64: to LOFT_REAL_MAX / 65536), otherwise LOFT_ERR_RANGE; then *w is untouched
  *   cost    q16: degree^2 divisions and degree long divisions of 32 rounds per axis
  *   see     Foley, van Dam, Feiner, Hughes: Computer Graphics, ch. 11
  */

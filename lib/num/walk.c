@@ -209,10 +209,11 @@ static loft_state over_power_of_two(loft_state sum, unsigned k)
 
 #else
 
+/* The sum of all |g_k| c(k, j) is below 2^14 times the largest |p|. */
 bool loft_walk_accepts(const loft_real p[], unsigned degree)
 {
     for (unsigned k = 0; k <= degree; k++)
-        if (!(p[k] >= -LOFT_REAL_MAX / 4096 && p[k] <= LOFT_REAL_MAX / 4096))
+        if (!(p[k] >= -LOFT_REAL_MAX / 65536 && p[k] <= LOFT_REAL_MAX / 65536))
             return false;
     return true;
 }

@@ -77,7 +77,7 @@ bool loft_strict_admits(unsigned degree, uint32_t n);
 
 /* Start at p[0] of the Bezier polynomial p[0..degree], n steps ahead. Differences above degree are 0.
  *
- *   range   an admitted n; f32, f64: |p| <= LOFT_REAL_MAX / 4096
+ *   range   an admitted n; f32, f64: |p| <= LOFT_REAL_MAX / 65536
  *   cost    q16: degree^2 divisions of 64 by 32 bits and degree long divisions of 32 rounds
  */
 void     loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, uint32_t n);
