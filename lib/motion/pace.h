@@ -1,30 +1,48 @@
 /* lib/motion/pace.h -- pace: time is stretched, the path is never left
  * SPDX-License-Identifier: MIT
  *
- * Time runs at a pace of 0 (standing) to 1 (as planned). A tick that lasts `slots` step slots at pace 1
- * lasts slots / pace of them. The pace itself changes at a bounded rate: from 1 to 0 in `ramp` planned
- * ticks' worth of slots, so that speed v becomes 0 with acceleration v / ramp.
+ * Time runs at a pace of 0 (standing) to 1 (as planned). A tick that lasts `slots` step slots at pace 1 lasts
+ * slots / pace of them; the sequence of positions is the same. Hold, resume, override and starvation are nothing
+ * but an aim for the pace.
+ *
+ * The law: the pace changes by 1 in `ramp` ticks of real time, evenly. Where the plan moves with speed v, stretching
+ * time adds an acceleration of v / ramp (per tick), never more. From pace 1 the machine stands after
+ * ceil(ramp / 2) ticks of the plan, exactly at the end of a tick.
  */
 #ifndef LOFT_MOTION_PACE_H
 #define LOFT_MOTION_PACE_H
 
-#include "num/num.h"
+#include "num/num.h"    /* loft_status */
 
+#define LOFT_PACE_SLOTS_MAX 4096
+
+/* Complete so that it can be static; the fields may change without notice. */
 typedef struct {
-    uint32_t pace, target, change;      /* Q16: 65536 = as planned; change per slot, Q32 */
+    uint32_t first;                 /* slots of the tick that starts from standing, Q16         */
+    uint16_t level, aim, most;      /* pace = sqrt(level / most)                                */
+    uint16_t root;                  /* sqrt(level), Q8                                          */
     uint16_t slots;
+    uint8_t carry;                  /* slots owed by the ticks before, Q8                       */
 } loft_pace;
 
-/* slots per tick at pace 1: 1..4096; ramp: ticks from pace 1 to 0, 1..32767 */
+/* Stand still, with the aim 0.
+ *
+ *   range   slots per tick at pace 1: 1..LOFT_PACE_SLOTS_MAX; ramp, ticks from pace 1 to 0: 1..32767;
+ *           slots * sqrt(2 ramp) < 32767 (the slowest tick must not exceed that), otherwise LOFT_ERR_RANGE */
 enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp) LOFT_CHECKED;
 
-/* Aim for pace percent / 100, 0..100. 0 is a hold. */
+/* Aim for the pace percent / 100; 0 is a hold.
+ *
+ *   range   percent 0..100; what is more counts as 100. Any percent above 0 moves at least a little. */
 void loft_pace_aim(loft_pace *p, unsigned percent);
 
-/* Slots that the next tick lasts; 0 when time stands still. ISR-safe. */
+/* Slots that the next tick lasts; 0 while time stands still.
+ *
+ *   error   1 slot and 0.3 % of the law above; fractions are carried to the next tick; at pace 1 none
+ *   cost    at pace 0 and 1 nothing, else one 32-bit division and one 32-bit square root */
 uint16_t loft_pace_next(loft_pace *p);
 
-/* Ticks of the plan that pass until time stands still if the aim were 0 from now on. */
-uint32_t loft_pace_distance(const loft_pace *p);
+/* Ticks of the plan that pass until time stands still if the aim is 0 from now on: exactly. */
+static inline uint16_t loft_pace_distance(const loft_pace *p)   { return p->level; }
 
 #endif

@@ -1,39 +1,86 @@
 /* lib/motion/step.h -- steps: positions at ticks become step and direction bits per slot
  * SPDX-License-Identifier: MIT
  *
- * A tick lasts a number of slots; a slot is one chance to pulse. The steps of a tick are spread evenly over
- * its slots. Position is the sum of the pulses: no step is lost or doubled.
+ * A tick lasts a number of slots; a slot is one chance to pulse each axis. The steps of a tick are spread evenly
+ * over its slots. Position is the sum of the pulses: no step is lost or doubled.
+ *
+ * Two contexts share a loft_step: loft_step_next runs in the timer interrupt, once per slot, and is short;
+ * loft_step_load prepares the tick after the running one, in the main loop or in an interrupt that may itself be
+ * interrupted. They meet in one byte (`full`), so no lock is needed on any machine with one core.
  */
 #ifndef LOFT_MOTION_STEP_H
 #define LOFT_MOTION_STEP_H
 
-#include "geom/vec.h"
+#include "num/num.h"    /* loft_real */
+
+#define LOFT_STEP_SLOTS_MAX 32767               /* slots of one tick, and steps of one axis in it    */
+#define LOFT_STEP_REACH ((int32_t)1 << 30)      /* positions lie within +-LOFT_STEP_REACH steps      */
 
 /* What the pins do in one slot: bit i is axis i. */
 typedef struct {
-    uint8_t step;       /* pulse now                                                                */
+    uint8_t step;       /* pulse now                                                                  */
     uint8_t dir;        /* 1: towards minus; changes at least one slot before the pulse that needs it */
 } loft_pins;
 
+/* A prepared tick. */
 typedef struct {
-    int32_t position[LOFT_AXES];        /* steps, the sum of all pulses so far     */
-    uint16_t count[LOFT_AXES];          /* pulses of this tick                     */
-    uint16_t error[LOFT_AXES];
-    uint16_t slots, slot;
+    uint16_t count[LOFT_AXES];          /* pulses, at most `slots`                                    */
+    uint16_t slots;
     uint8_t dir;
+    bool lead;                          /* one slot before the first for the direction bits alone     */
+} loft_step_tick;
+
+/* Complete so that it can be static; the fields may change without notice. */
+typedef struct {
+    volatile int32_t position[LOFT_AXES];       /* steps: the sum of all pulses so far                */
+    uint16_t count[LOFT_AXES], error[LOFT_AXES];
+    uint16_t slots, left;                       /* of the running tick; those still to come           */
+    volatile uint8_t busy;                      /* left != 0, in one byte                             */
+    uint8_t dir;
+    volatile uint8_t changes;                   /* counts slots with pulses, for loft_step_position   */
+
+    volatile uint8_t full;                      /* `tick` is prepared                                 */
+    volatile loft_step_tick tick;
+    int32_t target[LOFT_AXES];                  /* where the prepared tick ends                       */
+    uint8_t target_dir;
 } loft_step;
 
-void loft_step_init(loft_step *s);
+/* Stand at `position` with nothing prepared.
+ *
+ *   range   |position| <= LOFT_STEP_REACH, otherwise LOFT_ERR_RANGE */
+enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES]) LOFT_CHECKED;
 
-/* Begin a tick of at least `slots` slots that ends at `target` steps; gives the slots that it really lasts:
- * more if the steps (and a direction change) do not fit. Call when loft_step_done. ISR-safe. */
+/* Prepare the tick that follows the running one: at least `slots` slots, at its end the position is `target`.
+ *
+ *   shape   gives the slots that it really lasts: more when the steps do not fit, or when an axis turns and has to
+ *           pulse at once; the machine is then slower than planned, and nothing is lost
+ *   range   loft_step_room(s); slots 1..LOFT_STEP_SLOTS_MAX; |target| <= LOFT_STEP_REACH; no axis moves more than
+ *           LOFT_STEP_SLOTS_MAX steps
+ *   error   within 1/2 step of the straight line from the last target to this one, after every slot
+ *   cost    no multiplication; called from one context only */
 uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t slots);
-bool     loft_step_done(const loft_step *s);
 
-/* What to do in the next slot. ISR-safe. */
+/* May a tick be prepared? */
+static inline bool loft_step_room(const loft_step *s)       { return !s->full; }
+
+/* Have all pulses been given? Position is then the last target. */
+static inline bool loft_step_done(const loft_step *s)       { return !s->full && !s->busy; }
+
+/* What to do in the next slot.
+ *
+ *   cost    per axis a 16-bit addition, comparison and subtraction and, with a pulse, a 32-bit count; no division,
+ *           no multiplication; meant for the timer interrupt */
 loft_pins loft_step_next(loft_step *s);
 
-/* mm to the nearest step: the same rounding in sender and machine. */
+/* The position, read while the interrupt runs: all axes of the same slot.
+ *
+ *   cost    repeats when a pulse came in between */
+void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES]);
+
+/* mm to the nearest step: the same rounding in sender and machine.
+ *
+ *   range   |mm| <= 32767, 0 < steps_per_mm <= 32767: the result is within +-LOFT_STEP_REACH
+ *   error   q16: nearest, ties upward, exactly   f32, f64: of the product as a double */
 int32_t loft_steps_of(loft_real mm, loft_real steps_per_mm);
 
 #endif

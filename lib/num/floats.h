@@ -28,6 +28,14 @@ static inline bool      loft_acc_fits(loft_acc x)
 /* error f32: 1/2 ulp   f64: none */
 static inline loft_real loft_acc_round(loft_acc x)              { return (loft_real)x; }
 
+/* error 1/2, ties upward; -2^31 <= x < 2^31 - 1/2. Cut toward zero first: the rest is then exact. */
+static inline int32_t   loft_acc_int(loft_acc x)
+{
+    const int32_t i = (int32_t)x;
+    const loft_acc rest = x - (loft_acc)i;
+    return rest >= 0.5 ? i + 1 : rest < -0.5 ? i - 1 : i;
+}
+
 /* error 1/2 ulp */
 static inline loft_real loft_mul(loft_real a, loft_real b)      { return a * b; }
 static inline loft_real loft_div(loft_real a, loft_real b)      { return a / b; }

@@ -19,6 +19,7 @@
  *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real
  *   loft_acc_ratio(x, k)                    acc by a whole number k >= 1
  *   loft_acc_fits(x)     loft_acc_round(x)  does it fit a real? the nearest real
+ *   loft_acc_int(x)                         the nearest whole number, ties upward
  *   loft_acc_sqrt(x)                        square root as real
  *   loft_acc_hypot(x, n)                    sqrt(x[0]^2 + .. + x[n-1]^2), no overflow inside
  *   loft_unit_of(j, n)                      the parameter j / n

@@ -64,6 +64,9 @@ static inline bool loft_acc_fits(loft_acc x)
 /* error 1/2 LSB; range loft_acc_fits(x) */
 static inline loft_real loft_acc_round(loft_acc x)          { return loft_acc_middle(x + 32768); }
 
+/* error 1/2; -2^31 <= x < 2^31 - 1/2 */
+static inline int32_t loft_acc_int(loft_acc x)              { return loft_acc_high(x + 2147483648); }
+
 /* error 1/2 LSB; range loft_acc_fits(loft_prod(a, b)), that is -32768 <= a * b < 32768 - 2^-17 */
 static inline loft_real loft_mul(loft_real a, loft_real b)  { return loft_acc_round(loft_prod(a, b)); }
 
