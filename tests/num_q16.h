@@ -54,6 +54,7 @@ static void product(int32_t a, int32_t b)
     const wide exact = (wide)a * b, want = rounded(exact, 65536);
 
     CHECK(loft_prod(a, b) == exact);
+    CHECK(loft_acc_int(loft_prod(a, b)) == rounded(exact, (wide)1 << 32));
     if (want >= INT32_MIN && want <= INT32_MAX)
         CHECK(loft_mul(a, b) == want);
     CHECK(loft_acc_fits(loft_prod(a, b)) == (want >= INT32_MIN && want <= INT32_MAX));
