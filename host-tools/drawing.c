@@ -1,0 +1,220 @@
+/* host-tools/drawing.c -- reading a file by its content; length and box of a drawing
+ * SPDX-License-Identifier: MIT
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include <errno.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "drawing.h"
+#include "tool.h"       /* tool_error, tool_grow, sysexits */
+
+#define FILE_MAX ((size_t)512 << 20)    /* bytes; a drawing of the greatest number of curves is smaller */
+
+
+// Reading
+// -------
+
+/* All of `stream`, with a 0 behind; NULL on failure with errno set (EFBIG: more than FILE_MAX). */
+static char *slurp(FILE *stream, size_t *size)
+{
+    size_t room = 1u << 16, used = 0;
+    char *text = tool_grow(NULL, room + 1);
+
+    for (;;) {
+        used += fread(text + used, 1, room - used, stream);
+        if (used < room)
+            break;
+        room *= 2;
+        text = tool_grow(text, room + 1);
+        if (used > FILE_MAX) {
+            errno = EFBIG;
+            free(text);
+            return NULL;
+        }
+    }
+    if (ferror(stream)) {
+        free(text);
+        return NULL;
+    }
+    text[used] = '\0';
+    *size = used;
+    return text;
+}
+
+static int unreadable(const char *file)
+{
+    switch (errno) {
+    case ENOENT: return tool_error(EX_NOINPUT, "%s: no such file: check the name", file);
+    case EISDIR: return tool_error(EX_NOINPUT, "%s: is a directory: give a file", file);
+    case EACCES: return tool_error(EX_NOPERM, "%s: may not be read: check its permissions", file);
+    case EFBIG:  return tool_error(EX_DATAERR, "%s: more than %zu MB: split the drawing", file, FILE_MAX >> 20);
+    default:     return tool_error(EX_IOERR, "%s: cannot be read: %s", file, strerror(errno));
+    }
+}
+
+/* XML starts with `<`, behind a byte order mark and white space at most; UTF-16 has a mark. */
+static bool looks_like_xml(const char *text)
+{
+    if (strncmp(text, "\xFE\xFF", 2) == 0 || strncmp(text, "\xFF\xFE", 2) == 0)
+        return true;
+    if (strncmp(text, "\xEF\xBB\xBF", 3) == 0)
+        text += 3;
+    return text[strspn(text, " \t\r\n")] == '<';
+}
+
+static int read_text(drawing *d, const char *file, const char *text, size_t size)
+{
+    if (text[strspn(text, " \t\r\n")] == '\0' && strlen(text) == size)
+        return tool_error(EX_DATAERR, "%s: is empty: an SVG or CSV drawing is expected", file);
+    if (strncmp(text, "\x1F\x8B", 2) == 0)
+        return tool_error(EX_DATAERR, "%s: is compressed: unpack it first, with gunzip", file);
+    if (looks_like_xml(text))
+        return drawing_read_svg(d, file, text, size);
+    if (strlen(text) != size)
+        return tool_error(EX_DATAERR, "%s: is not text: an SVG or CSV drawing is expected", file);
+    return drawing_read_csv(d, file, text, size);
+}
+
+int drawing_read(drawing *d, const char *file)
+{
+    const bool piped = strcmp(file, "-") == 0;
+    const char *name = piped ? "standard input" : file;
+    FILE *stream = piped ? stdin : fopen(file, "rb");
+    if (stream == NULL)
+        return unreadable(name);
+
+    size_t size = 0;
+    char *text = slurp(stream, &size);
+    const int code = text ? read_text(d, name, text, size) : unreadable(name);
+
+    free(text);
+    if (!piped)
+        fclose(stream);
+    if (code == 0 && d->count == 0)
+        return tool_error(EX_DATAERR, "%s: nothing to draw: it holds no visible curve", name);
+    return code;
+}
+
+void drawing_free(drawing *d)
+{
+    free(d->curve);
+    *d = (drawing){ 0 };
+}
+
+void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line)
+{
+    if (d->count == d->room) {
+        d->room = d->room ? 2 * d->room : 256;
+        d->curve = tool_grow(d->curve, d->room * sizeof *d->curve);
+    }
+    const unsigned path = d->count == 0 ? 0 : d->curve[d->count - 1].path + (fresh ? 1 : 0);
+    drawing_curve *c = &d->curve[d->count++];
+
+    memcpy(c->p, p, sizeof c->p);
+    c->path = path;
+    c->line = line;
+}
+
+
+// Measuring
+// ---------
+
+void drawing_eval(const drawing_curve *c, double t, double out[2])
+{
+    const double s = 1 - t;
+    const double w[4] = { s*s*s, 3*s*s*t, 3*s*t*t, t*t*t };
+
+    for (int i = 0; i < 2; i++)
+        out[i] = w[0]*c->p[0][i] + w[1]*c->p[1][i] + w[2]*c->p[2][i] + w[3]*c->p[3][i];
+}
+
+void drawing_deriv(const drawing_curve *c, double t, double out[2])
+{
+    const double s = 1 - t;
+
+    for (int i = 0; i < 2; i++)
+        out[i] = 3 * (s*s * (c->p[1][i] - c->p[0][i]) + 2*s*t * (c->p[2][i] - c->p[1][i]) + t*t * (c->p[3][i] - c->p[2][i]));
+}
+
+/* The length of the piece from a to b by Gauss's rule with seven points: exact for a speed of degree 13. */
+static double gauss(const drawing_curve *c, double a, double b)
+{
+    static const double at[4]     = { 0, 0.40584515137739716691, 0.74153118559939443986, 0.94910791234275852453 };
+    static const double weight[4] = { 0.41795918367346938776, 0.38183005050511894495, 0.27970539148927666790, 0.12948496616886969327 };
+    const double middle = (a + b) / 2, half = (b - a) / 2;
+    double sum = 0;
+
+    for (int i = -3; i <= 3; i++) {
+        double v[2];
+        drawing_deriv(c, middle + half * (i < 0 ? -at[-i] : at[i]), v);
+        sum += weight[i < 0 ? -i : i] * hypot(v[0], v[1]);
+    }
+    return sum * half;
+}
+
+/* Halve until both halves agree with the whole. Near a cusp the speed has a corner, which the halving closes in on:
+ * what is left after 40 levels is 2^-40 of the curve. */
+static double length_between(const drawing_curve *c, double a, double b, double whole, double tol, int levels)
+{
+    const double middle = (a + b) / 2, left = gauss(c, a, middle), right = gauss(c, middle, b);
+
+    if (levels == 0 || fabs(left + right - whole) <= tol)
+        return left + right;
+    return length_between(c, a, middle, left, tol / 2, levels - 1) + length_between(c, middle, b, right, tol / 2, levels - 1);
+}
+
+double drawing_length(const drawing *d)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < d->count; i++) {
+        const drawing_curve *c = &d->curve[i];
+        double legs = 0;        /* of the control polygon: not less than the length */
+        for (int k = 0; k < 3; k++)
+            legs += hypot(c->p[k + 1][0] - c->p[k][0], c->p[k + 1][1] - c->p[k][1]);
+        sum += length_between(c, 0, 1, gauss(c, 0, 1), 1e-8 * legs, 40);
+    }
+    return sum;
+}
+
+static void box_join(double box[2][2], const double p[2])
+{
+    for (int i = 0; i < 2; i++) {
+        box[0][i] = fmin(box[0][i], p[i]);
+        box[1][i] = fmax(box[1][i], p[i]);
+    }
+}
+
+/* Extremes lie at the ends and where a coordinate of the derivative, a t^2 + b t + c, is zero. */
+static void box_curve(double box[2][2], const drawing_curve *curve)
+{
+    box_join(box, curve->p[0]);
+    box_join(box, curve->p[3]);
+    for (int i = 0; i < 2; i++) {
+        const double d0 = curve->p[1][i] - curve->p[0][i], d1 = curve->p[2][i] - curve->p[1][i], d2 = curve->p[3][i] - curve->p[2][i];
+        const double a = d0 - 2*d1 + d2, b = 2 * (d1 - d0), c = d0;
+        const double q = -(b + copysign(sqrt(fmax(b*b - 4*a*c, 0)), b)) / 2;
+        const double root[2] = { q / a, c / q };
+
+        for (int k = 0; k < 2; k++)
+            if (root[k] > 0 && root[k] < 1) {   /* false for the nan of 0/0 */
+                double p[2];
+                drawing_eval(curve, root[k], p);
+                box_join(box, p);
+            }
+    }
+}
+
+bool drawing_box(const drawing *d, double box[2][2])
+{
+    box[0][0] = box[0][1] = HUGE_VAL;
+    box[1][0] = box[1][1] = -HUGE_VAL;
+    for (size_t i = 0; i < d->count; i++)
+        box_curve(box, &d->curve[i]);
+    return d->count > 0;
+}
