@@ -103,6 +103,21 @@ deps:
 deps-bench:
 	@sh tests/deps.sh g++ libagg-dev libgsl-dev
 
+## Install the cross compilers that check-cross and size need
+.PHONY: deps-target
+deps-target:
+	@sh tests/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc gcc-riscv64-unknown-elf
+
+## Compile lib/ for Cortex-M0+, M4, ATmega328P and rv32imac; no writable data, no libc, no slow helper in an interrupt
+.PHONY: check-cross
+check-cross: lib/names.h
+	@sh tests/cross.sh
+
+## Print text and worst stack of each module for the same cores   NUM=q16|f32|f64  AXES=1..6
+.PHONY: size
+size: lib/names.h
+	@sh tests/size.sh $(NUM) $(AXES)
+
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
 CHECK_STAGES := lint test test-mixed test-readme
 

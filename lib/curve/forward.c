@@ -78,52 +78,11 @@ bool loft_forward_next(loft_forward *w, loft_vec *out)
     w->left--;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        loft_state *d = w->axis[i].d;
-        for (unsigned k = 0; k < w->degree; k++)
-            d[k] += d[k + 1];
-        out->axis[i] = loft_state_real(d[0]);
+        out->axis[i] = loft_walk_step(&w->axis[i], w->degree);
         if (w->left == 0)
             out->axis[i] = loft_walk_end(&w->axis[i], out->axis[i]);
     }
     return true;
-}
-
-/* The differences are named, not an array: compilers keep names in registers. Those above the degree
- * are 0. */
-static void run_cubic(loft_state d[], loft_vec out[], uint32_t count, int axis)
-{
-    loft_state d0 = d[0], d1 = d[1], d2 = d[2];
-    const loft_state d3 = d[3];
-
-    for (uint32_t j = 0; j < count; j++) {
-        d0 += d1;
-        d1 += d2;
-        d2 += d3;
-        out[j].axis[axis] = loft_state_real(d0);
-    }
-    d[0] = d0;
-    d[1] = d1;
-    d[2] = d2;
-}
-
-static void run_quintic(loft_state d[], loft_vec out[], uint32_t count, int axis)
-{
-    loft_state d0 = d[0], d1 = d[1], d2 = d[2], d3 = d[3], d4 = d[4];
-    const loft_state d5 = d[5];
-
-    for (uint32_t j = 0; j < count; j++) {
-        d0 += d1;
-        d1 += d2;
-        d2 += d3;
-        d3 += d4;
-        d4 += d5;
-        out[j].axis[axis] = loft_state_real(d0);
-    }
-    d[0] = d0;
-    d[1] = d1;
-    d[2] = d2;
-    d[3] = d3;
-    d[4] = d4;
 }
 
 uint32_t loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count)
@@ -135,10 +94,7 @@ uint32_t loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count)
     w->left -= count;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        if (w->degree <= 3)
-            run_cubic(w->axis[i].d, out, count, i);
-        else
-            run_quintic(w->axis[i].d, out, count, i);
+        loft_walk_run(&w->axis[i], w->degree, &out[0].axis[i], LOFT_AXES, count);
         if (w->left == 0)
             out[count - 1].axis[i] = loft_walk_end(&w->axis[i], out[count - 1].axis[i]);
     }

@@ -252,6 +252,65 @@ static loft_state over_power_of_two(loft_state sum, unsigned k)
 
 #endif
 
+#if defined(__AVR__)
+
+/* No core with 8-bit registers keeps four numbers of 64 bits in them. */
+void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count)
+{
+    for (; count; count--, out += stride)
+        *out = loft_walk_step(w, degree);
+}
+
+#else
+
+/* The differences are named, not an array: compilers keep names in registers. Those above the degree are
+ * 0, so a cubic's road does for all below. */
+static void run_cubic(loft_state d[], loft_real out[], size_t stride, uint32_t count)
+{
+    loft_state d0 = d[0], d1 = d[1], d2 = d[2];
+    const loft_state d3 = d[3];
+
+    for (size_t j = 0; j < count; j++) {
+        d0 += d1;
+        d1 += d2;
+        d2 += d3;
+        out[j * stride] = loft_state_real(d0);
+    }
+    d[0] = d0;
+    d[1] = d1;
+    d[2] = d2;
+}
+
+static void run_quintic(loft_state d[], loft_real out[], size_t stride, uint32_t count)
+{
+    loft_state d0 = d[0], d1 = d[1], d2 = d[2], d3 = d[3], d4 = d[4];
+    const loft_state d5 = d[5];
+
+    for (size_t j = 0; j < count; j++) {
+        d0 += d1;
+        d1 += d2;
+        d2 += d3;
+        d3 += d4;
+        d4 += d5;
+        out[j * stride] = loft_state_real(d0);
+    }
+    d[0] = d0;
+    d[1] = d1;
+    d[2] = d2;
+    d[3] = d3;
+    d[4] = d4;
+}
+
+void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count)
+{
+    if (degree <= 3)
+        run_cubic(w->d, out, stride, count);
+    else
+        run_quintic(w->d, out, stride, count);
+}
+
+#endif
+
 /* Twice the step, D, from the single, d: 1 + D = (1 + d)^2, so
  *
  *     D^k = (2d + d^2)^k = sum_i  C(k, i) 2^(k-i) d^(k+i)

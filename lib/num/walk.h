@@ -71,6 +71,14 @@ static inline loft_real loft_strict_step(loft_strict *s, unsigned degree, uint64
 
 #endif
 
+/* One step of the first `degree` differences. */
+static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
+{
+    for (unsigned k = 0; k < degree; k++)
+        w->d[k] += w->d[k + 1];
+    return loft_state_real(w->d[0]);
+}
+
 /* Does the law of ranges (walk.c) admit n >= 1 steps: for loft_walk, and for loft_strict? */
 bool loft_walk_admits(unsigned degree, uint32_t n);
 bool loft_strict_admits(unsigned degree, uint32_t n);
@@ -83,6 +91,9 @@ bool loft_strict_admits(unsigned degree, uint32_t n);
 void     loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, uint32_t n);
 void     loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n);
 uint64_t loft_strict_power(unsigned degree, uint32_t n);       /* n^degree */
+
+/* `count` steps; the values go to out[0], out[stride] .. */
+void     loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);
 
 /* The fewest steps for the whole of p[0..degree] from which loft_walk_halve is proven exact. */
 uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree);
