@@ -25,6 +25,7 @@
 #define loft_ack_encode            LOFT_NAME(loft_ack_encode)
 #define loft_axis_decode           LOFT_NAME(loft_axis_decode)
 #define loft_axis_encode           LOFT_NAME(loft_axis_encode)
+#define loft_bernstein_at          LOFT_NAME(loft_bernstein_at)
 #define loft_bernstein_differences LOFT_NAME(loft_bernstein_differences)
 #define loft_bernstein_eval        LOFT_NAME(loft_bernstein_eval)
 #define loft_bernstein_from_power  LOFT_NAME(loft_bernstein_from_power)

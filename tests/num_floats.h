@@ -64,6 +64,17 @@ static void lerp_is_within_two_ulps_and_exact_at_the_ends(arb *a)
     near(loft_acc_lerp(v, w, 1), w, w, 53, 0);
 }
 
+static void a_lerp_at_a_fraction_is_within_three_ulps(arb *a)
+{
+    const loft_acc x = arb_double(a), y = arb_below(a, 2) ? arb_double(a) : x * 0.75;
+    const uint32_t n = 1 + (arb_below(a, (1u << 30) - 1) >> arb_below(a, 30)), j = arb_below(a, 2 * n + 1);
+    const long double t = (long double)j / n;
+
+    near(loft_acc_lerp_at(x, y, j, n), (1 - t) * x + t * y, larger(x, y) * (j > n ? t : 1), 53, 3);
+    near(loft_acc_lerp_at(x, y, 0, n), x, x, 53, 0);
+    near(loft_acc_lerp_at(x, y, n, n), y, y, 53, 0);
+}
+
 static void wide_operations_are_rounded_to_nearest(arb *a)
 {
     const loft_acc  x = arb_double(a);
@@ -156,6 +167,7 @@ static int test_num(void)
 {
     PROPERTY(products_and_quotients_are_rounded_to_nearest,    200000);
     PROPERTY(lerp_is_within_two_ulps_and_exact_at_the_ends,    200000);
+    PROPERTY(a_lerp_at_a_fraction_is_within_three_ulps,        200000);
     PROPERTY(wide_operations_are_rounded_to_nearest,           200000);
     PROPERTY(what_fits_a_real_is_known,                           100);
     PROPERTY(roots_are_within_their_bound,                     200000);

@@ -147,6 +147,17 @@ static void random_wide_operations_are_rounded_to_nearest(arb *a)
     }
 }
 
+/* The parameter j / n is not rounded: beyond n as well, to 2 n. */
+static void a_lerp_at_a_fraction_is_rounded_to_nearest(arb *a)
+{
+    const int64_t x = (int64_t)arb_next(a) >> (1 + arb_below(a, 62)), y = (int64_t)arb_next(a) >> (1 + arb_below(a, 62));
+    const uint32_t n = 1 + (arb_below(a, (1u << 30) - 1) >> arb_below(a, 30)), j = arb_below(a, 2 * n + 1);
+
+    if (j <= n || size_of(((wide)y - x) * j) <= ((wide)n << 62))
+        CHECK(loft_acc_lerp_at(x, y, j, n) == (int64_t)rounded((wide)x * n + ((wide)y - x) * j, n));
+    CHECK(loft_acc_lerp_at(x, y, 0, n) == x && loft_acc_lerp_at(x, y, n, n) == y);
+}
+
 static void rounding_an_acc_is_exact_where_it_fits(arb *a)
 {
     (void)a;
@@ -280,6 +291,7 @@ static int test_num(void)
     PROPERTY(random_pairs_obey_the_same_laws,                  50);
     PROPERTY(wide_operations_are_rounded_to_nearest,            1);
     PROPERTY(random_wide_operations_are_rounded_to_nearest,   200);
+    PROPERTY(a_lerp_at_a_fraction_is_rounded_to_nearest,    50000);
     PROPERTY(rounding_an_acc_is_exact_where_it_fits,            1);
     PROPERTY(roots_are_nearest,                                 1);
     PROPERTY(hypot_is_within_its_bound,                    100000);

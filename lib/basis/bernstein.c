@@ -60,6 +60,14 @@ loft_acc loft_bernstein_eval(loft_acc c[], unsigned degree, loft_unit t)
     return c[0];
 }
 
+loft_acc loft_bernstein_at(loft_acc c[], unsigned degree, uint32_t j, uint32_t n)
+{
+    for (unsigned k = degree; k > 0; k--)
+        for (unsigned i = 0; i < k; i++)
+            c[i] = loft_acc_lerp_at(c[i], c[i+1], j, n);
+    return c[0];
+}
+
 /* |D^k c| <= 2^k 2^47 <= 2^56 */
 void loft_bernstein_differences(loft_acc c[], unsigned degree)
 {

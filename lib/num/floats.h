@@ -56,6 +56,13 @@ static inline loft_acc  loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
     return (1 - (loft_acc)t) * x + (loft_acc)t * y;
 }
 
+/* error 3 ulp of the larger of |x|, |y|, and of their size times j / n above n; none at j = 0 and n. n >= 1 */
+static inline loft_acc  loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint32_t n)
+{
+    const loft_acc t = (loft_acc)j / (loft_acc)n;
+    return (1 - t) * x + t * y;
+}
+
 /* error 1/2 ulp */
 static inline loft_acc  loft_acc_mul(loft_acc x, loft_real a)   { return x * (loft_acc)a; }
 static inline loft_acc  loft_acc_div(loft_acc x, loft_real a)   { return x / (loft_acc)a; }

@@ -15,6 +15,7 @@
  *   loft_wide(a)                            a real as acc, exactly
  *   loft_prod(a, b)                         product of two reals as acc, exactly in q16 and f32
  *   loft_acc_lerp(x, y, t)                  acc between two accs
+ *   loft_acc_lerp_at(x, y, j, n)            acc between two accs, at exactly j / n
  *   loft_acc_scale(x, t)                    acc times unit
  *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real
  *   loft_acc_ratio(x, k)                    acc by a whole number k >= 1

@@ -98,6 +98,15 @@ static inline loft_acc loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
     return x + loft_acc_scale(y - x, t);
 }
 
+/* error 2^-33; |x|, |y| < 2^30, j <= n or |(y - x) j / n| <= 2^30 and j <= 2 n, 1 <= n < 2^30; none at j = 0 and
+ * n. The quotient of y - x by n times j is whole; the rest is below n, times j below 2^61. */
+static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint32_t n)
+{
+    const int64_t d = n, quotient = (y - x) / d, rest = (y - x) % d * j;
+    const int64_t q = rest / d, r = rest % d;
+    return x + quotient * j + (2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q);
+}
+
 /* error 2^-33; |x * a| <= 2^30 */
 static inline loft_acc loft_acc_mul(loft_acc x, loft_real a)
 {
