@@ -89,6 +89,7 @@
 #define loft_plan_next             LOFT_NAME(loft_plan_next)
 #define loft_poll_encode           LOFT_NAME(loft_poll_encode)
 #define loft_power_eval            LOFT_NAME(loft_power_eval)
+#define loft_powers_init           LOFT_NAME(loft_powers_init)
 #define loft_predictor_init        LOFT_NAME(loft_predictor_init)
 #define loft_predictor_next        LOFT_NAME(loft_predictor_next)
 #define loft_receiver_answer       LOFT_NAME(loft_receiver_answer)

@@ -48,6 +48,7 @@ static int8_t doublings(uint32_t n, uint32_t coarsest)
 
 enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32_t n)
 {
+    loft_powers powers;
     uint32_t coarsest = 1;
 
     if (b->degree > LOFT_FORWARD_DEGREE_MAX || n == 0)
@@ -55,11 +56,12 @@ enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32
     if (!loft_walk_admits(b->degree, n) || !accepted(b))
         return LOFT_ERR_RANGE;
 
+    loft_powers_init(&powers, b->degree, n);
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_real p[LOFT_FORWARD_DEGREE_MAX + 1];
 
         control_values(p, b, i);
-        loft_walk_init(&w->axis[i], p, b->degree, n);
+        loft_walk_init(&w->axis[i], p, b->degree, &powers);
         const uint32_t least = loft_walk_coarsest(p, b->degree);
         if (coarsest < least)
             coarsest = least;

@@ -10,10 +10,11 @@
  *         while (loft_forward_next(&w, &p))
  *             move_to(p);                      // 64 points, the last one is the last control point
  *
- * The law of ranges: n steps are accepted while C(n,1) + .. + C(n,degree) < 2^32, in every number type:
+ * The law of ranges: n steps are accepted while S = C(n,1) + .. + C(n,degree) <= 2^32 - 2^15, in every number
+ * type:
  *
  *     degree                  1        2       3      4     5
- *     n at most       2^32 - 1    92,681   2,953    567   220
+ *     n at most   2^32 - 2^15    92,681   2,953    567   220
  *     n = 2^m, exact      2^31    65,536   1,024    256    64      q16: correctly rounded up to here
  */
 #ifndef LOFT_CURVE_FORWARD_H
@@ -46,15 +47,15 @@ typedef struct {
  *   shape   will yield n points, at t = 1/n, 2/n .. 1; the start is not repeated; `b` is not kept
  *   range   degree 0..5, n >= 1, otherwise LOFT_ERR_ARG; n within the law of ranges, any control points
  *           (f32, f64: to LOFT_REAL_MAX / 65536), otherwise LOFT_ERR_RANGE; then *w is untouched
- *   cost    q16: degree^2 divisions and degree long divisions of 32 rounds per axis
+ *   cost    q16: degree * 6 divisions of 32 bits and, per axis, degree * (degree + 15) / 2 products
  *   see     Foley, van Dam, Feiner, Hughes: Computer Graphics, ch. 11
  */
 enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32_t n) LOFT_CHECKED;
 
 /* Give the next point. Returns false, and leaves *out alone, when the walk is over.
  *
- *   error   q16: 1/2 LSB for n = 2^m with degree * m <= 32; any other n: 1/2 LSB + (C(n,1) + ..
- *           + C(n,degree)) / 2^33, which is 0.521 LSB for a cubic of 1023 steps. The last point: none.
+ *   error   q16: 1/2 LSB for n = 2^m with degree * m <= 32; any other n: 1/2 LSB + S (2^-33 +
+ *           2^-50), which is 0.521 LSB for a cubic of 1023 steps. The last point: none.
  *           f32, f64: (K n + 8 * 3^degree) / 2^53 of the largest control value, K = 1 3 8 21 55 for
  *           degree 1..5, and f32 1/2 ulp more. The last point: none.
  *   cost    `degree` additions per axis; no branch on data; safe in an ISR

@@ -10,18 +10,24 @@
  *
  *     e_j = sum_k  g_k c(k, j) / n^k
  *
- * q16, exactly. g_k and c are whole, |g_k c(k, j)| < 2^45, and e_j is a whole number and a rest over
- * n^degree. Horner's scheme in 1/n finds both: if V = I + R / n^s then
+ * q16. g and c are whole, |g_k c(k, j)| < 2^45. There are two roads.
+ *
+ * loft_walk keeps e_j to 32 bits below the LSB. n^-k is cut to 96 bits, by k divisions each cut: it is low
+ * by less than 2^-95. G_k = g_k n^-k is cut to 64 bits below the LSB: off by less than 2^-63 + |g_k| 2^-95;
+ * then e_j = sum c(k, j) G_k is rounded to 32. With |p| <= 2^31 the sum of all that is below 2^-50, so e_j is
+ * off by at most 2^-33 + 2^-50, and not at all where it is a multiple of 2^-32: if n^degree divides 2^32.
+ *
+ * loft_strict keeps e_j as a whole number and a rest over n^degree. Horner's scheme in 1/n finds both: if
+ * V = I + R / n^s then
  *
  *     V / n = floor(I / n) + (R + (I mod n) n^s) / n^(s+1)
  *
- * Nothing is rounded and R < n^degree < 2^63. loft_strict keeps I and R. loft_walk keeps I and 32 bits of
- * R / n^degree, rounded to nearest: none is lost when n is a power of two and n^degree <= 2^32.
+ * where nothing is rounded and R < n^degree < 2^63.
  *
- * The law of ranges. d[0] after i steps is sum_k C(i, k) e_k, so errors of 2^-33 in e_1.. err there by at
- * most sum_{k=1..degree} C(n, k) 2^-33 LSB. The walk is admitted while that is below 1/2: then no value
- * leaves the 32 bits in which its control values are, and the last one, being whole, is met exactly. All
- * else may wrap: the sums are right modulo 2^64 and d[0] needs no more.
+ * The law of ranges. d[0] after i steps is sum_k C(i, k) e_k, so errors of 2^-33 + 2^-50 in e_1.. err there
+ * by at most S (2^-33 + 2^-50) LSB, S = C(n, 1) + .. + C(n, degree). The walk is admitted while that is below
+ * 1/2, S <= 2^32 - 2^15: then no value leaves the 32 bits in which its control values are, and the last one,
+ * being whole, is met exactly. All else may wrap: the sums are right modulo 2^64 and d[0] needs no more.
  */
 #include "num/walk.h"
 
@@ -33,13 +39,13 @@ static const uint8_t maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 1] = 
 /* C(n, k) < 2^32 before each product, so none exceeds 2^64. */
 bool loft_walk_admits(unsigned degree, uint32_t n)
 {
-    const uint64_t limit = (uint64_t)1 << 32;
+    const uint64_t limit = UINT32_MAX - 32767;
     uint64_t choose = 1, sum = 0;
 
     for (unsigned k = 1; k <= degree && k <= n; k++) {
         choose = choose * (n - k + 1) / k;
         sum += choose;
-        if (sum >= limit)
+        if (sum > limit)
             return false;
     }
     return true;
@@ -91,17 +97,21 @@ static void power_form(wide g[], const loft_real p[], unsigned degree)
 
 #if LOFT_NUM == LOFT_Q16
 
+#if defined(__AVR__)
 static uint64_t join(uint32_t high, uint32_t low)
 {
-#if defined(__AVR__)
     loft_bytes b;
     b.half.high = (int32_t)high;
     b.half.low = low;
     return (uint64_t)b.all;
-#else
-    return (uint64_t)high << 32 | low;
-#endif
 }
+#else
+static uint64_t join(uint32_t high, uint32_t low)       { return (uint64_t)high << 32 | low; }
+#endif
+
+static uint32_t high(uint64_t x)                        { return (uint32_t)loft_acc_high((int64_t)x); }
+static uint32_t low(uint64_t x)                         { return (uint32_t)(x & 0xffffffffu); }
+static uint64_t product(uint32_t a, uint32_t b)         { return (uint64_t)a * b; }
 
 bool loft_walk_accepts(const loft_real p[], unsigned degree)
 {
@@ -131,37 +141,80 @@ static int64_t difference(const wide g[], unsigned degree, unsigned j, uint32_t 
     return whole;
 }
 
-/* 2^32 rest / power, rounded to nearest, for rest < power < 2^63. May be 2^32. */
-static uint64_t fraction(uint64_t rest, uint64_t power)
+/* x / n in place, cut. Divisions of 32 bits are the fastest on all cores, so a small n takes 16 bits of x
+ * at a time. */
+static void divide(uint32_t x[3], uint32_t n)
 {
-    uint32_t bits = 0;
+    uint32_t rest = 0;
 
-    for (uint8_t i = 0; i < 32; i++) {
-        rest += rest;
-        bits += bits;
-        if (rest >= power) {
-            rest -= power;
-            bits++;
+    for (int i = 2; i >= 0; i--)
+        if (n >> 16) {
+            const uint64_t part = join(rest, x[i]);
+            x[i] = (uint32_t)(part / n);
+            rest = (uint32_t)(part % n);
+        } else {
+            const uint32_t upper = rest << 16 | x[i] >> 16;
+            const uint32_t lower = upper % n << 16 | (x[i] & 0xffff);
+            x[i] = upper / n << 16 | lower / n;
+            rest = lower % n;
         }
-    }
-    return (uint64_t)bits + (rest + rest >= power);
 }
 
-void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, uint32_t n)
+/* 1 is 2^96 - 1 here, low by 2^-96. */
+void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 {
-    const uint64_t power = loft_strict_power(degree, n);
+    uint32_t x[3] = { UINT32_MAX, UINT32_MAX, UINT32_MAX };
+
+    for (unsigned k = 1; k <= degree; k++) {
+        divide(x, n);
+        for (int i = 0; i < 3; i++)
+            powers->inverse[k][i] = x[i];
+    }
+}
+
+typedef struct {
+    uint64_t value;         /* in 2^-32, wraps          */
+    uint32_t below;         /* the 32 bits below that   */
+} term;
+
+/* g times inverse, |g| < 2^38: the product has five places of 32 bits, of which 1 is `below` and 2, 3 are
+ * `value`. Place 1 sums to less than 2^32 + 2^32 + 2^38. */
+static term scaled(int64_t g, const uint32_t inverse[3])
+{
+    const uint64_t size = (uint64_t)(g < 0 ? -g : g);
+    const uint64_t at_1 = product(low(size), inverse[1]);
+    const uint64_t sum_1 = product(high(size), inverse[0]) + high(product(low(size), inverse[0])) + low(at_1);
+    term t;
+
+    t.below = low(sum_1);
+    t.value = product(low(size), inverse[2]) + product(high(size), inverse[1]) + high(sum_1) + high(at_1) +
+              join(high(size) * inverse[2], 0);
+    if (g < 0) {
+        t.below = 0 - t.below;
+        t.value = 0 - t.value - (t.below != 0);
+    }
+    return t;
+}
+
+void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers)
+{
     wide g[LOFT_WALK_DEGREE_MAX + 1];
-    uint64_t rest;
 
     power_form(g, p, degree);
     w->d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
-    for (unsigned j = 1; j <= LOFT_WALK_DEGREE_MAX; j++) {
+    for (unsigned j = 1; j <= LOFT_WALK_DEGREE_MAX; j++)
         w->d[j] = 0;
-        if (j <= degree) {
-            const uint32_t whole = (uint32_t)difference(g, degree, j, n, &rest);
-            w->d[j] = join(whole, 0) + fraction(rest, power);
+
+    uint64_t below[LOFT_WALK_DEGREE_MAX + 1] = { 0 };
+    for (unsigned k = 1; k <= degree; k++) {
+        const term t = scaled(g[k], powers->inverse[k]);
+        for (unsigned j = 1; j <= k; j++) {
+            w->d[j] += t.value * maps[k][j];
+            below[j] += product(t.below, maps[k][j]);
         }
     }
+    for (unsigned j = 1; j <= degree; j++)
+        w->d[j] += high(below[j] + ((uint32_t)1 << 31));
 }
 
 void loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n)
@@ -218,7 +271,13 @@ bool loft_walk_accepts(const loft_real p[], unsigned degree)
     return true;
 }
 
-void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, uint32_t n)
+void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
+{
+    (void)degree;
+    powers->n = n;
+}
+
+void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers)
 {
     wide g[LOFT_WALK_DEGREE_MAX + 1];
 
@@ -228,13 +287,16 @@ void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, uint32_t
     for (unsigned j = 1; j <= LOFT_WALK_DEGREE_MAX; j++) {
         w->d[j] = 0;
         for (unsigned k = degree; k >= 1; k--)
-            w->d[j] = (w->d[j] + g[k] * maps[k][j]) / n;
+            w->d[j] = (w->d[j] + g[k] * maps[k][j]) / powers->n;
     }
 }
 
 void loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n)
 {
-    loft_walk_init(s, p, degree, n);
+    loft_powers powers;
+
+    loft_powers_init(&powers, degree, n);
+    loft_walk_init(s, p, degree, &powers);
 }
 
 /* Sums of floats do not wrap. */

@@ -20,6 +20,10 @@
 typedef uint64_t loft_state;    /* the LSB counts 2^32; wraps, which only a value outside 32 bits would notice */
 
 typedef struct {
+    uint32_t inverse[LOFT_WALK_DEGREE_MAX + 1][3];  /* n^-k in 96 bits below the point, the lowest first */
+} loft_powers;
+
+typedef struct {
     loft_state d[LOFT_WALK_DEGREE_MAX + 1];     /* d[0] carries the 1/2 LSB that rounds it when it is cut */
 } loft_walk;
 
@@ -50,6 +54,10 @@ static inline loft_real loft_strict_step(loft_strict *s, unsigned degree, uint64
 #else
 
 typedef double loft_state;
+
+typedef struct {
+    double n;
+} loft_powers;
 
 typedef struct {
     loft_state d[LOFT_WALK_DEGREE_MAX + 1];
@@ -83,14 +91,23 @@ static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
 bool loft_walk_admits(unsigned degree, uint32_t n);
 bool loft_strict_admits(unsigned degree, uint32_t n);
 
+/* What all axes need of n.
+ *
+ *   range   an admitted n
+ *   cost    q16: for n < 65536 degree * 6 divisions of 32 bits
+ */
+void     loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n);
+uint64_t loft_strict_power(unsigned degree, uint32_t n);       /* n^degree */
+
 /* Start at p[0] of the Bezier polynomial p[0..degree], n steps ahead. Differences above degree are 0.
  *
- *   range   an admitted n; f32, f64: |p| <= LOFT_REAL_MAX / 65536
- *   cost    q16: degree^2 divisions of 64 by 32 bits and degree long divisions of 32 rounds
+ *   range   f32, f64: |p| <= LOFT_REAL_MAX / 65536
+ *   error   q16: 2^-33 + 2^-50 LSB in each difference; none where n^degree divides 2^32
+ *           loft_strict_init: none
+ *   cost    q16: degree * (degree + 15) / 2 products of 32 bits; loft_strict_init: degree^2 divisions of 64 bits
  */
-void     loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, uint32_t n);
+void     loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers);
 void     loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n);
-uint64_t loft_strict_power(unsigned degree, uint32_t n);       /* n^degree */
 
 /* `count` steps; the values go to out[0], out[stride] .. */
 void     loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);
