@@ -1,8 +1,6 @@
 /* host-tools/drawing.c -- reading a file by its content; length and box of a drawing
  * SPDX-License-Identifier: MIT
  */
-#define _POSIX_C_SOURCE 200809L
-
 #include <errno.h>
 #include <math.h>
 #include <stdint.h>

@@ -6,7 +6,7 @@
  * said once. What is wrong in the file ends the reading, with its line.
  */
 #include <libxml/parser.h>
-#include <libxml/parserInternals.h>
+#include <libxml/SAX2.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +17,8 @@
 
 #define MM_PER_PX    (25.4 / 96)
 #define USE_DEPTH    24             /* <use> of <use> of ..; libxml2 allows 256 elements in each other */
-#define VISITED_MAX  20000000u
+#define VISITED_MAX  4000000u
+#define ENTITIES_MAX (16ul << 20)   /* bytes of text that entities may stand for, counting each time */
 
 static const xmlChar svg_namespace[]   = "http://www.w3.org/2000/svg";
 static const xmlChar xlink_namespace[] = "http://www.w3.org/1999/xlink";
@@ -466,15 +467,38 @@ static bool draw_document(svg_reader *r, const xmlNode *root)
     return true;
 }
 
-static int broken(const char *file, const xmlError *error)
-{
-    char text[200] = "unknown";
+/* What the XML reader reports while it reads. */
+typedef struct {
+    char message[200];          /* of the first error; those behind it are its consequences */
+    int line;
+    unsigned long expanded;     /* bytes of entities */
+} report;
 
-    if (error != NULL && error->message != NULL) {
-        snprintf(text, sizeof text, "%s", error->message);
-        text[strcspn(text, "\n")] = '\0';
-    }
-    return tool_error(EX_DATAERR, "%s:%d: broken XML: %s", file, error ? error->line : 0, text);
+static void keep_first_error(void *context, xmlErrorPtr error)
+{
+    report *r = ((xmlParserCtxtPtr)context)->_private;
+
+    if (r->message[0] != '\0' || error->level < XML_ERR_ERROR || error->domain == XML_FROM_NAMESPACE)
+        return;
+    snprintf(r->message, sizeof r->message, "%s", error->message ? error->message : "unknown");
+    r->message[strcspn(r->message, "\n")] = '\0';
+    r->line = error->line;
+}
+
+/* Entities are looked up here each time they are used: a small file cannot stand for gigabytes. */
+static xmlEntityPtr find_entity(void *context, const xmlChar *name)
+{
+    xmlParserCtxtPtr parser = context;
+    report *r = parser->_private;
+    xmlEntityPtr entity = xmlSAX2GetEntity(context, name);
+
+    r->expanded += entity ? (unsigned long)entity->length : 0;
+    if (r->expanded <= ENTITIES_MAX)
+        return entity;
+    snprintf(r->message, sizeof r->message, "its entities stand for more than %lu MB", ENTITIES_MAX >> 20);
+    r->line = parser->input ? parser->input->line : 0;
+    xmlStopParser(parser);
+    return NULL;
 }
 
 /* Nothing but the file itself is ever read. */
@@ -484,21 +508,32 @@ static xmlParserInputPtr load_nothing(const char *url, const char *id, xmlParser
     return NULL;
 }
 
+static xmlDocPtr parse(const char *text, size_t size, report *r)
+{
+    xmlParserCtxtPtr context = xmlNewParserCtxt();
+    if (context == NULL)
+        return NULL;
+
+    xmlSetExternalEntityLoader(load_nothing);
+    context->_private = r;
+    context->sax->serror = keep_first_error;
+    context->sax->getEntity = find_entity;
+    xmlDocPtr document = xmlCtxtReadMemory(context, text, (int)size, NULL, NULL, XML_PARSE_NONET | XML_PARSE_NOENT |
+                                           XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES);
+    xmlFreeParserCtxt(context);
+    return document;
+}
+
 int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size)
 {
     svg_reader r = { .d = d, .file = file };
-
-    xmlSetExternalEntityLoader(load_nothing);
-    xmlParserCtxtPtr context = xmlNewParserCtxt();
-    if (context == NULL)
-        return tool_error(EX_OSERR, "%s: no memory for the XML reader", file);
-    xmlDocPtr document = xmlCtxtReadMemory(context, text, (int)size, NULL, NULL, XML_PARSE_NONET | XML_PARSE_NOENT |
-                                           XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES);
+    report problem = { .message = "" };
+    xmlDocPtr document = parse(text, size, &problem);
     const xmlNode *root = document ? xmlDocGetRootElement(document) : NULL;
     int code = 0;
 
     if (root == NULL)
-        code = broken(file, xmlCtxtGetLastError(context));
+        code = tool_error(EX_DATAERR, "%s:%d: broken XML: %s", file, problem.line, problem.message);
     else if (!is_svg(root, "svg"))
         code = tool_error(EX_DATAERR, "%s:%ld: <%s> is no SVG drawing: <svg xmlns=\"http://www.w3.org/2000/svg\"> is expected", file,
                           xmlGetLineNo(root), (const char *)root->name);
@@ -511,6 +546,5 @@ int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size
     svg_sheet_free(r.sheet);
     if (document != NULL)
         xmlFreeDoc(document);
-    xmlFreeParserCtxt(context);
     return code;
 }
