@@ -95,6 +95,8 @@ static void what_fits_a_real_is_known(arb *a)
 
     CHECK(loft_acc_fits(arb_double(a)) && loft_acc_fits(most) && loft_acc_fits(-most));
     CHECK(!loft_acc_fits(INFINITY) && !loft_acc_fits(-INFINITY) && !loft_acc_fits(NAN));
+    CHECK(loft_real_valid(LOFT_REAL_REACH) && loft_real_valid(-LOFT_REAL_REACH) && loft_real_valid(0));
+    CHECK(!loft_real_valid((loft_real)INFINITY) && !loft_real_valid(-(loft_real)INFINITY) && !loft_real_valid((loft_real)NAN));
     CHECK(loft_acc_fits(most * 1.0001) == false && loft_acc_fits(-most * 1.0001) == false);
 }
 
@@ -135,6 +137,21 @@ static void parameters_are_nearest(arb *a)
     near(loft_unit_of(n, n), 1, 1, REAL_BITS, 0);
 }
 
+static void ratios_of_accs_are_nearest(arb *a)
+{
+    const loft_acc x = arb_double(a), y = fabs(arb_double(a));
+    const long double want = (long double)x / y;
+    near(loft_unit_ratio(x, y), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 0.5L + 0x1p-11L));
+    near(loft_unit_ratio(-y, y), -1, 1, REAL_BITS, 0);
+}
+
+static void grains_are_one_to_two_ulps(arb *a)
+{
+    const loft_acc x = fabs(arb_double(a));
+    CHECK(loft_acc_grain(x) >= (loft_acc)ulp(x, 53) && loft_acc_grain(x) <= 2 * (loft_acc)ulp(x, 53));
+    CHECK(loft_real_grain(x) >= (loft_acc)ulp(x, REAL_BITS) && loft_real_grain(x) <= 2 * (loft_acc)ulp(x, REAL_BITS));
+}
+
 static void conversions_are_exact(arb *a)
 {
     const int32_t i = (int32_t)(uint32_t)arb_next(a) >> arb_below(a, 31);
@@ -173,6 +190,8 @@ static int test_num(void)
     PROPERTY(roots_are_within_their_bound,                     200000);
     PROPERTY(hypot_is_within_its_bound,                        100000);
     PROPERTY(parameters_are_nearest,                           200000);
+    PROPERTY(ratios_of_accs_are_nearest,                       100000);
+    PROPERTY(grains_are_one_to_two_ulps,                       100000);
     PROPERTY(conversions_are_exact,                            100000);
     PROPERTY(floors_of_whole_numbers_and_extremes_are_exact,        1);
     PROPERTY(constants_are_nearest,                                 1);

@@ -261,6 +261,18 @@ static void parameters_are_nearest(arb *a)
     CHECK(loft_unit_of(UINT32_MAX, UINT32_MAX) == 16777216 && loft_unit_of(0, UINT32_MAX) == 0);
 }
 
+/* y from 1 to 2^62, x up to 3/2 of it. */
+static void ratios_of_accs_are_parameters(arb *a)
+{
+    const int64_t y = 1 + (int64_t)(arb_next(a) >> 2 >> arb_below(a, 62));
+    const int64_t most = arb_below(a, 8) ? y : y / 2 * 3 / (arb_below(a, 2) ? 1 : 2);
+    const int64_t x = arb_below(a, 8) ? (int64_t)(arb_next(a) >> 2) % (most + 1) : most;
+
+    CHECK_NEAR((long double)loft_unit_ratio(x, y) - 0x1p24L * (long double)x / (long double)y, 0, 0.5L + 0x1p-11L);
+    CHECK(loft_unit_ratio(-x, y) == -loft_unit_ratio(x, y));
+    CHECK(loft_unit_ratio(y, y) == LOFT_UNIT(1) && loft_unit_ratio(-y, y) == LOFT_UNIT(-1) && loft_unit_ratio(0, y) == 0);
+}
+
 static void conversions_are_exact(arb *a)
 {
     (void)a;
@@ -280,7 +292,8 @@ static void constants_are_nearest(arb *a)
     CHECK(LOFT_REAL(0.00001) == 1 && LOFT_REAL(-0.00001) == -1 && LOFT_REAL(0.000007) == 0);
     CHECK(LOFT_REAL(-32768) == INT32_MIN && LOFT_REAL(32767.9999847) == INT32_MAX && LOFT_REAL_MAX == INT32_MAX);
     CHECK(LOFT_UNIT(0.5) == 8388608 && LOFT_UNIT(1) == 16777216 && LOFT_UNIT(1.0 / 3) == 5592405 && LOFT_UNIT(-128) == INT32_MIN);
-    CHECK(LOFT_REAL_LSB == 1);
+    CHECK(LOFT_REAL_LSB == 1 && loft_acc_grain(INT64_MAX) == 1 && loft_real_grain(0) == loft_wide(1));
+    CHECK(loft_real_valid(INT32_MIN) && loft_real_valid(INT32_MAX));
 }
 
 static int test_num(void)
@@ -298,6 +311,7 @@ static int test_num(void)
     PROPERTY(hypot_is_within_its_bound_at_the_worst,        20000);
     PROPERTY(hypot_of_whole_triples_is_exact_when_small,     2000);
     PROPERTY(parameters_are_nearest,                            1);
+    PROPERTY(ratios_of_accs_are_parameters,                100000);
     PROPERTY(conversions_are_exact,                             1);
     PROPERTY(constants_are_nearest,                             1);
     return check_failures();

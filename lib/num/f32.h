@@ -14,7 +14,9 @@ typedef float  loft_real;
 typedef float  loft_unit;
 typedef double loft_acc;        /* a float sum would drift: 600 ulp after 1024 steps */
 
-#define LOFT_REAL_MAX  FLT_MAX
+#define LOFT_REAL_MAX      FLT_MAX
+#define LOFT_REAL_REACH    FLT_MAX         /* sums are double */
+#define LOFT_REAL_EPSILON  FLT_EPSILON
 
 #include "num/floats.h" /* the operations */
 

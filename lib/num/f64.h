@@ -14,7 +14,9 @@ typedef double loft_real;
 typedef double loft_unit;
 typedef double loft_acc;
 
-#define LOFT_REAL_MAX  DBL_MAX
+#define LOFT_REAL_MAX      DBL_MAX
+#define LOFT_REAL_REACH    0x1p1000
+#define LOFT_REAL_EPSILON  DBL_EPSILON
 
 #include "num/floats.h" /* the operations */
 

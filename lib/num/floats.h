@@ -25,6 +25,16 @@ static inline bool      loft_acc_fits(loft_acc x)
     return x <= (loft_acc)LOFT_REAL_MAX && x >= -(loft_acc)LOFT_REAL_MAX;
 }
 
+/* Neither infinite nor nan; f64: below 2^1000, so that no sum or small multiple overflows. */
+static inline bool      loft_real_valid(loft_real a)
+{
+    return a >= -LOFT_REAL_REACH && a <= LOFT_REAL_REACH;
+}
+
+/* At least the distance between neighbours at `size` and below, at most twice that. Exact at powers of two */
+static inline loft_acc  loft_acc_grain(loft_acc size)           { return size * DBL_EPSILON; }
+static inline loft_acc  loft_real_grain(loft_acc size)          { return size * (loft_acc)LOFT_REAL_EPSILON; }
+
 /* error f32: 1/2 ulp   f64: none */
 static inline loft_real loft_acc_round(loft_acc x)              { return (loft_real)x; }
 
@@ -70,6 +80,9 @@ static inline loft_acc  loft_acc_ratio(loft_acc x, int32_t k)   { return x / (lo
 
 /* error f32: 0.5001 ulp (rounded twice)   f64: 1/2 ulp; j <= n, n >= 1 */
 static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)    { return (loft_unit)((loft_acc)j / (loft_acc)n); }
+
+/* error f32: 0.5001 ulp (rounded twice)   f64: 1/2 ulp; y > 0 */
+static inline loft_unit loft_unit_ratio(loft_acc x, loft_acc y) { return (loft_unit)(x / y); }
 
 /* error none */
 static inline loft_unit loft_unit_from(loft_real a)             { return a; }

@@ -39,6 +39,17 @@ loft_real loft_acc_sqrt(loft_acc x)
     return (loft_real)(rest > r ? r + 1 : r);
 }
 
+/* With y below 2^38 the quotient has all 24 bits; a larger y, and x with it, loses low bits: 2^-37 of y each. */
+loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
+{
+    while (y >= (int64_t)1 << 38) {
+        x = (x < 0 ? -1 : 1) * ((x < 0 ? -x : x) >> 1);
+        y >>= 1;
+    }
+    x = x * 16777216 + (x < 0 ? -(y / 2) : y / 2);
+    return (loft_unit)(x / y);
+}
+
 /* All components are brought to the same scale, the largest L to 2^29 <= L < 2^30, so that six squares
  * sum to at most 6 * 2^60 < 2^63. Scaled down, each component errs by at most 1/2, the result therefore by
  * 1/2 sum |x_i| / |x|, and its root by 1/2 again: together less than 1.29 units of 2^-29 L (the worst

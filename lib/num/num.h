@@ -20,10 +20,13 @@
  *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real
  *   loft_acc_ratio(x, k)                    acc by a whole number k >= 1
  *   loft_acc_fits(x)     loft_acc_round(x)  does it fit a real? the nearest real
+ *   loft_real_valid(a)                      is it a number to compute with? always in q16
+ *   loft_acc_grain(s)    loft_real_grain(s) the distance between neighbours at size s
  *   loft_acc_int(x)                         the nearest whole number, ties upward
  *   loft_acc_sqrt(x)                        square root as real
  *   loft_acc_hypot(x, n)                    sqrt(x[0]^2 + .. + x[n-1]^2), no overflow inside
  *   loft_unit_of(j, n)                      the parameter j / n
+ *   loft_unit_ratio(x, y)                   the parameter x / y of two accs
  *   loft_unit_from(a)                       a real as unit, |a| < 128, exactly in q16
  *   loft_real_from_int(i)                   a whole number as real
  *   loft_real_floor(a)                      the whole number below a real
@@ -69,5 +72,17 @@ loft_real loft_acc_sqrt(loft_acc x);
  *   cost    q16: n multiplications and one square root
  */
 loft_acc loft_acc_hypot(const loft_acc x[], int n);
+
+#if LOFT_NUM == LOFT_Q16
+
+/* The parameter x / y.
+ *
+ *   range   y > 0, |x| <= 1.5 y
+ *   error   2^-25 + 2^-35; none at x = 0 and x = +-y
+ *   cost    one 64-bit division
+ */
+loft_unit loft_unit_ratio(loft_acc x, loft_acc y);
+
+#endif
 
 #endif

@@ -55,6 +55,13 @@ static inline int64_t  loft_shift_16(int64_t x)   { return x >> 16; }
 static inline loft_acc loft_wide(loft_real a)               { return (loft_acc)a * 65536; }
 static inline loft_acc loft_prod(loft_real a, loft_real b)  { return (loft_acc)a * b; }
 
+/* Every coordinate is one to compute with. */
+static inline bool loft_real_valid(loft_real a)             { (void)a; return true; }
+
+/* The distance between neighbours, at any size: 2^-32 and 2^-16. */
+static inline loft_acc loft_acc_grain(loft_acc size)        { (void)size; return 1; }
+static inline loft_acc loft_real_grain(loft_acc size)       { (void)size; return 65536; }
+
 /* Does x round into a real? */
 static inline bool loft_acc_fits(loft_acc x)
 {
