@@ -36,7 +36,7 @@
 #endif
 
 /* The longest frame on the wire in bytes, delimiter included, 64..254 (one COBS block).
- * Cost: that much RAM for receiving and again for sending. Both ends announce theirs; the smaller holds. */
+ * Cost: that much RAM for receiving and again for sending. The machine announces its own; the host keeps to the smaller of both. */
 #ifndef LOFT_FRAME_MAX
 #  define LOFT_FRAME_MAX 128
 #endif

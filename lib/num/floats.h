@@ -87,6 +87,14 @@ static inline loft_unit loft_unit_ratio(loft_acc x, loft_acc y) { return (loft_u
 /* error none */
 static inline loft_unit loft_unit_from(loft_real a)             { return a; }
 
+/* raw Q16.16; error from real: 2^-17, to real: f32 1/2 ulp, f64 none; range as loft_raw_fits says */
+static inline bool      loft_raw_fits(loft_real a)
+{
+    return (double)a * 65536 > -2147483648.5 && (double)a * 65536 < 2147483647.5;
+}
+static inline int32_t   loft_raw_from_real(loft_real a)         { return (int32_t)((double)a * 65536 + (a < 0 ? -0.5 : 0.5)); }
+static inline loft_real loft_real_from_raw(int32_t raw)         { return (loft_real)(raw / 65536.0); }
+
 /* error none for |i| <= 2^24, f32: 1/2 ulp above */
 static inline loft_real loft_real_from_int(int32_t i)           { return (loft_real)i; }
 

@@ -30,6 +30,8 @@
  *   loft_unit_from(a)                       a real as unit, |a| < 128, exactly in q16
  *   loft_real_from_int(i)                   a whole number as real
  *   loft_real_floor(a)                      the whole number below a real
+ *   loft_real_from_raw(i)                   a raw Q16.16, the form of the wire, as real
+ *   loft_raw_from_real(a) loft_raw_fits(a)  and back
  *   LOFT_REAL(1.25)  LOFT_UNIT(0.5)         constants, folded by the compiler
  *
  * q16 rounds to nearest, ties upward. Nothing saturates and nothing may wrap: each operation states

@@ -144,6 +144,11 @@ static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)
 /* exact; |a| < 128 */
 static inline loft_unit loft_unit_from(loft_real a)         { return a * 256; }
 
+/* exact; the wire and files hold coordinates as raw Q16.16 in every number type */
+static inline bool      loft_raw_fits(loft_real a)          { (void)a; return true; }
+static inline int32_t   loft_raw_from_real(loft_real a)     { return a; }
+static inline loft_real loft_real_from_raw(int32_t raw)     { return raw; }
+
 /* exact; -32768 <= i <= 32767 */
 static inline loft_real loft_real_from_int(int32_t i)       { return i * 65536; }
 static inline int32_t   loft_real_floor(loft_real a)        { return a >> 16; }

@@ -46,7 +46,8 @@ static inline bool loft_state_busy(uint8_t state)
 enum loft_flag {
     LOFT_FLAG_NAK     = 1,  /* a frame was damaged or missing: send again from `next`           */
     LOFT_FLAG_ENDED   = 2,  /* END was taken: all items are here                                */
-    LOFT_FLAG_STARVED = 4   /* the queue ran low and the job slowed down or stands still        */
+    LOFT_FLAG_STARVED = 4,  /* the queue ran low and the job slowed down or stands still        */
+    LOFT_FLAG_OPENED  = 8   /* this session has had its JOB, or found one under way             */
 };
 
 /* Why the machine did not take a JOB, or an item. */
@@ -68,7 +69,6 @@ enum loft_verb {
 
 typedef struct {
     uint8_t  min_version, max_version;
-    uint8_t  frame_max;                 /* the longest frame that the host takes        */
     uint32_t nonce;                     /* any number, another one for each connection  */
 } loft_hello;
 
@@ -157,7 +157,7 @@ size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
 /* SPANS and POINTS: init prepares `p` to pack items into the frame, encode finishes it with what was packed.
- * `frame_max` is the shorter of both ends' longest frames. */
+ * `frame_max` is the longest frame that the machine takes; LOFT_FRAME_MAX is kept to as well. */
 void   loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t frame_max,
                       uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_data_encode(const loft_packer *p, uint32_t first, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);

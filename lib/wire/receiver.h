@@ -66,7 +66,8 @@ typedef struct {
     loft_unpacker  unpacker;
     loft_predictor predictor;
     uint32_t nonce, job, next, told;    /* told: the limit last sent                                */
-    uint8_t  session, kind, control, refusal;
+    uint8_t  session, sessions;         /* the one under way (0: none), and the last number used    */
+    uint8_t  kind, control, refusal;
     uint8_t  welcome;                   /* WELCOME and AXIS frames still to be sent                 */
     uint8_t  due;                       /* other answers still to be sent                           */
     bool     fresh;                     /* a frame waits for loft_receiver_next                     */

@@ -63,10 +63,14 @@ typedef struct {
     uint8_t     flights, first;
     uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come                     */
     uint8_t     verb, number;               /* CONTROL waiting for its acknowledgement                          */
-    bool        verb_sent, opened, aborting, hello_sent, end_sent, job_sent, went_back;
+    uint8_t     attempts;                   /* of CONTROL                                                       */
+    bool        greeted;                    /* WELCOME has come, AXIS may be missing                            */
+    bool        began, asked, opened;       /* loft_sender_begin; JOB was sent; JOB was taken                   */
+    bool        hello_sent, job_sent, end_sent, verb_sent;      /* in this session                              */
+    bool        aborting;
     uint32_t    nonce, boot;
-    uint32_t    rtt8, var4, rto;            /* Jacobson's, times 8 and 4; ms                                    */
-    uint32_t    heard, tried, polled, back, verb_time;  /* times                                                */
+    uint32_t    rtt8, var4, rto;            /* Jacobson's smoothed time and deviation, times 8 and 4; ms        */
+    uint32_t    heard, tried, polled, back, verb_time;          /* times                                        */
 } loft_sender;
 
 /* Prepare to greet a machine. `nonce`: any number that the last connection did not use (a clock, a random number). */

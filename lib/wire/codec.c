@@ -1,0 +1,366 @@
+/* lib/wire/codec.c -- prediction, and the bytes of what is left to say
+ * SPDX-License-Identifier: MIT
+ */
+#include "wire/codec.h"
+
+/* All differences are taken modulo 2^32 in unsigned arithmetic, so nothing overflows and every int32 returns. */
+static int32_t  signed_of(uint32_t x)   { return x & 0x80000000u ? -(int32_t)~x - 1 : (int32_t)x; }
+
+void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        p->position[i] = (uint32_t)start[i];
+        p->change[i]   = 0;
+    }
+}
+
+void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item *item)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const uint32_t before = kind == LOFT_SPANS ? (uint32_t)item->p[1][i] : p->position[i];
+        p->position[i] = (uint32_t)item->p[2][i];
+        p->change[i]   = p->position[i] - before;
+    }
+}
+
+
+// Spans: ticks, then three residuals per axis
+// -------------------------------------------
+
+/* Varints: seven bits per byte, low bits first, the top bit says that more follow; the shortest form only.
+ * A residual is zigzag: 0 -1 1 -2 2 .. become 0 1 2 3 4 .. */
+static uint8_t put_varint(uint8_t *byte, uint32_t x)
+{
+    uint8_t n = 0;
+    for (; x >= 0x80u; x >>= 7)
+        byte[n++] = (uint8_t)(x | 0x80u);
+    byte[n++] = (uint8_t)x;
+    return n;
+}
+
+static uint8_t put_residual(uint8_t *byte, uint32_t r)
+{
+    return put_varint(byte, (r << 1) ^ (r & 0x80000000u ? 0xFFFFFFFFu : 0u));
+}
+
+static uint32_t get_varint(const uint8_t **byte)
+{
+    uint32_t x = 0;
+    for (uint8_t shift = 0;; shift = (uint8_t)(shift + 7)) {
+        const uint8_t b = *(*byte)++;
+        x |= (uint32_t)(b & 0x7Fu) << shift;
+        if (b < 0x80u)
+            return x;
+    }
+}
+
+static uint32_t get_residual(const uint8_t **byte)
+{
+    const uint32_t z = get_varint(byte);
+    return (z >> 1) ^ (z & 1u ? 0xFFFFFFFFu : 0u);
+}
+
+/* e1 = (p1 - p0) - change     how the velocity jumps: 0 in a smooth chain of equal spans
+ * e2 = p2 - 2 p1 + p0         acceleration
+ * e3 = p3 - 3 p2 + 3 p1 - p0  jerk
+ *
+ * each modulo 2^32; three equations with unit diagonal, so p1, p2, p3 come back exactly. */
+static uint8_t put_span(uint8_t *byte, const loft_predictor *p, const loft_item *item)
+{
+    uint8_t n = put_varint(byte, item->ticks);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const uint32_t p0 = p->position[i],          p1 = (uint32_t)item->p[0][i];
+        const uint32_t p2 = (uint32_t)item->p[1][i], p3 = (uint32_t)item->p[2][i];
+        n = (uint8_t)(n + put_residual(byte + n, p1 - p0 - p->change[i]));
+        n = (uint8_t)(n + put_residual(byte + n, p2 - 2u*p1 + p0));
+        n = (uint8_t)(n + put_residual(byte + n, p3 - 3u*p2 + 3u*p1 - p0));
+    }
+    return n;
+}
+
+static const uint8_t *get_span(const uint8_t *byte, const loft_predictor *p, loft_item *item)
+{
+    item->ticks = (uint16_t)get_varint(&byte);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const uint32_t p0 = p->position[i];
+        const uint32_t p1 = get_residual(&byte) + p0 + p->change[i];
+        const uint32_t p2 = get_residual(&byte) + 2u*p1 - p0;
+        const uint32_t p3 = get_residual(&byte) + 3u*(p2 - p1) + p0;
+        item->p[0][i] = signed_of(p1);
+        item->p[1][i] = signed_of(p2);
+        item->p[2][i] = signed_of(p3);
+    }
+    return byte;
+}
+
+/* The length of the varint at byte[0], 0 if it is cut off, longer than 32 bits, or not the shortest form. */
+static uint8_t varint_size(const uint8_t *byte, uint8_t left)
+{
+    for (uint8_t n = 0; n < left && n < 5; n++)
+        if (byte[n] < 0x80u)
+            return (n > 0 && byte[n] == 0) || (n == 4 && byte[n] > 0x0Fu) ? 0 : (uint8_t)(n + 1);
+    return 0;
+}
+
+/* The length of the span at byte[0], 0 if there is no good one. */
+static uint8_t span_size(const uint8_t *byte, uint8_t left)
+{
+    const uint8_t *at = byte;
+    uint8_t size = varint_size(byte, left);
+    if (size == 0 || size > 2)
+        return 0;
+    const uint32_t ticks = get_varint(&at);
+    if (ticks < 1 || ticks > LOFT_SPAN_TICKS_MAX)
+        return 0;
+    for (uint8_t i = 0; i < 3 * LOFT_AXES; i++) {
+        const uint8_t n = varint_size(byte + size, (uint8_t)(left - size));
+        if (n == 0)
+            return 0;
+        size = (uint8_t)(size + n);
+    }
+    return size;
+}
+
+
+// Points: the second difference of each axis, as a rule -2..2
+// -----------------------------------------------------------
+
+/* A point is one group of residuals for each three axes (the last group may have one or two):
+ *
+ *     0..124      residuals r0 r1 r2 in -2..2:  (r0 + 2) + 5 (r1 + 2) + 25 (r2 + 2); absent axes count as r = 0
+ *     125         each residual in one byte, int8
+ *     126         each in two bytes, int16, low byte first
+ *     127         each in four bytes, int32
+ *     128..255    b - 127 points whose residuals are all 0; only where a point begins
+ */
+#define STILL   62u     /* all residuals 0, in a group behind the first */
+#define WIDE8  125u
+#define RUN    128u
+
+static uint8_t group_axes(int first)
+{
+    return (uint8_t)(LOFT_AXES - first < 3 ? LOFT_AXES - first : 3);
+}
+
+/* How many bytes each residual needs: 0 if all fit into the one-byte code. */
+static uint8_t width_of(const uint32_t r[3])
+{
+    uint8_t width = 0;
+    for (int i = 0; i < 3; i++) {
+        const uint8_t w = r[i] + 2u <= 4u ? 0 : r[i] + 0x80u <= 0xFFu ? 1 : r[i] + 0x8000u <= 0xFFFFu ? 2 : 4;
+        if (w > width)
+            width = w;
+    }
+    return width;
+}
+
+static uint8_t put_group(uint8_t *byte, const uint32_t r[3], uint8_t axes)
+{
+    const uint8_t width = width_of(r);
+    uint8_t n = 0;
+    if (width == 0) {
+        byte[0] = (uint8_t)(STILL + r[0] + 5u*r[1] + 25u*r[2]);
+        return 1;
+    }
+    byte[n++] = (uint8_t)(WIDE8 + width / 2);
+    for (uint8_t i = 0; i < axes; i++)
+        for (uint8_t k = 0; k < width; k++)
+            byte[n++] = (uint8_t)(r[i] >> (8 * k));
+    return n;
+}
+
+static uint8_t put_point(uint8_t *byte, const loft_predictor *p, const loft_item *item)
+{
+    uint8_t n = 0;
+    for (int first = 0; first < LOFT_AXES; first += 3) {
+        uint32_t r[3] = { 0, 0, 0 };
+        for (int i = first; i < LOFT_AXES && i < first + 3; i++)
+            r[i - first] = (uint32_t)item->p[2][i] - p->position[i] - p->change[i];
+        n = (uint8_t)(n + put_group(byte + n, r, group_axes(first)));
+    }
+    return n;
+}
+
+/* The digits of the code one by one: three short loops instead of divisions. */
+static void get_digits(uint8_t code, uint32_t r[3])
+{
+    for (r[2] = (uint32_t)-2; code >= 25; code = (uint8_t)(code - 25)) r[2]++;
+    for (r[1] = (uint32_t)-2; code >= 5;  code = (uint8_t)(code - 5))  r[1]++;
+    r[0] = code - (uint32_t)2;
+}
+
+static const uint8_t *get_group(const uint8_t *byte, uint32_t r[3], uint8_t axes)
+{
+    const uint8_t code = *byte++;
+    if (code < WIDE8) {
+        get_digits(code, r);
+        return byte;
+    }
+    const uint8_t width = (uint8_t)(1u << (code - WIDE8));
+    for (uint8_t i = 0; i < axes; i++) {
+        r[i] = byte[width - 1] & 0x80u ? 0xFFFFFFFFu : 0u;      /* the sign, shifted out at width 4 */
+        for (uint8_t k = width; k > 0; k--)
+            r[i] = (r[i] << 8) | byte[k - 1];
+        byte += width;
+    }
+    return byte;
+}
+
+/* vel += r; pos += vel */
+static const uint8_t *get_point(const uint8_t *byte, bool still, const loft_predictor *p, loft_item *item)
+{
+    item->ticks = 1;
+    for (int first = 0; first < LOFT_AXES; first += 3) {
+        uint32_t r[3] = { 0, 0, 0 };
+        if (!still)
+            byte = get_group(byte, r, group_axes(first));
+        for (int i = first; i < LOFT_AXES && i < first + 3; i++) {
+            item->p[0][i] = item->p[1][i] = 0;
+            item->p[2][i] = signed_of(p->position[i] + p->change[i] + r[i - first]);
+        }
+    }
+    return byte;
+}
+
+/* The length of the point at byte[0], 0 if it is cut off or broken. */
+static uint8_t point_size(const uint8_t *byte, uint8_t left)
+{
+    uint16_t size = 0;
+    for (int first = 0; first < LOFT_AXES; first += 3) {
+        if (size >= left || byte[size] >= RUN)
+            return 0;
+        const uint8_t code = byte[size];
+        size = (uint16_t)(size + 1u + (code < WIDE8 ? 0u : (unsigned)group_axes(first) << (code - WIDE8)));
+    }
+    return (uint8_t)(size <= left ? size : 0);
+}
+
+
+// Packing
+// -------
+
+void loft_packer_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t *byte, uint8_t room)
+{
+    p->predictor = *predictor;
+    p->byte  = byte;
+    p->kind  = (uint8_t)kind;
+    p->room  = room;
+    p->size  = 0;
+    p->count = 0;
+    p->run   = false;
+}
+
+static bool is_still(const loft_predictor *p, const loft_item *item)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if ((uint32_t)item->p[2][i] != p->position[i] + p->change[i])
+            return false;
+    return true;
+}
+
+/* Lengthen the run at the end by one point, or begin one. */
+static uint8_t put_run(loft_packer *p, uint8_t *byte)
+{
+    if (p->run && p->byte[p->size - 1] < 255u) {
+        p->byte[p->size - 1]++;
+        return 0;
+    }
+    byte[0] = RUN;
+    return 1;
+}
+
+enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
+{
+    const bool still = p->kind == LOFT_POINTS && is_still(&p->predictor, item);
+    uint8_t byte[LOFT_ITEM_BYTES], n;
+
+    if (item->ticks < 1 || item->ticks > (p->kind == LOFT_SPANS ? LOFT_SPAN_TICKS_MAX : 1))
+        return LOFT_ERR_RANGE;
+    if (p->count == 255)
+        return LOFT_ERR_SPACE;
+
+    n = still ? put_run(p, byte) : p->kind == LOFT_SPANS ? put_span(byte, &p->predictor, item)
+                                                         : put_point(byte, &p->predictor, item);
+    if (n > p->room - p->size)
+        return LOFT_ERR_SPACE;
+    for (uint8_t i = 0; i < n; i++)
+        p->byte[p->size++] = byte[i];
+
+    p->run = still;
+    p->count++;
+    loft_predictor_next(&p->predictor, (enum loft_kind)p->kind, item);
+    return LOFT_OK;
+}
+
+
+// Unpacking
+// ---------
+
+enum loft_status loft_unpacker_init(loft_unpacker *u, enum loft_kind kind, const uint8_t *byte, uint8_t size,
+                                    uint8_t count)
+{
+    uint16_t found = 0;
+    for (uint8_t at = 0, n; at < size; at = (uint8_t)(at + n)) {
+        const bool run = kind == LOFT_POINTS && byte[at] >= RUN;
+        n = run ? 1 : kind == LOFT_SPANS ? span_size(byte + at, (uint8_t)(size - at))
+                                         : point_size(byte + at, (uint8_t)(size - at));
+        if (n == 0)
+            return LOFT_ERR_DATA;
+        found = (uint16_t)(found + (run ? byte[at] - 127u : 1u));
+    }
+    if (found != count || count == 0)
+        return LOFT_ERR_DATA;
+
+    u->byte  = byte;
+    u->kind  = (uint8_t)kind;
+    u->count = count;
+    u->run   = 0;
+    return LOFT_OK;
+}
+
+bool loft_unpacker_next(loft_unpacker *u, loft_predictor *predictor, loft_item *out)
+{
+    if (u->count == 0)
+        return false;
+    u->count--;
+
+    if (u->kind == LOFT_SPANS) {
+        u->byte = get_span(u->byte, predictor, out);
+    } else {
+        if (u->run == 0 && *u->byte >= RUN)
+            u->run = (uint8_t)(*u->byte++ - 127);
+        u->byte = get_point(u->byte, u->run > 0, predictor, out);
+        if (u->run > 0)
+            u->run--;
+    }
+    loft_predictor_next(predictor, (enum loft_kind)u->kind, out);
+    return true;
+}
+
+
+// Numbers of the library
+// ----------------------
+
+void loft_item_span(const loft_item *item, const int32_t from[LOFT_AXES], loft_span *out)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        out->p[0].axis[i] = loft_real_from_raw(from[i]);
+        for (int k = 0; k < 3; k++)
+            out->p[k + 1].axis[i] = loft_real_from_raw(item->p[k][i]);
+    }
+    out->ticks = item->ticks;
+}
+
+enum loft_status loft_item_from_span(loft_item *item, const loft_span *span)
+{
+    if (span->ticks < 1 || span->ticks > LOFT_SPAN_TICKS_MAX)
+        return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES; i++)
+        for (int k = 0; k < 3; k++) {
+            if (!loft_raw_fits(span->p[k + 1].axis[i]))
+                return LOFT_ERR_RANGE;
+            item->p[k][i] = loft_raw_from_real(span->p[k + 1].axis[i]);
+        }
+    item->ticks = span->ticks;
+    return LOFT_OK;
+}

@@ -1,0 +1,117 @@
+/* lib/wire/frame.c -- COBS and CRC-32C, a byte at a time
+ * SPDX-License-Identifier: MIT
+ */
+#include "wire/frame.h"
+
+/* CRC-32C: polynomial 0x1EDC6F41, here with its bits reversed (0x82F63B78), least significant bit first.
+ * Hamming distance 6 up to 655 bytes (Koopman, Cyclic redundancy code polynomial selection for embedded
+ * networks, 2004). The table holds the remainders of the 16 nibbles:
+ *
+ *     crc(byte) = two times   crc' = crc >> 4  xor  table[(crc xor nibble) mod 16]
+ *
+ * Initial value and final inversion are FFFFFFFF: without an inversion a 0x00 put in front of the delimiter or
+ * behind the CRC would pass. The register starts where FFFFFFFF has gone after the four bytes "loft": a frame of
+ * another protocol with the same CRC is refused at no cost on the wire. After content and its CRC the register
+ * holds a constant, whatever the content: one comparison, no second copy of the CRC. */
+#define CRC_START   0x73AC3B06u         /* of "loft"                */
+#define CRC_PASSED  0xB798B438u         /* after any good frame     */
+
+uint32_t loft_crc(uint32_t crc, uint8_t byte)
+{
+    static const uint32_t table[16] = {
+        0x00000000u, 0x105EC76Fu, 0x20BD8EDEu, 0x30E349B1u, 0x417B1DBCu, 0x5125DAD3u, 0x61C69362u, 0x7198540Du,
+        0x82F63B78u, 0x92A8FC17u, 0xA24BB5A6u, 0xB21572C9u, 0xC38D26C4u, 0xD3D3E1ABu, 0xE330A81Au, 0xF36E6F75u
+    };
+    crc = (crc >> 4) ^ table[(crc ^ byte) & 15u];
+    return (crc >> 4) ^ table[(crc ^ (uint32_t)(byte >> 4)) & 15u];
+}
+
+/* COBS: the content is cut at its zeros; each piece is sent behind a code byte that tells its length + 1, so the
+ * zeros themselves need not be sent. A frame is shorter than 254 bytes, hence no piece needs to be split and the
+ * overhead is exactly one byte. The code FF, which means a split, makes the frame too long and so refused.
+ *
+ * flags: */
+#define STARTED 1u      /* a byte has come since the last delimiter             */
+#define ZERO    2u      /* before the next piece the zero that was cut out      */
+#define REFUSED 4u      /* too long: ignore all up to the next delimiter        */
+
+static void restart(loft_frame *f)
+{
+    f->crc   = CRC_START;
+    f->size  = 0;
+    f->left  = 0;
+    f->flags = 0;
+}
+
+void loft_frame_init(loft_frame *f)
+{
+    restart(f);
+    f->count = 0;
+}
+
+static void take(loft_frame *f, uint8_t byte)
+{
+    if (f->size == sizeof f->byte) {
+        f->flags |= REFUSED;
+        return;
+    }
+    f->byte[f->size++] = byte;
+    f->crc = loft_crc(f->crc, byte);
+}
+
+static enum loft_status finish(loft_frame *f)
+{
+    const bool empty = !(f->flags & STARTED);
+    const bool good  = !(f->flags & REFUSED) && f->left == 0 && f->size >= 2 + 4 && f->crc == CRC_PASSED;
+
+    f->count = good ? (uint8_t)(f->size - 4) : 0;
+    restart(f);
+    return good ? LOFT_OK : empty ? LOFT_MORE : LOFT_ERR_DATA;
+}
+
+enum loft_status loft_frame_push(loft_frame *f, uint8_t byte)
+{
+    if (byte == 0)
+        return finish(f);
+
+    f->flags |= STARTED;
+    if (f->left == 0) {
+        if (f->flags & ZERO)
+            take(f, 0);
+        f->flags |= ZERO;
+        f->left = (uint8_t)(byte - 1);
+    } else {
+        take(f, byte);
+        f->left--;
+    }
+    return LOFT_MORE;
+}
+
+/* In place, because content starts at wire[1]: the code of a piece takes the place of the zero before it. */
+static void stuff(uint8_t wire[], size_t size)
+{
+    size_t code = 0;
+    for (size_t i = 1; i <= size; i++)
+        if (wire[i] == 0) {
+            wire[code] = (uint8_t)(i - code);
+            code = i;
+        }
+    wire[code]     = (uint8_t)(size + 1 - code);
+    wire[size + 1] = 0;
+}
+
+size_t loft_frame_encode(uint8_t wire[LOFT_FRAME_MAX], size_t count)
+{
+    if (count < 2 || count > LOFT_FRAME_CONTENT)
+        return 0;
+
+    uint32_t crc = CRC_START;
+    for (size_t i = 1; i <= count; i++)
+        crc = loft_crc(crc, wire[i]);
+
+    crc ^= 0xFFFFFFFFu;
+    for (size_t i = 1; i <= 4; i++, crc >>= 8)
+        wire[count + i] = (uint8_t)(crc & 0xFFu);
+    stuff(wire, count + 4);
+    return count + LOFT_FRAME_EXTRA;
+}

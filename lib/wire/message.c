@@ -1,0 +1,350 @@
+/* lib/wire/message.c -- every field of every message, in the order in which it travels
+ * SPDX-License-Identifier: MIT
+ */
+#include "wire/message.h"
+
+/* HELLO and WELCOME never change their form, so they carry version 0. */
+#define FOREVER 0
+
+
+// Writing
+// -------
+
+/* A cursor in the frame that is being made; content starts at wire[1]. */
+typedef struct {
+    uint8_t *wire;
+    size_t size;
+} writer;
+
+static void put8(writer *w, uint8_t x)      { w->wire[++w->size] = x; }
+static void put16(writer *w, uint16_t x)    { put8(w, (uint8_t)(x & 0xFFu)); put8(w, (uint8_t)(x >> 8)); }
+static void put32(writer *w, uint32_t x)    { put16(w, (uint16_t)(x & 0xFFFFu)); put16(w, (uint16_t)(x >> 16)); }
+static void put_axes(writer *w, const int32_t x[LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        put32(w, (uint32_t)x[i]);
+}
+
+static writer start(uint8_t wire[], enum loft_message type, uint8_t version, uint8_t session)
+{
+    writer w;
+    w.wire = wire;
+    w.size = 0;
+    put8(&w, (uint8_t)((unsigned)type << 4 | version));
+    put8(&w, session);
+    return w;
+}
+
+static size_t finish(const writer *w)       { return loft_frame_encode(w->wire, w->size); }
+
+
+// Reading
+// -------
+
+/* A cursor in the content of a frame. What lies behind its end reads as 0 and makes it bad. */
+typedef struct {
+    const loft_frame *frame;
+    uint8_t at;
+    bool bad;
+} reader;
+
+static reader read_from(const loft_frame *f)
+{
+    reader r;
+    r.frame = f;
+    r.at    = 2;
+    r.bad   = false;
+    return r;
+}
+
+static uint8_t get8(reader *r)
+{
+    if (r->at >= r->frame->count) {
+        r->bad = true;
+        return 0;
+    }
+    return r->frame->byte[r->at++];
+}
+
+static uint16_t get16(reader *r)            { const uint16_t low = get8(r);  return (uint16_t)(low | (unsigned)get8(r) << 8); }
+static uint32_t get32(reader *r)            { const uint32_t low = get16(r); return low | (uint32_t)get16(r) << 16; }
+static int32_t  get_i32(reader *r)
+{
+    const uint32_t x = get32(r);
+    return x & 0x80000000u ? -(int32_t)~x - 1 : (int32_t)x;
+}
+
+static void get_axes(reader *r, int32_t x[LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        x[i] = get_i32(r);
+}
+
+static enum loft_status read_some(const reader *r, bool sound)
+{
+    return !r->bad && sound ? LOFT_OK : LOFT_ERR_DATA;
+}
+
+static enum loft_status read_all(const reader *r, bool sound)
+{
+    return read_some(r, sound && r->at == r->frame->count);
+}
+
+
+// Host to machine
+// ---------------
+
+size_t loft_hello_encode(const loft_hello *m, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire + 1, LOFT_HELLO, FOREVER, 0);
+    put8(&w, m->min_version);
+    put8(&w, m->max_version);
+    put32(&w, m->nonce);
+    wire[0] = 0;
+    return 1 + finish(&w);
+}
+
+/* May grow, as WELCOME. */
+enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m)
+{
+    reader r = read_from(f);
+    m->min_version = get8(&r);
+    m->max_version = get8(&r);
+    m->nonce       = get32(&r);
+    return read_some(&r, m->min_version <= m->max_version);
+}
+
+size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, LOFT_JOB, LOFT_WIRE_VERSION, session);
+    put32(&w, m->boot);
+    put32(&w, m->id);
+    put8(&w, m->kind);
+    put_axes(&w, m->start);
+    return finish(&w);
+}
+
+enum loft_status loft_job_decode(const loft_frame *f, loft_job *m)
+{
+    reader r = read_from(f);
+    m->boot = get32(&r);
+    m->id   = get32(&r);
+    m->kind = get8(&r);
+    get_axes(&r, m->start);
+    return read_all(&r, m->id != 0 && (m->kind == LOFT_SPANS || m->kind == LOFT_POINTS));
+}
+
+size_t loft_end_encode(uint32_t total, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, LOFT_END, LOFT_WIRE_VERSION, session);
+    put32(&w, total);
+    return finish(&w);
+}
+
+enum loft_status loft_end_decode(const loft_frame *f, uint32_t *total)
+{
+    reader r = read_from(f);
+    *total = get32(&r);
+    return read_all(&r, true);
+}
+
+size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, LOFT_CONTROL, LOFT_WIRE_VERSION, session);
+    put8(&w, m->number);
+    put8(&w, m->verb);
+    return finish(&w);
+}
+
+enum loft_status loft_control_decode(const loft_frame *f, loft_control *m)
+{
+    reader r = read_from(f);
+    m->number = get8(&r);
+    m->verb   = get8(&r);
+    return read_all(&r, m->verb >= LOFT_HOLD && m->verb <= LOFT_CLOSE);
+}
+
+size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, LOFT_POLL, LOFT_WIRE_VERSION, session);
+    return finish(&w);
+}
+
+/* Before the items: type, session, first 2, count. */
+#define ITEMS_AT 5
+
+void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t frame_max,
+                    uint8_t wire[LOFT_FRAME_MAX])
+{
+    const uint8_t most = frame_max < LOFT_FRAME_MAX ? frame_max : LOFT_FRAME_MAX;
+    const uint8_t room = most > ITEMS_AT + LOFT_FRAME_EXTRA ? (uint8_t)(most - ITEMS_AT - LOFT_FRAME_EXTRA) : 0;
+    loft_packer_init(p, kind, predictor, wire + 1 + ITEMS_AT, room);
+}
+
+size_t loft_data_encode(const loft_packer *p, uint32_t first, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, p->kind == LOFT_SPANS ? LOFT_DATA_SPANS : LOFT_DATA_POINTS, LOFT_WIRE_VERSION, session);
+    put16(&w, (uint16_t)(first & 0xFFFFu));
+    put8(&w, p->count);
+    w.size += p->size;
+    return finish(&w);
+}
+
+enum loft_status loft_data_decode(const loft_frame *f, uint16_t *first, loft_unpacker *u)
+{
+    const enum loft_kind kind = loft_message_type(f) == LOFT_DATA_SPANS ? LOFT_SPANS : LOFT_POINTS;
+    reader r = read_from(f);
+    *first = get16(&r);
+    const uint8_t count = get8(&r);
+    return r.bad ? LOFT_ERR_DATA
+                 : loft_unpacker_init(u, kind, f->byte + ITEMS_AT, (uint8_t)(f->count - ITEMS_AT), count);
+}
+
+
+// Machine to host
+// ---------------
+
+static void put_ack(writer *w, const loft_ack *m)
+{
+    put32(w, m->next);
+    put32(w, m->limit);
+    put32(w, m->executed);
+    put8(w, m->state);
+    put8(w, m->flags);
+    put8(w, m->refusal);
+    put8(w, m->control);
+}
+
+static bool get_ack(reader *r, loft_ack *m)
+{
+    m->next     = get32(r);
+    m->limit    = get32(r);
+    m->executed = get32(r);
+    m->state    = get8(r);
+    m->flags    = get8(r);
+    m->refusal  = get8(r);
+    m->control  = get8(r);
+    return m->limit >= m->next && m->executed <= m->next && m->state <= LOFT_STATE_FAULT;
+}
+
+size_t loft_ack_encode(const loft_ack *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, LOFT_ACK, LOFT_WIRE_VERSION, session);
+    put_ack(&w, m);
+    return finish(&w);
+}
+
+enum loft_status loft_ack_decode(const loft_frame *f, loft_ack *m)
+{
+    reader r = read_from(f);
+    const bool sound = get_ack(&r, m);
+    return read_all(&r, sound);
+}
+
+size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, LOFT_WELCOME, FOREVER, session);
+    put8(&w, m->version);
+    put32(&w, m->nonce);
+    put32(&w, m->boot);
+    put32(&w, m->job);
+    put_ack(&w, &m->ack);
+    put8(&w, m->axes);
+    put8(&w, m->num);
+    put8(&w, m->frame_max);
+    put16(&w, m->queue);
+    put16(&w, m->tick_hz);
+    put16(&w, m->slots);
+    return finish(&w);
+}
+
+enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m)
+{
+    reader r = read_from(f);
+    m->version = get8(&r);
+    m->nonce   = get32(&r);
+    m->boot    = get32(&r);
+    m->job     = get32(&r);
+    const bool sound = get_ack(&r, &m->ack);
+    m->axes      = get8(&r);
+    m->num       = get8(&r);
+    m->frame_max = get8(&r);
+    m->queue     = get16(&r);
+    m->tick_hz   = get16(&r);
+    m->slots     = get16(&r);
+    return read_some(&r, sound);
+}
+
+size_t loft_axis_encode(const loft_axis *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, LOFT_AXIS, LOFT_WIRE_VERSION, session);
+    put8(&w, m->number);
+    put32(&w, (uint32_t)m->steps_per_mm);
+    put32(&w, (uint32_t)m->max_speed);
+    put32(&w, (uint32_t)m->max_accel);
+    put32(&w, (uint32_t)m->position);
+    return finish(&w);
+}
+
+enum loft_status loft_axis_decode(const loft_frame *f, loft_axis *m)
+{
+    reader r = read_from(f);
+    m->number       = get8(&r);
+    m->steps_per_mm = get_i32(&r);
+    m->max_speed    = get_i32(&r);
+    m->max_accel    = get_i32(&r);
+    m->position     = get_i32(&r);
+    return read_all(&r, m->number < LOFT_AXES);
+}
+
+size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, LOFT_STATUS, LOFT_WIRE_VERSION, session);
+    put_ack(&w, &m->ack);
+    put32(&w, m->ticks);
+    put32(&w, m->elapsed);
+    put32(&w, m->slowed);
+    put32(&w, m->damaged);
+    put32(&w, m->dropped);
+    put_axes(&w, m->position);
+    return finish(&w);
+}
+
+enum loft_status loft_machine_status_decode(const loft_frame *f, loft_machine_status *m)
+{
+    reader r = read_from(f);
+    const bool sound = get_ack(&r, &m->ack);
+    m->ticks   = get32(&r);
+    m->elapsed = get32(&r);
+    m->slowed  = get32(&r);
+    m->damaged = get32(&r);
+    m->dropped = get32(&r);
+    get_axes(&r, m->position);
+    return read_all(&r, sound);
+}
+
+size_t loft_report_encode(const loft_report *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start(wire, LOFT_REPORT, LOFT_WIRE_VERSION, session);
+    put32(&w, m->job);
+    put32(&w, m->items);
+    put32(&w, m->ticks);
+    put32(&w, m->elapsed);
+    put32(&w, m->slowed);
+    put8(&w, m->state);
+    put_axes(&w, m->position);
+    return finish(&w);
+}
+
+enum loft_status loft_report_decode(const loft_frame *f, loft_report *m)
+{
+    reader r = read_from(f);
+    m->job     = get32(&r);
+    m->items   = get32(&r);
+    m->ticks   = get32(&r);
+    m->elapsed = get32(&r);
+    m->slowed  = get32(&r);
+    m->state   = get8(&r);
+    get_axes(&r, m->position);
+    return read_all(&r, m->job != 0 && (m->state == LOFT_STATE_DONE || m->state == LOFT_STATE_ABORTED));
+}

@@ -1,0 +1,528 @@
+/* lib/wire/sender.c -- the host's half of a session: go back n, with the machine's own count as the only truth
+ * SPDX-License-Identifier: MIT
+ *
+ *     base <= send <= high        acknowledged, next to be sent, never sent yet
+ *
+ * A NAK or a timeout sets send back to base. Frames are made again from the items, so the frame that starts at n
+ * depends on items n - 2, n - 1, n .. only, whether sent for the first time, again, or by another process.
+ */
+#include "wire/sender.h"
+
+#define RTO_FIRST   200     /* ms */
+#define RTO_LEAST    25
+#define RTO_MOST   1000
+#define CLOSE_TRIES   4
+
+#define ALL_AXES    ((1u << LOFT_AXES) - 1u)
+
+/* The part of `span` ms, begun at `since`, that is left. */
+static uint32_t left(uint32_t since, uint32_t span, uint32_t now)
+{
+    const uint32_t gone = now - since;
+    return gone >= span ? 0 : span - gone;
+}
+
+static bool finished(const loft_sender *s)  { return s->phase >= LOFT_PHASE_DONE; }
+
+
+// Time
+// ----
+
+/* V. Jacobson, Congestion avoidance and control, 1988: srtt += (m - srtt) / 8, var += (|m - srtt| - var) / 4. */
+static void take_rtt(loft_sender *s, uint32_t m)
+{
+    m = m > 0 ? m : 1;
+    if (s->rtt8 == 0) {
+        s->rtt8 = 8 * m;
+        s->var4 = 2 * m;
+    } else {
+        const uint32_t srtt = s->rtt8 / 8;
+        const uint32_t off  = m > srtt ? m - srtt : srtt - m;
+        s->rtt8 = s->rtt8 - srtt + m;
+        s->var4 = s->var4 - s->var4 / 4 + off;
+    }
+    s->rtt_ms = s->rtt8 / 8;
+}
+
+static void reset_rto(loft_sender *s)
+{
+    const uint32_t rto = s->rtt8 ? s->rtt8 / 8 + s->var4 + 1 : RTO_FIRST;
+    s->rto = rto < RTO_LEAST ? RTO_LEAST : rto > RTO_MOST ? RTO_MOST : rto;
+}
+
+static void back_off(loft_sender *s)        { s->rto = s->rto > RTO_MOST / 2 ? RTO_MOST : 2 * s->rto; }
+
+
+// Beginning, and beginning again
+// ------------------------------
+
+static void greet(loft_sender *s, uint32_t now)
+{
+    s->phase      = LOFT_PHASE_HELLO;
+    s->nonce      = s->nonce * 1664525u + 1013904223u;
+    s->session    = 0;
+    s->hello_sent = s->greeted = false;
+    s->heard      = now;
+    reset_rto(s);
+}
+
+void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms)
+{
+    static const loft_sender zero;
+    *s = zero;
+    s->nonce = nonce;
+    loft_frame_init(&s->frame);
+    greet(s, now_ms);
+}
+
+static void stream(loft_sender *s)
+{
+    s->opened   = true;
+    s->phase    = s->ack.next <= s->count ? LOFT_PHASE_STREAMING : LOFT_PHASE_LOST;
+    s->base     = s->send = s->high = s->ack.next;
+    s->flights  = 0;
+    s->end_sent = false;
+    reset_rto(s);
+}
+
+/* The machine is known and so is the job: what now? */
+static void join(loft_sender *s)
+{
+    const loft_welcome *w = &s->machine;
+    const bool same = w->job == s->job.id && (!s->opened || w->boot == s->boot);
+
+    s->job_sent = false;
+    if (s->opened && !same)
+        s->phase = LOFT_PHASE_LOST;
+    else if (same && (s->asked || loft_state_busy(w->ack.state) || w->ack.state == LOFT_STATE_DONE)) {
+        s->resumed   = s->resumed   || (!s->asked && loft_state_busy(w->ack.state));
+        s->collected = s->collected || (!s->asked && w->ack.state == LOFT_STATE_DONE);
+        stream(s);
+    } else if (loft_state_busy(w->ack.state))
+        s->phase = LOFT_PHASE_BUSY;
+    else if (w->ack.state == LOFT_STATE_FAULT)
+        s->phase = LOFT_PHASE_LOST;
+    else
+        s->phase = s->aborting ? LOFT_PHASE_ABORTED : LOFT_PHASE_OPENING;
+    s->boot = s->job.boot = w->boot;
+}
+
+enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count, loft_item_source *source,
+                                   void *context)
+{
+    if (s->phase != LOFT_PHASE_READY || job->id == 0 || (job->kind != LOFT_SPANS && job->kind != LOFT_POINTS)
+        || count == 0xFFFFFFFFu)
+        return LOFT_ERR_ARG;
+    s->job     = *job;
+    s->count   = count;
+    s->source  = source;
+    s->context = context;
+    s->began   = true;
+    s->machine.ack = s->ack;        /* newer than the welcome */
+    join(s);
+    return LOFT_OK;
+}
+
+static void control(loft_sender *s, enum loft_verb verb)
+{
+    s->verb      = (uint8_t)verb;
+    s->verb_sent = false;
+    s->attempts  = 0;
+    s->number++;
+}
+
+void loft_sender_control(loft_sender *s, enum loft_verb verb)
+{
+    if (s->phase == LOFT_PHASE_CLOSING || (finished(s) && s->phase != LOFT_PHASE_BUSY))
+        return;
+    if (verb == LOFT_ABORT && s->phase != LOFT_PHASE_BUSY) {
+        s->aborting = true;
+        if (s->began && !s->asked && s->phase == LOFT_PHASE_OPENING)
+            s->phase = LOFT_PHASE_ABORTED;
+    }
+    control(s, verb);
+}
+
+
+// Frames from the machine
+// -----------------------
+
+static bool fits(const loft_welcome *w)
+{
+    return w->version == LOFT_WIRE_VERSION && w->axes == LOFT_AXES && w->frame_max >= 13 + 15 * LOFT_AXES
+        && w->queue > 0 && w->tick_hz > 0 && w->slots > 0;
+}
+
+static void take_welcome(loft_sender *s, uint32_t now)
+{
+    loft_welcome w;
+    if (s->phase != LOFT_PHASE_HELLO || loft_welcome_decode(&s->frame, &w) != LOFT_OK || w.nonce != s->nonce)
+        return;
+    s->machine = w;
+    s->ack     = w.ack;
+    s->session = loft_message_session(&s->frame);
+    s->greeted = true;
+    s->seen    = 0;
+    s->tried   = now;
+    if (!fits(&w))
+        s->phase = LOFT_PHASE_UNFIT;
+}
+
+/* The last AXIS completes the greeting. A control that was not acknowledged is given again: it is a wish, not a step. */
+static void take_axis(loft_sender *s, uint32_t now)
+{
+    loft_axis m;
+    if (s->phase != LOFT_PHASE_HELLO || !s->greeted || loft_axis_decode(&s->frame, &m) != LOFT_OK)
+        return;
+    s->axis[m.number] = m;
+    s->seen = (uint8_t)(s->seen | 1u << m.number);
+    if (s->seen != ALL_AXES)
+        return;
+
+    s->number    = s->verb ? 1 : 0;
+    s->verb_sent = false;
+    s->back      = s->polled = now - RTO_MOST;
+    s->phase     = LOFT_PHASE_READY;
+    reset_rto(s);
+    if (s->began)
+        join(s);
+}
+
+static void go_back(loft_sender *s, uint32_t now)
+{
+    s->send     = s->base;
+    s->flights  = 0;
+    s->end_sent = false;
+    s->back     = s->tried = now;
+}
+
+static void advance(loft_sender *s, uint32_t now)
+{
+    bool timed = false;
+    uint32_t sample = 0;
+
+    s->base = s->ack.next;
+    if (s->send < s->base)
+        s->send = s->base;
+    while (s->flights > 0 && s->flight[s->first].end <= s->base) {
+        timed  = !s->flight[s->first].again;
+        sample = now - s->flight[s->first].time;
+        s->first = (uint8_t)((s->first + 1) % LOFT_SENDER_WINDOW);
+        s->flights--;
+    }
+    if (timed)
+        take_rtt(s, sample);
+    s->tried = now;
+    reset_rto(s);
+}
+
+/* What an answer means while items go out. In-flight frames behind a gap each cause a NAK: one per round trip counts. */
+static void take_progress(loft_sender *s, uint32_t now)
+{
+    if (s->ack.state == LOFT_STATE_FAULT) {
+        s->phase = LOFT_PHASE_LOST;
+        return;
+    }
+    if (s->ack.refusal && !s->aborting) {
+        s->aborting = true;
+        control(s, LOFT_ABORT);
+    }
+    if (s->ack.next > s->base)
+        advance(s, now);
+    const uint32_t once = s->rtt_ms ? s->rtt_ms : RTO_FIRST / 4;
+    if (s->ack.flags & LOFT_FLAG_NAK && (s->base < s->high || s->end_sent) && now - s->back >= once) {
+        s->naks++;
+        go_back(s, now);
+    }
+}
+
+static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
+{
+    const bool streaming = s->phase == LOFT_PHASE_STREAMING;
+    const uint32_t limit = s->ack.limit;
+
+    if (streaming && (m->next < s->base || m->next > s->count))
+        return;
+    s->ack = *m;
+    if (streaming && s->ack.limit < limit)      /* limits only grow; a lower one is older, or the job is over */
+        s->ack.limit = limit;
+
+    if (s->verb_sent && m->control == s->number) {
+        s->verb = 0;
+        s->verb_sent = false;
+    }
+    if (streaming) {
+        take_progress(s, now);
+    } else if (s->phase == LOFT_PHASE_OPENING && s->job_sent) {
+        if (m->flags & LOFT_FLAG_OPENED)
+            stream(s);
+        else if (m->refusal)
+            s->phase = LOFT_PHASE_REFUSED;
+        else if (s->aborting && s->verb == 0)
+            s->phase = LOFT_PHASE_ABORTED;
+    } else if (s->phase == LOFT_PHASE_CLOSING && (s->verb == 0 || m->state == LOFT_STATE_IDLE)) {
+        s->phase = s->report.state == LOFT_STATE_DONE ? LOFT_PHASE_DONE : LOFT_PHASE_ABORTED;
+    }
+}
+
+static void take_report(loft_sender *s)
+{
+    loft_report m;
+    if (s->phase != LOFT_PHASE_STREAMING || loft_report_decode(&s->frame, &m) != LOFT_OK || m.job != s->job.id)
+        return;
+    s->report = m;
+    s->phase  = LOFT_PHASE_CLOSING;
+    control(s, LOFT_CLOSE);
+}
+
+static void take_frame(loft_sender *s, uint32_t now)
+{
+    loft_machine_status status;
+    loft_ack ack;
+
+    switch (loft_message_type(&s->frame)) {
+    case LOFT_WELCOME: take_welcome(s, now); break;
+    case LOFT_AXIS:    take_axis(s, now);    break;
+    case LOFT_REPORT:  take_report(s);       break;
+    case LOFT_ACK:
+        if (s->phase != LOFT_PHASE_HELLO && loft_ack_decode(&s->frame, &ack) == LOFT_OK)
+            take_ack(s, &ack, now);
+        break;
+    case LOFT_STATUS:
+        if (s->phase != LOFT_PHASE_HELLO && loft_machine_status_decode(&s->frame, &status) == LOFT_OK) {
+            s->status = status;
+            take_ack(s, &status.ack, now);
+        }
+        break;
+    default:
+        s->unknown++;
+    }
+}
+
+bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms)
+{
+    const enum loft_status status = loft_frame_push(&s->frame, byte);
+    if (status == LOFT_ERR_DATA)
+        s->damaged++;
+    if (status != LOFT_OK)
+        return false;
+
+    const bool welcome = loft_message_type(&s->frame) == LOFT_WELCOME;
+    if (!welcome && (loft_message_version(&s->frame) != LOFT_WIRE_VERSION || s->session == 0
+                     || loft_message_session(&s->frame) != s->session)) {
+        s->unknown++;
+        return false;
+    }
+    s->heard = now_ms;
+    take_frame(s, now_ms);
+    return true;
+}
+
+
+// Frames to the machine
+// ---------------------
+
+/* One frame too many is cheaper than a frame of one item after each executed item: with little credit, wait until
+ * the machine has told a quarter of its queue (which it does unasked), unless this is all that is left. */
+static bool can_send(const loft_sender *s)
+{
+    const uint32_t limit  = s->ack.limit < s->count ? s->ack.limit : s->count;
+    const uint32_t step   = s->machine.queue < 4 ? 1 : s->machine.queue / 4u;
+
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->flights < LOFT_SENDER_WINDOW && s->send < limit
+        && (limit == s->count || limit - s->send >= step);
+}
+
+static bool can_end(const loft_sender *s)
+{
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->send == s->count && !s->end_sent
+        && !(s->ack.flags & LOFT_FLAG_ENDED);
+}
+
+/* Is an answer due to something that would be sent again? */
+static bool waits(const loft_sender *s)
+{
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting
+        && (s->base < s->send || (s->end_sent && !(s->ack.flags & LOFT_FLAG_ENDED)));
+}
+
+static void predict(const loft_sender *s, uint32_t index, loft_predictor *p)
+{
+    loft_item item;
+    loft_predictor_init(p, s->job.start);
+    for (uint32_t back = index < 2 ? index : 2; back > 0; back--) {
+        s->source(s->context, index - back, &item);
+        loft_predictor_next(p, (enum loft_kind)s->job.kind, &item);
+    }
+}
+
+static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
+{
+    const uint32_t limit = s->ack.limit < s->count ? s->ack.limit : s->count;
+    const uint32_t first = s->send;
+    enum loft_status status = LOFT_OK;
+    loft_predictor predictor;
+    loft_packer p;
+    loft_item item;
+
+    predict(s, first, &predictor);
+    loft_data_init(&p, (enum loft_kind)s->job.kind, &predictor, s->machine.frame_max, wire);
+    while (first + p.count < limit && status == LOFT_OK) {
+        s->source(s->context, first + p.count, &item);
+        status = loft_packer_push(&p, &item);
+    }
+    if (p.count == 0) {                 /* an item that cannot be said: the job ends */
+        s->ack.refusal = LOFT_REFUSAL_ITEM;
+        s->aborting = true;
+        control(s, LOFT_ABORT);
+        return 0;
+    }
+    if (!waits(s))
+        s->tried = now;
+
+    const uint8_t slot = (uint8_t)((s->first + s->flights++) % LOFT_SENDER_WINDOW);
+    s->send = s->flight[slot].end = first + p.count;
+    s->flight[slot].time  = now;
+    s->flight[slot].again = first < s->high;
+    s->sent++;
+    if (first < s->high)
+        s->resent++;
+    if (s->high < s->send)
+        s->high = s->send;
+    return loft_data_encode(&p, first, s->session, wire);
+}
+
+static size_t give_hello(loft_sender *s, uint32_t now, uint8_t wire[])
+{
+    loft_hello m;
+    m.min_version = m.max_version = LOFT_WIRE_VERSION;
+    m.nonce = s->nonce;
+    if (s->hello_sent)
+        back_off(s);
+    s->hello_sent = true;
+    s->tried = now;
+    s->hellos++;
+    return loft_hello_encode(&m, wire);
+}
+
+static size_t give_job(loft_sender *s, uint32_t now, uint8_t wire[])
+{
+    if (s->job_sent) {
+        back_off(s);
+        s->timeouts++;
+    }
+    s->job_sent = s->asked = true;
+    s->tried = now;
+    return loft_job_encode(&s->job, s->session, wire);
+}
+
+static size_t give_control(loft_sender *s, uint32_t now, uint8_t wire[])
+{
+    loft_control m;
+    m.number = s->number;
+    m.verb   = s->verb;
+    s->verb_sent = true;
+    s->verb_time = now;
+    s->attempts++;
+    return loft_control_encode(&m, s->session, wire);
+}
+
+/* Silence: from the beginning again. The report in hand, it is the closing alone that went unheard. */
+static void check_silence(loft_sender *s, uint32_t now)
+{
+    if (s->phase == LOFT_PHASE_CLOSING && s->attempts >= CLOSE_TRIES && left(s->verb_time, s->rto, now) == 0)
+        s->phase = s->report.state == LOFT_STATE_DONE ? LOFT_PHASE_DONE : LOFT_PHASE_ABORTED;
+    if (s->phase > LOFT_PHASE_HELLO && s->phase < LOFT_PHASE_CLOSING && left(s->heard, LOFT_SENDER_SILENCE, now) == 0)
+        greet(s, now);
+}
+
+static bool control_due(const loft_sender *s, uint32_t now)
+{
+    return s->verb && s->phase != LOFT_PHASE_HELLO && !(s->phase == LOFT_PHASE_OPENING && !s->job_sent)
+        && (!finished(s) || s->phase == LOFT_PHASE_BUSY) && (!s->verb_sent || left(s->verb_time, s->rto, now) == 0);
+}
+
+static size_t give_stream(loft_sender *s, uint32_t now, uint8_t wire[])
+{
+    if (waits(s) && left(s->tried, s->rto, now) == 0) {
+        s->timeouts++;
+        back_off(s);
+        go_back(s, now);
+    }
+    if (can_send(s))
+        return give_data(s, now, wire);
+    if (can_end(s)) {
+        if (!waits(s))
+            s->tried = now;
+        s->end_sent = true;
+        return loft_end_encode(s->count, s->session, wire);
+    }
+    return 0;
+}
+
+size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME_MAX])
+{
+    check_silence(s, now_ms);
+    if (s->phase == LOFT_PHASE_HELLO)
+        return !s->hello_sent || left(s->tried, s->rto, now_ms) == 0 ? give_hello(s, now_ms, wire) : 0;
+    if (control_due(s, now_ms))
+        return give_control(s, now_ms, wire);
+    if (finished(s))
+        return 0;
+    if (left(s->polled, LOFT_SENDER_POLL, now_ms) == 0) {
+        s->polled = now_ms;
+        return loft_poll_encode(s->session, wire);
+    }
+    if (s->phase == LOFT_PHASE_OPENING && !s->aborting && (!s->job_sent || left(s->tried, s->rto, now_ms) == 0))
+        return give_job(s, now_ms, wire);
+    return s->phase == LOFT_PHASE_STREAMING ? give_stream(s, now_ms, wire) : 0;
+}
+
+uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms)
+{
+    const uint32_t retry = left(s->tried, s->rto, now_ms);
+    uint32_t wait = left(s->polled, LOFT_SENDER_POLL, now_ms);
+
+    if (s->phase == LOFT_PHASE_HELLO)
+        return s->hello_sent ? retry : 0;
+    if (control_due(s, now_ms) || can_send(s) || can_end(s) || (s->phase == LOFT_PHASE_OPENING && !s->job_sent))
+        return 0;
+    if (finished(s))
+        return LOFT_SENDER_POLL;
+    if (s->verb_sent && left(s->verb_time, s->rto, now_ms) < wait)
+        wait = left(s->verb_time, s->rto, now_ms);
+    if ((waits(s) || s->phase == LOFT_PHASE_OPENING) && retry < wait)
+        wait = retry;
+    return wait;
+}
+
+uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms)     { return now_ms - s->heard; }
+
+
+// The id of a job
+// ---------------
+
+static uint32_t hash32(uint32_t crc, uint32_t x)
+{
+    for (int i = 0; i < 4; i++, x >>= 8)
+        crc = loft_crc(crc, (uint8_t)(x & 0xFFu));
+    return crc;
+}
+
+uint32_t loft_job_id(const loft_job *job, uint32_t count, loft_item_source *source, void *context)
+{
+    uint32_t crc = hash32(hash32(0xFFFFFFFFu, job->kind), count);
+    loft_item item;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        crc = hash32(crc, (uint32_t)job->start[i]);
+    for (uint32_t n = 0; n < count; n++) {
+        source(context, n, &item);
+        crc = hash32(crc, item.ticks);
+        for (int k = job->kind == LOFT_SPANS ? 0 : 2; k < 3; k++)
+            for (int i = 0; i < LOFT_AXES; i++)
+                crc = hash32(crc, (uint32_t)item.p[k][i]);
+    }
+    crc ^= 0xFFFFFFFFu;
+    return crc ? crc : 1;
+}
