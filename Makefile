@@ -57,6 +57,25 @@ test-%: $(foreach n,$(NUMS),build/test/$(n)/%)
 	@for n in $(NUMS); do build/test/$$n/$* || exit 1; done
 .PRECIOUS: $(foreach n,$(NUMS),build/test/$(n)/%)
 
+# --- exact results: one line per CSV of a folder ------------------------------------------------------
+VECTORS ?= tests/vectors
+define vectored
+build/vectors/$(1): $(wildcard tests/vectors*.c) build/test/$(1)/libloft.a $(wildcard tests/*.h)
+	@mkdir -p $$(@D)
+	$$(CC) $$(CPPFLAGS) -Itests -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.a,$$^) -lm -o $$@
+endef
+$(foreach n,$(NUMS),$(eval $(call vectored,$(n))))
+
+## Compare with exact results   VECTORS=folder of CSVs  NUM=q16|f32|f64
+.PHONY: check-vectors
+check-vectors: build/vectors/$(NUM)
+	@build/vectors/$(NUM) $(VECTORS) tests/vectors
+
+.PHONY: check-vectors-all
+check-vectors-all: $(foreach n,$(NUMS),build/vectors/$(n))
+	@bad=0; for n in $(NUMS); do echo "-- $$n"; build/vectors/$$n $(VECTORS) tests/vectors || bad=1; done; \
+	sh tests/runner.sh build/vectors/q16 tests/vectors || bad=1; exit $$bad
+
 # --- tools: build/loft, one program with all three number types -------------------------------------
 TOOL_PKG  := libxml-2.0 cairo libserialport
 TOOL_OUT  ?= build
@@ -119,7 +138,7 @@ size: lib/names.h
 	@sh tests/size.sh $(NUM) $(AXES)
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
-CHECK_STAGES := lint test test-mixed test-readme
+CHECK_STAGES := lint test check-vectors-all test-mixed test-readme
 
 ## Check everything: rules of the house, all tests in all number types under sanitizers, vectors, README, whole jobs
 .PHONY: check
