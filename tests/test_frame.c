@@ -219,7 +219,7 @@ static bool survives(const scene *s, const uint8_t *damaged, size_t size, bool r
 
     decode(&f, damaged, size, &r);
     for (unsigned i = 0; i < r.good; i++)
-        if (refused || i > 0 || !same(&r.last[i], &s->c[1]))
+        if (refused || i > 0 || (!same(&r.last[i], &s->c[1]) && !same(&r.last[i], &s->c[0])))
             return false;
     r.good = 0;
     decode(&f, s->wire[2], s->size[2], &r);         /* may be lost with the delimiter before it */
@@ -304,6 +304,7 @@ static void no_worse_damage_passes(arb *a)
             flip(wire, arb_below(a, (uint32_t)(8 * n)));
             break;
         default:
+            at = at ? at : 1;
             k = arb_below(a, (uint32_t)s.size[0]);              /* the delimiter lost, and more */
             memcpy(wire + at, s.wire[0] + k, s.size[0] - k);
             n = at + s.size[0] - k;
