@@ -1,0 +1,402 @@
+/* tests/test_codec.c -- properties of lib/wire/codec.h
+ * SPDX-License-Identifier: MIT
+ */
+#include <string.h>
+
+#include "check.h"          /* CHECK, PROPERTY, BY_NUM */
+#include "wire/codec.h"
+
+/* Any int32 at all, extremes and small numbers over-represented. */
+static int32_t arb_int32(arb *a)
+{
+    static const int32_t edge[8] = { 0, 1, -1, INT32_MAX, INT32_MIN, INT32_MIN + 1, 0x7fff8000, -0x40000000 };
+    switch (arb_below(a, 4)) {
+    case 0:  return edge[arb_below(a, 8)];
+    case 1:  return (int32_t)arb_below(a, 600) - 300;
+    case 2:  return (int32_t)arb_below(a, 200000) - 100000;
+    default: return arb_raw(a, INT32_MAX);
+    }
+}
+
+/* Spans of any kind: wild, or a smooth chain with a little noise. Modulo 2^32, so that chains may run over the edge. */
+static void arb_spans(arb *a, loft_item item[], int count)
+{
+    const bool wild = arb_below(a, 3) == 0;
+    const uint32_t noise = 1 + arb_below(a, 100);
+    uint32_t x[LOFT_AXES], v[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        x[i] = (uint32_t)arb_int32(a);
+        v[i] = (uint32_t)arb_int32(a) >> 12;
+    }
+    for (int n = 0; n < count; n++) {
+        item[n].ticks = (uint16_t)(1 + arb_below(a, LOFT_SPAN_TICKS_MAX));
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < LOFT_AXES; i++) {
+                v[i] += arb_below(a, noise);
+                x[i] += v[i];
+                item[n].p[k][i] = wild ? arb_int32(a) : (int32_t)x[i];
+            }
+    }
+}
+
+/* Points: wild, or motion whose second difference is small and often nothing. */
+static void arb_points(arb *a, loft_item item[], int count)
+{
+    const uint32_t taste = arb_below(a, 4), spread = taste == 0 ? 5 : taste == 1 ? 200 : 40000;
+    uint32_t x[LOFT_AXES], v[LOFT_AXES] = { 0 };
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        x[i] = (uint32_t)arb_int32(a);
+    for (int n = 0; n < count; n++) {
+        const bool still = arb_below(a, 3) > 0;
+        memset(&item[n], 0, sizeof item[n]);
+        item[n].ticks = 1;
+        for (int i = 0; i < LOFT_AXES; i++) {
+            if (!still)
+                v[i] += arb_below(a, spread) - spread / 2;
+            x[i] += v[i];
+            item[n].p[2][i] = taste == 3 ? arb_int32(a) : (int32_t)x[i];
+        }
+    }
+}
+
+static void arb_items(arb *a, enum loft_kind kind, loft_item item[], int count)
+{
+    if (kind == LOFT_SPANS)
+        arb_spans(a, item, count);
+    else
+        arb_points(a, item, count);
+}
+
+static enum loft_kind arb_kind(arb *a)          { return arb_below(a, 2) ? LOFT_SPANS : LOFT_POINTS; }
+
+static bool same_item(const loft_item *a, const loft_item *b)
+{
+    return a->ticks == b->ticks && memcmp(a->p, b->p, sizeof a->p) == 0;
+}
+
+static loft_predictor arb_predictor(arb *a)
+{
+    loft_predictor p;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        p.position[i] = (uint32_t)arb_int32(a);
+        p.change[i]   = (uint32_t)arb_int32(a);
+    }
+    return p;
+}
+
+static bool same_predictor(const loft_predictor *a, const loft_predictor *b)
+{
+    return memcmp(a->position, b->position, sizeof a->position) == 0
+        && memcmp(a->change, b->change, sizeof a->change) == 0;
+}
+
+enum { MANY = 300 };
+
+static void any_items_come_out_as_they_went_in(arb *a)
+{
+    const enum loft_kind kind = arb_kind(a);
+    const uint8_t room = (uint8_t)(LOFT_ITEM_BYTES + arb_below(a, 256 - LOFT_ITEM_BYTES));
+    loft_predictor sending = arb_predictor(a), receiving = sending;
+    loft_item item[MANY], got;
+    uint8_t byte[255];
+    int n = 0;
+
+    arb_items(a, kind, item, MANY);
+    while (n < MANY) {
+        const int first = n;
+        loft_packer p;
+        loft_unpacker u;
+        loft_packer_init(&p, kind, &sending, byte, room);
+        while (n < MANY && loft_packer_push(&p, &item[n]) == LOFT_OK)
+            n++;
+        sending = p.predictor;
+        CHECK(n > first && p.count == n - first && p.size <= room);
+
+        CHECK(loft_unpacker_init(&u, kind, byte, p.size, p.count) == LOFT_OK);
+        for (int k = first; k < n; k++) {
+            CHECK(loft_unpacker_next(&u, &receiving, &got));
+            CHECK(same_item(&got, &item[k]));
+        }
+        CHECK(!loft_unpacker_next(&u, &receiving, &got));
+        CHECK(u.byte == byte + p.size);
+        CHECK(same_predictor(&sending, &receiving));
+    }
+}
+
+/* The state before item n comes from items n - 2 and n - 1: what lets a sender begin anywhere. */
+static void two_items_are_memory_enough(arb *a)
+{
+    const enum loft_kind kind = arb_kind(a);
+    loft_predictor whole, part;
+    loft_item item[20];
+    int32_t start[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        start[i] = arb_int32(a);
+    arb_items(a, kind, item, 20);
+    loft_predictor_init(&whole, start);
+    for (int n = 0; n < 20; n++) {
+        loft_predictor_init(&part, start);
+        for (int k = n < 2 ? 0 : n - 2; k < n; k++)
+            loft_predictor_next(&part, kind, &item[k]);
+        CHECK(same_predictor(&whole, &part));
+        loft_predictor_next(&whole, kind, &item[n]);
+    }
+}
+
+/* An item without room leaves the packer as it was. */
+static void no_room_changes_nothing(arb *a)
+{
+    const enum loft_kind kind = arb_kind(a);
+    const loft_predictor start = arb_predictor(a);
+    uint8_t byte[255];
+    loft_item item[60];
+    loft_packer p;
+    int n = 0;
+
+    memset(byte, 0x5A, sizeof byte);
+    arb_items(a, kind, item, 60);
+    loft_packer_init(&p, kind, &start, byte, (uint8_t)arb_below(a, 80));
+    while (n < 60 && loft_packer_push(&p, &item[n]) == LOFT_OK)
+        n++;
+    if (n < 60) {
+        const loft_packer before = p;
+        CHECK(loft_packer_push(&p, &item[n]) == LOFT_ERR_SPACE);
+        CHECK(memcmp(&before, &p, sizeof p) == 0);
+    }
+    for (size_t i = p.room; i < sizeof byte; i++)
+        CHECK(byte[i] == 0x5A);
+}
+
+static void no_frame_holds_more_than_255_items(arb *a)
+{
+    const loft_predictor start = arb_predictor(a);
+    loft_item item = { 0 };
+    uint8_t byte[255];
+    loft_packer p;
+
+    item.ticks = 1;
+    loft_packer_init(&p, LOFT_POINTS, &start, byte, 255);
+    for (int n = 0; n < 255; n++) {
+        for (int i = 0; i < LOFT_AXES; i++)
+            item.p[2][i] = (int32_t)(start.position[i] + start.change[i] * (uint32_t)(n + 1));
+        CHECK(loft_packer_push(&p, &item) == LOFT_OK);
+    }
+    CHECK(p.size == 2 && byte[0] == 255 && byte[1] == 254);
+    CHECK(loft_packer_push(&p, &item) == LOFT_ERR_SPACE);
+}
+
+static void ticks_out_of_range_are_refused(arb *a)
+{
+    const loft_predictor start = arb_predictor(a);
+    loft_item item = { 0 };
+    uint8_t byte[255];
+    loft_packer p;
+
+    loft_packer_init(&p, LOFT_SPANS, &start, byte, 255);
+    CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE);
+    item.ticks = LOFT_SPAN_TICKS_MAX + 1;
+    CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE && p.size == 0 && p.count == 0);
+    loft_packer_init(&p, LOFT_POINTS, &start, byte, 255);
+    item.ticks = 2;
+    CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE && p.size == 0);
+}
+
+/* The largest item there is: every residual needs five bytes (spans), four (points). */
+static void the_largest_item_fits_its_bytes(arb *a)
+{
+    const int32_t zero[LOFT_AXES] = { 0 };
+    loft_predictor start;
+    loft_item item = { 0 };
+    uint8_t byte[255];
+    loft_packer p;
+    (void)a;
+
+    loft_predictor_init(&start, zero);
+    for (int i = 0; i < LOFT_AXES; i++) {       /* e1 = 2^31, e2 = -2^30, e3 = 2^31, all modulo 2^32 */
+        item.p[0][i] = INT32_MIN;
+        item.p[1][i] = -0x40000000;
+        item.p[2][i] = 0x40000000;
+    }
+    item.ticks = LOFT_SPAN_TICKS_MAX;
+    loft_packer_init(&p, LOFT_SPANS, &start, byte, LOFT_ITEM_BYTES);
+    CHECK(loft_packer_push(&p, &item) == LOFT_OK && p.size == LOFT_ITEM_BYTES);
+
+    item.ticks = 1;
+    for (int i = 0; i < LOFT_AXES; i++)
+        item.p[2][i] = INT32_MIN;
+    loft_packer_init(&p, LOFT_POINTS, &start, byte, 255);
+    CHECK(loft_packer_push(&p, &item) == LOFT_OK && p.size == (LOFT_AXES + 2) / 3 + 4 * LOFT_AXES);
+}
+
+/* The code in numbers: 62 + r0 + 5 r1 + 25 r2 in a second group, runs of 128, 1, 2 and 4 byte escapes. */
+static void points_take_the_bytes_of_the_table(arb *a)
+{
+    static const struct { int32_t r; uint8_t size[7]; } row[] = {      /* by LOFT_AXES */
+        { -2, { 0, 1, 1, 1, 2, 2, 2 } }, { 2, { 0, 1, 1, 1, 2, 2, 2 } }, { 3, { 0, 2, 3, 4, 6, 7, 8 } },
+        { -128, { 0, 2, 3, 4, 6, 7, 8 } }, { 127, { 0, 2, 3, 4, 6, 7, 8 } }, { 128, { 0, 3, 5, 7, 10, 12, 14 } },
+        { -32768, { 0, 3, 5, 7, 10, 12, 14 } }, { 32767, { 0, 3, 5, 7, 10, 12, 14 } },
+        { 32768, { 0, 5, 9, 13, 18, 22, 26 } }, { -32769, { 0, 5, 9, 13, 18, 22, 26 } }, { 0, { 0, 1, 1, 1, 1, 1, 1 } }
+    };
+    const loft_predictor start = arb_predictor(a);
+    for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
+        loft_item item = { 0 };
+        uint8_t byte[255];
+        loft_packer p;
+        item.ticks = 1;
+        for (int i = 0; i < LOFT_AXES; i++)
+            item.p[2][i] = (int32_t)(start.position[i] + start.change[i] + (uint32_t)row[k].r);
+        loft_packer_init(&p, LOFT_POINTS, &start, byte, 255);
+        CHECK(loft_packer_push(&p, &item) == LOFT_OK && p.size == row[k].size[LOFT_AXES]);
+    }
+}
+
+/* Whatever is accepted is exactly what was announced, and says the same when it is packed again. */
+static void any_bytes_are_items_or_refused(arb *a)
+{
+    const enum loft_kind kind = arb_kind(a);
+    const loft_predictor start = arb_predictor(a);
+    const uint8_t size = (uint8_t)arb_below(a, 120);
+    uint8_t byte[120];
+    int accepted = 0;
+
+    for (int i = 0; i < size; i++)
+        byte[i] = (uint8_t)(arb_below(a, 3) ? arb_below(a, 128) : arb_next(a));
+    for (int count = 0; count < 256; count++) {
+        loft_predictor there = start, again = start;
+        loft_unpacker u, v;
+        loft_item item, back;
+        uint8_t packed[255];
+        loft_packer p;
+
+        if (loft_unpacker_init(&u, kind, byte, size, (uint8_t)count) != LOFT_OK)
+            continue;
+        accepted++;
+        loft_packer_init(&p, kind, &start, packed, 255);
+        while (loft_unpacker_next(&u, &there, &item))
+            CHECK(loft_packer_push(&p, &item) == LOFT_OK);
+        CHECK(p.count == count && u.byte == byte + size);
+        CHECK(kind == LOFT_POINTS || (p.size == size && memcmp(byte, packed, size) == 0));
+        CHECK(loft_unpacker_init(&v, kind, packed, p.size, p.count) == LOFT_OK);
+        while (loft_unpacker_next(&v, &again, &back)) {}
+        CHECK(same_predictor(&there, &again));
+    }
+    CHECK(accepted <= 1);
+}
+
+/* Cut, lengthened, or with another count, a good row of items is refused. */
+static void a_wrong_count_or_length_is_refused(arb *a)
+{
+    const enum loft_kind kind = arb_kind(a);
+    const loft_predictor start = arb_predictor(a);
+    uint8_t byte[200];
+    loft_item item[40];
+    loft_unpacker u;
+    loft_packer p;
+
+    arb_items(a, kind, item, 40);
+    loft_packer_init(&p, kind, &start, byte, 190);
+    for (int n = 0; n < 40 && loft_packer_push(&p, &item[n]) == LOFT_OK; n++) {}
+    CHECK(loft_unpacker_init(&u, kind, byte, p.size, p.count) == LOFT_OK);
+    for (int count = 0; count < 256; count++)
+        CHECK(count == p.count || loft_unpacker_init(&u, kind, byte, p.size, (uint8_t)count) == LOFT_ERR_DATA);
+    for (uint8_t size = 0; size < p.size; size++)
+        CHECK(loft_unpacker_init(&u, kind, byte, size, p.count) == LOFT_ERR_DATA);
+    for (unsigned x = 0; x < 256; x++) {
+        byte[p.size] = (uint8_t)x;
+        CHECK(loft_unpacker_init(&u, kind, byte, (uint8_t)(p.size + 1), p.count) == LOFT_ERR_DATA);
+    }
+}
+
+/* One row is the only one that says so: no longer varints, no ticks out of range. */
+static void other_spellings_of_a_span_are_refused(arb *a)
+{
+    uint8_t byte[LOFT_ITEM_BYTES + 4] = { 0 };
+    const uint8_t size = 1 + 3 * LOFT_AXES;
+    loft_unpacker u;
+    (void)a;
+
+    byte[0] = 1;
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, size, 1) == LOFT_OK);
+    byte[0] = 0;                                                        /* no ticks */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, size, 1) == LOFT_ERR_DATA);
+    byte[0] = 0x80, byte[1] = 0x08;                                     /* 1024 ticks */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_ERR_DATA);
+    byte[0] = 0xFF, byte[1] = 0x07;                                     /* 1023 ticks */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_OK);
+    byte[0] = 0x81, byte[1] = 0x00;                                     /* 1, in two bytes */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_ERR_DATA);
+    byte[0] = 1, byte[1] = 0x80, byte[2] = 0;                           /* residual 0 in two bytes */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_ERR_DATA);
+    byte[1] = byte[2] = byte[3] = byte[4] = 0xFF, byte[5] = 0x0F;       /* 2^32 - 1 */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 4), 1) == LOFT_OK);
+    byte[5] = 0x1F;                                                     /* 2^33 - 1 */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 4), 1) == LOFT_ERR_DATA);
+}
+
+/* Exactly in q16 and f64; in f32 to half an ulp: 2^-9 of 32768. */
+static void items_are_spans_of_the_library(arb *a)
+{
+    loft_item item, back;
+    loft_span span;
+    int32_t from[LOFT_AXES];
+
+    arb_spans(a, &item, 1);
+    for (int i = 0; i < LOFT_AXES; i++)
+        from[i] = arb_int32(a);
+    loft_item_span(&item, from, &span);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        CHECK_NEAR(arb_value(span.p[0].axis[i]), from[i] / 65536.0, BY_NUM(0, from[i] * (from[i] < 0 ? -1.0 : 1.0) / 65536 / 16777216, 0));
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(arb_value(span.p[k + 1].axis[i]), item.p[k][i] / 65536.0, BY_NUM(0, 1.0 / 512, 0));
+    }
+    if (loft_item_from_span(&back, &span) == LOFT_OK) {
+        CHECK(BY_NUM(true, false, true) ? same_item(&back, &item) : back.ticks == item.ticks);
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < LOFT_AXES; i++)
+                CHECK_NEAR(back.p[k][i], item.p[k][i], BY_NUM(0, 128, 0));
+    } else {
+        CHECK(BY_NUM(false, true, false));          /* f32 alone: INT32_MAX has become 32768 */
+    }
+}
+
+static void spans_out_of_range_become_no_items(arb *a)
+{
+    loft_span span = { 0 };
+    loft_item item;
+
+    span.ticks = 0;
+    CHECK(loft_item_from_span(&item, &span) == LOFT_ERR_RANGE);
+    span.ticks = LOFT_SPAN_TICKS_MAX + 1;
+    CHECK(loft_item_from_span(&item, &span) == LOFT_ERR_RANGE);
+    span.ticks = 1;
+    CHECK(loft_item_from_span(&item, &span) == LOFT_OK);
+    if (BY_NUM(false, true, true)) {
+        loft_real *x = &span.p[1 + arb_below(a, 3)].axis[arb_below(a, LOFT_AXES)];
+        *x = loft_real_from_int(1 << 15);
+        CHECK(loft_item_from_span(&item, &span) == LOFT_ERR_RANGE);
+        *x = -loft_real_from_int(1 << 15);
+        CHECK(loft_item_from_span(&item, &span) == LOFT_OK);
+        *x = BY_NUM(*x, (*x - *x) / (*x - *x), (*x - *x) / (*x - *x)); /* not a number */
+        CHECK(loft_item_from_span(&item, &span) == LOFT_ERR_RANGE);
+    }
+}
+
+int main(void)
+{
+    PROPERTY(any_items_come_out_as_they_went_in, 3000);
+    PROPERTY(two_items_are_memory_enough, 1000);
+    PROPERTY(no_room_changes_nothing, 3000);
+    PROPERTY(no_frame_holds_more_than_255_items, 10);
+    PROPERTY(ticks_out_of_range_are_refused, 1);
+    PROPERTY(the_largest_item_fits_its_bytes, 1);
+    PROPERTY(points_take_the_bytes_of_the_table, 100);
+    PROPERTY(any_bytes_are_items_or_refused, 3000);
+    PROPERTY(a_wrong_count_or_length_is_refused, 500);
+    PROPERTY(other_spellings_of_a_span_are_refused, 1);
+    PROPERTY(items_are_spans_of_the_library, 3000);
+    PROPERTY(spans_out_of_range_become_no_items, 100);
+    return check_failures();
+}
