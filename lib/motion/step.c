@@ -129,7 +129,7 @@ void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES])
     } while (changes != s->changes);
 }
 
-/* |mm * steps_per_mm| <= 32767^2 < 2^30: within an acc in every number type, and within LOFT_STEP_REACH. */
+/* |mm * steps_per_mm| <= 32768^2 = 2^30: within an acc in every number type, and within LOFT_STEP_REACH. */
 int32_t loft_steps_of(loft_real mm, loft_real steps_per_mm)
 {
     return loft_acc_int(loft_prod(mm, steps_per_mm));

@@ -79,7 +79,7 @@ void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES]);
 
 /* mm to the nearest step: the same rounding in sender and machine.
  *
- *   range   |mm| <= 32767, 0 < steps_per_mm <= 32767: the result is within +-LOFT_STEP_REACH
+ *   range   |mm| <= 32768, 0 < steps_per_mm < 32768: the result is within +-LOFT_STEP_REACH
  *   error   q16: nearest, ties upward, exactly   f32, f64: of the product as a double */
 int32_t loft_steps_of(loft_real mm, loft_real steps_per_mm);
 

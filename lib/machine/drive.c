@@ -1,0 +1,329 @@
+/* lib/machine/drive.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "machine/drive.h"
+
+/* A span may move 3 max |p[k+1] - p[k]| / ticks per tick (its derivative is a mean of those differences, times 3).
+ * In steps: each difference is known to one step, each end of a tick is rounded by 1/2 step and, by the walk, by 0.52 LSB,
+ * which is 0.26 step at 32768 steps/mm. So |difference| + 1 <= REACH_PER_TICK ticks leaves 3 * 10921 + 2 < 32767 steps. */
+#define REACH_PER_TICK 10921u
+
+/* What a tick is, for counting it once its last pulse is given. */
+enum { NO_TICK = 0, TICK = 1, LAST_TICK = 2 };     /* LAST_TICK: of its item */
+
+/* How many items one call looks at. The queue empties by at most one item per tick, so any number above 1 catches up. */
+#define LOOKS 8
+
+static void copy(int32_t to[LOFT_AXES], const int32_t from[LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        to[i] = from[i];
+}
+
+/* Raw Q16.16 numbers as coordinates. */
+static loft_vec vec_of(const int32_t raw[LOFT_AXES])
+{
+    const loft_item still = { { { 0 } }, 1 };
+    loft_span span;
+
+    loft_item_span(&still, raw, &span);
+    return span.p[0];
+}
+
+static void steps_of(const loft_drive *d, loft_vec mm, int32_t steps[LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        steps[i] = loft_steps_of(mm.axis[i], d->steps_per_mm[i]);
+}
+
+static uint32_t distance(int32_t a, int32_t b)
+{
+    return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
+}
+
+
+// Main loop
+// ---------
+
+enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (config->steps_per_mm[i] <= 0)
+            return LOFT_ERR_RANGE;
+    if (loft_step_init(&d->step, config->position) != LOFT_OK ||
+        loft_pace_init(&d->pace, config->slots, config->ramp) != LOFT_OK ||
+        loft_queue_init(&d->queue, config->cell, config->cells) != LOFT_OK)
+        return LOFT_ERR_RANGE;
+
+    const loft_vec scale = vec_of(config->steps_per_mm);
+    for (int i = 0; i < LOFT_AXES; i++)
+        d->steps_per_mm[i] = scale.axis[i];
+    d->slots = config->slots;
+    d->ramp = config->ramp;
+    d->percent = 100;
+    d->active = d->hold = d->abort = d->ended = 0;
+    d->state = LOFT_STATE_IDLE;
+    d->executed = d->ticks = d->slowed = d->elapsed = 0;
+    d->starved = 0;
+    return LOFT_OK;
+}
+
+/* The tick looks at nothing while `active` is 0, so everything may be set here; `active` comes last. */
+enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int32_t start[LOFT_AXES])
+{
+    int32_t at[LOFT_AXES];
+
+    if (d->active || d->state == LOFT_STATE_FAULT)
+        return LOFT_ERR_ARG;
+    if (kind == LOFT_SPANS)
+        steps_of(d, vec_of(start), at);
+    else
+        copy(at, start);
+    loft_step_position(&d->step, d->target);
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (at[i] != d->target[i])
+            return LOFT_ERR_RANGE;
+    if (loft_pace_init(&d->pace, d->slots, d->ramp) != LOFT_OK ||
+        loft_queue_init(&d->queue, d->queue.cell, d->queue.count) != LOFT_OK)
+        return LOFT_ERR_RANGE;          /* not after loft_drive_init */
+
+    d->kind = (uint8_t)kind;
+    copy(d->from, start);
+    copy(d->end, start);
+    d->ahead = d->left = 0;
+    d->running = d->prepared = NO_TICK;
+    d->aim = 0;
+    d->executed = d->ticks = d->slowed = d->elapsed = 0;
+    d->slot = 0;
+    d->starved = 0;
+    d->abort = d->ended = 0;
+    d->state = LOFT_STATE_RUNNING;
+    d->active = 1;
+    return LOFT_OK;
+}
+
+static bool point_fits(const loft_drive *d, const loft_item *item)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (distance(item->p[2][i], 0) > (uint32_t)LOFT_STEP_REACH ||
+            distance(item->p[2][i], d->end[i]) > LOFT_STEP_SLOTS_MAX)
+            return false;
+    return item->ticks == 1;
+}
+
+static bool span_fits(const loft_drive *d, const loft_item *item)
+{
+    int32_t before[LOFT_AXES], after[LOFT_AXES];
+    loft_span span;
+
+    if (item->ticks < 1 || item->ticks > LOFT_SPAN_TICKS_MAX)
+        return false;
+    loft_item_span(item, d->end, &span);
+    steps_of(d, span.p[0], before);
+    for (int k = 1; k < 4; k++) {
+        steps_of(d, span.p[k], after);
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (distance(before[i], after[i]) + 1 > REACH_PER_TICK * (uint32_t)item->ticks)
+                return false;
+        copy(before, after);
+    }
+    return true;
+}
+
+enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
+{
+    if (!d->active || d->abort)
+        return LOFT_OK;
+    if (!(d->kind == LOFT_SPANS ? span_fits(d, item) : point_fits(d, item)))
+        return LOFT_ERR_RANGE;
+
+    const enum loft_status status = loft_queue_push(&d->queue, item);
+    if (status == LOFT_OK)
+        copy(d->end, item->p[2]);
+    return status;
+}
+
+void loft_drive_end(loft_drive *d)              { d->ended = 1; }
+void loft_drive_hold(loft_drive *d, bool hold)  { d->hold = hold; }
+void loft_drive_abort(loft_drive *d)            { d->abort = 1; }
+
+void loft_drive_override(loft_drive *d, unsigned percent)
+{
+    d->percent = (uint8_t)(percent < 1 ? 1 : percent > 100 ? 100 : percent);
+}
+
+void loft_drive_close(loft_drive *d)
+{
+    if (!d->active && d->state != LOFT_STATE_FAULT)
+        d->state = LOFT_STATE_IDLE;
+}
+
+/* A count of the tick or the slot, read whole: twice the same is not half of each. */
+static uint32_t count_of(const volatile uint32_t *count)
+{
+    uint32_t once, again = *count;
+
+    do {
+        once = again;
+        again = *count;
+    } while (once != again);
+    return again;
+}
+
+/* The state is read first: once it says that the job is over, nothing changes any more. */
+loft_drive_report loft_drive_poll(loft_drive *d)
+{
+    loft_drive_report r;
+
+    r.state = d->state;
+    r.executed = count_of(&d->executed);
+    r.ticks = count_of(&d->ticks);
+    r.elapsed = count_of(&d->elapsed);
+    r.slowed = count_of(&d->slowed);
+    r.starved = d->starved && r.ticks > 0;      /* not while the first items are awaited */
+    r.room = loft_queue_room(&d->queue);
+    loft_step_position(&d->step, r.position);
+    return r;
+}
+
+
+// Tick
+// ----
+
+/* The step module holds two ticks: the running and the prepared one. There is room again: the prepared one runs now, so
+ * the one that ran before is over. When all is done, the running one is over as well. */
+static void count_ticks(loft_drive *d)
+{
+    if (d->prepared) {
+        d->ticks += d->running != NO_TICK;
+        d->executed += d->running == LAST_TICK;
+        d->running = d->prepared;
+        d->prepared = NO_TICK;
+    }
+    if (loft_step_done(&d->step)) {
+        d->ticks += d->running != NO_TICK;
+        d->executed += d->running == LAST_TICK;
+        d->running = NO_TICK;
+    }
+}
+
+/* The law of supply. With level = ticks to standing, one tick uses one of `ahead` and changes the level by at most 1:
+ *
+ *     going down    ahead - level stays
+ *     steady        ahead - level falls by 1      only while ahead > level + MARGIN
+ *     going up      ahead - level falls by 2      likewise, or with a full queue while ahead >= level + 2
+ *
+ * so ahead >= level always, and the machine stands before the queue is empty or at its last tick. */
+static void steer(loft_drive *d, bool ended)
+{
+    const uint32_t need = (uint32_t)loft_pace_distance(&d->pace) + LOFT_DRIVE_MARGIN;
+    bool starved = d->starved;
+
+    if (ended)
+        starved = false;
+    else if (loft_queue_full(&d->queue) && d->ahead >= need)
+        starved = false;
+    else if (d->ahead <= need)
+        starved = true;
+    else if (d->ahead > 2 * need)
+        starved = false;
+    d->starved = starved;
+
+    const uint8_t aim = starved || d->hold || d->abort ? 0 : d->percent;
+    if (aim != d->aim) {
+        loft_pace_aim(&d->pace, aim);
+        d->aim = aim;
+    }
+}
+
+static void finish(loft_drive *d, enum loft_state state)
+{
+    d->starved = 0;
+    d->state = (uint8_t)state;
+    d->active = 0;
+}
+
+/* Nothing is to be prepared: time stands still, or all items are used up. */
+static void stand(loft_drive *d, bool ended)
+{
+    if (!loft_step_done(&d->step))
+        return;
+    if (d->ahead == 0 && ended)
+        finish(d, LOFT_STATE_DONE);
+    else if (d->abort)
+        finish(d, LOFT_STATE_ABORTED);
+    else
+        d->state = d->hold ? LOFT_STATE_HELD : LOFT_STATE_RUNNING;
+}
+
+/* Take the next item, of which there is one: it was counted in `ahead`. */
+static bool next_item(loft_drive *d)
+{
+    loft_item item;
+    loft_span span;
+
+    if (!loft_queue_poll(&d->queue, &item))
+        return false;
+    if (d->kind == LOFT_SPANS) {
+        loft_item_span(&item, d->from, &span);
+        if (loft_span_walk(&d->walk, &span) != LOFT_OK)
+            return false;
+    }
+    copy(d->from, item.p[2]);
+    d->left = item.ticks;
+    return true;
+}
+
+static bool next_target(loft_drive *d)
+{
+    loft_vec mm;
+
+    if (d->left == 0 && !next_item(d))
+        return false;
+    if (d->kind == LOFT_POINTS)
+        copy(d->target, d->from);
+    else if (loft_forward_next(&d->walk, &mm))
+        steps_of(d, mm, d->target);
+    d->left--;
+    d->ahead--;
+    return true;
+}
+
+void loft_drive_tick(loft_drive *d)
+{
+    if (!d->active || !loft_step_room(&d->step))
+        return;
+    const bool ended = d->ended;        /* before the queue is looked at: what was pushed before it is seen */
+
+    count_ticks(d);
+    for (int i = 0; i < LOOKS; i++)
+        d->ahead += loft_queue_look(&d->queue);
+    steer(d, ended);
+
+    const uint16_t slots = d->ahead ? loft_pace_next(&d->pace) : 0;
+    if (slots == 0) {
+        stand(d, ended);
+        return;
+    }
+    if (!next_target(d)) {
+        finish(d, LOFT_STATE_FAULT);    /* not with items that loft_drive_push took */
+        return;
+    }
+    if (loft_step_load(&d->step, d->target, slots) > slots)
+        d->slowed++;
+    d->prepared = d->left ? TICK : LAST_TICK;
+    d->state = d->abort ? LOFT_STATE_STOPPING : d->hold ? LOFT_STATE_HOLDING : LOFT_STATE_RUNNING;
+}
+
+
+// Slot
+// ----
+
+loft_pins loft_drive_slot(loft_drive *d)
+{
+    if (d->active && ++d->slot >= d->slots) {
+        d->slot = 0;
+        d->elapsed++;
+    }
+    return loft_step_next(&d->step);
+}

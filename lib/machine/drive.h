@@ -1,0 +1,127 @@
+/* lib/machine/drive.h -- the drive: items of a job become pulses, at the pace that orders and supply allow
+ * SPDX-License-Identifier: MIT
+ *
+ *     main loop       begin, push, end; hold, abort, override; loft_drive_report
+ *     tick            loft_drive_tick: queue -> span walker -> steps of the next tick; about 1 kHz
+ *     slot            loft_drive_slot: the pins; about 40 kHz
+ *
+ * Each may interrupt the one before. The path is never left and never stopped on abruptly: a hold, an abort and a queue
+ * that runs low all let the pace go down to standing, at the end of a tick, with no item lost.
+ *
+ * The law of supply: while the end of the job is not known, the ticks in the queue are compared with those that the pace
+ * needs to stand still. Down to LOFT_DRIVE_MARGIN more: the pace aims for 0. Above twice that sum, or with a full queue:
+ * it aims for what is ordered again.
+ */
+#ifndef LOFT_MACHINE_DRIVE_H
+#define LOFT_MACHINE_DRIVE_H
+
+#include "machine/queue.h"  /* loft_queue, loft_item               */
+#include "motion/pace.h"    /* loft_pace                           */
+#include "motion/step.h"    /* loft_step                           */
+#include "wire/message.h"   /* enum loft_state, enum loft_kind     */
+
+#define LOFT_DRIVE_MARGIN 2     /* ticks */
+
+typedef struct {
+    int32_t  steps_per_mm[LOFT_AXES];   /* raw Q16.16                                                        */
+    int32_t  position[LOFT_AXES];       /* steps: where the machine stands                                   */
+    uint16_t slots;                     /* per tick                                                          */
+    uint16_t ramp;                      /* ticks from full pace to standing; the queue should hold more      */
+    volatile loft_cell *cell;           /* memory of the queue                                               */
+    uint16_t cells;
+} loft_drive_config;
+
+/* How things stand. */
+typedef struct {
+    uint32_t executed;                  /* items executed entirely: all pulses of all their ticks given      */
+    uint32_t ticks;                     /* ticks of the plan executed                                        */
+    uint32_t elapsed;                   /* ticks of time since the job began, standing included              */
+    uint32_t slowed;                    /* ticks that lasted longer because their steps did not fit          */
+    int32_t  position[LOFT_AXES];       /* steps: the sum of all pulses                                      */
+    uint16_t room;                      /* items that the queue can take                                     */
+    uint8_t  state;                     /* enum loft_state                                                   */
+    bool     starved;                   /* the pace is down because the queue ran low                        */
+} loft_drive_report;
+
+/* Complete so that it can be static; the fields may change without notice. */
+typedef struct {
+    loft_step  step;                    /* slot and tick                                                     */
+    uint16_t   slots, slot;             /* per tick; slots of the running tick of time                       */
+    volatile uint32_t elapsed;
+
+    loft_pace    pace;                  /* tick                                                              */
+    loft_queue   queue;                 /* tick and main loop                                                */
+    loft_forward walk;
+    int32_t      from[LOFT_AXES];       /* where the next item begins: raw mm or steps                       */
+    int32_t      target[LOFT_AXES];     /* steps at the end of the last prepared tick                        */
+    uint32_t     ahead;                 /* ticks in the queue, and of the item being walked                  */
+    uint16_t     left;                  /* ticks of the item being walked                                    */
+    uint8_t      running, prepared;     /* what the running and the prepared tick are: see drive.c           */
+    uint8_t      aim;                   /* percent                                                           */
+    volatile uint32_t executed, ticks, slowed;
+    volatile uint8_t  state, starved;
+
+    volatile uint8_t active;            /* main loop -> tick: a job is under way; tick -> main loop: over    */
+    volatile uint8_t hold, abort, ended, percent;
+    uint8_t  kind;
+    int32_t  end[LOFT_AXES];            /* main loop: where the last pushed item ends                        */
+    loft_real steps_per_mm[LOFT_AXES];
+    uint16_t ramp;
+} loft_drive;
+
+/* Stand idle.
+ *
+ *   range   steps_per_mm > 0, |position| <= LOFT_STEP_REACH, cells as in loft_queue_init, slots and ramp as in
+ *           loft_pace_init; otherwise LOFT_ERR_RANGE */
+enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config) LOFT_CHECKED;
+
+
+// Main loop
+// ---------
+
+/* Begin a job whose items are of `kind` and begin at `start` (spans: raw Q16.16 mm; points: steps).
+ *
+ *   range   no job is under way, otherwise LOFT_ERR_ARG; `start` is where the machine stands, to the step, otherwise
+ *           LOFT_ERR_RANGE. A hold from before the job stays in force. */
+enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int32_t start[LOFT_AXES]) LOFT_CHECKED;
+
+/* Append an item. What comes when the job is over or being aborted is forgotten.
+ *
+ *   range   no axis goes faster than LOFT_STEP_SLOTS_MAX steps per tick (spans: by the hull of the cubic, which is up to
+ *           three times as fast as the cubic), otherwise LOFT_ERR_RANGE; room, otherwise LOFT_ERR_SPACE */
+enum loft_status loft_drive_push(loft_drive *d, const loft_item *item) LOFT_CHECKED;
+
+/* No more items follow: the job is done when all are executed. */
+void loft_drive_end(loft_drive *d);
+
+/* Slow down on the path and stand (true), or go on (false). */
+void loft_drive_hold(loft_drive *d, bool hold);
+
+/* Slow down on the path and stand; then the job is over. */
+void loft_drive_abort(loft_drive *d);
+
+/* The pace that is aimed for when nothing is in the way: 1..100 percent of the plan. */
+void loft_drive_override(loft_drive *d, unsigned percent);
+
+/* The job is over and its report read: LOFT_STATE_IDLE. Nothing happens while a job is under way. */
+void loft_drive_close(loft_drive *d);
+
+/* How things stand; when state is DONE or ABORTED, all of it is final. */
+loft_drive_report loft_drive_poll(loft_drive *d);
+
+
+// Tick and slot
+// -------------
+
+/* Prepare the next tick if there is room for it. Call it behind every slot, or at least once per tick.
+ *
+ *   cost    with a new item: that of loft_span_walk; else loft_forward_next, LOFT_AXES products and loft_step_load;
+ *           while the pace changes, loft_pace_next */
+void loft_drive_tick(loft_drive *d);
+
+/* What the pins do in this slot.
+ *
+ *   cost    loft_step_next and a 16-bit count */
+loft_pins loft_drive_slot(loft_drive *d);
+
+#endif

@@ -1,0 +1,66 @@
+/* lib/machine/queue.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "machine/queue.h"
+
+/* The cells are volatile as a whole, so the compiler keeps their accesses in order: the item is written before the byte
+ * that hands it over, and read before the byte that gives the cell back. A part with one core keeps the order too. */
+enum loft_status loft_queue_init(loft_queue *q, volatile loft_cell cell[], uint16_t count)
+{
+    if (count < 2 || count > LOFT_QUEUE_MAX)
+        return LOFT_ERR_RANGE;
+
+    q->cell = cell;
+    q->count = q->room = count;
+    q->head = q->freed = 0;
+    q->tail = q->seen = q->looked = 0;
+    for (uint16_t i = 0; i < count; i++)
+        cell[i].full = 0;
+    return LOFT_OK;
+}
+
+static uint16_t after(const loft_queue *q, uint16_t index)
+{
+    return (uint16_t)(index + 1 == q->count ? 0 : index + 1);
+}
+
+uint16_t loft_queue_room(loft_queue *q)
+{
+    while (q->room < q->count && !q->cell[q->freed].full) {
+        q->freed = after(q, q->freed);
+        q->room++;
+    }
+    return q->room;
+}
+
+enum loft_status loft_queue_push(loft_queue *q, const loft_item *item)
+{
+    if (loft_queue_room(q) == 0)
+        return LOFT_ERR_SPACE;
+    q->cell[q->head].item = *item;
+    q->cell[q->head].full = 1;
+    q->head = after(q, q->head);
+    q->room--;
+    return LOFT_OK;
+}
+
+uint16_t loft_queue_look(loft_queue *q)
+{
+    if (loft_queue_full(q) || !q->cell[q->seen].full)
+        return 0;
+    const uint16_t ticks = q->cell[q->seen].item.ticks;
+    q->seen = after(q, q->seen);
+    q->looked++;
+    return ticks;
+}
+
+bool loft_queue_poll(loft_queue *q, loft_item *out)
+{
+    if (q->looked == 0)
+        return false;
+    *out = q->cell[q->tail].item;
+    q->cell[q->tail].full = 0;
+    q->tail = after(q, q->tail);
+    q->looked--;
+    return true;
+}

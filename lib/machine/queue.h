@@ -1,0 +1,57 @@
+/* lib/machine/queue.h -- the queue between the main loop, which receives items, and the tick, which executes them
+ * SPDX-License-Identifier: MIT
+ *
+ * One producer and one consumer, which may interrupt each other at any place. What they share is one byte per cell,
+ * written last by whoever hands the cell over; every index belongs to one side alone. So nothing can be read half
+ * written, also on parts with 8-bit memory accesses, and no interrupt is ever locked out.
+ */
+#ifndef LOFT_MACHINE_QUEUE_H
+#define LOFT_MACHINE_QUEUE_H
+
+#include "wire/codec.h"     /* loft_item */
+
+#define LOFT_QUEUE_MAX 32768u
+
+typedef struct {
+    loft_item item;
+    uint8_t full;
+} loft_cell;
+
+/* Complete so that it can be static; the fields may change without notice. */
+typedef struct {
+    volatile loft_cell *cell;
+    uint16_t count;
+    uint16_t head, freed, room;         /* producer: fill next; give back next; empty cells known  */
+    uint16_t tail, seen, looked;        /* consumer: take next; look at next; cells between them   */
+} loft_queue;
+
+/* Empty the queue. Neither side may be at work.
+ *
+ *   shape   cell[0..count-1] is the caller's memory and stays borrowed
+ *   range   count 2..LOFT_QUEUE_MAX, otherwise LOFT_ERR_RANGE */
+enum loft_status loft_queue_init(loft_queue *q, volatile loft_cell cell[], uint16_t count) LOFT_CHECKED;
+
+
+// Producer
+// --------
+
+/* Append a copy of `item`; LOFT_ERR_SPACE if the queue is full. */
+enum loft_status loft_queue_push(loft_queue *q, const loft_item *item) LOFT_CHECKED;
+
+/* Items that can be appended now. */
+uint16_t loft_queue_room(loft_queue *q);
+
+
+// Consumer
+// --------
+
+/* Look at the oldest item that was not looked at: gives its ticks, or 0 if there is none. */
+uint16_t loft_queue_look(loft_queue *q);
+
+/* Take the oldest item out. Returns false if there is none that was looked at. */
+bool loft_queue_poll(loft_queue *q, loft_item *out);
+
+/* Does every cell hold an item that was looked at? */
+static inline bool loft_queue_full(const loft_queue *q)     { return q->looked == q->count; }
+
+#endif
