@@ -1,0 +1,87 @@
+/* lib/machine/machine.h -- the machine: bytes from the line become pulses, and answers
+ * SPDX-License-Identifier: MIT
+ *
+ * The controller of every firmware and of the simulated machine. With the functions of ports/port.h a firmware is
+ *
+ *     static loft_machine machine;
+ *
+ *     void loft_port_slot(void)                                       // timer interrupt, tick_hz * slots per second
+ *     {
+ *         const loft_pins pins = loft_machine_slot(&machine);
+ *         loft_port_pins(pins.step, pins.dir);
+ *         loft_machine_tick(&machine);                                // or elsewhere, see ports/port.h
+ *     }
+ *
+ *     int main(void)
+ *     {
+ *         uint8_t byte[LOFT_FRAME_MAX], wire[LOFT_FRAME_MAX];
+ *         size_t count = 0, sent = 0;
+ *
+ *         loft_port_init();
+ *         if (loft_machine_init(&machine, &config) != LOFT_OK)
+ *             return 1;
+ *         loft_port_start((uint32_t)config.traits.tick_hz * config.traits.slots);
+ *         for (;;) {
+ *             loft_machine_push(&machine, byte, loft_port_read(byte, sizeof byte));
+ *             if (sent == count) {
+ *                 sent = 0;
+ *                 count = loft_machine_poll(&machine, wire);
+ *             }
+ *             sent += loft_port_write(wire + sent, count - sent);
+ *         }
+ *     }
+ */
+#ifndef LOFT_MACHINE_MACHINE_H
+#define LOFT_MACHINE_MACHINE_H
+
+#include "machine/drive.h"  /* loft_drive                    */
+#include "wire/receiver.h"  /* loft_receiver, loft_traits    */
+
+/* A positive constant as raw Q16.16, for the traits. */
+#define LOFT_RAW(x) ((int32_t)((x) * 65536.0 + 0.5))
+
+typedef struct {
+    loft_traits traits;                 /* `queue` and `kinds` are filled in by init                    */
+    int32_t  position[LOFT_AXES];       /* steps: where the machine stands at the start                 */
+    uint16_t ramp;                      /* ticks from full pace to standing in a hold                   */
+    volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number           */
+    uint16_t cells;
+} loft_machine_config;
+
+/* Complete so that it can be static; the fields may change without notice. */
+typedef struct {
+    loft_drive    drive;
+    loft_receiver receiver;
+    loft_traits   traits;
+    loft_job      job;
+} loft_machine;
+
+/* Stand idle and listen.
+ *
+ *   range   that of loft_receiver_init (LOFT_ERR_ARG) and of loft_drive_init (LOFT_ERR_RANGE) */
+enum loft_status loft_machine_init(loft_machine *m, const loft_machine_config *config) LOFT_CHECKED;
+
+
+// Main loop
+// ---------
+
+/* Take bytes from the line, and act on the frames that they complete.
+ *
+ *   range   any bytes */
+void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count);
+
+/* Give the next frame for the line; 0 when there is none. Call it whenever the line has taken the one before. */
+size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX]);
+
+/* What a button on the machine does: as if the host had sent it. */
+void loft_machine_control(loft_machine *m, enum loft_verb verb);
+
+
+// Interrupts
+// ----------
+
+/* See loft_drive_tick and loft_drive_slot. */
+static inline void      loft_machine_tick(loft_machine *m)      { loft_drive_tick(&m->drive); }
+static inline loft_pins loft_machine_slot(loft_machine *m)      { return loft_drive_slot(&m->drive); }
+
+#endif

@@ -1,0 +1,46 @@
+/* ports/host/line.h -- the machine's end of the line: the master of a pseudo terminal
+ * SPDX-License-Identifier: MIT
+ *
+ * The slave is kept open here as well, so the line outlives every sender.
+ */
+#ifndef LOFT_HOST_LINE_H
+#define LOFT_HOST_LINE_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "config.h"     /* LOFT_NAME */
+
+#define host_line_open      LOFT_NAME(host_line_open)
+#define host_line_close     LOFT_NAME(host_line_close)
+#define host_line_read      LOFT_NAME(host_line_read)
+#define host_line_write     LOFT_NAME(host_line_write)
+#define host_line_wait      LOFT_NAME(host_line_wait)
+#define host_line_drained   LOFT_NAME(host_line_drained)
+
+struct host_line {
+    int master, slave;
+    const char *link;           /* symbolic link to the slave, or NULL            */
+    char name[64];              /* of the slave                                   */
+    uint32_t flip;              /* probability that a bit is flipped, times 2^32  */
+    uint64_t random;
+};
+
+/* Open a raw pseudo terminal; gives 0 or an exit code after one line on standard error. `noise`: see host.h. */
+int  host_line_open(struct host_line *l, const char *link, double noise);
+void host_line_close(struct host_line *l);
+
+/* As many bytes as there are or fit; never wait. */
+size_t host_line_read(struct host_line *l, uint8_t *byte, size_t max);
+size_t host_line_write(struct host_line *l, const uint8_t *byte, size_t count);
+
+/* Wait until bytes can be read (or written, if `write`), `ms` have passed (negative: for ever), or a signal that
+ * `during` lets through has come. */
+void host_line_wait(struct host_line *l, bool write, int ms, const sigset_t *during);
+
+/* Has the other end read everything? */
+bool host_line_drained(const struct host_line *l);
+
+#endif

@@ -1,0 +1,66 @@
+/* ports/host/record.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "host/record.h"
+
+#include <errno.h>
+#include <string.h>
+#include <sysexits.h>
+
+static int refuse(const struct loft_host_options *o)
+{
+    fprintf(stderr, "loft: %s: cannot write the record: %s\n", o->record, strerror(errno));
+    return EX_CANTCREAT;
+}
+
+static void write_header(FILE *file, const struct loft_host_options *o)
+{
+    static const char name[] = "xyzabc";
+
+    fprintf(file, "# record = pulses; position of each axis in steps after the slot\n");
+    fprintf(file, "# slot_hz = %.17g\n", (double)o->tick_hz * o->slots);
+    for (int i = 0; i < LOFT_AXES; i++)
+        fprintf(file, "# steps_per_mm_%c = %.17g\n", name[i], o->steps_per_mm[i]);
+    fprintf(file, "slot");
+    for (int i = 0; i < LOFT_AXES; i++)
+        fprintf(file, ",%c", name[i]);
+    fprintf(file, "\n");
+}
+
+int host_record_open(struct host_record *r, const struct loft_host_options *o)
+{
+    memset(r, 0, sizeof *r);
+    if (!o->record)
+        return 0;
+    r->file = strcmp(o->record, "-") == 0 ? stdout : fopen(o->record, "we");
+    if (!r->file)
+        return refuse(o);
+    write_header(r->file, o);
+    return fflush(r->file) == 0 ? 0 : refuse(o);
+}
+
+void host_record_slot(struct host_record *r, uint64_t slot, loft_pins pins)
+{
+    if (!r->file || pins.step == 0)
+        return;
+    fprintf(r->file, "%llu", (unsigned long long)slot);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        if (pins.step & (1u << i))
+            r->position[i] += pins.dir & (1u << i) ? -1 : 1;
+        fprintf(r->file, ",%d", (int)r->position[i]);
+    }
+    putc('\n', r->file);
+}
+
+int host_record_close(struct host_record *r, const struct loft_host_options *o)
+{
+    FILE *file = r->file;
+
+    r->file = NULL;
+    if (!file)
+        return 0;
+    const bool bad = ferror(file) != 0;
+    if ((file == stdout ? fflush(file) : fclose(file)) != 0 || bad)
+        return refuse(o);
+    return 0;
+}

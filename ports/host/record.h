@@ -1,0 +1,31 @@
+/* ports/host/record.h -- every pulse on paper
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_HOST_RECORD_H
+#define LOFT_HOST_RECORD_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "host/host.h"          /* struct loft_host_options */
+#include "motion/step.h"        /* loft_pins                */
+
+#define host_record_open    LOFT_NAME(host_record_open)
+#define host_record_slot    LOFT_NAME(host_record_slot)
+#define host_record_close   LOFT_NAME(host_record_close)
+
+struct host_record {
+    FILE *file;                         /* NULL: nothing is written               */
+    int32_t position[LOFT_AXES];        /* counted here, from the pins alone      */
+};
+
+/* Begin the file that `o` names, with its header. Gives 0 or an exit code after one line on standard error. */
+int host_record_open(struct host_record *r, const struct loft_host_options *o);
+
+/* Note what the pins do in slot number `slot`. */
+void host_record_slot(struct host_record *r, uint64_t slot, loft_pins pins);
+
+/* Write out what is buffered and close the file; gives 0 or an exit code after one line on standard error. */
+int host_record_close(struct host_record *r, const struct loft_host_options *o);
+
+#endif
