@@ -37,7 +37,7 @@ static volatile loft_cell cells[CELLS];
 
 static const int32_t per_mm[6] = { 80 * 65536, 80 * 65536, 400 * 65536, 13 * 65536 + 4242, 65536, 1000 * 65536 };
 
-static loft_real scale_of(int i) { return BY_NUM((loft_real)per_mm[i], (loft_real)(per_mm[i] / 65536.0), (loft_real)(per_mm[i] / 65536.0)); }
+static loft_real scale_of(int i) { return loft_real_from_raw(per_mm[i]); }
 
 static void steps_of(loft_vec mm, int32_t steps[LOFT_AXES])
 {
@@ -96,7 +96,7 @@ static void rig_start(arb *a, uint16_t slots, uint16_t ramp, int32_t reach)
     for (int i = 0; i < LOFT_AXES; i++) {
         const int32_t raw = arb_raw(a, 100 * 65536);
         c.steps_per_mm[i] = per_mm[i];
-        start.axis[i] = BY_NUM(raw, (loft_real)(raw / 65536.0), (loft_real)(raw / 65536.0));
+        start.axis[i] = loft_real_from_raw(raw);
         r.start[i] = raw;
     }
     steps_of(start, r.path[0]);

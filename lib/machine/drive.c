@@ -20,14 +20,12 @@ static void copy(int32_t to[LOFT_AXES], const int32_t from[LOFT_AXES])
         to[i] = from[i];
 }
 
-/* Raw Q16.16 numbers as coordinates. */
 static loft_vec vec_of(const int32_t raw[LOFT_AXES])
 {
-    const loft_item still = { { { 0 } }, 1 };
-    loft_span span;
-
-    loft_item_span(&still, raw, &span);
-    return span.p[0];
+    loft_vec v;
+    for (int i = 0; i < LOFT_AXES; i++)
+        v.axis[i] = loft_real_from_raw(raw[i]);
+    return v;
 }
 
 static void steps_of(const loft_drive *d, loft_vec mm, int32_t steps[LOFT_AXES])
@@ -55,9 +53,8 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
         loft_queue_init(&d->queue, config->cell, config->cells) != LOFT_OK)
         return LOFT_ERR_RANGE;
 
-    const loft_vec scale = vec_of(config->steps_per_mm);
     for (int i = 0; i < LOFT_AXES; i++)
-        d->steps_per_mm[i] = scale.axis[i];
+        d->steps_per_mm[i] = loft_real_from_raw(config->steps_per_mm[i]);
     d->slots = config->slots;
     d->ramp = config->ramp;
     d->percent = 100;

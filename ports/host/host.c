@@ -1,0 +1,319 @@
+/* ports/host/host.c -- the machine behind a pseudo terminal, in real or in simulated time
+ * SPDX-License-Identifier: MIT
+ *
+ * One loop does what on a board are three contexts: bytes in and out, the slots that are due, a tick behind each.
+ *
+ * Real time: slots are due as the clock says, in batches of about a millisecond.
+ * Simulated time: a batch is due whenever the machine can go on without regard to how fast the line is, that is while the
+ * queue is at least half full, the end of the job is known, or nothing has come for QUIET_MS of real time (then
+ * the sender is gone, and the machine starves as it should). Otherwise time stands.
+ * In both, the loop sleeps in poll while nothing moves.
+ */
+#include "host/host.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sysexits.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "host/line.h"          /* the pseudo terminal  */
+#include "host/record.h"        /* the pulses           */
+#include "machine/machine.h"    /* loft_machine         */
+
+#define QUIET_MS    300
+#define LEAVE_MS    5000        /* how long `once` waits for a sender to fetch the report of an ended job */
+#define STOP_MS     1000        /* how long it waits for the last answer to be read                         */
+#define BATCH       20          /* ticks of simulated time between two looks at the line                  */
+#define LATE_MS     100         /* real time that the machine may be behind; more is forgotten            */
+
+struct host {
+    const struct loft_host_options *o;
+    loft_machine machine;
+    volatile loft_cell *cell;
+    struct host_line line;
+    struct host_record record;
+    uint64_t slot;                          /* slots so far                        */
+    int64_t started;                        /* real time of slot 0, in ns          */
+    int64_t heard;                          /* when bytes came last                */
+    int64_t ended;                          /* when the last job ended; 0: none    */
+    uint8_t wire[LOFT_FRAME_MAX];
+    size_t count, sent;
+    uint8_t state;
+    sigset_t during;                        /* signals that are let through while the loop sleeps */
+};
+
+static volatile sig_atomic_t stop_wanted;
+
+static void want_stop(int signal)
+{
+    (void)signal;
+    stop_wanted++;
+}
+
+static int64_t now_ns(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
+}
+
+/* A positive number as raw Q16.16; 0 if it does not fit, which the machine refuses. */
+static int32_t raw_of(double x)
+{
+    return x > 0 && x < 32768 ? (int32_t)(x * 65536 + 0.5) : 0;
+}
+
+static uint32_t boot_number(void)
+{
+    uint32_t number = 0;
+    const int fd = open("/dev/urandom", O_RDONLY | O_CLOEXEC);
+    if (fd < 0 || read(fd, &number, sizeof number) != (ssize_t)sizeof number)
+        number = (uint32_t)now_ns();
+    if (fd >= 0)
+        close(fd);
+    return number;
+}
+
+
+// Start and end
+// -------------
+
+static int start_machine(struct host *h)
+{
+    const struct loft_host_options *o = h->o;
+    loft_machine_config c;
+
+    memset(&c, 0, sizeof c);
+    c.traits.boot = boot_number();
+    c.traits.tick_hz = (uint16_t)(o->tick_hz <= UINT16_MAX ? o->tick_hz : 0);
+    c.traits.slots = (uint16_t)(o->slots <= UINT16_MAX ? o->slots : 0);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        c.traits.axis[i].steps_per_mm = raw_of(o->steps_per_mm[i]);
+        c.traits.axis[i].max_speed = raw_of(o->max_speed[i]);
+        c.traits.axis[i].max_accel = raw_of(o->max_accel[i]);
+    }
+    c.ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
+    c.cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);
+    c.cell = h->cell = calloc(c.cells + 1u, sizeof *c.cell);
+    if (!h->cell || loft_machine_init(&h->machine, &c) != LOFT_OK) {
+        fprintf(stderr, "loft: a machine cannot be like this: see the ranges of steps per mm, tick rate, slots, ramp and queue\n");
+        return EX_USAGE;
+    }
+    return 0;
+}
+
+/* SIGINT and SIGTERM are blocked but in poll, so none comes between looking at stop_wanted and going to sleep. */
+static void catch_signals(struct host *h)
+{
+    struct sigaction act;
+    sigset_t block;
+
+    memset(&act, 0, sizeof act);
+    act.sa_handler = want_stop;
+    sigemptyset(&block);
+    sigaddset(&block, SIGINT);
+    sigaddset(&block, SIGTERM);
+    sigprocmask(SIG_BLOCK, &block, &h->during);
+    sigaction(SIGINT, &act, NULL);
+    sigaction(SIGTERM, &act, NULL);
+    act.sa_handler = SIG_IGN;
+    sigaction(SIGPIPE, &act, NULL);
+    stop_wanted = 0;
+}
+
+static void print_position(struct host *h)
+{
+    const loft_drive_report r = loft_drive_poll(&h->machine.drive);
+
+    printf("position");
+    for (int i = 0; i < LOFT_AXES; i++)
+        printf(" %d", (int)r.position[i]);
+    printf("\n");
+    fflush(stdout);
+}
+
+/* `job 0badcafe done: 1234 items, 61234 ticks in 61.301 s, 0 slowed, position 100 -200 0` */
+static void print_job(struct host *h, const char *what)
+{
+    const loft_drive_report r = loft_drive_poll(&h->machine.drive);
+
+    printf("job %08lx %s: %lu items, %lu ticks in %.3f s, %lu slowed, ", (unsigned long)h->machine.job.id, what,
+           (unsigned long)r.executed, (unsigned long)r.ticks, r.elapsed / (double)h->o->tick_hz, (unsigned long)r.slowed);
+    print_position(h);
+}
+
+/* Tell what has become of the job. */
+static void note_state(struct host *h)
+{
+    const uint8_t before = h->state, now = h->machine.drive.state;
+
+    if (now == before)
+        return;
+    h->state = now;
+    if (now == LOFT_STATE_DONE || now == LOFT_STATE_ABORTED) {
+        h->ended = now_ns();
+        if (h->record.file)
+            fflush(h->record.file);
+        if (h->o->once || !h->o->quiet)
+            print_job(h, now == LOFT_STATE_DONE ? "done" : "aborted");
+    } else if (!h->o->quiet) {
+        if (now == LOFT_STATE_RUNNING && !loft_state_busy(before))
+            printf("job %08lx begun\n", (unsigned long)h->machine.job.id);
+        if (now == LOFT_STATE_HELD)
+            print_job(h, "held");
+    }
+    fflush(stdout);
+}
+
+
+// Bytes
+// -----
+
+static void take_bytes(struct host *h)
+{
+    uint8_t byte[256];
+    const size_t count = host_line_read(&h->line, byte, sizeof byte);
+
+    if (count)
+        h->heard = now_ns();
+    loft_machine_push(&h->machine, byte, count);
+}
+
+/* Gives true while bytes wait for room on the line. */
+static bool give_bytes(struct host *h)
+{
+    for (;;) {
+        if (h->sent == h->count) {
+            h->sent = 0;
+            h->count = loft_machine_poll(&h->machine, h->wire);
+            if (h->count == 0)
+                return false;
+        }
+        const size_t written = host_line_write(&h->line, h->wire + h->sent, h->count - h->sent);
+        if (written == 0)
+            return true;
+        h->sent += written;
+    }
+}
+
+
+// Time
+// ----
+
+static bool moving(const struct host *h)
+{
+    return !loft_step_done(&h->machine.drive.step);
+}
+
+static void run_slots(struct host *h, uint64_t count)
+{
+    for (uint64_t i = 0; i < count; i++) {
+        loft_machine_tick(&h->machine);
+        host_record_slot(&h->record, h->slot++, loft_machine_slot(&h->machine));
+    }
+    loft_machine_tick(&h->machine);
+}
+
+/* Simulated time: does the machine need nothing from the line to go on? */
+static bool supplied(struct host *h)
+{
+    const loft_drive *d = &h->machine.drive;
+
+    return d->ended || d->abort || 2 * loft_drive_poll(&h->machine.drive).room <= h->machine.traits.queue ||
+           now_ns() - h->heard > QUIET_MS * 1000000LL;
+}
+
+/* Let time go on if it may; gives the ms that the loop may sleep then, negative for as long as nothing comes. */
+static int run_simulated(struct host *h)
+{
+    if (!loft_state_busy(h->machine.drive.state))
+        return -1;
+    if (!supplied(h))
+        return QUIET_MS / 10;
+    run_slots(h, (uint64_t)BATCH * h->o->slots);
+    return moving(h) ? 0 : loft_state_busy(h->machine.drive.state) ? QUIET_MS : -1;
+}
+
+/* Standing time counts while a job is under way, so the clock runs on; otherwise it is set anew. */
+static int run_real(struct host *h)
+{
+    const double slot_hz = (double)h->o->tick_hz * h->o->slots;
+    const int64_t now = now_ns();
+
+    if (!loft_state_busy(h->machine.drive.state)) {
+        h->started = 0;
+        return -1;
+    }
+    if (h->started == 0 || (double)(now - h->started) * 1e-9 * slot_hz > (double)h->slot + LATE_MS * 1e-3 * slot_hz)
+        h->started = now - (int64_t)((double)h->slot / slot_hz * 1e9);
+    const uint64_t due = (uint64_t)((double)(now - h->started) * 1e-9 * slot_hz);
+    if (due > h->slot)
+        run_slots(h, due - h->slot);
+    return 1;
+}
+
+/* May the program end? With `once` when the host has the report, or does not come for it. What was sent last is read
+ * first, since it would be lost with the line. */
+static bool finished(struct host *h)
+{
+    const bool told = h->sent == h->count && host_line_drained(&h->line);
+    const int64_t since = (now_ns() - h->ended) / 1000000;
+
+    if (stop_wanted > 1)
+        return true;
+    if (loft_state_busy(h->machine.drive.state))
+        return false;
+    if (stop_wanted)
+        return h->ended == 0 || told || since > STOP_MS;
+    if (!h->o->once || h->ended == 0)
+        return false;
+    return h->machine.drive.state == LOFT_STATE_IDLE ? told || since > STOP_MS : since > LEAVE_MS;
+}
+
+static void run(struct host *h)
+{
+    while (!finished(h)) {
+        take_bytes(h);
+        if (stop_wanted)
+            loft_machine_control(&h->machine, LOFT_ABORT);
+        int ms = h->o->fast ? run_simulated(h) : run_real(h);
+        note_state(h);
+        const bool waiting = give_bytes(h);
+        if ((stop_wanted || (h->o->once && h->ended)) && ms != 0)
+            ms = 20;
+        host_line_wait(&h->line, waiting, ms, &h->during);
+    }
+}
+
+int loft_host_simulate(const struct loft_host_options *o)
+{
+    static struct host h;
+    int code, end;
+
+    memset(&h, 0, sizeof h);
+    h.o = o;
+    h.line.master = h.line.slave = -1;
+    code = start_machine(&h);
+    if (code == 0)
+        code = host_record_open(&h.record, o);
+    if (code == 0)
+        code = host_line_open(&h.line, o->link, o->noise);
+    if (code == 0) {
+        catch_signals(&h);
+        printf("machine: %s\n", h.line.name);
+        fflush(stdout);
+        run(&h);
+    }
+    if (stop_wanted) {
+        printf("stopped at ");
+        print_position(&h);
+    }
+    host_line_close(&h.line);
+    end = host_record_close(&h.record, o);
+    free((void *)(uintptr_t)h.cell);
+    return code ? code : end;
+}
