@@ -1,0 +1,137 @@
+/* tests/e2e_pty.c -- what the whole-job tests need of a pseudo terminal
+ * SPDX-License-Identifier: MIT
+ *
+ *     e2e_pty noise LINK                  a machine that talks nonsense: random bytes, for ever
+ *     e2e_pty mute LINK                   a machine that never answers
+ *     e2e_pty type "SECONDS:KEY .." CMD   CMD on a terminal, with keys typed at those times ("0.5:h 2:^C")
+ *
+ * LINK becomes a symbolic link to the pty. `type` gives the exit code of CMD; what CMD prints is passed on.
+ */
+#include <fcntl.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+static int die(const char *what)
+{
+    perror(what);
+    return 71;
+}
+
+static int master_of(char *name, size_t size)
+{
+    const int master = posix_openpt(O_RDWR | O_NOCTTY);
+
+    if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0 || ptsname_r(master, name, size) != 0)
+        exit(die("pty"));
+    return master;
+}
+
+static double seconds(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Talk or keep silent behind `link` until killed; the slave stays open so that a client may come and go. */
+static int machine(const char *link, int noisy)
+{
+    char name[128];
+    unsigned char bytes[64];
+    unsigned seed = 1;
+    struct termios mode;
+    const int master = master_of(name, sizeof name), slave = open(name, O_RDWR | O_NOCTTY);
+
+    if (slave < 0 || tcgetattr(slave, &mode) != 0)
+        return die(name);
+    cfmakeraw(&mode);
+    tcsetattr(slave, TCSANOW, &mode);
+    fcntl(master, F_SETFL, O_NONBLOCK);
+    unlink(link);
+    if (symlink(name, link) != 0)
+        return die(link);
+    for (;;) {
+        struct pollfd p = { .fd = master, .events = POLLIN };
+        poll(&p, 1, 5);
+        while (read(master, bytes, sizeof bytes) > 0) {}
+        for (size_t i = 0; i < sizeof bytes; i++) {
+            seed     = seed * 1103515245u + 12345u;
+            bytes[i] = (unsigned char)(seed >> 16);
+        }
+        if (noisy && write(master, bytes, sizeof bytes) < 0) {}
+    }
+}
+
+/* The next "SECONDS:KEY" of the script. */
+static int next_key(char **script, double *at, char *key)
+{
+    char *end;
+
+    *at = strtod(*script, &end);
+    if (end == *script || *end != ':' || end[1] == '\0')
+        return 0;
+    *key    = end[1] == '^' ? (char)(end[2] & 0x1f) : end[1];
+    *script = end + (end[1] == '^' ? 3 : 2);
+    return 1;
+}
+
+static int type(char *script, char **command)
+{
+    char name[128], key = 0, bytes[4096];
+    double at = 0;
+    int status, more;
+    const int master = master_of(name, sizeof name);
+    const pid_t child = fork();
+
+    if (child == 0) {
+        setsid();
+        const int slave = open(name, O_RDWR);
+        const struct winsize size = { .ws_row = 24, .ws_col = 100 };
+        ioctl(slave, TIOCSCTTY, 0);
+        ioctl(slave, TIOCSWINSZ, &size);
+        for (int fd = 0; fd < 3; fd++)
+            dup2(slave, fd);
+        setenv("TERM", "xterm", 1);
+        execvp(command[0], command);
+        _exit(die(command[0]) + 1);
+    }
+    const double start = seconds();
+    more = next_key(&script, &at, &key);
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        struct pollfd p = { .fd = master, .events = POLLIN };
+        if (poll(&p, 1, 20) > 0) {
+            const ssize_t got = read(master, bytes, sizeof bytes);
+            if (got > 0)
+                fwrite(bytes, 1, (size_t)got, stdout);
+            else
+                usleep(10000);
+        }
+        if (more && seconds() - start >= at) {
+            if (write(master, &key, 1) != 1)
+                return die("key");
+            more = next_key(&script, &at, &key);
+        }
+    }
+    fcntl(master, F_SETFL, O_NONBLOCK);
+    for (ssize_t got; (got = read(master, bytes, sizeof bytes)) > 0;)
+        fwrite(bytes, 1, (size_t)got, stdout);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc == 3 && (strcmp(argv[1], "noise") == 0 || strcmp(argv[1], "mute") == 0))
+        return machine(argv[2], strcmp(argv[1], "noise") == 0);
+    if (argc > 3 && strcmp(argv[1], "type") == 0)
+        return type(argv[2], argv + 3);
+    fprintf(stderr, "usage: e2e_pty noise|mute LINK, or e2e_pty type \"SECONDS:KEY ..\" CMD ..\n");
+    return 64;
+}
