@@ -12,6 +12,7 @@
 #include "curve/forward.h"  /* loft_forward */
 #include "curve/measure.h"  /* loft_flatten */
 #include "motion/plan.h"    /* loft_plan */
+#include "motion/step.h"    /* loft_steps_of */
 
 #include "engine.h"
 #include "tool.h"           /* tool_grow */
@@ -164,6 +165,11 @@ static int plan(const engine_limits *limits, const engine_move moves[], size_t c
     return status;
 }
 
+static int32_t steps(double mm, double steps_per_mm)
+{
+    return loft_steps_of(LOFT_REAL(mm), LOFT_REAL(steps_per_mm));
+}
+
 #define ENGINE_OF_(tag)   engine_ ## tag
 #define ENGINE_OF(tag)    ENGINE_OF_(tag)
 #define ENGINE_TEXT_(tag) #tag
@@ -176,5 +182,6 @@ const engine ENGINE_OF(LOFT_TAG) = {
     .eval    = eval,
     .walk    = walk,
     .flatten = flatten,
-    .plan    = plan
+    .plan    = plan,
+    .steps   = steps
 };

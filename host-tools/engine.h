@@ -42,6 +42,7 @@ typedef struct {
     int (*walk)(const double p[][ENGINE_AXES], unsigned degree, uint32_t n, engine_point_sink *sink, void *context);
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink, void *context);
     int (*plan)(const engine_limits *limits, const engine_move moves[], size_t count, engine_span_sink *sink, void *context);
+    int32_t (*steps)(double mm, double steps_per_mm);       /* rounded as a machine of this type does it */
 } engine;
 
 extern const engine engine_q16, engine_f32, engine_f64;

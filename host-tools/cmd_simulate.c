@@ -1,0 +1,80 @@
+/* host-tools/cmd_simulate.c -- loft simulate: the machine as a program, behind a pseudo terminal
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "host/host.h"      /* loft_host_simulate_q16x3 */
+#include "tool.h"
+
+/* One number for all axes, or one for each. */
+static int spread(const char *option, const tool_list *list, double out[LOFT_AXES])
+{
+    if (list->count == 0)
+        return 0;
+    if (list->count != 1 && list->count != LOFT_AXES)
+        return tool_error(EX_USAGE, "--%s: give one number, or %d with commas between", option, LOFT_AXES);
+    for (size_t i = 0; i < LOFT_AXES; i++)
+        out[i] = list->value[list->count == 1 ? 0 : i];
+    return 0;
+}
+
+static int simulate(const struct loft_host_options *o, const engine *e)
+{
+    if (e == &engine_f32)
+        return loft_host_simulate_f32x3(o);
+    if (e == &engine_f64)
+        return loft_host_simulate_f64x3(o);
+    return loft_host_simulate_q16x3(o);
+}
+
+static int run(const tool_command *self, int argc, char **argv)
+{
+    struct loft_host_options o = loft_host_defaults();
+    const engine *e            = &engine_q16;
+    const char *speed          = o.fast ? "fast" : "real";
+    tool_list steps = { 0 }, fastest = { 0 }, accel = { 0 };
+    double tick_hz = o.tick_hz, slots = o.slots, ramp = o.ramp, queue = o.queue;
+    int first;
+
+    const tool_option options[] = {
+        TOOL_TEXT("link", "PATH", &o.link, "make PATH a symbolic link to the pseudo terminal"),
+        TOOL_TEXT("record", "FILE", &o.record, "write every pulse with its time to FILE (CSV)"),
+        TOOL_TEXT("speed", "HOW", &speed, "real time, or fast: as fast as it goes (fast)"),
+        TOOL_SWITCH("once", &o.once, "end after one job"),
+        TOOL_SWITCH("quiet", &o.quiet, "print only the name of the pseudo terminal, and errors"),
+        TOOL_LIST("steps", "N,..", &steps, 0.01, 30000, "steps per mm, for all axes or each (80)"),
+        TOOL_LIST("max-speed", "MM/S,..", &fastest, 0.01, 30000, "of the axes (500)"),
+        TOOL_LIST("accel", "MM/S2,..", &accel, 1, 30000, "of the axes (2000)"),
+        TOOL_NUMBER("tick-hz", "HZ", &tick_hz, 1, 65535, "ticks per second (1000)"),
+        TOOL_NUMBER("slots", "N", &slots, 1, 4096, "chances to step per tick (40)"),
+        TOOL_NUMBER("ramp", "TICKS", &ramp, 1, 32767, "from full pace to standing in a hold (100)"),
+        TOOL_NUMBER("queue", "N", &queue, 1, 32768, "items that fit the queue (256)"),
+        TOOL_NUMBER("noise", "PPM", &o.noise, 0, 100000, "of a million bits on the line so many are flipped (0)"),
+        TOOL_ENGINE(&e, "number type of the machine: q16, f32 or f64 (q16)"),
+        TOOL_OPTIONS_END
+    };
+    int code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (first < argc)
+        return tool_error(EX_USAGE, "%s: simulate takes no file: see `loft simulate --help`", argv[first]);
+    if (strcmp(speed, "fast") != 0 && strcmp(speed, "real") != 0)
+        return tool_error(EX_USAGE, "--speed %s: give real or fast", speed);
+    if ((code = spread("steps", &steps, o.steps_per_mm)) != 0 || (code = spread("max-speed", &fastest, o.max_speed)) != 0 ||
+        (code = spread("accel", &accel, o.max_accel)) != 0)
+        return code;
+    o.fast    = strcmp(speed, "fast") == 0;
+    o.tick_hz = (unsigned)tick_hz;
+    o.slots   = (unsigned)slots;
+    o.ramp    = (unsigned)ramp;
+    o.queue   = (unsigned)queue;
+    return simulate(&o, e);
+}
+
+const tool_command command_simulate = {
+    "simulate", "[--link PATH] [--record FILE]", "the machine as a program, behind a pseudo terminal",
+    "Prints the name of the pseudo terminal; give it, or PATH, to `loft stream --port`. What runs is the code of the\n"
+    "firmware, in any number type. Ends with ^C, which stops the machine on the path, or with --once after one job.\n",
+    run
+};

@@ -1,0 +1,198 @@
+/* host-tools/cmd_stream.c -- loft stream: a drawing becomes motion
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "drawing.h"        /* drawing_read */
+#include "keys.h"           /* keys_start */
+#include "stream.h"         /* stream_run */
+#include "tool.h"
+#include "toolpath.h"       /* toolpath_make */
+
+typedef struct {
+    const engine *e;
+    const char *port, *record;
+    double baud, wait, feed, travel, accel, corner, tol, lift;
+    bool points, dry, park, hold, resume, abort;
+} stream_options;
+
+/* The machine of a dry run. */
+static void usual_limits(engine_limits *l)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        l->max_speed[i] = 500;
+        l->max_accel[i] = 2000;
+    }
+    l->tick_hz = 1000;
+}
+
+static void machine_limits(const loft_sender *s, engine_limits *l)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        l->max_speed[i] = (double)s->axis[i].max_speed / 65536;
+        l->max_accel[i] = (double)s->axis[i].max_accel / 65536;
+    }
+    l->tick_hz = s->machine.tick_hz;
+}
+
+/* Where the machine stands, in raw Q16.16 mm; steps_of gives the same steps back. */
+static void standing_at(const loft_sender *s, double out[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = round((double)s->axis[i].position * 65536 * 65536 / (double)s->axis[i].steps_per_mm) / 65536;
+}
+
+static void said_limits(const stream_options *o, engine_limits *l)
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        if (o->accel > 0)
+            l->max_accel[i] = fmin(l->max_accel[i], o->accel);
+    l->corner = o->corner;
+    l->tol    = o->tol;
+}
+
+static int plan(const stream_options *o, const char *file, const engine_limits *limits, const toolpath *path, job *j)
+{
+    if (path->count == 0)
+        return tool_error(EX_DATAERR, "%s: nothing to draw in it: give a drawing with visible outlines", file);
+    const int status = job_plan(j, o->e, limits, path->move, path->count);
+    if (status != 0)
+        return tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
+    return 0;
+}
+
+static void print_plan(const job *j, const toolpath *path, double tol)
+{
+    printf("planned: %zu curves, %.3f m drawn, %.3f m travelled, %.1f s, %zu %s, path within %.4f mm, job %08x\n", path->curves,
+           path->drawn / 1000, path->travelled / 1000, job_seconds(j), j->count, j->head.kind == LOFT_POINTS ? "points" : "spans", tol,
+           (unsigned)j->head.id);
+}
+
+static int dry_run(const stream_options *o, const char *file, const drawing *d, toolpath_options *how)
+{
+    engine_limits limits;
+    toolpath path;
+    job j = { 0 };
+
+    usual_limits(&limits);
+    said_limits(o, &limits);
+    toolpath_make(&path, d, how);
+    const int code = plan(o, file, &limits, &path, &j);
+    if (code == 0)
+        print_plan(&j, &path, o->tol);
+    job_free(&j);
+    toolpath_free(&path);
+    return code;
+}
+
+static int to_points(const loft_sender *s, job *j)
+{
+    int32_t steps_per_mm[ENGINE_AXES];
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        steps_per_mm[i] = s->axis[i].steps_per_mm;
+    const int status = job_points(j, steps_per_mm);
+    return status == 0 ? 0 : tool_error(EX_DATAERR, "--points: %s", engine_status(status));
+}
+
+static int stream(const stream_options *o, const char *file, const drawing *d, toolpath_options *how, talk *t)
+{
+    engine_limits limits;
+    toolpath path;
+    job j = { 0 };
+
+    machine_limits(&t->sender, &limits);
+    said_limits(o, &limits);
+    standing_at(&t->sender, how->start);
+    toolpath_make(&path, d, how);
+    int code = plan(o, file, &limits, &path, &j);
+    if (code == 0 && o->points)
+        code = to_points(&t->sender, &j);
+    if (code == 0) {
+        const stream_subject about = { path.curves, path.drawn, o->tol, file, o->record };
+        code = stream_run(t, &j, &about);
+    }
+    job_free(&j);
+    toolpath_free(&path);
+    return code;
+}
+
+static int control(const stream_options *o)
+{
+    const enum loft_verb verb = o->abort ? LOFT_ABORT : o->hold ? LOFT_HOLD : LOFT_RESUME;
+    talk t;
+
+    int code = talk_open(&t, o->port, (unsigned)o->baud, o->wait);
+    if (code != 0)
+        return code;
+    code = stream_control(&t, verb);
+    talk_close(&t);
+    return code;
+}
+
+static int draw(const stream_options *o, const char *file)
+{
+    toolpath_options how = { .feed = o->feed, .travel = o->travel, .lift = o->lift, .park = o->park };
+    drawing d            = { 0 };
+    talk t;
+
+    int code = drawing_read(&d, file);
+    if (code == 0 && o->dry)
+        code = dry_run(o, file, &d, &how);
+    else if (code == 0 && (code = talk_open(&t, o->port, (unsigned)o->baud, o->wait)) == 0) {
+        code = stream(o, file, &d, &how, &t);
+        talk_close(&t);
+    }
+    drawing_free(&d);
+    return code;
+}
+
+static int run(const tool_command *self, int argc, char **argv)
+{
+    stream_options o = { .e = &engine_q16, .baud = 115200, .wait = 5, .feed = 30, .travel = 100, .corner = 0.01, .tol = 0.005, .lift = 1 };
+    int first;
+
+    const tool_option options[] = {
+        TOOL_TEXT("port", "PORT", &o.port, "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)"),
+        TOOL_NUMBER("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
+        TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
+        TOOL_SPEED("feed", &o.feed, 0.01, 1000, "pen down, mm/s, or as 1200mm/min (30)"),
+        TOOL_SPEED("travel", &o.travel, 0.01, 1000, "pen up (100)"),
+        TOOL_NUMBER("accel", "MM/S2", &o.accel, 1, 30000, "no more than this on any axis (the machine's)"),
+        TOOL_NUMBER("corner", "MM", &o.corner, 0, 1, "how far corners are taken to be rounded when slowing down (0.01)"),
+        TOOL_NUMBER("tol", "MM", &o.tol, 0.0005, 1, "how far the machine may leave the drawing (0.005)"),
+        TOOL_NUMBER("lift", "MM", &o.lift, 0, 100, "height of the pen while travelling (1)"),
+        TOOL_SWITCH("park", &o.park, "return to the start at the end"),
+        TOOL_SWITCH("points", &o.points, "send sampled points, one per tick, instead of spans"),
+        TOOL_SWITCH("dry-run", &o.dry, "plan for a usual machine, print a summary, move nothing"),
+        TOOL_TEXT("record", "FILE", &o.record, "the pulses that `loft simulate --record FILE` writes: measure the path error"),
+        TOOL_SWITCH("hold", &o.hold, "no FILE: slow down on the path and stand"),
+        TOOL_SWITCH("resume", &o.resume, "no FILE: go on"),
+        TOOL_SWITCH("abort", &o.abort, "no FILE: slow down on the path and end the job"),
+        TOOL_ENGINE(&o.e, "number type of the planner: q16, f32 or f64 (q16)"),
+        TOOL_OPTIONS_END
+    };
+    const int code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (o.port == NULL && !o.dry)
+        return tool_error(EX_USAGE, "no --port: name the machine's port, or plan with --dry-run");
+
+    const bool controls = o.hold || o.resume || o.abort;
+    if (!controls && first + 1 != argc)
+        return tool_error(EX_USAGE, "%s: see `loft stream --help`", first < argc ? "more than one drawing" : "no drawing: name an SVG or CSV file, or -");
+    if (o.hold + o.resume + o.abort > 1 || (controls && first < argc))
+        return tool_error(EX_USAGE, "--hold, --resume and --abort stand alone: see `loft stream --help`");
+    keys_start(!controls && !o.dry && strcmp(argv[first], "-") != 0 && (o.port == NULL || strcmp(o.port, "-") != 0));
+    return controls ? control(&o) : draw(&o, argv[first]);
+}
+
+const tool_command command_stream = {
+    "stream", "FILE --port PORT", "a drawing becomes motion: plan it and stream it to a machine",
+    "Keys while it runs: h holds, r resumes, a aborts; ^C holds and leaves, twice leaves at once. The machine never leaves\n"
+    "the path. A job that was cut off goes on where the machine stands when the same command is run again.\n",
+    run
+};

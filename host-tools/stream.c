@@ -1,0 +1,176 @@
+/* host-tools/stream.c -- a job goes to the machine
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "keys.h"           /* keys_next, keys_interrupted */
+#include "progress.h"       /* progress_show */
+#include "stream.h"
+#include "stream_end.h"     /* stream_drawn, stream_place */
+#include "tool.h"
+
+#define SILENCE 10.0        /* s without a word until we give up        */
+#define STOP    10.0        /* s for the machine to come to a stand     */
+
+typedef struct {
+    talk *t;
+    job *j;
+    const stream_subject *about;
+    progress bar;
+    double stop_at;         /* the clock when ^C was seen; 0: not yet   */
+    double held_at;         /* the clock when the machine stood; 0: not */
+    bool told, woken;       /* the resuming line; RESUME of a held job  */
+} run_state;
+
+static bool standing(const loft_sender *s)
+{
+    return s->ack.state == LOFT_STATE_HELD || !loft_state_busy(s->ack.state);
+}
+
+static const char *state_text(const loft_sender *s)
+{
+    switch (s->ack.state) {
+    case LOFT_STATE_HOLDING:  return "  holding";
+    case LOFT_STATE_HELD:     return "  held: r resumes";
+    case LOFT_STATE_STOPPING: return "  stopping";
+    default:                  return s->ack.flags & LOFT_FLAG_STARVED ? "  waits for the line" : "";
+    }
+}
+
+static void show(run_state *r)
+{
+    const loft_sender *s = &r->t->sender;
+    char text[128];
+    size_t used          = 0;
+    const double feed    = s->ack.state == LOFT_STATE_RUNNING ? job_feed(r->j, job_item_at(r->j, s->status.ticks)) : 0;
+
+    used += (size_t)snprintf(text, sizeof text, "feed %5.1f mm/s ", feed);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const double scale = (double)s->axis[i].steps_per_mm / 65536;
+        used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], (double)s->status.position[i] / scale);
+    }
+    snprintf(text + used, sizeof text - used, "%s", state_text(s));
+    progress_show(&r->bar, (double)s->status.ticks, text);
+}
+
+static void obey_keys(run_state *r)
+{
+    switch (keys_next()) {
+    case 'h': loft_sender_control(&r->t->sender, LOFT_HOLD);   break;
+    case 'r': loft_sender_control(&r->t->sender, LOFT_RESUME); break;
+    case 'a': loft_sender_control(&r->t->sender, LOFT_ABORT);  break;
+    default:  break;
+    }
+}
+
+/* What is to be said and done once when a job is found under way. */
+static void wake(run_state *r)
+{
+    const loft_sender *s = &r->t->sender;
+
+    if (s->phase < LOFT_PHASE_STREAMING || !s->resumed)
+        return;
+    if (!r->told)
+        fprintf(stderr, "resuming at item %u of %zu\n", (unsigned)s->ack.next, r->j->count);
+    r->told = true;
+    if (!r->woken && (s->ack.state == LOFT_STATE_HELD || s->ack.state == LOFT_STATE_HOLDING) && r->stop_at <= 0)
+        loft_sender_control(&r->t->sender, LOFT_RESUME);
+    r->woken = true;
+}
+
+/* After ^C: hold, wait until the machine stands and has told where. True when that is done or takes too long. */
+static bool stopped(run_state *r)
+{
+    const double now = tool_clock();
+
+    if (!keys_interrupted())
+        return false;
+    if (r->stop_at <= 0) {
+        r->stop_at = now;
+        loft_sender_control(&r->t->sender, LOFT_HOLD);
+    }
+    if (!standing(&r->t->sender) || r->t->sender.phase < LOFT_PHASE_STREAMING)
+        r->held_at = 0;
+    else if (r->held_at <= 0)
+        r->held_at = now;
+    return (r->held_at > 0 && now - r->held_at > 3 * LOFT_SENDER_POLL / 1000.0) || now - r->stop_at > STOP;
+}
+
+static const char *where(const run_state *r, char text[64])
+{
+    snprintf(text, 64, "at item %u of %zu ", (unsigned)r->t->sender.ack.next, r->j->count);
+    return text;
+}
+
+/* Until the sender is at its end, or an exit code. */
+static int loop(run_state *r)
+{
+    loft_sender *s = &r->t->sender;
+    char place[64];
+
+    while (s->phase < LOFT_PHASE_DONE) {
+        if (!talk_pump(r->t, 20)) {
+            progress_clear(&r->bar);
+            return talk_vanished(r->t, where(r, place));
+        }
+        if (talk_silence(r->t) > SILENCE) {
+            progress_clear(&r->bar);
+            return tool_error(EX_IOERR, "%s: the machine has been silent for %g s %s: it stands still on the path; look at cable and power, "
+                              "then run the same command again", r->t->port, SILENCE, where(r, place));
+        }
+        wake(r);
+        obey_keys(r);
+        if (stopped(r))
+            break;
+        if (s->phase == LOFT_PHASE_STREAMING)
+            show(r);
+    }
+    progress_clear(&r->bar);
+    return 0;
+}
+
+int stream_run(talk *t, job *j, const stream_subject *about)
+{
+    run_state r = { .t = t, .j = j, .about = about };
+
+    if (loft_sender_begin(&t->sender, &j->head, (uint32_t)j->count, job_source, j) != LOFT_OK)
+        return tool_error(EX_SOFTWARE, "the job of %zu items could not begin: please report this", j->count);
+    progress_start(&r.bar, (double)j->tick[j->count]);
+    const int code = loop(&r);
+    if (code != 0)
+        return code;
+    if (t->sender.phase < LOFT_PHASE_DONE)
+        return stream_interrupted(t, j);
+    return stream_ended(t, j, about);
+}
+
+/* Has the machine done what `verb` asks for? */
+static bool obeyed(const loft_sender *s, enum loft_verb verb)
+{
+    if (s->verb != 0)
+        return false;
+    return verb == LOFT_RESUME ? s->ack.state != LOFT_STATE_HELD && s->ack.state != LOFT_STATE_HOLDING : standing(s);
+}
+
+int stream_control(talk *t, enum loft_verb verb)
+{
+    loft_sender *s     = &t->sender;
+    const double began = tool_clock();
+    double done        = 0;
+
+    if (!loft_state_busy(s->ack.state))
+        return tool_error(EX_UNAVAILABLE, "%s: no job is under way: nothing to %s", t->port,
+                          verb == LOFT_HOLD ? "hold" : verb == LOFT_RESUME ? "resume" : "abort");
+    loft_sender_control(s, verb);
+    while (s->phase < LOFT_PHASE_DONE && (done <= 0 || tool_clock() - done < 3 * LOFT_SENDER_POLL / 1000.0)) {
+        if (!talk_pump(t, 20))
+            return talk_vanished(t, "");
+        if (tool_clock() - began > STOP)
+            return tool_error(EX_IOERR, "%s: the machine did not obey in %g s: look at the cable, or cut its power", t->port, STOP);
+        if (done <= 0 && obeyed(s, verb))
+            done = tool_clock();
+    }
+    return stream_obeyed(t, verb);
+}

@@ -1,0 +1,145 @@
+/* host-tools/stream_end.c -- how a job ended, in one line
+ * SPDX-License-Identifier: MIT
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "stream_end.h"
+#include "tool.h"
+
+/* "12.345 8.000 1.000" of steps. */
+static const char *place(const loft_sender *s, const int32_t steps[LOFT_AXES], char text[96])
+{
+    size_t used = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        used += (size_t)snprintf(text + used, 96 - used, "%s%.3f", i ? " " : "", (double)steps[i] * 65536 / (double)s->axis[i].steps_per_mm);
+    return text;
+}
+
+static const char *steps_text(const int32_t steps[LOFT_AXES], char text[96])
+{
+    size_t used = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        used += (size_t)snprintf(text + used, 96 - used, "%s%" PRId32, i ? " " : "", steps[i]);
+    return text;
+}
+
+static const engine *engine_of(const loft_welcome *machine)
+{
+    return machine->num == LOFT_F32 ? &engine_f32 : machine->num == LOFT_F64 ? &engine_f64 : &engine_q16;
+}
+
+/* Where the job should end, rounded to steps as the machine rounds. */
+static void commanded(const loft_sender *s, const job *j, int32_t out[LOFT_AXES])
+{
+    const engine *e = engine_of(&s->machine);
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        out[i] = j->head.kind == LOFT_POINTS ? j->item[j->count - 1].p[2][i]
+                                             : e->steps((double)j->end[i] / 65536, (double)s->axis[i].steps_per_mm / 65536);
+}
+
+static double machine_seconds(const loft_sender *s)
+{
+    return (double)s->report.elapsed / (double)s->machine.tick_hz;
+}
+
+/* Bytes, their share of the line's time, and repairs. */
+static void print_line(const talk *t, const job *j)
+{
+    const loft_sender *s  = &t->sender;
+    const unsigned baud   = t->line.baud ? t->line.baud : 115200;
+    const double seconds  = machine_seconds(s);
+
+    printf("line: %" PRIu64 " bytes out for %zu %s, %" PRIu64 " in, ", t->written, j->count, j->head.kind == LOFT_POINTS ? "points" : "spans",
+           t->received);
+    if (seconds > 0)
+        printf("%.1f %% of %u baud, ", 1000 * (double)t->written / (seconds * baud), baud);
+    printf("%u of %u frames resent\n", (unsigned)s->resent, (unsigned)(s->sent + s->resent));
+}
+
+static int drawn(talk *t, const job *j, const stream_subject *about)
+{
+    const loft_sender *s = &t->sender;
+    int32_t want[LOFT_AXES];
+    char text[96], other[96];
+
+    commanded(s, j, want);
+    if (memcmp(want, s->report.position, sizeof want) != 0)
+        return tool_error(EX_SOFTWARE, "the machine stands at steps %s, commanded were %s: home it, and please report this",
+                          steps_text(s->report.position, text), steps_text(want, other));
+    if (s->collected)
+        fprintf(stderr, "this job was drawn already: its report is\n");
+    printf("drawn: %zu curves, %.3f m, %.1f s machine time, path planned within %.4f mm, steps %s as commanded\n",
+           about->curves, about->drawn / 1000, machine_seconds(s), about->tol, steps_text(want, text));
+    print_line(t, j);
+    return EX_OK;
+}
+
+static int refused(const talk *t)
+{
+    switch (t->sender.ack.refusal) {
+    case LOFT_REFUSAL_START:
+        return tool_error(EX_TEMPFAIL, "%s: the machine has moved since it was asked where it stands: run the same command again", t->port);
+    case LOFT_REFUSAL_KIND:
+        return tool_error(EX_CONFIG, "%s: the machine does not take items of this kind: try with or without --points", t->port);
+    case LOFT_REFUSAL_ITEM:
+        return tool_error(EX_DATAERR, "%s: the machine cannot do item %u: give less --feed or --accel", t->port, (unsigned)t->sender.ack.next);
+    case LOFT_REFUSAL_FAULT:
+        return tool_error(EX_UNAVAILABLE, "%s: the machine does not trust its position: restart and home it", t->port);
+    default:
+        return tool_error(EX_TEMPFAIL, "%s: the machine is busy: wait, or end its job with `loft stream --abort --port %s`", t->port, t->port);
+    }
+}
+
+int stream_ended(talk *t, const job *j, const stream_subject *about)
+{
+    const loft_sender *s = &t->sender;
+    char text[96], other[96];
+
+    switch (s->phase) {
+    case LOFT_PHASE_DONE:
+        return drawn(t, j, about);
+    case LOFT_PHASE_ABORTED:
+        return tool_error(EX_TEMPFAIL, "aborted after %u of %zu items: the machine stands on the path at %s mm, steps %s; the next job starts there",
+                          (unsigned)s->report.items, j->count, place(s, s->report.position, text), steps_text(s->report.position, other));
+    case LOFT_PHASE_BUSY:
+        return tool_error(EX_TEMPFAIL, "%s: another job (%08x) is under way: wait, or end it with `loft stream --abort --port %s`",
+                          t->port, (unsigned)s->machine.job, t->port);
+    case LOFT_PHASE_LOST:
+        return tool_error(EX_PROTOCOL, "%s: the machine was restarted in the middle of the job: home it and start again", t->port);
+    case LOFT_PHASE_UNFIT:
+        return tool_error(EX_CONFIG, "%s: the machine came back with another version or other axes: start again", t->port);
+    default:
+        return refused(t);
+    }
+}
+
+int stream_interrupted(const talk *t, const job *j)
+{
+    const loft_sender *s = &t->sender;
+    char text[96], other[96];
+
+    if (s->phase < LOFT_PHASE_STREAMING)
+        return tool_error(EX_TEMPFAIL, "stopped before the job began: the machine has not moved");
+    if (s->ack.state != LOFT_STATE_HELD)
+        return tool_error(EX_IOERR, "stopped, but the machine did not say that it stands: it runs out of items and then stands on the path");
+    return tool_error(EX_TEMPFAIL, "held at item %u of %zu: the machine stands on the path at %s mm, steps %s; the same command goes on, "
+                      "`loft stream --abort --port %s` gives up", (unsigned)s->ack.executed, j->count, place(s, s->status.position, text),
+                      steps_text(s->status.position, other), t->port);
+}
+
+int stream_obeyed(const talk *t, enum loft_verb verb)
+{
+    const loft_sender *s   = &t->sender;
+    const bool told        = s->phase == LOFT_PHASE_ABORTED && s->report.job != 0;
+    const int32_t *at      = told ? s->report.position : s->status.position;
+    char text[96], other[96];
+
+    printf("%s: %u items executed, at %s mm, steps %s\n", verb == LOFT_HOLD ? "held" : verb == LOFT_RESUME ? "resumed" : "aborted",
+           (unsigned)(told ? s->report.items : s->ack.executed), place(s, at, text), steps_text(at, other));
+    return EX_OK;
+}

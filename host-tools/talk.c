@@ -1,0 +1,107 @@
+/* host-tools/talk.c -- a session with a machine over a transport
+ * SPDX-License-Identifier: MIT
+ */
+#include <errno.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "keys.h"           /* keys_interrupted */
+#include "talk.h"
+#include "tool.h"
+
+static uint32_t now_ms(void)
+{
+    return (uint32_t)(uint64_t)(1000 * tool_clock());
+}
+
+/* Send frames until there are none or the line is full. */
+static bool send_frames(talk *t)
+{
+    for (;;) {
+        if (t->out_at == t->out_size) {
+            t->out_at   = 0;
+            t->out_size = loft_sender_poll(&t->sender, now_ms(), t->out);
+            if (t->out_size == 0)
+                return true;
+        }
+        const long put = t->line.kind->write(&t->line, t->out + t->out_at, t->out_size - t->out_at, 0);
+        if (put < 0)
+            return false;
+        t->out_at  += (size_t)put;
+        t->written += (uint64_t)put;
+        if (put == 0)
+            return true;
+    }
+}
+
+bool talk_pump(talk *t, int most_ms)
+{
+    uint8_t bytes[512];
+
+    if (!send_frames(t))
+        return false;
+    const uint32_t idle = loft_sender_wait(&t->sender, now_ms());
+    int wait = idle < (uint32_t)most_ms ? (int)idle : most_ms;
+    if (t->out_at < t->out_size && wait < 1)
+        wait = 1;                       /* the line is full: look again soon, but do not spin */
+    const long got = t->line.kind->read(&t->line, bytes, sizeof bytes, wait);
+    if (got < 0)
+        return false;
+    t->received += (uint64_t)got;
+    for (long i = 0; i < got; i++)
+        (void)loft_sender_push(&t->sender, bytes[i], now_ms());
+    return send_frames(t);
+}
+
+int talk_vanished(const talk *t, const char *where)
+{
+    return tool_error(EX_IOERR, "%s: the port has vanished %s(%s): plug it in and run the same command again", t->port, where, strerror(errno));
+}
+
+double talk_silence(const talk *t)
+{
+    return (double)loft_sender_silence(&t->sender, now_ms()) / 1000;
+}
+
+static int greet(talk *t, double seconds)
+{
+    const double until = tool_clock() + seconds;
+
+    while (t->sender.phase == LOFT_PHASE_HELLO) {
+        if (keys_interrupted())
+            return tool_error(EX_TEMPFAIL, "stopped before the machine answered: nothing was sent");
+        if (!talk_pump(t, 20))
+            return talk_vanished(t, "before the machine answered ");
+        if (tool_clock() < until)
+            continue;
+        if (t->received > 0)
+            return tool_error(EX_PROTOCOL, "%s: %llu bytes came, but no good frame: is it a loft machine, and is --baud %u right?",
+                              t->line.text, (unsigned long long)t->received, t->line.baud ? t->line.baud : 115200);
+        return tool_error(EX_UNAVAILABLE, "%s: no machine answered in %g s: look at its power, cable and baud rate", t->line.text, seconds);
+    }
+    if (t->sender.phase == LOFT_PHASE_UNFIT)
+        return tool_error(EX_CONFIG, "%s: the machine has %u axes and wire version %u, this program %d and %d: give both the same release",
+                          t->port, t->sender.machine.axes, t->sender.machine.version, LOFT_AXES, LOFT_WIRE_VERSION);
+    return 0;
+}
+
+int talk_open(talk *t, const char *port, unsigned baud, double seconds)
+{
+    *t = (talk){ .port = port };
+    int code = transport_open(&t->line, port, baud);
+
+    if (code != 0)
+        return code;
+    loft_sender_init(&t->sender, (uint32_t)(uint64_t)(1e9 * tool_clock()) ^ (uint32_t)getpid() << 16, now_ms());
+    code = greet(t, seconds);
+    if (code != 0)
+        talk_close(t);
+    return code;
+}
+
+void talk_close(talk *t)
+{
+    if (t->line.kind)
+        t->line.kind->close(&t->line);
+    t->line.kind = NULL;
+}

@@ -1,0 +1,33 @@
+/* host-tools/talk.h -- a session with a machine over a transport: bytes and clock for lib/wire/sender.h
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_TALK_H
+#define LOFT_TALK_H
+
+#include "wire/sender.h"    /* loft_sender */
+
+#include "transport.h"      /* transport */
+
+typedef struct {
+    const char *port;
+    transport line;
+    loft_sender sender;
+    uint64_t written, received;         /* bytes                          */
+    uint8_t out[LOFT_FRAME_MAX + 1];    /* a frame on its way, from out_at */
+    size_t out_size, out_at;
+} talk;
+
+/* Open the port and greet; waits for the machine's answer. Gives 0, or an exit code after printing one line. */
+int  talk_open(talk *t, const char *port, unsigned baud, double seconds);
+void talk_close(talk *t);
+
+/* Move bytes both ways, for at most `most_ms`. Gives false if the port has vanished (errno says why). */
+bool talk_pump(talk *t, int most_ms);
+
+/* Print that the port has vanished, with `where` the job stands; gives the exit code. */
+int  talk_vanished(const talk *t, const char *where);
+
+/* For how many seconds the machine has been silent. */
+double talk_silence(const talk *t);
+
+#endif
