@@ -1,174 +1,24 @@
 /* tests/test_drive.c -- properties of lib/machine/drive.h: whole jobs, slot by slot
  * SPDX-License-Identifier: MIT
- *
- * A rig is a drive, a random job with the positions that it must pass (walked by the test), and the pulses
- * counted by the test. Every slot goes through rig_slot, which checks them against each other.
  */
-#include <math.h>           /* fmax, fmin, fabs */
+#include "rig.h"
 
-#include "check.h"
-#include "machine/drive.h"
-
-#define ITEMS 60
-#define TICKS 4000
-#define CELLS 64
-
-typedef struct {
-    loft_drive drive;
-    uint16_t slots, ramp, cells;
-    enum loft_kind kind;
-    loft_item item[ITEMS];
-    uint32_t items, pushed;
-    int32_t start[LOFT_AXES];                   /* as in loft_drive_begin            */
-    int32_t path[TICKS + 1][LOFT_AXES];         /* steps after each tick of the plan */
-    uint32_t item_of[TICKS];                    /* the item that a tick belongs to   */
-    uint32_t ticks;
-
-    int32_t at[LOFT_AXES];                      /* the sum of the pulses             */
-    uint32_t passed;                            /* ticks whose end was reached       */
-    uint32_t lasts;                             /* slots since then                  */
-    double pace, lasted;                        /* of the tick before                */
-    bool law;                                   /* the tick is always in time: pace changes only by its law */
-    uint8_t dir;
-} rig;
-
-static rig r;
-static volatile loft_cell cells[CELLS];
-
-static const int32_t per_mm[6] = { 80 * 65536, 80 * 65536, 400 * 65536, 13 * 65536 + 4242, 65536, 1000 * 65536 };
-
-static loft_real scale_of(int i) { return loft_real_from_raw(per_mm[i]); }
-
-static void steps_of(loft_vec mm, int32_t steps[LOFT_AXES])
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        steps[i] = loft_steps_of(mm.axis[i], scale_of(i));
-}
-
-/* A job of random items; a tick goes at most `reach` steps (but for rounding). */
-static void arb_spans(arb *a, int32_t reach)
-{
-    int32_t from[LOFT_AXES];
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        from[i] = r.start[i];
-    while (r.items < ITEMS && r.ticks < TICKS - 100) {
-        loft_item *item = &r.item[r.items];
-        loft_forward w;
-        loft_span span;
-        loft_vec mm;
-
-        item->ticks = (uint16_t)(1 + arb_below(a, arb_below(a, 20) ? 80 : TICKS - r.ticks < 1000 ? 100 : 1000));
-        for (int i = 0; i < LOFT_AXES; i++)
-            for (int k = 0; k < 3; k++)
-                item->p[k][i] = (k ? item->p[k - 1][i] : from[i]) + arb_raw(a, (int32_t)((int64_t)reach * item->ticks * 65536 / 3 * 65536 / per_mm[i]));
-        loft_item_span(item, from, &span);
-        CHECK(loft_span_walk(&w, &span) == LOFT_OK);
-        while (loft_forward_next(&w, &mm)) {
-            r.item_of[r.ticks++] = r.items;
-            steps_of(mm, r.path[r.ticks]);
-        }
-        for (int i = 0; i < LOFT_AXES; i++)
-            from[i] = item->p[2][i];
-        r.items++;
-    }
-}
-
-static void arb_points(arb *a, int32_t reach)
-{
-    while (r.items < ITEMS) {
-        loft_item *item = &r.item[r.items];
-        *item = (loft_item){ { { 0 } }, 1 };
-        r.item_of[r.ticks++] = r.items;
-        for (int i = 0; i < LOFT_AXES; i++)
-            r.path[r.ticks][i] = item->p[2][i] = r.path[r.ticks - 1][i] + arb_raw(a, reach);
-        r.items++;
-    }
-}
+static loft_drive drive;
 
 static void rig_start(arb *a, uint16_t slots, uint16_t ramp, int32_t reach)
 {
-    loft_drive_config c;
-    loft_vec start;
+    const loft_drive_config c = rig_init(a, &drive, slots, ramp, reach);
 
-    r = (rig){ .slots = slots, .ramp = ramp, .cells = (uint16_t)(2 + arb_below(a, CELLS - 1)) };
-    r.kind = arb_below(a, 3) ? LOFT_SPANS : LOFT_POINTS;
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const int32_t raw = arb_raw(a, 100 * 65536);
-        c.steps_per_mm[i] = per_mm[i];
-        start.axis[i] = loft_real_from_raw(raw);
-        r.start[i] = raw;
-    }
-    steps_of(start, r.path[0]);
-    for (int i = 0; i < LOFT_AXES; i++) {
-        c.position[i] = r.at[i] = r.path[0][i];
-        if (r.kind == LOFT_POINTS)
-            r.start[i] = r.at[i];
-    }
-    if (r.kind == LOFT_SPANS)
-        arb_spans(a, reach);
-    else
-        arb_points(a, reach);
-    c.slots = slots;
-    c.ramp = ramp;
-    c.cell = cells;
-    c.cells = r.cells;
-    CHECK(loft_drive_init(&r.drive, &c) == LOFT_OK);
-    CHECK(loft_drive_poll(&r.drive).state == LOFT_STATE_IDLE);
-    CHECK(loft_drive_begin(&r.drive, r.kind, r.start) == LOFT_OK);
-}
-
-static bool here(const int32_t want[LOFT_AXES])
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (r.at[i] != want[i] || r.drive.step.position[i] != want[i])
-            return false;
-    return true;
-}
-
-/* Speeds of neighbouring ticks differ by at most 1 / ramp per tick between their middles; see test_pace.c. */
-static void check_law(double lasts)
-{
-    const double pace = lasts > 0 ? r.slots / lasts : 0, middle = (lasts + r.lasted) / 2 / r.slots;
-    const double rounding = (pace + r.pace) * (1 / fmax(lasts, r.lasted) + 1 / fmin(fmax(lasts, 1), fmax(r.lasted, 1)) + 0.003);
-
-    CHECK_NEAR(pace, r.pace, middle / r.ramp * (1 + 1. / r.ramp) + rounding);
-    r.pace = pace;
-    r.lasted = lasts;
-}
-
-/* One slot: pulses counted, directions set up in time, and each tick ends where the plan says, in the plan's order. */
-static void rig_slot(void)
-{
-    const bool moving = !loft_step_done(&r.drive.step);
-    const loft_pins pins = loft_drive_slot(&r.drive);
-
-    CHECK((pins.step & (pins.dir ^ r.dir)) == 0);
-    r.dir = pins.dir;
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (pins.step & (1u << i))
-            r.at[i] += pins.dir & (1u << i) ? -1 : 1;
-    if (!moving) {
-        CHECK(pins.step == 0);
-        if (r.law && r.pace > 0)
-            check_law(0);
-        return;
-    }
-    r.lasts++;
-    if (!r.drive.step.busy) {
-        CHECK(r.passed < r.ticks);
-        CHECK(here(r.path[++r.passed]));
-        if (r.law)
-            check_law(r.lasts);
-        r.lasts = 0;
-    }
+    CHECK(loft_drive_init(&drive, &c) == LOFT_OK);
+    CHECK(loft_drive_poll(&drive).state == LOFT_STATE_IDLE);
+    CHECK(loft_drive_begin(&drive, r.kind, r.start) == LOFT_OK);
 }
 
 static bool rig_push(void)
 {
     if (r.pushed == r.items)
         return false;
-    const enum loft_status status = loft_drive_push(&r.drive, &r.item[r.pushed]);
+    const enum loft_status status = loft_drive_push(&drive, &r.item[r.pushed]);
     CHECK(status == LOFT_OK || status == LOFT_ERR_SPACE);
     r.pushed += status == LOFT_OK;
     return status == LOFT_OK;
@@ -182,15 +32,15 @@ static void rig_life(arb *a, uint32_t slot)
     if (season == 0 || (season == 1 && arb_below(a, 200) == 0))
         rig_push();
     if (r.pushed == r.items)
-        loft_drive_end(&r.drive);
+        loft_drive_end(&drive);
     if (arb_below(a, 4000) == 0)
-        loft_drive_hold(&r.drive, true);
+        loft_drive_hold(&drive, true);
     if (arb_below(a, 1000) == 0)
-        loft_drive_hold(&r.drive, false);
+        loft_drive_hold(&drive, false);
     if (arb_below(a, 4000) == 0)
-        loft_drive_override(&r.drive, arb_below(a, 120));
+        loft_drive_override(&drive, arb_below(a, 120));
     if (r.law || arb_below(a, 3) == 0)
-        loft_drive_tick(&r.drive);
+        loft_drive_tick(&drive);
 }
 
 static uint32_t items_in(uint32_t ticks)
@@ -203,23 +53,23 @@ static void whatever_happens_a_job_passes_every_point_and_ends_on_the_last(arb *
     rig_start(a, (uint16_t)(1 + arb_below(a, 60)), (uint16_t)(1 + arb_below(a, 150)), 20);
 
     uint32_t slot = 0;
-    for (; loft_state_busy(loft_drive_poll(&r.drive).state) && slot < 20000000; slot++) {
+    for (; loft_state_busy(loft_drive_poll(&drive).state) && slot < 20000000; slot++) {
         rig_life(a, slot);
         rig_slot();
         if (arb_below(a, 50) == 0) {
-            const loft_drive_report now = loft_drive_poll(&r.drive);
+            const loft_drive_report now = loft_drive_poll(&drive);
             CHECK(now.ticks <= r.passed && now.ticks + 2 >= r.passed);
             CHECK(now.executed == items_in(now.ticks));
         }
     }
-    const loft_drive_report end = loft_drive_poll(&r.drive);
+    const loft_drive_report end = loft_drive_poll(&drive);
     CHECK(end.state == LOFT_STATE_DONE && end.executed == r.items && end.ticks == r.ticks && !end.starved);
     CHECK(r.passed == r.ticks && here(r.path[r.ticks]));
     CHECK(end.elapsed == slot / r.slots || end.elapsed + 1 == slot / r.slots);
     for (int i = 0; i < LOFT_AXES; i++)
         CHECK(end.position[i] == r.path[r.ticks][i]);
-    loft_drive_close(&r.drive);
-    CHECK(loft_drive_poll(&r.drive).state == LOFT_STATE_IDLE);
+    loft_drive_close(&drive);
+    CHECK(loft_drive_poll(&drive).state == LOFT_STATE_IDLE);
 }
 
 /* Steps that always fit the slots, a tick that is always in time: then the pace changes by its law alone, also when the
@@ -228,12 +78,12 @@ static void a_queue_that_runs_low_slows_the_machine_down_evenly(arb *a)
 {
     rig_start(a, (uint16_t)(100 + arb_below(a, 100)), (uint16_t)(10 + arb_below(a, 100)), 20);
     r.law = true;
-    for (uint32_t slot = 0; loft_state_busy(r.drive.state) && slot < 20000000; slot++) {
+    for (uint32_t slot = 0; loft_state_busy(drive.state) && slot < 20000000; slot++) {
         rig_life(a, slot);
         rig_slot();
     }
-    CHECK(r.drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
-    CHECK(r.drive.slowed == 0);
+    CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
+    CHECK(drive.slowed == 0);
 }
 
 static void without_an_end_the_machine_stands_at_pace_0_and_says_that_it_starves(arb *a)
@@ -241,23 +91,23 @@ static void without_an_end_the_machine_stands_at_pace_0_and_says_that_it_starves
     rig_start(a, 40, (uint16_t)(1 + arb_below(a, 100)), 20);
     for (int slot = 0; slot < 2000000 && r.passed < r.ticks; slot++) {
         rig_push();
-        loft_drive_tick(&r.drive);
+        loft_drive_tick(&drive);
         rig_slot();
-        if (r.pushed == r.items && loft_step_done(&r.drive.step) && slot % 1000 == 999)
+        if (r.pushed == r.items && loft_step_done(&drive.step) && slot % 1000 == 999)
             break;
     }
-    loft_drive_tick(&r.drive);
+    loft_drive_tick(&drive);
     CHECK(r.pushed == r.items);
-    CHECK(loft_step_done(&r.drive.step) && loft_pace_distance(&r.drive.pace) == 0);
-    const loft_drive_report now = loft_drive_poll(&r.drive);
+    CHECK(loft_step_done(&drive.step) && loft_pace_distance(&drive.pace) == 0);
+    const loft_drive_report now = loft_drive_poll(&drive);
     CHECK(now.state == LOFT_STATE_RUNNING && now.ticks == r.passed && here(r.path[r.passed]));
     CHECK(now.starved || r.passed == 0);
-    loft_drive_end(&r.drive);
-    for (int slot = 0; slot < 2000000 && loft_state_busy(r.drive.state); slot++) {
-        loft_drive_tick(&r.drive);
+    loft_drive_end(&drive);
+    for (int slot = 0; slot < 2000000 && loft_state_busy(drive.state); slot++) {
+        loft_drive_tick(&drive);
         rig_slot();
     }
-    CHECK(r.drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
+    CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
 }
 
 static void a_held_machine_stands_at_the_end_of_a_tick_until_it_is_resumed(arb *a)
@@ -266,28 +116,28 @@ static void a_held_machine_stands_at_the_end_of_a_tick_until_it_is_resumed(arb *
     bool held = false;
 
     rig_start(a, 40, (uint16_t)(1 + arb_below(a, 100)), 20);
-    for (uint32_t slot = 0; slot < 2000000 && loft_state_busy(r.drive.state); slot++) {
+    for (uint32_t slot = 0; slot < 2000000 && loft_state_busy(drive.state); slot++) {
         while (rig_push()) {}
         if (r.pushed == r.items)
-            loft_drive_end(&r.drive);
+            loft_drive_end(&drive);
         if (slot == when)
-            loft_drive_hold(&r.drive, true);
-        if (r.drive.state == LOFT_STATE_HELD && !held) {
+            loft_drive_hold(&drive, true);
+        if (drive.state == LOFT_STATE_HELD && !held) {
             held = true;
             const uint32_t passed = r.passed;
-            CHECK(slot >= when && here(r.path[passed]) && loft_pace_distance(&r.drive.pace) == 0);
-            CHECK(loft_drive_poll(&r.drive).ticks == passed);
+            CHECK(slot >= when && here(r.path[passed]) && loft_pace_distance(&drive.pace) == 0);
+            CHECK(loft_drive_poll(&drive).ticks == passed);
             for (int still = 0; still < 1000; still++) {
-                loft_drive_tick(&r.drive);
+                loft_drive_tick(&drive);
                 rig_slot();
             }
-            CHECK(r.passed == passed && r.drive.state == LOFT_STATE_HELD);
-            loft_drive_hold(&r.drive, false);
+            CHECK(r.passed == passed && drive.state == LOFT_STATE_HELD);
+            loft_drive_hold(&drive, false);
         }
-        loft_drive_tick(&r.drive);
+        loft_drive_tick(&drive);
         rig_slot();
     }
-    CHECK(r.drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
+    CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
 }
 
 /* After the abort the machine takes as many ticks as the pace needs, stands on the path, and can begin another job there. */
@@ -297,34 +147,34 @@ static void an_abort_stands_on_the_path_and_the_next_job_begins_there(arb *a)
     uint32_t left = 0;
 
     rig_start(a, 40, (uint16_t)(1 + arb_below(a, 100)), 20);
-    for (uint32_t slot = 0; slot < 4000000 && loft_state_busy(r.drive.state); slot++) {
+    for (uint32_t slot = 0; slot < 4000000 && loft_state_busy(drive.state); slot++) {
         while (rig_push()) {}
         if (slot == when) {
-            loft_drive_abort(&r.drive);
-            left = r.passed + loft_pace_distance(&r.drive.pace) + 2;
+            loft_drive_abort(&drive);
+            left = r.passed + loft_pace_distance(&drive.pace) + 2;
         }
-        if (slot > when && !loft_step_done(&r.drive.step))
-            CHECK(r.drive.state == LOFT_STATE_STOPPING || r.drive.prepared == 0 || r.drive.running);
-        loft_drive_tick(&r.drive);
+        if (slot > when && !loft_step_done(&drive.step))
+            CHECK(drive.state == LOFT_STATE_STOPPING || drive.prepared == 0 || drive.running);
+        loft_drive_tick(&drive);
         rig_slot();
     }
-    const loft_drive_report end = loft_drive_poll(&r.drive);
+    const loft_drive_report end = loft_drive_poll(&drive);
     CHECK(end.state == LOFT_STATE_ABORTED);
     CHECK(r.passed <= left && end.ticks == r.passed && end.executed == items_in(r.passed));
     CHECK(here(r.path[r.passed]));
 
-    CHECK(loft_drive_push(&r.drive, &r.item[0]) == LOFT_OK);        /* late on the line: forgotten */
+    CHECK(loft_drive_push(&drive, &r.item[0]) == LOFT_OK);        /* late on the line: forgotten */
     int32_t wrong[LOFT_AXES];
     for (int i = 0; i < LOFT_AXES; i++)
         wrong[i] = r.at[i];
     wrong[LOFT_AXES - 1]++;
-    CHECK(loft_drive_begin(&r.drive, LOFT_POINTS, wrong) == LOFT_ERR_RANGE);
-    CHECK(loft_drive_begin(&r.drive, LOFT_POINTS, r.at) == LOFT_OK);
-    CHECK(loft_drive_begin(&r.drive, LOFT_POINTS, r.at) == LOFT_ERR_ARG);
-    CHECK(loft_drive_poll(&r.drive).room == r.cells);
-    loft_drive_end(&r.drive);
-    loft_drive_tick(&r.drive);
-    CHECK(loft_drive_poll(&r.drive).state == LOFT_STATE_DONE && loft_drive_poll(&r.drive).executed == 0);
+    CHECK(loft_drive_begin(&drive, LOFT_POINTS, wrong) == LOFT_ERR_RANGE);
+    CHECK(loft_drive_begin(&drive, LOFT_POINTS, r.at) == LOFT_OK);
+    CHECK(loft_drive_begin(&drive, LOFT_POINTS, r.at) == LOFT_ERR_ARG);
+    CHECK(loft_drive_poll(&drive).room == r.cells);
+    loft_drive_end(&drive);
+    loft_drive_tick(&drive);
+    CHECK(loft_drive_poll(&drive).state == LOFT_STATE_DONE && loft_drive_poll(&drive).executed == 0);
 }
 
 static void items_that_are_too_fast_are_refused_and_change_nothing(arb *a)
@@ -338,23 +188,23 @@ static void items_that_are_too_fast_are_refused_and_change_nothing(arb *a)
             item.p[k][i] = r.kind == LOFT_SPANS || k == 2 ? r.start[i] : 0;
     if (r.kind == LOFT_POINTS) {
         item.p[2][axis] += arb_below(a, 2) ? LOFT_STEP_SLOTS_MAX + 1 : -LOFT_STEP_SLOTS_MAX - 1;
-        CHECK(loft_drive_push(&r.drive, &item) == LOFT_ERR_RANGE);
+        CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
         item.p[2][axis] = arb_below(a, 2) ? INT32_MAX : INT32_MIN;
-        CHECK(loft_drive_push(&r.drive, &item) == LOFT_ERR_RANGE);
+        CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
         item.p[2][axis] = r.start[axis];
         item.ticks = 2;
-        CHECK(loft_drive_push(&r.drive, &item) == LOFT_ERR_RANGE);
+        CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
     } else {
         item.p[arb_below(a, 3)][axis] = arb_below(a, 2) ? INT32_MAX : INT32_MIN;
-        CHECK(loft_drive_push(&r.drive, &item) == LOFT_ERR_RANGE);
+        CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
         item.ticks = 0;
-        CHECK(loft_drive_push(&r.drive, &item) == LOFT_ERR_RANGE);
+        CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
         item.ticks = LOFT_SPAN_TICKS_MAX + 1;
-        CHECK(loft_drive_push(&r.drive, &item) == LOFT_ERR_RANGE);
+        CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
     }
-    CHECK(loft_drive_poll(&r.drive).room == r.cells);
+    CHECK(loft_drive_poll(&drive).room == r.cells);
     while (rig_push() || r.pushed < r.items) {
-        loft_drive_tick(&r.drive);
+        loft_drive_tick(&drive);
         rig_slot();
     }
 }
@@ -365,14 +215,14 @@ static void steps_that_do_not_fit_their_tick_are_all_made(arb *a)
     rig_start(a, (uint16_t)(1 + arb_below(a, 60)), 10, 2000);
     r.items = r.items < 8 ? r.items : 8;
     for (r.ticks = 0; r.item_of[r.ticks] < r.items && r.ticks < TICKS; r.ticks++) {}
-    for (uint32_t slot = 0; slot < 40000000 && loft_state_busy(r.drive.state); slot++) {
+    for (uint32_t slot = 0; slot < 40000000 && loft_state_busy(drive.state); slot++) {
         rig_push();
         if (r.pushed == r.items)
-            loft_drive_end(&r.drive);
-        loft_drive_tick(&r.drive);
+            loft_drive_end(&drive);
+        loft_drive_tick(&drive);
         rig_slot();
     }
-    const loft_drive_report end = loft_drive_poll(&r.drive);
+    const loft_drive_report end = loft_drive_poll(&drive);
     CHECK(end.state == LOFT_STATE_DONE && r.passed == r.ticks);
     CHECK(end.slowed > 0);
 }
