@@ -283,6 +283,7 @@ size_t loft_axis_encode(const loft_axis *m, uint8_t session, uint8_t wire[LOFT_F
     put32(&w, (uint32_t)m->max_speed);
     put32(&w, (uint32_t)m->max_accel);
     put32(&w, (uint32_t)m->position);
+    put32(&w, (uint32_t)m->start);
     return finish(&w);
 }
 
@@ -294,6 +295,7 @@ enum loft_status loft_axis_decode(const loft_frame *f, loft_axis *m)
     m->max_speed    = get_i32(&r);
     m->max_accel    = get_i32(&r);
     m->position     = get_i32(&r);
+    m->start        = get_i32(&r);
     return read_all(&r, m->number < LOFT_AXES);
 }
 

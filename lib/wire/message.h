@@ -116,6 +116,7 @@ typedef struct {
     int32_t max_speed;                  /* mm/s, raw Q16.16                                         */
     int32_t max_accel;                  /* mm/s^2, raw Q16.16                                       */
     int32_t position;                   /* steps                                                    */
+    int32_t start;                      /* of the job, as in loft_job; 0 if there is none           */
 } loft_axis;
 
 typedef struct {

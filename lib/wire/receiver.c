@@ -135,6 +135,8 @@ void loft_receiver_answer(loft_receiver *r, const loft_job *job, enum loft_refus
     r->opened   = true;
     r->ended    = false;
     r->reported = false;
+    for (int i = 0; i < LOFT_AXES; i++)
+        r->start[i] = job->start[i];
     loft_predictor_init(&r->predictor, job->start);
 }
 
@@ -297,6 +299,7 @@ static size_t give_axis(const loft_receiver *r, const loft_standing *now, uint8_
     m.max_speed    = r->traits->axis[number].max_speed;
     m.max_accel    = r->traits->axis[number].max_accel;
     m.position     = now->position[number];
+    m.start        = r->job ? r->start[number] : 0;
     return loft_axis_encode(&m, r->session, wire);
 }
 

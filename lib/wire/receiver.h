@@ -66,6 +66,7 @@ typedef struct {
     loft_unpacker  unpacker;
     loft_predictor predictor;
     uint32_t nonce, job, next, told;    /* told: the limit last sent                                */
+    int32_t  start[LOFT_AXES];          /* of the job                                               */
     uint8_t  session, sessions;         /* the one under way (0: none), and the last number used    */
     uint8_t  kind, control, refusal;
     uint8_t  welcome;                   /* WELCOME and AXIS frames still to be sent                 */
