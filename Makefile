@@ -137,6 +137,26 @@ check-cross: lib/names.h
 size: lib/names.h
 	@sh tests/size.sh $(NUM) $(AXES)
 
+# --- make bench: build/bench/bench<axes>, with each of AGG, GSL and cairo that pkg-config finds --------
+BENCH_LIBS := $(foreach l,gsl cairo $(if $(shell command -v $(CXX)),libagg),$(shell pkg-config --exists $(l) 2>/dev/null && echo $(l)))
+BENCH_FLAGS = $(if $(BENCH_LIBS),$(shell pkg-config --cflags $(BENCH_LIBS))) \
+              $(if $(filter gsl,$(BENCH_LIBS)),-DBENCH_GSL) $(if $(filter cairo,$(BENCH_LIBS)),-DBENCH_CAIRO)
+
+build/bench/agg.o: tests/bench_agg.cpp
+	@mkdir -p $(@D)
+	$(CXX) $(CFLAGS) $(BENCH_FLAGS) -c $< -o $@
+build/bench/bench%: tests/bench.c build/q16x%/libloft.a $(if $(filter libagg,$(BENCH_LIBS)),build/bench/agg.o)
+	@mkdir -p $(@D)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(STD) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$* $(BENCH_FLAGS) \
+	    $(if $(filter libagg,$(BENCH_LIBS)),-DBENCH_AGG) $^ -o $@ \
+	    $(if $(BENCH_LIBS),$(shell pkg-config --libs $(BENCH_LIBS))) $(if $(filter libagg,$(BENCH_LIBS)),-lstdc++) -lm
+
+## Time walking a cubic against de Casteljau, Horner, AGG, GSL and cairo (make deps-bench installs them)
+.PHONY: bench
+bench:
+	@for axes in 2 3; do $(MAKE) -s --no-print-directory AXES=$$axes build/bench/bench$$axes && build/bench/bench$$axes || exit 1; done
+	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
+
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
 CHECK_STAGES := lint test check-vectors-all test-mixed test-readme
 

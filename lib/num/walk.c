@@ -31,11 +31,6 @@
  */
 #include "num/walk.h"
 
-/* The differences of the powers: c(k, j) for j <= k <= 5. */
-static const uint8_t maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 1] = {
-    { 1 }, { 0, 1 }, { 0, 1, 2 }, { 0, 1, 6, 6 }, { 0, 1, 14, 36, 24 }, { 0, 1, 30, 150, 240, 120 }
-};
-
 /* C(n, k) < 2^32 before each product, so none exceeds 2^64. */
 bool loft_walk_admits(unsigned degree, uint32_t n)
 {
@@ -95,6 +90,22 @@ static void power_form(wide g[], const loft_real p[], unsigned degree)
     }
 }
 
+/* From a[k] = G_k, k = 1..degree, to a[k] = e_k, linear and in small whole numbers. Dividing by i, i - 1, ..
+ * in turn gives the coefficients of i (i-1) .. (i-k+1), whose k-th difference is k!. */
+static void differences_of_powers(loft_state a[], unsigned degree)
+{
+    unsigned factorial = 1;
+
+    for (unsigned j = 1; j < degree; j++)
+        for (unsigned k = degree - 1; k >= j; k--)
+            for (unsigned times = 0; times < j; times++)
+                a[k] += a[k + 1];
+    for (unsigned k = 2; k <= degree; k++) {
+        factorial *= k;
+        a[k] *= (loft_state)factorial;
+    }
+}
+
 #if LOFT_NUM == LOFT_Q16
 
 #if defined(__AVR__)
@@ -120,6 +131,11 @@ bool loft_walk_accepts(const loft_real p[], unsigned degree)
     return true;
 }
 
+/* The differences of the powers: c(k, j) for j <= k <= 5. */
+static const uint8_t maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 1] = {
+    { 1 }, { 0, 1 }, { 0, 1, 2 }, { 0, 1, 6, 6 }, { 0, 1, 14, 36, 24 }, { 0, 1, 30, 150, 240, 120 }
+};
+
 /* e_j as a whole number and the rest over n^degree, for j >= 1. */
 static int64_t difference(const wide g[], unsigned degree, unsigned j, uint32_t n, uint64_t *rest)
 {
@@ -139,6 +155,13 @@ static int64_t difference(const wide g[], unsigned degree, unsigned j, uint32_t 
         whole = quotient;
     }
     return whole;
+}
+
+/* x / 2^m in place, cut, m < 32. */
+static void shift_down(uint32_t x[3], uint8_t m)
+{
+    for (int i = 0; m && i < 3; i++)
+        x[i] = x[i] >> m | (i < 2 ? x[i + 1] << (32 - m) : 0);
 }
 
 /* x / n in place, cut. Divisions of 32 bits are the fastest on all cores, so a small n takes 16 bits of x
@@ -164,9 +187,15 @@ static void divide(uint32_t x[3], uint32_t n)
 void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 {
     uint32_t x[3] = { UINT32_MAX, UINT32_MAX, UINT32_MAX };
+    uint8_t m = 0;
 
+    while (n > (uint32_t)1 << m && m < 31)
+        m++;
     for (unsigned k = 1; k <= degree; k++) {
-        divide(x, n);
+        if (n == (uint32_t)1 << m)
+            shift_down(x, m);
+        else
+            divide(x, n);
         for (int i = 0; i < 3; i++)
             powers->inverse[k][i] = x[i];
     }
@@ -198,23 +227,22 @@ static term scaled(int64_t g, const uint32_t inverse[3])
 
 void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers)
 {
+    uint64_t below[LOFT_WALK_DEGREE_MAX + 1];
     wide g[LOFT_WALK_DEGREE_MAX + 1];
 
     power_form(g, p, degree);
     w->d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
-    for (unsigned j = 1; j <= LOFT_WALK_DEGREE_MAX; j++)
-        w->d[j] = 0;
-
-    uint64_t below[LOFT_WALK_DEGREE_MAX + 1] = { 0 };
+    for (unsigned k = 1; k <= LOFT_WALK_DEGREE_MAX; k++)
+        w->d[k] = 0;
     for (unsigned k = 1; k <= degree; k++) {
         const term t = scaled(g[k], powers->inverse[k]);
-        for (unsigned j = 1; j <= k; j++) {
-            w->d[j] += t.value * maps[k][j];
-            below[j] += product(t.below, maps[k][j]);
-        }
+        w->d[k] = t.value;
+        below[k] = t.below;
     }
-    for (unsigned j = 1; j <= degree; j++)
-        w->d[j] += high(below[j] + ((uint32_t)1 << 31));
+    differences_of_powers(w->d, degree);
+    differences_of_powers(below, degree);
+    for (unsigned k = 1; k <= degree; k++)
+        w->d[k] += high(below[k] + ((uint32_t)1 << 31));
 }
 
 void loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n)
@@ -280,15 +308,16 @@ void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers)
 {
     wide g[LOFT_WALK_DEGREE_MAX + 1];
+    double scale = powers->n;
 
     power_form(g, p, degree);
     w->d[0] = p[0];
     w->end = p[degree];
-    for (unsigned j = 1; j <= LOFT_WALK_DEGREE_MAX; j++) {
-        w->d[j] = 0;
-        for (unsigned k = degree; k >= 1; k--)
-            w->d[j] = (w->d[j] + g[k] * maps[k][j]) / powers->n;
+    for (unsigned k = 1; k <= LOFT_WALK_DEGREE_MAX; k++) {
+        w->d[k] = k <= degree ? g[k] / scale : 0;
+        scale *= powers->n;
     }
+    differences_of_powers(w->d, degree);
 }
 
 void loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n)
