@@ -148,6 +148,7 @@
 #define loft_walk_double           LOFT_NAME(loft_walk_double)
 #define loft_walk_halve            LOFT_NAME(loft_walk_halve)
 #define loft_walk_init             LOFT_NAME(loft_walk_init)
+#define loft_walk_powers           LOFT_NAME(loft_walk_powers)
 #define loft_walk_run              LOFT_NAME(loft_walk_run)
 #define loft_welcome_decode        LOFT_NAME(loft_welcome_decode)
 #define loft_welcome_encode        LOFT_NAME(loft_welcome_encode)

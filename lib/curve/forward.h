@@ -21,7 +21,7 @@
 #define LOFT_CURVE_FORWARD_H
 
 #include "curve/bezier.h"   /* loft_bezier */
-#include "num/walk.h"       /* loft_walk, loft_strict: the state of one axis */
+#include "num/strict.h"     /* loft_walk, loft_strict: the state of one axis */
 
 #define LOFT_FORWARD_DEGREE_MAX LOFT_WALK_DEGREE_MAX
 

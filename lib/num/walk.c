@@ -5,24 +5,13 @@
  *
  *     P(i/n) = sum_k  g_k (i/n)^k          g_k = C(degree, k) D^k p
  *
- * and the j-th difference of i^k at i = 0, step 1, is c(k, j) = j! S(k, j), the number of ways to map k
- * things onto j (S: Stirling's numbers of the second kind). So the differences to start with are
+ * Written in the products i (i-1) .. (i-k+1) instead of the powers i^k, its coefficients times k! are the
+ * differences e_k to start with: e_k is the sum of some G_j = g_j / n^j times whole numbers of 240 at most.
  *
- *     e_j = sum_k  g_k c(k, j) / n^k
- *
- * q16. g and c are whole, |g_k c(k, j)| < 2^45. There are two roads.
- *
- * loft_walk keeps e_j to 32 bits below the LSB. n^-k is cut to 96 bits, by k divisions each cut: it is low
- * by less than 2^-95. G_k = g_k n^-k is cut to 64 bits below the LSB: off by less than 2^-63 + |g_k| 2^-95;
- * then e_j = sum c(k, j) G_k is rounded to 32. With |p| <= 2^31 the sum of all that is below 2^-50, so e_j is
- * off by at most 2^-33 + 2^-50, and not at all where it is a multiple of 2^-32: if n^degree divides 2^32.
- *
- * loft_strict keeps e_j as a whole number and a rest over n^degree. Horner's scheme in 1/n finds both: if
- * V = I + R / n^s then
- *
- *     V / n = floor(I / n) + (R + (I mod n) n^s) / n^(s+1)
- *
- * where nothing is rounded and R < n^degree < 2^63.
+ * q16. e_k is kept to 32 bits below the LSB. n^-k is cut to 96 bits, by k divisions each cut: it is low by
+ * less than 2^-95. G_k = g_k n^-k is cut to 64 bits below the LSB: off by less than 2^-63 + |g_k| 2^-95. With
+ * |p| <= 2^31 the sums of all that are below 2^-50, so e_k, then rounded to 32 bits, is off by at most
+ * 2^-33 + 2^-50, and not at all where it is a multiple of 2^-32: if n^degree divides 2^32.
  *
  * The law of ranges. d[0] after i steps is sum_k C(i, k) e_k, so errors of 2^-33 + 2^-50 in e_1.. err there
  * by at most S (2^-33 + 2^-50) LSB, S = C(n, 1) + .. + C(n, degree). The walk is admitted while that is below
@@ -46,36 +35,8 @@ bool loft_walk_admits(unsigned degree, uint32_t n)
     return true;
 }
 
-bool loft_strict_admits(unsigned degree, uint32_t n)
-{
-    const uint64_t limit = (uint64_t)INT64_MAX;
-    uint64_t power = 1;
-
-    for (unsigned k = 0; k < degree; k++) {
-        if (power > limit / n)
-            return false;
-        power *= n;
-    }
-    return true;
-}
-
-uint64_t loft_strict_power(unsigned degree, uint32_t n)
-{
-    uint64_t power = 1;
-
-    while (degree--)
-        power *= n;
-    return power;
-}
-
-#if LOFT_NUM == LOFT_Q16
-typedef int64_t wide;
-#else
-typedef double wide;
-#endif
-
-/* g[k] = C(degree, k) D^k p. q16: |D^k p| < 2^(k+31), so |g| < 40 * 2^32. */
-static void power_form(wide g[], const loft_real p[], unsigned degree)
+/* q16: |D^k p| < 2^(k+31), so |g| < 10 * 2^34. */
+void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree)
 {
     unsigned choose = 1;
 
@@ -86,7 +47,7 @@ static void power_form(wide g[], const loft_real p[], unsigned degree)
             g[i] -= g[i - 1];
     for (unsigned k = 1; k <= degree; k++) {
         choose = choose * (degree - k + 1) / k;
-        g[k] *= (wide)choose;
+        g[k] *= (loft_acc)choose;
     }
 }
 
@@ -129,32 +90,6 @@ bool loft_walk_accepts(const loft_real p[], unsigned degree)
     (void)p;
     (void)degree;
     return true;
-}
-
-/* The differences of the powers: c(k, j) for j <= k <= 5. */
-static const uint8_t maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 1] = {
-    { 1 }, { 0, 1 }, { 0, 1, 2 }, { 0, 1, 6, 6 }, { 0, 1, 14, 36, 24 }, { 0, 1, 30, 150, 240, 120 }
-};
-
-/* e_j as a whole number and the rest over n^degree, for j >= 1. */
-static int64_t difference(const wide g[], unsigned degree, unsigned j, uint32_t n, uint64_t *rest)
-{
-    int64_t whole = 0;
-    uint64_t power = 1;
-
-    *rest = 0;
-    for (unsigned k = degree; k >= 1; k--) {
-        whole += g[k] * maps[k][j];
-        int64_t quotient = whole / n, left = whole - quotient * n;
-        if (left < 0) {
-            left += n;
-            quotient--;
-        }
-        *rest += (uint64_t)left * power;
-        power *= n;
-        whole = quotient;
-    }
-    return whole;
 }
 
 /* x / 2^m in place, cut, m < 32. */
@@ -228,9 +163,9 @@ static term scaled(int64_t g, const uint32_t inverse[3])
 void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers)
 {
     uint64_t below[LOFT_WALK_DEGREE_MAX + 1];
-    wide g[LOFT_WALK_DEGREE_MAX + 1];
+    loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
 
-    power_form(g, p, degree);
+    loft_walk_powers(g, p, degree);
     w->d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
     for (unsigned k = 1; k <= LOFT_WALK_DEGREE_MAX; k++)
         w->d[k] = 0;
@@ -243,21 +178,6 @@ void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const lo
     differences_of_powers(below, degree);
     for (unsigned k = 1; k <= degree; k++)
         w->d[k] += high(below[k] + ((uint32_t)1 << 31));
-}
-
-void loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n)
-{
-    wide g[LOFT_WALK_DEGREE_MAX + 1];
-
-    power_form(g, p, degree);
-    s->whole[0] = (uint32_t)p[0];
-    s->rest[0] = loft_strict_power(degree, n) / 2;
-    for (unsigned j = 1; j <= LOFT_WALK_DEGREE_MAX; j++) {
-        s->whole[j] = 0;
-        s->rest[j] = 0;
-        if (j <= degree)
-            s->whole[j] = (uint32_t)difference(g, degree, j, n, &s->rest[j]);
-    }
 }
 
 /* loft_walk_halve divides by powers of two and so needs true differences, |D^k| < 2^31 LSB, none wrapped.
@@ -307,10 +227,10 @@ void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 
 void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers)
 {
-    wide g[LOFT_WALK_DEGREE_MAX + 1];
+    loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
     double scale = powers->n;
 
-    power_form(g, p, degree);
+    loft_walk_powers(g, p, degree);
     w->d[0] = p[0];
     w->end = p[degree];
     for (unsigned k = 1; k <= LOFT_WALK_DEGREE_MAX; k++) {
@@ -318,14 +238,6 @@ void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const lo
         scale *= powers->n;
     }
     differences_of_powers(w->d, degree);
-}
-
-void loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n)
-{
-    loft_powers powers;
-
-    loft_powers_init(&powers, degree, n);
-    loft_walk_init(s, p, degree, &powers);
 }
 
 /* Sums of floats do not wrap. */

@@ -4,9 +4,8 @@
  * The state is d[0] = the value and d[k] = the k-th difference; a step is d[k] += d[k+1] for k = 0, 1 ..
  * upwards. curve/forward.h walks all coordinates of a curve with it.
  *
- *   loft_walk     q16: wrapping Q32.32 of the LSB, correctly rounded in its last place (see walk.c)
- *   loft_strict   q16: whole number and rest over n^degree, never rounded, for steps that are no power of two
- *                 f32, f64: both are the same plain sums of doubles, which end on the last control value
+ *   q16        wrapping integers, 32 bits below the LSB: no sum rounds, only the start does, once
+ *   f32, f64   plain sums of doubles; the last value is the last control value
  */
 #ifndef LOFT_NUM_WALK_H
 #define LOFT_NUM_WALK_H
@@ -27,29 +26,11 @@ typedef struct {
     loft_state d[LOFT_WALK_DEGREE_MAX + 1];     /* d[0] carries the 1/2 LSB that rounds it when it is cut */
 } loft_walk;
 
-typedef struct {
-    uint64_t rest[LOFT_WALK_DEGREE_MAX + 1];    /* below n^degree; rest[0] carries half of that */
-    uint32_t whole[LOFT_WALK_DEGREE_MAX + 1];   /* wraps                                        */
-} loft_strict;
-
 /* error none: the rounding is in the state */
 static inline loft_real loft_state_real(loft_state s)   { return loft_acc_high((int64_t)s); }
 
 /* The value that the walk gives as its last one: here the differences lead to it. */
 static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)w; return arrived; }
-
-static inline loft_real loft_strict_step(loft_strict *s, unsigned degree, uint64_t power, bool last)
-{
-    (void)last;
-    for (unsigned k = 0; k < degree; k++) {
-        const uint64_t rest = s->rest[k] + s->rest[k + 1];      /* below 2 power < 2^64 */
-        const bool carry = rest >= power;
-
-        s->rest[k] = carry ? rest - power : rest;
-        s->whole[k] += s->whole[k + 1] + carry;
-    }
-    return (loft_real)s->whole[0];
-}
 
 #else
 
@@ -64,18 +45,8 @@ typedef struct {
     loft_real end;
 } loft_walk;
 
-typedef loft_walk loft_strict;
-
 static inline loft_real loft_state_real(loft_state s)   { return (loft_real)s; }
 static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)arrived; return w->end; }
-
-static inline loft_real loft_strict_step(loft_strict *s, unsigned degree, uint64_t power, bool last)
-{
-    (void)power;
-    for (unsigned k = 0; k < degree; k++)
-        s->d[k] += s->d[k + 1];
-    return last ? s->end : (loft_real)s->d[0];
-}
 
 #endif
 
@@ -87,30 +58,30 @@ static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
     return loft_state_real(w->d[0]);
 }
 
-/* Does the law of ranges (walk.c) admit n >= 1 steps: for loft_walk, and for loft_strict? */
+/* Does the law of ranges (walk.c) admit n >= 1 steps? */
 bool loft_walk_admits(unsigned degree, uint32_t n);
-bool loft_strict_admits(unsigned degree, uint32_t n);
 
 /* What all axes need of n.
  *
  *   range   an admitted n
  *   cost    q16: for n < 65536 degree * 6 divisions of 32 bits
  */
-void     loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n);
-uint64_t loft_strict_power(unsigned degree, uint32_t n);       /* n^degree */
+void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n);
+
+/* g[k] = C(degree, k) times the k-th difference of p[0..degree]: the polynomial is sum_k g[k] t^k. Whole numbers
+ * of LSB in q16, |g| < 2^38. */
+void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree);
 
 /* Start at p[0] of the Bezier polynomial p[0..degree], n steps ahead. Differences above degree are 0.
  *
  *   range   f32, f64: |p| <= LOFT_REAL_MAX / 65536
  *   error   q16: 2^-33 + 2^-50 LSB in each difference; none where n^degree divides 2^32
- *           loft_strict_init: none
- *   cost    q16: degree * (degree + 15) / 2 products of 32 bits; loft_strict_init: degree^2 divisions of 64 bits
+ *   cost    q16: degree * 6 products of 32 bits and degree * (degree + 5) / 2 of small numbers
  */
-void     loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers);
-void     loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n);
+void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers);
 
 /* `count` steps; the values go to out[0], out[stride] .. */
-void     loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);
+void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);
 
 /* The fewest steps for the whole of p[0..degree] from which loft_walk_halve is proven exact. */
 uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree);

@@ -68,8 +68,7 @@ static void greet(loft_sender *s, uint32_t now)
 
 void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms)
 {
-    static const loft_sender zero;
-    *s = zero;
+    *s = (loft_sender){ 0 };
     s->nonce = nonce;
     loft_frame_init(&s->frame);
     greet(s, now_ms);
