@@ -46,7 +46,7 @@ static int run(const tool_command *self, int argc, char **argv)
     int first;
 
     const tool_option options[] = {
-        TOOL_TEXT("output", "FILE", &o.output, "picture to write, .png .svg or .pdf (plot.png)"),
+        TOOL_TEXT("output", "FILE", &o.output, "or -o: picture to write, .png .svg or .pdf (plot.png)"),
         TOOL_TEXT("record", "FILE", &record_file, "pulses written by `loft simulate --record`: what was really drawn"),
         TOOL_SWITCH("control", &o.control, "draw the control polygons"),
         TOOL_NUMBER("error", "N", &o.error, 0, 1e9, "magnify errors N times, and colour by them (0: as it shows best)"),
@@ -75,7 +75,7 @@ static int run(const tool_command *self, int argc, char **argv)
 }
 
 const tool_command command_plot = {
-    "plot", "[--output FILE] [--record FILE [--error N]] DRAWING|-", "a picture of the drawing, and of what the machine drew",
+    "plot", "[-o FILE] [--record FILE [--error N]] DRAWING|-", "a picture of the drawing, and of what the machine drew",
     "Curves are drawn as such, not as chords. With --record the machine's own positions lie over them, travel is dashed;\n"
     "with --error each position is moved away from the drawing by N times its distance, and the colour tells how far.\n",
     run

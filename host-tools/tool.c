@@ -143,6 +143,15 @@ static void print_help(const tool_command *self, const tool_option options[])
     printf("  %-20s %s\n", "--help", "this text");
 }
 
+/* The row that -o is short for; -1 if the command writes no file. */
+static int output_row(const tool_option options[])
+{
+    for (int i = 0; options[i].kind != TOOL_END; i++)
+        if (strcmp(options[i].name, "output") == 0)
+            return i;
+    return -1;
+}
+
 int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv, int *first)
 {
     size_t count = 0;
@@ -160,7 +169,9 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
     opterr = 0;
     while (code == 0) {
         int which = -1;
-        const int c = getopt_long(argc, argv, ":h", table, &which);
+        int c = getopt_long(argc, argv, ":ho:", table, &which);
+        if (c == 'o' && (which = output_row(options)) >= 0)
+            c = 0;
         if (c == -1)
             break;
         if (c == 'h') {
