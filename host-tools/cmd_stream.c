@@ -38,11 +38,24 @@ static void machine_limits(const loft_sender *s, engine_limits *l)
     l->tick_hz = s->machine.tick_hz;
 }
 
-/* Where the machine stands, in raw Q16.16 mm; steps_of gives the same steps back. */
-static void standing_at(const loft_sender *s, double out[ENGINE_AXES])
+/* Steps in mm, a whole number of 2^-16, which steps_of turns back into the same steps. */
+static double mm_of(const loft_axis *a, int32_t steps)
+{
+    return round((double)steps * 65536 * 65536 / (double)a->steps_per_mm) / 65536;
+}
+
+/* Where a new job starts: where the machine stands. */
+static void new_start(const loft_sender *s, double out[ENGINE_AXES])
 {
     for (int i = 0; i < ENGINE_AXES; i++)
-        out[i] = round((double)s->axis[i].position * 65536 * 65536 / (double)s->axis[i].steps_per_mm) / 65536;
+        out[i] = mm_of(&s->axis[i], s->axis[i].position);
+}
+
+/* Where the machine's job started. */
+static void old_start(const loft_sender *s, bool points, double out[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = points ? mm_of(&s->axis[i], s->axis[i].start) : (double)s->axis[i].start / 65536;
 }
 
 static void said_limits(const stream_options *o, engine_limits *l)
@@ -98,19 +111,36 @@ static int to_points(const loft_sender *s, job *j)
     return status == 0 ? 0 : tool_error(EX_DATAERR, "--points: %s", engine_status(status));
 }
 
-static int stream(const stream_options *o, const char *file, const drawing *d, toolpath_options *how, talk *t)
+static int plan_for(const stream_options *o, const char *file, const drawing *d, const toolpath_options *how, const loft_sender *s,
+                    toolpath *path, job *j)
 {
     engine_limits limits;
-    toolpath path;
-    job j = { 0 };
 
-    machine_limits(&t->sender, &limits);
+    job_free(j);
+    toolpath_free(path);
+    machine_limits(s, &limits);
     said_limits(o, &limits);
-    standing_at(&t->sender, how->start);
-    toolpath_make(&path, d, how);
-    int code = plan(o, file, &limits, &path, &j);
-    if (code == 0 && o->points)
-        code = to_points(&t->sender, &j);
+    toolpath_make(path, d, how);
+    const int code = plan(o, file, &limits, path, j);
+    return code == 0 && o->points ? to_points(s, j) : code;
+}
+
+/* If the machine has a job it may be this one, which then goes on; it is if it has the same id planned from the same start. */
+static int stream(const stream_options *o, const char *file, const drawing *d, toolpath_options *how, talk *t)
+{
+    const loft_sender *s = &t->sender;
+    toolpath path        = { 0 };
+    job j                = { 0 };
+    int code             = 0;
+
+    if (s->machine.job != 0) {
+        old_start(s, o->points, how->start);
+        code = plan_for(o, file, d, how, s, &path, &j);
+    }
+    if (code == 0 && (j.count == 0 || j.head.id != s->machine.job)) {
+        new_start(s, how->start);
+        code = plan_for(o, file, d, how, s, &path, &j);
+    }
     if (code == 0) {
         const stream_subject about = { path.curves, path.drawn, o->tol, file, o->record };
         code = stream_run(t, &j, &about);
