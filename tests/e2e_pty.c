@@ -3,6 +3,8 @@
  *
  *     e2e_pty noise LINK                  a machine that talks nonsense: random bytes, for ever
  *     e2e_pty mute LINK                   a machine that never answers
+ *     e2e_pty relay SOCKET LINK           a Unix socket in front of the pty LINK, which may go away and come back:
+ *                                         a serial line whose machine is switched off and on
  *     e2e_pty type "SECONDS:KEY .." CMD   CMD on a terminal, with keys typed at those times ("0.5:h 2:^C")
  *
  * LINK becomes a symbolic link to the pty. `type` gives the exit code of CMD; what CMD prints is passed on.
@@ -13,6 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <time.h>
@@ -67,6 +71,62 @@ static int machine(const char *link, int noisy)
             bytes[i] = (unsigned char)(seed >> 16);
         }
         if (noisy && write(master, bytes, sizeof bytes) < 0) {}
+    }
+}
+
+static int server_of(const char *path)
+{
+    struct sockaddr_un address = { .sun_family = AF_UNIX };
+    const int server = socket(AF_UNIX, SOCK_STREAM, 0);
+
+    snprintf(address.sun_path, sizeof address.sun_path, "%s", path);
+    unlink(path);
+    if (server < 0 || bind(server, (struct sockaddr *)&address, sizeof address) != 0 || listen(server, 1) != 0)
+        exit(die(path));
+    return server;
+}
+
+static int reopened(const char *link)
+{
+    struct termios mode;
+    const int fd = open(link, O_RDWR | O_NOCTTY | O_NONBLOCK);
+
+    if (fd >= 0 && tcgetattr(fd, &mode) == 0) {
+        cfmakeraw(&mode);
+        tcsetattr(fd, TCSANOW, &mode);
+    }
+    return fd;
+}
+
+/* What one end says goes to the other; what cannot be delivered is lost, as on a wire. False when `from` is gone. */
+static int carry(int from, int to)
+{
+    unsigned char bytes[512];
+    const ssize_t got = read(from, bytes, sizeof bytes);
+
+    if (got > 0 && to >= 0 && write(to, bytes, (size_t)got) < 0) {}
+    return got > 0;
+}
+
+static void relay(const char *path, const char *link)
+{
+    const int server = server_of(path);
+
+    for (int client = -1, machine = -1;;) {
+        if (client < 0)
+            client = accept(server, NULL, NULL);
+        if (machine < 0)
+            machine = reopened(link);
+        struct pollfd p[2] = { { .fd = client, .events = POLLIN }, { .fd = machine, .events = POLLIN } };
+        poll(p, 2, 20);
+        if (p[0].revents && !carry(client, machine)) {
+            close(client);
+            client = -1;
+        }
+        if (p[1].revents && !carry(machine, client)) {
+            close(machine);
+            machine = -1;
+        }
     }
 }
 
@@ -130,8 +190,10 @@ int main(int argc, char **argv)
 {
     if (argc == 3 && (strcmp(argv[1], "noise") == 0 || strcmp(argv[1], "mute") == 0))
         return machine(argv[2], strcmp(argv[1], "noise") == 0);
+    if (argc == 4 && strcmp(argv[1], "relay") == 0)
+        relay(argv[2], argv[3]);
     if (argc > 3 && strcmp(argv[1], "type") == 0)
         return type(argv[2], argv + 3);
-    fprintf(stderr, "usage: e2e_pty noise|mute LINK, or e2e_pty type \"SECONDS:KEY ..\" CMD ..\n");
+    fprintf(stderr, "usage: e2e_pty noise|mute LINK, e2e_pty relay SOCKET LINK, or e2e_pty type \"SECONDS:KEY ..\" CMD ..\n");
     return 64;
 }
