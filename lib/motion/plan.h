@@ -1,44 +1,41 @@
 /* lib/motion/plan.h -- look-ahead: a chain of curves becomes a chain of spans within the machine's limits
  * SPDX-License-Identifier: MIT
+ *
+ *     static loft_plan_node nodes[LOFT_PLAN_NODES(CURVES)];
+ *     loft_plan plan;
+ *     loft_span span;
+ *     if (loft_plan_init(&plan, &limits, chain, CURVES, nodes, LOFT_PLAN_NODES(CURVES)) == LOFT_OK)
+ *         while (loft_plan_next(&plan, &span))
+ *             send(&span);
  */
 #ifndef LOFT_MOTION_PLAN_H
 #define LOFT_MOTION_PLAN_H
 
+#include "motion/course.h"  /* loft_course, loft_move, loft_plan_node, LOFT_PLAN_REACH */
 #include "motion/span.h"    /* loft_span */
 
-/* What the machine can do. Coordinates of the path must be within +-LOFT_PLAN_REACH mm. */
-#define LOFT_PLAN_REACH LOFT_REAL(8191)
+#define LOFT_PLAN_WINDOW 64 /* samples of the path that one span can see */
 
-typedef struct {
-    loft_real max_speed[LOFT_AXES];     /* mm/s                                                     */
-    loft_real max_accel[LOFT_AXES];     /* mm/s^2                                                   */
-    loft_real corner;                   /* junction deviation in mm, as grbl's $11; 0: stop at corners */
-    loft_real tol;                      /* how far spans may leave the path, rounding included, mm  */
-    uint16_t  tick_hz;                  /* ticks per second                                         */
-} loft_limits;
+/* Nodes that any `count` curves need at most. */
+#define LOFT_PLAN_NODES(count) ((count) * 8u + 1u)
 
-/* One curve of the chain, with its speed along the path in mm/s. */
+/* Complete so that it can be static; do not rely on the fields. About 5 kB in q16. */
 typedef struct {
-    loft_cubic curve;
-    loft_real  feed;
-} loft_move;
-
-/* (draft: the fields of node and plan are the author's; the calls are fixed) */
-typedef struct {
-    loft_acc length;
-    loft_real speed;
-} loft_plan_node;
-
-typedef struct {
-    const loft_move *chain;
-    uint32_t count;
+    loft_course course;
+    loft_acc    sample[LOFT_PLAN_WINDOW][LOFT_AXES];    /* a ring of control points, one per beat */
+    loft_acc    accel[LOFT_AXES];                       /* limits per beat^2                      */
+    loft_vec    at;                                     /* the end of the last span               */
+    uint8_t     first, held, ends;
 } loft_plan;
 
-enum loft_status loft_limits_check(const loft_limits *limits) LOFT_CHECKED;
-
-/* Plan `chain` (borrowed, connected: each curve starts where the one before ended) from rest to rest.
- * `nodes` is the caller's memory, LOFT_PLAN_NODES(count) of them. */
-#define LOFT_PLAN_NODES(count) ((count) * 8u + 1u)
+/* Plan `chain` (borrowed until the last span) from rest to rest; `nodes` is the caller's memory,
+ * LOFT_PLAN_NODES(count) of them.
+ *
+ *   units   mm, mm/s, mm/s^2
+ *   range   as loft_limits_check and loft_course_init
+ *   cost    two passes over the chain; 600 bytes of stack
+ *   see     grbl's planner for junction deviation; Marsden, Schoenberg for the spline's bounds
+ */
 enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, const loft_move chain[], uint32_t count,
                                 loft_plan_node nodes[], uint32_t node_count) LOFT_CHECKED;
 

@@ -93,16 +93,6 @@ loft_real loft_acc_quot(loft_acc x, loft_acc y)
     return (loft_real)(x < 0 ? -q : q);
 }
 
-/* Both are halved until y < 2^39; what that loses is less than 2^-37 of y. */
-loft_unit loft_acc_part(loft_acc x, loft_acc y)
-{
-    uint64_t n = (uint64_t)x, d = (uint64_t)y;
-
-    for (; d >> 39; d >>= 1)
-        n >>= 1;
-    return (loft_unit)(((n << 24) + d / 2) / d);
-}
-
 #else
 
 /* Newton's iteration for the reciprocal square root would need a table; halving the exponent by
@@ -128,8 +118,6 @@ static double square_root(double x)
 loft_real loft_acc_sqrt(loft_acc x) { return (loft_real)square_root(x); }
 
 loft_real loft_acc_quot(loft_acc x, loft_acc y) { return (loft_real)(x / y); }
-
-loft_unit loft_acc_part(loft_acc x, loft_acc y) { return (loft_unit)(x / y); }
 
 /* Scaled by the largest component, so that no square overflows or vanishes. */
 loft_acc loft_acc_hypot(const loft_acc x[], int n)

@@ -20,7 +20,6 @@
  *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real
  *   loft_acc_ratio(x, k)                    acc by a whole number k >= 1
  *   loft_acc_quot(x, y)                     quotient of two accs as real
- *   loft_acc_part(x, y)                     the parameter x / y, 0 <= x <= y
  *   loft_acc_fits(x)     loft_acc_round(x)  does it fit a real? the nearest real
  *   loft_real_valid(a)                      is it a number to compute with? always in q16
  *   loft_acc_grain(s)    loft_real_grain(s) the distance between neighbours at size s
@@ -76,14 +75,6 @@ loft_real loft_acc_sqrt(loft_acc x);
  *   cost    q16: at most 17 rounds of shift and one division
  */
 loft_real loft_acc_quot(loft_acc x, loft_acc y);
-
-/* Which part of y is x?
- *
- *   range   0 <= x <= y, y > 0
- *   error   q16: 2^-24   f32: 1/2 ulp   f64: 1/2 ulp
- *   cost    as loft_acc_quot
- */
-loft_unit loft_acc_part(loft_acc x, loft_acc y);
 
 /* The length of the vector x[0..n-1].
  *

@@ -1,0 +1,220 @@
+/* lib/motion/arc.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "motion/arc.h"
+
+#define SPECK        loft_acc_ratio(loft_wide(LOFT_REAL(1)), 8192)
+#define LENGTH_MAX   loft_wide(LOFT_REAL(256))      /* a loft_unit resolves 256 mm to 2^-17 mm */
+#define BEND_MAX     LOFT_REAL(16383)
+
+static loft_acc size_of(loft_acc x)     { return x < 0 ? -x : x; }
+static loft_acc larger(loft_acc x, loft_acc y) { return x > y ? x : y; }
+
+/* Is p on the segment a..b, to within 2^-16 mm per plane? The distance of p from the line is |q x c| / |c| with
+ * q = p - a, c = b - a. Products of coordinates are exact in q16; they sum to less than 6 * 2^28. */
+static bool on_chord(loft_vec p, loft_vec a, loft_vec b)
+{
+    const loft_vec q = loft_vec_sub(p, a), c = loft_vec_sub(b, a);
+    const loft_acc most = loft_acc_mul(loft_vec_distance(a, b), LOFT_REAL(0.0000152587890625));
+    const loft_acc done = loft_vec_dot(q, c);
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        for (int j = 0; j < i; j++)
+            if (size_of(loft_prod(q.axis[i], c.axis[j]) - loft_prod(q.axis[j], c.axis[i])) > most)
+                return false;
+    return done >= 0 && done <= loft_vec_dot(c, c);
+}
+
+static void straighten(loft_arc *a)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc third = loft_acc_ratio(a->p[3][i] - a->p[0][i], 3);
+        a->p[1][i] = a->p[0][i] + third;
+        a->p[2][i] = a->p[3][i] - third;
+    }
+}
+
+void loft_arc_from(loft_arc *whole, const loft_cubic *c)
+{
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            whole->p[k][i] = loft_wide(c->p[k].axis[i]);
+    if (on_chord(c->p[1], c->p[0], c->p[3]) && on_chord(c->p[2], c->p[0], c->p[3]))
+        straighten(whole);
+}
+
+/* The control points of the part a..b are the blossom at (a,a,a) (a,a,b) (a,b,b) (b,b,b). */
+static void set_part(loft_arc *out, const loft_arc *whole, loft_unit a, loft_unit b)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_acc qa[3], qb[3], aa[2], ab[2], bb[2];
+        for (int k = 0; k < 3; k++) {
+            qa[k] = loft_acc_lerp(whole->p[k][i], whole->p[k + 1][i], a);
+            qb[k] = loft_acc_lerp(whole->p[k][i], whole->p[k + 1][i], b);
+        }
+        for (int k = 0; k < 2; k++) {
+            aa[k] = loft_acc_lerp(qa[k], qa[k + 1], a);
+            ab[k] = loft_acc_lerp(qa[k], qa[k + 1], b);
+            bb[k] = loft_acc_lerp(qb[k], qb[k + 1], b);
+        }
+        out->p[0][i] = loft_acc_lerp(aa[0], aa[1], a);
+        out->p[1][i] = loft_acc_lerp(aa[0], aa[1], b);
+        out->p[2][i] = loft_acc_lerp(ab[0], ab[1], b);
+        out->p[3][i] = loft_acc_lerp(bb[0], bb[1], b);
+    }
+}
+
+/* Legs d_k = p_(k+1) - p_k are the derivative's control points over 3. When all are within |c| / 8 of their mean c (per
+ * axis), direction and rate change by at most 1/4 over the arc, so no feature hides between the places looked at. */
+static bool nearly_straight(const loft_arc *a)
+{
+    loft_acc chord[LOFT_AXES];
+    for (int i = 0; i < LOFT_AXES; i++)
+        chord[i] = a->p[3][i] - a->p[0][i];
+
+    const loft_acc length = loft_acc_hypot(chord, LOFT_AXES), most = length / 24;
+    if (length > LENGTH_MAX)
+        return false;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc c = loft_acc_ratio(chord[i], 3);
+        for (int k = 0; k < 3; k++)
+            if (size_of(a->p[k + 1][i] - a->p[k][i] - c) > most)
+                return false;
+    }
+    return length > 0;
+}
+
+static bool is_speck(const loft_arc *a)
+{
+    loft_acc sum = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        for (int k = 0; k < 3; k++)
+            sum += size_of(a->p[k + 1][i] - a->p[k][i]);
+    return sum <= SPECK;
+}
+
+/* The derivative over 3 at the start, the middle (times 4) and the end. */
+static void set_legs(const loft_arc *a, int i, loft_acc e[3])
+{
+    e[0] = a->p[1][i] - a->p[0][i];
+    e[2] = a->p[3][i] - a->p[2][i];
+    e[1] = loft_acc_ratio(e[0] + e[2] + 2 * (a->p[2][i] - a->p[1][i]), 4);
+}
+
+/* With g = |derivative| = 3 rate, Simpson's rule gives the length (g0 + 4 gm + g1) / 6. At the ends the parameter grows
+ * with the part z of the length by du/dz = length / g. */
+static void set_length(loft_arc *a)
+{
+    loft_acc e[LOFT_AXES][3], part[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        set_legs(a, i, e[i]);
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < LOFT_AXES; i++)
+            part[i] = e[i][k];
+        a->rate[k] = loft_acc_hypot(part, LOFT_AXES);
+    }
+    a->length = (a->rate[0] + 4 * a->rate[1] + a->rate[2]) / 2;
+    for (int k = 0; k < 2; k++)
+        a->lean[k] = a->rate[2 * k] > 0 ? loft_wide(loft_acc_quot(a->length - 3 * a->rate[2 * k], 3 * a->rate[2 * k])) : 0;
+}
+
+static bool cut(loft_arc *arc, const loft_arc *whole, uint32_t from, uint32_t to)
+{
+    set_part(arc, whole, loft_unit_of(from, LOFT_ARC_WHOLE), loft_unit_of(to, LOFT_ARC_WHOLE));
+    arc->speck = to - from == 1 || is_speck(arc);
+    if (!arc->speck && !nearly_straight(arc))
+        return false;
+    if (arc->speck)
+        straighten(arc);
+    set_length(arc);
+    return true;
+}
+
+void loft_arc_cut(loft_arc *arc, const loft_arc *whole, uint32_t from, uint32_t to)
+{
+    (void)cut(arc, whole, from, to);
+}
+
+/* The largest binary interval that begins at `from`, halved until it is nearly straight. */
+uint32_t loft_arc_next(loft_arc *arc, const loft_arc *whole, uint32_t from)
+{
+    uint32_t size = LOFT_ARC_WHOLE;
+
+    while (from % size != 0)
+        size /= 2;
+    while (!cut(arc, whole, from, from + size))
+        size /= 2;
+    return from + size;
+}
+
+/* With e = derivative / 3, f = second derivative / 6, u = e / |e| the curvature vector is
+ *
+ *     K = (C'' - u (u . C'')) / |C'|^2 = (2/3) (b - u (u . b)) / |e|,   b = f / |e|
+ *
+ * b is less than 1/2 because the legs differ by at most |c| / 4. Between the three places a parabola through them exceeds
+ * the largest by at most an eighth of its second difference. q16: an arc is longer than 2^-13 / 3, so K < 2^14. */
+static void set_station(const loft_arc *a, int k, loft_vec *u, loft_vec *bend)
+{
+    loft_acc along = 0;
+    loft_vec b;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_acc e[3];
+        set_legs(a, i, e);
+        const loft_acc d = a->p[2][i] - a->p[1][i];
+        const loft_acc f = k == 0 ? d - e[0] : k == 2 ? e[2] - d : (e[2] - e[0]) / 2;
+        u->axis[i] = loft_acc_quot(e[k], a->rate[k]);
+        b.axis[i]  = loft_acc_quot(f, a->rate[k]);
+        along += loft_prod(u->axis[i], b.axis[i]);
+    }
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc across = loft_wide(b.axis[i]) - loft_acc_mul(along, u->axis[i]);
+        bend->axis[i] = loft_acc_quot(loft_acc_ratio(2 * across, 3), a->rate[k]);
+    }
+}
+
+void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape)
+{
+    loft_vec u[3], bend[3];
+
+    for (int k = 0; k < 3 && !arc->speck; k++)
+        set_station(arc, k, &u[k], &bend[k]);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_acc along = loft_wide(LOFT_REAL(1)), most = 0;
+        if (!arc->speck) {
+            const loft_acc k0 = loft_wide(bend[0].axis[i]), k1 = loft_wide(bend[1].axis[i]), k2 = loft_wide(bend[2].axis[i]);
+            along = larger(size_of(loft_wide(u[0].axis[i])), larger(size_of(loft_wide(u[1].axis[i])), size_of(loft_wide(u[2].axis[i]))));
+            most  = larger(size_of(k0), larger(size_of(k1), size_of(k2))) + size_of(k0 - 2 * k1 + k2) / 8;
+        }
+        shape->along[i] = loft_acc_round(along);
+        shape->bend[i]  = most < loft_wide(BEND_MAX) ? loft_acc_round(most) : BEND_MAX;
+    }
+    if (!arc->speck) {
+        shape->first = u[0];
+        shape->last  = u[2];
+    }
+}
+
+/* The parameter as Hermite's cubic in the part z = s / length, with its slopes at both ends:
+ *
+ *     u(z) = z + z (1 - z) (lean0 (1 - z) - lean1 z)
+ */
+void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES])
+{
+    const loft_acc  one = loft_wide(LOFT_REAL(1));
+    const loft_unit z = loft_unit_ratio(s, arc->length), rest = LOFT_UNIT(1) - z;
+    const loft_acc  lean = loft_acc_scale(arc->lean[0], rest) - loft_acc_scale(arc->lean[1], z);
+    const loft_acc  at   = loft_acc_scale(one, z) + loft_acc_scale(loft_acc_scale(lean, z), rest);
+    const loft_unit u    = loft_unit_ratio(at < 0 ? 0 : at > one ? one : at, one);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_acc q[4];
+        for (int k = 0; k < 4; k++)
+            q[k] = arc->p[k][i];
+        for (int n = 3; n > 0; n--)
+            for (int k = 0; k < n; k++)
+                q[k] = loft_acc_lerp(q[k], q[k + 1], u);
+        out[i] = q[0];
+    }
+}

@@ -1,0 +1,57 @@
+/* lib/motion/arc.h -- arc: a part of a cubic that is nearly straight, walked by its length
+ * SPDX-License-Identifier: MIT
+ *
+ * A curve is cut into arcs so short that the parameter as a function of the length is a cubic to within
+ * rounding, and that direction and curvature change little.
+ */
+#ifndef LOFT_MOTION_ARC_H
+#define LOFT_MOTION_ARC_H
+
+#include "curve/bezier.h"   /* loft_cubic */
+
+#define LOFT_ARC_WHOLE ((uint32_t)1 << 20)  /* parameters of cuts are whole numbers: 2^20 is the end of the curve */
+
+/* Wide control points. Do not rely on the fields. */
+typedef struct {
+    loft_acc p[4][LOFT_AXES];
+    loft_acc length;            /* mm                                                                */
+    loft_acc rate[3];           /* |derivative| / 3 at the start, the middle and the end             */
+    loft_acc lean[2];           /* at start and end: d parameter / d (length / whole length), less 1 */
+    bool     speck;             /* too small to have a direction: a straight line of at most 2^-13 mm */
+} loft_arc;
+
+/* How an arc lies, per axis: bounds of direction and curvature, and the directions at its ends. */
+typedef struct {
+    loft_real along[LOFT_AXES];     /* largest |component| of the direction, 0..1            */
+    loft_real bend[LOFT_AXES];      /* largest |component| of the curvature vector, 1/mm     */
+    loft_vec  first, last;          /* directions, of length 1; not set for a speck          */
+} loft_arc_shape;
+
+/* The whole of a curve, to be cut. A curve that does not leave its chord by more than 2^-16 mm and does not
+ * overshoot its ends becomes the chord, walked evenly.
+ *
+ *   range   coordinates within half their range
+ */
+void loft_arc_from(loft_arc *whole, const loft_cubic *c);
+
+/* Cut the arc that begins at parameter `from` (a multiple of 2^-20); gives the parameter where it ends.
+ *
+ *   range   from = 0..LOFT_ARC_WHOLE - 1
+ *   error   the length errs by less than 2^-11 of itself
+ *   cost    20 cuts of 16 wide lerps per axis at most, 4 is usual
+ */
+uint32_t loft_arc_next(loft_arc *arc, const loft_arc *whole, uint32_t from);
+
+/* Cut the arc from..to, which loft_arc_next has found. */
+void loft_arc_cut(loft_arc *arc, const loft_arc *whole, uint32_t from, uint32_t to);
+
+void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape);
+
+/* The point at length s, 0 <= s <= arc->length, of an arc with length > 0.
+ *
+ *   error   q16: 2^-25 of the length   f32: 2^-24 of the length
+ *   cost    6 wide lerps per axis and 2 divisions
+ */
+void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES]);
+
+#endif

@@ -1,0 +1,69 @@
+/* lib/motion/limits.h -- what a machine can do, and what of it a plan may use
+ * SPDX-License-Identifier: MIT
+ *
+ * Speeds are compared by their squares: along a path with even acceleration a the square of the speed is a
+ * straight line, d(v^2) = 2 a ds. Such squares are loft_acc.
+ */
+#ifndef LOFT_MOTION_LIMITS_H
+#define LOFT_MOTION_LIMITS_H
+
+#include "geom/vec.h"   /* loft_vec */
+
+#define LOFT_SPEED_MIN LOFT_REAL(0.015625)  /* 1/64 mm/s: just below 1 mm/min */
+#define LOFT_SPEED_MAX LOFT_REAL(16383)     /* mm/s; its square has 28 bits   */
+#define LOFT_ACCEL_MIN LOFT_REAL(1)         /* mm/s^2                         */
+#define LOFT_ACCEL_MAX LOFT_REAL(16383)     /* mm/s^2                         */
+
+/* What the machine can do. */
+typedef struct {
+    loft_real max_speed[LOFT_AXES];     /* mm/s, 1/64..16383                                                  */
+    loft_real max_accel[LOFT_AXES];     /* mm/s^2, 1..16383; held by the whole vector of acceleration         */
+    loft_real corner;                   /* junction deviation in mm, 0..1, as grbl's $11; 0: stop at corners  */
+    loft_real tol;                      /* how far spans may leave the path, rounding included, mm, 1/1024..1 */
+    uint16_t  tick_hz;                  /* ticks per second, 50..50000                                        */
+} loft_limits;
+
+/* The limits as a plan uses them. Do not rely on the fields. */
+typedef struct {
+    loft_real max_speed[LOFT_AXES];
+    loft_real accel[LOFT_AXES];         /* mm/s^2 for acceleration along and across the path                  */
+    loft_real spare[LOFT_AXES];         /* mm/s: the change of velocity at a joint that the rest pays for     */
+    loft_real corner, tol;
+    loft_real swing;                    /* mm/s: the change of velocity at a corner that leaves the path by tol / 2 */
+    uint16_t  tick_hz, beat;            /* the path is sampled every `beat` ticks                             */
+} loft_budget;
+
+/* Are these limits possible?
+ *
+ *   range   LOFT_ERR_ARG for a limit that is zero (except corner), negative or not a number: the machine could
+ *           not move; LOFT_ERR_RANGE for one beyond the ranges beside the fields
+ */
+enum loft_status loft_limits_check(const loft_limits *limits) LOFT_CHECKED;
+
+/* What a plan may use of `limits`, which have been checked. */
+void loft_budget_init(loft_budget *b, const loft_limits *limits);
+
+/* mm per beat at a speed of v mm/s, 0 <= v <= LOFT_SPEED_MAX.
+ *
+ *   error   q16: 2^-33 mm   f32, f64: 1 ulp of double
+ */
+loft_acc loft_budget_beat(const loft_budget *b, loft_real v);
+
+/* The most that the square of the speed may be where the direction jumps from `before` to `after` (of length
+ * 1); `spacing` is the distance to the next such place, mm.
+ *
+ *   range   gives at most LOFT_SPEED_MAX squared, and more than 0
+ *   error   q16: below 1 % for turns of more than 0.002
+ */
+loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing);
+
+/* a / b where that is less than v, else v; a, b >= 0.
+ *
+ *   error   as loft_div
+ */
+static inline loft_real loft_real_cap(loft_real v, loft_real a, loft_real b)
+{
+    return loft_prod(v, b) > loft_wide(a) ? loft_div(a, b) : v;
+}
+
+#endif
