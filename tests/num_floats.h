@@ -143,6 +143,7 @@ static void ratios_of_accs_are_nearest(arb *a)
     const long double want = (long double)x / y;
     near(loft_unit_ratio(x, y), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 0.5L + 0x1p-11L));
     near(loft_unit_ratio(-y, y), -1, 1, REAL_BITS, 0);
+    near(loft_acc_quot(x, y), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 0.5L + 0x1p-11L));
 }
 
 static void grains_are_one_to_two_ulps(arb *a)

@@ -273,6 +273,18 @@ static void ratios_of_accs_are_parameters(arb *a)
     CHECK(loft_unit_ratio(y, y) == LOFT_UNIT(1) && loft_unit_ratio(-y, y) == LOFT_UNIT(-1) && loft_unit_ratio(0, y) == 0);
 }
 
+/* A quotient of two wide numbers of any size that fits a real. */
+static void wide_quotients_are_within_their_bound(arb *a)
+{
+    const int64_t y = (int64_t)(arb_next(a) >> 1 >> arb_below(a, 63)) + 1, most = y > INT64_MAX / 32767 ? INT64_MAX : y * 32767;
+    int64_t x = (int64_t)(arb_next(a) >> 1 >> arb_below(a, 63));
+
+    x = arb_below(a, 8) == 0 ? most : x > most ? x % most : x;
+    x = arb_below(a, 2) ? x : -x;
+    const long double want = 65536.0L * (long double)x / (long double)y;
+    CHECK_NEAR((long double)loft_acc_quot(x, y) - want, 0, 0.5L + 0x1p-11L + fabsl(want) * 0x1p-30L);
+}
+
 static void conversions_are_exact(arb *a)
 {
     (void)a;
@@ -312,6 +324,7 @@ static int test_num(void)
     PROPERTY(hypot_of_whole_triples_is_exact_when_small,     2000);
     PROPERTY(parameters_are_nearest,                            1);
     PROPERTY(ratios_of_accs_are_parameters,                100000);
+    PROPERTY(wide_quotients_are_within_their_bound,        100000);
     PROPERTY(conversions_are_exact,                             1);
     PROPERTY(constants_are_nearest,                             1);
     return check_failures();
