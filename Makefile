@@ -109,6 +109,12 @@ $(TOOL_OUT)/loft: $(TOOL_OBJ)
 .PHONY: tools
 tools: $(TOOL_OUT)/loft
 
+## Draw tests/drawings/demo.svg on the simulated machine; writes build/demo/drawn.png   DRAWING=file.svg
+DRAWING ?= tests/drawings/demo.svg
+.PHONY: demo
+demo: $(TOOL_OUT)/loft
+	@host-tools/demo.sh $< $(DRAWING) build/demo
+
 # --- on a fresh machine ------------------------------------------------------------------------------
 HOST_PACKAGES := gcc libc6-dev make pkg-config clang libclang-rt-14-dev libxml2-dev libcairo2-dev libserialport-dev
 

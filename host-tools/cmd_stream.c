@@ -142,7 +142,7 @@ static int stream(const stream_options *o, const char *file, const drawing *d, t
         code = plan_for(o, file, d, how, s, &path, &j);
     }
     if (code == 0) {
-        const stream_subject about = { path.curves, path.drawn, o->tol, file, o->record };
+        const stream_subject about = { path.curves, path.drawn, o->tol, d, o->record };
         code = stream_run(t, &j, &about);
     }
     job_free(&j);

@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 
+#include "drawing.h"        /* drawing */
 #include "job.h"            /* job  */
 #include "talk.h"           /* talk */
 
@@ -14,7 +15,7 @@ typedef struct {
     size_t curves;
     double drawn;           /* mm                                                       */
     double tol;             /* mm, planned                                              */
-    const char *file;       /* of the drawing                                           */
+    const drawing *d;
     const char *record;     /* the pulses that a simulated machine recorded, or NULL    */
 } stream_subject;
 

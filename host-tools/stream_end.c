@@ -2,9 +2,12 @@
  * SPDX-License-Identifier: MIT
  */
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "record.h"         /* record_worst_error */
 #include "stream_end.h"
 #include "tool.h"
 
@@ -61,11 +64,46 @@ static void print_line(const talk *t, const job *j)
     printf("%u of %u frames resent\n", (unsigned)s->resent, (unsigned)(s->sent + s->resent));
 }
 
+/* The record of a machine that lives in another process: it is complete when it ends where the report says. */
+static int read_record(const loft_sender *s, const char *file, record *r)
+{
+    for (double until = tool_clock() + 2;;) {
+        bool complete  = true;
+        const int code = record_read(r, file);
+        if (code != 0)
+            return code;
+        for (int i = 0; i < LOFT_AXES && r->count > 0; i++)
+            complete = complete && lround(r->pulse[r->count - 1].at[i] * r->steps_per_mm[i]) == s->report.position[i];
+        if (complete && r->count > 0)
+            return 0;
+        record_free(r);
+        if (tool_clock() > until)
+            return tool_error(EX_DATAERR, "%s: does not end where the machine says it stands: name the record of this machine", file);
+        usleep(50000);
+    }
+}
+
+/* "worst path error 0.0031 mm", measured, or what was planned. */
+static int error_text(const loft_sender *s, const stream_subject *about, char text[64])
+{
+    record r = { 0 };
+
+    if (about->record == NULL) {
+        snprintf(text, 64, "path planned within %.4f mm", about->tol);
+        return 0;
+    }
+    const int code = read_record(s, about->record, &r);
+    if (code == 0)
+        snprintf(text, 64, "worst path error %.4f mm", record_worst_error(about->d, &r, NULL, NULL));
+    record_free(&r);
+    return code;
+}
+
 static int drawn(talk *t, const job *j, const stream_subject *about)
 {
     const loft_sender *s = &t->sender;
     int32_t want[LOFT_AXES];
-    char text[96], other[96];
+    char text[96], other[96], error[64];
 
     commanded(s, j, want);
     if (memcmp(want, s->report.position, sizeof want) != 0)
@@ -73,8 +111,11 @@ static int drawn(talk *t, const job *j, const stream_subject *about)
                           steps_text(s->report.position, text), steps_text(want, other));
     if (s->collected)
         fprintf(stderr, "this job was drawn already: its report is\n");
-    printf("drawn: %zu curves, %.3f m, %.1f s machine time, path planned within %.4f mm, steps %s as commanded\n",
-           about->curves, about->drawn / 1000, machine_seconds(s), about->tol, steps_text(want, text));
+    const int code = error_text(s, about, error);
+    if (code != 0)
+        return code;
+    printf("drawn: %zu curves, %.3f m, %.1f s machine time, %s, steps %s as commanded\n", about->curves, about->drawn / 1000,
+           machine_seconds(s), error, steps_text(want, text));
     print_line(t, j);
     return EX_OK;
 }

@@ -1,0 +1,27 @@
+#!/bin/bash
+# host-tools/demo.sh -- the main job on the simulated machine: a drawing, through a pty, to counted pulses and a picture
+# SPDX-License-Identifier: MIT
+# usage: host-tools/demo.sh LOFT DRAWING DIRECTORY
+set -eu
+loft=$1 drawing=$2 out=$3
+mkdir -p "$out"
+rm -f "$out/machine" "$out/pulses.csv" "$out/drawn.png"
+
+machine=
+clean_up() { [ -z "$machine" ] || kill "$machine" 2>/dev/null || true; rm -f "$out/machine"; }
+trap clean_up EXIT
+trap 'exit 130' INT TERM
+
+"$loft" simulate --speed fast --steps 320 --slots 80 --link "$out/machine" --record "$out/pulses.csv" --once >"$out/machine.log" 2>&1 &
+machine=$!
+for _ in $(seq 100); do
+    [ -e "$out/machine" ] && break
+    kill -0 "$machine" 2>/dev/null || { cat "$out/machine.log" >&2; exit 70; }
+    sleep 0.05
+done
+
+"$loft" stream "$drawing" --port "$out/machine" --record "$out/pulses.csv"
+wait "$machine"
+machine=
+"$loft" plot "$drawing" --record "$out/pulses.csv" --error 0 --output "$out/drawn.png"
+echo "picture: $out/drawn.png"
