@@ -32,7 +32,7 @@ compile_lib() {
     out=build/cross/$1-$2x$3
     rm -rf "$out"
     mkdir -p "$out"
-    flags="-std=c99 -ffreestanding -Os -ffunction-sections -fstack-usage -Ilib $warnings -DLOFT_NUM=LOFT_$(echo "$2" | tr a-z A-Z) -DLOFT_AXES=$3"
+    flags="-std=c99 -ffreestanding -Os -ffunction-sections -fstack-usage -Ilib -Iports $warnings -DLOFT_NUM=LOFT_$(echo "$2" | tr a-z A-Z) -DLOFT_AXES=$3"
     for c in lib/*/*.c ports/template/*.c; do
         [ -f "$c" ] || continue
         object=$(echo "${c%.c}" | sed 's|^lib/||; s|/|-|g').o

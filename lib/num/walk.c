@@ -277,7 +277,7 @@ static void run_cubic(loft_state d[], loft_real out[], size_t stride, uint32_t c
         d0 += d1;
         d1 += d2;
         d2 += d3;
-        out[j * stride] = loft_state_real(d0);
+        out[j * stride] = loft_state_real(&d0);
     }
     d[0] = d0;
     d[1] = d1;
@@ -295,7 +295,7 @@ static void run_quintic(loft_state d[], loft_real out[], size_t stride, uint32_t
         d2 += d3;
         d3 += d4;
         d4 += d5;
-        out[j * stride] = loft_state_real(d0);
+        out[j * stride] = loft_state_real(&d0);
     }
     d[0] = d0;
     d[1] = d1;

@@ -27,7 +27,16 @@ typedef struct {
 } loft_walk;
 
 /* error none: the rounding is in the state */
-static inline loft_real loft_state_real(loft_state s)   { return loft_acc_high((int64_t)s); }
+static inline loft_real loft_state_real(const loft_state *s)
+{
+#if defined(__AVR__)
+    int32_t high;       /* four bytes, where loft_acc_high would load eight */
+    __builtin_memcpy(&high, (const uint8_t *)s + 4, 4);
+    return high;
+#else
+    return loft_acc_high((int64_t)*s);
+#endif
+}
 
 /* The value that the walk gives as its last one: here the differences lead to it. */
 static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)w; return arrived; }
@@ -45,17 +54,32 @@ typedef struct {
     loft_real end;
 } loft_walk;
 
-static inline loft_real loft_state_real(loft_state s)   { return (loft_real)s; }
+static inline loft_real loft_state_real(const loft_state *s) { return (loft_real)*s; }
 static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)arrived; return w->end; }
 
 #endif
 
+/* d[0] += d[1]. avr-gcc calls a function for it, with 16 registers to fill. */
+static inline void loft_state_add(loft_state d[2])
+{
+#if defined(__AVR__)
+#  define LOFT_ADD_BYTE(add, i) "ldd __tmp_reg__, Z+" #i "\n ldd %0, Z+8+" #i "\n " add " __tmp_reg__, %0\n std Z+" #i ", __tmp_reg__\n "
+    uint8_t byte;
+    __asm__ volatile (LOFT_ADD_BYTE("add", 0) LOFT_ADD_BYTE("adc", 1) LOFT_ADD_BYTE("adc", 2) LOFT_ADD_BYTE("adc", 3)
+                      LOFT_ADD_BYTE("adc", 4) LOFT_ADD_BYTE("adc", 5) LOFT_ADD_BYTE("adc", 6) LOFT_ADD_BYTE("adc", 7)
+                      : "=&r" (byte) : "z" (d) : "memory");
+#  undef LOFT_ADD_BYTE
+#else
+    d[0] += d[1];
+#endif
+}
+
 /* One step of the first `degree` differences. */
 static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
 {
-    for (unsigned k = 0; k < degree; k++)
-        w->d[k] += w->d[k + 1];
-    return loft_state_real(w->d[0]);
+    for (loft_state *d = w->d, *end = d + degree; d != end; d++)
+        loft_state_add(d);
+    return loft_state_real(w->d);
 }
 
 /* Does the law of ranges (walk.c) admit n >= 1 steps? */
