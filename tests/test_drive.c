@@ -1,6 +1,10 @@
 /* tests/test_drive.c -- properties of lib/machine/drive.h: whole jobs, slot by slot
  * SPDX-License-Identifier: MIT
  */
+#define _DEFAULT_SOURCE     /* setitimer */
+#include <signal.h>
+#include <sys/time.h>
+
 #include "rig.h"
 
 static loft_drive drive;
@@ -39,6 +43,8 @@ static void rig_life(arb *a, uint32_t slot)
         loft_drive_hold(&drive, false);
     if (arb_below(a, 4000) == 0)
         loft_drive_override(&drive, arb_below(a, 120));
+    if (arb_below(a, 100) == 0)
+        loft_drive_prepare(&drive);
     if (r.law || arb_below(a, 3) == 0)
         loft_drive_tick(&drive);
 }
@@ -227,6 +233,46 @@ static void steps_that_do_not_fit_their_tick_are_all_made(arb *a)
     CHECK(end.slowed > 0);
 }
 
+/* The timer is set anew each time, so the main loop gets its share on any machine. */
+static void interrupt_in(int us)
+{
+    const struct itimerval once = { { 0, 0 }, { 0, us } };
+    setitimer(ITIMER_REAL, &once, NULL);
+}
+
+static void interrupt(int number)
+{
+    (void)number;
+    for (int slot = 0; slot < 37; slot++) {
+        loft_drive_tick(&drive);
+        rig_slot();
+    }
+    interrupt_in(30);
+}
+
+/* Ticks and slots in a real interrupt, at any instruction of the main loop. */
+static void an_interrupt_at_any_place_of_the_main_loop_does_no_harm(arb *a)
+{
+    uint32_t prepared = 0;
+
+    rig_start(a, 40, (uint16_t)(1 + arb_below(a, 60)), 20);
+    signal(SIGALRM, interrupt);
+    interrupt_in(30);
+    for (uint32_t turn = 0; loft_state_busy(drive.state) && turn < 100000000; turn++) {
+        const uint8_t ready = drive.ready;
+        rig_push();
+        if (r.pushed == r.items)
+            loft_drive_end(&drive);
+        loft_drive_prepare(&drive);
+        prepared += !ready && drive.ready;
+        const loft_drive_report now = loft_drive_poll(&drive);
+        CHECK(now.executed <= now.ticks && now.ticks <= r.ticks && now.room <= r.cells);
+    }
+    signal(SIGALRM, SIG_IGN);
+    CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks && drive.executed == r.items);
+    CHECK(prepared > 0 || r.kind == LOFT_POINTS);
+}
+
 static void init_refuses_what_cannot_work(arb *a)
 {
     loft_drive_config c = { { 0 }, { 0 }, 40, 100, cells, CELLS };
@@ -255,6 +301,7 @@ int main(void)
     PROPERTY(an_abort_stands_on_the_path_and_the_next_job_begins_there,        30);
     PROPERTY(items_that_are_too_fast_are_refused_and_change_nothing,           20);
     PROPERTY(steps_that_do_not_fit_their_tick_are_all_made,                     5);
+    PROPERTY(an_interrupt_at_any_place_of_the_main_loop_does_no_harm,           8);
     PROPERTY(init_refuses_what_cannot_work,                                     1);
     return check_failures();
 }

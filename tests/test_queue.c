@@ -56,6 +56,11 @@ static void items_come_out_in_order_and_unchanged(arb *a)
                 polled++;
             }
         }
+        if (arb_below(a, 3) == 0) {
+            const loft_item want = numbered(polled);
+            CHECK(loft_queue_peek(&q, &item) == (polled < pushed));
+            CHECK(polled == pushed || same(&item, &want));
+        }
         if (arb_below(a, 3) == 0)
             CHECK(loft_queue_room(&q) == count - (pushed - polled));
         CHECK(loft_queue_full(&q) == (looked - polled == count));

@@ -54,7 +54,7 @@ static void pulses_follow_the_straight_line_within_half_a_step(arb *a)
         }
         CHECK(loft_step_done(&s));
         for (int i = 0; i < LOFT_AXES; i++)
-            CHECK(at[i] == target[i] && s.position[i] == target[i]);
+            CHECK(at[i] == target[i] && s.axis[i].position == target[i]);
         const loft_pins still = loft_step_next(&s);
         CHECK(still.step == 0 && loft_step_done(&s));
     }

@@ -14,7 +14,7 @@ enum { NO_TICK = 0, TICK = 1, LAST_TICK = 2 };     /* LAST_TICK: of its item */
 /* How many items one call looks at. The queue empties by at most one item per tick, so any number above 1 catches up. */
 #define LOOKS 8
 
-static void copy(int32_t to[LOFT_AXES], const int32_t from[LOFT_AXES])
+static void copy(volatile int32_t to[LOFT_AXES], const volatile int32_t from[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++)
         to[i] = from[i];
@@ -88,6 +88,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int3
     copy(d->from, start);
     copy(d->end, start);
     d->ahead = d->left = 0;
+    d->which = d->ready = d->item = 0;
     d->running = d->prepared = NO_TICK;
     d->aim = 0;
     d->executed = d->ticks = d->slowed = d->elapsed = 0;
@@ -253,19 +254,49 @@ static void stand(loft_drive *d, bool ended)
         d->state = d->hold ? LOFT_STATE_HELD : LOFT_STATE_RUNNING;
 }
 
+static bool walk_item(loft_forward *walk, const loft_item *item, const int32_t from[LOFT_AXES])
+{
+    loft_span span;
+
+    loft_item_span(item, from, &span);
+    return loft_span_walk(walk, &span) == LOFT_OK;
+}
+
+/* The tick may take the item while this runs: the number tells, here and when the walk is used. The tick leaves
+ * walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. */
+void loft_drive_prepare(loft_drive *d)
+{
+    const uint8_t number = d->item;
+    int32_t from[LOFT_AXES];
+    loft_item item;
+
+    if (!d->active || d->ready || d->kind != LOFT_SPANS || !loft_queue_peek(&d->queue, &item))
+        return;
+    copy(from, d->from);
+    if (number != d->item || !walk_item(&d->walk[!d->which], &item, from))
+        return;
+    LOFT_BARRIER();
+    d->ready_item = number;
+    d->ready = 1;
+}
+
 /* Take the next item, of which there is one: it was counted in `ahead`. */
 static bool next_item(loft_drive *d)
 {
+    const bool ready = d->ready && d->ready_item == d->item;
+    int32_t from[LOFT_AXES];
     loft_item item;
-    loft_span span;
 
     if (!loft_queue_poll(&d->queue, &item))
         return false;
-    if (d->kind == LOFT_SPANS) {
-        loft_item_span(&item, d->from, &span);
-        if (loft_span_walk(&d->walk, &span) != LOFT_OK)
-            return false;
-    }
+    LOFT_BARRIER();
+    copy(from, d->from);
+    d->item++;
+    if (ready)
+        d->which ^= 1;
+    else if (d->kind == LOFT_SPANS && !walk_item(&d->walk[d->which], &item, from))
+        return false;
+    d->ready = 0;
     copy(d->from, item.p[2]);
     d->left = item.ticks;
     return true;
@@ -279,17 +310,15 @@ static bool next_target(loft_drive *d)
         return false;
     if (d->kind == LOFT_POINTS)
         copy(d->target, d->from);
-    else if (loft_forward_next(&d->walk, &mm))
+    else if (loft_forward_next(&d->walk[d->which], &mm))
         steps_of(d, mm, d->target);
     d->left--;
     d->ahead--;
     return true;
 }
 
-void loft_drive_tick(loft_drive *d)
+void loft_drive_next(loft_drive *d)
 {
-    if (!d->active || !loft_step_room(&d->step))
-        return;
     const bool ended = d->ended;        /* before the queue is looked at: what was pushed before it is seen */
 
     count_ticks(d);

@@ -1,7 +1,7 @@
 /* lib/machine/drive.h -- the drive: items of a job become pulses, at the pace that orders and supply allow
  * SPDX-License-Identifier: MIT
  *
- *     main loop       begin, push, end; hold, abort, override; loft_drive_report
+ *     main loop       begin, push, end; hold, abort, override; poll; prepare: the walk of the next span
  *     tick            loft_drive_tick: queue -> span walker -> steps of the next tick; about 1 kHz
  *     slot            loft_drive_slot: the pins; about 40 kHz
  *
@@ -51,8 +51,11 @@ typedef struct {
 
     loft_pace    pace;                  /* tick                                                              */
     loft_queue   queue;                 /* tick and main loop                                                */
-    loft_forward walk;
-    int32_t      from[LOFT_AXES];       /* where the next item begins: raw mm or steps                       */
+    loft_forward walk[2];               /* of this item and, when it is ready, of the next one               */
+    uint8_t      which;                 /* walk[which] is being walked                                       */
+    volatile uint8_t ready, ready_item; /* main loop: walk[!which] is prepared, for this item                */
+    volatile uint8_t item;              /* number of the item that is taken next, modulo 256                 */
+    volatile int32_t from[LOFT_AXES];   /* where the next item begins: raw mm or steps                       */
     int32_t      target[LOFT_AXES];     /* steps at the end of the last prepared tick                        */
     uint32_t     ahead;                 /* ticks in the queue, and of the item being walked                  */
     uint16_t     left;                  /* ticks of the item being walked                                    */
@@ -106,6 +109,10 @@ void loft_drive_override(loft_drive *d, unsigned percent);
 /* The job is over and its report read: LOFT_STATE_IDLE. Nothing happens while a job is under way. */
 void loft_drive_close(loft_drive *d);
 
+/* Prepare the walk of the next span, if that is not done: some 25000 cycles per axis on an AVR, which loft_drive_tick
+ * would have to spend at the beginning of the span. Call it now and then; nothing else depends on it. */
+void loft_drive_prepare(loft_drive *d);
+
 /* How things stand; when state is DONE or ABORTED, all of it is final. */
 loft_drive_report loft_drive_poll(loft_drive *d);
 
@@ -113,11 +120,18 @@ loft_drive_report loft_drive_poll(loft_drive *d);
 // Tick and slot
 // -------------
 
-/* Prepare the next tick if there is room for it. Call it behind every slot, or at least once per tick.
+/* Make the next tick, for which there is room. */
+void loft_drive_next(loft_drive *d);
+
+/* Make the next tick if there is room for it. Call it behind every slot, or at least once per tick.
  *
- *   cost    with a new item: that of loft_span_walk; else loft_forward_next, LOFT_AXES products and loft_step_load;
- *           while the pace changes, loft_pace_next */
-void loft_drive_tick(loft_drive *d);
+ *   cost    when there is room: loft_forward_next, LOFT_AXES products and loft_step_load; while the pace changes,
+ *           loft_pace_next; with a new span that loft_drive_prepare has not prepared, loft_span_walk */
+static inline void loft_drive_tick(loft_drive *d)
+{
+    if (d->active && loft_step_room(&d->step))
+        loft_drive_next(d);
+}
 
 /* What the pins do in this slot.
  *

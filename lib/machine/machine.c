@@ -104,6 +104,7 @@ void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count)
 
 size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])
 {
+    loft_drive_prepare(&m->drive);
     const loft_standing now = standing(m);
     return loft_receiver_poll(&m->receiver, &now, wire);
 }

@@ -44,6 +44,20 @@ enum loft_status loft_queue_push(loft_queue *q, const loft_item *item)
     return LOFT_OK;
 }
 
+bool loft_queue_peek(const loft_queue *q, loft_item *out)
+{
+    uint16_t once, tail = q->tail;
+
+    do {                                /* twice the same is not half of each */
+        once = tail;
+        tail = q->tail;
+    } while (once != tail);
+    if (!q->cell[tail].full)
+        return false;
+    *out = q->cell[tail].item;
+    return true;
+}
+
 uint16_t loft_queue_look(loft_queue *q)
 {
     if (loft_queue_full(q) || !q->cell[q->seen].full)

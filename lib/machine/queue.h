@@ -12,6 +12,13 @@
 
 #define LOFT_QUEUE_MAX 32768u
 
+/* The compiler moves no access to memory across this. (The processor does not either: there is one core.) */
+#if defined(__GNUC__)
+#  define LOFT_BARRIER() __asm__ volatile ("" ::: "memory")
+#else
+#  define LOFT_BARRIER() ((void)0)      /* have the compiler not optimise across files */
+#endif
+
 typedef struct {
     loft_item item;
     uint8_t full;
@@ -22,7 +29,8 @@ typedef struct {
     volatile loft_cell *cell;
     uint16_t count;
     uint16_t head, freed, room;         /* producer: fill next; give back next; empty cells known  */
-    uint16_t tail, seen, looked;        /* consumer: take next; look at next; cells between them   */
+    volatile uint16_t tail;             /* consumer: take next; look at next; cells between them   */
+    uint16_t seen, looked;
 } loft_queue;
 
 /* Empty the queue. Neither side may be at work.
@@ -40,6 +48,10 @@ enum loft_status loft_queue_push(loft_queue *q, const loft_item *item) LOFT_CHEC
 
 /* Items that can be appended now. */
 uint16_t loft_queue_room(loft_queue *q);
+
+/* Copy the oldest item without taking it; false if there is none. The consumer may take it meanwhile, it is then the copy
+ * of an item that is gone: ask the consumer's count before and after. */
+bool loft_queue_peek(const loft_queue *q, loft_item *out);
 
 
 // Consumer

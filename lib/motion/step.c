@@ -26,8 +26,8 @@ enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
             return LOFT_ERR_RANGE;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        s->position[i] = s->target[i] = position[i];
-        s->count[i] = s->error[i] = 0;
+        s->axis[i].position = s->target[i] = position[i];
+        s->axis[i].count = s->axis[i].error = 0;
     }
     s->slots = 1;
     s->left = 0;
@@ -70,13 +70,15 @@ uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t 
     return (uint16_t)(slots + lead);
 }
 
+#define ALL_AXES (1u << LOFT_AXES)
+
 static void take_tick(loft_step *s)
 {
     const uint16_t slots = s->tick.slots;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        s->count[i] = s->tick.count[i];
-        s->error[i] = (uint16_t)(slots / 2u);
+        s->axis[i].count = s->tick.count[i];
+        s->axis[i].error = (uint16_t)(slots / 2u);
     }
     s->slots = slots;
     s->left = slots;
@@ -100,17 +102,23 @@ loft_pins loft_step_next(loft_step *s)
     if (s->left == 0)
         return pins;
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const uint16_t error = (uint16_t)(s->error[i] + s->count[i]);
-        if (error >= s->slots) {
-            const uint8_t bit = (uint8_t)(1u << i);
-            s->error[i] = (uint16_t)(error - s->slots);
-            s->position[i] += s->dir & bit ? -1 : 1;
+    const uint16_t slots = s->slots;
+    loft_step_axis *axis = s->axis;
+    uint8_t bit = 1;
+    do {
+        uint16_t error = (uint16_t)(axis->error + axis->count);
+        if (error >= slots) {
+            error = (uint16_t)(error - slots);
             pins.step |= bit;
-        } else {
-            s->error[i] = error;
+            if (pins.dir & bit)
+                axis->position--;
+            else
+                axis->position++;
         }
-    }
+        axis->error = error;
+        axis++;
+        bit = (uint8_t)(bit << 1);
+    } while (bit != ALL_AXES);
     if (pins.step)
         s->changes++;
     if (--s->left == 0)
@@ -125,7 +133,7 @@ void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES])
     do {
         changes = s->changes;
         for (int i = 0; i < LOFT_AXES; i++)
-            position[i] = s->position[i];
+            position[i] = s->axis[i].position;
     } while (changes != s->changes);
 }
 

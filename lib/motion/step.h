@@ -30,10 +30,15 @@ typedef struct {
     bool lead;                          /* one slot before the first for the direction bits alone     */
 } loft_step_tick;
 
+/* One axis in the running tick. */
+typedef struct {
+    volatile int32_t position;          /* steps: the sum of all pulses so far                        */
+    uint16_t count, error;
+} loft_step_axis;
+
 /* Complete so that it can be static; the fields may change without notice. */
 typedef struct {
-    volatile int32_t position[LOFT_AXES];       /* steps: the sum of all pulses so far                */
-    uint16_t count[LOFT_AXES], error[LOFT_AXES];
+    loft_step_axis axis[LOFT_AXES];
     uint16_t slots, left;                       /* of the running tick; those still to come           */
     volatile uint8_t busy;                      /* left != 0, in one byte                             */
     uint8_t dir;

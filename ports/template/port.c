@@ -44,7 +44,7 @@ void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
     (void)dir_bits;
 }
 
-/* Take what the receive interrupt has put into a ring buffer. 64 bytes last 5 ms at 115200 baud. */
+/* Take what the receive interrupt has put into a ring buffer; port.h says how large it should be. */
 size_t loft_port_read(uint8_t *bytes, size_t max)
 {
     (void)bytes;
