@@ -50,8 +50,8 @@ bool loft_flatten_next(loft_flatten *f, loft_vec *out);
 
 /* The length of the curve, by halving until chord and control polygon, between which it lies, agree.
  *
- *   range   any control points that are numbers; tol below 2^-23 of the control polygon's length counts as that
- *   error   tol + 2^-27 of the length + 1 LSB in q16
+ *   range   any control points that are numbers; tol below 2^-22 of the control polygon's length counts as that
+ *   error   tol, and for the arithmetic 2^-27 of the length + 1 LSB in q16, 2^-40 of it in f32 and f64
  *   cost    about sqrt(length / tol) times the turning angle in pieces, each 14 lerps and 4 square roots
  *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997
  */
@@ -59,8 +59,9 @@ loft_acc loft_cubic_length(const loft_cubic *c, loft_real tol);
 
 /* The parameter at which the curve has the length `length`; 0 below, 1 beyond. Never decreases with `length`.
  *
- *   error   the length from 0 to the result is off by at most that of loft_cubic_length and one step of t:
- *           the speed |P'| there times 2^-24
+ *   range   as loft_cubic_length, but 2^-21 of the polygon
+ *   error   the length from 0 to the result is off by no more than that of loft_cubic_length and, in q16 and f32,
+ *           what one step of t = 2^-24 makes
  *   cost    as loft_cubic_length, up to there. For many lengths along one curve take a ruler
  */
 loft_unit loft_cubic_at_length(const loft_cubic *c, loft_acc length, loft_real tol);
@@ -78,11 +79,14 @@ typedef struct {
     loft_acc   mark[LOFT_RULER_MARKS + 1];
 } loft_ruler;
 
-/* Measure `c` once; it is copied. Range, error and cost are those of loft_cubic_length.
- * A control point that is no number: LOFT_ERR_RANGE, tol <= 0: LOFT_ERR_ARG. */
+/* Measure `c` once; it is copied.
+ *
+ *   range   tol <= 0: LOFT_ERR_ARG, a control point that is no number: LOFT_ERR_RANGE; else as at_length
+ *   cost    that of loft_cubic_length
+ */
 enum loft_status loft_ruler_init(loft_ruler *r, const loft_cubic *c, loft_real tol) LOFT_CHECKED;
 
-/* The length of the whole curve, and from 0 to t; never decreases with t. Error as loft_cubic_length. */
+/* The length of the whole curve, and from 0 to t (clamped to 0..1). Range and error as at_length. */
 loft_acc loft_ruler_length(const loft_ruler *r);
 loft_acc loft_ruler_eval(const loft_ruler *r, loft_unit t);
 

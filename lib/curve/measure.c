@@ -1,0 +1,238 @@
+/* lib/curve/measure.c -- length, and the parameter at a length (curve/measure.h)
+ * SPDX-License-Identifier: MIT
+ *
+ * With w0 w1 w2 the legs of the control polygon, the piece a..b of the curve, h = b - a, has the legs
+ *
+ *     h v0,  h v1,  h v2           v0 = w[a,a],  v1 = w[a,b],  v2 = w[b,b]        (blossoms of a quadratic)
+ *
+ * and its length lies between chord and polygon,
+ *
+ *     h |v0 + v1 + v2|  <=  length  <=  h (|v0| + |v1| + |v2|)
+ *
+ * The mean of the two is taken where they differ by at most 2 h tol, so that all pieces together err by at
+ * most tol. (For pieces without inflection the mean is far better than that: Gravesen.) Elsewhere the piece
+ * is halved. With D the larger of |w1 - w0|, |w2 - w1|, both at most the polygon's length P, two neighbours of
+ * v0 v1 v2 are at most h D apart, and the difference is at most 4 h D: at 24 halvings it is below 2 tol for
+ * all tol >= 2^-23 P. Twice that is asked, for the rounding of lengths, 2^-28 of each in q16.
+ *
+ * Lengths are those of v, at most 3 * 2^16 sqrt(6) < 2^19; their rounding is scaled down with h.
+ *
+ * The pieces are the leaves of a binary tree, piece k of 2^level; they are visited in order. The one after
+ * piece k is k + 1, or rather its largest ancestor that starts there: no stack. */
+#include "curve/measure.h"
+
+#define LEVELS     24       /* all k / 2^24 are exact in every number type */
+#define MARK_LEVEL 4
+typedef char marks_are_a_level[LOFT_RULER_MARKS == 1 << MARK_LEVEL ? 1 : -1];
+
+typedef struct {
+    loft_acc legs[3][LOFT_AXES];
+    loft_acc polygon;
+    loft_acc tol;
+} hodograph;
+
+typedef struct {
+    uint32_t k;
+    uint8_t  level;
+} piece;
+
+/* Lengths per unit of the parameter. */
+typedef struct {
+    loft_acc chord, polygon, slowest, fastest;
+} pair;
+
+static loft_unit start_of(piece n)  { return loft_unit_of(n.k, (uint32_t)1 << n.level); }
+static loft_unit end_of(piece n)    { return loft_unit_of(n.k + 1, (uint32_t)1 << n.level); }
+static piece     half_of(piece n, uint32_t side)
+{
+    const piece half = { 2 * n.k + side, (uint8_t)(n.level + 1) };
+    return half;
+}
+
+static void prepare(hodograph *h, const loft_cubic *c, loft_acc tol)
+{
+    h->polygon = 0;
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < LOFT_AXES; i++)
+            h->legs[k][i] = loft_wide(c->p[k + 1].axis[i]) - loft_wide(c->p[k].axis[i]);
+        h->polygon += loft_acc_hypot(h->legs[k], LOFT_AXES);
+    }
+    const loft_acc least = loft_acc_ratio(h->polygon, (int32_t)1 << 22);
+    h->tol = tol > least ? tol : least;
+}
+
+static pair between(const hodograph *h, loft_unit from, loft_unit to)
+{
+    loft_acc v[3][LOFT_AXES], sum[LOFT_AXES], size[3];
+    pair p;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc a = h->legs[0][i], b = h->legs[1][i], c = h->legs[2][i];
+        const loft_acc a0 = loft_acc_lerp(a, b, from), a1 = loft_acc_lerp(b, c, from);
+        const loft_acc b0 = loft_acc_lerp(a, b, to), b1 = loft_acc_lerp(b, c, to);
+
+        v[0][i] = loft_acc_lerp(a0, a1, from);
+        v[1][i] = loft_acc_lerp(a0, a1, to);
+        v[2][i] = loft_acc_lerp(b0, b1, to);
+        sum[i]  = v[0][i] + v[1][i] + v[2][i];
+    }
+    for (int k = 0; k < 3; k++)
+        size[k] = loft_acc_hypot(v[k], LOFT_AXES);
+
+    p.chord   = loft_acc_hypot(sum, LOFT_AXES);
+    p.polygon = size[0] + size[1] + size[2];
+    p.slowest = p.fastest = size[0];
+    for (int k = 1; k < 3; k++) {
+        if (size[k] < p.slowest) p.slowest = size[k];
+        if (size[k] > p.fastest) p.fastest = size[k];
+    }
+    return p;
+}
+
+static pair over(const hodograph *h, piece n)   { return between(h, start_of(n), end_of(n)); }
+
+static loft_acc mean(pair p, piece n)
+{
+    return loft_acc_ratio(p.chord + p.polygon, (int32_t)2 << n.level);
+}
+
+/* Add up the leaves below *n, in order, before the one that leads beyond `length` or t. *n becomes that leaf or,
+ * when there is none, the piece after the given one. */
+static loft_acc walk(const hodograph *h, piece *n, loft_acc length, loft_unit t)
+{
+    const uint8_t top = n->level;
+    loft_acc sum = 0;
+
+    do {
+        const pair p = over(h, *n);
+        if (p.polygon - p.chord > 2 * h->tol && n->level < LEVELS) {
+            *n = half_of(*n, 0);
+            continue;
+        }
+        if (sum + mean(p, *n) > length || end_of(*n) > t)
+            break;
+        sum += mean(p, *n);
+        n->k++;
+        while (n->level > top && n->k % 2 == 0) {
+            n->k /= 2;
+            n->level--;
+        }
+    } while (n->level > top);
+    return sum;
+}
+
+/* The parameter at `rest` into the leaf n. Leaves are halved until time and length are proportional, within tol:
+ * the speed is between 3 (slowest - 2 tol) and 3 fastest, hence the length never off the straight line by more
+ * than h / 4 times the difference. Every choice depends on the piece alone: the result grows with `rest`. */
+static loft_unit invert(const hodograph *h, piece n, loft_acc rest)
+{
+    pair p = over(h, n);
+
+    while (n.level < LEVELS && (n.level < 3 || loft_acc_ratio(p.fastest - p.slowest, (int32_t)1 << n.level) > loft_acc_ratio(h->tol, 4))) {
+        const piece first = half_of(n, 0);
+        const pair q = over(h, first);
+        const loft_acc length = mean(q, first);
+        if (rest < length) {
+            n = first;
+            p = q;
+        } else {
+            rest -= length;
+            n = half_of(n, 1);
+            p = over(h, n);
+        }
+    }
+    const loft_acc length = mean(p, n);
+    if (rest >= length)
+        return end_of(n);
+    const loft_unit t = loft_unit_ratio(length * (int32_t)n.k + rest, length * (int32_t)((uint32_t)1 << n.level));
+    return t < start_of(n) ? start_of(n) : t < end_of(n) ? t : end_of(n);
+}
+
+/* The parameter at which the curve is `length` beyond the start of n. */
+static loft_unit locate(const hodograph *h, piece n, loft_acc length)
+{
+    const piece top = n;
+
+    length -= walk(h, &n, length, LOFT_UNIT(1));
+    if (n.level == top.level && n.k != top.k)
+        return start_of(n);
+    return invert(h, n, length > 0 ? length : 0);
+}
+
+loft_acc loft_cubic_length(const loft_cubic *c, loft_real tol)
+{
+    hodograph h;
+    piece whole = { 0, 0 };
+
+    prepare(&h, c, loft_wide(tol));
+    return walk(&h, &whole, 2 * h.polygon, LOFT_UNIT(1));
+}
+
+/* Half of tol for the lengths, the other half for the inversion. */
+loft_unit loft_cubic_at_length(const loft_cubic *c, loft_acc length, loft_real tol)
+{
+    const piece whole = { 0, 0 };
+    hodograph h;
+
+    prepare(&h, c, loft_acc_ratio(loft_wide(tol), 2));
+    return locate(&h, whole, length);
+}
+
+
+enum loft_status loft_ruler_init(loft_ruler *r, const loft_cubic *c, loft_real tol)
+{
+    hodograph h;
+
+    if (!(tol > 0))
+        return LOFT_ERR_ARG;
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (!loft_real_valid(c->p[k].axis[i]))
+                return LOFT_ERR_RANGE;
+
+    r->curve   = *c;
+    r->tol     = loft_acc_ratio(loft_wide(tol), 2);
+    r->mark[0] = 0;
+    prepare(&h, c, r->tol);
+    for (uint32_t k = 0; k < LOFT_RULER_MARKS; k++) {
+        piece part = { k, MARK_LEVEL };
+        r->mark[k + 1] = r->mark[k] + walk(&h, &part, 2 * h.polygon, LOFT_UNIT(1));
+    }
+    return LOFT_OK;
+}
+
+loft_acc loft_ruler_length(const loft_ruler *r)     { return r->mark[LOFT_RULER_MARKS]; }
+
+loft_acc loft_ruler_eval(const loft_ruler *r, loft_unit t)
+{
+    piece n = { 0, MARK_LEVEL };
+    hodograph h;
+    loft_acc sum;
+
+    t = loft_unit_clamp(t);
+    while (n.k < LOFT_RULER_MARKS && end_of(n) <= t)
+        n.k++;
+    sum = r->mark[n.k];
+    if (n.k == LOFT_RULER_MARKS)
+        return sum;
+    prepare(&h, &r->curve, r->tol);
+    sum += walk(&h, &n, 2 * h.polygon, t);
+
+    const pair p = between(&h, start_of(n), t);
+    return sum + loft_acc_scale(loft_acc_ratio(p.chord + p.polygon, 2), t - start_of(n));
+}
+
+loft_unit loft_ruler_at_length(const loft_ruler *r, loft_acc length)
+{
+    piece n = { 0, MARK_LEVEL };
+    hodograph h;
+
+    if (!(length > 0))
+        return 0;
+    while (n.k < LOFT_RULER_MARKS && r->mark[n.k + 1] <= length)
+        n.k++;
+    if (n.k == LOFT_RULER_MARKS)
+        return LOFT_UNIT(1);
+    prepare(&h, &r->curve, r->tol);
+    return locate(&h, n, length - r->mark[n.k]);
+}
