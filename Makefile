@@ -109,8 +109,8 @@ $(TOOL_OUT)/loft: $(TOOL_OBJ)
 .PHONY: tools
 tools: $(TOOL_OUT)/loft
 
-## Draw tests/drawings/demo.svg on the simulated machine; writes build/demo/drawn.png   DRAWING=file.svg
 DRAWING ?= tests/drawings/demo.svg
+## Draw it on the simulated machine: pulses, exact counts and build/demo/drawn.png   DRAWING=file.svg
 .PHONY: demo
 demo: $(TOOL_OUT)/loft
 	@host-tools/demo.sh $< $(DRAWING) build/demo

@@ -29,29 +29,34 @@ static bool standing(const loft_sender *s)
     return s->ack.state == LOFT_STATE_HELD || !loft_state_busy(s->ack.state);
 }
 
-static const char *state_text(const loft_sender *s)
+/* What the machine is doing, in one width so that the numbers behind it stand still. */
+static void state_text(const run_state *r, char text[32])
 {
+    const loft_sender *s = &r->t->sender;
+
     switch (s->ack.state) {
-    case LOFT_STATE_HOLDING:  return "  holding";
-    case LOFT_STATE_HELD:     return "  held: r resumes";
-    case LOFT_STATE_STOPPING: return "  stopping";
-    default:                  return s->ack.flags & LOFT_FLAG_STARVED ? "  waits for the line" : "";
+    case LOFT_STATE_HOLDING:  snprintf(text, 32, "%-16s", "slowing down");    return;
+    case LOFT_STATE_HELD:     snprintf(text, 32, "%-16s", "held, r resumes"); return;
+    case LOFT_STATE_STOPPING: snprintf(text, 32, "%-16s", "aborting");        return;
+    default: break;
     }
+    if (s->ack.flags & LOFT_FLAG_STARVED)
+        snprintf(text, 32, "%-16s", "waits for data");
+    else
+        snprintf(text, 32, "feed %5.1f mm/s ", job_feed(r->j, job_item_at(r->j, s->status.ticks)));
 }
 
 static void show(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
-    char text[128];
-    size_t used          = 0;
-    const double feed    = s->ack.state == LOFT_STATE_RUNNING ? job_feed(r->j, job_item_at(r->j, s->status.ticks)) : 0;
+    char state[32], text[160];
 
-    used += (size_t)snprintf(text, sizeof text, "feed %5.1f mm/s ", feed);
+    state_text(r, state);
+    size_t used = (size_t)snprintf(text, sizeof text, "%s", state);
     for (int i = 0; i < LOFT_AXES; i++) {
         const double scale = (double)s->axis[i].steps_per_mm / 65536;
         used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], (double)s->status.position[i] / scale);
     }
-    snprintf(text + used, sizeof text - used, "%s", state_text(s));
     progress_show(&r->bar, (double)s->status.ticks, text);
 }
 

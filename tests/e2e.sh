@@ -1,0 +1,305 @@
+#!/bin/bash
+# tests/e2e.sh -- whole jobs: the command, a pseudo terminal, the simulated machine, counted pulses
+# SPDX-License-Identifier: MIT
+# usage: tests/e2e.sh LOFT E2E_PTY [CASE..] ; each case prints one line, the last line sums them
+set -u
+loft=$1 pty=$2; shift 2
+tmp=$(mktemp -d); passed=0 failed=0 children=()
+trap 'for c in "${children[@]}"; do kill "$c" 2>/dev/null; done; rm -rf "$tmp"' EXIT
+
+
+# --- what the cases are made of ---------------------------------------------------------------------
+
+# A heart, a wave and a line: 7 curves, with corners, pen lifts and a very short one.
+cat >"$tmp/small.csv" <<'CSV'
+10,10,10,20,25,25,30,15
+30,15,35,25,50,20,50,10
+50,10,50,0,35,-5,30,-10
+30,-10,25,-5,10,0,10,10
+5,30,15,45,25,15,35,30
+35,30,35.003,30.001,35.006,30.001,35.01,30
+60,0,60,10,60,20,60,30
+CSV
+
+job_fails() { why="$why; $*"; }
+
+# machine NAME OPTIONS..: a simulated machine behind $tmp/NAME, its pulses in $tmp/NAME.csv
+machine() {
+    local name=$1; shift
+    "$loft" simulate --link "$tmp/$name" --record "$tmp/$name.csv" "$@" >"$tmp/$name.log" 2>&1 &
+    machine=$!; children+=("$machine"); disown "$machine"
+    wait_for "$tmp/$name"
+}
+wait_for() { for _ in $(seq 200); do [ -e "$1" ] && return; sleep 0.02; done; job_fails "$1 did not appear"; }
+gone() { for _ in $(seq 400); do kill -0 "$1" 2>/dev/null || return; sleep 0.02; done; job_fails "process $1 did not end"; kill -9 "$1"; }
+until_log() { for _ in $(seq 500); do grep -q "$2" "$tmp/$1.log" && return; sleep 0.02; done; job_fails "the machine never said: $2"; }
+
+# run CODE COMMAND..: standard output to $tmp/out, standard error to $tmp/err; the exit code must be CODE
+run() {
+    local want=$1 got; shift
+    timeout 60 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; got=$?
+    [ "$got" = "$want" ] || job_fails "exit code $got, not $want: $(head -c 300 "$tmp/err")"
+}
+says() { grep -q -- "$2" "$tmp/$1" || job_fails "does not say \`$2\`: $(tail -c 300 "$tmp/$1")"; }
+is_empty() { [ ! -s "$tmp/$1" ] || job_fails "says: $(head -c 200 "$tmp/$1")"; }
+
+# one_line CODE PATTERN COMMAND..: an error of exactly one line that names the remedy's key word
+one_line() {
+    local code=$1 pattern=$2; shift 2
+    run "$code" "$@"
+    [ "$(wc -l <"$tmp/err")" = 1 ] || job_fails "$(wc -l <"$tmp/err") lines: $(cat "$tmp/err")"
+    grep -q '^loft: ' "$tmp/err" || job_fails "no \`loft:\`: $(cat "$tmp/err")"
+    says err "$pattern"
+}
+
+# the machine's own count: the last pulse of the record, against `steps X Y Z` in $tmp/out
+counted() {
+    local said record
+    said=$(sed -n 's/.*steps \(-\?[0-9]* -\?[0-9]* -\?[0-9]*\).*/\1/p' "$tmp/${2:-out}" | head -1)
+    record=$(tail -1 "$tmp/$1.csv" | cut -d, -f2- | tr ',' ' ')
+    [ -n "$said" ] && [ "$said" = "$record" ] || job_fails "said steps \`$said\`, the pulses led to \`$record\`"
+}
+
+# every axis' own row of steps, whatever the time between them
+path_of() {
+    awk -F, '!/^#/ && $1 != "slot" { for (i = 2; i <= NF; i++) if ($i != last[i]) { last[i] = $i; row[i] = row[i] " " $i } }
+             END { for (i = 2; i <= 4; i++) print row[i] }' "$tmp/$1.csv" | cksum
+}
+same_path() { [ "$(path_of "$1")" = "$(path_of "$2")" ] || job_fails "the steps differ from an undisturbed run"; }
+undisturbed() {        # the reference, once: $tmp/calm.csv
+    [ -e "$tmp/calm.csv" ] && return
+    machine calm --speed fast --once
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/calm" "${slowly[@]}"; gone "$machine"
+}
+slowly=(--feed 60)      # the job lasts about 6 s of machine time
+draws() { job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}"); }     # draws MACHINE: sets ${job[@]}
+cut_off() {             # cut_off SECONDS: ${job[@]} is killed without warning
+    "${job[@]}" >/dev/null 2>&1 & local sender=$!
+    disown $sender; sleep "$1"; kill -9 $sender || job_fails "the sender ended before it could be killed"; gone $sender
+}
+
+
+# --- jobs -------------------------------------------------------------------------------------------
+
+exactly() {     # exactly MACHINE PLANNER OPTIONS..
+    local m=$1 p=$2; shift 2
+    machine "m$m$p" --speed fast --once --num "$m" --steps 320 --slots 80
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/m$m$p" --num "$p" --record "$tmp/m$m$p.csv" "$@"
+    gone "$machine"
+    is_empty err; says out '^drawn: 7 curves, .*as commanded$'; says out '^line: '; counted "m$m$p"
+    local worst; worst=$(sed -n 's/.*worst path error \([0-9.]*\) mm.*/\1/p' "$tmp/out")
+    # the tolerance, and on each axis half a step for the place at a tick and half a step for the slots between
+    awk -v w="$worst" 'BEGIN { exit !(w != "" && w <= 0.005 + sqrt(2) / 320 && w > 0) }' || job_fails "worst path error \`$worst\`"
+}
+case_exact_q16()        { exactly q16 q16; }
+case_exact_f32()        { exactly f32 f32; }
+case_exact_f64()        { exactly f64 f64; }
+case_exact_mixed()      { exactly f32 q16; exactly q16 f64; }
+case_points()           { exactly q16 f32 --points; }
+case_noisy_line()       {
+    machine noisy --speed fast --once --noise 30
+    draws noisy; run 0 "${job[@]}"; gone "$machine"; undisturbed
+    says out 'as commanded$'; counted noisy; same_path noisy calm
+}
+case_two_jobs_and_park() {
+    machine twice --speed fast
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice"; says out 'steps 4800 2400 80 as commanded'
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice"; says out 'steps 4800 2400 80 as commanded'
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice" --park; says out 'steps 4800 2400 80 as commanded'
+    kill "$machine"; gone "$machine"; counted twice
+}
+case_from_a_pipe()      {
+    machine pipe --speed fast --once
+    run 0 sh -c "cat '$tmp/small.csv' | '$loft' stream - --port '$tmp/pipe'"; gone "$machine"; counted pipe
+}
+case_through_a_socket() {
+    machine behind --speed fast --once
+    "$pty" relay "$tmp/socket" "$tmp/behind" & children+=($!); disown $!
+    wait_for "$tmp/socket"
+    run 0 "$loft" stream "$tmp/small.csv" --port "unix:$tmp/socket"; counted behind
+}
+
+
+# --- disturbances -----------------------------------------------------------------------------------
+
+case_killed_and_run_again() {
+    undisturbed
+    machine killed --speed real --once
+    draws killed
+    for pause in 0.7 0.4 1.1; do cut_off $pause; done
+    run 0 "${job[@]}"; gone "$machine"
+    says err '^resuming at item [0-9]* of [0-9]*$'; says out 'as commanded$'; counted killed; same_path killed calm
+}
+case_hold_and_resume_by_key() {
+    undisturbed
+    machine keyed --speed real --once
+    "$pty" type "1.2:h 2.2:r" "$loft" stream "$tmp/small.csv" --port "$tmp/keyed" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    gone "$machine"
+    tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
+    says screen 'held, r resumes'; says screen '%  [0-9]*:[0-9][0-9] left  feed  *60.0 mm/s  X'; says screen 'as commanded'
+    counted keyed; same_path keyed calm
+}
+case_abort_by_key() {
+    machine aborted --speed real --once
+    "$pty" type "1.2:a" "$loft" stream "$tmp/small.csv" --port "$tmp/aborted" "${slowly[@]}" >"$tmp/out" 2>&1
+    [ $? = 75 ] || job_fails "exit code is not 75"
+    gone "$machine"; says out 'aborted after [0-9]* of [0-9]* items: the machine stands on the path at'; counted aborted
+}
+case_interrupt_holds_and_the_same_command_goes_on() {
+    undisturbed
+    machine stopped --speed real --once
+    "$pty" type "1.2:^C" "$loft" stream "$tmp/small.csv" --port "$tmp/stopped" "${slowly[@]}" >"$tmp/out" 2>&1
+    [ $? = 75 ] || job_fails "exit code is not 75"
+    says out 'held at item [0-9]* of [0-9]*: the machine stands on the path at'
+    until_log stopped held
+    local said held
+    said=$(sed -n 's/.*mm, steps \(-\?[0-9]* -\?[0-9]* -\?[0-9]*\);.*/\1/p' "$tmp/out")
+    held=$(sed -n 's/.* held: .*position \(.*\)/\1/p' "$tmp/stopped.log")
+    [ "$said" = "$held" ] || job_fails "said $said, the machine stood at $held"
+    draws stopped; run 0 "${job[@]}"; gone "$machine"; says err '^resuming at item'; counted stopped; same_path stopped calm
+}
+case_control_from_another_run() {
+    undisturbed
+    machine told --speed real --once
+    draws told; cut_off 1
+    run 0 "$loft" stream --hold --port "$tmp/told"; says out '^held: '
+    run 0 "$loft" stream --resume --port "$tmp/told"; says out '^resumed: '
+    run 0 "$loft" stream --hold --port "$tmp/told"
+    one_line 75 'another job' "$loft" stream "$tmp/small.csv" --port "$tmp/told" --feed 10
+    run 0 "${job[@]}"; gone "$machine"; counted told; same_path told calm
+}
+case_abort_from_another_run() {
+    machine ended --speed real --once
+    draws ended; cut_off 1
+    run 0 "$loft" stream --abort --port "$tmp/ended"; gone "$machine"; says out '^aborted: '; counted ended
+    machine idle --speed fast
+    one_line 69 'no job is under way' "$loft" stream --hold --port "$tmp/idle"
+}
+case_port_vanishes() {
+    machine lost --speed real
+    { sleep 1; kill -9 "$machine"; } & children+=($!)
+    one_line 74 'the port has vanished at item [0-9]* of' "$loft" stream "$tmp/small.csv" --port "$tmp/lost" "${slowly[@]}"
+}
+case_machine_restarts_in_mid_job() {
+    machine again --speed real
+    "$pty" relay "$tmp/line" "$tmp/again" & children+=($!); disown $!
+    wait_for "$tmp/line"
+    { sleep 1; kill -9 "$machine"; rm -f "$tmp/again"; exec "$loft" simulate --link "$tmp/again" >/dev/null 2>&1; } & children+=($!)
+    one_line 76 'restarted in the middle of the job: home it' "$loft" stream "$tmp/small.csv" --port "unix:$tmp/line" "${slowly[@]}"
+}
+case_second_sender_is_refused() {
+    machine owned --speed real --once
+    draws owned; "${job[@]}" >/dev/null 2>&1 & local sender=$!
+    sleep 0.5
+    one_line 69 'another program talks to it' "$loft" stream "$tmp/small.csv" --port "$tmp/owned"
+    wait $sender || job_fails "the first sender ended with $?"
+    gone "$machine"
+}
+case_machine_talks_nonsense() {
+    "$pty" noise "$tmp/noise" & children+=($!); disown $!
+    wait_for "$tmp/noise"
+    one_line 76 'no good frame' "$loft" stream "$tmp/small.csv" --port "$tmp/noise" --wait 1
+}
+case_machine_is_mute() {
+    "$pty" mute "$tmp/mute" & children+=($!); disown $!
+    wait_for "$tmp/mute"
+    one_line 69 'no machine answered in 0.5 s' "$loft" stream "$tmp/small.csv" --port "$tmp/mute" --wait 0.5
+}
+
+
+# --- bad input --------------------------------------------------------------------------------------
+
+case_bad_drawings() {
+    printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M 0 0' >"$tmp/broken.svg"
+    printf '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm"></svg>' >"$tmp/empty.svg"
+    printf 'this is no drawing\n' >"$tmp/text.txt"
+    head -c 4096 /dev/urandom >"$tmp/random.bin"
+    : >"$tmp/nothing"
+    one_line 66 'no such file' "$loft" stream "$tmp/absent.svg" --dry-run
+    for bad in broken.svg empty.svg text.txt random.bin nothing; do one_line 65 "$bad" "$loft" stream "$tmp/$bad" --dry-run; done
+    printf '0,0,1e9,0,1,1,2,2\n' >"$tmp/far.csv";  one_line 65 'far.csv' "$loft" stream "$tmp/far.csv" --dry-run
+    printf '0,0 1,1\n0,zero\n'   >"$tmp/word.txt"; one_line 65 'word.txt:1' "$loft" eval "$tmp/word.txt"
+}
+case_bad_options() {
+    one_line 64 'no command'     "$loft" draw
+    one_line 64 'no option'      "$loft" stream x --fast
+    one_line 64 'needs a value'  "$loft" stream x --port
+    one_line 64 'no --port'      "$loft" stream "$tmp/small.csv"
+    one_line 64 'no drawing'     "$loft" stream --port "$tmp/x"
+    one_line 64 'more than one'  "$loft" stream a b --port "$tmp/x"
+    one_line 64 'stand alone'    "$loft" stream --hold --abort --port "$tmp/x"
+    one_line 64 '--feed -3'      "$loft" stream "$tmp/small.csv" --dry-run --feed -3
+    one_line 64 '--num q31'      "$loft" eval --num q31 --points "0,0 1,1"
+    one_line 64 '--speed slow'   "$loft" simulate --speed slow
+    one_line 64 'HOST:PORT'      "$loft" stream "$tmp/small.csv" --port tcp:1234
+}
+case_bad_ports() {
+    one_line 69 'No such file'      "$loft" stream "$tmp/small.csv" --port /dev/ttyNONE
+    one_line 69 'not a serial port' "$loft" stream "$tmp/small.csv" --port /dev/null
+    one_line 69 'not a serial port' "$loft" stream "$tmp/small.csv" --port "$tmp/small.csv"
+    one_line 69 'No such file'      "$loft" stream "$tmp/small.csv" --port "unix:$tmp/none"
+    one_line 69 'refused'           "$loft" stream "$tmp/small.csv" --port tcp:127.0.0.1:1
+}
+
+
+# --- numbers through pipes --------------------------------------------------------------------------
+
+case_help_everywhere() {
+    run 0 "$loft" --help;    says out 'usage: loft COMMAND'
+    run 0 "$loft" --version; says out '^loft [0-9]'
+    run 64 "$loft"
+    for command in stream simulate plot ports eval sample flatten compare; do
+        run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
+        run 0 "$loft" $command --help; cmp -s "$tmp/out" "$tmp/help" || job_fails "help $command and $command --help differ"
+    done
+}
+case_eval_and_sample() {
+    for num in q16 f32 f64; do
+        run 0 "$loft" eval --num $num --t 0,0.25,1 --points "0,0 4,8 12,0"
+        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;2.25 3;12 0;" ] || job_fails "eval $num: $(cat "$tmp/out")"
+        run 0 "$loft" sample --num $num --n 4 --points "0,0 4,8 12,0"
+        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;2.25 3;5 4;8.25 3;12 0;" ] || job_fails "sample $num: $(cat "$tmp/out")"
+    done
+    run 0 sh -c "'$loft' sample --n 2 '$tmp/small.csv' | '$loft' flatten - | wc -l"; says out '^ *[0-9]'
+}
+case_flatten_keeps_its_tolerance() {
+    for num in q16 f32 f64; do
+        run 0 "$loft" flatten --num $num --tol 0.05 --points "0,0 0,50 50,50 50,0"
+        cp "$tmp/out" "$tmp/chords"
+        run 0 "$loft" sample --num f64 --n 2000 --points "0,0 0,50 50,50 50,0"
+        awk 'NR == FNR { x[n] = $1; y[n++] = $2; next }
+             { best = 1e9
+               for (i = 1; i < n; i++) {
+                   dx = x[i]-x[i-1]; dy = y[i]-y[i-1]; u = (($1-x[i-1])*dx + ($2-y[i-1])*dy) / (dx*dx + dy*dy)
+                   u = u < 0 ? 0 : u > 1 ? 1 : u; ex = $1-x[i-1]-u*dx; ey = $2-y[i-1]-u*dy; d = sqrt(ex*ex + ey*ey)
+                   if (d < best) best = d }
+               if (best > worst) worst = best }
+             END { exit !(n > 5 && n < 40 && worst > 0 && worst <= 0.05) }' "$tmp/chords" "$tmp/out" || job_fails "$num leaves the curve"
+    done
+}
+case_compare_holds_the_bounds() {
+    run 0 "$loft" compare --points "0,0 100,200 300,-100 400,55.5"
+    awk '/^q16/ { n++; if ($5 > 1) exit 1 } /^q16 .* walk/ && $5 > 0.52 { exit 1 } END { exit n != 2 }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
+    run 0 "$loft" compare --num q16 --against f64 --n 500 --points "0,0 100,200 300,-100 400,55.5"
+    [ "$(grep -c '^q16  *f64' "$tmp/out")" = 2 ] || job_fails "$(cat "$tmp/out")"
+}
+case_dry_run_says_the_plan() {
+    run 0 "$loft" stream "$tmp/small.csv" --dry-run
+    says out '^planned: 7 curves, 0\.[0-9]* m drawn, .* s, [0-9]* spans, path within 0.0050 mm, job [0-9a-f]*$'
+    run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 1800mm/min; cp "$tmp/out" "$tmp/minutes"
+    run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 30mm/s; cmp -s "$tmp/out" "$tmp/minutes" || job_fails "1800mm/min is not 30mm/s"
+}
+
+
+# --- run them -----------------------------------------------------------------------------------------
+
+cases=("$@")
+[ $# -gt 0 ] || mapfile -t cases < <(sed -n 's/^case_\([a-z0-9_]*\)().*/\1/p' "$0")
+for name in "${cases[@]}"; do
+    why=
+    "case_$name" 2>"$tmp/noise.err"
+    if [ -z "$why" ]; then echo "ok   e2e $name"; passed=$((passed + 1))
+    else echo "FAIL e2e $name:${why#;}"; failed=$((failed + 1)); fi
+done
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
