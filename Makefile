@@ -164,7 +164,7 @@ bench:
 	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
-CHECK_STAGES := lint test check-vectors-all test-mixed test-readme
+CHECK_STAGES := lint test check-vectors-all test-mixed test-readme test-e2e test-e2e
 
 ## Check everything: rules of the house, all tests in all number types under sanitizers, vectors, README, whole jobs
 .PHONY: check
@@ -190,6 +190,16 @@ test-mixed: $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
 .PHONY: test-readme
 test-readme: build/q16x3/libloft.a
 	@sh tests/readme.sh build/q16x3/libloft.a build/readme
+
+## Run whole jobs: the command, sanitized, against the simulated machine   CASE=one of tests/e2e.sh
+.PHONY: test-e2e
+test-e2e: build/e2e/pty
+	@$(MAKE) -s --no-print-directory tools TOOL_OUT=build/e2e CFLAGS="-O1 -g $(SANITIZE)"
+	@bash tests/e2e.sh build/e2e/loft build/e2e/pty $(CASE)
+
+build/e2e/pty: tests/e2e_pty.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $< -o $@
 
 ## Remove build/
 .PHONY: clean

@@ -2,16 +2,17 @@
 # tests/e2e.sh -- whole jobs: the command, a pseudo terminal, the simulated machine, counted pulses
 # SPDX-License-Identifier: MIT
 # usage: tests/e2e.sh LOFT E2E_PTY [CASE..] ; each case prints one line, the last line sums them
+# The cases mostly wait for machines in real time, so several run at once, each in a folder of its own ($tmp).
 set -u
 loft=$1 pty=$2; shift 2
-tmp=$(mktemp -d); passed=0 failed=0 children=()
-trap 'for c in "${children[@]}"; do kill "$c" 2>/dev/null; done; rm -rf "$tmp"' EXIT
+top=$(mktemp -d)
+trap 'rm -rf "$top"' EXIT
 
 
 # --- what the cases are made of ---------------------------------------------------------------------
 
 # A heart, a wave and a line: 7 curves, with corners, pen lifts and a very short one.
-cat >"$tmp/small.csv" <<'CSV'
+cat >"$top/small.csv" <<'CSV'
 10,10,10,20,25,25,30,15
 30,15,35,25,50,20,50,10
 50,10,50,0,35,-5,30,-10
@@ -66,8 +67,7 @@ path_of() {
              END { for (i = 2; i <= 4; i++) print row[i] }' "$tmp/$1.csv" | cksum
 }
 same_path() { [ "$(path_of "$1")" = "$(path_of "$2")" ] || job_fails "the steps differ from an undisturbed run"; }
-undisturbed() {        # the reference, once: $tmp/calm.csv
-    [ -e "$tmp/calm.csv" ] && return
+undisturbed() {         # the reference: $tmp/calm.csv
     machine calm --speed fast --once
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/calm" "${slowly[@]}"; gone "$machine"
 }
@@ -293,13 +293,23 @@ case_dry_run_says_the_plan() {
 
 # --- run them -----------------------------------------------------------------------------------------
 
+run_case() {
+    tmp=$top/$1 why='' children=()
+    mkdir "$tmp"; cp "$top/small.csv" "$tmp"
+    trap 'for c in "${children[@]}"; do kill "$c" 2>/dev/null; done' EXIT
+    declare -F "case_$1" >/dev/null || job_fails "there is no such case"
+    [ -n "$why" ] || "case_$1" 2>"$tmp/shell.err"
+    if [ -z "$why" ]; then echo "ok   e2e $1"; else echo "FAIL e2e $1:${why#;}"; fi
+}
+
 cases=("$@")
 [ $# -gt 0 ] || mapfile -t cases < <(sed -n 's/^case_\([a-z0-9_]*\)().*/\1/p' "$0")
 for name in "${cases[@]}"; do
-    why=
-    "case_$name" 2>"$tmp/noise.err"
-    if [ -z "$why" ]; then echo "ok   e2e $name"; passed=$((passed + 1))
-    else echo "FAIL e2e $name:${why#;}"; failed=$((failed + 1)); fi
+    while [ "$(jobs -rp | wc -l)" -ge 4 ]; do wait -n; done
+    run_case "$name" | tee -a "$top/results" &
 done
+wait
+passed=$(grep -c '^ok' "$top/results")
+failed=$((${#cases[@]} - passed))
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]
