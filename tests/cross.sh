@@ -22,6 +22,7 @@ check() {       # check NAME: standard input lists what is wrong
 
 symbols() {     # symbols DIRECTORY TARGET LETTERS: object, letter and name of those kinds
     for o in "$1"/*.o; do
+        case $o in */ports-*) continue ;; esac          # a port may have data, and uses its board
         "$(binutil "$2" nm)" "$o" | awk -v o="$(basename "$o")" -v want="^[$3]$" '$(NF-1) ~ want { print o, $(NF-1), $NF }'
     done
 }
