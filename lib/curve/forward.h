@@ -56,7 +56,7 @@ enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32
  *
  *   error   q16: 1/2 LSB for n = 2^m with degree * m <= 32; any other n: 1/2 LSB + S (2^-33 +
  *           2^-50), which is 0.521 LSB for a cubic of 1023 steps. The last point: none.
- *           f32, f64: (K n + 8 * 3^degree) / 2^53 of the largest control value, K = 1 3 8 21 55 for
+ *           f32, f64: (K n + 8 * 3^degree) / 2^53 of the largest control value, K = 1 3 8 21 56 for
  *           degree 1..5 (a sixth of that was measured), and f32 1/2 ulp more. The last point: none.
  *   cost    `degree` additions per axis; no branch on data; safe in an ISR
  */
