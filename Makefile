@@ -193,13 +193,16 @@ test-readme: build/q16x3/libloft.a
 
 ## Run whole jobs: the command, sanitized, against the simulated machine   CASE=one of tests/e2e.sh
 .PHONY: test-e2e
-test-e2e: build/e2e/pty
+test-e2e: build/e2e/pty build/e2e/shim.so
 	@$(MAKE) -s --no-print-directory tools TOOL_OUT=build/e2e CFLAGS="-O1 -g $(SANITIZE)"
-	@bash tests/e2e.sh build/e2e/loft build/e2e/pty $(CASE)
+	@bash tests/e2e.sh build/e2e/loft build/e2e $(CASE)
 
 build/e2e/pty: tests/e2e_pty.c
 	@mkdir -p $(@D)
 	$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $< -o $@
+build/e2e/shim.so: tests/e2e_shim.c
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE -shared -fPIC $< -ldl -o $@
 
 ## Remove build/
 .PHONY: clean

@@ -216,6 +216,8 @@ static int run(const tool_command *self, int argc, char **argv)
         return tool_error(EX_USAGE, "%s: see `loft stream --help`", first < argc ? "more than one drawing" : "no drawing: name an SVG or CSV file, or -");
     if (o.hold + o.resume + o.abort > 1 || (controls && first < argc))
         return tool_error(EX_USAGE, "--hold, --resume and --abort stand alone: see `loft stream --help`");
+    if (o.port && !controls && strcmp(o.port, "-") == 0 && strcmp(argv[first], "-") == 0)
+        return tool_error(EX_USAGE, "both the drawing and the port are standard input: name one of them");
     keys_start(!controls && !o.dry && strcmp(argv[first], "-") != 0 && (o.port == NULL || strcmp(o.port, "-") != 0));
     return controls ? control(&o) : draw(&o, argv[first]);
 }

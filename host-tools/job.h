@@ -15,6 +15,7 @@ typedef struct {
     size_t count, room;
     uint64_t *tick;         /* count + 1 of them: the ticks before item i        */
     unsigned tick_hz;
+    size_t first;           /* the first item that this run of the program sent  */
     int32_t start[ENGINE_AXES], end[ENGINE_AXES];       /* raw Q16.16 mm         */
 } job;
 

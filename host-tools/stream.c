@@ -21,7 +21,7 @@ typedef struct {
     progress bar;
     double stop_at;         /* the clock when ^C was seen; 0: not yet   */
     double held_at;         /* the clock when the machine stood; 0: not */
-    bool told, woken;       /* the resuming line; RESUME of a held job  */
+    bool woken;             /* a job found under way goes on            */
 } run_state;
 
 static bool standing(const loft_sender *s)
@@ -75,14 +75,13 @@ static void wake(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
 
-    if (s->phase < LOFT_PHASE_STREAMING || !s->resumed)
+    if (s->phase < LOFT_PHASE_STREAMING || !s->resumed || r->woken)
         return;
-    if (!r->told)
-        fprintf(stderr, "resuming at item %u of %zu\n", (unsigned)s->ack.next, r->j->count);
-    r->told = true;
-    if (!r->woken && (s->ack.state == LOFT_STATE_HELD || s->ack.state == LOFT_STATE_HOLDING) && r->stop_at <= 0)
+    r->woken    = true;
+    r->j->first = s->ack.next;
+    fprintf(stderr, "resuming at item %u of %zu\n", (unsigned)s->ack.next, r->j->count);
+    if ((s->ack.state == LOFT_STATE_HELD || s->ack.state == LOFT_STATE_HOLDING) && r->stop_at <= 0)
         loft_sender_control(&r->t->sender, LOFT_RESUME);
-    r->woken = true;
 }
 
 /* After ^C: hold, wait until the machine stands and has told where. True when that is done or takes too long. */

@@ -55,11 +55,12 @@ static void print_line(const talk *t, const job *j)
 {
     const loft_sender *s  = &t->sender;
     const unsigned baud   = t->line.baud ? t->line.baud : 115200;
-    const double seconds  = machine_seconds(s);
+    const double part     = 1 - (double)j->tick[j->first] / (double)j->tick[j->count];
+    const double seconds  = machine_seconds(s) * part;
 
-    printf("line: %" PRIu64 " bytes out for %zu %s, %" PRIu64 " in, ", t->written, j->count, j->head.kind == LOFT_POINTS ? "points" : "spans",
+    printf("line: %" PRIu64 " bytes out for %zu %s, %" PRIu64 " in, ", t->written, j->count - j->first, j->head.kind == LOFT_POINTS ? "points" : "spans",
            t->received);
-    if (seconds > 0)
+    if (seconds > 0 && !s->collected)
         printf("%.1f %% of %u baud, ", 1000 * (double)t->written / (seconds * baud), baud);
     printf("%u of %u frames resent\n", (unsigned)s->resent, (unsigned)(s->sent + s->resent));
 }

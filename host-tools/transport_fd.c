@@ -61,8 +61,6 @@ static const transport_kind kind = { fd_read, fd_write, fd_close };
 
 static int take(transport *t, int in, int out, const char *name)
 {
-    (void)fcntl(in, F_SETFL, fcntl(in, F_GETFL) | O_NONBLOCK);
-    (void)fcntl(out, F_SETFL, fcntl(out, F_GETFL) | O_NONBLOCK);
     t->kind = &kind;
     t->in   = in;
     t->out  = out;
@@ -124,6 +122,12 @@ int transport_open_terminal(transport *t, const char *name, unsigned baud)
     return take(t, fd, fd, name);
 }
 
+static int connected(transport *t, int fd, const char *name)
+{
+    (void)fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) | O_NONBLOCK);
+    return take(t, fd, fd, name);
+}
+
 static int open_unix(transport *t, const char *name)
 {
     struct sockaddr_un address = { .sun_family = AF_UNIX };
@@ -139,7 +143,7 @@ static int open_unix(transport *t, const char *name)
             close(fd);
         return transport_refused(name, error);
     }
-    return take(t, fd, fd, name);
+    return connected(t, fd, name);
 }
 
 static int connect_any(const struct addrinfo *list)
@@ -172,15 +176,15 @@ static int open_tcp(transport *t, const char *name)
     const size_t length = (size_t)(colon - name) - 3;       /* "tcp" and what is before the last colon */
     if (colon == name + 3 || length > sizeof host || colon[1] == '\0')
         return tool_error(EX_USAGE, "%s: give tcp:HOST:PORT", name);
-    memcpy(host, name + 4, length - 1);
-    host[length - 1] = '\0';
+    const bool bracketed = name[4] == '[' && colon[-1] == ']';      /* an IPv6 address */
+    snprintf(host, sizeof host, "%.*s", (int)length - 1 - 2 * bracketed, name + 4 + bracketed);
     const int failed = getaddrinfo(host, colon + 1, &hints, &list);
     if (failed)
         return tool_error(EX_NOHOST, "%s: %s: look at the name of the host and the port", name, gai_strerror(failed));
     const int fd = connect_any(list);
     const int error = errno;
     freeaddrinfo(list);
-    return fd < 0 ? transport_refused(name, error) : take(t, fd, fd, name);
+    return fd < 0 ? transport_refused(name, error) : connected(t, fd, name);
 }
 
 int transport_open_socket(transport *t, const char *name)
@@ -188,7 +192,13 @@ int transport_open_socket(transport *t, const char *name)
     return strncmp(name, "unix:", 5) == 0 ? open_unix(t, name) : open_tcp(t, name);
 }
 
+/* What the program prints goes to standard error from now on: standard output is the line. It stays blocking, for
+ * its flags are shared with other programs; poll keeps us from waiting. */
 int transport_open_standard(transport *t)
 {
-    return take(t, STDIN_FILENO, STDOUT_FILENO, "standard input and output");
+    const int in = dup(STDIN_FILENO), out = dup(STDOUT_FILENO);
+
+    if (in < 0 || out < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+        return transport_refused("standard input and output", errno);
+    return take(t, in, out, "standard input and output");
 }

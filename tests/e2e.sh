@@ -1,10 +1,10 @@
 #!/bin/bash
 # tests/e2e.sh -- whole jobs: the command, a pseudo terminal, the simulated machine, counted pulses
 # SPDX-License-Identifier: MIT
-# usage: tests/e2e.sh LOFT E2E_PTY [CASE..] ; each case prints one line, the last line sums them
+# usage: tests/e2e.sh LOFT HELPERS [CASE..] ; HELPERS holds pty and shim.so; each case prints one line, the last line sums them
 # The cases mostly wait for machines in real time, so several run at once, each in a folder of its own ($tmp).
 set -u
-loft=$1 pty=$2; shift 2
+loft=$1 pty=$2/pty shim=$2/shim.so; shift 2
 top=$(mktemp -d)
 trap 'rm -rf "$top"' EXIT
 
@@ -118,6 +118,22 @@ case_through_a_socket() {
     wait_for "$tmp/socket"
     run 0 "$loft" stream "$tmp/small.csv" --port "unix:$tmp/socket"; counted behind
 }
+case_through_standard_streams() {
+    machine std --speed fast --once
+    run 0 sh -c "'$loft' stream '$tmp/small.csv' --port - <'$tmp/std' >'$tmp/std' 2>'$tmp/said'"; gone "$machine"
+    says said 'as commanded$'; counted std said
+}
+case_through_libserialport() {
+    local serial=(env ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD="$shim" "$loft" stream "$tmp/small.csv" "${slowly[@]}")
+    machine serial --speed fast --once
+    run 0 "${serial[@]}" --port "$tmp/serial"; gone "$machine"; counted serial; is_empty err
+    "$pty" mute "$tmp/mute" & children+=($!); disown $!
+    wait_for "$tmp/mute"
+    one_line 69 'at 57600 baud: no machine answered' "${serial[@]}" --port "$tmp/mute" --wait 0.3 --baud 57600
+    machine unplugged --speed real
+    { sleep 1; kill -9 "$machine"; } & children+=($!)
+    one_line 74 'the port has vanished at item [0-9]* of' "${serial[@]}" --port "$tmp/unplugged"
+}
 
 
 # --- disturbances -----------------------------------------------------------------------------------
@@ -174,6 +190,18 @@ case_abort_from_another_run() {
     run 0 "$loft" stream --abort --port "$tmp/ended"; gone "$machine"; says out '^aborted: '; counted ended
     machine idle --speed fast
     one_line 69 'no job is under way' "$loft" stream --hold --port "$tmp/idle"
+}
+case_report_is_fetched_later() {
+    machine later --speed real
+    draws later; cut_off 1; until_log later done
+    run 0 "${job[@]}"; says err 'was drawn already'; counted later
+    cp "$tmp/out" "$tmp/first"
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/later" --feed 200; says out 'as commanded$'; is_empty err
+}
+case_another_job_after_a_lost_one() {
+    machine other --speed real
+    draws other; cut_off 1; until_log other done
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/other" --feed 200; says out 'as commanded$'; is_empty err
 }
 case_port_vanishes() {
     machine lost --speed real
