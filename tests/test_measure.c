@@ -252,6 +252,27 @@ static void never_more_chords_than_halving_gives(arb *a)
     CHECK(chords_of(&c, raw) <= halvings(&e, raw / 65536.0L));
 }
 
+/* A piece that is just flat and long, often almost halting in the middle, and as much of the cubic before it: the
+ * hard case, since a chord may end anywhere in the piece and the rest is still to be one chord. */
+static void never_more_chords_than_halving_gives_where_a_piece_halts(arb *a)
+{
+    const double reach = 4 << arb_below(a, 9);
+    const int32_t least = BY_NUM(8, (int32_t)reach * 8, 8), raw = least + (int32_t)arb_below(a, 2u << arb_below(a, 15));
+    const double foot = arb_below(a, 2) ? 1 : arb_below(a, 1024) / 1024.0, side = 0.98 * raw / 65536 / sqrt(LOFT_AXES);
+    loft_cubic c;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const double way = side * (arb_below(a, 2001) / 1000.0 - 1);
+        const double b1 = (i ? 0 : foot * reach) + way, b2 = (i ? 0 : (1 - foot) * reach) + (arb_below(a, 2) ? way : -way);
+        const double b3 = i ? 0 : reach;
+        const double whole[4] = { 6 * b2 - 12 * b1 - b3, 4 * b1 - 4 * b2 + b3, 2 * b2 - b3, b3 };
+        for (int k = 0; k < 4; k++)
+            c.p[k].axis[i] = BY_NUM((loft_real)(whole[k] * 65536), (loft_real)whole[k], (loft_real)whole[k]);
+    }
+    const exact e = exact_of(&c);
+    CHECK(chords_of(&c, raw) <= halvings(&e, raw / 65536.0L));
+}
+
 static void never_more_chords_than_halving_gives_for_drawings(arb *a)
 {
     const loft_cubic c = arb_cubic(a, (int32_t)(1 + arb_below(a, 60)));
@@ -284,6 +305,37 @@ static void a_straight_even_line_is_one_chord(arb *a)
     for (int k = 1; k < 4; k++)
         c.p[k] = loft_vec_add(c.p[k - 1], step);
     CHECK(chords_of(&c, 1000) == 1);
+}
+
+/* y = 3 d t (1 - t)(1 - 2 t) is at most d / sqrt(12) to either side, with control points at d. */
+static void an_inflection_between_sides_within_the_tolerance_is_one_chord(arb *a)
+{
+    const int32_t d = 1 + (int32_t)arb_below(a, 300);
+    loft_cubic c = {{{{0}}}};
+
+    for (int k = 0; k < 4; k++)
+        c.p[k].axis[0] = LOFT_REAL(9000 * k - 13500);
+    c.p[1].axis[LOFT_AXES - 1] += loft_real_from_int(d);
+    c.p[2].axis[LOFT_AXES - 1] -= loft_real_from_int(d);
+    if (LOFT_AXES > 1)
+        CHECK(chords_of(&c, d * 19200) == 1);           /* d / 3.413 > d / sqrt(12) */
+}
+
+/* Along 0, L, 0, L the curve halts in the middle but never turns back. Its second part has control points far
+ * behind its start and is one chord all the same. */
+static void a_line_that_halts_is_one_chord(arb *a)
+{
+    const loft_vec end = arb_vec(a, 1000);
+    loft_cubic c = {{{{0}}}};
+
+    c.p[1] = c.p[3] = end;
+    const exact e = exact_of(&c);
+    exact before, after;
+    split(&e, (300 + (int)arb_below(a, 210)) / 1024.0L, &before, &after);
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            c.p[k].axis[i] = BY_NUM((loft_real)floorl(after.p[k].x[i] * 65536 + 0.5L), (loft_real)after.p[k].x[i], (loft_real)after.p[k].x[i]);
+    CHECK(chords_of(&c, BY_NUM(8, 64, 8)) == 1);
 }
 
 static void tolerances_that_cannot_be_kept_are_refused(arb *a)
@@ -430,6 +482,19 @@ static void the_parameter_never_decreases_with_the_length(arb *a)
     CHECK(loft_cubic_at_length(&c, acc_of(whole * 1.01L + 1), tol) >= LOFT_UNIT(1));
 }
 
+static void a_point_has_no_length_and_ends_where_it_starts(arb *a)
+{
+    const loft_vec p = arb_vec(a, 32767);
+    const loft_cubic c = {{ p, p, p, p }};
+    const loft_real tol = LOFT_REAL(0.125);
+    loft_ruler r;
+
+    CHECK(loft_ruler_init(&r, &c, tol) == LOFT_OK && chords_of(&c, 8192) == 1);
+    CHECK(!(loft_cubic_length(&c, tol) > 0) && !(loft_ruler_length(&r) > 0));
+    CHECK(!(loft_cubic_at_length(&c, 0, tol) > 0) && !(loft_ruler_at_length(&r, 0) > 0));
+    CHECK(loft_cubic_at_length(&c, loft_wide(tol), tol) >= LOFT_UNIT(1) && loft_ruler_at_length(&r, loft_wide(tol)) >= LOFT_UNIT(1));
+}
+
 static void a_ruler_refuses_what_is_no_number(arb *a)
 {
     loft_cubic c = arb_cubic(a, 32767);
@@ -448,8 +513,11 @@ int main(void)
     PROPERTY(chords_and_curve_are_within_the_tolerance_of_each_other, 150);
     PROPERTY(never_more_chords_than_halving_gives,                    150);
     PROPERTY(never_more_chords_than_halving_gives_for_drawings,      2000);
+    PROPERTY(never_more_chords_than_halving_gives_where_a_piece_halts, 600);
     PROPERTY(a_flat_parabola_takes_the_fewest_chords,                 100);
     PROPERTY(a_straight_even_line_is_one_chord,                       200);
+    PROPERTY(an_inflection_between_sides_within_the_tolerance_is_one_chord, 100);
+    PROPERTY(a_line_that_halts_is_one_chord,                          300);
     PROPERTY(tolerances_that_cannot_be_kept_are_refused,               50);
     PROPERTY(the_finest_tolerance_is_kept,                             20);
     PROPERTY(length_is_within_the_tolerance,                          400);
@@ -457,6 +525,7 @@ int main(void)
     PROPERTY(the_parameter_at_a_length_has_that_length,               100);
     PROPERTY(a_ruler_measures_from_the_start_to_anywhere,             200);
     PROPERTY(the_parameter_never_decreases_with_the_length,           100);
+    PROPERTY(a_point_has_no_length_and_ends_where_it_starts,           50);
     PROPERTY(a_ruler_refuses_what_is_no_number,                        50);
     return check_failures();
 }

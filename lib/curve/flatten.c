@@ -6,13 +6,14 @@
  *
  *     distance(P(t)) <= B0(t) d0 + B1(t) d1 + B2(t) d2 + B3(t) d3         d_i = distance of b_i
  *
- * With m = max(d0, d3) (the rounding of the ends, or the middle of a halved piece), a >= b the excesses of
- * d1 and d2 over m or 0, and B1 + B2 <= 3/4, max B1 = max B2 = 4/9, this is at most
+ * With m = max(d0, d3), a >= b the excesses of d1 and d2 over m or 0, and B1 + B2 <= 3/4, max B1 = max B2 =
+ * 4/9, this is at most
  *
  *     m + 3/4 b + 4/9 (a - b)                                                                      (1)
  *
- * A piece that misses (1) is halved, its halves are held against the same chord; twice at most. Exact for
- * equal d1, d2 and for d2 = 0; the halves take care of an inflection, where d1 and d2 are on opposite sides.
+ * exactly so for equal d1, d2 and for d2 = 0. A piece that misses (1) is cut in two, and both are held against
+ * the same chord; so on, until a cut is too far away. The pieces are the leaves of a binary tree, part k of
+ * 2^level, visited in order: the one after part k is k + 1, or rather its largest ancestor that starts there.
  *
  * The other direction: the nearest point on the chord moves continuously with t and comes within the
  * rounding of both ends, so every point of the chord is the nearest one of some P(t), or lies within the
@@ -20,20 +21,15 @@
  *
  * The search. From the parameter s of the last point the ends of the dyadic intervals that hold s are tried,
  * from the largest down to the first that succeeds; between that end and the one before it is halved.
- * Halving the curve at the middle until both inner points are within tol gives dyadic pieces for which (1)
- * is at most 3/4 tol. By induction the chords here are never behind: at s in such a piece its end is tried. */
+ * Halving the curve at the middle until both inner points are within tol of the chord gives dyadic pieces
+ * with distances of at most 3/4 tol. The rest s..r of such a piece a..r is no worse against its own chord (its
+ * sideways motion is a part of the whole's; searched with hill climbing over all such pieces: 3/4 tol), so r is
+ * reached from every s in a..r, and the chords here are never behind. */
 #include "curve/measure.h"
 
 #define STEPS ((uint32_t)1 << 24)   /* of the parameter: all are exact in every number type */
 #define FINE  256                   /* ends are found to 1 / FINE of the chord             */
-#define HALF  LOFT_UNIT(0.5)
-
-/* A piece relative to A, and the distances of its control points. */
-typedef struct {
-    loft_acc p[4][LOFT_AXES];
-    loft_acc d[4];
-    uint8_t  level;
-} piece;
+#define DEPTH 14                    /* pieces of a chord: 2^DEPTH where it is closest      */
 
 /* The chord from 0 to u, its length, and its direction to 24 bits. */
 typedef struct {
@@ -83,42 +79,18 @@ static void aim(chord *c)
 }
 
 /* The bound (1) times 36. */
-static bool is_within(const loft_acc d[4], loft_acc limit)
+static bool is_within(loft_acc d0, loft_acc d1, loft_acc d2, loft_acc d3, loft_acc limit)
 {
-    const loft_acc m = d[0] > d[3] ? d[0] : d[3];
-    loft_acc a = d[1] > d[2] ? d[1] : d[2], b = d[1] > d[2] ? d[2] : d[1];
+    const loft_acc m = d0 > d3 ? d0 : d3;
+    loft_acc a = d1 > d2 ? d1 : d2, b = d1 > d2 ? d2 : d1;
 
     a = a > m ? a - m : 0;
     b = b > m ? b - m : 0;
     return 36 * m + 16 * a + 11 * b <= 36 * limit;
 }
 
-/* The first half stays in *a, the second goes to *b. False when the middle is too far. */
-static bool halve(piece *a, piece *b, const chord *c, loft_acc limit)
-{
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc q = loft_acc_lerp(a->p[1][i], a->p[2][i], HALF);
-        b->p[3][i] = a->p[3][i];
-        b->p[2][i] = loft_acc_lerp(a->p[2][i], a->p[3][i], HALF);
-        a->p[1][i] = loft_acc_lerp(a->p[0][i], a->p[1][i], HALF);
-        b->p[1][i] = loft_acc_lerp(q, b->p[2][i], HALF);
-        a->p[2][i] = loft_acc_lerp(a->p[1][i], q, HALF);
-        b->p[0][i] = a->p[3][i] = loft_acc_lerp(a->p[2][i], b->p[1][i], HALF);
-    }
-    b->d[3] = a->d[3];
-    b->d[0] = a->d[3] = distance(b->p[0], c);
-    b->level = ++a->level;
-    return b->d[0] <= limit;
-}
-
-static void measure(piece *a, const chord *c, int from, int to)
-{
-    for (int k = from; k <= to; k++)
-        a->d[k] = distance(a->p[k], c);
-}
-
 /* The piece from..to of one axis: the blossoms b[from,from,from] b[from,from,to] b[from,to,to] b[to,to,to]. */
-static void cut(const loft_cubic *curve, int axis, loft_unit from, loft_unit to, loft_acc out[4])
+static void cut_axis(const loft_cubic *curve, int axis, loft_unit from, loft_unit to, loft_acc out[4])
 {
     loft_acc a[4], b[4];
 
@@ -134,40 +106,64 @@ static void cut(const loft_cubic *curve, int axis, loft_unit from, loft_unit to,
     out[3] = loft_acc_lerp(b[0], b[1], to);
 }
 
-/* May a chord lead from the last point to the one at `to`? */
+/* The control points of the piece from..to, relative to the last point. */
+static void cut(const loft_flatten *f, uint32_t from, uint32_t to, loft_acc p[4][LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_acc c[4];
+        cut_axis(&f->curve, i, loft_unit_of(from, STEPS), loft_unit_of(to, STEPS), c);
+        for (int k = 0; k < 4; k++)
+            p[k][i] = c[k] - loft_wide(f->last.axis[i]);
+    }
+}
+
+/* Part k of 2^level of the next `steps` steps starts here. */
+static uint32_t start_of(const loft_flatten *f, uint32_t steps, uint32_t k, unsigned level)
+{
+    return f->at + (uint32_t)((uint64_t)steps * k >> level);
+}
+
+/* Is the curve from the last point to the one at `to` within the limit of the chord to *end? p is its first piece. */
+static bool is_along(const loft_flatten *f, uint32_t to, const chord *c, loft_acc p[4][LOFT_AXES])
+{
+    loft_acc d0 = distance(p[0], c);
+    unsigned level = 0;
+    uint32_t k = 0;
+
+    for (;;) {
+        const loft_acc d3 = distance(p[3], c);
+        if (d3 > f->limit)
+            return false;
+        if (is_within(d0, distance(p[1], c), distance(p[2], c), d3, f->limit)) {
+            d0 = d3;
+            for (k++; level && k % 2 == 0; k /= 2)
+                level--;
+            if (level == 0)
+                return true;
+        } else {
+            if (level == DEPTH)
+                return false;
+            k *= 2;
+            level++;
+        }
+        cut(f, start_of(f, to - f->at, k, level), start_of(f, to - f->at, k + 1, level), p);
+    }
+}
+
+/* May a chord lead from the last point to the one at `to`, and where is that? */
 static bool is_flat(const loft_flatten *f, uint32_t to, loft_vec *end)
 {
-    piece part[3];
+    loft_acc p[4][LOFT_AXES];
     chord c;
-    int   n = 1;
 
+    cut(f, f->at, to, p);
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc from = loft_wide(f->last.axis[i]);
-        loft_acc p[4];
-
-        cut(&f->curve, i, loft_unit_of(f->at, STEPS), loft_unit_of(to, STEPS), p);
-        end->axis[i] = loft_acc_round(p[3]);
+        end->axis[i] = to == STEPS ? f->curve.p[3].axis[i] : loft_acc_round(p[3][i] + from);
         c.u[i] = loft_wide(end->axis[i]) - from;
-        for (int k = 0; k < 4; k++)
-            part[0].p[k][i] = p[k] - from;
     }
     aim(&c);
-    part[0].level = 0;
-    measure(&part[0], &c, 0, 3);
-
-    while (n) {
-        piece *last = &part[n - 1];
-        if (is_within(last->d, f->limit)) {
-            n--;
-            continue;
-        }
-        if (last->level == 2 || !halve(last, last + 1, &c, f->limit))
-            return false;
-        measure(last, &c, 1, 2);
-        measure(last + 1, &c, 1, 2);
-        n++;
-    }
-    return true;
+    return is_along(f, to, &c, p);
 }
 
 /* One step of the parameter is always flat: its inner points are within 2^-44 of the largest coordinate of the

@@ -153,10 +153,12 @@ static loft_unit locate(const hodograph *h, piece n, loft_acc length)
 {
     const piece top = n;
 
+    if (!(length > 0))
+        return start_of(n);
     length -= walk(h, &n, length, LOFT_UNIT(1));
     if (n.level == top.level && n.k != top.k)
         return start_of(n);
-    return invert(h, n, length > 0 ? length : 0);
+    return invert(h, n, length);
 }
 
 loft_acc loft_cubic_length(const loft_cubic *c, loft_real tol)
@@ -227,9 +229,7 @@ loft_unit loft_ruler_at_length(const loft_ruler *r, loft_acc length)
     piece n = { 0, MARK_LEVEL };
     hodograph h;
 
-    if (!(length > 0))
-        return 0;
-    while (n.k < LOFT_RULER_MARKS && r->mark[n.k + 1] <= length)
+    while (n.k < LOFT_RULER_MARKS && r->mark[n.k + 1] < length)
         n.k++;
     if (n.k == LOFT_RULER_MARKS)
         return LOFT_UNIT(1);

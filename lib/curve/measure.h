@@ -40,7 +40,7 @@ enum loft_status loft_flatten_init(loft_flatten *f, const loft_cubic *c, loft_re
  *
  *   error   none beyond `tol`. There are never more chords than halving at the middle gives when a piece
  *           counts as flat with both inner control points within tol of it (tol >= 8 LSB in q16)
- *   cost    10 to 25 trials of a chord, each 14 lerps and 5 to 14 distances; 1 KB of stack in three axes
+ *   cost    10 to 25 trials of a chord, each of 14 lerps and 4 distances, or a few times that; 500 bytes of stack
  */
 bool loft_flatten_next(loft_flatten *f, loft_vec *out);
 
@@ -51,7 +51,7 @@ bool loft_flatten_next(loft_flatten *f, loft_vec *out);
 /* The length of the curve, by halving until chord and control polygon, between which it lies, agree.
  *
  *   range   any control points that are numbers; tol below 2^-22 of the control polygon's length counts as that
- *   error   tol, and for the arithmetic 2^-27 of the length + 1 LSB in q16, 2^-40 of it in f32 and f64
+ *   error   tol, and for the arithmetic 2^-27 of the polygon's length + 1 LSB in q16, 2^-40 of it in f32, f64
  *   cost    about sqrt(length / tol) times the turning angle in pieces, each 14 lerps and 4 square roots
  *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997
  */
