@@ -44,9 +44,11 @@ static void take_rtt(loft_sender *s, uint32_t m)
     s->rtt_ms = s->rtt8 / 8;
 }
 
+/* Twice the round trip beside four deviations: on a steady line the deviation goes to nothing, and then a STATUS that
+ * stands in the way of an ACK must not look like a loss. Most losses are told by a NAK anyway. */
 static void reset_rto(loft_sender *s)
 {
-    const uint32_t rto = s->rtt8 ? s->rtt8 / 8 + s->var4 + 1 : RTO_FIRST;
+    const uint32_t rto = s->rtt8 ? s->rtt8 / 4 + s->var4 + 1 : RTO_FIRST;
     s->rto = rto < RTO_LEAST ? RTO_LEAST : rto > RTO_MOST ? RTO_MOST : rto;
 }
 
@@ -157,11 +159,12 @@ static void take_welcome(loft_sender *s, uint32_t now)
     loft_welcome w;
     if (s->phase != LOFT_PHASE_HELLO || loft_welcome_decode(&s->frame, &w) != LOFT_OK || w.nonce != s->nonce)
         return;
+    if (!s->greeted || w.boot != s->machine.boot || loft_message_session(&s->frame) != s->session)
+        s->seen = 0;                            /* otherwise the same WELCOME again, because an AXIS was lost */
     s->machine = w;
     s->ack     = w.ack;
     s->session = loft_message_session(&s->frame);
     s->greeted = true;
-    s->seen    = 0;
     s->tried   = now;
     if (!fits(&w))
         s->phase = LOFT_PHASE_UNFIT;
