@@ -132,14 +132,14 @@ static int compare_types(const char *types, const engine *against, const points 
 static int run(const tool_command *self, int argc, char **argv)
 {
     const char *types = "q16,f32,f64", *than = "exact", *text = NULL;
-    double n          = 1024;
+    unsigned n        = 1024;
     points all        = { 0 };
     int first;
 
     const tool_option options[] = {
         TOOL_TEXT("num", "TYPE,..", &types, "number types to measure (q16,f32,f64)"),
         TOOL_TEXT("against", "TYPE", &than, "what they are measured against: exact, q16, f32 or f64 (exact)"),
-        TOOL_NUMBER("n", "N", &n, 1, 1e8, "parameters per curve, j/N (1024)"),
+        TOOL_COUNT("n", "N", &n, 1, 1e8, "parameters per curve, j/N (1024)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         TOOL_OPTIONS_END
     };
@@ -153,7 +153,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const char *file = first < argc ? argv[first] : "-";
     code = points_read(&all, file, text);
     if (code == 0)
-        code = compare_types(types, against, &all, (uint32_t)n, text ? "--points" : file);
+        code = compare_types(types, against, &all, n, text ? "--points" : file);
     points_free(&all);
     return code;
 }

@@ -26,12 +26,12 @@ static int run(const tool_command *self, int argc, char **argv)
 {
     const engine *e  = &engine_q16;
     const char *text = NULL;
-    double n         = 64;
+    unsigned n       = 64;
     points all       = { 0 };
     int first;
 
     const tool_option options[] = {
-        TOOL_NUMBER("n", "N", &n, 1, 1e9, "equal parameter steps per curve (64)"),
+        TOOL_COUNT("n", "N", &n, 1, 1e9, "equal parameter steps per curve (64)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         TOOL_ENGINE(&e, "number type: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
@@ -43,7 +43,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const char *file = first < argc ? argv[first] : "-";
     code = points_read(&all, file, text);
     if (code == 0)
-        code = print_walks(e, &all, (uint32_t)n, text ? "--points" : file);
+        code = print_walks(e, &all, n, text ? "--points" : file);
     points_free(&all);
     return code;
 }

@@ -34,7 +34,6 @@ static int run(const tool_command *self, int argc, char **argv)
     const engine *e            = &engine_q16;
     const char *speed          = o.fast ? "fast" : "real";
     tool_list steps = { 0 }, fastest = { 0 }, accel = { 0 };
-    double tick_hz = o.tick_hz, slots = o.slots, ramp = o.ramp, queue = o.queue;
     int first;
 
     const tool_option options[] = {
@@ -46,10 +45,10 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_LIST("steps", "N,..", &steps, 0.01, 30000, "steps per mm, for all axes or each (80)"),
         TOOL_LIST("max-speed", "MM/S,..", &fastest, 0.01, 30000, "of the axes (500)"),
         TOOL_LIST("accel", "MM/S2,..", &accel, 1, 30000, "of the axes (2000)"),
-        TOOL_NUMBER("tick-hz", "HZ", &tick_hz, 1, 65535, "ticks per second (1000)"),
-        TOOL_NUMBER("slots", "N", &slots, 1, 4096, "chances to step per tick (40)"),
-        TOOL_NUMBER("ramp", "TICKS", &ramp, 1, 32767, "from full pace to standing in a hold (100)"),
-        TOOL_NUMBER("queue", "N", &queue, 1, 32768, "items that fit the queue (256)"),
+        TOOL_COUNT("tick-hz", "HZ", &o.tick_hz, 1, 65535, "ticks per second (1000)"),
+        TOOL_COUNT("slots", "N", &o.slots, 1, 4096, "chances to step per tick (40)"),
+        TOOL_COUNT("ramp", "TICKS", &o.ramp, 1, 32767, "from full pace to standing in a hold (100)"),
+        TOOL_COUNT("queue", "N", &o.queue, 1, 32768, "items that fit the queue (256)"),
         TOOL_NUMBER("noise", "PPM", &o.noise, 0, 100000, "of a million bits on the line so many are flipped (0)"),
         TOOL_ENGINE(&e, "number type of the machine: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
@@ -64,11 +63,7 @@ static int run(const tool_command *self, int argc, char **argv)
     if ((code = spread("steps", &steps, o.steps_per_mm)) != 0 || (code = spread("max-speed", &fastest, o.max_speed)) != 0 ||
         (code = spread("accel", &accel, o.max_accel)) != 0)
         return code;
-    o.fast    = strcmp(speed, "fast") == 0;
-    o.tick_hz = (unsigned)tick_hz;
-    o.slots   = (unsigned)slots;
-    o.ramp    = (unsigned)ramp;
-    o.queue   = (unsigned)queue;
+    o.fast = strcmp(speed, "fast") == 0;
     return simulate(&o, e);
 }
 

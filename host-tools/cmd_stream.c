@@ -15,7 +15,8 @@
 typedef struct {
     const engine *e;
     const char *port, *record;
-    double baud, wait, feed, travel, accel, corner, tol, lift;
+    unsigned baud;
+    double wait, feed, travel, accel, corner, tol, lift;
     bool points, dry, park, hold, resume, abort;
 } stream_options;
 
@@ -65,6 +66,18 @@ static void said_limits(const stream_options *o, engine_limits *l)
             l->max_accel[i] = fmin(l->max_accel[i], o->accel);
     l->corner = o->corner;
     l->tol    = o->tol;
+}
+
+/* What the planner would refuse without knowing the line. */
+static int check_reach(double reach, const char *file, const drawing *d)
+{
+    for (size_t i = 0; i < d->count; i++)
+        for (int k = 0; k < 4; k++)
+            for (int axis = 0; axis < 2; axis++)
+                if (!(fabs(d->curve[i].p[k][axis]) <= reach))
+                    return tool_error(EX_DATAERR, "%s:%u: a point at %.6g,%.6g mm: bring the drawing within +-%g mm", file, d->curve[i].line,
+                                      d->curve[i].p[k][0], d->curve[i].p[k][1], reach);
+    return 0;
 }
 
 static int plan(const stream_options *o, const char *file, const engine_limits *limits, const toolpath *path, job *j)
@@ -155,7 +168,7 @@ static int control(const stream_options *o)
     const enum loft_verb verb = o->abort ? LOFT_ABORT : o->hold ? LOFT_HOLD : LOFT_RESUME;
     talk t;
 
-    int code = talk_open(&t, o->port, (unsigned)o->baud, o->wait);
+    int code = talk_open(&t, o->port, o->baud, o->wait);
     if (code != 0)
         return code;
     code = stream_control(&t, verb);
@@ -170,9 +183,11 @@ static int draw(const stream_options *o, const char *file)
     talk t;
 
     int code = drawing_read(&d, file);
+    if (code == 0)
+        code = check_reach(o->e->reach, file, &d);
     if (code == 0 && o->dry)
         code = dry_run(o, file, &d, &how);
-    else if (code == 0 && (code = talk_open(&t, o->port, (unsigned)o->baud, o->wait)) == 0) {
+    else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait)) == 0) {
         code = stream(o, file, &d, &how, &t);
         talk_close(&t);
     }
@@ -187,7 +202,7 @@ static int run(const tool_command *self, int argc, char **argv)
 
     const tool_option options[] = {
         TOOL_TEXT("port", "PORT", &o.port, "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)"),
-        TOOL_NUMBER("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
+        TOOL_COUNT("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
         TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
         TOOL_SPEED("feed", &o.feed, 0.01, 1000, "pen down, mm/s, or as 1200mm/min (30)"),
         TOOL_SPEED("travel", &o.travel, 0.01, 1000, "pen up (100)"),

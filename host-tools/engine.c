@@ -179,6 +179,7 @@ const engine ENGINE_OF(LOFT_TAG) = {
     .name    = ENGINE_TEXT(LOFT_TAG),
     .fixed   = LOFT_REAL_LSB > 0,
     .lsb     = LOFT_REAL_LSB > 0 ? 1 / (double)LOFT_REAL(1.0) : sizeof(loft_real) == sizeof(double) ? DBL_EPSILON : (double)FLT_EPSILON,
+    .reach   = (double)LOFT_PLAN_REACH / (double)LOFT_REAL(1.0),
     .eval    = eval,
     .walk    = walk,
     .flatten = flatten,

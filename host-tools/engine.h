@@ -38,6 +38,7 @@ typedef struct {
     const char *name;                       /* "q16" "f32" "f64"                    */
     bool fixed;                             /* the step is the same for all sizes   */
     double lsb;                             /* the step of a coordinate of size 1   */
+    double reach;                           /* mm: what can be planned lies within +- this */
     int (*eval)(const double p[][ENGINE_AXES], unsigned degree, double t, double out[ENGINE_AXES]);
     int (*walk)(const double p[][ENGINE_AXES], unsigned degree, uint32_t n, engine_point_sink *sink, void *context);
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink, void *context);

@@ -1,6 +1,7 @@
 /* host-tools/loft.c -- the command `loft`: finds the subcommand, nothing else
  * SPDX-License-Identifier: MIT
  */
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -36,7 +37,10 @@ static int run(const char *name, int argc, char **argv)
 
     if (c == NULL)
         return tool_error(EX_USAGE, "%s is no command: see `loft --help`", name);
-    return c->run(c, argc, argv);
+    const int code = c->run(c, argc, argv);
+    if ((fflush(stdout) != 0 || ferror(stdout)) && code == EX_OK)
+        return tool_error(EX_IOERR, "standard output: %s: make room, or write elsewhere", strerror(errno));
+    return code;
 }
 
 int main(int argc, char **argv)

@@ -62,6 +62,10 @@ static void print_line(const talk *t, const job *j)
            t->received);
     if (seconds > 0 && !s->collected)
         printf("%.1f %% of %u baud, ", 1000 * (double)t->written / (seconds * baud), baud);
+    if (s->report.slowed > 0)
+        printf("%u ticks slowed because their steps did not fit, ", (unsigned)s->report.slowed);
+    if (s->report.elapsed > s->report.ticks + s->machine.tick_hz / 10)
+        printf("%.1f s held or waiting, ", (double)(s->report.elapsed - s->report.ticks) / (double)s->machine.tick_hz);
     printf("%u of %u frames resent\n", (unsigned)s->resent, (unsigned)(s->sent + s->resent));
 }
 

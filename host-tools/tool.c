@@ -55,7 +55,7 @@ static bool number_at(const char *text, double least, double most, double *out, 
 
 static bool number_refused(const char *option, const char *text, double least, double most, const char *unit)
 {
-    (void)tool_error(EX_USAGE, "--%s %s: give a number from %g to %g%s", option, text, least, most, unit);
+    (void)tool_error(EX_USAGE, "--%s %s: give a number from %.9g to %.9g%s", option, text, least, most, unit);
     return false;
 }
 
@@ -65,6 +65,17 @@ bool tool_number(const char *option, const char *text, double least, double most
 
     if (!number_at(text, least, most, out, &end) || *end != '\0')
         return number_refused(option, text, least, most, "");
+    return true;
+}
+
+static bool count_of(const tool_option *o, const char *text)
+{
+    char *end;
+    double value;
+
+    if (!number_at(text, o->least, o->most, &value, &end) || *end != '\0' || value != floor(value))
+        return number_refused(o->name, text, o->least, o->most, ", a whole one");
+    *(unsigned *)o->out = (unsigned)value;
     return true;
 }
 
@@ -120,6 +131,7 @@ static bool take(const tool_option *o, const char *text)
     switch (o->kind) {
     case TOOL_IS_SWITCH: *(bool *)o->out = true; return true;
     case TOOL_IS_NUMBER: return tool_number(o->name, text, o->least, o->most, o->out);
+    case TOOL_IS_COUNT:  return count_of(o, text);
     case TOOL_IS_SPEED:  return speed_of(o->name, text, o->least, o->most, o->out);
     case TOOL_IS_TEXT:   *(const char **)o->out = text; return true;
     case TOOL_IS_LIST:   return list_of(o, text);

@@ -43,7 +43,7 @@ double tool_clock(void);
 // Options
 // -------
 
-enum tool_kind { TOOL_END, TOOL_IS_SWITCH, TOOL_IS_NUMBER, TOOL_IS_SPEED, TOOL_IS_TEXT, TOOL_IS_LIST, TOOL_IS_ENGINE };
+enum tool_kind { TOOL_END, TOOL_IS_SWITCH, TOOL_IS_NUMBER, TOOL_IS_COUNT, TOOL_IS_SPEED, TOOL_IS_TEXT, TOOL_IS_LIST, TOOL_IS_ENGINE };
 
 /* A list of numbers, "0,0.5,1" or the option repeated. */
 typedef struct {
@@ -60,9 +60,11 @@ typedef struct {
     const char *help;           /* one line; says the default    */
 } tool_option;
 
-/* Rows of a table that ends with TOOL_OPTIONS_END. Speeds are in mm/s and may be written 20, 20mm/s or 1200mm/min. */
+/* Rows of a table that ends with TOOL_OPTIONS_END. Speeds are in mm/s and may be written 20, 20mm/s or 1200mm/min.
+ * `out` is a bool, a double (numbers, speeds), an unsigned (counts), a const char *, a tool_list or a const engine *. */
 #define TOOL_SWITCH(name, out, help)                            { TOOL_IS_SWITCH, name, NULL, out, 0, 0, help }
 #define TOOL_NUMBER(name, argument, out, least, most, help)     { TOOL_IS_NUMBER, name, argument, out, least, most, help }
+#define TOOL_COUNT(name, argument, out, least, most, help)      { TOOL_IS_COUNT, name, argument, out, least, most, help }
 #define TOOL_SPEED(name, out, least, most, help)                { TOOL_IS_SPEED, name, "SPEED", out, least, most, help }
 #define TOOL_TEXT(name, argument, out, help)                    { TOOL_IS_TEXT, name, argument, out, 0, 0, help }
 #define TOOL_LIST(name, argument, out, least, most, help)       { TOOL_IS_LIST, name, argument, out, least, most, help }

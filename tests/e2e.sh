@@ -108,6 +108,19 @@ case_two_jobs_and_park() {
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice" --park; says out 'steps 4800 2400 80 as commanded'
     kill "$machine"; gone "$machine"; counted twice
 }
+case_dense_curves_at_115200_baud() {
+    awk 'BEGIN { for (i = 0; i < 150; i++) { s = i % 2 ? 0.15 : -0.15
+                 printf "%g,20,%g,%g,%g,%g,%g,20\n", x + 20, x + 20.2, 20 + s, x + 20.3, 20 - s, x + 20.5; x += 0.5 } }' >"$tmp/squiggle.csv"
+    machine dense --speed real --once
+    "$pty" relay "$tmp/slow" "$tmp/dense" 115200 & children+=($!); disown $!
+    wait_for "$tmp/slow"
+    run 0 "$loft" stream "$tmp/squiggle.csv" --port "unix:$tmp/slow" --feed 60; gone "$machine"; counted dense
+    # the machine took no longer than planned: the line has fed it in time
+    local planned took
+    read -r planned took < <(sed -n 's/.* done: .* items, \([0-9]*\) ticks in \([0-9.]*\) s.*/\1 \2/p' "$tmp/dense.log")
+    awk -v p="$planned" -v t="$took" 'BEGIN { exit !(p > 4000 && 1000 * t - p < 500) }' || job_fails "$planned ticks took $took s"
+    awk '/^line/ { exit !($0 ~ / of 115200 baud/) }' "$tmp/out" || job_fails "no share of the line: $(cat "$tmp/out")"
+}
 case_from_a_pipe()      {
     machine pipe --speed fast --once
     run 0 sh -c "cat '$tmp/small.csv' | '$loft' stream - --port '$tmp/pipe'"; gone "$machine"; counted pipe
@@ -246,6 +259,7 @@ case_bad_drawings() {
     one_line 66 'no such file' "$loft" stream "$tmp/absent.svg" --dry-run
     for bad in broken.svg empty.svg text.txt random.bin nothing; do one_line 65 "$bad" "$loft" stream "$tmp/$bad" --dry-run; done
     printf '0,0,1e9,0,1,1,2,2\n' >"$tmp/far.csv";  one_line 65 'far.csv' "$loft" stream "$tmp/far.csv" --dry-run
+    printf '\n0,0,9000,0,1,1,2,2\n' >"$tmp/wide.csv"; one_line 65 'wide.csv:2: a point at 9000,0 mm' "$loft" stream "$tmp/wide.csv" --dry-run
     printf '0,0 1,1\n0,zero\n'   >"$tmp/word.txt"; one_line 65 'word.txt:1' "$loft" eval "$tmp/word.txt"
 }
 case_bad_options() {
@@ -257,6 +271,8 @@ case_bad_options() {
     one_line 64 'more than one'  "$loft" stream a b --port "$tmp/x"
     one_line 64 'stand alone'    "$loft" stream --hold --abort --port "$tmp/x"
     one_line 64 '--feed -3'      "$loft" stream "$tmp/small.csv" --dry-run --feed -3
+    one_line 64 'a whole one'    "$loft" sample --n 2.5 --points "0,0 1,1"
+    one_line 74 'standard output' sh -c "'$loft' sample --points '0,0 1,1' >/dev/full"
     one_line 64 '--num q31'      "$loft" eval --num q31 --points "0,0 1,1"
     one_line 64 '--speed slow'   "$loft" simulate --speed slow
     one_line 64 'HOST:PORT'      "$loft" stream "$tmp/small.csv" --port tcp:1234

@@ -3,7 +3,7 @@
  *
  *     e2e_pty noise LINK                  a machine that talks nonsense: random bytes, for ever
  *     e2e_pty mute LINK                   a machine that never answers
- *     e2e_pty relay SOCKET LINK           a Unix socket in front of the pty LINK, which may go away and come back:
+ *     e2e_pty relay SOCKET LINK [BAUD]    a Unix socket in front of the pty LINK, which may go away and come back:
  *                                         a serial line whose machine is switched off and on
  *     e2e_pty type "SECONDS:KEY .." CMD   CMD on a terminal, with keys typed at those times ("0.5:h 2:^C")
  *
@@ -21,6 +21,8 @@
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
+
+#define FIFO 512        /* bytes that a line takes at once, as a USB adapter does */
 
 static int die(const char *what)
 {
@@ -98,19 +100,34 @@ static int reopened(const char *link)
     return fd;
 }
 
-/* What one end says goes to the other; what cannot be delivered is lost, as on a wire. False when `from` is gone. */
-static int carry(int from, int to)
+/* What one end says goes to the other; what cannot be delivered is lost, as on a wire. 0 or less when `from` is gone. */
+static ssize_t carry(int from, int to, size_t most)
 {
-    unsigned char bytes[512];
-    const ssize_t got = read(from, bytes, sizeof bytes);
+    unsigned char bytes[FIFO];
+    const ssize_t got = read(from, bytes, most < sizeof bytes ? most : sizeof bytes);
 
     if (got > 0 && to >= 0 && write(to, bytes, (size_t)got) < 0) {}
-    return got > 0;
+    return got;
 }
 
-static void relay(const char *path, const char *link)
+/* `left` bytes may pass now; what is not read stays where it is, so that a sender feels a slow line. */
+static void pass(int *from, int to, short ready, double *left)
+{
+    if (!ready || *left < 1)
+        return;
+    const ssize_t got = carry(*from, to, (size_t)*left);
+    if (got > 0) {
+        *left -= (double)got;
+        return;
+    }
+    close(*from);
+    *from = -1;
+}
+
+static void relay(const char *path, const char *link, double baud)
 {
     const int server = server_of(path);
+    double left[2] = { 0, 0 }, then = seconds();
 
     for (int client = -1, machine = -1;;) {
         if (client < 0)
@@ -119,14 +136,17 @@ static void relay(const char *path, const char *link)
             machine = reopened(link);
         struct pollfd p[2] = { { .fd = client, .events = POLLIN }, { .fd = machine, .events = POLLIN } };
         poll(p, 2, 20);
-        if (p[0].revents && !carry(client, machine)) {
-            close(client);
-            client = -1;
+        const double now = seconds();
+        for (int i = 0; i < 2; i++) {
+            left[i] += (now - then) * baud / 10;
+            if (left[i] > FIFO)
+                left[i] = FIFO;
         }
-        if (p[1].revents && !carry(machine, client)) {
-            close(machine);
-            machine = -1;
-        }
+        then = now;
+        pass(&client, machine, p[0].revents, &left[0]);
+        pass(&machine, client, p[1].revents, &left[1]);
+        if (left[0] < 1 || left[1] < 1)
+            usleep(1000);
     }
 }
 
@@ -190,10 +210,10 @@ int main(int argc, char **argv)
 {
     if (argc == 3 && (strcmp(argv[1], "noise") == 0 || strcmp(argv[1], "mute") == 0))
         return machine(argv[2], strcmp(argv[1], "noise") == 0);
-    if (argc == 4 && strcmp(argv[1], "relay") == 0)
-        relay(argv[2], argv[3]);
+    if ((argc == 4 || argc == 5) && strcmp(argv[1], "relay") == 0)
+        relay(argv[2], argv[3], argc == 5 ? atof(argv[4]) : 1e9);
     if (argc > 3 && strcmp(argv[1], "type") == 0)
         return type(argv[2], argv + 3);
-    fprintf(stderr, "usage: e2e_pty noise|mute LINK, e2e_pty relay SOCKET LINK, or e2e_pty type \"SECONDS:KEY ..\" CMD ..\n");
+    fprintf(stderr, "usage: e2e_pty noise|mute LINK, e2e_pty relay SOCKET LINK [BAUD], or e2e_pty type \"SECONDS:KEY ..\" CMD ..\n");
     return 64;
 }
