@@ -45,6 +45,11 @@ static void rig_life(arb *a, uint32_t slot)
         loft_drive_override(&drive, arb_below(a, 120));
     if (arb_below(a, 100) == 0)
         loft_drive_prepare(&drive);
+    if (arb_below(a, 3000) == 0) {                      /* as if it had been prepared for an item that was just taken */
+        drive.walk[!drive.which] = drive.walk[drive.which];
+        drive.ready_item = (uint8_t)(drive.item - 1);
+        drive.ready = 1;
+    }
     if (r.law || arb_below(a, 3) == 0)
         loft_drive_tick(&drive);
 }
@@ -120,6 +125,7 @@ static void a_held_machine_stands_at_the_end_of_a_tick_until_it_is_resumed(arb *
 {
     const uint32_t when = arb_below(a, 40000);
     bool held = false;
+    uint32_t prepared = 0;
 
     rig_start(a, 40, (uint16_t)(1 + arb_below(a, 100)), 20);
     for (uint32_t slot = 0; slot < 2000000 && loft_state_busy(drive.state); slot++) {
@@ -140,10 +146,14 @@ static void a_held_machine_stands_at_the_end_of_a_tick_until_it_is_resumed(arb *
             CHECK(r.passed == passed && drive.state == LOFT_STATE_HELD);
             loft_drive_hold(&drive, false);
         }
+        prepared += !drive.ready;
+        loft_drive_prepare(&drive);
+        prepared -= !drive.ready;
         loft_drive_tick(&drive);
         rig_slot();
     }
     CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
+    CHECK(prepared == (r.kind == LOFT_SPANS ? r.items : 0));
 }
 
 /* After the abort the machine takes as many ticks as the pace needs, stands on the path, and can begin another job there. */
@@ -157,6 +167,8 @@ static void an_abort_stands_on_the_path_and_the_next_job_begins_there(arb *a)
         while (rig_push()) {}
         if (slot == when) {
             loft_drive_abort(&drive);
+            for (int late = 0; late < 2 * CELLS; late++)        /* still on the line: forgotten, not refused */
+                CHECK(loft_drive_push(&drive, &r.item[r.pushed ? r.pushed - 1 : 0]) == LOFT_OK);
             left = r.passed + loft_pace_distance(&drive.pace) + 2;
         }
         if (slot > when && !loft_step_done(&drive.step))
@@ -233,6 +245,46 @@ static void steps_that_do_not_fit_their_tick_are_all_made(arb *a)
     CHECK(end.slowed > 0);
 }
 
+/* The law of supply at standing: 2 * LOFT_DRIVE_MARGIN ticks are not enough, one more is. */
+static void the_machine_starts_with_enough_in_the_queue(arb *a)
+{
+    do
+        rig_start(a, 40, 50, 20);
+    while (r.kind != LOFT_POINTS || r.cells <= 2 * LOFT_DRIVE_MARGIN + 1);
+
+    for (int items = 0; items < 2 * LOFT_DRIVE_MARGIN; items++)
+        CHECK(rig_push());
+    for (int slot = 0; slot < 1000; slot++) {
+        loft_drive_tick(&drive);
+        CHECK(loft_step_done(&drive.step));
+    }
+    CHECK(rig_push());
+    loft_drive_tick(&drive);
+    CHECK(!loft_step_done(&drive.step));
+}
+
+/* A tick that needs a slot for turning round is longer than planned, and counted as such. */
+static void turning_at_full_speed_is_counted_as_slowed(arb *a)
+{
+    const uint16_t slots = (uint16_t)(2 * (1 + arb_below(a, 30)));
+
+    do
+        rig_start(a, slots, 1, 20);
+    while (r.kind != LOFT_POINTS);
+    for (uint32_t tick = 0; tick < r.ticks; tick++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            r.item[tick].p[2][i] = r.path[tick + 1][i] = r.path[tick][i] + (tick % 2 ? -slots : slots);
+    for (uint32_t slot = 0; slot < 1000000 && loft_state_busy(drive.state); slot++) {
+        rig_push();
+        if (r.pushed == r.items)
+            loft_drive_end(&drive);
+        loft_drive_tick(&drive);
+        rig_slot();
+    }
+    CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
+    CHECK(loft_drive_poll(&drive).slowed == r.ticks - 1);
+}
+
 /* The timer is set anew each time, so the main loop gets its share on any machine. */
 static void interrupt_in(int us)
 {
@@ -301,6 +353,8 @@ int main(void)
     PROPERTY(an_abort_stands_on_the_path_and_the_next_job_begins_there,        30);
     PROPERTY(items_that_are_too_fast_are_refused_and_change_nothing,           20);
     PROPERTY(steps_that_do_not_fit_their_tick_are_all_made,                     5);
+    PROPERTY(the_machine_starts_with_enough_in_the_queue,                      10);
+    PROPERTY(turning_at_full_speed_is_counted_as_slowed,                       20);
     PROPERTY(an_interrupt_at_any_place_of_the_main_loop_does_no_harm,           8);
     PROPERTY(init_refuses_what_cannot_work,                                     1);
     return check_failures();

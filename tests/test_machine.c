@@ -189,6 +189,26 @@ static void a_job_may_be_held_and_resumed_from_the_host(arb *a)
     check_drawn();
 }
 
+static void a_hold_from_the_host_stands_until_it_is_lifted(arb *a)
+{
+    do
+        world_start(a, 20);
+    while (r.ticks < 500);
+
+    for (uint32_t ms = 0; ms < 250; ms++)
+        world_runs();
+    loft_sender_control(&w.sender, LOFT_HOLD);
+    while (w.machine.drive.state != LOFT_STATE_HELD && world_runs()) {}
+    const uint32_t passed = r.passed;
+    for (uint32_t ms = 0; ms < 500; ms++)
+        world_runs();
+    CHECK(w.machine.drive.state == LOFT_STATE_HELD && r.passed == passed && here(r.path[passed]) && passed < r.ticks);
+    CHECK(w.sender.status.ack.state == LOFT_STATE_HELD);
+    loft_sender_control(&w.sender, LOFT_RESUME);
+    while (world_runs()) {}
+    check_drawn();
+}
+
 static void an_aborted_job_reports_where_it_stands_and_another_begins_there(arb *a)
 {
     const uint32_t when = 20 + arb_below(a, 1500);
@@ -269,6 +289,7 @@ int main(void)
     PROPERTY(a_job_is_drawn_exactly_once_over_a_bad_line,                        30);
     PROPERTY(a_sender_that_dies_is_replaced_without_a_step_lost_or_doubled,      30);
     PROPERTY(a_job_may_be_held_and_resumed_from_the_host,                        20);
+    PROPERTY(a_hold_from_the_host_stands_until_it_is_lifted,                     10);
     PROPERTY(an_aborted_job_reports_where_it_stands_and_another_begins_there,    30);
     PROPERTY(a_job_that_starts_elsewhere_is_refused,                             10);
     PROPERTY(an_item_that_is_too_fast_ends_the_job_on_the_path,                  20);

@@ -120,12 +120,14 @@ static void fractions_are_carried_at_any_steady_pace(arb *a)
     loft_pace p = arb_pace(a, &slots, &ramp);
     double sum = 0;
 
-    loft_pace_aim(&p, 1 + arb_below(a, 100));
+    const unsigned percent = 1 + arb_below(a, 100);
+    loft_pace_aim(&p, percent);
     uint16_t before;
     do {
         before = loft_pace_distance(&p);
         CHECK(loft_pace_next(&p) != 0);
     } while (loft_pace_distance(&p) != before);
+    CHECK_NEAR(before, fmax(1, most_of(ramp) * percent * percent / 1e4), 0.5);      /* the level of that pace */
     const double ideal = law(slots, most_of(ramp), before, before);
     for (int tick = 0; tick < 1000; tick++)
         sum += loft_pace_next(&p);

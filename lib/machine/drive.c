@@ -93,7 +93,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int3
     d->aim = 0;
     d->executed = d->ticks = d->slowed = d->elapsed = 0;
     d->slot = 0;
-    d->starved = 0;
+    d->starved = 1;                     /* the queue is empty */
     d->abort = d->ended = 0;
     d->state = LOFT_STATE_RUNNING;
     d->active = 1;
@@ -262,7 +262,7 @@ static bool walk_item(loft_forward *walk, const loft_item *item, const int32_t f
     return loft_span_walk(walk, &span) == LOFT_OK;
 }
 
-/* The tick may take the item while this runs: the number tells, here and when the walk is used. The tick leaves
+/* The tick may take the item while this runs: the number tells when the walk is to be used. The tick leaves
  * walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. */
 void loft_drive_prepare(loft_drive *d)
 {
@@ -273,7 +273,7 @@ void loft_drive_prepare(loft_drive *d)
     if (!d->active || d->ready || d->kind != LOFT_SPANS || !loft_queue_peek(&d->queue, &item))
         return;
     copy(from, d->from);
-    if (number != d->item || !walk_item(&d->walk[!d->which], &item, from))
+    if (!walk_item(&d->walk[!d->which], &item, from))
         return;
     LOFT_BARRIER();
     d->ready_item = number;
