@@ -1,0 +1,103 @@
+/* lib/num/exact.h -- whole numbers wide enough that no decision depends on rounding
+ * SPDX-License-Identifier: MIT
+ *
+ * Whether three points turn left, whether a curve has a cusp, whether two edges are parallel: such answers
+ * are signs of sums of products of coordinates, and they are exact here, in every number type. A coordinate
+ * x becomes the whole number x * 2^LOFT_EXACT_REAL, a parameter t the whole number t * 2^LOFT_EXACT_UNIT:
+ *
+ *     const loft_exact ax = loft_exact_sub(loft_exact_from_real(p1.axis[0]), loft_exact_from_real(p0.axis[0]));
+ *     ...
+ *     const int turn = loft_exact_sign(loft_exact_det(ax, ay, bx, by));
+ *
+ * Nothing may exceed LOFT_EXACT_BITS; who multiplies shows that it does not. With coordinates below 2^R
+ * (R = 31 in q16, 128 in floats) a sum of m products of d differences each is below m * 2^(d (R + 1)): thirteen
+ * factors fit in q16, eight in floats.
+ *
+ *   range   q16: any coordinate
+ *           f32, f64: multiples of 2^-108 below 2^20 in size, which are all doubles from 1.4e-17 and all
+ *           floats from 2.6e-26 to 1048575, and 0; loft_exact_admits says whether a number is one
+ *   error   none, where nothing else is said
+ *   cost    56 bytes a number in q16, 136 in floats; a product takes about 100 products of 32 bits in q16
+ *           and 600 in floats, less for a small first factor >= 0; sums take one pass. Stack: a few hundred
+ *           bytes in q16. Not for an ISR
+ *   see     Knuth, The Art of Computer Programming, vol. 2, 4.3.1: the classical algorithms
+ */
+#ifndef LOFT_NUM_EXACT_H
+#define LOFT_NUM_EXACT_H
+
+#include "num/num.h"    /* loft_real, loft_unit, loft_acc */
+
+#if LOFT_NUM == LOFT_Q16
+#  define LOFT_EXACT_LIMBS 14
+#  define LOFT_EXACT_REAL  16
+#  define LOFT_EXACT_UNIT  24
+#else
+#  define LOFT_EXACT_LIMBS 34
+#  define LOFT_EXACT_REAL  108
+#  define LOFT_EXACT_UNIT  53
+#endif
+
+#define LOFT_EXACT_BITS (32 * LOFT_EXACT_LIMBS - 1)     /* |x| < 2^LOFT_EXACT_BITS */
+
+/* A whole number in two's complement, lowest limb first. */
+typedef struct {
+    uint32_t limb[LOFT_EXACT_LIMBS];
+} loft_exact;
+
+/* Can this coordinate be taken exactly? Always in q16; false for nan. */
+bool       loft_exact_admits(loft_real a);
+
+/* x * 2^LOFT_EXACT_REAL of an admitted coordinate; a whole number as it is. */
+loft_exact loft_exact_from_real(loft_real a);
+loft_exact loft_exact_from_int(int32_t i);
+
+/* t * 2^LOFT_EXACT_UNIT.
+ *
+ *   range   q16: any   f32, f64: -1024..1024
+ *   error   q16: none   f32, f64: none for multiples of 2^-53, otherwise t is rounded to one
+ */
+loft_exact loft_exact_from_unit(loft_unit t);
+
+loft_exact loft_exact_neg(loft_exact a);
+loft_exact loft_exact_add(loft_exact a, loft_exact b);
+loft_exact loft_exact_sub(loft_exact a, loft_exact b);
+loft_exact loft_exact_mul(loft_exact a, loft_exact b);
+
+/* a d - b c, the determinant of the rows (a, b) and (c, d). */
+loft_exact loft_exact_det(loft_exact a, loft_exact b, loft_exact c, loft_exact d);
+
+/* -1, 0 or 1: of a, and of a - b. */
+int        loft_exact_sign(loft_exact a);
+int        loft_exact_compare(loft_exact a, loft_exact b);
+
+/* The least k with |a| < 2^k. */
+int        loft_exact_bits(loft_exact a);
+
+/* a * 2^s; for s < 0 rounded to nearest, ties upward.
+ *
+ *   range   loft_exact_bits(a) + s <= LOFT_EXACT_BITS
+ */
+loft_exact loft_exact_shift(loft_exact a, int s);
+
+/* a / b rounded to nearest, ties away from 0.
+ *
+ *   range   b != 0, |b| < 2^(LOFT_EXACT_BITS - 1)
+ *   cost    one pass over the limbs for each bit of the result
+ */
+loft_exact loft_exact_div(loft_exact a, loft_exact b);
+
+/* The largest r with r^2 <= a; 0 for a <= 0.
+ *
+ *   cost    two passes over the limbs for each bit of the result
+ */
+loft_exact loft_exact_root(loft_exact a);
+
+/* a / b * 2^s as a wide value; false, and *out untouched, when that does not fit.
+ *
+ *   range   b != 0; every result below 2^30 (q16) or 2^999 (floats) fits; below 2^-1000 it is 0
+ *   error   q16: 2^-33 + 2^-60   f32, f64: 0.51 ulp of double
+ *   cost    about 64 rounds of loft_exact_div
+ */
+bool       loft_exact_quot(loft_exact a, loft_exact b, int s, loft_acc *out) LOFT_CHECKED;
+
+#endif
