@@ -259,6 +259,8 @@ static void another_job_is_left_alone(arb *a)
         world_run(&w, 600000);
         check_drawn(&w);
         CHECK(w.s.resumed);
+        for (int i = 0; i < LOFT_AXES; i++)             /* it was told where the job began */
+            CHECK(w.s.axis[i].start == job.start[i] && w.s.axis[i].steps_per_mm == (80 + i) * 65536);
     }
 }
 

@@ -22,7 +22,7 @@
 #define LOFT_SENDER_POLL    100         /* ms between two questions for the status        */
 
 enum loft_phase {
-    LOFT_PHASE_HELLO,       /* nobody has answered yet                                                          */
+    LOFT_PHASE_HELLO,       /* nobody has answered yet; also in mid-job, after a silence: the job then goes on  */
     LOFT_PHASE_READY,       /* welcomed: `machine` and `axis` are known; waits for loft_sender_begin            */
     LOFT_PHASE_OPENING,     /* JOB is sent                                                                      */
     LOFT_PHASE_STREAMING,   /* items go out; also after the last one, until the report                          */
