@@ -164,7 +164,7 @@ bench:
 	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
-CHECK_STAGES := lint test check-vectors-all test-mixed test-readme test-e2e test-e2e
+CHECK_STAGES := lint test check-vectors-all test-mixed test-readme test-e2e
 
 ## Check everything: rules of the house, all tests in all number types under sanitizers, vectors, README, whole jobs
 .PHONY: check
