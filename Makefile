@@ -113,7 +113,7 @@ DRAWING ?= tests/drawings/demo.svg
 ## Draw it on the simulated machine: pulses, exact counts and build/demo/drawn.png   DRAWING=file.svg
 .PHONY: demo
 demo: $(TOOL_OUT)/loft
-	@host-tools/demo.sh $< $(DRAWING) build/demo
+	@host-tools/demo.sh $< "$(DRAWING)" build/demo
 
 # --- on a fresh machine ------------------------------------------------------------------------------
 HOST_PACKAGES := gcc libc6-dev make pkg-config clang libclang-rt-14-dev libxml2-dev libcairo2-dev libserialport-dev

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "points.h"     /* points_read */
 #include "tool.h"
@@ -30,7 +29,7 @@ static int run(const tool_command *self, int argc, char **argv)
 {
     const engine *e  = &engine_q16;
     const char *text = NULL;
-    tool_list t      = { 0 };
+    tool_list t      = { .count = 0 };
     points all       = { 0 };
     int first;
 
@@ -43,17 +42,13 @@ static int run(const tool_command *self, int argc, char **argv)
     int code = tool_options(self, options, argc, argv, &first);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
-    if (t.count == 0) {
-        t.value    = tool_grow(NULL, sizeof *t.value);
-        t.value[0] = 0.5;
-        t.count    = 1;
-    }
+    if (t.count == 0)
+        t = (tool_list){ { 0.5 }, 1 };
     const char *file = first < argc ? argv[first] : "-";
     code = points_read(&all, file, text);
     if (code == 0)
         code = print_points(e, &all, &t, text ? "--points" : file);
     points_free(&all);
-    free(t.value);
     return code;
 }
 

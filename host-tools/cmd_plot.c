@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "plot.h"
@@ -41,7 +40,7 @@ static int plot_files(plot_options *o, const char *record_file)
 static int run(const tool_command *self, int argc, char **argv)
 {
     const char *record_file = NULL;
-    tool_list part = { NULL, 0 };
+    tool_list part = { .count = 0 };
     plot_options o = { .error = PLOT_NO_ERROR, .output = "plot.png" };
     int first;
 
@@ -70,7 +69,6 @@ static int run(const tool_command *self, int argc, char **argv)
         o.name = argv[first];
         code = plot_files(&o, record_file);
     }
-    free(part.value);
     return code;
 }
 

@@ -33,7 +33,7 @@ static int run(const tool_command *self, int argc, char **argv)
     struct loft_host_options o = loft_host_defaults();
     const engine *e            = &engine_q16;
     const char *speed          = o.fast ? "fast" : "real";
-    tool_list steps = { 0 }, fastest = { 0 }, accel = { 0 };
+    tool_list steps = { .count = 0 }, fastest = { .count = 0 }, accel = { .count = 0 };
     int first;
 
     const tool_option options[] = {

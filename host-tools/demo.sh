@@ -21,7 +21,7 @@ for _ in $(seq 100); do
 done
 
 "$loft" stream "$drawing" --port "$out/machine" --record "$out/pulses.csv"
-wait "$machine"
+wait "$machine" || { code=$?; machine=; cat "$out/machine.log" >&2; exit $code; }
 machine=
 "$loft" plot "$drawing" --record "$out/pulses.csv" --error 0 --output "$out/drawn.png"
 echo "picture: $out/drawn.png"

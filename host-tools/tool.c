@@ -107,7 +107,10 @@ static bool list_of(const tool_option *o, const char *text)
         double value;
         if (!number_at(text, o->least, o->most, &value, &end) || (*end != ',' && *end != '\0'))
             return number_refused(o->name, text, o->least, o->most, ", or several with commas between");
-        list->value = tool_grow(list->value, (list->count + 1) * sizeof *list->value);
+        if (list->count == TOOL_LIST_MAX) {
+            (void)tool_error(EX_USAGE, "--%s: give at most %d numbers", o->name, TOOL_LIST_MAX);
+            return false;
+        }
         list->value[list->count++] = value;
         if (*end == '\0')
             return true;

@@ -46,8 +46,9 @@ double tool_clock(void);
 enum tool_kind { TOOL_END, TOOL_IS_SWITCH, TOOL_IS_NUMBER, TOOL_IS_COUNT, TOOL_IS_SPEED, TOOL_IS_TEXT, TOOL_IS_LIST, TOOL_IS_ENGINE };
 
 /* A list of numbers, "0,0.5,1" or the option repeated. */
+#define TOOL_LIST_MAX 256
 typedef struct {
-    double *value;
+    double value[TOOL_LIST_MAX];
     size_t count;
 } tool_list;
 
