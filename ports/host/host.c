@@ -256,8 +256,8 @@ static int run_real(struct host *h)
     return 1;
 }
 
-/* May the program end? With `once` when the host has the report, or does not come for it. What was sent last is read
- * first, since it would be lost with the line. */
+/* May the program end? When the host has closed the job and read what was sent last, which would be lost with the line, or
+ * when it does not come for it. */
 static bool finished(struct host *h)
 {
     const bool told = h->sent == h->count && host_line_drained(&h->line);
@@ -267,11 +267,11 @@ static bool finished(struct host *h)
         return true;
     if (loft_state_busy(h->machine.drive.state))
         return false;
-    if (stop_wanted)
-        return h->ended == 0 || told || since > STOP_MS;
-    if (!h->o->once || h->ended == 0)
-        return false;
-    return h->machine.drive.state == LOFT_STATE_IDLE ? told || since > STOP_MS : since > LEAVE_MS;
+    if (h->ended == 0 || !(h->o->once || stop_wanted))
+        return stop_wanted;
+    if (h->machine.drive.state == LOFT_STATE_IDLE)
+        return told || since > STOP_MS;
+    return since > (stop_wanted ? STOP_MS : LEAVE_MS);
 }
 
 static void run(struct host *h)
