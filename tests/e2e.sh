@@ -195,6 +195,13 @@ case_interrupt_holds_and_the_same_command_goes_on() {
     [ "$said" = "$held" ] || job_fails "said $said, the machine stood at $held"
     draws stopped; run 0 "${job[@]}"; gone "$machine"; says err '^resuming at item'; counted stopped; same_path stopped calm
 }
+case_second_interrupt_leaves_at_once() {
+    undisturbed
+    machine left --speed real --once
+    "$pty" type "1.2:^C 1.22:^C" sh -c "trap : INT; '$loft' stream '$tmp/small.csv' --port '$tmp/left' --feed 60; echo code \$?; stty -a" >"$tmp/out" 2>&1
+    says out '^code 75'; says out 'left at once'; says out ' icanon'; says out ' echo '
+    draws left; run 0 "${job[@]}"; gone "$machine"; says err '^resuming at item'; counted left; same_path left calm
+}
 case_control_from_another_run() {
     undisturbed
     machine told --speed real --once
