@@ -5,6 +5,7 @@
 #define LOFT_NUM_STATUS_H
 
 enum loft_status {
+    LOFT_SINGULAR  =  2,    /* an answer: there is none here, no direction, two points in one    */
     LOFT_MORE      =  1,    /* not finished: give more input, or take more output                */
     LOFT_OK        =  0,
     LOFT_ERR_ARG   = -1,    /* a mistake in the caller: count of zero, degree or t out of bounds */
