@@ -186,6 +186,15 @@ test: $(foreach n,$(NUMS),$(foreach t,$(TESTS),build/test/$(n)/$(t)))
 test-mixed: $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
 	@sh tests/mixed.sh build
 
+## Fuzz what comes from the line with libFuzzer for FUZZ_SECONDS (60)
+.PHONY: fuzz
+FUZZ_SECONDS ?= 60
+fuzz: lib/names.h
+	@mkdir -p build/fuzz/wire
+	clang -Ilib -O1 -g $(STD) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $(call num_flag,q16) \
+	    tests/fuzz_wire.c $(wildcard lib/wire/*.c) -o build/fuzz/wire_fuzz
+	build/fuzz/wire_fuzz -max_len=1200 -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 build/fuzz/wire
+
 ## Compile and run the README's example
 .PHONY: test-readme
 test-readme: build/q16x3/libloft.a
