@@ -163,6 +163,25 @@ static void conversions_are_exact(arb *a)
     near(loft_unit_from(x), x, x, REAL_BITS, 0);
 }
 
+/* To the nearest whole number, ties upward; and to raw Q16.16 and back. */
+static void whole_and_raw_numbers_are_nearest(arb *a)
+{
+    const int32_t i = (int32_t)(uint32_t)arb_next(a) >> arb_below(a, 31);
+    const loft_acc part[5] = { -0.5, -0.25, 0, 0.25, 0x1.fffffp-2 }, most = 2147483647.0 + 0x1.fffffp-2;
+    const loft_real x = loft_real_from_raw(i), y = (loft_real)arb_number(a, 30);
+
+    for (int k = 0; k < 5; k++)
+        CHECK(loft_acc_int((loft_acc)i + part[k]) == i);
+    CHECK(loft_acc_int(most) == INT32_MAX && loft_acc_int(-2147483648.0) == INT32_MIN);
+    near(x, i / 65536.0L, i / 65536.0L, REAL_BITS, BY_NUM(0, 0.5L, 0));
+    if (loft_raw_fits(x))
+        CHECK_NEAR(loft_raw_from_real(x), (long double)x * 65536, 0);
+    if (loft_raw_fits(y))
+        CHECK_NEAR(loft_raw_from_real(y) - (long double)y * 65536, 0, 0.5000001L);
+    CHECK(loft_raw_fits(y) == ((long double)y > -32768 - 0x1p-17L && (long double)y < 32768 - 0x1p-17L));
+    CHECK(loft_raw_fits(-32768) && !loft_raw_fits(32768) && !loft_raw_fits((loft_real)-32768.1) && !loft_raw_fits((loft_real)NAN));
+}
+
 static void floors_of_whole_numbers_and_extremes_are_exact(arb *a)
 {
     (void)a;
@@ -194,6 +213,7 @@ static int test_num(void)
     PROPERTY(ratios_of_accs_are_nearest,                       100000);
     PROPERTY(grains_are_one_to_two_ulps,                       100000);
     PROPERTY(conversions_are_exact,                            100000);
+    PROPERTY(whole_and_raw_numbers_are_nearest,                100000);
     PROPERTY(floors_of_whole_numbers_and_extremes_are_exact,        1);
     PROPERTY(constants_are_nearest,                                 1);
     return check_failures();

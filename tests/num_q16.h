@@ -304,6 +304,7 @@ static void constants_are_nearest(arb *a)
     CHECK(LOFT_REAL(0.00001) == 1 && LOFT_REAL(-0.00001) == -1 && LOFT_REAL(0.000007) == 0);
     CHECK(LOFT_REAL(-32768) == INT32_MIN && LOFT_REAL(32767.9999847) == INT32_MAX && LOFT_REAL_MAX == INT32_MAX);
     CHECK(LOFT_UNIT(0.5) == 8388608 && LOFT_UNIT(1) == 16777216 && LOFT_UNIT(1.0 / 3) == 5592405 && LOFT_UNIT(-128) == INT32_MIN);
+    CHECK(loft_real_from_raw(INT32_MIN) == INT32_MIN && loft_raw_from_real(INT32_MAX) == INT32_MAX && loft_raw_fits(INT32_MIN));
     CHECK(LOFT_REAL_LSB == 1 && loft_acc_grain(INT64_MAX) == 1 && loft_real_grain(0) == loft_wide(1));
     CHECK(loft_real_valid(INT32_MIN) && loft_real_valid(INT32_MAX));
 }

@@ -1,0 +1,166 @@
+/* tests/target/sums.c -- check sums of the arithmetic, to be equal bit for bit on every core in q16
+ * SPDX-License-Identifier: MIT
+ *
+ * Each line is a name and a sum over many results, extremes included. tests/target.sh runs this program here
+ * and on an emulated chip and compares. On AVR the lines leave through the serial port, and the three parts
+ * (-DPART=1 operations, 2 points and walking, 3 measures) are programs of their own: together they exceed its flash.
+ */
+#include "curve/forward.h"
+#include "curve/measure.h"
+
+#if defined(__AVR__)
+#  include <avr/interrupt.h>
+#  include <avr/io.h>
+#  include <avr/sleep.h>
+static void put(char c)
+{
+    while (!(UCSR0A & (1 << UDRE0))) {}
+    UDR0 = (uint8_t)c;
+}
+static void start(void) { UBRR0 = 0; UCSR0A = 1 << U2X0; UCSR0B = 1 << TXEN0; }
+static void stop(void)  { put('\n'); cli(); sleep_enable(); sleep_cpu(); }
+#else
+#  include <stdio.h>
+static void put(char c) { putchar(c); }
+static void start(void) {}
+static void stop(void)  {}
+#endif
+
+static uint32_t sum;
+static uint64_t state;
+
+static void add(int64_t x)
+{
+    for (int i = 0; i < 2; i++, x /= 4294967296)
+        sum = (sum ^ (uint32_t)(x & 0xffffffff)) * 16777619u;
+}
+
+static void say(const char *name)
+{
+    while (*name)
+        put(*name++);
+    put(' ');
+    for (int i = 28; i >= 0; i -= 4)
+        put("0123456789abcdef"[sum >> i & 15]);
+    put('\n');
+    sum = 2166136261u;
+}
+
+/* One in four is next to a power of two; |x| < 2^bits. */
+static int64_t some(unsigned bits)
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    const uint32_t r = (uint32_t)(state >> 32);
+    const unsigned size = 1 + (unsigned)(r % bits);
+    int64_t x = (int64_t)(state & (((uint64_t)1 << size) - 1));
+
+    state += r;
+    if ((r >> 16 & 3) == 0)
+        x = ((int64_t)1 << (size - 1)) - (r >> 18 & 1);
+    return r >> 20 & 1 ? -x : x;
+}
+
+static int32_t coordinate(void) { return (int32_t)some(31); }
+static loft_unit fraction(void)  { return (loft_unit)((uint32_t)some(31) & 0xffffff); }
+
+#if PART != 1
+static loft_cubic some_cubic(unsigned bits)
+{
+    loft_cubic c;
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            c.p[k].axis[i] = (loft_real)some(bits);
+    return c;
+}
+#endif
+
+#if PART == 1
+
+static void sums(int rounds)
+{
+    for (int n = 0; n < rounds; n++) { const loft_acc x = some(47); if (loft_acc_fits(x)) add(loft_acc_round(x)); }
+    say("acc_round");
+    for (int n = 0; n < rounds; n++) { const loft_acc x = loft_prod(coordinate(), coordinate()); if (loft_acc_fits(x)) add(loft_acc_round(x)); }
+    say("mul");
+    for (int n = 0; n < rounds; n++) add(loft_acc_int(some(62)));
+    say("acc_int");
+    for (int n = 0; n < rounds; n++) { const int32_t a = (int32_t)some(24), b = (int32_t)some(31); if (b / 256 != 0) add(loft_div(a, b)); }
+    say("div");
+    for (int n = 0; n < rounds; n++) { const int32_t a = coordinate(), b = coordinate(); add(loft_lerp(a, b, fraction())); }
+    say("lerp");
+    for (int n = 0; n < rounds; n++) { const loft_acc x = some(55); add(loft_acc_scale(x, (loft_unit)some(30))); }
+    say("acc_scale");
+    for (int n = 0; n < rounds; n++) { const loft_acc x = some(62), y = some(62); add(loft_acc_lerp(x, y, fraction())); }
+    say("acc_lerp");
+    for (int n = 0; n < rounds; n++) { const loft_acc x = some(46); add(loft_acc_mul(x, (loft_real)some(31))); }
+    say("acc_mul");
+    for (int n = 0; n < rounds; n++) { const loft_acc x = some(46); const int32_t a = coordinate(); if (a) add(loft_acc_div(x, a)); }
+    say("acc_div");
+    for (int n = 0; n < rounds; n++) { const loft_acc x = some(63); add(loft_acc_ratio(x, 1 + ((int32_t)some(31) & 0x3fffffff))); }
+    say("acc_ratio");
+    for (int n = 0; n < rounds; n++) add(loft_acc_sqrt(some(63)));
+    say("acc_sqrt");
+    for (int n = 0; n < rounds; n++) { const loft_acc x[3] = { some(61), some(61), some(50) }; add(loft_acc_hypot(x, 3)); }
+    say("acc_hypot");
+    for (int n = 0; n < rounds; n++) { const int64_t y = 1 + ((some(62) & INT64_MAX) >> 1), x = some(62) % y; add(loft_unit_ratio(x, y)); }
+    say("unit_ratio");
+    for (int n = 0; n < rounds; n++) { const uint32_t k = 1 + ((uint32_t)some(31) & 0x7fffffff), j = (uint32_t)some(31) % k; add(loft_unit_of(j, k)); }
+    say("unit_of");
+    for (int n = 0; n < rounds; n++) add(loft_real_floor(coordinate()));
+    say("real_floor");
+}
+
+#elif PART == 2
+
+static void sums(int rounds)
+{
+    loft_vec p;
+
+    for (int n = 0; n < rounds; n++) {
+        const loft_cubic c = some_cubic(31);
+        loft_bezier b;
+        loft_forward w;
+        if (loft_bezier_init(&b, c.p, 3) == LOFT_OK && loft_forward_init(&w, &b, n % 2 ? 64 : 100) == LOFT_OK)
+            while (loft_forward_next(&w, &p))
+                for (int i = 0; i < LOFT_AXES; i++)
+                    add(p.axis[i]);
+        p = loft_cubic_eval(&c, fraction());
+        add(p.axis[0]);
+    }
+    say("forward");
+}
+
+#else
+
+static void sums(int rounds)
+{
+    loft_vec p;
+
+    for (int n = 0; n < rounds; n++) {
+        const loft_cubic c = some_cubic(22);
+        loft_flatten f;
+        if (loft_flatten_init(&f, &c, LOFT_REAL(1)) == LOFT_OK)
+            while (loft_flatten_next(&f, &p))
+                for (int i = 0; i < LOFT_AXES; i++)
+                    add(p.axis[i]);
+    }
+    say("flatten");
+    for (int n = 0; n < rounds; n++) {
+        const loft_cubic c = some_cubic(22);
+        const loft_acc length = loft_cubic_length(&c, LOFT_REAL(0.125));
+        add(length);
+        add(loft_cubic_at_length(&c, length / 3, LOFT_REAL(0.125)));
+    }
+    say("length");
+}
+
+#endif
+
+int main(void)
+{
+    start();
+    sum = 2166136261u;
+    sums(PART == 1 ? 500 : 4);
+    stop();
+    return 0;
+}
