@@ -32,7 +32,8 @@ typedef struct {
     char *name[ROW_COLUMNS], *field[ROW_COLUMNS];
     unsigned columns;
     char complaint[200];            /* why the row cannot be read or is wrong; empty when neither  */
-    bool refused, beyond;           /* an overflow was reported; an expected value is out of range */
+    bool refused, beyond, edge;     /* an overflow was reported; an expected value is out of range, is
+                                       within one LSB of its end: then either answer is right      */
     long double largest, inexact;   /* of the coordinates: the largest, the most that reading rounded one */
     long double error, bound;       /* in LSB, of the value that comes closest to its bound        */
 } row;
@@ -44,7 +45,7 @@ typedef struct {
 } vector_system;
 
 /* The tables, each ended by a row without a name. */
-extern const vector_system vectors_curve[];
+extern const vector_system vectors_curve[], vectors_measure[];
 
 
 /* Inputs */
@@ -81,6 +82,7 @@ typedef struct {
 
 void row_expect(row *r, const char *column, const answer *a, law l);
 void row_expect_flag(row *r, const char *column, bool flag);
+void row_within(row *r, const char *what, long double error, long double bound);    /* both in LSB */
 void row_complain(row *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif
