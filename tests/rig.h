@@ -47,6 +47,13 @@ static void steps_of(loft_vec mm, int32_t steps[LOFT_AXES])
         steps[i] = loft_steps_of(mm.axis[i], scale_of(i));
 }
 
+/* Anywhere within `reach` of a coordinate, but within the range of coordinates. */
+static int32_t moved(arb *a, int32_t from, int64_t reach)
+{
+    const int64_t to = (int64_t)from + arb_raw(a, (int32_t)(reach < 1000000000 ? reach : 1000000000));
+    return (int32_t)(to > INT32_MAX ? INT32_MAX : to < INT32_MIN ? INT32_MIN : to);
+}
+
 /* A job of random items; a tick goes at most `reach` steps (but for rounding). */
 static void arb_spans(arb *a, int32_t reach)
 {
@@ -63,7 +70,7 @@ static void arb_spans(arb *a, int32_t reach)
         item->ticks = (uint16_t)(1 + arb_below(a, arb_below(a, 20) ? 80 : TICKS - r.ticks < 1000 ? 100 : 1000));
         for (int i = 0; i < LOFT_AXES; i++)
             for (int k = 0; k < 3; k++)
-                item->p[k][i] = (k ? item->p[k - 1][i] : from[i]) + arb_raw(a, (int32_t)((int64_t)reach * item->ticks * 65536 / 3 * 65536 / per_mm[i]));
+                item->p[k][i] = moved(a, k ? item->p[k - 1][i] : from[i], (int64_t)reach * item->ticks * 65536 / 3 * 65536 / per_mm[i]);
         loft_item_span(item, from, &span);
         CHECK(loft_span_walk(&w, &span) == LOFT_OK);
         while (loft_forward_next(&w, &mm)) {

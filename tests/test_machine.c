@@ -256,6 +256,7 @@ static void an_item_that_is_too_fast_ends_the_job_on_the_path(arb *a)
     const uint32_t bad = arb_below(a, r.items);
     const int axis = (int)arb_below(a, LOFT_AXES);
     r.item[bad].p[2][axis] = r.item[bad].p[2][axis] < 0 ? INT32_MAX : INT32_MIN;
+    r.item[bad].ticks = 1;
     if (r.kind == LOFT_SPANS)
         for (r.ticks = 0; r.item_of[r.ticks] < bad; r.ticks++) {}
     while (world_runs()) {}
