@@ -1,189 +1,82 @@
-/* tests/exact.h -- cubics in long double, as a reference, and arbitrary cubics of every kind
+/* tests/exact.h -- the reference of curve tests: long double, and what a bound means in each number type
  * SPDX-License-Identifier: MIT
+ *
+ * long double has 64 bits of mantissa on x86: 2^-63 relative, against bounds of 2^-33 (q16) and 2^-53 (f64).
  */
 #ifndef LOFT_TESTS_EXACT_H
 #define LOFT_TESTS_EXACT_H
 
-#include <math.h>           /* sqrtl, fmaxl */
+#include <math.h>
 
-#include "check.h"          /* BY_NUM, arb */
+#include "check.h"
 
-typedef long double real;
-typedef struct { real x[LOFT_AXES]; } point;
-typedef struct { point p[4]; } exact;
+#define LSB (1.0L / 65536)
 
-static inline point point_of(loft_vec v)
+static inline long double exact_of(loft_real x)  { return BY_NUM((long double)x / 65536, x, x); }
+static inline long double exact_unit(loft_unit t) { return BY_NUM((long double)t / 16777216, t, t); }
+static inline long double exact_acc(loft_acc x)  { return BY_NUM((long double)x / 4294967296.0L, x, x); }
+
+/* The distance from |x| to the next larger number of the type; in q16 always one LSB. */
+static inline long double ulp(long double x)
 {
-    point p;
-    for (int i = 0; i < LOFT_AXES; i++)
-        p.x[i] = arb_value(v.axis[i]);
-    return p;
+    x = fabsl(x);
+    return BY_NUM(LSB, (long double)nextafterf((float)x, INFINITY) - (float)x,
+                  (long double)nextafter((double)x, INFINITY) - (double)x);
 }
 
-static inline exact exact_of(const loft_cubic *c)
+static inline long double ulp_double(long double x)
 {
-    exact e;
-    for (int k = 0; k < 4; k++)
-        e.p[k] = point_of(c->p[k]);
-    return e;
+    x = fabsl(x);
+    return (long double)nextafter((double)x, INFINITY) - (double)x;
 }
 
-static inline real  wide(loft_acc x)       { return BY_NUM(0x1p-32L, 1, 1) * (real)x; }
-static inline real  parameter(loft_unit t) { return BY_NUM(0x1p-24L, 1, 1) * (real)t; }
-static inline loft_real tol_of(int32_t raw) { return BY_NUM(raw, (loft_real)(raw / 65536.0), (loft_real)(raw / 65536.0)); }
+/* |got - want| <= bound, compared in long double */
+#define CHECK_EXACT(got, want, bound) check_near((double)((got) - (want)), 0, (double)(bound), __FILE__, __LINE__, #got)
 
-/* A length as acc, cut to its grain. */
-static inline loft_acc acc_of(real x)      { return (loft_acc)(BY_NUM(0x1p32L, 1, 1) * x); }
-
-static inline point between(point a, point b, real t)
+/* A polynomial with Bernstein coefficients c[0..n]: the blossom at t[0..n-1]. */
+static inline long double exact_blossom(const long double c[], unsigned n, const long double t[])
 {
-    for (int i = 0; i < LOFT_AXES; i++)
-        a.x[i] += (b.x[i] - a.x[i]) * t;
-    return a;
+    long double w[32];
+    for (unsigned k = 0; k <= n; k++)
+        w[k] = c[k];
+    for (unsigned j = 0; j < n; j++)
+        for (unsigned k = 0; k + j < n; k++)
+            w[k] = (1 - t[j]) * w[k] + t[j] * w[k+1];
+    return w[0];
 }
 
-static inline real distance(point a, point b)
+static inline long double exact_eval(const long double c[], unsigned n, long double t)
 {
-    real sum = 0;
-    for (int i = 0; i < LOFT_AXES; i++)
-        sum += (a.x[i] - b.x[i]) * (a.x[i] - b.x[i]);
-    return sqrtl(sum);
+    long double at[32];
+    for (unsigned k = 0; k < n; k++)
+        at[k] = t;
+    return exact_blossom(c, n, at);
 }
 
-static inline real distance_from_segment(point w, point a, point b)
+/* The k-th derivative at t. */
+static inline long double exact_deriv(const long double c[], unsigned n, unsigned k, long double t)
 {
-    real dot = 0, square = 0;
-    for (int i = 0; i < LOFT_AXES; i++) {
-        dot    += (w.x[i] - a.x[i]) * (b.x[i] - a.x[i]);
-        square += (b.x[i] - a.x[i]) * (b.x[i] - a.x[i]);
+    long double w[32], factor = 1;
+    if (k > n)
+        return 0;
+    for (unsigned j = 0; j <= n; j++)
+        w[j] = c[j];
+    for (unsigned m = 0; m < k; m++) {
+        factor *= n - m;
+        for (unsigned j = 0; j + m < n; j++)
+            w[j] = w[j+1] - w[j];
     }
-    const real t = square > 0 ? dot / square : 0;
-    return distance(w, between(a, b, t < 0 ? 0 : t > 1 ? 1 : t));
+    return factor * exact_eval(w, n - k, t);
 }
 
-static inline void split(const exact *c, real t, exact *left, exact *right)
+/* The law of extrapolation: growth L = |1 - t| + |t|, and 1 + L + .. + L^(n-1). */
+static inline long double growth(long double t) { return fabsl(1 - t) + fabsl(t); }
+static inline long double growth_sum(long double t, unsigned n)
 {
-    const point q0 = between(c->p[0], c->p[1], t), q1 = between(c->p[1], c->p[2], t), q2 = between(c->p[2], c->p[3], t);
-    const point r0 = between(q0, q1, t), r1 = between(q1, q2, t), s = between(r0, r1, t);
-    const exact l = {{ c->p[0], q0, r0, s }}, r = {{ s, r1, q2, c->p[3] }};
-    *left  = l;
-    *right = r;
-}
-
-static inline point at(const exact *c, real t)
-{
-    exact left, right;
-    split(c, t, &left, &right);
-    return left.p[3];
-}
-
-static inline real polygon(const exact *c)
-{
-    return distance(c->p[0], c->p[1]) + distance(c->p[1], c->p[2]) + distance(c->p[2], c->p[3]);
-}
-
-/* Length within +-tol, by halving until chord and polygon agree. */
-static inline real length(const exact *c, real tol, int depth)
-{
-    const real p = polygon(c), chord = distance(c->p[0], c->p[3]);
-    exact left, right;
-
-    if (p - chord <= 2 * tol || depth == 40)
-        return (p + chord) / 2;
-    split(c, 0.5L, &left, &right);
-    return length(&left, tol / 2, depth + 1) + length(&right, tol / 2, depth + 1);
-}
-
-static inline real length_to(const exact *c, real t, real tol)
-{
-    exact left, right;
-    split(c, t, &left, &right);
-    return length(&left, tol, 0);
-}
-
-static inline uint32_t halvings(const exact *c, real tol)
-{
-    exact left, right;
-
-    if (distance_from_segment(c->p[1], c->p[0], c->p[3]) <= tol && distance_from_segment(c->p[2], c->p[0], c->p[3]) <= tol)
-        return 1;
-    split(c, 0.5L, &left, &right);
-    return halvings(&left, tol) + halvings(&right, tol);
-}
-
-static inline loft_real part_of(loft_real a, loft_real b, double t)    /* on the way from a to b, beyond it too */
-{
-    const double x = arb_value(a) + t * (arb_value(b) - arb_value(a));
-    return BY_NUM((loft_real)(x * 65536), (loft_real)x, (loft_real)x);
-}
-
-/* Cubics of every kind: any, closed, with double ends, straight and overshooting, cusped, of corners, plane, and
- * almost straight with an inflection; from a few LSB to the whole range. */
-static inline loft_cubic arb_shape(arb *a)
-{
-    loft_cubic c = arb_cubic(a, (1 << arb_below(a, 15)));
-    const double u = arb_below(a, 4096) / 1024.0 - 1.5, v = arb_below(a, 4096) / 1024.0 - 1.5;
-
-    switch (arb_below(a, 10)) {
-    case 0: c.p[3] = c.p[0]; break;
-    case 1: c.p[1] = c.p[0]; break;
-    case 2: c.p[1] = c.p[0]; c.p[2] = c.p[3]; break;
-    case 3: case 4:
-        for (int i = 0; i < LOFT_AXES; i++) {
-            c.p[0].axis[i] /= 4;
-            c.p[3].axis[i] /= 4;
-            c.p[1].axis[i] = part_of(c.p[0].axis[i], c.p[3].axis[i], u);
-            c.p[2].axis[i] = part_of(c.p[0].axis[i], c.p[3].axis[i], v);
-        }
-        if (arb_below(a, 2))
-            c.p[2].axis[0] += LOFT_REAL(0.01);
-        break;
-    case 5:                                         /* legs w, w', -w have a cusp when w' is none */
-        for (int i = 0; i < LOFT_AXES; i++) {
-            for (int k = 0; k < 3; k++)
-                c.p[k].axis[i] /= 4;
-            c.p[2].axis[i] = c.p[1].axis[i] + (arb_below(a, 2) ? c.p[2].axis[i] / 64 : 0);
-            c.p[3].axis[i] = c.p[0].axis[i] + (arb_below(a, 2) ? c.p[2].axis[i] / 16 : 0);
-        }
-        break;
-    case 6:                                         /* p0 + p3 - p1 - p2 = -2 (p1 - p2): cusp at 1/2 */
-        for (int i = 0; i < LOFT_AXES; i++) {
-            for (int k = 0; k < 3; k++)
-                c.p[k].axis[i] /= 8;
-            c.p[3].axis[i] = c.p[0].axis[i] + c.p[2].axis[i] - c.p[1].axis[i];
-            c.p[2].axis[i] = c.p[0].axis[i] + c.p[3].axis[i] - c.p[1].axis[i];
-        }
-        break;
-    case 7:
-        for (int k = 0; k < 4; k++)
-            for (int i = 0; i < LOFT_AXES; i++)
-                c.p[k].axis[i] = BY_NUM(arb_below(a, 2) ? INT32_MAX : INT32_MIN, LOFT_REAL(32767) * (arb_below(a, 2) ? 1 : -1),
-                                        LOFT_REAL(32767) * (arb_below(a, 2) ? 1 : -1));
-        break;
-    case 8:
-        for (int k = 0; k < 4; k++)
-            c.p[k].axis[LOFT_AXES - 1] = 0;
-        break;
-    }
-    return c;
-}
-
-static inline real size_of(const exact *c)
-{
-    real size = 0;
-    for (int k = 0; k < 4; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            size = fmaxl(size, fabsl(c->p[k].x[i]));
-    return size;
-}
-
-/* A tolerance from `least` LSB up that leaves at most some thousand chords. */
-static inline int32_t arb_tol(arb *a, const exact *c, int32_t least)
-{
-    int64_t raw = least - 1 + ((int32_t)1 << arb_below(a, 20));
-    while ((real)raw / 65536 < size_of(c) / (1 << 17))
-        raw *= 2;
-    return (int32_t)raw;
+    long double sum = 0, power = 1;
+    for (unsigned k = 0; k < n; k++, power *= growth(t))
+        sum += power;
+    return sum;
 }
 
 #endif

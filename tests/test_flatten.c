@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "curve/measure.h"
-#include "exact.h"          /* the reference, CHECK, PROPERTY, arb_shape */
+#include "cubics.h"          /* the reference, CHECK, PROPERTY, arb_shape */
 
 /* All that is promised of one chord from..to of the parameter. */
 static void check_chord(const exact *e, point from, point to, real s, real t, real tol)

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "curve/measure.h"
-#include "exact.h"          /* the reference, CHECK, PROPERTY, arb_shape */
+#include "cubics.h"          /* the reference, CHECK, PROPERTY, arb_shape */
 
 /* What the header promises for a tolerance. */
 static real promised(const exact *e, real tol, real share)
