@@ -3,7 +3,8 @@
  */
 #include "motion/arc.h"
 
-#define SPECK        loft_acc_ratio(loft_wide(LOFT_REAL(1)), 8192)
+#define SPECK        loft_acc_ratio(loft_wide(LOFT_REAL(1)), 65536)
+#define DUST         loft_acc_ratio(loft_wide(LOFT_REAL(1)), 262144)
 #define LENGTH_MAX   loft_wide(LOFT_REAL(256))      /* a loft_unit resolves 256 mm to 2^-17 mm */
 #define BEND_MAX     LOFT_REAL(16383)
 
@@ -16,13 +17,13 @@ static bool on_chord(loft_vec p, loft_vec a, loft_vec b)
 {
     const loft_vec q = loft_vec_sub(p, a), c = loft_vec_sub(b, a);
     const loft_acc most = loft_acc_mul(loft_vec_distance(a, b), LOFT_REAL(0.0000152587890625));
-    const loft_acc done = loft_vec_dot(q, c);
+    const loft_acc along = loft_vec_dot(q, c);
 
     for (int i = 0; i < LOFT_AXES; i++)
         for (int j = 0; j < i; j++)
             if (size_of(loft_prod(q.axis[i], c.axis[j]) - loft_prod(q.axis[j], c.axis[i])) > most)
                 return false;
-    return done >= 0 && done <= loft_vec_dot(c, c);
+    return along >= 0 && loft_vec_dot(q, q) <= loft_vec_dot(c, c);
 }
 
 static void straighten(loft_arc *a)
@@ -84,13 +85,38 @@ static bool nearly_straight(const loft_arc *a)
     return length > 0;
 }
 
-static bool is_speck(const loft_arc *a)
+static loft_acc legs_of(const loft_arc *a)
 {
     loft_acc sum = 0;
     for (int i = 0; i < LOFT_AXES; i++)
         for (int k = 0; k < 3; k++)
             sum += size_of(a->p[k + 1][i] - a->p[k][i]);
-    return sum <= SPECK;
+    return sum;
+}
+
+/* Where a control point falls onto the end, rates grow from 0 and no part that begins there is nearly straight in the
+ * sense above. A speck is, when all legs lead along its chord and no further than |chord| / 24 off it. */
+static bool straight_speck(const loft_arc *a)
+{
+    loft_acc chord[LOFT_AXES];
+    loft_real u[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        chord[i] = a->p[3][i] - a->p[0][i];
+    const loft_acc length = loft_acc_hypot(chord, LOFT_AXES);
+    for (int i = 0; i < LOFT_AXES && length > 0; i++)
+        u[i] = loft_acc_quot(chord[i], length);
+
+    for (int k = 0; k < 3 && length > 0; k++) {
+        loft_acc along = 0, off = 0;
+        for (int i = 0; i < LOFT_AXES; i++)
+            along += loft_acc_mul(a->p[k + 1][i] - a->p[k][i], u[i]);
+        for (int i = 0; i < LOFT_AXES; i++)
+            off = larger(off, size_of(a->p[k + 1][i] - a->p[k][i] - loft_acc_mul(along, u[i])));
+        if (along < 0 || 24 * off > length)
+            return false;
+    }
+    return length > 0;
 }
 
 /* The derivative over 3 at the start, the middle (times 4) and the end. */
@@ -101,8 +127,7 @@ static void set_legs(const loft_arc *a, int i, loft_acc e[3])
     e[1] = loft_acc_ratio(e[0] + e[2] + 2 * (a->p[2][i] - a->p[1][i]), 4);
 }
 
-/* With g = |derivative| = 3 rate, Simpson's rule gives the length (g0 + 4 gm + g1) / 6. At the ends the parameter grows
- * with the part z of the length by du/dz = length / g. */
+/* Simpson's rule with |derivative| = 3 rate gives the length (r0 + 4 rm + r1) / 2. Only dust rounds to nothing. */
 static void set_length(loft_arc *a)
 {
     loft_acc e[LOFT_AXES][3], part[LOFT_AXES];
@@ -114,21 +139,22 @@ static void set_length(loft_arc *a)
             part[i] = e[i][k];
         a->rate[k] = loft_acc_hypot(part, LOFT_AXES);
     }
-    a->length = (a->rate[0] + 4 * a->rate[1] + a->rate[2]) / 2;
-    for (int k = 0; k < 2; k++)
-        a->lean[k] = a->rate[2 * k] > 0 ? loft_wide(loft_acc_quot(a->length - 3 * a->rate[2 * k], 3 * a->rate[2 * k])) : 0;
+    a->length = a->rate[0] > 0 && a->rate[2] > 0 ? (a->rate[0] + 4 * a->rate[1] + a->rate[2]) / 2 : 0;
 }
 
 static bool cut(loft_arc *arc, const loft_arc *whole, uint32_t from, uint32_t to)
 {
     set_part(arc, whole, loft_unit_of(from, LOFT_ARC_WHOLE), loft_unit_of(to, LOFT_ARC_WHOLE));
-    arc->speck = to - from == 1 || is_speck(arc);
-    if (!arc->speck && !nearly_straight(arc))
-        return false;
-    if (arc->speck)
+    const loft_acc legs = legs_of(arc);
+    const bool straight = nearly_straight(arc);
+
+    arc->speck = !straight && legs <= SPECK && straight_speck(arc);
+    arc->dust  = !straight && !arc->speck && (legs <= DUST || to - from == 1);
+    if (arc->speck || arc->dust)
         straighten(arc);
-    set_length(arc);
-    return true;
+    if (straight || arc->speck || arc->dust)
+        set_length(arc);
+    return straight || arc->speck || arc->dust;
 }
 
 void loft_arc_cut(loft_arc *arc, const loft_arc *whole, uint32_t from, uint32_t to)
@@ -178,43 +204,61 @@ void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape)
 {
     loft_vec u[3], bend[3];
 
-    for (int k = 0; k < 3 && !arc->speck; k++)
+    shape->tight = arc->dust;
+    for (int k = 0; k < 3 && !arc->dust; k++)
         set_station(arc, k, &u[k], &bend[k]);
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc along = loft_wide(LOFT_REAL(1)), most = 0;
-        if (!arc->speck) {
+        if (!arc->dust) {
             const loft_acc k0 = loft_wide(bend[0].axis[i]), k1 = loft_wide(bend[1].axis[i]), k2 = loft_wide(bend[2].axis[i]);
             along = larger(size_of(loft_wide(u[0].axis[i])), larger(size_of(loft_wide(u[1].axis[i])), size_of(loft_wide(u[2].axis[i]))));
             most  = larger(size_of(k0), larger(size_of(k1), size_of(k2))) + size_of(k0 - 2 * k1 + k2) / 8;
         }
         shape->along[i] = loft_acc_round(along);
-        shape->bend[i]  = most < loft_wide(BEND_MAX) ? loft_acc_round(most) : BEND_MAX;
+        shape->tight    = shape->tight || most > loft_wide(BEND_MAX);
+        shape->bend[i]  = shape->tight ? 0 : loft_acc_round(most);
     }
-    if (!arc->speck) {
+    if (!arc->dust) {
         shape->first = u[0];
         shape->last  = u[2];
     }
 }
 
-/* The parameter as Hermite's cubic in the part z = s / length, with its slopes at both ends:
- *
- *     u(z) = z + z (1 - z) (lean0 (1 - z) - lean1 z)
- */
+static loft_acc bernstein(const loft_acc b[], int degree, loft_unit t)
+{
+    loft_acc q[4];
+
+    for (int k = 0; k <= degree; k++)
+        q[k] = b[k];
+    for (int n = degree; n > 0; n--)
+        for (int k = 0; k < n; k++)
+            q[k] = loft_acc_lerp(q[k], q[k + 1], t);
+    return q[0];
+}
+
+/* The rate is close to the parabola through its three values, in Bernstein's form r0, m = 2 rm - (r0 + r1) / 2, r1,
+ * the length therefore to the cubic s(u) with 0, r0, r0 + m, r0 + m + r1, whose derivative is 3 times the parabola.
+ * s(u) = s is solved by Newton's iteration from u = s / length: rates change by a quarter at most, so u errs by at most
+ * 1/16, then 2^-11, then 2^-24. */
+static loft_unit parameter_at(const loft_arc *arc, loft_acc s)
+{
+    const loft_acc r0 = arc->rate[0], r1 = arc->rate[2], m = 2 * arc->rate[1] - (r0 + r1) / 2;
+    const loft_acc rate[3] = { r0, m, r1 }, length[4] = { 0, r0, r0 + m, arc->length };
+    loft_unit u = loft_unit_ratio(s, arc->length);
+
+    for (int n = 0; n < 2; n++) {
+        u += loft_unit_ratio(s - bernstein(length, 3, u), 3 * bernstein(rate, 2, u));
+        u = u < 0 ? 0 : u > LOFT_UNIT(1) ? LOFT_UNIT(1) : u;
+    }
+    return u;
+}
+
 void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES])
 {
-    const loft_acc  one = loft_wide(LOFT_REAL(1));
-    const loft_unit z = loft_unit_ratio(s, arc->length), rest = LOFT_UNIT(1) - z;
-    const loft_acc  lean = loft_acc_scale(arc->lean[0], rest) - loft_acc_scale(arc->lean[1], z);
-    const loft_acc  at   = loft_acc_scale(one, z) + loft_acc_scale(loft_acc_scale(lean, z), rest);
-    const loft_unit u    = loft_unit_ratio(at < 0 ? 0 : at > one ? one : at, one);
+    const loft_unit u = parameter_at(arc, s);
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        loft_acc q[4];
-        for (int k = 0; k < 4; k++)
-            q[k] = arc->p[k][i];
-        for (int n = 3; n > 0; n--)
-            for (int k = 0; k < n; k++)
-                q[k] = loft_acc_lerp(q[k], q[k + 1], u);
-        out[i] = q[0];
+        const loft_acc p[4] = { arc->p[0][i], arc->p[1][i], arc->p[2][i], arc->p[3][i] };
+        out[i] = bernstein(p, 3, u);
     }
 }

@@ -1,8 +1,7 @@
 /* lib/motion/arc.h -- arc: a part of a cubic that is nearly straight, walked by its length
  * SPDX-License-Identifier: MIT
  *
- * A curve is cut into arcs so short that the parameter as a function of the length is a cubic to within
- * rounding, and that direction and curvature change little.
+ * A curve is cut into arcs so short that direction, curvature and rate (length per parameter) change little.
  */
 #ifndef LOFT_MOTION_ARC_H
 #define LOFT_MOTION_ARC_H
@@ -16,15 +15,16 @@ typedef struct {
     loft_acc p[4][LOFT_AXES];
     loft_acc length;            /* mm                                                                */
     loft_acc rate[3];           /* |derivative| / 3 at the start, the middle and the end             */
-    loft_acc lean[2];           /* at start and end: d parameter / d (length / whole length), less 1 */
-    bool     speck;             /* too small to have a direction: a straight line of at most 2^-13 mm */
+    bool     speck;             /* straight but not even: at most 2^-16 mm                           */
+    bool     dust;              /* too small to have a direction: at most 2^-18 mm                   */
 } loft_arc;
 
 /* How an arc lies, per axis: bounds of direction and curvature, and the directions at its ends. */
 typedef struct {
     loft_real along[LOFT_AXES];     /* largest |component| of the direction, 0..1            */
     loft_real bend[LOFT_AXES];      /* largest |component| of the curvature vector, 1/mm     */
-    loft_vec  first, last;          /* directions, of length 1; not set for a speck          */
+    loft_vec  first, last;          /* directions, of length 1; not set for dust             */
+    bool      tight;                /* dust, or bent more than `bend` can say                */
 } loft_arc_shape;
 
 /* The whole of a curve, to be cut. A curve that does not leave its chord by more than 2^-16 mm and does not
@@ -50,7 +50,7 @@ void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape);
 /* The point at length s, 0 <= s <= arc->length, of an arc with length > 0.
  *
  *   error   q16: 2^-25 of the length   f32: 2^-24 of the length
- *   cost    6 wide lerps per axis and 2 divisions
+ *   cost    6 wide lerps per axis, 18 for the parameter, and 3 divisions
  */
 void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES]);
 

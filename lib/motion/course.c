@@ -23,12 +23,9 @@ static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
 /* Where the path was heading when it was last seen to have a direction. */
 typedef struct {
     loft_vec direction;
-    loft_acc drift[LOFT_AXES];      /* what the specks since then sum to */
     loft_acc extent;                /* of the curve before               */
     bool     known, smooth;         /* smooth: the curve just goes on    */
 } heading;
-
-static loft_acc drift_of(const heading *h) { return loft_acc_hypot(h->drift, LOFT_AXES); }
 
 /* The largest distance of a control point from the first: 0 for a curve that is a point. */
 static loft_acc extent_of(const loft_cubic *c)
@@ -41,37 +38,19 @@ static loft_acc extent_of(const loft_cubic *c)
     return most;
 }
 
-/* A speck has no direction of its own, but many of them have one together. */
-static bool gather(heading *h, const loft_arc *arc, loft_vec *direction)
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        h->drift[i] += arc->p[3][i] - arc->p[0][i];
-
-    const loft_acc far = drift_of(h);
-    if (8192 * far < loft_wide(LOFT_REAL(1)))
-        return false;
-    for (int i = 0; i < LOFT_AXES; i++)
-        direction->axis[i] = loft_acc_quot(h->drift[i], far);
-    return true;
-}
-
 /* The square of the speed that the joint between the heading and `arc` allows; LOFT_SPEED_MAX squared if it is smooth. */
 static loft_acc turn(heading *h, const loft_budget *b, const loft_arc *arc, loft_acc spacing)
 {
     loft_acc most = loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX);
     loft_arc_shape shape;
 
-    loft_arc_measure(arc, &shape);
-    if (arc->speck) {
+    if (arc->dust) {
         h->smooth = false;
-        if (!gather(h, arc, &shape.first))
-            return most;
-        shape.last = shape.first;
+        return most;
     }
-    if (h->known && !h->smooth)
+    loft_arc_measure(arc, &shape);
+    if (h->known && !(h->smooth && !arc->speck))
         most = loft_budget_joint(b, h->direction, shape.first, spacing);
-    for (int i = 0; i < LOFT_AXES; i++)
-        h->drift[i] = 0;
     h->direction = shape.last;
     h->known  = true;
     h->smooth = !arc->speck;

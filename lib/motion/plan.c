@@ -18,7 +18,7 @@
  *     P0   P0 + V0 m / 3   P1 - V1 m / 3   P1                        from one knot to the m-th after it
  *
  * whose acceleration is within the limits at both ends (it is a straight line in time), that passes the samples
- * within the tolerance at their times, and whose velocity is that of the B-spline to within 1/128 at every knot.
+ * within the tolerance at their times, and whose velocity is that of the B-spline to within 1/256 at every knot.
  */
 #include "motion/plan.h"
 
@@ -114,7 +114,7 @@ static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][
     return off <= tol;
 }
 
-/* At knot j: is the velocity that of the B-spline, to 1/128 and 2^-14 mm per beat? */
+/* At knot j: is the velocity that of the B-spline, to 1/256 and 2^-17 mm per beat? */
 static bool runs(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LOFT_AXES])
 {
     const loft_unit t = loft_unit_of(j, m);
@@ -128,7 +128,7 @@ static bool runs(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LO
         off   = e > off ? e : off;
         speed = size_of(v) > speed ? size_of(v) : speed;
     }
-    return off * 128 <= speed + loft_wide(LOFT_REAL(0.0078125));
+    return off * 256 <= speed + loft_wide(LOFT_REAL(0.001953125));
 }
 
 static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])

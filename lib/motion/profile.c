@@ -30,6 +30,8 @@ void loft_piece_init(loft_piece *p, const loft_budget *b, const loft_arc *arc, l
         p->along[i] = shape.along[i];
         p->bend[i]  = shape.bend[i];
         v = loft_real_cap(v, b->max_speed[i], p->along[i]);
+        if (shape.tight && b->spare[i] < 2 * v)
+            v = b->spare[i] / 2;
     }
     p->most = loft_prod(v, v);
     for (int i = 0; i < LOFT_AXES; i++)
