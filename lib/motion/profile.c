@@ -18,6 +18,7 @@
 #include "motion/profile.h"
 
 static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 
 void loft_piece_init(loft_piece *p, const loft_budget *b, const loft_arc *arc, loft_real feed)
 {
@@ -60,13 +61,13 @@ loft_acc loft_piece_reach(const loft_piece *p, const loft_budget *b, loft_acc fr
 
 unsigned loft_piece_phases(const loft_piece *p, const loft_budget *b, loft_acc end, loft_phase out[LOFT_PHASES_MAX])
 {
-    const loft_acc mean = (p->start + end) / 2;
-    const loft_acc peak = smaller(p->most, mean + loft_acc_mul(p->length, accel_at(p, b, mean, p->length)));
-
-    const loft_real a = accel_at(p, b, peak, 0);
+    const loft_acc least = smaller(p->start, end), mean = (p->start + end) / 2;
+    const loft_acc rise  = loft_acc_mul(p->length, accel_at(p, b, mean, p->length));
+    const loft_acc peak  = larger(smaller(p->most, mean + rise), p->start + end - least);
+    const loft_real a  = accel_at(p, b, peak, 0);
     const loft_acc all = 2 * loft_acc_mul(p->length, a);
 
-    if (peak <= p->start || peak <= end || all < peak - smaller(p->start, end)) {
+    if (all < peak - least || !(all > 0)) {
         out[0] = (loft_phase){ p->length, p->start, end, loft_acc_quot(end - p->start, 2 * p->length) };
         return 1;
     }
