@@ -3,7 +3,7 @@
  *
  *   num/      what a number is       loft_real loft_unit loft_acc; one source for Q16.16, float and double
  *   geom/     what a point is        loft_vec, loft_box
- *   basis/    weights                Bernstein polynomials, power form, Horner
+ *   basis/    weights                Bernstein polynomials, power form, Horner; sign: positive, convex
  *   curve/    one parameter          bezier: point, derivative, pieces   forward: exact walking   measure: flatten, length
  *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
  *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
@@ -20,11 +20,15 @@
 #define LOFT_VERSION "0.1.0"
 
 #include "num/num.h"
+#include "num/exact.h"
 #include "geom/vec.h"
 #include "basis/bernstein.h"
+#include "basis/operator.h"
+#include "basis/sign.h"
 #include "curve/bezier.h"
 #include "curve/forward.h"
 #include "curve/measure.h"
+#include "curve/shape.h"
 #include "motion/plan.h"
 #include "motion/span.h"
 #include "motion/pace.h"

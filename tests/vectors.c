@@ -21,7 +21,7 @@
 
 #include "vectors.h"
 
-static const vector_system *const tables[] = { vectors_curve, vectors_measure };
+static const vector_system *const tables[] = { vectors_curve, vectors_measure, vectors_shape };
 
 #define DIGITS 1e-9L            /* LSB: what 20 significant digits leave open */
 
@@ -166,6 +166,8 @@ static void push(answer *a, long double value)
 void answer_real(answer *a, loft_real x) { push(a, exact_of(x)); }
 void answer_wide(answer *a, loft_acc x)  { push(a, exact_acc(x)); a->wide = true; }
 
+void answer_unit(answer *a, loft_unit t) { push(a, exact_unit(t)); }
+
 void answer_acc(answer *a, loft_acc x)
 {
     if (loft_acc_fits(x))
@@ -242,6 +244,12 @@ void row_expect(row *r, const char *column, const answer *a, law l)
     }
     if (!a->refused && k != a->count)
         row_complain(r, "column %s has %u values, %u were expected", column, k, a->count);
+}
+
+void row_expect_word(row *r, const char *column, const char *word)
+{
+    if (!row_is(r, column, word))
+        row_complain(r, "column %s is %s, not %s", column, field(r, column), word);
 }
 
 void row_expect_flag(row *r, const char *column, bool flag)

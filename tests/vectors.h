@@ -45,7 +45,7 @@ typedef struct {
 } vector_system;
 
 /* The tables, each ended by a row without a name. */
-extern const vector_system vectors_curve[], vectors_measure[];
+extern const vector_system vectors_curve[], vectors_measure[], vectors_shape[];
 
 
 /* Inputs */
@@ -70,6 +70,7 @@ typedef struct {
 answer *answer_new(void);                                       /* an empty one, valid for this row           */
 void    answer_status(row *r, answer *a, enum loft_status status);  /* LOFT_ERR_RANGE: there is no value      */
 void    answer_real(answer *a, loft_real x);
+void    answer_unit(answer *a, loft_unit t);
 void    answer_acc(answer *a, loft_acc x);                      /* rounded to a coordinate; may not fit       */
 void    answer_wide(answer *a, loft_acc x);                     /* as it is                                   */
 void    answer_vec(answer *a, loft_vec v, unsigned d);
@@ -81,6 +82,7 @@ typedef struct {
 } law;
 
 void row_expect(row *r, const char *column, const answer *a, law l);
+void row_expect_word(row *r, const char *column, const char *word);
 void row_expect_flag(row *r, const char *column, bool flag);
 void row_within(row *r, const char *what, long double error, long double bound);    /* both in LSB */
 void row_complain(row *r, const char *format, ...) __attribute__((format(printf, 2, 3)));

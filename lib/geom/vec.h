@@ -17,6 +17,12 @@ typedef struct {
     loft_vec min, max;
 } loft_box;
 
+/* The coordinate of an axis, 0 for those beyond LOFT_AXES: a plane exists in every build. */
+static inline loft_real loft_vec_axis(const loft_vec *a, int axis)
+{
+    return axis < LOFT_AXES ? a->axis[axis < LOFT_AXES ? axis : 0] : 0;
+}
+
 static inline loft_vec loft_vec_add(loft_vec a, loft_vec b)
 {
     for (int i = 0; i < LOFT_AXES; i++)

@@ -18,8 +18,8 @@
  *           floats from 2.6e-26 to 1048575, and 0; loft_exact_admits says whether a number is one
  *   error   none, where nothing else is said
  *   cost    56 bytes a number in q16, 136 in floats; a product takes about 100 products of 32 bits in q16
- *           and 600 in floats, less for a small first factor >= 0; sums take one pass. Stack: a few hundred
- *           bytes in q16. Not for an ISR
+ *           and 600 in floats, less for a small first factor >= 0; sums take one pass. Stack in q16: up to 1 kB
+ *           for a quotient, 0.5 kB for anything else. Not for an ISR
  *   see     Knuth, The Art of Computer Programming, vol. 2, 4.3.1: the classical algorithms
  */
 #ifndef LOFT_NUM_EXACT_H

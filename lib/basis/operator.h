@@ -1,0 +1,29 @@
+/* lib/basis/operator.h -- Bernstein's operator: a function replaced by the polynomial of its samples, again and again
+ * SPDX-License-Identifier: MIT
+ *
+ * B f is the polynomial with the Bernstein coefficients f(i/n). B (B f) samples that one, and so on. The ends
+ * stay, everything between is averaged, and what remains in the end is the line from f(0) to f(1).
+ */
+#ifndef LOFT_BASIS_OPERATOR_H
+#define LOFT_BASIS_OPERATOR_H
+
+#include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
+
+#define LOFT_FOREVER UINT32_MAX
+
+/* The value at x of the operator applied `times` times to the function with f[i] = f(i / n), i = 0..n.
+ * With LOFT_FOREVER: of its limit f(0) + (f(1) - f(0)) x.
+ *
+ *   shape   f[n + 1]
+ *   range   n in 1..9, times >= 1, x in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the value does not
+ *           fit, *value is untouched then
+ *   error   for x in 0..1 q16: 1/2 LSB + (n + n^4 / (4 n - 4)) * 2^-17 LSB, below 0.502 LSB for any number of times
+ *           f32: 1/2 ulp of the result + 1/2 ulp   f64: 4 (n + n^4 / (4 n - 4)) ulp of the largest coefficient;
+ *           beyond, n^4 / (4 n - 4) counts (1 - x)^n + .. + x^n times in absolute value
+ *   cost    n^3 / 2 wide lerps for each time, at most 512 times; then none, the limit has arrived
+ *   see     Kelisky, Rivlin, Iterates of Bernstein polynomials (Pacific J. Math. 21, 1967)
+ */
+enum loft_status loft_bernstein_iterate(const loft_real f[], unsigned n, uint32_t times, loft_unit x,
+                                        loft_real *value) LOFT_CHECKED;
+
+#endif

@@ -1,0 +1,42 @@
+/* lib/basis/sign.h -- where a polynomial in Bernstein form is positive or convex, decided exactly
+ * SPDX-License-Identifier: MIT
+ *
+ * The coefficients prove much at once: if none is negative, neither is the polynomial over 0..1. The converse
+ * is false, and degree raising brings the coefficients closer to the polynomial. These functions decide on
+ * the polynomial itself. Every decision is a sign of whole numbers (num/exact.h), that of the coefficients as
+ * given. In f32 and f64 they must be what loft_exact_admits says, otherwise LOFT_ERR_RANGE; nothing is
+ * written then.
+ */
+#ifndef LOFT_BASIS_SIGN_H
+#define LOFT_BASIS_SIGN_H
+
+#include "num/num.h"    /* loft_real */
+
+#define LOFT_RAISES_MAX 60      /* loft_quadratic_sign looks so far */
+
+typedef struct {
+    bool nonnegative;   /* >= 0 on 0..1, the ends included                                      */
+    bool positive;      /* > 0 on 0..1, the ends included                                       */
+    loft_real least;    /* the minimum on 0..1, rounded                                         */
+    int8_t raises;      /* so many degree raises make all coefficients > 0; -1 for none up to 60 */
+} loft_sign;
+
+/* The sign of the polynomial of degree 2 with Bernstein coefficients a[0..2].
+ *
+ *   error   none in the flags and the count; least q16: 1/2 LSB + 2^-16 LSB   f32, f64: 1 ulp
+ *   cost    5 exact products, one quotient, and below 4000 exact sums; 2.3 kB of stack in q16
+ *   see     Chang, Mathematics of Surfaces, theorem 2.1: a0 >= 0, a2 >= 0, a1 + sqrt(a0 a2) >= 0
+ */
+enum loft_status loft_quadratic_sign(const loft_real a[3], loft_sign *out) LOFT_CHECKED;
+
+/* Is a polynomial of degree 0..4 convex on 0..1? `net`: is its control polygon, all second differences >= 0,
+ * which is enough, and for degrees up to 3 necessary.
+ *
+ *   range   degree 0..4, otherwise LOFT_ERR_ARG
+ *   error   none
+ *   cost    2 exact products for degree 4; 1.2 kB of stack in q16
+ *   see     Chang, theorem 2.1, applied to the second differences
+ */
+enum loft_status loft_bernstein_convex(const loft_real b[], unsigned degree, bool *net, bool *polynomial) LOFT_CHECKED;
+
+#endif

@@ -1,0 +1,85 @@
+/* lib/curve/convex.c -- is a polygon the boundary of a convex region?
+ * SPDX-License-Identifier: MIT
+ *
+ * Null edges are passed over. The others must turn one way: all products of neighbours >= 0, or all <= 0, and where
+ * one is 0 the edge must go on, not back. Then every turn is less than half a revolution, and how many revolutions
+ * they make is told by the two half planes of directions, y > 0 or y = 0 < x, and the opposite: the direction changes
+ * between them twice per revolution. If all products are 0 then all edges are parallel.
+ *
+ * Edges have R + 1 bits, products 2 R + 3 (R = 31, in floats 128).
+ */
+#include "curve/shape.h"
+#include "num/exact.h"  /* loft_exact: the decisions */
+
+typedef struct {
+    loft_exact x, y;
+} edge;
+
+static loft_exact difference(const loft_vec *from, const loft_vec *to, int axis)
+{
+    return loft_exact_sub(loft_exact_from_real(loft_vec_axis(to, axis)), loft_exact_from_real(loft_vec_axis(from, axis)));
+}
+
+/* The edge k, closed: the last one leads back to the first point. */
+static edge edge_at(const loft_vec p[], unsigned count, unsigned k)
+{
+    const loft_vec *from = &p[k], *to = &p[k + 1 < count ? k + 1 : 0];
+    const edge e = { difference(from, to, 0), difference(from, to, 1) };
+    return e;
+}
+
+static bool is_null(const edge *e)  { return loft_exact_sign(e->x) == 0 && loft_exact_sign(e->y) == 0; }
+
+static bool is_upper(const edge *e)
+{
+    const int y = loft_exact_sign(e->y);
+    return y > 0 || (y == 0 && loft_exact_sign(e->x) > 0);
+}
+
+static int turn(const edge *a, const edge *b) { return loft_exact_sign(loft_exact_det(a->x, a->y, b->x, b->y)); }
+
+static bool goes_back(const edge *a, const edge *b)     /* of parallel edges: the opposite half plane */
+{
+    return is_upper(a) != is_upper(b);
+}
+
+typedef struct {
+    bool left, right, back;     /* has it turned left, right, gone back? */
+    unsigned changes;           /* of the half plane                     */
+} tally;
+
+static void count_turn(tally *t, const edge *a, const edge *b)
+{
+    const int way = turn(a, b);
+
+    t->left  = t->left || way > 0;
+    t->right = t->right || way < 0;
+    t->back  = t->back || (way == 0 && goes_back(a, b));
+    t->changes += is_upper(a) != is_upper(b);
+}
+
+enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum loft_convexity *out)
+{
+    tally t = { false, false, false, 0 };
+    edge before;
+    unsigned last = count;
+
+    for (unsigned k = 0; k < count; k++)
+        if (!loft_exact_admits(loft_vec_axis(&p[k], 0)) || !loft_exact_admits(loft_vec_axis(&p[k], 1)))
+            return LOFT_ERR_RANGE;
+    while (last > 0) {                          /* the last edge that is one comes before the first */
+        before = edge_at(p, count, --last);
+        if (!is_null(&before))
+            break;
+    }
+    for (unsigned k = 0; k < count; k++) {
+        const edge e = edge_at(p, count, k);
+        if (is_null(&e))
+            continue;
+        count_turn(&t, &before, &e);
+        before = e;
+    }
+    *out = !t.left && !t.right ? LOFT_COLLINEAR
+         : (t.left && t.right) || t.back || t.changes != 2 ? LOFT_NOT_CONVEX : LOFT_CONVEX;
+    return LOFT_OK;
+}
