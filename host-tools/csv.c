@@ -32,7 +32,9 @@ static int numbers(const char *s, double out[8], const char **end)
 
 static int refuse(const char *file, unsigned line, int count, const char *rest)
 {
-    if (count == 8)
+    double more;
+
+    if (count == 8 && scan_number(&rest, &more))
         return tool_error(EX_DATAERR, "%s:%u: more than eight numbers: a curve is x0,y0,x1,y1,x2,y2,x3,y3 in mm", file, line);
     if (*rest == '\0' || *rest == '\n' || *rest == '#')
         return tool_error(EX_DATAERR, "%s:%u: %d numbers: a curve is x0,y0,x1,y1,x2,y2,x3,y3 in mm", file, line, count);

@@ -17,7 +17,7 @@
 
 #define MM_PER_PX    (25.4 / 96)
 #define USE_DEPTH    24             /* <use> of <use> of ..; libxml2 allows 256 elements in each other */
-#define VISITED_MAX  4000000u
+#define VISITED_MAX  2000000u
 #define ENTITIES_MAX (16ul << 20)   /* bytes of text that entities may stand for, counting each time */
 
 static const xmlChar svg_namespace[]   = "http://www.w3.org/2000/svg";

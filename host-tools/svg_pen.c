@@ -135,20 +135,22 @@ static void on_ellipse(const ellipse *e, double u, double v, double out[2])
 static void find_centre(ellipse *e, const double from[2], const double to[2], bool large, bool sweep)
 {
     double a[2], b[2];
+    bool grown = false;
 
-    for (int again = 0;; again++) {
+    for (;;) {
         a[0] = ( e->cos * from[0] + e->sin * from[1]) / e->rx;
         a[1] = (-e->sin * from[0] + e->cos * from[1]) / e->ry;
         b[0] = ( e->cos * to[0] + e->sin * to[1]) / e->rx;
         b[1] = (-e->sin * to[0] + e->cos * to[1]) / e->ry;
         const double half = apart(a, b) / 2;
-        if (half <= 1 || again)
+        if (!(half > 1) || grown)
             break;
         e->rx *= half;
         e->ry *= half;
+        grown = true;
     }
     const double dx = b[0] - a[0], dy = b[1] - a[1];
-    const double up = sqrt(fmax(1 / (dx * dx + dy * dy) - 0.25, 0)) * (large == sweep ? -1 : 1);
+    const double up = grown ? 0 : sqrt(fmax(1 / (dx * dx + dy * dy) - 0.25, 0)) * (large == sweep ? -1 : 1);
 
     e->centre[0] = (a[0] + b[0]) / 2 - up * dy;
     e->centre[1] = (a[1] + b[1]) / 2 + up * dx;
