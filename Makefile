@@ -76,6 +76,24 @@ check-vectors-all: $(foreach n,$(NUMS),build/vectors/$(n))
 	@bad=0; for n in $(NUMS); do echo "-- $$n"; build/vectors/$$n $(VECTORS) tests/vectors || bad=1; done; \
 	sh tests/runner.sh build/vectors/q16 tests/vectors || bad=1; exit $$bad
 
+# --- tests of what reads and draws: build/test/host/<module>, sanitized ------------------------------
+HOST_TESTS  := $(patsubst tests/host/test_%.c,%,$(sort $(wildcard tests/host/test_*.c)))
+HOST_TESTED := $(sort $(wildcard host-tools/svg*.c)) $(patsubst %,host-tools/%.c,csv drawing nearest plot plot_frame record scan)
+HOST_FLAGS   = $(CPPFLAGS) -O1 -g $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
+
+build/test/host/obj/%.o: host-tools/%.c lib/names.h
+	@mkdir -p $(@D)
+	$(CC) $(HOST_FLAGS) -c $< -o $@
+build/test/host/%: tests/host/test_%.c tests/host/drawn.h $(wildcard tests/*.h) $(patsubst host-tools/%.c,build/test/host/obj/%.o,$(HOST_TESTED))
+	$(CC) $(HOST_FLAGS) -Itests -Itests/host $(filter %.c %.o,$^) $(shell pkg-config --libs libxml-2.0 cairo) -lm -o $@
+
+.PRECIOUS: build/test/host/obj/%.o
+
+## Check what the SVG reader draws and refuses, pulse records and pictures, under ASan and UBSan
+.PHONY: test-host
+test-host: $(patsubst %,build/test/host/%,$(HOST_TESTS))
+	@bad=0; for t in $(HOST_TESTS); do echo "-- $$t"; build/test/host/$$t || bad=1; done; exit $$bad
+
 # --- tools: build/loft, one program with all three number types -------------------------------------
 TOOL_PKG  := libxml-2.0 cairo libserialport
 TOOL_OUT  ?= build
@@ -103,7 +121,7 @@ $(TOOL_OUT)/tools/host-tools/%.o: host-tools/%.c lib/names.h
 $(TOOL_OUT)/loft: $(TOOL_OBJ)
 	$(CC) $(CFLAGS) $(LDFLAGS) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
 
--include $(TOOL_OBJ:.o=.d)
+-include $(TOOL_OBJ:.o=.d) $(wildcard build/test/host/*.d build/test/host/obj/*.d)
 
 ## Build the command build/loft
 .PHONY: tools
@@ -169,7 +187,7 @@ bench:
 	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
-CHECK_STAGES := lint test check-vectors-all test-mixed test-readme test-e2e
+CHECK_STAGES := lint test test-host check-vectors-all test-mixed test-readme test-e2e
 
 ## Check everything: rules of the house, all tests in all number types under sanitizers, vectors, README, whole jobs
 .PHONY: check

@@ -207,14 +207,14 @@ static void measure(plot_view *v, double (*point)[2])
     v->found.mean = v->found.drawing_pulses ? sum / (double)v->found.drawing_pulses : 0;
 }
 
-/* A round number that shows the worst error as a bit less than a hundredth of the picture. */
+/* A round number that shows the worst error as about four thousandths of the picture. */
 static double magnification(const plot_view *v)
 {
     if (v->o->error > 0 || v->o->error < 0)
         return fmax(v->o->error, 0);
     if (v->found.worst <= 0)
         return 1;
-    const double wanted = fmax(7 * v->u / v->scale / v->found.worst, 1), power = pow(10, floor(log10(wanted)));
+    const double wanted = fmax(4 * v->u / v->scale / v->found.worst, 1), power = pow(10, floor(log10(wanted)));
     return wanted >= 5 * power ? 5 * power : wanted >= 2 * power ? 2 * power : power;
 }
 

@@ -76,6 +76,8 @@ static int read_lines(record *r, const char *file, FILE *stream)
 
     for (unsigned number = 1; fgets(line, sizeof line, stream); number++) {
         const char *at = line + strspn(line, " \t");
+        if (strchr(line, '\n') == NULL && feof(stream))
+            break;                      /* still being written */
         if (*at == '#') {
             read_key(r, at);
             continue;

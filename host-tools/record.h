@@ -3,6 +3,7 @@
  *
  * The simulated machine writes lines `# key = value` and, for each slot with pulses, `slot,x,y,z`: the positions after
  * it in steps. The pen is down while z is at most half of the greatest z; a record that never moves z is all pen down.
+ * A last line without its end is still being written and is passed over.
  */
 #ifndef LOFT_RECORD_H
 #define LOFT_RECORD_H
