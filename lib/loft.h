@@ -25,6 +25,7 @@
 #include "basis/bernstein.h"
 #include "basis/operator.h"
 #include "basis/sign.h"
+#include "basis/steps.h"
 #include "curve/bezier.h"
 #include "curve/forward.h"
 #include "curve/measure.h"

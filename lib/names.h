@@ -38,6 +38,7 @@
 #define loft_bernstein_from_power  LOFT_NAME(loft_bernstein_from_power)
 #define loft_bernstein_iterate     LOFT_NAME(loft_bernstein_iterate)
 #define loft_bernstein_step        LOFT_NAME(loft_bernstein_step)
+#define loft_bernstein_steps       LOFT_NAME(loft_bernstein_steps)
 #define loft_bernstein_to_power    LOFT_NAME(loft_bernstein_to_power)
 #define loft_bernstein_weights     LOFT_NAME(loft_bernstein_weights)
 #define loft_bezier_bend           LOFT_NAME(loft_bezier_bend)

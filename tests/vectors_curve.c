@@ -3,6 +3,7 @@
  */
 #include "vectors.h"                /* row, answer, law */
 #include "basis/bernstein.h"
+#include "basis/steps.h"
 #include "curve/bezier.h"
 #include "curve/forward.h"
 
@@ -267,28 +268,16 @@ static void expect_differences(row *r, const walked *w)
     row_expect(r, "diffs", a, (law) { .lsb = 0, .gain = powl(2, w->n), .roundings = w->n });
 }
 
-/* e_k is the sample at k / N less what the differences before it add up to. Beyond t = 2 there are no samples:
- * such a difference (N < n / 2) is answered as one that does not fit. */
 static void expect_step_differences(row *r, const walked *w)
 {
     answer *a = answer_new();
-    loft_acc e[POINTS];
+    loft_real e[POINTS];
     const long double t = fmaxl((long double)w->n / w->steps, 1), power = powl(2, w->n);
 
-    for (unsigned k = 0; k <= w->n && !a->refused; k++) {
-        loft_acc c[POINTS];
-        if (k > 2 * w->steps) {
-            a->refused = true;
-            break;
-        }
-        copy_wide(w, c);
-        e[k] = loft_bernstein_at(c, w->n, k, w->steps);
-        for (unsigned i = 0; i < k; i++)
-            e[k] -= e[i] * loft_binomial(k, i);
-        answer_acc(a, e[k]);
-    }
-    row_expect(r, "e", a, (law) { .lsb = 0.5L + power * growth_sum(t, w->n) / 131072,
-                                  .gain = power * powl(growth(t), w->n), .roundings = 4 * w->n });
+    a->refused = loft_bernstein_steps(w->a, w->n, w->steps, e) != LOFT_OK;
+    for (unsigned k = 0; k <= w->n && !a->refused; k++)
+        answer_real(a, e[k]);
+    row_expect(r, "e", a, (law) { .lsb = 0.5L + 1 / 65536.0L, .gain = power * powl(growth(t), w->n), .roundings = 2 });
 }
 
 /* Walk in axis 0; in strict steps or plain ones. False when the walk does not take the row. */
