@@ -1,0 +1,112 @@
+/* lib/curve/rational.h -- rational Bezier curves of degree 0..9: points, derivatives, pieces
+ * SPDX-License-Identifier: MIT
+ *
+ * Every control point has a weight, and the curve is sum B_k w_k p_k / sum B_k w_k: what NURBS and exact circles
+ * are made of. Points are given as they lie in space, not multiplied by their weights:
+ *
+ *     loft_weighted quarter[3] = { { { { R, 0 } }, one }, { { { R, R } }, root_half }, { { { 0, R } }, one } };
+ *     loft_rational r;
+ *     if (loft_rational_init(&r, quarter, 2) == LOFT_OK)
+ *         p = loft_rational_eval(&r, loft_unit_of(1, 3));
+ *
+ * Only the ratios of the weights count. In q16 a weight is rounded to 2^-16 like any number, so large ones lose
+ * less: write 256 and 181.01934 rather than 1 and 0.70711. A weight that is off by e of itself moves the curve
+ * by at most e/4 of the distance between its point and the others.
+ *
+ * In the `error` lines R is the largest weight over the smallest, at most 65536, and ulp is that of the
+ * largest control value. Coordinates are accepted as in bezier.h.
+ */
+#ifndef LOFT_CURVE_RATIONAL_H
+#define LOFT_CURVE_RATIONAL_H
+
+#include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
+#include "curve/bezier.h"       /* LOFT_RAISE_MAX */
+#include "geom/vec.h"           /* loft_vec, loft_box */
+
+#define LOFT_WEIGHT_MIN LOFT_REAL(0.00390625)
+#define LOFT_WEIGHT_MAX LOFT_REAL(256)
+
+/* A control point with its weight, 1/256..256. */
+typedef struct {
+    loft_vec  p;
+    loft_real w;
+} loft_weighted;
+
+/* A curve of any degree. The control points are borrowed. Do not fill it yourself: call init. */
+typedef struct {
+    const loft_weighted *p;
+    int32_t scale;              /* a power of two: the largest weight times it is in 2^14 .. 2^15 */
+    uint8_t degree;
+} loft_rational;
+
+/* Make a curve of degree + 1 control points, which must outlive it.
+ *
+ *   range   degree 0..9, otherwise LOFT_ERR_ARG; weights 1/256..256 and finite coordinates, otherwise
+ *           LOFT_ERR_RANGE; *r is untouched then
+ */
+enum loft_status loft_rational_init(loft_rational *r, const loft_weighted p[], unsigned degree) LOFT_CHECKED;
+
+/* The point at t, by de Casteljau's algorithm for numerator and denominator.
+ *
+ *   range   t is clamped to 0..1 (nan to 0): cannot fail
+ *   error   q16: 1/2 LSB + degree * R * 2^-30 LSB, below 0.501 LSB; exact at 0 and 1
+ *           f32: 1 ulp   f64: 6 * degree + 4 ulp
+ *   cost    degree * (degree + 1) / 2 wide lerps per axis and once more, a quotient per axis;
+ *           80 bytes of stack; safe in an ISR
+ *   see     Farin, Curves and Surfaces for CAGD, ch. 13: rational Bezier curves
+ */
+loft_vec loft_rational_eval(const loft_rational *r, loft_unit t);
+
+/* The first derivative with respect to t, by the quotient rule in the form of Floater: with the two points
+ * p0, p1 and weights w0, w1 before the last step, n w0 w1 / w^2 (p1 - p0).
+ *
+ *   range   t in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the derivative does not fit (it may be
+ *           degree * R times the distance of two points); *out is untouched then
+ *   error   q16: 0.51 LSB   f32, f64: 1/2 ulp of the result + 24 * degree^2 * R ulp of double
+ *   cost    degree * (degree + 1) / 2 deep lerps per axis and once more; per axis one quotient of num/exact.h;
+ *           q16: 1 KiB of stack
+ *   see     Floater, Derivatives of rational Bezier curves, CAGD 9 (1992)
+ */
+enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_vec *out) LOFT_CHECKED;
+
+
+/* Pieces and other forms
+ * ----------------------
+ * `out`, `left` and `right` may be the control points themselves. They are undefined after an error. Their
+ * points err as those of eval; their weights by 1/2 LSB in q16, which may move the piece by more than that. */
+
+/* The control points of the pieces 0..t and t..1, degree + 1 each. Their weights are as they come, so that both
+ * pieces together still have one parameter. `left` and `right` must differ.
+ *
+ *   range   t in 0..1, otherwise LOFT_ERR_ARG: beyond the ends a weight may vanish or turn negative
+ *   error   points as eval; weights q16: 1/2 LSB + degree * 2^-17 LSB   f32: 1 ulp   f64: 3 * degree ulp
+ *   cost    as eval, with degree + 1 quotients per axis and piece
+ */
+enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_weighted left[], loft_weighted right[]) LOFT_CHECKED;
+
+/* The control points of the piece from..to; from > to gives it reversed. The weights have a common factor, a
+ * power of two that brings the largest into 128..256, so that q16 keeps most of them: there the piece is the same
+ * curve to within R * 2^-25 of the width of its polygon.
+ *
+ *   range   both in 0..1, otherwise LOFT_ERR_ARG
+ *   error   points as eval
+ *   cost    degree * (degree + 1) * (degree + 5) / 6 wide lerps per axis and once more, degree + 1 quotients
+ *           per axis; 320 bytes of stack
+ *   see     Ramshaw, blossoming, for numerator and denominator
+ */
+enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft_unit to, loft_weighted out[]) LOFT_CHECKED;
+
+/* The same curve with a degree higher by `times`: degree + times + 1 control points.
+ *
+ *   range   degree + times <= LOFT_RAISE_MAX, otherwise LOFT_ERR_ARG
+ *   error   points: that of eval with times in place of degree; weights q16: 1/2 LSB + times * 2^-17 LSB
+ *           f32: 1 ulp   f64: 4 * times ulp
+ *   cost    times * (degree + times) wide lerps with two divisions per axis and once more; 304 bytes of stack
+ *   see     Farin, ch. 13: degree elevation
+ */
+enum loft_status loft_rational_raise(const loft_rational *r, unsigned times, loft_weighted out[]) LOFT_CHECKED;
+
+/* The box of the control polygon. The curve over 0..1 lies inside; the box is not the smallest. */
+loft_box loft_rational_box(const loft_rational *r);
+
+#endif

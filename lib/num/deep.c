@@ -1,0 +1,174 @@
+/* lib/num/deep.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "num/deep.h"
+#include "num/exact.h"  /* loft_exact_det, loft_exact_quot */
+
+#if LOFT_NUM == LOFT_Q16
+
+#define LIMBS 4
+
+static bool negative(const loft_deep *x) { return x->limb[LIMBS - 1] >> 31 != 0; }
+
+/* x += (y ^ flip) + carry; returns the carry out of the top. All in 32 bits: an 8-bit core has no more. */
+static uint32_t accumulate(loft_deep *x, const loft_deep *y, uint32_t flip, uint32_t carry)
+{
+    for (int k = 0; k < LIMBS; k++) {
+        const uint32_t term = y->limb[k] ^ flip, sum = x->limb[k] + term;
+        x->limb[k] = sum + carry;
+        carry = (uint32_t)(sum < term) | (uint32_t)(x->limb[k] < carry);
+    }
+    return carry;
+}
+
+loft_deep loft_deep_add(loft_deep x, loft_deep y) { accumulate(&x, &y, 0, 0); return x; }
+loft_deep loft_deep_sub(loft_deep x, loft_deep y) { accumulate(&x, &y, 0xffffffffu, 1); return x; }
+
+static loft_deep negated(const loft_deep *x)
+{
+    loft_deep r = { { 0 } };
+    accumulate(&r, x, 0xffffffffu, 1);
+    return r;
+}
+
+loft_deep loft_deep_of(loft_acc x)
+{
+    const uint32_t sign = x < 0 ? 0xffffffffu : 0;
+    const loft_deep r = { { loft_acc_low(x), (uint32_t)loft_acc_high(x), sign, sign } };
+    return r;
+}
+
+loft_deep loft_deep_guarded(loft_acc x)
+{
+    const loft_deep r = { { 0, 0, loft_acc_low(x), (uint32_t)loft_acc_high(x) } };
+    return r;
+}
+
+/* x k in `limbs` limbs of out: a product and a carry are at most (2^32 - 1)^2 + 2^32 - 1 < 2^64. */
+static void multiply(const loft_deep *x, uint32_t k, uint32_t out[], int limbs)
+{
+    uint32_t carry = 0;
+
+    for (int i = 0; i < limbs; i++) {
+        const uint64_t sum = (uint64_t)(i < LIMBS ? x->limb[i] : 0) * k + carry;
+        out[i] = (uint32_t)(sum & 0xffffffffu);
+        carry = (uint32_t)loft_acc_high((int64_t)sum);
+    }
+}
+
+loft_deep loft_deep_times(loft_deep x, uint32_t k)
+{
+    loft_deep r;
+    multiply(&x, k, r.limb, LIMBS);
+    return r;
+}
+
+/* (|y - x| t + 2^23) / 2^24: five limbs, less than 2^126 * 2^24 + 2^23. Four limbs are cut out above bit 24. */
+loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t)
+{
+    const loft_deep difference = loft_deep_sub(y, x), opposite = negated(&difference);
+    const bool down = negative(&difference);
+    uint32_t product[LIMBS + 1];
+    loft_deep part;
+
+    multiply(down ? &opposite : &difference, (uint32_t)t, product, LIMBS + 1);
+    for (uint32_t i = 0, carry = 8388608; i <= LIMBS; i++) {
+        product[i] += carry;
+        carry = product[i] < carry;
+    }
+    for (int i = 0; i < LIMBS; i++)
+        part.limb[i] = product[i] >> 24 | product[i + 1] << 8;
+    return down ? loft_deep_sub(x, part) : loft_deep_add(x, part);
+}
+
+/* Digit by digit: the first round finds the whole part of |x| / w, which is 0 or 1, the next 31 the bits below.
+ * Ties go upward: away from 0 for a positive x only. */
+static loft_real signed_quotient(uint32_t q, bool minus, bool above, bool tie)
+{
+    if (above || (tie && !minus))
+        q++;
+    return (loft_real)(minus ? -(int64_t)q : (int64_t)q);
+}
+
+loft_real loft_acc_project(loft_acc x, loft_acc w)
+{
+    const uint64_t d = (uint64_t)w;
+    uint64_t rest = (uint64_t)(x < 0 ? -x : x);
+    uint32_t q = 0;
+
+    for (int round = 0; round < 32; round++) {
+        q += q;
+        if (rest >= d) {
+            rest -= d;
+            q++;
+        }
+        rest += rest;
+    }
+    return signed_quotient(q, x < 0, rest > d, rest == d);
+}
+
+/* a -= b if that is not negative */
+static bool taken(loft_deep *a, const loft_deep *b)
+{
+    loft_deep less = *a;
+
+    if (!accumulate(&less, b, 0xffffffffu, 1))
+        return false;
+    *a = less;
+    return true;
+}
+
+loft_real loft_deep_project(loft_deep x, loft_deep w)
+{
+    const bool minus = negative(&x);
+    loft_deep rest = minus ? negated(&x) : x;
+    uint32_t q = 0;
+
+    for (int round = 0; round < 32; round++) {
+        q += q + taken(&rest, &w);
+        accumulate(&rest, &rest, 0, 0);
+    }
+    const bool reached = taken(&rest, &w);
+    const bool tie = reached && !(rest.limb[0] | rest.limb[1] | rest.limb[2] | rest.limb[3]);
+    return signed_quotient(q, minus, reached && !tie, tie);
+}
+
+static loft_exact exact_of(const loft_deep *x)
+{
+    loft_exact r;
+
+    for (int k = 0; k < LOFT_EXACT_LIMBS; k++)
+        r.limb[k] = k < LIMBS ? x->limb[k] : negative(x) ? 0xffffffffu : 0;
+    return r;
+}
+
+/* Below 2^127 each: the parts are below 2^254, their difference times k below 2^286. Scaled, x and w have 2^96
+ * in common with the real numbers, so the quotient has none of it. */
+bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, int32_t k, loft_acc *out)
+{
+    const loft_deep between = loft_deep_lerp(w[0], w[1], t);
+    const loft_exact base = exact_of(&between);
+    const loft_exact det = loft_exact_det(exact_of(&x[1]), exact_of(&x[0]), exact_of(&w[1]), exact_of(&w[0]));
+
+    return loft_exact_quot(loft_exact_mul(loft_exact_from_int(k), det), loft_exact_mul(base, base), 0, out);
+}
+
+#else
+
+loft_real loft_acc_project(loft_acc x, loft_acc w)              { return loft_acc_round(x / w * LOFT_PROJECT); }
+loft_real loft_deep_project(loft_deep x, loft_deep w)           { return loft_acc_round(x / w * LOFT_PROJECT); }
+loft_deep loft_deep_of(loft_acc x)                              { return x; }
+loft_deep loft_deep_guarded(loft_acc x)                         { return x; }
+loft_deep loft_deep_add(loft_deep x, loft_deep y)               { return x + y; }
+loft_deep loft_deep_sub(loft_deep x, loft_deep y)               { return x - y; }
+loft_deep loft_deep_times(loft_deep x, uint32_t k)              { return x * k; }
+loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t) { return loft_acc_lerp(x, y, t); }
+
+bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, int32_t k, loft_acc *out)
+{
+    const double between = loft_deep_lerp(w[0], w[1], t);
+    *out = k * (x[1] / between * (w[0] / between) - x[0] / between * (w[1] / between));
+    return *out >= -DBL_MAX && *out <= DBL_MAX;
+}
+
+#endif

@@ -1,0 +1,73 @@
+/* lib/num/deep.h -- numbers deeper than loft_acc, for curves with weights
+ * SPDX-License-Identifier: MIT
+ *
+ * A point of a rational curve is the pair (x, w) of a sum of weighted points and a sum of weights. Both are
+ * kept at one scale: with a coordinate p and a weight v,
+ *
+ *     x = loft_prod(p, v)        w = loft_wide(v) * LOFT_PROJECT        loft_acc_project(x, w) = p
+ *
+ * so that |x| <= w whatever p is, and dividing is 32 subtractions.
+ *
+ *   loft_deep   q16: a whole number of 128 bits in two's complement, which wraps   f32, f64: double
+ */
+#ifndef LOFT_NUM_DEEP_H
+#define LOFT_NUM_DEEP_H
+
+#include "num/num.h"    /* loft_real, loft_unit, loft_acc */
+
+#define LOFT_PROJECT 32768
+
+#if LOFT_NUM == LOFT_Q16
+
+typedef struct {
+    uint32_t limb[4];           /* the lowest first */
+} loft_deep;
+
+#else
+
+typedef double loft_deep;
+
+#endif
+
+/* The coordinate LOFT_PROJECT * x / w.
+ *
+ *   range   w > 0, |x| <= w + 2^-17 w
+ *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: 1 ulp
+ *   cost    q16: 32 rounds of a comparison and a subtraction of 64 bits; safe in an ISR
+ */
+loft_real loft_acc_project(loft_acc x, loft_acc w);
+
+/* The same of deep numbers; q16: 32 rounds of 128 bits. */
+loft_real loft_deep_project(loft_deep x, loft_deep w);
+
+/* x, and in q16 x with 64 more bits below the last one, for a chain of lerps.
+ *
+ *   range   guarded: q16: |x| < 2^30
+ *   error   none
+ */
+loft_deep loft_deep_of(loft_acc x);
+loft_deep loft_deep_guarded(loft_acc x);
+
+/*   error   q16: none, modulo 2^128   f32, f64: 1/2 ulp of double */
+loft_deep loft_deep_add(loft_deep x, loft_deep y);
+loft_deep loft_deep_sub(loft_deep x, loft_deep y);
+loft_deep loft_deep_times(loft_deep x, uint32_t k);
+
+/* x at t = 0, y at t = 1.
+ *
+ *   range   t in 0..1; q16: |x|, |y| < 2^125
+ *   error   q16: 1/2 of the last bit   f32, f64: 2 ulp of double of the larger of |x|, |y|; none at 0 and 1
+ *   cost    q16: 4 products of 32 bits
+ */
+loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t);
+
+/* k (x[1] w[0] - x[0] w[1]) / (w' w'), w' between w[0] and w[1] at t, as a wide value; false, and *out untouched, when that does
+ * not fit. All guarded and not projected: weights without the factor LOFT_PROJECT.
+ *
+ *   range   w > 0
+ *   error   q16: 2^-33 + 2^-60 of the result's parts   f32, f64: 4 ulp of double of the parts
+ *   cost    q16: that of two products, a square and a quotient of num/exact.h; not for an ISR
+ */
+bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, int32_t k, loft_acc *out) LOFT_CHECKED;
+
+#endif

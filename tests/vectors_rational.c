@@ -1,0 +1,132 @@
+/* tests/vectors_rational.c -- readers of the rational curves
+ * SPDX-License-Identifier: MIT
+ */
+#include "vectors.h"                /* row, answer, law */
+#include "curve/rational.h"
+
+#define POINTS (LOFT_DEGREE_MAX + 1)
+
+typedef struct {
+    unsigned n, d;
+    loft_weighted p[POINTS];
+    loft_rational curve;
+    long double w[POINTS], ratio, heaviest, size;
+} rational;
+
+/* Weights are exact in every number type, so of `inexact` and `largest` only the coordinates count. */
+static rational rational_of(row *r)
+{
+    rational c = { .n = row_count(r, "n", LOFT_DEGREE_MAX), .d = row_count(r, "d", LOFT_AXES) };
+    loft_vec p[POINTS];
+    loft_real w[POINTS];
+    long double lightest = 256;
+
+    row_points(r, "P_q16", c.n + 1, c.d, p);
+    c.size = r->largest;
+    row_reals(r, "w_q16", c.n + 1, w);
+    r->largest = c.size;
+    for (unsigned k = 0; k <= c.n; k++) {
+        c.p[k].p = p[k];
+        c.p[k].w = w[k];
+        c.w[k] = exact_of(w[k]);
+        lightest = fminl(lightest, c.w[k]);
+        c.heaviest = fmaxl(c.heaviest, c.w[k]);
+    }
+    c.ratio = c.heaviest / lightest;
+    return c;
+}
+
+/* The curve refers to points in the same object, which must therefore stay where it is. */
+static void init(row *r, rational *c)
+{
+    if (loft_rational_init(&c->curve, c->p, c->n) != LOFT_OK)
+        row_complain(r, "the curve was refused");
+}
+
+static law point_law(const rational *c, unsigned rows)
+{
+    return (law) { .lsb = 0.5L + rows * c->ratio / 1073741824, .gain = 1, .roundings = 6 * rows + 4 };
+}
+
+/* n w0 w1 / w^2 before the last step */
+static long double slope(const rational *c, loft_unit t)
+{
+    const long double x = exact_unit(t), a = exact_eval(c->w, c->n - 1, x), b = exact_eval(c->w + 1, c->n - 1, x);
+    const long double w = (1 - x) * a + x * b;
+    return c->n * a * b / (w * w);
+}
+
+static void expect_points(row *r, const char *column, const loft_weighted p[], unsigned count, const rational *c, law l)
+{
+    answer *a = answer_new();
+
+    for (unsigned k = 0; k < count; k++)
+        answer_vec(a, p[k].p, c->d);
+    row_expect(r, column, a, l);
+}
+
+static void expect_weights(row *r, const char *column, const loft_weighted p[], unsigned count, const rational *c, unsigned rows)
+{
+    const long double inexact = r->inexact;
+    answer *a = answer_new();
+
+    for (unsigned k = 0; k < count; k++)
+        answer_real(a, p[k].w);
+    r->inexact = 0;
+    r->largest = c->heaviest;
+    row_expect(r, column, a, (law) { .lsb = 0.5L + rows / 131072.0L, .roundings = 4 * rows });
+    r->inexact = inexact;
+    r->largest = c->size;
+}
+
+static void rational_eval(row *r)
+{
+    rational c = rational_of(r);
+    const loft_unit t = row_unit(r, "t_q16");
+    loft_vec v = { { 0 } };
+    answer *p = answer_new(), *dp = answer_new();
+
+    init(r, &c);
+    answer_vec(p, loft_rational_eval(&c.curve, t), c.d);
+    row_expect(r, "p", p, point_law(&c, c.n));
+    answer_status(r, dp, loft_rational_deriv(&c.curve, t, &v));
+    answer_vec(dp, v, c.d);
+    row_expect(r, "dp", dp, (law) { .lsb = 0.501L, .gain = c.n ? 2 * slope(&c, t) : 1, .roundings = 12 * c.n });
+}
+
+static void rational_split(row *r)
+{
+    rational c = rational_of(r);
+    loft_weighted left[POINTS], right[POINTS];
+
+    init(r, &c);
+    if (loft_rational_split(&c.curve, row_unit(r, "t_q16"), left, right) != LOFT_OK) {
+        row_complain(r, "the split was refused");
+        return;
+    }
+    expect_points(r, "L", left, c.n + 1, &c, point_law(&c, c.n));
+    expect_points(r, "R", right, c.n + 1, &c, point_law(&c, c.n));
+    expect_weights(r, "wL", left, c.n + 1, &c, c.n);
+    expect_weights(r, "wR", right, c.n + 1, &c, c.n);
+}
+
+static void rational_elevate(row *r)
+{
+    rational c = rational_of(r);
+    loft_weighted out[LOFT_RAISE_MAX + 1];
+
+    init(r, &c);
+    if (loft_rational_raise(&c.curve, 1, out) != LOFT_OK) {
+        row_complain(r, "raising was refused");
+        return;
+    }
+    expect_points(r, "Q", out, c.n + 2, &c, point_law(&c, 1));
+    expect_weights(r, "wQ", out, c.n + 2, &c, 1);
+}
+
+const vector_system vectors_rational[] = {
+    { "rational_eval",    "n,d,P_q16,w_q16,t_q16,p,dp",      rational_eval,    "q16 1/2 + n R 2^-30 LSB, p' 0.501 LSB; floats 1/2 ulp + (6 n + 4) ulp of double" },
+    { "rational_split",   "n,d,P_q16,w_q16,t_q16,L,wL,R,wR", rational_split,   "q16 1/2 + n R 2^-30 LSB; floats 1/2 ulp + (6 n + 4) ulp of double" },
+    { "rational_elevate", "n,d,P_q16,w_q16,Q,wQ",            rational_elevate, "q16 1/2 + R 2^-30 LSB; floats 1/2 ulp + 10 ulp of double" },
+    { 0 }
+};
