@@ -105,7 +105,7 @@ static void fuzz_answers(machine *m)
         MUST(frames < 20 && n <= 68 && wire[n - 1] == 0);
 }
 
-/* What no fuzzer guesses: the session, the nonce, the boot id; and a machine that the sender can use. */
+/* What no fuzzer guesses: the session and its nonce; and a machine that the sender can use. */
 static void make_plausible(uint8_t content[], size_t n, uint8_t session, uint32_t nonce)
 {
     const unsigned type = content[0] >> 4;
@@ -113,7 +113,8 @@ static void make_plausible(uint8_t content[], size_t n, uint8_t session, uint32_
     if (type != LOFT_HELLO && type != LOFT_WELCOME)
         content[0] = (uint8_t)(type << 4 | LOFT_WIRE_VERSION);
     if (type == LOFT_JOB && n > 6)
-        content[2] = 7, content[3] = content[4] = content[5] = 0;
+        for (int i = 0; i < 4; i++)
+            content[2 + i] = (uint8_t)(nonce >> (8 * i));
     if (type == LOFT_WELCOME && n >= 40) {
         content[2] = LOFT_WIRE_VERSION;
         for (int i = 0; i < 4; i++)
@@ -152,7 +153,7 @@ static void fuzz_receiver(const uint8_t *data, size_t size, bool raw)
         if (raw) {
             machine_byte(&m, *data++), size--;
         } else {
-            const size_t n = fuzz_frame(&data, &size, m.r.session, 0, wire);
+            const size_t n = fuzz_frame(&data, &size, m.r.session, m.r.nonce, wire);
             for (size_t i = 0; i < n; i++)
                 machine_byte(&m, wire[i]);
         }

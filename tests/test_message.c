@@ -127,13 +127,13 @@ static void jobs_come_back(arb *a)
     uint8_t wire[LOFT_FRAME_MAX];
     const uint8_t session = arb_u8(a);
     loft_job m, g;
-    m.boot = arb_u32(a), m.id = arb_u32(a) | 1, m.kind = (uint8_t)(1 + arb_below(a, 2));
+    m.nonce = arb_u32(a), m.id = arb_u32(a) | 1, m.kind = (uint8_t)(1 + arb_below(a, 2));
     arb_axes(a, m.start);
     const size_t n = loft_job_encode(&m, session, wire);
     CHECK(n == 17 + 4 * LOFT_AXES);
     loft_frame f = content(wire, n);
     IS(f, LOFT_JOB, LOFT_WIRE_VERSION, session);
-    CHECK(loft_job_decode(&f, &g) == LOFT_OK && g.boot == m.boot && g.id == m.id && g.kind == m.kind);
+    CHECK(loft_job_decode(&f, &g) == LOFT_OK && g.nonce == m.nonce && g.id == m.id && g.kind == m.kind);
     CHECK(memcmp(g.start, m.start, sizeof g.start) == 0);
     REFUSES_OTHER_LENGTHS(f, loft_job_decode(&f, &g), false);
     f.byte[10] = (uint8_t)(arb_below(a, 2) ? 0 : 3 + arb_below(a, 253));        /* kind */

@@ -516,7 +516,7 @@ static void a_message_works_once_and_in_its_place(arb *a)
     uint8_t s;
 
     mill_init(&m, 99, 16, 0);
-    job.boot = 99, job.id = 5, job.kind = LOFT_SPANS;
+    job.nonce = 1, job.id = 5, job.kind = LOFT_SPANS;
 
     CHECK(give(&m, a, wire, loft_job_encode(&job, 1, wire)) == 0);          /* no session */
     CHECK(give(&m, a, wire, loft_hello_encode(&hello, wire)) == 0);
@@ -532,9 +532,9 @@ static void a_message_works_once_and_in_its_place(arb *a)
     const size_t size = loft_data_encode(&k, 0, s, data);
 
     CHECK(give(&m, a, data, size) == 0);                                    /* no job */
-    job.boot = 98;
-    CHECK(give(&m, a, wire, loft_job_encode(&job, s, wire)) == 0);          /* of an earlier run of the machine */
-    job.boot = 99;
+    job.nonce = 2;
+    CHECK(give(&m, a, wire, loft_job_encode(&job, s, wire)) == 0);          /* of another connection */
+    job.nonce = 1;
     CHECK(give(&m, a, wire, loft_job_encode(&job, (uint8_t)(s + 1), wire)) == 0);
     CHECK(give(&m, a, wire, loft_job_encode(&job, s, wire)) == 1);
     CHECK(give(&m, a, wire, loft_job_encode(&job, s, wire)) == 0);
@@ -569,7 +569,13 @@ static void a_message_works_once_and_in_its_place(arb *a)
     mill_run(&m, 0);
     mill_run(&m, 0);
     CHECK(m.now.state == LOFT_STATE_DONE);
-    control.number = 4, control.verb = LOFT_CLOSE;
+    hello.nonce = 3;
+    CHECK(give(&m, a, wire, loft_hello_encode(&hello, wire)) == 0 && m.r.session != s);
+    s = m.r.session;
+    answer(&m);
+    job.nonce = 3, job.id = 5;                                              /* drawn, but nobody has the report */
+    CHECK(give(&m, a, wire, loft_job_encode(&job, s, wire)) == 0 && m.r.job == 5 && answer(&m).refusal == 0);
+    control.number = 1, control.verb = LOFT_CLOSE;
     CHECK(give(&m, a, wire, loft_control_encode(&control, s, wire)) == 1 && m.r.job == 0);
     CHECK(give(&m, a, wire, loft_job_encode(&job, s, wire)) == 0);          /* one job per session */
 }

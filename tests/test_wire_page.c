@@ -69,7 +69,7 @@ static size_t say_host(const loft_frame *f, uint8_t wire[])
         return loft_hello_encode(&hello, wire);
     case LOFT_JOB:
         CHECK(loft_job_decode(f, &job) == LOFT_OK);
-        say("JOB session=%u boot=0x%08lX id=0x%08lX kind=%u", session, ul(job.boot), ul(job.id), job.kind);
+        say("JOB session=%u nonce=0x%08lX id=0x%08lX kind=%u", session, ul(job.nonce), ul(job.id), job.kind);
         say_axes("start", job.start);
         loft_predictor_init(&state, job.start);
         return loft_job_encode(&job, session, wire);

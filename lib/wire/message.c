@@ -117,7 +117,7 @@ enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m)
 size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
     writer w = start(wire, LOFT_JOB, LOFT_WIRE_VERSION, session);
-    put32(&w, m->boot);
+    put32(&w, m->nonce);
     put32(&w, m->id);
     put8(&w, m->kind);
     put_axes(&w, m->start);
@@ -127,9 +127,9 @@ size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRA
 enum loft_status loft_job_decode(const loft_frame *f, loft_job *m)
 {
     reader r = read_from(f);
-    m->boot = get32(&r);
-    m->id   = get32(&r);
-    m->kind = get8(&r);
+    m->nonce = get32(&r);
+    m->id    = get32(&r);
+    m->kind  = get8(&r);
     get_axes(&r, m->start);
     return read_all(&r, m->id != 0 && (m->kind == LOFT_SPANS || m->kind == LOFT_POINTS));
 }

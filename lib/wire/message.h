@@ -73,7 +73,7 @@ typedef struct {
 } loft_hello;
 
 typedef struct {
-    uint32_t boot;                      /* WELCOME's: a job is for this run of the machine only     */
+    uint32_t nonce;                     /* of the HELLO that began the session: a job is for this connection only */
     uint32_t id;                        /* not 0; the same for the same job, see loft_job_id        */
     uint8_t  kind;                      /* enum loft_kind                                           */
     int32_t  start[LOFT_AXES];          /* spans: raw Q16.16 mm; points: steps                      */

@@ -109,10 +109,10 @@ static enum loft_event take_hello(loft_receiver *r, const loft_standing *now)
 
 static enum loft_event take_job(loft_receiver *r, const loft_standing *now, loft_job *m)
 {
-    if (loft_job_decode(&r->frame, m) != LOFT_OK || m->boot != r->traits->boot)
+    if (loft_job_decode(&r->frame, m) != LOFT_OK || m->nonce != r->nonce)
         return drop(r, 0);
-    if (r->opened && m->id == r->job)
-        return drop(r, DUE_ACK);                        /* the same again */
+    if (m->id == r->job && (r->opened || now->state == LOFT_STATE_DONE))
+        return drop(r, DUE_ACK);                        /* the same again, or drawn and not yet reported */
     if (r->opened || loft_state_busy(now->state))
         return refuse(r, LOFT_REFUSAL_BUSY);
     if (now->state == LOFT_STATE_FAULT)

@@ -105,7 +105,8 @@ static void join(loft_sender *s)
         s->phase = LOFT_PHASE_LOST;
     else
         s->phase = s->aborting ? LOFT_PHASE_ABORTED : LOFT_PHASE_OPENING;
-    s->boot = s->job.boot = w->boot;
+    s->boot = w->boot;
+    s->job.nonce = s->nonce;
 }
 
 enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count, loft_item_source *source,

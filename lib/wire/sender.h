@@ -76,7 +76,7 @@ typedef struct {
 /* Prepare to greet a machine. `nonce`: any number that the last connection did not use (a clock, a random number). */
 void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms);
 
-/* Begin `job` of `count` items (job->boot is filled in). What follows depends on the machine:
+/* Begin `job` of `count` items (job->nonce is filled in). What follows depends on the machine:
  * it is idle: the job starts. It is in the middle of this very job (same id): the job goes on where the machine
  * stands. It has finished it, and nobody has fetched the report: the report is fetched. It is in another job: BUSY.
  *
