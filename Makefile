@@ -12,6 +12,10 @@ STD      := -std=c99 $(WARN)
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 num_flag  = -DLOFT_NUM=LOFT_$(shell echo $(1) | tr a-z A-Z) -DLOFT_AXES=$(AXES)
 
+# each compilation is one short line; V=1 prints the commands
+Q   := $(if $(V),,@)
+SAY := @$(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),:,echo)
+
 LIB_SRC  := $(sort $(wildcard lib/*/*.c))
 LIB_HDR  := $(sort lib/names.h $(wildcard lib/*.h lib/*/*.h))
 TESTS    := $(patsubst tests/test_%.c,%,$(sort $(wildcard tests/test_*.c)))
@@ -30,9 +34,11 @@ lib/names.h: $(filter-out lib/names.h,$(wildcard lib/*/*.h)) tests/names.sh
 define library
 build/$(1)x$(AXES)/%.o: %.c $(LIB_HDR)
 	@mkdir -p $$(@D)
-	$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(STD) -ffreestanding $$(call num_flag,$(1)) -c $$< -o $$@
+	$$(SAY) "  CC  $$@"
+	$$(Q)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(STD) -ffreestanding $$(call num_flag,$(1)) -c $$< -o $$@
 build/$(1)x$(AXES)/libloft.a: $(patsubst %.c,build/$(1)x$(AXES)/%.o,$(LIB_SRC))
-	$$(AR) rcs $$@ $$^
+	$$(SAY) "  AR  $$@"
+	$$(Q)$$(AR) rcs $$@ $$^
 endef
 $(foreach n,$(NUMS),$(eval $(call library,$(n))))
 
@@ -44,11 +50,14 @@ lib: build/$(NUM)x$(AXES)/libloft.a
 define tested
 build/test/$(1)/lib/%.o: lib/%.c $(LIB_HDR)
 	@mkdir -p $$(@D)
-	$$(CC) $$(CPPFLAGS) -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) -c $$< -o $$@
+	$$(SAY) "  CC  $$@"
+	$$(Q)$$(CC) $$(CPPFLAGS) -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) -c $$< -o $$@
 build/test/$(1)/libloft.a: $(patsubst %.c,build/test/$(1)/%.o,$(LIB_SRC))
-	$$(AR) rcs $$@ $$^
+	$$(SAY) "  AR  $$@"
+	$$(Q)$$(AR) rcs $$@ $$^
 build/test/$(1)/%: tests/test_%.c build/test/$(1)/libloft.a $(wildcard tests/*.h)
-	$$(CC) $$(CPPFLAGS) -Itests -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$< build/test/$(1)/libloft.a -lm -o $$@
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$< build/test/$(1)/libloft.a -lm -o $$@
 endef
 $(foreach n,$(NUMS),$(eval $(call tested,$(n))))
 
@@ -62,7 +71,8 @@ VECTORS ?= tests/vectors
 define vectored
 build/vectors/$(1): $(wildcard tests/vectors*.c) build/test/$(1)/libloft.a $(wildcard tests/*.h)
 	@mkdir -p $$(@D)
-	$$(CC) $$(CPPFLAGS) -Itests -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.a,$$^) -lm -o $$@
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.a,$$^) -lm -o $$@
 endef
 $(foreach n,$(NUMS),$(eval $(call vectored,$(n))))
 
@@ -83,9 +93,11 @@ HOST_FLAGS   = $(CPPFLAGS) -O1 -g $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -D
 
 build/test/host/obj/%.o: host-tools/%.c lib/names.h
 	@mkdir -p $(@D)
-	$(CC) $(HOST_FLAGS) -c $< -o $@
+	$(SAY) "  CC  $@"
+	$(Q)$(CC) $(HOST_FLAGS) -c $< -o $@
 build/test/host/%: tests/host/test_%.c tests/host/drawn.h $(wildcard tests/*.h) $(patsubst host-tools/%.c,build/test/host/obj/%.o,$(HOST_TESTED))
-	$(CC) $(HOST_FLAGS) -Itests -Itests/host $(filter %.c %.o,$^) $(shell pkg-config --libs libxml-2.0 cairo) -lm -o $@
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(HOST_FLAGS) -Itests -Itests/host $(filter %.c %.o,$^) $(shell pkg-config --libs libxml-2.0 cairo) -lm -o $@
 
 .PRECIOUS: build/test/host/obj/%.o
 
@@ -109,17 +121,20 @@ TOOL_OBJ  := $(patsubst %.c,$(TOOL_OUT)/tools/%.o,$(TOOL_SRC)) \
 define tooled
 $(TOOL_OUT)/tools/$(1)/%.o: %.c lib/names.h
 	@mkdir -p $$(@D)
-	$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(TOOL_STD) $$(call tool_flag,$(1)) -c $$< -o $$@
+	$$(SAY) "  CC  $$@"
+	$$(Q)$$(CC) $$(CPPFLAGS) $$(CFLAGS) $$(TOOL_STD) $$(call tool_flag,$(1)) -c $$< -o $$@
 endef
 $(foreach n,$(NUMS),$(eval $(call tooled,$(n))))
 
 # the rest is built once; where it talks to a machine, it does so in q16
 $(TOOL_OUT)/tools/host-tools/%.o: host-tools/%.c lib/names.h
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(TOOL_STD) $(call tool_flag,q16) -c $< -o $@
+	$(SAY) "  CC  $@"
+	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) $(TOOL_STD) $(call tool_flag,q16) -c $< -o $@
 
 $(TOOL_OUT)/loft: $(TOOL_OBJ)
-	$(CC) $(CFLAGS) $(LDFLAGS) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
 
 -include $(TOOL_OBJ:.o=.d) $(wildcard build/test/host/*.d build/test/host/obj/*.d)
 
@@ -173,10 +188,12 @@ BENCH_FLAGS = $(if $(BENCH_LIBS),$(shell pkg-config --cflags $(BENCH_LIBS))) \
 
 build/bench/agg.o: tests/bench_agg.cpp
 	@mkdir -p $(@D)
-	$(CXX) $(CFLAGS) $(BENCH_FLAGS) -c $< -o $@
+	$(SAY) "  CXX $@"
+	$(Q)$(CXX) $(CFLAGS) $(BENCH_FLAGS) -c $< -o $@
 build/bench/bench%: tests/bench.c build/q16x%/libloft.a $(if $(filter libagg,$(BENCH_LIBS)),build/bench/agg.o)
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(STD) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$* $(BENCH_FLAGS) \
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) $(STD) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$* $(BENCH_FLAGS) \
 	    $(if $(filter libagg,$(BENCH_LIBS)),-DBENCH_AGG) $^ -o $@ \
 	    $(if $(BENCH_LIBS),$(shell pkg-config --libs $(BENCH_LIBS))) $(if $(filter libagg,$(BENCH_LIBS)),-lstdc++) -lm
 
@@ -231,10 +248,12 @@ test-e2e: build/e2e/pty build/e2e/shim.so
 
 build/e2e/pty: tests/e2e_pty.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $< -o $@
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $< -o $@
 build/e2e/shim.so: tests/e2e_shim.c
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE -shared -fPIC $< -ldl -o $@
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE -shared -fPIC $< -ldl -o $@
 
 ## Remove build/
 .PHONY: clean

@@ -11,7 +11,7 @@
 #include "exact_whole.h"        /* wide, vast: decisions */
 
 typedef struct {
-    enum loft_kind kind;
+    enum loft_shape_kind kind;
     unsigned inflections, cusps, loops;
     long double inflection[2], cusp, loop[2];
 } exact_shape;

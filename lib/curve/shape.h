@@ -17,7 +17,7 @@
 #include "curve/bezier.h"       /* loft_cubic, loft_bezier */
 
 /* The kinds of a planar cubic, as a whole: for all t, not only 0..1. */
-enum loft_kind {
+enum loft_shape_kind {
     LOFT_POINT,             /* all four control points are one                                  */
     LOFT_LINE,              /* they lie on a line, and so does the curve                        */
     LOFT_PARABOLA,          /* the degree is 2                                                  */
@@ -28,7 +28,7 @@ enum loft_kind {
 };
 
 typedef struct {
-    enum loft_kind kind;
+    enum loft_shape_kind kind;
     uint8_t inflections, cusps, loops;  /* how many lie within the range below: 0..2, 0..1, 0..1    */
     loft_unit inflection[2];            /* where the curvature changes sign, t in 0..1 without the
                                          * ends (which rounding may give back), ascending           */
