@@ -13,6 +13,7 @@
 
 #define PT_PER_MM   (72 / 25.4)
 #define LEVELS      24                  /* of colour */
+#define BATCH       256                 /* pieces in one stroke: cairo takes much longer for long ones */
 
 static double canvas_x(const plot_view *v, double x) { return v->left + (x - v->x0) * v->scale; }
 static double canvas_y(const plot_view *v, double y) { return v->bottom - (y - v->y0) * v->scale; }
@@ -25,15 +26,17 @@ static void draw_curves(const plot_view *v, double line, double r, double g, dou
 {
     const drawing *d = v->o->d;
 
+    cairo_set_source_rgb(v->cairo, r, g, b);
+    cairo_set_line_width(v->cairo, line * v->u);
     for (size_t i = 0; i < d->count; i++) {
         const double (*p)[2] = (const double (*)[2])d->curve[i].p;
-        if (i == 0 || d->curve[i].path != d->curve[i - 1].path)
+        if (i % BATCH == 0)
+            cairo_stroke(v->cairo);
+        if (i % BATCH == 0 || d->curve[i].path != d->curve[i - 1].path)
             cairo_move_to(v->cairo, canvas_x(v, p[0][0]), canvas_y(v, p[0][1]));
         cairo_curve_to(v->cairo, canvas_x(v, p[1][0]), canvas_y(v, p[1][1]), canvas_x(v, p[2][0]), canvas_y(v, p[2][1]),
                        canvas_x(v, p[3][0]), canvas_y(v, p[3][1]));
     }
-    cairo_set_source_rgb(v->cairo, r, g, b);
-    cairo_set_line_width(v->cairo, line * v->u);
     cairo_stroke(v->cairo);
 }
 
@@ -44,11 +47,10 @@ static void draw_control(const plot_view *v)
 
     cairo_set_source_rgb(v->cairo, 0.90, 0.55, 0.10);
     cairo_set_line_width(v->cairo, 0.5 * v->u);
-    for (size_t i = 0; i < d->count; i++)
+    for (size_t i = 0; i < d->count; i++) {
         for (int k = 0; k < 4; k++)
             (k ? cairo_line_to : cairo_move_to)(v->cairo, canvas_x(v, d->curve[i].p[k][0]), canvas_y(v, d->curve[i].p[k][1]));
-    cairo_stroke(v->cairo);
-    for (size_t i = 0; i < d->count; i++)
+        cairo_stroke(v->cairo);
         for (int k = 0; k < 4; k++) {
             const double x = canvas_x(v, d->curve[i].p[k][0]), y = canvas_y(v, d->curve[i].p[k][1]);
             if (k == 0 || k == 3)       /* a point on the curve is square, a handle round */
@@ -58,7 +60,8 @@ static void draw_control(const plot_view *v)
                 cairo_arc(v->cairo, x, y, dot, 0, 7);
             }
         }
-    cairo_fill(v->cairo);
+        cairo_fill(v->cairo);
+    }
 }
 
 
@@ -77,6 +80,7 @@ static void draw_machine(const plot_view *v, bool drawing_runs)
     static const double origin[3];
     const record *r = v->o->r;
     const double *last = NULL;          /* drawn so far; NULL: no run is open */
+    unsigned pieces = 0;
 
     for (size_t i = 0; i < r->count; i++) {
         const double *before = i > 0 ? r->pulse[i - 1].at : origin, *now = r->pulse[i].at;
@@ -84,8 +88,10 @@ static void draw_machine(const plot_view *v, bool drawing_runs)
         if (!moves)
             continue;
         if (record_draws(r, i) != drawing_runs) {
-            if (last != NULL)
+            if (last != NULL) {
                 cairo_line_to(v->cairo, canvas_x(v, before[0]), canvas_y(v, before[1]));
+                cairo_stroke(v->cairo);
+            }
             last = NULL;
             continue;
         }
@@ -96,6 +102,10 @@ static void draw_machine(const plot_view *v, bool drawing_runs)
         if (!is_near(v, last, now) || i + 1 == r->count || record_draws(r, i + 1) != drawing_runs) {
             cairo_line_to(v->cairo, canvas_x(v, now[0]), canvas_y(v, now[1]));
             last = now;
+            if (drawing_runs && ++pieces % BATCH == 0) {    /* dashes would start anew */
+                cairo_stroke(v->cairo);
+                cairo_move_to(v->cairo, canvas_x(v, now[0]), canvas_y(v, now[1]));
+            }
         }
     }
     cairo_stroke(v->cairo);

@@ -17,6 +17,7 @@
 
 #define MM_PER_PX    (25.4 / 96)
 #define USE_DEPTH    24             /* <use> of <use> of ..; libxml2 allows 256 elements in each other */
+#define TAG_LINES    10000          /* of a tag with one attribute and much path data per line         */
 #define VISITED_MAX  2000000u
 #define ENTITIES_MAX (16ul << 20)   /* bytes of text that entities may stand for, counting each time */
 
@@ -36,6 +37,34 @@ static bool draw(svg_reader *r, const xmlNode *node, svg_space space, const use_
 // Messages
 // --------
 
+/* libxml2 tells on which line a tag ends; it starts there or on one of the lines above. */
+unsigned svg_at_line(const svg_reader *r)
+{
+    const unsigned end = (unsigned)xmlGetLineNo(r->node);
+    const char *prefix = r->node->ns && r->node->ns->prefix ? (const char *)r->node->ns->prefix : "";
+    char tag[80];
+
+    snprintf(tag, sizeof tag, "<%s%s%s", prefix, *prefix ? ":" : "", (const char *)r->node->name);
+    for (size_t n = end; n >= 1 && n <= r->line_count && end - n < TAG_LINES; n--)
+        if (memmem(r->line[n - 1], (size_t)(r->line[n] - r->line[n - 1]), tag, strlen(tag)) != NULL)
+            return (unsigned)n;
+    return end;
+}
+
+static void find_lines(svg_reader *r, const char *text, size_t size)
+{
+    size_t room = 0;
+
+    for (const char *at = text, *end = text + size; at != NULL;) {
+        if (r->line_count + 2 > room)
+            r->line = tool_grow(r->line, (room = room ? 2 * room : 256) * sizeof *r->line);
+        r->line[r->line_count++] = at;
+        at = memchr(at, '\n', (size_t)(end - at));
+        at = at ? at + 1 : NULL;
+    }
+    r->line[r->line_count] = text + size;
+}
+
 bool svg_fail(const svg_reader *r, const char *format, ...)
 {
     char text[300];
@@ -44,7 +73,7 @@ bool svg_fail(const svg_reader *r, const char *format, ...)
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    (void)tool_error(EX_DATAERR, "%s:%ld: <%s>: %s", r->file, xmlGetLineNo(r->node), (const char *)r->node->name, text);
+    (void)tool_error(EX_DATAERR, "%s:%u: <%s>: %s", r->file, svg_at_line(r), (const char *)r->node->name, text);
     return false;
 }
 
@@ -59,7 +88,7 @@ void svg_warn(svg_reader *r, unsigned kind, const char *format, ...)
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    (void)tool_error(EX_OK, "%s:%ld: %s", r->file, xmlGetLineNo(r->node), text);
+    (void)tool_error(EX_OK, "%s:%u: %s", r->file, svg_at_line(r), text);
 }
 
 
@@ -532,6 +561,7 @@ int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size
     const xmlNode *root = document ? xmlDocGetRootElement(document) : NULL;
     int code = 0;
 
+    find_lines(&r, text, size);
     if (root == NULL)
         code = tool_error(EX_DATAERR, "%s:%d: broken XML: %s", file, problem.line, problem.message);
     else if (!is_svg(root, "svg"))
@@ -543,6 +573,7 @@ int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size
     for (size_t i = 0; i < r.named_count; i++)
         xmlFree(r.named[i].id);
     free(r.named);
+    free(r.line);
     svg_sheet_free(r.sheet);
     if (document != NULL)
         xmlFreeDoc(document);

@@ -36,6 +36,8 @@ typedef struct {
     drawing *d;
     const char *file;
     const xmlNode *node;        /* the element being read: its attributes, and for messages */
+    const char **line;          /* where the lines of the file start, to the end of the last */
+    size_t line_count;
     svg_sheet *sheet;
     svg_named *named;           /* sorted; of equal ids the first in the file is first    */
     size_t named_count;
@@ -55,6 +57,9 @@ enum svg_side { SVG_ACROSS, SVG_ALONG_Y, SVG_DIAGONAL };       /* what a % is ta
 
 // Messages
 // --------
+
+/* The line on which the tag of the current element starts. */
+unsigned svg_at_line(const svg_reader *r);
 
 /* Print `loft: file:line: <message>`, give false. */
 bool svg_fail(const svg_reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -109,6 +114,7 @@ typedef struct {
     double start[2], at[2];     /* user units                                    */
     double end[2];              /* mm; where the drawn path ends                 */
     bool fresh;                 /* nothing is drawn since the last move          */
+    unsigned line;              /* of the file                                   */
 } svg_pen;
 
 svg_pen svg_pen_at(const svg_reader *r, svg_matrix to_mm);

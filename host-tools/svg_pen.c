@@ -23,7 +23,7 @@ static double apart(const double a[2], const double b[2])
 
 svg_pen svg_pen_at(const svg_reader *r, svg_matrix matrix)
 {
-    svg_pen pen = { .r = r, .to_mm = matrix };
+    svg_pen pen = { .r = r, .to_mm = matrix, .line = svg_at_line(r) };
 
     svg_move(&pen, 0, 0);
     return pen;
@@ -60,7 +60,7 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
     if (d->count >= DRAWING_CURVES_MAX)
         return svg_fail(pen->r, "more than %u curves: split the drawing", DRAWING_CURVES_MAX);
 
-    drawing_add(d, p, pen->fresh, (unsigned)xmlGetLineNo(pen->r->node));
+    drawing_add(d, p, pen->fresh, pen->line);
     memcpy(pen->end, p[3], sizeof p[3]);
     pen->fresh = false;
     return true;

@@ -397,10 +397,16 @@ static void what_cannot_be_drawn_is_said_once(arb *a)
     drawing_free(&d);
 }
 
+/* Also where a tag goes over several lines: it is named by the one it starts on. */
 static void every_curve_knows_its_line(arb *a)
 {
     drawing d;
     (void)a;
+    CHECK(read_svg(&d, PAGE("\n<path\n  d='M1 1h1'\n/><path d='M1 1h1'/>\n<path\n\nd='M1 1h1'/>")) == 0 && d.count == 3);
+    if (d.count == 3)
+        CHECK(d.curve[1].line == 4 && d.curve[2].line == 5);
+    drawing_free(&d);
+    REFUSES("\n<g>\n<path\n  id='p'\n d='M1 1 h x'\n/></g>", "test.svg:3: <path>");
     CHECK(read_svg(&d, PAGE("\n<path d='M1 1h1h1'/>\n\n<g><path d='M1 1h1'/></g>")) == 0 && d.count == 3);
     if (d.count == 3)
         CHECK(d.curve[0].line == 2 && d.curve[1].line == 2 && d.curve[2].line == 4);
