@@ -118,6 +118,7 @@ static inline void mill_init(mill *m, uint32_t boot, uint16_t queue, uint32_t pe
     }
     m->period   = period;
     m->now.room = queue;
+    memset(&m->r, 0xA5, sizeof m->r);
     CHECK(loft_receiver_init(&m->r, &m->traits) == LOFT_OK);
 }
 
