@@ -204,7 +204,7 @@ bench:
 	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
-CHECK_STAGES := lint test test-host check-vectors-all test-mixed test-readme test-e2e
+CHECK_STAGES := lint test test-axes test-host check-vectors-all test-mixed test-readme test-e2e
 
 ## Check everything: rules of the house, all tests in all number types under sanitizers, vectors, README, whole jobs
 .PHONY: check
@@ -215,6 +215,14 @@ check:
 .PHONY: lint
 lint: lib/names.h
 	@sh tests/lint.sh
+
+## Run the wire's tests with 1, 2, 4 and 6 axes
+.PHONY: test-axes
+AXES_TESTS := codec message receiver
+test-axes: lib/names.h
+	@mkdir -p build/axes; bad=0; for a in 1 2 4 6; do for t in $(AXES_TESTS); do echo "-- $$t x$$a"; \
+	    $(CC) -Ilib -Itests -O1 -g $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$$a tests/test_$$t.c $(wildcard lib/wire/*.c) \
+	        -o build/axes/$$t && build/axes/$$t || bad=1; done; done; exit $$bad
 
 ## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
 .PHONY: test
