@@ -1,27 +1,18 @@
 /* host-tools/svg.c -- the SVG document: elements, viewports, <use>, what is hidden
  * SPDX-License-Identifier: MIT
  *
- * libxml2 reads the XML, without network, external entities or limits lifted. What is drawn: path, rect, circle,
- * ellipse, line, polyline, polygon, in g, a, svg, switch and use. What cannot be drawn (text, pictures, clipping) is
- * said once. What is wrong in the file ends the reading, with its line.
+ * What is drawn: path, rect, circle, ellipse, line, polyline, polygon, in g, a, svg, switch and use. What cannot be
+ * drawn (text, pictures, clipping) is said once. What is wrong in the file ends the reading, with its line.
  */
-#include <libxml/parser.h>
-#include <libxml/SAX2.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "svg.h"
-#include "tool.h"       /* tool_error, tool_grow */
 
 #define MM_PER_PX    (25.4 / 96)
 #define USE_DEPTH    24             /* <use> of <use> of ..; libxml2 allows 256 elements in each other */
-#define TAG_LINES    10000          /* of a tag with one attribute and much path data per line         */
-#define VISITED_MAX  2000000u
-#define ENTITIES_MAX (16ul << 20)   /* bytes of text that entities may stand for, counting each time */
+#define VISITED_MAX  2000000u       /* elements, counting those of a <use> each time */
 
-static const xmlChar svg_namespace[]   = "http://www.w3.org/2000/svg";
 static const xmlChar xlink_namespace[] = "http://www.w3.org/1999/xlink";
 
 /* The targets of the <use> elements that are being drawn, innermost first. */
@@ -34,72 +25,8 @@ typedef struct use_chain {
 static bool draw(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain);
 
 
-// Messages
-// --------
-
-/* libxml2 tells on which line a tag ends; it starts there or on one of the lines above. */
-unsigned svg_at_line(const svg_reader *r)
-{
-    const unsigned end = (unsigned)xmlGetLineNo(r->node);
-    const char *prefix = r->node->ns && r->node->ns->prefix ? (const char *)r->node->ns->prefix : "";
-    char tag[80];
-
-    snprintf(tag, sizeof tag, "<%s%s%s", prefix, *prefix ? ":" : "", (const char *)r->node->name);
-    for (size_t n = end; n >= 1 && n <= r->line_count && end - n < TAG_LINES; n--)
-        if (memmem(r->line[n - 1], (size_t)(r->line[n] - r->line[n - 1]), tag, strlen(tag)) != NULL)
-            return (unsigned)n;
-    return end;
-}
-
-static void find_lines(svg_reader *r, const char *text, size_t size)
-{
-    size_t room = 0;
-
-    for (const char *at = text, *end = text + size; at != NULL;) {
-        if (r->line_count + 2 > room)
-            r->line = tool_grow(r->line, (room = room ? 2 * room : 256) * sizeof *r->line);
-        r->line[r->line_count++] = at;
-        at = memchr(at, '\n', (size_t)(end - at));
-        at = at ? at + 1 : NULL;
-    }
-    r->line[r->line_count] = text + size;
-}
-
-bool svg_fail(const svg_reader *r, const char *format, ...)
-{
-    char text[300];
-    va_list values;
-
-    va_start(values, format);
-    vsnprintf(text, sizeof text, format, values);
-    va_end(values);
-    (void)tool_error(EX_DATAERR, "%s:%u: <%s>: %s", r->file, svg_at_line(r), (const char *)r->node->name, text);
-    return false;
-}
-
-void svg_warn(svg_reader *r, unsigned kind, const char *format, ...)
-{
-    char text[300];
-    va_list values;
-
-    if (r->warned & 1u << kind)
-        return;
-    r->warned |= 1u << kind;
-    va_start(values, format);
-    vsnprintf(text, sizeof text, format, values);
-    va_end(values);
-    (void)tool_error(EX_OK, "%s:%u: %s", r->file, svg_at_line(r), text);
-}
-
-
 // What is drawn at all
 // --------------------
-
-static bool is_svg(const xmlNode *node, const char *name)
-{
-    return node->type == XML_ELEMENT_NODE && (node->ns == NULL || xmlStrEqual(node->ns->href, svg_namespace)) &&
-           (name == NULL || strcmp((const char *)node->name, name) == 0);
-}
 
 static bool one_of(const xmlNode *node, const char *const names[])
 {
@@ -256,7 +183,7 @@ static bool draw_svg(svg_reader *r, const xmlNode *node, svg_space space, const 
 static bool draw_switch(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
 {
     for (const xmlNode *child = node->children; child != NULL; child = child->next)
-        if (is_svg(child, NULL) && applies(child))
+        if (svg_is(child, NULL) && applies(child))
             return draw(r, child, space, chain);
     return true;
 }
@@ -323,7 +250,7 @@ static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const 
 
     if (target == NULL || !moved(r, &space))
         return false;
-    if (!is_svg(target, "symbol") && !is_svg(target, "svg"))
+    if (!svg_is(target, "symbol") && !svg_is(target, "svg"))
         return draw(r, target, space, &link);
 
     r->node = target;           /* its own sizes, which those of <use> override */
@@ -346,11 +273,11 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space, co
 
     if (one_of(node, groups))
         return draw_children(r, node, space, chain);
-    if (is_svg(node, "svg"))
+    if (svg_is(node, "svg"))
         return draw_svg(r, node, space, chain);
-    if (is_svg(node, "use"))
+    if (svg_is(node, "use"))
         return draw_use(r, node, space, chain);
-    if (is_svg(node, "switch"))
+    if (svg_is(node, "switch"))
         return draw_switch(r, node, space, chain);
     warn_undrawn(r, &space);
     return !space.visible || svg_shape(r, &space, &shape);
@@ -368,7 +295,7 @@ static bool is_never_drawn(const xmlNode *node)
 
 static bool draw(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
 {
-    if (!is_svg(node, NULL) || is_never_drawn(node) || !applies(node))
+    if (!svg_is(node, NULL) || is_never_drawn(node) || !applies(node))
         return true;
     r->node = node;
     if (++r->visited > VISITED_MAX)
@@ -384,7 +311,7 @@ static bool draw(svg_reader *r, const xmlNode *node, svg_space space, const use_
 }
 
 
-// The file
+// The page
 // --------
 
 /* Turn the page into mm, y up. Sizes that are not given are those of the viewBox in px, or unknown. */
@@ -434,148 +361,14 @@ static void shift_to_origin(drawing *d)
         }
 }
 
-/* The element that follows in the file, children first. */
-static const xmlNode *following(const xmlNode *node)
-{
-    if (node->children != NULL && node->type == XML_ELEMENT_NODE)
-        return node->children;
-    while (node != NULL && node->next == NULL)
-        node = node->parent;
-    return node ? node->next : NULL;
-}
-
-typedef struct {
-    svg_named named;
-    size_t order;
-} numbered;
-
-static int by_id_and_order(const void *a, const void *b)
-{
-    const numbered *x = a, *y = b;
-    const int order = strcmp(x->named.id, y->named.id);
-
-    return order ? order : (x->order > y->order) - (x->order < y->order);
-}
-
-/* Collect ids and style sheets. */
-static void survey(svg_reader *r, const xmlNode *root)
-{
-    numbered *list = NULL;
-    size_t count = 0, room = 0;
-
-    for (const xmlNode *node = root; node != NULL; node = following(node)) {
-        char *id = node->type == XML_ELEMENT_NODE ? svg_attribute(node, "id") : NULL;
-        if (id != NULL) {
-            if (count == room)
-                list = tool_grow(list, (room = room ? 2 * room : 64) * sizeof *list);
-            list[count] = (numbered){ { id, node }, count };
-            count++;
-        }
-        r->node = node;
-        if (is_svg(node, "style"))
-            svg_sheet_read(r, node);
-    }
-    if (count > 0)
-        qsort(list, count, sizeof *list, by_id_and_order);
-    r->named = tool_grow(NULL, count * sizeof *r->named);
-    r->named_count = count;
-    for (size_t i = 0; i < count; i++)
-        r->named[i] = list[i].named;
-    free(list);
-}
-
-static bool draw_document(svg_reader *r, const xmlNode *root)
+bool svg_draw(svg_reader *r, const xmlNode *root)
 {
     svg_space space;
     bool empty;
 
-    survey(r, root);
     if (!enter_page(r, root, &space, &empty) || (!empty && !draw_children(r, root, space, NULL)))
         return false;
     shift_to_origin(r->d);
     return true;
 }
 
-/* What the XML reader reports while it reads. */
-typedef struct {
-    char message[200];          /* of the first error; those behind it are its consequences */
-    int line;
-    unsigned long expanded;     /* bytes of entities */
-} report;
-
-static void keep_first_error(void *context, xmlErrorPtr error)
-{
-    report *r = ((xmlParserCtxtPtr)context)->_private;
-
-    if (r->message[0] != '\0' || error->level < XML_ERR_ERROR || error->domain == XML_FROM_NAMESPACE)
-        return;
-    snprintf(r->message, sizeof r->message, "%s", error->message ? error->message : "unknown");
-    r->message[strcspn(r->message, "\n")] = '\0';
-    r->line = error->line;
-}
-
-/* Entities are looked up here each time they are used: a small file cannot stand for gigabytes. */
-static xmlEntityPtr find_entity(void *context, const xmlChar *name)
-{
-    xmlParserCtxtPtr parser = context;
-    report *r = parser->_private;
-    xmlEntityPtr entity = xmlSAX2GetEntity(context, name);
-
-    r->expanded += entity ? (unsigned long)entity->length : 0;
-    if (r->expanded <= ENTITIES_MAX)
-        return entity;
-    snprintf(r->message, sizeof r->message, "its entities stand for more than %lu MB", ENTITIES_MAX >> 20);
-    r->line = parser->input ? parser->input->line : 0;
-    xmlStopParser(parser);
-    return NULL;
-}
-
-/* Nothing but the file itself is ever read. */
-static xmlParserInputPtr load_nothing(const char *url, const char *id, xmlParserCtxtPtr context)
-{
-    (void)url, (void)id, (void)context;
-    return NULL;
-}
-
-static xmlDocPtr parse(const char *text, size_t size, report *r)
-{
-    xmlParserCtxtPtr context = xmlNewParserCtxt();
-    if (context == NULL)
-        return NULL;
-
-    xmlSetExternalEntityLoader(load_nothing);
-    context->_private = r;
-    context->sax->serror = keep_first_error;
-    context->sax->getEntity = find_entity;
-    xmlDocPtr document = xmlCtxtReadMemory(context, text, (int)size, NULL, NULL, XML_PARSE_NONET | XML_PARSE_NOENT |
-                                           XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES);
-    xmlFreeParserCtxt(context);
-    return document;
-}
-
-int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size)
-{
-    svg_reader r = { .d = d, .file = file };
-    report problem = { .message = "" };
-    xmlDocPtr document = parse(text, size, &problem);
-    const xmlNode *root = document ? xmlDocGetRootElement(document) : NULL;
-    int code = 0;
-
-    find_lines(&r, text, size);
-    if (root == NULL)
-        code = tool_error(EX_DATAERR, "%s:%d: broken XML: %s", file, problem.line, problem.message);
-    else if (!is_svg(root, "svg"))
-        code = tool_error(EX_DATAERR, "%s:%ld: <%s> is no SVG drawing: <svg xmlns=\"http://www.w3.org/2000/svg\"> is expected", file,
-                          xmlGetLineNo(root), (const char *)root->name);
-    else if (!draw_document(&r, root))
-        code = EX_DATAERR;
-
-    for (size_t i = 0; i < r.named_count; i++)
-        xmlFree(r.named[i].id);
-    free(r.named);
-    free(r.line);
-    svg_sheet_free(r.sheet);
-    if (document != NULL)
-        xmlFreeDoc(document);
-    return code;
-}

@@ -1,6 +1,7 @@
 /* host-tools/svg.h -- what the parts of the SVG reader share
  * SPDX-License-Identifier: MIT
  *
+ *     svg_file.c   the XML: read safely, ids, lines for messages
  *     svg.c        the document: elements, viewports, use, what is hidden
  *     svg_shape.c  path data and basic shapes          -> pen
  *     svg_pen.c    lines, cubics, arcs in user units   -> curves in mm
@@ -53,6 +54,16 @@ typedef struct {
 } svg_space;
 
 enum svg_side { SVG_ACROSS, SVG_ALONG_Y, SVG_DIAGONAL };       /* what a % is taken of */
+
+
+// Document
+// --------
+
+/* Is it an element of SVG, of this name (NULL: of any)? */
+bool svg_is(const xmlNode *node, const char *name);
+
+/* Draw everything in the outermost <svg>. */
+bool svg_draw(svg_reader *r, const xmlNode *root);
 
 
 // Messages
