@@ -50,7 +50,7 @@ enum loft_status loft_rational_init(loft_rational *r, const loft_weighted p[], u
  *
  *   range   t is clamped to 0..1 (nan to 0): cannot fail
  *   error   q16: 1/2 LSB + degree * R * 2^-30 LSB, below 0.501 LSB; exact at 0 and 1
- *           f32: 1 ulp   f64: 6 * degree + 4 ulp
+ *           f32: 1 ulp, exact at 0 and 1   f64: 6 * degree + 4 ulp, 1 ulp at 0 and 1
  *   cost    degree * (degree + 1) / 2 wide lerps per axis and once more, a quotient per axis;
  *           80 bytes of stack; safe in an ISR
  *   see     Farin, Curves and Surfaces for CAGD, ch. 13: rational Bezier curves
@@ -62,7 +62,7 @@ loft_vec loft_rational_eval(const loft_rational *r, loft_unit t);
  *
  *   range   t in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the derivative does not fit (it may be
  *           degree * R times the distance of two points); *out is untouched then
- *   error   q16: 0.51 LSB   f32, f64: 1/2 ulp of the result + 24 * degree^2 * R ulp of double
+ *   error   q16: 0.51 LSB   f32, f64: 1/2 ulp of the result + 24 * degree^2 * R ulp of double (24 * degree * w0 w1 / w^2)
  *   cost    degree * (degree + 1) / 2 deep lerps per axis and once more; per axis one quotient of num/exact.h;
  *           q16: 1 KiB of stack
  *   see     Floater, Derivatives of rational Bezier curves, CAGD 9 (1992)

@@ -63,6 +63,14 @@ loft_deep loft_deep_times(loft_deep x, uint32_t k)
     return r;
 }
 
+void loft_deep_step(loft_deep d[], unsigned degree)
+{
+    for (unsigned k = 0; k < degree; k++)
+        accumulate(&d[k], &d[k + 1], 0, 0);
+}
+
+bool loft_deep_accepts(loft_real a) { (void)a; return true; }
+
 /* (|y - x| t + 2^23) / 2^24: five limbs, less than 2^126 * 2^24 + 2^23. Four limbs are cut out above bit 24. */
 loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t)
 {
@@ -163,6 +171,13 @@ loft_deep loft_deep_add(loft_deep x, loft_deep y)               { return x + y; 
 loft_deep loft_deep_sub(loft_deep x, loft_deep y)               { return x - y; }
 loft_deep loft_deep_times(loft_deep x, uint32_t k)              { return x * k; }
 loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t) { return loft_acc_lerp(x, y, t); }
+bool      loft_deep_accepts(loft_real a)                        { return (double)a > -0x1p900 && (double)a < 0x1p900; }
+
+void loft_deep_step(loft_deep d[], unsigned degree)
+{
+    for (unsigned k = 0; k < degree; k++)
+        d[k] += d[k + 1];
+}
 
 bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, int32_t k, loft_acc *out)
 {

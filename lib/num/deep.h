@@ -53,6 +53,12 @@ loft_deep loft_deep_add(loft_deep x, loft_deep y);
 loft_deep loft_deep_sub(loft_deep x, loft_deep y);
 loft_deep loft_deep_times(loft_deep x, uint32_t k);
 
+/* One step of forward differences: d[k] += d[k+1], k = 0 .. degree - 1 upwards. */
+void loft_deep_step(loft_deep d[], unsigned degree);
+
+/* Is a coordinate small enough for a walk? f64: below 2^900, to leave room for a weight and n^degree. */
+bool loft_deep_accepts(loft_real a);
+
 /* x at t = 0, y at t = 1.
  *
  *   range   t in 0..1; q16: |x|, |y| < 2^125

@@ -1,0 +1,92 @@
+/* lib/curve/rational_walk.c
+ * SPDX-License-Identifier: MIT
+ *
+ * With coefficients c_k of numerator or denominator and g_k = C(d, k) D^k c_0, the polynomial times n^d at i/n is
+ *
+ *     n^d F(i/n) = sum_k  g_k n^(d-k) i^k
+ *
+ * whole for whole c_k. Its differences at i = 0 are whole too, and adding them is exact. In q16 the c_k are whole:
+ * below 2^31 2^24 = 2^55 for a coordinate times a weight, and for a weight times 2^31. With n^d < 2^63 all values
+ * are below 2^118; the differences may wrap at 2^128, where sums are right all the same. So the quotient is that
+ * of the true values and is rounded once.
+ *
+ * In floats the n^d F are rounded as in forward.c, relative to the largest coefficient; the quotient by the
+ * denominator, which is never below the smallest weight, brings the ratio R of the weights in, twice.
+ */
+#include "curve/rational_walk.h"
+#include "num/strict.h"     /* loft_strict_admits */
+
+#define DEGREE LOFT_RATIONAL_WALK_DEGREE_MAX
+
+/* a_k = g_k n^(d-k), in place of the Bernstein coefficients */
+static void powers(loft_deep a[], unsigned degree, uint32_t n)
+{
+    for (unsigned k = 1; k <= degree; k++)
+        for (unsigned i = degree; i >= k; i--)
+            a[i] = loft_deep_sub(a[i], a[i - 1]);
+    for (unsigned k = 0; k <= degree; k++) {
+        a[k] = loft_deep_times(a[k], (uint32_t)loft_binomial(degree, k));
+        for (unsigned i = k; i < degree; i++)
+            a[k] = loft_deep_times(a[k], n);
+    }
+}
+
+/* From sum a_k i^k to its differences at i = 0: dividing by i, i - 1, .. in turn gives the coefficients of
+ * i (i-1) .. (i-k+1), whose k-th difference is k!. */
+static void differences(loft_deep a[], unsigned degree)
+{
+    uint32_t factorial = 1;
+
+    for (unsigned j = 1; j < degree; j++)
+        for (unsigned k = degree - 1; k >= j; k--)
+            a[k] = loft_deep_add(a[k], loft_deep_times(a[k + 1], j));
+    for (unsigned k = 2; k <= degree; k++) {
+        factorial *= k;
+        a[k] = loft_deep_times(a[k], factorial);
+    }
+}
+
+enum loft_status loft_rational_walk_init(loft_rational_walk *walk, const loft_rational *r, uint32_t n)
+{
+    const unsigned degree = r->degree;
+
+    if (degree > DEGREE || n == 0)
+        return LOFT_ERR_ARG;
+    if (!loft_strict_admits(degree, n))
+        return LOFT_ERR_RANGE;
+    for (unsigned k = 0; k <= degree; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (!loft_deep_accepts(r->p[k].p.axis[i]))
+                return LOFT_ERR_RANGE;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        for (unsigned k = 0; k <= degree; k++)
+            walk->x[i][k] = loft_deep_of(loft_prod(r->p[k].p.axis[i], r->p[k].w));
+        powers(walk->x[i], degree, n);
+        differences(walk->x[i], degree);
+    }
+    for (unsigned k = 0; k <= degree; k++)
+        walk->w[k] = loft_deep_of(loft_wide(r->p[k].w) * LOFT_PROJECT);
+    powers(walk->w, degree, n);
+    differences(walk->w, degree);
+    walk->end = r->p[degree].p;
+    walk->left = n;
+    walk->degree = (uint8_t)degree;
+    return LOFT_OK;
+}
+
+bool loft_rational_walk_next(loft_rational_walk *walk, loft_vec *out)
+{
+    if (walk->left == 0)
+        return false;
+    walk->left--;
+
+    loft_deep_step(walk->w, walk->degree);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_deep_step(walk->x[i], walk->degree);
+        out->axis[i] = loft_deep_project(walk->x[i][0], walk->w[0]);
+    }
+    if (walk->left == 0)
+        *out = walk->end;
+    return true;
+}
