@@ -97,13 +97,12 @@ static inline exact_shape exact_shape_of(const loft_cubic *c)
 }
 
 
-/* Curvature: de Casteljau's scheme in 113 bits, and its first derivative modulo 2^128 */
-
-__extension__ typedef __float128 quad;
+/* Curvature: de Casteljau's scheme in 113 bits, and its first derivative modulo 2^128 as well */
 
 typedef struct {
     bool singular;
     long double curvature, tangent[LOFT_AXES];
+    long double unsure;         /* the error of this curvature: the quads hold all bits up to degree 6 */
 } exact_bend;
 
 static inline quad quad_root(quad x)
@@ -113,48 +112,63 @@ static inline quad quad_root(quad x)
 }
 
 /* Rows of the scheme at t = j / 65536 until `left` values remain, multiplied by 65536 in each row. */
-static inline void exact_rows(quad c[], low_bits low[], unsigned count, unsigned left, int64_t j)
+static inline void exact_rows(vast c[], unsigned count, unsigned left, int64_t j)
 {
     for (unsigned k = count; k > left; k--)
-        for (unsigned i = 0; i + 1 < k; i++) {
-            c[i] = (65536 - j) * c[i] + j * c[i + 1];
-            low[i] = (low_bits)(65536 - j) * low[i] + (low_bits)j * low[i + 1];
-        }
+        for (unsigned i = 0; i + 1 < k; i++)
+            c[i] = vast_add(vast_times(65536 - j, c[i]), vast_times(j, c[i + 1]));
 }
 
-/* At t = j / 65536, in the first `axes` axes; with a sign when they are two. */
+/* One axis of P' / n and of its derivative / (n - 1), times 65536^n and 65536^(n-1). */
+static inline bool exact_ends(const loft_bezier *b, int64_t j, int axis, quad *first, quad *second)
+{
+    const unsigned n = b->degree;
+    vast c[LOFT_DEGREE_MAX + 1];
+
+    *first = *second = 0;
+    for (unsigned k = 0; k < n; k++)
+        c[k] = vast_of(whole_of(b->p[k + 1].axis[axis]) - whole_of(b->p[k].axis[axis]));
+    if (n > 1) {
+        exact_rows(c, n, 2, j);
+        *second = vast_add(c[1], vast_times(-1, c[0])).near;
+        exact_rows(c, 2, 1, j);
+    }
+    if (n > 0 && !(vast_small(c[0]) && c[0].low == 0))
+        *first = c[0].near;
+    return *first < 0 || *first > 0;
+}
+
+/* At t = j / 65536, in the first `axes` axes; with a sign when they are two. With P' = n q / T^(n-1) and so on the
+ * curvature is (n - 1) / n |q x r| / |q|^3 T^n G; T = G = 65536. */
 static inline exact_bend exact_bend_at(const loft_bezier *b, int64_t j, int axes)
 {
     const unsigned n = b->degree;
-    quad q[LOFT_AXES], r[LOFT_AXES], c[LOFT_DEGREE_MAX + 1], speed = 0, area = 0, scale = 4294967296.0L;
-    low_bits low[LOFT_DEGREE_MAX + 1];
-    exact_bend x = { true, 0, { 0 } };
+    quad q[LOFT_AXES], r[LOFT_AXES], speed = 0, change = 0, area = 0, squares = 0, scale = 65536;
+    exact_bend x = { true, 0, { 0 }, 0 };
 
-    for (unsigned k = 2; k < n; k++)
+    for (unsigned k = 0; k < n; k++)
         scale *= 65536;
     for (int a = 0; a < axes; a++) {
-        for (unsigned k = 0; k < n; k++) {
-            low[k] = (low_bits)(whole_of(b->p[k + 1].axis[a]) - whole_of(b->p[k].axis[a]));
-            c[k] = (quad)(wide)low[k];
-        }
-        exact_rows(c, low, n, n < 2 ? 1 : 2, j);
-        r[a] = n < 2 ? 0 : (c[1] - c[0]);
-        exact_rows(c, low, n < 2 ? n : 2, 1, j);
-        const bool zero = n == 0 || (low[0] == 0 && fabsl((long double)c[0]) < 0x1p126L);
-        q[a] = zero ? 0 : c[0];
+        x.singular = !exact_ends(b, j, a, &q[a], &r[a]) && x.singular;
         speed += q[a] * q[a];
-        x.singular = x.singular && zero;
+        change += r[a] * r[a];
     }
+    if (x.singular)
+        return x;
     for (int a = 0; a < axes; a++)
-        for (int d = a + 1; d < axes; d++)
-            area = axes == 2 ? q[a] * r[d] - q[d] * r[a] : area + (q[a] * r[d] - q[d] * r[a]) * (q[a] * r[d] - q[d] * r[a]);
+        for (int d = a + 1; d < axes; d++) {
+            area = q[a] * r[d] - q[d] * r[a];
+            squares += area * area;
+        }
     if (axes > 2)
-        area = quad_root(area);
-    const quad length = quad_root(speed);
-    for (int a = 0; a < axes && !x.singular; a++)
+        area = quad_root(squares);
+    const quad length = quad_root(speed), off = (n > 6 ? scale * 0x1p-104L : 0) + length * 0x1p-110L;
+    for (int a = 0; a < axes; a++)
         x.tangent[a] = (long double)(q[a] / length);
-    if (!x.singular && n > 1)
-        x.curvature = (long double)((n - 1) * area / (n * speed) * scale / length * 65536);
+    if (n > 1) {
+        x.curvature = (long double)((n - 1) * area / (n * speed) * scale / length);
+        x.unsure = (long double)(quad_root(change) / speed * scale / length * off) + fabsl(x.curvature) * (long double)(8 * off / length);
+    }
     return x;
 }
 

@@ -17,9 +17,9 @@
  *   shape   f[n + 1]
  *   range   n in 1..9, times >= 1, x in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the value does not
  *           fit, *value is untouched then
- *   error   for x in 0..1 q16: 1/2 LSB + (n + n^4 / (4 n - 4)) * 2^-17 LSB, below 0.502 LSB for any number of times
- *           f32: 1/2 ulp of the result + 1/2 ulp   f64: 4 (n + n^4 / (4 n - 4)) ulp of the largest coefficient;
- *           beyond, n^4 / (4 n - 4) counts (1 - x)^n + .. + x^n times in absolute value
+ *   error   with L = |1 - x| + |x|, 1 in 0..1, and s = n^4 / (4 n - 4), 0 for n = 1, however many times:
+ *           q16: 1/2 LSB + (1 + L + .. + L^(n-1) + L^n s) * 2^-17 LSB, below 0.502 LSB in 0..1
+ *           f32: 1/2 ulp of the result + L^n / 2 ulp   f64: 4 L^n (n + s) ulp, of the largest f[i]
  *   cost    n^3 / 2 wide lerps for each time, at most 512 times; then none, the limit has arrived
  *   see     Kelisky, Rivlin, Iterates of Bernstein polynomials (Pacific J. Math. 21, 1967)
  */

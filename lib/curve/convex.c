@@ -1,10 +1,13 @@
 /* lib/curve/convex.c -- is a polygon the boundary of a convex region?
  * SPDX-License-Identifier: MIT
  *
- * Null edges are passed over. The others must turn one way: all products of neighbours >= 0, or all <= 0, and where
- * one is 0 the edge must go on, not back. Then every turn is less than half a revolution, and how many revolutions
- * they make is told by the two half planes of directions, y > 0 or y = 0 < x, and the opposite: the direction changes
- * between them twice per revolution. If all products are 0 then all edges are parallel.
+ * Null edges are passed over. The others must turn one way: all products of neighbours >= 0, or all <= 0; if all
+ * are 0 then all edges are parallel. How many revolutions they make is told by two half planes of directions, y > 0 or
+ * y = 0 < x, and the opposite: an edge that turns by half a revolution or less changes between them once at most,
+ * and a full revolution changes twice.
+ *
+ * An edge that goes straight back is half a revolution. It needs no test: the directions of a polygon that makes one
+ * revolution would then all lie in the other half plane, and such edges do not sum to 0.
  *
  * Edges have R + 1 bits, products 2 R + 3 (R = 31, in floats 128).
  */
@@ -38,14 +41,9 @@ static bool is_upper(const edge *e)
 
 static int turn(const edge *a, const edge *b) { return loft_exact_sign(loft_exact_det(a->x, a->y, b->x, b->y)); }
 
-static bool goes_back(const edge *a, const edge *b)     /* of parallel edges: the opposite half plane */
-{
-    return is_upper(a) != is_upper(b);
-}
-
 typedef struct {
-    bool left, right, back;     /* has it turned left, right, gone back? */
-    unsigned changes;           /* of the half plane                     */
+    bool left, right;       /* has it turned left, right? */
+    unsigned changes;       /* of the half plane          */
 } tally;
 
 static void count_turn(tally *t, const edge *a, const edge *b)
@@ -54,13 +52,12 @@ static void count_turn(tally *t, const edge *a, const edge *b)
 
     t->left  = t->left || way > 0;
     t->right = t->right || way < 0;
-    t->back  = t->back || (way == 0 && goes_back(a, b));
     t->changes += is_upper(a) != is_upper(b);
 }
 
 enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum loft_convexity *out)
 {
-    tally t = { false, false, false, 0 };
+    tally t = { false, false, 0 };
     edge before;
     unsigned last = count;
 
@@ -80,6 +77,6 @@ enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum lo
         before = e;
     }
     *out = !t.left && !t.right ? LOFT_COLLINEAR
-         : (t.left && t.right) || t.back || t.changes != 2 ? LOFT_NOT_CONVEX : LOFT_CONVEX;
+         : (t.left && t.right) || t.changes != 2 ? LOFT_NOT_CONVEX : LOFT_CONVEX;
     return LOFT_OK;
 }
