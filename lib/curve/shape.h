@@ -48,7 +48,8 @@ enum loft_status loft_cubic_shape(const loft_cubic *c, loft_shape *out) LOFT_CHE
 /* The curvature at t, never negative, and the direction of the curve as a vector of length 1.
  *
  *   range   t in -1..2, otherwise LOFT_ERR_ARG; LOFT_SINGULAR where the first derivative vanishes;
- *           LOFT_ERR_RANGE when the curvature does not fit. Nothing is written then
+ *           LOFT_ERR_RANGE when the curvature does not fit. Nothing is written then. In floats t is taken as
+ *           the nearest multiple of 2^-53
  *   units   1 / length: the radius is 1 / curvature
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32, f64: 1 ulp, of both results, however ill the curve is conditioned
  *   cost    q16, degree n: 6 n exact products per axis, then as many as axes, two roots; 3 kB of stack,

@@ -58,6 +58,7 @@ loft_exact loft_exact_from_int(int32_t i);
  */
 loft_exact loft_exact_from_unit(loft_unit t);
 
+/* -a, a + b, a - b, a b. */
 loft_exact loft_exact_neg(loft_exact a);
 loft_exact loft_exact_add(loft_exact a, loft_exact b);
 loft_exact loft_exact_sub(loft_exact a, loft_exact b);
