@@ -7,8 +7,9 @@
 #define DUST         loft_acc_ratio(loft_wide(LOFT_REAL(1)), 262144)
 #define LENGTH_MAX   loft_wide(LOFT_REAL(256))      /* a loft_unit resolves 256 mm to 2^-17 mm */
 #define BEND_MAX     LOFT_REAL(16383)
+#define ONE          loft_wide(LOFT_REAL(1))
 
-static loft_acc size_of(loft_acc x)     { return x < 0 ? -x : x; }
+static loft_acc size_of(loft_acc x)            { return x < 0 ? -x : x; }
 static loft_acc larger(loft_acc x, loft_acc y) { return x > y ? x : y; }
 
 /* Is p on the segment a..b, to within 2^-16 mm per plane? The distance of p from the line is |q x c| / |c| with
@@ -178,8 +179,16 @@ uint32_t loft_arc_next(loft_arc *arc, const loft_arc *whole, uint32_t from)
  *
  *     K = (C'' - u (u . C'')) / |C'|^2 = (2/3) (b - u (u . b)) / |e|,   b = f / |e|
  *
- * b is less than 1/2 because the legs differ by at most |c| / 4. Between the three places a parabola through them exceeds
- * the largest by at most an eighth of its second difference. q16: an arc is longer than 2^-13 / 3, so K < 2^14. */
+ * b is less than 1/2 because the legs differ by at most |c| / 4. Arcs below 2^-15 mm may bend more than a real can
+ * say: twice BEND_MAX stands for all of that. */
+static loft_real curvature(loft_acc across, loft_acc rate)
+{
+    const loft_acc x = loft_acc_ratio(2 * across, 3);
+    if (size_of(x) > loft_acc_mul(rate, BEND_MAX))
+        return x < 0 ? -2 * BEND_MAX : 2 * BEND_MAX;
+    return loft_acc_quot(x, rate);
+}
+
 static void set_station(const loft_arc *a, int k, loft_vec *u, loft_vec *bend)
 {
     loft_acc along = 0;
@@ -195,9 +204,16 @@ static void set_station(const loft_arc *a, int k, loft_vec *u, loft_vec *bend)
         along += loft_prod(u->axis[i], b.axis[i]);
     }
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc across = loft_wide(b.axis[i]) - loft_acc_mul(along, u->axis[i]);
-        bend->axis[i] = loft_acc_quot(loft_acc_ratio(2 * across, 3), a->rate[k]);
+        bend->axis[i] = curvature(loft_wide(b.axis[i]) - loft_acc_mul(along, u->axis[i]), a->rate[k]);
     }
+}
+
+/* The largest size of a parabola through three values: it exceeds the largest of them by at most an eighth of
+ * their second difference. */
+static loft_acc bound_of(loft_real start, loft_real middle, loft_real end)
+{
+    const loft_acc a = loft_wide(start), b = loft_wide(middle), c = loft_wide(end);
+    return larger(size_of(a), larger(size_of(b), size_of(c))) + size_of(a - 2 * b + c) / 8;
 }
 
 void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape)
@@ -208,13 +224,9 @@ void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape)
     for (int k = 0; k < 3 && !arc->dust; k++)
         set_station(arc, k, &u[k], &bend[k]);
     for (int i = 0; i < LOFT_AXES; i++) {
-        loft_acc along = loft_wide(LOFT_REAL(1)), most = 0;
-        if (!arc->dust) {
-            const loft_acc k0 = loft_wide(bend[0].axis[i]), k1 = loft_wide(bend[1].axis[i]), k2 = loft_wide(bend[2].axis[i]);
-            along = larger(size_of(loft_wide(u[0].axis[i])), larger(size_of(loft_wide(u[1].axis[i])), size_of(loft_wide(u[2].axis[i]))));
-            most  = larger(size_of(k0), larger(size_of(k1), size_of(k2))) + size_of(k0 - 2 * k1 + k2) / 8;
-        }
-        shape->along[i] = loft_acc_round(along);
+        const loft_acc along = arc->dust ? ONE : bound_of(u[0].axis[i], u[1].axis[i], u[2].axis[i]);
+        const loft_acc most  = arc->dust ? 0 : bound_of(bend[0].axis[i], bend[1].axis[i], bend[2].axis[i]);
+        shape->along[i] = loft_acc_round(along < ONE ? along : ONE);
         shape->tight    = shape->tight || most > loft_wide(BEND_MAX);
         shape->bend[i]  = shape->tight ? 0 : loft_acc_round(most);
     }
