@@ -7,7 +7,6 @@
 #define DUST         loft_acc_ratio(loft_wide(LOFT_REAL(1)), 262144)
 #define LENGTH_MAX   loft_wide(LOFT_REAL(256))      /* a loft_unit resolves 256 mm to 2^-17 mm */
 #define BEND_MAX     LOFT_REAL(16383)
-#define ONE          loft_wide(LOFT_REAL(1))
 
 static loft_acc size_of(loft_acc x)            { return x < 0 ? -x : x; }
 static loft_acc larger(loft_acc x, loft_acc y) { return x > y ? x : y; }
@@ -66,15 +65,15 @@ static void set_part(loft_arc *out, const loft_arc *whole, loft_unit a, loft_uni
     }
 }
 
-/* Legs d_k = p_(k+1) - p_k are the derivative's control points over 3. When all are within |c| / 8 of their mean c (per
- * axis), direction and rate change by at most 1/4 over the arc, so no feature hides between the places looked at. */
+/* Legs d_k = p_(k+1) - p_k are the derivative's control points over 3. When all are within |c| / 16 of their mean c (per
+ * axis), direction and rate change by at most 1/8 over the arc, so no feature hides between the places looked at. */
 static bool nearly_straight(const loft_arc *a)
 {
     loft_acc chord[LOFT_AXES];
     for (int i = 0; i < LOFT_AXES; i++)
         chord[i] = a->p[3][i] - a->p[0][i];
 
-    const loft_acc length = loft_acc_hypot(chord, LOFT_AXES), most = length / 24;
+    const loft_acc length = loft_acc_hypot(chord, LOFT_AXES), most = length / 48;
     if (length > LENGTH_MAX)
         return false;
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -96,7 +95,7 @@ static loft_acc legs_of(const loft_arc *a)
 }
 
 /* Where a control point falls onto the end, rates grow from 0 and no part that begins there is nearly straight in the
- * sense above. A speck is, when all legs lead along its chord and no further than |chord| / 24 off it. */
+ * sense above. A speck is, when all legs lead along its chord and no further than |chord| / 512 off it. */
 static bool straight_speck(const loft_arc *a)
 {
     loft_acc chord[LOFT_AXES];
@@ -114,7 +113,7 @@ static bool straight_speck(const loft_arc *a)
             along += loft_acc_mul(a->p[k + 1][i] - a->p[k][i], u[i]);
         for (int i = 0; i < LOFT_AXES; i++)
             off = larger(off, size_of(a->p[k + 1][i] - a->p[k][i] - loft_acc_mul(along, u[i])));
-        if (along < 0 || 24 * off > length)
+        if (along < 0 || 512 * off > length)
             return false;
     }
     return length > 0;
@@ -208,31 +207,18 @@ static void set_station(const loft_arc *a, int k, loft_vec *u, loft_vec *bend)
     }
 }
 
-/* The largest size of a parabola through three values: it exceeds the largest of them by at most an eighth of
- * their second difference. */
-static loft_acc bound_of(loft_real start, loft_real middle, loft_real end)
-{
-    const loft_acc a = loft_wide(start), b = loft_wide(middle), c = loft_wide(end);
-    return larger(size_of(a), larger(size_of(b), size_of(c))) + size_of(a - 2 * b + c) / 8;
-}
-
 void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape)
 {
-    loft_vec u[3], bend[3];
-
     shape->tight = arc->dust;
-    for (int k = 0; k < 3 && !arc->dust; k++)
-        set_station(arc, k, &u[k], &bend[k]);
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc along = arc->dust ? ONE : bound_of(u[0].axis[i], u[1].axis[i], u[2].axis[i]);
-        const loft_acc most  = arc->dust ? 0 : bound_of(bend[0].axis[i], bend[1].axis[i], bend[2].axis[i]);
-        shape->along[i] = loft_acc_round(along < ONE ? along : ONE);
-        shape->tight    = shape->tight || most > loft_wide(BEND_MAX);
-        shape->bend[i]  = shape->tight ? 0 : loft_acc_round(most);
-    }
-    if (!arc->dust) {
-        shape->first = u[0];
-        shape->last  = u[2];
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < LOFT_AXES; i++) {
+            shape->along[k].axis[i] = LOFT_REAL(1);
+            shape->bend[k].axis[i]  = 0;
+        }
+        if (!arc->dust)
+            set_station(arc, k, &shape->along[k], &shape->bend[k]);
+        if (!loft_vec_within(shape->bend[k], BEND_MAX))
+            shape->tight = true;
     }
 }
 
@@ -250,8 +236,8 @@ static loft_acc bernstein(const loft_acc b[], int degree, loft_unit t)
 
 /* The rate is close to the parabola through its three values, in Bernstein's form r0, m = 2 rm - (r0 + r1) / 2, r1,
  * the length therefore to the cubic s(u) with 0, r0, r0 + m, r0 + m + r1, whose derivative is 3 times the parabola.
- * s(u) = s is solved by Newton's iteration from u = s / length: rates change by a quarter at most, so u errs by at most
- * 1/16, then 2^-11, then 2^-24. */
+ * s(u) = s is solved by Newton's iteration from u = s / length: rates differ by an eighth at most, so u errs by at most
+ * 2^-5, then by the square of that times rate' / (2 rate) <= 2^-4, that is 2^-14, then by rounding only. */
 static loft_unit parameter_at(const loft_arc *arc, loft_acc s)
 {
     const loft_acc r0 = arc->rate[0], r1 = arc->rate[2], m = 2 * arc->rate[1] - (r0 + r1) / 2;

@@ -19,12 +19,10 @@ typedef struct {
     bool     dust;              /* too small to have a direction: at most 2^-18 mm                   */
 } loft_arc;
 
-/* How an arc lies, per axis: bounds of direction and curvature, and the directions at its ends. */
+/* How an arc lies: direction (of length 1) and curvature vector (1/mm) at its start, middle and end. */
 typedef struct {
-    loft_real along[LOFT_AXES];     /* largest |component| of the direction, 0..1            */
-    loft_real bend[LOFT_AXES];      /* largest |component| of the curvature vector, 1/mm     */
-    loft_vec  first, last;          /* directions, of length 1; not set for dust             */
-    bool      tight;                /* dust, or bent more than `bend` can say                */
+    loft_vec along[3], bend[3];     /* dust: all ones, and no curvature                         */
+    bool     tight;                 /* dust, or bent more than `bend` can say (16383 per mm)    */
 } loft_arc_shape;
 
 /* The whole of a curve, to be cut. A curve that does not leave its chord by more than 2^-16 mm and does not
@@ -37,14 +35,18 @@ void loft_arc_from(loft_arc *whole, const loft_cubic *c);
 /* Cut the arc that begins at parameter `from` (a multiple of 2^-20); gives the parameter where it ends.
  *
  *   range   from = 0..LOFT_ARC_WHOLE - 1
- *   error   the length errs by less than 2^-11 of itself
- *   cost    20 cuts of 16 wide lerps per axis at most, 4 is usual
+ *   error   the length errs by less than 2^-12 of itself
+ *   cost    21 cuts of 16 wide lerps per axis at most, 5 are usual
  */
 uint32_t loft_arc_next(loft_arc *arc, const loft_arc *whole, uint32_t from);
 
 /* Cut the arc from..to, which loft_arc_next has found. */
 void loft_arc_cut(loft_arc *arc, const loft_arc *whole, uint32_t from, uint32_t to);
 
+/* The shape of an arc.
+ *
+ *   error   q16: direction 2^-16, curvature 2^-15 / length of the arc
+ */
 void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape);
 
 /* The point at length s, 0 <= s <= arc->length, of an arc with length > 0.

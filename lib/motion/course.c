@@ -50,8 +50,8 @@ static loft_acc turn(heading *h, const loft_budget *b, const loft_arc *arc, loft
     }
     loft_arc_measure(arc, &shape);
     if (h->known && !(h->smooth && !arc->speck))
-        most = loft_budget_joint(b, h->direction, shape.first, spacing);
-    h->direction = shape.last;
+        most = loft_budget_joint(b, h->direction, shape.along[0], spacing);
+    h->direction = shape.along[2];
     h->known  = true;
     h->smooth = !arc->speck;
     return most;
@@ -142,7 +142,7 @@ static loft_acc look_back(loft_course *c)
 
     for (unsigned j = c->pieces; j-- > 0; ) {
         loft_piece *p = &c->table[j];
-        p->start = x = loft_piece_reach(p, &c->budget, smaller(x, p->most));
+        p->start = x = loft_piece_reach(p, &c->budget, smaller(x, p->most[1]), true);
     }
     return x;
 }
@@ -153,7 +153,7 @@ static void look_ahead(loft_course *c, loft_acc x)
     for (unsigned j = 0; j < c->pieces; j++) {
         loft_piece *p = &c->table[j];
         p->start = smaller(p->start, x);
-        x = loft_piece_reach(p, &c->budget, p->start);
+        x = loft_piece_reach(p, &c->budget, p->start, false);
     }
     c->end = smaller(c->end, x);
 }

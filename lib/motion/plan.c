@@ -18,9 +18,12 @@
  *     P0   P0 + V0 m / 3   P1 - V1 m / 3   P1                        from one knot to the m-th after it
  *
  * whose acceleration is within the limits at both ends (it is a straight line in time), that passes the samples
- * within the tolerance at their times, and whose velocity is that of the B-spline to within 1/256 at every knot.
+ * within the tolerance at their times, and whose velocity is within the limits and that of the B-spline, to 1/256, at
+ * every knot.
  */
 #include "motion/plan.h"
+
+#define SLACK loft_wide(LOFT_REAL(0.001953125))     /* 2^-9 mm per beat */
 
 static loft_acc size_of(loft_acc x) { return x < 0 ? -x : x; }
 
@@ -57,6 +60,8 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, cons
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc accel = loft_wide(limits->max_accel[i]) * budget.beat;
         start[i] = loft_wide(plan->at.axis[i]);
+        plan->speed[i] = loft_budget_beat(&budget, limits->max_speed[i]);
+        plan->speed[i] += loft_acc_ratio(plan->speed[i], 256) + SLACK / 256;
         plan->accel[i] = loft_acc_ratio(loft_acc_ratio(accel, budget.tick_hz) * budget.beat, budget.tick_hz);
     }
     push(plan, start);
@@ -114,7 +119,7 @@ static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][
     return off <= tol;
 }
 
-/* At knot j: is the velocity that of the B-spline, to 1/256 and 2^-17 mm per beat? */
+/* At knot j: is the velocity within the limits, and that of the B-spline, both to 1/256 and 2^-17 mm per beat? */
 static bool runs(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LOFT_AXES])
 {
     const loft_unit t = loft_unit_of(j, m);
@@ -124,11 +129,13 @@ static bool runs(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LO
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc d0 = p[1][i] - p[0][i], d1 = p[2][i] - p[1][i], d2 = p[3][i] - p[2][i], v = b[i] - a[i];
         const loft_acc d  = loft_acc_lerp(loft_acc_lerp(d0, d1, t), loft_acc_lerp(d1, d2, t), t);
-        const loft_acc e  = size_of(loft_acc_ratio(3 * d, (int32_t)m) - v);
+        const loft_acc w  = loft_acc_ratio(3 * d, (int32_t)m), e = size_of(w - v);
+        if (size_of(w) > plan->speed[i])
+            return false;
         off   = e > off ? e : off;
         speed = size_of(v) > speed ? size_of(v) : speed;
     }
-    return off * 256 <= speed + loft_wide(LOFT_REAL(0.001953125));
+    return off * 256 <= speed + SLACK;
 }
 
 static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])

@@ -12,12 +12,11 @@
 
 /* A piece of the path. Squares of speeds in (mm/s)^2. */
 typedef struct {
-    loft_acc  length;               /* mm                                       */
-    loft_acc  most;                 /* the square of the speed anywhere on it   */
-    loft_acc  start;                /* the square of the speed where it begins  */
-    loft_real along[LOFT_AXES];     /* bounds of the direction, and of the ...  */
-    loft_real bend[LOFT_AXES];      /* ... curvature vector, 1/mm               */
-    uint32_t  first, last;          /* the curve's parameters at its ends       */
+    loft_acc  length;               /* mm                                      */
+    loft_acc  most[2], top;         /* the square of the speed at its ends, and up and down between them */
+    loft_acc  start;                /* the square of the speed where it begins */
+    loft_vec  along[3], bend[3];    /* direction and curvature vector (1/mm) at start, middle and end */
+    uint32_t  first, last;          /* the curve's parameters at its ends      */
 } loft_piece;
 
 /* A length passed with even acceleration. */
@@ -35,12 +34,12 @@ typedef struct {
  */
 void loft_piece_init(loft_piece *p, const loft_budget *b, const loft_arc *arc, loft_real feed);
 
-/* The largest square of the speed at one end of the piece when it is `from` at the other; the same in both
- * directions.
+/* The largest square of the speed at the piece's end when it is `from` at its start, or, `back`, at its start when
+ * it is `from` at its end.
  *
- *   range   0 <= from <= p->most
+ *   range   0 <= from <= p->most at that end
  */
-loft_acc loft_piece_reach(const loft_piece *p, const loft_budget *b, loft_acc from);
+loft_acc loft_piece_reach(const loft_piece *p, const loft_budget *b, loft_acc from, bool back);
 
 /* The phases in which the piece is passed as fast as allowed, from p->start to the square `end`, which can be
  * reached; gives their number.
