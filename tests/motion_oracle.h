@@ -1,0 +1,151 @@
+/* tests/motion_oracle.h -- what spans must be, in double: their polynomials and the path they follow, exactly
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_TESTS_MOTION_ORACLE_H
+#define LOFT_TESTS_MOTION_ORACLE_H
+
+#include <math.h>           /* sqrt, fmin, fmax: the reference */
+
+#include "check.h"
+#include "motion/plan.h"    /* loft_move, loft_span */
+
+#define PATH_MAX 60000
+
+/* The path as a chain of short chords, each knows its curve. */
+typedef struct {
+    const loft_move *chain;
+    unsigned count;
+    double length;
+    struct { double at[LOFT_AXES], s, t; unsigned curve; } end[PATH_MAX];
+} path;
+
+static inline void cubic_at(const loft_vec p[4], double t, double out[LOFT_AXES])
+{
+    const double w[4] = { (1 - t) * (1 - t) * (1 - t), 3 * t * (1 - t) * (1 - t), 3 * t * t * (1 - t), t * t * t };
+    for (int i = 0; i < LOFT_AXES; i++) {
+        out[i] = 0;
+        for (int k = 0; k < 4; k++)
+            out[i] += w[k] * arb_value(p[k].axis[i]);
+    }
+}
+
+static inline double distance(const double a[], const double b[])
+{
+    double sum = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sqrt(sum);
+}
+
+static inline double polygon_length(const loft_cubic *c)
+{
+    double sum = 0, a[LOFT_AXES], b[LOFT_AXES];
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < LOFT_AXES; i++) {
+            a[i] = arb_value(c->p[k].axis[i]);
+            b[i] = arb_value(c->p[k + 1].axis[i]);
+        }
+        sum += distance(a, b);
+    }
+    return sum;
+}
+
+/* Chords of about `step` mm, 8 to a curve at least. */
+static inline void path_trace(path *p, const loft_move chain[], unsigned count, double step)
+{
+    p->chain  = chain;
+    p->count  = 0;
+    p->length = 0;
+    for (unsigned c = 0; c < count; c++) {
+        const unsigned n = 8 + (unsigned)(polygon_length(&chain[c].curve) / step);
+        for (unsigned j = c == 0 ? 0 : 1; j <= n && p->count < PATH_MAX; j++, p->count++) {
+            const unsigned k = p->count;
+            p->end[k].t = (double)j / n;
+            p->end[k].curve = c;
+            cubic_at(chain[c].curve.p, p->end[k].t, p->end[k].at);
+            p->length += k > 0 ? distance(p->end[k].at, p->end[k - 1].at) : 0;
+            p->end[k].s = p->length;
+        }
+    }
+    CHECK(p->count < PATH_MAX);
+}
+
+static inline double chord_distance(const double q[], const double a[], const double b[])
+{
+    double dot = 0, len = 0, at[LOFT_AXES];
+    for (int i = 0; i < LOFT_AXES; i++) {
+        dot += (q[i] - a[i]) * (b[i] - a[i]);
+        len += (b[i] - a[i]) * (b[i] - a[i]);
+    }
+    const double t = len > 0 ? fmin(1, fmax(0, dot / len)) : 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        at[i] = a[i] + t * (b[i] - a[i]);
+    return distance(q, at);
+}
+
+/* The distance of q from the curve under chord j and a little beyond: thirds of the parameter, again and again. */
+static inline double curve_distance(const path *p, unsigned j, const double q[])
+{
+    const loft_vec *c = p->chain[p->end[j + 1].curve].curve.p;
+    const double t1 = p->end[j + 1].t, t0 = p->end[j].curve == p->end[j + 1].curve ? p->end[j].t : 0, more = (t1 - t0) / 2;
+    double low = fmax(0, t0 - more), high = fmin(1, t1 + more), a[LOFT_AXES], b[LOFT_AXES];
+
+    for (int n = 0; n < 30; n++) {
+        cubic_at(c, low + (high - low) / 3, a);
+        cubic_at(c, high - (high - low) / 3, b);
+        if (distance(q, a) < distance(q, b))
+            high -= (high - low) / 3;
+        else
+            low += (high - low) / 3;
+    }
+    return fmin(distance(q, a), distance(q, b));
+}
+
+/* The distance of q from that part of the path whose length from the start is from..to. *at is a chord near it, for
+ * speed, and follows to the nearest one. A curve is looked at when its chord is nearest, or nearly (its own arch, less
+ * than an eighth of its length, may make the difference). */
+static inline double path_distance(const path *p, unsigned *at, const double q[], double from, double to)
+{
+    double best = 1e300, nearest = 1e300;
+    unsigned first = *at, last;
+
+    while (first > 0 && p->end[first].s > from)
+        first--;
+    while (first + 2 < p->count && p->end[first + 1].s < from)
+        first++;
+    for (last = first; last + 1 < p->count && (p->end[last].s <= to || last == first); last++)
+        nearest = fmin(nearest, chord_distance(q, p->end[last].at, p->end[last + 1].at));
+    for (unsigned j = first; j < last; j++) {
+        const double d = chord_distance(q, p->end[j].at, p->end[j + 1].at);
+        if (d <= nearest + distance(p->end[j].at, p->end[j + 1].at) / 8) {
+            best = fmin(best, curve_distance(p, j, q));
+            *at = d <= nearest ? j : *at;
+        }
+    }
+    return best;
+}
+
+/* Position, velocity (mm/s) and acceleration (mm/s^2) of a span at the part z of its time. */
+typedef struct {
+    double x[LOFT_AXES], v[LOFT_AXES], a[LOFT_AXES], speed;
+} motion;
+
+static inline motion span_at(const loft_span *s, double z, double tick_hz)
+{
+    const double h = s->ticks / tick_hz;
+    double sum = 0;
+    motion m;
+
+    cubic_at(s->p, z, m.x);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const double p0 = arb_value(s->p[0].axis[i]), p1 = arb_value(s->p[1].axis[i]);
+        const double p2 = arb_value(s->p[2].axis[i]), p3 = arb_value(s->p[3].axis[i]);
+        m.v[i] = 3 * ((1 - z) * (1 - z) * (p1 - p0) + 2 * z * (1 - z) * (p2 - p1) + z * z * (p3 - p2)) / h;
+        m.a[i] = 6 * ((1 - z) * (p0 - 2 * p1 + p2) + z * (p1 - 2 * p2 + p3)) / (h * h);
+        sum += m.v[i] * m.v[i];
+    }
+    m.speed = sqrt(sum);
+    return m;
+}
+
+#endif
