@@ -29,6 +29,7 @@
 #include "curve/bezier.h"
 #include "curve/forward.h"
 #include "curve/measure.h"
+#include "curve/join.h"
 #include "curve/shape.h"
 #include "motion/plan.h"
 #include "motion/span.h"

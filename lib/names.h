@@ -133,6 +133,8 @@
 #define loft_job_decode            LOFT_NAME(loft_job_decode)
 #define loft_job_encode            LOFT_NAME(loft_job_encode)
 #define loft_job_id                LOFT_NAME(loft_job_id)
+#define loft_join_extend           LOFT_NAME(loft_join_extend)
+#define loft_join_init             LOFT_NAME(loft_join_init)
 #define loft_limits_check          LOFT_NAME(loft_limits_check)
 #define loft_machine_control       LOFT_NAME(loft_machine_control)
 #define loft_machine_init          LOFT_NAME(loft_machine_init)
