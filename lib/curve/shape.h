@@ -41,7 +41,8 @@ typedef struct {
  *
  *   error   none in the kind and the counts; parameters q16: 2^-25 + 2^-33   f32, f64: 1 ulp + 2^-65
  *   cost    q16: about 30 exact products, a root and 2 quotients; 3 kB of stack, more than an ATmega328P has
- *   see     Stone, DeRose, A geometric characterization of parametric cubic curves (ACM TOG 8, 1989)
+ *   see     Stone, DeRose, A geometric characterization of parametric cubic curves (ACM TOG 8, 1989);
+ *           Su, Liu, Computational Geometry
  */
 enum loft_status loft_cubic_shape(const loft_cubic *c, loft_shape *out) LOFT_CHECKED;
 
@@ -81,7 +82,7 @@ enum loft_convexity {
  *   range   any number of points
  *   error   none
  *   cost    2 exact products per point; 1.2 kB of stack in q16
- *   see     Liu, Chang, theorem 3.3: a Bezier curve with a convex polygon is convex; Schoenberg, variation
+ *   see     Liu Dingyuan (1984): a planar Bezier curve with a convex polygon is convex; Schoenberg, variation
  *           diminishing
  */
 enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum loft_convexity *out) LOFT_CHECKED;
