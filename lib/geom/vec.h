@@ -54,6 +54,17 @@ static inline bool loft_vec_equal(loft_vec a, loft_vec b)
     return true;
 }
 
+/* The point with these wide coordinates, rounded, if all fit; *out is untouched otherwise. */
+static inline bool loft_vec_round(const loft_acc x[LOFT_AXES], loft_vec *out)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (!loft_acc_fits(x[i]))
+            return false;
+    for (int i = 0; i < LOFT_AXES; i++)
+        out->axis[i] = loft_acc_round(x[i]);
+    return true;
+}
+
 /* Is every coordinate within -limit .. limit? */
 static inline bool loft_vec_within(loft_vec a, loft_real limit)
 {
