@@ -1,0 +1,102 @@
+/* lib/curve/hermite.c
+ * SPDX-License-Identifier: MIT
+ *
+ * One axis at a time through basis/interp.h, where rooms and errors are derived; rounded once.
+ */
+#include "curve/hermite.h"
+#include "basis/interp.h"       /* loft_ends3_deriv, loft_ends5_deriv */
+
+static bool extends(loft_unit t)
+{
+    return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2);
+}
+
+static void ends3(const loft_hermite *h, int i, loft_acc e[4])
+{
+    e[0] = loft_wide(h->p0.axis[i]);
+    e[1] = loft_wide(h->p1.axis[i]);
+    e[2] = loft_wide(h->t0.axis[i]);
+    e[3] = loft_wide(h->t1.axis[i]);
+}
+
+static void ends5(const loft_hermite5 *h, int i, loft_acc e[6])
+{
+    const loft_hermite cubic = { h->p0, h->p1, h->t0, h->t1 };
+
+    ends3(&cubic, i, e);
+    e[4] = loft_wide(h->a0.axis[i]);
+    e[5] = loft_wide(h->a1.axis[i]);
+}
+
+enum loft_status loft_hermite_deriv(const loft_hermite *h, unsigned k, loft_unit t, loft_vec *out)
+{
+    loft_acc e[4], x[LOFT_AXES];
+
+    if (!extends(t))
+        return LOFT_ERR_ARG;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        ends3(h, i, e);
+        x[i] = loft_ends3_deriv(e, k, t);
+    }
+    return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
+}
+
+enum loft_status loft_hermite5_deriv(const loft_hermite5 *h, unsigned k, loft_unit t, loft_vec *out)
+{
+    loft_acc e[6], x[LOFT_AXES];
+
+    if (!extends(t))
+        return LOFT_ERR_ARG;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        ends5(h, i, e);
+        x[i] = loft_ends5_deriv(e, k, t);
+    }
+    return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
+}
+
+enum loft_status loft_hermite_eval(const loft_hermite *h, loft_unit t, loft_vec *out)
+{
+    return loft_hermite_deriv(h, 0, t, out);
+}
+
+enum loft_status loft_hermite5_eval(const loft_hermite5 *h, loft_unit t, loft_vec *out)
+{
+    return loft_hermite5_deriv(h, 0, t, out);
+}
+
+/* Column i of count control points */
+static bool take(const loft_acc c[], unsigned count, int i, loft_vec out[])
+{
+    for (unsigned k = 0; k < count; k++) {
+        if (!loft_acc_fits(c[k]))
+            return false;
+        out[k].axis[i] = loft_acc_round(c[k]);
+    }
+    return true;
+}
+
+enum loft_status loft_cubic_from_hermite(const loft_hermite *h, loft_cubic *out)
+{
+    loft_acc e[4], c[4];
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        ends3(h, i, e);
+        loft_ends3_bernstein(e, c);
+        if (!take(c, 4, i, out->p))
+            return LOFT_ERR_RANGE;
+    }
+    return LOFT_OK;
+}
+
+enum loft_status loft_bezier_from_hermite5(const loft_hermite5 *h, loft_vec out[6])
+{
+    loft_acc e[6], c[6];
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        ends5(h, i, e);
+        loft_ends5_bernstein(e, c);
+        if (!take(c, 6, i, out))
+            return LOFT_ERR_RANGE;
+    }
+    return LOFT_OK;
+}
