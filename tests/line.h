@@ -237,6 +237,7 @@ typedef struct {
     mill        m;
     loft_job    job;
     uint32_t    count, bytes, steps;        /* bytes: sent by the host */
+    bool        begun;
 } world;
 
 static inline void world_source(void *context, uint32_t index, loft_item *out)
@@ -249,6 +250,7 @@ static inline void world_source(void *context, uint32_t index, loft_item *out)
 static inline void world_dial(world *w)
 {
     w->down.out_size = w->down.out_at = 0;          /* what was half sent stays half sent */
+    w->begun = false;
     loft_sender_init(&w->s, (uint32_t)arb_next(w->a), w->now);
 }
 
@@ -319,8 +321,12 @@ static inline void world_step(world *w)
     mill_run(&w->m, w->now);
     while (line_ready(&w->up, w->now))
         loft_sender_push(&w->s, w->up.byte[w->up.out++ % LINE_ROOM], w->now);
-    if (w->s.phase == LOFT_PHASE_READY)
+    if (w->s.phase == LOFT_PHASE_READY) {
+        CHECK(!w->begun);                   /* once is enough, also when the line was silent for long */
         CHECK(loft_sender_begin(&w->s, &w->job, w->count, world_source, w) == LOFT_OK);
+        w->begun = true;
+    }
+    CHECK(w->s.base <= w->s.send && w->s.send <= w->s.high && w->s.high <= w->count);
     world_down(w);
     world_up(w);
     w->now++;

@@ -13,6 +13,8 @@
 #define RTO_MOST   1000
 #define CLOSE_TRIES   4
 
+#define SIZE_LEAST  (13 + 15 * LOFT_AXES)   /* the shortest frame that holds any item */
+
 #define ALL_AXES    ((1u << LOFT_AXES) - 1u)
 
 /* The part of `span` ms, begun at `since`, that is left. */
@@ -83,6 +85,7 @@ static void stream(loft_sender *s)
     s->base     = s->send = s->high = s->ack.next;
     s->flights  = 0;
     s->end_sent = false;
+    s->frame_size = s->machine.frame_max;
     reset_rto(s);
 }
 
@@ -151,7 +154,7 @@ void loft_sender_control(loft_sender *s, enum loft_verb verb)
 
 static bool fits(const loft_welcome *w)
 {
-    return w->version == LOFT_WIRE_VERSION && w->axes == LOFT_AXES && w->frame_max >= 13 + 15 * LOFT_AXES
+    return w->version == LOFT_WIRE_VERSION && w->axes == LOFT_AXES && w->frame_max >= SIZE_LEAST
         && w->queue > 0 && w->tick_hz > 0 && w->slots > 0;
 }
 
@@ -191,8 +194,22 @@ static void take_axis(loft_sender *s, uint32_t now)
         join(s);
 }
 
+/* A frame of n bytes survives with probability (1 - e)^n: on a bad line short frames go through where long ones never
+ * do. So a loss takes a quarter of the length, and each frame that came through gives a few bytes back. */
+static void shrink(loft_sender *s)
+{
+    const uint8_t size = (uint8_t)(s->frame_size - s->frame_size / 4);
+    s->frame_size = size > SIZE_LEAST ? size : SIZE_LEAST;
+}
+
+static void grow(loft_sender *s)
+{
+    s->frame_size = s->machine.frame_max - s->frame_size > 4 ? (uint8_t)(s->frame_size + 4) : s->machine.frame_max;
+}
+
 static void go_back(loft_sender *s, uint32_t now)
 {
+    shrink(s);
     s->send     = s->base;
     s->flights  = 0;
     s->end_sent = false;
@@ -212,6 +229,7 @@ static void advance(loft_sender *s, uint32_t now)
         sample = now - s->flight[s->first].time;
         s->first = (uint8_t)((s->first + 1) % LOFT_SENDER_WINDOW);
         s->flights--;
+        grow(s);
     }
     if (timed)
         take_rtt(s, sample);
@@ -247,6 +265,8 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
     if (streaming && (m->next < s->base || m->next > s->count))
         return;
     s->ack = *m;
+    if (m->refusal)
+        s->refusal = m->refusal;
     if (streaming && s->ack.limit < limit)      /* limits only grow; a lower one is older, or the job is over */
         s->ack.limit = limit;
 
@@ -369,13 +389,13 @@ static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
     loft_item item;
 
     predict(s, first, &predictor);
-    loft_data_init(&p, (enum loft_kind)s->job.kind, &predictor, s->machine.frame_max, wire);
+    loft_data_init(&p, (enum loft_kind)s->job.kind, &predictor, s->frame_size, wire);
     while (first + p.count < limit && status == LOFT_OK) {
         s->source(s->context, first + p.count, &item);
         status = loft_packer_push(&p, &item);
     }
     if (p.count == 0) {                 /* an item that cannot be said: the job ends */
-        s->ack.refusal = LOFT_REFUSAL_ITEM;
+        s->refusal = LOFT_REFUSAL_ITEM;
         s->aborting = true;
         control(s, LOFT_ABORT);
         return 0;
@@ -494,9 +514,9 @@ uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms)
         return LOFT_SENDER_POLL;
     if (s->verb_sent && left(s->verb_time, s->rto, now_ms) < wait)
         wait = left(s->verb_time, s->rto, now_ms);
-    if ((waits(s) || s->phase == LOFT_PHASE_OPENING) && retry < wait)
+    if ((waits(s) || (s->phase == LOFT_PHASE_OPENING && !s->aborting)) && retry < wait)
         wait = retry;
-    return wait;
+    return left(s->heard, LOFT_SENDER_SILENCE, now_ms) < wait ? left(s->heard, LOFT_SENDER_SILENCE, now_ms) : wait;
 }
 
 uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms)     { return now_ms - s->heard; }

@@ -32,7 +32,7 @@ enum loft_phase {
     LOFT_PHASE_ABORTED,     /* ended early: `report` if report.job is not 0                                     */
     LOFT_PHASE_BUSY,        /* another job is under way: `machine.job`                                          */
     LOFT_PHASE_LOST,        /* the machine restarted or serves another job: its position is not to be trusted   */
-    LOFT_PHASE_REFUSED,     /* by the machine: ack.refusal                                                      */
+    LOFT_PHASE_REFUSED,     /* by the machine: refusal                                                          */
     LOFT_PHASE_UNFIT        /* no common version, other number of axes, or too short a frame: see `machine`     */
 };
 
@@ -48,6 +48,7 @@ typedef struct {
     loft_ack            ack;                /* the latest                                                       */
     loft_machine_status status;             /* the latest, about LOFT_SENDER_POLL ms old; its ack is not kept   */
     loft_report         report;
+    uint8_t  refusal;                       /* enum loft_refusal: why REFUSED or ABORTED, if not by wish         */
     bool     resumed;                       /* the job was already under way when it was begun                  */
     bool     collected;                     /* the job was already over: only its report was fetched            */
     uint32_t sent, resent, naks, timeouts, hellos, damaged, unknown;    /* frames; data frames in the first two  */
@@ -63,6 +64,7 @@ typedef struct {
     uint8_t     flights, first;
     uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come                     */
     uint8_t     verb, number;               /* CONTROL waiting for its acknowledgement                          */
+    uint8_t     frame_size;                 /* the longest frame for now: shorter ones survive more damage      */
     uint8_t     attempts;                   /* of CONTROL                                                       */
     bool        greeted;                    /* WELCOME has come, AXIS may be missing                            */
     bool        began, asked, opened;       /* loft_sender_begin; JOB was sent; JOB was taken                   */
