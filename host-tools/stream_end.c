@@ -127,7 +127,7 @@ static int drawn(talk *t, const job *j, const stream_subject *about)
 
 static int refused(const talk *t)
 {
-    switch (t->sender.ack.refusal) {
+    switch (t->sender.refusal) {
     case LOFT_REFUSAL_START:
         return tool_error(EX_TEMPFAIL, "%s: the machine has moved since it was asked where it stands: run the same command again", t->port);
     case LOFT_REFUSAL_KIND:
@@ -150,6 +150,8 @@ int stream_ended(talk *t, const job *j, const stream_subject *about)
     case LOFT_PHASE_DONE:
         return drawn(t, j, about);
     case LOFT_PHASE_ABORTED:
+        if (s->refusal != LOFT_REFUSAL_NONE)
+            return refused(t);
         return tool_error(EX_TEMPFAIL, "aborted after %u of %zu items: the machine stands on the path at %s mm, steps %s; the next job starts there",
                           (unsigned)s->report.items, j->count, place(s, s->report.position, text), steps_text(s->report.position, other));
     case LOFT_PHASE_BUSY:
