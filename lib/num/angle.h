@@ -1,0 +1,73 @@
+/* lib/num/angle.h -- sine, cosine and the angle of a vector, to the last bits
+ * SPDX-License-Identifier: MIT
+ *
+ * Angles are in radians. Computations with angles need more than the 32 bits that loft_acc has below the point,
+ * and little above it: loft_fine. Between two fine numbers + - < and products by small whole numbers are plain.
+ *
+ *   loft_fine   a number below 8 in size   q16: int64_t times 2^60   f32, f64: double
+ */
+#ifndef LOFT_NUM_ANGLE_H
+#define LOFT_NUM_ANGLE_H
+
+#include "num/num.h"    /* loft_real, loft_acc */
+
+#if LOFT_NUM == LOFT_Q16
+
+typedef int64_t loft_fine;
+#define LOFT_FINE_1     ((loft_fine)1 << 60)
+#define LOFT_FINE_PI    ((loft_fine)3622009729038561421)
+
+#else
+
+typedef double loft_fine;
+#define LOFT_FINE_1     1.0
+#define LOFT_FINE_PI    3.141592653589793
+
+#endif
+
+/*   range   |a| < 8, |x| < 8
+ *   error   of: none   wide: q16: 2^-33   f32, f64: none */
+loft_fine loft_fine_of(loft_real a);
+loft_acc  loft_fine_wide(loft_fine x);
+
+/* An angle of any number of turns, within -pi..pi.
+ *
+ *   range   |a| < 2^20
+ *   error   q16: 2^-61 of |a| and 2^-60   f32, f64: 2^-51
+ */
+loft_fine loft_fine_angle(loft_acc a);
+
+/*   range   |x| < 8
+ *   error   q16: 2^-58   f32, f64: 2^-52
+ *   cost    10 products and 9 divisions of 64 bits in q16
+ *   see     the series, after reducing to a quarter of a turn */
+loft_fine loft_fine_sin(loft_fine x);
+loft_fine loft_fine_cos(loft_fine x);
+
+/* The angle from the first axis to (x, y), within -pi..pi; 0 for no vector.
+ *
+ *   range   q16: any   f32, f64: |x|, |y| from 2^-500 to 2^1000, or 0
+ *   error   q16: 2^-56   f32, f64: 2^-50
+ *   cost    three times a sine, a cosine and a quotient
+ */
+loft_fine loft_fine_atan2(loft_acc y, loft_acc x);
+
+/* Products and quotients.
+ *
+ *   range   mul: |x y| < 8   scale: |a x| < 2^30   quot: y != 0, |x / y| < 2^30
+ *   error   q16: mul 2^-61, scale 2^-33, quot 2^-33   f32, f64: 1/2 ulp of double
+ */
+loft_fine loft_fine_mul(loft_fine x, loft_fine y);
+loft_acc  loft_fine_scale(loft_acc a, loft_fine x);
+loft_acc  loft_fine_quot(loft_fine x, loft_fine y);
+
+/* Sine, cosine and angle of wide numbers.
+ *
+ *   range   |a| < 2^20; atan2 as above
+ *   error   q16: 2^-33 + 2^-40   f32, f64: 2^-52, atan2 2^-50
+ */
+loft_acc loft_sin(loft_acc a);
+loft_acc loft_cos(loft_acc a);
+loft_acc loft_atan2(loft_acc y, loft_acc x);
+
+#endif
