@@ -6,113 +6,200 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "points.h"     /* points_read */
+#include "num/status.h"     /* enum loft_status */
+
+#include "curve.h"
+#include "reference.h"
 #include "tool.h"
 
-/* The worst that was seen of one operation in one number type. */
+/* The worst that was seen of one way of computing a curve in one number type. */
 typedef struct {
-    const engine *e, *against;      /* against NULL: exact, in long double */
-    const points_curve *c;          /* control points as `e` holds them    */
-    uint32_t n, j;
-    double unit;                    /* 1 LSB of the curve in mm            */
-    double worst, sum;              /* LSB                                 */
+    const reference *exact;         /* of the curve as the number type holds it      */
+    const engine *against;          /* NULL: exact, in long double                   */
+    engine_curve *other;            /* the curve in `against`                        */
+    uint32_t n, j;                  /* parameters per piece, those that were met     */
+    double unit;                    /* 1 LSB of the curve in mm                      */
+    double worst, sum;              /* LSB                                           */
     double t;
     int axis;
     size_t count;
 } comparison;
 
-/* de Casteljau with 64 bits of mantissa: error below 1e-4 LSB of double. */
-static void exact_at(const points_curve *c, long double t, double out[ENGINE_AXES])
+static void look(comparison *m, long double t, const double got[ENGINE_AXES])
 {
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        long double b[POINTS_MAX];
-        for (unsigned k = 0; k <= c->degree; k++)
-            b[k] = (long double)c->p[k][i];
-        for (unsigned row = c->degree; row > 0; row--)
-            for (unsigned k = 0; k < row; k++)
-                b[k] += t * (b[k + 1] - b[k]);
-        out[i] = (double)b[0];
-    }
-}
+    long double want[ENGINE_AXES];
+    double other[ENGINE_AXES];
 
-static void meet(void *context, const double point[ENGINE_AXES])
-{
-    comparison *m = context;
-    double want[ENGINE_AXES];
-
-    m->j++;
-    const double t = (double)m->j / (double)m->n;
     if (m->against == NULL)
-        exact_at(m->c, (long double)m->j / (long double)m->n, want);
-    else if (m->against->eval((const double (*)[ENGINE_AXES])m->c->p, m->c->degree, t, want) != 0)
+        reference_eval(m->exact, t, want);
+    else if (m->against->curve->eval(m->other, (double)t, other) != 0)
         return;
     for (int i = 0; i < ENGINE_AXES; i++) {
-        const double off = fabs(point[i] - want[i]) / m->unit;
+        const long double right = m->against ? (long double)other[i] : want[i];
+        const double off = (double)fabsl((long double)got[i] - right) / m->unit;
         m->sum += off;
         m->count++;
         if (off > m->worst) {
             m->worst = off;
-            m->t     = t;
+            m->t     = (double)t;
             m->axis  = i;
         }
     }
 }
 
-static int by_eval(comparison *m)
+/* Parameter j of all, n per piece. */
+static long double parameter(const comparison *m, uint32_t j)
 {
-    for (uint32_t j = 1; j <= m->n; j++) {
+    const unsigned i    = (j - 1) / m->n;
+    const long double a = (long double)curve_break(m->exact->c, i), b = (long double)curve_break(m->exact->c, i + 1);
+
+    return a + (b - a) * (long double)(j - i * m->n) / (long double)m->n;
+}
+
+static void meet(void *context, const double point[ENGINE_AXES])
+{
+    comparison *m = context;
+
+    m->j++;
+    look(m, parameter(m, m->j), point);
+}
+
+static int by_eval(comparison *m, const engine *e, engine_curve *held)
+{
+    const uint32_t all = m->n * curve_pieces(m->exact->c);
+    int status = 0;
+
+    for (uint32_t j = 1; j <= all && status == 0; j++) {
+        const long double t = parameter(m, j);
         double at[ENGINE_AXES];
-        const int status = m->e->eval((const double (*)[ENGINE_AXES])m->c->p, m->c->degree, (double)j / (double)m->n, at);
-        if (status != 0)
-            return status;
-        meet(m, at);
+        status = e->curve->eval(held, (double)t, at);
+        if (status == 0)
+            look(m, t, at);
     }
-    return 0;
+    return status;
 }
 
-static int by_walk(comparison *m)
+static int by_walk(comparison *m, const engine *e, engine_curve *held)
 {
-    return m->e->walk((const double (*)[ENGINE_AXES])m->c->p, m->c->degree, m->n, meet, m);
+    int status = 0;
+
+    for (unsigned i = 0; i < curve_pieces(m->exact->c) && status == 0; i++)
+        status = e->curve->walk(held, i, m->n, meet, m);
+    return status;
 }
 
-/* The curve as the number type holds it, and its LSB: fixed, or that of the largest coordinate. */
-static int hold(const engine *e, const points_curve *c, points_curve *held, double *unit)
+
+// Rounded to a number type
+// ------------------------
+
+static bool hold_all(const engine *e, double x[], int count)
+{
+    for (int i = 0; i < count; i++)
+        if (e->hold(x[i], &x[i]) != 0)
+            return false;
+    return true;
+}
+
+/* A copy of the curve as the number type has it; false if it does not fit. In either case free it. */
+static bool hold(const engine *e, const curve *c, curves *out)
+{
+    curve *held = curves_add(out, c->kind, c->line);
+    bool fits   = true;
+
+    *held = *c;
+    held->point = NULL;
+    held->knot  = NULL;
+    held->count = held->knot_count = 0;
+    for (unsigned i = 0; i < c->count; i++) {
+        curve_point p = c->point[i];
+        fits = fits && hold_all(e, p.p, CURVE_AXES) && hold_all(e, p.d[0], CURVE_AXES) && hold_all(e, p.d[1], CURVE_AXES) && hold_all(e, &p.w, 1);
+        curve_add_point(held, &p);
+    }
+    for (unsigned i = 0; i < c->knot_count; i++) {
+        double knot = c->knot[i];
+        fits = fits && hold_all(e, &knot, 1);
+        curve_add_knot(held, knot);
+    }
+    return fits && hold_all(e, &held->tension, 1) && hold_all(e, &held->radius, 1) && hold_all(e, &held->from, 1) && hold_all(e, &held->to, 1);
+}
+
+/* Its LSB in mm: fixed, or that of the largest coordinate. */
+static double unit_of(const engine *e, const curve *c)
 {
     double largest = 0;
 
-    *held = *c;
-    for (unsigned k = 0; k <= c->degree; k++) {
-        const int status = e->eval((const double (*)[ENGINE_AXES])&c->p[k], 0, 0, held->p[k]);
-        if (status != 0)
-            return status;
-        for (int i = 0; i < ENGINE_AXES; i++)
-            largest = fmax(largest, fabs(held->p[k][i]));
-    }
-    *unit = e->fixed || largest < 1e-300 ? e->lsb : e->lsb * exp2(floor(log2(largest)));
-    return 0;
+    for (unsigned k = 0; k < c->count; k++)
+        for (int i = 0; i < CURVE_AXES; i++)
+            largest = fmax(largest, fabs(c->point[k].p[i]) + c->radius);
+    return e->fixed || largest < 1e-300 ? e->lsb : e->lsb * exp2(floor(log2(largest)));
 }
 
-static int compare_curves(const engine *e, const engine *against, const points *all, uint32_t n, const char *file)
-{
-    static const struct { const char *name; int (*run)(comparison *); } ways[] = { { "eval", by_eval }, { "walk", by_walk } };
 
-    for (size_t i = 0; i < all->count; i++)
-        for (size_t w = 0; w < sizeof ways / sizeof ways[0]; w++) {
-            points_curve held;
-            comparison m = { .e = e, .against = against, .c = &held, .n = n };
-            int status   = hold(e, &all->curve[i], &held, &m.unit);
-            if (status == 0 && (held.degree <= 5 || ways[w].run != by_walk))
-                status = ways[w].run(&m);
-            if (status != 0)
-                return tool_error(EX_DATAERR, "%s:%u: %s in %s: %s", file, held.line, ways[w].name, e->name, engine_status(status));
-            if (m.count > 0)
-                printf("%-4s %-5s %-6s %5zu %9.4f %9.4f %11.3e %.9g %c\n", e->name, against ? against->name : "exact", ways[w].name,
-                       i, m.worst, m.sum / (double)m.count, m.worst * m.unit, m.t, "xyz"[m.axis]);
-        }
+// Tables
+// ------
+
+static void print_row(const engine *e, const comparison *m, const char *way, size_t curve_number)
+{
+    printf("%-4s %-5s %-5s %5zu %9.4f %9.4f %11.3e %.9g %c %s\n", e->name, m->against ? m->against->name : "exact", way, curve_number,
+           m->worst, m->sum / (double)m->count, m->worst * m->unit, m->t, "xyz"[m->axis], curve_name(m->exact->c->kind));
+}
+
+static int compare_ways(const engine *e, comparison *m, engine_curve *held, size_t curve_number)
+{
+    static const struct { const char *name; int (*run)(comparison *, const engine *, engine_curve *); } ways[] = { { "eval", by_eval }, { "walk", by_walk } };
+    int status = 0;
+
+    for (size_t w = 0; w < sizeof ways / sizeof ways[0] && status == 0; w++) {
+        comparison one = *m;
+        if (ways[w].run == by_walk && m->exact->c->degree > 5)
+            continue;
+        status = ways[w].run(&one, e, held);
+        if (status == 0 && one.count > 0)
+            print_row(e, &one, ways[w].name, curve_number);
+    }
+    return status;
+}
+
+static int compare_curve(const engine *e, const engine *against, const curve *c, uint32_t n, size_t curve_number)
+{
+    engine_curve *held = NULL, *other = NULL;
+    curves rounded = { 0 };
+    reference exact = { 0 };
+    int status = hold(e, c, &rounded) ? LOFT_OK : LOFT_ERR_RANGE;
+
+    if (status == LOFT_OK && curve_pieces(&rounded.curve[0]) > UINT32_MAX / n)
+        status = LOFT_ERR_RANGE;
+    if (status == LOFT_OK && !reference_init(&exact, &rounded.curve[0]))
+        status = LOFT_SINGULAR;
+    if (status == LOFT_OK)
+        status = e->curve->open(&rounded.curve[0], &held);
+    if (status == LOFT_OK && against != NULL)
+        status = against->curve->open(&rounded.curve[0], &other);
+    if (status == LOFT_OK) {
+        comparison m = { .exact = &exact, .against = against, .other = other, .n = n, .unit = unit_of(e, &rounded.curve[0]) };
+        status = compare_ways(e, &m, held, curve_number);
+    }
+    if (held != NULL)
+        e->curve->close(held);
+    if (other != NULL)
+        against->curve->close(other);
+    reference_free(&exact);
+    curves_free(&rounded);
+    return status;
+}
+
+static int compare_curves(const engine *e, const engine *against, const curves *all, uint32_t n, const char *file)
+{
+    for (size_t i = 0; i < all->count; i++) {
+        const int status = compare_curve(e, against, &all->curve[i], n, i);
+        if (status != 0)
+            return tool_error(EX_DATAERR, "%s:%u: %s in %s: %s", file, all->curve[i].line, curve_name(all->curve[i].kind), e->name,
+                              engine_status(status));
+    }
     return EX_OK;
 }
 
-static int compare_types(const char *types, const engine *against, const points *all, uint32_t n, const char *file)
+static int compare_types(const char *types, const engine *against, const curves *all, uint32_t n, const char *file)
 {
     char names[64];
     int code = EX_OK;
@@ -120,7 +207,7 @@ static int compare_types(const char *types, const engine *against, const points 
     if (strlen(types) >= sizeof names)
         return tool_error(EX_USAGE, "--num %s: give q16, f32, f64, or several with commas between", types);
     strcpy(names, types);
-    printf("# num than  way    curve worst_lsb  mean_lsb    worst_mm t axis\n");
+    printf("# num than  way   curve worst_lsb  mean_lsb    worst_mm t axis kind\n");
     for (char *name = strtok(names, ","); name && code == EX_OK; name = strtok(NULL, ",")) {
         const engine *e = engine_find(name);
         code = e ? compare_curves(e, against, all, n, file)
@@ -133,13 +220,13 @@ static int run(const tool_command *self, int argc, char **argv)
 {
     const char *types = "q16,f32,f64", *than = "exact", *text = NULL;
     unsigned n        = 1024;
-    points all        = { 0 };
+    curves all        = { 0 };
     int first;
 
     const tool_option options[] = {
         TOOL_TEXT("num", "TYPE,..", &types, "number types to measure (q16,f32,f64)"),
         TOOL_TEXT("against", "TYPE", &than, "what they are measured against: exact, q16, f32 or f64 (exact)"),
-        TOOL_COUNT("n", "N", &n, 1, 1e8, "parameters per curve, j/N (1024)"),
+        TOOL_COUNT("n", "N", &n, 1, 1e8, "parameters per piece, j/N (1024)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         TOOL_OPTIONS_END
     };
@@ -151,16 +238,16 @@ static int run(const tool_command *self, int argc, char **argv)
         return tool_error(EX_USAGE, "--against %s: give exact, q16, f32 or f64", than);
 
     const char *file = first < argc ? argv[first] : "-";
-    code = points_read(&all, file, text);
+    code = curves_read(&all, file, text);
     if (code == 0)
         code = compare_types(types, against, &all, n, text ? "--points" : file);
-    points_free(&all);
+    curves_free(&all);
     return code;
 }
 
 const tool_command command_compare = {
     "compare", "[--num TYPE,..] [FILE|-]", "the error of a number type, in LSB, and where it is worst",
-    "For each curve and way of computing it (eval: de Casteljau, walk: forward differences) prints one line: the worst\n"
+    "For each curve and way of computing it (eval: point by point, walk: forward differences) prints one line: the worst\n"
     "and the mean error in LSB (q16: 2^-16 mm; floats: of the largest coordinate), the worst in mm, its t and axis.\n"
     "Control points are rounded to the number type first: what is measured is the arithmetic.\n",
     run

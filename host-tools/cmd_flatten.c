@@ -1,43 +1,51 @@
 /* host-tools/cmd_flatten.c -- loft flatten: chords that stay within a tolerance of the curve
  * SPDX-License-Identifier: MIT
  */
+#include <math.h>
 #include <stdio.h>
 
-#include "points.h"     /* points_read */
+#include "num/status.h"     /* LOFT_ERR_RANGE */
+
+#include "piece.h"          /* piece_cubics */
+#include "print.h"
 #include "tool.h"
 
-/* Degrees 1 and 2 as cubics; the same curves. */
-static bool cubic_of(const points_curve *c, double out[4][ENGINE_AXES])
+typedef struct {
+    print_options p;
+    double tol;         /* mm, of the command                                */
+    double within;      /* mm, what is left of it for the chords of a cubic  */
+    int status;
+} flattening;
+
+static void chords(void *context, double p[4][CURVE_AXES])
 {
-    if (c->degree < 1 || c->degree > 3)
-        return false;
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        const double a = c->p[0][i], b = c->p[1][i], z = c->p[c->degree][i];
-        out[0][i] = a;
-        out[1][i] = c->degree == 3 ? b : c->degree == 2 ? (a + 2 * b) / 3 : (2 * a + z) / 3;
-        out[2][i] = c->degree == 3 ? c->p[2][i] : c->degree == 2 ? (2 * b + z) / 3 : (a + 2 * z) / 3;
-        out[3][i] = z;
-    }
-    return true;
+    flattening *f = context;
+
+    if (f->status == 0)
+        f->status = f->p.e->flatten((const double (*)[ENGINE_AXES])p, f->within, print_point, &f->p);
 }
 
-static int print_chords(const engine *e, const points *all, double tol, const char *file)
+/* Cubics are flattened as they are. Others become cubics first: at most a quarter of the tolerance goes there, and half
+ * an LSB per axis to the rounding of their control points. */
+static int flatten(void *context, const curve *c, engine_curve *held)
 {
-    points_printing p = { e, all->solid };
+    flattening *f = context;
+    const engine *e = f->p.e;
 
-    for (size_t i = 0; i < all->count; i++) {
-        const points_curve *c = &all->curve[i];
-        double cubic[4][ENGINE_AXES];
-
-        if (!cubic_of(c, cubic))
-            return tool_error(EX_DATAERR, "%s:%u: degree %u: give curves of degree 1 to 3", file, c->line, c->degree);
-        int status = points_print_start(&p, all, i);
-        if (status == 0)
-            status = e->flatten((const double (*)[ENGINE_AXES])cubic, tol, points_print, &p);
-        if (status != 0)
-            return tool_error(EX_DATAERR, "%s:%u: --tol %g: %s", file, c->line, tol, engine_status(status));
+    f->status = 0;
+    for (unsigned i = 0; i < curve_pieces(c) && f->status == 0; i++) {
+        double largest = 0;
+        piece s;
+        f->status = e->curve->piece(held, i, &s);
+        for (unsigned k = 0; f->status == 0 && k < (s.degree + 1) * CURVE_AXES; k++)
+            largest = fmax(largest, fabs(s.p[k / CURVE_AXES][k % CURVE_AXES]));
+        const bool same  = s.degree == 3 && c->kind == CURVE_BEZIER, polynomial = s.degree <= 3 && !curve_is_rational(c);
+        const double lsb = e->fixed ? e->lsb : e->lsb * largest;
+        f->within = f->tol - (same ? 0 : 0.87 * lsb) - (polynomial ? 0 : f->tol / 4);
+        if (f->status == 0 && (f->within <= 0 || !piece_cubics(&s, f->tol / 4, chords, f)))
+            return LOFT_ERR_RANGE;
     }
-    return EX_OK;
+    return f->status;
 }
 
 static int run(const tool_command *self, int argc, char **argv)
@@ -45,7 +53,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const engine *e  = &engine_q16;
     const char *text = NULL;
     double tol       = 0.01;
-    points all       = { 0 };
+    curves all       = { 0 };
     int first;
 
     const tool_option options[] = {
@@ -59,16 +67,20 @@ static int run(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
 
     const char *file = first < argc ? argv[first] : "-";
-    code = points_read(&all, file, text);
-    if (code == 0)
-        code = print_chords(e, &all, tol, text ? "--points" : file);
-    points_free(&all);
+    code = curves_read(&all, file, text);
+    if (code == 0) {
+        flattening f = { .p = { e, all.solid }, .tol = tol };
+        char words[40];
+        snprintf(words, sizeof words, ", --tol %g", tol);
+        code = print_chain(&f.p, &all, text ? "--points" : file, words, flatten, &f);
+    }
+    curves_free(&all);
     return code;
 }
 
 const tool_command command_flatten = {
     "flatten", "[--tol MM] [DRAWING|-]", "chords that stay within a tolerance of the curve",
-    "DRAWING is an SVG file, lines of eight numbers (a cubic each), or control points, one per line (degree 1 to 3).\n"
-    "Prints one point per line, an empty line between paths.\n",
+    "DRAWING is an SVG file, curves of any kind (host-tools/LOFT.md), lines of eight numbers (a cubic each), or control\n"
+    "points, one per line. Prints one point per line, an empty line between paths.\n",
     run
 };

@@ -3,23 +3,22 @@
  */
 #include <stdio.h>
 
-#include "points.h"     /* points_read */
+#include "print.h"
 #include "tool.h"
 
-static int print_walks(const engine *e, const points *all, uint32_t n, const char *file)
+typedef struct {
+    print_options p;
+    uint32_t n;
+} sampling;
+
+static int walk(void *context, const curve *c, engine_curve *held)
 {
-    points_printing p = { e, all->solid };
+    sampling *s = context;
+    int status  = 0;
 
-    for (size_t i = 0; i < all->count; i++) {
-        const points_curve *c = &all->curve[i];
-        int status = points_print_start(&p, all, i);
-
-        if (status == 0)
-            status = e->walk((const double (*)[ENGINE_AXES])c->p, c->degree, n, points_print, &p);
-        if (status != 0)
-            return tool_error(EX_DATAERR, "%s:%u: degree %u in %u steps: %s", file, c->line, c->degree, (unsigned)n, engine_status(status));
-    }
-    return EX_OK;
+    for (unsigned i = 0; i < curve_pieces(c) && status == 0; i++)
+        status = s->p.e->curve->walk(held, i, s->n, print_point, &s->p);
+    return status;
 }
 
 static int run(const tool_command *self, int argc, char **argv)
@@ -27,11 +26,11 @@ static int run(const tool_command *self, int argc, char **argv)
     const engine *e  = &engine_q16;
     const char *text = NULL;
     unsigned n       = 64;
-    points all       = { 0 };
+    curves all       = { 0 };
     int first;
 
     const tool_option options[] = {
-        TOOL_COUNT("n", "N", &n, 1, 1e9, "equal parameter steps per curve (64)"),
+        TOOL_COUNT("n", "N", &n, 1, 1e9, "equal parameter steps per piece of a curve (64)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         TOOL_ENGINE(&e, "number type: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
@@ -41,16 +40,21 @@ static int run(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
 
     const char *file = first < argc ? argv[first] : "-";
-    code = points_read(&all, file, text);
-    if (code == 0)
-        code = print_walks(e, &all, n, text ? "--points" : file);
-    points_free(&all);
+    code = curves_read(&all, file, text);
+    if (code == 0) {
+        sampling s = { { e, all.solid }, n };
+        char words[40];
+        snprintf(words, sizeof words, " in %u steps", n);
+        code = print_chain(&s.p, &all, text ? "--points" : file, words, walk, &s);
+    }
+    curves_free(&all);
     return code;
 }
 
 const tool_command command_sample = {
     "sample", "[--n N] [FILE|-]", "a curve at equal parameter steps, by exact walking",
-    "FILE has one control point per line (degree 1 to 5), or is a drawing. Prints the start and N points per curve,\n"
-    "an empty line where a curve does not start at the end of the one before it.\n",
+    "FILE has one control point per line, or curves of any kind (host-tools/LOFT.md), or is a drawing. Prints the start\n"
+    "and N points per piece, an empty line where a curve does not start at the end of the one before it. Curves to\n"
+    "degree 5 are walked by forward differences, others are evaluated point by point.\n",
     run
 };

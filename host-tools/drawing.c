@@ -1,100 +1,46 @@
 /* host-tools/drawing.c -- reading a file by its content; length and box of a drawing
  * SPDX-License-Identifier: MIT
  */
-#include <errno.h>
 #include <math.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "curve.h"      /* curves_is_text */
 #include "drawing.h"
+#include "source.h"     /* source_read */
 #include "tool.h"       /* tool_error, tool_grow, sysexits */
 
-#define FILE_MAX ((size_t)512 << 20)    /* bytes; a drawing of the greatest number of curves is smaller */
-
+#define SAME 1e-6       /* mm; ends that are nearer count as one point */
 
 // Reading
 // -------
 
-/* All of `stream`, with a 0 behind; NULL on failure with errno set (EFBIG: more than FILE_MAX). */
-static char *slurp(FILE *stream, size_t *size)
-{
-    size_t room = 1u << 16, used = 0;
-    char *text = tool_grow(NULL, room + 1);
-
-    for (;;) {
-        used += fread(text + used, 1, room - used, stream);
-        if (used < room)
-            break;
-        room *= 2;
-        text = tool_grow(text, room + 1);
-        if (used > FILE_MAX) {
-            errno = EFBIG;
-            free(text);
-            return NULL;
-        }
-    }
-    if (ferror(stream)) {
-        free(text);
-        return NULL;
-    }
-    text[used] = '\0';
-    *size = used;
-    return text;
-}
-
-static int unreadable(const char *file)
-{
-    switch (errno) {
-    case ENOENT: return tool_error(EX_NOINPUT, "%s: no such file: check the name", file);
-    case EISDIR: return tool_error(EX_NOINPUT, "%s: is a directory: give a file", file);
-    case EACCES: return tool_error(EX_NOPERM, "%s: may not be read: check its permissions", file);
-    case EFBIG:  return tool_error(EX_DATAERR, "%s: more than %zu MB: split the drawing", file, FILE_MAX >> 20);
-    default:     return tool_error(EX_IOERR, "%s: cannot be read: %s", file, strerror(errno));
-    }
-}
-
-/* XML starts with `<`, behind a byte order mark and white space at most; UTF-16 has a mark. */
-static bool looks_like_xml(const char *text)
-{
-    if (strncmp(text, "\xFE\xFF", 2) == 0 || strncmp(text, "\xFF\xFE", 2) == 0)
-        return true;
-    if (strncmp(text, "\xEF\xBB\xBF", 3) == 0)
-        text += 3;
-    return text[strspn(text, " \t\r\n")] == '<';
-}
-
 static int read_text(drawing *d, const char *file, const char *text, size_t size)
 {
     if (text[strspn(text, " \t\r\n")] == '\0' && strlen(text) == size)
-        return tool_error(EX_DATAERR, "%s: is empty: an SVG or CSV drawing is expected", file);
+        return tool_error(EX_DATAERR, "%s: is empty: a drawing is expected, SVG, CSV or .loft", file);
     if (strncmp(text, "\x1F\x8B", 2) == 0)
         return tool_error(EX_DATAERR, "%s: is compressed: unpack it first, with gunzip", file);
-    if (looks_like_xml(text))
+    if (source_is_xml(text))
         return drawing_read_svg(d, file, text, size);
     if (strlen(text) != size)
-        return tool_error(EX_DATAERR, "%s: is not text: an SVG or CSV drawing is expected", file);
+        return tool_error(EX_DATAERR, "%s: is not text: a drawing is expected, SVG, CSV or .loft", file);
+    if (curves_is_text(file, text))
+        return drawing_read_curves(d, file, text);
     return drawing_read_csv(d, file, text, size);
 }
 
 int drawing_read(drawing *d, const char *file)
 {
-    const bool piped = strcmp(file, "-") == 0;
-    const char *name = piped ? "standard input" : file;
-    FILE *stream = piped ? stdin : fopen(file, "rb");
-    if (stream == NULL)
-        return unreadable(name);
+    size_t size;
+    int code;
+    char *text = source_read(file, &size, &code);
 
-    size_t size = 0;
-    char *text = slurp(stream, &size);
-    const int code = text ? read_text(d, name, text, size) : unreadable(name);
-
+    if (text != NULL)
+        code = read_text(d, source_name(file), text, size);
     free(text);
-    if (!piped)
-        fclose(stream);
     if (code == 0 && d->count == 0)
-        return tool_error(EX_DATAERR, "%s: nothing to draw: it holds no visible curve", name);
+        return tool_error(EX_DATAERR, "%s: nothing to draw: it holds no visible curve", source_name(file));
     return code;
 }
 
@@ -116,6 +62,26 @@ void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line)
     memcpy(c->p, p, sizeof c->p);
     c->path = path;
     c->line = line;
+}
+
+int drawing_join(drawing *d, const char *file, unsigned line, double p[4][2])
+{
+    for (int i = 0; i < 8; i++)
+        if (!(fabs(p[i / 2][i % 2]) <= DRAWING_LIMIT))
+            return tool_error(EX_DATAERR, "%s:%u: %g mm is beyond +-%g mm: check the units", file, line, p[i / 2][i % 2], DRAWING_LIMIT);
+    if (d->count >= DRAWING_CURVES_MAX)
+        return tool_error(EX_DATAERR, "%s:%u: more than %u curves: split the drawing", file, line, DRAWING_CURVES_MAX);
+
+    const double *end = d->count ? d->curve[d->count - 1].p[3] : NULL;
+    const bool goes_on = end && hypot(end[0] - p[0][0], end[1] - p[0][1]) <= SAME;
+    if (goes_on)
+        memcpy(p[0], end, sizeof p[0]);
+    for (int k = 1; k < 4; k++)
+        if (hypot(p[k][0] - p[0][0], p[k][1] - p[0][1]) > SAME) {
+            drawing_add(d, p, !goes_on, line);
+            break;                      /* a curve without length draws nothing */
+        }
+    return 0;
 }
 
 
@@ -189,12 +155,12 @@ static void box_join(double box[2][2], const double p[2])
 }
 
 /* Extremes lie at the ends and where a coordinate of the derivative, a t^2 + b t + c, is zero. */
-static void box_curve(double box[2][2], const drawing_curve *curve)
+static void box_curve(double box[2][2], const drawing_curve *of)
 {
-    box_join(box, curve->p[0]);
-    box_join(box, curve->p[3]);
+    box_join(box, of->p[0]);
+    box_join(box, of->p[3]);
     for (int i = 0; i < 2; i++) {
-        const double d0 = curve->p[1][i] - curve->p[0][i], d1 = curve->p[2][i] - curve->p[1][i], d2 = curve->p[3][i] - curve->p[2][i];
+        const double d0 = of->p[1][i] - of->p[0][i], d1 = of->p[2][i] - of->p[1][i], d2 = of->p[3][i] - of->p[2][i];
         const double a = d0 - 2*d1 + d2, b = 2 * (d1 - d0), c = d0;
         const double q = -(b + copysign(sqrt(fmax(b*b - 4*a*c, 0)), b)) / 2;
         const double root[2] = { q / a, c / q };
@@ -202,7 +168,7 @@ static void box_curve(double box[2][2], const drawing_curve *curve)
         for (int k = 0; k < 2; k++)
             if (root[k] > 0 && root[k] < 1) {   /* false for the nan of 0/0 */
                 double p[2];
-                drawing_eval(curve, root[k], p);
+                drawing_eval(of, root[k], p);
                 box_join(box, p);
             }
     }

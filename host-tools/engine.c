@@ -1,41 +1,17 @@
 /* host-tools/engine.c -- one number type behind the double interface of engine.h
  * SPDX-License-Identifier: MIT
  *
- * Compiled three times. Numbers are made and read through LOFT_REAL(1), the raw value of 1, so the file does
- * not know which type it is.
+ * Compiled three times.
  */
 #include <float.h>
-#include <math.h>
 #include <stdlib.h>
 
-#include "curve/bezier.h"   /* loft_bezier */
-#include "curve/forward.h"  /* loft_forward */
 #include "curve/measure.h"  /* loft_flatten */
 #include "motion/plan.h"    /* loft_plan */
 #include "motion/step.h"    /* loft_steps_of */
 
-#include "engine.h"
+#include "engine_num.h"     /* real_of, vec_of, point_of */
 #include "tool.h"           /* tool_grow */
-
-#define ONE ((double)LOFT_REAL(1.0))
-
-typedef char axes_agree[LOFT_AXES == ENGINE_AXES ? 1 : -1];
-
-static bool real_of(double x, loft_real *out)
-{
-    if (!(fabs(x) * ONE <= (double)LOFT_REAL_MAX))
-        return false;
-    *out = LOFT_REAL(x);
-    return true;
-}
-
-static bool vec_of(const double point[ENGINE_AXES], loft_vec *out)
-{
-    for (int i = 0; i < ENGINE_AXES; i++)
-        if (!real_of(point[i], &out->axis[i]))
-            return false;
-    return true;
-}
 
 static bool vecs_of(const double p[][ENGINE_AXES], unsigned count, loft_vec out[])
 {
@@ -45,55 +21,13 @@ static bool vecs_of(const double p[][ENGINE_AXES], unsigned count, loft_vec out[
     return true;
 }
 
-static void point_of(loft_vec v, double out[ENGINE_AXES])
+static int hold(double x, double *out)
 {
-    for (int i = 0; i < ENGINE_AXES; i++)
-        out[i] = (double)v.axis[i] / ONE;
-}
+    loft_real held;
 
-static int bezier_of(const double p[][ENGINE_AXES], unsigned degree, loft_vec points[], loft_bezier *out)
-{
-    if (degree > LOFT_DEGREE_MAX)
-        return LOFT_ERR_ARG;
-    if (!vecs_of(p, degree + 1, points))
+    if (!real_of(x, &held))
         return LOFT_ERR_RANGE;
-    return loft_bezier_init(out, points, degree);
-}
-
-static int eval(const double p[][ENGINE_AXES], unsigned degree, double t, double out[ENGINE_AXES])
-{
-    loft_vec points[LOFT_DEGREE_MAX + 1], at;
-    loft_bezier b;
-    int status = bezier_of(p, degree, points, &b);
-
-    if (status != LOFT_OK)
-        return status;
-    if (t >= 0 && t <= 1)
-        at = loft_bezier_eval(&b, LOFT_UNIT(t));
-    else if (!(fabs(t) < 127))
-        return LOFT_ERR_RANGE;
-    else if ((status = loft_bezier_extend(&b, LOFT_UNIT(t), &at)) != LOFT_OK)
-        return status;
-    point_of(at, out);
-    return LOFT_OK;
-}
-
-static int walk(const double p[][ENGINE_AXES], unsigned degree, uint32_t n, engine_point_sink *sink, void *context)
-{
-    loft_vec points[LOFT_DEGREE_MAX + 1], at;
-    double point[ENGINE_AXES];
-    loft_bezier b;
-    loft_forward w;
-    int status = bezier_of(p, degree, points, &b);
-
-    if (status == LOFT_OK)
-        status = loft_forward_init(&w, &b, n);
-    if (status != LOFT_OK)
-        return status;
-    while (loft_forward_next(&w, &at)) {
-        point_of(at, point);
-        sink(context, point);
-    }
+    *out = double_of(held);
     return LOFT_OK;
 }
 
@@ -133,7 +67,7 @@ static engine_span raw_of(const loft_span *s)
 
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < ENGINE_AXES; i++)
-            raw.p[k][i] = (int32_t)lround((double)s->p[k].axis[i] / ONE * 65536.0);
+            raw.p[k][i] = (int32_t)lround(double_of(s->p[k].axis[i]) * 65536.0);
     raw.ticks = s->ticks;
     return raw;
 }
@@ -170,18 +104,16 @@ static int32_t steps(double mm, double steps_per_mm)
     return loft_steps_of(LOFT_REAL(mm), LOFT_REAL(steps_per_mm));
 }
 
-#define ENGINE_OF_(tag)   engine_ ## tag
-#define ENGINE_OF(tag)    ENGINE_OF_(tag)
 #define ENGINE_TEXT_(tag) #tag
 #define ENGINE_TEXT(tag)  ENGINE_TEXT_(tag)
 
-const engine ENGINE_OF(LOFT_TAG) = {
+const engine ENGINE_OF(engine) = {
     .name    = ENGINE_TEXT(LOFT_TAG),
     .fixed   = LOFT_REAL_LSB > 0,
     .lsb     = LOFT_REAL_LSB > 0 ? 1 / (double)LOFT_REAL(1.0) : sizeof(loft_real) == sizeof(double) ? DBL_EPSILON : (double)FLT_EPSILON,
     .reach   = (double)LOFT_PLAN_REACH / (double)LOFT_REAL(1.0),
-    .eval    = eval,
-    .walk    = walk,
+    .hold    = hold,
+    .curve   = &ENGINE_OF(engine_curves),
     .flatten = flatten,
     .plan    = plan,
     .steps   = steps

@@ -12,6 +12,9 @@
 
 #define ENGINE_AXES 3
 
+struct curve;               /* curve.h */
+struct piece;               /* piece.h */
+
 /* A span as it goes on the wire and into pictures: Bezier points in time, raw Q16.16 mm. */
 typedef struct {
     int32_t  p[4][ENGINE_AXES];
@@ -33,14 +36,30 @@ typedef struct {
 typedef void engine_point_sink(void *context, const double point[ENGINE_AXES]);
 typedef void engine_span_sink(void *context, const engine_span *span);
 
-/* Functions return enum loft_status (0 = OK, negative = error). Points in mm. */
+/* A curve of any kind as the library holds it. */
+typedef struct engine_curve engine_curve;
+
+/* Functions return enum loft_status (0 = OK, negative = error, LOFT_SINGULAR = there is none). Points in mm. */
+typedef struct {
+    /* Make it ready; `c` must outlive it. After an error there is nothing to close. */
+    int (*open)(const struct curve *c, engine_curve **out);
+    void (*close)(engine_curve *c);
+    /* The point at t of the curve's own parameter; beyond its ends only where curve_extends. */
+    int (*eval)(engine_curve *c, double t, double out[ENGINE_AXES]);
+    /* Piece i as a Bezier curve; n points of it at equal steps, by forward differences where the library walks. */
+    int (*piece)(engine_curve *c, unsigned i, struct piece *out);
+    int (*walk)(engine_curve *c, unsigned i, uint32_t n, engine_point_sink *sink, void *context);
+} engine_curves;
+
+extern const engine_curves engine_curves_q16, engine_curves_f32, engine_curves_f64;
+
 typedef struct {
     const char *name;                       /* "q16" "f32" "f64"                    */
     bool fixed;                             /* the step is the same for all sizes   */
     double lsb;                             /* the step of a coordinate of size 1   */
     double reach;                           /* mm: what can be planned lies within +- this */
-    int (*eval)(const double p[][ENGINE_AXES], unsigned degree, double t, double out[ENGINE_AXES]);
-    int (*walk)(const double p[][ENGINE_AXES], unsigned degree, uint32_t n, engine_point_sink *sink, void *context);
+    int (*hold)(double x, double *out);     /* x as this type has it                */
+    const engine_curves *curve;
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink, void *context);
     int (*plan)(const engine_limits *limits, const engine_move moves[], size_t count, engine_span_sink *sink, void *context);
     int32_t (*steps)(double mm, double steps_per_mm);       /* rounded as a machine of this type does it */

@@ -62,6 +62,16 @@ bool scan_number(const char **at, double *out)
     return true;
 }
 
+int scan_numbers(const char **at, double out[], int most)
+{
+    static const char between[] = ",; \t\r";
+    int count = 0;
+
+    for (*at += strspn(*at, between); count < most && scan_number(at, &out[count]); *at += strspn(*at, between))
+        count++;
+    return count;
+}
+
 int scan_word(const char *at)
 {
     int length = 0;

@@ -1,0 +1,362 @@
+/* host-tools/curve_text.c -- the text format of curves, .loft; LOFT.md says what it is
+ * SPDX-License-Identifier: MIT
+ *
+ * A line that starts with a word begins a curve (or gives its knots), one that starts with a number is a point of it.
+ * What is wrong with a line is said at once, what is wrong with a whole curve at its first line, when it ends.
+ */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "curve.h"
+#include "scan.h"       /* scan_numbers, scan_word */
+#include "tool.h"       /* tool_error, sysexits */
+
+typedef struct {
+    curves *all;
+    const char *file;
+    unsigned line;
+    const char *rest;       /* of the line                       */
+    curve *now;             /* NULL before the first and between */
+    bool counted;           /* its degree was given              */
+} reading;
+
+/* What stands behind a colon in a point line. */
+enum behind { NOTHING, A_WEIGHT, A_PARAMETER, A_VECTOR, TWO_VECTORS };
+
+typedef struct {
+    const char *word;
+    enum curve_kind kind;
+    int (*head)(reading *r);    /* reads the rest of the first line              */
+    unsigned least;             /* points                                        */
+    enum behind behind;
+    const char *point;          /* how a point is written                        */
+} row;
+
+static int wrong(const reading *r, const char *what, const char *remedy)
+{
+    return tool_error(EX_DATAERR, "%s:%u: %s: %s", r->file, r->line, what, remedy);
+}
+
+
+// First lines
+// -----------
+
+static bool at_end(const reading *r)
+{
+    return *r->rest == '\0' || *r->rest == '\n' || *r->rest == '#';
+}
+
+/* Up to `most` numbers and nothing behind them; their count, or -1. */
+static int numbers_alone(reading *r, double out[], int most)
+{
+    const int count = scan_numbers(&r->rest, out, most);
+
+    for (int i = 0; i < count; i++)
+        if (!isfinite(out[i]))
+            return -1;
+    return at_end(r) ? count : -1;
+}
+
+static int head_bare(reading *r)
+{
+    return numbers_alone(r, NULL, 0) == 0 ? 0 : wrong(r, "more behind the kind", "give its points on lines of their own");
+}
+
+static int head_degree(reading *r)
+{
+    double degree = -1;
+    const bool least = r->now->kind != CURVE_BEZIER;
+    const int count = numbers_alone(r, &degree, 1);
+
+    if (count < 0 || (count == 1 && (degree != floor(degree) || degree < least || degree > CURVE_DEGREE_MAX)))
+        return wrong(r, "not a degree", least ? "give a whole number from 1 to 9" : "give a whole number from 0 to 9");
+    r->counted = count == 1;
+    r->now->degree = r->counted ? (unsigned)degree : 0;
+    if (!r->counted && (r->now->kind == CURVE_BSPLINE || r->now->kind == CURVE_NURBS))
+        return wrong(r, "no degree", "give it behind the kind, as `bspline 3`");
+    return 0;
+}
+
+static int head_cubic(reading *r)
+{
+    r->now->degree = r->now->kind == CURVE_LINE ? 1 : r->now->kind == CURVE_PARABOLA ? 2 : r->now->kind == CURVE_HERMITE5 ? 5 : 3;
+    return head_bare(r);
+}
+
+static int head_tension(reading *r)
+{
+    r->now->degree = 3;
+    return numbers_alone(r, &r->now->tension, 1) >= 0 ? 0 : wrong(r, "not a tension", "give one number, or nothing for 0 (Catmull-Rom)");
+}
+
+static int head_natural(reading *r)
+{
+    const int length = scan_word(r->rest);
+
+    r->now->degree = 3;
+    if (length == 5 && strncmp(r->rest, "chord", 5) == 0)
+        r->now->kind = CURVE_CHORD;
+    else if (length != 0 && !(length == 7 && strncmp(r->rest, "uniform", 7) == 0))
+        return wrong(r, "not a spacing of knots", "give uniform or chord");
+    r->rest += length;
+    return head_bare(r);
+}
+
+static int head_arc(reading *r)
+{
+    double number[3];
+
+    if (numbers_alone(r, number, 3) != 3 || number[0] <= 0)
+        return wrong(r, "not an arc", "give radius and two angles in degrees, as `arc 10 0 90`, and its centre on the next line");
+    if (number[1] == number[2] || fabs(number[2] - number[1]) > 360)
+        return wrong(r, "an arc of no or of more than 360 degrees", "give two angles that differ by less");
+    r->now->radius = number[0];
+    r->now->from   = number[1];
+    r->now->to     = number[2];
+    r->now->degree = 2;
+    return 0;
+}
+
+static const row rows[] = {
+    { "bezier",   CURVE_BEZIER,   head_degree,  1, NOTHING,     "`x y` or `x y z`" },
+    { "line",     CURVE_LINE,     head_cubic,   2, NOTHING,     "`x y` or `x y z`" },
+    { "rational", CURVE_RATIONAL, head_degree,  2, A_WEIGHT,    "`x y : weight`, the weight greater than 0" },
+    { "parabola", CURVE_PARABOLA, head_cubic,   3, A_PARAMETER, "`x y : t`, the point that is reached at t" },
+    { "hermite3", CURVE_HERMITE3, head_cubic,   2, A_VECTOR,    "`x y : dx dy`, with the first derivative" },
+    { "hermite5", CURVE_HERMITE5, head_cubic,   2, TWO_VECTORS, "`x y : dx dy : ddx ddy`, with both derivatives" },
+    { "cardinal", CURVE_CARDINAL, head_tension, 4, NOTHING,     "`x y` or `x y z`" },
+    { "natural",  CURVE_NATURAL,  head_natural, 2, NOTHING,     "`x y` or `x y z`" },
+    { "bspline",  CURVE_BSPLINE,  head_degree,  2, NOTHING,     "`x y` or `x y z`" },
+    { "nurbs",    CURVE_NURBS,    head_degree,  2, A_WEIGHT,    "`x y : weight`, the weight greater than 0" },
+    { "arc",      CURVE_ARC,      head_arc,     1, NOTHING,     "`x y` or `x y z`, the centre" }
+};
+#define ROWS (sizeof rows / sizeof rows[0])
+
+static const row *row_of_word(const char *text, int length)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        if ((int)strlen(rows[i].word) == length && strncmp(rows[i].word, text, (size_t)length) == 0)
+            return &rows[i];
+    return NULL;
+}
+
+static const row *row_of(const curve *c)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        if (rows[i].kind == (c->kind == CURVE_CHORD ? CURVE_NATURAL : c->kind))
+            return &rows[i];
+    return NULL;
+}
+
+
+// Points
+// ------
+
+/* `x y [z]`; the number of axes, 0 if that is not what stands there. */
+static int vector(reading *r, double out[CURVE_AXES])
+{
+    double number[CURVE_AXES + 1];
+    const int count = scan_numbers(&r->rest, number, CURVE_AXES + 1);
+
+    if (count < 2 || count > CURVE_AXES)
+        return 0;
+    for (int i = 0; i < CURVE_AXES; i++) {
+        out[i] = i < count ? number[i] + 0.0 : 0;       /* no -0 */
+        if (!isfinite(out[i]))
+            return 0;
+    }
+    r->all->solid |= count > 2;
+    return count;
+}
+
+static bool colon(reading *r)
+{
+    const bool there = *r->rest == ':';
+
+    r->rest += there;
+    return there;
+}
+
+static bool scalar(reading *r, double *out)
+{
+    return scan_numbers(&r->rest, out, 1) == 1 && isfinite(*out);
+}
+
+static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
+{
+    switch (behind) {
+    case NOTHING:     return true;
+    case A_WEIGHT:    return !colon(r) || (scalar(r, &p->w) && p->w > 0);
+    case A_PARAMETER: return colon(r) && scalar(r, &p->w);
+    case A_VECTOR:    return colon(r) && vector(r, p->d[0]) > 0;
+    case TWO_VECTORS: return colon(r) && vector(r, p->d[0]) > 0 && colon(r) && vector(r, p->d[1]) > 0;
+    }
+    return false;
+}
+
+static int point_line(reading *r)
+{
+    curve_point p = { .w = 1 };
+
+    if (r->now == NULL)
+        return wrong(r, "a point of no curve", "begin with a kind, as `bezier 3`");
+    const row *kind = row_of(r->now);
+    if (vector(r, p.p) == 0 || !what_is_behind(r, kind->behind, &p) || !at_end(r))
+        return wrong(r, "not a point", kind->point);
+    if (r->now->count == CURVE_POINTS_MAX)
+        return wrong(r, "more than 10000 points", "begin another curve where this one ends");
+    curve_add_point(r->now, &p);
+    return 0;
+}
+
+
+// Curves
+// ------
+
+static bool has_knots(const curve *c)
+{
+    return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS;
+}
+
+static int knot_line(reading *r)
+{
+    double knot;
+
+    if (r->now == NULL || !has_knots(r->now))
+        return wrong(r, "knots of no B-spline", "give them below `bspline` or `nurbs`");
+    while (scan_numbers(&r->rest, &knot, 1) == 1) {
+        if (!isfinite(knot) || r->now->knot_count > CURVE_POINTS_MAX + CURVE_DEGREE_MAX)
+            break;
+        if (r->now->knot_count > 0 && knot < r->now->knot[r->now->knot_count - 1])
+            return wrong(r, "knots that descend", "give them in ascending order");
+        curve_add_knot(r->now, knot + 0.0);
+    }
+    return at_end(r) ? 0 : wrong(r, "not a knot", "give numbers, as many as points + degree + 1");
+}
+
+/* Without knots: 0 .. 0 1 2 .. m .. m, so that the curve starts at its first point and ends at its last. */
+static int knots_of(curve *c)
+{
+    const unsigned pieces = c->count - c->degree;
+
+    for (unsigned i = 0; c->knot_count < c->count + c->degree + 1; i++)
+        curve_add_knot(c, i <= c->degree ? 0 : i - c->degree < pieces ? i - c->degree : pieces);
+    return 0;
+}
+
+static int check_knots(const reading *r, curve *c)
+{
+    char words[96];
+
+    if (c->count <= c->degree) {
+        snprintf(words, sizeof words, "degree %u with %u points", c->degree, c->count);
+        return wrong(r, words, "give more points than the degree");
+    }
+    if (c->knot_count == 0)
+        return knots_of(c);
+    if (c->knot_count != c->count + c->degree + 1) {
+        snprintf(words, sizeof words, "%u knots for %u points of degree %u", c->knot_count, c->count, c->degree);
+        return wrong(r, words, "give as many as points + degree + 1, or none");
+    }
+    if (!(c->knot[c->degree] < c->knot[c->count]))
+        return wrong(r, "knots that leave no curve", "let those behind the first `degree` ascend");
+    return 0;
+}
+
+static int check_parameters(const reading *r, const curve *c)
+{
+    const double a = c->point[0].w, b = c->point[1].w, z = c->point[2].w;
+
+    return a < b && b < z ? 0 : wrong(r, "parameters that do not ascend", "give the three points in the order of their t");
+}
+
+/* The curve is complete: is it one? */
+static int end_curve(reading *r)
+{
+    const reading at = { .file = r->file, .line = r->now ? r->now->line : 0 };
+    curve *c = r->now;
+    char words[96];
+
+    r->now = NULL;
+    if (c == NULL)
+        return 0;
+    const row *kind = row_of(c);
+    const bool bezier = kind->head == head_degree && !has_knots(c);
+    if (bezier && !r->counted)
+        c->degree = c->count > 0 ? c->count - 1 : 0;
+    const unsigned least = bezier && r->counted ? c->degree + 1 : kind->least;
+    const unsigned most  = bezier ? (r->counted ? c->degree + 1 : CURVE_DEGREE_MAX + 1)
+                         : c->kind == CURVE_PARABOLA || c->kind == CURVE_ARC ? kind->least : CURVE_POINTS_MAX;
+    if (c->count < least || c->count > most) {
+        snprintf(words, sizeof words, "%s with %u point%s", kind->word, c->count, c->count == 1 ? "" : "s");
+        char remedy[32];
+        snprintf(remedy, sizeof remedy, "give %s%u", least == most ? "" : c->count < least ? "at least " : "at most ", c->count < least ? least : most);
+        return wrong(&at, words, remedy);
+    }
+    return has_knots(c) ? check_knots(&at, c) : c->kind == CURVE_PARABOLA ? check_parameters(&at, c) : 0;
+}
+
+static int word_line(reading *r)
+{
+    const int length = scan_word(r->rest);
+    const row *kind  = row_of_word(r->rest, length);
+    char words[64];
+
+    if (length == 5 && strncmp(r->rest, "knots", 5) == 0) {
+        r->rest += length;
+        return knot_line(r);
+    }
+    const int code = end_curve(r);
+    if (code != 0)
+        return code;
+    if (kind == NULL) {
+        snprintf(words, sizeof words, "`%.*s` is no kind of curve", length > 20 ? 20 : length, r->rest);
+        return wrong(r, words, "give bezier line rational parabola hermite3 hermite5 cardinal natural bspline nurbs or arc");
+    }
+    r->now     = curves_add(r->all, kind->kind, r->line);
+    r->counted = false;
+    r->rest   += length;
+    r->rest   += strspn(r->rest, " \t");
+    return kind->head(r);
+}
+
+static int read_line(reading *r)
+{
+    r->rest += strspn(r->rest, " \t\r");
+    if (at_end(r))
+        return 0;
+    return isalpha((unsigned char)*r->rest) ? word_line(r) : point_line(r);
+}
+
+static const char *behind_mark(const char *text)
+{
+    return strncmp(text, "\xEF\xBB\xBF", 3) == 0 ? text + 3 : text;
+}
+
+int curves_read_text(curves *all, const char *file, const char *text)
+{
+    reading r = { .all = all, .file = file };
+    int code = 0;
+
+    for (text = behind_mark(text); *text != '\0' && code == 0; text += *text == '\n') {
+        r.line++;
+        r.rest = text;
+        code = read_line(&r);
+        text += strcspn(text, "\n");
+    }
+    return code ? code : end_curve(&r);
+}
+
+bool curves_is_text(const char *file, const char *text)
+{
+    const size_t length = strlen(file);
+
+    if (length >= 5 && strcmp(file + length - 5, ".loft") == 0)
+        return true;
+    text = behind_mark(text);
+    for (text += strspn(text, " \t\r\n"); *text == '#'; text += strspn(text, " \t\r\n"))
+        text += strcspn(text, "\n");
+    return row_of_word(text, scan_word(text)) != NULL;
+}

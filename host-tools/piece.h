@@ -1,0 +1,30 @@
+/* host-tools/piece.h -- one Bezier piece of a curve, polynomial or rational, in double
+ * SPDX-License-Identifier: MIT
+ *
+ * The library gives the pieces (engine.h); here they are seen from outside: derivatives for combs, and cubics that
+ * stay within a tolerance for drawings, which know nothing else.
+ */
+#ifndef LOFT_PIECE_H
+#define LOFT_PIECE_H
+
+#include "curve.h"          /* CURVE_AXES, CURVE_DEGREE_MAX */
+
+typedef struct piece {
+    double p[CURVE_DEGREE_MAX + 1][CURVE_AXES];
+    double w[CURVE_DEGREE_MAX + 1];             /* weights, 1 for a polynomial */
+    unsigned degree;
+} piece;
+
+/* The point at t in 0..1, and its first and second derivative. */
+void piece_eval(const piece *c, double t, double out[3][CURVE_AXES]);
+
+/* The curvature at t in the plane of x and y, > 0 where it turns left; false where the first derivative vanishes. */
+bool piece_bend(const piece *c, double t, double *out);
+
+typedef void piece_cubic_sink(void *context, double p[4][CURVE_AXES]);
+
+/* Cut the piece into cubics within tol of it, ends and directions shared. Polynomials to degree 3 are given as they
+ * are. False if 2^20 of them are not enough. */
+bool piece_cubics(const piece *c, double tol, piece_cubic_sink *sink, void *context);
+
+#endif
