@@ -23,7 +23,7 @@
  */
 #include "motion/plan.h"
 
-#define SLACK loft_wide(LOFT_REAL(0.001953125))     /* 2^-9 mm per beat */
+#define SLACK loft_wide(LOFT_REAL(0.000244140625))   /* 2^-12 mm per beat, shared out like the speed */
 
 static loft_acc size_of(loft_acc x) { return x < 0 ? -x : x; }
 
@@ -119,7 +119,7 @@ static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][
     return off <= tol;
 }
 
-/* At knot j: is the velocity within the limits, and that of the B-spline, both to 1/256 and 2^-17 mm per beat? */
+/* At knot j: is the velocity within the limits, and that of the B-spline, both to 1/256 and 2^-20 mm per beat? */
 static bool runs(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LOFT_AXES])
 {
     const loft_unit t = loft_unit_of(j, m);

@@ -39,7 +39,7 @@ typedef struct {
  *   range   as loft_limits_check and loft_course_init: LOFT_ERR_ARG for limits or feeds that are zero and for
  *           a chain that is empty or not connected; LOFT_ERR_RANGE for numbers beyond what is stated there;
  *           LOFT_ERR_SPACE for too few nodes
- *   cost    two passes over the chain: on a PC about 10 us per curve; 700 bytes of stack
+ *   cost    two passes over the chain: on a PC about 20 us per curve; 900 bytes of stack
  */
 enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, const loft_move chain[], uint32_t count,
                                 loft_plan_node nodes[], uint32_t node_count) LOFT_CHECKED;
@@ -49,7 +49,7 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, cons
  *   shape   each span begins exactly where the one before ended, with its velocity; the first begins on the
  *           first control point, at rest
  *   error   path: within limits.tol (f32: plus half an ulp of the coordinate)
- *           speed along the path and per axis: 1 % above the limit, for a moment
+ *           speed along the path and per axis: 1 % and 0.001 mm/s above the limit, for a moment
  *           acceleration per axis: within the limit (to 0.05 %), but where a corner may be passed faster
  *           (limits.corner > 0): there the change of velocity takes one beat, of 2 ms or one tick
  *           Rounding the control points adds 3 grains / duration of the span to the speed and 12 grains / duration^2

@@ -103,7 +103,7 @@ unsigned loft_piece_phases(const loft_piece *p, const loft_budget *b, loft_acc e
 {
     const loft_acc least = smaller(p->start, end), mean = (p->start + end) / 2;
     const loft_acc rise  = loft_acc_mul(p->length, accel_at(p, b, mean, p->length));
-    const loft_acc peak  = larger(smaller(p->top, mean + rise), p->start + end - least);
+    const loft_acc peak  = larger(smaller(p->top, mean + rise), larger(p->start, end));
     const loft_real a    = accel_at(p, b, peak, 0);
     const loft_acc all   = 2 * loft_acc_mul(p->length, a);
 
@@ -111,13 +111,11 @@ unsigned loft_piece_phases(const loft_piece *p, const loft_budget *b, loft_acc e
         out[0] = (loft_phase){ p->length, p->start, end, loft_acc_quot(end - p->start, 2 * p->length) };
         return 1;
     }
-    loft_acc up   = loft_acc_scale(p->length, loft_unit_ratio(peak - p->start, all));
-    loft_acc down = loft_acc_scale(p->length, loft_unit_ratio(peak - end, all));
+    const loft_acc up   = loft_acc_scale(p->length, loft_unit_ratio(peak - p->start, all)), rest = p->length - up;
+    const loft_acc down = smaller(rest, loft_acc_scale(p->length, loft_unit_ratio(peak - end, all)));
 
-    if (up + down > p->length)
-        down = p->length - up;
     out[0] = (loft_phase){ up, p->start, peak, a };
-    out[1] = (loft_phase){ p->length - up - down, peak, peak, 0 };
+    out[1] = (loft_phase){ rest - down, peak, peak, 0 };
     out[2] = (loft_phase){ down, peak, end, -a };
     return 3;
 }
