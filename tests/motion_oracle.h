@@ -50,21 +50,43 @@ static inline double polygon_length(const loft_cubic *c)
     return sum;
 }
 
-/* Chords of about `step` mm, 8 to a curve at least. */
+static inline void path_add(path *p, unsigned curve, double t)
+{
+    const unsigned k = p->count < PATH_MAX ? p->count++ : PATH_MAX - 1;
+
+    p->end[k].t = t;
+    p->end[k].curve = curve;
+    cubic_at(p->chain[curve].curve.p, t, p->end[k].at);
+    p->length += k > 0 ? distance(p->end[k].at, p->end[k - 1].at) : 0;
+    p->end[k].s = p->length;
+}
+
+/* Is the chord t..t + dt no longer than `step`, and its curve near it? */
+static inline bool fine_chord(const loft_vec c[4], double t, double dt, double step)
+{
+    double a[LOFT_AXES], b[LOFT_AXES], m[LOFT_AXES], middle[LOFT_AXES];
+
+    cubic_at(c, t, a);
+    cubic_at(c, t + dt, b);
+    cubic_at(c, t + dt / 2, m);
+    for (int i = 0; i < LOFT_AXES; i++)
+        middle[i] = (a[i] + b[i]) / 2;
+    return distance(a, b) <= step && distance(m, middle) <= distance(a, b) / 16;
+}
+
+/* Chords of at most `step` mm, 8 to a curve at least, more where it turns. */
 static inline void path_trace(path *p, const loft_move chain[], unsigned count, double step)
 {
     p->chain  = chain;
     p->count  = 0;
     p->length = 0;
+    path_add(p, 0, 0);
     for (unsigned c = 0; c < count; c++) {
-        const unsigned n = 8 + (unsigned)(polygon_length(&chain[c].curve) / step);
-        for (unsigned j = c == 0 ? 0 : 1; j <= n && p->count < PATH_MAX; j++, p->count++) {
-            const unsigned k = p->count;
-            p->end[k].t = (double)j / n;
-            p->end[k].curve = c;
-            cubic_at(chain[c].curve.p, p->end[k].t, p->end[k].at);
-            p->length += k > 0 ? distance(p->end[k].at, p->end[k - 1].at) : 0;
-            p->end[k].s = p->length;
+        double dt = 0.125;
+        for (double t = 0; t < 1; t += dt, path_add(p, c, t)) {
+            dt = fmin(0.125, 2 * dt);
+            while (fmod(t, dt) > 0 || (dt > 0x1p-14 && !fine_chord(chain[c].curve.p, t, dt, step)))
+                dt /= 2;
         }
     }
     CHECK(p->count < PATH_MAX);
@@ -87,7 +109,7 @@ static inline double chord_distance(const double q[], const double a[], const do
 static inline double curve_distance(const path *p, unsigned j, const double q[])
 {
     const loft_vec *c = p->chain[p->end[j + 1].curve].curve.p;
-    const double t1 = p->end[j + 1].t, t0 = p->end[j].curve == p->end[j + 1].curve ? p->end[j].t : 0, more = (t1 - t0) / 2;
+    const double t1 = p->end[j + 1].t, t0 = p->end[j].curve == p->end[j + 1].curve ? p->end[j].t : 0, more = (t1 - t0) / 4;
     double low = fmax(0, t0 - more), high = fmin(1, t1 + more), a[LOFT_AXES], b[LOFT_AXES];
 
     for (int n = 0; n < 30; n++) {

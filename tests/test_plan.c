@@ -227,9 +227,9 @@ static double speed_excess(double feed)
         for (int j = 0; j <= 8; j++) {
             const motion m = span_at(&spans[k], j / 8.0, limits.tick_hz);
             const double noise = speed_noise(&spans[k]);
-            worst = fmax(worst, (m.speed - sqrt(LOFT_AXES) * noise) / feed);
+            worst = fmax(worst, (m.speed - sqrt(LOFT_AXES) * noise - 0.001) / feed);
             for (int i = 0; i < LOFT_AXES; i++)
-                worst = fmax(worst, (fabs(m.v[i]) - noise) / arb_value(limits.max_speed[i]));
+                worst = fmax(worst, (fabs(m.v[i]) - noise - 0.001) / arb_value(limits.max_speed[i]));
         }
     return worst;
 }
