@@ -28,6 +28,7 @@
 #include "basis/sign.h"
 #include "basis/steps.h"
 #include "curve/bezier.h"
+#include "curve/bounds.h"
 #include "curve/cardinal.h"
 #include "curve/forward.h"
 #include "curve/hermite.h"

@@ -1,0 +1,90 @@
+/* lib/curve/bounds.c
+ * SPDX-License-Identifier: MIT
+ *
+ * One axis is a polynomial; its values on a piece lie below the largest coefficient of that piece. Pieces are
+ * dropped when that is below the best value found at the ends of pieces, or so little above that it can be
+ * taken instead. (The roots of the derivative are where the pieces get small; they need not be known.)
+ *
+ * Depth. A coefficient exceeds the larger end value of its piece by at most n^2 / 8 times the largest second
+ * difference, which is h^2 times 4 |c| for a piece of width h: for n = 9 and h = 2^-24 that is |c| 2^-42.6, in
+ * q16 2^-11 LSB, less than `enough` below; so there every piece may be taken.
+ *
+ * Rounding. A coefficient of a piece is off by at most 9 * 2^-33 in q16 (3 * 9 ulp of double in floats); `noise`
+ * is at least that, and added where a coefficient is taken as a bound. The whole curve has no noise. */
+#include "curve/bounds.h"
+#include "basis/pieces.h"   /* loft_piece, loft_bernstein_part */
+
+static loft_acc top_of(const loft_acc c[], unsigned degree)
+{
+    loft_acc top = c[0];
+
+    for (unsigned k = 1; k <= degree; k++)
+        if (c[k] > top)
+            top = c[k];
+    return top;
+}
+
+/* No value of the polynomial is above the result, and some value is not far below it. */
+static loft_acc highest(const loft_acc c[], unsigned degree, loft_acc grain)
+{
+    const loft_acc noise = 3 * (int32_t)degree * grain, enough = 256 * grain;
+    loft_acc best = c[0] > c[degree] ? c[0] : c[degree], bound = best, p[LOFT_DEGREE_MAX + 1];
+    loft_piece n = { 0, 0 };
+
+    if (top_of(c, degree) <= best)
+        return best;
+    do {
+        for (;;) {
+            loft_bernstein_part(c, degree, loft_piece_from(n), loft_piece_to(n), p);
+            if (p[0] > best)      best = p[0];
+            if (p[degree] > best) best = p[degree];
+            const loft_acc top = top_of(p, degree);
+            if (top <= best + enough || n.level == LOFT_PIECE_LEVELS) {
+                if (top + noise > bound)
+                    bound = top + noise;
+                break;
+            }
+            n = loft_piece_half(n, 0);
+        }
+    } while (loft_piece_next(&n));
+    return bound;
+}
+
+/* The coordinate at or above x, but not above the coordinate `most`. */
+static loft_acc ceiling(loft_acc x, loft_acc most)
+{
+    const loft_acc beyond = x + loft_real_grain(x < 0 ? -x : x);
+
+    if (!loft_acc_fits(beyond))
+        return most;
+    const loft_acc near = loft_wide(loft_acc_round(x)), next = loft_wide(loft_acc_round(beyond));
+    const loft_acc up = near < x ? next : near;
+    return up < most && up >= x ? up : most;
+}
+
+static loft_acc upper(const loft_acc c[], unsigned degree)
+{
+    loft_acc size = 0;
+
+    for (unsigned k = 0; k <= degree; k++)
+        if (size < (c[k] < 0 ? -c[k] : c[k]))
+            size = c[k] < 0 ? -c[k] : c[k];
+    return ceiling(highest(c, degree, loft_acc_grain(size)), top_of(c, degree));
+}
+
+/* The smallest value is that of the negated polynomial, as an acc: the negative of a coordinate need not be one. */
+loft_box loft_bezier_bounds(const loft_bezier *b)
+{
+    loft_acc c[LOFT_DEGREE_MAX + 1];
+    loft_box box;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        for (unsigned k = 0; k <= b->degree; k++)
+            c[k] = loft_wide(b->p[k].axis[i]);
+        box.max.axis[i] = loft_acc_round(upper(c, b->degree));
+        for (unsigned k = 0; k <= b->degree; k++)
+            c[k] = -c[k];
+        box.min.axis[i] = loft_acc_round(-upper(c, b->degree));
+    }
+    return box;
+}
