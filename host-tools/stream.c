@@ -116,6 +116,9 @@ static int loop(run_state *r)
 
     while (s->phase < LOFT_PHASE_DONE) {
         if (!talk_pump(r->t, 20)) {
+            loft_sender_hangup(s);
+            if (s->phase >= LOFT_PHASE_DONE)
+                break;
             progress_clear(&r->bar);
             return talk_vanished(r->t, where(r, place));
         }

@@ -266,6 +266,26 @@ static void another_job_is_left_alone(arb *a)
 }
 
 /* The sender died when all was sent; the report waits for the next one, which does not draw it again. */
+/* A line that is gone ends a job whose report has come, and no other. */
+static void a_hangup_ends_what_is_reported(arb *a)
+{
+    static world w;
+
+    arb_world(a, &w);
+    for (uint32_t ms = arb_below(a, 2000); ms > 0 && w.s.phase < LOFT_PHASE_CLOSING; ms--)
+        world_step(&w);
+    const enum loft_phase before = w.s.phase;
+    loft_sender_hangup(&w.s);
+    CHECK(w.s.phase == (before == LOFT_PHASE_CLOSING ? LOFT_PHASE_DONE : before));
+
+    world_init(&w, a, 16, 0, 5);
+    for (int ms = 0; ms < 60000 && w.s.phase < LOFT_PHASE_CLOSING; ms++)
+        world_step(&w);
+    CHECK(w.s.phase == LOFT_PHASE_CLOSING);
+    loft_sender_hangup(&w.s);
+    check_drawn(&w);
+}
+
 static void a_report_is_collected_once(arb *a)
 {
     static world w;
@@ -563,6 +583,7 @@ int main(void)
     PROPERTY(a_restarted_machine_is_lost, BY_NUM(300, 20, 20));
     PROPERTY(another_job_is_left_alone, 20);
     PROPERTY(a_report_is_collected_once, 20);
+    PROPERTY(a_hangup_ends_what_is_reported, 50);
     PROPERTY(a_refusal_is_told, 20);
     PROPERTY(a_late_refusal_ends_the_job, 20);
     PROPERTY(a_fault_is_a_loss, 10);

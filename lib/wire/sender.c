@@ -26,6 +26,12 @@ static uint32_t left(uint32_t since, uint32_t span, uint32_t now)
 
 static bool finished(const loft_sender *s)  { return s->phase >= LOFT_PHASE_DONE; }
 
+/* The report is here: it says how the job ended. */
+static void conclude(loft_sender *s)
+{
+    s->phase = s->report.state == LOFT_STATE_DONE ? LOFT_PHASE_DONE : LOFT_PHASE_ABORTED;
+}
+
 
 // Time
 // ----
@@ -284,7 +290,7 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
         else if (s->aborting && s->verb == 0)
             s->phase = LOFT_PHASE_ABORTED;
     } else if (s->phase == LOFT_PHASE_CLOSING && (s->verb == 0 || m->state == LOFT_STATE_IDLE)) {
-        s->phase = s->report.state == LOFT_STATE_DONE ? LOFT_PHASE_DONE : LOFT_PHASE_ABORTED;
+        conclude(s);
     }
 }
 
@@ -454,7 +460,7 @@ static size_t give_control(loft_sender *s, uint32_t now, uint8_t wire[])
 static void check_silence(loft_sender *s, uint32_t now)
 {
     if (s->phase == LOFT_PHASE_CLOSING && s->attempts >= CLOSE_TRIES && left(s->verb_time, s->rto, now) == 0)
-        s->phase = s->report.state == LOFT_STATE_DONE ? LOFT_PHASE_DONE : LOFT_PHASE_ABORTED;
+        conclude(s);
     if (s->phase > LOFT_PHASE_HELLO && s->phase < LOFT_PHASE_CLOSING && left(s->heard, LOFT_SENDER_SILENCE, now) == 0)
         greet(s, now);
 }
@@ -548,4 +554,10 @@ uint32_t loft_job_id(const loft_job *job, uint32_t count, loft_item_source *sour
     }
     crc ^= 0xFFFFFFFFu;
     return crc ? crc : 1;
+}
+
+void loft_sender_hangup(loft_sender *s)
+{
+    if (s->phase == LOFT_PHASE_CLOSING)
+        conclude(s);
 }

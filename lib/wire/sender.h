@@ -100,6 +100,9 @@ size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME
 /* For how many ms loft_sender_poll has nothing to send if no byte comes in; 0: it has something now. */
 uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms);
 
+/* The line is gone for good: a job whose report is here has ended all the same. */
+void loft_sender_hangup(loft_sender *s);
+
 /* For how many ms no good frame has come. */
 uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms);
 
