@@ -228,6 +228,7 @@
 #define loft_ruler_length          LOFT_NAME(loft_ruler_length)
 #define loft_sender_begin          LOFT_NAME(loft_sender_begin)
 #define loft_sender_control        LOFT_NAME(loft_sender_control)
+#define loft_sender_hangup         LOFT_NAME(loft_sender_hangup)
 #define loft_sender_init           LOFT_NAME(loft_sender_init)
 #define loft_sender_poll           LOFT_NAME(loft_sender_poll)
 #define loft_sender_push           LOFT_NAME(loft_sender_push)
