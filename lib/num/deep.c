@@ -115,6 +115,18 @@ loft_real loft_acc_project(loft_acc x, loft_acc w)
     return signed_quotient(q, x < 0, rest > d, rest == d);
 }
 
+/* 2^15 x / (2^15 h), and 2^15 h < 2^63. It rounds to a coordinate when 1 - |x| / (2^15 h) > 2^-32, of whole numbers:
+ * when the difference exceeds the whole part of 2^15 h / 2^32. */
+bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
+{
+    const loft_acc w = h * LOFT_PROJECT, size = x < 0 ? -x : x;
+
+    if (size >= w || w - size <= loft_acc_high(w))
+        return false;
+    *out = loft_acc_project(x, w);
+    return true;
+}
+
 /* a -= b if that is not negative */
 static bool taken(loft_deep *a, const loft_deep *b)
 {
@@ -162,6 +174,16 @@ bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, in
 }
 
 #else
+
+bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
+{
+    const loft_acc rate = x / h;
+
+    if (!loft_acc_fits(rate))
+        return false;
+    *out = loft_acc_round(rate);
+    return true;
+}
 
 loft_real loft_acc_project(loft_acc x, loft_acc w)              { return loft_acc_round(x / w * LOFT_PROJECT); }
 loft_real loft_deep_project(loft_deep x, loft_deep w)           { return loft_acc_round(x / w * LOFT_PROJECT); }

@@ -40,6 +40,14 @@ loft_real loft_acc_project(loft_acc x, loft_acc w);
 /* The same of deep numbers; q16: 32 rounds of 128 bits. */
 loft_real loft_deep_project(loft_deep x, loft_deep w);
 
+/* x / h as real; false, and *out untouched, when that does not fit.
+ *
+ *   range   h > 0; q16: h < 2^16, |x / h| < 32768 - 2^-17 fits
+ *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: 1/2 ulp
+ *   cost    q16: 32 rounds of a comparison and a subtraction of 64 bits
+ */
+bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out) LOFT_CHECKED;
+
 /* x, and in q16 x with 64 more bits below the last one, for a chain of lerps.
  *
  *   range   guarded: q16: |x| < 2^30

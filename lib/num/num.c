@@ -93,6 +93,19 @@ loft_real loft_acc_quot(loft_acc x, loft_acc y)
     return (loft_real)(x < 0 ? -q : q);
 }
 
+/* Between lo and hi there are n < 2^32 steps, a is step j. |y - x| = q n + r with r < n, so q j <= |y - x| < 2^63 and
+ * r j < 2^64: the result q j + r j / n is rounded once, a tie away from x. */
+loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi)
+{
+    const uint32_t j = (uint32_t)a - (uint32_t)lo, n = (uint32_t)hi - (uint32_t)lo;
+    const uint64_t size = y < x ? (uint64_t)x - (uint64_t)y : (uint64_t)y - (uint64_t)x;
+    const uint64_t product = size % n * j;
+    const uint32_t rest = (uint32_t)(product % n);
+    const int64_t part = (int64_t)(size / n * j + product / n + (rest >= n - rest));
+
+    return y < x ? x - part : x + part;
+}
+
 #else
 
 /* Newton's iteration for the reciprocal square root would need a table; halving the exponent by
@@ -118,6 +131,15 @@ static double square_root(double x)
 loft_real loft_acc_sqrt(loft_acc x) { return (loft_real)square_root(x); }
 
 loft_real loft_acc_quot(loft_acc x, loft_acc y) { return (loft_real)(x / y); }
+
+/* Each share is right to 3 roundings of itself, and its product to one more; the sum is the fifth. No share is 1
+ * minus the other: where values of one sign differ much, the small one keeps all its digits. */
+loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi)
+{
+    const loft_acc length = loft_wide(hi) - loft_wide(lo);
+
+    return (loft_wide(hi) - loft_wide(a)) / length * x + (loft_wide(a) - loft_wide(lo)) / length * y;
+}
 
 /* Scaled by the largest component, so that no square overflows or vanishes. */
 loft_acc loft_acc_hypot(const loft_acc x[], int n)

@@ -16,6 +16,7 @@
  *   loft_prod(a, b)                         product of two reals as acc, exactly in q16 and f32
  *   loft_acc_lerp(x, y, t)                  acc between two accs
  *   loft_acc_lerp_at(x, y, j, n)            acc between two accs, at exactly j / n
+ *   loft_acc_lerp_in(x, y, a, lo, hi)       acc between two accs, exactly where a lies between two reals
  *   loft_acc_scale(x, t)                    acc times unit
  *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real
  *   loft_acc_ratio(x, k)                    acc by a whole number k >= 1
@@ -75,6 +76,15 @@ loft_real loft_acc_sqrt(loft_acc x);
  *   cost    q16: at most 17 rounds of shift and one division
  */
 loft_real loft_acc_quot(loft_acc x, loft_acc y);
+
+/* x at a = lo, y at a = hi, and between them exactly where a lies between lo and hi: no parameter is rounded.
+ *
+ *   range   lo <= a <= hi, lo < hi, any size; q16: |x|, |y| < 2^30
+ *   error   q16: 2^-33   f32, f64: 5 ulp of double of the larger of |x|, |y|, and 5 ulp of the result when both
+ *           are positive; none at lo and hi
+ *   cost    q16: two 64-bit divisions with remainder; floats: two divisions
+ */
+loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi);
 
 /* The length of the vector x[0..n-1].
  *
