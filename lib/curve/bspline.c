@@ -1,0 +1,105 @@
+/* lib/curve/bspline.c
+ * SPDX-License-Identifier: MIT
+ *
+ * One axis at a time, wide: basis/knots.c has the bounds.
+ */
+#include "curve/bspline.h"
+#include "num/deep.h"           /* loft_acc_rate */
+
+#define POINTS (LOFT_DEGREE_MAX + 1)
+
+enum loft_status loft_bspline_init(loft_bspline *b, const loft_vec p[], unsigned points,
+                                   const loft_real knots[], unsigned degree)
+{
+    loft_knots checked;
+    const enum loft_status status = loft_knots_init(&checked, knots, points, degree);
+
+    if (status != LOFT_OK)
+        return status;
+    for (unsigned k = 0; k < points; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (!loft_real_valid(p[k].axis[i]))
+                return LOFT_ERR_RANGE;
+    b->p = p;
+    b->knots = checked;
+    return LOFT_OK;
+}
+
+/* The coefficients of one axis on a span */
+static void widen(const loft_bspline *b, unsigned span, int axis, loft_acc c[])
+{
+    const loft_vec *p = &b->p[span - b->knots.degree];
+
+    for (unsigned k = 0; k <= b->knots.degree; k++)
+        c[k] = loft_wide(p[k].axis[axis]);
+}
+
+loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u)
+{
+    const unsigned span = loft_knots_find(&b->knots, u);
+    loft_acc c[POINTS];
+    loft_vec v;
+
+    u = loft_knots_clamp(&b->knots, u);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        widen(b, span, i, c);
+        v.axis[i] = loft_acc_round(loft_knots_eval(&b->knots, span, u, c));
+    }
+    return v;
+}
+
+/* The last row would take c[0] and c[1] at k[s] and k[s+1]: the slope is degree times their difference by h. Each is
+ * off by (degree - 1) 2^-33, so the slope by degree (degree - 1) 2^-32 / h; |degree (c[1] - c[0])| <= 9 * 2^48. */
+enum loft_status loft_bspline_deriv(const loft_bspline *b, loft_real u, loft_vec *out)
+{
+    const unsigned span = loft_knots_find(&b->knots, u), degree = b->knots.degree;
+    const loft_acc h = loft_wide(b->knots.k[span + 1]) - loft_wide(b->knots.k[span]);
+    loft_acc c[POINTS];
+    loft_vec v;
+
+    u = loft_knots_clamp(&b->knots, u);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        widen(b, span, i, c);
+        for (unsigned rows = degree; rows > 1; rows--)
+            loft_knots_step(&b->knots, span, rows, u, c);
+        if (!loft_acc_rate((c[1] - c[0]) * (int32_t)degree, h, &v.axis[i]))
+            return LOFT_ERR_RANGE;
+    }
+    *out = v;
+    return LOFT_OK;
+}
+
+bool loft_bspline_next(const loft_bspline *b, unsigned *span, loft_vec out[])
+{
+    loft_acc c[POINTS], piece[POINTS];
+
+    *span = loft_knots_next(&b->knots, *span);
+    for (int i = 0; i < LOFT_AXES && *span; i++) {
+        widen(b, *span, i, c);
+        loft_knots_bezier(&b->knots, *span, c, piece);
+        for (unsigned k = 0; k <= b->knots.degree; k++)
+            out[k].axis[i] = loft_acc_round(piece[k]);
+    }
+    return *span != 0;
+}
+
+/* Point k lies where u does between k[k] and k[k+degree], for the `degree` points whose stretch has the span; before
+ * them points stay, behind them they move up. From the last one down, so that in place none is read too late. */
+enum loft_status loft_bspline_insert(const loft_bspline *b, loft_real u, loft_vec p[], loft_real knots[])
+{
+    const unsigned span = loft_knots_find(&b->knots, u), degree = b->knots.degree;
+    const loft_real *lo = b->knots.k, *hi = lo + degree;
+
+    if (!loft_knots_accepts(&b->knots, u))
+        return LOFT_ERR_ARG;
+    for (unsigned k = b->knots.points; k > span; k--)
+        p[k] = b->p[k - 1];
+    for (unsigned k = span; k > span - degree; k--)
+        for (int i = 0; i < LOFT_AXES; i++)
+            p[k].axis[i] = loft_acc_round(loft_acc_lerp_in(loft_wide(b->p[k - 1].axis[i]), loft_wide(b->p[k].axis[i]),
+                                                           u, lo[k], hi[k]));
+    for (unsigned k = 0; k <= span - degree; k++)
+        p[k] = b->p[k];
+    loft_knots_insert(&b->knots, u, knots);
+    return LOFT_OK;
+}
