@@ -201,6 +201,14 @@ static int32_t divisor_of(const loft_acc w[], unsigned degree)
     return divisor;
 }
 
+void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted out[])
+{
+    const int32_t divisor = divisor_of(w, degree);
+
+    for (unsigned k = 0; k <= degree; k++)
+        out[k].w = loft_weight_clamp(loft_acc_round(loft_acc_ratio(w[k], divisor)));
+}
+
 enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft_unit to, loft_weighted out[])
 {
     const unsigned degree = r->degree;
@@ -215,9 +223,7 @@ enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft
         blossom(c, degree, from, to, x);
         project(x, w, degree, i, out);
     }
-    const int32_t divisor = divisor_of(w, degree);
-    for (unsigned k = 0; k <= degree; k++)
-        out[k].w = loft_acc_round(loft_acc_ratio(w[k], divisor));
+    loft_rational_weights(w, degree, out);
     return LOFT_OK;
 }
 

@@ -26,6 +26,12 @@
 #define LOFT_WEIGHT_MIN LOFT_REAL(0.00390625)
 #define LOFT_WEIGHT_MAX LOFT_REAL(256)
 
+/* A mean of weights within 1/256..256, where in f64 its last bit may have been lost. */
+static inline loft_real loft_weight_clamp(loft_real w)
+{
+    return w < LOFT_WEIGHT_MIN ? LOFT_WEIGHT_MIN : w > LOFT_WEIGHT_MAX ? LOFT_WEIGHT_MAX : w;
+}
+
 /* A control point with its weight, 1/256..256. */
 typedef struct {
     loft_vec  p;
@@ -95,6 +101,13 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
  *   see     Ramshaw, blossoming, for numerator and denominator
  */
 enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft_unit to, loft_weighted out[]) LOFT_CHECKED;
+
+/* The weights of out[0..degree] from those of the form of num/deep.h, with a common factor as in loft_rational_part.
+ *
+ *   range   q16: w < 2^30, the largest at most 65536 times the smallest   all: the largest at least 128
+ *   error   q16: 1/2 LSB   f32: 1 ulp   f64: none but what w has
+ */
+void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted out[]);
 
 /* The same curve with a degree higher by `times`: degree + times + 1 control points.
  *

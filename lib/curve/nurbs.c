@@ -1,0 +1,127 @@
+/* lib/curve/nurbs.c
+ * SPDX-License-Identifier: MIT
+ *
+ * As rational.c: numerator x and denominator w' are splines of their own on the same knots, at one scale for all spans,
+ *
+ *     x_k = s w_k p_k         w'_k = 2^15 s w_k         point = 2^15 x / w'         |x_k|, w'_k < 2^30
+ *
+ * No row leaves the range, since each is a mean; each rounds x and w' by 2^-33, where the smallest w' is 2^29 / R, so
+ * a quotient errs by degree R 2^-30 LSB and its rounding by 1/2. In floats the denominator errs by 5 degree
+ * roundings of itself, all its terms being positive, the numerator by as many of the largest coordinate times the
+ * denominator, and four more operations round.
+ */
+#include "curve/nurbs.h"
+#include "num/deep.h"           /* loft_acc_project */
+
+#define POINTS (LOFT_DEGREE_MAX + 1)
+
+/* Each point alone is a rational curve of degree 0, with the scale of its weight: the largest weight has the
+ * smallest. */
+enum loft_status loft_nurbs_init(loft_nurbs *n, const loft_weighted p[], unsigned points,
+                                 const loft_real knots[], unsigned degree)
+{
+    int32_t scale = INT32_MAX;
+    loft_knots checked;
+    enum loft_status status = loft_knots_init(&checked, knots, points, degree);
+
+    for (unsigned k = 0; k < points && status == LOFT_OK; k++) {
+        loft_rational one = { NULL, 0, 0 };
+        status = loft_rational_init(&one, &p[k], 0);
+        if (one.scale < scale)
+            scale = one.scale;
+    }
+    if (status != LOFT_OK)
+        return status;
+    n->p = p;
+    n->knots = checked;
+    n->scale = scale;
+    return LOFT_OK;
+}
+
+static loft_acc denominator(const loft_nurbs *n, unsigned k)
+{
+    return loft_wide(n->p[k].w * (loft_real)n->scale) * LOFT_PROJECT;
+}
+
+static loft_acc numerator(const loft_nurbs *n, unsigned k, int axis)
+{
+    return loft_prod(n->p[k].p.axis[axis], n->p[k].w * (loft_real)n->scale);
+}
+
+static void denominators(const loft_nurbs *n, unsigned span, loft_acc w[])
+{
+    for (unsigned k = 0; k <= n->knots.degree; k++)
+        w[k] = denominator(n, span - n->knots.degree + k);
+}
+
+static void numerators(const loft_nurbs *n, unsigned span, int axis, loft_acc x[])
+{
+    for (unsigned k = 0; k <= n->knots.degree; k++)
+        x[k] = numerator(n, span - n->knots.degree + k, axis);
+}
+
+loft_vec loft_nurbs_eval(const loft_nurbs *n, loft_real u)
+{
+    const unsigned span = loft_knots_find(&n->knots, u);
+    loft_acc c[POINTS];
+    loft_vec v;
+
+    u = loft_knots_clamp(&n->knots, u);
+    denominators(n, span, c);
+    const loft_acc w = loft_knots_eval(&n->knots, span, u, c);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        numerators(n, span, i, c);
+        v.axis[i] = loft_acc_project(loft_knots_eval(&n->knots, span, u, c), w);
+    }
+    return v;
+}
+
+bool loft_nurbs_next(const loft_nurbs *n, unsigned *span, loft_weighted out[])
+{
+    const unsigned degree = n->knots.degree;
+    loft_acc c[POINTS], x[POINTS], w[POINTS];
+
+    *span = loft_knots_next(&n->knots, *span);
+    if (!*span)
+        return false;
+    denominators(n, *span, c);
+    loft_knots_bezier(&n->knots, *span, c, w);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        numerators(n, *span, i, c);
+        loft_knots_bezier(&n->knots, *span, c, x);
+        for (unsigned k = 0; k <= degree; k++)
+            out[k].p.axis[i] = loft_acc_project(x[k], w[k]);
+    }
+    loft_rational_weights(w, degree, out);
+    return true;
+}
+
+/* The point between k - 1 and k; lo and hi are the knots between which u has its place. The factor 2^15 s of the weight
+ * is taken off as it was put on. */
+static loft_weighted between(const loft_nurbs *n, unsigned k, loft_real u, loft_real lo, loft_real hi)
+{
+    const loft_acc w = loft_acc_lerp_in(denominator(n, k - 1), denominator(n, k), u, lo, hi);
+    loft_weighted q;
+
+    q.w = loft_weight_clamp(loft_acc_round(loft_acc_ratio(loft_acc_ratio(w, LOFT_PROJECT), n->scale)));
+    for (int i = 0; i < LOFT_AXES; i++)
+        q.p.axis[i] = loft_acc_project(loft_acc_lerp_in(numerator(n, k - 1, i), numerator(n, k, i), u, lo, hi), w);
+    return q;
+}
+
+enum loft_status loft_nurbs_insert(const loft_nurbs *n, loft_real u, loft_weighted p[], loft_real knots[])
+{
+    const unsigned span = loft_knots_find(&n->knots, u), degree = n->knots.degree;
+    const loft_real *lo = n->knots.k, *hi = lo + degree;
+
+    if (!loft_knots_accepts(&n->knots, u))
+        return LOFT_ERR_ARG;
+    for (unsigned k = n->knots.points; k > span; k--)
+        p[k] = n->p[k - 1];
+    for (unsigned k = span; k > span - degree; k--)
+        p[k] = between(n, k, u, lo[k], hi[k]);
+    for (unsigned k = 0; k <= span - degree; k++)
+        p[k] = n->p[k];
+    loft_knots_insert(&n->knots, u, knots);
+    return LOFT_OK;
+}
