@@ -31,6 +31,7 @@ typedef struct {
     uint8_t  past_size[LINE_FRAMES];
     uint32_t frames;
     uint32_t dead_until, burst_left;
+    uint64_t clock;             /* when the last byte leaves the buffer, in bytes since the start */
     bool     dead;
 } line;
 
@@ -238,6 +239,8 @@ typedef struct {
     loft_job    job;
     uint32_t    count, bytes, steps;        /* bytes: sent by the host */
     bool        begun;
+    bool        buffered;                   /* something takes all bytes at once and passes them on as fast as the line can */
+    uint32_t    asleep, frozen;             /* ms that the host gets no turn; that the line passes nothing on */
 } world;
 
 static inline void world_source(void *context, uint32_t index, loft_item *out)
@@ -273,7 +276,7 @@ static inline void world_init(world *w, arb *a, uint16_t queue, uint32_t period,
 static inline void world_down(world *w)
 {
     line *l = &w->down;
-    for (uint32_t i = 0; i < w->rate; i++) {
+    for (uint32_t i = 0; i < (w->buffered ? 100000 : w->rate); i++) {
         if (l->out_at == l->out_size) {
             l->out_at = 0;
             l->out_size = loft_sender_poll(&w->s, w->now, l->out_frame);
@@ -284,7 +287,11 @@ static inline void world_down(world *w)
                 return;
             line_remember(l);
         }
-        line_send(l, w->a, &w->faults, l->out_frame[l->out_at++], w->now + w->delay);
+        if (l->clock < (uint64_t)w->steps * w->rate)
+            l->clock = (uint64_t)w->steps * w->rate;
+        l->clock++;
+        line_send(l, w->a, &w->faults, l->out_frame[l->out_at++],
+                  w->now + w->delay + (w->buffered ? (uint32_t)(l->clock / w->rate) - w->steps : 0));
         w->bytes++;
     }
 }
@@ -316,10 +323,14 @@ static inline void world_step(world *w)
 {
     line_trouble(&w->down, w->a, &w->faults, w->now);
     line_trouble(&w->up, w->a, &w->faults, w->now);
-    while (line_ready(&w->down, w->now))
+    if (w->frozen > 0)
+        w->frozen--;
+    while (w->frozen == 0 && line_ready(&w->down, w->now))
         mill_byte(&w->m, w->a, w->down.byte[w->down.out++ % LINE_ROOM], w->now);
     mill_run(&w->m, w->now);
-    while (line_ready(&w->up, w->now))
+    if (w->asleep > 0)
+        w->asleep--;
+    while (w->asleep == 0 && w->frozen == 0 && line_ready(&w->up, w->now))
         loft_sender_push(&w->s, w->up.byte[w->up.out++ % LINE_ROOM], w->now);
     if (w->s.phase == LOFT_PHASE_READY) {
         CHECK(!w->begun);                   /* once is enough, also when the line was silent for long */
@@ -327,7 +338,8 @@ static inline void world_step(world *w)
         w->begun = true;
     }
     CHECK(w->s.base <= w->s.send && w->s.send <= w->s.high && w->s.high <= w->count);
-    world_down(w);
+    if (w->asleep == 0)
+        world_down(w);
     world_up(w);
     w->now++;
     CHECK(++w->steps < 2000000);            /* half an hour is never needed */

@@ -198,6 +198,30 @@ static void a_dead_line_is_tried_ever_less_often(arb *a)
     CHECK(!w.s.resumed && !w.s.collected);
 }
 
+/* Behind a buffer that takes everything, answers that come late for a while (something got no turn) look like frames
+ * lost. The buffer must not be filled with repetitions, which make the next answers later still: that never ends. */
+static void a_late_answer_does_not_flood_the_line(arb *a)
+{
+    static world w;
+    uint32_t naps = 0;
+    world_init(&w, a, 64, 2, 3000);
+    w.job.kind = LOFT_SPANS;
+    w.buffered = true;
+    w.rate = 11;
+    while (w.s.phase < LOFT_PHASE_DONE && !check_bad) {
+        if (arb_below(a, 150) == 0 && w.asleep + w.frozen == 0) {
+            *(arb_below(a, 2) ? &w.asleep : &w.frozen) = 10 + arb_below(a, 250);
+            naps++;
+        }
+        world_step(&w);
+    }
+    CHECK(w.s.phase == LOFT_PHASE_DONE && w.m.delivered == w.count);
+    CHECK(w.s.resent <= 2 * naps && 4 * w.s.resent <= w.s.sent);
+    if (check_bad)
+        printf("%u naps, %u of %u frames resent, %u naks, %u timeouts, %u ms\n", naps, w.s.resent, w.s.sent, w.s.naks,
+               w.s.timeouts, w.steps);
+}
+
 /* One frame is lost: one NAK, no timeout, nothing sent more than twice. */
 static void one_lost_frame_costs_one_round_trip(arb *a)
 {
@@ -319,6 +343,7 @@ int main(void)
     PROPERTY(wait_tells_the_truth, BY_NUM(100, 10, 10));
     PROPERTY(the_round_trip_is_measured, 20);
     PROPERTY(a_dead_line_is_tried_ever_less_often, 5);
+    PROPERTY(a_late_answer_does_not_flood_the_line, BY_NUM(50, 5, 5));
     PROPERTY(one_lost_frame_costs_one_round_trip, BY_NUM(50, 5, 5));
     PROPERTY(a_lost_end_is_said_again, 20);
     PROPERTY(a_lost_job_is_said_again, 5);

@@ -92,6 +92,7 @@ static void stream(loft_sender *s)
     s->flights  = 0;
     s->end_sent = false;
     s->frame_size = s->machine.frame_max;
+    s->window   = LOFT_SENDER_WINDOW;
     reset_rto(s);
 }
 
@@ -215,7 +216,6 @@ static void grow(loft_sender *s)
 
 static void go_back(loft_sender *s, uint32_t now)
 {
-    shrink(s);
     s->send     = s->base;
     s->flights  = 0;
     s->end_sent = false;
@@ -237,10 +237,13 @@ static void advance(loft_sender *s, uint32_t now)
         s->flights--;
         grow(s);
     }
-    if (timed)
+    if (timed) {
         take_rtt(s, sample);
+        reset_rto(s);
+    }
+    if (s->window < LOFT_SENDER_WINDOW)
+        s->window++;
     s->tried = now;
-    reset_rto(s);
 }
 
 /* What an answer means while items go out. In-flight frames behind a gap each cause a NAK: one per round trip counts. */
@@ -259,6 +262,7 @@ static void take_progress(loft_sender *s, uint32_t now)
     const uint32_t once = s->rtt_ms ? s->rtt_ms : RTO_FIRST / 4;
     if (s->ack.flags & LOFT_FLAG_NAK && (s->base < s->high || s->end_sent) && now - s->back >= once) {
         s->naks++;
+        shrink(s);
         go_back(s, now);
     }
 }
@@ -358,7 +362,7 @@ static bool can_send(const loft_sender *s)
     const uint32_t limit  = s->ack.limit < s->count ? s->ack.limit : s->count;
     const uint32_t step   = s->machine.queue < 4 ? 1 : s->machine.queue / 4u;
 
-    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->flights < LOFT_SENDER_WINDOW && s->send < limit
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->flights < s->window && s->send < limit
         && (limit == s->count || limit - s->send >= step);
 }
 
@@ -475,6 +479,7 @@ static size_t give_stream(loft_sender *s, uint32_t now, uint8_t wire[])
 {
     if (waits(s) && left(s->tried, s->rto, now) == 0) {
         s->timeouts++;
+        s->window = 1;
         back_off(s);
         go_back(s, now);
     }

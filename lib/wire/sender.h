@@ -61,7 +61,7 @@ typedef struct {
     uint32_t    count;                      /* items of the job                                                 */
     uint32_t    base, send, high;           /* acknowledged, to be sent next, sent at least once                */
     struct { uint32_t end, time; bool again; } flight[LOFT_SENDER_WINDOW];
-    uint8_t     flights, first;
+    uint8_t     flights, first, window;     /* frames on their way; the slot of the oldest; as many may be     */
     uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come                     */
     uint8_t     verb, number;               /* CONTROL waiting for its acknowledgement                          */
     uint8_t     frame_size;                 /* the longest frame for now: shorter ones survive more damage      */
