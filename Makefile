@@ -217,9 +217,9 @@ check:
 lint: lib/names.h
 	@sh tests/lint.sh
 
+AXES_TESTS := codec message receiver
 ## Run the wire's tests with 1, 2, 4 and 6 axes
 .PHONY: test-axes
-AXES_TESTS := codec message receiver
 test-axes: lib/names.h
 	@mkdir -p build/axes; bad=0; for a in 1 2 4 6; do for t in $(AXES_TESTS); do echo "-- $$t x$$a"; \
 	    $(CC) -Ilib -Itests -O1 -g $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$$a tests/test_$$t.c $(wildcard lib/wire/*.c) \
@@ -235,9 +235,9 @@ test: $(foreach n,$(NUMS),$(foreach t,$(TESTS),build/test/$(n)/$(t)))
 test-mixed: $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
 	@sh tests/mixed.sh build
 
+FUZZ_SECONDS ?= 60
 ## Fuzz what comes from the line with libFuzzer for FUZZ_SECONDS (60)
 .PHONY: fuzz
-FUZZ_SECONDS ?= 60
 fuzz: lib/names.h
 	@mkdir -p build/fuzz/wire
 	clang -Ilib -O1 -g $(STD) -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all $(call num_flag,q16) \

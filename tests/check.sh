@@ -9,7 +9,7 @@ log=$(mktemp); trap 'rm -f "$log"' EXIT
 for stage in "$@"; do
     echo "== $stage"
     begun=$(date +%s)
-    ${MAKE:-make} -s --no-print-directory "$stage" 2>&1 | tee "$log"
+    ${MAKE:-make} -s --no-print-directory -j"$(nproc)" "$stage" 2>&1 | tee "$log"
     code=${PIPESTATUS[0]}
     read -r p f < <(awk '/^[0-9]+ passed, [0-9]+ failed$/ { p += $1; f += $3 } END { print p + 0, f + 0 }' "$log")
     if [ "$code" != 0 ] && [ "$f" = 0 ]; then
