@@ -37,6 +37,7 @@
 #include "curve/join.h"
 #include "curve/measure.h"
 #include "curve/natural.h"
+#include "curve/nearest.h"
 #include "curve/nurbs.h"
 #include "curve/parabola.h"
 #include "curve/shape.h"

@@ -26,56 +26,20 @@
  * sideways motion is a part of the whole's; searched with hill climbing over all such pieces: 3/4 tol), so r is
  * reached from every s in a..r, and the chords here are never behind. */
 #include "curve/measure.h"
+#include "geom/chord.h"    /* loft_chord_foot */
 
 #define STEPS ((uint32_t)1 << 24)   /* of the parameter: all are exact in every number type */
 #define FINE  256                   /* ends are found to 1 / FINE of the chord             */
 #define DEPTH 14                    /* pieces of a chord: 2^DEPTH where it is closest      */
 
-/* The chord from 0 to u, its length, and its direction to 24 bits. */
-typedef struct {
-    loft_acc  u[LOFT_AXES];
-    loft_acc  length;
-    loft_unit toward[LOFT_AXES];
-} chord;
-
-
 /* The distance of w from the chord: that of w from a point of the chord which is nearest but for rounding, so
- * never too small.
- *
- * The first foot, t u, is off along the chord by up to 2^-23 |u|, which is too much at a right angle to
- * nothing, but r = w - t u shows by how much: the part of r along the chord. Taking that off again needs
- * the direction to few digits only. The foot must not leave the chord; `most` leaves 2^-20 of the way to
- * each end, more than the lengths are wrong by. */
-static loft_acc distance(const loft_acc w[LOFT_AXES], const chord *c)
+ * never too small. */
+static loft_acc distance(const loft_acc w[LOFT_AXES], const loft_chord *c)
 {
-    loft_acc r[LOFT_AXES], along = 0, rest = 0;
-    loft_unit t = 0;
+    loft_acc r[LOFT_AXES];
 
-    for (int i = 0; i < LOFT_AXES; i++)
-        along += loft_acc_scale(w[i], c->toward[i]);
-    if (along > 0)
-        t = along < c->length ? loft_unit_ratio(along, c->length) : LOFT_UNIT(1);
-
-    for (int i = 0; i < LOFT_AXES; i++) {
-        r[i] = w[i] - loft_acc_scale(c->u[i], t);
-        rest += loft_acc_scale(r[i], c->toward[i]);
-    }
-    const loft_acc back = loft_acc_scale(c->length, t), most = loft_acc_scale(back, LOFT_UNIT(1 - 1.0 / 1048576));
-    const loft_acc ahead = loft_acc_scale(c->length - back, LOFT_UNIT(1 - 1.0 / 1048576));
-    if (rest < -most)
-        rest = -most;
-    if (rest > ahead)
-        rest = ahead;
-    for (int i = 0; i < LOFT_AXES; i++)
-        r[i] -= loft_acc_scale(rest, c->toward[i]);
+    loft_chord_foot(c, w, r);
     return loft_acc_hypot(r, LOFT_AXES);
-}
-
-static void aim(chord *c)
-{
-    c->length = loft_acc_hypot(c->u, LOFT_AXES);
-    for (int i = 0; i < LOFT_AXES; i++)
-        c->toward[i] = c->length > 0 ? loft_unit_ratio(c->u[i], c->length) : 0;
 }
 
 /* The bound (1) times 36. */
@@ -124,7 +88,7 @@ static uint32_t start_of(const loft_flatten *f, uint32_t steps, uint32_t k, unsi
 }
 
 /* Is the curve from the last point to the one at `to` within the limit of the chord to *end? p is its first piece. */
-static bool is_along(const loft_flatten *f, uint32_t to, const chord *c, loft_acc p[4][LOFT_AXES])
+static bool is_along(const loft_flatten *f, uint32_t to, const loft_chord *c, loft_acc p[4][LOFT_AXES])
 {
     loft_acc d0 = distance(p[0], c);
     unsigned level = 0;
@@ -154,7 +118,7 @@ static bool is_along(const loft_flatten *f, uint32_t to, const chord *c, loft_ac
 static bool is_flat(const loft_flatten *f, uint32_t to, loft_vec *end)
 {
     loft_acc p[4][LOFT_AXES];
-    chord c;
+    loft_chord c;
 
     cut(f, f->at, to, p);
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -162,7 +126,7 @@ static bool is_flat(const loft_flatten *f, uint32_t to, loft_vec *end)
         end->axis[i] = to == STEPS ? f->curve.p[3].axis[i] : loft_acc_round(p[3][i] + from);
         c.u[i] = loft_wide(end->axis[i]) - from;
     }
-    aim(&c);
+    loft_chord_aim(&c);
     return is_along(f, to, &c, p);
 }
 

@@ -35,6 +35,9 @@ static inline bool      loft_real_valid(loft_real a)
 static inline loft_acc  loft_acc_grain(loft_acc size)           { return size * DBL_EPSILON; }
 static inline loft_acc  loft_real_grain(loft_acc size)          { return size * (loft_acc)LOFT_REAL_EPSILON; }
 
+/* At least the error of loft_acc_hypot, for that result. */
+static inline loft_acc  loft_hypot_grain(loft_acc length)       { return length * 0x1p-50; }
+
 /* error f32: 1/2 ulp   f64: none */
 static inline loft_real loft_acc_round(loft_acc x)              { return (loft_real)x; }
 

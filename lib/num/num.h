@@ -27,6 +27,7 @@
  *   loft_acc_int(x)                         the nearest whole number, ties upward
  *   loft_acc_sqrt(x)                        square root as real
  *   loft_acc_hypot(x, n)                    sqrt(x[0]^2 + .. + x[n-1]^2), no overflow inside
+ *   loft_hypot_grain(s)                     what that is off by, at most, for a result s
  *   loft_unit_of(j, n)                      the parameter j / n
  *   loft_unit_ratio(x, y)                   the parameter x / y of two accs
  *   loft_unit_from(a)                       a real as unit, |a| < 128, exactly in q16

@@ -62,6 +62,9 @@ static inline bool loft_real_valid(loft_real a)             { (void)a; return tr
 static inline loft_acc loft_acc_grain(loft_acc size)        { (void)size; return 1; }
 static inline loft_acc loft_real_grain(loft_acc size)       { (void)size; return 65536; }
 
+/* At least the error of loft_acc_hypot, for that result. */
+static inline loft_acc loft_hypot_grain(loft_acc length)    { return length / 268435456 + 1; }
+
 /* Does x round into a real? */
 static inline bool loft_acc_fits(loft_acc x)
 {

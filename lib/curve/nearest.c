@@ -1,0 +1,130 @@
+/* lib/curve/nearest.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Branch and bound over the dyadic pieces of the curve, with everything relative to p. F is the point of a piece's
+ * chord that is nearest to p, m = |F|, and u = F / m. No point of the piece is nearer than the plane at a right
+ * angle to u that has all control points b_i behind it:
+ *
+ *     |P(t)| >= <P(t), u> >= min <b_i, u> = m + min <b_i - F, u>                                       (1)
+ *
+ * whichever point F is. A piece is dropped when (1) is not tol below the nearest point found; otherwise it is halved.
+ * The point tried on each piece is the one with the parameter of F on the chord.
+ *
+ * Both are within O(h^2) of m for a piece of width h: b_i is within n^2 / 8 times the largest second difference,
+ * 4 h^2 |P|, of the chord, and so is the point tried within twice that of F. At h = 2^-24 this is 2^-42 |P|
+ * (2^-26 units at most in q16, less than 2^-9 LSB), so there each piece may be dropped: the tree is finite.
+ *
+ * Rounding in q16: u is off by 2^-24, which moves (1) by 2^-22 |b_i - F|, taken off below; m by the error of
+ * loft_acc_hypot, 2^-28 of it + 2^-32. That counts as tolerance, four times, lest noise is subdivided. */
+#include "curve/nearest.h"
+#include "basis/pieces.h"   /* loft_piece, loft_bernstein_part */
+#include "geom/chord.h"     /* loft_chord_foot */
+
+/* The curve relative to p, and one piece of it. */
+typedef struct {
+    loft_acc whole[LOFT_AXES][LOFT_DEGREE_MAX + 1];
+    loft_acc piece[LOFT_AXES][LOFT_DEGREE_MAX + 1];
+    unsigned degree;
+} scene;
+
+/* Is the point at t of the current piece n nearer than what was found? */
+static void try_at(scene *s, loft_piece n, loft_unit t, loft_vec p, loft_nearest *out)
+{
+    loft_acc x[LOFT_AXES], c[LOFT_DEGREE_MAX + 1];
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        for (unsigned k = 0; k <= s->degree; k++)
+            c[k] = s->piece[i][k];
+        x[i] = loft_bernstein_eval(c, s->degree, t);
+    }
+    const loft_acc distance = loft_acc_hypot(x, LOFT_AXES);
+    if (distance >= out->distance)
+        return;
+    out->distance = distance;
+    out->t = loft_piece_at(n, t);
+    for (int i = 0; i < LOFT_AXES; i++)
+        out->point.axis[i] = loft_acc_round(loft_wide(p.axis[i]) + x[i]);
+}
+
+/* The bound (1), and where the nearest point of the chord lies on it. */
+static loft_acc bound_of(const scene *s, loft_unit *t)
+{
+    loft_acc w[LOFT_AXES], foot[LOFT_AXES], behind = 0;
+    loft_unit u[LOFT_AXES];
+    loft_chord c;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        c.u[i] = s->piece[i][s->degree] - s->piece[i][0];
+        w[i]   = -s->piece[i][0];
+    }
+    loft_chord_aim(&c);
+    const loft_acc along = loft_chord_foot(&c, w, foot);
+    *t = along <= 0 ? 0 : along < c.length ? loft_unit_ratio(along, c.length) : LOFT_UNIT(1);
+
+    const loft_acc m = loft_acc_hypot(foot, LOFT_AXES);
+    if (!(m > 0))
+        return 0;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        foot[i] = -foot[i];
+        u[i] = loft_unit_ratio(foot[i], m);
+    }
+    for (unsigned k = 0; k <= s->degree; k++) {
+        loft_acc forward = 0;
+        for (int i = 0; i < LOFT_AXES; i++)
+            forward += loft_acc_scale(s->piece[i][k] - foot[i], u[i]);
+        if (forward < behind)
+            behind = forward;
+    }
+    return m + behind + loft_acc_scale(behind, LOFT_UNIT(1.0 / 4194304));
+}
+
+static void cut(scene *s, loft_piece n)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        loft_bernstein_part(s->whole[i], s->degree, loft_piece_from(n), loft_piece_to(n), s->piece[i]);
+}
+
+/* Both ends are tried first, then the pieces. */
+static void search(scene *s, loft_vec p, loft_acc tol, loft_nearest *out)
+{
+    loft_piece n = { 0, 0 };
+    loft_unit t;
+
+    cut(s, n);
+    try_at(s, n, 0, p, out);
+    try_at(s, n, LOFT_UNIT(1), p, out);
+    do {
+        for (;;) {
+            cut(s, n);
+            const loft_acc bound = bound_of(s, &t);
+            try_at(s, n, t, p, out);
+            if (bound >= out->distance - tol - 4 * loft_hypot_grain(out->distance) || n.level == LOFT_PIECE_LEVELS)
+                break;
+            n = loft_piece_half(n, 0);
+        }
+    } while (loft_piece_next(&n));
+}
+
+enum loft_status loft_bezier_nearest(const loft_bezier *b, loft_vec p, loft_real tol, loft_nearest *out)
+{
+    loft_nearest found;
+    scene s;
+
+    if (!(tol > 0))
+        return LOFT_ERR_ARG;
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (!loft_real_valid(p.axis[i]))
+            return LOFT_ERR_RANGE;
+
+    s.degree = b->degree;
+    for (int i = 0; i < LOFT_AXES; i++)
+        for (unsigned k = 0; k <= s.degree; k++)
+            s.whole[i][k] = loft_wide(b->p[k].axis[i]) - loft_wide(p.axis[i]);
+
+    found.t = 0;
+    found.point = b->p[0];
+    found.distance = loft_vec_distance(p, b->p[0]);
+    search(&s, p, loft_wide(tol), &found);
+    *out = found;
+    return LOFT_OK;
+}
