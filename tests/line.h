@@ -337,6 +337,7 @@ static inline void world_step(world *w)
         CHECK(loft_sender_begin(&w->s, &w->job, w->count, world_source, w) == LOFT_OK);
         w->begun = true;
     }
+    CHECK(w->s.flights <= LOFT_SENDER_WINDOW);
     CHECK(w->s.base <= w->s.send && w->s.send <= w->s.high && w->s.high <= w->count);
     if (w->asleep == 0)
         world_down(w);

@@ -52,8 +52,10 @@ static void hello_is_repeated_ever_less_often(arb *a)
 
     loft_sender_init(&s, 1, now);
     const uint32_t nonce = s.nonce;
-    for (int i = 0; i < 7; i++)
+    for (int i = 0; i < 7; i++) {
+        CHECK(loft_sender_wait(&s, now) == wait[i]);
         CHECK(next_of(&s, &now, LOFT_HELLO) == wait[i]);
+    }
     CHECK(s.hellos == 7 && s.nonce == nonce && loft_sender_silence(&s, now) == 200 + 400 + 800 + 3000);
 }
 
@@ -103,6 +105,59 @@ static void frames_of_another_session_are_counted_and_forgotten(arb *a)
     ack.next = ack.limit = ack.executed = w.s.high;
     tell(&w.s, wire, loft_ack_encode(&ack, (uint8_t)(w.s.session + 1), wire), w.now + 50);
     CHECK(w.s.unknown == unknown + 1 && w.s.ack.next == next && loft_sender_silence(&w.s, w.now + 50) >= 50);
+
+    const size_t n = loft_ack_encode(&ack, w.s.session, wire);      /* of another version */
+    loft_frame f;
+    loft_frame_init(&f);
+    for (size_t i = 0; i < n; i++)
+        if (loft_frame_push(&f, wire[i]) == LOFT_OK)
+            memcpy(wire + 1, f.byte, f.count);
+    wire[1] ^= 2;
+    tell(&w.s, wire, loft_frame_encode(wire, f.count), w.now);
+    CHECK(w.s.unknown == unknown + 2 && w.s.ack.next == next);
+}
+
+/* An answer from before the last one, or about items that there are not, moves nothing. */
+static void stale_answers_are_forgotten(arb *a)
+{
+    static world w;
+    uint8_t wire[LOFT_FRAME_MAX];
+    world_init(&w, a, 64, 2, 200);
+    while (w.s.base < 50 && !check_bad)
+        world_step(&w);
+    loft_sender_push(&w.s, 0, w.now);
+
+    const loft_ack before = w.s.ack;
+    loft_ack m = before;
+    m.limit = 199, m.state = LOFT_STATE_HELD;
+    m.next = m.executed = arb_below(a, 2) ? w.s.base - 1 : 201;
+    m.limit = m.next + 60;
+    tell(&w.s, wire, loft_ack_encode(&m, w.s.session, wire), w.now);
+    CHECK(memcmp(&w.s.ack, &before, sizeof before) == 0);
+
+    m = before;                                                     /* a limit of before: what was promised stays promised */
+    m.limit = m.next;
+    const size_t n = loft_ack_encode(&m, w.s.session, wire);
+    for (size_t i = 0; i < n; i++)
+        CHECK(loft_sender_push(&w.s, wire[i], w.now) == (i + 1 == n));
+    CHECK(w.s.ack.limit == before.limit && w.s.ack.next == before.next);
+    world_run(&w, 60000);
+    CHECK(w.s.phase == LOFT_PHASE_DONE && w.m.delivered == w.count);
+}
+
+/* With room enough, eight frames are on their way, and not nine. */
+static void the_window_is_used_and_kept(arb *a)
+{
+    static world w;
+    uint8_t most = 0;
+    world_init(&w, a, 4096, 0, 3000);
+    w.job.kind = LOFT_SPANS;
+    w.delay = 150;
+    while (w.s.phase < LOFT_PHASE_DONE && !check_bad) {
+        world_step(&w);
+        most = w.s.flights > most ? w.s.flights : most;
+    }
+    CHECK(most == LOFT_SENDER_WINDOW && w.s.timeouts == 0);
 }
 
 
@@ -340,6 +395,8 @@ int main(void)
     PROPERTY(hello_is_repeated_ever_less_often, 5);
     PROPERTY(a_greeting_is_put_together, 10);
     PROPERTY(frames_of_another_session_are_counted_and_forgotten, 5);
+    PROPERTY(stale_answers_are_forgotten, 20);
+    PROPERTY(the_window_is_used_and_kept, 3);
     PROPERTY(wait_tells_the_truth, BY_NUM(100, 10, 10));
     PROPERTY(the_round_trip_is_measured, 20);
     PROPERTY(a_dead_line_is_tried_ever_less_often, 5);

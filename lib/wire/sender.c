@@ -56,7 +56,7 @@ static void take_rtt(loft_sender *s, uint32_t m)
  * stands in the way of an ACK must not look like a loss. Most losses are told by a NAK anyway. */
 static void reset_rto(loft_sender *s)
 {
-    const uint32_t rto = s->rtt8 ? s->rtt8 / 4 + s->var4 + 1 : RTO_FIRST;
+    const uint32_t rto = s->rtt8 ? s->rtt8 / 4 + s->var4 + 1 : s->rto;
     s->rto = rto < RTO_LEAST ? RTO_LEAST : rto > RTO_MOST ? RTO_MOST : rto;
 }
 
@@ -80,6 +80,7 @@ void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms)
 {
     *s = (loft_sender){ 0 };
     s->nonce = nonce;
+    s->rto   = RTO_FIRST;       /* until a round trip was measured it only grows */
     loft_frame_init(&s->frame);
     greet(s, now_ms);
 }
