@@ -43,7 +43,7 @@ typedef struct {
  *           LOFT_SINGULAR: chord length knots, and two consecutive points coincide
  *   error   of the slopes: uniform q16: 2^-30   f32, f64: 16 ulp of double
  *           chord (a slope is at most 3) q16: 2^-49   f32, f64: 2^-44
- *   cost    O(count): per point 2 + 3 LOFT_AXES long divisions (num/part.h), in chord 3 + 5 LOFT_AXES and twice
+ *   cost    O(count): per point 3 + 3 LOFT_AXES long divisions (num/part.h), in chord 3 + 4 LOFT_AXES and twice
  *           a length; memory of 32 to 64 bytes a point
  *   see     de Boor, A Practical Guide to Splines, ch. 4; Farin, Curves and Surfaces for CAGD, ch. 9
  */

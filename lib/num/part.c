@@ -96,10 +96,10 @@ loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift)
     return (loft_acc)root_of(squares);
 }
 
-/* floor((floor(x / 2^(shift-1)) + 1) / 2) */
+/* The part above the bits cut off, and the highest of them. */
 loft_acc loft_acc_down(loft_acc x, unsigned shift)
 {
-    return shift ? ((x >> (shift - 1)) + 1) >> 1 : x;
+    return shift ? (x >> shift) + (x >> (shift - 1) & 1) : x;
 }
 
 #else

@@ -13,7 +13,7 @@
 /* The part y / z of x, that is x * y / z.
  *
  *   range   z > 0, q16: |x * y / z| < 2^31   f32, f64: |x / z| and the result below 2^1023
- *   error   q16: 2^-33, ties away from 0   f32, f64: 1 ulp of double
+ *   error   q16: 2^-33, ties away from 0   f32, f64: 1.5 ulp of double
  *   cost    q16: 4 products of 32 bits and 64 rounds of shift and subtract
  */
 loft_acc loft_acc_part(loft_acc x, loft_acc y, loft_acc z);
