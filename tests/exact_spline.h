@@ -16,6 +16,34 @@ __extension__ typedef __float128 quad;
 
 static inline quad quad_of(loft_real x) { return BY_NUM((quad)x / 65536, (quad)x, (quad)x); }
 
+/* The bound of this number type; unlike BY_NUM it computes all three, so that none is left unused. */
+static inline long double bound_by_num(long double q16, long double f32, long double f64)
+{
+    const long double bound[3] = { q16, f32, f64 };
+    return bound[BY_NUM(0, 1, 2)];
+}
+
+/* Was a result given that fits, and is it within `lsb` in q16, `room` and 1/2 ulp of it in floats? Values that fit
+ * narrowly may be refused. */
+static inline void check_result(enum loft_status status, const loft_vec *got, const quad want[LOFT_AXES],
+                                long double lsb, long double room)
+{
+    bool inside = true, outside = false;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const long double w = (long double)want[i], top = BY_NUM(32768 - LSB / 2, FLT_MAX, DBL_MAX);
+        const long double bottom = BY_NUM(-32768 - LSB / 2, -FLT_MAX, -DBL_MAX);
+        inside  = inside && w < top - LSB && w > bottom + LSB;
+        outside = outside || w > top + LSB || w < bottom - LSB;
+    }
+    CHECK(status == LOFT_OK || (status == LOFT_ERR_RANGE && !inside));
+    CHECK(status != LOFT_OK || !outside);
+    for (int i = 0; i < LOFT_AXES && status == LOFT_OK; i++) {
+        const long double floats = ulp((long double)want[i]) / 2 + room;
+        CHECK_EXACT((long double)(quad_of(got->axis[i]) - want[i]), 0, bound_by_num(lsb * LSB, floats, floats));
+    }
+}
+
 /* One step of Newton's doubles the 64 bits of sqrtl. */
 static inline quad quad_sqrt(quad x)
 {
