@@ -75,9 +75,9 @@ static inline bool fine_chord(const loft_vec c[4], double t, double dt, double s
 }
 
 /* Chords of at most `step` mm, 8 to a curve at least, more where it turns. */
-static inline void path_trace(path *p, const loft_move chain[], unsigned count, double step)
+static inline void path_trace(path *p, const loft_move moves[], unsigned count, double step)
 {
-    p->chain  = chain;
+    p->chain  = moves;
     p->count  = 0;
     p->length = 0;
     path_add(p, 0, 0);
@@ -85,7 +85,7 @@ static inline void path_trace(path *p, const loft_move chain[], unsigned count, 
         double dt = 0.125;
         for (double t = 0; t < 1; t += dt, path_add(p, c, t)) {
             dt = fmin(0.125, 2 * dt);
-            while (fmod(t, dt) > 0 || (dt > 0x1p-14 && !fine_chord(chain[c].curve.p, t, dt, step)))
+            while (fmod(t, dt) > 0 || (dt > 0x1p-14 && !fine_chord(moves[c].curve.p, t, dt, step)))
                 dt /= 2;
         }
     }

@@ -18,7 +18,7 @@
 typedef struct {
     loft_real max_speed[LOFT_AXES];     /* mm/s, 1/64..16383                                                  */
     loft_real max_accel[LOFT_AXES];     /* mm/s^2, 1..16383; held by the whole vector of acceleration         */
-    loft_real corner;                   /* junction deviation in mm, 0..1, as grbl's $11; 0: stop at corners  */
+    loft_real corner;                   /* junction deviation in mm, 0..1, as grbl's $11; 0: all but stop     */
     loft_real tol;                      /* how far spans may leave the path, rounding included, mm, 1/1024..1 */
     uint16_t  tick_hz;                  /* ticks per second, 50..50000                                        */
 } loft_limits;
