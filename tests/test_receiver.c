@@ -280,6 +280,29 @@ static void silence_where_nothing_is_asked(arb *a)
     CHECK(all_answers(&m).types == TYPE(LOFT_STATUS));
 }
 
+/* Unasked, when a quarter of the queue more has become free, in each state that takes items and in no other. */
+static void room_is_told_in_quarters(arb *a)
+{
+    static const uint8_t takes[8] = { 0, 1, 1, 1, 0, 0, 0, 0 };       /* by enum loft_state */
+    static mill m;
+    loft_job job;
+
+    for (uint8_t state = LOFT_STATE_RUNNING; state <= LOFT_STATE_STOPPING; state++) {
+        arb_mill(a, &m, &job);
+        m.now.room  = (uint16_t)arb_below(a, 20);
+        m.now.state = state;
+        answers all = all_answers(&m);
+        const uint16_t told = m.now.room;
+        CHECK(all.types == TYPE(LOFT_ACK) && all.ack.limit == (takes[state] ? told : 0u));
+        m.now.room = (uint16_t)(told + m.traits.queue / 4 - 1);
+        CHECK(all_answers(&m).frames == 0);
+        m.now.room++;
+        all = all_answers(&m);
+        CHECK(all.types == (takes[state] ? TYPE(LOFT_ACK) : 0u) && (!takes[state] || all.ack.limit == m.now.room));
+        CHECK(all_answers(&m).frames == 0);
+    }
+}
+
 /* A frame waits when push says so and not before; one that is not looked at is asked for again. */
 static void push_tells_when_a_frame_waits(arb *a)
 {
@@ -303,6 +326,7 @@ int main(void)
     PROPERTY(a_message_works_once_and_in_its_place, 1);
     PROPERTY(answers_say_what_is, 50);
     PROPERTY(silence_where_nothing_is_asked, 5);
+    PROPERTY(room_is_told_in_quarters, 20);
     PROPERTY(push_tells_when_a_frame_waits, 5);
     return check_failures();
 }
