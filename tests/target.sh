@@ -9,7 +9,7 @@ for tool in avr-gcc simavr; do
 done
 work=build/target
 mkdir -p $work
-sources="tests/target/sums.c lib/num/*.c lib/basis/*.c lib/curve/*.c"
+sources="tests/target/sums.c lib/num/*.c lib/geom/*.c lib/basis/*.c lib/curve/*.c"
 
 
 : > $work/here
