@@ -111,9 +111,23 @@ static void products_and_quotients_are_within_their_bound(arb *a)
     const long double q = exact_fine(x) / exact_fine(y);
     if (fabsl(q) < 1e9L)
         CHECK_EXACT(exact_acc(loft_fine_quot(x, y)), q, BY_NUM(0x1p-33L, HALF * fabsl(q), HALF * fabsl(q)) + 0x1p-62L * fabsl(q));
+    if (fabsl(q) < 7)
+        CHECK_EXACT(exact_fine(loft_fine_ratio(x, y)), q, BY_NUM(0x1p-61L, HALF * fabsl(q), HALF * fabsl(q)) + 0x1p-63L * fabsl(q));
     CHECK_EXACT(exact_acc(loft_fine_wide(x)), exact_fine(x), BY_NUM(0x1p-33L, 0, 0));
     const loft_real r = arb_real(a, 7);
     CHECK_EXACT(exact_fine(loft_fine_of(r)), exact_of(r), 0);
+}
+
+static void roots_are_within_their_bound(arb *a)
+{
+    loft_fine x = arb_fine(a, 1);
+    x = x < 0 ? -x : x;
+    const long double want = sqrtl(exact_fine(x)), bound = BY_NUM(0x1p-59L, 0x1p-52L * want, 0x1p-52L * want);
+
+    CHECK_EXACT(exact_fine(loft_fine_sqrt(x)), want, bound);
+    CHECK(!(loft_fine_sqrt(0) > 0) && !(loft_fine_sqrt(LOFT_FINE_1) < LOFT_FINE_1) && !(loft_fine_sqrt(LOFT_FINE_1 / 4) < LOFT_FINE_1 / 2));
+    const loft_unit t = arb_unit(a);
+    CHECK_EXACT(exact_fine(loft_fine_unit(t)), exact_unit(t), 0);
 }
 
 int main(void)
@@ -125,5 +139,6 @@ int main(void)
     PROPERTY(the_angle_of_a_vector_is_within_its_bound,        20000);
     PROPERTY(the_greatest_vectors_have_an_angle,                 200);
     PROPERTY(products_and_quotients_are_within_their_bound,    20000);
+    PROPERTY(roots_are_within_their_bound,                      5000);
     return check_failures();
 }

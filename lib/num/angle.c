@@ -12,7 +12,6 @@
 #include "num/angle.h"
 
 static loft_fine rest_of(loft_acc a, int32_t *quarters);        /* |rest| <= pi/4 and a little */
-static loft_fine share(loft_fine y, loft_fine x);               /* y / x, |y| <= |x| */
 
 #if LOFT_NUM == LOFT_Q16
 
@@ -32,6 +31,7 @@ static int64_t multiply(int64_t a, int64_t b)
 }
 
 loft_fine loft_fine_of(loft_real a)                     { return (loft_fine)a * ((loft_fine)1 << 44); }
+loft_fine loft_fine_unit(loft_unit t)                   { return (loft_fine)t * ((loft_fine)1 << 36); }
 loft_acc  loft_fine_wide(loft_fine x)                   { return (x / 134217728 + (x < 0 ? -1 : 1)) / 2; }
 loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return multiply(x, y); }
 loft_acc  loft_fine_scale(loft_acc a, loft_fine x)      { return multiply(a, x); }
@@ -59,10 +59,10 @@ loft_acc loft_fine_quot(loft_fine x, loft_fine y)
     return (x < 0) != (y < 0) ? -q : q;
 }
 
-static loft_fine share(loft_fine y, loft_fine x)
+loft_fine loft_fine_ratio(loft_acc x, loft_acc y)
 {
-    const uint64_t n = (uint64_t)(y < 0 ? -y : y), d = (uint64_t)(x < 0 ? -x : x);
-    const loft_fine q = n >= d ? LOFT_FINE_1 : (loft_fine)fraction(n, d, 60);
+    const uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)(y < 0 ? -y : y);
+    const loft_fine q = (loft_fine)((n / d << 60) + fraction(n % d, d, 60));
     return (x < 0) != (y < 0) ? -q : q;
 }
 
@@ -105,7 +105,8 @@ loft_acc  loft_fine_wide(loft_fine x)                   { return x; }
 loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return x * y; }
 loft_acc  loft_fine_scale(loft_acc a, loft_fine x)      { return a * x; }
 loft_acc  loft_fine_quot(loft_fine x, loft_fine y)      { return x / y; }
-static loft_fine share(loft_fine y, loft_fine x)        { return y / x; }
+loft_fine loft_fine_ratio(loft_acc x, loft_acc y)       { return x / y; }
+loft_fine loft_fine_unit(loft_unit t)                   { return (loft_fine)t; }
 
 /* pi/2 in two parts, the first with 33 bits: its product with a number of quarters to 2^20 is exact. */
 static loft_fine rest_of(loft_acc a, int32_t *quarters)
@@ -119,6 +120,20 @@ static loft_fine rest_of_fine(loft_fine x, int32_t *quarters) { return rest_of(x
 static void normalise(double *x, double *y) { (void)x; (void)y; }
 
 #endif
+
+/* Newton's method from above: each step is at least the root, and below the one before until it is met. */
+loft_fine loft_fine_sqrt(loft_fine x)
+{
+    loft_fine root = LOFT_FINE_1, next = (LOFT_FINE_1 + x) / 2;
+
+    if (!(x > 0))
+        return 0;
+    while (next < root) {
+        root = next;
+        next = (root + loft_fine_ratio(x, root)) / 2;
+    }
+    return root;
+}
 
 static loft_fine short_sine(loft_fine r)
 {
@@ -201,7 +216,7 @@ loft_fine loft_fine_atan2(loft_acc y, loft_acc x)
     normalise(&x, &y);
     for (int round = 0; round < 3; round++) {
         const loft_fine c = loft_fine_cos(angle), s = loft_fine_sin(angle);
-        const loft_fine q = share(loft_fine_scale(y, c) - loft_fine_scale(x, s), loft_fine_scale(x, c) + loft_fine_scale(y, s));
+        const loft_fine q = loft_fine_ratio(loft_fine_scale(y, c) - loft_fine_scale(x, s), loft_fine_scale(x, c) + loft_fine_scale(y, s));
         angle += q - loft_fine_mul(loft_fine_mul(q, q), q) / 3;
     }
     return angle > LOFT_FINE_PI ? LOFT_FINE_PI : angle < -LOFT_FINE_PI ? -LOFT_FINE_PI : angle;

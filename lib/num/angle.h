@@ -26,8 +26,9 @@ typedef double loft_fine;
 #endif
 
 /*   range   |a| < 8, |x| < 8
- *   error   of: none   wide: q16: 2^-33   f32, f64: none */
+ *   error   of, unit: none   wide: q16: 2^-33   f32, f64: none */
 loft_fine loft_fine_of(loft_real a);
+loft_fine loft_fine_unit(loft_unit t);
 loft_acc  loft_fine_wide(loft_fine x);
 
 /* An angle of any number of turns, within -pi..pi.
@@ -52,14 +53,18 @@ loft_fine loft_fine_cos(loft_fine x);
  */
 loft_fine loft_fine_atan2(loft_acc y, loft_acc x);
 
-/* Products and quotients.
+/* Products, quotients and roots. A quotient may be of two fine numbers or of two wide ones.
  *
- *   range   mul: |x y| < 8   scale: |a x| < 2^30   quot: y != 0, |x / y| < 2^30
- *   error   q16: mul 2^-61, scale 2^-33, quot 2^-33   f32, f64: 1/2 ulp of double
+ *   range   mul: |x y| < 8   scale: |a x| < 2^30   quot: y != 0, |x / y| < 2^30   ratio: y != 0, |x / y| < 7
+ *           sqrt: 0..1
+ *   error   q16: mul 2^-61, scale 2^-33, quot 2^-33, ratio 2^-61, sqrt 2^-59   f32, f64: 1/2 ulp of double, sqrt 1
+ *   cost    ratio: 60 rounds of shift and subtraction in q16; sqrt: 7 to 36 ratios
  */
 loft_fine loft_fine_mul(loft_fine x, loft_fine y);
 loft_acc  loft_fine_scale(loft_acc a, loft_fine x);
 loft_acc  loft_fine_quot(loft_fine x, loft_fine y);
+loft_fine loft_fine_ratio(loft_acc x, loft_acc y);
+loft_fine loft_fine_sqrt(loft_fine x);
 
 /* Sine, cosine and angle of wide numbers.
  *
