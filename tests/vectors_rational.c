@@ -1,7 +1,8 @@
-/* tests/vectors_rational.c -- readers of the rational curves
+/* tests/vectors_rational.c -- readers of the rational curves and of the arcs of the unit circle
  * SPDX-License-Identifier: MIT
  */
 #include "vectors.h"                /* row, answer, law */
+#include "curve/circle.h"
 #include "curve/rational.h"
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
@@ -124,9 +125,58 @@ static void rational_elevate(row *r)
     expect_weights(r, "wQ", out, c.n + 2, &c, 1);
 }
 
+/* The arm is one of the types' numbers, or the one that touches the circle. */
+static void arc_quarter(row *r)
+{
+    const bool touching = row_is(r, "lam_q16", "lambda0");
+    const loft_acc arm = touching ? loft_circle_arm() : loft_wide(row_real(r, "lam_q16"));
+    const long double l = fabsl(exact_acc(arm));
+    loft_real p[2] = { 0, 0 }, excess = 0;
+    answer *x = answer_new(), *y = answer_new(), *e = answer_new();
+
+    const enum loft_status status = loft_circle_quarter(arm, row_unit(r, "t_q16"), p, &excess);
+    answer_status(r, x, status);
+    answer_status(r, y, status);
+    answer_status(r, e, status);
+    answer_real(x, p[0]);
+    answer_real(y, p[1]);
+    answer_real(e, excess);
+    r->largest = 1 + l;
+    const law point = { .lsb = 0.5L + 1 / 32768.0L, .gain = 1, .roundings = 8 };
+    row_expect(r, "x", x, point);
+    row_expect(r, "y", y, point);
+    r->largest = 1 + l * l;
+    row_expect(r, "eps", e, (law) { .lsb = 0.5L + (1 + l) / 4096, .gain = 2 * (1 + l), .roundings = 16 });
+}
+
+static void arc_rational(row *r)
+{
+    const loft_real theta = row_real(r, "theta_q16");
+    const loft_unit t = row_unit(r, "t_q16");
+    loft_real distance = 0, weight = 0, p[2] = { 0, 0 };
+    answer *lambda = answer_new(), *omega = answer_new(), *x = answer_new(), *y = answer_new();
+
+    const enum loft_status status = loft_circle_over(theta, &distance, &weight);
+    answer_status(r, lambda, status);
+    answer_status(r, omega, status);
+    answer_status(r, x, loft_circle_over_eval(theta, t, p));
+    answer_real(lambda, distance);
+    answer_real(omega, weight);
+    answer_real(x, p[0]);
+    answer_real(y, p[1]);
+    const long double square = exact_of(distance) * exact_of(distance);
+    r->largest = 1;
+    row_expect(r, "lambda", lambda, (law) { .lsb = 0.5L + square * 0x1p-40L, .gain = 1, .roundings = 4 * (1 + square) });
+    row_expect(r, "omega", omega, (law) { .lsb = 0.5L + 1 / 65536.0L, .gain = 1, .roundings = 4 });
+    row_expect(r, "x", x, (law) { .lsb = 0.5L + 1 / 65536.0L, .gain = 1, .roundings = 4 });
+    row_expect(r, "y", y, (law) { .lsb = 0.5L + 1 / 65536.0L, .gain = 1, .roundings = 4 });
+}
+
 const vector_system vectors_rational[] = {
     { "rational_eval",    "n,d,P_q16,w_q16,t_q16,p,dp",      rational_eval,    "q16 1/2 + n R 2^-30 LSB, p' 0.501 LSB; floats 1/2 ulp + (6 n + 4) ulp of double" },
     { "rational_split",   "n,d,P_q16,w_q16,t_q16,L,wL,R,wR", rational_split,   "q16 1/2 + n R 2^-30 LSB; floats 1/2 ulp + (6 n + 4) ulp of double" },
     { "rational_elevate", "n,d,P_q16,w_q16,Q,wQ",            rational_elevate, "q16 1/2 + R 2^-30 LSB; floats 1/2 ulp + 10 ulp of double" },
+    { "arc_quarter",      "lam_q16,t_q16,x,y,eps",           arc_quarter,      "q16 1/2 LSB + 2^-15 LSB, eps 1/2 + (1 + lam) 2^-12 LSB; floats 1/2 ulp + 16 (1 + lam^2) ulp of double" },
+    { "arc_rational",     "theta_q16,t_q16,lambda,omega,x,y", arc_rational,    "q16 1/2 LSB + 2^-16 LSB, lambda 1/2 + lambda^2 2^-40 LSB; floats 1/2 ulp + 4 (1 + lambda^2) ulp of double" },
     { 0 }
 };

@@ -30,6 +30,7 @@ static int64_t multiply(int64_t a, int64_t b)
     return (a < 0) != (b < 0) ? -(int64_t)size : (int64_t)size;
 }
 
+bool      loft_fine_accepts(loft_real a)                { (void)a; return true; }
 loft_fine loft_fine_of(loft_real a)                     { return (loft_fine)a * ((loft_fine)1 << 44); }
 loft_fine loft_fine_unit(loft_unit t)                   { return (loft_fine)t * ((loft_fine)1 << 36); }
 loft_acc  loft_fine_wide(loft_fine x)                   { return (x / 134217728 + (x < 0 ? -1 : 1)) / 2; }
@@ -100,6 +101,7 @@ static void normalise(int64_t *x, int64_t *y)
 
 #define HALF_PI 1.5707963267948966
 
+bool      loft_fine_accepts(loft_real a)                { return (double)a < 0x1p400 && (double)a > -0x1p400; }
 loft_fine loft_fine_of(loft_real a)                     { return (loft_fine)a; }
 loft_acc  loft_fine_wide(loft_fine x)                   { return x; }
 loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return x * y; }

@@ -25,6 +25,9 @@ typedef double loft_fine;
 
 #endif
 
+/* Is a coordinate one to compute angles with? f32, f64: below 2^400. */
+bool loft_fine_accepts(loft_real a);
+
 /*   range   |a| < 8, |x| < 8
  *   error   of, unit: none   wide: q16: 2^-33   f32, f64: none */
 loft_fine loft_fine_of(loft_real a);

@@ -1,0 +1,312 @@
+/* lib/curve/circle.c -- arcs from what G-code and SVG say
+ * SPDX-License-Identifier: MIT
+ *
+ * An arc is kept as u and v, the way from the centre to its start and the derivative there with respect to the angle.
+ * u is exact when the centre is given, and sines have 58 bits, so a point errs by roundings of loft_acc (2^-33, a
+ * handful) and by the sweep: 2^-33 of it times the radius. The end is then off by as much, and by what the input was
+ * off; that remains as drift, in proportion to the angle. So both ends are met.
+ */
+#include "curve/circle.h"
+
+#define SAME_DIRECTION (LOFT_FINE_1 / 281474976710656)      /* 2^-48 */
+
+#define DEGREES_MAX LOFT_REAL(16384)
+
+typedef struct {
+    loft_acc x, y;
+} pair;
+
+/* Turned by the angle with that sine and cosine. */
+static pair turned(pair a, loft_fine cosine, loft_fine sine)
+{
+    const pair b = { loft_fine_scale(a.x, cosine) - loft_fine_scale(a.y, sine),
+                     loft_fine_scale(a.x, sine) + loft_fine_scale(a.y, cosine) };
+    return b;
+}
+
+/* The length of a vector whose angle is known: loft_acc_hypot has 28 bits, which are too few. */
+static loft_acc length(pair a, loft_fine angle)
+{
+    return loft_fine_scale(a.x, loft_fine_cos(angle)) + loft_fine_scale(a.y, loft_fine_sin(angle));
+}
+
+static loft_fine angle_of(pair a) { return loft_fine_atan2(a.y, a.x); }
+
+static bool accepted(loft_plane plane, int32_t turns)
+{
+    return plane.first != plane.second && plane.first < LOFT_AXES && plane.second < LOFT_AXES &&
+           turns != 0 && turns >= -LOFT_TURNS_MAX && turns <= LOFT_TURNS_MAX;
+}
+
+static bool finite(loft_vec a)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (!loft_fine_accepts(a.axis[i]))
+            return false;
+    return true;
+}
+
+/* b - a in the plane */
+static pair way(loft_vec a, loft_vec b, loft_plane plane)
+{
+    const pair d = { loft_wide(b.axis[plane.first]) - loft_wide(a.axis[plane.first]),
+                     loft_wide(b.axis[plane.second]) - loft_wide(a.axis[plane.second]) };
+    return d;
+}
+
+static bool is_zero(pair a) { return !(a.x < 0) && !(a.x > 0) && !(a.y < 0) && !(a.y > 0); }
+
+/* Points */
+
+/* Everything but the drift, at an angle. */
+static pair on_ellipse(const loft_circle *c, loft_acc angle)
+{
+    const loft_fine a = loft_fine_angle(angle), cosine = loft_fine_cos(a), sine = loft_fine_sin(a);
+    const pair p = { c->centre[0] + loft_fine_scale(c->u[0], cosine) + loft_fine_scale(c->v[0], sine),
+                     c->centre[1] + loft_fine_scale(c->u[1], cosine) + loft_fine_scale(c->v[1], sine) };
+    return p;
+}
+
+/* The rest of the arc when start, u, v, sweep and radius are known. */
+static void finish(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
+{
+    c->from = from;
+    c->to = to;
+    c->plane = plane;
+    c->centre[0] = loft_wide(from.axis[plane.first]) - c->u[0];
+    c->centre[1] = loft_wide(from.axis[plane.second]) - c->u[1];
+    for (int i = 0; i < LOFT_AXES; i++)
+        c->drift[i] = loft_wide(to.axis[i]) - loft_wide(from.axis[i]);
+    const pair end = on_ellipse(c, c->sweep);
+    c->drift[plane.first]  = loft_wide(to.axis[plane.first]) - end.x;
+    c->drift[plane.second] = loft_wide(to.axis[plane.second]) - end.y;
+}
+
+enum loft_status loft_circle_eval(const loft_circle *c, loft_unit t, loft_vec *out)
+{
+    loft_acc p[LOFT_AXES];
+
+    t = loft_unit_clamp(t);
+    const pair turn = on_ellipse(c, loft_acc_scale(c->sweep, t));
+    for (int i = 0; i < LOFT_AXES; i++)
+        p[i] = loft_wide(c->from.axis[i]) + loft_acc_scale(c->drift[i], t);
+    p[c->plane.first]  = turn.x + loft_acc_scale(c->drift[c->plane.first], t);
+    p[c->plane.second] = turn.y + loft_acc_scale(c->drift[c->plane.second], t);
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (!loft_acc_fits(p[i]))
+            return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES; i++)
+        out->axis[i] = t > 0 ? t < LOFT_UNIT(1) ? loft_acc_round(p[i]) : c->to.axis[i] : c->from.axis[i];
+    return LOFT_OK;
+}
+
+
+/* Centre */
+
+/* All turns but the first. */
+static loft_acc more_turns(int32_t turns)
+{
+    const int32_t whole = (turns > 0 ? turns : -turns) - 1;
+    return loft_fine_scale(loft_wide(loft_real_from_int(2 * whole)), LOFT_FINE_PI);
+}
+
+/* The angle from one direction to another, in the sense of `turns`, with its whole turns. */
+static loft_acc sweep_of(loft_fine from, loft_fine to, int32_t turns)
+{
+    loft_fine a = turns > 0 ? to - from : from - to;
+
+    if (a < SAME_DIRECTION)
+        a += 2 * LOFT_FINE_PI;
+    if (a < SAME_DIRECTION)
+        a += 2 * LOFT_FINE_PI;
+    return loft_fine_wide(a) + more_turns(turns);
+}
+
+static bool alike(loft_acc a, loft_acc b)
+{
+    const loft_acc off = a > b ? a - b : b - a;
+    return off <= loft_acc_ratio(a, 256) + 16 * loft_real_grain(a);
+}
+
+enum loft_status loft_circle_from_centre(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane, loft_vec centre, int32_t turns)
+{
+    if (!accepted(plane, turns))
+        return LOFT_ERR_ARG;
+    if (!finite(from) || !finite(to) || !finite(centre))
+        return LOFT_ERR_RANGE;
+
+    const pair start = way(centre, from, plane), end = way(centre, to, plane);
+    const loft_fine first = angle_of(start), last = angle_of(end);
+    const loft_acc radius = length(start, first);
+    if (is_zero(start) || !alike(radius, length(end, last)))
+        return LOFT_ERR_ARG;
+
+    const int side = turns > 0 ? 1 : -1;
+    c->u[0] = start.x;
+    c->u[1] = start.y;
+    c->v[0] = -side * start.y;
+    c->v[1] = side * start.x;
+    c->radius = radius;
+    c->sweep = sweep_of(first, last, turns);
+    finish(c, from, to, plane);
+    return LOFT_OK;
+}
+
+
+/* Radius and ellipse
+ *
+ * In the ellipse's own axes, each divided by its radius, the arc is one of the unit circle. There the way from the
+ * start to the chord's middle is (hx / rx, hy / ry) = q (cos p, sin p), the centre is s = sqrt(1 - q^2) to its side,
+ * and the arc is 2 asin q or the rest of the turn. */
+
+typedef struct {
+    pair      half;             /* in the ellipse's axes, not divided */
+    loft_acc  radius[2];
+    loft_fine p, q;
+    loft_acc  stretch;          /* of the radii, 1 where they reach */
+} chord;
+
+/* The direction of (hx / rx, hy / ry) is that of (hx ry, hy rx). */
+static loft_fine direction(const chord *d, const loft_real radii[2])
+{
+    if (!(radii[0] < radii[1]) && !(radii[0] > radii[1]))
+        return angle_of(d->half);
+    const pair a = { loft_acc_mul(loft_acc_ratio(d->half.x, 4), radii[1]), loft_acc_mul(loft_acc_ratio(d->half.y, 4), radii[0]) };
+    return angle_of(a);
+}
+
+/* p, and q or the stretch; false when the stretched radii do not fit. q is found in the axis that has more of it, and
+ * in fine numbers: where it is near 1, its error decides on the centre. */
+static bool measure(chord *d, const loft_real radii[2])
+{
+    const loft_acc one = loft_wide(LOFT_REAL(1)), larger = loft_wide(radii[0] > radii[1] ? radii[0] : radii[1]);
+
+    d->p = direction(d, radii);
+    const loft_fine cosine = loft_fine_cos(d->p), sine = loft_fine_sin(d->p);
+    const bool up = loft_fine_mul(sine, sine) > LOFT_FINE_1 / 2;
+    const loft_fine part = up ? (sine < 0 ? -sine : sine) : cosine < 0 ? -cosine : cosine;
+    const loft_acc way = up ? d->half.y : d->half.x, far = way < 0 ? -way : way, radius = loft_wide(radii[up]);
+
+    d->stretch = one;
+    d->q = LOFT_FINE_1;
+    if (far < 2 * radius)
+        d->q = loft_fine_ratio((loft_acc)loft_fine_ratio(far, radius), (loft_acc)part);
+    if (far >= 2 * radius || d->q > LOFT_FINE_1) {
+        const loft_acc reach = loft_fine_scale(radius, part);
+        if (!(reach > loft_acc_ratio(far, 536870912)))
+            return false;
+        d->q = LOFT_FINE_1;
+        d->stretch = loft_fine_quot(far, reach);
+        if (d->stretch > loft_fine_quot(loft_wide(LOFT_REAL_MAX), larger > one ? larger : one))
+            return false;
+    }
+    for (int i = 0; i < 2; i++)
+        d->radius[i] = loft_acc_mul(d->stretch, radii[i]);
+    return true;
+}
+
+/* A straight way is an arc of no radius whose drift is all of it. */
+static void straight(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
+{
+    c->u[0] = c->u[1] = c->v[0] = c->v[1] = c->radius = 0;
+    c->sweep = loft_wide(LOFT_REAL(1));
+    finish(c, from, to, plane);
+}
+
+/* u and v in the ellipse's axes, turned by its angle. The centre is to the left of the chord for a small arc to the
+ * left. */
+static void place(loft_circle *c, const chord *d, loft_fine cosine, loft_fine sine, bool large, bool left)
+{
+    const loft_fine side = loft_fine_sqrt(loft_fine_mul(LOFT_FINE_1 - d->q, LOFT_FINE_1 + d->q));
+    const loft_fine s = large == left ? -side : side;
+    const loft_fine along = loft_fine_cos(d->p), across = loft_fine_sin(d->p);
+    const loft_fine x = loft_fine_mul(s, across) - loft_fine_mul(d->q, along);
+    const loft_fine y = -loft_fine_mul(s, along) - loft_fine_mul(d->q, across);
+    const int way_round = left ? 1 : -1;
+    const pair u = { loft_fine_scale(d->radius[0], x), loft_fine_scale(d->radius[1], y) };
+    const pair v = { -way_round * loft_fine_scale(d->radius[0], y), way_round * loft_fine_scale(d->radius[1], x) };
+    const pair start = turned(u, cosine, sine), slope = turned(v, cosine, sine);
+
+    c->u[0] = start.x;
+    c->u[1] = start.y;
+    c->v[0] = slope.x;
+    c->v[1] = slope.y;
+    c->radius = d->radius[0] > d->radius[1] ? d->radius[0] : d->radius[1];
+    c->sweep = loft_fine_wide(2 * loft_fine_atan2((loft_acc)d->q, (loft_acc)(large ? -side : side)));
+}
+
+static bool size_of(loft_real radius, loft_real *size)
+{
+    const loft_acc x = radius < 0 ? -loft_wide(radius) : loft_wide(radius);
+
+    if (!loft_fine_accepts(radius) || !loft_acc_fits(x))
+        return false;
+    *size = loft_acc_round(x);
+    return true;
+}
+
+enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane, loft_real radius, int32_t turns)
+{
+    const bool large = radius < 0;
+    loft_real radii[2];
+    chord d;
+
+    if (!accepted(plane, turns))
+        return LOFT_ERR_ARG;
+    if (!finite(from) || !finite(to) || !size_of(radius, &radii[0]))
+        return LOFT_ERR_RANGE;
+    radii[1] = radii[0];
+    const pair whole = way(from, to, plane);
+    d.half.x = whole.x / 2;
+    d.half.y = whole.y / 2;
+    if (is_zero(whole) || !(radii[0] > 0) || !measure(&d, radii) || d.stretch > loft_wide(LOFT_REAL(1.00390625)))
+        return LOFT_ERR_ARG;
+    place(c, &d, LOFT_FINE_1, 0, large, turns > 0);
+    c->sweep += more_turns(turns);
+    finish(c, from, to, plane);
+    return LOFT_OK;
+}
+
+/* Quarters of a turn are taken off while they are exact. */
+static void turn_of(loft_real degrees, loft_fine *cosine, loft_fine *sine)
+{
+    const loft_real full = LOFT_REAL(360), quarter = LOFT_REAL(90);
+    int quarters = 0;
+
+    degrees -= full * (loft_real)loft_real_floor(loft_div(degrees, full));
+    for (; degrees >= quarter; degrees -= quarter)
+        quarters++;
+    const loft_fine a = loft_fine_mul(loft_fine_ratio(loft_wide(degrees), loft_wide(quarter)), LOFT_FINE_PI / 2);
+    const loft_fine c = loft_fine_cos(a), s = loft_fine_sin(a);
+    *cosine = quarters & 1 ? (quarters & 2 ? s : -s) : quarters & 2 ? -c : c;
+    *sine   = quarters & 1 ? (quarters & 2 ? -c : c) : quarters & 2 ? -s : s;
+}
+
+enum loft_status loft_circle_from_ellipse(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane,
+                                          const loft_real radii[2], loft_real degrees, bool large, int32_t turns)
+{
+    loft_fine cosine = LOFT_FINE_1, sine = 0;
+    loft_real size[2];
+    chord d;
+
+    if (!accepted(plane, turns) || turns > 1 || turns < -1)
+        return LOFT_ERR_ARG;
+    if (!finite(from) || !finite(to) || !size_of(radii[0], &size[0]) || !size_of(radii[1], &size[1]) ||
+        !(degrees >= -DEGREES_MAX && degrees <= DEGREES_MAX))
+        return LOFT_ERR_RANGE;
+    const pair whole = way(from, to, plane);
+    if (is_zero(whole) || !(size[0] > 0) || !(size[1] > 0)) {
+        straight(c, from, to, plane);
+        return LOFT_OK;
+    }
+    if (size[0] < size[1] || size[0] > size[1])
+        turn_of(degrees, &cosine, &sine);
+    d.half.x = whole.x / 2;
+    d.half.y = whole.y / 2;
+    d.half = turned(d.half, cosine, -sine);
+    if (!measure(&d, size))
+        return LOFT_ERR_RANGE;
+    place(c, &d, cosine, sine, large, turns > 0);
+    finish(c, from, to, plane);
+    return LOFT_OK;
+}

@@ -1,0 +1,223 @@
+/* lib/curve/circle_spans.c -- arcs cut into Bezier spans
+ * SPDX-License-Identifier: MIT
+ *
+ * A span of angle h has its inner points on the tangents at its ends, as many slopes away from them:
+ *
+ *     cubic            4/3 tan(h/4)                                 the middle lies on the circle
+ *     conic            tan(h/2)                        w = cos(h/2)
+ *     rational cubic   2 sin(h/2) / (1 + 2 cos(h/2))   w = (1 + 2 cos(h/2)) / 3, the conic elevated
+ *
+ * Error. The cubic leaves the circle by r 2/27 sin^6(h/4) / cos^2(h/4) <= 1.8143e-5 r h^6 for h <= pi/2; an ellipse is
+ * an affine image of the unit circle and moves nothing by more than its larger radius. The angle of the cubic at t
+ * is not t h but off by up to 2.01e-3 h^3; drift is linear in t, so a helix is off by 2.01e-3 h^2 of the drift of one
+ * span. In the conics it is 8.55e-3 h^2. Their weight is rounded by g / 2, g the distance of numbers at 256, of at
+ * least 181: that moves the curve by r sin^2(h/2) / cos(h/2) / 4 of it, less than r h^2 g / 4096.
+ */
+#include "curve/circle.h"
+
+#define SPANS_MAX ((uint32_t)1 << 20)
+#define OUTER LOFT_REAL(256)
+
+typedef struct {
+    loft_acc axis[LOFT_AXES];
+} wide_point;
+
+/* The part j/n of the way from 0 to x. */
+static loft_acc part(loft_acc x, uint32_t j, uint32_t n) { return loft_acc_lerp_at(0, x, j, n); }
+
+static loft_circle_place place_at(const loft_circle *c, uint32_t j, uint32_t n)
+{
+    const loft_fine a = loft_fine_angle(part(c->sweep, j, n)), cosine = loft_fine_cos(a), sine = loft_fine_sin(a);
+    const uint8_t plane[2] = { c->plane.first, c->plane.second };
+    loft_circle_place at;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        at.p[i] = loft_wide(c->from.axis[i]) + part(c->drift[i], j, n);
+    for (int i = 0; i < 2; i++) {
+        at.p[plane[i]] = c->centre[i] + loft_fine_scale(c->u[i], cosine) + loft_fine_scale(c->v[i], sine) + part(c->drift[plane[i]], j, n);
+        at.slope[i] = loft_fine_scale(c->v[i], cosine) - loft_fine_scale(c->u[i], sine);
+    }
+    for (int i = 0; i < LOFT_AXES && (j == 0 || j == n); i++)
+        at.p[i] = loft_wide(j ? c->to.axis[i] : c->from.axis[i]);
+    return at;
+}
+
+/* The inner point of the end `at`, ahead of it (sign 1) or behind (-1). */
+static wide_point inner(const loft_circle_spans *s, const loft_circle_place *at, int sign)
+{
+    const loft_circle *c = s->circle;
+    wide_point q;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        q.axis[i] = at->p[i] + sign * loft_fine_scale(loft_acc_ratio(c->drift[i], (int32_t)s->n), s->share);
+    q.axis[c->plane.first]  += sign * loft_fine_scale(at->slope[0], s->arm);
+    q.axis[c->plane.second] += sign * loft_fine_scale(at->slope[1], s->arm);
+    return q;
+}
+
+static bool fits(const loft_acc p[])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (!loft_acc_fits(p[i]))
+            return false;
+    return true;
+}
+
+static loft_vec rounded(const loft_acc p[])
+{
+    loft_vec v;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        v.axis[i] = loft_acc_round(p[i]);
+    return v;
+}
+
+
+/* How many spans */
+
+/* An upper bound of what n spans err, rounding of the points apart. */
+static loft_acc error_of(const loft_circle *c, enum loft_circle_kind kind, uint32_t n)
+{
+    const loft_unit h = loft_unit_from(loft_acc_round(loft_acc_ratio(c->sweep, (int32_t)n)) + LOFT_REAL_LSB);
+    const loft_acc drift = loft_acc_ratio(loft_acc_hypot(c->drift, LOFT_AXES), (int32_t)n);
+    loft_acc off, lag = loft_acc_scale(drift, kind == LOFT_CIRCLE_CUBIC ? LOFT_UNIT(0.0021) : LOFT_UNIT(0.0086));
+
+    if (kind == LOFT_CIRCLE_CUBIC) {
+        off = loft_acc_scale(c->radius, LOFT_UNIT(0.0000182));
+        for (int k = 0; k < 4; k++)
+            off = loft_acc_scale(off, h);
+    } else {
+        off = loft_acc_ratio(loft_acc_mul(c->radius, loft_acc_round(loft_real_grain(loft_wide(OUTER)))), 4096);
+    }
+    return loft_acc_scale(loft_acc_scale(off + lag, h), h);
+}
+
+/* The fewest spans of at most a quarter of a turn (and 2^-16 of one) with an error within `budget`; 0 for none. */
+static uint32_t count(const loft_circle *c, enum loft_circle_kind kind, loft_acc budget)
+{
+    const loft_acc quarters = loft_fine_scale(c->sweep, loft_fine_ratio((loft_acc)LOFT_FINE_1, (loft_acc)(LOFT_FINE_PI / 2)));
+    const int32_t whole = loft_acc_int(quarters + loft_wide(LOFT_REAL(0.499984741)));
+    uint32_t few = whole > 1 ? (uint32_t)whole : 1, many = few;
+
+    while (error_of(c, kind, many) > budget) {
+        few = many + 1;
+        many *= 2;
+        if (many > SPANS_MAX)
+            return 0;
+    }
+    while (few < many) {
+        const uint32_t middle = (few + many) / 2;
+        if (error_of(c, kind, middle) > budget)
+            few = middle + 1;
+        else
+            many = middle;
+    }
+    return many;
+}
+
+/* The largest coordinate that occurs. */
+static loft_acc extent(const loft_circle *c)
+{
+    loft_acc largest = c->radius;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc end[2] = { loft_wide(c->from.axis[i]), loft_wide(c->to.axis[i]) };
+        for (int k = 0; k < 2; k++)
+            if (end[k] > largest || -end[k] > largest)
+                largest = end[k] < 0 ? -end[k] : end[k];
+    }
+    return largest;
+}
+
+static void shape(loft_circle_spans *s)
+{
+    const loft_fine h = loft_fine_angle(loft_acc_ratio(s->circle->sweep, (int32_t)s->n));
+    const loft_fine sine = loft_fine_sin(h / 2), cosine = loft_fine_cos(h / 2), sum = LOFT_FINE_1 + 2 * cosine;
+
+    s->weight = LOFT_FINE_1;
+    s->share = LOFT_FINE_1 / 3;
+    if (s->kind == LOFT_CIRCLE_CUBIC) {
+        s->arm = loft_fine_ratio((loft_acc)(4 * loft_fine_sin(h / 4)), (loft_acc)(3 * loft_fine_cos(h / 4)));
+    } else if (s->kind == LOFT_CIRCLE_CONIC) {
+        s->arm = loft_fine_ratio((loft_acc)sine, (loft_acc)cosine);
+        s->weight = cosine;
+        s->share = LOFT_FINE_1 / 2;
+    } else {
+        s->arm = loft_fine_ratio((loft_acc)(2 * sine), (loft_acc)sum);
+        s->weight = sum / 3;
+        s->share = loft_fine_ratio((loft_acc)cosine, (loft_acc)sum);
+    }
+}
+
+static bool all_fit(const loft_circle_spans *s)
+{
+    loft_circle_place first = place_at(s->circle, 0, s->n);
+
+    for (uint32_t j = 1; j <= s->n; j++) {
+        const loft_circle_place last = place_at(s->circle, j, s->n);
+        const wide_point q1 = inner(s, &first, 1), q2 = inner(s, &last, -1);
+        if (!fits(q1.axis) || !fits(q2.axis) || !fits(last.p))
+            return false;
+        first = last;
+    }
+    return true;
+}
+
+enum loft_status loft_circle_spans_init(loft_circle_spans *s, const loft_circle *c, enum loft_circle_kind kind, loft_real tolerance)
+{
+    const loft_acc budget = loft_wide(tolerance) - 3 * loft_real_grain(extent(c));
+    loft_circle_spans made = { .circle = c, .next = 0, .kind = (uint8_t)kind };
+
+    if (!(budget > 0))
+        return LOFT_ERR_RANGE;
+    made.n = count(c, kind, budget);
+    if (made.n == 0)
+        return LOFT_ERR_RANGE;
+    shape(&made);
+    if (!all_fit(&made))
+        return LOFT_ERR_RANGE;
+    made.at = place_at(c, 0, made.n);
+    *s = made;
+    return LOFT_OK;
+}
+
+
+/* The spans */
+
+/* The two ends and the two inner points of the next span. */
+static void next_points(loft_circle_spans *s, loft_vec out[4])
+{
+    const loft_circle_place last = place_at(s->circle, ++s->next, s->n);
+    const wide_point q1 = inner(s, &s->at, 1), q2 = inner(s, &last, -1);
+
+    out[0] = rounded(s->at.p);
+    out[1] = rounded(q1.axis);
+    out[2] = rounded(q2.axis);
+    out[3] = rounded(last.p);
+    s->at = last;
+}
+
+bool loft_circle_spans_next(loft_circle_spans *s, loft_cubic *out)
+{
+    if (s->kind != LOFT_CIRCLE_CUBIC || s->next == s->n)
+        return false;
+    next_points(s, out->p);
+    return true;
+}
+
+bool loft_circle_spans_rational(loft_circle_spans *s, loft_weighted out[])
+{
+    loft_vec p[4];
+
+    if (s->kind == LOFT_CIRCLE_CUBIC || s->next == s->n)
+        return false;
+    next_points(s, p);
+    const loft_real weight = loft_acc_round(256 * loft_fine_wide(s->weight));
+    const int count_of = s->kind == LOFT_CIRCLE_CONIC ? 3 : 4;
+    for (int k = 0; k < count_of; k++) {
+        const bool outer = k == 0 || k == count_of - 1;
+        out[k].p = k == count_of - 1 ? p[3] : p[k];
+        out[k].w = outer ? OUTER : weight;
+    }
+    return true;
+}
