@@ -267,17 +267,14 @@ enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec
     return LOFT_OK;
 }
 
-/* Quarters of a turn are taken off while they are exact. */
+/* The nearest number of quarters of a turn is taken off, exactly. */
 static void turn_of(loft_real degrees, loft_fine *cosine, loft_fine *sine)
 {
-    const loft_real full = LOFT_REAL(360), quarter = LOFT_REAL(90);
-    int quarters = 0;
-
-    degrees -= full * (loft_real)loft_real_floor(loft_div(degrees, full));
-    for (; degrees >= quarter; degrees -= quarter)
-        quarters++;
-    const loft_fine a = loft_fine_mul(loft_fine_ratio(loft_wide(degrees), loft_wide(quarter)), LOFT_FINE_PI / 2);
+    const loft_acc quarter = loft_wide(LOFT_REAL(90));
+    const int32_t quarters = loft_acc_int(loft_acc_ratio(loft_wide(degrees), 90));
+    const loft_fine a = loft_fine_mul(loft_fine_ratio(loft_wide(degrees) - quarters * quarter, quarter), LOFT_FINE_PI / 2);
     const loft_fine c = loft_fine_cos(a), s = loft_fine_sin(a);
+
     *cosine = quarters & 1 ? (quarters & 2 ? s : -s) : quarters & 2 ? -c : c;
     *sine   = quarters & 1 ? (quarters & 2 ? -c : c) : quarters & 2 ? -s : s;
 }

@@ -51,7 +51,8 @@ typedef struct {
  * `turns` says the direction and how often the arc comes past its end: 1 is up to one turn from the plane's first
  * axis to the second (G3), -1 the other way (G2), -3 two whole turns more. Ends are finite coordinates.
  *
- * Errors of the arc itself, e: q16: 2^-32 of the radius + 2^-30   f32, f64: 2^-48 of the largest coordinate or radius */
+ * Errors of the arc itself, e: q16: 2^-32 of the radius + 2^-30   f32, f64: 2^-48 of the largest coordinate or radius
+ * and 2^-51 of the arc's length */
 
 /* The arc from..to around a centre, of which only the two coordinates in the plane count. Ends in the same direction
  * from the centre (to 2^-48) are a whole turn.
