@@ -5,6 +5,7 @@
  *   geom/     what a point is        loft_vec, loft_box
  *   basis/    weights                Bernstein polynomials, power form, Horner; sign: positive, convex
  *   curve/    one parameter          bezier: point, derivative, pieces   forward: exact walking   measure: flatten, length
+ *                                    hermite, cardinal, natural, parabola: through given points
  *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
  *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
  *   machine/  the controller         wire -> queue -> span -> step

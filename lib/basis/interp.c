@@ -28,14 +28,18 @@ static loft_exact weight(const loft_parabola *p, int i)
     return loft_exact_mul(loft_exact_from_real(p->f[i]), gap(p->t[k], p->t[j]));
 }
 
+/* D */
+static loft_exact spread(const loft_parabola *p)
+{
+    return loft_exact_mul(gap(p->t[0], p->t[1]), loft_exact_mul(gap(p->t[1], p->t[2]), gap(p->t[2], p->t[0])));
+}
+
 /* x / D * 2^shift, rounded to a coordinate if it fits */
 static bool over_spread(const loft_parabola *p, loft_exact x, int shift, loft_real *out)
 {
-    const loft_exact spread = loft_exact_mul(gap(p->t[0], p->t[1]),
-                                             loft_exact_mul(gap(p->t[1], p->t[2]), gap(p->t[2], p->t[0])));
     loft_acc y;
 
-    if (!loft_exact_quot(x, spread, shift, &y) || !loft_acc_fits(y))
+    if (!loft_exact_quot(x, spread(p), shift, &y) || !loft_acc_fits(y))
         return false;
     *out = loft_acc_round(y);
     return true;

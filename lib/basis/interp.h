@@ -12,7 +12,7 @@
 /* The parabola through three values
  * ---------------------------------
  * Everything is a quotient of whole numbers (num/exact.h) that is rounded once, however close the places
- * are to each other. Not for an ISR.
+ * are to each other. Not for an ISR; stack in q16 up to 2.5 kB, more than an ATmega328P has.
  *
  *     loft_parabola p;
  *     if (loft_parabola_init(&p, t, f) == LOFT_OK && loft_parabola_eval(&p, LOFT_REAL(2.5), &y) == LOFT_OK) ..
