@@ -51,11 +51,8 @@ enum loft_status loft_cubic_from_cardinal(const loft_vec p[4], loft_unit tension
     for (int i = 0; i < LOFT_AXES; i++) {
         ends(p, tension, i, e);
         loft_ends3_bernstein(e, c);
-        for (int k = 0; k < 4; k++) {
-            if (!loft_acc_fits(c[k]))
-                return LOFT_ERR_RANGE;
-            out->p[k].axis[i] = loft_acc_round(c[k]);
-        }
+        if (!loft_vec_round_axis(c, 4, i, out->p))
+            return LOFT_ERR_RANGE;
     }
     return LOFT_OK;
 }

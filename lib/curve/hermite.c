@@ -64,17 +64,6 @@ enum loft_status loft_hermite5_eval(const loft_hermite5 *h, loft_unit t, loft_ve
     return loft_hermite5_deriv(h, 0, t, out);
 }
 
-/* Column i of count control points */
-static bool take(const loft_acc c[], unsigned count, int i, loft_vec out[])
-{
-    for (unsigned k = 0; k < count; k++) {
-        if (!loft_acc_fits(c[k]))
-            return false;
-        out[k].axis[i] = loft_acc_round(c[k]);
-    }
-    return true;
-}
-
 enum loft_status loft_cubic_from_hermite(const loft_hermite *h, loft_cubic *out)
 {
     loft_acc e[4], c[4];
@@ -82,7 +71,7 @@ enum loft_status loft_cubic_from_hermite(const loft_hermite *h, loft_cubic *out)
     for (int i = 0; i < LOFT_AXES; i++) {
         ends3(h, i, e);
         loft_ends3_bernstein(e, c);
-        if (!take(c, 4, i, out->p))
+        if (!loft_vec_round_axis(c, 4, i, out->p))
             return LOFT_ERR_RANGE;
     }
     return LOFT_OK;
@@ -95,7 +84,7 @@ enum loft_status loft_bezier_from_hermite5(const loft_hermite5 *h, loft_vec out[
     for (int i = 0; i < LOFT_AXES; i++) {
         ends5(h, i, e);
         loft_ends5_bernstein(e, c);
-        if (!take(c, 6, i, out))
+        if (!loft_vec_round_axis(c, 6, i, out))
             return LOFT_ERR_RANGE;
     }
     return LOFT_OK;

@@ -238,11 +238,8 @@ enum loft_status loft_cubic_from_natural(const loft_natural *s, uint32_t i, loft
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         ends(s, i, axis, e);
         loft_ends3_bernstein(e, c);
-        for (int k = 0; k < 4; k++) {
-            if (!loft_acc_fits(c[k]))
-                return LOFT_ERR_RANGE;
-            out->p[k].axis[axis] = loft_acc_round(c[k]);
-        }
+        if (!loft_vec_round_axis(c, 4, axis, out->p))
+            return LOFT_ERR_RANGE;
     }
     return LOFT_OK;
 }

@@ -65,6 +65,17 @@ static inline bool loft_vec_round(const loft_acc x[LOFT_AXES], loft_vec *out)
     return true;
 }
 
+/* One axis of `count` points, rounded, if all fit; undefined otherwise. */
+static inline bool loft_vec_round_axis(const loft_acc x[], unsigned count, int axis, loft_vec out[])
+{
+    for (unsigned k = 0; k < count; k++) {
+        if (!loft_acc_fits(x[k]))
+            return false;
+        out[k].axis[axis] = loft_acc_round(x[k]);
+    }
+    return true;
+}
+
 /* Is every coordinate within -limit .. limit? */
 static inline bool loft_vec_within(loft_vec a, loft_real limit)
 {
