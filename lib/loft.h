@@ -35,6 +35,7 @@
 #include "curve/cardinal.h"
 #include "curve/forward.h"
 #include "curve/hermite.h"
+#include "curve/intersect.h"
 #include "curve/join.h"
 #include "curve/measure.h"
 #include "curve/natural.h"

@@ -61,6 +61,7 @@
 #define loft_bezier_from_parabola  LOFT_NAME(loft_bezier_from_parabola)
 #define loft_bezier_from_power     LOFT_NAME(loft_bezier_from_power)
 #define loft_bezier_init           LOFT_NAME(loft_bezier_init)
+#define loft_bezier_intersect      LOFT_NAME(loft_bezier_intersect)
 #define loft_bezier_nearest        LOFT_NAME(loft_bezier_nearest)
 #define loft_bezier_part           LOFT_NAME(loft_bezier_part)
 #define loft_bezier_power          LOFT_NAME(loft_bezier_power)

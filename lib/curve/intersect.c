@@ -1,0 +1,410 @@
+/* lib/curve/intersect.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Pairs of pieces, one of each curve, starting with both wholes. A pair whose hulls are more than tol / 2 apart
+ * is dropped: apart along an axis, or along the direction between the nearest points of the two chords (for any
+ * direction u, min <b_i, u> - max <a_i, u> is a lower bound). Otherwise one piece is halved, until both are
+ * straight: all control points within tol / 8 of the even steps along the chord, so that the curve is within tol / 8
+ * of the chord at the same parameter. Then the chords decide: with a distance of at most tol / 2 they meet. So
+ *
+ *     curves that meet    have chords within  tol / 4 < tol / 2       none is missed
+ *     chords that meet    have curves within  tol / 2 + tol / 4       none is invented
+ *
+ * and a quarter of tol is left on both sides for rounding.
+ *
+ * Chords. The distance of the point at sigma of one segment from the other segment is convex in sigma: halving by
+ * the sign of its slope finds the least. The slope is wrong where it is within d, the error of a foot, of
+ * null: at an angle theta the distance is then off by less than d / sin theta, and by less than L sin theta on
+ * a chord of length L anyway, so by less than sqrt(d L). With d = 4 grains (2^-30 in q16; 2^-43 L in f32) that is
+ * below tol / 8 for L <= tol^2 / (256 grains) and L <= 2^14 tol. A longer chord is halved first, unless the whole
+ * of it or of the other is within tol / 2: then they meet all along, and nothing has to be found. Even so L is
+ * kept below 2^18 tol, for a parameter on the chord is a loft_unit: 2^-24 L.
+ *
+ * The walk. Which of the two was halved on the way down is kept, one flag per level: a piece has at most
+ * LOFT_PIECE_LEVELS = 24 levels, hence at most 48 flags. At level 24 a piece is taken for straight. (It is: second
+ * differences are 2^-48 of 4 times the largest coordinate, 2^-31 in q16.)
+ *
+ * Stretches. The part of two chords within tol / 2 of each other is a convex set of (sigma, tau), and two such
+ * sets of neighbouring pairs meet on the common edge; joining those whose ranges touch makes the whole stretch. */
+#include "curve/intersect.h"
+#include "basis/pieces.h"   /* loft_piece, loft_bernstein_part */
+#include "geom/chord.h"     /* loft_chord_foot */
+
+#define STEPS ((uint32_t)1 << LOFT_PIECE_LEVELS)
+
+/* A curve and its current piece. */
+typedef struct {
+    const loft_bezier *b;
+    loft_piece n;
+    loft_acc   p[LOFT_AXES][LOFT_DEGREE_MAX + 1];
+    loft_acc   size;                /* its largest extent along an axis */
+    loft_chord chord;
+    bool       flat, straight;      /* as above: without, and with the limit of L */
+} side;
+
+typedef struct {
+    side a, b;
+    bool halved_a[2 * LOFT_PIECE_LEVELS];
+    unsigned depth;
+    loft_acc eighth, half;                  /* of tol                      */
+    loft_acc short_enough, long_enough;     /* the limits of L, as above   */
+} search;
+
+static loft_acc size_of(loft_acc x) { return x < 0 ? -x : x; }
+
+
+/* One piece */
+
+/* Are the control points within `limit` of the even steps along the chord? */
+static bool is_flat(const side *s, loft_acc limit)
+{
+    const unsigned n = s->b->degree;
+    loft_acc off[LOFT_AXES];
+
+    for (unsigned k = 1; k < n; k++) {
+        for (int i = 0; i < LOFT_AXES; i++)
+            off[i] = s->p[i][k] - loft_acc_lerp_at(s->p[i][0], s->p[i][n], k, n);
+        if (loft_acc_hypot(off, LOFT_AXES) > limit)
+            return false;
+    }
+    return true;
+}
+
+static void range_of(const side *s, int axis, loft_acc *low, loft_acc *high)
+{
+    *low = *high = s->p[axis][0];
+    for (unsigned k = 1; k <= s->b->degree; k++) {
+        if (s->p[axis][k] < *low)  *low  = s->p[axis][k];
+        if (s->p[axis][k] > *high) *high = s->p[axis][k];
+    }
+}
+
+static void cut(search *z, side *s)
+{
+    loft_acc c[LOFT_DEGREE_MAX + 1], low, high;
+
+    s->size = 0;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        for (unsigned k = 0; k <= s->b->degree; k++)
+            c[k] = loft_wide(s->b->p[k].axis[i]);
+        loft_bernstein_part(c, s->b->degree, loft_piece_from(s->n), loft_piece_to(s->n), s->p[i]);
+        s->chord.u[i] = s->p[i][s->b->degree] - s->p[i][0];
+        range_of(s, i, &low, &high);
+        if (high - low > s->size)
+            s->size = high - low;
+    }
+    loft_chord_aim(&s->chord);
+    const bool last = s->n.level == LOFT_PIECE_LEVELS;
+    s->flat     = last || (s->chord.length <= z->long_enough && is_flat(s, z->eighth));
+    s->straight = last || (s->chord.length <= z->short_enough && s->flat);
+}
+
+/* From x to the nearest point of the chord: x becomes that point, r where x was from there. */
+static void move_to_chord(const side *s, loft_acc x[], loft_acc r[])
+{
+    loft_acc w[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        w[i] = x[i] - s->p[i][0];
+    loft_chord_foot(&s->chord, w, r);
+    for (int i = 0; i < LOFT_AXES; i++)
+        x[i] -= r[i];
+}
+
+/* The extreme of <p_k - x, u> in the direction of u (sign 1) or against it (-1), but no less far than 0. */
+static loft_acc reach(const side *s, const loft_acc x[], const loft_unit u[], int32_t sign)
+{
+    loft_acc most = 0;
+
+    for (unsigned k = 0; k <= s->b->degree; k++) {
+        loft_acc along = 0;
+        for (int i = 0; i < LOFT_AXES; i++)
+            along += loft_acc_scale(s->p[i][k] - x[i], u[i]);
+        if (sign * along > most)
+            most = sign * along;
+    }
+    return most + loft_acc_scale(most, LOFT_UNIT(1.0 / 4194304));       /* |u| may be 1 +- 2^-23 */
+}
+
+
+/* A pair of pieces */
+
+static bool are_apart(const side *a, const side *b, loft_acc gap)
+{
+    loft_acc x[LOFT_AXES], y[LOFT_AXES], r[LOFT_AXES], low_a, high_a, low_b, high_b;
+    loft_unit u[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        range_of(a, i, &low_a, &high_a);
+        range_of(b, i, &low_b, &high_b);
+        if (low_b - high_a > gap || low_a - high_b > gap)
+            return true;
+        x[i] = b->p[i][0] + loft_acc_ratio(b->chord.u[i], 2);
+    }
+    move_to_chord(a, x, r);
+    move_to_chord(b, x, r);
+    for (int i = 0; i < LOFT_AXES; i++)
+        y[i] = x[i];
+    move_to_chord(a, x, r);                     /* r = y - x, from a to b */
+
+    const loft_acc m = loft_acc_hypot(r, LOFT_AXES);
+    if (m <= gap)
+        return false;
+    for (int i = 0; i < LOFT_AXES; i++)
+        u[i] = loft_unit_ratio(r[i], m);
+    return m - reach(a, x, u, 1) - reach(b, y, u, -1) - 4 * loft_hypot_grain(m) > gap;
+}
+
+/* The distance of the point at sigma of a's chord from b's chord, where on it, and the slope along a. */
+static loft_acc gap_at(const side *a, const side *b, loft_unit sigma, loft_unit *tau, loft_acc *slope)
+{
+    loft_acc w[LOFT_AXES], r[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        w[i] = a->p[i][0] + loft_acc_scale(a->chord.u[i], sigma) - b->p[i][0];
+    const loft_acc at = loft_chord_foot(&b->chord, w, r);
+    *tau = at <= 0 ? 0 : at < b->chord.length ? loft_unit_ratio(at, b->chord.length) : LOFT_UNIT(1);
+    *slope = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        *slope += loft_acc_scale(r[i], a->chord.toward[i]);
+    return loft_acc_hypot(r, LOFT_AXES);
+}
+
+static bool is_near(const side *a, const side *b, loft_unit sigma, loft_acc gap)
+{
+    loft_unit tau;
+    loft_acc slope;
+    return gap_at(a, b, sigma, &tau, &slope) <= gap;
+}
+
+/* Is all of a's chord near b's? It is if both its ends are. */
+static bool is_along(const side *a, const side *b, loft_acc gap)
+{
+    return is_near(a, b, 0, gap) && is_near(a, b, LOFT_UNIT(1), gap);
+}
+
+/* The least distance of the two chords, and where. */
+static loft_acc closest(const side *a, const side *b, loft_unit *sigma, loft_unit *tau)
+{
+    uint32_t low = 0, high = STEPS;
+    loft_acc slope;
+
+    while (high - low > 1) {
+        const uint32_t middle = low + (high - low) / 2;
+        gap_at(a, b, loft_unit_of(middle, STEPS), tau, &slope);
+        if (slope > 0)
+            high = middle;
+        else
+            low = middle;
+    }
+    *sigma = loft_unit_of(low, STEPS);
+    const loft_acc left = gap_at(a, b, *sigma, tau, &slope), right = gap_at(a, b, loft_unit_of(high, STEPS), tau, &slope);
+    if (right < left) {
+        *sigma = loft_unit_of(high, STEPS);
+        return right;
+    }
+    return gap_at(a, b, *sigma, tau, &slope);
+}
+
+/* From sigma, which is near, on to `end`: the last parameter that is, and 2^-10 of the way more. */
+static loft_unit near_until(const side *a, const side *b, loft_unit sigma, loft_unit end, loft_acc gap)
+{
+    if (is_near(a, b, end, gap))
+        return end;
+    for (int round = 0; round < 10; round++) {
+        const loft_unit middle = sigma + (end - sigma) / 2;
+        if (is_near(a, b, middle, gap))
+            sigma = middle;
+        else
+            end = middle;
+    }
+    return end;
+}
+
+
+/* Crossings */
+
+static bool touch(loft_unit from, loft_unit to, loft_unit other_from, loft_unit other_to)
+{
+    const loft_unit slack = LOFT_UNIT(1.0 / 1048576);
+    return from <= other_to + slack && other_from <= to + slack;
+}
+
+static void extend(loft_unit *from, loft_unit *to, loft_unit other_from, loft_unit other_to)
+{
+    if (other_from < *from) *from = other_from;
+    if (other_to > *to)     *to   = other_to;
+}
+
+/* c becomes the crossing that c and other make together. */
+static void unite(loft_crossing *c, const loft_crossing *other)
+{
+    loft_crossing both = other->distance < c->distance ? *other : *c;
+
+    extend(&both.s_from, &both.s_to, c->s_from, c->s_to);
+    extend(&both.s_from, &both.s_to, other->s_from, other->s_to);
+    extend(&both.t_from, &both.t_to, c->t_from, c->t_to);
+    extend(&both.t_from, &both.t_to, other->t_from, other->t_to);
+    *c = both;
+}
+
+/* Take in all that c touches, then c itself, where s has it. False when there is no room. */
+static bool add(loft_crossing c, loft_crossing out[], size_t room, size_t *count)
+{
+    size_t k = 0;
+
+    while (k < *count) {
+        if (touch(c.s_from, c.s_to, out[k].s_from, out[k].s_to) && touch(c.t_from, c.t_to, out[k].t_from, out[k].t_to)) {
+            unite(&c, &out[k]);
+            for (--*count; k < *count; k++)
+                out[k] = out[k + 1];
+            k = 0;
+        } else {
+            k++;
+        }
+    }
+    if (*count == room)
+        return false;
+    for (k = (*count)++; k > 0 && out[k - 1].s > c.s; k--)
+        out[k] = out[k - 1];
+    out[k] = c;
+    return true;
+}
+
+/* The chords of the current pair, if they meet. False when there is no room. */
+static bool meet(const search *z, loft_crossing out[], size_t room, size_t *count)
+{
+    const side *a = &z->a, *b = &z->b;
+    const loft_acc gap = z->half;
+    loft_crossing c;
+    loft_unit sigma, tau;
+    loft_acc dot = 0;
+
+    c.distance = a->chord.length <= b->chord.length ? closest(a, b, &sigma, &tau) : closest(b, a, &tau, &sigma);
+    if (c.distance > gap)
+        return true;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc x = a->p[i][0] + loft_acc_scale(a->chord.u[i], sigma), y = b->p[i][0] + loft_acc_scale(b->chord.u[i], tau);
+        c.point.axis[i] = loft_acc_round(loft_acc_ratio(x + y, 2));
+        dot += loft_acc_scale(loft_acc_scale(loft_wide(LOFT_REAL(1)), a->chord.toward[i]), b->chord.toward[i]);
+    }
+    c.s       = loft_piece_at(a->n, sigma);
+    c.t       = loft_piece_at(b->n, tau);
+    c.s_from  = loft_piece_at(a->n, near_until(a, b, sigma, 0, gap));
+    c.s_to    = loft_piece_at(a->n, near_until(a, b, sigma, LOFT_UNIT(1), gap));
+    c.t_from  = loft_piece_at(b->n, near_until(b, a, tau, 0, gap));
+    c.t_to    = loft_piece_at(b->n, near_until(b, a, tau, LOFT_UNIT(1), gap));
+    c.along   = dot >= 0;
+    c.overlap = false;
+    return add(c, out, room, count);
+}
+
+/* Curves that are the same for a while are so until one of them ends. Which way the second runs is seen from the
+ * ends of a long stretch: where the first turns back within tol, its direction at one place says little. */
+static void judge(const search *z, loft_crossing *c, loft_acc least)
+{
+    const loft_vec from = loft_bezier_eval(z->a.b, c->s_from), to = loft_bezier_eval(z->a.b, c->s_to);
+    const loft_vec middle = loft_bezier_eval(z->a.b, c->s_from + (c->s_to - c->s_from) / 2);
+    const loft_vec t_from = loft_bezier_eval(z->b.b, c->t_from), t_to = loft_bezier_eval(z->b.b, c->t_to);
+    const loft_acc straight = loft_vec_distance(from, t_from) + loft_vec_distance(to, t_to);
+    const loft_acc crossed = loft_vec_distance(from, t_to) + loft_vec_distance(to, t_from);
+    const bool along = straight < crossed || (straight <= crossed && c->along);
+
+    const bool starts = !(c->s_from > 0) || (along ? !(c->t_from > 0) : !(c->t_to < LOFT_UNIT(1)));
+    const bool ends = !(c->s_to < LOFT_UNIT(1)) || (along ? !(c->t_to < LOFT_UNIT(1)) : !(c->t_from > 0));
+
+    c->overlap = starts && ends && (loft_vec_distance(from, to) > least || loft_vec_distance(from, middle) > least);
+    if (c->overlap)
+        c->along = along;
+}
+
+
+/* The walk */
+
+/* Halve the piece that needs it, the larger one if both do. False if neither does. */
+static bool descend(search *z)
+{
+    side *a = &z->a, *b = &z->b;
+
+    if ((a->straight && b->straight) || (a->flat && b->flat && (is_along(a, b, z->half) || is_along(b, a, z->half))))
+        return false;
+    const bool halve_a = !a->straight && (b->straight || a->size >= b->size);
+    side *s = halve_a ? a : b;
+
+    z->halved_a[z->depth++] = halve_a;
+    s->n = loft_piece_half(s->n, 0);
+    cut(z, s);
+    return true;
+}
+
+/* On to the pair that follows the current one and what is below it; false when there is none. */
+static bool ascend(search *z)
+{
+    for (; z->depth; z->depth--) {
+        side *s = z->halved_a[z->depth - 1] ? &z->a : &z->b;
+        if (s->n.k % 2 == 0) {
+            s->n.k++;
+            cut(z, &z->a);
+            cut(z, &z->b);
+            return true;
+        }
+        s->n.k /= 2;
+        s->n.level--;
+    }
+    return false;
+}
+
+static bool walk(search *z, loft_crossing out[], size_t room, size_t *count)
+{
+    cut(z, &z->a);
+    cut(z, &z->b);
+    do {
+        while (!are_apart(&z->a, &z->b, z->half))
+            if (!descend(z)) {
+                if (!meet(z, out, room, count))
+                    return false;
+                break;
+            }
+    } while (ascend(z));
+    return true;
+}
+
+static loft_acc largest(const loft_bezier *b, loft_acc most)
+{
+    for (unsigned k = 0; k <= b->degree; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (size_of(loft_wide(b->p[k].axis[i])) > most)
+                most = size_of(loft_wide(b->p[k].axis[i]));
+    return most;
+}
+
+enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *b, loft_real tol,
+                                       loft_crossing out[], size_t room, size_t *count)
+{
+    const loft_acc wide = loft_wide(tol), size = largest(b, largest(a, 0)), grain = loft_acc_grain(size);
+    search z;
+
+    *count = 0;
+    if (!(tol > 0))
+        return LOFT_ERR_ARG;
+    if (!loft_real_valid(tol) || wide < 2 * loft_real_grain(size) || wide < 16384 * grain)
+        return LOFT_ERR_RANGE;
+
+    z.a.b = a;
+    z.b.b = b;
+    z.a.n.k = z.b.n.k = 0;
+    z.a.n.level = z.b.n.level = 0;
+    z.depth = 0;
+    z.eighth = loft_acc_ratio(wide, 8);
+    z.half   = loft_acc_ratio(wide, 2);
+    z.long_enough = tol < LOFT_REAL(2048) ? 262144 * wide : loft_wide(LOFT_REAL_MAX);
+    z.short_enough = loft_acc_mul(wide, wide > 4194304 * grain ? LOFT_REAL(16384) : loft_acc_quot(wide, 256 * grain));
+
+    const bool complete = walk(&z, out, room, count);
+    bool overlaps = false;
+    for (size_t k = 0; k < *count; k++) {
+        judge(&z, &out[k], 4 * wide);
+        overlaps = overlaps || out[k].overlap;
+    }
+    return !complete ? LOFT_MORE : overlaps ? LOFT_SINGULAR : LOFT_OK;
+}
