@@ -88,7 +88,9 @@ static int head_cubic(reading *r)
 static int head_tension(reading *r)
 {
     r->now->degree = 3;
-    return numbers_alone(r, &r->now->tension, 1) >= 0 ? 0 : wrong(r, "not a tension", "give one number, or nothing for 0 (Catmull-Rom)");
+    if (numbers_alone(r, &r->now->tension, 1) < 0 || fabs(r->now->tension) > 60)
+        return wrong(r, "not a tension", "give a number from -60 to 60, or nothing for 0 (Catmull-Rom)");
+    return 0;
 }
 
 static int head_natural(reading *r)
@@ -246,6 +248,15 @@ static int knots_of(curve *c)
     return 0;
 }
 
+/* More equal knots would cut off a point from the curve. */
+static bool too_many_alike(const curve *c)
+{
+    for (unsigned i = 0; i < c->count; i++)
+        if (!(c->knot[i] < c->knot[i + c->degree + 1]))
+            return true;
+    return false;
+}
+
 static int check_knots(const reading *r, curve *c)
 {
     char words[96];
@@ -260,6 +271,8 @@ static int check_knots(const reading *r, curve *c)
         snprintf(words, sizeof words, "%u knots for %u points of degree %u", c->knot_count, c->count, c->degree);
         return wrong(r, words, "give as many as points + degree + 1, or none");
     }
+    if (too_many_alike(c))
+        return wrong(r, "too many equal knots", "give each at most degree + 1 times");
     if (!(c->knot[c->degree] < c->knot[c->count]))
         return wrong(r, "knots that leave no curve", "let those behind the first `degree` ascend");
     return 0;

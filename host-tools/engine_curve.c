@@ -6,9 +6,15 @@
  */
 #include <stdlib.h>
 
+#include "basis/interp.h"           /* loft_parabola */
 #include "curve/bezier.h"           /* loft_bezier */
+#include "curve/cardinal.h"         /* loft_cardinal_eval */
 #include "curve/forward.h"          /* loft_forward */
+#include "curve/hermite.h"          /* loft_hermite */
+#include "curve/natural.h"          /* loft_natural */
+#include "curve/parabola.h"         /* loft_bezier_from_parabola */
 #include "curve/rational.h"         /* loft_rational */
+#include "curve/rational_walk.h"    /* loft_rational_walk */
 
 #include "curve.h"
 #include "engine_num.h"     /* real_of, vec_of, point_of */
@@ -18,7 +24,11 @@
 struct engine_curve {
     const curve *c;
     loft_vec *p;
-    loft_real *w;
+    loft_real *w;                   /* weights; of a parabola: its parameters */
+    loft_vec (*d)[2];
+    loft_unit tension;
+    loft_natural natural;
+    loft_natural_knot *memory;      /* of `natural` */
 };
 
 /* A piece in the number type. */
@@ -37,19 +47,24 @@ static void curve_close(engine_curve *e)
 {
     free(e->p);
     free(e->w);
+    free(e->d);
+    free(e->memory);
     free(e);
 }
 
-/* Points and weights in the number type. */
+/* What stands in the file, in the number type. */
 static int hold(engine_curve *e)
 {
     const curve *c = e->c;
 
     e->p = tool_grow(NULL, c->count * sizeof *e->p);
     e->w = tool_grow(NULL, c->count * sizeof *e->w);
+    e->d = tool_grow(NULL, c->count * sizeof *e->d);
     for (unsigned i = 0; i < c->count; i++)
-        if (!vec_of(c->point[i].p, &e->p[i]) || !real_of(c->point[i].w, &e->w[i]))
+        if (!vec_of(c->point[i].p, &e->p[i]) || !vec_of(c->point[i].d[0], &e->d[i][0]) || !vec_of(c->point[i].d[1], &e->d[i][1])
+            || !real_of(c->point[i].w, &e->w[i]))
             return LOFT_ERR_RANGE;
+    e->tension = LOFT_UNIT(c->tension);
     return LOFT_OK;
 }
 
@@ -59,10 +74,11 @@ static int prepare(engine_curve *e)
 
     if (status != LOFT_OK)
         return status;
-    switch (e->c->kind) {
-    case CURVE_BEZIER: case CURVE_LINE: case CURVE_RATIONAL: return LOFT_OK;
-    default:                                                 return LOFT_ERR_ARG;
+    if (e->c->kind == CURVE_NATURAL || e->c->kind == CURVE_CHORD) {
+        e->memory = tool_grow(NULL, e->c->count * sizeof *e->memory);
+        return loft_natural_init(&e->natural, e->p, (uint16_t)e->c->count, e->c->kind == CURVE_CHORD ? LOFT_CHORD : LOFT_UNIFORM, e->memory);
     }
+    return e->c->kind == CURVE_BSPLINE || e->c->kind == CURVE_NURBS || e->c->kind == CURVE_ARC ? LOFT_ERR_ARG : LOFT_OK;
 }
 
 static int curve_open(const curve *c, engine_curve **out)
@@ -90,14 +106,55 @@ static void take(const engine_curve *e, unsigned first, part *out)
     }
 }
 
+static loft_hermite hermite_of(const engine_curve *e, unsigned i)
+{
+    return (loft_hermite){ e->p[i], e->p[i + 1], e->d[i][0], e->d[i + 1][0] };
+}
+
+static loft_hermite5 hermite5_of(const engine_curve *e, unsigned i)
+{
+    return (loft_hermite5){ e->p[i], e->p[i + 1], e->d[i][0], e->d[i + 1][0], e->d[i][1], e->d[i + 1][1] };
+}
+
+/* What the library makes of it: a cubic. */
+static int cubic_of(const engine_curve *e, unsigned i, loft_cubic *out)
+{
+    const loft_hermite h = e->c->kind == CURVE_HERMITE3 ? hermite_of(e, i) : (loft_hermite){ .p0 = e->p[0] };
+
+    switch (e->c->kind) {
+    case CURVE_HERMITE3: return loft_cubic_from_hermite(&h, out);
+    case CURVE_CARDINAL: return loft_cubic_from_cardinal(&e->p[i], e->tension, out);
+    default:             return loft_cubic_from_natural(&e->natural, (uint16_t)i, out);
+    }
+}
+
 static int part_of(const engine_curve *e, unsigned i, part *out)
 {
+    loft_hermite5 h;
+    loft_cubic cubic;
+    int status;
+
     out->degree   = e->c->degree;
     out->rational = curve_is_rational(e->c);
     switch (e->c->kind) {
-    case CURVE_BEZIER: case CURVE_RATIONAL: take(e, 0, out); return LOFT_OK;
-    case CURVE_LINE:                        take(e, i, out); return LOFT_OK;
-    default:                                return LOFT_ERR_ARG;
+    case CURVE_BEZIER: case CURVE_RATIONAL:
+        take(e, 0, out);
+        return LOFT_OK;
+    case CURVE_LINE:
+        take(e, i, out);
+        return LOFT_OK;
+    case CURVE_PARABOLA:
+        return loft_bezier_from_parabola(e->w, e->p, e->w[0], e->w[2], out->p);
+    case CURVE_HERMITE5:
+        h = hermite5_of(e, i);
+        return loft_bezier_from_hermite5(&h, out->p);
+    case CURVE_HERMITE3: case CURVE_CARDINAL: case CURVE_NATURAL: case CURVE_CHORD:
+        status = cubic_of(e, i, &cubic);
+        for (int k = 0; k < 4; k++)
+            out->p[k] = cubic.p[k];
+        return status;
+    default:
+        return LOFT_ERR_ARG;
     }
 }
 
@@ -141,6 +198,23 @@ static int eval_rational(const loft_weighted p[], unsigned degree, double t, lof
     return status;
 }
 
+static int eval_parabola(const engine_curve *e, double t, loft_vec *out)
+{
+    int status = LOFT_OK;
+    loft_real at;
+
+    if (!real_of(t, &at))
+        return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES && status == LOFT_OK; i++) {
+        const loft_real f[3] = { e->p[0].axis[i], e->p[1].axis[i], e->p[2].axis[i] };
+        loft_parabola p;
+        status = loft_parabola_init(&p, e->w, f);
+        if (status == LOFT_OK)
+            status = loft_parabola_eval(&p, at, &out->axis[i]);
+    }
+    return status;
+}
+
 static int eval_part(const engine_curve *e, unsigned i, double t, loft_vec *out)
 {
     part s;
@@ -149,6 +223,28 @@ static int eval_part(const engine_curve *e, unsigned i, double t, loft_vec *out)
     if (status != LOFT_OK)
         return status;
     return s.rational ? eval_rational(s.weighted, s.degree, t, out) : eval_bezier(s.p, s.degree, t, out);
+}
+
+/* At `local` within piece i, by the function that evaluates this kind. */
+static int eval_at(const engine_curve *e, unsigned i, double local, loft_vec *out)
+{
+    loft_hermite h;
+    loft_hermite5 h5;
+
+    switch (e->c->kind) {
+    case CURVE_HERMITE3:
+        h = hermite_of(e, i);
+        return loft_hermite_eval(&h, LOFT_UNIT(local), out);
+    case CURVE_HERMITE5:
+        h5 = hermite5_of(e, i);
+        return loft_hermite5_eval(&h5, LOFT_UNIT(local), out);
+    case CURVE_CARDINAL:
+        return loft_cardinal_eval(&e->p[i], e->tension, LOFT_UNIT(local), out);
+    case CURVE_NATURAL: case CURVE_CHORD:
+        return loft_natural_eval(&e->natural, (uint16_t)i, LOFT_UNIT(local), out);
+    default:
+        return eval_part(e, i, local, out);
+    }
 }
 
 static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
@@ -160,7 +256,7 @@ static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
     if (!inside && !curve_extends(e->c))
         return LOFT_ERR_ARG;
     const unsigned i = curve_locate(e->c, (long double)t, &local);
-    const int status = eval_part(e, i, (double)local, &at);
+    const int status = e->c->kind == CURVE_PARABOLA ? eval_parabola(e, t, &at) : eval_at(e, i, (double)local, &at);
     if (status == LOFT_OK)
         point_of(at, out);
     return status;
@@ -178,6 +274,7 @@ static void give(engine_point_sink *sink, void *context, loft_vec at)
     sink(context, point);
 }
 
+/* LOFT_ERR_RANGE: too many steps for this walk; nothing was given then. */
 static int walk_bezier(const part *s, uint32_t n, engine_point_sink *sink, void *context)
 {
     loft_bezier b;
@@ -192,30 +289,59 @@ static int walk_bezier(const part *s, uint32_t n, engine_point_sink *sink, void 
     return status;
 }
 
-/* Point by point, for what the library does not walk. */
+static int walk_strict(const part *s, uint32_t n, engine_point_sink *sink, void *context)
+{
+    loft_bezier b;
+    loft_forward_strict w;
+    loft_vec at;
+    int status = loft_bezier_init(&b, s->p, s->degree);
+
+    if (status == LOFT_OK)
+        status = loft_forward_strict_init(&w, &b, n);
+    while (status == LOFT_OK && loft_forward_strict_next(&w, &at))
+        give(sink, context, at);
+    return status;
+}
+
+static int walk_rational(const part *s, uint32_t n, engine_point_sink *sink, void *context)
+{
+    loft_rational_walk w;
+    loft_rational r;
+    loft_vec at;
+    int status = loft_rational_init(&r, s->weighted, s->degree);
+
+    if (status == LOFT_OK)
+        status = loft_rational_walk_init(&w, &r, n);
+    while (status == LOFT_OK && loft_rational_walk_next(&w, &at))
+        give(sink, context, at);
+    return status;
+}
+
+/* Point by point: degrees and counts of steps that the library does not walk. */
 static int step_through(const part *s, uint32_t n, engine_point_sink *sink, void *context)
 {
     loft_rational r;
     loft_bezier b;
     int status = s->rational ? loft_rational_init(&r, s->weighted, s->degree) : loft_bezier_init(&b, s->p, s->degree);
 
-    if (n == 0)
-        status = LOFT_ERR_ARG;
-    for (uint32_t j = 1; status == LOFT_OK && j != 0 && j <= n; j++)
-        give(sink, context, s->rational ? loft_rational_eval(&r, loft_unit_of(j, n)) : loft_bezier_eval(&b, loft_unit_of(j, n)));
+    for (uint32_t j = 0; status == LOFT_OK && j < n; j++)
+        give(sink, context, s->rational ? loft_rational_eval(&r, loft_unit_of(j + 1, n)) : loft_bezier_eval(&b, loft_unit_of(j + 1, n)));
     return status;
 }
 
 static int curve_walk(engine_curve *e, unsigned i, uint32_t n, engine_point_sink *sink, void *context)
 {
     part s;
-    const int status = part_of(e, i, &s);
+    int status = part_of(e, i, &s);
 
     if (status != LOFT_OK)
         return status;
-    if (!s.rational && s.degree <= LOFT_FORWARD_DEGREE_MAX)
-        return walk_bezier(&s, n, sink, context);
-    return step_through(&s, n, sink, context);
+    if (s.degree > LOFT_FORWARD_DEGREE_MAX)
+        return step_through(&s, n, sink, context);
+    status = s.rational ? walk_rational(&s, n, sink, context) : walk_bezier(&s, n, sink, context);
+    if (status == LOFT_ERR_RANGE && !s.rational)
+        status = walk_strict(&s, n, sink, context);
+    return status == LOFT_ERR_RANGE ? step_through(&s, n, sink, context) : status;
 }
 
 const engine_curves ENGINE_OF(engine_curves) = {
