@@ -4,13 +4,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "curve.h"
 #include "plot.h"
 #include "tool.h"
 
 static int print_result(const plot_options *o, const plot_result *found)
 {
     if (o->r == NULL)
-        return printf("%s: %zu curves\n", o->output, o->d->count) < 0 ? EX_IOERR : EX_OK;
+        return printf("%s: %zu curves\n", o->output, o->d->of ? o->d->of->count : o->d->count) < 0 ? EX_IOERR : EX_OK;
     return printf("%s: %zu curves, %zu pulses with the pen down, path error %.4f mm at worst, at %.3f,%.3f, %.4f mm on average\n",
                   o->output, o->d->count, found->drawing_pulses, found->worst, found->worst_point[0], found->worst_point[1],
                   found->mean) < 0 ? EX_IOERR : EX_OK;
@@ -41,13 +42,14 @@ static int run(const tool_command *self, int argc, char **argv)
 {
     const char *record_file = NULL;
     tool_list part = { .count = 0 };
-    plot_options o = { .error = PLOT_NO_ERROR, .output = "plot.png" };
+    plot_options o = { .error = PLOT_NO_ERROR, .comb = PLOT_NO_COMB, .output = "plot.png" };
     int first;
 
     const tool_option options[] = {
         TOOL_TEXT("output", "FILE", &o.output, "or -o: picture to write, .png .svg or .pdf (plot.png)"),
         TOOL_TEXT("record", "FILE", &record_file, "pulses written by `loft simulate --record`: what was really drawn"),
-        TOOL_SWITCH("control", &o.control, "draw the control polygons"),
+        TOOL_SWITCH("control", &o.control, "draw the control polygons, and the knots of splines"),
+        TOOL_MAYBE("comb", "SCALE", &o.comb, 1e-6, 1e9, "draw curvature combs, SCALE mm for 1/mm (as it shows best)"),
         TOOL_NUMBER("error", "N", &o.error, 0, 1e9, "magnify errors N times, and colour by them (0: as it shows best)"),
         TOOL_LIST("part", "X,Y,W,H", &part, -1e5, 1e5, "show this part only, in mm from the lower left corner"),
         TOOL_NUMBER("size", "WIDTH", &o.size, 10, 30000, "px of a PNG (1600), mm of the others (true to scale)"),

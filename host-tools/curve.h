@@ -45,7 +45,7 @@ typedef struct curve {
     unsigned line;              /* where it starts in the file                                  */
 } curve;
 
-typedef struct {
+typedef struct curves {
     curve *curve;
     size_t count;
     bool solid;                 /* some point has a z */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "curve.h"      /* curves_is_text */
+#include "curve.h"      /* curves_is_text, curves_free */
 #include "drawing.h"
 #include "source.h"     /* source_read */
 #include "tool.h"       /* tool_error, tool_grow, sysexits */
@@ -46,6 +46,9 @@ int drawing_read(drawing *d, const char *file)
 
 void drawing_free(drawing *d)
 {
+    if (d->of != NULL)
+        curves_free(d->of);
+    free(d->of);
     free(d->curve);
     *d = (drawing){ 0 };
 }

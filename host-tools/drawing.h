@@ -1,9 +1,9 @@
 /* host-tools/drawing.h -- a drawing: cubic curves in mm, y up, in drawing order
  * SPDX-License-Identifier: MIT
  *
- * Readers (svg.c, csv.c, drawing_curves.c) fill it; lines and arcs are cubics too. A path is a connected run of curves that is
- * drawn with the pen down; between paths the pen travels. Nothing is clipped, and paint does not matter: a plotter
- * draws outlines.
+ * Readers (svg.c, csv.c, drawing_curves.c) fill it; lines and arcs are cubics too. A path is a connected run of
+ * curves that is drawn with the pen down; between paths the pen travels. Nothing is clipped, and paint does not
+ * matter: a plotter draws outlines.
  */
 #ifndef LOFT_DRAWING_H
 #define LOFT_DRAWING_H
@@ -20,7 +20,8 @@ typedef struct {
 typedef struct {
     drawing_curve *curve;
     size_t count, room;
-    double width, height;   /* page in mm; 0 when the file names none */
+    double width, height;   /* page in mm; 0 when the file names none          */
+    struct curves *of;      /* the curves that became cubics; NULL: they were  */
 } drawing;
 
 #define DRAWING_LIMIT 16000.0       /* mm; coordinates beyond +- this are refused: they must fit Q16.16 sums */

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  *
  * A curve that starts where the one before ends goes on with its path. Polynomials to degree 3 stay what they are;
- * others are cut into cubics that stay within DRAWING_TOL, less than a hundredth of what a plan may leave its path.
+ * others are cut into cubics that stay within DRAWING_TOL, a fiftieth of what a plan may leave its path.
  */
 #include <string.h>
 
@@ -12,7 +12,7 @@
 #include "piece.h"      /* piece_cubics */
 #include "tool.h"       /* tool_error, sysexits */
 
-#define DRAWING_TOL 2e-5     /* mm */
+#define DRAWING_TOL 1e-4     /* mm */
 
 typedef struct {
     drawing *d;
@@ -58,13 +58,14 @@ static int draw_curve(pen *out)
 
 int drawing_read_curves(drawing *d, const char *file, const char *text)
 {
-    curves all = { 0 };
-    int code = curves_read_text(&all, file, text);
+    curves *all = d->of = tool_grow(NULL, sizeof *d->of);
+    int code;
 
-    for (size_t i = 0; i < all.count && code == 0; i++) {
-        pen out = { d, &all.curve[i], file, 0 };
+    *all = (curves){ 0 };
+    code = curves_read_text(all, file, text);
+    for (size_t i = 0; i < all->count && code == 0; i++) {
+        pen out = { d, &all->curve[i], file, 0 };
         code = draw_curve(&out);
     }
-    curves_free(&all);
     return code;
 }

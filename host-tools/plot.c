@@ -15,8 +15,8 @@
 #define LEVELS      24                  /* of colour */
 #define BATCH       256                 /* pieces in one stroke: cairo takes much longer for long ones */
 
-static double canvas_x(const plot_view *v, double x) { return v->left + (x - v->x0) * v->scale; }
-static double canvas_y(const plot_view *v, double y) { return v->bottom - (y - v->y0) * v->scale; }
+double plot_x(const plot_view *v, double x) { return v->left + (x - v->x0) * v->scale; }
+double plot_y(const plot_view *v, double y) { return v->bottom - (y - v->y0) * v->scale; }
 
 
 // Drawing
@@ -33,35 +33,11 @@ static void draw_curves(const plot_view *v, double line, double r, double g, dou
         if (i % BATCH == 0)
             cairo_stroke(v->cairo);
         if (i % BATCH == 0 || d->curve[i].path != d->curve[i - 1].path)
-            cairo_move_to(v->cairo, canvas_x(v, p[0][0]), canvas_y(v, p[0][1]));
-        cairo_curve_to(v->cairo, canvas_x(v, p[1][0]), canvas_y(v, p[1][1]), canvas_x(v, p[2][0]), canvas_y(v, p[2][1]),
-                       canvas_x(v, p[3][0]), canvas_y(v, p[3][1]));
+            cairo_move_to(v->cairo, plot_x(v, p[0][0]), plot_y(v, p[0][1]));
+        cairo_curve_to(v->cairo, plot_x(v, p[1][0]), plot_y(v, p[1][1]), plot_x(v, p[2][0]), plot_y(v, p[2][1]),
+                       plot_x(v, p[3][0]), plot_y(v, p[3][1]));
     }
     cairo_stroke(v->cairo);
-}
-
-static void draw_control(const plot_view *v)
-{
-    const drawing *d = v->o->d;
-    const double dot = 1.1 * v->u;
-
-    cairo_set_source_rgb(v->cairo, 0.90, 0.55, 0.10);
-    cairo_set_line_width(v->cairo, 0.5 * v->u);
-    for (size_t i = 0; i < d->count; i++) {
-        for (int k = 0; k < 4; k++)
-            (k ? cairo_line_to : cairo_move_to)(v->cairo, canvas_x(v, d->curve[i].p[k][0]), canvas_y(v, d->curve[i].p[k][1]));
-        cairo_stroke(v->cairo);
-        for (int k = 0; k < 4; k++) {
-            const double x = canvas_x(v, d->curve[i].p[k][0]), y = canvas_y(v, d->curve[i].p[k][1]);
-            if (k == 0 || k == 3)       /* a point on the curve is square, a handle round */
-                cairo_rectangle(v->cairo, x - dot, y - dot, 2 * dot, 2 * dot);
-            else {
-                cairo_new_sub_path(v->cairo);
-                cairo_arc(v->cairo, x, y, dot, 0, 7);
-            }
-        }
-        cairo_fill(v->cairo);
-    }
 }
 
 
@@ -89,22 +65,22 @@ static void draw_machine(const plot_view *v, bool drawing_runs)
             continue;
         if (record_draws(r, i) != drawing_runs) {
             if (last != NULL) {
-                cairo_line_to(v->cairo, canvas_x(v, before[0]), canvas_y(v, before[1]));
+                cairo_line_to(v->cairo, plot_x(v, before[0]), plot_y(v, before[1]));
                 cairo_stroke(v->cairo);
             }
             last = NULL;
             continue;
         }
         if (last == NULL) {
-            cairo_move_to(v->cairo, canvas_x(v, before[0]), canvas_y(v, before[1]));
+            cairo_move_to(v->cairo, plot_x(v, before[0]), plot_y(v, before[1]));
             last = before;
         }
         if (!is_near(v, last, now) || i + 1 == r->count || record_draws(r, i + 1) != drawing_runs) {
-            cairo_line_to(v->cairo, canvas_x(v, now[0]), canvas_y(v, now[1]));
+            cairo_line_to(v->cairo, plot_x(v, now[0]), plot_y(v, now[1]));
             last = now;
             if (drawing_runs && ++pieces % BATCH == 0) {    /* dashes would start anew */
                 cairo_stroke(v->cairo);
-                cairo_move_to(v->cairo, canvas_x(v, now[0]), canvas_y(v, now[1]));
+                cairo_move_to(v->cairo, plot_x(v, now[0]), plot_y(v, now[1]));
             }
         }
     }
@@ -149,9 +125,9 @@ static void brush_to(brush *b, const double to[2], int level)
         flush_brush(b);
     if (!b->open || level != b->level) {
         const double *from = b->open ? b->at : to;
-        cairo_move_to(b->v->cairo, canvas_x(b->v, from[0]), canvas_y(b->v, from[1]));
+        cairo_move_to(b->v->cairo, plot_x(b->v, from[0]), plot_y(b->v, from[1]));
     }
-    cairo_line_to(b->v->cairo, canvas_x(b->v, to[0]), canvas_y(b->v, to[1]));
+    cairo_line_to(b->v->cairo, plot_x(b->v, to[0]), plot_y(b->v, to[1]));
     memcpy(b->at, to, sizeof b->at);
     b->level = level;
     b->open  = true;
@@ -232,7 +208,7 @@ static double magnification(const plot_view *v)
 // Picture
 // -------
 
-static void join(double box[2][2], const double p[2])
+void plot_join(double box[2][2], const double p[2])
 {
     for (int i = 0; i < 2; i++) {
         box[0][i] = fmin(box[0][i], p[i]);
@@ -241,23 +217,28 @@ static void join(double box[2][2], const double p[2])
 }
 
 /* What is shown in mm: the part asked for, or page, curves and machine with some air. */
-static void choose_box(const plot_options *o, double box[2][2])
+static void choose_box(plot_view *v, double box[2][2])
 {
+    const plot_options *o = v->o;
+
     if (o->part[2] > 0) {
         for (int i = 0; i < 2; i++) {
             box[0][i] = o->part[i];
             box[1][i] = o->part[i] + o->part[i + 2];
         }
+        plot_make_combs(v, (const double (*)[2])box);
         return;
     }
     const double corner[2] = { 0, 0 }, opposite[2] = { o->d->width, o->d->height };
     drawing_box(o->d, box);
+    plot_make_combs(v, (const double (*)[2])box);
     if (o->d->height > 0) {
-        join(box, corner);
-        join(box, opposite);
+        plot_join(box, corner);
+        plot_join(box, opposite);
     }
+    plot_shape_box(v, box);
     for (size_t i = 0; o->r != NULL && i < o->r->count; i++)
-        join(box, o->r->pulse[i].at);
+        plot_join(box, o->r->pulse[i].at);
     const double air = o->d->height > 0 && o->r == NULL ? 0 : 0.02 * fmax(box[1][0] - box[0][0], box[1][1] - box[0][1]);
     for (int i = 0; i < 2; i++) {
         box[0][i] -= air;
@@ -277,7 +258,7 @@ static void lay_out(plot_view *v, bool vector)
     const double left = 62, right = o->r != NULL && o->error >= 0 ? 105 : 28, above = o->r != NULL ? 74 : 52, below = 82;
     double box[2][2];
 
-    choose_box(o, box);
+    choose_box(v, box);
     const double wide = fmax(box[1][0] - box[0][0], 1e-6), high = fmax(box[1][1] - box[0][1], 1e-6);
     const double room = 1000 - left - right;
     const double by_width = room / wide, by_height = 2.5 * room / high;     /* per mm, in thousandths */
@@ -309,6 +290,7 @@ static void draw_layers(plot_view *v)
     cairo_save(v->cairo);
     cairo_rectangle(v->cairo, v->left, v->top, v->right - v->left, v->bottom - v->top);
     cairo_clip(v->cairo);
+    plot_combs(v);
     if (o->r != NULL)
         draw_travel(v);
     if (o->r != NULL && v->magnified == 0) {
@@ -320,7 +302,7 @@ static void draw_layers(plot_view *v)
         draw_curves(v, o->r ? 0.8 : 1.3, 0.13, 0.20, 0.34);
     }
     if (o->control)
-        draw_control(v);
+        plot_control(v);
     if (v->magnified > 0 && v->found.worst > 0)
         draw_errors(v, point);
     cairo_restore(v->cairo);
@@ -363,5 +345,6 @@ int plot_draw(const plot_options *o, plot_result *result)
     draw_layers(&v);
     if (result != NULL)
         *result = v.found;
+    free(v.tooth);
     return finish(surface, v.cairo, o->output, png);
 }

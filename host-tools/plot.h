@@ -1,7 +1,8 @@
-/* host-tools/plot.h -- pictures: the drawing, its control polygons, what the machine drew, the error magnified
+/* host-tools/plot.h -- pictures: the drawing, its control polygons, curvature, what the machine drew, the error magnified
  * SPDX-License-Identifier: MIT
  *
  *     plot.c        the picture: layers over each other, in mm
+ *     plot_shape.c  control polygons, knots and curvature combs
  *     plot_frame.c  what stands around it: axes, title, legend, scale and colour bar
  */
 #ifndef LOFT_PLOT_H
@@ -15,11 +16,14 @@
 
 #define PLOT_NO_ERROR   (-1.0)
 #define PLOT_AUTO_ERROR 0.0
+#define PLOT_NO_COMB    (-1.0)
+#define PLOT_AUTO_COMB  0.0
 
 typedef struct {
     const drawing *d;
     const record *r;            /* NULL: none                                                               */
-    bool control;               /* draw the control polygons                                                */
+    bool control;               /* draw the control polygons, and knots where curves are splines            */
+    double comb;                /* mm of a comb's tooth per curvature of 1/mm; PLOT_AUTO_COMB, PLOT_NO_COMB */
     double error;               /* how many times errors are magnified; PLOT_AUTO_ERROR, PLOT_NO_ERROR      */
     double part[4];             /* x, y, width, height in mm of what is shown; width 0: everything          */
     double size;                /* width: px of a PNG, mm of the others; 0: 1600 px, or true to scale       */
@@ -38,8 +42,14 @@ typedef struct {
 int plot_draw(const plot_options *o, plot_result *result);
 
 
-// Between the two files
-// ---------------------
+// Between the files
+// -----------------
+
+/* A tooth of a comb: from the curve away from the centre of curvature. */
+typedef struct {
+    double foot[2], tip[2];
+    bool fresh;                 /* does not follow the one before it */
+} plot_tooth;
 
 /* Where mm are on the canvas, and what is shown. */
 typedef struct {
@@ -50,6 +60,9 @@ typedef struct {
     double left, top, right, bottom;    /* the frame on the canvas                                      */
     double x0, y0, scale;       /* mm at its lower left corner; canvas units per mm                     */
     double magnified;           /* by how much errors are; 0: they are not shown                        */
+    plot_tooth *tooth;
+    size_t teeth;
+    double comb;                /* mm per 1/mm; 0: no combs                                             */
     plot_result found;
 } plot_view;
 
@@ -57,5 +70,21 @@ typedef struct {
 void plot_colour(double share, double rgb[3]);
 
 void plot_frame(plot_view *v);
+
+/* Where mm are on the canvas. */
+double plot_x(const plot_view *v, double x);
+double plot_y(const plot_view *v, double y);
+
+/* The smallest box around box and p. */
+void plot_join(double box[2][2], const double p[2]);
+
+/* The teeth of all combs, for curves within `box`; v->tooth is to be freed. */
+void plot_make_combs(plot_view *v, const double box[2][2]);
+
+/* Widen the box by what the layers below show. */
+void plot_shape_box(const plot_view *v, double box[2][2]);
+
+void plot_combs(const plot_view *v);
+void plot_control(const plot_view *v);
 
 #endif

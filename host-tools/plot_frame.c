@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "curve.h"
 #include "plot.h"
 
 #define SMALL 12.5      /* letters, in thousandths of the width */
@@ -94,7 +95,7 @@ static void title(const plot_view *v)
     char words[256], worst[32], mean[32], time[32] = "";
 
     ink(v, 0.1);
-    snprintf(words, sizeof words, "%.80s: %zu curves in %u paths, %.3f m", base_name(v->o->name), d->count,
+    snprintf(words, sizeof words, "%.80s: %zu curves in %u paths, %.3f m", base_name(v->o->name), d->of ? d->of->count : d->count,
              d->count ? d->curve[d->count - 1].path + 1 : 0, drawing_length(d) / 1000);
     text(v, LARGE, v->left, 30 * v->u, 0, words);
     if (r == NULL)
@@ -136,6 +137,10 @@ static void legend(const plot_view *v)
         entry(v, &x, 0.13, 0.20, 0.34, 1.3, false, "drawing");
     if (o->control)
         entry(v, &x, 0.90, 0.55, 0.10, 0.8, false, "control polygons");
+    if (v->comb > 0) {
+        snprintf(words, sizeof words, "curvature, 1/mm = %g mm", v->comb);
+        entry(v, &x, 0.10, 0.55, 0.50, 0.8, false, words);
+    }
     if (o->r == NULL)
         return;
     if (v->magnified == 0) {

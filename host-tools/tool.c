@@ -132,6 +132,7 @@ static bool engine_of(const char *text, const engine **out)
 static bool take(const tool_option *o, const char *text)
 {
     switch (o->kind) {
+    case TOOL_IS_MAYBE:  *(double *)o->out = 0; return text == NULL || tool_number(o->name, text, o->least, o->most, o->out);
     case TOOL_IS_SWITCH: *(bool *)o->out = true; return true;
     case TOOL_IS_NUMBER: return tool_number(o->name, text, o->least, o->most, o->out);
     case TOOL_IS_COUNT:  return count_of(o, text);
@@ -152,7 +153,8 @@ static void print_help(const tool_command *self, const tool_option options[])
     printf("\noptions:\n");
     for (const tool_option *o = options; o->kind != TOOL_END; o++) {
         char both[40];
-        snprintf(both, sizeof both, "--%s%s%s", o->name, o->argument ? " " : "", o->argument ? o->argument : "");
+        const bool maybe = o->kind == TOOL_IS_MAYBE;
+        snprintf(both, sizeof both, "--%s%s%s%s", o->name, maybe ? " [" : o->argument ? " " : "", o->argument ? o->argument : "", maybe ? "]" : "");
         printf("  %-20s %s\n", both, o->help);
     }
     printf("  %-20s %s\n", "--help", "this text");
@@ -167,6 +169,17 @@ static int output_row(const tool_option options[])
     return -1;
 }
 
+/* getopt takes a number that may be left away only behind `=`: the next word, if it is one; NULL if not. */
+static const char *number_behind(int argc, char **argv)
+{
+    double value;
+    char *end;
+
+    if (optind >= argc || !number_at(argv[optind], -HUGE_VAL, HUGE_VAL, &value, &end) || *end != '\0')
+        return NULL;
+    return argv[optind++];
+}
+
 int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv, int *first)
 {
     size_t count = 0;
@@ -175,7 +188,8 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
 
     struct option *table = tool_grow(NULL, (count + 2) * sizeof *table);
     for (size_t i = 0; i < count; i++)
-        table[i] = (struct option){ options[i].name, options[i].argument ? required_argument : no_argument, NULL, 0 };
+        table[i] = (struct option){ options[i].name, options[i].kind == TOOL_IS_MAYBE ? optional_argument
+                                                   : options[i].argument ? required_argument : no_argument, NULL, 0 };
     table[count]     = (struct option){ "help", no_argument, NULL, 'h' };
     table[count + 1] = (struct option){ NULL, 0, NULL, 0 };
 
@@ -196,7 +210,7 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
             code = tool_error(EX_USAGE, "%s needs a value: see `loft %s --help`", argv[optind - 1], self->name);
         } else if (c != 0) {
             code = tool_error(EX_USAGE, "%s is no option of %s: see `loft %s --help`", argv[optind - 1], self->name, self->name);
-        } else if (!take(&options[which], optarg)) {
+        } else if (!take(&options[which], options[which].kind == TOOL_IS_MAYBE && optarg == NULL ? number_behind(argc, argv) : optarg)) {
             code = EX_USAGE;
         }
     }

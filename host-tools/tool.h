@@ -43,7 +43,8 @@ double tool_clock(void);
 // Options
 // -------
 
-enum tool_kind { TOOL_END, TOOL_IS_SWITCH, TOOL_IS_NUMBER, TOOL_IS_COUNT, TOOL_IS_SPEED, TOOL_IS_TEXT, TOOL_IS_LIST, TOOL_IS_ENGINE };
+enum tool_kind { TOOL_END, TOOL_IS_SWITCH, TOOL_IS_NUMBER, TOOL_IS_COUNT, TOOL_IS_SPEED, TOOL_IS_TEXT, TOOL_IS_LIST, TOOL_IS_ENGINE,
+                 TOOL_IS_MAYBE };
 
 /* A list of numbers, "0,0.5,1" or the option repeated. */
 #define TOOL_LIST_MAX 256
@@ -62,6 +63,7 @@ typedef struct {
 } tool_option;
 
 /* Rows of a table that ends with TOOL_OPTIONS_END. Speeds are in mm/s and may be written 20, 20mm/s or 1200mm/min.
+ * A MAYBE is a number that may be left away, which is 0 then.
  * `out` is a bool, a double (numbers, speeds), an unsigned (counts), a const char *, a tool_list or a const engine *. */
 #define TOOL_SWITCH(name, out, help)                            { TOOL_IS_SWITCH, name, NULL, out, 0, 0, help }
 #define TOOL_NUMBER(name, argument, out, least, most, help)     { TOOL_IS_NUMBER, name, argument, out, least, most, help }
@@ -70,6 +72,7 @@ typedef struct {
 #define TOOL_TEXT(name, argument, out, help)                    { TOOL_IS_TEXT, name, argument, out, 0, 0, help }
 #define TOOL_LIST(name, argument, out, least, most, help)       { TOOL_IS_LIST, name, argument, out, least, most, help }
 #define TOOL_ENGINE(out, help)                                  { TOOL_IS_ENGINE, "num", "TYPE", out, 0, 0, help }
+#define TOOL_MAYBE(name, argument, out, least, most, help)      { TOOL_IS_MAYBE, name, argument, out, least, most, help }
 #define TOOL_OPTIONS_END                                        { TOOL_END, NULL, NULL, NULL, 0, 0, NULL }
 
 #define TOOL_HELP (-1)      /* tool_options has printed the help: return EX_OK */
