@@ -9,7 +9,9 @@
 #include "num/status.h"     /* enum loft_status */
 
 #include "curve.h"
+#include "piece.h"
 #include "reference.h"
+#include "source.h"         /* source_name */
 #include "tool.h"
 
 /* The worst that was seen of one way of computing a curve in one number type. */
@@ -83,8 +85,12 @@ static int by_walk(comparison *m, const engine *e, engine_curve *held)
 {
     int status = 0;
 
-    for (unsigned i = 0; i < curve_pieces(m->exact->c) && status == 0; i++)
-        status = e->curve->walk(held, i, m->n, meet, m);
+    for (unsigned i = 0; i < e->curve->pieces(held) && status == 0; i++) {
+        piece p;
+        status = e->curve->piece(held, i, &p);
+        if (status == 0)
+            status = e->piece->walk(&p, m->n, meet, m);
+    }
     return status;
 }
 
@@ -240,7 +246,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const char *file = first < argc ? argv[first] : "-";
     code = curves_read(&all, file, text);
     if (code == 0)
-        code = compare_types(types, against, &all, n, text ? "--points" : file);
+        code = compare_types(types, against, &all, n, text ? "--points" : source_name(file));
     curves_free(&all);
     return code;
 }

@@ -1,51 +1,102 @@
-/* host-tools/cmd_eval.c -- loft eval: points of a curve
+/* host-tools/cmd_eval.c -- loft eval: points of a curve, or what it looks like
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
 
+#include "piece.h"
 #include "print.h"
+#include "source.h"     /* source_name */
 #include "tool.h"
 
-static int refuse(const char *file, const curve *c, double t, int status)
+typedef struct {
+    print_options p;
+    const tool_list *t;
+    const char *file;
+    size_t number;          /* of the curve */
+} evaluation;
+
+
+// Points
+// ------
+
+static int refuse(const evaluation *v, const curve *c, double t, int status)
 {
-    if (t < curve_from(c) || t > curve_to(c))
-        if (!curve_extends(c))
-            return tool_error(EX_DATAERR, "%s:%u: t = %g: give %g to %g for this %s", file, c->line, t, curve_from(c), curve_to(c), curve_name(c->kind));
-    return tool_error(EX_DATAERR, "%s:%u: t = %g: %s", file, c->line, t, engine_status(status));
+    if (!curve_extends(c) && (t < curve_from(c) || t > curve_to(c)))
+        return tool_error(EX_DATAERR, "%s:%u: t = %g: give %.9g to %.9g for this %s", v->file, c->line, t, curve_from(c), curve_to(c), curve_name(c->kind));
+    return tool_error(EX_DATAERR, "%s:%u: t = %g: %s", v->file, c->line, t, engine_status(status));
 }
 
-static int print_points(const print_options *p, const curve *c, const tool_list *t, const char *file)
+static int print_points(evaluation *v, const curve *c, engine_curve *held)
 {
-    const engine_curves *make = p->e->curve;
-    print_options how = *p;
-    engine_curve *held;
-    const int status = make->open(c, &held);
-    int code = 0;
-
-    if (status != 0)
-        return tool_error(EX_DATAERR, "%s:%u: %s: %s", file, c->line, curve_name(c->kind), engine_status(status));
-    for (size_t j = 0; (j < t->count || j == 0) && code == 0; j++) {
-        const double at = t->count ? t->value[j] : (curve_from(c) + curve_to(c)) / 2;
+    if (v->number > 0)
+        putchar('\n');
+    for (size_t j = 0; j < v->t->count || j == 0; j++) {
+        const double t = v->t->count ? v->t->value[j] : (curve_from(c) + curve_to(c)) / 2;
         double point[ENGINE_AXES];
-        const int bad = make->eval(held, at, point);
-        if (bad != 0)
-            code = refuse(file, c, at, bad);
-        else
-            print_point(&how, point);
+        const int status = v->p.e->curve->eval(held, t, point);
+        if (status != 0)
+            return refuse(v, c, t, status);
+        print_point(&v->p, point);
     }
-    make->close(held);
-    return code;
+    return EX_OK;
 }
 
-static int print_all(const engine *e, const curves *all, const tool_list *t, const char *file)
+
+// Shape
+// -----
+
+/* Parameters are those of the whole curve. */
+static void print_places(const engine_shape *s, const curve *c, unsigned i)
 {
-    const print_options p = { e, all->solid };
+    const double a = curve_break(c, i), b = curve_break(c, i + 1) - a;
+
+    for (unsigned k = 0; k < s->inflections; k++)
+        printf("inflection at %.9g, ", a + b * s->inflection[k]);
+    if (s->cusp)
+        printf("cusp at %.9g, ", a + b * s->cusp_at);
+    if (s->loop)
+        printf("loop from %.9g to %.9g, ", a + b * s->loop_at[0], a + b * s->loop_at[1]);
+}
+
+static int print_shapes(evaluation *v, const curve *c, engine_curve *held)
+{
+    const engine *e = v->p.e;
+    int status = 0;
+
+    for (unsigned i = 0; i < e->curve->pieces(held) && status == 0; i++) {
+        engine_shape s;
+        piece p;
+        status = e->curve->piece(held, i, &p);
+        if (status == 0)
+            status = e->piece->shape(&p, &s);
+        if (status != 0)
+            break;
+        printf("%zu.%u %s: ", v->number, i, curve_name(c->kind));
+        if (s.type != NULL)
+            printf("%s, ", s.type);
+        print_places(&s, c, i);
+        printf("%s ", s.tight ? "box" : "hull");
+        for (int k = 0; k < 2; k++) {
+            print_words(&v->p, s.box[k]);
+            fputs(k == 0 ? " to " : "\n", stdout);
+        }
+    }
+    return status == 0 ? EX_OK : tool_error(EX_DATAERR, "%s:%u: %s: %s", v->file, c->line, curve_name(c->kind), engine_status(status));
+}
+
+static int every_curve(evaluation *v, const curves *all, bool shape)
+{
+    const engine_curves *make = v->p.e->curve;
     int code = EX_OK;
 
-    for (size_t i = 0; i < all->count && code == EX_OK; i++) {
-        if (i > 0)
-            putchar('\n');
-        code = print_points(&p, &all->curve[i], t, file);
+    for (v->number = 0; v->number < all->count && code == EX_OK; v->number++) {
+        const curve *c = &all->curve[v->number];
+        engine_curve *held;
+        const int status = make->open(c, &held);
+        if (status != 0)
+            return tool_error(EX_DATAERR, "%s:%u: %s: %s", v->file, c->line, curve_name(c->kind), engine_status(status));
+        code = shape ? print_shapes(v, c, held) : print_points(v, c, held);
+        make->close(held);
     }
     return code;
 }
@@ -56,10 +107,12 @@ static int run(const tool_command *self, int argc, char **argv)
     const char *text = NULL;
     tool_list t      = { .count = 0 };
     curves all       = { 0 };
+    bool shape       = false;
     int first;
 
     const tool_option options[] = {
         TOOL_LIST("t", "T,..", &t, -1e6, 1e6, "parameters, 0..1 on a Bezier curve (the middle)"),
+        TOOL_SWITCH("shape", &shape, "not points, but what each piece looks like: its type, inflections, box"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         TOOL_ENGINE(&e, "number type: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
@@ -67,18 +120,24 @@ static int run(const tool_command *self, int argc, char **argv)
     int code = tool_options(self, options, argc, argv, &first);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
+    if (shape && t.count > 0)
+        return tool_error(EX_USAGE, "--shape and --t: give one of them: a shape is that of the whole curve");
     const char *file = first < argc ? argv[first] : "-";
     code = curves_read(&all, file, text);
-    if (code == 0)
-        code = print_all(e, &all, &t, text ? "--points" : file);
+    if (code == 0) {
+        evaluation v = { { e, all.solid }, &t, text ? "--points" : source_name(file), 0 };
+        code = every_curve(&v, &all, shape);
+    }
     curves_free(&all);
     return code;
 }
 
 const tool_command command_eval = {
-    "eval", "[--t T,..] [FILE|-]", "points of a curve",
+    "eval", "[--t T,..] [FILE|-]", "points of a curve, or what it looks like",
     "FILE has one control point per line, `x y` or `x y z` (an empty line ends a curve), or curves of any kind in the\n"
     "format of host-tools/LOFT.md. Prints one point per parameter. A parameter is the curve's own: 0..1 for Bezier\n"
-    "curves, 0..n over the n pieces of a spline, the knots of a B-spline.\n",
+    "curves, 0..n over the n pieces of a spline, the knots of a B-spline. With --shape prints one line per piece: its\n"
+    "number and kind, what it is as a cubic in the plane of x and y (decided exactly) and where, the smallest box around\n"
+    "it, or, if it has weights, around its control points.\n",
     run
 };

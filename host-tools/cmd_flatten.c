@@ -8,6 +8,7 @@
 
 #include "piece.h"          /* piece_cubics */
 #include "print.h"
+#include "source.h"         /* source_name */
 #include "tool.h"
 
 typedef struct {
@@ -33,7 +34,7 @@ static int flatten(void *context, const curve *c, engine_curve *held)
     const engine *e = f->p.e;
 
     f->status = 0;
-    for (unsigned i = 0; i < curve_pieces(c) && f->status == 0; i++) {
+    for (unsigned i = 0; i < e->curve->pieces(held) && f->status == 0; i++) {
         double largest = 0;
         piece s;
         f->status = e->curve->piece(held, i, &s);
@@ -72,7 +73,7 @@ static int run(const tool_command *self, int argc, char **argv)
         flattening f = { .p = { e, all.solid }, .tol = tol };
         char words[40];
         snprintf(words, sizeof words, ", --tol %g", tol);
-        code = print_chain(&f.p, &all, text ? "--points" : file, words, flatten, &f);
+        code = print_chain(&f.p, &all, text ? "--points" : source_name(file), words, flatten, &f);
     }
     curves_free(&all);
     return code;

@@ -3,7 +3,9 @@
  */
 #include <stdio.h>
 
+#include "piece.h"
 #include "print.h"
+#include "source.h"         /* source_name */
 #include "tool.h"
 
 typedef struct {
@@ -14,10 +16,16 @@ typedef struct {
 static int walk(void *context, const curve *c, engine_curve *held)
 {
     sampling *s = context;
-    int status  = 0;
+    const engine *e = s->p.e;
+    int status = 0;
 
-    for (unsigned i = 0; i < curve_pieces(c) && status == 0; i++)
-        status = s->p.e->curve->walk(held, i, s->n, print_point, &s->p);
+    (void)c;
+    for (unsigned i = 0; i < e->curve->pieces(held) && status == 0; i++) {
+        piece p;
+        status = e->curve->piece(held, i, &p);
+        if (status == 0)
+            status = e->piece->walk(&p, s->n, print_point, &s->p);
+    }
     return status;
 }
 
@@ -45,7 +53,7 @@ static int run(const tool_command *self, int argc, char **argv)
         sampling s = { { e, all.solid }, n };
         char words[40];
         snprintf(words, sizeof words, " in %u steps", n);
-        code = print_chain(&s.p, &all, text ? "--points" : file, words, walk, &s);
+        code = print_chain(&s.p, &all, text ? "--points" : source_name(file), words, walk, &s);
     }
     curves_free(&all);
     return code;

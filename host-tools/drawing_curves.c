@@ -43,7 +43,7 @@ static int draw_curve(pen *out)
 
     if (status != 0)
         return tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, out->c->line, curve_name(out->c->kind), engine_status(status));
-    for (unsigned i = 0; i < curve_pieces(out->c) && out->code == 0 && status == 0; i++) {
+    for (unsigned i = 0; i < make->pieces(held) && out->code == 0 && status == 0; i++) {
         piece p;
         status = make->piece(held, i, &p);
         if (status == 0 && !piece_cubics(&p, DRAWING_TOL, draw, out) && out->code == 0)

@@ -114,6 +114,7 @@ const engine ENGINE_OF(engine) = {
     .reach   = (double)LOFT_PLAN_REACH / (double)LOFT_REAL(1.0),
     .hold    = hold,
     .curve   = &ENGINE_OF(engine_curves),
+    .piece   = &ENGINE_OF(engine_pieces),
     .flatten = flatten,
     .plan    = plan,
     .steps   = steps

@@ -46,12 +46,30 @@ typedef struct {
     void (*close)(engine_curve *c);
     /* The point at t of the curve's own parameter; beyond its ends only where curve_extends. */
     int (*eval)(engine_curve *c, double t, double out[ENGINE_AXES]);
-    /* Piece i as a Bezier curve; n points of it at equal steps, by forward differences where the library walks. */
+    /* How many Bezier pieces it has, and piece i. */
+    unsigned (*pieces)(const engine_curve *c);
     int (*piece)(engine_curve *c, unsigned i, struct piece *out);
-    int (*walk)(engine_curve *c, unsigned i, uint32_t n, engine_point_sink *sink, void *context);
 } engine_curves;
 
+/* What a piece looks like. */
+typedef struct {
+    const char *type;           /* of a cubic in the plane of x and y: "serpentine" ..; NULL: no cubic  */
+    unsigned inflections;       /* strictly within 0..1                                                 */
+    bool cusp, loop;
+    double inflection[2], cusp_at, loop_at[2];
+    bool tight;                 /* the box is that of the curve, otherwise that of its control points    */
+    double box[2][ENGINE_AXES];
+} engine_shape;
+
+/* Pieces as engine_curves gives them: their numbers are those of the type. */
+typedef struct {
+    /* n points at equal steps, by forward differences where the library walks (to degree 5), the start not repeated. */
+    int (*walk)(const struct piece *p, uint32_t n, engine_point_sink *sink, void *context);
+    int (*shape)(const struct piece *p, engine_shape *out);
+} engine_pieces;
+
 extern const engine_curves engine_curves_q16, engine_curves_f32, engine_curves_f64;
+extern const engine_pieces engine_pieces_q16, engine_pieces_f32, engine_pieces_f64;
 
 typedef struct {
     const char *name;                       /* "q16" "f32" "f64"                    */
@@ -60,6 +78,7 @@ typedef struct {
     double reach;                           /* mm: what can be planned lies within +- this */
     int (*hold)(double x, double *out);     /* x as this type has it                */
     const engine_curves *curve;
+    const engine_pieces *piece;
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink, void *context);
     int (*plan)(const engine_limits *limits, const engine_move moves[], size_t count, engine_span_sink *sink, void *context);
     int32_t (*steps)(double mm, double steps_per_mm);       /* rounded as a machine of this type does it */

@@ -9,12 +9,10 @@
 #include "basis/interp.h"           /* loft_parabola */
 #include "curve/bezier.h"           /* loft_bezier */
 #include "curve/cardinal.h"         /* loft_cardinal_eval */
-#include "curve/forward.h"          /* loft_forward */
 #include "curve/hermite.h"          /* loft_hermite */
 #include "curve/natural.h"          /* loft_natural */
 #include "curve/parabola.h"         /* loft_bezier_from_parabola */
 #include "curve/rational.h"         /* loft_rational */
-#include "curve/rational_walk.h"    /* loft_rational_walk */
 
 #include "curve.h"
 #include "engine_num.h"     /* real_of, vec_of, point_of */
@@ -158,6 +156,11 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
     }
 }
 
+static unsigned curve_count(const engine_curve *e)
+{
+    return curve_pieces(e->c);
+}
+
 static int curve_piece(engine_curve *e, unsigned i, piece *out)
 {
     part s;
@@ -263,91 +266,10 @@ static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
 }
 
 
-// Walks
-// -----
-
-static void give(engine_point_sink *sink, void *context, loft_vec at)
-{
-    double point[ENGINE_AXES];
-
-    point_of(at, point);
-    sink(context, point);
-}
-
-/* LOFT_ERR_RANGE: too many steps for this walk; nothing was given then. */
-static int walk_bezier(const part *s, uint32_t n, engine_point_sink *sink, void *context)
-{
-    loft_bezier b;
-    loft_forward w;
-    loft_vec at;
-    int status = loft_bezier_init(&b, s->p, s->degree);
-
-    if (status == LOFT_OK)
-        status = loft_forward_init(&w, &b, n);
-    while (status == LOFT_OK && loft_forward_next(&w, &at))
-        give(sink, context, at);
-    return status;
-}
-
-static int walk_strict(const part *s, uint32_t n, engine_point_sink *sink, void *context)
-{
-    loft_bezier b;
-    loft_forward_strict w;
-    loft_vec at;
-    int status = loft_bezier_init(&b, s->p, s->degree);
-
-    if (status == LOFT_OK)
-        status = loft_forward_strict_init(&w, &b, n);
-    while (status == LOFT_OK && loft_forward_strict_next(&w, &at))
-        give(sink, context, at);
-    return status;
-}
-
-static int walk_rational(const part *s, uint32_t n, engine_point_sink *sink, void *context)
-{
-    loft_rational_walk w;
-    loft_rational r;
-    loft_vec at;
-    int status = loft_rational_init(&r, s->weighted, s->degree);
-
-    if (status == LOFT_OK)
-        status = loft_rational_walk_init(&w, &r, n);
-    while (status == LOFT_OK && loft_rational_walk_next(&w, &at))
-        give(sink, context, at);
-    return status;
-}
-
-/* Point by point: degrees and counts of steps that the library does not walk. */
-static int step_through(const part *s, uint32_t n, engine_point_sink *sink, void *context)
-{
-    loft_rational r;
-    loft_bezier b;
-    int status = s->rational ? loft_rational_init(&r, s->weighted, s->degree) : loft_bezier_init(&b, s->p, s->degree);
-
-    for (uint32_t j = 0; status == LOFT_OK && j < n; j++)
-        give(sink, context, s->rational ? loft_rational_eval(&r, loft_unit_of(j + 1, n)) : loft_bezier_eval(&b, loft_unit_of(j + 1, n)));
-    return status;
-}
-
-static int curve_walk(engine_curve *e, unsigned i, uint32_t n, engine_point_sink *sink, void *context)
-{
-    part s;
-    int status = part_of(e, i, &s);
-
-    if (status != LOFT_OK)
-        return status;
-    if (s.degree > LOFT_FORWARD_DEGREE_MAX)
-        return step_through(&s, n, sink, context);
-    status = s.rational ? walk_rational(&s, n, sink, context) : walk_bezier(&s, n, sink, context);
-    if (status == LOFT_ERR_RANGE && !s.rational)
-        status = walk_strict(&s, n, sink, context);
-    return status == LOFT_ERR_RANGE ? step_through(&s, n, sink, context) : status;
-}
-
 const engine_curves ENGINE_OF(engine_curves) = {
-    .open  = curve_open,
-    .close = curve_close,
-    .eval  = curve_eval,
-    .piece = curve_piece,
-    .walk  = curve_walk
+    .open   = curve_open,
+    .close  = curve_close,
+    .eval   = curve_eval,
+    .pieces = curve_count,
+    .piece  = curve_piece
 };

@@ -77,6 +77,14 @@ static void at_end(const lifted *l, double out[3][CURVE_AXES])
         out[1][i] = -out[1][i];
 }
 
+bool piece_is_rational(const piece *c)
+{
+    for (unsigned k = 1; k <= c->degree; k++)
+        if (c->w[k] < c->w[0] || c->w[k] > c->w[0])
+            return true;
+    return false;
+}
+
 void piece_eval(const piece *c, double t, double out[3][CURVE_AXES])
 {
     const lifted l = lift(c);
@@ -166,20 +174,12 @@ static bool cut(const lifted *l, double tol, int levels, piece_cubic_sink *sink,
     return cut(&left, tol, levels - 1, sink, context) && cut(&right, tol, levels - 1, sink, context);
 }
 
-static bool is_cubic(const piece *c)
-{
-    for (unsigned k = 1; k <= c->degree; k++)
-        if (c->w[k] < c->w[0] || c->w[k] > c->w[0])
-            return false;
-    return c->degree >= 1 && c->degree <= 3;
-}
-
 bool piece_cubics(const piece *c, double tol, piece_cubic_sink *sink, void *context)
 {
     const lifted l = lift(c);
     double p[4][CURVE_AXES];
 
-    if (!is_cubic(c))
+    if (piece_is_rational(c) || c->degree < 1 || c->degree > 3)
         return cut(&l, tol, LEVELS_MAX, sink, context);
     for (int i = 0; i < CURVE_AXES; i++) {
         const double a = c->p[0][i], b = c->p[1][i], z = c->p[c->degree][i];

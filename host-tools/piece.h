@@ -15,6 +15,9 @@ typedef struct piece {
     unsigned degree;
 } piece;
 
+/* Do its weights differ? */
+bool piece_is_rational(const piece *c);
+
 /* The point at t in 0..1, and its first and second derivative. */
 void piece_eval(const piece *c, double t, double out[3][CURVE_AXES]);
 

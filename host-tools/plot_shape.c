@@ -33,7 +33,7 @@ static void pieces_of(const curve *c, piece_taker *take, void *context)
 
     if (make->open(c, &held) != 0)
         return;
-    for (unsigned i = 0; i < curve_pieces(c); i++)
+    for (unsigned i = 0; i < make->pieces(held); i++)
         if (make->piece(held, i, &p) == 0)
             take(context, &p, i == 0);
     make->close(held);

@@ -23,15 +23,18 @@ static void print_number(const engine *e, double x)
     fputs(text, stdout);
 }
 
-void print_point(void *context, const double point[ENGINE_AXES])
+void print_words(const print_options *p, const double point[ENGINE_AXES])
 {
-    const print_options *p = context;
-
     for (int i = 0; i < (p->solid ? ENGINE_AXES : 2); i++) {
         if (i > 0)
             putchar(' ');
         print_number(p->e, point[i]);
     }
+}
+
+void print_point(void *context, const double point[ENGINE_AXES])
+{
+    print_words(context, point);
     putchar('\n');
 }
 

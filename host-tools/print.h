@@ -16,6 +16,9 @@ typedef struct {
 
 void print_point(void *context, const double point[ENGINE_AXES]);
 
+/* The same without the end of the line. */
+void print_words(const print_options *p, const double point[ENGINE_AXES]);
+
 /* Open each curve in the number type of `e` and hand it to `one`, which gives a status. Prints the start of each
  * curve and an empty line before it, unless it begins where the curve before ended. Gives an exit code after
  * printing one line, in which the curve is followed by `words`. */
