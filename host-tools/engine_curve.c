@@ -8,6 +8,7 @@
 
 #include "basis/interp.h"           /* loft_parabola */
 #include "curve/bezier.h"           /* loft_bezier */
+#include "curve/bspline.h"          /* loft_bspline */
 #include "curve/cardinal.h"         /* loft_cardinal_eval */
 #include "curve/hermite.h"          /* loft_hermite */
 #include "curve/natural.h"          /* loft_natural */
@@ -27,6 +28,10 @@ struct engine_curve {
     loft_unit tension;
     loft_natural natural;
     loft_natural_knot *memory;      /* of `natural` */
+    loft_real *knot;
+    loft_bspline bspline;
+    unsigned *before;               /* B-splines: for each span the one before it, as the library counts them; 0 first */
+    unsigned spans;
 };
 
 /* A piece in the number type. */
@@ -47,6 +52,8 @@ static void curve_close(engine_curve *e)
     free(e->w);
     free(e->d);
     free(e->memory);
+    free(e->knot);
+    free(e->before);
     free(e);
 }
 
@@ -62,21 +69,47 @@ static int hold(engine_curve *e)
         if (!vec_of(c->point[i].p, &e->p[i]) || !vec_of(c->point[i].d[0], &e->d[i][0]) || !vec_of(c->point[i].d[1], &e->d[i][1])
             || !real_of(c->point[i].w, &e->w[i]))
             return LOFT_ERR_RANGE;
+    e->knot = tool_grow(NULL, c->knot_count * sizeof *e->knot);
+    for (unsigned i = 0; i < c->knot_count; i++)
+        if (!real_of(c->knot[i], &e->knot[i]))
+            return LOFT_ERR_RANGE;
     e->tension = LOFT_UNIT(c->tension);
     return LOFT_OK;
 }
 
+static void list_spans(engine_curve *e, const loft_knots *knots)
+{
+    e->before = tool_grow(NULL, e->c->count * sizeof *e->before);
+    for (unsigned span = 0; ; ) {
+        const unsigned before = span;
+        span = loft_knots_next(knots, span);
+        if (span == 0)
+            break;
+        e->before[e->spans++] = before;
+    }
+}
+
 static int prepare(engine_curve *e)
 {
-    const int status = hold(e);
+    const curve *c = e->c;
+    int status = hold(e);
 
     if (status != LOFT_OK)
         return status;
-    if (e->c->kind == CURVE_NATURAL || e->c->kind == CURVE_CHORD) {
-        e->memory = tool_grow(NULL, e->c->count * sizeof *e->memory);
-        return loft_natural_init(&e->natural, e->p, (uint16_t)e->c->count, e->c->kind == CURVE_CHORD ? LOFT_CHORD : LOFT_UNIFORM, e->memory);
+    switch (c->kind) {
+    case CURVE_NATURAL: case CURVE_CHORD:
+        e->memory = tool_grow(NULL, c->count * sizeof *e->memory);
+        return loft_natural_init(&e->natural, e->p, (uint16_t)c->count, c->kind == CURVE_CHORD ? LOFT_CHORD : LOFT_UNIFORM, e->memory);
+    case CURVE_BSPLINE:
+        status = loft_bspline_init(&e->bspline, e->p, c->count, e->knot, c->degree);
+        if (status == LOFT_OK)
+            list_spans(e, &e->bspline.knots);
+        return status;
+    case CURVE_NURBS: case CURVE_ARC:
+        return LOFT_ERR_ARG;
+    default:
+        return LOFT_OK;
     }
-    return e->c->kind == CURVE_BSPLINE || e->c->kind == CURVE_NURBS || e->c->kind == CURVE_ARC ? LOFT_ERR_ARG : LOFT_OK;
 }
 
 static int curve_open(const curve *c, engine_curve **out)
@@ -130,6 +163,7 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
 {
     loft_hermite5 h;
     loft_cubic cubic;
+    unsigned span;
     int status;
 
     out->degree   = e->c->degree;
@@ -151,6 +185,9 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
         for (int k = 0; k < 4; k++)
             out->p[k] = cubic.p[k];
         return status;
+    case CURVE_BSPLINE:
+        span = e->before[i];
+        return loft_bspline_next(&e->bspline, &span, out->p) ? LOFT_OK : LOFT_ERR_ARG;
     default:
         return LOFT_ERR_ARG;
     }
@@ -158,7 +195,7 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
 
 static unsigned curve_count(const engine_curve *e)
 {
-    return curve_pieces(e->c);
+    return e->before ? e->spans : curve_pieces(e->c);
 }
 
 static int curve_piece(engine_curve *e, unsigned i, piece *out)
@@ -250,21 +287,35 @@ static int eval_at(const engine_curve *e, unsigned i, double local, loft_vec *ou
     }
 }
 
+static int eval_bspline(const engine_curve *e, double t, loft_vec *out)
+{
+    loft_real u;
+
+    if (!real_of(t, &u))
+        return LOFT_ERR_RANGE;
+    *out = loft_bspline_eval(&e->bspline, u);
+    return LOFT_OK;
+}
+
 static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
 {
     const bool inside = t >= curve_from(e->c) && t <= curve_to(e->c);
     long double local;
     loft_vec at;
+    int status;
 
     if (!inside && !curve_extends(e->c))
         return LOFT_ERR_ARG;
     const unsigned i = curve_locate(e->c, (long double)t, &local);
-    const int status = e->c->kind == CURVE_PARABOLA ? eval_parabola(e, t, &at) : eval_at(e, i, (double)local, &at);
+    switch (e->c->kind) {
+    case CURVE_PARABOLA: status = eval_parabola(e, t, &at); break;
+    case CURVE_BSPLINE:  status = eval_bspline(e, t, &at); break;
+    default:             status = eval_at(e, i, (double)local, &at); break;
+    }
     if (status == LOFT_OK)
         point_of(at, out);
     return status;
 }
-
 
 const engine_curves ENGINE_OF(engine_curves) = {
     .open   = curve_open,
