@@ -12,6 +12,7 @@
 #include "curve/cardinal.h"         /* loft_cardinal_eval */
 #include "curve/hermite.h"          /* loft_hermite */
 #include "curve/natural.h"          /* loft_natural */
+#include "curve/nurbs.h"            /* loft_nurbs */
 #include "curve/parabola.h"         /* loft_bezier_from_parabola */
 #include "curve/rational.h"         /* loft_rational */
 
@@ -24,12 +25,14 @@ struct engine_curve {
     const curve *c;
     loft_vec *p;
     loft_real *w;                   /* weights; of a parabola: its parameters */
+    loft_weighted *weighted;        /* both                                   */
     loft_vec (*d)[2];
     loft_unit tension;
     loft_natural natural;
     loft_natural_knot *memory;      /* of `natural` */
     loft_real *knot;
     loft_bspline bspline;
+    loft_nurbs nurbs;
     unsigned *before;               /* B-splines: for each span the one before it, as the library counts them; 0 first */
     unsigned spans;
 };
@@ -50,6 +53,7 @@ static void curve_close(engine_curve *e)
 {
     free(e->p);
     free(e->w);
+    free(e->weighted);
     free(e->d);
     free(e->memory);
     free(e->knot);
@@ -64,11 +68,14 @@ static int hold(engine_curve *e)
 
     e->p = tool_grow(NULL, c->count * sizeof *e->p);
     e->w = tool_grow(NULL, c->count * sizeof *e->w);
+    e->weighted = tool_grow(NULL, c->count * sizeof *e->weighted);
     e->d = tool_grow(NULL, c->count * sizeof *e->d);
-    for (unsigned i = 0; i < c->count; i++)
+    for (unsigned i = 0; i < c->count; i++) {
         if (!vec_of(c->point[i].p, &e->p[i]) || !vec_of(c->point[i].d[0], &e->d[i][0]) || !vec_of(c->point[i].d[1], &e->d[i][1])
             || !real_of(c->point[i].w, &e->w[i]))
             return LOFT_ERR_RANGE;
+        e->weighted[i] = (loft_weighted){ e->p[i], e->w[i] };
+    }
     e->knot = tool_grow(NULL, c->knot_count * sizeof *e->knot);
     for (unsigned i = 0; i < c->knot_count; i++)
         if (!real_of(c->knot[i], &e->knot[i]))
@@ -105,7 +112,12 @@ static int prepare(engine_curve *e)
         if (status == LOFT_OK)
             list_spans(e, &e->bspline.knots);
         return status;
-    case CURVE_NURBS: case CURVE_ARC:
+    case CURVE_NURBS:
+        status = loft_nurbs_init(&e->nurbs, e->weighted, c->count, e->knot, c->degree);
+        if (status == LOFT_OK)
+            list_spans(e, &e->nurbs.knots);
+        return status;
+    case CURVE_ARC:
         return LOFT_ERR_ARG;
     default:
         return LOFT_OK;
@@ -133,7 +145,7 @@ static void take(const engine_curve *e, unsigned first, part *out)
 {
     for (unsigned k = 0; k <= out->degree; k++) {
         out->p[k] = e->p[first + k];
-        out->weighted[k] = (loft_weighted){ e->p[first + k], e->w[first + k] };
+        out->weighted[k] = e->weighted[first + k];
     }
 }
 
@@ -188,6 +200,9 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
     case CURVE_BSPLINE:
         span = e->before[i];
         return loft_bspline_next(&e->bspline, &span, out->p) ? LOFT_OK : LOFT_ERR_ARG;
+    case CURVE_NURBS:
+        span = e->before[i];
+        return loft_nurbs_next(&e->nurbs, &span, out->weighted) ? LOFT_OK : LOFT_ERR_ARG;
     default:
         return LOFT_ERR_ARG;
     }
@@ -293,7 +308,7 @@ static int eval_bspline(const engine_curve *e, double t, loft_vec *out)
 
     if (!real_of(t, &u))
         return LOFT_ERR_RANGE;
-    *out = loft_bspline_eval(&e->bspline, u);
+    *out = e->c->kind == CURVE_NURBS ? loft_nurbs_eval(&e->nurbs, u) : loft_bspline_eval(&e->bspline, u);
     return LOFT_OK;
 }
 
@@ -308,9 +323,15 @@ static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
         return LOFT_ERR_ARG;
     const unsigned i = curve_locate(e->c, (long double)t, &local);
     switch (e->c->kind) {
-    case CURVE_PARABOLA: status = eval_parabola(e, t, &at); break;
-    case CURVE_BSPLINE:  status = eval_bspline(e, t, &at); break;
-    default:             status = eval_at(e, i, (double)local, &at); break;
+    case CURVE_PARABOLA:
+        status = eval_parabola(e, t, &at);
+        break;
+    case CURVE_BSPLINE: case CURVE_NURBS:
+        status = eval_bspline(e, t, &at);
+        break;
+    default:
+        status = eval_at(e, i, (double)local, &at);
+        break;
     }
     if (status == LOFT_OK)
         point_of(at, out);
