@@ -18,7 +18,7 @@ const char *curve_name(enum curve_kind kind)
 
 bool curve_is_rational(const curve *c)
 {
-    return c->kind == CURVE_RATIONAL || c->kind == CURVE_NURBS || c->kind == CURVE_ARC;
+    return c->kind == CURVE_RATIONAL || c->kind == CURVE_NURBS;
 }
 
 bool curve_extends(const curve *c)

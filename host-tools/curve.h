@@ -28,7 +28,7 @@ enum curve_kind {
 
 /* A point and what stands behind it. */
 typedef struct {
-    double p[CURVE_AXES];
+    double p[CURVE_AXES];       /* arc: start, centre, end                                      */
     double d[2][CURVE_AXES];    /* hermite3: the first derivative; hermite5: the second as well */
     double w;                   /* rational, nurbs: the weight; parabola: its parameter         */
 } curve_point;
@@ -37,7 +37,7 @@ typedef struct curve {
     enum curve_kind kind;
     unsigned degree;            /* of the pieces                                                */
     double tension;             /* cardinal                                                     */
-    double radius, from, to;    /* arc; degrees, counterclockwise when to > from                */
+    int turns;                  /* arc: > 0 left about, counterclockwise; 2: once round and on  */
     curve_point *point;
     unsigned count;
     double *knot;               /* bspline, nurbs: count + degree + 1 of them                   */

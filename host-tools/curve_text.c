@@ -13,6 +13,8 @@
 #include "scan.h"       /* scan_numbers, scan_word */
 #include "tool.h"       /* tool_error, sysexits */
 
+#define TURNS_MAX 1000
+
 typedef struct {
     curves *all;
     const char *file;
@@ -108,16 +110,15 @@ static int head_natural(reading *r)
 
 static int head_arc(reading *r)
 {
-    double number[3];
+    const int length = scan_word(r->rest);
+    const bool left  = length == 4 && strncmp(r->rest, "left", 4) == 0, right = length == 5 && strncmp(r->rest, "right", 5) == 0;
+    double turns = 1;
 
-    if (numbers_alone(r, number, 3) != 3 || number[0] <= 0)
-        return wrong(r, "not an arc", "give radius and two angles in degrees, as `arc 10 0 90`, and its centre on the next line");
-    if (number[1] == number[2] || fabs(number[2] - number[1]) > 360)
-        return wrong(r, "an arc of no or of more than 360 degrees", "give two angles that differ by less");
-    r->now->radius = number[0];
-    r->now->from   = number[1];
-    r->now->to     = number[2];
-    r->now->degree = 2;
+    r->rest += length;
+    if ((!left && !right) || numbers_alone(r, &turns, 1) < 0 || turns != floor(turns) || turns < 1 || turns > TURNS_MAX)
+        return wrong(r, "not an arc", "give the way it turns, `arc left` or `arc right`, and start, centre and end as points");
+    r->now->turns  = left ? (int)turns : -(int)turns;
+    r->now->degree = 3;
     return 0;
 }
 
@@ -132,7 +133,7 @@ static const row rows[] = {
     { "natural",  CURVE_NATURAL,  head_natural, 2, NOTHING,     "`x y` or `x y z`" },
     { "bspline",  CURVE_BSPLINE,  head_degree,  2, NOTHING,     "`x y` or `x y z`" },
     { "nurbs",    CURVE_NURBS,    head_degree,  2, A_WEIGHT,    "`x y : weight`, the weight greater than 0" },
-    { "arc",      CURVE_ARC,      head_arc,     1, NOTHING,     "`x y` or `x y z`, the centre" }
+    { "arc",      CURVE_ARC,      head_arc,     3, NOTHING,     "`x y` or `x y z`: start, centre, end" }
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
@@ -285,6 +286,19 @@ static int check_parameters(const reading *r, const curve *c)
     return a < b && b < z ? 0 : wrong(r, "parameters that do not ascend", "give the three points in the order of their t");
 }
 
+/* As the library has it: the ends' distances from the centre may differ by what numbers with few digits make. */
+static int check_radii(const reading *r, const curve *c)
+{
+    const curve_point *p = c->point;
+    const double first = hypot(p[0].p[0] - p[1].p[0], p[0].p[1] - p[1].p[1]), last = hypot(p[2].p[0] - p[1].p[0], p[2].p[1] - p[1].p[1]);
+    char words[96];
+
+    if (first > 0 && fabs(first - last) <= first / 256)
+        return 0;
+    snprintf(words, sizeof words, "an arc whose ends are %.9g and %.9g mm from its centre", first, last);
+    return wrong(r, words, "give start, centre and end so that both are the same");
+}
+
 /* The curve is complete: is it one? */
 static int end_curve(reading *r)
 {
@@ -308,7 +322,12 @@ static int end_curve(reading *r)
         snprintf(remedy, sizeof remedy, "give %s%u", least == most ? "" : c->count < least ? "at least " : "at most ", c->count < least ? least : most);
         return wrong(&at, words, remedy);
     }
-    return has_knots(c) ? check_knots(&at, c) : c->kind == CURVE_PARABOLA ? check_parameters(&at, c) : 0;
+    switch (c->kind) {
+    case CURVE_BSPLINE: case CURVE_NURBS: return check_knots(&at, c);
+    case CURVE_PARABOLA:                  return check_parameters(&at, c);
+    case CURVE_ARC:                       return check_radii(&at, c);
+    default:                              return 0;
+    }
 }
 
 static int word_line(reading *r)

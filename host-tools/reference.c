@@ -145,6 +145,24 @@ static void solve_bends(reference *r, int axis)
     free(over);
 }
 
+/* Turned about the centre by its part of the sweep; what the ends' distances differ by, and the other axes, in proportion. */
+static void arc(const curve *c, long double t, long double out[CURVE_AXES])
+{
+    const curve_point *p = c->point;
+    const long double a[2] = { (long double)p[0].p[0] - (long double)p[1].p[0], (long double)p[0].p[1] - (long double)p[1].p[1] };
+    const long double z[2] = { (long double)p[2].p[0] - (long double)p[1].p[0], (long double)p[2].p[1] - (long double)p[1].p[1] };
+    const long double way  = c->turns > 0 ? 1 : -1, turn = 2 * acosl(-1);
+    long double sweep = way * atan2l(a[0] * z[1] - a[1] * z[0], a[0] * z[0] + a[1] * z[1]);
+
+    if (sweep < 1e-14L)
+        sweep += turn;
+    sweep += turn * (fabsl((long double)c->turns) - 1);
+    const long double angle = way * t * sweep, last = way * sweep;
+    out[0] = (long double)p[1].p[0] + a[0] * cosl(angle) - a[1] * sinl(angle) + t * (z[0] - a[0] * cosl(last) + a[1] * sinl(last));
+    out[1] = (long double)p[1].p[1] + a[0] * sinl(angle) + a[1] * cosl(angle) + t * (z[1] - a[0] * sinl(last) - a[1] * cosl(last));
+    out[2] = (long double)p[0].p[2] + t * ((long double)p[2].p[2] - (long double)p[0].p[2]);
+}
+
 static long double distance(const double a[CURVE_AXES], const double b[CURVE_AXES])
 {
     long double sum = 0;
@@ -195,7 +213,10 @@ void reference_eval(const reference *r, long double t, long double out[CURVE_AXE
         for (int i = 0; i < CURVE_AXES; i++)
             out[i] = (long double)c->point[k].p[i] + local * ((long double)c->point[k + 1].p[i] - (long double)c->point[k].p[i]);
         break;
-    case CURVE_ARC: case CURVE_KINDS:
+    case CURVE_ARC:
+        arc(c, t, out);
+        break;
+    case CURVE_KINDS:
         break;
     }
 }
