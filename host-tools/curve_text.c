@@ -13,7 +13,9 @@
 #include "scan.h"       /* scan_numbers, scan_word */
 #include "tool.h"       /* tool_error, sysexits */
 
-#define TURNS_MAX 1000
+#define TURNS_MAX    1000
+#define WEIGHT_LEAST (1 / 256.0)    /* of the library */
+#define WEIGHT_MOST  256.0
 
 typedef struct {
     curves *all;
@@ -125,14 +127,14 @@ static int head_arc(reading *r)
 static const row rows[] = {
     { "bezier",   CURVE_BEZIER,   head_degree,  1, NOTHING,     "`x y` or `x y z`" },
     { "line",     CURVE_LINE,     head_cubic,   2, NOTHING,     "`x y` or `x y z`" },
-    { "rational", CURVE_RATIONAL, head_degree,  2, A_WEIGHT,    "`x y : weight`, the weight greater than 0" },
+    { "rational", CURVE_RATIONAL, head_degree,  2, A_WEIGHT,    "`x y : weight`, a weight of 1/256 to 256" },
     { "parabola", CURVE_PARABOLA, head_cubic,   3, A_PARAMETER, "`x y : t`, the point that is reached at t" },
     { "hermite3", CURVE_HERMITE3, head_cubic,   2, A_VECTOR,    "`x y : dx dy`, with the first derivative" },
     { "hermite5", CURVE_HERMITE5, head_cubic,   2, TWO_VECTORS, "`x y : dx dy : ddx ddy`, with both derivatives" },
     { "cardinal", CURVE_CARDINAL, head_tension, 4, NOTHING,     "`x y` or `x y z`" },
     { "natural",  CURVE_NATURAL,  head_natural, 2, NOTHING,     "`x y` or `x y z`" },
     { "bspline",  CURVE_BSPLINE,  head_degree,  2, NOTHING,     "`x y` or `x y z`" },
-    { "nurbs",    CURVE_NURBS,    head_degree,  2, A_WEIGHT,    "`x y : weight`, the weight greater than 0" },
+    { "nurbs",    CURVE_NURBS,    head_degree,  2, A_WEIGHT,    "`x y : weight`, a weight of 1/256 to 256" },
     { "arc",      CURVE_ARC,      head_arc,     3, NOTHING,     "`x y` or `x y z`: start, centre, end" }
 };
 #define ROWS (sizeof rows / sizeof rows[0])
@@ -191,7 +193,7 @@ static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
 {
     switch (behind) {
     case NOTHING:     return true;
-    case A_WEIGHT:    return !colon(r) || (scalar(r, &p->w) && p->w > 0);
+    case A_WEIGHT:    return !colon(r) || (scalar(r, &p->w) && p->w >= WEIGHT_LEAST && p->w <= WEIGHT_MOST);
     case A_PARAMETER: return colon(r) && scalar(r, &p->w);
     case A_VECTOR:    return colon(r) && vector(r, p->d[0]) > 0;
     case TWO_VECTORS: return colon(r) && vector(r, p->d[0]) > 0 && colon(r) && vector(r, p->d[1]) > 0;

@@ -28,7 +28,8 @@ static void draw(void *context, double p[4][CURVE_AXES])
 
     for (int k = 0; k < 4; k++) {
         if (out->code == 0 && (p[k][2] < 0 || p[k][2] > 0))
-            out->code = tool_error(EX_DATAERR, "%s:%u: z = %g mm: a drawing lies in the plane, leave z away", out->file, out->c->line, p[k][2]);
+            out->code = tool_error(EX_DATAERR, "%s:%u: %s: leaves the plane of the drawing: give points without z", out->file, out->c->line,
+                                   curve_name(out->c->kind));
         memcpy(flat[k], p[k], sizeof flat[k]);
     }
     if (out->code == 0)

@@ -4,12 +4,14 @@
  * A curve is opened: its points are rounded to the number type, what it needs is prepared. Each piece is then a Bezier
  * curve of the library, by the library's own conversion; points come from the function that evaluates that kind.
  */
+#include <float.h>
 #include <stdlib.h>
 
 #include "basis/interp.h"           /* loft_parabola */
 #include "curve/bezier.h"           /* loft_bezier */
 #include "curve/bspline.h"          /* loft_bspline */
 #include "curve/cardinal.h"         /* loft_cardinal_eval */
+#include "curve/circle.h"           /* loft_circle */
 #include "curve/hermite.h"          /* loft_hermite */
 #include "curve/natural.h"          /* loft_natural */
 #include "curve/nurbs.h"            /* loft_nurbs */
@@ -20,6 +22,8 @@
 #include "engine_num.h"     /* real_of, vec_of, point_of */
 #include "piece.h"
 #include "tool.h"           /* tool_grow */
+
+#define ARC_TOL 1e-4    /* mm; how far the cubics of an arc may leave it */
 
 struct engine_curve {
     const curve *c;
@@ -34,7 +38,9 @@ struct engine_curve {
     loft_bspline bspline;
     loft_nurbs nurbs;
     unsigned *before;               /* B-splines: for each span the one before it, as the library counts them; 0 first */
-    unsigned spans;
+    loft_circle circle;
+    loft_cubic *cubic;              /* of an arc: its spans */
+    unsigned spans;                 /* of B-splines and arcs */
 };
 
 /* A piece in the number type. */
@@ -58,6 +64,7 @@ static void curve_close(engine_curve *e)
     free(e->memory);
     free(e->knot);
     free(e->before);
+    free(e->cubic);
     free(e);
 }
 
@@ -96,6 +103,33 @@ static void list_spans(engine_curve *e, const loft_knots *knots)
     }
 }
 
+/* In floats no less than what their step is there. */
+static double arc_tolerance(const engine_curve *e)
+{
+    const double step = LOFT_REAL_LSB > 0 ? 0 : sizeof(loft_real) == sizeof(double) ? DBL_EPSILON : (double)FLT_EPSILON;
+    double largest = 0;
+
+    for (unsigned k = 0; k < 3; k++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            largest = fmax(largest, fabs(e->c->point[k].p[i]));
+    return fmax(ARC_TOL, 16 * step * largest);
+}
+
+static int prepare_arc(engine_curve *e)
+{
+    loft_circle_spans s;
+    int status = loft_circle_from_centre(&e->circle, e->p[0], e->p[2], LOFT_PLANE_XY, e->p[1], e->c->turns);
+
+    if (status == LOFT_OK)
+        status = loft_circle_spans_init(&s, &e->circle, LOFT_CIRCLE_CUBIC, LOFT_REAL(arc_tolerance(e)));
+    if (status != LOFT_OK)
+        return status;
+    e->cubic = tool_grow(NULL, s.n * sizeof *e->cubic);
+    while (loft_circle_spans_next(&s, &e->cubic[e->spans]))
+        e->spans++;
+    return LOFT_OK;
+}
+
 static int prepare(engine_curve *e)
 {
     const curve *c = e->c;
@@ -118,7 +152,7 @@ static int prepare(engine_curve *e)
             list_spans(e, &e->nurbs.knots);
         return status;
     case CURVE_ARC:
-        return LOFT_ERR_ARG;
+        return prepare_arc(e);
     default:
         return LOFT_OK;
     }
@@ -167,6 +201,7 @@ static int cubic_of(const engine_curve *e, unsigned i, loft_cubic *out)
     switch (e->c->kind) {
     case CURVE_HERMITE3: return loft_cubic_from_hermite(&h, out);
     case CURVE_CARDINAL: return loft_cubic_from_cardinal(&e->p[i], e->tension, out);
+    case CURVE_ARC:      *out = e->cubic[i]; return LOFT_OK;
     default:             return loft_cubic_from_natural(&e->natural, (uint16_t)i, out);
     }
 }
@@ -192,7 +227,7 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
     case CURVE_HERMITE5:
         h = hermite5_of(e, i);
         return loft_bezier_from_hermite5(&h, out->p);
-    case CURVE_HERMITE3: case CURVE_CARDINAL: case CURVE_NATURAL: case CURVE_CHORD:
+    case CURVE_HERMITE3: case CURVE_CARDINAL: case CURVE_NATURAL: case CURVE_CHORD: case CURVE_ARC:
         status = cubic_of(e, i, &cubic);
         for (int k = 0; k < 4; k++)
             out->p[k] = cubic.p[k];
@@ -210,7 +245,7 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
 
 static unsigned curve_count(const engine_curve *e)
 {
-    return e->before ? e->spans : curve_pieces(e->c);
+    return e->spans ? e->spans : curve_pieces(e->c);
 }
 
 static int curve_piece(engine_curve *e, unsigned i, piece *out)
@@ -297,6 +332,8 @@ static int eval_at(const engine_curve *e, unsigned i, double local, loft_vec *ou
         return loft_cardinal_eval(&e->p[i], e->tension, LOFT_UNIT(local), out);
     case CURVE_NATURAL: case CURVE_CHORD:
         return loft_natural_eval(&e->natural, (uint16_t)i, LOFT_UNIT(local), out);
+    case CURVE_ARC:
+        return loft_circle_eval(&e->circle, LOFT_UNIT(local), out);
     default:
         return eval_part(e, i, local, out);
     }

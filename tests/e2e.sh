@@ -342,6 +342,59 @@ case_compare_holds_the_bounds() {
     run 0 "$loft" compare --num q16 --against f64 --n 500 --points "0,0 100,200 300,-100 400,55.5"
     [ "$(grep -c '^q16  *f64' "$tmp/out")" = 2 ] || job_fails "$(cat "$tmp/out")"
 }
+case_curves_of_every_kind() {
+    local all=tests/drawings/curves.loft kinds
+    run 0 "$loft" compare "$all"
+    kinds=$(awk '/^q16/ { $1=$2=$3=$4=$5=$6=$7=$8=$9=""; print }' "$tmp/out" | sort -u | tr -s ' \n' ' ')
+    [ "$kinds" = " arc bezier bspline cardinal hermite3 hermite5 line natural chord natural uniform nurbs parabola rational " ] || job_fails "kinds:$kinds"
+    awk '/^q16 .* eval / && $5 > ($10 == "rational" || $10 == "nurbs" ? 2 : 1) { exit 1 } /^q16 .* walk / && $5 > 2 { exit 1 }
+         /^f32 .* eval / && $5 > 1 { exit 1 } /^f64 .* eval / && $5 > 32 { exit 1 }' "$tmp/out" || job_fails "beyond the bounds: $(cat "$tmp/out")"
+    run 0 "$loft" compare --num q16 --against f64 --n 64 "$all"
+    run 0 sh -c "cat '$all' | '$loft' eval -"
+    [ "$(grep -c . "$tmp/out")" = "$(grep -c '^[a-z]' "$all" | awk '{ print $1 - 2 }')" ] || job_fails "$(cat "$tmp/out")"      # two lines of knots
+}
+case_curves_through_pipes() {
+    printf 'natural\n0 0\n10 10\n20 0\narc left\n20 0\n20 10\n30 10\n' >"$tmp/two.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" eval --num $num --t 0,1 "$tmp/two.loft"
+        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;10 10;;20 0;30 10;" ] || job_fails "$num: $(cat "$tmp/out")"
+        run 0 "$loft" sample --num $num --n 1 "$tmp/two.loft"       # one path: no empty line where the arc goes on
+        ! grep -q '^$' "$tmp/out" && [ "$(head -3 "$tmp/out" | tr '\n' ';')$(tail -1 "$tmp/out")" = "0 0;10 10;20 0;30 10" ] || job_fails "$num: $(cat "$tmp/out")"
+        run 0 "$loft" flatten --num $num --tol 0.01 "$tmp/two.loft"
+        awk '$1 > 20.001 { d = sqrt(($1-20)^2 + ($2-10)^2) - 10; if (d > 1e-3 || d < -1e-3) exit 1; n++ } END { exit n < 5 }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
+    done
+    run 0 "$loft" stream "$tmp/two.loft" --dry-run; says out '^planned: .*path within 0.0050 mm'
+    machine curves --speed fast --once
+    run 0 "$loft" stream "$tmp/two.loft" --port "$tmp/curves" --feed 60; gone "$machine"; says out 'as commanded$'; counted curves
+}
+case_shapes_are_told() {
+    run 0 "$loft" eval --shape --points "0,0 20,10 -10,10 10,0"; says out '^0.0 bezier: loop, loop from 0.112701[0-9]* to 0.887298[0-9]*, box '
+    run 0 "$loft" eval --shape --points "0,0 10,10 0,10 10,0";   says out '^0.0 bezier: cusp, cusp at 0.5, box 0 0 to 10 7.5'
+    run 0 "$loft" eval --shape --points "0,0 1,1";               says out '^0.0 bezier: line, box 0 0 to 1 1$'
+    run 0 "$loft" eval --shape --points "0,0 1,1 2,0";           says out '^0.0 bezier: parabola, box 0 0 to 2 0.5'
+    run 0 "$loft" eval --shape tests/drawings/curves.loft;       says out ' natural uniform: serpentine, inflection at 1.377[0-9]*, box '
+    one_line 64 'give one of them' "$loft" eval --shape --t 0.5 --points "0,0 1,1"
+}
+case_combs_and_knots_are_drawn() {
+    run 0 "$loft" plot tests/drawings/curves.loft --comb -o "$tmp/a.png";              says out 'a.png: [0-9]* curves$'
+    run 0 "$loft" plot --comb 20 --control tests/drawings/curves.loft -o "$tmp/b.svg"; says out 'b.svg: [0-9]* curves$'
+    run 0 "$loft" plot --comb=20 -o "$tmp/c.pdf" "$tmp/small.csv"
+    [ "$(head -c 4 "$tmp/a.png" | tail -c 3)" = PNG ] && [ -s "$tmp/b.svg" ] && [ -s "$tmp/c.pdf" ] || job_fails "no picture"
+    run 0 "$loft" plot -o "$tmp/d.svg" tests/drawings/curves.loft
+    [ "$(grep -c '<path' "$tmp/b.svg")" -gt "$(grep -c '<path' "$tmp/d.svg")" ] || job_fails "no comb in the picture"
+    one_line 64 '--comb x' "$loft" plot --comb=x "$tmp/small.csv"
+}
+case_bad_curves() {
+    bad_loft() { printf "$1" >"$tmp/bad.loft"; shift; one_line 65 "$tmp/bad.loft:$1" "$loft" eval "$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$1" "$loft" stream --dry-run "$tmp/bad.loft"; }
+    bad_loft 'bezier 3\n0 0\n1 1\n'                      '1: bezier with 2 points: give 4'
+    bad_loft '# c\n\nsnake\n'                            '3: `snake` is no kind of curve'
+    bad_loft 'line\n0 0\n1 1\nrational\n0 0\n1 1 : -1\n' '6: not a point: `x y : weight`'
+    bad_loft 'natural chord\n0 0\n0 0\n1 1\n'            '1: natural chord: two points in one'
+    bad_loft 'rational\n0 0 : 300\n1 1\n'               '2: not a point: `x y : weight`, a weight of 1/256 to 256'
+    printf 'line\n0 0\n1 1 1\n' >"$tmp/z.loft"; one_line 65 'z.loft:1: line: leaves the plane of the drawing' "$loft" stream --dry-run "$tmp/z.loft"
+    printf 'hermite3\n0 0 : 90000 0\n1 0 : 90000 0\n' >"$tmp/far.loft"; one_line 65 'far.loft:1: .*take --num f64' "$loft" sample "$tmp/far.loft"
+    printf 'bspline 2\n0 0\n1 1\n2 0\n' >"$tmp/t.loft"; one_line 65 't.loft:1: t = 1.5: give 0 to 1 for this bspline' "$loft" eval --t 1.5 "$tmp/t.loft"
+}
 case_dry_run_says_the_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --dry-run
     says out '^planned: 7 curves, 0\.[0-9]* m drawn, .* s, [0-9]* spans, path within 0.0050 mm, job [0-9a-f]*$'

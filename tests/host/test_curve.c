@@ -107,6 +107,8 @@ static void what_is_wrong_is_said_with_its_line(arb *a)
     REFUSES_TEXT("line 3\n0 0\n1 1\n",                         "f.loft:1: more behind the kind");
     REFUSES_TEXT("rational\n0 0\n1 1 : 0\n",                   "f.loft:3: not a point: `x y : weight`");
     REFUSES_TEXT("rational\n0 0\n1 1 : -1\n",                  "f.loft:3: not a point");
+    REFUSES_TEXT("rational\n0 0 : 256.1\n",                    "f.loft:2: not a point");
+    REFUSES_TEXT("nurbs 1\n0 0 : 0.0039\n",                    "f.loft:2: not a point");
     REFUSES_TEXT("rational\n0 0\n1 1 :\n",                     "f.loft:3: not a point");
     REFUSES_TEXT("parabola\n0 0 : 0\n1 1\n",                   "f.loft:3: not a point: `x y : t`");
     REFUSES_TEXT("parabola\n0 0 : 0\n1 1 : 1\n",               "f.loft:1: parabola with 2 points: give 3");
@@ -196,7 +198,7 @@ static void curves_become_paths(arb *a)
     }
     CHECK(d.count == 4 && d.curve[1].line == 6 && d.curve[3].line == 10 && d.curve[3].path == 1);
     drawing_free(&d);
-    CHECK(read_drawing(&d, "\nline\n0 0\n1 1 2\n") == EX_DATAERR && strstr(caught, "f.loft:2: z = ") != NULL && caught_lines == 1);
+    CHECK(read_drawing(&d, "\nline\n0 0\n1 1 2\n") == EX_DATAERR && strstr(caught, "f.loft:2: line: leaves the plane") != NULL && caught_lines == 1);
     drawing_free(&d);
     CHECK(read_drawing(&d, "\n\nline\n0 0\n1 17000\n") == EX_DATAERR && strstr(caught, "f.loft:3: 17000 mm is beyond") != NULL && caught_lines == 1);
     drawing_free(&d);
