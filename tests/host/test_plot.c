@@ -57,8 +57,8 @@ static int ink_at(cairo_surface_t *picture, double x, double y, double left, dou
 /* A plain plot of a page: 62 thousandths left of it, 28 right, 52 above. */
 static void ink_is_on_the_curve(arb *a)
 {
-    drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 100, 100 };
-    const plot_options o = { .d = &d, .error = PLOT_NO_ERROR, .size = 1000, .name = "x.svg", .output = path_of("a.png") };
+    drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 100, 100, NULL };
+    const plot_options o = { .d = &d, .error = PLOT_NO_ERROR, .comb = PLOT_NO_COMB, .size = 1000, .name = "x.svg", .output = path_of("a.png") };
     (void)a;
     CHECK(plot_draw(&o, NULL) == 0);
     cairo_surface_t *picture = cairo_image_surface_create_from_png(o.output);
@@ -74,13 +74,34 @@ static void ink_is_on_the_curve(arb *a)
     remove(o.output);
 }
 
+/* The comb of an arc of radius 20: teeth of SCALE / 20 mm, outwards; between their ends and the arc only thin lines. */
+static void a_comb_stands_on_the_outside(arb *a)
+{
+    static const drawing_curve arc = { { { 70, 50 }, { 70, 61.045695 }, { 61.045695, 70 }, { 50, 70 } }, 0, 1 };
+    drawing d = { (drawing_curve *)(size_t)&arc, 1, 1, 100, 100, NULL };
+    const plot_options o = { .d = &d, .error = PLOT_NO_ERROR, .comb = 300, .size = 1000, .name = "x.svg", .output = path_of("c.png") };
+    (void)a;
+    CHECK(plot_draw(&o, NULL) == 0);
+    cairo_surface_t *picture = cairo_image_surface_create_from_png(o.output);
+    const double scale = 9.10, left = 62, bottom = 52 + 910;
+    for (int i = 1; i < 20; i++) {
+        const double x = cos(acos(-1) * i / 40), y = sin(acos(-1) * i / 40);
+        CHECK(ink_at(picture, 50 + 35 * x, 50 + 35 * y, left, bottom, scale) < 140);        /* their ends */
+        CHECK(ink_at(picture, 50 + 27 * x, 50 + 27 * y, left, bottom, scale) > 150);
+        CHECK(ink_at(picture, 50 + 15 * x, 50 + 15 * y, left, bottom, scale) == 255);       /* nothing inside */
+        CHECK(ink_at(picture, 50 + 40 * x, 50 + 40 * y, left, bottom, scale) == 255);
+    }
+    cairo_surface_destroy(picture);
+    remove(o.output);
+}
+
 static void every_format_is_written(arb *a)
 {
     static const double errors[] = { PLOT_NO_ERROR, PLOT_AUTO_ERROR, 10 };
     static const struct { const char *name, *start; } formats[] = {
         { "b.png", "\x89PNG" }, { "b.PDF", "%PDF-" }, { "b.svg", "<?xml" }
     };
-    drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 0, 0 };
+    drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 0, 0, NULL };
     record r;
     (void)a;
     machine(&r);
@@ -102,8 +123,8 @@ static void every_format_is_written(arb *a)
 
 static void what_cannot_be_written_is_told(arb *a)
 {
-    drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 100, 100 };
-    plot_options o = { .d = &d, .error = PLOT_NO_ERROR, .size = 300, .name = "x.svg", .output = "x.gif" };
+    drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 100, 100, NULL };
+    plot_options o = { .d = &d, .error = PLOT_NO_ERROR, .comb = PLOT_NO_COMB, .size = 300, .name = "x.svg", .output = "x.gif" };
     (void)a;
     caught[0] = '\0';
     CHECK(plot_draw(&o, NULL) == EX_USAGE && strstr(caught, ".png, .svg or .pdf") != NULL);
@@ -120,6 +141,7 @@ int main(void)
     if (mkdtemp(folder) == NULL)
         return 1;
     PROPERTY(ink_is_on_the_curve, 1);
+    PROPERTY(a_comb_stands_on_the_outside, 1);
     PROPERTY(every_format_is_written, 1);
     PROPERTY(what_cannot_be_written_is_told, 1);
     rmdir(folder);
