@@ -5,7 +5,9 @@
  *   geom/     what a point is        loft_vec, loft_box
  *   basis/    weights                Bernstein polynomials, power form, Horner; sign: positive, convex
  *   curve/    one parameter          bezier: point, derivative, pieces   forward: exact walking   measure: flatten, length
- *                                    hermite, cardinal, natural, parabola: through given points
+ *                                    bounds, nearest, intersect: where it is   shape: cusps, curvature   join: C0 to G2
+ *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
+ *                                    rational, circle: conics and arcs
  *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
  *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
  *   machine/  the controller         wire -> queue -> span -> step
@@ -42,6 +44,9 @@
 #include "curve/nearest.h"
 #include "curve/nurbs.h"
 #include "curve/parabola.h"
+#include "curve/rational.h"
+#include "curve/rational_walk.h"
+#include "curve/circle.h"
 #include "curve/shape.h"
 #include "motion/plan.h"
 #include "motion/span.h"
