@@ -17,7 +17,7 @@
 #define TEETH_MIN  8            /* per piece */
 #define TEETH_MAX  400
 #define TOOTH_TURN 0.04        /* radians */
-#define TOOTH_MAX  0.25         /* of the picture: at a cusp curvature has no bound */
+#define TOOTH_MAX  0.25         /* of the picture: at a cusp curvature has no bound; all of it if the scale is given */
 
 
 // Pieces
@@ -137,8 +137,9 @@ void plot_make_combs(plot_view *v, const double box[2][2])
         return;
     every_piece(v->o->d, comb_piece, &c);
     v->comb = v->o->comb > 0 ? v->o->comb : scale_of(&c, size);
+    const double most = v->o->comb > 0 ? size : TOOTH_MAX * size;
     for (size_t i = 0; i < v->teeth; i++) {
-        const double length = copysign(fmin(fabs(c.bend[i]) * v->comb, TOOTH_MAX * size), c.bend[i]);
+        const double length = copysign(fmin(fabs(c.bend[i]) * v->comb, most), c.bend[i]);
         for (int k = 0; k < 2; k++)
             v->tooth[i].tip[k] = v->tooth[i].foot[k] + length * v->tooth[i].tip[k];
     }
