@@ -69,8 +69,8 @@ loft_vec loft_rational_eval(const loft_rational *r, loft_unit t);
  *   range   t in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the derivative does not fit (it may be
  *           degree * R times the distance of two points); *out is untouched then
  *   error   q16: 0.51 LSB   f32, f64: 1/2 ulp of the result + 24 * degree^2 * R ulp of double (24 * degree * w0 w1 / w^2)
- *   cost    degree * (degree + 1) / 2 deep lerps per axis and once more; per axis one quotient of num/exact.h;
- *           q16: 1 KiB of stack
+ *   cost    degree * (degree + 1) / 2 deep lerps per axis and once more; per axis 3 long quotients;
+ *           q16: 900 bytes of stack
  *   see     Floater, Derivatives of rational Bezier curves, CAGD 9 (1992)
  */
 enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_vec *out) LOFT_CHECKED;

@@ -75,12 +75,12 @@ bool loft_deep_accepts(loft_real a);
  */
 loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t);
 
-/* k (x[1] w[0] - x[0] w[1]) / (w' w'), w' between w[0] and w[1] at t, as a wide value; false, and *out untouched, when that does
- * not fit. All guarded and not projected: weights without the factor LOFT_PROJECT.
+/* k (x[1] w[0] - x[0] w[1]) / (v v), v between w[0] and w[1] at t, as a wide value; false, and *out untouched, when
+ * that does not fit. All guarded and not projected: weights without the factor LOFT_PROJECT.
  *
- *   range   w > 0
- *   error   q16: 2^-33 + 2^-60 of the result's parts   f32, f64: 4 ulp of double of the parts
- *   cost    q16: that of two products, a square and a quotient of num/exact.h; not for an ISR
+ *   range   v > 0, k = 0..9
+ *   error   q16: 2^-33 + 2^-58 of the result's two parts   f32, f64: 4 ulp of double of the parts
+ *   cost    q16: 2 products of 64 bits and 3 quotients of 63 rounds
  */
 bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, int32_t k, loft_acc *out) LOFT_CHECKED;
 
