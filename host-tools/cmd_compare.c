@@ -25,6 +25,8 @@ typedef struct {
     double t;
     int axis;
     size_t count;
+    unsigned piece;                 /* of the last parameter, and from where to where it goes */
+    long double from, to;
 } comparison;
 
 static void look(comparison *m, long double t, const double got[ENGINE_AXES])
@@ -49,13 +51,17 @@ static void look(comparison *m, long double t, const double got[ENGINE_AXES])
     }
 }
 
-/* Parameter j of all, n per piece. */
-static long double parameter(const comparison *m, uint32_t j)
+/* Parameter j of all, n per piece; j ascends. */
+static long double parameter(comparison *m, uint32_t j)
 {
-    const unsigned i    = (j - 1) / m->n;
-    const long double a = (long double)curve_break(m->exact->c, i), b = (long double)curve_break(m->exact->c, i + 1);
+    const unsigned i = (j - 1) / m->n;
 
-    return a + (b - a) * (long double)(j - i * m->n) / (long double)m->n;
+    if (j == 1 || i != m->piece) {
+        m->piece = i;
+        m->from  = (long double)curve_break(m->exact->c, i);
+        m->to    = (long double)curve_break(m->exact->c, i + 1);
+    }
+    return m->from + (m->to - m->from) * (long double)(j - i * m->n) / (long double)m->n;
 }
 
 static void meet(void *context, const double point[ENGINE_AXES])
@@ -152,7 +158,10 @@ static void print_row(const engine *e, const comparison *m, const char *way, siz
 
 static int compare_ways(const engine *e, comparison *m, engine_curve *held, size_t curve_number)
 {
-    static const struct { const char *name; int (*run)(comparison *, const engine *, engine_curve *); } ways[] = { { "eval", by_eval }, { "walk", by_walk } };
+    static const struct {
+        const char *name;
+        int (*run)(comparison *, const engine *, engine_curve *);
+    } ways[] = { { "eval", by_eval }, { "walk", by_walk } };
     int status = 0;
 
     for (size_t w = 0; w < sizeof ways / sizeof ways[0] && status == 0; w++) {

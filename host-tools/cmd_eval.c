@@ -22,7 +22,8 @@ typedef struct {
 static int refuse(const evaluation *v, const curve *c, double t, int status)
 {
     if (!curve_extends(c) && (t < curve_from(c) || t > curve_to(c)))
-        return tool_error(EX_DATAERR, "%s:%u: t = %g: give %.9g to %.9g for this %s", v->file, c->line, t, curve_from(c), curve_to(c), curve_name(c->kind));
+        return tool_error(EX_DATAERR, "%s:%u: t = %g: give %.9g to %.9g for this %s", v->file, c->line, t, curve_from(c), curve_to(c),
+                          curve_name(c->kind));
     return tool_error(EX_DATAERR, "%s:%u: t = %g: %s", v->file, c->line, t, engine_status(status));
 }
 

@@ -78,12 +78,12 @@ double curve_break(const curve *c, unsigned i)
 
 double curve_from(const curve *c)
 {
-    return curve_break(c, 0);
+    return has_knots(c) ? c->knot[c->degree] : curve_break(c, 0);
 }
 
 double curve_to(const curve *c)
 {
-    return curve_break(c, curve_pieces(c));
+    return has_knots(c) ? c->knot[c->count] : curve_break(c, curve_pieces(c));
 }
 
 /* The piece of a B-spline in which t lies, and its ends. */

@@ -319,9 +319,10 @@ static int end_curve(reading *r)
     const unsigned most  = bezier ? (r->counted ? c->degree + 1 : CURVE_DEGREE_MAX + 1)
                          : c->kind == CURVE_PARABOLA || c->kind == CURVE_ARC ? kind->least : CURVE_POINTS_MAX;
     if (c->count < least || c->count > most) {
-        snprintf(words, sizeof words, "%s with %u point%s", kind->word, c->count, c->count == 1 ? "" : "s");
         char remedy[32];
-        snprintf(remedy, sizeof remedy, "give %s%u", least == most ? "" : c->count < least ? "at least " : "at most ", c->count < least ? least : most);
+        snprintf(words, sizeof words, "%s with %u point%s", kind->word, c->count, c->count == 1 ? "" : "s");
+        snprintf(remedy, sizeof remedy, "give %s%u", least == most ? "" : c->count < least ? "at least " : "at most ",
+                 c->count < least ? least : most);
         return wrong(&at, words, remedy);
     }
     switch (c->kind) {

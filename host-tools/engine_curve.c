@@ -353,12 +353,12 @@ static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
 {
     const bool inside = t >= curve_from(e->c) && t <= curve_to(e->c);
     long double local;
+    unsigned i;
     loft_vec at;
     int status;
 
     if (!inside && !curve_extends(e->c))
         return LOFT_ERR_ARG;
-    const unsigned i = curve_locate(e->c, (long double)t, &local);
     switch (e->c->kind) {
     case CURVE_PARABOLA:
         status = eval_parabola(e, t, &at);
@@ -367,6 +367,7 @@ static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
         status = eval_bspline(e, t, &at);
         break;
     default:
+        i = curve_locate(e->c, (long double)t, &local);
         status = eval_at(e, i, (double)local, &at);
         break;
     }

@@ -50,16 +50,29 @@ static void bezier(const curve *c, long double t, long double out[CURVE_AXES])
     project(b[0], out);
 }
 
-/* The span of knots from knot[s] to knot[s + 1] that holds t. */
+/* The last span of knots from knot[s] < knot[s + 1] with knot[s] <= t, by bisection; the first one if t is before it. */
+static unsigned span_of(const curve *c, long double t)
+{
+    unsigned low = c->degree, high = c->count;      /* knot[low] <= t, or low is the first; t < knot[high], or it is the last */
+
+    while (high - low > 1) {
+        const unsigned middle = (low + high) / 2;
+        if ((long double)c->knot[middle] <= t && c->knot[middle] < c->knot[c->count])
+            low = middle;
+        else
+            high = middle;
+    }
+    while (!(c->knot[low] < c->knot[low + 1]))
+        low++;
+    return low;
+}
+
 static void bspline(const curve *c, long double t, long double out[CURVE_AXES])
 {
     const unsigned n = c->degree;
+    const unsigned s = span_of(c, t);
     long double d[CURVE_DEGREE_MAX + 1][WIDE];
-    unsigned s = n;
 
-    for (unsigned k = n; k < c->count; k++)
-        if (c->knot[k + 1] > c->knot[k] && ((long double)c->knot[k] <= t || k == n))
-            s = k;
     for (unsigned k = 0; k <= n; k++)
         lift(c, s - n + k, d[k]);
     for (unsigned row = 1; row <= n; row++)
@@ -199,8 +212,9 @@ void reference_free(reference *r)
 void reference_eval(const reference *r, long double t, long double out[CURVE_AXES])
 {
     const curve *c = r->c;
+    const bool knots  = c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS;
     long double local = t;
-    const unsigned k  = curve_locate(c, t, &local);
+    const unsigned k  = knots ? 0 : curve_locate(c, t, &local);
 
     switch (c->kind) {
     case CURVE_BEZIER: case CURVE_RATIONAL:   bezier(c, t, out); break;

@@ -367,6 +367,12 @@ case_curves_through_pipes() {
     machine curves --speed fast --once
     run 0 "$loft" stream "$tmp/two.loft" --port "$tmp/curves" --feed 60; gone "$machine"; says out 'as commanded$'; counted curves
 }
+case_the_page_of_the_format_is_true() {
+    awk '/^```/ { on = !on; next } on' host-tools/LOFT.md >"$tmp/page.loft"
+    run 0 "$loft" eval --t 0,1 "$tmp/page.loft"
+    [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;20 0;;20 0;30 10;" ] || job_fails "$(cat "$tmp/out")"
+    run 0 "$loft" plot "$tmp/page.loft" -o "$tmp/page.svg"
+}
 case_shapes_are_told() {
     run 0 "$loft" eval --shape --points "0,0 20,10 -10,10 10,0"; says out '^0.0 bezier: loop, loop from 0.112701[0-9]* to 0.887298[0-9]*, box '
     run 0 "$loft" eval --shape --points "0,0 10,10 0,10 10,0";   says out '^0.0 bezier: cusp, cusp at 0.5, box 0 0 to 10 7.5'
