@@ -46,6 +46,7 @@
 #include "curve/natural.h"
 #include "curve/nearest.h"
 #include "curve/nurbs.h"
+#include "curve/offset.h"
 #include "curve/parabola.h"
 #include "curve/rational.h"
 #include "curve/rational_walk.h"

@@ -216,6 +216,8 @@
 #define loft_nurbs_init            LOFT_NAME(loft_nurbs_init)
 #define loft_nurbs_insert          LOFT_NAME(loft_nurbs_insert)
 #define loft_nurbs_next            LOFT_NAME(loft_nurbs_next)
+#define loft_offset_init           LOFT_NAME(loft_offset_init)
+#define loft_offset_next           LOFT_NAME(loft_offset_next)
 #define loft_pace_aim              LOFT_NAME(loft_pace_aim)
 #define loft_pace_init             LOFT_NAME(loft_pace_init)
 #define loft_pace_next             LOFT_NAME(loft_pace_next)
