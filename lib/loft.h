@@ -5,7 +5,7 @@
  *   geom/     what a point is        loft_vec, loft_box
  *   basis/    weights                Bernstein polynomials, power form, Horner; sign: positive, convex
  *   curve/    one parameter          bezier: point, derivative, pieces   forward: exact walking   measure: flatten, length
- *                                    bounds, nearest, intersect: where it is   shape: cusps, curvature   join: C0 to G2
+ *                                    bounds, nearest, intersect, offset: where it is   shape: cusps, curvature   join: C0 to G2
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
  *                                    rational, circle: conics and arcs
  *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
