@@ -72,6 +72,8 @@ static void flags_are_those_of_whole_numbers(arb *a)
 
     const loft_join j = decide(&g), want = joins_flags(g.p, g.q, n, &alpha, &eta);
     CHECK(agree(&j, &want));
+    if (BY_NUM(alpha > 32767 || fabsl(eta) > 32767, false, false))      /* factors that no coordinate holds: flags alone */
+        return;
     if (want.g1)
         CHECK_EXACT(exact_of(j.alpha), alpha, ulp(alpha));
     else
