@@ -27,8 +27,8 @@
 
 #define STEPS ((uint32_t)1 << 24)   /* of the parameter: all are exact in every number type */
 #define Y     (LOFT_AXES > 1)       /* the second axis; with one, init refuses              */
-#define HUGE  (8192 * loft_wide(LOFT_REAL(16384)))  /* of H: 2^27 */
-#define TINY  loft_wide(LOFT_REAL(0.0625))          /* its direction is good to 2^-25 from here on */
+#define LARGE (8192 * loft_wide(LOFT_REAL(16384)))  /* of H: 2^27 */
+#define SMALL loft_wide(LOFT_REAL(0.0625))          /* its direction is good to 2^-25 from here on */
 
 /* A span on trial. */
 typedef struct {
@@ -84,12 +84,12 @@ static bool normalise(loft_offset *o)
                 most = size_of(o->h[i][j]);
     if (!(most > 0))
         return false;
-    for (; most < HUGE; most *= 2)
+    for (; most < LARGE; most *= 2)
         for (int j = 0; j <= o->degree; j++) {
             o->h[0][j] *= 2;
             o->h[1][j] *= 2;
         }
-    for (; most >= 2 * HUGE; most = loft_acc_ratio(most, 2))
+    for (; most >= 2 * LARGE; most = loft_acc_ratio(most, 2))
         for (int j = 0; j <= o->degree; j++) {
             o->h[0][j] = loft_acc_ratio(o->h[0][j], 2);
             o->h[1][j] = loft_acc_ratio(o->h[1][j], 2);
@@ -150,7 +150,7 @@ static bool aim(const loft_offset *o, loft_unit from, loft_unit to, trial *r, lo
         if (length[j] > most)
             most = length[j];
     }
-    if (length[0] < TINY || length[m] < TINY)
+    if (length[0] < SMALL || length[m] < SMALL)
         return false;
     for (int i = 0; i < 2; i++) {
         for (unsigned j = 0; j <= m; j++)
