@@ -1,0 +1,298 @@
+/* tests/model/session.pml -- the session of lib/wire as a model for spin: WIRE.md part 5 to 7, one item per frame
+ * SPDX-License-Identifier: MIT
+ *
+ * What may happen at any moment: a frame is lost (damaged ones are: the CRC finds them) or doubled, FAULTS times; the
+ * host program dies and is started again, DEATHS times; the machine restarts, REBOOTS times; what is on the line stays
+ * there. With -DFREE timeouts may come at any moment too (a busy host), otherwise when nothing else can happen.
+ *
+ *     safety    every item is taken once, in order, and never more than the queue holds; the report comes when all of
+ *               them are executed; after a restart in mid-job nothing is taken until the user says so
+ *     liveness  the job ends, as done or as lost (ltl ends, weak fairness)
+ *
+ * Numbers on the wire count modulo M (65536 on the real one). `item` in a message is the item itself; the
+ * protocol never looks at it.  BUG=1..3 plants a mistake that must be found: see tests/model.sh.
+ */
+#ifndef K
+#define K 3             /* items of the job */
+#endif
+#ifndef W
+#define W 2             /* window in frames */
+#endif
+#ifndef Q
+#define Q 2             /* queue of the machine */
+#endif
+#ifndef M
+#define M 4             /* numbers on the wire */
+#endif
+#ifndef CH
+#define CH 3            /* frames that the line holds in each direction */
+#endif
+#ifndef FAULTS
+#define FAULTS 2
+#endif
+#ifndef DEATHS
+#define DEATHS 0
+#endif
+#ifndef REBOOTS
+#define REBOOTS 0
+#endif
+#ifndef BUG
+#define BUG 0           /* 1: END is taken whatever it counts  2: an item ahead of `next` is taken  3: credit is counted */
+#endif
+
+#define IDLE 0          /* of the machine */
+#define RUNNING 1
+#define DONE 2
+
+#define GREETING 0      /* of the host */
+#define OPENING 1
+#define STREAMING 2
+#define CLOSING 3
+#define FINISHED 4
+#define LOST 5
+
+mtype = { HELLO, JOB, ITEM, END, POLL, CLOSE, WELCOME, ACK, REPORT };
+
+chan to_machine = [CH] of { mtype, byte, byte, byte };                  /* session, number or nonce, item     */
+chan to_host    = [CH] of { mtype, byte, byte, byte, byte, byte };      /* session, nonce, next, limit, boot; */
+                                                                        /* limit + 16 * state, + 128: opened  */
+byte faults = FAULTS, deaths = DEATHS, reboots = REBOOTS;
+byte nonces = 0;                /* each HELLO of a new connection has another nonce */
+
+/* the machine */
+byte m_state = IDLE, m_session = 0, m_sessions = 0, m_nonce = 0, m_boot = 0;
+byte m_next = 0, m_executed = 0;
+bool m_opened = false, m_ended = false;
+bool due_welcome = false, due_ack = false, due_report = false;
+
+/* the host */
+byte h_phase = GREETING, h_session = 0, h_nonce = 0, h_boot = 0, h_base = 0, h_send = 0, h_limit = 0;
+bool h_sent = false, h_opened = false, h_end_sent = false, h_silent = false;
+
+/* what is proved about */
+bool in_job = false;            /* JOB was taken and not yet closed                        */
+bool distrusted = false;        /* the machine restarted in mid-job, a host alive all the time */
+
+#define over (h_phase == FINISHED || h_phase == LOST)
+
+#define room    (Q - (m_next - m_executed))
+#define word    ((m_next + room) + 16 * m_state + 128 * m_opened)
+
+/* What is given to the line arrives, or is lost, or arrives twice. */
+inline give(line, what, a, b, c)
+{
+    if
+    :: line!what, a, b, c
+    :: faults > 0 -> faults--
+    :: faults > 0 && len(line) < CH - 1 -> faults--; line!what, a, b, c; line!what, a, b, c
+    fi
+}
+inline answer(what)
+{
+    if
+    :: to_host!what, m_session, m_nonce, m_next, word, m_boot
+    :: faults > 0 -> faults--
+    :: faults > 0 && len(to_host) < CH - 1 ->
+        faults--
+        to_host!what, m_session, m_nonce, m_next, word, m_boot;
+        to_host!what, m_session, m_nonce, m_next, word, m_boot
+    fi
+}
+
+inline machine_hello(nonce)
+{
+    if
+    :: m_session == 0 || nonce != m_nonce ->
+        m_sessions++;
+        m_session = m_sessions;
+        m_opened  = (m_state == RUNNING)
+    :: else
+    fi
+    m_nonce     = nonce;
+    due_welcome = true;
+    due_ack     = false
+}
+
+inline machine_job(nonce)
+{
+    if
+    :: nonce != m_nonce
+    :: nonce == m_nonce && (m_opened || m_state == DONE) -> due_ack = true
+    :: nonce == m_nonce && !m_opened && m_state == IDLE ->
+        assert(!in_job);                                /* never a job within a job */
+        assert(!distrusted);
+        in_job   = true;
+        m_state  = RUNNING;
+        m_next   = 0;
+        m_executed = 0;
+        m_opened = true;
+        m_ended  = false;
+        due_ack  = true
+    fi
+}
+
+inline machine_item(number, item)
+{
+    if
+    :: m_state == RUNNING && !m_ended && (number == m_next % M || (BUG == 2 && number == (m_next + 1) % M)) && room > 0 ->
+        assert(item == m_next);                         /* exactly once, in order */
+        assert(!distrusted);
+        m_next++
+    :: else
+    fi
+    due_ack = true
+}
+
+active proctype machine()
+{
+    mtype what;
+    byte session, number, item;
+
+end:
+    do
+    :: atomic { to_machine?what, session, number, item ->
+        if
+        :: what == HELLO -> machine_hello(number)
+        :: what != HELLO && m_session != 0 && session == m_session ->
+            if
+            :: what == JOB   -> machine_job(number)
+            :: what == ITEM  -> machine_item(number, item)
+            :: what == END   ->
+                if
+                :: m_state == RUNNING && (number == m_next || BUG == 1) -> m_ended = true
+                :: else
+                fi
+                due_ack = true
+            :: what == POLL  ->
+                due_ack = true;
+                if :: m_state == DONE -> due_report = true :: else fi
+            :: what == CLOSE ->
+                if :: m_state == DONE -> m_state = IDLE; in_job = false; due_report = false :: else fi
+                due_ack = true
+            fi
+        :: else
+        fi;
+        what = HELLO; session = 0; number = 0; item = 0 }
+
+    :: atomic { due_welcome && nfull(to_host) -> due_welcome = false; answer(WELCOME) }
+    :: atomic { !due_welcome && due_report && m_session != 0 && nfull(to_host) -> due_report = false; answer(REPORT) }
+    :: atomic { !due_welcome && !due_report && due_ack && nfull(to_host) -> due_ack = false; answer(ACK) }
+
+    :: atomic { m_executed < m_next ->
+        m_executed++;
+        assert(m_next - m_executed < Q);
+        if :: m_session != 0 -> due_ack = true :: else fi }                 /* room is told unasked */
+    :: atomic { m_state == RUNNING && m_ended && m_executed == m_next ->
+        assert(m_executed == K);
+        m_state = DONE;
+        if :: m_session != 0 -> due_report = true :: else fi }
+
+    :: atomic { reboots > 0 ->
+        reboots--;
+        if :: in_job && h_opened -> distrusted = true :: else fi;
+        m_boot++;
+        m_state = IDLE; m_session = 0; m_sessions = m_boot; m_nonce = 0; m_next = 0; m_executed = 0;
+        m_opened = false; m_ended = false; in_job = false;
+        due_welcome = false; due_ack = false; due_report = false }
+    od
+}
+
+/* The machine is known: a job under way that is ours goes on, ours that is over is collected. */
+inline host_join(state, next, limit, boot, opened)
+{
+    h_sent = false;
+    if
+    :: h_opened && (state == IDLE || boot != h_boot) -> h_phase = LOST
+    :: else ->
+        if
+        :: state == IDLE -> h_phase = OPENING
+        :: else ->
+            h_phase = STREAMING; h_opened = true; h_base = next; h_send = next; h_limit = limit; h_end_sent = false
+        fi
+    fi
+    h_boot = boot
+}
+
+inline host_ack(state, next, limit, opened)
+{
+    if
+    :: h_phase == OPENING && h_sent && opened ->
+        h_phase = STREAMING; h_opened = true; h_base = next; h_send = next; h_limit = limit; h_end_sent = false
+    :: h_phase == STREAMING && next >= h_base ->
+        h_base = next;
+        if :: h_send < next -> h_send = next :: else fi
+        if
+        :: BUG == 3 -> h_limit++
+        :: BUG != 3 && limit > h_limit -> h_limit = limit
+        :: else
+        fi
+    :: h_phase == CLOSING && state == IDLE -> h_phase = FINISHED
+    :: else
+    fi
+}
+
+inline host_greet()
+{
+    h_phase = GREETING; h_session = 0; h_sent = false; h_end_sent = false; h_silent = false;
+    nonces++;
+    h_nonce = nonces
+}
+
+#ifdef FREE
+#define quiet true
+#define MOST 4          /* connections: the search must end */
+#else
+#define quiet timeout
+#define MOST 200
+#endif
+
+active proctype host()
+{
+    mtype what;
+    byte session, nonce, next, state, boot;
+    bool opened;
+
+    atomic { host_greet() }
+    do
+    :: atomic { to_host?what, session, nonce, next, state, boot ->
+        opened = state >= 128;
+        state  = state % 128;
+        if :: session == h_session -> h_silent = false :: else fi;
+        if
+        :: what == WELCOME && h_phase == GREETING && nonce == h_nonce ->
+            h_session = session;
+            host_join(state / 16, next, state % 16, boot, opened)
+        :: what == ACK && h_phase != GREETING && session == h_session ->
+            host_ack(state / 16, next, state % 16, opened)
+        :: what == REPORT && h_phase == STREAMING && session == h_session ->
+            h_phase = CLOSING; h_sent = false
+        :: else
+        fi;
+        what = HELLO; session = 0; nonce = 0; next = 0; state = 0; boot = 0; opened = false }
+
+    :: atomic { h_phase == GREETING && !h_sent && nfull(to_machine) -> h_sent = true; give(to_machine, HELLO, 0, h_nonce, 0) }
+    :: atomic { h_phase == OPENING && !h_sent && nfull(to_machine) ->
+        h_sent = true; give(to_machine, JOB, h_session, h_nonce, 0) }
+    :: atomic { h_phase == CLOSING && !h_sent && nfull(to_machine) -> h_sent = true; give(to_machine, CLOSE, h_session, 0, 0) }
+    :: atomic { h_phase == STREAMING && h_send < K && h_send < h_limit && h_send < h_base + W && nfull(to_machine) ->
+        assert(m_boot != h_boot || h_send < m_executed + Q);    /* never more than there is room for */
+        give(to_machine, ITEM, h_session, h_send % M, h_send); h_send++ }
+    :: atomic { h_phase == STREAMING && h_send == K && !h_end_sent && nfull(to_machine) ->
+        h_end_sent = true; give(to_machine, END, h_session, K, 0) }
+
+    /* silence: the same again, once; then from the greeting */
+    :: atomic { quiet && h_phase == GREETING && h_sent -> h_sent = false }
+    :: atomic { quiet && (h_phase == OPENING || h_phase == CLOSING) && h_sent && !h_silent -> h_silent = true; h_sent = false }
+    :: atomic { quiet && h_phase == CLOSING && h_sent && h_silent -> h_phase = FINISHED }
+    :: atomic { quiet && h_phase == STREAMING && !h_silent && nfull(to_machine) ->
+        h_silent = true; h_send = h_base; h_end_sent = false; give(to_machine, POLL, h_session, 0, 0) }
+    :: atomic { quiet && (h_phase == OPENING || h_phase == STREAMING) && h_silent && nonces < MOST -> host_greet() }
+
+    /* the program dies and is started again: it knows its job and nothing else */
+    :: atomic { deaths > 0 && h_phase < CLOSING && !distrusted ->
+        deaths--; h_opened = false; h_base = 0; h_send = 0; h_limit = 0; h_boot = 0; host_greet() }
+    :: over -> break
+    od
+}
+
+ltl ends { <> over }
