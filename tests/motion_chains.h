@@ -21,16 +21,16 @@ static inline loft_real real_of(double x)      /* a multiple of 2^-16 in every b
     return BY_NUM((loft_real)raw, (loft_real)(raw / 65536), (loft_real)(raw / 65536));
 }
 
-static double arb_between(arb *a, double low, double high)
+static inline double arb_between(arb *a, double low, double high)
 {
     return low + (high - low) * (double)(arb_next(a) >> 11) / 9007199254740992.0;
 }
 
-static double arb_decades(arb *a, double low, double high) { return exp(arb_between(a, log(low), log(high))); }
+static inline double arb_decades(arb *a, double low, double high) { return exp(arb_between(a, log(low), log(high))); }
 
 static double here[LOFT_AXES], heading[LOFT_AXES];
 
-static void arb_direction(arb *a, double d[])
+static inline void arb_direction(arb *a, double d[])
 {
     double len = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -44,7 +44,7 @@ static void arb_direction(arb *a, double d[])
 }
 
 /* Append the curve whose control points lie at u[k] along `d` and w[k] along `e` from here. */
-static void add_curve(const double d[], const double e[], const double u[4], const double w[4], double feed)
+static inline void add_curve(const double d[], const double e[], const double u[4], const double w[4], double feed)
 {
     loft_move *m = &chain[curves++];
     m->feed = real_of(feed);
@@ -80,7 +80,7 @@ static const double shape[KINDS][2][4] = {
 };
 
 /* `onward`: it begins where the one before was heading. */
-static void arb_curve(arb *a, enum kind kind, double size, double feed, bool onward)
+static inline void arb_curve(arb *a, enum kind kind, double size, double feed, bool onward)
 {
     double d[LOFT_AXES], e[LOFT_AXES], u[4] = { 0, 0, 0, 0 }, w[4] = { 0, 0, 0, 0 };
 
@@ -108,14 +108,14 @@ static void arb_curve(arb *a, enum kind kind, double size, double feed, bool onw
     add_curve(d, e, u, w, feed);
 }
 
-static void begin_chain(void)
+static inline void begin_chain(void)
 {
     curves = 0;
     for (int i = 0; i < LOFT_AXES; i++)
         here[i] = heading[i] = 0;
 }
 
-static void usual_limits(void)
+static inline void usual_limits(void)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         limits.max_speed[i] = real_of(1000);
@@ -126,7 +126,7 @@ static void usual_limits(void)
     limits.tick_hz = 1000;
 }
 
-static void arb_limits(arb *a)
+static inline void arb_limits(arb *a)
 {
     static const uint16_t rates[] = { 250, 333, 500, 1000, 1024, 2000, 4000 };
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -139,7 +139,7 @@ static void arb_limits(arb *a)
 }
 
 /* One to 13 curves of all kinds, from specks to metres, of similar size. */
-static void arb_chain(arb *a)
+static inline void arb_chain(arb *a)
 {
     const double size = arb_decades(a, 0.0002, 1000), feed = arb_decades(a, fmax(1, size / 60), 500);
     const unsigned n = 1 + arb_below(a, 13);
