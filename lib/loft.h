@@ -27,6 +27,7 @@
 #include "num/angle.h"
 #include "num/deep.h"
 #include "num/exact.h"
+#include "num/sci.h"
 #include "geom/vec.h"
 #include "basis/bernstein.h"
 #include "basis/copositive.h"

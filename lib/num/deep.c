@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "num/deep.h"
+#include "num/sci.h"    /* loft_deep_slope divides by small weights */
 
 #if LOFT_NUM == LOFT_Q16
 
@@ -152,102 +153,16 @@ loft_real loft_deep_project(loft_deep x, loft_deep w)
     return signed_quotient(q, minus, reached && !tie, tie);
 }
 
-
-/* Numbers of 63 bits and an exponent: m 2^e with m = 0 or 2^62 <= m < 2^63, cut. Each operation errs by 2^-61 of its
- * result at most. */
-
-typedef struct {
-    uint64_t m;
-    int16_t e;
-    bool minus;
-} scientific;
-
-static scientific normal(uint64_t m, uint32_t below, int e, bool minus)
-{
-    scientific r;
-
-    for (; m && !(m >> 62); e--) {
-        m = m << 1 | below >> 31;
-        below <<= 1;
-    }
-    if (m >> 63) {
-        m >>= 1;
-        e++;
-    }
-    r.m = m;
-    r.e = (int16_t)e;
-    r.minus = minus;
-    return r;
-}
-
-static scientific scientific_of(const loft_deep *x)
-{
-    const bool minus = negative(x);
-    const loft_deep a = minus ? negated(x) : *x;
-    int top = LIMBS - 1;
-
-    while (top > 2 && !a.limb[top])
-        top--;
-    return normal((uint64_t)a.limb[top] << 32 | a.limb[top - 1], a.limb[top - 2], 32 * (top - 1), minus);
-}
-
-/* The upper 64 of 126 bits, 2^60 at least, and what is below them. */
-static scientific times(scientific a, scientific b)
-{
-    const uint64_t a1 = a.m >> 32, a0 = a.m & 0xffffffffu, b1 = b.m >> 32, b0 = b.m & 0xffffffffu;
-    const uint64_t low = a1 * b0 + (a0 * b0 >> 32), cross = a0 * b1 + (low & 0xffffffffu);
-    return normal(a1 * b1 + (low >> 32) + (cross >> 32), (uint32_t)(cross & 0xffffffffu), a.e + b.e + 64, a.minus != b.minus);
-}
-
-static scientific over(scientific a, scientific b)
-{
-    uint64_t q = 0, rest = a.m;
-
-    for (int round = 0; round < 63; round++) {
-        q += q;
-        if (rest >= b.m) {
-            rest -= b.m;
-            q++;
-        }
-        rest += rest;
-    }
-    return normal(q, rest >= b.m ? (uint32_t)1 << 31 : 0, a.e - b.e - 62, a.minus != b.minus);
-}
-
-static scientific difference(scientific a, scientific b)
-{
-    b.minus = !b.minus;
-    if (!a.m || (b.m && b.e > a.e)) {
-        const scientific c = a;
-        a = b;
-        b = c;
-    }
-    b.m = b.m && a.e - b.e < 64 ? b.m >> (a.e - b.e) : 0;
-    if (a.minus == b.minus)
-        return normal(a.m + b.m, 0, a.e, a.minus);
-    return a.m >= b.m ? normal(a.m - b.m, 0, a.e, a.minus) : normal(b.m - a.m, 0, a.e, b.minus);
-}
-
-static bool wide_of(scientific a, loft_acc *out)
-{
-    const int down = -(a.e + 32);
-
-    if (a.m && down < 1)
-        return false;
-    const uint64_t size = a.m && down < 64 ? ((a.m >> (down - 1)) + 1) >> 1 : 0;
-    *out = a.minus ? -(int64_t)size : (int64_t)size;
-    return true;
-}
-
-/* x and w have 2^96 in common with the real numbers, of which the quotient has none. */
+/* Five products, quotients and differences, each off by 2^-61 of its result. */
 bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, int32_t k, loft_acc *out)
 {
-    const loft_deep base = loft_deep_lerp(w[0], w[1], t);
-    const loft_deep x0 = loft_deep_times(x[0], (uint32_t)k), x1 = loft_deep_times(x[1], (uint32_t)k);
-    const scientific by = scientific_of(&base), w0 = scientific_of(&w[0]), w1 = scientific_of(&w[1]);
-    const scientific rise = over(times(scientific_of(&x1), w0), by), fall = over(times(scientific_of(&x0), w1), by);
+    const loft_sci by = loft_sci_from_deep(loft_deep_lerp(w[0], w[1], t));
+    const loft_sci w0 = loft_sci_from_deep(w[0]), w1 = loft_sci_from_deep(w[1]);
+    const loft_sci x0 = loft_sci_from_deep(loft_deep_times(x[0], (uint32_t)k));
+    const loft_sci x1 = loft_sci_from_deep(loft_deep_times(x[1], (uint32_t)k));
+    const loft_sci rise = loft_sci_div(loft_sci_mul(x1, w0), by), fall = loft_sci_div(loft_sci_mul(x0, w1), by);
 
-    return wide_of(over(difference(rise, fall), by), out);
+    return loft_sci_wide(loft_sci_div(loft_sci_sub(rise, fall), by), out);
 }
 
 #else

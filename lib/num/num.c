@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "num/num.h"
+#include "num/sci.h"    /* loft_sci_sqrt, of doubles */
 
 #if LOFT_NUM == LOFT_Q16
 
@@ -108,27 +109,7 @@ loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, lof
 
 #else
 
-/* Newton's iteration for the reciprocal square root would need a table; halving the exponent by
- * comparison keeps it freestanding: x is scaled by powers of 4 into [1, 4), where Heron's steps from
- * r = (1 + x) / 2 (relative error 1/4 at the worst, x = 4) err by 1/40, 2^-11, 2^-24, 2^-49, 2^-100. */
-static double square_root(double x)
-{
-    double scale = 1;
-
-    if (!(x > 0))
-        return 0;
-    if (x > DBL_MAX)
-        return x;
-    while (x >= 4) { x *= 0.25; scale *= 2; }
-    while (x < 1)  { x *= 4;    scale *= 0.5; }
-
-    double r = 0.5 * (1 + x);
-    for (int i = 0; i < 5; i++)
-        r = 0.5 * (r + x / r);
-    return r * scale;
-}
-
-loft_real loft_acc_sqrt(loft_acc x) { return (loft_real)square_root(x); }
+loft_real loft_acc_sqrt(loft_acc x) { return (loft_real)loft_sci_sqrt(x); }
 
 loft_real loft_acc_quot(loft_acc x, loft_acc y) { return (loft_real)(x / y); }
 
@@ -157,7 +138,7 @@ loft_acc loft_acc_hypot(const loft_acc x[], int n)
         const loft_acc part = x[i] / largest;
         sum += part * part;
     }
-    return largest * square_root(sum);
+    return largest * loft_sci_sqrt(sum);
 }
 
 #endif

@@ -1,0 +1,263 @@
+/* lib/num/sci.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "num/sci.h"
+#include "num/exact.h"  /* loft_exact_det, where doubles cancel */
+
+#if LOFT_NUM == LOFT_Q16
+
+#define TOP 62          /* the highest bit of m */
+
+/* m and 32 bits below it, times 2^e, brought to the form and cut. */
+static loft_sci normal(uint64_t m, uint32_t below, int e, bool minus)
+{
+    loft_sci r;
+
+    if (m && !(m >> 32)) {
+        m = m << 32 | below;
+        below = 0;
+        e -= 32;
+    }
+    for (unsigned step = 16; step; step /= 2)
+        while (m && !(m >> (TOP + 1 - step))) {
+            m = m << step | below >> (32 - step);
+            below <<= step;
+            e -= (int)step;
+        }
+    if (m >> (TOP + 1)) {
+        m >>= 1;
+        e++;
+    }
+    r.m = m;
+    r.e = (int16_t)e;
+    r.minus = minus;
+    return r;
+}
+
+static uint64_t size_of(int64_t x) { return x < 0 ? 0 - (uint64_t)x : (uint64_t)x; }
+
+loft_sci loft_sci_of(loft_acc x)            { return normal(size_of(x), 0, -32, x < 0); }
+loft_sci loft_sci_from_real(loft_real a)    { return normal(size_of(a), 0, -16, a < 0); }
+loft_sci loft_sci_from_unit(loft_unit t)    { return normal(size_of(t), 0, -24, t < 0); }
+loft_sci loft_sci_from_int(int32_t i)       { return normal(size_of(i), 0, 0, i < 0); }
+
+/* The highest limb that is not 0 and the two below it hold 65 bits at least, or all there are. */
+loft_sci loft_sci_from_deep(loft_deep x)
+{
+    const loft_deep zero = { { 0 } };
+    const bool minus = x.limb[3] >> 31 != 0;
+    int top = 3;
+
+    if (minus)
+        x = loft_deep_sub(zero, x);
+    while (top > 2 && !x.limb[top])
+        top--;
+    if (!x.limb[top])
+        return normal((uint64_t)x.limb[1] << 32 | x.limb[0], 0, -32, minus);
+    return normal((uint64_t)x.limb[top] << 32 | x.limb[top - 1], x.limb[top - 2], 32 * (top - 1) - 32, minus);
+}
+
+/* The smaller one is cut to the larger one's exponent, below which a difference takes 32 bits more: where they matter,
+ * because the first bits cancel, they are all there are. */
+loft_sci loft_sci_add(loft_sci a, loft_sci b)
+{
+    if (!a.m || (b.m && b.e > a.e)) {
+        const loft_sci c = a;
+        a = b;
+        b = c;
+    }
+    if (!b.m)
+        return a;
+    const int down = a.e - b.e;
+    const uint64_t m = down < 64 ? b.m >> down : 0;
+    if (a.minus == b.minus)
+        return normal(a.m + m, 0, a.e, a.minus);
+    if (a.m <= m)               /* then down is 0 */
+        return a.m == m ? loft_sci_zero() : normal(m - a.m, 0, a.e, b.minus);
+    const uint32_t lost = down > 0 && down < 64 ? (uint32_t)(b.m << (64 - down) >> 32) : 0;
+    return normal(a.m - m - (lost != 0), 0u - lost, a.e, a.minus);
+}
+
+loft_sci loft_sci_sub(loft_sci a, loft_sci b) { return loft_sci_add(a, loft_sci_neg(b)); }
+
+/* The upper 64 of 126 bits, 2^60 at least, and what is below them. */
+loft_sci loft_sci_mul(loft_sci a, loft_sci b)
+{
+    const uint64_t a1 = a.m >> 32, a0 = a.m & 0xffffffffu, b1 = b.m >> 32, b0 = b.m & 0xffffffffu;
+    const uint64_t low = a1 * b0 + (a0 * b0 >> 32), cross = a0 * b1 + (low & 0xffffffffu);
+    const uint64_t m = a1 * b1 + (low >> 32) + (cross >> 32);
+
+    if (!m)
+        return loft_sci_zero();
+    return normal(m, (uint32_t)(cross & 0xffffffffu), a.e + b.e + 64, a.minus != b.minus);
+}
+
+/* a.m / b.m > 1/2: the first round finds the whole part, 62 more and the last test give 63 bits. */
+loft_sci loft_sci_div(loft_sci a, loft_sci b)
+{
+    uint64_t q = 0, rest = a.m;
+
+    if (!a.m)
+        return a;
+    for (int round = 0; round <= TOP; round++) {
+        q += q;
+        if (rest >= b.m) {
+            rest -= b.m;
+            q++;
+        }
+        rest += rest;
+    }
+    return normal(q, rest >= b.m ? (uint32_t)1 << 31 : 0, a.e - b.e - TOP, a.minus != b.minus);
+}
+
+/* The root of m 2^58 for an even exponent e: 61 bits, two bits of the radicand a round. Before a round the root r is
+ * below 2^60 and the rest at most 2 r, so neither leaves 64 bits. */
+loft_sci loft_sci_sqrt(loft_sci a)
+{
+    const bool odd = a.e % 2 != 0;
+    uint64_t m = odd ? a.m << 1 : a.m, r = 0, rest = 0;
+
+    if (!m)
+        return a;
+    for (int round = 0; round < 61; round++) {
+        rest = rest << 2 | m >> 62;
+        m <<= 2;
+        r += r;
+        if (rest > 2 * r) {
+            rest -= 2 * r + 1;
+            r++;
+        }
+    }
+    return normal(r, 0, (a.e - odd - 58) / 2, false);
+}
+
+bool loft_sci_wide(loft_sci x, loft_acc *out)
+{
+    const int down = -(x.e + 32);
+
+    if (x.m && down < 0)
+        return false;
+    const uint64_t size = !x.m || down > 63 ? 0 : down ? ((x.m >> (down - 1)) + 1) >> 1 : x.m;
+    *out = x.minus ? -(int64_t)size : (int64_t)size;
+    return true;
+}
+
+/* 24 bits below the point: m is a multiple of 2^(-24 - e). */
+bool loft_sci_is_unit(loft_sci x, loft_unit *t)
+{
+    const int down = -(x.e + 24);
+
+    if (!x.m) {
+        *t = 0;
+        return true;
+    }
+    if (x.minus || down < TOP - 24 || down > TOP || (x.m & (((uint64_t)1 << down) - 1)) || x.m >> down > 16777216)
+        return false;
+    *t = (loft_unit)(x.m >> down);
+    return true;
+}
+
+/* Each difference has 32 bits and a sign, each product 64, their difference 65. */
+static loft_deep product(int64_t x, int64_t y)
+{
+    const loft_deep size = loft_deep_times(loft_deep_of((int64_t)size_of(x)), (uint32_t)size_of(y)), zero = { { 0 } };
+    return (x < 0) != (y < 0) ? loft_deep_sub(zero, size) : size;
+}
+
+loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2], const loft_real d[2])
+{
+    const int64_t ux = (int64_t)b[0] - a[0], uy = (int64_t)b[1] - a[1];
+    const int64_t vx = (int64_t)d[0] - c[0], vy = (int64_t)d[1] - c[1];
+
+    return loft_sci_from_deep(loft_deep_sub(product(ux, vy), product(uy, vx)));
+}
+
+#else
+
+/* Newton's iteration for the reciprocal square root would need a table; halving the exponent by
+ * comparison keeps it freestanding: x is scaled by powers of 4 into [1, 4), where Heron's steps from
+ * r = (1 + x) / 2 (relative error 1/4 at the worst, x = 4) err by 1/40, 2^-11, 2^-24, 2^-49, 2^-100. */
+loft_sci loft_sci_sqrt(loft_sci x)
+{
+    double scale = 1;
+
+    if (!(x > 0))
+        return 0;
+    if (x > DBL_MAX)
+        return x;
+    while (x >= 4) { x *= 0.25; scale *= 2; }
+    while (x < 1)  { x *= 4;    scale *= 0.5; }
+
+    double r = 0.5 * (1 + x);
+    for (int i = 0; i < 5; i++)
+        r = 0.5 * (r + x / r);
+    return r * scale;
+}
+
+bool loft_sci_is_unit(loft_sci x, loft_unit *t)
+{
+    if (!(x >= 0 && x <= 1) || (double)(loft_unit)x < x || (double)(loft_unit)x > x)
+        return false;
+    *t = (loft_unit)x;
+    return true;
+}
+
+static loft_exact difference(loft_real a, loft_real b)
+{
+    return loft_exact_sub(loft_exact_from_real(b), loft_exact_from_real(a));
+}
+
+/* What x y lacks in being p, its rounded value: halves of 26 bits whose products are exact (Dekker 1971). */
+static double tail_of_product(double x, double y, double p)
+{
+    const double cut = 134217729.0, xc = x * cut, yc = y * cut;
+    const double xh = xc - (xc - x), xl = x - xh, yh = yc - (yc - y), yl = y - yh;
+
+    return xl * yl - (((p - xh * yh) - xl * yh) - xh * yl);
+}
+
+/* The same of d = b - a (Knuth 1969). */
+static bool is_difference(double d, double b, double a)
+{
+    const double t = d - b;
+    return !((b - (d - t)) + (-a - t) > 0) && !((b - (d - t)) + (-a - t) < 0);
+}
+
+/* Each difference errs by 2^-53 of itself, each product by three times that: p - q by 3 * 2^-53 of |p| + |q|, which is
+ * 48 * 2^-53 of the result where that is 1/16 of them. Below that, products of exact differences are taken twice as
+ * long, which errs by 2^-104 of |p| + |q|; and below 2^-50 everything is exact but one quotient. */
+loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2], const loft_real d[2])
+{
+    const double ux = (double)b[0] - (double)a[0], uy = (double)b[1] - (double)a[1];
+    const double vx = (double)d[0] - (double)c[0], vy = (double)d[1] - (double)c[1];
+    const double p = ux * vy, q = uy * vx, size = (p < 0 ? -p : p) + (q < 0 ? -q : q);
+    double cross = p - q;
+    loft_acc exact = 0;
+
+    if ((cross < 0 ? -cross : cross) >= size * 0.0625)
+        return cross;
+    if (is_difference(ux, (double)b[0], (double)a[0]) && is_difference(uy, (double)b[1], (double)a[1]) &&
+        is_difference(vx, (double)d[0], (double)c[0]) && is_difference(vy, (double)d[1], (double)c[1])) {
+        cross += tail_of_product(ux, vy, p) - tail_of_product(uy, vx, q);
+        if ((cross < 0 ? -cross : cross) >= size * 0x1p-50)
+            return cross;
+    }
+    const loft_exact det = loft_exact_det(difference(a[0], b[0]), difference(a[1], b[1]),
+                                          difference(c[0], d[0]), difference(c[1], d[1]));
+    return loft_exact_quot(det, loft_exact_from_int(1), -2 * LOFT_EXACT_REAL, &exact) ? exact : cross;
+}
+
+#endif
+
+loft_sci loft_sci_pow(loft_sci a, unsigned k)
+{
+    loft_sci r = loft_sci_one();
+
+    for (; k; k >>= 1) {
+        if (k & 1)
+            r = loft_sci_mul(r, a);
+        if (k > 1)
+            a = loft_sci_mul(a, a);
+    }
+    return r;
+}

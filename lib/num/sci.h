@@ -1,0 +1,111 @@
+/* lib/num/sci.h -- numbers with an exponent of their own, for products of many factors and quotients of small ones
+ * SPDX-License-Identifier: MIT
+ *
+ * A product of six areas, a weight that vanishes toward an edge, the quotient of two such: no fixed place for the point
+ * suits them all. Every operation errs by a share of its result, whatever that is:
+ *
+ *   loft_sci   q16: m * 2^e with 62 bits and a sign   f32, f64: double
+ *
+ *   range   q16: 2^-32000 .. 2^32000 in size, which nobody checks   f32, f64: the normal numbers of double
+ *   error   q16: 2^-61 of the result, of its larger part in a sum   f32, f64: 2^-53; none when the result is exact
+ *   cost    q16: mul 4 products of 32 bits, add and sub two shifts, div and sqrt 63 rounds of shift and subtract;
+ *           16 bytes a number; safe in an ISR, but for cross
+ */
+#ifndef LOFT_NUM_SCI_H
+#define LOFT_NUM_SCI_H
+
+#include "num/deep.h"   /* loft_deep */
+#include "num/num.h"    /* loft_real, loft_unit, loft_acc */
+
+#if LOFT_NUM == LOFT_Q16
+
+/* m = 0, or 2^62 <= m < 2^63. */
+typedef struct {
+    uint64_t m;
+    int16_t  e;
+    bool     minus;
+} loft_sci;
+
+/* 0 and 1, for the start of sums and products. */
+static inline loft_sci loft_sci_zero(void)  { const loft_sci r = { 0, 0, false }; return r; }
+static inline loft_sci loft_sci_one(void)   { const loft_sci r = { (uint64_t)1 << 62, -62, false }; return r; }
+
+/* A number as it is: wide, coordinate, parameter, whole, deep (which counts 2^-32).
+ *
+ *   error   none; deep: 2^-61 */
+loft_sci loft_sci_of(loft_acc x);
+loft_sci loft_sci_from_real(loft_real a);
+loft_sci loft_sci_from_unit(loft_unit t);
+loft_sci loft_sci_from_int(int32_t i);
+loft_sci loft_sci_from_deep(loft_deep x);
+
+/* a + b, a - b, a b, a / b for b != 0, the root of a >= 0. */
+loft_sci loft_sci_add(loft_sci a, loft_sci b);
+loft_sci loft_sci_sub(loft_sci a, loft_sci b);
+loft_sci loft_sci_mul(loft_sci a, loft_sci b);
+loft_sci loft_sci_div(loft_sci a, loft_sci b);
+loft_sci loft_sci_sqrt(loft_sci a);
+
+static inline loft_sci loft_sci_neg(loft_sci a) { a.minus = !a.minus; return a; }
+static inline int loft_sci_sign(loft_sci a)     { return a.m ? a.minus ? -1 : 1 : 0; }
+
+/* x as a wide number, rounded to 2^-32; false, and *out untouched, when it does not fit. */
+bool loft_sci_wide(loft_sci x, loft_acc *out) LOFT_CHECKED;
+
+#else
+
+typedef double loft_sci;
+
+static inline loft_sci loft_sci_zero(void)                      { return 0; }
+static inline loft_sci loft_sci_one(void)                       { return 1; }
+static inline loft_sci loft_sci_of(loft_acc x)                  { return x; }
+static inline loft_sci loft_sci_from_real(loft_real a)          { return (loft_sci)a; }
+static inline loft_sci loft_sci_from_unit(loft_unit t)          { return (loft_sci)t; }
+static inline loft_sci loft_sci_from_int(int32_t i)             { return i; }
+static inline loft_sci loft_sci_from_deep(loft_deep x)          { return x; }
+static inline loft_sci loft_sci_add(loft_sci a, loft_sci b)     { return a + b; }
+static inline loft_sci loft_sci_sub(loft_sci a, loft_sci b)     { return a - b; }
+static inline loft_sci loft_sci_mul(loft_sci a, loft_sci b)     { return a * b; }
+static inline loft_sci loft_sci_div(loft_sci a, loft_sci b)     { return a / b; }
+static inline loft_sci loft_sci_neg(loft_sci a)                 { return -a; }
+static inline int loft_sci_sign(loft_sci a)                     { return (a > 0) - (a < 0); }
+
+static inline bool loft_sci_wide(loft_sci x, loft_acc *out)
+{
+    if (!(x >= -DBL_MAX && x <= DBL_MAX))
+        return false;
+    *out = x;
+    return true;
+}
+
+/*   error   1 ulp; 0 of a negative a */
+loft_sci loft_sci_sqrt(loft_sci a);
+
+#endif
+
+static inline bool loft_sci_less(loft_sci a, loft_sci b) { return loft_sci_sign(loft_sci_sub(a, b)) < 0; }
+
+/* a^k; 1 for k = 0, also of 0.
+ *
+ *   error   2 k roundings
+ *   cost    at most 2 log2 k products
+ */
+loft_sci loft_sci_pow(loft_sci a, unsigned k);
+
+/* Is x a parameter within 0..1 that its type holds exactly? Then *t is that.
+ *
+ *   error   none */
+bool     loft_sci_is_unit(loft_sci x, loft_unit *t) LOFT_CHECKED;
+
+/* The cross product of b - a and d - c in the plane: twice the area of the triangle a b d when c = a. Its sign is
+ * exact.
+ *
+ *   range   f32, f64: what loft_exact_admits
+ *   error   q16: 2^-61   f32, f64: 2^-47 of the result, however close to parallel
+ *   cost    q16: 2 products of 33 bits   f32, f64: 2 products, 12 more where they cancel to 1/16; four of num/exact.h
+ *           and a quotient where they cancel to 2^-50 or differences are not doubles
+ *   see     Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates (1997): the filter
+ */
+loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2], const loft_real d[2]);
+
+#endif
