@@ -75,6 +75,19 @@ static void a_lerp_at_a_fraction_is_within_three_ulps(arb *a)
     near(loft_acc_lerp_at(x, y, n, n), y, y, 53, 0);
 }
 
+static void a_blend_is_within_three_ulps_and_exact_at_the_corners(arb *a)
+{
+    const loft_acc x = arb_double(a), y = arb_below(a, 2) ? arb_double(a) : x * 0.75, z = arb_below(a, 2) ? arb_double(a) : y;
+    const loft_unit v = arb_unit(a) * (loft_unit)(arb_below(a, 2) ? 1 : -3), w = arb_unit(a);
+    const long double u = 1 - (long double)v - w, growth = fabsl(u) + fabsl(v) + w;
+
+    near(loft_acc_blend(x, y, z, v, w), u * x + (long double)v * y + (long double)w * z, larger(larger(x, y), z) * growth, 53, 3);
+    near(loft_acc_blend(x, y, z, 0, 0), x, x, 53, 0);
+    near(loft_acc_blend(x, y, z, 1, 0), y, y, 53, 0);
+    near(loft_acc_blend(x, y, z, 0, 1), z, z, 53, 0);
+    near(loft_unit_round(x), x, x, REAL_BITS, BY_NUM(0, 0.5L, 0));
+}
+
 static void wide_operations_are_rounded_to_nearest(arb *a)
 {
     const loft_acc  x = arb_double(a);
@@ -205,6 +218,7 @@ static int test_num(void)
     PROPERTY(products_and_quotients_are_rounded_to_nearest,    200000);
     PROPERTY(lerp_is_within_two_ulps_and_exact_at_the_ends,    200000);
     PROPERTY(a_lerp_at_a_fraction_is_within_three_ulps,        200000);
+    PROPERTY(a_blend_is_within_three_ulps_and_exact_at_the_corners, 200000);
     PROPERTY(wide_operations_are_rounded_to_nearest,           200000);
     PROPERTY(what_fits_a_real_is_known,                           100);
     PROPERTY(roots_are_within_their_bound,                     200000);

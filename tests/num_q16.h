@@ -158,6 +158,32 @@ static void a_lerp_at_a_fraction_is_rounded_to_nearest(arb *a)
     CHECK(loft_acc_lerp_at(x, y, 0, n) == x && loft_acc_lerp_at(x, y, n, n) == y);
 }
 
+static void check_blend(int64_t x, int64_t y, int64_t z, int32_t v, int32_t w)
+{
+    CHECK(loft_acc_blend(x, y, z, v, w) == (int64_t)rounded((wide)x * 16777216 + ((wide)y - x) * v + ((wide)z - x) * w, 16777216));
+}
+
+/* Inside the triangle of weights any numbers to 2^30, outside it smaller ones. */
+static void a_blend_is_rounded_to_nearest(arb *a)
+{
+    const int64_t edges[3] = { ((int64_t)1 << 62) - 1, 1 - ((int64_t)1 << 62), 0 };
+    int64_t x[3], small[3];
+
+    for (int k = 0; k < 3; k++) {
+        x[k] = arb_below(a, 3) ? (int64_t)arb_next(a) >> (1 + arb_below(a, 62)) : edges[arb_below(a, 3)];
+        small[k] = x[k] / 128;
+    }
+    const int32_t v = (int32_t)arb_below(a, 16777217), w = (int32_t)arb_below(a, (uint32_t)(16777217 - v));
+    const int32_t far[3] = { 1 << 29, -(1 << 29), (int32_t)(arb_next(a) >> 34) - (1 << 29) };
+    check_blend(x[0], x[1], x[2], v, w);
+    check_blend(x[0], x[1], x[2], v, 16777216 - v);
+    check_blend(small[0], small[1], small[2], far[arb_below(a, 3)], far[arb_below(a, 3)]);
+    CHECK(loft_acc_blend(x[0], x[1], x[2], 0, 0) == x[0] && loft_acc_blend(x[0], x[1], x[2], LOFT_UNIT(1), 0) == x[1] &&
+          loft_acc_blend(x[0], x[1], x[2], 0, LOFT_UNIT(1)) == x[2]);
+    const int64_t u = (int64_t)arb_next(a) >> (25 + arb_below(a, 39));
+    CHECK(loft_unit_round(u) == (int32_t)rounded(u, 256));
+}
+
 static void rounding_an_acc_is_exact_where_it_fits(arb *a)
 {
     (void)a;
@@ -318,6 +344,7 @@ static int test_num(void)
     PROPERTY(wide_operations_are_rounded_to_nearest,            1);
     PROPERTY(random_wide_operations_are_rounded_to_nearest,   200);
     PROPERTY(a_lerp_at_a_fraction_is_rounded_to_nearest,    50000);
+    PROPERTY(a_blend_is_rounded_to_nearest,                100000);
     PROPERTY(rounding_an_acc_is_exact_where_it_fits,            1);
     PROPERTY(roots_are_nearest,                                 1);
     PROPERTY(hypot_is_within_its_bound,                    100000);

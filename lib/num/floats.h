@@ -69,6 +69,13 @@ static inline loft_acc  loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
     return (1 - (loft_acc)t) * x + (loft_acc)t * y;
 }
 
+/* error 3 ulp of the largest of |x|, |y|, |z|, times |1 - v - w| + |v| + |w|; none at the corners. The weight of x
+ * errs by one rounding of 1 and one of 1 - v */
+static inline loft_acc  loft_acc_blend(loft_acc x, loft_acc y, loft_acc z, loft_unit v, loft_unit w)
+{
+    return (1 - (loft_acc)v - (loft_acc)w) * x + (loft_acc)v * y + (loft_acc)w * z;
+}
+
 /* error 3 ulp of the larger of |x|, |y|, and of their size times j / n above n; none at j = 0 and n. n >= 1 */
 static inline loft_acc  loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint32_t n)
 {
@@ -89,6 +96,9 @@ static inline loft_unit loft_unit_ratio(loft_acc x, loft_acc y) { return (loft_u
 
 /* error none */
 static inline loft_unit loft_unit_from(loft_real a)             { return a; }
+
+/* error f32: 1/2 ulp   f64: none */
+static inline loft_unit loft_unit_round(loft_acc x)             { return (loft_unit)x; }
 
 /* raw Q16.16; error from real: 2^-17, to real: f32 1/2 ulp, f64 none; range as loft_raw_fits says */
 static inline bool      loft_raw_fits(loft_real a)

@@ -17,6 +17,7 @@
  *   loft_acc_lerp(x, y, t)                  acc between two accs
  *   loft_acc_lerp_at(x, y, j, n)            acc between two accs, at exactly j / n
  *   loft_acc_lerp_in(x, y, a, lo, hi)       acc between two accs, exactly where a lies between two reals
+ *   loft_acc_blend(x, y, z, v, w)           acc between three accs: x at 0 0, y at 1 0, z at 0 1
  *   loft_acc_scale(x, t)                    acc times unit
  *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real
  *   loft_acc_ratio(x, k)                    acc by a whole number k >= 1
@@ -31,6 +32,7 @@
  *   loft_unit_of(j, n)                      the parameter j / n
  *   loft_unit_ratio(x, y)                   the parameter x / y of two accs
  *   loft_unit_from(a)                       a real as unit, |a| < 128, exactly in q16
+ *   loft_unit_round(x)                      the unit nearest to an acc, |x| < 128
  *   loft_real_from_int(i)                   a whole number as real
  *   loft_real_floor(a)                      the whole number below a real
  *   loft_real_from_raw(i)                   a raw Q16.16, the form of the wire, as real

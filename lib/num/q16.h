@@ -108,6 +108,17 @@ static inline loft_acc loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
     return x + loft_acc_scale(y - x, t);
 }
 
+/* x + v (y - x) + w (z - x), rounded once: the low halves are summed before they are cut.
+ * error 2^-33; |v|, |w| <= 32; |x|, |y|, |z| < 2^30 and v, w, 1 - v - w >= 0, or |y - x| and |z - x| < 2^31 and
+ * (|v| |y - x| + |w| |z - x|) < 2^31 - 2^8 and the result below 2^31; none at the corners */
+static inline loft_acc loft_acc_blend(loft_acc x, loft_acc y, loft_acc z, loft_unit v, loft_unit w)
+{
+    const loft_acc d = y - x, e = z - x;
+    const int64_t high = (int64_t)loft_acc_high(d) * v + (int64_t)loft_acc_high(e) * w;
+    const int64_t low = (int64_t)loft_acc_low(d) * v + (int64_t)loft_acc_low(e) * w;
+    return x + (high * 256 + loft_shift_24(low + 8388608));
+}
+
 /* error 2^-33; |x|, |y| < 2^30, j <= n or |(y - x) j / n| <= 2^30 and j <= 2 n, 1 <= n < 2^30; none at j = 0 and
  * n. The quotient of y - x by n times j is whole; the rest is below n, times j below 2^61. */
 static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint32_t n)
@@ -146,6 +157,9 @@ static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)
 
 /* exact; |a| < 128 */
 static inline loft_unit loft_unit_from(loft_real a)         { return a * 256; }
+
+/* error 2^-25; |x| < 128 */
+static inline loft_unit loft_unit_round(loft_acc x)         { return loft_acc_middle(x * 256 + 32768); }
 
 /* exact; the wire and files hold coordinates as raw Q16.16 in every number type */
 static inline bool      loft_raw_fits(loft_real a)          { (void)a; return true; }
