@@ -8,7 +8,7 @@
  *                                    bounds, nearest, intersect, offset: where it is   shape: cusps, curvature   join: C0 to G2
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
  *                                    rational, circle: conics and arcs
- *   surface/  two parameters         triangle_shape: positive, convex
+ *   surface/  two parameters         barycentric, triangle: Bezier triangles   triangle_shape: positive, convex
  *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
  *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
  *   machine/  the controller         wire -> queue -> span -> step
@@ -28,6 +28,7 @@
 #include "num/deep.h"
 #include "num/exact.h"
 #include "num/sci.h"
+#include "geom/normal.h"
 #include "geom/vec.h"
 #include "basis/bernstein.h"
 #include "basis/copositive.h"
@@ -54,6 +55,8 @@
 #include "curve/rational.h"
 #include "curve/rational_walk.h"
 #include "curve/shape.h"
+#include "surface/barycentric.h"
+#include "surface/triangle.h"
 #include "surface/triangle_shape.h"
 #include "motion/plan.h"
 #include "motion/span.h"
