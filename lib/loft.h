@@ -9,6 +9,7 @@
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
  *                                    rational, circle: conics and arcs
  *   surface/  two parameters         barycentric, triangle: Bezier triangles   triangle_shape: positive, convex
+ *                                    coons, bicubic: from curves and corners   sphere, flat: elementary
  *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
  *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
  *   machine/  the controller         wire -> queue -> span -> step
@@ -56,6 +57,10 @@
 #include "curve/rational_walk.h"
 #include "curve/shape.h"
 #include "surface/barycentric.h"
+#include "surface/bicubic.h"
+#include "surface/coons.h"
+#include "surface/flat.h"
+#include "surface/sphere.h"
 #include "surface/triangle.h"
 #include "surface/triangle_shape.h"
 #include "motion/plan.h"

@@ -21,7 +21,7 @@
 
 #include "vectors.h"
 
-static const vector_system *const tables[] = { vectors_curve, vectors_measure, vectors_shape, vectors_rational, vectors_bspline, vectors_join, vectors_spline, vectors_sign };
+static const vector_system *const tables[] = { vectors_curve, vectors_measure, vectors_shape, vectors_rational, vectors_bspline, vectors_join, vectors_spline, vectors_sign, vectors_coons };
 
 #define DIGITS 1e-9L            /* LSB: what 20 significant digits leave open */
 
@@ -117,6 +117,19 @@ void row_reals(row *r, const char *column, unsigned count, loft_real out[])
     for (unsigned k = 0; k < count; k++)
         out[k] = coordinate(r, column, &text);
     ends(r, column, text);
+}
+
+/* Numbers, or points if there are semicolons. */
+unsigned row_length(row *r, const char *column, unsigned most)
+{
+    const char *text = field(r, column), between = strchr(text, ';') ? ';' : ' ';
+    unsigned count = *text != '\0';
+
+    for (; *text; text++)
+        count += *text == between;
+    if (count > most)
+        row_complain(r, "column %s: %u is more than %u", column, count, most);
+    return count < most ? count : most;
 }
 
 void row_points(row *r, const char *column, unsigned count, unsigned d, loft_vec out[])

@@ -45,7 +45,7 @@ typedef struct {
 } vector_system;
 
 /* The tables, each ended by a row without a name. */
-extern const vector_system vectors_curve[], vectors_measure[], vectors_shape[], vectors_rational[], vectors_bspline[], vectors_join[], vectors_spline[], vectors_sign[];
+extern const vector_system vectors_curve[], vectors_measure[], vectors_shape[], vectors_rational[], vectors_bspline[], vectors_join[], vectors_spline[], vectors_sign[], vectors_coons[];
 
 
 /* Inputs */
@@ -56,6 +56,7 @@ loft_unit row_unit(row *r, const char *column);                          /* a pa
 loft_unit row_unit_q30(row *r, const char *column);                      /* as a raw Q2.30, rounded once      */
 loft_real row_real(row *r, const char *column);
 void      row_reals(row *r, const char *column, unsigned count, loft_real out[]);
+unsigned  row_length(row *r, const char *column, unsigned most);         /* how many numbers or points stand there */
 void      row_points(row *r, const char *column, unsigned count, unsigned d, loft_vec out[]);  /* d <= LOFT_AXES */
 
 

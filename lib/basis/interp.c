@@ -141,7 +141,10 @@ enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from,
  *     quintic, |e| <= 2^16            |c| <= 2^16 (5 * 2 + 4 + 1/2) < 2^19.9, times 24 * 8 * 3 at most (k = 4): 2^29.1
  *     cubic, |e| <= 2^21              |c| <= 2^21 (3 * 2 + 2) = 2^24, times 9 at most (k = 1): 2^27.2
  *     cubic, t in 0..1, |slopes| <= 2^26, |e[1] - e[0]| <= 2^25
- *                                     |c| <= 2^25 (3 + 4) < 2^27.9, the second derivative 2 (2^27.9 + 2^26) < 2^29.3 */
+ *                                     |c| <= 2^25 (3 + 4) < 2^27.9, the second derivative 2 (2^27.9 + 2^26) < 2^29.3
+ *     quintic, t in 0..1, |e| <= 2^24, |e[4]|, |e[5]| <= 2^27
+ *                                     |8 e[2] + e[4]| <= 2^28, |c| <= 2^24 + 2^28 / 20 < 2^25; of the first derivative
+ *                                     |c| <= 2^24 (10 + 4) + 2^26 < 2^28.2 */
 
 void loft_ends3_bernstein(const loft_acc e[4], loft_acc c[4])
 {

@@ -58,7 +58,8 @@ enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from,
 /* Values and derivatives at both ends of 0..1
  * -------------------------------------------
  * Cubic: e[4] = { p(0), p(1), p'(0), p'(1) }, quintic: and p''(0), p''(1) in e[4], e[5]. Range in q16: |e| <= 2^21
- * for the cubic, 2^16 for the quintic; for t in 0..1 the slopes of a cubic may reach 2^26 and p(1) - p(0) 2^25. */
+ * for the cubic, 2^16 for the quintic; for t in 0..1 the slopes of a cubic may reach 2^26 and p(1) - p(0) 2^25, and up to
+ * the first derivative a quintic's e may reach 2^24, p''(0) and p''(1) 2^27. */
 
 /* The Bernstein coefficients.
  *

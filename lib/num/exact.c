@@ -188,6 +188,15 @@ loft_exact loft_exact_root(loft_exact a)
     return r;
 }
 
+loft_exact loft_exact_hypot(const loft_exact x[], int n)
+{
+    loft_exact sum = zero;
+
+    for (int i = 0; i < n; i++)
+        sum = loft_exact_add(sum, loft_exact_mul(x[i], x[i]));
+    return loft_exact_root(loft_exact_shift(sum, 2 * LOFT_EXACT_HYPOT));
+}
+
 /* Keep at most 160 bits, and count what was cut off: 2^-160 of it. */
 static loft_exact reduced(loft_exact a, int *cut)
 {

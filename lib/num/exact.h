@@ -93,6 +93,16 @@ loft_exact loft_exact_div(loft_exact a, loft_exact b);
  */
 loft_exact loft_exact_root(loft_exact a);
 
+#define LOFT_EXACT_HYPOT 64
+
+/* The length of the vector x[0..n-1], times 2^LOFT_EXACT_HYPOT, rounded down.
+ *
+ *   range   n = 0..6; twice the bits of the largest + 131 <= LOFT_EXACT_BITS
+ *   error   2^-64 of the result: less than 1, and the result is at least 2^64, unless it is 0
+ *   cost    n products and a root
+ */
+loft_exact loft_exact_hypot(const loft_exact x[], int n);
+
 /* a / b * 2^s as a wide value; false, and *out untouched, when that does not fit.
  *
  *   range   b != 0; every result below 2^30 (q16) or 2^999 (floats) fits; below 2^-1000 it is 0
