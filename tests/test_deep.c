@@ -87,6 +87,46 @@ static void lerps_keep_their_guard_bits(arb *a)
         CHECK_EXACT(exact_of(loft_deep_project(little, loft_deep_guarded(least))), 32768 * u, bound_of(32768 * u, 4));
 }
 
+static void a_lerp_between_reals_is_exact_in_q16(arb *a)
+{
+    const loft_acc x = arb_acc(a, 20), y = arb_acc(a, 20), w = loft_wide(LOFT_REAL(16384)) * 128;
+    const loft_real p = arb_real(a, 32767), q = arb_real(a, 32767), lo = p < q ? p : q, hi = p < q ? q : p;
+    const loft_real u = arb_real(a, 32767), at = u < lo ? lo : u > hi ? hi : u;
+    if (!(lo < hi))
+        return;
+    const long double t = (exact_of(at) - exact_of(lo)) / (exact_of(hi) - exact_of(lo));
+    const long double want = ((1 - t) * exact_acc(x) + t * exact_acc(y)) / 64, size = fmaxl(fabsl(exact_acc(x)), fabsl(exact_acc(y))) / 64;
+    const loft_deep between = loft_deep_lerp_in(loft_deep_guarded(x), loft_deep_guarded(y), at, lo, hi);
+
+    CHECK_EXACT(exact_of(loft_deep_project(between, loft_deep_guarded(w))), want, bound_of(want, 2) + size * BY_NUM(0x1p-60L, 0x1p-49L, 0x1p-49L));
+    CHECK_EXACT(exact_acc(loft_deep_wide(between, 3)), want * 64 / 3, BY_NUM(0x1p-33L, 0, 0) + size * 64 * BY_NUM(0x1p-60L, 0x1p-49L, 0x1p-49L));
+}
+
+/* -32768 rounds from half an LSB below it, the largest coordinate from less than half above. */
+static void a_rate_fits_to_the_last_half_lsb(arb *a)
+{
+    const loft_acc h = BY_NUM(65536 * (int64_t)(1 + arb_below(a, UINT32_MAX)), 1, 1), half = BY_NUM(h / 131072, 0, 0);
+    const loft_acc top = BY_NUM(32768 * h, (double)LOFT_REAL_MAX, LOFT_REAL_MAX);
+    const loft_real far = BY_NUM(INT32_MIN, (loft_real)-LOFT_REAL_MAX, (loft_real)-LOFT_REAL_MAX);
+    loft_real v = 0;
+
+    (void)a;
+    CHECK(loft_acc_rate(-top - half, h, &v) && v <= far && v >= far);
+    CHECK(BY_NUM(!loft_acc_rate(-top - half - 1, h, &v), true, true));
+    CHECK(BY_NUM(!loft_acc_rate(top - half, h, &v) || 2 * half * 65536 < h, true, true));
+    CHECK(loft_acc_rate(top - half - BY_NUM(1, 0, 0), h, &v) && v >= LOFT_REAL_MAX);
+    const loft_acc w = BY_NUM((int64_t)1 << 62, 32768, 32768), part = BY_NUM((int64_t)1 << 30, 0, 0), last = BY_NUM(1, 0, 0);
+    const loft_acc full = BY_NUM((int64_t)1 << 62, (double)LOFT_REAL_MAX, LOFT_REAL_MAX);
+    CHECK(loft_deep_rate(loft_deep_of(-full - part), loft_deep_of(w), &v) && v <= far);
+    CHECK(loft_deep_rate(loft_deep_of(full - part - last), loft_deep_of(w), &v) && v >= LOFT_REAL_MAX);
+    if (BY_NUM(true, false, false)) {
+        v = 5;
+        CHECK(!loft_deep_rate(loft_deep_of(-full - part - last), loft_deep_of(w), &v));
+        CHECK(!loft_deep_rate(loft_deep_of(full - part), loft_deep_of(w), &v));
+        CHECK(!(v < 5 || v > 5));
+    }
+}
+
 static void a_step_adds_each_difference_to_the_one_before(arb *a)
 {
     loft_deep d[4];
@@ -113,6 +153,8 @@ int main(void)
     PROPERTY(ties_go_upward_in_q16,                             2000);
     PROPERTY(sums_and_products_are_exact_in_q16,               20000);
     PROPERTY(lerps_keep_their_guard_bits,                      20000);
+    PROPERTY(a_lerp_between_reals_is_exact_in_q16,             20000);
+    PROPERTY(a_rate_fits_to_the_last_half_lsb,                  2000);
     PROPERTY(a_step_adds_each_difference_to_the_one_before,     2000);
     return check_failures();
 }

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "splines.h"            /* arb_grid, exact_weights */
+#include "exact_spline.h"       /* quad, quad_of */
 #include "curve/bspline.h"
 #include "curve/nurbs.h"
 
@@ -145,6 +146,114 @@ static void u_is_clamped_and_a_clamped_end_is_its_point(arb *a)
     }
 }
 
+/* 1: fits, 0: does not, -1: too close to say */
+static int fits(long double want, long double slack)
+{
+    const long double over = BY_NUM(32768 - LSB / 2, FLT_MAX, DBL_MAX), under = BY_NUM(-32768 - LSB / 2, -FLT_MAX, -DBL_MAX);
+    return want < over - slack && want > under + slack ? 1 : want > over + slack || want < under - slack ? 0 : -1;
+}
+
+/* The coefficients of the derivative of a spline on its knots, all of them: p (c_i - c_(i-1)) / (k_(i+p) - k_i). */
+static quad slope_sum(const sample *s, int axis, unsigned span, quad u)
+{
+    const unsigned p = s->g.p;
+    quad n[POINTS], sum = 0;
+
+    n[0] = 1;                           /* the B-splines of degree p - 1 of span - p + 1 .. span */
+    for (unsigned r = 1; r < p; r++) {
+        n[r] = 0;
+        for (unsigned i = r; i > 0; i--) {
+            const quad lo = quad_of(s->g.k[span + i - r]), hi = quad_of(s->g.k[span + i]), part = (u - lo) / (hi - lo) * n[i - 1];
+            n[i] += part;
+            n[i - 1] -= part;
+        }
+    }
+    for (unsigned j = 0; j < p; j++) {
+        const unsigned i = span - p + 1 + j;
+        const quad w1 = quad_of(s->p[i].w), w0 = quad_of(s->p[i - 1].w);
+        const quad c1 = axis < 0 ? w1 : w1 * quad_of(s->p[i].p.axis[axis]), c0 = axis < 0 ? w0 : w0 * quad_of(s->p[i - 1].p.axis[axis]);
+        sum += n[j] * p * (c1 - c0) / (quad_of(s->g.k[i + p]) - quad_of(s->g.k[i]));
+    }
+    return sum;
+}
+
+/* x and w' as sums over all B-splines, by de Boor's rows. */
+static quad value_sum(const sample *s, int axis, unsigned span, quad u)
+{
+    const unsigned p = s->g.p;
+    quad c[POINTS];
+
+    for (unsigned j = 0; j <= p; j++) {
+        const loft_weighted *q = &s->p[span - p + j];
+        c[j] = quad_of(q->w) * (axis < 0 ? 1 : quad_of(q->p.axis[axis < 0 ? 0 : axis]));
+    }
+    for (unsigned rows = p; rows > 0; rows--)
+        for (unsigned j = 0; j < rows; j++) {
+            const quad lo = quad_of(s->g.k[span + 1 + j - rows]), hi = quad_of(s->g.k[span + 1 + j]);
+            c[j] += (u - lo) / (hi - lo) * (c[j + 1] - c[j]);
+        }
+    return c[0];
+}
+
+/* (x' w - x w') / w^2, by the derivatives of numerator and denominator: another way than lib's. */
+static void a_derivative_is_within_its_bound_or_refused(arb *a)
+{
+    sample *s = arb_nurbs(a);
+    const unsigned p = s->g.p;
+
+    if (arb_below(a, 2)) {                          /* small ones: so that more of them fit */
+        for (unsigned k = 0; k < s->g.points; k++)
+            for (int i = 0; i < LOFT_AXES; i++)
+                s->p[k].p.axis[i] = real_of_raw((int64_t)arb_below(a, 2000) - 1000);
+        init(s);
+    }
+    const loft_real u = arb_u(a, &s->g), sign = LOFT_REAL(-3);
+    const unsigned span = exact_span(&s->g, u);
+    const long double h = exact_of(s->g.k[span + 1]) - exact_of(s->g.k[span]);
+    const quad at = quad_of(u), w = value_sum(s, -1, span, at), dw = slope_sum(s, -1, span, at);
+    bool all = true, none = true;
+    loft_vec v;
+
+    v.axis[0] = sign;
+    const enum loft_status status = loft_nurbs_deriv(&s->n, u, &v);
+    CHECK(status == LOFT_OK || status == LOFT_ERR_RANGE);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const long double want = (long double)((slope_sum(s, i, span, at) * w - value_sum(s, i, span, at) * dw) / (w * w));
+        const long double floats = ulp(want) / 2 + 40 * p * p * s->ratio / h * ulp_double(s->largest);
+        const long double bound = bound_by_num((0.51L + 0x1p-17L / h) * LSB, floats, floats);
+        all = all && fits(want, bound) == 1;
+        none = none && fits(want, bound) != 0;
+        if (status == LOFT_OK)
+            CHECK_EXACT(exact_of(v.axis[i]), want, bound);
+    }
+    CHECK(status == LOFT_OK || (!all && v.axis[0] <= sign && v.axis[0] >= sign));
+    CHECK(status != LOFT_OK || none);
+}
+
+/* Equal weights: the derivative of the B-spline. */
+static void equal_weights_give_the_polynomial_derivative(arb *a)
+{
+    sample *s = arb_nurbs(a);
+    const loft_real u = arb_u(a, &s->g);
+    const unsigned p = s->g.p, span = exact_span(&s->g, u);
+    const long double h = exact_of(s->g.k[span + 1]) - exact_of(s->g.k[span]);
+    loft_vec points[POINTS_MOST], v, want;
+    loft_bspline b;
+
+    for (unsigned k = 0; k < s->g.points; k++) {
+        points[k] = s->p[k].p;
+        s->p[k].w = s->p[0].w;
+    }
+    init(s);
+    CHECK(loft_bspline_init(&b, points, s->g.points, s->g.k, p) == LOFT_OK);
+    if (loft_nurbs_deriv(&s->n, u, &v) != LOFT_OK || loft_bspline_deriv(&b, 1, u, &want) != LOFT_OK)
+        return;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const long double x = exact_of(want.axis[i]), floats = ulp(x) + 64 * p * p / h * ulp_double(s->largest);
+        CHECK_EXACT(exact_of(v.axis[i]), x, bound_by_num((1.02L + (4 * p * p + 3) * 0x1p-17L / h) * LSB, floats, floats));
+    }
+}
+
 /* Points and weights of the spans: w p and w, as Bernstein coefficients, are numerator and denominator but for the
  * rounding of points and weights. Given points P with weights W that are off by dp and dw each: a point of the span is
  * off by dp, and by dw / w of the width twice. */
@@ -276,6 +385,8 @@ int main(void)
     PROPERTY(equal_weights_give_the_polynomial, 1000);
     PROPERTY(a_common_factor_of_the_weights_changes_nothing, 1000);
     PROPERTY(u_is_clamped_and_a_clamped_end_is_its_point, 1000);
+    PROPERTY(a_derivative_is_within_its_bound_or_refused, 4000);
+    PROPERTY(equal_weights_give_the_polynomial_derivative, 1000);
     PROPERTY(spans_are_the_curve, 1000);
     PROPERTY(nine_points_make_a_circle, 5000);
     PROPERTY(a_rational_bezier_curve_is_a_special_case, 1000);

@@ -46,7 +46,7 @@ static law slope_law(const loft_bspline *b, loft_real u)
     const unsigned n = b->knots.degree, span = loft_knots_find(&b->knots, u);
     const long double h = exact_of(b->knots.k[span + 1]) - exact_of(b->knots.k[span]);
 
-    return (law) { .lsb = 0.5L + n * (n - 1) / h / 65536, .gain = fmaxl(2 * n / h, 1), .roundings = 6 * n };
+    return (law) { .lsb = 0.5L + (1 + (2 * n + 1) * n / h) / 131072, .gain = fmaxl(2 * n / h, 1), .roundings = 6 * n };
 }
 
 static void bspline_eval(row *r)
@@ -64,7 +64,7 @@ static void bspline_eval(row *r)
     }
     answer_vec(p, loft_bspline_eval(&b, u), s->d);
     row_expect(r, "p", p, point_law(s->n));
-    answer_status(r, dp, loft_bspline_deriv(&b, u, &v));
+    answer_status(r, dp, loft_bspline_deriv(&b, 1, u, &v));
     answer_vec(dp, v, s->d);
     row_expect(r, "dp", dp, slope_law(&b, u));
 }

@@ -4,7 +4,7 @@
  * One axis at a time, wide: basis/knots.c has the bounds.
  */
 #include "curve/bspline.h"
-#include "num/deep.h"           /* loft_acc_rate */
+#include "num/part.h"           /* loft_acc_grow */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 
@@ -48,22 +48,34 @@ loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u)
     return v;
 }
 
-/* The last row would take c[0] and c[1] at k[s] and k[s+1]: the slope is degree times their difference by h. Each is
- * off by (degree - 1) 2^-33, so the slope by degree (degree - 1) 2^-32 / h; |degree (c[1] - c[0])| <= 9 * 2^48. */
-enum loft_status loft_bspline_deriv(const loft_bspline *b, loft_real u, loft_vec *out)
+/* After degree - k rows at u the k + 1 values left are the coefficients of a polynomial of degree k on the same knots,
+ * whose Bernstein coefficients on the span have the constant k-th difference D: the derivative is f D / h^k, times
+ * degree / h, (degree - 1) / h, .. in turn. Each coefficient is off by degree 2^-33, so D by 2^k degree 2^-33; each
+ * quotient rounds by 2^-33, and what comes after it multiplies that by max(1, f / h^k) at most, since the factors
+ * decrease. |D| <= 2^24, and no value on the way exceeds the last one by more than 9^9 / 9!, below 2^11, so one that does
+ * not stay within 2^26 has none that fits at its end. */
+enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real u, loft_vec *out)
 {
     const unsigned span = loft_knots_find(&b->knots, u), degree = b->knots.degree;
     const loft_acc h = loft_wide(b->knots.k[span + 1]) - loft_wide(b->knots.k[span]);
-    loft_acc c[POINTS];
-    loft_vec v;
+    loft_knots lower = b->knots;
+    loft_acc c[POINTS], piece[POINTS];
+    loft_vec v = { { 0 } };
 
     u = loft_knots_clamp(&b->knots, u);
-    for (int i = 0; i < LOFT_AXES; i++) {
+    lower.degree = (uint8_t)k;
+    for (int i = 0; i < LOFT_AXES && k <= degree; i++) {
         widen(b, span, i, c);
-        for (unsigned rows = degree; rows > 1; rows--)
+        for (unsigned rows = degree; rows > k; rows--)
             loft_knots_step(&b->knots, span, rows, u, c);
-        if (!loft_acc_rate((c[1] - c[0]) * (int32_t)degree, h, &v.axis[i]))
+        loft_knots_bezier(&lower, span, c, piece);
+        loft_bernstein_differences(piece, k);
+        for (unsigned j = 0; j < k; j++)
+            if (!loft_acc_grow(&piece[k], (int32_t)(degree - j), h))
+                return LOFT_ERR_RANGE;
+        if (!loft_acc_fits(piece[k]))
             return LOFT_ERR_RANGE;
+        v.axis[i] = loft_acc_round(piece[k]);
     }
     *out = v;
     return LOFT_OK;

@@ -1,4 +1,4 @@
-/* lib/curve/bspline.h -- B-spline curves of degree 1..9 on any knots: points, derivative, Bezier spans, knot insertion
+/* lib/curve/bspline.h -- B-spline curves of degree 1..9 on any knots: points, derivatives, Bezier spans, knot insertion
  * SPDX-License-Identifier: MIT
  *
  * Control points and knots are borrowed (basis/knots.h says what knots are good). The parameter u is a real in the
@@ -45,16 +45,16 @@ enum loft_status loft_bspline_init(loft_bspline *b, const loft_vec p[], unsigned
  */
 loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u);
 
-/* The first derivative with respect to u, of the same piece.
+/* The k-th derivative with respect to u, of the same piece; 0 for k > degree.
  *
- *   range   u as eval; LOFT_ERR_RANGE when the derivative does not fit (it is up to 2 * degree / h times a coordinate,
- *           h the length of the span); *out is untouched then
- *   error   q16: 1/2 LSB + degree * (degree - 1) / h * 2^-16 LSB
- *           f32: 1/2 ulp of the result + 11 * degree^2 / h ulp of double   f64: the same, 1/2 ulp being of double too
- *   cost    as eval, and a quotient per axis
- *   see     The NURBS Book, ch. 3: derivatives of a B-spline curve
+ *   range   u as eval; LOFT_ERR_RANGE when the derivative does not fit (it is up to 2^k f / h^k times a coordinate,
+ *           f = degree! / (degree - k)!, h the length of the span); *out is untouched then
+ *   error   q16: 1/2 LSB + (k + (2^k * degree + k) * f / h^k) * 2^-17 LSB
+ *           f32, f64: 1/2 ulp of the result + 5 * (degree + k) * 2^k * f / h^k ulp of double
+ *   cost    as eval, k * (k + 1) * (k + 5) / 6 times loft_acc_lerp_in more, k long quotients per axis
+ *   see     The NURBS Book, ch. 3: derivatives of a B-spline curve; Ramshaw, blossoming
  */
-enum loft_status loft_bspline_deriv(const loft_bspline *b, loft_real u, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real u, loft_vec *out) LOFT_CHECKED;
 
 /* The next span as a Bezier curve, degree + 1 control points; empty spans are passed over. *span is 0 before the
  * first, then the index of the knot where the span begins; false, and *span 0 again, after the last.

@@ -11,7 +11,7 @@
  * denominator, and four more operations round.
  */
 #include "curve/nurbs.h"
-#include "num/deep.h"           /* loft_acc_project */
+#include "num/deep.h"           /* loft_acc_project, loft_deep_slope */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 
@@ -74,6 +74,47 @@ loft_vec loft_nurbs_eval(const loft_nurbs *n, loft_real u)
         v.axis[i] = loft_acc_project(loft_knots_eval(&n->knots, span, u, c), w);
     }
     return v;
+}
+
+/* All rows but the last: c[0] and c[1] remain. */
+static void two_of(const loft_nurbs *n, unsigned span, loft_real u, loft_deep c[])
+{
+    const loft_real *hi = &n->knots.k[span + 1];
+
+    for (unsigned rows = n->knots.degree; rows > 1; rows--)
+        for (unsigned j = 0; j < rows; j++)
+            c[j] = loft_deep_lerp_in(c[j], c[j + 1], u, hi[(int)j - (int)rows], hi[j]);
+}
+
+/* As loft_rational_deriv: the last row would take (x0, w0) and (x1, w1) at k[s] and k[s+1], with x_k = s w_k (p_k - o) and
+ * o the point at u, rounded. The pairs err by degree 2^-79 where w >= 2^14 / R, the quotient rounds by 2^-33, and
+ * all is divided by h < 2^16: a rate that fits has a numerator below 2^31. */
+enum loft_status loft_nurbs_deriv(const loft_nurbs *n, loft_real u, loft_vec *out)
+{
+    const unsigned span = loft_knots_find(&n->knots, u), degree = n->knots.degree;
+    const loft_real lo = n->knots.k[span], hi = n->knots.k[span + 1];
+    const loft_vec o = loft_nurbs_eval(n, u);
+    loft_deep w[POINTS], x[POINTS];
+    loft_acc c[POINTS];
+    loft_vec v;
+
+    u = loft_knots_clamp(&n->knots, u);
+    denominators(n, span, c);
+    for (unsigned k = 0; k <= degree; k++)
+        w[k] = loft_deep_guarded(loft_acc_ratio(c[k], LOFT_PROJECT));
+    two_of(n, span, u, w);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_acc d = 0;
+        numerators(n, span, i, c);
+        for (unsigned k = 0; k <= degree; k++)
+            x[k] = loft_deep_guarded(c[k] - loft_prod(o.axis[i], n->p[span - degree + k].w * (loft_real)n->scale));
+        two_of(n, span, u, x);
+        if (!loft_deep_slope(x, w, loft_deep_lerp_in(w[0], w[1], u, lo, hi), (int32_t)degree, &d)
+            || !loft_acc_rate(d, loft_wide(hi) - loft_wide(lo), &v.axis[i]))
+            return LOFT_ERR_RANGE;
+    }
+    *out = v;
+    return LOFT_OK;
 }
 
 bool loft_nurbs_next(const loft_nurbs *n, unsigned *span, loft_weighted out[])

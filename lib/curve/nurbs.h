@@ -1,4 +1,5 @@
-/* lib/curve/nurbs.h -- NURBS: B-spline curves with weights, of degree 1..9 on any knots; points, rational Bezier spans
+/* lib/curve/nurbs.h -- NURBS: B-spline curves with weights, of degree 1..9 on any knots; points, derivative,
+ * rational Bezier spans
  * SPDX-License-Identifier: MIT
  *
  * bspline.h with the control points of rational.h: as they lie in space, each with its weight of 1/256..256. What is
@@ -41,6 +42,17 @@ enum loft_status loft_nurbs_init(loft_nurbs *n, const loft_weighted p[], unsigne
  *   see     Piegl and Tiller, The NURBS Book, ch. 4
  */
 loft_vec loft_nurbs_eval(const loft_nurbs *n, loft_real u);
+
+/* The first derivative with respect to u, of the same piece: with the points p0, p1 and weights w0, w1 before the last row,
+ * degree / h * w0 w1 / w^2 (p1 - p0), h the length of the span.
+ *
+ *   range   u as eval; LOFT_ERR_RANGE when the derivative does not fit; *out is untouched then
+ *   error   q16: 0.51 LSB + 2^-17 / h LSB   f32, f64: 1/2 ulp of the result + 40 * degree^2 * R / h ulp of double
+ *   cost    eval; degree * (degree + 1) / 2 times loft_deep_lerp_in per axis and once more; per axis 4 long quotients;
+ *           q16: 900 bytes of stack
+ *   see     Floater, Derivatives of rational Bezier curves, CAGD 9 (1992), with knots; The NURBS Book, ch. 4
+ */
+enum loft_status loft_nurbs_deriv(const loft_nurbs *n, loft_real u, loft_vec *out) LOFT_CHECKED;
 
 /* The next span as a rational Bezier curve, degree + 1 control points; *span and the result as in loft_bspline_next.
  * The weights of a span have a common factor of its own, a power of two that brings the largest into 128..256.

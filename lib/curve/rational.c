@@ -14,16 +14,32 @@
  *
  * and its rounding by 1/2. In floats all terms of the denominator are positive: it errs by 3 n ulp of itself, the
  * numerator by 3 n ulp of the largest coordinate times the denominator, and four more operations round.
+ *
+ * Beyond the ends a row multiplies by L = |1 - t| + |t| <= 3 at most, and the denominator may be as small as it likes,
+ * 0 or negative: what divides by it is carried in loft_deep with 46 guard bits, |x|, w' < 2^62 2^46 3^9 < 2^123, and
+ * is refused where the denominator is below FLOOR of the largest weight W; there is no bound that holds for all. Rows
+ * round by (1 + L + .. + L^8) / 2 < 2^12.3 last bits, of a denominator of 2^(61 - 20 + 46) at least: a point errs by less
+ * than 2^-40 LSB more. In floats the n rows err by 3 n L^n ulp of W, which is 3 n K ulp of the denominator,
+ *
+ *     K = L^n W / w(t)
+ *
+ * Pieces take the same way inside and outside of 0..1.
  */
 #include "curve/rational.h"
 #include "num/deep.h"   /* loft_acc_project, loft_deep_slope */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 #define LARGEST LOFT_REAL(16384)
+#define FLOOR 1048576       /* one over it; inside 0..1 a denominator is at least 1/65536 */
 
 static bool inside(loft_unit t)
 {
     return t >= 0 && t <= LOFT_UNIT(1);
+}
+
+static bool extends(loft_unit t)
+{
+    return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2);
 }
 
 static void denominators(const loft_rational *r, loft_acc w[])
@@ -36,6 +52,51 @@ static void numerators(const loft_rational *r, int axis, loft_acc x[])
 {
     for (unsigned k = 0; k <= r->degree; k++)
         x[k] = loft_prod(r->p[k].p.axis[axis], r->p[k].w * (loft_real)r->scale);
+}
+
+static void guard(const loft_acc c[], unsigned degree, loft_deep out[])
+{
+    for (unsigned k = 0; k <= degree; k++)
+        out[k] = loft_deep_guarded(c[k]);
+}
+
+/* As numerators and denominators, with guard bits; without the factor LOFT_PROJECT of w' where that is divided by. */
+static void deep_denominators(const loft_rational *r, int32_t by, loft_deep w[])
+{
+    loft_acc c[POINTS];
+
+    denominators(r, c);
+    for (unsigned k = 0; k <= r->degree; k++)
+        c[k] = loft_acc_ratio(c[k], by);
+    guard(c, r->degree, w);
+}
+
+/* From the coordinate `origin`: |p - origin| s w < 2^31 in q16. */
+static void deep_numerators(const loft_rational *r, int axis, loft_real origin, loft_deep x[])
+{
+    loft_acc c[POINTS];
+
+    numerators(r, axis, c);
+    for (unsigned k = 0; k <= r->degree; k++)
+        c[k] -= loft_prod(origin, r->p[k].w * (loft_real)r->scale);
+    guard(c, r->degree, x);
+}
+
+static void step(loft_deep c[], unsigned degree, loft_unit t)
+{
+    for (unsigned i = 0; i < degree; i++)
+        c[i] = loft_deep_lerp(c[i], c[i + 1], t);
+}
+
+/* The least denominator that is divided by, for weights c[0..degree]. */
+static loft_deep floor_of(const loft_deep c[], unsigned degree)
+{
+    loft_deep most = c[0];
+
+    for (unsigned k = 1; k <= degree; k++)
+        if (loft_deep_below(most, c[k]))
+            most = c[k];
+    return loft_deep_guarded(loft_deep_wide(most, FLOOR));
 }
 
 
@@ -87,39 +148,67 @@ loft_vec loft_rational_eval(const loft_rational *r, loft_unit t)
     return v;
 }
 
+static loft_deep deep_eval(loft_deep c[], unsigned degree, loft_unit t)
+{
+    for (unsigned k = degree; k > 0; k--)
+        step(c, k, t);
+    return c[0];
+}
+
+enum loft_status loft_rational_extend(const loft_rational *r, loft_unit t, loft_vec *out)
+{
+    loft_deep c[POINTS];
+    loft_vec v;
+
+    if (!extends(t))
+        return LOFT_ERR_ARG;
+    deep_denominators(r, 1, c);
+    const loft_deep least = floor_of(c, r->degree), w = deep_eval(c, r->degree, t);
+    if (loft_deep_below(w, least))
+        return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        deep_numerators(r, i, 0, c);
+        if (!loft_deep_rate(deep_eval(c, r->degree, t), w, &v.axis[i]))
+            return LOFT_ERR_RANGE;
+    }
+    *out = v;
+    return LOFT_OK;
+}
+
 /* All but the last step: c[0] and c[1] remain. */
 static void two_of(loft_deep c[], unsigned degree, loft_unit t)
 {
     for (unsigned k = degree; k > 1; k--)
-        for (unsigned i = 0; i < k; i++)
-            c[i] = loft_deep_lerp(c[i], c[i + 1], t);
+        step(c, k, t);
 }
 
-/* With x_k = w_k (p_k - o), any o, and the pairs (x0, w0), (x1, w1) before the last step,
+/* With x_k = s w_k (p_k - o), any o, and the pairs (x0, w0), (x1, w1) before the last step,
  *
  *     P' = n (x1 w0 - x0 w1) / w^2
  *
- * and with o the point at t rounded to a coordinate, x0 and x1 have opposite signs but for that rounding, so
- * nothing cancels. In q16 the x_k are whole in loft_acc, |x_k| < 2^16 2^8, and carried with 64 bits more: n rows
- * err by n 2^-97 where w >= 2^-8, and n w0 w1 / w^2 <= n 2^17, so the result errs by less than 2^-60. */
+ * and with o the point at t rounded to a coordinate, (1 - t) x0 + t x1 is next to 0: inside 0..1 both parts have the same
+ * sign, so nothing cancels. In q16 the pairs err by n 2^-79 there, where w >= 2^-2 and n w0 w1 / w^2 <= n 2^17, so
+ * the result errs by less than 2^-55.
+ *
+ * Outside, x0 / w and x1 / w are 2 |P'| / n at most and that rounding, below 2^17, |w0| / w and |w1| / w at most K: each of the
+ * parts is below 2^18 K and taken to 2^-58 of itself, which is less than 2^-24 K LSB in all. In floats x0 / w errs by
+ * 3 n K ulp of the largest value there is, times K for w0 / w, times n. */
 enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_vec *out)
 {
     const unsigned n = r->degree;
-    const loft_vec o = loft_rational_eval(r, t);
     loft_deep w[POINTS], x[POINTS];
-    loft_vec v = { { 0 } };
+    loft_vec o, v = { { 0 } };
+    const enum loft_status status = loft_rational_extend(r, t, &o);
 
-    if (!inside(t))
-        return LOFT_ERR_ARG;
-    for (unsigned k = 0; k <= n; k++)
-        w[k] = loft_deep_guarded(loft_wide(r->p[k].w));
+    if (status != LOFT_OK)
+        return status;
+    deep_denominators(r, LOFT_PROJECT, w);
     two_of(w, n, t);
     for (int i = 0; i < LOFT_AXES && n > 0; i++) {
         loft_acc d = 0;
-        for (unsigned k = 0; k <= n; k++)
-            x[k] = loft_deep_guarded(loft_acc_mul(loft_wide(r->p[k].p.axis[i]) - loft_wide(o.axis[i]), r->p[k].w));
+        deep_numerators(r, i, o.axis[i], x);
         two_of(x, n, t);
-        if (!loft_deep_slope(x, w, t, (int32_t)n, &d) || !loft_acc_fits(d))
+        if (!loft_deep_slope(x, w, loft_deep_lerp(w[0], w[1], t), (int32_t)n, &d) || !loft_acc_fits(d))
             return LOFT_ERR_RANGE;
         v.axis[i] = loft_acc_round(d);
     }
@@ -139,53 +228,79 @@ static loft_real unscaled(const loft_rational *r, loft_acc w)
     return loft_acc_round(loft_acc_ratio(loft_acc_ratio(w, LOFT_PROJECT), r->scale));
 }
 
-static void project(const loft_acc x[], const loft_acc w[], unsigned degree, int axis, loft_weighted out[])
+/* One axis of the control points; false when one does not fit. */
+static bool project(const loft_deep x[], const loft_deep w[], unsigned degree, int axis, loft_weighted out[])
 {
     for (unsigned k = 0; k <= degree; k++)
-        out[k].p.axis[axis] = loft_acc_project(x[k], w[k]);
+        if (!loft_deep_rate(x[k], w[k], &out[k].p.axis[axis]))
+            return false;
+    return true;
+}
+
+static bool divisible(const loft_deep w[], unsigned degree, loft_deep least)
+{
+    for (unsigned k = 0; k <= degree; k++)
+        if (loft_deep_below(w[k], least))
+            return false;
+    return true;
 }
 
 /* The first value of each row goes to `left`; the last ones stay in c. */
-static void halve(loft_acc c[], unsigned degree, loft_unit t, loft_acc left[])
+static void halve(loft_deep c[], unsigned degree, loft_unit t, loft_deep left[])
 {
     for (unsigned k = 0; k <= degree; k++) {
         left[k] = c[0];
-        loft_bernstein_step(c, degree - k, t);
+        step(c, degree - k, t);
     }
+}
+
+/* The weights as they come. They are means inside 0..1, where only a last bit may have left the range. */
+static bool weigh(const loft_rational *r, const loft_deep w[], bool means, loft_weighted out[])
+{
+    const loft_deep most = loft_deep_times(loft_deep_guarded(loft_wide(LOFT_WEIGHT_MAX) * LOFT_PROJECT), (uint32_t)r->scale);
+
+    for (unsigned k = 0; k <= r->degree; k++) {
+        if (!means && loft_deep_below(most, w[k]))
+            return false;
+        const loft_real weight = loft_acc_round(loft_acc_ratio(loft_deep_wide(w[k], (uint32_t)r->scale), LOFT_PROJECT));
+        if (!means && weight < LOFT_WEIGHT_MIN)
+            return false;
+        out[k].w = loft_weight_clamp(weight);
+    }
+    return true;
 }
 
 enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_weighted left[], loft_weighted right[])
 {
     const unsigned degree = r->degree;
-    loft_acc w_left[POINTS], w_right[POINTS], x_left[POINTS], x_right[POINTS];
+    loft_deep w_left[POINTS], w_right[POINTS], x_left[POINTS], x_right[POINTS];
 
-    if (!inside(t))
+    if (!extends(t))
         return LOFT_ERR_ARG;
-    denominators(r, w_right);
+    deep_denominators(r, 1, w_right);
+    const loft_deep least = floor_of(w_right, degree);
     halve(w_right, degree, t, w_left);
+    if (!divisible(w_left, degree, least) || !divisible(w_right, degree, least))
+        return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        numerators(r, i, x_right);
+        deep_numerators(r, i, 0, x_right);
         halve(x_right, degree, t, x_left);
-        project(x_left, w_left, degree, i, left);
-        project(x_right, w_right, degree, i, right);
+        if (!project(x_left, w_left, degree, i, left) || !project(x_right, w_right, degree, i, right))
+            return LOFT_ERR_RANGE;
     }
-    for (unsigned k = 0; k <= degree; k++) {
-        left[k].w = unscaled(r, w_left[k]);
-        right[k].w = unscaled(r, w_right[k]);
-    }
-    return LOFT_OK;
+    return weigh(r, w_left, inside(t), left) && weigh(r, w_right, inside(t), right) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
 /* out[k] = c[from^(degree-k), to^k]: after degree - k rows at `from`, k rows at `to` in a copy. */
-static void blossom(loft_acc c[], unsigned degree, loft_unit from, loft_unit to, loft_acc out[])
+static void blossom(loft_deep c[], unsigned degree, loft_unit from, loft_unit to, loft_deep out[])
 {
-    loft_acc copy[POINTS];
+    loft_deep copy[POINTS];
 
     for (unsigned k = degree + 1; k-- > 0; ) {
         for (unsigned j = 0; j <= k; j++)
             copy[j] = c[j];
-        out[k] = loft_bernstein_eval(copy, k, to);
-        loft_bernstein_step(c, k, from);
+        out[k] = deep_eval(copy, k, to);
+        step(c, k, from);
     }
 }
 
@@ -209,21 +324,48 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
         out[k].w = loft_weight_clamp(loft_acc_round(loft_acc_ratio(w[k], divisor)));
 }
 
+/* The weights as wide numbers below 2^30, all divided by the same power of two, which is 1 inside 0..1; false when the
+ * largest exceeds 65536 times the smallest. */
+static bool narrow(const loft_deep w[], unsigned degree, bool means, loft_acc out[])
+{
+    const loft_deep limit = loft_deep_times(loft_deep_guarded(loft_wide(LARGEST)), 2 * LOFT_PROJECT);
+    loft_acc most = 0;
+    uint32_t by = 1;
+
+    for (unsigned k = 0; k <= degree; k++)
+        while (!loft_deep_below(w[k], loft_deep_times(limit, by)))
+            by *= 2;
+    for (unsigned k = 0; k <= degree; k++) {
+        out[k] = loft_deep_wide(w[k], by);
+        most = out[k] > most ? out[k] : most;
+    }
+    for (unsigned k = 0; k <= degree; k++)
+        if (!means && out[k] < loft_acc_ratio(most, 65536))
+            return false;
+    return true;
+}
+
 enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft_unit to, loft_weighted out[])
 {
     const unsigned degree = r->degree;
-    loft_acc c[POINTS], w[POINTS], x[POINTS];
+    const bool means = inside(from) && inside(to);
+    loft_deep c[POINTS], w[POINTS], x[POINTS];
+    loft_acc narrowed[POINTS];
 
-    if (!inside(from) || !inside(to))
+    if (!extends(from) || !extends(to))
         return LOFT_ERR_ARG;
-    denominators(r, c);
+    deep_denominators(r, 1, c);
+    const loft_deep least = floor_of(c, degree);
     blossom(c, degree, from, to, w);
+    if (!divisible(w, degree, least) || !narrow(w, degree, means, narrowed))
+        return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        numerators(r, i, c);
+        deep_numerators(r, i, 0, c);
         blossom(c, degree, from, to, x);
-        project(x, w, degree, i, out);
+        if (!project(x, w, degree, i, out))
+            return LOFT_ERR_RANGE;
     }
-    loft_rational_weights(w, degree, out);
+    loft_rational_weights(narrowed, degree, out);
     return LOFT_OK;
 }
 
@@ -249,7 +391,8 @@ enum loft_status loft_rational_raise(const loft_rational *r, unsigned times, lof
     for (int i = 0; i < LOFT_AXES; i++) {
         numerators(r, i, x);
         raise(x, degree, times);
-        project(x, w, degree + times, i, out);
+        for (unsigned k = 0; k <= degree + times; k++)
+            out[k].p.axis[i] = loft_acc_project(x[k], w[k]);
     }
     for (unsigned k = 0; k <= degree + times; k++)
         out[k].w = unscaled(r, w[k]);

@@ -1,4 +1,4 @@
-/* lib/curve/rational.h -- rational Bezier curves of degree 0..9: points, derivatives, pieces
+/* lib/curve/rational.h -- rational Bezier curves of degree 0..9: points, derivatives, pieces, also beyond their ends
  * SPDX-License-Identifier: MIT
  *
  * Every control point has a weight, and the curve is sum B_k w_k p_k / sum B_k w_k: what NURBS and exact circles
@@ -63,14 +63,31 @@ enum loft_status loft_rational_init(loft_rational *r, const loft_weighted p[], u
  */
 loft_vec loft_rational_eval(const loft_rational *r, loft_unit t);
 
+/* The point at t, beyond the ends as well. There the denominator may shrink to nothing, and no bound holds for all:
+ * what divides by it asks for 2^-20 of the largest weight at least, and the law of extrapolation is that of bezier.h
+ * with K in place of L^degree,
+ *
+ *     L = |1 - t| + |t|       K = L^degree * W / w(t)        W the largest weight, w(t) the denominator
+ *
+ *   range   t in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE where w(t) < 2^-20 W (not within 2^-40 of that) or
+ *           the point does not fit; *out is untouched then
+ *   error   q16: 1/2 LSB + 2^-40 LSB   f32: 1/2 ulp of the result + 4 * (degree + 2) * K ulp of double, of the largest
+ *           of control values and result   f64: 4 * (degree + 2) * K ulp of that
+ *   cost    degree * (degree + 1) / 2 deep lerps per axis and once more, a quotient of 128 bits per axis; 500 bytes
+ *           of stack
+ */
+enum loft_status loft_rational_extend(const loft_rational *r, loft_unit t, loft_vec *out) LOFT_CHECKED;
+
 /* The first derivative with respect to t, by the quotient rule in the form of Floater: with the two points
  * p0, p1 and weights w0, w1 before the last step, n w0 w1 / w^2 (p1 - p0).
  *
- *   range   t in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the derivative does not fit (it may be
- *           degree * R times the distance of two points); *out is untouched then
- *   error   q16: 0.51 LSB   f32, f64: 1/2 ulp of the result + 24 * degree^2 * R ulp of double (24 * degree * w0 w1 / w^2)
- *   cost    degree * (degree + 1) / 2 deep lerps per axis and once more; per axis 3 long quotients;
- *           q16: 900 bytes of stack
+ *   range   as extend; LOFT_ERR_RANGE when the derivative does not fit (it may be degree * R times the distance of
+ *           two points, and more outside 0..1)
+ *   error   in 0..1: q16: 0.51 LSB   f32, f64: 1/2 ulp of the result + 24 * degree^2 * R ulp of double
+ *           (24 * degree * w0 w1 / w^2)
+ *           outside: q16: 0.51 LSB + 2^-24 K LSB   f32, f64: 1/2 ulp of the result + 24 * degree^2 * K^2 ulp of
+ *           double, of the largest of control values and point
+ *   cost    twice extend; per axis 3 long quotients; q16: 900 bytes of stack
  *   see     Floater, Derivatives of rational Bezier curves, CAGD 9 (1992)
  */
 enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_vec *out) LOFT_CHECKED;
@@ -84,20 +101,23 @@ enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_v
 /* The control points of the pieces 0..t and t..1, degree + 1 each. Their weights are as they come, so that both
  * pieces together still have one parameter. `left` and `right` must differ.
  *
- *   range   t in 0..1, otherwise LOFT_ERR_ARG: beyond the ends a weight may vanish or turn negative
- *   error   points as eval; weights q16: 1/2 LSB + degree * 2^-17 LSB   f32: 1 ulp   f64: 3 * degree ulp
- *   cost    as eval, with degree + 1 quotients per axis and piece
+ *   range   t in -1..2, otherwise LOFT_ERR_ARG; outside 0..1 LOFT_ERR_RANGE when a point does not fit or a weight is not
+ *           in 1/256..256: it may vanish or turn negative
+ *   error   points as extend, where w(t) is the weight of the point; weights q16: 1/2 LSB + 2^-15 LSB   f32: 1 ulp
+ *           f64: 3 * degree ulp, outside 0..1 of L^degree W
+ *   cost    as extend, with degree + 1 quotients per axis and piece; q16: 900 bytes of stack
  */
 enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_weighted left[], loft_weighted right[]) LOFT_CHECKED;
 
 /* The control points of the piece from..to; from > to gives it reversed. The weights have a common factor, a
  * power of two that brings the largest into 128..256, so that q16 keeps most of them: there the piece is the same
- * curve to within R * 2^-25 of the width of its polygon.
+ * curve to within R * 2^-25 of the width of its polygon, R being that of the piece.
  *
- *   range   both in 0..1, otherwise LOFT_ERR_ARG
- *   error   points as eval
- *   cost    degree * (degree + 1) * (degree + 5) / 6 wide lerps per axis and once more, degree + 1 quotients
- *           per axis; 320 bytes of stack
+ *   range   both in -1..2, otherwise LOFT_ERR_ARG; outside 0..1 LOFT_ERR_RANGE when a point does not fit, a weight is
+ *           below 2^-20 W, or the largest exceeds 65536 times the smallest
+ *   error   points as extend with the larger L, where w(t) is the weight of the point
+ *   cost    degree * (degree + 1) * (degree + 5) / 6 deep lerps per axis and once more, degree + 1 quotients
+ *           per axis; q16: 1.1 kB of stack
  *   see     Ramshaw, blossoming, for numerator and denominator
  */
 enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft_unit to, loft_weighted out[]) LOFT_CHECKED;

@@ -38,10 +38,10 @@ loft_deep loft_deep_of(loft_acc x)
     return r;
 }
 
-loft_deep loft_deep_guarded(loft_acc x)
+bool loft_deep_below(loft_deep x, loft_deep y)
 {
-    const loft_deep r = { { 0, 0, loft_acc_low(x), (uint32_t)loft_acc_high(x) } };
-    return r;
+    const loft_deep difference = loft_deep_sub(x, y);
+    return negative(&difference);
 }
 
 /* x k in `limbs` limbs of out: a product and a carry are at most (2^32 - 1)^2 + 2^32 - 1 < 2^64. */
@@ -63,6 +63,13 @@ loft_deep loft_deep_times(loft_deep x, uint32_t k)
     return r;
 }
 
+/* By one limb, and by 14 bits. */
+loft_deep loft_deep_guarded(loft_acc x)
+{
+    const loft_deep r = { { 0, loft_acc_low(x), (uint32_t)loft_acc_high(x), x < 0 ? 0xffffffffu : 0 } };
+    return loft_deep_times(r, 16384);
+}
+
 void loft_deep_step(loft_deep d[], unsigned degree)
 {
     for (unsigned k = 0; k < degree; k++)
@@ -71,7 +78,7 @@ void loft_deep_step(loft_deep d[], unsigned degree)
 
 bool loft_deep_accepts(loft_real a) { (void)a; return true; }
 
-/* (|y - x| t + 2^23) / 2^24: five limbs, less than 2^126 * 2^24 + 2^23. Four limbs are cut out above bit 24. */
+/* (|y - x| |t| + 2^23) / 2^24: five limbs, less than 2^126 * 2^25 + 2^23. Four limbs are cut out above bit 24. */
 loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t)
 {
     const loft_deep difference = loft_deep_sub(y, x), opposite = negated(&difference);
@@ -79,13 +86,58 @@ loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t)
     uint32_t product[LIMBS + 1];
     loft_deep part;
 
-    multiply(down ? &opposite : &difference, (uint32_t)t, product, LIMBS + 1);
+    multiply(down ? &opposite : &difference, (uint32_t)(t < 0 ? -t : t), product, LIMBS + 1);
     for (uint32_t i = 0, carry = 8388608; i <= LIMBS; i++) {
         product[i] += carry;
         carry = product[i] < carry;
     }
     for (int i = 0; i < LIMBS; i++)
         part.limb[i] = product[i] >> 24 | product[i + 1] << 8;
+    return down != (t < 0) ? loft_deep_sub(x, part) : loft_deep_add(x, part);
+}
+
+/* The whole part of x / n, x of five limbs and below 2^128 n, and what is left of x. */
+static uint32_t divide(const uint32_t x[LIMBS + 1], uint32_t n, loft_deep *out)
+{
+    uint64_t rest = x[LIMBS];
+
+    for (int i = LIMBS - 1; i >= 0; i--) {
+        rest = rest << 32 | x[i];
+        out->limb[i] = (uint32_t)(rest / n);
+        rest %= n;
+    }
+    return (uint32_t)rest;
+}
+
+/* |x| / k, of which the lowest 46 bits are rounded away. */
+loft_acc loft_deep_wide(loft_deep x, uint32_t k)
+{
+    const bool minus = negative(&x);
+    const loft_deep size = minus ? negated(&x) : x;
+    uint32_t five[LIMBS + 1] = { 0 };
+    loft_deep q;
+
+    for (int i = 0; i < LIMBS; i++)
+        five[i] = size.limb[i];
+    (void)divide(five, k, &q);
+    const uint64_t upper = (uint64_t)q.limb[3] << 32 | q.limb[2];
+    const int64_t whole = (int64_t)(upper << 18 | q.limb[1] >> 14) + (q.limb[1] >> 13 & 1);
+    return minus ? -whole : whole;
+}
+
+/* |y - x| j / n with j <= n < 2^32: a product of five limbs, and a division limb by limb, the rest below n. */
+loft_deep loft_deep_lerp_in(loft_deep x, loft_deep y, loft_real a, loft_real lo, loft_real hi)
+{
+    const uint32_t j = (uint32_t)a - (uint32_t)lo, n = (uint32_t)hi - (uint32_t)lo;
+    const loft_deep difference = loft_deep_sub(y, x), opposite = negated(&difference);
+    const bool down = negative(&difference);
+    uint32_t product[LIMBS + 1];
+    loft_deep part;
+
+    multiply(down ? &opposite : &difference, j, product, LIMBS + 1);
+    const uint32_t rest = divide(product, n, &part);
+    const loft_deep up = { { rest >= n - rest, 0, 0, 0 } };
+    part = loft_deep_add(part, up);
     return down ? loft_deep_sub(x, part) : loft_deep_add(x, part);
 }
 
@@ -115,13 +167,13 @@ loft_real loft_acc_project(loft_acc x, loft_acc w)
     return signed_quotient(q, x < 0, rest > d, rest == d);
 }
 
-/* 2^15 x / (2^15 h), and 2^15 h < 2^63. It rounds to a coordinate when 1 - |x| / (2^15 h) > 2^-32, of whole numbers:
- * when the difference exceeds the whole part of 2^15 h / 2^32. */
+/* 2^15 x / (2^15 h), and 2^15 h < 2^63. With e = |x| - 2^15 h it rounds to a coordinate when e / (2^15 h) is below
+ * -2^-32, or at most 2^-32 where x is negative: of whole numbers, compared with the whole part of 2^15 h / 2^32. */
 bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
 {
-    const loft_acc w = h * LOFT_PROJECT, size = x < 0 ? -x : x;
+    const loft_acc w = h * LOFT_PROJECT, beyond = (x < 0 ? -x : x) - w;
 
-    if (size >= w || w - size <= loft_acc_high(w))
+    if (x < 0 ? beyond > loft_acc_high(w) : beyond >= -(loft_acc)loft_acc_high(w))
         return false;
     *out = loft_acc_project(x, w);
     return true;
@@ -153,11 +205,24 @@ loft_real loft_deep_project(loft_deep x, loft_deep w)
     return signed_quotient(q, minus, reached && !tie, tie);
 }
 
-/* Five products, quotients and differences, each off by 2^-61 of its result. */
-bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, int32_t k, loft_acc *out)
+/* As loft_acc_rate, of 128 bits. */
+bool loft_deep_rate(loft_deep x, loft_deep w, loft_real *out)
 {
-    const loft_sci by = loft_sci_from_deep(loft_deep_lerp(w[0], w[1], t));
-    const loft_sci w0 = loft_sci_from_deep(w[0]), w1 = loft_sci_from_deep(w[1]);
+    const bool minus = negative(&x);
+    const loft_deep beyond = loft_deep_sub(minus ? negated(&x) : x, w);
+    const loft_deep room = { { w.limb[1], w.limb[2], w.limb[3], 0 } };
+
+    if (minus ? loft_deep_below(room, beyond) : !loft_deep_below(beyond, negated(&room)))
+        return false;
+    *out = loft_deep_project(x, w);
+    return true;
+}
+
+/* x, w and v have a factor in common, of which the quotient has none. Five products, quotients and differences, each
+ * off by 2^-61 of its result. */
+bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_deep v, int32_t k, loft_acc *out)
+{
+    const loft_sci by = loft_sci_from_deep(v), w0 = loft_sci_from_deep(w[0]), w1 = loft_sci_from_deep(w[1]);
     const loft_sci x0 = loft_sci_from_deep(loft_deep_times(x[0], (uint32_t)k));
     const loft_sci x1 = loft_sci_from_deep(loft_deep_times(x[1], (uint32_t)k));
     const loft_sci rise = loft_sci_div(loft_sci_mul(x1, w0), by), fall = loft_sci_div(loft_sci_mul(x0, w1), by);
@@ -179,13 +244,30 @@ bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
 
 loft_real loft_acc_project(loft_acc x, loft_acc w)              { return loft_acc_round(x / w * LOFT_PROJECT); }
 loft_real loft_deep_project(loft_deep x, loft_deep w)           { return loft_acc_round(x / w * LOFT_PROJECT); }
+bool      loft_deep_below(loft_deep x, loft_deep y)             { return x < y; }
 loft_deep loft_deep_of(loft_acc x)                              { return x; }
 loft_deep loft_deep_guarded(loft_acc x)                         { return x; }
+loft_acc  loft_deep_wide(loft_deep x, uint32_t k)               { return x / k; }
 loft_deep loft_deep_add(loft_deep x, loft_deep y)               { return x + y; }
 loft_deep loft_deep_sub(loft_deep x, loft_deep y)               { return x - y; }
 loft_deep loft_deep_times(loft_deep x, uint32_t k)              { return x * k; }
 loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t) { return loft_acc_lerp(x, y, t); }
 bool      loft_deep_accepts(loft_real a)                        { return (double)a > -0x1p900 && (double)a < 0x1p900; }
+
+loft_deep loft_deep_lerp_in(loft_deep x, loft_deep y, loft_real a, loft_real lo, loft_real hi)
+{
+    return loft_acc_lerp_in(x, y, a, lo, hi);
+}
+
+bool loft_deep_rate(loft_deep x, loft_deep w, loft_real *out)
+{
+    const double rate = x / w * LOFT_PROJECT;
+
+    if (!loft_acc_fits(rate * (1 - 0x1p-40)))       /* a mean of f32's largest is one, rounded */
+        return false;
+    *out = loft_acc_round(rate);
+    return true;
+}
 
 void loft_deep_step(loft_deep d[], unsigned degree)
 {
@@ -193,10 +275,9 @@ void loft_deep_step(loft_deep d[], unsigned degree)
         d[k] += d[k + 1];
 }
 
-bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, int32_t k, loft_acc *out)
+bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_deep v, int32_t k, loft_acc *out)
 {
-    const double between = loft_deep_lerp(w[0], w[1], t);
-    *out = k * (x[1] / between * (w[0] / between) - x[0] / between * (w[1] / between));
+    *out = k * (x[1] / v * (w[0] / v) - x[0] / v * (w[1] / v));
     return *out >= -DBL_MAX && *out <= DBL_MAX;
 }
 

@@ -40,26 +40,38 @@ loft_real loft_acc_project(loft_acc x, loft_acc w);
 /* The same of deep numbers; q16: 32 rounds of 128 bits. */
 loft_real loft_deep_project(loft_deep x, loft_deep w);
 
+/* The same of any deep numbers, where w > 0; false, and *out untouched, when the result does not fit. */
+bool loft_deep_rate(loft_deep x, loft_deep w, loft_real *out) LOFT_CHECKED;
+
 /* x / h as real; false, and *out untouched, when that does not fit.
  *
- *   range   h > 0; q16: h < 2^16, |x / h| < 32768 - 2^-17 fits
+ *   range   h > 0; q16: h < 2^16, -32768 - 2^-17 <= x / h < 32768 - 2^-17 fits
  *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: 1/2 ulp
  *   cost    q16: 32 rounds of a comparison and a subtraction of 64 bits
  */
 bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out) LOFT_CHECKED;
 
-/* x, and in q16 x with 64 more bits below the last one, for a chain of lerps.
+/* x, and in q16 x with 46 more bits below the last one, for a chain of lerps: |x| < 2^109 then.
  *
- *   range   guarded: q16: |x| < 2^30
  *   error   none
  */
 loft_deep loft_deep_of(loft_acc x);
 loft_deep loft_deep_guarded(loft_acc x);
 
+/* Back: the x of loft_deep_guarded(x), divided by k >= 1.
+ *
+ *   range   q16: |x / k| < 2^31
+ *   error   q16: 2^-33 + 2^-78   f32, f64: 1/2 ulp of double
+ */
+loft_acc loft_deep_wide(loft_deep x, uint32_t k);
+
 /*   error   q16: none, modulo 2^128   f32, f64: 1/2 ulp of double */
 loft_deep loft_deep_add(loft_deep x, loft_deep y);
 loft_deep loft_deep_sub(loft_deep x, loft_deep y);
 loft_deep loft_deep_times(loft_deep x, uint32_t k);
+
+/* x < y? q16: |x|, |y| < 2^126 */
+bool      loft_deep_below(loft_deep x, loft_deep y);
 
 /* One step of forward differences: d[k] += d[k+1], k = 0 .. degree - 1 upwards. */
 void loft_deep_step(loft_deep d[], unsigned degree);
@@ -69,19 +81,28 @@ bool loft_deep_accepts(loft_real a);
 
 /* x at t = 0, y at t = 1.
  *
- *   range   t in 0..1; q16: |x|, |y| < 2^125
- *   error   q16: 1/2 of the last bit   f32, f64: 2 ulp of double of the larger of |x|, |y|; none at 0 and 1
- *   cost    q16: 4 products of 32 bits
+ *   range   t in -1..2; q16: |x|, |y| < 2^125, and the result
+ *   error   q16: 1/2 of the last bit   f32, f64: 2 ulp of double of the larger of |x|, |y|, outside 0..1 three times
+ *           that; none at 0 and 1
+ *   cost    q16: 5 products of 32 bits
  */
 loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t);
 
-/* k (x[1] w[0] - x[0] w[1]) / (v v), v between w[0] and w[1] at t, as a wide value; false, and *out untouched, when
- * that does not fit. All guarded and not projected: weights without the factor LOFT_PROJECT.
+/* x at a = lo, y at a = hi, and between them exactly where a lies between lo and hi, as loft_acc_lerp_in.
+ *
+ *   range   lo <= a <= hi, lo < hi; q16: |x|, |y| < 2^125
+ *   error   q16: 1/2 of the last bit   f32, f64: as loft_acc_lerp_in; none at lo and hi
+ *   cost    q16: 5 products of 32 bits and 5 divisions of 64 by 32
+ */
+loft_deep loft_deep_lerp_in(loft_deep x, loft_deep y, loft_real a, loft_real lo, loft_real hi);
+
+/* k (x[1] w[0] - x[0] w[1]) / (v v), v between w[0] and w[1], as a wide value; false, and *out untouched, when that
+ * does not fit (q16: 2^31). All guarded and not projected: weights without the factor LOFT_PROJECT.
  *
  *   range   v > 0, k = 0..9
  *   error   q16: 2^-33 + 2^-58 of the result's two parts   f32, f64: 4 ulp of double of the parts
  *   cost    q16: 2 products of 64 bits and 3 quotients of 63 rounds
  */
-bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_unit t, int32_t k, loft_acc *out) LOFT_CHECKED;
+bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_deep v, int32_t k, loft_acc *out) LOFT_CHECKED;
 
 #endif

@@ -54,6 +54,17 @@ loft_acc loft_acc_part(loft_acc x, loft_acc y, loft_acc z)
     return (x < 0) != (y < 0) ? -(loft_acc)q : (loft_acc)q;
 }
 
+/* For h >= 1 the result is at most 9 |x|. Below 1, h 2^26 fits a loft_acc, and its share by k is what x may be. */
+bool loft_acc_grow(loft_acc *x, int32_t k, loft_acc h)
+{
+    const loft_acc most = loft_wide(LOFT_REAL(1)) * 67108864, size = *x < 0 ? -*x : *x;
+
+    if (size > most || (h < loft_wide(LOFT_REAL(1)) && size > (h * 67108864 - 1) / k + 1))
+        return false;
+    *x = loft_acc_part(*x, loft_wide(LOFT_REAL(1)) * k, h);
+    return true;
+}
+
 /* The root of x < 2^122, to nearest: as in num.c, two bits of x a round. All of trial is below 2^123. */
 static uint64_t root_of(twice x)
 {
@@ -105,6 +116,7 @@ loft_acc loft_acc_down(loft_acc x, unsigned shift)
 #else
 
 loft_acc loft_acc_part(loft_acc x, loft_acc y, loft_acc z)  { return x / z * y; }
+bool     loft_acc_grow(loft_acc *x, int32_t k, loft_acc h)  { *x = *x / h * k; return true; }
 loft_acc loft_acc_down(loft_acc x, unsigned shift)          { return x / (loft_acc)((uint64_t)1 << shift); }
 
 loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift)

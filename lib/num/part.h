@@ -18,6 +18,13 @@
  */
 loft_acc loft_acc_part(loft_acc x, loft_acc y, loft_acc z);
 
+/* *x * k / h, in place; false, and *x untouched, when q16 has no room for that.
+ *
+ *   range   h > 0, k = 1..9; q16: h < 2^16, |*x| and the result to 2^26 always have room
+ *   error   as loft_acc_part
+ */
+bool loft_acc_grow(loft_acc *x, int32_t k, loft_acc h) LOFT_CHECKED;
+
 /* The length of the vector x[0..n-1], times 2^shift: in q16 as long as it can be made, in floats shift is 0.
  *
  *   shape   q16: 0, or 2^26 <= result < 2^28.3
