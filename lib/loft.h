@@ -8,7 +8,8 @@
  *                                    bounds, nearest, intersect, offset: where it is   shape: cusps, curvature   join: C0 to G2
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
  *                                    rational, circle: conics and arcs
- *   surface/  two parameters         barycentric, triangle: Bezier triangles   triangle_shape: positive, convex
+ *   surface/  two parameters         tensor: patches over a square
+ *                                    barycentric, triangle: Bezier triangles   triangle_shape: positive, convex
  *                                    coons, bicubic: from curves and corners   sphere, flat: elementary
  *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
  *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
@@ -63,6 +64,7 @@
 #include "surface/sphere.h"
 #include "surface/triangle.h"
 #include "surface/triangle_shape.h"
+#include "surface/tensor.h"
 #include "motion/plan.h"
 #include "motion/span.h"
 #include "motion/pace.h"

@@ -21,7 +21,7 @@
 
 #include "vectors.h"
 
-static const vector_system *const tables[] = { vectors_curve, vectors_measure, vectors_shape, vectors_rational, vectors_bspline, vectors_join, vectors_spline, vectors_sign, vectors_coons };
+static const vector_system *const tables[] = { vectors_curve, vectors_measure, vectors_shape, vectors_rational, vectors_bspline, vectors_join, vectors_spline, vectors_sign, vectors_coons, vectors_tensor };
 
 #define DIGITS 1e-9L            /* LSB: what 20 significant digits leave open */
 

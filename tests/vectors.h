@@ -45,7 +45,8 @@ typedef struct {
 } vector_system;
 
 /* The tables, each ended by a row without a name. */
-extern const vector_system vectors_curve[], vectors_measure[], vectors_shape[], vectors_rational[], vectors_bspline[], vectors_join[], vectors_spline[], vectors_sign[], vectors_coons[];
+extern const vector_system vectors_curve[], vectors_measure[], vectors_shape[], vectors_rational[], vectors_bspline[],
+                           vectors_join[], vectors_spline[], vectors_sign[], vectors_coons[], vectors_tensor[];
 
 
 /* Inputs */
