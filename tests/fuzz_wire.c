@@ -127,7 +127,8 @@ static void make_plausible(uint8_t content[], size_t n, uint8_t session, uint32_
 }
 
 /* Contents: a length, then so many bytes, which become a frame; made plausible unless bit 7 is set. */
-static size_t fuzz_frame(const uint8_t **data, size_t *size, uint8_t session, uint32_t nonce, uint8_t wire[LOFT_FRAME_MAX])
+static size_t fuzz_frame(const uint8_t **data, size_t *size, uint8_t session, uint32_t nonce, uint32_t seal,
+                         uint8_t wire[LOFT_FRAME_MAX])
 {
     size_t n = **data & 0x7F;
     const bool plausible = !(**data & 0x80);
@@ -138,7 +139,8 @@ static size_t fuzz_frame(const uint8_t **data, size_t *size, uint8_t session, ui
     *data += n, *size -= n;
     if (plausible && n >= 2)
         make_plausible(wire + 1, n, session, nonce);
-    return loft_frame_encode(wire, n);
+    const unsigned type = n > 0 ? wire[1] >> 4 : 0;
+    return loft_frame_seal(wire, n, type == LOFT_DATA_SPANS || type == LOFT_DATA_POINTS ? seal : 0);
 }
 
 static void fuzz_receiver(const uint8_t *data, size_t size, bool raw)
@@ -153,7 +155,7 @@ static void fuzz_receiver(const uint8_t *data, size_t size, bool raw)
         if (raw) {
             machine_byte(&m, *data++), size--;
         } else {
-            const size_t n = fuzz_frame(&data, &size, m.r.session, m.r.nonce, wire);
+            const size_t n = fuzz_frame(&data, &size, m.r.session, m.r.nonce, loft_predictor_seal(&m.r.predictor), wire);
             for (size_t i = 0; i < n; i++)
                 machine_byte(&m, wire[i]);
         }
@@ -201,7 +203,7 @@ static void fuzz_sender(const uint8_t *data, size_t size, bool raw)
         if (raw)
             wire[0] = *data++, size--;
         else
-            n = fuzz_frame(&data, &size, s.session, s.nonce, wire);
+            n = fuzz_frame(&data, &size, s.session, s.nonce, 0, wire);
         for (size_t i = 0; i < n; i++)
             loft_sender_push(&s, wire[i], now);
         if (s.phase == LOFT_PHASE_READY)

@@ -41,17 +41,20 @@ static bool same_ack(const loft_ack *a, const loft_ack *b)
         && a->flags == b->flags && a->refusal == b->refusal && a->control == b->control;
 }
 
-/* The content of the one frame in wire[0..size-1]. */
-static loft_frame content(const uint8_t wire[], size_t size)
+/* The content of the one frame in wire[0..size-1], which nobody can take who does not know its seal. */
+static loft_frame sealed_content(const uint8_t wire[], size_t size, uint32_t seal)
 {
     loft_frame f;
     loft_frame_init(&f);
     CHECK(size > 0 && size <= LOFT_FRAME_MAX);
     for (size_t i = 0; i + 1 < size; i++)
         CHECK(loft_frame_push(&f, wire[i]) == LOFT_MORE);
-    CHECK(loft_frame_push(&f, wire[size - 1]) == LOFT_OK);
+    CHECK(loft_frame_push(&f, wire[size - 1]) == (seal ? LOFT_ERR_DATA : LOFT_OK));
+    CHECK(f.count > 0 && loft_frame_sealed(&f, seal) && !loft_frame_sealed(&f, seal ^ 1u) && !loft_frame_sealed(&f, ~seal));
     return f;
 }
+
+static loft_frame content(const uint8_t wire[], size_t size)    { return sealed_content(wire, size, 0); }
 
 /* Run `decode` (a call with &f and m) on the content one byte shorter and one longer. */
 #define REFUSES_OTHER_LENGTHS(f, call, may_grow) do {                                       \
@@ -262,18 +265,19 @@ static void items_come_back(arb *a)
     while (loft_packer_push(&k, &item) == LOFT_OK);
     CHECK(k.count >= 1);
 
-    const size_t n = loft_data_encode(&k, first, 9, wire);
+    const uint32_t seal = loft_predictor_seal(&p);
+    const size_t n = loft_data_encode(&k, first, seal, 9, wire);
     CHECK(n == 11u + k.size && n <= frame_max);
-    loft_frame f = content(wire, n);
+    loft_frame f = sealed_content(wire, n, seal);
     IS(f, kind == LOFT_SPANS ? LOFT_DATA_SPANS : LOFT_DATA_POINTS, LOFT_WIRE_VERSION, 9);
-    CHECK(loft_data_decode(&f, &number, &u) == LOFT_OK && number == (first & 0xFFFFu) && u.count == k.count);
+    CHECK(loft_data_first(&f, &number) == LOFT_OK && loft_data_decode(&f, &u) == LOFT_OK && number == (first & 0xFFFFu) && u.count == k.count);
     while (loft_unpacker_next(&u, &p, &got)) {}
     CHECK(memcmp(p.position, k.predictor.position, sizeof p.position) == 0);
-    REFUSES_OTHER_LENGTHS(f, loft_data_decode(&f, &number, &u), false);
+    REFUSES_OTHER_LENGTHS(f, loft_data_decode(&f, &u), false);
     f.byte[4]++;                                                /* count */
-    CHECK(loft_data_decode(&f, &number, &u) == LOFT_ERR_DATA);
+    CHECK(loft_data_decode(&f, &u) == LOFT_ERR_DATA);
     for (f.count = 2; f.count <= 5; f.count++)
-        CHECK(loft_data_decode(&f, &number, &u) == LOFT_ERR_DATA);
+        CHECK(loft_data_decode(&f, &u) == LOFT_ERR_DATA);
 }
 
 int main(void)

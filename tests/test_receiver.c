@@ -55,7 +55,7 @@ static void a_message_works_once_and_in_its_place(arb *a)
     loft_data_init(&k, LOFT_SPANS, &p, LOFT_FRAME_MAX, data);
     job_item(5, LOFT_SPANS, 0, &item);
     CHECK(loft_packer_push(&k, &item) == LOFT_OK);
-    const size_t size = loft_data_encode(&k, 0, s, data);
+    const size_t size = loft_data_encode(&k, 0, loft_predictor_seal(&p), s, data);
 
     CHECK(give(&m, a, data, size) == 0);                                    /* no job */
     job.nonce = 2;
@@ -71,7 +71,7 @@ static void a_message_works_once_and_in_its_place(arb *a)
 
     CHECK(give(&m, a, wire, loft_end_encode(1, s, wire)) == 0);             /* an item is missing */
     CHECK(answer(&m).flags & LOFT_FLAG_NAK);
-    CHECK(give(&m, a, wire, loft_data_encode(&k, 1, s, memcpy(wire, data, size))) == 0);    /* early */
+    CHECK(give(&m, a, wire, loft_data_encode(&k, 1, loft_predictor_seal(&p), s, memcpy(wire, data, size))) == 0);    /* early */
     CHECK(answer(&m).flags & LOFT_FLAG_NAK);
     CHECK(give(&m, a, data, size) == 1);
     loft_ack ack = answer(&m);

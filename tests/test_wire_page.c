@@ -140,13 +140,14 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
 static size_t say_items(const loft_frame *f, uint8_t wire[])
 {
     const bool spans = loft_message_type(f) == LOFT_DATA_SPANS;
+    const uint32_t seal = loft_predictor_seal(&state);
     loft_predictor sending = state;
     loft_unpacker u = { 0 };
     loft_packer p;
     loft_item item;
     uint16_t first = 0;
 
-    CHECK(loft_data_decode(f, &first, &u) == LOFT_OK);
+    CHECK(loft_data_first(f, &first) == LOFT_OK && loft_data_decode(f, &u) == LOFT_OK);
     say("%s session=%u first=%u count=%u", spans ? "SPANS" : "POINTS", loft_message_session(f), first, u.count);
     loft_data_init(&p, spans ? LOFT_SPANS : LOFT_POINTS, &sending, LOFT_FRAME_MAX, wire);
     while (loft_unpacker_next(&u, &state, &item)) {
@@ -158,7 +159,7 @@ static size_t say_items(const loft_frame *f, uint8_t wire[])
         say_axes(spans ? "p3" : "point", item.p[2]);
         CHECK(loft_packer_push(&p, &item) == LOFT_OK);
     }
-    return loft_data_encode(&p, first, loft_message_session(f), wire);
+    return loft_data_encode(&p, first, seal, loft_message_session(f), wire);
 }
 
 static uint16_t shown;                  /* bit t: there is an example of type t */
@@ -172,11 +173,13 @@ static void check_example(const example *e)
     loft_frame_init(&f);
     for (size_t i = 0; i + 1 < e->size; i++)
         CHECK(loft_frame_push(&f, e->byte[i]) == LOFT_MORE);
-    CHECK(e->size > 0 && loft_frame_push(&f, e->byte[e->size - 1]) == LOFT_OK);
+    const enum loft_status ended = e->size > 0 ? loft_frame_push(&f, e->byte[e->size - 1]) : LOFT_MORE;
 
     said.size = 0;
     const enum loft_message type = loft_message_type(&f);
-    n = type == LOFT_DATA_SPANS || type == LOFT_DATA_POINTS ? say_items(&f, wire)
+    const bool items = type == LOFT_DATA_SPANS || type == LOFT_DATA_POINTS;
+    CHECK(items ? ended == LOFT_ERR_DATA && f.count > 0 && loft_frame_sealed(&f, loft_predictor_seal(&state)) : ended == LOFT_OK);
+    n = items ? say_items(&f, wire)
       : type >= LOFT_WELCOME ? say_machine(&f, wire) : say_host(&f, wire);
     shown = (uint16_t)(shown | 1u << type);
     CHECK(strcmp(said.text, e->text) == 0);

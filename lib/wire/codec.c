@@ -23,6 +23,16 @@ void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item
     }
 }
 
+uint32_t loft_predictor_seal(const loft_predictor *p)
+{
+    uint32_t crc = 0xFFFFFFFFu;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        crc = loft_crc32(crc, p->position[i]);
+        crc = loft_crc32(crc, p->change[i]);
+    }
+    return crc;
+}
+
 
 // Spans: ticks, then three residuals per axis
 // -------------------------------------------

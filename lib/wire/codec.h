@@ -13,6 +13,7 @@
 #define LOFT_WIRE_CODEC_H
 
 #include "motion/span.h"    /* loft_span, LOFT_SPAN_TICKS_MAX */
+#include "wire/frame.h"     /* loft_crc */
 
 enum loft_kind {
     LOFT_SPANS  = 1,
@@ -60,6 +61,13 @@ void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES]);
 
 /* After `item`. The state before item n depends on items n - 1 and n - 2 alone (and on the start if n < 2). */
 void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item *item);
+
+/* What seals a frame whose first item this predicts: a CRC-32C of all its numbers.
+ *
+ *   error   two states that differ agree with probability 2^-32
+ *   cost    8 LOFT_AXES CRC steps
+ */
+uint32_t loft_predictor_seal(const loft_predictor *p);
 
 
 // Packing

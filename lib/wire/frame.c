@@ -12,7 +12,8 @@
  * Initial value and final inversion are FFFFFFFF: without an inversion a 0x00 put in front of the delimiter or
  * behind the CRC would pass. The register starts where FFFFFFFF has gone after the four bytes "loft": a frame of
  * another protocol with the same CRC is refused at no cost on the wire. After content and its CRC the register
- * holds a constant, whatever the content: one comparison, no second copy of the CRC. */
+ * holds a constant, whatever the content: one comparison, no second copy of the CRC. A seal on the CRC changes the register by
+ * what the seal alone makes of a register of zeros, since a CRC is linear. */
 #define CRC_START   0x73AC3B06u         /* of "loft"                */
 #define CRC_PASSED  0xB798B438u         /* after any good frame     */
 
@@ -24,6 +25,13 @@ uint32_t loft_crc(uint32_t crc, uint8_t byte)
     };
     crc = (crc >> 4) ^ table[(crc ^ byte) & 15u];
     return (crc >> 4) ^ table[(crc ^ (uint32_t)(byte >> 4)) & 15u];
+}
+
+uint32_t loft_crc32(uint32_t crc, uint32_t x)
+{
+    for (int i = 0; i < 4; i++, x >>= 8)
+        crc = loft_crc(crc, (uint8_t)(x & 0xFFu));
+    return crc;
 }
 
 /* COBS: the content is cut at its zeros; each piece is sent behind a code byte that tells its length + 1, so the
@@ -47,6 +55,7 @@ void loft_frame_init(loft_frame *f)
 {
     restart(f);
     f->count = 0;
+    f->odd   = 0;
 }
 
 static void take(loft_frame *f, uint8_t byte)
@@ -62,11 +71,17 @@ static void take(loft_frame *f, uint8_t byte)
 static enum loft_status finish(loft_frame *f)
 {
     const bool empty = !(f->flags & STARTED);
-    const bool good  = !(f->flags & REFUSED) && f->left == 0 && f->size >= 2 + 4 && f->crc == CRC_PASSED;
+    const bool whole = !(f->flags & REFUSED) && f->left == 0 && f->size >= 2 + 4;
 
-    f->count = good ? (uint8_t)(f->size - 4) : 0;
+    f->count = whole ? (uint8_t)(f->size - 4) : 0;
+    f->odd   = f->crc ^ CRC_PASSED;
     restart(f);
-    return good ? LOFT_OK : empty ? LOFT_MORE : LOFT_ERR_DATA;
+    return whole && f->odd == 0 ? LOFT_OK : empty ? LOFT_MORE : LOFT_ERR_DATA;
+}
+
+bool loft_frame_sealed(const loft_frame *f, uint32_t seal)
+{
+    return f->odd == loft_crc32(0, seal);
 }
 
 enum loft_status loft_frame_push(loft_frame *f, uint8_t byte)
@@ -100,7 +115,9 @@ static void stuff(uint8_t wire[], size_t size)
     wire[size + 1] = 0;
 }
 
-size_t loft_frame_encode(uint8_t wire[LOFT_FRAME_MAX], size_t count)
+size_t loft_frame_encode(uint8_t wire[LOFT_FRAME_MAX], size_t count)  { return loft_frame_seal(wire, count, 0); }
+
+size_t loft_frame_seal(uint8_t wire[LOFT_FRAME_MAX], size_t count, uint32_t seal)
 {
     if (count < 2 || count > LOFT_FRAME_CONTENT)
         return 0;
@@ -109,7 +126,7 @@ size_t loft_frame_encode(uint8_t wire[LOFT_FRAME_MAX], size_t count)
     for (size_t i = 1; i <= count; i++)
         crc = loft_crc(crc, wire[i]);
 
-    crc ^= 0xFFFFFFFFu;
+    crc ^= 0xFFFFFFFFu ^ seal;
     for (size_t i = 1; i <= 4; i++, crc >>= 8)
         wire[count + i] = (uint8_t)(crc & 0xFFu);
     stuff(wire, count + 4);

@@ -19,9 +19,10 @@
 #define LOFT_FRAME_EXTRA    6                                   /* CRC 4, COBS 1, delimiter 1       */
 #define LOFT_FRAME_CONTENT  (LOFT_FRAME_MAX - LOFT_FRAME_EXTRA) /* the most content of one frame    */
 
-/* One frame on its way in. `byte` and `count` are the content after LOFT_OK, until the next push. */
+/* One frame on its way in. `byte` and `count` are the content after LOFT_OK, until the next push; after LOFT_ERR_DATA
+ * too if count > 0: then the frame is whole but its check does not fit, unless it was sealed. */
 typedef struct {
-    uint32_t crc;
+    uint32_t crc, odd;                      /* odd: by what the check of the last frame is off; 0: LOFT_OK */
     uint8_t  count;                         /* bytes of content                                     */
     uint8_t  size;                          /* bytes received so far, CRC included                  */
     uint8_t  left;                          /* bytes until the next COBS code; 0: a code comes      */
@@ -58,7 +59,21 @@ enum loft_status loft_frame_push(loft_frame *f, uint8_t byte) LOFT_CHECKED;
  */
 size_t loft_frame_encode(uint8_t wire[LOFT_FRAME_MAX], size_t count);
 
+/* The same, with a seal: only who knows it can take the frame. The seal is not sent, it is put on the check (exclusive
+ * or); seal 0 is loft_frame_encode. */
+size_t loft_frame_seal(uint8_t wire[LOFT_FRAME_MAX], size_t count, uint32_t seal);
+
+/* Is the frame that loft_frame_push ended last (count > 0) good, and sealed so?
+ *
+ *   error   a damaged or otherwise sealed frame passes with probability 2^-32
+ *   cost    4 CRC steps
+ */
+bool loft_frame_sealed(const loft_frame *f, uint32_t seal);
+
 /* One byte more into a CRC-32C (Castagnoli, reflected 0x82F63B78), without initial or final inversion. */
 uint32_t loft_crc(uint32_t crc, uint8_t byte);
+
+/* The four bytes of x more, low byte first. */
+uint32_t loft_crc32(uint32_t crc, uint32_t x);
 
 #endif

@@ -181,20 +181,26 @@ void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *p
     loft_packer_init(p, kind, predictor, wire + 1 + ITEMS_AT, room);
 }
 
-size_t loft_data_encode(const loft_packer *p, uint32_t first, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
     writer w = start(wire, p->kind == LOFT_SPANS ? LOFT_DATA_SPANS : LOFT_DATA_POINTS, LOFT_WIRE_VERSION, session);
     put16(&w, (uint16_t)(first & 0xFFFFu));
     put8(&w, p->count);
-    w.size += p->size;
-    return finish(&w);
+    return loft_frame_seal(w.wire, (size_t)(w.size + p->size), seal);
 }
 
-enum loft_status loft_data_decode(const loft_frame *f, uint16_t *first, loft_unpacker *u)
+enum loft_status loft_data_first(const loft_frame *f, uint16_t *first)
+{
+    reader r = read_from(f);
+    *first = get16(&r);
+    return r.bad ? LOFT_ERR_DATA : LOFT_OK;
+}
+
+enum loft_status loft_data_decode(const loft_frame *f, loft_unpacker *u)
 {
     const enum loft_kind kind = loft_message_type(f) == LOFT_DATA_SPANS ? LOFT_SPANS : LOFT_POINTS;
     reader r = read_from(f);
-    *first = get16(&r);
+    (void)get16(&r);
     const uint8_t count = get8(&r);
     return r.bad ? LOFT_ERR_DATA
                  : loft_unpacker_init(u, kind, f->byte + ITEMS_AT, (uint8_t)(f->count - ITEMS_AT), count);

@@ -158,17 +158,22 @@ size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
 /* SPANS and POINTS: init prepares `p` to pack items into the frame, encode finishes it with what was packed.
- * `frame_max` is the longest frame that the machine takes; LOFT_FRAME_MAX is kept to as well. */
+ * `frame_max` is the longest frame that the machine takes; LOFT_FRAME_MAX is kept to as well; `seal` is
+ * loft_predictor_seal of `predictor`, before the items. */
 void   loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t frame_max,
                       uint8_t wire[LOFT_FRAME_MAX]);
-size_t loft_data_encode(const loft_packer *p, uint32_t first, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+
+/* SPANS or POINTS: the number of its first item modulo 65536. Look at it before the seal: only the item that `first`
+ * names has a predictor to seal with. LOFT_ERR_DATA: too short. */
+enum loft_status loft_data_first(const loft_frame *f, uint16_t *first) LOFT_CHECKED;
 
 /* Each decode gives LOFT_ERR_DATA if the content has another length or holds a value that its table does not list. */
 enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m) LOFT_CHECKED;
 enum loft_status loft_job_decode(const loft_frame *f, loft_job *m) LOFT_CHECKED;
 enum loft_status loft_end_decode(const loft_frame *f, uint32_t *total) LOFT_CHECKED;
 enum loft_status loft_control_decode(const loft_frame *f, loft_control *m) LOFT_CHECKED;
-enum loft_status loft_data_decode(const loft_frame *f, uint16_t *first, loft_unpacker *u) LOFT_CHECKED;
+enum loft_status loft_data_decode(const loft_frame *f, loft_unpacker *u) LOFT_CHECKED;
 
 
 // Machine to host

@@ -44,6 +44,25 @@ static bool is_over(uint8_t state)
 // Bytes
 // -----
 
+static bool for_us(const loft_receiver *r)
+{
+    return loft_message_version(&r->frame) == LOFT_WIRE_VERSION && r->session != 0
+        && loft_message_session(&r->frame) == r->session;
+}
+
+static bool carries_items(const loft_frame *f)
+{
+    return loft_message_type(f) == LOFT_DATA_SPANS || loft_message_type(f) == LOFT_DATA_POINTS;
+}
+
+/* A damaged frame. */
+static void spoil(loft_receiver *r)
+{
+    r->damaged++;
+    if (r->session && r->job && !r->ended)
+        r->due |= DUE_ACK | DUE_NAK;
+}
+
 bool loft_receiver_push(loft_receiver *r, uint8_t byte)
 {
     if (r->fresh || r->unpacker.count > 0) {    /* the caller did not look: as if the rest had not come */
@@ -57,9 +76,11 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte)
         r->fresh = true;
         return true;
     case LOFT_ERR_DATA:
-        r->damaged++;
-        if (r->session && r->job && !r->ended)
-            r->due |= DUE_ACK | DUE_NAK;
+        if (r->frame.count > 0 && for_us(r) && carries_items(&r->frame)) {  /* sealed: take_data knows */
+            r->fresh = true;
+            return true;
+        }
+        spoil(r);
         return false;
     default:
         return false;
@@ -155,12 +176,16 @@ static enum loft_event take_data(loft_receiver *r, const loft_standing *now)
 
     if (r->job == 0 || r->ended || !takes_items(now->state))
         return drop(r, DUE_ACK);
-    if (loft_data_decode(&r->frame, &first, &u) != LOFT_OK)
+    if (loft_data_first(&r->frame, &first) == LOFT_OK && ahead(r, first) != 0)
+        return drop(r, ahead(r, first) > 0 ? DUE_ACK | DUE_NAK : DUE_ACK);
+    if (!loft_frame_sealed(&r->frame, loft_predictor_seal(&r->predictor))) {
+        spoil(r);
+        return LOFT_EVENT_NONE;
+    }
+    if (loft_data_decode(&r->frame, &u) != LOFT_OK)
         return refuse(r, LOFT_REFUSAL_ITEM);
     if ((type == LOFT_DATA_SPANS) != (r->kind == LOFT_SPANS))
         return refuse(r, LOFT_REFUSAL_KIND);
-    if (ahead(r, first) != 0)
-        return drop(r, ahead(r, first) > 0 ? DUE_ACK | DUE_NAK : DUE_ACK);
     if (u.count > now->room || u.count > 0xFFFFFFFFu - r->next)
         return drop(r, DUE_ACK | DUE_NAK);
 
@@ -214,8 +239,7 @@ static enum loft_event take_frame(loft_receiver *r, const loft_standing *now, lo
 {
     if (loft_message_type(&r->frame) == LOFT_HELLO)
         return take_hello(r, now);
-    if (loft_message_version(&r->frame) != LOFT_WIRE_VERSION || r->session == 0
-        || loft_message_session(&r->frame) != r->session)
+    if (!for_us(r))
         return drop(r, 0);
 
     switch (loft_message_type(&r->frame)) {

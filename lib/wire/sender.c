@@ -400,6 +400,7 @@ static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
     loft_item item;
 
     predict(s, first, &predictor);
+    const uint32_t seal = loft_predictor_seal(&predictor);
     loft_data_init(&p, (enum loft_kind)s->job.kind, &predictor, s->frame_size, wire);
     while (first + p.count < limit && status == LOFT_OK) {
         s->source(s->context, first + p.count, &item);
@@ -423,7 +424,7 @@ static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
         s->resent++;
     if (s->high < s->send)
         s->high = s->send;
-    return loft_data_encode(&p, first, s->session, wire);
+    return loft_data_encode(&p, first, seal, s->session, wire);
 }
 
 static size_t give_hello(loft_sender *s, uint32_t now, uint8_t wire[])
@@ -537,26 +538,19 @@ uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms)     { return
 // The id of a job
 // ---------------
 
-static uint32_t hash32(uint32_t crc, uint32_t x)
-{
-    for (int i = 0; i < 4; i++, x >>= 8)
-        crc = loft_crc(crc, (uint8_t)(x & 0xFFu));
-    return crc;
-}
-
 uint32_t loft_job_id(const loft_job *job, uint32_t count, loft_item_source *source, void *context)
 {
-    uint32_t crc = hash32(hash32(0xFFFFFFFFu, job->kind), count);
+    uint32_t crc = loft_crc32(loft_crc32(0xFFFFFFFFu, job->kind), count);
     loft_item item;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        crc = hash32(crc, (uint32_t)job->start[i]);
+        crc = loft_crc32(crc, (uint32_t)job->start[i]);
     for (uint32_t n = 0; n < count; n++) {
         source(context, n, &item);
-        crc = hash32(crc, item.ticks);
+        crc = loft_crc32(crc, item.ticks);
         for (int k = job->kind == LOFT_SPANS ? 0 : 2; k < 3; k++)
             for (int i = 0; i < LOFT_AXES; i++)
-                crc = hash32(crc, (uint32_t)item.p[k][i]);
+                crc = loft_crc32(crc, (uint32_t)item.p[k][i]);
     }
     crc ^= 0xFFFFFFFFu;
     return crc ? crc : 1;
