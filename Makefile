@@ -150,7 +150,7 @@ demo: $(TOOL_OUT)/loft
 	@host-tools/demo.sh $< "$(DRAWING)" build/demo
 
 # --- on a fresh machine ------------------------------------------------------------------------------
-HOST_PACKAGES := gcc libc6-dev make pkg-config clang libclang-rt-14-dev libxml2-dev libcairo2-dev libserialport-dev spin
+HOST_PACKAGES := gcc libc6-dev make pkg-config clang libclang-rt-14-dev libxml2-dev libcairo2-dev libserialport-dev spin python3
 
 ## Install the Debian packages that demo and check need
 .PHONY: deps
@@ -205,7 +205,7 @@ bench:
 	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
-CHECK_STAGES := lint test test-axes test-host check-vectors-all test-mixed test-readme test-model test-e2e
+CHECK_STAGES := lint test test-axes test-host check-vectors-all test-mixed test-readme test-peer test-model test-e2e
 
 ## Check everything: rules of the house, all tests in all number types under sanitizers, vectors, README, whole jobs
 .PHONY: check
@@ -234,6 +234,11 @@ test: $(foreach n,$(NUMS),$(foreach t,$(TESTS),build/test/$(n)/$(t)))
 .PHONY: test-mixed
 test-mixed: $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
 	@sh tests/mixed.sh build
+
+## Decode the examples of lib/wire/WIRE.md by a peer that was written from that page alone
+.PHONY: test-peer
+test-peer:
+	@python3 tests/wire_peer.py
 
 ## Search every state of the session's model with spin: nothing twice, nothing lost, the job ends
 .PHONY: test-model

@@ -21,7 +21,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static void fuzz_codec(const uint8_t *data, size_t size)
 {
-    const enum loft_kind kind = size > 0 && data[0] & 1 ? LOFT_SPANS : LOFT_POINTS;
+    const enum loft_kind kind = size > 0 ? (enum loft_kind)(LOFT_SPANS + data[0] % 3) : LOFT_POINTS;
     const int32_t start[LOFT_AXES] = { 0 };
     loft_predictor there, again;
     uint8_t packed[255];
@@ -39,7 +39,7 @@ static void fuzz_codec(const uint8_t *data, size_t size)
     for (; loft_unpacker_next(&u, &there, &item); count++)
         MUST(loft_packer_push(&p, &item) == LOFT_OK);
     MUST(count == data[1] && u.byte == data + size);
-    MUST(kind == LOFT_POINTS || (p.size == size - 2 && memcmp(packed, data + 2, p.size) == 0));
+    MUST(kind != LOFT_SPANS || (p.size == size - 2 && memcmp(packed, data + 2, p.size) == 0));
 
     loft_predictor_init(&again, start);
     MUST(loft_unpacker_init(&u, kind, packed, p.size, p.count) == LOFT_OK);
@@ -140,7 +140,7 @@ static size_t fuzz_frame(const uint8_t **data, size_t *size, uint8_t session, ui
     if (plausible && n >= 2)
         make_plausible(wire + 1, n, session, nonce);
     const unsigned type = n > 0 ? wire[1] >> 4 : 0;
-    return loft_frame_seal(wire, n, type == LOFT_DATA_SPANS || type == LOFT_DATA_POINTS ? seal : 0);
+    return loft_frame_seal(wire, n, type == LOFT_DATA_SPANS || type == LOFT_DATA_POINTS || type == LOFT_DATA_FINE ? seal : 0);
 }
 
 static void fuzz_receiver(const uint8_t *data, size_t size, bool raw)

@@ -69,7 +69,7 @@ static void arb_items(arb *a, enum loft_kind kind, loft_item item[], int count)
         arb_points(a, item, count);
 }
 
-static enum loft_kind arb_kind(arb *a)          { return arb_below(a, 2) ? LOFT_SPANS : LOFT_POINTS; }
+static enum loft_kind arb_kind(arb *a)          { return (enum loft_kind)(LOFT_SPANS + arb_below(a, 3)); }
 
 static bool same_item(const loft_item *a, const loft_item *b)
 {
@@ -82,6 +82,7 @@ static loft_predictor arb_predictor(arb *a)
     for (int i = 0; i < LOFT_AXES; i++) {
         p.position[i] = (uint32_t)arb_int32(a);
         p.change[i]   = (uint32_t)arb_int32(a);
+        p.bend[i]     = (uint32_t)arb_int32(a);
     }
     return p;
 }
@@ -89,7 +90,7 @@ static loft_predictor arb_predictor(arb *a)
 static bool same_predictor(const loft_predictor *a, const loft_predictor *b)
 {
     return memcmp(a->position, b->position, sizeof a->position) == 0
-        && memcmp(a->change, b->change, sizeof a->change) == 0;
+        && memcmp(a->change, b->change, sizeof a->change) == 0 && memcmp(a->bend, b->bend, sizeof a->bend) == 0;
 }
 
 enum { MANY = 300 };
@@ -125,8 +126,8 @@ static void any_items_come_out_as_they_went_in(arb *a)
     }
 }
 
-/* The state before item n comes from items n - 2 and n - 1: what lets a sender begin anywhere. */
-static void two_items_are_memory_enough(arb *a)
+/* The state before item n comes from the three items before it: what lets a sender begin anywhere. */
+static void three_items_are_memory_enough(arb *a)
 {
     const enum loft_kind kind = arb_kind(a);
     loft_predictor whole, part;
@@ -139,7 +140,7 @@ static void two_items_are_memory_enough(arb *a)
     loft_predictor_init(&whole, start);
     for (int n = 0; n < 20; n++) {
         loft_predictor_init(&part, start);
-        for (int k = n < 2 ? 0 : n - 2; k < n; k++)
+        for (int k = n < LOFT_PREDICTOR_BACK ? 0 : n - LOFT_PREDICTOR_BACK; k < n; k++)
             loft_predictor_next(&part, kind, &item[k]);
         CHECK(same_predictor(&whole, &part));
         loft_predictor_next(&whole, kind, &item[n]);
@@ -253,6 +254,29 @@ static void points_take_the_bytes_of_the_table(arb *a)
     }
 }
 
+/* Motion with even jerk: second differences grow, third ones stay: one byte a point. */
+static void fine_points_take_one_byte_at_even_jerk(arb *a)
+{
+    const loft_predictor start = arb_predictor(a);
+    loft_packer p, fine;
+    uint8_t byte[255], again[255];
+    loft_item item = { 0 };
+
+    item.ticks = 1;
+    loft_packer_init(&p, LOFT_POINTS, &start, byte, 255);
+    loft_packer_init(&fine, LOFT_POINTS_FINE, &start, again, 255);
+    for (int n = 0; n < 20; n++) {
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const uint32_t bend = fine.predictor.bend[i] + (uint32_t)(arb_below(a, 2) ? 2 : -2);
+            item.p[2][i] = (int32_t)(fine.predictor.position[i] + fine.predictor.change[i] + bend);
+        }
+        CHECK(loft_packer_push(&fine, &item) == LOFT_OK && fine.size == (n + 1) * ((LOFT_AXES + 2) / 3));
+        if (n < 5)
+            CHECK(loft_packer_push(&p, &item) == LOFT_OK);
+    }
+    CHECK(p.size >= 5 * ((LOFT_AXES + 2) / 3));
+}
+
 /* Whatever is accepted is exactly what was announced, and says the same when it is packed again. */
 static void any_bytes_are_items_or_refused(arb *a)
 {
@@ -278,7 +302,7 @@ static void any_bytes_are_items_or_refused(arb *a)
         while (loft_unpacker_next(&u, &there, &item))
             CHECK(loft_packer_push(&p, &item) == LOFT_OK);
         CHECK(p.count == count && u.byte == byte + size);
-        CHECK(kind == LOFT_POINTS || (p.size == size && memcmp(byte, packed, size) == 0));
+        CHECK(kind != LOFT_SPANS || (p.size == size && memcmp(byte, packed, size) == 0));
         CHECK(loft_unpacker_init(&v, kind, packed, p.size, p.count) == LOFT_OK);
         while (loft_unpacker_next(&v, &again, &back)) {}
         CHECK(same_predictor(&there, &again));
@@ -387,11 +411,12 @@ static void spans_out_of_range_become_no_items(arb *a)
 int main(void)
 {
     PROPERTY(any_items_come_out_as_they_went_in, 3000);
-    PROPERTY(two_items_are_memory_enough, 1000);
+    PROPERTY(three_items_are_memory_enough, 1000);
     PROPERTY(no_room_changes_nothing, 3000);
     PROPERTY(no_frame_holds_more_than_255_items, 10);
     PROPERTY(ticks_out_of_range_are_refused, 1);
     PROPERTY(the_largest_item_fits_its_bytes, 1);
+    PROPERTY(fine_points_take_one_byte_at_even_jerk, 100);
     PROPERTY(points_take_the_bytes_of_the_table, 100);
     PROPERTY(any_bytes_are_items_or_refused, 3000);
     PROPERTY(a_wrong_count_or_length_is_refused, 500);

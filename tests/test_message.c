@@ -246,7 +246,8 @@ static void reports_come_back(arb *a)
 static void items_come_back(arb *a)
 {
     const uint8_t frame_max = (uint8_t)(13 + 15 * LOFT_AXES + arb_below(a, 256 - 13 - 15 * LOFT_AXES));
-    const enum loft_kind kind = arb_below(a, 2) ? LOFT_SPANS : LOFT_POINTS;
+    static const enum loft_message type[] = { [LOFT_SPANS] = LOFT_DATA_SPANS, [LOFT_POINTS] = LOFT_DATA_POINTS, [LOFT_POINTS_FINE] = LOFT_DATA_FINE };
+    const enum loft_kind kind = (enum loft_kind)(LOFT_SPANS + arb_below(a, 3));
     const uint32_t first = arb_u32(a);
     const int32_t start[LOFT_AXES] = { 0 };
     uint8_t wire[LOFT_FRAME_MAX];
@@ -269,7 +270,8 @@ static void items_come_back(arb *a)
     const size_t n = loft_data_encode(&k, first, seal, 9, wire);
     CHECK(n == 11u + k.size && n <= frame_max);
     loft_frame f = sealed_content(wire, n, seal);
-    IS(f, kind == LOFT_SPANS ? LOFT_DATA_SPANS : LOFT_DATA_POINTS, LOFT_WIRE_VERSION, 9);
+    IS(f, type[kind], LOFT_WIRE_VERSION, 9);
+    CHECK(loft_data_carried(&f));
     CHECK(loft_data_first(&f, &number) == LOFT_OK && loft_data_decode(&f, &u) == LOFT_OK && number == (first & 0xFFFFu) && u.count == k.count);
     while (loft_unpacker_next(&u, &p, &got)) {}
     CHECK(memcmp(p.position, k.predictor.position, sizeof p.position) == 0);

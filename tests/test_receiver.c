@@ -186,6 +186,32 @@ static void same_ack(const loft_ack *ack, const mill *m, uint32_t next)
     CHECK(ack->flags == (LOFT_FLAG_OPENED | (m->now.starved ? LOFT_FLAG_STARVED : 0)));
 }
 
+/* The number is right and so is the check, but the sender believes that the decoder stands elsewhere. */
+static void items_for_another_place_are_not_taken(arb *a)
+{
+    static mill m;
+    uint8_t wire[LOFT_FRAME_MAX];
+    loft_predictor elsewhere;
+    loft_item item;
+    loft_packer k;
+    loft_job job;
+
+    arb_mill(a, &m, &job);
+    loft_predictor_init(&elsewhere, job.start);
+    uint32_t *const state[] = { elsewhere.position, elsewhere.change, elsewhere.bend };
+    state[arb_below(a, 3)][arb_below(a, LOFT_AXES)] ^= 1u << arb_below(a, 32);
+    job_item(job.id, LOFT_SPANS, 0, &item);
+    loft_data_init(&k, LOFT_SPANS, &elsewhere, LOFT_FRAME_MAX, wire);
+    CHECK(loft_packer_push(&k, &item) == LOFT_OK);
+    CHECK(give(&m, a, wire, loft_data_encode(&k, 0, loft_predictor_seal(&elsewhere), m.r.session, wire)) == 0);
+    CHECK(m.r.damaged == 1 && m.r.next == 0 && answer(&m).flags & LOFT_FLAG_NAK);
+
+    loft_predictor_init(&elsewhere, job.start);
+    loft_data_init(&k, LOFT_SPANS, &elsewhere, LOFT_FRAME_MAX, wire);
+    CHECK(loft_packer_push(&k, &item) == LOFT_OK);
+    CHECK(give(&m, a, wire, loft_data_encode(&k, 0, loft_predictor_seal(&elsewhere), m.r.session, wire)) == 1);
+}
+
 /* Every number of the machine arrives in its place. */
 static void answers_say_what_is(arb *a)
 {
@@ -324,6 +350,7 @@ static void push_tells_when_a_frame_waits(arb *a)
 int main(void)
 {
     PROPERTY(a_message_works_once_and_in_its_place, 1);
+    PROPERTY(items_for_another_place_are_not_taken, 200);
     PROPERTY(answers_say_what_is, 50);
     PROPERTY(silence_where_nothing_is_asked, 5);
     PROPERTY(room_is_told_in_quarters, 20);

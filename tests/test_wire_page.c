@@ -139,7 +139,8 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
 
 static size_t say_items(const loft_frame *f, uint8_t wire[])
 {
-    const bool spans = loft_message_type(f) == LOFT_DATA_SPANS;
+    const enum loft_message type = loft_message_type(f);
+    const bool spans = type == LOFT_DATA_SPANS;
     const uint32_t seal = loft_predictor_seal(&state);
     loft_predictor sending = state;
     loft_unpacker u = { 0 };
@@ -148,8 +149,8 @@ static size_t say_items(const loft_frame *f, uint8_t wire[])
     uint16_t first = 0;
 
     CHECK(loft_data_first(f, &first) == LOFT_OK && loft_data_decode(f, &u) == LOFT_OK);
-    say("%s session=%u first=%u count=%u", spans ? "SPANS" : "POINTS", loft_message_session(f), first, u.count);
-    loft_data_init(&p, spans ? LOFT_SPANS : LOFT_POINTS, &sending, LOFT_FRAME_MAX, wire);
+    say("%s session=%u first=%u count=%u", spans ? "SPANS" : type == LOFT_DATA_POINTS ? "POINTS" : "FINE", loft_message_session(f), first, u.count);
+    loft_data_init(&p, spans ? LOFT_SPANS : type == LOFT_DATA_POINTS ? LOFT_POINTS : LOFT_POINTS_FINE, &sending, LOFT_FRAME_MAX, wire);
     while (loft_unpacker_next(&u, &state, &item)) {
         if (spans) {
             say(" ticks=%u", item.ticks);
@@ -177,7 +178,7 @@ static void check_example(const example *e)
 
     said.size = 0;
     const enum loft_message type = loft_message_type(&f);
-    const bool items = type == LOFT_DATA_SPANS || type == LOFT_DATA_POINTS;
+    const bool items = loft_data_carried(&f);
     CHECK(items ? ended == LOFT_ERR_DATA && f.count > 0 && loft_frame_sealed(&f, loft_predictor_seal(&state)) : ended == LOFT_OK);
     n = items ? say_items(&f, wire)
       : type >= LOFT_WELCOME ? say_machine(&f, wire) : say_host(&f, wire);
@@ -253,7 +254,7 @@ static void every_example_is_true(arb *a)
     }
     if (page)
         fclose(page);
-    for (unsigned type = LOFT_HELLO; type <= LOFT_REPORT; type++)
+    for (unsigned type = LOFT_HELLO; type <= LOFT_DATA_FINE; type++)
         CHECK(shown & 1u << type);
 }
 

@@ -10,7 +10,7 @@ void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         p->position[i] = (uint32_t)start[i];
-        p->change[i]   = 0;
+        p->change[i]   = p->bend[i] = 0;
     }
 }
 
@@ -18,8 +18,10 @@ void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t before = kind == LOFT_SPANS ? (uint32_t)item->p[1][i] : p->position[i];
+        const uint32_t change = p->change[i];
         p->position[i] = (uint32_t)item->p[2][i];
         p->change[i]   = p->position[i] - before;
+        p->bend[i]     = kind == LOFT_SPANS ? 0 : p->change[i] - change;
     }
 }
 
@@ -29,6 +31,7 @@ uint32_t loft_predictor_seal(const loft_predictor *p)
     for (int i = 0; i < LOFT_AXES; i++) {
         crc = loft_crc32(crc, p->position[i]);
         crc = loft_crc32(crc, p->change[i]);
+        crc = loft_crc32(crc, p->bend[i]);
     }
     return crc;
 }
@@ -132,8 +135,17 @@ static uint8_t span_size(const uint8_t *byte, uint8_t left)
 }
 
 
-// Points: the second difference of each axis, as a rule -2..2
-// -----------------------------------------------------------
+// Points: the second or third difference of each axis, as a rule -2..2
+// --------------------------------------------------------------------
+//
+// Rounding to steps makes noise that grows with each difference (its variance is C(2k, k) / 12): where the motion is smooth
+// in steps the second is the shortest, in fine units or coarse sampling the third.
+
+/* Where a point is expected. */
+static uint32_t expected(enum loft_kind kind, const loft_predictor *p, int i)
+{
+    return p->position[i] + p->change[i] + (kind == LOFT_POINTS_FINE ? p->bend[i] : 0);
+}
 
 /* A point is one group of residuals for each three axes (the last group may have one or two):
  *
@@ -179,13 +191,13 @@ static uint8_t put_group(uint8_t *byte, const uint32_t r[3], uint8_t axes)
     return n;
 }
 
-static uint8_t put_point(uint8_t *byte, const loft_predictor *p, const loft_item *item)
+static uint8_t put_point(uint8_t *byte, enum loft_kind kind, const loft_predictor *p, const loft_item *item)
 {
     uint8_t n = 0;
     for (int first = 0; first < LOFT_AXES; first += 3) {
         uint32_t r[3] = { 0, 0, 0 };
         for (int i = first; i < LOFT_AXES && i < first + 3; i++)
-            r[i - first] = (uint32_t)item->p[2][i] - p->position[i] - p->change[i];
+            r[i - first] = (uint32_t)item->p[2][i] - expected(kind, p, i);
         n = (uint8_t)(n + put_group(byte + n, r, group_axes(first)));
     }
     return n;
@@ -217,7 +229,7 @@ static const uint8_t *get_group(const uint8_t *byte, uint32_t r[3], uint8_t axes
 }
 
 /* vel += r; pos += vel */
-static const uint8_t *get_point(const uint8_t *byte, bool still, const loft_predictor *p, loft_item *item)
+static const uint8_t *get_point(const uint8_t *byte, bool still, enum loft_kind kind, const loft_predictor *p, loft_item *item)
 {
     item->ticks = 1;
     for (int first = 0; first < LOFT_AXES; first += 3) {
@@ -226,7 +238,7 @@ static const uint8_t *get_point(const uint8_t *byte, bool still, const loft_pred
             byte = get_group(byte, r, group_axes(first));
         for (int i = first; i < LOFT_AXES && i < first + 3; i++) {
             item->p[0][i] = item->p[1][i] = 0;
-            item->p[2][i] = signed_of(p->position[i] + p->change[i] + r[i - first]);
+            item->p[2][i] = signed_of(expected(kind, p, i) + r[i - first]);
         }
     }
     return byte;
@@ -260,10 +272,10 @@ void loft_packer_init(loft_packer *p, enum loft_kind kind, const loft_predictor 
     p->run   = false;
 }
 
-static bool is_still(const loft_predictor *p, const loft_item *item)
+static bool is_still(enum loft_kind kind, const loft_predictor *p, const loft_item *item)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if ((uint32_t)item->p[2][i] != p->position[i] + p->change[i])
+        if ((uint32_t)item->p[2][i] != expected(kind, p, i))
             return false;
     return true;
 }
@@ -281,16 +293,17 @@ static uint8_t put_run(loft_packer *p, uint8_t *byte)
 
 enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
 {
-    const bool still = p->kind == LOFT_POINTS && is_still(&p->predictor, item);
+    const enum loft_kind kind = (enum loft_kind)p->kind;
+    const bool still = kind != LOFT_SPANS && is_still(kind, &p->predictor, item);
     uint8_t byte[LOFT_ITEM_BYTES], n;
 
-    if (item->ticks < 1 || item->ticks > (p->kind == LOFT_SPANS ? LOFT_SPAN_TICKS_MAX : 1))
+    if (item->ticks < 1 || item->ticks > (kind == LOFT_SPANS ? LOFT_SPAN_TICKS_MAX : 1))
         return LOFT_ERR_RANGE;
     if (p->count == 255)
         return LOFT_ERR_SPACE;
 
-    n = still ? put_run(p, byte) : p->kind == LOFT_SPANS ? put_span(byte, &p->predictor, item)
-                                                         : put_point(byte, &p->predictor, item);
+    n = still ? put_run(p, byte) : kind == LOFT_SPANS ? put_span(byte, &p->predictor, item)
+                                                      : put_point(byte, kind, &p->predictor, item);
     if (n > p->room - p->size)
         return LOFT_ERR_SPACE;
     for (uint8_t i = 0; i < n; i++)
@@ -298,7 +311,7 @@ enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
 
     p->run = still;
     p->count++;
-    loft_predictor_next(&p->predictor, (enum loft_kind)p->kind, item);
+    loft_predictor_next(&p->predictor, kind, item);
     return LOFT_OK;
 }
 
@@ -311,7 +324,7 @@ enum loft_status loft_unpacker_init(loft_unpacker *u, enum loft_kind kind, const
 {
     uint16_t found = 0;
     for (uint8_t at = 0, n; at < size; at = (uint8_t)(at + n)) {
-        const bool run = kind == LOFT_POINTS && byte[at] >= RUN;
+        const bool run = kind != LOFT_SPANS && byte[at] >= RUN;
         n = run ? 1 : kind == LOFT_SPANS ? span_size(byte + at, (uint8_t)(size - at))
                                          : point_size(byte + at, (uint8_t)(size - at));
         if (n == 0)
@@ -339,7 +352,7 @@ bool loft_unpacker_next(loft_unpacker *u, loft_predictor *predictor, loft_item *
     } else {
         if (u->run == 0 && *u->byte >= RUN)
             u->run = (uint8_t)(*u->byte++ - 127);
-        u->byte = get_point(u->byte, u->run > 0, predictor, out);
+        u->byte = get_point(u->byte, u->run > 0, (enum loft_kind)u->kind, predictor, out);
         if (u->run > 0)
             u->run--;
     }

@@ -4,7 +4,7 @@
  * A job is a row of items, numbered from 0, of one kind:
  *
  *   spans     a cubic in time per axis, in mm as raw Q16.16, for a whole number of ticks
- *   points    a place in machine steps, one per tick
+ *   points    a place in machine steps, one per tick: their second differences, or, in fine units, their third
  *
  * Both ends keep the same predictor: where the item before ended and how it was moving. Everything is integer
  * arithmetic modulo 2^32, so any int32 coordinates come out as they went in, on every machine and number type.
@@ -17,7 +17,8 @@
 
 enum loft_kind {
     LOFT_SPANS  = 1,
-    LOFT_POINTS = 2
+    LOFT_POINTS = 2,
+    LOFT_POINTS_FINE = 3    /* how points may be packed: by third differences. A job of them is of kind LOFT_POINTS */
 };
 
 /* One item. Where it begins is where the one before ended, so a span's p0 is not in it. */
@@ -36,6 +37,7 @@ typedef struct {
 typedef struct {
     uint32_t position[LOFT_AXES];       /* where the item before ended                              */
     uint32_t change[LOFT_AXES];         /* spans: its p3 - p2; points: its step from the one before */
+    uint32_t bend[LOFT_AXES];           /* points: by what the step has changed; spans: 0           */
 } loft_predictor;
 
 /* Items on their way into bytes. */
@@ -59,13 +61,14 @@ typedef struct {
 /* Before item 0: at rest at `start`. */
 void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES]);
 
-/* After `item`. The state before item n depends on items n - 1 and n - 2 alone (and on the start if n < 2). */
+/* After `item`. The state before item n depends on items n - 1, n - 2 and n - 3 alone (and on the start if n < 3). */
+#define LOFT_PREDICTOR_BACK 3
 void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item *item);
 
 /* What seals a frame whose first item this predicts: a CRC-32C of all its numbers.
  *
  *   error   two states that differ agree with probability 2^-32
- *   cost    8 LOFT_AXES CRC steps
+ *   cost    12 LOFT_AXES CRC steps
  */
 uint32_t loft_predictor_seal(const loft_predictor *p);
 

@@ -181,9 +181,22 @@ void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *p
     loft_packer_init(p, kind, predictor, wire + 1 + ITEMS_AT, room);
 }
 
+static const uint8_t message_of[] = { [LOFT_SPANS] = LOFT_DATA_SPANS, [LOFT_POINTS] = LOFT_DATA_POINTS,
+                                      [LOFT_POINTS_FINE] = LOFT_DATA_FINE };
+
+static enum loft_kind kind_of(enum loft_message type)
+{
+    return type == LOFT_DATA_SPANS ? LOFT_SPANS : type == LOFT_DATA_POINTS ? LOFT_POINTS : LOFT_POINTS_FINE;
+}
+
+bool loft_data_carried(const loft_frame *f)
+{
+    return loft_message_type(f) == message_of[kind_of(loft_message_type(f))];
+}
+
 size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, p->kind == LOFT_SPANS ? LOFT_DATA_SPANS : LOFT_DATA_POINTS, LOFT_WIRE_VERSION, session);
+    writer w = start(wire, (enum loft_message)message_of[p->kind], LOFT_WIRE_VERSION, session);
     put16(&w, (uint16_t)(first & 0xFFFFu));
     put8(&w, p->count);
     return loft_frame_seal(w.wire, (size_t)(w.size + p->size), seal);
@@ -198,12 +211,11 @@ enum loft_status loft_data_first(const loft_frame *f, uint16_t *first)
 
 enum loft_status loft_data_decode(const loft_frame *f, loft_unpacker *u)
 {
-    const enum loft_kind kind = loft_message_type(f) == LOFT_DATA_SPANS ? LOFT_SPANS : LOFT_POINTS;
     reader r = read_from(f);
     (void)get16(&r);
     const uint8_t count = get8(&r);
     return r.bad ? LOFT_ERR_DATA
-                 : loft_unpacker_init(u, kind, f->byte + ITEMS_AT, (uint8_t)(f->count - ITEMS_AT), count);
+                 : loft_unpacker_init(u, kind_of(loft_message_type(f)), f->byte + ITEMS_AT, (uint8_t)(f->count - ITEMS_AT), count);
 }
 
 

@@ -4,7 +4,7 @@
  * Every message is a struct and two functions: encode makes a whole frame of it, ready to be sent; decode
  * reads the content of a received frame. All numbers are little endian; WIRE.md has the tables.
  *
- *     host to machine   HELLO  JOB  SPANS  POINTS  END  CONTROL  POLL
+ *     host to machine   HELLO  JOB  SPANS  POINTS  FINE  END  CONTROL  POLL
  *     machine to host   WELCOME  AXIS  ACK  STATUS  REPORT
  */
 #ifndef LOFT_WIRE_MESSAGE_H
@@ -22,7 +22,8 @@ enum loft_message {
     LOFT_DATA_POINTS = 0x4, LOFT_STATUS  = 0xB,
     LOFT_END     = 0x5,     LOFT_REPORT  = 0xC,
     LOFT_CONTROL = 0x6,
-    LOFT_POLL    = 0x7
+    LOFT_POLL    = 0x7,
+    LOFT_DATA_FINE = 0xD                            /* from the host: POINTS, packed by third differences */
 };
 
 /* What the machine is doing. */
@@ -157,14 +158,15 @@ size_t loft_end_encode(uint32_t total, uint8_t session, uint8_t wire[LOFT_FRAME_
 size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* SPANS and POINTS: init prepares `p` to pack items into the frame, encode finishes it with what was packed.
+/* SPANS, POINTS and FINE: init prepares `p` to pack items into the frame, encode finishes it with what was packed.
  * `frame_max` is the longest frame that the machine takes; LOFT_FRAME_MAX is kept to as well; `seal` is
  * loft_predictor_seal of `predictor`, before the items. */
 void   loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t frame_max,
                       uint8_t wire[LOFT_FRAME_MAX]);
+bool   loft_data_carried(const loft_frame *f);     /* is it one of these three? */
 size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* SPANS or POINTS: the number of its first item modulo 65536. Look at it before the seal: only the item that `first`
+/* SPANS, POINTS or FINE: the number of its first item modulo 65536. Look at it before the seal: only the item that `first`
  * names has a predictor to seal with. LOFT_ERR_DATA: too short. */
 enum loft_status loft_data_first(const loft_frame *f, uint16_t *first) LOFT_CHECKED;
 

@@ -50,11 +50,6 @@ static bool for_us(const loft_receiver *r)
         && loft_message_session(&r->frame) == r->session;
 }
 
-static bool carries_items(const loft_frame *f)
-{
-    return loft_message_type(f) == LOFT_DATA_SPANS || loft_message_type(f) == LOFT_DATA_POINTS;
-}
-
 /* A damaged frame. */
 static void spoil(loft_receiver *r)
 {
@@ -76,7 +71,7 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte)
         r->fresh = true;
         return true;
     case LOFT_ERR_DATA:
-        if (r->frame.count > 0 && for_us(r) && carries_items(&r->frame)) {  /* sealed: take_data knows */
+        if (r->frame.count > 0 && for_us(r) && loft_data_carried(&r->frame)) {  /* sealed: take_data knows */
             r->fresh = true;
             return true;
         }
@@ -245,7 +240,8 @@ static enum loft_event take_frame(loft_receiver *r, const loft_standing *now, lo
     switch (loft_message_type(&r->frame)) {
     case LOFT_JOB:          return take_job(r, now, &out->job);
     case LOFT_DATA_SPANS:
-    case LOFT_DATA_POINTS:  return take_data(r, now);
+    case LOFT_DATA_POINTS:
+    case LOFT_DATA_FINE:    return take_data(r, now);
     case LOFT_END:          return take_end(r);
     case LOFT_CONTROL:      return take_control(r, now);
     case LOFT_POLL:

@@ -4,7 +4,7 @@
  *     base <= send <= high        acknowledged, next to be sent, never sent yet
  *
  * A NAK or a timeout sets send back to base. Frames are made again from the items, so the frame that starts at n
- * depends on items n - 2, n - 1, n .. only, whether sent for the first time, again, or by another process.
+ * depends on items n - 3 .. n - 1 and n .. only, whether sent for the first time, again, or by another process.
  */
 #include "wire/sender.h"
 
@@ -357,14 +357,14 @@ bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms)
 // ---------------------
 
 /* One frame too many is cheaper than a frame of one item after each executed item: with little credit, wait until
- * the machine has told a quarter of its queue (which it does unasked), unless this is all that is left. */
+ * the machine has told a quarter of its queue (which it does unasked), unless this is all that is left, or said again. */
 static bool can_send(const loft_sender *s)
 {
     const uint32_t limit  = s->ack.limit < s->count ? s->ack.limit : s->count;
     const uint32_t step   = s->machine.queue < 4 ? 1 : s->machine.queue / 4u;
 
     return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->flights < s->window && s->send < limit
-        && (limit == s->count || limit - s->send >= step);
+        && (limit == s->count || s->send < s->high || limit - s->send >= step);
 }
 
 static bool can_end(const loft_sender *s)
@@ -384,27 +384,42 @@ static void predict(const loft_sender *s, uint32_t index, loft_predictor *p)
 {
     loft_item item;
     loft_predictor_init(p, s->job.start);
-    for (uint32_t back = index < 2 ? index : 2; back > 0; back--) {
+    for (uint32_t back = index < LOFT_PREDICTOR_BACK ? index : LOFT_PREDICTOR_BACK; back > 0; back--) {
         s->source(s->context, index - back, &item);
         loft_predictor_next(p, (enum loft_kind)s->job.kind, &item);
     }
 }
 
-static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
+/* As many items as fit and may be sent. */
+static void pack(const loft_sender *s, enum loft_kind kind, const loft_predictor *predictor, loft_packer *p, uint8_t wire[])
 {
     const uint32_t limit = s->ack.limit < s->count ? s->ack.limit : s->count;
-    const uint32_t first = s->send;
     enum loft_status status = LOFT_OK;
-    loft_predictor predictor;
-    loft_packer p;
     loft_item item;
+
+    loft_data_init(p, kind, predictor, s->frame_size, wire);
+    while (s->send + p->count < limit && status == LOFT_OK) {
+        s->source(s->context, s->send + p->count, &item);
+        status = loft_packer_push(p, &item);
+    }
+}
+
+static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
+{
+    const enum loft_kind kind = (enum loft_kind)s->job.kind;
+    const uint32_t first = s->send;
+    loft_predictor predictor;
+    loft_packer p, fine;
 
     predict(s, first, &predictor);
     const uint32_t seal = loft_predictor_seal(&predictor);
-    loft_data_init(&p, (enum loft_kind)s->job.kind, &predictor, s->frame_size, wire);
-    while (first + p.count < limit && status == LOFT_OK) {
-        s->source(s->context, first + p.count, &item);
-        status = loft_packer_push(&p, &item);
+    pack(s, kind, &predictor, &p, wire);
+    if (kind == LOFT_POINTS) {              /* by third differences, if they are shorter for this frame */
+        pack(s, LOFT_POINTS_FINE, &predictor, &fine, wire);
+        if (fine.count * p.size > p.count * fine.size)
+            p = fine;
+        else
+            pack(s, kind, &predictor, &p, wire);
     }
     if (p.count == 0) {                 /* an item that cannot be said: the job ends */
         s->refusal = LOFT_REFUSAL_ITEM;

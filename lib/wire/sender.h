@@ -37,7 +37,7 @@ enum loft_phase {
 };
 
 /* Fill *out with item `index` of the job, 0 .. count - 1. Asked for any item from the last acknowledged one on,
- * and the two before, again and again: it must answer the same each time. */
+ * and the three before, again and again: it must answer the same each time. */
 typedef void loft_item_source(void *context, uint32_t index, loft_item *out);
 
 /* Complete so that it can be static. Read what stands above the line; the rest may change without notice. */
