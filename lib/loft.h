@@ -11,6 +11,8 @@
  *   surface/  two parameters         tensor: patches over a square
  *                                    barycentric, triangle: Bezier triangles   triangle_shape: positive, convex
  *                                    coons, bicubic: from curves and corners   sphere, flat: elementary
+ *   polygon/  n sides                domain: convex and simple polygons   wachspress, meanvalue: coordinates
+ *                                    spatch, toric, basepoint, ring: Bezier surfaces over them
  *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
  *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
  *   machine/  the controller         wire -> queue -> span -> step
@@ -65,6 +67,16 @@
 #include "surface/triangle.h"
 #include "surface/triangle_shape.h"
 #include "surface/tensor.h"
+#include "polygon/basepoint.h"
+#include "polygon/blend.h"
+#include "polygon/domain.h"
+#include "polygon/lattice.h"
+#include "polygon/meanvalue.h"
+#include "polygon/multi.h"
+#include "polygon/ring.h"
+#include "polygon/spatch.h"
+#include "polygon/toric.h"
+#include "polygon/wachspress.h"
 #include "motion/plan.h"
 #include "motion/span.h"
 #include "motion/pace.h"

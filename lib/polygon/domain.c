@@ -1,0 +1,164 @@
+/* lib/polygon/domain.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Every decision is a sign of a cross product, which num/sci.h promises exactly, or compares two coordinates.
+ */
+#include "polygon/domain.h"
+#include "num/exact.h"  /* loft_exact_admits */
+
+static unsigned next(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 : 0; }
+
+static loft_sci turn(const loft_spot *a, const loft_spot *b, const loft_spot *c)
+{
+    return loft_sci_cross(a->at, b->at, a->at, c->at);
+}
+
+static int side_of(const loft_spot *a, const loft_spot *b, const loft_spot *c)
+{
+    return loft_sci_sign(turn(a, b, c));
+}
+
+static bool between(loft_real x, loft_real a, loft_real b)
+{
+    return a < b ? x >= a && x <= b : x >= b && x <= a;
+}
+
+/* Of a point on the line through a and b: does it lie between them? */
+static bool within(const loft_spot *p, const loft_spot *a, const loft_spot *b)
+{
+    return between(p->at[0], a->at[0], b->at[0]) && between(p->at[1], a->at[1], b->at[1]);
+}
+
+static bool same(const loft_spot *a, const loft_spot *b)
+{
+    return within(a, b, b);
+}
+
+/* Do the closed segments a b and c d have a point in common? Either each separates the ends of the other, or an end
+ * of one lies on the other. */
+static bool touch(const loft_spot *a, const loft_spot *b, const loft_spot *c, const loft_spot *d)
+{
+    const int abc = side_of(a, b, c), abd = side_of(a, b, d), cda = side_of(c, d, a), cdb = side_of(c, d, b);
+
+    if (abc * abd < 0 && cda * cdb < 0)
+        return true;
+    return (!abc && within(c, a, b)) || (!abd && within(d, a, b)) || (!cda && within(a, c, d)) || (!cdb && within(b, c, d));
+}
+
+/* Edges that meet at v[i]: do they have more than that in common? */
+static bool folded(const loft_spot *before, const loft_spot *at, const loft_spot *after)
+{
+    return same(before, at) || (!side_of(before, at, after) && (within(after, before, at) || within(before, at, after)));
+}
+
+static bool broken(const loft_spot v[], unsigned sides)
+{
+    for (unsigned i = 0; i < sides; i++) {
+        const unsigned j = next(i, sides);
+        if (folded(&v[i], &v[j], &v[next(j, sides)]))
+            return true;
+        for (unsigned k = i + 2; k < sides; k++)
+            if (next(k, sides) != i && touch(&v[i], &v[j], &v[k], &v[next(k, sides)]))
+                return true;
+    }
+    return false;
+}
+
+/* A simple polygon turns at its lowest vertex (of those the leftmost) as it does as a whole: no edge is below. Where the
+ * vertices beside it are on one line with it, one of them would be lower or further left. */
+static int orientation(const loft_spot v[], unsigned sides)
+{
+    unsigned least = 0;
+
+    for (unsigned i = 1; i < sides; i++)
+        if (v[i].at[1] < v[least].at[1] || (!(v[i].at[1] > v[least].at[1]) && v[i].at[0] < v[least].at[0]))
+            least = i;
+    return side_of(&v[least ? least - 1 : sides - 1], &v[least], &v[next(least, sides)]);
+}
+
+enum loft_outline loft_outline_of(const loft_spot v[], unsigned sides)
+{
+    if (broken(v, sides))
+        return LOFT_OUTLINE_BROKEN;
+    if (orientation(v, sides) < 0)
+        return LOFT_OUTLINE_CLOCKWISE;
+    for (unsigned i = 0; i < sides; i++)
+        if (side_of(&v[i], &v[next(i, sides)], &v[next(next(i, sides), sides)]) <= 0)
+            return LOFT_OUTLINE_SIMPLE;
+    return LOFT_OUTLINE_CONVEX;
+}
+
+bool loft_spot_admits(loft_spot p)
+{
+    return loft_exact_admits(p.at[0]) && loft_exact_admits(p.at[1]);
+}
+
+enum loft_status loft_domain_init(loft_domain *d, const loft_spot v[], unsigned sides)
+{
+    if (sides < 3 || sides > LOFT_SIDES_MAX)
+        return LOFT_ERR_ARG;
+    for (unsigned i = 0; i < sides; i++)
+        if (!loft_spot_admits(v[i]))
+            return LOFT_ERR_RANGE;
+    const enum loft_outline outline = loft_outline_of(v, sides);
+    if (outline == LOFT_OUTLINE_BROKEN)
+        return LOFT_SINGULAR;
+    if (outline == LOFT_OUTLINE_CLOCKWISE)
+        return LOFT_ERR_ARG;
+
+    d->v = v;
+    d->sides = (uint8_t)sides;
+    d->convex = outline == LOFT_OUTLINE_CONVEX;
+    for (unsigned i = 0; i < sides; i++)
+        d->corner[i] = turn(&v[i ? i - 1 : sides - 1], &v[i], &v[next(i, sides)]);
+    return LOFT_OK;
+}
+
+/* A ray from p to the right crosses an edge that has one end above p and one not above it, when p lies left of the
+ * edge as it rises or right of it as it falls. Inside, the number of crossings is odd. */
+enum loft_place loft_domain_place(const loft_domain *d, loft_spot p, loft_sci area[], unsigned *index)
+{
+    bool inside = false, on_edge = false;
+
+    for (unsigned i = 0; i < d->sides; i++) {
+        const loft_spot *a = &d->v[i], *b = &d->v[next(i, d->sides)];
+        area[i] = turn(&p, a, b);
+        const int sign = loft_sci_sign(area[i]);
+        const bool rises = b->at[1] > p.at[1], above = a->at[1] > p.at[1];
+
+        if (!sign && within(&p, a, b) && !on_edge) {
+            on_edge = true;
+            *index = same(&p, b) ? next(i, d->sides) : i;
+        }
+        if (rises != above && sign == (rises ? 1 : -1))
+            inside = !inside;
+    }
+    if (on_edge)
+        return same(&p, &d->v[*index]) ? LOFT_AT_VERTEX : LOFT_ON_EDGE;
+    return inside ? LOFT_INSIDE : LOFT_OUTSIDE;
+}
+
+void loft_domain_vertex(const loft_domain *d, unsigned vertex, loft_sci phi[])
+{
+    for (unsigned i = 0; i < d->sides; i++)
+        phi[i] = i == vertex ? loft_sci_one() : loft_sci_zero();
+}
+
+static loft_sci distance(loft_real from, loft_real to)
+{
+    return loft_sci_sub(loft_sci_from_real(to), loft_sci_from_real(from));
+}
+
+/* Along the axis in which the edge is longer. Both shares are quotients: neither is 1 minus the other, rounded. */
+void loft_domain_edge(const loft_domain *d, loft_spot p, unsigned edge, loft_sci phi[])
+{
+    const unsigned after = next(edge, d->sides);
+    const loft_spot *a = &d->v[edge], *b = &d->v[after];
+    const loft_sci x = distance(a->at[0], b->at[0]), y = distance(a->at[1], b->at[1]);
+    const bool tall = loft_sci_less(loft_sci_mul(x, x), loft_sci_mul(y, y));
+    const loft_sci whole = tall ? y : x;
+
+    loft_domain_vertex(d, edge, phi);
+    phi[edge]  = loft_sci_div(distance(p.at[tall], b->at[tall]), whole);
+    phi[after] = loft_sci_div(distance(a->at[tall], p.at[tall]), whole);
+}

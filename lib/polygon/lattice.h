@@ -1,0 +1,50 @@
+/* lib/polygon/lattice.h -- polygons with whole vertices, and the whole points in them
+ * SPDX-License-Identifier: MIT
+ *
+ * h_i(x, y) = normal . (x, y) + offset is 0 on edge i, 1 on the next line of whole points inside, and so on.
+ */
+#ifndef LOFT_POLYGON_LATTICE_H
+#define LOFT_POLYGON_LATTICE_H
+
+#include "polygon/domain.h"     /* LOFT_SIDES_MAX */
+
+#define LOFT_LATTICE_MAX 32     /* the largest coordinate of a vertex, in size */
+
+typedef struct {
+    int8_t at[2];
+} loft_whole;
+
+typedef struct {
+    loft_whole from, normal;    /* vertex i, and the shortest whole vector across edge i, inward  */
+    int16_t offset;
+    uint8_t length;             /* whole points on the edge, less one                             */
+} loft_lattice_edge;
+
+/* Do not fill it yourself: call init. */
+typedef struct {
+    loft_lattice_edge edge[LOFT_SIDES_MAX];
+    loft_whole low, high;       /* the box around it */
+    uint8_t sides;
+} loft_lattice;
+
+/* Make a convex lattice polygon.
+ *
+ *   range   3..8 vertices within -32..32, otherwise LOFT_ERR_ARG; counter-clockwise and strictly convex, otherwise
+ *           LOFT_SINGULAR; *l is untouched then
+ *   error   none: exact
+ *   cost    no multiplication of numbers; 66 bytes
+ */
+enum loft_status loft_lattice_init(loft_lattice *l, const loft_whole v[], unsigned sides) LOFT_CHECKED;
+
+/* h_edge of a whole point. */
+int loft_lattice_height(const loft_lattice *l, unsigned edge, loft_whole p);
+
+/* The whole points of the polygon, edges included, row by row upward, each from the left. first gives one always; next gives
+ * the one after *p in place, or false after the last. */
+void loft_lattice_first(const loft_lattice *l, loft_whole *p);
+bool loft_lattice_next(const loft_lattice *l, loft_whole *p);
+
+/* How many there are. */
+unsigned loft_lattice_count(const loft_lattice *l);
+
+#endif

@@ -1,0 +1,24 @@
+/* lib/polygon/meanvalue.h -- mean value coordinates of any point with respect to the vertices of any simple polygon
+ * SPDX-License-Identifier: MIT
+ *
+ * sum phi_i = 1, sum phi_i v_i = p, everywhere in the plane; linear on edges, 1 at vertex i. Positive inside a convex
+ * polygon; elsewhere some may be negative or larger than 1.
+ */
+#ifndef LOFT_POLYGON_MEANVALUE_H
+#define LOFT_POLYGON_MEANVALUE_H
+
+#include "polygon/domain.h" /* loft_domain, loft_spot */
+
+/* The coordinates of p.
+ *
+ *   shape   phi[d->sides]
+ *   range   any simple polygon; any p, inside or outside (f32, f64: admitted, otherwise LOFT_ERR_RANGE)
+ *   error   with K = sum |w_i| / |sum w_i|, 1 inside a convex polygon:
+ *           q16: (1 + K) * 2^-56   f32, f64: (1 + K) * 2^-45, of the largest coordinate
+ *   cost    n roots, 4 n products, 3 n divisions, n cross products; no table
+ *   see     Floater, Mean value coordinates (2003); Hormann, Floater, Mean value coordinates for arbitrary planar
+ *           polygons (2006)
+ */
+enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci phi[]) LOFT_CHECKED;
+
+#endif

@@ -1,0 +1,36 @@
+/* lib/polygon/multi.h -- indices of several parts: the names of the control points of an S-patch
+ * SPDX-License-Identifier: MIT
+ *
+ * `sides` numbers l[0], l[1] .. >= 0 that sum to `depth`. They are in order from (depth, 0 .. 0) to (0 .. 0, depth), the
+ * larger first number first, then the larger second, and so on; the rank of one is its place in that order.
+ *
+ *     uint8_t l[LOFT_SIDES_MAX];
+ *     loft_multi_first(l, sides, depth);
+ *     do { .. } while (loft_multi_next(l, sides));
+ *
+ *   range   sides 2..8, depth 0..10
+ */
+#ifndef LOFT_POLYGON_MULTI_H
+#define LOFT_POLYGON_MULTI_H
+
+#include "basis/bernstein.h"    /* loft_binomial */
+#include "polygon/domain.h"     /* LOFT_SIDES_MAX */
+
+/* How many there are: C(sides + depth - 1, depth), at most 19448. */
+static inline unsigned loft_multi_count(unsigned sides, unsigned depth)
+{
+    return (unsigned)loft_binomial(sides + depth - 1, depth);
+}
+
+void loft_multi_first(uint8_t l[], unsigned sides, unsigned depth);
+
+/* The one after l, in place; false, and l untouched, after the last. */
+bool loft_multi_next(uint8_t l[], unsigned sides);
+
+/* The place of l, from 0. */
+unsigned loft_multi_rank(const uint8_t l[], unsigned sides);
+
+/* depth! / (l[0]! l[1]! ..), at most 10!. */
+int32_t loft_multi_ways(const uint8_t l[], unsigned sides);
+
+#endif

@@ -1,0 +1,210 @@
+/* lib/polygon/ring.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Weights before the correction, with P = prod u_i^l_i, and k = l_(i-1) for a point on side i:
+ *
+ *     inside      C(d,a) C(d,b) P
+ *     on side i   C(d,k) P f      f = 1 - d U (5 sides), 1 - 2 d U (6 sides), U = prod u_i
+ *                                 3 sides: 1 - u_i ((d - k) + (2 k - d) u_(i+1)) if d - k <= k, else 1 - u_i (k + (d - 2 k) u_(i-1))
+ *
+ * They sum to 1 + e with a small e, of which each of the T points inside takes its part away. All are below 126^2 / 2^4 in size,
+ * products of at most 9 sides + 3 factors: they err by 2^-53 (floats 2^-46) at the worst and the sum of 151 of them, of which
+ * most are far below 1, by no more.
+ */
+#include "polygon/ring.h"
+#include "polygon/blend.h"      /* loft_blend */
+
+/* The points of a block: a = 0 .. wide - 1, b = 0 .. high - 1. */
+static unsigned wide_of(unsigned degree) { return degree / 2 + 1; }
+static unsigned high_of(unsigned degree) { return (degree + 1) / 2; }
+
+static unsigned before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
+static unsigned after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 1 : 0; }
+
+unsigned loft_ring_count(unsigned sides, unsigned degree)
+{
+    return sides * wide_of(degree) * high_of(degree) + (degree % 2 == 0);
+}
+
+/* The centre is the point a = b = degree / 2 of any corner. */
+static void block_of(unsigned sides, unsigned degree, unsigned k, unsigned *corner, unsigned *a, unsigned *b)
+{
+    const unsigned high = high_of(degree), block = wide_of(degree) * high;
+
+    *corner = k / block;
+    *a = k % block / high;
+    *b = k % high;
+    if (*corner == sides) {
+        *corner = 0;
+        *a = *b = degree / 2;
+    }
+}
+
+void loft_ring_index(unsigned sides, unsigned degree, unsigned k, uint8_t l[])
+{
+    unsigned corner, a, b;
+
+    block_of(sides, degree, k, &corner, &a, &b);
+    const unsigned less = a < b ? a : b, more = a < b ? b : a;
+    for (unsigned i = 0; i < sides; i++)
+        l[i] = (uint8_t)(degree - less);
+    if (sides == 3) {
+        l[after(corner, sides)] = (uint8_t)(degree - more);
+    } else {
+        l[after(corner, sides)] = (uint8_t)(degree - a);
+        l[before(before(corner, sides), sides)] = (uint8_t)(degree - b);
+    }
+    l[before(corner, sides)] = (uint8_t)a;
+    l[corner] = (uint8_t)b;
+}
+
+enum loft_status loft_ring_init(loft_ring *r, const loft_vec p[], unsigned sides, unsigned degree)
+{
+    if ((sides != 3 && sides != 5 && sides != 6) || degree < 2 || degree > LOFT_DEGREE_MAX)
+        return LOFT_ERR_ARG;
+    const unsigned count = loft_ring_count(sides, degree);
+    for (unsigned k = 0; k < count; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (!loft_real_valid(p[k].axis[i]))
+                return LOFT_ERR_RANGE;
+    r->p = p;
+    r->sides = (uint8_t)sides;
+    r->degree = (uint8_t)degree;
+    return LOFT_OK;
+}
+
+
+/* Weights */
+
+typedef struct {
+    loft_sci power[LOFT_RING_SIDES][LOFT_DEGREE_MAX + 1];   /* u_i^k                           */
+    loft_sci factor;                                        /* f of 5 and 6 sides              */
+    const loft_sci *u;
+    uint8_t sides, degree;
+} basis;
+
+static void basis_start(basis *b, unsigned sides, unsigned degree, const loft_sci u[])
+{
+    loft_sci all = loft_sci_one();
+
+    for (unsigned i = 0; i < sides; i++) {
+        b->power[i][0] = loft_sci_one();
+        for (unsigned k = 1; k <= degree; k++)
+            b->power[i][k] = loft_sci_mul(b->power[i][k - 1], u[i]);
+        all = loft_sci_mul(all, u[i]);
+    }
+    all = loft_sci_mul(all, loft_sci_from_int((int32_t)(sides == 6 ? 2 * degree : degree)));
+    b->factor = loft_sci_sub(loft_sci_one(), all);
+    b->u = u;
+    b->sides = (uint8_t)sides;
+    b->degree = (uint8_t)degree;
+}
+
+static loft_sci border_factor(const basis *b, unsigned side, unsigned k)
+{
+    const unsigned d = b->degree;
+    const bool far = d - k <= k;
+    const int32_t one = (int32_t)(far ? d - k : k), rest = (int32_t)d - 2 * one;
+
+    if (b->sides != 3)
+        return b->factor;
+    const loft_sci *beside = &b->u[far ? after(side, 3) : before(side, 3)];
+    const loft_sci sum = loft_sci_add(loft_sci_from_int(one), loft_sci_mul(loft_sci_from_int(rest), *beside));
+    return loft_sci_sub(loft_sci_one(), loft_sci_mul(b->u[side], sum));
+}
+
+/* The weight of point k before the correction; *inside says whether it is one of those that are corrected. */
+static loft_sci weight_of(const basis *b, unsigned k, bool *inside)
+{
+    uint8_t l[LOFT_RING_SIDES];
+    unsigned corner, a, c;
+    loft_sci weight = loft_sci_one();
+
+    block_of(b->sides, b->degree, k, &corner, &a, &c);
+    loft_ring_index(b->sides, b->degree, k, l);
+    for (unsigned i = 0; i < b->sides; i++)
+        if (l[i])
+            weight = loft_sci_mul(weight, b->power[i][l[i]]);
+    weight = loft_sci_mul(weight, loft_sci_from_int(loft_binomial(b->degree, a) * loft_binomial(b->degree, c)));
+    *inside = a && c;
+    if (!*inside)
+        weight = loft_sci_mul(weight, c ? border_factor(b, before(corner, b->sides), b->degree - c) : border_factor(b, corner, a));
+    return weight;
+}
+
+/* How many points are inside. */
+static int32_t inner_count(unsigned sides, unsigned degree)
+{
+    return (int32_t)(loft_ring_count(sides, degree) - sides * degree);
+}
+
+/* What each point inside lacks: (1 - sum) / T. */
+static loft_sci lack(unsigned sides, unsigned degree, loft_sci sum)
+{
+    return loft_sci_div(loft_sci_sub(loft_sci_one(), sum), loft_sci_from_int(inner_count(sides, degree)));
+}
+
+void loft_ring_weights(unsigned sides, unsigned degree, const loft_sci u[], loft_sci out[])
+{
+    const unsigned count = loft_ring_count(sides, degree);
+    loft_sci sum = loft_sci_zero();
+    bool inside = false;
+    basis b;
+
+    basis_start(&b, sides, degree, u);
+    for (unsigned k = 0; k < count; k++) {
+        out[k] = weight_of(&b, k, &inside);
+        sum = loft_sci_add(sum, out[k]);
+    }
+    const loft_sci part = lack(sides, degree, sum);
+    for (unsigned k = 0; k < count; k++) {
+        unsigned corner, a, c;
+        block_of(sides, degree, k, &corner, &a, &c);
+        if (a && c)
+            out[k] = loft_sci_add(out[k], part);
+    }
+}
+
+
+/* Points */
+
+/* Point k of side i: of the block of its first corner, or of that of its second. */
+static unsigned border_place(const loft_ring *r, unsigned side, unsigned k)
+{
+    const unsigned d = r->degree, high = high_of(d), block = wide_of(d) * high;
+
+    return k < wide_of(d) ? side * block + k * high : after(side, r->sides) * block + d - k;
+}
+
+static enum loft_status border_point(const loft_ring *r, const loft_sci u[], unsigned side, loft_vec *out)
+{
+    const loft_sci share[2] = { u[after(side, r->sides)], u[before(side, r->sides)] };
+    loft_vec p[LOFT_DEGREE_MAX + 1];
+
+    for (unsigned k = 0; k <= r->degree; k++)
+        p[k] = r->p[border_place(r, side, k)];
+    return loft_blend_curve(p, NULL, r->degree, share, out);
+}
+
+/* The correction is the same for all points inside: their plain sum, times it. */
+enum loft_status loft_ring_eval(const loft_ring *r, const loft_sci u[], loft_vec *out)
+{
+    const unsigned count = loft_ring_count(r->sides, r->degree);
+    loft_blend sum, inner;
+    bool inside = false;
+    basis b;
+
+    for (unsigned i = 0; i < r->sides; i++)
+        if (!loft_sci_sign(u[i]))
+            return border_point(r, u, i, out);
+    basis_start(&b, r->sides, r->degree, u);
+    loft_blend_start(&sum);
+    loft_blend_start(&inner);
+    for (unsigned k = 0; k < count; k++) {
+        loft_blend_add(&sum, &r->p[k], weight_of(&b, k, &inside));
+        if (inside)
+            loft_blend_add(&inner, &r->p[k], loft_sci_one());
+    }
+    loft_blend_join(&sum, &inner, lack(r->sides, r->degree, sum.w));
+    return loft_blend_point(&sum, out);
+}

@@ -1,0 +1,90 @@
+/* lib/polygon/ring.h -- Zheng-Ball patches: Bezier surfaces with 3, 5 or 6 sides
+ * SPDX-License-Identifier: MIT
+ *
+ * A point of the patch has a parameter u_i for every side, 0 on it and 1 on the sides that do not touch it; two neighbours
+ * determine the rest. A control point lies l_i steps from side i:
+ *
+ *     S = sum B_l(u) V_l        l_i = 0 .. degree
+ *
+ * Every corner i, between sides i - 1 and i, has its own block of points, a = l_(i-1) <= degree / 2 and b = l_i < degree / 2
+ * steps away from the two; they are in order corner by corner, a by a, b by b, and for an even degree the centre comes
+ * last. Along side i S is the Bezier curve of the points l_i = 0, l_(i-1) = 0 .. degree, at u_(i-1).
+ *
+ *   see     Zheng, Ball, Control point surfaces over non-four-sided areas (1997); Sabin, Non-rectangular surface patches
+ *           suitable for inclusion in a B-spline surface (1983); Hosaka, Kimura, Non-four-sided patch expressions with control points
+ *           (1984): the parameters
+ */
+#ifndef LOFT_POLYGON_RING_H
+#define LOFT_POLYGON_RING_H
+
+#include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
+#include "geom/vec.h"           /* loft_vec */
+#include "num/sci.h"            /* loft_sci */
+
+#define LOFT_RING_SIDES 6       /* the most sides of a ring */
+
+/* The control points are borrowed. Do not fill it yourself: call init. */
+typedef struct {
+    const loft_vec *p;
+    uint8_t sides, degree;
+} loft_ring;
+
+/* Make a patch of loft_ring_count(sides, degree) points, which must outlive it.
+ *
+ *   range   3, 5 or 6 sides, degree 2..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise LOFT_ERR_RANGE; *r is
+ *           untouched then
+ */
+enum loft_status loft_ring_init(loft_ring *r, const loft_vec p[], unsigned sides, unsigned degree) LOFT_CHECKED;
+
+/* How many points there are: sides * floor(degree / 2 + 1) * ceil(degree / 2), and one more for an even degree. */
+unsigned loft_ring_count(unsigned sides, unsigned degree);
+
+/* The distances l[sides] of point k, k < loft_ring_count(sides, degree). */
+void loft_ring_index(unsigned sides, unsigned degree, unsigned k, uint8_t l[]);
+
+
+/* Parameters
+ * ---------- */
+
+/* All parameters from u_1 and u_2.
+ *
+ *   shape   u[sides]
+ *   range   both in 0..1, for 3 sides with a sum to 1, otherwise LOFT_ERR_ARG; LOFT_SINGULAR for u_1 = u_2 = 1, which every
+ *           point of a far side has; u is undefined then
+ *   error   q16: 2^-40   f32, f64: 2^-42
+ *   cost    3 sides: 2 products and a division; 5: 2 and 2; 6: 4 roots, 8 divisions, 64 products
+ */
+enum loft_status loft_ring_params(unsigned sides, loft_unit u1, loft_unit u2, loft_sci u[]) LOFT_CHECKED;
+
+/* The parameters of three sides from barycentric coordinates: u = t (b_1, b_2, b_3) with the t in 1..1.1 for which they fit
+ * together. b_3 = 1 - b_1 - b_2.
+ *
+ *   shape   u[3]
+ *   range   none negative, otherwise LOFT_ERR_ARG
+ *   error   q16: 2^-56   f32, f64: 2^-50
+ *   cost    6 divisions, 24 products
+ */
+enum loft_status loft_ring_lift(loft_unit b1, loft_unit b2, loft_sci u[]) LOFT_CHECKED;
+
+
+/* Points
+ * ------ */
+
+/* The weights of all control points. They sum to 1; some may be slightly negative from degree 4 on.
+ *
+ *   shape   out[loft_ring_count(sides, degree)]; u[sides] that fit together
+ *   error   q16: 2^-50   f32, f64: 2^-42
+ *   cost    per point about 2 sides + 6 products; q16: 1.1 kB of stack
+ */
+void loft_ring_weights(unsigned sides, unsigned degree, const loft_sci u[], loft_sci out[]);
+
+/* The point at u.
+ *
+ *   range   parameters that fit together; LOFT_ERR_RANGE when the point does not fit, *out is untouched then
+ *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 1/2 ulp + 2^-16 ulp   f64: 2^12 ulp, of the largest coordinate; beside what u has.
+ *           On a side that of loft_blend_curve, at a corner none
+ *   cost    per control point about 2 sides + 6 products and one per axis; q16: 1.3 kB of stack; no table
+ */
+enum loft_status loft_ring_eval(const loft_ring *r, const loft_sci u[], loft_vec *out) LOFT_CHECKED;
+
+#endif

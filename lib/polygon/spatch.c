@@ -1,0 +1,281 @@
+/* lib/polygon/spatch.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Error. A term depth!/l! prod phi_i^l_i V_l is a product of at most 2 depth + sides + 3 factors and partial products, less
+ * than 32 roundings of 2^-61 (floats 2^-53) of its size; the terms' sizes sum to M |V|, and the sum of N of them adds one
+ * rounding of the largest partial sum each: N <= 11440 < 2^13.5. In q16 |V| = 2^31 LSB:
+ *
+ *     (32 + 2^13.5) 2^-61 2^31 M LSB < 2^-16 M LSB
+ *
+ * In floats most terms are far below the sum: 64 ulp of M |V| is what tests hold.
+ */
+#include "polygon/spatch.h"
+#include "curve/rational.h"     /* LOFT_WEIGHT_MIN, loft_weight_clamp */
+#include "polygon/blend.h"      /* loft_blend */
+
+enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft_real w[], unsigned sides, unsigned depth)
+{
+    if (sides < 3 || sides > LOFT_SIDES_MAX || depth < 1 || depth > LOFT_DEGREE_MAX)
+        return LOFT_ERR_ARG;
+    const unsigned count = loft_multi_count(sides, depth);
+    for (unsigned k = 0; k < count; k++) {
+        if (w && !(w[k] >= LOFT_WEIGHT_MIN && w[k] <= LOFT_WEIGHT_MAX))
+            return LOFT_ERR_RANGE;
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (!loft_real_valid(p[k].axis[i]))
+                return LOFT_ERR_RANGE;
+    }
+    s->p = p;
+    s->w = w;
+    s->sides = (uint8_t)sides;
+    s->depth = (uint8_t)depth;
+    return LOFT_OK;
+}
+
+static loft_sci weight_of(const loft_spatch *s, unsigned rank)
+{
+    return s->w ? loft_sci_from_real(s->w[rank]) : loft_sci_one();
+}
+
+static unsigned after(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 : 0; }
+
+
+/* Points */
+
+/* Is at most one edge's pair of coordinates not 0? Then *edge is the first of them. */
+static bool on_edge(const loft_spatch *s, const loft_sci phi[], unsigned *edge)
+{
+    const unsigned n = s->sides;
+    unsigned others = 0;
+
+    *edge = 0;
+    while (*edge < n && !(loft_sci_sign(phi[*edge]) && loft_sci_sign(phi[after(*edge, n)])))
+        ++*edge;
+    if (*edge == n)
+        for (*edge = 0; *edge < n - 1u && !loft_sci_sign(phi[*edge]); )
+            ++*edge;
+    for (unsigned i = 0; i < n; i++)
+        others += loft_sci_sign(phi[i]) && i != *edge && i != after(*edge, n);
+    return others == 0;
+}
+
+static enum loft_status edge_point(const loft_spatch *s, const loft_sci phi[], unsigned edge, loft_vec *out)
+{
+    const loft_sci share[2] = { phi[edge], phi[after(edge, s->sides)] };
+    loft_vec p[LOFT_DEGREE_MAX + 1];
+    loft_real w[LOFT_DEGREE_MAX + 1];
+
+    for (unsigned k = 0; k <= s->depth; k++) {
+        uint8_t l[LOFT_SIDES_MAX] = { 0 };
+        l[edge] = (uint8_t)(s->depth - k);
+        l[after(edge, s->sides)] = (uint8_t)k;
+        const unsigned rank = loft_multi_rank(l, s->sides);
+        p[k] = s->p[rank];
+        w[k] = s->w ? s->w[rank] : LOFT_REAL(1);
+    }
+    return loft_blend_curve(p, s->w ? w : NULL, s->depth, share, out);
+}
+
+/* part[i] is the product of C(left, l_j) phi_j^l_j for j < i, where `left` is what the parts before j leave: of one index to
+ * the next only those behind the part that changed are new. */
+static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_blend *sum)
+{
+    loft_sci power[LOFT_SIDES_MAX][LOFT_DEGREE_MAX + 1], part[LOFT_SIDES_MAX + 1];
+    uint8_t l[LOFT_SIDES_MAX], last[LOFT_SIDES_MAX] = { 0 };
+    const unsigned n = s->sides, d = s->depth;
+    unsigned rank = 0;
+
+    for (unsigned i = 0; i < n; i++) {
+        power[i][0] = loft_sci_one();
+        for (unsigned k = 1; k <= d; k++)
+            power[i][k] = loft_sci_mul(power[i][k - 1], phi[i]);
+    }
+    part[0] = loft_sci_one();
+    loft_multi_first(l, n, d);
+    do {
+        unsigned left = d, i = 0;
+        for (; rank > 0 && l[i] == last[i]; i++)
+            left -= l[i];
+        for (; i < n; left -= l[i], i++) {
+            part[i + 1] = loft_sci_mul(part[i], power[i][l[i]]);
+            if (l[i] && l[i] < left)
+                part[i + 1] = loft_sci_mul(part[i + 1], loft_sci_from_int(loft_binomial(left, l[i])));
+            last[i] = l[i];
+        }
+        if (loft_sci_sign(part[n]))
+            loft_blend_add(sum, &s->p[rank], s->w ? loft_sci_mul(part[n], weight_of(s, rank)) : part[n]);
+        rank++;
+    } while (loft_multi_next(l, n));
+}
+
+enum loft_status loft_spatch_eval(const loft_spatch *s, const loft_sci phi[], loft_vec *out)
+{
+    loft_blend sum;
+    unsigned edge;
+
+    if (on_edge(s, phi, &edge))
+        return edge_point(s, phi, edge, out);
+    loft_blend_start(&sum);
+    sum_all(s, phi, &sum);
+    return s->w ? loft_blend_project(&sum, out) : loft_blend_point(&sum, out);
+}
+
+/* One depth less, in place: l + e_0 has the same rank as l, l + e_i a higher one. */
+static void reduce(loft_sci c[], const loft_sci phi[], unsigned sides, unsigned depth)
+{
+    uint8_t l[LOFT_SIDES_MAX];
+    unsigned rank = 0;
+
+    loft_multi_first(l, sides, depth);
+    do {
+        loft_sci value = loft_sci_mul(phi[0], c[rank]);
+        for (unsigned i = 1; i < sides; i++) {
+            l[i]++;
+            value = loft_sci_add(value, loft_sci_mul(phi[i], c[loft_multi_rank(l, sides)]));
+            l[i]--;
+        }
+        c[rank++] = value;
+    } while (loft_multi_next(l, sides));
+}
+
+/* A coordinate times its weight, or the weight. */
+static loft_sci homogeneous(const loft_spatch *s, unsigned rank, int axis)
+{
+    const loft_sci w = weight_of(s, rank);
+    return axis < LOFT_AXES ? loft_sci_mul(w, loft_sci_from_real(s->p[rank].axis[axis])) : w;
+}
+
+static loft_sci cascade(const loft_spatch *s, const loft_sci phi[], int axis, loft_sci work[])
+{
+    const unsigned n = s->sides;
+    uint8_t l[LOFT_SIDES_MAX];
+    unsigned rank = 0;
+
+    loft_multi_first(l, n, s->depth - 1u);
+    do {
+        work[rank] = loft_sci_zero();
+        for (unsigned i = 0; i < n; i++) {
+            l[i]++;
+            work[rank] = loft_sci_add(work[rank], loft_sci_mul(phi[i], homogeneous(s, loft_multi_rank(l, n), axis)));
+            l[i]--;
+        }
+        rank++;
+    } while (loft_multi_next(l, n));
+    for (unsigned depth = s->depth - 1u; depth > 0; depth--)
+        reduce(work, phi, n, depth - 1);
+    return work[0];
+}
+
+enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[], loft_sci work[], loft_vec *out)
+{
+    loft_blend sum;
+
+    for (int axis = 0; axis < LOFT_AXES; axis++)
+        sum.x[axis] = cascade(s, phi, axis, work);
+    if (!s->w)
+        return loft_blend_point(&sum, out);
+    sum.w = cascade(s, phi, LOFT_AXES, work);
+    return loft_blend_project(&sum, out);
+}
+
+
+/* Other forms: sums of points with whole factors, divided once */
+
+static enum loft_status store(const loft_spatch *s, const loft_blend *sum, loft_sci factors, loft_vec *out, loft_real *w)
+{
+    loft_acc mean = 0;
+
+    if (s->w) {
+        if (!loft_sci_wide(loft_sci_div(sum->w, factors), &mean))
+            return LOFT_ERR_RANGE;
+        *w = loft_weight_clamp(loft_acc_round(mean));
+    }
+    return loft_blend_project(sum, out);
+}
+
+static void add(const loft_spatch *s, loft_blend *sum, const uint8_t l[], int32_t factor)
+{
+    const unsigned rank = loft_multi_rank(l, s->sides);
+    loft_blend_add(sum, &s->p[rank], loft_sci_mul(loft_sci_from_int(factor), weight_of(s, rank)));
+}
+
+/* V_l = sum l_i / (depth + 1) V_(l - e_i) */
+enum loft_status loft_spatch_raise(const loft_spatch *s, loft_vec out[], loft_real w[])
+{
+    uint8_t l[LOFT_SIDES_MAX];
+    unsigned rank = 0;
+    enum loft_status status = LOFT_OK;
+
+    if (s->depth >= LOFT_DEGREE_MAX)
+        return LOFT_ERR_ARG;
+    loft_multi_first(l, s->sides, s->depth + 1u);
+    do {
+        loft_blend sum;
+        loft_blend_start(&sum);
+        for (unsigned i = 0; i < s->sides; i++)
+            if (l[i]) {
+                l[i]--;
+                add(s, &sum, l, l[i] + 1);
+                l[i]++;
+            }
+        status = store(s, &sum, loft_sci_from_int(s->depth + 1), &out[rank], s->w ? &w[rank] : NULL);
+        rank++;
+    } while (status == LOFT_OK && loft_multi_next(l, s->sides));
+    return status;
+}
+
+/* With phi = ((1-u)(1-v), u(1-v), uv, (1-u)v) the power of u is l_1 + l_2, that of v is l_2 + l_3. */
+enum loft_status loft_spatch_tensor(const loft_spatch *s, loft_vec out[], loft_real w[])
+{
+    const unsigned d = s->depth;
+
+    if (s->sides != 4)
+        return LOFT_ERR_ARG;
+    for (unsigned i = 0; i <= d; i++)
+        for (unsigned j = 0; j <= d; j++) {
+            const unsigned at = i * (d + 1) + j;
+            loft_blend sum;
+            loft_blend_start(&sum);
+            for (unsigned both = i + j > d ? i + j - d : 0; both <= i && both <= j; both++) {
+                const uint8_t l[4] = { (uint8_t)(d + both - i - j), (uint8_t)(i - both), (uint8_t)both, (uint8_t)(j - both) };
+                add(s, &sum, l, loft_multi_ways(l, 4));
+            }
+            const int32_t ways = loft_binomial(d, i) * loft_binomial(d, j);
+            const enum loft_status status = store(s, &sum, loft_sci_from_int(ways), &out[at], s->w ? &w[at] : NULL);
+            if (status != LOFT_OK)
+                return status;
+        }
+    return LOFT_OK;
+}
+
+
+/* The control net */
+
+void loft_links_start(loft_links *w, unsigned sides, unsigned depth)
+{
+    loft_multi_first(w->rest, sides, depth - 1);
+    w->sides = (uint8_t)sides;
+    w->r = 0;
+    w->more = true;
+}
+
+static unsigned rank_beyond(loft_links *w, unsigned i)
+{
+    w->rest[i]++;
+    const unsigned rank = loft_multi_rank(w->rest, w->sides);
+    w->rest[i]--;
+    return rank;
+}
+
+bool loft_links_next(loft_links *w, unsigned *l, unsigned *m)
+{
+    if (!w->more)
+        return false;
+    *l = rank_beyond(w, w->r);
+    *m = rank_beyond(w, after(w->r, w->sides));
+    if (++w->r == w->sides) {
+        w->r = 0;
+        w->more = loft_multi_next(w->rest, w->sides);
+    }
+    return true;
+}

@@ -1,0 +1,211 @@
+/* lib/polygon/toric.c
+ * SPDX-License-Identifier: MIT
+ *
+ * All terms are positive, so numerator and denominator err by shares: a power h^k by k times what h errs by and k
+ * roundings at most, h by what a cross product does. Exponents: a product of heights is below 2^900 and, with h >= 2^-16 in
+ * q16, above 2^-16 * 900; the smallest in floats may vanish, which no point of the patch notices, because next to a vertex the
+ * term of that vertex is a product of the other heights.
+ */
+#include "polygon/toric.h"
+#include "polygon/blend.h"      /* loft_blend */
+
+#define BITS_MAX 900
+
+static unsigned bits(int h)
+{
+    unsigned count = 0;
+
+    for (; h; h >>= 1)
+        count++;
+    return count;
+}
+
+/* The product of heights at whole point l of a point where each height is the largest of the polygon. */
+static unsigned bits_of(const loft_lattice *lattice, const int highest[], loft_whole l)
+{
+    unsigned sum = 0;
+
+    for (unsigned i = 0; i < lattice->sides; i++)
+        sum += (unsigned)loft_lattice_height(lattice, i, l) * bits(highest[i]);
+    return sum;
+}
+
+static bool tame(const loft_lattice *lattice)
+{
+    int highest[LOFT_SIDES_MAX] = { 0 };
+    loft_whole l;
+
+    for (unsigned i = 0; i < lattice->sides; i++)
+        for (unsigned k = 0; k < lattice->sides; k++) {
+            const int h = loft_lattice_height(lattice, i, lattice->edge[k].from);
+            if (h > highest[i])
+                highest[i] = h;
+        }
+    loft_lattice_first(lattice, &l);
+    do
+        if (bits_of(lattice, highest, l) > BITS_MAX)
+            return false;
+    while (loft_lattice_next(lattice, &l));
+    return true;
+}
+
+enum loft_status loft_toric_init(loft_toric *t, const loft_lattice *lattice, const loft_vec p[], const loft_real c[],
+                                 const loft_real w[])
+{
+    const unsigned count = loft_lattice_count(lattice);
+
+    for (unsigned k = 0; k < count; k++) {
+        if ((w && !(w[k] >= LOFT_WEIGHT_MIN && w[k] <= LOFT_WEIGHT_MAX)) || (c && !(c[k] > 0 && c[k] <= LOFT_REAL(32767))))
+            return LOFT_ERR_RANGE;
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (!loft_real_valid(p[k].axis[i]))
+                return LOFT_ERR_RANGE;
+    }
+    if (!tame(lattice))
+        return LOFT_ERR_RANGE;
+    t->lattice = lattice;
+    t->p = p;
+    t->c = c;
+    t->w = w;
+    return LOFT_OK;
+}
+
+static loft_spot spot_of(loft_whole p)
+{
+    loft_spot s;
+
+    for (int i = 0; i < 2; i++)
+        s.at[i] = loft_real_from_int(p.at[i]);
+    return s;
+}
+
+/* The heights of p, all exact in sign: the cross product of an edge and the way to p, by the edge's length. False when p is
+ * outside. */
+static bool heights(const loft_lattice *l, loft_spot p, loft_sci h[])
+{
+    for (unsigned i = 0; i < l->sides; i++) {
+        const loft_spot a = spot_of(l->edge[i].from), b = spot_of(l->edge[i + 1u < l->sides ? i + 1 : 0].from);
+        h[i] = loft_sci_div(loft_sci_cross(a.at, b.at, a.at, p.at), loft_sci_from_int(l->edge[i].length));
+        if (loft_sci_sign(h[i]) < 0)
+            return false;
+    }
+    return true;
+}
+
+static loft_sci factor(const loft_toric *t, unsigned k)
+{
+    const loft_sci c = t->c ? loft_sci_from_real(t->c[k]) : loft_sci_one();
+    return t->w ? loft_sci_mul(c, loft_sci_from_real(t->w[k])) : c;
+}
+
+enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out)
+{
+    const unsigned sides = t->lattice->sides;
+    loft_sci h[LOFT_SIDES_MAX];
+    loft_blend sum;
+    loft_whole l;
+    unsigned k = 0;
+
+    if (!loft_spot_admits(p) || !heights(t->lattice, p, h))
+        return LOFT_ERR_RANGE;
+    loft_blend_start(&sum);
+    loft_lattice_first(t->lattice, &l);
+    do {
+        loft_sci weight = factor(t, k);
+        for (unsigned i = 0; i < sides && loft_sci_sign(weight); i++)
+            weight = loft_sci_mul(weight, loft_sci_pow(h[i], (unsigned)loft_lattice_height(t->lattice, i, l)));
+        if (loft_sci_sign(weight))
+            loft_blend_add(&sum, &t->p[k], weight);
+        k++;
+    } while (loft_lattice_next(t->lattice, &l));
+    return loft_blend_project(&sum, out);
+}
+
+
+/* The curves along the edges */
+
+/* The place of whole point l among the control points. */
+static unsigned place_of(const loft_lattice *lattice, loft_whole l)
+{
+    loft_whole q;
+    unsigned k = 0;
+
+    loft_lattice_first(lattice, &q);
+    for (; q.at[0] != l.at[0] || q.at[1] != l.at[1]; k++)
+        if (!loft_lattice_next(lattice, &q))
+            break;
+    return k;
+}
+
+static loft_whole along(const loft_lattice_edge *e, unsigned step)
+{
+    loft_whole l;
+
+    l.at[0] = (int8_t)(e->from.at[0] + (int)step * e->normal.at[1]);
+    l.at[1] = (int8_t)(e->from.at[1] - (int)step * e->normal.at[0]);
+    return l;
+}
+
+/* Weights as loft_rational_weights takes them: the largest brought into 128..256, all times LOFT_PROJECT. */
+static enum loft_status weigh(loft_sci w[], unsigned degree, loft_weighted out[])
+{
+    const loft_sci two = loft_sci_from_int(2), top = loft_sci_from_int(256), limit = loft_sci_from_int(65536);
+    loft_sci largest = w[0], least = w[0], scale = loft_sci_from_int(LOFT_PROJECT);
+    loft_acc wide[LOFT_DEGREE_MAX + 1];
+
+    for (unsigned k = 1; k <= degree; k++) {
+        if (loft_sci_less(largest, w[k]))
+            largest = w[k];
+        if (loft_sci_less(w[k], least))
+            least = w[k];
+    }
+    if (loft_sci_less(loft_sci_mul(least, limit), largest))
+        return LOFT_ERR_RANGE;
+    for (; !loft_sci_less(largest, top); largest = loft_sci_div(largest, two))
+        scale = loft_sci_div(scale, two);
+    for (; loft_sci_less(loft_sci_mul(largest, two), top); largest = loft_sci_mul(largest, two))
+        scale = loft_sci_mul(scale, two);
+    for (unsigned k = 0; k <= degree; k++)
+        if (!loft_sci_wide(loft_sci_mul(w[k], scale), &wide[k]))
+            return LOFT_ERR_RANGE;
+    loft_rational_weights(wide, degree, out);
+    return LOFT_OK;
+}
+
+enum loft_status loft_toric_edge(const loft_toric *t, unsigned edge, loft_weighted out[])
+{
+    loft_sci w[LOFT_DEGREE_MAX + 1];
+
+    if (edge >= t->lattice->sides || t->lattice->edge[edge].length > LOFT_DEGREE_MAX)
+        return LOFT_ERR_ARG;
+    const unsigned m = t->lattice->edge[edge].length;
+    for (unsigned step = 0; step <= m; step++) {
+        const unsigned k = place_of(t->lattice, along(&t->lattice->edge[edge], step));
+        w[step] = loft_sci_div(factor(t, k), loft_sci_from_int(loft_binomial(m, step)));
+        out[step].p = t->p[k];
+    }
+    return weigh(w, m, out);
+}
+
+/* A / (A + B) of the products of heights with positive and with negative exponents. At the first vertex the height of the
+ * edge before is 0 and its exponent positive, at the second that of the edge after, negative. */
+enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_spot p, loft_unit *out)
+{
+    const loft_lattice *lattice = t->lattice;
+    loft_sci h[LOFT_SIDES_MAX], product[2] = { loft_sci_one(), loft_sci_one() };
+    loft_acc share = 0;
+
+    if (edge >= lattice->sides || !loft_spot_admits(p) || !heights(lattice, p, h) || loft_sci_sign(h[edge]))
+        return LOFT_ERR_ARG;
+    const loft_whole *n = &lattice->edge[edge].normal;
+    for (unsigned j = 0; j < lattice->sides; j++) {
+        const loft_whole *e = &lattice->edge[j].normal;
+        const int power = e->at[0] * n->at[1] - e->at[1] * n->at[0];
+        if (j != edge)
+            product[power < 0] = loft_sci_mul(product[power < 0], loft_sci_pow(h[j], (unsigned)(power < 0 ? -power : power)));
+    }
+    if (!loft_sci_wide(loft_sci_div(product[0], loft_sci_add(product[0], product[1])), &share))
+        return LOFT_ERR_RANGE;
+    *out = loft_unit_ratio(share, loft_wide(LOFT_REAL(1)));
+    return LOFT_OK;
+}

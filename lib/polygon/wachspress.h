@@ -1,0 +1,23 @@
+/* lib/polygon/wachspress.h -- rational coordinates of a point with respect to the vertices of a convex polygon
+ * SPDX-License-Identifier: MIT
+ *
+ * phi_i >= 0, sum phi_i = 1, sum phi_i v_i = p; linear on edges, 1 at vertex i. They are the only such coordinates here
+ * that an affine map of polygon and point leaves alone, and bilinear on a parallelogram.
+ */
+#ifndef LOFT_POLYGON_WACHSPRESS_H
+#define LOFT_POLYGON_WACHSPRESS_H
+
+#include "polygon/domain.h" /* loft_domain, loft_spot */
+
+/* The coordinates of p.
+ *
+ *   shape   phi[d->sides]
+ *   range   a convex domain, otherwise LOFT_ERR_ARG; p inside, on an edge or at a vertex, otherwise LOFT_ERR_RANGE
+ *   error   of each coordinate, however small it is: q16: n^2 * 2^-60   f32, f64: n^2 * 2^-46
+ *   cost    n (n - 2) products, n cross products, n divisions; no table
+ *   see     Wachspress, A Rational Finite Element Basis (1975); Meyer, Barr, Lee, Desbrun, Generalized Barycentric
+ *           Coordinates on Irregular Polygons (2002): the form with areas
+ */
+enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sci phi[]) LOFT_CHECKED;
+
+#endif
