@@ -118,6 +118,19 @@ static void roots_are_the_largest(arb *a)
     CHECK(loft_exact_bits(next) > TOP / 2 || loft_exact_compare(loft_exact_mul(next, next), x) > 0);
 }
 
+/* r^2 <= (x^2 + y^2 + z^2) 2^128 < (r + 1)^2 */
+static void lengths_are_roots_of_squares(arb *a)
+{
+    const loft_exact x[3] = { loft_exact_from_real(arb_real(a, 32767)), loft_exact_from_real(arb_real(a, 3)), whole((int32_t)arb_below(a, 3) - 1) };
+    const loft_exact r = loft_exact_hypot(x, 3), next = loft_exact_add(r, whole(1));
+    loft_exact sum = whole(0);
+
+    for (int i = 0; i < 3; i++)
+        sum = loft_exact_add(sum, loft_exact_mul(x[i], x[i]));
+    sum = loft_exact_shift(sum, 2 * LOFT_EXACT_HYPOT);
+    CHECK(loft_exact_compare(loft_exact_mul(r, r), sum) <= 0 && loft_exact_compare(loft_exact_mul(next, next), sum) > 0);
+}
+
 /* The value of x * 2^-shift in long double: its first 60 bits. */
 static long double value(loft_exact x, int shift)
 {
@@ -194,6 +207,7 @@ int main(void)
     PROPERTY(bits_and_shifts_are_powers_of_two,              3000);
     PROPERTY(quotients_are_nearest,                          1000);
     PROPERTY(roots_are_the_largest,                          1000);
+    PROPERTY(lengths_are_roots_of_squares,                    300);
     PROPERTY(quotients_become_wide_values,                   3000);
     PROPERTY(what_is_too_large_for_a_wide_value_is_refused,   100);
     PROPERTY(coordinates_are_taken_exactly,                 10000);

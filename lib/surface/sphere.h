@@ -23,8 +23,8 @@ typedef struct {
  *   units   degrees
  *   range   radius >= 0 and angles of -32767..32767, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not
  *           fit; *out is untouched then
- *   error   q16: 1/2 LSB + 2^-14 LSB   f32: 0.51 ulp of the radius and of the result   f64: 16 ulp of both; none where
- *           both angles are multiples of 90
+ *   error   q16: 1/2 LSB + 2^-14 LSB   f32: 0.51 ulp of the result + 2^-24 ulp of the radius   f64: 16 ulp of radius and
+ *           centre; none but the sum with the centre where both angles are multiples of 90
  *   cost    2 sines, 2 cosines, 2 quotients of 60 rounds in q16
  */
 enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_real phi, loft_vec *out) LOFT_CHECKED;
