@@ -21,7 +21,8 @@
 
 #include "vectors.h"
 
-static const vector_system *const tables[] = { vectors_curve, vectors_measure, vectors_shape, vectors_rational, vectors_bspline, vectors_join, vectors_spline, vectors_sign, vectors_coons, vectors_tensor };
+static const vector_system *const tables[] = { vectors_curve, vectors_measure, vectors_shape, vectors_rational, vectors_bspline, vectors_join, vectors_spline, vectors_sign, vectors_coons, vectors_tensor,
+    vectors_polygon, vectors_spatch, vectors_npatch };
 
 #define DIGITS 1e-9L            /* LSB: what 20 significant digits leave open */
 
@@ -39,7 +40,7 @@ void row_complain(row *r, const char *format, ...)
 
 /* Inputs */
 
-static const char *field(row *r, const char *column)
+const char *row_text(row *r, const char *column)
 {
     for (unsigned k = 0; k < r->columns; k++)
         if (strcmp(r->name[k], column) == 0)
@@ -71,7 +72,7 @@ static void ends(row *r, const char *column, const char *text)
 
 static int64_t only_whole(row *r, const char *column, int64_t least, int64_t most)
 {
-    const char *text = field(r, column);
+    const char *text = row_text(r, column);
     const int64_t v = whole(r, column, &text, least, most);
 
     ends(r, column, text);
@@ -79,7 +80,7 @@ static int64_t only_whole(row *r, const char *column, int64_t least, int64_t mos
 }
 
 unsigned row_count(row *r, const char *column, unsigned most) { return (unsigned)only_whole(r, column, 0, most); }
-bool     row_is(row *r, const char *column, const char *word) { return strcmp(field(r, column), word) == 0; }
+bool     row_is(row *r, const char *column, const char *word) { return strcmp(row_text(r, column), word) == 0; }
 
 loft_unit row_unit(row *r, const char *column)
 {
@@ -112,7 +113,7 @@ loft_real row_real(row *r, const char *column)
 
 void row_reals(row *r, const char *column, unsigned count, loft_real out[])
 {
-    const char *text = field(r, column);
+    const char *text = row_text(r, column);
 
     for (unsigned k = 0; k < count; k++)
         out[k] = coordinate(r, column, &text);
@@ -122,7 +123,7 @@ void row_reals(row *r, const char *column, unsigned count, loft_real out[])
 /* Numbers, or points if there are semicolons. */
 unsigned row_length(row *r, const char *column, unsigned most)
 {
-    const char *text = field(r, column), between = strchr(text, ';') ? ';' : ' ';
+    const char *text = row_text(r, column), between = strchr(text, ';') ? ';' : ' ';
     unsigned count = *text != '\0';
 
     for (; *text; text++)
@@ -134,7 +135,7 @@ unsigned row_length(row *r, const char *column, unsigned most)
 
 void row_points(row *r, const char *column, unsigned count, unsigned d, loft_vec out[])
 {
-    const char *text = field(r, column);
+    const char *text = row_text(r, column);
 
     for (unsigned k = 0; k < count; k++) {
         out[k] = (loft_vec) { { 0 } };
@@ -240,7 +241,7 @@ static void compare(row *r, const char *column, const answer *a, law l, unsigned
 
 void row_expect(row *r, const char *column, const answer *a, law l)
 {
-    const char *text = field(r, column);
+    const char *text = row_text(r, column);
     unsigned k = 0;
 
     r->refused = r->refused || a->refused;
@@ -262,13 +263,13 @@ void row_expect(row *r, const char *column, const answer *a, law l)
 void row_expect_word(row *r, const char *column, const char *word)
 {
     if (!row_is(r, column, word))
-        row_complain(r, "column %s is %s, not %s", column, field(r, column), word);
+        row_complain(r, "column %s is %s, not %s", column, row_text(r, column), word);
 }
 
 void row_expect_flag(row *r, const char *column, bool flag)
 {
     if (!row_is(r, column, flag ? "1" : "0"))
-        row_complain(r, "column %s is %s, not %d", column, field(r, column), flag);
+        row_complain(r, "column %s is %s, not %d", column, row_text(r, column), flag);
 }
 
 
@@ -333,7 +334,7 @@ static bool name_columns(row *names, const vector_system *s, char *second, const
     for (unsigned k = 0; k < names->columns; k++)
         names->field[k] = names->name[k];
     for (char *column; (column = strsep(&rest, ",")) != NULL; )
-        field(names, column);
+        row_text(names, column);
     if (names->complaint[0])
         printf("%s:2: %s\n", path, names->complaint);
     return !names->complaint[0];
@@ -408,7 +409,7 @@ static bool exists(const char *folder, const char *name)
     return file != NULL;
 }
 
-static enum verdict check_file(const char *path, const char *known)
+static enum verdict check_file(const char *folder, const char *path, const char *known)
 {
     FILE *file = fopen(path, "r");
     char *first = NULL, *second = NULL, name[64];
@@ -422,7 +423,7 @@ static enum verdict check_file(const char *path, const char *known)
         printf("%s:2: no column names\n", path);
     else {
         const vector_system *s = find(name);
-        row names = { .error = 0, .bound = 1 };
+        row names = { .error = 0, .bound = 1, .folder = folder };
         result sum = { .error = 0, .bound = 1 };
 
         if (name_columns(&names, s, second, path)) {
@@ -470,7 +471,7 @@ int main(int argc, char **argv)
     for (int k = 0; k < files; k++) {
         char path[4096];
         snprintf(path, sizeof path, "%s/%s", argv[1], entry[k]->d_name);
-        count[check_file(path, argc == 3 ? argv[2] : argv[1])]++;
+        count[check_file(argv[1], path, argc == 3 ? argv[2] : argv[1])]++;
         free(entry[k]);
     }
     free(entry);

@@ -36,6 +36,7 @@ typedef struct {
                                        within one LSB of its end: then either answer is right      */
     long double largest, inexact;   /* of the coordinates: the largest, the most that reading rounded one */
     long double error, bound;       /* in LSB, of the value that comes closest to its bound        */
+    const char *folder;             /* where the CSV is, and others that it refers to              */
 } row;
 
 typedef struct {
@@ -46,11 +47,13 @@ typedef struct {
 
 /* The tables, each ended by a row without a name. */
 extern const vector_system vectors_curve[], vectors_measure[], vectors_shape[], vectors_rational[], vectors_bspline[],
-                           vectors_join[], vectors_spline[], vectors_sign[], vectors_coons[], vectors_tensor[];
+                           vectors_join[], vectors_spline[], vectors_sign[], vectors_coons[], vectors_tensor[],
+    vectors_polygon[], vectors_spatch[], vectors_npatch[];
 
 
 /* Inputs */
 
+const char *row_text(row *r, const char *column);
 unsigned  row_count(row *r, const char *column, unsigned most);          /* a whole number, 0..most           */
 bool      row_is(row *r, const char *column, const char *word);
 loft_unit row_unit(row *r, const char *column);                          /* a parameter as a raw Q16.16       */

@@ -1,0 +1,26 @@
+/* tests/polygons.h -- polygons of CSVs, and the coordinates that a letter names
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_TESTS_POLYGONS_H
+#define LOFT_TESTS_POLYGONS_H
+
+#include "vectors_sheet.h"          /* sheet_of, decimal_real */
+#include "polygon/domain.h"
+
+typedef struct {
+    loft_spot v[LOFT_SIDES_MAX];
+    loft_domain d;
+    unsigned n;
+    const char *kind;
+} polygon;
+
+/* The polygon of polygons.csv with that name; false, with a complaint, when there is none or it was refused. */
+bool polygon_of(row *r, const char *id, polygon *p);
+
+/* The point in columns x and y. */
+loft_spot spot_of(row *r);
+
+/* phi by Wachspress (W), mean values (M) or harmonic functions (H). False when the library has none of that name there. */
+bool coordinates(row *r, char which, const polygon *p, loft_spot at, loft_sci phi[]);
+
+#endif

@@ -1,0 +1,167 @@
+/* tests/vectors_polygon.c -- readers of polygons and of coordinates with respect to their vertices
+ * SPDX-License-Identifier: MIT
+ */
+#include <string.h>
+
+#include "polygons.h"               /* polygon_of, coordinates */
+#include "polygon/meanvalue.h"
+#include "polygon/wachspress.h"
+
+bool polygon_of(row *r, const char *id, polygon *p)
+{
+    const sheet *s = sheet_of(r, "polygons");
+
+    p->n = 0;
+    for (unsigned k = 0; k < s->rows; k++) {
+        char *const *f = s->field[k];
+        if (strcmp(f[0], id) != 0)
+            continue;
+        const unsigned i = (unsigned)decimal(r, f[3]) - 1;
+        if (i >= LOFT_SIDES_MAX) {
+            row_complain(r, "polygon %s has a vertex %s", id, f[3]);
+            return false;
+        }
+        p->kind = f[1];
+        p->v[i].at[0] = decimal_real(r, f[4]);
+        p->v[i].at[1] = decimal_real(r, f[5]);
+        p->n++;
+    }
+    if (p->n == 0)
+        row_complain(r, "no polygon %s", id);
+    else if (loft_domain_init(&p->d, p->v, p->n) != LOFT_OK)
+        row_complain(r, "polygon %s was refused", id);
+    return !r->complaint[0];
+}
+
+loft_spot spot_of(row *r)
+{
+    loft_spot p;
+
+    p.at[0] = decimal_real(r, row_text(r, "x"));
+    p.at[1] = decimal_real(r, row_text(r, "y"));
+    return p;
+}
+
+bool coordinates(row *r, char which, const polygon *p, loft_spot at, loft_sci phi[])
+{
+    loft_sci area[LOFT_SIDES_MAX];
+    unsigned index = 0;
+
+    if (which == 'H') {
+        const enum loft_place place = loft_domain_place(&p->d, at, area, &index);
+        if (place == LOFT_ON_EDGE)
+            loft_domain_edge(&p->d, at, index, phi);
+        if (place == LOFT_AT_VERTEX)
+            loft_domain_vertex(&p->d, index, phi);
+        return place == LOFT_ON_EDGE || place == LOFT_AT_VERTEX;
+    }
+    const enum loft_status status = which == 'W' ? loft_wachspress_eval(&p->d, at, phi) : loft_meanvalue_eval(&p->d, at, phi);
+    if (status != LOFT_OK)
+        row_complain(r, "no coordinates: status %d", status);
+    return status == LOFT_OK;
+}
+
+/* Each row is one vertex; all of them are judged. */
+static void polygons(row *r)
+{
+    polygon p;
+
+    if (!polygon_of(r, row_text(r, "polygon"), &p))
+        return;
+    row_expect_word(r, "kind", p.d.convex ? "convex" : "nonconvex");
+    if (row_count(r, "n", LOFT_SIDES_MAX) != p.n)
+        row_complain(r, "%u vertices, not %s", p.n, row_text(r, "n"));
+}
+
+/* Where the point lies is what its row says. */
+static void expect_place(row *r, const polygon *p, loft_spot at)
+{
+    loft_sci area[LOFT_SIDES_MAX];
+    unsigned index = 0;
+    const enum loft_place place = loft_domain_place(&p->d, at, area, &index);
+    const char *type = row_text(r, "type");
+    const bool edge = strcmp(type, "edge") == 0, vertex = strcmp(type, "vertex") == 0, outside = strcmp(type, "outside") == 0;
+
+    if (r->inexact > 0)
+        return;
+    if (edge != (place == LOFT_ON_EDGE) || vertex != (place == LOFT_AT_VERTEX) || outside != (place == LOFT_OUTSIDE))
+        row_complain(r, "%s, but found in place %d", type, place);
+}
+
+static void expect_phi(row *r, unsigned n, const loft_sci phi[])
+{
+    r->largest = 1;
+    for (unsigned i = 0; i < n; i++) {
+        char column[16];
+        loft_acc x = 0;
+        if (!loft_sci_wide(phi[i], &x))
+            row_complain(r, "coordinate %u does not fit", i);
+        r->largest = fmaxl(r->largest, fabsl(exact_acc(x)));
+        snprintf(column, sizeof column, "phi_%u", i + 1);
+        expect_wide(r, column, x, (law) { .lsb = 0x1p-16L, .gain = 64, .roundings = 64 });
+    }
+}
+
+static void coordinates_row(row *r, char which)
+{
+    polygon p;
+    loft_sci phi[LOFT_SIDES_MAX];
+
+    if (!polygon_of(r, row_text(r, "polygon"), &p))
+        return;
+    const loft_spot at = spot_of(r);
+    expect_place(r, &p, at);
+    if (coordinates(r, which, &p, at, phi))
+        expect_phi(r, p.n, phi);
+}
+
+static void gbc_wachspress(row *r) { coordinates_row(r, 'W'); }
+static void gbc_meanvalue(row *r)  { coordinates_row(r, 'M'); }
+
+static bool parallelogram(const loft_spot v[])
+{
+    for (int k = 0; k < 2; k++)
+        if (exact_of(v[0].at[k]) + exact_of(v[2].at[k]) - exact_of(v[1].at[k]) - exact_of(v[3].at[k]) != 0)
+            return false;
+    return true;
+}
+
+/* `utext` is another formula, which agrees for triangles and parallelograms. */
+static void spatch_coords(row *r)
+{
+    const unsigned n = row_count(r, "s", LOFT_SIDES_MAX);
+    loft_vec v[LOFT_SIDES_MAX + 1];
+    polygon p = { .n = n };
+    loft_sci phi[LOFT_SIDES_MAX];
+    answer *a = answer_new();
+
+    row_points(r, "V_q16", n, 2, v);
+    row_points(r, "X_q16", 1, 2, v + LOFT_SIDES_MAX);
+    for (unsigned i = 0; i < n; i++)
+        for (int k = 0; k < 2; k++)
+            p.v[i].at[k] = loft_vec_axis(&v[i], k);
+    const loft_spot at = { { loft_vec_axis(&v[LOFT_SIDES_MAX], 0), loft_vec_axis(&v[LOFT_SIDES_MAX], 1) } };
+    if (loft_domain_init(&p.d, p.v, n) != LOFT_OK)
+        row_complain(r, "the polygon was refused");
+    else if (coordinates(r, 'W', &p, at, phi)) {
+        for (unsigned i = 0; i < n; i++) {
+            loft_acc x = 0;
+            if (loft_sci_wide(phi[i], &x))
+                answer_wide(a, x);
+        }
+        r->largest = 1;
+        row_expect(r, "uwach", a, (law) { .lsb = 0x1p-16L, .gain = 64, .roundings = 64 });
+        if (n == 3 || (n == 4 && parallelogram(p.v)))
+            row_expect(r, "utext", a, (law) { .lsb = 0x1p-16L, .gain = 64, .roundings = 64 });
+    }
+}
+
+#define PHI "phi_1,phi_2,phi_3,phi_4,phi_5,phi_6,phi_7,phi_8"
+
+const vector_system vectors_polygon[] = {
+    { "polygons",       "polygon,kind,n,i,x,y",         polygons,       "simple, convex: exact" },
+    { "gbc_wachspress", "polygon,n,type,x,y," PHI,      gbc_wachspress, "q16 2^-32; floats 64 ulp of double of the largest coordinate; where the point lies: exact" },
+    { "gbc_meanvalue",  "polygon,n,type,x,y," PHI,      gbc_meanvalue,  "q16 2^-32; floats 64 ulp of double of the largest coordinate; where the point lies: exact" },
+    { "spatch_coords",  "s,V_q16,X_q16,utext,uwach",    spatch_coords,  "q16 2^-32; floats 64 ulp of double; utext for triangles and parallelograms" },
+    { 0 }
+};
