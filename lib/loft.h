@@ -8,7 +8,7 @@
  *                                    bounds, nearest, intersect, offset: where it is   shape: cusps, curvature   join: C0 to G2
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
  *                                    rational, circle: conics and arcs
- *   surface/  two parameters         tensor: patches over a square
+ *   surface/  two parameters         tensor: patches over a square   grid: whole patches by exact differences
  *                                    barycentric, triangle: Bezier triangles   triangle_shape: positive, convex
  *                                    coons, bicubic: from curves and corners   sphere, flat: elementary
  *   polygon/  n sides                domain: convex and simple polygons   wachspress, meanvalue: coordinates
@@ -66,6 +66,7 @@
 #include "surface/sphere.h"
 #include "surface/triangle.h"
 #include "surface/triangle_shape.h"
+#include "surface/grid.h"
 #include "surface/tensor.h"
 #include "polygon/basepoint.h"
 #include "polygon/blend.h"

@@ -53,7 +53,7 @@ void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree)
 
 /* From a[k] = G_k, k = 1..degree, to a[k] = e_k, linear and in small whole numbers. Dividing by i, i - 1, ..
  * in turn gives the coefficients of i (i-1) .. (i-k+1), whose k-th difference is k!. */
-static void differences_of_powers(loft_state a[], unsigned degree)
+void loft_walk_differences(loft_state a[], unsigned degree)
 {
     unsigned factorial = 1;
 
@@ -93,19 +93,19 @@ bool loft_walk_accepts(const loft_real p[], unsigned degree)
 }
 
 /* x / 2^m in place, cut, m < 32. */
-static void shift_down(uint32_t x[3], uint8_t m)
+static void shift_down(uint32_t x[], int limbs, uint8_t m)
 {
-    for (int i = 0; m && i < 3; i++)
-        x[i] = x[i] >> m | (i < 2 ? x[i + 1] << (32 - m) : 0);
+    for (int i = 0; m && i < limbs; i++)
+        x[i] = x[i] >> m | (i + 1 < limbs ? x[i + 1] << (32 - m) : 0);
 }
 
 /* x / n in place, cut. Divisions of 32 bits are the fastest on all cores, so a small n takes 16 bits of x
  * at a time. */
-static void divide(uint32_t x[3], uint32_t n)
+static void divide(uint32_t x[], int limbs, uint32_t n)
 {
     uint32_t rest = 0;
 
-    for (int i = 2; i >= 0; i--)
+    for (int i = limbs - 1; i >= 0; i--)
         if (n >> 16) {
             const uint64_t part = join(rest, x[i]);
             x[i] = (uint32_t)(part / n);
@@ -118,19 +118,25 @@ static void divide(uint32_t x[3], uint32_t n)
         }
 }
 
-/* 1 is 2^96 - 1 here, low by 2^-96. */
-void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
+void loft_limbs_divide(uint32_t x[], int limbs, uint32_t n)
 {
-    uint32_t x[3] = { UINT32_MAX, UINT32_MAX, UINT32_MAX };
     uint8_t m = 0;
 
     while (n > (uint32_t)1 << m && m < 31)
         m++;
+    if (n == (uint32_t)1 << m)
+        shift_down(x, limbs, m);
+    else
+        divide(x, limbs, n);
+}
+
+/* 1 is 2^96 - 1 here, low by 2^-96. */
+void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
+{
+    uint32_t x[3] = { UINT32_MAX, UINT32_MAX, UINT32_MAX };
+
     for (unsigned k = 1; k <= degree; k++) {
-        if (n == (uint32_t)1 << m)
-            shift_down(x, m);
-        else
-            divide(x, n);
+        loft_limbs_divide(x, 3, n);
         for (int i = 0; i < 3; i++)
             powers->inverse[k][i] = x[i];
     }
@@ -174,8 +180,8 @@ void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const lo
         w->d[k] = t.value;
         below[k] = t.below;
     }
-    differences_of_powers(w->d, degree);
-    differences_of_powers(below, degree);
+    loft_walk_differences(w->d, degree);
+    loft_walk_differences(below, degree);
     for (unsigned k = 1; k <= degree; k++)
         w->d[k] += high(below[k] + ((uint32_t)1 << 31));
 }
@@ -237,7 +243,7 @@ void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const lo
         w->d[k] = k <= degree ? g[k] / scale : 0;
         scale *= powers->n;
     }
-    differences_of_powers(w->d, degree);
+    loft_walk_differences(w->d, degree);
 }
 
 /* Sums of floats do not wrap. */

@@ -107,6 +107,16 @@ void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const lo
 /* `count` steps; the values go to out[0], out[stride] .. */
 void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);
 
+/* From a[k], the coefficient of t^k in steps of 1, to the k-th difference at 0, for k = 1..degree, in place. */
+void loft_walk_differences(loft_state a[], unsigned degree);
+
+#if LOFT_NUM == LOFT_Q16
+
+/* x / n in place, cut to a whole number: limbs of 32 bits, the lowest first. */
+void loft_limbs_divide(uint32_t x[], int limbs, uint32_t n);
+
+#endif
+
 /* The fewest steps for the whole of p[0..degree] from which loft_walk_halve is proven exact. */
 uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree);
 

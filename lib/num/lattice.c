@@ -1,0 +1,217 @@
+/* lib/num/lattice.c -- the differences of a polynomial in two variables, from its control values
+ * SPDX-License-Identifier: MIT
+ *
+ * With b the control values, D and E the differences of the net from row to row and along the rows, the polynomial at
+ * u = i / rows, v = j / columns is
+ *
+ *     square     sum  C(p,k) C(q,l) D^k E^l b  (i / rows)^k (j / columns)^l
+ *     triangle   sum  p! / (k! l! (p-k-l)!) D^k E^l b  (i / n)^k (j / n)^l,      k + l <= p
+ *
+ * In the triangle E is taken from row l downwards, where it exists: E1, E2, E3 being the shifts to the corners, row i
+ * and place j in it are the point ((n - i) E1 + (i - j) E2 + j E3)^p b / n^p, and E1 + i/n (E2 - E1) + j/n (E3 - E2) is its
+ * operator. The factor is C(q,l) C(p,k) in the square and C(p,l) C(p-l,k) in the triangle.
+ *
+ * q16. Coefficients g are whole, |g| < 2^5 2^5 C C 2^31 < 2^48. g / (rows^k columns^l) is cut to 64 bits below the LSB, by
+ * k + l divisions each cut: off by less than 2^-63. The differences are sums of these times whole numbers (num/walk.c)
+ * of which all together are below 541^2 < 2^18.2, so a difference is off by less than 2^-44 before it is rounded to
+ * 32 bits, and not at all where it is a multiple of 2^-32.
+ *
+ * The law of ranges. The value at (i, j) is sum C(i,k) C(j,l) d[l][k], so it errs by at most S (2^-33 + 2^-44),
+ *
+ *     square     S = (1 + S_u) (1 + S_v) - 1,   S_u = C(rows,1) + .. + C(rows,p),  S_v likewise
+ *     triangle   S = C(2n,1) + .. + C(2n,p),    since sum over k + l = s of C(n,k) C(n,l) is C(2n,s)
+ *
+ * and is admitted while that is below 1/2, S <= 2^32 - 2^22; or where nothing is rounded, powers of two with
+ * p log2 rows + q log2 columns <= 32 (triangle: p log2 n <= 32). Values then stay within the 32 bits in which the net
+ * is, and all else may wrap.
+ */
+#include "num/lattice.h"
+
+#define ADMITTED (UINT32_MAX - 4194303)
+
+static uint64_t choices(unsigned degree, uint64_t n)
+{
+    uint64_t choose = 1, sum = 0;
+
+    for (unsigned k = 1; k <= degree && k <= n && sum <= ADMITTED; k++) {
+        choose = choose * (n - k + 1) / k;      /* both factors below 2^32 once k > 1 */
+        sum += choose;
+    }
+    return sum;
+}
+
+/* log2 n, 33 when n is no power of two */
+static unsigned power_of_two(uint32_t n)
+{
+    unsigned m = 0;
+
+    if (n & (n - 1))
+        return 33;
+    for (; n > 1; n >>= 1)
+        m++;
+    return m;
+}
+
+bool loft_lattice_admits(const loft_lattice *s)
+{
+    if (s->triangle)
+        return s->p * power_of_two(s->rows) <= 32 || choices(s->p, (uint64_t)s->rows * 2) <= ADMITTED;
+    if (s->p * power_of_two(s->rows) + s->q * power_of_two(s->columns) <= 32)
+        return true;
+    const uint64_t u = 1 + choices(s->p, s->rows), v = 1 + choices(s->q, s->columns);
+    return u - 1 <= ADMITTED && v - 1 <= ADMITTED && u * v - 1 <= ADMITTED;
+}
+
+static unsigned binomial(unsigned n, unsigned k)
+{
+    unsigned c = 1;
+
+    for (unsigned i = 1; i <= k; i++)
+        c = c * (n - i + 1) / i;
+    return c;
+}
+
+/* The values of the net into the state: in the triangle row r, place c stands in column c at r - c. */
+static void load(loft_state d[], const loft_lattice *s, const loft_real net[], size_t stride)
+{
+    for (unsigned r = 0; r <= s->p; r++) {
+        const unsigned last = s->triangle ? r : s->q;
+        for (unsigned c = 0; c <= last; c++, net += stride)
+            d[loft_lattice_column(s, c) + (s->triangle ? r - c : r)] = (loft_state)*net;
+    }
+}
+
+/* E^l, then D^k, then the factors. Wrapping integers hold negative numbers as well. */
+static void take_powers(loft_state d[], const loft_lattice *s)
+{
+    const unsigned lean = s->triangle;
+
+    for (unsigned order = 1; order <= s->q; order++)
+        for (unsigned l = s->q; l >= order; l--) {
+            loft_state *column = d + loft_lattice_column(s, l), *before = d + loft_lattice_column(s, l - 1) + lean;
+            for (unsigned k = 0; k <= loft_lattice_degree(s, l); k++)
+                column[k] -= before[k];
+        }
+    for (unsigned l = 0; l <= s->q; l++) {
+        loft_state *column = d + loft_lattice_column(s, l);
+        const unsigned degree = loft_lattice_degree(s, l);
+
+        for (unsigned order = 1; order <= degree; order++)
+            for (unsigned k = degree; k >= order; k--)
+                column[k] -= column[k - 1];
+        for (unsigned k = 0; k <= degree; k++)
+            column[k] *= (loft_state)(binomial(s->q, l) * binomial(degree, k));
+    }
+}
+
+void loft_lattice_step(loft_state d[], const loft_lattice *s)
+{
+    for (unsigned l = 0; l <= s->q; l++) {
+        const unsigned degree = loft_lattice_degree(s, l);
+        for (unsigned k = 0; k < degree; k++, d++)
+            loft_state_add(d);
+        d++;
+    }
+}
+
+/* From coefficients of powers to differences, first by k, then by l. */
+static void columns_to_differences(loft_state a[], const loft_lattice *s)
+{
+    for (unsigned l = 0; l <= s->q; l++)
+        loft_walk_differences(a + loft_lattice_column(s, l), loft_lattice_degree(s, l));
+}
+
+static void rows_to_differences(loft_state a[], const loft_lattice *s)
+{
+    loft_state row[LOFT_WALK_DEGREE_MAX + 1];
+
+    for (unsigned k = 0; k <= s->p; k++) {
+        const unsigned degree = s->triangle ? s->p - k : s->q;
+        for (unsigned l = 0; l <= degree; l++)
+            row[l] = a[loft_lattice_column(s, l) + k];
+        loft_walk_differences(row, degree);
+        for (unsigned l = 0; l <= degree; l++)
+            a[loft_lattice_column(s, l) + k] = row[l];
+    }
+}
+
+#if LOFT_NUM == LOFT_Q16
+
+bool loft_lattice_accepts(loft_real a) { (void)a; return true; }
+
+#define STATES ((LOFT_WALK_DEGREE_MAX + 1) * (LOFT_WALK_DEGREE_MAX + 1))
+
+/* g / (rows^k columns^l): *d with 32 bits below the LSB and the 32 bits below those. */
+static void scale(loft_state *d, loft_state *below, const loft_lattice *s, unsigned k, unsigned l)
+{
+    const bool minus = *d >> 63 != 0;
+    const uint64_t size = minus ? 0 - *d : *d;
+    uint32_t x[4] = { 0, 0, (uint32_t)(size & 0xffffffffu), (uint32_t)(size >> 32) };
+
+    for (; k > 0; k--)
+        loft_limbs_divide(x, 4, s->rows);
+    for (; l > 0; l--)
+        loft_limbs_divide(x, 4, s->columns);
+    *below = x[0];
+    *d = (uint64_t)x[2] << 32 | x[1];
+    if (minus) {
+        *below = (0 - *below) & 0xffffffffu;
+        *d = 0 - *d - (*below != 0);
+    }
+}
+
+/* What is below exceeds its 32 bits: 2^32 541 at most, after one direction. */
+static void carry(loft_state d[], loft_state below[], size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        d[k] += below[k] >> 32;
+        below[k] &= 0xffffffffu;
+    }
+}
+
+void loft_lattice_init(loft_state d[], const loft_lattice *s, const loft_real net[], size_t stride)
+{
+    const size_t count = loft_lattice_column(s, s->q) + loft_lattice_degree(s, s->q) + 1;
+    loft_state below[STATES];
+
+    load(d, s, net, stride);
+    take_powers(d, s);
+    for (unsigned l = 0; l <= s->q; l++)
+        for (unsigned k = 0; k <= loft_lattice_degree(s, l); k++)
+            scale(&d[loft_lattice_column(s, l) + k], &below[loft_lattice_column(s, l) + k], s, k, l);
+    columns_to_differences(d, s);
+    columns_to_differences(below, s);
+    carry(d, below, count);
+    rows_to_differences(d, s);
+    rows_to_differences(below, s);
+    for (size_t k = 0; k < count; k++)
+        d[k] += (below[k] + 2147483648u) >> 32;
+    d[0] += 2147483648u;
+}
+
+#else
+
+/* Sums of |g| c(k) are below 2^30 times the largest value. */
+bool loft_lattice_accepts(loft_real a)
+{
+    const loft_real most = LOFT_REAL_MAX / 65536 / 65536;
+    return a >= -most && a <= most;
+}
+
+void loft_lattice_init(loft_state d[], const loft_lattice *s, const loft_real net[], size_t stride)
+{
+    load(d, s, net, stride);
+    take_powers(d, s);
+    for (unsigned l = 0; l <= s->q; l++)
+        for (unsigned k = 0; k <= loft_lattice_degree(s, l); k++) {
+            loft_state *x = &d[loft_lattice_column(s, l) + k];
+            for (unsigned j = 0; j < k; j++)
+                *x /= s->rows;
+            for (unsigned j = 0; j < l; j++)
+                *x /= s->columns;
+        }
+    columns_to_differences(d, s);
+    rows_to_differences(d, s);
+}
+
+#endif
