@@ -217,13 +217,24 @@ check:
 lint: lib/names.h
 	@sh tests/lint.sh
 
-AXES_TESTS := codec message receiver
-## Run the wire's tests with 1, 2, 4 and 6 axes
+AXES_TESTS  := codec message receiver
+CURVE_TESTS := bezier rational rational_extend bspline nurbs join intersect overlap offset nearest bounds
+CURVE_LIB   := $(foreach r,num geom basis curve,$(patsubst %.c,build/axes/%.o,$(wildcard lib/$(r)/*.c)))
+
+build/axes/lib/%.o: lib/%.c $(LIB_HDR)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CPPFLAGS) -O1 -g $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=1 -c $< -o $@
+build/axes/%1: tests/test_%.c $(CURVE_LIB) $(wildcard tests/*.h)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CPPFLAGS) -Itests -O1 -g $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=1 $< $(CURVE_LIB) -lm -o $@
+
+## Run the wire's tests with 1, 2, 4 and 6 axes, those of curves with 1
 .PHONY: test-axes
-test-axes: lib/names.h
+test-axes: lib/names.h $(patsubst %,build/axes/%1,$(CURVE_TESTS))
 	@mkdir -p build/axes; bad=0; for a in 1 2 4 6; do for t in $(AXES_TESTS); do echo "-- $$t x$$a"; \
 	    $(CC) -Ilib -Itests -O1 -g $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$$a tests/test_$$t.c $(wildcard lib/wire/*.c) \
-	        -o build/axes/$$t && build/axes/$$t || bad=1; done; done; exit $$bad
+	        -o build/axes/$$t && build/axes/$$t || bad=1; done; done; \
+	for t in $(CURVE_TESTS); do echo "-- $$t x1"; build/axes/$${t}1 || bad=1; done; exit $$bad
 
 ## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
 .PHONY: test

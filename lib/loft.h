@@ -5,7 +5,7 @@
  *   geom/     what a point is        loft_vec, loft_box
  *   basis/    weights                Bernstein polynomials, power form, Horner; sign: positive, convex
  *   curve/    one parameter          bezier: point, derivative, pieces   forward: exact walking   measure: flatten, length
- *                                    bounds, nearest, intersect, offset: where it is   shape: cusps, curvature   join: C0 to G2
+ *                                    bounds, nearest, intersect, overlap, offset: where it is   shape: cusps, curvature   join: C0 to G2
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
  *                                    rational, circle: conics and arcs
  *   surface/  two parameters         tensor: patches over a square   grid: whole patches by exact differences
@@ -49,6 +49,7 @@
 #include "curve/forward.h"
 #include "curve/hermite.h"
 #include "curve/intersect.h"
+#include "curve/overlap.h"
 #include "curve/join.h"
 #include "curve/measure.h"
 #include "curve/natural.h"

@@ -238,6 +238,27 @@ static void a_part_overlaps(arb *a)
     CHECK(k < count && is_inside(exact_unit(from), c[k].s_from, c[k].s_to) && is_inside(exact_unit(to), c[k].s_from, c[k].s_to));
 }
 
+/* As large as they can be, and as fine as they may be asked for: hours, if the stretch were looked through. */
+static void a_long_overlap_takes_no_longer(arb *a)
+{
+    const loft_real tol = BY_NUM(8, 0.03f, 1e-6);
+    const uint32_t first = arb_below(a, 500);
+    loft_crossing c[ROOM];
+    curve p, q;
+    size_t count;
+
+    arb_curve(a, &p, 2 + arb_below(a, 4), 30000);
+    q = p;
+    CHECK(loft_bezier_part(&p.b, loft_unit_of(first, 1024), loft_unit_of(first + 512, 1024), q.p) == LOFT_OK);
+    prepare(&q);
+    CHECK(loft_bezier_intersect(&p.b, &q.b, tol, c, ROOM, &count) == LOFT_SINGULAR);
+    check_crossings(&p, &q, c, count, exact_of(tol));
+    bool found = false;
+    for (size_t k = 0; k < count; k++)
+        found = found || (c[k].overlap && c[k].along && c[k].t_from <= 0 && exact_unit(c[k].t_to) >= 1);
+    CHECK(found && count < 10);
+}
+
 /* A straight curve of another degree and speed is the same line. */
 static void lines_overlap_whatever_their_speed(arb *a)
 {
@@ -337,11 +358,28 @@ static void met_enough_crossings(arb *a)
     CHECK(getenv("LOFT_SEED") || (crossings > 50 && counted > crossings * 9 / 10));
 }
 
+/* On a line nothing crosses. */
+static void one_axis_is_refused(arb *a)
+{
+    const loft_vec p[2] = { arb_vec(a, 100), arb_vec(a, 100) };
+    loft_bezier b;
+    loft_crossing c[1];
+    size_t count = 7;
+
+    CHECK(loft_bezier_init(&b, p, 1) == LOFT_OK);
+    const enum loft_status status = loft_bezier_intersect(&b, &b, LOFT_REAL(0.5), c, 1, &count);
+    CHECK(LOFT_AXES > 1 ? status != LOFT_ERR_ARG : status == LOFT_ERR_ARG && count == 0);
+}
+
 int main(void)
 {
+    PROPERTY(one_axis_is_refused,                     10);
+    if (LOFT_AXES < 2)
+        return check_failures();
     PROPERTY(no_meeting_is_missed_and_none_invented, 400);
     PROPERTY(curves_that_pass_do_not_meet,           200);
     PROPERTY(a_part_overlaps,                        200);
+    PROPERTY(a_long_overlap_takes_no_longer,          50);
     PROPERTY(lines_overlap_whatever_their_speed,      50);
     PROPERTY(touching_is_one_crossing,               100);
     PROPERTY(a_joint_is_one_crossing,                100);

@@ -9,7 +9,7 @@
 typedef struct {
     loft_cubic curve;
     loft_real distance, tol;
-    long double c[LOFT_AXES][4], d, t;
+    long double c[LOFT_AXES < 2 ? 2 : LOFT_AXES][4], d, t;
     loft_offset_span span[SPANS];
     unsigned count;
 } scene;
@@ -266,8 +266,20 @@ static void met_enough(arb *a)
     CHECK(getenv("LOFT_SEED") || (spans > 1000 && backwards > 100 && cusps > 100));
 }
 
+/* Beside a line there is nothing. */
+static void one_axis_is_refused(arb *a)
+{
+    const loft_cubic c = arb_cubic(a, 100);
+    loft_offset o;
+
+    CHECK(loft_offset_init(&o, &c, LOFT_REAL(1), LOFT_REAL(0.5)) == (LOFT_AXES < 2 ? LOFT_ERR_ARG : LOFT_OK));
+}
+
 int main(void)
 {
+    PROPERTY(one_axis_is_refused,                    20);
+    if (LOFT_AXES < 2)
+        return check_failures();
     PROPERTY(spans_are_within_the_tolerance,        400);
     PROPERTY(spans_follow_each_other,               400);
     PROPERTY(behind_is_where_the_radius_is_smaller, 400);

@@ -224,11 +224,12 @@ static void a_part_beyond_the_ends_is_within_its_bound_or_refused(arb *a)
     const exact_piece p = piece_of(s, &e, from, to);
     const enum loft_status status = loft_rational_part(&s->r, from, to, out);
     const bool inside = from >= 0 && from <= LOFT_UNIT(1) && to >= 0 && to <= LOFT_UNIT(1);
+    const long double factor = exp2l(floorl(8 - log2l(p.most))), lowest = p.least * factor * 256;   /* into 128..256 */
     long double most = 0;
 
     CHECK(status == LOFT_OK || status == LOFT_ERR_RANGE);
-    CHECK((!p.bad && p.most < p.least * 65540) || status == LOFT_ERR_RANGE || inside);
-    CHECK(!p.good || p.most > p.least * 65530 || status == LOFT_OK);
+    CHECK((!p.bad && (lowest > 0.997L || p.most * factor < 128.1L)) || status == LOFT_ERR_RANGE || inside);
+    CHECK(!p.good || lowest < 1.003L || p.most * factor > 255.9L || status == LOFT_OK);
     if (status != LOFT_OK)
         return;
     for (unsigned k = 0; k <= s->n; k++)

@@ -25,9 +25,13 @@
  * differences are 2^-48 of 4 times the largest coordinate, 2^-31 in q16.)
  *
  * Stretches. The part of two chords within tol / 2 of each other is a convex set of (sigma, tau), and two such
- * sets of neighbouring pairs meet on the common edge; joining those whose ranges touch makes the whole stretch. */
+ * sets of neighbouring pairs meet on the common edge; joining those whose ranges touch makes the whole stretch.
+ *
+ * A stretch that both curves share from end to end is known beforehand (curve/overlap.h). Pairs of pieces that meet only
+ * there are passed over, so that what remains is found as quickly as if there were none. */
 #include "curve/intersect.h"
 #include "basis/pieces.h"   /* loft_piece, loft_bernstein_part */
+#include "curve/overlap.h"  /* loft_bezier_overlap */
 #include "geom/chord.h"     /* loft_chord_foot */
 
 #define STEPS ((uint32_t)1 << LOFT_PIECE_LEVELS)
@@ -48,6 +52,8 @@ typedef struct {
     unsigned depth;
     loft_acc eighth, half;                  /* of tol                      */
     loft_acc short_enough, long_enough;     /* the limits of L, as above   */
+    loft_overlap shared;
+    bool shares;
 } search;
 
 static loft_acc size_of(loft_acc x) { return x < 0 ? -x : x; }
@@ -354,12 +360,42 @@ static bool ascend(search *z)
     return false;
 }
 
+/* What both curves share is the first crossing. False when there is no room. */
+static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t *count)
+{
+    const loft_overlap *o = &z->shared;
+    const bool along = o->t_from < o->t_to;
+    loft_crossing c;
+
+    c.s = c.s_from = o->s_from;
+    c.s_to     = o->s_to;
+    c.t        = o->t_from;
+    c.t_from   = along ? o->t_from : o->t_to;
+    c.t_to     = along ? o->t_to : o->t_from;
+    c.point    = loft_vec_lerp(loft_bezier_eval(z->a.b, c.s), loft_bezier_eval(z->b.b, c.t), LOFT_UNIT(0.5));
+    c.distance = o->distance;
+    c.along    = along;
+    c.overlap  = true;
+    return add(c, out, room, count);
+}
+
+/* Nothing left to find in this pair? */
+static bool is_done(const search *z)
+{
+    const loft_piece a = z->a.n, b = z->b.n;
+
+    return are_apart(&z->a, &z->b, z->half)
+        || (z->shares && loft_overlap_covers(&z->shared, z->a.b, loft_piece_from(a), loft_piece_to(a), loft_piece_from(b), loft_piece_to(b)));
+}
+
 static bool walk(search *z, loft_crossing out[], size_t room, size_t *count)
 {
+    if (z->shares && !add_shared(z, out, room, count))
+        return false;
     cut(z, &z->a);
     cut(z, &z->b);
     do {
-        while (!are_apart(&z->a, &z->b, z->half))
+        while (!is_done(z))
             if (!descend(z)) {
                 if (!meet(z, out, room, count))
                     return false;
@@ -385,7 +421,7 @@ enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *
     search z;
 
     *count = 0;
-    if (!(tol > 0))
+    if (!(tol > 0) || LOFT_AXES < 2)
         return LOFT_ERR_ARG;
     if (!loft_real_valid(tol) || wide < 2 * loft_real_grain(size) || wide < 16384 * grain)
         return LOFT_ERR_RANGE;
@@ -400,6 +436,7 @@ enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *
     z.long_enough = tol < LOFT_REAL(2048) ? 262144 * wide : loft_wide(LOFT_REAL_MAX);
     z.short_enough = loft_acc_mul(wide, wide > 4194304 * grain ? LOFT_REAL(16384) : loft_acc_quot(wide, 256 * grain));
 
+    z.shares = loft_bezier_overlap(a, b, tol, &z.shared);
     const bool complete = walk(&z, out, room, count);
     bool overlaps = false;
     for (size_t k = 0; k < *count; k++) {

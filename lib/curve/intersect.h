@@ -27,7 +27,8 @@ typedef struct {
 /* Find all crossings of a and b, sorted by s.
  *
  *   shape   out[room], *count of them are filled
- *   range   tol > 0, otherwise LOFT_ERR_ARG; q16: tol >= 2 LSB, f32: 2^-22, f64: 2^-38 of the largest coordinate,
+ *   range   tol > 0 and at least two axes (on a line curves do not cross, they overlap: compare their boxes),
+ *           otherwise LOFT_ERR_ARG; q16: tol >= 2 LSB, f32: 2^-22, f64: 2^-38 of the largest coordinate,
  *           otherwise LOFT_ERR_RANGE
  *           LOFT_MORE: there are more than `room` (a room of the product of the degrees suffices unless they overlap);
  *           LOFT_SINGULAR: at least one is an overlap, longer than 4 tol. In both cases out[] holds what was found
@@ -36,8 +37,9 @@ typedef struct {
  *           within tol of each other, and so are all of a stretch from the other curve. Two crossings between
  *           which the curves stay that close are one. At an angle of theta a stretch is about tol / sin theta long
  *   cost    about 70 pieces for two cubics that cross once, each degree * (degree + 1) * (degree + 5) / 6 wide lerps per
- *           axis and 5 roots; where curves touch or overlap, about 100 * length / sqrt(radius * tol), at worst
- *           length / tol for long straight overlaps. 2 KB of stack for three axes in q16; not for an ISR
+ *           axis and 5 roots; about 150 more where both are parts of one curve, however long they overlap; where they
+ *           touch, or overlap otherwise, about 100 * length / sqrt(radius * tol), at worst length / tol for straight
+ *           curves of different degree. 2.2 KB of stack for three axes in q16; not for an ISR
  *   see     Sederberg, White & Zundel, Fat arcs, CAGD 6 (1989), and Lane & Riesenfeld (1980) for hull and split;
  *           the separating plane: Ericson, Real-Time Collision Detection, ch. 5
  */

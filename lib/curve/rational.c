@@ -324,23 +324,21 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
         out[k].w = loft_weight_clamp(loft_acc_round(loft_acc_ratio(w[k], divisor)));
 }
 
-/* The weights as wide numbers below 2^30, all divided by the same power of two, which is 1 inside 0..1; false when the
- * largest exceeds 65536 times the smallest. */
+/* The weights as wide numbers below 2^30, all divided by the same power of two, which is 1 inside 0..1; false when one is
+ * below 1/256 where the largest comes into 128..256. */
 static bool narrow(const loft_deep w[], unsigned degree, bool means, loft_acc out[])
 {
     const loft_deep limit = loft_deep_times(loft_deep_guarded(loft_wide(LARGEST)), 2 * LOFT_PROJECT);
-    loft_acc most = 0;
     uint32_t by = 1;
 
     for (unsigned k = 0; k <= degree; k++)
         while (!loft_deep_below(w[k], loft_deep_times(limit, by)))
             by *= 2;
-    for (unsigned k = 0; k <= degree; k++) {
-        out[k] = loft_deep_wide(w[k], by);
-        most = out[k] > most ? out[k] : most;
-    }
     for (unsigned k = 0; k <= degree; k++)
-        if (!means && out[k] < loft_acc_ratio(most, 65536))
+        out[k] = loft_deep_wide(w[k], by);
+    const int32_t divisor = divisor_of(out, degree);
+    for (unsigned k = 0; k <= degree; k++)
+        if (!means && loft_acc_round(loft_acc_ratio(out[k], divisor)) < LOFT_WEIGHT_MIN)
             return false;
     return true;
 }

@@ -114,7 +114,7 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
  * curve to within R * 2^-25 of the width of its polygon, R being that of the piece.
  *
  *   range   both in -1..2, otherwise LOFT_ERR_ARG; outside 0..1 LOFT_ERR_RANGE when a point does not fit, a weight is
- *           below 2^-20 W, or the largest exceeds 65536 times the smallest
+ *           below 2^-20 W, or with the common factor below 1/256
  *   error   points as extend with the larger L, where w(t) is the weight of the point
  *   cost    degree * (degree + 1) * (degree + 5) / 6 deep lerps per axis and once more, degree + 1 quotients
  *           per axis; q16: 1.1 kB of stack
