@@ -9,7 +9,8 @@
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
  *                                    rational, circle: conics and arcs
  *   surface/  two parameters         tensor: patches over a square   grid: whole patches by exact differences
- *                                    barycentric, triangle: Bezier triangles   triangle_shape: positive, convex
+ *                                    barycentric, triangle: Bezier triangles   tetra: tetrahedra   triangle_shape: positive, convex
+ *                                    triangle_pieces, _join, _rational, _curvature   octant: of a sphere   pn: from normals
  *                                    coons, bicubic: from curves and corners   sphere, flat: elementary
  *   polygon/  n sides                domain: convex and simple polygons   wachspress, meanvalue: coordinates
  *                                    spatch, toric, basepoint, ring: Bezier surfaces over them
@@ -65,7 +66,15 @@
 #include "surface/coons.h"
 #include "surface/flat.h"
 #include "surface/sphere.h"
+#include "surface/octant.h"
+#include "surface/pn.h"
+#include "surface/tetra.h"
 #include "surface/triangle.h"
+#include "surface/triangle_curvature.h"
+#include "surface/triangle_join.h"
+#include "surface/triangle_operator.h"
+#include "surface/triangle_pieces.h"
+#include "surface/triangle_rational.h"
 #include "surface/triangle_shape.h"
 #include "surface/grid.h"
 #include "surface/tensor.h"

@@ -21,8 +21,12 @@
 
 #include "vectors.h"
 
-static const vector_system *const tables[] = { vectors_curve, vectors_measure, vectors_shape, vectors_rational, vectors_bspline, vectors_join, vectors_spline, vectors_sign, vectors_coons, vectors_tensor,
-    vectors_polygon, vectors_spatch, vectors_npatch };
+static const vector_system *const tables[] = {
+    vectors_curve, vectors_measure, vectors_shape, vectors_rational, vectors_bspline, vectors_join, vectors_spline, vectors_sign,
+    vectors_coons, vectors_tensor,
+    vectors_polygon, vectors_spatch, vectors_npatch,
+    vectors_triangle, vectors_triangle_curved, vectors_tetra
+};
 
 #define DIGITS 1e-9L            /* LSB: what 20 significant digits leave open */
 

@@ -1,56 +1,68 @@
 /* lib/geom/normal.c
  * SPDX-License-Identifier: MIT
+ *
+ * In numbers with an exponent of their own vectors of any size are alike, and a difference of two products errs by
+ * 2^-60 (q16) or 2^-52 (floats) of the larger one.
  */
 #include "geom/normal.h"
+#include "num/sci.h"    /* loft_sci: any size */
 
 #define SPACE 3
 
-/* In q16 |x| errs by 2^-28 of itself and 2^-32, the quotient by 2^-30 and the rounding. */
-enum loft_status loft_vec_unit(const loft_acc x[LOFT_AXES], loft_vec *out)
+static loft_sci square(const loft_sci x[], int n)
 {
-    const loft_acc length = loft_acc_hypot(x, LOFT_AXES);
+    loft_sci sum = loft_sci_zero();
 
-    if (!(length > 0))
+    for (int i = 0; i < n; i++)
+        sum = loft_sci_add(sum, loft_sci_mul(x[i], x[i]));
+    return sum;
+}
+
+/* x / |x| in the first n axes, the others 0. */
+static enum loft_status aim(const loft_sci x[], int n, loft_vec *out)
+{
+    const loft_sci length = loft_sci_sqrt(square(x, n));
+
+    if (loft_sci_sign(length) <= 0)
         return LOFT_SINGULAR;
-    for (int i = 0; i < LOFT_AXES; i++)
-        out->axis[i] = loft_acc_quot(x[i], length);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_acc y = 0;
+        if (i < n && !loft_sci_wide(loft_sci_div(x[i], length), &y))
+            y = 0;                              /* never: |y| <= 1 */
+        out->axis[i] = loft_acc_round(y);
+    }
     return LOFT_OK;
 }
 
-static bool aim(const loft_acc x[], loft_unit toward[SPACE])
+enum loft_status loft_vec_unit(const loft_acc x[LOFT_AXES], loft_vec *out)
 {
-    const loft_acc length = loft_acc_hypot(x, SPACE);
+    loft_sci y[LOFT_AXES];
 
-    for (int i = 0; i < SPACE && length > 0; i++)
-        toward[i] = loft_unit_ratio(x[i], length);
-    return length > 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        y[i] = loft_sci_of(x[i]);
+    return aim(y, LOFT_AXES, out);
 }
 
-static loft_acc product(loft_unit a, loft_unit b)
+static enum loft_status normal_in_space(const loft_acc a[], const loft_acc b[], loft_vec *out)
 {
-    return loft_acc_scale(loft_acc_scale(loft_wide(LOFT_REAL(1)), a), b);
-}
+    loft_sci u[SPACE], v[SPACE], n[SPACE];
 
-/* Each of the two directions errs by 2^-25 in each of three components and by 2^-28 of its length, so their product,
- * of length s, by less than 2^-23. */
-static enum loft_status normal_in_space(const loft_acc a[], const loft_acc b[], loft_acc n[SPACE])
-{
-    loft_unit u[SPACE], v[SPACE];
-
-    if (!aim(a, u) || !aim(b, v))
-        return LOFT_SINGULAR;
+    for (int i = 0; i < SPACE; i++) {
+        u[i] = loft_sci_of(a[i]);
+        v[i] = loft_sci_of(b[i]);
+    }
     for (int i = 0; i < SPACE; i++) {
         const int j = (i + 1) % SPACE, k = (i + 2) % SPACE;
-        n[i] = product(u[j], v[k]) - product(u[k], v[j]);
+        n[i] = loft_sci_sub(loft_sci_mul(u[j], v[k]), loft_sci_mul(u[k], v[j]));
     }
-    return loft_acc_hypot(n, SPACE) >= loft_acc_scale(loft_wide(LOFT_REAL(1)), LOFT_UNIT(1.0 / 1048576)) ? LOFT_OK : LOFT_SINGULAR;
+    const loft_sci all = loft_sci_mul(square(u, SPACE), square(v, SPACE));
+    const loft_sci fine = loft_sci_mul(loft_sci_from_int(1048576), loft_sci_from_int(1048576));
+    if (loft_sci_less(loft_sci_mul(fine, square(n, SPACE)), all))
+        return LOFT_SINGULAR;
+    return aim(n, SPACE, out);
 }
 
 enum loft_status loft_vec_normal(const loft_acc a[LOFT_AXES], const loft_acc b[LOFT_AXES], loft_vec *out)
 {
-    loft_acc n[LOFT_AXES < SPACE ? SPACE : LOFT_AXES] = { 0 };
-
-    if (LOFT_AXES < SPACE || normal_in_space(a, b, n) != LOFT_OK)
-        return LOFT_SINGULAR;
-    return loft_vec_unit(n, out);
+    return LOFT_AXES < SPACE ? LOFT_SINGULAR : normal_in_space(a, b, out);
 }

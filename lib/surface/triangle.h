@@ -66,9 +66,9 @@ enum loft_status loft_triangle_tangent(const loft_triangle *t, loft_bary u, loft
  *   range   u is clamped. LOFT_SINGULAR when the three points of loft_triangle_tangent are on a line, to within a sine
  *           of 2^-20, or for fewer than three axes; degree >= 1, otherwise LOFT_ERR_ARG; *out is untouched then
  *   error   with s the sine of the angle between the two edges at the first of the three points and l the shorter
- *           edge: q16: 2^-17 + 2^-22 / s + degree * 2^-31 / (s l), below 2^-14 where s > 1/64 and s l > 2^-12
- *           f32: 2^-22 / s   f64: 2^-50 / s, both and 2^-50 (6 degree) largest / (s l)
- *   cost    as eval and three square roots
+ *           edge: q16: 2^-17 + (2^-32 + degree * 2^-31 / l) / s, below 2^-14 where s > 1/64 and s l > 2^-13
+ *           f32: 2^-25, f64: 2^-52 (8 + 4 / s), and both 2^-50 degree * largest / (s l)
+ *   cost    as eval, and loft_vec_normal
  */
 enum loft_status loft_triangle_normal(const loft_triangle *t, loft_bary u, loft_vec *out) LOFT_CHECKED;
 

@@ -1,0 +1,161 @@
+/* lib/surface/pn.c
+ * SPDX-License-Identifier: MIT
+ *
+ * With the foot f_ij = <P_j - P_i, N_i> / <N_i, N_i>
+ *
+ *     b at P_i toward P_j = (2 P_i + P_j - f_ij N_i) / 3          n between P_i and P_j = N_i + N_j - 2 g (P_j - P_i)
+ *     b111 = E + (E - V) / 2                                      g = <P_j - P_i, N_i + N_j> / |P_j - P_i|^2
+ *
+ * E the mean of the six, V that of the corners; the normals of length 1 in the second column. |f N| is at most |P_j - P_i|,
+ * so the six are below 2^18 and b111 below 2^19 whatever is given.
+ */
+#include "surface/pn.h"
+#include "geom/normal.h"            /* loft_vec_unit */
+#include "num/sci.h"                /* loft_sci: normals of any length */
+
+static bool valid(loft_vec p)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (!loft_real_valid(p.axis[i]))
+            return false;
+    return true;
+}
+
+typedef struct {
+    loft_sci axis[LOFT_AXES];
+} sci_vec;
+
+static sci_vec edge(loft_vec from, loft_vec to)
+{
+    sci_vec e;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        e.axis[i] = loft_sci_sub(loft_sci_from_real(to.axis[i]), loft_sci_from_real(from.axis[i]));
+    return e;
+}
+
+static loft_sci dot(const sci_vec *a, const sci_vec *b)
+{
+    loft_sci sum = loft_sci_zero();
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum = loft_sci_add(sum, loft_sci_mul(a->axis[i], b->axis[i]));
+    return sum;
+}
+
+/* The control point at p toward q, to its place. */
+static bool pull(loft_pn *t, unsigned place, loft_vec p, loft_vec q, loft_vec normal)
+{
+    const loft_vec origin = { { 0 } };
+    const sci_vec e = edge(p, q), n = edge(origin, normal);
+    const loft_sci foot = loft_sci_div(dot(&e, &n), dot(&n, &n));
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_acc lift = 0;
+        if (!loft_sci_wide(loft_sci_mul(foot, n.axis[i]), &lift))
+            return false;
+        t->b[i][place] = loft_acc_ratio(2 * loft_wide(p.axis[i]) + loft_wide(q.axis[i]) - lift, 3);
+        if (!loft_acc_fits(t->b[i][place]))
+            return false;
+    }
+    return true;
+}
+
+/* The middle one from the others, when they are there. */
+static bool fill(loft_pn *t)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_acc *b = t->b[i];
+        const loft_acc ring = b[1] + b[2] + b[3] + b[5] + b[7] + b[8], corners = b[0] + b[6] + b[9];
+        b[4] = loft_acc_ratio(3 * ring - 2 * corners, 12);
+        if (!loft_acc_fits(b[4]))
+            return false;
+    }
+    return true;
+}
+
+/* The normal between two corners: the sum of theirs, mirrored in the plane at a right angle to the edge. What it is
+ * for two points in one, or for opposite normals that cancel, shows nowhere else: then it is the sum, or 0. */
+static loft_vec between(const loft_vec corner[3], const loft_vec n[3], int i, int j)
+{
+    const sci_vec e = edge(corner[i], corner[j]);
+    const loft_sci square = dot(&e, &e);
+    loft_acc h[LOFT_AXES];
+    loft_vec out = { { 0 } };
+    sci_vec sum;
+
+    for (int a = 0; a < LOFT_AXES; a++)
+        sum.axis[a] = loft_sci_add(loft_sci_from_real(n[i].axis[a]), loft_sci_from_real(n[j].axis[a]));
+    const loft_sci along = dot(&e, &sum);
+    const loft_sci g = loft_sci_sign(square) > 0 ? loft_sci_div(loft_sci_add(along, along), square) : loft_sci_zero();
+    for (int a = 0; a < LOFT_AXES; a++)
+        if (!loft_sci_wide(loft_sci_sub(sum.axis[a], loft_sci_mul(g, e.axis[a])), &h[a]))
+            return out;                 /* never: a mirror image is no longer */
+    return loft_vec_unit(h, &out) == LOFT_OK ? out : (loft_vec) { { 0 } };
+}
+
+enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3], const loft_vec normal[3])
+{
+    static const uint8_t place[3][3] = { { 0, 1, 2 }, { 3, 6, 7 }, { 5, 8, 9 } };   /* at corner i toward corner j */
+    loft_vec n[3];
+
+    for (int i = 0; i < 3; i++) {
+        loft_acc wide[LOFT_AXES];
+        if (!valid(corner[i]) || !valid(normal[i]))
+            return LOFT_ERR_RANGE;
+        for (int a = 0; a < LOFT_AXES; a++)
+            wide[a] = loft_wide(normal[i].axis[a]);
+        if (loft_vec_unit(wide, &n[i]) != LOFT_OK)
+            return LOFT_SINGULAR;
+    }
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            if (i == j)
+                for (int a = 0; a < LOFT_AXES; a++)
+                    t->b[a][place[i][i]] = loft_wide(corner[i].axis[a]);
+            else if (!pull(t, place[i][j], corner[i], corner[j], normal[i]))
+                return LOFT_ERR_RANGE;
+    if (!fill(t))
+        return LOFT_ERR_RANGE;
+    t->n[0] = n[0];
+    t->n[1] = between(corner, n, 0, 1);
+    t->n[2] = between(corner, n, 0, 2);
+    t->n[3] = n[1];
+    t->n[4] = between(corner, n, 1, 2);
+    t->n[5] = n[2];
+    return LOFT_OK;
+}
+
+loft_vec loft_pn_eval(const loft_pn *t, loft_bary u)
+{
+    loft_acc c[10];
+    loft_vec v;
+
+    u = loft_bary_clamp(u);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        for (int k = 0; k < 10; k++)
+            c[k] = t->b[i][k];
+        v.axis[i] = loft_acc_round(loft_bary_eval(c, 3, u));
+    }
+    return v;
+}
+
+enum loft_status loft_pn_normal(const loft_pn *t, loft_bary u, loft_vec *out)
+{
+    loft_acc c[6], h[LOFT_AXES];
+
+    u = loft_bary_clamp(u);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        for (int k = 0; k < 6; k++)
+            c[k] = loft_wide(t->n[k].axis[i]);
+        h[i] = loft_bary_eval(c, 2, u);
+    }
+    return loft_vec_unit(h, out);
+}
+
+void loft_pn_net(const loft_pn *t, loft_vec out[10])
+{
+    for (int k = 0; k < 10; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            out[k].axis[i] = loft_acc_round(t->b[i][k]);
+}

@@ -1,0 +1,192 @@
+/* lib/surface/tetra.c
+ * SPDX-License-Identifier: MIT
+ *
+ * From the place p of b_ijkl in layer m = j + k + l and its row n = k + l, those of the next degree are
+ *
+ *     b_(i+1)jkl: p        b_i(j+1)kl: q = p + (m + 1) (m + 2) / 2        b_ij(k+1)l: q + n + 1        b_ijk(l+1): q + n + 2
+ *
+ * all behind p or p itself, so that a row of the scheme runs in place from the front, and one of weights from the back.
+ */
+#include "surface/tetra.h"
+#include "num/exact.h"          /* loft_exact: volumes and decisions */
+
+#define MOST LOFT_TETRA_MOST
+#define SPACE 3
+
+loft_volume loft_volume_clamp(loft_volume u)
+{
+    u.v = loft_unit_clamp(u.v);
+    u.w = loft_unit_clamp(u.w);
+    u.x = loft_unit_clamp(u.x);
+    if (u.w > LOFT_UNIT(1) - u.v)
+        u.w = LOFT_UNIT(1) - u.v;
+    if (u.x > LOFT_UNIT(1) - u.v - u.w)
+        u.x = LOFT_UNIT(1) - u.v - u.w;
+    return u;
+}
+
+
+/* Coordinates. A difference has 32 bits (floats 129), a determinant 3 times that and 3. */
+
+typedef struct {
+    loft_exact axis[SPACE];
+} whole_vec;
+
+static whole_vec edge(loft_vec from, loft_vec to)
+{
+    whole_vec e;
+
+    for (int i = 0; i < SPACE; i++)
+        e.axis[i] = loft_exact_sub(loft_exact_from_real(loft_vec_axis(&to, i)), loft_exact_from_real(loft_vec_axis(&from, i)));
+    return e;
+}
+
+static loft_exact det(const whole_vec *a, const whole_vec *b, const whole_vec *c)
+{
+    loft_exact sum = loft_exact_from_int(0);
+
+    for (int i = 0; i < SPACE; i++) {
+        const int j = (i + 1) % SPACE, k = (i + 2) % SPACE;
+        sum = loft_exact_add(sum, loft_exact_mul(a->axis[i], loft_exact_det(b->axis[j], b->axis[k], c->axis[j], c->axis[k])));
+    }
+    return sum;
+}
+
+static bool admits(loft_vec p)
+{
+    for (int i = 0; i < SPACE; i++)
+        if (!loft_exact_admits(loft_vec_axis(&p, i)))
+            return false;
+    return true;
+}
+
+enum loft_status loft_volume_from_point(const loft_vec corner[4], loft_vec p, loft_acc out[4])
+{
+    loft_acc x[4];
+
+    for (int k = 0; k < 4; k++)
+        if (!admits(corner[k]))
+            return LOFT_ERR_RANGE;
+    if (!admits(p))
+        return LOFT_ERR_RANGE;
+    const whole_vec a = edge(corner[0], corner[1]), b = edge(corner[0], corner[2]), c = edge(corner[0], corner[3]);
+    const whole_vec e = edge(corner[0], p);
+    const loft_exact whole = det(&a, &b, &c);
+    loft_exact part[4] = { whole, det(&e, &b, &c), det(&a, &e, &c), det(&a, &b, &e) };
+
+    if (loft_exact_sign(whole) == 0)
+        return LOFT_SINGULAR;
+    for (int k = 1; k < 4; k++)
+        part[0] = loft_exact_sub(part[0], part[k]);
+    for (int k = 0; k < 4; k++)
+        if (!loft_exact_quot(part[k], whole, 0, &x[k]))
+            return LOFT_ERR_RANGE;
+    for (int k = 0; k < 4; k++)
+        out[k] = x[k];
+    return LOFT_OK;
+}
+
+
+/* Points */
+
+/* Each weight hands on three parts, rounded, and keeps the rest, so the sum stays 1: 6 * 2^-33 for each degree. */
+void loft_volume_weights(unsigned degree, loft_volume u, loft_acc c[])
+{
+    c[0] = loft_wide(LOFT_REAL(1));
+    for (unsigned d = 1; d <= degree; d++) {
+        for (unsigned k = LOFT_TETRA_POINTS(d - 1); k < LOFT_TETRA_POINTS(d); k++)
+            c[k] = 0;
+        for (unsigned p = LOFT_TETRA_POINTS(d - 1), m = d; m-- > 0; )
+            for (unsigned n = m + 1; n-- > 0; )
+                for (unsigned l = n + 1; l-- > 0; ) {
+                    const unsigned q = --p + (m + 1) * (m + 2) / 2;
+                    const loft_acc v = loft_acc_scale(c[p], u.v), w = loft_acc_scale(c[p], u.w), x = loft_acc_scale(c[p], u.x);
+                    c[p] -= v + w + x;
+                    c[q] += v;
+                    c[q + n + 1] += w;
+                    c[q + n + 2] += x;
+                }
+    }
+}
+
+/* In q16 two roundings of 2^-33; inside no value leaves the range of the coefficients. */
+static void step(loft_acc c[], unsigned degree, loft_volume u)
+{
+    for (unsigned m = 0, p = 0; m < degree; m++)
+        for (unsigned n = 0; n <= m; n++)
+            for (unsigned l = 0; l <= n; l++, p++) {
+                const unsigned q = p + (m + 1) * (m + 2) / 2;
+                const loft_acc rest = loft_acc_scale(c[q + n + 2] - c[p], u.x);
+                c[p] = loft_acc_blend(c[p], c[q], c[q + n + 1], u.v, u.w) + rest;
+            }
+}
+
+static void widen(const loft_tetra *t, int axis, loft_acc c[])
+{
+    const unsigned degree = t->degree;
+
+    for (unsigned k = 0; k < LOFT_TETRA_POINTS(degree); k++)
+        c[k] = loft_wide(t->p[k].axis[axis]);
+}
+
+enum loft_status loft_tetra_init(loft_tetra *t, const loft_vec p[], unsigned degree)
+{
+    if (degree > LOFT_DEGREE_MAX)
+        return LOFT_ERR_ARG;
+    for (unsigned k = 0; k < LOFT_TETRA_POINTS(degree); k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (!loft_real_valid(p[k].axis[i]))
+                return LOFT_ERR_RANGE;
+    t->p = p;
+    t->degree = (uint8_t)degree;
+    return LOFT_OK;
+}
+
+loft_vec loft_tetra_eval(const loft_tetra *t, loft_volume u)
+{
+    loft_acc c[MOST];
+    loft_vec out;
+
+    u = loft_volume_clamp(u);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        widen(t, i, c);
+        for (unsigned n = t->degree; n > 0; n--)
+            step(c, n, u);
+        out.axis[i] = loft_acc_round(c[0]);
+    }
+    return out;
+}
+
+
+/* Raised */
+
+/* sum C(i,q) C(j,r) C(k,s) C(l,t) b_qrst / C(n+m,n) over q + r + s + t = n, with (i, j, k, l) of degree n + m. The products of
+ * binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 < 2^62.6. */
+static loft_acc raised(const loft_acc c[], unsigned n, unsigned i, unsigned j, unsigned k, unsigned l)
+{
+    loft_acc sum = 0;
+
+    for (unsigned r = 0; r <= n && r <= j; r++)
+        for (unsigned s = 0; r + s <= n && s <= k; s++)
+            for (unsigned t = 0; r + s + t <= n && t <= l; t++)
+                sum += c[loft_tetra_place(r, s, t)] * (loft_binomial(i, n - r - s - t) * loft_binomial(j, r) *
+                                                       (loft_binomial(k, s) * loft_binomial(l, t)));
+    return loft_acc_ratio(sum, loft_binomial(i + j + k + l, n));
+}
+
+enum loft_status loft_tetra_raise(const loft_tetra *t, unsigned times, loft_vec out[])
+{
+    const unsigned n = t->degree, most = n + times;
+    loft_acc c[MOST];
+
+    if (times > LOFT_RAISE_MAX - n)
+        return LOFT_ERR_ARG;
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        widen(t, axis, c);
+        for (unsigned m = 0, p = 0; m <= most; m++)
+            for (unsigned r = 0; r <= m; r++)
+                for (unsigned l = 0; l <= r; l++, p++)
+                    out[p].axis[axis] = loft_acc_round(raised(c, n, most - m, m - r, r - l, l));
+    }
+    return LOFT_OK;
+}
