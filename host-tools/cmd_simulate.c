@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "host/host.h"      /* loft_host_simulate_q16x3 */
+#include "machine_file.h"   /* machine_option */
 #include "tool.h"
 
 /* One number for all axes, or one for each. */
@@ -17,6 +18,24 @@ static int spread(const char *option, const tool_list *list, double out[LOFT_AXE
     for (size_t i = 0; i < LOFT_AXES; i++)
         out[i] = list->value[list->count == 1 ? 0 : i];
     return 0;
+}
+
+/* The file's numbers are the defaults of the options. */
+static int take_file(struct loft_host_options *o, int argc, char **argv)
+{
+    machine_file m = machine_usual();
+    const int code = machine_option(&m, argc, argv);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        o->steps_per_mm[i] = m.steps_per_mm[i];
+        o->max_speed[i] = m.max_speed[i];
+        o->max_accel[i] = m.max_accel[i];
+    }
+    o->tick_hz = (unsigned)m.tick_hz;
+    o->slots = (unsigned)m.slots;
+    o->ramp = (unsigned)m.ramp;
+    o->queue = (unsigned)m.queue;
+    return code;
 }
 
 static int simulate(const struct loft_host_options *o, const engine *e)
@@ -34,9 +53,14 @@ static int run(const tool_command *self, int argc, char **argv)
     const engine *e            = &engine_q16;
     const char *speed          = o.fast ? "fast" : "real";
     tool_list steps = { .count = 0 }, fastest = { .count = 0 }, accel = { .count = 0 };
+    const char *machine = NULL;
     int first;
 
+    int code = take_file(&o, argc, argv);
+    if (code != 0)
+        return code;
     const tool_option options[] = {
+        TOOL_TEXT("machine", "FILE", &machine, "a machine as text, see MACHINE.md; the options below are stronger"),
         TOOL_TEXT("link", "PATH", &o.link, "make PATH a symbolic link to the pseudo terminal"),
         TOOL_TEXT("record", "FILE", &o.record, "write every pulse with its time to FILE (CSV)"),
         TOOL_TEXT("speed", "HOW", &speed, "real time, or fast: as fast as it goes (fast)"),
@@ -53,7 +77,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_ENGINE(&e, "number type of the machine: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
     };
-    int code = tool_options(self, options, argc, argv, &first);
+    code = tool_options(self, options, argc, argv, &first);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
     if (first < argc)

@@ -8,26 +8,28 @@
 
 #include "drawing.h"        /* drawing_read */
 #include "keys.h"           /* keys_start */
+#include "machine_file.h"   /* machine_option, machine_limit */
 #include "stream.h"         /* stream_run */
 #include "tool.h"
 #include "toolpath.h"       /* toolpath_make */
 
 typedef struct {
     const engine *e;
-    const char *port, *record;
+    machine_file machine;
+    const char *port, *record, *file;
     unsigned baud;
     double wait, feed, travel, accel, corner, tol, lift;
     bool points, dry, park, hold, resume, abort;
 } stream_options;
 
 /* The machine of a dry run. */
-static void usual_limits(engine_limits *l)
+static void file_limits(const stream_options *o, engine_limits *l)
 {
     for (int i = 0; i < ENGINE_AXES; i++) {
-        l->max_speed[i] = 500;
-        l->max_accel[i] = 2000;
+        l->max_speed[i] = o->machine.max_speed[i];
+        l->max_accel[i] = o->machine.max_accel[i];
     }
-    l->tick_hz = 1000;
+    l->tick_hz = (unsigned)o->machine.tick_hz;
 }
 
 static void machine_limits(const loft_sender *s, engine_limits *l)
@@ -61,6 +63,8 @@ static void old_start(const loft_sender *s, bool points, double out[ENGINE_AXES]
 
 static void said_limits(const stream_options *o, engine_limits *l)
 {
+    if (o->machine.limited)
+        machine_limit(&o->machine, l);
     for (int i = 0; i < ENGINE_AXES; i++)
         if (o->accel > 0)
             l->max_accel[i] = fmin(l->max_accel[i], o->accel);
@@ -103,7 +107,7 @@ static int dry_run(const stream_options *o, const char *file, const drawing *d, 
     toolpath path;
     job j = { 0 };
 
-    usual_limits(&limits);
+    file_limits(o, &limits);
     said_limits(o, &limits);
     toolpath_make(&path, d, how);
     const int code = plan(o, file, &limits, &path, &j);
@@ -197,10 +201,16 @@ static int draw(const stream_options *o, const char *file)
 
 static int run(const tool_command *self, int argc, char **argv)
 {
-    stream_options o = { .e = &engine_q16, .baud = 115200, .wait = 5, .feed = 30, .travel = 100, .corner = 0.01, .tol = 0.005, .lift = 1 };
-    int first;
+    stream_options o = { .e = &engine_q16, .machine = machine_usual(), .baud = 115200, .wait = 5, .feed = 30, .travel = 100, .lift = 1 };
+    int first, code  = machine_option(&o.machine, argc, argv);
+
+    if (code != 0)
+        return code;
+    o.corner = o.machine.corner;
+    o.tol    = o.machine.tol;
 
     const tool_option options[] = {
+        TOOL_TEXT("machine", "FILE", &o.file, "a machine as text, see MACHINE.md: its limits hold too; without a port it is planned for"),
         TOOL_TEXT("port", "PORT", &o.port, "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)"),
         TOOL_COUNT("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
         TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
@@ -220,7 +230,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_ENGINE(&o.e, "number type of the planner: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
     };
-    const int code = tool_options(self, options, argc, argv, &first);
+    code = tool_options(self, options, argc, argv, &first);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
     if (o.port == NULL && !o.dry)

@@ -407,6 +407,25 @@ case_dry_run_says_the_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 1800mm/min; cp "$tmp/out" "$tmp/minutes"
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 30mm/s; cmp -s "$tmp/out" "$tmp/minutes" || job_fails "1800mm/min is not 30mm/s"
 }
+case_machines_as_text() {
+    printf '# slow\nmax_speed = 20\ny.max_accel = 100 # mm/s2\nsteps_per_mm = 100\n' >"$tmp/slow.txt"
+    run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 60; cp "$tmp/out" "$tmp/fast"
+    run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 60 --machine "$tmp/slow.txt"
+    cmp -s "$tmp/out" "$tmp/fast" && job_fails "the limits of the file change nothing"
+    printf '$100=100.000 (x, step/mm)\n$101=100.000\n$102=100.000\n$110=1200.000\n$111=1200\n$112=1200\n$121=100.000\n$32=0\n' >"$tmp/grbl.txt"
+    cp "$tmp/out" "$tmp/ours"; run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 60 --machine "$tmp/grbl.txt"
+    cmp -s "$tmp/out" "$tmp/ours" || job_fails "the same machine in grbl's numbers gives another plan"
+    machine slow --speed fast --once --machine "$tmp/slow.txt"
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/slow" --feed 60; gone "$machine"; counted slow
+    says slow.csv '^# steps_per_mm = 100'
+    bad_machine() { printf "$1" >"$tmp/bad.txt"; one_line 65 "bad.txt:$2" "$loft" simulate --machine "$tmp/bad.txt"; }
+    bad_machine '\nx.speed = 3\n'         '2: "x.speed" is no key: there are'
+    bad_machine 'max_accel 5\n'           '1: no `=` behind max_accel'
+    bad_machine 'z.max_accel = fast\n'    '1: max_accel is no number: give one in mm/s'
+    bad_machine 'slots = 3.5\n'           '1: slots is 3.5: give a whole number from 1 to 4096'
+    bad_machine '# a\n$100=\n'            '2: not a setting of grbl'
+    one_line 66 'none.txt' "$loft" simulate --machine "$tmp/none.txt"
+}
 
 
 # --- run them -----------------------------------------------------------------------------------------

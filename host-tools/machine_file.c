@@ -1,0 +1,176 @@
+/* host-tools/machine_file.c -- reads machines: `key = value` lines, and grbl's `$` numbers; MACHINE.md says what there is
+ * SPDX-License-Identifier: MIT
+ */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "machine_file.h"
+#include "scan.h"           /* scan_number, scan_space */
+#include "source.h"         /* source_read */
+#include "tool.h"
+
+/* A key, what it may be, and where it goes. Keys of axes have x, y, z or, for all of them, nothing in front. */
+typedef struct {
+    const char *key, *unit;
+    size_t at;
+    bool   axes, whole, limits;
+    double least, most;
+} row;
+
+#define AT(field) offsetof(machine_file, field)
+
+static const row rows[] = {
+    { "steps_per_mm", "steps/mm", AT(steps_per_mm), true,  false, false, 0.01, 30000 },
+    { "max_speed",    "mm/s",     AT(max_speed),    true,  false, true,  1 / 64.0, 16383 },
+    { "max_accel",    "mm/s^2",   AT(max_accel),    true,  false, true,  1, 16383 },
+    { "max_jerk",     "mm/s^3",   AT(max_jerk),     true,  false, true,  0, 1e7 },
+    { "corner",       "mm",       AT(corner),       false, false, false, 0, 1 },
+    { "tolerance",    "mm",       AT(tol),          false, false, false, 1 / 1024.0, 1 },
+    { "tick_hz",      "ticks/s",  AT(tick_hz),      false, true,  false, 50, 50000 },
+    { "slots",        "per tick", AT(slots),        false, true,  false, 1, 4096 },
+    { "ramp",         "ticks",    AT(ramp),         false, true,  false, 1, 32767 },
+    { "queue",        "items",    AT(queue),        false, true,  false, 2, 32768 },
+};
+#define ROWS (sizeof rows / sizeof rows[0])
+
+/* grbl 1.1: `$100=250.000`. Rates are in mm/min. Numbers that say nothing about a plan are passed over. */
+static const struct { int number; const char *key; int axis; double unit; } grbl[] = {
+    { 11, "corner", -1, 1 },
+    { 100, "steps_per_mm", 0, 1 },  { 101, "steps_per_mm", 1, 1 },  { 102, "steps_per_mm", 2, 1 },
+    { 110, "max_speed", 0, 1 / 60.0 }, { 111, "max_speed", 1, 1 / 60.0 }, { 112, "max_speed", 2, 1 / 60.0 },
+    { 120, "max_accel", 0, 1 },     { 121, "max_accel", 1, 1 },     { 122, "max_accel", 2, 1 },
+};
+
+typedef struct {
+    machine_file *m;
+    const char *file;
+    unsigned line;
+} reading;
+
+machine_file machine_usual(void)
+{
+    machine_file m = { .corner = 0.01, .tol = 0.005, .tick_hz = 1000, .slots = 40, .ramp = 100, .queue = 256 };
+
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        m.steps_per_mm[i] = 80;
+        m.max_speed[i] = 500;
+        m.max_accel[i] = 2000;
+    }
+    return m;
+}
+
+static const row *find(const char *key, size_t length)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        if (strlen(rows[i].key) == length && strncmp(rows[i].key, key, length) == 0)
+            return &rows[i];
+    return NULL;
+}
+
+static int set(const reading *r, const row *k, int axis, double value)
+{
+    double *to = (double *)((char *)r->m + k->at);
+
+    if (!(value >= k->least && value <= k->most) || (k->whole && value != floor(value)))
+        return tool_error(EX_DATAERR, "%s:%u: %s is %.10g: give %s from %.10g to %.10g %s", r->file, r->line, k->key, value,
+                          k->whole ? "a whole number" : "a number", k->least, k->most, k->unit);
+    for (int i = 0; i < (k->axes ? ENGINE_AXES : 1); i++)
+        if (axis < 0 || axis == i)
+            to[i] = value;
+    r->m->limited = r->m->limited || k->limits;
+    return 0;
+}
+
+/* What is behind a number must be nothing, a comment, or the remark in brackets that grbl prints. */
+static bool ends(const char *s)
+{
+    s += strspn(s, " \t\r");
+    return *s == '\0' || *s == '\n' || *s == '#' || *s == '(';
+}
+
+static int read_grbl(const reading *r, const char *s)
+{
+    double number, value;
+
+    s++;
+    if (!scan_number(&s, &number) || *s++ != '=' || !scan_number(&s, &value) || !ends(s))
+        return tool_error(EX_DATAERR, "%s:%u: not a setting of grbl: give lines such as $100=250.000", r->file, r->line);
+    for (size_t i = 0; i < sizeof grbl / sizeof grbl[0]; i++)
+        if (grbl[i].number == number)
+            return set(r, find(grbl[i].key, strlen(grbl[i].key)), grbl[i].axis, value * grbl[i].unit);
+    return 0;
+}
+
+static int unknown(const reading *r, const char *s, size_t length)
+{
+    char all[256] = "";
+
+    for (size_t i = 0, used = 0; i < ROWS; i++)
+        used += (size_t)snprintf(all + used, sizeof all - used, "%s%s%s", i ? ", " : "", rows[i].axes ? "[x.]" : "", rows[i].key);
+    return tool_error(EX_DATAERR, "%s:%u: \"%.*s\" is no key: there are %s", r->file, r->line, (int)(length < 30 ? length : 30), s, all);
+}
+
+static int read_key(const reading *r, const char *s)
+{
+    const size_t length = strcspn(s, " \t\r\n=#");
+    const bool named    = length > 2 && s[1] == '.' && strchr("xyz", tolower((unsigned char)s[0]));
+    const row *k        = find(named ? s + 2 : s, named ? length - 2 : length);
+    double value;
+
+    if (k == NULL || (named && !k->axes))
+        return unknown(r, s, length);
+    const int axis = named ? tolower((unsigned char)s[0]) - 'x' : -1;
+    s += length;
+    s += strspn(s, " \t");
+    if (*s != '=')
+        return tool_error(EX_DATAERR, "%s:%u: no `=` behind %s: write %s = %g", r->file, r->line, k->key, k->key, k->least > 1 ? k->least : 1);
+    s++;
+    s += strspn(s, " \t");
+    if (!scan_number(&s, &value) || !ends(s))
+        return tool_error(EX_DATAERR, "%s:%u: %s is no number: give one in %s", r->file, r->line, k->key, k->unit);
+    return set(r, k, axis, value);
+}
+
+int machine_read(machine_file *m, const char *file)
+{
+    reading r = { m, source_name(file), 1 };
+    size_t size;
+    int code = 0;
+    char *text = source_read(file, &size, &code);
+
+    if (text == NULL)
+        return code;
+    for (const char *s = text; *s != '\0' && code == 0; r.line++) {
+        const char *first = s + strspn(s, " \t\r");
+        if (*first == '$')
+            code = read_grbl(&r, first);
+        else if (*first != '#' && *first != '\n' && *first != '\0')
+            code = read_key(&r, first);
+        s += strcspn(s, "\n");
+        s += *s == '\n';
+    }
+    free(text);
+    return code;
+}
+
+int machine_option(machine_file *m, int argc, char **argv)
+{
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        if (strncmp(argv[i], "--machine=", 10) == 0)
+            return machine_read(m, argv[i] + 10);
+        if (strcmp(argv[i], "--machine") == 0 && i + 1 < argc)
+            return machine_read(m, argv[i + 1]);
+    }
+    return 0;
+}
+
+void machine_limit(const machine_file *m, engine_limits *limits)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        limits->max_speed[i] = fmin(limits->max_speed[i], m->max_speed[i]);
+        limits->max_accel[i] = fmin(limits->max_accel[i], m->max_accel[i]);
+    }
+}
