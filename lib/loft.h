@@ -7,7 +7,7 @@
  *   curve/    one parameter          bezier: point, derivative, pieces   forward: exact walking   measure: flatten, length
  *                                    bounds, nearest, intersect, overlap, offset: where it is   shape: cusps, curvature   join: C0 to G2
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
- *                                    rational, circle: conics and arcs
+ *                                    rational, circle: conics and arcs   cubics: all of them as cubics
  *   surface/  two parameters         tensor: patches over a square   grid: whole patches by exact differences
  *                                    barycentric, triangle: Bezier triangles   tetra: tetrahedra   triangle_shape: positive, convex
  *                                    triangle_pieces, _join, _rational, _curvature   octant: of a sphere   pn: from normals
@@ -47,6 +47,7 @@
 #include "curve/bspline.h"
 #include "curve/cardinal.h"
 #include "curve/circle.h"
+#include "curve/cubics.h"
 #include "curve/forward.h"
 #include "curve/hermite.h"
 #include "curve/intersect.h"

@@ -73,6 +73,7 @@ static void a_lerp_at_a_fraction_is_within_three_ulps(arb *a)
     near(loft_acc_lerp_at(x, y, j, n), (1 - t) * x + t * y, larger(x, y) * (j > n ? t : 1), 53, 3);
     near(loft_acc_lerp_at(x, y, 0, n), x, x, 53, 0);
     near(loft_acc_lerp_at(x, y, n, n), y, y, 53, 0);
+    near(loft_acc_mean(x, y), ((long double)x + y) / 2, ((long double)x + y) / 2, 53, 0.5L + 0x1p-11L);
 }
 
 static void a_blend_is_within_three_ulps_and_exact_at_the_corners(arb *a)

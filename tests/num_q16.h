@@ -156,6 +156,7 @@ static void a_lerp_at_a_fraction_is_rounded_to_nearest(arb *a)
     if (j <= n || size_of(((wide)y - x) * j) <= ((wide)n << 62))
         CHECK(loft_acc_lerp_at(x, y, j, n) == (int64_t)rounded((wide)x * n + ((wide)y - x) * j, n));
     CHECK(loft_acc_lerp_at(x, y, 0, n) == x && loft_acc_lerp_at(x, y, n, n) == y);
+    CHECK(loft_acc_mean(x, y) == (int64_t)rounded((wide)x + y, 2));
 }
 
 static void check_blend(int64_t x, int64_t y, int64_t z, int32_t v, int32_t w)

@@ -46,6 +46,18 @@ static void projections_are_rounded_to_nearest(arb *a)
     CHECK_EXACT(exact_of(loft_deep_project(loft_deep_guarded(x), loft_deep_guarded(w))), want, bound_of(want, 2));
 }
 
+/* And back, to the coordinate it was. */
+static void weighing_is_the_other_way(arb *a)
+{
+    const loft_acc w = arb_weight(a, 30);
+    const loft_real c = arb_real(a, 32767);
+    const long double want = exact_acc(w) / 32768 * exact_of(c);
+
+    CHECK_EXACT(exact_acc(loft_acc_weigh(w, c)), want, BY_NUM(0x1p-33L + fabsl(want) * 0x1p-63L, fabsl(want) * 0x1.01p-53L, fabsl(want) * 0x1.01p-53L));
+    if (exact_acc(w) > 1)
+        CHECK_EXACT(exact_of(loft_acc_project(loft_acc_weigh(w, c), w)), exact_of(c), BY_NUM(0, 0, 2 * ulp(exact_of(c))));
+}
+
 /* Half a LSB exactly: (2 k + 1) / 2 LSB of 2^-16, with w a power of two. */
 static void ties_go_upward_in_q16(arb *a)
 {
@@ -150,6 +162,7 @@ static void a_step_adds_each_difference_to_the_one_before(arb *a)
 int main(void)
 {
     PROPERTY(projections_are_rounded_to_nearest,               20000);
+    PROPERTY(weighing_is_the_other_way,                        20000);
     PROPERTY(ties_go_upward_in_q16,                             2000);
     PROPERTY(sums_and_products_are_exact_in_q16,               20000);
     PROPERTY(lerps_keep_their_guard_bits,                      20000);

@@ -167,6 +167,14 @@ loft_real loft_acc_project(loft_acc x, loft_acc w)
     return signed_quotient(q, x < 0, rest > d, rest == d);
 }
 
+/* The halves of w apart: high a 2^32 / 2^31, and low a / 2^31, |low a| < 2^63 - 2^31, with 1/2 added. */
+loft_acc loft_acc_weigh(loft_acc w, loft_real a)
+{
+    const int64_t low = (int64_t)loft_acc_low(w) * a + 1073741824;
+
+    return (int64_t)loft_acc_high(w) * a * 2 + (int64_t)loft_acc_high(low) * 2 + (loft_acc_low(low) >> 31);
+}
+
 /* 2^15 x / (2^15 h), and 2^15 h < 2^63. With e = |x| - 2^15 h it rounds to a coordinate when e / (2^15 h) is below
  * -2^-32, or at most 2^-32 where x is negative: of whole numbers, compared with the whole part of 2^15 h / 2^32. */
 bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
@@ -243,6 +251,7 @@ bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
 }
 
 loft_real loft_acc_project(loft_acc x, loft_acc w)              { return loft_acc_round(x / w * LOFT_PROJECT); }
+loft_acc  loft_acc_weigh(loft_acc w, loft_real a)               { return w / LOFT_PROJECT * (loft_acc)a; }
 loft_real loft_deep_project(loft_deep x, loft_deep w)           { return loft_acc_round(x / w * LOFT_PROJECT); }
 bool      loft_deep_below(loft_deep x, loft_deep y)             { return x < y; }
 loft_deep loft_deep_of(loft_acc x)                              { return x; }

@@ -37,7 +37,15 @@ typedef double loft_deep;
  */
 loft_real loft_acc_project(loft_acc x, loft_acc w);
 
-/* The same of deep numbers; q16: 32 rounds of 128 bits. */
+/* The other way: w a / LOFT_PROJECT, the weighted coordinate of a.
+ *
+ *   range   q16: 0 <= w <= 2^30
+ *   error   q16: 2^-33, ties upward   f32, f64: 1/2 ulp of double
+ *   cost    q16: two products of 32 bits; safe in an ISR
+ */
+loft_acc loft_acc_weigh(loft_acc w, loft_real a);
+
+/* loft_acc_project of deep numbers; q16: 32 rounds of 128 bits. */
 loft_real loft_deep_project(loft_deep x, loft_deep w);
 
 /* The same of any deep numbers, where w > 0; false, and *out untouched, when the result does not fit. */

@@ -76,6 +76,9 @@ static inline loft_acc  loft_acc_blend(loft_acc x, loft_acc y, loft_acc z, loft_
     return (1 - (loft_acc)v - (loft_acc)w) * x + (loft_acc)v * y + (loft_acc)w * z;
 }
 
+/* error 1/2 ulp */
+static inline loft_acc  loft_acc_mean(loft_acc x, loft_acc y)   { return (x + y) * 0.5; }
+
 /* error 3 ulp of the larger of |x|, |y|, and of their size times j / n above n; none at j = 0 and n. n >= 1 */
 static inline loft_acc  loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint32_t n)
 {

@@ -128,6 +128,9 @@ static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint
     return x + quotient * j + (2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q);
 }
 
+/* error 2^-33, ties upward; |x + y| < 2^31 */
+static inline loft_acc loft_acc_mean(loft_acc x, loft_acc y) { return (x + y + 1) >> 1; }
+
 /* error 2^-33; |x * a| <= 2^30 */
 static inline loft_acc loft_acc_mul(loft_acc x, loft_real a)
 {
