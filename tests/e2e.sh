@@ -417,7 +417,7 @@ case_machines_as_text() {
     cmp -s "$tmp/out" "$tmp/ours" || job_fails "the same machine in grbl's numbers gives another plan"
     machine slow --speed fast --once --machine "$tmp/slow.txt"
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/slow" --feed 60; gone "$machine"; counted slow
-    says slow.csv '^# steps_per_mm = 100'
+    says slow.csv '^# steps_per_mm_z = 100'
     bad_machine() { printf "$1" >"$tmp/bad.txt"; one_line 65 "bad.txt:$2" "$loft" simulate --machine "$tmp/bad.txt"; }
     bad_machine '\nx.speed = 3\n'         '2: "x.speed" is no key: there are'
     bad_machine 'max_accel 5\n'           '1: no `=` behind max_accel'
