@@ -1,4 +1,4 @@
-/* tests/test_grid.c -- properties of lib/surface/grid.h and lib/num/lattice.h
+/* tests/test_grid.c -- properties of lib/surface/grid.h and lib/num/walk2.h
  * SPDX-License-Identifier: MIT
  */
 #include "check.h"              /* CHECK, PROPERTY, BY_NUM */

@@ -1,15 +1,15 @@
-/* lib/surface/grid.c -- the arithmetic of one axis is num/lattice.c and, along a row, num/walk.c
+/* lib/surface/grid.c -- the arithmetic of one axis is num/walk2.c and, along a row, num/walk.c
  * SPDX-License-Identifier: MIT
  */
 #include "surface/grid.h"
 
 /* The places in the net of the first and the last control point of row k. */
-static size_t first_of(const loft_lattice *s, unsigned k)
+static size_t first_of(const loft_walk2 *s, unsigned k)
 {
     return s->triangle ? k * (k + 1u) / 2 : k * (s->q + 1u);
 }
 
-static size_t last_of(const loft_lattice *s, unsigned k)
+static size_t last_of(const loft_walk2 *s, unsigned k)
 {
     return first_of(s, k) + (s->triangle ? k : s->q);
 }
@@ -18,7 +18,7 @@ static bool accepted(const loft_vec net[], size_t points)
 {
     for (size_t k = 0; k < points; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_lattice_accepts(net[k].axis[i]))
+            if (!loft_walk2_accepts(net[k].axis[i]))
                 return false;
     return true;
 }
@@ -56,13 +56,13 @@ static void start_row(loft_grid *g, const loft_vec control[], unsigned degree)
     }
 }
 
-static enum loft_status start(loft_grid *g, const loft_vec net[], const loft_lattice *shape, loft_state memory[], size_t count)
+static enum loft_status start(loft_grid *g, const loft_vec net[], const loft_walk2 *shape, loft_state memory[], size_t count)
 {
-    const size_t states = loft_lattice_column(shape, shape->q) + loft_lattice_degree(shape, shape->q) + 1;
+    const size_t states = loft_walk2_column(shape, shape->q) + loft_walk2_degree(shape, shape->q) + 1;
     const size_t points = last_of(shape, shape->p) + 1;
     loft_powers powers;
 
-    if (!loft_lattice_admits(shape) || !accepted(net, points))
+    if (!loft_walk2_admits(shape) || !accepted(net, points))
         return LOFT_ERR_RANGE;
     if (count < states * LOFT_AXES)
         return LOFT_ERR_SPACE;
@@ -72,7 +72,7 @@ static enum loft_status start(loft_grid *g, const loft_vec net[], const loft_lat
     g->last   = net + first_of(shape, shape->p);
     loft_powers_init(&powers, shape->p, shape->rows);
     for (int i = 0; i < LOFT_AXES; i++) {
-        loft_lattice_init(memory + (size_t)i * states, shape, &net[0].axis[i], LOFT_AXES);
+        loft_walk2_init(memory + (size_t)i * states, shape, &net[0].axis[i], LOFT_AXES);
         start_edges(g, net, i, &powers);
     }
     start_row(g, net, shape->triangle ? 0 : shape->q);
@@ -84,7 +84,7 @@ static enum loft_status start(loft_grid *g, const loft_vec net[], const loft_lat
 enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t rows, uint32_t columns,
                                 loft_state memory[], size_t count)
 {
-    const loft_lattice shape = { rows, columns, s->m, s->n, false };
+    const loft_walk2 shape = { rows, columns, s->m, s->n, false };
 
     if (s->m > LOFT_WALK_DEGREE_MAX || s->n > LOFT_WALK_DEGREE_MAX || rows == 0 || columns == 0)
         return LOFT_ERR_ARG;
@@ -94,7 +94,7 @@ enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t row
 enum loft_status loft_grid_triangle_init(loft_grid *g, const loft_triangle *t, uint32_t rows,
                                          loft_state memory[], size_t count)
 {
-    const loft_lattice shape = { rows, rows, t->degree, t->degree, true };
+    const loft_walk2 shape = { rows, rows, t->degree, t->degree, true };
 
     if (t->degree > LOFT_WALK_DEGREE_MAX || rows == 0)
         return LOFT_ERR_ARG;
@@ -109,9 +109,9 @@ static void next_row(loft_grid *g)
     g->left = g->shape.triangle ? g->at + 1 : g->shape.columns + 1;
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_state *d = g->memory + (size_t)i * g->states;
-        loft_lattice_step(d, &g->shape);
+        loft_walk2_step(d, &g->shape);
         for (unsigned l = 0; l <= q; l++)
-            g->row[i].d[l] = d[loft_lattice_column(&g->shape, l)];
+            g->row[i].d[l] = d[loft_walk2_column(&g->shape, l)];
         g->end[i] = loft_walk_step(&g->edge[i], p);
         if (g->at == g->shape.rows)
             g->end[i] = loft_walk_end(&g->edge[i], g->end[i]);

@@ -26,7 +26,7 @@
 #ifndef LOFT_SURFACE_GRID_H
 #define LOFT_SURFACE_GRID_H
 
-#include "num/lattice.h"        /* loft_state, loft_lattice */
+#include "num/walk2.h"        /* loft_state, loft_walk2 */
 #include "surface/tensor.h"     /* loft_tensor */
 #include "surface/triangle.h"   /* loft_triangle */
 
@@ -41,7 +41,7 @@ typedef struct {
     loft_state *memory;                         /* the differences from row to row, axis by axis */
     size_t states;                              /* of one axis                   */
     const loft_vec *last;                       /* the control points of the last row */
-    loft_lattice shape;
+    loft_walk2 shape;
     uint32_t at, left;                          /* this row, and its points to come */
 } loft_grid;
 
@@ -51,7 +51,7 @@ typedef struct {
  *   range   degrees 0..5, rows, columns >= 1, otherwise LOFT_ERR_ARG; the law of ranges, any control points (f32, f64: to
  *           LOFT_REAL_MAX / 2^32), otherwise LOFT_ERR_RANGE; `count` >= LOFT_GRID_STATES(m, n), otherwise LOFT_ERR_SPACE.
  *           *g is untouched then. The control points of the last row and the memory must outlive the walk
- *   cost    that of num/lattice.h per axis; 500 bytes of stack
+ *   cost    that of num/walk2.h per axis; 500 bytes of stack
  */
 enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t rows, uint32_t columns,
                                 loft_state memory[], size_t count) LOFT_CHECKED;

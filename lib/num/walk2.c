@@ -1,4 +1,4 @@
-/* lib/num/lattice.c -- the differences of a polynomial in two variables, from its control values
+/* lib/num/walk2.c -- the differences of a polynomial in two variables, from its control values
  * SPDX-License-Identifier: MIT
  *
  * With b the control values, D and E the differences of the net from row to row and along the rows, the polynomial at
@@ -25,7 +25,7 @@
  * p log2 rows + q log2 columns <= 32 (triangle: p log2 n <= 32). Values then stay within the 32 bits in which the net
  * is, and all else may wrap.
  */
-#include "num/lattice.h"
+#include "num/walk2.h"
 
 #define ADMITTED (UINT32_MAX - 4194303)
 
@@ -52,7 +52,7 @@ static unsigned power_of_two(uint32_t n)
     return m;
 }
 
-bool loft_lattice_admits(const loft_lattice *s)
+bool loft_walk2_admits(const loft_walk2 *s)
 {
     if (s->triangle)
         return s->p * power_of_two(s->rows) <= 32 || choices(s->p, (uint64_t)s->rows * 2) <= ADMITTED;
@@ -72,29 +72,29 @@ static unsigned binomial(unsigned n, unsigned k)
 }
 
 /* The values of the net into the state: in the triangle row r, place c stands in column c at r - c. */
-static void load(loft_state d[], const loft_lattice *s, const loft_real net[], size_t stride)
+static void load(loft_state d[], const loft_walk2 *s, const loft_real net[], size_t stride)
 {
     for (unsigned r = 0; r <= s->p; r++) {
         const unsigned last = s->triangle ? r : s->q;
         for (unsigned c = 0; c <= last; c++, net += stride)
-            d[loft_lattice_column(s, c) + (s->triangle ? r - c : r)] = (loft_state)*net;
+            d[loft_walk2_column(s, c) + (s->triangle ? r - c : r)] = (loft_state)*net;
     }
 }
 
 /* E^l, then D^k, then the factors. Wrapping integers hold negative numbers as well. */
-static void take_powers(loft_state d[], const loft_lattice *s)
+static void take_powers(loft_state d[], const loft_walk2 *s)
 {
     const unsigned lean = s->triangle;
 
     for (unsigned order = 1; order <= s->q; order++)
         for (unsigned l = s->q; l >= order; l--) {
-            loft_state *column = d + loft_lattice_column(s, l), *before = d + loft_lattice_column(s, l - 1) + lean;
-            for (unsigned k = 0; k <= loft_lattice_degree(s, l); k++)
+            loft_state *column = d + loft_walk2_column(s, l), *before = d + loft_walk2_column(s, l - 1) + lean;
+            for (unsigned k = 0; k <= loft_walk2_degree(s, l); k++)
                 column[k] -= before[k];
         }
     for (unsigned l = 0; l <= s->q; l++) {
-        loft_state *column = d + loft_lattice_column(s, l);
-        const unsigned degree = loft_lattice_degree(s, l);
+        loft_state *column = d + loft_walk2_column(s, l);
+        const unsigned degree = loft_walk2_degree(s, l);
 
         for (unsigned order = 1; order <= degree; order++)
             for (unsigned k = degree; k >= order; k--)
@@ -104,10 +104,10 @@ static void take_powers(loft_state d[], const loft_lattice *s)
     }
 }
 
-void loft_lattice_step(loft_state d[], const loft_lattice *s)
+void loft_walk2_step(loft_state d[], const loft_walk2 *s)
 {
     for (unsigned l = 0; l <= s->q; l++) {
-        const unsigned degree = loft_lattice_degree(s, l);
+        const unsigned degree = loft_walk2_degree(s, l);
         for (unsigned k = 0; k < degree; k++, d++)
             loft_state_add(d);
         d++;
@@ -115,34 +115,34 @@ void loft_lattice_step(loft_state d[], const loft_lattice *s)
 }
 
 /* From coefficients of powers to differences, first by k, then by l. */
-static void columns_to_differences(loft_state a[], const loft_lattice *s)
+static void columns_to_differences(loft_state a[], const loft_walk2 *s)
 {
     for (unsigned l = 0; l <= s->q; l++)
-        loft_walk_differences(a + loft_lattice_column(s, l), loft_lattice_degree(s, l));
+        loft_walk_differences(a + loft_walk2_column(s, l), loft_walk2_degree(s, l));
 }
 
-static void rows_to_differences(loft_state a[], const loft_lattice *s)
+static void rows_to_differences(loft_state a[], const loft_walk2 *s)
 {
     loft_state row[LOFT_WALK_DEGREE_MAX + 1];
 
     for (unsigned k = 0; k <= s->p; k++) {
         const unsigned degree = s->triangle ? s->p - k : s->q;
         for (unsigned l = 0; l <= degree; l++)
-            row[l] = a[loft_lattice_column(s, l) + k];
+            row[l] = a[loft_walk2_column(s, l) + k];
         loft_walk_differences(row, degree);
         for (unsigned l = 0; l <= degree; l++)
-            a[loft_lattice_column(s, l) + k] = row[l];
+            a[loft_walk2_column(s, l) + k] = row[l];
     }
 }
 
 #if LOFT_NUM == LOFT_Q16
 
-bool loft_lattice_accepts(loft_real a) { (void)a; return true; }
+bool loft_walk2_accepts(loft_real a) { (void)a; return true; }
 
 #define STATES ((LOFT_WALK_DEGREE_MAX + 1) * (LOFT_WALK_DEGREE_MAX + 1))
 
 /* g / (rows^k columns^l): *d with 32 bits below the LSB and the 32 bits below those. */
-static void scale(loft_state *d, loft_state *below, const loft_lattice *s, unsigned k, unsigned l)
+static void scale(loft_state *d, loft_state *below, const loft_walk2 *s, unsigned k, unsigned l)
 {
     const bool minus = *d >> 63 != 0;
     const uint64_t size = minus ? 0 - *d : *d;
@@ -169,16 +169,16 @@ static void carry(loft_state d[], loft_state below[], size_t count)
     }
 }
 
-void loft_lattice_init(loft_state d[], const loft_lattice *s, const loft_real net[], size_t stride)
+void loft_walk2_init(loft_state d[], const loft_walk2 *s, const loft_real net[], size_t stride)
 {
-    const size_t count = loft_lattice_column(s, s->q) + loft_lattice_degree(s, s->q) + 1;
+    const size_t count = loft_walk2_column(s, s->q) + loft_walk2_degree(s, s->q) + 1;
     loft_state below[STATES];
 
     load(d, s, net, stride);
     take_powers(d, s);
     for (unsigned l = 0; l <= s->q; l++)
-        for (unsigned k = 0; k <= loft_lattice_degree(s, l); k++)
-            scale(&d[loft_lattice_column(s, l) + k], &below[loft_lattice_column(s, l) + k], s, k, l);
+        for (unsigned k = 0; k <= loft_walk2_degree(s, l); k++)
+            scale(&d[loft_walk2_column(s, l) + k], &below[loft_walk2_column(s, l) + k], s, k, l);
     columns_to_differences(d, s);
     columns_to_differences(below, s);
     carry(d, below, count);
@@ -192,19 +192,19 @@ void loft_lattice_init(loft_state d[], const loft_lattice *s, const loft_real ne
 #else
 
 /* Sums of |g| c(k) are below 2^30 times the largest value. */
-bool loft_lattice_accepts(loft_real a)
+bool loft_walk2_accepts(loft_real a)
 {
     const loft_real most = LOFT_REAL_MAX / 65536 / 65536;
     return a >= -most && a <= most;
 }
 
-void loft_lattice_init(loft_state d[], const loft_lattice *s, const loft_real net[], size_t stride)
+void loft_walk2_init(loft_state d[], const loft_walk2 *s, const loft_real net[], size_t stride)
 {
     load(d, s, net, stride);
     take_powers(d, s);
     for (unsigned l = 0; l <= s->q; l++)
-        for (unsigned k = 0; k <= loft_lattice_degree(s, l); k++) {
-            loft_state *x = &d[loft_lattice_column(s, l) + k];
+        for (unsigned k = 0; k <= loft_walk2_degree(s, l); k++) {
+            loft_state *x = &d[loft_walk2_column(s, l) + k];
             for (unsigned j = 0; j < k; j++)
                 *x /= s->rows;
             for (unsigned j = 0; j < l; j++)
