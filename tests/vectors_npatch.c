@@ -32,7 +32,7 @@ static loft_real aside(row *r, const char *text)
 
 /* Toric patches */
 
-static bool lattice_of(row *r, const char *id, loft_lattice *l)
+static bool lattice_of(row *r, const char *id, loft_lattice_polygon *l)
 {
     const sheet *s = sheet_of(r, "toric_edges");
     loft_whole v[LOFT_SIDES_MAX];
@@ -43,7 +43,7 @@ static bool lattice_of(row *r, const char *id, loft_lattice *l)
             v[n].at[0] = (int8_t)decimal(r, s->field[k][3]);
             v[n++].at[1] = (int8_t)decimal(r, s->field[k][4]);
         }
-    if (loft_lattice_init(l, v, n) != LOFT_OK)
+    if (loft_lattice_polygon_init(l, v, n) != LOFT_OK)
         row_complain(r, "the lattice polygon %s was refused", id);
     return !r->complaint[0];
 }
@@ -58,7 +58,7 @@ static void expect_int(row *r, const char *column, int got)
 
 static void toric_edges(row *r)
 {
-    loft_lattice l;
+    loft_lattice_polygon l;
 
     if (!lattice_of(r, row_text(r, "case"), &l))
         return;
@@ -72,21 +72,21 @@ static void toric_edges(row *r)
 }
 
 /* Where (x, y) is among the whole points; their number when it is none of them. */
-static unsigned place_in(const loft_lattice *l, int x, int y)
+static unsigned place_in(const loft_lattice_polygon *l, int x, int y)
 {
     loft_whole q;
     unsigned place = 0;
 
-    loft_lattice_first(l, &q);
+    loft_lattice_polygon_first(l, &q);
     do {
         if (q.at[0] == x && q.at[1] == y)
             break;
         place++;
-    } while (loft_lattice_next(l, &q));
+    } while (loft_lattice_polygon_next(l, &q));
     return place;
 }
 
-static bool toric_of(row *r, const char *id, loft_lattice *l, loft_toric *t)
+static bool toric_of(row *r, const char *id, loft_lattice_polygon *l, loft_toric *t)
 {
     const sheet *s = sheet_of(r, "toric_net");
     unsigned found = 0;
@@ -104,38 +104,38 @@ static bool toric_of(row *r, const char *id, loft_lattice *l, loft_toric *t)
         read_point(r, f + 5, place);
         found++;
     }
-    if (found != loft_lattice_count(l))
+    if (found != loft_lattice_polygon_count(l))
         row_complain(r, "the net of %s has %u points", id, found);
     else if (loft_toric_init(t, l, point, factor, weight) != LOFT_OK)
         row_complain(r, "the patch %s was refused", id);
     return !r->complaint[0];
 }
 
-static unsigned heaviest_sum(const loft_lattice *l)
+static unsigned heaviest_sum(const loft_lattice_polygon *l)
 {
     unsigned most = 0;
     loft_whole q;
 
-    loft_lattice_first(l, &q);
+    loft_lattice_polygon_first(l, &q);
     do {
         unsigned sum = 0;
         for (unsigned i = 0; i < l->sides; i++)
-            sum += (unsigned)loft_lattice_height(l, i, q);
+            sum += (unsigned)loft_lattice_polygon_height(l, i, q);
         most = sum > most ? sum : most;
-    } while (loft_lattice_next(l, &q));
+    } while (loft_lattice_polygon_next(l, &q));
     return most;
 }
 
-static law toric_law(const loft_lattice *l)
+static law toric_law(const loft_lattice_polygon *l)
 {
-    const unsigned n = loft_lattice_count(l), h = heaviest_sum(l);
+    const unsigned n = loft_lattice_polygon_count(l), h = heaviest_sum(l);
     return (law) { .lsb = 0.5L + (n + 2 * h) * 0x1p-28L + 0x1p-16L, .gain = 1, .roundings = n + 128 * h };
 }
 
 /* A vertex of the polygon is a corner of the patch: its control point. */
 static void toric_net(row *r)
 {
-    loft_lattice l;
+    loft_lattice_polygon l;
     loft_toric t;
     loft_vec v = { { 0 } };
     loft_spot at;
@@ -170,7 +170,7 @@ static void expect_edge(row *r, const loft_toric *t, loft_spot at, law l)
 
 static void toric_eval(row *r)
 {
-    loft_lattice l;
+    loft_lattice_polygon l;
     loft_toric t;
     loft_vec v = { { 0 } };
     loft_spot at;

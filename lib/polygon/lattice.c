@@ -58,7 +58,7 @@ static loft_lattice_edge edge_of(loft_whole from, loft_whole to)
     return e;
 }
 
-enum loft_status loft_lattice_init(loft_lattice *l, const loft_whole v[], unsigned sides)
+enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_whole v[], unsigned sides)
 {
     if (sides < 3 || sides > LOFT_SIDES_MAX)
         return LOFT_ERR_ARG;
@@ -82,21 +82,21 @@ enum loft_status loft_lattice_init(loft_lattice *l, const loft_whole v[], unsign
     return LOFT_OK;
 }
 
-int loft_lattice_height(const loft_lattice *l, unsigned edge, loft_whole p)
+int loft_lattice_polygon_height(const loft_lattice_polygon *l, unsigned edge, loft_whole p)
 {
     return dot(l->edge[edge].normal, p) + l->edge[edge].offset;
 }
 
-static bool holds(const loft_lattice *l, loft_whole p)
+static bool holds(const loft_lattice_polygon *l, loft_whole p)
 {
     for (unsigned i = 0; i < l->sides; i++)
-        if (loft_lattice_height(l, i, p) < 0)
+        if (loft_lattice_polygon_height(l, i, p) < 0)
             return false;
     return true;
 }
 
 /* The next point of the box that the polygon holds, p itself included. */
-static bool settle(const loft_lattice *l, loft_whole *p)
+static bool settle(const loft_lattice_polygon *l, loft_whole *p)
 {
     for (; p->at[1] <= l->high.at[1]; p->at[1]++, p->at[0] = l->low.at[0])
         for (; p->at[0] <= l->high.at[0]; p->at[0]++)
@@ -105,13 +105,13 @@ static bool settle(const loft_lattice *l, loft_whole *p)
     return false;
 }
 
-void loft_lattice_first(const loft_lattice *l, loft_whole *p)
+void loft_lattice_polygon_first(const loft_lattice_polygon *l, loft_whole *p)
 {
     *p = l->low;
     settle(l, p);
 }
 
-bool loft_lattice_next(const loft_lattice *l, loft_whole *p)
+bool loft_lattice_polygon_next(const loft_lattice_polygon *l, loft_whole *p)
 {
     loft_whole after = *p;
 
@@ -122,14 +122,14 @@ bool loft_lattice_next(const loft_lattice *l, loft_whole *p)
     return true;
 }
 
-unsigned loft_lattice_count(const loft_lattice *l)
+unsigned loft_lattice_polygon_count(const loft_lattice_polygon *l)
 {
     loft_whole p;
     unsigned count = 0;
 
-    loft_lattice_first(l, &p);
+    loft_lattice_polygon_first(l, &p);
     do
         count++;
-    while (loft_lattice_next(l, &p));
+    while (loft_lattice_polygon_next(l, &p));
     return count;
 }

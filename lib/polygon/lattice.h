@@ -25,7 +25,7 @@ typedef struct {
     loft_lattice_edge edge[LOFT_SIDES_MAX];
     loft_whole low, high;       /* the box around it */
     uint8_t sides;
-} loft_lattice;
+} loft_lattice_polygon;
 
 /* Make a convex lattice polygon.
  *
@@ -34,17 +34,17 @@ typedef struct {
  *   error   none: exact
  *   cost    no multiplication of numbers; 66 bytes
  */
-enum loft_status loft_lattice_init(loft_lattice *l, const loft_whole v[], unsigned sides) LOFT_CHECKED;
+enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_whole v[], unsigned sides) LOFT_CHECKED;
 
 /* h_edge of a whole point. */
-int loft_lattice_height(const loft_lattice *l, unsigned edge, loft_whole p);
+int loft_lattice_polygon_height(const loft_lattice_polygon *l, unsigned edge, loft_whole p);
 
 /* The whole points of the polygon, edges included, row by row upward, each from the left. first gives one always; next gives
  * the one after *p in place, or false after the last. */
-void loft_lattice_first(const loft_lattice *l, loft_whole *p);
-bool loft_lattice_next(const loft_lattice *l, loft_whole *p);
+void loft_lattice_polygon_first(const loft_lattice_polygon *l, loft_whole *p);
+bool loft_lattice_polygon_next(const loft_lattice_polygon *l, loft_whole *p);
 
 /* How many there are. */
-unsigned loft_lattice_count(const loft_lattice *l);
+unsigned loft_lattice_polygon_count(const loft_lattice_polygon *l);
 
 #endif

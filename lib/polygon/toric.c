@@ -21,38 +21,38 @@ static unsigned bits(int h)
 }
 
 /* The product of heights at whole point l of a point where each height is the largest of the polygon. */
-static unsigned bits_of(const loft_lattice *lattice, const int highest[], loft_whole l)
+static unsigned bits_of(const loft_lattice_polygon *lattice, const int highest[], loft_whole l)
 {
     unsigned sum = 0;
 
     for (unsigned i = 0; i < lattice->sides; i++)
-        sum += (unsigned)loft_lattice_height(lattice, i, l) * bits(highest[i]);
+        sum += (unsigned)loft_lattice_polygon_height(lattice, i, l) * bits(highest[i]);
     return sum;
 }
 
-static bool tame(const loft_lattice *lattice)
+static bool tame(const loft_lattice_polygon *lattice)
 {
     int highest[LOFT_SIDES_MAX] = { 0 };
     loft_whole l;
 
     for (unsigned i = 0; i < lattice->sides; i++)
         for (unsigned k = 0; k < lattice->sides; k++) {
-            const int h = loft_lattice_height(lattice, i, lattice->edge[k].from);
+            const int h = loft_lattice_polygon_height(lattice, i, lattice->edge[k].from);
             if (h > highest[i])
                 highest[i] = h;
         }
-    loft_lattice_first(lattice, &l);
+    loft_lattice_polygon_first(lattice, &l);
     do
         if (bits_of(lattice, highest, l) > BITS_MAX)
             return false;
-    while (loft_lattice_next(lattice, &l));
+    while (loft_lattice_polygon_next(lattice, &l));
     return true;
 }
 
-enum loft_status loft_toric_init(loft_toric *t, const loft_lattice *lattice, const loft_vec p[], const loft_real c[],
+enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *lattice, const loft_vec p[], const loft_real c[],
                                  const loft_real w[])
 {
-    const unsigned count = loft_lattice_count(lattice);
+    const unsigned count = loft_lattice_polygon_count(lattice);
 
     for (unsigned k = 0; k < count; k++) {
         if ((w && !(w[k] >= LOFT_WEIGHT_MIN && w[k] <= LOFT_WEIGHT_MAX)) || (c && !(c[k] > 0 && c[k] <= LOFT_REAL(32767))))
@@ -81,7 +81,7 @@ static loft_spot spot_of(loft_whole p)
 
 /* The heights of p, all exact in sign: the cross product of an edge and the way to p, by the edge's length. False when p is
  * outside. */
-static bool heights(const loft_lattice *l, loft_spot p, loft_sci h[])
+static bool heights(const loft_lattice_polygon *l, loft_spot p, loft_sci h[])
 {
     for (unsigned i = 0; i < l->sides; i++) {
         const loft_spot a = spot_of(l->edge[i].from), b = spot_of(l->edge[i + 1u < l->sides ? i + 1 : 0].from);
@@ -109,15 +109,15 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
     if (!loft_spot_admits(p) || !heights(t->lattice, p, h))
         return LOFT_ERR_RANGE;
     loft_blend_start(&sum);
-    loft_lattice_first(t->lattice, &l);
+    loft_lattice_polygon_first(t->lattice, &l);
     do {
         loft_sci weight = factor(t, k);
         for (unsigned i = 0; i < sides && loft_sci_sign(weight); i++)
-            weight = loft_sci_mul(weight, loft_sci_pow(h[i], (unsigned)loft_lattice_height(t->lattice, i, l)));
+            weight = loft_sci_mul(weight, loft_sci_pow(h[i], (unsigned)loft_lattice_polygon_height(t->lattice, i, l)));
         if (loft_sci_sign(weight))
             loft_blend_add(&sum, &t->p[k], weight);
         k++;
-    } while (loft_lattice_next(t->lattice, &l));
+    } while (loft_lattice_polygon_next(t->lattice, &l));
     return loft_blend_project(&sum, out);
 }
 
@@ -125,14 +125,14 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
 /* The curves along the edges */
 
 /* The place of whole point l among the control points. */
-static unsigned place_of(const loft_lattice *lattice, loft_whole l)
+static unsigned place_of(const loft_lattice_polygon *lattice, loft_whole l)
 {
     loft_whole q;
     unsigned k = 0;
 
-    loft_lattice_first(lattice, &q);
+    loft_lattice_polygon_first(lattice, &q);
     for (; q.at[0] != l.at[0] || q.at[1] != l.at[1]; k++)
-        if (!loft_lattice_next(lattice, &q))
+        if (!loft_lattice_polygon_next(lattice, &q))
             break;
     return k;
 }
@@ -191,7 +191,7 @@ enum loft_status loft_toric_edge(const loft_toric *t, unsigned edge, loft_weight
  * edge before is 0 and its exponent positive, at the second that of the edge after, negative. */
 enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_spot p, loft_unit *out)
 {
-    const loft_lattice *lattice = t->lattice;
+    const loft_lattice_polygon *lattice = t->lattice;
     loft_sci h[LOFT_SIDES_MAX], product[2] = { loft_sci_one(), loft_sci_one() };
     loft_acc share = 0;
 

@@ -1,7 +1,7 @@
 /* lib/polygon/toric.h -- toric patches: rational surfaces over the whole points of a polygon
  * SPDX-License-Identifier: MIT
  *
- * A control point for every whole point l of a convex lattice polygon, in the order of loft_lattice_next:
+ * A control point for every whole point l of a convex lattice polygon, in the order of loft_lattice_polygon_next:
  *
  *     S = sum w_l B_l V_l / sum w_l B_l        B_l(p) = c_l prod h_i(p)^h_i(l)        0^0 = 1
  *
@@ -13,21 +13,21 @@
 #define LOFT_POLYGON_TORIC_H
 
 #include "curve/rational.h"     /* loft_weighted */
-#include "polygon/lattice.h"    /* loft_lattice */
+#include "polygon/lattice.h"    /* loft_lattice_polygon */
 
 /* All are borrowed; c and w are null for ones. Do not fill it yourself: call init. */
 typedef struct {
-    const loft_lattice *lattice;
+    const loft_lattice_polygon *lattice;
     const loft_vec *p;
     const loft_real *c, *w;
 } loft_toric;
 
-/* Make a patch of loft_lattice_count(lattice) points, coefficients and weights, which must outlive it.
+/* Make a patch of loft_lattice_polygon_count(lattice) points, coefficients and weights, which must outlive it.
  *
  *   range   coefficients above 0 and to 32767, weights 1/256..256, finite coordinates, and a lattice of which no product of
  *           heights can exceed 2^900 (one of several hundred points may), otherwise LOFT_ERR_RANGE; *t is untouched then
  */
-enum loft_status loft_toric_init(loft_toric *t, const loft_lattice *lattice, const loft_vec p[], const loft_real c[],
+enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *lattice, const loft_vec p[], const loft_real c[],
                                  const loft_real w[]) LOFT_CHECKED;
 
 /* The point at p, in the plane of the lattice.
