@@ -150,22 +150,36 @@ static void toric_net(row *r)
             expect_point(r, loft_toric_eval(&t, at, &v), v, (law) { .lsb = 0, .gain = 1, .roundings = 2 });
 }
 
-/* On an edge of degree to 9 the rational Bezier curve gives the point as well: with rounded weights and parameter. */
-static void expect_edge(row *r, const loft_toric *t, loft_spot at, law l)
+/* Of a point on an edge: the rational Bezier curve there gives it as well. Its weights are off by `off` of the smallest, which
+ * moves a point by twice that of the largest coordinate on either side; its parameter by `step`, times a slope of at most
+ * m R times their distance. */
+static void expect_edge(row *r, const loft_toric *t, loft_spot at)
 {
+    const long double off = BY_NUM(0x1p-17L, 0x1p-24L, 0x1p-51L), step = BY_NUM(0x1p-25L, 0x1p-24L, 0x1p-40L);
     loft_weighted w[LOFT_DEGREE_MAX + 1];
+    long double least = 256, most = 0;
     loft_rational curve;
     loft_unit u = 0;
+    unsigned i = 0;
 
-    for (unsigned i = 0; i < t->lattice->sides; i++)
-        if (loft_toric_parameter(t, i, at, &u) == LOFT_OK) {
-            if (loft_toric_edge(t, i, w) != LOFT_OK || loft_rational_init(&curve, w, t->lattice->edge[i].length) != LOFT_OK)
-                row_complain(r, "no curve along edge %u", i);
-            else
-                expect_point(r, LOFT_OK, loft_rational_eval(&curve, u), l);
-            return;
-        }
-    row_complain(r, "no parameter on any edge");
+    while (i < t->lattice->sides && loft_toric_parameter(t, i, at, &u) != LOFT_OK)
+        i++;
+    if (i == t->lattice->sides) {
+        row_complain(r, "no parameter on any edge");
+        return;
+    }
+    const unsigned m = t->lattice->edge[i].length;
+    if (m > LOFT_DEGREE_MAX || loft_toric_edge(t, i, w) == LOFT_ERR_RANGE)
+        return;
+    for (unsigned k = 0; k <= m; k++) {
+        least = fminl(least, exact_of(w[k].w));
+        most = fmaxl(most, exact_of(w[k].w));
+    }
+    if (loft_rational_init(&curve, w, m) != LOFT_OK)
+        row_complain(r, "no curve along edge %u", i);
+    const long double moved = 4 * off / BY_NUM(least, 1, 1) + 2 * step * m * most / least;
+    expect_point(r, LOFT_OK, loft_rational_eval(&curve, u),
+                 (law) { .lsb = 0.501L + moved * r->largest * 65536, .gain = 1, .roundings = 64 + moved * 0x1p53L });
 }
 
 static void toric_eval(row *r)
@@ -179,10 +193,9 @@ static void toric_eval(row *r)
         return;
     at.at[0] = aside(r, row_text(r, "x"));
     at.at[1] = aside(r, row_text(r, "y"));
-    const law wide = toric_law(&l);
-    expect_point(r, loft_toric_eval(&t, at, &v), v, wide);
+    expect_point(r, loft_toric_eval(&t, at, &v), v, toric_law(&l));
     if (row_is(r, "type", "edge") || row_is(r, "type", "vertex"))
-        expect_edge(r, &t, at, (law) { .lsb = wide.lsb + 4 + r->largest / 64, .gain = 1, .roundings = BY_NUM(0, 0x1p33L, 0x1p16L) });
+        expect_edge(r, &t, at);
 }
 
 
@@ -401,7 +414,7 @@ static void zb_eval(row *r)
 const vector_system vectors_npatch[] = {
     { "toric_edges",        "case,n,i,vx,vy,ex,ey,a,m",           toric_edges,        "exact" },
     { "toric_net",          "case,lx,ly,c,w,X,Y,Z",               toric_net,          "corners: q16 exact; floats 2 ulp of double" },
-    { "toric_eval",         "case,type,x,y,X,Y,Z",                toric_eval,         "q16 1/2 LSB + (N + 2 H) 2^-28 LSB; floats 1/2 ulp + (N + 128 H) ulp of double; the edges as curves 4 LSB more" },
+    { "toric_eval",         "case,type,x,y,X,Y,Z",                toric_eval,         "q16 1/2 LSB + (N + 2 H) 2^-28 LSB; floats 1/2 ulp + (N + 128 H) ulp of double; the edges as curves: and what rounded weights and parameters make of it" },
     { "basepoint_net",      "case,d,a,b,c,i,j,k,w,X,Y,Z",         basepoint_net,      "corners and base points: exact" },
     { "basepoint_eval",     "case,phi_1,phi_2,X,Y,Z",             basepoint_eval,     "q16 1/2 LSB + 2^-10 LSB; floats 1/2 ulp + (8 d + 60) ulp of double" },
     { "basepoint_boundary", "case,number,side,degree,t,X,Y,Z",    basepoint_boundary, "q16 1/2 LSB + 2^-10 LSB; floats 1/2 ulp + (8 d + 60) ulp of double" },

@@ -3,6 +3,7 @@
  */
 #include <string.h>
 
+#include "exact_polygon.h"          /* exact_meanvalue: how much is lost */
 #include "polygons.h"               /* polygon_of, coordinates */
 #include "polygon/meanvalue.h"
 #include "polygon/wachspress.h"
@@ -88,17 +89,21 @@ static void expect_place(row *r, const polygon *p, loft_spot at)
         row_complain(r, "%s, but found in place %d", type, place);
 }
 
-static void expect_phi(row *r, unsigned n, const loft_sci phi[])
+/* `lost` is a factor on the error that the place has. */
+static void expect_phi(row *r, unsigned n, const loft_sci phi[], long double lost)
 {
+    loft_acc x[LOFT_SIDES_MAX] = { 0 };
+    char column[16];
+
     r->largest = 1;
     for (unsigned i = 0; i < n; i++) {
-        char column[16];
-        loft_acc x = 0;
-        if (!loft_sci_wide(phi[i], &x))
+        if (!loft_sci_wide(phi[i], &x[i]))
             row_complain(r, "coordinate %u does not fit", i);
-        r->largest = fmaxl(r->largest, fabsl(exact_acc(x)));
+        r->largest = fmaxl(r->largest, fabsl(exact_acc(x[i])));
+    }
+    for (unsigned i = 0; i < n; i++) {
         snprintf(column, sizeof column, "phi_%u", i + 1);
-        expect_wide(r, column, x, (law) { .lsb = 0x1p-16L, .gain = 64, .roundings = 64 });
+        expect_wide(r, column, x[i], (law) { .lsb = 0x1p-17L + 0x1p-24L + r->largest * lost * 0x1p-39L, .gain = 64, .roundings = 64 * lost });
     }
 }
 
@@ -106,13 +111,16 @@ static void coordinates_row(row *r, char which)
 {
     polygon p;
     loft_sci phi[LOFT_SIDES_MAX];
+    long double own[LOFT_SIDES_MAX];
 
     if (!polygon_of(r, row_text(r, "polygon"), &p))
         return;
     const loft_spot at = spot_of(r);
     expect_place(r, &p, at);
+    const bool off = !row_is(r, "type", "edge") && !row_is(r, "type", "vertex");
+    const long double lost = which == 'M' && off ? exact_meanvalue(p.v, p.n, at, own) : 1;
     if (coordinates(r, which, &p, at, phi))
-        expect_phi(r, p.n, phi);
+        expect_phi(r, p.n, phi, lost);
 }
 
 static void gbc_wachspress(row *r) { coordinates_row(r, 'W'); }
@@ -160,8 +168,8 @@ static void spatch_coords(row *r)
 
 const vector_system vectors_polygon[] = {
     { "polygons",       "polygon,kind,n,i,x,y",         polygons,       "simple, convex: exact" },
-    { "gbc_wachspress", "polygon,n,type,x,y," PHI,      gbc_wachspress, "q16 2^-32; floats 64 ulp of double of the largest coordinate; where the point lies: exact" },
-    { "gbc_meanvalue",  "polygon,n,type,x,y," PHI,      gbc_meanvalue,  "q16 2^-32; floats 64 ulp of double of the largest coordinate; where the point lies: exact" },
+    { "gbc_wachspress", "polygon,n,type,x,y," PHI,      gbc_wachspress, "q16 2^-33 + 2^-40; floats 64 ulp of double of the largest coordinate; where the point lies: exact" },
+    { "gbc_meanvalue",  "polygon,n,type,x,y," PHI,      gbc_meanvalue,  "q16 2^-33 + 2^-40 + K 2^-55; floats 64 K ulp of double of the largest coordinate; where the point lies: exact" },
     { "spatch_coords",  "s,V_q16,X_q16,utext,uwach",    spatch_coords,  "q16 2^-32; floats 64 ulp of double; utext for triangles and parallelograms" },
     { 0 }
 };

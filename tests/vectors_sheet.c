@@ -15,10 +15,14 @@ static void fill(sheet *s, FILE *file)
     char *line = NULL;
     size_t size = 0;
 
-    while (s->rows < SHEET_ROWS && getline(&line, &size, file) >= 0) {
+    while (getline(&line, &size, file) >= 0) {
         line[strcspn(line, "\r\n")] = '\0';
         if (*line == '#' || !*line)
             continue;
+        if ((s->rows & (s->rows - 1)) == 0)
+            s->field = realloc(s->field, (s->rows ? 2 * s->rows : 1) * sizeof *s->field);
+        if (!s->field)
+            abort();
         char *rest = strdup(line);      /* kept until the end */
         for (unsigned k = 0; k < SHEET_COLUMNS; k++)
             s->field[s->rows][k] = rest ? strsep(&rest, ",") : NULL;

@@ -8,11 +8,10 @@
 
 #include "vectors.h"                /* row */
 
-#define SHEET_ROWS    4096
 #define SHEET_COLUMNS 20
 
 typedef struct {
-    char name[64], *field[SHEET_ROWS][SHEET_COLUMNS];
+    char name[64], *(*field)[SHEET_COLUMNS];
     unsigned rows;
 } sheet;
 

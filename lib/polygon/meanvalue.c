@@ -23,8 +23,9 @@ static loft_sci half_tangent(const loft_sci d[2][2], loft_sci r0, loft_sci r1, l
 /* w_i = (t_(i-1) + t_i) / r_i, phi_i = w_i / sum w. The sum of a simple polygon is never 0 (Hormann, Floater: it is positive
  * inside and negative outside).
  *
- * A tangent errs by eight roundings of itself and by what the dot product loses, at most 2 roundings of r r', which is
- * no more than the sum it goes into. The two tangents may cancel: the error counts by |t_(i-1)| + |t_i|. */
+ * A tangent errs by eight roundings of itself, in floats by what the cross product does, and by what the dot product
+ * loses: at most 2 roundings of r r', which is no more than the sum it goes into. The two tangents may cancel, and so may the
+ * w_i outside: errors count by K = sum (|t_(i-1)| + |t_i|) / r_i over |sum w_i|, and in phi_i = w_i / sum w by (1 + |phi_i|) K. */
 enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci phi[])
 {
     loft_sci area[LOFT_SIDES_MAX], r[LOFT_SIDES_MAX], to[LOFT_SIDES_MAX][2], sum = loft_sci_zero();

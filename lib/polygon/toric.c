@@ -149,7 +149,7 @@ static loft_whole along(const loft_lattice_edge *e, unsigned step)
 /* Weights as loft_rational_weights takes them: the largest brought into 128..256, all times LOFT_PROJECT. */
 static enum loft_status weigh(loft_sci w[], unsigned degree, loft_weighted out[])
 {
-    const loft_sci two = loft_sci_from_int(2), top = loft_sci_from_int(256), limit = loft_sci_from_int(65536);
+    const loft_sci two = loft_sci_from_int(2), top = loft_sci_from_int(256);
     loft_sci largest = w[0], least = w[0], scale = loft_sci_from_int(LOFT_PROJECT);
     loft_acc wide[LOFT_DEGREE_MAX + 1];
 
@@ -159,12 +159,12 @@ static enum loft_status weigh(loft_sci w[], unsigned degree, loft_weighted out[]
         if (loft_sci_less(w[k], least))
             least = w[k];
     }
-    if (loft_sci_less(loft_sci_mul(least, limit), largest))
-        return LOFT_ERR_RANGE;
     for (; !loft_sci_less(largest, top); largest = loft_sci_div(largest, two))
         scale = loft_sci_div(scale, two);
     for (; loft_sci_less(loft_sci_mul(largest, two), top); largest = loft_sci_mul(largest, two))
         scale = loft_sci_mul(scale, two);
+    if (loft_sci_less(loft_sci_mul(least, scale), loft_sci_from_int(LOFT_PROJECT / 256)))
+        return LOFT_ERR_RANGE;
     for (unsigned k = 0; k <= degree; k++)
         if (!loft_sci_wide(loft_sci_mul(w[k], scale), &wide[k]))
             return LOFT_ERR_RANGE;

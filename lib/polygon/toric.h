@@ -45,7 +45,8 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
 /* The curve along an edge, from its first vertex to its second.
  *
  *   shape   out[length + 1], length = t->lattice->edge[edge].length; weights with a common factor, a power of two
- *   range   length 1..9, otherwise LOFT_ERR_ARG; the largest weight at most 65536 times the smallest, otherwise LOFT_ERR_RANGE
+ *   range   length 1..9, otherwise LOFT_ERR_ARG; the smallest weight at least 1/256 when the largest is in 128..256, otherwise
+ *           LOFT_ERR_RANGE
  *   error   points none; weights q16: 1/2 LSB, the largest is in 128..256   f32: 1 ulp   f64: 4 ulp
  *   cost    3 products a point
  */
