@@ -79,6 +79,7 @@
 #include "surface/triangle_shape.h"
 #include "surface/grid.h"
 #include "surface/tensor.h"
+#include "surface/tensor_join.h"
 #include "polygon/basepoint.h"
 #include "polygon/blend.h"
 #include "polygon/domain.h"

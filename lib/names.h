@@ -421,6 +421,7 @@
 #define loft_tensor_from_bicubic   LOFT_NAME(loft_tensor_from_bicubic)
 #define loft_tensor_from_coons     LOFT_NAME(loft_tensor_from_coons)
 #define loft_tensor_init           LOFT_NAME(loft_tensor_init)
+#define loft_tensor_join_init      LOFT_NAME(loft_tensor_join_init)
 #define loft_tensor_part_u         LOFT_NAME(loft_tensor_part_u)
 #define loft_tensor_part_v         LOFT_NAME(loft_tensor_part_v)
 #define loft_tensor_raise_u        LOFT_NAME(loft_tensor_raise_u)

@@ -3,6 +3,7 @@
  */
 #include "vectors.h"                /* row, answer, law */
 #include "surface/tensor.h"
+#include "tensor_joins.h"           /* tj_flags: of coordinates that reading rounded */
 
 #define POINTS ((LOFT_DEGREE_MAX + 2) * (LOFT_DEGREE_MAX + 1))
 
@@ -87,10 +88,38 @@ static void tensor_split(row *r)
     expect_net(r, "R", status, right, (s.m + 1u) * (s.n + 1u), l);
 }
 
+/* Where a float rounded coordinates their own flags count, decided by the tests. */
+static void tensor_join(row *r)
+{
+    loft_vec p[POINTS], q[POINTS];
+    const unsigned m = row_count(r, "m", LOFT_DEGREE_MAX), n = row_count(r, "n", LOFT_DEGREE_MAX);
+    loft_tensor first, second;
+    loft_tensor_join j;
+    bool c0, c1;
+    int g1;
+
+    row_points(r, "P_q16", (m + 1) * (n + 1), 3, p);
+    row_points(r, "Q_q16", (m + 1) * (n + 1), 3, q);
+    if (loft_tensor_init(&first, p, m, n) || loft_tensor_init(&second, q, m, n) || loft_tensor_join_init(&j, &first, &second)) {
+        row_complain(r, "not patches that can join");
+        return;
+    }
+    if (r->inexact > 0) {
+        tj_flags(&first, &second, &c0, &c1, &g1);
+        if (j.c0 != c0 || j.c1 != c1 || (g1 >= 0 && j.g1 != g1))
+            row_complain(r, "a flag is not that of the rounded coordinates");
+        return;
+    }
+    row_expect_flag(r, "C0", j.c0);
+    row_expect_flag(r, "C1", j.c1);
+    row_expect_flag(r, "G1", j.g1);
+}
+
 const vector_system vectors_tensor[] = {
     { "tensor_eval", "m,n,d,net_q16,u_q16,v_q16,P,Pu,Pv", tensor_eval,
       "q16: 1/2 LSB + f (m + n) 2^-17 LSB, f = 1, for Pu m, for Pv n; floats: 1/2 ulp + 6 f (m + n) ulp of double" },
     { "tensor_elevate", "m,n,dir,net_q16,out", tensor_elevate, "q16: 1/2 LSB + 2^-17 LSB, floats: 1 ulp" },
     { "tensor_split", "m,n,net_q16,u0_q16,L,R", tensor_split, "law of extrapolation, as bezier_split" },
+    { "tensor_join", "m,n,P_q16,Q_q16,C0,C1,G1", tensor_join, "flags exact" },
     { 0 }
 };
