@@ -115,6 +115,7 @@ const engine ENGINE_OF(engine) = {
     .hold    = hold,
     .curve   = &ENGINE_OF(engine_curves),
     .piece   = &ENGINE_OF(engine_pieces),
+    .measure = &ENGINE_OF(engine_measures),
     .flatten = flatten,
     .plan    = plan,
     .steps   = steps

@@ -68,6 +68,38 @@ typedef struct {
     int (*shape)(const struct piece *p, engine_shape *out);
 } engine_pieces;
 
+/* The nearest point of a piece: t in 0..1. */
+typedef struct {
+    double t, point[ENGINE_AXES], distance;
+} engine_near;
+
+/* Where two pieces meet: from, where they are closest, to; 0..1 on each. */
+typedef struct {
+    double s[3], t[3], point[ENGINE_AXES], distance;
+    bool overlap;
+} engine_meeting;
+
+#define ENGINE_MEETINGS 96      /* more than two curves of degree 9 have: 81 */
+
+typedef struct {
+    bool c[3], g[3];            /* C0 C1 C2, G0 G1 G2                   */
+    double alpha, eta;          /* 0 where G1 or G2 does not hold       */
+} engine_joint;
+
+typedef void engine_offset_sink(void *context, double p[4][ENGINE_AXES], bool behind);
+
+/* Pieces here are polynomial; lengths and distances in mm. */
+typedef struct {
+    int (*length)(const double p[4][ENGINE_AXES], double tol, double *out);
+    int (*nearest)(const struct piece *p, const double point[ENGINE_AXES], double tol, engine_near *out);
+    /* LOFT_MORE when there are more than ENGINE_MEETINGS */
+    int (*meet)(const struct piece *a, const struct piece *b, double tol, engine_meeting out[ENGINE_MEETINGS], size_t *count);
+    /* pieces of one degree, 1..9 */
+    int (*join)(const struct piece *a, const struct piece *b, double tol, engine_joint *out);
+    int (*offset)(const double p[4][ENGINE_AXES], double distance, double tol, engine_offset_sink *sink, void *context);
+} engine_measures;
+
+extern const engine_measures engine_measures_q16, engine_measures_f32, engine_measures_f64;
 extern const engine_curves engine_curves_q16, engine_curves_f32, engine_curves_f64;
 extern const engine_pieces engine_pieces_q16, engine_pieces_f32, engine_pieces_f64;
 
@@ -79,6 +111,7 @@ typedef struct {
     int (*hold)(double x, double *out);     /* x as this type has it                */
     const engine_curves *curve;
     const engine_pieces *piece;
+    const engine_measures *measure;
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink, void *context);
     int (*plan)(const engine_limits *limits, const engine_move moves[], size_t count, engine_span_sink *sink, void *context);
     int32_t (*steps)(double mm, double steps_per_mm);       /* rounded as a machine of this type does it */

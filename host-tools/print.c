@@ -10,7 +10,7 @@
 
 #define SAME 1e-6       /* mm; ends that are nearer count as one point */
 
-static void print_number(const engine *e, double x)
+void print_number(const engine *e, double x)
 {
     const double near = (e->fixed ? e->lsb : e->lsb * fabs(x)) / 4;
     char text[32];

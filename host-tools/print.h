@@ -14,6 +14,7 @@ typedef struct {
     bool solid;
 } print_options;
 
+void print_number(const engine *e, double x);
 void print_point(void *context, const double point[ENGINE_AXES]);
 
 /* The same without the end of the line. */

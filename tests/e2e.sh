@@ -307,7 +307,7 @@ case_help_everywhere() {
     run 0 "$loft" --help;    says out 'usage: loft COMMAND'
     run 0 "$loft" --version; says out '^loft [0-9]'
     run 64 "$loft"
-    for command in stream simulate plot ports eval sample flatten compare; do
+    for command in stream simulate plot ports eval sample flatten measure compare; do
         run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
         run 0 "$loft" $command --help; cmp -s "$tmp/out" "$tmp/help" || job_fails "help $command and $command --help differ"
     done
@@ -341,6 +341,51 @@ case_compare_holds_the_bounds() {
     awk '/^q16/ { n++; if ($5 > 1) exit 1 } /^q16 .* walk/ && $5 > 0.52 { exit 1 } END { exit n != 2 }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
     run 0 "$loft" compare --num q16 --against f64 --n 500 --points "0,0 100,200 300,-100 400,55.5"
     [ "$(grep -c '^q16  *f64' "$tmp/out")" = 2 ] || job_fails "$(cat "$tmp/out")"
+}
+# fields of row N of $tmp/out, a blank between
+row() { awk -F'\t' -v n="$1" -v from="$2" 'NR == n + 1 { for (i = from; i <= NF; i++) printf "%s%s", $i, i < NF ? " " : "" }' "$tmp/out"; }
+case_measure() {
+    local num
+    printf 'arc left\n10 0\n0 0\n-10 0\nline\n-10 0\n10 0\nrational\n10 0\n10 10 : 0.7071\n0 10\n' >"$tmp/m.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" measure --num $num "$tmp/m.loft"          # half a circle, its chord, a quarter again: 5 pi, 10, 5 pi / 2
+        awk -F'\t' 'function near(x, y) { return x - y < 2e-3 && y - x < 2e-3 }
+             /:1/ { n += near($3, 31.4159265) && near($4, -10) && near($5, 0) && near($6, 10) && near($7, 10) }
+             /:5/ { n += near($3, 20) && near($5, 0) && near($7, 0) }   /:8/ { n += near($3, 15.7079632) }
+             /^all/ { n += near($3, 67.1238898) } END { exit n != 4 }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
+        run 0 "$loft" measure --num $num --nearest 0,4 "$tmp/m.loft"
+        [ "$(awk -F'\t' 'NR > 1 { printf "%.2f %.2f;", $3, $6 }' "$tmp/out")" = "0.50 6.00;0.50 4.00;1.00 6.00;" ] || job_fails "$num: $(cat "$tmp/out")"
+        run 0 "$loft" measure --num $num --joins "$tmp/m.loft"
+        [ "$(row 1 3 | cut -c1-11) $(row 2 3 | cut -c1-11)" = "1 0 0 1 0 0 1 0 0 1 0 0" ] || job_fails "$num: $(cat "$tmp/out")"
+        run 0 "$loft" measure --num $num --intersect "$tmp/m.loft"
+        awk -F'\t' 'NR > 1 { n[$1 $5]++; seen[$12]++ } END { exit !(length(n) == 3 && seen["overlap"] >= 1 && seen["meet"] >= 2) }' "$tmp/out" ||
+            job_fails "$num: $(cat "$tmp/out")"
+    done
+    printf 'bezier\n0 0\n10 20\n20 -20\n30 0\n\nbezier\n0 1\n30 1\n' >"$tmp/x.loft"
+    run 0 "$loft" measure --intersect "$tmp/x.loft"
+    [ "$(grep -c 'meet$' "$tmp/out")" = 2 ] || job_fails "$(cat "$tmp/out")"
+    run 0 "$loft" measure --joins --num f64 --tol 1e-9 --points "0,0 1,1 2,0"; [ "$(wc -l <"$tmp/out")" = 1 ] || job_fails "one curve has no joint"
+    printf 'bezier\n0 0\n1 1\n2 1\n3 0\nbezier\n3 0\n4 -1\n5 -3\n7 0\n' >"$tmp/j.loft"
+    run 0 "$loft" measure --joins "$tmp/j.loft"; [ "$(row 1 3)" = "1 1 1 1 1 1 1 2" ] || job_fails "$(cat "$tmp/out")"
+    run 0 "$loft" measure --nearest 3,0,4 --points "0,0,0 10,0,0"; [ "$(row 1 4)" = "3 0 0 4" ] || job_fails "$(cat "$tmp/out")"
+    one_line 64 'give x,y or x,y,z'   "$loft" measure --nearest 3 "$tmp/m.loft"
+    one_line 64 'give one of them'    "$loft" measure --joins --intersect "$tmp/m.loft"
+    printf 'line\n0 0\n1 1\nbezier\n0 0\n40000 0\n' >"$tmp/far.loft"
+    one_line 65 'far.loft:4: .*f64'   "$loft" measure "$tmp/far.loft"
+    one_line 66 'none.loft'           "$loft" measure "$tmp/none.loft"
+}
+case_measure_offset() {
+    run 0 "$loft" measure --offset -5 --tol 0.01 tests/drawings/demo.svg; is_empty err
+    printf 'bezier\n0 0\n0 50\n50 50\n50 0\n' >"$tmp/arch.loft"
+    run 0 "$loft" measure --offset 5 --tol 0.01 "$tmp/arch.loft"; cp "$tmp/out" "$tmp/beside.loft"
+    run 0 "$loft" sample --num f64 --n 8 "$tmp/beside.loft"; grep . "$tmp/out" | tr ' ' , >"$tmp/points"
+    while read -r at; do                                        # every point of it is as far away as was asked
+        run 0 "$loft" measure --num f64 --tol 1e-4 --nearest "$at" "$tmp/arch.loft"
+        awk -F'\t' 'NR == 2 { exit !($6 > 4.989 && $6 < 5.011) }' "$tmp/out" || job_fails "$at: $(cat "$tmp/out")"
+    done < <(awk 'NR % 7 == 1' "$tmp/points")
+    [ "$(wc -l <"$tmp/points")" -gt 30 ] || job_fails "$(wc -l <"$tmp/points") points"
+    run 0 "$loft" plot "$tmp/beside.loft" -o "$tmp/beside.svg"
+    run 0 "$loft" stream "$tmp/beside.loft" --dry-run; says out '^planned:'
 }
 case_curves_of_every_kind() {
     local all=tests/drawings/curves.loft kinds

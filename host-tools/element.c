@@ -1,0 +1,138 @@
+/* host-tools/element.c
+ * SPDX-License-Identifier: MIT
+ */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "element.h"
+#include "tool.h"       /* tool_error, tool_grow, sysexits */
+
+int element_error(const element *x, const char *words)
+{
+    return tool_error(EX_DATAERR, "%s:%u: %s of degree %u: %s", x->file, x->of->line, curve_name(x->of->kind), x->of->degree, words);
+}
+
+
+// The list
+// --------
+
+static void append(elements *list, const element *x)
+{
+    if ((list->count & (list->count - 1)) == 0)         /* room for a power of two */
+        list->element = tool_grow(list->element, (list->count ? 2 * list->count : 1) * sizeof *list->element);
+    element *at = &list->element[list->count++];
+    *at = *x;
+    for (int i = 0; i < CURVE_AXES; i++) {
+        at->box[0][i] = at->box[1][i] = x->p.p[0][i];
+        for (unsigned k = 1; k <= x->p.degree; k++) {
+            at->box[0][i] = fmin(at->box[0][i], x->p.p[k][i]);
+            at->box[1][i] = fmax(at->box[1][i], x->p.p[k][i]);
+        }
+    }
+}
+
+typedef struct {
+    elements *list;
+    element x;
+} cutting;
+
+static void add_cubic(void *context, double p[4][CURVE_AXES])
+{
+    cutting *c = context;
+
+    c->x.p = (piece){ .w = { 1, 1, 1, 1 }, .degree = 3 };
+    memcpy(c->x.p.p, p, 4 * sizeof p[0]);
+    append(c->list, &c->x);
+}
+
+/* The spans of an arc are equal; the pieces of all others are those between two breaks. */
+static void set_range(element *x, unsigned i, unsigned pieces)
+{
+    const bool arc = x->of->kind == CURVE_ARC;
+
+    x->from = arc ? (double)i / pieces : curve_break(x->of, i);
+    x->to   = arc ? (double)(i + 1) / pieces : curve_break(x->of, i + 1);
+}
+
+static int add_curve(elements *list, const engine *e, const curve *c, const char *file, double tol)
+{
+    cutting cut = { list, { .file = file, .of = c, .number = list->curves++ } };
+    engine_curve *held;
+    int status = e->curve->open(c, &held);
+
+    if (status != 0)
+        return element_error(&cut.x, engine_status(status));
+    const unsigned pieces = e->curve->pieces(held);
+    for (unsigned i = 0; i < pieces && status == 0; i++) {
+        piece *whole = &cut.x.whole;
+        status = e->curve->piece(held, i, whole);
+        if (status != 0)
+            break;
+        set_range(&cut.x, i, pieces);
+        cut.x.exact = !piece_is_rational(whole);
+        cut.x.p = *whole;
+        if (cut.x.exact)
+            append(list, &cut.x);
+        else if (!piece_cubics(whole, tol, add_cubic, &cut)) {
+            e->curve->close(held);
+            return element_error(&cut.x, "too sharp for cubics: give weights that differ less");
+        }
+    }
+    e->curve->close(held);
+    return status == 0 ? 0 : element_error(&cut.x, engine_status(status));
+}
+
+int elements_add(elements *list, const engine *e, const curves *all, const char *file, double tol)
+{
+    int code = 0;
+
+    list->solid |= all->solid;
+    for (size_t i = 0; i < all->count && code == 0; i++)
+        code = add_curve(list, e, &all->curve[i], file, tol);
+    return code;
+}
+
+void elements_free(elements *list)
+{
+    free(list->element);
+    *list = (elements){ 0 };
+}
+
+
+// Parameters
+// ----------
+
+static double distance(const piece *p, double t, const double point[CURVE_AXES])
+{
+    double at[3][CURVE_AXES];
+
+    piece_eval(p, t, at);
+    return hypot(hypot(at[0][0] - point[0], at[0][1] - point[1]), at[0][2] - point[2]);
+}
+
+/* Of a piece with weights: the best of 64 places, and 60 times a third less around it. */
+double element_parameter(const element *x, double t, const double point[CURVE_AXES])
+{
+    double best = 0, least = DBL_MAX;
+
+    if (x->exact)
+        return x->from + (x->to - x->from) * t;
+    for (int j = 0; j <= 64; j++) {
+        const double d = distance(&x->whole, j / 64.0, point);
+        if (d < least) {
+            least = d;
+            best = j / 64.0;
+        }
+    }
+    double low = fmax(best - 1 / 64.0, 0), high = fmin(best + 1 / 64.0, 1);
+    for (int j = 0; j < 60; j++) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        if (distance(&x->whole, a, point) < distance(&x->whole, b, point))
+            high = b;
+        else
+            low = a;
+    }
+    return x->from + (x->to - x->from) * (low + high) / 2;
+}
