@@ -21,6 +21,7 @@
  *
  *   range   n <= 28
  *   error   none
+ *   cost    k products and divisions of 32 bits
  */
 int32_t loft_binomial(unsigned n, unsigned k);
 
@@ -48,6 +49,7 @@ void loft_bernstein_weights(unsigned degree, loft_unit t, loft_acc w[]);
  * `degree` coefficients remain. `degree` rows with the same t evaluate, with different t give the blossom.
  *
  *   error   q16: 2^-33 per row (1/2 of the last bit of loft_acc)   f32, f64: 3 ulp of double per row
+ *   cost    `degree` wide lerps
  *   see     Farin, ch. 4: the de Casteljau algorithm; Ramshaw, blossoming
  */
 void loft_bernstein_step(loft_acc c[], unsigned degree, loft_unit t);
@@ -77,6 +79,7 @@ loft_acc loft_bernstein_at(loft_acc c[], unsigned degree, uint32_t j, uint32_t n
 /* The differences D^k c_0, k = 0..degree, in place.
  *
  *   error   q16: none   f32, f64: k * 2^k roundings of double
+ *   cost    degree * (degree + 1) / 2 subtractions
  */
 void loft_bernstein_differences(loft_acc c[], unsigned degree);
 
@@ -84,6 +87,7 @@ void loft_bernstein_differences(loft_acc c[], unsigned degree);
  *
  *   range   the results may exceed loft_real (to 5376 times the largest); they are exact all the same
  *   error   q16: none   f32, f64: (k + 1) * 2^k * C(n,k) roundings of double
+ *   cost    as differences, and degree - 1 products by a whole number
  */
 void loft_bernstein_to_power(loft_acc c[], unsigned degree);
 
@@ -91,6 +95,7 @@ void loft_bernstein_to_power(loft_acc c[], unsigned degree);
  *
  *   range   the results may exceed loft_real (to 10 times the largest)
  *   error   q16: i * 2^-33 for b_i   f32, f64: (i + 1) * (i + 2) roundings of double
+ *   cost    degree * (degree + 1) / 2 products by a whole number and divisions by one
  */
 void loft_bernstein_from_power(loft_acc c[], unsigned degree);
 

@@ -46,6 +46,8 @@ typedef struct {
  *
  *   range   degree 0..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise LOFT_ERR_RANGE;
  *           *b is untouched then
+ *   error   none: the points are borrowed
+ *   cost    two comparisons a coordinate
  */
 enum loft_status loft_bezier_init(loft_bezier *b, const loft_vec p[], unsigned degree) LOFT_CHECKED;
 
@@ -86,6 +88,7 @@ enum loft_status loft_bezier_deriv(const loft_bezier *b, unsigned k, loft_unit t
  *   range   degree 0..9 and t in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit,
  *           or, outside 0..1 and for degree 8 and 9 only, when one of the sums does not fit
  *   error   that of extend (ulp of the largest sum)
+ *   cost    as eval, and `degree` additions per axis
  *   see     P. Bezier, Numerical Control: Mathematics and Applications (1972)
  */
 enum loft_status loft_bezier_from_edges(const loft_vec a[], unsigned degree, loft_unit t, loft_vec *out) LOFT_CHECKED;
@@ -125,6 +128,7 @@ enum loft_status loft_bezier_raise(const loft_bezier *b, unsigned times, loft_ve
  *
  *   range   LOFT_ERR_RANGE when one does not fit
  *   error   q16: none   f32: 1/2 ulp of the result + 1/2 ulp   f64: (k + 1) * 2^k * C(degree,k) ulp
+ *   cost    degree * (degree + 1) / 2 subtractions and degree - 1 products by a whole number per axis
  */
 enum loft_status loft_bezier_power(const loft_bezier *b, loft_vec out[]) LOFT_CHECKED;
 
@@ -132,10 +136,15 @@ enum loft_status loft_bezier_power(const loft_bezier *b, loft_vec out[]) LOFT_CH
  *
  *   range   degree 0..9, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when a point does not fit
  *   error   q16: 1/2 LSB + degree * 2^-17 LSB   f32: 1/2 ulp of the result + 1/2 ulp   f64: (degree + 1) * (degree + 2) ulp
+ *   cost    that of loft_bernstein_from_power per axis
  */
 enum loft_status loft_bezier_from_power(const loft_vec c[], unsigned degree, loft_vec out[]) LOFT_CHECKED;
 
-/* The box of the control polygon. The curve over 0..1 lies inside; the box is not the smallest. */
+/* The box of the control polygon. The curve over 0..1 lies inside; the box is not the smallest.
+ *
+ *   error   none
+ *   cost    two comparisons a coordinate
+ */
 loft_box loft_bezier_box(const loft_bezier *b);
 
 

@@ -31,6 +31,8 @@ typedef struct {
 /* Make a curve of `points` control points and points + degree + 1 knots, which must outlive it.
  *
  *   range   knots as loft_knots_init; finite coordinates, otherwise LOFT_ERR_RANGE; *b is untouched after an error
+ *   error   none: points and knots are borrowed
+ *   cost    two comparisons a coordinate and a knot
  */
 enum loft_status loft_bspline_init(loft_bspline *b, const loft_vec p[], unsigned points,
                                    const loft_real knots[], unsigned degree) LOFT_CHECKED;

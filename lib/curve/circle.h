@@ -72,6 +72,7 @@ enum loft_status loft_circle_from_centre(loft_circle *c, loft_vec from, loft_vec
  *           otherwise LOFT_ERR_ARG
  *   error   e, and that of the centre, which is ill defined near half a turn, where it is h = 0 away from the
  *           chord's middle: q16: the lesser of 2^-57 r^2 / h and 2^-28 r   f64: of 2^-50 r^2 / h and 2^-25 r
+ *   cost    two arc tangents, two sines and two cosines, a root and up to three quotients
  *   see     NIST RS274/NGC, 3.5.3: radius format arc
  */
 enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane, loft_real radius, int32_t turns) LOFT_CHECKED;
@@ -82,6 +83,7 @@ enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec
  *
  *   range   as from_centre; LOFT_ERR_RANGE when enlarged radii exceed a coordinate, or degrees +-16384
  *   error   as from_radius, with the larger radius; near a half turn multiplied by the radii's ratio
+ *   cost    as from_radius, and a sine and a cosine more where the radii differ
  *   see     SVG 1.1, appendix F.6: elliptical arc implementation notes
  */
 enum loft_status loft_circle_from_ellipse(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane,
@@ -126,6 +128,7 @@ typedef struct {
  *           a span that drifts by d by 2.1e-3 d h^2 (rational: 8.6e-3 d h^2) more
  *   range   LOFT_ERR_RANGE when a control point does not fit, or the tolerance is not above 3 LSB (q16: 3 * 2^-16,
  *           f32, f64: 3 ulp of the largest coordinate or radius), or needs more than 2^20 spans
+ *   error   none of its own: the tolerance includes all
  *   cost    one pass over the spans, as loft_circle_spans_next
  *   see     Goldapp, Approximation of circular arcs by cubic polynomials, CAGD 8 (1991)
  */
@@ -141,6 +144,7 @@ bool loft_circle_spans_next(loft_circle_spans *s, loft_cubic *out);
 /* Give the next rational span, of 3 or 4 control points; the outer weights are 256.
  *
  *   error   as loft_circle_spans_next
+ *   cost    as loft_circle_spans_next
  */
 bool loft_circle_spans_rational(loft_circle_spans *s, loft_weighted out[]);
 
@@ -152,6 +156,7 @@ bool loft_circle_spans_rational(loft_circle_spans *s, loft_weighted out[]);
  * ends and its middle, and nowhere leaves it by more than 2.73e-4.
  *
  *   error   q16: 2^-33   f32, f64: 1 ulp of double
+ *   cost    one square root
  */
 loft_acc loft_circle_arm(void);
 
@@ -160,6 +165,7 @@ loft_acc loft_circle_arm(void);
  *   range   t in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when a result does not fit; nothing is written then
  *   error   q16: 1/2 LSB + 2^-31 for the point, 1/2 LSB + 2^-28 (1 + |arm|) for the excess
  *           f32, f64: 1/2 ulp + 2^-49 (1 + |arm|), + 2^-48 (1 + arm^2)
+ *   cost    about 12 products, of 64 bits in q16
  *   see     Goldapp; the excess is b^2 (2 (3 l - 2)^2 (t - 1/2)^2 + 8 (1 + 3 l / 4)^2 - 16), b = t (1 - t)
  */
 enum loft_status loft_circle_quarter(loft_acc arm, loft_unit t, loft_real point[2], loft_real *excess) LOFT_CHECKED;
@@ -170,6 +176,7 @@ enum loft_status loft_circle_quarter(loft_acc arm, loft_unit t, loft_real point[
  *   range   -pi/6 < theta < pi/2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the distance does not fit; nothing
  *           is written then
  *   error   q16: 1/2 LSB + 2^-56 distance^2   f32, f64: 1/2 ulp + 2^-50 (1 + distance^2)
+ *   cost    a sine, a cosine and two quotients
  *   see     Farin, Curves and Surfaces for CAGD, ch. 12: conics, degree elevated
  */
 enum loft_status loft_circle_over(loft_real theta, loft_real *distance, loft_real *weight) LOFT_CHECKED;
@@ -178,6 +185,7 @@ enum loft_status loft_circle_over(loft_real theta, loft_real *distance, loft_rea
  *
  *   range   as loft_circle_over, and t in 0..1, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB + 2^-32   f32, f64: 1/2 ulp + 2^-50
+ *   cost    a sine, a cosine, 4 products and two quotients
  */
 enum loft_status loft_circle_over_eval(loft_real theta, loft_unit t, loft_real point[2]) LOFT_CHECKED;
 

@@ -42,6 +42,7 @@ typedef struct {
  *
  *   range   tol > 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE for coordinates beyond what bezier.h says or when tol is
  *           below q16: 2 LSB   f32: 2^-22   f64: 2^-39 of the largest coordinate
+ *   error   none of its own: that of the cubics is said below
  *   cost    nothing yet
  */
 enum loft_status loft_cubics_init(loft_cubics *s, const loft_bezier *b, loft_real tol) LOFT_CHECKED;
@@ -49,6 +50,7 @@ enum loft_status loft_cubics_init(loft_cubics *s, const loft_bezier *b, loft_rea
 /* Prepare to cut a rational curve into cubics. The control points are borrowed.
  *
  *   range   as loft_cubics_init, but tol at least q16: 4 LSB   f32: 2^-21   f64: 2^-39 of the largest coordinate
+ *   error   none of its own: that of the cubics is said below
  *   cost    nothing yet
  */
 enum loft_status loft_rational_cubics_init(loft_cubics *s, const loft_rational *r, loft_real tol) LOFT_CHECKED;

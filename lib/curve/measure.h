@@ -31,6 +31,7 @@ typedef struct {
  *   shape   loft_flatten_next yields the end of each chord; c->p[0] is not repeated
  *   range   q16: tol >= 2 LSB, any control points   f32: tol >= 2^-22, f64: 2^-43 of the largest coordinate;
  *           below that, or with a control point that is no number: LOFT_ERR_RANGE, tol <= 0: LOFT_ERR_ARG
+ *   error   none: the curve is kept as it is
  *   cost    nothing yet; `c` is copied
  */
 enum loft_status loft_flatten_init(loft_flatten *f, const loft_cubic *c, loft_real tol) LOFT_CHECKED;
@@ -82,15 +83,25 @@ typedef struct {
 /* Measure `c` once; it is copied.
  *
  *   range   tol <= 0: LOFT_ERR_ARG, a control point that is no number: LOFT_ERR_RANGE; else as at_length
+ *   error   that of loft_cubic_length in each mark
  *   cost    that of loft_cubic_length
  */
 enum loft_status loft_ruler_init(loft_ruler *r, const loft_cubic *c, loft_real tol) LOFT_CHECKED;
 
-/* The length of the whole curve, and from 0 to t (clamped to 0..1). Range and error as at_length. */
+/* The length of the whole curve, and from 0 to t (clamped to 0..1).
+ *
+ *   range   as at_length
+ *   error   as at_length
+ *   cost    length: none; eval: that of loft_cubic_length for a sixteenth of the curve
+ */
 loft_acc loft_ruler_length(const loft_ruler *r);
 loft_acc loft_ruler_eval(const loft_ruler *r, loft_unit t);
 
-/* The parameter at a length: loft_cubic_at_length in a sixteenth of the time. */
+/* The parameter at a length: loft_cubic_at_length in a sixteenth of the time.
+ *
+ *   error   as loft_cubic_at_length
+ *   cost    at most 16 comparisons, and loft_cubic_at_length in a sixteenth of the curve
+ */
 loft_unit loft_ruler_at_length(const loft_ruler *r, loft_acc length);
 
 #endif

@@ -29,6 +29,8 @@ typedef struct {
  *
  *   range   knots as loft_knots_init; weights 1/256..256 and finite coordinates, otherwise LOFT_ERR_RANGE; *n is
  *           untouched after an error
+ *   error   none: points and knots are borrowed
+ *   cost    two comparisons a coordinate, a weight and a knot, at most 22 doublings a weight
  */
 enum loft_status loft_nurbs_init(loft_nurbs *n, const loft_weighted p[], unsigned points,
                                  const loft_real knots[], unsigned degree) LOFT_CHECKED;

@@ -48,6 +48,7 @@ typedef struct {
  *           coordinate of the offset) + 2^-17 of the distance, and coordinates that stay within their range when
  *           twice the distance is added, otherwise LOFT_ERR_RANGE; LOFT_SINGULAR when all four points are one in
  *           the plane: there is no direction
+ *   error   none of its own: that of the spans is said below
  *   cost    nothing yet
  */
 enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real distance, loft_real tol) LOFT_CHECKED;

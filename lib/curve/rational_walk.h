@@ -37,6 +37,7 @@ typedef struct {
  *   shape   will yield n points, at t = 1/n, 2/n .. 1; the start is not repeated; `r` is not kept
  *   range   degree 0..5, n >= 1, otherwise LOFT_ERR_ARG; n within the law of ranges and, in f64, coordinates below
  *           2^900, otherwise LOFT_ERR_RANGE; then *walk is untouched
+ *   error   none in q16   f32, f64: it is counted in that of the points
  *   cost    degree * (degree + 2) deep products by a whole number per axis and once more
  *   see     Foley, van Dam, Feiner, Hughes: Computer Graphics, ch. 11
  */

@@ -61,7 +61,12 @@ enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t,
                                        loft_real *curvature, loft_vec *tangent) LOFT_CHECKED;
 
 /* The same in the plane, with a sign: > 0 where the curve turns left, from the first axis to the second. The
- * tangent is 0 in all other axes. */
+ * tangent is 0 in all other axes.
+ *
+ *   range   as loft_bezier_curvature
+ *   error   as loft_bezier_curvature
+ *   cost    as loft_bezier_curvature, of two axes
+ */
 enum loft_status loft_bezier_bend(const loft_bezier *b, loft_unit t,
                                   loft_real *curvature, loft_vec *tangent) LOFT_CHECKED;
 

@@ -45,10 +45,18 @@ loft_real loft_acc_project(loft_acc x, loft_acc w);
  */
 loft_acc loft_acc_weigh(loft_acc w, loft_real a);
 
-/* loft_acc_project of deep numbers; q16: 32 rounds of 128 bits. */
+/* loft_acc_project of deep numbers; q16: 32 rounds of 128 bits.
+ *
+ *   range   as loft_acc_project
+ *   error   as loft_acc_project
+ */
 loft_real loft_deep_project(loft_deep x, loft_deep w);
 
-/* The same of any deep numbers, where w > 0; false, and *out untouched, when the result does not fit. */
+/* The same of any deep numbers, where w > 0; false, and *out untouched, when the result does not fit.
+ *
+ *   error   as loft_acc_project
+ *   cost    q16: 33 rounds of 128 bits
+ */
 bool loft_deep_rate(loft_deep x, loft_deep w, loft_real *out) LOFT_CHECKED;
 
 /* x / h as real; false, and *out untouched, when that does not fit.
@@ -62,6 +70,7 @@ bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out) LOFT_CHECKED;
 /* x, and in q16 x with 46 more bits below the last one, for a chain of lerps: |x| < 2^109 then.
  *
  *   error   none
+ *   cost    guarded: 4 products of 32 bits
  */
 loft_deep loft_deep_of(loft_acc x);
 loft_deep loft_deep_guarded(loft_acc x);
@@ -70,21 +79,37 @@ loft_deep loft_deep_guarded(loft_acc x);
  *
  *   range   q16: |x / k| < 2^31
  *   error   q16: 2^-33 + 2^-78   f32, f64: 1/2 ulp of double
+ *   cost    q16: 4 divisions of 64 by 32 bits
  */
 loft_acc loft_deep_wide(loft_deep x, uint32_t k);
 
-/*   error   q16: none, modulo 2^128   f32, f64: 1/2 ulp of double */
+/*   error   q16: none, modulo 2^128   f32, f64: 1/2 ulp of double
+ *
+ *   cost    q16: one pass over 4 limbs; times: 4 products of 32 bits
+ */
 loft_deep loft_deep_add(loft_deep x, loft_deep y);
 loft_deep loft_deep_sub(loft_deep x, loft_deep y);
 loft_deep loft_deep_times(loft_deep x, uint32_t k);
 
-/* x < y? q16: |x|, |y| < 2^126 */
+/* x < y? q16: |x|, |y| < 2^126
+ *
+ *   error   none
+ *   cost    q16: one pass over 4 limbs
+ */
 bool      loft_deep_below(loft_deep x, loft_deep y);
 
-/* One step of forward differences: d[k] += d[k+1], k = 0 .. degree - 1 upwards. */
+/* One step of forward differences: d[k] += d[k+1], k = 0 .. degree - 1 upwards.
+ *
+ *   error   as loft_deep_add
+ *   cost    `degree` additions; safe in an ISR
+ */
 void loft_deep_step(loft_deep d[], unsigned degree);
 
-/* Is a coordinate small enough for a walk? f64: below 2^900, to leave room for a weight and n^degree. */
+/* Is a coordinate small enough for a walk? f64: below 2^900, to leave room for a weight and n^degree.
+ *
+ *   error   none
+ *   cost    two comparisons
+ */
 bool loft_deep_accepts(loft_real a);
 
 /* x at t = 0, y at t = 1.

@@ -22,6 +22,7 @@ loft_acc loft_acc_part(loft_acc x, loft_acc y, loft_acc z);
  *
  *   range   h > 0, k = 1..9; q16: h < 2^16, |*x| and the result to 2^26 always have room
  *   error   as loft_acc_part
+ *   cost    as loft_acc_part, and a division
  */
 bool loft_acc_grow(loft_acc *x, int32_t k, loft_acc h) LOFT_CHECKED;
 
@@ -37,6 +38,7 @@ loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift);
 /* x / 2^shift, shift in 0..62.
  *
  *   error   q16: 2^-33, ties upward   f32, f64: none
+ *   cost    q16: two shifts
  */
 loft_acc loft_acc_down(loft_acc x, unsigned shift);
 
