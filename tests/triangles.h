@@ -4,6 +4,8 @@
 #ifndef LOFT_TESTS_TRIANGLES_H
 #define LOFT_TESTS_TRIANGLES_H
 
+#include <float.h>
+
 #include "exact_whole.h"            /* exact_of, wide, vast */
 #include "surface/barycentric.h"    /* loft_bary */
 
@@ -42,7 +44,7 @@ static inline long double exact_weight(unsigned i, unsigned j, unsigned k, const
 }
 
 /* The polar form of the net c at x[0..n-1], which may be points and directions: rows of de Casteljau's scheme. */
-static inline long double exact_polar(const long double c[], unsigned n, const long double x[][3])
+static inline long double exact_polar(const long double c[], unsigned n, long double x[][3])
 {
     long double b[LOFT_TRIANGLE_POINTS(18)];
 
@@ -53,6 +55,93 @@ static inline long double exact_polar(const long double c[], unsigned n, const l
             for (unsigned k = 0; k <= m; k++, p++)
                 b[p] = x[r][0] * b[p] + x[r][1] * b[p + m + 1] + x[r][2] * b[p + m + 2];
     return b[0];
+}
+
+
+/* Arbitrary points, directions, nets */
+
+/* Inside, on an edge or at a corner. */
+static inline loft_bary arb_bary(arb *a)
+{
+    const uint32_t n = (uint32_t)1 << arb_below(a, 24), j = arb_below(a, n + 1), k = arb_below(a, n - j + 1);
+    loft_bary u = { loft_unit_of(j, n), loft_unit_of(k, n) };
+
+    if (arb_below(a, 8) == 0)
+        u.v = 0;
+    if (arb_below(a, 8) == 0)
+        u.w = LOFT_UNIT(1) - u.v;
+    return u;
+}
+
+/* Anywhere, |v|, |w| <= far; also as a direction. */
+static inline loft_bary arb_far(arb *a, int32_t far)
+{
+    return (loft_bary) { loft_unit_from(arb_real(a, far)), loft_unit_from(arb_real(a, far)) };
+}
+
+typedef struct {
+    loft_vec p[LOFT_TRIANGLE_MOST];
+    unsigned n, count;
+    long double c[LOFT_AXES][LOFT_TRIANGLE_MOST], largest;
+} arb_net;
+
+static inline void measure_net(arb_net *x)
+{
+    x->largest = 0;
+    for (unsigned k = 0; k < x->count; k++)
+        for (int i = 0; i < LOFT_AXES; i++) {
+            x->c[i][k] = exact_of(x->p[k].axis[i]);
+            x->largest = fmaxl(x->largest, fabsl(x->c[i][k]));
+        }
+}
+
+/* A net of degree least..most; one in four is made of the extremes of the number type. */
+static inline arb_net *arb_net_of(arb *a, unsigned least, unsigned most, int32_t limit)
+{
+    static arb_net many[2];
+    static unsigned turn;
+    arb_net *x = &many[turn++ % 2];
+    const loft_real high = BY_NUM(INT32_MAX, 32767, 32767), low = BY_NUM(INT32_MIN, -32767, -32767);
+    const uint32_t kind = limit == 32767 ? arb_below(a, 8) : 9;
+    const int32_t size = limit >> arb_below(a, 15);
+
+    x->n = least + arb_below(a, most - least + 1);
+    x->count = LOFT_TRIANGLE_POINTS(x->n);
+    for (unsigned k = 0; k < x->count; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            x->p[k].axis[i] = kind == 0 ? (k & 1 ? high : low) : kind == 1 ? (arb_below(a, 2) ? high : low) : arb_real(a, size > 0 ? size : 1);
+    measure_net(x);
+    return x;
+}
+
+/* The value of one axis at u. */
+static inline long double net_at(const arb_net *x, int axis, loft_bary u)
+{
+    long double at[LOFT_DEGREE_MAX + 1][3];
+
+    for (unsigned k = 0; k < x->n; k++)
+        exact_bary(u, false, at[k]);
+    return exact_polar(x->c[axis], x->n, at);
+}
+
+/* A bound of each kind: q16 or floats. */
+static inline long double by_kind(long double q16, long double floats)
+{
+    return BY_NUM(true, false, false) ? q16 : floats;
+}
+
+/* Half a rounding of the result, and what `rows` rows of growth l before it add. */
+static inline long double rows_bound(const arb_net *x, unsigned rows, long double l, long double want)
+{
+    return by_kind(LSB / 2 + (sums(l, rows) / 131072 + 0x1p-20L) * LSB,
+                   ulp(want) / 2 + (3 * rows + 1) * powl(l, rows) * ulp_double(x->largest));
+}
+
+/* 1: fits, 0: does not, -1: too close to say */
+static inline int exact_fits(long double want)
+{
+    const long double over = BY_NUM(32768 - LSB / 2, FLT_MAX, DBL_MAX), under = BY_NUM(-32768 - LSB / 2, -FLT_MAX, -DBL_MAX);
+    return want < over - LSB && want > under + LSB ? 1 : want > over + LSB || want < under - LSB ? 0 : -1;
 }
 
 

@@ -70,10 +70,12 @@ static void tetra_bary(row *r)
     if (status == LOFT_SINGULAR)
         return;
     answer_status(r, a, status);
-    for (int k = 0; k < 4 && status == LOFT_OK; k++)
-        answer_acc(a, u[k]);
     r->largest = 0;
-    row_expect(r, "u", a, (law) { .lsb = 0.5L + 1 / 65536.0L });
+    for (int k = 0; k < 4 && status == LOFT_OK; k++) {
+        answer_acc(a, u[k]);
+        r->largest = fmaxl(r->largest, fabsl(exact_acc(u[k])));
+    }
+    row_expect(r, "u", a, (law) { .lsb = 0.5L + 1 / 65536.0L, .roundings = 0.02L });
 }
 
 static unsigned row_tetra(row *r, loft_vec p[], loft_tetra *t)

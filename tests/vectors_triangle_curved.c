@@ -128,8 +128,8 @@ static void tri_normal_curvature(row *r)
         return;
     answer_status(r, a, status);
     answer_real(a, bend);
-    r->largest = 0;
-    row_expect(r, "kn", a, (law) { .lsb = 0.5L + LSB });
+    r->largest = fabsl(exact_of(bend));
+    row_expect(r, "kn", a, (law) { .lsb = 0.5L + LSB, .roundings = 0.5L });
 }
 
 const vector_system vectors_triangle_curved[] = {

@@ -1,0 +1,163 @@
+/* tests/test_triangle_rational.c -- properties of lib/surface/triangle_rational.h and lib/surface/octant.h
+ * SPDX-License-Identifier: MIT
+ */
+#include "rationals.h"          /* arb_weight */
+#include "triangles.h"          /* arb_net_of, exact_polar */
+#include "surface/octant.h"
+#include "surface/triangle.h"
+#include "surface/triangle_rational.h"
+
+#define MOST LOFT_TRIANGLE_MOST
+
+typedef struct {
+    const arb_net *net;
+    loft_weighted p[MOST];
+    loft_triangle_rational t;
+    long double x[LOFT_AXES][MOST], w[MOST], ratio;
+} sheet;
+
+static sheet *arb_sheet(arb *a, unsigned least)
+{
+    static sheet s;
+    const arb_net *net = s.net = arb_net_of(a, least, LOFT_DEGREE_MAX, 32767);
+    const uint32_t kind = arb_below(a, 6);
+    long double light = 256, heavy = 0;
+
+    for (unsigned k = 0; k < net->count; k++) {
+        s.p[k].p = net->p[k];
+        s.p[k].w = arb_weight(a, kind, k);
+        s.w[k] = exact_of(s.p[k].w);
+        light = fminl(light, s.w[k]);
+        heavy = fmaxl(heavy, s.w[k]);
+        for (int i = 0; i < LOFT_AXES; i++)
+            s.x[i][k] = net->c[i][k] * s.w[k];
+    }
+    s.ratio = heavy / light;
+    CHECK(loft_triangle_rational_init(&s.t, s.p, net->n) == LOFT_OK);
+    return &s;
+}
+
+static long double value(const long double c[], unsigned n, loft_bary u, const loft_bary *z)
+{
+    long double at[LOFT_DEGREE_MAX + 1][3];
+
+    for (unsigned k = 0; k < n; k++)
+        exact_bary(u, false, at[k]);
+    if (z)
+        exact_bary(*z, true, at[0]);
+    return exact_polar(c, n, at);
+}
+
+static void a_point_is_within_its_bound(arb *a)
+{
+    const sheet *s = arb_sheet(a, 0);
+    const unsigned n = s->net->n;
+    const loft_bary u = arb_bary(a);
+    const loft_vec v = loft_triangle_rational_eval(&s->t, u);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const long double want = value(s->x[i], n, u, 0) / value(s->w, n, u, 0), size = s->net->largest;
+        CHECK_EXACT(exact_of(v.axis[i]), want, by_kind(LSB / 2 + n * s->ratio * LSB / 1073741824 + 0x1p-43L, ulp(want) / 2 + (6 * n + 4) * ulp_double(size)));
+    }
+    const loft_bary far = arb_far(a, 40);
+    CHECK(loft_vec_equal(loft_triangle_rational_eval(&s->t, far), loft_triangle_rational_eval(&s->t, loft_bary_clamp(far))));
+}
+
+static void equal_weights_give_the_polynomial(arb *a)
+{
+    sheet *s = arb_sheet(a, 0);
+    const loft_bary u = arb_bary(a), z = arb_far(a, 2);
+    const unsigned n = s->net->n;
+    loft_triangle t;
+    loft_vec d, e;
+
+    for (unsigned k = 0; k < s->net->count; k++)
+        s->p[k].w = s->p[0].w;
+    CHECK(loft_triangle_init(&t, s->net->p, n) == LOFT_OK && loft_triangle_rational_init(&s->t, s->p, n) == LOFT_OK);
+    const loft_vec v = loft_triangle_rational_eval(&s->t, u), w = loft_triangle_eval(&t, u);
+    for (int i = 0; i < LOFT_AXES; i++)
+        CHECK_EXACT(exact_of(v.axis[i]), exact_of(w.axis[i]), BY_NUM(LSB, ulp(s->net->largest), (9 * n + 4) * ulp(s->net->largest)));
+    if (loft_triangle_deriv(&t, 1, z, u, &d) == LOFT_OK && loft_triangle_rational_deriv(&s->t, z, u, &e) == LOFT_OK)
+        for (int i = 0; i < LOFT_AXES; i++)
+            CHECK_EXACT(exact_of(d.axis[i]), exact_of(e.axis[i]), BY_NUM(1.01L * LSB, ulp(exact_of(d.axis[i])) + ulp(s->net->largest), 40 * (n + 1) * (n + 1) * fmaxl(1, reach3(z)) * ulp(s->net->largest)));
+}
+
+static void a_derivative_is_within_its_bound_or_refused(arb *a)
+{
+    const sheet *s = arb_sheet(a, 0);
+    const unsigned n = s->net->n;
+    const loft_bary u = arb_bary(a), z = arb_far(a, 2);
+    const long double steep = n * reach3(z) * s->ratio;
+    bool all = true, none = true;
+    loft_vec v;
+
+    const enum loft_status status = loft_triangle_rational_deriv(&s->t, z, u, &v);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const long double w = value(s->w, n, u, 0), x = value(s->x[i], n, u, 0);
+        const long double want = n ? n * (value(s->x[i], n, u, &z) * w - x * value(s->w, n, u, &z)) / (w * w) : 0;
+        const long double own = steep * s->net->largest * 0x1p-54L;     /* of the reference: 64 bits, two terms */
+        all  = all && exact_fits(want) == 1;
+        none = none && exact_fits(want) != 0;
+        if (status == LOFT_OK)
+            CHECK_EXACT(exact_of(v.axis[i]), want,
+                        by_kind(LSB / 2 + (n + 1) * steep * LSB / 67108864, ulp(want) / 2 + 16 * (n + 1) * steep * ulp_double(s->net->largest)) + own);
+    }
+    CHECK(status == LOFT_OK ? none : status == LOFT_ERR_RANGE && !all);
+    CHECK(loft_triangle_rational_deriv(&s->t, z, (loft_bary) { -LOFT_UNIT(0.001), 0 }, &v) == LOFT_ERR_ARG);
+}
+
+static void nonsense_is_refused(arb *a)
+{
+    sheet *s = arb_sheet(a, 0);
+    loft_triangle_rational t = { 0, 0, 77 };
+    loft_weighted octant[15];
+    const unsigned k = arb_below(a, s->net->count);
+    const loft_real bad[3] = { 0, -1, LOFT_REAL(257) };
+
+    CHECK(loft_triangle_rational_init(&t, s->p, LOFT_DEGREE_MAX + 1) == LOFT_ERR_ARG);
+    s->p[k].w = bad[arb_below(a, 3)];
+    CHECK(loft_triangle_rational_init(&t, s->p, s->net->n) == LOFT_ERR_RANGE && t.degree == 77);
+    CHECK(loft_octant_from_radius(-1, octant) == LOFT_ERR_RANGE);
+}
+
+/* x^2 + y^2 + z^2 = 1, and the symmetry of the corners. */
+static void the_octant_is_on_the_sphere(arb *a)
+{
+    const loft_bary u = arb_bary(a);
+    const loft_vec v = loft_octant_eval(u), turned = loft_octant_eval((loft_bary) { u.w, LOFT_UNIT(1) - u.v - u.w });
+    long double sum = 0;
+
+    for (int i = 0; i < 3; i++) {
+        sum += exact_of(v.axis[i]) * exact_of(v.axis[i]);
+        CHECK(exact_of(v.axis[i]) >= -BY_NUM(0, 0x1p-24L, 0x1p-47L));
+        CHECK_EXACT(exact_of(v.axis[(i + 1) % 3]), exact_of(turned.axis[i]), BY_NUM(0, 4 * ulp(1), 64 * ulp(1)));
+    }
+    CHECK_EXACT(sqrtl(sum), 1, by_kind((0.87L + LSB) * LSB, BY_NUM(0, ulp(1), 0x1p-46L)));
+}
+
+static void its_net_is_a_sphere_of_the_radius(arb *a)
+{
+    const loft_real r = loft_real_from_int(1 + (int32_t)arb_below(a, 32766));
+    const loft_bary u = arb_bary(a);
+    const long double size = exact_of(r);
+    loft_triangle_rational t;
+    loft_weighted p[15];
+    long double sum = 0;
+
+    CHECK(loft_octant_from_radius(r, p) == LOFT_OK && loft_triangle_rational_init(&t, p, 4) == LOFT_OK);
+    const loft_vec v = loft_triangle_rational_eval(&t, u);
+    for (int i = 0; i < 3; i++)
+        sum += exact_of(v.axis[i]) * exact_of(v.axis[i]);
+    CHECK_EXACT(sqrtl(sum), size, by_kind(1.5L * LSB + size * 0x1p-22L, size * BY_NUM(0, 0x1p-22L, 0x1p-46L)));
+}
+
+int main(void)
+{
+    PROPERTY(a_point_is_within_its_bound,                    1500);
+    PROPERTY(equal_weights_give_the_polynomial,               300);
+    PROPERTY(a_derivative_is_within_its_bound_or_refused,     400);
+    PROPERTY(nonsense_is_refused,                             100);
+    PROPERTY(the_octant_is_on_the_sphere,                     100);
+    PROPERTY(its_net_is_a_sphere_of_the_radius,              1000);
+    return check_failures();
+}
