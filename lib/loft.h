@@ -8,7 +8,8 @@
  *                                    bounds, nearest, intersect, overlap, offset: where it is   shape: cusps, curvature   join: C0 to G2
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
  *                                    rational, circle: conics and arcs   cubics: all of them as cubics
- *   surface/  two parameters         tensor: patches over a square   grid: whole patches by exact differences
+ *   surface/  two parameters         tensor, tensor_rational, tensor_join: patches over a square
+ *                                    grid: whole patches by exact differences   local: normals, curvatures
  *                                    barycentric, triangle: Bezier triangles   tetra: tetrahedra   triangle_shape: positive, convex
  *                                    triangle_pieces, _join, _rational, _curvature   octant: of a sphere   pn: from normals
  *                                    coons, bicubic: from curves and corners   sphere, flat: elementary
@@ -78,8 +79,10 @@
 #include "surface/triangle_rational.h"
 #include "surface/triangle_shape.h"
 #include "surface/grid.h"
+#include "surface/local.h"
 #include "surface/tensor.h"
 #include "surface/tensor_join.h"
+#include "surface/tensor_rational.h"
 #include "polygon/basepoint.h"
 #include "polygon/blend.h"
 #include "polygon/domain.h"

@@ -43,17 +43,19 @@ static inline tensor *arb_tensor(arb *a)
     return &x;
 }
 
-/* The derivative of order a by u, b by v, along v first: the other order of the library. */
+/* The derivative of order a by u, b by v, along v first: the other order of the library. Coordinates count from the
+ * first control point, so that a far origin costs no digits. */
 static inline long double tensor_exact(const loft_tensor *s, int axis, unsigned a, unsigned b, long double u, long double v)
 {
     long double row[LOFT_DEGREE_MAX + 1], column[LOFT_DEGREE_MAX + 1];
+    const long double origin = exact_of(s->p[0].axis[axis]);
 
     for (unsigned i = 0; i <= s->m; i++) {
         for (unsigned j = 0; j <= s->n; j++)
-            row[j] = exact_of(s->p[i * (s->n + 1u) + j].axis[axis]);
+            row[j] = exact_of(s->p[i * (s->n + 1u) + j].axis[axis]) - origin;
         column[i] = exact_deriv(row, s->n, b, v);
     }
-    return exact_deriv(column, s->m, a, u);
+    return exact_deriv(column, s->m, a, u) + (a + b ? 0 : origin);
 }
 
 #endif
