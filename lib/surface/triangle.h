@@ -103,7 +103,7 @@ enum loft_status loft_triangle_polar(const loft_triangle *t, unsigned times, lof
  *
  *   range   as extend; `out` is undefined after an error
  *   error   as extend with the larger L, per control point
- *   cost    degree + 1 times up to that of eval; 900 bytes of stack
+ *   cost    degree + 1 times up to that of eval; 1 kB of stack
  *   see     Ramshaw: out[k] = b[from^(degree-k), to^k]
  */
 enum loft_status loft_triangle_line(const loft_triangle *t, loft_bary from, loft_bary to, loft_vec out[]) LOFT_CHECKED;

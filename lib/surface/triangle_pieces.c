@@ -1,8 +1,8 @@
 /* lib/surface/triangle_pieces.c
  * SPDX-License-Identifier: MIT
  *
- * One axis at a time, from the control points to wide coefficients, and rounded when all of the axis is there: so the
- * result may replace what it is made of. Room and error of the rows: barycentric.c.
+ * One axis at a time: all of it is read before any of it is written, so the result may replace what it is made of. Room
+ * and error of the rows: barycentric.c.
  */
 #include "surface/triangle_pieces.h"
 
@@ -12,6 +12,14 @@ static void widen(const loft_vec p[], unsigned count, int axis, loft_acc c[])
 {
     for (unsigned k = 0; k < count; k++)
         c[k] = loft_wide(p[k].axis[axis]);
+}
+
+static bool take(loft_acc x, loft_real *out)
+{
+    if (!loft_acc_fits(x))
+        return false;
+    *out = loft_acc_round(x);
+    return true;
 }
 
 static void copy(const loft_acc from[], unsigned count, loft_acc to[])
@@ -25,33 +33,32 @@ static void copy(const loft_acc from[], unsigned count, loft_acc to[])
 
 /* After r rows what lies on the three edges of the net that is left belongs to the three pieces, with the power r of
  * the new corner: b_0jk, b_i0k and b_ij0. */
-static void deal(const loft_acc c[], unsigned degree, unsigned r, loft_acc x[3][MOST])
+static bool deal(const loft_acc x[], unsigned degree, unsigned r, int axis, loft_vec a[], loft_vec b[], loft_vec c[])
 {
     const unsigned n = degree - r;
 
-    for (unsigned k = 0; k <= n; k++) {
-        x[0][loft_triangle_place(n - k, k)] = c[loft_triangle_place(n - k, k)];
-        x[1][loft_triangle_place(r, k)] = c[loft_triangle_place(0, k)];
-        x[2][loft_triangle_place(k, r)] = c[loft_triangle_place(k, 0)];
-    }
+    for (unsigned k = 0; k <= n; k++)
+        if (!take(x[loft_triangle_place(n - k, k)], &a[loft_triangle_place(n - k, k)].axis[axis]) ||
+            !take(x[loft_triangle_place(0, k)], &b[loft_triangle_place(r, k)].axis[axis]) ||
+            !take(x[loft_triangle_place(k, 0)], &c[loft_triangle_place(k, r)].axis[axis]))
+            return false;
+    return true;
 }
 
 enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_vec a[], loft_vec b[], loft_vec c[])
 {
-    const unsigned n = t->degree, count = LOFT_TRIANGLE_POINTS(n);
-    loft_acc rest[MOST], x[3][MOST], product = loft_wide(LOFT_REAL(1));
+    const unsigned n = t->degree;
+    loft_acc x[MOST], product = loft_wide(LOFT_REAL(1));
 
     if (!loft_bary_grows(u, false, n, &product))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(t->p, count, i, rest);
+        widen(t->p, LOFT_TRIANGLE_POINTS(n), i, x);
         for (unsigned r = 0; r <= n; r++) {
-            deal(rest, n, r, x);
-            loft_bary_step(rest, n - r, u);
+            if (!deal(x, n, r, i, a, b, c))
+                return LOFT_ERR_RANGE;
+            loft_bary_step(x, n - r, u);
         }
-        if (!loft_vec_round_axis(x[0], count, i, a) || !loft_vec_round_axis(x[1], count, i, b) ||
-            !loft_vec_round_axis(x[2], count, i, c))
-            return LOFT_ERR_RANGE;
     }
     return LOFT_OK;
 }
@@ -82,7 +89,7 @@ static void halve_row(loft_acc c[], unsigned degree, const corner *at)
 
 /* b[corner0^i, corner1^j, corner2^k]: i rows at the first corner, in a copy j at the second, in a copy of that k at
  * the third. */
-static void reshape(loft_acc c[], unsigned degree, const corner at[3], row *step, loft_acc out[])
+static bool reshape(loft_acc c[], unsigned degree, const corner at[3], row *step, int axis, loft_vec out[])
 {
     loft_acc second[MOST], third[MOST];
 
@@ -92,22 +99,23 @@ static void reshape(loft_acc c[], unsigned degree, const corner at[3], row *step
             copy(second, LOFT_TRIANGLE_POINTS(k), third);
             for (unsigned n = k; n > 0; n--)
                 step(third, n, &at[2]);
-            out[loft_triangle_place(m - k, k)] = third[0];
+            if (!take(third[0], &out[loft_triangle_place(m - k, k)].axis[axis]))
+                return false;
             step(second, k, &at[1]);
         }
         step(c, m, &at[0]);
     }
+    return true;
 }
 
 static enum loft_status reshape_all(const loft_triangle *t, const corner at[3], row *step, loft_vec out[])
 {
     const unsigned count = LOFT_TRIANGLE_POINTS(t->degree);
-    loft_acc c[MOST], x[MOST];
+    loft_acc c[MOST];
 
     for (int i = 0; i < LOFT_AXES; i++) {
         widen(t->p, count, i, c);
-        reshape(c, t->degree, at, step, x);
-        if (!loft_vec_round_axis(x, count, i, out))
+        if (!reshape(c, t->degree, at, step, i, out))
             return LOFT_ERR_RANGE;
     }
     return LOFT_OK;
@@ -188,7 +196,7 @@ static loft_acc from_power(const loft_acc a[], unsigned n, unsigned i, unsigned 
 
 enum loft_status loft_triangle_from_power(const loft_vec a[], unsigned degree, loft_vec out[])
 {
-    loft_acc c[MOST], x[MOST];
+    loft_acc c[MOST];
 
     if (degree > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
@@ -196,9 +204,8 @@ enum loft_status loft_triangle_from_power(const loft_vec a[], unsigned degree, l
         widen(a, LOFT_TRIANGLE_POINTS(degree), axis, c);
         for (unsigned m = 0; m <= degree; m++)
             for (unsigned k = 0; k <= m; k++)
-                x[loft_triangle_place(m - k, k)] = from_power(c, degree, degree - m, m - k);
-        if (!loft_vec_round_axis(x, LOFT_TRIANGLE_POINTS(degree), axis, out))
-            return LOFT_ERR_RANGE;
+                if (!take(from_power(c, degree, degree - m, m - k), &out[loft_triangle_place(m - k, k)].axis[axis]))
+                    return LOFT_ERR_RANGE;
     }
     return LOFT_OK;
 }

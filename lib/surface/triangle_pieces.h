@@ -14,7 +14,7 @@
  *
  *   range   LOFT_ERR_RANGE when a control point does not fit or the law of triangle.h is not kept
  *   error   as loft_triangle_extend
- *   cost    as loft_triangle_eval
+ *   cost    as loft_triangle_eval; 500 bytes of stack
  *   see     Farin, Curves and Surfaces for CAGD, ch. 17: subdivision at a point
  */
 enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_vec a[], loft_vec b[], loft_vec c[]) LOFT_CHECKED;
