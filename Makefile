@@ -162,17 +162,17 @@ deps:
 deps-bench:
 	@sh tests/deps.sh g++ libagg-dev libgsl-dev
 
-## Install the cross compilers and the emulator that check-cross, check-target and size need
+## Install the cross compilers and the emulators that check-cross, check-target and size need
 .PHONY: deps-target
 deps-target:
-	@sh tests/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc gcc-riscv64-unknown-elf simavr
+	@sh tests/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc gcc-riscv64-unknown-elf simavr qemu-system-arm
 
 ## Compile lib/ for Cortex-M0+, M4, ATmega328P and rv32imac; no writable data, no libc, no slow helper in an interrupt
 .PHONY: check-cross
 check-cross: lib/names.h
 	@sh tests/cross.sh
 
-## Run arithmetic and curves on an emulated ATmega328P: the same, bit for bit, as here
+## Run arithmetic, curves and grids on an emulated ATmega328P and Cortex-M0: the same, bit for bit, as here
 .PHONY: check-target
 check-target: lib/names.h
 	@sh tests/target.sh

@@ -2,11 +2,13 @@
  * SPDX-License-Identifier: MIT
  *
  * Each line is a name and a sum over many results, extremes included. tests/target.sh runs this program here
- * and on an emulated chip and compares. On AVR the lines leave through the serial port, and the three parts
- * (-DPART=1 operations, 2 points and walking, 3 measures) are programs of their own: together they exceed its flash.
+ * and on emulated chips and compares. On AVR the lines leave through the serial port, on Cortex-M0 through the debugger
+ * (microbit.c), and the four parts (-DPART=1 operations, 2 points and walking, 3 measures, 4 grids over patches)
+ * are programs of their own: together they exceed the flash of an ATmega328P. Its lines that begin with # are times.
  */
 #include "curve/forward.h"
 #include "curve/measure.h"
+#include "surface/grid.h"
 
 #if defined(__AVR__)
 #  include <avr/interrupt.h>
@@ -19,6 +21,11 @@ static void put(char c)
 }
 static void start(void) { UBRR0 = 0; UCSR0A = 1 << U2X0; UCSR0B = 1 << TXEN0; }
 static void stop(void)  { put('\n'); cli(); sleep_enable(); sleep_cpu(); }
+#elif defined(__ARM_ARCH_6M__)
+void debugger_put(char c);
+static void put(char c) { debugger_put(c); }
+static void start(void) {}
+static void stop(void)  {}
 #else
 #  include <stdio.h>
 static void put(char c) { putchar(c); }
@@ -60,10 +67,12 @@ static int64_t some(unsigned bits)
     return r >> 20 & 1 ? -x : x;
 }
 
+#if PART == 1
 static int32_t coordinate(void) { return (int32_t)some(31); }
+#endif
 static loft_unit fraction(void)  { return (loft_unit)((uint32_t)some(31) & 0xffffff); }
 
-#if PART != 1
+#if PART == 2 || PART == 3
 static loft_cubic some_cubic(unsigned bits)
 {
     loft_cubic c;
@@ -128,6 +137,106 @@ static void sums(int rounds)
         add(p.axis[0]);
     }
     say("forward");
+}
+
+#elif PART == 4
+
+#define STEPS 16
+
+static loft_vec net[16];
+static loft_state memory[LOFT_GRID_STATES(3, 3)];
+static loft_grid grid;
+
+#if defined(__AVR__)
+
+/* Timer 1 counts 64 cycles. */
+static void start_timer(void) { TCCR1A = 0; TCCR1B = (1 << CS11) | (1 << CS10); TCNT1 = 0; }
+static uint32_t cycles(void)  { return (uint32_t)TCNT1 * 64; }
+
+static void say_time(const char *name, uint32_t n)
+{
+    char digits[10];
+    int count = 0;
+
+    while (*name)
+        put(*name++);
+    do
+        digits[count++] = (char)('0' + n % 10);
+    while (n /= 10);
+    while (count)
+        put(digits[--count]);
+    put('\n');
+}
+
+#else
+static void start_timer(void)                           {}
+static uint32_t cycles(void)                            { return 0; }
+static void say_time(const char *name, uint32_t n)      { (void)name; (void)n; }
+#endif
+
+static void some_net(unsigned bits)
+{
+    for (int k = 0; k < 16; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            net[k].axis[i] = (loft_real)some(bits);
+}
+
+static uint32_t walk(void)
+{
+    uint32_t points = 0;
+    loft_vec p;
+
+    for (; loft_grid_next(&grid, &p); points++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            add(p.axis[i]);
+    return points;
+}
+
+/* Without the sums, for its time. */
+static void time_grid(const loft_tensor *s)
+{
+    uint32_t points = 0;
+    loft_vec p;
+
+    start_timer();
+    if (loft_grid_init(&grid, s, STEPS, STEPS, memory, LOFT_GRID_STATES(3, 3)) != LOFT_OK)
+        return;
+    say_time("# cycles of loft_grid_init, 16 x 16 bicubic: ", cycles());
+    start_timer();
+    while (loft_grid_next(&grid, &p))
+        points++;
+    say_time("# cycles of a point of it: ", cycles() / points);
+}
+
+static void sums(int rounds)
+{
+    loft_triangle t;
+    loft_tensor s;
+
+    for (int n = 0; n < rounds; n++) {
+        some_net(n == 0 ? 22 : 31);
+        if (loft_tensor_init(&s, net, 3, 3) != LOFT_OK)
+            return;
+        if (n == 0)
+            time_grid(&s);
+        if (loft_grid_init(&grid, &s, STEPS, STEPS, memory, LOFT_GRID_STATES(3, 3)) == LOFT_OK)
+            walk();
+    }
+    say("grid");
+    if (loft_grid_init(&grid, &s, 11, 13, memory, LOFT_GRID_STATES(3, 3)) == LOFT_OK)
+        walk();
+    say("grid_any");
+    if (loft_triangle_init(&t, net, 3) == LOFT_OK &&
+        loft_grid_triangle_init(&grid, &t, STEPS, memory, LOFT_GRID_TRIANGLE_STATES(3)) == LOFT_OK)
+        walk();
+    say("grid_triangle");
+    for (int n = 0; n < rounds; n++) {
+        const loft_unit u = fraction(), v = fraction();
+        const loft_vec p = loft_tensor_eval(&s, u, v);
+        for (int i = 0; i < LOFT_AXES; i++)
+            add(p.axis[i]);
+    }
+    say("tensor");
 }
 
 #else
