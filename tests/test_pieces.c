@@ -8,41 +8,41 @@
 /* Whatever is halved, the leaves lie end to end from 0 to 1. */
 static void leaves_lie_end_to_end(arb *a)
 {
-    loft_piece n = { 0, 0 };
+    loft_dyad n = { 0, 0 };
     loft_unit end = 0;
     uint32_t left = 200;
 
     do {
-        while (left && n.level < LOFT_PIECE_LEVELS && arb_below(a, 5) < 3) {
-            n = loft_piece_half(n, 0);
+        while (left && n.level < LOFT_DYAD_LEVELS && arb_below(a, 5) < 3) {
+            n = loft_dyad_half(n, 0);
             left--;
         }
-        CHECK(!(loft_piece_from(n) < end) && !(end < loft_piece_from(n)));
-        CHECK(loft_piece_from(n) < loft_piece_to(n));
-        end = loft_piece_to(n);
-    } while (loft_piece_next(&n));
+        CHECK(!(loft_dyad_from(n) < end) && !(end < loft_dyad_from(n)));
+        CHECK(loft_dyad_from(n) < loft_dyad_to(n));
+        end = loft_dyad_to(n);
+    } while (loft_dyad_next(&n));
     CHECK_EXACT(exact_unit(end), 1, 0);
 }
 
 static void halves_make_the_whole(arb *a)
 {
-    const uint8_t level = (uint8_t)arb_below(a, LOFT_PIECE_LEVELS);
-    const loft_piece n = { arb_below(a, (uint32_t)1 << level), level };
-    const loft_piece left = loft_piece_half(n, 0), right = loft_piece_half(n, 1);
+    const uint8_t level = (uint8_t)arb_below(a, LOFT_DYAD_LEVELS);
+    const loft_dyad n = { arb_below(a, (uint32_t)1 << level), level };
+    const loft_dyad left = loft_dyad_half(n, 0), right = loft_dyad_half(n, 1);
 
-    CHECK_EXACT(exact_unit(loft_piece_from(left)), exact_unit(loft_piece_from(n)), 0);
-    CHECK_EXACT(exact_unit(loft_piece_to(left)), exact_unit(loft_piece_from(right)), 0);
-    CHECK_EXACT(exact_unit(loft_piece_to(right)), exact_unit(loft_piece_to(n)), 0);
-    CHECK_EXACT(exact_unit(loft_piece_at(left, LOFT_UNIT(1))), exact_unit(loft_piece_to(left)), 0);
+    CHECK_EXACT(exact_unit(loft_dyad_from(left)), exact_unit(loft_dyad_from(n)), 0);
+    CHECK_EXACT(exact_unit(loft_dyad_to(left)), exact_unit(loft_dyad_from(right)), 0);
+    CHECK_EXACT(exact_unit(loft_dyad_to(right)), exact_unit(loft_dyad_to(n)), 0);
+    CHECK_EXACT(exact_unit(loft_dyad_at(left, LOFT_UNIT(1))), exact_unit(loft_dyad_to(left)), 0);
 }
 
 static void a_parameter_of_a_piece_is_rounded_once(arb *a)
 {
-    const uint8_t level = (uint8_t)arb_below(a, LOFT_PIECE_LEVELS + 1);
-    const loft_piece n = { arb_below(a, (uint32_t)1 << level), level };
+    const uint8_t level = (uint8_t)arb_below(a, LOFT_DYAD_LEVELS + 1);
+    const loft_dyad n = { arb_below(a, (uint32_t)1 << level), level };
     const loft_unit t = arb_unit(a);
 
-    CHECK_EXACT(exact_unit(loft_piece_at(n, t)), (n.k + exact_unit(t)) / ((uint32_t)1 << level), BY_NUM(0x1.01p-25L, 0x1.01p-25L, 0x1p-51L));
+    CHECK_EXACT(exact_unit(loft_dyad_at(n, t)), (n.k + exact_unit(t)) / ((uint32_t)1 << level), BY_NUM(0x1.01p-25L, 0x1.01p-25L, 0x1p-51L));
 }
 
 static void a_part_is_the_blossoms(arb *a)

@@ -4,10 +4,10 @@
 #include "basis/pieces.h"
 #include "basis/bernstein.h"    /* loft_bernstein_step, loft_bernstein_eval */
 
-loft_unit loft_piece_at(loft_piece n, loft_unit t)
+loft_unit loft_dyad_at(loft_dyad n, loft_unit t)
 {
     const loft_acc one = loft_wide(LOFT_REAL(1));
-    const loft_acc from = loft_acc_scale(one, loft_piece_from(n)), to = loft_acc_scale(one, loft_piece_to(n));
+    const loft_acc from = loft_acc_scale(one, loft_dyad_from(n)), to = loft_acc_scale(one, loft_dyad_to(n));
 
     return loft_unit_ratio(loft_acc_lerp(from, to, t), one);
 }

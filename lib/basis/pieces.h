@@ -4,40 +4,40 @@
  * Piece k of level m is k / 2^m .. (k + 1) / 2^m. Halving what is not good enough yet makes a binary tree, whose leaves
  * are met from left to right: the one after piece k is k + 1, or rather its largest ancestor that starts there.
  *
- *     loft_piece n = { 0, 0 };
+ *     loft_dyad n = { 0, 0 };
  *     do {
  *         while (!is_good(n))
- *             n = loft_piece_half(n, 0);
+ *             n = loft_dyad_half(n, 0);
  *         use(n);
- *     } while (loft_piece_next(&n));
+ *     } while (loft_dyad_next(&n));
  *
  * The state is the piece itself, so there is no stack whose size would need a proof; that of the loop above is the
- * proof that is_good holds at some level <= LOFT_PIECE_LEVELS.
+ * proof that is_good holds at some level <= LOFT_DYAD_LEVELS.
  */
 #ifndef LOFT_BASIS_PIECES_H
 #define LOFT_BASIS_PIECES_H
 
 #include "num/num.h"    /* loft_unit, loft_acc */
 
-#define LOFT_PIECE_LEVELS 24    /* all k / 2^24 are exact in every number type */
+#define LOFT_DYAD_LEVELS 24    /* all k / 2^24 are exact in every number type */
 
 typedef struct {
     uint32_t k;
     uint8_t  level;
-} loft_piece;
+} loft_dyad;
 
-static inline loft_unit loft_piece_from(loft_piece n)   { return loft_unit_of(n.k, (uint32_t)1 << n.level); }
-static inline loft_unit loft_piece_to(loft_piece n)     { return loft_unit_of(n.k + 1, (uint32_t)1 << n.level); }
+static inline loft_unit loft_dyad_from(loft_dyad n)   { return loft_unit_of(n.k, (uint32_t)1 << n.level); }
+static inline loft_unit loft_dyad_to(loft_dyad n)     { return loft_unit_of(n.k + 1, (uint32_t)1 << n.level); }
 
 /* The left half (side 0) or the right one (side 1). */
-static inline loft_piece loft_piece_half(loft_piece n, uint32_t side)
+static inline loft_dyad loft_dyad_half(loft_dyad n, uint32_t side)
 {
-    const loft_piece half = { 2 * n.k + side, (uint8_t)(n.level + 1) };
+    const loft_dyad half = { 2 * n.k + side, (uint8_t)(n.level + 1) };
     return half;
 }
 
 /* On to the largest piece that starts where this one ends; false where 0..1 ends. */
-static inline bool loft_piece_next(loft_piece *n)
+static inline bool loft_dyad_next(loft_dyad *n)
 {
     for (n->k++; n->level && n->k % 2 == 0; n->k /= 2)
         n->level--;
@@ -49,7 +49,7 @@ static inline bool loft_piece_next(loft_piece *n)
  *   error   q16: 2^-25   f32: 1/2 ulp   f64: 2 ulp of 1
  *   cost    three wide products and a quotient
  */
-loft_unit loft_piece_at(loft_piece n, loft_unit t);
+loft_unit loft_dyad_at(loft_dyad n, loft_unit t);
 
 /* The Bernstein coefficients of the part from..to of a polynomial; `out` must not be `c`.
  *

@@ -12,7 +12,7 @@
  * Rounding. A coefficient of a piece is off by at most 9 * 2^-33 in q16 (3 * 9 ulp of double in floats); `noise`
  * is at least that, and added where a coefficient is taken as a bound. The whole curve has no noise. */
 #include "curve/bounds.h"
-#include "basis/pieces.h"   /* loft_piece, loft_bernstein_part */
+#include "basis/pieces.h"   /* loft_dyad, loft_bernstein_part */
 
 static loft_acc top_of(const loft_acc c[], unsigned degree)
 {
@@ -29,24 +29,24 @@ static loft_acc highest(const loft_acc c[], unsigned degree, loft_acc grain)
 {
     const loft_acc noise = 3 * (int32_t)degree * grain, enough = 256 * grain;
     loft_acc best = c[0] > c[degree] ? c[0] : c[degree], bound = best, p[LOFT_DEGREE_MAX + 1];
-    loft_piece n = { 0, 0 };
+    loft_dyad n = { 0, 0 };
 
     if (top_of(c, degree) <= best)
         return best;
     do {
         for (;;) {
-            loft_bernstein_part(c, degree, loft_piece_from(n), loft_piece_to(n), p);
+            loft_bernstein_part(c, degree, loft_dyad_from(n), loft_dyad_to(n), p);
             if (p[0] > best)      best = p[0];
             if (p[degree] > best) best = p[degree];
             const loft_acc top = top_of(p, degree);
-            if (top <= best + enough || n.level == LOFT_PIECE_LEVELS) {
+            if (top <= best + enough || n.level == LOFT_DYAD_LEVELS) {
                 if (top + noise > bound)
                     bound = top + noise;
                 break;
             }
-            n = loft_piece_half(n, 0);
+            n = loft_dyad_half(n, 0);
         }
-    } while (loft_piece_next(&n));
+    } while (loft_dyad_next(&n));
     return bound;
 }
 

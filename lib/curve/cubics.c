@@ -181,11 +181,11 @@ bool loft_cubics_next(loft_cubics *s, loft_cubic *out)
     }
     find(s);
     while (!(aim(s, &c) && is_close(s, &c)) && s->piece.level < LEVELS_MAX) {
-        s->piece = loft_piece_half(s->piece, 0);
+        s->piece = loft_dyad_half(s->piece, 0);
         halve_all(s, false);
     }
     s->last = c.p[3];
-    s->more = loft_piece_next(&s->piece);
+    s->more = loft_dyad_next(&s->piece);
     *out = c;
     return true;
 }

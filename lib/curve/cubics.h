@@ -20,7 +20,7 @@
 #ifndef LOFT_CURVE_CUBICS_H
 #define LOFT_CURVE_CUBICS_H
 
-#include "basis/pieces.h"   /* loft_piece */
+#include "basis/pieces.h"   /* loft_dyad */
 #include "curve/bezier.h"   /* loft_bezier, loft_cubic */
 #include "curve/rational.h" /* loft_rational */
 
@@ -32,7 +32,7 @@ typedef struct {
     loft_real            tol;
     loft_real            reach;     /* twice the largest coordinate: arms end within that               */
     int32_t              scale;     /* a power of two: the largest weight times it is in 2^13 .. 2^14   */
-    loft_piece           piece;     /* the next one to try                                              */
+    loft_dyad           piece;     /* the next one to try                                              */
     uint8_t              degree;
     bool                 more;
     loft_acc             x[LOFT_AXES + 1][LOFT_DEGREE_MAX + 1];     /* its weighted points and its weights, last */

@@ -21,7 +21,7 @@
  * kept below 2^18 tol, for a parameter on the chord is a loft_unit: 2^-24 L.
  *
  * The walk. Which of the two was halved on the way down is kept, one flag per level: a piece has at most
- * LOFT_PIECE_LEVELS = 24 levels, hence at most 48 flags. At level 24 a piece is taken for straight. (It is: second
+ * LOFT_DYAD_LEVELS = 24 levels, hence at most 48 flags. At level 24 a piece is taken for straight. (It is: second
  * differences are 2^-48 of 4 times the largest coordinate, 2^-31 in q16.)
  *
  * Stretches. The part of two chords within tol / 2 of each other is a convex set of (sigma, tau), and two such
@@ -30,16 +30,16 @@
  * A stretch that both curves share from end to end is known beforehand (curve/overlap.h). Pairs of pieces that meet only
  * there are passed over, so that what remains is found as quickly as if there were none. */
 #include "curve/intersect.h"
-#include "basis/pieces.h"   /* loft_piece, loft_bernstein_part */
+#include "basis/pieces.h"   /* loft_dyad, loft_bernstein_part */
 #include "curve/overlap.h"  /* loft_bezier_overlap */
 #include "geom/chord.h"     /* loft_chord_foot */
 
-#define STEPS ((uint32_t)1 << LOFT_PIECE_LEVELS)
+#define STEPS ((uint32_t)1 << LOFT_DYAD_LEVELS)
 
 /* A curve and its current piece. */
 typedef struct {
     const loft_bezier *b;
-    loft_piece n;
+    loft_dyad n;
     loft_acc   p[LOFT_AXES][LOFT_DEGREE_MAX + 1];
     loft_acc   size;                /* its largest extent along an axis */
     loft_chord chord;
@@ -48,7 +48,7 @@ typedef struct {
 
 typedef struct {
     side a, b;
-    bool halved_a[2 * LOFT_PIECE_LEVELS];
+    bool halved_a[2 * LOFT_DYAD_LEVELS];
     unsigned depth;
     loft_acc eighth, half;                  /* of tol                      */
     loft_acc short_enough, long_enough;     /* the limits of L, as above   */
@@ -93,14 +93,14 @@ static void cut(search *z, side *s)
     for (int i = 0; i < LOFT_AXES; i++) {
         for (unsigned k = 0; k <= s->b->degree; k++)
             c[k] = loft_wide(s->b->p[k].axis[i]);
-        loft_bernstein_part(c, s->b->degree, loft_piece_from(s->n), loft_piece_to(s->n), s->p[i]);
+        loft_bernstein_part(c, s->b->degree, loft_dyad_from(s->n), loft_dyad_to(s->n), s->p[i]);
         s->chord.u[i] = s->p[i][s->b->degree] - s->p[i][0];
         range_of(s, i, &low, &high);
         if (high - low > s->size)
             s->size = high - low;
     }
     loft_chord_aim(&s->chord);
-    const bool last = s->n.level == LOFT_PIECE_LEVELS;
+    const bool last = s->n.level == LOFT_DYAD_LEVELS;
     s->flat     = last || (s->chord.length <= z->long_enough && is_flat(s, z->eighth));
     s->straight = last || (s->chord.length <= z->short_enough && s->flat);
 }
@@ -294,12 +294,12 @@ static bool meet(const search *z, loft_crossing out[], size_t room, size_t *coun
         c.point.axis[i] = loft_acc_round(loft_acc_ratio(x + y, 2));
         dot += loft_acc_scale(loft_acc_scale(loft_wide(LOFT_REAL(1)), a->chord.toward[i]), b->chord.toward[i]);
     }
-    c.s       = loft_piece_at(a->n, sigma);
-    c.t       = loft_piece_at(b->n, tau);
-    c.s_from  = loft_piece_at(a->n, near_until(a, b, sigma, 0, gap));
-    c.s_to    = loft_piece_at(a->n, near_until(a, b, sigma, LOFT_UNIT(1), gap));
-    c.t_from  = loft_piece_at(b->n, near_until(b, a, tau, 0, gap));
-    c.t_to    = loft_piece_at(b->n, near_until(b, a, tau, LOFT_UNIT(1), gap));
+    c.s       = loft_dyad_at(a->n, sigma);
+    c.t       = loft_dyad_at(b->n, tau);
+    c.s_from  = loft_dyad_at(a->n, near_until(a, b, sigma, 0, gap));
+    c.s_to    = loft_dyad_at(a->n, near_until(a, b, sigma, LOFT_UNIT(1), gap));
+    c.t_from  = loft_dyad_at(b->n, near_until(b, a, tau, 0, gap));
+    c.t_to    = loft_dyad_at(b->n, near_until(b, a, tau, LOFT_UNIT(1), gap));
     c.along   = dot >= 0;
     c.overlap = false;
     return add(c, out, room, count);
@@ -338,7 +338,7 @@ static bool descend(search *z)
     side *s = halve_a ? a : b;
 
     z->halved_a[z->depth++] = halve_a;
-    s->n = loft_piece_half(s->n, 0);
+    s->n = loft_dyad_half(s->n, 0);
     cut(z, s);
     return true;
 }
@@ -382,10 +382,10 @@ static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t
 /* Nothing left to find in this pair? */
 static bool is_done(const search *z)
 {
-    const loft_piece a = z->a.n, b = z->b.n;
+    const loft_dyad a = z->a.n, b = z->b.n;
 
     return are_apart(&z->a, &z->b, z->half)
-        || (z->shares && loft_overlap_covers(&z->shared, z->a.b, loft_piece_from(a), loft_piece_to(a), loft_piece_from(b), loft_piece_to(b)));
+        || (z->shares && loft_overlap_covers(&z->shared, z->a.b, loft_dyad_from(a), loft_dyad_to(a), loft_dyad_from(b), loft_dyad_to(b)));
 }
 
 static bool walk(search *z, loft_crossing out[], size_t room, size_t *count)

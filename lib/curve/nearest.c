@@ -17,7 +17,7 @@
  * Rounding in q16: u is off by 2^-24, which moves (1) by 2^-22 |b_i - F|, taken off below; m by the error of
  * loft_acc_hypot, 2^-28 of it + 2^-32. That counts as tolerance, four times, lest noise is subdivided. */
 #include "curve/nearest.h"
-#include "basis/pieces.h"   /* loft_piece, loft_bernstein_part */
+#include "basis/pieces.h"   /* loft_dyad, loft_bernstein_part */
 #include "geom/chord.h"     /* loft_chord_foot */
 
 /* The curve relative to p, and one piece of it. */
@@ -28,7 +28,7 @@ typedef struct {
 } scene;
 
 /* Is the point at t of the current piece n nearer than what was found? */
-static void try_at(scene *s, loft_piece n, loft_unit t, loft_vec p, loft_nearest *out)
+static void try_at(scene *s, loft_dyad n, loft_unit t, loft_vec p, loft_nearest *out)
 {
     loft_acc x[LOFT_AXES], c[LOFT_DEGREE_MAX + 1];
 
@@ -41,7 +41,7 @@ static void try_at(scene *s, loft_piece n, loft_unit t, loft_vec p, loft_nearest
     if (distance >= out->distance)
         return;
     out->distance = distance;
-    out->t = loft_piece_at(n, t);
+    out->t = loft_dyad_at(n, t);
     for (int i = 0; i < LOFT_AXES; i++)
         out->point.axis[i] = loft_acc_round(loft_wide(p.axis[i]) + x[i]);
 }
@@ -78,16 +78,16 @@ static loft_acc bound_of(const scene *s, loft_unit *t)
     return m + behind + loft_acc_scale(behind, LOFT_UNIT(1.0 / 4194304));
 }
 
-static void cut(scene *s, loft_piece n)
+static void cut(scene *s, loft_dyad n)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        loft_bernstein_part(s->whole[i], s->degree, loft_piece_from(n), loft_piece_to(n), s->piece[i]);
+        loft_bernstein_part(s->whole[i], s->degree, loft_dyad_from(n), loft_dyad_to(n), s->piece[i]);
 }
 
 /* Both ends are tried first, then the pieces. */
 static void search(scene *s, loft_vec p, loft_acc tol, loft_nearest *out)
 {
-    loft_piece n = { 0, 0 };
+    loft_dyad n = { 0, 0 };
     loft_unit t;
 
     cut(s, n);
@@ -98,11 +98,11 @@ static void search(scene *s, loft_vec p, loft_acc tol, loft_nearest *out)
             cut(s, n);
             const loft_acc bound = bound_of(s, &t);
             try_at(s, n, t, p, out);
-            if (bound >= out->distance - tol - 4 * loft_hypot_grain(out->distance) || n.level == LOFT_PIECE_LEVELS)
+            if (bound >= out->distance - tol - 4 * loft_hypot_grain(out->distance) || n.level == LOFT_DYAD_LEVELS)
                 break;
-            n = loft_piece_half(n, 0);
+            n = loft_dyad_half(n, 0);
         }
-    } while (loft_piece_next(&n));
+    } while (loft_dyad_next(&n));
 }
 
 enum loft_status loft_bezier_nearest(const loft_bezier *b, loft_vec p, loft_real tol, loft_nearest *out)

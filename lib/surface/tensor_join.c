@@ -18,7 +18,7 @@
  * B by 2^n and T by 2^(n-1) each time: a coefficient of A x T after L halvings is below 2^(2e + 1 + (2n - 1)(L + 1)).
  */
 #include "surface/tensor_join.h"
-#include "basis/pieces.h"       /* loft_piece: the pieces of the edge */
+#include "basis/pieces.h"       /* loft_dyad: the pieces of the edge */
 #include "num/exact.h"          /* loft_exact: no decision depends on rounding */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
@@ -103,7 +103,7 @@ static void halve(loft_exact x[][3], unsigned degree, unsigned side)
             x[k][i] = loft_exact_shift(x[k][i], (int)(side ? k : degree - k));
 }
 
-static void cut(edge *e, loft_piece piece)
+static void cut(edge *e, loft_dyad piece)
 {
     for (unsigned bit = piece.level; bit-- > 0; ) {
         const unsigned side = piece.k >> bit & 1;
@@ -143,7 +143,7 @@ static bool proven(edge *e)
 static bool one_direction(edge *e, const loft_tensor *p, const loft_tensor *q)
 {
     const unsigned levels = (LOFT_EXACT_BITS - 1 - 2 * EDGE_BITS - 1) / (2 * e->n - 1) - 1;
-    loft_piece piece = { 0, 0 };
+    loft_dyad piece = { 0, 0 };
 
     do {
         for (;;) {
@@ -153,11 +153,11 @@ static bool one_direction(edge *e, const loft_tensor *p, const loft_tensor *q)
                 return false;
             if (proven(e))
                 break;
-            if (piece.level >= levels || piece.level >= LOFT_PIECE_LEVELS)
+            if (piece.level >= levels || piece.level >= LOFT_DYAD_LEVELS)
                 return false;
-            piece = loft_piece_half(piece, 0);
+            piece = loft_dyad_half(piece, 0);
         }
-    } while (loft_piece_next(&piece));
+    } while (loft_dyad_next(&piece));
     return true;
 }
 
