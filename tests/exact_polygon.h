@@ -49,7 +49,8 @@ static inline long double exact_meanvalue(const loft_spot v[], unsigned n, loft_
 
     for (unsigned i = 0; i < n; i++) {
         const loft_spot *a = &v[i], *b = &v[(i + 1) % n];
-        tangent[i] = tanl(atan2l((long double)exact_cross(&p, a, b) / 4294967296.0L, exact_dot(&p, a, b)) / 2);
+        const long double cross = (long double)exact_cross(&p, a, b) / 4294967296.0L, dot = exact_dot(&p, a, b);
+        tangent[i] = dot < 0 ? 1 / tanl(atan2l(cross, -dot) / 2) : tanl(atan2l(cross, dot) / 2);
     }
     for (unsigned i = 0; i < n; i++) {
         const long double r = sqrtl(exact_dot(&p, &v[i], &v[i])), t = tangent[(i + n - 1) % n];
