@@ -73,6 +73,23 @@ static void what_touches_itself_is_broken(arb *a)
     }
 }
 
+/* Two vertices in one place, seen from all eight sides. */
+static void pinched_polygons_are_broken(arb *a)
+{
+    const int32_t raw[2][6][2] = { { { 0, 0 }, { -2, -3 }, { 2, -4 }, { 0, 0 }, { 3, 4 }, { -3, 5 } },
+                                   { { 0, 0 }, { 4, -1 }, { 3, -5 }, { 0, 0 }, { -1, 4 }, { -5, 3 } } };
+    arb_domain p = { .n = 6 };
+    const unsigned turns = arb_below(a, 6), view = arb_below(a, 8), way = arb_below(a, 2);
+
+    for (int i = 0; i < 6; i++) {
+        const int32_t x = raw[way][i][view & 1] * (view & 2 ? -1 : 1), y = raw[way][i][!(view & 1)] * (view & 4 ? -1 : 1);
+        p.v[i] = spot_raw(x, y);
+    }
+    for (unsigned t = 0; t < turns; t++)
+        rotate(&p);
+    CHECK(loft_outline_of(p.v, 6) == LOFT_OUTLINE_BROKEN);
+}
+
 static void no_length_no_area_and_spikes_are_broken(arb *a)
 {
     arb_domain p = arb_convex(a);
@@ -84,6 +101,8 @@ static void no_length_no_area_and_spikes_are_broken(arb *a)
     CHECK(loft_outline_of(p.v, p.n) == LOFT_OUTLINE_BROKEN);
     const loft_spot spike[4] = { spot_raw(0, 0), spot_raw(4, 0), spot_raw(2, 0), spot_raw(2, 5) };
     CHECK(loft_outline_of(spike, 4) == LOFT_OUTLINE_BROKEN);
+    const loft_spot back[4] = { spot_raw(2, 0), spot_raw(4, 0), spot_raw(0, 0), spot_raw(2, 5) };
+    CHECK(loft_outline_of(back, 4) == LOFT_OUTLINE_BROKEN);
     const loft_spot straight[4] = { spot_raw(0, 0), spot_raw(2, 0), spot_raw(4, 0), spot_raw(2, 5) };
     CHECK(loft_outline_of(straight, 4) == LOFT_OUTLINE_SIMPLE);
 }
@@ -177,6 +196,7 @@ int main(void)
     PROPERTY(the_outline_does_not_depend_on_where_it_starts,    400);
     PROPERTY(exchanged_vertices_of_a_convex_polygon_break_it,   400);
     PROPERTY(what_touches_itself_is_broken,                     200);
+    PROPERTY(pinched_polygons_are_broken,                       300);
     PROPERTY(no_length_no_area_and_spikes_are_broken,           200);
     PROPERTY(a_place_is_what_whole_numbers_say,                 600);
     PROPERTY(a_point_on_an_edge_has_two_coordinates,           2000);

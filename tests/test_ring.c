@@ -21,6 +21,10 @@ static loft_ring arb_ring(arb *a)
 static loft_unit arb_share(arb *a)
 {
     const uint32_t n = 65536, small[6] = { 0, 1, 2, n - 2, n - 1, n };
+    const loft_unit last = LOFT_UNIT(1) - (loft_unit)BY_NUM(1, 0x1p-24, 0x1p-53);
+
+    if (arb_below(a, 8) == 0)
+        return arb_below(a, 2) ? last : LOFT_UNIT(1) - last;
     return loft_unit_of(arb_below(a, 2) ? arb_below(a, n + 1) : small[arb_below(a, 6)], n);
 }
 
@@ -32,10 +36,10 @@ static void arb_params(arb *a, unsigned sides, loft_sci u[])
     do {
         one = arb_share(a);
         two = arb_below(a, 5) ? arb_share(a) : one;
-        if (sides == 3 && one + two > LOFT_UNIT(1))
+        if (sides == 3 && two > LOFT_UNIT(1) - one)
             two = LOFT_UNIT(1) - one;
         status = loft_ring_params(sides, one, two, u);
-        CHECK(status == (sides > 3 && one + two >= LOFT_UNIT(2) ? LOFT_SINGULAR : LOFT_OK));
+        CHECK(status == (sides > 3 && one >= LOFT_UNIT(1) && two >= LOFT_UNIT(1) ? LOFT_SINGULAR : LOFT_OK));
     } while (status == LOFT_SINGULAR);
 }
 
@@ -133,7 +137,7 @@ static void parameters_fit_together_all_around(arb *a)
         else if (n == 5)
             CHECK_EXACT(p, 1 - x * v[(i + 3) % n], BY_NUM(0x1p-55L, 0x1p-50L, 0x1p-50L));
         else
-            CHECK_EXACT((1 - p * q) * (1 - 2 * p * q) * x * x + (2 * p - 3 * p * p * q + p * q * q) * x + p * p, 1, BY_NUM(0x1p-46L, 0x1p-40L, 0x1p-40L));
+            CHECK_EXACT((1 - p * q) * (1 - 2 * p * q) * x * x + (2 * p - 3 * p * p * q + p * q * q) * x + p * p, 1, BY_NUM(0x1p-55L, 0x1p-49L, 0x1p-49L));
     }
 }
 
@@ -152,18 +156,19 @@ static void parameters_of_the_mirror_are_mirrored(arb *a)
 
 static void a_lift_fits_together(arb *a)
 {
-    const loft_unit one = arb_share(a), two = loft_unit_of(arb_below(a, 65537), 65536);
+    const bool centre = arb_below(a, 4) == 0;
+    const loft_unit one = centre ? loft_unit_of(1, 3) : arb_share(a), two = centre ? one : loft_unit_of(arb_below(a, 65537), 65536);
     loft_sci u[3];
 
-    if (one + two > LOFT_UNIT(1)) {
+    if (two > LOFT_UNIT(1) - one) {
         CHECK(loft_ring_lift(one, two, u) == LOFT_ERR_ARG);
         return;
     }
     CHECK(loft_ring_lift(one, two, u) == LOFT_OK);
     const long double x = exact_sci(u[0]), y = exact_sci(u[1]), z = exact_sci(u[2]), p = exact_unit(one), q = exact_unit(two);
     CHECK_EXACT(x + y + z, 2 * x * y * z + 1, BY_NUM(0x1p-55L, 0x1p-50L, 0x1p-50L));
-    CHECK_EXACT(x * q, y * p, BY_NUM(0x1p-56L, 0x1p-50L, 0x1p-50L));
-    CHECK_EXACT(y * (1 - p - q), z * q, BY_NUM(0x1p-56L, 0x1p-50L, 0x1p-50L));
+    CHECK_EXACT(x * q, y * p, BY_NUM(0x1p-55L, 0x1p-49L, 0x1p-49L));
+    CHECK_EXACT(y * (1 - p - q), z * q, BY_NUM(0x1p-55L, 0x1p-49L, 0x1p-49L));
 }
 
 static void weights_sum_to_one_and_are_within_their_bound(arb *a)

@@ -73,6 +73,9 @@ static void what_is_exact_stays_exact(arb *a)
     CHECK_EXACT(value_of(loft_sci_pow(y, 3)), (long double)k * k * k, 0);
     CHECK(loft_sci_sign(loft_sci_sub(xy, xy)) == 0 && loft_sci_sign(loft_sci_zero()) == 0);
     CHECK_EXACT(value_of(loft_sci_pow(loft_sci_zero(), 0)), 1, 0);
+
+    const loft_sci least = loft_sci_pow(loft_sci_from_unit(LOFT_UNIT(0.5)), BY_NUM(63, 53, 53));
+    CHECK_EXACT(value_of(loft_sci_sub(loft_sci_one(), loft_sci_sub(loft_sci_one(), least))), value_of(least), 0);
 }
 
 static void numbers_come_in_and_go_out_as_they_are(arb *a)
@@ -116,17 +119,21 @@ static void what_does_not_fit_is_refused(arb *a)
 static void cross_products_are_exact_in_sign_and_close_in_value(arb *a)
 {
     __extension__ typedef __int128 wide;
-    const int32_t limit = arb_below(a, 2) ? INT32_MAX / 2 : 1 << (1 + arb_below(a, 30));
+    const int32_t limit = arb_below(a, 2) ? INT32_MAX : 1 << (1 + arb_below(a, 30));
     int32_t raw[4][2];
     loft_real p[4][2];
 
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 2; i++)
             raw[k][i] = arb_raw(a, limit);
-    for (int i = 0; i < 2; i++) {
+    if (arb_below(a, 4) == 0)
+        for (int k = 0; k < 8; k++)
+            raw[k / 2][k % 2] = arb_below(a, 2) ? limit : -limit;
+    const bool triangle = arb_below(a, 4) > 0;
+    for (int i = 0; i < 2 && triangle; i++) {
         raw[2][i] = raw[0][i];
         if (arb_below(a, 2))
-            raw[3][i] = raw[0][i] + (raw[1][i] - raw[0][i]) / 2 + (int32_t)arb_below(a, 3) - 1;
+            raw[3][i] = (int32_t)(((int64_t)raw[0][i] + raw[1][i]) / 2 + (limit < INT32_MAX ? (int)arb_below(a, 3) - 1 : 0));
     }
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 2; i++) {

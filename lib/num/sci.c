@@ -13,7 +13,7 @@ static loft_sci normal(uint64_t m, uint32_t below, int e, bool minus)
 {
     loft_sci r;
 
-    if (m && !(m >> 32)) {
+    if (!(m >> 32)) {
         m = m << 32 | below;
         below = 0;
         e -= 32;
@@ -92,7 +92,7 @@ loft_sci loft_sci_mul(loft_sci a, loft_sci b)
     return normal(m, (uint32_t)(cross & 0xffffffffu), a.e + b.e + 64, a.minus != b.minus);
 }
 
-/* a.m / b.m > 1/2: the first round finds the whole part, 62 more and the last test give 63 bits. */
+/* a.m / b.m > 1/2: the first round finds the whole part, 62 more the bits below. */
 loft_sci loft_sci_div(loft_sci a, loft_sci b)
 {
     uint64_t q = 0, rest = a.m;
@@ -107,7 +107,7 @@ loft_sci loft_sci_div(loft_sci a, loft_sci b)
         }
         rest += rest;
     }
-    return normal(q, rest >= b.m ? (uint32_t)1 << 31 : 0, a.e - b.e - TOP, a.minus != b.minus);
+    return normal(q, 0, a.e - b.e - TOP, a.minus != b.minus);
 }
 
 /* The root of m 2^58 for an even exponent e: 61 bits, two bits of the radicand a round. Before a round the root r is

@@ -34,21 +34,22 @@ static bool same(const loft_spot *a, const loft_spot *b)
     return within(a, b, b);
 }
 
-/* Do the closed segments a b and c d have a point in common? Either each separates the ends of the other, or an end
- * of one lies on the other. */
+/* Do the edges a b and c d, that do not follow each other, cross? Or touch where one of them starts: where one ends another
+ * starts, and if that one follows the edge which is touched, it folds back onto it. */
 static bool touch(const loft_spot *a, const loft_spot *b, const loft_spot *c, const loft_spot *d)
 {
-    const int abc = side_of(a, b, c), abd = side_of(a, b, d), cda = side_of(c, d, a), cdb = side_of(c, d, b);
+    const int abc = side_of(a, b, c), cda = side_of(c, d, a);
 
-    if (abc * abd < 0 && cda * cdb < 0)
+    if ((!abc && within(c, a, b)) || (!cda && within(a, c, d)))
         return true;
-    return (!abc && within(c, a, b)) || (!abd && within(d, a, b)) || (!cda && within(a, c, d)) || (!cdb && within(b, c, d));
+    return abc * side_of(a, b, d) < 0 && cda * side_of(c, d, b) < 0;
 }
 
-/* Edges that meet at v[i]: do they have more than that in common? */
+/* Does the edge from `at` fold back over the whole of the one before it, which may have no length? Where it covers a part only, the vertex after it
+ * touches that edge; of three points on a line one edge covers another. */
 static bool folded(const loft_spot *before, const loft_spot *at, const loft_spot *after)
 {
-    return same(before, at) || (!side_of(before, at, after) && (within(after, before, at) || within(before, at, after)));
+    return !side_of(before, at, after) && within(before, at, after);
 }
 
 static bool broken(const loft_spot v[], unsigned sides)
