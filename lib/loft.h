@@ -9,7 +9,7 @@
  *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
  *                                    rational, circle: conics and arcs   cubics: all of them as cubics
  *   surface/  two parameters         tensor, tensor_rational, tensor_join: patches over a square
- *                                    grid: whole patches by exact differences   local: normals, curvatures
+ *                                    grid: whole patches by exact differences   local, area: normals, curvatures, area
  *                                    barycentric, triangle: Bezier triangles   tetra: tetrahedra   triangle_shape: positive, convex
  *                                    triangle_pieces, _join, _rational, _curvature   octant: of a sphere   pn: from normals
  *                                    coons, bicubic: from curves and corners   sphere, flat: elementary
@@ -63,6 +63,7 @@
 #include "curve/rational.h"
 #include "curve/rational_walk.h"
 #include "curve/shape.h"
+#include "surface/area.h"
 #include "surface/barycentric.h"
 #include "surface/bicubic.h"
 #include "surface/coons.h"

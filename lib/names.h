@@ -416,6 +416,7 @@
 #define loft_strict_admits         LOFT_NAME(loft_strict_admits)
 #define loft_strict_init           LOFT_NAME(loft_strict_init)
 #define loft_strict_power          LOFT_NAME(loft_strict_power)
+#define loft_tensor_area           LOFT_NAME(loft_tensor_area)
 #define loft_tensor_at_u           LOFT_NAME(loft_tensor_at_u)
 #define loft_tensor_at_v           LOFT_NAME(loft_tensor_at_v)
 #define loft_tensor_box            LOFT_NAME(loft_tensor_box)
