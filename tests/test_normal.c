@@ -89,8 +89,8 @@ static void parallel_vectors_have_none(arb *a)
 
 int main(void)
 {
-    PROPERTY(a_unit_vector_is_within_its_bound,     3000);
-    PROPERTY(a_normal_is_within_its_bound,          3000);
-    PROPERTY(parallel_vectors_have_none,             200);
+    PROPERTY(a_unit_vector_is_within_its_bound,     9000);
+    PROPERTY(a_normal_is_within_its_bound,          9000);
+    PROPERTY(parallel_vectors_have_none,             600);
     return check_failures();
 }

@@ -188,11 +188,11 @@ static void what_does_not_fit_is_refused(arb *a)
 
 int main(void)
 {
-    PROPERTY(control_points_are_within_their_bound,   300);
-    PROPERTY(points_and_normals_are_interpolated,     300);
-    PROPERTY(neighbours_meet_along_an_edge,           300);
-    PROPERTY(a_flat_triangle_stays_flat,              200);
-    PROPERTY(degenerate_triangles_are_answered,       100);
+    PROPERTY(control_points_are_within_their_bound,   1200);
+    PROPERTY(points_and_normals_are_interpolated,     1200);
+    PROPERTY(neighbours_meet_along_an_edge,           1200);
+    PROPERTY(a_flat_triangle_stays_flat,              800);
+    PROPERTY(degenerate_triangles_are_answered,       400);
     PROPERTY(what_does_not_fit_is_refused,              1);
     return check_failures();
 }

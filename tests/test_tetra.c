@@ -188,12 +188,12 @@ static void nonsense_is_refused(arb *a)
 
 int main(void)
 {
-    PROPERTY(weights_are_within_their_bound_and_sum_to_one, 200);
-    PROPERTY(a_point_is_within_its_bound,                   300);
-    PROPERTY(faces_are_triangles,                           200);
-    PROPERTY(beyond_is_clamped_and_corners_are_exact,       100);
+    PROPERTY(weights_are_within_their_bound_and_sum_to_one, 400);
+    PROPERTY(a_point_is_within_its_bound,                   600);
+    PROPERTY(faces_are_triangles,                           400);
+    PROPERTY(beyond_is_clamped_and_corners_are_exact,       200);
     PROPERTY(a_raised_tetrahedron_is_within_its_bound,       60);
-    PROPERTY(coordinates_of_a_point_are_found_again,        300);
+    PROPERTY(coordinates_of_a_point_are_found_again,        600);
     PROPERTY(nonsense_is_refused,                            50);
     return check_failures();
 }

@@ -276,17 +276,17 @@ static void nonsense_is_refused(arb *a)
 
 int main(void)
 {
-    PROPERTY(a_point_is_within_its_bound,                   2000);
-    PROPERTY(corners_are_exact_and_beyond_is_clamped,        500);
-    PROPERTY(a_point_beyond_is_within_its_bound_or_refused, 2000);
-    PROPERTY(the_tangent_plane_is_within_its_bound,          500);
-    PROPERTY(a_derivative_is_within_its_bound_or_refused,   2000);
-    PROPERTY(a_normal_is_within_its_bound,                  1000);
-    PROPERTY(the_polar_form_is_symmetric_and_affine,        1000);
-    PROPERTY(a_line_is_within_its_bound_and_on_the_surface,  500);
-    PROPERTY(edges_are_curves_of_the_surface,                500);
-    PROPERTY(points_lie_in_the_box,                         1000);
-    PROPERTY(affine_maps_move_points_with_the_net,          1000);
-    PROPERTY(nonsense_is_refused,                            100);
+    PROPERTY(a_point_is_within_its_bound,                   8000);
+    PROPERTY(corners_are_exact_and_beyond_is_clamped,        2000);
+    PROPERTY(a_point_beyond_is_within_its_bound_or_refused, 8000);
+    PROPERTY(the_tangent_plane_is_within_its_bound,          2000);
+    PROPERTY(a_derivative_is_within_its_bound_or_refused,   8000);
+    PROPERTY(a_normal_is_within_its_bound,                  4000);
+    PROPERTY(the_polar_form_is_symmetric_and_affine,        4000);
+    PROPERTY(a_line_is_within_its_bound_and_on_the_surface,  2000);
+    PROPERTY(edges_are_curves_of_the_surface,                2000);
+    PROPERTY(points_lie_in_the_box,                         4000);
+    PROPERTY(affine_maps_move_points_with_the_net,          4000);
+    PROPERTY(nonsense_is_refused,                            400);
     return check_failures();
 }

@@ -81,7 +81,7 @@ static void nonsense_is_refused(arb *a)
 {
     const arb_net *x = arb_net_of(a, 1, 5, 100), *y = arb_net_of(a, 6, 9, 100);
     const loft_triangle t = triangle_of(x), s = triangle_of(y);
-    const loft_bary star = { LOFT_UNIT(1), LOFT_UNIT(1) }, far = { LOFT_UNIT(64), 0 }, none = { 0, 0 };
+    const loft_bary star = { LOFT_UNIT(1), LOFT_UNIT(1) }, far = { LOFT_UNIT(127), 0 }, none = { 0, 0 };
     loft_vec out[MOST];
     loft_real bend = 7;
     int order = 7;

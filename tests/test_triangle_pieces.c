@@ -225,11 +225,11 @@ static void results_may_replace_the_control_points(arb *a)
 
 int main(void)
 {
-    PROPERTY(a_split_is_within_its_bound,                       500);
-    PROPERTY(quarters_are_within_their_bound_and_join,          200);
-    PROPERTY(a_part_is_within_its_bound_and_the_same_surface,   300);
-    PROPERTY(a_raised_triangle_is_within_its_bound,             200);
-    PROPERTY(power_coefficients_make_the_same_surface,         1000);
-    PROPERTY(results_may_replace_the_control_points,            200);
+    PROPERTY(a_split_is_within_its_bound,                       1000);
+    PROPERTY(quarters_are_within_their_bound_and_join,          400);
+    PROPERTY(a_part_is_within_its_bound_and_the_same_surface,   600);
+    PROPERTY(a_raised_triangle_is_within_its_bound,             400);
+    PROPERTY(power_coefficients_make_the_same_surface,         2000);
+    PROPERTY(results_may_replace_the_control_points,            400);
     return check_failures();
 }

@@ -153,11 +153,11 @@ static void its_net_is_a_sphere_of_the_radius(arb *a)
 
 int main(void)
 {
-    PROPERTY(a_point_is_within_its_bound,                    1500);
-    PROPERTY(equal_weights_give_the_polynomial,               300);
-    PROPERTY(a_derivative_is_within_its_bound_or_refused,     400);
-    PROPERTY(nonsense_is_refused,                             100);
-    PROPERTY(the_octant_is_on_the_sphere,                     100);
-    PROPERTY(its_net_is_a_sphere_of_the_radius,              1000);
+    PROPERTY(a_point_is_within_its_bound,                    6000);
+    PROPERTY(equal_weights_give_the_polynomial,               1200);
+    PROPERTY(a_derivative_is_within_its_bound_or_refused,     1600);
+    PROPERTY(nonsense_is_refused,                             400);
+    PROPERTY(the_octant_is_on_the_sphere,                     400);
+    PROPERTY(its_net_is_a_sphere_of_the_radius,              4000);
     return check_failures();
 }

@@ -90,7 +90,11 @@ enum loft_status loft_bary_change(const loft_bary corner[3], loft_bary x, loft_a
 
 /* *product is a bound of what steps have multiplied the largest coefficient by, 1 before the first one: make it
  * that after `times` steps with u (a point or, with `direction`, a direction). False when coefficients of
- * any size could overflow: q16 and floats above 19683 = 3^9, or |v| or |w| > 32; inside the triangle never. */
+ * any size could overflow: q16 and floats above 19683 = 3^9, or |v| or |w| > 32; inside the triangle never.
+ *
+ *   error   2^-16 of the product
+ *   cost    `times` wide products, none inside the triangle
+ */
 bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *product) LOFT_CHECKED;
 
 /* The Bernstein polynomials n!/(i! j! k!) u^i v^j w^k: the weights of the control points.
@@ -118,6 +122,7 @@ void loft_bary_slope(loft_acc c[], unsigned degree, loft_bary direction);
  *
  *   error   q16: 2^-33 (1 + L + .. + L^(degree-1)), inside degree * 2^-33, below 2^-19.7 always
  *           f32, f64: 3 * degree * L^degree ulp of double, of the largest coefficient
+ *   cost    degree (degree + 1) (degree + 2) / 3 wide products
  */
 loft_acc loft_bary_eval(loft_acc c[], unsigned degree, loft_bary u);
 

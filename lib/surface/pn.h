@@ -50,6 +50,7 @@ enum loft_status loft_pn_normal(const loft_pn *t, loft_bary u, loft_vec *out) LO
 /* The ten control points, for loft_triangle_init with degree 3.
  *
  *   error   1/2 LSB (floats 1/2 ulp) and that of init
+ *   cost    one rounding a coordinate
  */
 void loft_pn_net(const loft_pn *t, loft_vec out[10]);
 

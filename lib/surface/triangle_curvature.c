@@ -8,15 +8,15 @@
  *     bend = (n - 1) / n * <q, m> / (|m| |p|^2),    m = e x f
  *
  * p is a whole number over 2^(R + T), q over 2^(R + 2T), m over 2^(2R), R = LOFT_EXACT_REAL, T = LOFT_EXACT_UNIT. Bits: with
- * coordinates of R' (31, floats 128), p R' + T + 9, q R' + 2T + 18, m 2R' + 4; <q, m> has 3R' + 2T + 24: 165 in q16 and 514
- * in floats; |p|^2 2R' + 2T + 20 = 130 and 382, and |m|, of which 100 are kept, 100 more.
+ * coordinates of R' (31, floats 128), p R' + T + 10, q R' + 2T + 19, m 2R' + 4; <q, m> has 3R' + 2T + 25: 166 in q16 and 515
+ * in floats; |p|^2 2R' + 2T + 22 = 132 and 384, and |m|, of which 100 are kept, 100 more.
  */
 #include "surface/triangle_curvature.h"
 #include "num/exact.h"              /* loft_exact: no cancellation */
 
 #define SPACE 3
 #define ROOT_BITS 100
-#define FARTHEST LOFT_UNIT(64)
+#define FARTHEST LOFT_UNIT(127)
 
 typedef struct {
     loft_exact axis[SPACE];

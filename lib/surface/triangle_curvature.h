@@ -10,7 +10,7 @@
  * T1 T2 T3 turn left: <S'', N> / |S'|^2 with the derivatives in the direction z and the unit normal N, in the first
  * three axes. Split or part a triangle to have it elsewhere.
  *
- *   range   degree >= 1, otherwise LOFT_ERR_ARG; |v|, |w| < 64 of z, coordinates that loft_exact_admits, and a curvature
+ *   range   degree >= 1, otherwise LOFT_ERR_ARG; |v|, |w| < 127 of z, coordinates that loft_exact_admits, and a curvature
  *           that fits, otherwise LOFT_ERR_RANGE; LOFT_SINGULAR, decided exactly, where there is no normal or S' is 0, and
  *           for fewer than three axes; *out is untouched then
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 1/2 ulp   f64: 1 ulp

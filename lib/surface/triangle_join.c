@@ -5,13 +5,13 @@
  *
  *     c_ijk = sum over a + b + c = i of i! / (a! b! c!) u^a v^b w^c b_(a, j+b, k+c)
  *
- * a whole number over 2^(R + i T), R = LOFT_EXACT_REAL, T = LOFT_EXACT_UNIT. Since |u| + |v| + |w| < 257 < 2^8.1, it has
- * at most 9 (T + 8.1) bits more than a coordinate: 320 in q16, 688 in floats, of 447 and 1087.
+ * a whole number over 2^(R + i T), R = LOFT_EXACT_REAL, T = LOFT_EXACT_UNIT. Since |u| + |v| + |w| < 509 < 2^9, it has
+ * at most 9 (T + 9) bits more than a coordinate: 329 in q16, 687 in floats, of 447 and 1087.
  */
 #include "surface/triangle_join.h"
 #include "num/exact.h"              /* loft_exact: no decision depends on rounding */
 
-#define FARTHEST LOFT_UNIT(64)
+#define FARTHEST LOFT_UNIT(127)
 
 typedef struct {
     loft_exact u, v, w;

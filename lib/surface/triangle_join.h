@@ -7,7 +7,7 @@
  *
  *   range   coordinates that loft_exact_admits: any in q16, multiples of 2^-108 below 2^20 in f32 and f64, otherwise
  *           LOFT_ERR_RANGE
- *   cost    (i + 1) (i + 2) exact products for a point of row i; 2 kB of stack in q16; not for an ISR
+ *   cost    2 kB of stack in q16; not for an ISR
  *   see     Farin, Curves and Surfaces for CAGD, ch. 17: Cr conditions; Chang, Mathematics of Surfaces, ch. 8
  */
 #ifndef LOFT_SURFACE_TRIANGLE_JOIN_H
@@ -22,17 +22,19 @@
  * the edge: row by row from i = 0, in each row with j descending.
  *
  *   shape   out[LOFT_TRIANGLE_ROWS(degree, order)], not the control points themselves
- *   range   order <= degree, otherwise LOFT_ERR_ARG; |v|, |w| < 64 of `star`, otherwise LOFT_ERR_RANGE, as when a
+ *   range   order <= degree, otherwise LOFT_ERR_ARG; |v|, |w| < 127 of `star`, otherwise LOFT_ERR_RANGE, as when a
  *           point does not fit; `out` is undefined then
- *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: 1 ulp, of the result
+ *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1/2 ulp   f64: 1 ulp, of the result
+ *   cost    (i + 1) (i + 2) exact products and a quotient for each coordinate of row i
  */
 enum loft_status loft_triangle_join_extend(const loft_triangle *t, loft_bary star, unsigned order, loft_vec out[]) LOFT_CHECKED;
 
 /* The largest r for which all derivatives up to r agree along the edge; -1 when the edges differ.
  *
- *   range   equal degrees, otherwise LOFT_ERR_ARG; |v|, |w| < 64 of `star`, otherwise LOFT_ERR_RANGE; *order is
+ *   range   equal degrees, otherwise LOFT_ERR_ARG; |v|, |w| < 127 of `star`, otherwise LOFT_ERR_RANGE; *order is
  *           untouched then
  *   error   none
+ *   cost    (i + 1) (i + 2) exact products for each coordinate of row i, up to the first one that differs
  */
 enum loft_status loft_triangle_join_order(const loft_triangle *b, const loft_triangle *c, loft_bary star, int *order) LOFT_CHECKED;
 

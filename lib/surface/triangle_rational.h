@@ -22,6 +22,8 @@ typedef struct {
  *
  *   range   degree 0..9, otherwise LOFT_ERR_ARG; weights 1/256..256 and finite coordinates, otherwise LOFT_ERR_RANGE;
  *           *t is untouched then
+ *   error   none: the points are borrowed
+ *   cost    three comparisons a control point and two a coordinate
  */
 enum loft_status loft_triangle_rational_init(loft_triangle_rational *t, const loft_weighted p[], unsigned degree) LOFT_CHECKED;
 
