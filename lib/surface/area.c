@@ -16,7 +16,7 @@
  * (basis/pieces.h): every other bit of k is the side in u, the others that in v.
  */
 #include "surface/area.h"
-#include "basis/pieces.h"   /* loft_piece */
+#include "basis/pieces.h"   /* loft_dyad */
 #include "num/exact.h"      /* loft_exact_admits */
 #include "num/sci.h"        /* loft_sci: areas of any size */
 
@@ -60,7 +60,7 @@ static void halve(spot c[], unsigned degree, unsigned stride, unsigned side)
         }
 }
 
-static void cut(patch *x, loft_piece piece)
+static void cut(patch *x, loft_dyad piece)
 {
     for (unsigned level = 0; level < piece.level; level++) {
         const unsigned side = piece.k >> (piece.level - 1u - level) & 1;
@@ -155,7 +155,7 @@ static bool admitted(const loft_tensor *s)
 enum loft_status loft_tensor_area(const loft_tensor *s, loft_real tol, loft_acc *out)
 {
     const loft_sci two = loft_sci_from_int(2);
-    loft_piece piece = { 0, 0 };
+    loft_dyad piece = { 0, 0 };
     loft_sci twice = loft_sci_zero();       /* the area, times 2 */
     patch x;
 
@@ -173,10 +173,10 @@ enum loft_status loft_tensor_area(const loft_tensor *s, loft_real tol, loft_acc 
                 twice = loft_sci_add(twice, loft_sci_add(b.lower, b.upper));
                 break;
             }
-            if (piece.level == LOFT_PIECE_LEVELS)
+            if (piece.level == LOFT_DYAD_LEVELS)
                 return LOFT_ERR_RANGE;
-            piece = loft_piece_half(piece, 0);
+            piece = loft_dyad_half(piece, 0);
         }
-    } while (loft_piece_next(&piece));
+    } while (loft_dyad_next(&piece));
     return loft_sci_wide(loft_sci_div(twice, two), out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
