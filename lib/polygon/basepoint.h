@@ -52,18 +52,19 @@ enum loft_status loft_basepoint_uv(const loft_basepoint *b, loft_unit u, loft_un
 /* The boundary, counter-clockwise
  * ------------------------------- */
 
-/* How many sides there are, 3..6. */
+/* How many sides there are, 3..6; they are numbered from 0. */
 unsigned loft_basepoint_sides(const loft_basepoint *b);
 
-/* What side `number` (from 0) is.
- *
- *   shape   corner: at the corner 0..2 itself, or from there to the next one
- */
+/* A side: at the cut corner 0..2 itself, or from that corner to the next one. */
 typedef struct {
     uint8_t corner, degree;
     bool cut;
 } loft_basepoint_side;
 
+/* What side `number` is.
+ *
+ *   range   number below loft_basepoint_sides
+ */
 loft_basepoint_side loft_basepoint_side_of(const loft_basepoint *b, unsigned number);
 
 /* The point at t of side `number`, a rational Bezier curve; bit for bit that of loft_rational_eval at a cut corner and on

@@ -22,6 +22,7 @@ static inline unsigned loft_multi_count(unsigned sides, unsigned depth)
     return (unsigned)loft_binomial(sides + depth - 1, depth);
 }
 
+/* (depth, 0 .. 0). */
 void loft_multi_first(uint8_t l[], unsigned sides, unsigned depth);
 
 /* The one after l, in place; false, and l untouched, after the last. */
