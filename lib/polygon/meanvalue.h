@@ -16,7 +16,7 @@
  *   error   with K = sum (|t_(i-1)| + |t_i|) / r_i over |sum w_i| (meanvalue.c), which is 1 inside a convex polygon, and
  *           grows as the square of the distance outside: q16: (1 + |phi|) K 2^-56   f32, f64: (1 + |phi|) K 2^-47, phi the
  *           largest coordinate
- *   cost    n roots, 4 n products, 3 n divisions, n cross products; no table
+ *   cost    n roots, 4 n products, 3 n divisions, n cross products; no table; q16: 1 kB of stack
  *   see     Floater, Mean value coordinates (2003); Hormann, Floater, Mean value coordinates for arbitrary planar
  *           polygons (2006)
  */
