@@ -43,7 +43,7 @@ enum loft_status loft_triangle_local(const loft_triangle *t, loft_bary at, loft_
 /* The unit normal.
  *
  *   range   LOFT_SINGULAR where there is none; *out is untouched then
- *   error   q16: 1/2 LSB + 2^-52 rows / W: below 2^-16.9 in all cases   f32: 1/2 ulp + 2^-46 rows / W   f64: 2^-46 rows / W
+ *   error   q16: 1/2 LSB + 2^-52 rows / W: below 2^-16 in all cases   f32: 1/2 ulp + 2^-46 rows / W   f64: 2^-46 rows / W
  *   cost    10 products, a root and 3 quotients of num/sci.h
  */
 enum loft_status loft_local_normal(const loft_local *at, loft_vec *out) LOFT_CHECKED;
