@@ -236,6 +236,7 @@
 #define loft_frame_push            LOFT_NAME(loft_frame_push)
 #define loft_frame_seal            LOFT_NAME(loft_frame_seal)
 #define loft_frame_sealed          LOFT_NAME(loft_frame_sealed)
+#define loft_grid_coons_init       LOFT_NAME(loft_grid_coons_init)
 #define loft_grid_init             LOFT_NAME(loft_grid_init)
 #define loft_grid_next             LOFT_NAME(loft_grid_next)
 #define loft_grid_run              LOFT_NAME(loft_grid_run)

@@ -308,6 +308,119 @@ static void runs_give_the_same_points(arb *a)
     CHECK(total == (x->triangle ? (x->rows + 1) * (x->rows + 2) / 2 : (x->rows + 1) * (x->columns + 1)));
 }
 
+/* Four curves with shared corners, within a third of the coordinates so that what they blend to fits. */
+typedef struct {
+    loft_vec u[2][DEGREE + 1], v[2][DEGREE + 1];
+    loft_coons_bezier c;
+    unsigned p, q;
+} frame;
+
+static frame *arb_frame(arb *a, unsigned p, unsigned q)
+{
+    static frame x;
+    loft_bezier u[1][2], v[1][2];
+
+    x.p = p;
+    x.q = q;
+    for (unsigned side = 0; side < 2; side++) {
+        for (unsigned k = 0; k <= p; k++)
+            x.u[side][k] = arb_vec(a, 10000);
+        for (unsigned k = 0; k <= q; k++)
+            x.v[side][k] = arb_vec(a, 10000);
+    }
+    for (unsigned side = 0; side < 2; side++) {
+        x.v[side][0] = x.u[0][side ? p : 0];
+        x.v[side][q] = x.u[1][side ? p : 0];
+        CHECK(loft_bezier_init(&u[0][side], x.u[side], p) == LOFT_OK && loft_bezier_init(&v[0][side], x.v[side], q) == LOFT_OK);
+    }
+    CHECK(loft_coons_bezier_init(&x.c, (const loft_bezier (*)[2])u, (const loft_bezier (*)[2])v, 1, 0) == LOFT_OK);
+    return &x;
+}
+
+#if LOFT_NUM == LOFT_Q16
+
+static wide edge_at(const loft_vec p[], unsigned degree, int axis, uint32_t i, uint32_t n)
+{
+    wide c[DEGREE + 1];
+    for (unsigned k = 0; k <= degree; k++)
+        c[k] = p[k].axis[axis];
+    return whole_curve(c, degree, i, n);
+}
+
+/* All terms times rows^p columns^q. */
+static void check_blend(const frame *x, loft_vec p, uint32_t i, uint32_t j, uint32_t rows, uint32_t columns)
+{
+    const wide up = power_of(rows, x->p - 1), vp = power_of(columns, x->q - 1), m = rows, n = columns;
+
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        const wide ruled_v = ((n - j) * edge_at(x->u[0], x->p, axis, i, rows) + j * edge_at(x->u[1], x->p, axis, i, rows)) * vp;
+        const wide ruled_u = ((m - i) * edge_at(x->v[0], x->q, axis, j, columns) + i * edge_at(x->v[1], x->q, axis, j, columns)) * up;
+        const wide corners = (m - i) * ((n - j) * x->u[0][0].axis[axis] + j * (wide)x->u[1][0].axis[axis]) +
+                             i * ((n - j) * x->u[0][x->p].axis[axis] + j * (wide)x->u[1][x->p].axis[axis]);
+        CHECK(p.axis[axis] == rounded(ruled_v + ruled_u - corners * up * vp, up * vp * m * n));
+    }
+}
+
+#else
+
+static void check_blend(const frame *x, loft_vec p, uint32_t i, uint32_t j, uint32_t rows, uint32_t columns)
+{
+    const long double s = (long double)i / rows, t = (long double)j / columns;
+
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        long double u[2], v[2], c[DEGREE + 1];
+        for (unsigned side = 0; side < 2; side++) {
+            for (unsigned k = 0; k <= x->p; k++) c[k] = exact_of(x->u[side][k].axis[axis]);
+            u[side] = exact_eval(c, x->p, s);
+            for (unsigned k = 0; k <= x->q; k++) c[k] = exact_of(x->v[side][k].axis[axis]);
+            v[side] = exact_eval(c, x->q, t);
+        }
+        const long double corners = (1 - s) * ((1 - t) * exact_of(x->u[0][0].axis[axis]) + t * exact_of(x->u[1][0].axis[axis])) +
+                                    s * ((1 - t) * exact_of(x->u[0][x->p].axis[axis]) + t * exact_of(x->u[1][x->p].axis[axis]));
+        const long double want = (1 - t) * u[0] + t * u[1] + (1 - s) * v[0] + s * v[1] - corners;
+        CHECK_EXACT(exact_of(p.axis[axis]), want,
+                    ((long double)x->p * rows + (long double)x->q * columns + 8) * powl(2, x->p + x->q) * 0x1p-53L * 30000 + ulp(want) / 2);
+    }
+}
+
+#endif
+
+static void a_blend_of_four_curves_is_exact(arb *a)
+{
+    const unsigned p = 1 + arb_below(a, DEGREE), q = 1 + arb_below(a, DEGREE);
+    const frame *x = arb_frame(a, p, q);
+    uint32_t rows, columns;
+    loft_grid g;
+    loft_vec v;
+
+    do {
+        rows = (uint32_t)1 << arb_below(a, 6);
+        columns = (uint32_t)1 << arb_below(a, 6);
+    } while (p * log2_of(rows) + log2_of(columns) > 32 || log2_of(rows) + q * log2_of(columns) > 32);
+    CHECK(loft_grid_coons_init(&g, &x->c, rows, columns, memory, LOFT_GRID_STATES(p, q)) == LOFT_OK);
+    for (uint32_t i = 0; i <= rows; i++)
+        for (uint32_t j = 0; j <= columns; j++) {
+            CHECK(loft_grid_next(&g, &v));
+            check_blend(x, v, i, j, rows, columns);
+        }
+    CHECK(!loft_grid_next(&g, &v));
+}
+
+static void a_blend_of_cubics_is_exact_to_256_by_256(arb *a)
+{
+    const frame *x = arb_frame(a, 3, 3);
+    loft_grid g;
+    loft_vec v;
+
+    CHECK(loft_grid_coons_init(&g, &x->c, 256, 256, memory, LOFT_GRID_STATES(3, 3)) == LOFT_OK);
+    for (uint32_t i = 0; i <= 256; i++)
+        for (uint32_t j = 0; j <= 256; j++)
+            if (loft_grid_next(&g, &v) && (i > 254 || j > 254 || (i * 31 + j) % 17 == 0))
+                check_blend(x, v, i, j, 256, 256);
+    CHECK(loft_grid_coons_init(&g, &x->c, 512, 256, memory, LOFT_GRID_STATES(3, 3)) == LOFT_ERR_RANGE);
+    CHECK(loft_grid_coons_init(&g, &x->c, 256, 256, memory, LOFT_GRID_STATES(3, 3) - 1) == LOFT_ERR_SPACE);
+}
+
 static void what_does_not_fit_is_refused(arb *a)
 {
     patch *x = arb_patch(a, false);
@@ -340,6 +453,8 @@ int main(void)
     PROPERTY(edges_are_those_of_walked_curves, 300);
     PROPERTY(the_grid_is_the_patch_evaluated, 60);
     PROPERTY(runs_give_the_same_points, 200);
+    PROPERTY(a_blend_of_four_curves_is_exact, 200);
+    PROPERTY(a_blend_of_cubics_is_exact_to_256_by_256, 4);
     PROPERTY(what_does_not_fit_is_refused, 20);
     return check_failures();
 }

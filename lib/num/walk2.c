@@ -22,7 +22,7 @@
  *     triangle   S = C(2n,1) + .. + C(2n,p),    since sum over k + l = s of C(n,k) C(n,l) is C(2n,s)
  *
  * and is admitted while that is below 1/2, S <= 2^32 - 2^22; or where nothing is rounded, powers of two with
- * p log2 rows + q log2 columns <= 32 (triangle: p log2 n <= 32). Values then stay within the 32 bits in which the net
+ * p log2 rows + q log2 columns <= 32 (triangle: p log2 n <= 32; blend: p log2 rows + log2 columns and log2 rows + q log2 columns). Values then stay within the 32 bits in which the net
  * is, and all else may wrap.
  */
 #include "num/walk2.h"
@@ -56,7 +56,8 @@ bool loft_walk2_admits(const loft_walk2 *s)
 {
     if (s->triangle)
         return s->p * power_of_two(s->rows) <= 32 || choices(s->p, (uint64_t)s->rows * 2) <= ADMITTED;
-    if (s->p * power_of_two(s->rows) + s->q * power_of_two(s->columns) <= 32)
+    const unsigned a = power_of_two(s->rows), b = power_of_two(s->columns);
+    if (s->blend ? s->p * a + b <= 32 && a + s->q * b <= 32 : s->p * a + s->q * b <= 32)
         return true;
     const uint64_t u = 1 + choices(s->p, s->rows), v = 1 + choices(s->q, s->columns);
     return u - 1 <= ADMITTED && v - 1 <= ADMITTED && u * v - 1 <= ADMITTED;
@@ -101,6 +102,24 @@ static void take_powers(loft_state d[], const loft_walk2 *s)
                 column[k] -= column[k - 1];
         for (unsigned k = 0; k <= degree; k++)
             column[k] *= (loft_state)(binomial(s->q, l) * binomial(degree, k));
+    }
+}
+
+/* The blend of the edges has the same polynomials at u = 0, v = 0, u = 1 and v = 1. The first two are the coefficients with
+ * k = 0 or l = 0; at u = 1 that of v^l is the sum over k, at v = 1 that of u^k the sum over l. Where both are above 1 there is none. */
+static void take_blend(loft_state g[], const loft_walk2 *s)
+{
+    const unsigned p = s->p, stride = p + 1;
+
+    for (unsigned l = 2; l <= s->q; l++) {
+        loft_state *column = g + l * stride, sum = column[1];
+        for (unsigned k = 2; k <= p; k++) {
+            sum += column[k];
+            g[stride + k] += column[k];
+            column[k] = 0;
+        }
+        g[stride + 1] += column[1] - sum;
+        column[1] = sum;
     }
 }
 
@@ -176,6 +195,8 @@ void loft_walk2_init(loft_state d[], const loft_walk2 *s, const loft_real net[],
 
     load(d, s, net, stride);
     take_powers(d, s);
+    if (s->blend)
+        take_blend(d, s);
     for (unsigned l = 0; l <= s->q; l++)
         for (unsigned k = 0; k <= loft_walk2_degree(s, l); k++)
             scale(&d[loft_walk2_column(s, l) + k], &below[loft_walk2_column(s, l) + k], s, k, l);
@@ -202,6 +223,8 @@ void loft_walk2_init(loft_state d[], const loft_walk2 *s, const loft_real net[],
 {
     load(d, s, net, stride);
     take_powers(d, s);
+    if (s->blend)
+        take_blend(d, s);
     for (unsigned l = 0; l <= s->q; l++)
         for (unsigned k = 0; k <= loft_walk2_degree(s, l); k++) {
             loft_state *x = &d[loft_walk2_column(s, l) + k];

@@ -7,6 +7,8 @@
  *
  *   square     degrees p and q: B(u, v) of a net of (p + 1) (q + 1) values, row by row
  *   triangle   total degree p = q: column l has only k = 0 .. p - l; row r of the net has r + 1 values
+ *   blend      a square whose inside counts for nothing: the polynomial is the bilinear blend of the four edges of the net
+ *              (Coons), which has no terms with both k and l above 1
  */
 #ifndef LOFT_NUM_WALK2_H
 #define LOFT_NUM_WALK2_H
@@ -16,7 +18,7 @@
 typedef struct {
     uint32_t rows, columns;     /* steps from row to row, and along the last row */
     uint8_t p, q;
-    bool triangle;
+    bool triangle, blend;       /* at most one of them */
 } loft_walk2;
 
 /* The differences in column l above the 0-th, and the place of the column in the state. */
@@ -35,7 +37,8 @@ bool loft_walk2_accepts(loft_real a);
 /* Start at the first value of a net whose values are net[0], net[stride] .. in the order above.
  *
  *   range   admitted numbers of steps, accepted values
- *   error   q16: 2^-33 + 2^-44 LSB in each difference; none where rows^p columns^q (triangle: rows^p) divides 2^32
+ *   error   q16: 2^-33 + 2^-44 LSB in each difference; none where rows^p columns^q (triangle: rows^p; blend: both
+ *           rows^p columns and rows columns^q) divides 2^32
  *           f32, f64: 2^(p + q + 3) ulp of double of the largest value
  *   cost    q16: (p + 1) (q + 1) (p + q) / 2 divisions of 128 by 32 bits, shifts for powers of two; 400 bytes of stack
  */

@@ -84,7 +84,7 @@ static enum loft_status start(loft_grid *g, const loft_vec net[], const loft_wal
 enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t rows, uint32_t columns,
                                 loft_state memory[], size_t count)
 {
-    const loft_walk2 shape = { rows, columns, s->m, s->n, false };
+    const loft_walk2 shape = { rows, columns, s->m, s->n, false, false };
 
     if (s->m > LOFT_WALK_DEGREE_MAX || s->n > LOFT_WALK_DEGREE_MAX || rows == 0 || columns == 0)
         return LOFT_ERR_ARG;
@@ -94,11 +94,34 @@ enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t row
 enum loft_status loft_grid_triangle_init(loft_grid *g, const loft_triangle *t, uint32_t rows,
                                          loft_state memory[], size_t count)
 {
-    const loft_walk2 shape = { rows, rows, t->degree, t->degree, true };
+    const loft_walk2 shape = { rows, rows, t->degree, t->degree, true, false };
 
     if (t->degree > LOFT_WALK_DEGREE_MAX || rows == 0)
         return LOFT_ERR_ARG;
     return start(g, t->p, &shape, memory, count);
+}
+
+/* The net as a tensor: its edges are those of `c`, its inside says whether all points fit. */
+enum loft_status loft_grid_coons_init(loft_grid *g, const loft_coons_bezier *c, uint32_t rows, uint32_t columns,
+                                      loft_state memory[], size_t count)
+{
+    const loft_bezier *last = &c->v[0][1];
+    const loft_walk2 shape = { rows, columns, c->u[0][0].degree, last->degree, false, true };
+    loft_vec net[(LOFT_WALK_DEGREE_MAX + 1) * (LOFT_WALK_DEGREE_MAX + 1)];
+
+    if (shape.p > LOFT_WALK_DEGREE_MAX || shape.q > LOFT_WALK_DEGREE_MAX || rows == 0 || columns == 0)
+        return LOFT_ERR_ARG;
+    if (c->u[0][1].degree != shape.p || c->v[0][0].degree != shape.q)
+        return LOFT_ERR_ARG;
+    enum loft_status status = loft_tensor_from_coons(c, net);
+    for (unsigned l = 0; l <= shape.q && status == LOFT_OK; l++)
+        if (!loft_vec_equal(net[first_of(&shape, shape.p) + l], last->p[l]))
+            status = LOFT_ERR_ARG;
+    if (status == LOFT_OK)
+        status = start(g, net, &shape, memory, count);
+    if (status == LOFT_OK)
+        g->last = last->p;
+    return status;
 }
 
 static void next_row(loft_grid *g)

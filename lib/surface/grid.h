@@ -18,6 +18,7 @@
  *
  *     tensor    m log2 rows + n log2 columns <= 32      bicubic: 32 x 32, 16 x 64
  *     triangle  degree log2 rows <= 32                  cubic: 1024 rows
+ *     Coons     m log2 rows + log2 columns <= 32 and log2 rows + n log2 columns <= 32     cubic edges: 256 x 256
  *
  * Other numbers of steps are accepted while S <= 2^32 - 2^22, S being in the tensor (1 + S_m) (1 + S_n) - 1 with S_m =
  * C(rows,1) + .. + C(rows,m) and S_n likewise (bicubic: 73 x 73), in the triangle C(2 rows,1) + .. + C(2 rows,degree)
@@ -27,6 +28,7 @@
 #define LOFT_SURFACE_GRID_H
 
 #include "num/walk2.h"        /* loft_state, loft_walk2 */
+#include "surface/coons.h"      /* loft_coons_bezier */
 #include "surface/tensor.h"     /* loft_tensor */
 #include "surface/triangle.h"   /* loft_triangle */
 
@@ -60,9 +62,19 @@ enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t row
  *
  *   shape   will yield (rows + 1) (rows + 2) / 2 points: row r has r + 1, from the edge T1 T2 to the edge T1 T3, as nets are listed
  *   range   as above, with LOFT_GRID_TRIANGLE_STATES(degree)
+ *   cost    as above
  */
 enum loft_status loft_grid_triangle_init(loft_grid *g, const loft_triangle *t, uint32_t rows,
                                          loft_state memory[], size_t count) LOFT_CHECKED;
+
+/* Prepare to walk a bilinearly blended Coons patch, the boundaries of `c` alone.
+ *
+ *   range   as above, with LOFT_GRID_STATES(m, n); degrees 1..5, one in each pair, and curves that meet exactly, otherwise LOFT_ERR_ARG;
+ *           LOFT_ERR_RANGE also when a control point of loft_tensor_from_coons does not fit
+ *   cost    that of loft_tensor_from_coons as well; 1 kB of stack
+ */
+enum loft_status loft_grid_coons_init(loft_grid *g, const loft_coons_bezier *c, uint32_t rows, uint32_t columns,
+                                      loft_state memory[], size_t count) LOFT_CHECKED;
 
 /* Give the next point. Returns false, and leaves *out alone, when the walk is over.
  *
