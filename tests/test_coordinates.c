@@ -60,7 +60,7 @@ static void wachspress_is_within_its_bound(arb *a)
         return;
     exact_wachspress(p.v, p.n, q, want);
     for (unsigned i = 0; i < p.n; i++)          /* relative, however small */
-        CHECK_EXACT(exact_sci(phi[i]) / want[i], 1, ROUNDED(p.n * p.n * 0x1p-60L + 0x1p-58L, p.n * p.n * 0x1p-46L));
+        CHECK_EXACT(exact_sci(phi[i]) / want[i], 1, ROUNDED(p.n * p.n * 0x1p-60L, p.n * p.n * 0x1p-46L));
 }
 
 static void wachspress_is_not_for_other_polygons_nor_outside(arb *a)

@@ -65,7 +65,11 @@ long double decimal(row *r, const char *text)
 loft_real decimal_real(row *r, const char *text)
 {
     const long double v = decimal(r, text);
-    const loft_real x = (loft_real)BY_NUM(llroundl(v * 65536), v, v);
+    const bool fits = fabsl(v) < BY_NUM(32768, FLT_MAX, DBL_MAX);
+    const loft_real x = (loft_real)BY_NUM(fits ? llroundl(v * 65536) : 0, v, v);
+
+    if (!fits)
+        row_complain(r, "%s is no coordinate", text);
 
     r->largest = fmaxl(r->largest, fabsl(v));
     r->inexact = fmaxl(r->inexact, fabsl(v - exact_of(x)));

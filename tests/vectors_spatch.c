@@ -3,6 +3,7 @@
  */
 #include <string.h>
 
+#include "exact_polygon.h"          /* exact_meanvalue */
 #include "polygons.h"               /* polygon_of, coordinates */
 #include "polygon/spatch.h"
 
@@ -102,10 +103,12 @@ static void spatch_net(row *r)
         }
 }
 
-/* The bound in spatch.h, which is below 0.501 LSB for coordinates that are not negative. */
-static law point_law(const patch *p, const loft_sci phi[])
+/* The bound in spatch.h, and what mean values lose outside: (1 + |phi|) K 2^-56 or 2^-47 each, times depth M / sum |phi|. */
+static law point_law(const patch *p, loft_spot at, const loft_sci phi[], long double largest)
 {
-    long double sum = 0;
+    loft_sci area[LOFT_SIDES_MAX];
+    long double own[LOFT_SIDES_MAX], sum = 0;
+    unsigned index;
 
     for (unsigned i = 0; i < p->n; i++) {
         loft_acc x = 0;
@@ -113,7 +116,9 @@ static law point_law(const patch *p, const loft_sci phi[])
             sum += fabsl(exact_acc(x));
     }
     const long double gain = powl(sum, p->d);
-    return (law) { .lsb = 0.5L + (1 + gain) / 32768, .gain = gain * 64, .roundings = 64 };
+    const bool outside = p->which == 'M' && loft_domain_place(&p->domain.d, at, area, &index) == LOFT_OUTSIDE;
+    const long double lost = outside ? p->n * p->d * (1 + sum) * exact_meanvalue(p->domain.v, p->n, at, own) : 0;
+    return (law) { .lsb = 0.5L + (1 + gain) / 32768 + gain * lost * largest * 0x1p-40L, .gain = gain * 64, .roundings = 64 + 32 * lost };
 }
 
 static void spatch_eval(row *r)
@@ -130,7 +135,7 @@ static void spatch_eval(row *r)
     r->largest = largest;
     if (!coordinates(r, p.which, &p.domain, at, phi))
         return;
-    const law l = point_law(&p, phi);
+    const law l = point_law(&p, at, phi, largest);
     expect_point(r, loft_spatch_eval(&p.s, phi, &v), v, l);
     expect_point(r, loft_spatch_casteljau(&p.s, phi, work, &u), u, l);
 }
@@ -192,7 +197,7 @@ static void spatch_adjacency(row *r)
 
 const vector_system vectors_spatch[] = {
     { "spatch_net",       "case,n,d,which,polygon,rational,lambda,weight,X,Y,Z", spatch_net, "corners: exact" },
-    { "spatch_eval",      "case,type,x,y,X,Y,Z", spatch_eval,      "q16 1/2 LSB + (1 + M) 2^-15 LSB; floats 64 (1 + M) ulp of double, M = (sum |phi|)^d" },
+    { "spatch_eval",      "case,type,x,y,X,Y,Z", spatch_eval,      "q16 1/2 LSB + (1 + M) 2^-15 LSB; floats 64 (1 + M) ulp of double, M = (sum |phi|)^d, and outside what the coordinates lose" },
     { "spatch_elevated",  "case,lambda,X,Y,Z",   spatch_elevated,  "q16 1/2 LSB + 2^-15 LSB; floats 24 ulp of double" },
     { "spatch_tensor",    "case,i,j,X,Y,Z",      spatch_tensor,    "q16 1/2 LSB + 2^-15 LSB; floats 24 ulp of double" },
     { "spatch_adjacency", "n,d,A,B",             spatch_adjacency, "exact" },
