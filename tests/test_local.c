@@ -206,6 +206,55 @@ static void a_rational_cylinder_has_its_radius(arb *a)
     CHECK(loft_ball_radius(&k) > LOFT_REAL(1000));
 }
 
+static long double sum_at(const loft_tensor_rational *s, int axis, unsigned a, unsigned b, long double u, long double v)
+{
+    long double row[LOFT_DEGREE_MAX + 1], column[LOFT_DEGREE_MAX + 1];
+
+    for (unsigned i = 0; i <= s->m; i++) {
+        for (unsigned j = 0; j <= s->n; j++) {
+            const loft_weighted *p = &s->p[i * (s->n + 1u) + j];
+            row[j] = exact_of(p->w) * (axis < 0 ? 1 : exact_of(p->p.axis[axis]));
+        }
+        column[i] = exact_deriv(row, s->n, b, v);
+    }
+    return exact_deriv(column, s->m, a, u);
+}
+
+static void check_sci(loft_sci got, long double want, long double size)
+{
+    loft_acc wide = 0;
+
+    CHECK(loft_sci_wide(got, &wide));
+    CHECK_EXACT(exact_acc(wide), want, BY_NUM(0x1p-32L, 0, 0) + 0x1p-36L * size);
+}
+
+/* All five derivatives, by the quotient rule in long double. */
+static void derivatives_of_a_rational_patch_are_those_of_the_quotient(arb *a)
+{
+    const unsigned m = 1 + arb_below(a, 4), n = 1 + arb_below(a, 4);
+    const loft_unit at_u = arb_unit(a), at_v = arb_unit(a);
+    const long double u = exact_unit(at_u), v = exact_unit(at_v);
+    loft_weighted net[25];
+    loft_tensor_rational s;
+    loft_local at;
+
+    for (unsigned k = 0; k < (m + 1) * (n + 1); k++) {
+        net[k].p = arb_vec(a, 100);
+        net[k].w = LOFT_REAL(2) + arb_real(a, 1);
+    }
+    CHECK(loft_tensor_rational_init(&s, net, m, n) == LOFT_OK && loft_tensor_rational_local(&s, at_u, at_v, &at) == LOFT_OK);
+    const long double w = sum_at(&s, -1, 0, 0, u, v), wu = sum_at(&s, -1, 1, 0, u, v), wv = sum_at(&s, -1, 0, 1, u, v);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const long double p = sum_at(&s, i, 0, 0, u, v) / w;
+        const long double pu = (sum_at(&s, i, 1, 0, u, v) - p * wu) / w, pv = (sum_at(&s, i, 0, 1, u, v) - p * wv) / w;
+        check_sci(at.u[i], pu, 1000);
+        check_sci(at.v[i], pv, 1000);
+        check_sci(at.uu[i], (sum_at(&s, i, 2, 0, u, v) - 2 * pu * wu - p * sum_at(&s, -1, 2, 0, u, v)) / w, 10000);
+        check_sci(at.uv[i], (sum_at(&s, i, 1, 1, u, v) - pu * wv - pv * wu - p * sum_at(&s, -1, 1, 1, u, v)) / w, 10000);
+        check_sci(at.vv[i], (sum_at(&s, i, 0, 2, u, v) - 2 * pv * wv - p * sum_at(&s, -1, 0, 2, u, v)) / w, 10000);
+    }
+}
+
 /* Inside a hollow the ball is the one of the hollow. */
 static void the_ball_fits_and_no_larger_one(arb *a)
 {
@@ -246,6 +295,7 @@ int main(void)
     PROPERTY(curvatures_are_within_their_bounds, 1500);
     PROPERTY(a_triangle_bends_as_the_patch_it_is_cut_from, 300);
     PROPERTY(a_rational_cylinder_has_its_radius, 300);
+    PROPERTY(derivatives_of_a_rational_patch_are_those_of_the_quotient, 300);
     PROPERTY(the_ball_fits_and_no_larger_one, 2000);
     PROPERTY(degenerate_patches_have_no_normal, 100);
     return check_failures();
