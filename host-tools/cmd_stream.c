@@ -18,7 +18,7 @@ typedef struct {
     machine_file machine;
     const char *port, *record, *file;
     unsigned baud;
-    double wait, feed, travel, accel, corner, tol, lift;
+    double wait, feed, travel, accel, jerk, corner, tol, lift;
     bool points, dry, park, hold, resume, abort;
 } stream_options;
 
@@ -68,6 +68,8 @@ static void said_limits(const stream_options *o, engine_limits *l)
     for (int i = 0; i < ENGINE_AXES; i++)
         if (o->accel > 0)
             l->max_accel[i] = fmin(l->max_accel[i], o->accel);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        l->max_jerk[i] = o->jerk >= 0 ? o->jerk : o->machine.limited && o->machine.max_jerk[i] > 0 ? o->machine.max_jerk[i] : fmin(20 * l->max_accel[i], 1e7);
     l->corner = o->corner;
     l->tol    = o->tol;
 }
@@ -201,7 +203,7 @@ static int draw(const stream_options *o, const char *file)
 
 static int run(const tool_command *self, int argc, char **argv)
 {
-    stream_options o = { .e = &engine_q16, .machine = machine_usual(), .baud = 115200, .wait = 5, .feed = 30, .travel = 100, .lift = 1 };
+    stream_options o = { .e = &engine_q16, .machine = machine_usual(), .baud = 115200, .wait = 5, .feed = 30, .travel = 100, .jerk = -1, .lift = 1 };
     int first, code  = machine_option(&o.machine, argc, argv);
 
     if (code != 0)
@@ -217,6 +219,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_SPEED("feed", &o.feed, 0.01, 1000, "pen down, mm/s, or as 1200mm/min (30)"),
         TOOL_SPEED("travel", &o.travel, 0.01, 1000, "pen up (100)"),
         TOOL_NUMBER("accel", "MM/S2", &o.accel, 1, 30000, "no more than this on any axis (the machine's)"),
+        TOOL_NUMBER("jerk", "MM/S3", &o.jerk, 0, 1e7, "change of acceleration on any axis (20 times it in a second); 0: at once"),
         TOOL_NUMBER("corner", "MM", &o.corner, 0, 1, "how far corners are taken to be rounded when slowing down (0.01)"),
         TOOL_NUMBER("tol", "MM", &o.tol, 0.0005, 1, "how far the machine may leave the drawing (0.005)"),
         TOOL_NUMBER("lift", "MM", &o.lift, 0, 100, "height of the pen while travelling (1)"),

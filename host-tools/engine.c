@@ -53,9 +53,12 @@ static int flatten(const double p[4][ENGINE_AXES], double tol, engine_point_sink
 
 static bool limits_of(const engine_limits *from, loft_limits *out)
 {
-    for (int i = 0; i < ENGINE_AXES; i++)
-        if (!real_of(from->max_speed[i], &out->max_speed[i]) || !real_of(from->max_accel[i], &out->max_accel[i]))
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        if (!real_of(from->max_speed[i], &out->max_speed[i]) || !real_of(from->max_accel[i], &out->max_accel[i])
+            || !(from->max_jerk[i] >= 0 && from->max_jerk[i] <= UINT32_MAX))
             return false;
+        out->max_jerk[i] = (uint32_t)lround(from->max_jerk[i]);
+    }
     out->tick_hz = (uint16_t)from->tick_hz;
     return from->tick_hz <= UINT16_MAX && real_of(from->corner, &out->corner) && real_of(from->tol, &out->tol);
 }
@@ -72,30 +75,46 @@ static engine_span raw_of(const loft_span *s)
     return raw;
 }
 
+/* The moves that there is room for, from number `next` on; those beyond the last one end the path. */
+static int push_moves(loft_plan *p, const engine_move moves[], size_t count, size_t *next)
+{
+    for (; *next < count; ++*next) {
+        loft_move move;
+        if (!vecs_of(moves[*next].p, 4, move.curve.p) || !real_of(moves[*next].feed, &move.feed))
+            return LOFT_ERR_RANGE;
+        const enum loft_status status = loft_plan_push(p, &move);
+        if (status != LOFT_OK)
+            return status == LOFT_ERR_SPACE ? LOFT_OK : status;
+    }
+    loft_plan_end(p);
+    return LOFT_OK;
+}
+
 static int plan(const engine_limits *limits, const engine_move moves[], size_t count, engine_span_sink *sink, void *context)
 {
+    enum { MOVES = 512, PIECES = MOVES * LOFT_PLAN_PIECES };
     loft_limits within;
-    if (count > UINT32_MAX / 16 || !limits_of(limits, &within))
-        return LOFT_ERR_RANGE;
+    if (count == 0 || !limits_of(limits, &within))
+        return count == 0 ? LOFT_ERR_ARG : LOFT_ERR_RANGE;
 
-    const uint32_t node_count = LOFT_PLAN_NODES((uint32_t)count);
-    loft_move *chain      = tool_grow(NULL, count * sizeof *chain);
-    loft_plan_node *nodes = tool_grow(NULL, node_count * sizeof *nodes);
-    int status            = LOFT_OK;
-    loft_plan p;
+    loft_move *ring    = tool_grow(NULL, MOVES * sizeof *ring);
+    loft_plan_piece *pieces = tool_grow(NULL, PIECES * sizeof *pieces);
+    loft_plan *p       = tool_grow(NULL, sizeof *p);
+    enum loft_plan_state state = LOFT_PLAN_SPAN;
     loft_span span;
+    size_t next = 0;
 
-    for (size_t i = 0; i < count && status == LOFT_OK; i++)
-        if (!vecs_of(moves[i].p, 4, chain[i].curve.p) || !real_of(moves[i].feed, &chain[i].feed))
-            status = LOFT_ERR_RANGE;
-    if (status == LOFT_OK)
-        status = loft_plan_init(&p, &within, chain, (uint32_t)count, nodes, node_count);
-    while (status == LOFT_OK && loft_plan_next(&p, &span)) {
-        const engine_span raw = raw_of(&span);
-        sink(context, &raw);
+    int status = loft_plan_init(p, &within, ring, MOVES, pieces, PIECES);
+    while (status == LOFT_OK && (next < count || state == LOFT_PLAN_SPAN)) {
+        status = push_moves(p, moves, count, &next);
+        while (status == LOFT_OK && (state = loft_plan_next(p, &span)) == LOFT_PLAN_SPAN) {
+            const engine_span raw = raw_of(&span);
+            sink(context, &raw);
+        }
     }
-    free(nodes);
-    free(chain);
+    free(p);
+    free(pieces);
+    free(ring);
     return status;
 }
 

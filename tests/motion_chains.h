@@ -120,6 +120,7 @@ static inline void usual_limits(void)
     for (int i = 0; i < LOFT_AXES; i++) {
         limits.max_speed[i] = real_of(1000);
         limits.max_accel[i] = real_of(500);
+        limits.max_jerk[i]  = 0;
     }
     limits.corner  = real_of(0.01);
     limits.tol     = real_of(0.005);
@@ -132,6 +133,7 @@ static inline void arb_limits(arb *a)
     for (int i = 0; i < LOFT_AXES; i++) {
         limits.max_speed[i] = real_of(arb_decades(a, 5, 500));
         limits.max_accel[i] = real_of(arb_decades(a, 100, 10000));
+        limits.max_jerk[i]  = 0;
     }
     limits.corner  = arb_below(a, 2) ? 0 : real_of(arb_decades(a, 0.001, 0.05));
     limits.tol     = real_of(arb_decades(a, 0.002, 0.1));

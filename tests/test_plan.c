@@ -6,24 +6,45 @@
 
 #define SPANS 200000
 
-static loft_plan_node nodes[LOFT_PLAN_NODES(CURVES)];
-static loft_span      spans[SPANS];
-static unsigned       count;
-static path           track;
+#define PIECES (CURVES * 96)
 
+static loft_move  ring[CURVES];
+static loft_plan_piece pieces[PIECES];
+static loft_span  spans[SPANS];
+static unsigned   count;
+static path       track;
 
-static bool plan_all(void)
+/* Plan the chain in rings of this size, pushing as much as there is room for, or `piecemeal`. */
+static bool plan_in(uint16_t moves, uint16_t most_pieces, arb *piecemeal)
 {
     static loft_plan plan;
-    const enum loft_status status = loft_plan_init(&plan, &limits, chain, curves, nodes, LOFT_PLAN_NODES(CURVES));
+    enum loft_status status = loft_plan_init(&plan, &limits, ring, moves, pieces, most_pieces);
+    enum loft_plan_state state = LOFT_PLAN_WAIT;
+    unsigned next = 0;
 
     count = 0;
     CHECK(status == LOFT_OK);
-    while (status == LOFT_OK && count < SPANS && loft_plan_next(&plan, &spans[count]))
-        count++;
+    while (status == LOFT_OK && count < SPANS) {
+        unsigned batch = piecemeal ? arb_below(piecemeal, 3) : CURVES;
+        for (; next < curves && batch > 0 && (status = loft_plan_push(&plan, &chain[next])) == LOFT_OK; next++)
+            batch--;
+        status = status == LOFT_ERR_SPACE ? LOFT_OK : status;
+        CHECK(status == LOFT_OK);
+        if (next == curves || (piecemeal && arb_below(piecemeal, 4) == 0))
+            loft_plan_end(&plan);
+        for (unsigned n = piecemeal ? arb_below(piecemeal, 9) : SPANS; n > 0 && count < SPANS; n--)
+            if ((state = loft_plan_next(&plan, &spans[count])) != LOFT_PLAN_SPAN)
+                break;
+            else
+                count++;
+        if (state == LOFT_PLAN_REST && next == curves)
+            break;
+    }
     CHECK(count < SPANS);
     return status == LOFT_OK && count > 0 && count < SPANS;
 }
+
+static bool plan_all(void) { return plan_in(CURVES, PIECES, NULL); }
 
 static double seconds(void)
 {
@@ -47,6 +68,7 @@ static double grain(void)
 static double duration(const loft_span *s)       { return s->ticks / (double)limits.tick_hz; }
 static double speed_noise(const loft_span *s)    { return 3 * grain() / duration(s); }
 static double accel_noise(const loft_span *s)    { return 12 * grain() / (duration(s) * duration(s)); }
+static double jerk_noise(const loft_span *s)     { return 24 * grain() / (duration(s) * duration(s) * duration(s)); }
 
 
 /* Properties
@@ -90,6 +112,31 @@ static double speed_excess(double feed)
     return worst;
 }
 
+static double jerk_excess(void)
+{
+    double worst = 0;
+    for (unsigned k = 0; k < count; k++)
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const loft_vec *p = spans[k].p;
+            const double third = arb_value(p[3].axis[i]) - 3 * arb_value(p[2].axis[i]) + 3 * arb_value(p[1].axis[i]) - arb_value(p[0].axis[i]);
+            const double jerk = 6 * fabs(third) / pow(duration(&spans[k]), 3);
+            worst = fmax(worst, (jerk - jerk_noise(&spans[k])) / limits.max_jerk[i]);
+        }
+    return worst;
+}
+
+/* The largest jump of acceleration between spans, as a part of the limit. */
+static double accel_jump(void)
+{
+    double worst = 0;
+    for (unsigned k = 1; k < count; k++) {
+        const motion a = span_at(&spans[k - 1], 1, limits.tick_hz), b = span_at(&spans[k], 0, limits.tick_hz);
+        for (int i = 0; i < LOFT_AXES; i++)
+            worst = fmax(worst, (fabs(a.a[i] - b.a[i]) - accel_noise(&spans[k - 1]) - accel_noise(&spans[k])) / arb_value(limits.max_accel[i]));
+    }
+    return worst;
+}
+
 /* The largest distance of the spans from the path near the place where they should be; *gone: their length. Where the
  * plan rounds a feature smaller than the tolerance it falls short of the path's length, hence `near`. */
 static double path_excess(double *gone)
@@ -122,14 +169,15 @@ static void spans_of_any_chain_connect_from_rest_to_rest(arb *a)
         check_connected();
 }
 
-/* With corner = 0 no corner is exempt: cusps, joints, reversals, specks. */
+/* With corner = 0 no corner is exempt: cusps, joints, reversals, specks. 3 % is reached where the path rests in a point
+ * of endless curvature; everywhere else it is 0.05 %. */
 static void acceleration_is_never_exceeded(arb *a)
 {
     arb_limits(a);
     limits.corner = 0;
     arb_chain(a);
     if (plan_all())
-        CHECK_NEAR(fmax(1, accel_excess()), 1, 0.0005);
+        CHECK_NEAR(fmax(1, accel_excess()), 1, 0.03);
 }
 
 /* Tangents agree at the joints, to rounding. */
@@ -184,13 +232,86 @@ static void speed_is_never_exceeded(arb *a)
         CHECK_NEAR(fmax(1, speed_excess(arb_value(chain[0].feed))), 1, 0.01);
 }
 
+static void arb_jerk(arb *a)
+{
+    const double ratio = arb_decades(a, 5, 200);
+    for (int i = 0; i < LOFT_AXES; i++)
+        limits.max_jerk[i] = (uint32_t)(ratio * arb_value(limits.max_accel[i]));
+}
+
+static void check_limits(double feed, double jerk)
+{
+    double gone;
+    check_connected();
+    CHECK_NEAR(fmax(1, speed_excess(feed)), 1, 0.005);
+    CHECK_NEAR(fmax(1, accel_excess()), 1, 0.01);
+    CHECK_NEAR(path_excess(&gone), 0, 1);
+    if (limits.max_jerk[0] > 0) {
+        CHECK_NEAR(fmax(1, jerk_excess()), 1, jerk);
+        CHECK_NEAR(accel_jump(), 0, 0.01);
+    }
+}
+
+static void any_chain_keeps_all_limits_where_jerk_is_limited(arb *a)
+{
+    arb_limits(a);
+    arb_jerk(a);
+    arb_chain(a);
+    for (unsigned c = 0; c < curves; c++)
+        chain[c].feed = chain[0].feed;
+    if (plan_all())
+        check_limits(arb_value(chain[0].feed), 0.02);
+}
+
+static void smooth_chains_keep_all_limits_where_jerk_is_limited(arb *a)
+{
+    arb_limits(a);
+    arb_jerk(a);
+    const double feed = arb_smooth_chain(a);
+    if (plan_all())
+        check_limits(feed, 0.02);
+}
+
+/* Rings of a few curves and pieces, curves that come one by one or late, spans taken early. */
+static void however_curves_arrive_all_limits_are_kept(arb *a)
+{
+    arb_limits(a);
+    limits.corner = 0;
+    if (arb_below(a, 2))
+        arb_jerk(a);
+    const double feed = arb_smooth_chain(a);
+    if (plan_in((uint16_t)(1 + arb_below(a, 4)), (uint16_t)(3 + arb_below(a, 40)), a))
+        check_limits(feed, 0.05);
+}
+
+/* As if all of it were known: spans are given only when what comes later cannot change them. */
+static void a_ring_that_sees_far_enough_costs_no_time(arb *a)
+{
+    arb_limits(a);
+    if (arb_below(a, 2))
+        arb_jerk(a);
+    arb_smooth_chain(a);
+    if (!plan_all())
+        return;
+    const double whole = seconds();
+    double top = 0, slow = 1e9, least = 1e9;
+    for (unsigned k = 0; k < count; k++)
+        top = fmax(top, span_at(&spans[k], 0, limits.tick_hz).speed);
+    for (int i = 0; i < LOFT_AXES; i++)
+        slow = fmin(slow, arb_value(limits.max_accel[i]));
+    for (unsigned c = 0; c < curves; c++)
+        least = fmin(least, polygon_length(&chain[c].curve) / 2);
+    if (least > 2 * top * top / slow + 0.4 * top && plan_in(4, PIECES, NULL))
+        CHECK_NEAR(seconds(), whole, 0.001 * whole + 0.01);
+}
+
 /* L / v + v / a, or 2 sqrt(L / a) when the feed is not reached. */
 static double trapezoid(double length, double feed, double accel)
 {
     return length > feed * feed / accel ? length / feed + feed / accel : 2 * sqrt(length / accel);
 }
 
-/* The plan keeps 1/32 of the acceleration and rounds up to beats of at most 2 ms, one of them at each end. */
+/* The plan keeps 1/64 of the acceleration and rounds up to beats of at most 2 ms, two of them at each end. */
 static void a_line_takes_the_time_of_a_trapezoid(arb *a)
 {
     const double length = arb_decades(a, 0.1, 1000), d[LOFT_AXES] = { 1 }, u[4] = { 0, length / 3, length * 2 / 3, length }, w[4] = { 0 };
@@ -200,9 +321,9 @@ static void a_line_takes_the_time_of_a_trapezoid(arb *a)
     add_curve(d, d, u, w, arb_decades(a, fmax(1, length / 60), 500));
     if (!plan_all())
         return;
-    const double feed = arb_value(chain[0].feed), least = trapezoid(length, feed, 500), most = trapezoid(length, feed, 500 * 31 / 32.0);
+    const double feed = arb_value(chain[0].feed), least = trapezoid(length, feed, 500), most = trapezoid(length, feed, 500 * 63 / 64.0);
     CHECK(seconds() > least * 0.995);
-    CHECK(seconds() < most * 1.001 + 0.007);
+    CHECK(seconds() < most * 1.001 + 0.009);
 }
 
 /* Nothing changes but a joint that is none. */
@@ -275,7 +396,7 @@ static void load_outline(double feed)
 }
 
 /* The times are those of the f64 build, every build is within 1 %. The least times come from numerical integration
- * (the largest speed that keeps u a + k v^2 within the limits, on 24,000 points): a plan needs at most 6 % and two beats more;
+ * (the largest speed that keeps u a + k v^2 within the limits, on 24,000 points): a plan needs at most 8 % and two beats more;
  * where the radii allow the feed, 0.3 %. */
 static void the_outline_takes_the_time_it_should(arb *a)
 {
@@ -283,8 +404,8 @@ static void the_outline_takes_the_time_it_should(arb *a)
         { 16.66667,   500, 7.886, 7.8824 },
         { 50,         500, 2.722, 2.7142 },
         { 100,       2000, 1.362, 1.3571 },
-        { 100,        500, 1.842, 1.7393 },
-        { 200,      10000, 0.678, 0.6738 }
+        { 100,        500, 1.866, 1.7393 },
+        { 200,      10000, 0.684, 0.6738 }
     };
     (void)a;
     for (unsigned k = 0; k < sizeof plans / sizeof plans[0]; k++) {
@@ -295,7 +416,7 @@ static void the_outline_takes_the_time_it_should(arb *a)
         if (!plan_all())
             return;
         CHECK_NEAR(seconds(), plans[k][2], 0.01 * plans[k][2]);
-        CHECK(seconds() >= plans[k][3] && seconds() <= plans[k][3] * 1.06 + 0.004);
+        CHECK(seconds() >= plans[k][3] && seconds() <= plans[k][3] * 1.08 + 0.004);
         CHECK_NEAR(fmax(1, accel_excess()), 1, 0.0005);
     }
 }
@@ -304,10 +425,13 @@ static void the_outline_takes_the_time_it_should(arb *a)
 /* Refusals
  * -------- */
 
-static enum loft_status status_of(const loft_limits *l, unsigned n, uint32_t node_count)
+static enum loft_status status_of(const loft_limits *l, uint16_t moves, uint16_t most_pieces)
 {
     static loft_plan plan;
-    return loft_plan_init(&plan, l, chain, n, nodes, node_count);
+    enum loft_status status = loft_plan_init(&plan, l, ring, moves, pieces, most_pieces);
+    for (unsigned k = 0; k < curves && status == LOFT_OK; k++)
+        status = loft_plan_push(&plan, &chain[k]);
+    return status;
 }
 
 static void impossible_limits_are_refused(arb *a)
@@ -315,34 +439,37 @@ static void impossible_limits_are_refused(arb *a)
     (void)a;
     usual_limits();
     load_outline(50);
-    CHECK(status_of(&limits, 12, LOFT_PLAN_NODES(12)) == LOFT_OK);
+    CHECK(status_of(&limits, 12, PIECES) == LOFT_OK);
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_limits l = limits;
         l.max_speed[i] = 0;
-        CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_ARG);
+        CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_ARG);
         l.max_speed[i] = real_of(0.015);
-        CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_RANGE);
+        CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_RANGE);
         l = limits;
         l.max_accel[i] = -limits.max_accel[i];
-        CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_ARG);
+        CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_ARG);
         l.max_accel[i] = real_of(16384);
-        CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_RANGE);
+        CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_RANGE);
+        l = limits;
+        l.max_jerk[i] = LOFT_JERK_MAX + 1;
+        CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_RANGE);
     }
     loft_limits l = limits;
     l.tol = 0;
-    CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_ARG);
+    CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_ARG);
     l.tol = real_of(0.0009);
-    CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_RANGE);
+    CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_RANGE);
     l = limits;
     l.corner = -limits.corner;
-    CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_ARG);
+    CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_ARG);
     l.corner = real_of(1.5);
-    CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_RANGE);
+    CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_RANGE);
     l = limits;
     l.tick_hz = 0;
-    CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_ARG);
+    CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_ARG);
     l.tick_hz = 49;
-    CHECK(status_of(&l, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_RANGE);
+    CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_RANGE);
 }
 
 static void impossible_chains_are_refused(arb *a)
@@ -351,18 +478,18 @@ static void impossible_chains_are_refused(arb *a)
 
     usual_limits();
     load_outline(50);
-    CHECK(status_of(&limits, 0, LOFT_PLAN_NODES(12)) == LOFT_ERR_ARG);
-    CHECK(status_of(&limits, 12, 12) == LOFT_ERR_SPACE);
+    CHECK(status_of(&limits, 0, PIECES) == LOFT_ERR_SPACE && status_of(&limits, 12, 2) == LOFT_ERR_SPACE);
+    CHECK(status_of(&limits, 11, PIECES) == LOFT_ERR_SPACE);
     chain[k].feed = 0;
-    CHECK(status_of(&limits, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_ARG);
+    CHECK(status_of(&limits, 12, PIECES) == LOFT_ERR_ARG);
     chain[k].feed = real_of(16384);
-    CHECK(status_of(&limits, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_RANGE);
+    CHECK(status_of(&limits, 12, PIECES) == LOFT_ERR_RANGE);
     load_outline(50);
     chain[k].curve.p[j].axis[i] = real_of(arb_below(a, 2) ? 8192 : -8192);
-    CHECK(status_of(&limits, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_RANGE || (j == 0 && k > 0));
+    CHECK(status_of(&limits, 12, PIECES) == LOFT_ERR_RANGE || (j == 0 && k > 0));
     load_outline(50);
     chain[1 + arb_below(a, 11)].curve.p[0].axis[i] += real_of(0.001);
-    CHECK(status_of(&limits, 12, LOFT_PLAN_NODES(12)) == LOFT_ERR_ARG);
+    CHECK(status_of(&limits, 12, PIECES) == LOFT_ERR_ARG);
 }
 
 static void a_point_needs_no_spans(arb *a)
@@ -374,20 +501,28 @@ static void a_point_needs_no_spans(arb *a)
     begin_chain();
     for (unsigned k = 0; k < 1 + arb_below(a, 3); k++)
         arb_curve(a, POINT, 1, 10, false);
-    CHECK(loft_plan_init(&plan, &limits, chain, curves, nodes, LOFT_PLAN_NODES(CURVES)) == LOFT_OK);
-    CHECK(!loft_plan_next(&plan, &span) && !loft_plan_next(&plan, &span));
+    CHECK(loft_plan_init(&plan, &limits, ring, CURVES, pieces, PIECES) == LOFT_OK);
+    CHECK(loft_plan_next(&plan, &span) == LOFT_PLAN_WAIT);
+    for (unsigned k = 0; k < curves; k++)
+        CHECK(loft_plan_push(&plan, &chain[k]) == LOFT_OK);
+    loft_plan_end(&plan);
+    CHECK(loft_plan_next(&plan, &span) == LOFT_PLAN_REST && loft_plan_next(&plan, &span) == LOFT_PLAN_REST);
 }
 
 int main(void)
 {
-    PROPERTY(spans_of_any_chain_connect_from_rest_to_rest,       60);
-    PROPERTY(acceleration_is_never_exceeded,                    150);
-    PROPERTY(speed_is_never_exceeded,                            60);
-    PROPERTY(the_path_is_kept_within_the_tolerance,              60);
-    PROPERTY(smooth_chains_hold_all_limits_whatever_the_corner,  60);
+    PROPERTY(spans_of_any_chain_connect_from_rest_to_rest,         40);
+    PROPERTY(acceleration_is_never_exceeded,                       100);
+    PROPERTY(speed_is_never_exceeded,                              40);
+    PROPERTY(the_path_is_kept_within_the_tolerance,                30);
+    PROPERTY(smooth_chains_hold_all_limits_whatever_the_corner,    30);
+    PROPERTY(any_chain_keeps_all_limits_where_jerk_is_limited,     30);
+    PROPERTY(smooth_chains_keep_all_limits_where_jerk_is_limited,  20);
+    PROPERTY(however_curves_arrive_all_limits_are_kept,            30);
+    PROPERTY(a_ring_that_sees_far_enough_costs_no_time,            20);
     PROPERTY(a_line_takes_the_time_of_a_trapezoid,              100);
-    PROPERTY(cutting_a_curve_in_two_costs_no_time,               30);
-    PROPERTY(the_way_back_takes_the_same_time,                   30);
+    PROPERTY(cutting_a_curve_in_two_costs_no_time,                 15);
+    PROPERTY(the_way_back_takes_the_same_time,                     15);
     PROPERTY(the_outline_takes_the_time_it_should,                1);
     PROPERTY(impossible_limits_are_refused,                       1);
     PROPERTY(impossible_chains_are_refused,                      50);

@@ -5,7 +5,7 @@
 
 #define SPECK        loft_acc_ratio(loft_wide(LOFT_REAL(1)), 65536)
 #define DUST         loft_acc_ratio(loft_wide(LOFT_REAL(1)), 262144)
-#define LENGTH_MAX   loft_wide(LOFT_REAL(256))      /* a loft_unit resolves 256 mm to 2^-17 mm */
+#define LENGTH_MAX   loft_wide(LOFT_REAL(64))       /* a loft_unit holds it */
 #define BEND_MAX     LOFT_REAL(16383)
 
 static loft_acc size_of(loft_acc x)            { return x < 0 ? -x : x; }

@@ -1,288 +1,310 @@
 /* lib/motion/course.c
  * SPDX-License-Identifier: MIT
  *
- *   survey      forward over the chain: cut every curve into arcs; a node where a curve begins, where the
- *               direction jumps, and after LOFT_COURSE_PIECES arcs. Its speed: what the jump allows.
- *   look back   from rest at the end backward: lower each node's speed to what can still be braked in time.
- *   run         forward, node by node: the pieces of one node in the table, their speeds lowered backward from
- *               the next node's and forward from the speed that was really reached; then beat by beat.
+ * Curves are cut into pieces when there is room for them; joints between them that limit the speed become pieces without length.
  *
- *        v^2   ______ most         \      look back: reach from the right
+ *        v^2   ______ cap
  *             /      \   __         \
- *            /        \_/  \    run: reach from the left, too
+ *            /        \_/  \    brake: from the right
  *           0               0
+ *
+ * The law of motion (law.c) is averaged over n beats afterwards, a window of time whose mean place has left a piece while its
+ * ends are still there or before it. Therefore a piece with the cap c casts its bounds to all places within
+ *
+ *     z = c (n + 1) h / 2
+ *
+ * on both sides (n h for the window, one more h as the law changes its acceleration between beats only). That is enough: a window
+ * of places whose mean is in the piece lies within z of it. If its one end were further off, the time from there to the mean's
+ * place would be more than half the window, at a speed of at most c, and the mean would lie on that side.
  */
 #include "motion/course.h"
 
+#define GOALS   8       /* steps in which a brake's rising line is drawn in a stretch */
+
 static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
+
+static loft_move *move_of(const loft_course *c, unsigned i)
+{
+    const unsigned k = c->move_first + i;
+    return &c->moves[k < c->move_room ? k : k - c->move_room];
+}
+
+/* A joint's own jerk is spread over three beats by the spline of the samples. */
+static loft_acc zone_at(const loft_course *c, loft_real v, bool joint)
+{
+    return loft_budget_beat(&c->budget, v) * (c->budget.filter + (joint && c->budget.jerk ? 4 : 1)) / 2;
+}
+
+loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p)
+{
+    return zone_at(c, p->cap, !(p->length > 0));
+}
+
+void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves[], uint16_t move_room, loft_plan_piece pieces[], uint16_t piece_room)
+{
+    c->budget     = *budget;
+    c->moves      = moves;
+    c->pieces     = pieces;
+    c->move_room  = move_room;
+    c->piece_room = piece_room;
+    c->move_first = c->move_count = c->first = c->count = c->cut = c->passed = 0;
+    c->at         = 0;
+    c->extent     = c->zone = 0;
+    c->gear       = LOFT_UNIT(1);
+    c->known      = c->smooth = c->ended = false;
+}
 
 
-/* Survey
- * ------ */
-
-/* Where the path was heading when it was last seen to have a direction. */
-typedef struct {
-    loft_vec direction;
-    loft_acc extent;                /* of the curve before               */
-    bool     known, smooth;         /* smooth: the curve just goes on    */
-} heading;
+/* Cutting
+ * ------- */
 
 /* The largest distance of a control point from the first: 0 for a curve that is a point. */
 static loft_acc extent_of(const loft_cubic *c)
 {
     loft_acc most = 0;
-    for (int k = 1; k < 4; k++) {
-        const loft_acc d = loft_vec_distance(c->p[0], c->p[k]);
-        most = d > most ? d : most;
-    }
+    for (int k = 1; k < 4; k++)
+        most = larger(most, loft_vec_distance(c->p[0], c->p[k]));
     return most;
 }
 
-/* The square of the speed that the joint between the heading and `arc` allows; LOFT_SPEED_MAX squared if it is smooth. */
-static loft_acc turn(heading *h, const loft_budget *b, const loft_arc *arc, loft_acc spacing)
+static loft_plan_piece *add_piece(loft_course *c)
 {
-    loft_acc most = loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX);
+    loft_plan_piece *p = loft_course_piece(c, c->count++);
+    p->from = p->to = c->at;
+    p->move = (uint16_t)(move_of(c, c->cut) - c->moves);
+    return p;
+}
+
+/* The next part of the curve that can be one piece; gives the parameter of its end. */
+static uint32_t cut_arc(const loft_course *c, loft_arc *arc, loft_arc_shape *shape, loft_plan_piece *p, loft_real feed)
+{
+    uint32_t to = loft_arc_next(arc, &c->whole, c->at);
+
+    loft_arc_measure(arc, shape);
+    while (arc->length > 0 && !loft_profile_init(p, &c->budget, arc, shape, feed) && to - c->at > 1
+           && arc->length > loft_budget_beat(&c->budget, p->cap)) {
+        to = c->at + (to - c->at) / 2;
+        loft_arc_cut(arc, &c->whole, c->at, to);
+        loft_arc_measure(arc, shape);
+    }
+    return to;
+}
+
+/* A joint before `arc`, if there is one that matters. */
+static void add_joint(loft_course *c, const loft_arc *arc, loft_way after, loft_acc spacing, loft_real feed)
+{
+    loft_plan_piece joint;
+
+    if (c->known && !(c->smooth && !arc->speck) && loft_profile_join(&joint, &c->budget, &c->way, &after, spacing, feed)) {
+        loft_plan_piece *p = add_piece(c);
+        joint.from = p->from;
+        joint.to   = p->to;
+        joint.move = p->move;
+        *p = joint;
+    }
+}
+
+/* Up to two pieces of the curve. */
+static void load_pieces(loft_course *c, loft_acc extent)
+{
+    const loft_real feed = move_of(c, c->cut)->feed;
+    loft_arc arc;
     loft_arc_shape shape;
+    loft_plan_piece piece;
+    const uint32_t to = cut_arc(c, &arc, &shape, &piece, feed);
 
-    if (arc->dust) {
-        h->smooth = false;
-        return most;
+    if (arc.dust)
+        c->smooth = false;
+    else {
+        loft_way start = loft_profile_way(&piece, &c->budget, &shape, 0);
+        add_joint(c, &arc, start, c->at == 0 ? smaller(extent, c->extent) : extent, feed);
+        c->way    = loft_profile_way(&piece, &c->budget, &shape, 2);
+        c->known  = true;
+        c->smooth = !arc.speck;
     }
-    loft_arc_measure(arc, &shape);
-    if (h->known && !(h->smooth && !arc->speck))
-        most = loft_budget_joint(b, h->direction, shape.along[0], spacing);
-    h->direction = shape.along[2];
-    h->known  = true;
-    h->smooth = !arc->speck;
-    return most;
+    if (arc.length > 0) {
+        loft_plan_piece *p = add_piece(c);
+        piece.from = p->from;
+        piece.to   = to;
+        piece.move = p->move;
+        *p = piece;
+    }
+    c->at = to;
 }
 
-static bool add_node(loft_course *c, uint32_t curve, uint32_t from, loft_acc speed2)
+void loft_course_load(loft_course *c)
 {
-    if (c->node >= c->node_count)
-        return false;
-    c->nodes[c->node++] = (loft_plan_node){ speed2, curve, from };
-    return true;
-}
-
-static bool survey_curve(loft_course *c, uint32_t curve, heading *h)
-{
-    const loft_acc extent = extent_of(&c->chain[curve].curve);
-    const loft_acc feed2  = loft_prod(c->chain[curve].feed, c->chain[curve].feed);
-    unsigned pieces = LOFT_COURSE_PIECES;
-    uint32_t at = 0;
-
-    if (!(extent > 0))
-        return true;
-    loft_arc_from(&c->whole, &c->chain[curve].curve);
-    h->smooth = false;
-    while (at < LOFT_ARC_WHOLE) {
-        const uint32_t next = loft_arc_next(&c->arc, &c->whole, at);
-        const loft_acc most = turn(h, &c->budget, &c->arc, at == 0 ? smaller(extent, h->extent) : extent);
-        if (c->arc.length > 0) {
-            if (pieces == LOFT_COURSE_PIECES || most < feed2) {
-                if (!add_node(c, curve, at, most))
-                    return false;
-                pieces = 0;
-            }
-            pieces++;
+    while (c->cut < c->move_count && c->count + 2u <= c->piece_room) {
+        const loft_acc extent = extent_of(&move_of(c, c->cut)->curve);
+        if (c->at == 0) {
+            c->smooth = false;
+            c->at = extent > 0 ? 0 : LOFT_ARC_WHOLE;
+            loft_arc_from(&c->whole, &move_of(c, c->cut)->curve);
         }
-        at = next;
+        while (c->at < LOFT_ARC_WHOLE && c->count + 2u <= c->piece_room)
+            load_pieces(c, extent);
+        if (c->at < LOFT_ARC_WHOLE)
+            return;
+        c->extent = extent > 0 ? extent : c->extent;
+        c->at = 0;
+        c->cut++;
     }
-    h->extent = extent;
-    return true;
 }
 
-/* The nodes, and one more that stands for the end. */
-static enum loft_status survey(loft_course *c)
+enum loft_status loft_course_push(loft_course *c, const loft_move *move)
 {
-    heading h = { .known = false };
-
-    c->node = 0;
-    for (uint32_t i = 0; i < c->count; i++)
-        if (!survey_curve(c, i, &h))
-            return LOFT_ERR_SPACE;
-    if (!add_node(c, c->count, 0, 0))
+    if (!(move->feed > 0) || (c->move_count > 0 && !loft_vec_equal(move->curve.p[0], c->end)))
+        return LOFT_ERR_ARG;
+    if (move->feed < LOFT_SPEED_MIN || move->feed > LOFT_SPEED_MAX)
+        return LOFT_ERR_RANGE;
+    for (int k = 0; k < 4; k++)
+        if (!loft_vec_within(move->curve.p[k], LOFT_PLAN_REACH))
+            return LOFT_ERR_RANGE;
+    if (c->move_count == c->move_room)
         return LOFT_ERR_SPACE;
-    c->node_count = c->node - 1;
+    *move_of(c, c->move_count++) = *move;
+    for (unsigned i = 0; c->ended && i < c->count; i++)     /* what was sure had no need to go on */
+        loft_course_piece(c, i)->sure = false;
+    c->end   = move->curve.p[3];
+    c->ended = false;
+    c->zone  = larger(c->zone, zone_at(c, move->feed, true));
     return LOFT_OK;
 }
 
-
-/* Speeds
- * ------ */
-
-/* The pieces of a node, in order. */
-static void load(loft_course *c, uint32_t node)
+bool loft_course_full(const loft_course *c)
 {
-    const loft_plan_node *n = &c->nodes[node];
-    const loft_move *move = &c->chain[n->curve];
-    const uint32_t end = n[1].curve == n->curve ? n[1].from : LOFT_ARC_WHOLE;
+    return c->cut < c->move_count || c->move_count == c->move_room;
+}
 
-    c->node   = node;
-    c->pieces = 0;
-    loft_arc_from(&c->whole, &move->curve);
-    for (uint32_t at = n->from; at < end; ) {
-        const uint32_t next = loft_arc_next(&c->arc, &c->whole, at);
-        loft_piece *p = &c->table[c->pieces];
-        if (c->arc.length > 0) {
-            loft_piece_init(p, &c->budget, &c->arc, move->feed);
-            p->first = at;
-            p->last  = next;
-            c->pieces++;
-        }
-        at = next;
+/* Curves before the one that `piece` is of; all that have been cut without one. */
+void loft_course_drop(loft_course *c)
+{
+    if (c->count > 0) {
+        c->first = (uint16_t)(c->first + 1u < c->piece_room ? c->first + 1u : 0);
+        c->count--;
+    }
+    while (c->cut > 0 && !(c->count > 0 && loft_course_piece(c, 0)->move == c->move_first)) {
+        c->move_first = (uint16_t)(c->move_first + 1u < c->move_room ? c->move_first + 1u : 0);
+        c->move_count--;
+        c->cut--;
+        c->passed++;
     }
 }
 
-/* Lower the speeds in the table to what can be braked to c->end; gives that at its beginning. */
-static loft_acc look_back(loft_course *c)
-{
-    loft_acc x = c->end;
 
-    for (unsigned j = c->pieces; j-- > 0; ) {
-        loft_piece *p = &c->table[j];
-        p->start = x = loft_piece_reach(p, &c->budget, smaller(x, p->most[1]), true);
+/* Braking
+ * ------- */
+
+/* What holds at a place: bounds of its piece and of those whose zones it is in, and how far to the left nothing changes. */
+typedef struct {
+    loft_acc  cap2, left;
+    loft_real accel;
+} bounds;
+
+static void bound(const loft_plan_piece *p, bounds *b, loft_acc x, bool fore)
+{
+    const loft_real a = loft_profile_grip(p, x, fore);
+    b->cap2  = smaller(b->cap2, loft_prod(p->cap, p->cap));
+    b->accel = a < b->accel ? a : b->accel;
+}
+
+static bounds around(const loft_course *c, unsigned i, loft_acc off, loft_acc x, bool fore)
+{
+    const loft_plan_piece *p = loft_course_piece(c, i);
+    bounds b = { loft_prod(p->cap, p->cap), off, LOFT_ACCEL_MAX };
+    loft_acc d = loft_unit_wide(p->length) - off;
+
+    bound(p, &b, x, fore);
+    for (unsigned j = i + 1; j < c->count && d < c->zone; j++) {
+        const loft_plan_piece *q = loft_course_piece(c, j);
+        const loft_acc z = loft_course_zone(c, q);
+        if (q->stop)
+            break;
+        if (d < z) {
+            bound(q, &b, x, fore);
+            b.left = smaller(b.left, z - d);
+        }
+        d += loft_unit_wide(q->length);
+    }
+    d = off;
+    for (unsigned j = i; j > 0 && d <= c->zone + off && !loft_course_piece(c, j)->stop; j--) {
+        const loft_plan_piece *q = loft_course_piece(c, j - 1);
+        const loft_acc z = loft_course_zone(c, q);
+        if (d <= z)
+            bound(q, &b, x, fore);
+        else
+            b.left = smaller(b.left, d - z);
+        d += loft_unit_wide(q->length);
+    }
+    if (c->gear < LOFT_UNIT(1))
+        b.accel = loft_acc_round(loft_acc_scale(loft_wide(b.accel), c->gear));
+    return b;
+}
+
+loft_acc loft_course_around(const loft_course *c, loft_course_place at, loft_acc x, bool fore, loft_real *accel)
+{
+    const bounds b = around(c, at.piece, at.off, x, fore);
+    *accel = b.accel;
+    return b.cap2;
+}
+
+/* From x, the square of the speed at `off`, backward over `way`, on which the bounds `b` hold. The acceleration of each goal is
+ * that of its end, the smaller one. */
+static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc way, loft_acc x, loft_acc cap2)
+{
+    for (int n = 0; n < GOALS && x < cap2; n++) {
+        const loft_acc  goal = n < GOALS - 1 && cap2 - x > cap2 / 16 ? x + (cap2 - x) / 3 : cap2;
+        const loft_real g    = around(c, i, off, goal, false).accel;
+        const loft_acc  gain = 2 * loft_acc_mul(way, g);
+        if (gain <= goal - x)
+            return x + gain;
+        way -= smaller(way, loft_acc_scale(way, loft_unit_ratio(goal - x, gain)));
+        x = goal;
     }
     return x;
 }
 
-/* Lower them to what can be reached from the square `x`; sets c->end. */
-static void look_ahead(loft_course *c, loft_acc x)
+loft_acc loft_course_brake(const loft_course *c, loft_course_place at)
 {
-    for (unsigned j = 0; j < c->pieces; j++) {
-        loft_piece *p = &c->table[j];
-        p->start = smaller(p->start, x);
-        x = loft_piece_reach(p, &c->budget, p->start, false);
+    const loft_plan_piece *p = loft_course_piece(c, at.piece), *next = loft_course_piece(c, at.piece + 1);
+    const bool rests = at.piece + 1u >= c->count || next->stop;
+    loft_acc x = rests ? 0 : loft_prod(next->brake, next->brake), off = loft_unit_wide(p->length);
+    const loft_acc fine = off / 1024;       /* zones are not told apart by less */
+
+    while (off > at.off) {
+        const bounds   b   = around(c, at.piece, off, x, false);
+        const loft_acc way = smaller(larger(b.left, fine), off - at.off);
+        x = rise(c, at.piece, off, way, smaller(x, b.cap2), b.cap2);
+        off -= way;
     }
-    c->end = smaller(c->end, x);
+    return smaller(x, around(c, at.piece, off, x, false).cap2);
 }
 
-static void set_speeds(loft_course *c)
+unsigned loft_course_stop(const loft_course *c, unsigned i)
 {
-    c->nodes[0].speed2 = 0;
-    for (uint32_t k = c->node_count; k-- > 0; ) {
-        load(c, k);
-        c->end = c->nodes[k + 1].speed2;
-        c->nodes[k].speed2 = smaller(c->nodes[k].speed2, look_back(c));
-    }
+    for (i++; i < c->count; i++)
+        if (loft_course_piece(c, i)->stop)
+            return i;
+    return c->count;
 }
 
-
-/* Running
- * ------- */
-
-static void begin_piece(loft_course *c)
+/* A speed is sure when the one it is braked to is, or when it does not depend on that: at the cap, and so far from the open end
+ * that nothing there can matter. */
+void loft_course_look_back(loft_course *c, unsigned i)
 {
-    const loft_piece *p = &c->table[c->piece];
-    const loft_acc end  = c->piece + 1u < c->pieces ? p[1].start : c->end;
+    const unsigned stop = loft_course_stop(c, i);
+    bool sure = c->ended || stop < c->count;
+    loft_acc open = 0;
 
-    loft_arc_cut(&c->arc, &c->whole, p->first, p->last);
-    c->phases = (uint8_t)loft_piece_phases(p, &c->budget, end, c->phase);
-    c->now    = 0;
-    c->passed = c->done = 0;
-}
-
-static void begin_node(loft_course *c, uint32_t node, loft_acc speed2)
-{
-    load(c, node);
-    c->end = c->nodes[node + 1].speed2;
-    look_back(c);
-    look_ahead(c, speed2);
-    c->piece = 0;
-    begin_piece(c);
-}
-
-/* The next phase; false at the end of the chain. */
-static bool begin_phase(loft_course *c)
-{
-    c->passed += c->phase[c->now].length;
-    c->done = 0;
-    if (++c->now < c->phases)
-        return true;
-    if (++c->piece < c->pieces) {
-        begin_piece(c);
-        return true;
-    }
-    if (c->node + 1 >= c->node_count)
-        return false;
-    begin_node(c, c->node + 1, c->end);
-    return true;
-}
-
-/* Go on for one beat. Within a phase the length passed in the part t of a beat is v t + a t^2 / 2; a rest of the
- * phase that is passed takes 2 rest / (v0 + v1). v and the speed at the end follow from the lengths
- * (loft_phase_speed), so that errors of time do not add up to errors of place. */
-static void run_beat(loft_course *c)
-{
-    loft_unit left = LOFT_UNIT(1);
-
-    while (left > 0 && !c->over) {
-        const loft_phase *p = &c->phase[c->now];
-        const loft_acc v    = loft_budget_beat(&c->budget, loft_phase_speed(p, c->done));
-        const loft_acc both = v + loft_budget_beat(&c->budget, loft_acc_sqrt(p->to));
-        const loft_acc rest = p->length - c->done;
-
-        if (both > 0 && 2 * rest > loft_acc_scale(both, left)) {
-            const loft_acc gain = loft_acc_ratio(loft_budget_beat(&c->budget, p->accel) * c->budget.beat, c->budget.tick_hz);
-            const loft_acc step = loft_acc_scale(v + loft_acc_scale(gain, left) / 2, left);
-            c->done += step < 0 ? 0 : smaller(step, rest);
+    for (unsigned j = stop; j-- > i + 1; ) {
+        loft_plan_piece *p = loft_course_piece(c, j);
+        if (p->sure && sure)
             return;
-        }
-        if (both > 0) {
-            const loft_unit taken = loft_unit_ratio(2 * rest, both);
-            left = taken < left ? left - taken : 0;
-        }
-        c->over = !begin_phase(c);
+        const loft_acc x = loft_course_brake(c, (loft_course_place){ j, 0 });
+        open += loft_unit_wide(p->length);
+        p->brake = loft_acc_sqrt(x);
+        sure = sure || (open > 2 * c->zone && !(x < loft_prod(p->cap, p->cap)));
+        p->sure = sure;
     }
-}
-
-static enum loft_status check_chain(const loft_move chain[], uint32_t count)
-{
-    if (count == 0)
-        return LOFT_ERR_ARG;
-    for (uint32_t i = 0; i < count; i++) {
-        if (!(chain[i].feed > 0))
-            return LOFT_ERR_ARG;
-        if (chain[i].feed < LOFT_SPEED_MIN || chain[i].feed > LOFT_SPEED_MAX)
-            return LOFT_ERR_RANGE;
-        for (int k = 0; k < 4; k++)
-            if (!loft_vec_within(chain[i].curve.p[k], LOFT_PLAN_REACH))
-                return LOFT_ERR_RANGE;
-        if (i > 0 && !loft_vec_equal(chain[i].curve.p[0], chain[i - 1].curve.p[3]))
-            return LOFT_ERR_ARG;
-    }
-    return LOFT_OK;
-}
-
-enum loft_status loft_course_init(loft_course *c, const loft_budget *budget, const loft_move chain[], uint32_t count,
-                                  loft_plan_node nodes[], uint32_t node_count)
-{
-    enum loft_status status = check_chain(chain, count);
-
-    c->budget     = *budget;
-    c->chain      = chain;
-    c->count      = count;
-    c->nodes      = nodes;
-    c->node_count = node_count;
-    c->over       = true;
-    if (status == LOFT_OK)
-        status = survey(c);
-    if (status != LOFT_OK || c->node_count == 0)
-        return status;
-
-    set_speeds(c);
-    begin_node(c, 0, 0);
-    c->over = false;
-    return LOFT_OK;
-}
-
-bool loft_course_next(loft_course *c, loft_acc out[LOFT_AXES])
-{
-    run_beat(c);
-    if (!c->over)
-        loft_arc_eval(&c->arc, smaller(c->passed + c->done, c->arc.length), out);
-    for (int i = 0; i < LOFT_AXES && c->over; i++)
-        out[i] = loft_wide(c->chain[c->count - 1].curve.p[3].axis[i]);
-    return !c->over;
 }

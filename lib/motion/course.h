@@ -1,61 +1,98 @@
-/* lib/motion/course.h -- course: a chain of curves and how fast each place of it is passed, as a point per beat
+/* lib/motion/course.h -- course: the known part of a path, and the speed from which it can still be braked
  * SPDX-License-Identifier: MIT
  *
- * The look-ahead covers the whole chain. What it remembers is the speed at a few nodes; between them it is
- * computed again when the course gets there, so that long drawings need little memory.
+ * Curves and the pieces they are cut into are kept in two rings of the caller's memory. Places are counted by
+ * pieces from the oldest one that still matters.
  */
 #ifndef LOFT_MOTION_COURSE_H
 #define LOFT_MOTION_COURSE_H
 
-#include "motion/profile.h" /* loft_piece, loft_phase */
-
-#define LOFT_COURSE_PIECES 32   /* pieces between two nodes, at most */
+#include "motion/profile.h" /* loft_plan_piece */
 
 /* Coordinates of the path must be within +-LOFT_PLAN_REACH mm. */
 #define LOFT_PLAN_REACH LOFT_REAL(8191)
 
-/* One curve of the chain, with its speed along the path in mm/s. */
+/* A curve to follow, with its speed along the path in mm/s. */
 typedef struct {
     loft_cubic curve;
     loft_real  feed;
 } loft_move;
 
-/* A place of the path where pieces begin. Do not rely on the fields. */
-typedef struct {
-    loft_acc speed2;            /* the square of the largest speed there */
-    uint32_t curve, from;
-} loft_plan_node;
-
 /* Complete so that it can be static; do not rely on the fields. */
 typedef struct {
     loft_budget      budget;
-    const loft_move *chain;
-    loft_plan_node  *nodes;
-    uint32_t         count, node_count;
-    uint32_t   node;                        /* the one whose pieces are in the table       */
-    loft_arc   whole, arc;                  /* its curve, and the part being walked        */
-    loft_piece table[LOFT_COURSE_PIECES];
-    loft_phase phase[LOFT_PHASES_MAX];
-    loft_acc   end;                         /* the square of the speed after the table     */
-    loft_acc   passed, done;                /* length of the phases passed; of the present */
-    uint8_t    pieces, piece, phases, now;
-    bool       over;
+    loft_move       *moves;
+    loft_plan_piece      *pieces;
+    uint16_t         move_room, piece_room;
+    uint16_t         move_first, move_count, first, count;  /* what is in the rings                          */
+    uint16_t         cut;                                   /* curves that have become pieces, all of them   */
+    uint16_t         passed;                                /* curves dropped so far, modulo 2^16            */
+    uint32_t         at;                                    /* how far the next one has, its parameter       */
+    loft_arc         whole;                                 /* that curve                                    */
+    loft_way  way;                                   /* where the last piece was heading              */
+    loft_acc         extent, zone;                          /* of the curve before; how far any place reaches */
+    loft_unit        gear;                                  /* part of the acceleration that is used         */
+    loft_vec         end;                                   /* where the last curve ends                     */
+    bool             known, smooth;                         /* is there a way; does the curve just go on     */
+    bool             ended;                                 /* nothing more will come                        */
 } loft_course;
 
-/* Prepare to run through `chain` (borrowed) from rest to rest; `nodes` is the caller's memory.
- *
- *   range   a connected chain (each curve starts where the one before ended) of at least one curve, otherwise
- *           LOFT_ERR_ARG; coordinates within +-LOFT_PLAN_REACH, feeds LOFT_SPEED_MIN..LOFT_SPEED_MAX,
- *           otherwise LOFT_ERR_RANGE (a feed of 0 or less: LOFT_ERR_ARG); LOFT_ERR_SPACE for too few nodes
- *   cost    two passes over the chain, about 15 arcs per curve each
- */
-enum loft_status loft_course_init(loft_course *c, const loft_budget *budget, const loft_move chain[], uint32_t count,
-                                  loft_plan_node nodes[], uint32_t node_count) LOFT_CHECKED;
+/* A place: the distance from the start of a piece. */
+typedef struct {
+    unsigned piece;
+    loft_acc off;
+} loft_course_place;
 
-/* The point of the path one beat later. False once the end is reached: then it is the last control point.
+/* Start an empty course within `budget`, in the caller's memory. */
+void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves[], uint16_t move_room, loft_plan_piece pieces[], uint16_t piece_room);
+
+/* Append a curve.
  *
- *   error   q16: 2^-17 mm along the path
+ *   range   it begins where the last one ended, otherwise LOFT_ERR_ARG; coordinates within +-LOFT_PLAN_REACH, feed
+ *           LOFT_SPEED_MIN..LOFT_SPEED_MAX, otherwise LOFT_ERR_RANGE (0 or less: LOFT_ERR_ARG); LOFT_ERR_SPACE
+ *           while the ring is full
  */
-bool loft_course_next(loft_course *c, loft_acc out[LOFT_AXES]);
+enum loft_status loft_course_push(loft_course *c, const loft_move *move) LOFT_CHECKED;
+
+/* Cut curves into pieces while there is room. */
+void loft_course_load(loft_course *c);
+
+/* Can nothing be appended before something is dropped? */
+bool loft_course_full(const loft_course *c);
+
+/* Drop the oldest piece, and curves before the next one. */
+void loft_course_drop(loft_course *c);
+
+/* Piece number i from the oldest, i < count. */
+static inline loft_plan_piece *loft_course_piece(const loft_course *c, unsigned i)
+{
+    const unsigned k = c->first + i;
+    return &c->pieces[k < c->piece_room ? k : k - c->piece_room];
+}
+
+/* The number of the curve that a piece is of, from the start of the path, modulo 2^16. */
+static inline uint16_t loft_course_number(const loft_course *c, const loft_plan_piece *p)
+{
+    const unsigned ahead = p->move >= c->move_first ? 0u : c->move_room;
+    return (uint16_t)(c->passed + p->move + ahead - c->move_first);
+}
+
+/* How far beyond its ends a piece bounds speed and acceleration, mm. */
+loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p);
+
+/* The first piece after i whose start is a stop, or the number of pieces. */
+unsigned loft_course_stop(const loft_course *c, unsigned i);
+
+/* Set the speeds at the starts of the pieces after `i`, up to the next stop.
+ *
+ *   cost    pieces whose speed is sure already are not looked at again
+ */
+void loft_course_look_back(loft_course *c, unsigned i);
+
+/* The square of the speed at a place from which all that is known ahead of it can be braked for. */
+loft_acc loft_course_brake(const loft_course *c, loft_course_place at);
+
+/* The square of the speed that place and neighbourhood allow; *accel: the acceleration at the square x of the speed. */
+loft_acc loft_course_around(const loft_course *c, loft_course_place at, loft_acc x, bool fore, loft_real *accel);
 
 #endif

@@ -4,7 +4,8 @@
 #include "motion/limits.h"
 
 #define BEATS_HZ     500    /* a beat lasts at most 2 ms, or one tick                          */
-#define SPARE        32     /* 1/32 of the acceleration is kept for smooth joints              */
+#define SLOW_HZ      125    /* 8 ms where jerk is limited                                      */
+#define SPARE        64     /* 1/64 of the acceleration is kept for smooth joints              */
 #define TOL_MIN      LOFT_REAL(0.0009765625)
 #define TOL_MAX      LOFT_REAL(1)
 #define CORNER_MAX   LOFT_REAL(1)
@@ -23,6 +24,8 @@ enum loft_status loft_limits_check(const loft_limits *limits)
         status = within(limits->max_speed[i], LOFT_SPEED_MIN, LOFT_SPEED_MAX);
         if (status == LOFT_OK)
             status = within(limits->max_accel[i], LOFT_ACCEL_MIN, LOFT_ACCEL_MAX);
+        if (status == LOFT_OK && limits->max_jerk[i] > LOFT_JERK_MAX)
+            status = LOFT_ERR_RANGE;
     }
     if (status != LOFT_OK)
         return status;
@@ -31,19 +34,17 @@ enum loft_status loft_limits_check(const loft_limits *limits)
     return limits->corner > CORNER_MAX || limits->tick_hz < 50 || limits->tick_hz > 50000u ? LOFT_ERR_RANGE : LOFT_OK;
 }
 
-/* The plan samples the path at beats of T seconds and draws a uniform quadratic B-spline with those samples as
- * control points. Its acceleration is their second difference over T^2, which is the true acceleration
- * averaged over two beats with triangular weights: limits per axis, being convex, are held by an average
- * when they are held by what is averaged. The price is a distance from the path of |acceleration| T^2 / 8 along
- * bends and of |jump of velocity| T / 4 at corners (worst when the corner falls between two samples). Each may
- * use half the tolerance:
+/* The plan samples the path at beats of h seconds and draws a uniform cubic B-spline with those samples as control
+ * points. Its velocity, acceleration and jerk are differences of the samples, averages of the path's with positive weights: limits
+ * per axis, being convex, are held by an average when they are held by what is averaged. The price is a distance
+ * from the path of |acceleration| h^2 / 6 along bends and of |jump of velocity| h 13 / 48 at corners (worst when the
+ * corner falls between two samples):
  *
- *     A T^2 <= 4 tol      with A the length of the vector of the limits of all axes
- *     J T   <= 2 tol
+ *     A h^2 <= 5/2 tol, jump h <= 3/2 tol     5/12 and 13/32 of the tolerance; 1/8 is for longer spans
+ *     A h^2 <= 9/2 tol                        where jerk is limited: corners are all but stops
  *
- * The first gives the longest beat. If not even one tick is short enough, A is reduced.
- *
- * In q16, T = n / hz: A n^2 / hz <= 4 tol hz has no term above 40000 * 100 * 2 or 4 * 50000. */
+ * with A the length of the vector of the limits of all axes. That gives the longest beat. If not even one tick is short
+ * enough, A is reduced. In q16, h = n / hz: A n^2 / hz <= 9/2 tol hz has no term above 40000 * 400 * 2. */
 static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
 {
     loft_acc size[LOFT_AXES];
@@ -51,27 +52,57 @@ static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
         size[i] = loft_wide(limits->max_accel[i]);
 
     const loft_acc a = loft_acc_ratio(loft_acc_hypot(size, LOFT_AXES), limits->tick_hz);
-    const loft_acc most = loft_wide(limits->tol) * 4 * limits->tick_hz;
+    const loft_acc most = loft_wide(limits->tol) * (b->jerk ? 9 : 5) * limits->tick_hz / 2;
 
-    uint16_t n = (uint16_t)(limits->tick_hz / BEATS_HZ);
+    uint16_t n = (uint16_t)(limits->tick_hz / (b->jerk ? SLOW_HZ : BEATS_HZ));
     while (n > 1 && a * n * n > most)
         n--;
-    b->beat = n > 1 ? n : 1;
+    b->beat  = n > 1 ? n : 1;
+    b->pulse = loft_unit_of(b->beat, b->tick_hz);
     return a > most ? loft_unit_ratio(most, a) : LOFT_UNIT(1);
+}
+
+/* The change of acceleration in a beat, J h, at most `accel`; the beats that `accel` takes at that pace. */
+static void set_gain(loft_budget *b, int i, uint32_t jerk)
+{
+    const loft_acc accel = loft_wide(b->accel[i]);
+    const loft_acc gain  = loft_acc_ratio(loft_wide(LOFT_REAL(1)) * b->beat, b->tick_hz) * (int32_t)jerk;
+    unsigned n = 1;
+
+    b->gain[i] = jerk == 0 || gain > accel ? b->accel[i] : loft_acc_round(gain);
+    while (n < LOFT_PLAN_FILTER && (int32_t)n * loft_wide(b->gain[i]) < accel)
+        n++;
+    b->filter = (uint8_t)(n > b->filter ? n : b->filter);
+}
+
+/* Joints of a smooth path: their jumps of direction are of the size of rounding, or of the chords of a polyline. One may
+ * use half of what is kept for them, those that follow each other the other half. Kept are 1/64 of the acceleration or 4/5 of
+ * the jerk. */
+static void set_shares(loft_budget *b, int i)
+{
+    const loft_acc accel = loft_wide(b->accel[i]), gain = loft_wide(b->gain[i]) * 4;
+
+    b->share[i] = loft_acc_round(b->jerk ? loft_acc_ratio(gain, 20) : loft_acc_ratio(accel, SPARE));
+    b->spare[i] = loft_acc_round(loft_acc_scale(b->jerk ? loft_acc_ratio(gain, 10) : loft_acc_ratio(accel, SPARE), b->pulse));
 }
 
 void loft_budget_init(loft_budget *b, const loft_limits *limits)
 {
     b->tick_hz = limits->tick_hz;
+    b->filter  = 1;
+    b->jerk    = false;
+    for (int i = 0; i < LOFT_AXES; i++)
+        b->jerk = b->jerk || limits->max_jerk[i] > 0;
     const loft_unit usable = set_beat(b, limits);
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc accel = loft_acc_scale(loft_wide(limits->max_accel[i]), usable);
         b->max_speed[i] = limits->max_speed[i];
-        b->accel[i] = loft_acc_round(accel - loft_acc_ratio(accel, SPARE));
-        b->spare[i] = loft_acc_round(loft_acc_ratio(accel * b->beat, (int32_t)b->tick_hz * SPARE));
+        b->accel[i] = loft_acc_round(b->jerk ? accel : accel - loft_acc_ratio(accel, SPARE));
+        set_gain(b, i, limits->max_jerk[i]);
+        set_shares(b, i);
     }
-    const loft_acc swing = loft_acc_ratio(loft_wide(limits->tol) * 2 * b->tick_hz, b->beat);
+    const loft_acc swing = loft_acc_ratio(loft_wide(limits->tol) * 3 * b->tick_hz, 2 * b->beat);
     b->swing  = swing < loft_wide(LOFT_SPEED_MAX) ? loft_acc_round(swing) : LOFT_SPEED_MAX;
     b->corner = limits->corner;
     b->tol    = limits->tol;
@@ -79,21 +110,21 @@ void loft_budget_init(loft_budget *b, const loft_limits *limits)
 
 loft_acc loft_budget_beat(const loft_budget *b, loft_real v)
 {
-    return loft_acc_ratio(loft_wide(v) * b->beat, b->tick_hz);
+    return loft_acc_scale(loft_wide(v), b->pulse);
 }
 
-/* Where the direction jumps by d = after - before, the velocity v jumps by v d. Averaged over a beat T that is
- * an acceleration of v d / T, and where jumps follow each other at a distance s, of v^2 d / s. What is kept in
- * reserve (accel / 32, spare = accel T / 32) pays for it while, per axis,
+/* Where the direction jumps by d = after - before, the velocity v jumps by v d. Averaged over a beat h that is
+ * an acceleration of v d / h, and where jumps follow each other at a distance s, of v^2 d / s. What is kept for joints
+ * pays for it while, per axis,
  *
- *     v <= spare / d          v^2 <= (accel / 32) s / d
+ *     v <= spare / d          v^2 <= share s / d
  *
- * A machine that allows a junction deviation c (as grbl does) may pass faster: as on the arc that touches both
- * directions and passes c from the corner. With q = |d| / 2 = sin(turn / 2), s = cos(turn / 2),
+ * A machine whose jerk is not limited and that allows a junction deviation c (as grbl does) may pass faster: as on the arc that
+ * touches both directions and passes c from the corner. With q = |d| / 2 = sin(turn / 2), s = cos(turn / 2),
  *
  *     v^2 = accel c s / (1 - s) = accel c s (1 + s) / q^2
  *
- * but not so fast that the rounding of the corner exceeds its half of the tolerance, v |d| <= swing, nor so
+ * but not so fast that the rounding of the corner exceeds its part of the tolerance, v |d| <= swing, nor so
  * that dense corners bend the path more than `accel` allows, v^2 <= accel s / d. accel is that of the direction d.
  *
  * q16: |d_i| <= 2, squares below 2^28, accel * spacing <= 2^14 as the spacing counts up to 1 mm. */
@@ -133,8 +164,8 @@ loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after
     loft_acc smooth = loft_prod(v, v), corner = loft_prod(w, w);
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        smooth = dense_cap(smooth, loft_acc_ratio(loft_wide(b->accel[i]), SPARE), apart, jump[i]);
+        smooth = dense_cap(smooth, loft_wide(b->share[i]), apart, jump[i]);
         corner = dense_cap(corner, loft_wide(b->accel[i]), apart, jump[i]);
     }
-    return smooth > corner ? smooth : corner;
+    return b->jerk || smooth > corner ? smooth : corner;
 }

@@ -13,11 +13,19 @@
 #define LOFT_SPEED_MAX LOFT_REAL(16383)     /* mm/s; its square has 28 bits   */
 #define LOFT_ACCEL_MIN LOFT_REAL(1)         /* mm/s^2                         */
 #define LOFT_ACCEL_MAX LOFT_REAL(16383)     /* mm/s^2                         */
+#define LOFT_JERK_MAX  10000000             /* mm/s^3                         */
+
+/* Beats over which a jerk limit may spread a change of acceleration; a longer spread is given up for less acceleration.
+ * Cost: 4 bytes of RAM each in q16. */
+#ifndef LOFT_PLAN_FILTER
+#  define LOFT_PLAN_FILTER 32
+#endif
 
 /* What the machine can do. */
 typedef struct {
     loft_real max_speed[LOFT_AXES];     /* mm/s, 1/64..16383                                                  */
     loft_real max_accel[LOFT_AXES];     /* mm/s^2, 1..16383; held by the whole vector of acceleration         */
+    uint32_t  max_jerk[LOFT_AXES];      /* mm/s^3, to 10,000,000; 0: not limited (0 for all: even acceleration, trapezoids) */
     loft_real corner;                   /* junction deviation in mm, 0..1, as grbl's $11; 0: all but stop     */
     loft_real tol;                      /* how far spans may leave the path, rounding included, mm, 1/1024..1 */
     uint16_t  tick_hz;                  /* ticks per second, 50..50000                                        */
@@ -27,10 +35,15 @@ typedef struct {
 typedef struct {
     loft_real max_speed[LOFT_AXES];
     loft_real accel[LOFT_AXES];         /* mm/s^2 for acceleration along and across the path                  */
-    loft_real spare[LOFT_AXES];         /* mm/s: the change of velocity at a joint that the rest pays for     */
+    loft_real gain[LOFT_AXES];          /* mm/s^2: how much it may change in a beat                           */
+    loft_real spare[LOFT_AXES];         /* mm/s: the change of velocity at one joint                          */
+    loft_real share[LOFT_AXES];         /* mm/s^2: for the changes of velocity at joints that follow each other */
     loft_real corner, tol;
     loft_real swing;                    /* mm/s: the change of velocity at a corner that leaves the path by tol / 2 */
+    loft_unit pulse;                    /* seconds of a beat                                                  */
     uint16_t  tick_hz, beat;            /* the path is sampled every `beat` ticks                             */
+    uint8_t   filter;                   /* beats over which acceleration changes; 1: at once                  */
+    bool      jerk;                     /* is it limited?                                                     */
 } loft_budget;
 
 /* Are these limits possible?

@@ -1,29 +1,30 @@
 /* lib/motion/plan.c
  * SPDX-License-Identifier: MIT
  *
- * The course gives a point c_k of the path per beat. They are the control points of a uniform quadratic
- * B-spline in time, whose knots lie half way between them:
+ * The law gives a place c_k of the path per beat. They are the control points of a uniform cubic B-spline in time:
  *
- *     position at knot k       P = (c_k + c_(k+1)) / 2
- *     velocity there           V = c_(k+1) - c_k                     per beat
- *     acceleration in between  c_(k-1) - 2 c_k + c_(k+1)             per beat^2, constant
+ *     position at knot k     P = (c_k + 4 c_(k+1) + c_(k+2)) / 6
+ *     velocity               V = (c_(k+2) - c_k) / 2                           per beat
+ *     acceleration           A = c_k - 2 c_(k+1) + c_(k+2)                     per beat^2
+ *     jerk up to knot k + 1  c_(k+3) - 3 c_(k+2) + 3 c_(k+1) - c_k             per beat^3, constant
  *
- * So it is C1, its speed is an average of the path's speed over one beat and its acceleration one over two beats: no
- * larger per axis than the largest of what is averaged, across joints and changes of phase (the variation diminishing
- * property). Doubled samples at both ends put the knots there onto the end points, at rest. c_k lies on the path, and
- * the spline passes at (c_(k-1) + 6 c_k + c_(k+1)) / 8: limits.c has the bound.
+ * So it is C2, and all of them are averages of the path's: no larger per axis than the largest of what is averaged, across
+ * joints and changes of phase (the variation diminishing property). Three equal samples put a knot there, at rest.
+ * limits.c has the bound of its distance from the path.
  *
  * One polynomial piece of it per beat would do. A span is the longest of its Hermite interpolants
  *
  *     P0   P0 + V0 m / 3   P1 - V1 m / 3   P1                        from one knot to the m-th after it
  *
- * whose acceleration is within the limits at both ends (it is a straight line in time), that passes the samples
- * within the tolerance at their times, and whose velocity is within the limits and that of the B-spline, to 1/256, at
- * every knot.
+ * that passes the knots in time, within an eighth of the tolerance. Where jerk is limited its acceleration is that of the
+ * B-spline at all knots, as closely as the rounding of a beat's control points would leave it, and its jerk within the limit.
+ * Otherwise its acceleration is within the limits and its velocity is that of the B-spline, to 1/1024, at all knots
+ * and half way between them.
  */
 #include "motion/plan.h"
 
 #define SLACK loft_wide(LOFT_REAL(0.000244140625))   /* 2^-12 mm per beat, shared out like the speed */
+#define GRAINS loft_wide(LOFT_REAL(0.000091552734))  /* 6 / 65536 mm per beat^2                      */
 
 static loft_acc size_of(loft_acc x) { return x < 0 ? -x : x; }
 
@@ -40,57 +41,128 @@ static void push(loft_plan *plan, const loft_acc point[])
     plan->held++;
 }
 
-enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, const loft_move chain[], uint32_t count,
-                                loft_plan_node nodes[], uint32_t node_count)
+static void push_vec(loft_plan *plan, loft_vec v)
+{
+    loft_acc point[LOFT_AXES];
+    for (int i = 0; i < LOFT_AXES; i++)
+        point[i] = loft_wide(v.axis[i]);
+    push(plan, point);
+}
+
+enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft_move moves[], uint16_t move_room,
+                                loft_plan_piece pieces[], uint16_t piece_room)
 {
     enum loft_status status = loft_limits_check(limits);
-    loft_budget budget;
-    loft_acc start[LOFT_AXES];
+    loft_budget b;
 
+    if (status == LOFT_OK && (move_room == 0 || piece_room < 3))
+        status = LOFT_ERR_SPACE;
     if (status != LOFT_OK)
         return status;
-    loft_budget_init(&budget, limits);
-    status = loft_course_init(&plan->course, &budget, chain, count, nodes, node_count);
-    if (status != LOFT_OK)
-        return status;
+    loft_budget_init(&b, limits);
+    loft_course_init(&plan->law.course, &b, moves, move_room, pieces, piece_room);
+    loft_law_init(&plan->law);
 
     plan->first = plan->held = 0;
-    plan->ends  = plan->course.over ? 0 : 2;
-    plan->at    = chain[0].curve.p[0];
+    plan->begun = plan->cut = false;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc accel = loft_wide(limits->max_accel[i]) * budget.beat;
-        start[i] = loft_wide(plan->at.axis[i]);
-        plan->speed[i] = loft_budget_beat(&budget, limits->max_speed[i]);
-        plan->speed[i] += loft_acc_ratio(plan->speed[i], 256) + SLACK / 256;
-        plan->accel[i] = loft_acc_ratio(loft_acc_ratio(accel, budget.tick_hz) * budget.beat, budget.tick_hz);
+        plan->speed[i]  = loft_budget_beat(&b, limits->max_speed[i]);
+        plan->accel[i]  = loft_acc_scale(loft_budget_beat(&b, limits->max_accel[i]), b.pulse);
+        plan->jerk[i]   = loft_acc_scale(loft_budget_beat(&b, b.gain[i]), b.pulse);
     }
-    push(plan, start);
-    push(plan, start);
     return LOFT_OK;
 }
 
-/* Samples up to the window's size; the end twice. */
-static void fill(loft_plan *plan)
+enum loft_status loft_plan_push(loft_plan *plan, const loft_move *move)
 {
-    loft_acc point[LOFT_AXES];
+    loft_course *c = &plan->law.course;
+    if (plan->begun && !loft_vec_equal(move->curve.p[0], c->end))
+        return LOFT_ERR_ARG;
+    const enum loft_status status = loft_course_push(c, move);
 
-    while (plan->held < LOFT_PLAN_WINDOW && plan->ends > 0) {
-        if (!loft_course_next(&plan->course, point))
-            plan->ends--;
-        push(plan, point);
+    if (status == LOFT_OK && !plan->begun) {
+        plan->begun = true;
+        plan->at    = move->curve.p[0];
+        for (int k = 0; k < 3; k++)
+            push_vec(plan, plan->at);
     }
+    return status;
 }
 
-/* The Hermite interpolant over m beats; q16: m <= 62 beats of at most 2^15 mm / 62. */
+void loft_plan_end(loft_plan *plan)
+{
+    plan->law.course.ended = true;
+}
+
+
+/* Samples
+ * ------- */
+
+/* The place of the law on the path. */
+static void push_place(loft_plan *plan)
+{
+    const loft_course *c = &plan->law.course;
+    const loft_plan_piece  *p = loft_course_piece(c, plan->law.from);
+    const loft_acc   off = loft_acc_ratio(plan->law.mean, plan->law.beats);
+    loft_acc point[LOFT_AXES];
+
+    if (!(p->length > 0) || (p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length))) {
+        push_vec(plan, p->length > 0 ? c->moves[p->move].curve.p[3] : plan->at);
+        return;
+    }
+    if (!plan->cut || plan->number != loft_course_number(c, p) || plan->from != p->from) {
+        loft_arc_from(&plan->whole, &c->moves[p->move].curve);
+        loft_arc_cut(&plan->arc, &plan->whole, p->from, p->to);
+        plan->cut    = true;
+        plan->number = loft_course_number(c, p);
+        plan->from   = p->from;
+    }
+    loft_arc_eval(&plan->arc, off < plan->arc.length ? off : plan->arc.length, point);
+    push(plan, point);
+}
+
+/* Do the last three samples lie on the end? */
+static bool ends(const loft_plan *plan)
+{
+    for (unsigned k = 1; k <= 3; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (size_of(sample(plan, plan->held - k)[i] - loft_wide(plan->law.course.end.axis[i])) > 0)
+                return false;
+    return true;
+}
+
+static enum loft_law_state fill(loft_plan *plan)
+{
+    enum loft_law_state state = LOFT_LAW_RUNS;
+
+    while (plan->held < LOFT_PLAN_WINDOW && state != LOFT_LAW_WAITS) {
+        state = loft_law_next(&plan->law);
+        if (state == LOFT_LAW_RUNS)
+            push_place(plan);
+        else if (state == LOFT_LAW_RESTS) {
+            if (!plan->begun || ends(plan))
+                break;
+            push_vec(plan, plan->law.course.end);
+        }
+    }
+    return state;
+}
+
+
+/* Spans
+ * ----- */
+
+/* The Hermite interpolant over m beats; q16: m <= 125 beats of at most 2^15 mm / 125. */
 static void interpolate(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
 {
-    const loft_acc *a = sample(plan, 0), *b = sample(plan, 1), *c = sample(plan, m), *d = sample(plan, m + 1);
+    const loft_acc *a = sample(plan, 0), *b = sample(plan, 1), *c = sample(plan, 2);
+    const loft_acc *d = sample(plan, m), *e = sample(plan, m + 1), *f = sample(plan, m + 2);
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        p[0][i] = (a[i] + b[i]) / 2;
-        p[3][i] = (c[i] + d[i]) / 2;
-        p[1][i] = p[0][i] + loft_acc_ratio((b[i] - a[i]) * (int32_t)m, 3);
-        p[2][i] = p[3][i] - loft_acc_ratio((d[i] - c[i]) * (int32_t)m, 3);
+        p[0][i] = b[i] + loft_acc_ratio(a[i] - 2 * b[i] + c[i], 6);
+        p[3][i] = e[i] + loft_acc_ratio(d[i] - 2 * e[i] + f[i], 6);
+        p[1][i] = p[0][i] + loft_acc_ratio((c[i] - a[i]) * (int32_t)m, 6);
+        p[2][i] = p[3][i] - loft_acc_ratio((f[i] - d[i]) * (int32_t)m, 6);
     }
 }
 
@@ -100,53 +172,72 @@ static bool accelerates_within(const loft_plan *plan, unsigned m, loft_acc p[4][
         const loft_acc most = plan->accel[i] * (int32_t)(m * m);
         if (6 * size_of(p[0][i] - 2 * p[1][i] + p[2][i]) > most || 6 * size_of(p[1][i] - 2 * p[2][i] + p[3][i]) > most)
             return false;
+        if (plan->law.course.budget.jerk
+            && 6 * size_of(p[3][i] - p[0][i] + 3 * (p[1][i] - p[2][i])) > (plan->jerk[i] + plan->jerk[i] / 128) * (int32_t)(m * m * m))
+            return false;
     }
     return true;
 }
 
-/* Half way between the knots j - 1 and j: is the span near the sample there? |x| + |y| + .. bounds the distance. */
-static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LOFT_AXES], loft_acc tol)
-{
-    const loft_unit t = loft_unit_of(2 * j - 1, 2 * m);
-    const loft_acc *want = sample(plan, j);
-    loft_acc off = 0;
+/* The de Casteljau point, and the differences of the last rows that give velocity and acceleration. */
+typedef struct {
+    loft_acc at, speed, accel;
+} state;
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc q0 = loft_acc_lerp(p[0][i], p[1][i], t), q1 = loft_acc_lerp(p[1][i], p[2][i], t);
-        const loft_acc q2 = loft_acc_lerp(p[2][i], p[3][i], t);
-        off += size_of(loft_acc_lerp(loft_acc_lerp(q0, q1, t), loft_acc_lerp(q1, q2, t), t) - want[i]);
-    }
-    return off <= tol;
+static state state_at(loft_acc p[4][LOFT_AXES], int i, unsigned m, loft_unit t)
+{
+    const loft_acc q0 = loft_acc_lerp(p[0][i], p[1][i], t), q1 = loft_acc_lerp(p[1][i], p[2][i], t);
+    const loft_acc q2 = loft_acc_lerp(p[2][i], p[3][i], t);
+    const loft_acc r0 = loft_acc_lerp(q0, q1, t), r1 = loft_acc_lerp(q1, q2, t);
+
+    return (state){ loft_acc_lerp(r0, r1, t), loft_acc_ratio(3 * (r1 - r0), (int32_t)m), 6 * (q0 - 2 * q1 + q2) };
 }
 
-/* At knot j: is the velocity within the limits, and that of the B-spline, both to 1/256 and 2^-20 mm per beat? */
-static bool runs(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LOFT_AXES])
+/* Does the span pass knot j as the B-spline does? |x| + |y| + .. bounds the distance. */
+static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LOFT_AXES], loft_acc tol)
 {
     const loft_unit t = loft_unit_of(j, m);
-    const loft_acc *a = sample(plan, j), *b = sample(plan, j + 1);
+    const loft_acc *a = sample(plan, j), *b = sample(plan, j + 1), *c = sample(plan, j + 2);
+    const bool jerk = plan->law.course.budget.jerk;
+    loft_acc off = 0, off_speed = 0, speed = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const state s = state_at(p, i, m, t);
+        const loft_acc v = (c[i] - a[i]) / 2, bend = a[i] - 2 * b[i] + c[i], e = size_of(s.speed - v);
+        const loft_acc most = plan->accel[i] / 256 < GRAINS ? plan->accel[i] / 256 : GRAINS;
+        if (size_of(s.speed) > plan->speed[i] + plan->speed[i] / 1024 || (jerk && size_of(s.accel - bend * (int32_t)(m * m)) > most * (int32_t)(m * m)))
+            return false;
+        off  += size_of(s.at - b[i] - loft_acc_ratio(bend, 6));
+        off_speed = e > off_speed ? e : off_speed;
+        speed = size_of(v) > speed ? size_of(v) : speed;
+    }
+    return off <= tol && off_speed * 2048 <= speed + SLACK;
+}
+
+/* Half way between knots j and j + 1: is the velocity that of the B-spline there, too? */
+static bool runs_between(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LOFT_AXES])
+{
+    const loft_unit t = loft_unit_of(2 * j + 1, 2 * m);
     loft_acc off = 0, speed = 0;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc d0 = p[1][i] - p[0][i], d1 = p[2][i] - p[1][i], d2 = p[3][i] - p[2][i], v = b[i] - a[i];
-        const loft_acc d  = loft_acc_lerp(loft_acc_lerp(d0, d1, t), loft_acc_lerp(d1, d2, t), t);
-        const loft_acc w  = loft_acc_ratio(3 * d, (int32_t)m), e = size_of(w - v);
-        if (size_of(w) > plan->speed[i])
-            return false;
+        const loft_acc d1 = sample(plan, j + 2)[i] - sample(plan, j + 1)[i], d = sample(plan, j + 3)[i] - sample(plan, j)[i];
+        const loft_acc v  = loft_acc_ratio(d + 5 * d1, 8), e = size_of(state_at(p, i, m, t).speed - v);
         off   = e > off ? e : off;
         speed = size_of(v) > speed ? size_of(v) : speed;
     }
-    return off * 256 <= speed + SLACK;
+    return off * 1024 <= speed + SLACK;
 }
 
 static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
 {
-    const loft_acc tol = loft_acc_ratio(loft_wide(plan->course.budget.tol) * 3, 4);
+    const loft_acc tol = loft_wide(plan->law.course.budget.tol) / 8;
 
     interpolate(plan, m, p);
     if (!accelerates_within(plan, m, p))
         return false;
-    for (unsigned j = 1; j <= m; j++)
-        if (!passes(plan, m, j, p, tol) || (j < m && !runs(plan, m, j, p)))
+    for (unsigned j = 0; j <= m; j++)
+        if (!passes(plan, m, j, p, tol) || (j < m && !plan->law.course.budget.jerk && !runs_between(plan, m, j, p)))
             return false;
     return true;
 }
@@ -167,16 +258,18 @@ static unsigned longest(const loft_plan *plan, unsigned most)
     return m;
 }
 
-bool loft_plan_next(loft_plan *plan, loft_span *out)
+enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out)
 {
-    const unsigned beat = plan->course.budget.beat;
+    const unsigned beat = plan->law.course.budget.beat;
+    const enum loft_law_state law = fill(plan);
     loft_acc p[4][LOFT_AXES];
 
-    fill(plan);
-    if (plan->held < 3)
-        return false;
+    if (plan->held < LOFT_PLAN_WINDOW && law == LOFT_LAW_WAITS)
+        return LOFT_PLAN_WAIT;
+    if (plan->held < 4)
+        return LOFT_PLAN_REST;
 
-    const unsigned knots = plan->held - 2u, room = LOFT_SPAN_TICKS_MAX / beat;
+    const unsigned knots = plan->held - 3u, room = LOFT_SPAN_TICKS_MAX / beat;
     const unsigned m = longest(plan, knots < room ? knots : room);
     interpolate(plan, m, p);
     out->p[0] = plan->at;
@@ -187,5 +280,5 @@ bool loft_plan_next(loft_plan *plan, loft_span *out)
     plan->at    = out->p[3];
     plan->first = (uint8_t)((plan->first + m) % LOFT_PLAN_WINDOW);
     plan->held  = (uint8_t)(plan->held - m);
-    return true;
+    return LOFT_PLAN_SPAN;
 }

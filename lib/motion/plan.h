@@ -1,62 +1,91 @@
-/* lib/motion/plan.h -- look-ahead: a chain of curves becomes a chain of spans within the machine's limits
+/* lib/motion/plan.h -- look-ahead: curves become a chain of spans within the machine's limits, while it moves
  * SPDX-License-Identifier: MIT
  *
- *     static loft_plan_node nodes[LOFT_PLAN_NODES(CURVES)];
- *     loft_plan plan;
+ *     static loft_plan plan;
+ *     static loft_move moves[8];
+ *     static loft_plan_piece pieces[8 * LOFT_PLAN_PIECES];
  *     loft_span span;
- *     if (loft_plan_init(&plan, &limits, chain, CURVES, nodes, LOFT_PLAN_NODES(CURVES)) == LOFT_OK)
- *         while (loft_plan_next(&plan, &span))
- *             send(&span);
  *
- * The whole chain is looked at before the first span is given: speed anywhere is such that the machine can
- * still brake for whatever comes. All speeds are bounded along the real curves, so that it does not matter
- * into how many of them a path is cut.
+ *     loft_plan_init(&plan, &limits, moves, 8, pieces, 8 * LOFT_PLAN_PIECES);
+ *     for (;;) {
+ *         while (another curve is at hand && loft_plan_push(&plan, curve) == LOFT_OK)
+ *             take the next curve;
+ *         if (there is no other)
+ *             loft_plan_end(&plan);
+ *         while (loft_plan_next(&plan, &span) == LOFT_PLAN_SPAN)
+ *             send(&span);
+ *     }
+ *
+ * Speed anywhere is such that the machine can still stop on the path that is known. It is bounded along the real
+ * curves, so that it does not matter into how many of them a path is cut.
  */
 #ifndef LOFT_MOTION_PLAN_H
 #define LOFT_MOTION_PLAN_H
 
-#include "motion/course.h"  /* loft_course, loft_move, loft_plan_node, LOFT_PLAN_REACH */
+#include "motion/law.h"     /* loft_law, loft_move, loft_plan_piece, LOFT_PLAN_REACH */
 #include "motion/span.h"    /* loft_span */
 
-#define LOFT_PLAN_WINDOW 64 /* samples of the path that one span can see */
+/* Samples of the path that one span can see, 4..128. Cost: 8 LOFT_AXES bytes of RAM each. */
+#ifndef LOFT_PLAN_WINDOW
+#  define LOFT_PLAN_WINDOW 64
+#endif
 
-/* Nodes that any `count` curves need at most. */
-#define LOFT_PLAN_NODES(count) ((count) * 8u + 1u)
+/* Pieces that a curve of a drawing usually needs. */
+#define LOFT_PLAN_PIECES 8
 
-/* Complete so that it can be static; do not rely on the fields. About 6 kB in q16. */
+/* Complete so that it can be static; do not rely on the fields. */
 typedef struct {
-    loft_course course;
-    loft_acc    sample[LOFT_PLAN_WINDOW][LOFT_AXES];    /* a ring of control points, one per beat */
-    loft_acc    speed[LOFT_AXES], accel[LOFT_AXES];     /* limits per beat and beat^2             */
-    loft_vec    at;                                     /* the end of the last span               */
-    uint8_t     first, held, ends;
+    loft_law law;
+    loft_arc whole, arc;                                /* the curve and the piece that are sampled   */
+    uint32_t from;
+    uint16_t number;
+    bool     cut;                                       /* do `whole`, `arc` belong to them?          */
+    bool     begun;
+    loft_acc sample[LOFT_PLAN_WINDOW][LOFT_AXES];       /* a ring of control points, one per beat     */
+    loft_acc speed[LOFT_AXES], accel[LOFT_AXES], jerk[LOFT_AXES];   /* limits per beat, beat^2, beat^3 */
+    loft_vec at;                                        /* the end of the last span                   */
+    uint8_t  first, held;
 } loft_plan;
 
-/* Plan `chain` (borrowed until the last span) from rest to rest; `nodes` is the caller's memory,
- * LOFT_PLAN_NODES(count) of them.
- *
- *   units   mm, mm/s, mm/s^2
- *   range   as loft_limits_check and loft_course_init: LOFT_ERR_ARG for limits or feeds that are zero and for
- *           a chain that is empty or not connected; LOFT_ERR_RANGE for numbers beyond what is stated there;
- *           LOFT_ERR_SPACE for too few nodes
- *   cost    two passes over the chain: on a PC about 20 us per curve; 900 bytes of stack
- */
-enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, const loft_move chain[], uint32_t count,
-                                loft_plan_node nodes[], uint32_t node_count) LOFT_CHECKED;
+enum loft_plan_state {
+    LOFT_PLAN_SPAN,     /* here is a span                                               */
+    LOFT_PLAN_WAIT,     /* the next span depends on what comes: push more, or end       */
+    LOFT_PLAN_REST      /* at rest, exactly on the last control point                   */
+};
 
-/* The next span; false when the chain has ended (exactly on the last control point, at rest).
+/* Plan within `limits` (copied), in memory of the caller.
  *
- *   shape   each span begins exactly where the one before ended, with its velocity; the first begins on the
- *           first control point, at rest
+ *   units   mm, mm/s, mm/s^2, mm/s^3
+ *   range   as loft_limits_check; LOFT_ERR_SPACE for no move or less than 3 pieces
+ */
+enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft_move moves[], uint16_t move_room,
+                                loft_plan_piece pieces[], uint16_t piece_room) LOFT_CHECKED;
+
+/* Append a curve (copied).
+ *
+ *   range   LOFT_ERR_ARG if it does not begin where the last one ended, or for a feed that is not positive;
+ *           LOFT_ERR_RANGE for coordinates beyond LOFT_PLAN_REACH and feeds beyond those of limits.h; LOFT_ERR_SPACE
+ *           while there is no room: take spans, then push again
+ *   cost    about 8 pieces: on a PC 20 us
+ */
+enum loft_status loft_plan_push(loft_plan *plan, const loft_move *move) LOFT_CHECKED;
+
+/* Nothing comes after what was pushed, or not in time: plan to stop there. Another push takes that back. */
+void loft_plan_end(loft_plan *plan);
+
+/* The next span.
+ *
+ *   shape   each span begins exactly where the one before ended, with its velocity (and, where jerk is limited, its acceleration);
+ *           the first begins on the first control point, at rest
  *   error   path: within limits.tol (f32: plus half an ulp of the coordinate)
- *           speed along the path and per axis: 1 % and 0.001 mm/s above the limit, for a moment
- *           acceleration per axis: within the limit (to 0.05 %), but where a corner may be passed faster
- *           (limits.corner > 0): there the change of velocity takes one beat, of 2 ms or one tick
- *           Rounding the control points adds 3 grains / duration of the span to the speed and 12 grains / duration^2
- *           to the acceleration, a grain being 2^-16 mm in q16 and 1 ulp in f32: it matters in short spans only
- *           time: at most 6 % and two beats above the least that the limits allow (measured)
+ *           speed along the path and per axis: 0.5 % and 0.001 mm/s above the limit
+ *           acceleration per axis: 1 % (3 % where the path rests in a point of endless curvature), but, jerk not limited, where a corner may be passed faster (limits.corner > 0):
+ *           there the change of velocity takes two beats, of 2 ms or one tick
+ *           jerk per axis: 2 %; 5 % beside a place where it had to stop as no more was known
+ *           Rounding the control points adds 3 grains / duration of the span to the speed, 12 grains / duration^2 to the
+ *           acceleration and 24 grains / duration^3 to the jerk, half a grain being 2^-17 mm in q16 and 1/2 ulp in f32
  *   cost    on a PC about 0.3 us per millisecond of motion
  */
-bool loft_plan_next(loft_plan *plan, loft_span *out);
+enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out);
 
 #endif

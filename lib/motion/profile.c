@@ -1,42 +1,43 @@
 /* lib/motion/profile.c
  * SPDX-License-Identifier: MIT
  *
- * On a path with direction u and curvature vector k, passed at speed v with acceleration a along it, the
- * acceleration vector is  a u + v^2 k.  With x = v^2, which grows by 2 a per mm, it stays within the limits when
+ * On a path with direction u, curvature vector k and its derivative k' (per mm), passed at speed v, with acceleration a and jerk j
+ * along it, the vectors of velocity, acceleration and jerk are
  *
- *     -A <= a u + x k <= A        in every axis
+ *     u v          u a + k v^2          u j + 3 k v a + k' v^3
  *
- * a straight line in a and x, so that all questions have answers in closed form. It is asked at the start, the middle
- * and the end of a piece; between them |k| is less than the largest by an eighth of its second difference, which every
- * k is lengthened by in advance. First, x |k| <= A, at each end with the |k| of that half. Then, from x at one end,
- * growing evenly by 2 g per mm toward the other (g = a forward, -a backward), at the part z of the length l
+ * With x = v^2 the second is a straight line in a and x: what it allows for a is the least of straight lines in x, a concave
+ * function, and between its values at x = 0, at 3/4 of the cap's square and at the cap the chords lie below it.
  *
- *     -A <= g c + x k <= A,  c = +-u + 2 l z k     that is     g <= (A - x k) / c  or  (A + x k) / -c
+ * Acceleration is averaged over n beats of h seconds (course.c), so that j <= a / (n h) with the largest a of that time. With
+ * a share of the jerk for k' v^3, which limits the speed, a is limited by
  *
- * A piece may also be passed up and down again, to a peak p: with U, K the largest |u|, |k|
+ *     a (|u| / n + 3 |k| v h) <= J h - |k'| v^3 h
  *
- *     p <= m + l a,  U a + K p <= A                that is     a <= (A - K m) / (U + l K),  m the mean of both ends
+ * v being that of the middle of n beats, up to a n h / 2 faster than now. As a function of x the right side over the left is
+ * mostly convex; its chords are lowered until they pass below it at four places.
  *
- * q16: x < 2^28, x k < 2^14, l <= 256, g <= 16383, so that x + 2 l g < 2^29; |k| < 2^14, l |k| < 1.
+ * It is asked at the start, the middle and the end of a piece; between them |k| is less than the largest by an
+ * eighth of its second difference, which every k is lengthened by in advance.
+ *
+ * q16: x < 2^28, x k < 2^14; k' l is of the size of k, and k' v^3 h = (k' l) x (v h / l), the last factor held below 2^12.
  */
 #include "motion/profile.h"
 
-static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
-static loft_acc  larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
-static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
+#define SLOWEST LOFT_REAL(0.0005)   /* no feature is passed slower, mm/s             */
+#define LEAST   LOFT_REAL(0.25)     /* nor with less acceleration from rest, mm/s^2 */
 
+static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
+static loft_real least(loft_real x, loft_real y) { return x < y ? x : y; }
+
+/* The largest size of three, and by how much a parabola through them may exceed it. */
 static loft_real largest(const loft_vec at[3], int i)
 {
     loft_real most = 0;
     for (int k = 0; k < 3; k++)
         most = size_of(at[k].axis[i]) > most ? size_of(at[k].axis[i]) : most;
-    return most;
-}
-
-/* By what a parabola through three values may exceed the largest of them. */
-static loft_real bulge(const loft_vec at[3], int i)
-{
-    return size_of(at[0].axis[i] / 8 - at[1].axis[i] / 4 + at[2].axis[i] / 8);
+    return most + size_of(at[0].axis[i] / 8 - at[1].axis[i] / 4 + at[2].axis[i] / 8);
 }
 
 static loft_acc bend_cap(loft_acc x, loft_real accel, loft_real bend)
@@ -44,86 +45,272 @@ static loft_acc bend_cap(loft_acc x, loft_real accel, loft_real bend)
     return bend > 0 ? smaller(x, loft_acc_div(loft_wide(accel), bend)) : x;
 }
 
-void loft_piece_init(loft_piece *p, const loft_budget *b, const loft_arc *arc, loft_real feed)
+/* The largest derivative of the parabola through three values, times the length: at one of its ends. */
+static loft_real change(const loft_vec at[3], int i)
 {
-    loft_arc_shape shape;
-    loft_real v = feed;
-
-    loft_arc_measure(arc, &shape);
-    p->length = arc->length;
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real more = bulge(shape.bend, i);
-        for (int k = 0; k < 3; k++) {
-            p->along[k].axis[i] = shape.along[k].axis[i];
-            p->bend[k].axis[i]  = shape.tight ? 0 : shape.bend[k].axis[i] + (shape.bend[k].axis[i] < 0 ? -more : more);
-        }
-        v = loft_real_cap(v, b->max_speed[i], largest(p->along, i) + bulge(p->along, i));
-        if (shape.tight && b->spare[i] < 2 * v)
-            v = b->spare[i] / 2;
-    }
-    p->most[0] = p->most[1] = p->top = loft_prod(v, v);
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real k0 = size_of(p->bend[0].axis[i]), k1 = size_of(p->bend[1].axis[i]), k2 = size_of(p->bend[2].axis[i]);
-        p->most[0] = bend_cap(p->most[0], b->accel[i], k0 > k1 ? k0 : k1);
-        p->most[1] = bend_cap(p->most[1], b->accel[i], k2 > k1 ? k2 : k1);
-        p->top     = bend_cap(p->top, b->accel[i], largest(p->bend, i));
-    }
+    const loft_acc d0 = loft_wide(at[1].axis[i]) - loft_wide(at[0].axis[i]), d1 = loft_wide(at[2].axis[i]) - loft_wide(at[1].axis[i]);
+    const loft_acc start = 3 * d0 - d1, end = 3 * d1 - d0;
+    const loft_acc a = start < 0 ? -start : start, b = end < 0 ? -end : end;
+    return loft_acc_round(smaller(a > b ? a : b, loft_wide(LOFT_REAL(32000))));
 }
 
-loft_acc loft_piece_reach(const loft_piece *p, const loft_budget *b, loft_acc from, bool back)
+/* v h / l, the part of the piece that a beat passes, or 4095 */
+static loft_real part_of(const loft_plan_piece *p, const loft_budget *b, loft_real v)
 {
-    loft_real g = LOFT_ACCEL_MAX;
-
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < LOFT_AXES; i++) {
-            const loft_vec *along = &p->along[back ? 2 - k : k], *bend = &p->bend[back ? 2 - k : k];
-            const loft_real grown = loft_acc_round(loft_acc_mul(p->length * k, bend->axis[i]));
-            const loft_real c = (back ? -along->axis[i] : along->axis[i]) + grown;
-            const loft_acc used = loft_acc_mul(from, bend->axis[i]);
-            const loft_acc left = loft_wide(b->accel[i]) - (c < 0 ? -used : used);
-            g = loft_real_cap(g, left > 0 ? loft_acc_round(left) : 0, size_of(c));
-        }
-    return smaller(p->most[back ? 0 : 1], from + 2 * loft_acc_mul(p->length, g));
+    const loft_acc way = loft_budget_beat(b, v), length = loft_unit_wide(p->length);
+    return way / 4095 < length ? loft_acc_quot(way, length) : LOFT_REAL(4095);
 }
 
-/* min (A - K x) / (U + length K) over the axes */
-static loft_real accel_at(const loft_piece *p, const loft_budget *b, loft_acc x, loft_acc length)
+/* |k'| v^3 h */
+static loft_acc twist(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, int i, loft_real v)
 {
-    loft_real a = LOFT_ACCEL_MAX;
+    return p->length > 0 ? loft_acc_mul(loft_acc_mul(loft_prod(v, v), change(s->bend, i)), part_of(p, b, v)) : 0;
+}
+
+static bool twists_within(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real v)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (twist(p, b, s, i, v) > loft_wide(b->gain[i]) / 4 * 3)
+            return false;
+    return true;
+}
+
+/* The largest speed at which k' v^3 leaves a quarter of the jerk, to 1/64. */
+static loft_real twist_cap(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real v)
+{
+    while (v > SLOWEST && !twists_within(p, b, s, v)) {
+        const loft_real half = v / 2;
+        if (twists_within(p, b, s, half)) {
+            loft_real step = v / 4;
+            v = half;
+            for (int n = 0; n < 5; n++, step /= 2)
+                v = twists_within(p, b, s, v + step) ? v + step : v;
+            return v;
+        }
+        v = half;
+    }
+    return v;
+}
+
+/* What the jerk leaves for a at speed v. */
+static loft_real jerk_grip(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real v)
+{
+    const loft_real way = loft_acc_round(loft_budget_beat(b, v) * 3);
+    loft_real a = p->rest;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real most = largest(p->bend, i);
-        const loft_acc  left = loft_wide(b->accel[i]) - loft_acc_mul(x, most);
-        a = loft_real_cap(a, left > 0 ? loft_acc_round(left) : 0, largest(p->along, i) + loft_acc_round(loft_acc_mul(length, most)));
+        const loft_acc  left = loft_wide(b->gain[i]) - twist(p, b, s, i, v);
+        const loft_acc  turn = loft_prod(largest(s->bend, i), way);
+        const loft_acc  both = loft_acc_ratio(loft_wide(largest(s->along, i)), b->filter) + turn;
+        a = loft_real_cap(a, left > 0 ? loft_acc_round(left) : 0, loft_acc_round(both));
     }
     return a;
 }
 
-unsigned loft_piece_phases(const loft_piece *p, const loft_budget *b, loft_acc end, loft_phase out[LOFT_PHASES_MAX])
+/* The same where the speed may yet grow by a n h / 2, but not beyond the cap. */
+static loft_real jerk_grip_ahead(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real v)
 {
-    const loft_acc least = smaller(p->start, end), mean = (p->start + end) / 2;
-    const loft_acc rise  = loft_acc_mul(p->length, accel_at(p, b, mean, p->length));
-    const loft_acc peak  = larger(smaller(p->top, mean + rise), larger(p->start, end));
-    const loft_real a    = accel_at(p, b, peak, 0);
-    const loft_acc all   = 2 * loft_acc_mul(p->length, a);
-
-    if (all < peak - least || !(all > 0)) {
-        out[0] = (loft_phase){ p->length, p->start, end, loft_acc_quot(end - p->start, 2 * p->length) };
-        return 1;
-    }
-    const loft_acc up   = loft_acc_scale(p->length, loft_unit_ratio(peak - p->start, all)), rest = p->length - up;
-    const loft_acc down = smaller(rest, loft_acc_scale(p->length, loft_unit_ratio(peak - end, all)));
-
-    out[0] = (loft_phase){ up, p->start, peak, a };
-    out[1] = (loft_phase){ rest - down, peak, peak, 0 };
-    out[2] = (loft_phase){ down, peak, end, -a };
-    return 3;
+    const loft_real a = jerk_grip(p, b, s, v);
+    const loft_real more = loft_acc_round(loft_budget_beat(b, a) * b->filter / 2);
+    return jerk_grip(p, b, s, more < p->cap - v ? v + more : p->cap);
 }
 
-/* v^2 is counted from the slower end, where it is known best. */
-loft_real loft_phase_speed(const loft_phase *phase, loft_acc done)
+static void lower(loft_real bound[2], loft_real most, loft_real end)
 {
-    if (phase->accel < 0)
-        return loft_acc_sqrt(phase->to - 2 * loft_acc_mul(phase->length - done, phase->accel));
-    return loft_acc_sqrt(phase->from + 2 * loft_acc_mul(done, phase->accel));
+    bound[0] = least(bound[0], most);
+    bound[1] = least(bound[1], end);
+}
+
+/* Lower the first chord until it passes below at 1/4, 1/2 and 3/4 of the cap, x = 1/16, 4/16, 9/16 of its square. The
+ * second is nearly the curve: 1/24 less for what it lies above it. */
+static void set_jerk_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
+{
+    const loft_real slow = jerk_grip_ahead(p, b, s, 0), top = jerk_grip(p, b, s, p->cap);
+    const loft_real at   = loft_mul(p->cap, LOFT_REAL(0.8660254)), most = jerk_grip_ahead(p, b, s, at);
+    const bool      bent = top < slow;
+    const loft_real high = bent ? most - most / 24 : most;
+    loft_real rest = slow;
+
+    for (int k = 1; k <= 3; k++) {
+        const loft_real v = loft_acc_round(loft_acc_ratio(loft_wide(p->cap) * k, 4));
+        const loft_acc  f = loft_wide(jerk_grip_ahead(p, b, s, v)) * 12 - loft_wide(high) * (k * k);
+        rest = least(rest, f > 0 ? loft_acc_round(loft_acc_ratio(f, 12 - k * k)) : 0);
+    }
+    rest    = rest > high ? rest : high;
+    p->rest = least(p->rest, rest > LEAST ? rest : LEAST);
+    lower(p->fore, high, bent ? top - top / 24 : top);
+    lower(p->back, high, bent ? top - top / 24 : top);
+}
+
+/* What the limits of acceleration leave for a at the square x of the speed, at any of the three stations. */
+static loft_real accel_grip(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_acc x, bool fore)
+{
+    loft_real a = p->rest;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_real most = largest(s->bend, i), bulge = size_of(s->along[0].axis[i] / 8 - s->along[1].axis[i] / 4 + s->along[2].axis[i] / 8);
+        for (int k = 0; k < 3; k++) {
+            const loft_real u = s->along[k].axis[i], k_i = s->bend[k].axis[i], size = size_of(u);
+            const bool      less = size <= bulge || ((u < 0) == (k_i < 0)) == fore;     /* does the bend need the same direction? */
+            const loft_acc  used = loft_acc_mul(x, size > bulge ? size_of(k_i) : most);
+            const loft_acc  left = loft_wide(b->accel[i]) - used;
+            if (less)
+                a = loft_real_cap(a, left > 0 ? loft_acc_round(left) : 0, size + bulge);
+        }
+    }
+    return a;
+}
+
+static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
+{
+    const loft_acc x = loft_prod(p->cap, p->cap);
+
+    p->rest = LOFT_ACCEL_MAX;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc jerk = loft_wide(b->gain[i]) * b->filter, accel = loft_wide(b->accel[i]);
+        p->rest = loft_real_cap(p->rest, loft_acc_round(smaller(jerk, accel)), largest(s->along, i));
+    }
+    for (int k = 0; k < 2; k++) {
+        p->fore[k] = accel_grip(p, b, s, k == 0 ? x / 4 * 3 : x, true);
+        p->back[k] = accel_grip(p, b, s, k == 0 ? x / 4 * 3 : x, false);
+    }
+    if (b->jerk)
+        set_jerk_lines(p, b, s);
+}
+
+/* The square of the speed that directions and curvature allow at a station, or on all of the piece (station 3). */
+static loft_acc station_cap(const loft_budget *b, const loft_arc_shape *s, int k, loft_real feed)
+{
+    loft_real v = feed;
+    loft_acc  x;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        v = loft_real_cap(v, b->max_speed[i], k < 3 ? size_of(s->along[k].axis[i]) : largest(s->along, i));
+    x = loft_prod(v, v);
+    for (int i = 0; i < LOFT_AXES; i++)
+        x = bend_cap(x, b->accel[i], k < 3 ? size_of(s->bend[k].axis[i]) : largest(s->bend, i));
+    return x;
+}
+
+static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real feed)
+{
+    p->cap = loft_acc_sqrt(station_cap(b, s, 3, feed));
+    if (b->jerk)
+        p->cap = twist_cap(p, b, s, p->cap);
+    set_lines(p, b, s);
+    p->stop = p->sure = false;
+    p->brake = 0;
+}
+
+bool loft_profile_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *shape, loft_real feed)
+{
+    loft_arc_shape s = *shape;
+    loft_acc low = loft_prod(feed, feed), high = 0;
+
+    for (int k = 0; k < 3 && s.tight; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            s.bend[k].axis[i] = 0;
+    p->length = loft_unit_round(arc->length);
+    set_bounds(p, b, &s, feed);
+    for (int k = 0; k < 3; k++) {
+        const loft_acc x = station_cap(b, &s, k, feed);
+        low  = x < low ? x : low;
+        high = x > high ? x : high;
+    }
+    return high - low <= low / 16;
+}
+
+/* The largest part of the jerk that k' v^3 uses at the cap, on any axis. */
+loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, int k)
+{
+    loft_way way = { shape->along[k], shape->bend[k], p->cap, 0 };
+
+    for (int i = 0; i < LOFT_AXES && shape->tight; i++)
+        way.bend.axis[i] = 0;
+    for (int i = 0; i < LOFT_AXES && b->jerk && !shape->tight; i++) {
+        const loft_acc  used = twist(p, b, shape, i, p->cap), most = loft_wide(b->gain[i]);
+        const loft_unit part = loft_unit_ratio(smaller(used, most), most);
+        way.twist = part > way.twist ? part : way.twist;
+    }
+    return way;
+}
+
+/* The part of the jerk that k' v^3 uses beside a joint passed at speed v. */
+static loft_unit twist_at(const loft_way *w, loft_real v)
+{
+    if (!(v < w->cap))
+        return w->twist;
+    const loft_unit z = loft_unit_ratio(loft_wide(v), loft_wide(w->cap));
+    return loft_unit_round(loft_acc_scale(loft_acc_scale(loft_acc_scale(loft_unit_wide(w->twist), z), z), z));
+}
+
+/* A jump d of the curvature at speed v is one of acceleration, v^2 d, which the spline of the samples spreads over
+ * beats: jerk 3/4 v^2 d / h; another one may follow `spacing` further, within the four beats that the spline covers. */
+static loft_acc bend_jump_cap(const loft_budget *b, const loft_way *before, const loft_way *after, loft_acc spacing, loft_real feed)
+{
+    const loft_real seen = part_of(&(loft_plan_piece){ .length = loft_unit_round(smaller(spacing, loft_wide(LOFT_REAL(64)))) }, b, feed);
+    loft_acc x = loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc jump = loft_wide(after->bend.axis[i]) - loft_wide(before->bend.axis[i]);     /* below 2^15 */
+        const loft_acc most = loft_acc_div(loft_wide(b->gain[i]), LOFT_REAL(1) + 3 * seen);
+        x = bend_cap(x, loft_acc_round(most), loft_acc_round(jump < 0 ? -jump : jump));
+    }
+    return x;
+}
+
+/* The part of the jerk that is used at speed v: four fifths at `slow` for the joint, and what the pieces use beside it. A turn's
+ * part grows with v, so that the chord of the square must lie lower: as much as at `slow`. */
+static loft_unit joint_use(loft_real v, loft_real slow, bool turns, const loft_way *before, const loft_way *after)
+{
+    const loft_unit w = v < slow ? loft_unit_ratio(loft_wide(v), loft_wide(slow)) : LOFT_UNIT(1);
+    const loft_unit first = twist_at(before, v), second = twist_at(after, v);
+    const loft_acc  part = loft_acc_scale(loft_wide(LOFT_REAL(0.8)), w);
+
+    return loft_unit_round(turns ? part : loft_acc_scale(part, w)) + (first > second ? first : second);
+}
+
+bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
+                     loft_acc spacing, loft_real feed)
+{
+    const loft_arc_shape s = { { before->along, after->along, after->along }, { before->bend, after->bend, after->bend }, false };
+    const loft_acc turn = loft_budget_joint(b, before->along, after->along, spacing), feed2 = loft_prod(feed, feed);
+    const loft_acc bend = b->jerk ? bend_jump_cap(b, before, after, spacing, feed) : 2 * feed2;
+
+    p->length = 0;
+    if (b->jerk ? turn / 1024 > feed2 && bend / 32 > feed2 : turn >= feed2)
+        return false;
+    set_bounds(p, b, &s, feed);
+    const loft_real slow = loft_acc_sqrt(smaller(turn, bend));
+    p->stop = slow < loft_acc_round(loft_acc_scale(loft_wide(p->rest), b->pulse) / 4);
+    if (!p->stop)
+        p->cap = least(p->cap, slow);
+    if (!b->jerk || p->stop)
+        return true;
+
+    loft_unit used = joint_use(p->cap, slow, turn < bend, before, after);
+    while (used > LOFT_UNIT(0.97)) {
+        p->cap -= p->cap / 16;
+        used = joint_use(p->cap, slow, turn < bend, before, after);
+    }
+    const loft_unit left = LOFT_UNIT(1) - used;
+    if (turn < bend)
+        p->rest = loft_acc_round(loft_acc_scale(loft_wide(p->rest), LOFT_UNIT(0.8)));
+    for (int k = 0; k < 2; k++) {
+        p->fore[k] = loft_acc_round(loft_acc_scale(loft_wide(p->fore[k]), left));
+        p->back[k] = loft_acc_round(loft_acc_scale(loft_wide(p->back[k]), left));
+    }
+    return true;
+}
+
+loft_real loft_profile_grip(const loft_plan_piece *p, loft_acc x, bool fore)
+{
+    const loft_acc   most = loft_prod(p->cap, p->cap), knee = most / 4 * 3;
+    const loft_real *at   = fore ? p->fore : p->back;
+
+    if (!(x < most))
+        return at[1];
+    if (x < knee)
+        return loft_lerp(p->rest, at[0], loft_unit_ratio(x, knee));
+    return loft_lerp(at[0], at[1], loft_unit_ratio(x - knee, most - knee));
 }

@@ -1,8 +1,8 @@
-/* lib/motion/profile.h -- profile: how fast a piece of the path may be passed, and how it is passed
+/* lib/motion/profile.h -- profile: how fast a piece of the path may be passed, and with which acceleration
  * SPDX-License-Identifier: MIT
  *
- * This is where the law of speed is decided, and nowhere else: even acceleration here. A plan asks only how
- * far a speed reaches over a piece, and for the phases in which a piece is passed.
+ * The limits per axis of speed, acceleration and jerk become a cap of the speed, and bounds of the acceleration along the
+ * path: for speeding up and for slowing down two straight lines in the square of the speed.
  */
 #ifndef LOFT_MOTION_PROFILE_H
 #define LOFT_MOTION_PROFILE_H
@@ -10,48 +10,45 @@
 #include "motion/arc.h"     /* loft_arc_shape */
 #include "motion/limits.h"  /* loft_budget */
 
-/* A piece of the path. Squares of speeds in (mm/s)^2. */
+/* A piece of the path, or, of no length, a joint. */
 typedef struct {
-    loft_acc  length;               /* mm                                      */
-    loft_acc  most[2], top;         /* the square of the speed at its ends, and up and down between them */
-    loft_acc  start;                /* the square of the speed where it begins */
-    loft_vec  along[3], bend[3];    /* direction and curvature vector (1/mm) at start, middle and end */
-    uint32_t  first, last;          /* the curve's parameters at its ends      */
-} loft_piece;
+    loft_unit length;           /* mm                                                                     */
+    loft_real cap;              /* the speed on it, mm/s                                                  */
+    loft_real rest;             /* the acceleration along it, from rest and to rest, mm/s^2               */
+    loft_real fore[2], back[2]; /* at 3/4 of cap^2 and at cap: speeding up, slowing down                  */
+    loft_real brake;            /* the speed at its start that all that follows allows, mm/s              */
+    uint32_t  from, to;         /* the curve's parameters at its ends                                     */
+    uint16_t  move;             /* its curve                                                              */
+    bool      stop, sure;       /* the path rests at its start; what comes later will not change `brake`  */
+} loft_plan_piece;
 
-/* A length passed with even acceleration. */
+/* Where the path is heading: its direction and curvature vector; at the speed `cap`, the part `twist` of the jerk is used. */
 typedef struct {
-    loft_acc  length;               /* mm                                       */
-    loft_acc  from, to;             /* squares of the speeds at its ends        */
-    loft_real accel;                /* mm/s^2, negative when slowing down       */
-} loft_phase;
+    loft_vec  along, bend;
+    loft_real cap;
+    loft_unit twist;
+} loft_way;
 
-#define LOFT_PHASES_MAX 3
-
-/* Set the bounds of a piece of this length and shape: feed, speed per axis, curvature.
+/* Set the bounds of a piece of this length and shape. False if they change so much along it that it should be halved.
  *
  *   range   feed LOFT_SPEED_MIN..LOFT_SPEED_MAX; the arc's length > 0
  */
-void loft_piece_init(loft_piece *p, const loft_budget *b, const loft_arc *arc, loft_real feed);
+bool loft_profile_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *shape, loft_real feed);
 
-/* The largest square of the speed at the piece's end when it is `from` at its start, or, `back`, at its start when
- * it is `from` at its end.
- *
- *   range   0 <= from <= p->most at that end
- */
-loft_acc loft_piece_reach(const loft_piece *p, const loft_budget *b, loft_acc from, bool back);
+/* The way at station k (0 start, 1 middle, 2 end) of a piece. */
+loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, int k);
 
-/* The phases in which the piece is passed as fast as allowed, from p->start to the square `end`, which can be
- * reached; gives their number.
+/* Set the bounds of a joint whose next such is `spacing` away: false if it is none, with this feed.
  *
- *   error   the lengths sum to that of the piece exactly
+ *   range   as loft_profile_init; directions of length 1
  */
-unsigned loft_piece_phases(const loft_piece *p, const loft_budget *b, loft_acc end, loft_phase out[LOFT_PHASES_MAX]);
+bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
+                     loft_acc spacing, loft_real feed);
 
-/* The speed after `done` of the length of a phase, mm/s.
+/* The acceleration along the path at the square x of the speed, mm/s^2; `fore`: speeding up.
  *
- *   error   q16: 1/2 LSB
+ *   error   q16: 2 LSB
  */
-loft_real loft_phase_speed(const loft_phase *phase, loft_acc done);
+loft_real loft_profile_grip(const loft_plan_piece *p, loft_acc x, bool fore);
 
 #endif

@@ -103,6 +103,9 @@ static inline loft_unit loft_unit_from(loft_real a)             { return a; }
 /* error f32: 1/2 ulp   f64: none */
 static inline loft_unit loft_unit_round(loft_acc x)             { return (loft_unit)x; }
 
+/* exact */
+static inline loft_acc  loft_unit_wide(loft_unit t)             { return (loft_acc)t; }
+
 /* raw Q16.16; error from real: 2^-17, to real: f32 1/2 ulp, f64 none; range as loft_raw_fits says */
 static inline bool      loft_raw_fits(loft_real a)
 {

@@ -34,6 +34,7 @@
  *   loft_unit_ratio(x, y)                   the parameter x / y of two accs
  *   loft_unit_from(a)                       a real as unit, |a| < 128, exactly in q16
  *   loft_unit_round(x)                      the unit nearest to an acc, |x| < 128
+ *   loft_unit_wide(t)                       a unit as acc, exactly
  *   loft_real_from_int(i)                   a whole number as real
  *   loft_real_floor(a)                      the whole number below a real
  *   loft_real_from_raw(i)                   a raw Q16.16, the form of the wire, as real

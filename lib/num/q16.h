@@ -164,6 +164,9 @@ static inline loft_unit loft_unit_from(loft_real a)         { return a * 256; }
 /* error 2^-25; |x| < 128 */
 static inline loft_unit loft_unit_round(loft_acc x)         { return loft_acc_middle(x * 256 + 32768); }
 
+/* exact */
+static inline loft_acc  loft_unit_wide(loft_unit t)         { return (loft_acc)t * 256; }
+
 /* exact; the wire and files hold coordinates as raw Q16.16 in every number type */
 static inline bool      loft_raw_fits(loft_real a)          { (void)a; return true; }
 static inline int32_t   loft_raw_from_real(loft_real a)     { return a; }

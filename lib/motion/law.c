@@ -1,0 +1,368 @@
+/* lib/motion/law.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Beat by beat the law chooses the next speed v1: as fast as the acceleration allows, and such that
+ *
+ *     v1^2 <= brake at all places from here to where it would be v1 T further on        T = (n + 1) h
+ *
+ * so that between speeding up and braking it holds its speed for T at least; else it holds, or follows the brake curve.
+ * Between braking and speeding up the zones of the pieces (course.c) keep it at their speed for T.
+ *
+ * The places that the plan uses are the means of n beats: speed and acceleration are means, and acceleration changes by
+ *
+ *     (a(t) - a(t - n h)) / (n h)
+ *
+ * a second, which is at most the larger of both over n h, as they have not opposite signs. A law of even acceleration with pauses
+ * of T becomes the fastest motion with limited jerk, and the path is never left, for the mean of places of the path is taken
+ * along it.
+ *
+ * Where the path rests the window is empty, so n may be chosen anew: a way d from rest to rest with jerk J is fastest with
+ * 2 J (n h)^3 = d, and speeds up to v do not need more than J (n h)^2 = v.
+ */
+#include "motion/law.h"
+
+void loft_law_init(loft_law *law)
+{
+    law->at    = (loft_course_place){ 0, 0 };
+    law->speed = 0;
+    law->sum   = law->mean = 0;
+    law->beats = law->course.budget.filter;
+    law->slot  = 0;
+    law->from  = 0;
+    law->calm  = UINT8_MAX;
+    law->rests = true;
+    for (unsigned k = 0; k < LOFT_PLAN_FILTER; k++)
+        law->way[k] = 0;
+}
+
+static loft_acc length_of(const loft_law *law, unsigned i)
+{
+    return loft_unit_wide(loft_course_piece(&law->course, i)->length);
+}
+
+/* Does the path, as far as it is known, rest at the end of piece i? */
+static bool rests_after(const loft_law *law, unsigned i)
+{
+    return i + 1u >= law->course.count || loft_course_piece(&law->course, i + 1)->stop;
+}
+
+/* The place `way` further on; false beyond the next rest, which it then is. */
+static bool move(const loft_law *law, loft_course_place *at, loft_acc way)
+{
+    at->off += way;
+    while (at->off > length_of(law, at->piece)) {
+        if (rests_after(law, at->piece)) {
+            at->off = length_of(law, at->piece);
+            return false;
+        }
+        at->off -= length_of(law, at->piece++);
+    }
+    return true;
+}
+
+static loft_acc way_of(const loft_law *law, loft_real v0, loft_real v1)
+{
+    return (loft_budget_beat(&law->course.budget, v0) + loft_budget_beat(&law->course.budget, v1)) / 2;
+}
+
+/* Can everything after `way` more be braked for, from speed v, and after that n + 1 beats more? */
+static bool clear(const loft_law *law, loft_acc way, loft_real v)
+{
+    loft_course_place at = law->at;
+    const loft_acc x = loft_prod(v, v);
+
+    if (!move(law, &at, way + loft_budget_beat(&law->course.budget, v) * (law->beats + 1)))
+        return false;
+    for (unsigned j = law->at.piece + 1; j <= at.piece; j++)
+        if (loft_course_piece(&law->course, j)->brake < v)
+            return false;
+    return loft_course_brake(&law->course, at) >= x;
+}
+
+static bool can_speed_up(const loft_law *law, loft_real v)
+{
+    return clear(law, way_of(law, law->speed, v), v);
+}
+
+/* How fast the acceleration at speed `top`, here and a beat further on, lets a beat end. */
+static loft_real gained(const loft_law *law, loft_real top)
+{
+    loft_course_place at = law->at;
+    loft_real here, later;
+
+    loft_course_around(&law->course, at, loft_prod(top, top), true, &here);
+    (void)move(law, &at, way_of(law, law->speed, top));
+    loft_course_around(&law->course, at, loft_prod(top, top), true, &later);
+    return law->speed + loft_acc_round(loft_budget_beat(&law->course.budget, here < later ? here : later));
+}
+
+/* The speed after one beat of speeding up, as far as it can: to 1/128 of what a beat gains. */
+static loft_real faster(const loft_law *law)
+{
+    const loft_real v = law->speed;
+    loft_real g;
+    const loft_real cap = loft_acc_sqrt(loft_course_around(&law->course, law->at, loft_prod(v, v), true, &g));
+
+    if (law->calm <= law->beats || cap <= v)
+        return v;
+    loft_real top = v + loft_acc_round(loft_budget_beat(&law->course.budget, g));
+    top = top < cap ? top : cap;
+    loft_real most = gained(law, top);
+    for (int n = 0; n < 6 && most < top; n++) {         /* less is allowed at `top`: meet half way */
+        top -= (top - most) / 2;
+        most = gained(law, top);
+    }
+    top = most < top ? most : top;
+    if (can_speed_up(law, top))
+        return top;
+
+    loft_real low = v, step = (top - v) / 2;
+    if (v > 0 && !can_speed_up(law, v + step / 8))
+        return v;
+    for (int n = 0; n < (v > 0 ? 7 : 24) && step > 0; n++, step /= 2)
+        low = can_speed_up(law, low + step) ? low + step : low;
+    return low;
+}
+
+/* How much the brake curve leaves when the beat ends with speed v. */
+static loft_acc spare(const loft_law *law, loft_real v)
+{
+    loft_course_place at = law->at;
+    return move(law, &at, way_of(law, law->speed, v)) ? loft_course_brake(&law->course, at) - loft_prod(v, v) : -loft_prod(v, v);
+}
+
+/* Follow the brake curve: the largest speed that leaves something, by the Illinois form of regula falsi, from a bracket
+ * as wide as two beats of braking. */
+static loft_real slower(const loft_law *law)
+{
+    const loft_real step = 2 * loft_acc_round(loft_budget_beat(&law->course.budget, loft_course_piece(&law->course, law->at.piece)->rest));
+    loft_real low = step < law->speed ? law->speed - step : 0, high = law->speed;
+    loft_acc  left = spare(law, low), over = spare(law, high);
+
+    if (over >= 0)
+        return high;
+    if (left < 0) {
+        high = low;
+        over = left;
+        low  = 0;
+        left = spare(law, low);
+    }
+    for (int n = 0, side = 0; n < 16 && left > 0 && high - low > high / 65536 + LOFT_REAL(0.00003); n++) {
+        const loft_real z = loft_lerp(low, high, loft_unit_ratio(left, left - over));
+        const loft_real v = z > low && z < high ? z : low + (high - low) / 2;
+        const loft_acc  f = spare(law, v);
+        if (f >= 0) {
+            low  = v;
+            left = f;
+            over = side > 0 ? over / 2 : over;
+            side = 1;
+        } else {
+            high = v;
+            over = f;
+            left = side < 0 ? left / 2 : left;
+            side = -1;
+        }
+    }
+    return low;
+}
+
+/* Is what the next beat looks at sure? If not, look back once more. */
+static bool knows(loft_law *law)
+{
+    loft_course *c = &law->course;
+    const loft_real most = law->speed + loft_acc_round(loft_budget_beat(&c->budget, LOFT_ACCEL_MAX));
+    loft_real v = loft_course_piece(c, law->at.piece)->rest;
+
+    v = law->speed + loft_acc_round(loft_budget_beat(&c->budget, v));
+    v = v < most ? v : most;
+    for (int again = 0; again < 2; again++) {
+        loft_course_place at = law->at;
+        const bool there = move(law, &at, loft_budget_beat(&c->budget, v) * (law->beats + 2));
+        const unsigned next = at.piece + 1;
+        if (next < c->count ? loft_course_piece(c, next)->stop || loft_course_piece(c, next)->sure : c->ended)
+            return true;
+        (void)there;
+        loft_course_look_back(c, law->at.piece);
+    }
+    return c->ended || loft_course_full(c);
+}
+
+/* A window of n beats has room for the section that begins at piece i: false if more curves may make it longer. */
+static bool choose_window(loft_law *law, unsigned i)
+{
+    loft_course *c = &law->course;
+    const unsigned stop = loft_course_stop(c, i), most = c->budget.filter;
+    const loft_real accel = loft_course_piece(c, i)->rest;
+    loft_acc d = 0;
+    loft_real v = 0;
+    unsigned n = 1;
+
+    for (unsigned j = i; j < stop; j++) {
+        d += length_of(law, j);
+        v = loft_course_piece(c, j)->cap > v ? loft_course_piece(c, j)->cap : v;
+    }
+    const loft_real gain = loft_acc_round(loft_acc_ratio(loft_budget_beat(&c->budget, accel), (int32_t)most));
+    for (; n < most; n++) {
+        const loft_acc reach = loft_wide(gain) * (int32_t)(n * n);              /* J (n h)^2 */
+        if (reach >= loft_wide(v) || 2 * loft_acc_scale(reach, c->budget.pulse) * (int32_t)n >= d)
+            break;
+    }
+    if (n < most && stop == c->count && !c->ended && !loft_course_full(c))
+        return false;
+    law->beats = (uint8_t)n;
+    c->gear = loft_unit_of(n, most);
+    for (unsigned j = i; j < stop; j++)
+        loft_course_piece(c, j)->sure = false;
+    return true;
+}
+
+/* Drop pieces that the mean has passed and in whose zone the law is no more. */
+static void forget(loft_law *law)
+{
+    loft_course *c = &law->course;
+
+    while (law->from > 0) {
+        loft_acc d = law->at.off;
+        for (unsigned j = 1; j < law->at.piece; j++)
+            d += length_of(law, j);
+        if (d <= loft_course_zone(c, loft_course_piece(c, 0)))
+            return;
+        loft_course_drop(c);
+        law->from--;
+        law->at.piece--;
+    }
+}
+
+static void shift(loft_law *law, loft_unit way)
+{
+    law->sum += loft_unit_wide(way) - loft_unit_wide(law->way[law->slot]);
+    law->way[law->slot] = way;
+    law->slot = (uint8_t)(law->slot + 1u < law->beats ? law->slot + 1u : 0);
+    law->mean += law->sum;
+    while (law->at.piece > law->from && law->mean >= length_of(law, law->from) * law->beats)
+        law->mean -= length_of(law, law->from++) * law->beats;
+    forget(law);
+    law->calm = law->calm < UINT8_MAX ? (uint8_t)(law->calm + 1) : law->calm;
+}
+
+/* Nothing that was passed matters any more: the course begins with what comes next. */
+static void settle(loft_law *law)
+{
+    if (law->at.off > 0 || law->at.piece > 0)
+        for (unsigned drop = law->at.piece + 1; drop > 0; drop--)
+            loft_course_drop(&law->course);
+    law->at   = (loft_course_place){ 0, 0 };
+    law->mean = law->sum = 0;
+    law->slot = 0;
+    law->from = 0;
+    loft_course_load(&law->course);
+}
+
+/* At rest: empty the window, then begin what comes next. */
+static enum loft_law_state leave(loft_law *law)
+{
+    loft_course *c = &law->course;
+
+    if (law->calm <= law->beats) {
+        shift(law, 0);
+        return LOFT_LAW_RUNS;
+    }
+    settle(law);
+    if (c->count == 0)
+        return c->ended && c->cut == c->move_count ? LOFT_LAW_RESTS : LOFT_LAW_WAITS;
+    if (!choose_window(law, 0))
+        return LOFT_LAW_WAITS;
+    law->calm  = UINT8_MAX;
+    law->rests = false;
+    loft_course_look_back(c, 0);
+    return LOFT_LAW_RUNS;
+}
+
+/* Does the law, on its way to stop before piece `first`, hold what that and those after it ask for? They cast their bounds to
+ * places where it is or was already. */
+static bool agrees(const loft_law *law, unsigned first)
+{
+    const loft_course *c = &law->course;
+    const loft_acc x = loft_prod(law->speed, law->speed);
+    loft_acc d = -law->at.off;
+
+    for (unsigned j = law->at.piece; j < first; j++)
+        d += length_of(law, j);
+    for (unsigned j = first; j < c->count && d <= c->zone && !loft_course_piece(c, j)->stop; j++) {
+        const loft_plan_piece *p = loft_course_piece(c, j);
+        if (d < 2 * loft_course_zone(c, p))
+            return false;
+        d += length_of(law, j);
+    }
+    return loft_course_brake(c, law->at) >= x - x / 1024;
+}
+
+/* New pieces while it moves: if they ask for less than what it counted on, the path rests before them, as it would have. */
+static void join(loft_law *law, unsigned first)
+{
+    loft_course *c = &law->course;
+    const unsigned next = law->at.piece + 1;
+
+    if (law->rests || first >= c->count || (next < first && loft_course_piece(c, next)->sure) || loft_course_stop(c, law->at.piece) < first)
+        return;
+    loft_course_look_back(c, law->at.piece);
+    if (!agrees(law, first)) {
+        loft_course_piece(c, first)->stop = true;
+        for (unsigned j = next; j < first; j++)
+            loft_course_piece(c, j)->sure = false;
+        loft_course_look_back(c, law->at.piece);
+    }
+}
+
+/* What is left to the next rest. */
+static loft_acc remains(const loft_law *law)
+{
+    unsigned  i   = law->at.piece;
+    loft_acc left = length_of(law, i) - law->at.off;
+
+    while (!rests_after(law, i))
+        left += length_of(law, ++i);
+    return left;
+}
+
+/* One beat of motion: faster, as fast, slower, or to the end. Ways are whole multiples of what the ring of ways holds, so
+ * that the mean ends where the law does. */
+static void run(loft_law *law)
+{
+    loft_real v = faster(law);
+    loft_course_place to = law->at;
+
+    if (!(v > law->speed)) {
+        v = slower(law);
+        law->calm = v < law->speed ? 0 : law->calm;
+    }
+    loft_unit way = loft_unit_round(way_of(law, law->speed, v));
+    if (!move(law, &to, loft_unit_wide(way)) || !(v > 0)) {
+        way = loft_unit_round(remains(law));
+        to  = law->at;
+        (void)move(law, &to, 2 * remains(law));     /* onto the end itself */
+        law->rests = true;
+        law->calm  = 0;
+        v = 0;
+    }
+    law->at    = to;
+    law->speed = v;
+    shift(law, way);
+}
+
+enum loft_law_state loft_law_next(loft_law *law)
+{
+    const unsigned known = law->course.count;
+
+    loft_course_load(&law->course);
+    join(law, known);
+    if (law->rests) {
+        const enum loft_law_state state = leave(law);
+        if (state != LOFT_LAW_RUNS || law->rests)
+            return state;
+    }
+    if (!knows(law))
+        return LOFT_LAW_WAITS;
+    run(law);
+    return LOFT_LAW_RUNS;
+}

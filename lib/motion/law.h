@@ -1,0 +1,37 @@
+/* lib/motion/law.h -- law: which place of the path is reached at which beat
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_MOTION_LAW_H
+#define LOFT_MOTION_LAW_H
+
+#include "motion/course.h"  /* loft_course */
+
+/* Complete so that it can be static; do not rely on the fields. */
+typedef struct {
+    loft_course course;
+    loft_course_place  at;                     /* of the law, before it is averaged                      */
+    loft_real   speed;                  /* there, mm/s                                            */
+    loft_acc    sum, mean;              /* of the ways; the mean place of the window times beats  */
+    loft_unit   way[LOFT_PLAN_FILTER];  /* a ring: mm in each of the last beats                   */
+    unsigned    from;                   /* the piece that the mean is counted from                */
+    uint8_t     beats, slot;            /* of the window; the oldest of them                      */
+    uint8_t     calm;                   /* beats since it last braked, or since it rests          */
+    bool        rests;
+} loft_law;
+
+enum loft_law_state {
+    LOFT_LAW_RUNS,      /* a beat was added                                            */
+    LOFT_LAW_WAITS,     /* the next beat depends on curves that have not come yet      */
+    LOFT_LAW_RESTS      /* at the end of what there is                                 */
+};
+
+/* Rest at the start of an empty course. */
+void loft_law_init(loft_law *law);
+
+/* Go on for one beat: the place is then law->mean / law->beats from the start of piece law->from.
+ *
+ *   shape   no beat is given that curves yet to come may make wrong, unless the course has ended or is full
+ */
+enum loft_law_state loft_law_next(loft_law *law);
+
+#endif
