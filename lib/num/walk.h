@@ -26,6 +26,11 @@ typedef struct {
     loft_state d[LOFT_WALK_DEGREE_MAX + 1];     /* d[0] carries the 1/2 LSB that rounds it when it is cut */
 } loft_walk;
 
+/* The same of a cubic, in less memory. */
+typedef struct {
+    loft_state d[4];
+} loft_walk3;
+
 /* error none: the rounding is in the state */
 static inline loft_real loft_state_real(const loft_state *s)
 {
@@ -39,7 +44,10 @@ static inline loft_real loft_state_real(const loft_state *s)
 }
 
 /* The value that the walk gives as its last one: here the differences lead to it. */
+static inline void loft_walk_keep(loft_walk *w, loft_real end)   { (void)w; (void)end; }
+static inline void loft_walk3_keep(loft_walk3 *w, loft_real end) { (void)w; (void)end; }
 static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)w; return arrived; }
+static inline loft_real loft_walk3_end(const loft_walk3 *w, loft_real arrived) { (void)w; return arrived; }
 
 #else
 
@@ -54,8 +62,16 @@ typedef struct {
     loft_real end;
 } loft_walk;
 
+typedef struct {
+    loft_state d[4];
+    loft_real end;
+} loft_walk3;
+
 static inline loft_real loft_state_real(const loft_state *s) { return (loft_real)*s; }
+static inline void loft_walk_keep(loft_walk *w, loft_real end)   { w->end = end; }
+static inline void loft_walk3_keep(loft_walk3 *w, loft_real end) { w->end = end; }
 static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)arrived; return w->end; }
+static inline loft_real loft_walk3_end(const loft_walk3 *w, loft_real arrived) { (void)arrived; return w->end; }
 
 #endif
 
@@ -82,13 +98,22 @@ static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
     return loft_state_real(w->d);
 }
 
-/* Does the law of ranges (walk.c) admit n >= 1 steps? */
+/* One step of a cubic; the last one gives its last control value. */
+static inline loft_real loft_walk3_step(loft_walk3 *w, bool last)
+{
+    loft_state_add(w->d);
+    loft_state_add(w->d + 1);
+    loft_state_add(w->d + 2);
+    return last ? loft_walk3_end(w, loft_state_real(w->d)) : loft_state_real(w->d);
+}
+
+/* Does the law of ranges (walk_start.c) admit n >= 1 steps? */
 bool loft_walk_admits(unsigned degree, uint32_t n);
 
 /* What all axes need of n.
  *
  *   range   an admitted n
- *   cost    q16: for n < 65536 degree * 6 divisions of 32 bits
+ *   cost    q16: for n < 65536 degree * 6 divisions of 32 bits; AVR: 1,300 cycles per degree
  */
 void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n);
 
@@ -103,6 +128,12 @@ void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree);
  *   cost    q16: degree * 6 products of 32 bits and degree * (degree + 5) / 2 of small numbers
  */
 void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers);
+
+/* What both are made of: d[0..degree] of a walk. */
+void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers);
+
+/* The same of a cubic: the same values, bit for bit. */
+void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers *powers);
 
 /* `count` steps; the values go to out[0], out[stride] .. */
 void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);

@@ -1,0 +1,346 @@
+/* lib/num/walk_start.c -- the differences of a polynomial, from its control values
+ * SPDX-License-Identifier: MIT
+ *
+ * With D^k p the k-th difference of the control values at p[0], the Bezier polynomial at t = i/n is
+ *
+ *     P(i/n) = sum_k  g_k (i/n)^k          g_k = C(degree, k) D^k p
+ *
+ * Written in the products i (i-1) .. (i-k+1) instead of the powers i^k, its coefficients times k! are the
+ * differences e_k to start with: e_k is the sum of some G_j = g_j / n^j times whole numbers of 240 at most.
+ *
+ * q16. e_k is kept to 32 bits below the LSB. n^-k is cut to 96 bits, by k divisions each cut: it is low by
+ * less than 2^-95. G_k = g_k n^-k is cut to 64 bits below the LSB: off by less than 2^-63 + |g_k| 2^-95. With
+ * |p| <= 2^31 the sums of all that are below 2^-50, so e_k, then rounded to 32 bits, is off by at most
+ * 2^-33 + 2^-50, and not at all where it is a multiple of 2^-32: if n^degree divides 2^32.
+ *
+ * The law of ranges. d[0] after i steps is sum_k C(i, k) e_k, so errors of 2^-33 + 2^-50 in e_1.. err there
+ * by at most S (2^-33 + 2^-50) LSB, S = C(n, 1) + .. + C(n, degree). The walk is admitted while that is below
+ * 1/2, S <= 2^32 - 2^15: then no value leaves the 32 bits in which its control values are, and the last one,
+ * being whole, is met exactly. All else may wrap: the sums are right modulo 2^64 and d[0] needs no more.
+ */
+#include "num/walk.h"
+
+/* q16: |D^k p| < 2^(k+31), so |g| < 10 * 2^34. */
+void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree)
+{
+    unsigned choose = 1;
+
+    for (unsigned k = 0; k <= degree; k++)
+        g[k] = p[k];
+    for (unsigned k = 1; k <= degree; k++)
+        for (unsigned i = degree; i >= k; i--)
+            g[i] -= g[i - 1];
+    for (unsigned k = 1; k <= degree; k++) {
+        choose = choose * (degree - k + 1) / k;
+        g[k] *= (loft_acc)choose;
+    }
+}
+
+/* From a[k] = G_k, k = 1..degree, to a[k] = e_k, linear and in small whole numbers. Dividing by i, i - 1, ..
+ * in turn gives the coefficients of i (i-1) .. (i-k+1), whose k-th difference is k!. */
+void loft_walk_differences(loft_state a[], unsigned degree)
+{
+    unsigned factorial = 1;
+
+    for (unsigned j = 1; j < degree; j++)
+        for (unsigned k = degree - 1; k >= j; k--)
+            for (unsigned times = 0; times < j; times++)
+                a[k] += a[k + 1];
+    for (unsigned k = 2; k <= degree; k++) {
+        factorial *= k;
+        a[k] *= (loft_state)factorial;
+    }
+}
+
+#if LOFT_NUM == LOFT_Q16
+
+#if defined(__AVR__)
+static uint64_t join(uint32_t high, uint32_t low)
+{
+    loft_bytes b;
+    b.half.high = (int32_t)high;
+    b.half.low = low;
+    return (uint64_t)b.all;
+}
+#else
+static uint64_t join(uint32_t high, uint32_t low)       { return (uint64_t)high << 32 | low; }
+#endif
+
+/* x / 2^m in place, cut, m < 32. */
+static void shift_down(uint32_t x[], int limbs, uint8_t m)
+{
+    for (int i = 0; m && i < limbs; i++)
+        x[i] = x[i] >> m | (i + 1 < limbs ? x[i + 1] << (32 - m) : 0);
+}
+
+#if defined(__AVR__)
+
+/* x / n in place, cut, bit by bit from the highest: a third of the time that divisions of 32 bits take. */
+static void divide_short(uint32_t x[], int limbs, uint16_t n)
+{
+    uint8_t *byte = (uint8_t *)(x + limbs), bytes = (uint8_t)(4 * limbs), bits, part;
+    uint16_t rest = 0;
+
+    __asm__ volatile (
+        "1: ld %[part], -%a[byte]\n ldi %[bits], 8\n"
+        "2: lsl %[part]\n rol %A[rest]\n rol %B[rest]\n brcs 3f\n"
+        "   cp %A[rest], %A[n]\n cpc %B[rest], %B[n]\n brcs 4f\n"
+        "3: sub %A[rest], %A[n]\n sbc %B[rest], %B[n]\n inc %[part]\n"
+        "4: dec %[bits]\n brne 2b\n"
+        "   st %a[byte], %[part]\n dec %[bytes]\n brne 1b\n"
+        : [byte] "+x" (byte), [bytes] "+&r" (bytes), [bits] "=&d" (bits), [part] "=&r" (part), [rest] "+&r" (rest)
+        : [n] "r" (n) : "memory");
+}
+
+#else
+
+/* The same with divisions of 32 bits, the fastest on other cores, which take 16 bits of x at a time. */
+static void divide_short(uint32_t x[], int limbs, uint16_t n)
+{
+    uint32_t rest = 0;
+
+    for (int i = limbs - 1; i >= 0; i--) {
+        const uint32_t upper = rest << 16 | x[i] >> 16;
+        const uint32_t lower = upper % n << 16 | (x[i] & 0xffff);
+        x[i] = upper / n << 16 | lower / n;
+        rest = lower % n;
+    }
+}
+
+#endif
+
+/* x / n in place, cut. */
+static void divide(uint32_t x[], int limbs, uint32_t n)
+{
+    uint32_t rest = 0;
+
+    if (n >> 16 == 0) {
+        divide_short(x, limbs, (uint16_t)n);
+        return;
+    }
+    for (int i = limbs - 1; i >= 0; i--) {
+        const uint64_t part = join(rest, x[i]);
+        x[i] = (uint32_t)(part / n);
+        rest = (uint32_t)(part % n);
+    }
+}
+
+void loft_limbs_divide(uint32_t x[], int limbs, uint32_t n)
+{
+    uint8_t m = 0;
+
+    while (n > (uint32_t)1 << m && m < 31)
+        m++;
+    if (n == (uint32_t)1 << m)
+        shift_down(x, limbs, m);
+    else
+        divide(x, limbs, n);
+}
+
+/* 1 is 2^96 - 1 here, low by 2^-96. */
+void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
+{
+    uint32_t x[3] = { UINT32_MAX, UINT32_MAX, UINT32_MAX };
+
+    for (unsigned k = 1; k <= degree; k++) {
+        loft_limbs_divide(x, 3, n);
+        for (int i = 0; i < 3; i++)
+            powers->inverse[k][i] = x[i];
+    }
+}
+
+#if !defined(__AVR__)
+
+static uint32_t high(uint64_t x)                        { return (uint32_t)loft_acc_high((int64_t)x); }
+static uint32_t low(uint64_t x)                         { return (uint32_t)(x & 0xffffffffu); }
+static uint64_t product(uint32_t a, uint32_t b)         { return (uint64_t)a * b; }
+
+typedef struct {
+    uint64_t value;         /* in 2^-32, wraps          */
+    uint32_t below;         /* the 32 bits below that   */
+} term;
+
+/* g times inverse, |g| < 2^38: the product has five places of 32 bits, of which 1 is `below` and 2, 3 are
+ * `value`. Place 1 sums to less than 2^32 + 2^32 + 2^38. */
+static term scaled(int64_t g, const uint32_t inverse[3])
+{
+    const uint64_t size = (uint64_t)(g < 0 ? -g : g);
+    const uint64_t at_1 = product(low(size), inverse[1]);
+    const uint64_t sum_1 = product(high(size), inverse[0]) + high(product(low(size), inverse[0])) + low(at_1);
+    term t;
+
+    t.below = low(sum_1);
+    t.value = product(low(size), inverse[2]) + product(high(size), inverse[1]) + high(sum_1) + high(at_1) +
+              join(high(size) * inverse[2], 0);
+    if (g < 0) {
+        t.below = 0 - t.below;
+        t.value = 0 - t.value - (t.below != 0);
+    }
+    return t;
+}
+
+void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
+{
+    uint64_t below[LOFT_WALK_DEGREE_MAX + 1];
+    loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
+
+    loft_walk_powers(g, p, degree);
+    d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
+    for (unsigned k = 1; k <= degree; k++) {
+        const term t = scaled(g[k], powers->inverse[k]);
+        d[k] = t.value;
+        below[k] = t.below;
+    }
+    loft_walk_differences(d, degree);
+    loft_walk_differences(below, degree);
+    for (unsigned k = 1; k <= degree; k++)
+        d[k] += high(below[k] + ((uint32_t)1 << 31));
+}
+
+#else
+
+/* 96 bits, the lowest byte first; wraps. avr-gcc calls a function for each operation of 64 bits, with 16 registers to fill:
+ * here value and `below` are one number, and every operation a loop over its bytes. */
+typedef struct {
+    uint8_t byte[12];
+} wide;
+
+#define WIDE_LOOP(op) "ldi %[left], 12\n clc\n" \
+    "1: ld __tmp_reg__, %a[a]\n ld %[byte], %a[b]+\n " op " __tmp_reg__, %[byte]\n st %a[a]+, __tmp_reg__\n dec %[left]\n brne 1b\n"
+
+static void wide_add(wide *a, const wide *b)
+{
+    uint8_t byte, left;
+    __asm__ volatile (WIDE_LOOP("adc") : [a] "+x" (a), [b] "+z" (b), [byte] "=&r" (byte), [left] "=&d" (left) : : "memory");
+}
+
+static void wide_sub(wide *a, const wide *b)
+{
+    uint8_t byte, left;
+    __asm__ volatile (WIDE_LOOP("sbc") : [a] "+x" (a), [b] "+z" (b), [byte] "=&r" (byte), [left] "=&d" (left) : : "memory");
+}
+
+static void wide_times(wide *a, uint8_t factor)
+{
+    const uint8_t zero = 0;
+    uint8_t byte, left = 12, carry = 0;
+
+    __asm__ volatile (
+        "1: ld %[byte], %a[a]\n mul %[byte], %[factor]\n add r0, %[carry]\n adc r1, %[zero]\n"
+        "   st %a[a]+, r0\n mov %[carry], r1\n dec %[left]\n brne 1b\n clr r1\n"
+        : [a] "+x" (a), [byte] "=&r" (byte), [left] "+&r" (left), [carry] "+&r" (carry)
+        : [factor] "r" (factor), [zero] "r" (zero) : "memory");
+}
+
+/* sum += inverse * factor; sum[12], which is 0, takes what is left. */
+static void add_row(uint8_t sum[13], const uint32_t inverse[3], uint8_t factor)
+{
+    const uint8_t zero = 0;
+    uint8_t byte, left = 12, carry = 0;
+
+    __asm__ volatile (
+        "1: ld %[byte], %a[inverse]+\n mul %[byte], %[factor]\n ld %[byte], %a[sum]\n"
+        "   add r0, %[byte]\n adc r1, %[zero]\n add r0, %[carry]\n adc r1, %[zero]\n"
+        "   st %a[sum]+, r0\n mov %[carry], r1\n dec %[left]\n brne 1b\n st %a[sum], %[carry]\n clr r1\n"
+        : [sum] "+x" (sum), [inverse] "+z" (inverse), [byte] "=&r" (byte), [left] "+&r" (left), [carry] "+&r" (carry)
+        : [factor] "r" (factor), [zero] "r" (zero) : "memory");
+}
+
+static void wide_negate(wide *a)
+{
+    wide zero = { { 0 } };
+    wide_sub(&zero, a);
+    *a = zero;
+}
+
+/* a times inverse, |a| < 2^38, as `scaled` above: of the 17 bytes of the product the lowest four are cut. */
+static void wide_scale(wide *a, const uint32_t inverse[3])
+{
+    const bool negative = a->byte[11] & 0x80u;
+    uint8_t product[17] = { 0 };
+
+    if (negative)
+        wide_negate(a);
+    for (uint8_t i = 0; i < 5; i++)
+        if (a->byte[i])
+            add_row(product + i, inverse, a->byte[i]);
+    __builtin_memcpy(a->byte, product + 4, sizeof a->byte);
+    if (negative)
+        wide_negate(a);
+}
+
+static void wide_set(wide *a, int32_t x)
+{
+    __builtin_memcpy(a->byte, &x, 4);
+    __builtin_memset(a->byte + 4, x < 0 ? 0xFF : 0, 8);
+}
+
+/* loft_walk_powers and loft_walk_differences in these numbers. */
+void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
+{
+    wide a[LOFT_WALK_DEGREE_MAX + 1];
+    uint8_t choose = 1, factorial = 1;
+
+    for (uint8_t k = 0; k <= degree; k++)
+        wide_set(&a[k], p[k]);
+    for (uint8_t k = 1; k <= degree; k++)
+        for (uint8_t i = (uint8_t)degree; i >= k; i--)
+            wide_sub(&a[i], &a[i - 1]);
+    for (uint8_t k = 1; k <= degree; k++) {
+        choose = (uint8_t)(choose * (degree - k + 1) / k);
+        wide_times(&a[k], choose);
+        wide_scale(&a[k], powers->inverse[k]);
+    }
+    for (uint8_t j = 1; j < degree; j++)
+        for (uint8_t k = (uint8_t)(degree - 1); k >= j; k--)
+            for (uint8_t times = 0; times < j; times++)
+                wide_add(&a[k], &a[k + 1]);
+    d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
+    for (uint8_t k = 1; k <= degree; k++) {
+        factorial = (uint8_t)(factorial * k);
+        wide_times(&a[k], factorial);
+        __builtin_memcpy(&d[k], a[k].byte + 4, sizeof d[k]);
+        if (a[k].byte[3] & 0x80u)
+            d[k]++;
+    }
+}
+
+#endif
+
+#else
+
+void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
+{
+    (void)degree;
+    powers->n = n;
+}
+
+void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
+{
+    loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
+    double scale = powers->n;
+
+    loft_walk_powers(g, p, degree);
+    d[0] = p[0];
+    for (unsigned k = 1; k <= degree; k++) {
+        d[k] = g[k] / scale;
+        scale *= powers->n;
+    }
+    loft_walk_differences(d, degree);
+}
+
+#endif
+
+void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers)
+{
+    for (unsigned k = degree + 1; k <= LOFT_WALK_DEGREE_MAX; k++)
+        w->d[k] = 0;
+    loft_walk_start(w->d, p, degree, powers);
+    loft_walk_keep(w, p[degree]);
+}
+
+void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers *powers)
+{
+    loft_walk_start(w->d, p, 3, powers);
+    loft_walk3_keep(w, p[3]);
+}
