@@ -35,6 +35,12 @@
 #  error "LOFT_MACHINE_QUEUE must be a power of two, 2..32768"
 #endif
 
+/* What the tick does with a span that the main loop has not prepared in time. 1: prepares it itself, which takes longer
+ * than a tick on a slow part. 0: slows down on the path and waits for it, which needs less stack. */
+#ifndef LOFT_MACHINE_TICK_PREPARES
+#  define LOFT_MACHINE_TICK_PREPARES 1
+#endif
+
 /* The longest frame on the wire in bytes, delimiter included, 64..254 (one COBS block).
  * Cost: that much RAM for receiving and again for sending. The machine announces its own; the host keeps to the smaller of both. */
 #ifndef LOFT_FRAME_MAX

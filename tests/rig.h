@@ -129,7 +129,7 @@ static loft_drive_config rig_init(arb *a, loft_drive *drive, uint16_t slots, uin
 static bool here(const int32_t want[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (r.at[i] != want[i] || r.drive->step.axis[i].position != want[i])
+        if (r.at[i] != want[i] || r.drive->step.position[i] != want[i])
             return false;
     return true;
 }

@@ -40,7 +40,7 @@ static void pulses_follow_the_straight_line_within_half_a_step(arb *a)
             from[i] = at[i];
         arb_target(a, from, arb_below(a, 8) ? 50 : LOFT_STEP_SLOTS_MAX, target);
         CHECK(loft_step_room(&s));
-        const int32_t lasts = loft_step_load(&s, target, asked), line = s.tick.slots;
+        const int32_t lasts = loft_step_load(&s, target, asked), line = s.tick[!s.which].slots;
         CHECK(lasts >= asked && (lasts == line || lasts == line + 1));
 
         for (int32_t slot = 1; slot <= lasts; slot++) {
@@ -54,7 +54,7 @@ static void pulses_follow_the_straight_line_within_half_a_step(arb *a)
         }
         CHECK(loft_step_done(&s));
         for (int i = 0; i < LOFT_AXES; i++)
-            CHECK(at[i] == target[i] && s.axis[i].position == target[i]);
+            CHECK(at[i] == target[i] && s.position[i] == target[i]);
         const loft_pins still = loft_step_next(&s);
         CHECK(still.step == 0 && loft_step_done(&s));
     }

@@ -20,18 +20,9 @@ static void copy(volatile int32_t to[LOFT_AXES], const volatile int32_t from[LOF
         to[i] = from[i];
 }
 
-static loft_vec vec_of(const int32_t raw[LOFT_AXES])
+static int32_t steps_of(const loft_drive *d, int axis, int32_t raw)
 {
-    loft_vec v;
-    for (int i = 0; i < LOFT_AXES; i++)
-        v.axis[i] = loft_real_from_raw(raw[i]);
-    return v;
-}
-
-static void steps_of(const loft_drive *d, loft_vec mm, int32_t steps[LOFT_AXES])
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        steps[i] = loft_steps_of(mm.axis[i], d->steps_per_mm[i]);
+    return loft_steps_of(loft_real_from_raw(raw), d->steps_per_mm[axis]);
 }
 
 static uint32_t distance(int32_t a, int32_t b)
@@ -68,17 +59,11 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
 /* The tick looks at nothing while `active` is 0, so everything may be set here; `active` comes last. */
 enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int32_t start[LOFT_AXES])
 {
-    int32_t at[LOFT_AXES];
-
     if (d->active || d->state == LOFT_STATE_FAULT)
         return LOFT_ERR_ARG;
-    if (kind == LOFT_SPANS)
-        steps_of(d, vec_of(start), at);
-    else
-        copy(at, start);
     loft_step_position(&d->step, d->target);
     for (int i = 0; i < LOFT_AXES; i++)
-        if (at[i] != d->target[i])
+        if ((kind == LOFT_SPANS ? steps_of(d, i, start[i]) : start[i]) != d->target[i])
             return LOFT_ERR_RANGE;
     if (loft_pace_init(&d->pace, d->slots, d->ramp) != LOFT_OK ||
         loft_queue_init(&d->queue, d->queue.cell, d->queue.count) != LOFT_OK)
@@ -111,19 +96,17 @@ static bool point_fits(const loft_drive *d, const loft_item *item)
 
 static bool span_fits(const loft_drive *d, const loft_item *item)
 {
-    int32_t before[LOFT_AXES], after[LOFT_AXES];
-    loft_span span;
-
     if (item->ticks < 1 || item->ticks > LOFT_SPAN_TICKS_MAX)
         return false;
-    loft_item_span(item, d->end, &span);
-    steps_of(d, span.p[0], before);
-    for (int k = 1; k < 4; k++) {
-        steps_of(d, span.p[k], after);
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (distance(before[i], after[i]) + 1 > REACH_PER_TICK * (uint32_t)item->ticks)
+    const uint32_t reach = REACH_PER_TICK * (uint32_t)item->ticks;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        int32_t before = steps_of(d, i, d->end[i]);
+        for (int k = 0; k < 3; k++) {
+            const int32_t after = steps_of(d, i, item->p[k][i]);
+            if (distance(before, after) + 1 > reach)
                 return false;
-        copy(before, after);
+            before = after;
+        }
     }
     return true;
 }
@@ -205,13 +188,23 @@ static void count_ticks(loft_drive *d)
     }
 }
 
+static bool is_ready(const loft_drive *d)       { return d->ready && d->ready_item == d->item; }
+
+/* Is there a next span, and has nobody prepared it? */
+static bool unprepared(const loft_drive *d)
+{
+    return d->kind == LOFT_SPANS && d->ahead > d->left && !is_ready(d);
+}
+
 /* The law of supply. With level = ticks to standing, one tick uses one of `ahead` and changes the level by at most 1:
  *
  *     going down    ahead - level stays
  *     steady        ahead - level falls by 1      only while ahead > level + MARGIN
  *     going up      ahead - level falls by 2      likewise, or with a full queue while ahead >= level + 2
  *
- * so ahead >= level always, and the machine stands before the queue is empty or at its last tick. */
+ * so ahead >= level always, and the machine stands before the queue is empty or at its last tick.
+ *
+ * A span that the tick does not prepare itself counts for nothing until it is prepared. */
 static void steer(loft_drive *d, bool ended)
 {
     const uint32_t need = (uint32_t)loft_pace_distance(&d->pace) + LOFT_DRIVE_MARGIN;
@@ -225,6 +218,8 @@ static void steer(loft_drive *d, bool ended)
         starved = true;
     else if (d->ahead > 2 * need)
         starved = false;
+    if (!LOFT_MACHINE_TICK_PREPARES && d->left <= need && unprepared(d))
+        starved = true;
     d->starved = starved;
 
     const uint8_t aim = starved || d->hold || d->abort ? 0 : d->percent;
@@ -254,27 +249,33 @@ static void stand(loft_drive *d, bool ended)
         d->state = d->hold ? LOFT_STATE_HELD : LOFT_STATE_RUNNING;
 }
 
-static bool walk_item(loft_forward *walk, const loft_item *item, const int32_t from[LOFT_AXES])
+/* Any coordinates and 1..LOFT_SPAN_TICKS_MAX ticks are within the ranges of the walk. */
+static void walk_item(loft_drive_walk *walk, const volatile loft_item *item, const volatile int32_t from[LOFT_AXES])
 {
-    loft_span span;
+    loft_powers powers;
 
-    loft_item_span(item, from, &span);
-    return loft_span_walk(walk, &span) == LOFT_OK;
+    loft_powers_init(&powers, 3, item->ticks);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        loft_real p[4];
+        p[0] = loft_real_from_raw(from[i]);
+        for (int k = 0; k < 3; k++)
+            p[k + 1] = loft_real_from_raw(item->p[k][i]);
+        loft_walk3_init(&walk->axis[i], p, &powers);
+    }
 }
 
 /* The tick may take the item while this runs: the number tells when the walk is to be used. The tick leaves
  * walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. */
 void loft_drive_prepare(loft_drive *d)
 {
+    if (!d->active || is_ready(d) || d->kind != LOFT_SPANS)
+        return;
+    d->ready = 0;
     const uint8_t number = d->item;
-    int32_t from[LOFT_AXES];
-    loft_item item;
-
-    if (!d->active || d->ready || d->kind != LOFT_SPANS || !loft_queue_peek(&d->queue, &item))
+    const volatile loft_item *item = loft_queue_peek(&d->queue);
+    if (!item)
         return;
-    copy(from, d->from);
-    if (!walk_item(&d->walk[!d->which], &item, from))
-        return;
+    walk_item(&d->walk[!d->which], item, d->from);
     LOFT_BARRIER();
     d->ready_item = number;
     d->ready = 1;
@@ -283,37 +284,34 @@ void loft_drive_prepare(loft_drive *d)
 /* Take the next item, of which there is one: it was counted in `ahead`. */
 static bool next_item(loft_drive *d)
 {
-    const bool ready = d->ready && d->ready_item == d->item;
-    int32_t from[LOFT_AXES];
-    loft_item item;
+    const volatile loft_item *item = loft_queue_first(&d->queue);
 
-    if (!loft_queue_poll(&d->queue, &item))
+    if (!item)
         return false;
-    LOFT_BARRIER();
-    copy(from, d->from);
+    const bool ready = is_ready(d);
     d->item++;
     if (ready)
         d->which ^= 1;
-    else if (d->kind == LOFT_SPANS && !walk_item(&d->walk[d->which], &item, from))
-        return false;
+    else if (LOFT_MACHINE_TICK_PREPARES && d->kind == LOFT_SPANS)
+        walk_item(&d->walk[d->which], item, d->from);
     d->ready = 0;
-    copy(d->from, item.p[2]);
-    d->left = item.ticks;
-    return true;
+    copy(d->from, item->p[2]);
+    d->left = item->ticks;
+    return loft_queue_poll(&d->queue);
 }
 
 static bool next_target(loft_drive *d)
 {
-    loft_vec mm;
-
     if (d->left == 0 && !next_item(d))
         return false;
-    if (d->kind == LOFT_POINTS)
-        copy(d->target, d->from);
-    else if (loft_forward_next(&d->walk[d->which], &mm))
-        steps_of(d, mm, d->target);
     d->left--;
     d->ahead--;
+    if (d->kind == LOFT_POINTS) {
+        copy(d->target, d->from);
+        return true;
+    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        d->target[i] = loft_steps_of(loft_walk3_step(&d->walk[d->which].axis[i], d->left == 0), d->steps_per_mm[i]);
     return true;
 }
 
@@ -322,9 +320,17 @@ void loft_drive_next(loft_drive *d)
     const bool ended = d->ended;        /* before the queue is looked at: what was pushed before it is seen */
 
     count_ticks(d);
-    for (int i = 0; i < LOOKS; i++)
-        d->ahead += loft_queue_look(&d->queue);
+    for (uint8_t looks = 0; looks < LOOKS; looks++) {
+        const uint16_t ticks = loft_queue_look(&d->queue);
+        if (ticks == 0)
+            break;
+        d->ahead += ticks;
+    }
     steer(d, ended);
+    if (!LOFT_MACHINE_TICK_PREPARES && d->left == 0 && d->ahead && unprepared(d)) {
+        d->slowed += loft_step_done(&d->step) && loft_pace_distance(&d->pace);
+        return;
+    }
 
     const uint16_t slots = d->ahead ? loft_pace_next(&d->pace) : 0;
     if (slots == 0) {
@@ -347,9 +353,5 @@ void loft_drive_next(loft_drive *d)
 
 loft_pins loft_drive_slot(loft_drive *d)
 {
-    if (d->active && ++d->slot >= d->slots) {
-        d->slot = 0;
-        d->elapsed++;
-    }
-    return loft_step_next(&d->step);
+    return loft_drive_pins(d);
 }

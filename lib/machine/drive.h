@@ -18,6 +18,7 @@
 #include "machine/queue.h"  /* loft_queue, loft_item               */
 #include "motion/pace.h"    /* loft_pace                           */
 #include "motion/step.h"    /* loft_step                           */
+#include "num/walk.h"       /* loft_walk3                          */
 #include "wire/message.h"   /* enum loft_state, enum loft_kind     */
 
 #define LOFT_DRIVE_MARGIN 2     /* ticks */
@@ -43,6 +44,11 @@ typedef struct {
     bool     starved;                   /* the pace is down because the queue ran low                        */
 } loft_drive_report;
 
+/* The walk of a span. */
+typedef struct {
+    loft_walk3 axis[LOFT_AXES];
+} loft_drive_walk;
+
 /* Complete so that it can be static; the fields may change without notice. */
 typedef struct {
     loft_step  step;                    /* slot and tick                                                     */
@@ -51,7 +57,7 @@ typedef struct {
 
     loft_pace    pace;                  /* tick                                                              */
     loft_queue   queue;                 /* tick and main loop                                                */
-    loft_forward walk[2];               /* of this item and, when it is ready, of the next one               */
+    loft_drive_walk walk[2];            /* of this item and, when it is ready, of the next one               */
     uint8_t      which;                 /* walk[which] is being walked                                       */
     volatile uint8_t ready, ready_item; /* main loop: walk[!which] is prepared, for this item                */
     volatile uint8_t item;              /* number of the item that is taken next, modulo 256                 */
@@ -109,8 +115,8 @@ void loft_drive_override(loft_drive *d, unsigned percent);
 /* The job is over and its report read: LOFT_STATE_IDLE. Nothing happens while a job is under way. */
 void loft_drive_close(loft_drive *d);
 
-/* Prepare the walk of the next span, if that is not done: some 25000 cycles per axis on an AVR, which loft_drive_tick
- * would have to spend at the beginning of the span. Call it now and then; nothing else depends on it. */
+/* Prepare the walk of the next span, if that is not done: 20,000 cycles on an AVR with three axes, which loft_drive_tick would
+ * have to spend at the beginning of the span, or for which it waits: see LOFT_MACHINE_TICK_PREPARES. Call it again and again. */
 void loft_drive_prepare(loft_drive *d);
 
 /* How things stand; when state is DONE or ABORTED, all of it is final. */
@@ -125,8 +131,8 @@ void loft_drive_next(loft_drive *d);
 
 /* Make the next tick if there is room for it. Call it behind every slot, or at least once per tick.
  *
- *   cost    when there is room: loft_forward_next, LOFT_AXES products and loft_step_load; while the pace changes,
- *           loft_pace_next; with a new span that loft_drive_prepare has not prepared, loft_span_walk */
+ *   cost    when there is room: LOFT_AXES steps of a walk, LOFT_AXES products and loft_step_load; while the pace changes,
+ *           loft_pace_next; with a new span that loft_drive_prepare has not prepared, that too */
 static inline void loft_drive_tick(loft_drive *d)
 {
     if (d->active && loft_step_room(&d->step))
@@ -137,5 +143,15 @@ static inline void loft_drive_tick(loft_drive *d)
  *
  *   cost    loft_step_next and a 16-bit count */
 loft_pins loft_drive_slot(loft_drive *d);
+
+/* The same inline, for an interrupt that is not to save more registers than it uses. */
+static inline loft_pins loft_drive_pins(loft_drive *d)
+{
+    if (d->active && ++d->slot >= d->slots) {
+        d->slot = 0;
+        d->elapsed++;
+    }
+    return loft_step_slot(&d->step);
+}
 
 #endif

@@ -44,7 +44,7 @@ enum loft_status loft_queue_push(loft_queue *q, const loft_item *item)
     return LOFT_OK;
 }
 
-bool loft_queue_peek(const loft_queue *q, loft_item *out)
+const volatile loft_item *loft_queue_peek(const loft_queue *q)
 {
     uint16_t once, tail = q->tail;
 
@@ -52,10 +52,7 @@ bool loft_queue_peek(const loft_queue *q, loft_item *out)
         once = tail;
         tail = q->tail;
     } while (once != tail);
-    if (!q->cell[tail].full)
-        return false;
-    *out = q->cell[tail].item;
-    return true;
+    return q->cell[tail].full ? &q->cell[tail].item : NULL;
 }
 
 uint16_t loft_queue_look(loft_queue *q)
@@ -68,11 +65,10 @@ uint16_t loft_queue_look(loft_queue *q)
     return ticks;
 }
 
-bool loft_queue_poll(loft_queue *q, loft_item *out)
+bool loft_queue_poll(loft_queue *q)
 {
     if (q->looked == 0)
         return false;
-    *out = q->cell[q->tail].item;
     q->cell[q->tail].full = 0;
     q->tail = after(q, q->tail);
     q->looked--;

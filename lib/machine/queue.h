@@ -49,9 +49,9 @@ enum loft_status loft_queue_push(loft_queue *q, const loft_item *item) LOFT_CHEC
 /* Items that can be appended now. */
 uint16_t loft_queue_room(loft_queue *q);
 
-/* Copy the oldest item without taking it; false if there is none. The consumer may take it meanwhile, it is then the copy
- * of an item that is gone: ask the consumer's count before and after. */
-bool loft_queue_peek(const loft_queue *q, loft_item *out);
+/* The oldest item, or NULL. It stays as it is until the producer appends the next one, but the consumer may take it meanwhile:
+ * ask the consumer's count before and after. */
+const volatile loft_item *loft_queue_peek(const loft_queue *q);
 
 
 // Consumer
@@ -60,8 +60,14 @@ bool loft_queue_peek(const loft_queue *q, loft_item *out);
 /* Look at the oldest item that was not looked at: gives its ticks, or 0 if there is none. */
 uint16_t loft_queue_look(loft_queue *q);
 
+/* The oldest item that was looked at, or NULL; it stays as it is until loft_queue_poll. */
+static inline const volatile loft_item *loft_queue_first(const loft_queue *q)
+{
+    return q->looked ? &q->cell[q->tail].item : NULL;
+}
+
 /* Take the oldest item out. Returns false if there is none that was looked at. */
-bool loft_queue_poll(loft_queue *q, loft_item *out);
+bool loft_queue_poll(loft_queue *q);
 
 /* Does every cell hold an item that was looked at? */
 static inline bool loft_queue_full(const loft_queue *q)     { return q->looked == q->count; }

@@ -9,11 +9,11 @@
  *
  * which is j c / n rounded to nearest: n * pulses lies in j c + h - n + 1 .. j c + h, so pulses - j c / n lies within
  * -(n - 1 - h) / n .. h / n, and both ends are at most 1/2 in size. After slot n it is c + floor(h / n) = c.
- * The remainder (j c + h) mod n is `error`; each slot
+ * The remainder (j c + h) mod n, less n and modulo 2^16, is `error`, so that a pulse is due when a 16-bit sum wraps; each slot
  *
- *     error += c;   if (error >= n) { error -= n; pulse }
+ *     error += c;   if (it has wrapped) { error -= n; pulse }
  *
- * Room: error < n and c <= n <= 32767, so the sum stays below 2^16.
+ * Room: the remainder is below n and c <= n <= 32767, so a sum wraps once at most.
  *
  * Direction: the bits of a tick are put out in its first slot. An axis that turns must not pulse in that slot,
  * which it would do when h + c >= n; then the tick gets one slot in front for the direction alone (`lead`), for all
@@ -25,12 +25,9 @@ enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
         if (position[i] < -LOFT_STEP_REACH || position[i] > LOFT_STEP_REACH)
             return LOFT_ERR_RANGE;
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        s->axis[i].position = s->target[i] = position[i];
-        s->axis[i].count = s->axis[i].error = 0;
-    }
-    s->slots = 1;
-    s->left = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        s->position[i] = s->target[i] = position[i];
+    s->which = 0;
     s->busy = 0;
     s->dir = s->target_dir = 0;
     s->changes = 0;
@@ -41,6 +38,7 @@ enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
 /* The difference of two positions has at most 32 bits: 2^30 + 2^30 = 2^31, taken as unsigned. */
 uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t slots)
 {
+    volatile loft_step_tick *t = &s->tick[!s->which];       /* which the slot leaves alone until `full` */
     uint8_t dir = s->target_dir, turned = 0;
     bool lead = false;
 
@@ -56,74 +54,25 @@ uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t 
         }
         if (count > slots)
             slots = (uint16_t)count;
-        s->tick.count[i] = (uint16_t)count;
+        t->axis[i].count = (uint16_t)count;
         s->target[i] = target[i];
     }
-    for (int i = 0; i < LOFT_AXES; i++)
-        if ((turned & (1u << i)) && slots / 2u + s->tick.count[i] >= slots)
+    const uint16_t half = (uint16_t)(slots / 2u), error = (uint16_t)(half - slots);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        t->axis[i].error = error;
+        if ((turned & (1u << i)) && (uint16_t)(half + t->axis[i].count) >= slots)
             lead = true;
-
-    s->tick.slots = slots;
-    s->tick.dir = s->target_dir = dir;
-    s->tick.lead = lead;
+    }
+    t->slots = t->left = slots;
+    t->dir = s->target_dir = dir;
+    t->lead = lead;
     s->full = 1;
     return (uint16_t)(slots + lead);
 }
 
-#define ALL_AXES (1u << LOFT_AXES)
-
-static void take_tick(loft_step *s)
-{
-    const uint16_t slots = s->tick.slots;
-
-    for (int i = 0; i < LOFT_AXES; i++) {
-        s->axis[i].count = s->tick.count[i];
-        s->axis[i].error = (uint16_t)(slots / 2u);
-    }
-    s->slots = slots;
-    s->left = slots;
-    s->busy = 1;
-    s->dir = s->tick.dir;
-    s->full = 0;
-}
-
 loft_pins loft_step_next(loft_step *s)
 {
-    loft_pins pins = { 0, 0 };
-
-    if (s->left == 0 && s->full) {
-        const bool lead = s->tick.lead;
-        take_tick(s);
-        pins.dir = s->dir;
-        if (lead)
-            return pins;
-    }
-    pins.dir = s->dir;
-    if (s->left == 0)
-        return pins;
-
-    const uint16_t slots = s->slots;
-    loft_step_axis *axis = s->axis;
-    uint8_t bit = 1;
-    do {
-        uint16_t error = (uint16_t)(axis->error + axis->count);
-        if (error >= slots) {
-            error = (uint16_t)(error - slots);
-            pins.step |= bit;
-            if (pins.dir & bit)
-                axis->position--;
-            else
-                axis->position++;
-        }
-        axis->error = error;
-        axis++;
-        bit = (uint8_t)(bit << 1);
-    } while (bit != ALL_AXES);
-    if (pins.step)
-        s->changes++;
-    if (--s->left == 0)
-        s->busy = 0;
-    return pins;
+    return loft_step_slot(s);
 }
 
 void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES])
@@ -133,7 +82,7 @@ void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES])
     do {
         changes = s->changes;
         for (int i = 0; i < LOFT_AXES; i++)
-            position[i] = s->axis[i].position;
+            position[i] = s->position[i];
     } while (changes != s->changes);
 }
 
