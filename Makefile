@@ -165,22 +165,31 @@ deps-bench:
 ## Install the cross compilers and the emulators that check-cross, check-target and size need
 .PHONY: deps-target
 deps-target:
-	@sh tests/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc gcc-riscv64-unknown-elf simavr qemu-system-arm
+	@sh tests/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc gcc-riscv64-unknown-elf simavr libsimavr-dev libelf-dev qemu-system-arm
 
 ## Compile lib/ for Cortex-M0+, M4, ATmega328P and rv32imac; no writable data, no libc, no slow helper in an interrupt
 .PHONY: check-cross
 check-cross: lib/names.h
 	@sh tests/cross.sh
 
-## Run arithmetic, curves and grids on an emulated ATmega328P and Cortex-M0: the same, bit for bit, as here
+## Check the firmware on emulated chips: arithmetic bit for bit as here, whole jobs, pulses, timing
 .PHONY: check-target
 check-target: lib/names.h
+	@MAKE="$(MAKE)" bash tests/check.sh $(TARGET_STAGES)
+
+## Run arithmetic, curves and grids on an emulated ATmega328P and Cortex-M0: the same, bit for bit, as here
+.PHONY: check-sums
+check-sums: lib/names.h
 	@sh tests/target.sh
 
 ## Print text and worst stack of each module for the same cores   NUM=q16|f32|f64  AXES=1..6
 .PHONY: size
 size: lib/names.h
 	@sh tests/size.sh $(NUM) $(AXES)
+
+# --- firmware: each port brings its own rules, and what check-target is to run of it -------------------
+TARGET_STAGES := check-sums
+include $(sort $(wildcard ports/*/port.mk))
 
 # --- make bench: build/bench/bench<axes>, with each of AGG, GSL and cairo that pkg-config finds --------
 BENCH_LIBS := $(foreach l,gsl cairo $(if $(shell command -v $(CXX)),libagg),$(shell pkg-config --exists $(l) 2>/dev/null && echo $(l)))

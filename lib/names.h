@@ -502,6 +502,7 @@
 #define loft_walk2_admits          LOFT_NAME(loft_walk2_admits)
 #define loft_walk2_init            LOFT_NAME(loft_walk2_init)
 #define loft_walk2_step            LOFT_NAME(loft_walk2_step)
+#define loft_walk3_init            LOFT_NAME(loft_walk3_init)
 #define loft_walk_accepts          LOFT_NAME(loft_walk_accepts)
 #define loft_walk_admits           LOFT_NAME(loft_walk_admits)
 #define loft_walk_coarsest         LOFT_NAME(loft_walk_coarsest)
@@ -511,6 +512,7 @@
 #define loft_walk_init             LOFT_NAME(loft_walk_init)
 #define loft_walk_powers           LOFT_NAME(loft_walk_powers)
 #define loft_walk_run              LOFT_NAME(loft_walk_run)
+#define loft_walk_start            LOFT_NAME(loft_walk_start)
 #define loft_welcome_decode        LOFT_NAME(loft_welcome_decode)
 #define loft_welcome_encode        LOFT_NAME(loft_welcome_encode)
 

@@ -32,7 +32,6 @@ static bool plan_in(uint16_t moves, uint16_t most_pieces, arb *piecemeal)
         CHECK(status == LOFT_OK);
         if (next == curves || (piecemeal && arb_below(piecemeal, 4) == 0))
             loft_plan_end(&plan);
-        state = LOFT_PLAN_WAIT;
         for (unsigned n = piecemeal ? arb_below(piecemeal, 9) : SPANS; n > 0 && count < SPANS; n--)
             if ((state = loft_plan_next(&plan, &spans[count])) != LOFT_PLAN_SPAN)
                 break;

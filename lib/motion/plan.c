@@ -98,22 +98,6 @@ void loft_plan_end(loft_plan *plan)
 /* Samples
  * ------- */
 
-/* Cut the piece that is sampled, a joint as the smallest part that begins there. */
-static void cut_piece(loft_plan *plan, const loft_plan_piece *p)
-{
-    const loft_course *c = &plan->law.course;
-    const uint16_t number = loft_course_number(c, p);
-
-    if (plan->cut && plan->number == number && plan->from == p->from && plan->to == p->to)
-        return;
-    loft_arc_from(&plan->whole, &c->moves[p->move].curve);
-    loft_arc_cut(&plan->arc, &plan->whole, p->from, p->length > 0 ? p->to : p->from + 1);
-    plan->cut    = true;
-    plan->number = number;
-    plan->from   = p->from;
-    plan->to     = p->to;
-}
-
 /* The place of the law on the path. */
 static void push_place(loft_plan *plan)
 {
@@ -122,14 +106,19 @@ static void push_place(loft_plan *plan)
     const loft_acc   off = loft_acc_ratio(plan->law.mean, plan->law.beats);
     loft_acc point[LOFT_AXES];
 
-    if (p->length > 0 && p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length)) {
-        push_vec(plan, c->moves[p->move].curve.p[3]);
+    if (!(p->length > 0) || (p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length))) {
+        push_vec(plan, p->length > 0 ? c->moves[p->move].curve.p[3] : plan->at);
         return;
     }
-    cut_piece(plan, p);
-    if (p->length > 0)
-        loft_arc_eval(&plan->arc, off < plan->arc.length ? off : plan->arc.length, point);
-    push(plan, p->length > 0 ? point : plan->arc.p[0]);
+    if (!plan->cut || plan->number != loft_course_number(c, p) || plan->from != p->from) {
+        loft_arc_from(&plan->whole, &c->moves[p->move].curve);
+        loft_arc_cut(&plan->arc, &plan->whole, p->from, p->to);
+        plan->cut    = true;
+        plan->number = loft_course_number(c, p);
+        plan->from   = p->from;
+    }
+    loft_arc_eval(&plan->arc, off < plan->arc.length ? off : plan->arc.length, point);
+    push(plan, point);
 }
 
 /* Do the last three samples lie on the end? */

@@ -37,7 +37,7 @@
 typedef struct {
     loft_law law;
     loft_arc whole, arc;                                /* the curve and the piece that are sampled   */
-    uint32_t from, to;
+    uint32_t from;
     uint16_t number;
     bool     cut;                                       /* do `whole`, `arc` belong to them?          */
     bool     begun;

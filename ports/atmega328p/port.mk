@@ -1,0 +1,57 @@
+# ports/atmega328p/port.mk -- build, measure and flash the firmware
+# SPDX-License-Identifier: MIT
+AVR_BAUD  ?= 115200
+AVR_SLOTS ?= 40
+AVR_MAX    = 30720 1600             # bytes of flash, and of RAM without the stack
+AVR_FLAGS  = -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -ffreestanding -ffunction-sections -fdata-sections $(WARN) \
+             -Ilib -Iports $(call num_flag,q16) -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_BAUD=$(AVR_BAUD) -DLOFT_SLOTS=$(AVR_SLOTS)
+AVR_DIR   ?= build/firmware/atmega328p
+AVR_OBJ    = $(patsubst %.c,$(AVR_DIR)/%.o,$(wildcard $(addsuffix /*.c,lib/num lib/geom lib/motion lib/wire lib/machine)))
+
+$(AVR_DIR)/lib/%.o: lib/%.c $(LIB_HDR)
+	@mkdir -p $(@D)
+	$(SAY) "  CC  $@"
+	$(Q)avr-gcc $(AVR_FLAGS) -Os -c $< -o $@
+
+# the slot interrupt is worth some flash
+$(AVR_DIR)/port.o: ports/atmega328p/port.c ports/port.h $(LIB_HDR)
+	@mkdir -p $(@D)
+	$(SAY) "  CC  $@"
+	$(Q)avr-gcc $(AVR_FLAGS) -O2 -funroll-loops -c $< -o $@
+
+$(AVR_DIR)/loft.elf: $(AVR_DIR)/port.o $(AVR_OBJ)
+	$(SAY) "  LD  $@"
+	$(Q)avr-gcc -mmcu=atmega328p -Os -Wl,--gc-sections $^ -o $@
+$(AVR_DIR)/loft.hex: $(AVR_DIR)/loft.elf
+	$(Q)avr-objcopy -O ihex -R .eeprom $< $@
+
+## Build build/firmware/atmega328p/loft.hex for an Arduino Uno with CNC shield   AVR_BAUD=250000|1000000  AVR_SLOTS=40
+.PHONY: firmware-atmega328p
+firmware-atmega328p: $(AVR_DIR)/loft.hex
+	@avr-size $(AVR_DIR)/loft.elf | awk -v most="$(AVR_MAX)" 'NR == 2 { split(most, m, " "); \
+	    printf "atmega328p: %d bytes of flash (at most %d), %d of RAM without the stack (at most %d)\n", $$1 + $$2, m[1], $$2 + $$3, m[2]; \
+	    exit $$1 + $$2 > m[1] || $$2 + $$3 > m[2] }'
+
+## Write it to a board with avrdude   PORT=/dev/ttyUSB0  FLASH_BAUD=115200
+.PHONY: flash-atmega328p
+flash-atmega328p: firmware-atmega328p
+	@command -v avrdude >/dev/null || { echo "avrdude is missing: apt install avrdude"; exit 1; }
+	@test -n "$(PORT)" || { echo "name the board's port: make $@ PORT=/dev/ttyUSB0"; exit 1; }
+	avrdude -p atmega328p -c arduino -P $(PORT) -b $(or $(FLASH_BAUD),115200) -D -U flash:w:$(AVR_DIR)/loft.hex:i
+
+# --- the emulated chip -------------------------------------------------------------------------------
+CHIP_SRC = $(wildcard tests/target/avr_*.c) ports/host/line.c ports/host/record.c
+build/target/chip: $(CHIP_SRC) $(wildcard tests/target/avr_*.h) build/q16x3/libloft.a
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) -Iports -Itests/target -isystem /usr/include/simavr $(call num_flag,q16) $(CHIP_SRC) build/q16x3/libloft.a \
+	    -lsimavr -lm -o $@
+build/target/rate: tests/target/rate.c build/q16x3/libloft.a
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) $(call num_flag,q16) $^ -lm -o $@
+
+## Run whole jobs on an emulated ATmega328P, cycle by cycle: pulses, timing, limits
+.PHONY: check-atmega328p
+check-atmega328p: firmware-atmega328p build/target/chip build/target/rate $(TOOL_OUT)/loft
+	@bash tests/target/avr.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target

@@ -1,0 +1,55 @@
+/* tests/target/meter.h -- what an emulated chip takes and gives: cycles of its interrupts, edges of its pins
+ * SPDX-License-Identifier: MIT
+ *
+ * Each cycle belongs to the innermost of the contexts that are under way: an interrupt that is itself interrupted
+ * does not count the other's.
+ */
+#ifndef TARGET_METER_H
+#define TARGET_METER_H
+
+#include <simavr/sim_avr.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "host/record.h"    /* struct host_record */
+
+enum { MAIN, SLOT, TICK, RECEIVE, CONTEXTS };
+
+struct meter_context {
+    uint64_t cycles, calls;
+    uint32_t most;
+};
+
+struct meter {
+    avr_t *avr;
+    uint32_t tick_pc;                               /* where the tick begins                                */
+    struct meter_context context[CONTEXTS];
+    struct { uint8_t kind; uint16_t sp; uint32_t own; } nest[8];
+    uint8_t depth;
+    uint16_t deepest;                               /* the lowest stack pointer                             */
+    uint32_t *profile;                              /* cycles per flash word, or NULL                       */
+
+    bool armed;                                     /* the slots are counted from the first one             */
+    uint64_t slot_first, slot_last, slot_late;      /* cycles                                               */
+    uint32_t period;                                /* of the slots, in cycles                              */
+
+    struct host_record record;
+    uint8_t port, step, dir;                        /* PORTD; pulses since `when`, their directions         */
+    uint64_t when, rose[3], turned[3], last[3];
+    uint64_t pulse_least, pulse_most, setup_least, hold_least, between_least;
+    uint64_t pulses[3];
+};
+
+/* Watch the pins of `avr`; `tick_pc` is the address of the function that the slot calls for a tick. */
+void meter_init(struct meter *m, avr_t *avr, uint32_t tick_pc);
+
+/* Run one instruction. */
+void meter_run(struct meter *m);
+
+/* Write down the last pulses. */
+void meter_flush(struct meter *m);
+
+/* Slots that should have begun and did not. */
+uint64_t meter_missed(const struct meter *m);
+
+#endif
