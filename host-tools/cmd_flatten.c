@@ -6,7 +6,7 @@
 
 #include "num/status.h"     /* LOFT_ERR_RANGE */
 
-#include "piece.h"          /* piece_cubics */
+#include "piece.h"
 #include "print.h"
 #include "source.h"         /* source_name */
 #include "tool.h"
@@ -26,8 +26,8 @@ static void chords(void *context, double p[4][CURVE_AXES])
         f->status = f->p.e->flatten((const double (*)[ENGINE_AXES])p, f->within, print_point, &f->p);
 }
 
-/* Cubics are flattened as they are. Others become cubics first: at most a quarter of the tolerance goes there, and half
- * an LSB per axis to the rounding of their control points. */
+/* Cubics are flattened as they are. Others become cubics first: lines and quadratics lose half an LSB per axis to the
+ * rounding of their control points, and for the rest a quarter of the tolerance goes there, or what the library asks. */
 static int flatten(void *context, const curve *c, engine_curve *held)
 {
     flattening *f = context;
@@ -35,16 +35,15 @@ static int flatten(void *context, const curve *c, engine_curve *held)
 
     f->status = 0;
     for (unsigned i = 0; i < e->curve->pieces(held) && f->status == 0; i++) {
-        double largest = 0;
         piece s;
         f->status = e->curve->piece(held, i, &s);
-        for (unsigned k = 0; f->status == 0 && k < (s.degree + 1) * CURVE_AXES; k++)
-            largest = fmax(largest, fabs(s.p[k / CURVE_AXES][k % CURVE_AXES]));
+        if (f->status != 0)
+            break;
         const bool same  = s.degree == 3 && c->kind == CURVE_BEZIER, polynomial = s.degree <= 3 && !curve_is_rational(c);
-        const double lsb = e->fixed ? e->lsb : e->lsb * largest;
-        f->within = f->tol - (same ? 0 : 0.87 * lsb) - (polynomial ? 0 : f->tol / 4);
-        if (f->status == 0 && (f->within <= 0 || !piece_cubics(&s, f->tol / 4, chords, f)))
-            return LOFT_ERR_RANGE;
+        const double finest = engine_finest(e, &s), share = fmax(f->tol / 4, finest);
+        f->within = f->tol - (same ? 0 : polynomial ? 0.22 * finest : share);
+        const int status = f->within > 0 ? e->piece->cubics(&s, share, chords, f) : LOFT_ERR_RANGE;
+        f->status = f->status == 0 ? status : f->status;
     }
     return f->status;
 }

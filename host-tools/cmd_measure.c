@@ -81,6 +81,12 @@ static void add_length(void *context, double p[4][CURVE_AXES])
     s->sum += length;
 }
 
+/* Of the tolerance, for cubics in place of an element. */
+static double share_of(const measuring *m, const element *x)
+{
+    return fmax(FINE * m->tol, engine_finest(m->p.e, &x->p));
+}
+
 static void widen(double box[2][ENGINE_AXES], const double other[2][ENGINE_AXES], bool first)
 {
     for (int i = 0; i < ENGINE_AXES; i++) {
@@ -106,8 +112,8 @@ static int size_of_curve(const measuring *m, size_t first, size_t last, double *
         const element *x = &m->list.element[i];
         engine_shape shape;
         int status = m->p.e->piece->shape(&x->p, &shape);
-        if (status == 0 && !piece_cubics(&x->p, FINE * m->tol, add_length, &s))
-            status = LOFT_ERR_RANGE;
+        if (status == 0)
+            status = m->p.e->piece->cubics(&x->p, share_of(m, x), add_length, &s);
         if (status != 0 || s.status != 0)
             return element_error(x, engine_status(status ? status : s.status));
         widen(box, (const double (*)[ENGINE_AXES])shape.box, i == first);
@@ -311,6 +317,7 @@ static int print_joins(const measuring *m)
 
 typedef struct {
     const measuring *m;
+    double tol;
     int status;
 } offsetting;
 
@@ -332,7 +339,7 @@ static void offset_cubic(void *context, double p[4][CURVE_AXES])
     const measuring *m = o->m;
 
     if (o->status == 0)
-        o->status = m->p.e->measure->offset((const double (*)[CURVE_AXES])p, m->distance, m->tol * 0.9, print_span, o);
+        o->status = m->p.e->measure->offset((const double (*)[CURVE_AXES])p, m->distance, o->tol, print_span, o);
 }
 
 static int print_offset(const measuring *m)
@@ -341,15 +348,17 @@ static int print_offset(const measuring *m)
 
     for (size_t i = 0; i < m->list.count; i++) {
         const element *x = &m->list.element[i];
-        offsetting o = { m, 0 };
+        const double share = share_of(m, x);
+        offsetting o = { m, x->p.degree == 3 ? 0.9 * m->tol : fmin(0.9 * m->tol, m->tol - share), 0 };
         if (x->number != number) {
             printf("# %.9g mm to the %s of ", fabs(m->distance), m->distance < 0 ? "right" : "left");
             print_name(x);
             putchar('\n');
             number = x->number;
         }
-        if (!piece_cubics(&x->p, FINE * m->tol, offset_cubic, &o))
-            o.status = LOFT_ERR_RANGE;
+        const int status = o.tol > 0 ? m->p.e->piece->cubics(&x->p, share, offset_cubic, &o) : LOFT_ERR_RANGE;
+        if (o.status == 0)
+            o.status = status;
         if (o.status != 0 && o.status != LOFT_SINGULAR)     /* a point has nothing beside it */
             return element_error(x, engine_status(o.status));
     }
@@ -372,7 +381,7 @@ static int read_all(measuring *m, curves all[], int argc, char **argv, const cha
     for (int i = 0; i < argc && code == 0; i++) {
         code = curves_read(&all[i], argv[i], text);
         if (code == 0)
-            code = elements_add(&m->list, m->p.e, &all[i], text ? "--points" : source_name(argv[i]), FINE * m->tol);
+            code = elements_add(&m->list, m->p.e, &all[i], text ? "--points" : source_name(argv[i]), m->tol);
     }
     m->p.solid = m->list.solid;
     return code;
@@ -433,6 +442,6 @@ const tool_command command_measure = {
     "curvature) of each curve and the next; alpha and eta of G2. --offset: the path of a tool's centre beside the curves, in\n"
     "the plane of x and y, as cubics in .loft, which all commands read; where it would cut into the curve it is left out,\n"
     "corners between curves are not joined. Curves with weights, and for length and offset those above degree 3, are\n"
-    "made cubics within a hundredth of the tolerance first.\n",
+    "made cubics within a hundredth of the tolerance first, or what the number type can hold.\n",
     run
 };

@@ -8,8 +8,8 @@
 
 #include "curve.h"
 #include "drawing.h"
-#include "engine.h"     /* engine_f64: pieces of a curve */
-#include "piece.h"      /* piece_cubics */
+#include "engine.h"     /* engine_f64: pieces of a curve, and cubics */
+#include "piece.h"
 #include "tool.h"       /* tool_error, sysexits */
 
 #define DRAWING_TOL 1e-4     /* mm */
@@ -47,9 +47,8 @@ static int draw_curve(pen *out)
     for (unsigned i = 0; i < make->pieces(held) && out->code == 0 && status == 0; i++) {
         piece p;
         status = make->piece(held, i, &p);
-        if (status == 0 && !piece_cubics(&p, DRAWING_TOL, draw, out) && out->code == 0)
-            out->code = tool_error(EX_DATAERR, "%s:%u: %s: too sharp for cubics: give weights that differ less", out->file, out->c->line,
-                                   curve_name(out->c->kind));
+        if (status == 0)
+            status = engine_f64.piece->cubics(&p, DRAWING_TOL, draw, out);
     }
     make->close(held);
     if (status != 0)

@@ -6,8 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "num/status.h"     /* LOFT_ERR_RANGE */
+
 #include "element.h"
 #include "tool.h"       /* tool_error, tool_grow, sysexits */
+
+#define FINE 0.01       /* of the tolerance, for cubics in place of a piece with weights */
 
 int element_error(const element *x, const char *words)
 {
@@ -73,12 +77,11 @@ static int add_curve(elements *list, const engine *e, const curve *c, const char
         set_range(&cut.x, i, pieces);
         cut.x.exact = !piece_is_rational(whole);
         cut.x.p = *whole;
+        const double share = fmax(FINE * tol, engine_finest(e, whole));
         if (cut.x.exact)
             append(list, &cut.x);
-        else if (!piece_cubics(whole, tol, add_cubic, &cut)) {
-            e->curve->close(held);
-            return element_error(&cut.x, "too sharp for cubics: give weights that differ less");
-        }
+        else
+            status = share <= tol / 2 ? e->piece->cubics(whole, share, add_cubic, &cut) : LOFT_ERR_RANGE;
     }
     e->curve->close(held);
     return status == 0 ? 0 : element_error(&cut.x, engine_status(status));

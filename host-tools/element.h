@@ -1,7 +1,8 @@
 /* host-tools/element.h -- the curves of files as a list of polynomial pieces, for what measures them
  * SPDX-License-Identifier: MIT
  *
- * A piece with weights becomes cubics within a tolerance; all others are what the library makes of them in the number
+ * A piece with weights becomes cubics within a hundredth of the tolerance, or, where the number type cannot, within half
+ * of it; all others are what the library makes of them in the number
  * type of the engine. An element knows the curve it is of, and which parameter of that curve a place on it is.
  */
 #ifndef LOFT_ELEMENT_H

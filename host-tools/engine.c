@@ -6,6 +6,7 @@
 #include <float.h>
 #include <stdlib.h>
 
+#include "curve/circle.h"   /* loft_circle */
 #include "curve/measure.h"  /* loft_flatten */
 #include "motion/plan.h"    /* loft_plan */
 #include "motion/step.h"    /* loft_steps_of */
@@ -31,6 +32,30 @@ static int hold(double x, double *out)
     return LOFT_OK;
 }
 
+static int ellipse(const double from[2], const double to[2], const double radii[2], double degrees, bool large, int turns, double tol,
+                   engine_cubic_sink *sink, void *context)
+{
+    const double ends[2][ENGINE_AXES] = { { from[0], from[1] }, { to[0], to[1] } };
+    loft_circle_spans s;
+    loft_circle arc;
+    loft_cubic c;
+    loft_vec p[2];
+    loft_real r[2], angle, within;
+
+    if (!vecs_of(ends, 2, p) || !real_of(radii[0], &r[0]) || !real_of(radii[1], &r[1]) || !real_of(degrees, &angle) || !tol_of(tol, &within))
+        return LOFT_ERR_RANGE;
+    int status = loft_circle_from_ellipse(&arc, p[0], p[1], LOFT_PLANE_XY, r, angle, large, turns);
+    if (status == LOFT_OK)
+        status = loft_circle_spans_init(&s, &arc, LOFT_CIRCLE_CUBIC, within);
+    while (status == LOFT_OK && loft_circle_spans_next(&s, &c)) {
+        double out[4][ENGINE_AXES];
+        for (int k = 0; k < 4; k++)
+            point_of(c.p[k], out[k]);
+        sink(context, out);
+    }
+    return status;
+}
+
 static int flatten(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink, void *context)
 {
     double point[ENGINE_AXES];
@@ -39,7 +64,7 @@ static int flatten(const double p[4][ENGINE_AXES], double tol, engine_point_sink
     loft_cubic c;
     loft_vec at;
 
-    if (!vecs_of(p, 4, c.p) || !real_of(tol, &within))
+    if (!vecs_of(p, 4, c.p) || !tol_of(tol, &within))
         return LOFT_ERR_RANGE;
     const int status = loft_flatten_init(&f, &c, within);
     if (status != LOFT_OK)
@@ -135,6 +160,7 @@ const engine ENGINE_OF(engine) = {
     .curve   = &ENGINE_OF(engine_curves),
     .piece   = &ENGINE_OF(engine_pieces),
     .measure = &ENGINE_OF(engine_measures),
+    .ellipse = ellipse,
     .flatten = flatten,
     .plan    = plan,
     .steps   = steps

@@ -35,6 +35,7 @@ typedef struct {
 } engine_limits;
 
 typedef void engine_point_sink(void *context, const double point[ENGINE_AXES]);
+typedef void engine_cubic_sink(void *context, double p[4][ENGINE_AXES]);
 typedef void engine_span_sink(void *context, const engine_span *span);
 
 /* A curve of any kind as the library holds it. */
@@ -67,6 +68,8 @@ typedef struct {
     /* n points at equal steps, by forward differences where the library walks (to degree 5), the start not repeated. */
     int (*walk)(const struct piece *p, uint32_t n, engine_point_sink *sink, void *context);
     int (*shape)(const struct piece *p, engine_shape *out);
+    /* A chain of cubics within tol of it, ends and directions shared. */
+    int (*cubics)(const struct piece *p, double tol, engine_cubic_sink *sink, void *context);
 } engine_pieces;
 
 /* The nearest point of a piece: t in 0..1. */
@@ -113,6 +116,9 @@ typedef struct {
     const engine_curves *curve;
     const engine_pieces *piece;
     const engine_measures *measure;
+    /* The arc of an SVG path, once about at most, as cubics in the plane within tol of it; turns is 1 from x to y, or -1. */
+    int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees, bool large, int turns, double tol,
+                   engine_cubic_sink *sink, void *context);
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink, void *context);
     int (*plan)(const engine_limits *limits, const engine_move moves[], size_t count, engine_span_sink *sink, void *context);
     int32_t (*steps)(double mm, double steps_per_mm);       /* rounded as a machine of this type does it */
@@ -121,6 +127,9 @@ typedef struct {
 extern const engine engine_q16, engine_f32, engine_f64;
 
 const engine *engine_find(const char *name);    /* NULL if there is none */
+
+/* The least tolerance, or a little more, within which a piece becomes cubics. */
+double engine_finest(const engine *e, const struct piece *p);
 const char   *engine_status(int status);        /* a sentence            */
 
 #endif

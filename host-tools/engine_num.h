@@ -29,6 +29,15 @@ static inline bool real_of(double x, loft_real *out)
     return true;
 }
 
+/* A tolerance, never more than said. */
+static inline bool tol_of(double x, loft_real *out)
+{
+    if (!real_of(x, out))
+        return false;
+    *out -= (double)*out / ENGINE_ONE > x ? LOFT_REAL_LSB : 0;
+    return true;
+}
+
 static inline bool vec_of(const double point[ENGINE_AXES], loft_vec *out)
 {
     for (int i = 0; i < ENGINE_AXES; i++)

@@ -1,9 +1,10 @@
-/* host-tools/engine_piece.c -- Bezier pieces through the library: walks, and what they look like; compiled once per
- * number type
+/* host-tools/engine_piece.c -- Bezier pieces through the library: walks, cubics, and what they look like; compiled once
+ * per number type
  * SPDX-License-Identifier: MIT
  */
 #include "curve/bezier.h"           /* loft_bezier */
 #include "curve/bounds.h"           /* loft_bezier_bounds */
+#include "curve/cubics.h"           /* loft_cubics */
 #include "curve/forward.h"          /* loft_forward */
 #include "curve/rational.h"         /* loft_rational */
 #include "curve/rational_walk.h"    /* loft_rational_walk */
@@ -115,6 +116,34 @@ static int piece_walk(const piece *p, uint32_t n, engine_point_sink *sink, void 
 }
 
 
+// Cubics
+// ------
+
+static int piece_cubics(const piece *p, double tol, engine_cubic_sink *sink, void *context)
+{
+    loft_rational r;
+    loft_bezier b;
+    loft_cubics chain;
+    loft_cubic c;
+    loft_real within;
+    part s;
+    int status;
+
+    if (!part_of(p, &s) || !tol_of(tol, &within))
+        return LOFT_ERR_RANGE;
+    status = s.rational ? loft_rational_init(&r, s.weighted, s.degree) : loft_bezier_init(&b, s.p, s.degree);
+    if (status == LOFT_OK)
+        status = s.rational ? loft_rational_cubics_init(&chain, &r, within) : loft_cubics_init(&chain, &b, within);
+    while (status == LOFT_OK && loft_cubics_next(&chain, &c)) {
+        double out[4][ENGINE_AXES];
+        for (int k = 0; k < 4; k++)
+            point_of(c.p[k], out[k]);
+        sink(context, out);
+    }
+    return status;
+}
+
+
 // Shape
 // -----
 
@@ -185,6 +214,7 @@ static int piece_shape(const piece *p, engine_shape *out)
 }
 
 const engine_pieces ENGINE_OF(engine_pieces) = {
-    .walk  = piece_walk,
-    .shape = piece_shape
+    .walk   = piece_walk,
+    .shape  = piece_shape,
+    .cubics = piece_cubics
 };

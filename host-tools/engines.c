@@ -1,9 +1,11 @@
-/* host-tools/engines.c -- finding an engine by name
+/* host-tools/engines.c -- finding an engine by name, and what one can resolve
  * SPDX-License-Identifier: MIT
  */
+#include <math.h>
 #include <string.h>
 
 #include "engine.h"
+#include "piece.h"
 
 const engine *engine_find(const char *name)
 {
@@ -13,4 +15,15 @@ const engine *engine_find(const char *name)
         if (strcmp(all[i]->name, name) == 0)
             return all[i];
     return NULL;
+}
+
+/* lib/curve/cubics.h: 4 LSB, 2^-21 or 2^-39 of the largest coordinate. */
+double engine_finest(const engine *e, const piece *p)
+{
+    double largest = 0;
+
+    for (unsigned k = 0; k <= p->degree; k++)
+        for (int i = 0; i < CURVE_AXES; i++)
+            largest = fmax(largest, fabs(p->p[k][i]));
+    return e->fixed ? 4 * e->lsb : fmax(4 * e->lsb, 0x1p-39) * largest;
 }

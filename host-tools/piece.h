@@ -1,8 +1,7 @@
 /* host-tools/piece.h -- one Bezier piece of a curve, polynomial or rational, in double
  * SPDX-License-Identifier: MIT
  *
- * The library gives the pieces (engine.h); here they are seen from outside: derivatives for combs, and cubics that
- * stay within a tolerance for drawings, which know nothing else.
+ * The library gives the pieces (engine.h); here they are seen from outside: derivatives for combs.
  */
 #ifndef LOFT_PIECE_H
 #define LOFT_PIECE_H
@@ -23,11 +22,5 @@ void piece_eval(const piece *c, double t, double out[3][CURVE_AXES]);
 
 /* The curvature at t in the plane of x and y, > 0 where it turns left; false where the first derivative vanishes. */
 bool piece_bend(const piece *c, double t, double *out);
-
-typedef void piece_cubic_sink(void *context, double p[4][CURVE_AXES]);
-
-/* Cut the piece into cubics within tol of it, ends and directions shared. Polynomials to degree 3 are given as they
- * are. False if 2^20 of them are not enough. */
-bool piece_cubics(const piece *c, double tol, piece_cubic_sink *sink, void *context);
 
 #endif

@@ -4,11 +4,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "engine.h"     /* engine_f64: arcs */
 #include "svg.h"
 
 #define SAME    1e-6        /* mm; what is shorter is not drawn, ends that are nearer are one point */
 #define ARC_TOL 0.0005      /* mm; half of the promised micrometre                                  */
-#define TAU     6.283185307179586476925
 
 static void to_mm(const svg_matrix *m, double x, double y, double out[2])
 {
@@ -99,103 +99,38 @@ bool svg_close(svg_pen *pen)
 // Arcs
 // ----
 
-/* A cubic over the angle w of the unit circle with handles of 4/3 tan(w/4) leaves the circle by at most
- * 2/27 sin^6(w/4) / cos^2(w/4), outwards only (Goldapp 1991); an ellipse is an image of the circle that stretches this
- * by its larger half axis at most. The fewest pieces, each at most a quarter, that keep ARC_TOL: */
-static int arc_pieces(double angle, double radius_mm)
-{
-    int n = (int)ceil(fabs(angle) / (TAU / 4) - 1e-9);
-
-    if (n < 1)
-        n = 1;
-    for (;; n++) {
-        const double s = sin(fabs(angle) / n / 4), c = cos(fabs(angle) / n / 4);
-        if (2.0 / 27 * pow(s, 6) / (c * c) * radius_mm <= ARC_TOL)
-            return n;
-    }
-}
-
-/* An ellipse in user units as the image of the unit circle. */
 typedef struct {
-    double centre[2], from, angle;      /* of the unit circle: where the arc is on it    */
-    double rx, ry, cos, sin;
-} ellipse;
+    svg_pen *pen;
+    bool drawn;
+} arc_pen;
 
-static void on_ellipse(const ellipse *e, double u, double v, double out[2])
+static void draw_span(void *context, double p[4][ENGINE_AXES])
 {
-    const double x = e->rx * (e->centre[0] + u), y = e->ry * (e->centre[1] + v);
+    arc_pen *arc = context;
 
-    out[0] = e->cos * x - e->sin * y;
-    out[1] = e->sin * x + e->cos * y;
-}
-
-/* Find the circle through both ends in the space where the ellipse is a unit circle. Its centre lies on the
- * perpendicular through their middle, at sqrt(1/d^2 - 1/4) times their distance d; if they are further apart than the
- * diameter, the radii grow until it lies in the middle. (SVG 2, appendix B.2.4, says the same in longer formulas.) */
-static void find_centre(ellipse *e, const double from[2], const double to[2], bool large, bool sweep)
-{
-    double a[2], b[2];
-    bool grown = false;
-
-    for (;;) {
-        a[0] = ( e->cos * from[0] + e->sin * from[1]) / e->rx;
-        a[1] = (-e->sin * from[0] + e->cos * from[1]) / e->ry;
-        b[0] = ( e->cos * to[0] + e->sin * to[1]) / e->rx;
-        b[1] = (-e->sin * to[0] + e->cos * to[1]) / e->ry;
-        const double half = apart(a, b) / 2;
-        if (!(half > 1) || grown)
-            break;
-        e->rx *= half;
-        e->ry *= half;
-        grown = true;
-    }
-    const double dx = b[0] - a[0], dy = b[1] - a[1];
-    const double up = grown ? 0 : sqrt(fmax(1 / (dx * dx + dy * dy) - 0.25, 0)) * (large == sweep ? -1 : 1);
-
-    e->centre[0] = (a[0] + b[0]) / 2 - up * dy;
-    e->centre[1] = (a[1] + b[1]) / 2 + up * dx;
-    e->from  = atan2(a[1] - e->centre[1], a[0] - e->centre[0]);
-    e->angle = atan2(b[1] - e->centre[1], b[0] - e->centre[0]) - e->from;
-    if (sweep && e->angle < 0)
-        e->angle += TAU;
-    if (!sweep && e->angle > 0)
-        e->angle -= TAU;
+    arc->drawn = arc->drawn && svg_cubic(arc->pen, p[1][0], p[1][1], p[2][0], p[2][1], p[3][0], p[3][1]);
 }
 
 /* So flat that a line is within 1 nm of it? Then the centre would be too far away to be computed. */
-static bool is_flat(const ellipse *e, const double from[2], const double to[2], double stretch)
+static bool is_flat(const double radii[2], const double from[2], const double to[2], double stretch)
 {
-    const double chord = apart(from, to) / fmin(e->rx, e->ry);
+    const double chord = apart(from, to) / fmin(radii[0], radii[1]);
 
-    return chord < 1 && chord * chord / 4 * fmax(e->rx, e->ry) * stretch < SAME;
+    return chord < 1 && chord * chord / 4 * fmax(radii[0], radii[1]) * stretch < SAME;
 }
 
 bool svg_arc(svg_pen *pen, double rx, double ry, double degrees, bool large, bool sweep, double x, double y)
 {
-    const double from[2] = { pen->at[0], pen->at[1] }, to[2] = { x, y }, stretch = svg_stretch(pen->to_mm);
-    const double turn = fmod(degrees, 360) * TAU / 360;
-    ellipse e = { .rx = fabs(rx), .ry = fabs(ry), .cos = cos(turn), .sin = sin(turn) };
+    const double from[2] = { pen->at[0], pen->at[1] }, to[2] = { x, y }, radii[2] = { fabs(rx), fabs(ry) };
+    const double stretch = svg_stretch(pen->to_mm);
+    arc_pen arc = { pen, true };
 
     if (from[0] == to[0] && from[1] == to[1])
         return true;
-    if (e.rx == 0 || e.ry == 0 || (!large && is_flat(&e, from, to, stretch)))
+    if (radii[0] == 0 || radii[1] == 0 || stretch == 0 || (!large && is_flat(radii, from, to, stretch)))
         return svg_line(pen, x, y);
-    find_centre(&e, from, to, large, sweep);
-    if (!(fmax(e.rx, e.ry) * stretch <= 1e12))
-        return svg_fail(pen->r, "an arc of %g mm radius: give at most 1e12", fmax(e.rx, e.ry) * stretch);
-
-    const int n = arc_pieces(e.angle, fmax(e.rx, e.ry) * stretch);
-    const double step = e.angle / n, k = 4.0 / 3 * tan(step / 4);
-    for (int i = 0; i < n; i++) {
-        const double c0 = cos(e.from + i * step), s0 = sin(e.from + i * step);
-        const double c1 = cos(e.from + (i + 1) * step), s1 = sin(e.from + (i + 1) * step);
-        double p[3][2];
-
-        on_ellipse(&e, c0 - k * s0, s0 + k * c0, p[0]);
-        on_ellipse(&e, c1 + k * s1, s1 - k * c1, p[1]);
-        on_ellipse(&e, c1, s1, p[2]);
-        if (!svg_cubic(pen, p[0][0], p[0][1], p[1][0], p[1][1], i < n - 1 ? p[2][0] : x, i < n - 1 ? p[2][1] : y))
-            return false;
-    }
-    return true;
+    const int status = engine_f64.ellipse(from, to, radii, fmod(degrees, 360), large, sweep ? 1 : -1, ARC_TOL / stretch, draw_span, &arc);
+    if (status != 0)
+        return svg_fail(pen->r, "an arc of %g mm radius: give at most 1e11", fmax(radii[0], radii[1]) * stretch);
+    return arc.drawn;
 }

@@ -268,7 +268,7 @@ static void cubics_stay_within_their_tolerance(arb *a)
     double from[3][CURVE_AXES];
 
     piece_eval(&p, 0, from);
-    CHECK(piece_cubics(&p, c.tol, cover, &c) && c.count > 0 && (piece_is_rational(&p) || p.degree > 3 || c.count == 1));
+    CHECK(engine_f64.piece->cubics(&p, c.tol, cover, &c) == 0 && c.count > 0 && (piece_is_rational(&p) || p.degree > 3 || c.count == 1));
     CHECK_NEAR(c.far, 0, 1e-9);
     CHECK_NEAR(distance(c.end, p.p[p.degree]), 0, 1e-9);
 }
