@@ -38,10 +38,10 @@
  * of the largest coordinate and the arms are off by 2^-41.2 of it: with the above less than 2^-39. */
 #include "curve/cubics.h"
 #include "num/deep.h"   /* LOFT_PROJECT, loft_acc_project, loft_acc_weigh */
-#include "num/part.h"   /* loft_acc_part */
+#include "num/part.h"   /* loft_acc_part, loft_acc_down */
 
 #define LEVELS_MAX 31                   /* no piece is halved further: proved above  */
-#define UNIT       2048                 /* of (1)                                    */
+#define UNIT       11                   /* (1) in units of 2^11                      */
 #define ONE        LOFT_REAL(8192)      /* the weight of a polynomial's points       */
 #define ROOT       ((LOFT_AXES + 2) / 2)    /* sqrt(LOFT_AXES) at least              */
 
@@ -139,8 +139,8 @@ static loft_acc limit_of(const loft_cubics *s)
     }
     const loft_acc size = loft_acc_weigh(most, s->reach);
     const int32_t grains = ROOT * ((int32_t)s->degree * s->piece.level + 16);
-    return loft_acc_ratio(loft_acc_weigh(least, s->tol), UNIT) - loft_acc_ratio(grains * loft_acc_grain(size), UNIT)
-           - (ROOT + 2) * loft_acc_grain(loft_acc_ratio(size, UNIT));
+    return loft_acc_down(loft_acc_weigh(least, s->tol), UNIT) - loft_acc_down(grains * loft_acc_grain(size), UNIT)
+           - (ROOT + 2) * loft_acc_grain(loft_acc_down(size, UNIT));
 }
 
 static bool is_close(const loft_cubics *s, const loft_cubic *c)
@@ -153,7 +153,7 @@ static bool is_close(const loft_cubics *s, const loft_cubic *c)
         for (unsigned i = k > 3 ? k - 3 : 0; i <= n && i <= k; i++) {
             const int32_t share = loft_binomial(n, i) * loft_binomial(3, k - i);
             for (int a = 0; a < LOFT_AXES; a++)
-                e[a] += share * loft_acc_ratio(s->x[a][i] - loft_acc_weigh(s->x[LOFT_AXES][i], c->p[k - i].axis[a]), UNIT);
+                e[a] += share * loft_acc_down(s->x[a][i] - loft_acc_weigh(s->x[LOFT_AXES][i], c->p[k - i].axis[a]), UNIT);
         }
         const loft_acc off = loft_acc_hypot(e, LOFT_AXES);
         if (off + loft_hypot_grain(off) > loft_binomial(n + 3, k) * limit)

@@ -15,7 +15,7 @@
  *
  * What is within tol of a cubic is within the sum of both tolerances of the curve: flatten with half of what is
  * allowed, and with the other half here. The length of the chain differs from the curve's by no more than about tol
- * times the angle, in radians, through which the curve turns.
+ * times the angle, in radians, through which the curve turns (measured).
  */
 #ifndef LOFT_CURVE_CUBICS_H
 #define LOFT_CURVE_CUBICS_H
@@ -24,7 +24,7 @@
 #include "curve/bezier.h"   /* loft_bezier, loft_cubic */
 #include "curve/rational.h" /* loft_rational */
 
-/* State of one chain; do not rely on its contents. 372 bytes with three axes in q16 on a 32-bit chip. */
+/* State of one chain; do not rely on its contents. With three axes in q16 368 bytes, on AVR 355. */
 typedef struct {
     const loft_vec      *p;         /* the control points, or                                           */
     const loft_weighted *weighted;  /* those of a rational curve; the other is NULL                     */
@@ -65,9 +65,9 @@ enum loft_status loft_rational_cubics_init(loft_cubics *s, const loft_rational *
  *           (R the largest weight over the smallest)   f32: 1 ulp   f64: 2000 ulp per axis, and below 2^-29 of the largest
  *           coordinate where they end at the edge of the range
  *   cost    errors fall with the fourth power of a cubic's length: 16 times the accuracy doubles their number. A
- *           cubic takes one or two trials, each degree * (degree + 1) / 2 means per axis and level, and 4 * (degree + 1)
- *           products, degree + 4 square roots, 4 quotients and 2 long divisions per axis; weights count as an axis
- *           more in the means. 250 bytes of stack; not for an interrupt
+ *           cubic takes one or two trials, each degree * (degree + 1) / 2 means per axis and level, up to 4 * (degree + 1)
+ *           products, 3 quotients, 2 long divisions and 4 small ones per axis, and degree + 4 square roots; weights count
+ *           as an axis more in the means. q16: 450 bytes of stack; not for an interrupt
  *   see     Farin, Curves and Surfaces for CAGD, ch. 5 and 6: products, degree elevation, Hermite form
  */
 bool loft_cubics_next(loft_cubics *s, loft_cubic *out);
