@@ -61,8 +61,9 @@ typedef struct {
 /* Before item 0: at rest at `start`. */
 void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES]);
 
-/* After `item`. The state before item n depends on items n - 1, n - 2 and n - 3 alone (and on the start if n < 3). */
 #define LOFT_PREDICTOR_BACK 3
+
+/* After `item`. The state before item n depends on items n - 1 .. n - LOFT_PREDICTOR_BACK alone (and on the start). */
 void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item *item);
 
 /* What seals a frame whose first item this predicts: a CRC-32C of all its numbers.
