@@ -1,4 +1,4 @@
-/* host-tools/cmd_eval.c -- loft eval: points of a curve, or what it looks like
+/* host-tools/cmd_eval.c -- loft eval: points of a curve or a surface, or what a curve looks like
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
@@ -6,6 +6,7 @@
 #include "piece.h"
 #include "print.h"
 #include "source.h"     /* source_name */
+#include "surface.h"
 #include "tool.h"
 
 typedef struct {
@@ -102,17 +103,69 @@ static int every_curve(evaluation *v, const curves *all, bool shape)
     return code;
 }
 
+
+// Surfaces
+// --------
+
+/* A point for each pair of parameters, an empty line between surfaces. */
+static int surface_points_of(const evaluation *v, const surface *s)
+{
+    const engine_surfaces *make = v->p.e->surface;
+    const double middle = surface_is_triangle(s) ? 1 / 3.0 : 0.5;
+    engine_surface *held;
+    int status = make->open(s, &held), code = EX_OK;
+
+    if (status != 0)
+        return tool_error(EX_DATAERR, "%s:%u: %s: %s", v->file, s->line, surface_name(s->kind), engine_status(status));
+    for (size_t j = 0; (j < v->t->count || j == 0) && code == EX_OK; j += 2) {
+        const double a = v->t->count ? v->t->value[j] : middle, b = v->t->count ? v->t->value[j + 1] : middle;
+        double point[ENGINE_AXES];
+        status = make->eval(held, a, b, point);
+        if (status == 0)
+            print_point((void *)&v->p, point);
+        else
+            code = tool_error(EX_DATAERR, "%s:%u: u, v = %g, %g: %s", v->file, s->line, a, b, engine_status(status));
+    }
+    make->close(held);
+    return code;
+}
+
+static int every_surface(const evaluation *v, const surfaces *all)
+{
+    int code = EX_OK;
+
+    for (size_t i = 0; i < all->count && code == EX_OK; i++) {
+        if (i > 0)
+            putchar('\n');
+        code = surface_points_of(v, &all->surface[i]);
+    }
+    return code;
+}
+
+static int eval_surfaces(const surfaces *all, const char *file, const engine *e, const tool_list *uv, bool of_curves)
+{
+    const evaluation v = { { e, true }, uv, source_name(file), 0 };
+
+    if (of_curves)
+        return tool_error(EX_USAGE, "%s: holds surfaces: --t and --shape are for curves, give --uv U,V,..", v.file);
+    if (uv->count % 2 != 0)
+        return tool_error(EX_USAGE, "--uv: %zu numbers: give pairs, U,V,U,V,..", uv->count);
+    return every_surface(&v, all);
+}
+
 static int run(const tool_command *self, int argc, char **argv)
 {
     const engine *e  = &engine_q16;
     const char *text = NULL;
-    tool_list t      = { .count = 0 };
+    tool_list t = { .count = 0 }, uv = { .count = 0 };
     curves all       = { 0 };
+    surfaces patches = { 0 };
     bool shape       = false;
     int first;
 
     const tool_option options[] = {
         TOOL_LIST("t", "T,..", &t, -1e6, 1e6, "parameters, 0..1 on a Bezier curve (the middle)"),
+        TOOL_LIST("uv", "U,V,..", &uv, 0, 1, "pairs of parameters on a surface (the middle)"),
         TOOL_SWITCH("shape", &shape, "not points, but what each piece looks like: its type, inflections, box"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         TOOL_ENGINE(&e, "number type: q16, f32 or f64 (q16)"),
@@ -124,7 +177,18 @@ static int run(const tool_command *self, int argc, char **argv)
     if (shape && t.count > 0)
         return tool_error(EX_USAGE, "--shape and --t: give one of them: a shape is that of the whole curve");
     const char *file = first < argc ? argv[first] : "-";
-    code = curves_read(&all, file, text);
+    if (text == NULL)
+        code = surfaces_read(&patches, file);
+    if (code == 0 && patches.count > 0) {
+        code = eval_surfaces(&patches, file, e, &uv, shape || t.count > 0);
+        surfaces_free(&patches);
+        return code;
+    }
+    surfaces_free(&patches);
+    if (code == 0 && uv.count > 0)
+        code = tool_error(EX_USAGE, "--uv: is for surfaces: curves have one parameter, --t");
+    if (code == 0)
+        code = curves_read(&all, file, text);
     if (code == 0) {
         evaluation v = { { e, all.solid }, &t, text ? "--points" : source_name(file), 0 };
         code = every_curve(&v, &all, shape);
@@ -134,11 +198,11 @@ static int run(const tool_command *self, int argc, char **argv)
 }
 
 const tool_command command_eval = {
-    "eval", "[--t T,..] [FILE|-]", "points of a curve, or what it looks like",
+    "eval", "[--t T,..|--uv U,V,..] [FILE|-]", "points of a curve or a surface, or what a curve looks like",
     "FILE has one control point per line, `x y` or `x y z` (an empty line ends a curve), or curves of any kind in the\n"
     "format of host-tools/LOFT.md. Prints one point per parameter. A parameter is the curve's own: 0..1 for Bezier\n"
     "curves, 0..n over the n pieces of a spline, the knots of a B-spline. With --shape prints one line per piece: its\n"
     "number and kind, what it is as a cubic in the plane of x and y (decided exactly) and where, the smallest box around\n"
-    "it, or, if it has weights, around its control points.\n",
+    "it, or, if it has weights, around its control points. Of surfaces (the same format) prints one point per pair --uv.\n",
     run
 };

@@ -1,4 +1,4 @@
-/* host-tools/cmd_sample.c -- loft sample: a curve at equal parameter steps, by exact forward differences
+/* host-tools/cmd_sample.c -- loft sample: a curve or a surface at equal parameter steps
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
@@ -6,6 +6,7 @@
 #include "piece.h"
 #include "print.h"
 #include "source.h"         /* source_name */
+#include "surface.h"
 #include "tool.h"
 
 typedef struct {
@@ -29,12 +30,52 @@ static int walk(void *context, const curve *c, engine_curve *held)
     return status;
 }
 
+/* A grid: the rows of u, an empty line behind each and two between surfaces; those of a triangle shrink. */
+static int grid(const print_options *p, const surface *s, const engine_surface *held, unsigned n)
+{
+    print_options how = *p;
+    int status = 0;
+
+    for (unsigned i = 0; i <= n && status == 0; i++) {
+        for (unsigned j = 0; j <= (surface_is_triangle(s) ? n - i : n) && status == 0; j++) {
+            double point[ENGINE_AXES];
+            status = p->e->surface->eval(held, i / (double)n, j / (double)n, point);
+            if (status == 0)
+                print_point(&how, point);
+        }
+        putchar('\n');
+    }
+    return status;
+}
+
+static int sample_surfaces(const surfaces *all, const char *file, const engine *e, unsigned n)
+{
+    const print_options p = { e, true };
+    int status = 0;
+
+    for (size_t k = 0; k < all->count && status == 0; k++) {
+        const surface *s = &all->surface[k];
+        engine_surface *held;
+        if (k > 0)
+            putchar('\n');
+        status = e->surface->open(s, &held);
+        if (status == 0) {
+            status = grid(&p, s, held, n);
+            e->surface->close(held);
+        }
+        if (status != 0)
+            return tool_error(EX_DATAERR, "%s:%u: %s in %u steps: %s", source_name(file), s->line, surface_name(s->kind), n, engine_status(status));
+    }
+    return EX_OK;
+}
+
 static int run(const tool_command *self, int argc, char **argv)
 {
     const engine *e  = &engine_q16;
     const char *text = NULL;
     unsigned n       = 64;
     curves all       = { 0 };
+    surfaces patches = { 0 };
     int first;
 
     const tool_option options[] = {
@@ -48,7 +89,16 @@ static int run(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
 
     const char *file = first < argc ? argv[first] : "-";
-    code = curves_read(&all, file, text);
+    if (text == NULL)
+        code = surfaces_read(&patches, file);
+    if (code == 0 && patches.count > 0) {
+        code = sample_surfaces(&patches, file, e, n);
+        surfaces_free(&patches);
+        return code;
+    }
+    surfaces_free(&patches);
+    if (code == 0)
+        code = curves_read(&all, file, text);
     if (code == 0) {
         sampling s = { { e, all.solid }, n };
         char words[40];
@@ -60,9 +110,10 @@ static int run(const tool_command *self, int argc, char **argv)
 }
 
 const tool_command command_sample = {
-    "sample", "[--n N] [FILE|-]", "a curve at equal parameter steps, by exact walking",
+    "sample", "[--n N] [FILE|-]", "a curve or a surface at equal parameter steps",
     "FILE has one control point per line, or curves of any kind (host-tools/LOFT.md), or is a drawing. Prints the start\n"
     "and N points per piece, an empty line where a curve does not start at the end of the one before it. Curves to\n"
-    "degree 5 are walked by forward differences, others are evaluated point by point.\n",
+    "degree 5 are walked by forward differences, others are evaluated point by point. Of surfaces prints a grid of N + 1 by\n"
+    "N + 1 points, u outside, an empty line behind each row (a triangle: rows that shrink), two between surfaces.\n",
     run
 };

@@ -11,6 +11,7 @@
 
 #include "curve.h"
 #include "scan.h"       /* scan_numbers, scan_word */
+#include "surface.h"    /* surface_begins */
 #include "tool.h"       /* tool_error, sysexits */
 
 #define TURNS_MAX    1000
@@ -348,7 +349,8 @@ static int word_line(reading *r)
         return code;
     if (kind == NULL) {
         snprintf(words, sizeof words, "`%.*s` is no kind of curve", length > 20 ? 20 : length, r->rest);
-        return wrong(r, words, "give bezier line rational parabola hermite3 hermite5 cardinal natural bspline nurbs or arc");
+        return wrong(r, words, surface_begins(r->rest) ? "surfaces go into a file of their own"
+                               : "give bezier line rational parabola hermite3 hermite5 cardinal natural bspline nurbs or arc");
     }
     r->now     = curves_add(r->all, kind->kind, r->line);
     r->counted = false;

@@ -161,6 +161,7 @@ const engine ENGINE_OF(engine) = {
     .piece   = &ENGINE_OF(engine_pieces),
     .measure = &ENGINE_OF(engine_measures),
     .ellipse = ellipse,
+    .surface = &ENGINE_OF(engine_surfaces),
     .flatten = flatten,
     .plan    = plan,
     .steps   = steps

@@ -14,6 +14,7 @@
 
 struct curve;               /* curve.h */
 struct piece;               /* piece.h */
+struct surface;             /* surface.h */
 
 /* A span as it goes on the wire and into pictures: Bezier points in time, raw Q16.16 mm. */
 typedef struct {
@@ -104,6 +105,25 @@ typedef struct {
 } engine_measures;
 
 extern const engine_measures engine_measures_q16, engine_measures_f32, engine_measures_f64;
+/* A surface of any kind as the library holds it. */
+typedef struct engine_surface engine_surface;
+
+typedef struct {
+    double normal[ENGINE_AXES];
+    double gauss, mean;         /* 1/mm^2, 1/mm: positive mean where it bends towards the normal */
+} engine_look;
+
+typedef struct {
+    /* As with curves. */
+    int (*open)(const struct surface *s, engine_surface **out);
+    void (*close)(engine_surface *s);
+    /* The point at u, v of 0..1; on a triangle u + v <= 1. */
+    int (*eval)(const engine_surface *s, double u, double v, double out[ENGINE_AXES]);
+    /* Normal and curvatures there. LOFT_ERR_ARG: the library has them not for this kind. */
+    int (*look)(const engine_surface *s, double u, double v, engine_look *out);
+} engine_surfaces;
+
+extern const engine_surfaces engine_surfaces_q16, engine_surfaces_f32, engine_surfaces_f64;
 extern const engine_curves engine_curves_q16, engine_curves_f32, engine_curves_f64;
 extern const engine_pieces engine_pieces_q16, engine_pieces_f32, engine_pieces_f64;
 
@@ -119,6 +139,7 @@ typedef struct {
     /* The arc of an SVG path, once about at most, as cubics in the plane within tol of it; turns is 1 from x to y, or -1. */
     int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees, bool large, int turns, double tol,
                    engine_cubic_sink *sink, void *context);
+    const engine_surfaces *surface;
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink, void *context);
     int (*plan)(const engine_limits *limits, const engine_move moves[], size_t count, engine_span_sink *sink, void *context);
     int32_t (*steps)(double mm, double steps_per_mm);       /* rounded as a machine of this type does it */

@@ -16,7 +16,6 @@ typedef struct {
     loft_bezier b;
 } part;
 
-static double double_of_acc(loft_acc x)  { return (double)x / (double)loft_wide(LOFT_REAL(1.0)); }
 static double double_of_unit(loft_unit t) { return (double)t / (double)LOFT_UNIT(1.0); }
 
 static int part_of(const piece *p, part *out)

@@ -51,6 +51,11 @@ static inline double double_of(loft_real x)
     return (double)x / ENGINE_ONE;
 }
 
+static inline double double_of_acc(loft_acc x)
+{
+    return (double)x / (double)loft_wide(LOFT_REAL(1.0));
+}
+
 static inline void point_of(loft_vec v, double out[ENGINE_AXES])
 {
     for (int i = 0; i < ENGINE_AXES; i++)

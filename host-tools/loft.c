@@ -9,7 +9,8 @@
 
 static const tool_command *const commands[] = {
     &command_stream, &command_simulate, &command_ports,
-    &command_eval, &command_sample, &command_flatten, &command_plot, &command_measure, &command_compare
+    &command_eval, &command_sample, &command_flatten, &command_plot, &command_measure, &command_compare,
+    &command_surface
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])

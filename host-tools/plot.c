@@ -310,17 +310,36 @@ static void draw_layers(plot_view *v)
     free(point);
 }
 
-static int finish(cairo_surface_t *surface, cairo_t *cairo, const char *output, bool png)
+bool plot_known(const char *output, bool *png)
 {
-    cairo_status_t status = cairo_status(cairo);
+    *png = ends_with(output, ".png");
+    return *png || ends_with(output, ".svg") || ends_with(output, ".pdf");
+}
 
-    cairo_destroy(cairo);
-    if (status == CAIRO_STATUS_SUCCESS && png)
-        status = cairo_surface_write_to_png(surface, output);
-    cairo_surface_finish(surface);
+cairo_surface_t *plot_begin(plot_view *v, const char *output)
+{
+    bool png;
+
+    (void)plot_known(output, &png);
+    cairo_surface_t *canvas = png ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(v->width), (int)ceil(v->height))
+                            : ends_with(output, ".svg") ? cairo_svg_surface_create(output, v->width, v->height)
+                                                        : cairo_pdf_surface_create(output, v->width, v->height);
+    v->cairo = cairo_create(canvas);
+    cairo_set_line_cap(v->cairo, CAIRO_LINE_CAP_ROUND);
+    return canvas;
+}
+
+int plot_end(plot_view *v, cairo_surface_t *canvas, const char *output)
+{
+    cairo_status_t status = cairo_status(v->cairo);
+
+    cairo_destroy(v->cairo);
+    if (status == CAIRO_STATUS_SUCCESS && ends_with(output, ".png"))
+        status = cairo_surface_write_to_png(canvas, output);
+    cairo_surface_finish(canvas);
     if (status == CAIRO_STATUS_SUCCESS)
-        status = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
+        status = cairo_surface_status(canvas);
+    cairo_surface_destroy(canvas);
     if (status != CAIRO_STATUS_SUCCESS)
         return tool_error(EX_CANTCREAT, "%s: the picture cannot be written: %s", output, cairo_status_to_string(status));
     return 0;
@@ -328,23 +347,19 @@ static int finish(cairo_surface_t *surface, cairo_t *cairo, const char *output, 
 
 int plot_draw(const plot_options *o, plot_result *result)
 {
-    const bool png = ends_with(o->output, ".png"), svg = ends_with(o->output, ".svg");
     plot_view v = { .o = o };
+    bool png;
 
-    if (!png && !svg && !ends_with(o->output, ".pdf"))
+    if (!plot_known(o->output, &png))
         return tool_error(EX_USAGE, "%s: give a name that ends with .png, .svg or .pdf", o->output);
     lay_out(&v, !png);
     if (png && (v.width > 30000 || v.height > 30000))
         return tool_error(EX_USAGE, "%s: %.0f x %.0f px are too many: give a smaller --size", o->output, v.width, v.height);
 
-    cairo_surface_t *surface = png ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(v.width), (int)ceil(v.height))
-                             : svg ? cairo_svg_surface_create(o->output, v.width, v.height)
-                                   : cairo_pdf_surface_create(o->output, v.width, v.height);
-    v.cairo = cairo_create(surface);
-    cairo_set_line_cap(v.cairo, CAIRO_LINE_CAP_ROUND);
+    cairo_surface_t *canvas = plot_begin(&v, o->output);
     draw_layers(&v);
     if (result != NULL)
         *result = v.found;
     free(v.tooth);
-    return finish(surface, v.cairo, o->output, png);
+    return plot_end(&v, canvas, o->output);
 }

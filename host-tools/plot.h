@@ -71,6 +71,24 @@ void plot_colour(double share, double rgb[3]);
 
 void plot_frame(plot_view *v);
 
+/* What frames are made of: a grey; text at (x, y), where align 0 starts, 1/2 is centred, 1 ends, which gives its width; a
+ * line; 1, 2 or 5 times a power of ten, so that `range` has about `count` steps; a number with the digits that a step
+ * needs; a file's name without its folders. */
+#define PLOT_SMALL 12.5         /* letters, in thousandths of the width */
+#define PLOT_LARGE 17.0
+void   plot_ink(const plot_view *v, double grey);
+double plot_text(const plot_view *v, double size, double x, double y, double align, const char *words);
+void   plot_line(const plot_view *v, double x0, double y0, double x1, double y1);
+double plot_step(double range, double count);
+void   plot_number(char *out, size_t size, double value, double step);
+const char *plot_base_name(const char *path);
+
+/* Begin a picture: v->cairo on a canvas of v->width x v->height, of what the ending of `output` says; is it one that is
+ * known, and is it a PNG? End it: gives an exit code after printing one line. */
+bool plot_known(const char *output, bool *png);
+cairo_surface_t *plot_begin(plot_view *v, const char *output);
+int  plot_end(plot_view *v, cairo_surface_t *canvas, const char *output);
+
 /* Where mm are on the canvas. */
 double plot_x(const plot_view *v, double x);
 double plot_y(const plot_view *v, double y);

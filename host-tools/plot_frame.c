@@ -8,16 +8,15 @@
 #include "curve.h"
 #include "plot.h"
 
-#define SMALL 12.5      /* letters, in thousandths of the width */
-#define LARGE 17.0
+#define SMALL PLOT_SMALL
+#define LARGE PLOT_LARGE
 
-static void ink(const plot_view *v, double grey)
+void plot_ink(const plot_view *v, double grey)
 {
     cairo_set_source_rgb(v->cairo, grey, grey, grey);
 }
 
-/* Text at (x, y); align 0 starts there, 1/2 is centred, 1 ends there. Gives its width. */
-static double text(const plot_view *v, double size, double x, double y, double align, const char *words)
+double plot_text(const plot_view *v, double size, double x, double y, double align, const char *words)
 {
     cairo_text_extents_t extents;
 
@@ -28,22 +27,21 @@ static double text(const plot_view *v, double size, double x, double y, double a
     return extents.x_advance;
 }
 
-static void line(const plot_view *v, double x0, double y0, double x1, double y1)
+void plot_line(const plot_view *v, double x0, double y0, double x1, double y1)
 {
     cairo_move_to(v->cairo, x0, y0);
     cairo_line_to(v->cairo, x1, y1);
     cairo_stroke(v->cairo);
 }
 
-/* 1, 2 or 5 times a power of ten, so that `range` has about `count` steps. */
-static double nice_step(double range, double count)
+double plot_step(double range, double count)
 {
     const double least = range / count, power = pow(10, floor(log10(least)));
 
     return least <= power ? power : least <= 2 * power ? 2 * power : least <= 5 * power ? 5 * power : 10 * power;
 }
 
-static void number(char *out, size_t size, double value, double step)
+void plot_number(char *out, size_t size, double value, double step)
 {
     const int digits = step < 1 ? (int)ceil(-log10(step) - 1e-9) : 0;
 
@@ -53,29 +51,29 @@ static void number(char *out, size_t size, double value, double step)
 static void axes(const plot_view *v)
 {
     const double wide = (v->right - v->left) / v->scale, high = (v->bottom - v->top) / v->scale;
-    const double step = nice_step(fmax(wide, high), 14);
+    const double step = plot_step(fmax(wide, high), 14);
     char label[32];
 
-    ink(v, 0.35);
+    plot_ink(v, 0.35);
     cairo_set_line_width(v->cairo, 0.8 * v->u);
     cairo_rectangle(v->cairo, v->left, v->top, v->right - v->left, v->bottom - v->top);
     cairo_stroke(v->cairo);
     for (double x = ceil(v->x0 / step - 1e-9) * step; x <= v->x0 + wide * (1 + 1e-9); x += step) {
         const double at = v->left + (x - v->x0) * v->scale;
-        line(v, at, v->bottom, at, v->bottom + 5 * v->u);
-        number(label, sizeof label, x, step);
-        text(v, SMALL, at, v->bottom + 18 * v->u, 0.5, label);
+        plot_line(v, at, v->bottom, at, v->bottom + 5 * v->u);
+        plot_number(label, sizeof label, x, step);
+        plot_text(v, SMALL, at, v->bottom + 18 * v->u, 0.5, label);
     }
     for (double y = ceil(v->y0 / step - 1e-9) * step; y <= v->y0 + high * (1 + 1e-9); y += step) {
         const double at = v->bottom - (y - v->y0) * v->scale;
-        line(v, v->left, at, v->left - 5 * v->u, at);
-        number(label, sizeof label, y, step);
-        text(v, SMALL, v->left - 9 * v->u, at + 4.5 * v->u, 1, label);
+        plot_line(v, v->left, at, v->left - 5 * v->u, at);
+        plot_number(label, sizeof label, y, step);
+        plot_text(v, SMALL, v->left - 9 * v->u, at + 4.5 * v->u, 1, label);
     }
-    text(v, SMALL, v->right, v->bottom + 34 * v->u, 1, "x, y in mm");
+    plot_text(v, SMALL, v->right, v->bottom + 34 * v->u, 1, "x, y in mm");
 }
 
-static const char *base_name(const char *path)
+const char *plot_base_name(const char *path)
 {
     const char *slash = strrchr(path, '/');
 
@@ -94,10 +92,10 @@ static void title(const plot_view *v)
     const record *r = v->o->r;
     char words[256], worst[32], mean[32], time[32] = "";
 
-    ink(v, 0.1);
-    snprintf(words, sizeof words, "%.80s: %zu curves in %u paths, %.3f m", base_name(v->o->name), d->of ? d->of->count : d->count,
+    plot_ink(v, 0.1);
+    snprintf(words, sizeof words, "%.80s: %zu curves in %u paths, %.3f m", plot_base_name(v->o->name), d->of ? d->of->count : d->count,
              d->count ? d->curve[d->count - 1].path + 1 : 0, drawing_length(d) / 1000);
-    text(v, LARGE, v->left, 30 * v->u, 0, words);
+    plot_text(v, LARGE, v->left, 30 * v->u, 0, words);
     if (r == NULL)
         return;
     small_length(worst, sizeof worst, v->found.worst);
@@ -106,8 +104,8 @@ static void title(const plot_view *v)
         snprintf(time, sizeof time, "%.1f s, ", record_seconds(r));
     snprintf(words, sizeof words, "machine: %s%zu pulses, %zu with the pen down; path error %s at worst (at %.2f, %.2f), %s on average",
              time, r->count, v->found.drawing_pulses, worst, v->found.worst_point[0], v->found.worst_point[1], mean);
-    ink(v, 0.3);
-    text(v, SMALL, v->left, 54 * v->u, 0, words);
+    plot_ink(v, 0.3);
+    plot_text(v, SMALL, v->left, 54 * v->u, 0, words);
 }
 
 /* One entry: a sample of the line and what it means; moves *x behind it. */
@@ -118,11 +116,11 @@ static void entry(const plot_view *v, double *x, double r, double g, double b, d
     cairo_set_source_rgb(v->cairo, r, g, b);
     cairo_set_line_width(v->cairo, wide * v->u);
     cairo_set_dash(v->cairo, dash, dashed ? 2 : 0, 0);
-    line(v, *x, y, *x + 30 * v->u, y);
+    plot_line(v, *x, y, *x + 30 * v->u, y);
     cairo_set_dash(v->cairo, NULL, 0, 0);
-    ink(v, 0.1);
+    plot_ink(v, 0.1);
     *x += 36 * v->u;
-    *x += text(v, SMALL, *x, y + 4.5 * v->u, 0, words) + 22 * v->u;
+    *x += plot_text(v, SMALL, *x, y + 4.5 * v->u, 0, words) + 22 * v->u;
 }
 
 static void legend(const plot_view *v)
@@ -155,18 +153,18 @@ static void legend(const plot_view *v)
 
 static void scale_bar(const plot_view *v)
 {
-    const double mm = nice_step((v->right - v->left) / v->scale, 8), y = v->bottom + 58 * v->u;
+    const double mm = plot_step((v->right - v->left) / v->scale, 8), y = v->bottom + 58 * v->u;
     const double x1 = v->right, x0 = x1 - mm * v->scale;
     char label[32];
 
-    ink(v, 0.1);
+    plot_ink(v, 0.1);
     cairo_set_line_width(v->cairo, 2 * v->u);
-    line(v, x0, y, x1, y);
+    plot_line(v, x0, y, x1, y);
     cairo_set_line_width(v->cairo, 1 * v->u);
-    line(v, x0, y - 4 * v->u, x0, y + 4 * v->u);
-    line(v, x1, y - 4 * v->u, x1, y + 4 * v->u);
+    plot_line(v, x0, y - 4 * v->u, x0, y + 4 * v->u);
+    plot_line(v, x1, y - 4 * v->u, x1, y + 4 * v->u);
     snprintf(label, sizeof label, "%g mm", mm);
-    text(v, SMALL, x0 - 8 * v->u, y + 4.5 * v->u, 1, label);
+    plot_text(v, SMALL, x0 - 8 * v->u, y + 4.5 * v->u, 1, label);
 }
 
 /* Dark blue over purple and red to yellow: grows in brightness, so it survives grey printing. */
@@ -185,7 +183,7 @@ void plot_colour(double share, double rgb[3])
 static void colour_bar(const plot_view *v)
 {
     const double x = v->right + 18 * v->u, wide = 14 * v->u, high = fmin(v->bottom - v->top, 420 * v->u);
-    const double step = nice_step(v->found.worst * 1000, 7);
+    const double step = plot_step(v->found.worst * 1000, 7);
     char label[32];
     double rgb[3];
 
@@ -195,15 +193,15 @@ static void colour_bar(const plot_view *v)
         cairo_rectangle(v->cairo, x, v->bottom - high * (i + 1) / 120, wide, high / 120 * 1.1);
         cairo_fill(v->cairo);
     }
-    ink(v, 0.1);
+    plot_ink(v, 0.1);
     cairo_set_line_width(v->cairo, 0.8 * v->u);
     for (int i = 0; i * step <= v->found.worst * 1000 * (1 + 1e-9); i++) {
         const double y = v->bottom - high * i * step / (v->found.worst * 1000);
-        line(v, x + wide, y, x + wide + 4 * v->u, y);
-        number(label, sizeof label, i * step, step);
-        text(v, SMALL, x + wide + 8 * v->u, y + 4.5 * v->u, 0, label);
+        plot_line(v, x + wide, y, x + wide + 4 * v->u, y);
+        plot_number(label, sizeof label, i * step, step);
+        plot_text(v, SMALL, x + wide + 8 * v->u, y + 4.5 * v->u, 0, label);
     }
-    text(v, SMALL, x, v->bottom + 18 * v->u, 0, "error, um");
+    plot_text(v, SMALL, x, v->bottom + 18 * v->u, 0, "error, um");
 }
 
 void plot_frame(plot_view *v)

@@ -54,11 +54,25 @@ const char *source_name(const char *file)
     return strcmp(file, "-") == 0 ? "standard input" : file;
 }
 
+/* Standard input is read once and kept, since a second reader may ask for it: is it a surface, or curves? */
+static char *slurp_input(size_t *size)
+{
+    static char *kept;
+    static size_t length;
+
+    if (kept == NULL)
+        kept = slurp(stdin, &length);
+    if (kept == NULL)
+        return NULL;
+    *size = length;
+    return memcpy(tool_grow(NULL, length + 1), kept, length + 1);
+}
+
 char *source_read(const char *file, size_t *size, int *code)
 {
     const bool piped = strcmp(file, "-") == 0;
     FILE *stream = piped ? stdin : fopen(file, "rb");
-    char *text = stream ? slurp(stream, size) : NULL;
+    char *text = piped ? slurp_input(size) : stream ? slurp(stream, size) : NULL;
 
     *code = text ? 0 : unreadable(source_name(file));
     if (stream != NULL && !piped)

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* All of `file` ("-" is standard input), with a 0 behind. NULL after printing one line, and *code is of <sysexits.h>. */
+/* All of `file` ("-" is standard input, which may be read again), with a 0 behind. NULL after printing one line, and *code is of <sysexits.h>. */
 char *source_read(const char *file, size_t *size, int *code);
 
 /* What messages call it. */

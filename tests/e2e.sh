@@ -307,7 +307,7 @@ case_help_everywhere() {
     run 0 "$loft" --help;    says out 'usage: loft COMMAND'
     run 0 "$loft" --version; says out '^loft [0-9]'
     run 64 "$loft"
-    for command in stream simulate plot ports eval sample flatten measure compare; do
+    for command in stream simulate plot ports eval sample flatten measure compare surface; do
         run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
         run 0 "$loft" $command --help; cmp -s "$tmp/out" "$tmp/help" || job_fails "help $command and $command --help differ"
     done
@@ -413,7 +413,10 @@ case_curves_through_pipes() {
     run 0 "$loft" stream "$tmp/two.loft" --port "$tmp/curves" --feed 60; gone "$machine"; says out 'as commanded$'; counted curves
 }
 case_the_page_of_the_format_is_true() {
-    awk '/^```/ { on = !on; next } on' host-tools/LOFT.md >"$tmp/page.loft"
+    awk '/^```/ { on = !on; n += on; next } on && n == 1' host-tools/LOFT.md >"$tmp/page.loft"
+    awk '/^```/ { on = !on; n += on; next } on && n == 2' host-tools/LOFT.md >"$tmp/patch.loft"
+    run 0 "$loft" eval --uv 0,0 "$tmp/patch.loft"
+    [ "$(tr '\n' ';' <"$tmp/out")" = "0 0 0;;20 0 0;" ] || job_fails "$(cat "$tmp/out")"
     run 0 "$loft" eval --t 0,1 "$tmp/page.loft"
     [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;20 0;;20 0;30 10;" ] || job_fails "$(cat "$tmp/out")"
     run 0 "$loft" plot "$tmp/page.loft" -o "$tmp/page.svg"
@@ -434,6 +437,103 @@ case_combs_and_knots_are_drawn() {
     run 0 "$loft" plot -o "$tmp/d.svg" tests/drawings/curves.loft
     [ "$(grep -c '<path' "$tmp/b.svg")" -gt "$(grep -c '<path' "$tmp/d.svg")" ] || job_fails "no comb in the picture"
     one_line 64 '--comb x' "$loft" plot --comb=x "$tmp/small.csv"
+}
+case_surfaces_are_evaluated() {
+    for num in q16 f32 f64; do
+        run 0 "$loft" eval --num $num --uv 0,0,1,0,0,1 tests/drawings/surfaces.loft
+        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0 0;30 0 4;0 30 6;;40 0 0;70 0 4;40 30 6;;90 0 0;105 0 15;90 30 0;;0 50 0;30 45 0;20 68 0;;40 50 0;70 48 0;56 72 8;;102 48 0;82 68 0;82 48 20;;128 12 18;128 12 0;128 12 18;;118 50 0;142 50 4;118 72 4;" ] ||
+            job_fails "corners in $num: $(tr '\n' ';' <"$tmp/out")"
+        run 0 "$loft" sample --num $num --n 4 tests/drawings/surfaces.loft
+        [ "$(grep -c . "$tmp/out")" = $((5 * 25 + 3 * 15)) ] || job_fails "$(grep -c . "$tmp/out") points in $num"
+    done
+    printf 'octant 20\n' | "$loft" eval --num f64 --uv 0.25,0.5 - | awk '{ r = sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2); exit !(r > 19.999999 && r < 20.000001) }' || job_fails "the octant is not round"
+    run 0 sh -c "cat tests/drawings/patch.loft | '$loft' eval -";      says out '^15 15 '
+    one_line 64 'give pairs'           "$loft" eval --uv 0.5 tests/drawings/patch.loft
+    one_line 64 'for curves'           "$loft" eval --t 0.5 tests/drawings/patch.loft
+    one_line 64 'for surfaces'         "$loft" eval --uv 0,0 tests/drawings/curves.loft
+    one_line 65 'u, v = 0.9, 0.9'      sh -c "printf 'octant 3\n' | '$loft' eval --uv 0.9,0.9 -"
+    printf 'tensor 3 3\n' >"$tmp/far.loft"; yes '30000 30000 30000' | head -15 >>"$tmp/far.loft"; echo '0 0 40000' >>"$tmp/far.loft"
+    one_line 65 'far.loft:1: tensor: ' "$loft" eval "$tmp/far.loft"
+    run 0 "$loft" eval --num f32 "$tmp/far.loft"
+}
+# A reader of its own: sizes, indices, unit normals on the right side, and the area and volume of a sphere.
+case_meshes_are_read_back() {
+    printf 'sphere 20\n1 2 3\n' >"$tmp/ball.loft"
+    run 0 "$loft" surface --n 64 -o "$tmp/ball.stl" "$tmp/ball.loft"; says out ': 1 surfaces, 8064 triangles$'
+    run 0 "$loft" surface --n 64 -o "$tmp/ball.ply" "$tmp/ball.loft"
+    run 0 "$loft" surface --n 8 -o "$tmp/all.stl" tests/drawings/surfaces.loft
+    cat >"$tmp/read.py" <<'PY'
+import math, struct, sys
+tmp = sys.argv[1]
+def corners_of_stl(name):
+    data = open(name, 'rb').read()
+    count, = struct.unpack_from('<I', data, 80)
+    assert len(data) == 84 + 50 * count, 'size of ' + name
+    return [(f[:3], [f[3:6], f[6:9], f[9:12]]) for f in (struct.unpack_from('<12f', data, 84 + 50 * i) for i in range(count))]
+def corners_of_ply(name):
+    head, data = open(name, 'rb').read().split(b'end_header\n', 1)
+    size = {line.split()[1]: int(line.split()[2]) for line in head.split(b'\n') if line.startswith(b'element')}
+    v = [struct.unpack_from('<6f', data, 24 * i) for i in range(size[b'vertex'])]
+    assert len(data) == 24 * len(v) + 13 * size[b'face'], 'size of ' + name
+    faces = [struct.unpack_from('<B3I', data, 24 * len(v) + 13 * i) for i in range(size[b'face'])]
+    assert all(f[0] == 3 for f in faces)
+    return v, [(None, [v[i][:3] for i in f[1:]]) for f in faces]
+def cross(a, b): return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+def dot(a, b): return sum(x * y for x, y in zip(a, b))
+def check_ball(faces):
+    area = volume = 0
+    for normal, corner in faces:
+        c = [[x - o for x, o in zip(p, (1, 2, 3))] for p in corner]
+        assert all(abs(math.hypot(*p) - 20) < 1e-4 for p in c), 'a corner off the sphere'
+        n = cross([b - a for a, b in zip(c[0], c[1])], [b - a for a, b in zip(c[0], c[2])])
+        assert dot(n, c[0]) > 0, 'a triangle turned inside'
+        area += math.hypot(*n) / 2
+        volume += dot(cross(c[0], c[1]), c[2]) / 6
+        if normal:
+            assert abs(math.hypot(*normal) - 1) < 1e-5 and dot(normal, n) > 0.999 * math.hypot(*n), 'a wrong normal'
+    assert 0.995 < area / (4 * math.pi * 400) < 1 and 0.99 < volume / (4 / 3 * math.pi * 8000) < 1, (area, volume)
+check_ball(corners_of_stl(tmp + '/ball.stl'))
+vertices, faces = corners_of_ply(tmp + '/ball.ply')
+check_ball(faces)
+for v in vertices:
+    assert max(abs(v[i] - (1, 2, 3)[i] - 20 * v[i + 3]) for i in range(3)) < 1e-2, 'a normal of a vertex'
+assert len(corners_of_stl(tmp + '/all.stl')) > 8 * 64
+PY
+    run 0 python3 "$tmp/read.py" "$tmp"
+    one_line 64 'ends with .stl or .ply' "$loft" surface -o "$tmp/a.obj" "$tmp/ball.loft"
+    one_line 73 'cannot be written'      "$loft" surface -o "$tmp/none/a.stl" "$tmp/ball.loft"
+    one_line 65 'no surface in it'       "$loft" surface tests/drawings/curves.loft
+    one_line 66 'no such file'           "$loft" surface "$tmp/nothing.loft"
+}
+case_surfaces_are_drawn() {
+    run 0 "$loft" plot tests/drawings/surfaces.loft --control --size 500 -o "$tmp/a.png"; says out 'a.png: 8 surfaces$'
+    run 0 "$loft" plot tests/drawings/patch.loft --curvature gauss --view 30,60,2 -o "$tmp/b.svg"
+    run 0 "$loft" plot tests/drawings/patch.loft --wire --control -o "$tmp/c.pdf"
+    run 0 sh -c "printf 'tensor 1 1\n0 0\n0 1\n1 0\n1 1\n' | '$loft' plot --curvature largest -o '$tmp/d.png' -"
+    [ "$(head -c 4 "$tmp/a.png" | tail -c 3)" = PNG ] && [ -s "$tmp/b.svg" ] && [ -s "$tmp/c.pdf" ] && [ -s "$tmp/d.png" ] || job_fails "no picture"
+    one_line 64 'gauss, mean or largest' "$loft" plot --curvature red tests/drawings/patch.loft
+    one_line 64 'AROUND,UP'              "$loft" plot --view 30 tests/drawings/patch.loft
+    one_line 64 'AROUND,UP'              "$loft" plot --view 30,100 tests/drawings/patch.loft
+    one_line 64 'are for drawings'       "$loft" plot --comb tests/drawings/patch.loft
+    one_line 64 'are for surfaces'       "$loft" plot --wire tests/drawings/curves.loft
+    one_line 64 'give one of them'       "$loft" plot --wire --curvature mean tests/drawings/patch.loft
+    one_line 64 '.png, .svg or .pdf'     "$loft" plot -o "$tmp/a.gif" tests/drawings/patch.loft
+}
+case_bad_surfaces() {
+    bad_surface() { printf "$1" >"$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$2" "$loft" eval "$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$2" "$loft" surface "$tmp/bad.loft"; }
+    bad_surface 'tensor 3\n'                            '1: not two degrees: give two whole numbers from 0 to 9'
+    bad_surface 'tensor 1 1\n0 0 0\n'                   '1: tensor with 1 point: give 4'
+    bad_surface 'tensor 1 0\n0 0 0\n1 0 0\n2 0 0\n'     '4: more than the 2 points of this tensor'
+    bad_surface 'tensor 0 1\n0 0 0\n1 0 0 : 300\n'      '3: not a point: `x y z` or `x y z : weight`, a weight of 1/256 to 256'
+    bad_surface '# c\ntriangle\n0 0 0\n1 0 0\n'         '2: triangle with 2 points: give 1, 3, 6, 10'
+    bad_surface 'coons bent 3 3\n'                      '1: not a kind of Coons patch'
+    bad_surface 'coons 1 1\n0 0\n1 0\n0 1\n1 1\n0 0\n0 1\n2 0\n1 1\n' '1: coons: '
+    bad_surface 'pn\n0 0 0\n'                          '2: not a point: `x y z : nx ny nz`'
+    bad_surface 'sphere\n'                              '1: no radius'
+    bad_surface 'sphere 3\n0 0 0\n1 1 1\n'              '3: more than the 1 point of this sphere'
+    bad_surface 'octant -3\n'                           '1: no radius'
+    bad_surface 'octant 3\nbezier 3\n'                  '2: `bezier` is no kind of surface'
+    printf 'line\n0 0\n1 1\ntensor 1 1\n' >"$tmp/bad.loft"; one_line 65 'bad.loft:4: `tensor` is no kind of curve: surfaces go into a file of their own' "$loft" eval "$tmp/bad.loft"
 }
 case_bad_curves() {
     bad_loft() { printf "$1" >"$tmp/bad.loft"; shift; one_line 65 "$tmp/bad.loft:$1" "$loft" eval "$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$1" "$loft" stream --dry-run "$tmp/bad.loft"; }

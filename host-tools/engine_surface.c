@@ -1,0 +1,281 @@
+/* host-tools/engine_surface.c -- surfaces of every kind through the library; compiled once per number type
+ * SPDX-License-Identifier: MIT
+ *
+ * A surface is opened: its points are rounded to the number type, what it needs is prepared. Points come from the
+ * function of the library that evaluates that kind.
+ */
+#include <stdlib.h>
+
+#include "surface/bicubic.h"            /* loft_bicubic */
+#include "surface/coons.h"              /* loft_coons_bezier */
+#include "surface/local.h"              /* loft_local */
+#include "surface/octant.h"             /* loft_octant_from_radius */
+#include "surface/pn.h"                 /* loft_pn */
+#include "surface/sphere.h"             /* loft_sphere */
+#include "surface/tensor.h"             /* loft_tensor */
+#include "surface/tensor_rational.h"    /* loft_tensor_rational */
+#include "surface/triangle.h"           /* loft_triangle */
+#include "surface/triangle_rational.h"  /* loft_triangle_rational */
+
+#include "engine_num.h"     /* real_of, vec_of, point_of */
+#include "surface.h"
+#include "tool.h"           /* tool_grow */
+
+#define OCTANT_POINTS 15
+
+/* One of the library's; which says the kind. */
+struct engine_surface {
+    const surface *s;
+    loft_vec *p;
+    loft_weighted *weighted;
+    union {
+        loft_tensor tensor;
+        loft_tensor_rational tensor_rational;
+        loft_triangle triangle;
+        loft_triangle_rational triangle_rational;
+        loft_coons_bezier coons;
+        loft_bicubic bicubic;
+        loft_pn pn;
+        loft_sphere sphere;
+    } as;
+};
+
+
+// Open and close
+// --------------
+
+static void surface_close(engine_surface *e)
+{
+    free(e->p);
+    free(e->weighted);
+    free(e);
+}
+
+static int hold(engine_surface *e)
+{
+    const surface *s = e->s;
+    const unsigned room = s->count > OCTANT_POINTS ? s->count : OCTANT_POINTS;
+
+    e->p = tool_grow(NULL, room * sizeof *e->p);
+    e->weighted = tool_grow(NULL, room * sizeof *e->weighted);
+    for (unsigned i = 0; i < s->count; i++) {
+        if (!vec_of(s->point[i].p, &e->p[i]) || !real_of(s->point[i].w, &e->weighted[i].w))
+            return LOFT_ERR_RANGE;
+        e->weighted[i].p = e->p[i];
+    }
+    return LOFT_OK;
+}
+
+/* First 2 orders curves along u, then those along v. */
+static int prepare_coons(engine_surface *e)
+{
+    const surface *s = e->s;
+    loft_bezier u[LOFT_COONS_ORDERS][2], v[LOFT_COONS_ORDERS][2];
+    int status = LOFT_OK;
+
+    for (unsigned k = 0; k < 2 * s->orders && status == LOFT_OK; k++) {
+        status = loft_bezier_init(&u[k / 2][k % 2], e->p + k * (s->m + 1), s->m);
+        if (status == LOFT_OK)
+            status = loft_bezier_init(&v[k / 2][k % 2], e->p + 2 * s->orders * (s->m + 1) + k * (s->n + 1), s->n);
+    }
+    return status ? status : (int)loft_coons_bezier_init(&e->as.coons, (const loft_bezier (*)[2])u, (const loft_bezier (*)[2])v, s->orders, 0);
+}
+
+static int prepare_pn(engine_surface *e)
+{
+    loft_vec normal[3];
+
+    for (int k = 0; k < 3; k++)
+        if (!vec_of(e->s->point[k].d, &normal[k]))
+            return LOFT_ERR_RANGE;
+    return loft_pn_init(&e->as.pn, e->p, normal);
+}
+
+/* The library's octant has its centre at 0. */
+static int prepare_octant(engine_surface *e)
+{
+    loft_real radius;
+    double point[ENGINE_AXES];
+
+    if (!real_of(e->s->radius, &radius))
+        return LOFT_ERR_RANGE;
+    const int status = loft_octant_from_radius(radius, e->weighted);
+    for (int k = 0; k < OCTANT_POINTS && status == LOFT_OK; k++) {
+        point_of(e->weighted[k].p, point);
+        for (int i = 0; i < ENGINE_AXES; i++)
+            point[i] += double_of(e->p[0].axis[i]);
+        if (!vec_of(point, &e->weighted[k].p))
+            return LOFT_ERR_RANGE;
+    }
+    return status ? status : (int)loft_triangle_rational_init(&e->as.triangle_rational, e->weighted, 4);
+}
+
+static int prepare_sphere(engine_surface *e)
+{
+    e->as.sphere.centre = e->p[0];
+    return real_of(e->s->radius, &e->as.sphere.radius) ? LOFT_OK : LOFT_ERR_RANGE;
+}
+
+static int prepare(engine_surface *e)
+{
+    const surface *s = e->s;
+    const int status = hold(e);
+
+    if (status != LOFT_OK)
+        return status;
+    switch (s->kind) {
+    case SURFACE_TENSOR:
+        return s->rational ? (int)loft_tensor_rational_init(&e->as.tensor_rational, e->weighted, s->m, s->n)
+                           : (int)loft_tensor_init(&e->as.tensor, e->p, s->m, s->n);
+    case SURFACE_TRIANGLE:
+        return s->rational ? (int)loft_triangle_rational_init(&e->as.triangle_rational, e->weighted, s->m)
+                           : (int)loft_triangle_init(&e->as.triangle, e->p, s->m);
+    case SURFACE_COONS:  return prepare_coons(e);
+    case SURFACE_PN:     return prepare_pn(e);
+    case SURFACE_OCTANT: return prepare_octant(e);
+    case SURFACE_SPHERE: return prepare_sphere(e);
+    default:
+        for (int k = 0; k < 16; k++)
+            e->as.bicubic.at[k / 4][k % 4] = e->p[k];
+        return LOFT_OK;
+    }
+}
+
+static int surface_open(const surface *s, engine_surface **out)
+{
+    engine_surface *e = tool_grow(NULL, sizeof *e);
+
+    *e = (engine_surface){ .s = s };
+    const int status = prepare(e);
+    if (status != LOFT_OK)
+        surface_close(e);
+    else
+        *out = e;
+    return status;
+}
+
+
+// Points
+// ------
+
+/* The parameters of a sphere are angles in degrees. */
+static int eval_sphere(const engine_surface *e, double u, double v, loft_vec *out)
+{
+    return loft_sphere_eval(&e->as.sphere, LOFT_REAL(360 * v), LOFT_REAL(180 * u), out);
+}
+
+static int eval_triangle(const engine_surface *e, double u, double v, loft_vec *out)
+{
+    const loft_bary at = { LOFT_UNIT(u), LOFT_UNIT(v) };
+
+    if (e->s->kind == SURFACE_PN)
+        *out = loft_pn_eval(&e->as.pn, at);
+    else if (e->s->rational || e->s->kind == SURFACE_OCTANT)
+        *out = loft_triangle_rational_eval(&e->as.triangle_rational, at);
+    else
+        *out = loft_triangle_eval(&e->as.triangle, at);
+    return LOFT_OK;
+}
+
+static int surface_eval(const engine_surface *e, double u, double v, double out[ENGINE_AXES])
+{
+    int status = LOFT_OK;
+    loft_vec at;
+
+    if (!(u >= 0 && v >= 0 && u <= 1 && v <= 1 && (u + v <= 1 + 1e-9 || !surface_is_triangle(e->s))))
+        return LOFT_ERR_ARG;
+    switch (e->s->kind) {
+    case SURFACE_TENSOR:
+        at = e->s->rational ? loft_tensor_rational_eval(&e->as.tensor_rational, LOFT_UNIT(u), LOFT_UNIT(v))
+                            : loft_tensor_eval(&e->as.tensor, LOFT_UNIT(u), LOFT_UNIT(v));
+        break;
+    case SURFACE_COONS:   status = loft_coons_bezier_eval(&e->as.coons, LOFT_UNIT(u), LOFT_UNIT(v), &at); break;
+    case SURFACE_BICUBIC: status = loft_bicubic_eval(&e->as.bicubic, LOFT_UNIT(u), LOFT_UNIT(v), &at);    break;
+    case SURFACE_SPHERE:  status = eval_sphere(e, u, v, &at);                                             break;
+    default:              status = eval_triangle(e, u, v, &at);                                           break;
+    }
+    if (status == LOFT_OK)
+        point_of(at, out);
+    return status;
+}
+
+
+
+// Normals and curvatures
+// ----------------------
+
+/* Of a sphere: outward, and bent away from that. */
+static int look_round(const engine_surface *e, double u, double v, engine_look *out)
+{
+    double at[ENGINE_AXES], length = 0;
+    const int status = surface_eval(e, u, v, at);
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        at[i] -= e->s->point[0].p[i];
+    for (int i = 0; i < ENGINE_AXES; i++)
+        length += at[i] * at[i];
+    for (int i = 0; i < ENGINE_AXES && status == LOFT_OK; i++)
+        out->normal[i] = at[i] / sqrt(length);
+    out->gauss = 1 / (e->s->radius * e->s->radius);
+    out->mean  = -1 / e->s->radius;
+    return status;
+}
+
+/* Of what is a tensor product or a triangle, or can be made one: its net is in `net` where it has none of its own. */
+static int local_of(const engine_surface *e, double u, double v, loft_local *out)
+{
+    const loft_bary at = { LOFT_UNIT(u), LOFT_UNIT(v) };
+    loft_vec net[(LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1)];
+    loft_tensor tensor = { net, 3, 3 };
+    loft_triangle cubic = { net, 3 };
+    int status = LOFT_OK;
+
+    switch (e->s->kind) {
+    case SURFACE_TENSOR:
+        if (e->s->rational)
+            return loft_tensor_rational_local(&e->as.tensor_rational, at.v, at.w, out);
+        return loft_tensor_local(&e->as.tensor, at.v, at.w, out);
+    case SURFACE_TRIANGLE:
+        return e->s->rational ? LOFT_ERR_ARG : (int)loft_triangle_local(&e->as.triangle, at, out);
+    case SURFACE_PN:
+        loft_pn_net(&e->as.pn, net);
+        return loft_triangle_local(&cubic, at, out);
+    case SURFACE_BICUBIC:
+        status = loft_tensor_from_bicubic(&e->as.bicubic, net);
+        break;
+    default:
+        tensor.m = (uint8_t)e->s->m;
+        tensor.n = (uint8_t)e->s->n;
+        status = e->s->orders == 1 ? (int)loft_tensor_from_coons(&e->as.coons, net) : LOFT_ERR_ARG;
+        break;
+    }
+    return status ? status : (int)loft_tensor_local(&tensor, at.v, at.w, out);
+}
+
+static int surface_look(const engine_surface *e, double u, double v, engine_look *out)
+{
+    loft_curvatures k;
+    loft_local here;
+    loft_vec normal;
+
+    if (e->s->kind == SURFACE_SPHERE || e->s->kind == SURFACE_OCTANT)
+        return look_round(e, u, v, out);
+    int status = local_of(e, u, v, &here);
+    if (status == LOFT_OK)
+        status = loft_local_normal(&here, &normal);
+    if (status == LOFT_OK)
+        status = loft_local_curvatures(&here, &k);
+    if (status != LOFT_OK)
+        return status;
+    point_of(normal, out->normal);
+    out->gauss = double_of_acc(k.gauss);
+    out->mean  = double_of_acc(k.mean);
+    return LOFT_OK;
+}
+
+const engine_surfaces ENGINE_OF(engine_surfaces) = {
+    .open  = surface_open,
+    .close = surface_close,
+    .eval  = surface_eval,
+    .look  = surface_look
+};

@@ -1,0 +1,74 @@
+/* host-tools/surface.h -- any kind of surface, as it stands in a file: points with what belongs to them
+ * SPDX-License-Identifier: MIT
+ *
+ *     surface.c       the kinds, the list, telling their files apart
+ *     surface_text.c  surfaces in the text format .loft (LOFT.md)
+ *     engine.h        what the library makes of them
+ *     mesh.h          triangles of them, normals and curvatures; STL and PLY
+ *     surface_plot.h  pictures
+ *
+ * A surface runs over u, v in 0..1; one over a triangle where u + v <= 1 as well: u is the share of the second corner, v
+ * that of the third. On a sphere u goes from the pole down, v around.
+ */
+#ifndef LOFT_HOST_SURFACE_H
+#define LOFT_HOST_SURFACE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define SURFACE_AXES       3
+#define SURFACE_DEGREE_MAX 9        /* of the library */
+
+enum surface_kind {
+    SURFACE_TENSOR, SURFACE_TRIANGLE, SURFACE_COONS, SURFACE_BICUBIC, SURFACE_PN, SURFACE_SPHERE, SURFACE_OCTANT,
+    SURFACE_KINDS
+};
+
+/* A point and what stands behind it. */
+typedef struct {
+    double p[SURFACE_AXES];
+    double d[SURFACE_AXES];     /* pn: the normal                */
+    double w;                   /* tensor, triangle: the weight  */
+} surface_point;
+
+typedef struct surface {
+    enum surface_kind kind;
+    unsigned m, n;              /* degrees along u and v; a triangle has m alone        */
+    unsigned orders;            /* coons: 1 bilinear, 2 with slopes, 3 with curvatures  */
+    bool rational;              /* some weight was given                                */
+    double radius;              /* sphere, octant: their only point is the centre       */
+    surface_point *point;
+    unsigned count;
+    unsigned line;              /* where it starts in the file                          */
+} surface;
+
+typedef struct surfaces {
+    surface *surface;
+    size_t count;
+} surfaces;
+
+const char *surface_name(enum surface_kind kind);
+
+/* Is its domain the triangle u + v <= 1? */
+bool surface_is_triangle(const surface *s);
+
+/* How many points it has; 0: not to be said before they are counted. */
+unsigned surface_points(const surface *s);
+
+/* Append a surface without points, or a point to the last one. */
+surface *surfaces_add(surfaces *all, enum surface_kind kind, unsigned line);
+void     surface_add_point(surface *s, const surface_point *p);
+void     surfaces_free(surfaces *all);
+
+/* Read `file` ("-" is standard input) if it holds surfaces; otherwise *all stays empty and the file may be read as
+ * something else. Gives 0 or an exit code after printing one line. `*all` must be zeroed. */
+int surfaces_read(surfaces *all, const char *file);
+
+/* The same, and a file without surfaces is an error. */
+int surfaces_read_only(surfaces *all, const char *file);
+
+/* The text format: does a surface begin with this word, and what a text holds. */
+bool surface_begins(const char *word);
+int  surfaces_read_text(surfaces *all, const char *file, const char *text);
+
+#endif
