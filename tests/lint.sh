@@ -53,9 +53,9 @@ for header in lib/*/*.h; do
         }' "$header"
 done | rule "public functions are documented"
 
-# ... and those that compute curves say how much they err and what they cost: in the comment above them, above the first of
+# ... and those that compute curves and surfaces say how much they err and what they cost: in the comment above them, above the first of
 # their group (no empty line between), or at the head of the section (a comment with a line of dashes)
-for header in lib/basis/*.h lib/curve/*.h; do
+for header in lib/basis/*.h lib/curve/*.h lib/surface/*.h; do
     awk -v file="$header" '
         /^\/\*/                      { said = ""; inside = 1 }
         inside                      { said = said "\n" $0 }
@@ -67,7 +67,7 @@ for header in lib/basis/*.h lib/curve/*.h; do
                 if (said section !~ "\n \\* +" label[i] " +[^ ]")
                     print file ":" FNR ": no " label[i] ": " $0
         }' "$header"
-done | rule "curves say their error and their cost"
+done | rule "curves and surfaces say their error and their cost"
 
 # 6. every source says its licence and what it is
 for file in lib/*.h lib/*/*.[ch] ports/*.h ports/*/*.[ch] host-tools/*.[ch] tests/*.[ch] tests/*.sh; do

@@ -36,6 +36,7 @@ typedef struct {
  *
  *   error   of a point q16: bezier degree * 2^-33, the others 1/2 LSB more than none, as their eval   f32: bezier none,
  *           the others 1 ulp   f64: as their eval
+ *   cost    two pointers copied; each point that of the curve's eval
  */
 loft_side loft_side_from_bezier(const loft_bezier *b);
 loft_side loft_side_from_rational(const loft_rational *r);
@@ -53,6 +54,8 @@ typedef struct {
  *   range   they meet: at each corner all coordinates of both curves agree within tol >= 0, otherwise LOFT_ERR_ARG; *c is
  *           untouched then. The corners are those of u; where v misses them by d the patch follows both curves
  *           within d
+ *   error   of the corners: that of the boundaries
+ *   cost    8 points of the boundaries
  */
 enum loft_status loft_coons_init(loft_coons *c, const loft_side u[2], const loft_side v[2], loft_real tol) LOFT_CHECKED;
 
@@ -84,6 +87,8 @@ typedef struct {
 /* Take 4 * orders curves of any degrees, which their control points must outlive.
  *
  *   range   orders 1..3, the boundaries meet at their corners within tol >= 0, otherwise LOFT_ERR_ARG; *c is untouched then
+ *   error   none: nothing is rounded
+ *   cost    8 comparisons per axis; copies of the curves' descriptions
  */
 enum loft_status loft_coons_bezier_init(loft_coons_bezier *c, const loft_bezier u[][2], const loft_bezier v[][2],
                                         unsigned orders, loft_real tol) LOFT_CHECKED;

@@ -46,6 +46,7 @@ enum loft_status loft_facet_equation(const loft_facet *f, loft_real abcd[4]) LOF
 /* The left side of the equation at x: how far on which side, times the length of (a, b) or (a, b, c).
  *
  *   error   as above
+ *   cost    as above, and 2 or 3 exact products more
  */
 enum loft_status loft_line_value(const loft_line *l, loft_vec x, loft_real *out) LOFT_CHECKED;
 enum loft_status loft_facet_value(const loft_facet *f, loft_vec x, loft_real *out) LOFT_CHECKED;
@@ -63,6 +64,7 @@ enum loft_status loft_facet_distance(const loft_facet *f, loft_vec x, loft_real 
  *
  *   range   LOFT_SINGULAR where there is no line or plane
  *   error   q16: 1/2 LSB + 2^-16 LSB, far below 2^-14   f32: 0.5001 ulp   f64: 1 ulp
+ *   cost    2 or 9 exact products, an exact root, 2 or 3 quotients; not for an ISR
  */
 enum loft_status loft_line_normal(const loft_line *l, loft_vec *out) LOFT_CHECKED;
 enum loft_status loft_facet_normal(const loft_facet *f, loft_vec *out) LOFT_CHECKED;

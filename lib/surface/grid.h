@@ -53,6 +53,7 @@ typedef struct {
  *   range   degrees 0..5, rows, columns >= 1, otherwise LOFT_ERR_ARG; the law of ranges, any control points (f32, f64: to
  *           LOFT_REAL_MAX / 2^32), otherwise LOFT_ERR_RANGE; `count` >= LOFT_GRID_STATES(m, n), otherwise LOFT_ERR_SPACE.
  *           *g is untouched then. The control points of the last row and the memory must outlive the walk
+ *   error   that of loft_grid_next
  *   cost    that of num/walk2.h per axis; 500 bytes of stack
  */
 enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t rows, uint32_t columns,
@@ -62,6 +63,7 @@ enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t row
  *
  *   shape   will yield (rows + 1) (rows + 2) / 2 points: row r has r + 1, from the edge T1 T2 to the edge T1 T3, as nets are listed
  *   range   as above, with LOFT_GRID_TRIANGLE_STATES(degree)
+ *   error   that of loft_grid_next
  *   cost    as above
  */
 enum loft_status loft_grid_triangle_init(loft_grid *g, const loft_triangle *t, uint32_t rows,
@@ -71,6 +73,7 @@ enum loft_status loft_grid_triangle_init(loft_grid *g, const loft_triangle *t, u
  *
  *   range   as above, with LOFT_GRID_STATES(m, n); degrees 1..5, one in each pair, and curves that meet exactly, otherwise LOFT_ERR_ARG;
  *           LOFT_ERR_RANGE also when a control point of loft_tensor_from_coons does not fit
+ *   error   that of loft_grid_next
  *   cost    that of loft_tensor_from_coons as well; 1 kB of stack
  */
 enum loft_status loft_grid_coons_init(loft_grid *g, const loft_coons_bezier *c, uint32_t rows, uint32_t columns,
@@ -89,7 +92,11 @@ enum loft_status loft_grid_coons_init(loft_grid *g, const loft_coons_bezier *c, 
 bool loft_grid_next(loft_grid *g, loft_vec *out);
 
 /* Give the next `count` points at once, or as many as this row still has, so that a row begins with the first one of a
- * call; returns how many, 0 when the walk is over. The same points as loft_grid_next, faster. */
+ * call; returns how many, 0 when the walk is over. The same points as loft_grid_next, faster.
+ *
+ *   error   as loft_grid_next
+ *   cost    as loft_grid_next, without its calls
+ */
 uint32_t loft_grid_run(loft_grid *g, loft_vec out[], uint32_t count);
 
 #endif

@@ -68,6 +68,7 @@ enum loft_status loft_local_curvatures(const loft_local *at, loft_curvatures *ou
  * nearby: 1 / most, rounded down; LOFT_REAL_MAX where the surface bends away or the radius exceeds that.
  *
  *   error   q16: at most 1 LSB + 2^-30 of the radius below   f32, f64: 2^-20, 2^-50 of it below
+ *   cost    one division
  */
 loft_real loft_ball_radius(const loft_curvatures *k);
 

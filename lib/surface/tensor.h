@@ -31,6 +31,8 @@ typedef struct {
  *
  *   range   degrees 0..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise LOFT_ERR_RANGE; *s is
  *           untouched then
+ *   error   none: nothing is rounded
+ *   cost    one look at each coordinate
  */
 enum loft_status loft_tensor_init(loft_tensor *s, const loft_vec p[], unsigned m, unsigned n) LOFT_CHECKED;
 
@@ -98,11 +100,19 @@ enum loft_status loft_tensor_part_v(const loft_tensor *s, loft_unit from, loft_u
 enum loft_status loft_tensor_raise_u(const loft_tensor *s, unsigned times, loft_vec out[]) LOFT_CHECKED;
 enum loft_status loft_tensor_raise_v(const loft_tensor *s, unsigned times, loft_vec out[]) LOFT_CHECKED;
 
-/* The net with u and v exchanged: (n + 1) (m + 1) points. `out` must not overlap the net. */
+/* The net with u and v exchanged: (n + 1) (m + 1) points. `out` must not overlap the net.
+ *
+ *   error   none
+ *   cost    one copy of the net
+ */
 void loft_tensor_transpose(const loft_tensor *s, loft_vec out[]);
 
 /* The box of the net. The patch over 0..1 x 0..1 lies inside, rounded or not (f64: but for the error of eval); the
- * box is not the smallest. */
+ * box is not the smallest.
+ *
+ *   error   none
+ *   cost    2 comparisons per coordinate
+ */
 loft_box loft_tensor_box(const loft_tensor *s);
 
 #endif

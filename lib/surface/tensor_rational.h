@@ -26,6 +26,8 @@ typedef struct {
  *
  *   range   degrees 0..9, otherwise LOFT_ERR_ARG; weights 1/256..256 and finite coordinates, otherwise
  *           LOFT_ERR_RANGE; *s is untouched then
+ *   error   none: nothing is rounded
+ *   cost    one look at each coordinate and weight
  */
 enum loft_status loft_tensor_rational_init(loft_tensor_rational *s, const loft_weighted p[], unsigned m, unsigned n) LOFT_CHECKED;
 
@@ -77,7 +79,11 @@ enum loft_status loft_tensor_rational_split_v(const loft_tensor_rational *s, lof
 enum loft_status loft_tensor_rational_raise_u(const loft_tensor_rational *s, unsigned times, loft_weighted out[]) LOFT_CHECKED;
 enum loft_status loft_tensor_rational_raise_v(const loft_tensor_rational *s, unsigned times, loft_weighted out[]) LOFT_CHECKED;
 
-/* The box of the net. The patch over 0..1 x 0..1 lies inside, rounded or not (f64: but for the error of eval). */
+/* The box of the net. The patch over 0..1 x 0..1 lies inside, rounded or not (f64: but for the error of eval).
+ *
+ *   error   none
+ *   cost    2 comparisons per coordinate
+ */
 loft_box loft_tensor_rational_box(const loft_tensor_rational *s);
 
 #endif
