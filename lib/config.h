@@ -36,7 +36,7 @@
 #endif
 
 /* What the tick does with a span that the main loop has not prepared in time. 1: prepares it itself, which takes longer
- * than a tick on a slow part. 0: slows down on the path and waits for it, which needs less stack. */
+ * than a tick on a slow part. 0: waits for it and counts that among the slowed ticks, which needs less stack. */
 #ifndef LOFT_MACHINE_TICK_PREPARES
 #  define LOFT_MACHINE_TICK_PREPARES 1
 #endif

@@ -10,7 +10,7 @@ set -u
 [ -z "$(missing_tools)" ] || { missing_tools; echo "0 passed, 1 failed"; exit 1; }
 
 # what may run in an interrupt, and the helpers that cost too much there
-hot="loft_forward_next loft_forward_run loft_forward_strict_next loft_rational_walk_next loft_pace_next loft_step_load loft_step_next loft_drive_slot"
+hot="loft_forward_next loft_forward_run loft_forward_strict_next loft_rational_walk_next loft_pace_next loft_step_load loft_step_next loft_step_run loft_drive_slot loft_drive_run"
 slow='^__(u?divdi3|u?moddi3|u?divmoddi4|ashldi3|ashrdi3|lshrdi3|aeabi_u?ldivmod|aeabi_lls[lr]|aeabi_lasr)$'
 slow_avr='^__(u?divdi3|u?moddi3|muldi3.*|umulsidi3|mulsidi3|ashldi3|ashrdi3|lshrdi3)$'
 

@@ -192,8 +192,36 @@ static void a_position_in_millimetres_is_the_same_step_again(arb *a)
     CHECK(loft_steps_of(at, (loft_real)(LOFT_REAL(1) * (loft_real)per_mm)) == steps);
 }
 
+/* Slots made many at once are those made one by one: bits, directions, positions. */
+static void slots_made_at_once_are_those_made_one_by_one(arb *a)
+{
+    int32_t at[LOFT_AXES], target[LOFT_AXES], one[LOFT_AXES], many[LOFT_AXES];
+    loft_step s = arb_step(a, at), r = s;
+    uint8_t step[255], dir;
+
+    for (int turn = 0; turn < 300; turn++) {
+        if (loft_step_room(&s) && arb_below(a, 4)) {
+            const uint16_t slots = (uint16_t)(1 + arb_below(a, 100));
+            arb_target(a, s.target, arb_below(a, 8) ? 45 : 300, target);
+            CHECK(loft_step_load(&s, target, slots) == loft_step_load(&r, target, slots));
+        }
+        const uint8_t most = (uint8_t)(1 + arb_below(a, 255)), count = loft_step_run(&r, step, most, &dir);
+        CHECK(count >= 1 && count <= most);
+        for (int k = 0; k < count; k++) {
+            const loft_pins pins = loft_step_next(&s);
+            CHECK(pins.step == step[k] && pins.dir == dir);
+        }
+        loft_step_position(&s, one);
+        loft_step_position(&r, many);
+        for (int i = 0; i < LOFT_AXES; i++)
+            CHECK(one[i] == many[i]);
+        CHECK(loft_step_done(&s) == loft_step_done(&r) && loft_step_room(&s) == loft_step_room(&r));
+    }
+}
+
 int main(void)
 {
+    PROPERTY(slots_made_at_once_are_those_made_one_by_one, 500);
     PROPERTY(pulses_follow_the_straight_line_within_half_a_step, 60);
     PROPERTY(directions_change_a_slot_before_the_pulse,         100);
     PROPERTY(a_tick_is_not_longer_than_it_must_be,              200);

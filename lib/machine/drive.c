@@ -190,21 +190,13 @@ static void count_ticks(loft_drive *d)
 
 static bool is_ready(const loft_drive *d)       { return d->ready && d->ready_item == d->item; }
 
-/* Is there a next span, and has nobody prepared it? */
-static bool unprepared(const loft_drive *d)
-{
-    return d->kind == LOFT_SPANS && d->ahead > d->left && !is_ready(d);
-}
-
 /* The law of supply. With level = ticks to standing, one tick uses one of `ahead` and changes the level by at most 1:
  *
  *     going down    ahead - level stays
  *     steady        ahead - level falls by 1      only while ahead > level + MARGIN
  *     going up      ahead - level falls by 2      likewise, or with a full queue while ahead >= level + 2
  *
- * so ahead >= level always, and the machine stands before the queue is empty or at its last tick.
- *
- * A span that the tick does not prepare itself counts for nothing until it is prepared. */
+ * so ahead >= level always, and the machine stands before the queue is empty or at its last tick. */
 static void steer(loft_drive *d, bool ended)
 {
     const uint32_t need = (uint32_t)loft_pace_distance(&d->pace) + LOFT_DRIVE_MARGIN;
@@ -218,8 +210,6 @@ static void steer(loft_drive *d, bool ended)
         starved = true;
     else if (d->ahead > 2 * need)
         starved = false;
-    if (!LOFT_MACHINE_TICK_PREPARES && d->left <= need && unprepared(d))
-        starved = true;
     d->starved = starved;
 
     const uint8_t aim = starved || d->hold || d->abort ? 0 : d->percent;
@@ -255,12 +245,19 @@ static void walk_item(loft_drive_walk *walk, const volatile loft_item *item, con
     loft_powers powers;
 
     loft_powers_init(&powers, 3, item->ticks);
+    walk->moves = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
+        const int32_t start = from[i];
         loft_real p[4];
-        p[0] = loft_real_from_raw(from[i]);
-        for (int k = 0; k < 3; k++)
-            p[k + 1] = loft_real_from_raw(item->p[k][i]);
-        loft_walk3_init(&walk->axis[i], p, &powers);
+        p[0] = loft_real_from_raw(start);
+        for (int k = 0; k < 3; k++) {
+            const int32_t next = item->p[k][i];
+            if (next != start)
+                walk->moves = (uint8_t)(walk->moves | 1u << i);
+            p[k + 1] = loft_real_from_raw(next);
+        }
+        if (walk->moves & 1u << i)
+            loft_walk3_init(&walk->axis[i], p, &powers);
     }
 }
 
@@ -310,9 +307,17 @@ static bool next_target(loft_drive *d)
         copy(d->target, d->from);
         return true;
     }
+    loft_drive_walk *walk = &d->walk[d->which];
     for (int i = 0; i < LOFT_AXES; i++)
-        d->target[i] = loft_steps_of(loft_walk3_step(&d->walk[d->which].axis[i], d->left == 0), d->steps_per_mm[i]);
+        if (walk->moves & 1u << i)
+            d->target[i] = loft_steps_of(loft_walk3_step(&walk->axis[i], d->left == 0), d->steps_per_mm[i]);
     return true;
+}
+
+/* Does a span come next that the main loop has not prepared? */
+static bool must_wait(const loft_drive *d)
+{
+    return !LOFT_MACHINE_TICK_PREPARES && d->kind == LOFT_SPANS && d->left == 0 && d->ahead && !is_ready(d);
 }
 
 void loft_drive_next(loft_drive *d)
@@ -327,7 +332,7 @@ void loft_drive_next(loft_drive *d)
         d->ahead += ticks;
     }
     steer(d, ended);
-    if (!LOFT_MACHINE_TICK_PREPARES && d->left == 0 && d->ahead && unprepared(d)) {
+    if (must_wait(d)) {
         d->slowed += loft_step_done(&d->step) && loft_pace_distance(&d->pace);
         return;
     }
@@ -351,7 +356,27 @@ void loft_drive_next(loft_drive *d)
 // Slot
 // ----
 
+static void count_slots(loft_drive *d, uint8_t count)
+{
+    if (!d->active)
+        return;
+    d->slot = (uint16_t)(d->slot + count);
+    while (d->slot >= d->slots) {
+        d->slot = (uint16_t)(d->slot - d->slots);
+        d->elapsed++;
+    }
+}
+
 loft_pins loft_drive_slot(loft_drive *d)
 {
-    return loft_drive_pins(d);
+    count_slots(d, 1);
+    return loft_step_next(&d->step);
+}
+
+uint8_t loft_drive_run(loft_drive *d, uint8_t step[], uint8_t count, uint8_t *dir)
+{
+    const uint8_t given = loft_step_run(&d->step, step, count, dir);
+
+    count_slots(d, given);
+    return given;
 }

@@ -47,6 +47,7 @@ typedef struct {
 /* The walk of a span. */
 typedef struct {
     loft_walk3 axis[LOFT_AXES];
+    uint8_t moves;                      /* bit i: axis i does not stand still */
 } loft_drive_walk;
 
 /* Complete so that it can be static; the fields may change without notice. */
@@ -115,7 +116,7 @@ void loft_drive_override(loft_drive *d, unsigned percent);
 /* The job is over and its report read: LOFT_STATE_IDLE. Nothing happens while a job is under way. */
 void loft_drive_close(loft_drive *d);
 
-/* Prepare the walk of the next span, if that is not done: 20,000 cycles on an AVR with three axes, which loft_drive_tick would
+/* Prepare the walk of the next span, if that is not done: 20,000 cycles on an AVR with two axes that move, which loft_drive_tick would
  * have to spend at the beginning of the span, or for which it waits: see LOFT_MACHINE_TICK_PREPARES. Call it again and again. */
 void loft_drive_prepare(loft_drive *d);
 
@@ -144,14 +145,7 @@ static inline void loft_drive_tick(loft_drive *d)
  *   cost    loft_step_next and a 16-bit count */
 loft_pins loft_drive_slot(loft_drive *d);
 
-/* The same inline, for an interrupt that is not to save more registers than it uses. */
-static inline loft_pins loft_drive_pins(loft_drive *d)
-{
-    if (d->active && ++d->slot >= d->slots) {
-        d->slot = 0;
-        d->elapsed++;
-    }
-    return loft_step_slot(&d->step);
-}
+/* The same for the next `count` slots at once, or fewer: see loft_step_run. */
+uint8_t loft_drive_run(loft_drive *d, uint8_t step[], uint8_t count, uint8_t *dir);
 
 #endif

@@ -97,8 +97,10 @@ void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count)
         const loft_standing now = standing(m);
         loft_event_data what;
         enum loft_event event;
-        while ((event = loft_receiver_next(&m->receiver, &now, &what)) != LOFT_EVENT_NONE)
+        while ((event = loft_receiver_next(&m->receiver, &now, &what)) != LOFT_EVENT_NONE) {
             act(m, event, &what);
+            loft_drive_prepare(&m->drive);      /* unpacking a frame takes longer than a short span lasts */
+        }
     }
 }
 

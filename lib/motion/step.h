@@ -22,12 +22,15 @@ typedef struct {
     uint8_t dir;        /* 1: towards minus; changes at least one slot before the pulse that needs it */
 } loft_pins;
 
+/* One axis in a tick. */
+typedef struct {
+    uint16_t count;                     /* pulses, at most `slots`                                    */
+    uint16_t error;                     /* of Bresenham's line, see step.c                            */
+} loft_step_axis;
+
 /* A tick. */
 typedef struct {
-    struct {
-        uint16_t count;                 /* pulses, at most `slots`                                    */
-        uint16_t error;                 /* of Bresenham's line, see step.c                            */
-    } axis[LOFT_AXES];
+    loft_step_axis axis[LOFT_AXES];
     uint16_t slots, left;               /* left: slots still to come                                  */
     uint8_t dir;
     bool lead;                          /* one slot before the first for the direction bits alone     */
@@ -74,8 +77,13 @@ static inline bool loft_step_done(const loft_step *s)       { return !s->full &&
  *           no multiplication; meant for the timer interrupt */
 loft_pins loft_step_next(loft_step *s);
 
-/* The same inline, for an interrupt that is not to save more registers than it uses. */
-static inline loft_pins loft_step_slot(loft_step *s);
+/* What to do in the next `count` slots at once, or in fewer: up to the end of a tick. step[k] are the step bits of slot k, *dir the
+ * direction bits of all of them. Gives how many they are, at least 1; what follows is as after as many loft_step_next.
+ *
+ *   range   count 1..255
+ *   cost    a tenth of loft_step_next per slot and axis; an axis without steps costs nothing. For a port that keeps slots
+ *           in a buffer, from which an interrupt of few instructions takes them. */
+uint8_t loft_step_run(loft_step *s, uint8_t step[], uint8_t count, uint8_t *dir);
 
 /* The position, read while the interrupt runs: all axes of the same slot.
  *
@@ -88,67 +96,5 @@ void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES]);
  *   error   q16: nearest, ties upward, exactly   f32, f64: of the product as a double */
 int32_t loft_steps_of(loft_real mm, loft_real steps_per_mm);
 
-
-// Inline
-// ------
-
-/* One pulse counted. Most end in the lowest byte, which is why AVR has a road of its own. */
-static inline void loft_step_count(volatile int32_t *position, bool back)
-{
-#if defined(__AVR__)
-#  define LOFT_STEP_COUNT(one, upper, carry) \
-        "ld %0, X\n subi %0, " one "\n st X+, %0\n " carry " 1f\n ld %0, X\n sbci %0, " upper "\n st X+, %0\n" \
-        "ld %0, X\n sbci %0, " upper "\n st X+, %0\n ld %0, X\n sbci %0, " upper "\n st X+, %0\n1:"
-    uint8_t byte;
-    if (back)
-        __asm__ volatile (LOFT_STEP_COUNT("1", "0", "brcc") : "=&d" (byte), "+x" (position) : : "memory");
-    else
-        __asm__ volatile (LOFT_STEP_COUNT("0xFF", "0xFF", "brcs") : "=&d" (byte), "+x" (position) : : "memory");
-#  undef LOFT_STEP_COUNT
-#else
-    *position += back ? -1 : 1;
-#endif
-}
-
-/* Axis `i` in one slot: its bit if it is to pulse. */
-static inline uint8_t loft_step_axis(loft_step *s, volatile loft_step_tick *t, int i, uint8_t dir)
-{
-    const uint8_t bit = (uint8_t)(1u << i);
-    const uint16_t count = t->axis[i].count, sum = (uint16_t)(t->axis[i].error + count);
-
-    if (sum >= count) {
-        t->axis[i].error = sum;
-        return 0;
-    }
-    t->axis[i].error = (uint16_t)(sum - t->slots);
-    loft_step_count(&s->position[i], (dir & bit) != 0);
-    return bit;
-}
-
-static inline loft_pins loft_step_slot(loft_step *s)
-{
-    loft_pins pins = { 0, s->dir };
-
-    if (!s->busy) {
-        if (!s->full)
-            return pins;
-        s->which ^= 1;
-        s->busy = 1;
-        s->full = 0;
-        pins.dir = s->dir = s->tick[s->which].dir;
-        if (s->tick[s->which].lead)
-            return pins;
-    }
-    volatile loft_step_tick *t = s->which ? &s->tick[1] : &s->tick[0];
-    for (int i = 0; i < LOFT_AXES; i++)
-        pins.step |= loft_step_axis(s, t, i, pins.dir);
-    if (pins.step)
-        s->changes++;
-    const uint16_t left = (uint16_t)(t->left - 1);
-    t->left = left;
-    if (left == 0)
-        s->busy = 0;
-    return pins;
-}
 
 #endif
