@@ -5,9 +5,9 @@
  *     dir      D5 D6 D7 (PD5..7)         buttons  A0 abort, A1 hold, A2 resume (PC0..2), closing to ground
  *     enable   D8 (PB0), low             line     D0 D1 (USART0), 8N1
  *
- * The timer interrupt puts out the pins that it computed in the slot before, so the edges do not depend on how long
- * that takes; it computes the next ones and ends the pulses, which are as long as the computing. The tick follows in the same
- * interrupt, with interrupts enabled again, when there is room for it.
+ * The timer interrupt takes what the pins do in a slot from a ring, so the edges do not depend on how long computing takes.
+ * When the ring runs low it goes on, with interrupts enabled again, to make the slots to come, many at once: that and the tick
+ * are interrupted by the slots. Pulses are counted when they are made, at most 1.6 ms before they are given.
  */
 #include <avr/interrupt.h>
 #include <avr/io.h>
@@ -24,7 +24,10 @@
 #ifndef LOFT_INVERT
 #  define LOFT_INVERT 0             /* bits of PORTD to be inverted */
 #endif
-#define CELLS 10                    /* what RAM is left for */
+#ifndef PULSE
+#  define PULSE 18                  /* cycles: makes the pulses 2 us long, enough for all drivers */
+#endif
+#define CELLS 12                    /* what RAM is left for */
 
 /* The machine. steps/mm, mm/s, mm/s^2 */
 #define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500) }
@@ -33,7 +36,7 @@ static volatile loft_cell cells[CELLS];
 static loft_machine machine;
 static loft_machine_config config = {
     .traits = { .tick_hz = 1000, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
-    .ramp = 12, .cell = cells, .cells = CELLS
+    .ramp = 40, .cell = cells, .cells = CELLS
 };
 
 
@@ -45,54 +48,73 @@ static loft_machine_config config = {
 #define LIMITS  0x16                /* of PINB  */
 #define BUTTONS 0x07                /* of PINC  */
 
-static uint8_t next_pins = RX_PULL ^ LOFT_INVERT;
-static volatile uint8_t in_tick;
+#define RING    64                  /* slots                                      */
+#define LOW     28                  /* so many are enough for the longest tick    */
 
-inline void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
+static volatile uint8_t ring[RING], ring_head, ring_tail;
+static volatile uint8_t at_work;
+
+static inline uint8_t ring_count(void)      { return (uint8_t)(ring_head - ring_tail) % RING; }
+
+/* As many slots as there is room for, up to the end of the ring or of a tick. */
+static void make_slots(void)
 {
-    next_pins = (uint8_t)((uint8_t)(step_bits << 2) | (uint8_t)(dir_bits << 5) | RX_PULL) ^ LOFT_INVERT;
+    const uint8_t head = ring_head, room = (uint8_t)(RING - 1 - ring_count()), end = (uint8_t)(RING - head);
+    uint8_t *slot = (uint8_t *)&ring[head], dir;
+    uint8_t count = room < end ? room : end;
+
+    if (count == 0)
+        return;
+    count = loft_drive_run(&machine.drive, slot, count, &dir);
+    dir = (uint8_t)(dir << 5 | RX_PULL) ^ LOFT_INVERT;
+    for (uint8_t left = count; left; left--, slot++)
+        *slot = dir ^ (uint8_t)(*slot << 2);
+    LOFT_BARRIER();
+    ring_head = (uint8_t)(head + count) % RING;
 }
 
-inline void loft_port_slot(void)
+/* Called by the stub below, which has saved the registers, with interrupts enabled. While the machine stands in a job, once per
+ * turn is enough to see whether it may go on. */
+__attribute__((used)) void loft_port_work(void);
+void loft_port_work(void)
 {
-    const loft_pins pins = loft_drive_pins(&machine.drive);
-    loft_port_pins(pins.step, pins.dir);
-}
-
-/* Called by the stub below, which has saved the registers, with interrupts enabled. */
-__attribute__((used)) void loft_port_tick(void);
-void loft_port_tick(void)
-{
-    loft_machine_tick(&machine);
+    do {
+        make_slots();
+        loft_machine_tick(&machine);
+    } while (ring_count() < LOW && !loft_step_done(&machine.drive.step));
 }
 
 /* A function call inside an interrupt would make the compiler save all registers in every slot. */
-__attribute__((used, naked)) void loft_port_tick_stub(void);
-void loft_port_tick_stub(void)
+__attribute__((used, naked)) void loft_port_work_stub(void);
+void loft_port_work_stub(void)
 {
     __asm__ volatile (
         "push r0\n push r1\n push r18\n push r19\n push r20\n push r21\n push r22\n push r23\n push r24\n push r25\n"
-        "push r26\n push r27\n push r30\n push r31\n clr r1\n sei\n call loft_port_tick\n cli\n"
+        "push r26\n push r27\n push r30\n push r31\n clr r1\n sei\n call loft_port_work\n cli\n"
         "pop r31\n pop r30\n pop r27\n pop r26\n pop r25\n pop r24\n pop r23\n pop r22\n pop r21\n pop r20\n"
         "pop r19\n pop r18\n pop r1\n pop r0\n ret\n");
 }
 
-/* While the machine stands in a job, once per tick is enough to see whether it may go on. */
-static inline bool tick_is_due(void)
-{
-    const loft_drive *d = &machine.drive;
-    return d->active && loft_step_room(&d->step) && (d->step.busy || d->slot == 0);
-}
-
+/* One slot. If the ring is empty in mid-job the pulses come later, and none is lost. */
 ISR(TIMER1_COMPA_vect)
 {
-    PORTD = next_pins;
-    loft_port_slot();
-    PORTD = (uint8_t)((PORTD & ~STEPS) | (LOFT_INVERT & STEPS));
-    if (tick_is_due() && !in_tick) {
-        in_tick = 1;
-        __asm__ volatile ("call loft_port_tick_stub" ::: "memory");
-        in_tick = 0;
+    const uint8_t tail = ring_tail, head = ring_head;
+    uint8_t filled = (uint8_t)(head - tail) % RING;
+
+    if (filled) {
+        const uint8_t pins = ring[tail];
+        PORTD = pins;
+        ring_tail = (uint8_t)(tail + 1) % RING;
+        filled = machine.drive.active && !at_work ? filled : RING;      /* while the pulse lasts */
+        __builtin_avr_delay_cycles(PULSE);
+        PORTD = (pins & (uint8_t)~STEPS) | (LOFT_INVERT & STEPS);
+    } else if (!machine.drive.active || at_work) {
+        return;
+    }
+    if (filled <= LOW) {
+        at_work = 1;
+        __asm__ volatile ("call loft_port_work_stub" ::: "memory");
+        at_work = 0;
     }
 }
 
@@ -100,32 +122,32 @@ ISR(TIMER1_COMPA_vect)
 // The line
 // --------
 
-#define RING 128u
+#define BYTES 128u
 
-static volatile uint8_t ring[RING], ring_head;
-static uint8_t ring_tail;
+static volatile uint8_t line[BYTES], line_head;
+static uint8_t line_tail;
 
-/* A byte that finds the ring full is lost: the frame is then damaged, and sent again. */
+/* A byte that finds no room is lost: the frame is then damaged, and sent again. */
 ISR(USART_RX_vect)
 {
-    const uint8_t byte = UDR0, head = ring_head, after = (uint8_t)(head + 1u) % RING;
+    const uint8_t byte = UDR0, head = line_head, after = (uint8_t)(head + 1u) % BYTES;
 
-    if (after != ring_tail) {
-        ring[head] = byte;
-        ring_head = after;
+    if (after != line_tail) {
+        line[head] = byte;
+        line_head = after;
     }
 }
 
 size_t loft_port_read(uint8_t *bytes, size_t max)
 {
-    const uint8_t head = ring_head;
-    uint8_t tail = ring_tail;
+    const uint8_t head = line_head;
+    uint8_t tail = line_tail;
     size_t count = 0;
 
-    for (; tail != head && count < max; tail = (uint8_t)(tail + 1u) % RING)
-        bytes[count++] = ring[tail];
+    for (; tail != head && count < max; tail = (uint8_t)(tail + 1u) % BYTES)
+        bytes[count++] = line[tail];
     LOFT_BARRIER();
-    ring_tail = tail;
+    line_tail = tail;
     return count;
 }
 
@@ -170,7 +192,7 @@ void loft_port_init(void)
 {
     config.traits.boot = count_start();
 
-    PORTD = next_pins;
+    PORTD = RX_PULL ^ LOFT_INVERT;
     DDRD = 0xFC;
     PORTB = LIMITS;                             /* pulled up; the drivers are enabled */
     DDRB = 1 << 0;

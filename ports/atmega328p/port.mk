@@ -4,20 +4,23 @@ AVR_BAUD  ?= 115200
 AVR_SLOTS ?= 40
 AVR_MAX    = 30720 1600             # bytes of flash, and of RAM without the stack
 AVR_FLAGS  = -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -ffreestanding -ffunction-sections -fdata-sections $(WARN) \
-             -Ilib -Iports $(call num_flag,q16) -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_BAUD=$(AVR_BAUD) -DLOFT_SLOTS=$(AVR_SLOTS)
+             -Ilib -Iports $(call num_flag,q16) -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_FRAME_MAX=96 -DLOFT_BAUD=$(AVR_BAUD) -DLOFT_SLOTS=$(AVR_SLOTS)
+AVR_OPTIMIZE = -Os
 AVR_DIR   ?= build/firmware/atmega328p
 AVR_OBJ    = $(patsubst %.c,$(AVR_DIR)/%.o,$(wildcard $(addsuffix /*.c,lib/num lib/geom lib/motion lib/wire lib/machine)))
 
 $(AVR_DIR)/lib/%.o: lib/%.c $(LIB_HDR)
 	@mkdir -p $(@D)
 	$(SAY) "  CC  $@"
-	$(Q)avr-gcc $(AVR_FLAGS) -Os -c $< -o $@
+	$(Q)avr-gcc $(AVR_FLAGS) $(AVR_OPTIMIZE) -c $< -o $@
 
 # the slot interrupt is worth some flash
 $(AVR_DIR)/port.o: ports/atmega328p/port.c ports/port.h $(LIB_HDR)
 	@mkdir -p $(@D)
 	$(SAY) "  CC  $@"
-	$(Q)avr-gcc $(AVR_FLAGS) -O2 -funroll-loops -c $< -o $@
+	$(Q)avr-gcc $(AVR_FLAGS) -O2 -c $< -o $@
+
+$(AVR_DIR)/lib/motion/step.o: AVR_OPTIMIZE = -O2
 
 $(AVR_DIR)/loft.elf: $(AVR_DIR)/port.o $(AVR_OBJ)
 	$(SAY) "  LD  $@"
@@ -55,3 +58,4 @@ build/target/rate: tests/target/rate.c build/q16x3/libloft.a
 .PHONY: check-atmega328p
 check-atmega328p: firmware-atmega328p build/target/chip build/target/rate $(TOOL_OUT)/loft
 	@bash tests/target/avr.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
+TARGET_STAGES += check-atmega328p

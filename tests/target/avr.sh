@@ -6,7 +6,8 @@ set -u
 elf=$1 loft=$2 chip=$3/chip rate=$3/rate
 drawing=tests/drawings/outline12.csv feed=50
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
-tick=0x$(avr-nm "$elf" | awk '$3 == "loft_port_tick_stub" { print $1 }')
+tick=0x$(avr-nm "$elf" | awk '$3 == "loft_port_work_stub" { print $1 }')
+ring=$(avr-nm "$elf" | awk '{ at[$3] = substr($1, 5) } END { print "0x" at["ring_head"] ",0x" at["ring_tail"] }')
 result=$tmp/result
 
 row() {         # row NAME VALUE OPERATOR BOUND [UNIT]
@@ -19,7 +20,7 @@ value() { awk -v name="$1" '$1 == name { $1 = ""; print substr($0, 2) }' "$tmp/c
 
 # on_chip COMMAND..: the chip behind $tmp/port, its pulses in $tmp/chip.csv, what it came to in $tmp/chip; COMMAND's output in $tmp/out
 on_chip() {
-    "$chip" "$elf" --tick "$tick" --link "$tmp/port" --record "$tmp/chip.csv" >"$tmp/chip" 2>"$tmp/chip.err" & local child=$!
+    "$chip" "$elf" --tick "$tick" --ring "$ring" --link "$tmp/port" --record "$tmp/chip.csv" >"$tmp/chip" 2>"$tmp/chip.err" & local child=$!
     for _ in $(seq 100); do [ -e "$tmp/port" ] && break; sleep 0.02; done
     timeout 40 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
     timeout 5 tail --pid=$child -f /dev/null || kill $child     # it ends when the job is closed
@@ -33,7 +34,7 @@ path_of() {
 }
 
 echo "-- a drawing: $drawing at $feed mm/s, 250 steps/mm, planned here"
-"$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 --max-speed 160 --accel 500 --queue 10 --ramp 12 >"$tmp/log" & here=$!
+"$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 --max-speed 160 --accel 500 --queue 12 --ramp 40 >"$tmp/log" & here=$!
 for _ in $(seq 100); do [ -e "$tmp/here" ] && break; sleep 0.02; done
 timeout 40 "$loft" stream "$drawing" --feed $feed --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
 on_chip "$loft" stream "$drawing" --feed $feed --port "$tmp/port" --record "$tmp/chip.csv"
@@ -46,13 +47,14 @@ row "worst path error: tolerance 0.005 and a step"          "$(sed -n 's/.*worst
 row "machine time over the time of the plan"                "$(awk -F, -v t="$ticks" '/^[0-9]/ { if (!a) a = $1; b = $1 } END { if (t) printf "%.4f", (b - a) / 16000 / t }' "$tmp/chip.csv")" "<=" 1.05
 row "slots missed"                                          "$(value slots_missed)" = 0
 row "bytes that overran the chip"                           "$(value overruns)" = 0
-row "slot interrupt, mean"                                  "$(value slot_mean)" "<=" 260 cycles
-row "slot interrupt, worst"                                 "$(value slot_most)" "<=" 390 cycles
+row "slot interrupt, mean"                                  "$(value slot_mean)" "<=" 120 cycles
+row "slot interrupt, worst"                                 "$(value slot_most)" "<=" 160 cycles
 row "slot interrupt, latest"                                "$(value slot_late)" "<=" 200 cycles
-row "tick, mean"                                            "$(value tick_mean)" "<=" 3400 cycles
-row "tick, worst"                                           "$(value tick_most)" "<=" 6500 cycles
+row "slots that found the ring empty in mid-job"            "$(value slots_empty)" = 0
+row "making the slots of a tick, and the next tick, mean"   "$(value tick_mean)" "<=" 4000 cycles
+row "the same, worst"                                       "$(value tick_most)" "<=" 10000 cycles
 row "all interrupts"                                        "$(value load)" "<=" 0.85 "of the time"
-row "shortest pulse (2 us is enough for all drivers)"       "$(value pulse_least)" ">=" 80 cycles
+row "shortest pulse (2 us)"                                 "$(value pulse_least)" ">=" 32 cycles
 row "direction set before the pulse, at least"              "$(value setup_least)" ">=" 320 cycles
 row "direction kept after the pulse, at least"              "$(value hold_least)" ">=" 320 cycles
 row "RAM: data, bss and the deepest stack of 2048"          "$(($(avr-size "$elf" | awk 'NR == 2 { print $2 + $3 }') + $(value stack)))" "<=" 2048 bytes
@@ -64,6 +66,7 @@ for axes in 1 3; do
     rates "40 steps/ms, $axes axes" $axes 40
     row "40 steps/ms, $axes axes: ticks that were slowed"   "$(said slowed)" = 0
     row "40 steps/ms, $axes axes: slots missed"             "$(value slots_missed)" = 0
+    row "40 steps/ms, $axes axes: slots that found the ring empty" "$(value slots_empty)" = 0
     row "40 steps/ms, $axes axes: all interrupts"           "$(value load)" "<=" 0.97 "of the time"
     row "40 steps/ms, $axes axes: steps apart, at least"    "$(value between_least)" ">=" 200 cycles
 done

@@ -1,6 +1,6 @@
 /* tests/target/chip.c -- an ATmega328P in libsimavr, cycle by cycle, behind a pseudo terminal
  * SPDX-License-Identifier: MIT
- * usage: chip FIRMWARE.elf --tick ADDRESS [--link PATH] [--record FILE] [--steps N] [--profile FILE]
+ * usage: chip FIRMWARE.elf --tick ADDRESS --ring HEAD,TAIL [--link PATH] [--record FILE] [--steps N] [--profile FILE]
  *
  * Bytes pass at the baud rate that the firmware has set, ten bits each. The chip's time stands while it is the host's turn
  * (avr_gate.h). Ends when a job has been drawn and closed, with lines `name value` on standard output.
@@ -213,8 +213,12 @@ static void run(struct chip *c)
         else
             take_bytes(c);
     }
-    for (const int64_t began = now_ms(); !host_line_drained(&c->line) && now_ms() - began < LEAVE_MS; usleep(1000))
+    for (const int64_t began = now_ms(); now_ms() - began < LEAVE_MS;) {
         give_bytes(c);
+        usleep(30000);                  /* a pseudo terminal passes bytes on when it likes */
+        if (c->out_tail == c->out_head && host_line_drained(&c->line))
+            break;
+    }
 }
 
 
@@ -241,7 +245,8 @@ static void print_results(const struct chip *c)
     print_context("slot", &m->context[SLOT]);
     print_context("tick", &m->context[TICK]);
     print_context("receive", &m->context[RECEIVE]);
-    printf("slot_period %u\nslot_late %llu\nslots_missed %llu\n", m->period, (unsigned long long)m->slot_late, (unsigned long long)meter_missed(m));
+    printf("slot_period %u\nslot_late %llu\nslots_missed %llu\nslots_empty %llu\n", m->period, (unsigned long long)m->slot_late, (unsigned long long)meter_missed(m),
+           (unsigned long long)m->starved);
     printf("load %.3f\n", (double)(m->context[SLOT].cycles + m->context[TICK].cycles + m->context[RECEIVE].cycles) / (double)slots);
     print_least("pulse_least", m->pulse_least);
     print_least("setup_least", m->setup_least);
@@ -249,7 +254,7 @@ static void print_results(const struct chip *c)
     print_least("between_least", m->between_least);
     printf("pulses %llu %llu %llu\n", (unsigned long long)m->pulses[0], (unsigned long long)m->pulses[1], (unsigned long long)m->pulses[2]);
     printf("position %d %d %d\n", (int)m->record.position[0], (int)m->record.position[1], (int)m->record.position[2]);
-    printf("stack %d\n", 0x8FF - m->deepest);
+    printf("stack %d\nstack_at %#x\n", 0x8FF - m->deepest, (unsigned)m->deepest_pc);
     printf("bytes_received %llu\nbytes_given %llu\noverruns %llu\nnaks %u\nhost_late %u\n", (unsigned long long)c->received, (unsigned long long)c->given,
            (unsigned long long)c->overruns, (unsigned)c->gate.naks, (unsigned)c->waits);
     printf("byte_cycles %u\nseconds %.6f\n", c->byte_cycles, (double)c->avr->cycle / HZ);
@@ -271,13 +276,14 @@ int main(int argc, char **argv)
 {
     static struct chip c;
     struct loft_host_options o = loft_host_defaults();
-    const char *profile = NULL, *tick = "0";
+    const char *profile = NULL, *tick = "0", *ring = "0,0";
     double steps = 250;
 
     o.tick_hz = 1000;
     o.slots = HZ / 1000;                /* the record counts cycles */
     for (int i = 2; i + 1 < argc; i += 2) {
         if (strcmp(argv[i], "--tick") == 0)    tick = argv[i + 1];
+        if (strcmp(argv[i], "--ring") == 0)    ring = argv[i + 1];
         if (strcmp(argv[i], "--link") == 0)    o.link = argv[i + 1];
         if (strcmp(argv[i], "--record") == 0)  o.record = argv[i + 1];
         if (strcmp(argv[i], "--steps") == 0)   steps = atof(argv[i + 1]);
@@ -292,6 +298,9 @@ int main(int argc, char **argv)
         code = host_line_open(&c.line, o.link, 0);
     if (code != 0)
         return code;
+    char *tail;
+    c.meter.ring_head = (uint16_t)strtoul(ring, &tail, 0);
+    c.meter.ring_tail = (uint16_t)strtoul(*tail ? tail + 1 : tail, NULL, 0);
     c.meter.profile = profile ? calloc(16384, sizeof *c.meter.profile) : NULL;
     printf("machine: %s\n", c.line.name);
     fflush(stdout);

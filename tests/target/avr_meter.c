@@ -51,6 +51,9 @@ static void pin_changed(struct avr_irq_t *irq, uint32_t value, void *param)
         if (m->pulses[axis]++)
             least(&m->between_least, now - m->last[axis]);
         m->rose[axis] = m->last[axis] = now;
+        m->starved += m->armed && m->begun ? m->empty : 0;
+        m->empty = 0;
+        m->begun = true;
     } else {
         least(&m->pulse_least, now - m->rose[axis]);
         most(&m->pulse_most, now - m->rose[axis]);
@@ -102,6 +105,7 @@ static void count_slot(struct meter *m)
         m->period = 1u + (m->avr->data[0x88] | (uint32_t)m->avr->data[0x89] << 8);
     }
     m->slot_last = now;
+    m->empty += m->avr->data[m->ring_head] == m->avr->data[m->ring_tail];
     most(&m->slot_late, (now - m->slot_first + EARLY) % m->period > EARLY ? (now - m->slot_first) % m->period : 0);
 }
 
@@ -125,8 +129,10 @@ void meter_run(struct meter *m)
     m->nest[m->depth].own += took;
     if (m->profile)
         m->profile[pc / 2] += took;
-    if (stack(avr) < m->deepest && instruction >> 8 != 0xBF)        /* not between the writes of its two bytes, which are `out` */
+    if (stack(avr) < m->deepest && instruction >> 9 != 0xBF >> 1) {     /* not between the writes of its two bytes, which are `out` */
         m->deepest = stack(avr);
+        m->deepest_pc = pc;
+    }
 
     if (m->depth && (instruction == RETI ||
                      (instruction == RET && m->nest[m->depth].kind == TICK && stack(avr) > m->nest[m->depth].sp)))

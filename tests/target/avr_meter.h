@@ -26,12 +26,16 @@ struct meter {
     struct meter_context context[CONTEXTS];
     struct { uint8_t kind; uint16_t sp; uint32_t own; } nest[8];
     uint8_t depth;
-    uint16_t deepest;                               /* the lowest stack pointer                             */
+    uint16_t deepest;                               /* the lowest stack pointer, and where that was         */
+    uint32_t deepest_pc;
     uint32_t *profile;                              /* cycles per flash word, or NULL                       */
 
-    bool armed;                                     /* the slots are counted from the first one             */
+    bool armed, begun;                              /* the slots are counted from the first one; a pulse was seen */
     uint64_t slot_first, slot_last, slot_late;      /* cycles                                               */
     uint32_t period;                                /* of the slots, in cycles                              */
+
+    uint16_t ring_head, ring_tail;                  /* where the ring of slots has its indices              */
+    uint64_t empty, starved;                        /* slots that found it empty: since the last pulse, and before another one */
 
     struct host_record record;
     uint8_t port, step, dir;                        /* PORTD; pulses since `when`, their directions         */
