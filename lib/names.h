@@ -515,6 +515,7 @@
 #define loft_walk_powers           LOFT_NAME(loft_walk_powers)
 #define loft_walk_run              LOFT_NAME(loft_walk_run)
 #define loft_walk_start            LOFT_NAME(loft_walk_start)
+#define loft_weighted_scale        LOFT_NAME(loft_weighted_scale)
 #define loft_welcome_decode        LOFT_NAME(loft_welcome_decode)
 #define loft_welcome_encode        LOFT_NAME(loft_welcome_encode)
 

@@ -17,9 +17,8 @@ enum loft_status loft_bspline_init(loft_bspline *b, const loft_vec p[], unsigned
     if (status != LOFT_OK)
         return status;
     for (unsigned k = 0; k < points; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_real_valid(p[k].axis[i]))
-                return LOFT_ERR_RANGE;
+        if (!loft_vec_valid(p[k]))
+            return LOFT_ERR_RANGE;
     b->p = p;
     b->knots = checked;
     return LOFT_OK;

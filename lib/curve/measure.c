@@ -188,9 +188,8 @@ enum loft_status loft_ruler_init(loft_ruler *r, const loft_cubic *c, loft_real t
     if (!(tol > 0))
         return LOFT_ERR_ARG;
     for (int k = 0; k < 4; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_real_valid(c->p[k].axis[i]))
-                return LOFT_ERR_RANGE;
+        if (!loft_vec_valid(c->p[k]))
+            return LOFT_ERR_RANGE;
 
     r->curve   = *c;
     r->tol     = loft_acc_ratio(loft_wide(tol), 2);

@@ -144,9 +144,8 @@ enum loft_status loft_natural_init(loft_natural *s, const loft_vec p[], uint32_t
     if (count < 2)
         return LOFT_ERR_ARG;
     for (uint32_t k = 0; k < count; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_real_valid(p[k].axis[i]))
-                return LOFT_ERR_RANGE;
+        if (!loft_vec_valid(p[k]))
+            return LOFT_ERR_RANGE;
     if (!forward(p, count, knots, memory))
         return LOFT_SINGULAR;
     backward(p, count, knots, memory);

@@ -112,9 +112,8 @@ enum loft_status loft_bezier_nearest(const loft_bezier *b, loft_vec p, loft_real
 
     if (!(tol > 0))
         return LOFT_ERR_ARG;
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_real_valid(p.axis[i]))
-            return LOFT_ERR_RANGE;
+    if (!loft_vec_valid(p))
+        return LOFT_ERR_RANGE;
 
     s.degree = b->degree;
     for (int i = 0; i < LOFT_AXES; i++)

@@ -102,31 +102,29 @@ static loft_deep floor_of(const loft_deep c[], unsigned degree)
 
 /* Points */
 
-static bool accepted(const loft_weighted *p)
-{
-    if (!(p->w >= LOFT_WEIGHT_MIN && p->w <= LOFT_WEIGHT_MAX))
-        return false;
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_real_valid(p->p.axis[i]))
-            return false;
-    return true;
-}
-
-enum loft_status loft_rational_init(loft_rational *r, const loft_weighted p[], unsigned degree)
+enum loft_status loft_weighted_scale(const loft_weighted p[], unsigned count, int32_t *scale)
 {
     loft_real largest = 0;
-    int32_t scale = 1;
 
-    if (degree > LOFT_DEGREE_MAX)
-        return LOFT_ERR_ARG;
-    for (unsigned k = 0; k <= degree; k++) {
-        if (!accepted(&p[k]))
+    for (unsigned k = 0; k < count; k++) {
+        if (!(p[k].w >= LOFT_WEIGHT_MIN && p[k].w <= LOFT_WEIGHT_MAX) || !loft_vec_valid(p[k].p))
             return LOFT_ERR_RANGE;
         if (p[k].w > largest)
             largest = p[k].w;
     }
-    for (; largest < LARGEST; largest += largest)
-        scale *= 2;
+    for (*scale = 1; largest < LARGEST; largest += largest)
+        *scale *= 2;
+    return LOFT_OK;
+}
+
+enum loft_status loft_rational_init(loft_rational *r, const loft_weighted p[], unsigned degree)
+{
+    int32_t scale;
+
+    if (degree > LOFT_DEGREE_MAX)
+        return LOFT_ERR_ARG;
+    if (loft_weighted_scale(p, degree + 1, &scale) != LOFT_OK)
+        return LOFT_ERR_RANGE;
     r->p = p;
     r->degree = (uint8_t)degree;
     r->scale = scale;

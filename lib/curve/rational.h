@@ -45,6 +45,14 @@ typedef struct {
     uint8_t degree;
 } loft_rational;
 
+/* What makes the largest of `count` weights 2^14 .. 2^15, the scale at which rational curves and patches compute.
+ *
+ *   range   weights 1/256..256 and finite coordinates, otherwise LOFT_ERR_RANGE
+ *   error   none: a power of two
+ *   cost    two comparisons a coordinate and a weight, at most 22 doublings
+ */
+enum loft_status loft_weighted_scale(const loft_weighted p[], unsigned count, int32_t *scale) LOFT_CHECKED;
+
 /* Make a curve of degree + 1 control points, which must outlive it.
  *
  *   range   degree 0..9, otherwise LOFT_ERR_ARG; weights 1/256..256 and finite coordinates, otherwise

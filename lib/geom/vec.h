@@ -97,6 +97,15 @@ static inline loft_acc loft_vec_dot(loft_vec a, loft_vec b)
     return sum;
 }
 
+/* Are all coordinates numbers to compute with? Always in q16. */
+static inline bool loft_vec_valid(loft_vec p)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (!loft_real_valid(p.axis[i]))
+            return false;
+    return true;
+}
+
 /* The distance between any two points.
  *
  *   error   that of loft_acc_hypot */

@@ -64,9 +64,8 @@ enum loft_status loft_ring_init(loft_ring *r, const loft_vec p[], unsigned sides
         return LOFT_ERR_ARG;
     const unsigned count = loft_ring_count(sides, degree);
     for (unsigned k = 0; k < count; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_real_valid(p[k].axis[i]))
-                return LOFT_ERR_RANGE;
+        if (!loft_vec_valid(p[k]))
+            return LOFT_ERR_RANGE;
     r->p = p;
     r->sides = (uint8_t)sides;
     r->degree = (uint8_t)degree;

@@ -21,9 +21,8 @@ enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft
     for (unsigned k = 0; k < count; k++) {
         if (w && !(w[k] >= LOFT_WEIGHT_MIN && w[k] <= LOFT_WEIGHT_MAX))
             return LOFT_ERR_RANGE;
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_real_valid(p[k].axis[i]))
-                return LOFT_ERR_RANGE;
+        if (!loft_vec_valid(p[k]))
+            return LOFT_ERR_RANGE;
     }
     s->p = p;
     s->w = w;

@@ -57,9 +57,8 @@ enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *latt
     for (unsigned k = 0; k < count; k++) {
         if ((w && !(w[k] >= LOFT_WEIGHT_MIN && w[k] <= LOFT_WEIGHT_MAX)) || (c && !(c[k] > 0 && c[k] <= LOFT_REAL(32767))))
             return LOFT_ERR_RANGE;
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_real_valid(p[k].axis[i]))
-                return LOFT_ERR_RANGE;
+        if (!loft_vec_valid(p[k]))
+            return LOFT_ERR_RANGE;
     }
     if (!tame(lattice))
         return LOFT_ERR_RANGE;

@@ -13,14 +13,6 @@
 #include "geom/normal.h"            /* loft_vec_unit */
 #include "num/sci.h"                /* loft_sci: normals of any length */
 
-static bool valid(loft_vec p)
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_real_valid(p.axis[i]))
-            return false;
-    return true;
-}
-
 typedef struct {
     loft_sci axis[LOFT_AXES];
 } sci_vec;
@@ -101,7 +93,7 @@ enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3], const loft_v
 
     for (int i = 0; i < 3; i++) {
         loft_acc wide[LOFT_AXES];
-        if (!valid(corner[i]) || !valid(normal[i]))
+        if (!loft_vec_valid(corner[i]) || !loft_vec_valid(normal[i]))
             return LOFT_ERR_RANGE;
         for (int a = 0; a < LOFT_AXES; a++)
             wide[a] = loft_wide(normal[i].axis[a]);

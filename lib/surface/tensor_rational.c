@@ -38,18 +38,12 @@ static void set_column(const loft_weighted line[], unsigned count, unsigned j, u
 
 enum loft_status loft_tensor_rational_init(loft_tensor_rational *s, const loft_weighted p[], unsigned m, unsigned n)
 {
-    int32_t scale = INT32_MAX;
+    int32_t scale;
 
     if (m > LOFT_DEGREE_MAX || n > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
-    for (unsigned i = 0; i <= m; i++) {
-        loft_rational row;
-        const enum loft_status status = loft_rational_init(&row, p + (size_t)i * (n + 1), n);
-        if (status != LOFT_OK)
-            return status;
-        if (row.scale < scale)
-            scale = row.scale;          /* that of the largest weight */
-    }
+    if (loft_weighted_scale(p, (m + 1) * (n + 1), &scale) != LOFT_OK)
+        return LOFT_ERR_RANGE;
     s->p = p;
     s->scale = scale;
     s->m = (uint8_t)m;

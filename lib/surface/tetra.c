@@ -134,9 +134,8 @@ enum loft_status loft_tetra_init(loft_tetra *t, const loft_vec p[], unsigned deg
     if (degree > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
     for (unsigned k = 0; k < LOFT_TETRA_POINTS(degree); k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_real_valid(p[k].axis[i]))
-                return LOFT_ERR_RANGE;
+        if (!loft_vec_valid(p[k]))
+            return LOFT_ERR_RANGE;
     t->p = p;
     t->degree = (uint8_t)degree;
     return LOFT_OK;

@@ -38,9 +38,8 @@ enum loft_status loft_triangle_init(loft_triangle *t, const loft_vec p[], unsign
         return LOFT_ERR_ARG;
     const unsigned count = LOFT_TRIANGLE_POINTS(degree);
     for (unsigned k = 0; k < count; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_real_valid(p[k].axis[i]))
-                return LOFT_ERR_RANGE;
+        if (!loft_vec_valid(p[k]))
+            return LOFT_ERR_RANGE;
     t->p = p;
     t->degree = (uint8_t)degree;
     return LOFT_OK;

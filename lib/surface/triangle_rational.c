@@ -10,33 +10,15 @@
 #include "num/sci.h"                /* loft_sci: derivatives */
 
 #define MOST LOFT_TRIANGLE_MOST
-#define LARGEST LOFT_REAL(16384)
-
-static bool accepted(const loft_weighted *p)
-{
-    if (!(p->w >= LOFT_WEIGHT_MIN && p->w <= LOFT_WEIGHT_MAX))
-        return false;
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_real_valid(p->p.axis[i]))
-            return false;
-    return true;
-}
 
 enum loft_status loft_triangle_rational_init(loft_triangle_rational *t, const loft_weighted p[], unsigned degree)
 {
-    loft_real largest = 0;
-    int32_t scale = 1;
+    int32_t scale;
 
     if (degree > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
-    for (unsigned k = 0; k < LOFT_TRIANGLE_POINTS(degree); k++) {
-        if (!accepted(&p[k]))
-            return LOFT_ERR_RANGE;
-        if (p[k].w > largest)
-            largest = p[k].w;
-    }
-    for (; largest < LARGEST; largest += largest)
-        scale *= 2;
+    if (loft_weighted_scale(p, LOFT_TRIANGLE_POINTS(degree), &scale) != LOFT_OK)
+        return LOFT_ERR_RANGE;
     t->p = p;
     t->degree = (uint8_t)degree;
     t->scale = scale;
