@@ -53,9 +53,9 @@ for header in lib/*/*.h; do
         }' "$header"
 done | rule "public functions are documented"
 
-# ... and those that compute curves and surfaces say how much they err and what they cost: in the comment above them, above the first of
-# their group (no empty line between), or at the head of the section (a comment with a line of dashes)
-for header in lib/basis/*.h lib/curve/*.h lib/surface/*.h; do
+# ... and those that compute curves, surfaces and patches over polygons say how much they err and what they cost: in the comment
+# above them, above the first of their group (no empty line between), or at the head of the section (a comment with a line of dashes)
+for header in lib/basis/*.h lib/curve/*.h lib/surface/*.h lib/polygon/*.h; do
     awk -v file="$header" '
         /^\/\*/                      { said = ""; inside = 1 }
         inside                      { said = said "\n" $0 }

@@ -49,7 +49,8 @@ enum loft_outline loft_outline_of(const loft_spot v[], unsigned sides);
  *
  *   range   3..8 simple and counter-clockwise; LOFT_ERR_ARG for other counts or clockwise, LOFT_SINGULAR for a
  *           broken outline, LOFT_ERR_RANGE for coordinates beyond the range; *d is untouched then
- *   cost    as loft_outline_of; the domain takes 136 bytes in q16 on a 32-bit core, 72 in floats
+ *   error   that of loft_sci_cross in corner[], otherwise none: the vertices are borrowed
+ *   cost    as loft_outline_of and `sides` cross products more; the domain takes 136 bytes in q16 on a 32-bit core, 72 in floats
  */
 enum loft_status loft_domain_init(loft_domain *d, const loft_spot v[], unsigned sides) LOFT_CHECKED;
 
@@ -79,7 +80,11 @@ enum loft_place loft_domain_place(const loft_domain *d, loft_spot p, loft_sci ar
 void loft_domain_edge(const loft_domain *d, loft_spot p, unsigned edge, loft_sci phi[]);
 void loft_domain_vertex(const loft_domain *d, unsigned vertex, loft_sci phi[]);
 
-/* Can this point be taken exactly? Always in q16. */
+/* Can this point be taken exactly? Always in q16.
+ *
+ *   error   none
+ *   cost    floats: that of loft_exact_admits twice
+ */
 bool loft_spot_admits(loft_spot p);
 
 #endif

@@ -36,15 +36,28 @@ typedef struct {
  */
 enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_whole v[], unsigned sides) LOFT_CHECKED;
 
-/* h_edge of a whole point. */
+/* h_edge of a whole point.
+ *
+ *   range   edge < l->sides; p within -64..64
+ *   error   none: exact
+ *   cost    2 products of whole numbers
+ */
 int loft_lattice_polygon_height(const loft_lattice_polygon *l, unsigned edge, loft_whole p);
 
 /* The whole points of the polygon, edges included, row by row upward, each from the left. first gives one always; next gives
- * the one after *p in place, or false after the last. */
+ * the one after *p in place, or false after the last.
+ *
+ *   error   none
+ *   cost    at most `sides` heights for every whole point of the box low..high that is passed over
+ */
 void loft_lattice_polygon_first(const loft_lattice_polygon *l, loft_whole *p);
 bool loft_lattice_polygon_next(const loft_lattice_polygon *l, loft_whole *p);
 
-/* How many there are. */
+/* How many there are.
+ *
+ *   error   none
+ *   cost    at most `sides` heights for every whole point of the box low..high
+ */
 unsigned loft_lattice_polygon_count(const loft_lattice_polygon *l);
 
 #endif

@@ -16,22 +16,42 @@
 #include "basis/bernstein.h"    /* loft_binomial */
 #include "polygon/domain.h"     /* LOFT_SIDES_MAX */
 
-/* How many there are: C(sides + depth - 1, depth), at most 19448. */
+/* How many there are: C(sides + depth - 1, depth), at most 19448.
+ *
+ *   error   none
+ *   cost    `depth` products and divisions of 32 bits
+ */
 static inline unsigned loft_multi_count(unsigned sides, unsigned depth)
 {
     return (unsigned)loft_binomial(sides + depth - 1, depth);
 }
 
-/* (depth, 0 .. 0). */
+/* (depth, 0 .. 0).
+ *
+ *   error   none
+ *   cost    no product
+ */
 void loft_multi_first(uint8_t l[], unsigned sides, unsigned depth);
 
-/* The one after l, in place; false, and l untouched, after the last. */
+/* The one after l, in place; false, and l untouched, after the last.
+ *
+ *   error   none
+ *   cost    at most `sides` comparisons, no product
+ */
 bool loft_multi_next(uint8_t l[], unsigned sides);
 
-/* The place of l, from 0. */
+/* The place of l, from 0.
+ *
+ *   error   none
+ *   cost    at most sides (sides - 1) / 2 products and divisions of 32 bits
+ */
 unsigned loft_multi_rank(const uint8_t l[], unsigned sides);
 
-/* depth! / (l[0]! l[1]! ..), at most 10!. */
+/* depth! / (l[0]! l[1]! ..), at most 10!.
+ *
+ *   error   none
+ *   cost    depth + sides products and `depth` divisions of 32 bits
+ */
 int32_t loft_multi_ways(const uint8_t l[], unsigned sides);
 
 #endif

@@ -33,13 +33,23 @@ typedef struct {
  *
  *   range   3, 5 or 6 sides, degree 2..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise LOFT_ERR_RANGE; *r is
  *           untouched then
+ *   error   none: the points are borrowed
+ *   cost    a look at each coordinate
  */
 enum loft_status loft_ring_init(loft_ring *r, const loft_vec p[], unsigned sides, unsigned degree) LOFT_CHECKED;
 
-/* How many points there are: sides * floor(degree / 2 + 1) * ceil(degree / 2), and one more for an even degree. */
+/* How many points there are: sides * floor(degree / 2 + 1) * ceil(degree / 2), and one more for an even degree.
+ *
+ *   error   none
+ *   cost    2 products of whole numbers
+ */
 unsigned loft_ring_count(unsigned sides, unsigned degree);
 
-/* The distances l[sides] of point k, k < loft_ring_count(sides, degree). */
+/* The distances l[sides] of point k, k < loft_ring_count(sides, degree).
+ *
+ *   error   none
+ *   cost    4 quotients or rests and a product of whole numbers
+ */
 void loft_ring_index(unsigned sides, unsigned degree, unsigned k, uint8_t l[]);
 
 

@@ -30,6 +30,8 @@ typedef struct {
  *
  *   range   sides 3..8, depth 1..9, otherwise LOFT_ERR_ARG; finite coordinates and weights 1/256..256, otherwise
  *           LOFT_ERR_RANGE; *s is untouched then
+ *   error   none: points and weights are borrowed
+ *   cost    per control point 2 comparisons of its weight and a look at each coordinate
  */
 enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft_real w[], unsigned sides, unsigned depth) LOFT_CHECKED;
 
@@ -84,7 +86,9 @@ typedef struct {
 } loft_links;
 
 /*   shape   sides * loft_multi_count(sides, depth - 1) edges; next gives the ranks of both ends, false at the end
- *   range   sides 3..8, depth 1..9 */
+ *   range   sides 3..8, depth 1..9
+ *   error   none
+ *   cost    start: none; next: two of loft_multi_rank */
 void loft_links_start(loft_links *w, unsigned sides, unsigned depth);
 bool loft_links_next(loft_links *w, unsigned *l, unsigned *m);
 
