@@ -6,31 +6,19 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "drawing.h"        /* drawing_read */
 #include "keys.h"           /* keys_start */
-#include "machine_file.h"   /* machine_option, machine_limit */
+#include "planning.h"       /* planning_limit */
 #include "stream.h"         /* stream_run */
 #include "tool.h"
 #include "toolpath.h"       /* toolpath_make */
 
 typedef struct {
-    const engine *e;
-    machine_file machine;
-    const char *port, *record, *file;
+    planning p;
+    const char *port, *record;
     unsigned baud;
-    double wait, feed, travel, accel, jerk, corner, tol, lift;
-    bool points, dry, park, hold, resume, abort;
+    double wait;
+    bool points, dry, hold, resume, abort;
 } stream_options;
-
-/* The machine of a dry run. */
-static void file_limits(const stream_options *o, engine_limits *l)
-{
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        l->max_speed[i] = o->machine.max_speed[i];
-        l->max_accel[i] = o->machine.max_accel[i];
-    }
-    l->tick_hz = (unsigned)o->machine.tick_hz;
-}
 
 static void machine_limits(const loft_sender *s, engine_limits *l)
 {
@@ -61,36 +49,11 @@ static void old_start(const loft_sender *s, bool points, double out[ENGINE_AXES]
         out[i] = points ? mm_of(&s->axis[i], s->axis[i].start) : (double)s->axis[i].start / 65536;
 }
 
-static void said_limits(const stream_options *o, engine_limits *l)
-{
-    if (o->machine.limited)
-        machine_limit(&o->machine, l);
-    for (int i = 0; i < ENGINE_AXES; i++)
-        if (o->accel > 0)
-            l->max_accel[i] = fmin(l->max_accel[i], o->accel);
-    for (int i = 0; i < ENGINE_AXES; i++)
-        l->max_jerk[i] = o->jerk >= 0 ? o->jerk : o->machine.limited && o->machine.max_jerk[i] > 0 ? o->machine.max_jerk[i] : fmin(20 * l->max_accel[i], 1e7);
-    l->corner = o->corner;
-    l->tol    = o->tol;
-}
-
-/* What the planner would refuse without knowing the line. */
-static int check_reach(double reach, const char *file, const drawing *d)
-{
-    for (size_t i = 0; i < d->count; i++)
-        for (int k = 0; k < 4; k++)
-            for (int axis = 0; axis < 2; axis++)
-                if (!(fabs(d->curve[i].p[k][axis]) <= reach))
-                    return tool_error(EX_DATAERR, "%s:%u: a point at %.6g,%.6g mm: bring the drawing within +-%g mm", file, d->curve[i].line,
-                                      d->curve[i].p[k][0], d->curve[i].p[k][1], reach);
-    return 0;
-}
-
 static int plan(const stream_options *o, const char *file, const engine_limits *limits, const toolpath *path, job *j)
 {
     if (path->count == 0)
         return tool_error(EX_DATAERR, "%s: nothing to draw in it: give a drawing with visible outlines", file);
-    const int status = job_plan(j, o->e, limits, path->move, path->count);
+    const int status = job_plan(j, o->p.e, limits, path->move, path->count);
     if (status != 0)
         return tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
     return 0;
@@ -109,12 +72,12 @@ static int dry_run(const stream_options *o, const char *file, const drawing *d, 
     toolpath path;
     job j = { 0 };
 
-    file_limits(o, &limits);
-    said_limits(o, &limits);
+    planning_machine(&o->p, &limits);
+    planning_limit(&o->p, &limits);
     toolpath_make(&path, d, how);
     const int code = plan(o, file, &limits, &path, &j);
     if (code == 0)
-        print_plan(&j, &path, o->tol);
+        print_plan(&j, &path, o->p.tol);
     job_free(&j);
     toolpath_free(&path);
     return code;
@@ -138,7 +101,7 @@ static int plan_for(const stream_options *o, const char *file, const drawing *d,
     job_free(j);
     toolpath_free(path);
     machine_limits(s, &limits);
-    said_limits(o, &limits);
+    planning_limit(&o->p, &limits);
     toolpath_make(path, d, how);
     const int code = plan(o, file, &limits, path, j);
     return code == 0 && o->points ? to_points(s, j) : code;
@@ -161,7 +124,7 @@ static int stream(const stream_options *o, const char *file, const drawing *d, t
         code = plan_for(o, file, d, how, s, &path, &j);
     }
     if (code == 0) {
-        const stream_subject about = { path.curves, path.drawn, o->tol, d, o->record };
+        const stream_subject about = { path.curves, path.drawn, o->p.tol, d, o->record };
         code = stream_run(t, &j, &about);
     }
     job_free(&j);
@@ -184,13 +147,11 @@ static int control(const stream_options *o)
 
 static int draw(const stream_options *o, const char *file)
 {
-    toolpath_options how = { .feed = o->feed, .travel = o->travel, .lift = o->lift, .park = o->park };
+    toolpath_options how = planning_path(&o->p);
     drawing d            = { 0 };
     talk t;
 
-    int code = drawing_read(&d, file);
-    if (code == 0)
-        code = check_reach(o->e->reach, file, &d);
+    int code = planning_read(&o->p, &d, file);
     if (code == 0 && o->dry)
         code = dry_run(o, file, &d, &how);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait)) == 0) {
@@ -203,34 +164,22 @@ static int draw(const stream_options *o, const char *file)
 
 static int run(const tool_command *self, int argc, char **argv)
 {
-    stream_options o = { .e = &engine_q16, .machine = machine_usual(), .baud = 115200, .wait = 5, .feed = 30, .travel = 100, .jerk = -1, .lift = 1 };
-    int first, code  = machine_option(&o.machine, argc, argv);
+    stream_options o = { .baud = 115200, .wait = 5 };
+    int first, code  = planning_start(&o.p, argc, argv);
 
     if (code != 0)
         return code;
-    o.corner = o.machine.corner;
-    o.tol    = o.machine.tol;
-
     const tool_option options[] = {
-        TOOL_TEXT("machine", "FILE", &o.file, "a machine as text, see MACHINE.md: its limits hold too; without a port it is planned for"),
         TOOL_TEXT("port", "PORT", &o.port, "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)"),
         TOOL_COUNT("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
         TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
-        TOOL_SPEED("feed", &o.feed, 0.01, 1000, "pen down, mm/s, or as 1200mm/min (30)"),
-        TOOL_SPEED("travel", &o.travel, 0.01, 1000, "pen up (100)"),
-        TOOL_NUMBER("accel", "MM/S2", &o.accel, 1, 30000, "no more than this on any axis (the machine's)"),
-        TOOL_NUMBER("jerk", "MM/S3", &o.jerk, 0, 1e7, "change of acceleration on any axis (20 times it in a second); 0: at once"),
-        TOOL_NUMBER("corner", "MM", &o.corner, 0, 1, "how far corners are taken to be rounded when slowing down (0.01)"),
-        TOOL_NUMBER("tol", "MM", &o.tol, 0.0005, 1, "how far the machine may leave the drawing (0.005)"),
-        TOOL_NUMBER("lift", "MM", &o.lift, 0, 100, "height of the pen while travelling (1)"),
-        TOOL_SWITCH("park", &o.park, "return to the start at the end"),
+        PLANNING_OPTIONS(&o.p),
         TOOL_SWITCH("points", &o.points, "send sampled points, one per tick, instead of spans"),
         TOOL_SWITCH("dry-run", &o.dry, "plan for a usual machine, print a summary, move nothing"),
         TOOL_TEXT("record", "FILE", &o.record, "the pulses that `loft simulate --record FILE` writes: measure the path error"),
         TOOL_SWITCH("hold", &o.hold, "no FILE: slow down on the path and stand"),
         TOOL_SWITCH("resume", &o.resume, "no FILE: go on"),
         TOOL_SWITCH("abort", &o.abort, "no FILE: slow down on the path and end the job"),
-        TOOL_ENGINE(&o.e, "number type of the planner: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
     };
     code = tool_options(self, options, argc, argv, &first);

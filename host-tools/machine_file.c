@@ -58,6 +58,7 @@ machine_file machine_usual(void)
         m.steps_per_mm[i] = 80;
         m.max_speed[i] = 500;
         m.max_accel[i] = 2000;
+        m.max_jerk[i] = -1;
     }
     return m;
 }

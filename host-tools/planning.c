@@ -1,0 +1,62 @@
+/* host-tools/planning.c -- what is planned, and within which limits
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+
+#include "planning.h"
+#include "source.h"         /* source_name */
+
+#define JERK_MAX 1e7        /* mm/s^3, of lib/motion/limits.h                    */
+#define JERK_PER 20         /* times the acceleration: it is reached in 1/20 s   */
+
+int planning_start(planning *p, int argc, char **argv)
+{
+    *p = (planning){ .e = &engine_q16, .machine = machine_usual(), .feed = 30, .travel = 100, .accel = -1, .jerk = -1, .lift = 1 };
+    const int code = machine_option(&p->machine, argc, argv);
+
+    p->corner = p->machine.corner;
+    p->tol    = p->machine.tol;
+    return code;
+}
+
+void planning_machine(const planning *p, engine_limits *limits)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        limits->max_speed[i] = p->machine.max_speed[i];
+        limits->max_accel[i] = p->machine.max_accel[i];
+    }
+    limits->tick_hz = (unsigned)p->machine.tick_hz;
+}
+
+void planning_limit(const planning *p, engine_limits *limits)
+{
+    if (p->machine.limited)
+        machine_limit(&p->machine, limits);
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        const double said = p->jerk >= 0 ? p->jerk : p->machine.max_jerk[i];
+        if (p->accel > 0)
+            limits->max_accel[i] = fmin(limits->max_accel[i], p->accel);
+        limits->max_jerk[i] = said >= 0 ? said : fmin(JERK_PER * limits->max_accel[i], JERK_MAX);
+    }
+    limits->corner = p->corner;
+    limits->tol    = p->tol;
+}
+
+int planning_read(const planning *p, drawing *d, const char *file)
+{
+    const int code = drawing_read(d, file);
+
+    for (size_t i = 0; i < d->count && code == 0; i++)
+        for (int k = 0; k < 4; k++) {
+            const double *at = d->curve[i].p[k];
+            if (!(fabs(at[0]) <= p->e->reach && fabs(at[1]) <= p->e->reach))
+                return tool_error(EX_DATAERR, "%s:%u: a point at %.6g,%.6g mm: bring the drawing within +-%g mm", source_name(file),
+                                  d->curve[i].line, at[0], at[1], p->e->reach);
+        }
+    return code;
+}
+
+toolpath_options planning_path(const planning *p)
+{
+    return (toolpath_options){ .feed = p->feed, .travel = p->travel, .lift = p->lift, .park = p->park };
+}

@@ -1,0 +1,48 @@
+/* host-tools/planning.h -- what `loft stream` and `loft plan` are told alike: machine, feeds, limits, tolerance
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_PLANNING_H
+#define LOFT_PLANNING_H
+
+#include "drawing.h"        /* drawing */
+#include "machine_file.h"   /* machine_file */
+#include "tool.h"           /* tool_option */
+#include "toolpath.h"       /* toolpath_options */
+
+typedef struct {
+    const engine *e;
+    machine_file machine;
+    const char *file;               /* the machine's, which has been read          */
+    double feed, travel;            /* mm/s                                        */
+    double accel, jerk;             /* mm/s^2, mm/s^3; below 0: the machine's      */
+    double corner, tol, lift;       /* mm                                          */
+    bool park;
+} planning;
+
+/* Rows of a table of options. */
+#define PLANNING_OPTIONS(p) \
+    TOOL_TEXT("machine", "FILE", &(p)->file, "a machine as text, see MACHINE.md: its limits hold too; without a port it is planned for"), \
+    TOOL_SPEED("feed", &(p)->feed, 0.016, 1000, "pen down, mm/s, or as 1200mm/min (30)"), \
+    TOOL_SPEED("travel", &(p)->travel, 0.016, 1000, "pen up (100)"), \
+    TOOL_NUMBER("accel", "MM/S2", &(p)->accel, 1, 30000, "no more than this on any axis (the machine's)"), \
+    TOOL_NUMBER("jerk", "MM/S3", &(p)->jerk, 0, 1e7, "change of acceleration on any axis (the machine's); 0: at once"), \
+    TOOL_NUMBER("corner", "MM", &(p)->corner, 0, 1, "how far corners are taken to be rounded when slowing down (0.01)"), \
+    TOOL_NUMBER("tol", "MM", &(p)->tol, 0.0005, 1, "how far the machine may leave the drawing (0.005)"), \
+    TOOL_NUMBER("lift", "MM", &(p)->lift, 0, 100, "height of the pen while travelling (1)"), \
+    TOOL_SWITCH("park", &(p)->park, "return to the start at the end"), \
+    TOOL_ENGINE(&(p)->e, "number type of the planner: q16, f32 or f64 (q16)")
+
+/* Fill in what holds without options; a machine's file among them is read. Gives 0, or an exit code after one line. */
+int planning_start(planning *p, int argc, char **argv);
+
+/* The limits of the machine of the file, or of a usual one; and, over any machine's, those of file and options. */
+void planning_machine(const planning *p, engine_limits *limits);
+void planning_limit(const planning *p, engine_limits *limits);
+
+/* Read a drawing that can be planned. Gives 0, or an exit code after one line. */
+int planning_read(const planning *p, drawing *d, const char *file);
+
+/* How its toolpath is made, from the origin. */
+toolpath_options planning_path(const planning *p);
+
+#endif
