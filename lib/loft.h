@@ -14,7 +14,7 @@
  *                                    triangle_pieces, _join, _rational, _curvature   octant: of a sphere   pn: from normals
  *                                    coons, bicubic: from curves and corners   sphere, flat: elementary
  *   polygon/  n sides                domain: convex and simple polygons   wachspress, meanvalue: coordinates
- *                                    spatch, toric, basepoint, ring: Bezier surfaces over them
+ *                                    spatch, toric, basepoint, ring, gb: Bezier surfaces over them
  *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
  *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
  *   machine/  the controller         wire -> queue -> span -> step
@@ -87,6 +87,8 @@
 #include "polygon/basepoint.h"
 #include "polygon/blend.h"
 #include "polygon/domain.h"
+#include "polygon/gb.h"
+#include "polygon/jet.h"
 #include "polygon/lattice.h"
 #include "polygon/meanvalue.h"
 #include "polygon/multi.h"
