@@ -39,16 +39,23 @@ typedef struct {
  *
  *   range   3..8 sides, degree 3..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise LOFT_ERR_RANGE; *g is untouched
  *           then
+ *   error   none
  *   cost    one look at every coordinate
  */
 enum loft_status loft_gb_init(loft_gb *g, const loft_vec p[], unsigned sides, unsigned degree) LOFT_CHECKED;
 
-/* How many points there are, V0 included: sides * (degree / 2 + 1) * layers + 1, at most 201. */
+/* How many points there are, V0 included: sides * (degree / 2 + 1) * layers + 1, at most 201.
+ *
+ *   error   none
+ *   cost    2 products of whole numbers
+ */
 unsigned loft_gb_count(unsigned sides, unsigned degree);
 
 /* Where V^side_jk is stored.
  *
  *   range   side < sides, j <= degree, k < (degree + 1) / 2
+ *   error   none
+ *   cost    2 products of whole numbers
  */
 unsigned loft_gb_place(unsigned sides, unsigned degree, unsigned side, unsigned j, unsigned k);
 
@@ -107,6 +114,12 @@ enum loft_gb_mu {
     LOFT_GB_WHOLE       /* 1                                    */
 };
 
+/* Which of them it is.
+ *
+ *   range   degree 3..9, j <= degree, k < (degree + 1) / 2
+ *   error   none
+ *   cost    some comparisons
+ */
 enum loft_gb_mu loft_gb_mu_of(unsigned degree, unsigned j, unsigned k);
 
 
@@ -129,7 +142,7 @@ enum loft_status loft_gb_weights(unsigned sides, unsigned degree, const loft_sci
  *   error   where no phi is negative: q16: 1/2 LSB + 2^-12 LSB   f32: 1/2 ulp + 2^-16 ulp   f64: 2^9 ulp, of the largest coordinate; beside
  *           what phi has. On a side that of loft_blend_curve, at a corner none
  *   cost    sides (degree + 1) layers times at most one product and one per axis, sides (3 degree + 4 layers + 8) more; 3 sides
- *           quotients; no table; q16: 1.2 kB of stack
+ *           quotients; no table; q16: 1.5 kB of stack
  */
 enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *out) LOFT_CHECKED;
 
@@ -139,7 +152,7 @@ enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *
  *   shape   phi[sides] with their derivatives by x and y
  *   range   as loft_gb_eval; LOFT_SINGULAR at vertices too; *out is untouched then
  *   error   relative to the widths, where no phi is negative: q16: 2^-44   f32, f64: 2^-36, beside what phi has
- *   cost    sides (degree + 1) layers times at most 15 products and 7 per axis, sides (45 degree + 60 layers + 200) more; q16: 3.5 kB of
+ *   cost    sides (degree + 1) layers times at most 15 products and 7 per axis, sides (45 degree + 60 layers + 200) more; q16: 3.8 kB of
  *           stack
  */
 enum loft_status loft_gb_local(const loft_gb *g, const loft_jet phi[], loft_local *out) LOFT_CHECKED;

@@ -69,7 +69,7 @@ loft_jet loft_jet_div(const loft_jet *a, const loft_jet *b)
 
 loft_jet loft_jet_sqrt(const loft_jet *a)
 {
-    const loft_sci half = loft_sci_div(loft_sci_one(), loft_sci_from_int(2));
+    const loft_sci half = loft_sci_from_real(LOFT_REAL(0.5));
     loft_jet r;
 
     r.f = loft_sci_sqrt(a->f);

@@ -14,13 +14,17 @@ typedef struct {
     loft_sci f, x, y, xx, xy, yy;
 } loft_jet;
 
-/* A constant. */
+/* A constant: all derivatives are 0.
+ *
+ *   error   none
+ *   cost    96 bytes written in q16, 48 in floats
+ */
 loft_jet loft_jet_of(loft_sci c);
 
 /* a + b, a - b, a b, a / b where b is not 0, the root of a > 0.
  *
  *   error   of each part that of as many sums and products of loft_sci as it has
- *   cost    sum and difference 6 sums; product 16 products and 12 sums; quotient 9, 13 and 6 quotients; root 8, 3, 6 and a root
+ *   cost    sum and difference 6 sums; product 15 products and 11 sums; quotient 9, 11 and 6 quotients; root 8, 3, 5 and a root
  */
 loft_jet loft_jet_add(const loft_jet *a, const loft_jet *b);
 loft_jet loft_jet_sub(const loft_jet *a, const loft_jet *b);
@@ -28,7 +32,11 @@ loft_jet loft_jet_mul(const loft_jet *a, const loft_jet *b);
 loft_jet loft_jet_div(const loft_jet *a, const loft_jet *b);
 loft_jet loft_jet_sqrt(const loft_jet *a);
 
-/* c a. */
+/* c a.
+ *
+ *   error   one rounding of each part
+ *   cost    6 products
+ */
 loft_jet loft_jet_scale(const loft_jet *a, loft_sci c);
 
 #endif

@@ -60,3 +60,95 @@ enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci
         phi[i] = loft_sci_div(phi[i], sum);
     return LOFT_OK;
 }
+
+
+/* Derivatives */
+
+/* Of an edge: t = above / below, from its ends as seen from p; `back` where the angle is more than a right one. */
+typedef struct {
+    loft_jet above, below;
+    bool back;
+} tangent;
+
+static loft_jet distance(loft_real from, loft_real to, bool along_y)
+{
+    const loft_sci minus = loft_sci_neg(loft_sci_one());
+    loft_jet r = loft_jet_of(loft_sci_sub(loft_sci_from_real(to), loft_sci_from_real(from)));
+
+    *(along_y ? &r.y : &r.x) = minus;
+    return r;
+}
+
+static loft_jet product_sum(const loft_jet a[2], const loft_jet b[2])
+{
+    const loft_jet x = loft_jet_mul(&a[0], &b[0]), y = loft_jet_mul(&a[1], &b[1]);
+    return loft_jet_add(&x, &y);
+}
+
+static void seen(const loft_domain *d, loft_spot p, unsigned i, loft_jet to[2])
+{
+    to[0] = distance(p.at[0], d->v[i].at[0], false);
+    to[1] = distance(p.at[1], d->v[i].at[1], true);
+}
+
+/* The cross product is linear in p: its derivatives are differences of the ends. */
+static tangent tangent_at(const loft_domain *d, loft_spot p, unsigned i, const loft_jet r[], loft_sci area)
+{
+    const unsigned j = next(i, d->sides);
+    loft_jet a[2], b[2], cross = loft_jet_of(area);
+    tangent t;
+
+    seen(d, p, i, a);
+    seen(d, p, j, b);
+    cross.x = loft_sci_sub(a[1].f, b[1].f);
+    cross.y = loft_sci_sub(b[0].f, a[0].f);
+    const loft_jet dot = product_sum(a, b), rr = loft_jet_mul(&r[i], &r[j]);
+    t.back = loft_sci_sign(dot.f) < 0;
+    t.above = t.back ? loft_jet_sub(&rr, &dot) : cross;
+    t.below = t.back ? cross : loft_jet_add(&rr, &dot);
+    return t;
+}
+
+/* t of edge i, times the product of `below` over all edges that are seen at more than a right angle. */
+static loft_jet lifted(const tangent t[], unsigned sides, unsigned i)
+{
+    loft_jet r = t[i].back ? t[i].above : loft_jet_div(&t[i].above, &t[i].below);
+
+    for (unsigned k = 0; k < sides; k++)
+        if (k != i && t[k].back)
+            r = loft_jet_mul(&r, &t[k].below);
+    return r;
+}
+
+/* Toward an edge its tangent is without bounds, and so are the derivatives of all w_i: what is finite is their product with the cross
+ * product of that edge. An edge is seen at more than a right angle there: all w_i times `below` of all such edges are finite, on the
+ * edges themselves too, and have the same quotients. Inside a convex polygon there are three of them at most. */
+enum loft_status loft_meanvalue_jet(const loft_domain *d, loft_spot p, loft_jet phi[])
+{
+    loft_sci area[LOFT_SIDES_MAX];
+    loft_jet r[LOFT_SIDES_MAX], sum = loft_jet_of(loft_sci_zero());
+    tangent t[LOFT_SIDES_MAX];
+    const unsigned n = d->sides;
+    unsigned index = 0;
+
+    if (!loft_spot_admits(p))
+        return LOFT_ERR_RANGE;
+    if (loft_domain_place(d, p, area, &index) == LOFT_AT_VERTEX)
+        return LOFT_SINGULAR;
+    for (unsigned i = 0; i < n; i++) {
+        loft_jet to[2];
+        seen(d, p, i, to);
+        const loft_jet square = product_sum(to, to);
+        r[i] = loft_jet_sqrt(&square);
+    }
+    for (unsigned i = 0; i < n; i++)
+        t[i] = tangent_at(d, p, i, r, area[i]);
+    for (unsigned i = 0; i < n; i++) {
+        const loft_jet one = lifted(t, n, i ? i - 1 : n - 1), two = lifted(t, n, i), both = loft_jet_add(&one, &two);
+        phi[i] = loft_jet_div(&both, &r[i]);
+        sum = loft_jet_add(&sum, &phi[i]);
+    }
+    for (unsigned i = 0; i < n; i++)
+        phi[i] = loft_jet_div(&phi[i], &sum);
+    return LOFT_OK;
+}

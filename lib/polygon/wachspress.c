@@ -3,6 +3,19 @@
  */
 #include "polygon/wachspress.h"
 
+static unsigned next(unsigned i, unsigned sides)   { return i + 1 < sides ? i + 1 : 0; }
+static unsigned before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
+
+static unsigned largest_of(const loft_sci area[], unsigned sides)
+{
+    unsigned largest = 0;
+
+    for (unsigned j = 1; j < sides; j++)
+        if (loft_sci_less(area[largest], area[j]))
+            largest = j;
+    return largest;
+}
+
 /* With A_j the area of p, v_j, v_(j+1) and C_i that of v_(i-1), v_i, v_(i+1),
  *
  *     w_i = C_i prod A_j, j not i - 1 or i        phi_i = w_i / sum w
@@ -15,7 +28,7 @@ enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sc
 {
     loft_sci area[LOFT_SIDES_MAX], sum = loft_sci_zero();
     const unsigned n = d->sides;
-    unsigned index = 0, largest = 0;
+    unsigned index = 0;
 
     if (!d->convex)
         return LOFT_ERR_ARG;
@@ -31,20 +44,55 @@ enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sc
     if (place != LOFT_INSIDE)
         return LOFT_OK;
 
-    for (unsigned j = 1; j < n; j++)
-        if (loft_sci_less(area[largest], area[j]))
-            largest = j;
-    const loft_sci unit = area[largest];
+    const loft_sci unit = area[largest_of(area, n)];
     for (unsigned j = 0; j < n; j++)
         area[j] = loft_sci_div(area[j], unit);
     for (unsigned i = 0; i < n; i++) {
         phi[i] = d->corner[i];
         for (unsigned j = 0; j < n; j++)
-            if (j != i && j != (i ? i - 1 : n - 1))
+            if (j != i && j != before(i, n))
                 phi[i] = loft_sci_mul(phi[i], area[j]);
         sum = loft_sci_add(sum, phi[i]);
     }
     for (unsigned i = 0; i < n; i++)
         phi[i] = loft_sci_div(phi[i], sum);
+    return LOFT_OK;
+}
+
+/* A_j = (v_j - p) x (v_(j+1) - p) has the derivatives y_j - y_(j+1) and x_(j+1) - x_j. The same products; on an edge and at a vertex
+ * as well, where one or two areas are 0. */
+static loft_jet area_at(const loft_domain *d, unsigned j, loft_sci area, loft_sci unit)
+{
+    const loft_spot *a = &d->v[j], *b = &d->v[next(j, d->sides)];
+    loft_jet r = loft_jet_of(loft_sci_div(area, unit));
+
+    r.x = loft_sci_div(loft_sci_sub(loft_sci_from_real(a->at[1]), loft_sci_from_real(b->at[1])), unit);
+    r.y = loft_sci_div(loft_sci_sub(loft_sci_from_real(b->at[0]), loft_sci_from_real(a->at[0])), unit);
+    return r;
+}
+
+enum loft_status loft_wachspress_jet(const loft_domain *d, loft_spot p, loft_jet phi[])
+{
+    loft_sci area[LOFT_SIDES_MAX];
+    loft_jet factor[LOFT_SIDES_MAX], sum = loft_jet_of(loft_sci_zero());
+    const unsigned n = d->sides;
+    unsigned index = 0;
+
+    if (!d->convex)
+        return LOFT_ERR_ARG;
+    if (!loft_spot_admits(p) || loft_domain_place(d, p, area, &index) == LOFT_OUTSIDE)
+        return LOFT_ERR_RANGE;
+    const loft_sci unit = area[largest_of(area, n)];
+    for (unsigned j = 0; j < n; j++)
+        factor[j] = area_at(d, j, area[j], unit);
+    for (unsigned i = 0; i < n; i++) {
+        phi[i] = loft_jet_of(d->corner[i]);
+        for (unsigned j = 0; j < n; j++)
+            if (j != i && j != before(i, n))
+                phi[i] = loft_jet_mul(&phi[i], &factor[j]);
+        sum = loft_jet_add(&sum, &phi[i]);
+    }
+    for (unsigned i = 0; i < n; i++)
+        phi[i] = loft_jet_div(&phi[i], &sum);
     return LOFT_OK;
 }

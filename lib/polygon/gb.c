@@ -1,0 +1,246 @@
+/* lib/polygon/gb.c
+ * SPDX-License-Identifier: MIT
+ *
+ * 1 - s_i = phi_i / (phi_i + phi_(i+1)), 1 - h_i = phi_i + phi_(i+1), and h_i is the sum of the others: where no phi is negative all
+ * that is multiplied are sums of positive numbers, their products and quotients. A weight has at most 2 degree + 8 factors, each off
+ * by some roundings: q16 2^-54 of it, floats 2^-46. The weights of one ribbon sum to at most 1, those of all to at most 1.5 (the
+ * centre of a triangle), and V0 takes what is missing: a point errs by 2^-52 (2^-44) of the largest coordinate.
+ */
+#include "polygon/gb.h"
+#include "polygon/blend.h"      /* loft_blend, loft_blend_curve */
+
+#define LAYERS ((LOFT_DEGREE_MAX + 1) / 2)
+
+/* A corner has `wide` points along the side after it and `high` along the one before. */
+static unsigned wide_of(unsigned degree) { return degree / 2 + 1; }
+static unsigned high_of(unsigned degree) { return (degree + 1) / 2; }
+
+static unsigned before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
+static unsigned after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 1 : 0; }
+
+static bool possible(unsigned sides, unsigned degree)
+{
+    return sides >= 3 && sides <= LOFT_SIDES_MAX && degree >= 3 && degree <= LOFT_DEGREE_MAX;
+}
+
+unsigned loft_gb_count(unsigned sides, unsigned degree)
+{
+    return sides * wide_of(degree) * high_of(degree) + 1;
+}
+
+/* Beyond its first corner's points, the second's: there j and k change places. */
+unsigned loft_gb_place(unsigned sides, unsigned degree, unsigned side, unsigned j, unsigned k)
+{
+    const unsigned wide = wide_of(degree), high = high_of(degree);
+
+    if (j < wide)
+        return (side * wide + j) * high + k;
+    return (after(side, sides) * wide + k) * high + degree - j;
+}
+
+enum loft_status loft_gb_init(loft_gb *g, const loft_vec p[], unsigned sides, unsigned degree)
+{
+    if (!possible(sides, degree))
+        return LOFT_ERR_ARG;
+    const unsigned count = loft_gb_count(sides, degree);
+    for (unsigned k = 0; k < count; k++)
+        if (!loft_vec_valid(p[k]))
+            return LOFT_ERR_RANGE;
+    g->p = p;
+    g->sides = (uint8_t)sides;
+    g->degree = (uint8_t)degree;
+    return LOFT_OK;
+}
+
+
+/* Parameters */
+
+static bool none(loft_sci x) { return loft_sci_sign(x) == 0; }
+
+enum loft_status loft_gb_params(unsigned sides, const loft_sci phi[], loft_gb_side out[])
+{
+    for (unsigned i = 0; i < sides; i++) {
+        const unsigned j = after(i, sides);
+        loft_gb_side *o = &out[i];
+
+        o->any = none(phi[i]) && none(phi[j]);
+        o->below_h = loft_sci_add(phi[i], phi[j]);
+        o->h = loft_sci_zero();
+        for (unsigned k = after(j, sides); k != i; k = after(k, sides))
+            o->h = loft_sci_add(o->h, phi[k]);
+        if (o->any) {
+            o->s = o->before_s = loft_sci_from_real(LOFT_REAL(0.5));
+            continue;
+        }
+        if (none(o->below_h))
+            return LOFT_SINGULAR;
+        o->s = loft_sci_div(phi[j], o->below_h);
+        o->before_s = loft_sci_div(phi[i], o->below_h);
+    }
+    return LOFT_OK;
+}
+
+enum loft_gb_mu loft_gb_mu_of(unsigned degree, unsigned j, unsigned k)
+{
+    if (k < 2)
+        return j < 2 ? LOFT_GB_BEFORE : j + 2 > degree ? LOFT_GB_AFTER : LOFT_GB_WHOLE;
+    if (j < k || j > degree - k)
+        return LOFT_GB_NONE;
+    return j == k || j == degree - k ? LOFT_GB_HALF : LOFT_GB_WHOLE;
+}
+
+
+/* Weights */
+
+/* What the weights of one ribbon are made of: B_j(s_i), times mu as well, B_k(h_i). */
+typedef struct {
+    loft_sci along[LOFT_DEGREE_MAX + 1], turned[4], across[LAYERS];
+} ribbon;
+
+/* C(degree, k) x^k y^(degree - k) for k = 0 .. count - 1. */
+static void bernstein(loft_sci out[], unsigned degree, unsigned count, loft_sci x, loft_sci y)
+{
+    loft_sci power = loft_sci_one();
+
+    for (unsigned k = 0; k < count; k++) {
+        out[k] = loft_sci_mul(power, loft_sci_from_int(loft_binomial(degree, k)));
+        power = loft_sci_mul(power, x);
+    }
+    power = loft_sci_pow(y, degree + 1 - count);
+    for (unsigned k = count; k-- > 0; ) {
+        out[k] = loft_sci_mul(out[k], power);
+        power = loft_sci_mul(power, y);
+    }
+}
+
+/* a / (a + b), 1/2 where both are 0, false where only their sum is. */
+static bool portion(loft_sci a, loft_sci b, loft_sci *out)
+{
+    const loft_sci sum = loft_sci_add(a, b);
+
+    if (none(sum) && !none(a))
+        return false;
+    *out = none(sum) ? loft_sci_from_real(LOFT_REAL(0.5)) : loft_sci_div(a, sum);
+    return true;
+}
+
+static bool ribbon_start(ribbon *r, const loft_gb_side side[], unsigned sides, unsigned degree, unsigned i)
+{
+    loft_sci alpha, beta;
+
+    if (!portion(side[before(i, sides)].h, side[i].h, &alpha) || !portion(side[after(i, sides)].h, side[i].h, &beta))
+        return false;
+    bernstein(r->along, degree, degree + 1, side[i].s, side[i].before_s);
+    bernstein(r->across, degree, high_of(degree), side[i].h, side[i].below_h);
+    for (unsigned j = 0; j < 2; j++) {
+        r->turned[j] = loft_sci_mul(alpha, r->along[j]);
+        r->turned[3 - j] = loft_sci_mul(beta, r->along[degree - j]);
+    }
+    return true;
+}
+
+/* mu B_j(s_i), where mu is not 0. */
+static loft_sci share_of(const ribbon *r, unsigned degree, unsigned j, unsigned k)
+{
+    switch (loft_gb_mu_of(degree, j, k)) {
+    case LOFT_GB_BEFORE:    return r->turned[j];
+    case LOFT_GB_AFTER:     return r->turned[j + 3 - degree];
+    case LOFT_GB_HALF:      return loft_sci_mul(r->along[j], loft_sci_from_real(LOFT_REAL(0.5)));
+    case LOFT_GB_WHOLE:     return r->along[j];
+    case LOFT_GB_NONE:      break;
+    }
+    return loft_sci_zero();
+}
+
+/* The first j of row k whose mu is not 0; the last one is as far from the other end. */
+static unsigned first_of(unsigned k) { return k < 2 ? 0 : k; }
+
+enum loft_status loft_gb_weights(unsigned sides, unsigned degree, const loft_sci phi[], loft_sci out[])
+{
+    const unsigned last = loft_gb_count(sides, degree) - 1;
+    loft_gb_side side[LOFT_SIDES_MAX];
+    loft_sci sum = loft_sci_zero();
+    ribbon r;
+
+    if (loft_gb_params(sides, phi, side) != LOFT_OK)
+        return LOFT_SINGULAR;
+    for (unsigned p = 0; p < last; p++)
+        out[p] = loft_sci_zero();
+    for (unsigned i = 0; i < sides; i++) {
+        if (side[i].any)
+            continue;
+        if (!ribbon_start(&r, side, sides, degree, i))
+            return LOFT_SINGULAR;
+        for (unsigned k = 0; k < high_of(degree); k++)
+            for (unsigned j = first_of(k); j <= degree - first_of(k); j++) {
+                loft_sci *o = &out[loft_gb_place(sides, degree, i, j, k)];
+                const loft_sci weight = loft_sci_mul(share_of(&r, degree, j, k), r.across[k]);
+                *o = loft_sci_add(*o, weight);
+                sum = loft_sci_add(sum, weight);
+            }
+    }
+    out[last] = loft_sci_sub(loft_sci_one(), sum);
+    return LOFT_OK;
+}
+
+
+/* Points */
+
+/* The side on which all other coordinates are 0; `sides` where there is none. */
+static unsigned border_of(unsigned sides, const loft_sci phi[])
+{
+    unsigned i = 0;
+
+    for (; i < sides; i++) {
+        unsigned k = after(after(i, sides), sides);
+        while (k != i && none(phi[k]))
+            k = after(k, sides);
+        if (k == i)
+            break;
+    }
+    return i;
+}
+
+static enum loft_status border_point(const loft_gb *g, const loft_sci phi[], unsigned side, loft_vec *out)
+{
+    const loft_sci share[2] = { phi[side], phi[after(side, g->sides)] };
+    loft_vec p[LOFT_DEGREE_MAX + 1];
+
+    for (unsigned j = 0; j <= g->degree; j++)
+        p[j] = g->p[loft_gb_place(g->sides, g->degree, side, j, 0)];
+    return loft_blend_curve(p, NULL, g->degree, share, out);
+}
+
+static void add_row(loft_blend *sum, const loft_gb *g, const ribbon *r, unsigned side, unsigned k)
+{
+    loft_blend row;
+
+    loft_blend_start(&row);
+    for (unsigned j = first_of(k); j <= g->degree - first_of(k); j++)
+        loft_blend_add(&row, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)], share_of(r, g->degree, j, k));
+    loft_blend_join(sum, &row, r->across[k]);
+}
+
+enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *out)
+{
+    const unsigned border = border_of(g->sides, phi);
+    loft_gb_side side[LOFT_SIDES_MAX];
+    loft_blend sum;
+    ribbon r;
+
+    if (border < g->sides)
+        return border_point(g, phi, border, out);
+    if (loft_gb_params(g->sides, phi, side) != LOFT_OK)
+        return LOFT_SINGULAR;
+    loft_blend_start(&sum);
+    for (unsigned i = 0; i < g->sides; i++) {
+        if (side[i].any)
+            continue;
+        if (!ribbon_start(&r, side, g->sides, g->degree, i))
+            return LOFT_SINGULAR;
+        for (unsigned k = 0; k < high_of(g->degree); k++)
+            add_row(&sum, g, &r, i, k);
+    }
+    loft_blend_add(&sum, &g->p[loft_gb_count(g->sides, g->degree) - 1], loft_sci_sub(loft_sci_one(), sum.w));
+    return loft_blend_point(&sum, out);
+}
