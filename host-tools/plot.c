@@ -12,7 +12,6 @@
 #include "tool.h"       /* tool_error, tool_grow, sysexits */
 
 #define PT_PER_MM   (72 / 25.4)
-#define LEVELS      24                  /* of colour */
 #define BATCH       256                 /* pieces in one stroke: cairo takes much longer for long ones */
 
 double plot_x(const plot_view *v, double x) { return v->left + (x - v->x0) * v->scale; }
@@ -102,24 +101,16 @@ static void draw_travel(const plot_view *v)
 // Error
 // -----
 
-/* A stroke of one colour that grows point by point. */
-typedef struct {
-    const plot_view *v;
-    double at[2];
-    int level;
-    bool open;
-} brush;
-
-static void flush_brush(brush *b)
+static void flush_brush(const plot_brush *b)
 {
     double rgb[3];
 
-    plot_colour((b->level + 0.5) / LEVELS, rgb);
+    plot_colour((b->level + 0.5) / PLOT_LEVELS, rgb);
     cairo_set_source_rgb(b->v->cairo, rgb[0], rgb[1], rgb[2]);
     cairo_stroke(b->v->cairo);
 }
 
-static void brush_to(brush *b, const double to[2], int level)
+void plot_brush_to(plot_brush *b, const double to[2], int level)
 {
     if (b->open && level != b->level)
         flush_brush(b);
@@ -133,7 +124,7 @@ static void brush_to(brush *b, const double to[2], int level)
     b->open  = true;
 }
 
-static void brush_up(brush *b)
+void plot_brush_up(plot_brush *b)
 {
     if (b->open)
         flush_brush(b);
@@ -145,7 +136,7 @@ static void brush_up(brush *b)
 static void draw_errors(const plot_view *v, double (*point)[2])
 {
     const record *r = v->o->r;
-    brush b = { .v = v };
+    plot_brush b = { .v = v };
     double spot[2] = { 0, 0 }, most = -1, far[2] = { 0, 0 };
 
     cairo_set_line_width(v->cairo, 1.1 * v->u);
@@ -154,13 +145,13 @@ static void draw_errors(const plot_view *v, double (*point)[2])
         const bool draws = record_draws(r, i);
         const double *now = r->pulse[i].at;
         if (most >= 0 && (!draws || !is_near(v, spot, now))) {
-            const int level = (int)(most / v->found.worst * LEVELS);
-            brush_to(&b, far, level < LEVELS ? level : LEVELS - 1);
+            const int level = (int)(most / v->found.worst * PLOT_LEVELS);
+            plot_brush_to(&b, far, level < PLOT_LEVELS ? level : PLOT_LEVELS - 1);
             most = -1;
         }
         if (!draws) {
             if (i + 1 == r->count || now[2] > r->pen_down)
-                brush_up(&b);
+                plot_brush_up(&b);
             continue;
         }
         if (most < 0)
@@ -173,8 +164,8 @@ static void draw_errors(const plot_view *v, double (*point)[2])
         }
     }
     if (most >= 0)
-        brush_to(&b, far, LEVELS - 1 < (int)(most / v->found.worst * LEVELS) ? LEVELS - 1 : (int)(most / v->found.worst * LEVELS));
-    brush_up(&b);
+        plot_brush_to(&b, far, PLOT_LEVELS - 1 < (int)(most / v->found.worst * PLOT_LEVELS) ? PLOT_LEVELS - 1 : (int)(most / v->found.worst * PLOT_LEVELS));
+    plot_brush_up(&b);
 }
 
 static void measure(plot_view *v, double (*point)[2])

@@ -71,6 +71,23 @@ void plot_colour(double share, double rgb[3]);
 
 void plot_frame(plot_view *v);
 
+/* A stroke that grows point by point and changes its colour on the way: level 0..PLOT_LEVELS - 1. It ends with plot_brush_up. */
+#define PLOT_LEVELS 24
+typedef struct {
+    const plot_view *v;
+    double at[2];               /* mm */
+    int level;
+    bool open;
+} plot_brush;
+void plot_brush_to(plot_brush *b, const double to[2], int level);
+void plot_brush_up(plot_brush *b);
+
+/* Parts of frames: axes in mm; an entry of a legend at *x, y, which moves *x behind it; a bar of colours beside the frame, from 0
+ * to `most`, and the words below it. */
+void plot_axes(const plot_view *v);
+void plot_entry(const plot_view *v, double *x, double y, const double rgb[3], double wide, bool dashed, const char *words);
+void plot_bar(const plot_view *v, double most, const char *words);
+
 /* What frames are made of: a grey; text at (x, y), where align 0 starts, 1/2 is centred, 1 ends, which gives its width; a
  * line; 1, 2 or 5 times a power of ten, so that `range` has about `count` steps; a number with the digits that a step
  * needs; a file's name without its folders. */

@@ -48,7 +48,7 @@ void plot_number(char *out, size_t size, double value, double step)
     snprintf(out, size, "%.*f", digits, fabs(value) < step / 2 ? 0 : value);
 }
 
-static void axes(const plot_view *v)
+void plot_axes(const plot_view *v)
 {
     const double wide = (v->right - v->left) / v->scale, high = (v->bottom - v->top) / v->scale;
     const double step = plot_step(fmax(wide, high), 14);
@@ -108,12 +108,12 @@ static void title(const plot_view *v)
     plot_text(v, SMALL, v->left, 54 * v->u, 0, words);
 }
 
-/* One entry: a sample of the line and what it means; moves *x behind it. */
-static void entry(const plot_view *v, double *x, double r, double g, double b, double wide, bool dashed, const char *words)
+/* A sample of the line and what it means. */
+void plot_entry(const plot_view *v, double *x, double y, const double rgb[3], double wide, bool dashed, const char *words)
 {
-    const double y = v->bottom + 58 * v->u, dash[2] = { 4 * v->u, 3 * v->u };
+    const double dash[2] = { 4 * v->u, 3 * v->u };
 
-    cairo_set_source_rgb(v->cairo, r, g, b);
+    cairo_set_source_rgb(v->cairo, rgb[0], rgb[1], rgb[2]);
     cairo_set_line_width(v->cairo, wide * v->u);
     cairo_set_dash(v->cairo, dash, dashed ? 2 : 0, 0);
     plot_line(v, *x, y, *x + 30 * v->u, y);
@@ -121,6 +121,13 @@ static void entry(const plot_view *v, double *x, double r, double g, double b, d
     plot_ink(v, 0.1);
     *x += 36 * v->u;
     *x += plot_text(v, SMALL, *x, y + 4.5 * v->u, 0, words) + 22 * v->u;
+}
+
+static void entry(const plot_view *v, double *x, double r, double g, double b, double wide, bool dashed, const char *words)
+{
+    const double rgb[3] = { r, g, b };
+
+    plot_entry(v, x, v->bottom + 58 * v->u, rgb, wide, dashed, words);
 }
 
 static void legend(const plot_view *v)
@@ -180,10 +187,10 @@ void plot_colour(double share, double rgb[3])
         rgb[k] = stops[i][k] + (at - i) * (stops[i + 1][k] - stops[i][k]);
 }
 
-static void colour_bar(const plot_view *v)
+void plot_bar(const plot_view *v, double most, const char *words)
 {
     const double x = v->right + 18 * v->u, wide = 14 * v->u, high = fmin(v->bottom - v->top, 420 * v->u);
-    const double step = plot_step(v->found.worst * 1000, 7);
+    const double step = plot_step(most, 7);
     char label[32];
     double rgb[3];
 
@@ -195,23 +202,23 @@ static void colour_bar(const plot_view *v)
     }
     plot_ink(v, 0.1);
     cairo_set_line_width(v->cairo, 0.8 * v->u);
-    for (int i = 0; i * step <= v->found.worst * 1000 * (1 + 1e-9); i++) {
-        const double y = v->bottom - high * i * step / (v->found.worst * 1000);
+    for (int i = 0; i * step <= most * (1 + 1e-9); i++) {
+        const double y = v->bottom - high * i * step / most;
         plot_line(v, x + wide, y, x + wide + 4 * v->u, y);
         plot_number(label, sizeof label, i * step, step);
         plot_text(v, SMALL, x + wide + 8 * v->u, y + 4.5 * v->u, 0, label);
     }
-    plot_text(v, SMALL, x, v->bottom + 18 * v->u, 0, "error, um");
+    plot_text(v, SMALL, x, v->bottom + 18 * v->u, 0, words);
 }
 
 void plot_frame(plot_view *v)
 {
     cairo_select_font_face(v->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_line_cap(v->cairo, CAIRO_LINE_CAP_BUTT);
-    axes(v);
+    plot_axes(v);
     title(v);
     legend(v);
     scale_bar(v);
     if (v->magnified > 0 && v->found.worst > 0)
-        colour_bar(v);
+        plot_bar(v, v->found.worst * 1000, "error, um");
 }

@@ -23,12 +23,14 @@ static double apart(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
     return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-static void add(making *m, const engine_move *move)
+static void add(making *m, const engine_move *move, size_t curve)
 {
     if (m->t->count == m->room) {
-        m->room    = m->room ? 2 * m->room : 64;
-        m->t->move = tool_grow(m->t->move, m->room * sizeof *m->t->move);
+        m->room     = m->room ? 2 * m->room : 64;
+        m->t->move  = tool_grow(m->t->move, m->room * sizeof *m->t->move);
+        m->t->curve = tool_grow(m->t->curve, m->room * sizeof *m->t->curve);
     }
+    m->t->curve[m->t->count]  = curve;
     m->t->move[m->t->count++] = *move;
     memcpy(m->at, move->p[3], sizeof m->at);
 }
@@ -49,7 +51,7 @@ static void go(making *m, double x, double y, double z)
         line.p[3][i] = to[i];
     }
     m->t->travelled += way;
-    add(m, &line);
+    add(m, &line, TOOLPATH_TRAVEL);
 }
 
 /* With the pen up to (x, y), then down to z. */
@@ -63,8 +65,9 @@ static void travel(making *m, double x, double y, double z)
     go(m, x, y, z);
 }
 
-static void draw(making *m, const drawing_curve *c)
+static void draw(making *m, const drawing *d, size_t i)
 {
+    const drawing_curve *c = &d->curve[i];
     engine_move move = { .feed = m->o->feed };
     double widest    = 0;
 
@@ -76,7 +79,7 @@ static void draw(making *m, const drawing_curve *c)
     }
     if (widest < SAME)
         return;
-    add(m, &move);
+    add(m, &move, i);
     m->t->curves++;
 }
 
@@ -90,7 +93,7 @@ void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
         const drawing_curve *c = &d->curve[i];
         if (i == 0 || c->path != c[-1].path || hypot(m.at[0] - c->p[0][0], m.at[1] - c->p[0][1]) >= SAME)
             travel(&m, c->p[0][0], c->p[0][1], 0);
-        draw(&m, c);
+        draw(&m, d, i);
     }
     if (t->count > 0 && o->park)
         travel(&m, o->start[0], o->start[1], o->start[2]);
@@ -101,5 +104,6 @@ void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
 void toolpath_free(toolpath *t)
 {
     free(t->move);
+    free(t->curve);
     *t = (toolpath){ 0 };
 }

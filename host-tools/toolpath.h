@@ -16,8 +16,11 @@ typedef struct {
     bool park;                      /* return there at the end                              */
 } toolpath_options;
 
+#define TOOLPATH_TRAVEL ((size_t)-1)
+
 typedef struct {
     engine_move *move;
+    size_t *curve;                  /* of each move: which of the drawing, or TOOLPATH_TRAVEL */
     size_t count;
     size_t curves;                  /* moves with the pen down */
     double drawn, travelled;        /* mm                      */

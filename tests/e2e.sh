@@ -552,6 +552,54 @@ case_dry_run_says_the_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 1800mm/min; cp "$tmp/out" "$tmp/minutes"
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 30mm/s; cmp -s "$tmp/out" "$tmp/minutes" || job_fails "1800mm/min is not 30mm/s"
 }
+case_plan_says_what_limits() {
+    plan() { run 0 "$loft" plan "$@"; is_empty err; }
+    limited() { local by=$1; shift; plan --total "$@"; grep -q "^drawn .*  $by [0-9]* %" "$tmp/out" || job_fails "not by $by: $(cat "$tmp/out")"; }
+    printf '0,0,10,0,20,0,30,0\n' >"$tmp/line.csv"
+    printf 'arc left\n10 0\n0 0\n10 0\n' >"$tmp/ring.loft"
+    awk 'BEGIN { print "line"; for (i = 0; i < 60; i++) print i * 0.5, i % 2 * 0.3 }' >"$tmp/saw.loft"
+    printf 'max_speed = 500\nx.max_speed = 20\nmax_jerk = 0\n' >"$tmp/slow.txt"
+    plan "$tmp/line.csv" --jerk 0       # from rest to rest: 30 mm / 30 mm/s + 30 mm/s / 2000 mm/s2
+    awk '$1 == 1 { n++; exit !($2 == 1 && $3 == "30.000" && $4 > 1.012 && $4 < 1.022 && $5 > 29.9 && $5 < 30.1) } END { exit !n }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
+    limited feed "$tmp/line.csv";                    limited 'x speed' "$tmp/line.csv" --feed 60 --machine "$tmp/slow.txt"
+    limited 'x acceleration' "$tmp/line.csv" --feed 1000 --jerk 0;  limited 'x jerk' "$tmp/line.csv" --feed 1000
+    limited curvature "$tmp/ring.loft" --feed 1000 --accel 300 --jerk 0;    plan --total "$tmp/saw.loft" --jerk 0; says out '^drawn .*, corner [0-9]'
+    for num in q16 f32 f64; do
+        plan "$tmp/small.csv" --num $num
+        [ "$(grep -c '^[0-9]' "$tmp/out")" = 7 ] || job_fails "$num: $(cat "$tmp/out")"
+        # rows add up, what limits adds up, and all of it is the plan of `stream`
+        awk '/^[0-9]/ { d += $4; l += $3 } /^travel  *[0-9]/ { t += $3 } /^drawn/ { a = $3; b = $2 } /^travel/ { c = $3 - 0 } /^in all/ { w = $4 }
+             END { d -= a; l -= b; exit !(d < 0.01 && d > -0.01 && l < 0.01 && l > -0.01 && w > a) }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
+        local all; all=$(awk '/^in all/ { print $4 }' "$tmp/out")
+        run 0 "$loft" stream "$tmp/small.csv" --dry-run --num $num
+        awk -v a="$all" '{ for (i = 1; i < NF; i++) if ($(i + 1) == "s,") d = $i - a } END { exit !(d < 0.06 && d > -0.06) }' "$tmp/out" || job_fails "$num: $all, $(cat "$tmp/out")"
+    done
+}
+case_plan_as_rows() {
+    run 0 "$loft" plan "$tmp/small.csv" --csv 500; is_empty err; cp "$tmp/out" "$tmp/rows"
+    # velocity is the slope of the place and acceleration that of the velocity; limits hold; the end is at rest above the last point
+    awk -F, 'NR == 1 { if ($0 != "t,x,y,z,vx,vy,vz,ax,ay,az") exit bad = 1; next }
+        NF != 10 { exit bad = 1 }
+        NR > 2 && $1 - t > 0.0019 && $1 - t < 0.0021 { for (i = 2; i < 8; i++) { d = ($i - o[i]) / ($1 - t) - ($(i + 3) + o[i + 3]) / 2; if (d < 0) d = -d
+            if (d > (i < 5 ? 0.05 : 60)) { print "row " NR " column " i " is off by " d; exit bad = 1 } } n++ }
+        { t = $1; for (i = 2; i <= NF; i++) o[i] = $i }
+        END { exit bad || n < 3000 || !($2 == 60 && $3 == 30 && $4 == 1 && $5 == 0 && $6 == 0 && $7 == 0) }' "$tmp/rows" || job_fails "$(tail -1 "$tmp/rows")"
+    run 0 "$loft" plan "$tmp/small.csv" --csv 500 -o "$tmp/file.csv"; says out '^in all '; cmp -s "$tmp/file.csv" "$tmp/rows" || job_fails "the file has other rows"
+    run 0 sh -c "cat '$tmp/small.csv' | '$loft' plan - --csv 10 --num f64 --park | tail -1"; says out ',0.000000,0.000000,0.000000,0.00000,0.00000,0.00000,'
+}
+case_plan_as_a_picture() {
+    run 0 "$loft" plan "$tmp/small.csv" --total --plot "$tmp/a.png" --size 400; says out '^drawn '
+    run 0 "$loft" plan tests/drawings/curves.loft --total --jerk 0 --plot "$tmp/b.svg"; run 0 "$loft" plan "$tmp/small.csv" --total --plot "$tmp/c.pdf"
+    [ "$(head -c 4 "$tmp/a.png" | tail -c 3)" = PNG ] && [ -s "$tmp/b.svg" ] && [ -s "$tmp/c.pdf" ] || job_fails "no picture"
+    one_line 64 'ends with .png, .svg or .pdf' "$loft" plan "$tmp/small.csv" --plot "$tmp/a.gif"
+    one_line 73 'cannot be written'  "$loft" plan "$tmp/small.csv" --plot "$tmp/none/a.png"
+    one_line 73 'cannot be written'  "$loft" plan "$tmp/small.csv" --csv 10 -o "$tmp/none/a.csv"
+    one_line 64 'give --csv RATE'    "$loft" plan "$tmp/small.csv" -o "$tmp/a.csv"
+    one_line 64 'no drawing'         "$loft" plan
+    one_line 66 'none.svg: no such'  "$loft" plan "$tmp/none.svg"
+    one_line 65 'is no key'          "$loft" plan "$tmp/small.csv" --machine "$tmp/small.csv"
+    printf '\n0,0,9000,0,1,1,2,2\n' >"$tmp/wide.csv"; one_line 65 'wide.csv:2: a point at 9000,0 mm' "$loft" plan "$tmp/wide.csv"
+}
 case_machines_as_text() {
     printf '# slow\nmax_speed = 20\ny.max_accel = 100 # mm/s2\nsteps_per_mm = 100\n' >"$tmp/slow.txt"
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 60; cp "$tmp/out" "$tmp/fast"
