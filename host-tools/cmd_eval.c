@@ -111,14 +111,15 @@ static int every_curve(evaluation *v, const curves *all, bool shape)
 static int surface_points_of(const evaluation *v, const surface *s)
 {
     const engine_surfaces *make = v->p.e->surface;
-    const double middle = surface_is_triangle(s) ? 1 / 3.0 : 0.5;
     engine_surface *held;
+    double middle[2];
     int status = make->open(s, &held), code = EX_OK;
 
     if (status != 0)
         return tool_error(EX_DATAERR, "%s:%u: %s: %s", v->file, s->line, surface_name(s->kind), engine_status(status));
+    surface_middle(s, middle);
     for (size_t j = 0; (j < v->t->count || j == 0) && code == EX_OK; j += 2) {
-        const double a = v->t->count ? v->t->value[j] : middle, b = v->t->count ? v->t->value[j + 1] : middle;
+        const double a = v->t->count ? v->t->value[j] : middle[0], b = v->t->count ? v->t->value[j + 1] : middle[1];
         double point[ENGINE_AXES];
         status = make->eval(held, a, b, point);
         if (status == 0)
@@ -165,7 +166,7 @@ static int run(const tool_command *self, int argc, char **argv)
 
     const tool_option options[] = {
         TOOL_LIST("t", "T,..", &t, -1e6, 1e6, "parameters, 0..1 on a Bezier curve (the middle)"),
-        TOOL_LIST("uv", "U,V,..", &uv, 0, 1, "pairs of parameters on a surface (the middle)"),
+        TOOL_LIST("uv", "U,V,..", &uv, -32768, 32767, "pairs of parameters on a surface (the middle)"),
         TOOL_SWITCH("shape", &shape, "not points, but what each piece looks like: its type, inflections, box"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         TOOL_ENGINE(&e, "number type: q16, f32 or f64 (q16)"),

@@ -30,8 +30,8 @@ static int walk(void *context, const curve *c, engine_curve *held)
     return status;
 }
 
-/* A grid: the rows of u, an empty line behind each and two between surfaces; those of a triangle shrink. */
-static int grid(const print_options *p, const surface *s, const engine_surface *held, unsigned n)
+/* A grid: the rows of u, an empty line behind each and two between surfaces and kites; those of a triangle shrink. */
+static int grid(const print_options *p, const surface *s, const engine_surface *held, unsigned kite, unsigned n)
 {
     print_options how = *p;
     int status = 0;
@@ -39,7 +39,7 @@ static int grid(const print_options *p, const surface *s, const engine_surface *
     for (unsigned i = 0; i <= n && status == 0; i++) {
         for (unsigned j = 0; j <= (surface_is_triangle(s) ? n - i : n) && status == 0; j++) {
             double point[ENGINE_AXES];
-            status = p->e->surface->eval(held, i / (double)n, j / (double)n, point);
+            status = p->e->surface->kite(held, kite, i / (double)n, j / (double)n, point);
             if (status == 0)
                 print_point(&how, point);
         }
@@ -60,7 +60,11 @@ static int sample_surfaces(const surfaces *all, const char *file, const engine *
             putchar('\n');
         status = e->surface->open(s, &held);
         if (status == 0) {
-            status = grid(&p, s, held, n);
+            for (unsigned kite = 0; kite < surface_kites(s) && status == 0; kite++) {
+                if (kite > 0)
+                    putchar('\n');
+                status = grid(&p, s, held, kite, n);
+            }
             e->surface->close(held);
         }
         if (status != 0)
@@ -114,6 +118,7 @@ const tool_command command_sample = {
     "FILE has one control point per line, or curves of any kind (host-tools/LOFT.md), or is a drawing. Prints the start\n"
     "and N points per piece, an empty line where a curve does not start at the end of the one before it. Curves to\n"
     "degree 5 are walked by forward differences, others are evaluated point by point. Of surfaces prints a grid of N + 1 by\n"
-    "N + 1 points, u outside, an empty line behind each row (a triangle: rows that shrink), two between surfaces.\n",
+    "N + 1 points, u outside, an empty line behind each row (a triangle: rows that shrink), two between surfaces; of those\n"
+    "with n sides a grid for each side, from the corner where it begins to the middle.\n",
     run
 };

@@ -10,19 +10,15 @@
 #include <string.h>
 
 #include "curve.h"
-#include "scan.h"       /* scan_numbers, scan_word */
+#include "lines.h"      /* lines_numbers, lines_wrong */
+#include "scan.h"       /* scan_word */
 #include "surface.h"    /* surface_begins */
-#include "tool.h"       /* tool_error, sysexits */
 
-#define TURNS_MAX    1000
-#define WEIGHT_LEAST (1 / 256.0)    /* of the library */
-#define WEIGHT_MOST  256.0
+#define TURNS_MAX 1000
 
 typedef struct {
     curves *all;
-    const char *file;
-    unsigned line;
-    const char *rest;       /* of the line                       */
+    lines at;
     curve *now;             /* NULL before the first and between */
     bool counted;           /* its degree was given              */
 } reading;
@@ -39,48 +35,27 @@ typedef struct {
     const char *point;          /* how a point is written                        */
 } row;
 
-static int wrong(const reading *r, const char *what, const char *remedy)
-{
-    return tool_error(EX_DATAERR, "%s:%u: %s: %s", r->file, r->line, what, remedy);
-}
-
 
 // First lines
 // -----------
 
-static bool at_end(const reading *r)
-{
-    return *r->rest == '\0' || *r->rest == '\n' || *r->rest == '#';
-}
-
-/* Up to `most` numbers and nothing behind them; their count, or -1. */
-static int numbers_alone(reading *r, double out[], int most)
-{
-    const int count = scan_numbers(&r->rest, out, most);
-
-    for (int i = 0; i < count; i++)
-        if (!isfinite(out[i]))
-            return -1;
-    return at_end(r) ? count : -1;
-}
-
 static int head_bare(reading *r)
 {
-    return numbers_alone(r, NULL, 0) == 0 ? 0 : wrong(r, "more behind the kind", "give its points on lines of their own");
+    return lines_numbers_alone(&r->at, NULL, 0) == 0 ? 0 : lines_wrong(&r->at, "more behind the kind", "give its points on lines of their own");
 }
 
 static int head_degree(reading *r)
 {
     double degree = -1;
     const bool least = r->now->kind != CURVE_BEZIER;
-    const int count = numbers_alone(r, &degree, 1);
+    const int count = lines_numbers_alone(&r->at, &degree, 1);
 
     if (count < 0 || (count == 1 && (degree != floor(degree) || degree < least || degree > CURVE_DEGREE_MAX)))
-        return wrong(r, "not a degree", least ? "give a whole number from 1 to 9" : "give a whole number from 0 to 9");
+        return lines_wrong(&r->at, "not a degree", least ? "give a whole number from 1 to 9" : "give a whole number from 0 to 9");
     r->counted = count == 1;
     r->now->degree = r->counted ? (unsigned)degree : 0;
     if (!r->counted && (r->now->kind == CURVE_BSPLINE || r->now->kind == CURVE_NURBS))
-        return wrong(r, "no degree", "give it behind the kind, as `bspline 3`");
+        return lines_wrong(&r->at, "no degree", "give it behind the kind, as `bspline 3`");
     return 0;
 }
 
@@ -93,33 +68,28 @@ static int head_cubic(reading *r)
 static int head_tension(reading *r)
 {
     r->now->degree = 3;
-    if (numbers_alone(r, &r->now->tension, 1) < 0 || fabs(r->now->tension) > 60)
-        return wrong(r, "not a tension", "give a number from -60 to 60, or nothing for 0 (Catmull-Rom)");
+    if (lines_numbers_alone(&r->at, &r->now->tension, 1) < 0 || fabs(r->now->tension) > 60)
+        return lines_wrong(&r->at, "not a tension", "give a number from -60 to 60, or nothing for 0 (Catmull-Rom)");
     return 0;
 }
 
 static int head_natural(reading *r)
 {
-    const int length = scan_word(r->rest);
-
     r->now->degree = 3;
-    if (length == 5 && strncmp(r->rest, "chord", 5) == 0)
+    if (lines_word(&r->at, "chord"))
         r->now->kind = CURVE_CHORD;
-    else if (length != 0 && !(length == 7 && strncmp(r->rest, "uniform", 7) == 0))
-        return wrong(r, "not a spacing of knots", "give uniform or chord");
-    r->rest += length;
+    else if (scan_word(r->at.rest) > 0 && !lines_word(&r->at, "uniform"))
+        return lines_wrong(&r->at, "not a spacing of knots", "give uniform or chord");
     return head_bare(r);
 }
 
 static int head_arc(reading *r)
 {
-    const int length = scan_word(r->rest);
-    const bool left  = length == 4 && strncmp(r->rest, "left", 4) == 0, right = length == 5 && strncmp(r->rest, "right", 5) == 0;
+    const bool left = lines_word(&r->at, "left");
     double turns = 1;
 
-    r->rest += length;
-    if ((!left && !right) || numbers_alone(r, &turns, 1) < 0 || turns != floor(turns) || turns < 1 || turns > TURNS_MAX)
-        return wrong(r, "not an arc", "give the way it turns, `arc left` or `arc right`, and start, centre and end as points");
+    if ((!left && !lines_word(&r->at, "right")) || lines_numbers_alone(&r->at, &turns, 1) < 0 || turns != floor(turns) || turns < 1 || turns > TURNS_MAX)
+        return lines_wrong(&r->at, "not an arc", "give the way it turns, `arc left` or `arc right`, and start, centre and end as points");
     r->now->turns  = left ? (int)turns : -(int)turns;
     r->now->degree = 3;
     return 0;
@@ -163,41 +133,22 @@ static const row *row_of(const curve *c)
 /* `x y [z]`; the number of axes, 0 if that is not what stands there. */
 static int vector(reading *r, double out[CURVE_AXES])
 {
-    double number[CURVE_AXES + 1];
-    const int count = scan_numbers(&r->rest, number, CURVE_AXES + 1);
+    const int count = lines_vector(&r->at, out);
 
-    if (count < 2 || count > CURVE_AXES)
-        return 0;
-    for (int i = 0; i < CURVE_AXES; i++) {
-        out[i] = i < count ? number[i] + 0.0 : 0;       /* no -0 */
-        if (!isfinite(out[i]))
-            return 0;
-    }
     r->all->solid |= count > 2;
     return count;
 }
 
-static bool colon(reading *r)
-{
-    const bool there = *r->rest == ':';
-
-    r->rest += there;
-    return there;
-}
-
-static bool scalar(reading *r, double *out)
-{
-    return scan_numbers(&r->rest, out, 1) == 1 && isfinite(*out);
-}
+static bool scalar(reading *r, double *out) { return lines_numbers(&r->at, out, 1) == 1; }
 
 static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
 {
     switch (behind) {
     case NOTHING:     return true;
-    case A_WEIGHT:    return !colon(r) || (scalar(r, &p->w) && p->w >= WEIGHT_LEAST && p->w <= WEIGHT_MOST);
-    case A_PARAMETER: return colon(r) && scalar(r, &p->w);
-    case A_VECTOR:    return colon(r) && vector(r, p->d[0]) > 0;
-    case TWO_VECTORS: return colon(r) && vector(r, p->d[0]) > 0 && colon(r) && vector(r, p->d[1]) > 0;
+    case A_WEIGHT:    return !lines_colon(&r->at) || lines_weight(&r->at, &p->w);
+    case A_PARAMETER: return lines_colon(&r->at) && scalar(r, &p->w);
+    case A_VECTOR:    return lines_colon(&r->at) && vector(r, p->d[0]) > 0;
+    case TWO_VECTORS: return lines_colon(&r->at) && vector(r, p->d[0]) > 0 && lines_colon(&r->at) && vector(r, p->d[1]) > 0;
     }
     return false;
 }
@@ -207,12 +158,12 @@ static int point_line(reading *r)
     curve_point p = { .w = 1 };
 
     if (r->now == NULL)
-        return wrong(r, "a point of no curve", "begin with a kind, as `bezier 3`");
+        return lines_wrong(&r->at, "a point of no curve", "begin with a kind, as `bezier 3`");
     const row *kind = row_of(r->now);
-    if (vector(r, p.p) == 0 || !what_is_behind(r, kind->behind, &p) || !at_end(r))
-        return wrong(r, "not a point", kind->point);
+    if (vector(r, p.p) == 0 || !what_is_behind(r, kind->behind, &p) || !lines_over(&r->at))
+        return lines_wrong(&r->at, "not a point", kind->point);
     if (r->now->count == CURVE_POINTS_MAX)
-        return wrong(r, "more than 10000 points", "begin another curve where this one ends");
+        return lines_wrong(&r->at, "more than 10000 points", "begin another curve where this one ends");
     curve_add_point(r->now, &p);
     return 0;
 }
@@ -231,15 +182,15 @@ static int knot_line(reading *r)
     double knot;
 
     if (r->now == NULL || !has_knots(r->now))
-        return wrong(r, "knots of no B-spline", "give them below `bspline` or `nurbs`");
-    while (scan_numbers(&r->rest, &knot, 1) == 1) {
-        if (!isfinite(knot) || r->now->knot_count > CURVE_POINTS_MAX + CURVE_DEGREE_MAX)
+        return lines_wrong(&r->at, "knots of no B-spline", "give them below `bspline` or `nurbs`");
+    while (scalar(r, &knot)) {
+        if (r->now->knot_count > CURVE_POINTS_MAX + CURVE_DEGREE_MAX)
             break;
         if (r->now->knot_count > 0 && knot < r->now->knot[r->now->knot_count - 1])
-            return wrong(r, "knots that descend", "give them in ascending order");
-        curve_add_knot(r->now, knot + 0.0);
+            return lines_wrong(&r->at, "knots that descend", "give them in ascending order");
+        curve_add_knot(r->now, knot);
     }
-    return at_end(r) ? 0 : wrong(r, "not a knot", "give numbers, as many as points + degree + 1");
+    return lines_over(&r->at) ? 0 : lines_wrong(&r->at, "not a knot", "give numbers, as many as points + degree + 1");
 }
 
 /* Without knots: 0 .. 0 1 2 .. m .. m, so that the curve starts at its first point and ends at its last. */
@@ -261,36 +212,36 @@ static bool too_many_alike(const curve *c)
     return false;
 }
 
-static int check_knots(const reading *r, curve *c)
+static int check_knots(const lines *at, curve *c)
 {
     char words[96];
 
     if (c->count <= c->degree) {
         snprintf(words, sizeof words, "degree %u with %u points", c->degree, c->count);
-        return wrong(r, words, "give more points than the degree");
+        return lines_wrong(at, words, "give more points than the degree");
     }
     if (c->knot_count == 0)
         return knots_of(c);
     if (c->knot_count != c->count + c->degree + 1) {
         snprintf(words, sizeof words, "%u knots for %u points of degree %u", c->knot_count, c->count, c->degree);
-        return wrong(r, words, "give as many as points + degree + 1, or none");
+        return lines_wrong(at, words, "give as many as points + degree + 1, or none");
     }
     if (too_many_alike(c))
-        return wrong(r, "too many equal knots", "give each at most degree + 1 times");
+        return lines_wrong(at, "too many equal knots", "give each at most degree + 1 times");
     if (!(c->knot[c->degree] < c->knot[c->count]))
-        return wrong(r, "knots that leave no curve", "let those behind the first `degree` ascend");
+        return lines_wrong(at, "knots that leave no curve", "let those behind the first `degree` ascend");
     return 0;
 }
 
-static int check_parameters(const reading *r, const curve *c)
+static int check_parameters(const lines *at, const curve *c)
 {
     const double a = c->point[0].w, b = c->point[1].w, z = c->point[2].w;
 
-    return a < b && b < z ? 0 : wrong(r, "parameters that do not ascend", "give the three points in the order of their t");
+    return a < b && b < z ? 0 : lines_wrong(at, "parameters that do not ascend", "give the three points in the order of their t");
 }
 
 /* As the library has it: the ends' distances from the centre may differ by what numbers with few digits make. */
-static int check_radii(const reading *r, const curve *c)
+static int check_radii(const lines *at, const curve *c)
 {
     const curve_point *p = c->point;
     const double first = hypot(p[0].p[0] - p[1].p[0], p[0].p[1] - p[1].p[1]), last = hypot(p[2].p[0] - p[1].p[0], p[2].p[1] - p[1].p[1]);
@@ -299,13 +250,13 @@ static int check_radii(const reading *r, const curve *c)
     if (first > 0 && fabs(first - last) <= first / 256)
         return 0;
     snprintf(words, sizeof words, "an arc whose ends are %.9g and %.9g mm from its centre", first, last);
-    return wrong(r, words, "give start, centre and end so that both are the same");
+    return lines_wrong(at, words, "give start, centre and end so that both are the same");
 }
 
 /* The curve is complete: is it one? */
 static int end_curve(reading *r)
 {
-    const reading at = { .file = r->file, .line = r->now ? r->now->line : 0 };
+    const lines at = { .file = r->at.file, .line = r->now ? r->now->line : 0 };
     curve *c = r->now;
     char words[96];
 
@@ -324,7 +275,7 @@ static int end_curve(reading *r)
         snprintf(words, sizeof words, "%s with %u point%s", kind->word, c->count, c->count == 1 ? "" : "s");
         snprintf(remedy, sizeof remedy, "give %s%u", least == most ? "" : c->count < least ? "at least " : "at most ",
                  c->count < least ? least : most);
-        return wrong(&at, words, remedy);
+        return lines_wrong(&at, words, remedy);
     }
     switch (c->kind) {
     case CURVE_BSPLINE: case CURVE_NURBS: return check_knots(&at, c);
@@ -336,53 +287,38 @@ static int end_curve(reading *r)
 
 static int word_line(reading *r)
 {
-    const int length = scan_word(r->rest);
-    const row *kind  = row_of_word(r->rest, length);
+    const int length = scan_word(r->at.rest);
+    const row *kind  = row_of_word(r->at.rest, length);
     char words[64];
 
-    if (length == 5 && strncmp(r->rest, "knots", 5) == 0) {
-        r->rest += length;
+    if (lines_word(&r->at, "knots"))
         return knot_line(r);
-    }
     const int code = end_curve(r);
     if (code != 0)
         return code;
     if (kind == NULL) {
-        snprintf(words, sizeof words, "`%.*s` is no kind of curve", length > 20 ? 20 : length, r->rest);
-        return wrong(r, words, surface_begins(r->rest) ? "surfaces go into a file of their own"
+        snprintf(words, sizeof words, "`%.*s` is no kind of curve", length > 20 ? 20 : length, r->at.rest);
+        return lines_wrong(&r->at, words, surface_begins(r->at.rest) ? "surfaces go into a file of their own"
                                : "give bezier line rational parabola hermite3 hermite5 cardinal natural bspline nurbs or arc");
     }
-    r->now     = curves_add(r->all, kind->kind, r->line);
+    r->now     = curves_add(r->all, kind->kind, r->at.line);
     r->counted = false;
-    r->rest   += length;
-    r->rest   += strspn(r->rest, " \t");
+    lines_word(&r->at, kind->word);
     return kind->head(r);
 }
 
-static int read_line(reading *r)
+static int read_line(void *context)
 {
-    r->rest += strspn(r->rest, " \t\r");
-    if (at_end(r))
-        return 0;
-    return isalpha((unsigned char)*r->rest) ? word_line(r) : point_line(r);
-}
+    reading *r = context;
 
-static const char *behind_mark(const char *text)
-{
-    return strncmp(text, "\xEF\xBB\xBF", 3) == 0 ? text + 3 : text;
+    return isalpha((unsigned char)*r->at.rest) ? word_line(r) : point_line(r);
 }
 
 int curves_read_text(curves *all, const char *file, const char *text)
 {
-    reading r = { .all = all, .file = file };
-    int code = 0;
+    reading r = { .all = all, .at = { .file = file } };
+    const int code = lines_read(&r.at, text, read_line, &r);
 
-    for (text = behind_mark(text); *text != '\0' && code == 0; text += *text == '\n') {
-        r.line++;
-        r.rest = text;
-        code = read_line(&r);
-        text += strcspn(text, "\n");
-    }
     return code ? code : end_curve(&r);
 }
 
@@ -392,8 +328,6 @@ bool curves_is_text(const char *file, const char *text)
 
     if (length >= 5 && strcmp(file + length - 5, ".loft") == 0)
         return true;
-    text = behind_mark(text);
-    for (text += strspn(text, " \t\r\n"); *text == '#'; text += strspn(text, " \t\r\n"))
-        text += strcspn(text, "\n");
+    text = lines_start(text);
     return row_of_word(text, scan_word(text)) != NULL;
 }

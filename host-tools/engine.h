@@ -117,9 +117,11 @@ typedef struct {
     /* As with curves. */
     int (*open)(const struct surface *s, engine_surface **out);
     void (*close)(engine_surface *s);
-    /* The point at u, v of 0..1; on a triangle u + v <= 1. */
+    /* The point at u, v of 0..1; on a triangle u + v <= 1; of a patch with n sides at its own parameters. */
     int (*eval)(const engine_surface *s, double u, double v, double out[ENGINE_AXES]);
-    /* Normal and curvatures there. LOFT_ERR_ARG: the library has them not for this kind. */
+    /* The point at u, v of a kite of such a patch (sided.h); of others there is one kite, the whole. */
+    int (*kite)(const engine_surface *s, unsigned kite, double u, double v, double out[ENGINE_AXES]);
+    /* Normal and curvatures at u, v. LOFT_ERR_ARG: the library has them not for this kind. */
     int (*look)(const engine_surface *s, double u, double v, engine_look *out);
 } engine_surfaces;
 

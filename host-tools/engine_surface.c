@@ -18,6 +18,7 @@
 #include "surface/triangle_rational.h"  /* loft_triangle_rational */
 
 #include "engine_num.h"     /* real_of, vec_of, point_of */
+#include "engine_sided.h"
 #include "surface.h"
 #include "tool.h"           /* tool_grow */
 
@@ -26,6 +27,7 @@
 /* One of the library's; which says the kind. */
 struct engine_surface {
     const surface *s;
+    engine_sided *sided;        /* with n sides, and then nothing else */
     loft_vec *p;
     loft_weighted *weighted;
     union {
@@ -46,6 +48,8 @@ struct engine_surface {
 
 static void surface_close(engine_surface *e)
 {
+    if (e->sided)
+        ENGINE_OF(engine_sides).close(e->sided);
     free(e->p);
     free(e->weighted);
     free(e);
@@ -146,7 +150,7 @@ static int surface_open(const surface *s, engine_surface **out)
     engine_surface *e = tool_grow(NULL, sizeof *e);
 
     *e = (engine_surface){ .s = s };
-    const int status = prepare(e);
+    const int status = surface_is_sided(s) ? ENGINE_OF(engine_sides).open(s, &e->sided) : prepare(e);
     if (status != LOFT_OK)
         surface_close(e);
     else
@@ -182,6 +186,8 @@ static int surface_eval(const engine_surface *e, double u, double v, double out[
     int status = LOFT_OK;
     loft_vec at;
 
+    if (e->sided)
+        return ENGINE_OF(engine_sides).eval(e->sided, (sided_place){ SIDED_OWN, 0, u, v }, out);
     if (!(u >= 0 && v >= 0 && u <= 1 && v <= 1 && (u + v <= 1 + 1e-9 || !surface_is_triangle(e->s))))
         return LOFT_ERR_ARG;
     switch (e->s->kind) {
@@ -199,6 +205,12 @@ static int surface_eval(const engine_surface *e, double u, double v, double out[
     return status;
 }
 
+static int surface_kite(const engine_surface *e, unsigned kite, double u, double v, double out[ENGINE_AXES])
+{
+    if (e->sided)
+        return ENGINE_OF(engine_sides).eval(e->sided, sided_kite(e->s, kite, u, v), out);
+    return surface_eval(e, u, v, out);
+}
 
 
 // Normals and curvatures
@@ -258,6 +270,8 @@ static int surface_look(const engine_surface *e, double u, double v, engine_look
     loft_local here;
     loft_vec normal;
 
+    if (e->sided)
+        return LOFT_ERR_ARG;
     if (e->s->kind == SURFACE_SPHERE || e->s->kind == SURFACE_OCTANT)
         return look_round(e, u, v, out);
     int status = local_of(e, u, v, &here);
@@ -277,5 +291,6 @@ const engine_surfaces ENGINE_OF(engine_surfaces) = {
     .open  = surface_open,
     .close = surface_close,
     .eval  = surface_eval,
+    .kite  = surface_kite,
     .look  = surface_look
 };

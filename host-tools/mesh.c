@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "mesh.h"
+#include "sided.h"      /* sided_spot */
 #include "tool.h"       /* tool_error, tool_grow, sysexits */
 
 #define STEP 1e-3       /* of a parameter, for differences */
@@ -21,12 +22,12 @@ static void cross(const vector a, const vector b, vector out)
 }
 
 /* Nine points around (u, v), one STEP apart: index 3 (i + 1) + j + 1 at (u + i STEP, v + j STEP). */
-static int stencil(const engine_surface *held, double u, double v, vector at[9])
+static int stencil(const engine_surface *held, unsigned kite, double u, double v, vector at[9])
 {
     int status = 0;
 
     for (int k = 0; k < 9 && status == 0; k++)
-        status = engine_f64.surface->eval(held, u + (k / 3 - 1) * STEP, v + (k % 3 - 1) * STEP, at[k]);
+        status = engine_f64.surface->kite(held, kite, u + (k / 3 - 1) * STEP, v + (k % 3 - 1) * STEP, at[k]);
     return status;
 }
 
@@ -67,25 +68,35 @@ static void inside(bool triangle, double *u, double *v)
 }
 
 /* By differences, a little inside. */
-static int look_around(const surface *s, const engine_surface *fine, double u, double v, mesh_vertex *out)
+static int look_around(const surface *s, const engine_surface *fine, unsigned kite, double u, double v, mesh_vertex *out)
 {
     vector at[9];
 
     inside(surface_is_triangle(s), &u, &v);
-    const int status = stencil(fine, u, v, at);
+    const int status = stencil(fine, kite, u, v, at);
     if (status == 0)
         look((const vector *)at, out);
     return status;
 }
 
+static void place(const surface *s, unsigned kite, double u, double v, mesh_vertex *out)
+{
+    double at[2] = { u, v };
+
+    if (surface_is_sided(s))
+        sided_spot(s, sided_kite(s, kite, u, v), at);
+    *out = (mesh_vertex){ .u = at[0], .v = at[1] };
+}
+
 /* What the library says, or, where it says nothing (a kind it does not look at, the pole of a sphere), differences. */
-static int add_vertex(mesh *m, const engine *e, const surface *s, const engine_surface *held, const engine_surface *fine, double u, double v)
+static int add_vertex(mesh *m, const engine *e, const surface *s, const engine_surface *held, const engine_surface *fine, unsigned kite,
+                      double u, double v)
 {
     mesh_vertex *out = &m->vertex[m->vertices];
     engine_look here;
 
-    *out = (mesh_vertex){ .u = u, .v = v };
-    int status = e->surface->eval(held, u, v, out->p);
+    place(s, kite, u, v, out);
+    int status = e->surface->kite(held, kite, u, v, out->p);
     if (status != 0)
         return status;
     if (engine_f64.surface->look(fine, u, v, &here) == 0) {
@@ -93,7 +104,7 @@ static int add_vertex(mesh *m, const engine *e, const surface *s, const engine_s
         out->gauss = here.gauss;
         out->mean  = here.mean;
     } else {
-        status = look_around(s, fine, u, v, out);
+        status = look_around(s, fine, kite, u, v, out);
     }
     m->vertices += status == 0;
     return status;
@@ -140,7 +151,7 @@ static int add_surface(mesh *m, const surface *s, const engine *e, const engine_
 
     for (unsigned i = 0; i <= n; i++)
         for (unsigned j = 0; j <= (triangle ? i : n) && status == 0; j++)
-            status = add_vertex(m, e, s, held, fine, (triangle ? i - j : i) / (double)n, j / (double)n);
+            status = add_vertex(m, e, s, held, fine, 0, (triangle ? i - j : i) / (double)n, j / (double)n);
     if (status == 0 && triangle)
         triangle_cells(m, first, n, lines);
     else if (status == 0)
@@ -148,10 +159,62 @@ static int add_surface(mesh *m, const surface *s, const engine *e, const engine_
     return status;
 }
 
+/* Kites of h x h cells. Each has its vertices but those of its line v = 1, which are the line u = 1 of the kite before it; one vertex
+ * in the middle is common to all. */
+static size_t kite_vertex(const surface *s, size_t first, unsigned kite, unsigned i, unsigned j, unsigned h)
+{
+    const unsigned kites = surface_kites(s), own = (h + 1) * h;
+
+    if (i == h && j == h)
+        return first + (size_t)kites * own;
+    if (j == h)
+        return first + (kite + kites - 1) % kites * own + h * h + i;
+    return first + kite * own + i * h + j;
+}
+
+static void kite_cells(mesh *m, const surface *s, size_t first, unsigned kite, unsigned h, unsigned lines)
+{
+    for (unsigned i = 0; i < h; i++)
+        for (unsigned j = 0; j < h; j++) {
+            const unsigned line = (j % lines == 0 ? 1u : 0) | (j == 0 ? 16u : 0) | ((i + 1) % lines == 0 ? 2u : 0)
+                                | ((j + 1) % lines == 0 ? 4u : 0) | (i % lines == 0 ? 8u : 0) | (i == 0 ? 128u : 0);
+            m->cell[m->cells++] = (mesh_cell){ { kite_vertex(s, first, kite, i, j, h), kite_vertex(s, first, kite, i + 1, j, h),
+                kite_vertex(s, first, kite, i + 1, j + 1, h), kite_vertex(s, first, kite, i, j + 1, h) }, (unsigned char)line };
+        }
+}
+
+static int add_kites(mesh *m, const surface *s, const engine *e, const engine_surface *held, const engine_surface *fine, unsigned n, unsigned lines)
+{
+    const unsigned h = n > 1 ? n / 2 : 1, kites = surface_kites(s);
+    const size_t first = m->vertices;
+    int status = 0;
+
+    for (unsigned k = 0; k < kites; k++)
+        for (unsigned i = 0; i <= h; i++)
+            for (unsigned j = 0; j < h && status == 0; j++)
+                status = add_vertex(m, e, s, held, fine, k, i / (double)h, j / (double)h);
+    if (status == 0)
+        status = add_vertex(m, e, s, held, fine, 0, 1, 1);
+    for (unsigned k = 0; k < kites && status == 0; k++)
+        kite_cells(m, s, first, k, h, lines < h ? lines : h);
+    return status;
+}
+
+static size_t sum_of_kites(const surfaces *all)
+{
+    size_t kites = 0;
+
+    for (size_t k = 0; k < all->count; k++)
+        kites += surface_kites(&all->surface[k]);
+    return kites;
+}
+
 int mesh_make(mesh *m, const surfaces *all, const char *file, const engine *e, unsigned n, unsigned lines)
 {
-    m->vertex = tool_grow(NULL, all->count * (n + 1) * (n + 1) * sizeof *m->vertex);
-    m->cell   = tool_grow(NULL, all->count * n * n * sizeof *m->cell);
+    const size_t kites = sum_of_kites(all);
+
+    m->vertex = tool_grow(NULL, kites * (n + 1) * (n + 1) * sizeof *m->vertex);
+    m->cell   = tool_grow(NULL, kites * n * n * sizeof *m->cell);
     for (size_t k = 0; k < all->count; k++) {
         const surface *s = &all->surface[k];
         engine_surface *held = NULL, *fine = NULL;
@@ -159,7 +222,7 @@ int mesh_make(mesh *m, const surfaces *all, const char *file, const engine *e, u
         if (status == 0) {
             status = engine_f64.surface->open(s, &fine);
             if (status == 0) {
-                status = add_surface(m, s, e, held, fine, n, lines);
+                status = (surface_is_sided(s) ? add_kites : add_surface)(m, s, e, held, fine, n, lines);
                 engine_f64.surface->close(fine);
             }
             e->surface->close(held);

@@ -10,12 +10,12 @@
 #include "surface.h"
 
 /* A corner of the mesh. Normal and curvatures are those of the library in double; of kinds that it does not look at
- * (Coons patches with slopes, rational triangles) by differences a little inside the edges: curvatures to about 1e-5
- * of themselves. */
+ * (Coons patches with slopes, rational triangles, n sides) by differences a little inside the edges: curvatures to about
+ * 1e-5 of themselves. */
 typedef struct {
     double p[ENGINE_AXES], normal[ENGINE_AXES];
     double gauss, mean;         /* 1/mm^2, 1/mm: positive mean where it bends towards the normal    */
-    double u, v;
+    double u, v;                /* of a patch over a polygon: the point of the polygon */
 } mesh_vertex;
 
 /* A cell of the grid: 4 corners, or 3 and the last one twice; counterclockwise seen from where the normal points. */
@@ -30,7 +30,7 @@ typedef struct {
     size_t vertices, cells;
 } mesh;
 
-/* Add a grid of n x n cells (a triangle: n rows) of each surface, points in the number type of `e`; every `lines`-th
+/* Add a grid of n x n cells (a triangle: n rows; n sides: as many kites of n/2 x n/2) of each surface, points in the number type of `e`; every `lines`-th
  * parameter line is marked. Gives 0 or an exit code after printing one line. `*m` must be zeroed. */
 int mesh_make(mesh *m, const surfaces *all, const char *file, const engine *e, unsigned n, unsigned lines);
 void mesh_free(mesh *m);

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lines.h"      /* lines_start */
+#include "sided.h"      /* sided_points */
 #include "source.h"     /* source_read */
 #include "surface.h"
 #include "tool.h"       /* tool_error, tool_grow, sysexits */
@@ -12,7 +14,8 @@ const char *surface_name(enum surface_kind kind)
 {
     static const char *const names[SURFACE_KINDS] = {
         [SURFACE_TENSOR] = "tensor", [SURFACE_TRIANGLE] = "triangle", [SURFACE_COONS] = "coons", [SURFACE_BICUBIC] = "bicubic",
-        [SURFACE_PN] = "pn", [SURFACE_SPHERE] = "sphere", [SURFACE_OCTANT] = "octant"
+        [SURFACE_PN] = "pn", [SURFACE_SPHERE] = "sphere", [SURFACE_OCTANT] = "octant",
+        [SURFACE_SPATCH] = "spatch", [SURFACE_TORIC] = "toric", [SURFACE_BASEPOINT] = "basepoint", [SURFACE_RING] = "ring"
     };
     return names[kind];
 }
@@ -22,8 +25,28 @@ bool surface_is_triangle(const surface *s)
     return s->kind == SURFACE_TRIANGLE || s->kind == SURFACE_PN || s->kind == SURFACE_OCTANT;
 }
 
+bool surface_is_sided(const surface *s)
+{
+    return s->kind >= SURFACE_SPATCH;
+}
+
+unsigned surface_kites(const surface *s)
+{
+    return surface_is_sided(s) ? sided_count(s) : 1;
+}
+
+void surface_middle(const surface *s, double uv[2])
+{
+    const sided_place at = surface_is_sided(s) ? sided_middle(s) : (sided_place){ .u = surface_is_triangle(s) ? 1 / 3.0 : 0.5 };
+
+    uv[0] = at.u;
+    uv[1] = surface_is_sided(s) ? at.v : at.u;
+}
+
 unsigned surface_points(const surface *s)
 {
+    if (surface_is_sided(s))
+        return sided_points(s);
     switch (s->kind) {
     case SURFACE_TENSOR:   return (s->m + 1) * (s->n + 1);
     case SURFACE_TRIANGLE: return (s->m + 1) * (s->m + 2) / 2;
@@ -57,16 +80,6 @@ void surfaces_free(surfaces *all)
     *all = (surfaces){ 0 };
 }
 
-/* The first thing that is neither space nor comment. */
-static const char *start_of(const char *text)
-{
-    if (strncmp(text, "\xEF\xBB\xBF", 3) == 0)
-        text += 3;
-    for (text += strspn(text, " \t\r\n"); *text == '#'; text += strspn(text, " \t\r\n"))
-        text += strcspn(text, "\n");
-    return text;
-}
-
 int surfaces_read(surfaces *all, const char *file)
 {
     size_t size;
@@ -75,7 +88,7 @@ int surfaces_read(surfaces *all, const char *file)
 
     if (text == NULL)
         return code;
-    if (strlen(text) == size && surface_begins(start_of(text)))
+    if (strlen(text) == size && surface_begins(lines_start(text)))
         code = surfaces_read_text(all, source_name(file), text);
     free(text);
     return code;
@@ -86,7 +99,7 @@ int surfaces_read_only(surfaces *all, const char *file)
     const int code = surfaces_read(all, file);
 
     if (code == 0 && all->count == 0)
-        return tool_error(EX_DATAERR, "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, sphere or octant",
+        return tool_error(EX_DATAERR, "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, sphere, octant, spatch, toric, basepoint or ring",
                           source_name(file));
     return code;
 }

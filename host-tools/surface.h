@@ -5,10 +5,11 @@
  *     surface_text.c  surfaces in the text format .loft (LOFT.md)
  *     engine.h        what the library makes of them
  *     mesh.h          triangles of them, normals and curvatures; STL and PLY
+ *     sided.h         those with n sides: their polygons, nets, and grids over them
  *     surface_plot.h  pictures
  *
  * A surface runs over u, v in 0..1; one over a triangle where u + v <= 1 as well: u is the share of the second corner, v
- * that of the third. On a sphere u goes from the pole down, v around.
+ * that of the third. On a sphere u goes from the pole down, v around. One with n sides (sided.h) has parameters of its own.
  */
 #ifndef LOFT_HOST_SURFACE_H
 #define LOFT_HOST_SURFACE_H
@@ -18,27 +19,37 @@
 
 #define SURFACE_AXES       3
 #define SURFACE_DEGREE_MAX 9        /* of the library */
+#define SURFACE_SIDES_MAX  8
 
 enum surface_kind {
     SURFACE_TENSOR, SURFACE_TRIANGLE, SURFACE_COONS, SURFACE_BICUBIC, SURFACE_PN, SURFACE_SPHERE, SURFACE_OCTANT,
+    SURFACE_SPATCH, SURFACE_TORIC, SURFACE_BASEPOINT, SURFACE_RING,     /* with n sides */
     SURFACE_KINDS
 };
+
+/* With respect to the vertices of a polygon. */
+enum surface_coordinates { COORDINATES_WACHSPRESS, COORDINATES_MEANVALUE };
 
 /* A point and what stands behind it. */
 typedef struct {
     double p[SURFACE_AXES];
-    double d[SURFACE_AXES];     /* pn: the normal                */
-    double w;                   /* tensor, triangle: the weight  */
+    double d[SURFACE_AXES];     /* pn: the normal                        */
+    double w;                   /* where the kind has weights: it        */
+    double c;                   /* toric: the coefficient                */
 } surface_point;
 
 typedef struct surface {
     enum surface_kind kind;
-    unsigned m, n;              /* degrees along u and v; a triangle has m alone        */
+    unsigned m, n;              /* degrees along u and v; a triangle has m alone; of n sides m is the degree or depth */
     unsigned orders;            /* coons: 1 bilinear, 2 with slopes, 3 with curvatures  */
     bool rational;              /* some weight was given                                */
     double radius;              /* sphere, octant: their only point is the centre       */
     surface_point *point;
     unsigned count;
+    double domain[SURFACE_SIDES_MAX][2];        /* with n sides: the vertices of its polygon    */
+    unsigned corners;           /* how many of them were given                          */
+    enum surface_coordinates coordinates;
+    unsigned cut[3];            /* basepoint                                            */
     unsigned line;              /* where it starts in the file                          */
 } surface;
 
@@ -52,7 +63,14 @@ const char *surface_name(enum surface_kind kind);
 /* Is its domain the triangle u + v <= 1? */
 bool surface_is_triangle(const surface *s);
 
-/* How many points it has; 0: not to be said before they are counted. */
+/* Has it n sides? */
+bool surface_is_sided(const surface *s);
+
+/* How many kites a grid over it has: one for each of n sides, otherwise 1; and the parameters in its middle. */
+unsigned surface_kites(const surface *s);
+void     surface_middle(const surface *s, double uv[2]);
+
+/* How many points it has. */
 unsigned surface_points(const surface *s);
 
 /* Append a surface without points, or a point to the last one. */

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sided.h"      /* sided_net */
 #include "source.h"     /* source_name */
 #include "surface_plot.h"
 #include "tool.h"       /* tool_error, tool_grow, sysexits */
@@ -180,11 +181,18 @@ static void add_net_point(painting *p, const double at[3])
     add_item(p, (item){ .from = s, .to = s, .near = s.near + 0.006 * p->s->diameter });
 }
 
+static void sided_net_edge(void *context, const surface_point *from, const surface_point *to)
+{
+    add_net_edge(context, from->p, to->p);
+}
+
 /* Rows and columns of a tensor product, the mesh of a triangle, the polygons of the boundaries. */
 static void add_net(painting *p, const surface *s)
 {
     const surface_point *q = s->point;
 
+    if (surface_is_sided(s))
+        sided_net(s, sided_net_edge, p);
     if (s->kind == SURFACE_TENSOR)
         for (unsigned i = 0; i <= s->m; i++)
             for (unsigned j = 0; j <= s->n; j++) {
@@ -205,7 +213,7 @@ static void add_net(painting *p, const surface *s)
         if (k % (s->m + 1) != s->m) add_net_edge(p, q[k].p, q[k + 1].p);
     for (unsigned k = 0; s->kind == SURFACE_COONS && k + 1 < of_v; k++)
         if (k % (s->n + 1) != s->n) add_net_edge(p, q[skip + k].p, q[skip + k + 1].p);
-    const unsigned points = s->kind == SURFACE_COONS ? of_u : s->kind == SURFACE_TENSOR || s->kind == SURFACE_TRIANGLE || s->kind == SURFACE_PN ? s->count : 0;
+    const unsigned points = s->kind == SURFACE_COONS ? of_u : s->kind == SURFACE_TENSOR || s->kind == SURFACE_TRIANGLE || s->kind == SURFACE_PN || surface_is_sided(s) ? s->count : 0;
     for (unsigned k = 0; k < points; k++)
         add_net_point(p, q[k].p);
     for (unsigned k = 0; s->kind == SURFACE_COONS && k < of_v; k++)

@@ -9,44 +9,17 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "scan.h"       /* scan_numbers, scan_word */
+#include "lines.h"      /* lines_numbers, lines_wrong */
+#include "scan.h"       /* scan_word */
+#include "sided.h"      /* sided_regular, sided_is_lattice */
 #include "surface.h"
-#include "tool.h"       /* tool_error, sysexits */
-
-#define WEIGHT_LEAST (1 / 256.0)    /* of the library */
-#define WEIGHT_MOST  256.0
 
 typedef struct {
     surfaces *all;
-    const char *file;
-    unsigned line;
-    const char *rest;       /* of the line                                  */
-    surface *now;           /* NULL before the first                        */
+    lines at;
+    surface *now;           /* NULL before the first and between            */
     bool counted;           /* its degree was given                         */
 } reading;
-
-static int wrong(const reading *r, const char *what, const char *remedy)
-{
-    return tool_error(EX_DATAERR, "%s:%u: %s: %s", r->file, r->line, what, remedy);
-}
-
-static bool at_end(const reading *r)
-{
-    return *r->rest == '\0' || *r->rest == '\n' || *r->rest == '#';
-}
-
-/* Up to `most` finite numbers; their count, or -1. */
-static int numbers(reading *r, double out[], int most)
-{
-    const int count = scan_numbers(&r->rest, out, most);
-
-    for (int i = 0; i < count; i++) {
-        if (!isfinite(out[i]))
-            return -1;
-        out[i] += 0.0;          /* no -0 */
-    }
-    return count;
-}
 
 
 // First lines
@@ -61,8 +34,8 @@ static int head_degrees(reading *r, unsigned least)
 {
     double degree[2];
 
-    if (numbers(r, degree, 2) != 2 || !at_end(r) || !is_degree(degree[0], least) || !is_degree(degree[1], least))
-        return wrong(r, "not two degrees", least ? "give two whole numbers from 1 to 9, that along u and that along v"
+    if (lines_numbers_alone(&r->at, degree, 2) != 2 || !is_degree(degree[0], least) || !is_degree(degree[1], least))
+        return lines_wrong(&r->at, "not two degrees", least ? "give two whole numbers from 1 to 9, that along u and that along v"
                                                  : "give two whole numbers from 0 to 9, that along u and that along v");
     r->now->m = (unsigned)degree[0];
     r->now->n = (unsigned)degree[1];
@@ -74,10 +47,10 @@ static int head_tensor(reading *r) { return head_degrees(r, 0); }
 static int head_triangle(reading *r)
 {
     double degree = 0;
-    const int count = numbers(r, &degree, 1);
+    const int count = lines_numbers_alone(&r->at, &degree, 1);
 
-    if (count < 0 || !at_end(r) || !is_degree(degree, 0))
-        return wrong(r, "not a degree", "give a whole number from 0 to 9, or nothing: then the points are counted");
+    if (count < 0 || !is_degree(degree, 0))
+        return lines_wrong(&r->at, "not a degree", "give a whole number from 0 to 9, or nothing: then the points are counted");
     r->counted = count == 1;
     r->now->m  = (unsigned)degree;
     return 0;
@@ -85,44 +58,95 @@ static int head_triangle(reading *r)
 
 static int head_coons(reading *r)
 {
-    const int length = scan_word(r->rest);
-
-    if (length > 0 && isalpha((unsigned char)*r->rest)) {
-        const bool slopes = length == 6 && strncmp(r->rest, "slopes", 6) == 0;
-        if (!slopes && !(length == 10 && strncmp(r->rest, "curvatures", 10) == 0))
-            return wrong(r, "not a kind of Coons patch", "give nothing, slopes or curvatures, and the two degrees");
-        r->now->orders = slopes ? 2 : 3;
-        r->rest += length;
-    }
+    if (lines_word(&r->at, "slopes"))
+        r->now->orders = 2;
+    else if (lines_word(&r->at, "curvatures"))
+        r->now->orders = 3;
+    else if (isalpha((unsigned char)*r->at.rest))
+        return lines_wrong(&r->at, "not a kind of Coons patch", "give nothing, slopes or curvatures, and the two degrees");
     return head_degrees(r, 1);
 }
 
 static int head_bare(reading *r)
 {
-    return numbers(r, NULL, 0) == 0 && at_end(r) ? 0 : wrong(r, "more behind the kind", "give its points on lines of their own");
+    return lines_numbers_alone(&r->at, NULL, 0) == 0 ? 0 : lines_wrong(&r->at, "more behind the kind", "give its points on lines of their own");
 }
 
 static int head_radius(reading *r)
 {
-    if (numbers(r, &r->now->radius, 1) != 1 || !at_end(r) || r->now->radius <= 0)
-        return wrong(r, "no radius", "give it behind the kind, as `sphere 20`, and the centre on the next line, if it is not 0 0 0");
+    if (lines_numbers_alone(&r->at, &r->now->radius, 1) != 1 || r->now->radius <= 0)
+        return lines_wrong(&r->at, "no radius", "give it behind the kind, as `sphere 20`, and the centre on the next line, if it is not 0 0 0");
+    return 0;
+}
+
+/* A number of sides and a degree, whole numbers both. */
+static bool sides_and_degree(reading *r, unsigned most)
+{
+    double number[2];
+
+    if (lines_numbers(&r->at, number, 2) != 2 || !is_degree(number[1], 1) || number[0] != floor(number[0]) || number[0] < 3 || number[0] > most)
+        return false;
+    r->now->n = (unsigned)number[0];
+    r->now->m = (unsigned)number[1];
+    return true;
+}
+
+static int head_spatch(reading *r)
+{
+    if (!sides_and_degree(r, SURFACE_SIDES_MAX))
+        return lines_wrong(&r->at, "not sides and depth", "give two whole numbers, 3 to 8 sides and a depth of 1 to 9");
+    if (lines_word(&r->at, "meanvalue"))
+        r->now->coordinates = COORDINATES_MEANVALUE;
+    else
+        lines_word(&r->at, "wachspress");
+    return lines_over(&r->at) ? 0 : lines_wrong(&r->at, "not a kind of coordinates", "give wachspress, meanvalue or nothing");
+}
+
+static int head_basepoint(reading *r)
+{
+    double number[4];
+
+    if (lines_numbers_alone(&r->at, number, 4) != 4 || !is_degree(number[0], 1))
+        return lines_wrong(&r->at, "not a degree and three cuts", "give the degree, 1 to 9, and how much is cut off each corner, 0 for nothing");
+    r->now->m = (unsigned)number[0];
+    r->now->n = 3;
+    for (int i = 0; i < 3; i++) {
+        if (number[1 + i] != floor(number[1 + i]) || number[1 + i] < 0 || !(number[1 + i] + number[1 + (i + 1) % 3] < number[0]))
+            return lines_wrong(&r->at, "not a cut", "give whole numbers, any two of them together below the degree");
+        r->now->cut[i] = (unsigned)number[1 + i];
+        r->now->n += number[1 + i] > 0;
+    }
+    return 0;
+}
+
+static int head_ring(reading *r)
+{
+    if (!sides_and_degree(r, 6) || !lines_over(&r->at) || r->now->n == 4 || r->now->m < 2)
+        return lines_wrong(&r->at, "not sides and degree", "give 3, 5 or 6 sides and a degree of 2 to 9");
     return 0;
 }
 
 typedef struct {
     enum surface_kind kind;
     int (*head)(reading *r);
+    bool weighted;
     const char *point;      /* how a point is written */
 } row;
 
+#define WEIGHTED true, "`x y z` or `x y z : weight`, a weight of 1/256 to 256"
+
 static const row rows[] = {
-    { SURFACE_TENSOR,   head_tensor,   "`x y z` or `x y z : weight`, a weight of 1/256 to 256" },
-    { SURFACE_TRIANGLE, head_triangle, "`x y z` or `x y z : weight`, a weight of 1/256 to 256" },
-    { SURFACE_COONS,    head_coons,    "`x y z`" },
-    { SURFACE_BICUBIC,  head_bare,     "`x y z`" },
-    { SURFACE_PN,       head_bare,     "`x y z : nx ny nz`, with the normal" },
-    { SURFACE_SPHERE,   head_radius,   "`x y z`: the centre" },
-    { SURFACE_OCTANT,   head_radius,   "`x y z`: the centre" }
+    { SURFACE_TENSOR,    head_tensor,    WEIGHTED },
+    { SURFACE_TRIANGLE,  head_triangle,  WEIGHTED },
+    { SURFACE_COONS,     head_coons,     false, "`x y z`" },
+    { SURFACE_BICUBIC,   head_bare,      false, "`x y z`" },
+    { SURFACE_PN,        head_bare,      false, "`x y z : nx ny nz`, with the normal" },
+    { SURFACE_SPHERE,    head_radius,    false, "`x y z`: the centre" },
+    { SURFACE_OCTANT,    head_radius,    false, "`x y z`: the centre" },
+    { SURFACE_SPATCH,    head_spatch,    WEIGHTED },
+    { SURFACE_TORIC,     head_bare,      true, "`x y z`, `x y z : weight` or `x y z : weight coefficient`, a weight of 1/256 to 256" },
+    { SURFACE_BASEPOINT, head_basepoint, WEIGHTED },
+    { SURFACE_RING,      head_ring,      false, "`x y z`" }
 };
 
 static const row *row_of_word(const char *text)
@@ -150,44 +174,57 @@ bool surface_begins(const char *word) { return row_of_word(word) != NULL; }
 // Points
 // ------
 
-static bool vector(reading *r, double out[SURFACE_AXES])
-{
-    double number[SURFACE_AXES + 1];
-    const int count = numbers(r, number, SURFACE_AXES + 1);
-
-    for (int i = 0; i < SURFACE_AXES; i++)
-        out[i] = i < count ? number[i] : 0;
-    return count == 2 || count == 3;
-}
-
 static bool what_is_behind(reading *r, surface_point *p)
 {
-    const bool weighted = r->now->kind == SURFACE_TENSOR || r->now->kind == SURFACE_TRIANGLE, colon = *r->rest == ':';
+    const bool colon = lines_colon(&r->at);
 
-    r->rest += colon;
     if (r->now->kind == SURFACE_PN)
-        return colon && vector(r, p->d);
+        return colon && lines_vector(&r->at, p->d) > 0;
     if (!colon)
         return true;
     r->now->rational = true;
-    return weighted && numbers(r, &p->w, 1) == 1 && p->w >= WEIGHT_LEAST && p->w <= WEIGHT_MOST;
+    if (!row_of(r->now)->weighted || !lines_weight(&r->at, &p->w))
+        return false;
+    return r->now->kind != SURFACE_TORIC || lines_over(&r->at) || (lines_numbers(&r->at, &p->c, 1) == 1 && p->c > 0 && p->c <= 32767);
 }
 
 static int point_line(reading *r)
 {
-    surface_point p = { .w = 1 };
+    surface_point p = { .w = 1, .c = 1 };
     char words[64];
 
     if (r->now == NULL)
-        return wrong(r, "a point of no surface", "begin with a kind, as `tensor 3 3`");
-    if (!vector(r, p.p) || !what_is_behind(r, &p) || !at_end(r))
-        return wrong(r, "not a point", row_of(r->now)->point);
+        return lines_wrong(&r->at, "a point of no surface", "begin with a kind, as `tensor 3 3`");
+    if (r->now->kind == SURFACE_TORIC && !sided_is_lattice(r->now))
+        return lines_wrong(&r->at, "no polygon", "give `domain x y x y ..` before the points: whole numbers of -32 to 32, convex, counterclockwise");
+    if (lines_vector(&r->at, p.p) == 0 || !what_is_behind(r, &p) || !lines_over(&r->at))
+        return lines_wrong(&r->at, "not a point", row_of(r->now)->point);
     const unsigned most = r->now->kind == SURFACE_TRIANGLE && !r->counted ? 55 : surface_points(r->now);
     if (r->now->count == most) {
         snprintf(words, sizeof words, "more than the %u point%s of this %s", most, most == 1 ? "" : "s", surface_name(r->now->kind));
-        return wrong(r, words, "begin another surface, or give a higher degree");
+        return lines_wrong(&r->at, words, "begin another surface, or give a higher degree");
     }
     surface_add_point(r->now, &p);
+    return 0;
+}
+
+/* Vertices of the polygon that a patch with n sides is over. */
+static int domain_line(reading *r)
+{
+    double x[2];
+    int count;
+
+    if (r->now == NULL || (r->now->kind != SURFACE_SPATCH && r->now->kind != SURFACE_TORIC))
+        return lines_wrong(&r->at, "a polygon of no patch", "give it below `spatch` or `toric`");
+    while ((count = lines_numbers(&r->at, x, 2)) == 2) {
+        if (r->now->corners == SURFACE_SIDES_MAX)
+            return lines_wrong(&r->at, "more than 8 vertices", "give 3 to 8 pairs of x and y");
+        memcpy(r->now->domain[r->now->corners++], x, sizeof x);
+    }
+    if (count != 0 || !lines_over(&r->at))
+        return lines_wrong(&r->at, "not a vertex", "give pairs of x and y");
+    if (r->now->kind == SURFACE_TORIC)
+        r->now->n = r->now->corners;
     return 0;
 }
 
@@ -205,10 +242,26 @@ static unsigned triangle_degree(unsigned count)
     return m;
 }
 
+/* A patch with n sides has a polygon, if only the regular one. */
+static int end_domain(const lines *at, surface *s)
+{
+    char words[64];
+
+    if (s->kind == SURFACE_TORIC && !sided_is_lattice(s))
+        return lines_wrong(at, "toric without a polygon", "give `domain x y x y ..` below it: whole numbers of -32 to 32, convex, counterclockwise");
+    if (s->kind == SURFACE_SPATCH && s->corners != 0 && s->corners != s->n) {
+        snprintf(words, sizeof words, "%u sides over a domain of %u vertices", s->n, s->corners);
+        return lines_wrong(at, words, "give as many, or none for a regular polygon");
+    }
+    if (s->corners == 0 && s->kind != SURFACE_BASEPOINT)
+        sided_regular(s);
+    return 0;
+}
+
 /* The surface is complete: is it one? */
 static int end_surface(reading *r)
 {
-    const reading at = { .file = r->file, .line = r->now ? r->now->line : 0 };
+    const lines at = { .file = r->at.file, .line = r->now ? r->now->line : 0 };
     surface *s = r->now;
     char words[64], remedy[64];
 
@@ -216,55 +269,49 @@ static int end_surface(reading *r)
     if (s == NULL)
         return 0;
     if ((s->kind == SURFACE_SPHERE || s->kind == SURFACE_OCTANT) && s->count == 0)
-        surface_add_point(s, &(surface_point){ .w = 1 });
+        surface_add_point(s, &(surface_point){ .w = 1, .c = 1 });
     if (s->kind == SURFACE_TRIANGLE && !r->counted)
         s->m = triangle_degree(s->count);
-    if (s->m <= SURFACE_DEGREE_MAX && s->count == surface_points(s))
-        return 0;
+    const int code = surface_is_sided(s) ? end_domain(&at, s) : 0;
+    if (code != 0 || (s->m <= SURFACE_DEGREE_MAX && s->count == surface_points(s)))
+        return code;
     snprintf(words, sizeof words, "%s with %u point%s", surface_name(s->kind), s->count, s->count == 1 ? "" : "s");
     snprintf(remedy, sizeof remedy, "give %u", surface_points(s));
-    return wrong(&at, words, s->m > SURFACE_DEGREE_MAX ? "give 1, 3, 6, 10, 15, 21, 28, 36, 45 or 55" : remedy);
+    return lines_wrong(&at, words, s->m > SURFACE_DEGREE_MAX ? "give 1, 3, 6, 10, 15, 21, 28, 36, 45 or 55" : remedy);
 }
 
 static int word_line(reading *r)
 {
-    const row *kind = row_of_word(r->rest);
-    const int length = scan_word(r->rest), code = end_surface(r);
+    const row *kind = row_of_word(r->at.rest);
+    const int length = scan_word(r->at.rest);
     char words[64];
 
+    if (lines_word(&r->at, "domain"))
+        return domain_line(r);
+    const int code = end_surface(r);
     if (code != 0)
         return code;
     if (kind == NULL) {
-        snprintf(words, sizeof words, "`%.*s` is no kind of surface", length > 20 ? 20 : length, r->rest);
-        return wrong(r, words, "give tensor triangle coons bicubic pn sphere or octant; curves go into a file of their own");
+        snprintf(words, sizeof words, "`%.*s` is no kind of surface", length > 20 ? 20 : length, r->at.rest);
+        return lines_wrong(&r->at, words, "give tensor triangle coons bicubic pn sphere octant spatch toric basepoint or ring; curves go into a file of their own");
     }
-    r->now     = surfaces_add(r->all, kind->kind, r->line);
+    r->now     = surfaces_add(r->all, kind->kind, r->at.line);
     r->counted = true;
-    r->rest   += length;
-    r->rest   += strspn(r->rest, " \t");
+    lines_word(&r->at, surface_name(kind->kind));
     return kind->head(r);
 }
 
-static int read_line(reading *r)
+static int read_line(void *context)
 {
-    r->rest += strspn(r->rest, " \t\r");
-    if (at_end(r))
-        return 0;
-    return isalpha((unsigned char)*r->rest) ? word_line(r) : point_line(r);
+    reading *r = context;
+
+    return isalpha((unsigned char)*r->at.rest) ? word_line(r) : point_line(r);
 }
 
 int surfaces_read_text(surfaces *all, const char *file, const char *text)
 {
-    reading r = { .all = all, .file = file };
-    int code = 0;
+    reading r = { .all = all, .at = { .file = file } };
+    const int code = lines_read(&r.at, text, read_line, &r);
 
-    if (strncmp(text, "\xEF\xBB\xBF", 3) == 0)
-        text += 3;
-    for (; *text != '\0' && code == 0; text += *text == '\n') {
-        r.line++;
-        r.rest = text;
-        code = read_line(&r);
-        text += strcspn(text, "\n");
-    }
     return code ? code : end_surface(&r);
 }

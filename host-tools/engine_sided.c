@@ -1,0 +1,246 @@
+/* host-tools/engine_sided.c -- surfaces with n sides through the library; compiled once per number type
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "polygon/basepoint.h"          /* loft_basepoint */
+#include "polygon/meanvalue.h"          /* loft_meanvalue_eval */
+#include "polygon/ring.h"               /* loft_ring */
+#include "polygon/spatch.h"             /* loft_spatch */
+#include "polygon/toric.h"              /* loft_toric */
+#include "polygon/wachspress.h"         /* loft_wachspress_eval */
+
+#include "engine_num.h"     /* real_of, vec_of, point_of */
+#include "engine_sided.h"
+#include "tool.h"           /* tool_grow */
+
+/* One of the library's; s->kind says which. A patch with base points is held three times, each corner having been the last. */
+struct engine_sided {
+    const surface *s;
+    loft_vec *p;
+    loft_real *w, *c;
+    loft_spot v[SURFACE_SIDES_MAX];
+    loft_domain domain;
+    loft_lattice_polygon lattice;
+    union {
+        loft_spatch spatch;
+        loft_toric toric;
+        loft_basepoint basepoint[3];
+        loft_ring ring;
+    } as;
+};
+
+
+// Open and close
+// --------------
+
+static void sided_close(engine_sided *e)
+{
+    free(e->p);
+    free(e->w);
+    free(e->c);
+    free(e);
+}
+
+static int hold_point(engine_sided *e, unsigned at, const surface_point *p)
+{
+    return vec_of(p->p, &e->p[at]) && real_of(p->w, &e->w[at]) && real_of(p->c, &e->c[at]) ? LOFT_OK : LOFT_ERR_RANGE;
+}
+
+static int hold(engine_sided *e)
+{
+    int status = LOFT_OK;
+
+    for (unsigned i = 0; i < e->s->count && status == LOFT_OK; i++)
+        status = hold_point(e, i, &e->s->point[i]);
+    return status;
+}
+
+static int prepare_spatch(engine_sided *e)
+{
+    const surface *s = e->s;
+    int status = hold(e);
+
+    for (unsigned i = 0; i < s->n; i++)
+        for (int k = 0; k < 2; k++)
+            if (!real_of(s->domain[i][k], &e->v[i].at[k]))
+                return LOFT_ERR_RANGE;
+    if (status == LOFT_OK)
+        status = loft_domain_init(&e->domain, e->v, s->n);
+    if (status == LOFT_OK && !e->domain.convex && s->coordinates == COORDINATES_WACHSPRESS)
+        status = LOFT_ERR_ARG;
+    return status ? status : (int)loft_spatch_init(&e->as.spatch, e->p, s->rational ? e->w : NULL, s->n, s->m);
+}
+
+static int prepare_toric(engine_sided *e)
+{
+    loft_whole v[SURFACE_SIDES_MAX];
+    int status = hold(e);
+
+    for (unsigned i = 0; i < e->s->n; i++)
+        for (int k = 0; k < 2; k++)
+            v[i].at[k] = (int8_t)e->s->domain[i][k];
+    if (status == LOFT_OK)
+        status = loft_lattice_polygon_init(&e->lattice, v, e->s->n);
+    return status ? status : (int)loft_toric_init(&e->as.toric, &e->lattice, e->p, e->c, e->w);
+}
+
+/* Corner c as the last one: its points under the indices (next, after that, c). What is cut off is not read. */
+static int prepare_corner(engine_sided *e, unsigned c)
+{
+    const surface *s = e->s;
+    const unsigned room = loft_multi_count(3, s->m), one = (c + 1) % 3, two = (c + 2) % 3;
+    const uint8_t cut[3] = { (uint8_t)s->cut[one], (uint8_t)s->cut[two], (uint8_t)s->cut[c] };
+    uint8_t l[3];
+    unsigned kept = 0;
+    int status = LOFT_OK;
+
+    loft_multi_first(l, 3, s->m);
+    do {
+        const uint8_t turned[3] = { l[one], l[two], l[c] };
+        if (l[0] + s->cut[0] <= s->m && l[1] + s->cut[1] <= s->m && l[2] + s->cut[2] <= s->m)
+            status = hold_point(e, c * room + loft_multi_rank(turned, 3), &s->point[kept++]);
+    } while (status == LOFT_OK && loft_multi_next(l, 3));
+    return status ? status : (int)loft_basepoint_init(&e->as.basepoint[c], e->p + c * room, e->w + c * room, s->m, cut);
+}
+
+static int prepare_basepoint(engine_sided *e)
+{
+    int status = LOFT_OK;
+
+    for (unsigned c = 0; c < 3 && status == LOFT_OK; c++)
+        status = prepare_corner(e, c);
+    return status;
+}
+
+static int prepare_ring(engine_sided *e)
+{
+    const int status = hold(e);
+    return status ? status : (int)loft_ring_init(&e->as.ring, e->p, e->s->n, e->s->m);
+}
+
+static int prepare(engine_sided *e)
+{
+    switch (e->s->kind) {
+    case SURFACE_SPATCH:    return prepare_spatch(e);
+    case SURFACE_TORIC:     return prepare_toric(e);
+    case SURFACE_BASEPOINT: return prepare_basepoint(e);
+    default:                return prepare_ring(e);
+    }
+}
+
+static int sided_open(const surface *s, engine_sided **out)
+{
+    engine_sided *e = tool_grow(NULL, sizeof *e);
+    const size_t room = s->kind == SURFACE_BASEPOINT ? 3 * loft_multi_count(3, s->m) : s->count;
+
+    *e = (engine_sided){ .s = s };
+    e->p = tool_grow(NULL, room * sizeof *e->p);
+    e->w = tool_grow(NULL, room * sizeof *e->w);
+    e->c = tool_grow(NULL, room * sizeof *e->c);
+    const int status = prepare(e);
+    if (status != LOFT_OK)
+        sided_close(e);
+    else
+        *out = e;
+    return status;
+}
+
+
+// Points
+// ------
+
+static int spot_of(const engine_sided *e, sided_place at, loft_spot *out)
+{
+    double x[2];
+
+    sided_spot(e->s, at, x);
+    return real_of(x[0], &out->at[0]) && real_of(x[1], &out->at[1]) ? LOFT_OK : LOFT_ERR_RANGE;
+}
+
+/* On a side the two coordinates that are not 0 need no point. */
+static int coordinates(const engine_sided *e, sided_place at, loft_sci phi[])
+{
+    const unsigned after = (at.k + 1) % e->s->n;
+    loft_spot p;
+
+    if (at.how == SIDED_SIDE) {
+        loft_domain_vertex(&e->domain, at.k, phi);
+        phi[after] = loft_sci_from_unit(LOFT_UNIT(at.u));
+        phi[at.k]  = loft_sci_sub(loft_sci_one(), phi[after]);
+        return LOFT_OK;
+    }
+    const int status = spot_of(e, at, &p);
+    if (status != LOFT_OK)
+        return status;
+    return e->s->coordinates == COORDINATES_MEANVALUE ? loft_meanvalue_eval(&e->domain, p, phi)
+                                                      : loft_wachspress_eval(&e->domain, p, phi);
+}
+
+static int eval_spatch(const engine_sided *e, sided_place at, loft_vec *out)
+{
+    loft_sci phi[SURFACE_SIDES_MAX];
+    const int status = coordinates(e, at, phi);
+
+    return status ? status : (int)loft_spatch_eval(&e->as.spatch, phi, out);
+}
+
+/* A rounded point of a side may lie outside: then it is drawn towards the middle. */
+static int eval_toric(const engine_sided *e, sided_place at, loft_vec *out)
+{
+    const sided_place middle = sided_middle(e->s);
+    loft_spot p;
+    int status = spot_of(e, at, &p);
+
+    if (status == LOFT_OK)
+        status = loft_toric_eval(&e->as.toric, p, out);
+    for (double share = 0x1p-26; status == LOFT_ERR_RANGE && at.how == SIDED_SIDE && share < 0x1p-8; share *= 2) {
+        double x[2];
+        sided_spot(e->s, at, x);
+        p.at[0] = LOFT_REAL(x[0] + share * (middle.u - x[0]));
+        p.at[1] = LOFT_REAL(x[1] + share * (middle.v - x[1]));
+        status = loft_toric_eval(&e->as.toric, p, out);
+    }
+    return status;
+}
+
+static int eval_basepoint(const engine_sided *e, sided_place at, loft_vec *out)
+{
+    if (at.how == SIDED_CORNER)
+        return loft_basepoint_uv(&e->as.basepoint[at.k], LOFT_UNIT(at.u), LOFT_UNIT(at.v), out);
+    return loft_basepoint_eval(&e->as.basepoint[2], LOFT_UNIT(at.u), LOFT_UNIT(at.v), out);
+}
+
+/* Parameters of a corner are those of its two sides as if they were the first. */
+static int eval_ring(const engine_sided *e, sided_place at, loft_vec *out)
+{
+    const unsigned n = e->s->n, first = at.how == SIDED_CORNER ? at.k + n - 1 : 0;
+    loft_sci turned[LOFT_RING_SIDES], u[LOFT_RING_SIDES];
+    const int status = n == 3 && at.how == SIDED_CORNER ? loft_ring_lift(LOFT_UNIT(at.u), LOFT_UNIT(at.v), turned)
+                                                        : loft_ring_params(n, LOFT_UNIT(at.u), LOFT_UNIT(at.v), turned);
+
+    if (status != LOFT_OK)
+        return status;
+    for (unsigned i = 0; i < n; i++)
+        u[(first + i) % n] = turned[i];
+    return loft_ring_eval(&e->as.ring, u, out);
+}
+
+static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_AXES])
+{
+    loft_vec p;
+    int status;
+
+    switch (e->s->kind) {
+    case SURFACE_SPATCH:    status = eval_spatch(e, at, &p);    break;
+    case SURFACE_TORIC:     status = eval_toric(e, at, &p);     break;
+    case SURFACE_BASEPOINT: status = eval_basepoint(e, at, &p); break;
+    default:                status = eval_ring(e, at, &p);      break;
+    }
+    if (status == LOFT_OK)
+        point_of(p, out);
+    return status;
+}
+
+const engine_sides ENGINE_OF(engine_sides) = { .open = sided_open, .close = sided_close, .eval = sided_eval };

@@ -1,0 +1,21 @@
+/* host-tools/engine_sided.h -- surfaces with n sides as the library holds them; part of engine_surface.c
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_HOST_ENGINE_SIDED_H
+#define LOFT_HOST_ENGINE_SIDED_H
+
+#include "engine.h"
+#include "sided.h"
+
+typedef struct engine_sided engine_sided;
+
+/* As with engine_surfaces. */
+typedef struct {
+    int (*open)(const surface *s, engine_sided **out);
+    void (*close)(engine_sided *e);
+    int (*eval)(const engine_sided *e, sided_place at, double out[ENGINE_AXES]);
+} engine_sides;
+
+extern const engine_sides engine_sides_q16, engine_sides_f32, engine_sides_f64;
+
+#endif
