@@ -6,10 +6,13 @@
 
 #if LOFT_NUM == LOFT_Q16
 
-/* The largest r with r^2 <= x, and the rest x - r^2, digit by digit (two bits of x a round).
- * r < 2^32, so (2r+1) << 2k below stays within 64 bits. */
-static uint32_t square_root(uint64_t x, uint64_t *rest)
+/* The largest r with r^2 <= x, digit by digit (two bits of x a round); the rest tells x > (r + 1/2)^2 = r^2 + r + 1/4.
+ * x < 2^63, so r < 2^31.5 and (2r+1) << 2k below stays within 64 bits. */
+static uint32_t square_root(uint64_t x)
 {
+#if defined(__AVR__)
+    return loft_avr_root(x);
+#else
     uint64_t r = 0, bit = (uint64_t)1 << 62;
 
     while (bit > x)
@@ -22,33 +25,41 @@ static uint32_t square_root(uint64_t x, uint64_t *rest)
             r += bit;
         }
     }
-    *rest = x;
-    return (uint32_t)r;
+    return (uint32_t)(x > r ? r + 1 : r);
+#endif
 }
 
-/* sqrt(X / 2^32) = sqrt(X) / 2^16: the root of the raw number is the raw root. It is r + 1 when
- * X > (r + 1/2)^2 = r^2 + r + 1/4, that is when the rest exceeds r. */
+/* sqrt(X / 2^32) = sqrt(X) / 2^16: the root of the raw number is the raw root. */
 loft_real loft_acc_sqrt(loft_acc x)
 {
-    uint64_t rest;
-
     if (x <= 0)
         return 0;
-    const uint32_t r = square_root((uint64_t)x, &rest);
-    if (r >= INT32_MAX)
-        return INT32_MAX;
-    return (loft_real)(rest > r ? r + 1 : r);
+    const uint32_t r = square_root((uint64_t)x);
+    return r >= INT32_MAX ? INT32_MAX : (loft_real)r;
+}
+
+/* By how many bits x must be shifted down to be below 2^(32 + bits). */
+static uint8_t bits_above(uint64_t x, uint8_t bits)
+{
+    uint8_t down = 0;
+
+    for (uint32_t top = (uint32_t)loft_acc_high((int64_t)x) >> bits; top; top >>= 1)
+        down++;
+    return down;
 }
 
 /* With y below 2^38 the quotient has all 24 bits; a larger y, and x with it, loses low bits: 2^-37 of y each. */
 loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
 {
-    while (y >= (int64_t)1 << 38) {
-        x = (x < 0 ? -1 : 1) * ((x < 0 ? -x : x) >> 1);
-        y >>= 1;
+    uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)y;
+    const uint8_t down = bits_above(d, 6);
+
+    if (down) {
+        n >>= down;
+        d >>= down;
     }
-    x = x * 16777216 + (x < 0 ? -(y / 2) : y / 2);
-    return (loft_unit)(x / y);
+    const int32_t q = (int32_t)(((n << 24) + (d >> 1)) / d);
+    return x < 0 ? -q : q;
 }
 
 /* All components are brought to the same scale, the largest L to 2^29 <= L < 2^30, so that six squares
@@ -57,41 +68,41 @@ loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
  * of six: five are 0.29 L). Scaled up nothing is lost before the root. */
 loft_acc loft_acc_hypot(const loft_acc x[], int n)
 {
-    uint64_t largest = 0, sum = 0, rest, size;
-    int down = 0, up = 0;
+    uint64_t largest = 0, sum = 0;
+    uint8_t up = 0;
 
     for (int i = 0; i < n; i++) {
-        size = (uint64_t)(x[i] < 0 ? -x[i] : x[i]);
+        const uint64_t size = (uint64_t)(x[i] < 0 ? -x[i] : x[i]);
         if (size > largest)
             largest = size;
     }
     if (largest == 0)
         return 0;
-    for (size = largest; size >= (uint64_t)1 << 30; size >>= 1)
-        down++;
-    for (; size < (uint64_t)1 << 29; size <<= 1)
+    const uint8_t down = largest >> 30 ? bits_above(largest << 2, 0) : 0;
+    for (uint32_t size = (uint32_t)(largest >> down); size < (uint32_t)1 << 29; size <<= 1)
         up++;
 
     for (int i = 0; i < n; i++) {
-        size = (uint64_t)(x[i] < 0 ? -x[i] : x[i]);
-        size = down ? (size + ((uint64_t)1 << down >> 1)) >> down : size << up;
-        sum += size * size;
+        const uint64_t all = (uint64_t)(x[i] < 0 ? -x[i] : x[i]);
+        const uint32_t size = (uint32_t)(down ? (all + ((uint64_t)1 << down >> 1)) >> down : all << up);
+        sum += (uint64_t)size * size;
     }
-    uint64_t root = square_root(sum, &rest);
-    if (rest > root)
-        root++;
-    return (loft_acc)(down ? root << down : (root + ((uint64_t)1 << up >> 1)) >> up);
+    const uint32_t root = square_root(sum);
+    return (loft_acc)(down ? (uint64_t)root << down : ((uint64_t)root + ((uint64_t)1 << up >> 1)) >> up);
 }
 
 /* Both are halved until x < 2^47; then y >= 2^31, of which the bits lost are less than 2^-30. */
 loft_real loft_acc_quot(loft_acc x, loft_acc y)
 {
     uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)y;
+    const uint8_t down = bits_above(n, 15);
 
-    for (; n >> 47; n >>= 1)
-        d >>= 1;
-    const int64_t q = (int64_t)(((n << 16) + d / 2) / d);
-    return (loft_real)(x < 0 ? -q : q);
+    if (down) {
+        n >>= down;
+        d >>= down;
+    }
+    const uint32_t q = (uint32_t)(((n << 16) + (d >> 1)) / d);
+    return (loft_real)(x < 0 ? 0u - q : q);
 }
 
 /* Between lo and hi there are n < 2^32 steps, a is step j. |y - x| = q n + r with r < n, so q j <= |y - x| < 2^63 and

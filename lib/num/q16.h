@@ -21,6 +21,7 @@ typedef int64_t loft_acc;       /* Q32.32: value * 2^32                         
 typedef char loft_assert_arithmetic_shift[((-1 >> 1) == -1) ? 1 : -1];
 
 #if defined(__AVR__)
+#include "num/avr.h"
 typedef union { int64_t all; struct { uint32_t low; int32_t high; } half;
                 struct { uint16_t low; int32_t middle; uint16_t high; } mid;
                 uint8_t byte[8]; } loft_bytes;
@@ -43,16 +44,38 @@ static inline int64_t  loft_shift_16(int64_t x)
     r.half.high = (int16_t)b.mid.high;
     return r.all;
 }
+
+/* error none */
+static inline loft_acc loft_wide(loft_real a)
+{
+    loft_bytes r;
+    r.mid.low = 0;
+    r.mid.middle = a;
+    r.mid.high = a < 0 ? 0xffffu : 0;
+    return r.all;
+}
+
+/* n / d, d = 1..2^31, to nearest, ties upward */
+static inline int64_t  loft_quotient(int64_t n, uint32_t d) { return loft_avr_quotient(n, d); }
 #else
 static inline int32_t  loft_acc_high(int64_t x)   { return (int32_t)(x >> 32); }
 static inline uint32_t loft_acc_low(int64_t x)    { return (uint32_t)((uint64_t)x & 0xffffffffu); }
 static inline int32_t  loft_acc_middle(int64_t x) { return (int32_t)(uint32_t)(((uint64_t)x >> 16) & 0xffffffffu); }
 static inline int64_t  loft_shift_24(int64_t x)   { return x >> 24; }
 static inline int64_t  loft_shift_16(int64_t x)   { return x >> 16; }
+
+/* error none */
+static inline loft_acc loft_wide(loft_real a)     { return (loft_acc)a * 65536; }
+
+/* n / d, d = 1..2^31, to nearest, ties upward */
+static inline int64_t  loft_quotient(int64_t n, uint32_t d)
+{
+    const int64_t q = n / d, r = n % d;
+    return 2*r >= d ? q + 1 : 2*r < -(int64_t)d ? q - 1 : q;
+}
 #endif
 
 /* error none */
-static inline loft_acc loft_wide(loft_real a)               { return (loft_acc)a * 65536; }
 static inline loft_acc loft_prod(loft_real a, loft_real b)  { return (loft_acc)a * b; }
 
 /* Every coordinate is one to compute with. */
@@ -84,9 +107,7 @@ static inline loft_real loft_mul(loft_real a, loft_real b)  { return loft_acc_ro
  * exceed 2, and then a would not fit.) */
 static inline loft_real loft_div(loft_real a, loft_real b)
 {
-    const int64_t n = (int64_t)a * 65536 * (b < 0 ? -1 : 1), d = b < 0 ? -(int64_t)b : b;
-    const int64_t q = n / d, r = n % d;
-    return (loft_real)(2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q);
+    return (loft_real)loft_quotient(b < 0 ? -loft_wide(a) : loft_wide(a), b < 0 ? 0u - (uint32_t)b : (uint32_t)b);
 }
 
 /* error 1/2 LSB, none at t = 0 and 1; t in 0..1, any a, b: the difference has 33 bits, t 25, the product 58 */
@@ -99,7 +120,11 @@ static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
  * error 2^-33 (1/2 of an acc LSB); |x * t| <= 2^30 */
 static inline loft_acc loft_acc_scale(loft_acc x, loft_unit t)
 {
+#if defined(__AVR__)
+    return loft_avr_scale(x, t);
+#else
     return (loft_acc)loft_acc_high(x) * t * 256 + loft_shift_24((int64_t)loft_acc_low(x) * t + 8388608);
+#endif
 }
 
 /* error 2^-33; |x|, |y| < 2^30, t in 0..1 or |(y - x) t| <= 2^30; none at t = 0 and 1 */
@@ -134,22 +159,23 @@ static inline loft_acc loft_acc_mean(loft_acc x, loft_acc y) { return (x + y + 1
 /* error 2^-33; |x * a| <= 2^30 */
 static inline loft_acc loft_acc_mul(loft_acc x, loft_real a)
 {
+#if defined(__AVR__)
+    return loft_avr_mul(x, a);
+#else
     return (loft_acc)loft_acc_high(x) * a * 65536 + loft_shift_16((int64_t)loft_acc_low(x) * a + 32768);
+#endif
 }
 
 /* error 2^-33; any x, k >= 1 */
 static inline loft_acc loft_acc_ratio(loft_acc x, int32_t k)
 {
-    const int64_t q = x / k, r = x % k;
-    return 2*r >= k ? q + 1 : 2*r < -(int64_t)k ? q - 1 : q;
+    return loft_quotient(x, (uint32_t)k);
 }
 
 /* error 2^-33; a != 0, |x| < 2^15, |x / a| < 2^30 */
 static inline loft_acc loft_acc_div(loft_acc x, loft_real a)
 {
-    const int64_t n = x * 65536 * (a < 0 ? -1 : 1), d = a < 0 ? -(int64_t)a : a;
-    const int64_t q = n / d, r = n % d;
-    return 2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q;
+    return loft_quotient(x * 65536 * (a < 0 ? -1 : 1), a < 0 ? 0u - (uint32_t)a : (uint32_t)a);
 }
 
 /* error 2^-25; j <= n, n >= 1 */
