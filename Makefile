@@ -165,7 +165,7 @@ deps-bench:
 ## Install the cross compilers and the emulators that check-cross, check-target and size need
 .PHONY: deps-target
 deps-target:
-	@sh tests/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc gcc-riscv64-unknown-elf simavr libsimavr-dev libelf-dev qemu-system-arm
+	@sh tests/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc gcc-riscv64-unknown-elf simavr libsimavr-dev libelf-dev qemu-system-arm qemu-system-misc
 
 ## Compile lib/ for Cortex-M0+, M4, ATmega328P and rv32imac; no writable data, no libc, no slow helper in an interrupt
 .PHONY: check-cross
@@ -188,8 +188,28 @@ size: lib/names.h
 	@sh tests/size.sh $(NUM) $(AXES)
 
 # --- firmware: each port brings its own rules, and what check-target is to run of it -------------------
-TARGET_STAGES := check-sums
-include $(sort $(wildcard ports/*/port.mk))
+TARGET_STAGES := check-sums check-boards
+include ports/boards.mk $(sort $(wildcard ports/*/port.mk))
+
+## Build the firmware of every board, and print what it takes of flash and RAM   or one: make firmware-stm32f405
+.PHONY: firmware
+firmware: firmware-atmega328p $(addprefix firmware-,$(FIRMWARES))
+
+## Write the firmware to a board   BOARD=atmega328p|stm32f405|nrf51  PORT=/dev/ttyUSB0 (atmega328p)
+.PHONY: flash
+flash:
+	@case "$(BOARD)" in atmega328p|stm32f405|nrf51) $(MAKE) --no-print-directory flash-$(BOARD) ;; \
+	*) echo "name the board: make flash BOARD=atmega328p PORT=/dev/ttyUSB0, BOARD=stm32f405 or BOARD=nrf51"; exit 1 ;; esac
+
+build/target/stores.so: tests/target/stores.c
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CFLAGS) $(STD) -shared -fPIC $< -o $@
+
+## Run a whole job on each 32-bit board in QEMU: every pulse at the pins
+.PHONY: check-boards
+check-boards: $(addprefix firmware-,$(FIRMWARES)) build/target/stores.so $(TOOL_OUT)/loft
+	@bash tests/target/qemu.sh build/firmware $(TOOL_OUT)/loft build/target/stores.so
 
 # --- make bench: build/bench/bench<axes>, with each of AGG, GSL and cairo that pkg-config finds --------
 BENCH_LIBS := $(foreach l,gsl cairo $(if $(shell command -v $(CXX)),libagg),$(shell pkg-config --exists $(l) 2>/dev/null && echo $(l)))

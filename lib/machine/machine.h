@@ -1,35 +1,15 @@
 /* lib/machine/machine.h -- the machine: bytes from the line become pulses, and answers
  * SPDX-License-Identifier: MIT
  *
- * The controller of every firmware and of the simulated machine. With the functions of ports/port.h a firmware is
+ * The controller of every firmware and of the simulated machine. A firmware calls
  *
- *     static loft_machine machine;
+ *     loft_machine_init       once
+ *     loft_machine_push       in the main loop, with the bytes that have come
+ *     loft_machine_poll       in the main loop, for the next frame to be sent, when the line has taken the one before
+ *     loft_machine_slot       in a timer interrupt, tick_hz * slots times per second: what the pins do
+ *     loft_machine_tick       at least once per tick, interruptible by the slots
  *
- *     void loft_port_slot(void)                                       // timer interrupt, tick_hz * slots per second
- *     {
- *         const loft_pins pins = loft_machine_slot(&machine);
- *         loft_port_pins(pins.step, pins.dir);
- *         loft_machine_tick(&machine);                                // or elsewhere, see ports/port.h
- *     }
- *
- *     int main(void)
- *     {
- *         uint8_t byte[LOFT_FRAME_MAX], wire[LOFT_FRAME_MAX];
- *         size_t count = 0, sent = 0;
- *
- *         loft_port_init();
- *         if (loft_machine_init(&machine, &config) != LOFT_OK)
- *             return 1;
- *         loft_port_start((uint32_t)config.traits.tick_hz * config.traits.slots);
- *         for (;;) {
- *             loft_machine_push(&machine, byte, loft_port_read(byte, sizeof byte));
- *             if (sent == count) {
- *                 sent = 0;
- *                 count = loft_machine_poll(&machine, wire);
- *             }
- *             sent += loft_port_write(wire + sent, count - sent);
- *         }
- *     }
+ * ports/firmware.c is one, and ports/port.h says what it needs of a board.
  */
 #ifndef LOFT_MACHINE_MACHINE_H
 #define LOFT_MACHINE_MACHINE_H

@@ -12,8 +12,10 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
-#include "machine/machine.h"    /* loft_machine */
+#define LOFT_RING_BYTES 128u
 #include "port.h"
+#include "ring.h"
+#include "switches.h"
 
 #ifndef LOFT_BAUD
 #  define LOFT_BAUD 115200          /* 115200 (that is 117647), 250000 or 1000000, exactly */
@@ -122,33 +124,11 @@ ISR(TIMER1_COMPA_vect)
 // The line
 // --------
 
-#define BYTES 128u
+static loft_ring line;
 
-static volatile uint8_t line[BYTES], line_head;
-static uint8_t line_tail;
-
-/* A byte that finds no room is lost: the frame is then damaged, and sent again. */
 ISR(USART_RX_vect)
 {
-    const uint8_t byte = UDR0, head = line_head, after = (uint8_t)(head + 1u) % BYTES;
-
-    if (after != line_tail) {
-        line[head] = byte;
-        line_head = after;
-    }
-}
-
-size_t loft_port_read(uint8_t *bytes, size_t max)
-{
-    const uint8_t head = line_head;
-    uint8_t tail = line_tail;
-    size_t count = 0;
-
-    for (; tail != head && count < max; tail = (uint8_t)(tail + 1u) % BYTES)
-        bytes[count++] = line[tail];
-    LOFT_BARRIER();
-    line_tail = tail;
-    return count;
+    loft_ring_put(&line, UDR0);
 }
 
 size_t loft_port_write(const uint8_t *bytes, size_t count)
@@ -188,7 +168,7 @@ static uint32_t count_start(void)
     return boot;
 }
 
-void loft_port_init(void)
+const loft_machine_config *loft_port_init(void)
 {
     config.traits.boot = count_start();
 
@@ -204,6 +184,7 @@ void loft_port_init(void)
     UCSR0B = 1 << RXEN0 | 1 << TXEN0 | 1 << RXCIE0;
 
     TCCR0B = 1 << CS02 | 1 << CS00;             /* free running, 64 us: the clock of the switches */
+    return &config;
 }
 
 void loft_port_start(uint32_t slot_hz)
@@ -218,28 +199,17 @@ void loft_port_start(uint32_t slot_hz)
 // Switches
 // --------
 
-/* What counts is a switch that closes and stays so for four samples, 4 ms; standing on one hinders no job. */
+/* Every 1.0 ms. */
 static void watch_switches(void)
 {
-    static uint8_t sampled, last, steady, same;
+    static loft_switches switches;
+    static uint8_t sampled;
 
     if ((uint8_t)(TCNT0 - sampled) < 16)
         return;
     sampled = TCNT0;
-    const uint8_t now = (uint8_t)((~PINB & LIMITS) << 2 | (~PINC & BUTTONS));
-    same = now == last ? (uint8_t)(same + (same < 4)) : 0;
-    last = now;
-    if (same < 3 || now == steady)
-        return;
-
-    const uint8_t closed = (uint8_t)(now & ~steady);
-    steady = now;
-    if (closed & (LIMITS << 2 | 1 << 0))
-        loft_machine_control(&machine, LOFT_ABORT);
-    else if (closed & 1 << 1)
-        loft_machine_control(&machine, LOFT_HOLD);
-    else if (closed & 1 << 2)
-        loft_machine_control(&machine, LOFT_RESUME);
+    const uint8_t closed = ~PINC & BUTTONS;     /* A0..2 are as LOFT_SWITCH_ has them */
+    loft_switches_act(&machine, loft_switches_closed(&switches, ~PINB & LIMITS ? closed | LOFT_SWITCH_ABORT : closed));
 }
 
 int main(void)
@@ -248,12 +218,11 @@ int main(void)
     uint8_t byte[16];
     uint8_t count = 0, sent = 0;
 
-    loft_port_init();
-    if (loft_machine_init(&machine, &config) != LOFT_OK)
+    if (loft_machine_init(&machine, loft_port_init()) != LOFT_OK)
         return 1;
     loft_port_start((uint32_t)config.traits.tick_hz * config.traits.slots);
     for (;;) {
-        loft_machine_push(&machine, byte, loft_port_read(byte, sizeof byte));
+        loft_machine_push(&machine, byte, loft_ring_take(&line, byte, sizeof byte));
         if (sent == count) {
             sent = 0;
             count = (uint8_t)loft_machine_poll(&machine, wire);

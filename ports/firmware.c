@@ -1,0 +1,67 @@
+/* ports/firmware.c -- the firmware: what is the same on every board
+ * SPDX-License-Identifier: MIT
+ */
+#include "port.h"
+#include "ring.h"
+#include "switches.h"
+
+static loft_machine machine;
+static loft_ring line;
+static volatile uint8_t slots;          /* since the start, modulo 256 */
+
+void loft_port_slot(void)
+{
+    const loft_pins pins = loft_machine_slot(&machine);
+
+    loft_port_pins(pins.step, pins.dir);
+    slots++;
+}
+
+void loft_port_tick(void)
+{
+    loft_machine_tick(&machine);
+}
+
+void loft_port_byte(uint8_t byte)
+{
+    loft_ring_put(&line, byte);
+}
+
+/* About once per `every` slots. */
+static void watch_switches(uint8_t every)
+{
+    static loft_switches switches;
+    static uint8_t sampled;
+
+    if ((uint8_t)(slots - sampled) < every)
+        return;
+    sampled = slots;
+    loft_switches_act(&machine, loft_switches_closed(&switches, loft_port_switches()));
+}
+
+int main(void)
+{
+    static uint8_t wire[LOFT_FRAME_MAX];
+    const loft_machine_config *config = loft_port_init();
+    const uint32_t slot_hz = (uint32_t)config->traits.tick_hz * config->traits.slots;
+    const uint8_t every = (uint8_t)(slot_hz / 1000 < 255 ? slot_hz / 1000 : 255);
+    size_t count = 0, sent = 0;
+
+    if (loft_machine_init(&machine, config) != LOFT_OK)
+        return 1;                       /* the configuration does not fit: see drive.h */
+    loft_port_start(slot_hz);
+    for (;;) {
+        uint8_t byte[32];
+        const size_t came = loft_ring_take(&line, byte, sizeof byte);
+
+        loft_machine_push(&machine, byte, came);
+        if (sent == count) {
+            sent = 0;
+            count = loft_machine_poll(&machine, wire);
+        }
+        sent += loft_port_write(wire + sent, count - sent);
+        watch_switches(every);
+        if (came == 0 && sent == count)
+            loft_port_wait();
+    }
+}

@@ -1,0 +1,18 @@
+# ports/riscv-virt/start.S -- from reset to main
+# SPDX-License-Identifier: MIT
+    .option arch, +zicsr
+    .section .start, "ax"
+    .globl _start
+_start:
+    la      sp, stack_top
+    la      t0, trap
+    csrw    mtvec, t0
+    la      t0, bss_begin
+    la      t1, bss_end
+1:  bgeu    t0, t1, 2f
+    sw      zero, 0(t0)
+    addi    t0, t0, 4
+    j       1b
+2:  call    main
+3:  wfi
+    j       3b

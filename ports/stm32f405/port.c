@@ -1,0 +1,130 @@
+/* ports/stm32f405/port.c -- an STM32F405 or F407 at 168 MHz: three axes, 100,000 steps per second each
+ * SPDX-License-Identifier: MIT
+ *
+ *     step     PA0 PA1 PA2       limits   PC0 PC1 PC2, closing to ground
+ *     dir      PA3 PA4 PA5       buttons  PC3 abort, PC4 hold, PC5 resume, closing to ground
+ *     enable   PA6, low          line     PA9 PA10 (USART1), 8N1
+ *
+ * Registers: ST's reference manual RM0090.
+ */
+#include "cortex-m/cortex.h"
+#include "port.h"
+#include "switches.h"
+
+#ifndef LOFT_BAUD
+#  define LOFT_BAUD 115200
+#endif
+#ifndef LOFT_CRYSTAL
+#  define LOFT_CRYSTAL 8            /* MHz, a whole number; without one the clock is that inside, 1 % */
+#endif
+#define CORE    168000000u          /* Hz */
+#define PULSE   (CORE / 500000)     /* 2 us */
+
+#define RCC     0x40023800
+#define GPIOA   0x40020000
+#define GPIOC   0x40020800
+#define USART1  0x40011000
+#define FLASHES 0x40023C00
+#define RANDOM  0x50060800
+
+#define STEPS   0x07u
+#define DIR_AT  3
+#define CELLS   1024
+
+/* steps/mm, mm/s, mm/s^2 */
+#define AXIS { LOFT_RAW(250), LOFT_RAW(400), LOFT_RAW(2000) }
+
+static volatile loft_cell cells[CELLS];
+static loft_machine_config config = {
+    .traits = { .tick_hz = 1000, .slots = 100, .axis = { AXIS, AXIS, AXIS } },
+    .ramp = 200, .cell = cells, .cells = CELLS
+};
+
+/* Wait for `bits` in a register, but not for ever: an emulator may not have it. */
+static bool came(uint32_t address, uint32_t bits)
+{
+    for (uint32_t left = 20000; left; left--)
+        if (REG(address) & bits)
+            return true;
+    return false;
+}
+
+/* Crystal (or the clock inside, 16 MHz) to 168 MHz; APB1 at a quarter, APB2 at half. */
+static void set_clock(void)
+{
+    bool crystal;
+
+    REG(RCC + 0x00) |= 1u << 16;                                        /* CR: HSEON, until HSERDY      */
+    crystal = came(RCC + 0x00, 1u << 17);
+    REG(FLASHES + 0x00) = 5 | 7u << 8;                                  /* 5 wait states, caches        */
+    REG(RCC + 0x04) = (crystal ? LOFT_CRYSTAL | 1u << 22 : 16u) | 336u << 6 | 7u << 24;     /* 1 MHz * 336 / 2 */
+    REG(RCC + 0x00) |= 1u << 24;                                        /* PLLON, until PLLRDY          */
+    if (came(RCC + 0x00, 1u << 25))
+        REG(RCC + 0x08) = 2 | 5u << 10 | 4u << 13;                      /* CFGR: the PLL is the clock   */
+}
+
+static uint32_t random_number(void)
+{
+    REG(RCC + 0x34) |= 1u << 6;
+    REG(RANDOM + 0x00) = 1u << 2;
+    return came(RANDOM + 0x04, 1) ? REG(RANDOM + 0x08) : 0;
+}
+
+const loft_machine_config *loft_port_init(void)
+{
+    set_clock();
+    config.traits.boot = random_number() ^ cortex_starts();
+
+    REG(RCC + 0x30) |= 1 << 0 | 1 << 2;                                 /* ports A and C                */
+    REG(RCC + 0x44) |= 1 << 4;                                          /* USART1                       */
+    REG(GPIOA + 0x00) = (REG(GPIOA + 0x00) & ~0x003C3FFFu) | 0x00281555u;   /* MODER: 0..6 out, 9 10 line */
+    REG(GPIOA + 0x24) = (REG(GPIOA + 0x24) & ~0x00000FF0u) | 0x00000770u;   /* AFRH: USART1             */
+    REG(GPIOC + 0x0C) = (REG(GPIOC + 0x0C) & ~0x00000FFFu) | 0x00000555u;   /* PUPDR: 0..5 up           */
+    REG(USART1 + 0x08) = (CORE / 2 + LOFT_BAUD / 2) / LOFT_BAUD;
+    REG(USART1 + 0x0C) = 1 << 13 | 1 << 5 | 1 << 3 | 1 << 2;            /* on, receive with interrupt   */
+    return &config;
+}
+
+void loft_port_start(uint32_t slot_hz)
+{
+    cortex_enable(CORTEX_LINE_IRQ, 0);
+    cortex_systick(CORE / slot_hz);
+    cortex_interrupts();
+}
+
+/* BSRR sets by its low half and clears by its high half. */
+void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
+{
+    static uint8_t dir_last;
+
+    if (dir_bits != dir_last) {
+        REG(GPIOA + 0x18) = (uint32_t)dir_bits << DIR_AT | (uint32_t)(~dir_bits & STEPS) << (DIR_AT + 16);
+        dir_last = dir_bits;
+    }
+    if (step_bits) {
+        REG(GPIOA + 0x18) = step_bits;
+        cortex_delay(PULSE);
+        REG(GPIOA + 0x18) = STEPS << 16;
+    }
+}
+
+void cortex_line(void)
+{
+    loft_port_byte((uint8_t)REG(USART1 + 0x04));
+}
+
+size_t loft_port_write(const uint8_t *bytes, size_t count)
+{
+    if (count == 0 || !(REG(USART1 + 0x00) & 1 << 7))
+        return 0;
+    REG(USART1 + 0x04) = *bytes;
+    return 1;
+}
+
+uint8_t loft_port_switches(void)
+{
+    const uint32_t closed = ~REG(GPIOC + 0x10);
+
+    return (uint8_t)((closed & 0x0F ? LOFT_SWITCH_ABORT : 0) | (closed & 0x10 ? LOFT_SWITCH_HOLD : 0) |
+                     (closed & 0x20 ? LOFT_SWITCH_RESUME : 0));
+}

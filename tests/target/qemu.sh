@@ -1,0 +1,69 @@
+#!/bin/bash
+# tests/target/qemu.sh -- a whole job on each 32-bit board in QEMU: every pulse at the pins, in the order of the simulated machine
+# SPDX-License-Identifier: MIT
+# usage: tests/target/qemu.sh FIRMWARE_FOLDER LOFT PLUGIN.so
+# Counted instructions are the clock (-icount): a slot lasts as on a real part, idle time is skipped. An emulated line has no speed.
+set -u
+firmware=$1 loft=$2 plugin=$3
+drawing=tests/drawings/outline12.csv feed=50
+tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+
+row() {         # row NAME VALUE WANTED
+    local verdict=FAIL
+    [ -n "$2" ] && [ "$2" = "$3" ] && verdict="ok  "
+    printf '%s %-60s %s\n' "$verdict" "$1" "$2$([ "$2" = "$3" ] || echo " (wanted $3)")"
+}
+
+# what each axis does, step by step, whatever the time between; the sum of each
+path_of() {
+    awk -F, '!/^#/ && $1 != "slot" { for (i = 2; i <= NF; i++) if ($i != last[i]) { last[i] = $i; row[i] = row[i] " " $i } }
+             END { for (i = 2; i <= 4; i++) print row[i] }' "$1" | cksum
+}
+
+# told OUTPUT: the position that the command reports
+told() { sed -n 's/.*steps \(-*[0-9]* -*[0-9]* -*[0-9]*\).*as commanded.*/\1/p' "$1" | head -1; }
+
+# board NAME QEMU MACHINE SHIFT "MACHINE'S NUMBERS": a drawing here and there
+board() {
+    local name=$1 qemu=$2 machine=$3 shift=$4 numbers=$5 elf=$firmware/$1/loft.elf extra=() code
+    local at=$tmp/$name log=$tmp/$name/log
+    mkdir "$at"
+    case $name in
+    nrf51)      extra=(-trace nrf51_gpio_write -D "$log") ;;
+    riscv-virt) local pins=0x$(riscv64-unknown-elf-nm "$elf" | awk '$3 == "pins" { print $1 }')
+                extra=(-bios none -plugin "$plugin,lo=$pins,hi=$(printf '0x%x' $((pins + 64))),out=$log") ;;
+    *)          extra=(-d unimp -D "$log") ;;
+    esac
+    # shellcheck disable=SC2086
+    "$loft" simulate --link "$at/here" --record "$at/here.csv" --once --quiet $numbers >"$at/said" & local here=$!
+    for _ in $(seq 100); do [ -e "$at/here" ] && break; sleep 0.02; done
+    timeout 40 "$loft" stream "$drawing" --feed $feed --port "$at/here" >"$at/planned" 2>&1; wait $here
+    timeout 100 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" -icount "shift=$shift,sleep=off" "${extra[@]}" \
+        -chardev "socket,id=s0,path=$at/sock,server=on,wait=on" -serial chardev:s0 >"$at/qemu" 2>&1 & local child=$!
+    for _ in $(seq 250); do [ -e "$at/sock" ] && break; sleep 0.02; done
+    timeout 60 "$loft" stream "$drawing" --feed $feed --port "unix:$at/sock" >"$at/out" 2>"$at/err" </dev/null; code=$?
+    kill $child; wait $child 2>/dev/null
+    [ $code = 0 ] || sed 's/^/     /' "$at/err" "$at/qemu"
+    python3 tests/target/pins.py "$name" "$log" > "$at/csv"
+
+    row "$name: the command ends well"                      "$code" 0
+    row "$name: steps told and steps counted at the pins"   "$(tail -1 "$at/csv" | awk -F, '{ print $2, $3, $4 }')" "$(told "$at/out")"
+    row "$name: every axis steps as on the simulated machine" "$(path_of "$at/csv")" "$(path_of "$at/here.csv")"
+    row "$name: frames sent twice"                          "$(sed -n 's/.* \([0-9]*\) of [0-9]* frames resent.*/\1/p' "$at/out" "$at/err")" 0
+}
+
+for tool in qemu-system-arm qemu-system-riscv32 python3; do
+    command -v $tool >/dev/null || { echo "$tool is missing: make deps-target"; echo "0 passed, 1 failed"; exit 1; }
+done
+mps2="--steps 250 --max-speed 160 --accel 1000 --slots 40 --queue 1024 --ramp 160"
+(   board stm32f405   qemu-system-arm     netduinoplus2 3 "--steps 250 --max-speed 400 --accel 2000 --slots 100 --queue 1024 --ramp 200"
+    board nrf51       qemu-system-arm     microbit      6 "--steps 250 --max-speed 80 --accel 500 --slots 20 --queue 160 --ramp 80"
+    board riscv-virt  qemu-system-riscv32 virt          3 "$mps2"
+) > "$tmp/result2" & other=$!
+for m in mps2-an385 mps2-an386 mps2-an500 mps2-an505; do board $m qemu-system-arm $m 5 "$mps2"; done | tee "$tmp/result"
+wait $other
+cat "$tmp/result2"
+
+passed=$(cat "$tmp"/result* | grep -c '^ok') failed=$(cat "$tmp"/result* | grep -c '^FAIL')
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
