@@ -157,10 +157,10 @@ HOST_PACKAGES := gcc libc6-dev make pkg-config clang libclang-rt-14-dev libxml2-
 deps:
 	@sh tests/deps.sh $(HOST_PACKAGES)
 
-## Install what else `make bench` compares with (AGG, GSL)
+## Install what else `make bench` and `make bench-motion` compare with (AGG, GSL, SciPy)
 .PHONY: deps-bench
 deps-bench:
-	@sh tests/deps.sh g++ libagg-dev libgsl-dev
+	@sh tests/deps.sh g++ libagg-dev libgsl-dev python3-scipy
 
 ## Install the cross compilers and the emulators that check-cross, check-target and size need
 .PHONY: deps-target
@@ -232,6 +232,28 @@ build/bench/bench%: tests/bench.c build/q16x%/libloft.a $(if $(filter libagg,$(B
 bench:
 	@for axes in 2 3; do $(MAKE) -s --no-print-directory AXES=$$axes build/bench/bench$$axes && build/bench/bench$$axes || exit 1; done
 	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
+
+# --- make bench-motion: build/bench/motion/<what>-<num> measure, tests/bench_motion.sh prints --------------------------
+MOTION := build/bench/motion
+MOTION_WHAT := $(patsubst tests/bench_motion_%.c,%,$(filter-out %_moves.c,$(sort $(wildcard tests/bench_motion_*.c))))
+define motioned
+$(MOTION)/%-$(1): tests/bench_motion_%.c build/$(1)x3/libloft.a $(wildcard tests/*.h)
+	@mkdir -p $$(@D)
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(CPPFLAGS) -Itests $$(CFLAGS) $$(STD) -DLOFT_NUM=LOFT_$(2) -DLOFT_AXES=3 $$(filter %.c %.a,$$^) -lm -o $$@
+endef
+$(eval $(call motioned,q16,Q16))
+$(eval $(call motioned,f64,F64))
+$(MOTION)/moves: tests/bench_motion_moves.c $(filter-out %/loft.o,$(TOOL_OBJ))
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) $(filter-out -MMD -MP,$(TOOL_STD)) $(call tool_flag,q16) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
+
+CASES ?= 100000
+## Measure what motion promises and print it beside its bounds, in some minutes   CASES=of the property run
+.PHONY: bench-motion
+bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MOTION)/$(w)-f64)
+	@bash tests/bench_motion.sh $(MOTION) $(CASES)
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
 CHECK_STAGES := lint test test-axes test-host check-vectors-all test-mixed test-readme test-peer test-model test-e2e

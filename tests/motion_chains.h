@@ -9,7 +9,9 @@
 #include "check.h"          /* BY_NUM */
 #include "motion/plan.h"    /* loft_move, loft_limits */
 
-#define CURVES 40
+#ifndef CURVES
+#  define CURVES 40
+#endif
 
 static loft_move   chain[CURVES];
 static unsigned    curves;

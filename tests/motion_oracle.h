@@ -9,7 +9,9 @@
 #include "check.h"
 #include "motion/plan.h"    /* loft_move, loft_span */
 
-#define PATH_MAX 60000
+#ifndef PATH_MAX
+#  define PATH_MAX 60000
+#endif
 
 /* The path as a chain of short chords, each knows its curve. */
 typedef struct {

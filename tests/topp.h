@@ -75,14 +75,14 @@ static inline void topp_add(topp *g, const loft_move *m, double t, double s, con
 
 /* A grid of about `cells` cells to a curve, evenly spaced by length; curves without cusps or specks only. Joints
  * appear twice, once for each side, at the same s. */
-static inline void topp_grid(topp *g, const loft_move moves[], unsigned count, const loft_limits *l, unsigned cells)
+static inline void topp_grid(topp *g, const loft_move moves[], unsigned moved, const loft_limits *l, unsigned cells)
 {
     double s0 = 0;
 
     g->count = 0;
     for (int i = 0; i < LOFT_AXES; i++)
         g->accel[i] = arb_value(l->max_accel[i]);
-    for (unsigned c = 0; c < count; c++) {
+    for (unsigned c = 0; c < moved; c++) {
         const unsigned fine = 16 * cells;
         const loft_vec *p = moves[c].curve.p;
         double length = 0, s = 0;
