@@ -30,6 +30,7 @@ static int take_file(struct loft_host_options *o, int argc, char **argv)
         o->steps_per_mm[i] = m.steps_per_mm[i];
         o->max_speed[i] = m.max_speed[i];
         o->max_accel[i] = m.max_accel[i];
+        o->max_jerk[i] = m.max_jerk[i];
     }
     o->tick_hz = (unsigned)m.tick_hz;
     o->slots = (unsigned)m.slots;

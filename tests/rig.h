@@ -36,6 +36,7 @@ typedef struct {
 
 static rig r;
 static volatile loft_cell cells[CELLS];
+static loft_traits_axis axes[LOFT_AXES];
 
 static const int32_t per_mm[6] = { 80 * 65536, 80 * 65536, 400 * 65536, 13 * 65536 + 4242, 65536, 1000 * 65536 };
 
@@ -105,7 +106,7 @@ static loft_drive_config rig_init(arb *a, loft_drive *drive, uint16_t slots, uin
     r.kind = arb_below(a, 3) ? LOFT_SPANS : LOFT_POINTS;
     for (int i = 0; i < LOFT_AXES; i++) {
         const int32_t raw = arb_raw(a, 100 * 65536);
-        c.steps_per_mm[i] = per_mm[i];
+        axes[i] = (loft_traits_axis){ .steps_per_mm = per_mm[i] };
         start.axis[i] = loft_real_from_raw(raw);
         r.start[i] = raw;
     }
@@ -119,6 +120,8 @@ static loft_drive_config rig_init(arb *a, loft_drive *drive, uint16_t slots, uin
         arb_spans(a, reach);
     else
         arb_points(a, reach);
+    c.axis = axes;
+    c.tick_hz = 1000;
     c.slots = slots;
     c.ramp = ramp;
     c.cell = cells;

@@ -42,7 +42,7 @@ static void rig_life(arb *a, uint32_t slot)
     if (arb_below(a, 1000) == 0)
         loft_drive_hold(&drive, false);
     if (arb_below(a, 4000) == 0)
-        loft_drive_override(&drive, arb_below(a, 120));
+        loft_drive_override(&drive, arb_below(a, 220));
     if (arb_below(a, 100) == 0)
         loft_drive_prepare(&drive);
     if (arb_below(a, 3000) == 0) {                      /* as if it had been prepared for an item that was just taken */
@@ -327,12 +327,13 @@ static void an_interrupt_at_any_place_of_the_main_loop_does_no_harm(arb *a)
 
 static void init_refuses_what_cannot_work(arb *a)
 {
-    loft_drive_config c = { { 0 }, { 0 }, 40, 100, cells, CELLS };
+    loft_traits_axis axis[LOFT_AXES] = { { 0 } };
+    loft_drive_config c = { axis, { 0 }, 1000, 40, 100, cells, CELLS };
     loft_drive d;
     (void)a;
     CHECK(loft_drive_init(&d, &c) == LOFT_ERR_RANGE);
     for (int i = 0; i < LOFT_AXES; i++)
-        c.steps_per_mm[i] = 1;
+        axis[i].steps_per_mm = 1;
     CHECK(loft_drive_init(&d, &c) == LOFT_OK);
     c.ramp = 0;
     CHECK(loft_drive_init(&d, &c) == LOFT_ERR_RANGE);

@@ -17,6 +17,8 @@ static loft_item numbered(uint32_t number)
     return item;
 }
 
+static uint8_t cap_of(uint32_t number)      { return (uint8_t)(1 + number % 255); }
+
 static bool same(const loft_item *a, const loft_item *b)
 {
     for (int k = 0; k < 3; k++)
@@ -35,12 +37,12 @@ static void items_come_out_in_order_and_unchanged(arb *a)
     loft_queue q;
     loft_item item;
 
-    cells[count].full = 77;
+    cells[count].cap = 77;
     CHECK(loft_queue_init(&q, cells, count) == LOFT_OK);
     for (int turn = 0; turn < 1000; turn++) {
         if (arb_below(a, 10) < eager) {
             item = numbered(pushed);
-            CHECK(loft_queue_push(&q, &item) == (pushed - polled < count ? LOFT_OK : LOFT_ERR_SPACE));
+            CHECK(loft_queue_push(&q, &item, cap_of(pushed)) == (pushed - polled < count ? LOFT_OK : LOFT_ERR_SPACE));
             pushed += pushed - polled < count;
         }
         if (arb_below(a, 2)) {
@@ -55,7 +57,9 @@ static void items_come_out_in_order_and_unchanged(arb *a)
             if (polled < looked) {
                 item = *first;
                 CHECK(same(&item, &want));
+                CHECK(loft_queue_cell(&q, 0)->cap == cap_of(polled) && loft_queue_cell(&q, (uint16_t)(looked - polled - 1))->cap == cap_of(looked - 1));
             }
+            CHECK(loft_queue_cell(&q, (uint16_t)(looked - polled)) == NULL);
             CHECK(loft_queue_poll(&q) == (polled < looked));
             polled += polled < looked;
         }
@@ -71,7 +75,7 @@ static void items_come_out_in_order_and_unchanged(arb *a)
             CHECK(loft_queue_room(&q) == count - (pushed - polled));
         CHECK(loft_queue_full(&q) == (looked - polled == count));
     }
-    CHECK(cells[count].full == 77);
+    CHECK(cells[count].cap == 77);
 }
 
 static void init_refuses_a_queue_that_cannot_work(arb *a)

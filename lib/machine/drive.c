@@ -37,7 +37,7 @@ static uint32_t distance(int32_t a, int32_t b)
 enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (config->steps_per_mm[i] <= 0)
+        if (config->axis[i].steps_per_mm <= 0)
             return LOFT_ERR_RANGE;
     if (loft_step_init(&d->step, config->position) != LOFT_OK ||
         loft_pace_init(&d->pace, config->slots, config->ramp) != LOFT_OK ||
@@ -45,10 +45,11 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
         return LOFT_ERR_RANGE;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        d->steps_per_mm[i] = loft_real_from_raw(config->steps_per_mm[i]);
+        d->steps_per_mm[i] = loft_real_from_raw(config->axis[i].steps_per_mm);
+    d->axis = config->axis;
+    d->tick_hz = config->tick_hz;
     d->slots = config->slots;
     d->ramp = config->ramp;
-    d->percent = 100;
     d->active = d->hold = d->abort = d->ended = 0;
     d->state = LOFT_STATE_IDLE;
     d->executed = d->ticks = d->slowed = d->elapsed = 0;
@@ -75,10 +76,13 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int3
     d->ahead = d->left = 0;
     d->which = d->ready = d->item = 0;
     d->running = d->prepared = NO_TICK;
-    d->aim = 0;
+    d->cap = LOFT_CAP_ONE;
+    d->percent = d->obeyed = 100;
+    d->ordered = loft_pace_full(&d->pace);
     d->executed = d->ticks = d->slowed = d->elapsed = 0;
     d->slot = 0;
     d->starved = 1;                     /* the queue is empty */
+    d->fresh = true;
     d->abort = d->ended = 0;
     d->state = LOFT_STATE_RUNNING;
     d->active = 1;
@@ -118,9 +122,14 @@ enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
     if (!(d->kind == LOFT_SPANS ? span_fits(d, item) : point_fits(d, item)))
         return LOFT_ERR_RANGE;
 
-    const enum loft_status status = loft_queue_push(&d->queue, item);
-    if (status == LOFT_OK)
+    uint8_t cap = LOFT_CAP_ONE;
+    if (d->kind == LOFT_SPANS)
+        cap = loft_cap_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue), d->axis, d->tick_hz);
+    const enum loft_status status = loft_queue_push(&d->queue, item, cap);
+    if (status == LOFT_OK) {
         copy(d->end, item->p[2]);
+        d->fresh = false;
+    }
     return status;
 }
 
@@ -130,7 +139,7 @@ void loft_drive_abort(loft_drive *d)            { d->abort = 1; }
 
 void loft_drive_override(loft_drive *d, unsigned percent)
 {
-    d->percent = (uint8_t)(percent < 1 ? 1 : percent > 100 ? 100 : percent);
+    d->percent = (uint8_t)(percent < 1 ? 1 : percent > LOFT_PACE_MOST ? LOFT_PACE_MOST : percent);
 }
 
 void loft_drive_close(loft_drive *d)
@@ -197,7 +206,7 @@ static bool is_ready(const loft_drive *d)       { return d->ready && d->ready_it
  *     going up      ahead - level falls by 2      likewise, or with a full queue while ahead >= level + 2
  *
  * so ahead >= level always, and the machine stands before the queue is empty or at its last tick. */
-static void steer(loft_drive *d, bool ended)
+static bool supplied(loft_drive *d, bool ended)
 {
     const uint32_t need = (uint32_t)loft_pace_distance(&d->pace) + LOFT_DRIVE_MARGIN;
     bool starved = d->starved;
@@ -211,12 +220,46 @@ static void steer(loft_drive *d, bool ended)
     else if (d->ahead > 2 * need)
         starved = false;
     d->starved = starved;
+    return !starved;
+}
 
-    const uint8_t aim = starved || d->hold || d->abort ? 0 : d->percent;
-    if (aim != d->aim) {
-        loft_pace_aim(&d->pace, aim);
-        d->aim = aim;
+/* The level of what is ordered, or of what the caps of the items allow if that is less. The level falls by one each tick if it
+ * must; so it may be so high at the end of the next tick that it comes down to each cap at the beginning of its item,
+ *
+ *     level <= cap + ticks before that item - 1
+ *
+ * and, with the next tick's own cap, keeps to it from then on. It never was higher than that: an item that is new in the queue has
+ * `ahead` ticks before it, of which the law of supply leaves as many as the level. A search through the queue ends where even
+ * the lowest cap is far enough away; up to pace 1 there is nothing to search for. */
+static uint16_t allowed(const loft_drive *d)
+{
+    const uint16_t full = loft_pace_full(&d->pace);
+    uint16_t level = d->ordered;
+    uint32_t before = d->left;
+    const volatile loft_cell *cell;
+
+    if (level <= full)
+        return level;
+    if (before && level > loft_cap_level(d->cap, full))
+        level = loft_cap_level(d->cap, full);
+    for (uint16_t k = 0; level > full && before < level && (cell = loft_queue_cell(&d->queue, k)) != NULL; k++) {
+        const uint32_t most = loft_cap_level(cell->cap, full) + (before ? before - 1 : 0);
+        if (level > most)
+            level = (uint16_t)most;
+        before += cell->item.ticks;
     }
+    return level;
+}
+
+static void steer(loft_drive *d, bool ended)
+{
+    const uint8_t percent = d->percent;
+
+    if (percent != d->obeyed) {
+        d->obeyed = percent;
+        d->ordered = loft_pace_level(&d->pace, percent);
+    }
+    loft_pace_aim(&d->pace, !supplied(d, ended) || d->hold || d->abort ? 0 : allowed(d));
 }
 
 static void finish(loft_drive *d, enum loft_state state)
@@ -294,6 +337,7 @@ static bool next_item(loft_drive *d)
     d->ready = 0;
     copy(d->from, item->p[2]);
     d->left = item->ticks;
+    d->cap = loft_queue_cell(&d->queue, 0)->cap;
     return loft_queue_poll(&d->queue);
 }
 

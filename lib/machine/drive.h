@@ -6,7 +6,8 @@
  *     slot            loft_drive_slot: the pins; about 40 kHz
  *
  * Each may interrupt the one before. The path is never left and never stopped on abruptly: a hold, an abort and a queue
- * that runs low all let the pace go down to standing, at the end of a tick, with no item lost.
+ * that runs low all let the pace go down to standing, at the end of a tick, with no item lost. Above 100 percent the pace is
+ * held down where an item may not pass so fast (cap.h), in good time before it.
  *
  * The law of supply: while the end of the job is not known, the ticks in the queue are compared with those that the pace
  * needs to stand still. Down to LOFT_DRIVE_MARGIN more: the pace aims for 0. Above twice that sum, or with a full queue:
@@ -15,6 +16,7 @@
 #ifndef LOFT_MACHINE_DRIVE_H
 #define LOFT_MACHINE_DRIVE_H
 
+#include "machine/cap.h"    /* loft_cap_of, loft_traits_axis       */
 #include "machine/queue.h"  /* loft_queue, loft_item               */
 #include "motion/pace.h"    /* loft_pace                           */
 #include "motion/step.h"    /* loft_step                           */
@@ -24,9 +26,9 @@
 #define LOFT_DRIVE_MARGIN 2     /* ticks */
 
 typedef struct {
-    int32_t  steps_per_mm[LOFT_AXES];   /* raw Q16.16                                                        */
+    const loft_traits_axis *axis;       /* LOFT_AXES of them, borrowed                                       */
     int32_t  position[LOFT_AXES];       /* steps: where the machine stands                                   */
-    uint16_t slots;                     /* per tick                                                          */
+    uint16_t tick_hz, slots;            /* ticks per second, slots per tick                                  */
     uint16_t ramp;                      /* ticks from full pace to standing; the queue should hold more      */
     volatile loft_cell *cell;           /* memory of the queue                                               */
     uint16_t cells;
@@ -67,16 +69,20 @@ typedef struct {
     uint32_t     ahead;                 /* ticks in the queue, and of the item being walked                  */
     uint16_t     left;                  /* ticks of the item being walked                                    */
     uint8_t      running, prepared;     /* what the running and the prepared tick are: see drive.c           */
-    uint8_t      aim;                   /* percent                                                           */
+    uint8_t      cap;                   /* of the item being walked                                          */
+    uint8_t      obeyed;                /* percent                                                           */
+    uint16_t     ordered;               /* the level that belongs to it                                      */
     volatile uint32_t executed, ticks, slowed;
     volatile uint8_t  state, starved;
 
     volatile uint8_t active;            /* main loop -> tick: a job is under way; tick -> main loop: over    */
     volatile uint8_t hold, abort, ended, percent;
     uint8_t  kind;
+    bool     fresh;                     /* main loop: nothing was pushed yet                                 */
     int32_t  end[LOFT_AXES];            /* main loop: where the last pushed item ends                        */
     loft_real steps_per_mm[LOFT_AXES];
-    uint16_t ramp;
+    const loft_traits_axis *axis;
+    uint16_t ramp, tick_hz;
 } loft_drive;
 
 /* Stand idle.
@@ -110,7 +116,8 @@ void loft_drive_hold(loft_drive *d, bool hold);
 /* Slow down on the path and stand; then the job is over. */
 void loft_drive_abort(loft_drive *d);
 
-/* The pace that is aimed for when nothing is in the way: 1..100 percent of the plan. */
+/* The pace that is aimed for when nothing is in the way: 1..200 percent of the plan, in force until the next job begins. Above 100 the
+ * machine goes only as fast as no axis exceeds its limits (those of a job of points are not known), for queued items too. */
 void loft_drive_override(loft_drive *d, unsigned percent);
 
 /* The job is over and its report read: LOFT_STATE_IDLE. Nothing happens while a job is under way. */

@@ -7,16 +7,16 @@ enum loft_status loft_machine_init(loft_machine *m, const loft_machine_config *c
 {
     loft_drive_config drive;
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        drive.steps_per_mm[i] = config->traits.axis[i].steps_per_mm;
+    m->traits = config->traits;
+    for (int i = 0; i < LOFT_AXES; i++)
         drive.position[i] = config->position[i];
-    }
+    drive.axis = m->traits.axis;
+    drive.tick_hz = config->traits.tick_hz;
     drive.slots = config->traits.slots;
     drive.ramp = config->ramp;
     drive.cell = config->cell;
     drive.cells = config->cells;
 
-    m->traits = config->traits;
     m->traits.queue = config->cells;
     m->traits.kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
     const enum loft_status status = loft_receiver_init(&m->receiver, &m->traits);

@@ -15,7 +15,7 @@ enum loft_status loft_queue_init(loft_queue *q, volatile loft_cell cell[], uint1
     q->head = q->freed = 0;
     q->tail = q->seen = q->looked = 0;
     for (uint16_t i = 0; i < count; i++)
-        cell[i].full = 0;
+        cell[i].cap = 0;
     return LOFT_OK;
 }
 
@@ -26,22 +26,27 @@ static uint16_t after(const loft_queue *q, uint16_t index)
 
 uint16_t loft_queue_room(loft_queue *q)
 {
-    while (q->room < q->count && !q->cell[q->freed].full) {
+    while (q->room < q->count && !q->cell[q->freed].cap) {
         q->freed = after(q, q->freed);
         q->room++;
     }
     return q->room;
 }
 
-enum loft_status loft_queue_push(loft_queue *q, const loft_item *item)
+enum loft_status loft_queue_push(loft_queue *q, const loft_item *item, uint8_t cap)
 {
     if (loft_queue_room(q) == 0)
         return LOFT_ERR_SPACE;
     q->cell[q->head].item = *item;
-    q->cell[q->head].full = 1;
+    q->cell[q->head].cap = cap;
     q->head = after(q, q->head);
     q->room--;
     return LOFT_OK;
+}
+
+const volatile loft_item *loft_queue_last(const loft_queue *q)
+{
+    return &q->cell[q->head ? q->head - 1 : q->count - 1].item;
 }
 
 const volatile loft_item *loft_queue_peek(const loft_queue *q)
@@ -52,12 +57,12 @@ const volatile loft_item *loft_queue_peek(const loft_queue *q)
         once = tail;
         tail = q->tail;
     } while (once != tail);
-    return q->cell[tail].full ? &q->cell[tail].item : NULL;
+    return q->cell[tail].cap ? &q->cell[tail].item : NULL;
 }
 
 uint16_t loft_queue_look(loft_queue *q)
 {
-    if (loft_queue_full(q) || !q->cell[q->seen].full)
+    if (loft_queue_full(q) || !q->cell[q->seen].cap)
         return 0;
     const uint16_t ticks = q->cell[q->seen].item.ticks;
     q->seen = after(q, q->seen);
@@ -65,11 +70,19 @@ uint16_t loft_queue_look(loft_queue *q)
     return ticks;
 }
 
+const volatile loft_cell *loft_queue_cell(const loft_queue *q, uint16_t index)
+{
+    if (index >= q->looked)
+        return NULL;
+    const uint32_t at = (uint32_t)q->tail + index;
+    return &q->cell[at < q->count ? at : at - q->count];
+}
+
 bool loft_queue_poll(loft_queue *q)
 {
     if (q->looked == 0)
         return false;
-    q->cell[q->tail].full = 0;
+    q->cell[q->tail].cap = 0;
     q->tail = after(q, q->tail);
     q->looked--;
     return true;

@@ -21,7 +21,7 @@
 
 typedef struct {
     loft_item item;
-    uint8_t full;
+    uint8_t cap;                        /* 0: the cell is empty; any other number goes with the item */
 } loft_cell;
 
 /* Complete so that it can be static; the fields may change without notice. */
@@ -43,8 +43,11 @@ enum loft_status loft_queue_init(loft_queue *q, volatile loft_cell cell[], uint1
 // Producer
 // --------
 
-/* Append a copy of `item`; LOFT_ERR_SPACE if the queue is full. */
-enum loft_status loft_queue_push(loft_queue *q, const loft_item *item) LOFT_CHECKED;
+/* Append a copy of `item` with its cap, 1..255; LOFT_ERR_SPACE if the queue is full. */
+enum loft_status loft_queue_push(loft_queue *q, const loft_item *item, uint8_t cap) LOFT_CHECKED;
+
+/* The item that was appended last; of an empty queue: whatever was there before. */
+const volatile loft_item *loft_queue_last(const loft_queue *q);
 
 /* Items that can be appended now. */
 uint16_t loft_queue_room(loft_queue *q);
@@ -65,6 +68,9 @@ static inline const volatile loft_item *loft_queue_first(const loft_queue *q)
 {
     return q->looked ? &q->cell[q->tail].item : NULL;
 }
+
+/* Of the items that were looked at, number `index` from the oldest; NULL if there are not so many. */
+const volatile loft_cell *loft_queue_cell(const loft_queue *q, uint16_t index);
 
 /* Take the oldest item out. Returns false if there is none that was looked at. */
 bool loft_queue_poll(loft_queue *q);

@@ -3,10 +3,10 @@
  */
 #include "motion/pace.h"
 
-/* Even deceleration from pace 1 to 0 in `ramp` ticks of real time covers ramp / 2 = J ticks of the plan (J is rounded
- * up). The pace with j ticks of the plan left to go follows from "speed squared is proportional to the distance",
+/* Even deceleration from pace 1 to 0 in `ramp` ticks of real time covers ramp / 2 = J ticks of the plan (J, the field `full`, is
+ * rounded up). The pace with j ticks of the plan left to go follows from "speed squared is proportional to the distance",
  *
- *     s(j) = sqrt(j / J),        level j = 0..J
+ *     s(j) = sqrt(j / J),        level j = 0..4 J
  *
  * and the tick between the levels j - 1 and j, being passed with even acceleration, lasts its length divided by the
  * mean of the two paces:
@@ -17,14 +17,13 @@
  * and mean speeds of neighbouring ticks, taken at the middles of the ticks, differ exactly by the acceleration 1 / ramp.
  * From and to standing no other rule is needed: T(1) = 2 slots sqrt(J).
  *
- * In numbers: roots in Q8, first = T(1) in Q16, T in Q8. Room: T(1) <= 32767 by init, so first < 2^31; a root of at
- * most 2^14 is below 2^15 in Q8. Error: a root is rounded by at most 1/2 in Q8 and exact for 0 and 1, which leaves a
+ * In numbers: roots in Q8, first = T(1) in Q16, T in Q8. Room: T(1) <= 32767 by init, so first < 2^31; a level is at most
+ * 4 * 16383, its root below 2^16 in Q8. Error: a root is rounded by at most 1/2 in Q8 and exact for 0 and 1, which leaves a
  * relative error of at most 2^-9 / sqrt(J) + 2^-8 / (sqrt(j - 1) + sqrt(j)) <= 0.3 %, with the worst case J = j = 2;
  * the division drops at most 2^-8 slot, which is not carried.
  */
-#define LEVEL_MAX 16384u
 
-/* sqrt(x) rounded to nearest; x <= 2^30, so the trial below stays within 32 bits */
+/* sqrt(x) rounded to nearest; x <= 65532 * 2^16, the trial below stays within 32 bits for any x */
 static uint16_t square_root(uint32_t x)
 {
     uint32_t r = 0, bit = (uint32_t)1 << 30;
@@ -49,16 +48,16 @@ static uint16_t level_root(uint16_t level)
 
 enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp)
 {
-    if (slots < 1 || slots > LOFT_PACE_SLOTS_MAX || ramp < 1 || ramp > 2 * LEVEL_MAX - 1)
+    if (slots < 1 || slots > LOFT_PACE_SLOTS_MAX || ramp < 1 || ramp > LOFT_PACE_RAMP_MAX)
         return LOFT_ERR_RANGE;
 
-    const uint16_t most = (uint16_t)(ramp / 2u + ramp % 2u);
-    const uint32_t first = (uint32_t)slots * level_root(most) * 2;     /* Q8; <= 2^12 * 2^15 * 2 = 2^28 */
+    const uint16_t full = (uint16_t)(ramp / 2u + ramp % 2u);
+    const uint32_t first = (uint32_t)slots * level_root(full) * 2;     /* Q8; <= 2^12 * 2^15 * 2 = 2^28 */
     if (first > (uint32_t)32767 << 8)
         return LOFT_ERR_RANGE;
 
     p->first = first << 8;
-    p->most = most;
+    p->full = full;
     p->level = p->aim = 0;
     p->root = 0;
     p->slots = slots;
@@ -66,20 +65,20 @@ enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp)
     return LOFT_OK;
 }
 
-/* Pace percent / 100 is the level J (percent / 100)^2; J * 10^4 < 2^28. */
-void loft_pace_aim(loft_pace *p, unsigned percent)
+/* Pace percent / 100 is the level J (percent / 100)^2; J * 4 * 10^4 < 2^30. */
+uint16_t loft_pace_level(const loft_pace *p, unsigned percent)
 {
-    if (percent > 100)
-        percent = 100;
-    const uint32_t aim = ((uint32_t)p->most * percent * percent + 5000) / 10000;
-    p->aim = (uint16_t)(aim == 0 && percent ? 1 : aim);
+    if (percent > LOFT_PACE_MOST)
+        percent = LOFT_PACE_MOST;
+    const uint32_t level = ((uint32_t)p->full * percent * percent + 5000) / 10000;
+    return (uint16_t)(level == 0 && percent ? 1 : level);
 }
 
 uint16_t loft_pace_next(loft_pace *p)
 {
     const uint16_t before = p->root;
 
-    if (p->level == p->aim && p->level == p->most)
+    if (p->level == p->aim && p->level == p->full)
         return p->slots;
     if (p->level == p->aim && p->level == 0) {
         p->carry = 0;
@@ -91,5 +90,5 @@ uint16_t loft_pace_next(loft_pace *p)
     }
     const uint32_t lasts = p->first / ((uint32_t)before + p->root) + p->carry;      /* Q8 */
     p->carry = (uint8_t)(lasts & 255u);
-    return (uint16_t)(lasts >> 8);
+    return lasts < 256 ? 1 : (uint16_t)(lasts >> 8);
 }

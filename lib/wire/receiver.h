@@ -22,13 +22,19 @@
 
 #include "wire/message.h"   /* the messages, loft_frame, loft_unpacker */
 
+/* An axis of the machine. */
+typedef struct {
+    int32_t  steps_per_mm, max_speed, max_accel;    /* raw Q16.16: of mm, mm/s, mm/s^2                             */
+    uint32_t max_jerk;                              /* mm/s^3; 0: not limited. The host is not told                */
+} loft_traits_axis;
+
 /* What the machine is; set once. */
 typedef struct {
     uint32_t boot;                      /* another one at each start: a counter in flash, a random number, a clock */
     uint16_t tick_hz, slots;
     uint16_t queue;                     /* items that fit the queue */
     uint8_t  kinds;                     /* bit 1: spans, bit 2: points: 1 << enum loft_kind */
-    struct { int32_t steps_per_mm, max_speed, max_accel; } axis[LOFT_AXES];     /* raw Q16.16 */
+    loft_traits_axis axis[LOFT_AXES];
 } loft_traits;
 
 /* How the machine stands; made afresh for each call. */

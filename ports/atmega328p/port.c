@@ -31,8 +31,8 @@
 #endif
 #define CELLS 12                    /* what RAM is left for */
 
-/* The machine. steps/mm, mm/s, mm/s^2 */
-#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500) }
+/* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
+#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500), 10000 }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine machine;

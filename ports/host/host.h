@@ -23,6 +23,7 @@ struct loft_host_options {
     bool     once;              /* end after one job, with its report on standard output                        */
     bool     quiet;             /* print only the name of the pseudo terminal and errors                        */
     double   steps_per_mm[LOFT_AXES], max_speed[LOFT_AXES], max_accel[LOFT_AXES];      /* mm/s, mm/s^2          */
+    double   max_jerk[LOFT_AXES];   /* mm/s^3; 0: not limited                                                   */
     unsigned tick_hz;           /* ticks per second, 1..65535                                                   */
     unsigned slots;             /* chances to step per tick, 1..4096                                            */
     unsigned ramp;              /* ticks from full pace to standing in a hold                                   */

@@ -20,8 +20,8 @@
 #define DIR_AT  3
 #define CELLS   1024
 
-/* steps/mm, mm/s, mm/s^2 */
-#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000) }
+/* steps/mm, mm/s, mm/s^2, mm/s^3 */
+#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000), 20000 }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {

@@ -7,7 +7,7 @@
 #include "port.h"
 
 /* The machine. Values in mm go through LOFT_RAW. */
-#define AXIS { LOFT_RAW(80), LOFT_RAW(200), LOFT_RAW(1000) }    /* steps/mm, mm/s, mm/s^2 */
+#define AXIS { LOFT_RAW(80), LOFT_RAW(200), LOFT_RAW(1000), 0 }     /* steps/mm, mm/s, mm/s^2, mm/s^3 or 0 */
 
 static volatile loft_cell cells[LOFT_MACHINE_QUEUE];
 static loft_machine_config config = {
