@@ -45,11 +45,13 @@ static int plot_files(plot_options *o, const char *record_file)
 
 typedef struct {
     tool_list view;
+    tool_list heights;
+    unsigned contours;
     const char *map;            /* NULL: none */
     bool wire;
 } surface_wishes;
 
-static bool wishes_any(const surface_wishes *w) { return w->view.count > 0 || w->map != NULL || w->wire; }
+static bool wishes_any(const surface_wishes *w) { return w->view.count + w->heights.count + w->contours > 0 || w->map != NULL || w->wire; }
 
 static bool map_of(const char *name, enum surface_map *out)
 {
@@ -68,7 +70,7 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
 {
     const double *view = w->view.value;
     surface_options o = { .all = all, .name = p->name, .output = p->output, .e = &engine_f64, .control = p->control, .wire = w->wire,
-                          .azimuth = -55, .elevation = 28, .size = p->size };
+                          .contours = w->contours, .height = w->heights.value, .heights = w->heights.count, .azimuth = -55, .elevation = 28, .size = p->size };
 
     if (!map_of(w->map, &o.map))
         return tool_error(EX_USAGE, "--curvature %s: give gauss, mean or largest", w->map);
@@ -96,7 +98,7 @@ static int plot_any(plot_options *o, const char *record_file, const surface_wish
     if (code == 0 && all.count > 0 && of_drawings)
         code = tool_error(EX_USAGE, "%s: holds surfaces: --record, --error, --comb and --part are for drawings", o->name);
     else if (code == 0 && all.count == 0 && wishes_any(w))
-        code = tool_error(EX_USAGE, "%s: holds no surface: --view, --curvature and --wire are for surfaces", o->name);
+        code = tool_error(EX_USAGE, "%s: holds no surface: --view, --curvature, --contours, --heights and --wire are for surfaces", o->name);
     else if (code == 0)
         code = all.count > 0 ? plot_surfaces(o, w, &all) : plot_files(o, record_file);
     surfaces_free(&all);
@@ -120,6 +122,8 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_LIST("part", "X,Y,W,H", &part, -1e5, 1e5, "show this part only, in mm from the lower left corner"),
         TOOL_LIST("view", "AROUND,UP", &w.view, -1000, 1000, "see a surface from there, in degrees (-55,28); a third number: perspective"),
         TOOL_TEXT("curvature", "KIND", &w.map, "colour a surface by its curvature: gauss, mean or largest"),
+        TOOL_COUNT("contours", "N", &w.contours, 1, 100, "draw lines of equal height on a surface, about N, at round heights"),
+        TOOL_LIST("heights", "Z,..", &w.heights, -1e5, 1e5, "draw lines of these heights on a surface"),
         TOOL_SWITCH("wire", &w.wire, "draw the lines of a surface alone, nothing hidden"),
         TOOL_NUMBER("size", "WIDTH", &o.size, 10, 30000, "px of a PNG (1600), mm of the others (true to scale)"),
         TOOL_OPTIONS_END
@@ -148,6 +152,7 @@ const tool_command command_plot = {
     "Curves are drawn as such, not as chords. With --record the machine's own positions lie over them, travel is dashed;\n"
     "with --error each position is moved away from the drawing by N times its distance, and the colour tells how far.\n"
     "A file of surfaces (host-tools/LOFT.md) is drawn shaded, with its parameter lines, or as a map of its curvature: of both\n"
-    "principal curvatures the product (gauss), half the sum (mean) or the larger size, whose reciprocal is the radius that fits.\n",
+    "principal curvatures the product (gauss), half the sum (mean) or the larger size, whose reciprocal is the radius that fits.\n"
+    "--contours and --heights draw where it is cut by level planes; --view -90,90 shows it from above.\n",
     run
 };

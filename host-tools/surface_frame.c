@@ -1,4 +1,4 @@
-/* host-tools/surface_frame.c -- title, axes, legend, scale and colour bar of a picture of surfaces
+/* host-tools/surface_frame.c -- title, axes, legend and scale of a picture of surfaces
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -23,13 +23,11 @@ static void title(const surface_view *s)
     plot_text(&s->v, PLOT_SMALL, x + 18 * s->v.u, 34 * s->v.u, 0, words);
 }
 
-/* The three directions as they are seen, in the lower left corner. */
-static void axes(const surface_view *s)
+void surface_axes(const plot_view *v, const scene *s, double x, double y)
 {
     static const double colour[3][3] = { { 0.75, 0.20, 0.20 }, { 0.15, 0.55, 0.25 }, { 0.20, 0.35, 0.75 } };
     static const char *const names[3] = { "x", "y", "z" };
-    const plot_view *v = &s->v;
-    const double x = v->left + 34 * v->u, y = v->bottom + 52 * v->u, length = 30 * v->u;
+    const double length = 30 * v->u;
 
     for (int i = 0; i < 3; i++) {
         const double dx = s->axis[0][i] * length, dy = -s->axis[1][i] * length, seen = hypot(dx, dy);
@@ -40,6 +38,26 @@ static void axes(const surface_view *s)
         plot_line(v, x, y, x + dx, y + dy);
         plot_text(v, PLOT_SMALL, x + dx + 9 * v->u * dx / seen, y + dy + 9 * v->u * dy / seen + 4 * v->u, 0.5, names[i]);
     }
+}
+
+/* Equal steps are told as such. */
+void surface_heights(char *out, size_t size, const double height[], size_t count)
+{
+    const double step = count > 1 ? height[1] - height[0] : 0;
+    bool equal = count > 2;
+    size_t at = 0;
+
+    for (size_t i = 1; i < count; i++)
+        equal = equal && fabs(height[i] - height[i - 1] - step) < 1e-6 * fabs(step);
+    if (equal) {
+        snprintf(out, size, "z from %.6g to %.6g by %.6g mm", height[0], height[count - 1], step);
+        return;
+    }
+    at = (size_t)snprintf(out, size, "z =");
+    for (size_t i = 0; i < count && at + 24 < size; i++)
+        at += (size_t)snprintf(out + at, size - at, "%s %.6g", i > 0 ? "," : "", height[i]);
+    if (at + 4 < size)
+        snprintf(out + at, size - at, " mm");
 }
 
 static void swatch(const surface_view *s, double *x, const double rgb[3], bool line, const char *words)
@@ -62,16 +80,22 @@ static void swatch(const surface_view *s, double *x, const double rgb[3], bool l
 
 static void legend(const surface_view *s)
 {
-    static const double net[3] = { 0.90, 0.45, 0.10 }, lines[3] = { 0.35, 0.38, 0.45 };
+    static const double lines[3] = { 0.35, 0.38, 0.45 };
     double x = s->v.left + 110 * s->v.u;
+    char words[120];
 
     if (s->o->map == MAP_NONE && !s->o->wire) {
-        swatch(s, &x, surface_sides[0], false, "side of the normal");
-        swatch(s, &x, surface_sides[1], false, "other side");
+        swatch(s, &x, scene_sides[0], false, "side of the normal");
+        swatch(s, &x, scene_sides[1], false, "other side");
     }
-    swatch(s, &x, lines, true, "u, v at eighths");
+    if (!s->scene.plain)
+        swatch(s, &x, lines, true, "u, v at eighths");
     if (s->o->control)
-        swatch(s, &x, net, true, "control net");
+        swatch(s, &x, scene_pens[SCENE_NET], true, "control net");
+    if (s->heights > 0) {
+        surface_heights(words, sizeof words, s->height, s->heights);
+        swatch(s, &x, scene_pens[SCENE_CONTOUR], true, words);
+    }
 }
 
 /* Only without perspective is there one scale. */
@@ -93,61 +117,18 @@ static void scale_bar(const surface_view *s)
     plot_text(v, PLOT_SMALL, x0 - 8 * v->u, y + 4.5 * v->u, 1, label);
 }
 
-static void label_of(char *out, size_t size, double value, double step)
+void surface_frame(const surface_view *s)
 {
-    if (step >= 1e-3 && fabs(value) < 1e4)
-        plot_number(out, size, value, step);
-    else
-        snprintf(out, size, "%.2g", fabs(value) < step / 2 ? 0 : value);
-}
-
-static void colour_bar(const surface_view *s)
-{
-    static const char *const names[] = { [MAP_NONE] = "", [MAP_GAUSS] = "Gaussian curvature, 1/mm\302\262", [MAP_MEAN] = "mean curvature, 1/mm",
-                                         [MAP_LARGEST] = "largest curvature, 1/mm" };
+    static const char *const maps[] = { [MAP_NONE] = "", [MAP_GAUSS] = "Gaussian curvature, 1/mm\302\262", [MAP_MEAN] = "mean curvature, 1/mm",
+                                        [MAP_LARGEST] = "largest curvature, 1/mm" };
     const plot_view *v = &s->v;
-    const double x = v->right + 34 * v->u, wide = 16 * v->u, high = fmin(v->bottom - v->top - 40 * v->u, 400 * v->u);
-    const double low = v->top + 30 * v->u + high, from = s->o->map == MAP_LARGEST ? 0 : -s->limit, range = s->limit - from;
-    char label[40];
-    double rgb[3];
 
-    plot_ink(v, 0.1);
-    plot_text(v, PLOT_SMALL, v->width - 14 * v->u, v->top + 6 * v->u, 1, names[s->o->map]);
-    if (!(range > 0)) {
-        plot_text(v, PLOT_SMALL, x, v->top + 34 * v->u, 0, "0 everywhere");
-        return;
-    }
-    cairo_set_antialias(v->cairo, CAIRO_ANTIALIAS_NONE);     /* no seams */
-    for (int i = 0; i < 128; i++) {
-        surface_colour(s, from + range * (i + 0.5) / 128, rgb);
-        cairo_set_source_rgb(v->cairo, rgb[0], rgb[1], rgb[2]);
-        cairo_rectangle(v->cairo, x, low - high * (i + 1) / 128, wide, high / 128 * 1.1);
-        cairo_fill(v->cairo);
-    }
-    const double step = plot_step(range, 7);
-    cairo_set_antialias(v->cairo, CAIRO_ANTIALIAS_DEFAULT);
-    plot_ink(v, 0.1);
-    cairo_set_line_width(v->cairo, 0.8 * v->u);
-    cairo_rectangle(v->cairo, x, low - high, wide, high);
-    cairo_stroke(v->cairo);
-    for (double value = ceil(from / step - 1e-9) * step; value <= s->limit * (1 + 1e-9); value += step) {
-        const double y = low - high * (value - from) / range;
-        plot_line(v, x + wide, y, x + wide + 4 * v->u, y);
-        label_of(label, sizeof label, value, step);
-        plot_text(v, PLOT_SMALL, x + wide + 9 * v->u, y + 4.5 * v->u, 0, label);
-    }
-    if (s->clipped)
-        plot_text(v, PLOT_SMALL, v->width - 14 * v->u, low + 24 * v->u, 1, "and beyond");
-}
-
-void surface_frame(surface_view *s)
-{
-    cairo_select_font_face(s->v.cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_select_font_face(v->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     title(s);
-    axes(s);
-    cairo_set_line_cap(s->v.cairo, CAIRO_LINE_CAP_BUTT);
+    surface_axes(v, &s->scene, v->left + 34 * v->u, v->bottom + 52 * v->u);
     legend(s);
     scale_bar(s);
     if (s->o->map != MAP_NONE)
-        colour_bar(s);
+        scene_bar(v, &s->scene.scale, maps[s->o->map], v->right + 34 * v->u, v->top + 6 * v->u,
+                  fmin(v->bottom - v->top - 40 * v->u, 400 * v->u));
 }

@@ -1,15 +1,14 @@
-/* host-tools/surface_plot.h -- pictures of surfaces: shaded, with parameter lines, control nets, maps of curvature
+/* host-tools/surface_plot.h -- a picture of surfaces: shaded, with parameter lines, control nets, contours, maps of curvature
  * SPDX-License-Identifier: MIT
  *
- *     surface_plot.c   the view, what hides what, shades and colours
- *     surface_frame.c  what stands around it: title, axes, legend, scale and colour bar
+ *     scene.c          the view, what hides what, shades and colours
+ *     surface_plot.c   one picture of all surfaces of a file
+ *     surface_frame.c  what stands around it: title, axes, legend, scale
  */
 #ifndef LOFT_HOST_SURFACE_PLOT_H
 #define LOFT_HOST_SURFACE_PLOT_H
 
-#include "mesh.h"
-#include "plot.h"           /* plot_view: canvas and unit */
-#include "surface.h"
+#include "scene.h"
 
 enum surface_map { MAP_NONE, MAP_GAUSS, MAP_MEAN, MAP_LARGEST };
 
@@ -20,6 +19,9 @@ typedef struct {
     const engine *e;
     enum surface_map map;
     bool control, wire;         /* control nets; parameter lines only, nothing hidden           */
+    unsigned contours;          /* lines of equal height, about so many at round heights        */
+    const double *height;       /* or at these                                                  */
+    size_t heights;
     double azimuth, elevation;  /* degrees: from where it is seen, from +x towards +y, and up   */
     double distance;            /* of the eye, in diameters of the surface; 0: endless          */
     double size;                /* width: px of a PNG, mm of the others; 0: 1600 px, 160 mm     */
@@ -32,21 +34,22 @@ int surface_plot(const surface_options *o);
 // Between the files
 // -----------------
 
+#define SURFACE_HEIGHTS 200
+
 typedef struct {
     plot_view v;                /* canvas, frame, unit; scale: canvas units per mm in the middle */
     const surface_options *o;
-    double axis[3][3];          /* right, up, towards the eye                                    */
-    double centre[3], diameter;
-    double limit;               /* of the map: what its ends stand for; 0: nothing to show       */
-    bool clipped;               /* there is more than that                                       */
+    scene scene;
+    double height[SURFACE_HEIGHTS];     /* of the contours */
+    size_t heights;
 } surface_view;
 
-/* The colour of a value of the map. */
-void surface_colour(const surface_view *s, double value, double rgb[3]);
+void surface_frame(const surface_view *s);
 
-/* The colours of the two sides without a map. */
-extern const double surface_sides[2][3];
+/* The three directions as they are seen, around (x, y). */
+void surface_axes(const plot_view *v, const scene *s, double x, double y);
 
-void surface_frame(surface_view *s);
+/* What heights there are contours at, in words. */
+void surface_heights(char *out, size_t size, const double height[], size_t count);
 
 #endif
