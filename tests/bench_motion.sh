@@ -81,7 +81,8 @@ jerk_rows() {
         read -r name ratio seconds < <(grep ^smooth "$build/jerk-rows.out" | sort -k2,2gr | head -1)
         row "time to the best jerk-limited one, worst of smooth chains, $num" 1.08 "$ratio" "$name"
     done
-    row "limits used by those best ones" 1.0005 "$(awk '{ for (k = 3; k <= 5; k++) if ($k > m) m = $k } END { print m }' "$build/best.out")"
+    row "the best one on a line, off L / v + v / a + a / j by" 0.002 "$(awk '/\/line.path/ { d = $2 / 2.15 - 1; print d < 0 ? -d : d }' "$build/best.out")"
+    row "limits used by the best ones" 1.0005 "$(awk '{ for (k = 3; k <= 5; k++) if ($k > m) m = $k } END { print m }' "$build/best.out")"
 }
 
 same_rows() {
@@ -106,18 +107,28 @@ chip_rows() {   # the planner on an ATmega328P
     row "ATmega328P: bytes of RAM for the planner" 900 "" "the planner does not fit yet: make size"
 }
 
+cortex_rows() { # instructions, for the README
+    sh tests/bench_motion_cortex.sh "$build" > "$build/cortex.out" || { row "instructions on Cortex-M0 and M4" 0 "" "make deps-target"; return; }
+    awk '{ for (k = 3; k < NF; k += 2) v[$k] = $(k + 1); name = ($1 == "cortex-m0" ? "Cortex-M0" : "Cortex-M4") ($2 > 0 ? ", jerk limited" : "") ": instructions per "
+           per("planned curve", v["planning"] / v["curves"]); per("planned millisecond", v["planning"] / v["ticks"]); per("span to begin", v["begin"] / v["spans"])
+           per("tick of 3 axes", v["ticking"] / v["ticks"]); per("slot of 3 axes", v["slotting"] / v["slots"]) }
+         function per(what, n) { printf "%-66s %10s %12d\n", name what, "", n }' "$build/cortex.out"
+}
+
 property_rows() {
     local half=$((cases / 2))
-    "$build/any-q16" 1 $half > "$build/any-q16.out" & "$build/any-f64" $((half + 1)) $cases > "$build/any-f64.out" &
+    "$build/any-q16" 1 $half > "$build/any-q16.out" & "$build/any-f64" $((half + 1)) "$cases" > "$build/any-f64.out" &
     wait
-    row "violations in $half random cases, seeds 1..$half, q16" 0 "$(pick any-q16.out violations 2)" "$(awk '$1 == "fault" && $3 > 0 { printf "%s %s  ", $2, $3 }' "$build/any-q16.out")"
-    grep '^  seed' "$build/any-q16.out" | head -20
-    row "violations in $half random cases, seeds $((half + 1))..$cases, f64" 0 "$(pick any-f64.out violations 2)" "$(awk '$1 == "fault" && $3 > 0 { printf "%s %s  ", $2, $3 }' "$build/any-f64.out")"
-    grep '^  seed' "$build/any-f64.out" | head -20
+    for num in q16 f64; do
+        [ $num = q16 ] && seeds=1..$half || seeds=$((half + 1))..$cases
+        row "cases with a violation, deadlock or lost step, seeds $seeds, $num" 0 "$(awk '/ failed$/ { print $3 }' "$build/any-$num.out")" \
+            "$(awk '$1 == "fault" && $3 > 0 { printf "%s %s  ", $2, $3 }' "$build/any-$num.out")"
+        grep '^  seed' "$build/any-$num.out" | head -30
+    done
 }
 
 printf '%-66s %10s %12s  %-6s %s\n' what "at most" measured "" "where"
 lists
-for rows in limits deviation time jerk same outline chip property; do ${rows}_rows; done
+for rows in limits deviation time jerk same outline chip cortex property; do ${rows}_rows; done
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

@@ -25,8 +25,8 @@ static void take(int kind, double value, const char *name)
     snprintf(where[kind], sizeof where[kind], "%s", name);
 }
 
-/* `follow`: the distance from the path, too. */
-static void measure(const char *name, bool follow)
+/* `corners`: where jerk is not limited, a corner may be passed with more than the acceleration. `follow`: the distance from the path, too. */
+static void measure(const char *name, bool corners, bool follow)
 {
     const arrival all = { CURVES, CURVES * 8, NULL };
     const enum outcome o = plan_chain(&all);
@@ -38,7 +38,8 @@ static void measure(const char *name, bool follow)
     }
     const motion_uses u = uses_of_spans(arb_value(limits.max_speed[0]));
     take(SPEED, u.speed, name);
-    take(ACCEL, u.accel, name);
+    if (!corners || limits.max_jerk[0] > 0 || !(limits.corner > 0))
+        take(ACCEL, u.accel, name);
     take(JERK, u.jerk, name);
     take(JUMP, u.jump, name);
     if (!follow || count == 0)
@@ -49,7 +50,6 @@ static void measure(const char *name, bool follow)
     take(MISSED, f.missed / arb_value(limits.tol), name);
 }
 
-/* With corners of their own speed only where joints are smooth, or jerk is limited: otherwise a corner is exempt. */
 static void measure_chains(unsigned chains)
 {
     char name[40];
@@ -57,15 +57,14 @@ static void measure_chains(unsigned chains)
     for (unsigned seed = 1; seed <= chains; seed++) {
         snprintf(name, sizeof name, "smooth-seed-%u", seed);
         smooth_path(seed, seed % 2 > 0);
-        measure(name, seed % 4 < 2);
+        measure(name, false, seed % 4 < 2);
         arb a = arb_start(seed);
         snprintf(name, sizeof name, "any-seed-%u", seed);
         arb_limits(&a);
-        limits.corner = 0;
         if (seed % 2 > 0)
             arb_jerk(&a);
         arb_chain(&a);
-        measure(name, seed % 4 < 2);
+        measure(name, true, seed % 4 < 2);
     }
 }
 
@@ -76,9 +75,7 @@ int main(int words, char **word)
     for (unsigned k = 0; k < TEST_PATHS; k++) {
         if (!load_path(&test_paths[k], word[1]))
             return 66;
-        if (!(test_paths[k].jerk > 0) && strcmp(test_paths[k].drawing, "outline12") != 0)
-            limits.corner = 0;
-        measure(test_paths[k].name, true);
+        measure(test_paths[k].name, strcmp(test_paths[k].drawing, "outline12") != 0, true);
     }
     measure_chains(words > 2 ? (unsigned)atoi(word[2]) : 0);
     for (int k = 0; k < KINDS_OF_USE; k++)

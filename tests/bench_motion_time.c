@@ -102,6 +102,16 @@ static void measure(const char *folder, const char *name)
         printf("accel %s %.6f %.6f\n", name, seconds(), topp_time(&grid));
 }
 
+/* A yardstick's yardstick: its best jerk-limited time is L / v + v / a + a / j = 2.15 s. */
+static void line_path(void)
+{
+    const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0, 1 }, u[4] = { 0, 100 / 3.0, 200 / 3.0, 100 }, w[4] = { 0 };
+
+    even_limits(1000, 500, 10000);
+    begin_chain();
+    add_curve(d, e, u, w, 50);
+}
+
 int main(int words, char **word)
 {
     const unsigned chains = words > 2 ? (unsigned)atoi(word[2]) : 0;
@@ -115,6 +125,8 @@ int main(int words, char **word)
                 return 66;
             measure(word[1], test_paths[k].name);
         }
+    line_path();
+    measure(word[1], "line");
     for (unsigned seed = 1; seed <= chains; seed++) {
         snprintf(name, sizeof name, "smooth-seed-%u", seed);
         smooth_path(seed, seed % 4 == 0);

@@ -14,26 +14,30 @@
 #  error "lists of moves have three axes"
 #endif
 
-/* jerk 0: not limited. `random`: a smooth chain of this seed, of curves of about the size `feed`, in place of a drawing. */
+/* speed, accel, jerk: per axis; jerk 0: not limited. `corner` in mm. */
 typedef struct {
     const char *name, *drawing;
-    double feed, accel, jerk;
+    double feed, speed, accel, jerk, corner;
 } test_path;
 
 static const test_path test_paths[] = {
-    { "outline-50",         "outline12", 50,    500,      0 },
-    { "outline-100",        "outline12", 100,  2000,      0 },
-    { "outline-200",        "outline12", 200, 10000,      0 },
-    { "outline-100-soft",   "outline12", 100,   500,      0 },
-    { "outline-50-j",       "outline12", 50,    500,  10000 },
-    { "outline-100-j",      "outline12", 100,  2000,  40000 },
-    { "outline-200-j",      "outline12", 200, 10000, 400000 },
-    { "outline-100-soft-j", "outline12", 100,   500,  10000 },
-    { "outline-50-gentle-j","outline12", 50,    500,   2500 },
-    { "demo-50",            "demo",      50,    500,      0 },
-    { "demo-100-j",         "demo",      100,  2000,  40000 },
-    { "curves-50",          "curves",    50,    500,      0 },
-    { "curves-100-j",       "curves",    100,  2000,  40000 },
+    { "outline-50",          "outline12", 50,  1000,   500,      0, 0.01 },
+    { "outline-100",         "outline12", 100, 1000,  2000,      0, 0.01 },
+    { "outline-200",         "outline12", 200, 1000, 10000,      0, 0.01 },
+    { "outline-100-soft",    "outline12", 100, 1000,   500,      0, 0.01 },
+    { "outline-100-axes",    "outline12", 100,   60,  2000,      0, 0.01 },
+    { "outline-50-j",        "outline12", 50,  1000,   500,  10000, 0.01 },
+    { "outline-100-j",       "outline12", 100, 1000,  2000,  40000, 0.01 },
+    { "outline-200-j",       "outline12", 200, 1000, 10000, 400000, 0.01 },
+    { "outline-100-soft-j",  "outline12", 100, 1000,   500,  10000, 0.01 },
+    { "outline-50-gentle-j", "outline12", 50,  1000,   500,   2500, 0.01 },
+    { "outline-100-axes-j",  "outline12", 100,   60,  2000,  40000, 0.01 },
+    { "demo-50",             "demo",      50,  1000,   500,      0, 0    },
+    { "demo-50-corner",      "demo",      50,  1000,   500,      0, 0.01 },
+    { "demo-100-j",          "demo",      100, 1000,  2000,  40000, 0.01 },
+    { "curves-50",           "curves",    50,  1000,   500,      0, 0    },
+    { "curves-50-corner",    "curves",    50,  1000,   500,      0, 0.01 },
+    { "curves-100-j",        "curves",    100, 1000,  2000,  40000, 0.01 }
 };
 
 #define TEST_PATHS (sizeof test_paths / sizeof test_paths[0])
@@ -105,7 +109,8 @@ static inline bool load_moves(const char *folder, const char *name, double scale
 
 static inline bool load_path(const test_path *t, const char *folder)
 {
-    even_limits(1000, t->accel, t->jerk);
+    even_limits(t->speed, t->accel, t->jerk);
+    limits.corner = real_of(t->corner);
     return load_moves(folder, t->drawing, t->feed);
 }
 

@@ -1,0 +1,136 @@
+/* tests/target/motion.c -- what planning and stepping the outline costs on a Cortex-M, in instructions
+ * SPDX-License-Identifier: MIT
+ *
+ * With microbit.c, netduino.ld and -DJERK=mm/s^3 (0: not limited). `outline.h` is `static const int32_t outline[12][4][2]`, raw Q16.16.
+ * Prints `name number` lines: curves, spans, ticks; instructions of planning, of the dearest call, of ticks, of the dearest tick, of slots.
+ */
+#include "meter.h"          /* meter_start, meter_now       */
+#include "motion/plan.h"    /* loft_plan                    */
+#include "motion/step.h"    /* loft_step, loft_steps_of     */
+#include "outline.h"        /* outline                      */
+
+#define SLOTS 40            /* in a tick: 40,000 per second */
+
+void debugger_put(char c);
+int  main(void);
+
+static loft_move       moves[4];
+static loft_plan_piece pieces[4 * LOFT_PLAN_PIECES];
+static loft_plan       plan;
+static loft_step       step;
+
+static uint32_t spans, ticks, planning, plan_worst, ticking, tick_worst, slotting, slots, begin;
+
+static void say(const char *name, uint32_t n)
+{
+    char digits[10];
+    int k = 0;
+
+    while (*name)
+        debugger_put(*name++);
+    debugger_put(' ');
+    do
+        digits[k++] = (char)('0' + n % 10);
+    while ((n /= 10) > 0);
+    while (k > 0)
+        debugger_put(digits[--k]);
+    debugger_put('\n');
+}
+
+static uint32_t since(uint32_t start)
+{
+    static uint32_t empty;
+    const uint32_t now = meter_now();
+    if (empty == 0) {
+        const uint32_t a = meter_now();
+        empty = meter_now() - a;
+    }
+    return now - start - empty;
+}
+
+static void take(uint32_t cost, uint32_t *sum, uint32_t *worst)
+{
+    *sum += cost;
+    *worst = cost > *worst ? cost : *worst;
+}
+
+static loft_move curve(unsigned c)
+{
+    loft_move m = { .feed = LOFT_REAL(50) };
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < 2; i++)
+            m.curve.p[k].axis[i] = outline[c][k][i];
+    return m;
+}
+
+/* One span: its walk, the steps of each tick, its slots. */
+static void run(const loft_span *span)
+{
+    loft_forward walk;
+    loft_vec at;
+    int32_t target[LOFT_AXES];
+
+    uint32_t start = meter_now();
+    if (loft_span_walk(&walk, span) != LOFT_OK)
+        return;
+    take(since(start), &begin, &tick_worst);
+    for (;;) {
+        start = meter_now();
+        if (!loft_forward_next(&walk, &at))
+            break;
+        for (int i = 0; i < LOFT_AXES; i++)
+            target[i] = loft_steps_of(at.axis[i], LOFT_REAL(250));
+        uint16_t left = loft_step_load(&step, target, SLOTS);
+        take(since(start), &ticking, &tick_worst);
+        ticks++;
+        slots += left;
+        start = meter_now();
+        while (left-- > 0)
+            (void)loft_step_next(&step);
+        slotting += since(start);
+    }
+}
+
+int main(void)
+{
+    static const loft_limits limits = {
+        .max_speed = { LOFT_REAL(1000), LOFT_REAL(1000), LOFT_REAL(1000) }, .max_accel = { LOFT_REAL(500), LOFT_REAL(500), LOFT_REAL(500) },
+        .max_jerk = { JERK, JERK, JERK }, .corner = LOFT_REAL(0.01), .tol = LOFT_REAL(0.005), .tick_hz = 1000
+    };
+    static const int32_t origin[LOFT_AXES] = { 0 };
+    enum loft_plan_state state = LOFT_PLAN_SPAN;
+    unsigned next = 0;
+    loft_span span;
+
+    meter_start();
+    if (loft_plan_init(&plan, &limits, moves, 4, pieces, 4 * LOFT_PLAN_PIECES) != LOFT_OK || loft_step_init(&step, origin) != LOFT_OK)
+        return 1;
+    while (next < 12 || state == LOFT_PLAN_SPAN) {
+        const loft_move m = curve(next < 12 ? next : 11);
+        uint32_t start = meter_now();
+        if (next < 12 && loft_plan_push(&plan, &m) == LOFT_OK)
+            next++;
+        if (next == 12)
+            loft_plan_end(&plan);
+        take(since(start), &planning, &plan_worst);
+        start = meter_now();
+        state = loft_plan_next(&plan, &span);
+        take(since(start), &planning, &plan_worst);
+        if (state == LOFT_PLAN_SPAN) {
+            spans++;
+            run(&span);
+        }
+    }
+    say("curves", next);
+    say("spans", spans);
+    say("ticks", ticks);
+    say("planning", planning);
+    say("plan_worst", plan_worst);
+    say("ticking", ticking);
+    say("begin", begin);
+    say("tick_worst", tick_worst);
+    say("slotting", slotting);
+    say("slots", slots);
+    say("plan_bytes", sizeof plan + sizeof moves + sizeof pieces);
+    return step.position[0] == 0 && step.position[1] == 0 ? 0 : 1;
+}
