@@ -121,8 +121,8 @@ typedef struct {
     int (*eval)(const engine_surface *s, double u, double v, double out[ENGINE_AXES]);
     /* The point at u, v of a kite of such a patch (sided.h); of others there is one kite, the whole. */
     int (*kite)(const engine_surface *s, unsigned kite, double u, double v, double out[ENGINE_AXES]);
-    /* Normal and curvatures at u, v. LOFT_ERR_ARG: the library has them not for this kind. */
-    int (*look)(const engine_surface *s, double u, double v, engine_look *out);
+    /* Normal and curvatures there. LOFT_ERR_ARG: the library has them not for this kind. */
+    int (*look)(const engine_surface *s, unsigned kite, double u, double v, engine_look *out);
 } engine_surfaces;
 
 extern const engine_surfaces engine_surfaces_q16, engine_surfaces_f32, engine_surfaces_f64;

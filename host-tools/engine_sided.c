@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "polygon/basepoint.h"          /* loft_basepoint */
+#include "polygon/gb.h"                 /* loft_gb */
 #include "polygon/meanvalue.h"          /* loft_meanvalue_eval */
 #include "polygon/ring.h"               /* loft_ring */
 #include "polygon/spatch.h"             /* loft_spatch */
@@ -28,6 +29,7 @@ struct engine_sided {
         loft_toric toric;
         loft_basepoint basepoint[3];
         loft_ring ring;
+        loft_gb gb;
     } as;
 };
 
@@ -57,7 +59,7 @@ static int hold(engine_sided *e)
     return status;
 }
 
-static int prepare_spatch(engine_sided *e)
+static int prepare_domain(engine_sided *e)
 {
     const surface *s = e->s;
     int status = hold(e);
@@ -70,7 +72,19 @@ static int prepare_spatch(engine_sided *e)
         status = loft_domain_init(&e->domain, e->v, s->n);
     if (status == LOFT_OK && !e->domain.convex && s->coordinates == COORDINATES_WACHSPRESS)
         status = LOFT_ERR_ARG;
-    return status ? status : (int)loft_spatch_init(&e->as.spatch, e->p, s->rational ? e->w : NULL, s->n, s->m);
+    return status;
+}
+
+static int prepare_spatch(engine_sided *e)
+{
+    const int status = prepare_domain(e);
+    return status ? status : (int)loft_spatch_init(&e->as.spatch, e->p, e->s->rational ? e->w : NULL, e->s->n, e->s->m);
+}
+
+static int prepare_gb(engine_sided *e)
+{
+    const int status = prepare_domain(e);
+    return status ? status : (int)loft_gb_init(&e->as.gb, e->p, e->s->n, e->s->m);
 }
 
 static int prepare_toric(engine_sided *e)
@@ -126,6 +140,7 @@ static int prepare(engine_sided *e)
     case SURFACE_SPATCH:    return prepare_spatch(e);
     case SURFACE_TORIC:     return prepare_toric(e);
     case SURFACE_BASEPOINT: return prepare_basepoint(e);
+    case SURFACE_GB:        return prepare_gb(e);
     default:                return prepare_ring(e);
     }
 }
@@ -186,6 +201,14 @@ static int eval_spatch(const engine_sided *e, sided_place at, loft_vec *out)
     return status ? status : (int)loft_spatch_eval(&e->as.spatch, phi, out);
 }
 
+static int eval_gb(const engine_sided *e, sided_place at, loft_vec *out)
+{
+    loft_sci phi[SURFACE_SIDES_MAX];
+    const int status = coordinates(e, at, phi);
+
+    return status ? status : (int)loft_gb_eval(&e->as.gb, phi, out);
+}
+
 /* A rounded point of a side may lie outside: then it is drawn towards the middle. */
 static int eval_toric(const engine_sided *e, sided_place at, loft_vec *out)
 {
@@ -236,6 +259,7 @@ static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_A
     case SURFACE_SPATCH:    status = eval_spatch(e, at, &p);    break;
     case SURFACE_TORIC:     status = eval_toric(e, at, &p);     break;
     case SURFACE_BASEPOINT: status = eval_basepoint(e, at, &p); break;
+    case SURFACE_GB:        status = eval_gb(e, at, &p);        break;
     default:                status = eval_ring(e, at, &p);      break;
     }
     if (status == LOFT_OK)
@@ -243,4 +267,63 @@ static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_A
     return status;
 }
 
-const engine_sides ENGINE_OF(engine_sides) = { .open = sided_open, .close = sided_close, .eval = sided_eval };
+
+// Normals and curvatures
+// ----------------------
+
+static int sided_look(const engine_sided *e, sided_place at, engine_look *out)
+{
+    loft_jet phi[SURFACE_SIDES_MAX];
+    loft_curvatures k;
+    loft_local here;
+    loft_vec normal;
+    loft_spot p;
+    int status = e->s->kind == SURFACE_GB ? spot_of(e, at, &p) : LOFT_ERR_ARG;
+
+    if (status == LOFT_OK)
+        status = e->s->coordinates == COORDINATES_MEANVALUE ? loft_meanvalue_jet(&e->domain, p, phi) : loft_wachspress_jet(&e->domain, p, phi);
+    if (status == LOFT_OK)
+        status = loft_gb_local(&e->as.gb, phi, &here);
+    if (status == LOFT_OK)
+        status = loft_local_normal(&here, &normal);
+    if (status == LOFT_OK)
+        status = loft_local_curvatures(&here, &k);
+    if (status != LOFT_OK)
+        return status;
+    point_of(normal, out->normal);
+    out->gauss = double_of_acc(k.gauss);
+    out->mean  = double_of_acc(k.mean);
+    return LOFT_OK;
+}
+
+static int sided_complete(surface *s)
+{
+    const unsigned all = loft_gb_count(s->n, s->m);
+    loft_vec *p = tool_grow(NULL, all * sizeof *p), *net = tool_grow(NULL, all * sizeof *net);
+    int status = LOFT_OK;
+
+    for (unsigned i = 0; i < s->count && status == LOFT_OK; i++)
+        status = vec_of(s->point[i].p, &p[i]) ? LOFT_OK : LOFT_ERR_RANGE;
+    if (status == LOFT_OK && s->count == s->n * s->m) {
+        status = loft_gb_from_boundary(p, s->n, s->m, net);
+        s->count = 0;
+    } else if (status == LOFT_OK && s->count == all - 1) {
+        status = loft_gb_middle(p, s->n, s->m, &net[all - 1]);
+    }
+    while (status == LOFT_OK && s->count < all) {
+        surface_point q = { .w = 1, .c = 1 };
+        point_of(net[s->count], q.p);
+        surface_add_point(s, &q);
+    }
+    free(p);
+    free(net);
+    return status;
+}
+
+const engine_sides ENGINE_OF(engine_sides) = {
+    .open     = sided_open,
+    .close    = sided_close,
+    .eval     = sided_eval,
+    .look     = sided_look,
+    .complete = sided_complete
+};

@@ -14,6 +14,10 @@ typedef struct {
     int (*open)(const surface *s, engine_sided **out);
     void (*close)(engine_sided *e);
     int (*eval)(const engine_sided *e, sided_place at, double out[ENGINE_AXES]);
+    /* Normal and curvatures. LOFT_ERR_ARG: the library has them not for this kind. */
+    int (*look)(const engine_sided *e, sided_place at, engine_look *out);
+    /* Give a GB patch of which the points around it are known, or all but the last, the others. */
+    int (*complete)(surface *s);
 } engine_sides;
 
 extern const engine_sides engine_sides_q16, engine_sides_f32, engine_sides_f64;

@@ -23,6 +23,7 @@
 #include "tool.h"           /* tool_grow */
 
 #define OCTANT_POINTS 15
+#define INSIDE        1e-6      /* of a kite */
 
 /* One of the library's; which says the kind. */
 struct engine_surface {
@@ -264,14 +265,15 @@ static int local_of(const engine_surface *e, double u, double v, loft_local *out
     return status ? status : (int)loft_tensor_local(&tensor, at.v, at.w, out);
 }
 
-static int surface_look(const engine_surface *e, double u, double v, engine_look *out)
+/* Of n sides a little inside, where rounding cannot lead out of the polygon. */
+static int surface_look(const engine_surface *e, unsigned kite, double u, double v, engine_look *out)
 {
     loft_curvatures k;
     loft_local here;
     loft_vec normal;
 
     if (e->sided)
-        return LOFT_ERR_ARG;
+        return ENGINE_OF(engine_sides).look(e->sided, sided_kite(e->s, kite, fmax(u, INSIDE), fmax(v, INSIDE)), out);
     if (e->s->kind == SURFACE_SPHERE || e->s->kind == SURFACE_OCTANT)
         return look_round(e, u, v, out);
     int status = local_of(e, u, v, &here);

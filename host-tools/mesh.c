@@ -99,7 +99,7 @@ static int add_vertex(mesh *m, const engine *e, const surface *s, const engine_s
     int status = e->surface->kite(held, kite, u, v, out->p);
     if (status != 0)
         return status;
-    if (engine_f64.surface->look(fine, u, v, &here) == 0) {
+    if (engine_f64.surface->look(fine, kite, u, v, &here) == 0) {
         memcpy(out->normal, here.normal, sizeof out->normal);
         out->gauss = here.gauss;
         out->mean  = here.mean;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "polygon/basepoint.h"  /* loft_basepoint_side_of */
+#include "polygon/gb.h"         /* loft_gb_count */
 #include "polygon/lattice.h"    /* loft_lattice_polygon */
 #include "polygon/ring.h"       /* loft_ring_count */
 #include "polygon/spatch.h"     /* loft_links */
@@ -71,6 +72,7 @@ unsigned sided_points(const surface *s)
     case SURFACE_SPATCH:    return loft_multi_count(s->n, s->m);
     case SURFACE_TORIC:     return lattice_of(s, &lattice) ? loft_lattice_polygon_count(&lattice) : 0;
     case SURFACE_BASEPOINT: return loft_multi_count(3, s->m) - cut_off(s);
+    case SURFACE_GB:        return loft_gb_count(s->n, s->m);
     default:                return loft_ring_count(s->n, s->m);
     }
 }
@@ -171,7 +173,7 @@ sided_place sided_kite(const surface *patch, unsigned k, double s, double t)
 void sided_spot(const surface *patch, sided_place at, double out[2])
 {
     const double *from = patch->domain[at.k], *to = patch->domain[(at.k + 1) % SURFACE_SIDES_MAX % sided_count(patch)];
-    const bool polygon = patch->kind == SURFACE_SPATCH || patch->kind == SURFACE_TORIC;
+    const bool polygon = patch->kind == SURFACE_SPATCH || patch->kind == SURFACE_TORIC || patch->kind == SURFACE_GB;
 
     for (int j = 0; j < 2; j++)
         out[j] = !polygon ? 0 : at.how == SIDED_SIDE ? from[j] + at.u * (to[j] - from[j]) : j == 0 ? at.u : at.v;
@@ -277,7 +279,7 @@ static void basepoint_net(const surface *s, sided_edge *each, void *context)
 
 /* Blocks of a = 0 .. wide - 1, b = 0 .. high - 1 at each corner. The row at distance b from side i: the a of corner i, then the b
  * of corner i + 1 backwards. For an even degree the last a of each block lead to
- * a point in the middle. */
+ * a point in the middle; for an odd one a GB patch has such a point, to which the innermost ones lead. */
 static void ring_net(const surface *s, sided_edge *each, void *context)
 {
     const unsigned wide = s->m / 2 + 1, high = (s->m + 1) / 2, block = wide * high;
@@ -295,6 +297,8 @@ static void ring_net(const surface *s, sided_edge *each, void *context)
             const surface_point *last = here + (wide - 1) * high + b;
             each(context, last, b + 1 < high ? last + 1 : s->point + s->count - 1);
         }
+        if (s->m % 2 != 0 && s->kind == SURFACE_GB)
+            each(context, here + block - 1, s->point + s->count - 1);
     }
 }
 

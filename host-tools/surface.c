@@ -15,7 +15,8 @@ const char *surface_name(enum surface_kind kind)
     static const char *const names[SURFACE_KINDS] = {
         [SURFACE_TENSOR] = "tensor", [SURFACE_TRIANGLE] = "triangle", [SURFACE_COONS] = "coons", [SURFACE_BICUBIC] = "bicubic",
         [SURFACE_PN] = "pn", [SURFACE_SPHERE] = "sphere", [SURFACE_OCTANT] = "octant",
-        [SURFACE_SPATCH] = "spatch", [SURFACE_TORIC] = "toric", [SURFACE_BASEPOINT] = "basepoint", [SURFACE_RING] = "ring"
+        [SURFACE_SPATCH] = "spatch", [SURFACE_TORIC] = "toric", [SURFACE_BASEPOINT] = "basepoint", [SURFACE_RING] = "ring",
+        [SURFACE_GB] = "gb"
     };
     return names[kind];
 }
@@ -99,7 +100,7 @@ int surfaces_read_only(surfaces *all, const char *file)
     const int code = surfaces_read(all, file);
 
     if (code == 0 && all->count == 0)
-        return tool_error(EX_DATAERR, "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, sphere, octant, spatch, toric, basepoint or ring",
+        return tool_error(EX_DATAERR, "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, sphere, octant, spatch, toric, basepoint, ring or gb",
                           source_name(file));
     return code;
 }

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "engine_sided.h"   /* complete */
 #include "lines.h"      /* lines_numbers, lines_wrong */
 #include "scan.h"       /* scan_word */
 #include "sided.h"      /* sided_regular, sided_is_lattice */
@@ -91,15 +92,27 @@ static bool sides_and_degree(reading *r, unsigned most)
     return true;
 }
 
-static int head_spatch(reading *r)
+static int coordinates(reading *r)
 {
-    if (!sides_and_degree(r, SURFACE_SIDES_MAX))
-        return lines_wrong(&r->at, "not sides and depth", "give two whole numbers, 3 to 8 sides and a depth of 1 to 9");
     if (lines_word(&r->at, "meanvalue"))
         r->now->coordinates = COORDINATES_MEANVALUE;
     else
         lines_word(&r->at, "wachspress");
     return lines_over(&r->at) ? 0 : lines_wrong(&r->at, "not a kind of coordinates", "give wachspress, meanvalue or nothing");
+}
+
+static int head_spatch(reading *r)
+{
+    if (!sides_and_degree(r, SURFACE_SIDES_MAX))
+        return lines_wrong(&r->at, "not sides and depth", "give two whole numbers, 3 to 8 sides and a depth of 1 to 9");
+    return coordinates(r);
+}
+
+static int head_gb(reading *r)
+{
+    if (!sides_and_degree(r, SURFACE_SIDES_MAX) || r->now->m < 3)
+        return lines_wrong(&r->at, "not sides and degree", "give two whole numbers, 3 to 8 sides and a degree of 3 to 9");
+    return coordinates(r);
 }
 
 static int head_basepoint(reading *r)
@@ -146,7 +159,8 @@ static const row rows[] = {
     { SURFACE_SPATCH,    head_spatch,    WEIGHTED },
     { SURFACE_TORIC,     head_bare,      true, "`x y z`, `x y z : weight` or `x y z : weight coefficient`, a weight of 1/256 to 256" },
     { SURFACE_BASEPOINT, head_basepoint, WEIGHTED },
-    { SURFACE_RING,      head_ring,      false, "`x y z`" }
+    { SURFACE_RING,      head_ring,      false, "`x y z`" },
+    { SURFACE_GB,        head_gb,        false, "`x y z`" }
 };
 
 static const row *row_of_word(const char *text)
@@ -214,8 +228,8 @@ static int domain_line(reading *r)
     double x[2];
     int count;
 
-    if (r->now == NULL || (r->now->kind != SURFACE_SPATCH && r->now->kind != SURFACE_TORIC))
-        return lines_wrong(&r->at, "a polygon of no patch", "give it below `spatch` or `toric`");
+    if (r->now == NULL || (r->now->kind != SURFACE_SPATCH && r->now->kind != SURFACE_GB && r->now->kind != SURFACE_TORIC))
+        return lines_wrong(&r->at, "a polygon of no patch", "give it below `spatch`, `gb` or `toric`");
     while ((count = lines_numbers(&r->at, x, 2)) == 2) {
         if (r->now->corners == SURFACE_SIDES_MAX)
             return lines_wrong(&r->at, "more than 8 vertices", "give 3 to 8 pairs of x and y");
@@ -249,7 +263,7 @@ static int end_domain(const lines *at, surface *s)
 
     if (s->kind == SURFACE_TORIC && !sided_is_lattice(s))
         return lines_wrong(at, "toric without a polygon", "give `domain x y x y ..` below it: whole numbers of -32 to 32, convex, counterclockwise");
-    if (s->kind == SURFACE_SPATCH && s->corners != 0 && s->corners != s->n) {
+    if (s->kind != SURFACE_TORIC && s->corners != 0 && s->corners != s->n) {
         snprintf(words, sizeof words, "%u sides over a domain of %u vertices", s->n, s->corners);
         return lines_wrong(at, words, "give as many, or none for a regular polygon");
     }
@@ -273,6 +287,8 @@ static int end_surface(reading *r)
     if (s->kind == SURFACE_TRIANGLE && !r->counted)
         s->m = triangle_degree(s->count);
     const int code = surface_is_sided(s) ? end_domain(&at, s) : 0;
+    if (code == 0 && s->kind == SURFACE_GB && engine_sides_f64.complete(s) != 0)
+        return lines_wrong(&at, "a net beyond +-32767 mm", "make the part smaller");
     if (code != 0 || (s->m <= SURFACE_DEGREE_MAX && s->count == surface_points(s)))
         return code;
     snprintf(words, sizeof words, "%s with %u point%s", surface_name(s->kind), s->count, s->count == 1 ? "" : "s");
@@ -293,7 +309,7 @@ static int word_line(reading *r)
         return code;
     if (kind == NULL) {
         snprintf(words, sizeof words, "`%.*s` is no kind of surface", length > 20 ? 20 : length, r->at.rest);
-        return lines_wrong(&r->at, words, "give tensor triangle coons bicubic pn sphere octant spatch toric basepoint or ring; curves go into a file of their own");
+        return lines_wrong(&r->at, words, "give tensor triangle coons bicubic pn sphere octant spatch toric basepoint ring or gb; curves go into a file of their own");
     }
     r->now     = surfaces_add(r->all, kind->kind, r->at.line);
     r->counted = true;

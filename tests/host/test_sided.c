@@ -63,7 +63,7 @@ static void flat_ring(char *text, size_t size, unsigned sides, unsigned degree)
         say(text, size, "0 0 3\n");
 }
 
-#define KINDS 9
+#define KINDS 11
 
 /* Text of flat patch k over a regular polygon of radius 10; its number of sides. */
 static unsigned flat(char *text, size_t size, unsigned k)
@@ -81,6 +81,15 @@ static unsigned flat(char *text, size_t size, unsigned k)
         say(text, size, "basepoint 5 %u %u %u\n", cut[0], cut[1], cut[2]);
         flat_multi(text, size, 3, 5, cut);
         return 3u + (cut[0] > 0) + (cut[1] > 0) + (cut[2] > 0);
+    }
+    if (k == 9) {
+        say(text, size, "gb 7 4\n");
+        flat_ring(text, size, 7, 4);
+        return 7;
+    }
+    if (k == 10) {                                      /* the boundary alone */
+        say(text, size, "gb 4 3\n10 0 3\n10 5 3\n10 8 3\n10 10 3\n5 10 3\n2 10 3\n0 10 3\n0 5 3\n0 2 3\n0 0 3\n2 0 3\n5 0 3\n");
+        return 4;
     }
     say(text, size, "ring %u %u\n", k == 6 ? 3 : k - 2, k - 4);
     flat_ring(text, size, k == 6 ? 3 : k - 2, k - 4);
@@ -180,7 +189,7 @@ static void count_edge(void *context, const surface_point *from, const surface_p
 
 static void nets_are_whole(arb *a)
 {
-    static const unsigned edges[KINDS] = { 75, 36, 8, 45, 36, 29, 9, 30, 60 };
+    static const unsigned edges[KINDS] = { 75, 36, 8, 45, 36, 29, 9, 30, 60, 70, 28 };
     char text[20000];
     surfaces all;
     mesh m;
@@ -267,7 +276,8 @@ static void broken_texts_are_refused(arb *a)
         { "toric\ndomain 0 0  1 0  0.5 1\n0 0\n", "test:3: no polygon" }, { "toric\n", "test:1: toric without a polygon" },
         { "toric\ndomain 0 0  1 0  0 1\n0 0 0 : 1 0\n", "test:3: not a point" }, { "basepoint 3 2 1 0\n", "test:1: not a cut" },
         { "basepoint 3\n", "test:1: not a degree and three cuts" },  { "ring 4 3\n", "test:1: not sides and degree" },
-        { "ring 5 3\n0 0 0 : 2\n", "test:2: not a point" },          { "tensor 1 1\ndomain 0 0\n", "test:2: a polygon of no patch" },
+        { "ring 5 3\n0 0 0 : 2\n", "test:2: not a point" },          { "gb 5 2\n", "test:1: not sides and degree" },
+        { "gb 4 3\n0 0\n1 0\n", "test:1: gb with 2 points" },      { "tensor 1 1\ndomain 0 0\n", "test:2: a polygon of no patch" },
         { "spatch 3 1\ndomain 0 0 1\n", "test:2: not a vertex" },    { "spatch 3 1\ndomain 0 0 1 0 2 0 3 0 4 0 5 0 6 0 7 0 8 0\n", "test:2: more than 8 vertices" }
     };
     surfaces all;
