@@ -299,6 +299,9 @@ static int sided_look(const engine_sided *e, sided_place at, engine_look *out)
 static int sided_complete(surface *s)
 {
     const unsigned all = loft_gb_count(s->n, s->m);
+
+    if (s->count != s->n * s->m && s->count != all - 1)
+        return LOFT_OK;
     loft_vec *p = tool_grow(NULL, all * sizeof *p), *net = tool_grow(NULL, all * sizeof *net);
     int status = LOFT_OK;
 
@@ -307,7 +310,7 @@ static int sided_complete(surface *s)
     if (status == LOFT_OK && s->count == s->n * s->m) {
         status = loft_gb_from_boundary(p, s->n, s->m, net);
         s->count = 0;
-    } else if (status == LOFT_OK && s->count == all - 1) {
+    } else if (status == LOFT_OK) {
         status = loft_gb_middle(p, s->n, s->m, &net[all - 1]);
     }
     while (status == LOFT_OK && s->count < all) {

@@ -16,7 +16,7 @@ typedef struct {
     int (*eval)(const engine_sided *e, sided_place at, double out[ENGINE_AXES]);
     /* Normal and curvatures. LOFT_ERR_ARG: the library has them not for this kind. */
     int (*look)(const engine_sided *e, sided_place at, engine_look *out);
-    /* Give a GB patch of which the points around it are known, or all but the last, the others. */
+    /* Give a GB patch of which the points around it are known, or all but the last, the others; with any other number nothing. */
     int (*complete)(surface *s);
 } engine_sides;
 
