@@ -111,7 +111,8 @@ static inline void mill_init(mill *m, uint32_t boot, uint16_t queue, uint32_t pe
     m->traits.queue   = queue;
     m->traits.tick_hz = 1000;
     m->traits.slots   = 40;
-    m->traits.kinds   = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
+    m->traits.curves  = queue;
+    m->traits.kinds   = 1u << LOFT_SPANS | 1u << LOFT_POINTS | 1u << LOFT_CURVES;
     for (int i = 0; i < LOFT_AXES; i++) {
         m->traits.axis[i].steps_per_mm = (80 + i) * 65536;
         m->traits.axis[i].max_speed    = 200 * 65536;
@@ -128,11 +129,11 @@ static inline void job_item(uint32_t id, enum loft_kind kind, uint32_t n, loft_i
 {
     arb a = arb_start(((uint64_t)id << 32) + n);
     memset(out, 0, sizeof *out);
-    out->ticks = kind == LOFT_SPANS ? (uint16_t)(1 + arb_below(&a, 50)) : 1;
-    for (int k = kind == LOFT_SPANS ? 0 : 2; k < 3; k++)
+    out->ticks = kind == LOFT_POINTS ? 1 : (uint16_t)(1 + arb_below(&a, 50));
+    for (int k = kind == LOFT_POINTS ? 2 : 0; k < 3; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            out->p[k][i] = (int32_t)(3*n + (uint32_t)k) * (kind == LOFT_SPANS ? 900 : 1) * (i + 1)
-                         + (int32_t)arb_below(&a, n % 40 == 0 ? 100000 : kind == LOFT_SPANS ? 60 : 3);
+            out->p[k][i] = (int32_t)(3*n + (uint32_t)k) * (kind == LOFT_POINTS ? 1 : 900) * (i + 1)
+                         + (int32_t)arb_below(&a, n % 40 == 0 ? 100000 : kind == LOFT_POINTS ? 3 : 60);
 }
 
 static inline void mill_item(mill *m, const loft_item *got)
@@ -243,6 +244,8 @@ typedef struct {
     uint32_t    asleep, frozen;             /* ms that the host gets no turn; that the line passes nothing on */
 } world;
 
+static const loft_job_limits world_limits;
+
 static inline void world_source(void *context, uint32_t index, loft_item *out)
 {
     const world *w = context;
@@ -266,7 +269,8 @@ static inline void world_init(world *w, arb *a, uint16_t queue, uint32_t period,
     w->rate  = 11;
     w->count = count;
     w->job.id   = 1 + arb_below(a, 0xFFFFFFFEu);
-    w->job.kind = (uint8_t)(arb_below(a, 2) ? LOFT_SPANS : LOFT_POINTS);
+    w->job.kind = (uint8_t)(arb_below(a, 2) ? LOFT_SPANS : arb_below(a, 3) ? LOFT_POINTS : LOFT_CURVES);
+    w->job.limits = &world_limits;
     for (int i = 0; i < LOFT_AXES; i++)
         w->job.start[i] = arb_raw(a, 5000);
     mill_init(&w->m, (uint32_t)arb_next(a), queue, period);

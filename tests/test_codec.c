@@ -5,6 +5,7 @@
 
 #include "check.h"          /* CHECK, PROPERTY, BY_NUM */
 #include "wire/codec.h"
+#include "wire/curve_code.h"    /* LOFT_CURVE_BYTES */
 
 /* Any int32 at all, extremes and small numbers over-represented. */
 static int32_t arb_int32(arb *a)
@@ -61,15 +62,41 @@ static void arb_points(arb *a, loft_item item[], int count)
     }
 }
 
+/* A line from x: its inner points at the thirds, to the nearest. Modulo 2^32. */
+static void make_line(loft_item *item, int i, uint32_t x, int32_t by)
+{
+    const int32_t third = (int32_t)(((int64_t)by * 2 + (by < 0 ? -3 : 3)) / 6);
+    item->p[0][i] = (int32_t)(x + (uint32_t)third);
+    item->p[1][i] = (int32_t)(x + (uint32_t)by - (uint32_t)third);
+    item->p[2][i] = (int32_t)(x + (uint32_t)by);
+}
+
+/* Curves as spans are, but for any feed, which often stays; among them lines, points, and axes that do not move. */
+static void arb_curves(arb *a, loft_item item[], int count)
+{
+    arb_spans(a, item, count);
+    for (int n = 0; n < count; n++) {
+        const uint32_t taste = arb_below(a, 4);
+        item[n].ticks = n > 0 && arb_below(a, 4) ? item[n - 1].ticks : (uint16_t)(1 + arb_below(a, 65535));
+        for (int i = 0; i < LOFT_AXES && n > 0; i++)
+            if (taste == 0)
+                make_line(&item[n], i, (uint32_t)item[n - 1].p[2][i], arb_int32(a));
+            else if (taste == 1 && arb_below(a, 2))
+                item[n].p[0][i] = item[n].p[1][i] = item[n].p[2][i] = item[n - 1].p[2][i];
+    }
+}
+
 static void arb_items(arb *a, enum loft_kind kind, loft_item item[], int count)
 {
     if (kind == LOFT_SPANS)
         arb_spans(a, item, count);
+    else if (kind == LOFT_CURVES)
+        arb_curves(a, item, count);
     else
         arb_points(a, item, count);
 }
 
-static enum loft_kind arb_kind(arb *a)          { return (enum loft_kind)(LOFT_SPANS + arb_below(a, 3)); }
+static enum loft_kind arb_kind(arb *a)          { return (enum loft_kind)(LOFT_SPANS + arb_below(a, 4)); }
 
 static bool same_item(const loft_item *a, const loft_item *b)
 {
@@ -98,7 +125,7 @@ enum { MANY = 300 };
 static void any_items_come_out_as_they_went_in(arb *a)
 {
     const enum loft_kind kind = arb_kind(a);
-    const uint8_t room = (uint8_t)(LOFT_ITEM_BYTES + arb_below(a, 256 - LOFT_ITEM_BYTES));
+    const uint8_t room = (uint8_t)(LOFT_CURVE_BYTES + arb_below(a, 256 - LOFT_CURVE_BYTES));
     loft_predictor sending = arb_predictor(a), receiving = sending;
     loft_item item[MANY], got;
     uint8_t byte[255];
@@ -203,6 +230,9 @@ static void ticks_out_of_range_are_refused(arb *a)
     loft_packer_init(&p, LOFT_POINTS, &start, byte, 255);
     item.ticks = 2;
     CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE && p.size == 0);
+    loft_packer_init(&p, LOFT_CURVES, &start, byte, 255);
+    item.ticks = 0;
+    CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE && p.size == 0);
 }
 
 /* The largest item there is: every residual needs five bytes (spans), four (points). */
@@ -224,6 +254,10 @@ static void the_largest_item_fits_its_bytes(arb *a)
     item.ticks = LOFT_SPAN_TICKS_MAX;
     loft_packer_init(&p, LOFT_SPANS, &start, byte, LOFT_ITEM_BYTES);
     CHECK(loft_packer_push(&p, &item) == LOFT_OK && p.size == LOFT_ITEM_BYTES);
+
+    item.ticks = 65535;
+    loft_packer_init(&p, LOFT_CURVES, &start, byte, LOFT_CURVE_BYTES);
+    CHECK(loft_packer_push(&p, &item) == LOFT_OK && p.size == LOFT_CURVE_BYTES);
 
     item.ticks = 1;
     for (int i = 0; i < LOFT_AXES; i++)
@@ -254,6 +288,26 @@ static void points_take_the_bytes_of_the_table(arb *a)
     }
 }
 
+/* A line takes one residual per axis that moves, and no feed if it stays. */
+static void lines_take_one_residual_for_each_axis(arb *a)
+{
+    const loft_predictor start = arb_predictor(a);
+    loft_item item = { 0 };
+    uint8_t byte[255], size = 1;
+    loft_packer p;
+
+    item.ticks = (uint16_t)(1 + arb_below(a, 65535));
+    loft_packer_init(&p, LOFT_CURVES, &start, byte, 255);
+    p.predictor.bend[0] = item.ticks;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int32_t by = arb_below(a, 3) ? (int32_t)(1 + arb_below(a, 1u << 27)) * (arb_below(a, 2) ? -1 : 1) : 0;
+        make_line(&item, i, start.position[i], by);
+        const uint32_t z = by < 0 ? (uint32_t)by * 0xFFFFFFFEu - 1 : 2 * (uint32_t)by;
+        size = (uint8_t)(size + (by == 0 ? 0 : z < 1u << 7 ? 1 : z < 1u << 14 ? 2 : z < 1u << 21 ? 3 : z < 1u << 28 ? 4 : 5));
+    }
+    CHECK(loft_packer_push(&p, &item) == LOFT_OK && p.size == size);
+}
+
 /* Motion with even jerk: second differences grow, third ones stay: one byte a point. */
 static void fine_points_take_one_byte_at_even_jerk(arb *a)
 {
@@ -281,11 +335,13 @@ static void fine_points_take_one_byte_at_even_jerk(arb *a)
 static void any_bytes_are_items_or_refused(arb *a)
 {
     const enum loft_kind kind = arb_kind(a);
-    const loft_predictor start = arb_predictor(a);
     const uint8_t size = (uint8_t)arb_below(a, 120);
+    loft_predictor start = arb_predictor(a);
     uint8_t byte[120];
     int accepted = 0;
 
+    if (kind == LOFT_CURVES)                /* the first curve of a job must say its feed, which the machine sees to */
+        start.bend[0] = 1 + arb_below(a, 65535);
     for (int i = 0; i < size; i++)
         byte[i] = (uint8_t)(arb_below(a, 3) ? arb_below(a, 128) : arb_next(a));
     for (int count = 0; count < 256; count++) {
@@ -360,6 +416,27 @@ static void other_spellings_of_a_span_are_refused(arb *a)
     CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 4), 1) == LOFT_ERR_DATA);
 }
 
+static void other_spellings_of_a_curve_are_refused(arb *a)
+{
+    uint8_t byte[LOFT_CURVE_BYTES] = { 0 };
+    loft_unpacker u;
+    (void)a;
+
+    CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 1, 1) == LOFT_OK);      /* a point, at the feed before */
+    byte[0] = 0x80, byte[1] = 0;                                        /* no feed */
+    CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 2, 1) == LOFT_ERR_DATA);
+    byte[1] = 0xFF, byte[2] = 0xFF, byte[3] = 0x03;                     /* 65535 */
+    CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 4, 1) == LOFT_OK);
+    byte[1] = 0x80, byte[2] = 0x80, byte[3] = 0x04;                     /* 65536 */
+    CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 4, 1) == LOFT_ERR_DATA);
+    byte[1] = 0x81, byte[2] = 0;                                        /* 1, in two bytes */
+    CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 3, 1) == LOFT_ERR_DATA);
+    for (int i = 0; i < 6; i++) {                                       /* an axis that there is not */
+        byte[0] = (uint8_t)(0x40u | 1u << i), byte[1] = 2;
+        CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 2, 1) == (i < LOFT_AXES ? LOFT_OK : LOFT_ERR_DATA));
+    }
+}
+
 /* Exactly in q16 and f64; in f32 to half an ulp: 2^-9 of 32768. */
 static void items_are_spans_of_the_library(arb *a)
 {
@@ -416,6 +493,8 @@ int main(void)
     PROPERTY(no_frame_holds_more_than_255_items, 10);
     PROPERTY(ticks_out_of_range_are_refused, 1);
     PROPERTY(the_largest_item_fits_its_bytes, 1);
+    PROPERTY(lines_take_one_residual_for_each_axis, 1000);
+    PROPERTY(other_spellings_of_a_curve_are_refused, 1);
     PROPERTY(fine_points_take_one_byte_at_even_jerk, 100);
     PROPERTY(points_take_the_bytes_of_the_table, 100);
     PROPERTY(any_bytes_are_items_or_refused, 3000);

@@ -93,16 +93,19 @@ static void welcomes_come_back(arb *a)
     loft_welcome m, g;
     m.version = arb_u8(a), m.nonce = arb_u32(a), m.boot = arb_u32(a), m.job = arb_u32(a), m.ack = arb_ack(a);
     m.axes = arb_u8(a), m.num = arb_u8(a), m.frame_max = arb_u8(a);
-    m.queue = arb_u16(a), m.tick_hz = arb_u16(a), m.slots = arb_u16(a);
+    m.queue = arb_u16(a), m.tick_hz = arb_u16(a), m.slots = arb_u16(a), m.kinds = arb_u8(a), m.curves = arb_u16(a);
     const size_t n = loft_welcome_encode(&m, session, wire);
-    CHECK(n == 46);
+    CHECK(n == 49);
     loft_frame f = content(wire, n);
     IS(f, LOFT_WELCOME, 0, session);
     CHECK(loft_welcome_decode(&f, &g) == LOFT_OK);
     CHECK(g.version == m.version && g.nonce == m.nonce && g.boot == m.boot && g.job == m.job && same_ack(&g.ack, &m.ack));
     CHECK(g.axes == m.axes && g.num == m.num && g.frame_max == m.frame_max);
-    CHECK(g.queue == m.queue && g.tick_hz == m.tick_hz && g.slots == m.slots);
+    CHECK(g.queue == m.queue && g.tick_hz == m.tick_hz && g.slots == m.slots && g.kinds == m.kinds && g.curves == m.curves);
     REFUSES_OTHER_LENGTHS(f, loft_welcome_decode(&f, &g), true);
+    f.count = (uint8_t)(f.count - 3);                           /* of a machine that does not say */
+    CHECK(loft_welcome_decode(&f, &g) == LOFT_OK && g.slots == m.slots && g.kinds == 6 && g.curves == 0);
+    REFUSES_OTHER_LENGTHS(f, loft_welcome_decode(&f, &g), false);
 }
 
 static void axes_come_back(arb *a)
@@ -139,11 +142,38 @@ static void jobs_come_back(arb *a)
     CHECK(loft_job_decode(&f, &g) == LOFT_OK && g.nonce == m.nonce && g.id == m.id && g.kind == m.kind);
     CHECK(memcmp(g.start, m.start, sizeof g.start) == 0);
     REFUSES_OTHER_LENGTHS(f, loft_job_decode(&f, &g), false);
-    f.byte[10] = (uint8_t)(arb_below(a, 2) ? 0 : 3 + arb_below(a, 253));        /* kind */
+    f.byte[10] = (uint8_t)(arb_below(a, 2) ? 0 : 5 + arb_below(a, 251));        /* kind */
     CHECK(loft_job_decode(&f, &g) == LOFT_ERR_DATA);
     m.id = 0;
     f = content(wire, loft_job_encode(&m, session, wire));
     CHECK(loft_job_decode(&f, &g) == LOFT_ERR_DATA);
+}
+
+static void jobs_of_curves_bring_their_limits(arb *a)
+{
+    uint8_t wire[LOFT_FRAME_MAX];
+    loft_job_limits l, k;
+    loft_job m, g;
+
+    m.nonce = arb_u32(a), m.id = arb_u32(a) | 1, m.kind = LOFT_CURVES, m.limits = &l;
+    arb_axes(a, m.start);
+    memset(&l, 0, sizeof l);
+    memset(&k, 0, sizeof k);
+    l.corner = arb_i32(a), l.tol = arb_i32(a);
+    for (int i = 0; i < LOFT_AXES; i++)
+        l.axis[i].max_speed = arb_i32(a), l.axis[i].max_accel = arb_i32(a), l.axis[i].max_jerk = arb_u32(a);
+    const size_t n = loft_job_encode(&m, 9, wire);
+    CHECK(n == 25 + 16 * LOFT_AXES);
+    loft_frame f = content(wire, n);
+    CHECK(loft_job_decode(&f, &g) == LOFT_OK && g.id == m.id && g.kind == LOFT_CURVES && memcmp(g.start, m.start, sizeof g.start) == 0);
+    CHECK(loft_job_limits_decode(&f, &k) == LOFT_OK && memcmp(&l, &k, sizeof l) == 0);
+    REFUSES_OTHER_LENGTHS(f, loft_job_decode(&f, &g), false);
+    REFUSES_OTHER_LENGTHS(f, loft_job_limits_decode(&f, &k), false);
+    for (f.count = 2; f.count < n - LOFT_FRAME_EXTRA; f.count++)
+        CHECK(loft_job_decode(&f, &g) == LOFT_ERR_DATA && loft_job_limits_decode(&f, &k) == LOFT_ERR_DATA);
+    m.kind = LOFT_SPANS;
+    f = content(wire, loft_job_encode(&m, 9, wire));
+    CHECK(loft_job_limits_decode(&f, &k) == LOFT_ERR_DATA);
 }
 
 static void short_ones_come_back(arb *a)
@@ -245,9 +275,10 @@ static void reports_come_back(arb *a)
 /* Items fill a frame to the machine's size and no further; the number of the first is sent modulo 65536. */
 static void items_come_back(arb *a)
 {
-    const uint8_t frame_max = (uint8_t)(13 + 15 * LOFT_AXES + arb_below(a, 256 - 13 - 15 * LOFT_AXES));
-    static const enum loft_message type[] = { [LOFT_SPANS] = LOFT_DATA_SPANS, [LOFT_POINTS] = LOFT_DATA_POINTS, [LOFT_POINTS_FINE] = LOFT_DATA_FINE };
-    const enum loft_kind kind = (enum loft_kind)(LOFT_SPANS + arb_below(a, 3));
+    const uint8_t frame_max = (uint8_t)(15 + 15 * LOFT_AXES + arb_below(a, 256 - 15 - 15 * LOFT_AXES));
+    static const enum loft_message type[] = { [LOFT_SPANS] = LOFT_DATA_SPANS, [LOFT_POINTS] = LOFT_DATA_POINTS, [LOFT_POINTS_FINE] = LOFT_DATA_FINE,
+                                              [LOFT_CURVES] = LOFT_DATA_CURVES };
+    const enum loft_kind kind = (enum loft_kind)(LOFT_SPANS + arb_below(a, 4));
     const uint32_t first = arb_u32(a);
     const int32_t start[LOFT_AXES] = { 0 };
     uint8_t wire[LOFT_FRAME_MAX];
@@ -288,6 +319,7 @@ int main(void)
     PROPERTY(welcomes_come_back, 500);
     PROPERTY(axes_come_back, 500);
     PROPERTY(jobs_come_back, 500);
+    PROPERTY(jobs_of_curves_bring_their_limits, 500);
     PROPERTY(short_ones_come_back, 500);
     PROPERTY(answers_come_back, 500);
     PROPERTY(impossible_answers_are_refused, 300);

@@ -54,9 +54,18 @@ static unsigned long ul(uint32_t x)     { return x; }
 
 static loft_predictor state;            /* after the JOB and the items before */
 
+static void say_limits(const loft_frame *f, loft_job_limits *m)
+{
+    CHECK(loft_job_limits_decode(f, m) == LOFT_OK);
+    say(" corner=%ld tol=%ld", (long)m->corner, (long)m->tol);
+    for (int i = 0; i < LOFT_AXES; i++)
+        say(" limits=%ld,%ld,%lu", (long)m->axis[i].max_speed, (long)m->axis[i].max_accel, ul(m->axis[i].max_jerk));
+}
+
 static size_t say_host(const loft_frame *f, uint8_t wire[])
 {
     const uint8_t session = loft_message_session(f);
+    static loft_job_limits limits;
     loft_hello hello;
     loft_job job;
     loft_control control;
@@ -71,6 +80,9 @@ static size_t say_host(const loft_frame *f, uint8_t wire[])
         CHECK(loft_job_decode(f, &job) == LOFT_OK);
         say("JOB session=%u nonce=0x%08lX id=0x%08lX kind=%u", session, ul(job.nonce), ul(job.id), job.kind);
         say_axes("start", job.start);
+        if (job.kind == LOFT_CURVES)
+            say_limits(f, &limits);
+        job.limits = &limits;
         loft_predictor_init(&state, job.start);
         return loft_job_encode(&job, session, wire);
     case LOFT_END:
@@ -104,8 +116,8 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
         say("WELCOME session=%u version=%u nonce=0x%08lX boot=0x%08lX job=0x%08lX", session, welcome.version,
             ul(welcome.nonce), ul(welcome.boot), ul(welcome.job));
         say_ack(&welcome.ack);
-        say(" axes=%u num=%u frame_max=%u queue=%u tick_hz=%u slots=%u", welcome.axes, welcome.num, welcome.frame_max,
-            welcome.queue, welcome.tick_hz, welcome.slots);
+        say(" axes=%u num=%u frame_max=%u queue=%u tick_hz=%u slots=%u kinds=%u curves=%u", welcome.axes, welcome.num, welcome.frame_max,
+            welcome.queue, welcome.tick_hz, welcome.slots, welcome.kinds, welcome.curves);
         return loft_welcome_encode(&welcome, session, wire);
     case LOFT_AXIS:
         CHECK(loft_axis_decode(f, &axis) == LOFT_OK);
@@ -137,10 +149,17 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
     }
 }
 
+/* How each data message is called, and the kind of its items. */
+static const struct { const char *name; enum loft_kind kind; } data_of[] = {
+    [LOFT_DATA_SPANS]  = { "SPANS", LOFT_SPANS },  [LOFT_DATA_POINTS] = { "POINTS", LOFT_POINTS },
+    [LOFT_DATA_FINE]   = { "FINE", LOFT_POINTS_FINE }, [LOFT_DATA_CURVES] = { "CURVES", LOFT_CURVES }
+};
+
 static size_t say_items(const loft_frame *f, uint8_t wire[])
 {
     const enum loft_message type = loft_message_type(f);
-    const bool spans = type == LOFT_DATA_SPANS;
+    const enum loft_kind kind = data_of[type].kind;
+    const bool cubics = kind == LOFT_SPANS || kind == LOFT_CURVES;
     const uint32_t seal = loft_predictor_seal(&state);
     loft_predictor sending = state;
     loft_unpacker u = { 0 };
@@ -149,15 +168,15 @@ static size_t say_items(const loft_frame *f, uint8_t wire[])
     uint16_t first = 0;
 
     CHECK(loft_data_first(f, &first) == LOFT_OK && loft_data_decode(f, &u) == LOFT_OK);
-    say("%s session=%u first=%u count=%u", spans ? "SPANS" : type == LOFT_DATA_POINTS ? "POINTS" : "FINE", loft_message_session(f), first, u.count);
-    loft_data_init(&p, spans ? LOFT_SPANS : type == LOFT_DATA_POINTS ? LOFT_POINTS : LOFT_POINTS_FINE, &sending, LOFT_FRAME_MAX, wire);
+    say("%s session=%u first=%u count=%u", data_of[type].name, loft_message_session(f), first, u.count);
+    loft_data_init(&p, kind, &sending, LOFT_FRAME_MAX, wire);
     while (loft_unpacker_next(&u, &state, &item)) {
-        if (spans) {
-            say(" ticks=%u", item.ticks);
+        if (cubics) {
+            say(kind == LOFT_SPANS ? " ticks=%u" : " feed=%u", item.ticks);
             say_axes("p1", item.p[0]);
             say_axes("p2", item.p[1]);
         }
-        say_axes(spans ? "p3" : "point", item.p[2]);
+        say_axes(cubics ? "p3" : "point", item.p[2]);
         CHECK(loft_packer_push(&p, &item) == LOFT_OK);
     }
     return loft_data_encode(&p, first, seal, loft_message_session(f), wire);
@@ -254,7 +273,7 @@ static void every_example_is_true(arb *a)
     }
     if (page)
         fclose(page);
-    for (unsigned type = LOFT_HELLO; type <= LOFT_DATA_FINE; type++)
+    for (unsigned type = LOFT_HELLO; type <= LOFT_DATA_CURVES; type++)
         CHECK(shown & 1u << type);
 }
 

@@ -10,11 +10,12 @@ AXES = 3
 HOST = {1: ('HELLO', 'min_version:B max_version:B nonce:X'), 2: ('JOB', 'nonce:X id:X kind:B start:A'), 5: ('END', 'total:I'),
         6: ('CONTROL', 'number:B verb:B'), 7: ('POLL', '')}
 STANDING = 'next:I limit:I executed:I state:B flags:B refusal:B control:B '
-MACHINE = {8: ('WELCOME', 'version:B nonce:X boot:X job:X ' + STANDING + 'axes:B num:B frame_max:B queue:H tick_hz:H slots:H'),
+MACHINE = {8: ('WELCOME', 'version:B nonce:X boot:X job:X ' + STANDING + 'axes:B num:B frame_max:B queue:H tick_hz:H slots:H kinds:B curves:H'),
            9: ('AXIS', 'number:B steps_per_mm:i max_speed:i max_accel:i position:i start:i'), 10: ('ACK', STANDING),
            11: ('STATUS', STANDING + 'ticks:I elapsed:I slowed:I damaged:I dropped:I position:A'),
            12: ('REPORT', 'job:X items:I ticks:I elapsed:I slowed:I state:B position:A')}
-ITEMS = {3: 'SPANS', 4: 'POINTS', 13: 'FINE'}
+LIMITS = 'corner:i tol:i ' + 'limits:L ' * AXES
+ITEMS = {3: 'SPANS', 4: 'POINTS', 13: 'FINE', 14: 'CURVES'}
 WORD = 0xFFFFFFFF
 
 
@@ -63,6 +64,26 @@ class Decoder:
                 self.position[i], self.change[i] = signed(p3), signed(p3 - p2)
             yield 'ticks=%d p1=%s p2=%s p3=%s' % (ticks, *(','.join(map(str, p)) for p in zip(*points)))
 
+    def curves(self, data, _):
+        feed = self.bend[0]
+        while data:
+            form, points = data.pop(0), []
+            feed = self.varint(data) if form & 128 else feed
+            for i in range(AXES):
+                p0 = p1 = p2 = p3 = self.position[i]
+                if form >> i & 1 and form & 64:
+                    e = signed(self.residual(data))
+                    third = (2 * abs(e) + 3) // 6 * (1 if e > 0 else -1)        # to the nearest
+                    p1, p2, p3 = p0 + third, p0 + e - third, p0 + e
+                elif form >> i & 1:
+                    p1 = self.residual(data) + p0 + self.change[i]
+                    p2 = self.residual(data) + 2 * p1 - p0
+                    p3 = self.residual(data) + 3 * p2 - 3 * p1 + p0
+                points.append([signed(p) for p in (p1, p2, p3)])
+                self.position[i], self.change[i], self.bend[i] = signed(p3), signed(p3 - p2), 0
+            self.bend[0] = feed
+            yield 'feed=%d p1=%s p2=%s p3=%s' % (feed, *(','.join(map(str, p)) for p in zip(*points)))
+
     def group(self, data, axes):
         b = data.pop(0)
         if b < 125:
@@ -93,17 +114,20 @@ class Decoder:
             raise ValueError('check %08X, expected %08X' % (check, expected))
         if kind in ITEMS:
             first, count = struct.unpack('<HB', payload[:3])
-            items = list((self.spans if kind == 3 else self.points)(payload[3:], kind))
+            items = list({3: self.spans, 14: self.curves}.get(kind, self.points)(payload[3:], kind))
             if len(items) != count:
                 raise ValueError('%d items, %d announced' % (len(items), count))
             return ' '.join(['%s session=%d first=%d count=%d' % (ITEMS[kind], session, first, count)] + items)
         name, fields = (HOST if kind < 8 else MACHINE)[kind]
         said = [name] + (['session=%d' % session] if kind != 1 else [])
+        if kind == 2 and payload[8] == 4:
+            fields += ' ' + LIMITS
         for field in fields.split():
             label, form = field.split(':')
-            form, n = {'X': 'I', 'A': 'i'}.get(form, form), AXES if form == 'A' else 1
-            size = struct.calcsize('<%d%s' % (n, form))
-            value, payload = struct.unpack('<%d%s' % (n, form), payload[:size]), payload[size:]
+            form, n = {'X': 'I', 'A': 'i', 'L': 'iiI'}.get(form, form), AXES if form == 'A' else 1
+            form = '<' + form * n
+            size = struct.calcsize(form)
+            value, payload = struct.unpack(form, payload[:size]), payload[size:]
             if kind == 2 and label == 'start':
                 self.job(value)
             said.append('%s=%s' % (label, '0x%08X' % value if field.endswith('X') else ','.join(map(str, value))))

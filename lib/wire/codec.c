@@ -3,8 +3,12 @@
  */
 #include "wire/codec.h"
 
+#include "wire/curve_code.h"    /* loft_curve_encode */
+#include "wire/varint.h"        /* loft_varint_encode */
+
 /* All differences are taken modulo 2^32 in unsigned arithmetic, so nothing overflows and every int32 returns. */
-static int32_t  signed_of(uint32_t x)   { return x & 0x80000000u ? -(int32_t)~x - 1 : (int32_t)x; }
+
+static bool is_point(enum loft_kind kind)   { return kind == LOFT_POINTS || kind == LOFT_POINTS_FINE; }
 
 void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES])
 {
@@ -17,12 +21,14 @@ void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES])
 void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item *item)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
-        const uint32_t before = kind == LOFT_SPANS ? (uint32_t)item->p[1][i] : p->position[i];
+        const uint32_t before = is_point(kind) ? p->position[i] : (uint32_t)item->p[1][i];
         const uint32_t change = p->change[i];
         p->position[i] = (uint32_t)item->p[2][i];
         p->change[i]   = p->position[i] - before;
-        p->bend[i]     = kind == LOFT_SPANS ? 0 : p->change[i] - change;
+        p->bend[i]     = is_point(kind) ? p->change[i] - change : 0;
     }
+    if (kind == LOFT_CURVES)
+        p->bend[0] = item->ticks;
 }
 
 uint32_t loft_predictor_seal(const loft_predictor *p)
@@ -40,39 +46,6 @@ uint32_t loft_predictor_seal(const loft_predictor *p)
 // Spans: ticks, then three residuals per axis
 // -------------------------------------------
 
-/* Varints: seven bits per byte, low bits first, the top bit says that more follow; the shortest form only.
- * A residual is zigzag: 0 -1 1 -2 2 .. become 0 1 2 3 4 .. */
-static uint8_t put_varint(uint8_t *byte, uint32_t x)
-{
-    uint8_t n = 0;
-    for (; x >= 0x80u; x >>= 7)
-        byte[n++] = (uint8_t)(x | 0x80u);
-    byte[n++] = (uint8_t)x;
-    return n;
-}
-
-static uint8_t put_residual(uint8_t *byte, uint32_t r)
-{
-    return put_varint(byte, (r << 1) ^ (r & 0x80000000u ? 0xFFFFFFFFu : 0u));
-}
-
-static uint32_t get_varint(const uint8_t **byte)
-{
-    uint32_t x = 0;
-    for (uint8_t shift = 0;; shift = (uint8_t)(shift + 7)) {
-        const uint8_t b = *(*byte)++;
-        x |= (uint32_t)(b & 0x7Fu) << shift;
-        if (b < 0x80u)
-            return x;
-    }
-}
-
-static uint32_t get_residual(const uint8_t **byte)
-{
-    const uint32_t z = get_varint(byte);
-    return (z >> 1) ^ (z & 1u ? 0xFFFFFFFFu : 0u);
-}
-
 /* e1 = (p1 - p0) - change     how the velocity jumps: 0 in a smooth chain of equal spans
  * e2 = p2 - 2 p1 + p0         acceleration
  * e3 = p3 - 3 p2 + 3 p1 - p0  jerk
@@ -80,53 +53,44 @@ static uint32_t get_residual(const uint8_t **byte)
  * each modulo 2^32; three equations with unit diagonal, so p1, p2, p3 come back exactly. */
 static uint8_t put_span(uint8_t *byte, const loft_predictor *p, const loft_item *item)
 {
-    uint8_t n = put_varint(byte, item->ticks);
+    uint8_t n = loft_varint_encode(byte, item->ticks);
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t p0 = p->position[i],          p1 = (uint32_t)item->p[0][i];
         const uint32_t p2 = (uint32_t)item->p[1][i], p3 = (uint32_t)item->p[2][i];
-        n = (uint8_t)(n + put_residual(byte + n, p1 - p0 - p->change[i]));
-        n = (uint8_t)(n + put_residual(byte + n, p2 - 2u*p1 + p0));
-        n = (uint8_t)(n + put_residual(byte + n, p3 - 3u*p2 + 3u*p1 - p0));
+        n = (uint8_t)(n + loft_residual_encode(byte + n, p1 - p0 - p->change[i]));
+        n = (uint8_t)(n + loft_residual_encode(byte + n, p2 - 2u*p1 + p0));
+        n = (uint8_t)(n + loft_residual_encode(byte + n, p3 - 3u*p2 + 3u*p1 - p0));
     }
     return n;
 }
 
 static const uint8_t *get_span(const uint8_t *byte, const loft_predictor *p, loft_item *item)
 {
-    item->ticks = (uint16_t)get_varint(&byte);
+    item->ticks = (uint16_t)loft_varint_decode(&byte);
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t p0 = p->position[i];
-        const uint32_t p1 = get_residual(&byte) + p0 + p->change[i];
-        const uint32_t p2 = get_residual(&byte) + 2u*p1 - p0;
-        const uint32_t p3 = get_residual(&byte) + 3u*(p2 - p1) + p0;
-        item->p[0][i] = signed_of(p1);
-        item->p[1][i] = signed_of(p2);
-        item->p[2][i] = signed_of(p3);
+        const uint32_t p1 = loft_residual_decode(&byte) + p0 + p->change[i];
+        const uint32_t p2 = loft_residual_decode(&byte) + 2u*p1 - p0;
+        const uint32_t p3 = loft_residual_decode(&byte) + 3u*(p2 - p1) + p0;
+        item->p[0][i] = loft_word_signed(p1);
+        item->p[1][i] = loft_word_signed(p2);
+        item->p[2][i] = loft_word_signed(p3);
     }
     return byte;
-}
-
-/* The length of the varint at byte[0], 0 if it is cut off, longer than 32 bits, or not the shortest form. */
-static uint8_t varint_size(const uint8_t *byte, uint8_t left)
-{
-    for (uint8_t n = 0; n < left && n < 5; n++)
-        if (byte[n] < 0x80u)
-            return (n > 0 && byte[n] == 0) || (n == 4 && byte[n] > 0x0Fu) ? 0 : (uint8_t)(n + 1);
-    return 0;
 }
 
 /* The length of the span at byte[0], 0 if there is no good one. */
 static uint8_t span_size(const uint8_t *byte, uint8_t left)
 {
     const uint8_t *at = byte;
-    uint8_t size = varint_size(byte, left);
+    uint8_t size = loft_varint_size(byte, left);
     if (size == 0 || size > 2)
         return 0;
-    const uint32_t ticks = get_varint(&at);
+    const uint32_t ticks = loft_varint_decode(&at);
     if (ticks < 1 || ticks > LOFT_SPAN_TICKS_MAX)
         return 0;
     for (uint8_t i = 0; i < 3 * LOFT_AXES; i++) {
-        const uint8_t n = varint_size(byte + size, (uint8_t)(left - size));
+        const uint8_t n = loft_varint_size(byte + size, (uint8_t)(left - size));
         if (n == 0)
             return 0;
         size = (uint8_t)(size + n);
@@ -238,7 +202,7 @@ static const uint8_t *get_point(const uint8_t *byte, bool still, enum loft_kind 
             byte = get_group(byte, r, group_axes(first));
         for (int i = first; i < LOFT_AXES && i < first + 3; i++) {
             item->p[0][i] = item->p[1][i] = 0;
-            item->p[2][i] = signed_of(expected(kind, p, i) + r[i - first]);
+            item->p[2][i] = loft_word_signed(expected(kind, p, i) + r[i - first]);
         }
     }
     return byte;
@@ -291,19 +255,29 @@ static uint8_t put_run(loft_packer *p, uint8_t *byte)
     return 1;
 }
 
+static uint16_t most_ticks(enum loft_kind kind)
+{
+    return kind == LOFT_CURVES ? 0xFFFFu : kind == LOFT_SPANS ? LOFT_SPAN_TICKS_MAX : 1;
+}
+
+static uint8_t put_item(uint8_t *byte, enum loft_kind kind, const loft_predictor *p, const loft_item *item)
+{
+    return kind == LOFT_CURVES ? loft_curve_encode(byte, p, item)
+         : kind == LOFT_SPANS  ? put_span(byte, p, item) : put_point(byte, kind, p, item);
+}
+
 enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
 {
     const enum loft_kind kind = (enum loft_kind)p->kind;
-    const bool still = kind != LOFT_SPANS && is_still(kind, &p->predictor, item);
-    uint8_t byte[LOFT_ITEM_BYTES], n;
+    const bool still = is_point(kind) && is_still(kind, &p->predictor, item);
+    uint8_t byte[LOFT_CURVE_BYTES], n;
 
-    if (item->ticks < 1 || item->ticks > (kind == LOFT_SPANS ? LOFT_SPAN_TICKS_MAX : 1))
+    if (item->ticks < 1 || item->ticks > most_ticks(kind))
         return LOFT_ERR_RANGE;
     if (p->count == 255)
         return LOFT_ERR_SPACE;
 
-    n = still ? put_run(p, byte) : kind == LOFT_SPANS ? put_span(byte, &p->predictor, item)
-                                                      : put_point(byte, kind, &p->predictor, item);
+    n = still ? put_run(p, byte) : put_item(byte, kind, &p->predictor, item);
     if (n > p->room - p->size)
         return LOFT_ERR_SPACE;
     for (uint8_t i = 0; i < n; i++)
@@ -319,14 +293,18 @@ enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
 // Unpacking
 // ---------
 
+static uint8_t item_size(enum loft_kind kind, const uint8_t *byte, uint8_t left)
+{
+    return kind == LOFT_CURVES ? loft_curve_size(byte, left) : kind == LOFT_SPANS ? span_size(byte, left) : point_size(byte, left);
+}
+
 enum loft_status loft_unpacker_init(loft_unpacker *u, enum loft_kind kind, const uint8_t *byte, uint8_t size,
                                     uint8_t count)
 {
     uint16_t found = 0;
     for (uint8_t at = 0, n; at < size; at = (uint8_t)(at + n)) {
-        const bool run = kind != LOFT_SPANS && byte[at] >= RUN;
-        n = run ? 1 : kind == LOFT_SPANS ? span_size(byte + at, (uint8_t)(size - at))
-                                         : point_size(byte + at, (uint8_t)(size - at));
+        const bool run = is_point(kind) && byte[at] >= RUN;
+        n = run ? 1 : item_size(kind, byte + at, (uint8_t)(size - at));
         if (n == 0)
             return LOFT_ERR_DATA;
         found = (uint16_t)(found + (run ? byte[at] - 127u : 1u));
@@ -349,6 +327,8 @@ bool loft_unpacker_next(loft_unpacker *u, loft_predictor *predictor, loft_item *
 
     if (u->kind == LOFT_SPANS) {
         u->byte = get_span(u->byte, predictor, out);
+    } else if (u->kind == LOFT_CURVES) {
+        u->byte = loft_curve_decode(u->byte, predictor, out);
     } else {
         if (u->run == 0 && *u->byte >= RUN)
             u->run = (uint8_t)(*u->byte++ - 127);

@@ -5,6 +5,7 @@
  *
  *   spans     a cubic in time per axis, in mm as raw Q16.16, for a whole number of ticks
  *   points    a place in machine steps, one per tick: their second differences, or, in fine units, their third
+ *   curves    a cubic in mm as raw Q16.16 and a feed, for a machine that plans
  *
  * Both ends keep the same predictor: where the item before ended and how it was moving. Everything is integer
  * arithmetic modulo 2^32, so any int32 coordinates come out as they went in, on every machine and number type.
@@ -18,16 +19,17 @@
 enum loft_kind {
     LOFT_SPANS  = 1,
     LOFT_POINTS = 2,
-    LOFT_POINTS_FINE = 3    /* how points may be packed: by third differences. A job of them is of kind LOFT_POINTS */
+    LOFT_POINTS_FINE = 3,   /* how points may be packed: by third differences. A job of them is of kind LOFT_POINTS */
+    LOFT_CURVES = 4
 };
 
 /* One item. Where it begins is where the one before ended, so a span's p0 is not in it. */
 typedef struct {
-    int32_t  p[3][LOFT_AXES];   /* spans: p1 p2 p3, raw Q16.16 mm; points: p[2] is the place in steps, p[0] and p[1] are 0 */
-    uint16_t ticks;             /* spans: 1..LOFT_SPAN_TICKS_MAX; points: 1                                               */
+    int32_t  p[3][LOFT_AXES];   /* spans, curves: p1 p2 p3, raw Q16.16 mm; points: p[2] is the place in steps, p[0] and p[1] are 0 */
+    uint16_t ticks;             /* spans: 1..LOFT_SPAN_TICKS_MAX; points: 1; curves: the feed, 1..65535 mm/min             */
 } loft_item;
 
-/* Bytes that one item takes at the most: residuals of five bytes; and what a frame must have room for. */
+/* Bytes that a span or a point takes at the most (a curve: curve_code.h): residuals of five bytes; and what a frame must have room for. */
 #define LOFT_ITEM_BYTES (2 + 15 * LOFT_AXES)
 #if LOFT_FRAME_MAX < 13 + 15 * LOFT_AXES
 #  error "a frame must hold the largest item: LOFT_FRAME_MAX must be at least 13 + 15 * LOFT_AXES"
@@ -36,8 +38,8 @@ typedef struct {
 /* The predictor: what both ends know before an item. */
 typedef struct {
     uint32_t position[LOFT_AXES];       /* where the item before ended                              */
-    uint32_t change[LOFT_AXES];         /* spans: its p3 - p2; points: its step from the one before */
-    uint32_t bend[LOFT_AXES];           /* points: by what the step has changed; spans: 0           */
+    uint32_t change[LOFT_AXES];         /* spans, curves: its p3 - p2; points: its step from the one before           */
+    uint32_t bend[LOFT_AXES];           /* points: by what the step has changed; curves: its feed in bend[0]; else 0  */
 } loft_predictor;
 
 /* Items on their way into bytes. */

@@ -3,6 +3,9 @@
  */
 #include "wire/message.h"
 
+/* What JOB says behind `start` for curves. */
+#define LIMITS_BYTES (8 + 12 * LOFT_AXES)
+
 /* HELLO and WELCOME never change their form, so they carry version 0. */
 #define FOREVER 0
 
@@ -114,6 +117,17 @@ enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m)
     return read_some(&r, m->min_version <= m->max_version);
 }
 
+static void put_limits(writer *w, const loft_job_limits *m)
+{
+    put32(w, (uint32_t)m->corner);
+    put32(w, (uint32_t)m->tol);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        put32(w, (uint32_t)m->axis[i].max_speed);
+        put32(w, (uint32_t)m->axis[i].max_accel);
+        put32(w, m->axis[i].max_jerk);
+    }
+}
+
 size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
     writer w = start(wire, LOFT_JOB, LOFT_WIRE_VERSION, session);
@@ -121,17 +135,42 @@ size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRA
     put32(&w, m->id);
     put8(&w, m->kind);
     put_axes(&w, m->start);
+    if (m->kind == LOFT_CURVES)
+        put_limits(&w, m->limits);
     return finish(&w);
 }
 
-enum loft_status loft_job_decode(const loft_frame *f, loft_job *m)
+static reader read_job(const loft_frame *f, loft_job *m)
 {
     reader r = read_from(f);
     m->nonce = get32(&r);
     m->id    = get32(&r);
     m->kind  = get8(&r);
     get_axes(&r, m->start);
-    return read_all(&r, m->id != 0 && (m->kind == LOFT_SPANS || m->kind == LOFT_POINTS));
+    m->limits = NULL;
+    return r;
+}
+
+enum loft_status loft_job_decode(const loft_frame *f, loft_job *m)
+{
+    reader r = read_job(f, m);
+    if (m->kind == LOFT_CURVES)
+        r.at = (uint8_t)(r.at + LIMITS_BYTES);
+    return read_all(&r, m->id != 0 && (m->kind == LOFT_SPANS || m->kind == LOFT_POINTS || m->kind == LOFT_CURVES));
+}
+
+enum loft_status loft_job_limits_decode(const loft_frame *f, loft_job_limits *m)
+{
+    loft_job job;
+    reader r = read_job(f, &job);
+    m->corner = get_i32(&r);
+    m->tol    = get_i32(&r);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        m->axis[i].max_speed = get_i32(&r);
+        m->axis[i].max_accel = get_i32(&r);
+        m->axis[i].max_jerk  = get32(&r);
+    }
+    return read_all(&r, job.kind == LOFT_CURVES);
 }
 
 size_t loft_end_encode(uint32_t total, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
@@ -182,11 +221,12 @@ void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *p
 }
 
 static const uint8_t message_of[] = { [LOFT_SPANS] = LOFT_DATA_SPANS, [LOFT_POINTS] = LOFT_DATA_POINTS,
-                                      [LOFT_POINTS_FINE] = LOFT_DATA_FINE };
+                                      [LOFT_POINTS_FINE] = LOFT_DATA_FINE, [LOFT_CURVES] = LOFT_DATA_CURVES };
 
 static enum loft_kind kind_of(enum loft_message type)
 {
-    return type == LOFT_DATA_SPANS ? LOFT_SPANS : type == LOFT_DATA_POINTS ? LOFT_POINTS : LOFT_POINTS_FINE;
+    return type == LOFT_DATA_SPANS ? LOFT_SPANS : type == LOFT_DATA_POINTS ? LOFT_POINTS
+         : type == LOFT_DATA_CURVES ? LOFT_CURVES : LOFT_POINTS_FINE;
 }
 
 bool loft_data_carried(const loft_frame *f)
@@ -273,6 +313,8 @@ size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[
     put16(&w, m->queue);
     put16(&w, m->tick_hz);
     put16(&w, m->slots);
+    put8(&w, m->kinds);
+    put16(&w, m->curves);
     return finish(&w);
 }
 
@@ -290,6 +332,12 @@ enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m)
     m->queue     = get16(&r);
     m->tick_hz   = get16(&r);
     m->slots     = get16(&r);
+    m->kinds     = 1u << LOFT_SPANS | 1u << LOFT_POINTS;    /* of machines that do not say */
+    m->curves    = 0;
+    if (f->count > r.at) {
+        m->kinds  = get8(&r);
+        m->curves = get16(&r);
+    }
     return read_some(&r, sound);
 }
 

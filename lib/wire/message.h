@@ -4,7 +4,7 @@
  * Every message is a struct and two functions: encode makes a whole frame of it, ready to be sent; decode
  * reads the content of a received frame. All numbers are little endian; WIRE.md has the tables.
  *
- *     host to machine   HELLO  JOB  SPANS  POINTS  FINE  END  CONTROL  POLL
+ *     host to machine   HELLO  JOB  SPANS  POINTS  FINE  CURVES  END  CONTROL  POLL
  *     machine to host   WELCOME  AXIS  ACK  STATUS  REPORT
  */
 #ifndef LOFT_WIRE_MESSAGE_H
@@ -23,7 +23,8 @@ enum loft_message {
     LOFT_END     = 0x5,     LOFT_REPORT  = 0xC,
     LOFT_CONTROL = 0x6,
     LOFT_POLL    = 0x7,
-    LOFT_DATA_FINE = 0xD                            /* from the host: POINTS, packed by third differences */
+    LOFT_DATA_FINE   = 0xD,                         /* from the host: POINTS, packed by third differences */
+    LOFT_DATA_CURVES = 0xE                          /* from the host                                      */
 };
 
 /* What the machine is doing. */
@@ -58,7 +59,8 @@ enum loft_refusal {
     LOFT_REFUSAL_START,     /* the job does not start where the machine stands                  */
     LOFT_REFUSAL_KIND,      /* the machine does not take items of this kind                     */
     LOFT_REFUSAL_ITEM,      /* an item cannot be read, or asks for more than the machine can do */
-    LOFT_REFUSAL_FAULT      /* the machine's position is not to be trusted                      */
+    LOFT_REFUSAL_FAULT,     /* the machine's position is not to be trusted                      */
+    LOFT_REFUSAL_LIMITS     /* the limits that the job asks for are impossible                  */
 };
 
 enum loft_verb {
@@ -73,11 +75,21 @@ typedef struct {
     uint32_t nonce;                     /* any number, another one for each connection  */
 } loft_hello;
 
+/* What a machine that plans is asked to keep to, beside its own limits. */
+typedef struct {
+    int32_t corner, tol;                /* as in lib/motion/limits.h, mm, raw Q16.16                */
+    struct {
+        int32_t  max_speed, max_accel;  /* raw Q16.16; the machine's own are stronger               */
+        uint32_t max_jerk;              /* mm/s^3; 0: not limited                                   */
+    } axis[LOFT_AXES];
+} loft_job_limits;
+
 typedef struct {
     uint32_t nonce;                     /* of the HELLO that began the session: a job is for this connection only */
     uint32_t id;                        /* not 0; the same for the same job, see loft_job_id        */
     uint8_t  kind;                      /* enum loft_kind                                           */
-    int32_t  start[LOFT_AXES];          /* spans: raw Q16.16 mm; points: steps                      */
+    int32_t  start[LOFT_AXES];          /* spans, curves: raw Q16.16 mm; points: steps              */
+    const loft_job_limits *limits;      /* to be sent with curves; decode leaves it NULL            */
 } loft_job;
 
 typedef struct {
@@ -108,6 +120,8 @@ typedef struct {
     uint16_t queue;                     /* items that fit the queue                                 */
     uint16_t tick_hz;                   /* ticks per second                                         */
     uint16_t slots;                     /* chances to step per tick                                 */
+    uint8_t  kinds;                     /* bit k: items of kind k are taken                         */
+    uint16_t curves;                    /* that its plan can hold; 0: it does not plan              */
 } loft_welcome;
 
 /* One per axis after each WELCOME. */
@@ -158,21 +172,22 @@ size_t loft_end_encode(uint32_t total, uint8_t session, uint8_t wire[LOFT_FRAME_
 size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* SPANS, POINTS and FINE: init prepares `p` to pack items into the frame, encode finishes it with what was packed.
+/* SPANS, POINTS, FINE and CURVES: init prepares `p` to pack items into the frame, encode finishes it with what was packed.
  * `frame_max` is the longest frame that the machine takes; LOFT_FRAME_MAX is kept to as well; `seal` is
  * loft_predictor_seal of `predictor`, before the items. */
 void   loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t frame_max,
                       uint8_t wire[LOFT_FRAME_MAX]);
-bool   loft_data_carried(const loft_frame *f);     /* is it one of these three? */
+bool   loft_data_carried(const loft_frame *f);     /* is it one of these? */
 size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* SPANS, POINTS or FINE: the number of its first item modulo 65536. Look at it before the seal: only the item that `first`
+/* SPANS, POINTS, FINE or CURVES: the number of its first item modulo 65536. Look at it before the seal: only the item that `first`
  * names has a predictor to seal with. LOFT_ERR_DATA: too short. */
 enum loft_status loft_data_first(const loft_frame *f, uint16_t *first) LOFT_CHECKED;
 
 /* Each decode gives LOFT_ERR_DATA if the content has another length or holds a value that its table does not list. */
 enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m) LOFT_CHECKED;
 enum loft_status loft_job_decode(const loft_frame *f, loft_job *m) LOFT_CHECKED;
+enum loft_status loft_job_limits_decode(const loft_frame *f, loft_job_limits *m) LOFT_CHECKED;     /* of a JOB of curves */
 enum loft_status loft_end_decode(const loft_frame *f, uint32_t *total) LOFT_CHECKED;
 enum loft_status loft_control_decode(const loft_frame *f, loft_control *m) LOFT_CHECKED;
 enum loft_status loft_data_decode(const loft_frame *f, loft_unpacker *u) LOFT_CHECKED;

@@ -179,7 +179,7 @@ static enum loft_event take_data(loft_receiver *r, const loft_standing *now)
     }
     if (loft_data_decode(&r->frame, &u) != LOFT_OK)
         return refuse(r, LOFT_REFUSAL_ITEM);
-    if ((type == LOFT_DATA_SPANS) != (r->kind == LOFT_SPANS))
+    if ((type == LOFT_DATA_SPANS) != (r->kind == LOFT_SPANS) || (type == LOFT_DATA_CURVES) != (r->kind == LOFT_CURVES))
         return refuse(r, LOFT_REFUSAL_KIND);
     if (u.count > now->room || u.count > 0xFFFFFFFFu - r->next)
         return drop(r, DUE_ACK | DUE_NAK);
@@ -241,7 +241,8 @@ static enum loft_event take_frame(loft_receiver *r, const loft_standing *now, lo
     case LOFT_JOB:          return take_job(r, now, &out->job);
     case LOFT_DATA_SPANS:
     case LOFT_DATA_POINTS:
-    case LOFT_DATA_FINE:    return take_data(r, now);
+    case LOFT_DATA_FINE:
+    case LOFT_DATA_CURVES:  return take_data(r, now);
     case LOFT_END:          return take_end(r);
     case LOFT_CONTROL:      return take_control(r, now);
     case LOFT_POLL:
@@ -308,6 +309,8 @@ static size_t give_welcome(loft_receiver *r, const loft_standing *now, uint8_t w
     m.queue     = r->traits->queue;
     m.tick_hz   = r->traits->tick_hz;
     m.slots     = r->traits->slots;
+    m.kinds     = r->traits->kinds;
+    m.curves    = r->traits->curves;
     return loft_welcome_encode(&m, r->session, wire);
 }
 
@@ -357,7 +360,8 @@ static size_t give_report(loft_receiver *r, const loft_standing *now, uint8_t wi
  * than three quarters full, seldom enough that it does not send frames of one item. */
 static void note_changes(loft_receiver *r, const loft_standing *now)
 {
-    const uint32_t step = r->traits->queue < 4 ? 1 : r->traits->queue / 4u;
+    const uint16_t most = r->kind == LOFT_CURVES ? r->traits->curves : r->traits->queue;
+    const uint32_t step = most < 4 ? 1 : most / 4u;
 
     if (limit_of(r, now) > r->told && limit_of(r, now) - r->told >= step)
         r->due |= DUE_ACK;

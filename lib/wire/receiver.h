@@ -32,8 +32,9 @@ typedef struct {
 typedef struct {
     uint32_t boot;                      /* another one at each start: a counter in flash, a random number, a clock */
     uint16_t tick_hz, slots;
-    uint16_t queue;                     /* items that fit the queue */
-    uint8_t  kinds;                     /* bit 1: spans, bit 2: points: 1 << enum loft_kind */
+    uint16_t queue;                     /* spans or points that fit the queue */
+    uint16_t curves;                    /* curves that fit the plan */
+    uint8_t  kinds;                     /* bit 1: spans, bit 2: points, bit 4: curves: 1 << enum loft_kind */
     loft_traits_axis axis[LOFT_AXES];
 } loft_traits;
 
@@ -42,14 +43,15 @@ typedef struct {
     uint32_t executed;                  /* items of the job executed entirely                       */
     uint32_t ticks, elapsed, slowed;    /* as in loft_machine_status; only looked at by poll        */
     int32_t  position[LOFT_AXES];       /* steps; only looked at by poll                            */
-    uint16_t room;                      /* items that the queue can take now                        */
+    uint16_t room;                      /* items of the job's kind that can be taken now            */
     uint8_t  state;                     /* enum loft_state                                          */
     bool     starved;
 } loft_standing;
 
 enum loft_event {
     LOFT_EVENT_NONE,
-    LOFT_EVENT_JOB,         /* a job wants to begin, `job`: answer with loft_receiver_answer        */
+    LOFT_EVENT_JOB,         /* a job wants to begin, `job`: answer with loft_receiver_answer. What a job of curves asks for:
+                               loft_job_limits_decode(&r->frame, ..), until the next byte             */
     LOFT_EVENT_ITEM,        /* `item`, the next one: queue it                                       */
     LOFT_EVENT_END,         /* no more items follow: DONE once all are executed                     */
     LOFT_EVENT_HOLD,

@@ -13,7 +13,8 @@
 #define RTO_MOST   1000
 #define CLOSE_TRIES   4
 
-#define SIZE_LEAST  (13 + 15 * LOFT_AXES)   /* the shortest frame that holds any item */
+#define SIZE_LEAST  (13 + 15 * LOFT_AXES)   /* the shortest frame that holds any span or point */
+#define CURVE_LEAST (15 + 15 * LOFT_AXES)   /* and any curve                                   */
 
 #define ALL_AXES    ((1u << LOFT_AXES) - 1u)
 
@@ -123,8 +124,9 @@ static void join(loft_sender *s)
 enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count, loft_item_source *source,
                                    void *context)
 {
-    if (s->phase != LOFT_PHASE_READY || job->id == 0 || (job->kind != LOFT_SPANS && job->kind != LOFT_POINTS)
-        || count == 0xFFFFFFFFu)
+    if (s->phase != LOFT_PHASE_READY || job->id == 0 || count == 0xFFFFFFFFu
+        || (job->kind != LOFT_SPANS && job->kind != LOFT_POINTS && job->kind != LOFT_CURVES)
+        || (job->kind == LOFT_CURVES && (!job->limits || s->machine.curves == 0)))
         return LOFT_ERR_ARG;
     s->job     = *job;
     s->count   = count;
@@ -207,7 +209,8 @@ static void take_axis(loft_sender *s, uint32_t now)
 static void shrink(loft_sender *s)
 {
     const uint8_t size = (uint8_t)(s->frame_size - s->frame_size / 4);
-    s->frame_size = size > SIZE_LEAST ? size : SIZE_LEAST;
+    const uint8_t least = s->job.kind == LOFT_CURVES ? CURVE_LEAST : SIZE_LEAST;
+    s->frame_size = size > least ? size : least;
 }
 
 static void grow(loft_sender *s)
@@ -361,7 +364,8 @@ bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms)
 static bool can_send(const loft_sender *s)
 {
     const uint32_t limit  = s->ack.limit < s->count ? s->ack.limit : s->count;
-    const uint32_t step   = s->machine.queue < 4 ? 1 : s->machine.queue / 4u;
+    const uint16_t most   = s->job.kind == LOFT_CURVES ? s->machine.curves : s->machine.queue;
+    const uint32_t step   = most < 4 ? 1 : most / 4u;
 
     return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->flights < s->window && s->send < limit
         && (limit == s->count || s->send < s->high || limit - s->send >= step);
@@ -553,6 +557,17 @@ uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms)     { return
 // The id of a job
 // ---------------
 
+static uint32_t limits_crc(uint32_t crc, const loft_job_limits *m)
+{
+    crc = loft_crc32(loft_crc32(crc, (uint32_t)m->corner), (uint32_t)m->tol);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        crc = loft_crc32(crc, (uint32_t)m->axis[i].max_speed);
+        crc = loft_crc32(crc, (uint32_t)m->axis[i].max_accel);
+        crc = loft_crc32(crc, m->axis[i].max_jerk);
+    }
+    return crc;
+}
+
 uint32_t loft_job_id(const loft_job *job, uint32_t count, loft_item_source *source, void *context)
 {
     uint32_t crc = loft_crc32(loft_crc32(0xFFFFFFFFu, job->kind), count);
@@ -560,10 +575,12 @@ uint32_t loft_job_id(const loft_job *job, uint32_t count, loft_item_source *sour
 
     for (int i = 0; i < LOFT_AXES; i++)
         crc = loft_crc32(crc, (uint32_t)job->start[i]);
+    if (job->kind == LOFT_CURVES)
+        crc = limits_crc(crc, job->limits);
     for (uint32_t n = 0; n < count; n++) {
         source(context, n, &item);
         crc = loft_crc32(crc, item.ticks);
-        for (int k = job->kind == LOFT_SPANS ? 0 : 2; k < 3; k++)
+        for (int k = job->kind == LOFT_POINTS ? 2 : 0; k < 3; k++)
             for (int i = 0; i < LOFT_AXES; i++)
                 crc = loft_crc32(crc, (uint32_t)item.p[k][i]);
     }

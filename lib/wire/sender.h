@@ -82,7 +82,8 @@ void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms);
  * it is idle: the job starts. It is in the middle of this very job (same id): the job goes on where the machine
  * stands. It has finished it, and nobody has fetched the report: the report is fetched. It is in another job: BUSY.
  *
- *   range   phase is LOFT_PHASE_READY, job->id not 0, job->kind known; otherwise LOFT_ERR_ARG
+ *   range   phase is LOFT_PHASE_READY, job->id not 0, job->kind known, curves only for a machine that plans (machine.curves > 0),
+ *           with job->limits (borrowed); otherwise LOFT_ERR_ARG
  */
 enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count, loft_item_source *source,
                                    void *context) LOFT_CHECKED;
@@ -106,7 +107,7 @@ void loft_sender_hangup(loft_sender *s);
 /* For how many ms no good frame has come. */
 uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms);
 
-/* The id of a job: a CRC-32C of its kind, start, count and all items; never 0. The same job has the same id. */
+/* The id of a job: a CRC-32C of its kind, start, limits, count and all items; never 0. The same job has the same id. */
 uint32_t loft_job_id(const loft_job *job, uint32_t count, loft_item_source *source, void *context);
 
 #endif

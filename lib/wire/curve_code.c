@@ -1,0 +1,120 @@
+/* lib/wire/curve_code.c -- cubics and their feeds
+ * SPDX-License-Identifier: MIT
+ *
+ *     bits 0..5 of the first byte     axis i moves: some point is not p0
+ *     bit 6                           straight: p1 and p2 are at the thirds
+ *     bit 7                           the feed follows, else it is that of the curve before
+ *
+ * then, for each axis that moves, e = p3 - p0 of a straight one, or
+ *
+ *     e1 = (p1 - p0) - change     change: p3 - p2 of the curve before; 0 where handles go on alike
+ *     e2 = p2 - 2 p1 + p0
+ *     e3 = p3 - 3 p2 + 3 p1 - p0
+ *
+ * each modulo 2^32.
+ */
+#include "wire/curve_code.h"
+
+#include "wire/varint.h"    /* loft_varint_encode */
+
+#define STRAIGHT 0x40u
+#define FEED     0x80u
+
+typedef char loft_assert_axes_fit[LOFT_AXES <= 6 ? 1 : -1];
+
+/* The nearest whole number to d / 3, d signed: no d lies half way. */
+static uint32_t third(uint32_t d)
+{
+    return d & 0x80000000u ? 0u - (0u - d + 1u) / 3u : (d + 1u) / 3u;
+}
+
+static bool is_straight(const loft_predictor *p, const loft_item *item)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const uint32_t p3 = (uint32_t)item->p[2][i], part = third(p3 - p->position[i]);
+        if ((uint32_t)item->p[0][i] != p->position[i] + part || (uint32_t)item->p[1][i] != p3 - part)
+            return false;
+    }
+    return true;
+}
+
+static bool moves(const loft_predictor *p, const loft_item *item, int i)
+{
+    return (uint32_t)item->p[0][i] != p->position[i] || item->p[1][i] != item->p[0][i] || item->p[2][i] != item->p[0][i];
+}
+
+uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *p, const loft_item *item)
+{
+    const bool straight = is_straight(p, item), feed = item->ticks != p->bend[0];
+    uint8_t n = 1;
+
+    byte[0] = (uint8_t)((straight ? STRAIGHT : 0u) | (feed ? FEED : 0u));
+    if (feed)
+        n = (uint8_t)(n + loft_varint_encode(byte + n, item->ticks));
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const uint32_t p0 = p->position[i],          p1 = (uint32_t)item->p[0][i];
+        const uint32_t p2 = (uint32_t)item->p[1][i], p3 = (uint32_t)item->p[2][i];
+        if (!moves(p, item, i))
+            continue;
+        byte[0] = (uint8_t)(byte[0] | 1u << i);
+        if (straight) {
+            n = (uint8_t)(n + loft_residual_encode(byte + n, p3 - p0));
+            continue;
+        }
+        n = (uint8_t)(n + loft_residual_encode(byte + n, p1 - p0 - p->change[i]));
+        n = (uint8_t)(n + loft_residual_encode(byte + n, p2 - 2u*p1 + p0));
+        n = (uint8_t)(n + loft_residual_encode(byte + n, p3 - 3u*p2 + 3u*p1 - p0));
+    }
+    return n;
+}
+
+const uint8_t *loft_curve_decode(const uint8_t *byte, const loft_predictor *p, loft_item *item)
+{
+    const uint8_t form = *byte++;
+
+    item->ticks = (uint16_t)(form & FEED ? loft_varint_decode(&byte) : p->bend[0]);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const uint32_t p0 = p->position[i];
+        uint32_t p1 = p0, p2 = p0, p3 = p0;
+        if (form & 1u << i && form & STRAIGHT) {
+            p3 = p0 + loft_residual_decode(&byte);
+            p1 = p0 + third(p3 - p0);
+            p2 = p3 - third(p3 - p0);
+        } else if (form & 1u << i) {
+            p1 = loft_residual_decode(&byte) + p0 + p->change[i];
+            p2 = loft_residual_decode(&byte) + 2u*p1 - p0;
+            p3 = loft_residual_decode(&byte) + 3u*(p2 - p1) + p0;
+        }
+        item->p[0][i] = loft_word_signed(p1);
+        item->p[1][i] = loft_word_signed(p2);
+        item->p[2][i] = loft_word_signed(p3);
+    }
+    return byte;
+}
+
+uint8_t loft_curve_size(const uint8_t *byte, uint8_t left)
+{
+    const uint8_t form = left > 0 ? byte[0] : 0, residuals = form & STRAIGHT ? 1 : 3;
+    uint8_t size = 1;
+
+    if (left == 0 || (form & 0x3Fu) >> LOFT_AXES)
+        return 0;
+    if (form & FEED) {
+        const uint8_t *at = byte + 1;
+        const uint8_t n = loft_varint_size(at, (uint8_t)(left - size));
+        if (n == 0 || n > 3)
+            return 0;
+        const uint32_t feed = loft_varint_decode(&at);
+        if (feed < 1 || feed > 0xFFFFu)
+            return 0;
+        size = (uint8_t)(size + n);
+    }
+    for (uint8_t bit = 1; bit < STRAIGHT; bit = (uint8_t)(bit << 1))
+        for (uint8_t k = 0; form & bit && k < residuals; k++) {
+            const uint8_t n = loft_varint_size(byte + size, (uint8_t)(left - size));
+            if (n == 0)
+                return 0;
+            size = (uint8_t)(size + n);
+        }
+    return size;
+}
