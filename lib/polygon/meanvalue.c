@@ -120,6 +120,23 @@ static loft_jet lifted(const tangent t[], unsigned sides, unsigned i)
     return r;
 }
 
+/* All sum to 1. Toward a vertex, at a distance r, second derivatives of the tangents grow as 1 / r^2, those of coordinates as 1 / r: for
+ * the others as they are a product with r, for that of the vertex, the largest, because all sum to 1. */
+static void complete(loft_jet phi[], unsigned sides)
+{
+    loft_jet rest = loft_jet_of(loft_sci_zero());
+    unsigned largest = 0;
+
+    for (unsigned i = 1; i < sides; i++)
+        if (loft_sci_less(phi[largest].f, phi[i].f))
+            largest = i;
+    for (unsigned i = 0; i < sides; i++)
+        if (i != largest)
+            rest = loft_jet_sub(&rest, &phi[i]);
+    rest.f = phi[largest].f;
+    phi[largest] = rest;
+}
+
 /* Toward an edge its tangent is without bounds, and so are the derivatives of all w_i: what is finite is their product with the cross
  * product of that edge. An edge is seen at more than a right angle there: all w_i times `below` of all such edges are finite, on the
  * edges themselves too, and have the same quotients. Inside a convex polygon there are three of them at most. */
@@ -150,5 +167,6 @@ enum loft_status loft_meanvalue_jet(const loft_domain *d, loft_spot p, loft_jet 
     }
     for (unsigned i = 0; i < n; i++)
         phi[i] = loft_jet_div(&phi[i], &sum);
+    complete(phi, n);
     return LOFT_OK;
 }

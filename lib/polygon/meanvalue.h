@@ -27,8 +27,8 @@ enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci
  *
  *   shape   phi[d->sides]
  *   range   as loft_meanvalue_eval; LOFT_SINGULAR at a vertex, where they have none
- *   error   with K of loft_meanvalue_eval and r the distance of the nearest vertex: q16: K 2^-50   f32, f64: K 2^-44, times
- *           1 / r^order
+ *   error   as loft_wachspress_jet, times K^2 of loft_meanvalue_eval, and P^2 + Q + P / r in place of P^2 + Q, r being the least distance
+ *           between two of: the point, the vertices, the lines through edges not ending in these
  *   cost    n roots, 22 n divisions, 150 n products and 15 for every pair of an edge and one seen at more than a right angle;
  *           no table; q16: 4.3 kB of stack
  */

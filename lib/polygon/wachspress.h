@@ -25,8 +25,8 @@ enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sc
  *
  *   shape   phi[d->sides]
  *   range   as loft_wachspress_eval
- *   error   relative to the largest of its order: q16: n^2 * 2^-56   f32, f64: n^2 * 2^-46, times (1 / h)^order with h the
- *           least height of the polygon over an edge
+ *   error   with P and Q the largest first and second derivative: first q16: P 2^-48   f32, f64: P 2^-40; second: the same with
+ *           P^2 + Q in place of P
  *   cost    15 n (n - 2) + 22 n products, n cross products, 9 n divisions; no table; q16: 1.8 kB of stack
  */
 enum loft_status loft_wachspress_jet(const loft_domain *d, loft_spot p, loft_jet phi[]) LOFT_CHECKED;
