@@ -43,11 +43,17 @@ flash-atmega328p: firmware-atmega328p
 	avrdude -p atmega328p -c arduino -P $(PORT) -b $(or $(FLASH_BAUD),115200) -D -U flash:w:$(AVR_DIR)/loft.hex:i
 
 # --- the emulated chip -------------------------------------------------------------------------------
-CHIP_SRC = $(wildcard tests/target/avr_*.c) ports/host/line.c ports/host/record.c
+CHIP_SRC = $(patsubst %,tests/target/avr_%.c,chip core meter gate) ports/host/line.c ports/host/record.c
 build/target/chip: $(CHIP_SRC) $(wildcard tests/target/avr_*.h) build/q16x3/libloft.a
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) -Iports -Itests/target -isystem /usr/include/simavr $(call num_flag,q16) $(CHIP_SRC) build/q16x3/libloft.a \
+	    -lsimavr -lm -o $@
+TRIALS_SRC = $(patsubst %,tests/target/avr_%.c,trials core meter) ports/host/record.c
+build/target/trials: $(TRIALS_SRC) $(wildcard tests/target/avr_*.h) build/q16x3/libloft.a
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) -Iports -Itests/target -isystem /usr/include/simavr $(call num_flag,q16) $(TRIALS_SRC) build/q16x3/libloft.a \
 	    -lsimavr -lm -o $@
 build/target/rate: tests/target/rate.c build/q16x3/libloft.a
 	@mkdir -p $(@D)

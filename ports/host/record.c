@@ -41,14 +41,16 @@ int host_record_open(struct host_record *r, const struct loft_host_options *o)
 
 void host_record_slot(struct host_record *r, uint64_t slot, loft_pins pins)
 {
-    if (!r->file || pins.step == 0)
+    if (pins.step == 0)
         return;
-    fprintf(r->file, "%llu", (unsigned long long)slot);
-    for (int i = 0; i < LOFT_AXES; i++) {
+    for (int i = 0; i < LOFT_AXES; i++)
         if (pins.step & (1u << i))
             r->position[i] += pins.dir & (1u << i) ? -1 : 1;
+    if (!r->file)
+        return;
+    fprintf(r->file, "%llu", (unsigned long long)slot);
+    for (int i = 0; i < LOFT_AXES; i++)
         fprintf(r->file, ",%d", (int)r->position[i]);
-    }
     putc('\n', r->file);
 }
 

@@ -1,15 +1,9 @@
-/* tests/target/chip.c -- an ATmega328P in libsimavr, cycle by cycle, behind a pseudo terminal
+/* tests/target/avr_chip.c -- the emulated chip behind a pseudo terminal
  * SPDX-License-Identifier: MIT
  * usage: chip FIRMWARE.elf --tick ADDRESS --ring HEAD,TAIL [--link PATH] [--record FILE] [--steps N] [--profile FILE]
  *
- * Bytes pass at the baud rate that the firmware has set, ten bits each. The chip's time stands while it is the host's turn
- * (avr_gate.h). Ends when a job has been drawn and closed, with lines `name value` on standard output.
+ * The chip's time stands while it is the host's turn (avr_gate.h). Ends when a job has been drawn and closed, with lines `name value` on standard output.
  */
-#include <simavr/avr_extint.h>
-#include <simavr/avr_uart.h>
-#include <simavr/sim_avr.h>
-#include <simavr/sim_elf.h>
-#include <simavr/sim_io.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,29 +12,22 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "avr_core.h"
 #include "avr_gate.h"
 #include "host/line.h"          /* the pseudo terminal  */
-#include "avr_meter.h"
 
-#define HZ          16000000
+#define HZ          AVR_HZ
 #define BATCH       (HZ / 1000)     /* cycles between two looks at the line                           */
 #define SETTLE      (HZ / 50)       /* after the last byte, to answer it                              */
 #define QUIET_MS    400             /* of real time without a byte that is owed: the sender is gone   */
 #define LEAVE_MS    1000            /* for the last answer to be read                                 */
 
 struct chip {
-    avr_t *avr;
-    avr_uart_t *uart;
-    avr_irq_t *input;
-    uint32_t byte_cycles;
-    struct meter meter;
+    struct avr_core core;
     struct gate gate;
     struct host_line line;
-    uint8_t in[65536], out[65536];      /* from the host, to the host; indices wrap */
-    uint16_t in_head, in_tail, out_head, out_tail;
-    uint64_t free_at;                   /* when the line to the chip is free again   */
-    uint64_t heard;                     /* cycle of the last byte either way         */
-    uint64_t received, given, overruns;
+    uint8_t out[65536];                 /* to the host; indices wrap                           */
+    uint16_t out_head, out_tail;
     uint32_t given_up;                  /* the limit up to which the host has not sent in time */
     uint32_t waits;                     /* how often it has not                                */
 };
@@ -61,88 +48,16 @@ static int64_t now_ms(void)
 }
 
 
-// The serial port of the chip
-// ---------------------------
-
-static void byte_out(struct avr_irq_t *irq, uint32_t value, void *param)
-{
-    struct chip *c = param;
-
-    (void)irq;
-    c->out[c->out_head++] = (uint8_t)value;
-    c->heard = c->avr->cycle;
-    c->given++;
-    gate_machine(&c->gate, (uint8_t)value);
-}
-
-/* simavr counts eleven bits per byte; a byte has ten. */
-static void correct_baud(struct chip *c)
-{
-    const uint32_t divider = 1u + (c->avr->data[c->uart->ubrrl.reg] | (uint32_t)(c->avr->data[c->uart->ubrrh.reg] & 15) << 8);
-
-    c->byte_cycles = divider * (avr_regbit_get(c->avr, c->uart->u2x) ? 80u : 160u);
-    c->uart->cycles_per_byte = c->byte_cycles;
-}
-
-/* One byte each ten bits. Two wait in the chip; a third one that comes then is lost on silicon, so it is counted. */
-static void give_byte(struct chip *c)
-{
-    if (c->in_tail == c->in_head || c->avr->cycle < c->free_at)
-        return;
-    correct_baud(c);
-    if (((c->uart->input.write - c->uart->input.read) & 63) > 2)
-        c->overruns++;
-    avr_raise_irq(c->input, c->in[c->in_tail++]);
-    c->received++;
-    c->heard = c->avr->cycle;
-    c->free_at = (c->free_at + c->byte_cycles > c->avr->cycle ? c->free_at : c->avr->cycle) + c->byte_cycles + 8;
-}
-
-static void no_sleep(avr_t *avr, avr_cycle_count_t cycles)
-{
-    (void)avr;
-    (void)cycles;
-}
-
-static void quiet_log(avr_t *avr, const int level, const char *format, va_list arguments)
-{
-    (void)avr;
-    if (level <= LOG_ERROR)
-        vfprintf(stderr, format, arguments);
-}
-
-static int start(struct chip *c, const char *file, uint32_t tick_pc)
-{
-    static elf_firmware_t firmware;
-    uint32_t flags = 0;
-
-    avr_global_logger_set(quiet_log);
-    if (elf_read_firmware(file, &firmware) != 0 || (c->avr = avr_make_mcu_by_name("atmega328p")) == NULL) {
-        fprintf(stderr, "chip: %s: cannot be loaded\n", file);
-        return EX_NOINPUT;
-    }
-    avr_init(c->avr);
-    avr_load_firmware(c->avr, &firmware);
-    c->avr->frequency = HZ;
-    c->avr->sleep = no_sleep;
-    avr_extint_set_strict_lvl_trig(c->avr, 0, 0);
-    avr_extint_set_strict_lvl_trig(c->avr, 1, 0);
-    avr_ioctl(c->avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
-
-    avr_irq_t *uart = avr_io_getirq(c->avr, AVR_IOCTL_UART_GETIRQ('0'), 0);
-    c->input = uart + UART_IRQ_INPUT;
-    avr_irq_register_notify(uart + UART_IRQ_OUTPUT, byte_out, c);
-    for (avr_io_t *io = c->avr->io_port; io; io = io->next)
-        if (strcmp(io->kind, "uart") == 0)
-            c->uart = (avr_uart_t *)io;
-    meter_init(&c->meter, c->avr, tick_pc);
-    gate_init(&c->gate);
-    return 0;
-}
-
-
 // The line to the host
 // --------------------
+
+static void byte_out(void *context, uint8_t byte)
+{
+    struct chip *c = context;
+
+    c->out[c->out_head++] = byte;
+    gate_machine(&c->gate, byte);
+}
 
 static void take_bytes(struct chip *c)
 {
@@ -150,7 +65,7 @@ static void take_bytes(struct chip *c)
     const size_t count = host_line_read(&c->line, byte, sizeof byte);
 
     for (size_t i = 0; i < count; i++) {
-        c->in[c->in_head++] = byte[i];
+        avr_core_put(&c->core, byte[i]);
         gate_host(&c->gate, byte[i]);
     }
 }
@@ -168,7 +83,7 @@ static void give_bytes(struct chip *c)
 
 static bool pending(const struct chip *c)
 {
-    return c->in_tail != c->in_head || c->avr->cycle - c->heard < SETTLE;
+    return c->core.in_tail != c->core.in_head || c->core.avr->cycle - c->core.heard < SETTLE;
 }
 
 /* Let the host speak while it is its turn: in mid-job until it has sent what it may, else until it says anything. A host
@@ -181,10 +96,10 @@ static void wait_for_host(struct chip *c)
 
     sigemptyset(&none);
     for (;;) {
-        const uint16_t before = c->in_head;
+        const uint16_t before = c->core.in_head;
         give_bytes(c);
         take_bytes(c);
-        if (stop_wanted || (busy ? !gate_owed(&c->gate) : c->in_head != before))
+        if (stop_wanted || (busy ? !gate_owed(&c->gate) : c->core.in_head != before))
             return;
         if (busy && now_ms() - began > QUIET_MS) {
             c->given_up = c->gate.ack.limit;
@@ -198,15 +113,8 @@ static void wait_for_host(struct chip *c)
 static void run(struct chip *c)
 {
     while (c->gate.jobs == 0 && !stop_wanted) {
-        const uint64_t until = c->avr->cycle + BATCH;
-        while (c->avr->cycle < until) {
-            meter_run(&c->meter);
-            give_byte(c);
-            if (c->avr->state == cpu_Done || c->avr->state == cpu_Crashed) {
-                fprintf(stderr, "chip: the firmware has stopped at %#x\n", c->avr->pc);
-                return;
-            }
-        }
+        if (!avr_core_run(&c->core, BATCH, true))
+            return;
         give_bytes(c);
         if (gate_busy(&c->gate) ? gate_owed(&c->gate) && c->gate.ack.limit != c->given_up : !pending(c))
             wait_for_host(c);
@@ -239,7 +147,7 @@ static void print_least(const char *name, uint64_t cycles)
 
 static void print_results(const struct chip *c)
 {
-    const struct meter *m = &c->meter;
+    const struct meter *m = &c->core.meter;
     const uint64_t slots = m->armed ? m->slot_last - m->slot_first : 1;
 
     print_context("slot", &m->context[SLOT]);
@@ -255,9 +163,9 @@ static void print_results(const struct chip *c)
     printf("pulses %llu %llu %llu\n", (unsigned long long)m->pulses[0], (unsigned long long)m->pulses[1], (unsigned long long)m->pulses[2]);
     printf("position %d %d %d\n", (int)m->record.position[0], (int)m->record.position[1], (int)m->record.position[2]);
     printf("stack %d\nstack_at %#x\n", 0x8FF - m->deepest, (unsigned)m->deepest_pc);
-    printf("bytes_received %llu\nbytes_given %llu\noverruns %llu\nnaks %u\nhost_late %u\n", (unsigned long long)c->received, (unsigned long long)c->given,
-           (unsigned long long)c->overruns, (unsigned)c->gate.naks, (unsigned)c->waits);
-    printf("byte_cycles %u\nseconds %.6f\n", c->byte_cycles, (double)c->avr->cycle / HZ);
+    printf("bytes_received %llu\nbytes_given %llu\noverruns %llu\nnaks %u\nhost_late %u\n", (unsigned long long)c->core.received, (unsigned long long)c->core.given,
+           (unsigned long long)c->core.overruns, (unsigned)c->gate.naks, (unsigned)c->waits);
+    printf("byte_cycles %u\nseconds %.6f\n", c->core.byte_cycles, (double)c->core.avr->cycle / HZ);
 }
 
 static int write_profile(const struct chip *c, const char *file)
@@ -267,8 +175,8 @@ static int write_profile(const struct chip *c, const char *file)
     if (f == NULL)
         return EX_CANTCREAT;
     for (uint32_t i = 0; i < 16384; i++)
-        if (c->meter.profile[i])
-            fprintf(f, "%u %u\n", 2 * i, c->meter.profile[i]);
+        if (c->core.meter.profile[i])
+            fprintf(f, "%u %u\n", 2 * i, c->core.meter.profile[i]);
     return fclose(f) == 0 ? 0 : EX_IOERR;
 }
 
@@ -291,24 +199,27 @@ int main(int argc, char **argv)
     }
     for (int i = 0; i < LOFT_AXES; i++)
         o.steps_per_mm[i] = steps;
-    int code = argc < 2 ? EX_USAGE : start(&c, argv[1], (uint32_t)strtoul(tick, NULL, 0));
+    c.core.out = byte_out;
+    c.core.context = &c;
+    gate_init(&c.gate);
+    int code = argc < 2 ? EX_USAGE : avr_core_start(&c.core, argv[1], (uint32_t)strtoul(tick, NULL, 0));
     if (code == 0)
-        code = host_record_open(&c.meter.record, &o);
+        code = host_record_open(&c.core.meter.record, &o);
     if (code == 0)
         code = host_line_open(&c.line, o.link, 0);
     if (code != 0)
         return code;
     char *tail;
-    c.meter.ring_head = (uint16_t)strtoul(ring, &tail, 0);
-    c.meter.ring_tail = (uint16_t)strtoul(*tail ? tail + 1 : tail, NULL, 0);
-    c.meter.profile = profile ? calloc(16384, sizeof *c.meter.profile) : NULL;
+    c.core.meter.ring_head = (uint16_t)strtoul(ring, &tail, 0);
+    c.core.meter.ring_tail = (uint16_t)strtoul(*tail ? tail + 1 : tail, NULL, 0);
+    c.core.meter.profile = profile ? calloc(16384, sizeof *c.core.meter.profile) : NULL;
     printf("machine: %s\n", c.line.name);
     fflush(stdout);
     signal(SIGTERM, want_stop);
     run(&c);
-    meter_flush(&c.meter);
+    meter_flush(&c.core.meter);
     host_line_close(&c.line);
     print_results(&c);
-    code = host_record_close(&c.meter.record, &o);
+    code = host_record_close(&c.core.meter.record, &o);
     return profile && code == 0 ? write_profile(&c, profile) : code;
 }

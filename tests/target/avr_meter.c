@@ -51,6 +51,7 @@ static void pin_changed(struct avr_irq_t *irq, uint32_t value, void *param)
         if (m->pulses[axis]++)
             least(&m->between_least, now - m->last[axis]);
         m->rose[axis] = m->last[axis] = now;
+        m->path[axis] = (m->path[axis] ^ (m->dir >> axis & 1u)) * 0x100000001b3u + 1;     /* as FNV-1a does */
         m->starved += m->armed && m->begun ? m->empty : 0;
         m->empty = 0;
         m->begun = true;

@@ -42,6 +42,7 @@ struct meter {
     uint64_t when, rose[3], turned[3], last[3];
     uint64_t pulse_least, pulse_most, setup_least, hold_least, between_least;
     uint64_t pulses[3];
+    uint64_t path[3];                               /* a number that the order of each axis' steps gives */
 };
 
 /* Watch the pins of `avr`; `tick_pc` is the address of the function that the slot calls for a tick. */
