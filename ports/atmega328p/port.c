@@ -20,6 +20,9 @@
 #ifndef LOFT_BAUD
 #  define LOFT_BAUD 115200          /* 115200 (that is 117647), 250000 or 1000000, exactly */
 #endif
+#ifndef LOFT_TICK_HZ
+#  define LOFT_TICK_HZ 1000
+#endif
 #ifndef LOFT_SLOTS
 #  define LOFT_SLOTS 40             /* per tick of 1 ms: 40,000 steps per second and axis */
 #endif
@@ -37,7 +40,7 @@
 static volatile loft_cell cells[CELLS];
 static loft_machine machine;
 static loft_machine_config config = {
-    .traits = { .tick_hz = 1000, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
+    .traits = { .tick_hz = LOFT_TICK_HZ, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
     .ramp = 40, .cell = cells, .cells = CELLS
 };
 

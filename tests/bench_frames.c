@@ -1,0 +1,87 @@
+/* tests/bench_frames.c -- damaged frames that are taken for good ones
+ * SPDX-License-Identifier: MIT
+ * usage: bench_frames CLASS COUNT [SEED] ; CLASS is bits, bytes, lost, doubled or inserted
+ *
+ * Frames of 128 bytes on the line, with random content; each is damaged at random and pushed into loft_frame_push byte by byte,
+ * between good ones. Prints `CLASS frames N accepted N`: accepted are those that came out good and are not what was sent.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "wire/frame.h"
+
+#define SIZE 128
+
+static uint64_t state;
+
+static uint32_t random_32(void)         /* splitmix64 (Steele, Lea, Flood 2014) */
+{
+    uint64_t z = (state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (uint32_t)(z >> 32);
+}
+
+static uint32_t below(uint32_t n)       { return (uint32_t)((uint64_t)random_32() * n >> 32); }
+
+static size_t make(uint8_t wire[LOFT_FRAME_MAX], uint8_t content[SIZE])
+{
+    const size_t count = SIZE - LOFT_FRAME_EXTRA;
+
+    for (size_t i = 0; i < count; i++)
+        wire[1 + i] = content[i] = (uint8_t)random_32();
+    return loft_frame_encode(wire, count);
+}
+
+/* Give the damaged frame's length; `wire` has room for one more byte. The delimiter at the end may be hit as well. */
+static size_t damage(const char *class, uint8_t *wire, size_t size)
+{
+    const uint32_t at = below((uint32_t)size);
+
+    switch (class[0]) {
+    case 'b':                                                       /* bits: 3 to 10; bytes: 2 to 16 in a row */
+        if (class[1] == 'i')
+            for (uint32_t n = 3 + below(8); n; n--)
+                wire[below((uint32_t)size)] ^= (uint8_t)(1u << below(8));
+        else
+            for (uint32_t n = 2 + below(15), k = at; n && k < size; n--, k++)
+                wire[k] = (uint8_t)random_32();
+        return size;
+    case 'l':
+        memmove(wire + at, wire + at + 1, size - at - 1);
+        return size - 1;
+    case 'd':
+        memmove(wire + at + 1, wire + at, size - at);
+        return size + 1;
+    default:
+        memmove(wire + at + 1, wire + at, size - at);
+        wire[at] = (uint8_t)random_32();
+        return size + 1;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    static loft_frame f;
+    uint8_t wire[LOFT_FRAME_MAX + 1], content[SIZE];
+    uint64_t accepted = 0, count = argc > 2 ? strtoull(argv[2], NULL, 10) : 0;
+
+    if (count == 0) {
+        fprintf(stderr, "usage: bench_frames bits|bytes|lost|doubled|inserted COUNT [SEED]\n");
+        return 64;
+    }
+    state = argc > 3 ? strtoull(argv[3], NULL, 10) : 1;
+    loft_frame_init(&f);
+    if (loft_frame_push(&f, 0) == LOFT_OK)
+        return 1;
+    for (uint64_t n = 0; n < count; n++) {
+        const size_t size = damage(argv[1], wire, make(wire, content));
+        for (size_t i = 0; i <= size; i++)
+            if (loft_frame_push(&f, i < size ? wire[i] : 0) == LOFT_OK &&
+                (f.count != SIZE - LOFT_FRAME_EXTRA || memcmp(f.byte, content, f.count) != 0))
+                accepted++;
+    }
+    printf("%s frames %llu accepted %llu\n", argv[1], (unsigned long long)count, (unsigned long long)accepted);
+    return accepted != 0;
+}
