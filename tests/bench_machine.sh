@@ -47,7 +47,7 @@ cruise() {
 printf '        %-62s %-10s %-12s %s\n' "" "grbl 1.1" loft bound
 while read -r spacing feed grbl bound; do
     python3 tests/target/dense.py $drawing "$spacing" > "$tmp/dense.loft"
-    on_chip "$loft" stream "$tmp/dense.loft" --feed "$feed" --jerk 0 --port "$tmp/port"
+    on_chip "$loft" stream "$tmp/dense.loft" --feed "$feed" --jerk 0 --lift 0 --port "$tmp/port"
     time=$(seconds)
     row "points every $spacing mm, $((feed * 60)) mm/min: time / (L/v + v/a)" "$grbl" "$(awk -v t="$time" -v i="$(ideal "$feed")" 'BEGIN { printf "%.3f", t / i }')" "<=" "$bound"
     if [ "$spacing $feed" = "0.01 50" ]; then
@@ -61,7 +61,7 @@ done <<'TABLE'
 0.01 50 13.3 1.05
 0.01 100 24.0 1.10
 TABLE
-on_chip "$loft" stream $drawing --feed 50 --jerk 0 --port "$tmp/port"
+on_chip "$loft" stream $drawing --feed 50 --jerk 0 --lift 0 --port "$tmp/port"
 row "the drawing's curves, as spans, 3000 mm/min: time / (L/v + v/a)" - "$(awk -v t="$(seconds)" -v i="$(ideal 50)" 'BEGIN { printf "%.3f", t / i }')" "<=" 1.03
 note "(6000 mm/min: 500 mm/s2 across the path allow 51 mm/s at its least radius, 5.2 mm; grbl does not look)" ""
 
