@@ -249,13 +249,20 @@ loft_acc loft_course_around(const loft_course *c, loft_course_place at, loft_acc
     return b.cap2;
 }
 
-/* From x, the square of the speed at `off`, backward over `way`, on which the bounds `b` hold. The acceleration of each goal is
- * that of its end, the smaller one. */
+static loft_real grip_at(const loft_course *c, unsigned i, loft_acc off, loft_acc x)
+{
+    return around(c, i, off, x, false).accel;
+}
+
+/* From x, the square of the speed at `off`, backward over `way`, on which the bounds `b` hold. Goals are as far as the acceleration
+ * leads that holds now, and not much nearer to the cap than where it is; that of the goal is used if it is smaller. */
 static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc way, loft_acc x, loft_acc cap2)
 {
     for (int n = 0; n < GOALS && x < cap2; n++) {
-        const loft_acc  goal = n < GOALS - 1 && cap2 - x > cap2 / 16 ? x + (cap2 - x) / 3 : cap2;
-        const loft_real g    = around(c, i, off, goal, false).accel;
+        const loft_real here = grip_at(c, i, off, x);
+        const loft_acc  far = x + 2 * loft_acc_mul(way, here), most = n < GOALS - 1 && cap2 - x > cap2 / 16 ? x + (cap2 - x) / 4 : cap2;
+        const loft_acc  goal = smaller(far, most);
+        const loft_real there = grip_at(c, i, off, goal), g = there < here ? there : here;
         const loft_acc  gain = 2 * loft_acc_mul(way, g);
         if (gain <= goal - x)
             return x + gain;

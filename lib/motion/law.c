@@ -84,15 +84,16 @@ static bool can_speed_up(const loft_law *law, loft_real v)
     return clear(law, way_of(law, law->speed, v), v);
 }
 
-/* How fast the acceleration at speed `top`, here and a beat further on, lets a beat end. */
+/* How fast the acceleration in the middle of a beat that ends with speed `top`, with the bounds here and there, lets it end. */
 static loft_real gained(const loft_law *law, loft_real top)
 {
+    const loft_real v = law->speed + (top - law->speed) / 2;
     loft_course_place at = law->at;
     loft_real here, later;
 
-    loft_course_around(&law->course, at, loft_prod(top, top), true, &here);
+    loft_course_around(&law->course, at, loft_prod(v, v), true, &here);
     (void)move(law, &at, way_of(law, law->speed, top));
-    loft_course_around(&law->course, at, loft_prod(top, top), true, &later);
+    loft_course_around(&law->course, at, loft_prod(v, v), true, &later);
     return law->speed + loft_acc_round(loft_budget_beat(&law->course.budget, here < later ? here : later));
 }
 

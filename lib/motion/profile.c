@@ -7,7 +7,8 @@
  *     u v          u a + k v^2          u j + 3 k v a + k' v^3
  *
  * With x = v^2 the second is a straight line in a and x: what it allows for a is the least of straight lines in x, a concave
- * function, and between its values at x = 0, at 3/4 of the cap's square and at the cap the chords lie below it.
+ * function, and the chords between its values at x = 0, at the knee and at the cap lie below it. On two axes it has two lines, of
+ * which one rises, for the axis that the bend relieves: the knee is looked for where the chords enclose most.
  *
  * Acceleration is averaged over n beats of h seconds (course.c), so that j <= a / (n h) with the largest a of that time. With
  * a share of the jerk for k' v^3, which limits the speed, a is limited by
@@ -15,7 +16,7 @@
  *     a (|u| / n + 3 |k| v h) <= J h - |k'| v^3 h
  *
  * v being that of the middle of n beats, up to a n h / 2 faster than now. As a function of x the right side over the left is
- * mostly convex; its chords are lowered until they pass below it at four places.
+ * mostly convex; its chords, with the knee at 3/4, are lowered until they pass below it at four places.
  *
  * It is asked at the start, the middle and the end of a piece; between them |k| is less than the largest by an
  * eighth of its second difference, which every k is lengthened by in advance.
@@ -143,37 +144,59 @@ static void set_jerk_lines(loft_plan_piece *p, const loft_budget *b, const loft_
 }
 
 /* What the limits of acceleration leave for a at the square x of the speed, at any of the three stations. */
-static loft_real accel_grip(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_acc x, bool fore)
+static loft_real accel_grip(const loft_budget *b, const loft_arc_shape *s, loft_acc x, bool fore)
 {
-    loft_real a = p->rest;
+    loft_real a = LOFT_ACCEL_MAX;
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real most = largest(s->bend, i), bulge = size_of(s->along[0].axis[i] / 8 - s->along[1].axis[i] / 4 + s->along[2].axis[i] / 8);
         for (int k = 0; k < 3; k++) {
             const loft_real u = s->along[k].axis[i], k_i = s->bend[k].axis[i], size = size_of(u);
-            const bool      less = size <= bulge || ((u < 0) == (k_i < 0)) == fore;     /* does the bend need the same direction? */
+            const bool      more = size > bulge && ((u < 0) == (k_i < 0)) != fore;      /* does the bend need the other direction? */
             const loft_acc  used = loft_acc_mul(x, size > bulge ? size_of(k_i) : most);
-            const loft_acc  left = loft_wide(b->accel[i]) - used;
-            if (less)
-                a = loft_real_cap(a, left > 0 ? loft_acc_round(left) : 0, size + bulge);
+            const loft_acc  left = loft_wide(b->accel[i]) + (more ? used : -used);
+            a = loft_real_cap(a, left > 0 ? loft_acc_round(left) : 0, size + bulge);
         }
     }
     return a;
 }
 
+/* The value at the knee, and twice what the chords enclose. */
+static loft_acc set_knee(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real bound[2], int knee, bool fore)
+{
+    bound[0] = accel_grip(b, s, loft_prod(p->cap, p->cap) / 16 * knee, fore);
+    return loft_wide(p->rest) / 16 * knee + loft_wide(bound[0]) + loft_wide(bound[1]) / 16 * (16 - knee);
+}
+
+/* What they enclose is concave in the knee's place. */
+static unsigned find_knee(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real bound[2], bool fore)
+{
+    int knee = 12;
+
+    bound[1] = accel_grip(b, s, loft_prod(p->cap, p->cap), fore);
+    loft_acc most = set_knee(p, b, s, bound, knee, fore);
+    for (int step = b->jerk ? 0 : 4; step > 0; step /= 2)
+        for (int way = -step; way <= step; way += 2 * step) {
+            loft_real other[2] = { 0, bound[1] };
+            const loft_acc z = knee + way < 16 ? set_knee(p, b, s, other, knee + way, fore) : 0;
+            if (z > most) {
+                most = z;
+                knee += way;
+                bound[0] = other[0];
+            }
+        }
+    return (unsigned)knee;
+}
+
 static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
 {
-    const loft_acc x = loft_prod(p->cap, p->cap);
-
     p->rest = LOFT_ACCEL_MAX;
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc jerk = loft_wide(b->gain[i]) * b->filter, accel = loft_wide(b->accel[i]);
         p->rest = loft_real_cap(p->rest, loft_acc_round(smaller(jerk, accel)), largest(s->along, i));
     }
-    for (int k = 0; k < 2; k++) {
-        p->fore[k] = accel_grip(p, b, s, k == 0 ? x / 4 * 3 : x, true);
-        p->back[k] = accel_grip(p, b, s, k == 0 ? x / 4 * 3 : x, false);
-    }
+    p->fore_knee = find_knee(p, b, s, p->fore, true) & 31u;
+    p->back_knee = find_knee(p, b, s, p->back, false) & 31u;
     if (b->jerk)
         set_jerk_lines(p, b, s);
 }
@@ -305,7 +328,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
 
 loft_real loft_profile_grip(const loft_plan_piece *p, loft_acc x, bool fore)
 {
-    const loft_acc   most = loft_prod(p->cap, p->cap), knee = most / 4 * 3;
+    const loft_acc   most = loft_prod(p->cap, p->cap), knee = most / 16 * (int32_t)(fore ? p->fore_knee : p->back_knee);
     const loft_real *at   = fore ? p->fore : p->back;
 
     if (!(x < most))

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  *
  * The limits per axis of speed, acceleration and jerk become a cap of the speed, and bounds of the acceleration along the
- * path: for speeding up and for slowing down two straight lines in the square of the speed.
+ * path: for speeding up and for slowing down two straight lines in the square of the speed, which meet at a knee.
  */
 #ifndef LOFT_MOTION_PROFILE_H
 #define LOFT_MOTION_PROFILE_H
@@ -15,11 +15,13 @@ typedef struct {
     loft_unit length;           /* mm                                                                     */
     loft_real cap;              /* the speed on it, mm/s                                                  */
     loft_real rest;             /* the acceleration along it, from rest and to rest, mm/s^2               */
-    loft_real fore[2], back[2]; /* at 3/4 of cap^2 and at cap: speeding up, slowing down                  */
+    loft_real fore[2], back[2]; /* at the knee and at cap: speeding up, slowing down                      */
     loft_real brake;            /* the speed at its start that all that follows allows, mm/s              */
     uint32_t  from, to;         /* the curve's parameters at its ends                                     */
     uint16_t  move;             /* its curve                                                              */
-    bool      stop, sure;       /* the path rests at its start; what comes later will not change `brake`  */
+    unsigned  fore_knee : 5, back_knee : 5; /* in 16ths of cap^2                                          */
+    unsigned  stop : 1;         /* the path rests at its start                                            */
+    unsigned  sure : 1;         /* what comes later will not change `brake`                               */
 } loft_plan_piece;
 
 /* Where the path is heading: its direction and curvature vector; at the speed `cap`, the part `twist` of the jerk is used. */
