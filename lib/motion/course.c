@@ -301,7 +301,7 @@ unsigned loft_course_stop(const loft_course *c, unsigned i)
 void loft_course_look_back(loft_course *c, unsigned i)
 {
     const unsigned stop = loft_course_stop(c, i);
-    bool sure = c->ended || stop < c->count;
+    bool sure = stop < c->count || (c->ended && c->cut == c->move_count);
     loft_acc open = 0;
 
     for (unsigned j = stop; j-- > i + 1; ) {
