@@ -149,6 +149,8 @@ void loft_course_load(loft_course *c)
         c->extent = extent > 0 ? extent : c->extent;
         c->at = 0;
         c->cut++;
+        if (c->count == 0)          /* it was a point, and nothing before it matters */
+            loft_course_drop(c);
     }
 }
 

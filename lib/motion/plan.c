@@ -106,8 +106,8 @@ static void push_place(loft_plan *plan)
     const loft_acc   off = loft_acc_ratio(plan->law.mean, plan->law.beats);
     loft_acc point[LOFT_AXES];
 
-    if (!(p->length > 0) || (p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length))) {
-        push_vec(plan, p->length > 0 ? c->moves[p->move].curve.p[3] : plan->at);
+    if (p->length > 0 && p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length)) {
+        push_vec(plan, c->moves[p->move].curve.p[3]);
         return;
     }
     if (!plan->cut || plan->number != loft_course_number(c, p) || plan->from != p->from) {
@@ -117,8 +117,11 @@ static void push_place(loft_plan *plan)
         plan->number = loft_course_number(c, p);
         plan->from   = p->from;
     }
-    loft_arc_eval(&plan->arc, off < plan->arc.length ? off : plan->arc.length, point);
-    push(plan, point);
+    if (p->length > 0) {
+        loft_arc_eval(&plan->arc, off < plan->arc.length ? off : plan->arc.length, point);
+        push(plan, point);
+    } else                      /* a joint, or too short to have a length */
+        push(plan, plan->arc.p[0]);
 }
 
 /* Do the last three samples lie on the end? */

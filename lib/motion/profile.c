@@ -27,6 +27,7 @@
 
 #define SLOWEST LOFT_REAL(0.0005)   /* no feature is passed slower, mm/s             */
 #define LEAST   LOFT_REAL(0.25)     /* nor with less acceleration from rest, mm/s^2 */
+#define COARSE  8
 
 static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
 static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
@@ -188,6 +189,27 @@ static unsigned find_knee(const loft_plan_piece *p, const loft_budget *b, const 
     return (unsigned)knee;
 }
 
+/* Where a beat may change the speed by more than 1/COARSE of the cap, what bends there turns much between samples. */
+static bool turns_fast(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
+{
+    const loft_acc x = loft_prod(p->cap, p->cap) * COARSE;
+
+    if (loft_budget_beat(b, p->rest) * COARSE > loft_wide(p->cap))
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (loft_acc_mul(x, largest(s->bend, i)) > loft_wide(b->accel[i]))
+                return true;
+    return false;
+}
+
+static void leave_quarter(loft_plan_piece *p)
+{
+    p->rest -= p->rest / 4;
+    for (int k = 0; k < 2; k++) {
+        p->fore[k] -= p->fore[k] / 4;
+        p->back[k] -= p->back[k] / 4;
+    }
+}
+
 static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
 {
     p->rest = LOFT_ACCEL_MAX;
@@ -199,6 +221,8 @@ static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_s
     p->back_knee = find_knee(p, b, s, p->back, false) & 31u;
     if (b->jerk)
         set_jerk_lines(p, b, s);
+    else if (turns_fast(p, b, s))
+        leave_quarter(p);
 }
 
 /* The square of the speed that directions and curvature allow at a station, or on all of the piece (station 3). */
