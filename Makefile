@@ -47,6 +47,15 @@ $(foreach n,$(NUMS),$(eval $(call library,$(n))))
 lib: build/$(NUM)x$(AXES)/libloft.a
 
 # --- tests: build/test/<num>/<module>, sanitized, one program per module and number type ------------
+# the solver of harmonic coordinates, of which tests make tables: on the host, long double, as the tool has it
+SOLVER_SRC := $(patsubst %,host-tools/%.c,harmonic harmonic_basis least)
+SOLVER_OBJ := $(patsubst host-tools/%.c,build/solver/%.o,$(SOLVER_SRC))
+build/solver/%.o: host-tools/%.c $(wildcard host-tools/harmonic*.h) host-tools/least.h
+	@mkdir -p $(@D)
+	$(SAY) "  CC  $@"
+	$(Q)$(CC) $(CFLAGS) $(STD) -c $< -o $@
+SOLVED := harmonic
+
 define tested
 build/test/$(1)/lib/%.o: lib/%.c $(LIB_HDR)
 	@mkdir -p $$(@D)
@@ -57,7 +66,9 @@ build/test/$(1)/libloft.a: $(patsubst %.c,build/test/$(1)/%.o,$(LIB_SRC))
 	$$(Q)$$(AR) rcs $$@ $$^
 build/test/$(1)/%: tests/test_%.c build/test/$(1)/libloft.a $(wildcard tests/*.h)
 	$$(SAY) "  LD  $$@"
-	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$< build/test/$(1)/libloft.a -lm -o $$@
+	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.o %.a,$$^) -lm -o $$@
+build/test/$(1)/$(SOLVED): CPPFLAGS += -Ihost-tools
+build/test/$(1)/$(SOLVED): $(SOLVER_OBJ)
 endef
 $(foreach n,$(NUMS),$(eval $(call tested,$(n))))
 
@@ -69,10 +80,10 @@ test-%: $(foreach n,$(NUMS),build/test/$(n)/%)
 # --- exact results: one line per CSV of a folder ------------------------------------------------------
 VECTORS ?= tests/vectors
 define vectored
-build/vectors/$(1): $(wildcard tests/vectors*.c) build/test/$(1)/libloft.a $(wildcard tests/*.h)
+build/vectors/$(1): $(wildcard tests/vectors*.c) build/test/$(1)/libloft.a $(SOLVER_OBJ) $(wildcard tests/*.h)
 	@mkdir -p $$(@D)
 	$$(SAY) "  LD  $$@"
-	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.a,$$^) -lm -o $$@
+	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -Ihost-tools -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.o %.a,$$^) -lm -o $$@
 endef
 $(foreach n,$(NUMS),$(eval $(call vectored,$(n))))
 
