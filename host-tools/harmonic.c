@@ -99,13 +99,17 @@ static void fit(const problem *p, harmonic_series *s)
     least_squares(a, rows, columns, s->sides, fmaxl(p->target.error / 1000, 1e-18L), x);
 
     s->coefficient = least_room(columns * s->sides * sizeof *s->coefficient);
-    s->largest = 0;
-    for (size_t k = 0; k < columns; k++)
-        for (unsigned i = 0; i < s->sides; i++) {
+    s->largest = s->weight = 0;
+    for (unsigned i = 0; i < s->sides; i++) {
+        long double sum = 0;
+        for (size_t k = 0; k < columns; k++) {
             const long double c = x[i * columns + k], grain = p->target.grain;
             s->coefficient[k * s->sides + i] = grain > 0 ? roundl(c / grain) * grain : (long double)(double)c;
             s->largest = fmaxl(s->largest, fabsl(c));
+            sum += fabsl(c);
         }
+        s->weight = fmaxl(s->weight, sum);
+    }
     free(a);
     free(x);
 }

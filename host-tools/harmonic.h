@@ -27,13 +27,17 @@ typedef struct {
 #define HARMONIC_TARGET_F32 ((harmonic_target){ 1e-9L, 0 })
 #define HARMONIC_TARGET_F64 ((harmonic_target){ 2e-14L, 0 })
 
+/* What loft_harmonic_eval errs by beside the bound, in any number type: this times `weight`. */
+#define HARMONIC_ROUNDING 0x1p-48L
+
 /* As loft_harmonic_table, which explains the members. */
 typedef struct {
     double v[HARMONIC_SIDES][2];
     unsigned sides, terms, poles, degree, powers[HARMONIC_SIDES], straight;
     long double pole[HARMONIC_POLES][3];        /* x, y, size                                               */
     long double *coefficient;                   /* [terms * sides], rounded as the target says              */
-    long double bound, largest;                 /* twice the largest error on a boundary sample; the largest coefficient */
+    long double bound, largest, weight;         /* twice the largest error on a boundary sample; the largest coefficient; the
+                                                   largest sum of sizes of coefficients of one coordinate */
     unsigned points, tried;                     /* of that sample; series that were solved                  */
 } harmonic_series;
 

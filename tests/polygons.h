@@ -6,6 +6,7 @@
 
 #include "vectors_sheet.h"          /* sheet_of, decimal_real */
 #include "polygon/domain.h"
+#include "solved.h"                 /* solved: harmonic coordinates */
 
 typedef struct {
     loft_spot v[LOFT_SIDES_MAX];
@@ -22,5 +23,12 @@ loft_spot spot_of(row *r);
 
 /* phi by Wachspress (W), mean values (M) or harmonic functions (H). False when the library has none of that name there. */
 bool coordinates(row *r, char which, const polygon *p, loft_spot at, loft_sci phi[]);
+
+/* Harmonic coordinates of a polygon, solved when first asked for. What they err by, rounding included. */
+const solved *solution_of(const polygon *p);
+long double   solution_error(const solved *s);
+
+/* Where the point lies is what the row's column `type` says. */
+void expect_place(row *r, const polygon *p, loft_spot at);
 
 #endif

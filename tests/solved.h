@@ -27,11 +27,8 @@ static inline void solve(solved *s, const loft_domain *d)
     s->ready = harmonic_table_of(&s->series, &s->table) && loft_harmonic_init(&s->h, d, &s->table) == LOFT_OK;
 }
 
-/* What rounding adds to the bound of the series: coefficients are at most `largest`. */
-static inline long double solved_rounding(const solved *s)
-{
-    return (1 + s->series.largest) * (long double)s->series.terms * BY_NUM(0x1p-52L, 0x1p-50L, 0x1p-50L);
-}
+/* What rounding adds to the bound of the series. */
+static inline long double solved_rounding(const solved *s) { return s->series.weight * HARMONIC_ROUNDING; }
 
 static inline void solved_free(solved *s)
 {

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "exact_polygon.h"          /* exact_meanvalue: how much is lost */
-#include "polygons.h"               /* polygon_of, coordinates */
+#include "polygons.h"               /* polygon_of, coordinates, solution_of */
 #include "polygon/meanvalue.h"
 #include "polygon/wachspress.h"
 
@@ -45,18 +45,8 @@ loft_spot spot_of(row *r)
 
 bool coordinates(row *r, char which, const polygon *p, loft_spot at, loft_sci phi[])
 {
-    loft_sci area[LOFT_SIDES_MAX];
-    unsigned index = 0;
-
-    if (which == 'H') {
-        const enum loft_place place = loft_domain_place(&p->d, at, area, &index);
-        if (place == LOFT_ON_EDGE)
-            loft_domain_edge(&p->d, at, index, phi);
-        if (place == LOFT_AT_VERTEX)
-            loft_domain_vertex(&p->d, index, phi);
-        return place == LOFT_ON_EDGE || place == LOFT_AT_VERTEX;
-    }
-    const enum loft_status status = which == 'W' ? loft_wachspress_eval(&p->d, at, phi) : loft_meanvalue_eval(&p->d, at, phi);
+    const enum loft_status status = which == 'W' ? loft_wachspress_eval(&p->d, at, phi)
+                                  : which == 'M' ? loft_meanvalue_eval(&p->d, at, phi) : loft_harmonic_eval(&solution_of(p)->h, at, phi);
     if (status != LOFT_OK && !(r->inexact > 0 && status == LOFT_ERR_RANGE))      /* rounded out of the polygon */
         row_complain(r, "no coordinates: status %d", status);
     return status == LOFT_OK;
@@ -74,8 +64,7 @@ static void polygons(row *r)
         row_complain(r, "%u vertices, not %s", p.n, row_text(r, "n"));
 }
 
-/* Where the point lies is what its row says. */
-static void expect_place(row *r, const polygon *p, loft_spot at)
+void expect_place(row *r, const polygon *p, loft_spot at)
 {
     loft_sci area[LOFT_SIDES_MAX];
     unsigned index = 0;
