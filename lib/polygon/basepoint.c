@@ -48,8 +48,8 @@ enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], cons
     return LOFT_OK;
 }
 
-/* The sum of all terms with factor[0]^i factor[1]^j factor[2]^k shared^(i + j - less). */
-static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3], loft_sci shared, unsigned less, loft_vec *out)
+/* The sum of all terms with factor[0]^i factor[1]^j factor[2]^k shared^(degree - the index of the corner - its cut). */
+static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3], loft_sci shared, unsigned corner, loft_vec *out)
 {
     uint8_t l[3];
     unsigned rank = 0;
@@ -60,7 +60,7 @@ static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3
     do {
         if (!is_cut(l, b->degree, b->cut)) {
             loft_sci weight = loft_sci_mul(loft_sci_from_int(loft_multi_ways(l, 3)), loft_sci_from_real(b->w[rank]));
-            weight = loft_sci_mul(weight, loft_sci_pow(shared, (unsigned)(l[0] + l[1]) - less));
+            weight = loft_sci_mul(weight, loft_sci_pow(shared, (unsigned)b->degree - l[corner] - b->cut[corner]));
             for (unsigned i = 0; i < 3; i++)
                 weight = loft_sci_mul(weight, loft_sci_pow(factor[i], l[i]));
             if (loft_sci_sign(weight))
@@ -99,18 +99,27 @@ enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, lo
         return LOFT_ERR_ARG;
     if (on_side(b, phi, &number, &t))
         return loft_basepoint_boundary(b, number, t, out);
-    return sum_all(b, phi, loft_sci_one(), 0, out);
+    return sum_all(b, phi, loft_sci_one(), 2, out);
 }
 
 /* Points with i + j < c are cut off: the factor v^c is common to all that are left. */
-enum loft_status loft_basepoint_uv(const loft_basepoint *b, loft_unit u, loft_unit v, loft_vec *out)
+enum loft_status loft_basepoint_corner(const loft_basepoint *b, unsigned corner, loft_unit u, loft_unit v, loft_vec *out)
 {
-    if (!(u >= 0 && u <= LOFT_UNIT(1) && v >= 0 && v <= LOFT_UNIT(1)))
+    loft_sci factor[3];
+
+    if (corner > 2 || !(u >= 0 && u <= LOFT_UNIT(1) && v >= 0 && v <= LOFT_UNIT(1)))
         return LOFT_ERR_ARG;
     const loft_sci x = loft_sci_from_unit(u), y = loft_sci_from_unit(v), one = loft_sci_one();
-    const loft_sci factor[3] = { loft_sci_sub(one, x), x, loft_sci_sub(one, y) };
 
-    return sum_all(b, factor, y, b->cut[2], out);
+    factor[corner] = loft_sci_sub(one, y);
+    factor[after(corner)] = loft_sci_sub(one, x);
+    factor[after(after(corner))] = x;
+    return sum_all(b, factor, y, corner, out);
+}
+
+enum loft_status loft_basepoint_uv(const loft_basepoint *b, loft_unit u, loft_unit v, loft_vec *out)
+{
+    return loft_basepoint_corner(b, 2, u, v, out);
 }
 
 

@@ -41,7 +41,8 @@ enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], cons
  */
 enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, loft_unit phi2, loft_vec *out) LOFT_CHECKED;
 
-/* The same blown up at corner 3: phi = ((1 - u) v, u v, 1 - v), where v = 0 is the side that corner has, or the corner itself.
+/* The same blown up at corner 3: phi = ((1 - u) v, u v, 1 - v), where v = 0 is the side that corner has, or the corner itself; or at
+ * corner 0..2, counted from 0, the shares standing under the names (next corner, last corner, corner itself).
  *
  *   range   u, v in 0..1, otherwise LOFT_ERR_ARG; LOFT_SINGULAR at the base points of the other corners
  *   error   as eval
@@ -49,6 +50,7 @@ enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, lo
  *   see     Warren (1992); for degree 2 a tensor product patch of degrees 2 and 1
  */
 enum loft_status loft_basepoint_uv(const loft_basepoint *b, loft_unit u, loft_unit v, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_basepoint_corner(const loft_basepoint *b, unsigned corner, loft_unit u, loft_unit v, loft_vec *out) LOFT_CHECKED;
 
 
 /* The boundary, counter-clockwise

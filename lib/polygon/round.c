@@ -1,0 +1,323 @@
+/* lib/polygon/round.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Patches over polygons go straight from the middle to the point of the side. The others are cut into kites, one for each corner k:
+ * s along side k and t along side k - 1, 0..1 to the middles of both sides, s = t = 1 is the middle of the patch; and in those the
+ * way is straight. Kites meet where two parameters are equal.
+ */
+#include "polygon/round.h"
+
+static unsigned after(unsigned i, unsigned n) { return i + 1 < n ? i + 1 : 0; }
+
+static loft_unit rest(loft_unit t) { return LOFT_UNIT(1) - t; }
+
+static loft_unit product(loft_unit a, loft_unit b)
+{
+    return loft_unit_round(loft_acc_scale(loft_unit_wide(a), b));
+}
+
+
+/* Over polygons */
+
+static void phi_of_side(unsigned n, unsigned side, loft_unit share, loft_sci phi[])
+{
+    for (unsigned i = 0; i < n; i++)
+        phi[i] = loft_sci_zero();
+    phi[after(side, n)] = loft_sci_from_unit(share);
+    phi[side] = loft_sci_sub(loft_sci_one(), loft_sci_from_unit(share));
+}
+
+/* From the middle towards a point between a and b. */
+static loft_spot spot_of(loft_spot middle, loft_spot a, loft_spot b, loft_unit share, loft_unit u)
+{
+    loft_spot p;
+
+    for (int i = 0; i < 2; i++) {
+        const loft_acc on = loft_acc_lerp(loft_wide(a.at[i]), loft_wide(b.at[i]), share);
+        p.at[i] = loft_acc_round(loft_acc_lerp(loft_wide(middle.at[i]), on, u));
+    }
+    return p;
+}
+
+/* Next to a side a point may be rounded to one outside: it is taken for one of the side. */
+static enum loft_status coordinates_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_sci phi[])
+{
+    const loft_spot *v = r->domain->v;
+    enum loft_status status = LOFT_ERR_RANGE;
+
+    if (u < LOFT_UNIT(1)) {
+        const loft_spot p = spot_of(r->middle, v[side], v[after(side, r->sides)], share, u);
+        if (!r->coordinates && !r->harmonic)
+            return LOFT_ERR_ARG;
+        status = r->harmonic ? loft_harmonic_eval(r->harmonic, p, phi) : r->coordinates(r->domain, p, phi);
+    }
+    if (status == LOFT_ERR_RANGE) {
+        phi_of_side(r->sides, side, share, phi);
+        status = LOFT_OK;
+    }
+    return status;
+}
+
+static enum loft_status spatch_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+{
+    loft_sci phi[LOFT_SIDES_MAX];
+    const enum loft_status status = coordinates_at(r, side, share, u, phi);
+
+    return status ? status : loft_spatch_eval(r->patch, phi, out);
+}
+
+static enum loft_status gb_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+{
+    loft_sci phi[LOFT_SIDES_MAX];
+    const enum loft_status status = coordinates_at(r, side, share, u, phi);
+
+    return status ? status : loft_gb_eval(r->patch, phi, out);
+}
+
+static loft_spot corner_of(const loft_toric *t, unsigned k)
+{
+    loft_spot s;
+
+    for (int i = 0; i < 2; i++)
+        s.at[i] = loft_real_from_int(t->lattice->edge[k].from.at[i]);
+    return s;
+}
+
+/* A point that is rounded to one outside is drawn towards the middle. */
+static enum loft_status toric_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+{
+    const loft_spot a = corner_of(r->patch, side), b = corner_of(r->patch, after(side, r->sides));
+    enum loft_status status = loft_toric_eval(r->patch, spot_of(r->middle, a, b, share, u), out);
+
+    for (loft_unit less = LOFT_UNIT(0x1p-22); status == LOFT_ERR_RANGE && less < LOFT_UNIT(0x1p-8); less = 2 * less)
+        if (u > less)
+            status = loft_toric_eval(r->patch, spot_of(r->middle, a, b, share, u - less), out);
+    return status;
+}
+
+static loft_spot mean_of(const loft_spot v[], unsigned n)
+{
+    loft_spot m;
+
+    for (int i = 0; i < 2; i++) {
+        loft_acc sum = 0;
+        for (unsigned k = 0; k < n; k++)
+            sum += loft_wide(v[k].at[i]);
+        m.at[i] = loft_acc_round(loft_acc_ratio(sum, (int32_t)n));
+    }
+    return m;
+}
+
+static enum loft_status over_polygon(loft_round *r, const loft_domain *d, loft_coordinates *coordinates, unsigned sides)
+{
+    loft_sci area[LOFT_SIDES_MAX];
+    unsigned index;
+    const loft_spot middle = mean_of(d->v, d->sides);
+
+    if (d->sides != sides || !loft_spot_admits(middle) || loft_domain_place(d, middle, area, &index) != LOFT_INSIDE)
+        return LOFT_ERR_ARG;
+    r->domain = d;
+    r->coordinates = coordinates;
+    r->harmonic = NULL;
+    r->middle = middle;
+    r->sides = (uint8_t)sides;
+    return LOFT_OK;
+}
+
+enum loft_status loft_round_harmonic(loft_round *r, const loft_harmonic *h)
+{
+    if (!r->domain || h->domain != r->domain)
+        return LOFT_ERR_ARG;
+    r->harmonic = h;
+    return LOFT_OK;
+}
+
+enum loft_status loft_round_from_spatch(loft_round *r, const loft_spatch *s, const loft_domain *d, loft_coordinates *coordinates)
+{
+    const enum loft_status status = over_polygon(r, d, coordinates, s->sides);
+
+    if (status == LOFT_OK) {
+        r->at = spatch_at;
+        r->patch = s;
+    }
+    return status;
+}
+
+enum loft_status loft_round_from_gb(loft_round *r, const loft_gb *g, const loft_domain *d, loft_coordinates *coordinates)
+{
+    const enum loft_status status = over_polygon(r, d, coordinates, g->sides);
+
+    if (status == LOFT_OK) {
+        r->at = gb_at;
+        r->patch = g;
+    }
+    return status;
+}
+
+enum loft_status loft_round_from_toric(loft_round *r, const loft_toric *t)
+{
+    loft_spot v[LOFT_SIDES_MAX];
+
+    for (unsigned k = 0; k < t->lattice->sides; k++)
+        v[k] = corner_of(t, k);
+    r->at = toric_at;
+    r->patch = t;
+    r->domain = NULL;
+    r->coordinates = NULL;
+    r->harmonic = NULL;
+    r->middle = mean_of(v, t->lattice->sides);
+    r->sides = t->lattice->sides;
+    return LOFT_OK;
+}
+
+
+/* Kites */
+
+typedef struct {
+    unsigned corner;
+    loft_unit s, t;
+} kite;
+
+/* Where the way from the middle to `share` of a side is at u. */
+static kite kite_of(const loft_round *r, unsigned side, loft_unit share, loft_unit u)
+{
+    const bool first = share <= LOFT_UNIT(0.5);
+    const loft_unit far = rest(2 * (first ? share : rest(share)));     /* 1 - s or 1 - t on the side */
+    const loft_unit on = rest(product(u, far)), off = rest(u);
+    const kite k = { first ? side : after(side, r->sides), first ? on : off, first ? off : on };
+
+    return k;
+}
+
+/* A corner where a side at a cut corner of the triangle begins or ends, or one that is not cut. With w and 1 - w the shares that the
+ * next and the last corner of the triangle have of what the corner itself lacks to 1, which is v: the kite ends at the lines where
+ * two of the three shares are equal,
+ *
+ *     begins: w = s/2, v = t / (2 - w)      ends: w = 1 - t/2, v = s / (1 + w)
+ *     not cut: shares s/2 (1 - t/2) and t/2 (1 - s/2), over 1 - s t / 4 */
+static enum loft_status basepoint_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+{
+    const kite k = kite_of(r, side, share, u);
+    const loft_basepoint *b = r->patch;
+    const loft_basepoint_side here = loft_basepoint_side_of(b, k.corner);
+    const loft_acc one = loft_unit_wide(LOFT_UNIT(1)), s = loft_unit_wide(k.s), t = loft_unit_wide(k.t);
+    loft_unit w = 0, v = 0;
+
+    if (here.cut) {
+        w = loft_unit_ratio(s, 2 * one);
+        v = loft_unit_ratio(t, 2 * one - loft_unit_wide(w));
+    } else if (b->cut[here.corner]) {
+        w = rest(loft_unit_ratio(t, 2 * one));
+        v = loft_unit_ratio(s, one + loft_unit_wide(w));
+    } else {
+        const loft_acc both = loft_unit_wide(product(k.s, k.t)), next = 2 * s - both, last = 2 * t - both;
+        v = loft_unit_ratio(next + last, 4 * one - both);
+        w = next + last > 0 ? loft_unit_ratio(next, next + last) : 0;
+    }
+    return loft_basepoint_corner(b, here.corner, rest(w), v, out);
+}
+
+void loft_round_from_basepoint(loft_round *r, const loft_basepoint *b)
+{
+    r->at = basepoint_at;
+    r->patch = b;
+    r->domain = NULL;
+    r->coordinates = NULL;
+    r->harmonic = NULL;
+    r->middle.at[0] = r->middle.at[1] = 0;
+    r->sides = (uint8_t)loft_basepoint_sides(b);
+}
+
+/* The parameter a of side i - 1 that is that of side i + 1 too, when side i has b:
+ *
+ *     5 sides   b a^2 - 2 a + 1 = 0,  a = 1 / (1 + sqrt(1 - b))
+ *     6 sides   2 b a^3 - 4 a^2 + b a + 1 = 0, by Newton's steps from 1/2 + 0.29 b, which is within 0.02 */
+static loft_sci balanced(unsigned sides, loft_sci b)
+{
+    const loft_sci one = loft_sci_one(), two = loft_sci_from_int(2), four = loft_sci_from_int(4);
+    loft_sci a;
+
+    if (sides == 5)
+        return loft_sci_div(one, loft_sci_add(one, loft_sci_sqrt(loft_sci_sub(one, b))));
+    a = loft_sci_add(loft_sci_from_unit(LOFT_UNIT(0.5)), loft_sci_mul(b, loft_sci_from_unit(LOFT_UNIT(0.29))));
+    for (int step = 0; step < 4; step++) {
+        const loft_sci ab = loft_sci_mul(a, b), aab = loft_sci_mul(a, ab), aa = loft_sci_mul(a, a);
+        const loft_sci f = loft_sci_add(loft_sci_sub(loft_sci_mul(two, loft_sci_mul(a, aab)), loft_sci_mul(four, aa)), loft_sci_add(ab, one));
+        const loft_sci d = loft_sci_add(loft_sci_sub(loft_sci_mul(loft_sci_from_int(6), aab), loft_sci_mul(loft_sci_from_int(8), a)), b);
+        a = loft_sci_sub(a, loft_sci_div(f, d));
+    }
+    return a;
+}
+
+/* s balanced(c t), c what all parameters are in the middle: (sqrt 5 - 1) / 2 and sqrt(1/2). */
+static loft_unit ring_parameter(unsigned sides, loft_unit s, loft_unit t)
+{
+    const loft_sci middle = loft_sci_from_unit(sides == 5 ? LOFT_UNIT(0.6180339887498949) : LOFT_UNIT(0.7071067811865476));
+    const loft_sci a = loft_sci_mul(loft_sci_from_unit(s), balanced(sides, loft_sci_mul(middle, loft_sci_from_unit(t))));
+    loft_acc wide = 0;
+
+    return loft_sci_wide(a, &wide) ? loft_unit_round(wide) : 0;
+}
+
+/* Three sides: u_i belongs to corner i + 2, opposite to side i. */
+static enum loft_status triple_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+{
+    loft_unit of[3] = { 0, 0, 0 };
+    loft_sci parameter[3];
+
+    of[after(side, 3)] = share;
+    of[side] = rest(share);
+    for (int i = 0; i < 3; i++)
+        of[i] = loft_unit_round(loft_acc_lerp(loft_unit_wide(loft_unit_of(1, 3)), loft_unit_wide(of[i]), u));
+    if (of[0] + of[2] > LOFT_UNIT(1))
+        of[0] = rest(of[2]);
+    const enum loft_status status = loft_ring_lift(of[2], of[0], parameter);
+    return status ? status : loft_ring_eval(r->patch, parameter, out);
+}
+
+static enum loft_status ring_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+{
+    const unsigned n = r->sides;
+    const kite k = kite_of(r, side, share, u);
+    loft_sci turned[LOFT_RING_SIDES], parameter[LOFT_RING_SIDES];
+    const enum loft_status status = loft_ring_params(n, ring_parameter(n, k.s, k.t), ring_parameter(n, k.t, k.s), turned);
+
+    if (status != LOFT_OK)
+        return status;
+    for (unsigned i = 0; i < n; i++)
+        parameter[(k.corner + n - 1 + i) % n] = turned[i];
+    return loft_ring_eval(r->patch, parameter, out);
+}
+
+void loft_round_from_ring(loft_round *r, const loft_ring *g)
+{
+    r->at = g->sides == 3 ? triple_at : ring_at;
+    r->patch = g;
+    r->domain = NULL;
+    r->coordinates = NULL;
+    r->harmonic = NULL;
+    r->middle.at[0] = r->middle.at[1] = 0;
+    r->sides = g->sides;
+}
+
+
+/* The sheet */
+
+static enum loft_status round_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
+{
+    const loft_round *r = surface;
+    loft_unit share = (loft_unit)(r->sides * v);
+    unsigned side = 0;
+
+    if (!(u >= 0 && u <= LOFT_UNIT(1) && v >= 0 && v <= LOFT_UNIT(1)))
+        return LOFT_ERR_ARG;
+    for (; share >= LOFT_UNIT(1) && side + 1 < r->sides; side++)
+        share -= LOFT_UNIT(1);
+    return r->at(r, side, share, u, out);
+}
+
+loft_sheet loft_sheet_from_round(const loft_round *r)
+{
+    const loft_sheet s = { round_at, r, LOFT_SHEET_ROUND };
+    return s;
+}

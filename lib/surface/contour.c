@@ -1,0 +1,254 @@
+/* lib/surface/contour.c
+ * SPDX-License-Identifier: MIT
+ *
+ * A corner of the grid is (i, j), i of rows and j of columns. The lower triangle of cell (i, j) has the corners (i, j), (i + 1, j),
+ * (i, j + 1), the upper one (i + 1, j + 1), (i, j + 1), (i + 1, j), both counter-clockwise with u to the right. Edge k of a triangle
+ * runs from corner k to the next one. A contour that has the higher side to its left enters a triangle over the edge that leads from
+ * a higher corner to a lower one and leaves it over the one that leads back: exactly one of each, when the corners differ.
+ *
+ * The same edge has the same lower and the same higher end from both sides, and what is found between them is the same point.
+ */
+#include "surface/contour.h"
+
+#define GUESSES 54      /* halvings: more than a parameter has digits */
+
+typedef struct {
+    unsigned i, j;
+} corner;
+
+static bool bit(const loft_contour *c, uint32_t k)       { return c->memory[k / 8] >> k % 8 & 1; }
+static void set_bit(loft_contour *c, uint32_t k)         { c->memory[k / 8] = (uint8_t)(c->memory[k / 8] | 1u << k % 8); }
+
+static uint32_t corner_bit(const loft_contour *c, corner k)
+{
+    const unsigned j = c->sheet.over == LOFT_SHEET_ROUND && k.j == c->columns ? 0 : k.j;
+    return k.i * (c->columns + (uint32_t)1) + j;
+}
+
+static uint32_t cell_bit(const loft_contour *c, const loft_contour_cell *t)
+{
+    return (c->rows + (uint32_t)1) * (c->columns + (uint32_t)1) + ((uint32_t)t->i * c->columns + t->j) * 2 + t->upper;
+}
+
+static bool is_high(const loft_contour *c, corner k) { return bit(c, corner_bit(c, k)); }
+
+static bool exists(const loft_contour *c, unsigned i, unsigned j, bool upper)
+{
+    if (c->sheet.over == LOFT_SHEET_TRIANGLE)
+        return i + j + upper < c->rows;
+    return i < c->rows && j < c->columns;
+}
+
+/* Corner k of a triangle, k = 0..3, 3 being 0 again. */
+static corner corner_of(const loft_contour_cell *t, unsigned k)
+{
+    const unsigned one = t->upper ? 0 : 1, i = t->i + (k % 3 == 1 ? one : 1 - one), j = t->j + (k % 3 == 2 ? one : 1 - one);
+    const corner at = { i, j };
+    return at;
+}
+
+/* The edge over which a contour enters (`high` true) or leaves the triangle; 3 when it does not cross it. */
+static unsigned crossed(const loft_contour *c, const loft_contour_cell *t, bool high)
+{
+    unsigned k = 0;
+
+    while (k < 3 && !(is_high(c, corner_of(t, k)) == high && is_high(c, corner_of(t, k + 1)) == !high))
+        k++;
+    return k;
+}
+
+/* The triangle beyond edge k, in place; false when that is the border. Edge 0 is the line between columns, 1 the diagonal, 2 the
+ * line between rows. */
+static bool go_beyond(const loft_contour *c, loft_contour_cell *t, unsigned k)
+{
+    unsigned i = t->i, j = t->j;
+
+    if (k == 0 && !t->upper && j == 0) {
+        if (c->sheet.over != LOFT_SHEET_ROUND)
+            return false;
+        j = c->columns;
+    }
+    if (k == 2 && !t->upper && i == 0)
+        return false;
+    if (k == 0)
+        j = t->upper ? j + 1 : j - 1;
+    if (k == 2)
+        i = t->upper ? i + 1 : i - 1;
+    if (c->sheet.over == LOFT_SHEET_ROUND && j == c->columns)
+        j = 0;
+    if (!exists(c, i, j, !t->upper))
+        return false;
+    t->i = (uint16_t)i;
+    t->j = (uint16_t)j;
+    t->upper = !t->upper;
+    return true;
+}
+
+
+/* Points */
+
+/* A point between two corners of the grid. */
+typedef struct {
+    loft_unit u, v;
+    loft_vec p;
+    loft_acc off;               /* its height, less what is looked for */
+} spot;
+
+static loft_unit between(loft_unit a, loft_unit b, loft_unit s)
+{
+    return loft_unit_round(loft_acc_lerp(loft_unit_wide(a), loft_unit_wide(b), s));
+}
+
+/* False when the sheet has no point there. */
+static bool look(const loft_contour *c, spot *s)
+{
+    if (c->sheet.eval(c->sheet.surface, s->u, s->v, &s->p) != LOFT_OK)
+        return false;
+    s->off = loft_wide(s->p.axis[c->axis]) - loft_wide(c->height);
+    return true;
+}
+
+static bool look_at(const loft_contour *c, corner k, spot *s)
+{
+    s->u = loft_unit_of(k.i, c->rows);
+    s->v = loft_unit_of(k.j, c->columns);
+    return look(c, s);
+}
+
+static bool is_near(const loft_contour *c, const spot *s)
+{
+    return s->off <= loft_wide(c->tol) && s->off >= -loft_wide(c->tol);
+}
+
+/* Where, between a low and a high corner, low.off < 0 <= high.off. By turns where the chord has the height, and the middle: the
+ * chord is good where the surface is smooth, and no surface takes more than twice as long as halving. */
+static spot search(const loft_contour *c, corner from, corner to)
+{
+    loft_unit least = 0, most = LOFT_UNIT(1);
+    spot a, b, low, high;
+
+    if (!look_at(c, from, &a) || !look_at(c, to, &b))   /* looked at before: it does */
+        return a;
+    low = a;
+    high = b;
+    for (unsigned guess = 0; guess < 2 * GUESSES && high.off != 0; guess++) {
+        const loft_unit share = guess % 2 ? LOFT_UNIT(0.5) : loft_unit_ratio(-low.off, high.off - low.off);
+        const loft_unit s = between(least, most, share);
+        spot x;
+        if (!(s > least && s < most)) {
+            if (guess % 2)
+                break;
+            continue;
+        }
+        x.u = between(a.u, b.u, s);
+        x.v = between(a.v, b.v, s);
+        if (!look(c, &x))
+            break;
+        if (is_near(c, &x))
+            return x;
+        if (x.off < 0) {
+            least = s;
+            low = x;
+        } else {
+            most = s;
+            high = x;
+        }
+    }
+    return high.off < -low.off ? high : low;
+}
+
+static void give(loft_contour *c, unsigned k, bool entry, loft_vec *out)
+{
+    const corner from = corner_of(&c->at, k), to = corner_of(&c->at, k + 1);
+    const spot s = entry ? search(c, to, from) : search(c, from, to);
+
+    c->u = s.u;
+    c->v = s.v;
+    *out = s.p;
+}
+
+
+/* Curves */
+
+enum loft_status loft_contour_init(loft_contour *c, loft_sheet sheet, unsigned axis, loft_real height, loft_real tol,
+                                   unsigned rows, unsigned columns, uint8_t memory[], size_t count)
+{
+    const bool round = sheet.over == LOFT_SHEET_ROUND, triangle = sheet.over == LOFT_SHEET_TRIANGLE;
+    corner k;
+
+    if (rows < 1 || rows > LOFT_CONTOUR_MOST || columns < (round ? 3u : 1u) || columns > LOFT_CONTOUR_MOST ||
+        (triangle && rows != columns) || axis >= LOFT_AXES || !(tol >= 0) || !loft_real_valid(height))
+        return LOFT_ERR_ARG;
+    if (count < LOFT_CONTOUR_BYTES(rows, columns))
+        return LOFT_ERR_SPACE;
+    for (uint32_t i = 0; i < LOFT_CONTOUR_BYTES(rows, columns); i++)
+        memory[i] = 0;
+    c->sheet = sheet;
+    c->axis = (uint8_t)axis;
+    c->height = height;
+    c->tol = tol;
+    c->rows = (uint16_t)rows;
+    c->columns = (uint16_t)columns;
+    c->memory = memory;
+    c->walking = c->closed = false;
+    c->next = 0;
+    for (k.i = 0; k.i <= rows; k.i++)
+        for (k.j = 0; k.j <= (triangle ? rows - k.i : columns); k.j++) {
+            spot s;
+            const loft_unit u = loft_unit_of(k.i, rows), v = loft_unit_of(k.j, columns);
+            const enum loft_status status = sheet.eval(sheet.surface, u, v, &s.p);
+            if (status != LOFT_OK)
+                return status;
+            if (s.p.axis[axis] >= height)
+                set_bit(c, corner_bit(c, k));
+        }
+    return LOFT_OK;
+}
+
+/* Does a curve that was not walked yet begin in this triangle? On the border first, then anywhere. */
+static bool begins(const loft_contour *c, const loft_contour_cell *t, unsigned *entry)
+{
+    loft_contour_cell beyond = *t;
+
+    if (!exists(c, t->i, t->j, t->upper) || bit(c, cell_bit(c, t)))
+        return false;
+    *entry = crossed(c, t, true);
+    return *entry < 3 && (c->closed || !go_beyond(c, &beyond, *entry));
+}
+
+static bool find(loft_contour *c, unsigned *entry)
+{
+    const uint32_t all = (uint32_t)2 * c->rows * c->columns;
+
+    for (;;) {
+        for (; c->next < all; c->next++) {
+            c->at.i = (uint16_t)(c->next / 2 / c->columns);
+            c->at.j = (uint16_t)(c->next / 2 % c->columns);
+            c->at.upper = c->next % 2 != 0;
+            if (begins(c, &c->at, entry))
+                return true;
+        }
+        if (c->closed)
+            return false;
+        c->closed = true;
+        c->next = 0;
+    }
+}
+
+enum loft_contour_step loft_contour_next(loft_contour *c, loft_vec *out)
+{
+    unsigned k = 0;
+
+    if (!c->walking) {
+        if (!find(c, &k))
+            return LOFT_CONTOUR_OVER;
+        c->walking = true;
+        give(c, k, true, out);
+        return LOFT_CONTOUR_START;
+    }
+    k = crossed(c, &c->at, false);
+    give(c, k, false, out);
+    set_bit(c, cell_bit(c, &c->at));
+    c->walking = go_beyond(c, &c->at, k) && !bit(c, cell_bit(c, &c->at));
+    return LOFT_CONTOUR_ON;
+}

@@ -1,0 +1,396 @@
+/* tests/test_round.c -- properties of lib/polygon/round.h: patches with n sides as sheets around their middle, and their contours
+ * SPDX-License-Identifier: MIT
+ */
+#include "check.h"              /* CHECK, PROPERTY, BY_NUM */
+#include "exact.h"              /* exact_of */
+#include "curve/rational.h"     /* loft_rational_eval */
+#include "polygon/blend.h"      /* loft_blend_curve */
+#include "polygon/meanvalue.h"  /* loft_meanvalue_eval */
+#include "polygon/round.h"
+#include "polygon/wachspress.h" /* loft_wachspress_eval */
+#include "surface/contour.h"
+
+#define KINDS   7
+#define POINTS  500
+#define ROWS    16
+#define COLUMNS 48              /* of up to 8 sides: not always a multiple */
+
+static uint8_t memory[LOFT_CONTOUR_BYTES(ROWS, COLUMNS)];
+
+/* A patch of any kind. Its control points lie over the regular polygon of radius 50, as those of a flat patch that is the polygon, and
+ * some are moved; all are higher the nearer they are to the middle. */
+typedef struct {
+    loft_vec p[POINTS];
+    loft_real w[POINTS];
+    loft_spot v[LOFT_SIDES_MAX];
+    loft_domain domain;
+    loft_lattice_polygon lattice;
+    loft_spatch spatch;
+    loft_toric toric;
+    loft_basepoint basepoint;
+    loft_ring ring;
+    loft_gb gb;
+    loft_round round;
+    unsigned kind, sides, degree, count;
+} scene;
+
+static void vertex_of(unsigned sides, unsigned i, long double radius, long double out[2])
+{
+    out[0] = radius * cosl(2 * acosl(-1) * (long double)(i % sides) / sides);
+    out[1] = radius * sinl(2 * acosl(-1) * (long double)(i % sides) / sides);
+}
+
+static void put(scene *x, arb *a, unsigned k, const long double at[2], long double wild)
+{
+    const long double r2 = (at[0] * at[0] + at[1] * at[1]) / 2500;
+    const long double p[3] = { at[0], at[1], 30 * (1 - r2) };
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        x->p[k].axis[i] = LOFT_REAL((double)(i < 3 ? p[i] + wild * (arb_below(a, 2001) / 1000.0L - 1) : 0));
+    x->w[k] = LOFT_REAL(1);
+}
+
+static void over_multi(scene *x, arb *a, unsigned sides, long double wild)
+{
+    uint8_t l[LOFT_SIDES_MAX];
+    unsigned k = 0;
+
+    loft_multi_first(l, sides, x->degree);
+    do {
+        long double at[2] = { 0, 0 }, v[2];
+        for (unsigned i = 0; i < sides; i++) {
+            vertex_of(sides, i, 50, v);
+            at[0] += v[0] * l[i] / x->degree;
+            at[1] += v[1] * l[i] / x->degree;
+        }
+        put(x, a, k++, at, wild);
+    } while (loft_multi_next(l, sides));
+}
+
+/* Corner by corner, as ring.h and gb.h have them, and the middle. */
+static void over_kites(scene *x, arb *a, long double wild)
+{
+    const unsigned d = x->degree;
+    const long double middle[2] = { 0, 0 };
+    unsigned k = 0;
+
+    for (unsigned c = 0; c < x->sides; c++)
+        for (unsigned i = 0; i < d / 2 + 1; i++)
+            for (unsigned j = 0; j < (d + 1) / 2; j++) {
+                const long double s = 2.0L * i / d, t = 2.0L * j / d;
+                long double v[2], next[2], last[2];
+                vertex_of(x->sides, c, 50, v);
+                vertex_of(x->sides, c + 1, 50, next);
+                vertex_of(x->sides, c + x->sides - 1, 50, last);
+                for (int n = 0; n < 2; n++)
+                    v[n] = (1 - s) * (1 - t) * v[n] + s * (1 - t) * (v[n] + next[n]) / 2 + (1 - s) * t * (v[n] + last[n]) / 2;
+                put(x, a, k++, v, wild);
+            }
+    put(x, a, k, middle, wild);
+}
+
+static void over_lattice(scene *x, arb *a, long double wild)
+{
+    static const loft_whole v[6] = { { { 0, 0 } }, { { 2, 0 } }, { { 4, 2 } }, { { 4, 4 } }, { { 2, 4 } }, { { 0, 2 } } };
+    unsigned k = 0;
+    loft_whole l;
+
+    CHECK(loft_lattice_polygon_init(&x->lattice, v, 6) == LOFT_OK);
+    loft_lattice_polygon_first(&x->lattice, &l);
+    do {
+        const long double at[2] = { 20.0L * (l.at[0] - 2), 20.0L * (l.at[1] - 2) };
+        put(x, a, k++, at, wild);
+    } while (loft_lattice_polygon_next(&x->lattice, &l));
+}
+
+/* Polygons of radius 10000 in q16, of radius 1 in floats. */
+static void make_domain(scene *x)
+{
+    for (unsigned i = 0; i < x->sides; i++) {
+        long double v[2];
+        vertex_of(x->sides, i, BY_NUM(10000.0L, 1.0L, 1.0L), v);
+        for (int k = 0; k < 2; k++)
+            x->v[i].at[k] = LOFT_REAL((double)(roundl(v[k] * 1048576) / 1048576));
+    }
+    CHECK(loft_domain_init(&x->domain, x->v, x->sides) == LOFT_OK);
+}
+
+static void make_basepoint(scene *x, arb *a, long double wild)
+{
+    static const uint8_t cuts[4][3] = { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 2 }, { 2, 2, 1 } };
+    x->degree = 5;
+    over_multi(x, a, 3, wild);
+    CHECK(loft_basepoint_init(&x->basepoint, x->p, x->w, 5, cuts[arb_below(a, 4)]) == LOFT_OK);
+    loft_round_from_basepoint(&x->round, &x->basepoint);
+}
+
+static scene *arb_kind(arb *a, unsigned kind, long double wild)
+{
+    static scene x;
+
+    x.kind = kind;
+    x.sides = 3 + arb_below(a, 6);
+    x.degree = 3 + arb_below(a, 3);
+    switch (kind) {
+    case 0: case 1:                                     /* spatch, Wachspress or mean value */
+        x.degree = 1 + arb_below(a, 3);
+        over_multi(&x, a, x.sides, wild);
+        make_domain(&x);
+        CHECK(loft_spatch_init(&x.spatch, x.p, NULL, x.sides, x.degree) == LOFT_OK);
+        CHECK(loft_round_from_spatch(&x.round, &x.spatch, &x.domain, kind ? loft_meanvalue_eval : loft_wachspress_eval) == LOFT_OK);
+        break;
+    case 2: case 3:                                     /* gb */
+        over_kites(&x, a, wild);
+        make_domain(&x);
+        CHECK(loft_gb_init(&x.gb, x.p, x.sides, x.degree) == LOFT_OK);
+        CHECK(loft_round_from_gb(&x.round, &x.gb, &x.domain, kind == 3 ? loft_meanvalue_eval : loft_wachspress_eval) == LOFT_OK);
+        break;
+    case 4:
+        over_lattice(&x, a, wild);
+        CHECK(loft_toric_init(&x.toric, &x.lattice, x.p, NULL, NULL) == LOFT_OK);
+        CHECK(loft_round_from_toric(&x.round, &x.toric) == LOFT_OK);
+        break;
+    case 5:
+        make_basepoint(&x, a, wild);
+        break;
+    default:
+        x.sides = arb_below(a, 3);
+        x.sides = x.sides == 0 ? 3 : 4 + x.sides;
+        over_kites(&x, a, wild);
+        CHECK(loft_ring_init(&x.ring, x.p, x.sides, x.degree) == LOFT_OK);
+        loft_round_from_ring(&x.round, &x.ring);
+        break;
+    }
+    x.sides = x.round.sides;
+    return &x;
+}
+
+static loft_vec point_at(const scene *x, loft_unit u, loft_unit v)
+{
+    const loft_sheet s = loft_sheet_from_round(&x->round);
+    loft_vec p;
+
+    CHECK(s.over == LOFT_SHEET_ROUND);
+    CHECK(s.eval(s.surface, u, v, &p) == LOFT_OK);
+    return p;
+}
+
+static long double apart(const loft_vec *a, const loft_vec *b)
+{
+    long double most = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        most = fmaxl(most, fabsl(exact_of(a->axis[i]) - exact_of(b->axis[i])));
+    return most;
+}
+
+/* Nowhere does it jump: points whose parameters are 2^-20 apart are no further apart than the steepest of these patches makes them;
+ * v = 1 is v = 0, and u = 0 one point. */
+static void there_is_no_seam(arb *a)
+{
+    const scene *x = arb_kind(a, arb_below(a, KINDS), 5);
+    const loft_unit u = arb_unit(a), step = LOFT_UNIT(0x1p-20), half = loft_unit_of(1 + 2 * arb_below(a, x->sides), 2 * x->sides);
+    const long double steep = 50.0L * 8 * 9 * 8 * 0x1p-19L + BY_NUM(4 * 0x1p-16L, 0x1p-12L, 1e-10L);
+    const loft_unit v = arb_below(a, 2) ? half : loft_unit_of(arb_below(a, x->sides), x->sides);
+    const loft_vec middle = point_at(x, 0, 0);
+    loft_vec p, q;
+
+    p = point_at(x, u, v);
+    q = point_at(x, u, v + step);
+    CHECK(apart(&p, &q) <= steep);
+    if (v > step) {
+        q = point_at(x, u, v - step);
+        CHECK(apart(&p, &q) <= steep);
+    }
+    p = point_at(x, u, 0);
+    q = point_at(x, u, LOFT_UNIT(1));
+    CHECK(apart(&p, &q) <= 0);
+    p = point_at(x, 0, v);
+    CHECK(apart(&p, &middle) <= BY_NUM(2 * 0x1p-16L, 0x1p-14L, 1e-11L));
+}
+
+/* u = 1 goes along the sides, side k from k / n on. */
+static void the_border_is_the_sides(arb *a)
+{
+    const scene *x = arb_kind(a, arb_below(a, KINDS), 5);
+    const unsigned side = arb_below(a, x->sides), along = arb_below(a, 65);
+    const loft_unit share = loft_unit_of(along, 64);
+    const long double within = BY_NUM(3 * 0x1p-16L, 0x1p-13L, 1e-11L) + 8 * 9 * 100 * BY_NUM(8 * 0x1p-24L, 8 * 0x1p-24L, 8 * 0x1p-53L);
+    const loft_vec p = point_at(x, LOFT_UNIT(1), loft_unit_of(64 * side + along, 64 * x->sides));
+    loft_weighted w[LOFT_DEGREE_MAX + 1];
+    loft_sci phi[LOFT_SIDES_MAX];
+    loft_rational r;
+    loft_unit t;
+    loft_vec on;
+
+    for (unsigned i = 0; i < x->sides; i++)
+        phi[i] = loft_sci_zero();
+    phi[(side + 1) % x->sides] = loft_sci_from_unit(share);
+    phi[side] = loft_sci_sub(loft_sci_one(), loft_sci_from_unit(share));
+    if (x->kind < 2) {
+        CHECK(loft_spatch_eval(&x->spatch, phi, &on) == LOFT_OK);
+    } else if (x->kind < 4) {
+        CHECK(loft_gb_eval(&x->gb, phi, &on) == LOFT_OK);
+    } else if (x->kind == 4) {
+        const loft_whole from = x->lattice.edge[side].from, to = x->lattice.edge[(side + 1) % x->sides].from;
+        loft_spot s;
+        for (int i = 0; i < 2; i++)
+            s.at[i] = LOFT_REAL(from.at[i] + (to.at[i] - from.at[i]) * (along / 64.0));
+        CHECK(loft_toric_edge(&x->toric, side, w) == LOFT_OK);
+        CHECK(loft_rational_init(&r, w, x->lattice.edge[side].length) == LOFT_OK);
+        CHECK(loft_toric_parameter(&x->toric, side, s, &t) == LOFT_OK);
+        on = loft_rational_eval(&r, t);
+    } else if (x->kind == 5) {
+        CHECK(along % 64 != 0 || loft_basepoint_boundary(&x->basepoint, side, share, &on) == LOFT_OK);
+        if (along % 64 != 0)
+            return;                                     /* only the ends: between them the way along the side is its own */
+    } else {
+        loft_vec edge[LOFT_DEGREE_MAX + 1];
+        for (unsigned k = 0; k <= x->degree; k++) {
+            uint8_t l[LOFT_RING_SIDES];
+            for (unsigned i = 0; i < loft_ring_count(x->sides, x->degree); i++) {
+                loft_ring_index(x->sides, x->degree, i, l);
+                if (l[side] == 0 && l[(side + x->sides - 1) % x->sides] == k)
+                    edge[k] = x->p[i];
+            }
+        }
+        const loft_sci both[2] = { loft_sci_sub(loft_sci_one(), loft_sci_from_unit(share)), loft_sci_from_unit(share) };
+        CHECK(loft_blend_curve(edge, NULL, x->degree, both, &on) == LOFT_OK);
+    }
+    CHECK(apart(&p, &on) <= within);
+}
+
+/* Of a patch that is a dome over its polygon: the cells of the grid seen from above lie side by side, none turned over, and fill the
+ * polygon. */
+static void the_sheet_covers_the_patch_once(arb *a)
+{
+    const scene *x = arb_kind(a, arb_below(a, KINDS), 0);
+    const unsigned columns = 8 * x->sides;
+    long double area = 0, whole = 0;
+
+    for (unsigned j = 0; j < columns; j++) {
+        const loft_unit v0 = loft_unit_of(j, columns), v1 = loft_unit_of(j + 1, columns);
+        for (unsigned i = 0; i < ROWS; i++) {
+            const loft_unit u0 = loft_unit_of(i, ROWS), u1 = loft_unit_of(i + 1, ROWS);
+            const loft_vec c[4] = { point_at(x, u0, v0), point_at(x, u1, v0), point_at(x, u1, v1), point_at(x, u0, v1) };
+            long double cell = 0;
+            for (int k = 0; k < 4; k++)
+                cell += (exact_of(c[k].axis[0]) * exact_of(c[(k + 1) % 4].axis[1]) - exact_of(c[k].axis[1]) * exact_of(c[(k + 1) % 4].axis[0])) / 2;
+            CHECK(cell > -1e-3L);
+            area += cell;
+        }
+        const loft_vec p = point_at(x, LOFT_UNIT(1), v0), q = point_at(x, LOFT_UNIT(1), v1);
+        whole += (exact_of(p.axis[0]) * exact_of(q.axis[1]) - exact_of(p.axis[1]) * exact_of(q.axis[0])) / 2;
+    }
+    CHECK(whole > 1000 && fabsl(area - whole) < 0.05L);
+}
+
+/* The height of the highest point of the border. */
+static long double brim(const scene *x)
+{
+    long double most = -1e9L;
+
+    for (unsigned j = 0; j < 8 * COLUMNS; j++) {
+        const loft_vec p = point_at(x, LOFT_UNIT(1), loft_unit_of(j, 8 * COLUMNS));
+        most = fmaxl(most, exact_of(p.axis[2]));
+    }
+    return most;
+}
+
+/* A waterline below the top of a dome whose border is lower: one ring around the middle that closes, every point of it on the surface
+ * and within the tolerance, up to the step of the polygon's points. */
+static void waterlines_close_around_the_middle(arb *a)
+{
+    const loft_real tol = LOFT_REAL(0.005);
+    const scene *x = arb_kind(a, arb_below(a, KINDS), 0);
+    enum loft_contour_step step;
+    loft_vec p, first = { { 0 } }, last = { { 0 } };
+    unsigned starts = 0, points = 0;
+    long double around = 0;
+    loft_contour c;
+
+    if (LOFT_AXES < 3)
+        return;
+    while (brim(x) + 2 > exact_of(point_at(x, 0, 0).axis[2]))   /* depth 1 may be plane */
+        x = arb_kind(a, arb_below(a, KINDS), 0);
+    const long double low = brim(x), top = exact_of(point_at(x, 0, 0).axis[2]);
+    const loft_real height = LOFT_REAL((double)(low + (top - low) * (0.2L + arb_below(a, 600) / 1000.0L)));
+    CHECK(loft_contour_init(&c, loft_sheet_from_round(&x->round), 2, height, tol, ROWS, COLUMNS, memory, sizeof memory) == LOFT_OK);
+    while ((step = loft_contour_next(&c, &p)) != LOFT_CONTOUR_OVER) {
+        const loft_vec on = point_at(x, c.u, c.v);
+        CHECK(apart(&p, &on) <= 0);
+        CHECK(fabsl(exact_of(p.axis[2]) - exact_of(height)) <= exact_of(tol) + BY_NUM(0.01L, 1e-3L, 1e-9L));
+        starts += step == LOFT_CONTOUR_START;
+        if (points++ > 0)
+            around += atan2l(exact_of(last.axis[0]) * exact_of(p.axis[1]) - exact_of(last.axis[1]) * exact_of(p.axis[0]),
+                             exact_of(last.axis[0]) * exact_of(p.axis[0]) + exact_of(last.axis[1]) * exact_of(p.axis[1]));
+        else
+            first = p;
+        last = p;
+    }
+    CHECK(starts == 1 && points > COLUMNS && apart(&first, &last) <= 0);
+    CHECK(fabsl(fabsl(around) - 2 * acosl(-1)) < 1e-3L);
+}
+
+static loft_acc acc_of(long double x) { return BY_NUM((loft_acc)llroundl(x * 4294967296.0L), (loft_acc)x, (loft_acc)x); }
+
+/* Over a triangle harmonic coordinates are the barycentric ones, which are Wachspress's: 1/3 + 2/3 of the cosine between p and the
+ * vertex, the series 1, Re t, Im t. */
+static void harmonic_coordinates_can_be_taken(arb *a)
+{
+    scene *x = arb_kind(a, 0, 5);
+    loft_acc coefficient[9];
+    loft_round r;
+    loft_harmonic h;
+
+    while (x->sides != 3)
+        x = arb_kind(a, 0, 5);
+    for (unsigned i = 0; i < 3; i++) {
+        long double v[2];
+        vertex_of(3, i, 2 / 3.0L, v);
+        coefficient[i] = acc_of(1 / 3.0L);
+        coefficient[3 + i] = acc_of(v[0]);
+        coefficient[6 + i] = acc_of(v[1]);
+    }
+    const loft_harmonic_table table = { .coefficient = coefficient, .terms = 3, .sides = 3, .degree = 1 };
+    CHECK(loft_harmonic_init(&h, &x->domain, &table) == LOFT_OK);
+    const loft_unit u = arb_unit(a), v = arb_unit(a);
+    const loft_vec want = point_at(x, u, v);
+    CHECK(loft_round_from_spatch(&r, &x->spatch, &x->domain, NULL) == LOFT_OK);
+    loft_sheet s = loft_sheet_from_round(&r);
+    loft_vec p;
+    CHECK(u >= LOFT_UNIT(1) || s.eval(s.surface, u, v, &p) == LOFT_ERR_ARG);
+    CHECK(loft_round_harmonic(&r, &h) == LOFT_OK);
+    CHECK(s.eval(s.surface, u, v, &p) == LOFT_OK);
+    CHECK(apart(&p, &want) <= BY_NUM(1e-2L, 1e-3L, 1e-3L));
+    loft_round_from_basepoint(&r, &x->basepoint);
+    CHECK(loft_round_harmonic(&r, &h) == LOFT_ERR_ARG);
+}
+
+static void what_does_not_fit_is_refused(arb *a)
+{
+    scene *x = arb_kind(a, arb_below(a, 4), 0);
+    const loft_sheet s = loft_sheet_from_round(&x->round);
+    loft_round r;
+    loft_vec p;
+
+    x->domain.sides--;
+    if (x->kind < 2)
+        CHECK(loft_round_from_spatch(&r, &x->spatch, &x->domain, loft_wachspress_eval) == LOFT_ERR_ARG);
+    else
+        CHECK(loft_round_from_gb(&r, &x->gb, &x->domain, loft_wachspress_eval) == LOFT_ERR_ARG);
+    x->domain.sides++;
+    CHECK(s.eval(s.surface, LOFT_UNIT(-0.25), 0, &p) == LOFT_ERR_ARG);
+    CHECK(s.eval(s.surface, 0, LOFT_UNIT(1.25), &p) == LOFT_ERR_ARG);
+}
+
+int main(void)
+{
+    PROPERTY(there_is_no_seam, 150);
+    PROPERTY(the_border_is_the_sides, 150);
+    PROPERTY(the_sheet_covers_the_patch_once, 15);
+    PROPERTY(waterlines_close_around_the_middle, 15);
+    PROPERTY(harmonic_coordinates_can_be_taken, 60);
+    PROPERTY(what_does_not_fit_is_refused, 20);
+    return check_failures();
+}
