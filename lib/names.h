@@ -183,6 +183,7 @@
 #define loft_deep_sub              LOFT_NAME(loft_deep_sub)
 #define loft_deep_times            LOFT_NAME(loft_deep_times)
 #define loft_deep_wide             LOFT_NAME(loft_deep_wide)
+#define loft_deficit_eval          LOFT_NAME(loft_deficit_eval)
 #define loft_domain_edge           LOFT_NAME(loft_domain_edge)
 #define loft_domain_init           LOFT_NAME(loft_domain_init)
 #define loft_domain_place          LOFT_NAME(loft_domain_place)
