@@ -144,7 +144,7 @@ static int plan(const plan_options *o, const drawing *d)
 static int run(const tool_command *self, int argc, char **argv)
 {
     plan_options o = { .size = 1600 };
-    drawing d      = { .count = 0 };
+    drawing d = { .count = 0 }, smooth = { .count = 0 };
     bool png;
     int first, code = planning_start(&o.p, argc, argv);
 
@@ -169,9 +169,10 @@ static int run(const tool_command *self, int argc, char **argv)
     if (o.picture != NULL && !plot_known(o.picture, &png))
         return tool_error(EX_USAGE, "--plot %s: give a name that ends with .png, .svg or .pdf", o.picture);
     o.file = argv[first];
-    code = planning_read(&o.p, &d, o.file);
+    code = planning_read(&o.p, &d, &smooth, o.file);
     if (code == 0)
-        code = plan(&o, &d);
+        code = plan(&o, &smooth);
+    drawing_free(&smooth);
     drawing_free(&d);
     return code;
 }

@@ -108,7 +108,7 @@ static int plan_for(const stream_options *o, const char *file, const drawing *d,
 }
 
 /* If the machine has a job it may be this one, which then goes on; it is if it has the same id planned from the same start. */
-static int stream(const stream_options *o, const char *file, const drawing *d, toolpath_options *how, talk *t)
+static int stream(const stream_options *o, const char *file, const drawing *d, const drawing *smooth, toolpath_options *how, talk *t)
 {
     const loft_sender *s = &t->sender;
     toolpath path        = { 0 };
@@ -117,11 +117,11 @@ static int stream(const stream_options *o, const char *file, const drawing *d, t
 
     if (s->machine.job != 0) {
         old_start(s, o->points, how->start);
-        code = plan_for(o, file, d, how, s, &path, &j);
+        code = plan_for(o, file, smooth, how, s, &path, &j);
     }
     if (code == 0 && (j.count == 0 || j.head.id != s->machine.job)) {
         new_start(s, how->start);
-        code = plan_for(o, file, d, how, s, &path, &j);
+        code = plan_for(o, file, smooth, how, s, &path, &j);
     }
     if (code == 0) {
         const stream_subject about = { path.curves, path.drawn, o->p.tol, d, o->record };
@@ -145,19 +145,20 @@ static int control(const stream_options *o)
     return code;
 }
 
-static int draw(const stream_options *o, const char *file)
+static int draw(stream_options *o, const char *file)
 {
     toolpath_options how = planning_path(&o->p);
-    drawing d            = { 0 };
+    drawing d = { 0 }, smooth = { 0 };
     talk t;
 
-    int code = planning_read(&o->p, &d, file);
+    int code = planning_read(&o->p, &d, &smooth, file);
     if (code == 0 && o->dry)
-        code = dry_run(o, file, &d, &how);
+        code = dry_run(o, file, &smooth, &how);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait)) == 0) {
-        code = stream(o, file, &d, &how, &t);
+        code = stream(o, file, &d, &smooth, &how, &t);
         talk_close(&t);
     }
+    drawing_free(&smooth);
     drawing_free(&d);
     return code;
 }

@@ -4,14 +4,16 @@
 #include <math.h>
 
 #include "planning.h"
+#include "smooth.h"         /* drawing_smooth */
 #include "source.h"         /* source_name */
 
 #define JERK_MAX 1e7        /* mm/s^3, of lib/motion/limits.h                    */
+#define SMOOTH_PART 0.2     /* of the tolerance: for making curves of lines      */
 #define JERK_PER 20         /* times the acceleration: it is reached in 1/20 s   */
 
 int planning_start(planning *p, int argc, char **argv)
 {
-    *p = (planning){ .e = &engine_q16, .machine = machine_usual(), .feed = 30, .travel = 100, .accel = -1, .jerk = -1, .lift = 1 };
+    *p = (planning){ .e = &engine_q16, .machine = machine_usual(), .feed = 30, .travel = 100, .accel = -1, .jerk = -1, .lift = 1, .smooth = -1 };
     const int code = machine_option(&p->machine, argc, argv);
 
     p->corner = p->machine.corner;
@@ -39,20 +41,32 @@ void planning_limit(const planning *p, engine_limits *limits)
         limits->max_jerk[i] = said >= 0 ? said : fmin(JERK_PER * limits->max_accel[i], JERK_MAX);
     }
     limits->corner = p->corner;
-    limits->tol    = p->tol;
+    limits->tol    = p->tol - p->smoothed;
 }
 
-int planning_read(const planning *p, drawing *d, const char *file)
+static int within_reach(const planning *p, const drawing *d, const char *file)
 {
-    const int code = drawing_read(d, file);
-
-    for (size_t i = 0; i < d->count && code == 0; i++)
+    for (size_t i = 0; i < d->count; i++)
         for (int k = 0; k < 4; k++) {
             const double *at = d->curve[i].p[k];
             if (!(fabs(at[0]) <= p->e->reach && fabs(at[1]) <= p->e->reach))
                 return tool_error(EX_DATAERR, "%s:%u: a point at %.6g,%.6g mm: bring the drawing within +-%g mm", source_name(file),
                                   d->curve[i].line, at[0], at[1], p->e->reach);
         }
+    return 0;
+}
+
+int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
+{
+    const double within = p->smooth < 0 ? SMOOTH_PART * p->tol : p->smooth;
+
+    if (within > p->tol / 2)
+        return tool_error(EX_USAGE, "--smooth %g: leave at least half of the tolerance of %g mm to the machine", within, p->tol);
+    int code = drawing_read(d, file);
+    if (code == 0)
+        code = within_reach(p, d, file);
+    if (code == 0 && drawing_smooth(smooth, d, within) > 0)
+        p->smoothed = within;
     return code;
 }
 

@@ -16,6 +16,8 @@ typedef struct {
     double feed, travel;            /* mm/s                                        */
     double accel, jerk;             /* mm/s^2, mm/s^3; below 0: the machine's      */
     double corner, tol, lift;       /* mm                                          */
+    double smooth;                  /* mm of tol, below 0: SMOOTH_PART             */
+    double smoothed;                /* mm of tol that were used up by it           */
     bool park;
 } planning;
 
@@ -28,6 +30,7 @@ typedef struct {
     TOOL_NUMBER("jerk", "MM/S3", &(p)->jerk, 0, 1e7, "change of acceleration on any axis (the machine's); 0: at once"), \
     TOOL_NUMBER("corner", "MM", &(p)->corner, 0, 1, "how far corners are taken to be rounded when slowing down (0.01)"), \
     TOOL_NUMBER("tol", "MM", &(p)->tol, 0.0005, 1, "how far the machine may leave the drawing (0.005)"), \
+    TOOL_NUMBER("smooth", "MM", &(p)->smooth, 0, 1, "of this tolerance, for chains of short lines to become curves (a fifth); 0: each line is drawn"), \
     TOOL_NUMBER("lift", "MM", &(p)->lift, 0, 100, "height of the pen while travelling (1)"), \
     TOOL_SWITCH("park", &(p)->park, "return to the start at the end"), \
     TOOL_ENGINE(&(p)->e, "number type of the planner: q16, f32 or f64 (q16)")
@@ -39,8 +42,8 @@ int planning_start(planning *p, int argc, char **argv);
 void planning_machine(const planning *p, engine_limits *limits);
 void planning_limit(const planning *p, engine_limits *limits);
 
-/* Read a drawing that can be planned. Gives 0, or an exit code after one line. */
-int planning_read(const planning *p, drawing *d, const char *file);
+/* Read a drawing that can be planned, and make of it what is planned. Gives 0, or an exit code after one line. */
+int planning_read(planning *p, drawing *d, drawing *smooth, const char *file);
 
 /* How its toolpath is made, from the origin. */
 toolpath_options planning_path(const planning *p);

@@ -552,6 +552,16 @@ case_dry_run_says_the_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 1800mm/min; cp "$tmp/out" "$tmp/minutes"
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 30mm/s; cmp -s "$tmp/out" "$tmp/minutes" || job_fails "1800mm/min is not 30mm/s"
 }
+case_short_lines_become_curves() {
+    awk 'BEGIN { print "line"; for (i = 0; i <= 2000; i++) printf "%.6f %.6f\n", 20 * cos(i * 0.002), 20 * sin(i * 0.002) }' >"$tmp/dense.loft"
+    run 0 "$loft" stream "$tmp/dense.loft" --dry-run --feed 60; says out '^planned: [1-9][0-9]\? curves, 0.080 m drawn'
+    run 0 "$loft" stream "$tmp/dense.loft" --dry-run --feed 60 --smooth 0; says out '^planned: 2000 curves, 0.080 m drawn'
+    one_line 64 'leave at least half of the tolerance' "$loft" plan "$tmp/dense.loft" --smooth 0.004
+    machine dense --steps 250 --once
+    run 0 "$loft" stream "$tmp/dense.loft" --feed 60 --port "$tmp/dense" --record "$tmp/dense.csv"; gone "$machine"
+    says out 'as commanded'
+    awk '/worst path error/ { for (i = 1; i < NF; i++) if ($i == "error" && $(i + 1) < 0.0080) ok = 1 } END { exit !ok }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
+}
 case_plan_says_what_limits() {
     plan() { run 0 "$loft" plan "$@"; is_empty err; }
     limited() { local by=$1; shift; plan --total "$@"; grep -q "^drawn .*  $by [0-9]* %" "$tmp/out" || job_fails "not by $by: $(cat "$tmp/out")"; }
