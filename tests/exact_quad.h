@@ -206,4 +206,38 @@ static inline quad quad_scale(const arb_domain *p, quad_spot at, bool mean)
     return least;
 }
 
+/* A patch over a polygon, with mean values or by Wachspress. */
+typedef struct {
+    const loft_gb *g;
+    const arb_domain *p;
+    bool mean;
+} quad_surface;
+
+static inline void quad_surface_at(const void *of, quad_spot at, quad out[])
+{
+    const quad_surface *s = (const quad_surface *)of;
+    quad phi[LOFT_SIDES_MAX];
+
+    if (s->mean)
+        quad_meanvalue(s->p, at, phi);
+    else
+        quad_wachspress(s->p, at, phi);
+    quad_point(s->g, phi, out);
+}
+
+/* (L N - M^2) / (E G - F^2)^2 with cross products of length D = E G - F^2 in place of unit normals. */
+static inline quad quad_gauss(quad s[][5])
+{
+    quad n[3], dot[5] = { 0 }, square = 0;
+
+    for (int i = 0; i < 3; i++) {
+        n[i] = s[(i + 1) % 3][0] * s[(i + 2) % 3][1] - s[(i + 2) % 3][0] * s[(i + 1) % 3][1];
+        square += n[i] * n[i];
+    }
+    for (int k = 2; k < 5; k++)
+        for (int i = 0; i < 3; i++)
+            dot[k] += n[i] * s[i][k];
+    return (dot[2] * dot[4] - dot[3] * dot[3]) / (square * square);
+}
+
 #endif

@@ -6,6 +6,7 @@
 
 #include "vectors_sheet.h"          /* sheet_of, decimal_real */
 #include "polygon/domain.h"
+#include "polygon/jet.h"
 #include "solved.h"                 /* solved: harmonic coordinates */
 
 typedef struct {
@@ -23,6 +24,9 @@ loft_spot spot_of(row *r);
 
 /* phi by Wachspress (W), mean values (M) or harmonic functions (H). False when the library has none of that name there. */
 bool coordinates(row *r, char which, const polygon *p, loft_spot at, loft_sci phi[]);
+
+/* The same with derivatives. False when it has none, which is said. */
+bool coordinate_jets(row *r, char which, const polygon *p, loft_spot at, loft_jet phi[]);
 
 /* Harmonic coordinates of a polygon, solved when first asked for. What they err by, rounding included. */
 const solved *solution_of(const polygon *p);

@@ -324,24 +324,6 @@ static void over_a_square_it_is_the_tensor_product(arb *a)
 
 /* Derivatives */
 
-typedef struct {
-    const loft_gb *g;
-    const arb_domain *p;
-    bool mean;
-} surface;
-
-static void surface_at(const void *of, quad_spot at, quad out[])
-{
-    const surface *s = (const surface *)of;
-    quad phi[LOFT_SIDES_MAX];
-
-    if (s->mean)
-        quad_meanvalue(s->p, at, phi);
-    else
-        quad_wachspress(s->p, at, phi);
-    quad_point(s->g, phi, out);
-}
-
 /* The largest first and second derivative of a coordinate. */
 static void slopes_of(const loft_jet phi[], unsigned n, long double *first, long double *second)
 {
@@ -359,7 +341,7 @@ static void derivatives_are_limits_of_differences(arb *a)
     arb_domain p = arb_convex(a);
     const loft_spot q = (settle(&p), arb_inner(a, &p));
     const loft_gb g = arb_gb(a, p.n, arb_degree(a));
-    const surface s = { &g, &p, mean };
+    const quad_surface s = { &g, &p, mean };
     const quad near = quad_scale(&p, quad_of(q), true);
     loft_jet phi[LOFT_SIDES_MAX];
     loft_local here;
@@ -374,8 +356,8 @@ static void derivatives_are_limits_of_differences(arb *a)
         return;
     slopes_of(phi, p.n, &first, &second);
     const quad step = quad_less(near, 1 / first) * 1e-7L;
-    quad_differences(surface_at, &s, LOFT_AXES, quad_of(q), 4 * step, rough);
-    quad_differences(surface_at, &s, LOFT_AXES, quad_of(q), step, want);
+    quad_differences(quad_surface_at, &s, LOFT_AXES, quad_of(q), 4 * step, rough);
+    quad_differences(quad_surface_at, &s, LOFT_AXES, quad_of(q), step, want);
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_sci got[5] = { here.u[i], here.v[i], here.uu[i], here.uv[i], here.vv[i] };
         for (int k = 0; k < 5; k++) {
@@ -422,21 +404,6 @@ static void across_a_side_two_rows_count(arb *a)
 
 #if LOFT_AXES >= 3
 
-/* (L N - M^2) / (E G - F^2)^2 with cross products of length D = E G - F^2 in place of unit normals. */
-static quad gauss_of(quad s[][5])
-{
-    quad n[3], dot[5] = { 0 }, square = 0;
-
-    for (int i = 0; i < 3; i++) {
-        n[i] = s[(i + 1) % 3][0] * s[(i + 2) % 3][1] - s[(i + 2) % 3][0] * s[(i + 1) % 3][1];
-        square += n[i] * n[i];
-    }
-    for (int k = 2; k < 5; k++)
-        for (int i = 0; i < 3; i++)
-            dot[k] += n[i] * s[i][k];
-    return (dot[2] * dot[4] - dot[3] * dot[3]) / (square * square);
-}
-
 /* A polygon near the regular one, and a net near that polygon, bent. */
 static loft_gb arb_bent(arb *a, arb_domain *p)
 {
@@ -462,7 +429,7 @@ static void curvature_is_right_to_nine_digits(arb *a)
     arb_domain p;
     const loft_gb g = arb_bent(a, &p);
     const loft_spot q = (settle(&p), spot_raw((int)arb_below(a, 40000) - 20000, (int)arb_below(a, 40000) - 20000));
-    const surface s = { &g, &p, arb_below(a, 2) };
+    const quad_surface s = { &g, &p, arb_below(a, 2) };
     loft_jet phi[LOFT_SIDES_MAX];
     loft_local here;
     loft_curvatures k;
@@ -471,8 +438,8 @@ static void curvature_is_right_to_nine_digits(arb *a)
     if ((s.mean ? loft_meanvalue_jet(&p.d, q, phi) : loft_wachspress_jet(&p.d, q, phi)) != LOFT_OK)
         return;
     CHECK(loft_gb_local(&g, phi, &here) == LOFT_OK && loft_local_curvatures(&here, &k) == LOFT_OK);
-    quad_differences(surface_at, &s, LOFT_AXES, quad_of(q), 1e-7L, want);
-    const long double gauss = (long double)gauss_of(want);
+    quad_differences(quad_surface_at, &s, LOFT_AXES, quad_of(q), 1e-7L, want);
+    const long double gauss = (long double)quad_gauss(want);
     CHECK_EXACT(exact_acc(k.gauss), gauss, fmaxl(1, fabsl(gauss)) * BY_NUM(0x1p-31L, 1e-10L, 1e-10L));
 }
 

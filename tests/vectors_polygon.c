@@ -52,6 +52,15 @@ bool coordinates(row *r, char which, const polygon *p, loft_spot at, loft_sci ph
     return status == LOFT_OK;
 }
 
+bool coordinate_jets(row *r, char which, const polygon *p, loft_spot at, loft_jet phi[])
+{
+    const enum loft_status status = which == 'W' ? loft_wachspress_jet(&p->d, at, phi)
+                                  : which == 'M' ? loft_meanvalue_jet(&p->d, at, phi) : loft_harmonic_jet(&solution_of(p)->h, at, phi);
+    if (status != LOFT_OK && !(r->inexact > 0 && status == LOFT_ERR_RANGE))
+        row_complain(r, "no derivatives of coordinates: status %d", status);
+    return status == LOFT_OK;
+}
+
 /* Each row is one vertex; all of them are judged. */
 static void polygons(row *r)
 {

@@ -65,7 +65,7 @@ long double decimal(row *r, const char *text)
 loft_real decimal_real(row *r, const char *text)
 {
     const long double v = decimal(r, text);
-    const bool fits = fabsl(v) < BY_NUM(32768, FLT_MAX, DBL_MAX);
+    const bool fits = fabsl(v) < BY_NUM(32768, FLT_MAX, DBL_MAX) || BY_NUM(v == -32768, false, false);
     const loft_real x = (loft_real)BY_NUM(fits ? llroundl(v * 65536) : 0, v, v);
 
     if (!fits)
