@@ -202,6 +202,7 @@
 #define loft_drive_run             LOFT_NAME(loft_drive_run)
 #define loft_drive_slot            LOFT_NAME(loft_drive_slot)
 #define loft_dyad_at               LOFT_NAME(loft_dyad_at)
+#define loft_ease_point            LOFT_NAME(loft_ease_point)
 #define loft_end_decode            LOFT_NAME(loft_end_decode)
 #define loft_end_encode            LOFT_NAME(loft_end_encode)
 #define loft_ends3_bernstein       LOFT_NAME(loft_ends3_bernstein)

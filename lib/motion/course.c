@@ -13,7 +13,8 @@
  *
  *     z = c (n + 1) h / 2
  *
- * on both sides (n h for the window, one more h as the law changes its acceleration between beats only). That is enough: a window
+ * on both sides (n h for the window, one more h as the law changes its acceleration between beats only; and where a joint is eased,
+ * the way that takes). That is enough: a window
  * of places whose mean is in the piece lies within z of it. If its one end were further off, the time from there to the mean's
  * place would be more than half the window, at a speed of at most c, and the mean would lie on that side.
  */
@@ -38,7 +39,7 @@ static loft_acc zone_at(const loft_course *c, loft_real v, bool joint)
 
 loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p)
 {
-    return zone_at(c, p->cap, !(p->length > 0));
+    return zone_at(c, p->cap, !(p->length > 0)) + loft_unit_wide(p->ease.width);
 }
 
 void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves[], uint16_t move_room, loft_plan_piece pieces[], uint16_t piece_room)
@@ -170,7 +171,7 @@ enum loft_status loft_course_push(loft_course *c, const loft_move *move)
         loft_course_piece(c, i)->sure = false;
     c->end   = move->curve.p[3];
     c->ended = false;
-    c->zone  = larger(c->zone, zone_at(c, move->feed, true));
+    c->zone  = larger(c->zone, zone_at(c, move->feed, true) + (c->budget.jerk ? loft_wide(LOFT_EASE_MAX) : 0));
     return LOFT_OK;
 }
 

@@ -246,6 +246,22 @@ static void shift(loft_law *law, loft_unit way)
     law->calm = law->calm < UINT8_MAX ? (uint8_t)(law->calm + 1) : law->calm;
 }
 
+/* New pieces: a joint so near that it should have been eased before the mean place is a stop. */
+static void late(loft_law *law, unsigned first)
+{
+    loft_course *c = &law->course;
+    loft_acc d = -loft_acc_ratio(law->mean, law->beats);
+
+    for (unsigned j = law->from; j < c->count && d < loft_wide(LOFT_EASE_MAX); j++) {
+        loft_plan_piece *p = loft_course_piece(c, j);
+        if (j >= first && d < loft_unit_wide(p->ease.width)) {
+            p->stop = true;
+            p->ease.width = 0;
+        }
+        d += loft_unit_wide(p->length);
+    }
+}
+
 /* Nothing that was passed matters any more: the course begins with what comes next. */
 static void settle(loft_law *law)
 {
@@ -256,7 +272,9 @@ static void settle(loft_law *law)
     law->mean = law->sum = 0;
     law->slot = 0;
     law->from = 0;
+    const unsigned known = law->course.count;
     loft_course_load(&law->course);
+    late(law, known);
 }
 
 /* At rest: empty the window, then begin what comes next. */
@@ -289,7 +307,7 @@ static bool agrees(const loft_law *law, unsigned first)
 
     for (unsigned j = law->at.piece; j < first; j++)
         d += length_of(law, j);
-    for (unsigned j = first; j < c->count && d <= c->zone && !loft_course_piece(c, j)->stop; j++) {
+    for (unsigned j = first; j < c->count && d <= 2 * c->zone && !loft_course_piece(c, j)->stop; j++) {
         const loft_plan_piece *p = loft_course_piece(c, j);
         if (d < 2 * loft_course_zone(c, p))
             return false;
@@ -309,6 +327,7 @@ static void join(loft_law *law, unsigned first)
     loft_course_look_back(c, law->at.piece);
     if (!agrees(law, first)) {
         loft_course_piece(c, first)->stop = true;
+        loft_course_piece(c, first)->ease.width = 0;
         for (unsigned j = next; j < first; j++)
             loft_course_piece(c, j)->sure = false;
         loft_course_look_back(c, law->at.piece);
@@ -356,6 +375,7 @@ enum loft_law_state loft_law_next(loft_law *law)
     const unsigned known = law->course.count;
 
     loft_course_load(&law->course);
+    late(law, known);
     join(law, known);
     if (law->rests) {
         const enum loft_law_state state = leave(law);

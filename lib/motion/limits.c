@@ -41,10 +41,10 @@ enum loft_status loft_limits_check(const loft_limits *limits)
  * corner falls between two samples):
  *
  *     A h^2 <= 5/2 tol, jump h <= 3/2 tol     5/12 and 13/32 of the tolerance; 1/8 is for longer spans
- *     A h^2 <= 9/2 tol                        where jerk is limited: corners are all but stops
+ *     A h^2 <= 3 tol                          where jerk is limited: corners are all but stops; half of it, 3/8 for easing joints
  *
  * with A the length of the vector of the limits of all axes. That gives the longest beat. If not even one tick is short
- * enough, A is reduced. In q16, h = n / hz: A n^2 / hz <= 9/2 tol hz has no term above 40000 * 400 * 2. */
+ * enough, A is reduced. In q16, h = n / hz: A n^2 / hz <= 3 tol hz has no term above 40000 * 400 * 2. */
 static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
 {
     loft_acc size[LOFT_AXES];
@@ -52,7 +52,7 @@ static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
         size[i] = loft_wide(limits->max_accel[i]);
 
     const loft_acc a = loft_acc_ratio(loft_acc_hypot(size, LOFT_AXES), limits->tick_hz);
-    const loft_acc most = loft_wide(limits->tol) * (b->jerk ? 9 : 5) * limits->tick_hz / 2;
+    const loft_acc most = loft_wide(limits->tol) * (b->jerk ? 6 : 5) * limits->tick_hz / 2;
 
     uint16_t n = (uint16_t)(limits->tick_hz / (b->jerk ? SLOW_HZ : BEATS_HZ));
     while (n > 1 && a * n * n > most)

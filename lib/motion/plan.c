@@ -65,6 +65,8 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft
 
     plan->first = plan->held = 0;
     plan->begun = plan->cut = false;
+    plan->eased.width = 0;
+    plan->past = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
         plan->speed[i]  = loft_budget_beat(&b, limits->max_speed[i]);
         plan->accel[i]  = loft_acc_scale(loft_budget_beat(&b, limits->max_accel[i]), b.pulse);
@@ -98,6 +100,32 @@ void loft_plan_end(loft_plan *plan)
 /* Samples
  * ------- */
 
+/* Move the point at `off` on piece `from` aside for the joint before it, whose piece may be gone, and those ahead. */
+static void ease(loft_plan *plan, loft_acc off, loft_acc point[])
+{
+    const loft_course *c = &plan->law.course;
+    const loft_acc reach = loft_wide(LOFT_EASE_MAX);
+    const unsigned from  = plan->law.from;
+
+    loft_acc d = off;
+    for (unsigned j = from; d < reach && j > 0; j--) {
+        const loft_plan_piece *p = loft_course_piece(c, j - 1);
+        if (p->ease.width > 0) {
+            plan->eased = p->ease;
+            plan->past  = d;
+            break;
+        }
+        d += loft_unit_wide(p->length);
+    }
+    loft_ease_point(&plan->eased, plan->past, point);
+    d = loft_unit_wide(loft_course_piece(c, from)->length) - off;
+    for (unsigned j = from + 1; d < reach && j < c->count; j++) {
+        const loft_plan_piece *p = loft_course_piece(c, j);
+        loft_ease_point(&p->ease, -d, point);
+        d += loft_unit_wide(p->length);
+    }
+}
+
 /* The place of the law on the path. */
 static void push_place(loft_plan *plan)
 {
@@ -106,6 +134,7 @@ static void push_place(loft_plan *plan)
     const loft_acc   off = loft_acc_ratio(plan->law.mean, plan->law.beats);
     loft_acc point[LOFT_AXES];
 
+    plan->past += loft_acc_ratio(plan->law.sum, plan->law.beats);
     if (p->length > 0 && p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length)) {
         push_vec(plan, c->moves[p->move].curve.p[3]);
         return;
@@ -119,6 +148,8 @@ static void push_place(loft_plan *plan)
     }
     if (p->length > 0) {
         loft_arc_eval(&plan->arc, off < plan->arc.length ? off : plan->arc.length, point);
+        if (c->budget.jerk)
+            ease(plan, off, point);
         push(plan, point);
     } else                      /* a joint, or too short to have a length */
         push(plan, plan->arc.p[0]);

@@ -44,6 +44,8 @@ typedef struct {
     loft_acc sample[LOFT_PLAN_WINDOW][LOFT_AXES];       /* a ring of control points, one per beat     */
     loft_acc speed[LOFT_AXES], accel[LOFT_AXES], jerk[LOFT_AXES];   /* limits per beat, beat^2, beat^3 */
     loft_vec at;                                        /* the end of the last span                   */
+    loft_ease eased;                                    /* the last joint that was, and               */
+    loft_acc past;                                      /* how far behind it the samples are          */
     uint8_t  first, held;
 } loft_plan;
 

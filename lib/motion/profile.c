@@ -247,6 +247,7 @@ static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_
     set_lines(p, b, s);
     p->stop = p->sure = false;
     p->brake = 0;
+    p->ease.width = 0;
 }
 
 bool loft_profile_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *shape, loft_real feed)
@@ -306,15 +307,108 @@ static loft_acc bend_jump_cap(const loft_budget *b, const loft_way *before, cons
     return x;
 }
 
-/* The part of the jerk that is used at speed v: four fifths at `slow` for the joint, and what the pieces use beside it. A turn's
- * part grows with v, so that the chord of the square must lie lower: as much as at `slow`. */
-static loft_unit joint_use(loft_real v, loft_real slow, bool turns, const loft_way *before, const loft_way *after)
+/* Where curvature jumps by d, the path is moved aside by d g(s), within w of the joint, so that it changes steadily. With
+ * r = 1 - |s| / w
+ *
+ *     g'' = +-(r^2 - r / 2)     g' = w (r^3 / 3 - r^2 / 4)     g = -+w^2 r^3 (1 - r) / 12
+ *
+ * g'' goes from 0 to 1/2 at the joint, where g is 0 and g' = w / 12. So |g| <= 0.0088 w^2, which may take 3/8 of the
+ * tolerance, and g'' changes by at most 3/2 / w per mm, as with a k' of 3/2 d / w. The speed grows by up to |d| w / 12, for
+ * which the cap is lowered: |d| w <= 1/6. */
+static loft_unit ease_width(const loft_budget *b, loft_acc jump, loft_acc spacing)
 {
-    const loft_unit w = v < slow ? loft_unit_ratio(loft_wide(v), loft_wide(slow)) : LOFT_UNIT(1);
-    const loft_unit first = twist_at(before, v), second = twist_at(after, v);
-    const loft_acc  part = loft_acc_scale(loft_wide(LOFT_REAL(0.8)), w);
+    const loft_real size = loft_acc_round(jump);
+    const loft_acc  room = smaller(spacing / 8, loft_wide(LOFT_EASE_MAX));
 
-    return loft_unit_round(turns ? part : loft_acc_scale(part, w)) + (first > second ? first : second);
+    if (!(size > 0) || size > LOFT_REAL(4095))
+        return 0;
+    const loft_acc  most = smaller(room, loft_acc_div(loft_wide(LOFT_REAL(1)) / 6, size));
+    return loft_unit_round(smaller(most, loft_wide(loft_acc_sqrt(loft_acc_div(loft_wide(b->tol) * 42, size)))));
+}
+
+void loft_ease_point(const loft_ease *e, loft_acc off, loft_acc point[LOFT_AXES])
+{
+    const loft_acc w = loft_unit_wide(e->width), s = off < 0 ? -off : off;
+
+    if (s >= w)
+        return;
+    const loft_unit z = loft_unit_ratio(s, w), r = LOFT_UNIT(1) - z;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc d = loft_acc_scale(loft_acc_scale(loft_wide(e->jump.axis[i]), e->width), e->width);
+        const loft_acc g = loft_acc_ratio(loft_acc_scale(loft_acc_scale(loft_acc_scale(loft_acc_scale(d, r), r), r), z), 12);
+        point[i] += off < 0 ? -g : g;
+    }
+}
+
+/* The way that uses as much of the jerk as easing does, at most at `feed`. */
+static loft_way ease_way(const loft_plan_piece *p, const loft_budget *b, loft_real feed)
+{
+    loft_plan_piece ramp = { .length = p->ease.width, .cap = feed };
+    loft_arc_shape s = { .tight = false };
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        s.bend[1].axis[i] = p->ease.jump.axis[i] / 4 * 3;
+        s.bend[2].axis[i] = p->ease.jump.axis[i] / 2 * 3;
+    }
+    ramp.cap = p->ease.width > 0 ? twist_cap(&ramp, b, &s, feed) : 0;
+    return loft_profile_way(&ramp, b, &s, 0);
+}
+
+/* What passing a joint at speed v uses of the jerk: four fifths at `turn` for the change of direction, or at `bend` for that of
+ * curvature, and what the pieces use beside it. A turn's part grows with v, so that the chord of the square must lie lower: as
+ * much as at `turn`. */
+typedef struct {
+    loft_real turn, bend;       /* speeds */
+    bool      eased;
+    loft_way  ease;
+} joint;
+
+static loft_unit joint_use(const joint *j, loft_real v, const loft_way *before, const loft_way *after)
+{
+    const bool      turns = j->turn < j->bend;
+    const loft_real slow  = turns ? j->turn : j->bend;
+    const loft_unit w = v < slow ? loft_unit_ratio(loft_wide(v), loft_wide(slow)) : LOFT_UNIT(1);
+    const loft_acc  part = loft_acc_scale(loft_wide(LOFT_REAL(0.8)), w);
+    const loft_unit first = twist_at(before, v), second = twist_at(after, v), most = first > second ? first : second;
+
+    if (j->eased)
+        return most + twist_at(&j->ease, v) + (v < j->turn ? loft_unit_ratio(loft_wide(v) / 5 * 4, loft_wide(j->turn)) : LOFT_UNIT(0.8));
+    return loft_unit_round(turns ? part : loft_acc_scale(part, w)) + most;
+}
+
+static void leave_for_joint(loft_plan_piece *p, const joint *j, const loft_way *before, const loft_way *after)
+{
+    loft_unit used = joint_use(j, p->cap, before, after);
+
+    while (used > LOFT_UNIT(0.97)) {
+        p->cap -= p->cap / 16;
+        used = joint_use(j, p->cap, before, after);
+    }
+    const loft_unit left = LOFT_UNIT(1) - used;
+    if (j->eased || j->turn < j->bend)
+        p->rest = loft_acc_round(loft_acc_scale(loft_wide(p->rest), LOFT_UNIT(0.8)));
+    for (int k = 0; k < 2; k++) {
+        p->fore[k] = loft_acc_round(loft_acc_scale(loft_wide(p->fore[k]), left));
+        p->back[k] = loft_acc_round(loft_acc_scale(loft_wide(p->back[k]), left));
+    }
+}
+
+/* Ease the change of curvature if that can be passed faster than the change itself. */
+static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, joint j, loft_acc spacing, loft_real feed)
+{
+    const loft_acc jump = loft_vec_distance(before->bend, after->bend);
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        p->ease.jump.axis[i] = after->bend.axis[i] - before->bend.axis[i];
+    p->ease.width = ease_width(b, jump, spacing);
+    j.ease  = ease_way(p, b, feed);
+    j.eased = j.ease.cap > j.bend;
+    if (j.eased) {
+        j.bend  = j.ease.cap;
+        p->cap -= loft_acc_round(loft_acc_ratio(loft_acc_scale(loft_acc_mul(jump, p->cap), p->ease.width), 12));
+    } else
+        p->ease.width = 0;
+    return j;
 }
 
 bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
@@ -328,25 +422,19 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
     if (b->jerk ? turn / 1024 > feed2 && bend / 32 > feed2 : turn >= feed2)
         return false;
     set_bounds(p, b, &s, feed);
-    const loft_real slow = loft_acc_sqrt(smaller(turn, bend));
-    p->stop = slow < loft_acc_round(loft_acc_scale(loft_wide(p->rest), b->pulse) / 4);
-    if (!p->stop)
-        p->cap = least(p->cap, slow);
-    if (!b->jerk || p->stop)
-        return true;
 
-    loft_unit used = joint_use(p->cap, slow, turn < bend, before, after);
-    while (used > LOFT_UNIT(0.97)) {
-        p->cap -= p->cap / 16;
-        used = joint_use(p->cap, slow, turn < bend, before, after);
+    joint j = { .turn = loft_acc_sqrt(turn), .bend = loft_acc_sqrt(bend) };
+    if (b->jerk)
+        j = ease(p, b, before, after, j, spacing, feed);
+    const loft_real slow = least(j.turn, j.bend);
+    p->stop = slow < loft_acc_round(loft_acc_scale(loft_wide(p->rest), b->pulse) / 4);
+    if (p->stop) {
+        p->ease.width = 0;
+        return true;
     }
-    const loft_unit left = LOFT_UNIT(1) - used;
-    if (turn < bend)
-        p->rest = loft_acc_round(loft_acc_scale(loft_wide(p->rest), LOFT_UNIT(0.8)));
-    for (int k = 0; k < 2; k++) {
-        p->fore[k] = loft_acc_round(loft_acc_scale(loft_wide(p->fore[k]), left));
-        p->back[k] = loft_acc_round(loft_acc_scale(loft_wide(p->back[k]), left));
-    }
+    p->cap = least(p->cap, slow);
+    if (b->jerk)
+        leave_for_joint(p, &j, before, after);
     return true;
 }
 

@@ -10,6 +10,14 @@
 #include "motion/arc.h"     /* loft_arc_shape */
 #include "motion/limits.h"  /* loft_budget */
 
+#define LOFT_EASE_MAX LOFT_REAL(2)      /* mm */
+
+/* Where curvature jumps by `jump` (1/mm), the path is moved aside up to `width` mm before and behind that place; 0: not. */
+typedef struct {
+    loft_unit width;
+    loft_vec  jump;
+} loft_ease;
+
 /* A piece of the path, or, of no length, a joint. */
 typedef struct {
     loft_unit length;           /* mm                                                                     */
@@ -19,6 +27,7 @@ typedef struct {
     loft_real brake;            /* the speed at its start that all that follows allows, mm/s              */
     uint32_t  from, to;         /* the curve's parameters at its ends                                     */
     uint16_t  move;             /* its curve                                                              */
+    loft_ease ease;             /* of a joint                                                             */
     unsigned  fore_knee : 5, back_knee : 5; /* in 16ths of cap^2                                          */
     unsigned  stop : 1;         /* the path rests at its start                                            */
     unsigned  sure : 1;         /* what comes later will not change `brake`                               */
@@ -46,6 +55,13 @@ loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const 
  */
 bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
                      loft_acc spacing, loft_real feed);
+
+/* Move aside the point of the path `off` mm behind (or, negative, before) the place of `e`.
+ *
+ *   range   e->width > 0; any `off`
+ *   error   q16: 2^-30 mm, and 2^-15 of the way it is moved
+ */
+void loft_ease_point(const loft_ease *e, loft_acc off, loft_acc point[LOFT_AXES]);
 
 /* The acceleration along the path at the square x of the speed, mm/s^2; `fore`: speeding up.
  *
