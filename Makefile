@@ -199,7 +199,7 @@ size: lib/names.h
 	@sh tests/size.sh $(NUM) $(AXES)
 
 # --- firmware: each port brings its own rules, and what check-target is to run of it -------------------
-TARGET_STAGES := check-sums check-boards
+TARGET_STAGES := check-sums bench-polygon check-boards
 include ports/boards.mk $(sort $(wildcard ports/*/port.mk))
 
 ## Build the firmware of every board, and print what it takes of flash and RAM   or one: make firmware-stm32f405
@@ -243,6 +243,11 @@ build/bench/bench%: tests/bench.c build/q16x%/libloft.a $(if $(filter libagg,$(B
 bench:
 	@for axes in 2 3; do $(MAKE) -s --no-print-directory AXES=$$axes build/bench/bench$$axes && build/bench/bench$$axes || exit 1; done
 	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
+
+## Count the instructions of a point of each patch with n sides on an emulated Cortex-M0 and M4; the same sums, bit for bit, as here
+.PHONY: bench-polygon
+bench-polygon: lib/names.h
+	@sh tests/bench_polygon.sh build/bench/polygon
 
 # --- make bench-motion: build/bench/motion/<what>-<num> measure, tests/bench_motion.sh prints --------------------------
 MOTION := build/bench/motion

@@ -258,8 +258,13 @@ static double before_cell(const painting *p, size_t cell)
 
 static void add_cells(painting *p)
 {
-    for (size_t i = 0; i < p->s->m->cells; i++)
-        add_item(p, (item){ .cell = &p->s->m->cell[i], .near = nearness(p, i) });
+    for (size_t i = 0; i < p->s->m->cells; i++) {
+        const mesh_cell *c = &p->s->m->cell[i];
+        add_item(p, (item){ .cell = c, .near = nearness(p, i) });
+        for (unsigned k = 0; k < 4; k++)
+            if (c->line >> (k + 4) & 1)
+                add_item(p, (item){ .from = p->seen[c->corner[k]], .to = p->seen[c->corner[(k + 1) % 4]], .pen = SCENE_EDGE, .near = before_cell(p, i) });
+    }
 }
 
 /* A little nearer than it is: what touches the surface is seen; a contour lies on its cell. */
@@ -329,11 +334,10 @@ static void paint_cell(const painting *p, const mesh_cell *c)
     }
     for (unsigned k = 0; k < 4; k++) {
         const spot *a = &p->seen[c->corner[k]], *b = &p->seen[c->corner[(k + 1) % 4]];
-        const bool edge = c->line >> (k + 4) & 1;
-        if (!(c->line >> k & 1) || (p->s->plain && !edge))
+        if (!(c->line >> k & 1) || c->line >> (k + 4) & 1 || p->s->plain)
             continue;
-        cairo_set_source_rgba(cairo, 0.10, 0.13, 0.20, edge ? 0.95 : p->s->wire ? 0.75 : 0.42);
-        cairo_set_line_width(cairo, (edge ? 1.3 : 0.6) * p->v->u);
+        cairo_set_source_rgba(cairo, 0.10, 0.13, 0.20, p->s->wire ? 0.75 : 0.42);
+        cairo_set_line_width(cairo, 0.6 * p->v->u);
         plot_line(p->v, a->x, a->y, b->x, b->y);
     }
 }
@@ -349,7 +353,7 @@ static void paint_line(const plot_view *v, const item *it)
         cairo_arc(v->cairo, it->from.x, it->from.y, 2.8 * v->u, 0, 2 * M_PI);
         cairo_fill(v->cairo);
     } else {
-        cairo_set_line_width(v->cairo, (it->pen == SCENE_NET ? 1.0 : 1.4) * v->u);
+        cairo_set_line_width(v->cairo, (it->pen == SCENE_NET ? 1.0 : it->pen == SCENE_CONTOUR ? 1.4 : 1.3) * v->u);
         plot_line(v, it->from.x, it->from.y, it->to.x, it->to.y);
     }
 }

@@ -22,8 +22,8 @@ typedef struct {
     bool clipped;               /* there is more than that                              */
 } scene_scale;
 
-/* What is drawn over a mesh: a line of a net, a point of it (both ends in one place), a piece of a contour. */
-enum scene_pen { SCENE_NET, SCENE_CONTOUR };
+/* What is drawn over a mesh: a line of a net, a point of it (both ends in one place), a piece of a contour, of the border. */
+enum scene_pen { SCENE_NET, SCENE_CONTOUR, SCENE_EDGE };
 
 typedef struct {
     double p[2][3];
@@ -68,7 +68,7 @@ void scene_scale_of(scene_scale *s, const double value[], size_t count, double f
 void scene_colour(const scene_scale *s, double value, double rgb[3]);
 
 /* The colours of the two sides without a map, of lines, nets and contours. */
-extern const double scene_sides[2][3], scene_pens[2][3];
+extern const double scene_sides[2][3], scene_pens[3][3];
 
 /* A bar of the colours of a map with numbers, below the words that say what it shows. */
 void scene_bar(const plot_view *v, const scene_scale *s, const char *words, double x, double top, double high);

@@ -9,7 +9,7 @@
 #include "tool.h"       /* tool_grow */
 
 const double scene_sides[2][3] = { { 0.53, 0.68, 0.86 }, { 0.90, 0.74, 0.50 } };
-const double scene_pens[2][3] = { [SCENE_NET] = { 0.90, 0.45, 0.10 }, [SCENE_CONTOUR] = { 0.42, 0.05, 0.36 } };
+const double scene_pens[3][3] = { [SCENE_NET] = { 0.90, 0.45, 0.10 }, [SCENE_CONTOUR] = { 0.42, 0.05, 0.36 }, [SCENE_EDGE] = { 0.12, 0.15, 0.22 } };
 
 static int ascending(const void *a, const void *b)
 {

@@ -102,7 +102,7 @@ static void legend(const surface_view *s)
 static void scale_bar(const surface_view *s)
 {
     const plot_view *v = &s->v;
-    const double mm = plot_step((v->right - v->left) / v->scale, 8), y = v->bottom + 74 * v->u, x1 = v->right, x0 = x1 - mm * v->scale;
+    const double mm = plot_step((v->right - v->left) / v->scale, 12), y = v->bottom + 74 * v->u, x1 = v->right, x0 = x1 - mm * v->scale;
     char label[32];
 
     if (s->o->distance > 0)
