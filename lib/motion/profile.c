@@ -340,17 +340,17 @@ void loft_ease_point(const loft_ease *e, loft_acc off, loft_acc point[LOFT_AXES]
     }
 }
 
-/* The way that uses as much of the jerk as easing does, at most at `feed`. */
-static loft_way ease_way(const loft_plan_piece *p, const loft_budget *b, loft_real feed)
+/* The way that uses as much of the jerk as easing does, at most at the cap: so v^2 d is less than twice the acceleration. */
+static loft_way ease_way(const loft_plan_piece *p, const loft_budget *b)
 {
-    loft_plan_piece ramp = { .length = p->ease.width, .cap = feed };
+    loft_plan_piece ramp = { .length = p->ease.width, .cap = p->cap };
     loft_arc_shape s = { .tight = false };
 
     for (int i = 0; i < LOFT_AXES; i++) {
         s.bend[1].axis[i] = p->ease.jump.axis[i] / 4 * 3;
         s.bend[2].axis[i] = p->ease.jump.axis[i] / 2 * 3;
     }
-    ramp.cap = p->ease.width > 0 ? twist_cap(&ramp, b, &s, feed) : 0;
+    ramp.cap = p->ease.width > 0 ? twist_cap(&ramp, b, &s, p->cap) : 0;
     return loft_profile_way(&ramp, b, &s, 0);
 }
 
@@ -394,14 +394,14 @@ static void leave_for_joint(loft_plan_piece *p, const joint *j, const loft_way *
 }
 
 /* Ease the change of curvature if that can be passed faster than the change itself. */
-static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, joint j, loft_acc spacing, loft_real feed)
+static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, joint j, loft_acc spacing)
 {
     const loft_acc jump = loft_vec_distance(before->bend, after->bend);
 
     for (int i = 0; i < LOFT_AXES; i++)
         p->ease.jump.axis[i] = after->bend.axis[i] - before->bend.axis[i];
     p->ease.width = ease_width(b, jump, spacing);
-    j.ease  = ease_way(p, b, feed);
+    j.ease  = ease_way(p, b);
     j.eased = j.ease.cap > j.bend;
     if (j.eased) {
         j.bend  = j.ease.cap;
@@ -425,7 +425,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
 
     joint j = { .turn = loft_acc_sqrt(turn), .bend = loft_acc_sqrt(bend) };
     if (b->jerk)
-        j = ease(p, b, before, after, j, spacing, feed);
+        j = ease(p, b, before, after, j, spacing);
     const loft_real slow = least(j.turn, j.bend);
     p->stop = slow < loft_acc_round(loft_acc_scale(loft_wide(p->rest), b->pulse) / 4);
     if (p->stop) {
