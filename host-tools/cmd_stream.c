@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "keys.h"           /* keys_start */
+#include "grbl.h"           /* grbl_run */
 #include "planning.h"       /* planning_limit */
 #include "stream.h"         /* stream_run */
 #include "tool.h"
@@ -17,7 +18,7 @@ typedef struct {
     const char *port, *record;
     unsigned baud;
     double wait;
-    bool points, dry, hold, resume, abort;
+    bool points, grbl, g5, dry, hold, resume, abort;
 } stream_options;
 
 static void machine_limits(const loft_sender *s, engine_limits *l)
@@ -145,6 +146,35 @@ static int control(const stream_options *o)
     return code;
 }
 
+/* Lines of G-code to a controller of grbl's kind, or, dry, to standard output. The controller plans. */
+static int draw_gcode(const stream_options *o, const char *file, const drawing *d, toolpath_options *how)
+{
+    grbl *g = NULL;
+    toolpath path;
+    gcode lines;
+    char what[64];
+    int code = o->dry ? 0 : grbl_open(&g, o->port, o->baud, o->wait);
+
+    if (code != 0)
+        return code;
+    if (g != NULL)
+        memcpy(how->start, grbl_place(g), sizeof how->start);
+    toolpath_make(&path, d, how);
+    gcode_make(&lines, &path, (o->p.tol - o->p.smoothed) / 2, o->g5);
+    snprintf(what, sizeof what, "%zu curves, %.3f m", path.curves, path.drawn / 1000);
+    if (path.count == 0)
+        code = tool_error(EX_DATAERR, "%s: nothing to draw in it: give a drawing with visible outlines", file);
+    else if (g != NULL)
+        code = grbl_run(g, &lines, what);
+    else
+        for (size_t i = 0; i < lines.count; i++)
+            puts(lines.line[i]);
+    gcode_free(&lines);
+    toolpath_free(&path);
+    grbl_close(g);
+    return code;
+}
+
 static int draw(stream_options *o, const char *file)
 {
     toolpath_options how = planning_path(&o->p);
@@ -152,7 +182,9 @@ static int draw(stream_options *o, const char *file)
     talk t;
 
     int code = planning_read(&o->p, &d, &smooth, file);
-    if (code == 0 && o->dry)
+    if (code == 0 && o->grbl)
+        code = draw_gcode(o, file, &smooth, &how);
+    else if (code == 0 && o->dry)
         code = dry_run(o, file, &smooth, &how);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait)) == 0) {
         code = stream(o, file, &d, &smooth, &how, &t);
@@ -176,6 +208,8 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
         PLANNING_OPTIONS(&o.p),
         TOOL_SWITCH("points", &o.points, "send sampled points, one per tick, instead of spans"),
+        TOOL_SWITCH("grbl", &o.grbl, "send G-code to a controller of grbl's kind, which plans; with --dry-run print it"),
+        TOOL_SWITCH("g5", &o.g5, "with --grbl: curves as G5, for controllers that have it, in place of arcs"),
         TOOL_SWITCH("dry-run", &o.dry, "plan for a usual machine, print a summary, move nothing"),
         TOOL_TEXT("record", "FILE", &o.record, "the pulses that `loft simulate --record FILE` writes: measure the path error"),
         TOOL_SWITCH("hold", &o.hold, "no FILE: slow down on the path and stand"),

@@ -562,6 +562,50 @@ case_short_lines_become_curves() {
     says out 'as commanded'
     awk '/worst path error/ { for (i = 1; i < NF; i++) if ($i == "error" && $(i + 1) < 0.0080) ok = 1 } END { exit !ok }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
 }
+# peer NAME OPTIONS..: a controller of grbl's kind behind $tmp/NAME, what it drew in $tmp/NAME.csv when it has ended
+peer() {
+    local name=$1; shift
+    python3 tests/grbl_peer.py "$tmp/$name" "$tmp/$name.csv" "$@" & peer=$!; children+=("$peer"); disown "$peer"
+    wait_for "$tmp/$name"
+}
+drew() {        # drew NAME: all of outline12.csv within the tolerance, and the buffer never overflowed
+    kill "$peer"; gone "$peer"
+    "$loft" flatten tests/drawings/outline12.csv --tol 0.0005 | tr ',' ' ' >"$tmp/true"
+    grep -v '#' "$tmp/$1.csv" | awk -F, '$3 == 0 { print $1, $2 }' >"$tmp/was"
+    python3 - "$tmp/true" "$tmp/was" 0.004 <<'PY' || job_fails "the path is not that of the drawing"
+import sys
+a, b = ([tuple(map(float, l.split()[:2])) for l in open(f) if l.strip()] for f in sys.argv[1:3])
+def far(p, line):
+    best = 1e9
+    for (x, y), (u, v) in zip(line, line[1:]):
+        q = (u - x) ** 2 + (v - y) ** 2
+        t = 0 if q == 0 else min(1, max(0, ((p[0] - x) * (u - x) + (p[1] - y) * (v - y)) / q))
+        best = min(best, (p[0] - x - t * (u - x)) ** 2 + (p[1] - y - t * (v - y)) ** 2)
+    return best ** 0.5
+worst = max(max(far(p, b) for p in a[::7]), max(far(p, a) for p in b[::7]))
+if len(a) < 100 or len(b) < 100 or worst > float(sys.argv[3]):
+    sys.exit(f"{len(a)} {len(b)} points, {worst:.5f} mm apart")
+PY
+    grep -q 'overflow 0 ' "$tmp/$1.csv" || job_fails "$(tail -1 "$tmp/$1.csv")"
+}
+case_grbl_draws_arcs() {
+    peer arcs
+    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/arcs"; says out '^drawn: 12 curves, 0.131 m, [0-9]* lines of G-code .*Grbl 1.1h'; drew arcs
+}
+case_grbl_draws_cubics_and_work_coordinates() {
+    peer g5 --g5 --mpos
+    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --g5 --feed 50 --port "$tmp/g5"; says out '^drawn: 12 curves, 0.131 m, 1[0-9] lines'; drew g5
+    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --g5 --dry-run; [ "$(grep -c '^G5' "$tmp/out")" = 12 ] || job_fails "$(head -3 "$tmp/out")"
+}
+case_grbl_troubles_are_told() {
+    refuses() { local pattern=$1 code=$2; shift 2; peer bad "$@"; one_line "$code" "$pattern" "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/bad" ${cubics:-}; kill "$peer"; gone "$peer"; rm -f "$tmp/bad"; }
+    refuses 'locked after an alarm: home it' 78 --locked
+    refuses 'alarm 2 at line [0-9]* of [0-9]*: .*travel' 76 --alarm 20
+    refuses 'error 2 at line [0-9]* of [0-9]*, `G.*: a number that cannot be read' 76 --error 20
+    refuses 'the controller restarted at line [0-9]*' 76 --reset 20
+    refuses '[0-9]* lines were not answered' 76 --mute 20
+    cubics=--g5; refuses 'error 20 at line 2 .*leave --g5 away' 76
+}
 case_plan_says_what_limits() {
     plan() { run 0 "$loft" plan "$@"; is_empty err; }
     limited() { local by=$1; shift; plan --total "$@"; grep -q "^drawn .*  $by [0-9]* %" "$tmp/out" || job_fails "not by $by: $(cat "$tmp/out")"; }
