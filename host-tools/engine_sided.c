@@ -12,6 +12,7 @@
 #include "polygon/toric.h"              /* loft_toric */
 #include "polygon/wachspress.h"         /* loft_wachspress_eval */
 
+#include "engine_harmonic.h"    /* engine_harmonic_solve */
 #include "engine_num.h"     /* real_of, vec_of, point_of */
 #include "engine_sided.h"
 #include "tool.h"           /* tool_grow */
@@ -23,6 +24,7 @@ struct engine_sided {
     loft_real *w, *c;
     loft_spot v[SURFACE_SIDES_MAX];
     loft_domain domain;
+    engine_harmonic *harmonic;
     loft_lattice_polygon lattice;
     union {
         loft_spatch spatch;
@@ -39,6 +41,7 @@ struct engine_sided {
 
 static void sided_close(engine_sided *e)
 {
+    engine_harmonic_free(e->harmonic);
     free(e->p);
     free(e->w);
     free(e->c);
@@ -72,6 +75,8 @@ static int prepare_domain(engine_sided *e)
         status = loft_domain_init(&e->domain, e->v, s->n);
     if (status == LOFT_OK && !e->domain.convex && s->coordinates == COORDINATES_WACHSPRESS)
         status = LOFT_ERR_ARG;
+    if (status == LOFT_OK && s->coordinates == COORDINATES_HARMONIC)
+        status = engine_harmonic_solve(&e->domain, &e->harmonic);
     return status;
 }
 
@@ -189,8 +194,20 @@ static int coordinates(const engine_sided *e, sided_place at, loft_sci phi[])
     const int status = spot_of(e, at, &p);
     if (status != LOFT_OK)
         return status;
-    return e->s->coordinates == COORDINATES_MEANVALUE ? loft_meanvalue_eval(&e->domain, p, phi)
-                                                      : loft_wachspress_eval(&e->domain, p, phi);
+    switch (e->s->coordinates) {
+    case COORDINATES_MEANVALUE: return loft_meanvalue_eval(&e->domain, p, phi);
+    case COORDINATES_HARMONIC:  return loft_harmonic_eval(engine_harmonic_of(e->harmonic), p, phi);
+    default:                    return loft_wachspress_eval(&e->domain, p, phi);
+    }
+}
+
+static int coordinate_jets(const engine_sided *e, loft_spot p, loft_jet phi[])
+{
+    switch (e->s->coordinates) {
+    case COORDINATES_MEANVALUE: return loft_meanvalue_jet(&e->domain, p, phi);
+    case COORDINATES_HARMONIC:  return loft_harmonic_jet(engine_harmonic_of(e->harmonic), p, phi);
+    default:                    return loft_wachspress_jet(&e->domain, p, phi);
+    }
 }
 
 static int eval_spatch(const engine_sided *e, sided_place at, loft_vec *out)
@@ -281,7 +298,7 @@ static int sided_look(const engine_sided *e, sided_place at, engine_look *out)
     int status = e->s->kind == SURFACE_GB ? spot_of(e, at, &p) : LOFT_ERR_ARG;
 
     if (status == LOFT_OK)
-        status = e->s->coordinates == COORDINATES_MEANVALUE ? loft_meanvalue_jet(&e->domain, p, phi) : loft_wachspress_jet(&e->domain, p, phi);
+        status = coordinate_jets(e, p, phi);
     if (status == LOFT_OK)
         status = loft_gb_local(&e->as.gb, phi, &here);
     if (status == LOFT_OK)

@@ -10,7 +10,7 @@
 static const tool_command *const commands[] = {
     &command_stream, &command_plan, &command_simulate, &command_ports,
     &command_eval, &command_sample, &command_flatten, &command_plot, &command_measure, &command_compare,
-    &command_surface
+    &command_surface, &command_study
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])

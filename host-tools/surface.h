@@ -28,7 +28,7 @@ enum surface_kind {
 };
 
 /* With respect to the vertices of a polygon. */
-enum surface_coordinates { COORDINATES_WACHSPRESS, COORDINATES_MEANVALUE };
+enum surface_coordinates { COORDINATES_WACHSPRESS, COORDINATES_MEANVALUE, COORDINATES_HARMONIC };
 
 /* A point and what stands behind it. */
 typedef struct {

@@ -96,9 +96,11 @@ static int coordinates(reading *r)
 {
     if (lines_word(&r->at, "meanvalue"))
         r->now->coordinates = COORDINATES_MEANVALUE;
+    else if (lines_word(&r->at, "harmonic"))
+        r->now->coordinates = COORDINATES_HARMONIC;
     else
         lines_word(&r->at, "wachspress");
-    return lines_over(&r->at) ? 0 : lines_wrong(&r->at, "not a kind of coordinates", "give wachspress, meanvalue or nothing");
+    return lines_over(&r->at) ? 0 : lines_wrong(&r->at, "not a kind of coordinates", "give wachspress, meanvalue, harmonic or nothing");
 }
 
 static int head_spatch(reading *r)

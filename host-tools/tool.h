@@ -25,7 +25,7 @@ struct tool_command {
 };
 
 extern const tool_command command_compare, command_eval, command_flatten, command_measure, command_plan, command_plot, command_ports, command_sample,
-                          command_simulate, command_stream, command_surface;
+                          command_simulate, command_stream, command_study, command_surface;
 
 /* Print `loft: <message>` and return `code`. */
 int tool_error(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));
