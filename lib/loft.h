@@ -92,6 +92,7 @@
 #include "polygon/gb.h"
 #include "polygon/harmonic.h"
 #include "polygon/jet.h"
+#include "polygon/jet_blend.h"
 #include "polygon/lattice.h"
 #include "polygon/meanvalue.h"
 #include "polygon/multi.h"

@@ -13,6 +13,7 @@
 
 #include "geom/vec.h"           /* loft_vec */
 #include "polygon/multi.h"      /* loft_multi_count */
+#include "surface/local.h"      /* loft_local */
 
 /* Points and weights are borrowed. Do not fill it yourself: call init. */
 typedef struct {
@@ -40,6 +41,16 @@ enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], cons
  *   see     Warren, Creating multisided rational Bezier surfaces using base points (1992)
  */
 enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, loft_unit phi2, loft_vec *out) LOFT_CHECKED;
+
+/* The derivatives by phi_1 and phi_2 of the first and second order, for normals and curvatures (surface/local.h). Width as of a
+ * toric patch.
+ *
+ *   range   as eval
+ *   error   with L the largest coordinate, A and B the sums of |first and second derivatives of the weights| over |the sum of the
+ *           weights|: first q16: L A 2^-44   f32, f64: L A 2^-36; second: the same with B + A^2 in place of A
+ *   cost    per control point 15 (2 log2 degree + 4) products and 6 per axis; eval once more; q16: 2 kB of stack
+ */
+enum loft_status loft_basepoint_local(const loft_basepoint *b, loft_unit phi1, loft_unit phi2, loft_local *out) LOFT_CHECKED;
 
 /* The same blown up at corner 3: phi = ((1 - u) v, u v, 1 - v), where v = 0 is the side that corner has, or the corner itself; or at
  * corner 0..2, counted from 0, the shares standing under the names (next corner, last corner, corner itself).

@@ -154,8 +154,8 @@ enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *
  *   error   where no phi is negative, with L the largest coordinate, P and Q the largest first and second derivative of phi and n the
  *           degree: first q16: n L P 2^-44   f32, f64: n L P 2^-36; second: the same with (n P)^2 + n Q in place of n P; beside
  *           what phi has
- *   cost    sides (degree + 1) layers times at most 15 products and 7 per axis, sides (80 degree + 40 layers + 400) more; 24 sides
- *           quotients; q16: 3.8 kB of stack
+ *   cost    sides (degree + 1) layers times at most 15 products and 6 per axis, sides (80 degree + 40 layers + 400) more; 24 sides
+ *           quotients; q16: 4.5 kB of stack
  */
 enum loft_status loft_gb_local(const loft_gb *g, const loft_jet phi[], loft_local *out) LOFT_CHECKED;
 

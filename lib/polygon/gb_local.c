@@ -19,6 +19,7 @@
  * counts, the quotient of derivatives in any direction that leaves the side.
  */
 #include "polygon/gb.h"
+#include "polygon/jet_blend.h"  /* loft_jet_blend */
 
 #define LAYERS ((LOFT_DEGREE_MAX + 1) / 2)
 
@@ -40,15 +41,6 @@ static loft_jet mul3(const loft_jet *a, const loft_jet *b, const loft_jet *c)
     return loft_jet_mul(&ab, c);
 }
 
-static loft_jet pow_of(const loft_jet *a, unsigned k)
-{
-    loft_jet r = loft_jet_of(loft_sci_one());
-
-    while (k-- > 0)
-        r = loft_jet_mul(&r, a);
-    return r;
-}
-
 /* C(degree, k) x^k y^(degree - k) for k = 0 .. count - 1. */
 static void bernstein(loft_jet out[], unsigned degree, unsigned count, const loft_jet *x, const loft_jet *y)
 {
@@ -58,7 +50,7 @@ static void bernstein(loft_jet out[], unsigned degree, unsigned count, const lof
         out[k] = loft_jet_scale(&power, loft_sci_from_int(loft_binomial(degree, k)));
         power = loft_jet_mul(&power, x);
     }
-    power = pow_of(y, degree + 1 - count);
+    power = loft_jet_pow(y, degree + 1 - count);
     for (unsigned k = count; k-- > 0; ) {
         out[k] = loft_jet_mul(&out[k], &power);
         power = loft_jet_mul(&power, y);
@@ -98,50 +90,9 @@ static bool params_at(params *p, const loft_jet phi[], unsigned sides, unsigned 
     return !none(p->below_h.f) || none(a->f);
 }
 
-static void add_to(loft_sci *sum, loft_sci x) { *sum = loft_sci_add(*sum, x); }
-
-/* The sums so far, and those of the sizes of the first derivatives. */
-typedef struct {
-    loft_local at;
-    loft_sci wide_u[LOFT_AXES], wide_v[LOFT_AXES];
-} sums;
-
-static void sums_start(sums *s)
+static void add_point(loft_jet_blend *s, const loft_gb *g, unsigned side, unsigned j, unsigned k, const loft_jet *weight)
 {
-    for (int i = 0; i < LOFT_AXES; i++)
-        s->at.u[i] = s->at.v[i] = s->at.uu[i] = s->at.uv[i] = s->at.vv[i] = s->wide_u[i] = s->wide_v[i] = loft_sci_zero();
-}
-
-static void sums_add(sums *s, const loft_vec *p, const loft_vec *origin, const loft_jet *weight)
-{
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_sci d = loft_sci_of(loft_wide(p->axis[i]) - loft_wide(origin->axis[i]));
-        const loft_sci by_x = loft_sci_mul(d, weight->x), by_y = loft_sci_mul(d, weight->y);
-        add_to(&s->at.u[i], by_x);
-        add_to(&s->at.v[i], by_y);
-        add_to(&s->wide_u[i], size_of(by_x));
-        add_to(&s->wide_v[i], size_of(by_y));
-        add_to(&s->at.uu[i], loft_sci_mul(d, weight->xx));
-        add_to(&s->at.uv[i], loft_sci_mul(d, weight->xy));
-        add_to(&s->at.vv[i], loft_sci_mul(d, weight->yy));
-    }
-}
-
-static void sums_end(const sums *s, loft_local *out)
-{
-    *out = s->at;
-    out->width_u = s->wide_u[0];
-    out->width_v = s->wide_v[0];
-    for (int i = 1; i < LOFT_AXES; i++) {
-        if (loft_sci_less(out->width_u, s->wide_u[i])) out->width_u = s->wide_u[i];
-        if (loft_sci_less(out->width_v, s->wide_v[i])) out->width_v = s->wide_v[i];
-    }
-}
-
-static void add_point(sums *s, const loft_gb *g, unsigned side, unsigned j, unsigned k, const loft_jet *weight)
-{
-    const loft_vec *middle = &g->p[loft_gb_count(g->sides, g->degree) - 1];
-    sums_add(s, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)], middle, weight);
+    loft_jet_blend_add(s, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)], weight);
 }
 
 /* b + share e. */
@@ -152,7 +103,7 @@ static loft_jet moved(const loft_jet *b, const loft_jet *share, const loft_jet *
 }
 
 /* The four points of corner i, from the parameters of its two sides. */
-static bool add_corner(sums *s, const loft_gb *g, const loft_jet phi[], unsigned i, const params *last, const params *here)
+static bool add_corner(loft_jet_blend *s, const loft_gb *g, const loft_jet phi[], unsigned i, const params *last, const params *here)
 {
     const unsigned n = g->sides, d = g->degree;
     const loft_sci m = loft_sci_from_int((int32_t)d);
@@ -168,7 +119,7 @@ static bool add_corner(sums *s, const loft_gb *g, const loft_jet phi[], unsigned
     y = loft_jet_mul(&here->s, c);
     const loft_jet e_b = loft_jet_sub(&x, &y);
 
-    loft_jet power = pow_of(a, d - 2);
+    loft_jet power = loft_jet_pow(a, d - 2);
     x = loft_jet_sub(c, b);
     y = mul3(&here->before_s, &x, &e_c);
     x = mul3(&power, &beta, &y);
@@ -191,7 +142,7 @@ static bool add_corner(sums *s, const loft_gb *g, const loft_jet phi[], unsigned
 }
 
 /* All others of ribbon i. */
-static void add_ribbon(sums *s, const loft_gb *g, unsigned i, const params *here)
+static void add_ribbon(loft_jet_blend *s, const loft_gb *g, unsigned i, const params *here)
 {
     const unsigned d = g->degree, layers = (d + 1) / 2;
     loft_jet along[LOFT_DEGREE_MAX + 1], across[LAYERS];
@@ -210,17 +161,17 @@ static void add_ribbon(sums *s, const loft_gb *g, unsigned i, const params *here
 enum loft_status loft_gb_local(const loft_gb *g, const loft_jet phi[], loft_local *out)
 {
     params side[2];
-    sums sum;
+    loft_jet_blend sum;
 
     if (!params_at(&side[0], phi, g->sides, g->sides - 1u))
         return LOFT_SINGULAR;
-    sums_start(&sum);
+    loft_jet_blend_start(&sum, g->p[loft_gb_count(g->sides, g->degree) - 1]);
     for (unsigned i = 0; i < g->sides; i++) {
         if (!params_at(&side[1], phi, g->sides, i) || !add_corner(&sum, g, phi, i, &side[0], &side[1]))
             return LOFT_SINGULAR;
         add_ribbon(&sum, g, i, &side[1]);
         side[0] = side[1];
     }
-    sums_end(&sum, out);
+    loft_jet_blend_end(&sum, out);
     return LOFT_OK;
 }

@@ -80,3 +80,16 @@ loft_jet loft_jet_sqrt(const loft_jet *a)
     r.yy = loft_sci_div(less(mul(half, a->yy), r.y, r.y), r.f);
     return r;
 }
+
+loft_jet loft_jet_pow(const loft_jet *a, unsigned k)
+{
+    loft_jet r = loft_jet_of(loft_sci_one()), square = *a;
+
+    for (; k; k >>= 1) {
+        if (k & 1)
+            r = loft_jet_mul(&r, &square);
+        if (k > 1)
+            square = loft_jet_mul(&square, &square);
+    }
+    return r;
+}

@@ -39,4 +39,11 @@ loft_jet loft_jet_sqrt(const loft_jet *a);
  */
 loft_jet loft_jet_scale(const loft_jet *a, loft_sci c);
 
+/* a^k; 1 for k = 0.
+ *
+ *   error   as mul, 2 k times
+ *   cost    at most 2 log2 k + 1 of mul
+ */
+loft_jet loft_jet_pow(const loft_jet *a, unsigned k);
+
 #endif

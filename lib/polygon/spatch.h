@@ -18,6 +18,8 @@
 
 #include "geom/vec.h"           /* loft_vec */
 #include "polygon/multi.h"      /* loft_multi_count */
+#include "polygon/jet.h"        /* loft_jet */
+#include "surface/local.h"      /* loft_local */
 
 /* Points and weights are borrowed; w is null for weights of 1. Do not fill it yourself: call init. */
 typedef struct {
@@ -54,6 +56,18 @@ enum loft_status loft_spatch_eval(const loft_spatch *s, const loft_sci phi[], lo
  *   cost    `sides` products per point of every depth, axis by axis
  */
 enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[], loft_sci work[], loft_vec *out) LOFT_CHECKED;
+
+/* The derivatives by x and y of the first and second order, for normals and curvatures (surface/local.h). Width is the sum of |derivatives
+ * of a weight| times |distance of its point|.
+ *
+ *   shape   phi[sides] with their derivatives by x and y, wherever they have them
+ *   range   as eval
+ *   error   with L the largest coordinate, A and B the sums of |first and second derivatives of the weights| over |the sum of the
+ *           weights|: first q16: L A 2^-44   f32, f64: L A 2^-36; second: the same with B + A^2 in place of A; beside what
+ *           phi has
+ *   cost    per control point 20 (sides + depth) products and 6 per axis; eval once more; q16: 2.5 kB of stack
+ */
+enum loft_status loft_spatch_local(const loft_spatch *s, const loft_jet phi[], loft_local *out) LOFT_CHECKED;
 
 /* The same patch with a depth higher by 1.
  *

@@ -14,6 +14,7 @@
 
 #include "curve/rational.h"     /* loft_weighted */
 #include "polygon/lattice.h"    /* loft_lattice_polygon */
+#include "surface/local.h"      /* loft_local */
 
 /* All are borrowed; c and w are null for ones. Do not fill it yourself: call init. */
 typedef struct {
@@ -43,6 +44,16 @@ enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *latt
  *   see     Krasauskas, Toric surface patches (2002)
  */
 enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out) LOFT_CHECKED;
+
+/* The derivatives by x and y of the first and second order, for normals and curvatures (surface/local.h). Width is the sum of |derivatives
+ * of a weight| times |distance of its point| over the sum of weights.
+ *
+ *   range   as eval
+ *   error   with L the largest coordinate, A and B the sums of |first and second derivatives of the weights| over |the sum of the
+ *           weights|: first q16: L A 2^-44   f32, f64: L A 2^-36; second: the same with B + A^2 in place of A
+ *   cost    per control point 15 sides (2 log2 h_i + 2) products and 6 per axis; eval once more; q16: 2.5 kB of stack
+ */
+enum loft_status loft_toric_local(const loft_toric *t, loft_spot p, loft_local *out) LOFT_CHECKED;
 
 /* The curve along an edge, from its first vertex to its second.
  *

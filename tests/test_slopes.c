@@ -1,0 +1,225 @@
+/* tests/test_slopes.c -- derivatives of S-patches, toric and base point patches: properties of lib/polygon/jet_blend.h
+ * SPDX-License-Identifier: MIT
+ *
+ * Their weights are products of powers; in 113 bits, by logarithmic derivatives: w' / w = sum e f' / f.
+ */
+#include "exact_quad.h"             /* quad */
+#include "arb_patch.h"              /* arb_net */
+#include "polygon/basepoint.h"
+#include "polygon/jet_blend.h"
+#include "polygon/meanvalue.h"
+#include "polygon/spatch.h"
+#include "polygon/toric.h"
+#include "polygon/wachspress.h"
+
+static net points;
+static loft_real factor[PATCH_POINTS];
+
+/* A positive function and its derivatives x, y, xx, xy, yy. */
+typedef struct {
+    quad f, d[5];
+} function;
+
+/* Sums over all points: value and derivatives, those of the weights, and the sums of their sizes by order. */
+typedef struct {
+    quad x[LOFT_AXES][6], w[6], size[2];
+} exact_sum;
+
+static void add_term(exact_sum *s, const loft_vec *p, quad c, const function f[], const uint8_t e[], unsigned n)
+{
+    quad w = c, g[2] = { 0, 0 }, h[3] = { 0, 0, 0 };
+
+    for (unsigned i = 0; i < n; i++) {
+        const quad x = f[i].d[0] / f[i].f, y = f[i].d[1] / f[i].f;
+        for (unsigned k = 0; k < e[i]; k++)
+            w *= f[i].f;
+        g[0] += e[i] * x;
+        g[1] += e[i] * y;
+        h[0] += e[i] * (f[i].d[2] / f[i].f - x * x);
+        h[1] += e[i] * (f[i].d[3] / f[i].f - x * y);
+        h[2] += e[i] * (f[i].d[4] / f[i].f - y * y);
+    }
+    const quad all[6] = { w, w * g[0], w * g[1], w * (g[0] * g[0] + h[0]), w * (g[0] * g[1] + h[1]), w * (g[1] * g[1] + h[2]) };
+    for (int k = 0; k < 6; k++) {
+        s->w[k] += all[k];
+        if (k > 0)
+            s->size[k > 2] += quad_size(all[k]);
+        for (int i = 0; i < LOFT_AXES; i++)
+            s->x[i][k] += all[k] * (quad)exact_of(p->axis[i]);
+    }
+}
+
+/* The quotient's derivatives against what the library gives. */
+static void check_slopes(const exact_sum *s, const loft_local *got)
+{
+    const quad *w = s->w;
+    const long double a = (long double)(s->size[0] / quad_size(w[0])), b = (long double)(s->size[1] / quad_size(w[0]));
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const quad *x = s->x[i], p = x[0] / w[0], u = (x[1] - p * w[1]) / w[0], v = (x[2] - p * w[2]) / w[0];
+        const quad uu = (x[3] - 2 * u * w[1] - p * w[3]) / w[0], vv = (x[5] - 2 * v * w[2] - p * w[5]) / w[0];
+        const quad uv = (x[4] - u * w[2] - v * w[1] - p * w[4]) / w[0];
+        const long double one = points.largest * a * BY_NUM(0x1p-44L, 0x1p-36L, 0x1p-36L), two = points.largest * (b + a * a) * BY_NUM(0x1p-44L, 0x1p-36L, 0x1p-36L);
+        CHECK_EXACT(exact_sci(got->u[i]), (long double)u, one);
+        CHECK_EXACT(exact_sci(got->v[i]), (long double)v, one);
+        CHECK_EXACT(exact_sci(got->uu[i]), (long double)uu, two);
+        CHECK_EXACT(exact_sci(got->uv[i]), (long double)uv, two);
+        CHECK_EXACT(exact_sci(got->vv[i]), (long double)vv, two);
+    }
+}
+
+static function function_of(const loft_jet *j)
+{
+    const function f = { exact_sci(j->f), { exact_sci(j->x), exact_sci(j->y), exact_sci(j->xx), exact_sci(j->xy), exact_sci(j->yy) } };
+    return f;
+}
+
+static void derivatives_of_s_patches_are_exact(arb *a)
+{
+    arb_domain p = arb_convex(a);
+    const loft_spot q = (settle(&p), arb_near(a, &p));
+    const bool rational = arb_below(a, 2);
+    unsigned depth = 1 + arb_below(a, 5), rank = 0;
+    loft_sci area[LOFT_SIDES_MAX];
+    loft_jet phi[LOFT_SIDES_MAX];
+    function f[LOFT_SIDES_MAX];
+    uint8_t l[LOFT_SIDES_MAX];
+    exact_sum sum = { .size = { 0, 0 } };
+    loft_local here;
+    loft_spatch s;
+
+    while (loft_multi_count(p.n, depth) > PATCH_POINTS)
+        depth--;
+    if (loft_domain_place(&p.d, q, area, &rank) != LOFT_INSIDE)
+        return;
+    CHECK((arb_below(a, 2) ? loft_meanvalue_jet(&p.d, q, phi) : loft_wachspress_jet(&p.d, q, phi)) == LOFT_OK);
+    arb_net(a, &points, loft_multi_count(p.n, depth));
+    CHECK(loft_spatch_init(&s, points.p, rational ? points.w : NULL, p.n, depth) == LOFT_OK && loft_spatch_local(&s, phi, &here) == LOFT_OK);
+    for (unsigned i = 0; i < p.n; i++)
+        f[i] = function_of(&phi[i]);
+    rank = 0;
+    loft_multi_first(l, p.n, depth);
+    do {
+        add_term(&sum, &points.p[rank], loft_multi_ways(l, p.n) * (rational ? (quad)exact_of(points.w[rank]) : 1), f, l, p.n);
+        rank++;
+    } while (loft_multi_next(l, p.n));
+    check_slopes(&sum, &here);
+}
+
+/* Of an S-patch with three sides and depth 1 over any triangle: the plane through its points. */
+static void a_flat_triangle_does_not_bend(arb *a)
+{
+    arb_domain p;
+    loft_jet phi[LOFT_SIDES_MAX];
+    loft_curvatures k;
+    loft_local here;
+    loft_spatch s;
+
+    do
+        p = arb_convex(a);
+    while (p.n != 3);
+    settle(&p);
+    arb_net(a, &points, 3);
+    CHECK(loft_wachspress_jet(&p.d, p.v[arb_below(a, 3)], phi) == LOFT_OK);
+    CHECK(loft_spatch_init(&s, points.p, NULL, 3, 1) == LOFT_OK && loft_spatch_local(&s, phi, &here) == LOFT_OK);
+    const enum loft_status status = loft_local_curvatures(&here, &k);
+    CHECK(status == LOFT_SINGULAR || status == LOFT_ERR_RANGE || LOFT_AXES >= 3);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        long double most = 0;
+        for (unsigned j = 0; j < 3; j++)
+            most = fmaxl(most, fmaxl(fabsl(exact_sci(phi[j].x)), fabsl(exact_sci(phi[j].y))));
+        const long double off = points.largest * most * most * BY_NUM(0x1p-48L, 0x1p-40L, 0x1p-40L);
+        CHECK_EXACT(exact_sci(here.uu[i]), 0, off);
+        CHECK_EXACT(exact_sci(here.uv[i]), 0, off);
+        CHECK_EXACT(exact_sci(here.vv[i]), 0, off);
+    }
+}
+
+static void derivatives_of_toric_patches_are_exact(arb *a)
+{
+    static const struct { loft_whole v[LOFT_SIDES_MAX]; unsigned n; } shape[3] = {
+        { { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 2 } }, { { 0, 2 } } }, 5 },
+        { { { { -3, -2 } }, { { 1, -3 } }, { { 4, 0 } }, { { 3, 3 } }, { { -1, 4 } }, { { -4, 1 } } }, 6 },
+        { { { { 0, 0 } }, { { 1, 0 } }, { { 7, 1 } } }, 3 } };
+    const unsigned k = arb_below(a, 3);
+    loft_lattice_polygon l = { .sides = 0 };
+    exact_sum sum = { .size = { 0, 0 } };
+    function h[LOFT_SIDES_MAX];
+    loft_local here;
+    loft_toric t;
+    loft_whole q;
+    unsigned m = 0;
+
+    CHECK(loft_lattice_polygon_init(&l, shape[k].v, shape[k].n) == LOFT_OK);
+    const loft_spot p = spot_raw((int64_t)arb_below(a, 9 * 65536) - 4 * 65536, (int64_t)arb_below(a, 8 * 65536) - 4 * 65536);
+    for (unsigned i = 0; i < l.sides; i++) {
+        const quad x = l.edge[i].normal.at[0], y = l.edge[i].normal.at[1];
+        h[i] = (function) { x * (quad)exact_of(p.at[0]) + y * (quad)exact_of(p.at[1]) + l.edge[i].offset, { x, y, 0, 0, 0 } };
+        if (!(h[i].f > 0))
+            return;
+    }
+    arb_net(a, &points, loft_lattice_polygon_count(&l));
+    for (unsigned i = 0; i < loft_lattice_polygon_count(&l); i++)
+        factor[i] = loft_real_from_int(1 + (int32_t)arb_below(a, 30));
+    CHECK(loft_toric_init(&t, &l, points.p, factor, points.w) == LOFT_OK && loft_toric_local(&t, p, &here) == LOFT_OK);
+    loft_lattice_polygon_first(&l, &q);
+    do {
+        uint8_t e[LOFT_SIDES_MAX];
+        for (unsigned i = 0; i < l.sides; i++)
+            e[i] = (uint8_t)loft_lattice_polygon_height(&l, i, q);
+        add_term(&sum, &points.p[m], (quad)exact_of(factor[m]) * (quad)exact_of(points.w[m]), h, e, l.sides);
+        m++;
+    } while (loft_lattice_polygon_next(&l, &q));
+    check_slopes(&sum, &here);
+}
+
+static void derivatives_of_base_point_patches_are_exact(arb *a)
+{
+    static const uint8_t cuts[4][3] = { { 0, 0, 0 }, { 1, 0, 1 }, { 2, 2, 1 }, { 0, 3, 0 } };
+    const unsigned d = 5 + arb_below(a, 5), i = 1 + arb_below(a, 65534), j = 1 + arb_below(a, 65535 - i);
+    const uint8_t *cut = cuts[arb_below(a, 4)];
+    const loft_unit one = loft_unit_of(i, 65536), two = loft_unit_of(j, 65536);
+    const quad x = (quad)i / 65536, y = (quad)j / 65536;
+    const function phi[3] = { { x, { 1, 0, 0, 0, 0 } }, { y, { 0, 1, 0, 0, 0 } }, { 1 - x - y, { -1, -1, 0, 0, 0 } } };
+    exact_sum sum = { .size = { 0, 0 } };
+    loft_basepoint b;
+    loft_local here;
+    uint8_t l[3];
+    unsigned k = 0;
+
+    arb_net(a, &points, loft_multi_count(3, d));
+    CHECK(loft_basepoint_init(&b, points.p, points.w, d, cut) == LOFT_OK && loft_basepoint_local(&b, one, two, &here) == LOFT_OK);
+    loft_multi_first(l, 3, d);
+    do {
+        if (l[0] + cut[0] <= (int)d && l[1] + cut[1] <= (int)d && l[2] + cut[2] <= (int)d)
+            add_term(&sum, &points.p[k], loft_multi_ways(l, 3) * (quad)exact_of(points.w[k]), phi, l, 3);
+        k++;
+    } while (loft_multi_next(l, 3));
+    check_slopes(&sum, &here);
+}
+
+static void where_there_is_no_point_there_are_no_derivatives(arb *a)
+{
+    static const uint8_t cut[3] = { 1, 0, 0 };
+    loft_lattice_polygon l = { .sides = 0 };
+    const loft_whole v[3] = { { { 0, 0 } }, { { 4, 0 } }, { { 0, 4 } } };
+    loft_local here;
+    loft_basepoint b;
+    loft_toric t;
+
+    arb_net(a, &points, 21);
+    CHECK(loft_basepoint_init(&b, points.p, points.w, 3, cut) == LOFT_OK);
+    CHECK(loft_basepoint_local(&b, LOFT_UNIT(1), 0, &here) == LOFT_SINGULAR && loft_basepoint_local(&b, LOFT_UNIT(1), LOFT_UNIT(1), &here) == LOFT_ERR_ARG);
+    CHECK(loft_lattice_polygon_init(&l, v, 3) == LOFT_OK && loft_toric_init(&t, &l, points.p, NULL, NULL) == LOFT_OK);
+    CHECK(loft_toric_local(&t, spot_raw(-1, 5), &here) == LOFT_ERR_RANGE && loft_toric_local(&t, spot_raw(0, 0), &here) == LOFT_OK);
+}
+
+int main(void)
+{
+    PROPERTY(derivatives_of_s_patches_are_exact, 300);
+    PROPERTY(a_flat_triangle_does_not_bend, 300);
+    PROPERTY(derivatives_of_toric_patches_are_exact, 300);
+    PROPERTY(derivatives_of_base_point_patches_are_exact, 300);
+    PROPERTY(where_there_is_no_point_there_are_no_derivatives, 5);
+    return check_failures();
+}
