@@ -42,7 +42,7 @@ static void watch_switches(uint8_t every)
 int main(void)
 {
     static uint8_t wire[LOFT_FRAME_MAX];
-    const loft_machine_config *config = loft_port_init();
+    loft_machine_config *config = loft_port_init();
     const uint32_t slot_hz = (uint32_t)config->traits.tick_hz * config->traits.slots;
     const uint8_t every = (uint8_t)(slot_hz / 1000 < 255 ? slot_hz / 1000 : 255);
     size_t count = 0, sent = 0;

@@ -25,9 +25,9 @@
 #include "machine/machine.h"    /* loft_machine_config */
 
 /* Clocks, pins, serial line; interrupts stay off. Gives what the machine is and where it stands, with the memory of its
- * queue; it is read once, right after. Put another number into traits.boot at each start (a counter in flash, a random
+ * queue, to which `machine` keeps. Put another number into traits.boot at each start (a counter in flash, a random
  * number): by it the host knows that the machine restarted and lost its position. */
-const loft_machine_config *loft_port_init(void);
+loft_machine_config *loft_port_init(void);
 
 /* Enable interrupts and call loft_port_slot `slot_hz` times per second from now on. */
 void     loft_port_start(uint32_t slot_hz);

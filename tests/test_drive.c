@@ -245,20 +245,27 @@ static void steps_that_do_not_fit_their_tick_are_all_made(arb *a)
     CHECK(end.slowed > 0);
 }
 
-/* The law of supply at standing: 2 * LOFT_DRIVE_MARGIN ticks are not enough, one more is. */
+/* From standing: a sixteenth of pace 1 and an eighth more, of the ticks in the queue or of its items. */
 static void the_machine_starts_with_enough_in_the_queue(arb *a)
 {
     do
         rig_start(a, 40, 50, 20);
-    while (r.kind != LOFT_POINTS || r.cells <= 2 * LOFT_DRIVE_MARGIN + 1);
+    while (r.kind != LOFT_POINTS || r.cells < 8);
 
-    for (int items = 0; items < 2 * LOFT_DRIVE_MARGIN; items++)
+    const double horizon = 16 * 25, worth = ceil(32. * (50 + 1) / r.cells), enough = horizon / 16 * 8 / 7 / worth;
+    uint32_t items = 0;
+    while (items < enough - 0.1 && items < LOFT_DRIVE_MARGIN + 2) {
+        for (int slot = 0; slot < 100; slot++) {
+            loft_drive_tick(&drive);
+            CHECK(loft_step_done(&drive.step));
+        }
         CHECK(rig_push());
-    for (int slot = 0; slot < 1000; slot++) {
-        loft_drive_tick(&drive);
-        CHECK(loft_step_done(&drive.step));
+        items++;
     }
-    CHECK(rig_push());
+    while (items < LOFT_DRIVE_MARGIN + 3 || items < enough * 1.1) {
+        CHECK(rig_push());
+        items++;
+    }
     loft_drive_tick(&drive);
     CHECK(!loft_step_done(&drive.step));
 }
@@ -274,10 +281,9 @@ static void turning_at_full_speed_is_counted_as_slowed(arb *a)
     for (uint32_t tick = 0; tick < r.ticks; tick++)
         for (int i = 0; i < LOFT_AXES; i++)
             r.item[tick].p[2][i] = r.path[tick + 1][i] = r.path[tick][i] + (tick % 2 ? -slots : slots);
+    loft_drive_end(&drive);             /* what follows is in time */
     for (uint32_t slot = 0; slot < 1000000 && loft_state_busy(drive.state); slot++) {
         rig_push();
-        if (r.pushed == r.items)
-            loft_drive_end(&drive);
         loft_drive_tick(&drive);
         rig_slot();
     }

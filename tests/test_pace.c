@@ -17,7 +17,8 @@ static loft_pace arb_pace(arb *a, uint16_t *slots, uint16_t *ramp)
     return p;
 }
 
-static double full_of(uint16_t ramp) { return (ramp + 1) / 2; }
+static double ticks_of(uint16_t ramp) { return (ramp + 1) / 2; }
+
 
 static void aim(loft_pace *p, unsigned percent) { loft_pace_aim(p, loft_pace_level(p, percent)); }
 
@@ -44,18 +45,19 @@ static void each_tick_lasts_what_the_law_says(arb *a)
     for (int tick = 0; tick < 2000; tick++) {
         if (arb_below(a, 60) == 0)
             aim(&p, arb_below(a, 3) ? arb_below(a, 220) : 100 * arb_below(a, 2));
-        const double from = loft_pace_distance(&p);
+        const double from = p.level, distance = loft_pace_distance(&p), unit = loft_pace_unit(&p);
         const uint16_t lasts = loft_pace_next(&p);
-        const double to = loft_pace_distance(&p);
+        const double to = p.level;
 
-        CHECK_NEAR(from, to, 1);
+        CHECK_NEAR(from, to, unit);
+        CHECK(distance == ceil(from / unit) && loft_pace_full(&p) == unit * ticks_of(ramp));
         if (from == 0 && to == 0)
             CHECK(lasts == 0);
-        else if (from == full_of(ramp) && to == from)
+        else if (from == loft_pace_full(&p) && to == from)
             CHECK(lasts == slots);
         else
-            CHECK_NEAR(lasts, law(slots, full_of(ramp), from, to),
-                       1 + law(slots, full_of(ramp), from, to) * roots_error(full_of(ramp), from, to));
+            CHECK_NEAR(lasts, law(slots, loft_pace_full(&p), from, to),
+                       1 + law(slots, loft_pace_full(&p), from, to) * roots_error(loft_pace_full(&p), from, to));
         CHECK(lasts <= 32767);
     }
 }
@@ -107,13 +109,13 @@ static void a_hold_from_full_pace_takes_the_ramp(arb *a)
     double sum = 0;
 
     aim(&p, 100);
-    while (loft_pace_distance(&p) < full_of(ramp))
+    while (p.level < loft_pace_full(&p))
         CHECK(loft_pace_next(&p) >= slots);
     CHECK(loft_pace_next(&p) == slots);
     loft_pace_aim(&p, 0);
     while (loft_pace_distance(&p))
         sum += loft_pace_next(&p);
-    CHECK_NEAR(sum, 2 * full_of(ramp) * slots, 1 + full_of(ramp) / 256 + 0.003 * 2 * full_of(ramp) * slots);
+    CHECK_NEAR(sum, 2 * ticks_of(ramp) * slots, 1 + ticks_of(ramp) / 256 + 0.003 * 2 * ticks_of(ramp) * slots);
 }
 
 static void fractions_are_carried_at_any_steady_pace(arb *a)
@@ -126,14 +128,14 @@ static void fractions_are_carried_at_any_steady_pace(arb *a)
     aim(&p, percent);
     uint16_t before;
     do {
-        before = loft_pace_distance(&p);
+        before = p.level;
         CHECK(loft_pace_next(&p) != 0);
-    } while (loft_pace_distance(&p) != before);
-    CHECK_NEAR(before, fmax(1, full_of(ramp) * percent * percent / 1e4), 0.5);      /* the level of that pace */
-    const double ideal = law(slots, full_of(ramp), before, before);
+    } while (p.level != before);
+    CHECK_NEAR(p.level, fmax(1, loft_pace_full(&p) * (percent * percent / 1e4)), 0.5);      /* of that pace */
+    const double ideal = law(slots, loft_pace_full(&p), before, before);
     for (int tick = 0; tick < 1000; tick++)
         sum += loft_pace_next(&p);
-    CHECK_NEAR(sum, 1000 * ideal, 1 + 1000. / 256 + 1000 * ideal * roots_error(full_of(ramp), before, before));
+    CHECK_NEAR(sum, 1000 * ideal, 1 + 1000. / 256 + 1000 * ideal * roots_error(loft_pace_full(&p), before, before));
 }
 
 static void init_refuses_what_does_not_fit(arb *a)

@@ -50,6 +50,9 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
     d->tick_hz = config->tick_hz;
     d->slots = config->slots;
     d->ramp = config->ramp;
+    const uint32_t share = ((uint32_t)32 * (config->ramp + 1u) + config->cells - 1) / config->cells;
+    d->share = (uint16_t)(share < UINT16_MAX ? share : UINT16_MAX);
+    d->gain = (uint16_t)(UINT16_MAX / (config->ramp / 2u + config->ramp % 2u));
     d->active = d->hold = d->abort = d->ended = 0;
     d->state = LOFT_STATE_IDLE;
     d->executed = d->ticks = d->slowed = d->elapsed = 0;
@@ -79,6 +82,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int3
     d->cap = LOFT_CAP_ONE;
     d->percent = d->obeyed = 100;
     d->ordered = loft_pace_full(&d->pace);
+    d->supply = 0;
     d->executed = d->ticks = d->slowed = d->elapsed = 0;
     d->slot = 0;
     d->starved = 1;                     /* the queue is empty */
@@ -123,7 +127,7 @@ enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
         return LOFT_ERR_RANGE;
 
     uint8_t cap = LOFT_CAP_ONE;
-    if (d->kind == LOFT_SPANS)
+    if (d->kind == LOFT_SPANS && (LOFT_MACHINE_CAPS || d->percent > 100))
         cap = loft_cap_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue), d->axis, d->tick_hz);
     const enum loft_status status = loft_queue_push(&d->queue, item, cap);
     if (status == LOFT_OK) {
@@ -199,41 +203,65 @@ static void count_ticks(loft_drive *d)
 
 static bool is_ready(const loft_drive *d)       { return d->ready && d->ready_item == d->item; }
 
-/* The law of supply. With level = ticks to standing, one tick uses one of `ahead` and changes the level by at most 1:
+/* The law of supply. What is in the queue is worth as many ticks as it has, or as a queue so full has with full items:
+ *
+ *     fill = max(ahead, items * 4 H / cells)        H = 16 * the ticks from pace 1 to standing
+ *
+ * and the pace is fill / H. So a line that delivers a part q of what the plan needs finds the fill at q H and keeps it there:
+ * d fill / dt = q - fill / H has no oscillation, and approaches evenly what comes. While the fill is within 1/8 of what belongs
+ * to the pace, the pace stays as it is, so that items may come in portions. From standing it takes a sixteenth of pace 1, so
+ * that something is there to go on with.
+ *
+ * Whatever that says, in units of the level, which changes by one unit per tick, while each tick takes one of `ahead`:
  *
  *     going down    ahead - level stays
- *     steady        ahead - level falls by 1      only while ahead > level + MARGIN
- *     going up      ahead - level falls by 2      likewise, or with a full queue while ahead >= level + 2
+ *     else          ahead - level falls by 2 at most      only while level + 1 <= ahead - 1 - MARGIN
  *
- * so ahead >= level always, and the machine stands before the queue is empty or at its last tick. */
-static bool supplied(loft_drive *d, bool ended)
+ * (with a full queue, for which nothing better can come, without MARGIN), so ahead >= level always, and the machine stands before
+ * the queue is empty or at its last tick. */
+static uint16_t level_of(uint16_t full, uint16_t pace)      /* Q8; 2^14 * 2^18 */
 {
-    const uint32_t need = (uint32_t)loft_pace_distance(&d->pace) + LOFT_DRIVE_MARGIN;
-    bool starved = d->starved;
-
-    if (ended)
-        starved = false;
-    else if (loft_queue_full(&d->queue) && d->ahead >= need)
-        starved = false;
-    else if (d->ahead <= need)
-        starved = true;
-    else if (d->ahead > 2 * need)
-        starved = false;
-    d->starved = starved;
-    return !starved;
+    return pace >= 512 ? (uint16_t)(4 * full) : (uint16_t)((uint32_t)full * pace * pace >> 16);
 }
 
-/* The level of what is ordered, or of what the caps of the items allow if that is less. The level falls by one each tick if it
- * must; so it may be so high at the end of the next tick that it comes down to each cap at the beginning of its item,
+/* Does a span of several ticks come next? Beginning it is work enough for one tick. */
+static bool begins(const loft_drive *d)
+{
+    return d->kind == LOFT_SPANS && d->left == 0 && d->supply && loft_queue_first(&d->queue) && loft_queue_first(&d->queue)->ticks > 1;
+}
+
+static uint16_t supplied(loft_drive *d)
+{
+    const uint16_t full = loft_pace_full(&d->pace), unit = loft_pace_unit(&d->pace);
+    const uint32_t need = loft_queue_full(&d->queue) ? 1 : 1 + LOFT_DRIVE_MARGIN, items = (uint32_t)d->queue.looked * d->share;
+    const uint32_t fill = d->ahead > items ? d->ahead : items;
+
+    if (fill >= (uint32_t)20 * (d->ramp + 1u)) {
+        d->supply = (uint16_t)(4 * full);
+    } else if (!begins(d)) {
+        const uint16_t pace = (uint16_t)(fill * d->gain >> 12);         /* 16 fill / stop; fill gain < 20 (2 stop + 1) 2^16 / stop */
+        const uint16_t least = level_of(full, (uint16_t)(pace - pace / 8)), most = level_of(full, (uint16_t)(pace + pace / 8));
+        if (d->supply < least && (d->supply || least >= full / 256 + 1))
+            d->supply = least;
+        else if (d->supply > most)
+            d->supply = most;
+    }
+    const uint32_t sure = d->ahead > need ? (d->ahead - need) * unit : 0;
+    return d->supply < sure ? d->supply : (uint16_t)sure;
+}
+
+/* The level of what is ordered, or of what the caps of the items allow if that is less. The level falls by a unit each tick if
+ * it must; so it may be so high at the end of the next tick that it comes down to each cap at the beginning of its item,
  *
- *     level <= cap + ticks before that item - 1
+ *     level <= cap + unit * (ticks before that item - 1)
  *
  * and, with the next tick's own cap, keeps to it from then on. It never was higher than that: an item that is new in the queue has
- * `ahead` ticks before it, of which the law of supply leaves as many as the level. A search through the queue ends where even
+ * `ahead` ticks before it, of which the law of supply leaves as many as the level has. A search through the queue ends where even
  * the lowest cap is far enough away; up to pace 1 there is nothing to search for. */
 static uint16_t allowed(const loft_drive *d)
 {
     const uint16_t full = loft_pace_full(&d->pace);
+    const uint8_t unit = loft_pace_unit(&d->pace);
     uint16_t level = d->ordered;
     uint32_t before = d->left;
     const volatile loft_cell *cell;
@@ -242,8 +270,8 @@ static uint16_t allowed(const loft_drive *d)
         return level;
     if (before && level > loft_cap_level(d->cap, full))
         level = loft_cap_level(d->cap, full);
-    for (uint16_t k = 0; level > full && before < level && (cell = loft_queue_cell(&d->queue, k)) != NULL; k++) {
-        const uint32_t most = loft_cap_level(cell->cap, full) + (before ? before - 1 : 0);
+    for (uint16_t k = 0; level > full && before * unit < level && (cell = loft_queue_cell(&d->queue, k)) != NULL; k++) {
+        const uint32_t most = loft_cap_level(cell->cap, full) + (before ? (before - 1) * unit : 0);
         if (level > most)
             level = (uint16_t)most;
         before += cell->item.ticks;
@@ -259,7 +287,10 @@ static void steer(loft_drive *d, bool ended)
         d->obeyed = percent;
         d->ordered = loft_pace_level(&d->pace, percent);
     }
-    loft_pace_aim(&d->pace, !supplied(d, ended) || d->hold || d->abort ? 0 : allowed(d));
+    uint16_t level = d->hold || d->abort ? 0 : allowed(d);
+    const uint16_t most = ended ? level : supplied(d);
+    d->starved = !ended && most < d->ordered;
+    loft_pace_aim(&d->pace, level < most ? level : most);
 }
 
 static void finish(loft_drive *d, enum loft_state state)

@@ -9,9 +9,9 @@
  * that runs low all let the pace go down to standing, at the end of a tick, with no item lost. Above 100 percent the pace is
  * held down where an item may not pass so fast (cap.h), in good time before it.
  *
- * The law of supply: while the end of the job is not known, the ticks in the queue are compared with those that the pace
- * needs to stand still. Down to LOFT_DRIVE_MARGIN more: the pace aims for 0. Above twice that sum, or with a full queue:
- * it aims for what is ordered again.
+ * The law of supply: while the end of the job is not known, the pace aims for no more than what is in the queue, compared with a quarter
+ * of the queue or with sixteen times the ticks from pace 1 to standing, whichever is less. A line that is too slow, even or in
+ * portions, makes the machine as slow as itself; one that was cut lets it come to a stand before the queue is empty.
  */
 #ifndef LOFT_MACHINE_DRIVE_H
 #define LOFT_MACHINE_DRIVE_H
@@ -72,6 +72,7 @@ typedef struct {
     uint8_t      cap;                   /* of the item being walked                                          */
     uint8_t      obeyed;                /* percent                                                           */
     uint16_t     ordered;               /* the level that belongs to it                                      */
+    uint16_t     supply;                /* the level that the queue is good for                              */
     volatile uint32_t executed, ticks, slowed;
     volatile uint8_t  state, starved;
 
@@ -83,6 +84,8 @@ typedef struct {
     loft_real steps_per_mm[LOFT_AXES];
     const loft_traits_axis *axis;
     uint16_t ramp, tick_hz;
+    uint16_t share;                     /* of the law of supply: ticks that an item is worth                 */
+    uint16_t gain;                      /* and pace per tick, 2^-20                                          */
 } loft_drive;
 
 /* Stand idle.

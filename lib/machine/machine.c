@@ -3,23 +3,23 @@
  */
 #include "machine/machine.h"
 
-enum loft_status loft_machine_init(loft_machine *m, const loft_machine_config *config)
+enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
 {
     loft_drive_config drive;
 
-    m->traits = config->traits;
+    m->traits = &config->traits;
     for (int i = 0; i < LOFT_AXES; i++)
         drive.position[i] = config->position[i];
-    drive.axis = m->traits.axis;
+    drive.axis = m->traits->axis;
     drive.tick_hz = config->traits.tick_hz;
     drive.slots = config->traits.slots;
     drive.ramp = config->ramp;
     drive.cell = config->cell;
     drive.cells = config->cells;
 
-    m->traits.queue = config->cells;
-    m->traits.kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
-    const enum loft_status status = loft_receiver_init(&m->receiver, &m->traits);
+    config->traits.queue = config->cells;
+    config->traits.kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
+    const enum loft_status status = loft_receiver_init(&m->receiver, m->traits);
     return status == LOFT_OK ? loft_drive_init(&m->drive, &drive) : status;
 }
 

@@ -32,14 +32,15 @@ typedef struct {
 typedef struct {
     loft_drive    drive;
     loft_receiver receiver;
-    loft_traits   traits;
+    const loft_traits *traits;
     loft_job      job;
 } loft_machine;
 
 /* Stand idle and listen.
  *
+ *   shape   config stays borrowed; its `queue` and `kinds` are filled in
  *   range   that of loft_receiver_init (LOFT_ERR_ARG) and of loft_drive_init (LOFT_ERR_RANGE) */
-enum loft_status loft_machine_init(loft_machine *m, const loft_machine_config *config) LOFT_CHECKED;
+enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config) LOFT_CHECKED;
 
 
 // Main loop

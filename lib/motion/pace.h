@@ -10,8 +10,9 @@
  * From pace 1 the machine stands after ceil(ramp / 2) ticks of the plan, from pace 2 after four times as many, exactly at
  * the end of a tick.
  *
- * The state is the level: how many ticks of the plan pass until time stands still if that is the aim from now on. The level
- * changes by one per tick; r^2 is level / full, where `full` is the level of pace 1.
+ * The state is the level, from which follows how many ticks of the plan pass until time stands still if that is the aim from
+ * now on: level / unit, rounded up. The level changes by at most `unit` per tick; r^2 is level / full, where `full` is the
+ * level of pace 1. The slowest pace is sqrt(1 / full).
  */
 #ifndef LOFT_MOTION_PACE_H
 #define LOFT_MOTION_PACE_H
@@ -24,10 +25,11 @@
 
 /* Complete so that it can be static; the fields may change without notice. */
 typedef struct {
-    uint32_t first;                 /* slots of the tick that starts from standing, Q16         */
+    uint32_t first;                 /* slots of the tick from standing to level 1, Q16          */
     uint16_t level, aim, full;      /* pace = sqrt(level / full)                                */
     uint16_t root;                  /* sqrt(level), Q8                                          */
     uint16_t slots;
+    uint8_t unit;                   /* levels per tick: 1, 2, 4, 8 or 16, as many as there is room for */
     uint8_t carry;                  /* slots owed by the ticks before, Q8                       */
 } loft_pace;
 
@@ -44,7 +46,7 @@ uint16_t loft_pace_level(const loft_pace *p, unsigned percent);
 
 /* Aim for a level; 0 is a hold. The next tick is one level nearer.
  *
- *   range   level 0..4 full */
+ *   range   level 0..4 loft_pace_full(p) */
 static inline void loft_pace_aim(loft_pace *p, uint16_t level)  { p->aim = level; }
 
 /* Slots that the next tick lasts; 0 while time stands still.
@@ -53,8 +55,11 @@ static inline void loft_pace_aim(loft_pace *p, uint16_t level)  { p->aim = level
  *   cost    steady at pace 0 and 1 nothing, else one 32-bit division and one 32-bit square root */
 uint16_t loft_pace_next(loft_pace *p);
 
-/* Ticks of the plan that pass until time stands still if the aim is 0 from now on, exactly: the level. Of pace 1: full. */
-static inline uint16_t loft_pace_distance(const loft_pace *p)   { return p->level; }
+/* Ticks of the plan that pass until time stands still if the aim is 0 from now on, exactly. */
+static inline uint16_t loft_pace_distance(const loft_pace *p)   { return (uint16_t)(((uint32_t)p->level + p->unit - 1) / p->unit); }
+
+/* The level of pace 1, and by how much the level may change in a tick. */
 static inline uint16_t loft_pace_full(const loft_pace *p)       { return p->full; }
+static inline uint8_t  loft_pace_unit(const loft_pace *p)       { return p->unit; }
 
 #endif

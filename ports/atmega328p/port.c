@@ -171,7 +171,7 @@ static uint32_t count_start(void)
     return boot;
 }
 
-const loft_machine_config *loft_port_init(void)
+loft_machine_config *loft_port_init(void)
 {
     config.traits.boot = count_start();
 

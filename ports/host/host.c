@@ -33,6 +33,7 @@
 struct host {
     const struct loft_host_options *o;
     loft_machine machine;
+    loft_machine_config config;
     volatile loft_cell *cell;
     struct host_line line;
     struct host_record record;
@@ -85,22 +86,21 @@ static uint32_t boot_number(void)
 static int start_machine(struct host *h)
 {
     const struct loft_host_options *o = h->o;
-    loft_machine_config c;
+    loft_machine_config *c = &h->config;
 
-    memset(&c, 0, sizeof c);
-    c.traits.boot = boot_number();
-    c.traits.tick_hz = (uint16_t)(o->tick_hz <= UINT16_MAX ? o->tick_hz : 0);
-    c.traits.slots = (uint16_t)(o->slots <= UINT16_MAX ? o->slots : 0);
+    c->traits.boot = boot_number();
+    c->traits.tick_hz = (uint16_t)(o->tick_hz <= UINT16_MAX ? o->tick_hz : 0);
+    c->traits.slots = (uint16_t)(o->slots <= UINT16_MAX ? o->slots : 0);
     for (int i = 0; i < LOFT_AXES; i++) {
-        c.traits.axis[i].steps_per_mm = raw_of(o->steps_per_mm[i]);
-        c.traits.axis[i].max_speed = raw_of(o->max_speed[i]);
-        c.traits.axis[i].max_accel = raw_of(o->max_accel[i]);
-        c.traits.axis[i].max_jerk = o->max_jerk[i] > 0 && o->max_jerk[i] < 1e9 ? (uint32_t)o->max_jerk[i] : 0;
+        c->traits.axis[i].steps_per_mm = raw_of(o->steps_per_mm[i]);
+        c->traits.axis[i].max_speed = raw_of(o->max_speed[i]);
+        c->traits.axis[i].max_accel = raw_of(o->max_accel[i]);
+        c->traits.axis[i].max_jerk = o->max_jerk[i] > 0 && o->max_jerk[i] < 1e9 ? (uint32_t)o->max_jerk[i] : 0;
     }
-    c.ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
-    c.cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);
-    c.cell = h->cell = calloc(c.cells + 1u, sizeof *c.cell);
-    if (!h->cell || loft_machine_init(&h->machine, &c) != LOFT_OK) {
+    c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
+    c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);
+    c->cell = h->cell = calloc(c->cells + 1u, sizeof *c->cell);
+    if (!h->cell || loft_machine_init(&h->machine, c) != LOFT_OK) {
         fprintf(stderr, "loft: a machine cannot be like this: see the ranges of steps per mm, tick rate, slots, ramp and queue\n");
         return EX_USAGE;
     }
@@ -224,7 +224,7 @@ static bool supplied(struct host *h)
 {
     const loft_drive *d = &h->machine.drive;
 
-    return d->ended || d->abort || 2 * loft_drive_poll(&h->machine.drive).room <= h->machine.traits.queue ||
+    return d->ended || d->abort || 2 * loft_drive_poll(&h->machine.drive).room <= h->machine.traits->queue ||
            now_ns() - h->heard > QUIET_MS * 1000000LL;
 }
 

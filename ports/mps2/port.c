@@ -29,7 +29,7 @@ static loft_machine_config config = {
     .ramp = 160, .cell = cells, .cells = CELLS
 };
 
-const loft_machine_config *loft_port_init(void)
+loft_machine_config *loft_port_init(void)
 {
     config.traits.boot = cortex_starts();
     REG(MPS2_GPIO0 + 0x10) = STEPS | STEPS << DIR_AT;   /* OUTENSET                  */

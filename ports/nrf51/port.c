@@ -64,7 +64,7 @@ static uint32_t random_number(void)
     return number;
 }
 
-const loft_machine_config *loft_port_init(void)
+loft_machine_config *loft_port_init(void)
 {
     REG(CLOCK + 0x000) = 1;                         /* the crystal */
     (void)came(CLOCK + 0x100);

@@ -102,7 +102,7 @@ void trap(void)
     }
 }
 
-const loft_machine_config *loft_port_init(void)
+loft_machine_config *loft_port_init(void)
 {
     config.traits.boot = REG(CLOCK) ^ REG(CLOCK + 4) << 16;
     REG8(LINE + 3) = 3;                 /* 8N1                   */

@@ -70,7 +70,7 @@ static uint32_t random_number(void)
     return came(RANDOM + 0x04, 1) ? REG(RANDOM + 0x08) : 0;
 }
 
-const loft_machine_config *loft_port_init(void)
+loft_machine_config *loft_port_init(void)
 {
     set_clock();
     config.traits.boot = random_number() ^ cortex_starts();

@@ -17,7 +17,7 @@ static loft_machine_config config = {
 
 /* Set the clock, make the step and direction pins outputs, open the serial line at the rate that the host uses, let its receive
  * interrupt give each byte to loft_port_byte. */
-const loft_machine_config *loft_port_init(void)
+loft_machine_config *loft_port_init(void)
 {
     for (int i = 1; i < LOFT_AXES; i++)
         config.traits.axis[i] = config.traits.axis[0];
