@@ -17,7 +17,7 @@
 #include "engine_sided.h"
 #include "tool.h"           /* tool_grow */
 
-/* One of the library's; s->kind says which. A patch with base points is held three times, each corner having been the last. */
+/* One of the library's; s->kind says which. */
 struct engine_sided {
     const surface *s;
     loft_vec *p;
@@ -29,7 +29,7 @@ struct engine_sided {
     union {
         loft_spatch spatch;
         loft_toric toric;
-        loft_basepoint basepoint[3];
+        loft_basepoint basepoint;
         loft_ring ring;
         loft_gb gb;
     } as;
@@ -105,32 +105,22 @@ static int prepare_toric(engine_sided *e)
     return status ? status : (int)loft_toric_init(&e->as.toric, &e->lattice, e->p, e->c, e->w);
 }
 
-/* Corner c as the last one: its points under the indices (next, after that, c). What is cut off is not read. */
-static int prepare_corner(engine_sided *e, unsigned c)
+/* What is cut off is not listed, and not read. */
+static int prepare_basepoint(engine_sided *e)
 {
     const surface *s = e->s;
-    const unsigned room = loft_multi_count(3, s->m), one = (c + 1) % 3, two = (c + 2) % 3;
-    const uint8_t cut[3] = { (uint8_t)s->cut[one], (uint8_t)s->cut[two], (uint8_t)s->cut[c] };
+    const uint8_t cut[3] = { (uint8_t)s->cut[0], (uint8_t)s->cut[1], (uint8_t)s->cut[2] };
     uint8_t l[3];
-    unsigned kept = 0;
+    unsigned rank = 0, kept = 0;
     int status = LOFT_OK;
 
     loft_multi_first(l, 3, s->m);
     do {
-        const uint8_t turned[3] = { l[one], l[two], l[c] };
-        if (l[0] + s->cut[0] <= s->m && l[1] + s->cut[1] <= s->m && l[2] + s->cut[2] <= s->m)
-            status = hold_point(e, c * room + loft_multi_rank(turned, 3), &s->point[kept++]);
+        if (l[0] + cut[0] <= s->m && l[1] + cut[1] <= s->m && l[2] + cut[2] <= s->m)
+            status = hold_point(e, rank, &s->point[kept++]);
+        rank++;
     } while (status == LOFT_OK && loft_multi_next(l, 3));
-    return status ? status : (int)loft_basepoint_init(&e->as.basepoint[c], e->p + c * room, e->w + c * room, s->m, cut);
-}
-
-static int prepare_basepoint(engine_sided *e)
-{
-    int status = LOFT_OK;
-
-    for (unsigned c = 0; c < 3 && status == LOFT_OK; c++)
-        status = prepare_corner(e, c);
-    return status;
+    return status ? status : (int)loft_basepoint_init(&e->as.basepoint, e->p, e->w, s->m, cut);
 }
 
 static int prepare_ring(engine_sided *e)
@@ -153,7 +143,7 @@ static int prepare(engine_sided *e)
 static int sided_open(const surface *s, engine_sided **out)
 {
     engine_sided *e = tool_grow(NULL, sizeof *e);
-    const size_t room = s->kind == SURFACE_BASEPOINT ? 3 * loft_multi_count(3, s->m) : s->count;
+    const size_t room = s->kind == SURFACE_BASEPOINT ? loft_multi_count(3, s->m) : s->count;
 
     *e = (engine_sided){ .s = s };
     e->p = tool_grow(NULL, room * sizeof *e->p);
@@ -248,8 +238,8 @@ static int eval_toric(const engine_sided *e, sided_place at, loft_vec *out)
 static int eval_basepoint(const engine_sided *e, sided_place at, loft_vec *out)
 {
     if (at.how == SIDED_CORNER)
-        return loft_basepoint_uv(&e->as.basepoint[at.k], LOFT_UNIT(at.u), LOFT_UNIT(at.v), out);
-    return loft_basepoint_eval(&e->as.basepoint[2], LOFT_UNIT(at.u), LOFT_UNIT(at.v), out);
+        return loft_basepoint_corner(&e->as.basepoint, at.k, LOFT_UNIT(at.u), LOFT_UNIT(at.v), out);
+    return loft_basepoint_eval(&e->as.basepoint, LOFT_UNIT(at.u), LOFT_UNIT(at.v), out);
 }
 
 /* Parameters of a corner are those of its two sides as if they were the first. */

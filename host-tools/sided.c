@@ -81,15 +81,14 @@ unsigned sided_points(const surface *s)
 // Kites
 // -----
 
-/* The u_(i-1) that equals u_(i+1) when u_i = b: where the middle line of side i runs. Of the equations of polygon/ring.h. */
+/* The u_(i-1) that equals u_(i+1) when u_i = b: where the middle line of side i runs; polygon/round.c has the equations. */
 static double balanced(unsigned sides, double b)
 {
     double low = 0, high = 1;
 
     for (int i = 0; i < 60; i++) {
         const double a = (low + high) / 2;
-        const double over = sides == 5 ? 2 * a - 1 - b * a * a
-                          : (1 - a * b) * (1 - 2 * a * b) * a * a + (2 - 3 * a * b + b * b) * a * a + a * a - 1;
+        const double over = sides == 5 ? 2 * a - 1 - b * a * a : 4 * a * a - 1 - a * b - 2 * a * a * a * b;
         *(over > 0 ? &high : &low) = a;
     }
     return (low + high) / 2;

@@ -15,7 +15,7 @@ enum sided_how {
     SIDED_OWN,                  /* its own parameters: LOFT.md                                                      */
     SIDED_SIDE,                 /* spatch, toric, gb: u of the way along side k                                         */
     SIDED_CORNER                /* ring: u of side k - 1, v of side k (three sides: the shares of corners k + 1 and k - 1);
-                                 * basepoint: blown up at corner k of the triangle, the parameters of loft_basepoint_uv */
+                                 * basepoint: blown up at corner k of the triangle, the parameters of loft_basepoint_corner */
 };
 
 typedef struct {
