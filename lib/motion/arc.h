@@ -10,13 +10,14 @@
 
 #define LOFT_ARC_WHOLE ((uint32_t)1 << 20)  /* parameters of cuts are whole numbers: 2^20 is the end of the curve */
 
-/* Wide control points. Do not rely on the fields. */
+/* Do not rely on the fields. */
 typedef struct {
-    loft_acc p[4][LOFT_AXES];
-    loft_acc length;            /* mm                                                                */
-    loft_acc rate[3];           /* |derivative| / 3 at the start, the middle and the end             */
-    bool     speck;             /* straight but not even: at most 2^-16 mm                           */
-    bool     dust;              /* too small to have a direction: at most 2^-18 mm                   */
+    loft_acc  c[4][LOFT_AXES];  /* coefficients of the parameter's powers                            */
+    loft_acc  length;           /* mm                                                                */
+    loft_acc  rate[3];          /* |derivative| at the start, the middle and the end                 */
+    loft_unit ahead[3], behind[3];  /* how the parameter depends on the length, and the length on it */
+    bool      speck;            /* straight but not even: at most 2^-16 mm                           */
+    bool      dust;             /* too small to have a direction: at most 2^-18 mm                   */
 } loft_arc;
 
 /* How an arc lies: direction (of length 1) and curvature vector (1/mm) at its start, middle and end. */
@@ -25,23 +26,17 @@ typedef struct {
     bool     tight;                 /* dust, or bent more than `bend` can say (16383 per mm)    */
 } loft_arc_shape;
 
-/* The whole of a curve, to be cut. A curve that does not leave its chord by more than 2^-16 mm and does not
- * overshoot its ends becomes the chord, walked evenly.
+/* Cut the arc that begins at parameter `from` (a multiple of 2^-20); gives the parameter where it ends. A curve that does
+ * not leave its chord by more than 2^-16 mm and does not overshoot its ends is walked evenly, as the chord.
  *
- *   range   coordinates within half their range
+ *   range   from = 0..LOFT_ARC_WHOLE - 1; coordinates within half their range
+ *   error   the length errs by less than 2^-12 of itself; q16: start and end by less than 2^-29 mm
+ *   cost    24 wide products per axis and 9 for each halving, 20 at most, 4 are usual; as many roots as halvings and 3
  */
-void loft_arc_from(loft_arc *whole, const loft_cubic *c);
+uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from);
 
-/* Cut the arc that begins at parameter `from` (a multiple of 2^-20); gives the parameter where it ends.
- *
- *   range   from = 0..LOFT_ARC_WHOLE - 1
- *   error   the length errs by less than 2^-12 of itself
- *   cost    21 cuts of 16 wide lerps per axis at most, 5 are usual
- */
-uint32_t loft_arc_next(loft_arc *arc, const loft_arc *whole, uint32_t from);
-
-/* Cut the arc from..to, which loft_arc_next has found. */
-void loft_arc_cut(loft_arc *arc, const loft_arc *whole, uint32_t from, uint32_t to);
+/* Cut the arc from..to, which loft_arc_next has found, or half of one. */
+void loft_arc_cut(loft_arc *arc, const loft_cubic *curve, uint32_t from, uint32_t to);
 
 /* The shape of an arc.
  *
@@ -51,8 +46,8 @@ void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape);
 
 /* The point at length s, 0 <= s <= arc->length, of an arc with length > 0.
  *
- *   error   q16: 2^-25 of the length   f32: 2^-24 of the length
- *   cost    6 wide lerps per axis, 18 for the parameter, and 3 divisions
+ *   error   q16: 2^-24 of the length   f32: 2^-24 of the length
+ *   cost    3 wide products per axis, 11 for the parameter, and a division
  */
 void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES]);
 

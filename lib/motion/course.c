@@ -80,13 +80,14 @@ static loft_plan_piece *add_piece(loft_course *c)
 /* The next part of the curve that can be one piece; gives the parameter of its end. */
 static uint32_t cut_arc(const loft_course *c, loft_arc *arc, loft_arc_shape *shape, loft_plan_piece *p, loft_real feed)
 {
-    uint32_t to = loft_arc_next(arc, &c->whole, c->at);
+    const loft_cubic *curve = &move_of(c, c->cut)->curve;
+    uint32_t to = loft_arc_next(arc, curve, c->at);
 
     loft_arc_measure(arc, shape);
     while (arc->length > 0 && !loft_profile_init(p, &c->budget, arc, shape, feed) && to - c->at > 1
            && arc->length > loft_budget_beat(&c->budget, p->cap)) {
         to = c->at + (to - c->at) / 2;
-        loft_arc_cut(arc, &c->whole, c->at, to);
+        loft_arc_cut(arc, curve, c->at, to);
         loft_arc_measure(arc, shape);
     }
     return to;
@@ -141,7 +142,6 @@ void loft_course_load(loft_course *c)
         if (c->at == 0) {
             c->smooth = false;
             c->at = extent > 0 ? 0 : LOFT_ARC_WHOLE;
-            loft_arc_from(&c->whole, &move_of(c, c->cut)->curve);
         }
         while (c->at < LOFT_ARC_WHOLE && c->count + 2u <= c->piece_room)
             load_pieces(c, extent);

@@ -28,7 +28,6 @@ typedef struct {
     uint16_t         cut;                                   /* curves that have become pieces, all of them   */
     uint16_t         passed;                                /* curves dropped so far, modulo 2^16            */
     uint32_t         at;                                    /* how far the next one has, its parameter       */
-    loft_arc         whole;                                 /* that curve                                    */
     loft_way  way;                                   /* where the last piece was heading              */
     loft_acc         extent, zone;                          /* of the curve before; how far any place reaches */
     loft_unit        gear;                                  /* part of the acceleration that is used         */

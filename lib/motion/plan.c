@@ -140,8 +140,7 @@ static void push_place(loft_plan *plan)
         return;
     }
     if (!plan->cut || plan->number != loft_course_number(c, p) || plan->from != p->from) {
-        loft_arc_from(&plan->whole, &c->moves[p->move].curve);
-        loft_arc_cut(&plan->arc, &plan->whole, p->from, p->to);
+        loft_arc_cut(&plan->arc, &c->moves[p->move].curve, p->from, p->to);
         plan->cut    = true;
         plan->number = loft_course_number(c, p);
         plan->from   = p->from;
@@ -152,7 +151,7 @@ static void push_place(loft_plan *plan)
             ease(plan, off, point);
         push(plan, point);
     } else                      /* a joint, or too short to have a length */
-        push(plan, plan->arc.p[0]);
+        push(plan, plan->arc.c[0]);
 }
 
 /* Do the last three samples lie on the end? */

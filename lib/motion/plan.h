@@ -36,10 +36,10 @@
 /* Complete so that it can be static; do not rely on the fields. */
 typedef struct {
     loft_law law;
-    loft_arc whole, arc;                                /* the curve and the piece that are sampled   */
+    loft_arc arc;                                       /* the piece that is sampled                  */
     uint32_t from;
     uint16_t number;
-    bool     cut;                                       /* do `whole`, `arc` belong to them?          */
+    bool     cut;                                       /* does `arc` belong to them?                 */
     bool     begun;
     loft_acc sample[LOFT_PLAN_WINDOW][LOFT_AXES];       /* a ring of control points, one per beat     */
     loft_acc speed[LOFT_AXES], accel[LOFT_AXES], jerk[LOFT_AXES];   /* limits per beat, beat^2, beat^3 */
