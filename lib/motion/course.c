@@ -34,7 +34,7 @@ static loft_move *move_of(const loft_course *c, unsigned i)
 /* A joint's own jerk is spread over three beats by the spline of the samples. */
 static loft_acc zone_at(const loft_course *c, loft_real v, bool joint)
 {
-    return loft_budget_beat(&c->budget, v) * (c->budget.filter + (joint && c->budget.jerk ? 4 : 1)) / 2;
+    return loft_budget_beat(&c->budget, v) * (c->budget.filter + (joint && LOFT_BUDGET_JERK(&c->budget) ? 4 : 1)) / 2;
 }
 
 loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p)
@@ -171,7 +171,7 @@ enum loft_status loft_course_push(loft_course *c, const loft_move *move)
         loft_course_piece(c, i)->sure = false;
     c->end   = move->curve.p[3];
     c->ended = false;
-    c->zone  = larger(c->zone, zone_at(c, move->feed, true) + (c->budget.jerk ? loft_wide(LOFT_EASE_MAX) : 0));
+    c->zone  = larger(c->zone, zone_at(c, move->feed, true) + (LOFT_BUDGET_JERK(&c->budget) ? loft_wide(LOFT_EASE_MAX) : 0));
     return LOFT_OK;
 }
 
@@ -275,6 +275,28 @@ static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc wa
     return x;
 }
 
+/* Does nothing in the zones around piece i, nor what follows it, ask for less than its cap? The brake curve is at the cap then. */
+static bool runs(const loft_course *c, unsigned i)
+{
+    const loft_real cap = loft_course_piece(c, i)->cap;
+    loft_acc d = 0;
+
+    if (i + 1u >= c->count || loft_course_piece(c, i + 1)->stop || loft_course_piece(c, i + 1)->brake < cap)
+        return false;
+    for (unsigned j = i + 1; j < c->count && d < c->zone; j++) {
+        if (loft_course_piece(c, j)->cap < cap)
+            return false;
+        d += loft_unit_wide(loft_course_piece(c, j)->length);
+    }
+    d = 0;
+    for (unsigned j = i; j > 0 && d <= c->zone; j--) {
+        if (loft_course_piece(c, j - 1)->cap < cap)
+            return false;
+        d += loft_unit_wide(loft_course_piece(c, j - 1)->length);
+    }
+    return true;
+}
+
 loft_acc loft_course_brake(const loft_course *c, loft_course_place at)
 {
     const loft_plan_piece *p = loft_course_piece(c, at.piece), *next = loft_course_piece(c, at.piece + 1);
@@ -282,6 +304,8 @@ loft_acc loft_course_brake(const loft_course *c, loft_course_place at)
     loft_acc x = rests ? 0 : loft_prod(next->brake, next->brake), off = loft_unit_wide(p->length);
     const loft_acc fine = off / 1024;       /* zones are not told apart by less */
 
+    if (runs(c, at.piece))
+        return loft_prod(p->cap, p->cap);
     while (off > at.off) {
         const bounds   b   = around(c, at.piece, off, x, false);
         const loft_acc way = smaller(larger(b.left, fine), off - at.off);

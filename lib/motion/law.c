@@ -102,9 +102,11 @@ static loft_real faster(const loft_law *law)
 {
     const loft_real v = law->speed;
     loft_real g;
-    const loft_real cap = loft_acc_sqrt(loft_course_around(&law->course, law->at, loft_prod(v, v), true, &g));
 
-    if (law->calm <= law->beats || cap <= v)
+    if (law->calm <= law->beats || loft_course_piece(&law->course, law->at.piece)->cap <= v)
+        return v;
+    const loft_real cap = loft_acc_sqrt(loft_course_around(&law->course, law->at, loft_prod(v, v), true, &g));
+    if (cap <= v)
         return v;
     loft_real top = v + loft_acc_round(loft_budget_beat(&law->course.budget, g));
     top = top < cap ? top : cap;
@@ -138,10 +140,11 @@ static loft_real slower(const loft_law *law)
 {
     const loft_real step = 2 * loft_acc_round(loft_budget_beat(&law->course.budget, loft_course_piece(&law->course, law->at.piece)->rest));
     loft_real low = step < law->speed ? law->speed - step : 0, high = law->speed;
-    loft_acc  left = spare(law, low), over = spare(law, high);
+    loft_acc  over = spare(law, high);
 
     if (over >= 0)
         return high;
+    loft_acc left = spare(law, low);
     if (left < 0) {
         high = low;
         over = left;

@@ -3,7 +3,6 @@
  */
 #include "motion/limits.h"
 
-#define BEATS_HZ     500    /* a beat lasts at most 2 ms, or one tick                          */
 #define SLOW_HZ      125    /* 8 ms where jerk is limited                                      */
 #define SPARE        64     /* 1/64 of the acceleration is kept for smooth joints              */
 #define TOL_MIN      LOFT_REAL(0.0009765625)
@@ -24,7 +23,7 @@ enum loft_status loft_limits_check(const loft_limits *limits)
         status = within(limits->max_speed[i], LOFT_SPEED_MIN, LOFT_SPEED_MAX);
         if (status == LOFT_OK)
             status = within(limits->max_accel[i], LOFT_ACCEL_MIN, LOFT_ACCEL_MAX);
-        if (status == LOFT_OK && limits->max_jerk[i] > LOFT_JERK_MAX)
+        if (status == LOFT_OK && limits->max_jerk[i] > (LOFT_PLAN_FILTER > 1 ? LOFT_JERK_MAX : 0))
             status = LOFT_ERR_RANGE;
     }
     if (status != LOFT_OK)
@@ -52,9 +51,9 @@ static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
         size[i] = loft_wide(limits->max_accel[i]);
 
     const loft_acc a = loft_acc_ratio(loft_acc_hypot(size, LOFT_AXES), limits->tick_hz);
-    const loft_acc most = loft_wide(limits->tol) * (b->jerk ? 6 : 5) * limits->tick_hz / 2;
+    const loft_acc most = loft_wide(limits->tol) * (LOFT_BUDGET_JERK(b) ? 6 : 5) * limits->tick_hz / 2;
 
-    uint16_t n = (uint16_t)(limits->tick_hz / (b->jerk ? SLOW_HZ : BEATS_HZ));
+    uint16_t n = (uint16_t)(limits->tick_hz / (LOFT_BUDGET_JERK(b) ? SLOW_HZ : LOFT_PLAN_BEATS));
     while (n > 1 && a * n * n > most)
         n--;
     b->beat  = n > 1 ? n : 1;
@@ -82,8 +81,8 @@ static void set_shares(loft_budget *b, int i)
 {
     const loft_acc accel = loft_wide(b->accel[i]), gain = loft_wide(b->gain[i]) * 4;
 
-    b->share[i] = loft_acc_round(b->jerk ? loft_acc_ratio(gain, 20) : loft_acc_ratio(accel, SPARE));
-    b->spare[i] = loft_acc_round(loft_acc_scale(b->jerk ? loft_acc_ratio(gain, 10) : loft_acc_ratio(accel, SPARE), b->pulse));
+    b->share[i] = loft_acc_round(LOFT_BUDGET_JERK(b) ? loft_acc_ratio(gain, 20) : loft_acc_ratio(accel, SPARE));
+    b->spare[i] = loft_acc_round(loft_acc_scale(LOFT_BUDGET_JERK(b) ? loft_acc_ratio(gain, 10) : loft_acc_ratio(accel, SPARE), b->pulse));
 }
 
 void loft_budget_init(loft_budget *b, const loft_limits *limits)
@@ -98,7 +97,7 @@ void loft_budget_init(loft_budget *b, const loft_limits *limits)
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc accel = loft_acc_scale(loft_wide(limits->max_accel[i]), usable);
         b->max_speed[i] = limits->max_speed[i];
-        b->accel[i] = loft_acc_round(b->jerk ? accel : accel - loft_acc_ratio(accel, SPARE));
+        b->accel[i] = loft_acc_round(LOFT_BUDGET_JERK(b) ? accel : accel - loft_acc_ratio(accel, SPARE));
         set_gain(b, i, limits->max_jerk[i]);
         set_shares(b, i);
     }
@@ -167,5 +166,5 @@ loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after
         smooth = dense_cap(smooth, loft_wide(b->share[i]), apart, jump[i]);
         corner = dense_cap(corner, loft_wide(b->accel[i]), apart, jump[i]);
     }
-    return b->jerk || smooth > corner ? smooth : corner;
+    return LOFT_BUDGET_JERK(b) || smooth > corner ? smooth : corner;
 }

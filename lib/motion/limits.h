@@ -15,7 +15,14 @@
 #define LOFT_ACCEL_MAX LOFT_REAL(16383)     /* mm/s^2                         */
 #define LOFT_JERK_MAX  10000000             /* mm/s^3                         */
 
-/* Beats over which a jerk limit may spread a change of acceleration; a longer spread is given up for less acceleration.
+/* Beats a second, at least, where jerk is not limited, 50..500. Fewer cost less time of planning; where the acceleration is large for the
+ * tolerance they are more in any case (limits.c). */
+#ifndef LOFT_PLAN_BEATS
+#  define LOFT_PLAN_BEATS 500
+#endif
+
+/* Beats over which a jerk limit may spread a change of acceleration; a longer spread is given up for less acceleration. 1: jerk
+ * cannot be limited, a limit of it is refused, and what it takes is not part of the program.
  * Cost: 4 bytes of RAM each in q16. */
 #ifndef LOFT_PLAN_FILTER
 #  define LOFT_PLAN_FILTER 32
@@ -45,6 +52,9 @@ typedef struct {
     uint8_t   filter;                   /* beats over which acceleration changes; 1: at once                  */
     bool      jerk;                     /* is it limited?                                                     */
 } loft_budget;
+
+/* Is jerk limited? */
+#define LOFT_BUDGET_JERK(b) (LOFT_PLAN_FILTER > 1 && (b)->jerk)
 
 /* Are these limits possible?
  *

@@ -23,6 +23,7 @@
  */
 #include "motion/plan.h"
 
+#define SIXTH LOFT_UNIT(0.16666666666666667)
 #define SLACK loft_wide(LOFT_REAL(0.000244140625))   /* 2^-12 mm per beat, shared out like the speed */
 #define GRAINS loft_wide(LOFT_REAL(0.000091552734))  /* 6 / 65536 mm per beat^2                      */
 
@@ -147,7 +148,7 @@ static void push_place(loft_plan *plan)
     }
     if (p->length > 0) {
         loft_arc_eval(&plan->arc, off < plan->arc.length ? off : plan->arc.length, point);
-        if (c->budget.jerk)
+        if (LOFT_BUDGET_JERK(&c->budget))
             ease(plan, off, point);
         push(plan, point);
     } else                      /* a joint, or too short to have a length */
@@ -192,10 +193,10 @@ static void interpolate(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AX
     const loft_acc *d = sample(plan, m), *e = sample(plan, m + 1), *f = sample(plan, m + 2);
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        p[0][i] = b[i] + loft_acc_ratio(a[i] - 2 * b[i] + c[i], 6);
-        p[3][i] = e[i] + loft_acc_ratio(d[i] - 2 * e[i] + f[i], 6);
-        p[1][i] = p[0][i] + loft_acc_ratio((c[i] - a[i]) * (int32_t)m, 6);
-        p[2][i] = p[3][i] - loft_acc_ratio((f[i] - d[i]) * (int32_t)m, 6);
+        p[0][i] = b[i] + loft_acc_scale(a[i] - 2 * b[i] + c[i], SIXTH);
+        p[3][i] = e[i] + loft_acc_scale(d[i] - 2 * e[i] + f[i], SIXTH);
+        p[1][i] = p[0][i] + loft_acc_scale((c[i] - a[i]) * (int32_t)m, SIXTH);
+        p[2][i] = p[3][i] - loft_acc_scale((f[i] - d[i]) * (int32_t)m, SIXTH);
     }
 }
 
@@ -205,7 +206,7 @@ static bool accelerates_within(const loft_plan *plan, unsigned m, loft_acc p[4][
         const loft_acc most = plan->accel[i] * (int32_t)(m * m);
         if (6 * size_of(p[0][i] - 2 * p[1][i] + p[2][i]) > most || 6 * size_of(p[1][i] - 2 * p[2][i] + p[3][i]) > most)
             return false;
-        if (plan->law.course.budget.jerk
+        if (LOFT_BUDGET_JERK(&plan->law.course.budget)
             && 6 * size_of(p[3][i] - p[0][i] + 3 * (p[1][i] - p[2][i])) > (plan->jerk[i] + plan->jerk[i] / 128) * (int32_t)(m * m * m))
             return false;
     }
@@ -231,7 +232,7 @@ static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][
 {
     const loft_unit t = loft_unit_of(j, m);
     const loft_acc *a = sample(plan, j), *b = sample(plan, j + 1), *c = sample(plan, j + 2);
-    const bool jerk = plan->law.course.budget.jerk;
+    const bool jerk = LOFT_BUDGET_JERK(&plan->law.course.budget);
     loft_acc off = 0, off_speed = 0, speed = 0;
 
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -270,7 +271,7 @@ static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
     if (!accelerates_within(plan, m, p))
         return false;
     for (unsigned j = 0; j <= m; j++)
-        if (!passes(plan, m, j, p, tol) || (j < m && !plan->law.course.budget.jerk && !runs_between(plan, m, j, p)))
+        if (!passes(plan, m, j, p, tol) || (j < m && !LOFT_BUDGET_JERK(&plan->law.course.budget) && !runs_between(plan, m, j, p)))
             return false;
     return true;
 }
@@ -280,6 +281,9 @@ static unsigned longest(const loft_plan *plan, unsigned most)
 {
     loft_acc p[4][LOFT_AXES];
     unsigned m = 1, step = 1;
+
+    if (LOFT_PLAN_WINDOW == 4)      /* the compiler leaves out the rest */
+        return m;
 
     while (m + step <= most && fits(plan, m + step, p)) {
         m += step;

@@ -25,7 +25,8 @@
 #include "motion/law.h"     /* loft_law, loft_move, loft_plan_piece, LOFT_PLAN_REACH */
 #include "motion/span.h"    /* loft_span */
 
-/* Samples of the path that one span can see, 4..128. Cost: 8 LOFT_AXES bytes of RAM each. */
+/* Samples of the path that one span can see, 4..128: a span lasts up to three beats less. Cost: 8 LOFT_AXES bytes of RAM each. With 4 every beat
+ * is a span, and the search for the longest one is not part of the program. */
 #ifndef LOFT_PLAN_WINDOW
 #  define LOFT_PLAN_WINDOW 64
 #endif

@@ -33,13 +33,20 @@ static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
 static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
 static loft_real least(loft_real x, loft_real y) { return x < y ? x : y; }
 
+/* By how much a parabola through three may exceed the largest of them. */
+static loft_real bulge_of(const loft_vec at[3], int i)
+{
+    const loft_acc bend = loft_wide(at[0].axis[i]) - 2 * loft_wide(at[1].axis[i]) + loft_wide(at[2].axis[i]);
+    return size_of(loft_acc_round(loft_acc_scale(bend, LOFT_UNIT(0.125))));
+}
+
 /* The largest size of three, and by how much a parabola through them may exceed it. */
 static loft_real largest(const loft_vec at[3], int i)
 {
     loft_real most = 0;
     for (int k = 0; k < 3; k++)
         most = size_of(at[k].axis[i]) > most ? size_of(at[k].axis[i]) : most;
-    return most + size_of(at[0].axis[i] / 8 - at[1].axis[i] / 4 + at[2].axis[i] / 8);
+    return most + bulge_of(at, i);
 }
 
 static loft_acc bend_cap(loft_acc x, loft_real accel, loft_real bend)
@@ -150,7 +157,7 @@ static loft_real accel_grip(const loft_budget *b, const loft_arc_shape *s, loft_
     loft_real a = LOFT_ACCEL_MAX;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real most = largest(s->bend, i), bulge = size_of(s->along[0].axis[i] / 8 - s->along[1].axis[i] / 4 + s->along[2].axis[i] / 8);
+        const loft_real most = largest(s->bend, i), bulge = bulge_of(s->along, i);
         for (int k = 0; k < 3; k++) {
             const loft_real u = s->along[k].axis[i], k_i = s->bend[k].axis[i], size = size_of(u);
             const bool      more = size > bulge && ((u < 0) == (k_i < 0)) != fore;      /* does the bend need the other direction? */
@@ -176,7 +183,7 @@ static unsigned find_knee(const loft_plan_piece *p, const loft_budget *b, const 
 
     bound[1] = accel_grip(b, s, loft_prod(p->cap, p->cap), fore);
     loft_acc most = set_knee(p, b, s, bound, knee, fore);
-    for (int step = b->jerk ? 0 : 4; step > 0; step /= 2)
+    for (int step = LOFT_BUDGET_JERK(b) ? 0 : LOFT_PLAN_KNEE; step > 0; step /= 2)
         for (int way = -step; way <= step; way += 2 * step) {
             loft_real other[2] = { 0, bound[1] };
             const loft_acc z = knee + way < 16 ? set_knee(p, b, s, other, knee + way, fore) : 0;
@@ -219,7 +226,7 @@ static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_s
     }
     p->fore_knee = find_knee(p, b, s, p->fore, true) & 31u;
     p->back_knee = find_knee(p, b, s, p->back, false) & 31u;
-    if (b->jerk)
+    if (LOFT_BUDGET_JERK(b))
         set_jerk_lines(p, b, s);
     else if (turns_fast(p, b, s))
         leave_quarter(p);
@@ -242,7 +249,7 @@ static loft_acc station_cap(const loft_budget *b, const loft_arc_shape *s, int k
 static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real feed)
 {
     p->cap = loft_acc_sqrt(station_cap(b, s, 3, feed));
-    if (b->jerk)
+    if (LOFT_BUDGET_JERK(b))
         p->cap = twist_cap(p, b, s, p->cap);
     set_lines(p, b, s);
     p->stop = p->sure = false;
@@ -275,7 +282,7 @@ loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const 
 
     for (int i = 0; i < LOFT_AXES && shape->tight; i++)
         way.bend.axis[i] = 0;
-    for (int i = 0; i < LOFT_AXES && b->jerk && !shape->tight; i++) {
+    for (int i = 0; i < LOFT_AXES && LOFT_BUDGET_JERK(b) && !shape->tight; i++) {
         const loft_acc  used = twist(p, b, shape, i, p->cap), most = loft_wide(b->gain[i]);
         const loft_unit part = loft_unit_ratio(smaller(used, most), most);
         way.twist = part > way.twist ? part : way.twist;
@@ -416,15 +423,15 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
 {
     const loft_arc_shape s = { { before->along, after->along, after->along }, { before->bend, after->bend, after->bend }, false };
     const loft_acc turn = loft_budget_joint(b, before->along, after->along, spacing), feed2 = loft_prod(feed, feed);
-    const loft_acc bend = b->jerk ? bend_jump_cap(b, before, after, spacing, feed) : 2 * feed2;
+    const loft_acc bend = LOFT_BUDGET_JERK(b) ? bend_jump_cap(b, before, after, spacing, feed) : 2 * feed2;
 
     p->length = 0;
-    if (b->jerk ? turn / 1024 > feed2 && bend / 32 > feed2 : turn >= feed2)
+    if (LOFT_BUDGET_JERK(b) ? turn / 1024 > feed2 && bend / 32 > feed2 : turn >= feed2)
         return false;
     set_bounds(p, b, &s, feed);
 
     joint j = { .turn = loft_acc_sqrt(turn), .bend = loft_acc_sqrt(bend) };
-    if (b->jerk)
+    if (LOFT_BUDGET_JERK(b))
         j = ease(p, b, before, after, j, spacing);
     const loft_real slow = least(j.turn, j.bend);
     p->stop = slow < loft_acc_round(loft_acc_scale(loft_wide(p->rest), b->pulse) / 4);
@@ -433,7 +440,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
         return true;
     }
     p->cap = least(p->cap, slow);
-    if (b->jerk)
+    if (LOFT_BUDGET_JERK(b))
         leave_for_joint(p, &j, before, after);
     return true;
 }

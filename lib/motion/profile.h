@@ -18,6 +18,12 @@ typedef struct {
     loft_vec  jump;
 } loft_ease;
 
+/* How far the knee of a piece's bounds is looked for, 0..4; 0: it is at 3/4 of the cap's square. That costs a quarter of the time to
+ * cut a curve, and less acceleration on the way to speeds near the cap on bends. */
+#ifndef LOFT_PLAN_KNEE
+#  define LOFT_PLAN_KNEE 4
+#endif
+
 /* A piece of the path, or, of no length, a joint. */
 typedef struct {
     loft_unit length;           /* mm                                                                     */
