@@ -146,8 +146,11 @@ static bool straight_speck(loft_acc leg[3][LOFT_AXES], const loft_acc chord[LOFT
 
 static void set_rate(const loft_arc *a, int k, loft_acc d[LOFT_AXES])
 {
-    for (int i = 0; i < LOFT_AXES; i++)
-        d[i] = a->c[1][i] + k * (a->c[2][i] + k * loft_acc_scale(a->c[3][i], LOFT_UNIT(0.75)));
+    for (int i = 0; i < LOFT_AXES; i++) {
+        d[i] = a->c[1][i];
+        for (int n = 0; n < k; n++)
+            d[i] += a->c[2][i] + loft_acc_scale(a->c[3][i], k == 1 ? LOFT_UNIT(0.75) : LOFT_UNIT(1.5));
+    }
 }
 
 /* x + v (a (1 - x) + b x + c v), v = x (1 - x): a polynomial with the right ends. */

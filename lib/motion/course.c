@@ -257,12 +257,14 @@ static loft_real grip_at(const loft_course *c, unsigned i, loft_acc off, loft_ac
     return around(c, i, off, x, false).accel;
 }
 
-/* From x, the square of the speed at `off`, backward over `way`, on which the bounds `b` hold. Goals are as far as the acceleration
+/* From x, the square of the speed at `off`, backward over `way`, on which the bounds `b` hold, b.accel at x or, for an x beyond the cap, where nothing rises. Goals are as far as the acceleration
  * leads that holds now, and not much nearer to the cap than where it is; that of the goal is used if it is smaller. */
-static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc way, loft_acc x, loft_acc cap2)
+static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc way, loft_acc x, bounds b)
 {
+    const loft_acc cap2 = b.cap2;
+    loft_real here = b.accel;
+
     for (int n = 0; n < GOALS && x < cap2; n++) {
-        const loft_real here = grip_at(c, i, off, x);
         const loft_acc  far = x + 2 * loft_acc_mul(way, here), most = n < GOALS - 1 && cap2 - x > cap2 / 16 ? x + (cap2 - x) / 4 : cap2;
         const loft_acc  goal = smaller(far, most);
         const loft_real there = grip_at(c, i, off, goal), g = there < here ? there : here;
@@ -271,6 +273,7 @@ static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc wa
             return x + gain;
         way -= smaller(way, loft_acc_scale(way, loft_unit_ratio(goal - x, gain)));
         x = goal;
+        here = there;
     }
     return x;
 }
@@ -309,7 +312,7 @@ loft_acc loft_course_brake(const loft_course *c, loft_course_place at)
     while (off > at.off) {
         const bounds   b   = around(c, at.piece, off, x, false);
         const loft_acc way = smaller(larger(b.left, fine), off - at.off);
-        x = rise(c, at.piece, off, way, smaller(x, b.cap2), b.cap2);
+        x = rise(c, at.piece, off, way, smaller(x, b.cap2), b);
         off -= way;
     }
     return smaller(x, around(c, at.piece, off, x, false).cap2);

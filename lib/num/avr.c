@@ -81,6 +81,18 @@ __asm__ (
     "7: ret\n"
     END(loft_avr_quotient)
 
+    /* Bit by bit from the whole one on; the last rest, doubled, rounds. */
+    BEGIN(loft_avr_part)
+    "clr r26\n clr r27\n movw r30, r26\n ldi r23, 25\n"
+    "1: lsl r26\n rol r27\n rol r30\n rol r31\n"
+    "cp r18, r10\n cpc r19, r11\n cpc r20, r12\n cpc r21, r13\n cpc r22, r14\n brcs 2f\n"
+    "sub r18, r10\n sbc r19, r11\n sbc r20, r12\n sbc r21, r13\n sbc r22, r14\n inc r26\n"
+    "2: lsl r18\n rol r19\n rol r20\n rol r21\n rol r22\n dec r23\n brne 1b\n"
+    "cp r18, r10\n cpc r19, r11\n cpc r20, r12\n cpc r21, r13\n cpc r22, r14\n brcs 3f\n"
+    "subi r26, 0xff\n sbci r27, 0xff\n sbci r30, 0xff\n sbci r31, 0xff\n"
+    "3: movw r22, r26\n movw r24, r30\n ret\n"
+    END(loft_avr_part)
+
     /* Digit by digit, two bits of x a round: r12:r31:r30:r27:r26 is the rest, r17..r13 the root times 2. The root is
      * one more where the rest exceeds it. */
     BEGIN(loft_avr_root)

@@ -24,6 +24,13 @@ int64_t loft_avr_mul(int64_t x, int32_t a);
  *   cost    about 150 cycles for each byte of n, without leading zeros */
 int64_t loft_avr_quotient(int64_t n, uint32_t d);
 
+/* 2^24 n / d to nearest, ties upward.
+ *
+ *   range   d > 0, n < 2 d < 2^39
+ *   error   1/2
+ *   cost    about 650 cycles */
+uint32_t loft_avr_part(uint64_t n, uint64_t d);
+
 /* The whole number nearest to the square root of x.
  *
  *   range   x < 2^63

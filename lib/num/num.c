@@ -58,7 +58,11 @@ loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
         n >>= down;
         d >>= down;
     }
+#if defined(__AVR__)
+    const int32_t q = (int32_t)loft_avr_part(n, d);
+#else
     const int32_t q = (int32_t)(((n << 24) + (d >> 1)) / d);
+#endif
     return x < 0 ? -q : q;
 }
 

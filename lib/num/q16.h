@@ -113,7 +113,11 @@ static inline loft_real loft_div(loft_real a, loft_real b)
 /* error 1/2 LSB, none at t = 0 and 1; t in 0..1, any a, b: the difference has 33 bits, t 25, the product 58 */
 static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
 {
+#if defined(__AVR__)
+    return (loft_real)(a + loft_avr_scale((int64_t)b - a, t));
+#else
     return (loft_real)(a + loft_shift_24(((int64_t)b - a) * t + 8388608));
+#endif
 }
 
 /* x * t: the two 32-bit halves of x apart, so that no product exceeds 64 bits.
