@@ -53,7 +53,7 @@ static void a_beat_is_as_long_as_the_tolerance_allows(arb *a)
     CHECK(loft_limits_check(&l) == LOFT_OK);
     loft_budget_init(&b, &l);
     const double t = (double)b.beat / l.tick_hz, longer = (b.beat + 1.0) / l.tick_hz, tol = arb_value(l.tol);
-    const double most = b.jerk ? 0.008 : 0.002, share = b.jerk ? 0.75 : 5 / 12.0, whole = b.jerk ? 1 : 64 / 63.0;
+    const double most = b.jerk ? 0.008 : 0.002, share = b.jerk ? 0.5 : 5 / 12.0, whole = b.jerk ? 1 : 64 / 63.0;
     CHECK(b.beat >= 1 && (b.beat == 1 || t <= most));
     CHECK(accel_size(&b) * t * t / 6 <= tol * share * 1.0001 + BY_NUM(1e-4 * t * t, 0, 0));
     CHECK(longer > most || accel_size(&b) * whole * longer * longer / 6 > tol * share * 0.999);
