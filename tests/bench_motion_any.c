@@ -31,11 +31,11 @@ static void at_most(int kind, uint64_t seed, double value, double bound)
         fault(kind, seed, value);
 }
 
-/* One to nine curves of all kinds, of similar size, that take some seconds; `smooth`: tangents agree at their joints. */
+/* One to six curves of all kinds, of similar size, that take a second or so; `smooth`: tangents agree at their joints. */
 static void arb_short_chain(arb *a, bool smooth)
 {
-    const double size = arb_decades(a, smooth ? 1 : 0.0002, 200), feed = arb_decades(a, fmax(1, size / 3), 500);
-    const unsigned n = 1 + arb_below(a, 9);
+    const double size = arb_decades(a, smooth ? 1 : 0.0002, 200), feed = arb_decades(a, fmax(1, size), 500);
+    const unsigned n = 1 + arb_below(a, 6);
 
     begin_chain();
     for (unsigned k = 0; k < n; k++) {

@@ -54,6 +54,7 @@ static inline foothold nearest_under(const path *p, unsigned j, const double q[]
  * nearest to `s`. Looked at are chords s - near..s + near; chord `at` is not far. */
 static inline foothold follow_locate(const path *p, unsigned at, const double q[], double s, double near)
 {
+    static double off[PATH_MAX];
     const double same = arb_value(limits.tol) / 100;
     foothold best = { 1e300, 0, at, false };
     double nearest = 1e300;
@@ -63,10 +64,12 @@ static inline foothold follow_locate(const path *p, unsigned at, const double q[
         first--;
     while (first + 2 < p->count && p->end[first + 1].s < s - near)
         first++;
-    for (last = first; last + 1 < p->count && (p->end[last].s <= s + near || last == first); last++)
-        nearest = fmin(nearest, chord_distance(q, p->end[last].at, p->end[last + 1].at));
+    for (last = first; last + 1 < p->count && (p->end[last].s <= s + near || last == first); last++) {
+        off[last] = chord_distance(q, p->end[last].at, p->end[last + 1].at);
+        nearest   = off[last] < nearest ? off[last] : nearest;
+    }
     for (unsigned j = first; j < last; j++) {
-        if (chord_distance(q, p->end[j].at, p->end[j + 1].at) > nearest + distance(p->end[j].at, p->end[j + 1].at) / 8 + same)
+        if (off[j] > nearest + (p->end[j + 1].s - p->end[j].s) / 8 + same)
             continue;
         const foothold h = nearest_under(p, j, q), other = best;
         const bool as_near = fabs(h.off - best.off) <= same;
@@ -182,7 +185,7 @@ static inline motion_follow follow_path(path *track, const loft_move moves[], un
 
     for (unsigned c = 0; c < moved; c++)
         f.extent = fmax(f.extent, polygon_length(&moves[c].curve));
-    path_trace(track, moves, moved, fmax(1e-6, f.extent / 100));
+    path_trace(track, moves, moved, fmax(f.extent / 100, arb_value(limits.tol) / 2));
     for (unsigned k = 0; k < count; k++) {
         const int parts = spans[k].ticks < FOLLOW_PARTS ? spans[k].ticks : FOLLOW_PARTS;
         for (int j = 1; j <= parts; j++)
