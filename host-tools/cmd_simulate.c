@@ -36,6 +36,7 @@ static int take_file(struct loft_host_options *o, int argc, char **argv)
     o->slots = (unsigned)m.slots;
     o->ramp = (unsigned)m.ramp;
     o->queue = (unsigned)m.queue;
+    o->curves = (unsigned)m.curves;
     return code;
 }
 
@@ -73,6 +74,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_COUNT("tick-hz", "HZ", &o.tick_hz, 1, 65535, "ticks per second (1000)"),
         TOOL_COUNT("slots", "N", &o.slots, 1, 4096, "chances to step per tick (40)"),
         TOOL_COUNT("ramp", "TICKS", &o.ramp, 1, 32767, "from full pace to standing in a hold (100)"),
+        TOOL_COUNT("curves", "N", &o.curves, 0, 4096, "curves that fit its plan; 0: it does not plan (64)"),
         TOOL_COUNT("queue", "N", &o.queue, 1, 32768, "items that fit the queue (256)"),
         TOOL_NUMBER("noise", "PPM", &o.noise, 0, 100000, "of a million bits on the line so many are flipped (0)"),
         TOOL_ENGINE(&e, "number type of the machine: q16, f32 or f64 (q16)"),

@@ -18,7 +18,8 @@ typedef struct {
     const char *port, *record;
     unsigned baud;
     double wait;
-    bool points, grbl, g5, dry, hold, resume, abort;
+    const char *where;
+    bool points, grbl, g5, dry, hold, resume, abort, chip;
 } stream_options;
 
 static void machine_limits(const loft_sender *s, engine_limits *l)
@@ -54,7 +55,7 @@ static int plan(const stream_options *o, const char *file, const engine_limits *
 {
     if (path->count == 0)
         return tool_error(EX_DATAERR, "%s: nothing to draw in it: give a drawing with visible outlines", file);
-    const int status = job_plan(j, o->p.e, limits, path->move, path->count);
+    const int status = (o->chip ? job_curves : job_plan)(j, o->p.e, limits, path->move, path->count);
     if (status != 0)
         return tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
     return 0;
@@ -63,7 +64,7 @@ static int plan(const stream_options *o, const char *file, const engine_limits *
 static void print_plan(const job *j, const toolpath *path, double tol)
 {
     printf("planned: %zu curves, %.3f m drawn, %.3f m travelled, %.1f s, %zu %s, path within %.4f mm, job %08x\n", path->curves,
-           path->drawn / 1000, path->travelled / 1000, job_seconds(j), j->count, j->head.kind == LOFT_POINTS ? "points" : "spans", tol,
+           path->drawn / 1000, path->travelled / 1000, job_seconds(j), j->count, job_words(j), tol,
            (unsigned)j->head.id);
 }
 
@@ -94,6 +95,14 @@ static int to_points(const loft_sender *s, job *j)
     return status == 0 ? 0 : tool_error(EX_DATAERR, "--points: %s", engine_status(status));
 }
 
+/* Can the machine do what it is asked for? */
+static int check_machine(const stream_options *o, const loft_sender *s)
+{
+    if (!o->chip || (s->machine.kinds & 1u << LOFT_CURVES && s->machine.curves > 0))
+        return 0;
+    return tool_error(EX_CONFIG, "%s: this machine does not plan by itself: give --plan host, or build its firmware with memory for a planner", o->port);
+}
+
 static int plan_for(const stream_options *o, const char *file, const drawing *d, const toolpath_options *how, const loft_sender *s,
                     toolpath *path, job *j)
 {
@@ -114,9 +123,9 @@ static int stream(const stream_options *o, const char *file, const drawing *d, c
     const loft_sender *s = &t->sender;
     toolpath path        = { 0 };
     job j                = { 0 };
-    int code             = 0;
+    int code             = check_machine(o, s);
 
-    if (s->machine.job != 0) {
+    if (code == 0 && s->machine.job != 0) {
         old_start(s, o->points, how->start);
         code = plan_for(o, file, smooth, how, s, &path, &j);
     }
@@ -197,7 +206,7 @@ static int draw(stream_options *o, const char *file)
 
 static int run(const tool_command *self, int argc, char **argv)
 {
-    stream_options o = { .baud = 115200, .wait = 5 };
+    stream_options o = { .baud = 115200, .wait = 5, .where = "host" };
     int first, code  = planning_start(&o.p, argc, argv);
 
     if (code != 0)
@@ -207,6 +216,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_COUNT("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
         TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
         PLANNING_OPTIONS(&o.p),
+        TOOL_TEXT("plan", "WHERE", &o.where, "host: spans are sent; chip: curves are, and the machine plans (host)"),
         TOOL_SWITCH("points", &o.points, "send sampled points, one per tick, instead of spans"),
         TOOL_SWITCH("grbl", &o.grbl, "send G-code to a controller of grbl's kind, which plans; with --dry-run print it"),
         TOOL_SWITCH("g5", &o.g5, "with --grbl: curves as G5, for controllers that have it, in place of arcs"),
@@ -222,6 +232,12 @@ static int run(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
     if (o.port == NULL && !o.dry)
         return tool_error(EX_USAGE, "no --port: name the machine's port, or plan with --dry-run");
+
+    o.chip = strcmp(o.where, "chip") == 0;
+    if (!o.chip && strcmp(o.where, "host") != 0)
+        return tool_error(EX_USAGE, "--plan %s: give host or chip", o.where);
+    if (o.chip && o.points)
+        return tool_error(EX_USAGE, "--points: a machine that plans takes curves: leave it, or give --plan host");
 
     const bool controls = o.hold || o.resume || o.abort;
     if (!controls && first + 1 != argc)

@@ -10,6 +10,7 @@
 #include "wire/sender.h"    /* loft_job_id */
 
 #include "job.h"
+#include "trace.h"          /* trace_make */
 #include "tool.h"           /* tool_grow */
 
 static void add(job *j, const loft_item *item)
@@ -54,6 +55,74 @@ int job_plan(job *j, const engine *e, const engine_limits *limits, const engine_
         return status;
     memcpy(j->head.start, j->start, sizeof j->head.start);
     return seal(j);
+}
+
+/* A line is said in fewer bytes if its inner points are the thirds of it exactly: rounding has moved them by no more than
+ * one step from there. */
+static void straighten(loft_item *item, const int32_t from[ENGINE_AXES])
+{
+    int32_t inner[2][ENGINE_AXES];
+
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        const int32_t third = (int32_t)lround(((double)item->p[2][i] - from[i]) / 3);
+        inner[0][i] = from[i] + third;
+        inner[1][i] = item->p[2][i] - third;
+        for (int k = 0; k < 2; k++)
+            if (abs(inner[k][i] - item->p[k][i]) > 1)
+                return;
+    }
+    memcpy(item->p, inner, sizeof inner);
+}
+
+static loft_item curve_of(const engine_move *m, const int32_t from[ENGINE_AXES])
+{
+    loft_item item = { .ticks = (uint16_t)fmin(fmax(floor(m->feed * 60 + 1e-6), 1), 65535) };
+
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            item.p[k][i] = (int32_t)lround(m->p[k + 1][i] * 65536);
+    straighten(&item, from);
+    return item;
+}
+
+static loft_job_limits limits_of(const engine_limits *l)
+{
+    loft_job_limits out = { .corner = (int32_t)lround(l->corner * 65536), .tol = (int32_t)floor(l->tol * 65536) };
+
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        out.axis[i].max_speed = (int32_t)lround(l->max_speed[i] * 65536);
+        out.axis[i].max_accel = (int32_t)lround(l->max_accel[i] * 65536);
+        out.axis[i].max_jerk  = (uint32_t)lround(l->max_jerk[i]);
+    }
+    return out;
+}
+
+int job_curves(job *j, const engine *e, const engine_limits *limits, const engine_move moves[], size_t count)
+{
+    double due = 0;
+    trace t;
+
+    *j = (job){ .tick_hz = limits->tick_hz, .head.kind = LOFT_CURVES, .limits = limits_of(limits) };
+    j->head.limits = &j->limits;
+    if (count == 0)
+        return LOFT_ERR_ARG;
+    const int status = trace_make(&t, e, limits, moves, count);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        j->end[i] = j->start[i] = j->head.start[i] = (int32_t)lround(moves[0].p[0][i] * 65536);
+    for (size_t k = 0; k < count && status == LOFT_OK; k++) {
+        const loft_item item = curve_of(&moves[k], j->end);
+        add(j, &item);
+        due += t.part[k].seconds;
+        j->tick[j->count] = (uint64_t)lround(due * j->tick_hz);
+        memcpy(j->end, item.p[2], sizeof j->end);
+    }
+    trace_free(&t);
+    return status == LOFT_OK ? seal(j) : status;
+}
+
+const char *job_words(const job *j)
+{
+    return j->head.kind == LOFT_POINTS ? "points" : j->head.kind == LOFT_CURVES ? "curves" : "spans";
 }
 
 void job_free(job *j)
@@ -126,8 +195,10 @@ double job_feed(const job *j, size_t n)
 {
     double sum = 0;
 
-    if (n >= j->count || j->head.kind != LOFT_SPANS)
+    if (n >= j->count || j->head.kind == LOFT_POINTS)
         return 0;
+    if (j->head.kind == LOFT_CURVES)
+        return j->item[n].ticks / 60.0;
     const int32_t *from = n > 0 ? j->item[n - 1].p[2] : j->start;
     for (int i = 0; i < ENGINE_AXES; i++) {
         const double by = ((double)j->item[n].p[2][i] - (double)from[i]) / 65536.0;

@@ -33,6 +33,7 @@ static const row rows[] = {
     { "slots",        "per tick", AT(slots),        false, true,  false, 1, 4096 },
     { "ramp",         "ticks",    AT(ramp),         false, true,  false, 1, 32767 },
     { "queue",        "items",    AT(queue),        false, true,  false, 2, 32768 },
+    { "curves",       "curves",   AT(curves),       false, true,  false, 0, 4096 },
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
@@ -52,7 +53,7 @@ typedef struct {
 
 machine_file machine_usual(void)
 {
-    machine_file m = { .corner = 0.01, .tol = 0.005, .tick_hz = 1000, .slots = 40, .ramp = 100, .queue = 256 };
+    machine_file m = { .corner = 0.01, .tol = 0.005, .tick_hz = 1000, .slots = 40, .ramp = 100, .queue = 256, .curves = 64 };
 
     for (int i = 0; i < ENGINE_AXES; i++) {
         m.steps_per_mm[i] = 80;

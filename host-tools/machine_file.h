@@ -12,7 +12,7 @@ typedef struct {
     double max_speed[ENGINE_AXES], max_accel[ENGINE_AXES];
     double max_jerk[ENGINE_AXES];           /* 0: not limited; below 0: not said            */
     double corner, tol;                     /* junction deviation; how far from the drawing */
-    double tick_hz, slots, ramp, queue;     /* whole numbers                                */
+    double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */
     bool   limited;                         /* the file says a speed, an acceleration or a jerk */
 } machine_file;
 

@@ -58,8 +58,7 @@ static void print_line(const talk *t, const job *j)
     const double part     = 1 - (double)j->tick[j->first] / (double)j->tick[j->count];
     const double seconds  = machine_seconds(s) * part;
 
-    printf("line: %" PRIu64 " bytes out for %zu %s, %" PRIu64 " in, ", t->written, j->count - j->first, j->head.kind == LOFT_POINTS ? "points" : "spans",
-           t->received);
+    printf("line: %" PRIu64 " bytes out for %zu %s, %" PRIu64 " in, ", t->written, j->count - j->first, job_words(j), t->received);
     if (seconds > 0 && !s->collected)
         printf("%.1f %% of %u baud, ", 1000 * (double)t->written / (seconds * baud), baud);
     if (s->report.slowed > 0)
@@ -132,6 +131,9 @@ static int refused(const talk *t)
         return tool_error(EX_TEMPFAIL, "%s: the machine has moved since it was asked where it stands: run the same command again", t->port);
     case LOFT_REFUSAL_KIND:
         return tool_error(EX_CONFIG, "%s: the machine does not take items of this kind: try with or without --points", t->port);
+    case LOFT_REFUSAL_LIMITS:
+        return tool_error(EX_DATAERR, "%s: the machine cannot plan within these limits: see --tol, --corner, --accel and --jerk, or plan here, "
+                          "with --plan host", t->port);
     case LOFT_REFUSAL_ITEM:
         return tool_error(EX_DATAERR, "%s: the machine cannot do item %u: give less --feed or --accel", t->port, (unsigned)t->sender.ack.next);
     case LOFT_REFUSAL_FAULT:

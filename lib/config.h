@@ -48,6 +48,16 @@
 #  define LOFT_MACHINE_CAPS 1
 #endif
 
+/* May a machine plan by itself, so that curves can be sent to it? 1: those that are given memory for it do (lib/machine/planner.h).
+ * Cost: the code of lib/motion/plan in the firmware, whether memory is given or not. */
+#ifndef LOFT_MACHINE_PLANS
+#  if defined(__AVR__)
+#    define LOFT_MACHINE_PLANS 0
+#  else
+#    define LOFT_MACHINE_PLANS 1
+#  endif
+#endif
+
 /* The longest frame on the wire in bytes, delimiter included, 64..254 (one COBS block).
  * Cost: that much RAM for receiving and again for sending. The machine announces its own; the host keeps to the smaller of both. */
 #ifndef LOFT_FRAME_MAX

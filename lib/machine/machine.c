@@ -3,6 +3,97 @@
  */
 #include "machine/machine.h"
 
+/* An item that the machine cannot do, or for which the receiver saw room where there is none, is already counted as
+ * taken: the job ends here, on the path. */
+static void give_up(loft_machine *m)
+{
+    loft_drive_abort(&m->drive);
+    loft_receiver_answer(&m->receiver, &m->job, LOFT_REFUSAL_ITEM);
+}
+
+static void queue(loft_machine *m, const loft_item *item)
+{
+    if (loft_drive_push(&m->drive, item) != LOFT_OK)
+        give_up(m);
+}
+
+
+// Planning
+// --------
+
+#if LOFT_MACHINE_PLANS
+
+static enum loft_status init_planner(loft_machine *m, loft_machine_config *config)
+{
+    m->planner = config->planner;
+    if (!m->planner)
+        return LOFT_OK;
+    config->traits.kinds = (uint8_t)(config->traits.kinds | 1u << LOFT_CURVES);
+    config->traits.curves = config->plan.move_room;
+    return loft_planner_init(m->planner, &config->plan, config->cells);
+}
+
+/* Is the job, under way or over, one of curves? */
+static bool plans(const loft_machine *m)        { return m->job.kind == LOFT_CURVES; }
+
+static enum loft_status begin_planner(loft_machine *m, const loft_job *job)
+{
+    loft_job_limits asked;
+    const enum loft_status status = loft_job_limits_decode(&m->receiver.frame, &asked);
+    return status == LOFT_OK ? loft_planner_begin(m->planner, m->traits, &asked, job->start) : status;
+}
+
+/* An item of the queue is a span; items of the job are curves. */
+static void count_curves(loft_machine *m, loft_standing *now)
+{
+    now->room     = loft_planner_room(m->planner);
+    now->executed = now->state == LOFT_STATE_DONE ? m->planner->taken : loft_planner_executed(m->planner, now->executed);
+}
+
+static enum loft_status take_curve(loft_machine *m, const loft_item *item)
+{
+    return m->drive.active && !m->drive.abort ? loft_planner_push(m->planner, item) : LOFT_OK;
+}
+
+static void end_planner(loft_machine *m)        { loft_planner_end(m->planner); }
+
+bool loft_machine_plan(loft_machine *m)
+{
+    loft_drive *d = &m->drive;
+    loft_item span;
+
+    if (!plans(m) || !d->active || d->abort || d->ended || loft_queue_room(&d->queue) == 0)
+        return false;
+    if (loft_planner_next(m->planner, loft_queue_room(&d->queue) > d->queue.count / 2, &span)) {
+        queue(m, &span);
+        return true;
+    }
+    if (loft_planner_done(m->planner))
+        loft_drive_end(d);
+    return false;
+}
+
+#else
+
+static enum loft_status init_planner(loft_machine *m, loft_machine_config *config)
+{
+    m->planner = NULL;
+    return config->planner ? LOFT_ERR_ARG : LOFT_OK;
+}
+
+static bool plans(const loft_machine *m)                                            { (void)m; return false; }
+static enum loft_status begin_planner(loft_machine *m, const loft_job *job)         { (void)m; (void)job; return LOFT_ERR_ARG; }
+static void count_curves(loft_machine *m, loft_standing *now)                       { (void)m; (void)now; }
+static enum loft_status take_curve(loft_machine *m, const loft_item *item)          { (void)m; (void)item; return LOFT_ERR_ARG; }
+static void end_planner(loft_machine *m)                                            { (void)m; }
+bool loft_machine_plan(loft_machine *m)                                             { (void)m; return false; }
+
+#endif
+
+
+// Main loop
+// ---------
+
 enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
 {
     loft_drive_config drive;
@@ -17,9 +108,13 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     drive.cell = config->cell;
     drive.cells = config->cells;
 
-    config->traits.queue = config->cells;
-    config->traits.kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
-    const enum loft_status status = loft_receiver_init(&m->receiver, m->traits);
+    config->traits.queue  = config->cells;
+    config->traits.kinds  = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
+    config->traits.curves = 0;
+    m->job.kind = LOFT_SPANS;
+    enum loft_status status = init_planner(m, config);
+    if (status == LOFT_OK)
+        status = loft_receiver_init(&m->receiver, m->traits);
     return status == LOFT_OK ? loft_drive_init(&m->drive, &drive) : status;
 }
 
@@ -37,12 +132,21 @@ static loft_standing standing(loft_machine *m)
     now.room = r.room;
     now.state = r.state;
     now.starved = r.starved;
+    if (plans(m))
+        count_curves(m, &now);
     return now;
 }
 
+/* No job is under way. The plan of the one before is over with it, even if this one is refused. */
 static void begin(loft_machine *m, const loft_job *job)
 {
-    switch (loft_drive_begin(&m->drive, (enum loft_kind)job->kind, job->start)) {
+    const bool curves = job->kind == LOFT_CURVES;
+
+    if (curves && begin_planner(m, job) != LOFT_OK) {
+        loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_LIMITS);
+        return;
+    }
+    switch (loft_drive_begin(&m->drive, curves ? LOFT_SPANS : (enum loft_kind)job->kind, job->start)) {
     case LOFT_OK:
         m->job = *job;
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_NONE);
@@ -55,14 +159,20 @@ static void begin(loft_machine *m, const loft_job *job)
     }
 }
 
-/* An item that the machine cannot do, or for which the receiver saw room where there is none, is already counted as
- * taken: the job ends here, on the path. */
-static void queue(loft_machine *m, const loft_item *item)
+static void take(loft_machine *m, const loft_item *item)
 {
-    if (loft_drive_push(&m->drive, item) == LOFT_OK)
-        return;
-    loft_drive_abort(&m->drive);
-    loft_receiver_answer(&m->receiver, &m->job, LOFT_REFUSAL_ITEM);
+    if (!plans(m))
+        queue(m, item);
+    else if (take_curve(m, item) != LOFT_OK)
+        give_up(m);
+}
+
+static void end(loft_machine *m)
+{
+    if (plans(m))
+        end_planner(m);
+    else
+        loft_drive_end(&m->drive);
 }
 
 void loft_machine_control(loft_machine *m, enum loft_verb verb)
@@ -80,8 +190,8 @@ static void act(loft_machine *m, enum loft_event event, const loft_event_data *w
     switch (event) {
     case LOFT_EVENT_NONE:                                               break;
     case LOFT_EVENT_JOB:        begin(m, &what->job);                   break;
-    case LOFT_EVENT_ITEM:       queue(m, &what->item);                  break;
-    case LOFT_EVENT_END:        loft_drive_end(&m->drive);              break;
+    case LOFT_EVENT_ITEM:       take(m, &what->item);                   break;
+    case LOFT_EVENT_END:        end(m);                                 break;
     case LOFT_EVENT_HOLD:       loft_machine_control(m, LOFT_HOLD);     break;
     case LOFT_EVENT_RESUME:     loft_machine_control(m, LOFT_RESUME);   break;
     case LOFT_EVENT_ABORT:      loft_machine_control(m, LOFT_ABORT);    break;
@@ -99,6 +209,7 @@ void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count)
         enum loft_event event;
         while ((event = loft_receiver_next(&m->receiver, &now, &what)) != LOFT_EVENT_NONE) {
             act(m, event, &what);
+            (void)loft_machine_plan(m);
             loft_drive_prepare(&m->drive);      /* unpacking a frame takes longer than a short span lasts */
         }
     }
@@ -106,6 +217,7 @@ void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count)
 
 size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])
 {
+    (void)loft_machine_plan(m);
     loft_drive_prepare(&m->drive);
     const loft_standing now = standing(m);
     return loft_receiver_poll(&m->receiver, &now, wire);

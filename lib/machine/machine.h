@@ -15,17 +15,20 @@
 #define LOFT_MACHINE_MACHINE_H
 
 #include "machine/drive.h"  /* loft_drive                    */
+#include "machine/planner.h"    /* loft_planner              */
 #include "wire/receiver.h"  /* loft_receiver, loft_traits    */
 
 /* A positive constant as raw Q16.16, for the traits. */
 #define LOFT_RAW(x) ((int32_t)((x) * 65536.0 + 0.5))
 
 typedef struct {
-    loft_traits traits;                 /* `queue` and `kinds` are filled in by init                    */
+    loft_traits traits;                 /* `queue`, `curves` and `kinds` are filled in by init          */
     int32_t  position[LOFT_AXES];       /* steps: where the machine stands at the start                 */
     uint16_t ramp;                      /* ticks from full pace to standing in a hold                   */
     volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number           */
     uint16_t cells;
+    loft_planner *planner;              /* NULL: the machine does not plan. Borrowed; LOFT_MACHINE_PLANS must be 1   */
+    loft_planner_memory plan;           /* its memory                                                   */
 } loft_machine_config;
 
 /* Complete so that it can be static; the fields may change without notice. */
@@ -34,12 +37,14 @@ typedef struct {
     loft_receiver receiver;
     const loft_traits *traits;
     loft_job      job;
+    loft_planner *planner;
 } loft_machine;
 
 /* Stand idle and listen.
  *
- *   shape   config stays borrowed; its `queue` and `kinds` are filled in
- *   range   that of loft_receiver_init (LOFT_ERR_ARG) and of loft_drive_init (LOFT_ERR_RANGE) */
+ *   shape   config stays borrowed; its `queue`, `curves` and `kinds` are filled in
+ *   range   that of loft_receiver_init (LOFT_ERR_ARG), of loft_drive_init (LOFT_ERR_RANGE) and of loft_planner_init (LOFT_ERR_SPACE);
+ *           LOFT_ERR_ARG for a planner where LOFT_MACHINE_PLANS is 0 */
 enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config) LOFT_CHECKED;
 
 
@@ -53,6 +58,12 @@ void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count);
 
 /* Give the next frame for the line; 0 when there is none. Call it whenever the line has taken the one before. */
 size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX]);
+
+/* Plan one span, if the job is one of curves, the queue has room and the next span is certain: returns false if not. loft_machine_push
+ * and loft_machine_poll do it once for each item and frame; a main loop with time to spare may call it until it is false.
+ *
+ *   cost    as loft_plan_next */
+bool loft_machine_plan(loft_machine *m);
 
 /* What a button on the machine does: as if the host had sent it. */
 void loft_machine_control(loft_machine *m, enum loft_verb verb);

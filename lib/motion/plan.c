@@ -34,11 +34,19 @@ static const loft_acc *sample(const loft_plan *plan, unsigned k)
     return plan->sample[(plan->first + k) % LOFT_PLAN_WINDOW];
 }
 
+/* Curves that the place of the law has left behind. */
+static uint16_t behind(const loft_plan *plan)
+{
+    const loft_course *c = &plan->law.course;
+    return c->count > 0 ? loft_course_number(c, loft_course_piece(c, plan->law.from)) : (uint16_t)(c->passed + c->cut);
+}
+
 static void push(loft_plan *plan, const loft_acc point[])
 {
-    loft_acc *to = plan->sample[(plan->first + plan->held) % LOFT_PLAN_WINDOW];
+    const unsigned k = (plan->first + plan->held) % LOFT_PLAN_WINDOW;
     for (int i = 0; i < LOFT_AXES; i++)
-        to[i] = point[i];
+        plan->sample[k][i] = point[i];
+    plan->behind[k] = behind(plan);
     plan->held++;
 }
 

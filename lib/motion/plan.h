@@ -43,6 +43,7 @@ typedef struct {
     bool     cut;                                       /* does `arc` belong to them?                 */
     bool     begun;
     loft_acc sample[LOFT_PLAN_WINDOW][LOFT_AXES];       /* a ring of control points, one per beat     */
+    uint16_t behind[LOFT_PLAN_WINDOW];                  /* curves that each of them has left behind       */
     loft_acc speed[LOFT_AXES], accel[LOFT_AXES], jerk[LOFT_AXES];   /* limits per beat, beat^2, beat^3 */
     loft_vec at;                                        /* the end of the last span                   */
     loft_ease eased;                                    /* the last joint that was, and               */
@@ -90,5 +91,19 @@ void loft_plan_end(loft_plan *plan);
  *   cost    on a PC about 0.3 us per millisecond of motion
  */
 enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out);
+
+/* Curves that can be pushed now. */
+static inline uint16_t loft_plan_room(const loft_plan *plan)
+{
+    return (uint16_t)(plan->law.course.move_room - plan->law.course.move_count);
+}
+
+/* Curves that lie entirely behind the end of the last span, of all that were pushed, modulo 2^16.
+ *
+ *   error   it may be told a beat late */
+static inline uint16_t loft_plan_passed(const loft_plan *plan)
+{
+    return plan->held > 0 ? plan->behind[plan->first] : 0;
+}
 
 #endif

@@ -35,6 +35,8 @@ struct host {
     loft_machine machine;
     loft_machine_config config;
     volatile loft_cell *cell;
+    loft_planner planner;
+    loft_planner_memory plan;
     struct host_line line;
     struct host_record record;
     uint64_t slot;                          /* slots so far                        */
@@ -83,6 +85,23 @@ static uint32_t boot_number(void)
 // Start and end
 // -------------
 
+static bool give_memory(struct host *h, loft_machine_config *c)
+{
+    const unsigned moves = h->o->curves, pieces = moves * LOFT_PLAN_PIECES;
+
+    c->cell = h->cell = calloc(c->cells + 1u, sizeof *c->cell);
+    if (moves == 0)
+        return h->cell != NULL;
+    h->plan.moves  = calloc(moves, sizeof *h->plan.moves);
+    h->plan.pieces = calloc(pieces, sizeof *h->plan.pieces);
+    h->plan.passed = calloc(c->cells + LOFT_PLANNER_AHEAD, sizeof *h->plan.passed);
+    h->plan.move_room  = (uint16_t)(moves <= 4096 ? moves : 0);
+    h->plan.piece_room = (uint16_t)(moves <= 4096 ? pieces : 0);
+    c->planner = &h->planner;
+    c->plan    = h->plan;
+    return h->cell && h->plan.moves && h->plan.pieces && h->plan.passed;
+}
+
 static int start_machine(struct host *h)
 {
     const struct loft_host_options *o = h->o;
@@ -99,9 +118,8 @@ static int start_machine(struct host *h)
     }
     c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
     c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);
-    c->cell = h->cell = calloc(c->cells + 1u, sizeof *c->cell);
-    if (!h->cell || loft_machine_init(&h->machine, c) != LOFT_OK) {
-        fprintf(stderr, "loft: a machine cannot be like this: see the ranges of steps per mm, tick rate, slots, ramp and queue\n");
+    if (!give_memory(h, c) || loft_machine_init(&h->machine, c) != LOFT_OK) {
+        fprintf(stderr, "loft: a machine cannot be like this: see the ranges of steps per mm, tick rate, slots, ramp, queue and curves\n");
         return EX_USAGE;
     }
     return 0;
@@ -281,6 +299,7 @@ static void run(struct host *h)
         take_bytes(h);
         if (stop_wanted)
             loft_machine_control(&h->machine, LOFT_ABORT);
+        while (loft_machine_plan(&h->machine)) {}
         int ms = h->o->fast ? run_simulated(h) : run_real(h);
         note_state(h);
         const bool waiting = give_bytes(h);
@@ -316,5 +335,8 @@ int loft_host_simulate(const struct loft_host_options *o)
     host_line_close(&h.line);
     end = host_record_close(&h.record, o);
     free((void *)(uintptr_t)h.cell);
+    free(h.plan.moves);
+    free(h.plan.pieces);
+    free(h.plan.passed);
     return code ? code : end;
 }

@@ -28,10 +28,11 @@ struct loft_host_options {
     unsigned slots;             /* chances to step per tick, 1..4096                                            */
     unsigned ramp;              /* ticks from full pace to standing in a hold                                   */
     unsigned queue;             /* items, 1..32768                                                              */
+    unsigned curves;            /* that its plan can hold, 4..4096; 0: it does not plan                         */
     double   noise;             /* of a million bits, how many are flipped on the line, each way                */
 };
 
-/* What `loft simulate` does without options: fast, 80 steps/mm, 1000 Hz, 40 slots, ramp 100, queue 256. */
+/* What `loft simulate` does without options: fast, 80 steps/mm, 1000 Hz, 40 slots, ramp 100, queue 256, plan 64. */
 static inline struct loft_host_options loft_host_defaults(void)
 {
     struct loft_host_options o = { 0 };
@@ -45,6 +46,7 @@ static inline struct loft_host_options loft_host_defaults(void)
     o.slots = 40;
     o.ramp = 100;
     o.queue = 256;
+    o.curves = 64;
     return o;
 }
 

@@ -1,0 +1,108 @@
+/* lib/machine/planner.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "machine/planner.h"
+
+enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *memory, uint16_t cells)
+{
+    if (memory->move_room < 4 || memory->piece_room < 12)
+        return LOFT_ERR_SPACE;
+    p->memory = *memory;
+    p->marks  = (uint16_t)(cells + LOFT_PLANNER_AHEAD);
+    p->taken  = p->told = p->spans = 0;
+    p->mark   = 0;
+    p->ended  = p->rests = true;
+    return LOFT_OK;
+}
+
+static int32_t lower(int32_t a, int32_t b)      { return b > 0 && b < a ? b : a; }
+
+/* 0 is no limit. */
+static uint32_t lower_jerk(uint32_t a, uint32_t b)
+{
+    return a == 0 || (b > 0 && b < a) ? b : a;
+}
+
+enum loft_status loft_planner_begin(loft_planner *p, const loft_traits *machine, const loft_job_limits *asked,
+                                    const int32_t start[LOFT_AXES])
+{
+    loft_limits limits;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        limits.max_speed[i] = loft_real_from_raw(lower(asked->axis[i].max_speed, machine->axis[i].max_speed));
+        limits.max_accel[i] = loft_real_from_raw(lower(asked->axis[i].max_accel, machine->axis[i].max_accel));
+        limits.max_jerk[i]  = lower_jerk(machine->axis[i].max_jerk, asked->axis[i].max_jerk);
+        p->at.axis[i] = loft_real_from_raw(start[i]);
+    }
+    limits.corner  = loft_real_from_raw(asked->corner);
+    limits.tol     = loft_real_from_raw(asked->tol);
+    limits.tick_hz = machine->tick_hz;
+    p->taken = p->told = p->spans = 0;
+    p->mark  = 0;
+    p->ended = p->rests = false;
+    return loft_plan_init(&p->plan, &limits, p->memory.moves, p->memory.move_room, p->memory.pieces, p->memory.piece_room);
+}
+
+/* mm/min to mm/s. */
+static loft_real feed_of(uint16_t per_minute)
+{
+    return loft_acc_round(loft_acc_ratio(loft_wide(LOFT_REAL(1)) * per_minute, 60));
+}
+
+enum loft_status loft_planner_push(loft_planner *p, const loft_item *item)
+{
+    loft_move move;
+
+    move.feed = feed_of(item->ticks);
+    move.curve.p[0] = p->at;
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            move.curve.p[k + 1].axis[i] = loft_real_from_raw(item->p[k][i]);
+    const enum loft_status status = loft_plan_push(&p->plan, &move);
+    if (status == LOFT_OK) {
+        p->at = move.curve.p[3];
+        p->rests = false;
+        p->taken++;
+    }
+    return status;
+}
+
+void loft_planner_end(loft_planner *p)
+{
+    p->ended = true;
+    loft_plan_end(&p->plan);
+}
+
+/* Each span is marked with the curves that are behind its end, which are executed when it is. */
+static bool give(loft_planner *p, const loft_span *span, loft_item *out)
+{
+    p->memory.passed[p->mark] = loft_plan_passed(&p->plan);
+    p->mark = (uint16_t)(p->mark + 1 < p->marks ? p->mark + 1 : 0);
+    p->spans++;
+    return loft_item_from_span(out, span) == LOFT_OK;
+}
+
+bool loft_planner_next(loft_planner *p, bool hurry, loft_item *out)
+{
+    loft_span span;
+    enum loft_plan_state state = loft_plan_next(&p->plan, &span);
+
+    if (state == LOFT_PLAN_WAIT && hurry && loft_planner_room(p) <= p->memory.move_room / 2) {
+        loft_plan_end(&p->plan);
+        state = loft_plan_next(&p->plan, &span);
+    }
+    p->rests = state == LOFT_PLAN_REST;
+    return state == LOFT_PLAN_SPAN && give(p, &span, out);
+}
+
+uint32_t loft_planner_executed(loft_planner *p, uint32_t spans)
+{
+    const uint32_t since = p->spans - spans;        /* given, but not executed */
+
+    if (spans > 0 && since < p->marks) {
+        const uint32_t at = (uint32_t)p->mark + p->marks - 1u - since;
+        const uint16_t passed = p->memory.passed[at < p->marks ? at : at - p->marks];
+        p->told += (uint16_t)(passed - (uint16_t)(p->told & 0xFFFFu));
+    }
+    return p->told;
+}
