@@ -15,7 +15,7 @@
 
 typedef struct {
     planning p;
-    const char *port, *record;
+    const char *port, *record, *log;
     unsigned baud;
     double wait;
     const char *where;
@@ -147,7 +147,7 @@ static int control(const stream_options *o)
     const enum loft_verb verb = o->abort ? LOFT_ABORT : o->hold ? LOFT_HOLD : LOFT_RESUME;
     talk t;
 
-    int code = talk_open(&t, o->port, o->baud, o->wait);
+    int code = talk_open(&t, o->port, o->baud, o->wait, o->log);
     if (code != 0)
         return code;
     code = stream_control(&t, verb);
@@ -195,7 +195,7 @@ static int draw(stream_options *o, const char *file)
         code = draw_gcode(o, file, &smooth, &how);
     else if (code == 0 && o->dry)
         code = dry_run(o, file, &smooth, &how);
-    else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait)) == 0) {
+    else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
         code = stream(o, file, &d, &smooth, &how, &t);
         talk_close(&t);
     }
@@ -222,6 +222,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_SWITCH("g5", &o.g5, "with --grbl: curves as G5, for controllers that have it, in place of arcs"),
         TOOL_SWITCH("dry-run", &o.dry, "plan for a usual machine, print a summary, move nothing"),
         TOOL_TEXT("record", "FILE", &o.record, "the pulses that `loft simulate --record FILE` writes: measure the path error"),
+        TOOL_TEXT("log", "FILE", &o.log, "write what passes on the line, in words"),
         TOOL_SWITCH("hold", &o.hold, "no FILE: slow down on the path and stand"),
         TOOL_SWITCH("resume", &o.resume, "no FILE: go on"),
         TOOL_SWITCH("abort", &o.abort, "no FILE: slow down on the path and end the job"),

@@ -8,7 +8,7 @@
 #include "tool.h"       /* tool_command */
 
 static const tool_command *const commands[] = {
-    &command_stream, &command_plan, &command_simulate, &command_ports,
+    &command_stream, &command_plan, &command_simulate, &command_monitor, &command_ports,
     &command_eval, &command_sample, &command_flatten, &command_plot, &command_measure, &command_compare,
     &command_surface, &command_study
 };

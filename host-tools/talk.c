@@ -27,6 +27,8 @@ static bool send_frames(talk *t)
         const long put = t->line.kind->write(&t->line, t->out + t->out_at, t->out_size - t->out_at, 0);
         if (put < 0)
             return false;
+        if (t->log != NULL)
+            wire_text_push(&t->down, t->log, tool_clock() - t->began, t->out + t->out_at, (size_t)put);
         t->out_at  += (size_t)put;
         t->written += (uint64_t)put;
         if (put == 0)
@@ -48,6 +50,8 @@ bool talk_pump(talk *t, int most_ms)
     if (got < 0)
         return false;
     t->received += (uint64_t)got;
+    if (t->log != NULL)
+        wire_text_push(&t->up, t->log, tool_clock() - t->began, bytes, (size_t)got);
     for (long i = 0; i < got; i++)
         (void)loft_sender_push(&t->sender, bytes[i], now_ms());
     return send_frames(t);
@@ -85,13 +89,27 @@ static int greet(talk *t, double seconds)
     return 0;
 }
 
-int talk_open(talk *t, const char *port, unsigned baud, double seconds)
+static int open_log(talk *t, const char *file)
 {
-    *t = (talk){ .port = port };
-    int code = transport_open(&t->line, port, baud);
+    if (file == NULL)
+        return 0;
+    wire_text_init(&t->down, '>');
+    wire_text_init(&t->up, '<');
+    t->log = fopen(file, "w");
+    return t->log != NULL ? 0 : tool_error(EX_CANTCREAT, "%s: %s: name a log that can be written", file, strerror(errno));
+}
 
-    if (code != 0)
+int talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log)
+{
+    *t = (talk){ .port = port, .began = tool_clock() };
+    int code = open_log(t, log);
+
+    if (code == 0)
+        code = transport_open(&t->line, port, baud);
+    if (code != 0) {
+        talk_close(t);
         return code;
+    }
     loft_sender_init(&t->sender, (uint32_t)(uint64_t)(1e9 * tool_clock()) ^ (uint32_t)getpid() << 16, now_ms());
     code = greet(t, seconds);
     if (code != 0)
@@ -104,4 +122,7 @@ void talk_close(talk *t)
     if (t->line.kind)
         t->line.kind->close(&t->line);
     t->line.kind = NULL;
+    if (t->log)
+        fclose(t->log);
+    t->log = NULL;
 }

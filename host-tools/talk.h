@@ -7,6 +7,7 @@
 #include "wire/sender.h"    /* loft_sender */
 
 #include "transport.h"      /* transport */
+#include "wire_text.h"      /* wire_text */
 
 typedef struct {
     const char *port;
@@ -15,10 +16,14 @@ typedef struct {
     uint64_t written, received;         /* bytes                          */
     uint8_t out[LOFT_FRAME_MAX + 1];    /* a frame on its way, from out_at */
     size_t out_size, out_at;
+    FILE *log;                          /* all that passes, in words, or NULL */
+    wire_text down, up;
+    double began;
 } talk;
 
-/* Open the port and greet; waits for the machine's answer. Gives 0, or an exit code after printing one line. */
-int  talk_open(talk *t, const char *port, unsigned baud, double seconds);
+/* Open the port and greet; waits for the machine's answer. Gives 0, or an exit code after printing one line. `log`: a file for
+ * what passes on the line, in words (wire_text.h), or NULL. */
+int  talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log);
 void talk_close(talk *t);
 
 /* Move bytes both ways, for at most `most_ms`. Gives false if the port has vanished (errno says why). */

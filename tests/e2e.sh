@@ -607,6 +607,21 @@ case_short_lines_become_curves() {
     says out 'as commanded'
     awk '/worst path error/ { for (i = 1; i < NF; i++) if ($i == "error" && $(i + 1) < 0.0080) ok = 1 } END { exit !ok }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
 }
+case_the_line_in_words() {
+    machine watched --speed fast
+    run 0 "$loft" ports "$tmp/watched"; says out 'loft, 3 axes, 1000 ticks/s, 40 slots, queue 256	steps/mm 80 80 80	idle'
+    timeout 30 "$loft" monitor --port "$tmp/watched" --link "$tmp/between" >"$tmp/words" & local monitor=$!
+    wait_for "$tmp/between"
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/between" --log "$tmp/log"
+    kill -INT $monitor; wait $monitor || job_fails "monitor: exit code $?"
+    for f in words log; do
+        for line in '> HELLO ' '< WELCOME .* axes 3 queue 256' '> JOB .* spans start 0 0 0' '> SPANS .* first 0 ' '< ACK .* running' '> END .* total' '< REPORT .* done position'; do
+            grep -q -- "$line" "$tmp/$f" || job_fails "$f has no line $line"
+        done
+        ! grep -qE 'readable|unknown| \? ' "$tmp/$f" || job_fails "$(grep -E 'readable|unknown' "$tmp/$f" | head -1)"
+    done
+    grep -q '^> [0-9]* bytes, [0-9]* frames, 0 damaged$' "$tmp/words" || job_fails "$(tail -2 "$tmp/words")"
+}
 # peer NAME OPTIONS..: a controller of grbl's kind behind $tmp/NAME, what it drew in $tmp/NAME.csv when it has ended
 peer() {
     local name=$1; shift
