@@ -76,3 +76,34 @@ bench-machine: firmware-atmega328p $(TOOL_OUT)/loft $(patsubst %,build/target/%,
 check-atmega328p: firmware-atmega328p build/target/chip build/target/rate $(TOOL_OUT)/loft
 	@bash tests/target/avr.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
 TARGET_STAGES += check-atmega328p
+
+# --- planning on the chip ------------------------------------------------------------------------------
+# Every function for itself and called, not inlined: half the size. The image is more than this chip holds, so that an ATmega1284P, the
+# same core with 128 kB, runs it.
+PLAN_CHIP    = atmega1284p
+PLAN_OPTIONS = -DLOFT_PLAN_WINDOW=4 -DLOFT_PLAN_FILTER=1 -DLOFT_PLAN_KNEE=0 -DLOFT_PLAN_BEATS=250
+PLAN_FLAGS   = -std=c99 -ffreestanding -Os -flto -fno-inline -mcall-prologues -mrelax -mstrict-X -maccumulate-args -fno-gcse -fno-tree-pre \
+               -fno-tree-loop-im -fno-move-loop-invariants -fno-tree-sra -ffunction-sections -fdata-sections
+PLAN_SRC     = tests/target/plan.c $(wildcard lib/num/*.c lib/geom/*.c lib/motion/*.c) lib/curve/bezier.c lib/curve/forward.c
+PLAN_MOST    = MOST_RAM=1200 MOST_STACK=1100 MOST_FLASH=37500 MOST_LOAD=2.0
+
+build/target/outline12.inc: tests/drawings/outline12.csv
+	@mkdir -p $(@D)
+	$(Q)awk -F, '!/^#/ { for (i = 1; i <= 8; i++) printf "%.0f,", $$i * 65536; print "" }' $< > $@
+build/target/plan.elf: $(PLAN_SRC) build/target/outline12.inc $(LIB_HDR) ports/atmega328p/port.mk
+	$(SAY) "  LD  $@"
+	$(Q)avr-gcc -mmcu=$(PLAN_CHIP) $(PLAN_FLAGS) -Wno-missing-braces -Ilib -Ibuild/target $(call num_flag,q16) $(PLAN_OPTIONS) \
+	    -Wl,--gc-sections $(PLAN_SRC) -o $@
+build/target/plan: $(PLAN_SRC) build/target/outline12.inc $(LIB_HDR) ports/atmega328p/port.mk
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) -std=c99 -O2 -ffunction-sections -Wl,--gc-sections -Wno-missing-braces -Ilib -Ibuild/target $(call num_flag,q16) $(PLAN_OPTIONS) $(PLAN_SRC) -lm -o $@
+build/target/plan_chip: tests/target/plan_chip.c
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) -isystem /usr/include/simavr $(call num_flag,q16) $< -lsimavr -lm -o $@
+
+## Plan the outline of 12 cubics on an emulated AVR: the same spans as here, flash, RAM, stack, share of the time
+.PHONY: check-avr-plan
+check-avr-plan: build/target/plan.elf build/target/plan build/target/plan_chip
+	@$(PLAN_MOST) bash tests/target/plan.sh build/target/plan.elf $(PLAN_CHIP) build/target/plan build/target/plan_chip
+TARGET_STAGES += check-avr-plan
