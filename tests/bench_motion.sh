@@ -102,9 +102,14 @@ outline_rows() {
     done
 }
 
-chip_rows() {   # the planner on an ATmega328P
-    row "ATmega328P: CPU while planning the outline at 3000 mm/min, %" 60 "" "the planner does not fit yet: make size"
-    row "ATmega328P: bytes of RAM for the planner" 900 "" "the planner does not fit yet: make size"
+chip_rows() {   # the planner on an ATmega328P; interrupts are not counted
+    sh tests/bench_motion_avr.sh "$build" > "$build/avr.out" || { row "ATmega328P" 0 "" "make deps-target"; return; }
+    flash=$(awk '$1 == "chip" { print $4 }' "$build/avr.out")
+    on="$flash bytes of flash" && grep -q 'chip atmega2560' "$build/avr.out" && on="on an ATmega2560: $flash bytes of flash do not fit 32768"
+    row "ATmega328P: CPU while planning the outline at 3000 mm/min, %" 60 \
+        "$(awk '$1 == "planning" { p = $2 } $1 == "ticks" { t = $2 } END { if (t) printf "%.1f", p / (t * 16000) * 100 }' "$build/avr.out")" "$on"
+    row "ATmega328P: bytes of RAM for the planner, 2 axes" 900 "$(pick avr.out plan_bytes 2)" "with rings of 2 curves and 6 pieces"
+    row "ATmega328P: time / (L / v + v / a) with these rings" 1.02 "$(awk '$1 == "ticks" { print $2 / 1000 / (130.819 / 50 + 0.1) }' "$build/avr.out")"
 }
 
 cortex_rows() { # instructions, for the README

@@ -8,14 +8,11 @@ for tool in arm-none-eabi-gcc qemu-system-arm; do
     command -v $tool >/dev/null || { echo "$tool is missing: make deps-target" >&2; exit 1; }
 done
 mkdir -p "$dir"
-awk -F, 'function raw(x) { return x < 0 ? -int(0.5 - x * 65536) : int(x * 65536 + 0.5) }
-         BEGIN { print "static const int32_t outline[12][4][2] = {" }
-         !/^#/ { printf "    {"; for (k = 1; k < 8; k += 2) printf " { %d, %d },", raw($k), raw($(k + 1)); print " }," }
-         END   { print "};" }' tests/drawings/outline12.csv > "$dir/outline.h"
+sh tests/outline_array.sh > "$dir/outline.h"
 for core in cortex-m0 cortex-m4; do
     for jerk in 0 10000; do
         arm-none-eabi-gcc -mthumb -mcpu=$core -O2 -std=c99 -ffreestanding -nostdlib -ffunction-sections -Wl,--gc-sections \
-            -Ilib -Itests/target -I"$dir" -DLOFT_AXES=3 -DJERK=$jerk -T tests/target/netduino.ld tests/target/microbit.c tests/target/motion.c \
+            -Ilib -Itests/target -I"$dir" -DLOFT_AXES=3 -DJERK=$jerk -DMOVES=4 -DPIECES=32 -T tests/target/netduino.ld tests/target/microbit.c tests/target/motion.c \
             lib/num/*.c lib/geom/*.c lib/basis/*.c lib/curve/*.c lib/motion/*.c -lgcc -o "$dir/motion-$core.elf"
         timeout 200 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none -icount shift=0 \
             -semihosting-config enable=on,target=native -kernel "$dir/motion-$core.elf" > "$dir/said" 2>&1 || { cat "$dir/said"; exit 1; }

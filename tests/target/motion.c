@@ -1,8 +1,9 @@
-/* tests/target/motion.c -- what planning and stepping the outline costs on a Cortex-M, in instructions
+/* tests/target/motion.c -- what planning and stepping the outline costs on a chip: instructions, on an AVR cycles
  * SPDX-License-Identifier: MIT
  *
- * With microbit.c, netduino.ld and -DJERK=mm/s^3 (0: not limited). `outline.h` is `static const int32_t outline[12][4][2]`, raw Q16.16.
- * Prints `name number` lines: curves, spans, ticks; instructions of planning, of the dearest call, of ticks, of the dearest tick, of slots.
+ * With -DJERK=mm/s^3 (0: not limited), -DMOVES= and -DPIECES= (the rings); on a Cortex-M with microbit.c and netduino.ld; on an AVR it
+ * only plans. `outline.h` is `static const int32_t outline[12][4][2]`, raw Q16.16.
+ * Prints `name number` lines: curves, spans, ticks; the cost of planning, of the dearest call, of ticks, of the dearest tick, of slots.
  */
 #include "meter.h"          /* meter_start, meter_now       */
 #include "motion/plan.h"    /* loft_plan                    */
@@ -11,11 +12,26 @@
 
 #define SLOTS 40            /* in a tick: 40,000 per second */
 
+#if defined(__AVR__)
+#  include <avr/interrupt.h>
+#  include <avr/sleep.h>
+static void put(char c)
+{
+    while (!(UCSR0A & (1 << UDRE0))) {}
+    UDR0 = (uint8_t)c;
+}
+static void begin_output(void) { UBRR0 = 0; UCSR0A = 1 << U2X0; UCSR0B = 1 << TXEN0; }
+static int  leave(int code)    { put('\n'); cli(); sleep_enable(); sleep_cpu(); return code; }
+#else
 void debugger_put(char c);
-int  main(void);
+static void put(char c)        { debugger_put(c); }
+static void begin_output(void) {}
+static int  leave(int code)    { return code; }
+#endif
+int main(void);
 
-static loft_move       moves[4];
-static loft_plan_piece pieces[4 * LOFT_PLAN_PIECES];
+static loft_move       moves[MOVES];
+static loft_plan_piece pieces[PIECES];
 static loft_plan       plan;
 static loft_step       step;
 
@@ -27,25 +43,23 @@ static void say(const char *name, uint32_t n)
     int k = 0;
 
     while (*name)
-        debugger_put(*name++);
-    debugger_put(' ');
+        put(*name++);
+    put(' ');
     do
         digits[k++] = (char)('0' + n % 10);
     while ((n /= 10) > 0);
     while (k > 0)
-        debugger_put(digits[--k]);
-    debugger_put('\n');
+        put(digits[--k]);
+    put('\n');
 }
 
 static uint32_t since(uint32_t start)
 {
     static uint32_t empty;
-    const uint32_t now = meter_now();
-    if (empty == 0) {
-        const uint32_t a = meter_now();
-        empty = meter_now() - a;
-    }
-    return now - start - empty;
+    const uint32_t cost = meter_since(start);
+    if (empty == 0)
+        empty = meter_since(meter_now());
+    return cost - empty;
 }
 
 static void take(uint32_t cost, uint32_t *sum, uint32_t *worst)
@@ -57,12 +71,16 @@ static void take(uint32_t cost, uint32_t *sum, uint32_t *worst)
 static loft_move curve(unsigned c)
 {
     loft_move m = { .feed = LOFT_REAL(50) };
+
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 2; i++)
             m.curve.p[k].axis[i] = outline[c][k][i];
     return m;
 }
 
+#if defined(__AVR__)
+static void run(const loft_span *span) { ticks += span->ticks; }
+#else
 /* One span: its walk, the steps of each tick, its slots. */
 static void run(const loft_span *span)
 {
@@ -90,21 +108,25 @@ static void run(const loft_span *span)
         slotting += since(start);
     }
 }
+#endif
 
 int main(void)
 {
-    static const loft_limits limits = {
-        .max_speed = { LOFT_REAL(1000), LOFT_REAL(1000), LOFT_REAL(1000) }, .max_accel = { LOFT_REAL(500), LOFT_REAL(500), LOFT_REAL(500) },
-        .max_jerk = { JERK, JERK, JERK }, .corner = LOFT_REAL(0.01), .tol = LOFT_REAL(0.005), .tick_hz = 1000
-    };
+    loft_limits limits = { .corner = LOFT_REAL(0.01), .tol = LOFT_REAL(0.005), .tick_hz = 1000 };
     static const int32_t origin[LOFT_AXES] = { 0 };
     enum loft_plan_state state = LOFT_PLAN_SPAN;
     unsigned next = 0;
     loft_span span;
 
+    for (int i = 0; i < LOFT_AXES; i++) {
+        limits.max_speed[i] = LOFT_REAL(1000);
+        limits.max_accel[i] = LOFT_REAL(500);
+        limits.max_jerk[i]  = JERK;
+    }
     meter_start();
-    if (loft_plan_init(&plan, &limits, moves, 4, pieces, 4 * LOFT_PLAN_PIECES) != LOFT_OK || loft_step_init(&step, origin) != LOFT_OK)
-        return 1;
+    begin_output();
+    if (loft_plan_init(&plan, &limits, moves, MOVES, pieces, PIECES) != LOFT_OK || loft_step_init(&step, origin) != LOFT_OK)
+        return leave(1);
     while (next < 12 || state == LOFT_PLAN_SPAN) {
         const loft_move m = curve(next < 12 ? next : 11);
         uint32_t start = meter_now();
@@ -132,5 +154,5 @@ int main(void)
     say("slotting", slotting);
     say("slots", slots);
     say("plan_bytes", sizeof plan + sizeof moves + sizeof pieces);
-    return step.position[0] == 0 && step.position[1] == 0 ? 0 : 1;
+    return leave(step.position[0] == 0 && step.position[1] == 0 ? 0 : 1);
 }
