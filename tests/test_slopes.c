@@ -198,6 +198,27 @@ static void derivatives_of_base_point_patches_are_exact(arb *a)
     check_slopes(&sum, &here);
 }
 
+/* Weights have a common factor: the surface is the same, and so is what its normals are judged by. */
+static void widths_are_those_of_the_surface(arb *a)
+{
+    arb_domain p = arb_convex(a);
+    loft_jet phi[LOFT_SIDES_MAX];
+    loft_local here, there;
+    loft_spatch s;
+
+    settle(&p);
+    arb_net(a, &points, loft_multi_count(p.n, 2));
+    for (unsigned k = 0; k < loft_multi_count(p.n, 2); k++)
+        points.w[k] = loft_real_from_int(1 + (int32_t)arb_below(a, 16));
+    CHECK(loft_wachspress_jet(&p.d, p.v[arb_below(a, p.n)], phi) == LOFT_OK);
+    CHECK(loft_spatch_init(&s, points.p, points.w, p.n, 2) == LOFT_OK && loft_spatch_local(&s, phi, &here) == LOFT_OK);
+    for (unsigned k = 0; k < loft_multi_count(p.n, 2); k++)
+        points.w[k] *= 4;
+    CHECK(loft_spatch_init(&s, points.p, points.w, p.n, 2) == LOFT_OK && loft_spatch_local(&s, phi, &there) == LOFT_OK);
+    CHECK_EXACT(exact_sci(there.width_u), exact_sci(here.width_u), exact_sci(here.width_u) * BY_NUM(0x1p-55L, 0x1p-48L, 0x1p-48L));
+    CHECK_EXACT(exact_sci(there.width_v), exact_sci(here.width_v), exact_sci(here.width_v) * BY_NUM(0x1p-55L, 0x1p-48L, 0x1p-48L));
+}
+
 static void where_there_is_no_point_there_are_no_derivatives(arb *a)
 {
     static const uint8_t cut[3] = { 1, 0, 0 };
@@ -220,6 +241,7 @@ int main(void)
     PROPERTY(a_flat_triangle_does_not_bend, 300);
     PROPERTY(derivatives_of_toric_patches_are_exact, 300);
     PROPERTY(derivatives_of_base_point_patches_are_exact, 300);
+    PROPERTY(widths_are_those_of_the_surface, 200);
     PROPERTY(where_there_is_no_point_there_are_no_derivatives, 5);
     return check_failures();
 }

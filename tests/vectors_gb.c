@@ -235,8 +235,10 @@ static void gb_curvature(row *r)
         row_complain(r, "no derivatives of coordinates of the kind %c", p.which);
         return;
     }
-    if (loft_gb_local(&p.g, phi, &here) != LOFT_OK || loft_local_curvatures(&here, &k) != LOFT_OK) {
-        row_complain(r, "no curvature");
+    const enum loft_status status = loft_gb_local(&p.g, phi, &here);
+    if (status != LOFT_OK || loft_local_curvatures(&here, &k) != LOFT_OK) {
+        if (status != LOFT_OK || !BY_NUM(fabsl(decimal(r, row_text(r, "K"))) > 0x1p30L, false, false))     /* no loft_acc holds it */
+            row_complain(r, "no curvature");
         return;
     }
     if (r->inexact > 0) {

@@ -30,7 +30,7 @@ enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci
  *   error   as loft_wachspress_jet, times K^2 of loft_meanvalue_eval, and P^2 + Q + P / r in place of P^2 + Q, r being the least distance
  *           between two of: the point, the vertices, the lines through edges not ending in these
  *   cost    n roots, 22 n divisions, 150 n products and 15 for every pair of an edge and one seen at more than a right angle;
- *           no table; q16: 4.3 kB of stack
+ *           no table; q16: 4.5 kB of stack
  */
 enum loft_status loft_meanvalue_jet(const loft_domain *d, loft_spot p, loft_jet phi[]) LOFT_CHECKED;
 

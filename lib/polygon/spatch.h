@@ -65,7 +65,7 @@ enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[
  *   error   with L the largest coordinate, A and B the sums of |first and second derivatives of the weights| over |the sum of the
  *           weights|: first q16: L A 2^-44   f32, f64: L A 2^-36; second: the same with B + A^2 in place of A; beside what
  *           phi has
- *   cost    per control point 20 (sides + depth) products and 6 per axis; eval once more; q16: 2.5 kB of stack
+ *   cost    per control point 20 (sides + depth) products and 6 per axis; eval once more; q16: 2.7 kB of stack
  */
 enum loft_status loft_spatch_local(const loft_spatch *s, const loft_jet phi[], loft_local *out) LOFT_CHECKED;
 
