@@ -268,7 +268,9 @@ static void late(loft_law *law, unsigned first)
 /* Nothing that was passed matters any more: the course begins with what comes next. */
 static void settle(loft_law *law)
 {
-    if (law->at.off > 0 || law->at.piece > 0)
+    const bool joint = law->course.count > 1 && !(length_of(law, 0) > 0) && rests_after(law, 0);   /* that leads nowhere */
+
+    if (law->at.off > 0 || law->at.piece > 0 || joint)
         for (unsigned drop = law->at.piece + 1; drop > 0; drop--)
             loft_course_drop(&law->course);
     law->at   = (loft_course_place){ 0, 0 };

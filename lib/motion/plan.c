@@ -16,10 +16,9 @@
  *
  *     P0   P0 + V0 m / 3   P1 - V1 m / 3   P1                        from one knot to the m-th after it
  *
- * that passes the knots in time, within an eighth of the tolerance. Where jerk is limited its acceleration is that of the
+ * that passes the knots in time, within an eighth of the tolerance, at the velocity of the B-spline, to 1/1024, at all knots and
+ * half way between them, and with its acceleration within the limits. Where jerk is limited its acceleration is also that of the
  * B-spline at all knots, as closely as the rounding of a beat's control points would leave it, and its jerk within the limit.
- * Otherwise its acceleration is within the limits and its velocity is that of the B-spline, to 1/1024, at all knots
- * and half way between them.
  */
 #include "motion/plan.h"
 
@@ -159,8 +158,13 @@ static void push_place(loft_plan *plan)
         if (LOFT_BUDGET_JERK(&c->budget))
             ease(plan, off, point);
         push(plan, point);
-    } else                      /* a joint, or too short to have a length */
+    } else {                    /* a joint, or too short to have a length */
+        if (p->ease.width > 0) {
+            plan->eased = p->ease;
+            plan->past  = 0;
+        }
         push(plan, plan->arc.c[0]);
+    }
 }
 
 /* Do the last three samples lie on the end? */
@@ -279,7 +283,7 @@ static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
     if (!accelerates_within(plan, m, p))
         return false;
     for (unsigned j = 0; j <= m; j++)
-        if (!passes(plan, m, j, p, tol) || (j < m && !LOFT_BUDGET_JERK(&plan->law.course.budget) && !runs_between(plan, m, j, p)))
+        if (!passes(plan, m, j, p, tol) || (j < m && !runs_between(plan, m, j, p)))
             return false;
     return true;
 }

@@ -357,7 +357,7 @@ static loft_way ease_way(const loft_plan_piece *p, const loft_budget *b)
         s.bend[1].axis[i] = p->ease.jump.axis[i] / 4 * 3;
         s.bend[2].axis[i] = p->ease.jump.axis[i] / 2 * 3;
     }
-    ramp.cap = p->ease.width > 0 ? twist_cap(&ramp, b, &s, p->cap) : 0;
+    ramp.cap = twist_cap(&ramp, b, &s, p->cap);
     return loft_profile_way(&ramp, b, &s, 0);
 }
 
@@ -408,8 +408,9 @@ static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *befo
     for (int i = 0; i < LOFT_AXES; i++)
         p->ease.jump.axis[i] = after->bend.axis[i] - before->bend.axis[i];
     p->ease.width = ease_width(b, jump, spacing);
-    j.ease  = ease_way(p, b);
-    j.eased = j.ease.cap > j.bend;
+    if (p->ease.width > 0)
+        j.ease = ease_way(p, b);
+    j.eased = p->ease.width > 0 && j.ease.cap > j.bend;
     if (j.eased) {
         j.bend  = j.ease.cap;
         p->cap -= loft_acc_round(loft_acc_ratio(loft_acc_scale(loft_acc_mul(jump, p->cap), p->ease.width), 12));
