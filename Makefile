@@ -80,7 +80,7 @@ test-%: $(foreach n,$(NUMS),build/test/$(n)/%)
 # --- exact results: one line per CSV of a folder ------------------------------------------------------
 VECTORS ?= tests/vectors
 define vectored
-build/vectors/$(1): $(wildcard tests/vectors*.c) build/test/$(1)/libloft.a $(SOLVER_OBJ) $(wildcard tests/*.h)
+build/vectors/$(1): $(wildcard tests/vectors*.c) host-tools/engine_chapter.c host-tools/chapter.c host-tools/chapter_study.c build/test/$(1)/libloft.a $(SOLVER_OBJ) $(wildcard tests/*.h) host-tools/chapter.h
 	@mkdir -p $$(@D)
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -Ihost-tools -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.o %.a,$$^) -lm -o $$@

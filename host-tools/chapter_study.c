@@ -11,7 +11,7 @@
 #include "least.h"              /* least_room */
 
 #define RAYS    72          /* from the middle */
-#define STEPS   (s->rough ? 25 : 400)
+#define STEPS   (s->rough ? 25 : 120)   /* of a ray, closer together toward the middle */
 #define HEIGHTS 5
 #define SHIFTS  5
 
@@ -26,7 +26,8 @@ typedef struct {
     engine_chapter *patch[CHAPTER_KINDS];
     const engine_chapters *e;
     double middle[2];
-    bool rough;                 /* coordinates of 16 bits: what is expected is looser */
+    bool rough;                 /* as in engine_chapters                                                          */
+    double few;                 /* what a sample of fewer points than 18000 may be off by, times that of those    */
     chapter_sink *sink;
     void *context;
 } study;
@@ -36,10 +37,12 @@ static void give(const study *s, double off, const double value[], unsigned coun
 
 static void give(const study *s, double off, const double value[], unsigned count, const char *figure, const char *kind, const char *format, ...)
 {
-    chapter_row r = { .off = off, .count = count, .sampled = strcmp(figure, "4-6..4-11") != 0 && strstr(format, "cent") == NULL };
+    chapter_row r = { .off = off, .count = count, .sampled = strcmp(figure, "4-6..4-11") != 0 && strstr(format, "at the centre") == NULL };
     char quantity[180];
     va_list arguments;
 
+    if (r.sampled)
+        r.off *= s->few;
     va_start(arguments, format);
     vsnprintf(quantity, sizeof quantity, format, arguments);
     va_end(arguments);
@@ -160,7 +163,7 @@ static double falling_rays(const study *s, unsigned kind)
         leave(s, 2 * acos(-1) * ray / RAYS, to);
         for (int i = 0; i < STEPS && falls; i++) {
             chapter_point p;
-            on_ray(s, kind, to, (double)i / STEPS, false, &p);
+            on_ray(s, kind, to, pow((double)i / STEPS, 1.5), false, &p);
             falls = p.b0.f < last + (s->rough ? 1e-6 : 1e-12);
             last = p.b0.f;
         }
@@ -333,10 +336,10 @@ static void curvatures(const study *s, const sample *all, int h)
 // 4-6: what a mesh makes of the curvature
 // ---------------------------------------
 
-/* Of a mesh of n x n cells in each triangle, u along the side and v outward, the point (i, k) of triangle `side`. */
-static void mesh_point(const study *s, unsigned kind, unsigned side, double u, double v, double height, bool bent, chapter_point *p, double out[3])
+/* The first triangle of the regular pentagon stands for all. u runs along the side, v outward. */
+static void mesh_point(const study *s, unsigned kind, double u, double v, double height, bool bent, chapter_point *p, double out[3])
 {
-    const double *a = s->p->v[side], *b = s->p->v[(side + 1) % CHAPTER_SIDES], to[2] = { a[0] + u * (b[0] - a[0]), a[1] + u * (b[1] - a[1]) };
+    const double *a = s->p->v[0], *b = s->p->v[1], to[2] = { a[0] + u * (b[0] - a[0]), a[1] + u * (b[1] - a[1]) };
 
     on_ray(s, kind, to, v, bent, p);
     out[0] = p->p[0].f;
@@ -353,25 +356,24 @@ static double part_of(double sorted[], size_t count, double part)
 /* A quantile of some hundred different numbers is the next one where one more falls on the other side: off by 0.05 is the same. */
 static void estimator(const study *s, unsigned kind, int h, unsigned n)
 {
-    const size_t most = CHAPTER_SIDES * (size_t)n * n;
+    const size_t most = (size_t)n * n;
     double *error = least_room(most * sizeof *error), *ratio = least_room(most * sizeof *ratio), largest = 0, vertex[3], ring[CHAPTER_FAN][3], mesh;
     chapter_point p, beside;
     size_t count = 0;
 
-    for (unsigned side = 0; side < CHAPTER_SIDES; side++)
-        for (unsigned i = 1; i < n; i++)
-            for (unsigned k = 1; k < n; k++) {
-                static const int step[CHAPTER_FAN][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
-                mesh_point(s, kind, side, (double)i / n, (double)k / n, heights[h], true, &p, vertex);
-                for (int m = 0; m < CHAPTER_FAN; m++)
-                    mesh_point(s, kind, side, (i + (double)step[m][0]) / n, (k + (double)step[m][1]) / n, heights[h], false, &beside, ring[m]);
-                if (s->e->fan(vertex, ring, CHAPTER_FAN, &mesh) != 0)
-                    continue;
-                const double gauss = chapter_gauss(&p, heights[h]);
-                error[count] = fabs(mesh - gauss);
-                ratio[count++] = mesh / gauss;
-                largest = fmax(largest, fabs(gauss));
-            }
+    for (unsigned i = 1; i < n; i++)
+        for (unsigned k = 1; k < n; k++) {
+            static const int step[CHAPTER_FAN][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
+            mesh_point(s, kind, (double)i / n, (double)k / n, heights[h], true, &p, vertex);
+            for (int m = 0; m < CHAPTER_FAN; m++)
+                mesh_point(s, kind, (i + (double)step[m][0]) / n, (k + (double)step[m][1]) / n, heights[h], false, &beside, ring[m]);
+            if (s->e->fan(vertex, ring, CHAPTER_FAN, &mesh) != 0)
+                continue;
+            const double gauss = chapter_gauss(&p, heights[h]);
+            error[count] = fabs(mesh - gauss);
+            ratio[count++] = mesh / gauss;
+            largest = fmax(largest, fabs(gauss));
+        }
     const double value[4] = { part_of(error, count, 0.5), part_of(error, count, 0.95), part_of(ratio, count, 0.5), largest };
     free(error);
     free(ratio);
@@ -400,7 +402,7 @@ static void all_of(const study *s, const sample *all, const sample *bent)
 
 int chapter_study(const engine_chapters *e, const chapter_pentagon *p, unsigned fine, chapter_sink *sink, void *context)
 {
-    study s = { .p = p, .e = e, .rough = e->rough, .sink = sink, .context = context };
+    study s = { .p = p, .e = e, .rough = e->rough, .few = fine < 60 ? fmin(3600.0 / fine / fine, 5) : 1, .sink = sink, .context = context };
     sample all, bent;
     int status = 0;
 

@@ -735,6 +735,32 @@ case_machines_as_text() {
 }
 
 
+case_study_of_a_patch() {
+    run 0 "$loft" study gb --fine 6 --brief
+    says out ' numbers beside expected ones, 0 of them off; 0 without'
+    run 0 "$loft" study gb --fine 4 --expected tests/vectors/ch4_numbers.csv
+    says out '^4-3;P1_regular;B0 at the centre (vertex mean);H;0.2864;0.2864;'
+    says out '^4-6..4-11;P3_irregular;Z_tt on the centre-vertex ray at rho=0.5, 0.75, 0.9; dz=4.4;MV;'
+    sed 's/vertex mean);W;0.2864;/vertex mean);W;0.2865;/' tests/vectors/ch4_numbers.csv >"$tmp/other.csv"
+    run 65 "$loft" study gb --fine 4 --expected "$tmp/other.csv" --brief; says out ';0.2864;0.2865;.*;off$'; says out ' 1 of them off'
+    one_line 64 'give `gb`' "$loft" study
+    one_line 66 'none.csv: no such file' "$loft" study gb --expected "$tmp/none.csv"
+    one_line 73 'name a folder' "$loft" study gb --pictures-only -o "$tmp/none/deep"
+}
+case_harmonic_coordinates_as_a_table() {
+    printf '0,0\n4,0 # a notch\n4,3\n2,1\n0,3\n' >"$tmp/notch.csv"
+    run 0 "$loft" harmonic "$tmp/notch.csv" -o "$tmp/notch.h"; says out '^error at most [0-9.e-]*, '
+    grep -q '^static const loft_harmonic_table ' "$tmp/notch.h" || job_fails "no table"
+    printf '#include "polygon/harmonic.h"\n#include "notch.h"\nint main(void) { return notch_table.sides != 5; }\n' >"$tmp/use.c"
+    gcc -std=c99 -Wall -Wextra -Werror -Ilib -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=3 "$tmp/use.c" -o "$tmp/use" 2>"$tmp/err" && "$tmp/use" || job_fails "$(head -3 "$tmp/err")"
+    run 0 "$loft" harmonic "$tmp/notch.csv" --num f64 -o "$tmp/notch.csv.csv"; says notch.csv.csv '^term,'
+    run 0 "$loft" harmonic "$tmp/notch.csv" --at 2,0.5; says out '^0\.[0-9]*,0\.[0-9]*,0\.[0-9]*,0\.[0-9]*,0\.[0-9]*$'
+    printf '0,0\n1,1\n1,0\n0,1\n' >"$tmp/cross.csv"; one_line 65 'cross.csv: .*cross' "$loft" harmonic "$tmp/cross.csv"
+    one_line 65 'not 3 to 8' "$loft" harmonic /dev/null
+    one_line 66 'none.csv' "$loft" harmonic "$tmp/none.csv"
+}
+
+
 # --- run them -----------------------------------------------------------------------------------------
 
 run_case() {

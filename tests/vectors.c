@@ -24,7 +24,7 @@
 static const vector_system *const tables[] = {
     vectors_curve, vectors_measure, vectors_shape, vectors_rational, vectors_bspline, vectors_join, vectors_spline, vectors_sign,
     vectors_coons, vectors_tensor,
-    vectors_polygon, vectors_harmonic, vectors_deficit, vectors_spatch, vectors_npatch, vectors_gb,
+    vectors_polygon, vectors_harmonic, vectors_deficit, vectors_chapter, vectors_spatch, vectors_npatch, vectors_gb,
     vectors_triangle, vectors_triangle_curved, vectors_tetra
 };
 
