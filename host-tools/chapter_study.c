@@ -402,7 +402,7 @@ static void all_of(const study *s, const sample *all, const sample *bent)
 
 int chapter_study(const engine_chapters *e, const chapter_pentagon *p, unsigned fine, chapter_sink *sink, void *context)
 {
-    study s = { .p = p, .e = e, .rough = e->rough, .few = fine < 60 ? fmin(3600.0 / fine / fine, 5) : 1, .sink = sink, .context = context };
+    study s = { .p = p, .e = e, .rough = e->rough, .few = fine < 30 ? INFINITY : fine < 60 ? 3600.0 / fine / fine : 1, .sink = sink, .context = context };
     sample all, bent;
     int status = 0;
 
