@@ -1,8 +1,8 @@
-/* tests/target/motion.c -- what planning and stepping the outline costs on a chip: instructions, on an AVR cycles
+/* tests/target/motion.c -- what planning and stepping the outline costs on a Cortex-M, in instructions
  * SPDX-License-Identifier: MIT
  *
- * With -DJERK=mm/s^3 (0: not limited), -DMOVES= and -DPIECES= (the rings); on a Cortex-M with microbit.c and netduino.ld; on an AVR it
- * only plans. `outline.h` is `static const int32_t outline[12][4][2]`, raw Q16.16.
+ * With microbit.c, netduino.ld, -DJERK=mm/s^3 (0: not limited), -DMOVES= and -DPIECES= (the rings). `outline.h` is
+ * `static const int32_t outline[12][4][2]`, raw Q16.16 (outline_array.sh).
  * Prints `name number` lines: curves, spans, ticks; the cost of planning, of the dearest call, of ticks, of the dearest tick, of slots.
  */
 #include "meter.h"          /* meter_start, meter_now       */
@@ -12,23 +12,8 @@
 
 #define SLOTS 40            /* in a tick: 40,000 per second */
 
-#if defined(__AVR__)
-#  include <avr/interrupt.h>
-#  include <avr/sleep.h>
-static void put(char c)
-{
-    while (!(UCSR0A & (1 << UDRE0))) {}
-    UDR0 = (uint8_t)c;
-}
-static void begin_output(void) { UBRR0 = 0; UCSR0A = 1 << U2X0; UCSR0B = 1 << TXEN0; }
-static int  leave(int code)    { put('\n'); cli(); sleep_enable(); sleep_cpu(); return code; }
-#else
 void debugger_put(char c);
-static void put(char c)        { debugger_put(c); }
-static void begin_output(void) {}
-static int  leave(int code)    { return code; }
-#endif
-int main(void);
+int  main(void);
 
 static loft_move       moves[MOVES];
 static loft_plan_piece pieces[PIECES];
@@ -43,14 +28,14 @@ static void say(const char *name, uint32_t n)
     int k = 0;
 
     while (*name)
-        put(*name++);
-    put(' ');
+        debugger_put(*name++);
+    debugger_put(' ');
     do
         digits[k++] = (char)('0' + n % 10);
     while ((n /= 10) > 0);
     while (k > 0)
-        put(digits[--k]);
-    put('\n');
+        debugger_put(digits[--k]);
+    debugger_put('\n');
 }
 
 static uint32_t since(uint32_t start)
@@ -78,9 +63,6 @@ static loft_move curve(unsigned c)
     return m;
 }
 
-#if defined(__AVR__)
-static void run(const loft_span *span) { ticks += span->ticks; }
-#else
 /* One span: its walk, the steps of each tick, its slots. */
 static void run(const loft_span *span)
 {
@@ -108,7 +90,6 @@ static void run(const loft_span *span)
         slotting += since(start);
     }
 }
-#endif
 
 int main(void)
 {
@@ -124,9 +105,8 @@ int main(void)
         limits.max_jerk[i]  = JERK;
     }
     meter_start();
-    begin_output();
     if (loft_plan_init(&plan, &limits, moves, MOVES, pieces, PIECES) != LOFT_OK || loft_step_init(&step, origin) != LOFT_OK)
-        return leave(1);
+        return 1;
     while (next < 12 || state == LOFT_PLAN_SPAN) {
         const loft_move m = curve(next < 12 ? next : 11);
         uint32_t start = meter_now();
@@ -154,5 +134,5 @@ int main(void)
     say("slotting", slotting);
     say("slots", slots);
     say("plan_bytes", sizeof plan + sizeof moves + sizeof pieces);
-    return leave(step.position[0] == 0 && step.position[1] == 0 ? 0 : 1);
+    return step.position[0] == 0 && step.position[1] == 0 ? 0 : 1;
 }
