@@ -253,7 +253,8 @@ static int run(const tool_command *self, int argc, char **argv)
 
 const tool_command command_stream = {
     "stream", "FILE --port PORT", "a drawing becomes motion: plan it and stream it to a machine",
-    "Keys while it runs: h holds, r resumes, a aborts; ^C holds and leaves, twice leaves at once. The machine never leaves\n"
+    "Keys while it runs: h holds, r resumes, a aborts, + and - change the override by 10 % (10..200), 0 makes it 100 %,\n"
+    "s says where things are; ^C holds and leaves, twice leaves at once. The machine never leaves\n"
     "the path. A job that was cut off goes on where the machine stands when the same command is run again.\n",
     run
 };

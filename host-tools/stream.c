@@ -22,6 +22,8 @@ typedef struct {
     double stop_at;         /* the clock when ^C was seen; 0: not yet   */
     double held_at;         /* the clock when the machine stood; 0: not */
     bool woken;             /* a job found under way goes on            */
+    uint32_t ticks, elapsed;/* of the status before                     */
+    double pace;            /* between the last two                     */
 } run_state;
 
 static bool standing(const loft_sender *s)
@@ -40,10 +42,22 @@ static void state_text(const run_state *r, char text[32])
     case LOFT_STATE_STOPPING: snprintf(text, 32, "%-16s", "aborting");        return;
     default: break;
     }
-    if (s->ack.flags & LOFT_FLAG_STARVED)
+    if ((s->ack.flags & LOFT_FLAG_STARVED) && r->pace < 0.02)
         snprintf(text, 32, "%-16s", "waits for data");
     else
-        snprintf(text, 32, "feed %5.1f mm/s ", job_feed(r->j, job_item_at(r->j, s->status.ticks)));
+        snprintf(text, 32, "feed %5.1f mm/s ", r->pace * job_feed(r->j, job_item_at(r->j, s->status.ticks)));
+}
+
+/* Ticks of the plan over ticks of time, between two answers. */
+static void measure_pace(run_state *r)
+{
+    const loft_machine_status *now = &r->t->sender.status;
+
+    if (now->elapsed == r->elapsed)
+        return;
+    r->pace    = (double)(now->ticks - r->ticks) / (double)(now->elapsed - r->elapsed);
+    r->ticks   = now->ticks;
+    r->elapsed = now->elapsed;
 }
 
 static void show(run_state *r)
@@ -51,8 +65,9 @@ static void show(run_state *r)
     const loft_sender *s = &r->t->sender;
     char state[32], text[160];
 
+    measure_pace(r);
     state_text(r, state);
-    size_t used = (size_t)snprintf(text, sizeof text, "%s", state);
+    size_t used = (size_t)snprintf(text, sizeof text, "%s %3u %%  queue %3u ", state, s->status.override, (unsigned)(s->ack.next - s->ack.executed));
     for (int i = 0; i < LOFT_AXES; i++) {
         const double scale = (double)s->axis[i].steps_per_mm / 65536;
         used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], (double)s->status.position[i] / scale);
@@ -60,9 +75,38 @@ static void show(run_state *r)
     progress_show(&r->bar, (double)s->status.ticks, text);
 }
 
+/* One line that stays: where things are. */
+static void tell(run_state *r)
+{
+    const loft_sender *s = &r->t->sender;
+    char state[32];
+
+    state_text(r, state);
+    progress_clear(&r->bar);
+    fprintf(stderr, "item %u of %zu, %u queued, override %u %%, %s", (unsigned)s->ack.executed, r->j->count,
+            (unsigned)(s->ack.next - s->ack.executed), s->status.override, state);
+    for (int i = 0; i < LOFT_AXES; i++)
+        fprintf(stderr, " %c %.2f", "XYZABC"[i], (double)s->status.position[i] / s->axis[i].steps_per_mm * 65536);
+    fputc('\n', stderr);
+}
+
+/* The percent from which a key counts: what was last asked for, or what the machine says. */
+static void change_override(run_state *r, int by)
+{
+    loft_sender *s = &r->t->sender;
+    const int now  = s->percent ? s->percent : s->status.override, next = by == 0 ? 100 : now + by;
+
+    if (now > 0)
+        loft_sender_override(s, next < 10 ? 10 : next > 200 ? 200 : (unsigned)next);
+}
+
 static void obey_keys(run_state *r)
 {
     switch (keys_next()) {
+    case '+': case '=': change_override(r, 10);  break;
+    case '-': case '_': change_override(r, -10); break;
+    case '0': change_override(r, 0); break;
+    case 's': tell(r); break;
     case 'h': loft_sender_control(&r->t->sender, LOFT_HOLD);   break;
     case 'r': loft_sender_control(&r->t->sender, LOFT_RESUME); break;
     case 'a': loft_sender_control(&r->t->sender, LOFT_ABORT);  break;

@@ -461,6 +461,7 @@
 #define loft_sender_control        LOFT_NAME(loft_sender_control)
 #define loft_sender_hangup         LOFT_NAME(loft_sender_hangup)
 #define loft_sender_init           LOFT_NAME(loft_sender_init)
+#define loft_sender_override       LOFT_NAME(loft_sender_override)
 #define loft_sender_poll           LOFT_NAME(loft_sender_poll)
 #define loft_sender_push           LOFT_NAME(loft_sender_push)
 #define loft_sender_silence        LOFT_NAME(loft_sender_silence)

@@ -218,8 +218,17 @@ case_hold_and_resume_by_key() {
     "$pty" type "1.2:h 2.2:r" "$loft" stream "$tmp/small.csv" --port "$tmp/keyed" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
     gone "$machine"
     tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
-    says screen 'held, r resumes'; says screen '%  [0-9]*:[0-9][0-9] left  feed  *60.0 mm/s  X'; says screen 'as commanded'
+    says screen 'held, r resumes'; says screen '%  [0-9]*:[0-9][0-9] left  feed  *[56][0-9]\.[0-9] mm/s  100 %  queue  *[0-9]*  X'; says screen 'as commanded'
     counted keyed; same_path keyed calm
+}
+case_override_by_key() {
+    undisturbed
+    machine hurried --speed real --once
+    "$pty" type "1.0:+ 1.3:+ 1.5:s 1.7:- 1.9:- 2.1:- 2.3:- 2.5:0" "$loft" stream "$tmp/small.csv" --port "$tmp/hurried" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    gone "$machine"
+    tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
+    says screen ' 120 %  queue'; says screen ' 80 %  queue'; says screen 'override 120 %, feed'; says screen 'as commanded'
+    counted hurried; same_path hurried calm
 }
 case_abort_by_key() {
     machine aborted --speed real --once

@@ -98,7 +98,7 @@ typedef struct {
     uint32_t queued, ended, stop_at, wake;
     uint32_t period;                /* ms per item; 0: at once */
     enum loft_refusal refuses;
-    uint32_t jobs, ends, holds, resumes, aborts, closes;        /* events */
+    uint32_t jobs, ends, holds, resumes, aborts, closes, overrides;        /* events */
     uint32_t told;                  /* highest limit that was sent */
     uint32_t delivered;             /* items, counted here and not by the receiver */
     uint32_t sloppy;                /* per million: forgets to drain a frame */
@@ -181,6 +181,10 @@ static inline void mill_act(mill *m, enum loft_event e, const loft_event_data *d
             m->now.state = LOFT_STATE_STOPPING;
             m->stop_at = now + 30;
         }
+        break;
+    case LOFT_EVENT_OVERRIDE:
+        m->overrides++;
+        m->now.override = data->percent;
         break;
     case LOFT_EVENT_CLOSE:
         m->closes++;

@@ -181,9 +181,11 @@ static void short_ones_come_back(arb *a)
     uint8_t wire[LOFT_FRAME_MAX];
     const uint8_t session = arb_u8(a);
     const uint32_t total = arb_u32(a);
-    loft_control m = { arb_u8(a), (uint8_t)(1 + arb_below(a, 4)) }, g;
+    loft_control m = { arb_u8(a), (uint8_t)(1 + arb_below(a, 5)), 0 }, g;
     uint32_t got;
 
+    if (m.verb == LOFT_OVERRIDE)
+        m.value = (uint8_t)(1 + arb_below(a, 200));
     size_t n = loft_end_encode(total, session, wire);
     CHECK(n == 12);
     loft_frame f = content(wire, n);
@@ -192,12 +194,15 @@ static void short_ones_come_back(arb *a)
     REFUSES_OTHER_LENGTHS(f, loft_end_decode(&f, &got), false);
 
     n = loft_control_encode(&m, session, wire);
-    CHECK(n == 10);
+    CHECK(n == 11);
     f = content(wire, n);
     IS(f, LOFT_CONTROL, LOFT_WIRE_VERSION, session);
-    CHECK(loft_control_decode(&f, &g) == LOFT_OK && g.number == m.number && g.verb == m.verb);
+    CHECK(loft_control_decode(&f, &g) == LOFT_OK && g.number == m.number && g.verb == m.verb && g.value == m.value);
     REFUSES_OTHER_LENGTHS(f, loft_control_decode(&f, &g), false);
-    f.byte[3] = (uint8_t)(arb_below(a, 2) ? 0 : 5 + arb_below(a, 251));
+    f.byte[4] = (uint8_t)(m.verb == LOFT_OVERRIDE ? arb_below(a, 2) ? 0 : 201 + arb_below(a, 55) : 1 + arb_below(a, 255));
+    CHECK(loft_control_decode(&f, &g) == LOFT_ERR_DATA);
+    f.byte[4] = m.value;
+    f.byte[3] = (uint8_t)(arb_below(a, 2) ? 0 : 6 + arb_below(a, 250));
     CHECK(loft_control_decode(&f, &g) == LOFT_ERR_DATA);
 
     n = loft_poll_encode(session, wire);
@@ -223,14 +228,15 @@ static void answers_come_back(arb *a)
 
     s.ack = m;
     s.ticks = arb_u32(a), s.elapsed = arb_u32(a), s.slowed = arb_u32(a), s.damaged = arb_u32(a), s.dropped = arb_u32(a);
+    s.override = arb_u8(a);
     arb_axes(a, s.position);
     n = loft_machine_status_encode(&s, session, wire);
-    CHECK(n == 44 + 4 * LOFT_AXES);
+    CHECK(n == 45 + 4 * LOFT_AXES);
     f = content(wire, n);
     IS(f, LOFT_STATUS, LOFT_WIRE_VERSION, session);
     CHECK(loft_machine_status_decode(&f, &t) == LOFT_OK && same_ack(&t.ack, &s.ack));
     CHECK(t.ticks == s.ticks && t.elapsed == s.elapsed && t.slowed == s.slowed);
-    CHECK(t.damaged == s.damaged && t.dropped == s.dropped && memcmp(t.position, s.position, sizeof t.position) == 0);
+    CHECK(t.damaged == s.damaged && t.dropped == s.dropped && t.override == s.override && memcmp(t.position, s.position, sizeof t.position) == 0);
     REFUSES_OTHER_LENGTHS(f, loft_machine_status_decode(&f, &t), false);
 }
 

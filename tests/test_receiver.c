@@ -34,7 +34,7 @@ static void a_message_works_once_and_in_its_place(arb *a)
     static mill m;
     uint8_t wire[LOFT_FRAME_MAX], data[LOFT_FRAME_MAX];
     loft_hello hello = { LOFT_WIRE_VERSION, LOFT_WIRE_VERSION, 1 };
-    loft_control control = { 1, LOFT_HOLD };
+    loft_control control = { 1, LOFT_HOLD, 0 };
     loft_job job = { 0 };
     loft_predictor p;
     loft_packer k;
@@ -234,6 +234,7 @@ static void answers_say_what_is(arb *a)
     m.now.slowed   = arb_below(a, 1 << 30);
     m.now.room     = (uint16_t)arb_below(a, 70);
     m.now.starved  = arb_below(a, 2) != 0;
+    m.now.override = (uint8_t)arb_below(a, 256);
     CHECK(give(&m, a, (const uint8_t *)"\x05\x05", 2) == 0);    /* noise, to be counted once it ends */
     mill_byte(&m, a, 0, 0);
     m.r.due = 0;
@@ -243,7 +244,7 @@ static void answers_say_what_is(arb *a)
     CHECK(all.types == TYPE(LOFT_STATUS));
     same_ack(&all.status.ack, &m, m.r.next);
     CHECK(all.status.ticks == m.now.ticks && all.status.elapsed == m.now.elapsed && all.status.slowed == m.now.slowed);
-    CHECK(all.status.damaged == 1 && all.status.dropped == 0);
+    CHECK(all.status.damaged == 1 && all.status.dropped == 0 && all.status.override == m.now.override);
     CHECK(memcmp(all.status.position, m.now.position, sizeof m.now.position) == 0);
 
     CHECK(give(&m, a, wire, loft_hello_encode(&hello, wire)) == 0);
@@ -275,7 +276,7 @@ static void silence_where_nothing_is_asked(arb *a)
     static const uint8_t noise[4] = { 5, 5, 5, 0 };
     static mill m;
     uint8_t wire[LOFT_FRAME_MAX], s;
-    loft_control control = { 128, LOFT_HOLD };
+    loft_control control = { 128, LOFT_HOLD, 0 };
     loft_job job;
     answers all;
 

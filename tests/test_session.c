@@ -443,6 +443,34 @@ static void controls_pass_a_full_window(arb *a)
     CHECK(w.m.holds == 1 && w.m.resumes == 1 && w.m.aborts == 0);
 }
 
+/* Also one that comes while a hold is on its way: both are obeyed, the override last asked for is what counts. */
+static void overrides_pass_a_full_window_and_replace_no_hold(arb *a)
+{
+    static world w;
+    world_init(&w, a, 16, 50, 300);
+    arb_faults(a, &w.faults);
+    for (int ms = 0; ms < 20000 && w.m.queued < 16 && !check_bad; ms++)
+        world_step(&w);
+    const uint8_t percent = (uint8_t)(1 + arb_below(a, 200));
+    for (uint32_t k = arb_below(a, 4); k > 0; k--) {
+        loft_sender_override(&w.s, 1 + arb_below(a, 200));
+        for (uint32_t ms = arb_below(a, 60); ms > 0; ms--)
+            world_step(&w);
+    }
+    const bool before = arb_below(a, 2);
+    if (before)
+        loft_sender_override(&w.s, percent);
+    loft_sender_control(&w.s, LOFT_HOLD);
+    if (!before)
+        loft_sender_override(&w.s, percent);
+    for (int ms = 0; ms < 20000 && (w.s.verb || w.s.percent || w.m.now.state != LOFT_STATE_HELD) && w.s.phase < LOFT_PHASE_CLOSING; ms++)
+        world_step(&w);
+    CHECK(w.m.now.state == LOFT_STATE_HELD && w.m.now.override == percent && w.m.overrides >= 1);
+    for (int ms = 0; ms < 5000 && w.s.status.override != percent; ms++)
+        world_step(&w);
+    CHECK(w.s.status.override == percent);
+}
+
 /* Any controls at any time over a bad line: the last one is what the machine does, and none is obeyed twice in a session. */
 static void the_last_control_counts(arb *a)
 {
@@ -590,6 +618,7 @@ int main(void)
     PROPERTY(an_unfit_machine_is_not_used, 30);
     PROPERTY(no_common_version_is_told, 5);
     PROPERTY(controls_pass_a_full_window, 10);
+    PROPERTY(overrides_pass_a_full_window_and_replace_no_hold, BY_NUM(100, 10, 10));
     PROPERTY(the_last_control_counts, BY_NUM(300, 20, 20));
     PROPERTY(an_aborted_job_ends_with_a_report, BY_NUM(500, 30, 30));
     PROPERTY(unknown_messages_are_skipped_and_counted, 10);

@@ -91,7 +91,7 @@ static size_t say_host(const loft_frame *f, uint8_t wire[])
         return loft_end_encode(total, session, wire);
     case LOFT_CONTROL:
         CHECK(loft_control_decode(f, &control) == LOFT_OK);
-        say("CONTROL session=%u number=%u verb=%u", session, control.number, control.verb);
+        say("CONTROL session=%u number=%u verb=%u value=%u", session, control.number, control.verb, control.value);
         return loft_control_encode(&control, session, wire);
     case LOFT_POLL:
         say("POLL session=%u", session);
@@ -134,8 +134,8 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
         CHECK(loft_machine_status_decode(f, &status) == LOFT_OK);
         say("STATUS session=%u", session);
         say_ack(&status.ack);
-        say(" ticks=%lu elapsed=%lu slowed=%lu damaged=%lu dropped=%lu", ul(status.ticks), ul(status.elapsed),
-            ul(status.slowed), ul(status.damaged), ul(status.dropped));
+        say(" ticks=%lu elapsed=%lu slowed=%lu damaged=%lu dropped=%lu override=%u", ul(status.ticks), ul(status.elapsed),
+            ul(status.slowed), ul(status.damaged), ul(status.dropped), status.override);
         say_axes("position", status.position);
         return loft_machine_status_encode(&status, session, wire);
     case LOFT_REPORT:

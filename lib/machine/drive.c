@@ -53,6 +53,7 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
     const uint32_t share = ((uint32_t)32 * (config->ramp + 1u) + config->cells - 1) / config->cells;
     d->share = (uint16_t)(share < UINT16_MAX ? share : UINT16_MAX);
     d->gain = (uint16_t)(UINT16_MAX / (config->ramp / 2u + config->ramp % 2u));
+    d->percent = 100;
     d->active = d->hold = d->abort = d->ended = 0;
     d->state = LOFT_STATE_IDLE;
     d->executed = d->ticks = d->slowed = d->elapsed = 0;

@@ -131,6 +131,7 @@ static loft_standing standing(loft_machine *m)
         now.position[i] = r.position[i];
     now.room = r.room;
     now.state = r.state;
+    now.override = m->drive.percent;
     now.starved = r.starved;
     if (plans(m))
         count_curves(m, &now);
@@ -182,6 +183,7 @@ void loft_machine_control(loft_machine *m, enum loft_verb verb)
     case LOFT_RESUME:   loft_drive_hold(&m->drive, false);  break;
     case LOFT_ABORT:    loft_drive_abort(&m->drive);        break;
     case LOFT_CLOSE:    loft_drive_close(&m->drive);        break;
+    case LOFT_OVERRIDE: break;              /* has a value: loft_machine_override */
     }
 }
 
@@ -195,6 +197,7 @@ static void act(loft_machine *m, enum loft_event event, const loft_event_data *w
     case LOFT_EVENT_HOLD:       loft_machine_control(m, LOFT_HOLD);     break;
     case LOFT_EVENT_RESUME:     loft_machine_control(m, LOFT_RESUME);   break;
     case LOFT_EVENT_ABORT:      loft_machine_control(m, LOFT_ABORT);    break;
+    case LOFT_EVENT_OVERRIDE:   loft_machine_override(m, what->percent); break;
     case LOFT_EVENT_CLOSE:      loft_machine_control(m, LOFT_CLOSE);    break;
     }
 }

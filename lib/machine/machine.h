@@ -68,6 +68,9 @@ bool loft_machine_plan(loft_machine *m);
 /* What a button on the machine does: as if the host had sent it. */
 void loft_machine_control(loft_machine *m, enum loft_verb verb);
 
+/* What a knob on the machine does: see loft_drive_override. */
+static inline void loft_machine_override(loft_machine *m, unsigned percent)   { loft_drive_override(&m->drive, percent); }
+
 
 // Interrupts
 // ----------

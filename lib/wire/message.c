@@ -192,6 +192,7 @@ size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[
     writer w = start(wire, LOFT_CONTROL, LOFT_WIRE_VERSION, session);
     put8(&w, m->number);
     put8(&w, m->verb);
+    put8(&w, m->value);
     return finish(&w);
 }
 
@@ -200,7 +201,8 @@ enum loft_status loft_control_decode(const loft_frame *f, loft_control *m)
     reader r = read_from(f);
     m->number = get8(&r);
     m->verb   = get8(&r);
-    return read_all(&r, m->verb >= LOFT_HOLD && m->verb <= LOFT_CLOSE);
+    m->value  = get8(&r);
+    return read_all(&r, m->verb == LOFT_OVERRIDE ? m->value >= 1 && m->value <= 200 : m->verb >= LOFT_HOLD && m->verb <= LOFT_CLOSE && m->value == 0);
 }
 
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
@@ -374,6 +376,7 @@ size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session,
     put32(&w, m->slowed);
     put32(&w, m->damaged);
     put32(&w, m->dropped);
+    put8(&w, m->override);
     put_axes(&w, m->position);
     return finish(&w);
 }
@@ -387,6 +390,7 @@ enum loft_status loft_machine_status_decode(const loft_frame *f, loft_machine_st
     m->slowed  = get32(&r);
     m->damaged = get32(&r);
     m->dropped = get32(&r);
+    m->override = get8(&r);
     get_axes(&r, m->position);
     return read_all(&r, sound);
 }

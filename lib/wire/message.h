@@ -67,7 +67,8 @@ enum loft_verb {
     LOFT_HOLD   = 1,        /* slow down on the path, stand still                               */
     LOFT_RESUME = 2,
     LOFT_ABORT  = 3,        /* slow down on the path, end the job                               */
-    LOFT_CLOSE  = 4         /* the report was read: forget the job                              */
+    LOFT_CLOSE  = 4,        /* the report was read: forget the job                              */
+    LOFT_OVERRIDE = 5       /* time runs at `value` percent of the plan                         */
 };
 
 typedef struct {
@@ -95,6 +96,7 @@ typedef struct {
 typedef struct {
     uint8_t number;                     /* counts up; the same number is obeyed once                */
     uint8_t verb;                       /* enum loft_verb                                           */
+    uint8_t value;                      /* of LOFT_OVERRIDE: 1..200; else 0                         */
 } loft_control;
 
 /* How far things are: part of every answer. */
@@ -141,6 +143,7 @@ typedef struct {
     uint32_t slowed;                    /* ticks that lasted longer because their steps did not fit */
     uint32_t damaged;                   /* frames that arrived damaged                              */
     uint32_t dropped;                   /* good frames not taken: repeated, early, unknown, stale   */
+    uint8_t  override;                  /* percent, as ordered                                      */
     int32_t  position[LOFT_AXES];       /* steps                                                    */
 } loft_machine_status;
 

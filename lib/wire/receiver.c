@@ -207,7 +207,7 @@ static enum loft_event take_end(loft_receiver *r)
 }
 
 /* Numbers count up, so that neither a repeated nor an overtaken control is obeyed. */
-static enum loft_event take_control(loft_receiver *r, const loft_standing *now)
+static enum loft_event take_control(loft_receiver *r, const loft_standing *now, loft_event_data *out)
 {
     loft_control m;
     if (loft_control_decode(&r->frame, &m) != LOFT_OK)
@@ -222,6 +222,9 @@ static enum loft_event take_control(loft_receiver *r, const loft_standing *now)
     case LOFT_HOLD:   return LOFT_EVENT_HOLD;
     case LOFT_RESUME: return LOFT_EVENT_RESUME;
     case LOFT_ABORT:  return LOFT_EVENT_ABORT;
+    case LOFT_OVERRIDE:
+        out->percent = m.value;
+        return LOFT_EVENT_OVERRIDE;
     default:
         if (!is_over(now->state))
             return LOFT_EVENT_NONE;
@@ -244,7 +247,7 @@ static enum loft_event take_frame(loft_receiver *r, const loft_standing *now, lo
     case LOFT_DATA_FINE:
     case LOFT_DATA_CURVES:  return take_data(r, now);
     case LOFT_END:          return take_end(r);
-    case LOFT_CONTROL:      return take_control(r, now);
+    case LOFT_CONTROL:      return take_control(r, now, out);
     case LOFT_POLL:
         r->due |= DUE_STATUS;
         if (is_over(now->state) && r->job)
@@ -335,6 +338,7 @@ static size_t give_status(loft_receiver *r, const loft_standing *now, uint8_t wi
     m.slowed  = now->slowed;
     m.damaged = r->damaged;
     m.dropped = r->dropped;
+    m.override = now->override;
     for (int i = 0; i < LOFT_AXES; i++)
         m.position[i] = now->position[i];
     r->due &= (uint8_t)~DUE_STATUS;

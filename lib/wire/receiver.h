@@ -45,6 +45,7 @@ typedef struct {
     int32_t  position[LOFT_AXES];       /* steps; only looked at by poll                            */
     uint16_t room;                      /* items of the job's kind that can be taken now            */
     uint8_t  state;                     /* enum loft_state                                          */
+    uint8_t  override;                  /* percent; only looked at by poll                          */
     bool     starved;
 } loft_standing;
 
@@ -57,12 +58,14 @@ enum loft_event {
     LOFT_EVENT_HOLD,
     LOFT_EVENT_RESUME,
     LOFT_EVENT_ABORT,
+    LOFT_EVENT_OVERRIDE,    /* `percent`                                                            */
     LOFT_EVENT_CLOSE        /* the host has the report: IDLE                                        */
 };
 
 typedef union {
     loft_job  job;
     loft_item item;
+    uint8_t   percent;
 } loft_event_data;
 
 /* Complete so that it can be static; the counters are yours to read, the other fields may change without notice. */

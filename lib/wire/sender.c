@@ -141,9 +141,19 @@ enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t
 static void control(loft_sender *s, enum loft_verb verb)
 {
     s->verb      = (uint8_t)verb;
+    s->value     = verb == LOFT_OVERRIDE ? s->percent : 0;
     s->verb_sent = false;
     s->attempts  = 0;
     s->number++;
+}
+
+void loft_sender_override(loft_sender *s, unsigned percent)
+{
+    if (s->phase == LOFT_PHASE_CLOSING || finished(s))
+        return;
+    s->percent = (uint8_t)(percent < 1 ? 1 : percent > 200 ? 200 : percent);
+    if (s->verb == 0 || s->verb == LOFT_OVERRIDE)
+        control(s, LOFT_OVERRIDE);
 }
 
 void loft_sender_control(loft_sender *s, enum loft_verb verb)
@@ -285,8 +295,12 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
         s->ack.limit = limit;
 
     if (s->verb_sent && m->control == s->number) {
+        if (s->verb == LOFT_OVERRIDE && s->value == s->percent)
+            s->percent = 0;
         s->verb = 0;
         s->verb_sent = false;
+        if (s->percent && s->phase != LOFT_PHASE_CLOSING)
+            control(s, LOFT_OVERRIDE);
     }
     if (streaming) {
         take_progress(s, now);
@@ -475,6 +489,7 @@ static size_t give_control(loft_sender *s, uint32_t now, uint8_t wire[])
     loft_control m;
     m.number = s->number;
     m.verb   = s->verb;
+    m.value  = s->value;
     s->verb_sent = true;
     s->verb_time = now;
     s->attempts++;

@@ -63,7 +63,8 @@ typedef struct {
     struct { uint32_t end, time; bool again; } flight[LOFT_SENDER_WINDOW];
     uint8_t     flights, first, window;     /* frames on their way; the slot of the oldest; as many may be     */
     uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come                     */
-    uint8_t     verb, number;               /* CONTROL waiting for its acknowledgement                          */
+    uint8_t     verb, value, number;        /* CONTROL waiting for its acknowledgement                          */
+    uint8_t     percent;                    /* override that was not acknowledged; 0: none                      */
     uint8_t     frame_size;                 /* the longest frame for now: shorter ones survive more damage      */
     uint8_t     attempts;                   /* of CONTROL                                                       */
     bool        greeted;                    /* WELCOME has come, AXIS may be missing                            */
@@ -91,6 +92,9 @@ enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t
 /* Hold, resume or abort (not LOFT_CLOSE), at any time after the welcome, also with a full window, also when BUSY.
  * The latest counts. After an abort no more items are sent and the phase becomes ABORTED. */
 void loft_sender_control(loft_sender *s, enum loft_verb verb);
+
+/* Let time run at `percent` of the plan, 1..200, from now on until the job ends; when another control is on its way, after it. */
+void loft_sender_override(loft_sender *s, unsigned percent);
 
 /* Take one byte from the line. Gives true when `phase`, `ack`, `status` or `report` may have changed. */
 bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms);
