@@ -61,7 +61,7 @@ int main(void)
         }
         sent += loft_port_write(wire + sent, count - sent);
         watch_switches(every);
-        if (came == 0 && sent == count)
+        if (!loft_machine_plan(&machine) && came == 0 && sent == count)
             loft_port_wait();
     }
 }

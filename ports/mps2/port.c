@@ -19,6 +19,7 @@
 #define STEPS   0x07u
 #define DIR_AT  3
 #define CELLS   1024
+#include "plans.h"
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
 #define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000), 20000 }
@@ -35,6 +36,7 @@ loft_machine_config *loft_port_init(void)
     REG(MPS2_GPIO0 + 0x10) = STEPS | STEPS << DIR_AT;   /* OUTENSET                  */
     REG(MPS2_UART0 + 0x10) = MPS2_CLOCK / LOFT_BAUD;    /* BAUDDIV, at least 16      */
     REG(MPS2_UART0 + 0x08) = 1 << 3 | 1 << 1 | 1 << 0;  /* both ways, with interrupt */
+    loft_port_plans(&config);
     return &config;
 }
 

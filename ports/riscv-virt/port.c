@@ -21,6 +21,7 @@
 #define TIME_HZ 10000000u
 
 #define CELLS   1024
+#include "plans.h"
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
 #define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000), 20000 }
@@ -111,6 +112,7 @@ loft_machine_config *loft_port_init(void)
     REG(PLIC + 4 * LINE_IRQ) = 1;
     REG(PLIC + 0x2000) = 1u << LINE_IRQ;
     REG(PLIC + 0x200000) = 0;
+    loft_port_plans(&config);
     return &config;
 }
 

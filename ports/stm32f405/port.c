@@ -30,6 +30,7 @@
 #define STEPS   0x07u
 #define DIR_AT  3
 #define CELLS   1024
+#include "plans.h"
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
 #define AXIS { LOFT_RAW(250), LOFT_RAW(400), LOFT_RAW(2000), 40000 }
@@ -82,6 +83,7 @@ loft_machine_config *loft_port_init(void)
     REG(GPIOC + 0x0C) = (REG(GPIOC + 0x0C) & ~0x00000FFFu) | 0x00000555u;   /* PUPDR: 0..5 up           */
     REG(USART1 + 0x08) = (CORE / 2 + LOFT_BAUD / 2) / LOFT_BAUD;
     REG(USART1 + 0x0C) = 1 << 13 | 1 << 5 | 1 << 3 | 1 << 2;            /* on, receive with interrupt   */
+    loft_port_plans(&config);
     return &config;
 }
 

@@ -11,7 +11,7 @@ tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
 row() {         # row NAME VALUE WANTED
     local verdict=FAIL
     [ -n "$2" ] && [ "$2" = "$3" ] && verdict="ok  "
-    printf '%s %-60s %s\n' "$verdict" "$1" "$2$([ "$2" = "$3" ] || echo " (wanted $3)")"
+    printf '%s %-74s %s\n' "$verdict" "$1" "$2$([ "$2" = "$3" ] || echo " (wanted $3)")"
 }
 
 # what each axis does, step by step, whatever the time between; the sum of each
@@ -23,10 +23,10 @@ path_of() {
 # told OUTPUT: the position that the command reports
 told() { sed -n 's/.*steps \(-*[0-9]* -*[0-9]* -*[0-9]*\).*as commanded.*/\1/p' "$1" | head -1; }
 
-# board NAME QEMU MACHINE SHIFT "MACHINE'S NUMBERS": a drawing here and there
+# board NAME QEMU MACHINE SHIFT "MACHINE'S NUMBERS" HOW..: a drawing here and there, planned by the host or the chip
 board() {
-    local name=$1 qemu=$2 machine=$3 shift=$4 numbers=$5 elf=$firmware/$1/loft.elf extra=() code
-    local at=$tmp/$name log=$tmp/$name/log
+    local name=$1 qemu=$2 machine=$3 shift=$4 numbers=$5 plan=$6 elf=$firmware/$1/loft.elf extra=() code
+    local at=$tmp/$name-$plan log=$tmp/$name-$plan/log what="$1, planned on the $6"
     mkdir "$at"
     case $name in
     nrf51)      extra=(-trace nrf51_gpio_write -D "$log") ;;
@@ -37,30 +37,32 @@ board() {
     # shellcheck disable=SC2086
     "$loft" simulate --link "$at/here" --record "$at/here.csv" --once --quiet $numbers >"$at/said" & local here=$!
     for _ in $(seq 100); do [ -e "$at/here" ] && break; sleep 0.02; done
-    timeout 40 "$loft" stream "$drawing" --feed $feed --port "$at/here" >"$at/planned" 2>&1; wait $here
+    timeout 40 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "$at/here" >"$at/planned" 2>&1; wait $here
     timeout 100 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" -icount "shift=$shift,sleep=off" "${extra[@]}" \
         -chardev "socket,id=s0,path=$at/sock,server=on,wait=on" -serial chardev:s0 >"$at/qemu" 2>&1 & local child=$!
     for _ in $(seq 250); do [ -e "$at/sock" ] && break; sleep 0.02; done
-    timeout 60 "$loft" stream "$drawing" --feed $feed --port "unix:$at/sock" >"$at/out" 2>"$at/err" </dev/null; code=$?
+    timeout 60 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$at/sock" >"$at/out" 2>"$at/err" </dev/null; code=$?
     kill $child; wait $child 2>/dev/null
     [ $code = 0 ] || sed 's/^/     /' "$at/err" "$at/qemu"
     python3 tests/target/pins.py "$name" "$log" > "$at/csv"
 
-    row "$name: the command ends well"                      "$code" 0
-    row "$name: steps told and steps counted at the pins"   "$(tail -1 "$at/csv" | awk -F, '{ print $2, $3, $4 }')" "$(told "$at/out")"
-    row "$name: every axis steps as on the simulated machine" "$(path_of "$at/csv")" "$(path_of "$at/here.csv")"
-    row "$name: frames sent twice"                          "$(sed -n 's/.* \([0-9]*\) of [0-9]* frames resent.*/\1/p' "$at/out" "$at/err")" 0
+    row "$what: the command ends well"                          "$code" 0
+    row "$what: steps told and steps counted at the pins"       "$(tail -1 "$at/csv" | awk -F, '{ print $2, $3, $4 }')" "$(told "$at/out")"
+    row "$what: every axis steps as on the simulated machine"   "$(path_of "$at/csv")" "$(path_of "$at/here.csv")"
+    row "$what: frames sent twice"                              "$(sed -n 's/.* \([0-9]*\) of [0-9]* frames resent.*/\1/p' "$at/out" "$at/err")" 0
 }
 
 for tool in qemu-system-arm qemu-system-riscv32 python3; do
     command -v $tool >/dev/null || { echo "$tool is missing: make deps-target"; echo "0 passed, 1 failed"; exit 1; }
 done
+f405="--steps 250 --max-speed 400 --accel 2000 --slots 100 --queue 1024 --ramp 200"
 mps2="--steps 250 --max-speed 160 --accel 1000 --slots 40 --queue 1024 --ramp 160"
-(   board stm32f405   qemu-system-arm     netduinoplus2 3 "--steps 250 --max-speed 400 --accel 2000 --slots 100 --queue 1024 --ramp 200"
-    board nrf51       qemu-system-arm     microbit      6 "--steps 250 --max-speed 80 --accel 500 --slots 20 --queue 160 --ramp 80"
-    board riscv-virt  qemu-system-riscv32 virt          3 "$mps2"
+(   board stm32f405   qemu-system-arm     netduinoplus2 3 "$f405" host
+    board nrf51       qemu-system-arm     microbit      6 "--steps 250 --max-speed 80 --accel 500 --slots 20 --queue 160 --ramp 80" host
+    board stm32f405   qemu-system-arm     netduinoplus2 3 "$f405" chip
+    board riscv-virt  qemu-system-riscv32 virt          3 "$mps2" host
 ) > "$tmp/result2" & other=$!
-for m in mps2-an385 mps2-an386 mps2-an500 mps2-an505; do board $m qemu-system-arm $m 5 "$mps2"; done | tee "$tmp/result"
+for m in mps2-an385 mps2-an386 mps2-an500 mps2-an505; do board $m qemu-system-arm $m 5 "$mps2" host; done | tee "$tmp/result"
 wait $other
 cat "$tmp/result2"
 

@@ -1,0 +1,28 @@
+/* ports/plans.h -- what a board needs to plan by itself: the planner and its memory, for LOFT_PORT_CURVES curves
+ * SPDX-License-Identifier: MIT
+ *
+ * Include it behind `CELLS`, the size of the queue, and call loft_port_plans before the configuration is given away.
+ * Half of the curves must be longer than the way to stop. Cost: about 0.6 kB of RAM for each, and 35 kB of flash.
+ */
+#ifndef LOFT_PLANS_H
+#define LOFT_PLANS_H
+
+#include "machine/machine.h"    /* loft_machine_config */
+
+#ifndef LOFT_PORT_CURVES
+#  define LOFT_PORT_CURVES 64
+#endif
+
+static void loft_port_plans(loft_machine_config *config)
+{
+    static loft_planner planner;
+    static loft_move moves[LOFT_PORT_CURVES];
+    static loft_plan_piece pieces[LOFT_PORT_CURVES * LOFT_PLAN_PIECES];
+    static uint16_t passed[CELLS + LOFT_PLANNER_AHEAD];
+
+    config->planner = &planner;
+    config->plan = (loft_planner_memory){ .moves = moves, .pieces = pieces, .passed = passed, .move_room = LOFT_PORT_CURVES,
+                                          .piece_room = LOFT_PORT_CURVES * LOFT_PLAN_PIECES };
+}
+
+#endif
