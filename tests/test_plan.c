@@ -170,15 +170,14 @@ static void spans_of_any_chain_connect_from_rest_to_rest(arb *a)
         check_connected();
 }
 
-/* With corner = 0 no corner is exempt: cusps, joints, reversals, specks. 3 % is reached where the path rests in a point
- * of endless curvature; everywhere else it is 0.05 %. */
+/* With corner = 0 no corner is exempt: cusps, joints, reversals, specks. */
 static void acceleration_is_never_exceeded(arb *a)
 {
     arb_limits(a);
     limits.corner = 0;
     arb_chain(a);
     if (plan_all())
-        CHECK_NEAR(fmax(1, accel_excess()), 1, 0.03);
+        CHECK_NEAR(fmax(1, accel_excess()), 1, 0.01);
 }
 
 /* Tangents agree at the joints, to rounding. */
@@ -204,7 +203,7 @@ static void smooth_chains_hold_all_limits_whatever_the_corner(arb *a)
         return;
     check_connected();
     CHECK_NEAR(fmax(1, accel_excess()), 1, 0.0005);
-    CHECK_NEAR(fmax(1, speed_excess(feed)), 1, 0.01);
+    CHECK_NEAR(fmax(1, speed_excess(feed)), 1, 0.001);
     CHECK_NEAR(path_excess(&gone), 0, 1);
     CHECK_NEAR(gone, track.length, 0.001 * track.length + 1);
 }
@@ -230,7 +229,7 @@ static void speed_is_never_exceeded(arb *a)
     for (unsigned c = 0; c < curves; c++)
         chain[c].feed = chain[0].feed;
     if (plan_all())
-        CHECK_NEAR(fmax(1, speed_excess(arb_value(chain[0].feed))), 1, 0.01);
+        CHECK_NEAR(fmax(1, speed_excess(arb_value(chain[0].feed))), 1, 0.001);
 }
 
 static void arb_jerk(arb *a)
@@ -240,15 +239,15 @@ static void arb_jerk(arb *a)
         limits.max_jerk[i] = (uint32_t)(ratio * arb_value(limits.max_accel[i]));
 }
 
-static void check_limits(double feed, double jerk)
+static void check_limits(double feed)
 {
     double gone;
     check_connected();
-    CHECK_NEAR(fmax(1, speed_excess(feed)), 1, 0.005);
+    CHECK_NEAR(fmax(1, speed_excess(feed)), 1, 0.001);
     CHECK_NEAR(fmax(1, accel_excess()), 1, 0.01);
     CHECK_NEAR(path_excess(&gone), 0, 1);
     if (limits.max_jerk[0] > 0) {
-        CHECK_NEAR(fmax(1, jerk_excess()), 1, jerk);
+        CHECK_NEAR(fmax(1, jerk_excess()), 1, 0.02);
         CHECK_NEAR(accel_jump(), 0, 0.01);
     }
 }
@@ -261,7 +260,7 @@ static void any_chain_keeps_all_limits_where_jerk_is_limited(arb *a)
     for (unsigned c = 0; c < curves; c++)
         chain[c].feed = chain[0].feed;
     if (plan_all())
-        check_limits(arb_value(chain[0].feed), 0.02);
+        check_limits(arb_value(chain[0].feed));
 }
 
 static void smooth_chains_keep_all_limits_where_jerk_is_limited(arb *a)
@@ -270,7 +269,7 @@ static void smooth_chains_keep_all_limits_where_jerk_is_limited(arb *a)
     arb_jerk(a);
     const double feed = arb_smooth_chain(a);
     if (plan_all())
-        check_limits(feed, 0.02);
+        check_limits(feed);
 }
 
 /* Rings of a few curves and pieces, curves that come one by one or late, spans taken early. */
@@ -282,7 +281,7 @@ static void however_curves_arrive_all_limits_are_kept(arb *a)
         arb_jerk(a);
     const double feed = arb_smooth_chain(a);
     if (plan_in((uint16_t)(1 + arb_below(a, 4)), (uint16_t)(3 + arb_below(a, 40)), a))
-        check_limits(feed, 0.05);
+        check_limits(feed);
 }
 
 /* As if all of it were known: spans are given only when what comes later cannot change them. */
@@ -422,6 +421,21 @@ static void the_outline_takes_the_time_it_should(arb *a)
     }
 }
 
+/* Curvature jumps by 0.08 per mm at six joints of the outline. Least times by linear programs (topp_jerk.py), which know
+ * nothing of those jumps: 2.767 s. */
+static void the_outline_takes_little_more_where_jerk_is_limited(arb *a)
+{
+    (void)a;
+    usual_limits();
+    for (int i = 0; i < LOFT_AXES; i++)
+        limits.max_jerk[i] = 10000;
+    load_outline(50);
+    if (!plan_all())
+        return;
+    CHECK(seconds() <= 2.767 * 1.08);
+    check_limits(arb_value(chain[0].feed));
+}
+
 
 /* Refusals
  * -------- */
@@ -512,19 +526,20 @@ static void a_point_needs_no_spans(arb *a)
 
 int main(void)
 {
-    PROPERTY(spans_of_any_chain_connect_from_rest_to_rest,         40);
-    PROPERTY(acceleration_is_never_exceeded,                       100);
-    PROPERTY(speed_is_never_exceeded,                              40);
-    PROPERTY(the_path_is_kept_within_the_tolerance,                30);
-    PROPERTY(smooth_chains_hold_all_limits_whatever_the_corner,    30);
-    PROPERTY(any_chain_keeps_all_limits_where_jerk_is_limited,     30);
-    PROPERTY(smooth_chains_keep_all_limits_where_jerk_is_limited,  20);
-    PROPERTY(however_curves_arrive_all_limits_are_kept,            30);
-    PROPERTY(a_ring_that_sees_far_enough_costs_no_time,            20);
-    PROPERTY(a_line_takes_the_time_of_a_trapezoid,              100);
-    PROPERTY(cutting_a_curve_in_two_costs_no_time,                 15);
-    PROPERTY(the_way_back_takes_the_same_time,                     15);
+    PROPERTY(spans_of_any_chain_connect_from_rest_to_rest,         10);
+    PROPERTY(acceleration_is_never_exceeded,                       40);
+    PROPERTY(speed_is_never_exceeded,                              20);
+    PROPERTY(the_path_is_kept_within_the_tolerance,                15);
+    PROPERTY(smooth_chains_hold_all_limits_whatever_the_corner,    12);
+    PROPERTY(any_chain_keeps_all_limits_where_jerk_is_limited,     15);
+    PROPERTY(smooth_chains_keep_all_limits_where_jerk_is_limited,  10);
+    PROPERTY(however_curves_arrive_all_limits_are_kept,            15);
+    PROPERTY(a_ring_that_sees_far_enough_costs_no_time,            8);
+    PROPERTY(a_line_takes_the_time_of_a_trapezoid,              40);
+    PROPERTY(cutting_a_curve_in_two_costs_no_time,                 5);
+    PROPERTY(the_way_back_takes_the_same_time,                     5);
     PROPERTY(the_outline_takes_the_time_it_should,                1);
+    PROPERTY(the_outline_takes_little_more_where_jerk_is_limited, 1);
     PROPERTY(impossible_limits_are_refused,                       1);
     PROPERTY(impossible_chains_are_refused,                      50);
     PROPERTY(a_point_needs_no_spans,                             10);

@@ -79,13 +79,13 @@ void loft_plan_end(loft_plan *plan);
 
 /* The next span.
  *
- *   shape   each span begins exactly where the one before ended, with its velocity (and, where jerk is limited, its acceleration);
- *           the first begins on the first control point, at rest
+ *   shape   each span begins exactly where the one before ended, with its velocity (and, where jerk is limited, its
+ *           acceleration); the first begins on the first control point, at rest
  *   error   path: within limits.tol (f32: plus half an ulp of the coordinate)
- *           speed along the path and per axis: 0.5 % and 0.001 mm/s above the limit
- *           acceleration per axis: 1 % (3 % where the path rests in a point of endless curvature), but, jerk not limited, where a corner may be passed faster (limits.corner > 0):
- *           there the change of velocity takes two beats, of 2 ms or one tick
- *           jerk per axis: 2 %; 5 % beside a place where it had to stop as no more was known
+ *           speed along the path and per axis: 0.1 % and 0.001 mm/s above the limit
+ *           acceleration per axis: 1 %, but, jerk not limited, where a corner may be passed faster (limits.corner > 0):
+ *           there the change of velocity takes two beats, of 2 ms or one tick, as a deviation at a junction means
+ *           jerk per axis: 2 %; f64: more where the path has features of less than 0.001 mm
  *           Rounding the control points adds 3 grains / duration of the span to the speed, 12 grains / duration^2 to the
  *           acceleration and 24 grains / duration^3 to the jerk, half a grain being 2^-17 mm in q16 and 1/2 ulp in f32
  *   cost    on a PC about 0.3 us per millisecond of motion
