@@ -510,6 +510,21 @@ case_surfaces_are_evaluated() {
     one_line 65 'far.loft:1: tensor: ' "$loft" eval "$tmp/far.loft"
     run 0 "$loft" eval --num f32 "$tmp/far.loft"
 }
+case_surfaces_with_n_sides_are_used() {
+    local sided=tests/drawings/sided.loft
+    for num in q16 f32 f64; do
+        run 0 "$loft" eval --num $num "$sided"
+        [ "$(grep -c . "$tmp/out")" = 6 ] || job_fails "$(cat "$tmp/out")"
+        run 0 "$loft" sample --num $num --n 2 "$sided"
+        [ "$(grep -c . "$tmp/out")" = $((9 * (5 + 6 + 6 + 5 + 6 + 7))) ] || job_fails "$(grep -c . "$tmp/out") points in $num"
+        run 0 "$loft" surface --num $num --n 8 -o "$tmp/sided.stl" "$sided"; says out ': 6 surfaces, [0-9]* triangles$'
+    done
+    run 0 "$loft" plot "$sided" --control --heights 4,8 -o "$tmp/sided.svg";      says out 'sided.svg: 6 surfaces$'
+    run 0 "$loft" plot "$sided" --curvature gauss --contours 5 -o "$tmp/sided.pdf"; says out 'sided.pdf: 6 surfaces$'
+    one_line 65 'u, v = 2, 0'           "$loft" eval --uv 2,0 "$sided"
+    one_line 64 'for surfaces'          "$loft" plot --contours 5 tests/drawings/curves.loft
+    one_line 65 'n.loft:2: not a point' sh -c "printf 'gb 5 3\n1 x\n' >'$tmp/n.loft'; '$loft' eval '$tmp/n.loft'"
+}
 # A reader of its own: sizes, indices, unit normals on the right side, and the area and volume of a sphere.
 case_meshes_are_read_back() {
     printf 'sphere 20\n1 2 3\n' >"$tmp/ball.loft"
