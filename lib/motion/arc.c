@@ -144,13 +144,15 @@ static bool straight_speck(loft_acc leg[3][LOFT_AXES], const loft_acc chord[LOFT
     return true;
 }
 
-static void set_rate(const loft_arc *a, int k, loft_acc d[LOFT_AXES])
+/* The derivative and its size. */
+static loft_acc set_rate(const loft_arc *a, int k, loft_acc d[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         d[i] = a->c[1][i];
         for (int n = 0; n < k; n++)
             d[i] += a->c[2][i] + loft_acc_scale(a->c[3][i], k == 1 ? LOFT_UNIT(0.75) : LOFT_UNIT(1.5));
     }
+    return loft_acc_hypot(d, LOFT_AXES);
 }
 
 /* x + v (a (1 - x) + b x + c v), v = x (1 - x): a polynomial with the right ends. */
@@ -162,13 +164,13 @@ static loft_acc bent(loft_unit x, const loft_unit at[3])
     return loft_unit_wide(x) + loft_acc_scale(sum, loft_unit_round(v));
 }
 
-/* Where the rate is the parabola through its three values the part w = s / length of the length ends at the parameter t with
+/* Where the rate is the parabola through its values r0, .. r1 the part w = s / length of the length ends at the parameter t with
  *
- *     w = t + v (h0 (1 - t) + h1 t)           h0 = rate[0] / length - 1,  h1 = 1 - rate[2] / length
+ *     w = t + v (h0 (1 - t) + h1 t)           h0 = r0 / length - 1,  h1 = 1 - r1 / length
  *
  * Its inverse is close to
  *
- *     t = w + v (g0 (1 - w) + g1 w + g2 v)    g0 = length / rate[0] - 1,  g1 = 1 - length / rate[2]
+ *     t = w + v (g0 (1 - w) + g1 w + g2 v)    g0 = length / r0 - 1,  g1 = 1 - length / r1
  *
  * with g2 such that it is right where t = 1/2: there w is half to within 1/32, so v^2 is taken as 1/16. It errs by at most
  * 2^-12, which one step with the slope 1 instead of the right one, between 7/8 and 9/8, makes 2^-15. */
@@ -182,18 +184,16 @@ static loft_unit parameter_at(const loft_arc *arc, loft_acc s)
 /* Simpson's rule. Only dust rounds to nothing. */
 static void set_length(loft_arc *a)
 {
-    loft_acc d[LOFT_AXES];
+    loft_acc d[LOFT_AXES], rate[3];
 
-    for (int k = 0; k < 3; k++) {
-        set_rate(a, k, d);
-        a->rate[k] = loft_acc_hypot(d, LOFT_AXES);
-    }
-    a->length = a->rate[0] > 0 && a->rate[2] > 0 ? loft_acc_ratio(a->rate[0] + 4 * a->rate[1] + a->rate[2], 6) : 0;
+    for (int k = 0; k < 3; k++)
+        rate[k] = set_rate(a, k, d);
+    a->length = rate[0] > 0 && rate[2] > 0 ? loft_acc_ratio(rate[0] + 4 * rate[1] + rate[2], 6) : 0;
     if (!(a->length > 0))
         return;
     for (int k = 0; k < 2; k++) {
-        const loft_unit slope = loft_unit_ratio(a->rate[2 * k], a->length) - LOFT_UNIT(1);
-        const loft_unit inverse = loft_unit_ratio(a->length, a->rate[2 * k]) - LOFT_UNIT(1);
+        const loft_unit slope = loft_unit_ratio(rate[2 * k], a->length) - LOFT_UNIT(1);
+        const loft_unit inverse = loft_unit_ratio(a->length, rate[2 * k]) - LOFT_UNIT(1);
         a->behind[k] = k == 0 ? slope : -slope;
         a->ahead[k]  = k == 0 ? inverse : -inverse;
     }
@@ -264,13 +264,13 @@ static void set_station(const loft_arc *a, int k, loft_vec *u, loft_vec *bend)
 {
     loft_acc v[LOFT_AXES];
 
-    set_rate(a, k, v);
-    set_direction(v, a->rate[k], u);
+    const loft_acc rate = set_rate(a, k, v);
+    set_direction(v, rate, u);
     for (int i = 0; i < LOFT_AXES; i++)
         v[i] = 2 * a->c[2][i] + 3 * k * a->c[3][i];
     (void)take_along(v, u);
     for (int i = 0; i < LOFT_AXES; i++)
-        bend->axis[i] = curvature(v[i], a->rate[k]);
+        bend->axis[i] = curvature(v[i], rate);
 }
 
 void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape)

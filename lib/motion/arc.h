@@ -14,7 +14,6 @@
 typedef struct {
     loft_acc  c[4][LOFT_AXES];  /* coefficients of the parameter's powers                            */
     loft_acc  length;           /* mm                                                                */
-    loft_acc  rate[3];          /* |derivative| at the start, the middle and the end                 */
     loft_unit ahead[3], behind[3];  /* how the parameter depends on the length, and the length on it */
     bool      speck;            /* straight but not even: at most 2^-16 mm                           */
     bool      dust;             /* too small to have a direction: at most 2^-18 mm                   */

@@ -75,7 +75,7 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft
     plan->begun = plan->cut = false;
     plan->eased.width = 0;
     plan->past = 0;
-    for (int i = 0; i < LOFT_AXES; i++) {
+    for (int i = 0; i < LOFT_PLAN_TESTED; i++) {
         plan->speed[i]  = loft_budget_beat(&b, limits->max_speed[i]);
         plan->accel[i]  = loft_acc_scale(loft_budget_beat(&b, limits->max_accel[i]), b.pulse);
         plan->jerk[i]   = loft_acc_scale(loft_budget_beat(&b, b.gain[i]), b.pulse);
@@ -198,6 +198,8 @@ static enum loft_law_state fill(loft_plan *plan)
 /* Spans
  * ----- */
 
+static loft_acc lasting(loft_acc v, unsigned m) { return LOFT_PLAN_WINDOW == 4 ? v : v * (int32_t)m; }
+
 /* The Hermite interpolant over m beats; q16: m <= 125 beats of at most 2^15 mm / 125. */
 static void interpolate(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
 {
@@ -207,8 +209,8 @@ static void interpolate(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AX
     for (int i = 0; i < LOFT_AXES; i++) {
         p[0][i] = b[i] + loft_acc_scale(a[i] - 2 * b[i] + c[i], SIXTH);
         p[3][i] = e[i] + loft_acc_scale(d[i] - 2 * e[i] + f[i], SIXTH);
-        p[1][i] = p[0][i] + loft_acc_scale((c[i] - a[i]) * (int32_t)m, SIXTH);
-        p[2][i] = p[3][i] - loft_acc_scale((f[i] - d[i]) * (int32_t)m, SIXTH);
+        p[1][i] = p[0][i] + loft_acc_scale(lasting(c[i] - a[i], m), SIXTH);
+        p[2][i] = p[3][i] - loft_acc_scale(lasting(f[i] - d[i], m), SIXTH);
     }
 }
 

@@ -31,6 +31,8 @@
 #  define LOFT_PLAN_WINDOW 64
 #endif
 
+#define LOFT_PLAN_TESTED (LOFT_PLAN_WINDOW > 4 ? LOFT_AXES : 1)     /* axes of which spans are tested */
+
 /* Pieces that a curve of a drawing usually needs. */
 #define LOFT_PLAN_PIECES 8
 
@@ -44,7 +46,7 @@ typedef struct {
     bool     begun;
     loft_acc sample[LOFT_PLAN_WINDOW][LOFT_AXES];       /* a ring of control points, one per beat     */
     uint16_t behind[LOFT_PLAN_WINDOW];                  /* curves that each of them has left behind       */
-    loft_acc speed[LOFT_AXES], accel[LOFT_AXES], jerk[LOFT_AXES];   /* limits per beat, beat^2, beat^3 */
+    loft_acc speed[LOFT_PLAN_TESTED], accel[LOFT_PLAN_TESTED], jerk[LOFT_PLAN_TESTED];  /* limits per beat, beat^2, beat^3 */
     loft_vec at;                                        /* the end of the last span                   */
     loft_ease eased;                                    /* the last joint that was, and               */
     loft_acc past;                                      /* how far behind it the samples are          */

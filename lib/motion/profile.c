@@ -173,7 +173,7 @@ static loft_real accel_grip(const loft_budget *b, const loft_arc_shape *s, loft_
 static loft_acc set_knee(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real bound[2], int knee, bool fore)
 {
     bound[0] = accel_grip(b, s, loft_prod(p->cap, p->cap) / 16 * knee, fore);
-    return loft_wide(p->rest) / 16 * knee + loft_wide(bound[0]) + loft_wide(bound[1]) / 16 * (16 - knee);
+    return LOFT_PLAN_KNEE > 0 ? loft_wide(p->rest) / 16 * knee + loft_wide(bound[0]) + loft_wide(bound[1]) / 16 * (16 - knee) : 0;
 }
 
 /* What they enclose is concave in the knee's place. */
@@ -341,7 +341,7 @@ void loft_ease_point(const loft_ease *e, loft_acc off, loft_acc point[LOFT_AXES]
         return;
     const loft_unit z = loft_unit_ratio(s, w), r = LOFT_UNIT(1) - z;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc d = loft_acc_scale(loft_acc_scale(loft_wide(e->jump.axis[i]), e->width), e->width);
+        const loft_acc d = loft_acc_scale(loft_acc_scale(loft_wide(e->jump[i]), e->width), e->width);
         const loft_acc g = loft_acc_ratio(loft_acc_scale(loft_acc_scale(loft_acc_scale(loft_acc_scale(d, r), r), r), z), 12);
         point[i] += off < 0 ? -g : g;
     }
@@ -354,8 +354,8 @@ static loft_way ease_way(const loft_plan_piece *p, const loft_budget *b)
     loft_arc_shape s = { .tight = false };
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        s.bend[1].axis[i] = p->ease.jump.axis[i] / 4 * 3;
-        s.bend[2].axis[i] = p->ease.jump.axis[i] / 2 * 3;
+        s.bend[1].axis[i] = p->ease.jump[i] / 4 * 3;
+        s.bend[2].axis[i] = p->ease.jump[i] / 2 * 3;
     }
     ramp.cap = twist_cap(&ramp, b, &s, p->cap);
     return loft_profile_way(&ramp, b, &s, 0);
@@ -406,7 +406,7 @@ static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *befo
     const loft_acc jump = loft_vec_distance(before->bend, after->bend);
 
     for (int i = 0; i < LOFT_AXES; i++)
-        p->ease.jump.axis[i] = after->bend.axis[i] - before->bend.axis[i];
+        p->ease.jump[i] = after->bend.axis[i] - before->bend.axis[i];
     p->ease.width = ease_width(b, jump, spacing);
     if (p->ease.width > 0)
         j.ease = ease_way(p, b);

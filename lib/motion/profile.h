@@ -15,7 +15,7 @@
 /* Where curvature jumps by `jump` (1/mm), the path is moved aside up to `width` mm before and behind that place; 0: not. */
 typedef struct {
     loft_unit width;
-    loft_vec  jump;
+    loft_real jump[LOFT_PLAN_FILTER > 1 ? LOFT_AXES : 1];   /* not used where jerk cannot be limited */
 } loft_ease;
 
 /* How far the knee of a piece's bounds is looked for, 0..4; 0: it is at 3/4 of the cap's square. That costs a quarter of the time to
