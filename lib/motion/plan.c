@@ -164,6 +164,7 @@ static void push_place(loft_plan *plan)
             plan->past  = 0;
         }
         push(plan, plan->arc.c[0]);
+        plan->cut = false;      /* the next piece begins at the same parameter */
     }
 }
 
