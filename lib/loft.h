@@ -101,6 +101,7 @@
 #include "polygon/toric.h"
 #include "polygon/wachspress.h"
 #include "motion/plan.h"
+#include "motion/kinematics.h"
 #include "motion/span.h"
 #include "motion/pace.h"
 #include "motion/step.h"
