@@ -423,13 +423,13 @@ static void a_machine_without_a_planner_is_sent_no_curves(arb *a)
 
 int main(void)
 {
-    PROPERTY(curves_are_told_when_they_are_behind,          20);
-    PROPERTY(the_spans_are_those_of_the_plan,               15);
+    PROPERTY(curves_are_told_when_they_are_behind,           8);
+    PROPERTY(the_spans_are_those_of_the_plan,                6);
     PROPERTY(the_lower_limit_holds,                          4);
     PROPERTY(impossible_jobs_are_refused,                    1);
-    PROPERTY(a_drawing_is_planned_and_drawn_whatever_happens, 4);
-    PROPERTY(a_small_ring_draws_it_too,                      4);
-    PROPERTY(an_aborted_drawing_stands_on_the_path,          6);
+    PROPERTY(a_drawing_is_planned_and_drawn_whatever_happens, 2);
+    PROPERTY(a_small_ring_draws_it_too,                      2);
+    PROPERTY(an_aborted_drawing_stands_on_the_path,          3);
     PROPERTY(limits_that_are_impossible_refuse_the_job,      1);
     PROPERTY(a_machine_without_a_planner_is_sent_no_curves,  1);
     return check_failures();
