@@ -278,19 +278,33 @@ static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_A
 // Normals and curvatures
 // ----------------------
 
-static int sided_look(const engine_sided *e, sided_place at, engine_look *out)
+/* The derivatives of a patch at a place: of one over a polygon by the coordinates of its points. LOFT_ERR_ARG: none here. */
+static int local_at(const engine_sided *e, sided_place at, loft_local *out)
 {
     loft_jet phi[SURFACE_SIDES_MAX];
-    loft_curvatures k;
-    loft_local here;
-    loft_vec normal;
     loft_spot p;
-    int status = e->s->kind == SURFACE_GB ? spot_of(e, at, &p) : LOFT_ERR_ARG;
 
+    if (e->s->kind == SURFACE_BASEPOINT && at.how != SIDED_CORNER)
+        return loft_basepoint_local(&e->as.basepoint, LOFT_UNIT(at.u), LOFT_UNIT(at.v), out);
+    if (e->s->kind == SURFACE_BASEPOINT || e->s->kind == SURFACE_RING)
+        return LOFT_ERR_ARG;
+    int status = spot_of(e, at, &p);
+    if (status == LOFT_OK && e->s->kind == SURFACE_TORIC)
+        return loft_toric_local(&e->as.toric, p, out);
     if (status == LOFT_OK)
         status = coordinate_jets(e, p, phi);
     if (status == LOFT_OK)
-        status = loft_gb_local(&e->as.gb, phi, &here);
+        status = e->s->kind == SURFACE_GB ? loft_gb_local(&e->as.gb, phi, out) : loft_spatch_local(&e->as.spatch, phi, out);
+    return status;
+}
+
+static int sided_look(const engine_sided *e, sided_place at, engine_look *out)
+{
+    loft_curvatures k;
+    loft_local here;
+    loft_vec normal;
+    int status = local_at(e, at, &here);
+
     if (status == LOFT_OK)
         status = loft_local_normal(&here, &normal);
     if (status == LOFT_OK)
