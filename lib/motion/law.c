@@ -268,7 +268,7 @@ static void late(loft_law *law, unsigned first)
 /* Nothing that was passed matters any more: the course begins with what comes next. */
 static void settle(loft_law *law)
 {
-    const bool joint = law->course.count > 1 && !(length_of(law, 0) > 0) && rests_after(law, 0);   /* that leads nowhere */
+    const bool joint = law->course.count > 0 && !(length_of(law, 0) > 0) && rests_after(law, 0);   /* that leads nowhere */
 
     if (law->at.off > 0 || law->at.piece > 0 || joint)
         for (unsigned drop = law->at.piece + 1; drop > 0; drop--)
@@ -362,6 +362,8 @@ static void run(loft_law *law)
         law->calm = v < law->speed ? 0 : law->calm;
     }
     loft_unit way = loft_unit_round(way_of(law, law->speed, v));
+    if (!(way > 0))
+        way = LOFT_UNIT(0.00000006);    /* q16: the least there is, lest it creeps without getting on */
     if (!move(law, &to, loft_unit_wide(way)) || !(v > 0)) {
         way = loft_unit_round(remains(law));
         to  = law->at;
