@@ -10,7 +10,7 @@
 #include "surface.h"
 
 /* A corner of the mesh. Normal and curvatures are those of the library in double; of kinds that it does not look at
- * (Coons patches with slopes, rational triangles, n sides but GB patches) by differences a little inside the edges: curvatures to about
+ * (Coons patches with slopes, rational triangles, Zheng-Ball patches) by differences a little inside the edges: curvatures to about
  * 1e-5 of themselves. */
 typedef struct {
     double p[ENGINE_AXES], normal[ENGINE_AXES];
