@@ -10,6 +10,7 @@
 #include <math.h>
 
 #include "geom/vec.h"       /* loft_vec */
+#include "surface/local.h"  /* loft_local_curvatures */
 
 #include "engine.h"
 
@@ -60,6 +61,23 @@ static inline void point_of(loft_vec v, double out[ENGINE_AXES])
 {
     for (int i = 0; i < ENGINE_AXES; i++)
         out[i] = double_of(v.axis[i]);
+}
+
+/* Normal and curvatures of what the library found at a place. */
+static inline int look_of(const loft_local *here, engine_look *out)
+{
+    loft_curvatures k;
+    loft_vec normal;
+    int status = loft_local_normal(here, &normal);
+
+    if (status == LOFT_OK)
+        status = loft_local_curvatures(here, &k);
+    if (status != LOFT_OK)
+        return status;
+    point_of(normal, out->normal);
+    out->gauss = double_of_acc(k.gauss);
+    out->mean  = double_of_acc(k.mean);
+    return LOFT_OK;
 }
 
 #endif

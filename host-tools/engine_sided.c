@@ -300,21 +300,10 @@ static int local_at(const engine_sided *e, sided_place at, loft_local *out)
 
 static int sided_look(const engine_sided *e, sided_place at, engine_look *out)
 {
-    loft_curvatures k;
     loft_local here;
-    loft_vec normal;
-    int status = local_at(e, at, &here);
+    const int status = local_at(e, at, &here);
 
-    if (status == LOFT_OK)
-        status = loft_local_normal(&here, &normal);
-    if (status == LOFT_OK)
-        status = loft_local_curvatures(&here, &k);
-    if (status != LOFT_OK)
-        return status;
-    point_of(normal, out->normal);
-    out->gauss = double_of_acc(k.gauss);
-    out->mean  = double_of_acc(k.mean);
-    return LOFT_OK;
+    return status ? status : look_of(&here, out);
 }
 
 static int sided_complete(surface *s)

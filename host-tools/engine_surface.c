@@ -268,25 +268,15 @@ static int local_of(const engine_surface *e, double u, double v, loft_local *out
 /* Of n sides a little inside, where rounding cannot lead out of the polygon. */
 static int surface_look(const engine_surface *e, unsigned kite, double u, double v, engine_look *out)
 {
-    loft_curvatures k;
     loft_local here;
-    loft_vec normal;
 
     if (e->sided)
         return ENGINE_OF(engine_sides).look(e->sided, sided_kite(e->s, kite, fmax(u, INSIDE), fmax(v, INSIDE)), out);
     if (e->s->kind == SURFACE_SPHERE || e->s->kind == SURFACE_OCTANT)
         return look_round(e, u, v, out);
-    int status = local_of(e, u, v, &here);
-    if (status == LOFT_OK)
-        status = loft_local_normal(&here, &normal);
-    if (status == LOFT_OK)
-        status = loft_local_curvatures(&here, &k);
-    if (status != LOFT_OK)
-        return status;
-    point_of(normal, out->normal);
-    out->gauss = double_of_acc(k.gauss);
-    out->mean  = double_of_acc(k.mean);
-    return LOFT_OK;
+    const int status = local_of(e, u, v, &here);
+
+    return status ? status : look_of(&here, out);
 }
 
 const engine_surfaces ENGINE_OF(engine_surfaces) = {

@@ -10,6 +10,12 @@
 #define LOFT_SWITCH_HOLD    2
 #define LOFT_SWITCH_RESUME  4
 
+/* Of inputs 0..2 limits, 3 abort, 4 hold, 5 resume, a bit each, 1: closed. */
+static inline uint8_t loft_switches_of(uint32_t closed)
+{
+    return (uint8_t)((closed & 0x0F ? LOFT_SWITCH_ABORT : 0) | (closed & 0x10 ? LOFT_SWITCH_HOLD : 0) | (closed & 0x20 ? LOFT_SWITCH_RESUME : 0));
+}
+
 #define LOFT_SWITCHES_SAME  4   /* samples that must agree */
 
 typedef struct {

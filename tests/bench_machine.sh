@@ -8,29 +8,16 @@ elf=$1 loft=$2 bin=$3
 TRIALS=${TRIALS:-2000} CUTS=${CUTS:-500} FRAMES=${FRAMES:-100000000}
 drawing=tests/drawings/outline12.csv
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
-tick=0x$(avr-nm "$elf" | awk '$3 == "loft_port_work_stub" { print $1 }')
-ring=$(avr-nm "$elf" | awk '{ at[$3] = substr($1, 5) } END { print "0x" at["ring_head"] ",0x" at["ring_tail"] }')
 result=$tmp/result; : > "$result"
+. tests/target/rows.sh
 
 # row WHAT GRBL VALUE OPERATOR BOUND [UNIT]
 row() {
-    local verdict
-    verdict=$(awk -v x="$3" -v op="$4" -v y="$5" 'BEGIN {
-        good = x != "" && (op == "<=" ? x + 0 <= y + 0 : op == ">=" ? x + 0 >= y + 0 : x "" == y ""); print good ? "ok    " : "MISSED" }')
+    local verdict=MISSED
+    holds "$3" "$4" "$5" && verdict="ok    "
     printf '%s  %-62s %-10s %-12s %s %s%s\n' "$verdict" "$1" "$2" "${3:-nothing}" "$4" "$5" "${6:+ $6}" | tee -a "$result"
 }
 note() { printf '        %-62s %-10s %s\n' "$1" "" "$2"; }
-value() { awk -v name="$1" '$1 == name { $1 = ""; print substr($0, 2) }' "$tmp/chip"; }
-word() { awk -v name="$2" '{ for (i = 1; i < NF; i++) if ($i == name) print $(i + 1) }' "$1"; }
-
-on_chip() {     # on_chip COMMAND..: against the chip behind $tmp/port
-    "$bin/chip" "$elf" --tick "$tick" --ring "$ring" --link "$tmp/port" --record "$tmp/chip.csv" >"$tmp/chip" 2>"$tmp/chip.err" & local child=$!
-    for _ in $(seq 100); do [ -e "$tmp/port" ] && break; sleep 0.02; done
-    timeout 300 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
-    timeout 5 tail --pid=$child -f /dev/null || kill $child
-    wait $child
-    [ $code = 0 ] || sed 's/^/        /' "$tmp/err"
-}
 seconds() { awk -F, '/^[0-9]/ { if (!a) a = $1; b = $1 } END { printf "%.6f", (b - a) / 16e6 }' "$tmp/chip.csv"; }
 
 # ideal FEED: L/v + v/a of the drawing
@@ -47,7 +34,7 @@ cruise() {
 printf '        %-62s %-10s %-12s %s\n' "" "grbl 1.1" loft bound
 while read -r spacing feed grbl bound; do
     python3 tests/target/dense.py $drawing "$spacing" > "$tmp/dense.loft"
-    on_chip "$loft" stream "$tmp/dense.loft" --feed "$feed" --jerk 0 --lift 0 --port "$tmp/port"
+    on_chip "$bin/chip" "$elf" "$loft" stream "$tmp/dense.loft" --feed "$feed" --jerk 0 --lift 0 --port "$tmp/port"
     time=$(seconds)
     row "points every $spacing mm, $((feed * 60)) mm/min: time / (L/v + v/a)" "$grbl" "$(awk -v t="$time" -v i="$(ideal "$feed")" 'BEGIN { printf "%.3f", t / i }')" "<=" "$bound"
     if [ "$spacing $feed" = "0.01 50" ]; then
@@ -61,17 +48,17 @@ done <<'TABLE'
 0.01 50 13.3 1.05
 0.01 100 24.0 1.10
 TABLE
-on_chip "$loft" stream $drawing --feed 50 --jerk 0 --lift 0 --port "$tmp/port"
+on_chip "$bin/chip" "$elf" "$loft" stream $drawing --feed 50 --jerk 0 --lift 0 --port "$tmp/port"
 row "the drawing's curves, as spans, 3000 mm/min: time / (L/v + v/a)" - "$(awk -v t="$(seconds)" -v i="$(ideal 50)" 'BEGIN { printf "%.3f", t / i }')" "<=" 1.03
 note "(6000 mm/min: 500 mm/s2 across the path allow 51 mm/s at its least radius, 5.2 mm; grbl does not look)" ""
 
 for axes in 1 3; do
-    on_chip "$bin/rate" "$tmp/port" $axes 40
-    row "steps per second and axis, every step there, $axes axes" "$([ $axes = 1 ] && echo 40000 || echo 30000)" "$([ $code = 0 ] && [ "$(word "$tmp/out" slowed)" = 0 ] && echo 40000)" ">=" 40000
+    on_chip "$bin/chip" "$elf" "$bin/rate" "$tmp/port" $axes 40
+    row "steps per second and axis, every step there, $axes axes" "$([ $axes = 1 ] && echo 40000 || echo 30000)" "$([ $code = 0 ] && [ "$(said slowed)" = 0 ] && echo 40000)" ">=" 40000
 done
-on_chip "$bin/rate" "$tmp/port" 3 60
+on_chip "$bin/chip" "$elf" "$bin/rate" "$tmp/port" 3 60
 row "60000 asked: steps lost" - "$code" = 0
-row "60000 asked: it says how many ticks were slowed" - "$(word "$tmp/out" slowed)" ">=" 1
+row "60000 asked: it says how many ticks were slowed" - "$(said slowed)" ">=" 1
 read -r flash ram < <(avr-size "$elf" | awk 'NR == 2 { print $1 + $2, $2 + $3 }')
 row "flash" 29900 "$flash" "<=" 30720 bytes
 row "RAM without the stack" 1630 "$ram" "<=" 1638 bytes
@@ -79,9 +66,9 @@ row "RAM without the stack" 1630 "$ram" "<=" 1638 bytes
 while read -r kind count what grbl; do
     "$bin/trials" "$elf" "$kind" "$count" >"$tmp/trials" 2>"$tmp/trials.err"
     sed 's/^/        /' "$tmp/trials.err"
-    what=${what//_/ } ran=$(word "$tmp/trials" trials)
-    row "$what, ${ran:-no} trials: wrong steps" "$grbl" "$(word "$tmp/trials" wrong)" = 0
-    row "$what, ${ran:-no} trials: jobs not ended" - "$(word "$tmp/trials" incomplete)" = 0
+    what=${what//_/ } ran=$(said trials "$tmp/trials")
+    row "$what, ${ran:-no} trials: wrong steps" "$grbl" "$(said wrong "$tmp/trials")" = 0
+    row "$what, ${ran:-no} trials: jobs not ended" - "$(said incomplete "$tmp/trials")" = 0
     [ "$kind" != noise ] || note "goodput: machine time of the job, noisy and clean" "$(awk '{ printf "%.3f s, %.3f s; %d frames sent again in %d jobs", $11 / $3, $15, $9, $3 }' "$tmp/trials")"
 done <<TABLE
 byte $TRIALS one_byte_flipped,_dropped,_doubled,_inserted 40_%
@@ -103,6 +90,4 @@ for class in bits lost doubled inserted; do
     row "damaged frames accepted of $FRAMES: $class" most "$(cat "$tmp/$class"[12] | awk '{ n += $5 } END { print n }')" = 0
 done
 
-passed=$(grep -c '^ok' "$result") failed=$(grep -c '^MISSED' "$result")
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+sum

@@ -125,8 +125,5 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
 
 uint8_t loft_port_switches(void)
 {
-    const uint32_t closed = ~REG(GPIOC + 0x10);
-
-    return (uint8_t)((closed & 0x0F ? LOFT_SWITCH_ABORT : 0) | (closed & 0x10 ? LOFT_SWITCH_HOLD : 0) |
-                     (closed & 0x20 ? LOFT_SWITCH_RESUME : 0));
+    return loft_switches_of(~REG(GPIOC + 0x10));
 }

@@ -7,12 +7,7 @@ elf=$1 chip=$2 here=$3 emulator=$4
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
 result=$tmp/result
 
-row() {         # row NAME VALUE OPERATOR BOUND [UNIT]
-    local verdict
-    verdict=$(awk -v x="$2" -v op="$3" -v y="$4" 'BEGIN {
-        good = x != "" && (op == "<=" ? x + 0 <= y + 0 : op == ">=" ? x + 0 >= y + 0 : x "" == y ""); print good ? "ok  " : "FAIL" }')
-    printf '%s %-60s %s%s (%s %s)\n' "$verdict" "$1" "${2:-nothing}" "${5:+ $5}" "$3" "$4" | tee -a "$result"
-}
+. tests/target/rows.sh
 value() { awk -v name="$1" '$1 == name { print $2 }' "$tmp/said"; }
 bytes() { avr-nm -S -t d "$elf" | awk -v names=" $* " 'index(names, " " $4 " ") { n += $2 } END { print n }'; }
 
@@ -28,6 +23,4 @@ row "its stack"                                             "$(value stack)" "<=
 row "flash"                                                 "$(avr-size "$elf" | awk 'NR == 2 { print $1 + $2 }')" "<=" "$MOST_FLASH" bytes
 row "time of planning over the time of the motion"          "$(awk -v c="$(value cycles)" -v t="$(value ticks)" 'BEGIN { if (t) printf "%.3f", c / (16000 * t) }')" "<=" "$MOST_LOAD"
 
-passed=$(grep -c '^ok' "$result") failed=$(grep -c '^FAIL' "$result")
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+sum

@@ -8,20 +8,8 @@ firmware=$1 loft=$2 plugin=$3
 drawing=tests/drawings/outline12.csv feed=50
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
 
-row() {         # row NAME VALUE WANTED
-    local verdict=FAIL
-    [ -n "$2" ] && [ "$2" = "$3" ] && verdict="ok  "
-    printf '%s %-74s %s\n' "$verdict" "$1" "$2$([ "$2" = "$3" ] || echo " (wanted $3)")"
-}
-
-# what each axis does, step by step, whatever the time between; the sum of each
-path_of() {
-    awk -F, '!/^#/ && $1 != "slot" { for (i = 2; i <= NF; i++) if ($i != last[i]) { last[i] = $i; row[i] = row[i] " " $i } }
-             END { for (i = 2; i <= 4; i++) print row[i] }' "$1" | cksum
-}
-
-# told OUTPUT: the position that the command reports
-told() { sed -n 's/.*steps \(-*[0-9]* -*[0-9]* -*[0-9]*\).*as commanded.*/\1/p' "$1" | head -1; }
+. tests/target/rows.sh
+result=/dev/null          # each lane writes its own
 
 # board NAME QEMU MACHINE SHIFT "MACHINE'S NUMBERS" HOW..: a drawing here and there, planned by the host or the chip
 board() {
@@ -46,10 +34,10 @@ board() {
     [ $code = 0 ] || sed 's/^/     /' "$at/err" "$at/qemu"
     python3 tests/target/pins.py "$name" "$log" > "$at/csv"
 
-    row "$what: the command ends well"                          "$code" 0
-    row "$what: steps told and steps counted at the pins"       "$(tail -1 "$at/csv" | awk -F, '{ print $2, $3, $4 }')" "$(told "$at/out")"
-    row "$what: every axis steps as on the simulated machine"   "$(path_of "$at/csv")" "$(path_of "$at/here.csv")"
-    row "$what: frames sent twice"                              "$(sed -n 's/.* \([0-9]*\) of [0-9]* frames resent.*/\1/p' "$at/out" "$at/err")" 0
+    row "$what: the command ends well" "$code" = 0
+    row "$what: steps told and steps counted at the pins" "$(tail -1 "$at/csv" | awk -F, '{ print $2, $3, $4 }')" = "$(told "$at/out")"
+    row "$what: every axis steps as on the simulated machine" "$(path_of "$at/csv")" = "$(path_of "$at/here.csv")"
+    row "$what: frames sent twice" "$(sed -n 's/.* \([0-9]*\) of [0-9]* frames resent.*/\1/p' "$at/out" "$at/err")" = 0
 }
 
 for tool in qemu-system-arm qemu-system-riscv32 python3; do
