@@ -634,7 +634,7 @@ case_short_lines_become_curves() {
 case_the_line_in_words() {
     machine watched --speed fast
     run 0 "$loft" ports "$tmp/watched"; says out 'loft, 3 axes, 1000 ticks/s, 40 slots, queue 256	steps/mm 80 80 80	idle'
-    timeout 30 "$loft" monitor --port "$tmp/watched" --link "$tmp/between" >"$tmp/words" & local monitor=$!
+    "$loft" monitor --port "$tmp/watched" --link "$tmp/between" >"$tmp/words" & local monitor=$!; children+=("$monitor")
     wait_for "$tmp/between"
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/between" --log "$tmp/log"
     kill -INT $monitor; wait $monitor || job_fails "monitor: exit code $?"
