@@ -66,7 +66,7 @@ row "RAM without the stack" 1630 "$ram" "<=" 1638 bytes
 while read -r kind count what grbl; do
     "$bin/trials" "$elf" "$kind" "$count" >"$tmp/trials" 2>"$tmp/trials.err"
     sed 's/^/        /' "$tmp/trials.err"
-    what=${what//_/ } ran=$(said trials "$tmp/trials")
+    what=${what//_/ } grbl=${grbl//_/ } ran=$(said trials "$tmp/trials")
     row "$what, ${ran:-no} trials: wrong steps" "$grbl" "$(said wrong "$tmp/trials")" = 0
     row "$what, ${ran:-no} trials: jobs not ended" - "$(said incomplete "$tmp/trials")" = 0
     [ "$kind" != noise ] || note "goodput: machine time of the job, noisy and clean" "$(awk '{ printf "%.3f s, %.3f s; %d frames sent again in %d jobs", $11 / $3, $15, $9, $3 }' "$tmp/trials")"
