@@ -97,6 +97,9 @@ void   plot_ink(const plot_view *v, double grey);
 double plot_text(const plot_view *v, double size, double x, double y, double align, const char *words);
 void   plot_line(const plot_view *v, double x0, double y0, double x1, double y1);
 double plot_step(double range, double count);
+
+/* A round length at the lower right, about a `parts`-th of the picture's width, at the height y. */
+void   plot_scale_bar(const plot_view *v, double y, double parts);
 void   plot_number(char *out, size_t size, double value, double step);
 const char *plot_base_name(const char *path);
 

@@ -158,10 +158,9 @@ static void legend(const plot_view *v)
     entry(v, &x, 0.45, 0.62, 0.80, 0.8, true, "travel");
 }
 
-static void scale_bar(const plot_view *v)
+void plot_scale_bar(const plot_view *v, double y, double parts)
 {
-    const double mm = plot_step((v->right - v->left) / v->scale, 8), y = v->bottom + 58 * v->u;
-    const double x1 = v->right, x0 = x1 - mm * v->scale;
+    const double mm = plot_step((v->right - v->left) / v->scale, parts), x1 = v->right, x0 = x1 - mm * v->scale;
     char label[32];
 
     plot_ink(v, 0.1);
@@ -218,7 +217,7 @@ void plot_frame(plot_view *v)
     plot_axes(v);
     title(v);
     legend(v);
-    scale_bar(v);
+    plot_scale_bar(v, v->bottom + 58 * v->u, 8);
     if (v->magnified > 0 && v->found.worst > 0)
         plot_bar(v, v->found.worst * 1000, "error, um");
 }

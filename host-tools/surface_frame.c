@@ -102,19 +102,9 @@ static void legend(const surface_view *s)
 static void scale_bar(const surface_view *s)
 {
     const plot_view *v = &s->v;
-    const double mm = plot_step((v->right - v->left) / v->scale, 12), y = v->bottom + 74 * v->u, x1 = v->right, x0 = x1 - mm * v->scale;
-    char label[32];
 
-    if (s->o->distance > 0)
-        return;
-    plot_ink(v, 0.1);
-    cairo_set_line_width(v->cairo, 2 * v->u);
-    plot_line(v, x0, y, x1, y);
-    cairo_set_line_width(v->cairo, 1 * v->u);
-    plot_line(v, x0, y - 4 * v->u, x0, y + 4 * v->u);
-    plot_line(v, x1, y - 4 * v->u, x1, y + 4 * v->u);
-    snprintf(label, sizeof label, "%g mm", mm);
-    plot_text(v, PLOT_SMALL, x0 - 8 * v->u, y + 4.5 * v->u, 1, label);
+    if (!(s->o->distance > 0))
+        plot_scale_bar(v, v->bottom + 74 * v->u, 12);
 }
 
 void surface_frame(const surface_view *s)

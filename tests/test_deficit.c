@@ -1,20 +1,10 @@
 /* tests/test_deficit.c -- properties of lib/surface/deficit.h
  * SPDX-License-Identifier: MIT
  */
-#include "exact.h"                  /* exact_of */
+#include "exact_sci.h"                  /* exact_of */
 #include "surface/deficit.h"
 
 #define RING 8
-
-static long double value_of(loft_sci x)
-{
-#if LOFT_NUM == LOFT_Q16
-    const long double v = ldexpl((long double)x.m, x.e);
-    return x.minus ? -v : v;
-#else
-    return (long double)x;
-#endif
-}
 
 static loft_vec at_raw(const int64_t raw[3])
 {
@@ -101,9 +91,9 @@ static void angles_area_and_curvature_hold_their_bounds(arb *a)
     exact_deficit(&vertex, ring, n, &angles, &area, &squares);
     const long double angle_off = n * BY_NUM(0x1p-54L, 0x1p-48L, 0x1p-48L), area_off = squares * BY_NUM(0x1p-55L, 0x1p-46L, 0x1p-46L);
     const long double gauss = (2 * acosl(-1) - angles) / area;
-    CHECK_NEAR(value_of(d.angles) - angles, 0, angle_off);
-    CHECK_NEAR(value_of(d.area) - area, 0, area_off);
-    CHECK_NEAR(value_of(d.gauss) - gauss, 0, (angle_off + area_off * fabsl(gauss)) / area);
+    CHECK_NEAR(exact_sci(d.angles) - angles, 0, angle_off);
+    CHECK_NEAR(exact_sci(d.area) - area, 0, area_off);
+    CHECK_NEAR(exact_sci(d.gauss) - gauss, 0, (angle_off + area_off * fabsl(gauss)) / area);
 }
 
 /* An octahedron with its corners anywhere near: every vertex has the four that are not opposite. */
@@ -123,7 +113,7 @@ static void deficits_of_a_closed_mesh_sum_to_two_turns(arb *a)
         const loft_vec ring[4] = { corner[j], corner[k], corner[j + 3], corner[k + 3] };
         loft_deficit d;
         CHECK(loft_deficit_eval(&corner[i], ring, 4, &d) == LOFT_OK);
-        sum += value_of(d.gauss) * value_of(d.area);
+        sum += exact_sci(d.gauss) * exact_sci(d.area);
     }
     CHECK_NEAR(sum - 4 * acosl(-1), 0, 24 * BY_NUM(0x1p-53L, 0x1p-47L, 0x1p-47L));
 }
@@ -140,8 +130,8 @@ static void where_the_ring_starts_and_which_way_it_goes_is_the_same(arb *a)
         other[i] = ring[(from + (back ? n - i : i)) % n];
     exact_deficit(&vertex, ring, n, &angles, &area, &squares);
     CHECK(loft_deficit_eval(&vertex, ring, n, &d) == LOFT_OK && loft_deficit_eval(&vertex, other, n, &e) == LOFT_OK);
-    CHECK_NEAR(value_of(d.angles) - value_of(e.angles), 0, 2 * n * BY_NUM(0x1p-54L, 0x1p-48L, 0x1p-48L));
-    CHECK_NEAR(value_of(d.area) - value_of(e.area), 0, 2 * squares * BY_NUM(0x1p-55L, 0x1p-46L, 0x1p-46L));
+    CHECK_NEAR(exact_sci(d.angles) - exact_sci(e.angles), 0, 2 * n * BY_NUM(0x1p-54L, 0x1p-48L, 0x1p-48L));
+    CHECK_NEAR(exact_sci(d.area) - exact_sci(e.area), 0, 2 * squares * BY_NUM(0x1p-55L, 0x1p-46L, 0x1p-46L));
 }
 
 /* Four neighbours at distance h on z = (p x^2 + q y^2) / 2, whose curvature at the vertex is p q, along two lines. */
@@ -158,7 +148,7 @@ static long double estimate(long double p, long double q, long double first, lon
         ring[i] = at_raw(raw);
     }
     CHECK(loft_deficit_eval(&vertex, ring, 4, &d) == LOFT_OK);
-    return value_of(d.gauss);
+    return exact_sci(d.gauss);
 }
 
 static void it_does_not_converge_unless_the_mesh_follows_the_curvature(arb *a)

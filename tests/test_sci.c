@@ -1,20 +1,9 @@
 /* tests/test_sci.c -- properties of lib/num/sci.h
  * SPDX-License-Identifier: MIT
  */
-#include "exact.h"                  /* CHECK_EXACT */
+#include "exact_sci.h"              /* CHECK_EXACT, exact_sci */
 #include "num/exact.h"
 #include "num/sci.h"
-
-/* Every q16 number has 62 bits, long double has 64: it holds each one. */
-static long double value_of(loft_sci x)
-{
-#if LOFT_NUM == LOFT_Q16
-    const long double v = ldexpl((long double)x.m, x.e);
-    return x.minus ? -v : v;
-#else
-    return (long double)x;
-#endif
-}
 
 static bool well_formed(loft_sci x)
 {
@@ -42,14 +31,14 @@ static loft_sci arb_sci(arb *a)
 static void check_share(loft_sci got, long double want, long double size)
 {
     CHECK(well_formed(got));
-    CHECK_EXACT((value_of(got) - want) / (size > 0 ? size : 1), 0, SHARE + 0x1p-62L);
+    CHECK_EXACT((exact_sci(got) - want) / (size > 0 ? size : 1), 0, SHARE + 0x1p-62L);
 }
 
 static void sums_products_and_quotients_err_by_a_share_of_the_result(arb *a)
 {
     for (int k = 0; k < 50; k++) {
         const loft_sci x = arb_sci(a), y = arb_sci(a);
-        const long double u = value_of(x), v = value_of(y);
+        const long double u = exact_sci(x), v = exact_sci(y);
         check_share(loft_sci_add(x, y), u + v, fmaxl(fabsl(u + v), fmaxl(fabsl(u), fabsl(v))));
         check_share(loft_sci_sub(x, y), u - v, fmaxl(fabsl(u - v), fmaxl(fabsl(u), fabsl(v))));
         check_share(loft_sci_mul(x, y), u * v, fabsl(u * v));
@@ -66,16 +55,16 @@ static void what_is_exact_stays_exact(arb *a)
     const int32_t i = (int32_t)(arb_below(a, 65536) - 32768), j = (int32_t)(arb_below(a, 65536) - 32768), k = j ? j : 1;
     const loft_sci x = loft_sci_from_int(i), y = loft_sci_from_int(k), xy = loft_sci_mul(x, y);
 
-    CHECK_EXACT(value_of(xy), (long double)i * k, 0);
-    CHECK_EXACT(value_of(loft_sci_div(xy, y)), i, 0);
-    CHECK_EXACT(value_of(loft_sci_sqrt(loft_sci_mul(x, x))), labs(i), 0);
-    CHECK_EXACT(value_of(loft_sci_sub(loft_sci_add(xy, loft_sci_one()), xy)), 1, 0);
-    CHECK_EXACT(value_of(loft_sci_pow(y, 3)), (long double)k * k * k, 0);
+    CHECK_EXACT(exact_sci(xy), (long double)i * k, 0);
+    CHECK_EXACT(exact_sci(loft_sci_div(xy, y)), i, 0);
+    CHECK_EXACT(exact_sci(loft_sci_sqrt(loft_sci_mul(x, x))), labs(i), 0);
+    CHECK_EXACT(exact_sci(loft_sci_sub(loft_sci_add(xy, loft_sci_one()), xy)), 1, 0);
+    CHECK_EXACT(exact_sci(loft_sci_pow(y, 3)), (long double)k * k * k, 0);
     CHECK(loft_sci_sign(loft_sci_sub(xy, xy)) == 0 && loft_sci_sign(loft_sci_zero()) == 0);
-    CHECK_EXACT(value_of(loft_sci_pow(loft_sci_zero(), 0)), 1, 0);
+    CHECK_EXACT(exact_sci(loft_sci_pow(loft_sci_zero(), 0)), 1, 0);
 
     const loft_sci least = loft_sci_pow(loft_sci_from_unit(LOFT_UNIT(0.5)), BY_NUM(63, 53, 53));
-    CHECK_EXACT(value_of(loft_sci_sub(loft_sci_one(), loft_sci_sub(loft_sci_one(), least))), value_of(least), 0);
+    CHECK_EXACT(exact_sci(loft_sci_sub(loft_sci_one(), loft_sci_sub(loft_sci_one(), least))), exact_sci(least), 0);
 }
 
 static void numbers_come_in_and_go_out_as_they_are(arb *a)
@@ -85,10 +74,10 @@ static void numbers_come_in_and_go_out_as_they_are(arb *a)
     loft_acc wide = 0;
     loft_unit back = -1;
 
-    CHECK_EXACT(value_of(loft_sci_from_real(x)), exact_of(x), 0);
-    CHECK_EXACT(value_of(loft_sci_from_unit(t)), exact_unit(t), 0);
-    CHECK_EXACT(value_of(loft_sci_of(loft_prod(x, x))), exact_acc(loft_prod(x, x)), 0);
-    CHECK_EXACT(value_of(loft_sci_from_deep(loft_deep_of(loft_wide(x)))), exact_of(x), 0);
+    CHECK_EXACT(exact_sci(loft_sci_from_real(x)), exact_of(x), 0);
+    CHECK_EXACT(exact_sci(loft_sci_from_unit(t)), exact_unit(t), 0);
+    CHECK_EXACT(exact_sci(loft_sci_of(loft_prod(x, x))), exact_acc(loft_prod(x, x)), 0);
+    CHECK_EXACT(exact_sci(loft_sci_from_deep(loft_deep_of(loft_wide(x)))), exact_of(x), 0);
     CHECK(loft_sci_wide(loft_sci_from_real(x), &wide));
     CHECK_EXACT(exact_acc(wide), exact_of(x), 0);
     CHECK(loft_sci_is_unit(loft_sci_from_unit(t), &back));
@@ -96,7 +85,7 @@ static void numbers_come_in_and_go_out_as_they_are(arb *a)
     CHECK(!loft_sci_is_unit(loft_sci_neg(loft_sci_one()), &back) && !loft_sci_is_unit(loft_sci_from_int(2), &back));
 #if LOFT_NUM != LOFT_F64
     const loft_sci third = loft_sci_div(loft_sci_from_unit(t), loft_sci_from_int(3));
-    CHECK(!loft_sci_is_unit(third, &back) || value_of(third) * 16777216 - floorl(value_of(third) * 16777216) < 1e-30L || LOFT_NUM == LOFT_F32);
+    CHECK(!loft_sci_is_unit(third, &back) || exact_sci(third) * 16777216 - floorl(exact_sci(third) * 16777216) < 1e-30L || LOFT_NUM == LOFT_F32);
     CHECK(!loft_sci_is_unit(loft_sci_add(loft_sci_one(), loft_sci_pow(loft_sci_from_unit(LOFT_UNIT(0.5)), 40)), &back));
 #endif
 }
@@ -111,7 +100,7 @@ static void what_does_not_fit_is_refused(arb *a)
     CHECK(loft_sci_wide(loft_sci_sub(loft_sci_pow(loft_sci_from_int(2), 31), loft_sci_one()), &wide));
     CHECK_EXACT(exact_acc(wide), 2147483647.0L, 0);
     CHECK(loft_sci_wide(loft_sci_div(loft_sci_one(), large), &wide));
-    const long double small = value_of(loft_sci_div(loft_sci_one(), large));
+    const long double small = exact_sci(loft_sci_div(loft_sci_one(), large));
     CHECK_EXACT(exact_acc(wide), BY_NUM(floorl(small * 4294967296.0L + 0.5L) / 4294967296.0L, small, small), 0);
 }
 
@@ -148,7 +137,7 @@ static void cross_products_are_exact_in_sign_and_close_in_value(arb *a)
     const loft_sci got = loft_sci_cross(p[0], p[1], p[2], p[3]);
 
     CHECK(loft_sci_sign(got) == (want > 0) - (want < 0));
-    CHECK_EXACT(value_of(got) * 4294967296.0L / (want ? (long double)want : 1), want ? 1 : 0, BY_NUM(0x1p-60L, 0x1p-47L, 0x1p-47L));
+    CHECK_EXACT(exact_sci(got) * 4294967296.0L / (want ? (long double)want : 1), want ? 1 : 0, BY_NUM(0x1p-60L, 0x1p-47L, 0x1p-47L));
 }
 
 /* Differences that no double holds. */
@@ -159,7 +148,7 @@ static void cross_products_of_doubles_of_any_digits_are_exact_in_sign(arb *a)
     const loft_real o[2] = { e, 0 }, p[2] = { x, 1 }, q[2] = { 2 * x, 2 }, r[2] = { 2 * x - e, 2 };
 
     CHECK(loft_sci_sign(loft_sci_cross(o, p, o, q)) == -1);             /* (x - e) 2 - (2 x - e) = -e */
-    CHECK_EXACT(value_of(loft_sci_cross(o, p, o, q)) / e, -1, 0x1p-47L);
+    CHECK_EXACT(exact_sci(loft_sci_cross(o, p, o, q)) / e, -1, 0x1p-47L);
     if (r[0] < q[0])
         CHECK(loft_sci_sign(loft_sci_cross(o, p, o, r)) == 0);
 #else
