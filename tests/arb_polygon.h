@@ -7,6 +7,7 @@
 #define LOFT_TESTS_ARB_POLYGON_H
 
 #include "exact_polygon.h"          /* exact_cross, exact_raw */
+#include "exact_sci.h"              /* exact_sci */
 
 typedef struct {
     loft_spot v[LOFT_SIDES_MAX];
@@ -142,16 +143,6 @@ static inline loft_spot arb_near(arb *a, const arb_domain *p)
     const double t = arb_below(a, 1001) / 1000.0, u = arb_below(a, 1001) / 1000.0;
     return spot_raw(llround((1 - t) * (double)exact_raw(q->at[0]) + t * ((1 - u) * (double)exact_raw(s->at[0]) + u * (double)exact_raw(on.at[0]))),
                     llround((1 - t) * (double)exact_raw(q->at[1]) + t * ((1 - u) * (double)exact_raw(s->at[1]) + u * (double)exact_raw(on.at[1]))));
-}
-
-static inline long double exact_sci(loft_sci x)
-{
-#if LOFT_NUM == LOFT_Q16
-    const long double v = ldexpl((long double)x.m, x.e);
-    return x.minus ? -v : v;
-#else
-    return (long double)x;
-#endif
 }
 
 #endif
