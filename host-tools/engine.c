@@ -85,7 +85,7 @@ static bool limits_of(const engine_limits *from, loft_limits *out)
         out->max_jerk[i] = (uint32_t)lround(from->max_jerk[i]);
     }
     out->tick_hz = (uint16_t)from->tick_hz;
-    return from->tick_hz <= UINT16_MAX && real_of(from->corner, &out->corner) && real_of(from->tol, &out->tol);
+    return from->tick_hz <= UINT16_MAX && real_of(from->max_across, &out->max_across) && real_of(from->corner, &out->corner) && real_of(from->tol, &out->tol);
 }
 
 /* A span as the wire carries it: raw Q16.16, whatever the type it was planned in. */

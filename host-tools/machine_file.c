@@ -27,6 +27,7 @@ static const row rows[] = {
     { "max_speed",    "mm/s",     AT(max_speed),    true,  false, true,  1 / 64.0, 16383 },
     { "max_accel",    "mm/s^2",   AT(max_accel),    true,  false, true,  1, 16383 },
     { "max_jerk",     "mm/s^3",   AT(max_jerk),     true,  false, true,  0, 1e7 },
+    { "max_across",   "mm/s^2",   AT(max_across),   false, false, false, 0, 16383 },
     { "corner",       "mm",       AT(corner),       false, false, false, 0, 1 },
     { "tolerance",    "mm",       AT(tol),          false, false, false, 1 / 1024.0, 1 },
     { "tick_hz",      "ticks/s",  AT(tick_hz),      false, true,  false, 50, 50000 },
@@ -108,7 +109,7 @@ static int read_grbl(const reading *r, const char *s)
 
 static int unknown(const reading *r, const char *s, size_t length)
 {
-    char all[256] = "";
+    char all[280] = "";
 
     for (size_t i = 0, used = 0; i < ROWS; i++)
         used += (size_t)snprintf(all + used, sizeof all - used, "%s%s%s", i ? ", " : "", rows[i].axes ? "[x.]" : "", rows[i].key);

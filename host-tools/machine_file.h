@@ -11,6 +11,7 @@ typedef struct {
     double steps_per_mm[ENGINE_AXES];
     double max_speed[ENGINE_AXES], max_accel[ENGINE_AXES];
     double max_jerk[ENGINE_AXES];           /* 0: not limited; below 0: not said            */
+    double max_across;                      /* 0: max_accel counts across the path too      */
     double corner, tol;                     /* junction deviation; how far from the drawing */
     double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */
     bool   limited;                         /* the file says a speed, an acceleration or a jerk */

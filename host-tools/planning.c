@@ -13,7 +13,7 @@
 
 int planning_start(planning *p, int argc, char **argv)
 {
-    *p = (planning){ .e = &engine_q16, .machine = machine_usual(), .feed = 30, .travel = 100, .accel = -1, .jerk = -1, .lift = 1, .smooth = -1 };
+    *p = (planning){ .e = &engine_q16, .machine = machine_usual(), .feed = 30, .travel = 100, .accel = -1, .jerk = -1, .across = -1, .lift = 1, .smooth = -1 };
     const int code = machine_option(&p->machine, argc, argv);
 
     p->corner = p->machine.corner;
@@ -40,6 +40,7 @@ void planning_limit(const planning *p, engine_limits *limits)
             limits->max_accel[i] = fmin(limits->max_accel[i], p->accel);
         limits->max_jerk[i] = said >= 0 ? said : fmin(JERK_PER * limits->max_accel[i], JERK_MAX);
     }
+    limits->max_across = p->across >= 0 ? p->across : p->machine.max_across;
     limits->corner = p->corner;
     limits->tol    = p->tol - p->smoothed;
 }

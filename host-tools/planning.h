@@ -14,7 +14,7 @@ typedef struct {
     machine_file machine;
     const char *file;               /* the machine's, which has been read          */
     double feed, travel;            /* mm/s                                        */
-    double accel, jerk;             /* mm/s^2, mm/s^3; below 0: the machine's      */
+    double accel, jerk, across;     /* mm/s^2, mm/s^3, mm/s^2; below 0: the machine's */
     double corner, tol, lift;       /* mm                                          */
     double smooth;                  /* mm of tol, below 0: SMOOTH_PART             */
     double smoothed;                /* mm of tol that were used up by it           */
@@ -27,6 +27,7 @@ typedef struct {
     TOOL_SPEED("feed", &(p)->feed, 0.016, 1000, "pen down, mm/s, or as 1200mm/min (30)"), \
     TOOL_SPEED("travel", &(p)->travel, 0.016, 1000, "pen up (100)"), \
     TOOL_NUMBER("accel", "MM/S2", &(p)->accel, 1, 30000, "no more than this on any axis (the machine's)"), \
+    TOOL_NUMBER("across", "MM/S2", &(p)->across, 0, 16383, "across the path alone, so that --accel is for speeding up and slowing down alone; 0: --accel is for both"), \
     TOOL_NUMBER("jerk", "MM/S3", &(p)->jerk, 0, 1e7, "change of acceleration on any axis (the machine's); 0: at once"), \
     TOOL_NUMBER("corner", "MM", &(p)->corner, 0, 1, "how far corners are taken to be rounded when slowing down (0.01)"), \
     TOOL_NUMBER("tol", "MM", &(p)->tol, 0.0005, 1, "how far the machine may leave the drawing (0.005)"), \

@@ -94,18 +94,25 @@ static void use_more(use *u, double part, double used_up, unsigned cause)
     }
 }
 
-/* Acceleration counts as curvature where more of it is across the path than along it. */
+/* Acceleration counts as curvature where more of it is across the path than along it, or where it has a limit there. */
 static void use_accels(use *u, const trace *t, const trace_motion *m, double h, double share)
 {
     const double coarse = 12 * GRAIN / (h * h), coarser = 24 * GRAIN / (h * h * h);     /* what rounding may add */
+    double bend = 0;
 
     for (unsigned i = 0; i < ENGINE_AXES; i++) {
         const double along = m->speed > AT_REST ? m->along * m->v[i] / m->speed : m->a[i], across = m->a[i] - along;
-        use_more(u, (fabs(m->a[i]) - coarse) / t->limits.max_accel[i], share * USED_UP_ACCEL,
-                 fabs(across) > fabs(along) ? TRACE_CURVATURE : TRACE_ACCEL + i);
+        const double most = t->limits.max_accel[i];
+        bend += across * across;
+        if (t->limits.max_across > 0)
+            use_more(u, (fabs(along) - coarse) / most, share * USED_UP_ACCEL, TRACE_ACCEL + i);
+        else
+            use_more(u, (fabs(m->a[i]) - coarse) / most, share * USED_UP_ACCEL, fabs(across) > fabs(along) ? TRACE_CURVATURE : TRACE_ACCEL + i);
         if (t->limits.max_jerk[i] > 0)
             use_more(u, (fabs(m->j[i]) - coarser) / t->limits.max_jerk[i], share * USED_UP_JERK, TRACE_JERK + i);
     }
+    if (t->limits.max_across > 0)
+        use_more(u, (sqrt(bend) - 2 * coarse) / t->limits.max_across, share * USED_UP_ACCEL, TRACE_CURVATURE);
 }
 
 /* A plan rounds the time in which acceleration changes to beats: what is used up but for that comes second. */

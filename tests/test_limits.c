@@ -33,6 +33,7 @@ static loft_limits arb_limits(arb *a)
     l.corner  = arb_below(a, 3) ? real_of(arb_decades(a, 0.0005, 0.9)) : 0;
     l.tol     = real_of(arb_decades(a, 0.001, 0.999));
     l.tick_hz = (uint16_t)arb_decades(a, 50, 50000);
+    l.max_across = arb_below(a, 3) ? 0 : real_of(arb_decades(a, 1.001, 16000));
     return l;
 }
 
@@ -41,7 +42,7 @@ static double accel_size(const loft_budget *b)
     double sum = 0;
     for (int i = 0; i < LOFT_AXES; i++)
         sum += arb_value(b->accel[i]) * arb_value(b->accel[i]);
-    return sqrt(sum);
+    return sqrt(sum) + arb_value(b->across);
 }
 
 /* What rounding to beats costs stays within half the tolerance, and no shorter beat than needed is taken. */
@@ -115,10 +116,19 @@ static void a_joint_allows_what_its_formulas_say(arb *a)
     const double smooth = fmin(fmin(16383, spare) * fmin(16383, spare), least(b.share, d) * near);
     const double s = sqrt(fmax(0, 1 - turn * turn / 4)), q2 = turn * turn / 4;
     const double c = fmin(16383, fmin(sqrt(along * arb_value(l.corner) * s * (1 + s) / q2), arb_value(b.swing) / turn));
-    const double most = b.jerk ? smooth : fmax(smooth, fmin(c * c, accel * near));
+    const double bent = b.across > 0 ? arb_value(b.across) / turn : accel;
+    const double most = b.jerk ? smooth : fmax(smooth, fmin(c * c, bent * near));
     const double got  = value_of(loft_budget_joint(&b, before, after, BY_NUM((loft_acc)(spacing * 4294967296.0), spacing, spacing)));
     CHECK(got >= 0 && got <= 16383.0 * 16383.0);
     CHECK_NEAR(sqrt(got), sqrt(most), 0.02 * sqrt(most) + BY_NUM(0.003, 1e-4, 1e-9));
+}
+
+static double bend_size(const loft_arc_shape *s)
+{
+    double sum = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum += arb_value(s->bend[0].axis[i]) * arb_value(s->bend[0].axis[i]);
+    return sqrt(sum);
 }
 
 /* A straight piece or an even bend: within its lines velocity, acceleration and jerk, with the means of the filter, hold the limits. */
@@ -151,11 +161,12 @@ static void the_lines_of_a_piece_hold_the_limits(arb *a)
             const double v = cap * n / 8, x = v * v;
             const loft_acc x2 = BY_NUM((loft_acc)(x * 4294967296.0), x, x);
             const double g = arb_value(loft_profile_grip(&p, x2, sign > 0));
+            CHECK(b.across <= 0 || x * bend_size(&s) <= arb_value(b.across) * 1.0005 + BY_NUM(0.001 * (1 + bend * (1 + v)), 1e-4, 1e-9));
             for (int i = 0; i < LOFT_AXES; i++) {
                 const double ui = arb_value(s.along[0].axis[i]), ki = arb_value(s.bend[0].axis[i]), accel = arb_value(b.accel[i]);
                 const double noise = BY_NUM(0.001 * (1 + fabs(ki) * (1 + v)), 1e-4, 1e-9);
                 CHECK(fabs(ui) * v <= arb_value(l.max_speed[i]) * 1.0001 + noise);
-                CHECK(fabs(sign * g * ui + x * ki) <= accel * 1.0005 + noise);
+                CHECK(fabs(sign * g * ui + (b.across > 0 ? 0 : x * ki)) <= accel * 1.0005 + noise);
                 CHECK_NEAR(fmax(1, b.jerk && arb_value(p.rest) > 0.26 ? g * (fabs(ui) / b.filter + 3 * fabs(ki) * v * h) / (arb_value(b.gain[i]) + noise + BY_NUM(g * 0x1p-15, 0, 0)) : 0), 1, 0.02);
             }
         }

@@ -481,6 +481,11 @@ static void impossible_limits_are_refused(arb *a)
     l.corner = real_of(1.5);
     CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_RANGE);
     l = limits;
+    l.max_across = -limits.max_accel[0];
+    CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_ARG);
+    l.max_across = real_of(16384);
+    CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_RANGE);
+    l = limits;
     l.tick_hz = 0;
     CHECK(status_of(&l, 12, PIECES) == LOFT_ERR_ARG);
     l.tick_hz = 49;

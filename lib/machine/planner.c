@@ -26,7 +26,7 @@ static uint32_t lower_jerk(uint32_t a, uint32_t b)
 enum loft_status loft_planner_begin(loft_planner *p, const loft_traits *machine, const loft_job_limits *asked,
                                     const int32_t start[LOFT_AXES])
 {
-    loft_limits limits;
+    loft_limits limits = { .max_across = 0 };
 
     for (int i = 0; i < LOFT_AXES; i++) {
         limits.max_speed[i] = loft_real_from_raw(lower(asked->axis[i].max_speed, machine->axis[i].max_speed));

@@ -28,8 +28,10 @@ enum loft_status loft_limits_check(const loft_limits *limits)
     }
     if (status != LOFT_OK)
         return status;
-    if (!(limits->corner >= 0) || limits->tick_hz == 0)
+    if (!(limits->corner >= 0) || !(limits->max_across >= 0) || limits->tick_hz == 0)
         return LOFT_ERR_ARG;
+    if (limits->max_across > LOFT_ACCEL_MAX || (limits->max_across > 0 && limits->max_across < LOFT_ACCEL_MIN))
+        return LOFT_ERR_RANGE;
     return limits->corner > CORNER_MAX || limits->tick_hz < 50 || limits->tick_hz > 50000u ? LOFT_ERR_RANGE : LOFT_OK;
 }
 
@@ -42,15 +44,15 @@ enum loft_status loft_limits_check(const loft_limits *limits)
  *     A h^2 <= 5/2 tol, jump h <= 3/2 tol     5/12 and 13/32 of the tolerance; 1/8 is for longer spans
  *     A h^2 <= 3 tol                          where jerk is limited: corners are all but stops; half of it, 3/8 for easing joints
  *
- * with A the length of the vector of the limits of all axes. That gives the longest beat. If not even one tick is short
- * enough, A is reduced. In q16, h = n / hz: A n^2 / hz <= 3 tol hz has no term above 40000 * 400 * 2. */
+ * with A the length of the vector of the limits of all axes, and what is allowed across the path besides. That gives the longest beat. If not even one tick is short
+ * enough, A is reduced. In q16, h = n / hz: A n^2 / hz <= 3 tol hz has no term above 60000 * 400 * 2. */
 static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
 {
     loft_acc size[LOFT_AXES];
     for (int i = 0; i < LOFT_AXES; i++)
         size[i] = loft_wide(limits->max_accel[i]);
 
-    const loft_acc a = loft_acc_ratio(loft_acc_hypot(size, LOFT_AXES), limits->tick_hz);
+    const loft_acc a = loft_acc_ratio(loft_acc_hypot(size, LOFT_AXES) + loft_wide(limits->max_across), limits->tick_hz);
     const loft_acc most = loft_wide(limits->tol) * (LOFT_BUDGET_JERK(b) ? 6 : 5) * limits->tick_hz / 2;
 
     uint16_t n = (uint16_t)(limits->tick_hz / (LOFT_BUDGET_JERK(b) ? SLOW_HZ : LOFT_PLAN_BEATS));
@@ -105,6 +107,7 @@ void loft_budget_init(loft_budget *b, const loft_limits *limits)
     b->swing  = swing < loft_wide(LOFT_SPEED_MAX) ? loft_acc_round(swing) : LOFT_SPEED_MAX;
     b->corner = limits->corner;
     b->tol    = limits->tol;
+    b->across = loft_acc_round(loft_acc_scale(loft_wide(limits->max_across), usable));
 }
 
 loft_acc loft_budget_beat(const loft_budget *b, loft_real v)
@@ -124,7 +127,8 @@ loft_acc loft_budget_beat(const loft_budget *b, loft_real v)
  *     v^2 = accel c s / (1 - s) = accel c s (1 + s) / q^2
  *
  * but not so fast that the rounding of the corner exceeds its part of the tolerance, v |d| <= swing, nor so
- * that dense corners bend the path more than `accel` allows, v^2 <= accel s / d. accel is that of the direction d.
+ * that dense corners bend the path more than `accel` allows, v^2 <= accel s / d. accel is that of the direction d; where
+ * acceleration across the path has a limit of its own, dense corners are a bend, v^2 <= across s / |d|.
  *
  * q16: |d_i| <= 2, squares below 2^28, accel * spacing <= 2^14 as the spacing counts up to 1 mm. */
 static loft_real junction_speed(const loft_budget *b, const loft_real jump[], loft_acc turn)
@@ -159,12 +163,13 @@ loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after
         jump[i] = jump[i] < 0 ? -jump[i] : jump[i];
         v = loft_real_cap(v, b->spare[i], jump[i]);
     }
-    const loft_real w = junction_speed(b, jump, loft_vec_distance(before, after));
+    const loft_acc  turn = loft_vec_distance(before, after);
+    const loft_real w = junction_speed(b, jump, turn);
     loft_acc smooth = loft_prod(v, v), corner = loft_prod(w, w);
 
     for (int i = 0; i < LOFT_AXES; i++) {
         smooth = dense_cap(smooth, loft_wide(b->share[i]), apart, jump[i]);
-        corner = dense_cap(corner, loft_wide(b->accel[i]), apart, jump[i]);
+        corner = dense_cap(corner, loft_wide(b->across > 0 ? b->across : b->accel[i]), apart, b->across > 0 ? loft_acc_round(turn) : jump[i]);
     }
     return LOFT_BUDGET_JERK(b) || smooth > corner ? smooth : corner;
 }

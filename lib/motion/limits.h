@@ -31,7 +31,9 @@
 /* What the machine can do. */
 typedef struct {
     loft_real max_speed[LOFT_AXES];     /* mm/s, 1/64..16383                                                  */
-    loft_real max_accel[LOFT_AXES];     /* mm/s^2, 1..16383; held by the whole vector of acceleration         */
+    loft_real max_accel[LOFT_AXES];     /* mm/s^2, 1..16383; held by the whole vector of acceleration, or see  */
+    loft_real max_across;               /* mm/s^2, 1..16383: acceleration across the path, by its size; then max_accel counts for the change of
+                                         * speed along it alone, as grbl means it. 0: max_accel counts for both      */
     uint32_t  max_jerk[LOFT_AXES];      /* mm/s^3, to 10,000,000; 0: not limited (0 for all: even acceleration, trapezoids) */
     loft_real corner;                   /* junction deviation in mm, 0..1, as grbl's $11; 0: all but stop     */
     loft_real tol;                      /* how far spans may leave the path, rounding included, mm, 1/1024..1 */
@@ -42,6 +44,7 @@ typedef struct {
 typedef struct {
     loft_real max_speed[LOFT_AXES];
     loft_real accel[LOFT_AXES];         /* mm/s^2 for acceleration along and across the path                  */
+    loft_real across;                   /* mm/s^2, where `accel` is for acceleration along it alone; or 0      */
     loft_real gain[LOFT_AXES];          /* mm/s^2: how much it may change in a beat                           */
     loft_real spare[LOFT_AXES];         /* mm/s: the change of velocity at one joint                          */
     loft_real share[LOFT_AXES];         /* mm/s^2: for the changes of velocity at joints that follow each other */

@@ -77,7 +77,7 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft
     plan->past = 0;
     for (int i = 0; i < LOFT_PLAN_TESTED; i++) {
         plan->speed[i]  = loft_budget_beat(&b, limits->max_speed[i]);
-        plan->accel[i]  = loft_acc_scale(loft_budget_beat(&b, limits->max_accel[i]), b.pulse);
+        plan->accel[i]  = loft_acc_scale(loft_budget_beat(&b, limits->max_accel[i] + limits->max_across), b.pulse);
         plan->jerk[i]   = loft_acc_scale(loft_budget_beat(&b, b.gain[i]), b.pulse);
     }
     return LOFT_OK;
@@ -228,6 +228,29 @@ static bool accelerates_within(const loft_plan *plan, unsigned m, loft_acc p[4][
     return true;
 }
 
+/* With a limit of its own across the path, the sum that the test above allows is more than what holds along it. Is the acceleration
+ * between those of the B-spline at the knots, to 1/64 of what may be changed of the speed? */
+static bool accelerates_between(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
+{
+    const loft_budget *b = &plan->law.course.budget;
+
+    for (int i = 0; i < LOFT_AXES && b->across > 0; i++) {
+        loft_acc low = 0, high = 0;
+        for (unsigned j = 0; j <= m; j++) {
+            const loft_acc bend = sample(plan, j)[i] - 2 * sample(plan, j + 1)[i] + sample(plan, j + 2)[i];
+            low  = j == 0 || bend < low ? bend : low;
+            high = j == 0 || bend > high ? bend : high;
+        }
+        const loft_acc slack = loft_acc_scale(loft_budget_beat(b, b->accel[i]), b->pulse) / 64;
+        for (int k = 0; k < 2; k++) {
+            const loft_acc bend = 6 * (p[k][i] - 2 * p[k + 1][i] + p[k + 2][i]);
+            if (bend > (high + slack) * (int32_t)(m * m) || bend < (low - slack) * (int32_t)(m * m))
+                return false;
+        }
+    }
+    return true;
+}
+
 /* The de Casteljau point, and the differences of the last rows that give velocity and acceleration. */
 typedef struct {
     loft_acc at, speed, accel;
@@ -283,7 +306,7 @@ static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
     const loft_acc tol = loft_wide(plan->law.course.budget.tol) / 8;
 
     interpolate(plan, m, p);
-    if (!accelerates_within(plan, m, p))
+    if (!accelerates_within(plan, m, p) || !accelerates_between(plan, m, p))
         return false;
     for (unsigned j = 0; j <= m; j++)
         if (!passes(plan, m, j, p, tol) || (j < m && !runs_between(plan, m, j, p)))

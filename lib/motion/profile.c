@@ -8,7 +8,8 @@
  *
  * With x = v^2 the second is a straight line in a and x: what it allows for a is the least of straight lines in x, a concave
  * function, and the chords between its values at x = 0, at the knee and at the cap lie below it. On two axes it has two lines, of
- * which one rises, for the axis that the bend relieves: the knee is looked for where the chords enclose most.
+ * which one rises, for the axis that the bend relieves: the knee is looked for where the chords enclose most. With a limit of its
+ * own for |k| x, that is a cap of x, and what is left for u a does not depend on x.
  *
  * Acceleration is averaged over n beats of h seconds (course.c), so that j <= a / (n h) with the largest a of that time. With
  * a share of the jerk for k' v^3, which limits the speed, a is limited by
@@ -28,6 +29,7 @@
 #define SLOWEST LOFT_REAL(0.0005)   /* no feature is passed slower, mm/s             */
 #define LEAST   LOFT_REAL(0.25)     /* nor with less acceleration from rest, mm/s^2 */
 #define COARSE  8
+#define LSB     loft_wide(LOFT_REAL(0.000015258789))    /* 2^-16 */
 
 static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
 static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
@@ -151,6 +153,22 @@ static void set_jerk_lines(loft_plan_piece *p, const loft_budget *b, const loft_
     lower(p->back, high, bent ? top - top / 24 : top);
 }
 
+/* The size of a direction or curvature at a station, or the largest on all of the piece (station 3). */
+static loft_real size_at(const loft_vec at[3], int k, int i)
+{
+    return k < 3 ? size_of(at[k].axis[i]) : largest(at, i);
+}
+
+/* The length of the curvature vector likewise, rounded up. */
+static loft_real bend_at(const loft_arc_shape *s, int k)
+{
+    loft_acc bend[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        bend[i] = loft_wide(size_at(s->bend, k, i));
+    return loft_acc_round(smaller(loft_acc_hypot(bend, LOFT_AXES) + LSB / 2, loft_wide(LOFT_REAL(32767))));
+}
+
 /* What the limits of acceleration leave for a at the square x of the speed, at any of the three stations. */
 static loft_real accel_grip(const loft_budget *b, const loft_arc_shape *s, loft_acc x, bool fore)
 {
@@ -161,7 +179,7 @@ static loft_real accel_grip(const loft_budget *b, const loft_arc_shape *s, loft_
         for (int k = 0; k < 3; k++) {
             const loft_real u = s->along[k].axis[i], k_i = s->bend[k].axis[i], size = size_of(u);
             const bool      more = size > bulge && ((u < 0) == (k_i < 0)) != fore;      /* does the bend need the other direction? */
-            const loft_acc  used = loft_acc_mul(x, size > bulge ? size_of(k_i) : most);
+            const loft_acc  used = b->across > 0 ? 0 : loft_acc_mul(x, size > bulge ? size_of(k_i) : most);
             const loft_acc  left = loft_wide(b->accel[i]) + (more ? used : -used);
             a = loft_real_cap(a, left > 0 ? loft_acc_round(left) : 0, size + bulge);
         }
@@ -201,10 +219,13 @@ static bool turns_fast(const loft_plan_piece *p, const loft_budget *b, const lof
 {
     const loft_acc x = loft_prod(p->cap, p->cap) * COARSE;
 
-    if (loft_budget_beat(b, p->rest) * COARSE > loft_wide(p->cap))
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (loft_acc_mul(x, largest(s->bend, i)) > loft_wide(b->accel[i]))
-                return true;
+    if (loft_budget_beat(b, p->rest) * COARSE <= loft_wide(p->cap))
+        return false;
+    if (b->across > 0)
+        return loft_acc_mul(x, bend_at(s, 3)) > loft_wide(b->across);
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (loft_acc_mul(x, largest(s->bend, i)) > loft_wide(b->accel[i]))
+            return true;
     return false;
 }
 
@@ -239,10 +260,12 @@ static loft_acc station_cap(const loft_budget *b, const loft_arc_shape *s, int k
     loft_acc  x;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        v = loft_real_cap(v, b->max_speed[i], k < 3 ? size_of(s->along[k].axis[i]) : largest(s->along, i));
+        v = loft_real_cap(v, b->max_speed[i], size_at(s->along, k, i));
     x = loft_prod(v, v);
+    if (b->across > 0)
+        return bend_cap(x, b->across, bend_at(s, k));
     for (int i = 0; i < LOFT_AXES; i++)
-        x = bend_cap(x, b->accel[i], k < 3 ? size_of(s->bend[k].axis[i]) : largest(s->bend, i));
+        x = bend_cap(x, b->accel[i], size_at(s->bend, k, i));
     return x;
 }
 
