@@ -109,6 +109,9 @@ extern const engine_measures engine_measures_q16, engine_measures_f32, engine_me
 /* A surface of any kind as the library holds it. */
 typedef struct engine_surface engine_surface;
 
+/* A point of a contour; `first`: of a curve that begins. */
+typedef void engine_contour_sink(void *context, bool first, const double point[ENGINE_AXES]);
+
 typedef struct {
     double normal[ENGINE_AXES];
     double gauss, mean;         /* 1/mm^2, 1/mm: positive mean where it bends towards the normal */
@@ -124,6 +127,9 @@ typedef struct {
     int (*kite)(const engine_surface *s, unsigned kite, double u, double v, double out[ENGINE_AXES]);
     /* Normal and curvatures there. LOFT_ERR_ARG: the library has them not for this kind. */
     int (*look)(const engine_surface *s, unsigned kite, double u, double v, engine_look *out);
+    /* The curves in which z is `height`, in their order, z within tol, found on a grid of n x n cells (n sides: a multiple
+     * of them around). */
+    int (*contour)(const engine_surface *s, double height, double tol, unsigned n, engine_contour_sink *sink, void *context);
 } engine_surfaces;
 
 extern const engine_surfaces engine_surfaces_q16, engine_surfaces_f32, engine_surfaces_f64;

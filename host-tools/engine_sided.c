@@ -8,6 +8,7 @@
 #include "polygon/gb.h"                 /* loft_gb */
 #include "polygon/meanvalue.h"          /* loft_meanvalue_eval */
 #include "polygon/ring.h"               /* loft_ring */
+#include "polygon/round.h"              /* loft_round */
 #include "polygon/spatch.h"             /* loft_spatch */
 #include "polygon/toric.h"              /* loft_toric */
 #include "polygon/wachspress.h"         /* loft_wachspress_eval */
@@ -306,6 +307,25 @@ static int sided_look(const engine_sided *e, sided_place at, engine_look *out)
     return status ? status : look_of(&here, out);
 }
 
+static int sided_round(const engine_sided *e, loft_round *out)
+{
+    loft_coordinates *const of[] = { [COORDINATES_WACHSPRESS] = loft_wachspress_eval, [COORDINATES_MEANVALUE] = loft_meanvalue_eval,
+                                     [COORDINATES_HARMONIC] = NULL };
+    loft_coordinates *phi = of[e->s->coordinates];
+    int status = LOFT_OK;
+
+    switch (e->s->kind) {
+    case SURFACE_SPATCH:    status = loft_round_from_spatch(out, &e->as.spatch, &e->domain, phi); break;
+    case SURFACE_GB:        status = loft_round_from_gb(out, &e->as.gb, &e->domain, phi);         break;
+    case SURFACE_TORIC:     status = loft_round_from_toric(out, &e->as.toric);                    break;
+    case SURFACE_BASEPOINT: loft_round_from_basepoint(out, &e->as.basepoint);                     break;
+    default:                loft_round_from_ring(out, &e->as.ring);                               break;
+    }
+    if (status == LOFT_OK && e->harmonic != NULL)
+        status = loft_round_harmonic(out, engine_harmonic_of(e->harmonic));
+    return status;
+}
+
 static int sided_complete(surface *s)
 {
     const unsigned all = loft_gb_count(s->n, s->m);
@@ -338,5 +358,6 @@ const engine_sides ENGINE_OF(engine_sides) = {
     .close    = sided_close,
     .eval     = sided_eval,
     .look     = sided_look,
-    .complete = sided_complete
+    .complete = sided_complete,
+    .round    = sided_round
 };

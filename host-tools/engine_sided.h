@@ -8,6 +8,7 @@
 #include "sided.h"
 
 typedef struct engine_sided engine_sided;
+struct loft_round;          /* of the library */
 
 /* As with engine_surfaces. */
 typedef struct {
@@ -18,6 +19,8 @@ typedef struct {
     int (*look)(const engine_sided *e, sided_place at, engine_look *out);
     /* Give a GB patch of which the points around it are known, or all but the last, the others; with any other number nothing. */
     int (*complete)(surface *s);
+    /* The whole as a sheet around its middle; it borrows from `e`. */
+    int (*round)(const engine_sided *e, struct loft_round *out);
 } engine_sides;
 
 extern const engine_sides engine_sides_q16, engine_sides_f32, engine_sides_f64;

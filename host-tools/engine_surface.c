@@ -6,7 +6,9 @@
  */
 #include <stdlib.h>
 
+#include "polygon/round.h"              /* loft_round */
 #include "surface/bicubic.h"            /* loft_bicubic */
+#include "surface/contour.h"            /* loft_contour */
 #include "surface/coons.h"              /* loft_coons_bezier */
 #include "surface/local.h"              /* loft_local */
 #include "surface/octant.h"             /* loft_octant_from_radius */
@@ -279,10 +281,78 @@ static int surface_look(const engine_surface *e, unsigned kite, double u, double
     return status ? status : look_of(&here, out);
 }
 
+
+
+// Contours
+// --------
+
+/* What the sheet of a surface borrows, beside the surface. */
+typedef struct {
+    loft_vec net[10];
+    loft_triangle cubic;
+    loft_round round;
+} sheet_room;
+
+static int sheet_of(const engine_surface *e, sheet_room *room, loft_sheet *out)
+{
+    int status = LOFT_OK;
+
+    if (e->sided) {
+        status = ENGINE_OF(engine_sides).round(e->sided, &room->round);
+        *out = loft_sheet_from_round(&room->round);
+        return status;
+    }
+    switch (e->s->kind) {
+    case SURFACE_TENSOR:
+        *out = e->s->rational ? loft_sheet_from_tensor_rational(&e->as.tensor_rational) : loft_sheet_from_tensor(&e->as.tensor);
+        break;
+    case SURFACE_PN:
+        loft_pn_net(&e->as.pn, room->net);
+        status = loft_triangle_init(&room->cubic, room->net, 3);
+        *out = loft_sheet_from_triangle(&room->cubic);
+        break;
+    case SURFACE_COONS:   *out = loft_sheet_from_coons(&e->as.coons);     break;
+    case SURFACE_BICUBIC: *out = loft_sheet_from_bicubic(&e->as.bicubic); break;
+    case SURFACE_SPHERE:  *out = loft_sheet_from_sphere(&e->as.sphere);   break;
+    default:
+        *out = e->s->rational || e->s->kind == SURFACE_OCTANT ? loft_sheet_from_triangle_rational(&e->as.triangle_rational)
+                                                              : loft_sheet_from_triangle(&e->as.triangle);
+        break;
+    }
+    return status;
+}
+
+static int surface_contour(const engine_surface *e, double height, double tol, unsigned n, engine_contour_sink *sink, void *context)
+{
+    const unsigned sides = surface_kites(e->s), around = (n + sides - 1) / sides * sides;
+    const size_t bytes = LOFT_CONTOUR_BYTES((size_t)n, (size_t)around);
+    enum loft_contour_step step;
+    double point[ENGINE_AXES];
+    sheet_room room;
+    loft_sheet sheet;
+    loft_contour c;
+    loft_real z, within;
+    loft_vec at;
+
+    if (!real_of(height, &z) || !tol_of(tol, &within))
+        return LOFT_ERR_RANGE;
+    uint8_t *memory = tool_grow(NULL, bytes);
+    int status = sheet_of(e, &room, &sheet);
+    if (status == LOFT_OK)
+        status = loft_contour_init(&c, sheet, 2, z, within, n, around, memory, bytes);
+    while (status == LOFT_OK && (step = loft_contour_next(&c, &at)) != LOFT_CONTOUR_OVER) {
+        point_of(at, point);
+        sink(context, step == LOFT_CONTOUR_START, point);
+    }
+    free(memory);
+    return status;
+}
+
 const engine_surfaces ENGINE_OF(engine_surfaces) = {
     .open  = surface_open,
     .close = surface_close,
     .eval  = surface_eval,
     .kite  = surface_kite,
-    .look  = surface_look
+    .look  = surface_look,
+    .contour = surface_contour
 };

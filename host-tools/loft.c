@@ -10,7 +10,7 @@
 static const tool_command *const commands[] = {
     &command_stream, &command_plan, &command_simulate, &command_monitor, &command_ports,
     &command_eval, &command_sample, &command_flatten, &command_plot, &command_measure, &command_compare,
-    &command_surface, &command_study, &command_harmonic
+    &command_surface, &command_contour, &command_study, &command_harmonic
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])

@@ -24,7 +24,7 @@ struct tool_command {
     int (*run)(const tool_command *self, int argc, char **argv);    /* gives the exit code */
 };
 
-extern const tool_command command_compare, command_eval, command_flatten, command_harmonic, command_measure, command_monitor, command_plan, command_plot,
+extern const tool_command command_compare, command_contour, command_eval, command_flatten, command_harmonic, command_measure, command_monitor, command_plan, command_plot,
                           command_ports, command_sample, command_simulate, command_stream, command_study, command_surface;
 
 /* Print `loft: <message>` and return `code`. */

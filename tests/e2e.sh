@@ -361,7 +361,7 @@ case_help_everywhere() {
     run 0 "$loft" --help;    says out 'usage: loft COMMAND'
     run 0 "$loft" --version; says out '^loft [0-9]'
     run 64 "$loft"
-    for command in stream simulate plot ports eval sample flatten measure compare surface; do
+    for command in stream simulate plot ports eval sample flatten measure compare surface contour; do
         run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
         run 0 "$loft" $command --help; cmp -s "$tmp/out" "$tmp/help" || job_fails "help $command and $command --help differ"
     done
@@ -603,6 +603,23 @@ case_bad_surfaces() {
     bad_surface 'octant -3\n'                           '1: no radius'
     bad_surface 'octant 3\nbezier 3\n'                  '2: `bezier` is no kind of surface'
     printf 'line\n0 0\n1 1\ntensor 1 1\n' >"$tmp/bad.loft"; one_line 65 'bad.loft:4: `tensor` is no kind of curve: surfaces go into a file of their own' "$loft" eval "$tmp/bad.loft"
+}
+case_waterlines() {
+    local num
+    printf 'sphere 10\n1 2 3\n' >"$tmp/ball.loft"
+    for num in q16 f32 f64; do      # circles of radius 8 and 6 around the centre, closed, once about each
+        run 0 "$loft" contour --num $num --heights 9,-5 --n 64 --csv "$tmp/ball.loft"; is_empty err
+        awk -F, 'NR == 1 { if ($0 != "surface,height,curve,x,y,z") exit bad = 1; next }
+            { r = sqrt(($4 - 1) ^ 2 + ($5 - 2) ^ 2) - ($2 == 9 ? 8 : 6); z = $6 - $2; if (r * r > 4e-6 || z * z > 1.1e-6) exit bad = 1
+              if ($3 != curve) { curve = $3; curves++; first = $4 " " $5 } last = $4 " " $5; n[$2]++ }
+            END { exit bad || curves != 1 || last != first || n[9] < 100 || n[-5] < 100 }' curve=0 "$tmp/out" || job_fails "$num: $(head -3 "$tmp/out")"
+    done
+    run 0 "$loft" contour --levels 5 tests/drawings/sided.loft; cp "$tmp/out" "$tmp/lines.loft"
+    says out '^line  *# surface 6, z = 15, closed$'; run 0 "$loft" measure "$tmp/lines.loft"; says out '	line	'
+    run 0 sh -c "'$loft' contour --flat tests/drawings/patch.loft | '$loft' stream - --dry-run"; says out '^planned: [0-9]* curves, 0\.39[0-9] m drawn'
+    one_line 65 'reach from z = -7 to 13 mm' "$loft" contour --heights 20 "$tmp/ball.loft"
+    one_line 65 'no surface in it'          "$loft" contour "$tmp/small.csv"
+    one_line 64 'give one of them'          "$loft" contour --heights 1 --levels 3 "$tmp/ball.loft"
 }
 case_bad_curves() {
     bad_loft() { printf "$1" >"$tmp/bad.loft"; shift; one_line 65 "$tmp/bad.loft:$1" "$loft" eval "$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$1" "$loft" stream --dry-run "$tmp/bad.loft"; }
