@@ -176,7 +176,8 @@ deps-bench:
 ## Install the cross compilers and the emulators that check-cross, check-target and size need
 .PHONY: deps-target
 deps-target:
-	@sh tests/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc gcc-riscv64-unknown-elf simavr libsimavr-dev libelf-dev qemu-system-arm qemu-system-misc
+	@sh tests/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc gcc-riscv64-unknown-elf simavr libsimavr-dev libelf-dev qemu-system-arm qemu-system-misc \
+	    qemu-system-x86 busybox-static cpio xz-utils libgpiod-dev
 
 ## Compile lib/ for Cortex-M0+, M4, ATmega328P and rv32imac; no writable data, no libc, no slow helper in an interrupt
 .PHONY: check-cross

@@ -1,4 +1,4 @@
-/* ports/host/host.c -- the machine behind a pseudo terminal, in real or in simulated time
+/* ports/host/host.c -- the machine behind a pseudo terminal or a serial port, in real or in simulated time
  * SPDX-License-Identifier: MIT
  *
  * One loop does what on a board are three contexts: bytes in and out, the slots that are due, a tick behind each.
@@ -7,7 +7,8 @@
  * Simulated time: a batch is due whenever the machine can go on without regard to how fast the line is, that is while the
  * queue is at least half full, the end of the job is known, or nothing has come for QUIET_MS of real time (then
  * the sender is gone, and the machine starves as it should). Otherwise time stands.
- * In both, the loop sleeps in poll while nothing moves.
+ * A board's lines: slots are made ahead, and the board gives them in its own time (board.h).
+ * In all of them, the loop sleeps in poll while nothing moves.
  */
 #include "host/host.h"
 
@@ -20,9 +21,11 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "host/board.h"         /* struct loft_board    */
 #include "host/line.h"          /* the pseudo terminal  */
 #include "host/record.h"        /* the pulses           */
 #include "machine/machine.h"    /* loft_machine         */
+#include "switches.h"           /* loft_switches_act    */
 
 #define QUIET_MS    300
 #define LEAVE_MS    5000        /* how long `once` waits for a sender to fetch the report of an ended job */
@@ -32,6 +35,7 @@
 
 struct host {
     const struct loft_host_options *o;
+    struct loft_board *board;               /* or NULL */
     loft_machine machine;
     loft_machine_config config;
     volatile loft_cell *cell;
@@ -46,6 +50,7 @@ struct host {
     uint8_t wire[LOFT_FRAME_MAX];
     size_t count, sent;
     uint8_t state;
+    bool unreported;                        /* slots have gone to the board since its last report */
     sigset_t during;                        /* signals that are let through while the loop sleeps */
 };
 
@@ -189,6 +194,22 @@ static void note_state(struct host *h)
 }
 
 
+/* Have all slots of the job been given? */
+static bool given(const struct host *h)
+{
+    return !h->board || h->board->left(h->board) == 0;
+}
+
+/* Let the board report when the last slot of a job has been given. */
+static void note_end(struct host *h)
+{
+    if (h->unreported && given(h)) {
+        h->unreported = false;
+        h->board->report(h->board);
+    }
+}
+
+
 // Bytes
 // -----
 
@@ -232,7 +253,10 @@ static void run_slots(struct host *h, uint64_t count)
 {
     for (uint64_t i = 0; i < count; i++) {
         loft_machine_tick(&h->machine);
-        host_record_slot(&h->record, h->slot++, loft_machine_slot(&h->machine));
+        const loft_pins pins = loft_machine_slot(&h->machine);
+        if (h->board)
+            h->board->slot(h->board, h->slot, pins);
+        host_record_slot(&h->record, h->slot++, pins);
     }
     loft_machine_tick(&h->machine);
 }
@@ -275,6 +299,27 @@ static int run_real(struct host *h)
     return 1;
 }
 
+/* A board: keep it supplied for lead_ms. It may be standing, waiting for the line; time counts as long as a job is under way. */
+static int run_board(struct host *h)
+{
+    const uint64_t lead = (uint64_t)h->o->tick_hz * h->o->slots * h->board->lead_ms / 1000;
+
+    if (!loft_state_busy(h->machine.drive.state)) {
+        note_end(h);
+        return given(h) ? -1 : 1;
+    }
+    h->unreported = true;
+    while (h->board->left(h->board) < lead)
+        run_slots(h, h->o->slots);
+    h->board->give(h->board);
+    return (int)h->board->lead_ms / 4;
+}
+
+static int run_on(struct host *h)
+{
+    return h->board ? run_board(h) : h->o->fast ? run_simulated(h) : run_real(h);
+}
+
 /* May the program end? When the host has closed the job and read what was sent last, which would be lost with the line, or
  * when it does not come for it. */
 static bool finished(struct host *h)
@@ -284,7 +329,9 @@ static bool finished(struct host *h)
 
     if (stop_wanted > 1)
         return true;
-    if (loft_state_busy(h->machine.drive.state))
+    if (h->board && !h->board->works(h->board))
+        return true;
+    if (loft_state_busy(h->machine.drive.state) || !given(h))
         return false;
     if (h->ended == 0 || !(h->o->once || stop_wanted))
         return stop_wanted;
@@ -293,20 +340,42 @@ static bool finished(struct host *h)
     return since > (stop_wanted ? STOP_MS : LEAVE_MS);
 }
 
+static void sleep_until(struct host *h, bool waiting, int ms)
+{
+    struct pollfd other[LOFT_BOARD_WATCHED];
+    const unsigned count = h->board ? h->board->watch(h->board, other, &ms) : 0;
+
+    host_line_poll(&h->line, waiting, ms, &h->during, other, count);
+}
+
 static void run(struct host *h)
 {
     while (!finished(h)) {
         take_bytes(h);
         if (stop_wanted)
             loft_machine_control(&h->machine, LOFT_ABORT);
-        while (loft_machine_plan(&h->machine)) {}
-        int ms = h->o->fast ? run_simulated(h) : run_real(h);
+        if (h->board)
+            loft_switches_act(&h->machine, h->board->switches(h->board));
+        bool more = loft_machine_plan(&h->machine);
+        while (more && !h->board)
+            more = loft_machine_plan(&h->machine);
+        int ms = run_on(h);
+        if (more)
+            ms = 0;                     /* a board must be supplied between two spans */
         note_state(h);
         const bool waiting = give_bytes(h);
-        if ((stop_wanted || (h->o->once && h->ended)) && ms != 0)
+        if ((stop_wanted || (h->o->once && h->ended)) && (ms < 0 || ms > 20))
             ms = 20;
-        host_line_wait(&h->line, waiting, ms, &h->during);
+        sleep_until(h, waiting, ms);
     }
+}
+
+static int begin_board(struct host *h)
+{
+    const uint32_t slot_hz = (uint32_t)h->o->tick_hz * h->o->slots;
+    const uint64_t most = (uint64_t)slot_hz * h->board->lead_ms / 1000 + 2 * h->o->slots;
+
+    return h->board->begin(h->board, slot_hz, (uint32_t)most);
 }
 
 int loft_host_simulate(const struct loft_host_options *o)
@@ -316,17 +385,27 @@ int loft_host_simulate(const struct loft_host_options *o)
 
     memset(&h, 0, sizeof h);
     h.o = o;
+    h.board = o->board;
     h.line.master = h.line.slave = -1;
     code = start_machine(&h);
     if (code == 0)
         code = host_record_open(&h.record, o);
     if (code == 0)
-        code = host_line_open(&h.line, o->link, o->noise);
+        code = o->port ? host_line_serial(&h.line, o->port, o->baud) : host_line_open(&h.line, o->link, o->noise);
     if (code == 0) {
         catch_signals(&h);
+        code = h.board ? begin_board(&h) : 0;
+    }
+    if (code == 0) {
         printf("machine: %s\n", h.line.name);
         fflush(stdout);
         run(&h);
+        if (h.board) {
+            code = h.board->works(h.board) ? 0 : EX_IOERR;
+            h.board->end(h.board);
+            if (h.unreported)
+                h.board->report(h.board);
+        }
     }
     if (stop_wanted) {
         printf("stopped at ");

@@ -16,7 +16,12 @@
 
 #include "config.h"     /* LOFT_AXES, LOFT_NAME */
 
+struct loft_board;
+
 struct loft_host_options {
+    struct loft_board *board;   /* the pulses go to its lines, in real time; NULL: to the record alone          */
+    const char *port;           /* a serial port in place of a pseudo terminal, or NULL                         */
+    unsigned baud;              /* of the serial port                                                           */
     const char *link;           /* make this symbolic link to the pseudo terminal; NULL: none                   */
     const char *record;         /* write every pulse to this file, "-" is standard output; NULL: none           */
     bool     fast;              /* simulated time: as fast as possible, and time stands while the line is slow  */
@@ -37,6 +42,7 @@ static inline struct loft_host_options loft_host_defaults(void)
 {
     struct loft_host_options o = { 0 };
     o.fast = true;
+    o.baud = 115200;
     for (int i = 0; i < LOFT_AXES; i++) {
         o.steps_per_mm[i] = 80;
         o.max_speed[i] = 500;
@@ -50,7 +56,7 @@ static inline struct loft_host_options loft_host_defaults(void)
     return o;
 }
 
-/* Make a pseudo terminal, print its name on standard output as `machine: NAME`, and be the machine behind it until SIGINT,
+/* Make a pseudo terminal, or open the port, print its name on standard output as `machine: NAME`, and be the machine behind it until SIGINT,
  * SIGTERM or, with `once`, the end of a job. A signal stops the machine on the path first; the record is then complete.
  *
  *   shape   gives 0 or an exit code of <sysexits.h> after one line on standard error

@@ -5,16 +5,18 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <sysexits.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
+
+#define AWAY_MS 200             /* between two attempts to open a port that has gone */
 
 static int refuse(const char *what, const char *name)
 {
@@ -41,7 +43,7 @@ int host_line_open(struct host_line *l, const char *link, double noise)
     struct termios t;
     struct timespec now;
 
-    l->link = NULL;
+    l->link = l->port = NULL;
     l->slave = -1;
     l->master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (l->master < 0 || grantpt(l->master) != 0 || unlockpt(l->master) != 0 ||
@@ -63,6 +65,71 @@ int host_line_open(struct host_line *l, const char *link, double noise)
     l->random = (uint64_t)now.tv_nsec;
     l->flip = (uint32_t)(noise * 1e-6 * 4294967295.0);
     return 0;
+}
+
+
+
+// A serial port
+// -------------
+
+static bool speed_of(unsigned baud, speed_t *out)
+{
+    static const struct { unsigned baud; speed_t speed; } speeds[] = {
+        { 9600, B9600 }, { 19200, B19200 }, { 38400, B38400 }, { 57600, B57600 }, { 115200, B115200 }, { 230400, B230400 },
+        { 460800, B460800 }, { 500000, B500000 }, { 921600, B921600 }, { 1000000, B1000000 }, { 2000000, B2000000 }
+    };
+    for (size_t i = 0; i < sizeof speeds / sizeof speeds[0]; i++)
+        if (speeds[i].baud == baud) {
+            *out = speeds[i].speed;
+            return true;
+        }
+    return false;
+}
+
+/* Gives NULL, or what was not possible. */
+static const char *open_serial(struct host_line *l)
+{
+    struct termios t;
+    speed_t speed;
+
+    l->master = open(l->port, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (l->master < 0)
+        return "cannot open";
+    if (flock(l->master, LOCK_EX | LOCK_NB) != 0)
+        return "another program has it";
+    if (!speed_of(l->baud, &speed) || tcgetattr(l->master, &t) != 0)
+        return "is not a serial port of this speed";
+    cfmakeraw(&t);
+    cfsetispeed(&t, speed);
+    cfsetospeed(&t, speed);
+    t.c_cflag |= CLOCAL | CREAD;
+    t.c_cflag &= ~(tcflag_t)(HUPCL | CRTSCTS);
+    if (tcsetattr(l->master, TCSANOW, &t) != 0)
+        return "cannot be made raw";
+    return NULL;
+}
+
+int host_line_serial(struct host_line *l, const char *port, unsigned baud)
+{
+    memset(l, 0, sizeof *l);
+    l->slave = -1;
+    l->port = port;
+    l->baud = baud;
+    snprintf(l->name, sizeof l->name, "%.63s", port);
+    const char *trouble = open_serial(l);
+    return trouble ? refuse(trouble, port) : 0;
+}
+
+/* A port that hung up is let go, and opened again when it is there. */
+static void renew_serial(struct host_line *l, bool gone)
+{
+    if (gone && l->master >= 0) {
+        close(l->master);
+        l->master = -1;
+    } else if (l->master < 0 && open_serial(l) && l->master >= 0) {
+        close(l->master);
+        l->master = -1;
+    }
 }
 
 void host_line_close(struct host_line *l)
@@ -117,12 +184,20 @@ size_t host_line_write(struct host_line *l, const uint8_t *byte, size_t count)
     return written > 0 ? (size_t)written : 0;
 }
 
-void host_line_wait(struct host_line *l, bool write, int ms, const sigset_t *during)
+void host_line_poll(struct host_line *l, bool write, int ms, const sigset_t *during, struct pollfd *other, unsigned count)
 {
-    struct pollfd fd = { .fd = l->master, .events = (short)(POLLIN | (write ? POLLOUT : 0)) };
-    const struct timespec time = { .tv_sec = ms / 1000, .tv_nsec = ms % 1000 * 1000000L };
+    struct pollfd fd[1 + HOST_LINE_OTHERS] = { { .fd = l->master, .events = (short)(POLLIN | (write ? POLLOUT : 0)) } };
 
-    ppoll(&fd, 1, ms < 0 ? NULL : &time, during);
+    if (l->master < 0 && (ms < 0 || ms > AWAY_MS))
+        ms = AWAY_MS;
+    const struct timespec time = { .tv_sec = ms / 1000, .tv_nsec = ms % 1000 * 1000000L };
+    for (unsigned i = 0; i < count && i < HOST_LINE_OTHERS; i++)
+        fd[1 + i] = other[i];
+    ppoll(fd, 1 + count, ms < 0 ? NULL : &time, during);
+    for (unsigned i = 0; i < count && i < HOST_LINE_OTHERS; i++)
+        other[i].revents = fd[1 + i].revents;
+    if (l->port)
+        renew_serial(l, (fd[0].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0);
 }
 
 bool host_line_drained(const struct host_line *l)

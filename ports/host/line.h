@@ -1,11 +1,12 @@
-/* ports/host/line.h -- the machine's end of the line: the master of a pseudo terminal
+/* ports/host/line.h -- the machine's end of the line: the master of a pseudo terminal, or a serial port
  * SPDX-License-Identifier: MIT
  *
- * The slave is kept open here as well, so the line outlives every sender.
+ * The slave is kept open here as well, so the line outlives every sender. A serial port that vanishes is opened again when it is back.
  */
 #ifndef LOFT_HOST_LINE_H
 #define LOFT_HOST_LINE_H
 
+#include <poll.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,14 +15,17 @@
 #include "config.h"     /* LOFT_NAME */
 
 #define host_line_open      LOFT_NAME(host_line_open)
+#define host_line_serial    LOFT_NAME(host_line_serial)
+#define host_line_poll      LOFT_NAME(host_line_poll)
 #define host_line_close     LOFT_NAME(host_line_close)
 #define host_line_read      LOFT_NAME(host_line_read)
 #define host_line_write     LOFT_NAME(host_line_write)
-#define host_line_wait      LOFT_NAME(host_line_wait)
 #define host_line_drained   LOFT_NAME(host_line_drained)
 
 struct host_line {
-    int master, slave;
+    int master, slave;          /* -1: none; a serial port is a master that is away while it is -1 */
+    const char *port;           /* a serial port, or NULL                         */
+    unsigned baud;
     const char *link;           /* symbolic link to the slave, or NULL            */
     char name[64];              /* of the slave                                   */
     uint32_t flip;              /* probability that a bit is flipped, times 2^32  */
@@ -32,13 +36,22 @@ struct host_line {
 int  host_line_open(struct host_line *l, const char *link, double noise);
 void host_line_close(struct host_line *l);
 
+/* Open a serial port, raw, 8N1, without touching its modem lines; results as above. No second machine may have it. */
+int  host_line_serial(struct host_line *l, const char *port, unsigned baud);
+
 /* As many bytes as there are or fit; never wait. */
 size_t host_line_read(struct host_line *l, uint8_t *byte, size_t max);
 size_t host_line_write(struct host_line *l, const uint8_t *byte, size_t count);
 
 /* Wait until bytes can be read (or written, if `write`), `ms` have passed (negative: for ever), or a signal that
- * `during` lets through has come. */
-void host_line_wait(struct host_line *l, bool write, int ms, const sigset_t *during);
+ * `during` lets through has come, or one of the `count` others has something. */
+#define HOST_LINE_OTHERS 8
+void host_line_poll(struct host_line *l, bool write, int ms, const sigset_t *during, struct pollfd *other, unsigned count);
+
+static inline void host_line_wait(struct host_line *l, bool write, int ms, const sigset_t *during)
+{
+    host_line_poll(l, write, ms, during, NULL, 0);
+}
 
 /* Has the other end read everything? */
 bool host_line_drained(const struct host_line *l);

@@ -1,0 +1,85 @@
+/* ports/linux-gpio/inputs.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "linux-gpio/inputs.h"
+
+#include <string.h>
+#include <time.h>
+
+#include "switches.h"           /* LOFT_SWITCH_ */
+
+static int64_t now_ns(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
+}
+
+/* A line that cannot be read counts as closed: a chip that has gone must stop the machine. */
+static bool is_closed(const struct inputs *in, unsigned i)
+{
+    const int value = gpio_get(in->lines->input[i]);
+    return value < 0 || (value != 0) != in->lines->input_low[i];
+}
+
+void inputs_init(struct inputs *in, struct lines *lines, unsigned debounce_us)
+{
+    memset(in, 0, sizeof *in);
+    in->lines = lines;
+    in->quiet_us = gpio_debounces() ? 0 : debounce_us;
+    for (unsigned i = 0; i < LINE_INPUTS; i++)
+        if (lines->input[i])
+            in->input[i].closed = is_closed(in, i);
+}
+
+/* Edges that the kernel had no room for do no harm: it is the line that is read in the end. */
+static void take_edges(struct inputs *in, int64_t now)
+{
+    for (unsigned i = 0; i < LINE_INPUTS; i++) {
+        gpio_request *r = in->lines->input[i];
+        if (!r)
+            continue;
+        struct pollfd fd = { .fd = gpio_fd(r), .events = POLLIN };
+        while (poll(&fd, 1, 0) == 1) {
+            in->input[i].edge = now;
+            if (!gpio_forget_edges(r)) {
+                in->lost = true;
+                break;
+            }
+        }
+    }
+}
+
+uint8_t inputs_closed(struct inputs *in)
+{
+    static const uint8_t asks_for[LINE_LIMIT] = { LOFT_SWITCH_ABORT, LOFT_SWITCH_HOLD, LOFT_SWITCH_RESUME };
+    const int64_t now = now_ns();
+    uint8_t sum = 0;
+
+    take_edges(in, now);
+    for (unsigned i = 0; i < LINE_INPUTS; i++) {
+        struct input *is = &in->input[i];
+        if (is->edge == 0 || now - is->edge < in->quiet_us * INT64_C(1000))
+            continue;
+        const bool closed = is_closed(in, i);
+        is->edge = 0;
+        if (closed && !is->closed)
+            sum |= i < LINE_LIMIT ? asks_for[i] : LOFT_SWITCH_ABORT;
+        is->closed = closed;
+    }
+    return sum;
+}
+
+unsigned inputs_watch(struct inputs *in, struct pollfd fd[LINE_INPUTS], int *ms)
+{
+    const int quiet_ms = (int)(in->quiet_us / 1000) + 1;
+    unsigned count = 0;
+
+    for (unsigned i = 0; i < LINE_INPUTS; i++)
+        if (in->lines->input[i]) {
+            fd[count++] = (struct pollfd){ .fd = gpio_fd(in->lines->input[i]), .events = POLLIN };
+            if (in->input[i].edge && (*ms < 0 || *ms > quiet_ms))
+                *ms = quiet_ms;
+        }
+    return count;
+}

@@ -1,0 +1,198 @@
+/* ports/linux-gpio/main.c -- loft-gpio: a machine on the GPIO lines of a Linux board
+ * SPDX-License-Identifier: MIT
+ *
+ * The machine is that of ports/host; here are its board and the command line.
+ */
+#include <errno.h>
+#include <sched.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sysexits.h>
+
+#include "host/board.h"             /* struct loft_board */
+#include "linux-gpio/inputs.h"
+#include "linux-gpio/lines.h"
+#include "linux-gpio/pulses.h"
+#include "linux-gpio/settings.h"
+
+struct gpio_board {
+    struct loft_board board;        /* the first member: a pointer to it is one to the whole */
+    const struct settings *s;
+    struct lines lines;
+    struct inputs inputs;
+    struct pulses pulses;
+};
+
+
+// The board
+// ---------
+
+static struct gpio_board *of(struct loft_board *b)
+{
+    return (struct gpio_board *)b;
+}
+
+/* The thread has the higher priority: the main loop may take the time that is left. */
+static void make_real_time(unsigned priority)
+{
+    const struct sched_param half = { .sched_priority = (int)(priority + 1) / 2 };
+
+    if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+        fprintf(stderr, "loft-gpio: memory cannot be locked (%s): pulses may come late; run as root, or with `ulimit -l unlimited`\n", strerror(errno));
+    if (priority)
+        sched_setscheduler(0, SCHED_FIFO, &half);       /* the thread tells if that is not allowed */
+}
+
+static int begin(struct loft_board *b, uint32_t slot_hz, uint32_t most)
+{
+    struct gpio_board *g = of(b);
+
+    make_real_time(g->s->priority);
+    inputs_init(&g->inputs, &g->lines, g->s->debounce_us);
+    lines_set(&g->lines, UINT32_MAX << LINE_ENABLE, UINT32_MAX);
+    return pulses_begin(&g->pulses, &g->lines, g->s, slot_hz, most);
+}
+
+static void slot(struct loft_board *b, uint64_t number, loft_pins pins)
+{
+    pulses_put(&of(b)->pulses, number, pins);
+}
+
+static void give(struct loft_board *b)
+{
+    pulses_give(&of(b)->pulses);
+}
+
+static uint64_t left(struct loft_board *b)
+{
+    return pulses_left(&of(b)->pulses);
+}
+
+static uint8_t switches(struct loft_board *b)
+{
+    return inputs_closed(&of(b)->inputs);
+}
+
+static unsigned watch(struct loft_board *b, struct pollfd fd[LOFT_BOARD_WATCHED], int *ms)
+{
+    return inputs_watch(&of(b)->inputs, fd, ms);
+}
+
+static bool works(struct loft_board *b)
+{
+    return pulses_work(&of(b)->pulses) && !of(b)->inputs.lost;
+}
+
+static void report(struct loft_board *b)
+{
+    pulses_report(&of(b)->pulses);
+}
+
+static void end(struct loft_board *b)
+{
+    pulses_end(&of(b)->pulses);
+    lines_set(&of(b)->lines, UINT32_MAX, 0);
+}
+
+static struct loft_board board_of(const struct settings *s)
+{
+    return (struct loft_board){ .lead_ms = s->lead_ms, .begin = begin, .slot = slot, .give = give, .left = left, .switches = switches,
+                                .watch = watch, .works = works, .report = report, .end = end };
+}
+
+
+// The command line
+// ----------------
+
+static void print_help(void)
+{
+    printf("usage: loft-gpio [OPTION..] [FILE | KEY=VALUE]..\n"
+           "A machine for `loft stream` on the GPIO lines of a Linux board (libgpiod %s).\n\n"
+           "  --look          say which lines are meant and who has them, and end\n"
+           "  --once          end after one job\n"
+           "  --quiet         print only the port, errors and lateness\n"
+           "  --record FILE   write every pulse with its slot to FILE (CSV)\n"
+           "  --help          this\n\n"
+           "FILEs hold lines KEY = VALUE, # begins a comment; what comes later counts. x stands for x, y or z; LINE is a number or the\n"
+           "name of a line, or CHIP:LINE, where CHIP is the label, name (gpiochip0) or path of a chip.\n\n", gpio_library());
+    settings_print();
+    printf("\nWhen it ends, by a signal too, it stops on the path, then steps are low, enable is off, and the lines are given back. What they are\n"
+           "from then on, and after a crash, the board decides: give enable a resistor to its off side.\n");
+}
+
+static int usage(const char *trouble, const char *what)
+{
+    fprintf(stderr, "loft-gpio: %s%s: see --help\n", trouble, what);
+    return EX_USAGE;
+}
+
+/* Gives -1 to go on, or an exit code. */
+static int take_arguments(struct settings *s, int argc, char **argv, bool *look)
+{
+    for (int i = 1; i < argc; i++) {
+        const char *a = argv[i];
+        int code = 0;
+
+        if (strcmp(a, "--help") == 0) {
+            print_help();
+            return 0;
+        } else if (strcmp(a, "--look") == 0)
+            *look = true;
+        else if (strcmp(a, "--once") == 0)
+            s->host.once = true;
+        else if (strcmp(a, "--quiet") == 0)
+            s->host.quiet = true;
+        else if (strcmp(a, "--record") == 0 && i + 1 < argc)
+            s->host.record = argv[++i];
+        else if (a[0] == '-')
+            return usage("what is ", a);
+        else
+            code = strchr(a, '=') ? settings_take(s, "argument", a) : settings_read(s, a);
+        if (code)
+            return code;
+    }
+    return -1;
+}
+
+/* Each axis whole or not at all, and one at least. */
+static int check_axes(const struct settings *s)
+{
+    bool any = false;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const bool step = s->output[LINE_STEP + i].key[0] != 0, dir = s->output[LINE_DIR + i].key[0] != 0;
+        if (step != dir) {
+            fprintf(stderr, "loft-gpio: %s has no %s\n", s->output[(step ? LINE_STEP : LINE_DIR) + i].key, step ? "dir" : "step");
+            return EX_CONFIG;
+        }
+        any |= step;
+    }
+    return any ? 0 : usage("no axis: give a file, or x.step=LINE x.dir=LINE", "");
+}
+
+int main(int argc, char **argv)
+{
+    static struct settings s;
+    static struct gpio_board g;
+    bool look = false;
+
+    s = settings_usual();
+    int code = take_arguments(&s, argc, argv, &look);
+    if (code < 0)
+        code = check_axes(&s);
+    else
+        return code;
+    if (code == 0)
+        code = lines_open(&g.lines, &s, look);
+    if (code == 0 && !look) {
+        g.board = board_of(&s);
+        g.s = &s;
+        s.host.board = &g.board;
+        s.host.port = s.port[0] ? s.port : NULL;
+        s.host.link = s.link[0] ? s.link : NULL;
+        code = loft_host_simulate(&s.host);
+    }
+    lines_close(&g.lines);
+    return code;
+}

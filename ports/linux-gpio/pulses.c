@@ -1,0 +1,247 @@
+/* ports/linux-gpio/pulses.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Main loop and thread meet in `head` and `given`, written by one of them each. The thread sleeps on `wake` when the ring is empty;
+ * `waiting` says so, and whoever takes it back posts. When it wakes after that, time begins anew: the slot behind the last one given is
+ * due now.
+ */
+#include "linux-gpio/pulses.h"
+
+#include <errno.h>
+#include <sched.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sysexits.h>
+#include <time.h>
+
+#define SPIN_NS 50000           /* waits that are shorter do not sleep */
+
+static const int64_t bound_us[PULSES_BINS - 1] = { 10, 20, 50, 100, 200, 500, 1000, 2000, 5000 };
+
+#define LOAD(x)     __atomic_load_n(&(x), __ATOMIC_SEQ_CST)
+#define STORE(x, v) __atomic_store_n(&(x), (v), __ATOMIC_SEQ_CST)
+
+static int64_t now_ns(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
+}
+
+/* Gives what time it is then. */
+static int64_t wait_until(int64_t when)
+{
+    const struct timespec t = { .tv_sec = when / 1000000000, .tv_nsec = when % 1000000000 };
+    int64_t now = now_ns();
+
+    if (when - now > SPIN_NS)
+        while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, NULL) == EINTR) {}
+    do
+        now = now_ns();
+    while (now < when);
+    return now;
+}
+
+static int64_t most(int64_t a, int64_t b)
+{
+    return a > b ? a : b;
+}
+
+
+// The thread
+// ----------
+
+/* From slot 0 on; exact for 2^64 slots. */
+static int64_t time_of(const struct pulses *p, uint64_t slot)
+{
+    return (int64_t)(slot / p->slot_hz) * 1000000000 + (int64_t)(slot % p->slot_hz * 1000000000 / p->slot_hz);
+}
+
+static void set(struct pulses *p, uint32_t which, uint32_t on)
+{
+    if (!lines_set(p->lines, which, on))
+        STORE(p->broken, true);
+}
+
+/* Something was done `late` behind its time. */
+static void note_late(struct pulses *p, int64_t late)
+{
+    if (late > p->slot_ns) {
+        p->origin += late - p->slot_ns;
+        p->late.moved++;
+        p->late.moved_ns += late - p->slot_ns;
+    }
+}
+
+static void count_pulse(struct pulses *p, int64_t late)
+{
+    int bin = 0;
+
+    while (bin < PULSES_BINS - 1 && late > bound_us[bin] * 1000)
+        bin++;
+    p->late.count[bin]++;
+    p->late.pulses++;
+    p->late.worst_ns = most(p->late.worst_ns, late);
+}
+
+/* Direction: not before the step lines have been low for setup_ns. */
+static void turn(struct pulses *p, int64_t due, uint8_t dir)
+{
+    const int64_t now = wait_until(most(due, p->fell + p->setup_ns));
+
+    set(p, (uint32_t)(dir ^ p->dir) << LINE_DIR, (uint32_t)dir << LINE_DIR);
+    p->turned = now_ns();
+    p->dir = dir;
+    note_late(p, now - due);
+}
+
+/* A pulse: not before the direction has stood for setup_ns, nor half a slot after the last, nor the lines have been low for long enough. */
+static void pulse(struct pulses *p, int64_t due, uint8_t step)
+{
+    const int64_t now = wait_until(most(most(due, p->turned + p->setup_ns), most(p->rose + p->slot_ns / 2, p->fell + p->pulse_ns)));
+
+    set(p, (uint32_t)step << LINE_STEP, UINT32_MAX);
+    p->rose = now_ns();
+    wait_until(p->rose + p->pulse_ns);
+    set(p, (uint32_t)step << LINE_STEP, 0);
+    p->fell = now_ns();
+    count_pulse(p, now - due);
+    note_late(p, now - due);
+}
+
+static void give(struct pulses *p, const struct pulses_entry *e)
+{
+    const int64_t due = p->origin + time_of(p, e->slot);
+
+    if (e->pins.dir != p->dir)
+        turn(p, due, e->pins.dir);
+    if (e->pins.step)
+        pulse(p, p->origin + time_of(p, e->slot), e->pins.step);
+    else
+        wait_until(due);
+}
+
+/* Wait for an entry; false at the end. */
+static bool await(struct pulses *p, uint32_t tail)
+{
+    while (LOAD(p->head) == tail && !LOAD(p->stop)) {
+        STORE(p->waiting, true);
+        if (LOAD(p->head) != tail || LOAD(p->stop))
+            break;
+        while (sem_wait(&p->wake) != 0) {}
+        p->origin = now_ns() - time_of(p, p->given);
+    }
+    return !LOAD(p->stop);
+}
+
+static void *run(void *argument)
+{
+    struct pulses *p = argument;
+    const struct sched_param priority = { .sched_priority = (int)p->priority };
+
+    prctl(PR_SET_TIMERSLACK, 1ul);
+    if (p->priority && pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority) != 0)
+        fprintf(stderr, "loft-gpio: no real-time priority: run as root, or with `ulimit -r %u`; pulses may come late, and it will be said how late\n",
+                p->priority);
+    for (uint32_t tail = 0; await(p, tail); tail++) {
+        const struct pulses_entry e = p->ring[tail & (p->room - 1)];
+        give(p, &e);
+        STORE(p->given, e.slot + 1);
+    }
+    return NULL;
+}
+
+
+// The main loop
+// -------------
+
+int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s, uint32_t slot_hz, uint32_t most_slots)
+{
+    memset(p, 0, sizeof *p);
+    p->lines = lines;
+    p->slot_hz = slot_hz;
+    p->slot_ns = 1000000000 / slot_hz;
+    p->pulse_ns = s->pulse_us * INT64_C(1000);
+    p->setup_ns = s->setup_us * INT64_C(1000);
+    p->priority = s->priority;
+    for (p->room = 2; p->room <= 2 * most_slots; p->room *= 2) {}       /* what happens in each, and the last of each portion */
+    p->ring = calloc(p->room, sizeof *p->ring);
+    if (!p->ring || sem_init(&p->wake, 0, 0) != 0 || pthread_create(&p->thread, NULL, run, p) != 0) {
+        fprintf(stderr, "loft-gpio: no memory for a thread\n");
+        free(p->ring);
+        return EX_OSERR;
+    }
+    p->runs = true;
+    return 0;
+}
+
+static void append(struct pulses *p, uint64_t slot, loft_pins pins)
+{
+    p->ring[p->head & (p->room - 1)] = (struct pulses_entry){ slot, pins };
+    p->told = slot + 1;
+    STORE(p->head, p->head + 1);
+}
+
+/* The thread is told of a slot without pulses once per millisecond, and of the last one: so the main loop learns how far it is. */
+void pulses_put(struct pulses *p, uint64_t slot, loft_pins pins)
+{
+    p->put = slot + 1;
+    if (pins.step || pins.dir != p->dir_put || p->put - p->told >= p->slot_hz / 1000)
+        append(p, slot, pins);
+    p->dir_put = pins.dir;
+}
+
+uint64_t pulses_left(const struct pulses *p)
+{
+    return p->put - LOAD(p->given);
+}
+
+void pulses_give(struct pulses *p)
+{
+    if (p->told != p->put)
+        append(p, p->put - 1, (loft_pins){ 0, p->dir_put });
+    if (pulses_left(p) == 0 || !__atomic_exchange_n(&p->waiting, false, __ATOMIC_SEQ_CST))
+        return;
+    p->dry += p->begun;
+    p->begun = true;
+    sem_post(&p->wake);
+}
+
+bool pulses_work(const struct pulses *p)
+{
+    return !LOAD(p->broken);
+}
+
+void pulses_report(struct pulses *p)
+{
+    const struct pulses_late *l = &p->late;
+
+    printf("lateness of %llu pulses: worst %.1f us;", (unsigned long long)l->pulses, (double)l->worst_ns / 1000);
+    for (int i = 0; i < PULSES_BINS; i++)
+        if (l->count[i]) {
+            if (i < PULSES_BINS - 1)
+                printf(" to %d us %llu,", (int)bound_us[i], (unsigned long long)l->count[i]);
+            else
+                printf(" more %llu,", (unsigned long long)l->count[i]);
+        }
+    printf(" slower by %.3f ms in %llu places, ran dry %llu times\n", (double)l->moved_ns / 1e6, (unsigned long long)l->moved, (unsigned long long)p->dry);
+    fflush(stdout);
+    memset(&p->late, 0, sizeof p->late);
+    p->dry = 0;
+    p->begun = false;
+}
+
+void pulses_end(struct pulses *p)
+{
+    if (!p->runs)
+        return;
+    STORE(p->stop, true);
+    sem_post(&p->wake);
+    pthread_join(p->thread, NULL);
+    sem_destroy(&p->wake);
+    free(p->ring);
+    p->ring = NULL;
+    p->runs = false;
+}

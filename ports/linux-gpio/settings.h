@@ -1,0 +1,51 @@
+/* ports/linux-gpio/settings.h -- what the machine is and where its lines are: `key = value`, in files and as arguments
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_SETTINGS_H
+#define LOFT_SETTINGS_H
+
+#include "host/host.h"          /* struct loft_host_options */
+#include "linux-gpio/gpio.h"    /* enum gpio_bias           */
+
+/* The outputs, in the order of their bits. */
+#define LINE_STEP       0
+#define LINE_DIR        (LINE_STEP + LOFT_AXES)
+#define LINE_ENABLE     (LINE_DIR + LOFT_AXES)          /* one for all, then one for each axis */
+#define LINE_OUTPUTS    (LINE_ENABLE + 1 + LOFT_AXES)
+
+/* The inputs. */
+#define LINE_ESTOP      0
+#define LINE_HOLD       1
+#define LINE_RESUME     2
+#define LINE_LIMIT      3
+#define LINE_INPUTS     (LINE_LIMIT + LOFT_AXES)
+
+/* A line as it was asked for. */
+struct line_wanted {
+    char key[24];               /* "x.step"; "": not wanted                */
+    char chip[GPIO_TEXT];       /* label, name or path; "": see `chip`     */
+    char line[GPIO_TEXT];       /* name or number                          */
+    bool low;                   /* active low                              */
+    enum gpio_bias bias;        /* inputs                                  */
+};
+
+struct settings {
+    struct loft_host_options host;
+    char chip[GPIO_TEXT];       /* where numbers count if no chip is named */
+    char port[256], link[256];  /* one of them                             */
+    struct line_wanted output[LINE_OUTPUTS], input[LINE_INPUTS];
+    unsigned pulse_us, setup_us, debounce_us, lead_ms, priority;
+};
+
+struct settings settings_usual(void);
+
+/* `key = value`. Gives 0 or EX_DATAERR after one line on standard error, which `where` begins. */
+int settings_take(struct settings *s, const char *where, const char *text);
+
+/* A file of such lines, `#` begins a comment. */
+int settings_read(struct settings *s, const char *path);
+
+/* What there is, for --help. */
+void settings_print(void);
+
+#endif

@@ -1,0 +1,133 @@
+#!/bin/bash
+# tests/target/gpio.sh -- loft-gpio on a real kernel with simulated GPIO chips, with libgpiod 1.x and 2.x; each number a line `ok` or `FAIL`
+# SPDX-License-Identifier: MIT
+# usage: tests/target/gpio.sh CACHE GUEST LOFT ; CACHE is made by gpio_get.sh, GUEST holds loft-gpio1, loft-gpio2 and guest
+# Counted instructions are the clock (-icount, 125 a us; idle time is skipped): how late pulses come does not depend on the load here.
+# The sender is this computer, at the other end of the guest's serial port.
+set -u
+cache=$1 guest=$2 loft=$3
+drawing=tests/drawings/outline12.csv feed=50
+tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+result=$tmp/result
+. tests/target/rows.sh
+
+for tool in qemu-system-x86_64 cpio python3 busybox; do
+    command -v $tool >/dev/null || { echo "FAIL $tool is missing: make deps-target"; echo "0 passed, 1 failed"; exit 1; }
+done
+
+# image: the guest's files, packed
+image() {
+    local root=$tmp/root
+    mkdir -p "$root"/{bin,lib,proc,sys,dev,tmp}
+    cp "$(command -v busybox)" "$guest"/{loft-gpio1,loft-gpio2,guest} "$root/bin/"
+    cp "$cache"/*.ko "$root/lib/"
+    cp tests/target/gpio_init.sh "$root/init"
+    chmod +x "$root/init"
+    (cd "$root" && find . | cpio -o -H newc 2>/dev/null | gzip -1) > "$tmp/image"
+}
+
+# here NAME SPEED: the same job on the simulated machine, its pulses in $tmp/here.NAME
+here() {
+    "$loft" simulate --link "$tmp/at.$1" --record "$tmp/here.$1" --once --quiet --steps 80 --max-speed "$2" --accel 500 --slots 20 --queue 1024 >"$tmp/sim" & local sim=$!
+    for _ in $(seq 100); do [ -e "$tmp/at.$1" ] && break; sleep 0.02; done
+    timeout 40 "$loft" stream "$drawing" --feed $feed --port "$tmp/at.$1" >"$tmp/planned" 2>&1; wait $sim
+}
+
+# send CASE: stream to the machine of this case when it listens; output in $tmp/CASE.out, exit code in $tmp/CASE.code
+send() {
+    until grep -q "^job $1" "$tmp/console" 2>/dev/null; do
+        kill -0 $qemu 2>/dev/null || return 1
+        sleep 0.05
+    done
+    timeout 60 "$loft" stream "$drawing" --feed $feed --port "unix:$tmp/line" >"$tmp/$1.out" 2>&1 </dev/null
+    echo $? > "$tmp/$1.code"
+}
+
+image
+timeout 200 qemu-system-x86_64 -accel tcg -icount shift=3,sleep=off -m 384 -nodefaults -no-user-config -display none -no-reboot \
+    -serial "file:$tmp/console" -chardev "socket,id=line,path=$tmp/line,server=on,wait=off" -serial chardev:line \
+    -chardev "file,id=dump,path=$tmp/dump" -device isa-debugcon,iobase=0xe9,chardev=dump -device isa-debug-exit,iobase=0xf4,iosize=0x4 \
+    -kernel "$cache/vmlinuz" -initrd "$tmp/image" -append "console=ttyS0 quiet panic=-1" >"$tmp/qemu" 2>&1 </dev/null & qemu=$!
+here fast 100
+here slow 20
+for version in 1 2; do
+    for case in whole estop limit term; do send $case$version || break; done
+done
+wait $qemu; ended=$?
+row "the guest: kernel, modules, chips, every case" "$ended" = 33        # (16 << 1) | 1
+[ "$ended" = 33 ] || cat "$tmp/qemu" "$tmp/console"
+
+# wave CASE: its numbers for `value`
+wave() { python3 tests/target/gpio_wave.py "$tmp/dump" "$1" "$tmp/$1.csv" >"$tmp/chip"; code=$(cat "$tmp/$1.code"); }
+
+# starts CASE: does every axis of the case step as it does in the first part of the slow job here?
+starts() {
+    python3 - "$tmp/$1.csv" "$tmp/here.slow" <<'P'
+import sys
+def rows(path):
+    steps, last = [[], [], []], [0, 0, 0]
+    for line in open(path):
+        if line[0].isdigit():
+            for i, at in enumerate(map(int, line.split(",")[1:])):
+                if at != last[i]:
+                    steps[i].append(at)
+                    last[i] = at
+    return steps
+print(sum(len(a) for a in rows(sys.argv[1]) for b in [0]) and all(a == b[:len(a)] for a, b in zip(rows(sys.argv[1]), rows(sys.argv[2]))))
+P
+}
+
+# safe NAME: what holds in each case
+safe() {
+    row "$1: steps told and steps counted at the lines"       "$(value told)" = "$(value position)"
+    row "$1: shortest pulse (5 us)"                           "$(value width)" ">=" 5 us
+    row "$1: between two pulses of an axis, at least"         "$(value low)" ">=" 5 us
+    row "$1: step lines high at the end"                      "$(value high)" = 0
+    row "$1: enable (active low): off, on, off"               "$(value enable)" = "1 0 1"
+}
+
+for v in 1 2; do
+    name="libgpiod $("$guest/loft-gpio$v" --help | sed -n 's/.*(libgpiod \([0-9.]*\)).*/\1/p')"
+    echo "-- $name: $drawing at $feed mm/s, 80 steps/mm, axes on two chips"
+    wave whole$v
+    row "the command ends well"                               "$code" = 0
+    row "every axis steps as on the simulated machine"        "$(path_of "$tmp/whole$v.csv")" = "$(path_of "$tmp/here.fast")"
+    row "steps at the lines and steps put down"               "$(value pulses)" = "$(value recorded)"
+    safe "job"
+    row "direction set before a pulse (5 us), at least"       "$(value setup)" ">=" 5 us
+    row "direction kept after a pulse (5 us), at least"       "$(value hold)" ">=" 5 us
+    row "closer to the one before than planned (a slot)"      "$(value closer)" "<=" 55 us
+    row "lateness told, worst"                                "$(value worst)" "<=" 1000 us
+    row "later than told, seen at the lines"                  "$(awk -v a="$(value apart)" -v t="$(value worst)" 'BEGIN { print a - t }')" "<=" 30 us
+    row "slower than planned, seen less told"                 "$(awk -v a="$(value longer)" -v t="$(value slower)" 'BEGIN { print a - t }')" "<=" 0.1 ms
+    row "time to planned time"                                "$(value took)" "<=" 1.01
+    row "ran dry"                                             "$(value dry)" = 0
+
+    echo "-- $name: emergency stop in mid-job, before it a touch of 2 ms"
+    wave estop$v
+    row "the machine says that the job was aborted"           "$(value ended)" = aborted
+    row "estop: steps after the touch"                        "$(value between)" ">=" 200
+    row "estop: standing after its last bounce"               "$(value standing)" "<=" 150 ms
+    row "estop: the path until there is that of the job"      "$(starts estop$v)" = True
+    safe "estop"
+
+    echo "-- $name: a limit switch, active low, that bounces"
+    wave limit$v
+    row "the machine says that the job was aborted"           "$(value ended)" = aborted
+    row "limit: standing after its last bounce"               "$(value standing)" "<=" 150 ms
+    row "limit: the path until there is that of the job"      "$(starts limit$v)" = True
+    safe "limit"
+
+    echo "-- $name: kill -TERM in mid-job; before it, a second machine on the same lines"
+    wave term$v
+    row "the program ends well"                               "$(value code)" = 0
+    row "and has aborted the job"                             "$(value ended)" = aborted
+    row "kill: the path until there is that of the job"       "$(starts term$v)" = True
+    safe "kill"
+    awk -v n="=== busy$v" '/^===/ { on = $0 == n } on' "$tmp/dump" > "$tmp/busy"
+    row "the second: lines that it is told who has"           "$(grep -c 'in use by loft' "$tmp/busy")" = 9
+    row "the second: refuses, with the owner's name"          "$(grep -c 'loft-gpio: x.step: 0: /dev/gpiochip0 line 0 is in use by "loft"' "$tmp/busy")" = 1
+    row "the second: exit code"                               "$(sed -n 's/^code //p' "$tmp/busy")" = 69
+done
+
+sum

@@ -1,0 +1,89 @@
+#!/bin/busybox sh
+# tests/target/gpio_init.sh -- the guest of gpio.sh: two simulated GPIO chips, and loft-gpio on their lines in one case after another
+# SPDX-License-Identifier: MIT
+# It says `job NAME` on the console when a machine listens at its serial port, and puts what came of it to the debug port.
+/bin/busybox --install -s /bin
+export PATH=/bin
+mount -t proc p /proc; mount -t sysfs s /sys; mount -t devtmpfs d /dev; mount -t debugfs g /sys/kernel/debug
+insmod /lib/configfs.ko && insmod /lib/gpio-sim.ko || guest exit 9
+mount -t configfs c /sys/kernel/config; mount -t tracefs t /sys/kernel/tracing
+
+# chip LABEL LINES: its folder of lines in $folder
+chip() {
+    local at=/sys/kernel/config/gpio-sim/$1
+    mkdir "$at" "$at/bank"
+    echo "$2" > "$at/bank/num_lines"; echo "$1" > "$at/bank/label"
+    [ "$1" != switches ] || { mkdir "$at/bank/line5"; echo ESTOP > "$at/bank/line5/name"; }
+    echo 1 > "$at/live" || guest exit 9
+    folder=/sys/devices/platform/$(cat "$at/dev_name")/$(cat "$at/bank/chip_name")
+}
+chip motors 8; motors=$folder
+chip switches 8; switches=$folder
+
+cat > /machine <<E
+chip    = motors
+x.step  = 0
+x.dir   = 1
+enable  = 2 low
+z.step  = 3
+z.dir   = 4
+y.step  = switches:0        # an axis on another chip
+y.dir   = switches:1
+estop   = ESTOP up          # by its name
+x.limit = switches:6 low
+port    = /dev/ttyS1
+E
+trace=/sys/kernel/tracing
+echo mono > $trace/trace_clock; echo 24576 > $trace/buffer_size_kb; echo 1 > $trace/events/gpio/gpio_value/enable
+
+# begin VERSION NAME OPTION..: a machine that listens; $pid
+begin() {
+    local version=$1 name=$2
+    shift 2
+    echo > $trace/trace
+    loft-gpio$version --once --record /record "$@" /machine > /said 2>&1 & pid=$!
+    while ! grep -q machine: /said && kill -0 $pid; do usleep 20000; done
+    echo "job $name$version"
+}
+# finish VERSION NAME: wait for its end
+finish() {
+    wait $pid; echo "code $?" >> /said
+    { cat /said; echo; } | guest put "$2$1.said"
+    guest put "$2$1.record" < /record
+    guest changes < $trace/trace | guest put "$2$1.lines"
+    guest put "$2$1.pulls" < /pulls
+    : > /pulls
+}
+# moving: wait until it has moved for a second
+moving() { while ! grep -q begun /said && kill -0 $pid; do usleep 20000; done; sleep 1; }
+
+: > /pulls
+guest put map < /sys/kernel/debug/gpio
+for version in 1 2; do
+    guest pull $switches/sim_gpio5/pull down 1000 > /dev/null
+    guest pull $switches/sim_gpio6/pull up 1000 > /dev/null
+
+    begin $version whole
+    finish $version whole
+
+    # a touch shorter than debouncing, then a switch that bounces when it closes and stays closed
+    begin $version estop max_speed=20
+    moving
+    guest pull $switches/sim_gpio5/pull up 2000 down 300000 up 300 down 700 up 200 down 1500 up 1000 down 100 up 0 > /pulls
+    finish $version estop
+    guest pull $switches/sim_gpio5/pull down 1000 > /dev/null
+
+    begin $version limit max_speed=20
+    moving
+    guest pull $switches/sim_gpio6/pull down 300 up 700 down 0 > /pulls
+    finish $version limit
+    guest pull $switches/sim_gpio6/pull up 1000 > /dev/null
+
+    # a second machine finds the lines taken; the first is told to end in mid-job
+    begin $version term max_speed=20
+    { loft-gpio$version --look /machine; loft-gpio$version link=/tmp/other port= /machine; echo "code $?"; } 2>&1 | guest put busy$version
+    moving
+    kill -TERM $pid
+    finish $version term
+done
+guest exit 16
