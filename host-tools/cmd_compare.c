@@ -252,7 +252,9 @@ static int run(const tool_command *self, int argc, char **argv)
     if (against == NULL && strcmp(than, "exact") != 0)
         return tool_error(EX_USAGE, "--against %s: give exact, q16, f32 or f64", than);
 
-    const char *file = first < argc ? argv[first] : "-";
+    const char *file = tool_file(self, argc, argv, first, text);
+    if (file == NULL)
+        return EX_USAGE;
     code = curves_read(&all, file, text);
     if (code == 0)
         code = compare_types(types, against, &all, n, text ? "--points" : source_name(file));

@@ -124,6 +124,9 @@ static int surface_points_of(const evaluation *v, const surface *s)
         status = make->eval(held, a, b, point);
         if (status == 0)
             print_point((void *)&v->p, point);
+        else if (!surface_is_sided(s) && !(a >= 0 && a <= 1 && b >= 0 && b <= (surface_is_triangle(s) ? 1 - a : 1)))
+            code = tool_error(EX_DATAERR, "%s:%u: u, v = %g, %g: give 0 to 1 for this %s%s", v->file, s->line, a, b, surface_name(s->kind),
+                              surface_is_triangle(s) ? ", u + v at most 1" : "");
         else
             code = tool_error(EX_DATAERR, "%s:%u: u, v = %g, %g: %s", v->file, s->line, a, b, engine_status(status));
     }
@@ -177,7 +180,9 @@ static int run(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
     if (shape && t.count > 0)
         return tool_error(EX_USAGE, "--shape and --t: give one of them: a shape is that of the whole curve");
-    const char *file = first < argc ? argv[first] : "-";
+    const char *file = tool_file(self, argc, argv, first, text);
+    if (file == NULL)
+        return EX_USAGE;
     if (text == NULL)
         code = surfaces_read(&patches, file);
     if (code == 0 && patches.count > 0) {

@@ -66,7 +66,9 @@ static int run(const tool_command *self, int argc, char **argv)
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
 
-    const char *file = first < argc ? argv[first] : "-";
+    const char *file = tool_file(self, argc, argv, first, text);
+    if (file == NULL)
+        return EX_USAGE;
     code = curves_read(&all, file, text);
     if (code == 0) {
         flattening f = { .p = { e, all.solid }, .tol = tol };

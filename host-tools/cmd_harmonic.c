@@ -177,7 +177,9 @@ static int run(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
     if (at.count != 0 && at.count != 2)
         return tool_error(EX_USAGE, "--at: %zu numbers: give X,Y", at.count);
-    const char *file = first < argc ? argv[first] : "-";
+    const char *file = tool_file(self, argc, argv, first, NULL);
+    if (file == NULL)
+        return EX_USAGE;
     code = read_polygon(&r, file);
     round_vertices(&r, e);
     if (code == 0)

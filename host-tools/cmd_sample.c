@@ -92,7 +92,9 @@ static int run(const tool_command *self, int argc, char **argv)
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
 
-    const char *file = first < argc ? argv[first] : "-";
+    const char *file = tool_file(self, argc, argv, first, text);
+    if (file == NULL)
+        return EX_USAGE;
     if (text == NULL)
         code = surfaces_read(&patches, file);
     if (code == 0 && patches.count > 0) {

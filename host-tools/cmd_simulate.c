@@ -69,13 +69,13 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_SWITCH("once", &o.once, "end after one job"),
         TOOL_SWITCH("quiet", &o.quiet, "print only the name of the pseudo terminal, and errors"),
         TOOL_LIST("steps", "N,..", &steps, 0.01, 30000, "steps per mm, for all axes or each (80)"),
-        TOOL_LIST("max-speed", "MM/S,..", &fastest, 0.01, 30000, "of the axes (500)"),
-        TOOL_LIST("accel", "MM/S2,..", &accel, 1, 30000, "of the axes (2000)"),
-        TOOL_COUNT("tick-hz", "HZ", &o.tick_hz, 1, 65535, "ticks per second (1000)"),
+        TOOL_LIST("max-speed", "MM/S,..", &fastest, 1 / 64.0, 16383, "of the axes (500)"),
+        TOOL_LIST("accel", "MM/S2,..", &accel, 1, 16383, "of the axes (2000)"),
+        TOOL_COUNT("tick-hz", "HZ", &o.tick_hz, 50, 50000, "ticks per second (1000)"),
         TOOL_COUNT("slots", "N", &o.slots, 1, 4096, "chances to step per tick (40)"),
         TOOL_COUNT("ramp", "TICKS", &o.ramp, 1, 32767, "from full pace to standing in a hold (100)"),
         TOOL_COUNT("curves", "N", &o.curves, 0, 4096, "curves that fit its plan; 0: it does not plan (64)"),
-        TOOL_COUNT("queue", "N", &o.queue, 1, 32768, "items that fit the queue (256)"),
+        TOOL_COUNT("queue", "N", &o.queue, 2, 32768, "items that fit the queue (256)"),
         TOOL_NUMBER("noise", "PPM", &o.noise, 0, 100000, "of a million bits on the line so many are flipped (0)"),
         TOOL_ENGINE(&e, "number type of the machine: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
@@ -85,6 +85,8 @@ static int run(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
     if (first < argc)
         return tool_error(EX_USAGE, "%s: simulate takes no file: see `loft simulate --help`", argv[first]);
+    if (o.curves > 0 && o.curves < 4)
+        return tool_error(EX_USAGE, "a plan of %u curves: give 0 for none, or 4 to 4096", o.curves);
     if (strcmp(speed, "fast") != 0 && strcmp(speed, "real") != 0)
         return tool_error(EX_USAGE, "--speed %s: give real or fast", speed);
     if ((code = spread("steps", &steps, o.steps_per_mm)) != 0 || (code = spread("max-speed", &fastest, o.max_speed)) != 0 ||

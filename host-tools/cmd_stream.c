@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "keys.h"           /* keys_start */
+#include "keys.h"           /* keys_start, keys_hasty */
 #include "grbl.h"           /* grbl_run */
 #include "planning.h"       /* planning_limit */
 #include "stream.h"         /* stream_run */
@@ -55,7 +55,9 @@ static int plan(const stream_options *o, const char *file, const engine_limits *
 {
     if (path->count == 0)
         return tool_error(EX_DATAERR, "%s: nothing to draw in it: give a drawing with visible outlines", file);
+    keys_hasty(true);
     const int status = (o->chip ? job_curves : job_plan)(j, o->p.e, limits, path->move, path->count);
+    keys_hasty(false);
     if (status != 0)
         return tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
     return 0;
@@ -190,7 +192,9 @@ static int draw(stream_options *o, const char *file)
     drawing d = { 0 }, smooth = { 0 };
     talk t;
 
+    keys_hasty(true);
     int code = planning_read(&o->p, &d, &smooth, file);
+    keys_hasty(false);
     if (code == 0 && o->grbl)
         code = draw_gcode(o, file, &smooth, &how);
     else if (code == 0 && o->dry)

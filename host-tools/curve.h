@@ -18,7 +18,8 @@
 
 #define CURVE_AXES       3
 #define CURVE_DEGREE_MAX 9          /* of the library */
-#define CURVE_POINTS_MAX 10000
+#define CURVE_POINTS_MAX 4000000    /* of a curve in a file                       */
+#define CURVE_HUNG_MAX   32000      /* of B-splines: LOFT_KNOTS_POINTS_MAX        */
 
 enum curve_kind {
     CURVE_BEZIER, CURVE_LINE, CURVE_RATIONAL, CURVE_PARABOLA, CURVE_HERMITE3, CURVE_HERMITE5, CURVE_CARDINAL,

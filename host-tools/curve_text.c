@@ -153,6 +153,10 @@ static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
     return false;
 }
 
+static bool has_knots(const curve *c) { return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS; }
+
+static unsigned most_points(const curve *c) { return has_knots(c) ? CURVE_HUNG_MAX : CURVE_POINTS_MAX; }
+
 static int point_line(reading *r)
 {
     curve_point p = { .w = 1 };
@@ -162,8 +166,8 @@ static int point_line(reading *r)
     const row *kind = row_of(r->now);
     if (vector(r, p.p) == 0 || !what_is_behind(r, kind->behind, &p) || !lines_over(&r->at))
         return lines_wrong(&r->at, "not a point", kind->point);
-    if (r->now->count == CURVE_POINTS_MAX)
-        return lines_wrong(&r->at, "more than 10000 points", "begin another curve where this one ends");
+    if (r->now->count == most_points(r->now))
+        return lines_wrong(&r->at, has_knots(r->now) ? "more than 32000 points" : "more than 4000000 points", "begin another curve where this one ends");
     curve_add_point(r->now, &p);
     return 0;
 }
@@ -172,11 +176,6 @@ static int point_line(reading *r)
 // Curves
 // ------
 
-static bool has_knots(const curve *c)
-{
-    return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS;
-}
-
 static int knot_line(reading *r)
 {
     double knot;
@@ -184,7 +183,7 @@ static int knot_line(reading *r)
     if (r->now == NULL || !has_knots(r->now))
         return lines_wrong(&r->at, "knots of no B-spline", "give them below `bspline` or `nurbs`");
     while (scalar(r, &knot)) {
-        if (r->now->knot_count > CURVE_POINTS_MAX + CURVE_DEGREE_MAX)
+        if (r->now->knot_count > CURVE_HUNG_MAX + CURVE_DEGREE_MAX)
             break;
         if (r->now->knot_count > 0 && knot < r->now->knot[r->now->knot_count - 1])
             return lines_wrong(&r->at, "knots that descend", "give them in ascending order");
@@ -269,7 +268,7 @@ static int end_curve(reading *r)
         c->degree = c->count > 0 ? c->count - 1 : 0;
     const unsigned least = bezier && r->counted ? c->degree + 1 : kind->least;
     const unsigned most  = bezier ? (r->counted ? c->degree + 1 : CURVE_DEGREE_MAX + 1)
-                         : c->kind == CURVE_PARABOLA || c->kind == CURVE_ARC ? kind->least : CURVE_POINTS_MAX;
+                         : c->kind == CURVE_PARABOLA || c->kind == CURVE_ARC ? kind->least : most_points(c);
     if (c->count < least || c->count > most) {
         char remedy[32];
         snprintf(words, sizeof words, "%s with %u point%s", kind->word, c->count, c->count == 1 ? "" : "s");

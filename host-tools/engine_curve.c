@@ -140,7 +140,7 @@ static int prepare(engine_curve *e)
     switch (c->kind) {
     case CURVE_NATURAL: case CURVE_CHORD:
         e->memory = tool_grow(NULL, c->count * sizeof *e->memory);
-        return loft_natural_init(&e->natural, e->p, (uint16_t)c->count, c->kind == CURVE_CHORD ? LOFT_CHORD : LOFT_UNIFORM, e->memory);
+        return loft_natural_init(&e->natural, e->p, c->count, c->kind == CURVE_CHORD ? LOFT_CHORD : LOFT_UNIFORM, e->memory);
     case CURVE_BSPLINE:
         status = loft_bspline_init(&e->bspline, e->p, c->count, e->knot, c->degree);
         if (status == LOFT_OK)
@@ -202,7 +202,7 @@ static int cubic_of(const engine_curve *e, unsigned i, loft_cubic *out)
     case CURVE_HERMITE3: return loft_cubic_from_hermite(&h, out);
     case CURVE_CARDINAL: return loft_cubic_from_cardinal(&e->p[i], e->tension, out);
     case CURVE_ARC:      *out = e->cubic[i]; return LOFT_OK;
-    default:             return loft_cubic_from_natural(&e->natural, (uint16_t)i, out);
+    default:             return loft_cubic_from_natural(&e->natural, i, out);
     }
 }
 
@@ -331,7 +331,7 @@ static int eval_at(const engine_curve *e, unsigned i, double local, loft_vec *ou
     case CURVE_CARDINAL:
         return loft_cardinal_eval(&e->p[i], e->tension, LOFT_UNIT(local), out);
     case CURVE_NATURAL: case CURVE_CHORD:
-        return loft_natural_eval(&e->natural, (uint16_t)i, LOFT_UNIT(local), out);
+        return loft_natural_eval(&e->natural, i, LOFT_UNIT(local), out);
     case CURVE_ARC:
         return loft_circle_eval(&e->circle, LOFT_UNIT(local), out);
     default:

@@ -1,7 +1,7 @@
 /* host-tools/keys.c -- single keys and ^C while a job runs
  * SPDX-License-Identifier: MIT
  *
- * Signal handlers can only reach globals: the three below, and the program has one terminal.
+ * Signal handlers can only reach globals: the four below, and the program has one terminal.
  */
 #include <poll.h>
 #include <signal.h>
@@ -14,7 +14,7 @@
 #include "keys.h"
 
 static struct termios before;
-static volatile sig_atomic_t raw, stops;
+static volatile sig_atomic_t raw, stops, at_once;
 
 /* Also at exit; only async-signal-safe calls. */
 void keys_stop(void)
@@ -26,15 +26,22 @@ void keys_stop(void)
 
 static void stop(int number)
 {
-    static const char line[] = "\nloft: left at once: the machine finishes what it has and stands still on the path\n";
+    static const char left[] = "\nloft: left at once: the machine finishes what it has and stands still on the path\n",
+                      early[] = "\nloft: stopped: nothing was sent\n";
+    const char *line = at_once ? early : left;
 
     (void)number;
-    if (++stops < 2)
+    if (++stops < 2 && !at_once)
         return;
     keys_stop();
-    if (write(STDERR_FILENO, line, sizeof line - 1) < 0)
+    if (write(STDERR_FILENO, line, at_once ? sizeof early - 1 : sizeof left - 1) < 0)
         _exit(EX_IOERR);
     _exit(EX_TEMPFAIL);
+}
+
+void keys_hasty(bool hasty)
+{
+    at_once = hasty;
 }
 
 static void catch(int number, void (*handler)(int))

@@ -13,6 +13,10 @@ void keys_stop(void);
 /* The next key, or 0. */
 int keys_next(void);
 
+/* While it is true the first ^C ends the program at once, with EX_TEMPFAIL: nothing has been sent yet, and a long computation has
+ * nobody to look at keys_interrupted. */
+void keys_hasty(bool hasty);
+
 /* Has the user asked to stop? The second ^C ends the program at once, with EX_TEMPFAIL. */
 bool keys_interrupted(void);
 

@@ -32,16 +32,21 @@ static int help(void)
     return EX_OK;
 }
 
+/* What was printed must have arrived. */
+static int flushed(int code)
+{
+    if ((fflush(stdout) != 0 || ferror(stdout)) && code == EX_OK)
+        return tool_error(EX_IOERR, "standard output: %s: make room, or write elsewhere", strerror(errno));
+    return code;
+}
+
 static int run(const char *name, int argc, char **argv)
 {
     const tool_command *c = find(name);
 
     if (c == NULL)
         return tool_error(EX_USAGE, "%s is no command: see `loft --help`", name);
-    const int code = c->run(c, argc, argv);
-    if ((fflush(stdout) != 0 || ferror(stdout)) && code == EX_OK)
-        return tool_error(EX_IOERR, "standard output: %s: make room, or write elsewhere", strerror(errno));
-    return code;
+    return flushed(c->run(c, argc, argv));
 }
 
 int main(int argc, char **argv)
@@ -53,9 +58,9 @@ int main(int argc, char **argv)
         return EX_USAGE;
     }
     if (strcmp(name, "--version") == 0)
-        return printf("loft %s\n", TOOL_VERSION) < 0 ? EX_IOERR : EX_OK;
+        return flushed(printf("loft %s\n", TOOL_VERSION) < 0 ? EX_IOERR : EX_OK);
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || (strcmp(name, "help") == 0 && argc == 2))
-        return help();
+        return flushed(help());
     if (strcmp(name, "help") == 0) {
         char option[] = "--help";
         char *line[] = { argv[2], option, NULL };

@@ -50,6 +50,7 @@ typedef struct {
     machine_file *m;
     const char *file;
     unsigned line;
+    unsigned said[ROWS][1 + ENGINE_AXES];   /* the line of each key: for all axes, for x, y, z */
 } reading;
 
 machine_file machine_usual(void)
@@ -73,7 +74,20 @@ static const row *find(const char *key, size_t length)
     return NULL;
 }
 
-static int set(const reading *r, const row *k, int axis, double value)
+/* One key has one place; that for all axes stands before those for one. */
+static int once(reading *r, const row *k, int axis)
+{
+    unsigned *said = r->said[k - rows], *mine = &said[1 + axis];
+
+    for (int i = 0; i <= ENGINE_AXES; i++)
+        if (said[i] > 0 && (i == 1 + axis || (axis < 0 && k->axes)))
+            return tool_error(EX_DATAERR, "%s:%u: %s is given in line %u already: %s", r->file, r->line, k->key, said[i],
+                              i == 1 + axis ? "take one of them away" : "put what holds for all axes first");
+    *mine = r->line;
+    return 0;
+}
+
+static int set(reading *r, const row *k, int axis, double value)
 {
     double *to = (double *)((char *)r->m + k->at);
 
@@ -84,7 +98,7 @@ static int set(const reading *r, const row *k, int axis, double value)
         if (axis < 0 || axis == i)
             to[i] = value;
     r->m->limited = r->m->limited || k->limits;
-    return 0;
+    return once(r, k, axis);
 }
 
 /* What is behind a number must be nothing, a comment, or the remark in brackets that grbl prints. */
@@ -94,7 +108,7 @@ static bool ends(const char *s)
     return *s == '\0' || *s == '\n' || *s == '#' || *s == '(';
 }
 
-static int read_grbl(const reading *r, const char *s)
+static int read_grbl(reading *r, const char *s)
 {
     double number, value;
 
@@ -116,7 +130,7 @@ static int unknown(const reading *r, const char *s, size_t length)
     return tool_error(EX_DATAERR, "%s:%u: \"%.*s\" is no key: there are %s", r->file, r->line, (int)(length < 30 ? length : 30), s, all);
 }
 
-static int read_key(const reading *r, const char *s)
+static int read_key(reading *r, const char *s)
 {
     const size_t length = strcspn(s, " \t\r\n=#");
     const bool named    = length > 2 && s[1] == '.' && strchr("xyz", tolower((unsigned char)s[0]));
@@ -139,13 +153,15 @@ static int read_key(const reading *r, const char *s)
 
 int machine_read(machine_file *m, const char *file)
 {
-    reading r = { m, source_name(file), 1 };
+    reading r = { .m = m, .file = source_name(file), .line = 1 };
     size_t size;
     int code = 0;
     char *text = source_read(file, &size, &code);
 
     if (text == NULL)
         return code;
+    if (strlen(text) != size)
+        code = tool_error(EX_DATAERR, "%s: is not text: lines `key = value` are expected, see MACHINE.md", r.file);
     for (const char *s = text; *s != '\0' && code == 0; r.line++) {
         const char *first = s + strspn(s, " \t\r");
         if (*first == '$')

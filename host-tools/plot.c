@@ -3,6 +3,7 @@
  */
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -307,14 +308,26 @@ bool plot_known(const char *output, bool *png)
     return *png || ends_with(output, ".svg") || ends_with(output, ".pdf");
 }
 
+/* Cairo's own files do not notice a full disk when they are closed. */
+static cairo_status_t write_some(void *closure, const unsigned char *data, unsigned length)
+{
+    plot_view *v = closure;
+
+    if (v->file != NULL && fwrite(data, 1, length, v->file) != length)
+        v->failed = errno;
+    return v->failed ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
+}
+
 cairo_surface_t *plot_begin(plot_view *v, const char *output)
 {
     bool png;
 
     (void)plot_known(output, &png);
+    v->file   = fopen(output, "wb");
+    v->failed = v->file == NULL ? errno : 0;
     cairo_surface_t *canvas = png ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(v->width), (int)ceil(v->height))
-                            : ends_with(output, ".svg") ? cairo_svg_surface_create(output, v->width, v->height)
-                                                        : cairo_pdf_surface_create(output, v->width, v->height);
+                            : ends_with(output, ".svg") ? cairo_svg_surface_create_for_stream(write_some, v, v->width, v->height)
+                                                        : cairo_pdf_surface_create_for_stream(write_some, v, v->width, v->height);
     v->cairo = cairo_create(canvas);
     cairo_set_line_cap(v->cairo, CAIRO_LINE_CAP_ROUND);
     return canvas;
@@ -326,13 +339,15 @@ int plot_end(plot_view *v, cairo_surface_t *canvas, const char *output)
 
     cairo_destroy(v->cairo);
     if (status == CAIRO_STATUS_SUCCESS && ends_with(output, ".png"))
-        status = cairo_surface_write_to_png(canvas, output);
+        status = cairo_surface_write_to_png_stream(canvas, write_some, v);
     cairo_surface_finish(canvas);
     if (status == CAIRO_STATUS_SUCCESS)
         status = cairo_surface_status(canvas);
     cairo_surface_destroy(canvas);
-    if (status != CAIRO_STATUS_SUCCESS)
-        return tool_error(EX_CANTCREAT, "%s: the picture cannot be written: %s", output, cairo_status_to_string(status));
+    if (v->file != NULL && fclose(v->file) != 0 && v->failed == 0)
+        v->failed = errno;
+    if (v->failed != 0 || status != CAIRO_STATUS_SUCCESS)
+        return tool_error(EX_CANTCREAT, "%s: the picture cannot be written: %s", output, v->failed ? strerror(v->failed) : cairo_status_to_string(status));
     return 0;
 }
 

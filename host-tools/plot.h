@@ -10,6 +10,7 @@
 
 #include <cairo.h>
 #include <stdbool.h>
+#include <stdio.h>
 
 #include "drawing.h"
 #include "record.h"
@@ -55,6 +56,8 @@ typedef struct {
 typedef struct {
     const plot_options *o;
     cairo_t *cairo;
+    FILE *file;                 /* the picture; failed: what went wrong with it, of errno               */
+    int failed;
     double u;                   /* a thousandth of the canvas' width: unit of line widths and letters   */
     double width, height;       /* canvas                                                               */
     double left, top, right, bottom;    /* the frame on the canvas                                      */
@@ -104,7 +107,7 @@ void   plot_number(char *out, size_t size, double value, double step);
 const char *plot_base_name(const char *path);
 
 /* Begin a picture: v->cairo on a canvas of v->width x v->height, of what the ending of `output` says; is it one that is
- * known, and is it a PNG? End it: gives an exit code after printing one line. */
+ * known, and is it a PNG? End it: gives an exit code after printing one line. `v` stays where it is between. */
 bool plot_known(const char *output, bool *png);
 cairo_surface_t *plot_begin(plot_view *v, const char *output);
 int  plot_end(plot_view *v, cairo_surface_t *canvas, const char *output);

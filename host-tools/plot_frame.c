@@ -7,6 +7,7 @@
 
 #include "curve.h"
 #include "plot.h"
+#include "source.h"     /* source_name */
 
 #define SMALL PLOT_SMALL
 #define LARGE PLOT_LARGE
@@ -93,7 +94,7 @@ static void title(const plot_view *v)
     char words[256], worst[32], mean[32], time[32] = "";
 
     plot_ink(v, 0.1);
-    snprintf(words, sizeof words, "%.80s: %zu curves in %u paths, %.3f m", plot_base_name(v->o->name), d->of ? d->of->count : d->count,
+    snprintf(words, sizeof words, "%.80s: %zu curves in %u paths, %.3f m", plot_base_name(source_name(v->o->name)), d->of ? d->of->count : d->count,
              d->count ? d->curve[d->count - 1].path + 1 : 0, drawing_length(d) / 1000);
     plot_text(v, LARGE, v->left, 30 * v->u, 0, words);
     if (r == NULL)

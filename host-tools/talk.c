@@ -122,7 +122,7 @@ void talk_close(talk *t)
     if (t->line.kind)
         t->line.kind->close(&t->line);
     t->line.kind = NULL;
-    if (t->log)
-        fclose(t->log);
+    if (t->log && (ferror(t->log) | fclose(t->log)) != 0)
+        tool_error(EX_IOERR, "the log is not complete: %s: make room, or log elsewhere", strerror(errno));
     t->log = NULL;
 }

@@ -180,6 +180,15 @@ static const char *number_behind(int argc, char **argv)
     return argv[optind++];
 }
 
+/* getopt takes `--f` for `--feed`; a script that says so would mean something else one day. */
+static bool is_abbreviated(char **argv, const char *name)
+{
+    const bool apart = optarg != NULL && optarg == argv[optind - 1];
+    const char *word = argv[optind - (apart ? 2 : 1)];
+
+    return strncmp(word, "--", 2) == 0 && strcspn(word + 2, "=") != strlen(name);
+}
+
 int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv, int *first)
 {
     size_t count = 0;
@@ -210,6 +219,8 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
             code = tool_error(EX_USAGE, "%s needs a value: see `loft %s --help`", argv[optind - 1], self->name);
         } else if (c != 0) {
             code = tool_error(EX_USAGE, "%s is no option of %s: see `loft %s --help`", argv[optind - 1], self->name, self->name);
+        } else if (is_abbreviated(argv, options[which].name)) {
+            code = tool_error(EX_USAGE, "--%s: write the whole name: see `loft %s --help`", options[which].name, self->name);
         } else if (!take(&options[which], options[which].kind == TOOL_IS_MAYBE && optarg == NULL ? number_behind(argc, argv) : optarg)) {
             code = EX_USAGE;
         }
@@ -217,4 +228,12 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
     free(table);
     *first = optind;
     return code;
+}
+
+const char *tool_file(const tool_command *self, int argc, char **argv, int first, const char *points)
+{
+    if (argc - first <= (points == NULL))
+        return first < argc ? argv[first] : "-";
+    (void)tool_error(EX_USAGE, "%s: give one file%s: see `loft %s --help`", argv[argc - 1], points ? " or --points, not both" : "", self->name);
+    return NULL;
 }

@@ -80,4 +80,7 @@ typedef struct {
 /* Read the options of `self` from argv[1..]; what remains is argv[*first .. argc-1]. Gives 0, TOOL_HELP or EX_USAGE. */
 int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv, int *first);
 
+/* The file of a command that takes one, "-" if none is named, or else the text of --points (NULL: not given); NULL after printing one line. */
+const char *tool_file(const tool_command *self, int argc, char **argv, int first, const char *points);
+
 #endif

@@ -249,6 +249,16 @@ case_interrupt_holds_and_the_same_command_goes_on() {
     [ "$said" = "$held" ] || job_fails "said $said, the machine stood at $held"
     draws stopped; run 0 "${job[@]}"; gone "$machine"; says err '^resuming at item'; counted stopped; same_path stopped calm
 }
+case_interrupt_while_planning_ends_at_once() {
+    awk 'BEGIN { print "bspline 3"; for (i = 0; i < 30000; i++) print i % 97, i * 7 % 89 }' >"$tmp/long.loft"
+    machine idle --speed fast
+    for job in "--dry-run" "--port $tmp/idle"; do
+        timeout -s INT 1.5 "$loft" stream "$tmp/long.loft" $job >"$tmp/out" 2>"$tmp/err"
+        [ $? = 124 ] || job_fails "$job: it was not planning any more"
+        says err '^loft: stopped: nothing was sent$'; is_empty out
+    done
+    run 0 "$loft" ports "$tmp/idle"; says out '	idle'
+}
 case_second_interrupt_leaves_at_once() {
     undisturbed
     machine left --speed real --once
@@ -344,6 +354,16 @@ case_bad_options() {
     one_line 74 'standard output' sh -c "'$loft' sample --points '0,0 1,1' >/dev/full"
     one_line 64 '--num q31'      "$loft" eval --num q31 --points "0,0 1,1"
     one_line 64 '--speed slow'   "$loft" simulate --speed slow
+    one_line 64 'the whole name' "$loft" plan "$tmp/small.csv" --fee 3
+    one_line 64 'the whole name' "$loft" plan "$tmp/small.csv" --mach=none
+    one_line 64 'give one file'  "$loft" eval "$tmp/small.csv" "$tmp/small.csv"
+    one_line 64 'not both'       "$loft" sample --points '0,0 1,1' "$tmp/small.csv"
+    one_line 64 '2 to 32768'     "$loft" simulate --queue 1
+    one_line 64 '0 for none'     "$loft" simulate --curves 3
+    one_line 74 'standard output' sh -c "'$loft' --version >/dev/full"
+    one_line 65 'give 0 to 1 for this tensor' "$loft" eval --uv 5,5 tests/drawings/patch.loft
+    ln -s /dev/full "$tmp/full.pdf"; ln -s /dev/full "$tmp/full.png"
+    for full in full.pdf full.png; do one_line 73 'No space left' "$loft" plot "$tmp/small.csv" -o "$tmp/$full"; done
     one_line 64 'HOST:PORT'      "$loft" stream "$tmp/small.csv" --port tcp:1234
 }
 case_bad_ports() {
@@ -766,12 +786,15 @@ case_machines_as_text() {
     machine slow --speed fast --once --machine "$tmp/slow.txt"
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/slow" --feed 60; gone "$machine"; counted slow
     says slow.csv '^# steps_per_mm_z = 100'
-    bad_machine() { printf "$1" >"$tmp/bad.txt"; one_line 65 "bad.txt:$2" "$loft" simulate --machine "$tmp/bad.txt"; }
+    bad_machine() { printf "$1" >"$tmp/bad.txt"; one_line 65 "bad.txt:$2" timeout 5 "$loft" simulate --machine "$tmp/bad.txt"; }
     bad_machine '\nx.speed = 3\n'         '2: "x.speed" is no key: there are'
     bad_machine 'max_accel 5\n'           '1: no `=` behind max_accel'
     bad_machine 'z.max_accel = fast\n'    '1: max_accel is no number: give one in mm/s'
     bad_machine 'slots = 3.5\n'           '1: slots is 3.5: give a whole number from 1 to 4096'
     bad_machine '# a\n$100=\n'            '2: not a setting of grbl'
+    bad_machine 'corner = 0.1\n$11=0.2\n'                  '2: corner is given in line 1 already: take one'
+    bad_machine 'y.max_jerk = 5\n\nmax_jerk = 6\n'           '3: max_jerk is given in line 1 already: put what holds for all axes first'
+    bad_machine 'slots = 40\n\0\n'                          ' is not text'
     one_line 66 'none.txt' "$loft" simulate --machine "$tmp/none.txt"
 }
 

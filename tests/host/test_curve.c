@@ -173,6 +173,43 @@ static void any_text_is_read_or_refused(arb *a)
     curves_free(&all);
 }
 
+/* `head` and n points of a saw: point i is (i / 100, i mod 3). */
+static char *saw(const char *head, unsigned n)
+{
+    char *text = malloc(32 + 24 * (size_t)n), *at = text + sprintf(text, "%s\n", head);
+
+    for (unsigned i = 0; i < n; i++)
+        at += sprintf(at, "%g %u\n", i / 100.0, i % 3);
+    return text;
+}
+
+static void a_curve_may_have_many_points(arb *a)
+{
+    static const struct { const char *head; unsigned least; } kinds[] = { { "line", 1 }, { "natural", 1 }, { "cardinal", 3 } };
+    const unsigned n = 66000 + arb_below(a, 50), far = 65600 + arb_below(a, 200);
+    double at[ENGINE_AXES];
+
+    for (unsigned k = 0; k < 3; k++) {
+        engine_curve *held = NULL;
+        curves all;
+        char *text = saw(kinds[k].head, n);
+        CHECK(read_text(&all, text) == 0 && all.count == 1 && all.curve[0].count == n && curve_pieces(&all.curve[0]) == n - kinds[k].least);
+        CHECK(engine_f64.curve->open(&all.curve[0], &held) == 0);
+        if (held != NULL && engine_f64.curve->eval(held, far - (k == 2), at) == 0) {
+            CHECK_NEAR(at[0], far / 100.0, 1e-9);
+            CHECK_NEAR(at[1], far % 3, 1e-9);
+            engine_f64.curve->close(held);
+        } else {
+            CHECK(false);
+        }
+        free(text);
+        curves_free(&all);
+    }
+    char *text = saw("bspline 3", 32001);
+    REFUSES_TEXT(text, "f.loft:32002: more than 32000 points");
+    free(text);
+}
+
 
 // Drawings of curves
 // ------------------
@@ -228,6 +265,7 @@ int main(void)
     PROPERTY(what_is_wrong_is_said_with_its_line, 1);
     PROPERTY(a_file_is_known_by_its_first_word, 1);
     PROPERTY(any_text_is_read_or_refused, 20000);
+    PROPERTY(a_curve_may_have_many_points, 2);
     PROPERTY(curves_become_paths, 1);
     PROPERTY(rational_curves_become_cubics, 50);
     return check_failures();
