@@ -89,7 +89,7 @@ for compiler in gcc clang; do
 done
 gnu="-std=c99 -D_GNU_SOURCE ${warnings#-std=c99}"
 for compiler in gcc clang; do
-    for source in host-tools/*.c ports/host/*.c ports/template/*.c ports/firmware.c; do
+    for source in host-tools/*.c ports/host/*.c ports/linux-gpio/[!g]*.c ports/template/*.c ports/firmware.c; do
         [ -f "$source" ] || continue
         $compiler $gnu -Ilib -Iports -Ihost-tools -I. $(pkg-config --cflags libxml-2.0 cairo libserialport) \
             -DLOFT_NUM=LOFT_Q16 -fsyntax-only "$source" 2>&1

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <sysexits.h>
 
 static int refuse(const struct line_wanted *w, int code, const char *trouble, const char *more)
@@ -52,6 +53,13 @@ static int chip_at(struct lines *l, const struct line_wanted *w, const char *pat
     return (int)l->chips++;
 }
 
+/* A second name of a chip is not a second chip. */
+static bool is_link(const char *path)
+{
+    struct stat info;
+    return lstat(path, &info) == 0 && S_ISLNK(info.st_mode);
+}
+
 static bool has_label(gpio_chip *chip, const char *label)
 {
     char is[GPIO_TEXT];
@@ -66,8 +74,8 @@ static bool look_through(const struct line_wanted *w, const char *label, const c
 
     if (glob("/dev/gpiochip*", 0, NULL, &all) == 0) {
         for (size_t i = 0; i < all.gl_pathc; i++) {
-            gpio_chip *chip = gpio_chip_open(all.gl_pathv[i]);
-            barred += !chip && (errno == EACCES || errno == EPERM);
+            gpio_chip *chip = is_link(all.gl_pathv[i]) ? NULL : gpio_chip_open(all.gl_pathv[i]);
+            barred += !chip && !is_link(all.gl_pathv[i]) && (errno == EACCES || errno == EPERM);
             if (!chip)
                 continue;
             if (line ? gpio_chip_find(chip, line) >= 0 : has_label(chip, label)) {

@@ -33,12 +33,13 @@ static struct gpio_board *of(struct loft_board *b)
     return (struct gpio_board *)b;
 }
 
-/* The thread has the higher priority: the main loop may take the time that is left. */
+/* The thread has the higher priority: the main loop may take the time that is left. All memory is there by now, so that which comes later
+ * need not be locked, for which an account may have too little. */
 static void make_real_time(unsigned priority)
 {
     const struct sched_param half = { .sched_priority = (int)(priority + 1) / 2 };
 
-    if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+    if (mlockall(MCL_CURRENT) != 0)
         fprintf(stderr, "loft-gpio: memory cannot be locked (%s): pulses may come late; run as root, or with `ulimit -l unlimited`\n", strerror(errno));
     if (priority)
         sched_setscheduler(0, SCHED_FIFO, &half);       /* the thread tells if that is not allowed */
@@ -48,10 +49,12 @@ static int begin(struct loft_board *b, uint32_t slot_hz, uint32_t most)
 {
     struct gpio_board *g = of(b);
 
-    make_real_time(g->s->priority);
     inputs_init(&g->inputs, &g->lines, g->s->debounce_us);
     lines_set(&g->lines, UINT32_MAX << LINE_ENABLE, UINT32_MAX);
-    return pulses_begin(&g->pulses, &g->lines, g->s, slot_hz, most);
+    const int code = pulses_begin(&g->pulses, &g->lines, g->s, slot_hz, most);
+    if (code == 0)
+        make_real_time(g->s->priority);
+    return code;
 }
 
 static void slot(struct loft_board *b, uint64_t number, loft_pins pins)
@@ -92,6 +95,8 @@ static void report(struct loft_board *b)
 static void end(struct loft_board *b)
 {
     pulses_end(&of(b)->pulses);
+    if (!works(b))
+        fprintf(stderr, "loft-gpio: a chip no longer obeys: is it still there? The position is lost\n");
     lines_set(&of(b)->lines, UINT32_MAX, 0);
 }
 
@@ -107,6 +112,8 @@ static struct loft_board board_of(const struct settings *s)
 
 static void print_help(void)
 {
+    const struct settings usual = settings_usual();
+
     printf("usage: loft-gpio [OPTION..] [FILE | KEY=VALUE]..\n"
            "A machine for `loft stream` on the GPIO lines of a Linux board (libgpiod %s).\n\n"
            "  --look          say which lines are meant and who has them, and end\n"
@@ -116,7 +123,7 @@ static void print_help(void)
            "  --help          this\n\n"
            "FILEs hold lines KEY = VALUE, # begins a comment; what comes later counts. x stands for x, y or z; LINE is a number or the\n"
            "name of a line, or CHIP:LINE, where CHIP is the label, name (gpiochip0) or path of a chip.\n\n", gpio_library());
-    settings_print();
+    settings_print(&usual);
     printf("\nWhen it ends, by a signal too, it stops on the path, then steps are low, enable is off, and the lines are given back. What they are\n"
            "from then on, and after a crash, the board decides: give enable a resistor to its off side.\n");
 }

@@ -17,6 +17,7 @@
 #include <time.h>
 
 #define SPIN_NS 50000           /* waits that are shorter do not sleep */
+#define STACK   65536           /* of the thread, all of it locked     */
 
 static const int64_t bound_us[PULSES_BINS - 1] = { 10, 20, 50, 100, 200, 500, 1000, 2000, 5000 };
 
@@ -33,7 +34,7 @@ static int64_t now_ns(void)
 /* Gives what time it is then. */
 static int64_t wait_until(int64_t when)
 {
-    const struct timespec t = { .tv_sec = when / 1000000000, .tv_nsec = when % 1000000000 };
+    const struct timespec t = { .tv_sec = (time_t)(when / 1000000000), .tv_nsec = (long)(when % 1000000000) };
     int64_t now = now_ns();
 
     if (when - now > SPIN_NS)
@@ -131,7 +132,7 @@ static bool await(struct pulses *p, uint32_t tail)
         if (LOAD(p->head) != tail || LOAD(p->stop))
             break;
         while (sem_wait(&p->wake) != 0) {}
-        p->origin = now_ns() - time_of(p, p->given);
+        p->origin = now_ns() - time_of(p, p->done);
     }
     return !LOAD(p->stop);
 }
@@ -148,7 +149,8 @@ static void *run(void *argument)
     for (uint32_t tail = 0; await(p, tail); tail++) {
         const struct pulses_entry e = p->ring[tail & (p->room - 1)];
         give(p, &e);
-        STORE(p->given, e.slot + 1);
+        p->done = e.slot + 1;
+        STORE(p->given, (uint32_t)p->done);
     }
     return NULL;
 }
@@ -156,6 +158,21 @@ static void *run(void *argument)
 
 // The main loop
 // -------------
+
+static bool start_thread(struct pulses *p)
+{
+    pthread_attr_t kind;
+    int error = pthread_attr_init(&kind);
+
+    if (error == 0) {
+        error = pthread_attr_setstacksize(&kind, STACK);
+        if (error == 0)
+            error = pthread_create(&p->thread, &kind, run, p);
+        pthread_attr_destroy(&kind);
+    }
+    errno = error;
+    return error == 0;
+}
 
 int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s, uint32_t slot_hz, uint32_t most_slots)
 {
@@ -168,8 +185,8 @@ int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s
     p->priority = s->priority;
     for (p->room = 2; p->room <= 2 * most_slots; p->room *= 2) {}       /* what happens in each, and the last of each portion */
     p->ring = calloc(p->room, sizeof *p->ring);
-    if (!p->ring || sem_init(&p->wake, 0, 0) != 0 || pthread_create(&p->thread, NULL, run, p) != 0) {
-        fprintf(stderr, "loft-gpio: no memory for a thread\n");
+    if (!p->ring || sem_init(&p->wake, 0, 0) != 0 || !start_thread(p)) {
+        fprintf(stderr, "loft-gpio: cannot start a thread: %s\n", strerror(errno));
         free(p->ring);
         return EX_OSERR;
     }
@@ -195,7 +212,7 @@ void pulses_put(struct pulses *p, uint64_t slot, loft_pins pins)
 
 uint64_t pulses_left(const struct pulses *p)
 {
-    return p->put - LOAD(p->given);
+    return (uint32_t)p->put - LOAD(p->given);
 }
 
 void pulses_give(struct pulses *p)

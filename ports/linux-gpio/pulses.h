@@ -39,7 +39,7 @@ struct pulses {
     struct pulses_entry *ring;
     uint32_t room;              /* a power of two                                           */
     uint32_t head;              /* by the main loop                                         */
-    uint64_t given;             /* slots, by the thread                                     */
+    uint32_t given;             /* slots modulo 2^32, by the thread                         */
     bool     waiting, stop, broken;
     sem_t    wake;
     pthread_t thread;
@@ -51,6 +51,7 @@ struct pulses {
     bool     begun;             /* main loop: something was given since the last report     */
 
     struct pulses_late late;    /* thread; main loop while nothing is left to give          */
+    uint64_t done;              /* thread: slots                                            */
     int64_t  origin;            /* thread: when slot 0 would have been due                  */
     int64_t  rose, fell, turned;    /* thread: when step and dir lines changed last         */
     uint8_t  dir;

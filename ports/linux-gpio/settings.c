@@ -75,17 +75,23 @@ struct settings settings_usual(void)
     return s;
 }
 
-void settings_print(void)
+void settings_print(const struct settings *usual)
 {
     static const char *const value[] = { "LINE [low]", "LINE [low] [up|down]", "NUMBER", "NUMBER", "TEXT" };
 
     for (size_t i = 0; i < ROWS; i++) {
         const struct row *k = &rows[i];
         const char *before = !k->axes ? "" : k->kind == REAL ? "[x.]" : "x.";
+        const char *at = (const char *)usual + k->at;
         char key[40];
 
         snprintf(key, sizeof key, "%s%s = %s", before, k->key, value[k->kind]);
-        printf("  %-34s %s\n", key, k->what);
+        printf("  %-32s %s", key, k->what);
+        if (k->kind == REAL)
+            printf(" (%g)", *(const double *)at);
+        if (k->kind == WHOLE)
+            printf(" (%u)", *(const unsigned *)at);
+        printf("\n");
     }
 }
 

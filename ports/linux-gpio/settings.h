@@ -45,7 +45,7 @@ int settings_take(struct settings *s, const char *where, const char *text);
 /* A file of such lines, `#` begins a comment. */
 int settings_read(struct settings *s, const char *path);
 
-/* What there is, for --help. */
-void settings_print(void);
+/* What there is, for --help, with these as what is usual. */
+void settings_print(const struct settings *usual);
 
 #endif

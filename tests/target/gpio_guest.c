@@ -18,7 +18,7 @@
 
 static int put(const char *name)
 {
-    int c;
+    int c, last = '\n';
 
     if (ioperm(DEBUG_PORT, 1, 1) != 0)
         return 1;
@@ -27,8 +27,10 @@ static int put(const char *name)
     for (const char *p = name; *p; p++)
         outb((unsigned char)*p, DEBUG_PORT);
     outb('\n', DEBUG_PORT);
-    while ((c = getchar()) != EOF)
+    for (; (c = getchar()) != EOF; last = c)
         outb((unsigned char)c, DEBUG_PORT);
+    if (last != '\n')
+        outb('\n', DEBUG_PORT);
     return 0;
 }
 

@@ -32,7 +32,11 @@ y.dir   = switches:1
 estop   = ESTOP up          # by its name
 x.limit = switches:6 low
 port    = /dev/ttyS1
+hold    = switches:3
+resume  = switches:4
 E
+mkdir /etc; echo 'plain:x:1000:1000::/:/bin/sh' > /etc/passwd
+chmod 777 /tmp
 trace=/sys/kernel/tracing
 echo mono > $trace/trace_clock; echo 24576 > $trace/buffer_size_kb; echo 1 > $trace/events/gpio/gpio_value/enable
 
@@ -41,15 +45,17 @@ begin() {
     local version=$1 name=$2
     shift 2
     echo > $trace/trace
-    loft-gpio$version --once --record /record "$@" /machine > /said 2>&1 & pid=$!
+    rm -f /tmp/record
+    set -- loft-gpio$version --once --record /tmp/record "$@" /machine
+    if [ "$name" = plain ]; then ulimit -l 64; su plain -c "exec $*"; else exec "$@"; fi > /said 2>&1 & pid=$!
     while ! grep -q machine: /said && kill -0 $pid; do usleep 20000; done
     echo "job $name$version"
 }
 # finish VERSION NAME: wait for its end
 finish() {
     wait $pid; echo "code $?" >> /said
-    { cat /said; echo; } | guest put "$2$1.said"
-    guest put "$2$1.record" < /record
+    guest put "$2$1.said" < /said
+    guest put "$2$1.record" < /tmp/record
     guest changes < $trace/trace | guest put "$2$1.lines"
     guest put "$2$1.pulls" < /pulls
     : > /pulls
@@ -58,8 +64,8 @@ finish() {
 moving() { while ! grep -q begun /said && kill -0 $pid; do usleep 20000; done; sleep 1; }
 
 : > /pulls
-guest put map < /sys/kernel/debug/gpio
 for version in 1 2; do
+    guest put map$version < /sys/kernel/debug/gpio
     guest pull $switches/sim_gpio5/pull down 1000 > /dev/null
     guest pull $switches/sim_gpio6/pull up 1000 > /dev/null
 
@@ -75,6 +81,8 @@ for version in 1 2; do
 
     begin $version limit max_speed=20
     moving
+    guest pull $switches/sim_gpio3/pull up 400000 down 0 > /dev/null
+    guest pull $switches/sim_gpio4/pull up 300000 down 0 > /dev/null
     guest pull $switches/sim_gpio6/pull down 300 up 700 down 0 > /pulls
     finish $version limit
     guest pull $switches/sim_gpio6/pull up 1000 > /dev/null
@@ -85,5 +93,19 @@ for version in 1 2; do
     moving
     kill -TERM $pid
     finish $version term
+
+    # an account without rights beside another program that takes all the time it gets
+    chown plain /dev/gpiochip* /dev/ttyS1
+    yes > /dev/null & busy=$!
+    begin $version plain
+    finish $version plain
+    kill $busy
+
+    # a chip that goes in mid-job
+    begin $version gone max_speed=20
+    moving
+    echo 0 > /sys/kernel/config/gpio-sim/motors/live
+    finish $version gone
+    echo 1 > /sys/kernel/config/gpio-sim/motors/live
 done
 guest exit 16

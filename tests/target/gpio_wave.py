@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """Prints `name value` lines; OUT.csv has rows `slot,x,y,z` as `loft simulate --record` writes them, with the time in us for the slot.
 
-DUMP has sections `=== NAME`: `map` from the kernel's list of chips, and of each case what the program said, the slots it recorded, the changes
+DUMP has sections `=== NAME`: `map` and the version, the kernel's list of chips, and of each case what the program said, the slots it recorded, the changes
 of outputs that the tracepoint saw, and when switches were pulled.
 """
 import re
@@ -27,7 +27,7 @@ def sections(path):
 
 def main(dump, case, out):
     part = sections(dump)
-    base = {label: int(first) for first, label in re.findall(r"GPIOs (\d+)-\d+, parent: [^,]*, (\w+)", "\n".join(part["map"]))}
+    base = {label: int(first) for first, label in re.findall(r"GPIOs (\d+)-\d+, parent: [^,]*, (\w+)", "\n".join(part["map" + case[-1]]))}
     step = {base[chip] + s: axis for axis, (chip, s, _) in WHERE.items()}
     turn = {base[chip] + d: axis for axis, (chip, _, d) in WHERE.items()}
     enable = base[ENABLE[0]] + ENABLE[1]
@@ -103,6 +103,8 @@ def main(dump, case, out):
         print("apart", max(r - p for p, r in zip(planned, real)))
         print("longer", (first[-1] - first[0] - sum(planned)) / 1000)
         print("took", (first[-1] - first[0]) / sum(planned))
+    if len(times) > 1:
+        print("pause", max(b - a for a, b in zip(times, times[1:])) / 1000)
     if pulls:
         closed = int(pulls[-1][0])
         print("standing", (times[-1] - closed) / 1000 if times else "")
