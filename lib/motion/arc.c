@@ -16,8 +16,9 @@
 
 #define SPECK        (3 * loft_acc_ratio(loft_wide(LOFT_REAL(1)), 65536))
 #define DUST         (3 * loft_acc_ratio(loft_wide(LOFT_REAL(1)), 262144))
+#define BLUR         16384                          /* grains: what is longer has a direction */
 #define LENGTH_MAX   loft_wide(LOFT_REAL(64))       /* a loft_unit holds it */
-#define BEND_MAX     LOFT_REAL(16383)
+#define BEND_MAX     (LOFT_REAL_MAX / 2)
 
 static loft_acc size_of(loft_acc x)            { return x < 0 ? -x : x; }
 
@@ -202,7 +203,18 @@ static void set_length(loft_arc *a)
     a->ahead[2] = 16 * (LOFT_UNIT(0.5) - loft_unit_round(bent(half, a->ahead)));
 }
 
-/* Is it one that may be walked? `size` is that of its interval of parameters. */
+/* Is the chord so long that rounding leaves its direction? Of q16's dust none is. */
+static bool leads(const loft_arc *a, loft_acc length)
+{
+    loft_acc size = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        size = size_of(a->c[0][i]) > size ? size_of(a->c[0][i]) : size;
+    return length > BLUR * loft_acc_grain(size);
+}
+
+/* Is it one that may be walked? `size` is that of its interval of parameters. What is too small for its bend to matter is a crumb if it has a
+ * direction: the path may turn around where it begins and where it ends. */
 static bool fits(loft_arc *a, uint32_t size)
 {
     loft_acc leg[3][LOFT_AXES], chord[LOFT_AXES], legs = 0;
@@ -218,6 +230,11 @@ static bool fits(loft_arc *a, uint32_t size)
             legs += size_of(leg[k][i]);
     a->speck = !straight && legs <= SPECK && straight_speck(leg, chord, length);
     a->dust  = !straight && !a->speck && (legs <= DUST || size == 1);
+    a->crumb = a->dust && leads(a, length);
+    if (a->crumb) {
+        a->speck = true;
+        a->dust  = false;
+    }
     if (a->speck || a->dust)
         straighten(a);
     if (straight || a->speck || a->dust)
@@ -251,7 +268,7 @@ uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from)
  *     K = (D' - u (u . D')) / |D|^2
  *
  * The quotient by |D| is below 1, as control points of the derivative differ by at most |chord| / 8. Arcs below 2^-15 mm may
- * bend more than a real can say: twice BEND_MAX stands for all of that. */
+ * bend more than a real of q16 can say: twice BEND_MAX stands for all of that. */
 static loft_real curvature(loft_acc across, loft_acc rate)
 {
     const loft_acc x = loft_wide(loft_acc_quot(across, rate));

@@ -53,7 +53,7 @@ void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves
     c->at         = 0;
     c->extent     = c->zone = 0;
     c->gear       = LOFT_UNIT(1);
-    c->known      = c->smooth = c->ended = false;
+    c->known      = c->smooth = c->crumb = c->ended = false;
 }
 
 
@@ -93,12 +93,57 @@ static uint32_t cut_arc(const loft_course *c, loft_arc *arc, loft_arc_shape *sha
     return to;
 }
 
-/* A joint before `arc`, if there is one that matters. */
-static void add_joint(loft_course *c, const loft_arc *arc, loft_way after, loft_acc spacing, loft_real feed)
+/* How far from the end of what is known to the last place of rest. */
+static loft_acc since_rest(const loft_course *c, loft_acc most)
+{
+    loft_acc d = 0;
+    for (unsigned j = c->count; d < most && j > 0; j--) {
+        const loft_plan_piece *p = loft_course_piece(c, j - 1);
+        d += loft_unit_wide(p->length);
+        if (p->stop)
+            break;
+    }
+    return d;
+}
+
+/* How far the curve is known to go on from `to` without a place of rest, in pieces that there is room for beside two. */
+static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real feed)
+{
+    const uint32_t at = c->at;
+    loft_acc d = 0;
+    loft_arc arc;
+    loft_arc_shape shape;
+    loft_plan_piece piece;
+
+    c->at = to;
+    for (unsigned n = c->count + 4u; n <= c->piece_room && d < most && c->at < LOFT_ARC_WHOLE; n++) {
+        c->at = cut_arc(c, &arc, &shape, &piece, feed);
+        if (arc.speck || arc.dust)
+            break;
+        d += arc.length;
+    }
+    c->at = at;
+    return d;
+}
+
+/* A joint before `arc`, which ends at `to`, if there is one that matters. */
+static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, loft_way after, loft_acc spacing, loft_real feed)
 {
     loft_plan_piece joint;
+    loft_acc room = 0;
 
-    if (c->known && !(c->smooth && !arc->speck) && loft_profile_join(&joint, &c->budget, &c->way, &after, spacing, feed)) {
+    if (!c->known || (c->smooth && !arc->speck))
+        return;
+    if (arc->crumb)
+        spacing = smaller(spacing, arc->length);
+    if (c->crumb && c->count > 0)
+        spacing = smaller(spacing, loft_unit_wide(loft_course_piece(c, c->count - 1u)->length));
+    if (LOFT_BUDGET_JERK(&c->budget)) {
+        room = smaller(spacing / 8, loft_wide(LOFT_EASE_MAX));
+        room = smaller(room, since_rest(c, room));
+        room = smaller(room, arc->length + runs_on(c, to, room - arc->length, feed));
+    }
+    if (loft_profile_join(&joint, &c->budget, &c->way, &after, spacing, room, feed)) {
         loft_plan_piece *p = add_piece(c);
         joint.from = p->from;
         joint.to   = p->to;
@@ -120,10 +165,11 @@ static void load_pieces(loft_course *c, loft_acc extent)
         c->smooth = false;
     else {
         loft_way start = loft_profile_way(&piece, &c->budget, &shape, 0);
-        add_joint(c, &arc, start, c->at == 0 ? smaller(extent, c->extent) : extent, feed);
+        add_joint(c, &arc, to, start, c->at == 0 ? smaller(extent, c->extent) : extent, feed);
         c->way    = loft_profile_way(&piece, &c->budget, &shape, 2);
         c->known  = true;
         c->smooth = !arc.speck;
+        c->crumb  = arc.crumb;
     }
     if (arc.length > 0) {
         loft_plan_piece *p = add_piece(c);

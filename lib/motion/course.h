@@ -33,6 +33,7 @@ typedef struct {
     loft_unit        gear;                                  /* part of the acceleration that is used         */
     loft_vec         end;                                   /* where the last curve ends                     */
     bool             known, smooth;                         /* is there a way; does the curve just go on     */
+    bool             crumb;                                 /* is the last piece one                         */
     bool             ended;                                 /* nothing more will come                        */
 } loft_course;
 

@@ -29,7 +29,7 @@ void loft_law_init(loft_law *law)
     law->beats = law->course.budget.filter;
     law->slot  = 0;
     law->from  = 0;
-    law->calm  = UINT8_MAX;
+    law->calm  = law->steady = UINT8_MAX;
     law->rests = true;
     for (unsigned k = 0; k < LOFT_PLAN_FILTER; k++)
         law->way[k] = 0;
@@ -65,13 +65,13 @@ static loft_acc way_of(const loft_law *law, loft_real v0, loft_real v1)
     return (loft_budget_beat(&law->course.budget, v0) + loft_budget_beat(&law->course.budget, v1)) / 2;
 }
 
-/* Can everything after `way` more be braked for, from speed v, and after that n + 1 beats more? */
+/* Can everything up to `way` further on be braked for from speed v? */
 static bool clear(const loft_law *law, loft_acc way, loft_real v)
 {
     loft_course_place at = law->at;
     const loft_acc x = loft_prod(v, v);
 
-    if (!move(law, &at, way + loft_budget_beat(&law->course.budget, v) * (law->beats + 1)))
+    if (!move(law, &at, way))
         return false;
     for (unsigned j = law->at.piece + 1; j <= at.piece; j++)
         if (loft_course_piece(&law->course, j)->brake < v)
@@ -81,7 +81,7 @@ static bool clear(const loft_law *law, loft_acc way, loft_real v)
 
 static bool can_speed_up(const loft_law *law, loft_real v)
 {
-    return clear(law, way_of(law, law->speed, v), v);
+    return clear(law, way_of(law, law->speed, v) + loft_budget_beat(&law->course.budget, v) * (law->beats + 1), v);
 }
 
 /* How fast the acceleration in the middle of a beat that ends with speed `top`, with the bounds here and there, lets it end. */
@@ -249,20 +249,30 @@ static void shift(loft_law *law, loft_unit way)
     law->calm = law->calm < UINT8_MAX ? (uint8_t)(law->calm + 1) : law->calm;
 }
 
-/* New pieces: a joint so near that it should have been eased before the mean place is a stop. */
-static void late(loft_law *law, unsigned first)
+/* The path rests `d` before piece i, or is there already: a joint from piece `first` on that should have been eased before it is a
+ * stop, too. */
+static void late(loft_law *law, unsigned i, unsigned first, loft_acc d)
 {
     loft_course *c = &law->course;
-    loft_acc d = -loft_acc_ratio(law->mean, law->beats);
 
-    for (unsigned j = law->from; j < c->count && d < loft_wide(LOFT_EASE_MAX); j++) {
-        loft_plan_piece *p = loft_course_piece(c, j);
-        if (j >= first && d < loft_unit_wide(p->ease.width)) {
+    for (; LOFT_BUDGET_JERK(&c->budget) && i < c->count && d < loft_wide(LOFT_EASE_MAX); i++) {
+        loft_plan_piece *p = loft_course_piece(c, i);
+        if (i >= first && d < loft_unit_wide(p->ease.width)) {
             p->stop = true;
             p->ease.width = 0;
+            d = 0;
         }
         d += loft_unit_wide(p->length);
     }
+}
+
+/* Cut what has come, as far as there is room. */
+static void load(loft_law *law)
+{
+    const unsigned known = law->course.count;
+
+    loft_course_load(&law->course);
+    late(law, law->from, known, -loft_acc_ratio(law->mean, law->beats));
 }
 
 /* Nothing that was passed matters any more: the course begins with what comes next. */
@@ -277,9 +287,7 @@ static void settle(loft_law *law)
     law->mean = law->sum = 0;
     law->slot = 0;
     law->from = 0;
-    const unsigned known = law->course.count;
-    loft_course_load(&law->course);
-    late(law, known);
+    load(law);
 }
 
 /* At rest: empty the window, then begin what comes next. */
@@ -303,11 +311,11 @@ static enum loft_law_state leave(loft_law *law)
 }
 
 /* Does the law, on its way to stop before piece `first`, hold what that and those after it ask for? They cast their bounds to
- * places where it is or was already. */
+ * places where it is or was already, or where it will hold its speed since it has just sped up. */
 static bool agrees(const loft_law *law, unsigned first)
 {
     const loft_course *c = &law->course;
-    const loft_acc x = loft_prod(law->speed, law->speed);
+    const int hold = law->steady <= law->beats ? law->beats + 1 - law->steady : 0;
     loft_acc d = -law->at.off;
 
     for (unsigned j = law->at.piece; j < first; j++)
@@ -318,7 +326,7 @@ static bool agrees(const loft_law *law, unsigned first)
             return false;
         d += length_of(law, j);
     }
-    return loft_course_brake(c, law->at) >= x - x / 1024;
+    return clear(law, loft_budget_beat(&c->budget, law->speed) * hold, law->speed - law->speed / 2048);
 }
 
 /* New pieces while it moves: if they ask for less than what it counted on, the path rests before them, as it would have. */
@@ -333,6 +341,7 @@ static void join(loft_law *law, unsigned first)
     if (!agrees(law, first)) {
         loft_course_piece(c, first)->stop = true;
         loft_course_piece(c, first)->ease.width = 0;
+        late(law, first, first, 0);
         for (unsigned j = next; j < first; j++)
             loft_course_piece(c, j)->sure = false;
         loft_course_look_back(c, law->at.piece);
@@ -360,7 +369,9 @@ static void run(loft_law *law)
     if (!(v > law->speed)) {
         v = slower(law);
         law->calm = v < law->speed ? 0 : law->calm;
-    }
+        law->steady = law->steady < UINT8_MAX ? (uint8_t)(law->steady + 1) : law->steady;
+    } else
+        law->steady = 0;
     loft_unit way = loft_unit_round(way_of(law, law->speed, v));
     if (!(way > 0))
         way = LOFT_UNIT(0.00000006);    /* q16: the least there is, lest it creeps without getting on */
@@ -381,8 +392,7 @@ enum loft_law_state loft_law_next(loft_law *law)
 {
     const unsigned known = law->course.count;
 
-    loft_course_load(&law->course);
-    late(law, known);
+    load(law);
     join(law, known);
     if (law->rests) {
         const enum loft_law_state state = leave(law);

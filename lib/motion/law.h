@@ -16,6 +16,7 @@ typedef struct {
     unsigned    from;                   /* the piece that the mean is counted from                */
     uint8_t     beats, slot;            /* of the window; the oldest of them                      */
     uint8_t     calm;                   /* beats since it last braked, or since it rests          */
+    uint8_t     steady;                 /* beats since it last sped up                            */
     bool        rests;
 } loft_law;
 

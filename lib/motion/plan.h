@@ -89,7 +89,7 @@ void loft_plan_end(loft_plan *plan);
  *           there the change of velocity takes two beats, of 2 ms or one tick, as a deviation at a junction means
  *           limits.max_across > 0: along and across the path 1 % of both, and, where the path turns by w radians in a beat, w / 2 of
  *           the other
- *           jerk per axis: 2 %; f64: more where the path has features of less than 0.001 mm
+ *           jerk per axis: 2 %
  *           Rounding the control points adds 3 grains / duration of the span to the speed, 12 grains / duration^2 to the
  *           acceleration and 24 grains / duration^3 to the jerk, half a grain being 2^-17 mm in q16 and 1/2 ulp in f32
  *   cost    on a PC about 0.3 us per millisecond of motion

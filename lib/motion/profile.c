@@ -62,7 +62,7 @@ static loft_real change(const loft_vec at[3], int i)
     const loft_acc d0 = loft_wide(at[1].axis[i]) - loft_wide(at[0].axis[i]), d1 = loft_wide(at[2].axis[i]) - loft_wide(at[1].axis[i]);
     const loft_acc start = 3 * d0 - d1, end = 3 * d1 - d0;
     const loft_acc a = start < 0 ? -start : start, b = end < 0 ? -end : end;
-    return loft_acc_round(smaller(a > b ? a : b, loft_wide(LOFT_REAL(32000))));
+    return loft_acc_round(smaller(a > b ? a : b, loft_wide(LOFT_REAL_MAX)));
 }
 
 /* v h / l, the part of the piece that a beat passes, or 4095 */
@@ -345,10 +345,9 @@ static loft_acc bend_jump_cap(const loft_budget *b, const loft_way *before, cons
  * g'' goes from 0 to 1/2 at the joint, where g is 0 and g' = w / 12. So |g| <= 0.0088 w^2, which may take 3/8 of the
  * tolerance, and g'' changes by at most 3/2 / w per mm, as with a k' of 3/2 d / w. The speed grows by up to |d| w / 12, for
  * which the cap is lowered: |d| w <= 1/6. */
-static loft_unit ease_width(const loft_budget *b, loft_acc jump, loft_acc spacing)
+static loft_unit ease_width(const loft_budget *b, loft_acc jump, loft_acc room)
 {
     const loft_real size = loft_acc_round(jump);
-    const loft_acc  room = smaller(spacing / 8, loft_wide(LOFT_EASE_MAX));
 
     if (!(size > 0) || size > LOFT_REAL(4095))
         return 0;
@@ -424,13 +423,13 @@ static void leave_for_joint(loft_plan_piece *p, const joint *j, const loft_way *
 }
 
 /* Ease the change of curvature if that can be passed faster than the change itself. */
-static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, joint j, loft_acc spacing)
+static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, joint j, loft_acc room)
 {
     const loft_acc jump = loft_vec_distance(before->bend, after->bend);
 
     for (int i = 0; i < LOFT_AXES; i++)
         p->ease.jump[i] = after->bend.axis[i] - before->bend.axis[i];
-    p->ease.width = ease_width(b, jump, spacing);
+    p->ease.width = ease_width(b, jump, room);
     if (p->ease.width > 0)
         j.ease = ease_way(p, b);
     j.eased = p->ease.width > 0 && j.ease.cap > j.bend;
@@ -443,7 +442,7 @@ static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *befo
 }
 
 bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
-                     loft_acc spacing, loft_real feed)
+                     loft_acc spacing, loft_acc room, loft_real feed)
 {
     const loft_arc_shape s = { { before->along, after->along, after->along }, { before->bend, after->bend, after->bend }, false };
     const loft_acc turn = loft_budget_joint(b, before->along, after->along, spacing), feed2 = loft_prod(feed, feed);
@@ -456,7 +455,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
 
     joint j = { .turn = loft_acc_sqrt(turn), .bend = loft_acc_sqrt(bend) };
     if (LOFT_BUDGET_JERK(b))
-        j = ease(p, b, before, after, j, spacing);
+        j = ease(p, b, before, after, j, room);
     const loft_real slow = least(j.turn, j.bend);
     p->stop = slow < loft_acc_round(loft_acc_scale(loft_wide(p->rest), b->pulse) / 4);
     if (p->stop) {

@@ -55,12 +55,13 @@ bool loft_profile_init(loft_plan_piece *p, const loft_budget *b, const loft_arc 
 /* The way at station k (0 start, 1 middle, 2 end) of a piece. */
 loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, int k);
 
-/* Set the bounds of a joint whose next such is `spacing` away: false if it is none, with this feed.
+/* Set the bounds of a joint whose next such is `spacing` away: false if it is none, with this feed. It may be eased
+ * over `room` on both sides of it, at most LOFT_EASE_MAX.
  *
  *   range   as loft_profile_init; directions of length 1
  */
 bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
-                     loft_acc spacing, loft_real feed);
+                     loft_acc spacing, loft_acc room, loft_real feed);
 
 /* Move aside the point of the path `off` mm behind (or, negative, before) the place of `e`.
  *

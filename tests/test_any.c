@@ -1,0 +1,40 @@
+/* tests/test_any.c -- random chains, limits and arrivals planned: no limit exceeded, no deadlock, no step lost
+ * SPDX-License-Identifier: MIT
+ */
+#include "motion_any.h"     /* check_case */
+
+/* Each of them exceeded a limit once. */
+static const uint16_t once[] = {
+    494, 1036, 1442, 2918,      /* the path turned around at both ends of less than 2^-18 mm                     */
+    1582, 2952,                 /* a curve that came later asked to brake where the speed had just been raised   */
+    2954                        /* a change of curvature was eased across a place of rest                        */
+};
+
+static void cases_that_were_violations_are_none(arb *a)
+{
+    (void)a;
+    for (unsigned k = 0; k < sizeof once / sizeof once[0]; k++) {
+        bad = false;
+        check_case(once[k]);
+        CHECK(!bad);
+    }
+}
+
+/* Other seeds than those of `make bench-motion`. */
+static void no_limit_is_exceeded_and_no_step_is_lost(arb *a)
+{
+    const uint64_t seed = ((uint64_t)1 << 32) + arb_below(a, 1u << 30);
+
+    bad = false;
+    check_case(seed);
+    if (bad)
+        printf("any %llu\n", (unsigned long long)seed);
+    CHECK(!bad);
+}
+
+int main(void)
+{
+    PROPERTY(cases_that_were_violations_are_none,        1);
+    PROPERTY(no_limit_is_exceeded_and_no_step_is_lost,  20);
+    return check_failures();
+}
