@@ -33,9 +33,19 @@ $(GPIO_GUEST)/guest: tests/target/gpio_guest.c
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE -static $< -o $@
 
+# and on paper, here, under sanitizers
+define gpio_paper
+$(GPIO_GUEST)/loft-gpio-$(1): $$(GPIO_SRC) tests/target/gpio_paper.c $$(wildcard ports/*.h ports/host/*.h ports/linux-gpio/*.h) build/q16x3/libloft.a
+	@mkdir -p $$(@D)
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) -O1 -g $$(GPIO_FLAGS) -Werror $(2) $$(filter %.c %.a,$$^) -pthread -o $$@
+endef
+$(eval $(call gpio_paper,race,-fsanitize=thread))
+$(eval $(call gpio_paper,memory,$(SANITIZE)))
+
 ## Run loft-gpio with both versions of libgpiod on a real kernel with simulated GPIO chips (QEMU): jobs, switches, ends, lateness
 .PHONY: check-gpio
-check-gpio: $(TOOL_OUT)/loft
+check-gpio: $(TOOL_OUT)/loft $(GPIO_GUEST)/loft-gpio-race $(GPIO_GUEST)/loft-gpio-memory
 	@bash tests/target/gpio_get.sh $(GPIO_CACHE) >/dev/null && $(MAKE) -s --no-print-directory $(GPIO_GUEST)/loft-gpio1 $(GPIO_GUEST)/loft-gpio2 $(GPIO_GUEST)/guest || \
 	    { echo "FAIL no kernel with GPIO chips could be had, nothing was tested"; echo "0 passed, 1 failed"; exit 1; }
 	@bash tests/target/gpio.sh $(GPIO_CACHE) $(GPIO_GUEST) $(TOOL_OUT)/loft

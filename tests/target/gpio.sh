@@ -43,20 +43,6 @@ send() {
     echo $? > "$tmp/$1.code"
 }
 
-image
-timeout 200 qemu-system-x86_64 -accel tcg -icount shift=3,sleep=off -m 384 -nodefaults -no-user-config -display none -no-reboot \
-    -serial "file:$tmp/console" -chardev "socket,id=line,path=$tmp/line,server=on,wait=off" -serial chardev:line \
-    -chardev "file,id=dump,path=$tmp/dump" -device isa-debugcon,iobase=0xe9,chardev=dump -device isa-debug-exit,iobase=0xf4,iosize=0x4 \
-    -kernel "$cache/vmlinuz" -initrd "$tmp/image" -append "console=ttyS0 quiet panic=-1" >"$tmp/qemu" 2>&1 </dev/null & qemu=$!
-here fast 100
-here slow 20
-for version in 1 2; do
-    for case in whole estop limit term plain gone; do send $case$version || break; done
-done
-wait $qemu; ended=$?
-row "the guest: kernel, modules, chips, every case" "$ended" = 33        # (16 << 1) | 1
-[ "$ended" = 33 ] || cat "$tmp/qemu" "$tmp/console"
-
 # wave CASE: its numbers for `value`
 wave() { python3 tests/target/gpio_wave.py "$tmp/dump" "$1" "$tmp/$1.csv" >"$tmp/chip"; code=$(cat "$tmp/$1.code"); }
 
@@ -77,6 +63,29 @@ print(sum(len(a) for a in rows(sys.argv[1]) for b in [0]) and all(a == b[:len(a)
 P
 }
 
+# paper NAME WHAT: the job by loft-gpio-NAME, here, on lines of paper, behind a pseudo terminal
+paper() {
+    local dump=$tmp/dump.$1
+    LOFT_PAPER=$tmp/paper "$guest/loft-gpio-$1" --once --record "$tmp/record" link="$tmp/paper.$1" priority=0 chip=/dev/0 x.step=0 x.dir=1 enable="2 low" \
+        z.step=3 z.dir=4 y.step=/dev/1:0 y.dir=/dev/1:1 >"$tmp/said" 2>&1 & local machine=$!
+    for _ in $(seq 100); do [ -e "$tmp/paper.$1" ] && break; sleep 0.02; done
+    timeout 60 "$loft" stream "$drawing" --feed $feed --port "$tmp/paper.$1" >"$tmp/out" 2>&1 </dev/null; code=$?
+    wait $machine
+    echo "code $?" >> "$tmp/said"
+    {   printf '=== map0\ngpiochip0: GPIOs 0-7, parent: none, motors\ngpiochip1: GPIOs 100-107, parent: none, switches\n=== paper0.said\n'
+        cat "$tmp/said"; echo "=== paper0.record"; cat "$tmp/record"; echo "=== paper0.lines"; cat "$tmp/paper"; echo "=== paper0.pulls"
+    } > "$dump"
+    python3 tests/target/gpio_wave.py "$dump" paper0 "$tmp/paper.csv" >"$tmp/chip"
+    echo "-- on paper, under $2"
+    row "the command ends well"                               "$code" = 0
+    row "the program ends well"                               "$(value code)" = 0
+    row "every axis steps as on the simulated machine"        "$(path_of "$tmp/paper.csv")" = "$(path_of "$tmp/here.fast")"
+    row "direction set before a pulse (5 us), at least"       "$(value setup)" ">=" 5 us
+    row "direction kept after a pulse (5 us), at least"       "$(value hold)" ">=" 5 us
+    safe "paper"
+    [ "$(value code)" = 0 ] || cat "$tmp/said"
+}
+
 # section NAME: of what the guest put to the debug port
 section() { awk -v n="=== $1" '/^===/ { on = $0 == n } on' "$tmp/dump"; }
 
@@ -88,6 +97,22 @@ safe() {
     row "$1: step lines high at the end"                      "$(value high)" = 0
     row "$1: enable (active low): off, on, off"               "$(value enable)" = "1 0 1"
 }
+
+image
+timeout 200 qemu-system-x86_64 -accel tcg -icount shift=3,sleep=off -m 384 -nodefaults -no-user-config -display none -no-reboot \
+    -serial "file:$tmp/console" -chardev "socket,id=line,path=$tmp/line,server=on,wait=off" -serial chardev:line \
+    -chardev "file,id=dump,path=$tmp/dump" -device isa-debugcon,iobase=0xe9,chardev=dump -device isa-debug-exit,iobase=0xf4,iosize=0x4 \
+    -kernel "$cache/vmlinuz" -initrd "$tmp/image" -append "console=ttyS0 quiet panic=-1" >"$tmp/qemu" 2>&1 </dev/null & qemu=$!
+here fast 100
+here slow 20
+for version in 1 2; do
+    for case in whole estop limit term plain gone; do send $case$version || break; done
+done
+wait $qemu; ended=$?
+paper race ThreadSanitizer
+paper memory AddressSanitizer
+row "the guest: kernel, modules, chips, every case" "$ended" = 33        # (16 << 1) | 1
+[ "$ended" = 33 ] || cat "$tmp/qemu" "$tmp/console"
 
 for v in 1 2; do
     name="libgpiod $("$guest/loft-gpio$v" --help | sed -n 's/.*(libgpiod \([0-9.]*\)).*/\1/p')"

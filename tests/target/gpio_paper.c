@@ -1,0 +1,150 @@
+/* tests/target/gpio_paper.c -- gpio.h on paper: chips named /dev/0 and /dev/1, whose outputs' changes go to the file $LOFT_PAPER
+ * SPDX-License-Identifier: MIT
+ *
+ * As gpio_guest.c's `changes`: lines `us line value`; line 3 of /dev/1 is 103. Main loop and thread come here one after another, and nothing
+ * here keeps them apart: what ThreadSanitizer sees is the program's own order.
+ */
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "linux-gpio/gpio.h"
+
+struct gpiod_chip { unsigned number; };
+
+struct gpio_request {
+    unsigned count, line[GPIO_LINES];
+    bool high[GPIO_LINES];
+    int fd;
+};
+
+static FILE *paper;
+
+static void note(unsigned line, bool high)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    fprintf(paper, "%llu %u %d\n", (unsigned long long)t.tv_sec * 1000000 + (unsigned long long)t.tv_nsec / 1000, line, high);
+}
+
+const char *gpio_library(void)
+{
+    return "on paper";
+}
+
+gpio_chip *gpio_chip_open(const char *path)
+{
+    gpio_chip *chip = calloc(1, sizeof *chip);
+
+    if (!paper)
+        paper = fopen(getenv("LOFT_PAPER"), "w");
+    if (!chip || !paper)
+        abort();
+    chip->number = path[strlen(path) - 1] == '1';
+    return chip;
+}
+
+void gpio_chip_close(gpio_chip *chip)
+{
+    free(chip);
+    fflush(paper);
+}
+
+bool gpio_chip_label(gpio_chip *chip, char label[GPIO_TEXT])
+{
+    snprintf(label, GPIO_TEXT, "%u", chip->number);
+    return true;
+}
+
+unsigned gpio_chip_lines(gpio_chip *chip)
+{
+    (void)chip;
+    return 8;
+}
+
+int gpio_chip_find(gpio_chip *chip, const char *name)
+{
+    (void)chip;
+    (void)name;
+    return -1;
+}
+
+bool gpio_chip_owner(gpio_chip *chip, unsigned offset, char owner[GPIO_TEXT])
+{
+    (void)chip;
+    (void)offset;
+    owner[0] = 0;
+    return false;
+}
+
+gpio_request *gpio_outputs(gpio_chip *chip, const unsigned offset[], unsigned count, uint32_t high)
+{
+    gpio_request *r = calloc(1, sizeof *r);
+
+    if (!r)
+        abort();
+    r->count = count;
+    r->fd = -1;
+    for (unsigned i = 0; i < count; i++) {
+        r->line[i] = 100 * chip->number + offset[i];
+        r->high[i] = high >> i & 1;
+        note(r->line[i], r->high[i]);
+    }
+    return r;
+}
+
+bool gpio_set(gpio_request *r, uint32_t which, uint32_t high)
+{
+    for (unsigned i = 0; i < r->count; i++)
+        if (which >> i & 1 && r->high[i] != (high >> i & 1)) {
+            r->high[i] = high >> i & 1;
+            note(r->line[i], r->high[i]);
+        }
+    return true;
+}
+
+/* An open switch that nobody touches. */
+gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias, unsigned debounce_us)
+{
+    gpio_request *r = calloc(1, sizeof *r);
+
+    (void)chip;
+    (void)offset;
+    (void)bias;
+    (void)debounce_us;
+    if (!r)
+        abort();
+    r->fd = -1;
+    return r;
+}
+
+bool gpio_debounces(void)
+{
+    return true;
+}
+
+int gpio_fd(const gpio_request *r)
+{
+    return r->fd;
+}
+
+bool gpio_forget_edges(gpio_request *r)
+{
+    (void)r;
+    return true;
+}
+
+int gpio_get(gpio_request *r)
+{
+    (void)r;
+    return 0;
+}
+
+void gpio_release(gpio_request *r)
+{
+    free(r);
+}
