@@ -194,13 +194,18 @@ check-target: lib/names.h
 check-sums: lib/names.h
 	@sh tests/target.sh
 
+## Check the table of lib/motion/span.h: what its calls cost at worst on an emulated ATmega328P, Cortex-M0 and M4
+.PHONY: check-calls
+check-calls: lib/names.h
+	@sh tests/target/calls.sh build/calls
+
 ## Print text and worst stack of each module for the same cores   NUM=q16|f32|f64  AXES=1..6
 .PHONY: size
 size: lib/names.h
 	@sh tests/size.sh $(NUM) $(AXES)
 
 # --- firmware: each port brings its own rules, and what check-target is to run of it -------------------
-TARGET_STAGES := check-sums bench-polygon check-boards
+TARGET_STAGES := check-sums check-calls bench-polygon check-boards
 include ports/boards.mk $(sort $(wildcard ports/*/port.mk))
 
 ## Build the firmware of every board, and print what it takes of flash and RAM   or one: make firmware-stm32f405

@@ -13,6 +13,9 @@
  * The state is the level, from which follows how many ticks of the plan pass until time stands still if that is the aim from
  * now on: level / unit, rounded up. The level changes by at most `unit` per tick; r^2 is level / full, where `full` is the
  * level of pace 1. The slowest pace is sqrt(1 / full).
+ *
+ * loft_pace_next belongs to the context that prepares ticks (span.h has the order of calls), and only it changes the level; loft_pace_aim
+ * may be called from any, where 16 bits are stored at once. 16 bytes.
  */
 #ifndef LOFT_MOTION_PACE_H
 #define LOFT_MOTION_PACE_H
@@ -41,6 +44,7 @@ enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp) LOF
 
 /* The level of the pace percent / 100.
  *
+ *   cost    a 32-bit division
  *   range   percent 0..LOFT_PACE_MOST; what is more counts as that. Any percent above 0 moves at least a little. */
 uint16_t loft_pace_level(const loft_pace *p, unsigned percent);
 
@@ -52,7 +56,8 @@ static inline void loft_pace_aim(loft_pace *p, uint16_t level)  { p->aim = level
 /* Slots that the next tick lasts; 0 while time stands still.
  *
  *   error   1 slot and 0.3 % of the law above; fractions are carried to the next tick; at pace 1 none; never below 1 slot
- *   cost    steady at pace 0 and 1 nothing, else one 32-bit division and one 32-bit square root */
+ *   cost    steady at pace 0 and 1 nothing, else one 32-bit division and one 32-bit square root: at most 1,500 cycles of an ATmega328P,
+ *           170 instructions of a Cortex-M4 */
 uint16_t loft_pace_next(loft_pace *p);
 
 /* Ticks of the plan that pass until time stands still if the aim is 0 from now on, exactly. */

@@ -1,0 +1,186 @@
+/* tests/target/calls.c -- what one call of lib/motion costs at worst, on an ATmega328P in cycles, on a Cortex-M in instructions
+ * SPDX-License-Identifier: MIT
+ *
+ * On the ATmega328P alone (simavr), or with microbit.c and netduino.ld. Prints `function worst` lines, and `bytes struct size` lines;
+ * calls.sh compares them with the table of lib/motion/span.h.
+ */
+#include "motion/pace.h"
+#include "motion/span.h"
+#include "motion/step.h"
+
+#define TICKS  600
+#define SPANS  40
+#define SLOTS  40
+#define BATCH  20           /* of loft_step_run */
+
+int main(void);
+
+#if defined(__AVR__)
+#  include <avr/interrupt.h>
+#  include <avr/io.h>
+#  include <avr/sleep.h>
+
+static volatile uint16_t wraps;
+ISR(TIMER1_OVF_vect) { wraps++; }
+
+static uint32_t now(void)
+{
+    cli();
+    const uint16_t low = TCNT1, high = (uint16_t)(wraps + ((TIFR1 & 1) != 0 && low < 32768));
+    sei();
+    return (uint32_t)high << 16 | low;
+}
+
+static void put(char c)
+{
+    while (!(UCSR0A & (1 << UDRE0))) {}
+    UDR0 = (uint8_t)c;
+}
+
+static void start(void)
+{
+    UBRR0  = 0;
+    UCSR0A = 1 << U2X0;
+    UCSR0B = 1 << TXEN0;
+    TCCR1B = 1;
+    TIMSK1 = 1;
+    sei();
+}
+
+static void stop(void) { put('\n'); cli(); sleep_enable(); sleep_cpu(); }
+#else
+#  include "meter.h"        /* meter_start, meter_now */
+
+void debugger_put(char c);
+static uint32_t now(void)   { return meter_now(); }
+static void put(char c)     { debugger_put(c); }
+static void start(void)     { meter_start(); }
+static void stop(void)      {}
+#endif
+
+enum { SLOT, RUN, LOAD, PACE, TICK, STEPS, POSITION, WALK, CALLS };
+static const char names[CALLS][20] = { "loft_step_next", "loft_step_run", "loft_step_load", "loft_pace_next", "loft_forward_next",
+                                       "loft_steps_of", "loft_step_position", "loft_span_walk" };
+static uint32_t worst[CALLS], empty, random_state;
+
+static loft_pace pace;
+static loft_step step;
+static loft_forward walk;
+
+static void say(const char *words, const char *name, uint32_t n)
+{
+    char digits[10];
+    int k = 0;
+
+    while (*words)
+        put(*words++);
+    while (*name)
+        put(*name++);
+    put(' ');
+    do
+        digits[k++] = (char)('0' + n % 10);
+    while ((n /= 10) > 0);
+    while (k > 0)
+        put(digits[--k]);
+    put('\n');
+}
+
+static void took(int call, uint32_t begin)
+{
+    const uint32_t cost = now() - begin - empty;
+    worst[call] = cost > worst[call] ? cost : worst[call];
+}
+
+static uint32_t any(void) { return (random_state = random_state * 1664525u + 1013904223u) >> 8; }
+
+static void slots_of(uint16_t slots, bool batches)
+{
+    uint8_t bits[BATCH], dir;
+
+    while (slots > 0) {
+        const uint8_t count = (uint8_t)(slots < BATCH ? slots : BATCH);
+        const uint32_t begin = now();
+        if (batches) {
+            slots = (uint16_t)(slots - loft_step_run(&step, bits, count, &dir));
+        } else {
+            (void)loft_step_next(&step);
+            slots--;
+        }
+        took(batches ? RUN : SLOT, begin);
+    }
+}
+
+static void ticks(void)
+{
+    int32_t target[LOFT_AXES] = { 0 }, position[LOFT_AXES];
+    volatile int32_t steps;
+
+    for (unsigned n = 0; n < TICKS; n++) {
+        if (n % 50 == 0)
+            loft_pace_aim(&pace, loft_pace_level(&pace, (unsigned)(any() % 201)));
+        uint32_t begin = now();
+        uint16_t slots = loft_pace_next(&pace);
+        took(PACE, begin);
+        for (int i = 0; i < LOFT_AXES; i++)
+            target[i] += (int32_t)(any() % 81) - 40;
+        slots = slots == 0 || slots > 5 * SLOTS ? SLOTS : slots;
+        begin = now();
+        slots = loft_step_load(&step, target, slots);
+        took(LOAD, begin);
+        slots_of(slots, n % 2 == 0);
+        begin = now();
+        loft_step_position(&step, position);
+        took(POSITION, begin);
+        const loft_real mm = (loft_real)any();
+        begin = now();
+        steps = loft_steps_of(mm, LOFT_REAL(250));
+        took(STEPS, begin);
+        (void)steps;
+    }
+}
+
+static void spans(void)
+{
+    loft_span s;
+    loft_vec at;
+
+    for (unsigned n = 0; n < SPANS; n++) {
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < LOFT_AXES; i++)
+                s.p[k].axis[i] = (loft_real)(any() << 2);
+        s.ticks = (uint16_t)(n < 8 ? 64 : 1 + any() % LOFT_SPAN_TICKS_MAX);
+        uint32_t begin = now();
+        const enum loft_status status = loft_span_walk(&walk, &s);
+        took(WALK, begin);
+        for (int k = 0; k < 20 && status == LOFT_OK; k++) {
+            begin = now();
+            const bool more = loft_forward_next(&walk, &at);
+            took(TICK, begin);
+            if (!more)
+                break;
+        }
+    }
+}
+
+int main(void)
+{
+    static const int32_t origin[LOFT_AXES] = { 0 };
+
+    start();
+    const uint32_t begin = now();
+    empty = now() - begin;
+    random_state = 12345;
+    if (loft_pace_init(&pace, SLOTS, 100) != LOFT_OK || loft_step_init(&step, origin) != LOFT_OK)
+        return 1;
+    ticks();
+    spans();
+    put('\n');
+    for (int k = 0; k < CALLS; k++)
+        say("", names[k], worst[k]);
+    say("bytes ", "loft_step", sizeof step);
+    say("bytes ", "loft_pace", sizeof pace);
+    say("bytes ", "loft_forward", sizeof walk);
+    say("bytes ", "loft_span", sizeof(loft_span));
+    stop();
+    return 0;
+}
