@@ -40,7 +40,7 @@ int drawing_read(drawing *d, const char *file)
         code = read_text(d, source_name(file), text, size);
     free(text);
     if (code == 0 && d->count == 0)
-        return tool_error(EX_DATAERR, "%s: nothing to draw: it holds no visible curve", source_name(file));
+        return tool_error(EX_DATAERR, "%s: nothing to draw: it holds no visible curve of 0.000001 mm or more", source_name(file));
     return code;
 }
 

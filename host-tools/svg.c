@@ -48,7 +48,17 @@ static bool applies(const xmlNode *node)
     return good;
 }
 
-/* Read display and visibility of the current element; false if nothing of it is drawn. */
+/* Does the property paint? If it is not said: as before. */
+static void read_paint(const svg_reader *r, const char *name, bool *paints)
+{
+    char *value = svg_property(r, name);
+
+    if (value != NULL && strcmp(value, "inherit") != 0)
+        *paints = strcmp(value, "none") != 0 && strcmp(value, "transparent") != 0;
+    xmlFree(value);
+}
+
+/* Read display, visibility and paint of the current element; false if nothing of it is drawn. */
 static bool is_displayed(const svg_reader *r, svg_space *space)
 {
     char *display = svg_property(r, "display"), *visibility = svg_property(r, "visibility");
@@ -60,6 +70,8 @@ static bool is_displayed(const svg_reader *r, svg_space *space)
         space->visible = true;
     xmlFree(display);
     xmlFree(visibility);
+    read_paint(r, "fill", &space->filled);
+    read_paint(r, "stroke", &space->stroked);
     return good;
 }
 
@@ -78,12 +90,15 @@ static bool enter_transform(const svg_reader *r, svg_space *space)
 /* Say what the drawing will lack. */
 static void warn_of(svg_reader *r)
 {
-    static const char *const clipped[] = { "clip-path", "mask" };
+    static const char *const left_out[][2] = {
+        { "clip-path", "the whole outline is drawn: cut the paths in the editor" }, { "mask", "the whole outline is drawn: cut the paths in the editor" },
+        { "stroke-dasharray", "whole lines are drawn: make paths of the dashes in the editor" }
+    };
 
-    for (unsigned i = 0; i < 2; i++) {
-        char *value = svg_property(r, clipped[i]);
-        if (value != NULL && strcmp(value, "none") != 0)
-            svg_warn(r, 1 + i, "%s is not applied, the whole outline is drawn: cut the paths in the editor", clipped[i]);
+    for (unsigned i = 0; i < 3; i++) {
+        char *value = svg_property(r, left_out[i][0]);
+        if (value != NULL && strcmp(value, "none") != 0 && strcmp(value, "inherit") != 0 && strcmp(value, "0") != 0)
+            svg_warn(r, 5 + i, "%s is not applied, %s", left_out[i][0], left_out[i][1]);
         xmlFree(value);
     }
 }
@@ -280,7 +295,12 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space, co
     if (svg_is(node, "switch"))
         return draw_switch(r, node, space, chain);
     warn_undrawn(r, &space);
-    return !space.visible || svg_shape(r, &space, &shape);
+    if (!space.visible)
+        return true;
+    if (space.filled || space.stroked)
+        return svg_shape(r, &space, &shape);
+    svg_warn(r, 8, "<%s> without fill and stroke is not seen and not drawn: give it a stroke to draw it", (const char *)node->name);
+    return true;
 }
 
 /* Elements that only others draw, or nobody. */
@@ -320,7 +340,7 @@ static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, boo
     double box[4], width = -1, height = -1;
     bool given;
 
-    *space = (svg_space){ svg_identity, -1, -1, true };
+    *space = (svg_space){ svg_identity, -1, -1, true, true, false };
     r->node = root;
     if (!svg_view_box(r, box, &given))
         return false;

@@ -51,6 +51,7 @@ typedef struct {
     svg_matrix to_mm;
     double width, height;       /* of the viewport in user units, for %; below 0: unknown */
     bool visible;
+    bool filled, stroked;       /* what has neither is not seen, and not drawn            */
 } svg_space;
 
 enum svg_side { SVG_ACROSS, SVG_ALONG_Y, SVG_DIAGONAL };       /* what a % is taken of */

@@ -1,7 +1,7 @@
 /* host-tools/svg_style.c -- properties: from attributes, style="" and the style sheets of the file
  * SPDX-License-Identifier: MIT
  *
- * What a plotter needs of CSS: which elements are hidden, and transforms. Selectors are lists of simple ones, such as
+ * What a plotter needs of CSS: which elements are hidden or not painted, dashes, and transforms. Selectors are lists of simple ones, such as
  * `g`, `.st0`, `#title`, `path.a.b`, `*`; others are passed over, with a warning if they would hide or move something.
  */
 #include <stdlib.h>
@@ -132,18 +132,20 @@ char *svg_property(const svg_reader *r, const char *name)
 // Style sheets
 // ------------
 
-static bool matters(const char *declarations)
+/* Is anything of this set? */
+static bool declares(const char *declarations, const char *const names[])
 {
-    static const char *const names[] = { "display", "visibility", "transform" };
     bool loud, found = false;
 
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        char *value = declared(declarations, names[i], &loud);
+    for (; *names != NULL; names++) {
+        char *value = declared(declarations, *names, &loud);
         found = found || value != NULL;
         xmlFree(value);
     }
     return found;
 }
+
+static const char *const places[] = { "display", "visibility", "transform", NULL }, *const paints[] = { "fill", "stroke", "stroke-dasharray", NULL };
 
 /* Keep the rule for one selector, if it is a simple one. Takes no ownership. */
 static void add_rule(svg_reader *r, const char *selector, size_t length, const char *declarations)
@@ -157,7 +159,8 @@ static void add_rule(svg_reader *r, const char *selector, size_t length, const c
     memcpy(copy, selector, length);
     copy[length] = '\0';
     if (strpbrk(copy, " \t\r\n\f>+~:[|") != NULL) {
-        svg_warn(r, 0, "the style sheet's selector \"%.40s\" is not understood: use a class, an id or style=\"\"", copy);
+        if (declares(declarations, places))
+            svg_warn(r, 0, "the style sheet's selector \"%.40s\" is not understood: use a class, an id or style=\"\"", copy);
         free(copy);
         return;
     }
@@ -176,7 +179,7 @@ static void add_rule(svg_reader *r, const char *selector, size_t length, const c
 static void add_rules(svg_reader *r, const char *text, const char *open, char *end)
 {
     *end = '\0';
-    if (!matters(open + 1))
+    if (!declares(open + 1, places) && !declares(open + 1, paints))
         return;
     while (text < open) {
         text += strspn(text, " \t\r\n\f,");

@@ -363,7 +363,27 @@ static void hidden_elements_are_left_out(arb *a)
     DRAWS("<defs>" P "</defs><clipPath>" P "</clipPath><mask>" P "</mask><pattern>" P "</pattern><marker>" P "</marker>"
           "<symbol>" P "</symbol>" Q,                                                               Q_DRAWN);
     DRAWS("<g xmlns='urn:other'>" P "</g><unknown>" P "</unknown>" Q,                               Q_DRAWN);
-    DRAWS("<path fill='none' stroke='none' opacity='0' d='M2 2h1'/>",                               Q_DRAWN);
+}
+
+/* Programs that make icons put a frame around them that nobody sees. */
+static void what_is_not_painted_is_left_out(arb *a)
+{
+    drawing d;
+    (void)a;
+    DRAWS("<path fill='none' d='M1 1h1'/>" Q,                                                       Q_DRAWN);
+    DRAWS("<path fill='none' stroke='red' d='M2 2h1'/>",                                            Q_DRAWN);
+    DRAWS("<g fill='none'>" P "<path stroke='red' d='M2 2h1'/></g>",                                Q_DRAWN);
+    DRAWS("<g fill='none' stroke='red'><path stroke='none' d='M1 1h1'/><path fill='inherit' d='M2 2h1'/></g>", Q_DRAWN);
+    DRAWS("<g fill='none'><path style='stroke:none;fill:#000' d='M2 2h1'/></g>",                    Q_DRAWN);
+    DRAWS("<style>.n{fill:none} .s{stroke:#123}</style><g class='n'>" P "<path class='s' d='M2 2h1'/></g>", Q_DRAWN);
+    CHECK(read_svg(&d, PAGE("\n<rect width='9' height='9' fill='none'/>" Q)) == 0 && caught_lines == 1);
+    CHECK(strstr(caught, "test.svg:2: <rect> without fill and stroke is not seen") != NULL);
+    drawing_free(&d);
+    CHECK(read_svg(&d, PAGE("<g stroke-dasharray='none'>" Q "<g style='stroke-dasharray:1,2'>" Q Q "</g></g>")) == 0 && d.count == 3);
+    CHECK(caught_lines == 1 && strstr(caught, "stroke-dasharray is not applied, whole lines are drawn") != NULL);
+    drawing_free(&d);
+    CHECK(read_svg(&d, PAGE("<style>g path{fill:red}</style>" Q)) == 0 && caught_lines == 0);
+    drawing_free(&d);
 }
 
 static void style_sheets_hide_too(arb *a)
@@ -505,6 +525,7 @@ int main(void)
     PROPERTY(a_flood_of_uses_is_stopped, 1);
     PROPERTY(switch_draws_the_first_that_applies, 1);
     PROPERTY(hidden_elements_are_left_out, 1);
+    PROPERTY(what_is_not_painted_is_left_out, 1);
     PROPERTY(style_sheets_hide_too, 1);
     PROPERTY(what_cannot_be_drawn_is_said_once, 1);
     PROPERTY(every_curve_knows_its_line, 1);
