@@ -16,6 +16,8 @@
 #include "linux-gpio/pulses.h"
 #include "linux-gpio/settings.h"
 
+#define SLOT_HZ_MAX 200000
+
 struct gpio_board {
     struct loft_board board;        /* the first member: a pointer to it is one to the whole */
     const struct settings *s;
@@ -162,11 +164,16 @@ static int take_arguments(struct settings *s, int argc, char **argv, bool *look)
     return -1;
 }
 
-/* Each axis whole or not at all, and one at least. */
-static int check_axes(const struct settings *s)
+/* Each axis whole or not at all, and one at least; slots that a thread can tell apart. */
+static int check_settings(const struct settings *s)
 {
+    const double slot_hz = (double)s->host.tick_hz * s->host.slots;
     bool any = false;
 
+    if (slot_hz > SLOT_HZ_MAX) {
+        fprintf(stderr, "loft-gpio: tick_hz * slots is %.0f: lines take at most %d slots per second\n", slot_hz, SLOT_HZ_MAX);
+        return EX_DATAERR;
+    }
     for (int i = 0; i < LOFT_AXES; i++) {
         const bool step = s->output[LINE_STEP + i].key[0] != 0, dir = s->output[LINE_DIR + i].key[0] != 0;
         if (step != dir) {
@@ -187,7 +194,7 @@ int main(int argc, char **argv)
     s = settings_usual();
     int code = take_arguments(&s, argc, argv, &look);
     if (code < 0)
-        code = check_axes(&s);
+        code = check_settings(&s);
     else
         return code;
     if (code == 0)

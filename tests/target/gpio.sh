@@ -86,6 +86,14 @@ paper() {
     [ "$(value code)" = 0 ] || cat "$tmp/said"
 }
 
+# refuses CODE TEXT ARGUMENT..: with that exit code and one line that says so
+refuses() {
+    local expected=$1 text=$2 code
+    shift 2
+    LOFT_PAPER=$tmp/paper timeout 5 "$guest/loft-gpio-memory" "$@" >"$tmp/out" 2>"$tmp/err"; code=$?
+    row "refused: $*" "$code $(wc -l < "$tmp/err") $(grep -c "$text" "$tmp/err")" = "$expected 1 1"
+}
+
 # section NAME: of what the guest put to the debug port
 section() { awk -v n="=== $1" '/^===/ { on = $0 == n } on' "$tmp/dump"; }
 
@@ -99,7 +107,7 @@ safe() {
 }
 
 image
-timeout 200 qemu-system-x86_64 -accel tcg -icount shift=3,sleep=off -m 384 -nodefaults -no-user-config -display none -no-reboot \
+timeout 300 qemu-system-x86_64 -accel tcg -icount shift=3,sleep=off -m 384 -nodefaults -no-user-config -display none -no-reboot \
     -serial "file:$tmp/console" -chardev "socket,id=line,path=$tmp/line,server=on,wait=off" -serial chardev:line \
     -chardev "file,id=dump,path=$tmp/dump" -device isa-debugcon,iobase=0xe9,chardev=dump -device isa-debug-exit,iobase=0xf4,iosize=0x4 \
     -kernel "$cache/vmlinuz" -initrd "$tmp/image" -append "console=ttyS0 quiet panic=-1" >"$tmp/qemu" 2>&1 </dev/null & qemu=$!
@@ -111,8 +119,20 @@ done
 wait $qemu; ended=$?
 paper race ThreadSanitizer
 paper memory AddressSanitizer
+refuses 64 'no axis: give a file'                       chip=/dev/0
+refuses 64 'what is --lok'                              --lok
+refuses 65 'there is no such key: see --help'           chip=/dev/0 w.step=1
+refuses 65 'give a whole number from 1 to 1000'         slots=2.5
+refuses 65 'at most 200000 slots per second'            slots=1000 x.step=/dev/0:0 x.dir=/dev/0:1
+refuses 65 'behind the line may stand low'              x.step="1 high"
+refuses 66 'cannot read: No such file'                  /nonexistent
+refuses 78 'x.step has no dir'                          x.step=/dev/0:0
+refuses 78 'is the same line as x.step'                 chip=/dev/0 x.step=0 x.dir=0
+refuses 78 'a number, but of which chip'                x.step=0 x.dir=1
+refuses 78 'has no such line'                           chip=/dev/0 x.step=0 x.dir=8
+refuses 71 'another program has it\|not a serial port'  chip=/dev/0 x.step=0 x.dir=1 port=/dev/null
 row "the guest: kernel, modules, chips, every case" "$ended" = 33        # (16 << 1) | 1
-[ "$ended" = 33 ] || cat "$tmp/qemu" "$tmp/console"
+[ "$ended" = 33 ] || { cat "$tmp/qemu" "$tmp/console"; sum; exit 1; }
 
 for v in 1 2; do
     name="libgpiod $("$guest/loft-gpio$v" --help | sed -n 's/.*(libgpiod \([0-9.]*\)).*/\1/p')"

@@ -60,8 +60,8 @@ finish() {
     guest put "$2$1.pulls" < /pulls
     : > /pulls
 }
-# moving: wait until it has moved for a second
-moving() { while ! grep -q begun /said && kill -0 $pid; do usleep 20000; done; sleep 1; }
+# moving: wait until a good thousand pulses have been made (what is recorded of them is written in portions)
+moving() { while [ "$(wc -c < /tmp/record)" -lt 16000 ] && kill -0 $pid; do usleep 20000; done; }
 
 : > /pulls
 for version in 1 2; do
