@@ -31,8 +31,8 @@ static int ask(const char *name, unsigned baud)
 
     if (code != 0)
         return code;
-    printf("%s\tloft, %u axes, %u ticks/s, %u slots, queue %u", name, t.sender.machine.axes, t.sender.machine.tick_hz, t.sender.machine.slots,
-           t.sender.machine.queue);
+    printf("%s\tloft, %u axes, %u ticks/s, %u slots, queue of %u spans or %u points", name, t.sender.machine.axes, t.sender.machine.tick_hz, t.sender.machine.slots,
+           t.sender.machine.queue, t.sender.machine.points);
     for (int i = 0; i < LOFT_AXES; i++)
         printf("%s%g", i ? " " : "\tsteps/mm ", t.sender.axis[i].steps_per_mm / 65536.0);
     printf("\t%s\n", t.sender.machine.job != 0 ? "in a job" : "idle");

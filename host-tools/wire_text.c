@@ -125,8 +125,8 @@ static bool print_welcome(FILE *out, const loft_frame *f)
 
     if (loft_welcome_decode(f, &m) != LOFT_OK)
         return false;
-    fprintf(out, " version %u boot %08" PRIx32 " job %08" PRIx32 " axes %u queue %u ticks/s %u slots %u frame %u", m.version, m.boot, m.job, m.axes,
-            m.queue, m.tick_hz, m.slots, m.frame_max);
+    fprintf(out, " version %u boot %08" PRIx32 " job %08" PRIx32 " axes %u queue %u points %u ticks/s %u slots %u frame %u", m.version, m.boot, m.job, m.axes,
+            m.queue, m.points, m.tick_hz, m.slots, m.frame_max);
     print_ack(out, &m.ack);
     return true;
 }

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: MIT
  * usage: bench_frames CLASS COUNT [SEED] ; CLASS is bits, bytes, lost, doubled or inserted
  *
- * Frames of 128 bytes on the line, with random content; each is damaged at random and pushed into loft_frame_push byte by byte,
- * between good ones. Prints `CLASS frames N accepted N`: accepted are those that came out good and are not what was sent.
+ * Frames of 128 bytes on the line, with random content, new for every eighth; each is damaged at random and pushed into loft_frame_push
+ * byte by byte. Prints `CLASS frames N accepted N`: accepted are those that came out good and are not what was sent.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +12,7 @@
 #include "wire/frame.h"
 
 #define SIZE 128
+#define USES 8          /* of a frame */
 
 static uint64_t state;
 
@@ -64,7 +65,8 @@ static size_t damage(const char *class, uint8_t *wire, size_t size)
 int main(int argc, char **argv)
 {
     static loft_frame f;
-    uint8_t wire[LOFT_FRAME_MAX + 1], content[SIZE];
+    uint8_t good[LOFT_FRAME_MAX], wire[LOFT_FRAME_MAX + 1], content[SIZE];
+    size_t length = 0;
     uint64_t accepted = 0, count = argc > 2 ? strtoull(argv[2], NULL, 10) : 0;
 
     if (count == 0) {
@@ -76,7 +78,10 @@ int main(int argc, char **argv)
     if (loft_frame_push(&f, 0) == LOFT_OK)
         return 1;
     for (uint64_t n = 0; n < count; n++) {
-        const size_t size = damage(argv[1], wire, make(wire, content));
+        if (n % USES == 0)
+            length = make(good, content);
+        memcpy(wire, good, length);
+        const size_t size = damage(argv[1], wire, length);
         for (size_t i = 0; i <= size; i++)
             if (loft_frame_push(&f, i < size ? wire[i] : 0) == LOFT_OK &&
                 (f.count != SIZE - LOFT_FRAME_EXTRA || memcmp(f.byte, content, f.count) != 0))

@@ -77,7 +77,7 @@ static bool measure(double rate)
     static loft_sender s;
     static loft_receiver r;
     struct way down = { .size = 0 }, up = { .size = 0 };
-    loft_traits traits = { .boot = 1, .queue = QUEUE, .tick_hz = 1000, .slots = 40, .kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS };
+    loft_traits traits = { .boot = 1, .queue = QUEUE, .points = QUEUE, .tick_hz = 1000, .slots = 40, .kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS };
     loft_standing now = { .room = QUEUE };
     loft_job job = { .kind = LOFT_POINTS };
     uint64_t bytes = 0, began = 0;

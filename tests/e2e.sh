@@ -670,13 +670,13 @@ case_short_lines_become_curves() {
 }
 case_the_line_in_words() {
     machine watched --speed fast
-    run 0 "$loft" ports "$tmp/watched"; says out 'loft, 3 axes, 1000 ticks/s, 40 slots, queue 256	steps/mm 80 80 80	idle'
+    run 0 "$loft" ports "$tmp/watched"; says out 'loft, 3 axes, 1000 ticks/s, 40 slots, queue of 256 spans or 1280 points	steps/mm 80 80 80	idle'
     "$loft" monitor --port "$tmp/watched" --link "$tmp/between" >"$tmp/words" & local monitor=$!; children+=("$monitor")
     wait_for "$tmp/between"
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/between" --log "$tmp/log"
     kill -INT $monitor; wait $monitor || job_fails "monitor: exit code $?"
     for f in words log; do
-        for line in '> HELLO ' '< WELCOME .* axes 3 queue 256' '> JOB .* spans start 0 0 0' '> SPANS .* first 0 ' '< ACK .* running' '> END .* total' '< REPORT .* done position'; do
+        for line in '> HELLO ' '< WELCOME .* axes 3 queue 256 points 1280' '> JOB .* spans start 0 0 0' '> SPANS .* first 0 ' '< ACK .* running' '> END .* total' '< REPORT .* done position'; do
             grep -q -- "$line" "$tmp/$f" || job_fails "$f has no line $line"
         done
         ! grep -qE 'readable|unknown| \? ' "$tmp/$f" || job_fails "$(grep -E 'readable|unknown' "$tmp/$f" | head -1)"

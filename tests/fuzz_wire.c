@@ -146,7 +146,7 @@ static size_t fuzz_frame(const uint8_t **data, size_t *size, uint8_t session, ui
 
 static void fuzz_receiver(const uint8_t *data, size_t size, bool raw)
 {
-    static const loft_traits traits = { .boot = 7, .tick_hz = 1000, .slots = 40, .queue = 16, .curves = 16, .kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS | 1u << LOFT_CURVES };
+    static const loft_traits traits = { .boot = 7, .tick_hz = 1000, .slots = 40, .queue = 16, .points = 80, .curves = 16, .kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS | 1u << LOFT_CURVES };
     uint8_t wire[LOFT_FRAME_MAX];
     machine m;
 

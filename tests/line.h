@@ -111,7 +111,7 @@ static inline void mill_init(mill *m, uint32_t boot, uint16_t queue, uint32_t pe
     m->traits.queue   = queue;
     m->traits.tick_hz = 1000;
     m->traits.slots   = 40;
-    m->traits.curves  = queue;
+    m->traits.curves  = m->traits.points = queue;
     m->traits.kinds   = 1u << LOFT_SPANS | 1u << LOFT_POINTS | 1u << LOFT_CURVES;
     for (int i = 0; i < LOFT_AXES; i++) {
         m->traits.axis[i].steps_per_mm = (80 + i) * 65536;

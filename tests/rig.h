@@ -11,7 +11,8 @@
 #include "check.h"
 #include "machine/drive.h"
 
-#define ITEMS 60
+#define SPANS_MOST 60
+#define ITEMS 600
 #define TICKS 4000
 #define CELLS 64
 
@@ -62,7 +63,7 @@ static void arb_spans(arb *a, int32_t reach)
 
     for (int i = 0; i < LOFT_AXES; i++)
         from[i] = r.start[i];
-    while (r.items < ITEMS && r.ticks < TICKS - 100) {
+    while (r.items < SPANS_MOST && r.ticks < TICKS - 100) {
         loft_item *item = &r.item[r.items];
         loft_forward w;
         loft_span span;

@@ -18,6 +18,9 @@ static void rig_start(arb *a, uint16_t slots, uint16_t ramp, int32_t reach)
     CHECK(loft_drive_begin(&drive, r.kind, r.start) == LOFT_OK);
 }
 
+/* Items that an empty queue takes. */
+static uint16_t room(void)     { return r.kind == LOFT_POINTS ? loft_points_capacity(r.cells) : r.cells; }
+
 static bool rig_push(void)
 {
     if (r.pushed == r.items)
@@ -153,7 +156,10 @@ static void a_held_machine_stands_at_the_end_of_a_tick_until_it_is_resumed(arb *
         rig_slot();
     }
     CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
-    CHECK(prepared == (r.kind == LOFT_SPANS ? r.items : 0));
+    uint32_t longer = 0;                                /* one of a single tick needs no walk */
+    for (uint32_t n = 0; n < r.items; n++)
+        longer += r.item[n].ticks > 1;
+    CHECK(prepared == longer);
 }
 
 /* After the abort the machine takes as many ticks as the pace needs, stands on the path, and can begin another job there. */
@@ -189,7 +195,7 @@ static void an_abort_stands_on_the_path_and_the_next_job_begins_there(arb *a)
     CHECK(loft_drive_begin(&drive, LOFT_POINTS, wrong) == LOFT_ERR_RANGE);
     CHECK(loft_drive_begin(&drive, LOFT_POINTS, r.at) == LOFT_OK);
     CHECK(loft_drive_begin(&drive, LOFT_POINTS, r.at) == LOFT_ERR_ARG);
-    CHECK(loft_drive_poll(&drive).room == r.cells);
+    CHECK(loft_drive_poll(&drive).room == loft_points_capacity(r.cells));
     loft_drive_end(&drive);
     loft_drive_tick(&drive);
     CHECK(loft_drive_poll(&drive).state == LOFT_STATE_DONE && loft_drive_poll(&drive).executed == 0);
@@ -220,7 +226,7 @@ static void items_that_are_too_fast_are_refused_and_change_nothing(arb *a)
         item.ticks = LOFT_SPAN_TICKS_MAX + 1;
         CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
     }
-    CHECK(loft_drive_poll(&drive).room == r.cells);
+    CHECK(loft_drive_poll(&drive).room == room());
     while (rig_push() || r.pushed < r.items) {
         loft_drive_tick(&drive);
         rig_slot();
@@ -324,7 +330,7 @@ static void an_interrupt_at_any_place_of_the_main_loop_does_no_harm(arb *a)
         loft_drive_prepare(&drive);
         prepared += !ready && drive.ready;
         const loft_drive_report now = loft_drive_poll(&drive);
-        CHECK(now.executed <= now.ticks && now.ticks <= r.ticks && now.room <= r.cells);
+        CHECK(now.executed <= now.ticks && now.ticks <= r.ticks && now.room <= room());
     }
     signal(SIGALRM, SIG_IGN);
     CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks && drive.executed == r.items);

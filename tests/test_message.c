@@ -93,18 +93,20 @@ static void welcomes_come_back(arb *a)
     loft_welcome m, g;
     m.version = arb_u8(a), m.nonce = arb_u32(a), m.boot = arb_u32(a), m.job = arb_u32(a), m.ack = arb_ack(a);
     m.axes = arb_u8(a), m.num = arb_u8(a), m.frame_max = arb_u8(a);
-    m.queue = arb_u16(a), m.tick_hz = arb_u16(a), m.slots = arb_u16(a), m.kinds = arb_u8(a), m.curves = arb_u16(a);
+    m.queue = arb_u16(a), m.tick_hz = arb_u16(a), m.slots = arb_u16(a), m.kinds = arb_u8(a), m.curves = arb_u16(a), m.points = arb_u16(a);
     const size_t n = loft_welcome_encode(&m, session, wire);
-    CHECK(n == 49);
+    CHECK(n == 51);
     loft_frame f = content(wire, n);
     IS(f, LOFT_WELCOME, 0, session);
     CHECK(loft_welcome_decode(&f, &g) == LOFT_OK);
     CHECK(g.version == m.version && g.nonce == m.nonce && g.boot == m.boot && g.job == m.job && same_ack(&g.ack, &m.ack));
     CHECK(g.axes == m.axes && g.num == m.num && g.frame_max == m.frame_max);
-    CHECK(g.queue == m.queue && g.tick_hz == m.tick_hz && g.slots == m.slots && g.kinds == m.kinds && g.curves == m.curves);
+    CHECK(g.queue == m.queue && g.tick_hz == m.tick_hz && g.slots == m.slots && g.kinds == m.kinds && g.curves == m.curves && g.points == m.points);
     REFUSES_OTHER_LENGTHS(f, loft_welcome_decode(&f, &g), true);
-    f.count = (uint8_t)(f.count - 3);                           /* of a machine that does not say */
-    CHECK(loft_welcome_decode(&f, &g) == LOFT_OK && g.slots == m.slots && g.kinds == 6 && g.curves == 0);
+    f.count = (uint8_t)(f.count - 2);                           /* of machines that do not say */
+    CHECK(loft_welcome_decode(&f, &g) == LOFT_OK && g.kinds == m.kinds && g.curves == m.curves && g.points == m.queue);
+    f.count = (uint8_t)(f.count - 3);
+    CHECK(loft_welcome_decode(&f, &g) == LOFT_OK && g.slots == m.slots && g.kinds == 6 && g.curves == 0 && g.points == m.queue);
     REFUSES_OTHER_LENGTHS(f, loft_welcome_decode(&f, &g), false);
 }
 

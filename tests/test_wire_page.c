@@ -116,8 +116,8 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
         say("WELCOME session=%u version=%u nonce=0x%08lX boot=0x%08lX job=0x%08lX", session, welcome.version,
             ul(welcome.nonce), ul(welcome.boot), ul(welcome.job));
         say_ack(&welcome.ack);
-        say(" axes=%u num=%u frame_max=%u queue=%u tick_hz=%u slots=%u kinds=%u curves=%u", welcome.axes, welcome.num, welcome.frame_max,
-            welcome.queue, welcome.tick_hz, welcome.slots, welcome.kinds, welcome.curves);
+        say(" axes=%u num=%u frame_max=%u queue=%u tick_hz=%u slots=%u kinds=%u curves=%u points=%u", welcome.axes, welcome.num, welcome.frame_max,
+            welcome.queue, welcome.tick_hz, welcome.slots, welcome.kinds, welcome.curves, welcome.points);
         return loft_welcome_encode(&welcome, session, wire);
     case LOFT_AXIS:
         CHECK(loft_axis_decode(f, &axis) == LOFT_OK);

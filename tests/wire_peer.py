@@ -10,7 +10,7 @@ AXES = 3
 HOST = {1: ('HELLO', 'min_version:B max_version:B nonce:X'), 2: ('JOB', 'nonce:X id:X kind:B start:A'), 5: ('END', 'total:I'),
         6: ('CONTROL', 'number:B verb:B value:B'), 7: ('POLL', '')}
 STANDING = 'next:I limit:I executed:I state:B flags:B refusal:B control:B '
-MACHINE = {8: ('WELCOME', 'version:B nonce:X boot:X job:X ' + STANDING + 'axes:B num:B frame_max:B queue:H tick_hz:H slots:H kinds:B curves:H'),
+MACHINE = {8: ('WELCOME', 'version:B nonce:X boot:X job:X ' + STANDING + 'axes:B num:B frame_max:B queue:H tick_hz:H slots:H kinds:B curves:H points:H'),
            9: ('AXIS', 'number:B steps_per_mm:i max_speed:i max_accel:i position:i start:i'), 10: ('ACK', STANDING),
            11: ('STATUS', STANDING + 'ticks:I elapsed:I slowed:I damaged:I dropped:I override:B position:A'),
            12: ('REPORT', 'job:X items:I ticks:I elapsed:I slowed:I state:B position:A')}

@@ -47,6 +47,7 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
     for (int i = 0; i < LOFT_AXES; i++)
         d->steps_per_mm[i] = loft_real_from_raw(config->axis[i].steps_per_mm);
     d->axis = config->axis;
+    d->kind = LOFT_SPANS;
     d->tick_hz = config->tick_hz;
     d->slots = config->slots;
     d->ramp = config->ramp;
@@ -74,6 +75,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int3
         loft_queue_init(&d->queue, d->queue.cell, d->queue.count) != LOFT_OK)
         return LOFT_ERR_RANGE;          /* not after loft_drive_init */
 
+    loft_points_init(&d->points);
     d->kind = (uint8_t)kind;
     copy(d->from, start);
     copy(d->end, start);
@@ -120,6 +122,24 @@ static bool span_fits(const loft_drive *d, const loft_item *item)
     return true;
 }
 
+static enum loft_status queue_span(loft_drive *d, const loft_item *item)
+{
+    uint8_t cap = LOFT_CAP_ONE;
+
+    if (LOFT_MACHINE_CAPS || d->percent > 100)
+        cap = loft_cap_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue), d->axis, d->tick_hz);
+    return loft_queue_push(&d->queue, item, cap);
+}
+
+static enum loft_status queue_point(loft_drive *d, const loft_item *item)
+{
+    int16_t step[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        step[i] = (int16_t)(item->p[2][i] - d->end[i]);     /* it fits */
+    return loft_points_push(&d->points, &d->queue, step);
+}
+
 enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
 {
     if (!d->active || d->abort)
@@ -127,10 +147,7 @@ enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
     if (!(d->kind == LOFT_SPANS ? span_fits(d, item) : point_fits(d, item)))
         return LOFT_ERR_RANGE;
 
-    uint8_t cap = LOFT_CAP_ONE;
-    if (d->kind == LOFT_SPANS && (LOFT_MACHINE_CAPS || d->percent > 100))
-        cap = loft_cap_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue), d->axis, d->tick_hz);
-    const enum loft_status status = loft_queue_push(&d->queue, item, cap);
+    const enum loft_status status = d->kind == LOFT_SPANS ? queue_span(d, item) : queue_point(d, item);
     if (status == LOFT_OK) {
         copy(d->end, item->p[2]);
         d->fresh = false;
@@ -176,7 +193,7 @@ loft_drive_report loft_drive_poll(loft_drive *d)
     r.elapsed = count_of(&d->elapsed);
     r.slowed = count_of(&d->slowed);
     r.starved = d->starved && r.ticks > 0;      /* not while the first items are awaited */
-    r.room = loft_queue_room(&d->queue);
+    r.room = d->kind == LOFT_POINTS ? loft_points_room(&d->points, &d->queue) : loft_queue_room(&d->queue);
     loft_step_position(&d->step, r.position);
     return r;
 }
@@ -267,8 +284,8 @@ static uint16_t allowed(const loft_drive *d)
     uint32_t before = d->left;
     const volatile loft_cell *cell;
 
-    if (level <= full)
-        return level;
+    if (level <= full || d->kind == LOFT_POINTS)
+        return level < full ? level : full;
     if (before && level > loft_cap_level(d->cap, full))
         level = loft_cap_level(d->cap, full);
     for (uint16_t k = 0; level > full && before * unit < level && (cell = loft_queue_cell(&d->queue, k)) != NULL; k++) {
@@ -345,7 +362,7 @@ void loft_drive_prepare(loft_drive *d)
     d->ready = 0;
     const uint8_t number = d->item;
     const volatile loft_item *item = loft_queue_peek(&d->queue);
-    if (!item)
+    if (!item || item->ticks == 1)
         return;
     walk_item(&d->walk[!d->which], item, d->from);
     LOFT_BARRIER();
@@ -353,8 +370,18 @@ void loft_drive_prepare(loft_drive *d)
     d->ready = 1;
 }
 
+static bool next_point(loft_drive *d)
+{
+    if (!loft_points_poll(&d->points, &d->queue))
+        return false;
+    for (int i = 0; i < LOFT_AXES; i++)
+        d->from[i] += d->points.step[i];
+    d->left = 1;
+    return true;
+}
+
 /* Take the next item, of which there is one: it was counted in `ahead`. */
-static bool next_item(loft_drive *d)
+static bool next_span(loft_drive *d)
 {
     const volatile loft_item *item = loft_queue_first(&d->queue);
 
@@ -364,7 +391,7 @@ static bool next_item(loft_drive *d)
     d->item++;
     if (ready)
         d->which ^= 1;
-    else if (LOFT_MACHINE_TICK_PREPARES && d->kind == LOFT_SPANS)
+    else if (LOFT_MACHINE_TICK_PREPARES && item->ticks > 1)
         walk_item(&d->walk[d->which], item, d->from);
     d->ready = 0;
     copy(d->from, item->p[2]);
@@ -373,14 +400,17 @@ static bool next_item(loft_drive *d)
     return loft_queue_poll(&d->queue);
 }
 
+/* An item of one tick needs no walk: it is its end. */
 static bool next_target(loft_drive *d)
 {
-    if (d->left == 0 && !next_item(d))
+    const bool begun = d->left == 0;
+
+    if (begun && !(d->kind == LOFT_POINTS ? next_point(d) : next_span(d)))
         return false;
-    d->left--;
     d->ahead--;
-    if (d->kind == LOFT_POINTS) {
-        copy(d->target, d->from);
+    if (--d->left == 0 && begun) {
+        for (int i = 0; i < LOFT_AXES; i++)
+            d->target[i] = d->kind == LOFT_POINTS ? d->from[i] : steps_of(d, i, d->from[i]);
         return true;
     }
     loft_drive_walk *walk = &d->walk[d->which];
@@ -390,10 +420,13 @@ static bool next_target(loft_drive *d)
     return true;
 }
 
-/* Does a span come next that the main loop has not prepared? */
+/* Does a span come next that the main loop has yet to prepare? */
 static bool must_wait(const loft_drive *d)
 {
-    return !LOFT_MACHINE_TICK_PREPARES && d->kind == LOFT_SPANS && d->left == 0 && d->ahead && !is_ready(d);
+    if (LOFT_MACHINE_TICK_PREPARES || d->kind != LOFT_SPANS || d->left || !d->ahead || is_ready(d))
+        return false;
+    const volatile loft_item *item = loft_queue_first(&d->queue);
+    return !item || item->ticks > 1;
 }
 
 void loft_drive_next(loft_drive *d)
@@ -402,7 +435,7 @@ void loft_drive_next(loft_drive *d)
 
     count_ticks(d);
     for (uint8_t looks = 0; looks < LOOKS; looks++) {
-        const uint16_t ticks = loft_queue_look(&d->queue);
+        const uint16_t ticks = d->kind == LOFT_POINTS ? loft_points_look(&d->points, &d->queue) : loft_queue_look(&d->queue);
         if (ticks == 0)
             break;
         d->ahead += ticks;

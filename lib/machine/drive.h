@@ -17,6 +17,7 @@
 #define LOFT_MACHINE_DRIVE_H
 
 #include "machine/cap.h"    /* loft_cap_of, loft_traits_axis       */
+#include "machine/points.h" /* loft_points                         */
 #include "machine/queue.h"  /* loft_queue, loft_item               */
 #include "motion/pace.h"    /* loft_pace                           */
 #include "motion/step.h"    /* loft_step                           */
@@ -41,7 +42,7 @@ typedef struct {
     uint32_t elapsed;                   /* ticks of time since the job began, standing included              */
     uint32_t slowed;                    /* ticks that lasted longer because their steps did not fit          */
     int32_t  position[LOFT_AXES];       /* steps: the sum of all pulses                                      */
-    uint16_t room;                      /* items that the queue can take                                     */
+    uint16_t room;                      /* items of the job's kind that the queue can take                   */
     uint8_t  state;                     /* enum loft_state                                                   */
     bool     starved;                   /* the pace is down because the queue ran low                        */
 } loft_drive_report;
@@ -60,6 +61,7 @@ typedef struct {
 
     loft_pace    pace;                  /* tick                                                              */
     loft_queue   queue;                 /* tick and main loop                                                */
+    loft_points  points;                /* in it, in a job of points                                         */
     loft_drive_walk walk[2];            /* of this item and, when it is ready, of the next one               */
     uint8_t      which;                 /* walk[which] is being walked                                       */
     volatile uint8_t ready, ready_item; /* main loop: walk[!which] is prepared, for this item                */

@@ -109,6 +109,7 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     drive.cells = config->cells;
 
     config->traits.queue  = config->cells;
+    config->traits.points = loft_points_capacity(config->cells);
     config->traits.kinds  = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
     config->traits.curves = 0;
     m->job.kind = LOFT_SPANS;

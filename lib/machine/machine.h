@@ -22,7 +22,7 @@
 #define LOFT_RAW(x) ((int32_t)((x) * 65536.0 + 0.5))
 
 typedef struct {
-    loft_traits traits;                 /* `queue`, `curves` and `kinds` are filled in by init          */
+    loft_traits traits;                 /* `queue`, `points`, `curves` and `kinds` are filled in by init */
     int32_t  position[LOFT_AXES];       /* steps: where the machine stands at the start                 */
     uint16_t ramp;                      /* ticks from full pace to standing in a hold                   */
     volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number           */
@@ -42,7 +42,7 @@ typedef struct {
 
 /* Stand idle and listen.
  *
- *   shape   config stays borrowed; its `queue`, `curves` and `kinds` are filled in
+ *   shape   config stays borrowed; its `queue`, `points`, `curves` and `kinds` are filled in
  *   range   that of loft_receiver_init (LOFT_ERR_ARG), of loft_drive_init (LOFT_ERR_RANGE) and of loft_planner_init (LOFT_ERR_SPACE);
  *           LOFT_ERR_ARG for a planner where LOFT_MACHINE_PLANS is 0 */
 enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config) LOFT_CHECKED;

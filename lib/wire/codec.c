@@ -4,6 +4,7 @@
 #include "wire/codec.h"
 
 #include "wire/curve_code.h"    /* loft_curve_encode */
+#include "wire/point_code.h"    /* loft_point_encode */
 #include "wire/varint.h"        /* loft_varint_encode */
 
 /* All differences are taken modulo 2^32 in unsigned arithmetic, so nothing overflows and every int32 returns. */
@@ -111,114 +112,27 @@ static uint32_t expected(enum loft_kind kind, const loft_predictor *p, int i)
     return p->position[i] + p->change[i] + (kind == LOFT_POINTS_FINE ? p->bend[i] : 0);
 }
 
-/* A point is one group of residuals for each three axes (the last group may have one or two):
- *
- *     0..124      residuals r0 r1 r2 in -2..2:  (r0 + 2) + 5 (r1 + 2) + 25 (r2 + 2); absent axes count as r = 0
- *     125         each residual in one byte, int8
- *     126         each in two bytes, int16, low byte first
- *     127         each in four bytes, int32
- *     128..255    b - 127 points whose residuals are all 0; only where a point begins
- */
-#define STILL   62u     /* all residuals 0, in a group behind the first */
-#define WIDE8  125u
-#define RUN    128u
-
-static uint8_t group_axes(int first)
-{
-    return (uint8_t)(LOFT_AXES - first < 3 ? LOFT_AXES - first : 3);
-}
-
-/* How many bytes each residual needs: 0 if all fit into the one-byte code. */
-static uint8_t width_of(const uint32_t r[3])
-{
-    uint8_t width = 0;
-    for (int i = 0; i < 3; i++) {
-        const uint8_t w = r[i] + 2u <= 4u ? 0 : r[i] + 0x80u <= 0xFFu ? 1 : r[i] + 0x8000u <= 0xFFFFu ? 2 : 4;
-        if (w > width)
-            width = w;
-    }
-    return width;
-}
-
-static uint8_t put_group(uint8_t *byte, const uint32_t r[3], uint8_t axes)
-{
-    const uint8_t width = width_of(r);
-    uint8_t n = 0;
-    if (width == 0) {
-        byte[0] = (uint8_t)(STILL + r[0] + 5u*r[1] + 25u*r[2]);
-        return 1;
-    }
-    byte[n++] = (uint8_t)(WIDE8 + width / 2);
-    for (uint8_t i = 0; i < axes; i++)
-        for (uint8_t k = 0; k < width; k++)
-            byte[n++] = (uint8_t)(r[i] >> (8 * k));
-    return n;
-}
-
 static uint8_t put_point(uint8_t *byte, enum loft_kind kind, const loft_predictor *p, const loft_item *item)
 {
-    uint8_t n = 0;
-    for (int first = 0; first < LOFT_AXES; first += 3) {
-        uint32_t r[3] = { 0, 0, 0 };
-        for (int i = first; i < LOFT_AXES && i < first + 3; i++)
-            r[i - first] = (uint32_t)item->p[2][i] - expected(kind, p, i);
-        n = (uint8_t)(n + put_group(byte + n, r, group_axes(first)));
-    }
-    return n;
-}
-
-/* The digits of the code one by one: three short loops instead of divisions. */
-static void get_digits(uint8_t code, uint32_t r[3])
-{
-    for (r[2] = (uint32_t)-2; code >= 25; code = (uint8_t)(code - 25)) r[2]++;
-    for (r[1] = (uint32_t)-2; code >= 5;  code = (uint8_t)(code - 5))  r[1]++;
-    r[0] = code - (uint32_t)2;
-}
-
-static const uint8_t *get_group(const uint8_t *byte, uint32_t r[3], uint8_t axes)
-{
-    const uint8_t code = *byte++;
-    if (code < WIDE8) {
-        get_digits(code, r);
-        return byte;
-    }
-    const uint8_t width = (uint8_t)(1u << (code - WIDE8));
-    for (uint8_t i = 0; i < axes; i++) {
-        r[i] = byte[width - 1] & 0x80u ? 0xFFFFFFFFu : 0u;      /* the sign, shifted out at width 4 */
-        for (uint8_t k = width; k > 0; k--)
-            r[i] = (r[i] << 8) | byte[k - 1];
-        byte += width;
-    }
-    return byte;
+    uint32_t r[LOFT_AXES];
+    for (int i = 0; i < LOFT_AXES; i++)
+        r[i] = (uint32_t)item->p[2][i] - expected(kind, p, i);
+    return loft_point_encode(byte, r);
 }
 
 /* vel += r; pos += vel */
 static const uint8_t *get_point(const uint8_t *byte, bool still, enum loft_kind kind, const loft_predictor *p, loft_item *item)
 {
+    uint32_t r[LOFT_AXES] = { 0 };
+
     item->ticks = 1;
-    for (int first = 0; first < LOFT_AXES; first += 3) {
-        uint32_t r[3] = { 0, 0, 0 };
-        if (!still)
-            byte = get_group(byte, r, group_axes(first));
-        for (int i = first; i < LOFT_AXES && i < first + 3; i++) {
-            item->p[0][i] = item->p[1][i] = 0;
-            item->p[2][i] = loft_word_signed(expected(kind, p, i) + r[i - first]);
-        }
+    if (!still)
+        byte = loft_point_decode(byte, r);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        item->p[0][i] = item->p[1][i] = 0;
+        item->p[2][i] = loft_word_signed(expected(kind, p, i) + r[i]);
     }
     return byte;
-}
-
-/* The length of the point at byte[0], 0 if it is cut off or broken. */
-static uint8_t point_size(const uint8_t *byte, uint8_t left)
-{
-    uint16_t size = 0;
-    for (int first = 0; first < LOFT_AXES; first += 3) {
-        if (size >= left || byte[size] >= RUN)
-            return 0;
-        const uint8_t code = byte[size];
-        size = (uint16_t)(size + 1u + (code < WIDE8 ? 0u : (unsigned)group_axes(first) << (code - WIDE8)));
-    }
-    return (uint8_t)(size <= left ? size : 0);
 }
 
 
@@ -251,7 +165,7 @@ static uint8_t put_run(loft_packer *p, uint8_t *byte)
         p->byte[p->size - 1]++;
         return 0;
     }
-    byte[0] = RUN;
+    byte[0] = LOFT_POINT_RUN;
     return 1;
 }
 
@@ -295,7 +209,7 @@ enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
 
 static uint8_t item_size(enum loft_kind kind, const uint8_t *byte, uint8_t left)
 {
-    return kind == LOFT_CURVES ? loft_curve_size(byte, left) : kind == LOFT_SPANS ? span_size(byte, left) : point_size(byte, left);
+    return kind == LOFT_CURVES ? loft_curve_size(byte, left) : kind == LOFT_SPANS ? span_size(byte, left) : loft_point_size(byte, left);
 }
 
 enum loft_status loft_unpacker_init(loft_unpacker *u, enum loft_kind kind, const uint8_t *byte, uint8_t size,
@@ -303,7 +217,7 @@ enum loft_status loft_unpacker_init(loft_unpacker *u, enum loft_kind kind, const
 {
     uint16_t found = 0;
     for (uint8_t at = 0, n; at < size; at = (uint8_t)(at + n)) {
-        const bool run = is_point(kind) && byte[at] >= RUN;
+        const bool run = is_point(kind) && byte[at] >= LOFT_POINT_RUN;
         n = run ? 1 : item_size(kind, byte + at, (uint8_t)(size - at));
         if (n == 0)
             return LOFT_ERR_DATA;
@@ -330,7 +244,7 @@ bool loft_unpacker_next(loft_unpacker *u, loft_predictor *predictor, loft_item *
     } else if (u->kind == LOFT_CURVES) {
         u->byte = loft_curve_decode(u->byte, predictor, out);
     } else {
-        if (u->run == 0 && *u->byte >= RUN)
+        if (u->run == 0 && *u->byte >= LOFT_POINT_RUN)
             u->run = (uint8_t)(*u->byte++ - 127);
         u->byte = get_point(u->byte, u->run > 0, (enum loft_kind)u->kind, predictor, out);
         if (u->run > 0)

@@ -317,6 +317,7 @@ size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[
     put16(&w, m->slots);
     put8(&w, m->kinds);
     put16(&w, m->curves);
+    put16(&w, m->points);
     return finish(&w);
 }
 
@@ -336,10 +337,13 @@ enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m)
     m->slots     = get16(&r);
     m->kinds     = 1u << LOFT_SPANS | 1u << LOFT_POINTS;    /* of machines that do not say */
     m->curves    = 0;
+    m->points    = m->queue;
     if (f->count > r.at) {
         m->kinds  = get8(&r);
         m->curves = get16(&r);
     }
+    if (f->count > r.at)
+        m->points = get16(&r);
     return read_some(&r, sound);
 }
 

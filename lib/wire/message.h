@@ -119,11 +119,12 @@ typedef struct {
     uint8_t  axes;
     uint8_t  num;                       /* LOFT_Q16, LOFT_F32, LOFT_F64                             */
     uint8_t  frame_max;                 /* the longest frame that the machine takes                 */
-    uint16_t queue;                     /* items that fit the queue                                 */
+    uint16_t queue;                     /* spans that fit the queue                                 */
     uint16_t tick_hz;                   /* ticks per second                                         */
     uint16_t slots;                     /* chances to step per tick                                 */
     uint8_t  kinds;                     /* bit k: items of kind k are taken                         */
     uint16_t curves;                    /* that its plan can hold; 0: it does not plan              */
+    uint16_t points;                    /* that fit its queue at the least                          */
 } loft_welcome;
 
 /* One per axis after each WELCOME. */

@@ -314,6 +314,7 @@ static size_t give_welcome(loft_receiver *r, const loft_standing *now, uint8_t w
     m.slots     = r->traits->slots;
     m.kinds     = r->traits->kinds;
     m.curves    = r->traits->curves;
+    m.points    = r->traits->points;
     return loft_welcome_encode(&m, r->session, wire);
 }
 
@@ -364,7 +365,8 @@ static size_t give_report(loft_receiver *r, const loft_standing *now, uint8_t wi
  * than three quarters full, seldom enough that it does not send frames of one item. */
 static void note_changes(loft_receiver *r, const loft_standing *now)
 {
-    const uint16_t most = r->kind == LOFT_CURVES ? r->traits->curves : r->traits->queue;
+    const loft_traits *t = r->traits;
+    const uint16_t most = r->kind == LOFT_CURVES ? t->curves : r->kind == LOFT_POINTS ? t->points : t->queue;
     const uint32_t step = most < 4 ? 1 : most / 4u;
 
     if (limit_of(r, now) > r->told && limit_of(r, now) - r->told >= step)

@@ -32,7 +32,8 @@ typedef struct {
 typedef struct {
     uint32_t boot;                      /* another one at each start: a counter in flash, a random number, a clock */
     uint16_t tick_hz, slots;
-    uint16_t queue;                     /* spans or points that fit the queue */
+    uint16_t queue;                     /* spans that fit the queue */
+    uint16_t points;                    /* points that fit it, at the least */
     uint16_t curves;                    /* curves that fit the plan */
     uint8_t  kinds;                     /* bit 1: spans, bit 2: points, bit 4: curves: 1 << enum loft_kind */
     loft_traits_axis axis[LOFT_AXES];

@@ -378,7 +378,8 @@ bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms)
 static bool can_send(const loft_sender *s)
 {
     const uint32_t limit  = s->ack.limit < s->count ? s->ack.limit : s->count;
-    const uint16_t most   = s->job.kind == LOFT_CURVES ? s->machine.curves : s->machine.queue;
+    const loft_welcome *w = &s->machine;
+    const uint16_t most   = s->job.kind == LOFT_CURVES ? w->curves : s->job.kind == LOFT_POINTS ? w->points : w->queue;
     const uint32_t step   = most < 4 ? 1 : most / 4u;
 
     return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->flights < s->window && s->send < limit

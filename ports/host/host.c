@@ -265,8 +265,9 @@ static void run_slots(struct host *h, uint64_t count)
 static bool supplied(struct host *h)
 {
     const loft_drive *d = &h->machine.drive;
+    const unsigned most = d->kind == LOFT_POINTS ? h->machine.traits->points : h->machine.traits->queue;
 
-    return d->ended || d->abort || 2 * loft_drive_poll(&h->machine.drive).room <= h->machine.traits->queue ||
+    return d->ended || d->abort || 2u * loft_drive_poll(&h->machine.drive).room <= most ||
            now_ns() - h->heard > QUIET_MS * 1000000LL;
 }
 

@@ -1,0 +1,140 @@
+/* lib/machine/points.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "machine/points.h"
+
+/* A cell's `cap` is the number of points in it; and, once no more will follow: */
+#define CLOSED 0x80u
+
+/* A point that comes next takes 1..LOFT_POINT_BYTES2 bytes: steps are known modulo 2^16, and so are their changes. A cell in which it does
+ * not fit is closed with less than that left, where the room was 0; so the room falls by one at most, and what the host
+ * was told stays true. */
+#define SIZE sizeof(loft_item)
+
+static volatile uint8_t *bytes_of(const loft_queue *q, uint16_t cell)
+{
+    return (volatile uint8_t *)&q->cell[cell].item;
+}
+
+static uint16_t after(const loft_queue *q, uint16_t index)
+{
+    return (uint16_t)(index + 1 == q->count ? 0 : index + 1);
+}
+
+static int16_t step_of(uint16_t x)      { return (int16_t)(x < 0x8000u ? x : (int32_t)x - 0x10000); }
+
+static int16_t difference(int16_t a, int16_t b)
+{
+    return step_of((uint16_t)((uint16_t)a - (uint16_t)b));
+}
+
+void loft_points_init(loft_points *p)
+{
+    *p = (loft_points){ .used = 0 };
+}
+
+uint16_t loft_points_capacity(uint16_t cells)
+{
+    const uint32_t points = cells * (uint32_t)LOFT_POINTS_PER_CELL;
+    return (uint16_t)(points < LOFT_POINTS_MOST ? points : LOFT_POINTS_MOST);
+}
+
+
+// Producer
+// --------
+
+static void close_cell(loft_points *p, loft_queue *q)
+{
+    q->cell[q->head].cap = (uint8_t)(p->count | CLOSED);
+    q->head = after(q, q->head);
+    q->room--;
+    p->used = p->count = 0;
+}
+
+enum loft_status loft_points_push(loft_points *p, loft_queue *q, const int16_t step[LOFT_AXES])
+{
+    uint8_t byte[LOFT_POINT_BYTES];
+    uint32_t change[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        change[i] = (uint32_t)difference(step[i], p->last[i]);
+    const uint8_t size = loft_point_encode(byte, change);
+
+    if (p->count > 0 && p->used + (unsigned)size > SIZE)
+        close_cell(p, q);
+    if (p->count == 0 && loft_queue_room(q) == 0)
+        return LOFT_ERR_SPACE;
+    for (uint8_t k = 0; k < size; k++)
+        bytes_of(q, q->head)[p->used + k] = byte[k];
+    for (int i = 0; i < LOFT_AXES; i++)
+        p->last[i] = step[i];
+    p->used  = (uint8_t)(p->used + size);
+    p->count = (uint8_t)(p->count + 1);
+    q->cell[q->head].cap = p->count;
+    return LOFT_OK;
+}
+
+uint16_t loft_points_room(const loft_points *p, loft_queue *q)
+{
+    const uint16_t cells = loft_queue_room(q);
+
+    return p->count == 0 ? loft_points_capacity(cells)
+                         : (uint16_t)(loft_points_capacity((uint16_t)(cells - 1)) + (SIZE - p->used) / LOFT_POINT_BYTES2);
+}
+
+
+// Consumer
+// --------
+
+/* `seen` is `tail` with nothing told of it if no cell was looked at, or if all were. */
+
+/* Give back the oldest cell if all of it was taken. */
+static void give_back(loft_points *p, loft_queue *q)
+{
+    if (p->taken == 0 || q->cell[q->tail].cap != (CLOSED | p->taken))
+        return;
+    q->cell[q->tail].cap = 0;
+    if (q->seen == q->tail && p->told > 0) {
+        q->seen = after(q, q->seen);
+        p->told = 0;
+    }
+    q->tail = after(q, q->tail);
+    q->looked--;
+    p->at = p->taken = 0;
+}
+
+uint8_t loft_points_look(loft_points *p, loft_queue *q)
+{
+    give_back(p, q);
+    if (p->told > 0 && q->cell[q->seen].cap == (CLOSED | p->told)) {
+        q->seen = after(q, q->seen);
+        p->told = 0;
+    }
+    if (p->told == 0 && loft_queue_full(q))
+        return 0;
+    const uint8_t count = q->cell[q->seen].cap & (uint8_t)~CLOSED, more = (uint8_t)(count - p->told);
+    if (p->told == 0 && count > 0)
+        q->looked++;
+    p->told = count;
+    return more;
+}
+
+bool loft_points_poll(loft_points *p, loft_queue *q)
+{
+    const uint8_t count = q->tail == q->seen && p->told > 0 ? p->told : q->cell[q->tail].cap & (uint8_t)~CLOSED;
+    const volatile uint8_t *from = bytes_of(q, q->tail) + p->at;
+    uint8_t byte[LOFT_POINT_BYTES2];
+    uint32_t change[LOFT_AXES];
+
+    if (q->looked == 0 || p->taken == count)
+        return false;
+    for (uint8_t k = 0; k < LOFT_POINT_BYTES2 && p->at + k < SIZE; k++)
+        byte[k] = from[k];
+    const uint8_t size = (uint8_t)(loft_point_decode(byte, change) - byte);
+    for (int i = 0; i < LOFT_AXES; i++)
+        p->step[i] = step_of((uint16_t)((uint16_t)p->step[i] + (change[i] & 0xFFFFu)));
+    p->at    = (uint8_t)(p->at + size);
+    p->taken = (uint8_t)(p->taken + 1);
+    give_back(p, q);
+    return true;
+}
