@@ -99,7 +99,7 @@ check-vectors-all: $(foreach n,$(NUMS),build/vectors/$(n))
 
 # --- tests of what reads and draws: build/test/host/<module>, sanitized ------------------------------
 HOST_TESTS  := $(patsubst tests/host/test_%.c,%,$(sort $(wildcard tests/host/test_*.c)))
-HOST_TESTED := $(sort $(wildcard host-tools/svg*.c)) $(patsubst %,host-tools/%.c,contour csv curve curve_text drawing drawing_curves engine engine_curve engine_measure engine_piece engine_sided engine_status engine_surface harmonic harmonic_basis least lines mesh nearest piece plot plot_frame plot_shape record reference scan sided smooth source surface surface_text)
+HOST_TESTED := $(sort $(wildcard host-tools/svg*.c)) $(patsubst %,host-tools/%.c,contour csv curve curve_text drawing drawing_curves engine engine_curve engine_kinematics engine_measure engine_piece engine_sided engine_status engine_surface harmonic harmonic_basis joints kinematics least lines machine_file mesh nearest piece plot plot_frame plot_shape record reference scan sided smooth source surface surface_text toolpath)
 HOST_FLAGS   = $(CPPFLAGS) -O1 -g $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
 
 build/test/host/obj/%.o: host-tools/%.c lib/names.h
@@ -123,7 +123,7 @@ TOOL_OUT  ?= build
 TOOL_STD   = $(STD) -D_GNU_SOURCE -Ihost-tools -Iports -MMD -MP \
              $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(TOOL_PKG)))
 tool_flag  = -DLOFT_NUM=LOFT_$(shell echo $(1) | tr a-z A-Z) -DLOFT_AXES=3
-TOOL_ENGINE := $(patsubst %,host-tools/%.c,engine engine_chapter engine_curve engine_measure engine_piece engine_sided engine_surface)
+TOOL_ENGINE := $(patsubst %,host-tools/%.c,engine engine_chapter engine_curve engine_kinematics engine_measure engine_piece engine_sided engine_surface)
 TOOL_SRC  := $(filter-out $(TOOL_ENGINE),$(sort $(wildcard host-tools/*.c)))
 TOOL_EACH := $(TOOL_ENGINE) $(sort $(wildcard ports/host/*.c)) $(LIB_SRC)
 TOOL_OBJ  := $(patsubst %.c,$(TOOL_OUT)/tools/%.o,$(TOOL_SRC)) \

@@ -23,11 +23,11 @@ typedef struct {
 // Table
 // -----
 
-static int print_row(const char *name, const char *line, const trace_part *p)
+static int print_row(const trace *t, const char *name, const char *line, const trace_part *p)
 {
     char words[160];
 
-    trace_words(p, words, sizeof words);
+    trace_words(t, p, words, sizeof words);
     return printf("%-8s %6s %11.3f %10.3f %9.2f  %s\n", name, line, p->length, p->seconds, p->top, words);
 }
 
@@ -44,13 +44,13 @@ static void print_table(const plan_options *o, const drawing *d, const toolpath 
             snprintf(line, sizeof line, "%u", d->curve[path->curve[k]].line);
         }
         if (!o->total)
-            print_row(name, line, &t->part[k]);
+            print_row(t, name, line, &t->part[k]);
         trace_add(draws ? &drawn : &travelled, &t->part[k]);
         trace_add(&all, &t->part[k]);
     }
-    print_row("drawn", "", &drawn);
-    print_row("travel", "", &travelled);
-    print_row("in all", "", &all);
+    print_row(t, "drawn", "", &drawn);
+    print_row(t, "travel", "", &travelled);
+    print_row(t, "in all", "", &all);
 }
 
 
@@ -69,9 +69,9 @@ static void put_row(FILE *out, const trace *t, double seconds, size_t *near)
 
     trace_at(t, seconds, near, &m);
     fprintf(out, "%.6f", seconds);
-    put_axes(out, m.x, 6);
-    put_axes(out, m.v, 5);
-    put_axes(out, m.a, 4);
+    put_axes(out, m.tool.x, 6);
+    put_axes(out, m.tool.v, 5);
+    put_axes(out, m.tool.a, 4);
     putc('\n', out);
 }
 
@@ -122,21 +122,26 @@ static int report(const plan_options *o, const drawing *d, const toolpath *path,
 
 static int plan(const plan_options *o, const drawing *d)
 {
-    const toolpath_options how = planning_path(&o->p);
+    const double start[ENGINE_AXES] = { 0, 0, 0 };
+    toolpath_options how = planning_path(&o->p);
     engine_limits limits;
     toolpath path;
-    trace t;
-    int code = 0;
+    joints of;
+    trace t = { .count = 0 };
 
     planning_machine(&o->p, &limits);
     planning_limit(&o->p, &limits);
+    (void)planning_start_at(&o->p, start, &how);
     toolpath_make(&path, d, &how);
-    const int status = trace_make(&t, o->p.e, &limits, path.move, path.count);
+    int code = planning_joints(&o->p, o->file, d, start, false, &limits, &path, &of), status = 0;
+    if (code == 0)
+        status = trace_make(&t, o->p.e, &limits, &path, &of);
     if (status != 0)
         code = tool_error(EX_DATAERR, "%s: cannot be planned: %s", o->file, engine_status(status));
-    else
+    else if (code == 0)
         code = report(o, d, &path, &t);
     trace_free(&t);
+    joints_free(&of);
     toolpath_free(&path);
     return code;
 }

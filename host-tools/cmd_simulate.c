@@ -21,7 +21,7 @@ static int spread(const char *option, const tool_list *list, double out[LOFT_AXE
 }
 
 /* The file's numbers are the defaults of the options. */
-static int take_file(struct loft_host_options *o, int argc, char **argv)
+static int take_file(struct loft_host_options *o, char text[KINEMATICS_TEXT], int argc, char **argv)
 {
     machine_file m = machine_usual();
     const int code = machine_option(&m, argc, argv);
@@ -37,6 +37,8 @@ static int take_file(struct loft_host_options *o, int argc, char **argv)
     o->ramp = (unsigned)m.ramp;
     o->queue = (unsigned)m.queue;
     o->curves = (unsigned)m.curves;
+    kinematics_text(&m.k, text);
+    o->note = text;
     return code;
 }
 
@@ -56,9 +58,10 @@ static int run(const tool_command *self, int argc, char **argv)
     const char *speed          = o.fast ? "fast" : "real";
     tool_list steps = { .count = 0 }, fastest = { .count = 0 }, accel = { .count = 0 };
     const char *machine = NULL;
+    char text[KINEMATICS_TEXT];
     int first;
 
-    int code = take_file(&o, argc, argv);
+    int code = take_file(&o, text, argc, argv);
     if (code != 0)
         return code;
     const tool_option options[] = {

@@ -51,16 +51,29 @@ static void old_start(const loft_sender *s, bool points, double out[ENGINE_AXES]
         out[i] = points ? mm_of(&s->axis[i], s->axis[i].start) : (double)s->axis[i].start / 65536;
 }
 
-static int plan(const stream_options *o, const char *file, const engine_limits *limits, const toolpath *path, job *j)
+/* From where the motors stand. */
+static int plan(const stream_options *o, const char *file, const drawing *d, const double start[ENGINE_AXES], const engine_limits *limits,
+                toolpath *path, job *j)
 {
+    toolpath_options how = planning_path(&o->p);
+    joints of;
+    int status = 0;
+
+    if (!planning_start_at(&o->p, start, &how))
+        return tool_error(EX_DATAERR, "%s: its motors stand at %.6g %.6g %.6g, where those of a %s machine like this cannot be: give its --machine FILE",
+                          o->port ? o->port : "-", start[0], start[1], start[2], kinematics_name(&o->p.machine.k));
+    toolpath_make(path, d, &how);
     if (path->count == 0)
         return tool_error(EX_DATAERR, "%s: nothing to draw in it: give a drawing with visible outlines", file);
     keys_hasty(true);
-    const int status = (o->chip ? job_curves : job_plan)(j, o->p.e, limits, path->move, path->count);
+    int code = planning_joints(&o->p, file, d, start, o->chip, limits, path, &of);
+    if (code == 0)
+        status = (o->chip ? job_curves : job_plan)(j, o->p.e, limits, path, &of);
     keys_hasty(false);
     if (status != 0)
-        return tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
-    return 0;
+        code = tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
+    joints_free(&of);
+    return code;
 }
 
 static void print_plan(const job *j, const toolpath *path, double tol)
@@ -70,16 +83,16 @@ static void print_plan(const job *j, const toolpath *path, double tol)
            (unsigned)j->head.id);
 }
 
-static int dry_run(const stream_options *o, const char *file, const drawing *d, toolpath_options *how)
+static int dry_run(const stream_options *o, const char *file, const drawing *d)
 {
+    const double start[ENGINE_AXES] = { 0, 0, 0 };
     engine_limits limits;
-    toolpath path;
+    toolpath path = { 0 };
     job j = { 0 };
 
     planning_machine(&o->p, &limits);
     planning_limit(&o->p, &limits);
-    toolpath_make(&path, d, how);
-    const int code = plan(o, file, &limits, &path, &j);
+    const int code = plan(o, file, d, start, &limits, &path, &j);
     if (code == 0)
         print_plan(&j, &path, o->p.tol);
     job_free(&j);
@@ -105,7 +118,7 @@ static int check_machine(const stream_options *o, const loft_sender *s)
     return tool_error(EX_CONFIG, "%s: this machine does not plan by itself: give --plan host, or build its firmware with memory for a planner", o->port);
 }
 
-static int plan_for(const stream_options *o, const char *file, const drawing *d, const toolpath_options *how, const loft_sender *s,
+static int plan_for(const stream_options *o, const char *file, const drawing *d, const double start[ENGINE_AXES], const loft_sender *s,
                     toolpath *path, job *j)
 {
     engine_limits limits;
@@ -114,29 +127,29 @@ static int plan_for(const stream_options *o, const char *file, const drawing *d,
     toolpath_free(path);
     machine_limits(s, &limits);
     planning_limit(&o->p, &limits);
-    toolpath_make(path, d, how);
-    const int code = plan(o, file, &limits, path, j);
+    const int code = plan(o, file, d, start, &limits, path, j);
     return code == 0 && o->points ? to_points(s, j) : code;
 }
 
 /* If the machine has a job it may be this one, which then goes on; it is if it has the same id planned from the same start. */
-static int stream(const stream_options *o, const char *file, const drawing *d, const drawing *smooth, toolpath_options *how, talk *t)
+static int stream(const stream_options *o, const char *file, const drawing *d, const drawing *smooth, talk *t)
 {
     const loft_sender *s = &t->sender;
+    double start[ENGINE_AXES];
     toolpath path        = { 0 };
     job j                = { 0 };
     int code             = check_machine(o, s);
 
     if (code == 0 && s->machine.job != 0) {
-        old_start(s, o->points, how->start);
-        code = plan_for(o, file, smooth, how, s, &path, &j);
+        old_start(s, o->points, start);
+        code = plan_for(o, file, smooth, start, s, &path, &j);
     }
     if (code == 0 && (j.count == 0 || j.head.id != s->machine.job)) {
-        new_start(s, how->start);
-        code = plan_for(o, file, smooth, how, s, &path, &j);
+        new_start(s, start);
+        code = plan_for(o, file, smooth, start, s, &path, &j);
     }
     if (code == 0) {
-        const stream_subject about = { path.curves, path.drawn, o->p.tol, d, o->record };
+        const stream_subject about = { path.curves, path.drawn, o->p.tol, d, o->record, &o->p.machine.k };
         code = stream_run(t, &j, &about);
     }
     job_free(&j);
@@ -152,7 +165,7 @@ static int control(const stream_options *o)
     int code = talk_open(&t, o->port, o->baud, o->wait, o->log);
     if (code != 0)
         return code;
-    code = stream_control(&t, verb);
+    code = stream_control(&t, verb, &o->p.machine.k);
     talk_close(&t);
     return code;
 }
@@ -198,9 +211,9 @@ static int draw(stream_options *o, const char *file)
     if (code == 0 && o->grbl)
         code = draw_gcode(o, file, &smooth, &how);
     else if (code == 0 && o->dry)
-        code = dry_run(o, file, &smooth, &how);
+        code = dry_run(o, file, &smooth);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
-        code = stream(o, file, &d, &smooth, &how, &t);
+        code = stream(o, file, &d, &smooth, &t);
         talk_close(&t);
     }
     drawing_free(&smooth);

@@ -162,6 +162,7 @@ const engine ENGINE_OF(engine) = {
     .measure = &ENGINE_OF(engine_measures),
     .ellipse = ellipse,
     .surface = &ENGINE_OF(engine_surfaces),
+    .maps    = &ENGINE_OF(engine_maps),
     .flatten = flatten,
     .plan    = plan,
     .steps   = steps

@@ -132,6 +132,17 @@ typedef struct {
     int (*contour)(const engine_surface *s, double height, double tol, unsigned n, engine_contour_sink *sink, void *context);
 } engine_surfaces;
 
+/* From the tool to the motors and back, as lib/motion/kinematics.h has it. Geometry: polar: the turn; delta: the arm, and x and y of three
+ * towers. False: beyond the type, or motors that cannot be so. */
+enum engine_kinematics { ENGINE_CARTESIAN, ENGINE_COREXY, ENGINE_POLAR, ENGINE_DELTA };
+#define ENGINE_GEOMETRY 7
+
+typedef struct {
+    bool (*motors)(enum engine_kinematics kind, const double geometry[ENGINE_GEOMETRY], const double tool[ENGINE_AXES], double out[ENGINE_AXES]);
+    bool (*tool)(enum engine_kinematics kind, const double geometry[ENGINE_GEOMETRY], const double motors[ENGINE_AXES], double out[ENGINE_AXES]);
+} engine_maps;
+
+extern const engine_maps engine_maps_q16, engine_maps_f32, engine_maps_f64;
 extern const engine_surfaces engine_surfaces_q16, engine_surfaces_f32, engine_surfaces_f64;
 extern const engine_curves engine_curves_q16, engine_curves_f32, engine_curves_f64;
 extern const engine_pieces engine_pieces_q16, engine_pieces_f32, engine_pieces_f64;
@@ -149,6 +160,7 @@ typedef struct {
     int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees, bool large, int turns, double tol,
                    engine_cubic_sink *sink, void *context);
     const engine_surfaces *surface;
+    const engine_maps *maps;
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink, void *context);
     int (*plan)(const engine_limits *limits, const engine_move moves[], size_t count, engine_span_sink *sink, void *context);
     int32_t (*steps)(double mm, double steps_per_mm);       /* rounded as a machine of this type does it */

@@ -47,10 +47,11 @@ static int seal(job *j)
     return LOFT_OK;
 }
 
-int job_plan(job *j, const engine *e, const engine_limits *limits, const engine_move moves[], size_t count)
+int job_plan(job *j, const engine *e, const engine_limits *limits, const toolpath *path, const joints *of)
 {
-    *j = (job){ .tick_hz = limits->tick_hz, .head.kind = LOFT_SPANS };
-    const int status = e->plan(limits, moves, count, add_span, j);
+    (void)path;
+    *j = (job){ .tick_hz = limits->tick_hz, .head.kind = LOFT_SPANS, .k = of->k };
+    const int status = joints_plan(of, e, limits, add_span, j);
     if (status != LOFT_OK)
         return status;
     memcpy(j->head.start, j->start, sizeof j->head.start);
@@ -85,6 +86,15 @@ static loft_item curve_of(const engine_move *m, const int32_t from[ENGINE_AXES])
     return item;
 }
 
+static double length_of(const engine_move *m)
+{
+    double sum = 0;
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        sum += (m->p[3][i] - m->p[0][i]) * (m->p[3][i] - m->p[0][i]);
+    return sqrt(sum);
+}
+
 static loft_job_limits limits_of(const engine_limits *l)
 {
     loft_job_limits out = { .corner = (int32_t)lround(l->corner * 65536), .tol = (int32_t)floor(l->tol * 65536) };
@@ -97,22 +107,36 @@ static loft_job_limits limits_of(const engine_limits *l)
     return out;
 }
 
-int job_curves(job *j, const engine *e, const engine_limits *limits, const engine_move moves[], size_t count)
+/* Pieces of one move of the tool are taken to last as long as they are. */
+static double seconds_of(const trace *t, const joints *of, size_t n)
 {
+    double all = 0, own = 0;
+
+    for (size_t k = n; k > 0 && of->of[k - 1] == of->of[n]; k--)
+        all += length_of(&of->move[k - 1]);
+    for (size_t k = n; k < of->count && of->of[k] == of->of[n]; k++)
+        all += length_of(&of->move[k]);
+    own = length_of(&of->move[n]);
+    return all > 0 ? t->part[of->of[n]].seconds * own / all : 0;
+}
+
+int job_curves(job *j, const engine *e, const engine_limits *limits, const toolpath *path, const joints *of)
+{
+    const engine_limits planned = joints_limits(of, limits);
     double due = 0;
     trace t;
 
-    *j = (job){ .tick_hz = limits->tick_hz, .head.kind = LOFT_CURVES, .limits = limits_of(limits) };
+    *j = (job){ .tick_hz = limits->tick_hz, .head.kind = LOFT_CURVES, .limits = limits_of(&planned), .k = of->k };
     j->head.limits = &j->limits;
-    if (count == 0)
+    if (of->count == 0)
         return LOFT_ERR_ARG;
-    const int status = trace_make(&t, e, limits, moves, count);
+    const int status = trace_make(&t, e, limits, path, of);
     for (int i = 0; i < ENGINE_AXES; i++)
-        j->end[i] = j->start[i] = j->head.start[i] = (int32_t)lround(moves[0].p[0][i] * 65536);
-    for (size_t k = 0; k < count && status == LOFT_OK; k++) {
-        const loft_item item = curve_of(&moves[k], j->end);
+        j->end[i] = j->start[i] = j->head.start[i] = (int32_t)lround(of->move[0].p[0][i] * 65536);
+    for (size_t k = 0; k < of->count && status == LOFT_OK; k++) {
+        const loft_item item = curve_of(&of->move[k], j->end);
         add(j, &item);
-        due += t.part[k].seconds;
+        due += seconds_of(&t, of, k);
         j->tick[j->count] = (uint64_t)lround(due * j->tick_hz);
         memcpy(j->end, item.p[2], sizeof j->end);
     }
@@ -141,7 +165,7 @@ static void steps_of(loft_vec at, const int32_t steps_per_mm[ENGINE_AXES], int32
 /* Walk the spans as a machine does; this file is compiled in q16, so a loft_real is a raw coordinate. */
 int job_points(job *j, const int32_t steps_per_mm[ENGINE_AXES])
 {
-    job points = { .tick_hz = j->tick_hz, .head.kind = LOFT_POINTS };
+    job points = { .tick_hz = j->tick_hz, .head.kind = LOFT_POINTS, .k = j->k };
     const int32_t *from = j->start;
     loft_vec at;
 
@@ -191,20 +215,29 @@ size_t job_item_at(const job *j, uint64_t tick)
     return low;
 }
 
+static void tool_at(const job *j, const int32_t motors[ENGINE_AXES], double out[ENGINE_AXES])
+{
+    double at[ENGINE_AXES];
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        at[i] = motors[i] / 65536.0;
+    if (!kinematics_tool(j->k, at, out))
+        memcpy(out, at, sizeof at);
+}
+
 double job_feed(const job *j, size_t n)
 {
-    double sum = 0;
+    double from[ENGINE_AXES], to[ENGINE_AXES], sum = 0;
 
     if (n >= j->count || j->head.kind == LOFT_POINTS)
         return 0;
-    if (j->head.kind == LOFT_CURVES)
+    if (j->head.kind == LOFT_CURVES && j->k->kind == ENGINE_CARTESIAN)
         return j->item[n].ticks / 60.0;
-    const int32_t *from = n > 0 ? j->item[n - 1].p[2] : j->start;
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        const double by = ((double)j->item[n].p[2][i] - (double)from[i]) / 65536.0;
-        sum += by * by;
-    }
-    return sqrt(sum) * (double)j->tick_hz / (double)j->item[n].ticks;
+    tool_at(j, n > 0 ? j->item[n - 1].p[2] : j->start, from);
+    tool_at(j, j->item[n].p[2], to);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        sum += (to[i] - from[i]) * (to[i] - from[i]);
+    return j->tick[n + 1] > j->tick[n] ? sqrt(sum) * (double)j->tick_hz / (double)(j->tick[n + 1] - j->tick[n]) : 0;
 }
 
 double job_seconds(const job *j)

@@ -18,23 +18,34 @@ typedef struct {
     size_t at;
     bool   axes, whole, limits;
     double least, most;
+    unsigned kinds;             /* kinematics that have it, as bits; 0: all */
 } row;
 
 #define AT(field) offsetof(machine_file, field)
+#define POLAR     (1u << ENGINE_POLAR)
+#define DELTA     (1u << ENGINE_DELTA)
+#define ARM       0.99      /* the radius of a delta, over its arm, at most */
+#define APART     30        /* degrees between towers, at least             */
 
 static const row rows[] = {
-    { "steps_per_mm", "steps/mm", AT(steps_per_mm), true,  false, false, 0.01, 30000 },
-    { "max_speed",    "mm/s",     AT(max_speed),    true,  false, true,  1 / 64.0, 16383 },
-    { "max_accel",    "mm/s^2",   AT(max_accel),    true,  false, true,  1, 16383 },
-    { "max_jerk",     "mm/s^3",   AT(max_jerk),     true,  false, true,  0, 1e7 },
-    { "max_across",   "mm/s^2",   AT(max_across),   false, false, false, 0, 16383 },
-    { "corner",       "mm",       AT(corner),       false, false, false, 0, 1 },
-    { "tolerance",    "mm",       AT(tol),          false, false, false, 1 / 1024.0, 1 },
-    { "tick_hz",      "ticks/s",  AT(tick_hz),      false, true,  false, 50, 50000 },
-    { "slots",        "per tick", AT(slots),        false, true,  false, 1, 4096 },
-    { "ramp",         "ticks",    AT(ramp),         false, true,  false, 1, 32767 },
-    { "queue",        "items",    AT(queue),        false, true,  false, 2, 32768 },
-    { "curves",       "curves",   AT(curves),       false, true,  false, 0, 4096 },
+    { "steps_per_mm", "steps/mm", AT(steps_per_mm), true,  false, false, 0.01, 30000, 0 },
+    { "max_speed",    "mm/s",     AT(max_speed),    true,  false, true,  1 / 64.0, 16383, 0 },
+    { "max_accel",    "mm/s^2",   AT(max_accel),    true,  false, true,  1, 16383, 0 },
+    { "max_jerk",     "mm/s^3",   AT(max_jerk),     true,  false, true,  0, 1e7, 0 },
+    { "max_across",   "mm/s^2",   AT(max_across),   false, false, false, 0, 16383, 0 },
+    { "corner",       "mm",       AT(corner),       false, false, false, 0, 1, 0 },
+    { "tolerance",    "mm",       AT(tol),          false, false, false, 1 / 1024.0, 1, 0 },
+    { "tick_hz",      "ticks/s",  AT(tick_hz),      false, true,  false, 50, 50000, 0 },
+    { "slots",        "per tick", AT(slots),        false, true,  false, 1, 4096, 0 },
+    { "ramp",         "ticks",    AT(ramp),         false, true,  false, 1, 32767, 0 },
+    { "queue",        "items",    AT(queue),        false, true,  false, 2, 32768, 0 },
+    { "curves",       "curves",   AT(curves),       false, true,  false, 0, 4096, 0 },
+    { "center",       "mm",       AT(k.center),     true,  false, false, -8191, 8191, POLAR | DELTA },
+    { "arm_length",   "mm",       AT(k.arm_length), false, false, false, 1, 8191, DELTA },
+    { "delta_radius", "mm",       AT(k.delta_radius), false, false, false, 1, 8191, DELTA },
+    { "tower_angle",  "degrees",  AT(k.tower_angle), true, false, false, -360, 360, DELTA },
+    { "turn",         "per turn", AT(k.turn),       false, false, false, 6, 8191, POLAR },
+    { "inside",       "mm",       AT(k.inside),     false, false, false, 0.01, 1000, POLAR },
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
@@ -49,13 +60,14 @@ static const struct { int number; const char *key; int axis; double unit; } grbl
 typedef struct {
     machine_file *m;
     const char *file;
-    unsigned line;
+    unsigned line, named;                   /* which one gave the kinematics; 0: none */
     unsigned said[ROWS][1 + ENGINE_AXES];   /* the line of each key: for all axes, for x, y, z */
 } reading;
 
 machine_file machine_usual(void)
 {
-    machine_file m = { .corner = 0.01, .tol = 0.005, .tick_hz = 1000, .slots = 40, .ramp = 100, .queue = 256, .curves = 64 };
+    machine_file m = { .corner = 0.01, .tol = 0.005, .tick_hz = 1000, .slots = 40, .ramp = 100, .queue = 256, .curves = 64,
+                       .k = kinematics_usual() };
 
     for (int i = 0; i < ENGINE_AXES; i++) {
         m.steps_per_mm[i] = 80;
@@ -123,23 +135,48 @@ static int read_grbl(reading *r, const char *s)
 
 static int unknown(const reading *r, const char *s, size_t length)
 {
-    char all[280] = "";
+    char all[440] = "kinematics";
 
-    for (size_t i = 0, used = 0; i < ROWS; i++)
-        used += (size_t)snprintf(all + used, sizeof all - used, "%s%s%s", i ? ", " : "", rows[i].axes ? "[x.]" : "", rows[i].key);
+    for (size_t i = 0, used = strlen(all); i < ROWS; i++)
+        used += (size_t)snprintf(all + used, sizeof all - used, ", %s%s", rows[i].axes ? "[x.]" : "", rows[i].key);
     return tool_error(EX_DATAERR, "%s:%u: \"%.*s\" is no key: there are %s", r->file, r->line, (int)(length < 30 ? length : 30), s, all);
+}
+
+/* `s` is behind the key. */
+static int read_kinematics(reading *r, const char *s)
+{
+    s += strspn(s, " \t");
+    const char *word = *s == '=' ? s + 1 + strspn(s + 1, " \t") : s;
+    const size_t length = strcspn(word, " \t\r\n#");
+
+    if (r->named > 0)
+        return tool_error(EX_DATAERR, "%s:%u: kinematics is given in line %u already: take one of them away", r->file, r->line, r->named);
+    if (word == s || !ends(word + length) || !kinematics_find(&r->m->k, word, length))
+        return tool_error(EX_DATAERR, "%s:%u: write kinematics = cartesian, corexy, hbot, delta or polar", r->file, r->line);
+    r->named = r->line;
+    return 0;
+}
+
+/* Axis 0 to 2 of `x.` or, by its motor, `a.`; -1: neither. */
+static int axis_of(const char *s, size_t length)
+{
+    const char *at = length > 2 && s[1] == '.' ? strchr("xyzabc", tolower((unsigned char)s[0])) : NULL;
+
+    return at ? (int)(strchr("xyzabc", *at) - "xyzabc") % ENGINE_AXES : -1;
 }
 
 static int read_key(reading *r, const char *s)
 {
     const size_t length = strcspn(s, " \t\r\n=#");
-    const bool named    = length > 2 && s[1] == '.' && strchr("xyz", tolower((unsigned char)s[0]));
+    const int axis      = axis_of(s, length);
+    const bool named    = axis >= 0;
     const row *k        = find(named ? s + 2 : s, named ? length - 2 : length);
     double value;
 
+    if (length == 10 && strncmp(s, "kinematics", 10) == 0)
+        return read_kinematics(r, s + length);
     if (k == NULL || (named && !k->axes))
         return unknown(r, s, length);
-    const int axis = named ? tolower((unsigned char)s[0]) - 'x' : -1;
     s += length;
     s += strspn(s, " \t");
     if (*s != '=')
@@ -149,6 +186,80 @@ static int read_key(reading *r, const char *s)
     if (!scan_number(&s, &value) || !ends(s))
         return tool_error(EX_DATAERR, "%s:%u: %s is no number: give one in %s", r->file, r->line, k->key, k->unit);
     return set(r, k, axis, value);
+}
+
+
+
+// What must fit together
+// ----------------------
+
+/* The line that gave a key; 0: none did. */
+static unsigned line_of(const reading *r, size_t key)
+{
+    unsigned line = 0;
+
+    for (int i = 0; i <= ENGINE_AXES; i++)
+        line = r->said[key][i] > line ? r->said[key][i] : line;
+    return line;
+}
+
+/* Keys of other kinematics, which would do nothing. */
+static int check_keys(const reading *r)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        if (line_of(r, i) > 0 && rows[i].kinds != 0 && !(rows[i].kinds & 1u << r->m->k.kind))
+            return tool_error(EX_DATAERR, "%s:%u: %s is for kinematics = %s, and this machine is %s: leave one of them away", r->file, line_of(r, i),
+                              rows[i].key, rows[i].kinds == DELTA ? "delta" : rows[i].kinds == POLAR ? "polar" : "delta or polar",
+                              kinematics_name(&r->m->k));
+    return 0;
+}
+
+static int check_delta(const reading *r)
+{
+    const kinematics *k = &r->m->k;
+    const unsigned angles = line_of(r, (size_t)(find("tower_angle", 11) - rows));
+
+    if (!(k->arm_length > 0 && k->delta_radius > 0))
+        return tool_error(EX_DATAERR, "%s:%u: kinematics = delta needs %s as well: give it in mm", r->file, r->named,
+                          k->arm_length > 0 ? "delta_radius" : "arm_length");
+    if (k->delta_radius > ARM * k->arm_length)
+        return tool_error(EX_DATAERR, "%s:%u: arms of %g mm do not reach the middle from %g mm: give a delta_radius of at most %g times arm_length",
+                          r->file, line_of(r, (size_t)(find("delta_radius", 12) - rows)), k->arm_length, k->delta_radius, ARM);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        if (fabs(remainder(k->tower_angle[i] - k->tower_angle[(i + 1) % ENGINE_AXES], 360)) < APART)
+            return tool_error(EX_DATAERR, "%s:%u: two towers at %g and %g degrees: give them angles %d degrees apart, as 210, 330 and 90", r->file,
+                              angles ? angles : r->named, k->tower_angle[i], k->tower_angle[(i + 1) % ENGINE_AXES], APART);
+    return 0;
+}
+
+/* Both motors of a CoreXY move x and y, so both have one limit, the smaller: then it holds for the motors, and for the tool along x and
+ * along y, whichever of them was meant (lib/motion/kinematics.h). */
+static void share_limits(machine_file *m)
+{
+    double *const of[] = { m->max_speed, m->max_accel }, *jerk = m->max_jerk;
+
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++)
+        of[i][0] = of[i][1] = fmin(of[i][0], of[i][1]);
+    jerk[0] = jerk[1] = (jerk[0] > 0) != (jerk[1] > 0) ? fmax(jerk[0], jerk[1]) : fmin(jerk[0], jerk[1]);
+}
+
+static int check(const reading *r)
+{
+    int code = check_keys(r);
+
+    if (code == 0 && r->m->k.kind == ENGINE_DELTA)
+        code = check_delta(r);
+    if (code == 0 && r->m->k.kind == ENGINE_COREXY)
+        share_limits(r->m);
+    kinematics_ready(&r->m->k);
+    return code;
+}
+
+int machine_line(machine_file *m, const char *file, unsigned line, const char *text)
+{
+    reading r = { .m = m, .file = file, .line = line };
+
+    return read_key(&r, text);
 }
 
 int machine_read(machine_file *m, const char *file)
@@ -172,7 +283,7 @@ int machine_read(machine_file *m, const char *file)
         s += *s == '\n';
     }
     free(text);
-    return code;
+    return code ? code : check(&r);
 }
 
 int machine_option(machine_file *m, int argc, char **argv)

@@ -92,10 +92,10 @@ static void path_by_speed(const plot_view *v, const plan_picture *p, double top)
         }
         trace_at(p->t, k * LOOK, &near, &m);
         slow = fmin(slow, m.speed);
-        if (b.open && hypot(m.x[0] - b.at[0], m.x[1] - b.at[1]) * v->scale < 0.4 * v->u)
+        if (b.open && hypot(m.tool.x[0] - b.at[0], m.tool.x[1] - b.at[1]) * v->scale < 0.4 * v->u)
             continue;
         const int level = (int)(slow / top * PLOT_LEVELS);
-        plot_brush_to(&b, m.x, level < PLOT_LEVELS ? level : PLOT_LEVELS - 1);
+        plot_brush_to(&b, m.tool.x, level < PLOT_LEVELS ? level : PLOT_LEVELS - 1);
         slow = HUGE_VAL;
     }
     plot_brush_up(&b);
@@ -250,17 +250,18 @@ static void strip_limit(strip *s, double limit, const double rgb[3], const char 
     entry(s, rgb, 0.9, true, words);
 }
 
+static const char *axes(const strip *s)     { return kinematics_axes(s->p->t->joints->k); }
+
 /* One line for all axes where they agree. */
 static void strip_limits(strip *s, const double limit[ENGINE_AXES])
 {
-    static const char *const of[ENGINE_AXES] = { " x", " y", " z" };
     bool same = true;
 
     for (int i = 1; i < ENGINE_AXES; i++)
         same = same && !(limit[i] < limit[0]) && !(limit[i] > limit[0]);
     for (int i = 0; i < (same ? 1 : ENGINE_AXES); i++)
         if (limit[i] > 0)
-            strip_limit(s, limit[i], same ? grey : ink[i + 1], same ? " of an axis" : of[i]);
+            strip_limit(s, limit[i], same ? grey : ink[i + 1], same ? " of an axis" : (const char[]){ ' ', axes(s)[i], '\0' });
 }
 
 /* The feed of the move under way. */
@@ -308,9 +309,8 @@ static strip strip_begin(const plan_picture *p, const columns *c, const plot_vie
 
 static void strip_axis_signals(strip *s, enum signal first)
 {
-    strip_signal(s, first, ink[1], 0.9, "x");
-    strip_signal(s, first + 1, ink[2], 0.9, "y");
-    strip_signal(s, first + 2, ink[3], 0.9, "z");
+    for (unsigned i = 0; i < ENGINE_AXES; i++)
+        strip_signal(s, first + i, ink[i + 1], 0.9, (const char[]){ axes(s)[i], '\0' });
 }
 
 static void speed_strip(strip s)
@@ -370,7 +370,7 @@ static void title(const plot_view *v, const plan_picture *p)
     snprintf(words, sizeof words, "%.80s: %zu curves, %.3f m drawn, %.3f m travelled, %.1f s", plot_base_name(p->name), p->path->curves,
              p->path->drawn / 1000, p->path->travelled / 1000, all.seconds);
     plot_text(v, PLOT_LARGE, v->left, 30 * v->u, 0, words);
-    trace_words(&all, limits, sizeof limits);
+    trace_words(p->t, &all, limits, sizeof limits);
     snprintf(words, sizeof words, "limited, of the time, by %s", limits);
     plot_ink(v, 0.3);
     plot_text(v, PLOT_SMALL, v->left, 54 * v->u, 0, words);

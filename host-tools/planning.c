@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
+#include <string.h>
 
 #include "planning.h"
 #include "smooth.h"         /* drawing_smooth */
@@ -9,6 +10,8 @@
 
 #define JERK_MAX 1e7        /* mm/s^3, of lib/motion/limits.h                    */
 #define SMOOTH_PART 0.2     /* of the tolerance: for making curves of lines      */
+#define MAP_PART    0.2     /* of it: for curves of motors that are not straight  */
+#define TOL_MIN     (1 / 1024.0)    /* mm, of lib/motion/limits.h                */
 #define JERK_PER 20         /* times the acceleration: it is reached in 1/20 s   */
 
 int planning_start(planning *p, int argc, char **argv)
@@ -74,4 +77,26 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
 toolpath_options planning_path(const planning *p)
 {
     return (toolpath_options){ .feed = p->feed, .travel = p->travel, .lift = p->lift, .park = p->park };
+}
+
+bool planning_start_at(const planning *p, const double start[ENGINE_AXES], toolpath_options *how)
+{
+    return kinematics_tool(&p->machine.k, start, how->start);
+}
+
+int planning_joints(const planning *p, const char *file, const drawing *d, const double start[ENGINE_AXES], bool chip, const engine_limits *limits,
+                    toolpath *path, joints *out)
+{
+    joints_options o = { .file = file, .d = d, .within = MAP_PART * p->tol, .reach = p->e->reach, .chip = chip };
+
+    memcpy(o.start, start, sizeof o.start);
+    const int code = joints_make(out, path, &p->machine.k, &o);
+    if (code != 0)
+        return code;
+    const double tol = joints_limits(out, limits).tol;
+    if (tol < TOL_MIN && p->machine.k.kind != ENGINE_CARTESIAN)
+        return tool_error(EX_DATAERR, "%s: for these motors %g mm are %.5f: give --tol %.2g or more%s", source_name(file), limits->tol, tol,
+                          p->tol + 1.05 * (TOL_MIN - tol) / out->least / (1 - MAP_PART - (p->smoothed > 0 ? SMOOTH_PART : 0)) + 5e-4,
+                          chip ? ", or --plan host" : "");
+    return 0;
 }

@@ -5,6 +5,7 @@
 #define LOFT_PLANNING_H
 
 #include "drawing.h"        /* drawing */
+#include "joints.h"         /* joints */
 #include "machine_file.h"   /* machine_file */
 #include "tool.h"           /* tool_option */
 #include "toolpath.h"       /* toolpath_options */
@@ -46,7 +47,13 @@ void planning_limit(const planning *p, engine_limits *limits);
 /* Read a drawing that can be planned, and make of it what is planned. Gives 0, or an exit code after one line. */
 int planning_read(planning *p, drawing *d, drawing *smooth, const char *file);
 
-/* How its toolpath is made, from the origin. */
+/* How its toolpath is made, from where the tool is when the motors are at `start`; false if they cannot be there. */
 toolpath_options planning_path(const planning *p);
+bool planning_start_at(const planning *p, const double start[ENGINE_AXES], toolpath_options *how);
+
+/* The path as the motors go it from there, for the machine to plan (`chip`) or not; `limits` are those of the motors. Gives 0, or an exit
+ * code after one line; free with joints_free in any case. */
+int planning_joints(const planning *p, const char *file, const drawing *d, const double start[ENGINE_AXES], bool chip, const engine_limits *limits,
+                    toolpath *path, joints *out);
 
 #endif

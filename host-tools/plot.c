@@ -53,13 +53,12 @@ static bool is_near(const plot_view *v, const double a[2], const double b[2])
 /* Runs of pulses that draw, or that travel, as lines. */
 static void draw_machine(const plot_view *v, bool drawing_runs)
 {
-    static const double origin[3];
     const record *r = v->o->r;
     const double *last = NULL;          /* drawn so far; NULL: no run is open */
     unsigned pieces = 0;
 
     for (size_t i = 0; i < r->count; i++) {
-        const double *before = i > 0 ? r->pulse[i - 1].at : origin, *now = r->pulse[i].at;
+        const double *before = i > 0 ? r->pulse[i - 1].at : r->start, *now = r->pulse[i].at;
         const bool moves = now[0] != before[0] || now[1] != before[1];
         if (!moves)
             continue;

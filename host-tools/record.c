@@ -13,26 +13,31 @@
 #include "tool.h"       /* tool_error, tool_grow */
 
 #define CHORD_TOL 1e-4  /* mm between a curve and its chords */
+#define AROUND    64    /* pulses to both sides, of a delta     */
 
 
 // Reading
 // -------
 
 /* `# key = value` or `# key value`; unknown keys are passed over. steps_per_mm may be one number, three, or one per axis. */
-static void read_key(record *r, const char *line)
+static int read_key(record *r, const char *file, unsigned number, const char *line)
 {
+    static const char *const maps[] = { "kinematics", "center", "arm_length", "delta_radius", "tower_angle", "turn", "inside" };
     const char *key = line + strspn(line, "# \t"), *at = key + scan_word(key);
     const size_t length = (size_t)(at - key);
     double v[3];
     int count = 0;
 
+    for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++)
+        if (strncmp(key + (key[0] && key[1] == '.' ? 2 : 0), maps[i], strlen(maps[i])) == 0)
+            return machine_line(&r->machine, file, number, key);
     at += strspn(at, " \t=:");
     while (count < 3 && scan_number(&at, &v[count])) {
         count++;
         scan_comma(&at);
     }
     if (count == 0)
-        return;
+        return 0;
     if (length == 7 && strncmp(key, "slot_hz", 7) == 0)
         r->slot_hz = v[0];
     if (length == 14 && strncmp(key, "steps_per_mm_", 13) == 0 && key[13] >= 'x' && key[13] <= 'z')
@@ -40,12 +45,14 @@ static void read_key(record *r, const char *line)
     if (length == 12 && strncmp(key, "steps_per_mm", 12) == 0)
         for (int i = 0; i < 3; i++)
             r->steps_per_mm[i] = v[count == 3 ? i : 0];
+    return 0;
 }
 
 /* Whole numbers with commas or blanks between: slot, x, y and perhaps z. False if it is anything else. */
 static bool read_pulse(record *r, const char *line)
 {
-    record_pulse p = { 0, { 0, 0, 0 } };
+    double motors[3] = { 0, 0, 0 };
+    record_pulse p;
     char *end;
     int count = 0;
 
@@ -56,12 +63,13 @@ static bool read_pulse(record *r, const char *line)
         if (end == at)
             break;
         if (count < 3)
-            p.at[count] = (double)steps / r->steps_per_mm[count];
+            motors[count] = (double)steps / r->steps_per_mm[count];
         count++;
     }
     end += strspn(end, ", \t\r\n");
-    if (count < 2 || *end != '\0')
+    if (count < 2 || *end != '\0' || !kinematics_tool(&r->machine.k, motors, p.at))
         return false;
+    memcpy(r->motors, motors, sizeof r->motors);
     if (r->count == r->room) {
         r->room  = r->room ? 2 * r->room : 4096;
         r->pulse = tool_grow(r->pulse, r->room * sizeof *r->pulse);
@@ -79,8 +87,15 @@ static int read_lines(record *r, const char *file, FILE *stream)
         if (strchr(line, '\n') == NULL && feof(stream))
             break;                      /* still being written */
         if (*at == '#') {
-            read_key(r, at);
+            const int code = read_key(r, file, number, at);
+            if (code != 0)
+                return code;
             continue;
+        }
+        if (r->count == 0) {
+            const double zero[3] = { 0, 0, 0 };
+            kinematics_ready(&r->machine.k);
+            (void)kinematics_tool(&r->machine.k, zero, r->start);
         }
         if (*at == '\n' || *at == '\r' || *at == '\0' || (r->count == 0 && strncmp(at, "slot", 4) == 0))
             continue;
@@ -106,6 +121,7 @@ int record_read(record *r, const char *file)
 
     if (stream == NULL)
         return tool_error(EX_NOINPUT, "%s: cannot be opened: %s", name, strerror(errno));
+    r->machine = machine_usual();
     const int code = read_lines(r, name, stream);
     if (!piped)
         fclose(stream);
@@ -125,12 +141,20 @@ void record_free(record *r)
     *r = (record){ 0 };
 }
 
+static const double *place(const record *r, size_t i)   { return i > 0 ? r->pulse[i - 1].at : r->start; }
+
+/* A step of a delta moves x, y and z: there it draws where more than a few steps lead on rather than up. */
 bool record_draws(const record *r, size_t i)
 {
-    static const double origin[3];
-    const double *before = i > 0 ? r->pulse[i - 1].at : origin, *now = r->pulse[i].at;
+    const size_t from = r->machine.k.kind != ENGINE_DELTA ? i : i > AROUND ? i - AROUND : 0;
+    const size_t to   = r->machine.k.kind != ENGINE_DELTA ? i + 1 : r->count - i > AROUND ? i + AROUND : r->count;
+    const double *before = place(r, from), *after = place(r, to), *now = r->pulse[i].at;
 
-    return now[2] <= r->pen_down && (now[0] != before[0] || now[1] != before[1]);
+    if (now[2] > r->pen_down)
+        return false;
+    if (r->machine.k.kind == ENGINE_DELTA)
+        return hypot(after[0] - before[0], after[1] - before[1]) > fabs(after[2] - before[2]);
+    return after[0] != before[0] || after[1] != before[1];
 }
 
 double record_seconds(const record *r)
@@ -238,7 +262,6 @@ double record_worst_error(const drawing *d, const record *r, double (*point)[2],
 
 double record_worst_gap(const drawing *d, const record *r, double where[2])
 {
-    static const double origin[3];
     nearest drawn = { 0 };
     chords all;
     size_t hint = 0;
@@ -246,7 +269,7 @@ double record_worst_gap(const drawing *d, const record *r, double where[2])
 
     for (size_t i = 0; i < r->count; i++)
         if (record_draws(r, i))
-            nearest_add(&drawn, i > 0 ? r->pulse[i - 1].at : origin, r->pulse[i].at);
+            nearest_add(&drawn, place(r, i), r->pulse[i].at);
     if (drawn.count == 0)
         return HUGE_VAL;
     nearest_build(&drawn);

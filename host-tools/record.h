@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: MIT
  *
  * The simulated machine writes lines `# key = value` and, for each slot with pulses, `slot,x,y,z`: the positions after
- * it in steps. The pen is down while z is at most half of the greatest z; a record that never moves z is all pen down.
+ * it in steps. Steps are of the motors: lines `# kinematics = corexy` and what belongs to it say how they carry the tool, and all
+ * places here are the tool's. The pen is down while z is at most half of the greatest z; a record that never moves z is all pen down.
  * A last line without its end is still being written and is passed over.
  */
 #ifndef LOFT_RECORD_H
@@ -13,6 +14,7 @@
 #include <stdint.h>
 
 #include "drawing.h"
+#include "machine_file.h"   /* machine_file, for its kinematics */
 
 typedef struct {
     uint64_t slot;
@@ -23,6 +25,9 @@ typedef struct {
     record_pulse *pulse;
     size_t count, room;
     double steps_per_mm[3], slot_hz;
+    machine_file machine;       /* its kinematics       */
+    double motors[3];           /* after the last pulse */
+    double start[3];            /* of the tool          */
     double pen_down;            /* z in mm up to which the pen draws */
 } record;
 

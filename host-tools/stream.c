@@ -64,14 +64,14 @@ static void show(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
     char state[32], text[160];
+    double at[LOFT_AXES];
 
     measure_pace(r);
     state_text(r, state);
     size_t used = (size_t)snprintf(text, sizeof text, "%s %3u %%  queue %3u ", state, s->status.override, (unsigned)(s->ack.next - s->ack.executed));
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const double scale = (double)s->axis[i].steps_per_mm / 65536;
-        used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], (double)s->status.position[i] / scale);
-    }
+    stream_place(s, r->about->k, s->status.position, at);
+    for (int i = 0; i < LOFT_AXES; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], at[i]);
     progress_show(&r->bar, (double)s->status.ticks, text);
 }
 
@@ -80,13 +80,15 @@ static void tell(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
     char state[32];
+    double at[LOFT_AXES];
 
     state_text(r, state);
+    stream_place(s, r->about->k, s->status.position, at);
     progress_clear(&r->bar);
     fprintf(stderr, "item %u of %zu, %u queued, override %u %%, %s", (unsigned)s->ack.executed, r->j->count,
             (unsigned)(s->ack.next - s->ack.executed), s->status.override, state);
     for (int i = 0; i < LOFT_AXES; i++)
-        fprintf(stderr, " %c %.2f", "XYZABC"[i], (double)s->status.position[i] / s->axis[i].steps_per_mm * 65536);
+        fprintf(stderr, " %c %.2f", "XYZABC"[i], at[i]);
     fputc('\n', stderr);
 }
 
@@ -205,7 +207,7 @@ static bool obeyed(const loft_sender *s, enum loft_verb verb)
     return verb == LOFT_RESUME ? s->ack.state != LOFT_STATE_HELD && s->ack.state != LOFT_STATE_HOLDING : standing(s);
 }
 
-int stream_control(talk *t, enum loft_verb verb)
+int stream_control(talk *t, enum loft_verb verb, const kinematics *k)
 {
     loft_sender *s     = &t->sender;
     const double began = tool_clock();
@@ -223,5 +225,5 @@ int stream_control(talk *t, enum loft_verb verb)
         if (done <= 0 && obeyed(s, verb))
             done = tool_clock();
     }
-    return stream_obeyed(t, verb);
+    return stream_obeyed(t, verb, k);
 }

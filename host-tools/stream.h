@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 #include "drawing.h"        /* drawing */
-#include "job.h"            /* job  */
+#include "job.h"            /* job, kinematics */
 #include "talk.h"           /* talk */
 
 /* What is said of the drawing in the closing line. */
@@ -17,12 +17,13 @@ typedef struct {
     double tol;             /* mm, planned                                              */
     const drawing *d;
     const char *record;     /* the pulses that a simulated machine recorded, or NULL    */
+    const kinematics *k;
 } stream_subject;
 
 /* Begin `j` on the greeted machine and see it through. Gives an exit code, after the closing line or one error. */
 int stream_run(talk *t, job *j, const stream_subject *about);
 
 /* Hold, resume or abort whatever the machine does, and say where it stands. Gives an exit code. */
-int stream_control(talk *t, enum loft_verb verb);
+int stream_control(talk *t, enum loft_verb verb, const kinematics *k);
 
 #endif

@@ -11,13 +11,25 @@
 #include "stream_end.h"
 #include "tool.h"
 
-/* "12.345 8.000 1.000" of steps. */
-static const char *place(const loft_sender *s, const int32_t steps[LOFT_AXES], char text[96])
+void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES], double out[LOFT_AXES])
 {
-    size_t used = 0;
+    double at[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++)
-        used += (size_t)snprintf(text + used, 96 - used, "%s%.3f", i ? " " : "", (double)steps[i] * 65536 / (double)s->axis[i].steps_per_mm);
+        at[i] = (double)steps[i] * 65536 / (double)s->axis[i].steps_per_mm;
+    if (!kinematics_tool(k, at, out))
+        memcpy(out, at, sizeof at);
+}
+
+/* "12.345 8.000 1.000" of steps. */
+static const char *place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES], char text[96])
+{
+    double at[LOFT_AXES];
+    size_t used = 0;
+
+    stream_place(s, k, steps, at);
+    for (int i = 0; i < LOFT_AXES; i++)
+        used += (size_t)snprintf(text + used, 96 - used, "%s%.3f", i ? " " : "", at[i]);
     return text;
 }
 
@@ -77,7 +89,7 @@ static int read_record(const loft_sender *s, const char *file, record *r)
         if (code != 0)
             return code;
         for (int i = 0; i < LOFT_AXES && r->count > 0; i++)
-            complete = complete && lround(r->pulse[r->count - 1].at[i] * r->steps_per_mm[i]) == s->report.position[i];
+            complete = complete && lround(r->motors[i] * r->steps_per_mm[i]) == s->report.position[i];
         if (complete && r->count > 0)
             return 0;
         record_free(r);
@@ -155,7 +167,7 @@ int stream_ended(talk *t, const job *j, const stream_subject *about)
         if (s->refusal != LOFT_REFUSAL_NONE)
             return refused(t);
         return tool_error(EX_TEMPFAIL, "aborted after %u of %zu items: the machine stands on the path at %s mm, steps %s; the next job starts there",
-                          (unsigned)s->report.items, j->count, place(s, s->report.position, text), steps_text(s->report.position, other));
+                          (unsigned)s->report.items, j->count, place(s, j->k, s->report.position, text), steps_text(s->report.position, other));
     case LOFT_PHASE_BUSY:
         return tool_error(EX_TEMPFAIL, "%s: another job (%08x) is under way: wait, or end it with `loft stream --abort --port %s`",
                           t->port, (unsigned)s->machine.job, t->port);
@@ -178,11 +190,11 @@ int stream_interrupted(const talk *t, const job *j)
     if (s->ack.state != LOFT_STATE_HELD)
         return tool_error(EX_IOERR, "stopped, but the machine did not say that it stands: it runs out of items and then stands on the path");
     return tool_error(EX_TEMPFAIL, "held at item %u of %zu: the machine stands on the path at %s mm, steps %s; the same command goes on, "
-                      "`loft stream --abort --port %s` gives up", (unsigned)s->ack.executed, j->count, place(s, s->status.position, text),
+                      "`loft stream --abort --port %s` gives up", (unsigned)s->ack.executed, j->count, place(s, j->k, s->status.position, text),
                       steps_text(s->status.position, other), t->port);
 }
 
-int stream_obeyed(const talk *t, enum loft_verb verb)
+int stream_obeyed(const talk *t, enum loft_verb verb, const kinematics *k)
 {
     const loft_sender *s   = &t->sender;
     const bool told        = s->phase == LOFT_PHASE_ABORTED && s->report.job != 0;
@@ -190,6 +202,6 @@ int stream_obeyed(const talk *t, enum loft_verb verb)
     char text[96], other[96];
 
     printf("%s: %u items executed, at %s mm, steps %s\n", verb == LOFT_HOLD ? "held" : verb == LOFT_RESUME ? "resumed" : "aborted",
-           (unsigned)(told ? s->report.items : s->ack.executed), place(s, at, text), steps_text(at, other));
+           (unsigned)(told ? s->report.items : s->ack.executed), place(s, k, at, text), steps_text(at, other));
     return EX_OK;
 }

@@ -13,6 +13,9 @@ int stream_ended(talk *t, const job *j, const stream_subject *about);
 int stream_interrupted(const talk *t, const job *j);
 
 /* A hold, resume or abort from the command line was done. */
-int stream_obeyed(const talk *t, enum loft_verb verb);
+int stream_obeyed(const talk *t, enum loft_verb verb, const kinematics *k);
+
+/* Where the tool is for steps of the motors, in mm. */
+void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES], double out[LOFT_AXES]);
 
 #endif

@@ -48,23 +48,33 @@ static double size_of(const double v[ENGINE_AXES])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+static double along_of(const double v[ENGINE_AXES], const double a[ENGINE_AXES])
+{
+    const double speed = size_of(v);
+
+    return speed > AT_REST ? (v[0] * a[0] + v[1] * a[1] + v[2] * a[2]) / speed : size_of(a);
+}
+
 /* At the part z of a span that lasts h seconds. */
-static void motion_of(const engine_span *s, double h, double z, trace_motion *out)
+static void motion_of(const trace *t, const engine_span *s, double h, double z, trace_motion *out)
 {
     const double y = 1 - z;
+    kinematics_moving motors;
 
-    out->along = 0;
     for (int i = 0; i < ENGINE_AXES; i++) {
         const double p0 = s->p[0][i] * GRAIN, p1 = s->p[1][i] * GRAIN, p2 = s->p[2][i] * GRAIN, p3 = s->p[3][i] * GRAIN;
         out->x[i] = y * y * y * p0 + 3 * y * y * z * p1 + 3 * y * z * z * p2 + z * z * z * p3;
         out->v[i] = 3 * (y * y * (p1 - p0) + 2 * y * z * (p2 - p1) + z * z * (p3 - p2)) / h;
         out->a[i] = 6 * (y * (p0 - 2 * p1 + p2) + z * (p1 - 2 * p2 + p3)) / (h * h);
         out->j[i] = 6 * (p3 - 3 * p2 + 3 * p1 - p0) / (h * h * h);
-        out->along += out->v[i] * out->a[i];
+        motors.x[i] = out->x[i];
+        motors.v[i] = out->v[i];
+        motors.a[i] = out->a[i];
     }
-    out->speed = size_of(out->v);
-    out->jerk  = size_of(out->j);
-    out->along = out->speed > AT_REST ? out->along / out->speed : size_of(out->a);
+    if (!kinematics_move(t->joints->k, &motors, &out->tool))
+        out->tool = motors;             /* no plan leads there */
+    out->speed = size_of(out->tool.v);
+    out->along = along_of(out->tool.v, out->tool.a);
 }
 
 void trace_at(const trace *t, double seconds, size_t *near, trace_motion *out)
@@ -74,7 +84,7 @@ void trace_at(const trace *t, double seconds, size_t *near, trace_motion *out)
     while (*near + 1 < t->count && t->begin[*near + 1] <= seconds)
         ++*near;
     const double h = t->begin[*near + 1] - t->begin[*near];
-    motion_of(&t->span[*near], h, fmin(fmax((seconds - t->begin[*near]) / h, 0), 1), out);
+    motion_of(t, &t->span[*near], h, fmin(fmax((seconds - t->begin[*near]) / h, 0), 1), out);
 }
 
 
@@ -98,12 +108,13 @@ static void use_more(use *u, double part, double used_up, unsigned cause)
 static void use_accels(use *u, const trace *t, const trace_motion *m, double h, double share)
 {
     const double coarse = 12 * GRAIN / (h * h), coarser = 24 * GRAIN / (h * h * h);     /* what rounding may add */
+    const double speed = size_of(m->v), all = along_of(m->v, m->a);
     double bend = 0;
 
     for (unsigned i = 0; i < ENGINE_AXES; i++) {
-        const double along = m->speed > AT_REST ? m->along * m->v[i] / m->speed : m->a[i], across = m->a[i] - along;
-        const double most = t->limits.max_accel[i];
-        bend += across * across;
+        const double along = speed > AT_REST ? all * m->v[i] / speed : m->a[i], across = m->a[i] - along;
+        const double most = t->limits.max_accel[i], aside = m->tool.a[i] - (m->speed > AT_REST ? m->along * m->tool.v[i] / m->speed : m->tool.a[i]);
+        bend += aside * aside;
         if (t->limits.max_across > 0)
             use_more(u, (fabs(along) - coarse) / most, share * USED_UP_ACCEL, TRACE_ACCEL + i);
         else
@@ -138,10 +149,10 @@ static void add_moment(making *m, const engine_span *s, double begin, double h, 
     trace_motion first, middle, last;
     moment now = { .seconds = (float)(h * (to - from)) };
 
-    motion_of(s, h, from, &first);
-    motion_of(s, h, (from + to) / 2, &middle);
-    motion_of(s, h, to, &last);
-    now.move  = way_follow(&m->path, middle.x);
+    motion_of(m->t, s, h, from, &first);
+    motion_of(m->t, s, h, (from + to) / 2, &middle);
+    motion_of(m->t, s, h, to, &last);
+    now.move  = way_follow(&m->path, middle.tool.x);
     now.speed = (float)fmin(fmin(first.speed, middle.speed), last.speed);
     now.cause = cause_of(m->t, &middle, m->t->move[now.move].feed, h);
 
@@ -303,17 +314,18 @@ static void look(making *m)
         t->part[m->moment[i].move].share[m->moment[i].cause] += (double)m->moment[i].seconds;
 }
 
-int trace_make(trace *t, const engine *e, const engine_limits *limits, const engine_move move[], size_t moves)
+int trace_make(trace *t, const engine *e, const engine_limits *limits, const toolpath *path, const joints *of)
 {
+    const size_t moves = path->count;
     making m = { .t = t };
 
-    *t = (trace){ .limits = *limits, .move = move, .moves = moves };
+    *t = (trace){ .limits = *limits, .joints = of, .move = path->move, .moves = moves };
     t->part = tool_grow(NULL, moves * sizeof *t->part);
     for (size_t k = 0; k < moves; k++)
         t->part[k] = (trace_part){ .length = 0 };
-    way_make(&m.path, move, moves, limits->tol);
+    way_make(&m.path, path->move, moves, limits->tol);
     progress_start(&m.bar, 2 * way_length(&m.path));
-    const int status = e->plan(limits, move, moves, add_span, &m);
+    const int status = joints_plan(of, e, limits, add_span, &m);
     if (status == 0 && t->count > 0)
         look(&m);
     progress_clear(&m.bar);
@@ -339,7 +351,7 @@ void trace_add(trace_part *sum, const trace_part *p)
         sum->share[k] += p->share[k];
 }
 
-static void cause_words(unsigned cause, char out[24])
+static void cause_words(const char *axes, unsigned cause, char out[24])
 {
     static const char *const kinds[] = { "speed", "acceleration", "jerk" };
     static const char *const others[] = { "curvature", "corner", "stop" };
@@ -347,13 +359,13 @@ static void cause_words(unsigned cause, char out[24])
     if (cause == TRACE_FEED)
         snprintf(out, 24, "feed");
     else if (cause < TRACE_CURVATURE)
-        snprintf(out, 24, "%c %s", "xyz"[(cause - TRACE_SPEED) % 3], kinds[(cause - TRACE_SPEED) / 3]);
+        snprintf(out, 24, "%c %s", axes[(cause - TRACE_SPEED) % 3], kinds[(cause - TRACE_SPEED) / 3]);
     else
         snprintf(out, 24, "%s", others[cause - TRACE_CURVATURE]);
 }
 
 /* As many as needed for nine tenths of the time. */
-void trace_words(const trace_part *p, char *out, size_t size)
+void trace_words(const trace *t, const trace_part *p, char *out, size_t size)
 {
     double left[TRACE_CAUSES], told = 0;
     size_t used = 0;
@@ -365,7 +377,7 @@ void trace_words(const trace_part *p, char *out, size_t size)
         char words[24];
         for (unsigned k = 1; k < TRACE_CAUSES; k++)
             most = left[k] > left[most] ? k : most;
-        cause_words(most, words);
+        cause_words(kinematics_axes(t->joints->k), most, words);
         used += (size_t)snprintf(out + used, size - used, "%s%s %.0f %%", n ? ", " : "", words, 100 * left[most] / p->seconds);
         told += left[most];
         left[most] = 0;

@@ -12,6 +12,7 @@
 #define LOFT_TRACE_H
 
 #include "engine.h"         /* engine_span, engine_limits, engine_move */
+#include "joints.h"         /* joints */
 
 /* What holds a plan back; those of axes are three each, for x, y, z. */
 enum trace_cause {
@@ -26,8 +27,9 @@ enum trace_cause {
 };
 
 typedef struct {
-    double x[ENGINE_AXES], v[ENGINE_AXES], a[ENGINE_AXES], j[ENGINE_AXES];     /* mm, mm/s, mm/s^2, mm/s^3 */
-    double speed, along, jerk;      /* along the path; `jerk` is the length of j         */
+    double x[ENGINE_AXES], v[ENGINE_AXES], a[ENGINE_AXES], j[ENGINE_AXES];     /* of the motors, in mm, mm/s, mm/s^2, mm/s^3 */
+    kinematics_moving tool;
+    double speed, along;            /* of the tool, along its path                       */
 } trace_motion;
 
 /* A curve, or several of them. */
@@ -38,8 +40,9 @@ typedef struct {
 } trace_part;
 
 typedef struct {
-    engine_limits limits;
-    const engine_move *move;
+    engine_limits limits;           /* of the motors; tolerance and corner of the tool   */
+    const joints *joints;
+    const engine_move *move;        /* of the tool                                       */
     size_t moves;
     engine_span *span;
     double *begin;                  /* s; count + 1 of them                              */
@@ -48,8 +51,9 @@ typedef struct {
     trace_part *part;               /* of each move                                      */
 } trace;
 
-/* Plan and look. Gives enum loft_status. `move` must outlive it; free with trace_free. Shows a bar where it takes long. */
-int  trace_make(trace *t, const engine *e, const engine_limits *limits, const engine_move move[], size_t moves);
+/* Plan and look. Gives enum loft_status. `path` and `of`, which was made of it, must outlive it; free with trace_free. Shows a bar where it
+ * takes long. */
+int  trace_make(trace *t, const engine *e, const engine_limits *limits, const toolpath *path, const joints *of);
 void trace_free(trace *t);
 
 /* The motion at a time from 0 to t->seconds. *near is the span of the last call, 0 at first. */
@@ -59,6 +63,6 @@ void trace_at(const trace *t, double seconds, size_t *near, trace_motion *out);
 void trace_add(trace_part *sum, const trace_part *p);
 
 /* "feed 82 %, x jerk 18 %": what takes the most time first, as many as matter. */
-void trace_words(const trace_part *p, char *out, size_t size);
+void trace_words(const trace *t, const trace_part *p, char *out, size_t size);
 
 #endif

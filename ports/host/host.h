@@ -34,6 +34,7 @@ struct loft_host_options {
     unsigned ramp;              /* ticks from full pace to standing in a hold                                   */
     unsigned queue;             /* items, 1..32768                                                              */
     unsigned curves;            /* that its plan can hold, 4..4096; 0: it does not plan                         */
+    const char *note;           /* lines to be added to the head of the record, or NULL                         */
     double   noise;             /* of a million bits, how many are flipped on the line, each way                */
 };
 

@@ -21,6 +21,8 @@ static void write_header(FILE *file, const struct loft_host_options *o)
     fprintf(file, "# slot_hz = %.17g\n", (double)o->tick_hz * o->slots);
     for (int i = 0; i < LOFT_AXES; i++)
         fprintf(file, "# steps_per_mm_%c = %.17g\n", name[i], o->steps_per_mm[i]);
+    if (o->note)
+        fputs(o->note, file);
     fprintf(file, "slot");
     for (int i = 0; i < LOFT_AXES; i++)
         fprintf(file, ",%c", name[i]);
