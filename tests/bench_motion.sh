@@ -41,8 +41,7 @@ limits_rows() {
     done
     for num in q16 f64; do
         row "paths whose plan does not arrive or has gaps, $num" 0 "$(grep -c '^broken' "$build/limits-$num.out")" "$(pick limits-$num.out broken 3)"
-        row "distance from drawings and chains, of the tolerance, $num" 1 "$(pick limits-$num.out off 2)" "$(pick limits-$num.out off 3)"
-        row "distance of their places from the spans, $num" 1 "$(pick limits-$num.out missed 2)" "$(pick limits-$num.out missed 3)"
+        row "distance (Frechet) from drawings and chains, of the tolerance, $num" 1 "$(pick limits-$num.out off 2)" "$(pick limits-$num.out off 3)"
     done
 }
 
@@ -52,7 +51,6 @@ deviation_rows() {
         case $box in 10) peers="(0.1 mm and 16 arcs: 0.090, 0.020 mm)" ;; 50) peers="(0.097, 0.097 mm)" ;; 200) peers="(0.097, 0.34 mm)" ;; esac
         for num in q16 f64; do
             row "distance from $cubics random cubics in $box mm, of 0.005 mm, $num" 1 "$(pick deviation-$num.out off 2)" "$(pick deviation-$num.out off 3) $peers"
-            row "distance of their places from the spans, $num" 1 "$(pick deviation-$num.out missed 2)" "$(pick deviation-$num.out missed 3)"
         done
     done
 }

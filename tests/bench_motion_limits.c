@@ -9,9 +9,9 @@
 #include "motion_follow.h"  /* follow_path, uses_of_spans */
 #include "motion_paths.h"   /* test_paths                 */
 
-enum { SPEED, ALONG, ACCEL, JERK, JUMP, OFF, MISSED, KINDS_OF_USE };
+enum { SPEED, ALONG, ACCEL, JERK, JUMP, OFF, KINDS_OF_USE };
 
-static const char *const what[KINDS_OF_USE] = { "speed", "along", "accel", "jerk", "jump", "off", "missed" };
+static const char *const what[KINDS_OF_USE] = { "speed", "along", "accel", "jerk", "jump", "off" };
 static double worst[KINDS_OF_USE];
 static char   where[KINDS_OF_USE][40];
 static path   track;
@@ -44,10 +44,9 @@ static void measure(const char *name, bool corners, bool follow)
     take(JUMP, u.jump, name);
     if (!follow || count == 0)
         return;
-    const motion_follow f = follow_path(&track, chain, curves);
+    const motion_follow f = follow_path(&track, chain, curves, arb_value(limits.tol) / 64);
     take(ALONG, f.along, name);
     take(OFF, f.off / arb_value(limits.tol), name);
-    take(MISSED, f.missed / arb_value(limits.tol), name);
 }
 
 static void measure_chains(unsigned chains)

@@ -74,7 +74,7 @@ static void compare(const char *folder, const char *name)
     }
     read_spans(folder, name);
     take(0, fabs(seconds() / time - 1), name);
-    const motion_follow f = follow_path(&track, mine, mines);
+    const motion_follow f = follow_path(&track, mine, mines, arb_value(limits.tol) / 64);
     take(1, f.off / (arb_value(limits.tol) + 0x1p-16), name);
 }
 

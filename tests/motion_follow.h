@@ -1,150 +1,148 @@
 /* tests/motion_follow.h -- spans followed along their path: how far from it they are, and how fast where which feed is asked for
  * SPDX-License-Identifier: MIT
  *
- * Each span is looked at in parts. A part's place on the path is looked for near that of the part before. The distance is
- * refined around the farthest end of a part; the speed is that of the whole part, exactly.
+ * The distance is that of Frechet, the length of the leash on which one walks along the path and a dog along the spans, neither of them
+ * ever back: no part of the path is left out, none is passed twice. Path and spans become chords that leave them by at most 1/64 of
+ * the tolerance. Whether a leash will do is decided for these exactly: each chord of the one with each of the other is a cell whose
+ * places (s, t) within the leash are convex, so that what can be reached on its right and upper side follows from what was reached on the
+ * other two [Alt and Godau 1995]. Cells are visited in the order of time; of the path, those that can be reached are kept.
  */
 #ifndef LOFT_TESTS_MOTION_FOLLOW_H
 #define LOFT_TESTS_MOTION_FOLLOW_H
 
+#include <string.h>         /* memcpy */
+
+#ifndef PATH_MAX
+#  define PATH_MAX 200000
+#endif
 #include "motion_uses.h"    /* spans, limits, span_squares, quartic_peak */
 
-#define FOLLOW_PARTS 8
-
 typedef struct {
-    double off;         /* the largest distance of the spans from the path, mm                          */
-    double missed;      /* the largest distance of the path from the spans: of a tip that was cut, mm   */
-    double along;       /* speed along the path, part of the feed there                                 */
-    double length;      /* mm                                                                           */
+    double off;         /* the distance of spans and path, mm; at most a 32nd of the tolerance and what was asked for too large */
+    double along;       /* speed along the path, part of the feed there */
 } motion_follow;
 
 typedef struct {
-    path         *track;
-    unsigned      at;                       /* the chord near the end of the last part   */
-    double        s;                        /* where on the path that is, mm             */
-    double        extent;                   /* of the largest curve                      */
+    double low, high;   /* parts of a chord; none if high < low */
+} stretch;
+
+typedef struct {
+    const path   *track;
+    double        leash;
+    unsigned      first, last;      /* chords of the path that can be reached now */
     motion_follow out;
 } follower;
 
-/* A place of the path near a point. `shared`: the path passes there more than once. */
-typedef struct {
-    double   off, s;
-    unsigned chord;
-    bool     shared;
-} foothold;
+static const stretch nowhere = { 1, 0 };
+static stretch reached[PATH_MAX];   /* of them */
 
-/* The nearest place of the curve under chord j: thirds of the parameter, again and again. */
-static inline foothold nearest_under(const path *p, unsigned j, const double q[])
+static inline double follow_chord_error(void) { return arb_value(limits.tol) / 64; }
+
+/* The part of the chord a..b within `leash` of q. */
+static inline stretch stretch_near(const double a[], const double b[], const double q[], double leash)
 {
-    const loft_vec *c = p->chain[p->end[j + 1].curve].curve.p;
-    const double t1 = p->end[j + 1].t, t0 = p->end[j].curve == p->end[j + 1].curve ? p->end[j].t : 0;
-    double low = t0, high = t1, a[LOFT_AXES], b[LOFT_AXES];
+    double aa = 0, ab = 0, bb = 0;
 
-    for (int n = 0; n < 30; n++) {
-        const double third = (high - low) / 3;
-        cubic_at(c, low + third, a);
-        cubic_at(c, high - third, b);
-        if (distance(q, a) < distance(q, b)) high -= third; else low += third;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        aa += (a[i] - q[i]) * (a[i] - q[i]);
+        ab += (a[i] - q[i]) * (b[i] - a[i]);
+        bb += (b[i] - a[i]) * (b[i] - a[i]);
     }
-    const double part = (low - t0) / (t1 - t0);
-    return (foothold){ fmin(distance(q, a), distance(q, b)), p->end[j].s + part * (p->end[j + 1].s - p->end[j].s), j, false };
+    const double square = ab * ab - bb * (aa - leash * leash);
+    if (!(bb > 0))
+        return aa <= leash * leash ? (stretch){ 0, 1 } : nowhere;
+    if (square < 0)
+        return nowhere;
+    const stretch s = { fmax(0, (-ab - sqrt(square)) / bb), fmin(1, (-ab + sqrt(square)) / bb) };
+    return s;
 }
 
-/* The place of the path near q: the nearest one; of those as near as that, to 1/100 of the tolerance, the one that comes
- * nearest to `s`. Looked at are chords s - near..s + near; chord `at` is not far. */
-static inline foothold follow_locate(const path *p, unsigned at, const double q[], double s, double near)
-{
-    static double off[PATH_MAX];
-    const double same = arb_value(limits.tol) / 100;
-    foothold best = { 1e300, 0, at, false };
-    double nearest = 1e300;
-    unsigned first = at, last;
+static inline bool is_stretch(stretch s) { return s.low <= s.high; }
 
-    while (first > 0 && p->end[first].s > s - near)
-        first--;
-    while (first + 2 < p->count && p->end[first + 1].s < s - near)
-        first++;
-    for (last = first; last + 1 < p->count && (p->end[last].s <= s + near || last == first); last++) {
-        off[last] = chord_distance(q, p->end[last].at, p->end[last + 1].at);
-        nearest   = off[last] < nearest ? off[last] : nearest;
-    }
-    for (unsigned j = first; j < last; j++) {
-        if (off[j] > nearest + (p->end[j + 1].s - p->end[j].s) / 8 + same)
-            continue;
-        const foothold h = nearest_under(p, j, q), other = best;
-        const bool as_near = fabs(h.off - best.off) <= same;
-        if (h.off < best.off - same || (as_near && fabs(h.s - s) < fabs(best.s - s)))
-            best = h;
-        best.shared = as_near && (other.shared || fabs(h.s - other.s) > 10 * same);
-    }
-    return best;
+/* What of `side` can be reached in a cell: all of it from below, or what is not behind the place where it was entered. */
+static inline stretch onward(stretch side, stretch across, stretch opposite)
+{
+    return is_stretch(across) ? side : is_stretch(opposite) ? (stretch){ fmax(side.low, opposite.low), side.high } : nowhere;
 }
 
-/* Where q is, about `step` mm on; where a feature smaller than the tolerance is left out, it may be farther. */
-static inline foothold follow_step(const follower *f, const double q[], double step)
+/* The dog is at `from`, at the start: how far can one be? */
+static inline void follow_begin(follower *f, const double from[])
 {
-    const double tol = arb_value(limits.tol);
-    double near = step + 10 * tol;
-    const foothold h = follow_locate(f->track, f->at, q, f->s + step, near);
+    const path *p = f->track;
 
-    if (h.off <= tol)
-        return h;
-    near += 20 * tol * fmin(curves, 20) + f->extent / 50;
-    const foothold far = follow_locate(f->track, f->at, q, f->s + step, near);
-    return far.off < h.off ? far : h;
+    f->first = 0;
+    reached[0] = stretch_near(p->end[0].at, p->end[1].at, from, f->leash);
+    if (reached[0].low > 0)
+        reached[0] = nowhere;
+    for (f->last = 0; is_stretch(reached[f->last]) && reached[f->last].high >= 1 && f->last + 2 < p->count; ) {
+        const stretch next = stretch_near(p->end[f->last + 1].at, p->end[f->last + 2].at, from, f->leash);
+        f->last++;
+        reached[f->last] = next.low > 0 ? nowhere : next;
+    }
 }
 
-/* The largest feed of the curves near the chords first..last. */
-static inline double feed_near(const path *p, unsigned first, unsigned last)
+/* It runs from one place to another; false when the leash is too short. */
+static inline bool follow_run(follower *f, const double from[], const double to[])
 {
-    const double more = 4 * arb_value(limits.tol), from = p->end[first].s - more, to = p->end[last + 1].s + more;
+    const path *p = f->track;
+    stretch below = nowhere;
+    unsigned first = p->count, last = 0;
+
+    for (unsigned j = f->first; j + 1 < p->count && (j <= f->last || is_stretch(below)); j++) {
+        const stretch left = j <= f->last ? reached[j] : nowhere;
+        reached[j] = nowhere;
+        if (is_stretch(left) || is_stretch(below)) {
+            reached[j] = onward(stretch_near(p->end[j].at, p->end[j + 1].at, to, f->leash), below, left);
+            below = onward(stretch_near(from, to, p->end[j + 1].at, f->leash), left, below);
+        }
+        if (is_stretch(reached[j])) {
+            first = j < first ? j : first;
+            last  = j;
+        }
+    }
+    f->first = first;
+    f->last  = last;
+    return first < p->count;
+}
+
+/* A place on the path, mm. */
+static inline double place_on(const path *p, unsigned chord, double part)
+{
+    return p->end[chord].s + part * (p->end[chord + 1].s - p->end[chord].s);
+}
+
+/* The largest feed of the curves near the places that can be reached. */
+static inline double feed_near(const follower *f)
+{
+    const path *p = f->track;
+    const double more = 4 * arb_value(limits.tol);
+    const double from = place_on(p, f->first, reached[f->first].low) - more, to = place_on(p, f->last, reached[f->last].high) + more;
+    unsigned first = f->first, last = f->last;
     double feed = 0;
 
     while (first > 0 && p->end[first].s > from)
         first--;
     while (last + 2 < p->count && p->end[last + 1].s < to)
         last++;
-    for (unsigned c = p->end[first].curve; c <= p->end[last + 1].curve; c++)
+    for (unsigned c = p->end[first + 1].curve; c <= p->end[last + 1].curve; c++)
         feed = fmax(feed, arb_value(p->chain[c].feed));
     return feed;
 }
 
-/* The distance of a point from the part low..high of a span: thirds of its time, again and again. */
-static inline double span_distance(const loft_span *s, double low, double high, const double q[])
+/* Parts of a span that its chords leave by no more than they may. */
+static inline int parts_of(const loft_span *s)
 {
-    double a[LOFT_AXES], b[LOFT_AXES];
+    const double h = duration(s);
+    double most = 0;
 
-    for (int n = 0; n < 36; n++) {
-        const double third = (high - low) / 3;
-        cubic_at(s->p, low + third, a);
-        cubic_at(s->p, high - third, b);
-        if (distance(q, a) < distance(q, b)) high -= third; else low += third;
+    for (int end = 0; end < 2; end++) {
+        const motion m = span_at(s, end, limits.tick_hz);
+        double sum = 0;
+        for (int i = 0; i < LOFT_AXES; i++)
+            sum += m.a[i] * m.a[i];
+        most = fmax(most, sqrt(sum));
     }
-    return fmin(distance(q, a), distance(q, b));
-}
-
-/* While a part j of `parts` of span k passed, the path went from one chord to another: did the part come by all of them? */
-static inline void follow_missed(follower *f, unsigned k, int j, int parts, unsigned from)
-{
-    for (unsigned n = from + 2; n < f->at; n++) {
-        const double *node = f->track->end[n].at;
-        f->out.missed = fmax(f->out.missed, span_distance(&spans[k], fmax(0, j - 2.0) / parts, fmin(parts, j + 1.0) / parts, node));
-    }
-}
-
-/* Inside a part that begins at `s` of the path and is `step` long, is it farther off than at its ends? Thirds again. */
-static inline void follow_refine(follower *f, unsigned k, double low, double high, double s, double step)
-{
-    const double near = step + 10 * arb_value(limits.tol);
-
-    for (int n = 0; n < 6; n++) {
-        const double third = (high - low) / 3;
-        const motion a = span_at(&spans[k], low + third, limits.tick_hz), b = span_at(&spans[k], high - third, limits.tick_hz);
-        const double off_a = follow_locate(f->track, f->at, a.x, s + step / 2, near).off;
-        const double off_b = follow_locate(f->track, f->at, b.x, s + step / 2, near).off;
-        f->out.off = fmax(f->out.off, fmax(off_a, off_b));
-        if (off_a > off_b) high -= third; else low += third;
-    }
+    return 1 + (int)(h * sqrt(most / (8 * follow_chord_error())));
 }
 
 /* Its length, by 8 midpoints. */
@@ -156,41 +154,55 @@ static inline double part_length(const loft_span *s, double from, double to)
     return sum / 8 * (to - from) * duration(s);
 }
 
-/* Part j of `parts` of span k. */
-static inline void follow_part(follower *f, unsigned k, int j, int parts, double noise)
+/* Compare the speed in a part of span k with the feed there. */
+static inline void follow_feed(follower *f, unsigned k, double from, double to, double noise)
 {
-    const motion m = span_at(&spans[k], (double)j / parts, limits.tick_hz);
-    const double step = part_length(&spans[k], (j - 1.0) / parts, (double)j / parts), s = f->s;
-    const unsigned before = f->at;
     double q[5];
 
-    const foothold h = follow_step(f, m.x, step);
-    f->at = h.chord;
-    f->s  = h.shared ? fmin(s + step, f->track->length) : h.s;
-    f->out.length += step;
-    f->out.off = fmax(f->out.off, h.off);
-    if (h.off > 0.5 * arb_value(limits.tol))
-        follow_refine(f, k, (j - 1.0) / parts, (double)j / parts, s, step);
-    follow_missed(f, k, j, parts, before);
-    const double feed = feed_near(f->track, before < f->at ? before : f->at, before < f->at ? f->at : before);
-    span_squares(&spans[k], (j - 1.0) / parts, (double)j / parts, q);
-    f->out.along = fmax(f->out.along, use_of(sqrt(quartic_peak(q)), noise, feed));
+    span_squares(&spans[k], from, to, q);
+    f->out.along = fmax(f->out.along, use_of(sqrt(quartic_peak(q)), noise, feed_near(f)));
 }
 
-/* Follow the spans along `moved` moves. */
-static inline motion_follow follow_path(path *track, const loft_move moves[], unsigned moved)
+/* Can one walk along the path while the dog runs along the spans? `feed`: is speed compared with that of the place? */
+static inline bool follow_all(follower *f, double leash, bool feed)
 {
-    follower f = { .track = track };
     const double g = grain();
+    double at[LOFT_AXES], to[LOFT_AXES];
 
-    for (unsigned c = 0; c < moved; c++)
-        f.extent = fmax(f.extent, polygon_length(&moves[c].curve));
-    path_trace(track, moves, moved, fmax(f.extent / 100, arb_value(limits.tol) / 2));
+    f->leash = leash;
+    cubic_at(spans[0].p, 0, at);
+    follow_begin(f, at);
     for (unsigned k = 0; k < count; k++) {
-        const int parts = spans[k].ticks < FOLLOW_PARTS ? spans[k].ticks : FOLLOW_PARTS;
-        for (int j = 1; j <= parts; j++)
-            follow_part(&f, k, j, parts, sqrt(LOFT_AXES) * 3 * g / duration(&spans[k]));
+        const int parts = parts_of(&spans[k]);
+        for (int j = 1; j <= parts; j++) {
+            cubic_at(spans[k].p, (double)j / parts, to);
+            if (!follow_run(f, at, to))
+                return false;
+            memcpy(at, to, sizeof at);
+            if (feed)
+                follow_feed(f, k, (j - 1.0) / parts, (double)j / parts, sqrt(LOFT_AXES) * 3 * g / duration(&spans[k]));
+        }
     }
+    return f->last + 2 == f->track->count && reached[f->last].high >= 1;
+}
+
+/* Follow the spans along `moved` moves, and find their distance, which is at most the tolerance or else to `fine` mm. */
+static inline motion_follow follow_path(path *track, const loft_move moves[], unsigned moved, double fine)
+{
+    const double error = 2 * follow_chord_error();
+    follower f = { .track = track };
+    double low = 0, high = arb_value(limits.tol);
+
+    path_trace_near(track, moves, moved, follow_chord_error());
+    for (bool first = true; !follow_all(&f, high - error, first) && high < 1e3; first = false) {
+        low = high;
+        high *= 2;
+    }
+    while (high - low > fine && high > 1.5 * error) {
+        const double middle = fmax((low + high) / 2, 1.25 * error);
+        if (follow_all(&f, middle - error, false)) high = middle; else low = middle;
+    }
+    f.out.off = high;
     return f.out;
 }
 

@@ -94,6 +94,40 @@ static inline void path_trace(path *p, const loft_move moves[], unsigned count, 
     CHECK(p->count < PATH_MAX);
 }
 
+/* Chords that leave their curves by at most `error`: an eighth of the second derivative, which is largest at an end, times dt^2. */
+static inline double chord_error(const loft_vec c[4], double t, double dt)
+{
+    double most = 0;
+
+    for (int end = 0; end < 2; end++) {
+        double sum = 0;
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const double x0 = arb_value(c[0].axis[i]), x1 = arb_value(c[1].axis[i]), x2 = arb_value(c[2].axis[i]), x3 = arb_value(c[3].axis[i]);
+            const double bend = 6 * ((1 - t - end * dt) * (x0 - 2 * x1 + x2) + (t + end * dt) * (x1 - 2 * x2 + x3));
+            sum += bend * bend;
+        }
+        most = fmax(most, sqrt(sum));
+    }
+    return most * dt * dt / 8;
+}
+
+static inline void path_trace_near(path *p, const loft_move moves[], unsigned count, double error)
+{
+    p->chain  = moves;
+    p->count  = 0;
+    p->length = 0;
+    path_add(p, 0, 0);
+    for (unsigned c = 0; c < count; c++) {
+        double dt = 1;
+        for (double t = 0; t < 1; t += dt, path_add(p, c, t)) {
+            dt = fmin(1, 2 * dt);
+            while (fmod(t, dt) > 0 || chord_error(moves[c].curve.p, t, dt) > error)
+                dt /= 2;
+        }
+    }
+    CHECK(p->count < PATH_MAX);
+}
+
 static inline double chord_distance(const double q[], const double a[], const double b[])
 {
     double dot = 0, len = 0, at[LOFT_AXES];

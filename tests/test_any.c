@@ -3,11 +3,12 @@
  */
 #include "motion_any.h"     /* check_case */
 
-/* Each of them exceeded a limit once. */
+/* Each of them exceeded a limit once, or seemed to. */
 static const uint16_t once[] = {
     494, 1036, 1442, 2918,      /* the path turned around at both ends of less than 2^-18 mm                     */
     1582, 2952,                 /* a curve that came later asked to brake where the speed had just been raised   */
-    2954                        /* a change of curvature was eased across a place of rest                        */
+    2954,                       /* a change of curvature was eased across a place of rest                        */
+    970, 4351                   /* loops below the tolerance, which are passed all the same                      */
 };
 
 static void cases_that_were_violations_are_none(arb *a)
@@ -35,6 +36,6 @@ static void no_limit_is_exceeded_and_no_step_is_lost(arb *a)
 int main(void)
 {
     PROPERTY(cases_that_were_violations_are_none,        1);
-    PROPERTY(no_limit_is_exceeded_and_no_step_is_lost,  20);
+    PROPERTY(no_limit_is_exceeded_and_no_step_is_lost,  60);
     return check_failures();
 }

@@ -100,7 +100,7 @@ static void halve_spans(void)
     count *= 2;
 }
 
-/* Of places that are as near, to a hundredth of the tolerance, it takes the one further on. */
+/* It may cross itself and turn around. */
 static void a_chain_is_not_away_from_itself(arb *a)
 {
     even_limits(100, 1000, 0);
@@ -110,10 +110,7 @@ static void a_chain_is_not_away_from_itself(arb *a)
     spans_of_chain(100);
     for (int k = 0; k < 5; k++)
         halve_spans();
-    const motion_follow f = follow_path(&track, chain, curves);
-    CHECK_NEAR(f.off, 0, 0.013 * arb_value(limits.tol) + 4 * grain());
-    CHECK_NEAR(f.missed, 0, 0.1 * arb_value(limits.tol) + 4 * grain());
-    CHECK_NEAR(f.length, track.length, 0.001 * track.length + 1e-9);
+    CHECK(follow_path(&track, chain, curves, arb_value(limits.tol) / 64).off < arb_value(limits.tol) / 16 + 4 * grain());
 }
 
 /* The inner control points of a straight span moved aside by d: its middle is 3/4 d away. */
@@ -130,12 +127,12 @@ static void a_span_moved_aside_is_that_far_away(arb *a)
     spans_of_chain(200);
     for (int k = 1; k < 3; k++)
         spans[which].p[k].axis[1] += real_of(d);
-    const motion_follow f = follow_path(&track, chain, curves);
-    CHECK_NEAR(f.off, 0.75 * arb_value(real_of(d)), 1e-4 * d);
+    const double off = follow_path(&track, chain, curves, d / 10000).off - 0.75 * arb_value(real_of(d));
+    CHECK(off > -1e-4 * d && off < arb_value(limits.tol) / 32 + 2e-4 * d);
 }
 
 /* There and back, of a length, left out. */
-static void a_tip_that_is_left_out_is_missed(arb *a)
+static void a_tip_that_is_left_out_is_a_distance(arb *a)
 {
     const double tip = arb_decades(a, 0.05, 0.09), x[LOFT_AXES] = { 1 }, y[LOFT_AXES] = { 0, 1 };
     const double u[4] = { 0, 10 / 3.0, 20 / 3.0, 10 }, zero[4] = { 0 }, w[4] = { 0, tip, tip, 0 };
@@ -148,9 +145,8 @@ static void a_tip_that_is_left_out_is_missed(arb *a)
     spans_of_chain(200);
     spans[1] = spans[2];
     count = 2;
-    const motion_follow f = follow_path(&track, chain, curves);
-    CHECK(f.off < 1e-5);
-    CHECK_NEAR(f.missed, 0.75 * tip, 0.002 * tip + 0.0001);
+    const double off = follow_path(&track, chain, curves, tip / 10000).off - 0.75 * tip;
+    CHECK(off > -1e-4 * tip && off < arb_value(limits.tol) / 32 + 2e-4 * tip + 2 * grain());
 }
 
 /* A span on a slow curve that lasts as long as if it were fast. */
@@ -164,7 +160,7 @@ static void speed_is_compared_with_the_feed_of_the_place(arb *a)
     add_curve(x, y, u, w, 60);
     add_curve(x, y, u, w, 60 * slow);
     spans_of_chain(1000);
-    CHECK_NEAR(follow_path(&track, chain, curves).along, 1 / slow, 0.001 / slow);
+    CHECK_NEAR(follow_path(&track, chain, curves, 1).along, 1 / slow, 0.001 / slow);
 }
 
 static void steps_arrive_where_the_spans_do(arb *a)
@@ -186,7 +182,7 @@ int main(void)
     PROPERTY(uses_agree_with_differences_of_places,              100);
     PROPERTY(a_chain_is_not_away_from_itself,                     60);
     PROPERTY(a_span_moved_aside_is_that_far_away,                 40);
-    PROPERTY(a_tip_that_is_left_out_is_missed,                    20);
+    PROPERTY(a_tip_that_is_left_out_is_a_distance,                20);
     PROPERTY(speed_is_compared_with_the_feed_of_the_place,        10);
     PROPERTY(steps_arrive_where_the_spans_do,                     20);
     return check_failures();
