@@ -205,8 +205,9 @@ size: lib/names.h
 	@sh tests/size.sh $(NUM) $(AXES)
 
 # --- firmware: each port brings its own rules, and what check-target is to run of it -------------------
-TARGET_STAGES := check-sums check-calls bench-polygon check-boards
+TARGET_STAGES := check-sums check-calls bench-polygon check-boards check-units
 include ports/boards.mk $(sort $(wildcard ports/*/port.mk))
+include tests/target/units.mk
 
 ## Build the firmware of every board, and print what it takes of flash and RAM   or one: make firmware-stm32f405
 .PHONY: firmware

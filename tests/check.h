@@ -7,6 +7,8 @@
  *     static void ends_on_the_last_point(arb *a) { ... CHECK(x == y); ... }
  *     int main(void) { PROPERTY(ends_on_the_last_point, 2000); return check_failures(); }
  *
+ * On a target, CHECK_SHARE leaves one of so many seeds; loops over all of something go by CHECK_STEP,
+ * and a sum over all seeds is asked for only if !check_sampled().
  * Each property prints one line, `ok` or `FAIL`; check_failures() prints the sums and gives the exit code.
  */
 #ifndef LOFT_TESTS_CHECK_H
@@ -30,6 +32,10 @@
 #else
 #  define BY_NUM(q16, f32, f64) (f64)
 #  define CHECK_NUM "f64"
+#endif
+
+#ifndef CHECK_SHARE
+#  define CHECK_SHARE 1
 #endif
 
 static unsigned check_passed, check_failed;
@@ -59,7 +65,16 @@ static inline void check_near(double got, double want, double bound, const char 
     check_bad = true;
 }
 
-#define PROPERTY(name, times) check_property(#name, name, (times))
+/* Is this a run of less than all seeds? */
+static inline bool check_sampled(void) { return CHECK_SHARE > 1 || getenv("LOFT_SEED") != NULL; }
+
+/* The step of a loop over all of something. */
+#define CHECK_STEP (CHECK_SHARE > 1 ? 31 : 1)
+
+#define PROPERTY(name, times) check_property(#name, name, ((times) + CHECK_SHARE - 1) / CHECK_SHARE)
+
+/* One of which a single seed is a matter of seconds: left out, and said so, where CHECK_SHARE is more than 1. */
+#define PROPERTY_LONG(name, times) (CHECK_SHARE > 1 ? check_left(#name, name) : PROPERTY(name, times))
 
 static inline void check_property(const char *name, void (*property)(arb *), unsigned times)
 {
@@ -77,6 +92,12 @@ static inline void check_property(const char *name, void (*property)(arb *), uns
         check_passed++;
     printf("%s %s %s (%u)\n", check_bad ? "FAIL" : "ok  ", CHECK_NUM, name, times);
     fflush(stdout);
+}
+
+static inline void check_left(const char *name, void (*property)(arb *))
+{
+    (void)property;
+    printf("left %s %s (too long for a share of the seeds)\n", CHECK_NUM, name);
 }
 
 static inline int check_failures(void)

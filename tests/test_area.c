@@ -131,7 +131,7 @@ static void a_patch_without_extent_has_none(arb *a)
 int main(void)
 {
     PROPERTY(an_area_is_within_its_tolerance, 12);
-    PROPERTY(a_finer_tolerance_is_kept_too, 2);
+    PROPERTY_LONG(a_finer_tolerance_is_kept_too, 2);
     PROPERTY(a_plane_patch_is_exact, 12);
     PROPERTY(what_cannot_be_answered_is_refused, 2);
     PROPERTY(a_patch_without_extent_has_none, 5);

@@ -208,7 +208,7 @@ static void plans_stay_within_the_sum_of_both_tolerances(arb *a)
 int main(void)
 {
     PROPERTY(chords_are_within_the_sum_of_both_tolerances, 60);
-    PROPERTY(lengths_differ_by_the_tolerance_times_the_turning, 40);
-    PROPERTY(plans_stay_within_the_sum_of_both_tolerances, 20);
+    PROPERTY_LONG(lengths_differ_by_the_tolerance_times_the_turning, 40);
+    PROPERTY_LONG(plans_stay_within_the_sum_of_both_tolerances, 20);
     return check_failures();
 }

@@ -235,7 +235,7 @@ static void no_one_or_two_flipped_bits_pass(arb *a)
     scene s = arb_scene(a, LOFT_FRAME_CONTENT);
     const size_t bits = 8 * s.size[1];
 
-    for (size_t i = 0; i < bits; i++) {
+    for (size_t i = 0; i < bits; i += CHECK_STEP) {
         flip(s.wire[1], i);
         CHECK(survives(&s, s.wire[1], s.size[1], true));
         for (size_t j = i + 1; j < bits; j++) {

@@ -144,7 +144,7 @@ static void each_axis_keeps_to_its_limits_at_any_override(arb *a)
 static void ticks_were_shorter_than_planned(arb *a)
 {
     (void)a;
-    CHECK(hurried > 1000);
+    CHECK(check_sampled() || hurried > 1000);
 }
 
 /* From 0 to 2 the pace takes twice the ramp, in which as many ticks of the plan pass as would at pace 1. */
@@ -169,7 +169,7 @@ static void with_limits_far_away_200_percent_is_half_the_time(arb *a)
 
 int main(void)
 {
-    PROPERTY(each_axis_keeps_to_its_limits_at_any_override,     BY_NUM(8, 4, 4));
+    PROPERTY_LONG(each_axis_keeps_to_its_limits_at_any_override,    BY_NUM(8, 4, 4));
     PROPERTY(ticks_were_shorter_than_planned,                   1);
     PROPERTY(with_limits_far_away_200_percent_is_half_the_time, BY_NUM(5, 2, 2));
     return check_failures();

@@ -427,8 +427,8 @@ int main(void)
     PROPERTY(the_spans_are_those_of_the_plan,                6);
     PROPERTY(the_lower_limit_holds,                          4);
     PROPERTY(impossible_jobs_are_refused,                    1);
-    PROPERTY(a_drawing_is_planned_and_drawn_whatever_happens, 2);
-    PROPERTY(a_small_ring_draws_it_too,                      2);
+    PROPERTY_LONG(a_drawing_is_planned_and_drawn_whatever_happens, 2);
+    PROPERTY_LONG(a_small_ring_draws_it_too,                      2);
     PROPERTY(an_aborted_drawing_stands_on_the_path,          3);
     PROPERTY(limits_that_are_impossible_refuse_the_job,      1);
     PROPERTY(a_machine_without_a_planner_is_sent_no_curves,  1);

@@ -195,7 +195,7 @@ static void cut(arb *a, uint32_t at, bool up, bool kill)
 /* The cable is out for 20 ms, or the sender dies, after any byte that either side sends. */
 static void a_cut_after_any_byte_is_repaired(arb *a)
 {
-    const uint32_t step = BY_NUM(1, 97, 97);
+    const uint32_t step = BY_NUM(1, 97, 97) * CHECK_STEP;
     for (uint32_t at = arb_below(a, step); at < 2600 && !check_bad; at += step) {
         cut(a, at, at & 1, false);
         cut(a, at, at & 1, true);

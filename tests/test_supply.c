@@ -190,7 +190,7 @@ static void print_a_table(arb *a)
 
 int main(void)
 {
-    PROPERTY(print_a_table,                                            1);
+    PROPERTY_LONG(print_a_table,                                       1);
     PROPERTY(a_line_of_any_rate_makes_an_even_pace,                   BY_NUM(15, 2, 2));
     PROPERTY(portions_of_any_size_make_no_oscillation_of_their_own,   BY_NUM(15, 2, 2));
     PROPERTY(a_cut_line_lets_the_machine_come_to_a_stand,             BY_NUM(20, 2, 2));

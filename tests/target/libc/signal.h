@@ -1,0 +1,13 @@
+/* tests/target/libc/signal.h -- an interrupt in place of an alarm
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_TARGET_SIGNAL_H
+#define LOFT_TARGET_SIGNAL_H
+
+#define SIGALRM 14
+#define SIG_IGN ((void (*)(int))0)
+
+/* `handler` is called in the timer's interrupt; SIG_IGN stops the timer. */
+void signal(int number, void (*handler)(int));
+
+#endif

@@ -1,0 +1,17 @@
+/* tests/target/libc/stdio.h -- what tests use of <stdio.h>: the debugger's console
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_TARGET_STDIO_H
+#define LOFT_TARGET_STDIO_H
+
+#include <stddef.h>
+
+typedef struct { int unused; } FILE;
+#define stdout ((FILE *)0)
+
+/* %s %c %d %u %x, with l, ll and z, and %g %f %e, always with an exponent; widths and flags are passed over. */
+int printf(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+static inline int fflush(FILE *file) { (void)file; return 0; }
+
+#endif
