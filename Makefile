@@ -224,10 +224,15 @@ build/target/stores.so: tests/target/stores.c
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(CFLAGS) $(STD) -shared -fPIC $< -o $@
 
-## Run a whole job on each 32-bit board in QEMU: every pulse at the pins
+build/target/bad_line: tests/target/bad_line.c tests/line.h build/q16x3/libloft.a
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) -Itests $(call num_flag,q16) $(filter %.c %.a,$^) -o $@
+
+## Run a whole job on each 32-bit board in QEMU: every pulse at the pins, over a bad line as well
 .PHONY: check-boards
-check-boards: $(addprefix firmware-,$(FIRMWARES)) build/target/stores.so $(TOOL_OUT)/loft
-	@bash tests/target/qemu.sh build/firmware $(TOOL_OUT)/loft build/target/stores.so
+check-boards: $(addprefix firmware-,$(FIRMWARES)) build/target/stores.so build/target/bad_line $(TOOL_OUT)/loft
+	@bash tests/target/qemu.sh build/firmware $(TOOL_OUT)/loft build/target/stores.so build/target/bad_line
 
 # --- make bench: build/bench/bench<axes>, with each of AGG, GSL and cairo that pkg-config finds --------
 BENCH_LIBS := $(foreach l,gsl cairo $(if $(shell command -v $(CXX)),libagg),$(shell pkg-config --exists $(l) 2>/dev/null && echo $(l)))

@@ -12,7 +12,7 @@ sh tests/outline_array.sh > "$dir/outline.h"
 for core in cortex-m0 cortex-m4; do
     for jerk in 0 10000; do
         arm-none-eabi-gcc -mthumb -mcpu=$core -O2 -std=c99 -ffreestanding -nostdlib -ffunction-sections -Wl,--gc-sections \
-            -Ilib -Itests/target -I"$dir" -DLOFT_AXES=3 -DJERK=$jerk -DMOVES=4 -DPIECES=32 -T tests/target/netduino.ld tests/target/microbit.c tests/target/motion.c \
+            -Ilib -Itests/target -I"$dir" -DLOFT_AXES=3 -DJERK=$jerk -DMOVES=4 -DPIECES=32 -T tests/target/netduino.ld tests/target/microbit.c tests/target/semihost.S tests/target/motion.c \
             lib/num/*.c lib/geom/*.c lib/basis/*.c lib/curve/*.c lib/motion/*.c -lgcc -o "$dir/motion-$core.elf"
         timeout 200 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none -icount shift=0 \
             -semihosting-config enable=on,target=native -kernel "$dir/motion-$core.elf" > "$dir/said" 2>&1 || { cat "$dir/said"; exit 1; }

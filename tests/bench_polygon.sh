@@ -13,7 +13,7 @@ flags="-std=c99 -O2 -ffunction-sections -Wl,--gc-sections -Ilib -Itests/target -
 ${CC:-cc} $flags -o "$dir/here" && "$dir/here" > "$dir/here.said" ||
     { echo "FAIL does not build here"; echo "0 passed, 1 failed"; exit 1; }
 for core in cortex-m4 cortex-m0; do
-    arm-none-eabi-gcc -mthumb -mcpu=$core -ffreestanding -nostdlib $flags tests/target/microbit.c -T tests/target/netduino.ld -lgcc -o "$dir/$core.elf" &&
+    arm-none-eabi-gcc -mthumb -mcpu=$core -ffreestanding -nostdlib $flags tests/target/microbit.c tests/target/semihost.S -T tests/target/netduino.ld -lgcc -o "$dir/$core.elf" &&
     timeout 200 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none -icount shift=0 \
         -semihosting-config enable=on,target=native -kernel "$dir/$core.elf" > "$dir/$core.said" 2>&1 || { echo "FAIL $core"; : > "$dir/$core.said"; }
 done

@@ -21,7 +21,7 @@ sources_of() {  # sources_of PART: what the part is linked with
 : > $work/here
 : > $work/atmega328p
 : > $work/cortex-m0
-m0="arm-none-eabi-gcc -mthumb -mcpu=cortex-m0 -ffreestanding -nostdlib -T tests/target/microbit.ld tests/target/microbit.c"
+m0="arm-none-eabi-gcc -mthumb -mcpu=cortex-m0 -ffreestanding -nostdlib -T tests/target/microbit.ld tests/target/microbit.c tests/target/semihost.S"
 for part in 1 2 3 4; do
     sources=$(sources_of $part)
     flags="-std=c99 -ffunction-sections -Wl,--gc-sections -Ilib -DPART=$part"

@@ -26,7 +26,6 @@ static void rung(void)
 #define REG(address)    (*(volatile uint32_t *)(uintptr_t)(address))
 #define CMP             0x02004000      /* mtimecmp */
 #define TIME            0x0200BFF8      /* mtime, 10 MHz */
-#define CSR(what)       ".option push\n .option arch, +zicsr\n " what "\n .option pop"
 
 void alarm_stop(void)
 {
@@ -36,8 +35,8 @@ void alarm_stop(void)
 /* Of the timer alone; not in an interrupt, which is not to be interrupted itself. */
 static void let_interrupts_come(void)
 {
-    __asm__ volatile (CSR("csrs mie, %0") : : "r" (1u << 7) : "memory");
-    __asm__ volatile (CSR("csrs mstatus, %0") : : "r" (8u) : "memory");
+    __asm__ volatile ("csrs mie, %0" : : "r" (1u << 7) : "memory");
+    __asm__ volatile ("csrs mstatus, %0" : : "r" (8u) : "memory");
 }
 
 void setitimer(int which, const struct itimerval *once, struct itimerval *before)
@@ -56,7 +55,7 @@ void trap(void)
 {
     uint32_t cause;
 
-    __asm__ volatile (CSR("csrr %0, mcause") : "=r" (cause));
+    __asm__ volatile ("csrr %0, mcause" : "=r" (cause));
     if (cause == 0x80000007) {
         rung();
         return;

@@ -13,7 +13,7 @@ flags="-std=c99 -ffunction-sections -fdata-sections -Wl,--gc-sections -Ilib -Ite
 avr-gcc -mmcu=atmega328p -Os $flags $sources -o "$dir/calls.elf" &&
 timeout 100 simavr -m atmega328p -f 16000000 "$dir/calls.elf" 2>&1 | sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' >"$dir/atmega328p"
 for core in cortex-m0 cortex-m4; do
-    arm-none-eabi-gcc -mthumb -mcpu=$core -O2 -ffreestanding -nostdlib $flags -T tests/target/netduino.ld tests/target/microbit.c $sources -lgcc \
+    arm-none-eabi-gcc -mthumb -mcpu=$core -O2 -ffreestanding -nostdlib $flags -T tests/target/netduino.ld tests/target/microbit.c tests/target/semihost.S $sources -lgcc \
         -o "$dir/calls-$core.elf" &&
     timeout 100 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none -icount shift=0 \
         -semihosting-config enable=on,target=native -kernel "$dir/calls-$core.elf" >"$dir/$core" 2>&1

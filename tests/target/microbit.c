@@ -1,10 +1,12 @@
 /* tests/target/microbit.c -- what a program needs to run on a Cortex-M0 in QEMU (-M microbit) without a library
  * SPDX-License-Identifier: MIT
  *
- * The vector table, a start that clears memory, and output through the debugger: semihosting, which QEMU answers.
+ * The vector table, a start that clears memory, and output through the debugger (semihost.S).
  */
 #include <stddef.h>
 #include <stdint.h>
+
+#include "semihost.h"           /* semihost, semihost_exit */
 
 void debugger_put(char c);
 int  main(void);
@@ -14,33 +16,16 @@ void *memset(void *to, int value, size_t count);
 
 extern uint32_t bss_begin[], bss_end[], stack_top[];
 
-static uint32_t semihost(uint32_t operation, const void *argument)
-{
-    register uint32_t r0 __asm__("r0") = operation;
-    register const void *r1 __asm__("r1") = argument;
-
-    __asm__ volatile ("bkpt 0xab" : "+r" (r0) : "r" (r1) : "memory");
-    return r0;
-}
-
 /* SYS_WRITEC */
 void debugger_put(char c) { semihost(3, &c); }
 
-static void leave(uint32_t code)
-{
-    const uint32_t reason[2] = { 0x20026, code };   /* SYS_EXIT_EXTENDED, ADP_Stopped_ApplicationExit */
-
-    for (;;)
-        semihost(0x20, reason);
-}
-
-static void fault(void) { leave(70); }
+static void fault(void) { semihost_exit(70); }
 
 void reset(void)
 {
     for (uint32_t *p = bss_begin; p < bss_end; p++)
         *p = 0;
-    leave((uint32_t)main());
+    semihost_exit((uint32_t)main());
 }
 
 typedef union {

@@ -1,20 +1,22 @@
 #!/bin/bash
 # tests/target/qemu.sh -- a whole job on each 32-bit board in QEMU: every pulse at the pins, in the order of the simulated machine
 # SPDX-License-Identifier: MIT
-# usage: tests/target/qemu.sh FIRMWARE_FOLDER LOFT PLUGIN.so
+# usage: tests/target/qemu.sh FIRMWARE_FOLDER LOFT PLUGIN.so BAD_LINE
+# The same over a bad line (bad_line.c): bytes flipped, lost, doubled, put in; the cable out again and again; the sender killed and started again.
 # Counted instructions are the clock (-icount): a slot lasts as on a real part, idle time is skipped. An emulated line has no speed.
 set -u
-firmware=$1 loft=$2 plugin=$3
+firmware=$1 loft=$2 plugin=$3 bad_line=$4
 drawing=tests/drawings/outline12.csv feed=50
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
 
 . tests/target/rows.sh
 result=/dev/null          # each lane writes its own
 
-# board NAME QEMU MACHINE SHIFT "MACHINE'S NUMBERS" HOW..: a drawing here and there, planned by the host or the chip
+# board NAME QEMU MACHINE SHIFT "MACHINE'S NUMBERS" HOST|CHIP [FAULT SEED]: a drawing here and there, planned by the host or the chip
 board() {
-    local name=$1 qemu=$2 machine=$3 shift=$4 numbers=$5 plan=$6 elf=$firmware/$1/loft.elf extra=() code
-    local at=$tmp/$name-$plan log=$tmp/$name-$plan/log what="$1, planned on the $6"
+    local name=$1 qemu=$2 machine=$3 shift=$4 numbers=$5 plan=$6 fault=${7:-none} seed=${8:-1} elf=$firmware/$1/loft.elf extra=() code port
+    local at=$tmp/$name-$plan-$fault-$seed what="$1, planned on the $6"
+    local log=$at/log
     mkdir "$at"
     case $name in
     nrf51)      extra=(-trace nrf51_gpio_write -D "$log") ;;
@@ -22,14 +24,38 @@ board() {
                 extra=(-bios none -plugin "$plugin,lo=$pins,hi=$(printf '0x%x' $((pins + 64))),out=$log") ;;
     *)          extra=(-d unimp -D "$log") ;;
     esac
-    # shellcheck disable=SC2086
-    "$loft" simulate --link "$at/here" --record "$at/here.csv" --once --quiet $numbers >"$at/said" & local here=$!
-    for _ in $(seq 100); do [ -e "$at/here" ] && break; sleep 0.02; done
-    timeout 40 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "$at/here" >"$at/planned" 2>&1; wait $here
+    if [ $fault = none ]; then
+        # shellcheck disable=SC2086
+        "$loft" simulate --link "$at/here" --record "$at/here.csv" --once --quiet $numbers >"$at/said" & local here=$!
+        for _ in $(seq 100); do [ -e "$at/here" ] && break; sleep 0.02; done
+        timeout 40 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "$at/here" >"$at/planned" 2>&1; wait $here
+    else
+        cp "$tmp/$name-$plan-none-1/here.csv" "$at"         # the run over a good line came before
+    fi
     timeout 100 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" -icount "shift=$shift,sleep=off" "${extra[@]}" \
         -chardev "socket,id=s0,path=$at/sock,server=on,wait=on" -serial chardev:s0 >"$at/qemu" 2>&1 & local child=$!
     for _ in $(seq 250); do [ -e "$at/sock" ] && break; sleep 0.02; done
-    timeout 60 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$at/sock" >"$at/out" 2>"$at/err" </dev/null; code=$?
+    port=$at/sock
+    case $fault in
+    none)   local line= ;;
+    bytes)  what="$what, 0.4 % of all bytes damaged, seed $seed"; line="115200 $seed 1000 0 1" ;;
+    cuts)   what="$what, the cable out for up to 0.5 s, seed $seed"; line="9600 $seed 0 3000 500" ;;
+    killed) what="$what, the sender killed"; line="9600 $seed 0 0 1" ;;
+    esac
+    if [ -n "$line" ]; then
+        # shellcheck disable=SC2086
+        "$bad_line" "$at/bad" "$at/sock" $line >"$at/line" & local between=$!
+        port=$at/bad
+        for _ in $(seq 100); do [ -e "$port" ] && break; sleep 0.02; done
+    fi
+    if [ $fault = killed ]; then            # some time after the first pulses
+        "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" >"$at/first" 2>&1 </dev/null & local first=$!
+        for _ in $(seq 500); do [ -s "$log" ] && [ "$(wc -l <"$log")" -gt 1000 ] && break; sleep 0.02; done
+        sleep 0.2
+        { kill -KILL $first; wait $first; } 2>/dev/null
+    fi
+    timeout 60 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" >"$at/out" 2>"$at/err" </dev/null; code=$?
+    [ -z "$line" ] || { kill $between; wait $between; }
     kill $child; wait $child 2>/dev/null
     [ $code = 0 ] || sed 's/^/     /' "$at/err" "$at/qemu"
     python3 tests/target/pins.py "$name" "$log" > "$at/csv"
@@ -37,6 +63,11 @@ board() {
     row "$what: the command ends well" "$code" = 0
     row "$what: steps told and steps counted at the pins" "$(tail -1 "$at/csv" | awk -F, '{ print $2, $3, $4 }')" = "$(told "$at/out")"
     row "$what: every axis steps as on the simulated machine" "$(path_of "$at/csv")" = "$(path_of "$at/here.csv")"
+    case $fault in
+    none)   ;;
+    killed) row "$what: the second one goes on at item" "$(sed -n 's/.*resuming at item \([0-9]*\) of.*/\1/p' "$at/err")" ">=" 1; return ;;
+    *)      row "$what: bytes damaged, and times that the cable was out" "$(awk '{ print $2 + $4 }' "$at/line")" ">=" 3; return ;;
+    esac
     row "$what: frames sent twice" "$(sed -n 's/.* \([0-9]*\) of [0-9]* frames resent.*/\1/p' "$at/out" "$at/err")" = 0
 }
 
@@ -48,9 +79,17 @@ mps2="--steps 250 --max-speed 160 --accel 1000 --slots 40 --queue 1024 --ramp 16
 (   board stm32f405   qemu-system-arm     netduinoplus2 3 "$f405" host
     board nrf51       qemu-system-arm     microbit      6 "--steps 250 --max-speed 80 --accel 500 --slots 20 --queue 160 --ramp 80" host
     board stm32f405   qemu-system-arm     netduinoplus2 3 "$f405" chip
-    board riscv-virt  qemu-system-riscv32 virt          3 "$mps2" host
+    for fault in "bytes 1" "bytes 2" "cuts 1" "killed 1"; do
+        # shellcheck disable=SC2086
+        board stm32f405 qemu-system-arm   netduinoplus2 3 "$f405" host $fault
+    done
 ) > "$tmp/result2" & other=$!
-for m in mps2-an385 mps2-an386 mps2-an500 mps2-an505; do board $m qemu-system-arm $m 5 "$mps2" host; done | tee "$tmp/result"
+(   for m in mps2-an385 mps2-an386 mps2-an500 mps2-an505; do board $m qemu-system-arm $m 5 "$mps2" host; done
+    for fault in none "bytes 1" "cuts 1" "killed 1"; do
+        # shellcheck disable=SC2086
+        board riscv-virt qemu-system-riscv32 virt 3 "$mps2" host $fault
+    done
+) | tee "$tmp/result"
 wait $other
 cat "$tmp/result2"
 

@@ -10,9 +10,10 @@ UNITS      := build/units
 UNIT_TESTS := $(filter-out harmonic wire_page yardstick topp,$(TESTS))
 UNIT_BASE  := libc/quad libc/int128 libc/aeabi libc/math libc/print alarm units
 UNIT_FLAGS  = -std=c99 -ffreestanding -O1 -Xclang -mlong-double-128 -Xclang -fforce-enable-int128 -ffp-contract=off '-D__float128=long double' \
-              -Wall -Wextra -Wno-unused-function -Wno-sometimes-uninitialized -Wno-conditional-uninitialized -Wno-pass-failed -Itests/target/libc -Itests/target -Itests -Ilib -DLOFT_AXES=3
+              -Wall -Wextra -Werror=implicit-function-declaration -Wno-unused-function -Wno-sometimes-uninitialized \
+              -Itests/target/libc -Itests/target -Itests -Ilib -DLOFT_AXES=3
 
-# unit_set NAME, number type, clang's flags of the core, start
+# unit_set NAME, number type, clang's flags of the core, what it starts with
 define unit_set
 $(UNITS)/$(1)/test_%.o: tests/test_%.c $(LIB_HDR) $(wildcard tests/*.h tests/target/libc/*.h)
 	@mkdir -p $$(@D)
@@ -32,15 +33,15 @@ $(eval $(call unit_set,v7m-q16,Q16,$(UNIT_ARM)v7m-none-eabi -mcpu=cortex-m3,star
 $(eval $(call unit_set,v7em-f32,F32,$(UNIT_ARM)v7em-none-eabihf -mcpu=cortex-m4,start_cortex))
 $(eval $(call unit_set,rv32-q16,Q16,--target=riscv32-unknown-elf -march=rv32imac -mabi=ilp32 -mcmodel=medany -mno-relax,))
 
-# unit_board NAME, set: the whole library as its firmware has it, in an archive
+# unit_board NAME, tool prefix: the whole library as its firmware has it, in an archive
 define unit_board
 $(UNITS)/$(1)/libloft.a: $(patsubst %.c,build/firmware/$(1)/%.o,$(LIB_SRC) ports/bare/memory.c)
 	@mkdir -p $$(@D)
-	$$(Q)rm -f $$@; $(3)-ar rcs $$@ $$^
+	$$(Q)rm -f $$@; $(2)-ar rcs $$@ $$^
 UNIT_ALL += $(UNITS)/$(1)/libloft.a
 endef
-$(foreach b,nrf51 stm32f405 mps2-an385 mps2-an500 mps2-an505,$(eval $(call unit_board,$(b),,arm-none-eabi)))
-$(eval $(call unit_board,riscv-virt,,riscv64-unknown-elf))
+$(foreach b,nrf51 stm32f405 mps2-an385 mps2-an500 mps2-an505,$(eval $(call unit_board,$(b),arm-none-eabi)))
+$(eval $(call unit_board,riscv-virt,riscv64-unknown-elf))
 
 # the same library in f32 for a Cortex-M4F
 $(UNITS)/stm32f405-f32/%.o: %.c $(LIB_HDR)
@@ -52,10 +53,13 @@ $(UNITS)/stm32f405-f32/libloft.a: $(patsubst %.c,$(UNITS)/stm32f405-f32/%.o,$(LI
 UNIT_ALL += $(UNITS)/stm32f405-f32/libloft.a $(foreach s,v6m-q16 v7m-q16 v7em-f32 rv32-q16,$(UNIT_OBJ_$(s))) $(patsubst %,$(UNITS)/%.o,riscv-start riscv-semihost arm-semihost)
 
 $(UNITS)/riscv-start.o: ports/riscv-virt/start.S
+	@mkdir -p $(@D)
 	$(Q)$(RISCV_GCC) -c $< -o $@
 $(UNITS)/riscv-semihost.o: tests/target/semihost.S
+	@mkdir -p $(@D)
 	$(Q)$(RISCV_GCC) -c $< -o $@
 $(UNITS)/arm-semihost.o: tests/target/semihost.S
+	@mkdir -p $(@D)
 	$(Q)arm-none-eabi-gcc -mthumb -mcpu=cortex-m0 -c $< -o $@
 $(UNITS)/quad_check: tests/target/libc/quad_check.c tests/target/libc/quad.c
 	@mkdir -p $(@D)
