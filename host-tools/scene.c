@@ -158,6 +158,15 @@ static spot on_canvas(const scene *s, const plot_view *v, const double p[3])
     return (spot){ plot_x(v, at.x), plot_y(v, at.y), at.near };
 }
 
+void scene_place(const scene *s, const plot_view *v, const double p[3], double out[3])
+{
+    const spot at = on_canvas(s, v, p);
+
+    out[0] = at.x;
+    out[1] = at.y;
+    out[2] = at.near;
+}
+
 typedef void point_visit(void *context, const double p[3]);
 
 /* All that must be seen. */

@@ -56,6 +56,12 @@ void scene_look(scene *s);
 /* The scale on the canvas, units per mm, so that all of it is in the middle of the frame of `v`: v->scale, x0, y0. */
 void scene_fit(const scene *s, plot_view *v);
 void scene_paint(const scene *s, const plot_view *v);
+
+/* Write their heights on the contours that are seen. */
+void scene_label(const scene *s, const plot_view *v);
+
+/* Where a point is on the canvas, and how near. */
+void scene_place(const scene *s, const plot_view *v, const double p[3], double out[3]);
 void scene_free(scene *s);
 
 

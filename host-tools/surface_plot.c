@@ -77,6 +77,7 @@ static int draw(surface_view *s, bool png)
     cairo_set_source_rgb(s->v.cairo, 1, 1, 1);
     cairo_paint(s->v.cairo);
     scene_paint(&s->scene, &s->v);
+    scene_label(&s->scene, &s->v);
     surface_frame(s);
     return plot_end(&s->v, canvas, s->o->output);
 }

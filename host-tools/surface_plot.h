@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: MIT
  *
  *     scene.c          the view, what hides what, shades and colours
+ *     scene_label.c    heights written on contours
  *     surface_plot.c   one picture of all surfaces of a file
  *     surface_frame.c  what stands around it: title, axes, legend, scale
  */
