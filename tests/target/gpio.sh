@@ -63,20 +63,20 @@ print(sum(len(a) for a in rows(sys.argv[1]) for b in [0]) and all(a == b[:len(a)
 P
 }
 
-# paper NAME WHAT: the job by loft-gpio-NAME, here, on lines of paper, behind a pseudo terminal
+# paper NAME WHAT PLAN: the job by loft-gpio-NAME, here, on lines of paper, behind a pseudo terminal, planned by the host or the machine
 paper() {
     local dump=$tmp/dump.$1
     LOFT_PAPER=$tmp/paper "$guest/loft-gpio-$1" --once --record "$tmp/record" link="$tmp/paper.$1" priority=0 chip=/dev/0 x.step=0 x.dir=1 enable="2 low" \
         z.step=3 z.dir=4 y.step=/dev/1:0 y.dir=/dev/1:1 >"$tmp/said" 2>&1 & local machine=$!
     for _ in $(seq 100); do [ -e "$tmp/paper.$1" ] && break; sleep 0.02; done
-    timeout 60 "$loft" stream "$drawing" --feed $feed --port "$tmp/paper.$1" >"$tmp/out" 2>&1 </dev/null; code=$?
+    timeout 60 "$loft" stream "$drawing" --feed $feed --plan="$3" --port "$tmp/paper.$1" >"$tmp/out" 2>&1 </dev/null; code=$?
     wait $machine
     echo "code $?" >> "$tmp/said"
     {   printf '=== map0\ngpiochip0: GPIOs 0-7, parent: none, motors\ngpiochip1: GPIOs 100-107, parent: none, switches\n=== paper0.said\n'
         cat "$tmp/said"; echo "=== paper0.record"; cat "$tmp/record"; echo "=== paper0.lines"; cat "$tmp/paper"; echo "=== paper0.pulls"
     } > "$dump"
     python3 tests/target/gpio_wave.py "$dump" paper0 "$tmp/paper.csv" >"$tmp/chip"
-    echo "-- on paper, under $2"
+    echo "-- on paper, under $2, planned by the $3"
     row "the command ends well"                               "$code" = 0
     row "the program ends well"                               "$(value code)" = 0
     row "every axis steps as on the simulated machine"        "$(path_of "$tmp/paper.csv")" = "$(path_of "$tmp/here.fast")"
@@ -117,8 +117,8 @@ for version in 1 2; do
     for case in whole estop limit term plain gone; do send $case$version || break; done
 done
 wait $qemu; ended=$?
-paper race ThreadSanitizer
-paper memory AddressSanitizer
+paper race ThreadSanitizer host
+paper memory AddressSanitizer chip
 refuses 64 'no axis: give a file'                       chip=/dev/0
 refuses 64 'what is --lok'                              --lok
 refuses 65 'there is no such key: see --help'           chip=/dev/0 w.step=1
