@@ -35,7 +35,7 @@ static void no_limit_is_exceeded_and_no_step_is_lost(arb *a)
 
 int main(void)
 {
-    PROPERTY(cases_that_were_violations_are_none,        1);
+    PROPERTY_LONG(cases_that_were_violations_are_none,   1);
     PROPERTY(no_limit_is_exceeded_and_no_step_is_lost,  60);
     return check_failures();
 }
