@@ -17,7 +17,7 @@
  *     P0   P0 + V0 m / 3   P1 - V1 m / 3   P1                        from one knot to the m-th after it
  *
  * that passes the knots in time, within an eighth of the tolerance, at the velocity of the B-spline, to 1/1024, at all knots and
- * half way between them, and with its acceleration within the limits. Where jerk is limited its acceleration is also that of the
+ * half way between them, with its speed and acceleration within the limits everywhere. Where jerk is limited its acceleration is also that of the
  * B-spline at all knots, as closely as the rounding of a beat's control points would leave it, and its jerk within the limit.
  */
 #include "motion/plan.h"
@@ -215,6 +215,22 @@ static void interpolate(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AX
     }
 }
 
+/* The velocity of an axis is a parabola with control values v0, v1, v2, the differences of the points times 3 / m. If v1 is beyond both others it
+ * turns around at v0 + (v1 - v0)^2 / (v1 - v0 + v1 - v2). */
+static bool runs_within(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc d0 = p[1][i] - p[0][i], d1 = p[2][i] - p[1][i], d2 = p[3][i] - p[2][i], rise = d1 - d0, fall = d1 - d2;
+        const loft_acc most = (plan->speed[i] + plan->speed[i] / 2048) * (int32_t)m;
+        const bool turns = (rise > 0) == (fall > 0) && size_of(rise) > 0 && size_of(fall) > 0;
+        const loft_acc peak = turns ? d0 + loft_acc_scale(rise, loft_unit_ratio(size_of(rise), size_of(rise + fall))) : d0;
+
+        if (3 * size_of(d0) > most || 3 * size_of(d2) > most || 3 * size_of(peak) > most)
+            return false;
+    }
+    return true;
+}
+
 static bool accelerates_within(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -277,7 +293,7 @@ static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][
         const state s = state_at(p, i, m, t);
         const loft_acc v = (c[i] - a[i]) / 2, bend = a[i] - 2 * b[i] + c[i], e = size_of(s.speed - v);
         const loft_acc most = plan->accel[i] / 256 < GRAINS ? plan->accel[i] / 256 : GRAINS;
-        if (size_of(s.speed) > plan->speed[i] + plan->speed[i] / 1024 || (jerk && size_of(s.accel - bend * (int32_t)(m * m)) > most * (int32_t)(m * m)))
+        if (jerk && size_of(s.accel - bend * (int32_t)(m * m)) > most * (int32_t)(m * m))
             return false;
         off  += size_of(s.at - b[i] - loft_acc_ratio(bend, 6));
         off_speed = e > off_speed ? e : off_speed;
@@ -306,7 +322,7 @@ static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
     const loft_acc tol = loft_wide(plan->law.course.budget.tol) / 8;
 
     interpolate(plan, m, p);
-    if (!accelerates_within(plan, m, p) || !accelerates_between(plan, m, p))
+    if (!runs_within(plan, m, p) || !accelerates_within(plan, m, p) || !accelerates_between(plan, m, p))
         return false;
     for (unsigned j = 0; j <= m; j++)
         if (!passes(plan, m, j, p, tol) || (j < m && !runs_between(plan, m, j, p)))
