@@ -93,6 +93,8 @@ rate() { awk -v rate="$1" '$1 == rate { print $2 }' "$tmp/line"; }
 row "points per second at 115200, 3 axes, clean" 302 "$(rate 0)" ">=" 9000
 row "the same, bit errors 1e-5" - "$(rate 1e-05)" ">=" 8500
 note "the same, bit errors 1e-4" "$(rate 0.0001)"
+on_chip "$bin/chip" "$elf" "$loft" stream $drawing --points --feed 50 --jerk 0 --lift 0 --port "$tmp/port"
+row "what the chip does of them at 1000 ticks per second, the drawing at 3000 mm/min" - "$(awk -v n="$(sed -n 's/.* out for \([0-9]*\) points.*/\1/p' "$tmp/out")" -v t="$(seconds)" 'BEGIN { if (t) printf "%.0f", n / t }')" ">=" 980
 
 for class in bits lost doubled inserted; do
     for half in 1 2; do "$bin/bench_frames" $class $((FRAMES / 2)) $half >"$tmp/$class$half" & done

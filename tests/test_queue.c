@@ -65,11 +65,18 @@ static void items_come_out_in_order_and_unchanged(arb *a)
         }
         if (arb_below(a, 3) == 0) {
             const loft_item want = numbered(polled);
-            const volatile loft_item *oldest = loft_queue_peek(&q);
+            const volatile loft_item *oldest = loft_queue_peek(&q, 0);
             CHECK((oldest != NULL) == (polled < pushed));
             if (oldest != NULL)
                 item = *oldest;
             CHECK(polled == pushed || same(&item, &want));
+            const uint16_t k = (uint16_t)arb_below(a, CELLS + 2u);
+            const loft_item later = numbered(polled + k);
+            oldest = loft_queue_peek(&q, k);
+            CHECK((oldest != NULL) == (k < pushed - polled));
+            if (oldest != NULL)
+                item = *oldest;
+            CHECK(oldest == NULL || same(&item, &later));
         }
         if (arb_below(a, 3) == 0)
             CHECK(loft_queue_room(&q) == count - (pushed - polled));

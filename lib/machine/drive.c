@@ -11,7 +11,7 @@
 /* What a tick is, for counting it once its last pulse is given. */
 enum { NO_TICK = 0, TICK = 1, LAST_TICK = 2 };     /* LAST_TICK: of its item */
 
-/* How many items one call looks at. The queue empties by at most one item per tick, so any number above 1 catches up. */
+/* How many items one call looks at, or looks ahead. The queue empties by at most one item per tick, so any number above 1 catches up. */
 #define LOOKS 8
 
 static void copy(volatile int32_t to[LOFT_AXES], const volatile int32_t from[LOFT_AXES])
@@ -353,20 +353,36 @@ static void walk_item(loft_drive_walk *walk, const volatile loft_item *item, con
     }
 }
 
-/* The tick may take the item while this runs: the number tells when the walk is to be used. The tick leaves
- * walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. */
+/* Is the next span that needs a walk prepared, be it behind some that need none? */
+static bool is_prepared(const loft_drive *d)
+{
+    return d->ready && (uint8_t)(d->ready_item - d->item) < LOOKS;
+}
+
+/* The tick may take items while this runs: the number tells when the walk is to be used. The tick leaves
+ * walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. Items of one tick need no walk. */
 void loft_drive_prepare(loft_drive *d)
 {
-    if (!d->active || is_ready(d) || d->kind != LOFT_SPANS)
+    const volatile int32_t *from = d->from;
+    const volatile loft_item *item;
+    uint8_t number, behind = 0;
+
+    if (!d->active || is_prepared(d) || d->kind != LOFT_SPANS)
         return;
     d->ready = 0;
-    const uint8_t number = d->item;
-    const volatile loft_item *item = loft_queue_peek(&d->queue);
-    if (!item || item->ticks == 1)
+    do {
+        number = d->item;
+        item   = loft_queue_peek(&d->queue, 0);
+    } while (number != d->item);
+    for (; item && item->ticks == 1 && behind < LOOKS - 1; item = loft_queue_peek(&d->queue, behind)) {
+        from = item->p[2];
+        behind++;
+    }
+    if (!item || item->ticks == 1 || number != d->item)     /* items taken meanwhile: another time */
         return;
-    walk_item(&d->walk[!d->which], item, d->from);
+    walk_item(&d->walk[!d->which], item, from);
     LOFT_BARRIER();
-    d->ready_item = number;
+    d->ready_item = (uint8_t)(number + behind);
     d->ready = 1;
 }
 
@@ -389,11 +405,13 @@ static bool next_span(loft_drive *d)
         return false;
     const bool ready = is_ready(d);
     d->item++;
-    if (ready)
-        d->which ^= 1;
-    else if (LOFT_MACHINE_TICK_PREPARES && item->ticks > 1)
-        walk_item(&d->walk[d->which], item, d->from);
-    d->ready = 0;
+    if (item->ticks > 1) {
+        if (ready)
+            d->which ^= 1;
+        else if (LOFT_MACHINE_TICK_PREPARES)
+            walk_item(&d->walk[d->which], item, d->from);
+        d->ready = 0;
+    }
     copy(d->from, item->p[2]);
     d->left = item->ticks;
     d->cap = loft_queue_cell(&d->queue, 0)->cap;

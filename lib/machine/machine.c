@@ -205,9 +205,11 @@ static void act(loft_machine *m, enum loft_event event, const loft_event_data *w
 
 void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count)
 {
+    loft_drive_prepare(&m->drive);              /* here and in loft_machine_poll: each takes a millisecond on an 8-bit part */
     for (size_t i = 0; i < count; i++) {
         if (!loft_receiver_push(&m->receiver, byte[i]))
             continue;
+        loft_drive_prepare(&m->drive);          /* looking through a frame takes as long, too */
         const loft_standing now = standing(m);
         loft_event_data what;
         enum loft_event event;

@@ -49,7 +49,7 @@ const volatile loft_item *loft_queue_last(const loft_queue *q)
     return &q->cell[q->head ? q->head - 1 : q->count - 1].item;
 }
 
-const volatile loft_item *loft_queue_peek(const loft_queue *q)
+const volatile loft_item *loft_queue_peek(const loft_queue *q, uint16_t index)
 {
     uint16_t once, tail = q->tail;
 
@@ -57,7 +57,11 @@ const volatile loft_item *loft_queue_peek(const loft_queue *q)
         once = tail;
         tail = q->tail;
     } while (once != tail);
-    return q->cell[tail].cap ? &q->cell[tail].item : NULL;
+    if (index >= q->count)
+        return NULL;
+    const uint32_t at = (uint32_t)tail + index;
+    const volatile loft_cell *cell = &q->cell[at < q->count ? at : at - q->count];
+    return cell->cap ? &cell->item : NULL;
 }
 
 uint16_t loft_queue_look(loft_queue *q)

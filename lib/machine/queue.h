@@ -52,9 +52,9 @@ const volatile loft_item *loft_queue_last(const loft_queue *q);
 /* Items that can be appended now. */
 uint16_t loft_queue_room(loft_queue *q);
 
-/* The oldest item, or NULL. It stays as it is until the producer appends the next one, but the consumer may take it meanwhile:
- * ask the consumer's count before and after. */
-const volatile loft_item *loft_queue_peek(const loft_queue *q);
+/* Of the items in it, number `index` from the oldest; NULL if there are not so many. It stays as it is until the producer appends the next
+ * one, but the consumer may take items meanwhile: ask the consumer's count before and after. */
+const volatile loft_item *loft_queue_peek(const loft_queue *q, uint16_t index);
 
 
 // Consumer
