@@ -236,7 +236,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const char *types = "q16,f32,f64", *than = "exact", *text = NULL;
     unsigned n        = 1024;
     curves all        = { 0 };
-    int first;
+    const char *file;
 
     const tool_option options[] = {
         TOOL_TEXT("num", "TYPE,..", &types, "number types to measure (q16,f32,f64)"),
@@ -245,16 +245,13 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         TOOL_OPTIONS_END
     };
-    int code = tool_options(self, options, argc, argv, &first);
+    int code = tool_file_options(self, options, argc, argv, &text, &file);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
     const engine *against = engine_find(than);
     if (against == NULL && strcmp(than, "exact") != 0)
         return tool_error(EX_USAGE, "--against %s: give exact, q16, f32 or f64", than);
 
-    const char *file = tool_file(self, argc, argv, first, text);
-    if (file == NULL)
-        return EX_USAGE;
     code = curves_read(&all, file, text);
     if (code == 0)
         code = compare_types(types, against, &all, n, text ? "--points" : source_name(file));

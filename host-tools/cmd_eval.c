@@ -165,7 +165,7 @@ static int run(const tool_command *self, int argc, char **argv)
     curves all       = { 0 };
     surfaces patches = { 0 };
     bool shape       = false;
-    int first;
+    const char *file;
 
     const tool_option options[] = {
         TOOL_LIST("t", "T,..", &t, -1e6, 1e6, "parameters, 0..1 on a Bezier curve (the middle)"),
@@ -175,14 +175,11 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_ENGINE(&e, "number type: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
     };
-    int code = tool_options(self, options, argc, argv, &first);
+    int code = tool_file_options(self, options, argc, argv, &text, &file);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
     if (shape && t.count > 0)
         return tool_error(EX_USAGE, "--shape and --t: give one of them: a shape is that of the whole curve");
-    const char *file = tool_file(self, argc, argv, first, text);
-    if (file == NULL)
-        return EX_USAGE;
     if (text == NULL)
         code = surfaces_read(&patches, file);
     if (code == 0 && patches.count > 0) {

@@ -54,7 +54,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const char *text = NULL;
     double tol       = 0.01;
     curves all       = { 0 };
-    int first;
+    const char *file;
 
     const tool_option options[] = {
         TOOL_NUMBER("tol", "MM", &tol, 1e-6, 1000, "how far a chord may leave its curve, rounding included (0.01)"),
@@ -62,13 +62,10 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_ENGINE(&e, "number type: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
     };
-    int code = tool_options(self, options, argc, argv, &first);
+    int code = tool_file_options(self, options, argc, argv, &text, &file);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
 
-    const char *file = tool_file(self, argc, argv, first, text);
-    if (file == NULL)
-        return EX_USAGE;
     code = curves_read(&all, file, text);
     if (code == 0) {
         flattening f = { .p = { e, all.solid }, .tol = tol };

@@ -164,7 +164,7 @@ static int run(const tool_command *self, int argc, char **argv)
     tool_list at       = { .count = 0 };
     harmonic_series s;
     reading r          = { .n = 0 };
-    int first;
+    const char *file;
 
     const tool_option options[] = {
         TOOL_TEXT("output", "FILE", &output, "or -o: where the table goes, .h (C, for the number type) or .csv"),
@@ -172,14 +172,11 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_ENGINE(&e, "number type of the table: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
     };
-    int code = tool_options(self, options, argc, argv, &first);
+    int code = tool_file_options(self, options, argc, argv, NULL, &file);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
     if (at.count != 0 && at.count != 2)
         return tool_error(EX_USAGE, "--at: %zu numbers: give X,Y", at.count);
-    const char *file = tool_file(self, argc, argv, first, NULL);
-    if (file == NULL)
-        return EX_USAGE;
     code = read_polygon(&r, file);
     round_vertices(&r, e);
     if (code == 0)

@@ -80,7 +80,7 @@ static int run(const tool_command *self, int argc, char **argv)
     unsigned n       = 64;
     curves all       = { 0 };
     surfaces patches = { 0 };
-    int first;
+    const char *file;
 
     const tool_option options[] = {
         TOOL_COUNT("n", "N", &n, 1, 1e9, "equal parameter steps per piece of a curve (64)"),
@@ -88,13 +88,10 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_ENGINE(&e, "number type: q16, f32 or f64 (q16)"),
         TOOL_OPTIONS_END
     };
-    int code = tool_options(self, options, argc, argv, &first);
+    int code = tool_file_options(self, options, argc, argv, &text, &file);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
 
-    const char *file = tool_file(self, argc, argv, first, text);
-    if (file == NULL)
-        return EX_USAGE;
     if (text == NULL)
         code = surfaces_read(&patches, file);
     if (code == 0 && patches.count > 0) {

@@ -15,6 +15,19 @@
 // Reading
 // -------
 
+/* A line of G-code near the beginning: a letter and a number, as G21, N10 or M3. */
+static bool is_gcode(const char *text)
+{
+    for (int line = 0; line < 20 && *text != '\0'; line++) {
+        text += strspn(text, " \t\r");
+        if (strchr("GMNgmn", *text) && *text != '\0' && strspn(text + 1, "0123456789") > 0)
+            return true;
+        text += strcspn(text, "\n");
+        text += *text == '\n';
+    }
+    return false;
+}
+
 static int read_text(drawing *d, const char *file, const char *text, size_t size)
 {
     if (text[strspn(text, " \t\r\n")] == '\0' && strlen(text) == size)
@@ -27,6 +40,8 @@ static int read_text(drawing *d, const char *file, const char *text, size_t size
         return tool_error(EX_DATAERR, "%s: is not text: a drawing is expected, SVG, CSV or .loft", file);
     if (curves_is_text(file, text))
         return drawing_read_curves(d, file, text);
+    if (is_gcode(text))
+        return tool_error(EX_DATAERR, "%s: is G-code: give the drawing that it was made of, as SVG, CSV or .loft, or its points as .loft `line`", file);
     return drawing_read_csv(d, file, text, size);
 }
 

@@ -230,10 +230,14 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
     return code;
 }
 
-const char *tool_file(const tool_command *self, int argc, char **argv, int first, const char *points)
+int tool_file_options(const tool_command *self, const tool_option options[], int argc, char **argv, const char *const *points, const char **file)
 {
-    if (argc - first <= (points == NULL))
-        return first < argc ? argv[first] : "-";
-    (void)tool_error(EX_USAGE, "%s: give one file%s: see `loft %s --help`", argv[argc - 1], points ? " or --points, not both" : "", self->name);
-    return NULL;
+    int first;
+    const int code = tool_options(self, options, argc, argv, &first);
+    const bool given = points != NULL && *points != NULL;
+
+    if (code == 0 && argc - first > !given)
+        return tool_error(EX_USAGE, "%s: give one file%s: see `loft %s --help`", argv[argc - 1], given ? " or --points, not both" : "", self->name);
+    *file = first < argc ? argv[first] : "-";
+    return code;
 }

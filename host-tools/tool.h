@@ -80,7 +80,8 @@ typedef struct {
 /* Read the options of `self` from argv[1..]; what remains is argv[*first .. argc-1]. Gives 0, TOOL_HELP or EX_USAGE. */
 int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv, int *first);
 
-/* The file of a command that takes one, "-" if none is named, or else the text of --points (NULL: not given); NULL after printing one line. */
-const char *tool_file(const tool_command *self, int argc, char **argv, int first, const char *points);
+/* The same for a command that takes one file: its name, "-" if none is said, or else what --points says (NULL: there is no such option, or
+ * it is not given). */
+int tool_file_options(const tool_command *self, const tool_option options[], int argc, char **argv, const char *const *points, const char **file);
 
 #endif

@@ -333,6 +333,7 @@ case_bad_drawings() {
     printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M 0 0' >"$tmp/broken.svg"
     printf '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm"></svg>' >"$tmp/empty.svg"
     printf 'this is no drawing\n' >"$tmp/text.txt"
+    printf '(made by x)\n%%\nG21 G90\nG1 X1 Y2 F100\n' >"$tmp/job.nc"; one_line 65 'job.nc: is G-code' "$loft" stream "$tmp/job.nc" --dry-run
     head -c 4096 /dev/urandom >"$tmp/random.bin"
     : >"$tmp/nothing"
     one_line 66 'no such file' "$loft" stream "$tmp/absent.svg" --dry-run
