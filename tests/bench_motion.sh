@@ -106,7 +106,7 @@ chip_rows() {   # the planner on an AVR, as check-avr-plan measures it: its boun
     chip=$(sed -n 's/.* planned on an \([a-z0-9]*\) .*/\1/p' "$build/avr.out")
     row "ATmega328P: CPU while planning the outline at 3000 mm/min, %" 60 \
         "$(said 'time of planning over the time of the motion' | awk '{ print $1 * 100 }')" "on an ${chip:-AVR: make check-avr-plan}"
-    row "ATmega328P: bytes of RAM for the planner" 900 "$(said 'RAM of the planner: plan, 2 curves, 8 pieces')" "plan, 2 curves, 8 pieces"
+    row "ATmega328P: bytes of RAM for the planner" 900 "$(said 'RAM of the planner: plan, 2 curves, 6 pieces')" "plan, 2 curves, 6 pieces"
     row "ATmega328P: bytes of flash, planning alone" 32768 "$(said flash)"
     row "ATmega328P: time / (L / v + v / a)" 1.02 "$(said 'time over length \/ speed + speed \/ acceleration')"
 }

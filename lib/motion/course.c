@@ -20,6 +20,8 @@
  */
 #include "motion/course.h"
 
+#include "motion/scope.h"   /* loft_scope_init, loft_scope_join */
+
 #define GOALS   8       /* steps in which a brake's rising line is drawn in a stretch */
 
 static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
@@ -77,6 +79,11 @@ static loft_plan_piece *add_piece(loft_course *c)
     return p;
 }
 
+static bool set_piece(loft_plan_piece *p, const loft_course *c, const loft_arc *arc, const loft_arc_shape *shape, loft_real feed)
+{
+    return LOFT_BUDGET_JERK(&c->budget) ? loft_profile_init(p, &c->budget, arc, shape, feed) : loft_scope_init(p, &c->budget, arc, shape, feed);
+}
+
 /* The next part of the curve that can be one piece; gives the parameter of its end. */
 static uint32_t cut_arc(const loft_course *c, loft_arc *arc, loft_arc_shape *shape, loft_plan_piece *p, loft_real feed)
 {
@@ -84,8 +91,8 @@ static uint32_t cut_arc(const loft_course *c, loft_arc *arc, loft_arc_shape *sha
     uint32_t to = loft_arc_next(arc, curve, c->at);
 
     loft_arc_measure(arc, shape);
-    while (arc->length > 0 && !loft_profile_init(p, &c->budget, arc, shape, feed) && to - c->at > 1
-           && arc->length > loft_budget_beat(&c->budget, p->cap)) {
+    while (arc->length > 0 && !set_piece(p, c, arc, shape, feed) && to - c->at > 1
+           && arc->length > loft_budget_beat(&c->budget, p->cap) / (LOFT_BUDGET_JERK(&c->budget) ? 1 : 32)) {
         to = c->at + (to - c->at) / 2;
         loft_arc_cut(arc, curve, c->at, to);
         loft_arc_measure(arc, shape);
@@ -126,6 +133,12 @@ static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real fe
     return d;
 }
 
+static bool set_joint(loft_plan_piece *joint, const loft_course *c, const loft_way *after, loft_acc spacing, loft_acc room, loft_real feed)
+{
+    return LOFT_BUDGET_JERK(&c->budget) ? loft_profile_join(joint, &c->budget, &c->way, after, spacing, room, feed)
+                                        : loft_scope_join(joint, &c->budget, c->way.along, after->along, spacing, c->at == 0, feed);
+}
+
 /* A joint before `arc`, which ends at `to`, if there is one that matters. */
 static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, loft_way after, loft_acc spacing, loft_real feed)
 {
@@ -143,7 +156,7 @@ static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, loft_way
         room = smaller(room, since_rest(c, room));
         room = smaller(room, arc->length + runs_on(c, to, room - arc->length, feed));
     }
-    if (loft_profile_join(&joint, &c->budget, &c->way, &after, spacing, room, feed)) {
+    if (set_joint(&joint, c, &after, spacing, room, feed)) {
         loft_plan_piece *p = add_piece(c);
         joint.from = p->from;
         joint.to   = p->to;

@@ -21,6 +21,8 @@
  */
 #include "motion/law.h"
 
+#include "motion/reach.h"   /* loft_reach_next */
+
 void loft_law_init(loft_law *law)
 {
     law->at    = (loft_course_place){ 0, 0 };
@@ -31,6 +33,8 @@ void loft_law_init(loft_law *law)
     law->from  = 0;
     law->calm  = law->steady = UINT8_MAX;
     law->rests = true;
+    law->parts = law->next = 0;
+    law->left  = LOFT_UNIT(1);
     for (unsigned k = 0; k < LOFT_PLAN_FILTER; k++)
         law->way[k] = 0;
 }
@@ -392,6 +396,8 @@ enum loft_law_state loft_law_next(loft_law *law)
 {
     const unsigned known = law->course.count;
 
+    if (!LOFT_BUDGET_JERK(&law->course.budget))
+        return loft_reach_next(law);
     load(law);
     join(law, known);
     if (law->rests) {

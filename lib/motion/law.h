@@ -6,6 +6,12 @@
 
 #include "motion/course.h"  /* loft_course */
 
+/* Part of a piece that is passed with even acceleration: where it ends, from the start of the piece, and the speed there. */
+typedef struct {
+    loft_acc  end;
+    loft_real speed;
+} loft_law_part;
+
 /* Complete so that it can be static; do not rely on the fields. */
 typedef struct {
     loft_course course;
@@ -18,6 +24,10 @@ typedef struct {
     uint8_t     calm;                   /* beats since it last braked, or since it rests          */
     uint8_t     steady;                 /* beats since it last sped up                            */
     bool        rests;
+    loft_law_part part[3];              /* jerk not limited: of the piece; how many, and the next one     */
+    uint8_t     parts, next;
+    loft_real   aim;                    /* the speed at the end of the piece that they lead to            */
+    loft_unit   left;                   /* of the beat                                                    */
 } loft_law;
 
 enum loft_law_state {

@@ -4,7 +4,7 @@
 #include "motion/limits.h"
 
 #define SLOW_HZ      125    /* 8 ms where jerk is limited                                      */
-#define SPARE        64     /* 1/64 of the acceleration is kept for smooth joints              */
+#define SPARE        64     /* 1/64 of the acceleration may be used by smooth joints, half of it is kept for them */
 #define TOL_MIN      LOFT_REAL(0.0009765625)
 #define TOL_MAX      LOFT_REAL(1)
 #define CORNER_MAX   LOFT_REAL(1)
@@ -99,7 +99,7 @@ void loft_budget_init(loft_budget *b, const loft_limits *limits)
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc accel = loft_acc_scale(loft_wide(limits->max_accel[i]), usable);
         b->max_speed[i] = limits->max_speed[i];
-        b->accel[i] = loft_acc_round(LOFT_BUDGET_JERK(b) ? accel : accel - loft_acc_ratio(accel, SPARE));
+        b->accel[i] = loft_acc_round(LOFT_BUDGET_JERK(b) ? accel : accel - loft_acc_ratio(accel, 2 * SPARE));
         set_gain(b, i, limits->max_jerk[i]);
         set_shares(b, i);
     }
@@ -153,7 +153,7 @@ static loft_acc dense_cap(loft_acc speed2, loft_acc accel, loft_real spacing, lo
     return loft_acc_mul(speed2, jump) > most ? loft_acc_div(most, jump) : speed2;
 }
 
-loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing)
+loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner)
 {
     const loft_real apart = spacing < loft_wide(SPACING_MAX) ? loft_acc_round(spacing) : SPACING_MAX;
     loft_real jump[LOFT_AXES], v = LOFT_SPEED_MAX;
@@ -164,12 +164,12 @@ loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after
         v = loft_real_cap(v, b->spare[i], jump[i]);
     }
     const loft_acc  turn = loft_vec_distance(before, after);
-    const loft_real w = junction_speed(b, jump, turn);
-    loft_acc smooth = loft_prod(v, v), corner = loft_prod(w, w);
+    const loft_real w = corner ? junction_speed(b, jump, turn) : 0;
+    loft_acc smooth = loft_prod(v, v), sharp = loft_prod(w, w);
 
     for (int i = 0; i < LOFT_AXES; i++) {
         smooth = dense_cap(smooth, loft_wide(b->share[i]), apart, jump[i]);
-        corner = dense_cap(corner, loft_wide(b->across > 0 ? b->across : b->accel[i]), apart, b->across > 0 ? loft_acc_round(turn) : jump[i]);
+        sharp  = dense_cap(sharp, loft_wide(b->across > 0 ? b->across : b->accel[i]), apart, b->across > 0 ? loft_acc_round(turn) : jump[i]);
     }
-    return LOFT_BUDGET_JERK(b) || smooth > corner ? smooth : corner;
+    return LOFT_BUDGET_JERK(b) || smooth > sharp ? smooth : sharp;
 }

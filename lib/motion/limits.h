@@ -76,12 +76,13 @@ void loft_budget_init(loft_budget *b, const loft_limits *limits);
 loft_acc loft_budget_beat(const loft_budget *b, loft_real v);
 
 /* The most that the square of the speed may be where the direction jumps from `before` to `after` (of length
- * 1); `spacing` is the distance to the next such place, mm.
+ * 1); `spacing` is the distance to the next such place, mm. `corner`: a junction
+ * deviation may be used.
  *
  *   range   gives at most LOFT_SPEED_MAX squared, and more than 0
  *   error   q16: below 1 % for turns of more than 0.002
  */
-loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing);
+loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner);
 
 /* a / b where that is less than v, else v; a, b >= 0.
  *

@@ -245,8 +245,8 @@ static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_s
         const loft_acc jerk = loft_wide(b->gain[i]) * b->filter, accel = loft_wide(b->accel[i]);
         p->rest = loft_real_cap(p->rest, loft_acc_round(smaller(jerk, accel)), largest(s->along, i));
     }
-    p->fore_knee = find_knee(p, b, s, p->fore, true) & 31u;
-    p->back_knee = find_knee(p, b, s, p->back, false) & 31u;
+    p->fore_knee = (uint8_t)find_knee(p, b, s, p->fore, true);
+    p->back_knee = (uint8_t)find_knee(p, b, s, p->back, false);
     if (LOFT_BUDGET_JERK(b))
         set_jerk_lines(p, b, s);
     else if (turns_fast(p, b, s))
@@ -445,7 +445,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
                      loft_acc spacing, loft_acc room, loft_real feed)
 {
     const loft_arc_shape s = { { before->along, after->along, after->along }, { before->bend, after->bend, after->bend }, false };
-    const loft_acc turn = loft_budget_joint(b, before->along, after->along, spacing), feed2 = loft_prod(feed, feed);
+    const loft_acc turn = loft_budget_joint(b, before->along, after->along, spacing, true), feed2 = loft_prod(feed, feed);
     const loft_acc bend = LOFT_BUDGET_JERK(b) ? bend_jump_cap(b, before, after, spacing, feed) : 2 * feed2;
 
     p->length = 0;

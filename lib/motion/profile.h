@@ -27,14 +27,16 @@ typedef struct {
 /* A piece of the path, or, of no length, a joint. */
 typedef struct {
     loft_unit length;           /* mm                                                                     */
-    loft_real cap;              /* the speed on it, mm/s                                                  */
+    loft_real cap;              /* the speed on it, mm/s; jerk not limited: at its start                  */
+    loft_real last, far;        /* jerk not limited: the speed at its end; of the end of the bounds       */
     loft_real rest;             /* the acceleration along it, from rest and to rest, mm/s^2               */
     loft_real fore[2], back[2]; /* at the knee and at cap: speeding up, slowing down                      */
     loft_real brake;            /* the speed at its start that all that follows allows, mm/s              */
     uint32_t  from, to;         /* the curve's parameters at its ends                                     */
     uint16_t  move;             /* its curve                                                              */
     loft_ease ease;             /* of a joint                                                             */
-    unsigned  fore_knee : 5, back_knee : 5; /* in 16ths of cap^2                                          */
+    uint8_t   fore_knee, back_knee; /* in 16ths of cap^2; jerk not limited: in 256ths of far^2            */
+    unsigned  flows : 1;        /* jerk not limited: at the cap all along it                              */
     unsigned  stop : 1;         /* the path rests at its start                                            */
     unsigned  sure : 1;         /* what comes later will not change `brake`                               */
 } loft_plan_piece;

@@ -85,7 +85,7 @@ PLAN_OPTIONS = -DLOFT_PLAN_WINDOW=4 -DLOFT_PLAN_FILTER=1 -DLOFT_PLAN_KNEE=0 -DLO
 PLAN_FLAGS   = -std=c99 -ffreestanding -Os -flto -fno-inline -mcall-prologues -mrelax -mstrict-X -maccumulate-args -fno-gcse -fno-tree-pre \
                -fno-tree-loop-im -fno-move-loop-invariants -fno-tree-sra -ffunction-sections -fdata-sections
 PLAN_SRC     = tests/target/plan.c $(wildcard lib/num/*.c lib/geom/*.c lib/motion/*.c) lib/curve/bezier.c lib/curve/forward.c
-PLAN_MOST    = MOST_RAM=1050 MOST_STACK=1100 MOST_FLASH=38000 MOST_LOAD=2.0
+PLAN_MOST    = MOST_RAM=1050 MOST_STACK=1100 MOST_FLASH=37000 MOST_LOAD=1.5
 
 build/target/outline12.inc: tests/drawings/outline12.csv
 	@mkdir -p $(@D)

@@ -7,7 +7,7 @@
 #include "motion/plan.h"    /* loft_plan */
 
 #define CURVES 12
-#define PIECES 8
+#define PIECES 6
 #define FEED   50       /* mm/s   */
 #define ACCEL  500      /* mm/s^2 */
 
