@@ -85,7 +85,7 @@ bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real t
     loft_vec p[POINTS];
     loft_bezier raised = { p, higher->degree };
     place at[PLACES];
-    loft_acc distance;
+    loft_acc distance = 0;          /* for compilers that do not see that agree() sets it */
     unsigned count = 0;
 
     if (LOFT_AXES < 2 || loft_bezier_raise(lower, (unsigned)(higher->degree - lower->degree), p) != LOFT_OK)
