@@ -15,6 +15,7 @@
 #ifndef LOFT_WIRE_SENDER_H
 #define LOFT_WIRE_SENDER_H
 
+#include "wire/job_id.h"    /* loft_item_source, loft_job_id */
 #include "wire/message.h"   /* the messages, loft_frame, loft_packer */
 
 #define LOFT_SENDER_WINDOW  8           /* frames on their way at most                    */
@@ -35,10 +36,6 @@ enum loft_phase {
     LOFT_PHASE_REFUSED,     /* by the machine: refusal                                                          */
     LOFT_PHASE_UNFIT        /* no common version, other number of axes, or too short a frame: see `machine`     */
 };
-
-/* Fill *out with item `index` of the job, 0 .. count - 1. Asked for any item from the last acknowledged one on,
- * and the three before, again and again: it must answer the same each time. */
-typedef void loft_item_source(void *context, uint32_t index, loft_item *out);
 
 /* Complete so that it can be static. Read what stands above the line; the rest may change without notice. */
 typedef struct {
@@ -110,8 +107,5 @@ void loft_sender_hangup(loft_sender *s);
 
 /* For how many ms no good frame has come. */
 uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms);
-
-/* The id of a job: a CRC-32C of its kind, start, limits, count and all items; never 0. The same job has the same id. */
-uint32_t loft_job_id(const loft_job *job, uint32_t count, loft_item_source *source, void *context);
 
 #endif
