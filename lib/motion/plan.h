@@ -17,8 +17,8 @@
  *     }
  *
  * What becomes of the spans, and what else may run in an interrupt: span.h. A plan belongs to one context, the main loop: it may be
- * interrupted anywhere, but no interrupt may call it. Its memory: loft_plan (2,300 bytes; with LOFT_PLAN_WINDOW 4 650, three axes, q16), 52
- * bytes a curve, 64 a piece. On a Cortex-M4 the dearest call takes 1.2 million instructions, on an M0 4.4 million (make bench-motion: the
+ * interrupted anywhere, but no interrupt may call it. Its memory: loft_plan (2,400 bytes; with LOFT_PLAN_WINDOW 4 760; three axes, q16), 52
+ * bytes a curve, 72 a piece. On a Cortex-M4 the dearest call takes 1.2 million instructions, on an M0 4.4 million (make bench-motion: the
  * mean of them): let the queue behind it last for that.
  *
  * Speed anywhere is such that the machine can still stop on the path that is known. It is bounded along the real
