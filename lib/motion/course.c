@@ -27,7 +27,7 @@
 static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
 static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 
-static loft_move *move_of(const loft_course *c, unsigned i)
+loft_move *loft_course_move(const loft_course *c, unsigned i)
 {
     const unsigned k = c->move_first + i;
     return &c->moves[k < c->move_room ? k : k - c->move_room];
@@ -54,7 +54,6 @@ void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves
     c->move_first = c->move_count = c->first = c->count = c->cut = c->passed = 0;
     c->at         = 0;
     c->extent     = c->zone = 0;
-    c->feed       = 0;
     c->gear       = LOFT_UNIT(1);
     c->known      = c->smooth = c->crumb = c->ended = false;
 }
@@ -63,8 +62,7 @@ void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves
 /* Cutting
  * ------- */
 
-/* The largest distance of a control point from the first: 0 for a curve that is a point. */
-static loft_acc extent_of(const loft_cubic *c)
+loft_acc loft_course_extent(const loft_cubic *c)
 {
     loft_acc most = 0;
     for (int k = 1; k < 4; k++)
@@ -72,11 +70,11 @@ static loft_acc extent_of(const loft_cubic *c)
     return most;
 }
 
-static loft_plan_piece *add_piece(loft_course *c)
+loft_plan_piece *loft_course_add(loft_course *c)
 {
     loft_plan_piece *p = loft_course_piece(c, c->count++);
     p->from = p->to = c->at;
-    p->move = (uint16_t)(move_of(c, c->cut) - c->moves);
+    p->move = (uint16_t)(loft_course_move(c, c->cut) - c->moves);
     return p;
 }
 
@@ -88,7 +86,7 @@ static bool set_piece(loft_plan_piece *p, const loft_course *c, const loft_arc *
 /* The next part of the curve that can be one piece; gives the parameter of its end. */
 static uint32_t cut_arc(const loft_course *c, loft_arc *arc, loft_arc_shape *shape, loft_plan_piece *p, loft_real feed)
 {
-    const loft_cubic *curve = &move_of(c, c->cut)->curve;
+    const loft_cubic *curve = &loft_course_move(c, c->cut)->curve;
     uint32_t to = loft_arc_next(arc, curve, c->at);
 
     loft_arc_measure(arc, shape);
@@ -137,7 +135,7 @@ static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real fe
 static bool set_joint(loft_plan_piece *joint, const loft_course *c, const loft_way *after, loft_acc spacing, loft_acc room, loft_real feed)
 {
     return LOFT_BUDGET_JERK(&c->budget) ? loft_profile_join(joint, &c->budget, &c->way, after, spacing, room, feed)
-                                        : loft_scope_join(joint, &c->budget, c->way.along, after->along, spacing, c->at == 0, c->feed, feed);
+                                        : loft_scope_join(joint, &c->budget, c->way.along, after->along, spacing, c->at == 0, feed);
 }
 
 /* A joint before `arc`, which ends at `to`, if there is one that matters. */
@@ -158,7 +156,7 @@ static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, loft_way
         room = smaller(room, arc->length + runs_on(c, to, room - arc->length, feed));
     }
     if (set_joint(&joint, c, &after, spacing, room, feed)) {
-        loft_plan_piece *p = add_piece(c);
+        loft_plan_piece *p = loft_course_add(c);
         joint.from = p->from;
         joint.to   = p->to;
         joint.move = p->move;
@@ -169,7 +167,7 @@ static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, loft_way
 /* Up to two pieces of the curve. */
 static void load_pieces(loft_course *c, loft_acc extent)
 {
-    const loft_real feed = move_of(c, c->cut)->feed;
+    const loft_real feed = loft_course_move(c, c->cut)->feed;
     loft_arc arc;
     loft_arc_shape shape;
     loft_plan_piece piece;
@@ -181,13 +179,12 @@ static void load_pieces(loft_course *c, loft_acc extent)
         loft_way start = loft_profile_way(&piece, &c->budget, &shape, 0);
         add_joint(c, &arc, to, start, c->at == 0 ? smaller(extent, c->extent) : extent, feed);
         c->way    = loft_profile_way(&piece, &c->budget, &shape, 2);
-        c->feed   = feed;
         c->known  = true;
         c->smooth = !arc.speck;
         c->crumb  = arc.crumb;
     }
     if (arc.length > 0) {
-        loft_plan_piece *p = add_piece(c);
+        loft_plan_piece *p = loft_course_add(c);
         piece.from = p->from;
         piece.to   = to;
         piece.move = p->move;
@@ -199,7 +196,7 @@ static void load_pieces(loft_course *c, loft_acc extent)
 void loft_course_load(loft_course *c)
 {
     while (c->cut < c->move_count && c->count + 2u <= c->piece_room) {
-        const loft_acc extent = extent_of(&move_of(c, c->cut)->curve);
+        const loft_acc extent = loft_course_extent(&loft_course_move(c, c->cut)->curve);
         if (c->at == 0) {
             c->smooth = false;
             c->at = extent > 0 ? 0 : LOFT_ARC_WHOLE;
@@ -227,7 +224,7 @@ enum loft_status loft_course_push(loft_course *c, const loft_move *move)
             return LOFT_ERR_RANGE;
     if (c->move_count == c->move_room)
         return LOFT_ERR_SPACE;
-    *move_of(c, c->move_count++) = *move;
+    *loft_course_move(c, c->move_count++) = *move;
     for (unsigned i = 0; c->ended && i < c->count; i++)     /* what was sure had no need to go on */
         loft_course_piece(c, i)->sure = false;
     c->end   = move->curve.p[3];

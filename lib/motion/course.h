@@ -30,7 +30,6 @@ typedef struct {
     uint32_t         at;                                    /* how far the next one has, its parameter       */
     loft_way  way;                                   /* where the last piece was heading              */
     loft_acc         extent, zone;                          /* of the curve before; how far any place reaches */
-    loft_real        feed;                                  /* of the last piece                             */
     loft_unit        gear;                                  /* part of the acceleration that is used         */
     loft_vec         end;                                   /* where the last curve ends                     */
     bool             known, smooth;                         /* is there a way; does the curve just go on     */
@@ -57,6 +56,15 @@ enum loft_status loft_course_push(loft_course *c, const loft_move *move) LOFT_CH
 
 /* Cut curves into pieces while there is room. */
 void loft_course_load(loft_course *c);
+
+/* Curve number i from the oldest, i < move_count. */
+loft_move *loft_course_move(const loft_course *c, unsigned i);
+
+/* The largest distance of a control point from the first: 0 for a curve that is a point. */
+loft_acc loft_course_extent(const loft_cubic *c);
+
+/* One more piece, from where cutting has got to; there is room for it. */
+loft_plan_piece *loft_course_add(loft_course *c);
 
 /* Can nothing be appended before something is dropped? */
 bool loft_course_full(const loft_course *c);

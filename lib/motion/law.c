@@ -18,6 +18,8 @@
  *
  * Where the path rests the window is empty, so n may be chosen anew: a way d from rest to rest with jerk J is fastest with
  * 2 J (n h)^3 = d, and speeds up to v do not need more than J (n h)^2 = v.
+ *
+ * Where there is room for it, motion with limited jerk is that of flow.c instead.
  */
 #include "motion/law.h"
 
@@ -37,6 +39,10 @@ void loft_law_init(loft_law *law)
     law->left  = LOFT_UNIT(1);
     for (unsigned k = 0; k < LOFT_PLAN_FILTER; k++)
         law->way[k] = 0;
+#if LOFT_PLAN_FILTER > 1
+    law->flows = LOFT_BUDGET_JERK(&law->course.budget) && law->course.piece_room >= LOFT_FLOW_PIECES;
+    loft_flow_init(&law->flow);
+#endif
 }
 
 static loft_acc length_of(const loft_law *law, unsigned i)
@@ -392,8 +398,27 @@ static void run(loft_law *law)
     shift(law, way);
 }
 
+#if LOFT_PLAN_FILTER > 1
+
+static enum loft_law_state flow(loft_law *law)
+{
+    const enum loft_flow_state state = loft_flow_next(&law->flow, &law->course);
+
+    law->beats = 1;
+    law->from  = law->flow.at;
+    law->mean  = law->flow.off;
+    law->sum   = law->flow.way;
+    return state == LOFT_FLOW_RUNS ? LOFT_LAW_RUNS : state == LOFT_FLOW_WAITS ? LOFT_LAW_WAITS : LOFT_LAW_RESTS;
+}
+
+#endif
+
 enum loft_law_state loft_law_next(loft_law *law)
 {
+#if LOFT_PLAN_FILTER > 1
+    if (law->flows)
+        return flow(law);
+#endif
     const unsigned known = law->course.count;
 
     if (!LOFT_BUDGET_JERK(&law->course.budget))

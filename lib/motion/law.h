@@ -4,7 +4,7 @@
 #ifndef LOFT_MOTION_LAW_H
 #define LOFT_MOTION_LAW_H
 
-#include "motion/course.h"  /* loft_course */
+#include "motion/flow.h"    /* loft_flow, loft_course */
 
 /* Part of a piece that is passed with even acceleration: where it ends, from the start of the piece, and the speed there. */
 typedef struct {
@@ -28,6 +28,10 @@ typedef struct {
     uint8_t     parts, next;
     loft_real   aim;                    /* the speed at the end of the piece that they lead to            */
     loft_unit   left;                   /* of the beat                                                    */
+#if LOFT_PLAN_FILTER > 1
+    loft_flow   flow;
+    bool        flows;                  /* where jerk is limited and there is room for it: this is what moves */
+#endif
 } loft_law;
 
 enum loft_law_state {

@@ -116,14 +116,14 @@ static void ease(loft_plan *plan, loft_acc off, loft_acc point[])
     const unsigned from  = plan->law.from;
 
     loft_acc d = off;
-    for (unsigned j = from; d < reach && j > 0; j--) {
-        const loft_plan_piece *p = loft_course_piece(c, j - 1);
+    for (unsigned j = from; d < reach; d += loft_unit_wide(loft_course_piece(c, --j)->length)) {
+        const loft_plan_piece *p = loft_course_piece(c, j);
         if (p->ease.width > 0) {
             plan->eased = p->ease;
             plan->past  = d;
-            break;
         }
-        d += loft_unit_wide(p->length);
+        if (p->ease.width > 0 || j == 0)
+            break;
     }
     loft_ease_point(&plan->eased, plan->past, point);
     d = loft_unit_wide(loft_course_piece(c, from)->length) - off;

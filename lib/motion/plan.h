@@ -17,8 +17,8 @@
  *     }
  *
  * What becomes of the spans, and what else may run in an interrupt: span.h. A plan belongs to one context, the main loop: it may be
- * interrupted anywhere, but no interrupt may call it. Its memory: loft_plan (2,400 bytes; with LOFT_PLAN_WINDOW 4 760; three axes, q16), 52
- * bytes a curve, 72 a piece. On a Cortex-M4 the dearest call takes 1.2 million instructions, on an M0 4.4 million (make bench-motion: the
+ * interrupted anywhere, but no interrupt may call it. Its memory: loft_plan (2,560 bytes; with LOFT_PLAN_WINDOW 4 1,000; three axes, q16), 52
+ * bytes a curve, 272 a piece, 72 where LOFT_PLAN_FILTER is 1. On a Cortex-M4 the dearest call takes 1.2 million instructions, on an M0 4.4 million (make bench-motion: the
  * mean of them): let the queue behind it last for that.
  *
  * Speed anywhere is such that the machine can still stop on the path that is known. It is bounded along the real
@@ -38,7 +38,8 @@
 
 #define LOFT_PLAN_TESTED (LOFT_PLAN_WINDOW > 4 ? LOFT_AXES : 1)     /* axes of which spans are tested */
 
-/* Pieces that a curve of a drawing usually needs. */
+/* Pieces that a curve of a drawing usually needs; 16 where jerk is limited, for all of them to be seen. Below LOFT_FLOW_PIECES in all, motion with
+ * limited jerk takes up to half as long again. */
 #define LOFT_PLAN_PIECES 8
 
 /* Complete so that it can be static; do not rely on the fields. */

@@ -324,7 +324,7 @@ static loft_unit twist_at(const loft_way *w, loft_real v)
 
 /* A jump d of the curvature at speed v is one of acceleration, v^2 d, which the spline of the samples spreads over
  * beats: jerk 3/4 v^2 d / h; another one may follow `spacing` further, within the four beats that the spline covers. */
-static loft_acc bend_jump_cap(const loft_budget *b, const loft_way *before, const loft_way *after, loft_acc spacing, loft_real feed)
+loft_acc loft_profile_jump(const loft_budget *b, const loft_way *before, const loft_way *after, loft_acc spacing, loft_real feed)
 {
     const loft_real seen = part_of(&(loft_plan_piece){ .length = loft_unit_round(smaller(spacing, loft_wide(LOFT_REAL(64)))) }, b, feed);
     loft_acc x = loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX);
@@ -337,22 +337,24 @@ static loft_acc bend_jump_cap(const loft_budget *b, const loft_way *before, cons
     return x;
 }
 
-/* Where curvature jumps by d, the path is moved aside by d g(s), within w of the joint, so that it changes steadily. With
- * r = 1 - |s| / w
+/* Where curvature jumps by d, the path is moved aside by d g(s), within w of the joint, so that it changes steadily: g'' goes
+ * down from 0 at an even slope -c / w, then up at c / w to 1/2 at the joint, and behind it the same the other way round. That is the
+ * smallest slope for its size. With r = 1 - |s| / w and the turn at r = p, g' = g'' = 0 at r = 0 and g = 0 at r = 1 give
  *
- *     g'' = +-(r^2 - r / 2)     g' = w (r^3 / 3 - r^2 / 4)     g = -+w^2 r^3 (1 - r) / 12
+ *     (1 - p)^3 = 1/2                     c = 1 / (2 - 4 p) = 0.8513
+ *     g = -+c w^2 r^3 / 6                 up to r = p = 0.2063
+ *     g = -+c w^2 (p^3 / 3 - p^2 r + p r^2 - r^3 / 6)
  *
- * g'' goes from 0 to 1/2 at the joint, where g is 0 and g' = w / 12. So |g| <= 0.0088 w^2, which may take 3/8 of the
- * tolerance, and g'' changes by at most 3/2 / w per mm, as with a k' of 3/2 d / w. The speed grows by up to |d| w / 12, for
- * which the cap is lowered: |d| w <= 1/6. */
-static loft_unit ease_width(const loft_budget *b, loft_acc jump, loft_acc room)
+ * |g| <= 0.01452 w^2, which may take 3/8 of the tolerance, and g' = 0.1107 w at the joint: the speed of an axis grows by up to |d| w / 9.
+ * |d| w <= 1/6. */
+loft_unit loft_ease_width(const loft_budget *b, loft_acc jump, loft_acc room)
 {
     const loft_real size = loft_acc_round(jump);
 
     if (!(size > 0) || size > LOFT_REAL(4095))
         return 0;
     const loft_acc  most = smaller(room, loft_acc_div(loft_wide(LOFT_REAL(1)) / 6, size));
-    return loft_unit_round(smaller(most, loft_wide(loft_acc_sqrt(loft_acc_div(loft_wide(b->tol) * 42, size)))));
+    return loft_unit_round(smaller(most, loft_wide(loft_acc_sqrt(loft_acc_div(loft_wide(b->tol) * 103 / 4, size)))));
 }
 
 void loft_ease_point(const loft_ease *e, loft_acc off, loft_acc point[LOFT_AXES])
@@ -361,10 +363,13 @@ void loft_ease_point(const loft_ease *e, loft_acc off, loft_acc point[LOFT_AXES]
 
     if (s >= w)
         return;
-    const loft_unit z = loft_unit_ratio(s, w), r = LOFT_UNIT(1) - z;
+    const loft_unit r = LOFT_UNIT(1) - loft_unit_ratio(s, w);
+    const loft_acc  r1 = loft_unit_wide(r), r2 = loft_acc_scale(r1, r), r3 = loft_acc_scale(r2, r);
+    const loft_acc  z = r < LOFT_EASE_TURN ? r3 : 2 * loft_unit_wide(LOFT_EASE_TURN3) - 6 * loft_acc_scale(r1, LOFT_EASE_TURN2)
+                                                + 6 * loft_acc_scale(r2, LOFT_EASE_TURN) - r3;
+    const loft_unit part = loft_unit_round(loft_acc_ratio(loft_acc_scale(z, LOFT_EASE_SLOPE), 6));
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc d = loft_acc_scale(loft_acc_scale(loft_wide(e->jump[i]), e->width), e->width);
-        const loft_acc g = loft_acc_ratio(loft_acc_scale(loft_acc_scale(loft_acc_scale(loft_acc_scale(d, r), r), r), z), 12);
+        const loft_acc g = loft_acc_scale(loft_acc_scale(loft_acc_scale(loft_wide(e->jump[i]), e->width), e->width), part);
         point[i] += off < 0 ? -g : g;
     }
 }
@@ -376,8 +381,8 @@ static loft_way ease_way(const loft_plan_piece *p, const loft_budget *b)
     loft_arc_shape s = { .tight = false };
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        s.bend[1].axis[i] = p->ease.jump[i] / 4 * 3;
-        s.bend[2].axis[i] = p->ease.jump[i] / 2 * 3;
+        s.bend[1].axis[i] = p->ease.jump[i] / 16 * 7;       /* a little more than its slope */
+        s.bend[2].axis[i] = p->ease.jump[i] / 8 * 7;
     }
     ramp.cap = twist_cap(&ramp, b, &s, p->cap);
     return loft_profile_way(&ramp, b, &s, 0);
@@ -422,20 +427,38 @@ static void leave_for_joint(loft_plan_piece *p, const joint *j, const loft_way *
     }
 }
 
+/* On its way there and from there the curvature goes beyond both by p c = 0.1757 of the jump. */
+static void ease_bounds(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, loft_real feed)
+{
+    loft_arc_shape s = { { before->along, after->along, after->along }, { before->bend, after->bend, after->bend }, false };
+    const loft_ease e = p->ease;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_real more = e.jump[i] / 17 * 3;
+        s.bend[0].axis[i] -= more;
+        s.bend[1].axis[i] += more;
+        s.bend[2].axis[i] += more;
+    }
+    set_bounds(p, b, &s, feed);
+    p->ease = e;
+}
+
 /* Ease the change of curvature if that can be passed faster than the change itself. */
-static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, joint j, loft_acc room)
+static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, joint j, loft_acc room,
+                  loft_real feed)
 {
     const loft_acc jump = loft_vec_distance(before->bend, after->bend);
 
     for (int i = 0; i < LOFT_AXES; i++)
         p->ease.jump[i] = after->bend.axis[i] - before->bend.axis[i];
-    p->ease.width = ease_width(b, jump, room);
+    p->ease.width = loft_ease_width(b, jump, room);
     if (p->ease.width > 0)
         j.ease = ease_way(p, b);
     j.eased = p->ease.width > 0 && j.ease.cap > j.bend;
     if (j.eased) {
+        ease_bounds(p, b, before, after, feed);
         j.bend  = j.ease.cap;
-        p->cap -= loft_acc_round(loft_acc_ratio(loft_acc_scale(loft_acc_mul(jump, p->cap), p->ease.width), 12));
+        p->cap -= loft_acc_round(loft_acc_ratio(loft_acc_scale(loft_acc_mul(jump, p->cap), p->ease.width), 9));
     } else
         p->ease.width = 0;
     return j;
@@ -446,7 +469,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
 {
     const loft_arc_shape s = { { before->along, after->along, after->along }, { before->bend, after->bend, after->bend }, false };
     const loft_acc turn = loft_budget_joint(b, before->along, after->along, spacing, true), feed2 = loft_prod(feed, feed);
-    const loft_acc bend = LOFT_BUDGET_JERK(b) ? bend_jump_cap(b, before, after, spacing, feed) : 2 * feed2;
+    const loft_acc bend = LOFT_BUDGET_JERK(b) ? loft_profile_jump(b, before, after, spacing, feed) : 2 * feed2;
 
     p->length = 0;
     if (LOFT_BUDGET_JERK(b) ? turn / 1024 > feed2 && bend / 32 > feed2 : turn >= feed2)
@@ -455,7 +478,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
 
     joint j = { .turn = loft_acc_sqrt(turn), .bend = loft_acc_sqrt(bend) };
     if (LOFT_BUDGET_JERK(b))
-        j = ease(p, b, before, after, j, room);
+        j = ease(p, b, before, after, j, room, feed);
     const loft_real slow = least(j.turn, j.bend);
     p->stop = slow < loft_acc_round(loft_acc_scale(loft_wide(p->rest), b->pulse) / 4);
     if (p->stop) {

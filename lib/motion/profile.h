@@ -7,16 +7,7 @@
 #ifndef LOFT_MOTION_PROFILE_H
 #define LOFT_MOTION_PROFILE_H
 
-#include "motion/arc.h"     /* loft_arc_shape */
-#include "motion/limits.h"  /* loft_budget */
-
-#define LOFT_EASE_MAX LOFT_REAL(2)      /* mm */
-
-/* Where curvature jumps by `jump` (1/mm), the path is moved aside up to `width` mm before and behind that place; 0: not. */
-typedef struct {
-    loft_unit width;
-    loft_real jump[LOFT_PLAN_FILTER > 1 ? LOFT_AXES : 1];   /* not used where jerk cannot be limited */
-} loft_ease;
+#include "motion/cell.h"    /* loft_plan_cell, loft_ease */
 
 /* How far the knee of a piece's bounds is looked for, 0..4; 0: it is at 3/4 of the cap's square. That costs a quarter of the time to
  * cut a curve, and less acceleration on the way to speeds near the cap on bends. */
@@ -39,6 +30,10 @@ typedef struct {
     unsigned  flows : 1;        /* jerk not limited: at the cap all along it                              */
     unsigned  stop : 1;         /* the path rests at its start                                            */
     unsigned  sure : 1;         /* what comes later will not change `brake`                               */
+    unsigned  hop : 1;          /* it is passed as slowly as its row is short                             */
+#if LOFT_PLAN_FILTER > 1
+    loft_plan_cell cell;             /* where jerk is limited                                                  */
+#endif
 } loft_plan_piece;
 
 /* Where the path is heading: its direction and curvature vector; at the speed `cap`, the part `twist` of the jerk is used. */
@@ -64,6 +59,13 @@ loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const 
  */
 bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
                      loft_acc spacing, loft_acc room, loft_real feed);
+
+/* The most that the square of the speed may be where the curvature jumps, so that three quarters of the jerk are used; another such
+ * place is `spacing` away. */
+loft_acc loft_profile_jump(const loft_budget *b, const loft_way *before, const loft_way *after, loft_acc spacing, loft_real feed);
+
+/* How far before and behind a jump of curvature by `jump` (1/mm) the path is moved aside, where there is `room` mm; 0: not. */
+loft_unit loft_ease_width(const loft_budget *b, loft_acc jump, loft_acc room);
 
 /* Move aside the point of the path `off` mm behind (or, negative, before) the place of `e`.
  *

@@ -1,0 +1,309 @@
+/* lib/motion/cell.c
+ * SPDX-License-Identifier: MIT
+ *
+ * With x = v^2 along the length s, the acceleration along the path is a = x' / 2 and the jerk j = v x'' / 2. On a path with direction
+ * u, curvature vector k and its derivative k', the vectors of acceleration and jerk are
+ *
+ *     u a + k x          v (u x'' / 2 + 3 k a + k' x)
+ *
+ * x is a quadratic B-spline in s, one cell between two knots, and one control value b per cell. With the lengths l before a knot and h
+ * behind it, and the values b0, b1 there
+ *
+ *     x = (h b0 + l b1) / (l + h)          a = (b1 - b0) / (l + h)
+ *
+ * and in a cell x'' h / 2 = a1 - a0, the change of acceleration in it. The bracket times h must be within J h / v, which is J
+ * times about the time in the cell, so everything that is compared is an acceleration. It is asked at both ends.
+ *
+ * At rest x = 0 and the jerk is constant: x = x1 (s / h)^(4/3), which gives a1 = 2/3 x1 / h, x1'' h / 2 = 2/9 x1 / h, and b0 = b1 h0 / (3 h0 + 2 h1).
+ *
+ * A bump raises b by z P, so x, a and the brackets g become x + z X, a + z A, g + z G. Accelerations are linear in z. J h / sqrt x is convex
+ * in x, so that it lies above its tangent, and
+ *
+ *     |g + z G| <= (J h / v) (1 - z X / (2 x))
+ *
+ * is enough, which is linear too: each is one comparison, and a division where it is the least one.
+ */
+#include "motion/cell.h"
+
+#define MOST_BEATS  1024        /* times J h: more than any change of acceleration */
+
+static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
+
+loft_inverse loft_inverse_of(loft_acc length)
+{
+    loft_inverse by = { 0, 0 };
+    if (length < loft_wide(LOFT_REAL(0.015625)))
+        by.coarse = length > loft_acc_div(loft_wide(LOFT_REAL(1)), LOFT_REAL_MAX / 2) ? loft_acc_quot(loft_wide(LOFT_REAL(1)), length) : LOFT_REAL_MAX / 2;
+    else
+        by.fine = loft_unit_round(loft_acc_div(loft_wide(LOFT_REAL(1)), loft_acc_round(length)));
+    return by;
+}
+
+loft_acc loft_inverse_mul(loft_acc x, const loft_inverse *by)
+{
+    return by->coarse > 0 ? loft_acc_mul(x, by->coarse) : loft_acc_scale(x, by->fine);
+}
+
+static loft_vec difference(loft_vec a, loft_vec b)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        a.axis[i] -= b.axis[i];
+    return a;
+}
+
+/* x, or accel / bend if that is less */
+static loft_acc bend_most(loft_acc x, loft_real accel, loft_real bend)
+{
+    if (loft_acc_mul(smaller(x, loft_wide(LOFT_REAL(8191))), bend) > loft_wide(accel) || loft_acc_mul(x / 32768, bend) > loft_wide(accel) / 32768)
+        return smaller(x, loft_acc_div(loft_wide(accel), bend));
+    return x;
+}
+
+/* The largest square of the speed that the feed, the speeds of the axes and the curvature allow at one of three stations. */
+static loft_acc station_most(const loft_budget *b, const loft_arc_shape *s, int k, loft_real feed)
+{
+    loft_real v = feed;
+    loft_acc  x;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        v = loft_real_cap(v, b->max_speed[i], size_of(s->along[k].axis[i]));
+    x = loft_prod(v, v);
+    if (b->across > 0)
+        return bend_most(x, b->across, loft_acc_round(loft_vec_distance(s->bend[k], (loft_vec){ { 0 } })));
+    for (int i = 0; i < LOFT_AXES; i++)
+        x = bend_most(x, b->accel[i], size_of(s->bend[k].axis[i]));
+    return x;
+}
+
+/* Does the derivative of the curvature change so much in it that between its ends it may ask for more of the jerk than there? */
+static bool varies(const loft_budget *b, const loft_plan_cell *p)
+{
+    const loft_real v = loft_acc_sqrt(p->most);
+    const loft_inverse by = loft_inverse_of(loft_wide(v));
+    const loft_acc beats = loft_inverse_mul(p->span, &by);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc change = loft_wide(p->turn[1].axis[i]) - loft_wide(p->turn[0].axis[i]);
+        if (loft_acc_mul(p->most, loft_acc_round(change < 0 ? -change : change)) * 6 > loft_acc_mul(beats, b->gain[i]))
+            return true;
+    }
+    return false;
+}
+
+void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *shape, loft_real feed)
+{
+    loft_arc_shape s = *shape;
+
+    for (int k = 0; k < 3 && s.tight; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            s.bend[k].axis[i] = 0;
+    for (int e = 0; e < 2; e++) {
+        c->along[e] = s.along[2 * e];
+        c->bend[e]  = s.bend[2 * e];
+    }
+    c->most = loft_prod(feed, feed);
+    for (int k = 0; k < 3; k++)
+        c->most = smaller(c->most, station_most(b, &s, k, feed));
+    c->most -= c->most / 1024;
+    const loft_vec d0 = difference(s.bend[1], s.bend[0]), d1 = difference(s.bend[2], s.bend[1]);
+    for (int i = 0; i < LOFT_AXES; i++) {       /* of the parabola through three */
+        c->turn[0].axis[i] = 3 * d0.axis[i] - d1.axis[i];
+        c->turn[1].axis[i] = 3 * d1.axis[i] - d0.axis[i];
+    }
+    c->length = loft_unit_round(arc->length);
+    c->span   = loft_acc_ratio(loft_unit_wide(c->length) * b->tick_hz, b->beat);
+    c->gate   = c->most;
+    c->grip   = LOFT_UNIT(1);
+    c->eased  = false;
+    c->varies = varies(b, c);
+}
+
+/* What easing adds at r = 1 - |s| / w, for a jump of 1: to the curvature, its derivative times w, the direction by w. */
+typedef struct {
+    loft_acc bend, turn, along;
+} easing;
+
+static easing ease_at(loft_unit r)
+{
+    const loft_acc x = loft_unit_wide(r), c = loft_unit_wide(LOFT_EASE_SLOPE), p = loft_unit_wide(LOFT_EASE_TURN);
+
+    if (r < LOFT_EASE_TURN)
+        return (easing){ -loft_acc_scale(c, r), -c, -loft_acc_scale(loft_acc_scale(c, r), r) / 2 };
+    return (easing){ loft_acc_scale(x - 2 * p, LOFT_EASE_SLOPE), c,
+                    loft_acc_scale(loft_acc_scale(x, r) / 2 - 2 * loft_acc_scale(p, r) + loft_unit_wide(LOFT_EASE_TURN2), LOFT_EASE_SLOPE) };
+}
+
+/* Between its ends the slope turns, or easing begins: what holds beyond is asked at the ends, too. */
+static void set_change(loft_plan_cell *c, int in, const easing at[2], loft_unit outer, loft_unit inner, bool beyond, loft_acc turn)
+{
+    const easing p = ease_at(LOFT_EASE_TURN);
+    const int out = 1 - in;
+
+    c->eased = inner > LOFT_EASE_TURN ? outer < LOFT_EASE_TURN : beyond;
+    if (!c->eased)
+        return;
+    const bool turns = inner > LOFT_EASE_TURN;
+    const loft_acc sign = in == 1 ? 1 : -1;
+    c->bends[in]  = loft_unit_round(sign * ((turns ? p.bend : 0) - at[in].bend));
+    c->bends[out] = turns ? loft_unit_round(sign * (p.bend - at[out].bend)) : 0;
+    c->turns[in]  = loft_unit_round(turns ? -2 * turn : turn);
+    c->turns[out] = loft_unit_round(turns ? (beyond ? turn : 2 * turn) : -turn);
+}
+
+void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e, loft_acc off)
+{
+    const loft_acc w = loft_unit_wide(e->width), h = loft_unit_wide(c->length);
+    const loft_inverse by = loft_inverse_of(w);
+    const int in = off < 0 ? 1 : 0;
+    loft_unit r[2];
+    easing z[2];
+    bool beyond[2];
+
+    if (off >= w || -off - h >= w)
+        return;
+    for (int end = 0; end < 2; end++) {
+        const loft_acc s = end ? off + h : off, d = s < 0 ? -s : s;
+        r[end] = d < w ? LOFT_UNIT(1) - loft_unit_ratio(d, w) : 0;
+        z[end] = ease_at(r[end]);
+        beyond[end] = !(d < w);
+    }
+    for (int end = 0; end < 2; end++)       /* within, where the slope turns in it as well */
+        z[end].turn = beyond[end] && !(r[in] > LOFT_EASE_TURN) ? 0 : z[end].turn;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        c->jump.axis[i] = e->jump[i];
+        for (int end = 0; end < 2; end++) {
+            const loft_acc bend = loft_acc_mul(z[end].bend, e->jump[i]), turn = loft_acc_scale(loft_inverse_mul(loft_acc_mul(z[end].turn, e->jump[i]), &by), c->length);
+            c->bend[end].axis[i]  += loft_acc_round(in == 1 ? bend : -bend);
+            c->turn[end].axis[i]  += loft_acc_round(turn);
+            c->along[end].axis[i] += loft_acc_round(loft_acc_scale(loft_acc_mul(z[end].along, e->jump[i]), e->width));
+            const loft_real v = loft_real_cap(LOFT_SPEED_MAX, b->max_speed[i], size_of(c->along[end].axis[i]));
+            c->most = smaller(c->most, loft_prod(v, v));
+        }
+    }
+    const loft_acc turn = smaller(loft_acc_scale(loft_inverse_mul(loft_unit_wide(LOFT_EASE_SLOPE), &by), c->length), loft_wide(LOFT_REAL(60)));
+    set_change(c, in, z, r[1 - in], r[in], beyond[1 - in] && !(r[in] > LOFT_EASE_TURN), turn);
+    c->varies = !c->eased;
+}
+
+
+/* Limits
+ * ------ */
+
+/* |g + z q| <= most */
+static loft_unit limit(loft_unit z, loft_acc g, loft_acc q, loft_acc most)
+{
+    const loft_acc room = q < 0 ? most + g : most - g, size = q < 0 ? -q : q;
+
+    if (!(loft_acc_scale(size, z) > room))
+        return z;
+    return room > 0 ? loft_unit_ratio(room, size) : 0;
+}
+
+/* g + z q <= most (1 - z w) */
+static loft_unit limit_below(loft_unit z, loft_acc g, loft_acc q, loft_acc most)
+{
+    if (!(loft_acc_scale(q, z) > most - g))
+        return z;
+    return most > g ? loft_unit_ratio(most - g, q) : 0;
+}
+
+static loft_unit limit_jerk(loft_unit z, loft_acc g, loft_acc q, loft_acc most, loft_acc less)
+{
+    return limit_below(limit_below(z, g, q + less, most), -g, less - q, most);
+}
+
+/* A place with what is known there: x, a and how they would rise, 1 / v, half the part by which x would grow. */
+typedef struct {
+    loft_acc x, a;
+    loft_cell_rise up;
+    loft_acc beats;             /* the cell takes at this speed */
+    loft_unit w;
+} place;
+
+static place place_of(const loft_plan_cell *c, const loft_plan_cell *at, loft_cell_rise up)
+{
+    place p = { at->x, at->a, up, smaller(loft_acc_scale(c->span, at->r), loft_wide(LOFT_REAL(1)) * MOST_BEATS), 0 };
+
+    p.beats = loft_acc_scale(p.beats, c->grip);
+    p.w = loft_unit_round(loft_acc_scale(loft_acc_scale(up.x, at->r), at->r) / 2);
+    return p;
+}
+
+/* Where jerk is limited by the changes `bend`, `up` of the acceleration along the path in the cell. */
+static loft_unit limit_end(const loft_plan_cell *c, const loft_budget *b, const place *p, int end, loft_acc change, loft_acc up, loft_unit z,
+                           bool eased)
+{
+    const loft_real length = loft_acc_round(loft_unit_wide(c->length));
+
+    for (int i = 0; i < LOFT_AXES && z > 0; i++) {
+        const loft_real u = c->along[end].axis[i], jump = c->jump.axis[i];
+        const loft_real k = c->bend[end].axis[i] + (eased ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->bends[end])) : 0);
+        const loft_real turn = c->turn[end].axis[i] + (eased ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->turns[end])) : 0);
+        const loft_unit kh = loft_unit_round(loft_prod(k, length) * 3);
+        const loft_acc  most = loft_acc_mul(p->beats, b->gain[i]);
+        const loft_real across = b->across > 0 ? 0 : k;         /* it has a limit of its own */
+        z = limit(z, loft_acc_mul(p->a, u) + loft_acc_mul(p->x, across), loft_acc_mul(p->up.a, u) + loft_acc_mul(p->up.x, across), loft_wide(b->accel[i]));
+        z = limit_jerk(z, loft_acc_mul(change, u) + loft_acc_scale(p->a, kh) + loft_acc_mul(p->x, turn),
+                       loft_acc_mul(up, u) + loft_acc_scale(p->up.a, kh) + loft_acc_mul(p->up.x, turn), most, loft_acc_scale(most, p->w));
+    }
+    return z;
+}
+
+static loft_unit limit_rest(const loft_plan_cell *c, const loft_budget *b, const place *p, int end, loft_acc change, loft_acc up, loft_unit z)
+{
+    for (int i = 0; i < LOFT_AXES && z > 0; i++) {
+        const loft_real u = c->along[end].axis[i];
+        const loft_acc  most = loft_acc_mul(p->beats, b->gain[i]);
+        z = limit_jerk(z, loft_acc_mul(change, u), loft_acc_mul(up, u), most, loft_acc_scale(most, p->w));
+    }
+    return z;
+}
+
+/* The middle: of the parabola of the curvature, and the direction between. */
+static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, const place *p, const place *q, loft_unit z)
+{
+    const loft_acc change = q->a - p->a, up = q->up.a - p->up.a, h = loft_unit_wide(c->length);
+    loft_plan_cell middle = *c;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_real d0 = (3 * c->turn[0].axis[i] + c->turn[1].axis[i]) / 8, d = c->bend[1].axis[i] - c->bend[0].axis[i];
+        middle.bend[0].axis[i]  = c->bend[0].axis[i] + d0;
+        middle.turn[0].axis[i]  = d;
+        middle.along[0].axis[i] = c->along[0].axis[i] / 2 + c->along[1].axis[i] / 2 - loft_acc_round(loft_acc_scale(loft_wide(d), c->length) / 8);
+    }
+    middle.x = p->x + loft_acc_scale(p->a, c->length) + loft_acc_scale(change, c->length) / 4;
+    middle.a = (p->a + q->a) / 2;
+    if (!(middle.x > 0) || !(h > 0))
+        return z;
+    middle.r = loft_unit_round(loft_acc_div(loft_wide(LOFT_REAL(1)), loft_acc_sqrt(middle.x)));
+    const loft_cell_rise rise = { p->up.x + loft_acc_scale(p->up.a, c->length) + loft_acc_scale(up, c->length) / 4, (p->up.a + q->up.a) / 2 };
+    const place m = place_of(&middle, &middle, rise);
+    return limit_end(&middle, b, &m, 0, change, up, z, false);
+}
+
+loft_unit loft_cell_limit(const loft_plan_cell *c, const loft_plan_cell *next, const loft_budget *b, loft_cell_rise at, loft_cell_rise to, loft_unit z,
+                          bool first, bool last)
+{
+    z = first ? z : limit(z, c->x, at.x, smaller(c->most, c->gate));
+    z = last  ? z : limit(z, next->x, to.x, smaller(c->most, next->gate));
+    if (!first && !last)
+        z = limit(z, c->b, c->rise, c->most);
+    if (!(z > 0))
+        return 0;
+    if (first || last) {
+        const place p = first ? place_of(c, next, to) : place_of(c, c, at);
+        const loft_acc change = first ? p.a / 3 : -p.a / 3, up = first ? p.up.a / 3 : -p.up.a / 3;
+        z = limit_end(c, b, &p, first, change, up, z, false);
+        z = c->eased ? limit_end(c, b, &p, first, change, up, z, true) : z;
+        return limit_rest(c, b, &p, !first, change, up, z);
+    }
+    const place p = place_of(c, c, at), q = place_of(c, next, to);
+    if (z > 0 && (c->varies || (p.a > 0 && q.a < 0) || (p.up.a > 0 && q.up.a < 0)))   /* or is it fastest there? */
+        z = limit_middle(c, b, &p, &q, z);
+    for (int eased = 0; eased < (c->eased ? 2 : 1); eased++) {
+        z = limit_end(c, b, &p, 0, q.a - p.a, q.up.a - p.up.a, z, eased);
+        z = limit_end(c, b, &q, 1, q.a - p.a, q.up.a - p.up.a, z, eased);
+    }
+    return z;
+}

@@ -1,0 +1,442 @@
+/* lib/motion/lane.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Cells are about as long as what is passed in a third of the time in which the acceleration is reached, and neighbours about as long
+ * as each other, as a row of even cells takes fewer sweeps (raise.c). Where the path rests, with acceleration A and jerk J
+ *
+ *     A (A / J)^2 / 4 + 3/4 of the way from there
+ *
+ * is the most, as the acceleration is reached after A (A / J)^2 / 6. What is appended creeps; a rest at the end of what is known is planned for only when
+ * nothing comes in time. The last cells before an open end creep, too: those that a joint with the next curve may ease or take
+ * a part of the jerk from, and two more, which is what it takes to come to rest from there.
+ *
+ * A joint's change of direction is passed at a speed at which it takes up to 4/5 of the jerk (limits.c), for the two and a half beats
+ * before and behind it that the spline of the samples spreads it over.
+ *
+ * Cells so short that not even creeping could begin there (below 2e-3 / sqrt(J) mm), or so tight that it could not pass, are rows of their
+ * own, from rest to rest, passed at once (flow.c).
+ */
+#include "motion/lane.h"
+
+#if LOFT_PLAN_FILTER > 1
+
+#define SWEEPS 8
+#define PARTS  3       /* cells in the time in which the acceleration is reached */
+
+static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
+
+void loft_lane_init(loft_lane *l)
+{
+    l->closed = false;
+    l->ease.width = 0;
+    l->since = l->run = l->left = l->last = 0;
+    l->grip = LOFT_UNIT(1);
+    l->gate = 0;
+    l->stop = true;
+    l->hop = false;
+    l->sure = 0;
+}
+
+static loft_acc length_of(const loft_course *c, unsigned i)
+{
+    return loft_unit_wide(loft_course_piece(c, i)->length);
+}
+
+/* The row that piece i is in, as far as it is known. */
+static loft_row row_of(const loft_lane *l, const loft_course *c, unsigned i)
+{
+    loft_row row = { i, i + 1, 0, 0, false, false };
+
+    while (row.first > 0 && !loft_course_piece(c, row.first)->stop)
+        row.first--;
+    while (row.end < c->count && !loft_course_piece(c, row.end)->stop)
+        row.end++;
+    row.starts = loft_course_piece(c, row.first)->stop;
+    row.rests  = row.end < c->count || l->closed;
+    return row;
+}
+
+/* Is it so short that not even creeping, at 1/64 mm/s, could end or begin there? x = 2^-12, and the jerk is 2/9 x^(3/2) / h^2. */
+static bool tiny(const loft_budget *b, const loft_plan_cell *p)
+{
+    loft_real gain = b->gain[0];
+    for (int i = 1; i < LOFT_AXES; i++)
+        gain = b->gain[i] < gain ? b->gain[i] : gain;
+    const loft_acc jerk = loft_acc_ratio(loft_wide(gain) * b->tick_hz, b->beat);
+    return p->length < LOFT_UNIT(0.0009765625) && loft_acc_scale(loft_acc_scale(jerk, p->length), p->length) < loft_wide(LOFT_REAL(1)) / 262144;
+}
+
+/* Does it turn so much that not even creeping could pass? */
+static bool tight(const loft_budget *b, const loft_plan_cell *p)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        for (int e = 0; e < 2; e++) {
+            const loft_acc turn = loft_wide(p->turn[e].axis[i]), most = loft_acc_mul(p->span, b->gain[i]);
+            if ((turn < 0 ? -turn : turn) / 4096 > 32 * most)
+                return true;
+        }
+    return p->most < 2 * LOFT_RAISE_CREEP;
+}
+
+/* Pass pieces first..end - 1 at once. */
+static void hop(loft_course *c, unsigned first, unsigned end)
+{
+    loft_course_piece(c, first)->stop = true;
+    for (unsigned i = first; i < end; i++)
+        loft_course_piece(c, i)->hop = true;
+}
+
+/* The row that is known ends at rest: apart from its last pieces if those are tiny; at once if it has less than three. */
+static void settle(const loft_lane *l, loft_course *c)
+{
+    loft_row row = row_of(l, c, c->count - 1);
+    unsigned end = row.end;
+
+    if (loft_course_piece(c, row.first)->hop)
+        return;
+    while (end > row.first && tiny(&c->budget, &loft_course_piece(c, end - 1)->cell))
+        end--;
+    if (end < row.end)
+        hop(c, end, row.end);
+    row.end = end;
+    if (row.end - row.first >= 3)
+        loft_raise_close(c, &row);
+    else if (row.end > row.first)
+        hop(c, row.first, row.end);
+}
+
+void loft_lane_close(loft_lane *l, loft_course *c)
+{
+    if (!l->closed && c->count > 0)
+        settle(l, c);
+    l->closed = true;
+}
+
+
+/* Joints
+ * ------ */
+
+static loft_real least_accel(const loft_budget *b)
+{
+    loft_real a = b->accel[0];
+    for (int i = 1; i < LOFT_AXES; i++)
+        a = b->accel[i] < a ? b->accel[i] : a;
+    return a;
+}
+
+/* Ease the cells before the new one, if their speed has not been raised. */
+static bool ease_back(const loft_lane *l, loft_course *c, const loft_ease *e)
+{
+    const loft_acc w = loft_unit_wide(e->width);
+    loft_acc d = 0;
+    unsigned i;
+
+    for (i = c->count; i > 0 && d < w; d += length_of(c, i))
+        i--;
+    if (d < w || i < l->sure)
+        return false;
+    d = 0;
+    for (i = c->count; i > 0 && d < w; ) {
+        i--;
+        d += length_of(c, i);
+        loft_cell_ease(&loft_course_piece(c, i)->cell, &c->budget, e, -d);
+    }
+    return true;
+}
+
+/* Only a part of the jerk may be used near the new cell's start. */
+static bool spare(loft_lane *l, loft_course *c, loft_unit grip)
+{
+    const loft_acc reach = loft_budget_beat(&c->budget, loft_acc_sqrt(l->gate)) * 5 / 2;
+    loft_acc d = 0;
+
+    for (unsigned i = c->count; i > 0 && d < reach; d += length_of(c, i)) {
+        loft_plan_cell *p = &loft_course_piece(c, --i)->cell;
+        if (i < l->sure)
+            return false;
+        p->grip = p->grip < grip ? p->grip : grip;
+    }
+    l->left = larger(l->left, reach);
+    l->grip = l->grip < grip ? l->grip : grip;
+    return true;
+}
+
+/* How far the curve is known to go on without a feature at which the path may rest. */
+static loft_acc runs_on(const loft_course *c, loft_acc most)
+{
+    const loft_cubic *curve = &loft_course_move(c, c->cut)->curve;
+    loft_acc d = 0;
+    loft_arc arc;
+
+    for (uint32_t at = c->at; at < LOFT_ARC_WHOLE && d < most; d += arc.length) {
+        at = loft_arc_next(&arc, curve, at);
+        if (arc.dust || arc.speck)
+            break;
+    }
+    return d;
+}
+
+/* What the joint before `next`, the first arc of what follows, asks for; false: a rest. */
+static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const loft_way *after, loft_acc spacing, loft_acc room)
+{
+    const loft_budget *b = &c->budget;
+    const loft_acc most = larger(loft_course_piece(c, c->count - 1)->cell.most, next->most);
+    const loft_real feed = loft_acc_sqrt(most);
+    const loft_acc turn = loft_budget_joint(b, c->way.along, after->along, spacing, true), bend = loft_profile_jump(b, &c->way, after, spacing, feed);
+    const loft_real slow = loft_acc_sqrt(smaller(turn, bend));
+    loft_unit used = 0;
+
+    if (slow < loft_acc_round(loft_acc_scale(loft_wide(least_accel(b)), b->pulse) / 4))
+        return false;
+    if (turn / 1024 < most) {
+        l->gate = smaller(l->gate, turn);
+        used += loft_unit_round(loft_acc_scale(loft_wide(LOFT_REAL(0.8)), turn > most ? loft_unit_ratio(loft_wide(feed), loft_wide(loft_acc_sqrt(turn))) : LOFT_UNIT(1)));
+    }
+    if (bend / 32 < most) {
+        loft_ease e;
+        for (int i = 0; i < LOFT_AXES; i++)
+            e.jump[i] = after->bend.axis[i] - c->way.bend.axis[i];
+        e.width = loft_ease_width(b, loft_vec_distance(c->way.bend, after->bend), smaller(room, l->run));
+        if (loft_unit_wide(e.width) > 2 * loft_budget_beat(b, loft_acc_sqrt(bend))) {
+            if (!ease_back(l, c, &e))
+                return false;
+            l->ease  = e;
+            l->since = 0;
+        } else {
+            l->gate = smaller(l->gate, bend / 2);
+            used += LOFT_UNIT(0.4);
+        }
+    }
+    return !(used > 0) || spare(l, c, used < LOFT_UNIT(0.9) ? LOFT_UNIT(1) - used : LOFT_UNIT(0.1));
+}
+
+
+/* Cutting
+ * ------- */
+
+/* How long a cell should be: what is passed in a third of the time in which the acceleration is reached; shorter near a rest and at
+ * the end of a curve which may be one; else about as long as the last one. */
+static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_plan_cell *whole, loft_acc extent, bool ends)
+{
+    const loft_budget *b = &c->budget;
+    const int32_t  n = b->filter > 3 ? b->filter : 3;
+    const loft_acc rest = loft_unit_wide(whole->length), beat = loft_budget_beat(b, loft_acc_sqrt(whole->most));
+    const loft_acc near = loft_acc_scale(loft_budget_beat(b, least_accel(b)), b->pulse) * (n * n) / 4;     /* A (A / J)^2 / 4 */
+    loft_acc most = beat * n / PARTS;
+
+    if (l->last > 0)
+        most = larger(smaller(most * 8 / 5, l->last), most / 2);
+    most = smaller(most, near + l->run * 3 / 4);
+    if (ends)
+        most = smaller(most, larger(near, rest * 3 / 7));
+    if (ends && l->run + rest < 4 * most)
+        most = larger((l->run + rest) / 4, loft_wide(LOFT_REAL(1)) / 16384);
+    return smaller(most, extent / 4);
+}
+
+/* May the path rest at the end of the curve that is cut? */
+static bool may_rest(const loft_course *c)
+{
+    const loft_move *move = loft_course_move(c, c->cut);
+    loft_cubic back;
+    loft_arc_shape end, start;
+    loft_arc arc;
+
+    if (c->cut + 1u >= c->move_count)
+        return true;
+    for (int k = 0; k < 4; k++)
+        back.p[k] = move->curve.p[3 - k];
+    (void)loft_arc_next(&arc, &back, 0);
+    loft_arc_measure(&arc, &end);
+    (void)loft_arc_next(&arc, &loft_course_move(c, c->cut + 1u)->curve, 0);
+    loft_arc_measure(&arc, &start);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_real turn = end.along[0].axis[i] + start.along[0].axis[i];
+        if (turn > LOFT_REAL(0.01) || turn < LOFT_REAL(-0.01))
+            return true;
+    }
+    return false;
+}
+
+static loft_way way_at(const loft_arc_shape *s, int k)
+{
+    loft_way way = { s->along[k], s->bend[k], 0, 0 };
+    for (int i = 0; i < LOFT_AXES && s->tight; i++)
+        way.bend.axis[i] = 0;
+    return way;
+}
+
+/* What comes before the arc: does the path rest there? */
+static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next, const loft_arc_shape *shape, bool smooth, loft_acc spacing)
+{
+    const loft_way start = way_at(shape, 0);
+
+    l->gate = next->most;
+    l->stop = c->count == 0 || l->closed || !c->known;
+    const loft_acc third = smaller(spacing / 3, loft_wide(LOFT_EASE_MAX));
+
+    if (!l->stop && !smooth && !join(l, c, next, &start, spacing, smaller(third, runs_on(c, third)))) {
+        settle(l, c);
+        l->stop = true;
+        l->gate = next->most;
+    }
+    if (l->stop) {
+        l->run = l->left = l->last = 0;
+        l->ease.width = 0;
+    }
+    l->closed = false;
+}
+
+/* Does the cell belong to another row than the last one, as one of them is passed at once? */
+static void part(loft_lane *l, loft_course *c, const loft_plan_cell *cell)
+{
+    const bool first = l->stop || l->hop, hops = tight(&c->budget, cell) || (first && tiny(&c->budget, cell));
+
+    if (!l->stop && hops != l->hop) {
+        settle(l, c);
+        l->stop = true;
+        l->run = l->left = 0;
+        l->ease.width = 0;
+    }
+    l->hop = hops;
+}
+
+static void append(loft_lane *l, loft_course *c, const loft_plan_cell *cell, uint32_t to)
+{
+    const loft_acc length = loft_unit_wide(cell->length);
+    loft_plan_piece *p = loft_course_add(c);
+
+    p->length = cell->length;
+    p->cap    = loft_acc_sqrt(cell->most);
+    p->to     = to;
+    p->cell   = *cell;
+    p->stop   = l->stop;
+    p->hop    = l->hop;
+    p->ease   = l->ease;
+    p->cell.gate = l->gate;
+    if (l->since > 0)
+        p->ease.width = 0;
+    if (l->left > 0)
+        p->cell.grip = l->grip;
+    else
+        l->grip = LOFT_UNIT(1);
+    if (l->ease.width > 0)
+        loft_cell_ease(&p->cell, &c->budget, &l->ease, l->since);
+    l->last   = length;
+    l->run   += length;
+    l->since += length;
+    l->left  -= length;
+    l->sure   = l->stop && l->sure + 1 > c->count ? c->count - 1u : l->sure;
+    const loft_row row = row_of(l, c, c->count - 1);
+    loft_raise_append(c, &row);
+}
+
+/* Does the rate change so much that the length of the arc is not known well enough where it ends, for the jerk? */
+static bool uneven(const loft_arc *arc, loft_acc beat)
+{
+    const loft_unit most = LOFT_UNIT(0.03125);
+    return (arc->behind[0] > most || arc->behind[0] < -most || arc->behind[1] > most || arc->behind[1] < -most) && arc->length > beat;
+}
+
+/* The next part of the curve that can be one cell. */
+static void load_cell(loft_lane *l, loft_course *c, loft_acc extent)
+{
+    const loft_move *move = loft_course_move(c, c->cut);
+    loft_arc arc;
+    loft_arc_shape shape;
+    loft_plan_cell cell;
+    uint32_t to = loft_arc_next(&arc, &move->curve, c->at);
+
+    if (arc.dust || !(arc.length > 0)) {
+        c->smooth = c->smooth && !arc.dust;
+        c->at = to;
+        return;
+    }
+    loft_arc_measure(&arc, &shape);
+    loft_cell_init(&cell, &c->budget, &arc, &shape, move->feed);
+    begin(l, c, &cell, &shape, c->smooth && !arc.speck, c->at == 0 ? smaller(extent, c->extent) : extent);
+    if (c->at == 0)
+        l->may_rest = may_rest(c);
+    const loft_acc most = fitting(l, c, &cell, extent, to == LOFT_ARC_WHOLE && l->may_rest);
+    const loft_acc beat = loft_budget_beat(&c->budget, loft_acc_sqrt(cell.most));
+    while (to - c->at > 1 && (arc.length > most * 10 / 7 || uneven(&arc, beat))) {
+        to = c->at + (to - c->at) / 2;
+        loft_arc_cut(&arc, &move->curve, c->at, to);
+        loft_arc_measure(&arc, &shape);
+        loft_cell_init(&cell, &c->budget, &arc, &shape, move->feed);
+    }
+    part(l, c, &cell);
+    append(l, c, &cell, to);
+    c->way    = way_at(&shape, 2);
+    c->known  = true;
+    c->smooth = !arc.speck;
+    c->at     = to;
+}
+
+void loft_lane_load(loft_lane *l, loft_course *c)
+{
+    while (c->cut < c->move_count && c->count + 2u <= c->piece_room) {
+        const loft_acc extent = loft_course_extent(&loft_course_move(c, c->cut)->curve);
+        if (c->at == 0) {
+            c->smooth = false;
+            c->at = extent > 0 ? 0 : LOFT_ARC_WHOLE;
+        }
+        while (c->at < LOFT_ARC_WHOLE && c->count + 2u <= c->piece_room)
+            load_cell(l, c, extent);
+        if (c->at < LOFT_ARC_WHOLE)
+            return;
+        c->extent = extent > 0 ? extent : c->extent;
+        c->at = 0;
+        c->cut++;
+        if (c->count == 0)          /* it was a point, and nothing before it matters */
+            loft_course_drop(c);
+    }
+}
+
+void loft_lane_drop(loft_lane *l, loft_course *c, unsigned count)
+{
+    for (; count > 0; count--) {
+        loft_course_drop(c);
+        l->sure -= l->sure > 0;
+    }
+}
+
+
+/* Raising
+ * ------- */
+
+/* The last two cells, and those that a joint at the end of the last curve may ease. */
+unsigned loft_lane_open(const loft_lane *l, const loft_course *c)
+{
+    if (l->closed || c->count == 0)
+        return c->count;
+    const loft_plan_cell *last = &loft_course_piece(c, c->count - 1)->cell;
+    const loft_acc ease = smaller(c->extent / 3, loft_wide(LOFT_EASE_MAX)), seen = smaller(c->extent / 4, loft_budget_beat(&c->budget, loft_acc_sqrt(last->most)) * 5 / 2);
+    const loft_acc zone = c->at == 0 ? larger(ease, seen) : 0;
+    unsigned i = c->count;
+    loft_acc d = 0;
+
+    for (; i > 0 && (d < zone || tiny(&c->budget, &loft_course_piece(c, i - 1)->cell)); i--)
+        d += length_of(c, i - 1);
+    return i > 2 ? i - 2 : 0;
+}
+
+void loft_lane_raise(loft_lane *l, loft_course *c, unsigned begun)
+{
+    const unsigned open = loft_lane_open(l, c);
+
+    if (open <= l->sure)
+        return;
+    for (unsigned i = row_of(l, c, l->sure).first; i < c->count; ) {
+        loft_row row = row_of(l, c, i);
+        row.from = row.first > begun ? row.first : begun;
+        row.to   = row.rests ? row.end : open;
+        if (row.from < row.to && !loft_course_piece(c, row.first)->hop)
+            loft_raise(c, &row, SWEEPS);
+        i = row.end;
+    }
+    l->sure = open;
+}
+
+#endif
