@@ -635,9 +635,9 @@ case_waterlines() {
               if ($3 != curve) { curve = $3; curves++; first = $4 " " $5 } last = $4 " " $5; n[$2]++ }
             END { exit bad || curves != 1 || last != first || n[9] < 100 || n[-5] < 100 }' curve=0 "$tmp/out" || job_fails "$num: $(head -3 "$tmp/out")"
     done
-    run 0 "$loft" contour --levels 5 tests/drawings/sided.loft; cp "$tmp/out" "$tmp/lines.loft"
-    says out '^line  *# surface 6, z = 15, closed$'; run 0 "$loft" measure "$tmp/lines.loft"; says out '	line	'
-    run 0 sh -c "'$loft' contour --flat tests/drawings/patch.loft | '$loft' stream - --dry-run"; says out '^planned: [0-9]* curves, 0\.39[0-9] m drawn'
+    run 0 "$loft" contour --n 20 --levels 5 tests/drawings/sided.loft; cp "$tmp/out" "$tmp/lines.loft"
+    says out '^line  *# surface 6, z = 15, closed$'; run 0 "$loft" measure --num f64 "$tmp/lines.loft"; says out '	line	'
+    run 0 sh -c "'$loft' contour --n 64 --flat tests/drawings/patch.loft | '$loft' stream - --dry-run"; says out '^planned: [0-9]* curves, 0\.39[0-9] m drawn'
     for heights in 5,6.5 20; do run 0 "$loft" plot "$tmp/ball.loft" --view -90,60 --heights $heights -o "$tmp/at-$heights.svg"; done
     [ "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") $(grep -c 'fill:rgb(42%' "$tmp/at-20.svg")" = "10 0" ] || job_fails "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") labels"
     one_line 65 'reach from z = -7 to 13 mm' "$loft" contour --heights 20 "$tmp/ball.loft"

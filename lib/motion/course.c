@@ -54,6 +54,7 @@ void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves
     c->move_first = c->move_count = c->first = c->count = c->cut = c->passed = 0;
     c->at         = 0;
     c->extent     = c->zone = 0;
+    c->feed       = 0;
     c->gear       = LOFT_UNIT(1);
     c->known      = c->smooth = c->crumb = c->ended = false;
 }
@@ -135,7 +136,7 @@ static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real fe
 static bool set_joint(loft_plan_piece *joint, const loft_course *c, const loft_way *after, loft_acc spacing, loft_acc room, loft_real feed)
 {
     return LOFT_BUDGET_JERK(&c->budget) ? loft_profile_join(joint, &c->budget, &c->way, after, spacing, room, feed)
-                                        : loft_scope_join(joint, &c->budget, c->way.along, after->along, spacing, c->at == 0, feed);
+                                        : loft_scope_join(joint, &c->budget, c->way.along, after->along, spacing, c->at == 0, c->feed, feed);
 }
 
 /* A joint before `arc`, which ends at `to`, if there is one that matters. */
@@ -179,6 +180,7 @@ static void load_pieces(loft_course *c, loft_acc extent)
         loft_way start = loft_profile_way(&piece, &c->budget, &shape, 0);
         add_joint(c, &arc, to, start, c->at == 0 ? smaller(extent, c->extent) : extent, feed);
         c->way    = loft_profile_way(&piece, &c->budget, &shape, 2);
+        c->feed   = feed;
         c->known  = true;
         c->smooth = !arc.speck;
         c->crumb  = arc.crumb;

@@ -30,6 +30,7 @@ typedef struct {
     uint32_t         at;                                    /* how far the next one has, its parameter       */
     loft_way  way;                                   /* where the last piece was heading              */
     loft_acc         extent, zone;                          /* of the curve before; how far any place reaches */
+    loft_real        feed;                                  /* of the last piece                             */
     loft_unit        gear;                                  /* part of the acceleration that is used         */
     loft_vec         end;                                   /* where the last curve ends                     */
     bool             known, smooth;                         /* is there a way; does the curve just go on     */

@@ -263,18 +263,35 @@ bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *a
     return steady && even(p, b, s);
 }
 
-bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner, loft_real feed)
+/* The spline of the samples spreads a change of acceleration, by a, over beats: the speed at its place is off by 0.23 a h. Where the
+ * feed changes there is one at both sides of the slower feed. */
+static loft_real feed_cap(const loft_budget *b, loft_vec along, loft_real feed0, loft_real feed1)
+{
+    const loft_real slow = feed0 < feed1 ? feed0 : feed1;
+    loft_real a = LOFT_ACCEL_MAX;
+
+    if (!(feed0 < feed1 || feed1 < feed0))
+        return slow;
+    for (int i = 0; i < LOFT_AXES; i++)
+        a = loft_real_cap(a, b->accel[i], along.axis[i] < 0 ? -along.axis[i] : along.axis[i]);
+    const loft_real leak = loft_acc_round(loft_budget_beat(b, a) / 2);
+    return leak < slow / 2 ? slow - leak : slow / 2;
+}
+
+bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner, loft_real feed0, loft_real feed1)
 {
     const loft_acc most = loft_budget_joint(b, before, after, spacing, corner);
+    const loft_real cap = feed_cap(b, after, feed0, feed1);
     loft_real rest = LOFT_ACCEL_MAX;
 
-    if (most >= loft_prod(feed, feed))
+    if (most >= loft_prod(cap, cap) && cap >= feed1)
         return false;
     for (int i = 0; i < LOFT_AXES; i++)
         rest = b->accel[i] < rest ? b->accel[i] : rest;
     begin(p);
     p->length = 0;
-    p->cap    = p->last = loft_acc_sqrt(most);
+    p->cap    = loft_acc_sqrt(most);
     p->stop   = p->cap < loft_acc_round(loft_acc_scale(loft_wide(rest), b->pulse) / 4);
+    p->cap    = p->last = p->cap < cap ? p->cap : cap;
     return true;
 }

@@ -17,11 +17,12 @@
  */
 bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *shape, loft_real feed);
 
-/* Set the bounds of a joint where the direction jumps from `before` to `after`: false if it is none, with this feed.
+/* Set the bounds of a joint where the direction jumps from `before` to `after`: false if it is none, with these
+ * feeds before and after it.
  *
  *   range   as loft_profile_join; `corner`: it is between curves, where a junction deviation holds
  */
-bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner, loft_real feed);
+bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner, loft_real feed0, loft_real feed1);
 
 /* The largest acceleration with which a piece may be passed that begins with the square x of the speed; less than 0 where it
  * has to slow down. */
