@@ -155,10 +155,10 @@ $(TOOL_OUT)/loft: $(TOOL_OBJ)
 tools: $(TOOL_OUT)/loft
 
 DRAWING ?= tests/drawings/demo.svg
-## Draw it on the simulated machine: pulses, exact counts and build/demo/drawn.png   DRAWING=file.svg
+## Draw it on the simulated machine: pulses, exact counts and build/demo/drawn.png   DRAWING=file.svg MACHINE=file
 .PHONY: demo
 demo: $(TOOL_OUT)/loft
-	@host-tools/demo.sh $< "$(DRAWING)" build/demo
+	@host-tools/demo.sh $< "$(DRAWING)" build/demo $(MACHINE)
 
 # --- on a fresh machine ------------------------------------------------------------------------------
 HOST_PACKAGES := gcc libc6-dev make pkg-config clang libclang-rt-14-dev libxml2-dev libcairo2-dev libserialport-dev spin python3
