@@ -9,6 +9,7 @@ static const uint16_t once[] = {
     1582, 2952,                 /* a curve that came later asked to brake where the speed had just been raised   */
     2954,                       /* a change of curvature was eased across a place of rest                        */
     4389, 7203,                 /* a span of some beats was faster between the places looked at than at them        */
+    1547,                       /* the speed of a span along the path, half way between beats                        */
     294, 300,                   /* the spline of the samples carried speed across a change of the feed             */
     970, 4351                   /* loops below the tolerance, which are passed all the same                      */
 };

@@ -16,7 +16,7 @@
  *
  *     P0   P0 + V0 m / 3   P1 - V1 m / 3   P1                        from one knot to the m-th after it
  *
- * that passes the knots in time, within an eighth of the tolerance, at the velocity of the B-spline, to 1/1024, at all knots and
+ * that passes the knots in time, within an eighth of the tolerance, at the velocity of the B-spline, to 1/2048, at all knots and
  * half way between them, with its speed and acceleration within the limits everywhere. Where jerk is limited its acceleration is also that of the
  * B-spline at all knots, as closely as the rounding of a beat's control points would leave it, and its jerk within the limit.
  */
@@ -314,7 +314,7 @@ static bool runs_between(const loft_plan *plan, unsigned m, unsigned j, loft_acc
         off   = e > off ? e : off;
         speed = size_of(v) > speed ? size_of(v) : speed;
     }
-    return off * 1024 <= speed + SLACK;
+    return off * 2048 <= speed + SLACK;
 }
 
 static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
