@@ -105,7 +105,7 @@ void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc
     c->most = loft_prod(feed, feed);
     for (int k = 0; k < 3; k++)
         c->most = smaller(c->most, station_most(b, &s, k, feed));
-    c->most -= c->most / 1024;
+    c->most -= c->most / 400;       /* the speed between beats is not asked */
     const loft_vec d0 = difference(s.bend[1], s.bend[0]), d1 = difference(s.bend[2], s.bend[1]);
     for (int i = 0; i < LOFT_AXES; i++) {       /* of the parabola through three */
         c->turn[0].axis[i] = 3 * d0.axis[i] - d1.axis[i];
@@ -225,7 +225,7 @@ static place place_of(const loft_plan_cell *c, const loft_plan_cell *at, loft_ce
 {
     place p = { at->x, at->a, up, smaller(loft_acc_scale(c->span, at->r), loft_wide(LOFT_REAL(1)) * MOST_BEATS), 0 };
 
-    p.beats = loft_acc_scale(p.beats, c->grip);
+    p.beats = loft_acc_scale(p.beats - p.beats / 24, c->grip);      /* a part is left for what is not asked between the ends */
     p.w = loft_unit_round(loft_acc_scale(loft_acc_scale(up.x, at->r), at->r) / 2);
     return p;
 }
