@@ -7,6 +7,7 @@
  * length that v^2 / 2a needs, at each end.
  */
 #define CURVES 16
+#define PARTS  8       /* of a span */
 
 #include "motion_follow.h"  /* part_length, quartic_peak */
 #include "motion_paths.h"   /* load_path                 */
@@ -20,8 +21,8 @@ static void cruise(double length, double skip, double *least, double *most)
     *least = 1e300;
     *most  = 0;
     for (unsigned k = 0; k < count; k++)
-        for (int j = 0; j < FOLLOW_PARTS; j++) {
-            const double from = (double)j / FOLLOW_PARTS, to = (j + 1.0) / FOLLOW_PARTS, before = gone;
+        for (int j = 0; j < PARTS; j++) {
+            const double from = (double)j / PARTS, to = (j + 1.0) / PARTS, before = gone;
             gone += part_length(&spans[k], from, to);
             if (before < skip || gone > length - skip)
                 continue;

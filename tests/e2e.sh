@@ -741,7 +741,7 @@ case_plan_says_what_limits() {
     awk '$1 == 1 { n++; exit !($2 == 1 && $3 == "30.000" && $4 > 1.012 && $4 < 1.022 && $5 > 29.9 && $5 < 30.1) } END { exit !n }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
     limited feed "$tmp/line.csv";                    limited 'x speed' "$tmp/line.csv" --feed 60 --machine "$tmp/slow.txt"
     limited 'x acceleration' "$tmp/line.csv" --feed 1000 --jerk 0;  limited 'x jerk' "$tmp/line.csv" --feed 1000
-    limited curvature "$tmp/ring.loft" --feed 1000 --accel 300 --jerk 0;    plan --total "$tmp/saw.loft" --jerk 0; says out '^drawn .*, corner [0-9]'
+    limited curvature "$tmp/ring.loft" --feed 1000 --accel 300 --jerk 0;    plan --total "$tmp/saw.loft" --jerk 0; says out '^in all .*, corner [0-9]'
     for num in q16 f32 f64; do
         plan "$tmp/small.csv" --num $num
         [ "$(grep -c '^[0-9]' "$tmp/out")" = 7 ] || job_fails "$num: $(cat "$tmp/out")"
