@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 
 FIRMWARE_SRC = ports/firmware.c ports/bare/memory.c $(wildcard $(addsuffix /*.c,lib/num lib/geom lib/motion lib/wire lib/machine))
-FIRMWARE_FLAGS = -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections $(WARN) -Ilib -Iports $(call num_flag,q16)
+FIRMWARE_FLAGS = -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections -DLOFT_PLAN_FLOW=0 $(WARN) -Ilib -Iports $(call num_flag,q16)
 FIRMWARES :=
 
 # firmware BOARD, compiler and flags of the core, tool prefix, sources, script of the linker, its flags

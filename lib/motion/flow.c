@@ -14,7 +14,7 @@
  */
 #include "motion/flow.h"
 
-#if LOFT_PLAN_FILTER > 1
+#if LOFT_PLAN_FLOW
 
 void loft_flow_init(loft_flow *f)
 {

@@ -18,7 +18,7 @@
  */
 #include "motion/lane.h"
 
-#if LOFT_PLAN_FILTER > 1
+#if LOFT_PLAN_FLOW
 
 #define SWEEPS 8
 #define PARTS  3       /* cells in the time in which the acceleration is reached */

@@ -39,7 +39,7 @@ void loft_law_init(loft_law *law)
     law->left  = LOFT_UNIT(1);
     for (unsigned k = 0; k < LOFT_PLAN_FILTER; k++)
         law->way[k] = 0;
-#if LOFT_PLAN_FILTER > 1
+#if LOFT_PLAN_FLOW
     law->flows = LOFT_BUDGET_JERK(&law->course.budget) && law->course.piece_room >= LOFT_FLOW_PIECES;
     loft_flow_init(&law->flow);
 #endif
@@ -398,7 +398,7 @@ static void run(loft_law *law)
     shift(law, way);
 }
 
-#if LOFT_PLAN_FILTER > 1
+#if LOFT_PLAN_FLOW
 
 static enum loft_law_state flow(loft_law *law)
 {
@@ -415,7 +415,7 @@ static enum loft_law_state flow(loft_law *law)
 
 enum loft_law_state loft_law_next(loft_law *law)
 {
-#if LOFT_PLAN_FILTER > 1
+#if LOFT_PLAN_FLOW
     if (law->flows)
         return flow(law);
 #endif

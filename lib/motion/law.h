@@ -28,7 +28,7 @@ typedef struct {
     uint8_t     parts, next;
     loft_real   aim;                    /* the speed at the end of the piece that they lead to            */
     loft_unit   left;                   /* of the beat                                                    */
-#if LOFT_PLAN_FILTER > 1
+#if LOFT_PLAN_FLOW
     loft_flow   flow;
     bool        flows;                  /* where jerk is limited and there is room for it: this is what moves */
 #endif

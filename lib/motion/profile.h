@@ -31,7 +31,7 @@ typedef struct {
     unsigned  stop : 1;         /* the path rests at its start                                            */
     unsigned  sure : 1;         /* what comes later will not change `brake`                               */
     unsigned  hop : 1;          /* it is passed as slowly as its row is short                             */
-#if LOFT_PLAN_FILTER > 1
+#if LOFT_PLAN_FLOW
     loft_plan_cell cell;             /* where jerk is limited                                                  */
 #endif
 } loft_plan_piece;

@@ -14,7 +14,7 @@
  */
 #include "motion/raise.h"
 
-#if LOFT_PLAN_FILTER > 1
+#if LOFT_PLAN_FLOW
 
 #define WIDEST 16
 

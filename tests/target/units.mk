@@ -7,11 +7,11 @@
 
 UNIT_SHARE ?= 1000
 UNITS      := build/units
-UNIT_TESTS := $(filter-out harmonic wire_page yardstick topp,$(TESTS))
+UNIT_TESTS := $(filter-out harmonic wire_page yardstick topp raise,$(TESTS))   # raise: no part of a firmware (LOFT_PLAN_FLOW)
 UNIT_BASE  := libc/quad libc/int128 libc/aeabi libc/math libc/print alarm units
 UNIT_FLAGS  = -std=c99 -ffreestanding -O1 -Xclang -mlong-double-128 -Xclang -fforce-enable-int128 -ffp-contract=off '-D__float128=long double' \
               -Wall -Wextra -Werror=implicit-function-declaration -Wno-unused-function -Wno-sometimes-uninitialized \
-              -Itests/target/libc -Itests/target -Itests -Ilib -DLOFT_AXES=3
+              -Itests/target/libc -Itests/target -Itests -Ilib -DLOFT_AXES=3 -DLOFT_PLAN_FLOW=0
 
 # unit_set NAME, number type, clang's flags of the core, what it starts with
 define unit_set
