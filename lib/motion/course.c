@@ -11,10 +11,10 @@
  * The law of motion (law.c) is averaged over n beats afterwards, a window of time whose mean place has left a piece while its
  * ends are still there or before it. Therefore a piece with the cap c casts its bounds to all places within
  *
- *     z = c (n + 1) h / 2
+ *     z = c (n + 2) h / 2
  *
- * on both sides (n h for the window, one more h as the law changes its acceleration between beats only; and where a joint is eased,
- * the way that takes). That is enough: a window
+ * on both sides (n h for the window, one more h as the law changes its acceleration between beats only, and one as the spline of the samples
+ * looks beyond them: what is left of its reach weighs 1 / (48 n); and where a joint is eased, the way that takes). That is enough: a window
  * of places whose mean is in the piece lies within z of it. If its one end were further off, the time from there to the mean's
  * place would be more than half the window, at a speed of at most c, and the mean would lie on that side.
  */
@@ -36,7 +36,7 @@ loft_move *loft_course_move(const loft_course *c, unsigned i)
 /* A joint's own jerk is spread over three beats by the spline of the samples. */
 static loft_acc zone_at(const loft_course *c, loft_real v, bool joint)
 {
-    return loft_budget_beat(&c->budget, v) * (c->budget.filter + (joint && LOFT_BUDGET_JERK(&c->budget) ? 4 : 1)) / 2;
+    return loft_budget_beat(&c->budget, v) * (c->budget.filter + (joint ? 4 : 2)) / 2;
 }
 
 loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p)

@@ -11,7 +11,8 @@
  *
  *     -A <= w a + k x <= A        |w a| <= A (1 -+ k x / A)
  *
- * As u and k are nearly lines along the piece, what holds at both ends holds between them. So the largest a is the least of some
+ * As u, k and x are nearly lines along the piece, what holds at both ends holds between them, but for (k1 - k0) 2 a l / 4 where k falls as
+ * x rises: pieces are cut until that is little. So the largest a is the least of some
  * falling and rising lines in x, a concave function, and so is -a of the least one. Both are positive at x = 0. Where they meet is
  * the largest x that any acceleration allows: more than where a = 0 is possible, if the piece has to be passed while it speeds up
  * or slows down. Chords between x = 0, a knee and the far end lie inside of the polygon. The knee is where the line that is the
@@ -24,6 +25,7 @@
 #include "motion/scope.h"
 
 #define BENT    20      /* A / 20 is the most that the curvature's second difference may ask for at the cap: 8 times what is off */
+#define SKEW    64      /* and so much (k1 - k0) a l, for the curvature and x change together: twice what is off                       */
 #define STEEP   64      /* the square of the cap is a line along the piece, to 1/64 of itself                                     */
 #define TURN    LOFT_REAL(0.03)
 #define EDGE    4     /* of 256: the knee is no nearer to the ends                                                              */
@@ -191,7 +193,7 @@ loft_acc loft_scope_brake(const loft_plan_piece *p, loft_acc end)
 /* Pieces and joints
  * ----------------- */
 
-/* Does the curvature's change in the middle ask for little, and the direction not turn much where speed has to change? */
+/* Does the curvature's change ask for little between the ends, and the direction not turn much where speed has to change? */
 static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
 {
     const loft_acc x = loft_prod(p->cap, p->cap);
@@ -201,6 +203,9 @@ static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_
         const loft_acc d = loft_wide(bend_of(b, s, 0, i)) - 2 * loft_wide(bend_of(b, s, 1, i)) + loft_wide(bend_of(b, s, 2, i));
         const loft_real quarter = loft_acc_round(d / 4);
         if (loft_acc_mul(length_of(p), b->accel[i]) > x / 128 && loft_acc_mul(x, size_of(quarter)) > loft_wide(b->accel[i]) / (4 * BENT))
+            return false;
+        const loft_real more = bend_of(b, s, 2, i) - bend_of(b, s, 0, i);
+        if (loft_acc_mul(loft_acc_mul(length_of(p), p->rest), size_of(more)) > loft_wide(b->accel[i]) / SKEW)
             return false;
         turns = turns || size_of(s->along[2].axis[i] - s->along[0].axis[i]) > TURN;
     }
