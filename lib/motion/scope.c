@@ -205,7 +205,7 @@ static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_
         if (loft_acc_mul(length_of(p), b->accel[i]) > x / 128 && loft_acc_mul(x, size_of(quarter)) > loft_wide(b->accel[i]) / (4 * BENT))
             return false;
         const loft_real more = bend_of(b, s, 2, i) - bend_of(b, s, 0, i);
-        if (loft_acc_mul(loft_acc_mul(length_of(p), p->rest), size_of(more)) > loft_wide(b->accel[i]) / SKEW)
+        if (!p->flows && loft_acc_mul(loft_acc_mul(length_of(p), p->rest), size_of(more)) > loft_wide(b->accel[i]) / SKEW)
             return false;
         turns = turns || size_of(s->along[2].axis[i] - s->along[0].axis[i]) > TURN;
     }
