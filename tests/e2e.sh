@@ -168,7 +168,8 @@ case_planned_here_or_there() {      # the same drawing: the same end, path, and 
         done
         [ "$(tail -1 "$tmp/at-host.csv" | cut -d, -f2-)" = "$(tail -1 "$tmp/at-chip.csv" | cut -d, -f2-)" ] || job_fails "$m: another end"
         local took; took=$(sed -n 's/.* m, \([0-9.]*\) s machine time.*/\1/p' "$tmp"/at-*.out | sort -u | tr '\n' ' ')
-        awk -v t="$took" 'BEGIN { split(t, a, " "); b = a[2] ? a[2] : a[1]; exit !(b <= 1.01 * a[1] + 0.11) }' || job_fails "$m: $took s"
+        # on the machine curves come while others are raised, in other portions: 2 % at most was measured (f32)
+        awk -v t="$took" 'BEGIN { split(t, a, " "); b = a[2] ? a[2] : a[1]; exit !(b <= 1.02 * a[1] + 0.11) }' || job_fails "$m: $took s"
         local bytes; bytes=$(sed -n 's/^line: \([0-9]*\) bytes out for 17 curves.*/\1/p' "$tmp/at-chip.out")
         [ "${bytes:-9999}" -lt 450 ] || job_fails "$m: $(cat "$tmp/at-chip.out")"
     done
