@@ -54,7 +54,7 @@ static loft_machine_config config = {
 #define BUTTONS 0x07                /* of PINC  */
 
 #define RING    64                  /* slots                                      */
-#define LOW     28                  /* so many are enough for the longest tick    */
+#define LOW     36                  /* so many are enough for the longest tick, and half as many again */
 
 static volatile uint8_t ring[RING], ring_head, ring_tail;
 static volatile uint8_t at_work;

@@ -11,8 +11,8 @@ result=$tmp/result
 
 echo "-- a drawing: $drawing at $feed mm/s, 250 steps/mm, planned here"
 "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 --max-speed 160 --accel 500 --queue 12 --ramp 40 >"$tmp/log" & here=$!
-for _ in $(seq 100); do [ -e "$tmp/here" ] && break; sleep 0.02; done
-timeout 40 "$loft" stream "$drawing" --feed $feed --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
+for _ in $(seq 500); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+timeout 100 "$loft" stream "$drawing" --feed $feed --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
 on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --port "$tmp/port" --record "$tmp/chip.csv"
 
 ticks=$(sed -n 's/.*items, \([0-9]*\) ticks.*/\1/p' "$tmp/log")
@@ -28,7 +28,8 @@ row "slot interrupt, worst"                                 "$(value slot_most)"
 row "slot interrupt, latest"                                "$(value slot_late)" "<=" 200 cycles
 row "slots that found the ring empty in mid-job"            "$(value slots_empty)" = 0
 row "making the slots of a tick, and the next tick, mean"   "$(value tick_mean)" "<=" 4000 cycles
-row "the same, worst"                                       "$(value tick_most)" "<=" 10000 cycles
+# Not the worst of these calls: one makes one tick or several, as the moment wants it, and may take its time while slots are left.
+row "slots left in the ring when a slot came, fewest"       "$(value ring_least)" ">=" 8 "of the 36 at which work begins"
 row "all interrupts"                                        "$(value load)" "<=" 0.85 "of the time"
 row "shortest pulse (2 us)"                                 "$(value pulse_least)" ">=" 32 cycles
 row "direction set before the pulse, at least"              "$(value setup_least)" ">=" 320 cycles
@@ -37,8 +38,8 @@ row "RAM: data, bss and the deepest stack of 2048"          "$(($(avr-size "$elf
 
 echo "-- the same as points, one per ms"
 "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 --max-speed 160 --accel 500 --queue 12 --ramp 40 >"$tmp/log" & here=$!
-for _ in $(seq 100); do [ -e "$tmp/here" ] && break; sleep 0.02; done
-timeout 40 "$loft" stream "$drawing" --feed $feed --points --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
+for _ in $(seq 500); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+timeout 100 "$loft" stream "$drawing" --feed $feed --points --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
 on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --points --port "$tmp/port" --record "$tmp/chip.csv"
 ticks=$(sed -n 's/.*items, \([0-9]*\) ticks.*/\1/p' "$tmp/log")
 row "points: the command ends well"                         "$code" = 0

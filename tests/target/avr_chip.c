@@ -19,8 +19,8 @@
 #define HZ          AVR_HZ
 #define BATCH       (HZ / 1000)     /* cycles between two looks at the line                           */
 #define SETTLE      (HZ / 50)       /* after the last byte, to answer it                              */
-#define QUIET_MS    400             /* of real time without a byte that is owed: the sender is gone   */
-#define LEAVE_MS    1000            /* for the last answer to be read                                 */
+#define QUIET_MS    10000           /* of real time without a byte that is owed: the sender is gone, not only busy */
+#define LEAVE_MS    10000           /* for the last answer to be read                                 */
 
 struct chip {
     struct avr_core core;
@@ -156,6 +156,7 @@ static void print_results(const struct chip *c)
     printf("slot_period %u\nslot_late %llu\nslots_missed %llu\nslots_empty %llu\n", m->period, (unsigned long long)m->slot_late, (unsigned long long)meter_missed(m),
            (unsigned long long)m->starved);
     printf("load %.3f\n", (double)(m->context[SLOT].cycles + m->context[TICK].cycles + m->context[RECEIVE].cycles) / (double)slots);
+    print_least("ring_least", m->left_least);
     print_least("pulse_least", m->pulse_least);
     print_least("setup_least", m->setup_least);
     print_least("hold_least", m->hold_least);

@@ -12,6 +12,7 @@
 #define VECTORS     26
 #define SLOT_VECTOR 11              /* timer 1 compare A */
 #define RX_VECTOR   18
+#define RING        64              /* slots that the firmware's ring has */
 
 static uint16_t stack(const avr_t *avr)     { return (uint16_t)(avr->data[R_SPL] | avr->data[R_SPH] << 8); }
 
@@ -52,8 +53,12 @@ static void pin_changed(struct avr_irq_t *irq, uint32_t value, void *param)
             least(&m->between_least, now - m->last[axis]);
         m->rose[axis] = m->last[axis] = now;
         m->path[axis] = (m->path[axis] ^ (m->dir >> axis & 1u)) * 0x100000001b3u + 1;     /* as FNV-1a does */
-        m->starved += m->armed && m->begun ? m->empty : 0;
+        if (m->armed && m->begun) {
+            m->starved += m->empty;
+            least(&m->left_least, m->low);
+        }
         m->empty = 0;
+        m->low = RING;
         m->begun = true;
     } else {
         least(&m->pulse_least, now - m->rose[axis]);
@@ -66,7 +71,8 @@ void meter_init(struct meter *m, avr_t *avr, uint32_t tick_pc)
     m->avr = avr;
     m->tick_pc = tick_pc;
     m->deepest = UINT16_MAX;
-    m->pulse_least = m->setup_least = m->hold_least = m->between_least = UINT64_MAX;
+    m->low = RING;
+    m->left_least = m->pulse_least = m->setup_least = m->hold_least = m->between_least = UINT64_MAX;
     for (int pin = 2; pin < 8; pin++)
         avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), pin), pin_changed, m);
     avr->run_cycle_limit = 1;
@@ -106,7 +112,10 @@ static void count_slot(struct meter *m)
         m->period = 1u + (m->avr->data[0x88] | (uint32_t)m->avr->data[0x89] << 8);
     }
     m->slot_last = now;
-    m->empty += m->avr->data[m->ring_head] == m->avr->data[m->ring_tail];
+    const uint8_t left = (uint8_t)(m->avr->data[m->ring_head] - m->avr->data[m->ring_tail]) % RING;
+    m->empty += left == 0;
+    if (left < m->low)
+        m->low = left;
     most(&m->slot_late, (now - m->slot_first + EARLY) % m->period > EARLY ? (now - m->slot_first) % m->period : 0);
 }
 

@@ -36,6 +36,7 @@ struct meter {
 
     uint16_t ring_head, ring_tail;                  /* where the ring of slots has its indices              */
     uint64_t empty, starved;                        /* slots that found it empty: since the last pulse, and before another one */
+    uint64_t low, left_least;                       /* the fewest that a slot found in it: the same                            */
 
     struct host_record record;
     uint8_t port, step, dir;                        /* PORTD; pulses since `when`, their directions         */
