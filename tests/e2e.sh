@@ -33,7 +33,7 @@ machine() {
     machine=$!; children+=("$machine"); disown "$machine"
     wait_for "$tmp/$name"
 }
-wait_for() { for _ in $(seq 200); do [ -e "$1" ] && return; sleep 0.02; done; job_fails "$1 did not appear"; }
+wait_for() { for _ in $(seq 500); do [ -e "$1" ] && return; sleep 0.02; done; job_fails "$1 did not appear"; }
 gone() { for _ in $(seq 400); do kill -0 "$1" 2>/dev/null || return; sleep 0.02; done; job_fails "process $1 did not end"; kill -9 "$1"; }
 until_log() { for _ in $(seq 500); do grep -q "$2" "$tmp/$1.log" && return; sleep 0.02; done; job_fails "the machine never said: $2"; }
 
@@ -74,10 +74,10 @@ undisturbed() {         # the reference: $tmp/calm.csv
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/calm" "${slowly[@]}"; gone "$machine"
 }
 slowly=(--feed 60)      # the job lasts about 6 s of machine time
-draws() { job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}"); }     # draws MACHINE: sets ${job[@]}
-cut_off() {             # cut_off SECONDS: ${job[@]} is killed without warning
+draws() { drawing_on=$1; job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}"); }     # draws MACHINE: sets ${job[@]}
+cut_off() {             # cut_off SECONDS: ${job[@]} is killed without warning, that long after the machine has begun
     "${job[@]}" >/dev/null 2>&1 & local sender=$!
-    disown $sender; sleep "$1"; kill -9 $sender || job_fails "the sender ended before it could be killed"; gone $sender
+    disown $sender; until_log "$drawing_on" ' begun'; sleep "$1"; kill -9 $sender || job_fails "the sender ended before it could be killed"; gone $sender
 }
 
 
@@ -152,12 +152,12 @@ case_through_libserialport() {
     wait_for "$tmp/mute"
     one_line 69 'at 57600 baud: no machine answered' "${serial[@]}" --port "$tmp/mute" --wait 0.3 --baud 57600
     machine unplugged --speed real
-    { sleep 1; kill -9 "$machine"; } & children+=($!)
+    { until_log unplugged " begun"; sleep 0.7; kill -9 "$machine"; } & children+=($!)
     one_line 74 'the port has vanished at item [0-9]* of' "${serial[@]}" --port "$tmp/unplugged"
 }
 
 
-chip_draws() { job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}" --plan chip); }
+chip_draws() { drawing_on=$1; job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}" --plan chip); }
 case_planned_here_or_there() {      # the same drawing: the same end, path, and time
     for m in q16 f32; do
         for where in host chip; do
@@ -216,7 +216,7 @@ case_killed_and_run_again() {
 case_hold_and_resume_by_key() {
     undisturbed
     machine keyed --speed real --once
-    "$pty" type "1.2:h 2.2:r" "$loft" stream "$tmp/small.csv" --port "$tmp/keyed" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    "$pty" type "$tmp/keyed.log" "1.2:h 2.2:r" "$loft" stream "$tmp/small.csv" --port "$tmp/keyed" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
     gone "$machine"
     tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
     says screen 'held, r resumes'; says screen '%  [0-9]*:[0-9][0-9] left  feed  *[56][0-9]\.[0-9] mm/s  100 %  queue  *[0-9]*  X'; says screen 'as commanded'
@@ -225,7 +225,7 @@ case_hold_and_resume_by_key() {
 case_override_by_key() {
     undisturbed
     machine hurried --speed real --once
-    "$pty" type "1.0:+ 1.3:+ 1.5:s 1.7:- 1.9:- 2.1:- 2.3:- 2.5:0" "$loft" stream "$tmp/small.csv" --port "$tmp/hurried" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    "$pty" type "$tmp/hurried.log" "1.0:+ 1.3:+ 1.5:s 1.7:- 1.9:- 2.1:- 2.3:- 2.5:0" "$loft" stream "$tmp/small.csv" --port "$tmp/hurried" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
     gone "$machine"
     tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
     says screen ' 120 %  queue'; says screen ' 80 %  queue'; says screen 'override 120 %, feed'; says screen 'as commanded'
@@ -233,14 +233,14 @@ case_override_by_key() {
 }
 case_abort_by_key() {
     machine aborted --speed real --once
-    "$pty" type "1.2:a" "$loft" stream "$tmp/small.csv" --port "$tmp/aborted" "${slowly[@]}" >"$tmp/out" 2>&1
+    "$pty" type "$tmp/aborted.log" "1.2:a" "$loft" stream "$tmp/small.csv" --port "$tmp/aborted" "${slowly[@]}" >"$tmp/out" 2>&1
     [ $? = 75 ] || job_fails "exit code is not 75"
     gone "$machine"; says out 'aborted after [0-9]* of [0-9]* items: the machine stands on the path at'; counted aborted
 }
 case_interrupt_holds_and_the_same_command_goes_on() {
     undisturbed
     machine stopped --speed real --once
-    "$pty" type "1.2:^C" "$loft" stream "$tmp/small.csv" --port "$tmp/stopped" "${slowly[@]}" >"$tmp/out" 2>&1
+    "$pty" type "$tmp/stopped.log" "1.2:^C" "$loft" stream "$tmp/small.csv" --port "$tmp/stopped" "${slowly[@]}" >"$tmp/out" 2>&1
     [ $? = 75 ] || job_fails "exit code is not 75"
     says out 'held at item [0-9]* of [0-9]*: the machine stands on the path at'
     until_log stopped held
@@ -263,7 +263,7 @@ case_interrupt_while_planning_ends_at_once() {
 case_second_interrupt_leaves_at_once() {
     undisturbed
     machine left --speed real --once
-    "$pty" type "1.2:^C 1.22:^C" sh -c "trap : INT; '$loft' stream '$tmp/small.csv' --port '$tmp/left' --feed 60; echo code \$?; stty -a" >"$tmp/out" 2>&1
+    "$pty" type "$tmp/left.log" "1.2:^C 1.22:^C" sh -c "trap : INT; '$loft' stream '$tmp/small.csv' --port '$tmp/left' --feed 60; echo code \$?; stty -a" >"$tmp/out" 2>&1
     says out '^code 75'; says out 'left at once'; says out ' icanon'; says out ' echo '
     draws left; run 0 "${job[@]}"; gone "$machine"; says err '^resuming at item'; counted left; same_path left calm
 }
@@ -298,20 +298,20 @@ case_another_job_after_a_lost_one() {
 }
 case_port_vanishes() {
     machine lost --speed real
-    { sleep 1; kill -9 "$machine"; } & children+=($!)
+    { until_log lost " begun"; sleep 0.7; kill -9 "$machine"; } & children+=($!)
     one_line 74 'the port has vanished at item [0-9]* of' "$loft" stream "$tmp/small.csv" --port "$tmp/lost" "${slowly[@]}"
 }
 case_machine_restarts_in_mid_job() {
     machine again --speed real
     "$pty" relay "$tmp/line" "$tmp/again" & children+=($!); disown $!
     wait_for "$tmp/line"
-    { sleep 1; kill -9 "$machine"; rm -f "$tmp/again"; exec "$loft" simulate --link "$tmp/again" >/dev/null 2>&1; } & children+=($!)
+    { until_log again " begun"; sleep 0.7; kill -9 "$machine"; rm -f "$tmp/again"; exec "$loft" simulate --link "$tmp/again" >/dev/null 2>&1; } & children+=($!)
     one_line 76 'restarted in the middle of the job: home it' "$loft" stream "$tmp/small.csv" --port "unix:$tmp/line" "${slowly[@]}"
 }
 case_second_sender_is_refused() {
     machine owned --speed real --once
     draws owned; "${job[@]}" >/dev/null 2>&1 & local sender=$!
-    sleep 0.5
+    until_log owned " begun"
     one_line 69 'another program talks to it' "$loft" stream "$tmp/small.csv" --port "$tmp/owned"
     wait $sender || job_fails "the first sender ended with $?"
     gone "$machine"
@@ -834,7 +834,7 @@ case_kinematics_cut_off() {
     kinematics delta
     machine there --speed real --machine "$tmp/delta.txt"
     job=("$loft" stream "$tmp/small.csv" --port "$tmp/there" --machine "$tmp/delta.txt" --feed 60)
-    cut_off 1; run 0 "${job[@]}"; says err '^resuming at item'; says out 'as commanded$'
+    drawing_on=there; cut_off 1; run 0 "${job[@]}"; says err '^resuming at item'; says out 'as commanded$'
     local end; end=$(sed -n 's/.* \(steps .* as commanded\)$/\1/p' "$tmp/out")
     run 0 "${job[@]}" --park; says out "$end"
 }

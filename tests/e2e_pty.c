@@ -5,7 +5,8 @@
  *     e2e_pty mute LINK                   a machine that never answers
  *     e2e_pty relay SOCKET LINK [BAUD]    a Unix socket in front of the pty LINK, which may go away and come back:
  *                                         a serial line whose machine is switched off and on
- *     e2e_pty type "SECONDS:KEY .." CMD   CMD on a terminal, with keys typed at those times ("0.5:h 2:^C")
+ *     e2e_pty type LOG "SECONDS:KEY .." CMD   CMD on a terminal, with keys typed at those times ("0.5:h 2:^C") after the
+ *                                         machine's LOG has said that a job has begun
  *
  * LINK becomes a symbolic link to the pty. `type` gives the exit code of CMD; what CMD prints is passed on.
  */
@@ -163,7 +164,20 @@ static int next_key(char **script, double *at, char *key)
     return 1;
 }
 
-static int type(char *script, char **command)
+/* Has the machine begun a job? It says so in its first lines. */
+static int has_begun(const char *log)
+{
+    char text[512];
+    FILE *f = fopen(log, "r");
+
+    if (f == NULL)
+        return 0;
+    text[fread(text, 1, sizeof text - 1, f)] = '\0';
+    fclose(f);
+    return strstr(text, " begun") != NULL;
+}
+
+static int type(const char *log, char *script, char **command)
 {
     char name[128], key = 0, bytes[4096];
     double at = 0;
@@ -183,7 +197,7 @@ static int type(char *script, char **command)
         execvp(command[0], command);
         _exit(die(command[0]) + 1);
     }
-    const double start = seconds();
+    double start = 0;
     more = next_key(&script, &at, &key);
     while (waitpid(child, &status, WNOHANG) == 0) {
         struct pollfd p = { .fd = master, .events = POLLIN };
@@ -194,7 +208,9 @@ static int type(char *script, char **command)
             else
                 usleep(10000);
         }
-        if (more && seconds() - start >= at) {
+        if (start <= 0 && has_begun(log))
+            start = seconds();
+        if (more && start > 0 && seconds() - start >= at) {
             if (write(master, &key, 1) != 1)
                 return die("key");
             more = next_key(&script, &at, &key);
@@ -212,8 +228,8 @@ int main(int argc, char **argv)
         return machine(argv[2], strcmp(argv[1], "noise") == 0);
     if ((argc == 4 || argc == 5) && strcmp(argv[1], "relay") == 0)
         relay(argv[2], argv[3], argc == 5 ? atof(argv[4]) : 1e9);
-    if (argc > 3 && strcmp(argv[1], "type") == 0)
-        return type(argv[2], argv + 3);
+    if (argc > 4 && strcmp(argv[1], "type") == 0)
+        return type(argv[2], argv[3], argv + 4);
     fprintf(stderr, "usage: e2e_pty noise|mute LINK, e2e_pty relay SOCKET LINK [BAUD], or e2e_pty type \"SECONDS:KEY ..\" CMD ..\n");
     return 64;
 }
