@@ -231,7 +231,8 @@ enum loft_status loft_course_push(loft_course *c, const loft_move *move)
         loft_course_piece(c, i)->sure = false;
     c->end   = move->curve.p[3];
     c->ended = false;
-    c->zone  = larger(c->zone, zone_at(c, move->feed, true) + (LOFT_BUDGET_JERK(&c->budget) ? loft_wide(LOFT_EASE_MAX) : 0));
+    if (LOFT_BUDGET_JERK(&c->budget))
+        c->zone = larger(c->zone, zone_at(c, move->feed, true) + loft_wide(LOFT_EASE_MAX));
     return LOFT_OK;
 }
 

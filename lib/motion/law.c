@@ -19,7 +19,7 @@
  * Where the path rests the window is empty, so n may be chosen anew: a way d from rest to rest with jerk J is fastest with
  * 2 J (n h)^3 = d, and speeds up to v do not need more than J (n h)^2 = v.
  *
- * Where there is room for it, motion with limited jerk is that of flow.c instead.
+ * That is for limited jerk in little room: where there is more, it is flow.c that moves, and reach.c where jerk is not limited.
  */
 #include "motion/law.h"
 
@@ -265,7 +265,7 @@ static void late(loft_law *law, unsigned i, unsigned first, loft_acc d)
 {
     loft_course *c = &law->course;
 
-    for (; LOFT_BUDGET_JERK(&c->budget) && i < c->count && d < loft_wide(LOFT_EASE_MAX); i++) {
+    for (; i < c->count && d < loft_wide(LOFT_EASE_MAX); i++) {
         loft_plan_piece *p = loft_course_piece(c, i);
         if (i >= first && d < loft_unit_wide(p->ease.width)) {
             p->stop = true;

@@ -7,9 +7,8 @@
  *     u v          u a + k v^2          u j + 3 k v a + k' v^3
  *
  * With x = v^2 the second is a straight line in a and x: what it allows for a is the least of straight lines in x, a concave
- * function, and the chords between its values at x = 0, at the knee and at the cap lie below it. On two axes it has two lines, of
- * which one rises, for the axis that the bend relieves: the knee is looked for where the chords enclose most. With a limit of its
- * own for |k| x, that is a cap of x, and what is left for u a does not depend on x.
+ * function, and the chords between its values at x = 0, at 3/4 of the cap's square (the knee) and at that lie below it. With a
+ * limit of its own for |k| x, that is a cap of x, and what is left for u a does not depend on x.
  *
  * Acceleration is averaged over n beats of h seconds (course.c), so that j <= a / (n h) with the largest a of that time. With
  * a share of the jerk for k' v^3, which limits the speed, a is limited by
@@ -17,7 +16,7 @@
  *     a (|u| / n + 3 |k| v h) <= J h - |k'| v^3 h
  *
  * v being that of the middle of n beats, up to a n h / 2 faster than now. As a function of x the right side over the left is
- * mostly convex; its chords, with the knee at 3/4, are lowered until they pass below it at four places.
+ * mostly convex; its chords are lowered until they pass below it at four places.
  *
  * It is asked at the start, the middle and the end of a piece; between them |k| is less than the largest by an
  * eighth of its second difference, which every k is lengthened by in advance.
@@ -28,7 +27,6 @@
 
 #define SLOWEST LOFT_REAL(0.0005)   /* no feature is passed slower, mm/s             */
 #define LEAST   LOFT_REAL(0.25)     /* nor with less acceleration from rest, mm/s^2 */
-#define COARSE  8
 #define LSB     loft_wide(LOFT_REAL(0.000015258789))    /* 2^-16 */
 
 static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
@@ -187,57 +185,6 @@ static loft_real accel_grip(const loft_budget *b, const loft_arc_shape *s, loft_
     return a;
 }
 
-/* The value at the knee, and twice what the chords enclose. */
-static loft_acc set_knee(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real bound[2], int knee, bool fore)
-{
-    bound[0] = accel_grip(b, s, loft_prod(p->cap, p->cap) / 16 * knee, fore);
-    return LOFT_PLAN_KNEE > 0 ? loft_wide(p->rest) / 16 * knee + loft_wide(bound[0]) + loft_wide(bound[1]) / 16 * (16 - knee) : 0;
-}
-
-/* What they enclose is concave in the knee's place. */
-static unsigned find_knee(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real bound[2], bool fore)
-{
-    int knee = 12;
-
-    bound[1] = accel_grip(b, s, loft_prod(p->cap, p->cap), fore);
-    loft_acc most = set_knee(p, b, s, bound, knee, fore);
-    for (int step = LOFT_BUDGET_JERK(b) ? 0 : LOFT_PLAN_KNEE; step > 0; step /= 2)
-        for (int way = -step; way <= step; way += 2 * step) {
-            loft_real other[2] = { 0, bound[1] };
-            const loft_acc z = knee + way < 16 ? set_knee(p, b, s, other, knee + way, fore) : 0;
-            if (z > most) {
-                most = z;
-                knee += way;
-                bound[0] = other[0];
-            }
-        }
-    return (unsigned)knee;
-}
-
-/* Where a beat may change the speed by more than 1/COARSE of the cap, what bends there turns much between samples. */
-static bool turns_fast(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
-{
-    const loft_acc x = loft_prod(p->cap, p->cap) * COARSE;
-
-    if (loft_budget_beat(b, p->rest) * COARSE <= loft_wide(p->cap))
-        return false;
-    if (b->across > 0)
-        return loft_acc_mul(x, bend_at(s, 3)) > loft_wide(b->across);
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (loft_acc_mul(x, largest(s->bend, i)) > loft_wide(b->accel[i]))
-            return true;
-    return false;
-}
-
-static void leave_quarter(loft_plan_piece *p)
-{
-    p->rest -= p->rest / 4;
-    for (int k = 0; k < 2; k++) {
-        p->fore[k] -= p->fore[k] / 4;
-        p->back[k] -= p->back[k] / 4;
-    }
-}
-
 static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
 {
     p->rest = LOFT_ACCEL_MAX;
@@ -245,12 +192,12 @@ static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_s
         const loft_acc jerk = loft_wide(b->gain[i]) * b->filter, accel = loft_wide(b->accel[i]);
         p->rest = loft_real_cap(p->rest, loft_acc_round(smaller(jerk, accel)), largest(s->along, i));
     }
-    p->fore_knee = (uint8_t)find_knee(p, b, s, p->fore, true);
-    p->back_knee = (uint8_t)find_knee(p, b, s, p->back, false);
-    if (LOFT_BUDGET_JERK(b))
-        set_jerk_lines(p, b, s);
-    else if (turns_fast(p, b, s))
-        leave_quarter(p);
+    const loft_acc top = loft_prod(p->cap, p->cap);
+    p->fore[0] = accel_grip(b, s, top / 4 * 3, true);
+    p->fore[1] = accel_grip(b, s, top, true);
+    p->back[0] = accel_grip(b, s, top / 4 * 3, false);
+    p->back[1] = accel_grip(b, s, top, false);
+    set_jerk_lines(p, b, s);
 }
 
 /* The square of the speed that directions and curvature allow at a station, or on all of the piece (station 3). */
@@ -271,9 +218,7 @@ static loft_acc station_cap(const loft_budget *b, const loft_arc_shape *s, int k
 
 static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_real feed)
 {
-    p->cap = loft_acc_sqrt(station_cap(b, s, 3, feed));
-    if (LOFT_BUDGET_JERK(b))
-        p->cap = twist_cap(p, b, s, p->cap);
+    p->cap = twist_cap(p, b, s, loft_acc_sqrt(station_cap(b, s, 3, feed)));
     set_lines(p, b, s);
     p->stop = p->sure = false;
     p->brake = 0;
@@ -469,16 +414,14 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
 {
     const loft_arc_shape s = { { before->along, after->along, after->along }, { before->bend, after->bend, after->bend }, false };
     const loft_acc turn = loft_budget_joint(b, before->along, after->along, spacing, true), feed2 = loft_prod(feed, feed);
-    const loft_acc bend = LOFT_BUDGET_JERK(b) ? loft_profile_jump(b, before, after, spacing, feed) : 2 * feed2;
+    const loft_acc bend = loft_profile_jump(b, before, after, spacing, feed);
 
     p->length = 0;
-    if (LOFT_BUDGET_JERK(b) ? turn / 1024 > feed2 && bend / 32 > feed2 : turn >= feed2)
+    if (turn / 1024 > feed2 && bend / 32 > feed2)
         return false;
     set_bounds(p, b, &s, feed);
 
-    joint j = { .turn = loft_acc_sqrt(turn), .bend = loft_acc_sqrt(bend) };
-    if (LOFT_BUDGET_JERK(b))
-        j = ease(p, b, before, after, j, room, feed);
+    const joint j = ease(p, b, before, after, (joint){ .turn = loft_acc_sqrt(turn), .bend = loft_acc_sqrt(bend) }, room, feed);
     const loft_real slow = least(j.turn, j.bend);
     p->stop = slow < loft_acc_round(loft_acc_scale(loft_wide(p->rest), b->pulse) / 4);
     if (p->stop) {
@@ -486,14 +429,13 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
         return true;
     }
     p->cap = least(p->cap, slow);
-    if (LOFT_BUDGET_JERK(b))
-        leave_for_joint(p, &j, before, after);
+    leave_for_joint(p, &j, before, after);
     return true;
 }
 
 loft_real loft_profile_grip(const loft_plan_piece *p, loft_acc x, bool fore)
 {
-    const loft_acc   most = loft_prod(p->cap, p->cap), knee = most / 16 * (int32_t)(fore ? p->fore_knee : p->back_knee);
+    const loft_acc   most = loft_prod(p->cap, p->cap), knee = most / 4 * 3;
     const loft_real *at   = fore ? p->fore : p->back;
 
     if (!(x < most))

@@ -1,19 +1,14 @@
-/* lib/motion/profile.h -- profile: how fast a piece of the path may be passed, and with which acceleration
+/* lib/motion/profile.h -- profile: how fast a piece of the path may be passed, and with which acceleration, where jerk is limited
  * SPDX-License-Identifier: MIT
  *
  * The limits per axis of speed, acceleration and jerk become a cap of the speed, and bounds of the acceleration along the
- * path: for speeding up and for slowing down two straight lines in the square of the speed, which meet at a knee.
+ * path: for speeding up and for slowing down two straight lines in the square of the speed, which meet at a knee. Where jerk
+ * is not limited it is scope.h that sets a piece.
  */
 #ifndef LOFT_MOTION_PROFILE_H
 #define LOFT_MOTION_PROFILE_H
 
 #include "motion/cell.h"    /* loft_plan_cell, loft_ease */
-
-/* How far the knee of a piece's bounds is looked for, 0..4; 0: it is at 3/4 of the cap's square. That costs a quarter of the time to
- * cut a curve, and less acceleration on the way to speeds near the cap on bends. */
-#ifndef LOFT_PLAN_KNEE
-#  define LOFT_PLAN_KNEE 4
-#endif
 
 /* A piece of the path, or, of no length, a joint. */
 typedef struct {
@@ -26,7 +21,7 @@ typedef struct {
     uint32_t  from, to;         /* the curve's parameters at its ends                                     */
     uint16_t  move;             /* its curve                                                              */
     loft_ease ease;             /* of a joint                                                             */
-    uint8_t   fore_knee, back_knee; /* in 16ths of cap^2; jerk not limited: in 256ths of far^2            */
+    uint8_t   fore_knee, back_knee; /* jerk not limited: in 256ths of far^2 (limited: at 3/4 of cap^2)    */
     unsigned  flows : 1;        /* jerk not limited: at the cap all along it                              */
     unsigned  stop : 1;         /* the path rests at its start                                            */
     unsigned  sure : 1;         /* what comes later will not change `brake`                               */

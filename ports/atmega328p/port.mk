@@ -81,7 +81,7 @@ TARGET_STAGES += check-atmega328p
 # Every function for itself and called, not inlined: half the size. The image is more than this chip holds, so that an ATmega1284P, the
 # same core with 128 kB, runs it.
 PLAN_CHIP    = atmega1284p
-PLAN_OPTIONS = -DLOFT_PLAN_WINDOW=4 -DLOFT_PLAN_FILTER=1 -DLOFT_PLAN_KNEE=0 -DLOFT_PLAN_BEATS=250
+PLAN_OPTIONS = -DLOFT_PLAN_WINDOW=4 -DLOFT_PLAN_FILTER=1 -DLOFT_PLAN_BEATS=250
 PLAN_FLAGS   = -std=c99 -ffreestanding -Os -flto -fno-inline -mcall-prologues -mrelax -mstrict-X -maccumulate-args -fno-gcse -fno-tree-pre \
                -fno-tree-loop-im -fno-move-loop-invariants -fno-tree-sra -ffunction-sections -fdata-sections
 PLAN_SRC     = tests/target/plan.c $(wildcard lib/num/*.c lib/geom/*.c lib/motion/*.c) lib/curve/bezier.c lib/curve/forward.c
