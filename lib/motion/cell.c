@@ -14,6 +14,12 @@
  * and in a cell x'' h / 2 = a1 - a0, the change of acceleration in it. The bracket times h must be within J h / v, which is J
  * times about the time in the cell, so everything that is compared is an acceleration. It is asked at both ends.
  *
+ * The acceleration of an axis, f = u a + k x, has f'' = 4 k a' + 5 k' a + k'' x, so between the ends it is at most
+ *
+ *     (4 |k| h |a1 - a0| + 5 |k'| h |a| h + |k''| h^2 x) / 8
+ *
+ * above the larger of both. Where that may be more than BOW of the limit the middle is asked as well, which leaves a quarter of it.
+ *
  * At rest x = 0 and the jerk is constant: x = x1 (s / h)^(4/3), which gives a1 = 2/3 x1 / h, x1'' h / 2 = 2/9 x1 / h, and b0 = b1 h0 / (3 h0 + 2 h1).
  *
  * A bump raises b by z P, so x, a and the brackets g become x + z X, a + z A, g + z G. Accelerations are linear in z. J h / sqrt x is convex
@@ -26,9 +32,13 @@
 #include "motion/cell.h"
 
 #define MOST_BEATS  1024        /* times J h: more than any change of acceleration */
+#define BETWEEN     400         /* part of the square of the speed that is left for what it is between beats */
+#define BOW         256         /* 1/256 of the acceleration may be exceeded between the ends */
 
 static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static loft_acc  larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
+static loft_acc  wide_size(loft_acc x)           { return x < 0 ? -x : x; }
 
 loft_inverse loft_inverse_of(loft_acc length)
 {
@@ -91,6 +101,29 @@ static bool varies(const loft_budget *b, const loft_plan_cell *p)
     return false;
 }
 
+/* x / accel, as a part; 1 is enough. */
+static loft_unit part_of(loft_acc x, loft_real accel)
+{
+    return x < loft_wide(accel) ? loft_unit_ratio(x, loft_wide(accel)) : LOFT_UNIT(1);
+}
+
+/* How much more of the acceleration than at its ends may be asked for between them? */
+static void set_bow(const loft_budget *b, loft_plan_cell *c)
+{
+    c->bow = c->bow_change = c->bow_accel = 0;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_real k0 = size_of(c->bend[0].axis[i]), k1 = size_of(c->bend[1].axis[i]), t0 = c->turn[0].axis[i], t1 = c->turn[1].axis[i];
+        const loft_real k = k0 > k1 ? k0 : k1, t = size_of(t0) > size_of(t1) ? size_of(t0) : size_of(t1);
+        const loft_unit change = part_of(loft_acc_scale(loft_wide(k), c->length) / 2, b->accel[i]);
+        const loft_unit accel  = part_of(loft_acc_scale(loft_wide(t), c->length) * 5 / 8, b->accel[i]);
+        const loft_unit always = part_of(loft_acc_mul(c->most, size_of(t1 - t0)) / 8, b->accel[i]);
+        c->bow_change = change > c->bow_change ? change : c->bow_change;
+        c->bow_accel  = accel > c->bow_accel ? accel : c->bow_accel;
+        c->bow        = always > c->bow ? always : c->bow;
+    }
+    c->bow = varies(b, c) ? LOFT_UNIT(1) : c->bow;
+}
+
 void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *shape, loft_real feed)
 {
     loft_arc_shape s = *shape;
@@ -105,7 +138,7 @@ void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc
     c->most = loft_prod(feed, feed);
     for (int k = 0; k < 3; k++)
         c->most = smaller(c->most, station_most(b, &s, k, feed));
-    c->most -= c->most / 400;       /* the speed between beats is not asked */
+    c->most -= c->most / BETWEEN;
     const loft_vec d0 = difference(s.bend[1], s.bend[0]), d1 = difference(s.bend[2], s.bend[1]);
     for (int i = 0; i < LOFT_AXES; i++) {       /* of the parabola through three */
         c->turn[0].axis[i] = 3 * d0.axis[i] - d1.axis[i];
@@ -115,8 +148,8 @@ void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc
     c->span   = loft_acc_ratio(loft_unit_wide(c->length) * b->tick_hz, b->beat);
     c->gate   = c->most;
     c->grip   = LOFT_UNIT(1);
-    c->eased  = false;
-    c->varies = varies(b, c);
+    c->eased  = 0;
+    set_bow(b, c);
 }
 
 /* What easing adds at r = 1 - |s| / w, for a jump of 1: to the curvature, its derivative times w, the direction by w. */
@@ -134,28 +167,46 @@ static easing ease_at(loft_unit r)
                     loft_acc_scale(loft_acc_scale(x, r) / 2 - 2 * loft_acc_scale(p, r) + loft_unit_wide(LOFT_EASE_TURN2), LOFT_EASE_SLOPE) };
 }
 
-/* Between its ends the slope turns, or easing begins: what holds beyond is asked at the ends, too. */
-static void set_change(loft_plan_cell *c, int in, const easing at[2], loft_unit outer, loft_unit inner, bool beyond, loft_acc turn)
+/* Between its ends the slope turns, or easing begins: what holds there is asked at the ends, too. */
+static void set_cases(loft_plan_cell *c, int in, const easing at[2], loft_unit outer, loft_unit inner, bool beyond, loft_acc turn)
 {
     const easing p = ease_at(LOFT_EASE_TURN);
+    const bool turns = inner > LOFT_EASE_TURN && outer < LOFT_EASE_TURN;
+    const loft_acc sign = in == 1 ? 1 : -1;
     const int out = 1 - in;
 
-    c->eased = inner > LOFT_EASE_TURN ? outer < LOFT_EASE_TURN : beyond;
-    if (!c->eased)
-        return;
-    const bool turns = inner > LOFT_EASE_TURN;
-    const loft_acc sign = in == 1 ? 1 : -1;
-    c->bends[in]  = loft_unit_round(sign * ((turns ? p.bend : 0) - at[in].bend));
-    c->bends[out] = turns ? loft_unit_round(sign * (p.bend - at[out].bend)) : 0;
-    c->turns[in]  = loft_unit_round(turns ? -2 * turn : turn);
-    c->turns[out] = loft_unit_round(turns ? (beyond ? turn : 2 * turn) : -turn);
+    c->eased = 0;
+    if (turns) {
+        c->bends[0][in]  = loft_unit_round(sign * (p.bend - at[in].bend));
+        c->bends[0][out] = loft_unit_round(sign * (p.bend - at[out].bend));
+        c->turns[0][in]  = loft_unit_round(-2 * turn);
+        c->turns[0][out] = loft_unit_round(2 * turn);
+        c->eased = 1;
+    }
+    if (beyond && (turns || inner < LOFT_EASE_TURN)) {
+        c->bends[c->eased][in]  = loft_unit_round(-sign * at[in].bend);
+        c->bends[c->eased][out] = 0;
+        c->turns[c->eased][in]  = loft_unit_round(turns ? -turn : turn);
+        c->turns[c->eased][out] = loft_unit_round(turns ? turn : -turn);
+        c->eased++;
+    }
+}
+
+/* The speed that the direction u allows to an axis. */
+static void turn_most(loft_plan_cell *c, const loft_budget *b, int i, loft_acc u)
+{
+    const loft_real v = loft_real_cap(LOFT_SPEED_MAX, b->max_speed[i], size_of(loft_acc_round(u)));
+    const loft_acc  x = loft_prod(v, v);
+    c->most = smaller(c->most, x - x / BETWEEN);
 }
 
 void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e, loft_acc off)
 {
-    const loft_acc w = loft_unit_wide(e->width), h = loft_unit_wide(c->length);
+    const loft_acc w = loft_unit_wide(e->width), h = loft_unit_wide(c->length), top = loft_acc_scale(w, LOFT_UNIT(1) - 2 * LOFT_EASE_TURN);
     const loft_inverse by = loft_inverse_of(w);
     const int in = off < 0 ? 1 : 0;
+    const loft_acc to_top = (in == 1 ? -top : top) - off;       /* where it turns the direction most, r = 2 p */
+    const easing most = ease_at(2 * LOFT_EASE_TURN);
     loft_unit r[2];
     easing z[2];
     bool beyond[2];
@@ -172,18 +223,21 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
         z[end].turn = beyond[end] && !(r[in] > LOFT_EASE_TURN) ? 0 : z[end].turn;
     for (int i = 0; i < LOFT_AXES; i++) {
         c->jump.axis[i] = e->jump[i];
+        if (to_top > 0 && to_top < h)
+            turn_most(c, b, i, loft_acc_lerp(loft_wide(c->along[0].axis[i]), loft_wide(c->along[1].axis[i]), loft_unit_ratio(to_top, h))
+                               + loft_acc_scale(loft_acc_mul(most.along, e->jump[i]), e->width));
         for (int end = 0; end < 2; end++) {
             const loft_acc bend = loft_acc_mul(z[end].bend, e->jump[i]), turn = loft_acc_scale(loft_inverse_mul(loft_acc_mul(z[end].turn, e->jump[i]), &by), c->length);
             c->bend[end].axis[i]  += loft_acc_round(in == 1 ? bend : -bend);
             c->turn[end].axis[i]  += loft_acc_round(turn);
             c->along[end].axis[i] += loft_acc_round(loft_acc_scale(loft_acc_mul(z[end].along, e->jump[i]), e->width));
-            const loft_real v = loft_real_cap(LOFT_SPEED_MAX, b->max_speed[i], size_of(c->along[end].axis[i]));
-            c->most = smaller(c->most, loft_prod(v, v));
+            turn_most(c, b, i, loft_wide(c->along[end].axis[i]));
         }
     }
     const loft_acc turn = smaller(loft_acc_scale(loft_inverse_mul(loft_unit_wide(LOFT_EASE_SLOPE), &by), c->length), loft_wide(LOFT_REAL(60)));
-    set_change(c, in, z, r[1 - in], r[in], beyond[1 - in] && !(r[in] > LOFT_EASE_TURN), turn);
-    c->varies = !c->eased;
+    set_cases(c, in, z, r[1 - in], r[in], beyond[1 - in], turn);
+    c->bow = c->eased > 0 ? 0 : LOFT_UNIT(1);
+    c->bow_change = c->bow_accel = 0;
 }
 
 
@@ -230,20 +284,24 @@ static place place_of(const loft_plan_cell *c, const loft_plan_cell *at, loft_ce
     return p;
 }
 
-/* Where jerk is limited by the changes `bend`, `up` of the acceleration along the path in the cell. */
+#define AS_IT_IS (-1)
+
+/* Where jerk is limited by the changes `change`, `up` of the acceleration along the path in the cell; in a case of easing, or as it is; `slack`
+ * more of the acceleration may be used. */
 static loft_unit limit_end(const loft_plan_cell *c, const loft_budget *b, const place *p, int end, loft_acc change, loft_acc up, loft_unit z,
-                           bool eased)
+                           int eased, loft_unit slack)
 {
     const loft_real length = loft_acc_round(loft_unit_wide(c->length));
 
     for (int i = 0; i < LOFT_AXES && z > 0; i++) {
         const loft_real u = c->along[end].axis[i], jump = c->jump.axis[i];
-        const loft_real k = c->bend[end].axis[i] + (eased ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->bends[end])) : 0);
-        const loft_real turn = c->turn[end].axis[i] + (eased ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->turns[end])) : 0);
+        const loft_real k = c->bend[end].axis[i] + (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->bends[eased][end])) : 0);
+        const loft_real turn = c->turn[end].axis[i] + (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->turns[eased][end])) : 0);
+        const loft_acc  accel = loft_wide(b->accel[i]);
         const loft_unit kh = loft_unit_round(loft_prod(k, length) * 3);
         const loft_acc  most = loft_acc_mul(p->beats, b->gain[i]);
         const loft_real across = b->across > 0 ? 0 : k;         /* it has a limit of its own */
-        z = limit(z, loft_acc_mul(p->a, u) + loft_acc_mul(p->x, across), loft_acc_mul(p->up.a, u) + loft_acc_mul(p->up.x, across), loft_wide(b->accel[i]));
+        z = limit(z, loft_acc_mul(p->a, u) + loft_acc_mul(p->x, across), loft_acc_mul(p->up.a, u) + loft_acc_mul(p->up.x, across), accel + loft_acc_scale(accel, slack));
         z = limit_jerk(z, loft_acc_mul(change, u) + loft_acc_scale(p->a, kh) + loft_acc_mul(p->x, turn),
                        loft_acc_mul(up, u) + loft_acc_scale(p->up.a, kh) + loft_acc_mul(p->up.x, turn), most, loft_acc_scale(most, p->w));
     }
@@ -279,7 +337,17 @@ static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, con
     middle.r = loft_unit_round(loft_acc_div(loft_wide(LOFT_REAL(1)), loft_acc_sqrt(middle.x)));
     const loft_cell_rise rise = { p->up.x + loft_acc_scale(p->up.a, c->length) + loft_acc_scale(up, c->length) / 4, (p->up.a + q->up.a) / 2 };
     const place m = place_of(&middle, &middle, rise);
-    return limit_end(&middle, b, &m, 0, change, up, z, false);
+    return limit_end(&middle, b, &m, 0, change, up, z, AS_IT_IS, LOFT_UNIT(1) / BOW);
+}
+
+/* May more be asked for between the ends than there? Or is it fastest there? */
+static bool bows(const loft_plan_cell *c, const place *p, const place *q)
+{
+    const loft_acc change = q->a - p->a, changed = change + q->up.a - p->up.a;
+    const loft_acc a = larger(wide_size(p->a), wide_size(q->a)), raised = larger(wide_size(p->a + p->up.a), wide_size(q->a + q->up.a));
+    const loft_acc more = loft_acc_scale(larger(wide_size(change), wide_size(changed)), c->bow_change) + loft_acc_scale(larger(a, raised), c->bow_accel);
+
+    return (p->a > 0 && q->a < 0) || (p->up.a > 0 && q->up.a < 0) || (loft_unit_wide(c->bow) + more) * BOW > loft_wide(LOFT_REAL(1));
 }
 
 loft_unit loft_cell_limit(const loft_plan_cell *c, const loft_plan_cell *next, const loft_budget *b, loft_cell_rise at, loft_cell_rise to, loft_unit z,
@@ -294,16 +362,16 @@ loft_unit loft_cell_limit(const loft_plan_cell *c, const loft_plan_cell *next, c
     if (first || last) {
         const place p = first ? place_of(c, next, to) : place_of(c, c, at);
         const loft_acc change = first ? p.a / 3 : -p.a / 3, up = first ? p.up.a / 3 : -p.up.a / 3;
-        z = limit_end(c, b, &p, first, change, up, z, false);
-        z = c->eased ? limit_end(c, b, &p, first, change, up, z, true) : z;
+        for (int k = AS_IT_IS; k < c->eased; k++)
+            z = limit_end(c, b, &p, first, change, up, z, k, 0);
         return limit_rest(c, b, &p, !first, change, up, z);
     }
     const place p = place_of(c, c, at), q = place_of(c, next, to);
-    if (z > 0 && (c->varies || (p.a > 0 && q.a < 0) || (p.up.a > 0 && q.up.a < 0)))   /* or is it fastest there? */
+    if (z > 0 && bows(c, &p, &q))
         z = limit_middle(c, b, &p, &q, z);
-    for (int eased = 0; eased < (c->eased ? 2 : 1); eased++) {
-        z = limit_end(c, b, &p, 0, q.a - p.a, q.up.a - p.up.a, z, eased);
-        z = limit_end(c, b, &q, 1, q.a - p.a, q.up.a - p.up.a, z, eased);
+    for (int k = AS_IT_IS; k < c->eased; k++) {
+        z = limit_end(c, b, &p, 0, q.a - p.a, q.up.a - p.up.a, z, k, 0);
+        z = limit_end(c, b, &q, 1, q.a - p.a, q.up.a - p.up.a, z, k, 0);
     }
     return z;
 }

@@ -31,8 +31,9 @@ typedef struct {
 typedef struct {
     loft_vec  along[2], bend[2], turn[2];   /* at both ends: direction; curvature; its derivative times the length */
     loft_vec  jump;             /* of curvature nearby, which is eased: in it, of that                   */
-    loft_unit bends[2], turns[2];           /* the curvature and its derivative change by these parts     */
-    bool      eased, varies;    /* is there; must the middle be asked, too?                              */
+    loft_unit bends[2][2], turns[2][2];     /* the curvature and its derivative change by these parts, each case at both ends */
+    uint8_t   eased;            /* how many such cases there are                                         */
+    loft_unit bow, bow_change, bow_accel;   /* more than at its ends, part of the acceleration: always; per change of `a`; per `a` */
     loft_unit length;           /* mm                                                                    */
     loft_acc  span;             /* the length times the beats of a second                                */
     loft_unit grip;             /* part of the jerk that may be used                                     */
