@@ -15,7 +15,7 @@
  *             /           \            3. the line on which the next piece's speed is reached from
  *
  * Each is a part of a line through the piece that is in the scope. (The third may begin above the cap, as far as the far end of
- * the scope.)
+ * the scope; where that is no further than the cap it is no steeper than the second, and there is none.)
  *
  * A part that begins with speed v, ends with w and is d long takes 2 d / (v + w) seconds; after a part z of that time the speed
  * is v + z (w - v). So places at whole beats are exact.
@@ -126,7 +126,8 @@ static void add_parts(loft_law *law, const loft_plan_piece *p, loft_acc x, loft_
         if (peak <= top + loft_acc_scale(slope, meet))
             add_part(law, off + loft_acc_scale(way, meet), loft_acc_sqrt(peak));
         else if (p->flows) {
-            const loft_unit from = part_of(top - x, rise - slope), to = LOFT_UNIT(1) - part_of(last - end, fall + slope);
+            const loft_unit from = part_of(top - x, rise - slope), brakes = fall + slope > 0 ? part_of(last - end, fall + slope) : 0;
+            const loft_unit to = LOFT_UNIT(1) - brakes > from ? LOFT_UNIT(1) - brakes : from;
             add_part(law, off + loft_acc_scale(way, from), loft_acc_sqrt(top + loft_acc_scale(slope, from)));
             add_part(law, off + loft_acc_scale(way, to), loft_acc_sqrt(top + loft_acc_scale(slope, to)));
         }
