@@ -111,18 +111,27 @@ static inline double place_on(const path *p, unsigned chord, double part)
     return p->end[chord].s + part * (p->end[chord + 1].s - p->end[chord].s);
 }
 
-/* The largest feed of the curves near the places that can be reached. */
-static inline double feed_near(const follower *f)
+/* The places that can be reached, mm along the path. */
+static inline stretch places(const follower *f)
+{
+    return (stretch){ place_on(f->track, f->first, reached[f->first].low), place_on(f->track, f->last, reached[f->last].high) };
+}
+
+/* The largest feed of the curves near places; f->first and f->last are not far. */
+static inline double feed_near(const follower *f, stretch s)
 {
     const path *p = f->track;
     const double more = 4 * arb_value(limits.tol);
-    const double from = place_on(p, f->first, reached[f->first].low) - more, to = place_on(p, f->last, reached[f->last].high) + more;
     unsigned first = f->first, last = f->last;
     double feed = 0;
 
-    while (first > 0 && p->end[first].s > from)
+    while (first > 0 && p->end[first].s > s.low - more)
         first--;
-    while (last + 2 < p->count && p->end[last + 1].s < to)
+    while (first + 2 < p->count && p->end[first + 1].s < s.low - more)
+        first++;
+    while (last > first && p->end[last].s > s.high + more)
+        last--;
+    while (last + 2 < p->count && p->end[last + 1].s < s.high + more)
         last++;
     for (unsigned c = p->end[first + 1].curve; c <= p->end[last + 1].curve; c++)
         feed = fmax(feed, arb_value(p->chain[c].feed));
@@ -154,19 +163,26 @@ static inline double part_length(const loft_span *s, double from, double to)
     return sum / 8 * (to - from) * duration(s);
 }
 
-/* Compare the speed in a part of span k with the feed there. */
-static inline void follow_feed(follower *f, unsigned k, double from, double to, double noise)
+/* Compare the speed in a part of span k, which leads from `before` to where it is now, with the feed there: bit by bit, as the
+ * speed is nearly even in it. */
+static inline void follow_feed(follower *f, unsigned k, double from, double to, stretch before)
 {
-    double q[5];
+    const double noise = sqrt(LOFT_AXES) * 3 * grain() / duration(&spans[k]);
+    const stretch now = places(f);
+    const int bits = feed_near(f, (stretch){ before.low, before.high }) == feed_near(f, now) ? 1 : 16;
 
-    span_squares(&spans[k], from, to, q);
-    f->out.along = fmax(f->out.along, use_of(sqrt(quartic_peak(q)), noise, feed_near(f)));
+    for (int n = 0; n < bits; n++) {
+        const double z0 = (double)n / bits, z1 = (n + 1.0) / bits;
+        const stretch s = { before.low + z0 * (now.low - before.low), before.high + z1 * (now.high - before.high) };
+        double q[5];
+        span_squares(&spans[k], from + z0 * (to - from), from + z1 * (to - from), q);
+        f->out.along = fmax(f->out.along, use_of(sqrt(quartic_peak(q)), noise, feed_near(f, s)));
+    }
 }
 
 /* Can one walk along the path while the dog runs along the spans? `feed`: is speed compared with that of the place? */
 static inline bool follow_all(follower *f, double leash, bool feed)
 {
-    const double g = grain();
     double at[LOFT_AXES], to[LOFT_AXES];
 
     f->leash = leash;
@@ -175,12 +191,13 @@ static inline bool follow_all(follower *f, double leash, bool feed)
     for (unsigned k = 0; k < count; k++) {
         const int parts = parts_of(&spans[k]);
         for (int j = 1; j <= parts; j++) {
+            const stretch before = places(f);
             cubic_at(spans[k].p, (double)j / parts, to);
             if (!follow_run(f, at, to))
                 return false;
             memcpy(at, to, sizeof at);
             if (feed)
-                follow_feed(f, k, (j - 1.0) / parts, (double)j / parts, sqrt(LOFT_AXES) * 3 * g / duration(&spans[k]));
+                follow_feed(f, k, (j - 1.0) / parts, (double)j / parts, before);
         }
     }
     return f->last + 2 == f->track->count && reached[f->last].high >= 1;

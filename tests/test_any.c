@@ -4,14 +4,17 @@
 #include "motion_any.h"     /* check_case */
 
 /* Each of them exceeded a limit once, or seemed to. */
-static const uint16_t once[] = {
+static const uint32_t once[] = {
     494, 1036, 1442, 2918,      /* the path turned around at both ends of less than 2^-18 mm                     */
     1582, 2952,                 /* a curve that came later asked to brake where the speed had just been raised   */
     2954,                       /* a change of curvature was eased across a place of rest                        */
     4389, 7203,                 /* a span of some beats was faster between the places looked at than at them        */
     1547,                       /* the speed of a span along the path, half way between beats                        */
     294, 300,                   /* the spline of the samples carried speed across a change of the feed             */
-    970, 4351                   /* loops below the tolerance, which are passed all the same                      */
+    970, 4351,                  /* loops below the tolerance, which are passed all the same                      */
+    860, 54890,                 /* where easing begins in a cell more was asked for than at its ends                 */
+    4201, 38499,                /* a part of a piece ended before it began                                           */
+    1005, 2351                  /* a part of a span across a change of the feed was compared with that behind it     */
 };
 
 static void cases_that_were_violations_are_none(arb *a)
