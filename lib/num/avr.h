@@ -9,13 +9,33 @@
 
 #include <stdint.h>
 
+#include "config.h"     /* names, so that the symbols carry their arithmetic */
+
 /* x times t / 2^24 and x times a / 2^16, rounded to nearest, ties upward.
  *
  *   range   |t|, |a| < 2^31, the result below 2^63
  *   error   1/2
- *   cost    about 260 cycles */
-int64_t loft_avr_scale(int64_t x, int32_t t);
-int64_t loft_avr_mul(int64_t x, int32_t a);
+ *   cost    about 200 cycles */
+int64_t loft_acc_scale(int64_t x, int32_t t);
+int64_t loft_acc_mul(int64_t x, int32_t a);
+
+/* As num.h says.
+ *
+ *   cost    about 20, 20, 20, 20 and 130 cycles */
+int64_t loft_wide(int32_t a);
+int64_t loft_unit_wide(int32_t t);
+int32_t loft_acc_round(int64_t x);
+int32_t loft_unit_round(int64_t x);
+int64_t loft_prod(int32_t a, int32_t b);
+
+/* How many bits x has, without leading zeros. */
+uint8_t loft_avr_bits(uint64_t x);
+
+/* x / 2^n to nearest, ties upward; a negative n: times 2^-n.
+ *
+ *   range   the result below 2^64
+ *   cost    11 cycles for each of n */
+uint64_t loft_avr_shift(uint64_t x, int8_t n);
 
 /* n / d to nearest, ties upward.
  *
@@ -23,13 +43,6 @@ int64_t loft_avr_mul(int64_t x, int32_t a);
  *   error   1/2
  *   cost    about 150 cycles for each byte of n, without leading zeros */
 int64_t loft_avr_quotient(int64_t n, uint32_t d);
-
-/* 2^24 n / d to nearest, ties upward.
- *
- *   range   d > 0, n < 2 d < 2^39
- *   error   1/2
- *   cost    about 650 cycles */
-uint32_t loft_avr_part(uint64_t n, uint64_t d);
 
 /* The whole number nearest to the square root of x.
  *

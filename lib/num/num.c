@@ -38,6 +38,8 @@ loft_real loft_acc_sqrt(loft_acc x)
     return r >= INT32_MAX ? INT32_MAX : (loft_real)r;
 }
 
+#if !defined(__AVR__)
+
 /* By how many bits x must be shifted down to be below 2^(32 + bits). */
 static uint8_t bits_above(uint64_t x, uint8_t bits)
 {
@@ -54,45 +56,10 @@ loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
     uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)y;
     const uint8_t down = bits_above(d, 6);
 
-    if (down) {
-        n >>= down;
-        d >>= down;
-    }
-#if defined(__AVR__)
-    const int32_t q = (int32_t)loft_avr_part(n, d);
-#else
+    n >>= down;
+    d >>= down;
     const int32_t q = (int32_t)(((n << 24) + (d >> 1)) / d);
-#endif
     return x < 0 ? -q : q;
-}
-
-/* All components are brought to the same scale, the largest L to 2^29 <= L < 2^30, so that six squares
- * sum to at most 6 * 2^60 < 2^63. Scaled down, each component errs by at most 1/2, the result therefore by
- * 1/2 sum |x_i| / |x|, and its root by 1/2 again: together less than 1.29 units of 2^-29 L (the worst
- * of six: five are 0.29 L). Scaled up nothing is lost before the root. */
-loft_acc loft_acc_hypot(const loft_acc x[], int n)
-{
-    uint64_t largest = 0, sum = 0;
-    uint8_t up = 0;
-
-    for (int i = 0; i < n; i++) {
-        const uint64_t size = (uint64_t)(x[i] < 0 ? -x[i] : x[i]);
-        if (size > largest)
-            largest = size;
-    }
-    if (largest == 0)
-        return 0;
-    const uint8_t down = largest >> 30 ? bits_above(largest << 2, 0) : 0;
-    for (uint32_t size = (uint32_t)(largest >> down); size < (uint32_t)1 << 29; size <<= 1)
-        up++;
-
-    for (int i = 0; i < n; i++) {
-        const uint64_t all = (uint64_t)(x[i] < 0 ? -x[i] : x[i]);
-        const uint32_t size = (uint32_t)(down ? (all + ((uint64_t)1 << down >> 1)) >> down : all << up);
-        sum += (uint64_t)size * size;
-    }
-    const uint32_t root = square_root(sum);
-    return (loft_acc)(down ? (uint64_t)root << down : ((uint64_t)root + ((uint64_t)1 << up >> 1)) >> up);
 }
 
 /* Both are halved until x < 2^47; then y >= 2^31, of which the bits lost are less than 2^-30. */
@@ -101,12 +68,59 @@ loft_real loft_acc_quot(loft_acc x, loft_acc y)
     uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)y;
     const uint8_t down = bits_above(n, 15);
 
-    if (down) {
-        n >>= down;
-        d >>= down;
-    }
+    n >>= down;
+    d >>= down;
     const uint32_t q = (uint32_t)(((n << 16) + (d >> 1)) / d);
     return (loft_real)(x < 0 ? 0u - q : q);
+}
+
+#endif
+
+/* How many bits x has. */
+static uint8_t bits_of(uint64_t x)
+{
+#if defined(__AVR__)
+    return loft_avr_bits(x);
+#else
+    uint8_t bits = 0;
+
+    for (; x >> 8; x >>= 8)
+        bits = (uint8_t)(bits + 8);
+    for (; x; x >>= 1)
+        bits++;
+    return bits;
+#endif
+}
+
+/* x / 2^down to nearest, or times 2^-down */
+static uint64_t shift(uint64_t x, int8_t down)
+{
+#if defined(__AVR__)
+    return loft_avr_shift(x, down);
+#else
+    return down > 0 ? (x + ((uint64_t)1 << (down - 1))) >> down : x << -down;
+#endif
+}
+
+/* All components are brought to the same scale, the largest L to 2^29 <= L < 2^30, so that six squares
+ * sum to at most 6 * 2^60 < 2^63. Scaled down, each component errs by at most 1/2, the result therefore by
+ * 1/2 sum |x_i| / |x|, and its root by 1/2 again: together less than 1.29 units of 2^-29 L (the worst
+ * of six: five are 0.29 L). Scaled up nothing is lost before the root. */
+loft_acc loft_acc_hypot(const loft_acc x[], int n)
+{
+    uint64_t all = 0, sum = 0;
+
+    for (int i = 0; i < n; i++)
+        all |= (uint64_t)(x[i] < 0 ? -x[i] : x[i]);
+    if (all == 0)
+        return 0;
+    const int8_t down = (int8_t)(bits_of(all) - 30);
+
+    for (int i = 0; i < n; i++) {
+        const int32_t size = (int32_t)shift((uint64_t)(x[i] < 0 ? -x[i] : x[i]), down);
+        sum += (uint64_t)loft_prod(size, size);
+    }
+    return (loft_acc)shift(square_root(sum), (int8_t)-down);
 }
 
 /* Between lo and hi there are n < 2^32 steps, a is step j. |y - x| = q n + r with r < n, so q j <= |y - x| < 2^63 and

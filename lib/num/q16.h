@@ -45,16 +45,6 @@ static inline int64_t  loft_shift_16(int64_t x)
     return r.all;
 }
 
-/* error none */
-static inline loft_acc loft_wide(loft_real a)
-{
-    loft_bytes r;
-    r.mid.low = 0;
-    r.mid.middle = a;
-    r.mid.high = a < 0 ? 0xffffu : 0;
-    return r.all;
-}
-
 /* n / d, d = 1..2^31, to nearest, ties upward */
 static inline int64_t  loft_quotient(int64_t n, uint32_t d) { return loft_avr_quotient(n, d); }
 #else
@@ -75,8 +65,10 @@ static inline int64_t  loft_quotient(int64_t n, uint32_t d)
 }
 #endif
 
+#if !defined(__AVR__)
 /* error none */
 static inline loft_acc loft_prod(loft_real a, loft_real b)  { return (loft_acc)a * b; }
+#endif
 
 /* Every coordinate is one to compute with. */
 static inline bool loft_real_valid(loft_real a)             { (void)a; return true; }
@@ -94,8 +86,10 @@ static inline bool loft_acc_fits(loft_acc x)
     return x >= (loft_acc)INT32_MIN * 65536 - 32768 && x < (loft_acc)INT32_MAX * 65536 + 32768;
 }
 
+#if !defined(__AVR__)
 /* error 1/2 LSB; range loft_acc_fits(x) */
 static inline loft_real loft_acc_round(loft_acc x)          { return loft_acc_middle(x + 32768); }
+#endif
 
 /* error 1/2; -2^31 <= x < 2^31 - 1/2 */
 static inline int32_t loft_acc_int(loft_acc x)              { return loft_acc_high(x + 2147483648); }
@@ -114,22 +108,20 @@ static inline loft_real loft_div(loft_real a, loft_real b)
 static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
 {
 #if defined(__AVR__)
-    return (loft_real)(a + loft_avr_scale((int64_t)b - a, t));
+    return (loft_real)(a + loft_acc_scale((int64_t)b - a, t));
 #else
     return (loft_real)(a + loft_shift_24(((int64_t)b - a) * t + 8388608));
 #endif
 }
 
+#if !defined(__AVR__)
 /* x * t: the two 32-bit halves of x apart, so that no product exceeds 64 bits.
  * error 2^-33 (1/2 of an acc LSB); |x * t| <= 2^30 */
 static inline loft_acc loft_acc_scale(loft_acc x, loft_unit t)
 {
-#if defined(__AVR__)
-    return loft_avr_scale(x, t);
-#else
     return (loft_acc)loft_acc_high(x) * t * 256 + loft_shift_24((int64_t)loft_acc_low(x) * t + 8388608);
-#endif
 }
+#endif
 
 /* error 2^-33; |x|, |y| < 2^30, t in 0..1 or |(y - x) t| <= 2^30; none at t = 0 and 1 */
 static inline loft_acc loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
@@ -160,15 +152,13 @@ static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint
 /* error 2^-33, ties upward; |x + y| < 2^31 */
 static inline loft_acc loft_acc_mean(loft_acc x, loft_acc y) { return (x + y + 1) >> 1; }
 
+#if !defined(__AVR__)
 /* error 2^-33; |x * a| <= 2^30 */
 static inline loft_acc loft_acc_mul(loft_acc x, loft_real a)
 {
-#if defined(__AVR__)
-    return loft_avr_mul(x, a);
-#else
     return (loft_acc)loft_acc_high(x) * a * 65536 + loft_shift_16((int64_t)loft_acc_low(x) * a + 32768);
-#endif
 }
+#endif
 
 /* error 2^-33; any x, k >= 1 */
 static inline loft_acc loft_acc_ratio(loft_acc x, int32_t k)
@@ -191,11 +181,13 @@ static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)
 /* exact; |a| < 128 */
 static inline loft_unit loft_unit_from(loft_real a)         { return a * 256; }
 
+#if !defined(__AVR__)
 /* error 2^-25; |x| < 128 */
 static inline loft_unit loft_unit_round(loft_acc x)         { return loft_acc_middle(x * 256 + 32768); }
 
 /* exact */
 static inline loft_acc  loft_unit_wide(loft_unit t)         { return (loft_acc)t * 256; }
+#endif
 
 /* exact; the wire and files hold coordinates as raw Q16.16 in every number type */
 static inline bool      loft_raw_fits(loft_real a)          { (void)a; return true; }
