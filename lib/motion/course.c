@@ -53,7 +53,7 @@ void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves
     c->piece_room = piece_room;
     c->move_first = c->move_count = c->first = c->count = c->cut = c->passed = 0;
     c->at         = 0;
-    c->extent     = c->zone = 0;
+    c->size       = c->extent = c->zone = 0;
     c->feed       = 0;
     c->gear       = LOFT_UNIT(1);
     c->known      = c->smooth = c->crumb = c->ended = false;
@@ -63,7 +63,8 @@ void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves
 /* Cutting
  * ------- */
 
-loft_acc loft_course_extent(const loft_cubic *c)
+/* The largest distance of a control point from the first: 0 for a curve that is a point. */
+static loft_acc extent(const loft_cubic *c)
 {
     loft_acc most = 0;
     for (int k = 1; k < 4; k++)
@@ -166,7 +167,7 @@ static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, loft_way
 }
 
 /* Up to two pieces of the curve. */
-static void load_pieces(loft_course *c, loft_acc extent)
+static void load_pieces(loft_course *c)
 {
     const loft_real feed = loft_course_move(c, c->cut)->feed;
     loft_arc arc;
@@ -178,7 +179,7 @@ static void load_pieces(loft_course *c, loft_acc extent)
         c->smooth = false;
     else {
         loft_way start = loft_profile_way(&piece, &c->budget, &shape, 0);
-        add_joint(c, &arc, to, start, c->at == 0 ? smaller(extent, c->extent) : extent, feed);
+        add_joint(c, &arc, to, start, c->at == 0 ? smaller(c->size, c->extent) : c->size, feed);
         c->way    = loft_profile_way(&piece, &c->budget, &shape, 2);
         c->feed   = feed;
         c->known  = true;
@@ -195,24 +196,31 @@ static void load_pieces(loft_course *c, loft_acc extent)
     c->at = to;
 }
 
-void loft_course_load(loft_course *c)
+bool loft_course_cuts(loft_course *c)
 {
-    while (c->cut < c->move_count && c->count + 2u <= c->piece_room) {
-        const loft_acc extent = loft_course_extent(&loft_course_move(c, c->cut)->curve);
+    while (c->cut < c->move_count) {
+        if (c->at < LOFT_ARC_WHOLE && c->count + 2u > c->piece_room)
+            return false;
         if (c->at == 0) {
+            c->size   = extent(&loft_course_move(c, c->cut)->curve);
             c->smooth = false;
-            c->at = extent > 0 ? 0 : LOFT_ARC_WHOLE;
+            c->at     = c->size > 0 ? 0 : LOFT_ARC_WHOLE;
         }
-        while (c->at < LOFT_ARC_WHOLE && c->count + 2u <= c->piece_room)
-            load_pieces(c, extent);
         if (c->at < LOFT_ARC_WHOLE)
-            return;
-        c->extent = extent > 0 ? extent : c->extent;
+            return true;
+        c->extent = c->size > 0 ? c->size : c->extent;
         c->at = 0;
         c->cut++;
         if (c->count == 0)          /* it was a point, and nothing before it matters */
             loft_course_drop(c);
     }
+    return false;
+}
+
+void loft_course_load(loft_course *c)
+{
+    while (loft_course_cuts(c))
+        load_pieces(c);
 }
 
 enum loft_status loft_course_push(loft_course *c, const loft_move *move)

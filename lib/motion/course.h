@@ -29,7 +29,8 @@ typedef struct {
     uint16_t         passed;                                /* curves dropped so far, modulo 2^16            */
     uint32_t         at;                                    /* how far the next one has, its parameter       */
     loft_way  way;                                   /* where the last piece was heading              */
-    loft_acc         extent, zone;                          /* of the curve before; how far any place reaches */
+    loft_acc         size, extent;                          /* of the curve that is cut, of the one before   */
+    loft_acc         zone;                                  /* how far any place reaches                     */
     loft_real        feed;                                  /* of the last piece                             */
     loft_unit        gear;                                  /* part of the acceleration that is used         */
     loft_vec         end;                                   /* where the last curve ends                     */
@@ -61,8 +62,8 @@ void loft_course_load(loft_course *c);
 /* Curve number i from the oldest, i < move_count. */
 loft_move *loft_course_move(const loft_course *c, unsigned i);
 
-/* The largest distance of a control point from the first: 0 for a curve that is a point. */
-loft_acc loft_course_extent(const loft_cubic *c);
+/* Is there a curve to be cut at `c->at`, and room for two pieces? Passes over curves that are cut, and points. */
+bool loft_course_cuts(loft_course *c);
 
 /* One more piece, from where cutting has got to; there is room for it. */
 loft_plan_piece *loft_course_add(loft_course *c);

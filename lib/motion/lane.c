@@ -223,7 +223,7 @@ static int32_t reaches(const loft_budget *b, loft_real gain, loft_real v)
 
 /* How long a cell should be: what is passed in a third of the time in which the acceleration is reached; shorter near a rest and at
  * the end of a curve which may be one; else about as long as the last one. */
-static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_plan_cell *whole, loft_acc extent, bool ends)
+static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_plan_cell *whole, bool ends)
 {
     const loft_budget *b = &c->budget;
     const loft_real gain = least(b->gain), v = loft_acc_sqrt(whole->most);
@@ -240,7 +240,7 @@ static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_pla
         most = smaller(most, larger(near, rest * 3 / 7));
     if (ends && l->run + rest < 4 * most)
         most = larger((l->run + rest) / 4, loft_wide(LOFT_REAL(1)) / 16384);
-    return smaller(most, extent / 4);
+    return smaller(most, c->size / 4);
 }
 
 /* May the path rest at the end of the curve that is cut? */
@@ -348,7 +348,7 @@ static bool uneven(const loft_arc *arc, loft_acc beat)
 }
 
 /* The next part of the curve that can be one cell. */
-static void load_cell(loft_lane *l, loft_course *c, loft_acc extent)
+static void load_cell(loft_lane *l, loft_course *c)
 {
     const loft_move *move = loft_course_move(c, c->cut);
     loft_arc arc;
@@ -363,10 +363,10 @@ static void load_cell(loft_lane *l, loft_course *c, loft_acc extent)
     }
     loft_arc_measure(&arc, &shape);
     loft_cell_init(&cell, &c->budget, &arc, &shape, move->feed);
-    begin(l, c, &cell, &shape, c->smooth && !arc.speck, c->at == 0 ? smaller(extent, c->extent) : extent);
+    begin(l, c, &cell, &shape, c->smooth && !arc.speck, c->at == 0 ? smaller(c->size, c->extent) : c->size);
     if (c->at == 0)
         l->may_rest = may_rest(c);
-    const loft_acc most = fitting(l, c, &cell, extent, to == LOFT_ARC_WHOLE && l->may_rest);
+    const loft_acc most = fitting(l, c, &cell, to == LOFT_ARC_WHOLE && l->may_rest);
     const loft_acc beat = loft_budget_beat(&c->budget, loft_acc_sqrt(cell.most));
     while (to - c->at > 1 && (arc.length > most * 10 / 7 || uneven(&arc, beat))) {
         to = c->at + (to - c->at) / 2;
@@ -384,22 +384,8 @@ static void load_cell(loft_lane *l, loft_course *c, loft_acc extent)
 
 void loft_lane_load(loft_lane *l, loft_course *c)
 {
-    while (c->cut < c->move_count && c->count + 2u <= c->piece_room) {
-        const loft_acc extent = loft_course_extent(&loft_course_move(c, c->cut)->curve);
-        if (c->at == 0) {
-            c->smooth = false;
-            c->at = extent > 0 ? 0 : LOFT_ARC_WHOLE;
-        }
-        while (c->at < LOFT_ARC_WHOLE && c->count + 2u <= c->piece_room)
-            load_cell(l, c, extent);
-        if (c->at < LOFT_ARC_WHOLE)
-            return;
-        c->extent = extent > 0 ? extent : c->extent;
-        c->at = 0;
-        c->cut++;
-        if (c->count == 0)          /* it was a point, and nothing before it matters */
-            loft_course_drop(c);
-    }
+    while (loft_course_cuts(c))
+        load_cell(l, c);
 }
 
 void loft_lane_drop(loft_lane *l, loft_course *c, unsigned count)
