@@ -14,6 +14,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "host/baud.h"      /* host_baud */
+
 #include "tool.h"
 #include "transport.h"
 
@@ -68,27 +70,13 @@ static int take(transport *t, int in, int out, const char *name)
     return 0;
 }
 
-static bool speed_of(unsigned baud, speed_t *out)
-{
-    static const struct { unsigned baud; speed_t speed; } speeds[] = {
-        { 9600, B9600 }, { 19200, B19200 }, { 38400, B38400 }, { 57600, B57600 }, { 115200, B115200 }, { 230400, B230400 },
-        { 460800, B460800 }, { 500000, B500000 }, { 921600, B921600 }, { 1000000, B1000000 }, { 2000000, B2000000 }
-    };
-    for (size_t i = 0; i < sizeof speeds / sizeof speeds[0]; i++)
-        if (speeds[i].baud == baud) {
-            *out = speeds[i].speed;
-            return true;
-        }
-    return false;
-}
-
 /* Raw bytes, no modem lines; the lock is advisory because TIOCEXCL would outlive a killed sender on a pty. */
 static int make_raw(int fd, const char *name, unsigned baud)
 {
     struct termios mode;
     speed_t speed;
 
-    if (!speed_of(baud, &speed))
+    if (!host_baud(baud, &speed))
         return tool_error(EX_USAGE, "--baud %u: give 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600 ..", baud);
     if (tcgetattr(fd, &mode) != 0)
         return transport_refused(name, errno);

@@ -63,8 +63,8 @@ static inline void path_add(path *p, unsigned curve, double t)
     p->end[k].s = p->length;
 }
 
-/* Is the chord t..t + dt no longer than `step`, and its curve near it? */
-static inline bool fine_chord(const loft_vec c[4], double t, double dt, double step)
+/* Is the chord t..t + dt no longer than `step`, and its curve near it? At least 8 to a curve. */
+static inline bool chord_is_short(const loft_vec c[4], double t, double dt, double step)
 {
     double a[LOFT_AXES], b[LOFT_AXES], m[LOFT_AXES], middle[LOFT_AXES];
 
@@ -73,29 +73,11 @@ static inline bool fine_chord(const loft_vec c[4], double t, double dt, double s
     cubic_at(c, t + dt / 2, m);
     for (int i = 0; i < LOFT_AXES; i++)
         middle[i] = (a[i] + b[i]) / 2;
-    return distance(a, b) <= step && distance(m, middle) <= distance(a, b) / 16;
+    return dt <= 0.125 && (dt <= 0x1p-14 || (distance(a, b) <= step && distance(m, middle) <= distance(a, b) / 16));
 }
 
-/* Chords of at most `step` mm, 8 to a curve at least, more where it turns. */
-static inline void path_trace(path *p, const loft_move moves[], unsigned count, double step)
-{
-    p->chain  = moves;
-    p->count  = 0;
-    p->length = 0;
-    path_add(p, 0, 0);
-    for (unsigned c = 0; c < count; c++) {
-        double dt = 0.125;
-        for (double t = 0; t < 1; t += dt, path_add(p, c, t)) {
-            dt = fmin(0.125, 2 * dt);
-            while (fmod(t, dt) > 0 || (dt > 0x1p-14 && !fine_chord(moves[c].curve.p, t, dt, step)))
-                dt /= 2;
-        }
-    }
-    CHECK(p->count < PATH_MAX);
-}
-
-/* Chords that leave their curves by at most `error`: an eighth of the second derivative, which is largest at an end, times dt^2. */
-static inline double chord_error(const loft_vec c[4], double t, double dt)
+/* Does the curve leave the chord by at most `error`: an eighth of the second derivative, which is largest at an end, times dt^2? */
+static inline bool chord_is_near(const loft_vec c[4], double t, double dt, double error)
 {
     double most = 0;
 
@@ -108,10 +90,12 @@ static inline double chord_error(const loft_vec c[4], double t, double dt)
         }
         most = fmax(most, sqrt(sum));
     }
-    return most * dt * dt / 8;
+    return most * dt * dt / 8 <= error;
 }
 
-static inline void path_trace_near(path *p, const loft_move moves[], unsigned count, double error)
+/* Chords that are fine, of 2^-n of a curve each. */
+static inline void path_trace_by(path *p, const loft_move moves[], unsigned count, double most,
+                                 bool (*fine)(const loft_vec c[4], double t, double dt, double most))
 {
     p->chain  = moves;
     p->count  = 0;
@@ -121,11 +105,23 @@ static inline void path_trace_near(path *p, const loft_move moves[], unsigned co
         double dt = 1;
         for (double t = 0; t < 1; t += dt, path_add(p, c, t)) {
             dt = fmin(1, 2 * dt);
-            while (fmod(t, dt) > 0 || chord_error(moves[c].curve.p, t, dt) > error)
+            while (fmod(t, dt) > 0 || !fine(moves[c].curve.p, t, dt, most))
                 dt /= 2;
         }
     }
     CHECK(p->count < PATH_MAX);
+}
+
+/* Chords of at most `step` mm, more where the curve turns. */
+static inline void path_trace(path *p, const loft_move moves[], unsigned count, double step)
+{
+    path_trace_by(p, moves, count, step, chord_is_short);
+}
+
+/* Chords that leave their curves by at most `error`. */
+static inline void path_trace_near(path *p, const loft_move moves[], unsigned count, double error)
+{
+    path_trace_by(p, moves, count, error, chord_is_near);
 }
 
 static inline double chord_distance(const double q[], const double a[], const double b[])

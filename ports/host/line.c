@@ -16,6 +16,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "host/baud.h"      /* host_baud */
+
 #define AWAY_MS 200             /* between two attempts to open a port that has gone */
 
 static int refuse(const char *what, const char *name)
@@ -72,20 +74,6 @@ int host_line_open(struct host_line *l, const char *link, double noise)
 // A serial port
 // -------------
 
-static bool speed_of(unsigned baud, speed_t *out)
-{
-    static const struct { unsigned baud; speed_t speed; } speeds[] = {
-        { 9600, B9600 }, { 19200, B19200 }, { 38400, B38400 }, { 57600, B57600 }, { 115200, B115200 }, { 230400, B230400 },
-        { 460800, B460800 }, { 500000, B500000 }, { 921600, B921600 }, { 1000000, B1000000 }, { 2000000, B2000000 }
-    };
-    for (size_t i = 0; i < sizeof speeds / sizeof speeds[0]; i++)
-        if (speeds[i].baud == baud) {
-            *out = speeds[i].speed;
-            return true;
-        }
-    return false;
-}
-
 /* Gives NULL, or what was not possible. */
 static const char *open_serial(struct host_line *l)
 {
@@ -97,7 +85,7 @@ static const char *open_serial(struct host_line *l)
         return "cannot open";
     if (flock(l->master, LOCK_EX | LOCK_NB) != 0)
         return "another program has it";
-    if (!speed_of(l->baud, &speed) || tcgetattr(l->master, &t) != 0)
+    if (!host_baud(l->baud, &speed) || tcgetattr(l->master, &t) != 0)
         return "is not a serial port of this speed";
     cfmakeraw(&t);
     cfsetispeed(&t, speed);

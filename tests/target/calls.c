@@ -8,6 +8,8 @@
 #include "motion/span.h"
 #include "motion/step.h"
 
+#include "say.h"            /* say_line */
+
 #define TICKS  600
 #define SPANS  40
 #define SLOTS  40
@@ -66,24 +68,6 @@ static uint32_t worst[CALLS], empty, random_state;
 static loft_pace pace;
 static loft_step step;
 static loft_forward walk;
-
-static void say(const char *words, const char *name, uint32_t n)
-{
-    char digits[10];
-    int k = 0;
-
-    while (*words)
-        put(*words++);
-    while (*name)
-        put(*name++);
-    put(' ');
-    do
-        digits[k++] = (char)('0' + n % 10);
-    while ((n /= 10) > 0);
-    while (k > 0)
-        put(digits[--k]);
-    put('\n');
-}
 
 static void took(int call, uint32_t begin)
 {
@@ -176,11 +160,11 @@ int main(void)
     spans();
     put('\n');
     for (int k = 0; k < CALLS; k++)
-        say("", names[k], worst[k]);
-    say("bytes ", "loft_step", sizeof step);
-    say("bytes ", "loft_pace", sizeof pace);
-    say("bytes ", "loft_forward", sizeof walk);
-    say("bytes ", "loft_span", sizeof(loft_span));
+        say_line(put, names[k], worst[k]);
+    say_line(put, "bytes loft_step", sizeof step);
+    say_line(put, "bytes loft_pace", sizeof pace);
+    say_line(put, "bytes loft_forward", sizeof walk);
+    say_line(put, "bytes loft_span", sizeof(loft_span));
     stop();
     return 0;
 }

@@ -9,6 +9,7 @@
 #include "motion/plan.h"    /* loft_plan                    */
 #include "motion/step.h"    /* loft_step, loft_steps_of     */
 #include "outline.h"        /* outline                      */
+#include "say.h"            /* say_line                     */
 
 #define SLOTS 40            /* in a tick: 40,000 per second */
 
@@ -21,22 +22,6 @@ static loft_plan       plan;
 static loft_step       step;
 
 static uint32_t spans, ticks, planning, plan_worst, ticking, tick_worst, slotting, slots, begin;
-
-static void say(const char *name, uint32_t n)
-{
-    char digits[10];
-    int k = 0;
-
-    while (*name)
-        debugger_put(*name++);
-    debugger_put(' ');
-    do
-        digits[k++] = (char)('0' + n % 10);
-    while ((n /= 10) > 0);
-    while (k > 0)
-        debugger_put(digits[--k]);
-    debugger_put('\n');
-}
 
 static uint32_t since(uint32_t start)
 {
@@ -123,16 +108,16 @@ int main(void)
             run(&span);
         }
     }
-    say("curves", next);
-    say("spans", spans);
-    say("ticks", ticks);
-    say("planning", planning);
-    say("plan_worst", plan_worst);
-    say("ticking", ticking);
-    say("begin", begin);
-    say("tick_worst", tick_worst);
-    say("slotting", slotting);
-    say("slots", slots);
-    say("plan_bytes", sizeof plan + sizeof moves + sizeof pieces);
+    say_line(debugger_put, "curves", next);
+    say_line(debugger_put, "spans", spans);
+    say_line(debugger_put, "ticks", ticks);
+    say_line(debugger_put, "planning", planning);
+    say_line(debugger_put, "plan_worst", plan_worst);
+    say_line(debugger_put, "ticking", ticking);
+    say_line(debugger_put, "begin", begin);
+    say_line(debugger_put, "tick_worst", tick_worst);
+    say_line(debugger_put, "slotting", slotting);
+    say_line(debugger_put, "slots", slots);
+    say_line(debugger_put, "plan_bytes", sizeof plan + sizeof moves + sizeof pieces);
     return step.position[0] == 0 && step.position[1] == 0 ? 0 : 1;
 }

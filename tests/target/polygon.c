@@ -13,6 +13,8 @@
 #include "polygon/toric.h"          /* loft_toric           */
 #include "polygon/wachspress.h"     /* loft_wachspress_eval */
 
+#include "say.h"                    /* say_number           */
+
 #if defined(__arm__)
 #  include "meter.h"
 void debugger_put(char c);
@@ -70,27 +72,14 @@ static void add_all(const loft_sci phi[], unsigned n)
     }
 }
 
-static void number(uint32_t n)
-{
-    char digits[10];
-    int k = 0;
-
-    do
-        digits[k++] = (char)('0' + n % 10);
-    while ((n /= 10) > 0);
-    while (k > 0)
-        put(digits[--k]);
-}
-
 /* The line of what was measured since the last one. */
 static void say(const char *name)
 {
-    while (*name)
-        put(*name++);
+    say_words(put, name);
     put(' ');
-    number(cost / ROUNDS);
+    say_number(put, cost / ROUNDS);
     put(' ');
-    number(sum);
+    say_number(put, sum);
     put('\n');
     sum = 2166136261u;
     cost = 0;

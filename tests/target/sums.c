@@ -10,6 +10,8 @@
 #include "curve/measure.h"
 #include "surface/grid.h"
 
+#include "say.h"    /* say_line */
+
 #if defined(__AVR__)
 #  include <avr/interrupt.h>
 #  include <avr/io.h>
@@ -44,8 +46,7 @@ static void add(int64_t x)
 
 static void say(const char *name)
 {
-    while (*name)
-        put(*name++);
+    say_words(put, name);
     put(' ');
     for (int i = 28; i >= 0; i -= 4)
         put("0123456789abcdef"[sum >> i & 15]);
@@ -152,21 +153,7 @@ static loft_grid grid;
 /* Timer 1 counts 64 cycles. */
 static void start_timer(void) { TCCR1A = 0; TCCR1B = (1 << CS11) | (1 << CS10); TCNT1 = 0; }
 static uint32_t cycles(void)  { return (uint32_t)TCNT1 * 64; }
-
-static void say_time(const char *name, uint32_t n)
-{
-    char digits[10];
-    int count = 0;
-
-    while (*name)
-        put(*name++);
-    do
-        digits[count++] = (char)('0' + n % 10);
-    while (n /= 10);
-    while (count)
-        put(digits[--count]);
-    put('\n');
-}
+static void say_time(const char *name, uint32_t n)      { say_line(put, name, n); }
 
 #else
 static void start_timer(void)                           {}
@@ -201,11 +188,11 @@ static void time_grid(const loft_tensor *s)
     start_timer();
     if (loft_grid_init(&grid, s, STEPS, STEPS, memory, LOFT_GRID_STATES(3, 3)) != LOFT_OK)
         return;
-    say_time("# cycles of loft_grid_init, 16 x 16 bicubic: ", cycles());
+    say_time("# cycles of loft_grid_init, 16 x 16 bicubic:", cycles());
     start_timer();
     while (loft_grid_next(&grid, &p))
         points++;
-    say_time("# cycles of a point of it: ", cycles() / points);
+    say_time("# cycles of a point of it:", cycles() / points);
 }
 
 static void sums(int rounds)
