@@ -69,7 +69,7 @@ static void arb_spans(arb *a, int32_t reach)
         loft_span span;
         loft_vec mm;
 
-        item->ticks = (uint16_t)(1 + arb_below(a, arb_below(a, 20) ? 80 : TICKS - r.ticks < 1000 ? 100 : 1000));
+        item->ticks = (uint16_t)(1 + arb_below(a, arb_below(a, 5) == 0 ? 4 : arb_below(a, 20) ? 80 : TICKS - r.ticks < 1000 ? 100 : 1000));
         for (int i = 0; i < LOFT_AXES; i++)
             for (int k = 0; k < 3; k++)
                 item->p[k][i] = moved(a, k ? item->p[k - 1][i] : from[i], (int64_t)reach * item->ticks * 65536 / 3 * 65536 / per_mm[i]);

@@ -11,6 +11,9 @@
 /* What a tick is, for counting it once its last pulse is given. */
 enum { NO_TICK = 0, TICK = 1, LAST_TICK = 2 };     /* LAST_TICK: of its item */
 
+/* Ticks of the shortest span that needs a walk. One of a tick is its end; one of two is its middle, and its end. */
+#define WALKED 3
+
 /* How many items one call looks at, or looks ahead. The queue empties by at most one item per tick, so any number above 1 catches up. */
 #define LOOKS 8
 
@@ -360,7 +363,7 @@ static bool is_prepared(const loft_drive *d)
 }
 
 /* The tick may take items while this runs: the number tells when the walk is to be used. The tick leaves
- * walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. Items of one tick need no walk. */
+ * walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. */
 void loft_drive_prepare(loft_drive *d)
 {
     const volatile int32_t *from = d->from;
@@ -374,11 +377,11 @@ void loft_drive_prepare(loft_drive *d)
         number = d->item;
         item   = loft_queue_peek(&d->queue, 0);
     } while (number != d->item);
-    for (; item && item->ticks == 1 && behind < LOOKS - 1; item = loft_queue_peek(&d->queue, behind)) {
+    for (; item && item->ticks < WALKED && behind < LOOKS - 1; item = loft_queue_peek(&d->queue, behind)) {
         from = item->p[2];
         behind++;
     }
-    if (!item || item->ticks == 1 || number != d->item)     /* items taken meanwhile: another time */
+    if (!item || item->ticks < WALKED || number != d->item)     /* items taken meanwhile: another time */
         return;
     walk_item(&d->walk[!d->which], item, from);
     LOFT_BARRIER();
@@ -396,7 +399,16 @@ static bool next_point(loft_drive *d)
     return true;
 }
 
-/* Take the next item, of which there is one: it was counted in `ahead`. */
+static void aim_at_middle(loft_drive *d, const volatile loft_item *item)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_real half = loft_walk3_middle(loft_real_from_raw(d->from[i]), loft_real_from_raw(item->p[0][i]), loft_real_from_raw(item->p[1][i]),
+                                                 loft_real_from_raw(item->p[2][i]));
+        d->target[i] = loft_steps_of(half, d->steps_per_mm[i]);
+    }
+}
+
+/* Take the next item, of which there is one: it was counted in `ahead`. One of two ticks aims at its middle at once. */
 static bool next_span(loft_drive *d)
 {
     const volatile loft_item *item = loft_queue_first(&d->queue);
@@ -405,7 +417,9 @@ static bool next_span(loft_drive *d)
         return false;
     const bool ready = is_ready(d);
     d->item++;
-    if (item->ticks > 1) {
+    if (item->ticks == 2)
+        aim_at_middle(d, item);
+    if (item->ticks >= WALKED) {
         if (ready)
             d->which ^= 1;
         else if (LOFT_MACHINE_TICK_PREPARES)
@@ -418,7 +432,7 @@ static bool next_span(loft_drive *d)
     return loft_queue_poll(&d->queue);
 }
 
-/* An item of one tick needs no walk: it is its end. */
+/* The last tick of an item is its end, so nothing is walked for it. */
 static bool next_target(loft_drive *d)
 {
     const bool begun = d->left == 0;
@@ -426,15 +440,17 @@ static bool next_target(loft_drive *d)
     if (begun && !(d->kind == LOFT_POINTS ? next_point(d) : next_span(d)))
         return false;
     d->ahead--;
-    if (--d->left == 0 && begun) {
+    if (--d->left == 0) {
         for (int i = 0; i < LOFT_AXES; i++)
             d->target[i] = d->kind == LOFT_POINTS ? d->from[i] : steps_of(d, i, d->from[i]);
         return true;
     }
+    if (begun && d->left + 1 < WALKED)
+        return true;
     loft_drive_walk *walk = &d->walk[d->which];
     for (int i = 0; i < LOFT_AXES; i++)
         if (walk->moves & 1u << i)
-            d->target[i] = loft_steps_of(loft_walk3_step(&walk->axis[i], d->left == 0), d->steps_per_mm[i]);
+            d->target[i] = loft_steps_of(loft_walk3_step(&walk->axis[i], false), d->steps_per_mm[i]);
     return true;
 }
 
@@ -444,7 +460,7 @@ static bool must_wait(const loft_drive *d)
     if (LOFT_MACHINE_TICK_PREPARES || d->kind != LOFT_SPANS || d->left || !d->ahead || is_ready(d))
         return false;
     const volatile loft_item *item = loft_queue_first(&d->queue);
-    return !item || item->ticks > 1;
+    return !item || item->ticks >= WALKED;
 }
 
 void loft_drive_next(loft_drive *d)

@@ -129,8 +129,8 @@ void loft_drive_override(loft_drive *d, unsigned percent);
 void loft_drive_close(loft_drive *d);
 
 /* Prepare the walk of the next span, if that is not done: 20,000 cycles on an AVR with two axes that move, which loft_drive_tick would
- * have to spend at the beginning of the span, or for which it waits: see LOFT_MACHINE_TICK_PREPARES. Spans of one tick need none: it looks
- * behind up to 7 of them. Call it again and again. */
+ * have to spend at the beginning of the span, or for which it waits: see LOFT_MACHINE_TICK_PREPARES. Spans of one or two ticks need none: it
+ * looks behind up to 7 of them. Call it again and again. */
 void loft_drive_prepare(loft_drive *d);
 
 /* How things stand; when state is DONE or ABORTED, all of it is final. */

@@ -65,6 +65,9 @@ static inline int64_t  loft_quotient(int64_t n, uint32_t d)
 }
 #endif
 
+/* a / 8 without what it leaves, downward */
+static inline int32_t  loft_eighth(loft_real a)   { return a >> 3; }
+
 #if !defined(__AVR__)
 /* error none */
 static inline loft_acc loft_prod(loft_real a, loft_real b)  { return (loft_acc)a * b; }
