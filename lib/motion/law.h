@@ -43,7 +43,13 @@ enum loft_law_state {
 /* Rest at the start of an empty course. */
 void loft_law_init(loft_law *law);
 
-/* Go on for one beat: the place is then law->mean / law->beats from the start of piece law->from.
+/* The mean over the window of what is summed over it. */
+static inline loft_acc loft_law_mean(const loft_law *law, loft_acc sum)
+{
+    return law->beats > 1 ? loft_acc_ratio(sum, law->beats) : sum;
+}
+
+/* Go on for one beat: the place is then loft_law_mean(law, law->mean) from the start of piece law->from.
  *
  *   shape   no beat is given that curves yet to come may make wrong, unless the course has ended or is full
  */

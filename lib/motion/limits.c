@@ -10,6 +10,10 @@
 #define CORNER_MAX   LOFT_REAL(1)
 #define SPACING_MAX  LOFT_REAL(1)
 
+/* What bends and corners may use of the tolerance (set_beat), in 18ths of it */
+#define BEND         (LOFT_PLAN_WINDOW > 4 ? 45 : 78)
+#define SWING        (LOFT_PLAN_WINDOW > 4 ? 27 : 15)
+
 static enum loft_status within(loft_real x, loft_real min, loft_real max)
 {
     return !(x > 0) ? LOFT_ERR_ARG : x < min || x > max ? LOFT_ERR_RANGE : LOFT_OK;
@@ -42,6 +46,7 @@ enum loft_status loft_limits_check(const loft_limits *limits)
  * corner falls between two samples):
  *
  *     A h^2 <= 5/2 tol, jump h <= 3/2 tol     5/12 and 13/32 of the tolerance; 1/8 is for longer spans
+ *     A h^2 <= 13/3 tol, jump h <= 5/6 tol    where every beat is a span: 13/18 and 65/288
  *     A h^2 <= 3 tol                          where jerk is limited: corners are all but stops; half of it, 3/8 for easing joints
  *
  * with A the length of the vector of the limits of all axes, and what is allowed across the path besides. That gives the longest beat. If not even one tick is short
@@ -53,7 +58,7 @@ static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
         size[i] = loft_wide(limits->max_accel[i]);
 
     const loft_acc a = loft_acc_ratio(loft_acc_hypot(size, LOFT_AXES) + loft_wide(limits->max_across), limits->tick_hz);
-    const loft_acc most = loft_wide(limits->tol) * (LOFT_BUDGET_JERK(b) ? 6 : 5) * limits->tick_hz / 2;
+    const loft_acc most = loft_acc_ratio(loft_wide(limits->tol) * (int32_t)(LOFT_BUDGET_JERK(b) ? 54 : BEND) * limits->tick_hz, 18);
 
     uint16_t n = (uint16_t)(limits->tick_hz / (LOFT_BUDGET_JERK(b) ? SLOW_HZ : LOFT_PLAN_BEATS));
     while (n > 1 && a * n * n > most)
@@ -81,10 +86,10 @@ static void set_gain(loft_budget *b, int i, uint32_t jerk)
  * the jerk. */
 static void set_shares(loft_budget *b, int i)
 {
-    const loft_acc accel = loft_wide(b->accel[i]), gain = loft_wide(b->gain[i]) * 4;
+    const loft_acc part = LOFT_BUDGET_JERK(b) ? loft_acc_ratio(loft_wide(b->gain[i]), 5) : loft_acc_ratio(loft_wide(b->accel[i]), SPARE);
 
-    b->share[i] = loft_acc_round(LOFT_BUDGET_JERK(b) ? loft_acc_ratio(gain, 20) : loft_acc_ratio(accel, SPARE));
-    b->spare[i] = loft_acc_round(loft_acc_scale(LOFT_BUDGET_JERK(b) ? loft_acc_ratio(gain, 10) : loft_acc_ratio(accel, SPARE), b->pulse));
+    b->share[i] = loft_acc_round(part);
+    b->spare[i] = loft_acc_round(loft_acc_scale(LOFT_BUDGET_JERK(b) ? 2 * part : part, b->pulse));
 }
 
 void loft_budget_init(loft_budget *b, const loft_limits *limits)
@@ -100,10 +105,11 @@ void loft_budget_init(loft_budget *b, const loft_limits *limits)
         const loft_acc accel = loft_acc_scale(loft_wide(limits->max_accel[i]), usable);
         b->max_speed[i] = limits->max_speed[i];
         b->accel[i] = loft_acc_round(LOFT_BUDGET_JERK(b) ? accel : accel - loft_acc_ratio(accel, 2 * SPARE));
-        set_gain(b, i, limits->max_jerk[i]);
+        if (LOFT_PLAN_FILTER > 1)
+            set_gain(b, i, limits->max_jerk[i]);
         set_shares(b, i);
     }
-    const loft_acc swing = loft_acc_ratio(loft_wide(limits->tol) * 3 * b->tick_hz, 2 * b->beat);
+    const loft_acc swing = loft_acc_ratio(loft_wide(limits->tol) * SWING * b->tick_hz, 18 * (int32_t)b->beat);
     b->swing  = swing < loft_wide(LOFT_SPEED_MAX) ? loft_acc_round(swing) : LOFT_SPEED_MAX;
     b->corner = limits->corner;
     b->tol    = limits->tol;

@@ -15,8 +15,14 @@
 #define LOFT_ACCEL_MAX LOFT_REAL(16383)     /* mm/s^2                         */
 #define LOFT_JERK_MAX  10000000             /* mm/s^3                         */
 
-/* Beats a second, at least, where jerk is not limited, 50..500. Fewer cost less time of planning; where the acceleration is large for the
- * tolerance they are more in any case (limits.c). */
+/* Samples of the path that one span can see, 4..128: a span lasts up to three beats less. Cost: 8 LOFT_AXES bytes of RAM each. With 4 every beat
+ * is a span, the search for the longest one is not part of the program, and beats may be longer. */
+#ifndef LOFT_PLAN_WINDOW
+#  define LOFT_PLAN_WINDOW 64
+#endif
+
+/* Beats a second, at least, where jerk is not limited, 50..500. Fewer cost less time of planning, and corners are passed slower; where the
+ * acceleration is large for the tolerance they are more in any case (limits.c). */
 #ifndef LOFT_PLAN_BEATS
 #  define LOFT_PLAN_BEATS 500
 #endif

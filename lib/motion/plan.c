@@ -23,6 +23,7 @@
 #include "motion/plan.h"
 
 #define SIXTH LOFT_UNIT(0.16666666666666667)
+#define THIRD (2 * SIXTH)      /* rounded, on any compiler: the doubles of avr-gcc have 24 bits */
 #define SLACK loft_wide(LOFT_REAL(0.000244140625))   /* 2^-12 mm per beat, shared out like the speed */
 #define GRAINS loft_wide(LOFT_REAL(0.000091552734))  /* 6 / 65536 mm per beat^2                      */
 
@@ -73,13 +74,17 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft
 
     plan->first = plan->held = 0;
     plan->begun = plan->cut = false;
+#if LOFT_PLAN_FILTER > 1
     plan->eased.width = 0;
     plan->past = 0;
-    for (int i = 0; i < LOFT_PLAN_TESTED; i++) {
+#endif
+#if LOFT_PLAN_WINDOW > 4
+    for (int i = 0; i < LOFT_AXES; i++) {
         plan->speed[i]  = loft_budget_beat(&b, limits->max_speed[i]);
         plan->accel[i]  = loft_acc_scale(loft_budget_beat(&b, limits->max_accel[i] + limits->max_across), b.pulse);
         plan->jerk[i]   = loft_acc_scale(loft_budget_beat(&b, b.gain[i]), b.pulse);
     }
+#endif
     return LOFT_OK;
 }
 
@@ -108,6 +113,8 @@ void loft_plan_end(loft_plan *plan)
 /* Samples
  * ------- */
 
+#if LOFT_PLAN_FILTER > 1
+
 /* Move the point at `off` on piece `from` aside for the joint before it, whose piece may be gone, and those ahead. */
 static void ease(loft_plan *plan, loft_acc off, loft_acc point[])
 {
@@ -134,15 +141,28 @@ static void ease(loft_plan *plan, loft_acc off, loft_acc point[])
     }
 }
 
+/* The place of the law is on the joint p, or on a piece without a length. */
+static void ease_from(loft_plan *plan, const loft_plan_piece *p)
+{
+    if (p->ease.width > 0) {
+        plan->eased = p->ease;
+        plan->past  = 0;
+    }
+}
+
+#endif
+
 /* The place of the law on the path. */
 static void push_place(loft_plan *plan)
 {
     const loft_course *c = &plan->law.course;
     const loft_plan_piece  *p = loft_course_piece(c, plan->law.from);
-    const loft_acc   off = loft_acc_ratio(plan->law.mean, plan->law.beats);
+    const loft_acc   off = loft_law_mean(&plan->law, plan->law.mean);
     loft_acc point[LOFT_AXES];
 
-    plan->past += loft_acc_ratio(plan->law.sum, plan->law.beats);
+#if LOFT_PLAN_FILTER > 1
+    plan->past += loft_law_mean(&plan->law, plan->law.sum);
+#endif
     if (p->length > 0 && p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length)) {
         push_vec(plan, c->moves[p->move].curve.p[3]);
         return;
@@ -155,14 +175,15 @@ static void push_place(loft_plan *plan)
     }
     if (p->length > 0) {
         loft_arc_eval(&plan->arc, off < plan->arc.length ? off : plan->arc.length, point);
+#if LOFT_PLAN_FILTER > 1
         if (LOFT_BUDGET_JERK(&c->budget))
             ease(plan, off, point);
+#endif
         push(plan, point);
     } else {                    /* a joint, or too short to have a length */
-        if (p->ease.width > 0) {
-            plan->eased = p->ease;
-            plan->past  = 0;
-        }
+#if LOFT_PLAN_FILTER > 1
+        ease_from(plan, p);
+#endif
         push(plan, plan->arc.c[0]);
         plan->cut = false;      /* the next piece begins at the same parameter */
     }
@@ -199,7 +220,7 @@ static enum loft_law_state fill(loft_plan *plan)
 /* Spans
  * ----- */
 
-static loft_acc lasting(loft_acc v, unsigned m) { return LOFT_PLAN_WINDOW == 4 ? v : v * (int32_t)m; }
+#if LOFT_PLAN_WINDOW > 4
 
 /* The Hermite interpolant over m beats; q16: m <= 125 beats of at most 2^15 mm / 125. */
 static void interpolate(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
@@ -210,8 +231,8 @@ static void interpolate(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AX
     for (int i = 0; i < LOFT_AXES; i++) {
         p[0][i] = b[i] + loft_acc_scale(a[i] - 2 * b[i] + c[i], SIXTH);
         p[3][i] = e[i] + loft_acc_scale(d[i] - 2 * e[i] + f[i], SIXTH);
-        p[1][i] = p[0][i] + loft_acc_scale(lasting(c[i] - a[i], m), SIXTH);
-        p[2][i] = p[3][i] - loft_acc_scale(lasting(f[i] - d[i], m), SIXTH);
+        p[1][i] = p[0][i] + loft_acc_scale((c[i] - a[i]) * (int32_t)m, SIXTH);
+        p[2][i] = p[3][i] - loft_acc_scale((f[i] - d[i]) * (int32_t)m, SIXTH);
     }
 }
 
@@ -336,9 +357,6 @@ static unsigned longest(const loft_plan *plan, unsigned most)
     loft_acc p[4][LOFT_AXES];
     unsigned m = 1, step = 1;
 
-    if (LOFT_PLAN_WINDOW == 4)      /* the compiler leaves out the rest */
-        return m;
-
     while (m + step <= most && fits(plan, m + step, p)) {
         m += step;
         step *= 2;
@@ -349,25 +367,52 @@ static unsigned longest(const loft_plan *plan, unsigned most)
     return m;
 }
 
+/* The span over as many beats as it may last. */
+static unsigned set_span(const loft_plan *plan, loft_span *out)
+{
+    const unsigned knots = plan->held - 3u, room = LOFT_SPAN_TICKS_MAX / plan->law.course.budget.beat;
+    const unsigned m = longest(plan, knots < room ? knots : room);
+    loft_acc p[4][LOFT_AXES];
+
+    interpolate(plan, m, p);
+    for (int k = 1; k < 4; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            out->p[k].axis[i] = loft_acc_round(p[k][i]);
+    return m;
+}
+
+#else
+
+/* One beat: with b, c, d the control points of the B-spline after the first, and l = c - b, its Bezier points are
+ *
+ *     b + l / 3   c - l / 3   c + (d - c - l) / 6 */
+static unsigned set_span(const loft_plan *plan, loft_span *out)
+{
+    const loft_acc *b = sample(plan, 1), *c = sample(plan, 2), *d = sample(plan, 3);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc leg = c[i] - b[i], third = loft_acc_scale(leg, THIRD);
+        out->p[1].axis[i] = loft_acc_round(b[i] + third);
+        out->p[2].axis[i] = loft_acc_round(c[i] - third);
+        out->p[3].axis[i] = loft_acc_round(c[i] + loft_acc_scale(d[i] - c[i] - leg, SIXTH));
+    }
+    return 1;
+}
+
+#endif
+
 enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out)
 {
-    const unsigned beat = plan->law.course.budget.beat;
     const enum loft_law_state law = fill(plan);
-    loft_acc p[4][LOFT_AXES];
 
     if (plan->held < LOFT_PLAN_WINDOW && law == LOFT_LAW_WAITS)
         return LOFT_PLAN_WAIT;
     if (plan->held < 4)
         return LOFT_PLAN_REST;
 
-    const unsigned knots = plan->held - 3u, room = LOFT_SPAN_TICKS_MAX / beat;
-    const unsigned m = longest(plan, knots < room ? knots : room);
-    interpolate(plan, m, p);
-    out->p[0] = plan->at;
-    for (int k = 1; k < 4; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            out->p[k].axis[i] = loft_acc_round(p[k][i]);
-    out->ticks  = (uint16_t)(m * beat);
+    const unsigned m = set_span(plan, out);
+    out->p[0]   = plan->at;
+    out->ticks  = (uint16_t)(m * plan->law.course.budget.beat);
     plan->at    = out->p[3];
     plan->first = (uint8_t)((plan->first + m) % LOFT_PLAN_WINDOW);
     plan->held  = (uint8_t)(plan->held - m);

@@ -30,14 +30,6 @@
 #include "motion/law.h"     /* loft_law, loft_move, loft_plan_piece, LOFT_PLAN_REACH */
 #include "motion/span.h"    /* loft_span */
 
-/* Samples of the path that one span can see, 4..128: a span lasts up to three beats less. Cost: 8 LOFT_AXES bytes of RAM each. With 4 every beat
- * is a span, and the search for the longest one is not part of the program. */
-#ifndef LOFT_PLAN_WINDOW
-#  define LOFT_PLAN_WINDOW 64
-#endif
-
-#define LOFT_PLAN_TESTED (LOFT_PLAN_WINDOW > 4 ? LOFT_AXES : 1)     /* axes of which spans are tested */
-
 /* Pieces that a curve of a drawing usually needs; 16 where jerk is limited, for all of them to be seen. Below LOFT_FLOW_PIECES in all, motion with
  * limited jerk takes up to half as long again. */
 #define LOFT_PLAN_PIECES 8
@@ -52,11 +44,15 @@ typedef struct {
     bool     begun;
     loft_acc sample[LOFT_PLAN_WINDOW][LOFT_AXES];       /* a ring of control points, one per beat     */
     uint16_t behind[LOFT_PLAN_WINDOW];                  /* curves that each of them has left behind       */
-    loft_acc speed[LOFT_PLAN_TESTED], accel[LOFT_PLAN_TESTED], jerk[LOFT_PLAN_TESTED];  /* limits per beat, beat^2, beat^3 */
     loft_vec at;                                        /* the end of the last span                   */
+    uint8_t  first, held;
+#if LOFT_PLAN_WINDOW > 4
+    loft_acc speed[LOFT_AXES], accel[LOFT_AXES], jerk[LOFT_AXES];   /* limits per beat, beat^2, beat^3 */
+#endif
+#if LOFT_PLAN_FILTER > 1
     loft_ease eased;                                    /* the last joint that was, and               */
     loft_acc past;                                      /* how far behind it the samples are          */
-    uint8_t  first, held;
+#endif
 } loft_plan;
 
 enum loft_plan_state {
