@@ -20,7 +20,7 @@ static bool   bad;                  /* the case */
 
 static inline void fault(int kind, uint64_t seed, double value)
 {
-    if (faults[kind]++ < 5 || value > worst[kind])
+    if (faults[kind]++ < 40 || value > worst[kind])
         printf("  seed %llu: %s %.5g\n", (unsigned long long)seed, fault_name[kind], value);
     worst[kind] = fmax(worst[kind], value);
     bad = true;
