@@ -14,7 +14,8 @@ static const uint32_t once[] = {
     970, 4351,                  /* loops below the tolerance, which are passed all the same                      */
     860, 54890,                 /* where easing begins in a cell more was asked for than at its ends                 */
     4201, 38499,                /* a part of a piece ended before it began                                           */
-    1005, 2351                  /* a part of a span across a change of the feed was compared with that behind it     */
+    1005, 2351,                 /* a part of a span across a change of the feed was compared with that behind it     */
+    53112, 74767                /* a piece whose curvature changes was braked in, though it is passed at its cap as a rule        */
 };
 
 static void cases_that_were_violations_are_none(arb *a)

@@ -12,7 +12,9 @@ typedef struct {
     loft_arc        arc;
     loft_arc_shape  shape;
     loft_plan_piece piece;
-    double          length;
+    double          length, turn[2];            /* curvature times length at both ends                   */
+    bool            steady;                     /* it bends to where it bends at the start               */
+    double          ahead[LOFT_AXES], aside[LOFT_AXES];     /* of length 1: where it starts to, and where it bends to */
 } scene;
 
 static loft_acc wide_of(double x)   { return BY_NUM((loft_acc)floor(x * 4294967296.0 + 0.5), x, x); }
@@ -25,32 +27,54 @@ static void arb_budget(arb *a, scene *s)
     loft_budget_init(&s->budget, &s->limits);
 }
 
+/* Direction and curvature at the part z of a piece whose curvature is a line. */
+static void lie(const scene *s, double z, double along[], double bend[])
+{
+    const double turned = s->turn[0] * z + (s->turn[1] - s->turn[0]) * z * z / 2, k = (s->turn[0] + (s->turn[1] - s->turn[0]) * z) / s->length;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        along[i] = s->steady ? s->ahead[i] + turned * s->aside[i] : cos(turned) * s->ahead[i] + sin(turned) * s->aside[i];
+        bend[i]  = s->steady ? k * s->aside[i] : k * (cos(turned) * s->aside[i] - sin(turned) * s->ahead[i]);
+    }
+}
+
+static bool piece_of(arb *a, scene *s, double turn0, double turn1, bool steady)
+{
+    double dot = 0, size = 0;
+
+    arb_budget(a, s);
+    s->length  = arb_decades(a, 0.01, 50);
+    s->turn[0] = turn0;
+    s->turn[1] = turn1;
+    s->steady  = steady;
+    arb_direction(a, s->ahead);
+    arb_direction(a, s->aside);
+    for (int i = 0; i < LOFT_AXES; i++)
+        dot += s->ahead[i] * s->aside[i];
+    for (int i = 0; i < LOFT_AXES; i++) {
+        s->aside[i] -= dot * s->ahead[i];
+        size += s->aside[i] * s->aside[i];
+    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        s->aside[i] = sqrt(size) > 1e-6 ? s->aside[i] / sqrt(size) : 0;
+    s->shape.tight = false;
+    for (int k = 0; k < 3; k++) {
+        double along[LOFT_AXES], bend[LOFT_AXES];
+        lie(s, k / 2.0, along, bend);
+        for (int i = 0; i < LOFT_AXES; i++) {
+            s->shape.along[k].axis[i] = real_of(along[i]);
+            s->shape.bend[k].axis[i]  = real_of(bend[i]);
+        }
+    }
+    s->arc.length = wide_of(s->length);
+    return loft_scope_init(&s->piece, &s->budget, &s->arc, &s->shape, real_of(arb_decades(a, 0.1, 1000)));
+}
+
 /* Part of a circle, or of a line: an arc as loft_arc_next cuts them turns by 1/8 at most. */
 static bool arb_piece(arb *a, scene *s)
 {
-    double u[LOFT_AXES], w[LOFT_AXES], dot = 0, size = 0;
     const double turn = arb_below(a, 4) ? arb_decades(a, 0.001, 0.125) : 0;
-
-    arb_budget(a, s);
-    s->length = arb_decades(a, 0.01, 50);
-    arb_direction(a, u);
-    arb_direction(a, w);
-    for (int i = 0; i < LOFT_AXES; i++)
-        dot += u[i] * w[i];
-    for (int i = 0; i < LOFT_AXES; i++) {
-        w[i] -= dot * u[i];
-        size += w[i] * w[i];
-    }
-    size = sqrt(size);
-    s->shape.tight = false;
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < LOFT_AXES; i++) {
-            const double z = turn * k / 2, v = size > 1e-6 ? w[i] / size : 0;
-            s->shape.along[k].axis[i] = real_of(cos(z) * u[i] + sin(z) * v);
-            s->shape.bend[k].axis[i]  = real_of(turn / s->length * (cos(z) * v - sin(z) * u[i]));
-        }
-    s->arc.length = wide_of(s->length);
-    return loft_scope_init(&s->piece, &s->budget, &s->arc, &s->shape, real_of(arb_decades(a, 0.1, 1000)));
+    return piece_of(a, s, turn, turn, false);
 }
 
 /* How much of the acceleration is used when the piece begins with the square x of the speed and has acceleration g. */
@@ -92,6 +116,37 @@ static void braking_in_the_scope_holds_the_limits(arb *a)
         CHECK(x >= 0 && x <= speeds(s.piece.far) * 1.00001);
         if (x < speeds(s.piece.far) * 0.9999)
             CHECK(use_of(&s, x, (end - x) / (2 * s.length)) <= 1 + BY_NUM(0.001, 0.0005, 0.0001));
+    }
+}
+
+/* The same anywhere on the piece. */
+static double use_between(const scene *s, double x, double g)
+{
+    double most = 0, along[LOFT_AXES], bend[LOFT_AXES];
+
+    for (int n = 0; n <= 16; n++) {
+        lie(s, n / 16.0, along, bend);
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const double now = x + 2 * g * s->length * n / 16, noise = BY_NUM(0x1p-14 * (fabs(g) + fabs(now) + fabs(g) * s->length), 1e-6 * fabs(g), 1e-9);
+            most = fmax(most, (fabs(along[i] * g + bend[i] * now) - noise) / arb_value(s->budget.accel[i]));
+        }
+    }
+    return most;
+}
+
+static void where_the_curvature_changes_the_limits_hold_between_the_ends(arb *a)
+{
+    const double turn0 = arb_between(a, -0.1, 0.1), turn1 = arb_between(a, -0.1, 0.1);
+    scene s;
+
+    if (!piece_of(a, &s, turn0, turn1, true))
+        return;
+    for (int n = 0; n <= 16; n++) {
+        const double far = speeds(s.piece.far), x = far * n / 16, g = arb_value(loft_scope_most(&s.piece, wide_of(x)));
+        CHECK(use_between(&s, x, g) <= 1.005);
+        const double end = speeds(s.piece.last) * n / 16, y = value_of(loft_scope_brake(&s.piece, wide_of(end)));
+        if (y < far * 0.9999)
+            CHECK(use_between(&s, y, (end - y) / (2 * s.length)) <= 1.005);
     }
 }
 
@@ -147,6 +202,7 @@ int main(void)
 {
     PROPERTY(speeding_up_in_the_scope_holds_the_limits, 3000);
     PROPERTY(braking_in_the_scope_holds_the_limits,     3000);
+    PROPERTY(where_the_curvature_changes_the_limits_hold_between_the_ends, 3000);
     PROPERTY(along_the_caps_the_limits_hold,            3000);
     PROPERTY(on_a_line_the_scope_is_a_rectangle,         500);
     PROPERTY(a_joint_that_bends_nothing_is_none,         500);

@@ -11,8 +11,11 @@
  *
  *     -A <= w a + k x <= A        |w a| <= A (1 -+ k x / A)
  *
- * As u, k and x are nearly lines along the piece, what holds at both ends holds between them, but for (k1 - k0) 2 a l / 4 where k falls as
- * x rises: pieces are cut until that is little. So the largest a is the least of some
+ * As u' = k and x' = 2 a, and k is nearly a line, the second derivative of u a + k x along the piece is 5 a (k1 - k0) / l: between the ends
+ * it may go beyond both of them by q |a|, q = 5/8 l |k1 - k0|, on one side. On that side w a + k x + q |a| is within A. Where w and k1 - k0 have
+ * opposite signs |w| becomes |w| + q, but stays |w| where the bend has to be relieved by w a. Where they have the same sign it stays |w|, or becomes
+ * |w| - q where the bend is relieved; if q > |w| there is a line with q - |w| and the other sign of k. And where the curvature goes beyond the line
+ * between its ends by r much A is r x less. So the largest a is the least of some
  * falling and rising lines in x, a concave function, and so is -a of the least one. Both are positive at x = 0. Where they meet is
  * the largest x that any acceleration allows: more than where a = 0 is possible, if the piece has to be passed while it speeds up
  * or slows down. Chords between x = 0, a knee and the far end lie inside of the polygon. The knee is where the line that is the
@@ -24,17 +27,20 @@
  */
 #include "motion/scope.h"
 
-#define BENT    20      /* A / 20 is the most that the curvature's second difference may ask for at the cap: 8 times what is off */
-#define SKEW    64      /* and so much (k1 - k0) a l, for the curvature and x change together: twice what is off                       */
+#define BENT    40      /* where the speed may change, A / 40 is the most that the curvature's bow may ask for at the cap           */
+#define BOW     128     /* A / 128 it may, as that much is kept for joints                                                       */
 #define STEEP   64      /* the square of the cap is a line along the piece, to 1/64 of itself                                     */
 #define TURN    LOFT_REAL(0.03)
 #define EDGE    4     /* of 256: the knee is no nearer to the ends                                                              */
-#define LINES   (2 * LOFT_AXES + 1)
+#define LINES   (4 * LOFT_AXES + 1)
 #define FASTEST (loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX) / 16)
 
 /* At the part y of the far end a <= most (1 - turn y) and -a <= most (1 + turn y). The first line is the largest acceleration there is. */
 typedef struct {
     loft_real most[LINES], turn[LINES];
+    loft_real relief[LINES];        /* what |w| is where the bend has to be relieved, if not the same; 0 */
+    uint8_t   axis[LINES], count;
+    loft_real accel[LOFT_AXES];
     loft_acc  far;
 } scope;
 
@@ -56,17 +62,32 @@ static loft_real bend_of(const loft_budget *b, const loft_arc_shape *s, int k, i
     return s->tight || b->across > 0 ? 0 : s->bend[k].axis[i];
 }
 
-/* The lines of one end, `ahead` of the start; `turn` is the curvature as yet. The far end is no further than where the bend
- * needs all of the acceleration, or 32 times as much where it can be relieved. */
-static void set_lines(scope *s, const loft_budget *b, const loft_arc_shape *shape, int end, loft_acc ahead, int at)
+/* |w a| <= A (1 -+ turn x / A); `turn` is the curvature as yet. */
+static void add_line(scope *s, int axis, loft_real w, loft_real relief, loft_real turn)
 {
-    for (int i = 0; i < LOFT_AXES; i++, at++) {
-        const loft_real k = bend_of(b, shape, end, i), w = shape->along[end].axis[i] + loft_acc_round(twice(ahead, k));
+    s->most[s->count]   = loft_real_cap(LOFT_ACCEL_MAX, s->accel[axis], w);
+    s->turn[s->count]   = turn;
+    s->relief[s->count] = relief;
+    s->axis[s->count++] = (uint8_t)axis;
+}
 
-        s->most[at] = loft_real_cap(LOFT_ACCEL_MAX, b->accel[i], size_of(w));
-        s->turn[at] = w < 0 ? -k : k;
+/* The lines of one end, `ahead` of the start. The far end is no further than where the bend needs all of the acceleration, or 32 times as much
+ * where it can be relieved. */
+static void set_lines(scope *s, const loft_budget *b, const loft_arc_shape *shape, int end, loft_acc ahead, loft_acc length)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_real k = bend_of(b, shape, end, i), w = shape->along[end].axis[i] + loft_acc_round(twice(ahead, k)), size = size_of(w);
+        const loft_real skew = loft_acc_round(loft_acc_mul(length, bend_of(b, shape, 2, i) - bend_of(b, shape, 0, i)) * 5 / 8);
+        const loft_real with = w < 0 ? -skew : skew, turn = w < 0 ? -k : k;
+
+        if (with < 0)
+            add_line(s, i, size - with, size, turn);
+        else
+            add_line(s, i, size, with > 0 && with < size ? size - with : 0, turn);
+        if (with > size)
+            add_line(s, i, with - size, 0, -turn);
         if (k < 0 || k > 0)
-            s->far = smaller(s->far, needed(b->accel[i], size_of(k), s->most[at] < LOFT_ACCEL_MAX ? 32 : 1));
+            s->far = smaller(s->far, needed(s->accel[i], size_of(k), loft_prod(LOFT_ACCEL_MAX, size) > loft_wide(s->accel[i]) ? 32 : 1));
     }
 }
 
@@ -76,7 +97,7 @@ static loft_acc least_at(const scope *s, loft_unit y, bool fore, int *which)
     loft_acc least = loft_wide(LOFT_ACCEL_MAX);
 
     *which = 0;
-    for (int j = 1; j < LINES; j++) {
+    for (int j = 1; j < s->count; j++) {
         const loft_real turn = loft_acc_round(loft_acc_scale(loft_wide(s->turn[j]), y));
         const loft_acc  a = loft_prod(s->most[j], fore ? LOFT_REAL(1) - turn : LOFT_REAL(1) + turn);
         if (a < least) {
@@ -193,6 +214,25 @@ loft_acc loft_scope_brake(const loft_plan_piece *p, loft_acc end)
 /* Pieces and joints
  * ----------------- */
 
+/* How far the curvature goes beyond the line between its ends. */
+static loft_real bow_of(const loft_budget *b, const loft_arc_shape *s, int i)
+{
+    const loft_acc d = loft_wide(bend_of(b, s, 0, i)) - 2 * loft_wide(bend_of(b, s, 1, i)) + loft_wide(bend_of(b, s, 2, i));
+    return size_of(loft_acc_round(d / 2));
+}
+
+/* What the bow of the curvature leaves of the acceleration. */
+static void set_accel(scope *s, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape)
+{
+    const loft_real v = p->cap > p->last ? p->cap : p->last;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc used = loft_acc_mul(loft_prod(v, v), bow_of(b, shape, i));
+        const loft_real little = b->accel[i] / BOW;
+        s->accel[i] = b->accel[i] - (used < loft_wide(little) ? 0 : used < loft_wide(b->accel[i] / 2) ? loft_acc_round(used) : b->accel[i] / 2);
+    }
+}
+
 /* Does the curvature's change ask for little between the ends, and the direction not turn much where speed has to change? */
 static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
 {
@@ -200,12 +240,7 @@ static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_
     bool turns = false;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc d = loft_wide(bend_of(b, s, 0, i)) - 2 * loft_wide(bend_of(b, s, 1, i)) + loft_wide(bend_of(b, s, 2, i));
-        const loft_real quarter = loft_acc_round(d / 4);
-        if (loft_acc_mul(length_of(p), b->accel[i]) > x / 128 && loft_acc_mul(x, size_of(quarter)) > loft_wide(b->accel[i]) / (4 * BENT))
-            return false;
-        const loft_real more = bend_of(b, s, 2, i) - bend_of(b, s, 0, i);
-        if (!p->flows && loft_acc_mul(loft_acc_mul(length_of(p), p->rest), size_of(more)) > loft_wide(b->accel[i]) / SKEW)
+        if (loft_acc_mul(length_of(p), b->accel[i]) > x / 128 && loft_acc_mul(x, bow_of(b, s, i)) > loft_wide(b->accel[i]) / BENT)
             return false;
         turns = turns || size_of(s->along[2].axis[i] - s->along[0].axis[i]) > TURN;
     }
@@ -213,14 +248,18 @@ static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_
 }
 
 /* Chords in the polygon, from which the far end may come nearer. */
-static void set_bounds(loft_plan_piece *p, const loft_budget *b, scope *s)
+static void set_bounds(loft_plan_piece *p, scope *s)
 {
     int which;
 
     p->rest = loft_acc_round(least_at(s, 0, true, &which));
     s->far  = smaller(s->far, loft_prod(p->cap, p->cap) + twice(length_of(p), p->rest));
-    for (int j = 1; j < LINES; j++)
-        s->turn[j] = loft_acc_quot(loft_acc_mul(s->far, s->turn[j]), loft_wide(b->accel[(j - 1) % LOFT_AXES]));
+    const int count = s->count;
+    for (int j = 1; j < count; j++) {
+        s->turn[j] = loft_acc_quot(loft_acc_mul(s->far, s->turn[j]), loft_wide(s->accel[s->axis[j]]));
+        if (s->relief[j] > 0 && size_of(s->turn[j]) > LOFT_REAL(1))
+            add_line(s, s->axis[j], s->relief[j], 0, s->turn[j]);
+    }
     const loft_unit end = tip(s);
     p->fore_knee = set_knee(s, end, true, p->fore);
     p->back_knee = set_knee(s, end, false, p->back);
@@ -251,17 +290,19 @@ static void begin(loft_plan_piece *p)
 
 bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *s, loft_real feed)
 {
-    scope lines = { .most = { LOFT_ACCEL_MAX }, .turn = { 0 }, .far = 32 * FASTEST };
+    scope lines = { .most = { LOFT_ACCEL_MAX }, .turn = { 0 }, .count = 1, .far = 32 * FASTEST };
 
     begin(p);
     p->length = loft_unit_round(arc->length);
     const bool steady = set_caps(p, b, s, feed);
     if (s->tight)
         set_tight_caps(p, b, s);
-    set_lines(&lines, b, s, 1, 0, 1);       /* it may not be passed faster in the middle */
-    set_lines(&lines, b, s, 0, 0, 1);
-    set_lines(&lines, b, s, 2, length_of(p), 1 + LOFT_AXES);
-    set_bounds(p, b, &lines);
+    set_accel(&lines, p, b, s);
+    set_lines(&lines, b, s, 1, 0, 0);       /* it may not be passed faster in the middle */
+    lines.count = 1;
+    set_lines(&lines, b, s, 0, 0, length_of(p));
+    set_lines(&lines, b, s, 2, length_of(p), length_of(p));
+    set_bounds(p, &lines);
 
     const loft_acc x = loft_prod(p->cap, p->cap), more = loft_prod(p->last, p->last) - x;
     p->flows = more <= twice(length_of(p), loft_scope_most(p, x)) && -more <= twice(length_of(p), chord_at(p, x, false));
