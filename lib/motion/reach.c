@@ -98,6 +98,26 @@ static void add_part(loft_law *law, loft_acc end, loft_real speed)
     law->parts++;
 }
 
+/* The square of the speed on what is left of a piece: at its start, and by how much it changes. */
+typedef struct {
+    loft_acc at, by;
+} line;
+
+static loft_acc value(const line *l, loft_unit z) { return l->at + loft_acc_scale(l->by, z); }
+
+/* Where a meets b, which begins higher; the end, if it does not. */
+static loft_unit meeting(const line *a, const line *b)
+{
+    const loft_acc nearer = a->by - b->by;
+    return nearer > 0 ? part_of(b->at - a->at, nearer) : LOFT_UNIT(1);
+}
+
+/* A part that ends on l. */
+static void add_to(loft_law *law, loft_acc way, const line *l, loft_unit z)
+{
+    add_part(law, law->at.off + loft_acc_scale(way, z), loft_acc_sqrt(value(l, z)));
+}
+
 /* The acceleration here. Beyond the start of the piece the line with acceleration a began with x - 2 a off: that of x and that
  * of the least such x there can be, whichever is less. */
 static loft_real speeding_up(const loft_plan_piece *p, loft_acc off, loft_acc x)
@@ -110,29 +130,28 @@ static loft_real speeding_up(const loft_plan_piece *p, loft_acc off, loft_acc x)
     return b < a ? b : a;
 }
 
-/* More than what the end allows: `rise` and `fall` are the changes of x on the way that is left, by speeding up from x and by
- * braking to `end`. */
-static void add_parts(loft_law *law, const loft_plan_piece *p, loft_acc x, loft_acc rise, loft_acc end)
+/* More than what the end allows: speeding up, the cap, and braking to the end. */
+static void add_parts(loft_law *law, const loft_plan_piece *p, const line *up, loft_acc way)
 {
-    const loft_acc  off = law->at.off, length = length_of(p), way = length - off;
-    const loft_acc  cap = square(p->cap), last = square(p->last);
-    const loft_unit left = off > 0 ? part_of(way, length) : LOFT_UNIT(1);
-    const loft_acc  fall = loft_acc_scale(loft_scope_brake(p, end) - end, left), top = last + loft_acc_scale(cap - last, left);
-    const loft_acc  spare = end + fall - x;
+    const loft_acc  end = square(law->aim), last = square(p->last);
+    const loft_unit left = law->at.off > 0 ? part_of(way, length_of(p)) : LOFT_UNIT(1);
+    line cap, down;
 
-    if (spare > 0) {
-        const loft_unit meet = part_of(spare, rise + fall);
-        const loft_acc  peak = x + loft_acc_scale(rise, meet), slope = last - top;
-        if (peak <= top + loft_acc_scale(slope, meet))
-            add_part(law, off + loft_acc_scale(way, meet), loft_acc_sqrt(peak));
+    cap.by  = loft_acc_scale(last - square(p->cap), left);
+    cap.at  = last - cap.by;
+    down.by = loft_acc_scale(end - loft_scope_brake(p, end), left);
+    down.at = end - down.by;
+    if (down.at > up->at) {
+        const loft_unit meet = meeting(up, &down);
+        if (value(up, meet) <= value(&cap, meet))
+            add_to(law, way, up, meet);
         else if (p->flows) {
-            const loft_unit from = part_of(top - x, rise - slope), brakes = fall + slope > 0 ? part_of(last - end, fall + slope) : 0;
-            const loft_unit to = LOFT_UNIT(1) - brakes > from ? LOFT_UNIT(1) - brakes : from;
-            add_part(law, off + loft_acc_scale(way, from), loft_acc_sqrt(top + loft_acc_scale(slope, from)));
-            add_part(law, off + loft_acc_scale(way, to), loft_acc_sqrt(top + loft_acc_scale(slope, to)));
+            const loft_unit from = meeting(up, &cap), to = meeting(&cap, &down);
+            add_to(law, way, &cap, from);
+            add_to(law, way, &cap, to > from ? to : from);
         }
     }
-    add_part(law, length, law->aim);
+    add_part(law, length_of(p), law->aim);
 }
 
 /* The parts of what is left of the piece. */
@@ -147,25 +166,35 @@ static void set_parts(loft_law *law)
         add_part(law, 0, law->aim < law->speed ? law->aim : law->speed);
         return;
     }
-    const loft_acc end = square(law->aim), rise = 2 * loft_acc_mul(length_of(p) - law->at.off, speeding_up(p, law->at.off, x));
-    if (x + rise <= end)
-        add_part(law, length_of(p), loft_acc_sqrt(x + rise));
+    const loft_acc way = length_of(p) - law->at.off;
+    const line up = { x, 2 * loft_acc_mul(way, speeding_up(p, law->at.off, x)) };
+    if (x + up.by <= square(law->aim))
+        add_part(law, length_of(p), loft_acc_sqrt(x + up.by));
     else
-        add_parts(law, p, x, rise, end);
+        add_parts(law, p, &up, way);
+}
+
+/* How far a beat gets that ends with speed v. */
+static loft_acc beat_to(const loft_law *law, loft_real v)
+{
+    return loft_acc_scale((loft_wide(law->speed) + loft_wide(v)) / 2, law->course.budget.pulse);
+}
+
+/* And how far what is left of it. */
+static loft_acc rest_of(const loft_law *law, loft_acc beat)
+{
+    return law->left < LOFT_UNIT(1) ? loft_acc_scale(beat, law->left) : beat;
 }
 
 /* Go on in the part, for what is left of the beat or to the part's end. */
 static void run(loft_law *law)
 {
-    const loft_budget *b = &law->course.budget;
     const loft_law_part *to = &law->part[law->next];
-    const loft_acc way = to->end - law->at.off, beat = (loft_budget_beat(b, law->speed) + loft_budget_beat(b, to->speed)) / 2;
-    const loft_acc here = loft_acc_scale(beat, law->left);
+    const loft_acc way = to->end - law->at.off, beat = beat_to(law, to->speed), here = rest_of(law, beat);
 
     if (here < way && beat > 0) {       /* q16: at speeds that are nothing nothing is far */
         const loft_real v = loft_lerp(law->speed, to->speed, loft_unit_ratio(here, way));
-        const loft_acc  on = loft_acc_scale((loft_budget_beat(b, law->speed) + loft_budget_beat(b, v)) / 2, law->left);
-        law->at.off += smaller(on, way);
+        law->at.off += smaller(rest_of(law, beat_to(law, v)), way);
         law->speed   = v;
         law->left    = 0;
     } else {
