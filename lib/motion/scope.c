@@ -14,8 +14,8 @@
  * As u' = k and x' = 2 a, and k is nearly a line, the second derivative of u a + k x along the piece is 5 a (k1 - k0) / l: between the ends
  * it may go beyond both of them by q |a|, q = 5/8 l |k1 - k0|, on one side. On that side w a + k x + q |a| is within A. Where w and k1 - k0 have
  * opposite signs |w| becomes |w| + q, but stays |w| where the bend has to be relieved by w a. Where they have the same sign it stays |w|, or becomes
- * |w| - q where the bend is relieved; if q > |w| there is a line with q - |w| and the other sign of k. And where the curvature goes beyond the line
- * between its ends by r much A is r x less. So the largest a is the least of some
+ * |w| - q where the bend is relieved; if q > |w| there is a line with q - |w| and the other sign of k. Likewise k becomes k +- r on the side to which
+ * the curvature goes beyond the line between its ends, by up to r. So the largest a is the least of some
  * falling and rising lines in x, a concave function, and so is -a of the least one. Both are positive at x = 0. Where they meet is
  * the largest x that any acceleration allows: more than where a = 0 is possible, if the piece has to be passed while it speeds up
  * or slows down. Chords between x = 0, a knee and the far end lie inside of the polygon. The knee is where the line that is the
@@ -35,12 +35,13 @@
 #define LINES   (4 * LOFT_AXES + 1)
 #define FASTEST (loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX) / 16)
 
-/* At the part y of the far end a <= most (1 - turn y) and -a <= most (1 + turn y). The first line is the largest acceleration there is. */
+/* At the part y of the far end a <= most (1 - turn y) and -a <= most (1 + turn y), with turn[1] and turn[0]. The first line is the largest
+ * acceleration there is. */
 typedef struct {
-    loft_real most[LINES], turn[LINES];
+    loft_real most[LINES], turn[2][LINES];
     loft_real relief[LINES];        /* what |w| is where the bend has to be relieved, if not the same; 0 */
     uint8_t   axis[LINES], count;
-    loft_real accel[LOFT_AXES];
+    loft_real skew[LOFT_AXES], bow[LOFT_AXES];  /* q with the sign of k1 - k0; r with its side, where it matters */
     loft_acc  far;
 } scope;
 
@@ -62,32 +63,29 @@ static loft_real bend_of(const loft_budget *b, const loft_arc_shape *s, int k, i
     return s->tight || b->across > 0 ? 0 : s->bend[k].axis[i];
 }
 
-/* |w a| <= A (1 -+ turn x / A); `turn` is the curvature as yet. */
-static void add_line(scope *s, int axis, loft_real w, loft_real relief, loft_real turn)
+/* |w a| <= A (1 -+ turn x / A), or `turn` and `bow`; that is the curvature as yet. */
+static void add_line(scope *s, const loft_budget *b, int axis, loft_real w, loft_real relief, loft_real turn, loft_real bow)
 {
-    s->most[s->count]   = loft_real_cap(LOFT_ACCEL_MAX, s->accel[axis], w);
-    s->turn[s->count]   = turn;
-    s->relief[s->count] = relief;
-    s->axis[s->count++] = (uint8_t)axis;
+    s->most[s->count]    = loft_real_cap(LOFT_ACCEL_MAX, b->accel[axis], w);
+    s->turn[0][s->count] = bow < 0 ? turn + bow : turn;
+    s->turn[1][s->count] = bow > 0 ? turn + bow : turn;
+    s->relief[s->count]  = relief;
+    s->axis[s->count++]  = (uint8_t)axis;
 }
 
 /* The lines of one end, `ahead` of the start. The far end is no further than where the bend needs all of the acceleration, or 32 times as much
  * where it can be relieved. */
-static void set_lines(scope *s, const loft_budget *b, const loft_arc_shape *shape, int end, loft_acc ahead, loft_acc length)
+static void set_lines(scope *s, const loft_budget *b, const loft_arc_shape *shape, int end, loft_acc ahead)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real k = bend_of(b, shape, end, i), w = shape->along[end].axis[i] + loft_acc_round(twice(ahead, k)), size = size_of(w);
-        const loft_real skew = loft_acc_round(loft_acc_mul(length, bend_of(b, shape, 2, i) - bend_of(b, shape, 0, i)) * 5 / 8);
-        const loft_real with = w < 0 ? -skew : skew, turn = w < 0 ? -k : k;
+        const loft_real with = w < 0 ? -s->skew[i] : s->skew[i], turn = w < 0 ? -k : k, bow = w < 0 ? -s->bow[i] : s->bow[i];
 
-        if (with < 0)
-            add_line(s, i, size - with, size, turn);
-        else
-            add_line(s, i, size, with > 0 && with < size ? size - with : 0, turn);
+        add_line(s, b, i, with < 0 ? size - with : size, with < 0 ? size : with < size ? size - with : 0, turn, bow);
         if (with > size)
-            add_line(s, i, with - size, 0, -turn);
+            add_line(s, b, i, with - size, 0, -turn, -bow);
         if (k < 0 || k > 0)
-            s->far = smaller(s->far, needed(s->accel[i], size_of(k), loft_prod(LOFT_ACCEL_MAX, size) > loft_wide(s->accel[i]) ? 32 : 1));
+            s->far = smaller(s->far, needed(b->accel[i], size_of(k), loft_prod(LOFT_ACCEL_MAX, size) > loft_wide(b->accel[i]) ? 32 : 1));
     }
 }
 
@@ -98,7 +96,7 @@ static loft_acc least_at(const scope *s, loft_unit y, bool fore, int *which)
 
     *which = 0;
     for (int j = 1; j < s->count; j++) {
-        const loft_real turn = loft_acc_round(loft_acc_scale(loft_wide(s->turn[j]), y));
+        const loft_real turn = loft_acc_round(loft_acc_scale(loft_wide(s->turn[fore][j]), y));
         const loft_acc  a = loft_prod(s->most[j], fore ? LOFT_REAL(1) - turn : LOFT_REAL(1) + turn);
         if (a < least) {
             least  = a;
@@ -108,7 +106,7 @@ static loft_acc least_at(const scope *s, loft_unit y, bool fore, int *which)
     return least;
 }
 
-static loft_acc slope(const scope *s, int j) { return loft_prod(s->most[j], s->turn[j]); }
+static loft_acc slope(const scope *s, int j, bool fore) { return loft_prod(s->most[j], s->turn[fore][j]); }
 
 /* The largest y <= 1 where there is an acceleration: Newton's way from the right, on a concave function. */
 static loft_unit tip(const scope *s)
@@ -117,7 +115,7 @@ static loft_unit tip(const scope *s)
     int i, j;
 
     for (int n = 0; n < 12; n++) {
-        const loft_acc spare = least_at(s, y, true, &i) + least_at(s, y, false, &j), fall = slope(s, i) - slope(s, j);
+        const loft_acc spare = least_at(s, y, true, &i) + least_at(s, y, false, &j), fall = slope(s, i, true) - slope(s, j, false);
         if (spare >= 0)
             break;
         const loft_acc both = loft_wide(s->most[i]) + loft_wide(s->most[j]);
@@ -134,7 +132,7 @@ static uint8_t set_knee(const scope *s, loft_unit end, bool fore, loft_real boun
 
     (void)least_at(s, 0, fore, &i);
     bound[1] = loft_acc_round(least_at(s, end, fore, &j));
-    const loft_acc fall = fore ? slope(s, j) - slope(s, i) : slope(s, i) - slope(s, j);
+    const loft_acc fall = fore ? slope(s, j, fore) - slope(s, i, fore) : slope(s, i, fore) - slope(s, j, fore);
     const loft_acc rise = loft_wide(s->most[j]) - loft_wide(s->most[i]);
     if (i != j && fall > 0)
         knee = rise < loft_acc_scale(fall, end) ? (int)loft_acc_int(loft_unit_wide(loft_unit_ratio(rise, loft_acc_scale(fall, end))) * 256) : 256;
@@ -214,22 +212,20 @@ loft_acc loft_scope_brake(const loft_plan_piece *p, loft_acc end)
 /* Pieces and joints
  * ----------------- */
 
-/* How far the curvature goes beyond the line between its ends. */
+/* How far the curvature, at most 2^14, goes beyond the line between its ends. */
 static loft_real bow_of(const loft_budget *b, const loft_arc_shape *s, int i)
 {
-    const loft_acc d = loft_wide(bend_of(b, s, 0, i)) - 2 * loft_wide(bend_of(b, s, 1, i)) + loft_wide(bend_of(b, s, 2, i));
-    return size_of(loft_acc_round(d / 2));
+    return bend_of(b, s, 1, i) - bend_of(b, s, 0, i) / 2 - bend_of(b, s, 2, i) / 2;
 }
 
-/* What the bow of the curvature leaves of the acceleration. */
-static void set_accel(scope *s, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape)
+static void set_sides(scope *s, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape)
 {
     const loft_real v = p->cap > p->last ? p->cap : p->last;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc used = loft_acc_mul(loft_prod(v, v), bow_of(b, shape, i));
-        const loft_real little = b->accel[i] / BOW;
-        s->accel[i] = b->accel[i] - (used < loft_wide(little) ? 0 : used < loft_wide(b->accel[i] / 2) ? loft_acc_round(used) : b->accel[i] / 2);
+        const loft_real bow = bow_of(b, shape, i), turn = loft_acc_round(loft_acc_mul(length_of(p), bend_of(b, shape, 2, i) - bend_of(b, shape, 0, i)));
+        s->skew[i] = turn / 2 + turn / 8;
+        s->bow[i]  = loft_acc_mul(loft_prod(v, v), size_of(bow)) > loft_wide(b->accel[i]) / BOW ? bow : 0;
     }
 }
 
@@ -240,15 +236,23 @@ static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_
     bool turns = false;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        if (loft_acc_mul(length_of(p), b->accel[i]) > x / 128 && loft_acc_mul(x, bow_of(b, s, i)) > loft_wide(b->accel[i]) / BENT)
+        if (loft_acc_mul(length_of(p), b->accel[i]) > x / 128 && loft_acc_mul(x, size_of(bow_of(b, s, i))) > loft_wide(b->accel[i]) / BENT)
             return false;
         turns = turns || size_of(s->along[2].axis[i] - s->along[0].axis[i]) > TURN;
     }
     return p->flows || !(turns || twice(length_of(p), p->rest) > x);
 }
 
+/* What line j becomes where the bend has to be relieved. */
+static void add_relief(scope *s, const loft_budget *b, int j)
+{
+    s->turn[0][s->count] = s->turn[0][j];
+    s->turn[1][s->count] = s->turn[1][j];
+    s->most[s->count++]  = loft_real_cap(LOFT_ACCEL_MAX, b->accel[s->axis[j]], s->relief[j]);
+}
+
 /* Chords in the polygon, from which the far end may come nearer. */
-static void set_bounds(loft_plan_piece *p, scope *s)
+static void set_bounds(loft_plan_piece *p, const loft_budget *b, scope *s)
 {
     int which;
 
@@ -256,9 +260,12 @@ static void set_bounds(loft_plan_piece *p, scope *s)
     s->far  = smaller(s->far, loft_prod(p->cap, p->cap) + twice(length_of(p), p->rest));
     const int count = s->count;
     for (int j = 1; j < count; j++) {
-        s->turn[j] = loft_acc_quot(loft_acc_mul(s->far, s->turn[j]), loft_wide(s->accel[s->axis[j]]));
-        if (s->relief[j] > 0 && size_of(s->turn[j]) > LOFT_REAL(1))
-            add_line(s, s->axis[j], s->relief[j], 0, s->turn[j]);
+        const bool same = !(s->turn[0][j] < s->turn[1][j]);
+        for (int fore = same ? 1 : 0; fore < 2; fore++)
+            s->turn[fore][j] = loft_acc_quot(loft_acc_mul(s->far, s->turn[fore][j]), loft_wide(b->accel[s->axis[j]]));
+        s->turn[0][j] = same ? s->turn[1][j] : s->turn[0][j];
+        if (s->relief[j] > 0 && (s->turn[1][j] > LOFT_REAL(1) || s->turn[0][j] < LOFT_REAL(-1)))
+            add_relief(s, b, j);
     }
     const loft_unit end = tip(s);
     p->fore_knee = set_knee(s, end, true, p->fore);
@@ -290,19 +297,19 @@ static void begin(loft_plan_piece *p)
 
 bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *s, loft_real feed)
 {
-    scope lines = { .most = { LOFT_ACCEL_MAX }, .turn = { 0 }, .count = 1, .far = 32 * FASTEST };
+    scope lines = { .most = { LOFT_ACCEL_MAX }, .turn = { { 0 }, { 0 } }, .count = 1, .far = 32 * FASTEST };
 
     begin(p);
     p->length = loft_unit_round(arc->length);
     const bool steady = set_caps(p, b, s, feed);
     if (s->tight)
         set_tight_caps(p, b, s);
-    set_accel(&lines, p, b, s);
-    set_lines(&lines, b, s, 1, 0, 0);       /* it may not be passed faster in the middle */
-    lines.count = 1;
-    set_lines(&lines, b, s, 0, 0, length_of(p));
-    set_lines(&lines, b, s, 2, length_of(p), length_of(p));
-    set_bounds(p, &lines);
+    set_sides(&lines, p, b, s);
+    for (int k = 1; k >= -1; k--) {         /* the middle first: it may not be passed faster there */
+        set_lines(&lines, b, s, k < 0 ? 2 : k, k < 0 ? length_of(p) : 0);
+        lines.count = k > 0 ? 1 : lines.count;
+    }
+    set_bounds(p, b, &lines);
 
     const loft_acc x = loft_prod(p->cap, p->cap), more = loft_prod(p->last, p->last) - x;
     p->flows = more <= twice(length_of(p), loft_scope_most(p, x)) && -more <= twice(length_of(p), chord_at(p, x, false));
