@@ -16,7 +16,7 @@
 #define LOFT_JERK_MAX  10000000             /* mm/s^3                         */
 
 /* Samples of the path that one span can see, 4..128: a span lasts up to three beats less. Cost: 8 LOFT_AXES bytes of RAM each. With 4 every beat
- * is a span, the search for the longest one is not part of the program, and beats may be longer. */
+ * is a span, two points are kept, the search for the longest one is not part of the program, and beats may be longer. */
 #ifndef LOFT_PLAN_WINDOW
 #  define LOFT_PLAN_WINDOW 64
 #endif

@@ -29,16 +29,32 @@
 
 static loft_acc size_of(loft_acc x) { return x < 0 ? -x : x; }
 
-static const loft_acc *sample(const loft_plan *plan, unsigned k)
-{
-    return plan->sample[(plan->first + k) % LOFT_PLAN_WINDOW];
-}
-
 /* Curves that the place of the law has left behind. */
 static uint16_t behind(const loft_plan *plan)
 {
     const loft_course *c = &plan->law.course;
     return c->count > 0 ? loft_course_number(c, loft_course_piece(c, plan->law.from)) : (uint16_t)(c->passed + c->cut);
+}
+
+static void set_point(loft_acc point[], const loft_vec *v)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        point[i] = loft_wide(v->axis[i]);
+}
+
+static bool same(const loft_acc point[], const loft_vec *v)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (size_of(point[i] - loft_wide(v->axis[i])) > 0)
+            return false;
+    return true;
+}
+
+#if LOFT_PLAN_WINDOW > 4
+
+static const loft_acc *sample(const loft_plan *plan, unsigned k)
+{
+    return plan->sample[(plan->first + k) % LOFT_PLAN_WINDOW];
 }
 
 static void push(loft_plan *plan, const loft_acc point[])
@@ -50,13 +66,25 @@ static void push(loft_plan *plan, const loft_acc point[])
     plan->held++;
 }
 
-static void push_vec(loft_plan *plan, loft_vec v)
+/* The path begins here, at rest. */
+static void begin(loft_plan *plan)
 {
     loft_acc point[LOFT_AXES];
-    for (int i = 0; i < LOFT_AXES; i++)
-        point[i] = loft_wide(v.axis[i]);
-    push(plan, point);
+
+    set_point(point, &plan->at);
+    for (int k = 0; k < 3; k++)
+        push(plan, point);
 }
+
+#else
+
+static void begin(loft_plan *plan)
+{
+    set_point(plan->point, &plan->at);
+    plan->still = 3;
+}
+
+#endif
 
 enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft_move moves[], uint16_t move_room,
                                 loft_plan_piece pieces[], uint16_t piece_room)
@@ -72,13 +100,17 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft
     loft_course_init(&plan->law.course, &b, moves, move_room, pieces, piece_room);
     loft_law_init(&plan->law);
 
-    plan->first = plan->held = 0;
     plan->begun = plan->cut = false;
 #if LOFT_PLAN_FILTER > 1
     plan->eased.width = 0;
     plan->past = 0;
 #endif
-#if LOFT_PLAN_WINDOW > 4
+#if LOFT_PLAN_WINDOW == 4
+    for (int i = 0; i < LOFT_AXES; i++)
+        plan->leg[i] = 0;
+    plan->behind[0] = plan->behind[1] = plan->behind[2] = 0;
+#else
+    plan->first = plan->held = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
         plan->speed[i]  = loft_budget_beat(&b, limits->max_speed[i]);
         plan->accel[i]  = loft_acc_scale(loft_budget_beat(&b, limits->max_accel[i] + limits->max_across), b.pulse);
@@ -98,8 +130,7 @@ enum loft_status loft_plan_push(loft_plan *plan, const loft_move *move)
     if (status == LOFT_OK && !plan->begun) {
         plan->begun = true;
         plan->at    = move->curve.p[0];
-        for (int k = 0; k < 3; k++)
-            push_vec(plan, plan->at);
+        begin(plan);
     }
     return status;
 }
@@ -153,18 +184,17 @@ static void ease_from(loft_plan *plan, const loft_plan_piece *p)
 #endif
 
 /* The place of the law on the path. */
-static void push_place(loft_plan *plan)
+static void set_place(loft_plan *plan, loft_acc point[])
 {
     const loft_course *c = &plan->law.course;
     const loft_plan_piece  *p = loft_course_piece(c, plan->law.from);
     const loft_acc   off = loft_law_mean(&plan->law, plan->law.mean);
-    loft_acc point[LOFT_AXES];
 
 #if LOFT_PLAN_FILTER > 1
     plan->past += loft_law_mean(&plan->law, plan->law.sum);
 #endif
     if (p->length > 0 && p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length)) {
-        push_vec(plan, c->moves[p->move].curve.p[3]);
+        set_point(point, &c->moves[p->move].curve.p[3]);
         return;
     }
     if (!plan->cut || plan->number != loft_course_number(c, p) || plan->from != p->from) {
@@ -179,39 +209,43 @@ static void push_place(loft_plan *plan)
         if (LOFT_BUDGET_JERK(&c->budget))
             ease(plan, off, point);
 #endif
-        push(plan, point);
     } else {                    /* a joint, or too short to have a length */
 #if LOFT_PLAN_FILTER > 1
         ease_from(plan, p);
 #endif
-        push(plan, plan->arc.c[0]);
+        for (int i = 0; i < LOFT_AXES; i++)
+            point[i] = plan->arc.c[0][i];
         plan->cut = false;      /* the next piece begins at the same parameter */
     }
 }
+
+#if LOFT_PLAN_WINDOW > 4
 
 /* Do the last three samples lie on the end? */
 static bool ends(const loft_plan *plan)
 {
     for (unsigned k = 1; k <= 3; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (size_of(sample(plan, plan->held - k)[i] - loft_wide(plan->law.course.end.axis[i])) > 0)
-                return false;
+        if (!same(sample(plan, plan->held - k), &plan->law.course.end))
+            return false;
     return true;
 }
 
 static enum loft_law_state fill(loft_plan *plan)
 {
     enum loft_law_state state = LOFT_LAW_RUNS;
+    loft_acc point[LOFT_AXES];
 
     while (plan->held < LOFT_PLAN_WINDOW && state != LOFT_LAW_WAITS) {
         state = loft_law_next(&plan->law);
         if (state == LOFT_LAW_RUNS)
-            push_place(plan);
+            set_place(plan, point);
         else if (state == LOFT_LAW_RESTS) {
             if (!plan->begun || ends(plan))
                 break;
-            push_vec(plan, plan->law.course.end);
+            set_point(point, &plan->law.course.end);
         }
+        if (state != LOFT_LAW_WAITS)
+            push(plan, point);
     }
     return state;
 }
@@ -219,8 +253,6 @@ static enum loft_law_state fill(loft_plan *plan)
 
 /* Spans
  * ----- */
-
-#if LOFT_PLAN_WINDOW > 4
 
 /* The Hermite interpolant over m beats; q16: m <= 125 beats of at most 2^15 mm / 125. */
 static void interpolate(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
@@ -367,54 +399,80 @@ static unsigned longest(const loft_plan *plan, unsigned most)
     return m;
 }
 
-/* The span over as many beats as it may last. */
-static unsigned set_span(const loft_plan *plan, loft_span *out)
-{
-    const unsigned knots = plan->held - 3u, room = LOFT_SPAN_TICKS_MAX / plan->law.course.budget.beat;
-    const unsigned m = longest(plan, knots < room ? knots : room);
-    loft_acc p[4][LOFT_AXES];
-
-    interpolate(plan, m, p);
-    for (int k = 1; k < 4; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            out->p[k].axis[i] = loft_acc_round(p[k][i]);
-    return m;
-}
-
-#else
-
-/* One beat: with b, c, d the control points of the B-spline after the first, and l = c - b, its Bezier points are
- *
- *     b + l / 3   c - l / 3   c + (d - c - l) / 6 */
-static unsigned set_span(const loft_plan *plan, loft_span *out)
-{
-    const loft_acc *b = sample(plan, 1), *c = sample(plan, 2), *d = sample(plan, 3);
-
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc leg = c[i] - b[i], third = loft_acc_scale(leg, THIRD);
-        out->p[1].axis[i] = loft_acc_round(b[i] + third);
-        out->p[2].axis[i] = loft_acc_round(c[i] - third);
-        out->p[3].axis[i] = loft_acc_round(c[i] + loft_acc_scale(d[i] - c[i] - leg, SIXTH));
-    }
-    return 1;
-}
-
-#endif
-
 enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out)
 {
+    const unsigned beat = plan->law.course.budget.beat;
     const enum loft_law_state law = fill(plan);
+    loft_acc p[4][LOFT_AXES];
 
     if (plan->held < LOFT_PLAN_WINDOW && law == LOFT_LAW_WAITS)
         return LOFT_PLAN_WAIT;
     if (plan->held < 4)
         return LOFT_PLAN_REST;
 
-    const unsigned m = set_span(plan, out);
-    out->p[0]   = plan->at;
-    out->ticks  = (uint16_t)(m * plan->law.course.budget.beat);
+    const unsigned knots = plan->held - 3u, room = LOFT_SPAN_TICKS_MAX / beat;
+    const unsigned m = longest(plan, knots < room ? knots : room);
+    interpolate(plan, m, p);
+    out->p[0] = plan->at;
+    for (int k = 1; k < 4; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            out->p[k].axis[i] = loft_acc_round(p[k][i]);
+    out->ticks  = (uint16_t)(m * beat);
     plan->at    = out->p[3];
     plan->first = (uint8_t)((plan->first + m) % LOFT_PLAN_WINDOW);
     plan->held  = (uint8_t)(plan->held - m);
     return LOFT_PLAN_SPAN;
 }
+
+#else
+
+/* One beat: with b, c, d the control points of the B-spline after the first, and l = c - b, its Bezier points are
+ *
+ *     b + l / 3   c - l / 3   c + (d - c - l) / 6
+ */
+static void set_span(loft_plan *plan, const loft_acc d[], loft_span *out)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc c = plan->point[i], l = plan->leg[i], third = loft_acc_scale(l, THIRD);
+        out->p[1].axis[i] = loft_acc_round(c - l + third);
+        out->p[2].axis[i] = loft_acc_round(c - third);
+        plan->leg[i]      = d[i] - c;
+        out->p[3].axis[i] = loft_acc_round(c + loft_acc_scale(plan->leg[i] - l, SIXTH));
+        plan->point[i]    = d[i];
+    }
+}
+
+/* The end once more; false if it was so thrice, that is, the last span ended there. */
+static bool set_end(loft_plan *plan, loft_acc point[])
+{
+    if (plan->still == 0 && same(plan->point, &plan->law.course.end))
+        plan->still++;
+    set_point(point, &plan->law.course.end);
+    return plan->begun && plan->still++ < 3;
+}
+
+enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out)
+{
+    const enum loft_law_state law = loft_law_next(&plan->law);
+    loft_acc point[LOFT_AXES];
+
+    if (law == LOFT_LAW_WAITS)
+        return LOFT_PLAN_WAIT;
+    if (law == LOFT_LAW_RUNS) {
+        set_place(plan, point);
+        plan->still = 0;
+    } else if (!set_end(plan, point)) {
+        plan->still = 3;
+        return LOFT_PLAN_REST;
+    }
+    plan->behind[0] = plan->behind[1];
+    plan->behind[1] = plan->behind[2];
+    plan->behind[2] = behind(plan);
+    set_span(plan, point, out);
+    out->p[0]  = plan->at;
+    out->ticks = plan->law.course.budget.beat;
+    plan->at   = out->p[3];
+    return LOFT_PLAN_SPAN;
+}
+
+#endif

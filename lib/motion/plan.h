@@ -17,7 +17,7 @@
  *     }
  *
  * What becomes of the spans, and what else may run in an interrupt: span.h. A plan belongs to one context, the main loop: it may be
- * interrupted anywhere, but no interrupt may call it. Its memory: loft_plan (2,560 bytes; with LOFT_PLAN_WINDOW 4 1,000; three axes, q16), 52
+ * interrupted anywhere, but no interrupt may call it. Its memory: loft_plan (2,560 bytes; with LOFT_PLAN_WINDOW 4 480; three axes, q16), 52
  * bytes a curve, 296 a piece, 72 where LOFT_PLAN_FLOW is 0. On a Cortex-M4 the dearest call takes 1.2 million instructions, on an M0 4.4 million (make bench-motion: the
  * mean of them): let the queue behind it last for that.
  *
@@ -42,11 +42,15 @@ typedef struct {
     uint16_t number;
     bool     cut;                                       /* does `arc` belong to them?                 */
     bool     begun;
-    loft_acc sample[LOFT_PLAN_WINDOW][LOFT_AXES];       /* a ring of control points, one per beat     */
-    uint16_t behind[LOFT_PLAN_WINDOW];                  /* curves that each of them has left behind       */
     loft_vec at;                                        /* the end of the last span                   */
+#if LOFT_PLAN_WINDOW == 4
+    loft_acc point[LOFT_AXES], leg[LOFT_AXES];          /* the last control point, from the one before */
+    uint16_t behind[3];                                 /* curves that the last three have left behind */
+    uint8_t  still;                                     /* how many of them have been on the end      */
+#else
+    loft_acc sample[LOFT_PLAN_WINDOW][LOFT_AXES];       /* a ring of control points, one per beat     */
+    uint16_t behind[LOFT_PLAN_WINDOW];                  /* curves that each of them has left behind   */
     uint8_t  first, held;
-#if LOFT_PLAN_WINDOW > 4
     loft_acc speed[LOFT_AXES], accel[LOFT_AXES], jerk[LOFT_AXES];   /* limits per beat, beat^2, beat^3 */
 #endif
 #if LOFT_PLAN_FILTER > 1
@@ -109,7 +113,11 @@ static inline uint16_t loft_plan_room(const loft_plan *plan)
  *   error   it may be told a beat late */
 static inline uint16_t loft_plan_passed(const loft_plan *plan)
 {
+#if LOFT_PLAN_WINDOW == 4
+    return plan->behind[0];
+#else
     return plan->held > 0 ? plan->behind[plan->first] : 0;
+#endif
 }
 
 #endif
