@@ -337,9 +337,9 @@ static void stand(loft_drive *d, bool ended)
 /* Any coordinates and 1..LOFT_SPAN_TICKS_MAX ticks are within the ranges of the walk. */
 static void walk_item(loft_drive_walk *walk, const volatile loft_item *item, const volatile int32_t from[LOFT_AXES])
 {
-    loft_powers powers;
+    loft_powers3 powers;
 
-    loft_powers_init(&powers, 3, item->ticks);
+    loft_powers3_init(&powers, item->ticks);
     walk->moves = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
         const int32_t start = from[i];

@@ -3,6 +3,13 @@
  */
 #include "machine/machine.h"
 
+/* Its variables are not on the stack of its caller, who calls what needs much of it. */
+#if defined(__GNUC__)
+#  define APART __attribute__((noinline))
+#else
+#  define APART
+#endif
+
 /* An item that the machine cannot do, or for which the receiver saw room where there is none, is already counted as
  * taken: the job ends here, on the path. */
 static void give_up(loft_machine *m)
@@ -203,21 +210,30 @@ static void act(loft_machine *m, enum loft_event event, const loft_event_data *w
     }
 }
 
+/* What the frame that has come asks for next, of points all; false if there is nothing more. */
+static APART bool act_on_frame(loft_machine *m)
+{
+    const loft_standing now = standing(m);
+    loft_event_data what;
+    enum loft_event event;
+
+    do {
+        event = loft_receiver_next(&m->receiver, &now, &what);
+        act(m, event, &what);
+        (void)loft_machine_plan(m);
+    } while (event != LOFT_EVENT_NONE && m->drive.kind == LOFT_POINTS);
+    return event != LOFT_EVENT_NONE;
+}
+
 void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count)
 {
     loft_drive_prepare(&m->drive);              /* here and in loft_machine_poll: each takes a millisecond on an 8-bit part */
     for (size_t i = 0; i < count; i++) {
         if (!loft_receiver_push(&m->receiver, byte[i]))
             continue;
-        loft_drive_prepare(&m->drive);          /* looking through a frame takes as long, too */
-        const loft_standing now = standing(m);
-        loft_event_data what;
-        enum loft_event event;
-        while ((event = loft_receiver_next(&m->receiver, &now, &what)) != LOFT_EVENT_NONE) {
-            act(m, event, &what);
-            (void)loft_machine_plan(m);
-            loft_drive_prepare(&m->drive);      /* unpacking a frame takes longer than a short span lasts */
-        }
+        do
+            loft_drive_prepare(&m->drive);      /* looking through a frame, and unpacking an item, takes longer than a short span lasts */
+        while (act_on_frame(m));
     }
 }
 

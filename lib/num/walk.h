@@ -19,8 +19,13 @@
 typedef uint64_t loft_state;    /* the LSB counts 2^32; wraps, which only a value outside 32 bits would notice */
 
 typedef struct {
-    uint32_t inverse[LOFT_WALK_DEGREE_MAX + 1][3];  /* n^-k in 96 bits below the point, the lowest first */
+    uint32_t inverse[LOFT_WALK_DEGREE_MAX][3];      /* [k - 1]: n^-k in 96 bits below the point, the lowest first */
 } loft_powers;
+
+/* The same for a cubic, in less memory. */
+typedef struct {
+    uint32_t inverse[3][3];
+} loft_powers3;
 
 typedef struct {
     loft_state d[LOFT_WALK_DEGREE_MAX + 1];     /* d[0] carries the 1/2 LSB that rounds it when it is cut */
@@ -66,7 +71,7 @@ typedef double loft_state;
 
 typedef struct {
     double n;
-} loft_powers;
+} loft_powers, loft_powers3;
 
 typedef struct {
     loft_state d[LOFT_WALK_DEGREE_MAX + 1];
@@ -132,6 +137,7 @@ bool loft_walk_admits(unsigned degree, uint32_t n);
  *   cost    q16: for n < 65536 degree * 6 divisions of 32 bits; AVR: 1,300 cycles per degree
  */
 void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n);
+void loft_powers3_init(loft_powers3 *powers, uint32_t n);
 
 /* g[k] = C(degree, k) times the k-th difference of p[0..degree]: the polynomial is sum_k g[k] t^k. Whole numbers
  * of LSB in q16, |g| < 2^38. */
@@ -145,11 +151,8 @@ void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree);
  */
 void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers);
 
-/* What both are made of: d[0..degree] of a walk. */
-void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers);
-
 /* The same of a cubic: the same values, bit for bit. */
-void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers *powers);
+void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers3 *powers);
 
 /* `count` steps; the values go to out[0], out[stride] .. */
 void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);

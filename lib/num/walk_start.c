@@ -138,16 +138,19 @@ void loft_limbs_divide(uint32_t x[], int limbs, uint32_t n)
 }
 
 /* 1 is 2^96 - 1 here, low by 2^-96. */
-void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
+static void invert(uint32_t inverse[][3], unsigned degree, uint32_t n)
 {
     uint32_t x[3] = { UINT32_MAX, UINT32_MAX, UINT32_MAX };
 
-    for (unsigned k = 1; k <= degree; k++) {
+    for (unsigned k = 0; k < degree; k++) {
         loft_limbs_divide(x, 3, n);
         for (int i = 0; i < 3; i++)
-            powers->inverse[k][i] = x[i];
+            inverse[k][i] = x[i];
     }
 }
+
+void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)     { invert(powers->inverse, degree, n); }
+void loft_powers3_init(loft_powers3 *powers, uint32_t n)                    { invert(powers->inverse, 3, n); }
 
 #if !defined(__AVR__)
 
@@ -179,15 +182,18 @@ static term scaled(int64_t g, const uint32_t inverse[3])
     return t;
 }
 
-void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
+typedef uint64_t wide;
+
+/* Room for degree + 1 numbers is the caller's. */
+static void start(loft_state d[], const loft_real p[], unsigned degree, const uint32_t inverse[][3], wide below[])
 {
-    uint64_t below[LOFT_WALK_DEGREE_MAX + 1];
     loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
+
 
     loft_walk_powers(g, p, degree);
     d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
     for (unsigned k = 1; k <= degree; k++) {
-        const term t = scaled(g[k], powers->inverse[k]);
+        const term t = scaled(g[k], inverse[k - 1]);
         d[k] = t.value;
         below[k] = t.below;
     }
@@ -276,9 +282,8 @@ static void wide_set(wide *a, int32_t x)
 }
 
 /* loft_walk_powers and loft_walk_differences in these numbers. */
-void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
+static void start(loft_state d[], const loft_real p[], unsigned degree, const uint32_t inverse[][3], wide a[])
 {
-    wide a[LOFT_WALK_DEGREE_MAX + 1];
     uint8_t choose = 1, factorial = 1;
 
     for (uint8_t k = 0; k <= degree; k++)
@@ -289,7 +294,7 @@ void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const
     for (uint8_t k = 1; k <= degree; k++) {
         choose = (uint8_t)(choose * (degree - k + 1) / k);
         wide_times(&a[k], choose);
-        wide_scale(&a[k], powers->inverse[k]);
+        wide_scale(&a[k], inverse[k - 1]);
     }
     for (uint8_t j = 1; j < degree; j++)
         for (uint8_t k = (uint8_t)(degree - 1); k >= j; k--)
@@ -307,15 +312,28 @@ void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const
 
 #endif
 
+static void start_any(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
+{
+    wide room[LOFT_WALK_DEGREE_MAX + 1];
+    start(d, p, degree, powers->inverse, room);
+}
+
+static void start_cubic(loft_state d[], const loft_real p[4], const loft_powers3 *powers)
+{
+    wide room[4];
+    start(d, p, 3, powers->inverse, room);
+}
+
 #else
 
+void loft_powers3_init(loft_powers3 *powers, uint32_t n)                    { powers->n = n; }
 void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 {
     (void)degree;
     powers->n = n;
 }
 
-void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
+static void start_any(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
 {
     loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
     double scale = powers->n;
@@ -329,18 +347,20 @@ void loft_walk_start(loft_state d[], const loft_real p[], unsigned degree, const
     loft_walk_differences(d, degree);
 }
 
+static void start_cubic(loft_state d[], const loft_real p[4], const loft_powers3 *powers)   { start_any(d, p, 3, powers); }
+
 #endif
 
 void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers)
 {
     for (unsigned k = degree + 1; k <= LOFT_WALK_DEGREE_MAX; k++)
         w->d[k] = 0;
-    loft_walk_start(w->d, p, degree, powers);
+    start_any(w->d, p, degree, powers);
     loft_walk_keep(w, p[degree]);
 }
 
-void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers *powers)
+void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers3 *powers)
 {
-    loft_walk_start(w->d, p, 3, powers);
+    start_cubic(w->d, p, powers);
     loft_walk3_keep(w, p[3]);
 }

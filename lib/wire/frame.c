@@ -2,6 +2,9 @@
  * SPDX-License-Identifier: MIT
  */
 #include "wire/frame.h"
+#if defined(__AVR__)
+#  include "num/avr.h"      /* loft_avr_flash */
+#endif
 
 /* CRC-32C: polynomial 0x1EDC6F41, here with its bits reversed (0x82F63B78), least significant bit first.
  * Hamming distance 6 up to 655 bytes (Koopman, Cyclic redundancy code polynomial selection for embedded
@@ -17,14 +20,22 @@
 #define CRC_START   0x73AC3B06u         /* of "loft"                */
 #define CRC_PASSED  0xB798B438u         /* after any good frame     */
 
+#if defined(__AVR__)
+#  define TABLE LOFT_AVR_FLASH
+#  define ENTRY(x) loft_avr_flash(&table[(x) & 15u])
+#else
+#  define TABLE
+#  define ENTRY(x) table[(x) & 15u]
+#endif
+
 uint32_t loft_crc(uint32_t crc, uint8_t byte)
 {
-    static const uint32_t table[16] = {
+    static const uint32_t table[16] TABLE = {
         0x00000000u, 0x105EC76Fu, 0x20BD8EDEu, 0x30E349B1u, 0x417B1DBCu, 0x5125DAD3u, 0x61C69362u, 0x7198540Du,
         0x82F63B78u, 0x92A8FC17u, 0xA24BB5A6u, 0xB21572C9u, 0xC38D26C4u, 0xD3D3E1ABu, 0xE330A81Au, 0xF36E6F75u
     };
-    crc = (crc >> 4) ^ table[(crc ^ byte) & 15u];
-    return (crc >> 4) ^ table[(crc ^ (uint32_t)(byte >> 4)) & 15u];
+    crc = (crc >> 4) ^ ENTRY(crc ^ byte);
+    return (crc >> 4) ^ ENTRY(crc ^ (uint32_t)(byte >> 4));
 }
 
 uint32_t loft_crc32(uint32_t crc, uint32_t x)

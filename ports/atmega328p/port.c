@@ -32,7 +32,7 @@
 #ifndef PULSE
 #  define PULSE 18                  /* cycles: makes the pulses 2 us long, enough for all drivers */
 #endif
-#define CELLS 12                    /* what RAM is left for */
+#define CELLS 14                    /* what RAM is left for */
 
 /* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
 #define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500), 10000 }

@@ -20,6 +20,7 @@
 #define BATCH       (HZ / 1000)     /* cycles between two looks at the line                           */
 #define SETTLE      (HZ / 50)       /* after the last byte, to answer it                              */
 #define QUIET_MS    10000           /* of real time without a byte that is owed: the sender is gone, not only busy */
+#define WINDOW_MS   400             /* the same while it may be waiting for what the machine says to its last frames */
 #define LEAVE_MS    10000           /* for the last answer to be read                                 */
 
 struct chip {
@@ -101,7 +102,7 @@ static void wait_for_host(struct chip *c)
         take_bytes(c);
         if (stop_wanted || (busy ? !gate_owed(&c->gate) : c->core.in_head != before))
             return;
-        if (busy && now_ms() - began > QUIET_MS) {
+        if (busy && now_ms() - began > (gate_answered(&c->gate) ? QUIET_MS : WINDOW_MS)) {
             c->given_up = c->gate.ack.limit;
             c->waits++;
             return;

@@ -23,6 +23,7 @@ static void take_items(struct gate *g)
 void gate_host(struct gate *g, uint8_t byte)
 {
     uint32_t total;
+    loft_job job;
 
     if (loft_frame_push(&g->from_host, byte) == LOFT_MORE || g->from_host.count == 0)
         return;
@@ -31,6 +32,10 @@ void gate_host(struct gate *g, uint8_t byte)
     } else if (loft_message_type(&g->from_host) == LOFT_JOB) {
         g->sent = 0;
         g->ended = false;
+        if (loft_job_decode(&g->from_host, &job) == LOFT_OK) {
+            const uint16_t most = job.kind == LOFT_POINTS ? g->points : g->queue;
+            g->step = most < 4 ? 1 : most / 4u;
+        }
     } else if (loft_message_type(&g->from_host) == LOFT_END) {
         g->ended = loft_end_decode(&g->from_host, &total) == LOFT_OK;
     }
@@ -62,7 +67,8 @@ void gate_machine(struct gate *g, uint8_t byte)
         if (loft_welcome_decode(&g->from_machine, &welcome) != LOFT_OK)
             break;
         take(g, &welcome.ack);
-        g->step = welcome.queue < 4 ? 1 : welcome.queue / 4u;
+        g->queue  = welcome.queue;
+        g->points = welcome.points;
         break;
     case LOFT_ACK:
         if (loft_ack_decode(&g->from_machine, &ack) == LOFT_OK)

@@ -13,6 +13,7 @@ struct gate {
     loft_frame from_host, from_machine;
     loft_ack ack;               /* the latest                                         */
     uint32_t sent;              /* items that the host has sent, repeated ones too    */
+    uint16_t queue, points;     /* items of both kinds that the machine's queue takes */
     uint32_t step;              /* so many items at once: see can_send of the sender  */
     bool ended;                 /* END was sent                                       */
     uint32_t jobs;              /* closed                                             */
@@ -26,5 +27,8 @@ void gate_machine(struct gate *g, uint8_t byte);
 /* Is a job under way, and is it the host's turn in it? */
 static inline bool gate_busy(const struct gate *g)      { return loft_state_busy(g->ack.state); }
 static inline bool gate_owed(const struct gate *g)      { return !g->ended && (int32_t)(g->ack.limit - g->sent) >= (int32_t)g->step; }
+
+/* Has the machine told of all items that were sent? If not the host may wait for that, and send no more. */
+static inline bool gate_answered(const struct gate *g)  { return g->ack.next == g->sent; }
 
 #endif
