@@ -88,7 +88,7 @@ __asm__ (
     OWN(loft_avr_product)
     "sbrs r17, 7\n rjmp 1f\n"
     "call loft_avr_opposite\n call loft_avr_negate\n rcall 1f\n rjmp loft_avr_opposite\n"
-    "1: bst r25, 7\n clr r26\n clr r31\n"
+    "1: bst r25, 7\n clr r31\n mov r26, r25\n lsl r26\n sbc r26, r26\n cp r26, r25\n cpc r26, r24\n brne 3f\n tst r17\n brne 3f\n rjmp 4f\n3: clr r26\n"
     TERM(18, 14, 26, 27, 30) "clr r26\n"
     TERM(18, 15, 27, 30, 26) TERM(19, 14, 27, 30, 26) "clr r27\n"
     TERM(18, 16, 30, 26, 27) TERM(19, 15, 30, 26, 27) TERM(20, 14, 30, 26, 27) "push r30\n clr r30\n"
@@ -102,6 +102,17 @@ __asm__ (
     "mul r25, r17\n add r27, r0\n mov r25, r27\n"
     "brtc 2f\n sub r23, r14\n sbc r24, r15\n sbc r25, r16\n"
     "2: pop r26\n clr __zero_reg__\n ret\n"
+    /* six bytes times three, the most there are on most ways */
+    "4: clr r26\n" TERM(18, 14, 26, 27, 30) "clr r26\n"
+    TERM(18, 15, 27, 30, 26) TERM(19, 14, 27, 30, 26) "clr r27\n"
+    TERM(18, 16, 30, 26, 27) TERM(19, 15, 30, 26, 27) TERM(20, 14, 30, 26, 27) "push r30\n clr r30\n"
+    TERM(19, 16, 26, 27, 30) TERM(20, 15, 26, 27, 30) TERM(21, 14, 26, 27, 30) BYTE(18, 26)
+    TERM(20, 16, 27, 30, 26) TERM(21, 15, 27, 30, 26) TERM(22, 14, 27, 30, 26) BYTE(19, 27)
+    TERM(21, 16, 30, 26, 27) TERM(22, 15, 30, 26, 27) TERM(23, 14, 30, 26, 27) BYTE(20, 30)
+    TERM(22, 16, 26, 27, 30) TERM(23, 15, 26, 27, 30) "mov r21, r26\n"
+    "mul r23, r16\n add r27, r0\n adc r30, r1\n mov r22, r27\n mov r23, r30\n clr r24\n"
+    "brtc 5f\n sub r21, r14\n sbc r22, r15\n sbc r23, r16\n sbc r24, r24\n"
+    "5: mov r25, r24\n pop r26\n clr __zero_reg__\n ret\n"
     END(loft_avr_product)
 
     /* half of the last byte, which is in column 2 or 1 */

@@ -15,7 +15,7 @@
  *
  *   range   |t|, |a| < 2^31, the result below 2^63
  *   error   1/2
- *   cost    about 200 cycles */
+ *   cost    140 cycles where |x| < 2^47 and |t|, |a| < 2^24, elsewhere 210 */
 int64_t loft_acc_scale(int64_t x, int32_t t);
 int64_t loft_acc_mul(int64_t x, int32_t a);
 

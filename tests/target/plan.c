@@ -59,8 +59,12 @@ static void plan_outline(void (*take)(void))
 
     for (;;) {
         loft_move m = { .feed = LOFT_REAL(FEED) };
-        while (next < CURVES && (m.curve = curve_at(next), loft_plan_push(&plan, &m) == LOFT_OK))
+        while (next < CURVES && loft_plan_room(&plan) > 0) {
+            m.curve = curve_at(next);
+            if (loft_plan_push(&plan, &m) != LOFT_OK)
+                return;
             next++;
+        }
         if (next == CURVES)
             loft_plan_end(&plan);
         const enum loft_plan_state state = loft_plan_next(&plan, &span);
