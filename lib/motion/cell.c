@@ -207,6 +207,8 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
     const int in = off < 0 ? 1 : 0;
     const loft_acc to_top = (in == 1 ? -top : top) - off;       /* where it turns the direction most, r = 2 p */
     const easing most = ease_at(2 * LOFT_EASE_TURN);
+    const loft_acc before = c->most;
+    loft_acc longest = 0;
     loft_unit r[2];
     easing z[2];
     bool beyond[2];
@@ -234,6 +236,10 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
             turn_most(c, b, i, loft_wide(c->along[end].axis[i]));
         }
     }
+    for (int end = 0; end < 2; end++)       /* the path moved aside is longer by that */
+        longest = larger(longest, loft_vec_dot(c->along[end], c->along[end]));
+    if (longest > loft_wide(LOFT_REAL(1)))
+        c->most = smaller(c->most, loft_acc_div(before, loft_acc_round(longest)));
     const loft_acc turn = smaller(loft_acc_scale(loft_inverse_mul(loft_unit_wide(LOFT_EASE_SLOPE), &by), c->length), loft_wide(LOFT_REAL(60)));
     set_cases(c, in, z, r[1 - in], r[in], beyond[1 - in], turn);
     c->bow = c->eased > 0 ? 0 : LOFT_UNIT(1);
@@ -318,7 +324,7 @@ static loft_unit limit_rest(const loft_plan_cell *c, const loft_budget *b, const
     return z;
 }
 
-/* The middle: of the parabola of the curvature, and the direction between. */
+/* The middle: of the parabola of the curvature, and the direction between; where it is eased, with what is asked at its ends. */
 static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, const place *p, const place *q, loft_unit z)
 {
     const loft_acc change = q->a - p->a, up = q->up.a - p->up.a, h = loft_unit_wide(c->length);
@@ -337,7 +343,12 @@ static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, con
     middle.r = loft_unit_round(loft_acc_div(loft_wide(LOFT_REAL(1)), loft_acc_sqrt(middle.x)));
     const loft_cell_rise rise = { p->up.x + loft_acc_scale(p->up.a, c->length) + loft_acc_scale(up, c->length) / 4, (p->up.a + q->up.a) / 2 };
     const place m = place_of(&middle, &middle, rise);
-    return limit_end(&middle, b, &m, 0, change, up, z, AS_IT_IS, LOFT_UNIT(1) / BOW);
+    if (c->eased == 0)
+        return limit_end(&middle, b, &m, 0, change, up, z, AS_IT_IS, LOFT_UNIT(1) / BOW);
+    for (int k = AS_IT_IS; k < c->eased; k++)       /* whatever curvature it has there */
+        for (int end = 0; end < 2; end++)
+            z = limit_end(c, b, &m, end, change, up, z, k, LOFT_UNIT(1) / BOW);
+    return z;
 }
 
 /* May more be asked for between the ends than there? Or is it fastest there? */

@@ -291,7 +291,7 @@ static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next, cons
     }
     if (l->stop) {
         l->run = l->left = l->last = 0;
-        l->ease.width = 0;
+        l->ease.width = c->at > 0 ? l->ease.width : 0;      /* a rest on its way does not end it */
     }
     l->closed = false;
 }
@@ -305,7 +305,6 @@ static void part(loft_lane *l, loft_course *c, const loft_plan_cell *cell)
         settle(l, c);
         l->stop = true;
         l->run = l->left = 0;
-        l->ease.width = 0;
     }
     l->hop = hops;
 }
