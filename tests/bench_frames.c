@@ -1,6 +1,7 @@
 /* tests/bench_frames.c -- damaged frames that are taken for good ones
  * SPDX-License-Identifier: MIT
- * usage: bench_frames CLASS COUNT [SEED] ; CLASS is bits, bytes, lost, doubled or inserted
+ * usage: bench_frames CLASS COUNT [SEED] ; CLASS is bits, bytes, lost, doubled, inserted, or `every`: of COUNT frames all errors of one and
+ * two bits, all bytes lost and doubled, and all bytes inserted at all places
  *
  * Frames of 128 bytes on the line, with random content, new for every eighth; each is damaged at random and pushed into loft_frame_push
  * byte by byte. Prints `CLASS frames N accepted N`: accepted are those that came out good and are not what was sent.
@@ -62,31 +63,74 @@ static size_t damage(const char *class, uint8_t *wire, size_t size)
     }
 }
 
+static loft_frame frame;
+static uint8_t good[LOFT_FRAME_MAX], wire[LOFT_FRAME_MAX + 1], content[SIZE];
+static size_t length;
+static uint64_t frames, accepted;
+
+/* Is what `wire` holds taken for a frame that was not sent? */
+static void try(size_t size)
+{
+    frames++;
+    for (size_t i = 0; i <= size; i++)
+        if (loft_frame_push(&frame, i < size ? wire[i] : 0) == LOFT_OK &&
+            (frame.count != SIZE - LOFT_FRAME_EXTRA || memcmp(frame.byte, content, frame.count) != 0))
+            accepted++;
+}
+
+static void flip(size_t bit)    { wire[bit / 8] ^= (uint8_t)(1u << bit % 8); }
+
+/* One and two bits flipped; a byte lost, doubled, and each one inserted: everywhere. */
+static void try_every(void)
+{
+    memcpy(wire, good, length);
+    for (size_t a = 0; a < 8 * length; a++) {
+        flip(a);
+        try(length);
+        for (size_t b = 0; b < a; b++) {
+            flip(b);
+            try(length);
+            flip(b);
+        }
+        flip(a);
+    }
+    for (size_t at = 0; at <= length; at++)
+        for (int byte = -2; byte < 256; byte++) {
+            memcpy(wire, good, at);
+            if (byte == -2 && at < length) {
+                memcpy(wire + at, good + at + 1, length - at - 1);
+                try(length - 1);
+            } else if (byte >= 0 || at < length) {
+                wire[at] = byte < 0 ? good[at] : (uint8_t)byte;
+                memcpy(wire + at + 1, good + at, length - at);
+                try(length + 1);
+            }
+        }
+}
+
 int main(int argc, char **argv)
 {
-    static loft_frame f;
-    uint8_t good[LOFT_FRAME_MAX], wire[LOFT_FRAME_MAX + 1], content[SIZE];
-    size_t length = 0;
-    uint64_t accepted = 0, count = argc > 2 ? strtoull(argv[2], NULL, 10) : 0;
+    const uint64_t count = argc > 2 ? strtoull(argv[2], NULL, 10) : 0;
+    const bool every = argc > 1 && strcmp(argv[1], "every") == 0;
 
     if (count == 0) {
-        fprintf(stderr, "usage: bench_frames bits|bytes|lost|doubled|inserted COUNT [SEED]\n");
+        fprintf(stderr, "usage: bench_frames bits|bytes|lost|doubled|inserted|every COUNT [SEED]\n");
         return 64;
     }
     state = argc > 3 ? strtoull(argv[3], NULL, 10) : 1;
-    loft_frame_init(&f);
-    if (loft_frame_push(&f, 0) == LOFT_OK)
+    loft_frame_init(&frame);
+    if (loft_frame_push(&frame, 0) == LOFT_OK)
         return 1;
     for (uint64_t n = 0; n < count; n++) {
-        if (n % USES == 0)
+        if (every || n % USES == 0)
             length = make(good, content);
-        memcpy(wire, good, length);
-        const size_t size = damage(argv[1], wire, length);
-        for (size_t i = 0; i <= size; i++)
-            if (loft_frame_push(&f, i < size ? wire[i] : 0) == LOFT_OK &&
-                (f.count != SIZE - LOFT_FRAME_EXTRA || memcmp(f.byte, content, f.count) != 0))
-                accepted++;
+        if (every) {
+            try_every();
+        } else {
+            memcpy(wire, good, length);
+            try(damage(argv[1], wire, length));
+        }
     }
-    printf("%s frames %llu accepted %llu\n", argv[1], (unsigned long long)count, (unsigned long long)accepted);
+    printf("%s frames %llu accepted %llu\n", argv[1], (unsigned long long)frames, (unsigned long long)accepted);
     return accepted != 0;
 }

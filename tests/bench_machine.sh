@@ -96,7 +96,11 @@ note "the same, bit errors 1e-4" "$(rate 0.0001)"
 on_chip "$bin/chip" "$elf" "$loft" stream $drawing --points --feed 50 --jerk 0 --lift 0 --port "$tmp/port"
 row "what the chip does of them at 1000 ticks per second, the drawing at 3000 mm/min" - "$(awk -v n="$(sed -n 's/.* out for \([0-9]*\) points.*/\1/p' "$tmp/out")" -v t="$(seconds)" 'BEGIN { if (t) printf "%.0f", n / t }')" ">=" 980
 
-for class in bits lost doubled inserted; do
+for half in 1 2; do "$bin/bench_frames" every $(((FRAMES + 1999999) / 2000000)) $half >"$tmp/every$half" & done
+wait
+row "damaged frames accepted of all $(cat "$tmp"/every[12] | awk '{ n += $3 } END { print n }') of some: 1, 2 bits, a byte less, twice, more" most \
+    "$(cat "$tmp"/every[12] | awk '{ n += $5 } END { print n }')" = 0
+for class in bits bytes lost doubled inserted; do
     for half in 1 2; do "$bin/bench_frames" $class $((FRAMES / 2)) $half >"$tmp/$class$half" & done
     wait
     row "damaged frames accepted of $FRAMES: $class" most "$(cat "$tmp/$class"[12] | awk '{ n += $5 } END { print n }')" = 0
