@@ -6,7 +6,7 @@
  *     byte       one byte flipped in one bit, dropped, doubled, or another one inserted
  *     cut        the line is dead from there on, for 0.1 to 60 s (each duration as likely as its double)
  *     frames     the same at the boundary of each frame that the host sends, one after the other; COUNT is the most
- *     killed     the sender is killed there, and another one begins the same job 0.1 to 5 s later
+ *     killed     the sender is killed there, and another one begins the same job 0.1 to 5 s later, unless the job is drawn, reported and closed
  *     noise      one bit of 10,000 is flipped, the job is the whole drawing
  * Each trial must end with the whole job drawn: the chip's report, the pulses counted at its pins and the order of each axis'
  * steps are those of an undisturbed run. One line per kind: `KIND trials N wrong N incomplete N resent FRAMES seconds ..`
@@ -50,7 +50,8 @@ static uint32_t items;
 static loft_job job = { .kind = LOFT_SPANS };
 static struct fault fault;
 static uint64_t passed, dead_until, random_state;
-static bool cut_done;
+static bool cut_done, told;         /* told: the sender that was killed had the report of the whole job */
+static loft_report report;
 static uint32_t frames_sent;
 static uint64_t calm_path[3], calm_pulses[3];
 static int32_t calm_position[3];
@@ -160,6 +161,8 @@ static void break_line(bool boundary)
     if (cut_done || fault.kind < CUT || fault.kind > KILLED || !here)
         return;
     cut_done = true;
+    told = fault.kind == KILLED && sender.phase == LOFT_PHASE_CLOSING;
+    report = sender.report;
     dead_until = core.avr->cycle + (uint64_t)fault.ms * MS;
     core.in_head = core.in_tail;
 }
@@ -175,6 +178,10 @@ static void host_turn(void)
             return;
         dead_until = 0;
         begin();
+    }
+    if (sender.phase == LOFT_PHASE_READY && told && sender.machine.ack.state == LOFT_STATE_IDLE) {
+        sender.phase = LOFT_PHASE_DONE;
+        sender.report = report;
     }
     if (sender.phase == LOFT_PHASE_READY && loft_sender_begin(&sender, &job, items, source, NULL) != LOFT_OK)
         sender.phase = LOFT_PHASE_REFUSED;
