@@ -29,21 +29,25 @@ void loft_law_init(loft_law *law)
 {
     law->at    = (loft_course_place){ 0, 0 };
     law->speed = 0;
-    law->sum   = law->mean = 0;
-    law->beats = law->course.budget.filter;
-    law->slot  = 0;
     law->from  = 0;
-    law->calm  = law->steady = UINT8_MAX;
     law->rests = true;
     law->parts = law->next = 0;
     law->left  = LOFT_UNIT(1);
+#if LOFT_PLAN_FILTER > 1
+    law->sum   = law->mean = 0;
+    law->beats = law->course.budget.filter;
+    law->slot  = 0;
+    law->calm  = law->steady = UINT8_MAX;
     for (unsigned k = 0; k < LOFT_PLAN_FILTER; k++)
         law->way[k] = 0;
+#endif
 #if LOFT_PLAN_FLOW
     law->flows = LOFT_BUDGET_JERK(&law->course.budget) && law->course.piece_room >= LOFT_FLOW_PIECES;
     loft_flow_init(&law->flow);
 #endif
 }
+
+#if LOFT_PLAN_FILTER > 1
 
 static loft_acc length_of(const loft_law *law, unsigned i)
 {
@@ -413,16 +417,11 @@ static enum loft_law_state flow(loft_law *law)
 
 #endif
 
-enum loft_law_state loft_law_next(loft_law *law)
+/* The law of this file. */
+static enum loft_law_state follow(loft_law *law)
 {
-#if LOFT_PLAN_FLOW
-    if (law->flows)
-        return flow(law);
-#endif
     const unsigned known = law->course.count;
 
-    if (!LOFT_BUDGET_JERK(&law->course.budget))
-        return loft_reach_next(law);
     load(law);
     join(law, known);
     if (law->rests) {
@@ -434,4 +433,19 @@ enum loft_law_state loft_law_next(loft_law *law)
         return LOFT_LAW_WAITS;
     run(law);
     return LOFT_LAW_RUNS;
+}
+
+#endif
+
+enum loft_law_state loft_law_next(loft_law *law)
+{
+#if LOFT_PLAN_FLOW
+    if (law->flows)
+        return flow(law);
+#endif
+#if LOFT_PLAN_FILTER > 1
+    if (LOFT_BUDGET_JERK(&law->course.budget))
+        return follow(law);
+#endif
+    return loft_reach_next(law);
 }

@@ -17,17 +17,19 @@ typedef struct {
     loft_course course;
     loft_course_place  at;                     /* of the law, before it is averaged                      */
     loft_real   speed;                  /* there, mm/s                                            */
-    loft_acc    sum, mean;              /* of the ways; the mean place of the window times beats  */
-    loft_unit   way[LOFT_PLAN_FILTER];  /* a ring: mm in each of the last beats                   */
-    unsigned    from;                   /* the piece that the mean is counted from                */
-    uint8_t     beats, slot;            /* of the window; the oldest of them                      */
-    uint8_t     calm;                   /* beats since it last braked, or since it rests          */
-    uint8_t     steady;                 /* beats since it last sped up                            */
+    unsigned    from;                   /* the piece that the place is counted from                    */
     bool        rests;
     loft_law_part part[3];              /* jerk not limited: of the piece; how many, and the next one     */
     uint8_t     parts, next;
     loft_real   aim;                    /* the speed at the end of the piece that they lead to            */
     loft_unit   left;                   /* of the beat                                                    */
+#if LOFT_PLAN_FILTER > 1
+    loft_acc    sum, mean;              /* of the ways; the mean place of the window times beats  */
+    loft_unit   way[LOFT_PLAN_FILTER];  /* a ring: mm in each of the last beats                   */
+    uint8_t     beats, slot;            /* of the window; the oldest of them                      */
+    uint8_t     calm;                   /* beats since it last braked, or since it rests          */
+    uint8_t     steady;                 /* beats since it last sped up                            */
+#endif
 #if LOFT_PLAN_FLOW
     loft_flow   flow;
     bool        flows;                  /* where jerk is limited and there is room for it: this is what moves */
@@ -43,13 +45,27 @@ enum loft_law_state {
 /* Rest at the start of an empty course. */
 void loft_law_init(loft_law *law);
 
+#if LOFT_PLAN_FILTER > 1
+
 /* The mean over the window of what is summed over it. */
 static inline loft_acc loft_law_mean(const loft_law *law, loft_acc sum)
 {
     return law->beats > 1 ? loft_acc_ratio(sum, law->beats) : sum;
 }
 
-/* Go on for one beat: the place is then loft_law_mean(law, law->mean) from the start of piece law->from.
+#endif
+
+/* How far from the start of piece law->from the place is. */
+static inline loft_acc loft_law_off(const loft_law *law)
+{
+#if LOFT_PLAN_FILTER > 1
+    if (LOFT_BUDGET_JERK(&law->course.budget))
+        return loft_law_mean(law, law->mean);
+#endif
+    return law->at.off;
+}
+
+/* Go on for one beat.
  *
  *   shape   no beat is given that curves yet to come may make wrong, unless the course has ended or is full
  */

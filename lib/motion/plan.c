@@ -188,10 +188,11 @@ static void set_place(loft_plan *plan, loft_acc point[])
 {
     const loft_course *c = &plan->law.course;
     const loft_plan_piece  *p = loft_course_piece(c, plan->law.from);
-    const loft_acc   off = loft_law_mean(&plan->law, plan->law.mean);
+    const loft_acc   off = loft_law_off(&plan->law);
 
 #if LOFT_PLAN_FILTER > 1
-    plan->past += loft_law_mean(&plan->law, plan->law.sum);
+    if (LOFT_BUDGET_JERK(&c->budget))
+        plan->past += loft_law_mean(&plan->law, plan->law.sum);
 #endif
     if (p->length > 0 && p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length)) {
         set_point(point, &c->moves[p->move].curve.p[3]);

@@ -29,6 +29,8 @@
 #define LEAST   LOFT_REAL(0.25)     /* nor with less acceleration from rest, mm/s^2 */
 #define LSB     loft_wide(LOFT_REAL(0.000015258789))    /* 2^-16 */
 
+#if LOFT_PLAN_FILTER > 1
+
 static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
 static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
 static loft_real least(loft_real x, loft_real y) { return x < y ? x : y; }
@@ -244,18 +246,16 @@ bool loft_profile_init(loft_plan_piece *p, const loft_budget *b, const loft_arc 
 }
 
 /* The largest part of the jerk that k' v^3 uses at the cap, on any axis. */
-loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, int k)
+static loft_unit twist_of(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape)
 {
-    loft_way way = { shape->along[k], shape->bend[k], p->cap, 0 };
+    loft_unit most = 0;
 
-    for (int i = 0; i < LOFT_AXES && shape->tight; i++)
-        way.bend.axis[i] = 0;
-    for (int i = 0; i < LOFT_AXES && LOFT_BUDGET_JERK(b) && !shape->tight; i++) {
-        const loft_acc  used = twist(p, b, shape, i, p->cap), most = loft_wide(b->gain[i]);
-        const loft_unit part = loft_unit_ratio(smaller(used, most), most);
-        way.twist = part > way.twist ? part : way.twist;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc  used = twist(p, b, shape, i, p->cap), gain = loft_wide(b->gain[i]);
+        const loft_unit part = loft_unit_ratio(smaller(used, gain), gain);
+        most = part > most ? part : most;
     }
-    return way;
+    return most;
 }
 
 /* The part of the jerk that k' v^3 uses beside a joint passed at speed v. */
@@ -431,6 +431,23 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
     p->cap = least(p->cap, slow);
     leave_for_joint(p, &j, before, after);
     return true;
+}
+
+#endif
+
+loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, int k)
+{
+    loft_way way = { shape->along[k], shape->bend[k], p->cap, 0 };
+
+    for (int i = 0; i < LOFT_AXES && shape->tight; i++)
+        way.bend.axis[i] = 0;
+#if LOFT_PLAN_FILTER > 1
+    if (LOFT_BUDGET_JERK(b) && !shape->tight)
+        way.twist = twist_of(p, b, shape);
+#else
+    (void)b;
+#endif
+    return way;
 }
 
 loft_real loft_profile_grip(const loft_plan_piece *p, loft_acc x, bool fore)

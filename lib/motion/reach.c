@@ -193,8 +193,9 @@ static void run(loft_law *law)
     const loft_acc way = to->end - law->at.off, beat = beat_to(law, to->speed), here = rest_of(law, beat);
 
     if (here < way && beat > 0) {       /* q16: at speeds that are nothing nothing is far */
-        const loft_real v = loft_lerp(law->speed, to->speed, loft_unit_ratio(here, way));
-        law->at.off += smaller(rest_of(law, beat_to(law, v)), way);
+        const bool even = !(law->speed < to->speed || to->speed < law->speed);
+        const loft_real v = even ? to->speed : loft_lerp(law->speed, to->speed, loft_unit_ratio(here, way));
+        law->at.off += even ? here : smaller(rest_of(law, beat_to(law, v)), way);
         law->speed   = v;
         law->left    = 0;
     } else {
@@ -225,8 +226,6 @@ static bool leave(loft_law *law)
         for (unsigned drop = law->at.piece + 1u; drop > 0; drop--)
             loft_course_drop(c);
     law->at    = (loft_course_place){ 0, 0 };
-    law->from  = 0;
-    law->mean  = law->sum = 0;
     law->speed = 0;
     law->parts = law->next = 0;
     law->left  = LOFT_UNIT(1);
@@ -236,22 +235,18 @@ static bool leave(loft_law *law)
 }
 
 /* The beat is over: pieces that were passed are not needed any more. */
-static void tell(loft_law *law, loft_acc before)
+static void tell(loft_law *law)
 {
     while (law->at.piece > 0) {
         loft_course_drop(&law->course);
         law->at.piece--;
     }
-    law->from = 0;
-    law->sum  = law->at.off - before;
-    law->mean = law->at.off;
     law->left = LOFT_UNIT(1);
 }
 
 enum loft_law_state loft_reach_next(loft_law *law)
 {
     loft_course *c = &law->course;
-    const loft_acc from = law->at.off;
 
     loft_course_load(c);
     if (law->rests && !leave(law))
@@ -268,6 +263,6 @@ enum loft_law_state loft_reach_next(loft_law *law)
         if (law->next == law->parts)
             law->rests = !pass(law);
     }
-    tell(law, from);
+    tell(law);
     return LOFT_LAW_RUNS;
 }
