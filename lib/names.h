@@ -39,6 +39,7 @@
 #define loft_arc_eval              LOFT_NAME(loft_arc_eval)
 #define loft_arc_measure           LOFT_NAME(loft_arc_measure)
 #define loft_arc_next              LOFT_NAME(loft_arc_next)
+#define loft_arc_pace              LOFT_NAME(loft_arc_pace)
 #define loft_atan2                 LOFT_NAME(loft_atan2)
 #define loft_avr_bits              LOFT_NAME(loft_avr_bits)
 #define loft_avr_quotient          LOFT_NAME(loft_avr_quotient)

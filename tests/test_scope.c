@@ -66,7 +66,7 @@ static bool piece_of(arb *a, scene *s, double turn0, double turn1, bool steady)
             s->shape.bend[k].axis[i]  = real_of(bend[i]);
         }
     }
-    s->arc.length = wide_of(s->length);
+    s->arc = (loft_arc){ .length = wide_of(s->length) };
     return loft_scope_init(&s->piece, &s->budget, &s->arc, &s->shape, real_of(arb_decades(a, 0.1, 1000)));
 }
 

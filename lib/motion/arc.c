@@ -6,11 +6,12 @@
  *
  *     D = c1 + c2 k + c3 3/4 k^2      k = 0, 1, 2
  *
- * and its control points, three times the legs between those of the curve, are c1, c1 + c2, c1 + 2 c2 + 3 c3.
+ * and its control points, three times the legs between those of the curve, are c1, c1 + c2, c1 + 2 c2 + 3 c3: off their mean, the
+ * chord, by c2 + c3, c3 and c2 + 2 c3.
  *
  * q16: control points are below 2^14, the sums of four with weights 1, 3, 3, 1 below 2^17. A product with t rounds by u = 2^-33, and
  * multiplies what was rounded before by t <= 1: where an arc begins c0, c1, c2 err by at most 3, 5, 3 u and, for the half of a
- * curve or less of it, the sum of all at its end by 9 u.
+ * curve or less of it, the sum of all at its end by 11 u.
  */
 #include "motion/arc.h"
 
@@ -21,6 +22,7 @@
 #define BEND_MAX     (LOFT_REAL_MAX / 2)
 
 static loft_acc size_of(loft_acc x)            { return x < 0 ? -x : x; }
+static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 
 /* Is p on the segment a..b, to within 2^-16 mm per plane? The distance of p from the line is |q x c| / |c| with
  * q = p - a, c = b - a, and |c| at least the largest of its coordinates. Products of coordinates are exact in q16; they sum to
@@ -76,13 +78,13 @@ static void begin(loft_arc *a, const loft_cubic *curve, uint32_t from)
                 a->c[k][i] += loft_acc_scale(a->c[k + 1][i], t);
 }
 
-static void halve(loft_arc *a)
+/* Keep the first part. */
+static void shorten(loft_arc *a, loft_unit part)
 {
-    loft_unit part = LOFT_UNIT(0.5);
-
-    for (int k = 1; k < 4; k++, part /= 2)
-        for (int i = 0; i < LOFT_AXES; i++)
-            a->c[k][i] = loft_acc_scale(a->c[k][i], part);
+    for (int k = 1; k < 4; k++)
+        for (int n = 0; n < k; n++)
+            for (int i = 0; i < LOFT_AXES; i++)
+                a->c[k][i] = loft_acc_scale(a->c[k][i], part);
 }
 
 /* Three times the legs: the derivative's control points. */
@@ -95,17 +97,32 @@ static void set_legs(const loft_arc *a, loft_acc leg[3][LOFT_AXES])
     }
 }
 
-/* Legs whose mean is the chord. When all are within |chord| / 16 of it (per axis), direction and rate change by at most 1/8
- * over the arc, so no feature hides between the places looked at. */
-static bool nearly_straight(loft_acc leg[3][LOFT_AXES], const loft_acc chord[LOFT_AXES], loft_acc length)
+/* How far the legs are off the chord, at most, on any axis; of coarse arcs that in the middle counts double, as no parabola through
+ * three rates follows it. */
+static loft_acc off_chord(const loft_arc *a, bool coarse)
 {
-    if (!(length > 0) || length > LENGTH_MAX)
+    loft_acc most = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc x = a->c[3][i], y = a->c[2][i] + x;
+        most = larger(larger(most, size_of(coarse ? 2 * x : x)), larger(size_of(y), size_of(y + x)));
+    }
+    return most;
+}
+
+/* When all legs are within |chord| / 16 of it (per axis), direction and rate change by at most 1/8 over the arc, 1/4 if it is coarse, so
+ * no feature hides between the places looked at. */
+static bool nearly_straight(const loft_acc chord[LOFT_AXES], loft_acc off, bool coarse)
+{
+    const loft_acc least = off * (coarse ? 8 : 16);
+    loft_acc sum = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum += size_of(chord[i]);
+    if (least > sum)
         return false;
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (16 * size_of(leg[k][i] - chord[i]) > length)
-                return false;
-    return true;
+    const loft_acc length = loft_acc_hypot(chord, LOFT_AXES);
+    return length > 0 && length <= LENGTH_MAX && least <= length;
 }
 
 static void set_direction(const loft_acc v[LOFT_AXES], loft_acc length, loft_vec *u)
@@ -145,62 +162,84 @@ static bool straight_speck(loft_acc leg[3][LOFT_AXES], const loft_acc chord[LOFT
     return true;
 }
 
-/* The derivative and its size. */
+/* The derivative at t = k / 4, and its size, the rate there. */
 static loft_acc set_rate(const loft_arc *a, int k, loft_acc d[LOFT_AXES])
 {
-    for (int i = 0; i < LOFT_AXES; i++) {
-        d[i] = a->c[1][i];
-        for (int n = 0; n < k; n++)
-            d[i] += a->c[2][i] + loft_acc_scale(a->c[3][i], k == 1 ? LOFT_UNIT(0.75) : LOFT_UNIT(1.5));
-    }
+    const loft_unit half = LOFT_UNIT(0.5) * (loft_unit)k, square = LOFT_UNIT(0.1875) * (loft_unit)(k * k);
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        d[i] = a->c[1][i] + loft_acc_scale(a->c[2][i], half) + loft_acc_scale(a->c[3][i], square);
     return loft_acc_hypot(d, LOFT_AXES);
 }
 
-/* x + v (a (1 - x) + b x + c v), v = x (1 - x): a polynomial with the right ends. */
-static loft_acc bent(loft_unit x, const loft_unit at[3])
+/* The length by Boole's rule; only dust rounds to nothing. */
+static void set_length(loft_arc *a, loft_acc rate[5])
 {
-    const loft_acc v = loft_acc_scale(loft_unit_wide(x), LOFT_UNIT(1) - x);
-    const loft_acc sum = loft_acc_lerp(loft_unit_wide(at[0]), loft_unit_wide(at[1]), x) + loft_acc_scale(v, at[2]);
+    loft_acc d[LOFT_AXES], sum = 0;
 
-    return loft_unit_wide(x) + loft_acc_scale(sum, loft_unit_round(v));
-}
-
-/* Where the rate is the parabola through its values r0, .. r1 the part w = s / length of the length ends at the parameter t with
- *
- *     w = t + v (h0 (1 - t) + h1 t)           h0 = r0 / length - 1,  h1 = 1 - r1 / length
- *
- * Its inverse is close to
- *
- *     t = w + v (g0 (1 - w) + g1 w + g2 v)    g0 = length / r0 - 1,  g1 = 1 - length / r1
- *
- * with g2 such that it is right where t = 1/2: there w is half to within 1/32, so v^2 is taken as 1/16. It errs by at most
- * 2^-12, which one step with the slope 1 instead of the right one, between 7/8 and 9/8, makes 2^-15. */
-static loft_unit parameter_at(const loft_arc *arc, loft_acc s)
-{
-    const loft_unit w = loft_unit_ratio(s, arc->length), t = loft_unit_round(bent(w, arc->ahead));
-
-    return t + loft_unit_round(loft_unit_wide(w) - bent(t, arc->behind));
-}
-
-/* Simpson's rule. Only dust rounds to nothing. */
-static void set_length(loft_arc *a)
-{
-    loft_acc d[LOFT_AXES], rate[3];
-
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 5; k++) {
         rate[k] = set_rate(a, k, d);
-    a->length = rate[0] > 0 && rate[2] > 0 ? loft_acc_ratio(rate[0] + 4 * rate[1] + rate[2], 6) : 0;
+        sum += rate[k] * (k == 2 ? 12 : k % 2 ? 32 : 7);
+    }
+    a->length = rate[0] > 0 && rate[4] > 0 ? loft_acc_ratio(sum, 90) : 0;
+    if (a->length > 0) {
+        a->ends[0] = loft_unit_ratio(a->length, rate[0]) - LOFT_UNIT(1);
+        a->ends[1] = LOFT_UNIT(1) - loft_unit_ratio(a->length, rate[4]);
+    }
+}
+
+static loft_unit times(loft_unit a, loft_unit b) { return loft_unit_round(loft_acc_scale(loft_unit_wide(a), b)); }
+
+static loft_unit between_ends(const loft_arc *a, loft_unit w)
+{
+    return a->ends[0] + times(a->ends[1] - a->ends[0], w);
+}
+
+/* What s has to be for t to be right at w. */
+static loft_unit off_pace(const loft_arc *a, loft_unit w, loft_unit t)
+{
+    const loft_acc  v   = loft_unit_wide(times(w, LOFT_UNIT(1) - w));
+    const loft_unit off = loft_unit_ratio(loft_unit_wide(t - w), v) - between_ends(a, w);
+    return loft_unit_ratio(loft_unit_wide(off), v);
+}
+
+static loft_unit parameter_at(const loft_arc *a, loft_unit w)
+{
+    const loft_unit v = times(w, LOFT_UNIT(1) - w), x = w - LOFT_UNIT(0.5);
+    const loft_unit s = a->inner[0] + times(a->inner[1] + times(a->inner[2], x), x);
+
+    return w + times(between_ends(a, w) + times(s, v), v);
+}
+
+/* The parameter where the part w of the length ends is
+ *
+ *     t = w + v (g0 (1 - w) + g1 w + v s(w - 1/2))    v = w (1 - w)   g0 = length / r0 - 1   g1 = 1 - length / r4
+ *
+ * with its slopes at the ends, and s the parabola that is right near w = 1/4, 1/2, 3/4: at the parts of the length up to
+ * t = 1/4, 1/2, 3/4, integrals of the polynomial of degree 4 through the rates, in units of the length
+ *
+ *     1/4 + S - T, 1/2 - M, 3/4 - S - T       S = (r0 + r4 + 2 (r1 + r3) - 6 r2) / 48
+ *     T = 3 (r4 - r0 + 2 (r3 - r1)) / 64      M = (r4 - r0 + 4 (r3 - r1)) / 24
+ *
+ * The speed errs by what is left out, by less than 1/2500, 1/10000 of arcs that are not coarse. */
+static void set_pace(loft_arc *a)
+{
+    loft_acc rate[5];
+    loft_unit r[5];
+
+    set_length(a, rate);
     if (!(a->length > 0))
         return;
-    for (int k = 0; k < 2; k++) {
-        const loft_unit slope = loft_unit_ratio(rate[2 * k], a->length) - LOFT_UNIT(1);
-        const loft_unit inverse = loft_unit_ratio(a->length, rate[2 * k]) - LOFT_UNIT(1);
-        a->behind[k] = k == 0 ? slope : -slope;
-        a->ahead[k]  = k == 0 ? inverse : -inverse;
-    }
-    a->behind[2] = a->ahead[2] = 0;
-    const loft_unit half = loft_unit_round(bent(LOFT_UNIT(0.5), a->behind));
-    a->ahead[2] = 16 * (LOFT_UNIT(0.5) - loft_unit_round(bent(half, a->ahead)));
+    for (int k = 0; k < 5; k++)
+        r[k] = loft_unit_ratio(rate[k], a->length);
+    const loft_unit rise = r[4] - r[0], inner = r[3] - r[1];
+    const loft_unit even = (r[0] + r[4] + 2 * (r[1] + r[3]) - 6 * r[2]) / 48, odd = 3 * (rise + 2 * inner) / 64;
+    const loft_unit x = off_pace(a, LOFT_UNIT(0.25) + even - odd, LOFT_UNIT(0.25)), z = off_pace(a, LOFT_UNIT(0.75) - even - odd, LOFT_UNIT(0.75));
+    const loft_unit y = off_pace(a, LOFT_UNIT(0.5) - (rise + 4 * inner) / 24, LOFT_UNIT(0.5));
+
+    a->inner[0] = y;
+    a->inner[1] = 2 * (z - x);
+    a->inner[2] = 8 * (x + z - 2 * y);
 }
 
 /* Is the chord so long that rounding leaves its direction? Of q16's dust none is. */
@@ -213,23 +252,19 @@ static bool leads(const loft_arc *a, loft_acc length)
     return length > BLUR * loft_acc_grain(size);
 }
 
-/* Is it one that may be walked? `size` is that of its interval of parameters. What is too small for its bend to matter is a crumb if it has a
- * direction: the path may turn around where it begins and where it ends. */
-static bool fits(loft_arc *a, uint32_t size)
+/* What is not nearly straight may be small enough for its bend not to matter. A crumb has a direction: the path may turn around where it begins
+ * and where it ends. */
+static void tell_small(loft_arc *a, const loft_acc chord[LOFT_AXES], uint32_t size)
 {
-    loft_acc leg[3][LOFT_AXES], chord[LOFT_AXES], legs = 0;
+    const loft_acc length = loft_acc_hypot(chord, LOFT_AXES);
+    loft_acc leg[3][LOFT_AXES], legs = 0;
 
     set_legs(a, leg);
-    for (int i = 0; i < LOFT_AXES; i++)
-        chord[i] = a->c[1][i] + a->c[2][i] + a->c[3][i];
-    const loft_acc length = loft_acc_hypot(chord, LOFT_AXES);
-    const bool straight = nearly_straight(leg, chord, length);
-
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < LOFT_AXES; i++)
             legs += size_of(leg[k][i]);
-    a->speck = !straight && legs <= SPECK && straight_speck(leg, chord, length);
-    a->dust  = !straight && !a->speck && (legs <= DUST || size == 1);
+    a->speck = legs <= SPECK && straight_speck(leg, chord, length);
+    a->dust  = !a->speck && (legs <= DUST || size == 1);
     a->crumb = a->dust && leads(a, length);
     if (a->crumb) {
         a->speck = true;
@@ -237,29 +272,61 @@ static bool fits(loft_arc *a, uint32_t size)
     }
     if (a->speck || a->dust)
         straighten(a);
-    if (straight || a->speck || a->dust)
-        set_length(a);
+}
+
+/* Is it one that may be walked? `size` is that of its interval of parameters. No leg is further off the chord than the sum of all. */
+static bool fits(loft_arc *a, uint32_t size, bool coarse)
+{
+    const loft_acc off = off_chord(a, coarse);
+    loft_acc chord[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        chord[i] = a->c[1][i] + a->c[2][i] + a->c[3][i];
+    const bool straight = nearly_straight(chord, off, coarse);
+    a->speck = a->dust = a->crumb = false;
+    if (!straight && (off <= 2 * SPECK || size == 1))
+        tell_small(a, chord, size);
     return straight || a->speck || a->dust;
 }
 
-void loft_arc_cut(loft_arc *arc, const loft_cubic *curve, uint32_t from, uint32_t to)
+static void begin_at(loft_arc *a, const loft_cubic *curve, uint32_t from, uint32_t to)
 {
-    begin(arc, curve, from);
-    for (uint32_t size = LOFT_ARC_WHOLE; size > to - from; size /= 2)
-        halve(arc);
-    (void)fits(arc, to - from);
+    begin(a, curve, from);
+    shorten(a, loft_unit_of(to - from, LOFT_ARC_WHOLE));
+}
+
+void loft_arc_cut(loft_arc *arc, const loft_cubic *curve, uint32_t from, uint32_t to, bool coarse)
+{
+    loft_acc rate[5];
+
+    begin_at(arc, curve, from, to);
+    (void)fits(arc, to - from, coarse);
+    set_length(arc, rate);
+}
+
+void loft_arc_pace(loft_arc *arc, const loft_cubic *curve, uint32_t from, uint32_t to, bool chord)
+{
+    begin_at(arc, curve, from, to);
+    if (chord)
+        straighten(arc);
+    arc->speck = arc->dust = arc->crumb = false;
+    set_pace(arc);
 }
 
 /* The largest binary interval that begins at `from`, halved until it is nearly straight. */
-uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from)
+uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from, bool coarse)
 {
     uint32_t size = LOFT_ARC_WHOLE;
+    loft_acc rate[5];
 
-    begin(arc, curve, from);
-    while (from % size != 0 || !fits(arc, size)) {
+    while (from % size != 0)
         size /= 2;
-        halve(arc);
+    begin_at(arc, curve, from, from + size);
+    while (!fits(arc, size, coarse)) {
+        size /= 2;
+        shorten(arc, LOFT_UNIT(0.5));
     }
+    set_length(arc, rate);
     return from + size;
 }
 
@@ -281,7 +348,7 @@ static void set_station(const loft_arc *a, int k, loft_vec *u, loft_vec *bend)
 {
     loft_acc v[LOFT_AXES];
 
-    const loft_acc rate = set_rate(a, k, v);
+    const loft_acc rate = set_rate(a, 2 * k, v);
     set_direction(v, rate, u);
     for (int i = 0; i < LOFT_AXES; i++)
         v[i] = 2 * a->c[2][i] + 3 * k * a->c[3][i];
@@ -290,15 +357,16 @@ static void set_station(const loft_arc *a, int k, loft_vec *u, loft_vec *bend)
         bend->axis[i] = curvature(v[i], rate);
 }
 
-void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape)
+void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape, unsigned which)
 {
     shape->tight = arc->dust;
     for (int k = 0; k < 3; k++) {
-        for (int i = 0; i < LOFT_AXES; i++) {
-            shape->along[k].axis[i] = LOFT_REAL(1);
-            shape->bend[k].axis[i]  = 0;
-        }
-        if (!arc->dust)
+        if (arc->dust)
+            for (int i = 0; i < LOFT_AXES; i++) {
+                shape->along[k].axis[i] = LOFT_REAL(1);
+                shape->bend[k].axis[i]  = 0;
+            }
+        else if (which & 1u << k)
             set_station(arc, k, &shape->along[k], &shape->bend[k]);
         if (!loft_vec_within(shape->bend[k], BEND_MAX))
             shape->tight = true;
@@ -307,7 +375,7 @@ void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape)
 
 void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES])
 {
-    const loft_unit t = parameter_at(arc, s);
+    const loft_unit t = parameter_at(arc, loft_unit_ratio(s, arc->length));
 
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc x = arc->c[3][i];

@@ -85,20 +85,43 @@ static bool set_piece(loft_plan_piece *p, const loft_course *c, const loft_arc *
     return LOFT_BUDGET_JERK(&c->budget) ? loft_profile_init(p, &c->budget, arc, shape, feed) : loft_scope_init(p, &c->budget, arc, shape, feed);
 }
 
+static void copy_station(loft_arc_shape *s, int to, const loft_vec *along, const loft_vec *bend)
+{
+    s->along[to] = *along;
+    s->bend[to]  = *bend;
+}
+
+/* The shape of a piece that begins where the last one ended. */
+static void measure(const loft_course *c, const loft_arc *arc, loft_arc_shape *shape)
+{
+    const bool goes_on = !LOFT_BUDGET_JERK(&c->budget) && c->smooth && !arc->speck && !arc->dust;
+
+    if (goes_on)
+        copy_station(shape, 0, &c->way.along, &c->way.bend);
+    loft_arc_measure(arc, shape, goes_on ? LOFT_ARC_ALL - 1 : LOFT_ARC_ALL);
+}
+
+/* The first half of an arc, which ends in its middle. */
+static void halve(const loft_course *c, loft_arc *arc, loft_arc_shape *shape, uint32_t size)
+{
+    const bool coarse = !LOFT_BUDGET_JERK(&c->budget), bends = !arc->speck && !arc->dust;
+
+    loft_arc_cut(arc, &loft_course_move(c, c->cut)->curve, c->at, c->at + size / 2, coarse);
+    copy_station(shape, 2, &shape->along[1], &shape->bend[1]);
+    loft_arc_measure(arc, shape, coarse && bends && !arc->speck && !arc->dust ? 2 : LOFT_ARC_ALL);
+}
+
 /* The next part of the curve that can be one piece; gives the parameter of its end. */
 static uint32_t cut_arc(const loft_course *c, loft_arc *arc, loft_arc_shape *shape, loft_plan_piece *p, loft_real feed)
 {
-    const loft_cubic *curve = &loft_course_move(c, c->cut)->curve;
-    uint32_t to = loft_arc_next(arc, curve, c->at);
+    uint32_t size = loft_arc_next(arc, &loft_course_move(c, c->cut)->curve, c->at, !LOFT_BUDGET_JERK(&c->budget)) - c->at;
 
-    loft_arc_measure(arc, shape);
-    while (arc->length > 0 && !set_piece(p, c, arc, shape, feed) && to - c->at > 1
-           && arc->length > loft_budget_beat(&c->budget, p->cap) / (LOFT_BUDGET_JERK(&c->budget) ? 1 : 32)) {
-        to = c->at + (to - c->at) / 2;
-        loft_arc_cut(arc, curve, c->at, to);
-        loft_arc_measure(arc, shape);
-    }
-    return to;
+    measure(c, arc, shape);
+    for (; arc->length > 0 && !set_piece(p, c, arc, shape, feed) && size > 1
+           && arc->length > loft_budget_beat(&c->budget, p->cap) / (LOFT_BUDGET_JERK(&c->budget) ? 1 : 32); size /= 2)
+        halve(c, arc, shape, size);
+    p->chord = arc->speck || arc->dust;
+    return c->at + size;
 }
 
 /* How far from the end of what is known to the last place of rest. */
@@ -141,13 +164,11 @@ static bool set_joint(loft_plan_piece *joint, const loft_course *c, const loft_w
 }
 
 /* A joint before `arc`, which ends at `to`, if there is one that matters. */
-static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, loft_way after, loft_acc spacing, loft_real feed)
+static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, const loft_way *after, loft_acc spacing, loft_real feed)
 {
     loft_plan_piece joint;
     loft_acc room = 0;
 
-    if (!c->known || (c->smooth && !arc->speck))
-        return;
     if (arc->crumb)
         spacing = smaller(spacing, arc->length);
     if (c->crumb && c->count > 0)
@@ -157,13 +178,21 @@ static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, loft_way
         room = smaller(room, since_rest(c, room));
         room = smaller(room, arc->length + runs_on(c, to, room - arc->length, feed));
     }
-    if (set_joint(&joint, c, &after, spacing, room, feed)) {
+    if (set_joint(&joint, c, after, spacing, room, feed)) {
         loft_plan_piece *p = loft_course_add(c);
         joint.from = p->from;
         joint.to   = p->to;
         joint.move = p->move;
         *p = joint;
     }
+}
+
+/* The way where the shape begins (0) or ends (2). Where jerk is not limited the last two do not matter, but a bend that the next piece begins with. */
+static loft_way way_at(const loft_course *c, const loft_plan_piece *p, const loft_arc_shape *shape, int k)
+{
+    if (LOFT_BUDGET_JERK(&c->budget))
+        return loft_profile_way(p, &c->budget, shape, k);
+    return (loft_way){ shape->along[k], shape->bend[k], 0, 0 };
 }
 
 /* Up to two pieces of the curve. */
@@ -178,9 +207,11 @@ static void load_pieces(loft_course *c)
     if (arc.dust)
         c->smooth = false;
     else {
-        loft_way start = loft_profile_way(&piece, &c->budget, &shape, 0);
-        add_joint(c, &arc, to, start, c->at == 0 ? smaller(c->size, c->extent) : c->size, feed);
-        c->way    = loft_profile_way(&piece, &c->budget, &shape, 2);
+        if (c->known && (!c->smooth || arc.speck)) {
+            const loft_way start = way_at(c, &piece, &shape, 0);
+            add_joint(c, &arc, to, &start, c->at == 0 ? smaller(c->size, c->extent) : c->size, feed);
+        }
+        c->way    = way_at(c, &piece, &shape, 2);
         c->feed   = feed;
         c->known  = true;
         c->smooth = !arc.speck;
@@ -225,6 +256,8 @@ void loft_course_load(loft_course *c)
 
 enum loft_status loft_course_push(loft_course *c, const loft_move *move)
 {
+    if (c->move_count == c->move_room)
+        return LOFT_ERR_SPACE;
     if (!(move->feed > 0) || (c->move_count > 0 && !loft_vec_equal(move->curve.p[0], c->end)))
         return LOFT_ERR_ARG;
     if (move->feed < LOFT_SPEED_MIN || move->feed > LOFT_SPEED_MAX)
@@ -232,8 +265,6 @@ enum loft_status loft_course_push(loft_course *c, const loft_move *move)
     for (int k = 0; k < 4; k++)
         if (!loft_vec_within(move->curve.p[k], LOFT_PLAN_REACH))
             return LOFT_ERR_RANGE;
-    if (c->move_count == c->move_room)
-        return LOFT_ERR_SPACE;
     *loft_course_move(c, c->move_count++) = *move;
     for (unsigned i = 0; c->ended && i < c->count; i++)     /* what was sure had no need to go on */
         loft_course_piece(c, i)->sure = false;

@@ -167,7 +167,7 @@ static loft_acc runs_on(const loft_course *c, loft_acc most)
     loft_arc arc;
 
     for (uint32_t at = c->at; at < LOFT_ARC_WHOLE && d < most; d += arc.length) {
-        at = loft_arc_next(&arc, curve, at);
+        at = loft_arc_next(&arc, curve, at, false);
         if (arc.dust || arc.speck)
             break;
     }
@@ -255,10 +255,10 @@ static bool may_rest(const loft_course *c)
         return true;
     for (int k = 0; k < 4; k++)
         back.p[k] = move->curve.p[3 - k];
-    (void)loft_arc_next(&arc, &back, 0);
-    loft_arc_measure(&arc, &end);
-    (void)loft_arc_next(&arc, &loft_course_move(c, c->cut + 1u)->curve, 0);
-    loft_arc_measure(&arc, &start);
+    (void)loft_arc_next(&arc, &back, 0, false);
+    loft_arc_measure(&arc, &end, LOFT_ARC_ALL);
+    (void)loft_arc_next(&arc, &loft_course_move(c, c->cut + 1u)->curve, 0, false);
+    loft_arc_measure(&arc, &start, LOFT_ARC_ALL);
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real turn = end.along[0].axis[i] + start.along[0].axis[i];
         if (turn > LOFT_REAL(0.01) || turn < LOFT_REAL(-0.01))
@@ -343,7 +343,7 @@ static void append(loft_lane *l, loft_course *c, const loft_plan_cell *cell, uin
 static bool uneven(const loft_arc *arc, loft_acc beat)
 {
     const loft_unit most = LOFT_UNIT(0.03125);
-    return (arc->behind[0] > most || arc->behind[0] < -most || arc->behind[1] > most || arc->behind[1] < -most) && arc->length > beat;
+    return (arc->ends[0] > most || arc->ends[0] < -most || arc->ends[1] > most || arc->ends[1] < -most) && arc->length > beat;
 }
 
 /* The next part of the curve that can be one cell. */
@@ -353,14 +353,14 @@ static void load_cell(loft_lane *l, loft_course *c)
     loft_arc arc;
     loft_arc_shape shape;
     loft_plan_cell cell;
-    uint32_t to = loft_arc_next(&arc, &move->curve, c->at);
+    uint32_t to = loft_arc_next(&arc, &move->curve, c->at, false);
 
     if (arc.dust || !(arc.length > 0)) {
         c->smooth = c->smooth && !arc.dust;
         c->at = to;
         return;
     }
-    loft_arc_measure(&arc, &shape);
+    loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
     loft_cell_init(&cell, &c->budget, &arc, &shape, move->feed);
     begin(l, c, &cell, &shape, c->smooth && !arc.speck, c->at == 0 ? smaller(c->size, c->extent) : c->size);
     if (c->at == 0)
@@ -369,12 +369,13 @@ static void load_cell(loft_lane *l, loft_course *c)
     const loft_acc beat = loft_budget_beat(&c->budget, loft_acc_sqrt(cell.most));
     while (to - c->at > 1 && (arc.length > most * 10 / 7 || uneven(&arc, beat))) {
         to = c->at + (to - c->at) / 2;
-        loft_arc_cut(&arc, &move->curve, c->at, to);
-        loft_arc_measure(&arc, &shape);
+        loft_arc_cut(&arc, &move->curve, c->at, to, false);
+        loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
         loft_cell_init(&cell, &c->budget, &arc, &shape, move->feed);
     }
     part(l, c, &cell);
     append(l, c, &cell, to);
+    loft_course_piece(c, c->count - 1u)->chord = arc.speck;
     c->way    = way_at(&shape, 2);
     c->known  = true;
     c->smooth = !arc.speck;

@@ -199,7 +199,7 @@ static void set_place(loft_plan *plan, loft_acc point[])
         return;
     }
     if (!plan->cut || plan->number != loft_course_number(c, p) || plan->from != p->from) {
-        loft_arc_cut(&plan->arc, &c->moves[p->move].curve, p->from, p->to);
+        loft_arc_pace(&plan->arc, &c->moves[p->move].curve, p->from, p->to, p->chord);
         plan->cut    = true;
         plan->number = loft_course_number(c, p);
         plan->from   = p->from;

@@ -25,6 +25,7 @@ typedef struct {
     unsigned  flows : 1;        /* jerk not limited: at the cap all along it                              */
     unsigned  stop : 1;         /* the path rests at its start                                            */
     unsigned  sure : 1;         /* what comes later will not change `brake`                               */
+    unsigned  chord : 1;        /* it is walked evenly                                                    */
     unsigned  hop : 1;          /* it is passed as slowly as its row is short                             */
 #if LOFT_PLAN_FLOW
     loft_plan_cell cell;             /* where jerk is limited                                                  */

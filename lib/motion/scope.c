@@ -29,10 +29,12 @@
 
 #define BENT    40      /* where the speed may change, A / 40 is the most that the curvature's bow may ask for at the cap           */
 #define BOW     128     /* A / 128 it may, as that much is kept for joints                                                       */
-#define STEEP   64      /* the square of the cap is a line along the piece, to 1/64 of itself                                     */
+#define STEEP   LOFT_UNIT(0.015625)      /* the square of the cap is a line along the piece, to 1/64 of itself                                     */
 #define TURN    LOFT_REAL(0.03)
 #define EDGE    4     /* of 256: the knee is no nearer to the ends                                                              */
 #define LINES   (4 * LOFT_AXES + 1)
+#define RELIEF  32    /* times the acceleration may be needed by a bend that can be relieved                                       */
+#define PART    LOFT_UNIT(0.00006103515625)     /* 2^-14 of the far end, for a real to hold it                                          */
 #define FASTEST (loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX) / 16)
 
 /* At the part y of the far end a <= most (1 - turn y) and -a <= most (1 + turn y), with turn[1] and turn[0]. The first line is the largest
@@ -40,21 +42,25 @@
 typedef struct {
     loft_real most[LINES], turn[2][LINES];
     loft_real relief[LINES];        /* what |w| is where the bend has to be relieved, if not the same; 0 */
-    uint8_t   axis[LINES], count;
+    uint8_t   axis[LINES], count, low;  /* how many there are; the least where y = 0 */
     loft_real skew[LOFT_AXES], bow[LOFT_AXES];  /* q with the sign of k1 - k0; r with its side, where it matters */
-    loft_acc  far;
+    loft_acc  length, far;
+    loft_unit middle, end;      /* where the middle station is, of the length; the largest y where there is an acceleration, */
+    loft_acc  least[2];         /* the least lines there: -a, a                                                     */
+    uint8_t   line[2];
 } scope;
 
 static loft_real size_of(loft_real x)             { return x < 0 ? -x : x; }
 static loft_acc  smaller(loft_acc x, loft_acc y)  { return x < y ? x : y; }
 static loft_acc  twice(loft_acc way, loft_real a) { return 2 * loft_acc_mul(way, a); }
+static loft_acc  square(loft_real v)              { return loft_prod(v, v); }
 static loft_acc  length_of(const loft_plan_piece *p) { return loft_unit_wide(p->length); }
 
 /* Where the bend needs `times` the acceleration; beyond 2^29 it does not matter. */
 static loft_acc needed(loft_real accel, loft_real bend, int times)
 {
     const loft_acc x = loft_acc_div(loft_wide(accel), bend);
-    return x < FASTEST ? x * times : 32 * FASTEST;
+    return x < FASTEST ? x * times : RELIEF * FASTEST;
 }
 
 /* The curvature that counts for an axis. */
@@ -63,41 +69,90 @@ static loft_real bend_of(const loft_budget *b, const loft_arc_shape *s, int k, i
     return s->tight || b->across > 0 ? 0 : s->bend[k].axis[i];
 }
 
+/* Which part of the length ends at the middle station: half of the parameters. Rates are nearly a line. */
+static loft_unit middle_of(const loft_arc *arc) { return LOFT_UNIT(0.5) - (arc->ends[0] + arc->ends[1]) / 8; }
+
 /* |w a| <= A (1 -+ turn x / A), or `turn` and `bow`; that is the curvature as yet. */
 static void add_line(scope *s, const loft_budget *b, int axis, loft_real w, loft_real relief, loft_real turn, loft_real bow)
 {
-    s->most[s->count]    = loft_real_cap(LOFT_ACCEL_MAX, b->accel[axis], w);
-    s->turn[0][s->count] = bow < 0 ? turn + bow : turn;
-    s->turn[1][s->count] = bow > 0 ? turn + bow : turn;
-    s->relief[s->count]  = relief;
-    s->axis[s->count++]  = (uint8_t)axis;
+    const uint8_t at = s->count++;
+
+    s->most[at]    = loft_real_cap(LOFT_ACCEL_MAX, b->accel[axis], w);
+    s->turn[0][at] = bow < 0 ? turn + bow : turn;
+    s->turn[1][at] = bow > 0 ? turn + bow : turn;
+    s->relief[at]  = relief;
+    s->axis[at]    = (uint8_t)axis;
+    s->low = s->most[at] < s->most[s->low] ? at : s->low;
 }
 
-/* The lines of one end, `ahead` of the start. The far end is no further than where the bend needs all of the acceleration, or 32 times as much
- * where it can be relieved. */
-static void set_lines(scope *s, const loft_budget *b, const loft_arc_shape *shape, int end, loft_acc ahead)
+/* What a has to be multiplied with where it is a at the start. */
+static loft_real weight_of(const scope *s, const loft_arc_shape *shape, int k, int i, loft_real bend)
+{
+    return shape->along[k].axis[i] + (k == 2 ? loft_acc_round(twice(s->length, bend)) : 0);
+}
+
+/* The lines of one end. What does not move there has none. */
+static void add_lines(scope *s, const loft_budget *b, const loft_arc_shape *shape, int end)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real k = bend_of(b, shape, end, i), w = shape->along[end].axis[i] + loft_acc_round(twice(ahead, k)), size = size_of(w);
+        const loft_real k = bend_of(b, shape, end, i), w = weight_of(s, shape, end, i, k), size = size_of(w);
         const loft_real with = w < 0 ? -s->skew[i] : s->skew[i], turn = w < 0 ? -k : k, bow = w < 0 ? -s->bow[i] : s->bow[i];
 
+        if (!(size > 0 || size_of(k) > 0 || size_of(with) > 0))
+            continue;
         add_line(s, b, i, with < 0 ? size - with : size, with < 0 ? size : with < size ? size - with : 0, turn, bow);
         if (with > size)
             add_line(s, b, i, with - size, 0, -turn, -bow);
-        if (k < 0 || k > 0)
-            s->far = smaller(s->far, needed(b->accel[i], size_of(k), loft_prod(LOFT_ACCEL_MAX, size) > loft_wide(b->accel[i]) ? 32 : 1));
+    }
+}
+
+/* The far end is no further than where a bend needs all of the acceleration, or RELIEF times as much where it can be relieved. */
+static void set_far(scope *s, const loft_budget *b, const loft_arc_shape *shape)
+{
+    const loft_real far = loft_acc_round(loft_acc_scale(s->far, PART)) + LOFT_REAL_LSB;
+
+    for (int n = 0; n < 3 * LOFT_AXES; n++) {
+        const int i = n / 3, at = n % 3;
+        const loft_real k = bend_of(b, shape, at, i), size = size_of(k), accel = b->accel[i];
+        if (loft_prod(far, size) > loft_acc_scale(loft_wide(accel), PART)) {
+            const loft_real w = size_of(weight_of(s, shape, at, i, k));
+            s->far = smaller(s->far, needed(accel, size, loft_prod(LOFT_ACCEL_MAX, w) > loft_wide(accel) ? RELIEF : 1));
+        }
+    }
+}
+
+/* What line j becomes where the bend has to be relieved. */
+static void add_relief(scope *s, const loft_budget *b, uint8_t j)
+{
+    s->turn[0][s->count] = s->turn[0][j];
+    s->turn[1][s->count] = s->turn[1][j];
+    s->most[s->count++]  = loft_real_cap(LOFT_ACCEL_MAX, b->accel[s->axis[j]], s->relief[j]);
+}
+
+/* Of curvatures those parts of the acceleration that they need at the far end. */
+static void set_turns(scope *s, const loft_budget *b)
+{
+    const uint8_t count = s->count;
+
+    for (uint8_t j = 1; j < count; j++) {
+        const bool same = !(s->turn[0][j] < s->turn[1][j]);
+        for (int fore = same ? 1 : 0; fore < 2; fore++)
+            s->turn[fore][j] = loft_acc_quot(loft_acc_mul(s->far, s->turn[fore][j]), loft_wide(b->accel[s->axis[j]]));
+        s->turn[0][j] = same ? s->turn[1][j] : s->turn[0][j];
+        if (s->relief[j] > 0 && (s->turn[1][j] > LOFT_REAL(1) || s->turn[0][j] < LOFT_REAL(-1)))
+            add_relief(s, b, j);
     }
 }
 
 /* The least of the lines at y, and which it is. */
-static loft_acc least_at(const scope *s, loft_unit y, bool fore, int *which)
+static loft_acc least_at(const scope *s, loft_unit y, bool fore, uint8_t *which)
 {
     loft_acc least = loft_wide(LOFT_ACCEL_MAX);
 
     *which = 0;
-    for (int j = 1; j < s->count; j++) {
+    for (uint8_t j = 1; j < s->count; j++) {
         const loft_real turn = loft_acc_round(loft_acc_scale(loft_wide(s->turn[fore][j]), y));
-        const loft_acc  a = loft_prod(s->most[j], fore ? LOFT_REAL(1) - turn : LOFT_REAL(1) + turn);
+        const loft_acc  a = loft_prod(s->most[j], LOFT_REAL(1) + (fore ? -turn : turn));
         if (a < least) {
             least  = a;
             *which = j;
@@ -106,38 +161,39 @@ static loft_acc least_at(const scope *s, loft_unit y, bool fore, int *which)
     return least;
 }
 
-static loft_acc slope(const scope *s, int j, bool fore) { return loft_prod(s->most[j], s->turn[fore][j]); }
+static loft_acc slope(const scope *s, uint8_t i, bool fore) { return loft_prod(s->most[i], s->turn[fore][i]); }
 
 /* The largest y <= 1 where there is an acceleration: Newton's way from the right, on a concave function. */
-static loft_unit tip(const scope *s)
+static void set_end(scope *s)
 {
-    loft_unit y = LOFT_UNIT(1);
-    int i, j;
-
-    for (int n = 0; n < 12; n++) {
-        const loft_acc spare = least_at(s, y, true, &i) + least_at(s, y, false, &j), fall = slope(s, i, true) - slope(s, j, false);
-        if (spare >= 0)
-            break;
-        const loft_acc both = loft_wide(s->most[i]) + loft_wide(s->most[j]);
-        y = both < fall ? loft_unit_ratio(both, fall) : y;
-        y -= y / 4096;
+    s->end = LOFT_UNIT(1);
+    for (int n = 0; ; n++) {
+        for (int fore = 0; fore < 2; fore++)
+            s->least[fore] = least_at(s, s->end, fore, &s->line[fore]);
+        if (s->least[0] + s->least[1] >= 0 || n == 12)
+            return;
+        const loft_acc fall = slope(s, s->line[1], true) - slope(s, s->line[0], false);
+        const loft_acc both = loft_wide(s->most[s->line[0]]) + loft_wide(s->most[s->line[1]]);
+        s->end = both < fall ? loft_unit_ratio(both, fall) : s->end;
+        s->end -= s->end / 4096;
     }
-    return y;
 }
 
-/* The knee, in 256ths of the way to `end`, and the bounds there and at the end. */
-static uint8_t set_knee(const scope *s, loft_unit end, bool fore, loft_real bound[2])
-{
-    int i, j, knee = 128;
+static loft_acc knee_of(loft_acc far, uint8_t knee) { return loft_acc_scale(far, LOFT_UNIT(0.00390625) * (loft_unit)knee); }
 
-    (void)least_at(s, 0, fore, &i);
-    bound[1] = loft_acc_round(least_at(s, end, fore, &j));
-    const loft_acc fall = fore ? slope(s, j, fore) - slope(s, i, fore) : slope(s, i, fore) - slope(s, j, fore);
-    const loft_acc rise = loft_wide(s->most[j]) - loft_wide(s->most[i]);
+/* The knee, in 256ths of the way to the end, and the bounds there and at the end. */
+static uint8_t set_knee(const scope *s, bool fore, loft_real bound[2])
+{
+    const uint8_t i = s->low, j = s->line[fore];
+    const loft_acc rise = loft_wide(s->most[j] - s->most[i]), more = loft_acc_scale(slope(s, j, fore) - slope(s, i, fore), s->end), fall = fore ? more : -more;
+    uint8_t which;
+    int knee = 128;
+
     if (i != j && fall > 0)
-        knee = rise < loft_acc_scale(fall, end) ? (int)loft_acc_int(loft_unit_wide(loft_unit_ratio(rise, loft_acc_scale(fall, end))) * 256) : 256;
+        knee = rise < fall ? (int)loft_acc_int(loft_unit_wide(loft_unit_ratio(rise, fall)) * 256) : 256;
     knee = knee < EDGE ? EDGE : knee > 256 - EDGE ? 256 - EDGE : knee;
-    bound[0] = loft_acc_round(least_at(s, loft_unit_round(loft_unit_wide(end) / 256 * knee), fore, &i));
+    bound[0] = loft_acc_round(least_at(s, loft_unit_round(knee_of(loft_unit_wide(s->end), (uint8_t)knee)), fore, &which));
+    bound[1] = loft_acc_round(s->least[fore]);
     return (uint8_t)knee;
 }
 
@@ -153,13 +209,15 @@ static loft_real speed_cap(const loft_budget *b, const loft_arc_shape *s, int k,
     if (s->tight || !(b->across > 0))
         return feed;
     const loft_real size = loft_acc_round(loft_acc_hypot(bend, LOFT_AXES));
-    const loft_acc  most = size > 0 ? loft_acc_div(loft_wide(b->across), size) : loft_prod(feed, feed);
-    return most < loft_prod(feed, feed) ? loft_acc_sqrt(most) : feed;
+    const loft_acc  most = size > 0 ? loft_acc_div(loft_wide(b->across), size) : square(feed);
+    return most < square(feed) ? loft_acc_sqrt(most) : feed;
 }
 
-/* The caps at both ends, such that the line between their squares is below that in the middle; 1/64 of the change is for what
- * is no parabola. */
-static bool set_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, loft_real feed)
+static loft_real root_below(loft_acc x, loft_acc off) { return loft_acc_sqrt(x - smaller(off, loft_acc_mean(x, 0))); }
+
+/* The caps at both ends, such that the line between their squares is below that in the middle, `at` of the length; 1/64 of the change is for
+ * what is no parabola. */
+static bool set_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, loft_unit at, loft_real feed)
 {
     p->cap  = speed_cap(b, shape, 0, feed);
     p->last = speed_cap(b, shape, 2, feed);
@@ -167,22 +225,20 @@ static bool set_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_sh
     if (!(p->cap < feed || p->last < feed || middle < feed))
         return true;
 
-    const loft_acc first = loft_prod(p->cap, p->cap), last = loft_prod(p->last, p->last), between = loft_prod(middle, middle);
-    const loft_acc change = first < last ? last - first : first - last, bow = loft_acc_mean(first, last) - between;
-    const loft_acc off = (bow > 0 ? bow : 0) + change / STEEP;
-    p->cap  = loft_acc_sqrt(first - smaller(off, first / 2));
-    p->last = loft_acc_sqrt(last - smaller(off, last / 2));
-    return bow <= between / STEEP && change <= between / 8;
+    const loft_acc first = square(p->cap), last = square(p->last), between = square(middle);
+    const loft_acc change = first < last ? last - first : first - last, bow = loft_acc_lerp(first, last, at) - between;
+    const loft_acc off = (bow > 0 ? bow : 0) + loft_acc_scale(change, STEEP);
+    p->cap  = root_below(first, off);
+    p->last = root_below(last, off);
+    return bow <= loft_acc_scale(between, STEEP) && change <= loft_acc_scale(between, LOFT_UNIT(0.125));
 }
 
 /* The bounds of a piece
  * --------------------- */
 
-static loft_acc knee_of(loft_acc far, unsigned knee) { return far / 256 * (int32_t)knee; }
-
 static loft_real chord_at(const loft_plan_piece *p, loft_acc x, bool fore)
 {
-    const loft_acc   far = loft_prod(p->far, p->far), knee = knee_of(far, fore ? p->fore_knee : p->back_knee);
+    const loft_acc   far = square(p->far), knee = knee_of(far, fore ? p->fore_knee : p->back_knee);
     const loft_real *at  = fore ? p->fore : p->back;
 
     if (!(x < far))
@@ -198,7 +254,7 @@ loft_real loft_scope_most(const loft_plan_piece *p, loft_acc x)  { return chord_
  * and rises then. */
 loft_acc loft_scope_brake(const loft_plan_piece *p, loft_acc end)
 {
-    const loft_acc l = length_of(p), far = loft_prod(p->far, p->far), knee = knee_of(far, p->back_knee);
+    const loft_acc l = length_of(p), far = square(p->far), knee = knee_of(far, p->back_knee);
     const loft_acc at_far = far - twice(l, p->back[1]), at_knee = knee - twice(l, p->back[0]), at_0 = -twice(l, p->rest);
 
     if (end >= at_far)
@@ -213,72 +269,67 @@ loft_acc loft_scope_brake(const loft_plan_piece *p, loft_acc end)
  * ----------------- */
 
 /* How far the curvature, at most 2^14, goes beyond the line between its ends. */
-static loft_real bow_of(const loft_budget *b, const loft_arc_shape *s, int i)
+static loft_real bow_of(const loft_budget *b, const loft_arc_shape *s, loft_unit middle, int i)
 {
-    return bend_of(b, s, 1, i) - bend_of(b, s, 0, i) / 2 - bend_of(b, s, 2, i) / 2;
+    return bend_of(b, s, 1, i) - loft_lerp(bend_of(b, s, 0, i), bend_of(b, s, 2, i), middle);
 }
 
 static void set_sides(scope *s, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape)
 {
-    const loft_real v = p->cap > p->last ? p->cap : p->last;
+    const loft_acc x = square(p->cap > p->last ? p->cap : p->last);
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real bow = bow_of(b, shape, i), turn = loft_acc_round(loft_acc_mul(length_of(p), bend_of(b, shape, 2, i) - bend_of(b, shape, 0, i)));
+        const loft_real bow = bow_of(b, shape, s->middle, i), turn = loft_acc_round(loft_acc_mul(s->length, bend_of(b, shape, 2, i) - bend_of(b, shape, 0, i)));
         s->skew[i] = turn / 2 + turn / 8;
-        s->bow[i]  = loft_acc_mul(loft_prod(v, v), size_of(bow)) > loft_wide(b->accel[i]) / BOW ? bow : 0;
+        s->bow[i]  = loft_acc_mul(x, size_of(bow)) > loft_wide(b->accel[i] / BOW) ? bow : 0;
     }
 }
 
 /* Does the curvature's change ask for little between the ends, and the direction not turn much where speed has to change? */
-static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
+static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_unit middle)
 {
-    const loft_acc x = loft_prod(p->cap, p->cap);
-    bool turns = false;
+    const loft_acc x = square(p->cap);
 
+    if (!p->flows && twice(length_of(p), p->rest) > x)
+        return false;
     for (int i = 0; i < LOFT_AXES; i++) {
-        if (loft_acc_mul(length_of(p), b->accel[i]) > x / 128 && loft_acc_mul(x, size_of(bow_of(b, s, i))) > loft_wide(b->accel[i]) / BENT)
+        if (loft_acc_mul(x, size_of(bow_of(b, s, middle, i))) > loft_wide(b->accel[i] / BENT) && 128 * loft_acc_mul(length_of(p), b->accel[i]) > x)
             return false;
-        turns = turns || size_of(s->along[2].axis[i] - s->along[0].axis[i]) > TURN;
+        if (!p->flows && size_of(s->along[2].axis[i] - s->along[0].axis[i]) > TURN)
+            return false;
     }
-    return p->flows || !(turns || twice(length_of(p), p->rest) > x);
-}
-
-/* What line j becomes where the bend has to be relieved. */
-static void add_relief(scope *s, const loft_budget *b, int j)
-{
-    s->turn[0][s->count] = s->turn[0][j];
-    s->turn[1][s->count] = s->turn[1][j];
-    s->most[s->count++]  = loft_real_cap(LOFT_ACCEL_MAX, b->accel[s->axis[j]], s->relief[j]);
+    return true;
 }
 
 /* Chords in the polygon, from which the far end may come nearer. */
-static void set_bounds(loft_plan_piece *p, const loft_budget *b, scope *s)
+static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, loft_unit middle)
 {
-    int which;
+    scope s;
 
-    p->rest = loft_acc_round(least_at(s, 0, true, &which));
-    s->far  = smaller(s->far, loft_prod(p->cap, p->cap) + twice(length_of(p), p->rest));
-    const int count = s->count;
-    for (int j = 1; j < count; j++) {
-        const bool same = !(s->turn[0][j] < s->turn[1][j]);
-        for (int fore = same ? 1 : 0; fore < 2; fore++)
-            s->turn[fore][j] = loft_acc_quot(loft_acc_mul(s->far, s->turn[fore][j]), loft_wide(b->accel[s->axis[j]]));
-        s->turn[0][j] = same ? s->turn[1][j] : s->turn[0][j];
-        if (s->relief[j] > 0 && (s->turn[1][j] > LOFT_REAL(1) || s->turn[0][j] < LOFT_REAL(-1)))
-            add_relief(s, b, j);
-    }
-    const loft_unit end = tip(s);
-    p->fore_knee = set_knee(s, end, true, p->fore);
-    p->back_knee = set_knee(s, end, false, p->back);
-    s->far = loft_acc_scale(s->far, end);
-    p->far = loft_acc_sqrt(s->far);
+    s.most[0] = LOFT_ACCEL_MAX;
+    s.turn[0][0] = s.turn[1][0] = 0;
+    s.count  = 1;
+    s.low    = 0;
+    s.length = length_of(p);
+    s.middle = middle;
+    set_sides(&s, p, b, shape);
+    add_lines(&s, b, shape, 0);
+    add_lines(&s, b, shape, 2);
+    p->rest = s.most[s.low];
+    s.far   = square(p->cap) + twice(s.length, p->rest);
+    set_far(&s, b, shape);
+    set_turns(&s, b);
+    set_end(&s);
+    p->fore_knee = set_knee(&s, true, p->fore);
+    p->back_knee = set_knee(&s, false, p->back);
+    p->far = loft_acc_sqrt(loft_acc_scale(s.far, s.end));
     p->cap = p->cap < p->far ? p->cap : p->far;
 }
 
 /* A piece that is bent more than its shape can say: half of the acceleration is for its turn. It is shorter than 2^-16 mm. */
 static void set_tight_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
 {
-    loft_acc x = smaller(loft_prod(p->cap, p->cap), loft_prod(p->last, p->last));
+    loft_acc x = smaller(square(p->cap), square(p->last));
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real turn = size_of(s->along[2].axis[i] - s->along[0].axis[i]);
@@ -297,23 +348,18 @@ static void begin(loft_plan_piece *p)
 
 bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *s, loft_real feed)
 {
-    scope lines = { .most = { LOFT_ACCEL_MAX }, .turn = { { 0 }, { 0 } }, .count = 1, .far = 32 * FASTEST };
+    const loft_unit middle = middle_of(arc);
 
     begin(p);
     p->length = loft_unit_round(arc->length);
-    const bool steady = set_caps(p, b, s, feed);
+    const bool steady = set_caps(p, b, s, middle, feed);
     if (s->tight)
         set_tight_caps(p, b, s);
-    set_sides(&lines, p, b, s);
-    for (int k = 1; k >= -1; k--) {         /* the middle first: it may not be passed faster there */
-        set_lines(&lines, b, s, k < 0 ? 2 : k, k < 0 ? length_of(p) : 0);
-        lines.count = k > 0 ? 1 : lines.count;
-    }
-    set_bounds(p, b, &lines);
+    set_bounds(p, b, s, middle);
 
-    const loft_acc x = loft_prod(p->cap, p->cap), more = loft_prod(p->last, p->last) - x;
+    const loft_acc x = square(p->cap), more = square(p->last) - x;
     p->flows = more <= twice(length_of(p), loft_scope_most(p, x)) && -more <= twice(length_of(p), chord_at(p, x, false));
-    return steady && even(p, b, s);
+    return steady && even(p, b, s, middle);
 }
 
 /* The spline of the samples spreads a change of acceleration, by a, over beats: the speed at its place is off by 0.23 a h. Where the
@@ -337,7 +383,7 @@ bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, loft_vec before, 
     const loft_real cap = feed_cap(b, after, feed0, feed1);
     loft_real rest = LOFT_ACCEL_MAX;
 
-    if (most >= loft_prod(cap, cap) && cap >= feed1)
+    if (most >= square(cap) && cap >= feed1)
         return false;
     for (int i = 0; i < LOFT_AXES; i++)
         rest = b->accel[i] < rest ? b->accel[i] : rest;
