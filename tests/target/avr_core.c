@@ -10,6 +10,8 @@
 #include <string.h>
 #include <sysexits.h>
 
+#define UNMETERED   32              /* cycles between two looks, when none is counted */
+
 static void byte_out(struct avr_irq_t *irq, uint32_t value, void *param)
 {
     struct avr_core *c = param;
@@ -88,6 +90,7 @@ bool avr_core_run(struct avr_core *c, uint32_t cycles, bool metered)
 {
     const uint64_t until = c->avr->cycle + cycles;
 
+    c->avr->run_cycle_limit = metered ? 1 : UNMETERED;
     while (c->avr->cycle < until) {
         if (metered)
             meter_run(&c->meter);
