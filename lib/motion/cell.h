@@ -12,7 +12,7 @@
 /* Where curvature jumps by `jump` (1/mm), the path is moved aside up to `width` mm before and behind that place; 0: not. */
 typedef struct {
     loft_unit width;
-    loft_real jump[LOFT_PLAN_FILTER > 1 ? LOFT_AXES : 1];   /* not used where jerk cannot be limited */
+    loft_real jump[LOFT_AXES];
 } loft_ease;
 
 /* Where its slope turns and how steep it is (profile.c): p, p^2, p^3 and c. */

@@ -41,7 +41,12 @@ static loft_acc zone_at(const loft_course *c, loft_real v, bool joint)
 
 loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p)
 {
-    return zone_at(c, p->cap, !(p->length > 0)) + loft_unit_wide(p->ease.width);
+    const loft_acc zone = zone_at(c, p->cap, !(p->length > 0));
+#if LOFT_PLAN_FILTER > 1
+    return zone + loft_unit_wide(p->ease.width);
+#else
+    return zone;
+#endif
 }
 
 void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves[], uint16_t move_room, loft_plan_piece pieces[], uint16_t piece_room)
@@ -187,12 +192,12 @@ static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, const lo
     }
 }
 
-/* The way where the shape begins (0) or ends (2). Where jerk is not limited the last two do not matter, but a bend that the next piece begins with. */
+/* The way where the shape begins (0) or ends (2). Where jerk is not limited only the bend that the next piece begins with matters. */
 static loft_way way_at(const loft_course *c, const loft_plan_piece *p, const loft_arc_shape *shape, int k)
 {
     if (LOFT_BUDGET_JERK(&c->budget))
         return loft_profile_way(p, &c->budget, shape, k);
-    return (loft_way){ shape->along[k], shape->bend[k], 0, 0 };
+    return (loft_way){ .along = shape->along[k], .bend = shape->bend[k] };
 }
 
 /* Up to two pieces of the curve. */

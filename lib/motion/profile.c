@@ -437,14 +437,16 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
 
 loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, int k)
 {
-    loft_way way = { shape->along[k], shape->bend[k], p->cap, 0 };
+    loft_way way = { .along = shape->along[k] };
 
-    for (int i = 0; i < LOFT_AXES && shape->tight; i++)
-        way.bend.axis[i] = 0;
+    if (!shape->tight)
+        way.bend = shape->bend[k];
 #if LOFT_PLAN_FILTER > 1
+    way.cap = p->cap;
     if (LOFT_BUDGET_JERK(b) && !shape->tight)
         way.twist = twist_of(p, b, shape);
 #else
+    (void)p;
     (void)b;
 #endif
     return way;

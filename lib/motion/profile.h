@@ -20,23 +20,27 @@ typedef struct {
     loft_real brake;            /* the speed at its start that all that follows allows, mm/s              */
     uint32_t  from, to;         /* the curve's parameters at its ends                                     */
     uint16_t  move;             /* its curve                                                              */
-    loft_ease ease;             /* of a joint                                                             */
     uint8_t   fore_knee, back_knee; /* jerk not limited: in 256ths of far^2 (limited: at 3/4 of cap^2)    */
     unsigned  flows : 1;        /* jerk not limited: at the cap all along it                              */
     unsigned  stop : 1;         /* the path rests at its start                                            */
     unsigned  sure : 1;         /* what comes later will not change `brake`                               */
     unsigned  chord : 1;        /* it is walked evenly                                                    */
     unsigned  hop : 1;          /* it is passed as slowly as its row is short                             */
+#if LOFT_PLAN_FILTER > 1
+    loft_ease ease;             /* of a joint                                                             */
+#endif
 #if LOFT_PLAN_FLOW
     loft_plan_cell cell;             /* where jerk is limited                                                  */
 #endif
 } loft_plan_piece;
 
-/* Where the path is heading: its direction and curvature vector; at the speed `cap`, the part `twist` of the jerk is used. */
+/* Where the path is heading: its direction and curvature vector; where jerk can be limited, at the speed `cap` the part `twist` of it is used. */
 typedef struct {
     loft_vec  along, bend;
+#if LOFT_PLAN_FILTER > 1
     loft_real cap;
     loft_unit twist;
+#endif
 } loft_way;
 
 /* Set the bounds of a piece of this length and shape. False if they change so much along it that it should be halved.
