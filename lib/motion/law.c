@@ -280,13 +280,16 @@ static void late(loft_law *law, unsigned i, unsigned first, loft_acc d)
     }
 }
 
-/* Cut what has come, as far as there is room. */
+/* Cut what has come, as far as there is room. Once the law rests, the way that the mean has still to go is settled, too. */
 static void load(loft_law *law)
 {
     const unsigned known = law->course.count;
 
     loft_course_load(&law->course);
-    late(law, law->from, known, -loft_acc_ratio(law->mean, law->beats));
+    if (law->rests)
+        late(law, law->at.piece, known, -law->at.off);
+    else
+        late(law, law->from, known, -loft_acc_ratio(law->mean, law->beats));
 }
 
 /* Nothing that was passed matters any more: the course begins with what comes next. */

@@ -404,6 +404,11 @@ static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *befo
         ease_bounds(p, b, before, after, feed);
         j.bend  = j.ease.cap;
         p->cap -= loft_acc_round(loft_acc_ratio(loft_acc_scale(loft_acc_mul(jump, p->cap), p->ease.width), 9));
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const loft_real u = size_of(before->along.axis[i]), w = size_of(after->along.axis[i]);
+            const loft_acc  more = loft_acc_ratio(loft_acc_scale(loft_wide(size_of(p->ease.jump[i])), p->ease.width), 9);
+            p->cap = loft_real_cap(p->cap, b->max_speed[i], (u > w ? u : w) + loft_acc_round(more));
+        }
     } else
         p->ease.width = 0;
     return j;
