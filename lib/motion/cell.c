@@ -239,7 +239,7 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
     for (int end = 0; end < 2; end++)       /* the path moved aside is longer by that */
         longest = larger(longest, loft_vec_dot(c->along[end], c->along[end]));
     if (longest > loft_wide(LOFT_REAL(1)))
-        c->most = smaller(c->most, loft_acc_div(before, loft_acc_round(longest)));
+        c->most = smaller(c->most, loft_acc_scale(before, loft_unit_ratio(loft_wide(LOFT_REAL(1)), longest)));
     const loft_acc turn = smaller(loft_acc_scale(loft_inverse_mul(loft_unit_wide(LOFT_EASE_SLOPE), &by), c->length), loft_wide(LOFT_REAL(60)));
     set_cases(c, in, z, r[1 - in], r[in], beyond[1 - in], turn);
     c->bow = c->eased > 0 ? 0 : LOFT_UNIT(1);
