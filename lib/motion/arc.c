@@ -30,14 +30,11 @@ static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 static bool on_chord(loft_vec p, loft_vec a, loft_vec b)
 {
     const loft_vec q = loft_vec_sub(p, a), c = loft_vec_sub(b, a);
-    loft_real largest = 0;
+    loft_acc most = 0;
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        largest = c.axis[i] > largest ? c.axis[i] : largest;
-        largest = -c.axis[i] > largest ? -c.axis[i] : largest;
-    }
-    const loft_acc most = loft_prod(largest, LOFT_REAL(0.0000152587890625));
-    for (int i = 1; i < LOFT_AXES; i++)
+    for (int i = 0; i < LOFT_AXES; i++)
+        most = larger(most, size_of(loft_prod(c.axis[i], LOFT_REAL(0.0000152587890625))));
+    for (int i = 0; i < LOFT_AXES; i++)
         for (int j = 0; j < i; j++)
             if (size_of(loft_prod(q.axis[i], c.axis[j]) - loft_prod(q.axis[j], c.axis[i])) > most)
                 return false;
@@ -87,42 +84,34 @@ static void shorten(loft_arc *a, loft_unit part)
                 a->c[k][i] = loft_acc_scale(a->c[k][i], part);
 }
 
-/* Three times the legs: the derivative's control points. */
-static void set_legs(const loft_arc *a, loft_acc leg[3][LOFT_AXES])
-{
-    for (int i = 0; i < LOFT_AXES; i++) {
-        leg[0][i] = a->c[1][i];
-        leg[1][i] = leg[0][i] + a->c[2][i];
-        leg[2][i] = leg[1][i] + a->c[2][i] + 3 * a->c[3][i];
-    }
-}
+/* The derivative's control points, three times the legs, and their mean; per axis: how far they are off it at most, and the sum of their
+ * sizes. Of coarse arcs the one in the middle counts double, as no parabola through three rates follows it. */
+typedef struct {
+    loft_acc leg[3][LOFT_AXES], chord[LOFT_AXES];
+    loft_acc off, size;
+} legs;
 
-/* How far the legs are off the chord, at most, on any axis; of coarse arcs that in the middle counts double, as no parabola through
- * three rates follows it. */
-static loft_acc off_chord(const loft_arc *a, bool coarse)
+static void set_legs(const loft_arc *a, legs *l, bool coarse)
 {
-    loft_acc most = 0;
-
+    l->off = l->size = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc x = a->c[3][i], y = a->c[2][i] + x;
-        most = larger(larger(most, size_of(coarse ? 2 * x : x)), larger(size_of(y), size_of(y + x)));
+        loft_acc x = a->c[1][i];
+        l->chord[i] = x + a->c[2][i] + a->c[3][i];
+        for (int k = 0; k < 3; k++) {
+            const loft_acc off = size_of(x - l->chord[i]);
+            l->off  = larger(l->off, coarse && k == 1 ? 2 * off : off);
+            l->size += size_of(x);
+            l->leg[k][i] = x;
+            x += a->c[2][i] + (k == 1 ? 3 * a->c[3][i] : 0);
+        }
     }
-    return most;
 }
 
 /* When all legs are within |chord| / 16 of it (per axis), direction and rate change by at most 1/8 over the arc, 1/4 if it is coarse, so
  * no feature hides between the places looked at. */
-static bool nearly_straight(const loft_acc chord[LOFT_AXES], loft_acc off, bool coarse)
+static bool nearly_straight(const legs *l, loft_acc length, bool coarse)
 {
-    const loft_acc least = off * (coarse ? 8 : 16);
-    loft_acc sum = 0;
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        sum += size_of(chord[i]);
-    if (least > sum)
-        return false;
-    const loft_acc length = loft_acc_hypot(chord, LOFT_AXES);
-    return length > 0 && length <= LENGTH_MAX && least <= length;
+    return length > 0 && length <= LENGTH_MAX && l->off * (coarse ? 8 : 16) <= length;
 }
 
 static void set_direction(const loft_acc v[LOFT_AXES], loft_acc length, loft_vec *u)
@@ -145,18 +134,18 @@ static loft_acc take_along(loft_acc v[LOFT_AXES], const loft_vec *u)
 
 /* Where a control point falls onto the end, rates grow from 0 and no part that begins there is nearly straight in the
  * sense above. A speck is, when all legs lead along its chord and no further than |chord| / 512 off it. */
-static bool straight_speck(loft_acc leg[3][LOFT_AXES], const loft_acc chord[LOFT_AXES], loft_acc length)
+static bool straight_speck(legs *l, loft_acc length)
 {
     loft_vec u;
 
     if (!(length > 0))
         return false;
-    set_direction(chord, length, &u);
+    set_direction(l->chord, length, &u);
     for (int k = 0; k < 3; k++) {
-        if (take_along(leg[k], &u) < 0)
+        if (take_along(l->leg[k], &u) < 0)
             return false;
         for (int i = 0; i < LOFT_AXES; i++)
-            if (171 * size_of(leg[k][i]) > length)      /* a leg is a third of that */
+            if (171 * size_of(l->leg[k][i]) > length)      /* a leg is a third of that */
                 return false;
     }
     return true;
@@ -252,41 +241,26 @@ static bool leads(const loft_arc *a, loft_acc length)
     return length > BLUR * loft_acc_grain(size);
 }
 
-/* What is not nearly straight may be small enough for its bend not to matter. A crumb has a direction: the path may turn around where it begins
- * and where it ends. */
-static void tell_small(loft_arc *a, const loft_acc chord[LOFT_AXES], uint32_t size)
-{
-    const loft_acc length = loft_acc_hypot(chord, LOFT_AXES);
-    loft_acc leg[3][LOFT_AXES], legs = 0;
-
-    set_legs(a, leg);
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            legs += size_of(leg[k][i]);
-    a->speck = legs <= SPECK && straight_speck(leg, chord, length);
-    a->dust  = !a->speck && (legs <= DUST || size == 1);
-    a->crumb = a->dust && leads(a, length);
-    if (a->crumb) {
-        a->speck = true;
-        a->dust  = false;
-    }
-    if (a->speck || a->dust)
-        straighten(a);
-}
-
-/* Is it one that may be walked? `size` is that of its interval of parameters. No leg is further off the chord than the sum of all. */
+/* Is it one that may be walked? `size` is that of its interval of parameters. What is too small for its bend to matter is a crumb if it has a
+ * direction: the path may turn around where it begins and where it ends. */
 static bool fits(loft_arc *a, uint32_t size, bool coarse)
 {
-    const loft_acc off = off_chord(a, coarse);
-    loft_acc chord[LOFT_AXES];
+    legs l;
 
-    for (int i = 0; i < LOFT_AXES; i++)
-        chord[i] = a->c[1][i] + a->c[2][i] + a->c[3][i];
-    const bool straight = nearly_straight(chord, off, coarse);
+    set_legs(a, &l, coarse);
+    const loft_acc length = loft_acc_hypot(l.chord, LOFT_AXES);
     a->speck = a->dust = a->crumb = false;
-    if (!straight && (off <= 2 * SPECK || size == 1))
-        tell_small(a, chord, size);
-    return straight || a->speck || a->dust;
+    if (nearly_straight(&l, length, coarse))
+        return true;
+
+    const bool speck = l.size <= SPECK && straight_speck(&l, length), dust = !speck && (l.size <= DUST || size == 1);
+    if (!speck && !dust)
+        return false;
+    a->crumb = dust && leads(a, length);
+    a->speck = speck || a->crumb;
+    a->dust  = !a->speck;
+    straighten(a);
+    return true;
 }
 
 static void begin_at(loft_arc *a, const loft_cubic *curve, uint32_t from, uint32_t to)
