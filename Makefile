@@ -213,11 +213,12 @@ include tests/target/units.mk
 .PHONY: firmware
 firmware: firmware-atmega328p $(addprefix firmware-,$(FIRMWARES))
 
-## Write the firmware to a board   BOARD=atmega328p|stm32f405|nrf51  PORT=/dev/ttyUSB0 (atmega328p)
+## Write the firmware to a board   PORT=/dev/ttyUSB0 (an ATmega328P), or BOARD=stm32f405|nrf51
 .PHONY: flash
+flash: BOARD ?= $(if $(PORT),atmega328p)
 flash:
 	@case "$(BOARD)" in atmega328p|stm32f405|nrf51) $(MAKE) --no-print-directory flash-$(BOARD) ;; \
-	*) echo "name the board: make flash BOARD=atmega328p PORT=/dev/ttyUSB0, BOARD=stm32f405 or BOARD=nrf51"; exit 1 ;; esac
+	*) echo "name the board or its port: make flash PORT=/dev/ttyUSB0 (an ATmega328P), make flash BOARD=stm32f405 or BOARD=nrf51"; exit 1 ;; esac
 
 build/target/stores.so: tests/target/stores.c
 	@mkdir -p $(@D)

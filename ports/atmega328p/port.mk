@@ -66,7 +66,7 @@ build/target/bench_%: tests/bench_%.c build/q16x3/libloft.a
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(CFLAGS) $(STD) $(CPPFLAGS) $(call num_flag,q16) $^ -lm -o $@
 
-## Print the controller and its line in numbers beside grbl's, with their bounds: 15 minutes   TRIALS=2000 CUTS=500 FRAMES=100000000
+## Print the controller and its line in numbers beside grbl's, with their bounds: half an hour   TRIALS=2000 CUTS=500 FRAMES=100000000
 .PHONY: bench-machine
 bench-machine: firmware-atmega328p $(TOOL_OUT)/loft $(patsubst %,build/target/%,chip rate trials bench_line bench_frames)
 	@bash tests/bench_machine.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target

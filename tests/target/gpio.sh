@@ -39,7 +39,7 @@ send() {
         kill -0 $qemu 2>/dev/null || return 1
         sleep 0.05
     done
-    timeout 60 "$loft" stream "$drawing" --feed $feed --port "unix:$tmp/line" >"$tmp/$1.out" 2>&1 </dev/null
+    timeout 200 "$loft" stream "$drawing" --feed $feed --port "unix:$tmp/line" >"$tmp/$1.out" 2>&1 </dev/null
     echo $? > "$tmp/$1.code"
 }
 
@@ -107,7 +107,7 @@ safe() {
 }
 
 image
-timeout 300 qemu-system-x86_64 -accel tcg -icount shift=3,sleep=off -m 384 -nodefaults -no-user-config -display none -no-reboot \
+timeout 600 qemu-system-x86_64 -accel tcg -icount shift=3,sleep=off -m 384 -nodefaults -no-user-config -display none -no-reboot \
     -serial "file:$tmp/console" -chardev "socket,id=line,path=$tmp/line,server=on,wait=off" -serial chardev:line \
     -chardev "file,id=dump,path=$tmp/dump" -device isa-debugcon,iobase=0xe9,chardev=dump -device isa-debug-exit,iobase=0xf4,iosize=0x4 \
     -kernel "$cache/vmlinuz" -initrd "$tmp/image" -append "console=ttyS0 quiet panic=-1" >"$tmp/qemu" 2>&1 </dev/null & qemu=$!

@@ -32,7 +32,7 @@ board() {
     else
         cp "$tmp/$name-$plan-none-1/here.csv" "$at"         # the run over a good line came before
     fi
-    timeout 100 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" -icount "shift=$shift,sleep=off" "${extra[@]}" \
+    timeout 300 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" -icount "shift=$shift,sleep=off" "${extra[@]}" \
         -chardev "socket,id=s0,path=$at/sock,server=on,wait=on" -serial chardev:s0 >"$at/qemu" 2>&1 & local child=$!
     for _ in $(seq 500); do [ -e "$at/sock" ] && break; sleep 0.02; done
     port=$at/sock
@@ -53,7 +53,7 @@ board() {
         for _ in $(seq 100); do [ "$(python3 tests/target/pins.py "$name" "$log" 2>/dev/null | wc -l)" -gt 300 ] && break; sleep 0.05; done
         { kill -KILL $first; wait $first; } 2>/dev/null
     fi
-    timeout 60 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" >"$at/out" 2>"$at/err" </dev/null; code=$?
+    timeout 200 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" >"$at/out" 2>"$at/err" </dev/null; code=$?
     [ -z "$line" ] || { kill $between; wait $between; }
     kill $child; wait $child 2>/dev/null
     [ $code = 0 ] || sed 's/^/     /' "$at/err" "$at/qemu"
