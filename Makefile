@@ -279,7 +279,7 @@ $(MOTION)/moves: tests/bench_motion_moves.c $(filter-out %/loft.o,$(TOOL_OBJ))
 	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) $(filter-out -MMD -MP,$(TOOL_STD)) $(call tool_flag,q16) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
 
 CASES ?= 100000
-## Measure what motion promises and print it beside its bounds, in some minutes   CASES=of the property run
+## Measure what motion promises and print it beside its bounds, in half an hour   CASES=of the property run
 .PHONY: bench-motion
 bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MOTION)/$(w)-f64)
 	@bash tests/bench_motion.sh $(MOTION) $(CASES)
