@@ -126,6 +126,43 @@ static void a_long_line_takes_the_time_that_is_known(arb *a)
     CHECK(took > least * 0.999 && took < least * 1.04 + 0.01);
 }
 
+static loft_vec on_circle(double r, double angle, double handle)
+{
+    return (loft_vec){ { real_of(r * cos(angle) - handle * sin(angle)), real_of(r * sin(angle) + handle * cos(angle)) } };
+}
+
+/* A circle, as many more arcs than the ring of curves holds: no slower than one curve would be. */
+static void short_curves_are_passed_as_fast_as_long_ones(arb *a)
+{
+    enum { RING = 64, ARCS = 400 };
+    static loft_move ring[RING];
+    const double r = arb_between(a, 20, 40), turn = arb_between(a, 0.2, 0.6) / r, v = arb_between(a, 20, 40), handle = 4.0 / 3 * tan(turn / 4) * r;
+    loft_move arc = { .curve = { .p = { on_circle(r, 0, 0) } }, .feed = real_of(v) };
+    unsigned given = 0, beats = 0;
+    loft_budget b;
+    loft_flow flow;
+    enum loft_flow_state state = LOFT_FLOW_WAITS;
+
+    even_limits(1000, 1000, 20000);
+    loft_budget_init(&b, &limits);
+    loft_course_init(&course, &b, ring, RING, pieces, 8 * RING);
+    loft_flow_init(&flow);
+    while (beats < 100000 && state != LOFT_FLOW_RESTS) {
+        for (; given < ARCS && course.move_count < RING; given++) {
+            arc.curve.p[0] = given ? arc.curve.p[3] : arc.curve.p[0];
+            arc.curve.p[1] = on_circle(r, given * turn, handle);
+            arc.curve.p[2] = on_circle(r, (given + 1) * turn, -handle);
+            arc.curve.p[3] = on_circle(r, (given + 1) * turn, 0);
+            CHECK(loft_course_push(&course, &arc) == LOFT_OK);
+        }
+        course.ended = given == ARCS;
+        state = loft_flow_next(&flow, &course);
+        beats += state == LOFT_FLOW_RUNS;
+    }
+    const double least = ARCS * turn * r / v + v / 1000 + 1000 / 20000.0, took = beats * (double)course.budget.beat / limits.tick_hz;
+    CHECK(took > least * 0.99 && took < least * 1.03 + 0.02);
+}
+
 /* Its pieces come one after the other, places do not go back, and all of the way is gone. */
 static void places_follow_each_other(arb *a)
 {
@@ -198,6 +235,7 @@ int main(void)
     PROPERTY(all_cells_hold_the_limits_at_their_ends, 30);
     PROPERTY(raising_only_raises,                     20);
     PROPERTY(a_long_line_takes_the_time_that_is_known, 10);
+    PROPERTY(short_curves_are_passed_as_fast_as_long_ones, 3);
     PROPERTY(places_follow_each_other,                20);
     PROPERTY(eased_cells_bend_as_the_points_do,      300);
     PROPERTY(an_inverse_multiplies_by_it,            300);

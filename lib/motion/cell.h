@@ -39,6 +39,7 @@ typedef struct {
     loft_unit grip;             /* part of the jerk that may be used                                     */
     loft_acc  most, gate;       /* the largest square of the speed in it, where it begins                */
     loft_acc  b, rise;          /* the control value of the square of the speed; how much it may grow    */
+    loft_acc  top;              /* how large it may be, as far as more of the path is known              */
     loft_acc  x, a;             /* where it begins: square of the speed, acceleration                    */
     loft_real v;                /* and the speed,                                                        */
     loft_unit r;                /* and 1 / v                                                             */

@@ -11,12 +11,20 @@
  *
  * Wide bumps first, W = 16 cells, 8, 4, 2, 1, with their middles half of that apart: what hinders a wide one hinders some of the
  * narrow ones only.
+ *
+ * Where all of the jerk is used no bump can be raised. Braking must not do that before an end that is open, for when more cells come the
+ * speed could not grow there. At the distance d before it no more is allowed than
+ *
+ *     x = (s d)^2  up to v = A / 2 s        x = A d - (A / 2 s)^2  beyond            s = J / 3 A
+ *
+ * which slows down by A / 2 at most, with a jerk of s^2 v, at most J / 6; joints have the rest.
  */
 #include "motion/raise.h"
 
 #if LOFT_PLAN_FLOW
 
 #define WIDEST 16
+#define EASY   3        /* J / A over s */
 
 static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
 
@@ -102,7 +110,7 @@ static loft_unit bump(loft_unit near, loft_unit far)
 static loft_acc put(const loft_course *c, unsigned i, loft_unit part, loft_acc rise, loft_acc *top)
 {
     loft_plan_cell *p = cell_of(c, i);
-    const loft_acc room = smaller(p->most - p->b, 4 * p->b), want = loft_acc_scale(rise, part);
+    const loft_acc room = smaller(p->top - p->b, 4 * p->b), want = loft_acc_scale(rise, part);
 
     p->rise = loft_unit_wide(part);
     if (want > room)
@@ -172,7 +180,7 @@ static void raise(const loft_course *c, const loft_row *row, unsigned middle, un
     const loft_acc left = reach_of(c, middle, low, low == from, tied_first ? length_of(c, from - 1) : 0);
     const loft_acc right = reach_of(c, middle, high, high == to - 1, tied_last ? length_of(c, to) : 0);
     touched t = { low > row->first ? low - 1 : low, high + 1 < row->end ? high + 1 : high };
-    loft_acc rise = smaller(cell_of(c, middle)->most - cell_of(c, middle)->b, 4 * cell_of(c, middle)->b);
+    loft_acc rise = smaller(cell_of(c, middle)->top - cell_of(c, middle)->b, 4 * cell_of(c, middle)->b);
 
     for (unsigned i = t.low > row->first ? t.low - 1 : t.low; i <= t.high + 1 && i < row->end; i++)
         cell_of(c, i)->rise = 0;
@@ -192,8 +200,43 @@ static void raise(const loft_course *c, const loft_row *row, unsigned middle, un
         grow(c, row, t, z - z / 10);
 }
 
+static loft_real least_of(const loft_real of[LOFT_AXES])
+{
+    loft_real a = of[0];
+    for (int i = 1; i < LOFT_AXES; i++)
+        a = of[i] < a ? of[i] : a;
+    return a;
+}
+
+static loft_acc gentle(loft_real accel, loft_real s, loft_acc d)
+{
+    const loft_acc  v = loft_acc_mul(d, s);
+    const loft_real turn = loft_real_cap(LOFT_SPEED_MAX, accel / 2, s);
+
+    return v < loft_wide(turn) ? loft_prod(loft_acc_round(v), loft_acc_round(v)) : loft_acc_mul(d, accel) - loft_prod(turn, turn);
+}
+
+/* How far the pieces may be raised. */
+static void set_tops(const loft_course *c, const loft_row *row)
+{
+    const loft_budget *b = &c->budget;
+    const loft_real accel = least_of(b->accel);
+    const loft_acc  rate = loft_acc_div(loft_wide(least_of(b->gain)), accel) * b->tick_hz;     /* gain <= accel: at most 50000 */
+    const loft_real s = loft_acc_round(loft_acc_ratio(rate, EASY * b->beat)) + LOFT_REAL_LSB;
+    loft_acc d = 0;
+
+    for (unsigned i = row->to; i-- > row->from; ) {
+        loft_plan_cell *p = cell_of(c, i);
+        d += length_of(c, i) / 2;
+        const loft_acc x = row->rests ? p->most : gentle(accel, s, smaller(d, loft_wide(LOFT_PLAN_REACH)));
+        p->top = x < p->b ? p->b : smaller(x, p->most);
+        d += length_of(c, i) / 2;
+    }
+}
+
 void loft_raise(const loft_course *c, const loft_row *row, int sweeps)
 {
+    set_tops(c, row);
     const unsigned from = row->from + (row->starts && row->from == row->first), to = row->to - (row->rests && row->to == row->end);
 
     for (int n = 0; n < sweeps; n++)
