@@ -82,10 +82,11 @@ TARGET_STAGES += check-atmega328p
 # same core with 128 kB, runs it.
 PLAN_CHIP    = atmega1284p
 PLAN_OPTIONS = -DLOFT_PLAN_WINDOW=4 -DLOFT_PLAN_FILTER=1 -DLOFT_PLAN_BEATS=125
-PLAN_FLAGS   = -std=c99 -ffreestanding -Os -flto -fno-inline -mcall-prologues -mrelax -mstrict-X -fshort-enums -fira-region=all -fno-gcse -fno-tree-pre \
-               -fno-tree-loop-im -fno-tree-loop-ivcanon -fno-tree-forwprop -fno-move-loop-invariants -fno-tree-sra -ffunction-sections -fdata-sections
+PLAN_FLAGS   = -std=c99 -ffreestanding -Os -flto -fno-inline -mcall-prologues -mrelax -mstrict-X -fshort-enums -fira-algorithm=priority -fno-gcse -fno-tree-pre \
+               -fno-tree-loop-im -fno-tree-loop-ivcanon -fno-tree-forwprop -fno-tree-ccp -fno-tree-dominator-opts \
+               -fno-move-loop-invariants -fno-tree-sra -ffunction-sections -fdata-sections
 PLAN_SRC     = tests/target/plan.c $(wildcard lib/num/*.c lib/geom/*.c lib/motion/*.c) lib/curve/bezier.c lib/curve/forward.c
-PLAN_MOST    = MOST_RAM=870 MOST_STACK=1040 MOST_FLASH=36300 MOST_LOAD=0.57
+PLAN_MOST    = MOST_RAM=870 MOST_STACK=1050 MOST_FLASH=35900 MOST_LOAD=0.57
 
 build/target/outline12.inc: tests/drawings/outline12.csv
 	@mkdir -p $(@D)
