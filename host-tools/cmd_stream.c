@@ -92,6 +92,9 @@ static int dry_run(const stream_options *o, const char *file, const drawing *d)
 
     planning_machine(&o->p, &limits);
     planning_limit(&o->p, &limits);
+    if (o->chip && limits.max_across > 0)
+        return tool_error(EX_CONFIG, "%s: a machine that plans knows no limit of its own across the path: give --plan host, or --across 0, "
+                          "so that --accel holds in bends too", o->port);
     const int code = plan(o, file, d, start, &limits, &path, &j);
     if (code == 0)
         print_plan(&j, &path, o->p.tol);
@@ -127,6 +130,9 @@ static int plan_for(const stream_options *o, const char *file, const drawing *d,
     toolpath_free(path);
     machine_limits(s, &limits);
     planning_limit(&o->p, &limits);
+    if (o->chip && limits.max_across > 0)
+        return tool_error(EX_CONFIG, "%s: a machine that plans knows no limit of its own across the path: give --plan host, or --across 0, "
+                          "so that --accel holds in bends too", o->port);
     const int code = plan(o, file, d, start, &limits, path, j);
     return code == 0 && o->points ? to_points(s, j) : code;
 }

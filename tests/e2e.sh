@@ -198,6 +198,7 @@ case_a_machine_that_does_not_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/plain"; says out 'as commanded$'
     machine able --speed fast
     one_line 64 'give host or chip' "$loft" stream "$tmp/small.csv" --port "$tmp/able" --plan moon
+    one_line 78 'knows no limit of its own across' "$loft" stream "$tmp/small.csv" --port "$tmp/able" --plan chip --across 900
     one_line 64 'takes curves'      "$loft" stream "$tmp/small.csv" --port "$tmp/able" --plan chip --points
     run 0 "$loft" stream "$tmp/small.csv" --plan chip --dry-run; says out ' 17 curves, path within'
 }
