@@ -65,7 +65,7 @@ static int run(const tool_command *self, int argc, char **argv)
     if (code != 0)
         return code;
     const tool_option options[] = {
-        TOOL_TEXT("machine", "FILE", &machine, "a machine as text, see MACHINE.md; the options below are stronger"),
+        TOOL_TEXT("machine", "FILE", &machine, "a machine as text, see host-tools/MACHINE.md; the options below are stronger"),
         TOOL_TEXT("link", "PATH", &o.link, "make PATH a symbolic link to the pseudo terminal"),
         TOOL_TEXT("record", "FILE", &o.record, "write every pulse with its time to FILE (CSV)"),
         TOOL_TEXT("speed", "HOW", &speed, "real time, or fast: as fast as it goes (fast)"),

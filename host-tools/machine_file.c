@@ -272,7 +272,7 @@ int machine_read(machine_file *m, const char *file)
     if (text == NULL)
         return code;
     if (strlen(text) != size)
-        code = tool_error(EX_DATAERR, "%s: is not text: lines `key = value` are expected, see MACHINE.md", r.file);
+        code = tool_error(EX_DATAERR, "%s: is not text: lines `key = value` are expected, see host-tools/MACHINE.md", r.file);
     for (const char *s = text; *s != '\0' && code == 0; r.line++) {
         const char *first = s + strspn(s, " \t\r");
         if (*first == '$')

@@ -24,7 +24,7 @@ typedef struct {
 
 /* Rows of a table of options. */
 #define PLANNING_OPTIONS(p) \
-    TOOL_TEXT("machine", "FILE", &(p)->file, "a machine as text, see MACHINE.md: its limits hold too; without a port it is planned for"), \
+    TOOL_TEXT("machine", "FILE", &(p)->file, "a machine as text, see host-tools/MACHINE.md: its limits hold too; without a port it is planned for"), \
     TOOL_SPEED("feed", &(p)->feed, 0.016, 1000, "pen down, mm/s, or as 1200mm/min (30)"), \
     TOOL_SPEED("travel", &(p)->travel, 0.016, 1000, "pen up (100)"), \
     TOOL_NUMBER("accel", "MM/S2", &(p)->accel, 1, 30000, "no more than this on any axis (the machine's)"), \
