@@ -50,7 +50,7 @@ enum loft_status loft_limits_check(const loft_limits *limits)
  *     A h^2 <= 3 tol                          where jerk is limited: corners are all but stops; half of it, 3/8 for easing joints
  *
  * with A the length of the vector of the limits of all axes, and what is allowed across the path besides. That gives the longest beat. If not even one tick is short
- * enough, A is reduced. In q16, h = n / hz: A n^2 / hz <= 3 tol hz has no term above 60000 * 400 * 2. */
+ * enough, A is reduced (most_of_axis). In q16, h = n / hz: A n^2 / hz <= 3 tol hz has no term above 60000 * 400 * 2. */
 static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
 {
     loft_acc size[LOFT_AXES];
@@ -92,6 +92,27 @@ static void set_shares(loft_budget *b, int i)
     b->spare[i] = loft_acc_round(loft_acc_scale(LOFT_BUDGET_JERK(b) ? 2 * part : part, b->pulse));
 }
 
+/* Where A is reduced: the acceleration that no axis may exceed, so that the length of the vector of all is the part `usable` of what it was:
+ * slower axes lose nothing. Where every beat is a span (a small chip) all are reduced alike. */
+static loft_real most_of_axis(const loft_limits *limits, loft_unit usable)
+{
+    loft_acc size[LOFT_AXES];
+    loft_real most = LOFT_ACCEL_MAX;
+
+    if (LOFT_PLAN_WINDOW == 4 || !(usable < LOFT_UNIT(1)))
+        return most;
+    for (int i = 0; i < LOFT_AXES; i++)
+        size[i] = loft_wide(limits->max_accel[i]);
+    const loft_acc whole = loft_acc_scale(loft_acc_hypot(size, LOFT_AXES), usable);
+    most = 0;
+    for (loft_real step = LOFT_ACCEL_MAX / 2; step > LOFT_REAL(0.01); step /= 2) {
+        for (int i = 0; i < LOFT_AXES; i++)
+            size[i] = loft_wide(limits->max_accel[i] < most + step ? limits->max_accel[i] : most + step);
+        most += loft_acc_hypot(size, LOFT_AXES) > whole ? 0 : step;
+    }
+    return most;
+}
+
 void loft_budget_init(loft_budget *b, const loft_limits *limits)
 {
     b->tick_hz = limits->tick_hz;
@@ -100,9 +121,11 @@ void loft_budget_init(loft_budget *b, const loft_limits *limits)
     for (int i = 0; i < LOFT_AXES; i++)
         b->jerk = b->jerk || limits->max_jerk[i] > 0;
     const loft_unit usable = set_beat(b, limits);
+    const loft_real most = most_of_axis(limits, usable);
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc accel = loft_acc_scale(loft_wide(limits->max_accel[i]), usable);
+        const loft_real held = limits->max_accel[i] < most ? limits->max_accel[i] : most;
+        const loft_acc accel = LOFT_PLAN_WINDOW == 4 ? loft_acc_scale(loft_wide(limits->max_accel[i]), usable) : loft_wide(held);
         b->max_speed[i] = limits->max_speed[i];
         b->accel[i] = loft_acc_round(LOFT_BUDGET_JERK(b) ? accel : accel - loft_acc_ratio(accel, 2 * SPARE));
         if (LOFT_PLAN_FILTER > 1)
