@@ -20,7 +20,7 @@
 
 #if LOFT_PLAN_FLOW
 
-#define SWEEPS 8
+#define SWEEPS 16
 #define PARTS  3       /* cells in the time in which the acceleration is reached */
 
 static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }

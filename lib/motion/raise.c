@@ -6,8 +6,10 @@
  *     1 - 2 z^2  up to z = 1/2        2 (1 - z)^2  up to z = 1
  *
  * whose control value in a cell from z1 to z2 is its polar form, 1 - 2 z1 z2 or 2 (1 - z1) (1 - z2), so that it is as smooth whatever the
- * lengths of the cells. Each bump is raised by nine tenths of what all limits of all cells that it touches allow. After every bump the row
+ * lengths of the cells. Each bump is raised by half of what all limits of all cells that it touches allow. After every bump the row
  * holds them, so the work may end at any time, what has begun to move stays as it is, and cells that are appended creep at first.
+ *
+ * Half, as what one bump uses up others, of other widths or beside it, cannot: whole ones end at 1.10 of the least time of an outline, halves at 1.06.
  *
  * Wide bumps first, W = 16 cells, 8, 4, 2, 1, with their middles half of that apart: what hinders a wide one hinders some of the
  * narrow ones only.
@@ -197,7 +199,7 @@ static void raise(const loft_course *c, const loft_row *row, unsigned middle, un
         cell_of(c, row->end - 1)->rise = tied(c, row->end - 1, row->end - 2, cell_of(c, to - 1)->rise);
     const loft_unit z = allowed(c, row, t);
     if (z > 0)
-        grow(c, row, t, z - z / 10);
+        grow(c, row, t, z / 2);
 }
 
 static loft_real least_of(const loft_real of[LOFT_AXES])
