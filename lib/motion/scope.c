@@ -215,7 +215,7 @@ static loft_real speed_cap(const loft_budget *b, const loft_arc_shape *s, int k,
 
 static loft_real root_below(loft_acc x, loft_acc off) { return loft_acc_sqrt(x - smaller(off, loft_acc_mean(x, 0))); }
 
-/* The caps at both ends, such that the line between their squares is below that in the middle, `at` of the length; 1/64 of the change is for
+/* The caps at both ends, such that the line between their squares is below that in the middle, `at` of the length; 1/32 of the change is for
  * what is no parabola. */
 static bool set_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, loft_unit at, loft_real feed)
 {
@@ -227,7 +227,7 @@ static bool set_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_sh
 
     const loft_acc first = square(p->cap), last = square(p->last), between = square(middle);
     const loft_acc change = first < last ? last - first : first - last, bow = loft_acc_lerp(first, last, at) - between;
-    const loft_acc off = (bow > 0 ? bow : 0) + loft_acc_scale(change, STEEP);
+    const loft_acc off = (bow > 0 ? bow : 0) + loft_acc_scale(change, 2 * STEEP);
     p->cap  = root_below(first, off);
     p->last = root_below(last, off);
     return bow <= loft_acc_scale(between, STEEP) && change <= loft_acc_scale(between, LOFT_UNIT(0.125));
