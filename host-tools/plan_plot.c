@@ -12,6 +12,7 @@
 #define COLUMNS 1100        /* of a strip: what moves within one is drawn as an upright line   */
 #define LOOKS   400         /* in a column at most                                             */
 #define LOOK    0.001       /* s                                                               */
+#define CHANGE  0.016       /* s over which a change of acceleration is seen as jerk           */
 #define FAR     2.2         /* a limit more times as large as what is drawn is not in the strip */
 
 enum signal { SPEED, VX, VY, VZ, ALONG, AX, AY, AZ, JX, JY, JZ, SIGNALS };
@@ -124,6 +125,18 @@ static void path_picture(const plot_view *v, const plan_picture *p)
 // What is drawn over time
 // -----------------------
 
+/* Jerk is drawn as what the acceleration changes by in 16 ms: control points are rounded to 1/65536 mm, which in a span of 2 ms is up to 45,000 mm/s^3 that nobody
+ * planned and no machine feels. */
+static void see_jerk(const trace *t, double seconds, size_t near[2], trace_motion *m)
+{
+    trace_motion before, after;
+
+    trace_at(t, fmax(seconds - CHANGE / 2, 0), &near[0], &before);
+    trace_at(t, fmin(seconds + CHANGE / 2, t->seconds), &near[1], &after);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        m->j[i] = (after.a[i] - before.a[i]) / CHANGE;
+}
+
 static void take(columns *c, int column, const trace_motion *m)
 {
     const double value[SIGNALS] = { m->speed, fabs(m->v[0]), fabs(m->v[1]), fabs(m->v[2]), m->along, m->a[0], m->a[1], m->a[2],
@@ -139,7 +152,7 @@ static void fill(columns *c, const trace *t)
 {
     const double wide = t->seconds / COLUMNS;
     const int looks   = (int)fmin(fmax(ceil(wide / LOOK), 3), LOOKS);
-    size_t near = 0;
+    size_t near = 0, around[2] = { 0, 0 };
 
     for (int k = 0; k < COLUMNS; k++) {
         for (int s = 0; s < SIGNALS; s++) {
@@ -149,6 +162,7 @@ static void fill(columns *c, const trace *t)
         for (int n = 0; n < looks; n++) {
             trace_motion m;
             trace_at(t, wide * (k + (n + 0.5) / looks), &near, &m);
+            see_jerk(t, wide * (k + (n + 0.5) / looks), around, &m);
             take(c, k, &m);
         }
     }
@@ -346,7 +360,7 @@ static void jerk_strip(strip s)
     for (int i = 0; i < ENGINE_AXES; i++)
         limit[i] = s.p->t->limits.max_jerk[i];
     strip_range(&s, peak(s.c, JX, JZ), limit, true);
-    strip_axes(&s, "jerk, mm/s\302\263", true);
+    strip_axes(&s, "jerk over 16 ms, mm/s\302\263", true);
     strip_axis_signals(&s, JX);
     strip_limits(&s, limit);
     if (!(limit[0] > 0 || limit[1] > 0 || limit[2] > 0)) {
