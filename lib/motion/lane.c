@@ -26,14 +26,6 @@
 static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
 static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 
-static loft_real least(const loft_real of[LOFT_AXES])
-{
-    loft_real a = of[0];
-    for (int i = 1; i < LOFT_AXES; i++)
-        a = of[i] < a ? of[i] : a;
-    return a;
-}
-
 void loft_lane_init(loft_lane *l)
 {
     l->closed = false;
@@ -68,7 +60,7 @@ static loft_row row_of(const loft_lane *l, const loft_course *c, unsigned i)
 /* Is it so short that not even creeping, at 1/64 mm/s, could end or begin there? x = 2^-12, and the jerk is 2/9 x^(3/2) / h^2. */
 static bool tiny(const loft_budget *b, const loft_plan_cell *p)
 {
-    const loft_acc jerk = loft_acc_ratio(loft_wide(least(b->gain)) * b->tick_hz, b->beat);
+    const loft_acc jerk = loft_acc_ratio(loft_wide(loft_real_least(b->gain)) * b->tick_hz, b->beat);
     return p->length < LOFT_UNIT(0.0009765625) && loft_acc_scale(loft_acc_scale(jerk, p->length), p->length) < loft_wide(LOFT_REAL(1)) / 262144;
 }
 
@@ -184,7 +176,7 @@ static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const
     const loft_real slow = loft_acc_sqrt(smaller(turn, bend));
     loft_unit used = 0;
 
-    if (slow < loft_acc_round(loft_acc_scale(loft_wide(least(b->accel)), b->pulse) / 4))
+    if (slow < loft_acc_round(loft_acc_scale(loft_wide(loft_real_least(b->accel)), b->pulse) / 4))
         return false;
     if (turn / 1024 < most) {
         l->gate = smaller(l->gate, turn);
@@ -226,10 +218,10 @@ static int32_t reaches(const loft_budget *b, loft_real gain, loft_real v)
 static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_plan_cell *whole, bool ends)
 {
     const loft_budget *b = &c->budget;
-    const loft_real gain = least(b->gain), v = loft_acc_sqrt(whole->most);
+    const loft_real gain = loft_real_least(b->gain), v = loft_acc_sqrt(whole->most);
     const int32_t  n = reaches(b, gain, v);
     const loft_acc rest = loft_unit_wide(whole->length), beat = loft_budget_beat(b, v);
-    const loft_real accel = loft_acc_round(smaller(loft_wide(least(b->accel)), loft_wide(gain) * n));
+    const loft_real accel = loft_acc_round(smaller(loft_wide(loft_real_least(b->accel)), loft_wide(gain) * n));
     const loft_acc near = loft_acc_scale(loft_budget_beat(b, accel), b->pulse) * (n * n) / 4;     /* A (A / J)^2 / 4 */
     loft_acc most = beat * n / PARTS;
 

@@ -96,6 +96,15 @@ loft_acc loft_budget_beat(const loft_budget *b, loft_real v);
  */
 loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner);
 
+/* The least of what the axes have. */
+static inline loft_real loft_real_least(const loft_real of[LOFT_AXES])
+{
+    loft_real a = of[0];
+    for (int i = 1; i < LOFT_AXES; i++)
+        a = of[i] < a ? of[i] : a;
+    return a;
+}
+
 /* a / b where that is less than v, else v; a, b >= 0.
  *
  *   error   as loft_div

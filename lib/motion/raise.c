@@ -202,14 +202,6 @@ static void raise(const loft_course *c, const loft_row *row, unsigned middle, un
         grow(c, row, t, z / 2);
 }
 
-static loft_real least_of(const loft_real of[LOFT_AXES])
-{
-    loft_real a = of[0];
-    for (int i = 1; i < LOFT_AXES; i++)
-        a = of[i] < a ? of[i] : a;
-    return a;
-}
-
 static loft_acc gentle(loft_real accel, loft_real s, loft_acc d)
 {
     const loft_acc  v = loft_acc_mul(d, s);
@@ -222,8 +214,8 @@ static loft_acc gentle(loft_real accel, loft_real s, loft_acc d)
 static void set_tops(const loft_course *c, const loft_row *row)
 {
     const loft_budget *b = &c->budget;
-    const loft_real accel = least_of(b->accel);
-    const loft_acc  rate = loft_acc_div(loft_wide(least_of(b->gain)), accel) * b->tick_hz;     /* gain <= accel: at most 50000 */
+    const loft_real accel = loft_real_least(b->accel);
+    const loft_acc  rate = loft_acc_div(loft_wide(loft_real_least(b->gain)), accel) * b->tick_hz;     /* gain <= accel: at most 50000 */
     const loft_real s = loft_acc_round(loft_acc_ratio(rate, EASY * b->beat)) + LOFT_REAL_LSB;
     loft_acc d = 0;
 

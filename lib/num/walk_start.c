@@ -189,7 +189,6 @@ static void start(loft_state d[], const loft_real p[], unsigned degree, const ui
 {
     loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
 
-
     loft_walk_powers(g, p, degree);
     d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
     for (unsigned k = 1; k <= degree; k++) {
