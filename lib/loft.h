@@ -30,6 +30,7 @@
 #define LOFT_VERSION "0.1.0"
 
 #include "num/num.h"
+#include "num/accs.h"
 #include "num/angle.h"
 #include "num/deep.h"
 #include "num/exact.h"

@@ -15,39 +15,51 @@
  */
 #include "motion/arc.h"
 
+#include "num/accs.h"       /* loft_accs_add, .. */
+
 #define SPECK        (3 * loft_acc_ratio(loft_wide(LOFT_REAL(1)), 65536))
 #define DUST         (3 * loft_acc_ratio(loft_wide(LOFT_REAL(1)), 262144))
 #define BLUR         16384                          /* grains: what is longer has a direction */
 #define LENGTH_MAX   loft_wide(LOFT_REAL(64))       /* a loft_unit holds it */
 #define BEND_MAX     (LOFT_REAL_MAX / 2)
 
-static loft_acc size_of(loft_acc x)            { return x < 0 ? -x : x; }
-static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
+
+static loft_acc dot(const loft_vec *a, const loft_vec *b)
+{
+    loft_acc sum = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum += loft_prod(a->axis[i], b->axis[i]);
+    return sum;
+}
 
 /* Is p on the segment a..b, to within 2^-16 mm per plane? The distance of p from the line is |q x c| / |c| with
  * q = p - a, c = b - a, and |c| at least the largest of its coordinates. Products of coordinates are exact in q16; they sum to
  * less than 6 * 2^28. */
-static bool on_chord(loft_vec p, loft_vec a, loft_vec b)
+static bool on_chord(const loft_vec *p, const loft_vec *a, const loft_vec *b)
 {
-    const loft_vec q = loft_vec_sub(p, a), c = loft_vec_sub(b, a);
+    loft_vec q, c;
     loft_acc most = 0;
 
-    for (int i = 0; i < LOFT_AXES; i++)
-        most = larger(most, size_of(loft_prod(c.axis[i], LOFT_REAL(0.0000152587890625))));
+    for (int i = 0; i < LOFT_AXES; i++) {
+        q.axis[i] = p->axis[i] - a->axis[i];
+        c.axis[i] = b->axis[i] - a->axis[i];
+        most = loft_acc_most(most, loft_acc_size(loft_prod(c.axis[i], LOFT_REAL(0.0000152587890625))));
+    }
     for (int i = 0; i < LOFT_AXES; i++)
         for (int j = 0; j < i; j++)
-            if (size_of(loft_prod(q.axis[i], c.axis[j]) - loft_prod(q.axis[j], c.axis[i])) > most)
+            if (loft_acc_size(loft_prod(q.axis[i], c.axis[j]) - loft_prod(q.axis[j], c.axis[i])) > most)
                 return false;
-    return loft_vec_dot(q, c) >= 0 && loft_vec_dot(q, q) <= loft_vec_dot(c, c);
+    return dot(&q, &c) >= 0 && dot(&q, &q) <= dot(&c, &c);
 }
 
 /* The chord, walked evenly. */
 static void straighten(loft_arc *a)
 {
-    for (int i = 0; i < LOFT_AXES; i++) {
-        a->c[1][i] += a->c[2][i] + a->c[3][i];
+    loft_accs_add(a->c[2], a->c[3]);
+    loft_accs_add(a->c[1], a->c[2]);
+    for (int i = 0; i < LOFT_AXES; i++)
         a->c[2][i] = a->c[3][i] = 0;
-    }
 }
 
 /* The whole curve from parameter `from` on, as a polynomial of t - from: control points, their differences, the powers' coefficients, and
@@ -58,21 +70,17 @@ static void begin(loft_arc *a, const loft_cubic *curve, uint32_t from)
     const loft_unit t = loft_unit_of(from, LOFT_ARC_WHOLE);
 
     for (int k = 0; k < 4; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            a->c[k][i] = loft_wide(p[k].axis[i]);
+        loft_accs_from(a->c[k], p[k].axis);
     for (int n = 0; n < 3; n++)
         for (int k = 3; k > n; k--)
-            for (int i = 0; i < LOFT_AXES; i++)
-                a->c[k][i] -= a->c[k - 1][i];
+            loft_accs_sub(a->c[k], a->c[k - 1]);
     for (int k = 1; k < 3; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            a->c[k][i] *= 3;
-    if (on_chord(p[1], p[0], p[3]) && on_chord(p[2], p[0], p[3]))
+        loft_accs_triple(a->c[k]);
+    if (on_chord(&p[1], &p[0], &p[3]) && on_chord(&p[2], &p[0], &p[3]))
         straighten(a);
     for (int n = 0; n < 3 && from > 0; n++)
         for (int k = 2; k >= n; k--)
-            for (int i = 0; i < LOFT_AXES; i++)
-                a->c[k][i] += loft_acc_scale(a->c[k + 1][i], t);
+            loft_accs_grow(a->c[k], a->c[k + 1], t);
 }
 
 /* Keep the first part. */
@@ -80,8 +88,7 @@ static void shorten(loft_arc *a, loft_unit part)
 {
     for (int k = 1; k < 4; k++)
         for (int n = 0; n < k; n++)
-            for (int i = 0; i < LOFT_AXES; i++)
-                a->c[k][i] = loft_acc_scale(a->c[k][i], part);
+            loft_accs_scale(a->c[k], part);
 }
 
 /* The derivative's control points, three times the legs, and their mean; per axis: how far they are off it at most, and the sum of their
@@ -93,18 +100,22 @@ typedef struct {
 
 static void set_legs(const loft_arc *a, legs *l, bool coarse)
 {
+    loft_accs_copy(l->leg[0], a->c[1]);
+    loft_accs_copy(l->leg[1], a->c[1]);
+    loft_accs_add(l->leg[1], a->c[2]);
+    loft_accs_copy(l->chord, l->leg[1]);
+    loft_accs_add(l->chord, a->c[3]);
+    loft_accs_copy(l->leg[2], a->c[3]);
+    loft_accs_triple(l->leg[2]);
+    loft_accs_add(l->leg[2], a->c[2]);
+    loft_accs_add(l->leg[2], l->leg[1]);
     l->off = l->size = 0;
-    for (int i = 0; i < LOFT_AXES; i++) {
-        loft_acc x = a->c[1][i];
-        l->chord[i] = x + a->c[2][i] + a->c[3][i];
+    for (int i = 0; i < LOFT_AXES; i++)
         for (int k = 0; k < 3; k++) {
-            const loft_acc off = size_of(x - l->chord[i]);
-            l->off  = larger(l->off, coarse && k == 1 ? 2 * off : off);
-            l->size += size_of(x);
-            l->leg[k][i] = x;
-            x += a->c[2][i] + (k == 1 ? 3 * a->c[3][i] : 0);
+            const loft_acc x = l->leg[k][i], off = loft_acc_size(x - l->chord[i]);
+            l->off  = loft_acc_most(l->off, coarse && k == 1 ? 2 * off : off);
+            l->size += loft_acc_size(x);
         }
-    }
 }
 
 /* When all legs are within |chord| / 16 of it (per axis), direction and rate change by at most 1/8 over the arc, 1/4 if it is coarse, so
@@ -145,7 +156,7 @@ static bool straight_speck(legs *l, loft_acc length)
         if (take_along(l->leg[k], &u) < 0)
             return false;
         for (int i = 0; i < LOFT_AXES; i++)
-            if (171 * size_of(l->leg[k][i]) > length)      /* a leg is a third of that */
+            if (171 * loft_acc_size(l->leg[k][i]) > length)      /* a leg is a third of that */
                 return false;
     }
     return true;
@@ -156,8 +167,9 @@ static loft_acc set_rate(const loft_arc *a, int k, loft_acc d[LOFT_AXES])
 {
     const loft_unit half = LOFT_UNIT(0.5) * (loft_unit)k, square = LOFT_UNIT(0.1875) * (loft_unit)(k * k);
 
-    for (int i = 0; i < LOFT_AXES; i++)
-        d[i] = a->c[1][i] + loft_acc_scale(a->c[2][i], half) + loft_acc_scale(a->c[3][i], square);
+    loft_accs_copy(d, a->c[1]);
+    loft_accs_grow(d, a->c[2], half);
+    loft_accs_grow(d, a->c[3], square);
     return loft_acc_hypot(d, LOFT_AXES);
 }
 
@@ -237,7 +249,7 @@ static bool leads(const loft_arc *a, loft_acc length)
     loft_acc size = 0;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        size = size_of(a->c[0][i]) > size ? size_of(a->c[0][i]) : size;
+        size = loft_acc_most(size, loft_acc_size(a->c[0][i]));
     return length > BLUR * loft_acc_grain(size);
 }
 
@@ -313,7 +325,7 @@ uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from, bo
 static loft_real curvature(loft_acc across, loft_acc rate)
 {
     const loft_acc x = loft_wide(loft_acc_quot(across, rate));
-    if (size_of(x) > loft_acc_mul(rate, BEND_MAX))
+    if (loft_acc_size(x) > loft_acc_mul(rate, BEND_MAX))
         return x < 0 ? -2 * BEND_MAX : 2 * BEND_MAX;
     return loft_acc_quot(x, rate);
 }
@@ -351,10 +363,9 @@ void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES])
 {
     const loft_unit t = parameter_at(arc, loft_unit_ratio(s, arc->length));
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        loft_acc x = arc->c[3][i];
-        for (int k = 3; k > 0; k--)
-            x = arc->c[k - 1][i] + loft_acc_scale(x, t);
-        out[i] = x;
+    loft_accs_copy(out, arc->c[3]);
+    for (int k = 3; k > 0; k--) {
+        loft_accs_scale(out, t);
+        loft_accs_add(out, arc->c[k - 1]);
     }
 }

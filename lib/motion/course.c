@@ -24,8 +24,6 @@
 
 #define GOALS   8       /* steps in which a brake's rising line is drawn in a stretch */
 
-static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
-static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 
 loft_move *loft_course_move(const loft_course *c, unsigned i)
 {
@@ -73,7 +71,7 @@ static loft_acc extent(const loft_cubic *c)
 {
     loft_acc most = 0;
     for (int k = 1; k < 4; k++)
-        most = larger(most, loft_vec_distance(c->p[0], c->p[k]));
+        most = loft_acc_most(most, loft_vec_distance(c->p[0], c->p[k]));
     return most;
 }
 
@@ -175,13 +173,13 @@ static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, const lo
     loft_acc room = 0;
 
     if (arc->crumb)
-        spacing = smaller(spacing, arc->length);
+        spacing = loft_acc_least(spacing, arc->length);
     if (c->crumb && c->count > 0)
-        spacing = smaller(spacing, loft_unit_wide(loft_course_piece(c, c->count - 1u)->length));
+        spacing = loft_acc_least(spacing, loft_unit_wide(loft_course_piece(c, c->count - 1u)->length));
     if (LOFT_BUDGET_JERK(&c->budget)) {
-        room = smaller(spacing / 8, loft_wide(LOFT_EASE_MAX));
-        room = smaller(room, since_rest(c, room));
-        room = smaller(room, arc->length + runs_on(c, to, room - arc->length, feed));
+        room = loft_acc_least(spacing / 8, loft_wide(LOFT_EASE_MAX));
+        room = loft_acc_least(room, since_rest(c, room));
+        room = loft_acc_least(room, arc->length + runs_on(c, to, room - arc->length, feed));
     }
     if (set_joint(&joint, c, after, spacing, room, feed)) {
         loft_plan_piece *p = loft_course_add(c);
@@ -214,7 +212,7 @@ static void load_pieces(loft_course *c)
     else {
         if (c->known && (!c->smooth || arc.speck)) {
             const loft_way start = way_at(c, &piece, &shape, 0);
-            add_joint(c, &arc, to, &start, c->at == 0 ? smaller(c->size, c->extent) : c->size, feed);
+            add_joint(c, &arc, to, &start, c->at == 0 ? loft_acc_least(c->size, c->extent) : c->size, feed);
         }
         c->way    = way_at(c, &piece, &shape, 2);
         c->feed   = feed;
@@ -276,7 +274,7 @@ enum loft_status loft_course_push(loft_course *c, const loft_move *move)
     c->end   = move->curve.p[3];
     c->ended = false;
     if (LOFT_BUDGET_JERK(&c->budget))
-        c->zone = larger(c->zone, zone_at(c, move->feed, true) + loft_wide(LOFT_EASE_MAX));
+        c->zone = loft_acc_most(c->zone, zone_at(c, move->feed, true) + loft_wide(LOFT_EASE_MAX));
     return LOFT_OK;
 }
 
@@ -313,7 +311,7 @@ typedef struct {
 static void bound(const loft_plan_piece *p, bounds *b, loft_acc x, bool fore)
 {
     const loft_real a = loft_profile_grip(p, x, fore);
-    b->cap2  = smaller(b->cap2, loft_prod(p->cap, p->cap));
+    b->cap2  = loft_acc_least(b->cap2, loft_prod(p->cap, p->cap));
     b->accel = a < b->accel ? a : b->accel;
 }
 
@@ -331,7 +329,7 @@ static bounds around(const loft_course *c, unsigned i, loft_acc off, loft_acc x,
             break;
         if (d < z) {
             bound(q, &b, x, fore);
-            b.left = smaller(b.left, z - d);
+            b.left = loft_acc_least(b.left, z - d);
         }
         d += loft_unit_wide(q->length);
     }
@@ -342,7 +340,7 @@ static bounds around(const loft_course *c, unsigned i, loft_acc off, loft_acc x,
         if (d <= z)
             bound(q, &b, x, fore);
         else
-            b.left = smaller(b.left, d - z);
+            b.left = loft_acc_least(b.left, d - z);
         d += loft_unit_wide(q->length);
     }
     if (c->gear < LOFT_UNIT(1))
@@ -371,12 +369,12 @@ static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc wa
 
     for (int n = 0; n < GOALS && x < cap2; n++) {
         const loft_acc  far = x + 2 * loft_acc_mul(way, here), most = n < GOALS - 1 && cap2 - x > cap2 / 16 ? x + (cap2 - x) / 4 : cap2;
-        const loft_acc  goal = smaller(far, most);
+        const loft_acc  goal = loft_acc_least(far, most);
         const loft_real there = grip_at(c, i, off, goal), g = there < here ? there : here;
         const loft_acc  gain = 2 * loft_acc_mul(way, g);
         if (gain <= goal - x)
             return x + gain;
-        way -= smaller(way, loft_acc_scale(way, loft_unit_ratio(goal - x, gain)));
+        way -= loft_acc_least(way, loft_acc_scale(way, loft_unit_ratio(goal - x, gain)));
         x = goal;
         here = there;
     }
@@ -416,11 +414,11 @@ loft_acc loft_course_brake(const loft_course *c, loft_course_place at)
         return loft_prod(p->cap, p->cap);
     while (off > at.off) {
         const bounds   b   = around(c, at.piece, off, x, false);
-        const loft_acc way = smaller(larger(b.left, fine), off - at.off);
-        x = rise(c, at.piece, off, way, smaller(x, b.cap2), b);
+        const loft_acc way = loft_acc_least(loft_acc_most(b.left, fine), off - at.off);
+        x = rise(c, at.piece, off, way, loft_acc_least(x, b.cap2), b);
         off -= way;
     }
-    return smaller(x, around(c, at.piece, off, x, false).cap2);
+    return loft_acc_least(x, around(c, at.piece, off, x, false).cap2);
 }
 
 unsigned loft_course_stop(const loft_course *c, unsigned i)

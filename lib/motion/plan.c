@@ -22,12 +22,13 @@
  */
 #include "motion/plan.h"
 
+#include "num/accs.h"   /* loft_accs_from */
+
 #define SIXTH LOFT_UNIT(0.16666666666666667)
 #define THIRD (2 * SIXTH)      /* rounded, on any compiler: the doubles of avr-gcc have 24 bits */
 #define SLACK loft_wide(LOFT_REAL(0.000244140625))   /* 2^-12 mm per beat, shared out like the speed */
 #define GRAINS loft_wide(LOFT_REAL(0.000091552734))  /* 6 / 65536 mm per beat^2                      */
 
-static loft_acc size_of(loft_acc x) { return x < 0 ? -x : x; }
 
 /* Curves that the place of the law has left behind. */
 static uint16_t behind(const loft_plan *plan)
@@ -36,16 +37,10 @@ static uint16_t behind(const loft_plan *plan)
     return c->count > 0 ? loft_course_number(c, loft_course_piece(c, plan->law.from)) : (uint16_t)(c->passed + c->cut);
 }
 
-static void set_point(loft_acc point[], const loft_vec *v)
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        point[i] = loft_wide(v->axis[i]);
-}
-
 static bool same(const loft_acc point[], const loft_vec *v)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (size_of(point[i] - loft_wide(v->axis[i])) > 0)
+        if (loft_acc_size(point[i] - loft_wide(v->axis[i])) > 0)
             return false;
     return true;
 }
@@ -71,7 +66,7 @@ static void begin(loft_plan *plan)
 {
     loft_acc point[LOFT_AXES];
 
-    set_point(point, &plan->at);
+    loft_accs_from(point, plan->at.axis);
     for (int k = 0; k < 3; k++)
         push(plan, point);
 }
@@ -80,7 +75,7 @@ static void begin(loft_plan *plan)
 
 static void begin(loft_plan *plan)
 {
-    set_point(plan->point, &plan->at);
+    loft_accs_from(plan->point, plan->at.axis);
     plan->still = 3;
 }
 
@@ -195,7 +190,7 @@ static void set_place(loft_plan *plan, loft_acc point[])
         plan->past += loft_law_mean(&plan->law, plan->law.sum);
 #endif
     if (p->length > 0 && p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length)) {
-        set_point(point, &c->moves[p->move].curve.p[3]);
+        loft_accs_from(point, c->moves[p->move].curve.p[3].axis);
         return;
     }
     if (!plan->cut || plan->number != loft_course_number(c, p) || plan->from != p->from) {
@@ -243,7 +238,7 @@ static enum loft_law_state fill(loft_plan *plan)
         else if (state == LOFT_LAW_RESTS) {
             if (!plan->begun || ends(plan))
                 break;
-            set_point(point, &plan->law.course.end);
+            loft_accs_from(point, plan->law.course.end.axis);
         }
         if (state != LOFT_LAW_WAITS)
             push(plan, point);
@@ -276,10 +271,10 @@ static bool runs_within(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AX
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc d0 = p[1][i] - p[0][i], d1 = p[2][i] - p[1][i], d2 = p[3][i] - p[2][i], rise = d1 - d0, fall = d1 - d2;
         const loft_acc most = (plan->speed[i] + plan->speed[i] / 2048) * (int32_t)m;
-        const bool turns = (rise > 0) == (fall > 0) && size_of(rise) > 0 && size_of(fall) > 0;
-        const loft_acc peak = turns ? d0 + loft_acc_scale(rise, loft_unit_ratio(size_of(rise), size_of(rise + fall))) : d0;
+        const bool turns = (rise > 0) == (fall > 0) && loft_acc_size(rise) > 0 && loft_acc_size(fall) > 0;
+        const loft_acc peak = turns ? d0 + loft_acc_scale(rise, loft_unit_ratio(loft_acc_size(rise), loft_acc_size(rise + fall))) : d0;
 
-        if (3 * size_of(d0) > most || 3 * size_of(d2) > most || 3 * size_of(peak) > most)
+        if (3 * loft_acc_size(d0) > most || 3 * loft_acc_size(d2) > most || 3 * loft_acc_size(peak) > most)
             return false;
     }
     return true;
@@ -289,10 +284,10 @@ static bool accelerates_within(const loft_plan *plan, unsigned m, loft_acc p[4][
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc most = plan->accel[i] * (int32_t)(m * m);
-        if (6 * size_of(p[0][i] - 2 * p[1][i] + p[2][i]) > most || 6 * size_of(p[1][i] - 2 * p[2][i] + p[3][i]) > most)
+        if (6 * loft_acc_size(p[0][i] - 2 * p[1][i] + p[2][i]) > most || 6 * loft_acc_size(p[1][i] - 2 * p[2][i] + p[3][i]) > most)
             return false;
         if (LOFT_BUDGET_JERK(&plan->law.course.budget)
-            && 6 * size_of(p[3][i] - p[0][i] + 3 * (p[1][i] - p[2][i])) > (plan->jerk[i] + plan->jerk[i] / 128) * (int32_t)(m * m * m))
+            && 6 * loft_acc_size(p[3][i] - p[0][i] + 3 * (p[1][i] - p[2][i])) > (plan->jerk[i] + plan->jerk[i] / 128) * (int32_t)(m * m * m))
             return false;
     }
     return true;
@@ -345,13 +340,13 @@ static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const state s = state_at(p, i, m, t);
-        const loft_acc v = (c[i] - a[i]) / 2, bend = a[i] - 2 * b[i] + c[i], e = size_of(s.speed - v);
+        const loft_acc v = (c[i] - a[i]) / 2, bend = a[i] - 2 * b[i] + c[i], e = loft_acc_size(s.speed - v);
         const loft_acc most = plan->accel[i] / 256 < GRAINS ? plan->accel[i] / 256 : GRAINS;
-        if (jerk && size_of(s.accel - bend * (int32_t)(m * m)) > most * (int32_t)(m * m))
+        if (jerk && loft_acc_size(s.accel - bend * (int32_t)(m * m)) > most * (int32_t)(m * m))
             return false;
-        off  += size_of(s.at - b[i] - loft_acc_ratio(bend, 6));
+        off  += loft_acc_size(s.at - b[i] - loft_acc_ratio(bend, 6));
         off_speed = e > off_speed ? e : off_speed;
-        speed = size_of(v) > speed ? size_of(v) : speed;
+        speed = loft_acc_size(v) > speed ? loft_acc_size(v) : speed;
     }
     return off <= tol && off_speed * 2048 <= speed + SLACK;
 }
@@ -364,9 +359,9 @@ static bool runs_between(const loft_plan *plan, unsigned m, unsigned j, loft_acc
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc d1 = sample(plan, j + 2)[i] - sample(plan, j + 1)[i], d = sample(plan, j + 3)[i] - sample(plan, j)[i];
-        const loft_acc v  = loft_acc_ratio(d + 5 * d1, 8), e = size_of(state_at(p, i, m, t).speed - v);
+        const loft_acc v  = loft_acc_ratio(d + 5 * d1, 8), e = loft_acc_size(state_at(p, i, m, t).speed - v);
         off   = e > off ? e : off;
-        speed = size_of(v) > speed ? size_of(v) : speed;
+        speed = loft_acc_size(v) > speed ? loft_acc_size(v) : speed;
     }
     return off * 2048 <= speed + SLACK;
 }
@@ -448,7 +443,7 @@ static bool set_end(loft_plan *plan, loft_acc point[])
 {
     if (plan->still == 0 && same(plan->point, &plan->law.course.end))
         plan->still++;
-    set_point(point, &plan->law.course.end);
+    loft_accs_from(point, plan->law.course.end.axis);
     return plan->begun && plan->still++ < 3;
 }
 

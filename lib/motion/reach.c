@@ -24,7 +24,6 @@
 
 #include "motion/scope.h"   /* loft_scope_most, loft_scope_brake */
 
-static loft_acc smaller(loft_acc x, loft_acc y)      { return x < y ? x : y; }
 static loft_acc square(loft_real v)                  { return loft_prod(v, v); }
 static loft_acc length_of(const loft_plan_piece *p)  { return loft_unit_wide(p->length); }
 
@@ -54,10 +53,10 @@ static void look_back(loft_law *law)
         const loft_acc cap = p->stop ? 0 : square(p->cap), last = square(p->last);
         if (p->sure)
             return;
-        const loft_acc end = smaller(x, last);
+        const loft_acc end = loft_acc_least(x, last);
         x = before(p, end);
         sure = sure || !(x < cap);
-        x = smaller(x, cap);
+        x = loft_acc_least(x, cap);
         p->brake = x < cap ? loft_acc_sqrt(x) : p->stop ? 0 : p->cap;
         p->sure  = sure;
     }
@@ -195,7 +194,7 @@ static void run(loft_law *law)
     if (here < way && beat > 0) {       /* q16: at speeds that are nothing nothing is far */
         const bool even = !(law->speed < to->speed || to->speed < law->speed);
         const loft_real v = even ? to->speed : loft_lerp(law->speed, to->speed, loft_unit_ratio(here, way));
-        law->at.off += even ? here : smaller(rest_of(law, beat_to(law, v)), way);
+        law->at.off += even ? here : loft_acc_least(rest_of(law, beat_to(law, v)), way);
         law->speed   = v;
         law->left    = 0;
     } else {

@@ -51,7 +51,6 @@ typedef struct {
 } scope;
 
 static loft_real size_of(loft_real x)             { return x < 0 ? -x : x; }
-static loft_acc  smaller(loft_acc x, loft_acc y)  { return x < y ? x : y; }
 static loft_acc  twice(loft_acc way, loft_real a) { return 2 * loft_acc_mul(way, a); }
 static loft_acc  square(loft_real v)              { return loft_prod(v, v); }
 static loft_acc  length_of(const loft_plan_piece *p) { return loft_unit_wide(p->length); }
@@ -116,7 +115,7 @@ static void set_far(scope *s, const loft_budget *b, const loft_arc_shape *shape)
         const loft_real k = bend_of(b, shape, at, i), size = size_of(k), accel = b->accel[i];
         if (loft_prod(far, size) > loft_acc_scale(loft_wide(accel), PART)) {
             const loft_real w = size_of(weight_of(s, shape, at, i, k));
-            s->far = smaller(s->far, needed(accel, size, loft_prod(LOFT_ACCEL_MAX, w) > loft_wide(accel) ? RELIEF : 1));
+            s->far = loft_acc_least(s->far, needed(accel, size, loft_prod(LOFT_ACCEL_MAX, w) > loft_wide(accel) ? RELIEF : 1));
         }
     }
 }
@@ -213,7 +212,7 @@ static loft_real speed_cap(const loft_budget *b, const loft_arc_shape *s, int k,
     return most < square(feed) ? loft_acc_sqrt(most) : feed;
 }
 
-static loft_real root_below(loft_acc x, loft_acc off) { return loft_acc_sqrt(x - smaller(off, loft_acc_mean(x, 0))); }
+static loft_real root_below(loft_acc x, loft_acc off) { return loft_acc_sqrt(x - loft_acc_least(off, loft_acc_mean(x, 0))); }
 
 /* The caps at both ends, such that the line between their squares is below that in the middle, `at` of the length; 1/32 of the change is for
  * what is no parabola. */
@@ -329,12 +328,12 @@ static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_
 /* A piece that is bent more than its shape can say: half of the acceleration is for its turn. It is shorter than 2^-16 mm. */
 static void set_tight_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
 {
-    loft_acc x = smaller(square(p->cap), square(p->last));
+    loft_acc x = loft_acc_least(square(p->cap), square(p->last));
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real turn = size_of(s->along[2].axis[i] - s->along[0].axis[i]);
         const loft_acc  half = loft_acc_mul(length_of(p), b->accel[i]) / 2;
-        x = turn > 0 ? smaller(x, loft_acc_div(half, turn)) : x;
+        x = turn > 0 ? loft_acc_least(x, loft_acc_div(half, turn)) : x;
     }
     p->cap  = loft_acc_sqrt(x);
     p->last = p->cap;

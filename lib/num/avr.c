@@ -5,6 +5,7 @@
  * r18..r25 or r22..r25. r0, r18..r27, r30, r31 may be changed, r1 is 0 between functions.
  */
 #include "num/num.h"    /* loft_avr_*, where they are needed */
+#include "num/accs.h"   /* loft_accs_* */
 
 #if defined(__AVR__)
 
@@ -23,6 +24,10 @@
 #define HALVE_N "lsr r25\n ror r24\n ror r23\n ror r22\n ror r21\n ror r20\n ror r19\n ror r18\n"
 #define HALVE_D "lsr r17\n ror r16\n ror r15\n ror r14\n ror r13\n ror r12\n ror r11\n ror r10\n"
 #define LESS8  "cp r18, r10\n cpc r19, r11\n cpc r20, r12\n cpc r21, r13\n cpc r22, r14\n cpc r23, r15\n cpc r24, r16\n cpc r25, r17\n"
+#define TAKE8  "movw r18, r10\n movw r20, r12\n movw r22, r14\n movw r24, r16\n"
+/* x = x OP y for all axes, byte by byte */
+#define AXES8(first, op)  "movw r26, r24\n movw r30, r22\n ldi r25, " TEXT(LOFT_AXES) "\n1: ldi r24, 8\n" first "2: ld __tmp_reg__, X\n ld r23, Z+\n" \
+    op " __tmp_reg__, r23\n st X+, __tmp_reg__\n dec r24\n brne 2b\n dec r25\n brne 1b\n ret\n"
 #define BYTE(k, a)              "mov r" #k ", r" #a "\n clr r" #a "\n"
 
 __asm__ (
@@ -33,6 +38,36 @@ __asm__ (
     "loft_avr_opposite: com r14\n com r15\n com r16\n com r17\n"
     "clr __tmp_reg__\n adc r14, __tmp_reg__\n adc r15, __tmp_reg__\n adc r16, __tmp_reg__\n adc r17, __tmp_reg__\n ret\n"
     END(loft_avr_negate)
+
+    BEGIN(loft_acc_size)
+    "sbrs r25, 7\n ret\n jmp loft_avr_negate\n"
+    END(loft_acc_size)
+
+    BEGIN(loft_acc_least)
+    LESS8 "brlt 1f\n" TAKE8 "1: ret\n"
+    END(loft_acc_least)
+
+    BEGIN(loft_acc_most)
+    LESS8 "brge 1f\n" TAKE8 "1: ret\n"
+    END(loft_acc_most)
+
+    BEGIN(loft_accs_add)
+    AXES8("clc\n", "adc")
+    END(loft_accs_add)
+
+    BEGIN(loft_accs_sub)
+    AXES8("clc\n", "sbc")
+    END(loft_accs_sub)
+
+    BEGIN(loft_accs_triple)
+    "movw r26, r24\n ldi r25, " TEXT(LOFT_AXES) "\n ldi r23, 3\n"
+    "1: ldi r24, 8\n clr r22\n"
+    "2: ld r20, X\n mul r20, r23\n add r0, r22\n clr r22\n adc r22, r1\n st X+, r0\n dec r24\n brne 2b\n dec r25\n brne 1b\n clr __zero_reg__\n ret\n"
+    END(loft_accs_triple)
+
+    BEGIN(loft_accs_copy)
+    AXES8("", "mov")
+    END(loft_accs_copy)
 
     BEGIN(loft_wide)
     "movw r20, r22\n movw r22, r24\n clr r18\n clr r19\n mov r24, r23\n lsl r24\n sbc r24, r24\n mov r25, r24\n ret\n"
@@ -125,6 +160,13 @@ __asm__ (
     "mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n mov r19, r18\n mov r18, r26\n ret\n"
     END(loft_acc_mul)
 
+    /* b - a has 33 bits, of which S says the sign */
+    BEGIN(loft_lerp)
+    "push r22\n push r23\n push r24\n push r25\n sub r18, r22\n sbc r19, r23\n sbc r20, r24\n sbc r21, r25\n"
+    "ldi r22, 0\n brge 1f\n ldi r22, 0xff\n 1: mov r23, r22\n movw r24, r22\n call " TEXT(loft_acc_scale) "\n"
+    "pop r25\n pop r24\n pop r23\n pop r22\n add r22, r18\n adc r23, r19\n adc r24, r20\n adc r25, r21\n ret\n"
+    END(loft_lerp)
+
     /* (|n| + half) / d without its rest, where half is d / 2 or, for a negative n, (d - 1) / 2. Bytes of n leave at the top and come
      * back at the bottom as those of the quotient. */
     BEGIN(loft_avr_quotient)
@@ -137,9 +179,9 @@ __asm__ (
     "2: tst r25\n brne 3f\n"
     "rcall 9f\n dec r29\n brne 2b\n rjmp 8f\n"
     "3: ldi r28, 8\n"
-    "4: lsl r25\n rol r26\n rol r27\n rol r30\n rol r31\n"
+    "4: lsl r25\n rol r26\n rol r27\n rol r30\n rol r31\n brcs 6f\n"
     "cp r26, r14\n cpc r27, r15\n cpc r30, r16\n cpc r31, r17\n brcs 5f\n"
-    "sub r26, r14\n sbc r27, r15\n sbc r30, r16\n sbc r31, r17\n inc r25\n"
+    "6: sub r26, r14\n sbc r27, r15\n sbc r30, r16\n sbc r31, r17\n inc r25\n"
     "5: dec r28\n brne 4b\n"
     "rcall 9f\n dec r29\n brne 3b\n"
     "8: pop r29\n pop r28\n brtc 7f\n jmp loft_avr_negate\n"
@@ -147,6 +189,18 @@ __asm__ (
     "mov r18, __tmp_reg__\n"
     "7: ret\n"
     END(loft_avr_quotient)
+
+    /* j 2^24 by n */
+    BEGIN(loft_unit_of)
+    "push r14\n push r15\n push r16\n push r17\n movw r14, r18\n movw r16, r20\n"
+    "clr r18\n clr r19\n clr r20\n mov r21, r22\n mov r22, r23\n mov r23, r24\n mov r24, r25\n clr r25\n"
+    "call " TEXT(loft_avr_quotient) "\n movw r22, r18\n movw r24, r20\n pop r17\n pop r16\n pop r15\n pop r14\n ret\n"
+    END(loft_unit_of)
+
+    BEGIN(loft_acc_div)
+    "movw r24, r22\n movw r22, r20\n movw r20, r18\n clr r18\n clr r19\n sbrs r17, 7\n jmp " TEXT(loft_avr_quotient) "\n"
+    "call loft_avr_negate\n call loft_avr_opposite\n call " TEXT(loft_avr_quotient) "\n jmp loft_avr_opposite\n"
+    END(loft_acc_div)
 
     /* |x| and y are halved until y is below 2^38. Bit by bit from the whole one on; the last rest, doubled, rounds. */
     BEGIN(loft_unit_ratio)

@@ -21,7 +21,10 @@ int64_t loft_acc_mul(int64_t x, int32_t a);
 
 /* As num.h says.
  *
- *   cost    about 20, 20, 20, 20 and 130 cycles */
+ *   cost    about 20 cycles, loft_prod 130 */
+int64_t loft_acc_size(int64_t x);
+int64_t loft_acc_least(int64_t x, int64_t y);
+int64_t loft_acc_most(int64_t x, int64_t y);
 int64_t loft_wide(int32_t a);
 int64_t loft_unit_wide(int32_t t);
 int32_t loft_acc_round(int64_t x);
@@ -37,9 +40,20 @@ uint8_t loft_avr_bits(uint64_t x);
  *   cost    11 cycles for each of n */
 uint64_t loft_avr_shift(uint64_t x, int8_t n);
 
+/* As num.h says.
+ *
+ *   cost    about 180 cycles */
+int32_t loft_lerp(int32_t a, int32_t b, int32_t t);
+
+/* As num.h says.
+ *
+ *   cost    that of loft_avr_quotient and 50 cycles */
+int64_t loft_acc_div(int64_t x, int32_t a);
+int32_t loft_unit_of(uint32_t j, uint32_t n);
+
 /* n / d to nearest, ties upward.
  *
- *   range   d = 1..2^31, |n| + d < 2^63
+ *   range   d >= 1, |n| + d < 2^63
  *   error   1/2
  *   cost    about 150 cycles for each byte of n, without leading zeros */
 int64_t loft_avr_quotient(int64_t n, uint32_t d);

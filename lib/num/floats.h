@@ -76,6 +76,11 @@ static inline loft_acc  loft_acc_blend(loft_acc x, loft_acc y, loft_acc z, loft_
     return (1 - (loft_acc)v - (loft_acc)w) * x + (loft_acc)v * y + (loft_acc)w * z;
 }
 
+/* error none */
+static inline loft_acc  loft_acc_size(loft_acc x)              { return x < 0 ? -x : x; }
+static inline loft_acc  loft_acc_least(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static inline loft_acc  loft_acc_most(loft_acc x, loft_acc y)  { return x > y ? x : y; }
+
 /* error 1/2 ulp */
 static inline loft_acc  loft_acc_mean(loft_acc x, loft_acc y)   { return (x + y) * 0.5; }
 

@@ -100,24 +100,13 @@ static inline int32_t loft_acc_int(loft_acc x)              { return loft_acc_hi
 /* error 1/2 LSB; range loft_acc_fits(loft_prod(a, b)), that is -32768 <= a * b < 32768 - 2^-17 */
 static inline loft_real loft_mul(loft_real a, loft_real b)  { return loft_acc_round(loft_prod(a, b)); }
 
-/* error 1/2 LSB; b != 0, -32768 <= a / b < 32768. (The quotient cannot round up to 32768: b would have to
- * exceed 2, and then a would not fit.) */
-static inline loft_real loft_div(loft_real a, loft_real b)
-{
-    return (loft_real)loft_quotient(b < 0 ? -loft_wide(a) : loft_wide(a), b < 0 ? 0u - (uint32_t)b : (uint32_t)b);
-}
-
+#if !defined(__AVR__)
 /* error 1/2 LSB, none at t = 0 and 1; t in 0..1, any a, b: the difference has 33 bits, t 25, the product 58 */
 static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
 {
-#if defined(__AVR__)
-    return (loft_real)(a + loft_acc_scale((int64_t)b - a, t));
-#else
     return (loft_real)(a + loft_shift_24(((int64_t)b - a) * t + 8388608));
-#endif
 }
 
-#if !defined(__AVR__)
 /* x * t: the two 32-bit halves of x apart, so that no product exceeds 64 bits.
  * error 2^-33 (1/2 of an acc LSB); |x * t| <= 2^30 */
 static inline loft_acc loft_acc_scale(loft_acc x, loft_unit t)
@@ -152,6 +141,15 @@ static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint
     return x + quotient * j + (2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q);
 }
 
+#if !defined(__AVR__)
+/* error none; |x| < 2^31 */
+static inline loft_acc loft_acc_size(loft_acc x)              { return x < 0 ? -x : x; }
+
+/* error none */
+static inline loft_acc loft_acc_least(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static inline loft_acc loft_acc_most(loft_acc x, loft_acc y)  { return x > y ? x : y; }
+#endif
+
 /* error 2^-33, ties upward; |x + y| < 2^31 */
 static inline loft_acc loft_acc_mean(loft_acc x, loft_acc y) { return (x + y + 1) >> 1; }
 
@@ -169,6 +167,7 @@ static inline loft_acc loft_acc_ratio(loft_acc x, int32_t k)
     return loft_quotient(x, (uint32_t)k);
 }
 
+#if !defined(__AVR__)
 /* error 2^-33; a != 0, |x| < 2^15, |x / a| < 2^30 */
 static inline loft_acc loft_acc_div(loft_acc x, loft_real a)
 {
@@ -180,6 +179,11 @@ static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)
 {
     return (loft_unit)((((uint64_t)j << 24) + n / 2) / n);
 }
+#endif
+
+/* error 1/2 LSB; b != 0, -32768 <= a / b < 32768: the quotient of the raw numbers. (It cannot round up to 32768: b would
+ * have to exceed 2, and then a would not fit.) */
+static inline loft_real loft_div(loft_real a, loft_real b)  { return (loft_real)loft_acc_div(a, b); }
 
 /* exact; |a| < 128 */
 static inline loft_unit loft_unit_from(loft_real a)         { return a * 256; }

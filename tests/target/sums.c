@@ -6,6 +6,7 @@
  * (microbit.c), and the four parts (-DPART=1 operations, 2 points and walking, 3 measures, 4 grids over patches)
  * are programs of their own: together they exceed the flash of an ATmega328P. Its lines that begin with # are times.
  */
+#include "num/accs.h"
 #include "curve/forward.h"
 #include "curve/measure.h"
 #include "surface/grid.h"
@@ -116,8 +117,23 @@ static void sums(int rounds)
     say("unit_ratio");
     for (int n = 0; n < rounds; n++) { const uint32_t k = 1 + ((uint32_t)some(31) & 0x7fffffff), j = (uint32_t)some(31) % k; add(loft_unit_of(j, k)); }
     say("unit_of");
+    for (int n = 0; n < rounds; n++) { const uint32_t k = UINT32_MAX - ((uint32_t)some(31) & 0x7fffffff), j = k - ((uint32_t)some(31) & 0x7fffffff); add(loft_unit_of(j, k)); }
+    say("unit_of_more");
     for (int n = 0; n < rounds; n++) add(loft_real_floor(coordinate()));
     say("real_floor");
+    for (int n = 0; n < rounds; n++) { const loft_acc x = some(62), y = n % 8 ? some(62) : x; add(loft_acc_size(x) ^ loft_acc_least(x, y)); add(loft_acc_most(x, y)); }
+    say("acc_order");
+    for (int n = 0; n < rounds; n++) {
+        loft_acc x[LOFT_AXES], y[LOFT_AXES];
+        for (int i = 0; i < LOFT_AXES; i++) { x[i] = some(60); y[i] = some(60); }
+        loft_accs_add(x, y);
+        add(x[0]);
+        loft_accs_copy(y, x);
+        loft_accs_triple(y);
+        loft_accs_sub(x, y);
+        for (int i = 0; i < LOFT_AXES; i++) add(x[i]);
+    }
+    say("accs");
 }
 
 #elif PART == 2
