@@ -17,7 +17,8 @@ static const uint32_t once[] = {
     1005, 2351,                 /* a part of a span across a change of the feed was compared with that behind it     */
     52033, 56225, 57847,        /* easing: fastest within a cell, longer than the path, over a rest on its way    */
     62692, 64011,               /* averaged: eased behind a rest that it had decided on; an axis faster while eased */
-    53112, 74767                /* a piece whose curvature changes was braked in, though it is passed at its cap as a rule        */
+    53112, 74767,               /* a piece whose curvature changes was braked in, though it is passed at its cap as a rule        */
+    86786, 40446                /* averaged: a beat of braking led into or over a zone where it had to be slow                    */
 };
 
 static void cases_that_were_violations_are_none(arb *a)

@@ -8,6 +8,14 @@
  * so that between speeding up and braking it holds its speed for T at least; else it holds, or follows the brake curve.
  * Between braking and speeding up the zones of the pieces (course.c) keep it at their speed for T.
  *
+ * Places are looked at at the ends of beats, zones are for places at all times. For the mean to be passed at a piece's cap c it
+ * suffices that each beat's way w is at most c h when it leads to more than c h behind the start of the zone: then of n places
+ * whose oldest is the first one within the zone the mean is half a beat before the piece or more. A beat that brakes at an even rate
+ * may miss that: its speed falls to c at once where the brake curve does so just before the zone, or it passes zone and all. Such
+ * a beat is done in parts, halved until the way of each is at most c times its time when it leads to more than that behind the start: what is
+ * left of the beat then goes on at c or less, so the whole leads to no more than c h. Beats that speed up do not: they end with the cap
+ * of the place where they began at most.
+ *
  * The places that the plan uses are the means of n beats: speed and acceleration are means, and acceleration changes by
  *
  *     (a(t) - a(t - n h)) / (n h)
@@ -49,6 +57,8 @@ void loft_law_init(loft_law *law)
 
 #if LOFT_PLAN_FILTER > 1
 
+#define SHORTEST LOFT_UNIT(0.000244140625)      /* of a beat, 2^-12: no part is shorter, as the brake curve may fall at once */
+
 static loft_acc length_of(const loft_law *law, unsigned i)
 {
     return loft_unit_wide(loft_course_piece(&law->course, i)->length);
@@ -74,9 +84,10 @@ static bool move(const loft_law *law, loft_course_place *at, loft_acc way)
     return true;
 }
 
-static loft_acc way_of(const loft_law *law, loft_real v0, loft_real v1)
+/* In the part `time` of a beat, from the speed that it has to v. */
+static loft_acc way_to(const loft_law *law, loft_real v, loft_unit time)
 {
-    return (loft_budget_beat(&law->course.budget, v0) + loft_budget_beat(&law->course.budget, v1)) / 2;
+    return loft_acc_scale((loft_budget_beat(&law->course.budget, law->speed) + loft_budget_beat(&law->course.budget, v)) / 2, time);
 }
 
 /* Can everything up to `way` further on be braked for from speed v? */
@@ -95,7 +106,7 @@ static bool clear(const loft_law *law, loft_acc way, loft_real v)
 
 static bool can_speed_up(const loft_law *law, loft_real v)
 {
-    return clear(law, way_of(law, law->speed, v) + loft_budget_beat(&law->course.budget, v) * (law->beats + 1), v);
+    return clear(law, way_to(law, v, LOFT_UNIT(1)) + loft_budget_beat(&law->course.budget, v) * (law->beats + 1), v);
 }
 
 /* How fast the acceleration in the middle of a beat that ends with speed `top`, with the bounds here and there, lets it end. */
@@ -106,7 +117,7 @@ static loft_real gained(const loft_law *law, loft_real top)
     loft_real here, later;
 
     loft_course_around(&law->course, at, loft_prod(v, v), true, &here);
-    (void)move(law, &at, way_of(law, law->speed, top));
+    (void)move(law, &at, way_to(law, top, LOFT_UNIT(1)));
     loft_course_around(&law->course, at, loft_prod(v, v), true, &later);
     return law->speed + loft_acc_round(loft_budget_beat(&law->course.budget, here < later ? here : later));
 }
@@ -141,34 +152,34 @@ static loft_real faster(const loft_law *law)
     return low;
 }
 
-/* How much the brake curve leaves when the beat ends with speed v. */
-static loft_acc spare(const loft_law *law, loft_real v)
+/* How much the brake curve leaves after `time` when the speed is v then. */
+static loft_acc spare(const loft_law *law, loft_real v, loft_unit time)
 {
     loft_course_place at = law->at;
-    return move(law, &at, way_of(law, law->speed, v)) ? loft_course_brake(&law->course, at) - loft_prod(v, v) : -loft_prod(v, v);
+    return move(law, &at, way_to(law, v, time)) ? loft_course_brake(&law->course, at) - loft_prod(v, v) : -loft_prod(v, v);
 }
 
 /* Follow the brake curve: the largest speed that leaves something, by the Illinois form of regula falsi, from a bracket
  * as wide as two beats of braking. */
-static loft_real slower(const loft_law *law)
+static loft_real slower(const loft_law *law, loft_unit time)
 {
     const loft_real step = 2 * loft_acc_round(loft_budget_beat(&law->course.budget, loft_course_piece(&law->course, law->at.piece)->rest));
     loft_real low = step < law->speed ? law->speed - step : 0, high = law->speed;
-    loft_acc  over = spare(law, high);
+    loft_acc  over = spare(law, high, time);
 
     if (over >= 0)
         return high;
-    loft_acc left = spare(law, low);
+    loft_acc left = spare(law, low, time);
     if (left < 0) {
         high = low;
         over = left;
         low  = 0;
-        left = spare(law, low);
+        left = spare(law, low, time);
     }
     for (int n = 0, side = 0; n < 16 && left > 0 && high - low > high / 65536 + LOFT_REAL(0.00003); n++) {
         const loft_real z = loft_lerp(low, high, loft_unit_ratio(left, left - over));
         const loft_real v = z > low && z < high ? z : low + (high - low) / 2;
-        const loft_acc  f = spare(law, v);
+        const loft_acc  f = spare(law, v, time);
         if (f >= 0) {
             low  = v;
             left = f;
@@ -376,32 +387,92 @@ static loft_acc remains(const loft_law *law)
     return left;
 }
 
+/* The way at speed v in `time`. */
+static loft_acc way_at(const loft_law *law, loft_real v, loft_unit time)
+{
+    return loft_acc_scale(loft_budget_beat(&law->course.budget, v), time);
+}
+
+/* The way that is allowed in `time` at a place. */
+static loft_acc allowed(const loft_law *law, loft_course_place at, loft_unit time)
+{
+    loft_real unused;
+    return way_at(law, loft_acc_sqrt(loft_course_around(&law->course, at, 0, false, &unused)), time);
+}
+
+/* Is the way to `to` in `time` as slow as all pieces ask for that it passes, and all zones that it leads into by more than their speed
+ * does? The slowest of them at the end, where speed v is allowed, stands for all. */
+static bool enters(const loft_law *law, loft_course_place to, loft_acc way, loft_real v, loft_unit time)
+{
+    loft_course_place at = law->at;
+
+    for (unsigned j = at.piece + 1; j <= to.piece; j++)
+        if (way_at(law, loft_course_piece(&law->course, j)->cap, time) < way)
+            return false;
+    if (!(way_at(law, v, time) < way))
+        return true;
+    const loft_acc slow = allowed(law, to, time);
+    if (!(slow < way))
+        return true;
+    (void)move(law, &at, way - slow);
+    return !(allowed(law, at, time) < way);
+}
+
+/* Hold the speed for a beat, or follow the brake curve; gives the way. Where that falls too fast for a beat it is followed in parts. */
+static loft_acc brake(loft_law *law)
+{
+    loft_unit left = LOFT_UNIT(1), time = left;
+    loft_acc whole = 0;
+
+    while (left > 0) {
+        const loft_real v = slower(law, time);
+        loft_course_place to = law->at;
+        const bool rests = !move(law, &to, way_to(law, v, time)) || !(v > 0);
+        const loft_acc way = rests ? remains(law) : way_to(law, v, time);
+
+        if (rests)
+            (void)move(law, &to, way);
+        if (time > SHORTEST && !enters(law, to, way, v, time)) {
+            time /= 2;
+            continue;
+        }
+        law->at    = to;
+        law->speed = rests ? 0 : v;
+        whole += way;
+        left  = rests ? 0 : left - time;
+        time  = 2 * time < left ? 2 * time : left;
+    }
+    return whole;
+}
+
 /* One beat of motion: faster, as fast, slower, or to the end. Ways are whole multiples of what the ring of ways holds, so
  * that the mean ends where the law does. */
 static void run(loft_law *law)
 {
-    loft_real v = faster(law);
+    const loft_real before = law->speed, v = faster(law);
     loft_course_place to = law->at;
+    loft_acc whole = way_to(law, v, LOFT_UNIT(1));
 
-    if (!(v > law->speed)) {
-        v = slower(law);
-        law->calm = v < law->speed ? 0 : law->calm;
-        law->steady = law->steady < UINT8_MAX ? (uint8_t)(law->steady + 1) : law->steady;
-    } else
-        law->steady = 0;
-    loft_unit way = loft_unit_round(way_of(law, law->speed, v));
+    if (v > before)
+        law->speed = v;
+    else
+        whole = brake(law);
+    law->at = to;
+    law->calm   = law->speed < before ? 0 : law->calm;
+    law->steady = v > before ? 0 : law->steady < UINT8_MAX ? (uint8_t)(law->steady + 1) : law->steady;
+
+    loft_unit way = loft_unit_round(whole);
     if (!(way > 0))
         way = LOFT_UNIT(0.00000006);    /* q16: the least there is, lest it creeps without getting on */
-    if (!move(law, &to, loft_unit_wide(way)) || !(v > 0)) {
+    if (!move(law, &to, loft_unit_wide(way)) || !(law->speed > 0)) {
         way = loft_unit_round(remains(law));
         to  = law->at;
         (void)move(law, &to, 2 * remains(law));     /* onto the end itself */
         law->rests = true;
         law->calm  = 0;
-        v = 0;
+        law->speed = 0;
     }
-    law->at    = to;
-    law->speed = v;
+    law->at = to;
     shift(law, way);
 }
 
