@@ -94,8 +94,8 @@ static void shorten(loft_arc *a, loft_unit part)
 /* The derivative's control points, three times the legs, and their mean; per axis: how far they are off it at most, and the sum of their
  * sizes. Of coarse arcs the one in the middle counts double, as no parabola through three rates follows it. */
 typedef struct {
-    loft_acc leg[3][LOFT_AXES], chord[LOFT_AXES];
     loft_acc off, size;
+    loft_acc chord[LOFT_AXES], leg[3][LOFT_AXES];
 } legs;
 
 static void set_legs(const loft_arc *a, legs *l, bool coarse)

@@ -12,18 +12,18 @@
 
 /* Do not rely on the fields. */
 typedef struct {
-    loft_acc  c[4][LOFT_AXES];  /* coefficients of the parameter's powers                            */
     loft_acc  length;           /* mm                                                                */
     loft_unit ends[2], inner[3];    /* how the parameter depends on the length; `inner` is set by loft_arc_pace */
     bool      speck;            /* walked evenly, as its chord: at most 2^-16 mm                     */
     bool      crumb;            /* a speck that may bend in any way: at most 2^-18 mm                */
     bool      dust;             /* too small to have a direction: at most 2^-18 mm; f32, f64: 2^-38 of the coordinates */
+    loft_acc  c[4][LOFT_AXES];  /* coefficients of the parameter's powers                            */
 } loft_arc;
 
 /* How an arc lies: direction (of length 1) and curvature vector (1/mm) at its start, middle and end. */
 typedef struct {
-    loft_vec along[3], bend[3];     /* dust: all ones, and no curvature                         */
     bool     tight;                 /* dust, or bent more than `bend` can say (q16: 16383 / mm) */
+    loft_vec along[3], bend[3];     /* dust: all ones, and no curvature                         */
 } loft_arc_shape;
 
 /* Cut the arc that begins at parameter `from` (a multiple of 2^-20); gives the parameter where it ends. A curve that does

@@ -20,23 +20,23 @@ typedef struct {
 
 /* Complete so that it can be static; do not rely on the fields. */
 typedef struct {
-    loft_budget      budget;
+    loft_acc         size, extent;                          /* of the curve that is cut, of the one before   */
+    loft_acc         zone;                                  /* how far any place reaches                     */
+    uint32_t         at;                                    /* how far the next curve has been cut, its parameter */
+    loft_real        feed;                                  /* of the last piece                             */
+    loft_unit        gear;                                  /* part of the acceleration that is used         */
     loft_move       *moves;
-    loft_plan_piece      *pieces;
+    loft_plan_piece *pieces;
     uint16_t         move_room, piece_room;
     uint16_t         move_first, move_count, first, count;  /* what is in the rings                          */
     uint16_t         cut;                                   /* curves that have become pieces, all of them   */
     uint16_t         passed;                                /* curves dropped so far, modulo 2^16            */
-    uint32_t         at;                                    /* how far the next one has, its parameter       */
-    loft_way  way;                                   /* where the last piece was heading              */
-    loft_acc         size, extent;                          /* of the curve that is cut, of the one before   */
-    loft_acc         zone;                                  /* how far any place reaches                     */
-    loft_real        feed;                                  /* of the last piece                             */
-    loft_unit        gear;                                  /* part of the acceleration that is used         */
-    loft_vec         end;                                   /* where the last curve ends                     */
     bool             known, smooth;                         /* is there a way; does the curve just go on     */
     bool             crumb;                                 /* is the last piece one                         */
     bool             ended;                                 /* nothing more will come                        */
+    loft_way         way;                                   /* where the last piece was heading              */
+    loft_vec         end;                                   /* where the last curve ends                     */
+    loft_budget      budget;
 } loft_course;
 
 /* A place: the distance from the start of a piece. */

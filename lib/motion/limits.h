@@ -54,18 +54,18 @@ typedef struct {
 
 /* The limits as a plan uses them. Do not rely on the fields. */
 typedef struct {
-    loft_real max_speed[LOFT_AXES];
-    loft_real accel[LOFT_AXES];         /* mm/s^2 for acceleration along and across the path                  */
-    loft_real across;                   /* mm/s^2, where `accel` is for acceleration along it alone; or 0      */
-    loft_real gain[LOFT_PLAN_FILTER > 1 ? LOFT_AXES : 1];   /* mm/s^2: how much it may change in a beat       */
-    loft_real spare[LOFT_AXES];         /* mm/s: the change of velocity at one joint                          */
-    loft_real share[LOFT_AXES];         /* mm/s^2: for the changes of velocity at joints that follow each other */
     loft_real corner, tol;
     loft_real swing;                    /* mm/s: the change of velocity at a corner that leaves the path by tol / 2 */
+    loft_real across;                   /* mm/s^2, where `accel` is for acceleration along it alone; or 0      */
     loft_unit pulse;                    /* seconds of a beat                                                  */
     uint16_t  tick_hz, beat;            /* the path is sampled every `beat` ticks                             */
     uint8_t   filter;                   /* beats over which acceleration changes; 1: at once                  */
     bool      jerk;                     /* is it limited?                                                     */
+    loft_real max_speed[LOFT_AXES];
+    loft_real accel[LOFT_AXES];         /* mm/s^2 for acceleration along and across the path                  */
+    loft_real spare[LOFT_AXES];         /* mm/s: the change of velocity at one joint                          */
+    loft_real share[LOFT_AXES];         /* mm/s^2: for the changes of velocity at joints that follow each other */
+    loft_real gain[LOFT_PLAN_FILTER > 1 ? LOFT_AXES : 1];   /* mm/s^2: how much it may change in a beat       */
 } loft_budget;
 
 /* Is jerk limited? */

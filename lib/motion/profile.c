@@ -375,7 +375,7 @@ static void leave_for_joint(loft_plan_piece *p, const joint *j, const loft_way *
 /* On its way there and from there the curvature goes beyond both by p c = 0.1757 of the jump. */
 static void ease_bounds(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, loft_real feed)
 {
-    loft_arc_shape s = { { before->along, after->along, after->along }, { before->bend, after->bend, after->bend }, false };
+    loft_arc_shape s = { false, { before->along, after->along, after->along }, { before->bend, after->bend, after->bend } };
     const loft_ease e = p->ease;
 
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -417,7 +417,7 @@ static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *befo
 bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
                      loft_acc spacing, loft_acc room, loft_real feed)
 {
-    const loft_arc_shape s = { { before->along, after->along, after->along }, { before->bend, after->bend, after->bend }, false };
+    const loft_arc_shape s = { false, { before->along, after->along, after->along }, { before->bend, after->bend, after->bend } };
     const loft_acc turn = loft_budget_joint(b, before->along, after->along, spacing, true), feed2 = loft_prod(feed, feed);
     const loft_acc bend = loft_profile_jump(b, before, after, spacing, feed);
 

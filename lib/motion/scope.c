@@ -40,14 +40,15 @@
 /* At the part y of the far end a <= most (1 - turn y) and -a <= most (1 + turn y), with turn[1] and turn[0]. The first line is the largest
  * acceleration there is. */
 typedef struct {
-    loft_real most[LINES], turn[2][LINES];
-    loft_real relief[LINES];        /* what |w| is where the bend has to be relieved, if not the same; 0 */
-    uint8_t   axis[LINES], count, low;  /* how many there are; the least where y = 0 */
-    loft_real skew[LOFT_AXES], bow[LOFT_AXES];  /* q with the sign of k1 - k0; r with its side, where it matters */
     loft_acc  length, far;
     loft_unit middle, end;      /* where the middle station is, of the length; the largest y where there is an acceleration, */
     loft_acc  least[2];         /* the least lines there: -a, a                                                     */
     uint8_t   line[2];
+    uint8_t   count, low;       /* how many there are; the least where y = 0 */
+    loft_real skew[LOFT_AXES], bow[LOFT_AXES];  /* q with the sign of k1 - k0; r with its side, where it matters */
+    loft_real most[LINES], turn[2][LINES];
+    loft_real relief[LINES];    /* what |w| is where the bend has to be relieved, if not the same; 0 */
+    uint8_t   axis[LINES];
 } scope;
 
 static loft_real size_of(loft_real x)             { return x < 0 ? -x : x; }
