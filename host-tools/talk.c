@@ -36,12 +36,10 @@ static bool send_frames(talk *t)
     }
 }
 
+/* What has come is read before anything is sent: if this program had no turn for a while, the answers that are here are not late. */
 bool talk_pump(talk *t, int most_ms)
 {
     uint8_t bytes[512];
-
-    if (!send_frames(t))
-        return false;
     const uint32_t idle = loft_sender_wait(&t->sender, now_ms());
     int wait = idle < (uint32_t)most_ms ? (int)idle : most_ms;
     if (t->out_at < t->out_size && wait < 1)

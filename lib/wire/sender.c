@@ -3,7 +3,8 @@
  *
  *     base <= send <= high        acknowledged, next to be sent, never sent yet
  *
- * A NAK or a timeout sets send back to base. Frames are made again from the items, so the frame that starts at n
+ * A NAK sets send back to base, and so does a STATUS that still misses what had been sent before it was asked for. Silence
+ * alone does not: a machine or a computer that is busy answers late, and everything sent twice makes it later. Frames are made again from the items, so the frame that starts at n
  * depends on items n - 3 .. n - 1 and n .. only, whether sent for the first time, again, or by another process.
  */
 #include "wire/sender.h"
@@ -92,9 +93,9 @@ static void stream(loft_sender *s)
     s->phase    = s->ack.next <= s->count ? LOFT_PHASE_STREAMING : LOFT_PHASE_LOST;
     s->base     = s->send = s->high = s->ack.next;
     s->flights  = 0;
-    s->end_sent = false;
+    s->end_sent = s->polling = false;
+    s->doubt    = 0;
     s->frame_size = s->machine.frame_max;
-    s->window   = LOFT_SENDER_WINDOW;
     reset_rto(s);
 }
 
@@ -231,7 +232,7 @@ static void grow(loft_sender *s)
 static void go_back(loft_sender *s, uint32_t now)
 {
     s->send     = s->base;
-    s->flights  = 0;
+    s->flights  = s->doubt = 0;
     s->end_sent = false;
     s->back     = s->tried = now;
 }
@@ -241,7 +242,8 @@ static void advance(loft_sender *s, uint32_t now)
     bool timed = false;
     uint32_t sample = 0;
 
-    s->base = s->ack.next;
+    s->base  = s->ack.next;
+    s->doubt = 0;
     if (s->send < s->base)
         s->send = s->base;
     while (s->flights > 0 && s->flight[s->first].end <= s->base) {
@@ -255,8 +257,6 @@ static void advance(loft_sender *s, uint32_t now)
         take_rtt(s, sample);
         reset_rto(s);
     }
-    if (s->window < LOFT_SENDER_WINDOW)
-        s->window++;
     s->tried = now;
 }
 
@@ -316,6 +316,24 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
     }
 }
 
+/* Is an answer due to something that would be sent again? */
+static bool waits(const loft_sender *s)
+{
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting
+        && (s->base < s->send || (s->end_sent && !(s->ack.flags & LOFT_FLAG_ENDED)));
+}
+
+/* The line keeps the order: what was sent before the question and is still missing is lost. If an earlier question was
+ * open, the first answer may be to that one. */
+static void take_status(loft_sender *s, const loft_machine_status *m, uint32_t now)
+{
+    s->status  = *m;
+    s->polling = false;
+    take_ack(s, &m->ack, now);
+    if (s->doubt > 0 && --s->doubt == 0 && waits(s))
+        go_back(s, now);
+}
+
 static void take_report(loft_sender *s)
 {
     loft_report m;
@@ -340,10 +358,8 @@ static void take_frame(loft_sender *s, uint32_t now)
             take_ack(s, &ack, now);
         break;
     case LOFT_STATUS:
-        if (s->phase != LOFT_PHASE_HELLO && loft_machine_status_decode(&s->frame, &status) == LOFT_OK) {
-            s->status = status;
-            take_ack(s, &status.ack, now);
-        }
+        if (s->phase != LOFT_PHASE_HELLO && loft_machine_status_decode(&s->frame, &status) == LOFT_OK)
+            take_status(s, &status, now);
         break;
     default:
         s->unknown++;
@@ -382,7 +398,7 @@ static bool can_send(const loft_sender *s)
     const uint16_t most   = s->job.kind == LOFT_CURVES ? w->curves : s->job.kind == LOFT_POINTS ? w->points : w->queue;
     const uint32_t step   = most < 4 ? 1 : most / 4u;
 
-    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->flights < s->window && s->send < limit
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->flights < LOFT_SENDER_WINDOW && s->send < limit
         && (limit == s->count || s->send < s->high || limit - s->send >= step);
 }
 
@@ -390,13 +406,6 @@ static bool can_end(const loft_sender *s)
 {
     return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->send == s->count && !s->end_sent
         && !(s->ack.flags & LOFT_FLAG_ENDED);
-}
-
-/* Is an answer due to something that would be sent again? */
-static bool waits(const loft_sender *s)
-{
-    return s->phase == LOFT_PHASE_STREAMING && !s->aborting
-        && (s->base < s->send || (s->end_sent && !(s->ack.flags & LOFT_FLAG_ENDED)));
 }
 
 static void predict(const loft_sender *s, uint32_t index, loft_predictor *p)
@@ -512,14 +521,29 @@ static bool control_due(const loft_sender *s, uint32_t now)
         && (!finished(s) || s->phase == LOFT_PHASE_BUSY) && (!s->verb_sent || left(s->verb_time, s->rto, now) == 0);
 }
 
-static size_t give_stream(loft_sender *s, uint32_t now, uint8_t wire[])
+/* An answer is overdue: ask what has come. */
+static bool poll_due(loft_sender *s, uint32_t now)
 {
     if (waits(s) && left(s->tried, s->rto, now) == 0) {
         s->timeouts++;
-        s->window = 1;
+        s->tried = now;
         back_off(s);
-        go_back(s, now);
+        if (s->doubt == 0)
+            s->doubt = s->polling ? 2 : 1;
+        return true;
     }
+    return left(s->polled, LOFT_SENDER_POLL, now) == 0;
+}
+
+static size_t give_poll(loft_sender *s, uint32_t now, uint8_t wire[])
+{
+    s->polled  = now;
+    s->polling = true;
+    return loft_poll_encode(s->session, wire);
+}
+
+static size_t give_stream(loft_sender *s, uint32_t now, uint8_t wire[])
+{
     if (can_send(s))
         return give_data(s, now, wire);
     if (can_end(s)) {
@@ -540,10 +564,8 @@ size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME
         return give_control(s, now_ms, wire);
     if (finished(s))
         return 0;
-    if (left(s->polled, LOFT_SENDER_POLL, now_ms) == 0) {
-        s->polled = now_ms;
-        return loft_poll_encode(s->session, wire);
-    }
+    if (poll_due(s, now_ms))
+        return give_poll(s, now_ms, wire);
     if (s->phase == LOFT_PHASE_OPENING && !s->aborting && (!s->job_sent || left(s->tried, s->rto, now_ms) == 0))
         return give_job(s, now_ms, wire);
     return s->phase == LOFT_PHASE_STREAMING ? give_stream(s, now_ms, wire) : 0;

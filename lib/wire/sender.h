@@ -58,7 +58,8 @@ typedef struct {
     uint32_t    count;                      /* items of the job                                                 */
     uint32_t    base, send, high;           /* acknowledged, to be sent next, sent at least once                */
     struct { uint32_t end, time; bool again; } flight[LOFT_SENDER_WINDOW];
-    uint8_t     flights, first, window;     /* frames on their way; the slot of the oldest; as many may be     */
+    uint8_t     flights, first;             /* frames on their way; the slot of the oldest                      */
+    uint8_t     doubt;                      /* with so many STATUS it is known what of it is lost; 0: no doubt  */
     uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come                     */
     uint8_t     verb, value, number;        /* CONTROL waiting for its acknowledgement                          */
     uint8_t     percent;                    /* override that was not acknowledged; 0: none                      */
@@ -67,7 +68,7 @@ typedef struct {
     bool        greeted;                    /* WELCOME has come, AXIS may be missing                            */
     bool        began, asked, opened;       /* loft_sender_begin; JOB was sent; JOB was taken                   */
     bool        hello_sent, job_sent, end_sent, verb_sent;      /* in this session                              */
-    bool        aborting;
+    bool        aborting, polling;          /* polling: no STATUS since the last POLL                           */
     uint32_t    nonce, boot;
     uint32_t    rtt8, var4, rto;            /* Jacobson's smoothed time and deviation, times 8 and 4; ms        */
     uint32_t    heard, tried, polled, back, verb_time;          /* times                                        */

@@ -67,7 +67,7 @@ bool due_welcome = false, due_ack = false, due_report = false;
 
 /* the host */
 byte h_phase = GREETING, h_session = 0, h_nonce = 0, h_boot = 0, h_base = 0, h_send = 0, h_limit = 0;
-bool h_sent = false, h_opened = false, h_end_sent = false, h_silent = false;
+bool h_sent = false, h_opened = false, h_end_sent = false, h_silent = false, h_doubt = false;
 
 /* what is proved about */
 bool in_job = false;            /* JOB was taken and not yet closed                        */
@@ -219,6 +219,11 @@ inline host_ack(state, next, limit, opened)
     :: h_phase == OPENING && h_sent && opened ->
         h_phase = STREAMING; h_opened = true; h_base = next; h_send = next; h_limit = limit; h_end_sent = false
     :: h_phase == STREAMING && next >= h_base ->
+        if
+        :: h_doubt && next == h_base -> h_send = h_base; h_end_sent = false     /* asked, and still missing: lost */
+        :: else
+        fi
+        h_doubt = false;
         h_base = next;
         if :: h_send < next -> h_send = next :: else fi
         if
@@ -233,7 +238,7 @@ inline host_ack(state, next, limit, opened)
 
 inline host_greet()
 {
-    h_phase = GREETING; h_session = 0; h_sent = false; h_end_sent = false; h_silent = false;
+    h_phase = GREETING; h_session = 0; h_sent = false; h_end_sent = false; h_silent = false; h_doubt = false;
     nonces++;
     h_nonce = nonces
 }
@@ -280,12 +285,12 @@ active proctype host()
     :: atomic { h_phase == STREAMING && h_send == K && !h_end_sent && nfull(to_machine) ->
         h_end_sent = true; give(to_machine, END, h_session, K, 0) }
 
-    /* silence: the same again, once; then from the greeting */
+    /* silence: a question, or the same again, once; then from the greeting */
     :: atomic { quiet && h_phase == GREETING && h_sent -> h_sent = false }
     :: atomic { quiet && (h_phase == OPENING || h_phase == CLOSING) && h_sent && !h_silent -> h_silent = true; h_sent = false }
     :: atomic { quiet && h_phase == CLOSING && h_sent && h_silent -> h_phase = FINISHED }
     :: atomic { quiet && h_phase == STREAMING && !h_silent && nfull(to_machine) ->
-        h_silent = true; h_send = h_base; h_end_sent = false; give(to_machine, POLL, h_session, 0, 0) }
+        h_silent = true; h_doubt = true; give(to_machine, POLL, h_session, 0, 0) }
     :: atomic { quiet && (h_phase == OPENING || h_phase == STREAMING) && h_silent && nonces < MOST -> host_greet() }
 
     /* the program dies and is started again: it knows its job and nothing else */
