@@ -18,6 +18,8 @@ static const uint32_t once[] = {
     52033, 56225, 57847,        /* easing: fastest within a cell, longer than the path, over a rest on its way    */
     62692, 64011,               /* averaged: eased behind a rest that it had decided on; an axis faster while eased */
     53112, 74767,               /* a piece whose curvature changes was braked in, though it is passed at its cap as a rule        */
+    112815,                     /* raised: the spline of the samples carried speed across a change of the feed                    */
+    116982,                     /* a longer span was faster than a slow feed                                                      */
     86786, 40446                /* averaged: a beat of braking led into or over a zone where it had to be slow                    */
 };
 

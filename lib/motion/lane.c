@@ -166,6 +166,19 @@ static loft_acc runs_on(const loft_course *c, loft_acc most)
     return d;
 }
 
+/* The most where the feed changes. The speed of the samples' spline is that of the path and its second derivative times h^2 / 6: that much of the
+ * jerk J that the direction allows is carried across to the slower side. */
+static loft_acc feed_most(const loft_course *c, const loft_way *after, loft_real feed)
+{
+    const loft_real slow = feed < c->feed ? feed : c->feed;
+    loft_real gain = LOFT_ACCEL_MAX;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        gain = loft_real_cap(gain, c->budget.gain[i], after->along.axis[i] < 0 ? -after->along.axis[i] : after->along.axis[i]);
+    const loft_real leak = loft_acc_round(loft_budget_beat(&c->budget, gain) / 6), left = leak < slow / 2 ? slow - leak : slow / 2;
+    return loft_prod(left, left);
+}
+
 /* What the joint before `next`, the first arc of what follows, asks for; false: a rest. */
 static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const loft_way *after, loft_acc spacing, loft_acc room)
 {
@@ -272,8 +285,12 @@ static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next, cons
 {
     const loft_way start = way_at(shape, 0);
 
+    const loft_real feed = loft_course_move(c, c->cut)->feed;
+
     l->gate = next->most;
     l->stop = c->count == 0 || l->closed || !c->known;
+    if (!l->stop && (feed < c->feed || feed > c->feed))
+        l->gate = smaller(l->gate, feed_most(c, &start, feed));
     const loft_acc third = smaller(spacing / 3, loft_wide(LOFT_EASE_MAX));
 
     if (!l->stop && !smooth && !join(l, c, next, &start, spacing, smaller(third, runs_on(c, third)))) {
@@ -369,6 +386,7 @@ static void load_cell(loft_lane *l, loft_course *c)
     append(l, c, &cell, to);
     loft_course_piece(c, c->count - 1u)->chord = arc.speck;
     c->way    = way_at(&shape, 2);
+    c->feed   = move->feed;
     c->known  = true;
     c->smooth = !arc.speck;
     c->at     = to;

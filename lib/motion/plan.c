@@ -26,7 +26,7 @@
 
 #define SIXTH LOFT_UNIT(0.16666666666666667)
 #define THIRD (2 * SIXTH)      /* rounded, on any compiler: the doubles of avr-gcc have 24 bits */
-#define SLACK loft_wide(LOFT_REAL(0.000244140625))   /* 2^-12 mm per beat, shared out like the speed */
+#define SLACK loft_wide(LOFT_REAL(0.000244140625))   /* 2^-12 mm per beat, but a quarter of the slowest feed at most, shared out like the speed */
 #define GRAINS loft_wide(LOFT_REAL(0.000091552734))  /* 6 / 65536 mm per beat^2                      */
 
 
@@ -106,6 +106,7 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft
     plan->behind[0] = plan->behind[1] = plan->behind[2] = 0;
 #else
     plan->first = plan->held = 0;
+    plan->slack = SLACK;
     for (int i = 0; i < LOFT_AXES; i++) {
         plan->speed[i]  = loft_budget_beat(&b, limits->max_speed[i]);
         plan->accel[i]  = loft_acc_scale(loft_budget_beat(&b, limits->max_accel[i] + limits->max_across), b.pulse);
@@ -127,6 +128,10 @@ enum loft_status loft_plan_push(loft_plan *plan, const loft_move *move)
         plan->at    = move->curve.p[0];
         begin(plan);
     }
+#if LOFT_PLAN_WINDOW > 4
+    if (status == LOFT_OK)
+        plan->slack = loft_acc_least(plan->slack, loft_budget_beat(&c->budget, move->feed) / 4);
+#endif
     return status;
 }
 
@@ -348,7 +353,7 @@ static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][
         off_speed = e > off_speed ? e : off_speed;
         speed = loft_acc_size(v) > speed ? loft_acc_size(v) : speed;
     }
-    return off <= tol && off_speed * 2048 <= speed + SLACK;
+    return off <= tol && off_speed * 2048 <= speed + plan->slack;
 }
 
 /* Half way between knots j and j + 1: is the velocity that of the B-spline there, too? */
@@ -363,7 +368,7 @@ static bool runs_between(const loft_plan *plan, unsigned m, unsigned j, loft_acc
         off   = e > off ? e : off;
         speed = loft_acc_size(v) > speed ? loft_acc_size(v) : speed;
     }
-    return off * 2048 <= speed + SLACK;
+    return off * 2048 <= speed + plan->slack;
 }
 
 static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
