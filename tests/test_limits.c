@@ -118,7 +118,7 @@ static void a_joint_allows_what_its_formulas_say(arb *a)
     const double c = fmin(16383, fmin(sqrt(along * arb_value(l.corner) * s * (1 + s) / q2), arb_value(b.swing) / turn));
     const double bent = b.across > 0 ? arb_value(b.across) / turn : accel;
     const double most = b.jerk ? smooth : fmax(smooth, fmin(c * c, bent * near));
-    const double got  = value_of(loft_budget_joint(&b, before, after, BY_NUM((loft_acc)(spacing * 4294967296.0), spacing, spacing), true));
+    const double got  = value_of(loft_budget_joint(&b, &before, &after, BY_NUM((loft_acc)(spacing * 4294967296.0), spacing, spacing), true));
     CHECK(got >= 0 && got <= 16383.0 * 16383.0);
     CHECK_NEAR(sqrt(got), sqrt(most), 0.02 * sqrt(most) + BY_NUM(0.003, 1e-4, 1e-9));
 }

@@ -190,11 +190,11 @@ static void a_joint_that_bends_nothing_is_none(arb *a)
     scene s;
 
     (void)arb_piece(a, &s);
-    CHECK(!loft_scope_join(&s.piece, &s.budget, s.shape.along[0], s.shape.along[0], wide_of(1), true, real_of(100), real_of(100)));
+    CHECK(!loft_scope_join(&s.piece, &s.budget, &s.shape.along[0], &s.shape.along[0], wide_of(1), true, real_of(100), real_of(100)));
     loft_vec back = s.shape.along[0];
     for (int i = 0; i < LOFT_AXES; i++)
         back.axis[i] = -back.axis[i];
-    CHECK(loft_scope_join(&s.piece, &s.budget, s.shape.along[0], back, wide_of(1), false, real_of(100), real_of(100)));
+    CHECK(loft_scope_join(&s.piece, &s.budget, &s.shape.along[0], &back, wide_of(1), false, real_of(100), real_of(100)));
     CHECK(s.piece.stop || arb_value(s.piece.cap) < arb_value(s.budget.accel[0]) * arb_value(s.budget.pulse) * 100);
 }
 

@@ -7,6 +7,7 @@
 #ifndef LOFT_GEOM_VEC_H
 #define LOFT_GEOM_VEC_H
 
+#include "num/accs.h"   /* loft_accs_from */
 #include "num/num.h"    /* loft_real, loft_lerp */
 
 typedef struct {
@@ -111,9 +112,10 @@ static inline bool loft_vec_valid(loft_vec p)
  *   error   that of loft_acc_hypot */
 static inline loft_acc loft_vec_distance(loft_vec a, loft_vec b)
 {
-    loft_acc d[LOFT_AXES];
-    for (int i = 0; i < LOFT_AXES; i++)
-        d[i] = loft_wide(b.axis[i]) - loft_wide(a.axis[i]);
+    loft_acc d[LOFT_AXES], from[LOFT_AXES];
+    loft_accs_from(d, b.axis);
+    loft_accs_from(from, a.axis);
+    loft_accs_sub(d, from);
     return loft_acc_hypot(d, LOFT_AXES);
 }
 

@@ -163,7 +163,7 @@ static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real fe
 static bool set_joint(loft_plan_piece *joint, const loft_course *c, const loft_way *after, loft_acc spacing, loft_acc room, loft_real feed)
 {
     return LOFT_BUDGET_JERK(&c->budget) ? loft_profile_join(joint, &c->budget, &c->way, after, spacing, room, feed)
-                                        : loft_scope_join(joint, &c->budget, c->way.along, after->along, spacing, c->at == 0, c->feed, feed);
+                                        : loft_scope_join(joint, &c->budget, &c->way.along, &after->along, spacing, c->at == 0, c->feed, feed);
 }
 
 /* A joint before `arc`, which ends at `to`, if there is one that matters. */

@@ -185,7 +185,7 @@ static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const
     const loft_budget *b = &c->budget;
     const loft_acc most = larger(loft_course_piece(c, c->count - 1)->cell.most, next->most);
     const loft_real feed = loft_acc_sqrt(most);
-    const loft_acc turn = loft_budget_joint(b, c->way.along, after->along, spacing, true), bend = loft_profile_jump(b, &c->way, after, spacing, feed);
+    const loft_acc turn = loft_budget_joint(b, &c->way.along, &after->along, spacing, true), bend = loft_profile_jump(b, &c->way, after, spacing, feed);
     const loft_real slow = loft_acc_sqrt(smaller(turn, bend));
     loft_unit used = 0;
 

@@ -175,30 +175,35 @@ static loft_real junction_speed(const loft_budget *b, const loft_real jump[], lo
     return loft_real_cap(loft_real_cap(LOFT_SPEED_MAX, 2 * root, whole), b->swing, whole);
 }
 
-/* v^2 or accel * spacing / jump, whichever is less; q16: the product is below 2^29, the dividend 2^14 */
-static loft_acc dense_cap(loft_acc speed2, loft_acc accel, loft_real spacing, loft_real jump)
+/* v^2 becomes accel * spacing / jump if that is less; q16: the product is below 2^29, the dividend 2^14 */
+static void set_dense(loft_acc *speed2, loft_real accel, loft_real spacing, loft_real jump)
 {
-    const loft_acc most = loft_acc_mul(accel, spacing);
-    return loft_acc_mul(speed2, jump) > most ? loft_acc_div(most, jump) : speed2;
+    const loft_acc most = loft_acc_mul(loft_wide(accel), spacing);
+
+    if (loft_acc_mul(*speed2, jump) > most)
+        *speed2 = loft_acc_div(most, jump);
 }
 
-loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner)
+loft_acc loft_budget_joint(const loft_budget *b, const loft_vec *before, const loft_vec *after, loft_acc spacing, bool corner)
 {
     const loft_real apart = spacing < loft_wide(SPACING_MAX) ? loft_acc_round(spacing) : SPACING_MAX;
     loft_real jump[LOFT_AXES], v = LOFT_SPEED_MAX;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        jump[i] = after.axis[i] - before.axis[i];
-        jump[i] = jump[i] < 0 ? -jump[i] : jump[i];
+        const loft_real turn = after->axis[i] - before->axis[i];
+        jump[i] = turn < 0 ? -turn : turn;
         v = loft_real_cap(v, b->spare[i], jump[i]);
     }
-    const loft_acc  turn = loft_vec_distance(before, after);
+    const loft_acc  turn = loft_vec_distance(*before, *after);
     const loft_real w = corner ? junction_speed(b, jump, turn) : 0;
     loft_acc smooth = loft_prod(v, v), sharp = loft_prod(w, w);
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        smooth = dense_cap(smooth, loft_wide(b->share[i]), apart, jump[i]);
-        sharp  = dense_cap(sharp, loft_wide(b->across > 0 ? b->across : b->accel[i]), apart, b->across > 0 ? loft_acc_round(turn) : jump[i]);
+        set_dense(&smooth, b->share[i], apart, jump[i]);
+        if (b->across > 0)
+            set_dense(&sharp, b->across, apart, loft_acc_round(turn));
+        else
+            set_dense(&sharp, b->accel[i], apart, jump[i]);
     }
-    return LOFT_BUDGET_JERK(b) || smooth > sharp ? smooth : sharp;
+    return LOFT_BUDGET_JERK(b) ? smooth : loft_acc_most(smooth, sharp);
 }

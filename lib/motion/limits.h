@@ -94,7 +94,7 @@ loft_acc loft_budget_beat(const loft_budget *b, loft_real v);
  *   range   gives at most LOFT_SPEED_MAX squared, and more than 0
  *   error   q16: below 1 % for turns of more than 0.002
  */
-loft_acc loft_budget_joint(const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner);
+loft_acc loft_budget_joint(const loft_budget *b, const loft_vec *before, const loft_vec *after, loft_acc spacing, bool corner);
 
 /* The least of what the axes have. */
 static inline loft_real loft_real_least(const loft_real of[LOFT_AXES])

@@ -418,7 +418,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
                      loft_acc spacing, loft_acc room, loft_real feed)
 {
     const loft_arc_shape s = { false, { before->along, after->along, after->along }, { before->bend, after->bend, after->bend } };
-    const loft_acc turn = loft_budget_joint(b, before->along, after->along, spacing, true), feed2 = loft_prod(feed, feed);
+    const loft_acc turn = loft_budget_joint(b, &before->along, &after->along, spacing, true), feed2 = loft_prod(feed, feed);
     const loft_acc bend = loft_profile_jump(b, before, after, spacing, feed);
 
     p->length = 0;

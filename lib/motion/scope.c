@@ -364,7 +364,7 @@ bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *a
 
 /* The spline of the samples spreads a change of acceleration, by a, over beats: the speed at its place is off by 0.23 a h. Where the
  * feed changes there is one at both sides of the slower feed. */
-static loft_real feed_cap(const loft_budget *b, loft_vec along, loft_real feed0, loft_real feed1)
+static loft_real feed_cap(const loft_budget *b, const loft_vec *along, loft_real feed0, loft_real feed1)
 {
     const loft_real slow = feed0 < feed1 ? feed0 : feed1;
     loft_real a = LOFT_ACCEL_MAX;
@@ -372,12 +372,12 @@ static loft_real feed_cap(const loft_budget *b, loft_vec along, loft_real feed0,
     if (!(feed0 < feed1 || feed1 < feed0))
         return slow;
     for (int i = 0; i < LOFT_AXES; i++)
-        a = loft_real_cap(a, b->accel[i], along.axis[i] < 0 ? -along.axis[i] : along.axis[i]);
+        a = loft_real_cap(a, b->accel[i], size_of(along->axis[i]));
     const loft_real leak = loft_acc_round(loft_budget_beat(b, a) / 2);
     return leak < slow / 2 ? slow - leak : slow / 2;
 }
 
-bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner, loft_real feed0, loft_real feed1)
+bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, const loft_vec *before, const loft_vec *after, loft_acc spacing, bool corner, loft_real feed0, loft_real feed1)
 {
     const loft_acc most = loft_budget_joint(b, before, after, spacing, corner);
     const loft_real cap = feed_cap(b, after, feed0, feed1);

@@ -22,7 +22,7 @@ bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *a
  *
  *   range   as loft_profile_join; `corner`: it is between curves, where a junction deviation holds
  */
-bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, loft_vec before, loft_vec after, loft_acc spacing, bool corner, loft_real feed0, loft_real feed1);
+bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, const loft_vec *before, const loft_vec *after, loft_acc spacing, bool corner, loft_real feed0, loft_real feed1);
 
 /* The largest acceleration with which a piece may be passed that begins with the square x of the speed; less than 0 where it
  * has to slow down. */
