@@ -33,7 +33,7 @@ struct grbl {
     size_t size;
     char name[64];                      /* its greeting                          */
     unsigned buffer;
-    bool answered, optioned;            /* anything came; $I was answered        */
+    bool answered, asking;              /* anything came; $I is to be answered   */
     enum grbl_state state;
     double machine[ENGINE_AXES], offset[ENGINE_AXES], place[ENGINE_AXES];
     bool placed, offsetted;
@@ -41,7 +41,7 @@ struct grbl {
     unsigned rate;                      /* override in percent                   */
     double heard, asked, moved;         /* clocks                                */
     const gcode *code;
-    size_t sent, done;                  /* lines                                 */
+    size_t sent, done, wrong;           /* lines; wrong: the one that error is about */
     unsigned size_of[WAITING], under_way;   /* bytes                             */
     int error, alarm;
     bool restarted;
@@ -116,11 +116,12 @@ static void take_status(grbl *g, char *text)
     }
 }
 
-/* A line of ours was answered. */
+/* A line was answered: $I, one of ours, or what was typed before. */
 static void answered(grbl *g)
 {
+    g->asking = false;
     if (g->done == g->sent)
-        return;                         /* not of ours: $I and what was typed before */
+        return;
     g->under_way -= g->size_of[g->done++ % WAITING];
     g->moved = tool_clock();
 }
@@ -136,8 +137,10 @@ static void take_line(grbl *g, char *text)
     } else if (strcmp(text, "ok") == 0) {
         answered(g);
     } else if (strncmp(text, "error:", 6) == 0) {
-        if (g->error == 0)
+        if (g->error == 0 && g->done < g->sent) {   /* the first one of ours: those behind it may be answered before anybody looks */
             g->error = atoi(text + 6);
+            g->wrong = g->done;
+        }
         answered(g);
     } else if (strncmp(text, "ALARM:", 6) == 0) {
         g->alarm = atoi(text + 6);
@@ -146,7 +149,6 @@ static void take_line(grbl *g, char *text)
         snprintf(g->name, sizeof g->name, "%.*s", (int)strcspn(text, "["), text);
     } else if (sscanf(text, "[OPT:%*[^,],%u,%u,%u", &first, &second, &bytes) >= 2) {
         g->buffer = second >= BUFFER ? second : BUFFER;
-        g->optioned = true;
     }
 }
 
@@ -188,20 +190,20 @@ static int greet(grbl *g, double seconds)
     const double until = tool_clock() + seconds;
     bool asked = false;
 
-    while (!(g->placed && g->optioned)) {
+    while (!g->placed || !asked || g->asking) {
         if (keys_interrupted())
             return tool_error(EX_TEMPFAIL, "stopped before the controller answered: nothing was sent");
         if (!pump(g, 50))
             return vanished(g);
         if (g->answered && !asked) {
-            asked = true;
+            asked = g->asking = true;
             if (!put(g, "$I\n", 3))
                 return vanished(g);
         }
         if (tool_clock() < until)
             continue;
         if (g->placed)
-            break;                      /* without $I: the buffer that all have */
+            break;                      /* $I is unknown: the buffer that all have */
         return tool_error(EX_UNAVAILABLE, "%s: no grbl answered in %g s: look at its power, cable and --baud; or is it a loft machine? Then without --grbl",
                           g->line.text, seconds);
     }
@@ -294,7 +296,6 @@ static int trouble(grbl *g)
 {
     const gcode *code = g->code;
     const double now = tool_clock();
-    const size_t line = g->done > 0 ? g->done - 1 : 0;
 
     if (g->restarted)
         return tool_error(EX_PROTOCOL, "%s: the controller restarted at line %zu of %zu: its position is lost; home it and begin again", g->port, g->done, code->count);
@@ -302,8 +303,8 @@ static int trouble(grbl *g)
         return tool_error(EX_PROTOCOL, "%s: alarm %d at line %zu of %zu: %s", g->port, g->alarm, g->done, code->count, grbl_alarm_text(g->alarm));
     if (g->error != 0) {
         (void)stop(g);
-        return tool_error(EX_PROTOCOL, "%s: error %d at line %zu of %zu, `%s`: %s; the machine stands", g->port, g->error, line + 1, code->count,
-                          code->line[line], grbl_error_text(g->error));
+        return tool_error(EX_PROTOCOL, "%s: error %d at line %zu of %zu, `%s`: %s; the machine stands", g->port, g->error, g->wrong + 1, code->count,
+                          code->line[g->wrong], grbl_error_text(g->error));
     }
     if (now - g->heard > DEAF)
         return tool_error(EX_IOERR, "%s: silent for %g s at line %zu of %zu: look at cable and power; it draws what it has and stands", g->port, DEAF, g->done, code->count);
