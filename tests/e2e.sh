@@ -33,14 +33,15 @@ machine() {
     machine=$!; children+=("$machine"); disown "$machine"
     wait_for "$tmp/$name"
 }
-wait_for() { for _ in $(seq 500); do [ -e "$1" ] && return; sleep 0.02; done; job_fails "$1 did not appear"; }
-gone() { for _ in $(seq 400); do kill -0 "$1" 2>/dev/null || return; sleep 0.02; done; job_fails "process $1 did not end"; kill -9 "$1"; }
-until_log() { for _ in $(seq 500); do grep -q "$2" "$tmp/$1.log" && return; sleep 0.02; done; job_fails "the machine never said: $2"; }
+# a busy computer may take its time: a minute
+wait_for() { for _ in $(seq 3000); do [ -e "$1" ] && return; sleep 0.02; done; job_fails "$1 did not appear"; }
+gone() { for _ in $(seq 3000); do kill -0 "$1" 2>/dev/null || return; sleep 0.02; done; job_fails "process $1 did not end"; kill -9 "$1"; }
+until_log() { for _ in $(seq 3000); do grep -q "$2" "$tmp/$1.log" && return; sleep 0.02; done; job_fails "the machine never said: $2"; }
 
 # run CODE COMMAND..: standard output to $tmp/out, standard error to $tmp/err; the exit code must be CODE
 run() {
     local want=$1 got; shift
-    timeout 60 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; got=$?
+    timeout 200 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; got=$?
     [ "$got" = "$want" ] || job_fails "exit code $got, not $want: $(head -c 300 "$tmp/err")"
 }
 says() { grep -q -- "$2" "$tmp/$1" || job_fails "does not say \`$2\`: $(tail -c 300 "$tmp/$1")"; }
@@ -78,6 +79,10 @@ draws() { drawing_on=$1; job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "
 cut_off() {             # cut_off SECONDS: ${job[@]} is killed without warning, that long after the machine has begun
     "${job[@]}" >/dev/null 2>&1 & local sender=$!
     disown $sender; until_log "$drawing_on" ' begun'; sleep "$1"; kill -9 $sender || job_fails "the sender ended before it could be killed"; gone $sender
+}
+cut_off_when_sent() {   # the same, as soon as the machine has taken the last item
+    "${job[@]}" --log "$tmp/talk.log" >/dev/null 2>&1 & local sender=$!
+    disown $sender; wait_for "$tmp/talk.log"; until_log talk '< .* all'; kill -9 $sender || job_fails "the sender ended before it could be killed"; gone $sender
 }
 
 
@@ -288,14 +293,14 @@ case_abort_from_another_run() {
 }
 case_report_is_fetched_later() {
     machine later --speed real
-    draws later; job+=(--jerk 0); cut_off 1; until_log later done      # few enough items for the queue to hold them all
+    draws later; job+=(--jerk 0); cut_off_when_sent; until_log later done      # few enough items for the queue to hold them all
     run 0 "${job[@]}"; says err 'was drawn already'; counted later
     cp "$tmp/out" "$tmp/first"
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/later" --feed 200; says out 'as commanded$'; is_empty err
 }
 case_another_job_after_a_lost_one() {
     machine other --speed real
-    draws other; job+=(--jerk 0); cut_off 1; until_log other done
+    draws other; job+=(--jerk 0); cut_off_when_sent; until_log other done
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/other" --feed 200; says out 'as commanded$'; is_empty err
 }
 case_port_vanishes() {

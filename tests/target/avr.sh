@@ -12,8 +12,8 @@ ram() { echo $(($(avr-size "$elf" | awk 'NR == 2 { print $2 + $3 }') + $(value s
 
 echo "-- a drawing: $drawing at $feed mm/s, 250 steps/mm, planned here"
 "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 --max-speed 160 --accel 500 --queue 14 --ramp 40 >"$tmp/log" & here=$!
-for _ in $(seq 500); do [ -e "$tmp/here" ] && break; sleep 0.02; done
-timeout 100 "$loft" stream "$drawing" --feed $feed --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
+for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+timeout 300 "$loft" stream "$drawing" --feed $feed --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
 on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --port "$tmp/port" --record "$tmp/chip.csv"
 
 ticks=$(sed -n 's/.*items, \([0-9]*\) ticks.*/\1/p' "$tmp/log")
@@ -39,8 +39,8 @@ row "RAM: data, bss and the deepest stack; 60 of 2048 stay" "$(ram)" "<=" 1988 b
 
 echo "-- the same as points, one per ms"
 "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 --max-speed 160 --accel 500 --queue 14 --ramp 40 >"$tmp/log" & here=$!
-for _ in $(seq 500); do [ -e "$tmp/here" ] && break; sleep 0.02; done
-timeout 100 "$loft" stream "$drawing" --feed $feed --points --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
+for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+timeout 300 "$loft" stream "$drawing" --feed $feed --points --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
 on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --points --port "$tmp/port" --record "$tmp/chip.csv"
 ticks=$(sed -n 's/.*items, \([0-9]*\) ticks.*/\1/p' "$tmp/log")
 row "points: the command ends well"                         "$code" = 0

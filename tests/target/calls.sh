@@ -11,11 +11,11 @@ mkdir -p "$dir"
 sources="tests/target/calls.c $(echo lib/num/*.c lib/geom/*.c lib/basis/*.c lib/curve/*.c) lib/motion/pace.c lib/motion/span.c lib/motion/step.c"
 flags="-std=c99 -ffunction-sections -fdata-sections -Wl,--gc-sections -Ilib -Itests/target -DLOFT_AXES=3"
 avr-gcc -mmcu=atmega328p -Os $flags $sources -o "$dir/calls.elf" &&
-timeout 100 simavr -m atmega328p -f 16000000 "$dir/calls.elf" 2>&1 | sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' >"$dir/atmega328p"
+timeout 300 simavr -m atmega328p -f 16000000 "$dir/calls.elf" 2>&1 | sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' >"$dir/atmega328p"
 for core in cortex-m0 cortex-m4; do
     arm-none-eabi-gcc -mthumb -mcpu=$core -O2 -ffreestanding -nostdlib $flags -T tests/target/netduino.ld tests/target/microbit.c tests/target/semihost.S $sources -lgcc \
         -o "$dir/calls-$core.elf" &&
-    timeout 100 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none -icount shift=0 \
+    timeout 300 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none -icount shift=0 \
         -semihosting-config enable=on,target=native -kernel "$dir/calls-$core.elf" >"$dir/$core" 2>&1
 done
 awk -v dir="$dir" 'BEGIN {

@@ -29,8 +29,8 @@ image() {
 # here NAME SPEED: the same job on the simulated machine, its pulses in $tmp/here.NAME
 here() {
     "$loft" simulate --link "$tmp/at.$1" --record "$tmp/here.$1" --once --quiet --steps 80 --max-speed "$2" --accel 500 --slots 20 --queue 1024 >"$tmp/sim" & local sim=$!
-    for _ in $(seq 500); do [ -e "$tmp/at.$1" ] && break; sleep 0.02; done
-    timeout 100 "$loft" stream "$drawing" --feed $feed --port "$tmp/at.$1" >"$tmp/planned" 2>&1; wait $sim
+    for _ in $(seq 3000); do [ -e "$tmp/at.$1" ] && break; sleep 0.02; done
+    timeout 300 "$loft" stream "$drawing" --feed $feed --port "$tmp/at.$1" >"$tmp/planned" 2>&1; wait $sim
 }
 
 # send CASE: stream to the machine of this case when it listens; output in $tmp/CASE.out, exit code in $tmp/CASE.code
@@ -39,7 +39,7 @@ send() {
         kill -0 $qemu 2>/dev/null || return 1
         sleep 0.05
     done
-    timeout 200 "$loft" stream "$drawing" --feed $feed --port "unix:$tmp/line" >"$tmp/$1.out" 2>&1 </dev/null
+    timeout 300 "$loft" stream "$drawing" --feed $feed --port "unix:$tmp/line" >"$tmp/$1.out" 2>&1 </dev/null
     echo $? > "$tmp/$1.code"
 }
 
@@ -68,8 +68,8 @@ paper() {
     local dump=$tmp/dump.$1
     LOFT_PAPER=$tmp/paper "$guest/loft-gpio-$1" --once --record "$tmp/record" link="$tmp/paper.$1" priority=0 chip=/dev/0 x.step=0 x.dir=1 enable="2 low" \
         z.step=3 z.dir=4 y.step=/dev/1:0 y.dir=/dev/1:1 >"$tmp/said" 2>&1 & local machine=$!
-    for _ in $(seq 500); do [ -e "$tmp/paper.$1" ] && break; sleep 0.02; done
-    timeout 60 "$loft" stream "$drawing" --feed $feed --plan="$3" --port "$tmp/paper.$1" >"$tmp/out" 2>&1 </dev/null; code=$?
+    for _ in $(seq 3000); do [ -e "$tmp/paper.$1" ] && break; sleep 0.02; done
+    timeout 300 "$loft" stream "$drawing" --feed $feed --plan="$3" --port "$tmp/paper.$1" >"$tmp/out" 2>&1 </dev/null; code=$?
     wait $machine
     echo "code $?" >> "$tmp/said"
     {   printf '=== map0\ngpiochip0: GPIOs 0-7, parent: none, motors\ngpiochip1: GPIOs 100-107, parent: none, switches\n=== paper0.said\n'
@@ -90,7 +90,7 @@ paper() {
 refuses() {
     local expected=$1 text=$2 code
     shift 2
-    LOFT_PAPER=$tmp/paper timeout 5 "$guest/loft-gpio-memory" "$@" >"$tmp/out" 2>"$tmp/err"; code=$?
+    LOFT_PAPER=$tmp/paper timeout 60 "$guest/loft-gpio-memory" "$@" >"$tmp/out" 2>"$tmp/err"; code=$?
     row "refused: $*" "$code $(wc -l < "$tmp/err") $(grep -c "$text" "$tmp/err")" = "$expected 1 1"
 }
 

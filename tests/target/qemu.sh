@@ -27,14 +27,14 @@ board() {
     if [ $fault = none ]; then
         # shellcheck disable=SC2086
         "$loft" simulate --link "$at/here" --record "$at/here.csv" --once --quiet $numbers >"$at/said" & local here=$!
-        for _ in $(seq 500); do [ -e "$at/here" ] && break; sleep 0.02; done
-        timeout 100 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "$at/here" >"$at/planned" 2>&1; wait $here
+        for _ in $(seq 3000); do [ -e "$at/here" ] && break; sleep 0.02; done
+        timeout 300 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "$at/here" >"$at/planned" 2>&1; wait $here
     else
         cp "$tmp/$name-$plan-none-1/here.csv" "$at"         # the run over a good line came before
     fi
     timeout 300 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" -icount "shift=$shift,sleep=off" "${extra[@]}" \
         -chardev "socket,id=s0,path=$at/sock,server=on,wait=on" -serial chardev:s0 >"$at/qemu" 2>&1 & local child=$!
-    for _ in $(seq 500); do [ -e "$at/sock" ] && break; sleep 0.02; done
+    for _ in $(seq 3000); do [ -e "$at/sock" ] && break; sleep 0.02; done
     port=$at/sock
     case $fault in
     none)   local line= ;;
@@ -46,14 +46,14 @@ board() {
         # shellcheck disable=SC2086
         "$bad_line" "$at/bad" "$at/sock" $line >"$at/line" & local between=$!
         port=$at/bad
-        for _ in $(seq 500); do [ -e "$port" ] && break; sleep 0.02; done
+        for _ in $(seq 3000); do [ -e "$port" ] && break; sleep 0.02; done
     fi
     if [ $fault = killed ]; then            # some time after the first pulses
         "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" >"$at/first" 2>&1 </dev/null & local first=$!
         for _ in $(seq 100); do [ "$(python3 tests/target/pins.py "$name" "$log" 2>/dev/null | wc -l)" -gt 300 ] && break; sleep 0.05; done
         { kill -KILL $first; wait $first; } 2>/dev/null
     fi
-    timeout 200 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" >"$at/out" 2>"$at/err" </dev/null; code=$?
+    timeout 300 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" >"$at/out" 2>"$at/err" </dev/null; code=$?
     [ -z "$line" ] || { kill $between; wait $between; }
     kill $child; wait $child 2>/dev/null
     [ $code = 0 ] || sed 's/^/     /' "$at/err" "$at/qemu"

@@ -31,7 +31,7 @@ on_chip() {
     tick=0x$(avr-nm "$elf" | awk '$3 == "loft_port_work_stub" { print $1 }')
     ring=$(avr-nm "$elf" | awk '{ at[$3] = substr($1, 5) } END { print "0x" at["ring_head"] ",0x" at["ring_tail"] }')
     "$chip" "$elf" --tick "$tick" --ring "$ring" --link "$tmp/port" --record "$tmp/chip.csv" >"$tmp/chip" 2>"$tmp/chip.err" & child=$!
-    for _ in $(seq 500); do [ -e "$tmp/port" ] && break; sleep 0.02; done
+    for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done
     timeout 300 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
     timeout 30 tail --pid=$child -f /dev/null || kill $child     # it ends when the job is closed
     wait $child
