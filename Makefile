@@ -9,6 +9,7 @@ CPPFLAGS += -Ilib
 CFLAGS   ?= -O2 -g
 WARN     := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef
 STD      := -std=c99 $(WARN)
+TESTED   := -O1 -g1
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 num_flag  = -DLOFT_NUM=LOFT_$(shell echo $(1) | tr a-z A-Z) -DLOFT_AXES=$(AXES)
 
@@ -60,13 +61,13 @@ define tested
 build/test/$(1)/lib/%.o: lib/%.c $(LIB_HDR)
 	@mkdir -p $$(@D)
 	$$(SAY) "  CC  $$@"
-	$$(Q)$$(CC) $$(CPPFLAGS) -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) -c $$< -o $$@
+	$$(Q)$$(CC) $$(CPPFLAGS) $$(TESTED) $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) -c $$< -o $$@
 build/test/$(1)/libloft.a: $(patsubst %.c,build/test/$(1)/%.o,$(LIB_SRC))
 	$$(SAY) "  AR  $$@"
 	$$(Q)$$(AR) rcs $$@ $$^
 build/test/$(1)/%: tests/test_%.c build/test/$(1)/libloft.a $(wildcard tests/*.h)
 	$$(SAY) "  LD  $$@"
-	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.o %.a,$$^) -lm -o $$@
+	$$(Q)$$(CC) $$(CPPFLAGS) -Itests $$(TESTED) $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.o %.a,$$^) -lm -o $$@
 build/test/$(1)/$(SOLVED): CPPFLAGS += -Ihost-tools
 build/test/$(1)/$(SOLVED): $(SOLVER_OBJ)
 endef
@@ -83,7 +84,7 @@ define vectored
 build/vectors/$(1): $(wildcard tests/vectors*.c) host-tools/engine_chapter.c host-tools/chapter.c host-tools/chapter_study.c build/test/$(1)/libloft.a $(SOLVER_OBJ) $(wildcard tests/*.h) host-tools/chapter.h
 	@mkdir -p $$(@D)
 	$$(SAY) "  LD  $$@"
-	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -Ihost-tools -O1 -g $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.o %.a,$$^) -lm -o $$@
+	$$(Q)$$(CC) $$(CPPFLAGS) -Itests -Ihost-tools $$(TESTED) $$(STD) $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.o %.a,$$^) -lm -o $$@
 endef
 $(foreach n,$(NUMS),$(eval $(call vectored,$(n))))
 
@@ -94,13 +95,13 @@ check-vectors: build/vectors/$(NUM)
 
 .PHONY: check-vectors-all
 check-vectors-all: $(foreach n,$(NUMS),build/vectors/$(n))
-	@bad=0; for n in $(NUMS); do echo "-- $$n"; build/vectors/$$n $(VECTORS) tests/vectors || bad=1; done; \
-	sh tests/runner.sh build/vectors/q16 tests/vectors || bad=1; exit $$bad
+	@{ for n in $(NUMS); do echo "echo '-- $$n'; build/vectors/$$n $(VECTORS) tests/vectors"; done; \
+	   echo "sh tests/runner.sh build/vectors/q16 tests/vectors"; } | bash tests/beside.sh
 
 # --- tests of what reads and draws: build/test/host/<module>, sanitized ------------------------------
 HOST_TESTS  := $(patsubst tests/host/test_%.c,%,$(sort $(wildcard tests/host/test_*.c)))
 HOST_TESTED := $(sort $(wildcard host-tools/svg*.c)) $(patsubst %,host-tools/%.c,contour csv curve curve_text drawing drawing_curves engine engine_curve engine_kinematics engine_measure engine_piece engine_sided engine_status engine_surface harmonic harmonic_basis joints kinematics least lines machine_file mesh nearest piece plot plot_frame plot_shape record reference scan sided smooth source surface surface_text toolpath)
-HOST_FLAGS   = $(CPPFLAGS) -O1 -g $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
+HOST_FLAGS   = $(CPPFLAGS) $(TESTED) $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
 
 build/test/host/obj/%.o: host-tools/%.c lib/names.h
 	@mkdir -p $(@D)
@@ -115,7 +116,7 @@ build/test/host/%: tests/host/test_%.c tests/host/drawn.h $(wildcard tests/*.h) 
 ## Check what the SVG reader draws and refuses, pulse records and pictures, under ASan and UBSan
 .PHONY: test-host
 test-host: $(patsubst %,build/test/host/%,$(HOST_TESTS))
-	@bad=0; for t in $(HOST_TESTS); do echo "-- $$t"; build/test/host/$$t || bad=1; done; exit $$bad
+	@for t in $(HOST_TESTS); do echo "echo '-- $$t'; build/test/host/$$t"; done | bash tests/beside.sh
 
 # --- tools: build/loft, one program with all three number types -------------------------------------
 TOOL_PKG  := libxml-2.0 cairo libserialport
@@ -125,11 +126,13 @@ TOOL_STD   = $(STD) -D_GNU_SOURCE -Ihost-tools -Iports -MMD -MP \
 tool_flag  = -DLOFT_NUM=LOFT_$(shell echo $(1) | tr a-z A-Z) -DLOFT_AXES=3
 TOOL_ENGINE := $(patsubst %,host-tools/%.c,engine engine_chapter engine_curve engine_kinematics engine_measure engine_piece engine_sided engine_surface)
 TOOL_SRC  := $(filter-out $(TOOL_ENGINE),$(sort $(wildcard host-tools/*.c)))
-TOOL_EACH := $(TOOL_ENGINE) $(sort $(wildcard ports/host/*.c)) $(LIB_SRC)
+TOOL_EACH := $(TOOL_ENGINE) $(sort $(wildcard ports/host/*.c))
+TOOL_LIB  ?= build/%x3/libloft.a
+TOOL_LIBS := $(foreach n,$(NUMS),$(subst %,$(n),$(TOOL_LIB)))
 TOOL_OBJ  := $(patsubst %.c,$(TOOL_OUT)/tools/%.o,$(TOOL_SRC)) \
              $(foreach n,$(NUMS),$(patsubst %.c,$(TOOL_OUT)/tools/$(n)/%.o,$(TOOL_EACH)))
 
-# what exists per number type: the library, the engine, the simulated machine
+# what exists per number type: the library (the same archive that anybody links), the engine, the simulated machine
 define tooled
 $(TOOL_OUT)/tools/$(1)/%.o: %.c lib/names.h
 	@mkdir -p $$(@D)
@@ -144,7 +147,7 @@ $(TOOL_OUT)/tools/host-tools/%.o: host-tools/%.c lib/names.h
 	$(SAY) "  CC  $@"
 	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) $(TOOL_STD) $(call tool_flag,q16) -c $< -o $@
 
-$(TOOL_OUT)/loft: $(TOOL_OBJ)
+$(TOOL_OUT)/loft: $(TOOL_OBJ) $(TOOL_LIBS)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
 
@@ -205,7 +208,9 @@ size: lib/names.h
 	@sh tests/size.sh $(NUM) $(AXES)
 
 # --- firmware: each port brings its own rules, and what check-target is to run of it -------------------
-TARGET_STAGES := check-sums check-calls bench-polygon check-boards check-units
+# emulated clocks count instructions, so that two may run side by side
+TARGET_BESIDE := check-sums check-calls bench-polygon
+TARGET_STAGES  = $(subst $() $(),+,$(TARGET_BESIDE)) check-boards check-units
 include ports/boards.mk $(sort $(wildcard ports/*/port.mk))
 include tests/target/units.mk
 
@@ -273,7 +278,7 @@ $(MOTION)/%-$(1): tests/bench_motion_%.c build/$(1)x3/libloft.a $(wildcard tests
 endef
 $(eval $(call motioned,q16,Q16))
 $(eval $(call motioned,f64,F64))
-$(MOTION)/moves: tests/bench_motion_moves.c $(filter-out %/loft.o,$(TOOL_OBJ))
+$(MOTION)/moves: tests/bench_motion_moves.c $(filter-out %/loft.o,$(TOOL_OBJ)) $(TOOL_LIBS)
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(CPPFLAGS) $(CFLAGS) $(filter-out -MMD -MP,$(TOOL_STD)) $(call tool_flag,q16) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
@@ -285,7 +290,7 @@ bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MO
 	@bash tests/bench_motion.sh $(MOTION) $(CASES)
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them ------------------
-CHECK_STAGES := lint test test-axes test-host check-vectors-all test-mixed test-readme test-peer test-model test-e2e
+CHECK_STAGES := lint test test-axes test-host check-vectors-all test-mixed+test-readme+test-peer+test-model test-e2e
 
 ## Check everything: rules of the house, all tests in all number types under sanitizers, vectors, README, whole jobs
 .PHONY: check
@@ -303,23 +308,35 @@ CURVE_LIB   := $(foreach r,num geom basis curve,$(patsubst %.c,build/axes/%.o,$(
 
 build/axes/lib/%.o: lib/%.c $(LIB_HDR)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CPPFLAGS) -O1 -g $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=1 -c $< -o $@
+	$(Q)$(CC) $(CPPFLAGS) $(TESTED) $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=1 -c $< -o $@
 build/axes/%1: tests/test_%.c $(CURVE_LIB) $(wildcard tests/*.h)
 	$(SAY) "  LD  $@"
-	$(Q)$(CC) $(CPPFLAGS) -Itests -O1 -g $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=1 $< $(CURVE_LIB) -lm -o $@
+	$(Q)$(CC) $(CPPFLAGS) -Itests $(TESTED) $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=1 $< $(CURVE_LIB) -lm -o $@
+
+# the wire in q16 with so many axes, curves with one
+AXES_EACH := $(foreach a,1 2 4 6,$(foreach t,$(AXES_TESTS),build/axes/$(t)-$(a)))
+build/axes/wire-%.a: $(wildcard lib/wire/*.c) $(LIB_HDR)
+	@mkdir -p build/axes/wire-$*
+	$(SAY) "  AR  $@"
+	$(Q)cd build/axes/wire-$* && $(CC) -I../../../lib $(TESTED) $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$* -c $(patsubst %,../../../%,$(wildcard lib/wire/*.c))
+	$(Q)$(AR) rcs $@ build/axes/wire-$*/*.o
+define axes_test
+build/axes/$(1)-$(2): tests/test_$(1).c build/axes/wire-$(2).a $(wildcard tests/*.h)
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(CPPFLAGS) -Itests $$(TESTED) $$(STD) $$(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$(2) $$(filter %.c %.a,$$^) -o $$@
+endef
+$(foreach a,1 2 4 6,$(foreach t,$(AXES_TESTS),$(eval $(call axes_test,$(t),$(a)))))
+.SECONDARY: $(foreach a,1 2 4 6,build/axes/wire-$(a).a)
 
 ## Run the wire's tests with 1, 2, 4 and 6 axes, those of curves with 1
 .PHONY: test-axes
-test-axes: lib/names.h $(patsubst %,build/axes/%1,$(CURVE_TESTS))
-	@mkdir -p build/axes; bad=0; for a in 1 2 4 6; do for t in $(AXES_TESTS); do echo "-- $$t x$$a"; \
-	    $(CC) -Ilib -Itests -O1 -g $(STD) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$$a tests/test_$$t.c $(wildcard lib/wire/*.c) \
-	        -o build/axes/$$t && build/axes/$$t || bad=1; done; done; \
-	for t in $(CURVE_TESTS); do echo "-- $$t x1"; build/axes/$${t}1 || bad=1; done; exit $$bad
+test-axes: $(AXES_EACH) $(patsubst %,build/axes/%1,$(CURVE_TESTS))
+	@for t in $(patsubst build/axes/%,%,$^); do echo "echo '-- $$t'; build/axes/$$t"; done | bash tests/beside.sh
 
 ## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
 .PHONY: test
 test: $(foreach n,$(NUMS),$(foreach t,$(TESTS),build/test/$(n)/$(t)))
-	@bad=0; for t in $(TESTS); do for n in $(NUMS); do echo "-- $$t $$n"; build/test/$$n/$$t || bad=1; done; done; exit $$bad
+	@for t in $(TESTS); do for n in $(NUMS); do echo "echo '-- $$t $$n'; build/test/$$n/$$t"; done; done | bash tests/beside.sh
 
 ## Show that builds that disagree do not link, and that three number types do in one program
 .PHONY: test-mixed
@@ -353,7 +370,7 @@ test-readme: build/q16x3/libloft.a
 ## Run whole jobs: the command, sanitized, against the simulated machine   CASE=one of tests/e2e.sh
 .PHONY: test-e2e
 test-e2e: build/e2e/pty build/e2e/shim.so
-	@$(MAKE) -s --no-print-directory tools TOOL_OUT=build/e2e CFLAGS="-O1 -g $(SANITIZE)"
+	@$(MAKE) -s --no-print-directory tools TOOL_OUT=build/e2e CFLAGS="$(TESTED) $(SANITIZE)" TOOL_LIB=build/test/%/libloft.a
 	@bash tests/e2e.sh build/e2e/loft build/e2e $(CASE)
 
 build/e2e/pty: tests/e2e_pty.c

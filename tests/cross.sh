@@ -69,13 +69,14 @@ one() {         # one TARGET NUM AXES
     [ "$2" != q16 ] || slow_in_interrupts "$out" "$1" "$2x$3" | check "$what has fast interrupts"
 }
 
+if [ $# -gt 0 ]; then one "$@"; exit; fi          # side by side: it calls itself
 result=$(mktemp); trap 'rm -f "$result"' EXIT
 for t in $targets; do
     case $t in
-    atmega328p) for axes in 1 3 6; do one $t q16 $axes; done ;;
-    *)          for num in q16 f32 f64; do one $t $num 3; done ;;
+    atmega328p) for axes in 1 3 6; do echo "sh tests/cross.sh $t q16 $axes"; done ;;
+    *)          for num in q16 f32 f64; do echo "sh tests/cross.sh $t $num 3"; done ;;
     esac
-done | tee "$result"
+done | bash tests/beside.sh | tee "$result"
 passed=$(grep -c '^ok' "$result") failed=$(grep -c '^FAIL' "$result")
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -1,13 +1,25 @@
 #!/bin/sh
 # tests/lint.sh -- the rules of the house, each one line `ok` or `FAIL` with the places
 # SPDX-License-Identifier: MIT
+# usage: tests/lint.sh ; it calls itself for what runs side by side: compiled COMPILER NUM AXES, compiled_tools COMPILER
 set -u
-result=$(mktemp); trap 'rm -f "$result"' EXIT
+result=$(mktemp); trap 'rm -f "$result" "$result.jobs"' EXIT
 rule() {        # rule NAME: standard input lists the offending places; none is good
     places=$(cat)
     if [ -z "$places" ]; then echo "ok   lint $1"
     else echo "FAIL lint $1"; echo "$places" | sed 's/^/     /' | head -20; fi | tee -a "$result"
 }
+
+warnings="-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -Werror"
+compiled() {            # compiled COMPILER NUM AXES: does lib/ compile without a warning?
+    $1 $warnings -ffreestanding -Ilib -DLOFT_NUM=LOFT_$2 -DLOFT_AXES=$3 -fsyntax-only lib/*/*.c 2>&1 | rule "$1 $2 x$3"
+}
+compiled_tools() {      # compiled_tools COMPILER
+    $1 -std=c99 -D_GNU_SOURCE ${warnings#-std=c99} -Ilib -Iports -Ihost-tools -I. $(pkg-config --cflags libxml-2.0 cairo libserialport) \
+        -DLOFT_NUM=LOFT_Q16 -fsyntax-only host-tools/*.c ports/host/*.c ports/linux-gpio/[!g]*.c ports/template/*.c ports/firmware.c 2>&1 |
+        rule "$1 host tools and ports"
+}
+if [ $# -gt 0 ]; then "$@"; exit; fi
 
 # 1. arrows: a file includes its own room and rooms before it
 rooms="num geom basis curve surface polygon toolpath motion wire machine"
@@ -76,25 +88,14 @@ for file in lib/*.h lib/*/*.[ch] ports/*.h ports/*/*.[ch] host-tools/*.[ch] test
     head -3 "$file" | grep -qF "$file" || echo "$file: the first lines do not name the file"
 done | rule "files name themselves and their licence"
 
-# 7. gcc and clang, warnings as errors, all number types, one, three and six axes
-warnings="-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -Werror"
+# 7. gcc and clang, warnings as errors, all number types, one, three and six axes: side by side
 for compiler in gcc clang; do
     for num in Q16 F32 F64; do
-        for axes in 1 3 6; do
-            for source in lib/*/*.c; do
-                $compiler $warnings -ffreestanding -Ilib -DLOFT_NUM=LOFT_$num -DLOFT_AXES=$axes -fsyntax-only "$source" 2>&1
-            done | rule "$compiler $num x$axes"
-        done
+        for axes in 1 3 6; do echo "sh tests/lint.sh compiled $compiler $num $axes"; done
     done
-done
-gnu="-std=c99 -D_GNU_SOURCE ${warnings#-std=c99}"
-for compiler in gcc clang; do
-    for source in host-tools/*.c ports/host/*.c ports/linux-gpio/[!g]*.c ports/template/*.c ports/firmware.c; do
-        [ -f "$source" ] || continue
-        $compiler $gnu -Ilib -Iports -Ihost-tools -I. $(pkg-config --cflags libxml-2.0 cairo libserialport) \
-            -DLOFT_NUM=LOFT_Q16 -fsyntax-only "$source" 2>&1
-    done | rule "$compiler host tools and ports"
-done
+done >"$result.jobs"
+for compiler in gcc clang; do echo "sh tests/lint.sh compiled_tools $compiler"; done >>"$result.jobs"
+bash tests/beside.sh <"$result.jobs" | tee -a "$result"
 
 passed=$(grep -c '^ok' "$result")
 failed=$(grep -c '^FAIL' "$result")

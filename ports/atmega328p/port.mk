@@ -75,7 +75,7 @@ bench-machine: firmware-atmega328p $(TOOL_OUT)/loft $(patsubst %,build/target/%,
 .PHONY: check-atmega328p
 check-atmega328p: firmware-atmega328p build/target/chip build/target/rate $(TOOL_OUT)/loft
 	@bash tests/target/avr.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
-TARGET_STAGES += check-atmega328p
+TARGET_BESIDE += check-atmega328p
 
 # --- planning on the chip ------------------------------------------------------------------------------
 # Every function for itself and called, not inlined: half the size. The image is all that this chip holds: the planner and the curves of a
@@ -107,4 +107,4 @@ build/target/plan_chip: tests/target/plan_chip.c
 .PHONY: check-avr-plan
 check-avr-plan: build/target/plan.elf build/target/plan build/target/plan_chip
 	@$(PLAN_MOST) bash tests/target/plan.sh build/target/plan.elf $(PLAN_CHIP) build/target/plan build/target/plan_chip
-TARGET_STAGES += check-avr-plan
+TARGET_BESIDE += check-avr-plan

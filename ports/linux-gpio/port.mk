@@ -49,4 +49,4 @@ check-gpio: $(TOOL_OUT)/loft $(GPIO_GUEST)/loft-gpio-race $(GPIO_GUEST)/loft-gpi
 	@bash tests/target/gpio_get.sh $(GPIO_CACHE) >/dev/null && $(MAKE) -s --no-print-directory $(GPIO_GUEST)/loft-gpio1 $(GPIO_GUEST)/loft-gpio2 $(GPIO_GUEST)/guest || \
 	    { echo "FAIL no kernel with GPIO chips could be had, nothing was tested"; echo "0 passed, 1 failed"; exit 1; }
 	@bash tests/target/gpio.sh $(GPIO_CACHE) $(GPIO_GUEST) $(TOOL_OUT)/loft
-TARGET_STAGES += check-gpio
+TARGET_BESIDE += check-gpio

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: MIT
 """usage: tests/target/units.py FOLDER [BOARD..] ; FOLDER is what units.mk has made.
 
-As many tests go into an image as memory holds. What a test takes is known from the first board, which has the most: its own data,
-and the stack that it was seen to use."""
+As many tests go into an image as memory holds. What a test takes on a small board is known from the first, which has room for all: its
+own data, and the stack that it was seen to use."""
 import glob
 import os
 import re
@@ -171,12 +171,15 @@ def main(made, *only):
     quad = run(f"{made}/quad_check")
     print(quad.stdout, end="")
     passed, failed = quad.returncode == 0, quad.returncode != 0
+    boards = [first] + others
+    small = [board for board in others if board.ram[1] < M]
     with ThreadPoolExecutor(2) as pool:
-        work = [pool.submit(first.work, tests, {t: 64 * K for t in tests})]
-        print("\n".join(work[0].result().rows), flush=True)
-        for job in [pool.submit(board.work, tests, first.stack) for board in others]:
-            print("\n".join(job.result().rows), flush=True)
-    for board in [first] + others:
+        jobs = {board: pool.submit(board.work, tests, {t: 64 * K for t in tests}) for board in boards if board not in small}
+        jobs[first].result()
+        jobs.update({board: pool.submit(board.work, tests, first.stack) for board in small})
+        for board in boards:
+            print("\n".join(jobs[board].result().rows), flush=True)
+    for board in boards:
         passed, failed = passed + board.passed, failed + board.failed
     print(f"{passed} passed, {failed} failed")
     return failed > 0
