@@ -165,6 +165,75 @@ static void along_the_caps_the_limits_hold(arb *a)
             CHECK(fabs(arb_value(s.shape.along[k].axis[i])) * v[k] <= arb_value(s.limits.max_speed[i]) * 1.0001 + BY_NUM(0.001, 1e-4, 1e-9));
 }
 
+/* The direction at parameter t of a curve, and how much faster than the curve's parameter its length grows. */
+static double heading_at(const loft_vec p[4], double t, double d[])
+{
+    double sum = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const double x0 = arb_value(p[0].axis[i]), x1 = arb_value(p[1].axis[i]), x2 = arb_value(p[2].axis[i]), x3 = arb_value(p[3].axis[i]);
+        d[i] = 3 * ((1 - t) * (1 - t) * (x1 - x0) + 2 * t * (1 - t) * (x2 - x1) + t * t * (x3 - x2));
+        sum += d[i] * d[i];
+    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        d[i] /= sqrt(sum);
+    return sqrt(sum);
+}
+
+/* The part of its speed that an axis uses, at most, when the arc from..to of a curve is passed along the line between its caps. */
+static double axis_use(const loft_plan_piece *p, const loft_vec curve[4], uint32_t from, uint32_t to)
+{
+    enum { PARTS = 32 };
+    double way[PARTS + 1] = { 0 }, d[PARTS + 1][LOFT_AXES], most = 0, before = 0;
+
+    for (int n = 0; n <= PARTS; n++) {
+        const double rate = heading_at(curve, (from + (to - from) * (double)n / PARTS) / LOFT_ARC_WHOLE, d[n]);
+        way[n] = n > 0 ? way[n - 1] + (before + rate) / 2 : 0;
+        before = rate;
+    }
+    for (int n = 0; n <= PARTS; n++) {
+        const double v = sqrt(speeds(p->cap) + (speeds(p->last) - speeds(p->cap)) * way[n] / way[PARTS]);
+        for (int i = 0; i < LOFT_AXES; i++)
+            most = fmax(most, (v * fabs(d[n][i]) - BY_NUM(0x1p-15, 0, 0)) / arb_value(limits.max_speed[i]));
+    }
+    return most;
+}
+
+/* The next piece of a curve: an arc, halved until its caps are near enough to a line; gives where it ends. */
+static uint32_t next_piece(scene *s, const loft_cubic *c, uint32_t from, double feed)
+{
+    uint32_t size = loft_arc_next(&s->arc, c, from, true) - from;
+
+    loft_arc_measure(&s->arc, &s->shape, LOFT_ARC_ALL);
+    while (!s->arc.speck && !s->arc.dust && !loft_scope_init(&s->piece, &s->budget, &s->arc, &s->shape, real_of(feed)) && size > 1) {
+        size /= 2;
+        loft_arc_cut(&s->arc, c, from, from + size, true);
+        loft_arc_measure(&s->arc, &s->shape, LOFT_ARC_ALL);
+    }
+    return from + size;
+}
+
+/* The feed is a little more than what one axis can follow somewhere on a curve. */
+static void between_the_stations_no_axis_is_faster_than_it_may_be(arb *a)
+{
+    static const enum kind kinds[] = { ARC, SMOOTH, SMOOTH, WILD };
+    const int i = (int)arb_below(a, LOFT_AXES);
+    double d[LOFT_AXES];
+    scene s;
+
+    arb_budget(a, &s);
+    begin_chain();
+    arb_curve(a, kinds[arb_below(a, 4)], arb_decades(a, 1, 100), 1, false);
+    const loft_cubic *c = &chain[0].curve;
+    (void)heading_at(c->p, arb_between(a, 0, 1), d);
+    const double feed = fmin(16000, arb_value(limits.max_speed[i]) / fmax(0.05, fabs(d[i])) * arb_between(a, 1, 1.05));
+    for (uint32_t from = 0, to; from < LOFT_ARC_WHOLE; from = to) {
+        to = next_piece(&s, c, from, feed);
+        if (!s.arc.speck && !s.arc.dust && !s.shape.tight && value_of(s.arc.length) > 0.01)
+            CHECK(axis_use(&s.piece, c->p, from, to) <= 1.0005);
+    }
+}
+
 /* A line is passed with the least of what its axes allow. */
 static void on_a_line_the_scope_is_a_rectangle(arb *a)
 {
@@ -204,6 +273,7 @@ int main(void)
     PROPERTY(braking_in_the_scope_holds_the_limits,     3000);
     PROPERTY(where_the_curvature_changes_the_limits_hold_between_the_ends, 3000);
     PROPERTY(along_the_caps_the_limits_hold,            3000);
+    PROPERTY(between_the_stations_no_axis_is_faster_than_it_may_be, 1500);
     PROPERTY(on_a_line_the_scope_is_a_rectangle,         500);
     PROPERTY(a_joint_that_bends_nothing_is_none,         500);
     return check_failures();

@@ -23,6 +23,17 @@
  *
  * The far end is as far beyond the cap of the speed as a line can be that passes the cap within the piece.
  *
+ * The caps at the ends are such that a line between their squares holds the speeds of the axes, too: |u| v <= V, where a line that is
+ * lower in the middle lowers both. Where feed or another axis hold the cap at one station, it is no parabola through three stations, but u is: with
+ *
+ *     c = 2 |u1| - |u0| - |u2| > 0
+ *
+ * it is up to c / 8 above its own chords between neighbouring stations. So v <= V / (|u| + c / 8) at the three of them keeps |u| v
+ * within V (1 + d^2 / 4) between two whose caps differ by the part d, at most 1/32. What is no parabola of u has, for arcs that turn and
+ * change their rate by 1/4, two parts. One goes with c: at most c / 20 (an axis is fastest within the piece where the change of its direction cancels, so
+ * that is less than c as well), for which c / 16 is left. The other is the cubic of a turn by 1/8 to both sides at a rate that changes by 1/8 to both sides,
+ * (1/8)^3 of u, 0.385 of which are between the stations, 1/1300; with d^2 / 4 that is 1/1000, which is left, too.
+ *
  * q16: y = x / far <= 1 and |k| far / A <= 32, so that all lines are below 33 * 2^14.
  */
 #include "motion/scope.h"
@@ -197,40 +208,53 @@ static uint8_t set_knee(const scope *s, bool fore, loft_real bound[2])
     return (uint8_t)knee;
 }
 
+/* The size of a direction or curvature at station k, with what it may rise by between the stations. */
+static loft_real crest(const loft_vec at[3], int k, int i)
+{
+    const loft_real arch = 2 * size_of(at[1].axis[i]) - size_of(at[0].axis[i]) - size_of(at[2].axis[i]), size = size_of(at[k].axis[i]);
+    return size + size / 1024 + (arch > 0 ? 3 * (arch / 16) : 0);
+}
+
 /* The most at station k. */
 static loft_real speed_cap(const loft_budget *b, const loft_arc_shape *s, int k, loft_real feed)
 {
     loft_acc bend[LOFT_AXES];
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        feed = loft_real_cap(feed, b->max_speed[i], size_of(s->along[k].axis[i]));
-        bend[i] = loft_wide(s->bend[k].axis[i]);
-    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (b->max_speed[i] < feed)         /* otherwise no direction is too fast */
+            feed = loft_real_cap(feed, b->max_speed[i], crest(s->along, k, i));
     if (s->tight || !(b->across > 0))
         return feed;
+    for (int i = 0; i < LOFT_AXES; i++)
+        bend[i] = loft_wide(crest(s->bend, k, i));
     const loft_real size = loft_acc_round(loft_acc_hypot(bend, LOFT_AXES));
     const loft_acc  most = size > 0 ? loft_acc_div(loft_wide(b->across), size) : square(feed);
     return most < square(feed) ? loft_acc_sqrt(most) : feed;
 }
 
-static loft_real root_below(loft_acc x, loft_acc off) { return loft_acc_sqrt(x - loft_acc_least(off, loft_acc_mean(x, 0))); }
+/* Not nothing, which would be a stop. */
+static loft_unit part_of(loft_acc x, loft_acc whole)
+{
+    const loft_unit part = loft_unit_ratio(x, whole), least = LOFT_UNIT(0.00390625);
+    return part < least ? least : part;
+}
 
-/* The caps at both ends, such that the line between their squares is below that in the middle, `at` of the length; 1/32 of the change is for
- * what is no parabola. */
+/* The caps at both ends, such that the line between their squares is not above that in the middle, `at` of the length. */
 static bool set_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, loft_unit at, loft_real feed)
 {
     p->cap  = speed_cap(b, shape, 0, feed);
     p->last = speed_cap(b, shape, 2, feed);
-    const loft_real middle = speed_cap(b, shape, 1, feed);
-    if (!(p->cap < feed || p->last < feed || middle < feed))
-        return true;
+    const loft_acc first = square(p->cap), last = square(p->last), middle = loft_acc_lerp(first, last, at);
+    const loft_acc most = square(speed_cap(b, shape, 1, feed)), change = first < last ? last - first : first - last;
 
-    const loft_acc first = square(p->cap), last = square(p->last), between = square(middle);
-    const loft_acc change = first < last ? last - first : first - last, bow = loft_acc_lerp(first, last, at) - between;
-    const loft_acc off = (bow > 0 ? bow : 0) + loft_acc_scale(change, 2 * STEEP);
-    p->cap  = root_below(first, off);
-    p->last = root_below(last, off);
-    return bow <= loft_acc_scale(between, STEEP) && change <= loft_acc_scale(between, LOFT_UNIT(0.125));
+    if (most < middle) {
+        const loft_unit part = part_of(most, middle);
+        p->cap  = loft_acc_sqrt(loft_acc_scale(first, part));
+        p->last = loft_acc_sqrt(loft_acc_scale(last, part));
+        if (part < LOFT_UNIT(1) - STEEP)
+            return false;
+    }
+    return change <= most / 8;
 }
 
 /* The bounds of a piece
