@@ -47,6 +47,28 @@ loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p)
 #endif
 }
 
+/* How far the zones of all pieces reach, which features of the path may make much less than the feed would. */
+static loft_acc reach_of(const loft_course *c)
+{
+#if LOFT_PLAN_FILTER > 1
+    return c->reach;
+#else
+    return c->zone;
+#endif
+}
+
+/* There is one more piece. */
+static void widen(loft_course *c, const loft_plan_piece *last)
+{
+#if LOFT_PLAN_FILTER > 1
+    if (LOFT_BUDGET_JERK(&c->budget))
+        c->reach = loft_acc_most(c->count > 1 ? c->reach : 0, loft_course_zone(c, last));
+#else
+    (void)c;
+    (void)last;
+#endif
+}
+
 void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves[], uint16_t move_room, loft_plan_piece pieces[], uint16_t piece_room)
 {
     c->budget     = *budget;
@@ -187,6 +209,7 @@ static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, const lo
         joint.to   = p->to;
         joint.move = p->move;
         *p = joint;
+        widen(c, p);
     }
 }
 
@@ -226,6 +249,7 @@ static void load_pieces(loft_course *c)
         piece.to   = to;
         piece.move = p->move;
         *p = piece;
+        widen(c, p);
     }
     c->at = to;
 }
@@ -317,12 +341,13 @@ static void bound(const loft_plan_piece *p, bounds *b, loft_acc x, bool fore)
 
 static bounds around(const loft_course *c, unsigned i, loft_acc off, loft_acc x, bool fore)
 {
+    const loft_acc reach = reach_of(c);
     const loft_plan_piece *p = loft_course_piece(c, i);
     bounds b = { loft_prod(p->cap, p->cap), off, LOFT_ACCEL_MAX };
     loft_acc d = loft_unit_wide(p->length) - off;
 
     bound(p, &b, x, fore);
-    for (unsigned j = i + 1; j < c->count && d < c->zone; j++) {
+    for (unsigned j = i + 1; j < c->count && d < reach; j++) {
         const loft_plan_piece *q = loft_course_piece(c, j);
         const loft_acc z = loft_course_zone(c, q);
         if (q->stop)
@@ -334,7 +359,7 @@ static bounds around(const loft_course *c, unsigned i, loft_acc off, loft_acc x,
         d += loft_unit_wide(q->length);
     }
     d = off;
-    for (unsigned j = i; j > 0 && d <= c->zone + off && !loft_course_piece(c, j)->stop; j--) {
+    for (unsigned j = i; j > 0 && d <= reach + off && !loft_course_piece(c, j)->stop; j--) {
         const loft_plan_piece *q = loft_course_piece(c, j - 1);
         const loft_acc z = loft_course_zone(c, q);
         if (d <= z)
@@ -384,18 +409,19 @@ static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc wa
 /* Does nothing in the zones around piece i, nor what follows it, ask for less than its cap? The brake curve is at the cap then. */
 static bool runs(const loft_course *c, unsigned i)
 {
+    const loft_acc  reach = reach_of(c);
     const loft_real cap = loft_course_piece(c, i)->cap;
     loft_acc d = 0;
 
     if (i + 1u >= c->count || loft_course_piece(c, i + 1)->stop || loft_course_piece(c, i + 1)->brake < cap)
         return false;
-    for (unsigned j = i + 1; j < c->count && d < c->zone; j++) {
+    for (unsigned j = i + 1; j < c->count && d < reach; j++) {
         if (loft_course_piece(c, j)->cap < cap)
             return false;
         d += loft_unit_wide(loft_course_piece(c, j)->length);
     }
     d = 0;
-    for (unsigned j = i; j > 0 && d <= c->zone; j--) {
+    for (unsigned j = i; j > 0 && d <= reach; j--) {
         if (loft_course_piece(c, j - 1)->cap < cap)
             return false;
         d += loft_unit_wide(loft_course_piece(c, j - 1)->length);

@@ -21,7 +21,7 @@ typedef struct {
 /* Complete so that it can be static; do not rely on the fields. */
 typedef struct {
     loft_acc         size, extent;                          /* of the curve that is cut, of the one before   */
-    loft_acc         zone;                                  /* how far any place reaches                     */
+    loft_acc         zone;                                  /* how far any piece may reach                   */
     uint32_t         at;                                    /* how far the next curve has been cut, its parameter */
     loft_real        feed;                                  /* of the last piece                             */
     loft_unit        gear;                                  /* part of the acceleration that is used         */
@@ -37,6 +37,9 @@ typedef struct {
     loft_way         way;                                   /* where the last piece was heading              */
     loft_vec         end;                                   /* where the last curve ends                     */
     loft_budget      budget;
+#if LOFT_PLAN_FILTER > 1
+    loft_acc         reach;                                 /* the largest zone of the pieces                */
+#endif
 } loft_course;
 
 /* A place: the distance from the start of a piece. */

@@ -17,7 +17,7 @@
  *     }
  *
  * What becomes of the spans, and what else may run in an interrupt: span.h. A plan belongs to one context, the main loop: it may be
- * interrupted anywhere, but no interrupt may call it. Its memory: loft_plan (2,568 bytes; with LOFT_PLAN_WINDOW 4 and LOFT_PLAN_FILTER 1 488; three
+ * interrupted anywhere, but no interrupt may call it. Its memory: loft_plan (2,576 bytes; with LOFT_PLAN_WINDOW 4 and LOFT_PLAN_FILTER 1 488; three
  * axes, q16), 52 bytes a curve, 304 a piece, 72 where LOFT_PLAN_FLOW is 0, 56 where LOFT_PLAN_FILTER is 1. On a Cortex-M4 the dearest call takes 1.2 million instructions, on an M0 4.4 million (make bench-motion: the
  * mean of them): let the queue behind it last for that.
  *
