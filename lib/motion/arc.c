@@ -17,8 +17,8 @@
 
 #include "num/accs.h"       /* loft_accs_add, .. */
 
-#define SPECK        (3 * loft_acc_ratio(loft_wide(LOFT_REAL(1)), 65536))
-#define DUST         (3 * loft_acc_ratio(loft_wide(LOFT_REAL(1)), 262144))
+#define SPECK        loft_wide(LOFT_REAL(0.0000457763671875))    /* 3 / 2^16 */
+#define DUST         loft_acc_scale(SPECK, LOFT_UNIT(0.25))
 #define BLUR         16384                          /* grains: what is longer has a direction */
 #define LENGTH_MAX   loft_wide(LOFT_REAL(64))       /* a loft_unit holds it */
 #define BEND_MAX     (LOFT_REAL_MAX / 2)
@@ -91,10 +91,10 @@ static void shorten(loft_arc *a, loft_unit part)
             loft_accs_scale(a->c[k], part);
 }
 
-/* The derivative's control points, three times the legs, and their mean; per axis: how far they are off it at most, and the sum of their
+/* The derivative's control points, three times the legs, their mean and its length; per axis: how far they are off it at most, and the sum of their
  * sizes. Of coarse arcs the one in the middle counts double, as no parabola through three rates follows it. */
 typedef struct {
-    loft_acc off, size;
+    loft_acc length, off, size;
     loft_acc chord[LOFT_AXES], leg[3][LOFT_AXES];
 } legs;
 
@@ -109,6 +109,7 @@ static void set_legs(const loft_arc *a, legs *l, bool coarse)
     loft_accs_triple(l->leg[2]);
     loft_accs_add(l->leg[2], a->c[2]);
     loft_accs_add(l->leg[2], l->leg[1]);
+    l->length = loft_acc_hypot(l->chord, LOFT_AXES);
     l->off = l->size = 0;
     for (int i = 0; i < LOFT_AXES; i++)
         for (int k = 0; k < 3; k++) {
@@ -120,9 +121,9 @@ static void set_legs(const loft_arc *a, legs *l, bool coarse)
 
 /* When all legs are within |chord| / 16 of it (per axis), direction and rate change by at most 1/8 over the arc, 1/4 if it is coarse, so
  * no feature hides between the places looked at. */
-static bool nearly_straight(const legs *l, loft_acc length, bool coarse)
+static bool nearly_straight(const legs *l, bool coarse)
 {
-    return length > 0 && length <= LENGTH_MAX && l->off * (coarse ? 8 : 16) <= length;
+    return l->length > 0 && l->length <= LENGTH_MAX && l->off * (coarse ? 8 : 16) <= l->length;
 }
 
 static void set_direction(const loft_acc v[LOFT_AXES], loft_acc length, loft_vec *u)
@@ -145,18 +146,18 @@ static loft_acc take_along(loft_acc v[LOFT_AXES], const loft_vec *u)
 
 /* Where a control point falls onto the end, rates grow from 0 and no part that begins there is nearly straight in the
  * sense above. A speck is, when all legs lead along its chord and no further than |chord| / 512 off it. */
-static bool straight_speck(legs *l, loft_acc length)
+static bool straight_speck(legs *l)
 {
     loft_vec u;
 
-    if (!(length > 0))
+    if (!(l->length > 0))
         return false;
-    set_direction(l->chord, length, &u);
+    set_direction(l->chord, l->length, &u);
     for (int k = 0; k < 3; k++) {
         if (take_along(l->leg[k], &u) < 0)
             return false;
         for (int i = 0; i < LOFT_AXES; i++)
-            if (171 * loft_acc_size(l->leg[k][i]) > length)      /* a leg is a third of that */
+            if (171 * loft_acc_size(l->leg[k][i]) > l->length)      /* a leg is a third of that */
                 return false;
     }
     return true;
@@ -260,15 +261,14 @@ static bool fits(loft_arc *a, uint32_t size, bool coarse)
     legs l;
 
     set_legs(a, &l, coarse);
-    const loft_acc length = loft_acc_hypot(l.chord, LOFT_AXES);
     a->speck = a->dust = a->crumb = false;
-    if (nearly_straight(&l, length, coarse))
+    if (nearly_straight(&l, coarse))
         return true;
 
-    const bool speck = l.size <= SPECK && straight_speck(&l, length), dust = !speck && (l.size <= DUST || size == 1);
+    const bool speck = l.size <= SPECK && straight_speck(&l), dust = !speck && (l.size <= DUST || size == 1);
     if (!speck && !dust)
         return false;
-    a->crumb = dust && leads(a, length);
+    a->crumb = dust && leads(a, l.length);
     a->speck = speck || a->crumb;
     a->dust  = !a->speck;
     straighten(a);

@@ -86,7 +86,7 @@ PLAN_FLAGS   = -std=c99 -ffreestanding -Os -flto -fno-inline -mcall-prologues -m
                -fno-tree-loop-im -fno-tree-loop-ivcanon -fno-tree-forwprop -fno-tree-ccp -fno-tree-dominator-opts \
                -fno-move-loop-invariants -fno-tree-sra -fno-expensive-optimizations -ffunction-sections -fdata-sections
 PLAN_SRC     = tests/target/plan.c $(wildcard lib/num/*.c lib/geom/*.c lib/motion/*.c) lib/curve/bezier.c lib/curve/forward.c
-PLAN_MOST    = MOST_RAM=870 MOST_STACK=1050 MOST_FLASH=32256 MOST_LOAD=0.56
+PLAN_MOST    = MOST_RAM=870 MOST_STACK=1050 MOST_FLASH=32000 MOST_LOAD=0.56
 
 build/target/outline12.inc: tests/drawings/outline12.csv
 	@mkdir -p $(@D)
