@@ -70,7 +70,7 @@ typedef struct {
     int32_t      target[LOFT_AXES];     /* steps at the end of the last prepared tick                        */
     uint32_t     ahead;                 /* ticks in the queue, and of the item being walked                  */
     uint16_t     left;                  /* ticks of the item being walked                                    */
-    uint8_t      running, prepared;     /* what the running and the prepared tick are: see drive.c           */
+    uint8_t      running, prepared;     /* what the running and the prepared tick are: see drive_tick.c      */
     uint8_t      cap;                   /* of the item being walked                                          */
     uint8_t      obeyed;                /* percent                                                           */
     uint16_t     ordered;               /* the level that belongs to it                                      */

@@ -33,6 +33,9 @@ typedef struct {
     uint16_t seen, looked;
 } loft_queue;
 
+/* Copy a place that one of the two sides shares with the other: number by number. */
+void loft_place_copy(volatile int32_t to[LOFT_AXES], const volatile int32_t from[LOFT_AXES]);
+
 /* Empty the queue. Neither side may be at work.
  *
  *   shape   cell[0..count-1] is the caller's memory and stays borrowed

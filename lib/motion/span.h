@@ -19,7 +19,7 @@
  *   each slot    pins = loft_step_next(&step)                // the timer's interrupt of tick_hz * slots: directions, then pulses, to the pins
  *
  * A tick lasts at least 1 / tick_hz; what it calls must be done by then. On a small chip loft_span_walk takes longer: make the walk of the
- * next span in the main loop while the one before is walked (two loft_forward), as machine/drive.c does. When the queue empties before
+ * next span in the main loop while the one before is walked (two loft_forward), as machine/drive_tick.c does. When the queue empties before
  * its end, aim the pace at 0 in good time: loft_pace_distance. Everything here is reentrant and keeps nothing but its structs.
  *
  * A call costs at most, in cycles of an ATmega328P (-Os), in instructions of a Cortex-M0 and M4 (-O2), for three axes in q16; and bytes
