@@ -405,6 +405,7 @@
 #define loft_parabola_eval         LOFT_NAME(loft_parabola_eval)
 #define loft_parabola_init         LOFT_NAME(loft_parabola_init)
 #define loft_parabola_power        LOFT_NAME(loft_parabola_power)
+#define loft_place_copy            LOFT_NAME(loft_place_copy)
 #define loft_plan_end              LOFT_NAME(loft_plan_end)
 #define loft_plan_init             LOFT_NAME(loft_plan_init)
 #define loft_plan_next             LOFT_NAME(loft_plan_next)

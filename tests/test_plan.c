@@ -536,10 +536,10 @@ int main(void)
     PROPERTY(speed_is_never_exceeded,                              20);
     PROPERTY_LONG(the_path_is_kept_within_the_tolerance,                15);
     PROPERTY_LONG(smooth_chains_hold_all_limits_whatever_the_corner,    12);
-    PROPERTY_LONG(any_chain_keeps_all_limits_where_jerk_is_limited,     15);
-    PROPERTY_LONG(smooth_chains_keep_all_limits_where_jerk_is_limited,  10);
+    PROPERTY_LONG(any_chain_keeps_all_limits_where_jerk_is_limited,     BY_NUM(15, 4, 8));
+    PROPERTY_LONG(smooth_chains_keep_all_limits_where_jerk_is_limited,  BY_NUM(10, 3, 5));
     PROPERTY_LONG(however_curves_arrive_all_limits_are_kept,            15);
-    PROPERTY(a_ring_that_sees_far_enough_costs_no_time,            8);
+    PROPERTY(a_ring_that_sees_far_enough_costs_no_time,            BY_NUM(8, 2, 4));
     PROPERTY(a_line_takes_the_time_of_a_trapezoid,              40);
     PROPERTY(cutting_a_curve_in_two_costs_no_time,                 5);
     PROPERTY(the_way_back_takes_the_same_time,                     5);
