@@ -250,24 +250,21 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
 /* Limits
  * ------ */
 
+/* g + z q <= most; a rise that does not add to g is not hindered where rounding has left g above that. */
+static loft_unit limit_below(loft_unit z, loft_acc g, loft_acc q, loft_acc most)
+{
+    const loft_acc room = larger(most - g, 0);
+
+    return loft_acc_scale(q, z) > room ? loft_unit_ratio(room, q) : z;
+}
+
 /* |g + z q| <= most */
 static loft_unit limit(loft_unit z, loft_acc g, loft_acc q, loft_acc most)
 {
-    const loft_acc room = q < 0 ? most + g : most - g, size = q < 0 ? -q : q;
-
-    if (!(loft_acc_scale(size, z) > room))
-        return z;
-    return room > 0 ? loft_unit_ratio(room, size) : 0;
+    return q < 0 ? limit_below(z, -g, -q, most) : limit_below(z, g, q, most);
 }
 
-/* g + z q <= most (1 - z w) */
-static loft_unit limit_below(loft_unit z, loft_acc g, loft_acc q, loft_acc most)
-{
-    if (!(loft_acc_scale(q, z) > most - g))
-        return z;
-    return most > g ? loft_unit_ratio(most - g, q) : 0;
-}
-
+/* |g + z q| <= most - z less */
 static loft_unit limit_jerk(loft_unit z, loft_acc g, loft_acc q, loft_acc most, loft_acc less)
 {
     return limit_below(limit_below(z, g, q + less, most), -g, less - q, most);
