@@ -62,6 +62,9 @@ time_rows() {
             < <(awk '$1 == "accel" && $2 ~ /^outline/ { print $2, $3 / $4, $3 }' "$build/time-$num.out")
         read -r name ratio < <(awk '$1 == "accel" && $2 ~ /^smooth/ && $3 / $4 > most { most = $3 / $4; name = $2 } END { print name, most }' "$build/time-$num.out")
         row "time to the least possible, worst of smooth chains, $num" 1.03 "$ratio" "$name"
+        # the spline of the samples lasts two beats more than what is sampled, and ends at a whole beat
+        read -r name ratio < <(awk '$1 == "rest" { r = ($3 - 3 * $5) / $4; if (r > most) { most = r; name = $2 } } END { print name, most }' "$build/time-$num.out")
+        row "time less 3 beats to the best jerk-limited one, worst of lines, $num" 1.08 "$ratio" "$name"
     done
 }
 

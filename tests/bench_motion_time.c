@@ -3,7 +3,7 @@
  * usage: time FOLDER [CHAINS]      FOLDER holds lists of moves; CHAINS random smooth ones as well
  *
  * Prints `accel NAME PLAN LEAST` where jerk is not limited; `jerk NAME PLAN` where it is, and writes FOLDER/NAME.path for
- * topp_jerk.py. Seconds.
+ * topp_jerk.py; `rest LENGTH PLAN LEAST BEAT` of lines from rest to rest. Seconds.
  */
 #define CURVES 64
 
@@ -112,6 +112,43 @@ static void line_path(void)
     add_curve(d, e, u, w, 50);
 }
 
+/* The least time from rest to rest: seven parts of even jerk, fewer where the speed, or the acceleration, is not reached. */
+static double least_time(double length, double v, double a, double j)
+{
+    if (v * j < a * a)
+        return length < 2 * v * sqrt(v / j) ? 4 * cbrt(length / (2 * j)) : length / v + 2 * sqrt(v / j);
+    if (length < 2 * a * a * a / (j * j))
+        return 4 * cbrt(length / (2 * j));
+    v = fmin(v, (sqrt(a * a * a * a / (j * j) + 4 * a * length) - a * a / j) / 2);
+    return length / v + v / a + a / j;
+}
+
+static void measure_line(double length, double v, double accel)
+{
+    const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0, 1 }, u[4] = { 0, length / 3, length * 2 / 3, length }, w[4] = { 0 };
+    const arrival all = { CURVES, PIECES, NULL };
+    loft_budget b;
+
+    even_limits(1000, accel, 20 * accel);
+    begin_chain();
+    add_curve(d, e, u, w, v);
+    if (plan_chain(&all) != PLANNED)
+        return;
+    loft_budget_init(&b, &limits);
+    printf("rest %g-mm-at-%g-mm/s-%g-mm/s2 %.6f %.6f %.6f\n", length, v, accel, seconds(), least_time(length, v, accel, 20 * accel), (double)b.beat / b.tick_hz);
+}
+
+static void measure_lines(void)
+{
+    static const double lengths[] = { 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 40, 50, 100 };
+
+    for (unsigned k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+        measure_line(lengths[k], 30, 500);
+        measure_line(lengths[k], 5, 500);
+        measure_line(lengths[k], 100, 1000);
+    }
+}
+
 int main(int words, char **word)
 {
     const unsigned chains = words > 2 ? (unsigned)atoi(word[2]) : 0;
@@ -127,6 +164,7 @@ int main(int words, char **word)
         }
     line_path();
     measure(word[1], "line");
+    measure_lines();
     for (unsigned seed = 1; seed <= chains; seed++) {
         snprintf(name, sizeof name, "smooth-seed-%u", seed);
         smooth_path(seed, seed % 4 == 0);

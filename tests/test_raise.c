@@ -126,6 +126,27 @@ static void a_long_line_takes_the_time_that_is_known(arb *a)
     CHECK(took > least * 0.999 && took < least * 1.04 + 0.01);
 }
 
+/* 4 (L / 2 j)^(1/3), what cells leave of it, and the rest of the last beat */
+static void a_short_line_takes_the_time_that_is_known(arb *a)
+{
+    const double angle = arb_between(a, 0, 6.28), d[LOFT_AXES] = { cos(angle), sin(angle) }, e[LOFT_AXES] = { 0, 1 }, w[4] = { 0 };
+    const double length = arb_decades(a, 0.05, 2), u[4] = { 0, length / 3, length * 2 / 3, length };
+    const double jerk = 10000 / fmax(fabs(d[0]), fabs(d[1])), least = 4 * cbrt(length / (2 * jerk));
+    loft_flow flow;
+    unsigned beats = 0;
+
+    even_limits(1000, 500, 10000);
+    begin_chain();
+    add_curve(d, e, u, w, arb_between(a, 40, 60));
+    begin();
+    course.ended = true;
+    loft_flow_init(&flow);
+    while (beats < 100000 && loft_flow_next(&flow, &course) == LOFT_FLOW_RUNS)
+        beats++;
+    const double beat = (double)course.budget.beat / limits.tick_hz;
+    CHECK(beats * beat > least * 0.999 && beats * beat < least * 1.08 + beat);
+}
+
 static loft_vec on_circle(double r, double angle, double handle)
 {
     return (loft_vec){ { real_of(r * cos(angle) - handle * sin(angle)), real_of(r * sin(angle) + handle * cos(angle)) } };
@@ -235,6 +256,7 @@ int main(void)
     PROPERTY(all_cells_hold_the_limits_at_their_ends, 30);
     PROPERTY(raising_only_raises,                     20);
     PROPERTY(a_long_line_takes_the_time_that_is_known, 10);
+    PROPERTY(a_short_line_takes_the_time_that_is_known, 30);
     PROPERTY(short_curves_are_passed_as_fast_as_long_ones, 3);
     PROPERTY(places_follow_each_other,                20);
     PROPERTY(eased_cells_bend_as_the_points_do,      300);

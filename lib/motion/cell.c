@@ -300,6 +300,8 @@ static loft_unit limit_end(const loft_plan_cell *c, const loft_budget *b, const 
         const loft_real u = c->along[end].axis[i], jump = c->jump.axis[i];
         const loft_real k = c->bend[end].axis[i] + (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->bends[eased][end])) : 0);
         const loft_real turn = c->turn[end].axis[i] + (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->turns[eased][end])) : 0);
+        if (!(u < 0 || u > 0 || k < 0 || k > 0 || turn < 0 || turn > 0))
+            continue;
         const loft_acc  accel = loft_wide(b->accel[i]);
         const loft_unit kh = loft_unit_round(loft_prod(k, length) * 3);
         const loft_acc  most = loft_acc_mul(p->beats, b->gain[i]);

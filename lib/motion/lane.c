@@ -2,11 +2,13 @@
  * SPDX-License-Identifier: MIT
  *
  * Cells are about as long as what is passed in a third of the time in which the acceleration is reached, and neighbours about as long
- * as each other, as a row of even cells takes fewer sweeps (raise.c). Where the path rests, with acceleration A and jerk J
+ * as each other, as a row of even cells takes fewer sweeps (raise.c); where nothing but limits along it counts they grow to twice the last one. Where
+ * the path rests, with acceleration A and jerk J
  *
- *     A (A / J)^2 / 4 + 3/4 of the way from there
+ *     A (A / J)^2 / 8, or 1/16 of the way between two rests + 3/4 of the way from there
  *
- * is the most, as the acceleration is reached after A (A / J)^2 / 6. What is appended creeps; a rest at the end of what is known is planned for only when
+ * is the most, as the jerk is even in the first cell: the acceleration is reached after A (A / J)^2 / 6, and on a short way between two rests
+ * jerk changes after 1/12 of it. Curves are halved, and up to 10/7 of it is taken. What is appended creeps; a rest at the end of what is known is planned for only when
  * nothing comes in time. The last cells before an open end creep, too: those that a joint with the next curve may ease or take
  * a part of the jerk from, and two more, which is what it takes to come to rest from there.
  *
@@ -20,8 +22,10 @@
 
 #if LOFT_PLAN_FLOW
 
-#define SWEEPS 16
+#define SWEEPS 16      /* at most */
 #define PARTS  3       /* cells in the time in which the acceleration is reached */
+#define SHORT  16      /* of the way between two rests the first and the last cell are such a part */
+#define EVEN   1024    /* a path is straight where its bends take less than such a part of the acceleration */
 
 static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
 static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
@@ -226,8 +230,20 @@ static int32_t reaches(const loft_budget *b, loft_real gain, loft_real v)
     return n;
 }
 
-/* How long a cell should be: what is passed in a third of the time in which the acceleration is reached; shorter near a rest and at
- * the end of a curve which may be one; else about as long as the last one. */
+/* Does it bend so little that only limits along it count? */
+static bool straight(const loft_budget *b, const loft_plan_cell *c)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        for (int e = 0; e < 2; e++) {
+            const loft_acc bend = loft_acc_mul(c->most, c->bend[e].axis[i]), turn = loft_acc_mul(c->most, c->turn[e].axis[i]), most = loft_wide(b->accel[i]) / EVEN;
+            if (bend > most || bend < -most || turn > most || turn < -most)
+                return false;
+        }
+    return true;
+}
+
+/* How long a cell should be: what is passed in a third of the time in which the acceleration is reached; on a straight line longer and longer; shorter
+ * near a rest and at the end of a curve which may be one; else about as long as the last one. */
 static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_plan_cell *whole, bool ends)
 {
     const loft_budget *b = &c->budget;
@@ -235,17 +251,18 @@ static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_pla
     const int32_t  n = reaches(b, gain, v);
     const loft_acc rest = loft_unit_wide(whole->length), beat = loft_budget_beat(b, v);
     const loft_real accel = loft_acc_round(smaller(loft_wide(loft_real_least(b->accel)), loft_wide(gain) * n));
-    const loft_acc near = loft_acc_scale(loft_budget_beat(b, accel), b->pulse) * (n * n) / 4;     /* A (A / J)^2 / 4 */
+    const loft_acc reach = loft_acc_scale(loft_budget_beat(b, accel), b->pulse) * (n * n) / 8;    /* A (A / J)^2 / 8 */
+    const loft_acc near = l->may_rest ? smaller(reach, larger(l->run + rest, c->size) / SHORT) : reach;
     loft_acc most = beat * n / PARTS;
 
     if (l->last > 0)
         most = larger(smaller(most * 8 / 5, l->last), most / 2);
+    if (straight(b, whole))
+        most = larger(most, smaller(l->last * 8 / 5, loft_wide(LOFT_REAL(32))));
     most = smaller(most, near + l->run * 3 / 4);
     if (ends)
         most = smaller(most, larger(near, rest * 3 / 7));
-    if (ends && l->run + rest < 4 * most)
-        most = larger((l->run + rest) / 4, loft_wide(LOFT_REAL(1)) / 16384);
-    return smaller(most, c->size / 4);
+    return larger(smaller(most, c->size / 4), loft_wide(LOFT_REAL(1)) / 16384);
 }
 
 /* May the path rest at the end of the curve that is cut? */
