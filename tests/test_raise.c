@@ -106,6 +106,23 @@ static void raising_only_raises(arb *a)
         CHECK(cell_of(i)->b >= before[i] && (i >= begun || !(cell_of(i)->b > before[i])));
 }
 
+/* Rounding may leave a limit exceeded that is all used: what does not add to that is not hindered. */
+static void a_limit_hinders_nothing_that_does_not_touch_it(arb *a)
+{
+    const loft_cell_rise none = { 0, 0 };
+
+    arb_path(a);
+    loft_lane_load(&lane, &course);
+    loft_lane_close(&lane, &course);
+    loft_lane_raise(&lane, &course, 0);
+    for (unsigned i = 1; i + 1 < course.count; i++) {
+        if (rests(i) || rests(i + 1) || loft_course_piece(&course, i)->hop)
+            continue;
+        loft_course_piece(&course, i)->cell.rise = 0;
+        CHECK(loft_cell_limit(cell_of(i), cell_of(i + 1), &course.budget, none, none, LOFT_UNIT(1), false, false) == LOFT_UNIT(1));
+    }
+}
+
 /* L / v + v / a + a / j */
 static void a_long_line_takes_the_time_that_is_known(arb *a)
 {
@@ -254,6 +271,7 @@ static void an_inverse_multiplies_by_it(arb *a)
 int main(void)
 {
     PROPERTY(all_cells_hold_the_limits_at_their_ends, 30);
+    PROPERTY(a_limit_hinders_nothing_that_does_not_touch_it, 20);
     PROPERTY(raising_only_raises,                     20);
     PROPERTY(a_long_line_takes_the_time_that_is_known, 10);
     PROPERTY(a_short_line_takes_the_time_that_is_known, 30);
