@@ -12,10 +12,12 @@
 
 static int print_result(const plot_options *o, const plot_result *found)
 {
+    const size_t count = o->r == NULL && o->d->of ? o->d->of->count : o->d->count;
+
     if (o->r == NULL)
-        return printf("%s: %zu curves\n", o->output, o->d->of ? o->d->of->count : o->d->count) < 0 ? EX_IOERR : EX_OK;
-    return printf("%s: %zu curves, %zu pulses with the pen down, path error %.4f mm at worst, at %.3f,%.3f, %.4f mm on average\n",
-                  o->output, o->d->count, found->drawing_pulses, found->worst, found->worst_point[0], found->worst_point[1],
+        return printf("%s: %zu curve%s\n", o->output, count, tool_s(count)) < 0 ? EX_IOERR : EX_OK;
+    return printf("%s: %zu curve%s, %zu pulses with the pen down, path error %.4f mm at worst, at %.3f,%.3f, %.4f mm on average\n",
+                  o->output, count, tool_s(count), found->drawing_pulses, found->worst, found->worst_point[0], found->worst_point[1],
                   found->mean) < 0 ? EX_IOERR : EX_OK;
 }
 
@@ -86,7 +88,7 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
     if (o.wire && o.map != MAP_NONE)
         return tool_error(EX_USAGE, "--wire and --curvature: give one of them: a wire has no colour");
     const int code = surface_plot(&o);
-    return code ? code : printf("%s: %zu surfaces\n", p->output, all->count) < 0 ? EX_IOERR : EX_OK;
+    return code ? code : printf("%s: %zu surface%s\n", p->output, all->count, tool_s(all->count)) < 0 ? EX_IOERR : EX_OK;
 }
 
 /* What the file holds decides. */

@@ -78,8 +78,8 @@ static int plan(const stream_options *o, const char *file, const drawing *d, con
 
 static void print_plan(const job *j, const toolpath *path, double tol)
 {
-    printf("planned: %zu curves, %.3f m drawn, %.3f m travelled, %.1f s, %zu %s, path within %.4f mm, job %08x\n", path->curves,
-           path->drawn / 1000, path->travelled / 1000, job_seconds(j), j->count, job_words(j), tol,
+    printf("planned: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s, %zu %s, path within %.4f mm, job %08x\n", path->curves,
+           tool_s(path->curves), path->drawn / 1000, path->travelled / 1000, job_seconds(j), j->count, job_words(j), tol,
            (unsigned)j->head.id);
 }
 
@@ -191,7 +191,7 @@ static int draw_gcode(const stream_options *o, const char *file, const drawing *
         memcpy(how->start, grbl_place(g), sizeof how->start);
     toolpath_make(&path, d, how);
     gcode_make(&lines, &path, (o->p.tol - o->p.smoothed) / 2, o->g5);
-    snprintf(what, sizeof what, "%zu curves, %.3f m", path.curves, path.drawn / 1000);
+    snprintf(what, sizeof what, "%zu curve%s, %.3f m", path.curves, tool_s(path.curves), path.drawn / 1000);
     if (path.count == 0)
         code = tool_error(EX_DATAERR, "%s: nothing to draw in it: give a drawing with visible outlines", file);
     else if (g != NULL)

@@ -36,7 +36,7 @@ static int run(const tool_command *self, int argc, char **argv)
         code = mesh_make(&m, &all, source_name(argv[first]), e, n, n);
     if (code == 0)
         code = mesh_write(&m, output, &triangles);
-    if (code == 0 && printf("%s: %zu surfaces, %zu triangles\n", output, all.count, triangles) < 0)
+    if (code == 0 && printf("%s: %zu surface%s, %zu triangles\n", output, all.count, tool_s(all.count), triangles) < 0)
         code = EX_IOERR;
     mesh_free(&m);
     surfaces_free(&all);

@@ -381,8 +381,8 @@ static void title(const plot_view *v, const plan_picture *p)
     for (size_t k = 0; k < p->t->moves; k++)
         trace_add(&all, &p->t->part[k]);
     plot_ink(v, 0.1);
-    snprintf(words, sizeof words, "%.80s: %zu curves, %.3f m drawn, %.3f m travelled, %.1f s", plot_base_name(p->name), p->path->curves,
-             p->path->drawn / 1000, p->path->travelled / 1000, all.seconds);
+    snprintf(words, sizeof words, "%.80s: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s", plot_base_name(p->name), p->path->curves,
+             tool_s(p->path->curves), p->path->drawn / 1000, p->path->travelled / 1000, all.seconds);
     plot_text(v, PLOT_LARGE, v->left, 30 * v->u, 0, words);
     trace_words(p->t, &all, limits, sizeof limits);
     snprintf(words, sizeof words, "limited, of the time, by %s", limits);

@@ -130,7 +130,7 @@ static int drawn(talk *t, const job *j, const stream_subject *about)
     const int code = error_text(s, about, error);
     if (code != 0)
         return code;
-    printf("drawn: %zu curves, %.3f m, %.1f s machine time, %s, steps %s as commanded\n", about->curves, about->drawn / 1000,
+    printf("drawn: %zu curve%s, %.3f m, %.1f s machine time, %s, steps %s as commanded\n", about->curves, tool_s(about->curves), about->drawn / 1000,
            machine_seconds(s), error, steps_text(want, text));
     print_line(t, j);
     return EX_OK;

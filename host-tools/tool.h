@@ -39,6 +39,9 @@ void *tool_grow(void *old, size_t bytes);
 /* Seconds of a clock that only goes forward. */
 double tool_clock(void);
 
+/* What makes a word plural: "%zu curve%s", n, tool_s(n). */
+static inline const char *tool_s(size_t n)      { return n == 1 ? "" : "s"; }
+
 
 // Options
 // -------

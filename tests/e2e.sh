@@ -557,7 +557,7 @@ case_surfaces_with_n_sides_are_used() {
 # A reader of its own: sizes, indices, unit normals on the right side, and the area and volume of a sphere.
 case_meshes_are_read_back() {
     printf 'sphere 20\n1 2 3\n' >"$tmp/ball.loft"
-    run 0 "$loft" surface --n 64 -o "$tmp/ball.stl" "$tmp/ball.loft"; says out ': 1 surfaces, 8064 triangles$'
+    run 0 "$loft" surface --n 64 -o "$tmp/ball.stl" "$tmp/ball.loft"; says out ': 1 surface, 8064 triangles$'
     run 0 "$loft" surface --n 64 -o "$tmp/ball.ply" "$tmp/ball.loft"
     run 0 "$loft" surface --n 8 -o "$tmp/all.stl" tests/drawings/surfaces.loft
     cat >"$tmp/read.py" <<'PY'
@@ -917,14 +917,18 @@ run_case() {
     if [ -z "$why" ]; then echo "ok   e2e $1"; else echo "FAIL e2e $1:${why#;}"; fi
 }
 
-cases=("$@")
-[ $# -gt 0 ] || mapfile -t cases < <(sed -n 's/^case_\([a-z0-9_]*\)().*/\1/p' "$0")
-for name in "${cases[@]}"; do
-    while [ "$(jobs -rp | wc -l)" -ge 4 ]; do wait -n; done
-    run_case "$name" | tee -a "$top/results" &
-done
-wait
-passed=$(grep -c '^ok' "$top/results")
-failed=$((${#cases[@]} - passed))
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+main() {        # read as a whole before it runs: the file may be edited meanwhile
+    local cases=("$@") passed failed
+    [ $# -gt 0 ] || mapfile -t cases < <(sed -n 's/^case_\([a-z0-9_]*\)().*/\1/p' "$0")
+    for name in "${cases[@]}"; do
+        while [ "$(jobs -rp | wc -l)" -ge 4 ]; do wait -n; done
+        run_case "$name" | tee -a "$top/results" &
+    done
+    wait
+    passed=$(grep -c '^ok' "$top/results")
+    failed=$((${#cases[@]} - passed))
+    echo "$passed passed, $failed failed"
+    [ $failed = 0 ]
+    exit
+}
+main "$@"
