@@ -14,7 +14,7 @@
  * Wide bumps first, W = 16 cells, 8, 4, 2, 1, with their middles half of that apart: what hinders a wide one hinders some of the
  * narrow ones only.
  *
- * A row that creeps as a whole is fastest raised as a whole: all control values times 4, as often as all limits allow, less four such steps, as
+ * A row that creeps as a whole is fastest raised as a whole: all control values are doubled as often as all limits allow, less seven times, as
  * where one limit is used up alone bumps find no way on. Sweeps end when one gains less than 1/1024 of the time.
  *
  * Where all of the jerk is used no bump can be raised. Braking must not do that before an end that is open, for when more cells come the
@@ -30,8 +30,7 @@
 
 #define WIDEST 16
 #define EASY   3        /* J / A over s */
-#define LIFT   4
-#define BACK   4        /* so many times less than the most */
+#define BACK   7        /* so often less than it could be */
 #define ENOUGH 1024     /* a sweep that gains less than such a part of the time is the last one */
 
 static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
@@ -234,39 +233,39 @@ static void set_tops(const loft_course *c, const loft_row *row)
     }
 }
 
-/* Times `up`, then over `down`, powers of two. */
-static void multiply(const loft_course *c, const loft_row *row, int32_t up, int32_t down)
+/* Double all control values, if all limits allow that. */
+static bool doubled(const loft_course *c, const loft_row *row)
+{
+    const touched all = { row->first, row->end - 1 };
+
+    for (unsigned i = row->first; i < row->end; i++) {
+        if (cell_of(c, i)->b * 2 > cell_of(c, i)->top)
+            return false;
+        cell_of(c, i)->rise = cell_of(c, i)->b;
+    }
+    if (allowed(c, row, all) < LOFT_UNIT(1))
+        return false;
+    grow(c, row, all, LOFT_UNIT(1));
+    return true;
+}
+
+static void halve(const loft_course *c, const loft_row *row)
 {
     for (unsigned i = row->first; i < row->end; i++) {
-        cell_of(c, i)->b = cell_of(c, i)->b * up / down;
+        cell_of(c, i)->b /= 2;
         set_knot(c, row, i);
     }
 }
 
-/* Does the row hold all limits with its control values LIFT times as large? They are left so. */
-static bool lifted(const loft_course *c, const loft_row *row)
-{
-    for (unsigned i = row->first; i < row->end; i++)
-        if (cell_of(c, i)->b * LIFT > cell_of(c, i)->top)
-            return false;
-    multiply(c, row, LIFT, 1);
-    if (allowed(c, row, (touched){ row->first, row->end - 1 }) > 0)
-        return true;
-    multiply(c, row, 1, LIFT);
-    return false;
-}
-
-/* All control values of a row that creeps. */
+/* All of a row that creeps. */
 static void lift(const loft_course *c, const loft_row *row)
 {
     int n = 0;
 
-    for (unsigned i = row->first; i < row->end; i++)
-        cell_of(c, i)->rise = 0;
-    while (lifted(c, row))
+    while (doubled(c, row))
         n++;
     for (int k = 0; k < BACK && k < n; k++)
-        multiply(c, row, 1, LIFT);
+        halve(c, row);
 }
 
 /* About the time that the pieces take, s. */
@@ -283,7 +282,7 @@ void loft_raise(const loft_course *c, const loft_row *row, int sweeps)
     set_tops(c, row);
     const unsigned from = row->from + (row->starts && row->from == row->first), to = row->to - (row->rests && row->to == row->end);
 
-    if (row->from == row->first && row->to == row->end && !(cell_of(c, from)->b > LOFT_RAISE_CREEP))
+    if (row->starts && row->rests && row->from == row->first && !(cell_of(c, from)->b > LOFT_RAISE_CREEP))
         lift(c, row);
     loft_acc before = time_of(c, row), gain = before;
 
