@@ -429,22 +429,28 @@ static bool runs(const loft_course *c, unsigned i)
     return true;
 }
 
+/* From x, the square of the speed at `off` on piece i, backward to `to`. */
+static loft_acc back_over(const loft_course *c, unsigned i, loft_acc off, loft_acc x, loft_acc to)
+{
+    const loft_acc fine = loft_unit_wide(loft_course_piece(c, i)->length) / 1024;       /* zones are not told apart by less */
+
+    while (off > to) {
+        const bounds   b   = around(c, i, off, x, false);
+        const loft_acc way = loft_acc_least(loft_acc_most(b.left, fine), off - to);
+        x = rise(c, i, off, way, loft_acc_least(x, b.cap2), b);
+        off -= way;
+    }
+    return loft_acc_least(x, around(c, i, off, x, false).cap2);
+}
+
 loft_acc loft_course_brake(const loft_course *c, loft_course_place at)
 {
     const loft_plan_piece *p = loft_course_piece(c, at.piece), *next = loft_course_piece(c, at.piece + 1);
     const bool rests = at.piece + 1u >= c->count || next->stop;
-    loft_acc x = rests ? 0 : loft_prod(next->brake, next->brake), off = loft_unit_wide(p->length);
-    const loft_acc fine = off / 1024;       /* zones are not told apart by less */
 
     if (runs(c, at.piece))
         return loft_prod(p->cap, p->cap);
-    while (off > at.off) {
-        const bounds   b   = around(c, at.piece, off, x, false);
-        const loft_acc way = loft_acc_least(loft_acc_most(b.left, fine), off - at.off);
-        x = rise(c, at.piece, off, way, loft_acc_least(x, b.cap2), b);
-        off -= way;
-    }
-    return loft_acc_least(x, around(c, at.piece, off, x, false).cap2);
+    return back_over(c, at.piece, loft_unit_wide(p->length), rests ? 0 : loft_prod(next->brake, next->brake), at.off);
 }
 
 unsigned loft_course_stop(const loft_course *c, unsigned i)
@@ -455,22 +461,30 @@ unsigned loft_course_stop(const loft_course *c, unsigned i)
     return c->count;
 }
 
-/* A speed is sure when the one it is braked to is, or when it does not depend on that: at the cap, and so far from the open end
- * that nothing there can matter. */
+/* At the worst the path rests where the zones of what is to come begin: so `sure`, the square of the speed at piece i's end, rises
+ * to what is given at its start; `open` is how far from its end to the end of what is known. */
+static loft_acc least_brake(const loft_course *c, unsigned i, loft_acc sure, loft_acc open)
+{
+    const loft_acc length = loft_unit_wide(loft_course_piece(c, i)->length), closed = length - loft_acc_most(c->zone - open, 0);
+    return closed > 0 ? back_over(c, i, closed, sure, 0) : 0;
+}
+
+/* A speed is sure when the one it is braked to is, or when it does not depend on that: at the cap, whatever comes at the open end. */
 void loft_course_look_back(loft_course *c, unsigned i)
 {
     const unsigned stop = loft_course_stop(c, i);
     bool sure = stop < c->count || (c->ended && c->cut == c->move_count);
-    loft_acc open = 0;
+    loft_acc open = 0, least = 0;
 
     for (unsigned j = stop; j-- > i + 1; ) {
         loft_plan_piece *p = loft_course_piece(c, j);
         if (p->sure && sure)
             return;
-        const loft_acc x = loft_course_brake(c, (loft_course_place){ j, 0 });
+        if (!sure)
+            least = least_brake(c, j, least, open);
         open += loft_unit_wide(p->length);
-        p->brake = loft_acc_sqrt(x);
-        sure = sure || (open > 2 * c->zone && !(x < loft_prod(p->cap, p->cap)));
-        p->sure = sure;
+        sure  = sure || !(least < loft_prod(p->cap, p->cap));
+        p->brake = loft_acc_sqrt(loft_course_brake(c, (loft_course_place){ j, 0 }));
+        p->sure  = sure;
     }
 }
