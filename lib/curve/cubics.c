@@ -45,7 +45,6 @@
 #define ONE        LOFT_REAL(8192)      /* the weight of a polynomial's points       */
 #define ROOT       ((LOFT_AXES + 2) / 2)    /* sqrt(LOFT_AXES) at least              */
 
-static loft_acc size_of(loft_acc x)     { return x < 0 ? -x : x; }
 
 static loft_vec point(const loft_cubics *s, unsigned k)
 {
@@ -101,7 +100,7 @@ static bool arm(const loft_cubics *s, loft_acc x0, loft_acc w0, loft_acc x1, lof
     const int32_t n = s->degree;
 
     *out = 0;
-    if (n && size_of(third) > loft_acc_ratio(2 * high, n))
+    if (n && loft_acc_size(third) > loft_acc_ratio(2 * high, n))
         return false;
     const loft_acc x = x0 + n * third;
     if (x - rounding > high || x + rounding < low)

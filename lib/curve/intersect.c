@@ -56,7 +56,6 @@ typedef struct {
     bool shares;
 } search;
 
-static loft_acc size_of(loft_acc x) { return x < 0 ? -x : x; }
 
 
 /* One piece */
@@ -409,8 +408,8 @@ static loft_acc largest(const loft_bezier *b, loft_acc most)
 {
     for (unsigned k = 0; k <= b->degree; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            if (size_of(loft_wide(b->p[k].axis[i])) > most)
-                most = size_of(loft_wide(b->p[k].axis[i]));
+            if (loft_acc_size(loft_wide(b->p[k].axis[i])) > most)
+                most = loft_acc_size(loft_wide(b->p[k].axis[i]));
     return most;
 }
 

@@ -39,7 +39,6 @@ typedef struct {
 } trial;
 
 static loft_acc wide_unit(loft_unit t)  { return loft_acc_scale(loft_wide(LOFT_REAL(1)), t); }
-static loft_acc size_of(loft_acc x)     { return x < 0 ? -x : x; }
 
 static loft_acc cross(const loft_unit t[2], const loft_acc v[2])
 {
@@ -56,7 +55,7 @@ static loft_acc dot(const loft_unit t[2], const loft_acc v[2])
 
 static bool is_null(const loft_offset *o, unsigned k)
 {
-    return !(size_of(o->h[0][k]) > 0) && !(size_of(o->h[1][k]) > 0);
+    return !(loft_acc_size(o->h[0][k]) > 0) && !(loft_acc_size(o->h[1][k]) > 0);
 }
 
 /* sum C(m,j) h_j t^j (1-t)^(m-j) without h_0 is t times a sum of degree m - 1 with coefficients m / (j+1) h_(j+1); without
@@ -80,8 +79,8 @@ static bool normalise(loft_offset *o)
 
     for (int i = 0; i < 2; i++)
         for (int j = 0; j <= o->degree; j++)
-            if (size_of(o->h[i][j]) > most)
-                most = size_of(o->h[i][j]);
+            if (loft_acc_size(o->h[i][j]) > most)
+                most = loft_acc_size(o->h[i][j]);
     if (!(most > 0))
         return false;
     for (; most < LARGE; most *= 2)
@@ -99,7 +98,7 @@ static bool normalise(loft_offset *o)
 
 enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real distance, loft_real tol)
 {
-    const loft_acc d = size_of(loft_wide(distance)), wide = loft_wide(tol);
+    const loft_acc d = loft_acc_size(loft_wide(distance)), wide = loft_wide(tol);
     loft_acc size = 0;
 
     if (LOFT_AXES < 2 || !(tol > 0))
@@ -108,8 +107,8 @@ enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real
         for (int i = 0; i < LOFT_AXES; i++) {
             if (!loft_real_valid(c->p[k].axis[i]))
                 return LOFT_ERR_RANGE;
-            if (size_of(loft_wide(c->p[k].axis[i])) > size)
-                size = size_of(loft_wide(c->p[k].axis[i]));
+            if (loft_acc_size(loft_wide(c->p[k].axis[i])) > size)
+                size = loft_acc_size(loft_wide(c->p[k].axis[i]));
         }
     size += 2 * d;
     const loft_acc rounding = 2 * loft_real_grain(size);
@@ -168,7 +167,7 @@ static bool turn(const loft_offset *o, trial *r, loft_acc h[2][3], const loft_ac
     const loft_acc second[2] = { h[0][m ? 1 : 0], h[1][m ? 1 : 0] }, last_but_one[2] = { h[0][m ? m - 1 : 0], h[1][m ? m - 1 : 0] };
     const loft_acc x0 = cross(r->first, second), x1 = -cross(r->last, last_but_one);
 
-    if (size_of(x0) > length[0] || size_of(x1) > length[m])
+    if (loft_acc_size(x0) > length[0] || loft_acc_size(x1) > length[m])
         return false;
     const loft_unit turn0 = loft_unit_ratio(x0, length[0]), turn1 = loft_unit_ratio(x1, length[m]);
     for (int i = 0; i < 2; i++) {
@@ -210,7 +209,7 @@ static loft_acc sideways(const trial *r, unsigned m)
         for (unsigned j = k > 3 ? k - 3 : 0; j <= m && j <= k; j++)
             for (int i = 0; i < 2; i++)
                 sum += loft_binomial(3, k - j) * loft_binomial(m, j) * loft_acc_scale(r->e[i][k - j], r->h[i][j]);
-        sum = size_of(loft_acc_ratio(sum, loft_binomial(3 + m, k)));
+        sum = loft_acc_size(loft_acc_ratio(sum, loft_binomial(3 + m, k)));
         if (sum > most)
             most = sum;
     }
@@ -228,7 +227,7 @@ static loft_acc outward(const trial *r)
         for (unsigned j = k > 3 ? k - 3 : 0; j <= 3 && j <= k; j++)
             for (int i = 0; i < 2; i++)
                 sum += loft_binomial(3, k - j) * loft_binomial(3, j) * loft_acc_scale(r->e[i][k - j], loft_unit_ratio(r->e[i][j], one));
-        sum = size_of(loft_acc_ratio(sum, loft_binomial(6, k)) - one);
+        sum = loft_acc_size(loft_acc_ratio(sum, loft_binomial(6, k)) - one);
         if (sum > most)
             most = sum;
     }

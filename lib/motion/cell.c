@@ -35,10 +35,6 @@
 #define BETWEEN     400         /* part of the square of the speed that is left for what it is between beats */
 #define BOW         256         /* 1/256 of the acceleration may be exceeded between the ends */
 
-static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
-static loft_acc  larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
-static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
-static loft_acc  wide_size(loft_acc x)           { return x < 0 ? -x : x; }
 
 loft_inverse loft_inverse_of(loft_acc length)
 {
@@ -65,8 +61,8 @@ static loft_vec difference(loft_vec a, loft_vec b)
 /* x, or accel / bend if that is less */
 static loft_acc bend_most(loft_acc x, loft_real accel, loft_real bend)
 {
-    if (loft_acc_mul(smaller(x, loft_wide(LOFT_REAL(8191))), bend) > loft_wide(accel) || loft_acc_mul(x / 32768, bend) > loft_wide(accel) / 32768)
-        return smaller(x, loft_acc_div(loft_wide(accel), bend));
+    if (loft_acc_mul(loft_acc_least(x, loft_wide(LOFT_REAL(8191))), bend) > loft_wide(accel) || loft_acc_mul(x / 32768, bend) > loft_wide(accel) / 32768)
+        return loft_acc_least(x, loft_acc_div(loft_wide(accel), bend));
     return x;
 }
 
@@ -77,12 +73,12 @@ static loft_acc station_most(const loft_budget *b, const loft_arc_shape *s, int 
     loft_acc  x;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        v = loft_real_cap(v, b->max_speed[i], size_of(s->along[k].axis[i]));
+        v = loft_real_cap(v, b->max_speed[i], loft_real_size(s->along[k].axis[i]));
     x = loft_prod(v, v);
     if (b->across > 0)
         return bend_most(x, b->across, loft_acc_round(loft_vec_distance(s->bend[k], (loft_vec){ { 0 } })));
     for (int i = 0; i < LOFT_AXES; i++)
-        x = bend_most(x, b->accel[i], size_of(s->bend[k].axis[i]));
+        x = bend_most(x, b->accel[i], loft_real_size(s->bend[k].axis[i]));
     return x;
 }
 
@@ -112,11 +108,11 @@ static void set_bow(const loft_budget *b, loft_plan_cell *c)
 {
     c->bow = c->bow_change = c->bow_accel = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real k0 = size_of(c->bend[0].axis[i]), k1 = size_of(c->bend[1].axis[i]), t0 = c->turn[0].axis[i], t1 = c->turn[1].axis[i];
-        const loft_real k = k0 > k1 ? k0 : k1, t = size_of(t0) > size_of(t1) ? size_of(t0) : size_of(t1);
+        const loft_real k0 = loft_real_size(c->bend[0].axis[i]), k1 = loft_real_size(c->bend[1].axis[i]), t0 = c->turn[0].axis[i], t1 = c->turn[1].axis[i];
+        const loft_real k = k0 > k1 ? k0 : k1, t = loft_real_size(t0) > loft_real_size(t1) ? loft_real_size(t0) : loft_real_size(t1);
         const loft_unit change = part_of(loft_acc_scale(loft_wide(k), c->length) / 2, b->accel[i]);
         const loft_unit accel  = part_of(loft_acc_scale(loft_wide(t), c->length) * 5 / 8, b->accel[i]);
-        const loft_unit always = part_of(loft_acc_mul(c->most, size_of(t1 - t0)) / 8, b->accel[i]);
+        const loft_unit always = part_of(loft_acc_mul(c->most, loft_real_size(t1 - t0)) / 8, b->accel[i]);
         c->bow_change = change > c->bow_change ? change : c->bow_change;
         c->bow_accel  = accel > c->bow_accel ? accel : c->bow_accel;
         c->bow        = always > c->bow ? always : c->bow;
@@ -137,7 +133,7 @@ void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc
     }
     c->most = loft_prod(feed, feed);
     for (int k = 0; k < 3; k++)
-        c->most = smaller(c->most, station_most(b, &s, k, feed));
+        c->most = loft_acc_least(c->most, station_most(b, &s, k, feed));
     c->most -= c->most / BETWEEN;
     const loft_vec d0 = difference(s.bend[1], s.bend[0]), d1 = difference(s.bend[2], s.bend[1]);
     for (int i = 0; i < LOFT_AXES; i++) {       /* of the parabola through three */
@@ -195,9 +191,9 @@ static void set_cases(loft_plan_cell *c, int in, const easing at[2], loft_unit o
 /* The speed that the direction u allows to an axis. */
 static void turn_most(loft_plan_cell *c, const loft_budget *b, int i, loft_acc u)
 {
-    const loft_real v = loft_real_cap(LOFT_SPEED_MAX, b->max_speed[i], size_of(loft_acc_round(u)));
+    const loft_real v = loft_real_cap(LOFT_SPEED_MAX, b->max_speed[i], loft_real_size(loft_acc_round(u)));
     const loft_acc  x = loft_prod(v, v);
-    c->most = smaller(c->most, x - x / BETWEEN);
+    c->most = loft_acc_least(c->most, x - x / BETWEEN);
 }
 
 void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e, loft_acc off)
@@ -237,10 +233,10 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
         }
     }
     for (int end = 0; end < 2; end++)       /* the path moved aside is longer by that */
-        longest = larger(longest, loft_vec_dot(c->along[end], c->along[end]));
+        longest = loft_acc_most(longest, loft_vec_dot(c->along[end], c->along[end]));
     if (longest > loft_wide(LOFT_REAL(1)))
-        c->most = smaller(c->most, loft_acc_scale(before, loft_unit_ratio(loft_wide(LOFT_REAL(1)), longest)));
-    const loft_acc turn = smaller(loft_acc_scale(loft_inverse_mul(loft_unit_wide(LOFT_EASE_SLOPE), &by), c->length), loft_wide(LOFT_REAL(60)));
+        c->most = loft_acc_least(c->most, loft_acc_scale(before, loft_unit_ratio(loft_wide(LOFT_REAL(1)), longest)));
+    const loft_acc turn = loft_acc_least(loft_acc_scale(loft_inverse_mul(loft_unit_wide(LOFT_EASE_SLOPE), &by), c->length), loft_wide(LOFT_REAL(60)));
     set_cases(c, in, z, r[1 - in], r[in], beyond[1 - in], turn);
     c->bow = c->eased > 0 ? 0 : LOFT_UNIT(1);
     c->bow_change = c->bow_accel = 0;
@@ -253,7 +249,7 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
 /* g + z q <= most; a rise that does not add to g is not hindered where rounding has left g above that. */
 static loft_unit limit_below(loft_unit z, loft_acc g, loft_acc q, loft_acc most)
 {
-    const loft_acc room = larger(most - g, 0);
+    const loft_acc room = loft_acc_most(most - g, 0);
 
     return loft_acc_scale(q, z) > room ? loft_unit_ratio(room, q) : z;
 }
@@ -280,7 +276,7 @@ typedef struct {
 
 static place place_of(const loft_plan_cell *c, const loft_plan_cell *at, loft_cell_rise up)
 {
-    place p = { at->x, at->a, up, smaller(loft_acc_scale(c->span, at->r), loft_wide(LOFT_REAL(1)) * MOST_BEATS), 0 };
+    place p = { at->x, at->a, up, loft_acc_least(loft_acc_scale(c->span, at->r), loft_wide(LOFT_REAL(1)) * MOST_BEATS), 0 };
 
     p.beats = loft_acc_scale(p.beats - p.beats / 24, c->grip);      /* a part is left for what is not asked between the ends */
     p.w = loft_unit_round(loft_acc_scale(loft_acc_scale(up.x, at->r), at->r) / 2);
@@ -354,8 +350,8 @@ static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, con
 static bool bows(const loft_plan_cell *c, const place *p, const place *q)
 {
     const loft_acc change = q->a - p->a, changed = change + q->up.a - p->up.a;
-    const loft_acc a = larger(wide_size(p->a), wide_size(q->a)), raised = larger(wide_size(p->a + p->up.a), wide_size(q->a + q->up.a));
-    const loft_acc more = loft_acc_scale(larger(wide_size(change), wide_size(changed)), c->bow_change) + loft_acc_scale(larger(a, raised), c->bow_accel);
+    const loft_acc a = loft_acc_most(loft_acc_size(p->a), loft_acc_size(q->a)), raised = loft_acc_most(loft_acc_size(p->a + p->up.a), loft_acc_size(q->a + q->up.a));
+    const loft_acc more = loft_acc_scale(loft_acc_most(loft_acc_size(change), loft_acc_size(changed)), c->bow_change) + loft_acc_scale(loft_acc_most(a, raised), c->bow_accel);
 
     return (p->a > 0 && q->a < 0) || (p->up.a > 0 && q->up.a < 0) || (loft_unit_wide(c->bow) + more) * BOW > loft_wide(LOFT_REAL(1));
 }
@@ -363,8 +359,8 @@ static bool bows(const loft_plan_cell *c, const place *p, const place *q)
 loft_unit loft_cell_limit(const loft_plan_cell *c, const loft_plan_cell *next, const loft_budget *b, loft_cell_rise at, loft_cell_rise to, loft_unit z,
                           bool first, bool last)
 {
-    z = first ? z : limit(z, c->x, at.x, smaller(c->most, c->gate));
-    z = last  ? z : limit(z, next->x, to.x, smaller(c->most, next->gate));
+    z = first ? z : limit(z, c->x, at.x, loft_acc_least(c->most, c->gate));
+    z = last  ? z : limit(z, next->x, to.x, loft_acc_least(c->most, next->gate));
     if (!first && !last)
         z = limit(z, c->b, c->rise, c->most);
     if (!(z > 0))

@@ -27,8 +27,6 @@
 #define SHORT  16      /* of the way between two rests the first and the last cell are such a part */
 #define EVEN   1024    /* a path is straight where its bends take less than such a part of the acceleration */
 
-static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
-static loft_acc larger(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 
 void loft_lane_init(loft_lane *l)
 {
@@ -150,7 +148,7 @@ static bool spare(loft_lane *l, loft_course *c, loft_unit grip)
             return false;
         p->grip = p->grip < grip ? p->grip : grip;
     }
-    l->left = larger(l->left, reach);
+    l->left = loft_acc_most(l->left, reach);
     l->grip = l->grip < grip ? l->grip : grip;
     return true;
 }
@@ -187,30 +185,30 @@ static loft_acc feed_most(const loft_course *c, const loft_way *after, loft_real
 static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const loft_way *after, loft_acc spacing, loft_acc room)
 {
     const loft_budget *b = &c->budget;
-    const loft_acc most = larger(loft_course_piece(c, c->count - 1)->cell.most, next->most);
+    const loft_acc most = loft_acc_most(loft_course_piece(c, c->count - 1)->cell.most, next->most);
     const loft_real feed = loft_acc_sqrt(most);
     const loft_acc turn = loft_budget_joint(b, &c->way.along, &after->along, spacing, true), bend = loft_profile_jump(b, &c->way, after, spacing, feed);
-    const loft_real slow = loft_acc_sqrt(smaller(turn, bend));
+    const loft_real slow = loft_acc_sqrt(loft_acc_least(turn, bend));
     loft_unit used = 0;
 
     if (slow < loft_acc_round(loft_acc_scale(loft_wide(loft_real_least(b->accel)), b->pulse) / 4))
         return false;
     if (turn / 1024 < most) {
-        l->gate = smaller(l->gate, turn);
+        l->gate = loft_acc_least(l->gate, turn);
         used += loft_unit_round(loft_acc_scale(loft_wide(LOFT_REAL(0.8)), turn > most ? loft_unit_ratio(loft_wide(feed), loft_wide(loft_acc_sqrt(turn))) : LOFT_UNIT(1)));
     }
     if (bend / 32 < most) {
         loft_ease e;
         for (int i = 0; i < LOFT_AXES; i++)
             e.jump[i] = after->bend.axis[i] - c->way.bend.axis[i];
-        e.width = loft_ease_width(b, loft_vec_distance(c->way.bend, after->bend), smaller(room, l->run));
+        e.width = loft_ease_width(b, loft_vec_distance(c->way.bend, after->bend), loft_acc_least(room, l->run));
         if (loft_unit_wide(e.width) > 2 * loft_budget_beat(b, loft_acc_sqrt(bend))) {
             if (!ease_back(l, c, &e))
                 return false;
             l->ease  = e;
             l->since = 0;
         } else {
-            l->gate = smaller(l->gate, bend / 2);
+            l->gate = loft_acc_least(l->gate, bend / 2);
             used += LOFT_UNIT(0.4);
         }
     }
@@ -250,19 +248,19 @@ static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_pla
     const loft_real gain = loft_real_least(b->gain), v = loft_acc_sqrt(whole->most);
     const int32_t  n = reaches(b, gain, v);
     const loft_acc rest = loft_unit_wide(whole->length), beat = loft_budget_beat(b, v);
-    const loft_real accel = loft_acc_round(smaller(loft_wide(loft_real_least(b->accel)), loft_wide(gain) * n));
+    const loft_real accel = loft_acc_round(loft_acc_least(loft_wide(loft_real_least(b->accel)), loft_wide(gain) * n));
     const loft_acc reach = loft_acc_scale(loft_budget_beat(b, accel), b->pulse) * (n * n) / 8;    /* A (A / J)^2 / 8 */
-    const loft_acc near = l->may_rest ? smaller(reach, larger(l->run + rest, c->size) / SHORT) : reach;
+    const loft_acc near = l->may_rest ? loft_acc_least(reach, loft_acc_most(l->run + rest, c->size) / SHORT) : reach;
     loft_acc most = beat * n / PARTS;
 
     if (l->last > 0)
-        most = larger(smaller(most * 8 / 5, l->last), most / 2);
+        most = loft_acc_most(loft_acc_least(most * 8 / 5, l->last), most / 2);
     if (straight(b, whole))
-        most = larger(most, smaller(l->last * 8 / 5, loft_wide(LOFT_REAL(32))));
-    most = smaller(most, near + l->run * 3 / 4);
+        most = loft_acc_most(most, loft_acc_least(l->last * 8 / 5, loft_wide(LOFT_REAL(32))));
+    most = loft_acc_least(most, near + l->run * 3 / 4);
     if (ends)
-        most = smaller(most, larger(near, rest * 3 / 7));
-    return larger(smaller(most, c->size / 4), loft_wide(LOFT_REAL(1)) / 16384);
+        most = loft_acc_least(most, loft_acc_most(near, rest * 3 / 7));
+    return loft_acc_most(loft_acc_least(most, c->size / 4), loft_wide(LOFT_REAL(1)) / 16384);
 }
 
 /* May the path rest at the end of the curve that is cut? */
@@ -307,10 +305,10 @@ static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next, cons
     l->gate = next->most;
     l->stop = c->count == 0 || l->closed || !c->known;
     if (!l->stop && (feed < c->feed || feed > c->feed))
-        l->gate = smaller(l->gate, feed_most(c, &start, feed));
-    const loft_acc third = smaller(spacing / 3, loft_wide(LOFT_EASE_MAX));
+        l->gate = loft_acc_least(l->gate, feed_most(c, &start, feed));
+    const loft_acc third = loft_acc_least(spacing / 3, loft_wide(LOFT_EASE_MAX));
 
-    if (!l->stop && !smooth && !join(l, c, next, &start, spacing, smaller(third, runs_on(c, third)))) {
+    if (!l->stop && !smooth && !join(l, c, next, &start, spacing, loft_acc_least(third, runs_on(c, third)))) {
         settle(l, c);
         l->stop = true;
         l->gate = next->most;
@@ -388,7 +386,7 @@ static void load_cell(loft_lane *l, loft_course *c)
     }
     loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
     loft_cell_init(&cell, &c->budget, &arc, &shape, move->feed);
-    begin(l, c, &cell, &shape, c->smooth && !arc.speck, c->at == 0 ? smaller(c->size, c->extent) : c->size);
+    begin(l, c, &cell, &shape, c->smooth && !arc.speck, c->at == 0 ? loft_acc_least(c->size, c->extent) : c->size);
     if (c->at == 0)
         l->may_rest = may_rest(c);
     const loft_acc most = fitting(l, c, &cell, to == LOFT_ARC_WHOLE && l->may_rest);
@@ -433,8 +431,8 @@ unsigned loft_lane_open(const loft_lane *l, const loft_course *c)
     if (l->closed || c->count == 0)
         return c->count;
     const loft_plan_cell *last = &loft_course_piece(c, c->count - 1)->cell;
-    const loft_acc ease = smaller(c->extent / 3, loft_wide(LOFT_EASE_MAX)), seen = smaller(c->extent / 4, loft_budget_beat(&c->budget, loft_acc_sqrt(last->most)) * 5 / 2);
-    const loft_acc zone = c->at == 0 ? larger(ease, seen) : 0;
+    const loft_acc ease = loft_acc_least(c->extent / 3, loft_wide(LOFT_EASE_MAX)), seen = loft_acc_least(c->extent / 4, loft_budget_beat(&c->budget, loft_acc_sqrt(last->most)) * 5 / 2);
+    const loft_acc zone = c->at == 0 ? loft_acc_most(ease, seen) : 0;
     unsigned i = c->count;
     loft_acc d = 0;
 

@@ -31,15 +31,13 @@
 
 #if LOFT_PLAN_FILTER > 1
 
-static loft_acc  smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
-static loft_real size_of(loft_real x)            { return x < 0 ? -x : x; }
 static loft_real least(loft_real x, loft_real y) { return x < y ? x : y; }
 
 /* By how much a parabola through three may exceed the largest of them. */
 static loft_real bulge_of(const loft_vec at[3], int i)
 {
     const loft_acc bend = loft_wide(at[0].axis[i]) - 2 * loft_wide(at[1].axis[i]) + loft_wide(at[2].axis[i]);
-    return size_of(loft_acc_round(loft_acc_scale(bend, LOFT_UNIT(0.125))));
+    return loft_real_size(loft_acc_round(loft_acc_scale(bend, LOFT_UNIT(0.125))));
 }
 
 /* The largest size of three, and by how much a parabola through them may exceed it. */
@@ -47,13 +45,13 @@ static loft_real largest(const loft_vec at[3], int i)
 {
     loft_real most = 0;
     for (int k = 0; k < 3; k++)
-        most = size_of(at[k].axis[i]) > most ? size_of(at[k].axis[i]) : most;
+        most = loft_real_size(at[k].axis[i]) > most ? loft_real_size(at[k].axis[i]) : most;
     return most + bulge_of(at, i);
 }
 
 static loft_acc bend_cap(loft_acc x, loft_real accel, loft_real bend)
 {
-    return bend > 0 ? smaller(x, loft_acc_div(loft_wide(accel), bend)) : x;
+    return bend > 0 ? loft_acc_least(x, loft_acc_div(loft_wide(accel), bend)) : x;
 }
 
 /* The largest derivative of the parabola through three values, times the length: at one of its ends. */
@@ -62,7 +60,7 @@ static loft_real change(const loft_vec at[3], int i)
     const loft_acc d0 = loft_wide(at[1].axis[i]) - loft_wide(at[0].axis[i]), d1 = loft_wide(at[2].axis[i]) - loft_wide(at[1].axis[i]);
     const loft_acc start = 3 * d0 - d1, end = 3 * d1 - d0;
     const loft_acc a = start < 0 ? -start : start, b = end < 0 ? -end : end;
-    return loft_acc_round(smaller(a > b ? a : b, loft_wide(LOFT_REAL_MAX)));
+    return loft_acc_round(loft_acc_least(a > b ? a : b, loft_wide(LOFT_REAL_MAX)));
 }
 
 /* v h / l, the part of the piece that a beat passes, or 4095 */
@@ -156,7 +154,7 @@ static void set_jerk_lines(loft_plan_piece *p, const loft_budget *b, const loft_
 /* The size of a direction or curvature at a station, or the largest on all of the piece (station 3). */
 static loft_real size_at(const loft_vec at[3], int k, int i)
 {
-    return k < 3 ? size_of(at[k].axis[i]) : largest(at, i);
+    return k < 3 ? loft_real_size(at[k].axis[i]) : largest(at, i);
 }
 
 /* The length of the curvature vector likewise, rounded up. */
@@ -166,7 +164,7 @@ static loft_real bend_at(const loft_arc_shape *s, int k)
 
     for (int i = 0; i < LOFT_AXES; i++)
         bend[i] = loft_wide(size_at(s->bend, k, i));
-    return loft_acc_round(smaller(loft_acc_hypot(bend, LOFT_AXES) + LSB / 2, loft_wide(LOFT_REAL(32767))));
+    return loft_acc_round(loft_acc_least(loft_acc_hypot(bend, LOFT_AXES) + LSB / 2, loft_wide(LOFT_REAL(32767))));
 }
 
 /* What the limits of acceleration leave for a at the square x of the speed, at any of the three stations. */
@@ -177,9 +175,9 @@ static loft_real accel_grip(const loft_budget *b, const loft_arc_shape *s, loft_
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real most = largest(s->bend, i), bulge = bulge_of(s->along, i);
         for (int k = 0; k < 3; k++) {
-            const loft_real u = s->along[k].axis[i], k_i = s->bend[k].axis[i], size = size_of(u);
+            const loft_real u = s->along[k].axis[i], k_i = s->bend[k].axis[i], size = loft_real_size(u);
             const bool      more = size > bulge && ((u < 0) == (k_i < 0)) != fore;      /* does the bend need the other direction? */
-            const loft_acc  used = b->across > 0 ? 0 : loft_acc_mul(x, size > bulge ? size_of(k_i) : most);
+            const loft_acc  used = b->across > 0 ? 0 : loft_acc_mul(x, size > bulge ? loft_real_size(k_i) : most);
             const loft_acc  left = loft_wide(b->accel[i]) + (more ? used : -used);
             a = loft_real_cap(a, left > 0 ? loft_acc_round(left) : 0, size + bulge);
         }
@@ -192,7 +190,7 @@ static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_s
     p->rest = LOFT_ACCEL_MAX;
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc jerk = loft_wide(b->gain[i]) * b->filter, accel = loft_wide(b->accel[i]);
-        p->rest = loft_real_cap(p->rest, loft_acc_round(smaller(jerk, accel)), largest(s->along, i));
+        p->rest = loft_real_cap(p->rest, loft_acc_round(loft_acc_least(jerk, accel)), largest(s->along, i));
     }
     const loft_acc top = loft_prod(p->cap, p->cap);
     p->fore[0] = accel_grip(b, s, top / 4 * 3, true);
@@ -252,7 +250,7 @@ static loft_unit twist_of(const loft_plan_piece *p, const loft_budget *b, const 
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc  used = twist(p, b, shape, i, p->cap), gain = loft_wide(b->gain[i]);
-        const loft_unit part = loft_unit_ratio(smaller(used, gain), gain);
+        const loft_unit part = loft_unit_ratio(loft_acc_least(used, gain), gain);
         most = part > most ? part : most;
     }
     return most;
@@ -271,7 +269,7 @@ static loft_unit twist_at(const loft_way *w, loft_real v)
  * beats: jerk 3/4 v^2 d / h; another one may follow `spacing` further, within the four beats that the spline covers. */
 loft_acc loft_profile_jump(const loft_budget *b, const loft_way *before, const loft_way *after, loft_acc spacing, loft_real feed)
 {
-    const loft_real seen = part_of(&(loft_plan_piece){ .length = loft_unit_round(smaller(spacing, loft_wide(LOFT_REAL(64)))) }, b, feed);
+    const loft_real seen = part_of(&(loft_plan_piece){ .length = loft_unit_round(loft_acc_least(spacing, loft_wide(LOFT_REAL(64)))) }, b, feed);
     loft_acc x = loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX);
 
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -298,8 +296,8 @@ loft_unit loft_ease_width(const loft_budget *b, loft_acc jump, loft_acc room)
 
     if (!(size > 0) || size > LOFT_REAL(4095))
         return 0;
-    const loft_acc  most = smaller(room, loft_acc_div(loft_wide(LOFT_REAL(1)) / 6, size));
-    return loft_unit_round(smaller(most, loft_wide(loft_acc_sqrt(loft_acc_div(loft_wide(b->tol) * 103 / 4, size)))));
+    const loft_acc  most = loft_acc_least(room, loft_acc_div(loft_wide(LOFT_REAL(1)) / 6, size));
+    return loft_unit_round(loft_acc_least(most, loft_wide(loft_acc_sqrt(loft_acc_div(loft_wide(b->tol) * 103 / 4, size)))));
 }
 
 void loft_ease_point(const loft_ease *e, loft_acc off, loft_acc point[LOFT_AXES])
@@ -405,8 +403,8 @@ static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *befo
         j.bend  = j.ease.cap;
         p->cap -= loft_acc_round(loft_acc_ratio(loft_acc_scale(loft_acc_mul(jump, p->cap), p->ease.width), 9));
         for (int i = 0; i < LOFT_AXES; i++) {
-            const loft_real u = size_of(before->along.axis[i]), w = size_of(after->along.axis[i]);
-            const loft_acc  more = loft_acc_ratio(loft_acc_scale(loft_wide(size_of(p->ease.jump[i])), p->ease.width), 9);
+            const loft_real u = loft_real_size(before->along.axis[i]), w = loft_real_size(after->along.axis[i]);
+            const loft_acc  more = loft_acc_ratio(loft_acc_scale(loft_wide(loft_real_size(p->ease.jump[i])), p->ease.width), 9);
             p->cap = loft_real_cap(p->cap, b->max_speed[i], (u > w ? u : w) + loft_acc_round(more));
         }
     } else

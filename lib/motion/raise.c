@@ -33,8 +33,6 @@
 #define BACK   7        /* so often less than it could be */
 #define ENOUGH 1024     /* a sweep that gains less than such a part of the time is the last one */
 
-static loft_acc smaller(loft_acc x, loft_acc y) { return x < y ? x : y; }
-
 static loft_plan_cell *cell_of(const loft_course *c, unsigned i) { return &loft_course_piece(c, i)->cell; }
 
 static loft_acc length_of(const loft_course *c, unsigned i) { return loft_unit_wide(cell_of(c, i)->length); }
@@ -117,11 +115,11 @@ static loft_unit bump(loft_unit near, loft_unit far)
 static loft_acc put(const loft_course *c, unsigned i, loft_unit part, loft_acc rise, loft_acc *top)
 {
     loft_plan_cell *p = cell_of(c, i);
-    const loft_acc room = smaller(p->top - p->b, 4 * p->b), want = loft_acc_scale(rise, part);
+    const loft_acc room = loft_acc_least(p->top - p->b, 4 * p->b), want = loft_acc_scale(rise, part);
 
     p->rise = loft_unit_wide(part);
     if (want > room)
-        *top = smaller(*top, room > 0 ? loft_acc_scale(rise, loft_unit_ratio(room, want)) : 0);
+        *top = loft_acc_least(*top, room > 0 ? loft_acc_scale(rise, loft_unit_ratio(room, want)) : 0);
     return *top;
 }
 
@@ -129,12 +127,12 @@ static loft_acc put(const loft_course *c, unsigned i, loft_unit part, loft_acc r
 static loft_acc put_side(const loft_course *c, unsigned middle, unsigned last, loft_acc reach, loft_acc rise)
 {
     loft_acc d = length_of(c, middle) / 2;
-    loft_unit near = least(loft_unit_ratio(smaller(d, reach), reach), LOFT_UNIT(1));
+    loft_unit near = least(loft_unit_ratio(loft_acc_least(d, reach), reach), LOFT_UNIT(1));
 
     for (unsigned i = middle; i != last; ) {
         i = i < last ? i + 1 : i - 1;
         d += length_of(c, i);
-        const loft_unit far = loft_unit_ratio(smaller(d, reach), reach);
+        const loft_unit far = loft_unit_ratio(loft_acc_least(d, reach), reach);
         (void)put(c, i, bump(near, far), rise, &rise);
         near = far;
     }
@@ -187,7 +185,7 @@ static void raise(const loft_course *c, const loft_row *row, unsigned middle, un
     const loft_acc left = reach_of(c, middle, low, low == from, tied_first ? length_of(c, from - 1) : 0);
     const loft_acc right = reach_of(c, middle, high, high == to - 1, tied_last ? length_of(c, to) : 0);
     touched t = { low > row->first ? low - 1 : low, high + 1 < row->end ? high + 1 : high };
-    loft_acc rise = smaller(cell_of(c, middle)->top - cell_of(c, middle)->b, 4 * cell_of(c, middle)->b);
+    loft_acc rise = loft_acc_least(cell_of(c, middle)->top - cell_of(c, middle)->b, 4 * cell_of(c, middle)->b);
 
     for (unsigned i = t.low > row->first ? t.low - 1 : t.low; i <= t.high + 1 && i < row->end; i++)
         cell_of(c, i)->rise = 0;
@@ -227,8 +225,8 @@ static void set_tops(const loft_course *c, const loft_row *row)
     for (unsigned i = row->to; i-- > row->from; ) {
         loft_plan_cell *p = cell_of(c, i);
         d += length_of(c, i) / 2;
-        const loft_acc x = row->rests ? p->most : gentle(accel, s, smaller(d, loft_wide(LOFT_PLAN_REACH)));
-        p->top = x < p->b ? p->b : smaller(x, p->most);
+        const loft_acc x = row->rests ? p->most : gentle(accel, s, loft_acc_least(d, loft_wide(LOFT_PLAN_REACH)));
+        p->top = x < p->b ? p->b : loft_acc_least(x, p->most);
         d += length_of(c, i) / 2;
     }
 }

@@ -62,7 +62,6 @@ typedef struct {
     uint8_t   axis[LINES];
 } scope;
 
-static loft_real size_of(loft_real x)             { return x < 0 ? -x : x; }
 static loft_acc  twice(loft_acc way, loft_real a) { return 2 * loft_acc_mul(way, a); }
 static loft_acc  square(loft_real v)              { return loft_prod(v, v); }
 static loft_acc  length_of(const loft_plan_piece *p) { return loft_unit_wide(p->length); }
@@ -106,10 +105,10 @@ static loft_real weight_of(const scope *s, const loft_arc_shape *shape, int k, i
 static void add_lines(scope *s, const loft_budget *b, const loft_arc_shape *shape, int end)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real k = bend_of(b, shape, end, i), w = weight_of(s, shape, end, i, k), size = size_of(w);
+        const loft_real k = bend_of(b, shape, end, i), w = weight_of(s, shape, end, i, k), size = loft_real_size(w);
         const loft_real with = w < 0 ? -s->skew[i] : s->skew[i], turn = w < 0 ? -k : k, bow = w < 0 ? -s->bow[i] : s->bow[i];
 
-        if (!(size > 0 || size_of(k) > 0 || size_of(with) > 0))
+        if (!(size > 0 || loft_real_size(k) > 0 || loft_real_size(with) > 0))
             continue;
         add_line(s, b, i, with < 0 ? size - with : size, with < 0 ? size : with < size ? size - with : 0, turn, bow);
         if (with > size)
@@ -124,9 +123,9 @@ static void set_far(scope *s, const loft_budget *b, const loft_arc_shape *shape)
 
     for (int n = 0; n < 3 * LOFT_AXES; n++) {
         const int i = n / 3, at = n % 3;
-        const loft_real k = bend_of(b, shape, at, i), size = size_of(k), accel = b->accel[i];
+        const loft_real k = bend_of(b, shape, at, i), size = loft_real_size(k), accel = b->accel[i];
         if (loft_prod(far, size) > loft_acc_scale(loft_wide(accel), PART)) {
-            const loft_real w = size_of(weight_of(s, shape, at, i, k));
+            const loft_real w = loft_real_size(weight_of(s, shape, at, i, k));
             s->far = loft_acc_least(s->far, needed(accel, size, loft_prod(LOFT_ACCEL_MAX, w) > loft_wide(accel) ? RELIEF : 1));
         }
     }
@@ -211,7 +210,7 @@ static uint8_t set_knee(const scope *s, bool fore, loft_real bound[2])
 /* The size of a direction or curvature at station k, with what it may rise by between the stations. */
 static loft_real crest(const loft_vec at[3], int k, int i)
 {
-    const loft_real arch = 2 * size_of(at[1].axis[i]) - size_of(at[0].axis[i]) - size_of(at[2].axis[i]), size = size_of(at[k].axis[i]);
+    const loft_real arch = 2 * loft_real_size(at[1].axis[i]) - loft_real_size(at[0].axis[i]) - loft_real_size(at[2].axis[i]), size = loft_real_size(at[k].axis[i]);
     return size + size / 1024 + (arch > 0 ? 3 * (arch / 16) : 0);
 }
 
@@ -305,7 +304,7 @@ static void set_sides(scope *s, const loft_plan_piece *p, const loft_budget *b, 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real bow = bow_of(b, shape, s->middle, i), turn = loft_acc_round(loft_acc_mul(s->length, bend_of(b, shape, 2, i) - bend_of(b, shape, 0, i)));
         s->skew[i] = turn / 2 + turn / 8;
-        s->bow[i]  = loft_acc_mul(x, size_of(bow)) > loft_wide(b->accel[i] / BOW) ? bow : 0;
+        s->bow[i]  = loft_acc_mul(x, loft_real_size(bow)) > loft_wide(b->accel[i] / BOW) ? bow : 0;
     }
 }
 
@@ -317,9 +316,9 @@ static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_
     if (!p->flows && twice(length_of(p), p->rest) > x)
         return false;
     for (int i = 0; i < LOFT_AXES; i++) {
-        if (loft_acc_mul(x, size_of(bow_of(b, s, middle, i))) > loft_wide(b->accel[i] / BENT) && 128 * loft_acc_mul(length_of(p), b->accel[i]) > x)
+        if (loft_acc_mul(x, loft_real_size(bow_of(b, s, middle, i))) > loft_wide(b->accel[i] / BENT) && 128 * loft_acc_mul(length_of(p), b->accel[i]) > x)
             return false;
-        if (!p->flows && size_of(s->along[2].axis[i] - s->along[0].axis[i]) > TURN)
+        if (!p->flows && loft_real_size(s->along[2].axis[i] - s->along[0].axis[i]) > TURN)
             return false;
     }
     return true;
@@ -356,7 +355,7 @@ static void set_tight_caps(loft_plan_piece *p, const loft_budget *b, const loft_
     loft_acc x = loft_acc_least(square(p->cap), square(p->last));
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real turn = size_of(s->along[2].axis[i] - s->along[0].axis[i]);
+        const loft_real turn = loft_real_size(s->along[2].axis[i] - s->along[0].axis[i]);
         const loft_acc  half = loft_acc_mul(length_of(p), b->accel[i]) / 2;
         x = turn > 0 ? loft_acc_least(x, loft_acc_div(half, turn)) : x;
     }
@@ -396,7 +395,7 @@ static loft_real feed_cap(const loft_budget *b, const loft_vec *along, loft_real
     if (!(feed0 < feed1 || feed1 < feed0))
         return slow;
     for (int i = 0; i < LOFT_AXES; i++)
-        a = loft_real_cap(a, b->accel[i], size_of(along->axis[i]));
+        a = loft_real_cap(a, b->accel[i], loft_real_size(along->axis[i]));
     const loft_real leak = loft_acc_round(loft_budget_beat(b, a) / 2);
     return leak < slow / 2 ? slow - leak : slow / 2;
 }

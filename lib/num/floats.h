@@ -77,6 +77,7 @@ static inline loft_acc  loft_acc_blend(loft_acc x, loft_acc y, loft_acc z, loft_
 }
 
 /* error none */
+static inline loft_real loft_real_size(loft_real a)            { return a < 0 ? -a : a; }
 static inline loft_acc  loft_acc_size(loft_acc x)              { return x < 0 ? -x : x; }
 static inline loft_acc  loft_acc_least(loft_acc x, loft_acc y) { return x < y ? x : y; }
 static inline loft_acc  loft_acc_most(loft_acc x, loft_acc y)  { return x > y ? x : y; }

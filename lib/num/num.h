@@ -19,7 +19,7 @@
  *   loft_acc_lerp_in(x, y, a, lo, hi)       acc between two accs, exactly where a lies between two reals
  *   loft_acc_blend(x, y, z, v, w)           acc between three accs: x at 0 0, y at 1 0, z at 0 1
  *   loft_acc_mean(x, y)                     acc in the middle of two accs
- *   loft_acc_size(x)                        |x|
+ *   loft_acc_size(x)     loft_real_size(a)  |x|, |a|
  *   loft_acc_least(x, y) loft_acc_most(x, y)    the smaller, the larger of two
  *   loft_acc_scale(x, t)                    acc times unit
  *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real

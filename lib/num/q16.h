@@ -141,6 +141,9 @@ static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint
     return x + quotient * j + (2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q);
 }
 
+/* error none; |a| < 2^15 */
+static inline loft_real loft_real_size(loft_real a)           { return a < 0 ? -a : a; }
+
 #if !defined(__AVR__)
 /* error none; |x| < 2^31 */
 static inline loft_acc loft_acc_size(loft_acc x)              { return x < 0 ? -x : x; }

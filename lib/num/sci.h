@@ -83,6 +83,7 @@ loft_sci loft_sci_sqrt(loft_sci a);
 
 #endif
 
+static inline loft_sci loft_sci_size(loft_sci a)         { return loft_sci_sign(a) < 0 ? loft_sci_neg(a) : a; }
 static inline bool loft_sci_less(loft_sci a, loft_sci b) { return loft_sci_sign(loft_sci_sub(a, b)) < 0; }
 
 /* a^k; 1 for k = 0, also of 0.

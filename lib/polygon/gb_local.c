@@ -27,7 +27,6 @@ static unsigned before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 
 static unsigned after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 1 : 0; }
 
 static bool none(loft_sci x)            { return loft_sci_sign(x) == 0; }
-static loft_sci size_of(loft_sci x)     { return loft_sci_sign(x) < 0 ? loft_sci_neg(x) : x; }
 static loft_sci half_of(void)           { return loft_sci_from_real(LOFT_REAL(0.5)); }
 
 /* Of one side; what is lacking to 1 as well. */
@@ -70,7 +69,7 @@ static loft_jet rest_of(const loft_jet phi[], unsigned sides, unsigned first, un
 /* f / whole, or its limit where both are 0. */
 static loft_jet portion(const loft_jet *f, const loft_jet *whole)
 {
-    const bool tall = loft_sci_less(size_of(whole->x), size_of(whole->y));
+    const bool tall = loft_sci_less(loft_sci_size(whole->x), loft_sci_size(whole->y));
 
     if (!none(whole->f))
         return loft_jet_div(f, whole);

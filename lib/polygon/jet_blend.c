@@ -3,7 +3,6 @@
  */
 #include "polygon/jet_blend.h"
 
-static loft_sci size_of(loft_sci x) { return loft_sci_sign(x) < 0 ? loft_sci_neg(x) : x; }
 
 void loft_jet_blend_start(loft_jet_blend *b, loft_vec origin)
 {
@@ -22,8 +21,8 @@ void loft_jet_blend_add(loft_jet_blend *b, const loft_vec *p, const loft_jet *we
         const loft_sci d = loft_sci_of(loft_wide(p->axis[i]) - loft_wide(b->origin.axis[i]));
         const loft_jet term = loft_jet_scale(weight, d);
         b->x[i] = loft_jet_add(&b->x[i], &term);
-        b->wide_x[i] = loft_sci_add(b->wide_x[i], size_of(term.x));
-        b->wide_y[i] = loft_sci_add(b->wide_y[i], size_of(term.y));
+        b->wide_x[i] = loft_sci_add(b->wide_x[i], loft_sci_size(term.x));
+        b->wide_y[i] = loft_sci_add(b->wide_y[i], loft_sci_size(term.y));
     }
 }
 
@@ -62,7 +61,7 @@ enum loft_status loft_jet_blend_project(const loft_jet_blend *b, loft_local *out
         const loft_jet quotient = loft_jet_div(&b->x[i], &b->w);
         take(out, i, &quotient);
     }
-    const loft_sci w = size_of(b->w.f);
+    const loft_sci w = loft_sci_size(b->w.f);
     out->width_u = loft_sci_div(largest(b->wide_x), w);
     out->width_v = loft_sci_div(largest(b->wide_y), w);
     return LOFT_OK;

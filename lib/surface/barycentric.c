@@ -131,7 +131,6 @@ enum loft_status loft_bary_change(const loft_bary corner[3], loft_bary x, loft_a
 
 /* Polynomials over a triangle */
 
-static loft_acc size(loft_acc x) { return x < 0 ? -x : x; }
 
 bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *product)
 {
@@ -142,7 +141,7 @@ bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *prod
     if (!near(u))
         return false;
     const loft_acc v = widened(u.v), w = widened(u.w);
-    const loft_acc growth = size((direction ? 0 : one) - v - w) + size(v) + size(w);    /* at most 129 */
+    const loft_acc growth = loft_acc_size((direction ? 0 : one) - v - w) + loft_acc_size(v) + loft_acc_size(w);    /* at most 129 */
     for (unsigned k = 0; k < times && growth > one; k++) {
         *product = loft_acc_mul(*product, loft_acc_round(growth)) + loft_acc_grain(*product);
         if (*product > most)

@@ -34,7 +34,6 @@ static loft_sci sci_lerp(loft_sci x, loft_sci y, loft_sci t)
     return loft_sci_add(x, loft_sci_mul(loft_sci_sub(y, x), t));
 }
 
-static loft_sci sci_size(loft_sci x)    { return loft_sci_sign(x) < 0 ? loft_sci_neg(x) : x; }
 
 static unsigned points_of(const net *s)
 {
@@ -72,8 +71,8 @@ static loft_sci largest_of(const loft_sci c[], unsigned count)
     loft_sci most = loft_sci_zero();
 
     for (unsigned k = 0; k < count; k++)
-        if (loft_sci_less(most, sci_size(c[k])))
-            most = sci_size(c[k]);
+        if (loft_sci_less(most, loft_sci_size(c[k])))
+            most = loft_sci_size(c[k]);
     return most;
 }
 
