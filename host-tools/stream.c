@@ -24,6 +24,7 @@ typedef struct {
     bool woken;             /* a job found under way goes on            */
     uint32_t ticks, elapsed;/* of the status before                     */
     double pace;            /* between the last two                     */
+    int percent;            /* that a key asked for last; 0: none did   */
 } run_state;
 
 static bool standing(const loft_sender *s)
@@ -92,14 +93,16 @@ static void tell(run_state *r)
     fputc('\n', stderr);
 }
 
-/* The percent from which a key counts: what was last asked for, or what the machine says. */
+/* A key counts from what was last asked for, which the machine may not have said yet. */
 static void change_override(run_state *r, int by)
 {
     loft_sender *s = &r->t->sender;
-    const int now  = s->percent ? s->percent : s->status.override, next = by == 0 ? 100 : now + by;
+    const int now  = r->percent ? r->percent : s->status.override, next = by == 0 ? 100 : now + by;
 
-    if (now > 0)
-        loft_sender_override(s, next < 10 ? 10 : next > 200 ? 200 : (unsigned)next);
+    if (now == 0)
+        return;
+    r->percent = next < 10 ? 10 : next > 200 ? 200 : next;
+    loft_sender_override(s, (unsigned)r->percent);
 }
 
 static void obey_keys(run_state *r)

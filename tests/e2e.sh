@@ -232,7 +232,7 @@ case_hold_and_resume_by_key() {
 case_override_by_key() {
     undisturbed
     machine hurried --speed real --once
-    "$pty" type "$tmp/hurried.log" "0.8:+ 1.0:+ 1.2:s 2.2:- 2.3:- 2.4:- 2.5:- 3.8:0" "$loft" stream "$tmp/small.csv" --port "$tmp/hurried" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    "$pty" type "$tmp/hurried.log" "0.8:+ 0.8:+ @ 120 %  queue@s @override 120 %@- 0:- 0:- 0:- @ 80 %  queue@0" "$loft" stream "$tmp/small.csv" --port "$tmp/hurried" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
     gone "$machine"
     tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
     says screen ' 120 %  queue'; says screen ' 80 %  queue'; says screen 'override 120 %, feed'; says screen 'as commanded'

@@ -6,7 +6,8 @@
  *     e2e_pty relay SOCKET LINK [BAUD]    a Unix socket in front of the pty LINK, which may go away and come back:
  *                                         a serial line whose machine is switched off and on
  *     e2e_pty type LOG "SECONDS:KEY .." CMD   CMD on a terminal, with keys typed at those times ("0.5:h 2:^C") after the
- *                                         machine's LOG has said that a job has begun
+ *                                         machine's LOG has said that a job has begun; "@TEXT@KEY": when CMD has printed TEXT
+ *                                         since the key before
  *
  * LINK becomes a symbolic link to the pty. `type` gives the exit code of CMD; what CMD prints is passed on.
  */
@@ -140,7 +141,7 @@ static void relay(const char *path, const char *link, double baud)
         const double now = seconds();
         for (int i = 0; i < 2; i++) {
             left[i] += (now - then) * baud / 10;
-            if (left[i] > FIFO)
+            if (left[i] > FIFO && p[i].revents == 0)    /* an idle line saves nothing up; one that got no turn has not been idle */
                 left[i] = FIFO;
         }
         then = now;
@@ -151,13 +152,25 @@ static void relay(const char *path, const char *link, double baud)
     }
 }
 
-/* The next "SECONDS:KEY" of the script. */
-static int next_key(char **script, double *at, char *key)
+/* The next "SECONDS:KEY" or "@TEXT@KEY" of the script; text is empty or TEXT. */
+static int next_key(char **script, double *at, char text[64], char *key)
 {
     char *end;
 
-    *at = strtod(*script, &end);
-    if (end == *script || *end != ':' || end[1] == '\0')
+    *script += strspn(*script, " ");
+    text[0] = '\0';
+    if (**script == '@') {
+        end = strchr(*script + 1, '@');
+        if (end == NULL)
+            return 0;
+        snprintf(text, 64, "%.*s", (int)(end - *script - 1), *script + 1);
+        *at = 0;
+    } else {
+        *at = strtod(*script, &end);
+        if (end == *script || *end != ':')
+            return 0;
+    }
+    if (end[1] == '\0')
         return 0;
     *key    = end[1] == '^' ? (char)(end[2] & 0x1f) : end[1];
     *script = end + (end[1] == '^' ? 3 : 2);
@@ -179,7 +192,8 @@ static int has_begun(const char *log)
 
 static int type(const char *log, char *script, char **command)
 {
-    char name[128], key = 0, bytes[4096];
+    char name[128], key = 0, bytes[4096], want[64], seen[1 << 16] = "";
+    size_t shown = 0;
     double at = 0;
     int status, more;
     const int master = master_of(name, sizeof name);
@@ -198,22 +212,28 @@ static int type(const char *log, char *script, char **command)
         _exit(die(command[0]) + 1);
     }
     double start = 0;
-    more = next_key(&script, &at, &key);
+    more = next_key(&script, &at, want, &key);
     while (waitpid(child, &status, WNOHANG) == 0) {
         struct pollfd p = { .fd = master, .events = POLLIN };
         if (poll(&p, 1, 20) > 0) {
             const ssize_t got = read(master, bytes, sizeof bytes);
-            if (got > 0)
+            if (got > 0) {
                 fwrite(bytes, 1, (size_t)got, stdout);
-            else
+                if (shown + (size_t)got >= sizeof seen)
+                    shown = 0;
+                memcpy(seen + shown, bytes, (size_t)got);
+                seen[shown += (size_t)got] = '\0';
+            } else {
                 usleep(10000);
+            }
         }
         if (start <= 0 && has_begun(log))
             start = seconds();
-        if (more && start > 0 && seconds() - start >= at) {
+        if (more && start > 0 && seconds() - start >= at && strstr(seen, want) != NULL) {
             if (write(master, &key, 1) != 1)
                 return die("key");
-            more = next_key(&script, &at, &key);
+            seen[shown = 0] = '\0';
+            more = next_key(&script, &at, want, &key);
         }
     }
     fcntl(master, F_SETFL, O_NONBLOCK);
