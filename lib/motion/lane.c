@@ -27,7 +27,6 @@
 #define SHORT  16      /* of the way between two rests the first and the last cell are such a part */
 #define EVEN   1024    /* a path is straight where its bends take less than such a part of the acceleration */
 
-
 void loft_lane_init(loft_lane *l)
 {
     l->closed = false;
@@ -176,7 +175,7 @@ static loft_acc feed_most(const loft_course *c, const loft_way *after, loft_real
     loft_real gain = LOFT_ACCEL_MAX;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        gain = loft_real_cap(gain, c->budget.gain[i], after->along.axis[i] < 0 ? -after->along.axis[i] : after->along.axis[i]);
+        gain = loft_real_cap(gain, c->budget.gain[i], loft_real_size(after->along.axis[i]));
     const loft_real leak = loft_acc_round(loft_budget_beat(&c->budget, gain) / 6), left = leak < slow / 2 ? slow - leak : slow / 2;
     return loft_prod(left, left);
 }
