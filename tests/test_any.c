@@ -20,6 +20,7 @@ static const uint32_t once[] = {
     53112, 74767,               /* a piece whose curvature changes was braked in, though it is passed at its cap as a rule        */
     112815,                     /* raised: the spline of the samples carried speed across a change of the feed                    */
     116982,                     /* a longer span was faster than a slow feed                                                      */
+    19732,                      /* accelerations at the far end of a scope that relieve a bend were taken for those that lead elsewhere */
     38774,                      /* averaged: a speed was called sure where gentle braking beyond the zone could still lower it    */
     86786, 40446                /* averaged: a beat of braking led into or over a zone where it had to be slow                    */
 };

@@ -274,14 +274,14 @@ static loft_real chord_at(const loft_plan_piece *p, loft_acc x, bool fore)
 loft_real loft_scope_most(const loft_plan_piece *p, loft_acc x)  { return chord_at(p, x, true); }
 
 /* With the bound g(x) of -a, a concave function, the line x - 2 l g(x) = end: the left side falls first, from 0 or less,
- * and rises then. */
+ * and rises then. At the far end the bend may have to be relieved by braking below `end`; then a line from the cap leads there. */
 loft_acc loft_scope_brake(const loft_plan_piece *p, loft_acc end)
 {
     const loft_acc l = length_of(p), far = square(p->far), knee = knee_of(far, p->back_knee);
     const loft_acc at_far = far - twice(l, p->back[1]), at_knee = knee - twice(l, p->back[0]), at_0 = -twice(l, p->rest);
 
     if (end >= at_far)
-        return far;
+        return end > far + twice(l, p->fore[1]) ? square(p->cap) : far;
     if (end >= at_knee)
         return loft_acc_lerp(knee, far, loft_unit_ratio(end - at_knee, at_far - at_knee));
     return loft_acc_scale(knee, loft_unit_ratio(end - at_0, at_knee - at_0));

@@ -28,8 +28,8 @@ bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, const loft_vec *b
  * has to slow down. */
 loft_real loft_scope_most(const loft_plan_piece *p, loft_acc x);
 
-/* The largest square of the speed at its start from which the square `end` can be reached at its end: more than the cap where
- * it need not brake on all of it. */
+/* The largest square of the speed at its start from which the square `end` can be reached at its end: the cap or more
+ * where it need not brake on all of it. */
 loft_acc loft_scope_brake(const loft_plan_piece *p, loft_acc end);
 
 #endif
