@@ -21,6 +21,7 @@ static const uint32_t once[] = {
     112815,                     /* raised: the spline of the samples carried speed across a change of the feed                    */
     116982,                     /* a longer span was faster than a slow feed                                                      */
     19732,                      /* accelerations at the far end of a scope that relieve a bend were taken for those that lead elsewhere */
+    34848,                      /* raised: near a rest the jerk of an axis was asked at the ends of a cell only                   */
     38774,                      /* averaged: a speed was called sure where gentle braking beyond the zone could still lower it    */
     86786, 40446                /* averaged: a beat of braking led into or over a zone where it had to be slow                    */
 };

@@ -90,6 +90,42 @@ static void all_cells_hold_the_limits_at_their_ends(arb *a)
         CHECK(loft_course_piece(&course, i)->hop || cell_of(i)->b <= cell_of(i)->most + cell_of(i)->most / 1000000);
 }
 
+/* The largest part of the jerk that cell i, beside a rest, uses at eight places, with its curvature a parabola: x is x1 z^(4/3) there. */
+static double use_beside_rest(unsigned i)
+{
+    const loft_plan_cell *c = cell_of(i), *at = rests(i) ? cell_of(i + 1) : c;
+    const double h = (double)exact_acc(loft_unit_wide(c->length)), sign = rests(i) ? 1 : -1, a1 = (double)exact_acc(at->a), x1 = (double)exact_acc(at->x);
+    double most = 0;
+
+    for (int part = 1; part <= 8; part++) {
+        const double z = part / 8.0, w = rests(i) ? z : 1 - z, third = cbrt(z), x = x1 * z * third, a = a1 * third;
+        const double beats = h / (sqrt(x) * course.budget.beat / course.budget.tick_hz), change = sign * a1 / (3 * third * third);
+        for (int n = 0; n < LOFT_AXES; n++) {
+            const double k0 = arb_value(c->bend[0].axis[n]), k1 = arb_value(c->bend[1].axis[n]), t0 = arb_value(c->turn[0].axis[n]), t1 = arb_value(c->turn[1].axis[n]);
+            const double u = arb_value(c->along[0].axis[n]) * (1 - w) + arb_value(c->along[1].axis[n]) * w - (k1 - k0) * h * w * (1 - w) / 2;
+            const double k = k0 + (k1 - k0) * w + (t0 - t1) * w * (1 - w) / 2, turn = t0 + (t1 - t0) * w;
+            most = fmax(most, fabs(u * change + 3 * k * h * a + turn * x) / (arb_value(course.budget.gain[n]) * beats));
+        }
+    }
+    return most;
+}
+
+/* One curve whose curvature changes much in its last cell, or its first. */
+static void beside_a_rest_the_jerk_is_within_its_limit_everywhere(arb *a)
+{
+    arb_limits(a);
+    arb_jerk(a);
+    begin_chain();
+    arb_curve(a, WILD, arb_decades(a, 0.2, 20), arb_decades(a, 20, 500), false);
+    begin();
+    loft_lane_load(&lane, &course);
+    loft_lane_close(&lane, &course);
+    loft_lane_raise(&lane, &course, 0);
+    for (unsigned i = 0; i < course.count; i++)
+        if ((rests(i) != rests(i + 1)) && !loft_course_piece(&course, i)->hop && cell_of(i)->length > LOFT_UNIT(0.01))
+            CHECK(use_beside_rest(i) <= 23 / 24.0 + 1 / 128.0);         /* cell.c leaves a 24th */
+}
+
 /* Nothing falls, nothing that has begun to move changes. */
 static void raising_only_raises(arb *a)
 {
@@ -272,6 +308,7 @@ int main(void)
 {
     PROPERTY(all_cells_hold_the_limits_at_their_ends, 30);
     PROPERTY(a_limit_hinders_nothing_that_does_not_touch_it, 20);
+    PROPERTY(beside_a_rest_the_jerk_is_within_its_limit_everywhere, BY_NUM(100, 100, 850));
     PROPERTY(raising_only_raises,                     20);
     PROPERTY(a_long_line_takes_the_time_that_is_known, 10);
     PROPERTY(a_short_line_takes_the_time_that_is_known, 30);

@@ -21,6 +21,7 @@
  * above the larger of both. Where that may be more than BOW of the limit the middle is asked as well, which leaves a quarter of it.
  *
  * At rest x = 0 and the jerk is constant: x = x1 (s / h)^(4/3), which gives a1 = 2/3 x1 / h, x1'' h / 2 = 2/9 x1 / h, and b0 = b1 h0 / (3 h0 + 2 h1).
+ * An axis has a jerk of j (u + 9 k s + 9/2 k' s^2) then, which bows by 27/8 |k1 - k0| h j: so near a rest the middle is always asked as well.
  *
  * A bump raises b by z P, so x, a and the brackets g become x + z X, a + z A, g + z G. Accelerations are linear in z. J h / sqrt x is convex
  * in x, so that it lies above its tangent, and
@@ -319,10 +320,9 @@ static loft_unit limit_rest(const loft_plan_cell *c, const loft_budget *b, const
     return z;
 }
 
-/* The middle: of the parabola of the curvature, and the direction between; where it is eased, with what is asked at its ends. */
-static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, const place *p, const place *q, loft_unit z)
+/* What the middle begins with: the parabola of the curvature, and the direction between. */
+static loft_plan_cell middle_of(const loft_plan_cell *c)
 {
-    const loft_acc change = q->a - p->a, up = q->up.a - p->up.a, h = loft_unit_wide(c->length);
     loft_plan_cell middle = *c;
 
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -331,6 +331,15 @@ static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, con
         middle.turn[0].axis[i]  = d;
         middle.along[0].axis[i] = c->along[0].axis[i] / 2 + c->along[1].axis[i] / 2 - loft_acc_round(loft_acc_scale(loft_wide(d), c->length) / 8);
     }
+    return middle;
+}
+
+/* Where it is eased it is asked with what is at its ends. */
+static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, const place *p, const place *q, loft_unit z)
+{
+    const loft_acc change = q->a - p->a, up = q->up.a - p->up.a, h = loft_unit_wide(c->length);
+    loft_plan_cell middle = middle_of(c);
+
     middle.x = p->x + loft_acc_scale(p->a, c->length) + loft_acc_scale(change, c->length) / 4;
     middle.a = (p->a + q->a) / 2;
     if (!(middle.x > 0) || !(h > 0))
@@ -344,6 +353,20 @@ static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, con
         for (int end = 0; end < 2; end++)
             z = limit_end(c, b, &m, end, change, up, z, k, LOFT_UNIT(1) / BOW);
     return z;
+}
+
+/* The middle between a rest and the place p, where 1 / v is r: x, a, x'' and v are those of p times 2^(-4/3), 2^(-1/3), 2^(2/3) and 2^(-2/3). */
+static loft_unit limit_near_rest(const loft_plan_cell *c, const loft_budget *b, const place *p, loft_unit r, loft_acc change, loft_acc up, loft_unit z)
+{
+    const loft_unit two_thirds = LOFT_UNIT(1.5874010519682), third = LOFT_UNIT(0.7937005259841), four_thirds = LOFT_UNIT(0.3968502629920);
+    const loft_cell_rise rise = { loft_acc_scale(p->up.x, four_thirds), loft_acc_scale(p->up.a, third) };
+    loft_plan_cell middle = middle_of(c);
+
+    middle.x = loft_acc_scale(p->x, four_thirds);
+    middle.a = loft_acc_scale(p->a, third);
+    middle.r = loft_unit_round(loft_acc_scale(loft_unit_wide(r), two_thirds));
+    const place m = place_of(&middle, &middle, rise);
+    return limit_end(&middle, b, &m, 0, loft_acc_scale(change, two_thirds), loft_acc_scale(up, two_thirds), z, AS_IT_IS, LOFT_UNIT(1) / BOW);
 }
 
 /* May more be asked for between the ends than there? Or is it fastest there? */
@@ -370,6 +393,7 @@ loft_unit loft_cell_limit(const loft_plan_cell *c, const loft_plan_cell *next, c
         const loft_acc change = first ? p.a / 3 : -p.a / 3, up = first ? p.up.a / 3 : -p.up.a / 3;
         for (int k = AS_IT_IS; k < c->eased; k++)
             z = limit_end(c, b, &p, first, change, up, z, k, 0);
+        z = c->eased > 0 ? z : limit_near_rest(c, b, &p, first ? next->r : c->r, change, up, z);
         return limit_rest(c, b, &p, !first, change, up, z);
     }
     const place p = place_of(c, c, at), q = place_of(c, next, to);
