@@ -98,7 +98,9 @@ static void turn(struct pulses *p, int64_t due, uint8_t dir)
     note_late(p, now - due);
 }
 
-/* A pulse: not before the direction has stood for setup_ns, nor half a slot after the last, nor the lines have been low for long enough. */
+/* A pulse: not before the direction has stood for setup_ns, nor half a slot after the last, nor the lines have been low for long enough. Where the
+ * thread lost the processor after it had looked at the clock (calls take less than two slots), the pulse is as late as it is seen to be high, and
+ * what follows counts from there. */
 static void pulse(struct pulses *p, int64_t due, uint8_t step)
 {
     const int64_t now = wait_until(most(most(due, p->turned + p->setup_ns), most(p->rose + p->slot_ns / 2, p->fell + p->pulse_ns)));
@@ -108,8 +110,9 @@ static void pulse(struct pulses *p, int64_t due, uint8_t step)
     wait_until(p->rose + p->pulse_ns);
     set(p, (uint32_t)step << LINE_STEP, 0);
     p->fell = now_ns();
-    count_pulse(p, now - due);
-    note_late(p, now - due);
+    const int64_t late = (p->rose - now > 2 * p->slot_ns ? p->rose : now) - due;
+    count_pulse(p, late);
+    note_late(p, late);
 }
 
 static void give(struct pulses *p, const struct pulses_entry *e)
