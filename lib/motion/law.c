@@ -206,11 +206,10 @@ static bool knows(loft_law *law)
     v = v < most ? v : most;
     for (int again = 0; again < 2; again++) {
         loft_course_place at = law->at;
-        const bool there = move(law, &at, loft_budget_beat(&c->budget, v) * (law->beats + 2));
+        (void)move(law, &at, loft_budget_beat(&c->budget, v) * (law->beats + 2));
         const unsigned next = at.piece + 1;
         if (next < c->count ? loft_course_piece(c, next)->stop || loft_course_piece(c, next)->sure : c->ended)
             return true;
-        (void)there;
         loft_course_look_back(c, law->at.piece);
     }
     return c->ended || loft_course_full(c);

@@ -191,7 +191,7 @@ loft_acc loft_budget_joint(const loft_budget *b, const loft_vec *before, const l
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real turn = after->axis[i] - before->axis[i];
-        jump[i] = turn < 0 ? -turn : turn;
+        jump[i] = loft_real_size(turn);
         v = loft_real_cap(v, b->spare[i], jump[i]);
     }
     const loft_acc  turn = loft_vec_distance(*before, *after);
