@@ -290,7 +290,7 @@ static inline void world_down(world *w)
             l->out_size = loft_sender_poll(&w->s, w->now, l->out_frame);
             CHECK(l->out_size <= LOFT_FRAME_MAX);
             CHECK(l->out_size == 0 || l->out_frame[l->out_size - 1] == 0);
-            CHECK(w->s.phase != LOFT_PHASE_STREAMING || w->s.send <= w->m.told || w->s.high == w->s.base);
+            CHECK(w->s.phase != LOFT_PHASE_STREAMING || w->s.window.send <= w->m.told || w->s.window.high == w->s.window.base);
             if (l->out_size == 0)
                 return;
             line_remember(l);
@@ -345,8 +345,8 @@ static inline void world_step(world *w)
         CHECK(loft_sender_begin(&w->s, &w->job, w->count, world_source, w) == LOFT_OK);
         w->begun = true;
     }
-    CHECK(w->s.flights <= LOFT_SENDER_WINDOW);
-    CHECK(w->s.base <= w->s.send && w->s.send <= w->s.high && w->s.high <= w->count);
+    CHECK(w->s.window.flights <= LOFT_WINDOW_FRAMES);
+    CHECK(w->s.window.base <= w->s.window.send && w->s.window.send <= w->s.window.high && w->s.window.high <= w->count);
     if (w->asleep == 0)
         world_down(w);
     world_up(w);

@@ -102,7 +102,7 @@ static void frames_of_another_session_are_counted_and_forgotten(arb *a)
         world_step(&w);
     loft_sender_push(&w.s, 0, w.now);
     const uint32_t unknown = w.s.unknown, next = w.s.ack.next;
-    ack.next = ack.limit = ack.executed = w.s.high;
+    ack.next = ack.limit = ack.executed = w.s.window.high;
     tell(&w.s, wire, loft_ack_encode(&ack, (uint8_t)(w.s.session + 1), wire), w.now + 50);
     CHECK(w.s.unknown == unknown + 1 && w.s.ack.next == next && loft_sender_silence(&w.s, w.now + 50) >= 50);
 
@@ -123,14 +123,14 @@ static void stale_answers_are_forgotten(arb *a)
     static world w;
     uint8_t wire[LOFT_FRAME_MAX];
     world_init(&w, a, 64, 2, 200);
-    while (w.s.base < 50 && !check_bad)
+    while (w.s.window.base < 50 && !check_bad)
         world_step(&w);
     loft_sender_push(&w.s, 0, w.now);
 
     const loft_ack before = w.s.ack;
     loft_ack m = before;
     m.limit = 199, m.state = LOFT_STATE_HELD;
-    m.next = m.executed = arb_below(a, 2) ? w.s.base - 1 : 201;
+    m.next = m.executed = arb_below(a, 2) ? w.s.window.base - 1 : 201;
     m.limit = m.next + 60;
     tell(&w.s, wire, loft_ack_encode(&m, w.s.session, wire), w.now);
     CHECK(memcmp(&w.s.ack, &before, sizeof before) == 0);
@@ -155,9 +155,9 @@ static void the_window_is_used_and_kept(arb *a)
     w.delay = 150;
     while (w.s.phase < LOFT_PHASE_DONE && !check_bad) {
         world_step(&w);
-        most = w.s.flights > most ? w.s.flights : most;
+        most = w.s.window.flights > most ? w.s.window.flights : most;
     }
-    CHECK(most == LOFT_SENDER_WINDOW && w.s.timeouts == 0);
+    CHECK(most == LOFT_WINDOW_FRAMES && w.s.timeouts == 0);
 }
 
 
@@ -213,7 +213,7 @@ static void the_round_trip_is_measured(arb *a)
     CHECK(w.s.phase == LOFT_PHASE_DONE);
     CHECK(w.s.rtt_ms >= 2 * w.delay + 5 && w.s.rtt_ms <= 2 * w.delay + (LOFT_FRAME_MAX + 24 + 56) / 11 + 6);
     CHECK(w.s.timeouts == 0 && w.s.naks == 0);
-    CHECK(w.s.rto >= 2 * w.s.rtt_ms && w.s.rto <= 4 * w.s.rtt_ms + 25);
+    CHECK(w.s.rto.ms >= 2 * w.s.rtt_ms && w.s.rto.ms <= 4 * w.s.rtt_ms + 25);
 }
 
 /* The line dies in mid-job: it asks after rto, twice, four times it .., and sends nothing else; HELLO after 1.5 s without an answer. */
@@ -224,11 +224,11 @@ static void a_dead_line_is_tried_ever_less_often(arb *a)
     w.job.kind = LOFT_SPANS;
     while (w.m.delivered < 500 && !check_bad)
         world_step(&w);
-    uint32_t now = w.now, rto = w.s.rto, timeouts = 0;
+    uint32_t now = w.now, rto = w.s.rto.ms, timeouts = 0;
     uint8_t wire[LOFT_FRAME_MAX];
 
     while (poll(&w.s, now, wire) > 0) {}
-    CHECK(w.s.base < w.s.send);
+    CHECK(w.s.window.base < w.s.window.send);
     const uint32_t sent = w.s.sent, resent = w.s.resent, tried = w.s.tried;
     uint32_t last = tried, nonce = w.s.nonce;
     for (; w.s.phase == LOFT_PHASE_STREAMING && !check_bad; now++) {
@@ -301,7 +301,7 @@ static void one_lost_frame_costs_one_round_trip(arb *a)
     lost = w.steps;
     CHECK(w.s.phase == LOFT_PHASE_DONE && w.m.delivered == w.count);
     CHECK(at >= 1300 || (w.s.naks == 1 && w.s.timeouts == 0));
-    CHECK(w.s.naks + w.s.timeouts <= 2 && w.s.resent <= LOFT_SENDER_WINDOW);
+    CHECK(w.s.naks + w.s.timeouts <= 2 && w.s.resent <= LOFT_WINDOW_FRAMES);
     CHECK(lost <= clean + 150);
 }
 
@@ -324,16 +324,16 @@ static void what_is_lost_at_the_end_is_asked_for(arb *a)
 {
     static world w;
     world_init(&w, a, 1024, 0, 200 + arb_below(a, 100));
-    while (w.s.send < w.count && !check_bad)
+    while (w.s.window.send < w.count && !check_bad)
         world_step(&w);
     while (w.down.out_at < w.down.out_size && !check_bad)
         world_step(&w);
-    CHECK(w.s.base < w.count);
+    CHECK(w.s.window.base < w.count);
     const uint32_t begun = w.now, sent = w.s.sent;
     w.down.out = w.down.in;
     world_run(&w, 60000);
     CHECK(w.s.phase == LOFT_PHASE_DONE && w.m.delivered == w.count && w.now - begun < 400);
-    CHECK(w.s.resent > 0 && w.s.sent - sent == w.s.resent && w.s.resent <= LOFT_SENDER_WINDOW);
+    CHECK(w.s.resent > 0 && w.s.sent - sent == w.s.resent && w.s.resent <= LOFT_WINDOW_FRAMES);
 }
 
 /* END alone is lost. */
@@ -397,7 +397,7 @@ static void an_item_that_cannot_be_said_ends_the_job(arb *a)
     world_init(&w, a, 16, 1, 100);
     while (w.s.phase != LOFT_PHASE_STREAMING && !check_bad)
         world_step(&w);
-    w.s.source = broken_source;
+    w.s.window.source = broken_source;
     world_run(&w, 60000);
     CHECK(w.s.phase == LOFT_PHASE_ABORTED && w.s.refusal == LOFT_REFUSAL_ITEM);
     CHECK(w.m.delivered == 60 && w.m.aborts == 1 && w.s.report.state == LOFT_STATE_ABORTED);
@@ -412,13 +412,13 @@ static void frames_shrink_on_a_bad_line_and_grow_again(arb *a)
     w.faults.flip = 25000;
     for (int ms = 0; ms < 20000 && w.m.delivered < 600 && !check_bad; ms++) {
         world_step(&w);
-        if (w.s.phase == LOFT_PHASE_STREAMING && w.s.frame_size < least)
-            least = w.s.frame_size;
+        if (w.s.phase == LOFT_PHASE_STREAMING && w.s.window.frame_size < least)
+            least = w.s.window.frame_size;
     }
     CHECK(least < 80);
     w.faults.flip = 0;
     CHECK(world_until(&w, LOFT_PHASE_CLOSING, 60000));
-    CHECK(w.s.frame_size == LOFT_FRAME_MAX);
+    CHECK(w.s.window.frame_size == LOFT_FRAME_MAX);
 }
 
 int main(void)

@@ -1,21 +1,12 @@
 /* lib/wire/sender.c -- the host's half of a session: go back n, with the machine's own count as the only truth
  * SPDX-License-Identifier: MIT
  *
- *     base <= send <= high        acknowledged, next to be sent, never sent yet
- *
- * A NAK sets send back to base, and so does a STATUS that still misses what had been sent before it was asked for. Silence
- * alone does not: a machine or a computer that is busy answers late, and everything sent twice makes it later. Frames are made again from the items, so the frame that starts at n
- * depends on items n - 3 .. n - 1 and n .. only, whether sent for the first time, again, or by another process.
+ * A NAK sends again from what was not acknowledged, and so does a STATUS that still misses what had been sent before it was
+ * asked for. Silence alone does not: a machine or a computer that is busy answers late, and everything sent twice makes it later.
  */
 #include "wire/sender.h"
 
-#define RTO_FIRST   200     /* ms */
-#define RTO_LEAST    25
-#define RTO_MOST   1000
 #define CLOSE_TRIES   4
-
-#define SIZE_LEAST  (13 + 15 * LOFT_AXES)   /* the shortest frame that holds any span or point */
-#define CURVE_LEAST (15 + 15 * LOFT_AXES)   /* and any curve                                   */
 
 #define ALL_AXES    ((1u << LOFT_AXES) - 1u)
 
@@ -35,36 +26,6 @@ static void conclude(loft_sender *s)
 }
 
 
-// Time
-// ----
-
-/* V. Jacobson, Congestion avoidance and control, 1988: srtt += (m - srtt) / 8, var += (|m - srtt| - var) / 4. */
-static void take_rtt(loft_sender *s, uint32_t m)
-{
-    m = m > 0 ? m : 1;
-    if (s->rtt8 == 0) {
-        s->rtt8 = 8 * m;
-        s->var4 = 2 * m;
-    } else {
-        const uint32_t srtt = s->rtt8 / 8;
-        const uint32_t off  = m > srtt ? m - srtt : srtt - m;
-        s->rtt8 = s->rtt8 - srtt + m;
-        s->var4 = s->var4 - s->var4 / 4 + off;
-    }
-    s->rtt_ms = s->rtt8 / 8;
-}
-
-/* Twice the round trip beside four deviations: on a steady line the deviation goes to nothing, and then a STATUS that
- * stands in the way of an ACK must not look like a loss. Most losses are told by a NAK anyway. */
-static void reset_rto(loft_sender *s)
-{
-    const uint32_t rto = s->rtt8 ? s->rtt8 / 4 + s->var4 + 1 : s->rto;
-    s->rto = rto < RTO_LEAST ? RTO_LEAST : rto > RTO_MOST ? RTO_MOST : rto;
-}
-
-static void back_off(loft_sender *s)        { s->rto = s->rto > RTO_MOST / 2 ? RTO_MOST : 2 * s->rto; }
-
-
 // Beginning, and beginning again
 // ------------------------------
 
@@ -75,14 +36,14 @@ static void greet(loft_sender *s, uint32_t now)
     s->session    = 0;
     s->hello_sent = s->greeted = false;
     s->heard      = now;
-    reset_rto(s);
+    loft_rto_reset(&s->rto);
 }
 
 void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms)
 {
     *s = (loft_sender){ 0 };
     s->nonce = nonce;
-    s->rto   = RTO_FIRST;       /* until a round trip was measured it only grows */
+    loft_rto_init(&s->rto);
     loft_frame_init(&s->frame);
     greet(s, now_ms);
 }
@@ -90,13 +51,11 @@ void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms)
 static void stream(loft_sender *s)
 {
     s->opened   = true;
-    s->phase    = s->ack.next <= s->count ? LOFT_PHASE_STREAMING : LOFT_PHASE_LOST;
-    s->base     = s->send = s->high = s->ack.next;
-    s->flights  = 0;
-    s->end_sent = s->polling = false;
+    s->phase    = s->ack.next <= s->window.count ? LOFT_PHASE_STREAMING : LOFT_PHASE_LOST;
+    s->polling  = false;
     s->doubt    = 0;
-    s->frame_size = s->machine.frame_max;
-    reset_rto(s);
+    loft_window_open(&s->window, s->ack.next, s->machine.frame_max);
+    loft_rto_reset(&s->rto);
 }
 
 /* The machine is known and so is the job: what now? */
@@ -130,9 +89,7 @@ enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t
         || (job->kind == LOFT_CURVES && (!job->limits || s->machine.curves == 0)))
         return LOFT_ERR_ARG;
     s->job     = *job;
-    s->count   = count;
-    s->source  = source;
-    s->context = context;
+    loft_window_init(&s->window, job, count, source, context);
     s->began   = true;
     s->machine.ack = s->ack;        /* newer than the welcome */
     join(s);
@@ -175,7 +132,7 @@ void loft_sender_control(loft_sender *s, enum loft_verb verb)
 
 static bool fits(const loft_welcome *w)
 {
-    return w->version == LOFT_WIRE_VERSION && w->axes == LOFT_AXES && w->frame_max >= SIZE_LEAST
+    return w->version == LOFT_WIRE_VERSION && w->axes == LOFT_AXES && w->frame_max >= LOFT_WINDOW_LEAST
         && w->queue > 0 && w->tick_hz > 0 && w->slots > 0;
 }
 
@@ -208,54 +165,29 @@ static void take_axis(loft_sender *s, uint32_t now)
 
     s->number    = s->verb ? 1 : 0;
     s->verb_sent = false;
-    s->back      = s->polled = now - RTO_MOST;
+    s->back      = s->polled = now - LOFT_RTO_MOST;
     s->phase     = LOFT_PHASE_READY;
-    reset_rto(s);
+    loft_rto_reset(&s->rto);
     if (s->began)
         join(s);
 }
 
-/* A frame of n bytes survives with probability (1 - e)^n: on a bad line short frames go through where long ones never
- * do. So a loss takes a quarter of the length, and each frame that came through gives a few bytes back. */
-static void shrink(loft_sender *s)
-{
-    const uint8_t size = (uint8_t)(s->frame_size - s->frame_size / 4);
-    const uint8_t least = s->job.kind == LOFT_CURVES ? CURVE_LEAST : SIZE_LEAST;
-    s->frame_size = size > least ? size : least;
-}
-
-static void grow(loft_sender *s)
-{
-    s->frame_size = s->machine.frame_max - s->frame_size > 4 ? (uint8_t)(s->frame_size + 4) : s->machine.frame_max;
-}
-
 static void go_back(loft_sender *s, uint32_t now)
 {
-    s->send     = s->base;
-    s->flights  = s->doubt = 0;
-    s->end_sent = false;
-    s->back     = s->tried = now;
+    loft_window_back(&s->window);
+    s->doubt = 0;
+    s->back  = s->tried = now;
 }
 
 static void advance(loft_sender *s, uint32_t now)
 {
-    bool timed = false;
-    uint32_t sample = 0;
+    uint32_t trip;
 
-    s->base  = s->ack.next;
     s->doubt = 0;
-    if (s->send < s->base)
-        s->send = s->base;
-    while (s->flights > 0 && s->flight[s->first].end <= s->base) {
-        timed  = !s->flight[s->first].again;
-        sample = now - s->flight[s->first].time;
-        s->first = (uint8_t)((s->first + 1) % LOFT_SENDER_WINDOW);
-        s->flights--;
-        grow(s);
-    }
-    if (timed) {
-        take_rtt(s, sample);
-        reset_rto(s);
+    if (loft_window_take(&s->window, s->ack.next, now, &trip)) {
+        loft_rto_take(&s->rto, trip);
+        loft_rto_reset(&s->rto);
+        s->rtt_ms = loft_rto_trip(&s->rto);
     }
     s->tried = now;
 }
@@ -271,12 +203,12 @@ static void take_progress(loft_sender *s, uint32_t now)
         s->aborting = true;
         control(s, LOFT_ABORT);
     }
-    if (s->ack.next > s->base)
+    if (s->ack.next > s->window.base)
         advance(s, now);
-    const uint32_t once = s->rtt_ms ? s->rtt_ms : RTO_FIRST / 4;
-    if (s->ack.flags & LOFT_FLAG_NAK && (s->base < s->high || s->end_sent) && now - s->back >= once) {
+    const uint32_t once = s->rtt_ms ? s->rtt_ms : LOFT_RTO_FIRST / 4;
+    if (s->ack.flags & LOFT_FLAG_NAK && (s->window.base < s->window.high || s->window.ended) && now - s->back >= once) {
         s->naks++;
-        shrink(s);
+        loft_window_shrink(&s->window);
         go_back(s, now);
     }
 }
@@ -286,7 +218,7 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
     const bool streaming = s->phase == LOFT_PHASE_STREAMING;
     const uint32_t limit = s->ack.limit;
 
-    if (streaming && (m->next < s->base || m->next > s->count))
+    if (streaming && (m->next < s->window.base || m->next > s->window.count))
         return;
     s->ack = *m;
     if (m->refusal)
@@ -320,7 +252,7 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
 static bool waits(const loft_sender *s)
 {
     return s->phase == LOFT_PHASE_STREAMING && !s->aborting
-        && (s->base < s->send || (s->end_sent && !(s->ack.flags & LOFT_FLAG_ENDED)));
+        && (s->window.base < s->window.send || (s->window.ended && !(s->ack.flags & LOFT_FLAG_ENDED)));
 }
 
 /* The line keeps the order: what was sent before the question and is still missing is lost. If an earlier question was
@@ -389,85 +321,37 @@ bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms)
 // Frames to the machine
 // ---------------------
 
-/* One frame too many is cheaper than a frame of one item after each executed item: with little credit, wait until
- * the machine has told a quarter of its queue (which it does unasked), unless this is all that is left, or said again. */
+/* New items rather a quarter of the machine's queue at a time. */
 static bool can_send(const loft_sender *s)
 {
-    const uint32_t limit  = s->ack.limit < s->count ? s->ack.limit : s->count;
     const loft_welcome *w = &s->machine;
     const uint16_t most   = s->job.kind == LOFT_CURVES ? w->curves : s->job.kind == LOFT_POINTS ? w->points : w->queue;
-    const uint32_t step   = most < 4 ? 1 : most / 4u;
 
-    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->flights < LOFT_SENDER_WINDOW && s->send < limit
-        && (limit == s->count || s->send < s->high || limit - s->send >= step);
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting
+        && loft_window_ready(&s->window, s->ack.limit, most < 4 ? 1 : most / 4u);
 }
 
 static bool can_end(const loft_sender *s)
 {
-    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->send == s->count && !s->end_sent
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->window.send == s->window.count && !s->window.ended
         && !(s->ack.flags & LOFT_FLAG_ENDED);
-}
-
-static void predict(const loft_sender *s, uint32_t index, loft_predictor *p)
-{
-    loft_item item;
-    loft_predictor_init(p, s->job.start);
-    for (uint32_t back = index < LOFT_PREDICTOR_BACK ? index : LOFT_PREDICTOR_BACK; back > 0; back--) {
-        s->source(s->context, index - back, &item);
-        loft_predictor_next(p, (enum loft_kind)s->job.kind, &item);
-    }
-}
-
-/* As many items as fit and may be sent. */
-static void pack(const loft_sender *s, enum loft_kind kind, const loft_predictor *predictor, loft_packer *p, uint8_t wire[])
-{
-    const uint32_t limit = s->ack.limit < s->count ? s->ack.limit : s->count;
-    enum loft_status status = LOFT_OK;
-    loft_item item;
-
-    loft_data_init(p, kind, predictor, s->frame_size, wire);
-    while (s->send + p->count < limit && status == LOFT_OK) {
-        s->source(s->context, s->send + p->count, &item);
-        status = loft_packer_push(p, &item);
-    }
 }
 
 static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
 {
-    const enum loft_kind kind = (enum loft_kind)s->job.kind;
-    const uint32_t first = s->send;
-    loft_predictor predictor;
-    loft_packer p, fine;
+    const bool   waited = waits(s), again = s->window.send < s->window.high;
+    const size_t n      = loft_window_give(&s->window, s->ack.limit, s->session, now, wire);
 
-    predict(s, first, &predictor);
-    const uint32_t seal = loft_predictor_seal(&predictor);
-    pack(s, kind, &predictor, &p, wire);
-    if (kind == LOFT_POINTS) {              /* by third differences, if they are shorter for this frame */
-        pack(s, LOFT_POINTS_FINE, &predictor, &fine, wire);
-        if (fine.count * p.size > p.count * fine.size)
-            p = fine;
-        else
-            pack(s, kind, &predictor, &p, wire);
-    }
-    if (p.count == 0) {                 /* an item that cannot be said: the job ends */
+    if (n == 0) {                       /* an item that cannot be said: the job ends */
         s->refusal = LOFT_REFUSAL_ITEM;
         s->aborting = true;
         control(s, LOFT_ABORT);
         return 0;
     }
-    if (!waits(s))
-        s->tried = now;
-
-    const uint8_t slot = (uint8_t)((s->first + s->flights++) % LOFT_SENDER_WINDOW);
-    s->send = s->flight[slot].end = first + p.count;
-    s->flight[slot].time  = now;
-    s->flight[slot].again = first < s->high;
-    s->sent++;
-    if (first < s->high)
-        s->resent++;
-    if (s->high < s->send)
-        s->high = s->send;
-    return loft_data_encode(&p, first, seal, s->session, wire);
+    s->tried   = waited ? s->tried : now;
+    s->sent   += 1;
+    s->resent += again;
+    return n;
 }
 
 static size_t give_hello(loft_sender *s, uint32_t now, uint8_t wire[])
@@ -476,7 +360,7 @@ static size_t give_hello(loft_sender *s, uint32_t now, uint8_t wire[])
     m.min_version = m.max_version = LOFT_WIRE_VERSION;
     m.nonce = s->nonce;
     if (s->hello_sent)
-        back_off(s);
+        loft_rto_back_off(&s->rto);
     s->hello_sent = true;
     s->tried = now;
     s->hellos++;
@@ -486,7 +370,7 @@ static size_t give_hello(loft_sender *s, uint32_t now, uint8_t wire[])
 static size_t give_job(loft_sender *s, uint32_t now, uint8_t wire[])
 {
     if (s->job_sent) {
-        back_off(s);
+        loft_rto_back_off(&s->rto);
         s->timeouts++;
     }
     s->job_sent = s->asked = true;
@@ -509,7 +393,7 @@ static size_t give_control(loft_sender *s, uint32_t now, uint8_t wire[])
 /* Silence: from the beginning again. The report in hand, it is the closing alone that went unheard. */
 static void check_silence(loft_sender *s, uint32_t now)
 {
-    if (s->phase == LOFT_PHASE_CLOSING && s->attempts >= CLOSE_TRIES && left(s->verb_time, s->rto, now) == 0)
+    if (s->phase == LOFT_PHASE_CLOSING && s->attempts >= CLOSE_TRIES && left(s->verb_time, s->rto.ms, now) == 0)
         conclude(s);
     if (s->phase > LOFT_PHASE_HELLO && s->phase < LOFT_PHASE_CLOSING && left(s->heard, LOFT_SENDER_SILENCE, now) == 0)
         greet(s, now);
@@ -518,16 +402,16 @@ static void check_silence(loft_sender *s, uint32_t now)
 static bool control_due(const loft_sender *s, uint32_t now)
 {
     return s->verb && s->phase != LOFT_PHASE_HELLO && !(s->phase == LOFT_PHASE_OPENING && !s->job_sent)
-        && (!finished(s) || s->phase == LOFT_PHASE_BUSY) && (!s->verb_sent || left(s->verb_time, s->rto, now) == 0);
+        && (!finished(s) || s->phase == LOFT_PHASE_BUSY) && (!s->verb_sent || left(s->verb_time, s->rto.ms, now) == 0);
 }
 
 /* An answer is overdue: ask what has come. */
 static bool poll_due(loft_sender *s, uint32_t now)
 {
-    if (waits(s) && left(s->tried, s->rto, now) == 0) {
+    if (waits(s) && left(s->tried, s->rto.ms, now) == 0) {
         s->timeouts++;
         s->tried = now;
-        back_off(s);
+        loft_rto_back_off(&s->rto);
         if (s->doubt == 0)
             s->doubt = s->polling ? 2 : 1;
         return true;
@@ -549,8 +433,8 @@ static size_t give_stream(loft_sender *s, uint32_t now, uint8_t wire[])
     if (can_end(s)) {
         if (!waits(s))
             s->tried = now;
-        s->end_sent = true;
-        return loft_end_encode(s->count, s->session, wire);
+        s->window.ended = true;
+        return loft_end_encode(s->window.count, s->session, wire);
     }
     return 0;
 }
@@ -559,21 +443,21 @@ size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME
 {
     check_silence(s, now_ms);
     if (s->phase == LOFT_PHASE_HELLO)
-        return !s->hello_sent || left(s->tried, s->rto, now_ms) == 0 ? give_hello(s, now_ms, wire) : 0;
+        return !s->hello_sent || left(s->tried, s->rto.ms, now_ms) == 0 ? give_hello(s, now_ms, wire) : 0;
     if (control_due(s, now_ms))
         return give_control(s, now_ms, wire);
     if (finished(s))
         return 0;
     if (poll_due(s, now_ms))
         return give_poll(s, now_ms, wire);
-    if (s->phase == LOFT_PHASE_OPENING && !s->aborting && (!s->job_sent || left(s->tried, s->rto, now_ms) == 0))
+    if (s->phase == LOFT_PHASE_OPENING && !s->aborting && (!s->job_sent || left(s->tried, s->rto.ms, now_ms) == 0))
         return give_job(s, now_ms, wire);
     return s->phase == LOFT_PHASE_STREAMING ? give_stream(s, now_ms, wire) : 0;
 }
 
 uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms)
 {
-    const uint32_t retry = left(s->tried, s->rto, now_ms);
+    const uint32_t retry = left(s->tried, s->rto.ms, now_ms);
     uint32_t wait = left(s->polled, LOFT_SENDER_POLL, now_ms);
 
     if (s->phase == LOFT_PHASE_HELLO)
@@ -582,8 +466,8 @@ uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms)
         return 0;
     if (finished(s))
         return LOFT_SENDER_POLL;
-    if (s->verb_sent && left(s->verb_time, s->rto, now_ms) < wait)
-        wait = left(s->verb_time, s->rto, now_ms);
+    if (s->verb_sent && left(s->verb_time, s->rto.ms, now_ms) < wait)
+        wait = left(s->verb_time, s->rto.ms, now_ms);
     if ((waits(s) || (s->phase == LOFT_PHASE_OPENING && !s->aborting)) && retry < wait)
         wait = retry;
     return left(s->heard, LOFT_SENDER_SILENCE, now_ms) < wait ? left(s->heard, LOFT_SENDER_SILENCE, now_ms) : wait;

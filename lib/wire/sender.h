@@ -15,10 +15,10 @@
 #ifndef LOFT_WIRE_SENDER_H
 #define LOFT_WIRE_SENDER_H
 
-#include "wire/job_id.h"    /* loft_item_source, loft_job_id */
-#include "wire/message.h"   /* the messages, loft_frame, loft_packer */
+#include "wire/message.h"   /* the messages, loft_frame */
+#include "wire/rto.h"       /* loft_rto */
+#include "wire/window.h"    /* loft_window, loft_item_source */
 
-#define LOFT_SENDER_WINDOW  8           /* frames on their way at most                    */
 #define LOFT_SENDER_SILENCE 1500        /* ms without an answer until HELLO is said again */
 #define LOFT_SENDER_POLL    100         /* ms between two questions for the status        */
 
@@ -53,24 +53,18 @@ typedef struct {
     /* ---- */
     loft_frame  frame;
     loft_job    job;
-    loft_item_source *source;
-    void       *context;
-    uint32_t    count;                      /* items of the job                                                 */
-    uint32_t    base, send, high;           /* acknowledged, to be sent next, sent at least once                */
-    struct { uint32_t end, time; bool again; } flight[LOFT_SENDER_WINDOW];
-    uint8_t     flights, first;             /* frames on their way; the slot of the oldest                      */
+    loft_window window;                     /* the items on their way                                           */
     uint8_t     doubt;                      /* with so many STATUS it is known what of it is lost; 0: no doubt  */
     uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come                     */
     uint8_t     verb, value, number;        /* CONTROL waiting for its acknowledgement                          */
     uint8_t     percent;                    /* override that was not acknowledged; 0: none                      */
-    uint8_t     frame_size;                 /* the longest frame for now: shorter ones survive more damage      */
     uint8_t     attempts;                   /* of CONTROL                                                       */
     bool        greeted;                    /* WELCOME has come, AXIS may be missing                            */
     bool        began, asked, opened;       /* loft_sender_begin; JOB was sent; JOB was taken                   */
-    bool        hello_sent, job_sent, end_sent, verb_sent;      /* in this session                              */
+    bool        hello_sent, job_sent, verb_sent;    /* in this session                                      */
     bool        aborting, polling;          /* polling: no STATUS since the last POLL                           */
     uint32_t    nonce, boot;
-    uint32_t    rtt8, var4, rto;            /* Jacobson's smoothed time and deviation, times 8 and 4; ms        */
+    loft_rto    rto;                        /* how long to wait for an answer                                   */
     uint32_t    heard, tried, polled, back, verb_time;          /* times                                        */
 } loft_sender;
 

@@ -1,0 +1,37 @@
+/* lib/wire/rto.h -- how long to wait for an answer: the retransmission timeout
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_WIRE_RTO_H
+#define LOFT_WIRE_RTO_H
+
+#include "num/num.h"        /* the integer types */
+
+#define LOFT_RTO_FIRST  200     /* ms */
+#define LOFT_RTO_LEAST   25
+#define LOFT_RTO_MOST  1000
+
+typedef struct {
+    uint32_t ms;            /* the time to wait, LOFT_RTO_LEAST .. LOFT_RTO_MOST             */
+    uint32_t rtt8, var4;    /* smoothed round trip and its deviation, times 8 and 4; ms      */
+} loft_rto;
+
+/* Nothing is measured yet: LOFT_RTO_FIRST. */
+void loft_rto_init(loft_rto *r);
+
+/* A round trip took `m` ms (0 counts as 1): smooth it. What is to be waited changes with loft_rto_reset.
+ *
+ *   range   m to 2^28
+ *   see     V. Jacobson, Congestion avoidance and control, 1988: srtt += (m - srtt) / 8, var += (|m - srtt| - var) / 4
+ */
+void loft_rto_take(loft_rto *r, uint32_t m);
+
+/* Wait as long as the measured round trips ask for; as long as before, while there are none. */
+void loft_rto_reset(loft_rto *r);
+
+/* Nothing came in time: wait twice as long. */
+void loft_rto_back_off(loft_rto *r);
+
+/* The smoothed round trip in ms; 0 until one was measured. */
+uint32_t loft_rto_trip(const loft_rto *r);
+
+#endif

@@ -1,0 +1,134 @@
+/* lib/wire/window.c -- items on their way: go back n
+ * SPDX-License-Identifier: MIT
+ *
+ * Frames are made again from the items, so the frame that starts at n depends on items n - 3 .. n - 1 and n .. only, whether
+ * sent for the first time, again, or by another process.
+ *
+ * A frame of n bytes survives with probability (1 - e)^n: on a bad line short frames go through where long ones never
+ * do. So a loss takes a quarter of the length, and each frame that came through gives a few bytes back.
+ */
+#include "wire/window.h"
+
+#define CURVE_LEAST (15 + 15 * LOFT_AXES)       /* bytes of the shortest frame that holds any curve */
+
+void loft_window_init(loft_window *w, const loft_job *job, uint32_t count, loft_item_source *source, void *context)
+{
+    *w = (loft_window){ .source = source, .context = context, .count = count, .kind = (uint8_t)job->kind };
+    for (int i = 0; i < LOFT_AXES; i++)
+        w->start[i] = job->start[i];
+}
+
+void loft_window_open(loft_window *w, uint32_t next, uint8_t frame_most)
+{
+    w->base = w->send = w->high = next;
+    w->frame_most = w->frame_size = frame_most;
+    w->flights = 0;
+    w->ended   = false;
+}
+
+void loft_window_back(loft_window *w)
+{
+    w->send    = w->base;
+    w->flights = 0;
+    w->ended   = false;
+}
+
+void loft_window_shrink(loft_window *w)
+{
+    const uint8_t size  = (uint8_t)(w->frame_size - w->frame_size / 4);
+    const uint8_t least = w->kind == LOFT_CURVES ? CURVE_LEAST : LOFT_WINDOW_LEAST;
+    w->frame_size = size > least ? size : least;
+}
+
+static void grow(loft_window *w)
+{
+    w->frame_size = w->frame_most - w->frame_size > 4 ? (uint8_t)(w->frame_size + 4) : w->frame_most;
+}
+
+/* What was sent once measures; what was sent again may be the answer to either (P. Karn, C. Partridge, 1987). */
+bool loft_window_take(loft_window *w, uint32_t next, uint32_t now_ms, uint32_t *trip)
+{
+    bool timed = false;
+
+    w->base = next;
+    w->send = w->send < next ? next : w->send;
+    while (w->flights > 0 && w->flight[w->first].end <= next) {
+        timed = !w->flight[w->first].again;
+        *trip = now_ms - w->flight[w->first].time;
+        w->first = (uint8_t)((w->first + 1) % LOFT_WINDOW_FRAMES);
+        w->flights--;
+        grow(w);
+    }
+    return timed;
+}
+
+/* One frame too many is cheaper than a frame of one item after each executed item: with little room, wait until
+ * the machine has told `step` of it (which it does unasked), unless this is all that is left, or said again. */
+bool loft_window_ready(const loft_window *w, uint32_t limit, uint32_t step)
+{
+    const uint32_t most = limit < w->count ? limit : w->count;
+
+    return w->flights < LOFT_WINDOW_FRAMES && w->send < most
+        && (most == w->count || w->send < w->high || most - w->send >= step);
+}
+
+static void predict(const loft_window *w, loft_predictor *p)
+{
+    loft_item item;
+    loft_predictor_init(p, w->start);
+    for (uint32_t back = w->send < LOFT_PREDICTOR_BACK ? w->send : LOFT_PREDICTOR_BACK; back > 0; back--) {
+        w->source(w->context, w->send - back, &item);
+        loft_predictor_next(p, (enum loft_kind)w->kind, &item);
+    }
+}
+
+/* As many items as fit and may be sent. */
+static void pack(const loft_window *w, uint32_t limit, enum loft_kind kind, const loft_predictor *predictor, loft_packer *p,
+                 uint8_t wire[])
+{
+    const uint32_t most = limit < w->count ? limit : w->count;
+    enum loft_status status = LOFT_OK;
+    loft_item item;
+
+    loft_data_init(p, kind, predictor, w->frame_size, wire);
+    while (w->send + p->count < most && status == LOFT_OK) {
+        w->source(w->context, w->send + p->count, &item);
+        status = loft_packer_push(p, &item);
+    }
+}
+
+/* Points by third differences, if they are shorter for this frame. */
+static void pack_shortest(const loft_window *w, uint32_t limit, const loft_predictor *predictor, loft_packer *p, uint8_t wire[])
+{
+    const enum loft_kind kind = (enum loft_kind)w->kind;
+    loft_packer fine;
+
+    pack(w, limit, kind, predictor, p, wire);
+    if (kind != LOFT_POINTS)
+        return;
+    pack(w, limit, LOFT_POINTS_FINE, predictor, &fine, wire);
+    if (fine.count * p->size > p->count * fine.size)
+        *p = fine;
+    else
+        pack(w, limit, kind, predictor, p, wire);
+}
+
+size_t loft_window_give(loft_window *w, uint32_t limit, uint8_t session, uint32_t now_ms, uint8_t wire[LOFT_FRAME_MAX])
+{
+    const uint32_t first = w->send;
+    loft_predictor predictor;
+    loft_packer p;
+
+    predict(w, &predictor);
+    const uint32_t seal = loft_predictor_seal(&predictor);
+    pack_shortest(w, limit, &predictor, &p, wire);
+    if (p.count == 0)
+        return 0;
+
+    const uint8_t slot = (uint8_t)((w->first + w->flights++) % LOFT_WINDOW_FRAMES);
+    w->send = w->flight[slot].end = first + p.count;
+    w->flight[slot].time  = now_ms;
+    w->flight[slot].again = first < w->high;
+    w->high = w->high < w->send ? w->send : w->high;
+    return loft_data_encode(&p, first, seal, session, wire);
+}
