@@ -172,10 +172,102 @@ static void the_lines_of_a_piece_hold_the_limits(arb *a)
         }
 }
 
+static loft_vec near_vec(arb *a, const loft_vec *v, double by)
+{
+    loft_vec out;
+    for (int i = 0; i < LOFT_AXES; i++)
+        out.axis[i] = real_of(arb_value(v->axis[i]) + by * arb_between(a, -1, 1));
+    return out;
+}
+
+/* A piece beside a joint, whose direction and curvature are nearly those of the way. */
+static void arb_piece(arb *a, const loft_budget *b, const loft_way *way, double change, double feed, loft_plan_piece *p, loft_arc_shape *s)
+{
+    const double length = arb_decades(a, 0.01, 1);
+    loft_arc arc;
+
+    s->tight = false;
+    for (int k = 0; k < 3; k++) {
+        s->along[k] = near_vec(a, &way->along, 0.05);
+        s->bend[k]  = near_vec(a, &way->bend, change);
+    }
+    arc.length = BY_NUM((loft_acc)(length * 4294967296.0), length, length);
+    (void)loft_profile_init(p, b, &arc, s, real_of(feed));
+}
+
+/* What easing adds to the curvature is -0.1757 to 0.5 of the jump; to the direction, a ninth of it times the width. */
+static void holds_where_it_is_eased(const loft_plan_piece *p, const loft_budget *b, const loft_limits *l, const loft_arc_shape *s, bool behind)
+{
+    for (int n = 0; n <= 8; n++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            const double v = arb_value(p->cap) * n / 8, x = v * v, g = sign * arb_value(loft_profile_grip(p, BY_NUM((loft_acc)(x * 4294967296.0), x, x), sign > 0));
+            for (int k = 0; k < 3; k++)
+                for (int i = 0; i < LOFT_AXES; i++) {
+                    const double u = arb_value(s->along[k].axis[i]), jump = arb_value(p->ease.jump[i]), most = fabs(u) + fabs(jump) * BY_NUM((double)p->ease.width / 16777216.0, (double)p->ease.width, (double)p->ease.width) / 9;
+                    for (int end = 0; end < 2; end++) {
+                        const double bend = arb_value(s->bend[k].axis[i]) + (behind ? -1 : 1) * (end ? 0.5 : -0.1757) * jump;
+                        const double noise = BY_NUM(0.002 * (1 + fabs(bend) * (1 + v)), 1e-4, 1e-9);
+                        CHECK(most * v <= arb_value(l->max_speed[i]) * 1.0001 + noise);
+                        const double used = b->across > 0 ? 0 : x * bend, accel = arb_value(b->accel[i]) * 1.0005 + noise;
+                        CHECK(fabs((u < 0 ? -most : most) * g + used) <= accel && fabs(u * g + used) <= accel && fabs(used) <= accel);
+                    }
+                }
+        }
+}
+
+static unsigned eased;
+
+/* Some pieces on both sides, whose curvature may be another one than at the joint. */
+static void an_eased_joint_holds_the_limits_wherever_it_is_eased(arb *a)
+{
+    const loft_limits l = arb_limits(a);
+    const double feed = arb_decades(a, 1, 1000), size = arb_decades(a, 1e-3, 3), change = size * arb_decades(a, 0.01, 2);
+    loft_way way[2];
+    loft_side side[2];
+    loft_plan_piece joint, piece[2][3];
+    loft_arc_shape s[2][3];
+    loft_budget b;
+    double u[LOFT_AXES];
+
+    loft_budget_init(&b, &l);
+    if (!b.jerk)
+        return;
+    arb_direction(a, u);
+    for (int i = 0; i < LOFT_AXES; i++)
+        way[0].along.axis[i] = real_of(u[i]);
+    way[1].along = way[0].along;
+    for (int at = 0; at < 2; at++) {
+        way[at].bend  = near_vec(a, &(loft_vec){ { 0 } }, size);
+        way[at].cap   = real_of(feed);
+        way[at].twist = 0;
+        loft_side_init(&side[at], &way[at]);
+        for (int n = 0; n < 3; n++) {
+            arb_piece(a, &b, &way[at], change, feed, &piece[at][n], &s[at][n]);
+            loft_side_add(&side[at], &piece[at][n], &b, &s[at][n]);
+        }
+    }
+    const double room = arb_decades(a, 0.01, 2);
+    if (!loft_profile_join(&joint, &b, &side[0], &side[1], BY_NUM((loft_acc)16 << 32, 16, 16), BY_NUM((loft_acc)(room * 4294967296.0), room, room), real_of(feed))
+        || !(joint.ease.width > 0))
+        return;
+    eased++;
+    for (int at = 0; at < 2; at++)
+        for (int n = 0; n < 3; n++)
+            holds_where_it_is_eased(&joint, &b, &l, &s[at][n], at == 1);
+}
+
+static void joints_were_eased(arb *a)
+{
+    (void)a;
+    CHECK(eased > 100);
+}
+
 int main(void)
 {
     PROPERTY(a_beat_is_as_long_as_the_tolerance_allows, 20000);
     PROPERTY(a_joint_allows_what_its_formulas_say,      20000);
     PROPERTY(the_lines_of_a_piece_hold_the_limits,      20000);
+    PROPERTY(an_eased_joint_holds_the_limits_wherever_it_is_eased, 20000);
+    PROPERTY(joints_were_eased, 1);
     return check_failures();
 }

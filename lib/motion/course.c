@@ -136,25 +136,47 @@ static void halve(const loft_course *c, loft_arc *arc, loft_arc_shape *shape, ui
     loft_arc_measure(arc, shape, coarse && bends && !arc->speck && !arc->dust ? 2 : LOFT_ARC_ALL);
 }
 
-/* The next part of the curve that can be one piece; gives the parameter of its end. */
-static uint32_t cut_arc(const loft_course *c, loft_arc *arc, loft_arc_shape *shape, loft_plan_piece *p, loft_real feed)
-{
-    uint32_t size = loft_arc_next(arc, &loft_course_move(c, c->cut)->curve, c->at, !LOFT_BUDGET_JERK(&c->budget)) - c->at;
+/* A part of a curve that is to be one piece: where it ends. */
+typedef struct {
+    loft_arc        arc;
+    loft_arc_shape  shape;
+    loft_plan_piece piece;
+    uint32_t        to;
+    loft_real       feed;
+} part;
 
-    measure(c, arc, shape);
-    for (; arc->length > 0 && !set_piece(p, c, arc, shape, feed) && size > 1
-           && arc->length > loft_budget_beat(&c->budget, p->cap) / (LOFT_BUDGET_JERK(&c->budget) ? 1 : 32); size /= 2)
-        halve(c, arc, shape, size);
-    p->chord = arc->speck || arc->dust;
-    return c->at + size;
+/* The next part of the curve. */
+static void cut_part(const loft_course *c, part *t)
+{
+    uint32_t size = loft_arc_next(&t->arc, &loft_course_move(c, c->cut)->curve, c->at, !LOFT_BUDGET_JERK(&c->budget)) - c->at;
+
+    t->feed = loft_course_move(c, c->cut)->feed;
+    measure(c, &t->arc, &t->shape);
+    for (; t->arc.length > 0 && !set_piece(&t->piece, c, &t->arc, &t->shape, t->feed) && size > 1
+           && t->arc.length > loft_budget_beat(&c->budget, t->piece.cap) / (LOFT_BUDGET_JERK(&c->budget) ? 1 : 32); size /= 2)
+        halve(c, &t->arc, &t->shape, size);
+    t->piece.chord = t->arc.speck || t->arc.dust;
+    t->to = c->at + size;
 }
 
-/* How far from the end of what is known to the last place of rest. */
-static loft_acc since_rest(const loft_course *c, loft_acc most)
+/* The way where a part begins (0) or ends (2). Where jerk is not limited only the bend that the next piece begins with matters. */
+static loft_way way_at(const loft_course *c, const part *t, int k)
+{
+    if (LOFT_BUDGET_JERK(&c->budget))
+        return loft_profile_way(&t->piece, &c->budget, &t->shape, k);
+    return (loft_way){ .along = t->shape.along[k], .bend = t->shape.bend[k] };
+}
+
+#if LOFT_PLAN_FILTER > 1
+
+/* How far from the end of what is known to the last place of rest, or of a cap below `slow`. */
+static loft_acc since_rest(const loft_course *c, loft_acc most, loft_real slow)
 {
     loft_acc d = 0;
     for (unsigned j = c->count; d < most && j > 0; j--) {
         const loft_plan_piece *p = loft_course_piece(c, j - 1);
+        if (p->length > 0 && p->cap < slow)
+            break;
         d += loft_unit_wide(p->length);
         if (p->stop)
             break;
@@ -162,48 +184,91 @@ static loft_acc since_rest(const loft_course *c, loft_acc most)
     return d;
 }
 
-/* How far the curve is known to go on from `to` without a place of rest, in pieces that there is room for beside two. */
-static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real feed)
+/* How far the curve is known to go on from `to` likewise, in pieces that there is room for beside two; to a side, if there is one, they are added. */
+static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real slow, loft_side *side)
 {
     const uint32_t at = c->at;
     loft_acc d = 0;
-    loft_arc arc;
-    loft_arc_shape shape;
-    loft_plan_piece piece;
+    part t;
 
     c->at = to;
     for (unsigned n = c->count + 4u; n <= c->piece_room && d < most && c->at < LOFT_ARC_WHOLE; n++) {
-        c->at = cut_arc(c, &arc, &shape, &piece, feed);
-        if (arc.speck || arc.dust)
+        cut_part(c, &t);
+        c->at = t.to;
+        if (t.arc.speck || t.arc.dust || t.piece.cap < slow)
             break;
-        d += arc.length;
+        if (side != NULL)
+            loft_side_add(side, &t.piece, &c->budget, &t.shape);
+        d += t.arc.length;
     }
     c->at = at;
     return d;
 }
 
-static bool set_joint(loft_plan_piece *joint, const loft_course *c, const loft_way *after, loft_acc spacing, loft_acc room, loft_real feed)
+/* Add the pieces within `width` of the end of what is known. */
+static void add_known(const loft_course *c, loft_side *side, loft_acc width)
 {
-    return LOFT_BUDGET_JERK(&c->budget) ? loft_profile_join(joint, &c->budget, &c->way, after, spacing, room, feed)
-                                        : loft_scope_join(joint, &c->budget, &c->way.along, &after->along, spacing, c->at == 0, c->feed, feed);
+    loft_acc d = 0;
+    loft_arc arc;
+    loft_arc_shape shape;
+
+    for (unsigned j = c->count; d < width && j > 0; j--) {
+        const loft_plan_piece *p = loft_course_piece(c, j - 1);
+        if (p->length > 0) {
+            loft_arc_cut(&arc, &c->moves[p->move].curve, p->from, p->to, false);
+            loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
+            loft_side_add(side, p, &c->budget, &shape);
+        }
+        d += loft_unit_wide(p->length);
+    }
 }
 
-/* A joint before `arc`, which ends at `to`, if there is one that matters. */
-static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, const loft_way *after, loft_acc spacing, loft_real feed)
+/* Where jerk is limited: first it is found how far the joint is eased, then what lies there matters, too. What asks for a lower speed by far
+ * than the path beside the joint ends the room for it. */
+static bool set_eased(loft_plan_piece *joint, loft_course *c, const part *t, loft_acc spacing)
 {
-    loft_plan_piece joint;
-    loft_acc room = 0;
+    const loft_way start = way_at(c, t, 0);
+    const loft_real slow = (start.cap < c->way.cap ? start.cap : c->way.cap) / 4 * 3;
+    const loft_acc length = t->arc.length;
+    loft_acc room = loft_acc_least(spacing / 8, loft_wide(LOFT_EASE_MAX));
+    loft_side before, after;
 
-    if (arc->crumb)
-        spacing = loft_acc_least(spacing, arc->length);
+    room = loft_acc_least(room, since_rest(c, room, slow));
+    room = loft_acc_least(room, length + runs_on(c, t->to, room - length, slow, NULL));
+    loft_side_init(&before, &c->way);
+    loft_side_init(&after, &start);
+    const bool matters = loft_profile_join(joint, &c->budget, &before, &after, spacing, room, t->feed);
+    const loft_acc width = matters ? loft_unit_wide(joint->ease.width) : 0;
+    if (!(width > 0))
+        return matters;
+    add_known(c, &before, width);
+    loft_side_add(&after, &t->piece, &c->budget, &t->shape);
+    (void)runs_on(c, t->to, width - length, slow, &after);
+    return loft_profile_join(joint, &c->budget, &before, &after, spacing, room, t->feed);
+}
+
+#endif
+
+static bool set_joint(loft_plan_piece *joint, loft_course *c, const part *t, loft_acc spacing)
+{
+#if LOFT_PLAN_FILTER > 1
+    if (LOFT_BUDGET_JERK(&c->budget))
+        return set_eased(joint, c, t, spacing);
+#endif
+    return loft_scope_join(joint, &c->budget, &c->way.along, &t->shape.along[0], spacing, c->at == 0, c->feed, t->feed);
+}
+
+/* A joint before a part of the curve, if there is one that matters. */
+static void add_joint(loft_course *c, const part *t)
+{
+    loft_acc spacing = c->at == 0 ? loft_acc_least(c->size, c->extent) : c->size;
+    loft_plan_piece joint;
+
+    if (t->arc.crumb)
+        spacing = loft_acc_least(spacing, t->arc.length);
     if (c->crumb && c->count > 0)
         spacing = loft_acc_least(spacing, loft_unit_wide(loft_course_piece(c, c->count - 1u)->length));
-    if (LOFT_BUDGET_JERK(&c->budget)) {
-        room = loft_acc_least(spacing / 8, loft_wide(LOFT_EASE_MAX));
-        room = loft_acc_least(room, since_rest(c, room));
-        room = loft_acc_least(room, arc->length + runs_on(c, to, room - arc->length, feed));
-    }
-    if (set_joint(&joint, c, after, spacing, room, feed)) {
+    if (set_joint(&joint, c, t, spacing)) {
         loft_plan_piece *p = loft_course_add(c);
         joint.from = p->from;
         joint.to   = p->to;
@@ -213,45 +278,32 @@ static void add_joint(loft_course *c, const loft_arc *arc, uint32_t to, const lo
     }
 }
 
-/* The way where the shape begins (0) or ends (2). Where jerk is not limited only the bend that the next piece begins with matters. */
-static loft_way way_at(const loft_course *c, const loft_plan_piece *p, const loft_arc_shape *shape, int k)
-{
-    if (LOFT_BUDGET_JERK(&c->budget))
-        return loft_profile_way(p, &c->budget, shape, k);
-    return (loft_way){ .along = shape->along[k], .bend = shape->bend[k] };
-}
-
 /* Up to two pieces of the curve. */
 static void load_pieces(loft_course *c)
 {
-    const loft_real feed = loft_course_move(c, c->cut)->feed;
-    loft_arc arc;
-    loft_arc_shape shape;
-    loft_plan_piece piece;
-    const uint32_t to = cut_arc(c, &arc, &shape, &piece, feed);
+    part t;
 
-    if (arc.dust)
+    cut_part(c, &t);
+    if (t.arc.dust)
         c->smooth = false;
     else {
-        if (c->known && (!c->smooth || arc.speck)) {
-            const loft_way start = way_at(c, &piece, &shape, 0);
-            add_joint(c, &arc, to, &start, c->at == 0 ? loft_acc_least(c->size, c->extent) : c->size, feed);
-        }
-        c->way    = way_at(c, &piece, &shape, 2);
-        c->feed   = feed;
+        if (c->known && (!c->smooth || t.arc.speck))
+            add_joint(c, &t);
+        c->way    = way_at(c, &t, 2);
+        c->feed   = t.feed;
         c->known  = true;
-        c->smooth = !arc.speck;
-        c->crumb  = arc.crumb;
+        c->smooth = !t.arc.speck;
+        c->crumb  = t.arc.crumb;
     }
-    if (arc.length > 0) {
+    if (t.arc.length > 0) {
         loft_plan_piece *p = loft_course_add(c);
-        piece.from = p->from;
-        piece.to   = to;
-        piece.move = p->move;
-        *p = piece;
+        t.piece.from = p->from;
+        t.piece.to   = t.to;
+        t.piece.move = p->move;
+        *p = t.piece;
         widen(c, p);
     }
-    c->at = to;
+    c->at = t.to;
 }
 
 bool loft_course_cuts(loft_course *c)

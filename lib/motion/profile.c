@@ -31,7 +31,8 @@
 
 #if LOFT_PLAN_FILTER > 1
 
-static loft_real least(loft_real x, loft_real y) { return x < y ? x : y; }
+static loft_real least(loft_real x, loft_real y)   { return x < y ? x : y; }
+static loft_real most_of(loft_real x, loft_real y) { return x > y ? x : y; }
 
 /* By how much a parabola through three may exceed the largest of them. */
 static loft_real bulge_of(const loft_vec at[3], int i)
@@ -265,6 +266,42 @@ static loft_unit twist_at(const loft_way *w, loft_real v)
     return loft_unit_round(loft_acc_scale(loft_acc_scale(loft_acc_scale(loft_unit_wide(w->twist), z), z), z));
 }
 
+void loft_side_init(loft_side *side, const loft_way *way)
+{
+    side->way = *way;
+    for (int k = 0; k < 2; k++) {
+        side->along[k] = way->along;
+        side->bend[k]  = way->bend;
+    }
+}
+
+/* Take in the parabola through three. */
+static void take_in(loft_vec range[2], const loft_vec at[3])
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_real bulge = bulge_of(at, i);
+        for (int k = 0; k < 3; k++) {
+            const loft_real x = at[k].axis[i];
+            range[0].axis[i] = least(range[0].axis[i], x - bulge);
+            range[1].axis[i] = most_of(range[1].axis[i], x + bulge);
+        }
+    }
+}
+
+/* Of two uses of the jerk that grow with v^3 the larger one, at the lower cap. */
+void loft_side_add(loft_side *side, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape)
+{
+    const loft_way piece = loft_profile_way(p, b, shape, 0);
+    const loft_real cap = least(side->way.cap, piece.cap);
+    const loft_unit one = twist_at(&side->way, cap), other = twist_at(&piece, cap);
+
+    side->way.twist = one > other ? one : other;
+    side->way.cap   = cap;
+    take_in(side->along, shape->along);
+    if (!shape->tight)
+        take_in(side->bend, shape->bend);
+}
+
 /* A jump d of the curvature at speed v is one of acceleration, v^2 d, which the spline of the samples spreads over
  * beats: jerk 3/4 v^2 d / h; another one may follow `spacing` further, within the four beats that the spline covers. */
 loft_acc loft_profile_jump(const loft_budget *b, const loft_way *before, const loft_way *after, loft_acc spacing, loft_real feed)
@@ -370,30 +407,42 @@ static void leave_for_joint(loft_plan_piece *p, const joint *j, const loft_way *
     }
 }
 
-/* On its way there and from there the curvature goes beyond both by p c = 0.1757 of the jump. */
-static void ease_bounds(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, loft_real feed)
+/* The path is moved aside by g d. On its way to the joint the curvature goes beyond its own by p c = 0.1757 of the jump, then half way to the other
+ * side, and likewise behind it; meanwhile its own may change, too. Its direction turns by g' d. So the largest size u of a direction, with g' d, and
+ * the least and the largest curvature there hold the acceleration everywhere: u a + k v^2 is linear in each of them, and where u or a have the
+ * other sign or are smaller it is not beyond k v^2. If the direction changes its sign each curvature may meet either. */
+static void ease_bounds(loft_plan_piece *p, const loft_budget *b, const loft_side *before, const loft_side *after, loft_real feed)
 {
-    loft_arc_shape s = { false, { before->along, after->along, after->along }, { before->bend, after->bend, after->bend } };
+    loft_arc_shape s = { .tight = false };
     const loft_ease e = p->ease;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real more = e.jump[i] / 17 * 3;
-        s.bend[0].axis[i] -= more;
-        s.bend[1].axis[i] += more;
-        s.bend[2].axis[i] += more;
+        const loft_real beyond = e.jump[i] / 17 * 3, half = e.jump[i] / 2, size = loft_real_size(e.jump[i]);
+        const loft_real turn = loft_acc_round(loft_acc_ratio(loft_acc_scale(loft_wide(size), e.width), 9));
+        const loft_real u0 = least(before->along[0].axis[i], after->along[0].axis[i]), u1 = most_of(before->along[1].axis[i], after->along[1].axis[i]);
+        loft_real low  = least(before->bend[0].axis[i] + least(-beyond, half), after->bend[0].axis[i] + least(beyond, -half));
+        loft_real high = most_of(before->bend[1].axis[i] + most_of(-beyond, half), after->bend[1].axis[i] + most_of(beyond, -half));
+        if (u0 - turn < 0 && u1 + turn > 0) {
+            high = most_of(high, -low);
+            low  = -high;
+        }
+        for (int k = 0; k < 3; k++) {
+            s.along[k].axis[i] = u1 > -u0 ? u1 + turn : u0 - turn;
+            s.bend[k].axis[i]  = k == 0 ? low : k == 1 ? low / 2 + high / 2 : high;
+        }
     }
     set_bounds(p, b, &s, feed);
     p->ease = e;
 }
 
 /* Ease the change of curvature if that can be passed faster than the change itself. */
-static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after, joint j, loft_acc room,
+static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_side *before, const loft_side *after, joint j, loft_acc room,
                   loft_real feed)
 {
-    const loft_acc jump = loft_vec_distance(before->bend, after->bend);
+    const loft_acc jump = loft_vec_distance(before->way.bend, after->way.bend);
 
     for (int i = 0; i < LOFT_AXES; i++)
-        p->ease.jump[i] = after->bend.axis[i] - before->bend.axis[i];
+        p->ease.jump[i] = after->way.bend.axis[i] - before->way.bend.axis[i];
     p->ease.width = loft_ease_width(b, jump, room);
     if (p->ease.width > 0)
         j.ease = ease_way(p, b);
@@ -402,22 +451,18 @@ static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_way *befo
         ease_bounds(p, b, before, after, feed);
         j.bend  = j.ease.cap;
         p->cap -= loft_acc_round(loft_acc_ratio(loft_acc_scale(loft_acc_mul(jump, p->cap), p->ease.width), 9));
-        for (int i = 0; i < LOFT_AXES; i++) {
-            const loft_real u = loft_real_size(before->along.axis[i]), w = loft_real_size(after->along.axis[i]);
-            const loft_acc  more = loft_acc_ratio(loft_acc_scale(loft_wide(loft_real_size(p->ease.jump[i])), p->ease.width), 9);
-            p->cap = loft_real_cap(p->cap, b->max_speed[i], (u > w ? u : w) + loft_acc_round(more));
-        }
     } else
         p->ease.width = 0;
     return j;
 }
 
-bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
+bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_side *before, const loft_side *after,
                      loft_acc spacing, loft_acc room, loft_real feed)
 {
-    const loft_arc_shape s = { false, { before->along, after->along, after->along }, { before->bend, after->bend, after->bend } };
-    const loft_acc turn = loft_budget_joint(b, &before->along, &after->along, spacing, true), feed2 = loft_prod(feed, feed);
-    const loft_acc bend = loft_profile_jump(b, before, after, spacing, feed);
+    const loft_way *w0 = &before->way, *w1 = &after->way;
+    const loft_arc_shape s = { false, { w0->along, w1->along, w1->along }, { w0->bend, w1->bend, w1->bend } };
+    const loft_acc turn = loft_budget_joint(b, &w0->along, &w1->along, spacing, true), feed2 = loft_prod(feed, feed);
+    const loft_acc bend = loft_profile_jump(b, w0, w1, spacing, feed);
 
     p->length = 0;
     if (turn / 1024 > feed2 && bend / 32 > feed2)
@@ -432,7 +477,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way 
         return true;
     }
     p->cap = least(p->cap, slow);
-    leave_for_joint(p, &j, before, after);
+    leave_for_joint(p, &j, w0, w1);
     return true;
 }
 

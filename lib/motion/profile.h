@@ -43,6 +43,13 @@ typedef struct {
 #endif
 } loft_way;
 
+/* What lies beside a joint on one side of it, as far as it may be eased: the way at the joint, with the cap and the twist that use most of the jerk,
+ * and the least and the largest of directions and curvatures per axis. */
+typedef struct {
+    loft_way way;
+    loft_vec along[2], bend[2];
+} loft_side;
+
 /* Set the bounds of a piece of this length and shape. False if they change so much along it that it should be halved.
  *
  *   range   feed LOFT_SPEED_MIN..LOFT_SPEED_MAX; the arc's length > 0
@@ -52,12 +59,19 @@ bool loft_profile_init(loft_plan_piece *p, const loft_budget *b, const loft_arc 
 /* The way at station k (0 start, 1 middle, 2 end) of a piece. */
 loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, int k);
 
+/* The side of a joint where the path has this way, and nothing else yet. */
+void loft_side_init(loft_side *side, const loft_way *way);
+
+/* Take in a piece of this shape. */
+void loft_side_add(loft_side *side, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape);
+
 /* Set the bounds of a joint whose next such is `spacing` away: false if it is none, with this feed. It may be eased
- * over `room` on both sides of it, at most LOFT_EASE_MAX.
+ * over `room` on both sides of it, at most LOFT_EASE_MAX; is it, then these bounds hold when all pieces within its width are in the sides, which
+ * do not change whether it is.
  *
  *   range   as loft_profile_init; directions of length 1
  */
-bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_way *before, const loft_way *after,
+bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_side *before, const loft_side *after,
                      loft_acc spacing, loft_acc room, loft_real feed);
 
 /* The most that the square of the speed may be where the curvature jumps, so that three quarters of the jerk are used; another such
