@@ -59,9 +59,6 @@ void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves
  */
 enum loft_status loft_course_push(loft_course *c, const loft_move *move) LOFT_CHECKED;
 
-/* Cut curves into pieces while there is room. */
-void loft_course_load(loft_course *c);
-
 /* Curve number i from the oldest, i < move_count. */
 loft_move *loft_course_move(const loft_course *c, unsigned i);
 
@@ -84,6 +81,12 @@ static inline loft_plan_piece *loft_course_piece(const loft_course *c, unsigned 
     return &c->pieces[k < c->piece_room ? k : k - c->piece_room];
 }
 
+/* Its length. */
+static inline loft_acc loft_course_length(const loft_course *c, unsigned i)
+{
+    return loft_unit_wide(loft_course_piece(c, i)->length);
+}
+
 /* The number of the curve that a piece is of, from the start of the path, modulo 2^16. */
 static inline uint16_t loft_course_number(const loft_course *c, const loft_plan_piece *p)
 {
@@ -93,6 +96,9 @@ static inline uint16_t loft_course_number(const loft_course *c, const loft_plan_
 
 /* How far beyond its ends a piece bounds speed and acceleration, mm. */
 loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p);
+
+/* Does the path, as far as it is known, rest at the end of piece i? */
+bool loft_course_rests(const loft_course *c, unsigned i);
 
 /* The first piece after i whose start is a stop, or the number of pieces. */
 unsigned loft_course_stop(const loft_course *c, unsigned i);

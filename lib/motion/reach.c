@@ -22,6 +22,7 @@
  */
 #include "motion/reach.h"
 
+#include "motion/cut.h"     /* loft_cut_load */
 #include "motion/scope.h"   /* loft_scope_most, loft_scope_brake */
 
 static loft_acc square(loft_real v)                  { return loft_prod(v, v); }
@@ -228,7 +229,7 @@ static bool leave(loft_law *law)
     law->speed = 0;
     law->parts = law->next = 0;
     law->left  = LOFT_UNIT(1);
-    loft_course_load(c);
+    loft_cut_load(c);
     law->rests = c->count == 0;
     return !law->rests;
 }
@@ -247,7 +248,7 @@ enum loft_law_state loft_reach_next(loft_law *law)
 {
     loft_course *c = &law->course;
 
-    loft_course_load(c);
+    loft_cut_load(c);
     if (law->rests && !leave(law))
         return c->ended && c->cut == c->move_count ? LOFT_LAW_RESTS : LOFT_LAW_WAITS;
     if (law->next < law->parts && aim_of(law) > law->aim)
