@@ -231,6 +231,7 @@
 #define loft_drive_run             LOFT_NAME(loft_drive_run)
 #define loft_drive_slot            LOFT_NAME(loft_drive_slot)
 #define loft_dyad_at               LOFT_NAME(loft_dyad_at)
+#define loft_ease_eval             LOFT_NAME(loft_ease_eval)
 #define loft_ease_point            LOFT_NAME(loft_ease_point)
 #define loft_ease_width            LOFT_NAME(loft_ease_width)
 #define loft_end_decode            LOFT_NAME(loft_end_decode)

@@ -149,25 +149,10 @@ void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc
     set_bow(b, c);
 }
 
-/* What easing adds at r = 1 - |s| / w, for a jump of 1: to the curvature, its derivative times w, the direction by w. */
-typedef struct {
-    loft_acc bend, turn, along;
-} easing;
-
-static easing ease_at(loft_unit r)
-{
-    const loft_acc x = loft_unit_wide(r), c = loft_unit_wide(LOFT_EASE_SLOPE), p = loft_unit_wide(LOFT_EASE_TURN);
-
-    if (r < LOFT_EASE_TURN)
-        return (easing){ -loft_acc_scale(c, r), -c, -loft_acc_scale(loft_acc_scale(c, r), r) / 2 };
-    return (easing){ loft_acc_scale(x - 2 * p, LOFT_EASE_SLOPE), c,
-                    loft_acc_scale(loft_acc_scale(x, r) / 2 - 2 * loft_acc_scale(p, r) + loft_unit_wide(LOFT_EASE_TURN2), LOFT_EASE_SLOPE) };
-}
-
 /* Between its ends the slope turns, or easing begins: what holds there is asked at the ends, too. */
-static void set_cases(loft_plan_cell *c, int in, const easing at[2], loft_unit outer, loft_unit inner, bool beyond, loft_acc turn)
+static void set_cases(loft_plan_cell *c, int in, const loft_easing at[2], loft_unit outer, loft_unit inner, bool beyond, loft_acc turn)
 {
-    const easing p = ease_at(LOFT_EASE_TURN);
+    const loft_easing p = loft_ease_eval(LOFT_EASE_TURN);
     const bool turns = inner > LOFT_EASE_TURN && outer < LOFT_EASE_TURN;
     const loft_acc sign = in == 1 ? 1 : -1;
     const int out = 1 - in;
@@ -203,11 +188,11 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
     const loft_inverse by = loft_inverse_of(w);
     const int in = off < 0 ? 1 : 0;
     const loft_acc to_top = (in == 1 ? -top : top) - off;       /* where it turns the direction most, r = 2 p */
-    const easing most = ease_at(2 * LOFT_EASE_TURN);
+    const loft_easing most = loft_ease_eval(2 * LOFT_EASE_TURN);
     const loft_acc before = c->most;
     loft_acc longest = 0;
     loft_unit r[2];
-    easing z[2];
+    loft_easing z[2];
     bool beyond[2];
 
     if (off >= w || -off - h >= w)
@@ -215,7 +200,7 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
     for (int end = 0; end < 2; end++) {
         const loft_acc s = end ? off + h : off, d = s < 0 ? -s : s;
         r[end] = d < w ? LOFT_UNIT(1) - loft_unit_ratio(d, w) : 0;
-        z[end] = ease_at(r[end]);
+        z[end] = loft_ease_eval(r[end]);
         beyond[end] = !(d < w);
     }
     for (int end = 0; end < 2; end++)       /* within, where the slope turns in it as well */

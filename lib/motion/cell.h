@@ -5,21 +5,7 @@
 #define LOFT_MOTION_CELL_H
 
 #include "motion/arc.h"     /* loft_arc, loft_arc_shape */
-#include "motion/limits.h"  /* loft_budget */
-
-#define LOFT_EASE_MAX LOFT_REAL(2)      /* mm */
-
-/* Where curvature jumps by `jump` (1/mm), the path is moved aside up to `width` mm before and behind that place; 0: not. */
-typedef struct {
-    loft_unit width;
-    loft_real jump[LOFT_AXES];
-} loft_ease;
-
-/* Where its slope turns and how steep it is (profile.c): p, p^2, p^3 and c. */
-#define LOFT_EASE_TURN  LOFT_UNIT(0.2062994740159)
-#define LOFT_EASE_TURN2 LOFT_UNIT(0.0425594729785)
-#define LOFT_EASE_TURN3 LOFT_UNIT(0.0087799968901)
-#define LOFT_EASE_SLOPE LOFT_UNIT(0.8512071919597)
+#include "motion/ease.h"    /* loft_ease */
 
 /* Times 1 / a length. */
 typedef struct {

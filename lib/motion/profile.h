@@ -66,8 +66,8 @@ void loft_side_init(loft_side *side, const loft_way *way);
 void loft_side_add(loft_side *side, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape);
 
 /* Set the bounds of a joint whose next such is `spacing` away: false if it is none, with this feed. It may be eased
- * over `room` on both sides of it, at most LOFT_EASE_MAX; is it, then these bounds hold when all pieces within its width are in the sides, which
- * do not change whether it is.
+ * over `room` on both sides of it, at most LOFT_EASE_MAX. Where it is, they hold once all pieces within its width are added to the sides,
+ * on which it does not depend how far it is eased.
  *
  *   range   as loft_profile_init; directions of length 1
  */
@@ -77,16 +77,6 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_side
 /* The most that the square of the speed may be where the curvature jumps, so that three quarters of the jerk are used; another such
  * place is `spacing` away. */
 loft_acc loft_profile_jump(const loft_budget *b, const loft_way *before, const loft_way *after, loft_acc spacing, loft_real feed);
-
-/* How far before and behind a jump of curvature by `jump` (1/mm) the path is moved aside, where there is `room` mm; 0: not. */
-loft_unit loft_ease_width(const loft_budget *b, loft_acc jump, loft_acc room);
-
-/* Move aside the point of the path `off` mm behind (or, negative, before) the place of `e`.
- *
- *   range   e->width > 0; any `off`
- *   error   q16: 2^-30 mm, and 2^-15 of the way it is moved
- */
-void loft_ease_point(const loft_ease *e, loft_acc off, loft_acc point[LOFT_AXES]);
 
 /* The acceleration along the path at the square x of the speed, mm/s^2; `fore`: speeding up.
  *
