@@ -200,6 +200,26 @@ static void a_short_line_takes_the_time_that_is_known(arb *a)
     CHECK(beats * beat > least * 0.999 && beats * beat < least * 1.08 + beat);
 }
 
+/* A line, a tight bend of a quarter of a circle, a line. */
+static void cells_shrink_and_grow_by_steps_around_a_bend(arb *a)
+{
+    const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0, 1 }, w[4] = { 0 }, r = arb_decades(a, 0.05, 2), length = arb_between(a, 10, 100);
+    const double u[4] = { 0, length / 3, length * 2 / 3, length }, out[4] = { 0, 0.5522847 * r, r, r }, up[4] = { 0, 0, 0.4477153 * r, r };
+
+    even_limits(1000, 500, 10000);
+    begin_chain();
+    add_curve(d, e, u, w, 100);
+    add_curve(d, e, out, up, 100);
+    add_curve(e, d, u, w, 100);
+    begin();
+    loft_lane_load(&lane, &course);
+    loft_lane_close(&lane, &course);
+    for (unsigned i = 0; i + 1 < course.count; i++) {
+        const loft_acc h = loft_unit_wide(cell_of(i)->length), next = loft_unit_wide(cell_of(i + 1)->length);
+        CHECK(rests(i + 1) || (h < 4 * next && next < 4 * h));
+    }
+}
+
 static loft_vec on_circle(double r, double angle, double handle)
 {
     return (loft_vec){ { real_of(r * cos(angle) - handle * sin(angle)), real_of(r * sin(angle) + handle * cos(angle)) } };
@@ -312,6 +332,7 @@ int main(void)
     PROPERTY(raising_only_raises,                     20);
     PROPERTY(a_long_line_takes_the_time_that_is_known, 10);
     PROPERTY(a_short_line_takes_the_time_that_is_known, 30);
+    PROPERTY(cells_shrink_and_grow_by_steps_around_a_bend, 50);
     PROPERTY(short_curves_are_passed_as_fast_as_long_ones, 3);
     PROPERTY(places_follow_each_other,                20);
     PROPERTY(eased_cells_bend_as_the_points_do,      300);

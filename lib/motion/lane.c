@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: MIT
  *
  * Cells are about as long as what is passed in a third of the time in which the acceleration is reached, and neighbours about as long
- * as each other, as a row of even cells takes fewer sweeps (raise.c); where nothing but limits along it counts they grow to twice the last one. Where
- * the path rests, with acceleration A and jerk J
+ * as each other, as a row of even cells takes fewer sweeps (raise.c); where nothing but limits along it counts they grow to twice the last one. On
+ * the way to an arc with shorter ones they shrink by 8/5: in a long one there is one change of acceleration, so the jerk allows it none before a tight
+ * bend, which then was reached at a crawl. Where the path rests, with acceleration A and jerk J
  *
  *     A (A / J)^2 / 8, or 1/16 of the way between two rests + 3/4 of the way from there
  *
@@ -24,6 +25,7 @@
 
 #define SWEEPS 16      /* at most */
 #define PARTS  3       /* cells in the time in which the acceleration is reached */
+#define LENGTH_MAX loft_wide(LOFT_REAL(64))    /* of an arc */
 #define SHORT  16      /* of the way between two rests the first and the last cell are such a part */
 #define EVEN   1024    /* a path is straight where its bends take less than such a part of the acceleration */
 
@@ -36,6 +38,7 @@ void loft_lane_init(loft_lane *l)
     l->gate = 0;
     l->stop = true;
     l->hop = false;
+    l->seen = 0;
     l->sure = 0;
 }
 
@@ -227,6 +230,9 @@ static int32_t reaches(const loft_budget *b, loft_real gain, loft_real v)
     return n;
 }
 
+/* What is passed at speed v in a third of n beats. */
+static loft_acc even_part(const loft_budget *b, loft_real v, int32_t n) { return loft_budget_beat(b, v) * n / PARTS; }
+
 /* Does it bend so little that only limits along it count? */
 static bool straight(const loft_budget *b, const loft_plan_cell *c)
 {
@@ -239,26 +245,51 @@ static bool straight(const loft_budget *b, const loft_plan_cell *c)
     return true;
 }
 
+/* How long the first cell of the arc that begins at parameter `end` of the curve, or with the next curve, may be. */
+static loft_acc beyond(loft_lane *l, const loft_course *c, uint32_t end)
+{
+    const loft_budget *b = &c->budget;
+    const bool over = end == LOFT_ARC_WHOLE, known = !over || c->cut + 1u < c->move_count;
+    const loft_move *move = loft_course_move(c, known ? c->cut + over : c->cut);
+    loft_arc arc;
+    loft_arc_shape shape;
+    loft_plan_cell cell;
+
+    if (l->seen == end)
+        return l->beyond;
+    l->seen = end;
+    l->beyond = LENGTH_MAX;
+    if (!known)
+        return LENGTH_MAX;
+    (void)loft_arc_next(&arc, &move->curve, over ? 0 : end, false);
+    if (arc.dust || !(arc.length > 0))
+        return LENGTH_MAX;
+    loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
+    loft_cell_init(&cell, b, &arc, &shape, move->feed);
+    const loft_real v = loft_acc_sqrt(cell.most);
+    l->beyond = loft_acc_least(loft_unit_wide(cell.length), even_part(b, v, reaches(b, loft_real_least(b->gain), v)));
+    return l->beyond;
+}
+
 /* How long a cell should be: what is passed in a third of the time in which the acceleration is reached; on a straight line longer and longer; shorter
- * near a rest and at the end of a curve which may be one; else about as long as the last one. */
-static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_plan_cell *whole, bool ends)
+ * near a rest and at the end of a curve which may be one; else about as long as the last one, and the `next` arc's. */
+static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_plan_cell *whole, bool ends, loft_acc next)
 {
     const loft_budget *b = &c->budget;
     const loft_real gain = loft_real_least(b->gain), v = loft_acc_sqrt(whole->most);
     const int32_t  n = reaches(b, gain, v);
-    const loft_acc rest = loft_unit_wide(whole->length), beat = loft_budget_beat(b, v);
+    const loft_acc rest = loft_unit_wide(whole->length);
     const loft_real accel = loft_acc_round(loft_acc_least(loft_wide(loft_real_least(b->accel)), loft_wide(gain) * n));
     const loft_acc reach = loft_acc_scale(loft_budget_beat(b, accel), b->pulse) * (n * n) / 8;    /* A (A / J)^2 / 8 */
     const loft_acc near = l->may_rest ? loft_acc_least(reach, loft_acc_most(l->run + rest, c->size) / SHORT) : reach;
-    loft_acc most = beat * n / PARTS;
+    loft_acc most = even_part(b, v, n);
 
     if (l->last > 0)
-        most = loft_acc_most(loft_acc_least(most * 8 / 5, l->last), most / 2);
+        most = loft_acc_least(loft_acc_most(loft_acc_least(most * 8 / 5, l->last), most / 2), l->last * 2);
     if (straight(b, whole))
         most = loft_acc_most(most, loft_acc_least(l->last * 8 / 5, loft_wide(LOFT_REAL(32))));
     most = loft_acc_least(most, near + l->run * 3 / 4);
-    if (ends)
-        most = loft_acc_least(most, loft_acc_most(near, rest * 3 / 7));
+    most = loft_acc_least(most, ends ? loft_acc_most(near, rest * 3 / 7) : next + rest * 3 / 8);
     return loft_acc_most(loft_acc_least(most, c->size / 4), loft_wide(LOFT_REAL(1)) / 16384);
 }
 
@@ -378,6 +409,10 @@ static void load_cell(loft_lane *l, loft_course *c)
     loft_plan_cell cell;
     uint32_t to = loft_arc_next(&arc, &move->curve, c->at, false);
 
+    if (c->at == 0) {
+        l->may_rest = may_rest(c);
+        l->seen = 0;
+    }
     if (arc.dust || !(arc.length > 0)) {
         c->smooth = c->smooth && !arc.dust;
         c->at = to;
@@ -386,9 +421,7 @@ static void load_cell(loft_lane *l, loft_course *c)
     loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
     loft_cell_init(&cell, &c->budget, &arc, &shape, move->feed);
     begin(l, c, &cell, &shape, c->smooth && !arc.speck, c->at == 0 ? loft_acc_least(c->size, c->extent) : c->size);
-    if (c->at == 0)
-        l->may_rest = may_rest(c);
-    const loft_acc most = fitting(l, c, &cell, to == LOFT_ARC_WHOLE && l->may_rest);
+    const loft_acc most = fitting(l, c, &cell, to == LOFT_ARC_WHOLE && l->may_rest, beyond(l, c, to));
     const loft_acc beat = loft_budget_beat(&c->budget, loft_acc_sqrt(cell.most));
     while (to - c->at > 1 && (arc.length > most * 10 / 7 || uneven(&arc, beat))) {
         to = c->at + (to - c->at) / 2;

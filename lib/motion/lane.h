@@ -16,6 +16,8 @@ typedef struct {
     loft_unit grip;
     loft_acc  gate;             /* of the next cell                                                      */
     loft_acc  last;             /* length of the last one                                                */
+    uint32_t  seen;             /* where the arc that is being cut ends, and                             */
+    loft_acc  beyond;           /* how long the first cell behind it may be                              */
     bool      may_rest;         /* may the path rest at the end of the curve that is being cut?          */
     bool      hop;              /* is the last one in a row that is passed at once?                      */
     bool      stop;             /* does it begin at rest?                                                */
