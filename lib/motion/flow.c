@@ -42,23 +42,36 @@ static void set_powers(loft_flow *f, loft_acc v0, loft_acc v1, loft_acc a0, loft
     f->power[5] = 6 * d - 3 * e + g / 2;
 }
 
-/* The beats for a way of that length from rest to rest, whatever its shape: speed at most 15/8 of the mean, jerk 60 of the length over
+/* Is it enough for a way of that length from rest to rest, whatever its shape? Speed at most 15/8 of the mean, jerk 60 of the length over
  * the time's cube; and where the shape makes three ways of a beat point anywhere, the spline's acceleration is at most twice, its jerk
  * four times the longest of them. */
+static bool hops_in(const loft_budget *b, loft_acc span, loft_acc most, loft_acc beats)
+{
+    const loft_inverse by = loft_inverse_of(beats);
+    const loft_acc v = 2 * loft_inverse_mul(span, &by), a = loft_acc_ratio(v * b->tick_hz, b->beat);
+    const loft_acc j = loft_inverse_mul(loft_inverse_mul(a, &by), &by);
+    bool good = v < loft_wide(LOFT_SPEED_MAX) && loft_prod(loft_acc_round(v), loft_acc_round(v)) <= most;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        good = good && 4 * a <= loft_wide(b->accel[i]) && 60 * j <= loft_wide(b->gain[i]) && 8 * a <= loft_wide(b->gain[i]);
+    return good;
+}
+
+/* The least such time, to a 64th. */
 static loft_acc hop_time(const loft_budget *b, loft_acc span, loft_acc most)
 {
-    loft_acc beats = loft_wide(LOFT_REAL(2));
+    loft_acc beats = loft_wide(LOFT_REAL(2)), step = 0;
 
-    for (;; beats += beats / 4) {
-        const loft_inverse by = loft_inverse_of(beats);
-        const loft_acc v = 2 * loft_inverse_mul(span, &by), a = loft_acc_ratio(v * b->tick_hz, b->beat);
-        const loft_acc j = loft_inverse_mul(loft_inverse_mul(a, &by), &by);
-        bool good = v < loft_wide(LOFT_SPEED_MAX) && loft_prod(loft_acc_round(v), loft_acc_round(v)) <= most;
-        for (int i = 0; i < LOFT_AXES; i++)
-            good = good && 4 * a <= loft_wide(b->accel[i]) && 60 * j <= loft_wide(b->gain[i]) && 8 * a <= loft_wide(b->gain[i]);
-        if (good)
-            return beats;
+    while (!hops_in(b, span, most, beats)) {
+        step   = beats / 4;
+        beats += step;
     }
+    for (int k = 0; k < 4; k++) {
+        step /= 2;
+        if (step > 0 && hops_in(b, span, most, beats - step))
+            beats -= step;
+    }
+    return beats;
 }
 
 /* The row that begins with piece f->at. */

@@ -350,6 +350,13 @@ static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next, cons
     l->closed = false;
 }
 
+/* Is the last row one that is passed at once, and has not begun? Then what is passed at once behind it is passed with it: a rest more takes
+ * two beats more. */
+static bool continues(const loft_lane *l, const loft_course *c)
+{
+    return c->count > 0 && loft_course_piece(c, c->count - 1)->hop && row_of(l, c, c->count - 1).first >= l->sure;
+}
+
 /* Does the cell belong to another row than the last one, as one of them is passed at once? */
 static void part(loft_lane *l, loft_course *c, const loft_plan_cell *cell)
 {
@@ -361,6 +368,8 @@ static void part(loft_lane *l, loft_course *c, const loft_plan_cell *cell)
         l->run = l->left = 0;
     }
     l->hop = hops;
+    if (l->stop && hops && continues(l, c))
+        l->stop = false;
 }
 
 static void append(loft_lane *l, loft_course *c, const loft_plan_cell *cell, uint32_t to)
