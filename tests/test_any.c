@@ -24,6 +24,7 @@ static const uint32_t once[] = {
     34848,                      /* raised: near a rest the jerk of an axis was asked at the ends of a cell only                   */
     38774,                      /* averaged: a speed was called sure where gentle braking beyond the zone could still lower it    */
     89907,                      /* averaged: a joint was eased with the curvature that the path has at the joint, not that where it is eased */
+    35225,                      /* averaged: q16 divided by 0 where a chord beside an eased joint was cut again                  */
     86786, 40446                /* averaged: a beat of braking led into or over a zone where it had to be slow                    */
 };
 

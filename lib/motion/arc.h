@@ -36,7 +36,8 @@ typedef struct {
  */
 uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from, bool coarse);
 
-/* Cut the arc from..to, which loft_arc_next has found, or half of one. */
+/* Cut the arc from..to, which loft_arc_next has found, or half of one. Not a chord: its coefficients are rounded otherwise here, so that it may be
+ * too small to be nearly straight and too large to be a chord. */
 void loft_arc_cut(loft_arc *arc, const loft_cubic *curve, uint32_t from, uint32_t to, bool coarse);
 
 /* The arc from..to again, for loft_arc_eval; `chord`: it is a speck or dust. */

@@ -111,7 +111,7 @@ static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real sl
     return d;
 }
 
-/* Add the pieces within `width` of the end of what is known. */
+/* Add the pieces within `width` of the end of what is known. Chords are left out: 2^-16 mm at most, they do not bend. */
 static void add_known(const loft_course *c, loft_side *side, loft_acc width)
 {
     loft_acc d = 0;
@@ -120,7 +120,7 @@ static void add_known(const loft_course *c, loft_side *side, loft_acc width)
 
     for (unsigned j = c->count; d < width && j > 0; j--) {
         const loft_plan_piece *p = loft_course_piece(c, j - 1);
-        if (p->length > 0) {
+        if (p->length > 0 && !p->chord) {
             loft_arc_cut(&arc, &c->moves[p->move].curve, p->from, p->to, false);
             loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
             loft_side_add(side, p, &c->budget, &shape);
