@@ -187,7 +187,7 @@ static void fuzz_sender_poll(loft_sender *s, uint32_t now)
         if (n == 0)
             return;
         MUST(n <= LOFT_FRAME_MAX && wire[n - 1] == 0);
-        MUST(s->phase != LOFT_PHASE_STREAMING || (s->base <= s->send && s->send <= s->high && s->high <= s->count));
+        MUST(s->phase != LOFT_PHASE_STREAMING || (s->window.base <= s->window.send && s->window.send <= s->window.high && s->window.high <= s->window.count));
     }
 }
 

@@ -11,8 +11,9 @@ rule() {        # rule NAME: standard input lists the offending places; none is 
 }
 
 warnings="-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -Werror"
-compiled() {            # compiled COMPILER NUM AXES: does lib/ compile without a warning?
-    $1 $warnings -ffreestanding -Ilib -DLOFT_NUM=LOFT_$2 -DLOFT_AXES=$3 -fsyntax-only lib/*/*.c 2>&1 | rule "$1 $2 x$3"
+compiled() {            # compiled COMPILER NUM AXES: does lib/ compile without a warning, and all of its headers together?
+    { $1 $warnings -ffreestanding -Ilib -DLOFT_NUM=LOFT_$2 -DLOFT_AXES=$3 -fsyntax-only lib/*/*.c
+      echo '#include "loft.h"' | $1 $warnings -ffreestanding -Ilib -DLOFT_NUM=LOFT_$2 -DLOFT_AXES=$3 -fsyntax-only -x c -; } 2>&1 | rule "$1 $2 x$3"
 }
 compiled_tools() {      # compiled_tools COMPILER
     $1 -std=c99 -D_GNU_SOURCE ${warnings#-std=c99} -Ilib -Iports -Ihost-tools -I. $(pkg-config --cflags libxml-2.0 cairo libserialport) \

@@ -223,7 +223,7 @@ static void an_eased_joint_holds_the_limits_wherever_it_is_eased(arb *a)
     const loft_limits l = arb_limits(a);
     const double feed = arb_decades(a, 1, 1000), size = arb_decades(a, 1e-3, 3), change = size * arb_decades(a, 0.01, 2);
     loft_way way[2];
-    loft_side side[2];
+    loft_flank side[2];
     loft_plan_piece joint, piece[2][3];
     loft_arc_shape s[2][3];
     loft_budget b;
@@ -240,10 +240,10 @@ static void an_eased_joint_holds_the_limits_wherever_it_is_eased(arb *a)
         way[at].bend  = near_vec(a, &(loft_vec){ { 0 } }, size);
         way[at].cap   = real_of(feed);
         way[at].twist = 0;
-        loft_side_init(&side[at], &way[at]);
+        loft_flank_init(&side[at], &way[at]);
         for (int n = 0; n < 3; n++) {
             arb_piece(a, &b, &way[at], change, feed, &piece[at][n], &s[at][n]);
-            loft_side_add(&side[at], &piece[at][n], &b, &s[at][n]);
+            loft_flank_add(&side[at], &piece[at][n], &b, &s[at][n]);
         }
     }
     const double room = arb_decades(a, 0.01, 2);

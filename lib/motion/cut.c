@@ -91,7 +91,7 @@ static loft_acc since_rest(const loft_course *c, loft_acc most, loft_real slow)
 }
 
 /* How far the curve is known to go on from `to` likewise, in pieces that there is room for beside two; to a side, if there is one, they are added. */
-static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real slow, loft_side *side)
+static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real slow, loft_flank *side)
 {
     const uint32_t at = c->at;
     loft_acc d = 0;
@@ -104,7 +104,7 @@ static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real sl
         if (t.arc.speck || t.arc.dust || t.piece.cap < slow)
             break;
         if (side != NULL)
-            loft_side_add(side, &t.piece, &c->budget, &t.shape);
+            loft_flank_add(side, &t.piece, &c->budget, &t.shape);
         d += t.arc.length;
     }
     c->at = at;
@@ -112,7 +112,7 @@ static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real sl
 }
 
 /* Add the pieces within `width` of the end of what is known. Chords are left out: 2^-16 mm at most, they do not bend. */
-static void add_known(const loft_course *c, loft_side *side, loft_acc width)
+static void add_known(const loft_course *c, loft_flank *side, loft_acc width)
 {
     loft_acc d = 0;
     loft_arc arc;
@@ -123,7 +123,7 @@ static void add_known(const loft_course *c, loft_side *side, loft_acc width)
         if (p->length > 0 && !p->chord) {
             loft_arc_cut(&arc, &c->moves[p->move].curve, p->from, p->to, false);
             loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
-            loft_side_add(side, p, &c->budget, &shape);
+            loft_flank_add(side, p, &c->budget, &shape);
         }
         d += loft_unit_wide(p->length);
     }
@@ -137,18 +137,18 @@ static bool set_eased(loft_plan_piece *joint, loft_course *c, const part *t, lof
     const loft_real slow = (start.cap < c->way.cap ? start.cap : c->way.cap) / 4 * 3;
     const loft_acc length = t->arc.length;
     loft_acc room = loft_acc_least(spacing / 8, loft_wide(LOFT_EASE_MAX));
-    loft_side before, after;
+    loft_flank before, after;
 
     room = loft_acc_least(room, since_rest(c, room, slow));
     room = loft_acc_least(room, length + runs_on(c, t->to, room - length, slow, NULL));
-    loft_side_init(&before, &c->way);
-    loft_side_init(&after, &start);
+    loft_flank_init(&before, &c->way);
+    loft_flank_init(&after, &start);
     const bool matters = loft_profile_join(joint, &c->budget, &before, &after, spacing, room, t->feed);
     const loft_acc width = matters ? loft_unit_wide(joint->ease.width) : 0;
     if (!(width > 0))
         return matters;
     add_known(c, &before, width);
-    loft_side_add(&after, &t->piece, &c->budget, &t->shape);
+    loft_flank_add(&after, &t->piece, &c->budget, &t->shape);
     (void)runs_on(c, t->to, width - length, slow, &after);
     return loft_profile_join(joint, &c->budget, &before, &after, spacing, room, t->feed);
 }

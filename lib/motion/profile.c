@@ -266,7 +266,7 @@ static loft_unit twist_at(const loft_way *w, loft_real v)
     return loft_unit_round(loft_acc_scale(loft_acc_scale(loft_acc_scale(loft_unit_wide(w->twist), z), z), z));
 }
 
-void loft_side_init(loft_side *side, const loft_way *way)
+void loft_flank_init(loft_flank *side, const loft_way *way)
 {
     side->way = *way;
     for (int k = 0; k < 2; k++) {
@@ -289,7 +289,7 @@ static void take_in(loft_vec range[2], const loft_vec at[3])
 }
 
 /* Of two uses of the jerk that grow with v^3 the larger one, at the lower cap. */
-void loft_side_add(loft_side *side, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape)
+void loft_flank_add(loft_flank *side, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape)
 {
     const loft_way piece = loft_profile_way(p, b, shape, 0);
     const loft_real cap = least(side->way.cap, piece.cap);
@@ -374,7 +374,7 @@ static void leave_for_joint(loft_plan_piece *p, const joint *j, const loft_way *
  * side, and likewise behind it; meanwhile its own may change, too. Its direction turns by g' d. So the largest size u of a direction, with g' d, and
  * the least and the largest curvature there hold the acceleration everywhere: u a + k v^2 is linear in each of them, and where u or a have the
  * other sign or are smaller it is not beyond k v^2. If the direction changes its sign each curvature may meet either. */
-static void ease_bounds(loft_plan_piece *p, const loft_budget *b, const loft_side *before, const loft_side *after, loft_real feed)
+static void ease_bounds(loft_plan_piece *p, const loft_budget *b, const loft_flank *before, const loft_flank *after, loft_real feed)
 {
     loft_arc_shape s = { .tight = false };
     const loft_ease e = p->ease;
@@ -399,7 +399,7 @@ static void ease_bounds(loft_plan_piece *p, const loft_budget *b, const loft_sid
 }
 
 /* Ease the change of curvature if that can be passed faster than the change itself. */
-static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_side *before, const loft_side *after, joint j, loft_acc room,
+static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_flank *before, const loft_flank *after, joint j, loft_acc room,
                   loft_real feed)
 {
     const loft_acc jump = loft_vec_distance(before->way.bend, after->way.bend);
@@ -419,7 +419,7 @@ static joint ease(loft_plan_piece *p, const loft_budget *b, const loft_side *bef
     return j;
 }
 
-bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_side *before, const loft_side *after,
+bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_flank *before, const loft_flank *after,
                      loft_acc spacing, loft_acc room, loft_real feed)
 {
     const loft_way *w0 = &before->way, *w1 = &after->way;

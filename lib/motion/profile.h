@@ -48,7 +48,7 @@ typedef struct {
 typedef struct {
     loft_way way;
     loft_vec along[2], bend[2];
-} loft_side;
+} loft_flank;
 
 /* Set the bounds of a piece of this length and shape. False if they change so much along it that it should be halved.
  *
@@ -60,10 +60,10 @@ bool loft_profile_init(loft_plan_piece *p, const loft_budget *b, const loft_arc 
 loft_way loft_profile_way(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, int k);
 
 /* The side of a joint where the path has this way, and nothing else yet. */
-void loft_side_init(loft_side *side, const loft_way *way);
+void loft_flank_init(loft_flank *side, const loft_way *way);
 
 /* Take in a piece of this shape. */
-void loft_side_add(loft_side *side, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape);
+void loft_flank_add(loft_flank *side, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape);
 
 /* Set the bounds of a joint whose next such is `spacing` away: false if it is none, with this feed. It may be eased
  * over `room` on both sides of it, at most LOFT_EASE_MAX. Where it is, they hold once all pieces within its width are added to the sides,
@@ -71,7 +71,7 @@ void loft_side_add(loft_side *side, const loft_plan_piece *p, const loft_budget 
  *
  *   range   as loft_profile_init; directions of length 1
  */
-bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_side *before, const loft_side *after,
+bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_flank *before, const loft_flank *after,
                      loft_acc spacing, loft_acc room, loft_real feed);
 
 /* The most that the square of the speed may be where the curvature jumps, so that three quarters of the jerk are used; another such
