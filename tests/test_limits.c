@@ -259,7 +259,7 @@ static void an_eased_joint_holds_the_limits_wherever_it_is_eased(arb *a)
 static void joints_were_eased(arb *a)
 {
     (void)a;
-    CHECK(eased > 100);
+    CHECK(check_sampled() || eased > 100);
 }
 
 int main(void)
