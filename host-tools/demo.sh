@@ -1,5 +1,6 @@
 #!/bin/bash
-# host-tools/demo.sh -- the main job on the simulated machine: a drawing, through a pty, to counted pulses and a picture
+# host-tools/demo.sh -- the main job on the simulated machine: a drawing, through a pty, to
+# counted pulses and a picture
 # SPDX-License-Identifier: MIT
 # usage: host-tools/demo.sh LOFT DRAWING DIRECTORY [MACHINE-FILE]
 set -eu
@@ -14,7 +15,8 @@ clean_up() { [ -z "$machine" ] || kill "$machine" 2>/dev/null || true; rm -f "$o
 trap clean_up EXIT
 trap 'exit 130' INT TERM
 
-"$loft" simulate --speed fast "${is[@]}" --link "$out/machine" --record "$out/pulses.csv" --once >"$out/machine.log" 2>&1 &
+"$loft" simulate --speed fast "${is[@]}" --link "$out/machine" --record "$out/pulses.csv" --once \
+    >"$out/machine.log" 2>&1 &
 machine=$!
 for _ in $(seq 100); do
     [ -e "$out/machine" ] && break

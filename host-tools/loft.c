@@ -5,12 +5,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tool.h"       /* tool_command */
+#include "base/tool.h"       /* tool_command */
+#include "loft.h"            /* LOFT_VERSION */
+
+const char tool_version[] = LOFT_VERSION;
 
 static const tool_command *const commands[] = {
-    &command_stream, &command_plan, &command_simulate, &command_monitor, &command_ports,
-    &command_eval, &command_sample, &command_flatten, &command_plot, &command_measure, &command_compare,
-    &command_surface, &command_contour, &command_study, &command_harmonic
+    &command_stream,  &command_plan,    &command_simulate, &command_monitor, &command_ports,
+    &command_eval,    &command_sample,  &command_flatten,  &command_plot,    &command_measure,
+    &command_compare, &command_surface, &command_contour,  &command_study,   &command_harmonic
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])
@@ -25,10 +28,12 @@ static const tool_command *find(const char *name)
 
 static int help(void)
 {
-    printf("loft -- curves from the drawing to the step pulse\n\nusage: loft COMMAND [options] [FILE|-]\n\n");
+    printf("loft -- curves from the drawing to the step pulse\n\nusage: loft COMMAND [options] "
+           "[FILE|-]\n\n");
     for (size_t i = 0; i < COMMANDS; i++)
         printf("  %-10s %s\n", commands[i]->name, commands[i]->summary);
-    printf("\n`loft help COMMAND` tells more. Coordinates are in mm; exit codes are those of sysexits.h.\n");
+    printf("\n`loft help COMMAND` tells more. Coordinates are in mm; exit codes are those of "
+           "sysexits.h.\n");
     return EX_OK;
 }
 
@@ -36,7 +41,8 @@ static int help(void)
 static int flushed(int code)
 {
     if ((fflush(stdout) != 0 || ferror(stdout)) && code == EX_OK)
-        return tool_error(EX_IOERR, "standard output: %s: make room, or write elsewhere", strerror(errno));
+        return tool_error(EX_IOERR, "standard output: %s: is the disk full? write elsewhere",
+                          strerror(errno));
     return code;
 }
 
@@ -45,7 +51,7 @@ static int run(const char *name, int argc, char **argv)
     const tool_command *c = find(name);
 
     if (c == NULL)
-        return tool_error(EX_USAGE, "%s is no command: see `loft --help`", name);
+        return tool_error(EX_USAGE, "unknown command %s: see `loft --help`", name);
     return flushed(c->run(c, argc, argv));
 }
 
@@ -58,8 +64,9 @@ int main(int argc, char **argv)
         return EX_USAGE;
     }
     if (strcmp(name, "--version") == 0)
-        return flushed(printf("loft %s\n", TOOL_VERSION) < 0 ? EX_IOERR : EX_OK);
-    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || (strcmp(name, "help") == 0 && argc == 2))
+        return flushed(printf("loft %s\n", tool_version) < 0 ? EX_IOERR : EX_OK);
+    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 ||
+        (strcmp(name, "help") == 0 && argc == 2))
         return flushed(help());
     if (strcmp(name, "help") == 0) {
         char option[] = "--help";

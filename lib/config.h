@@ -1,8 +1,8 @@
 /* lib/config.h -- every option of loft: meaning, default, range, cost
  * SPDX-License-Identifier: MIT
  *
- * Set an option on the compiler's command line (-DLOFT_NUM=LOFT_F32) or change it here. All files of
- * one program that share a loft object must agree on LOFT_NUM and LOFT_AXES; names.h turns a
+ * Set an option on the compiler's command line (-DLOFT_NUM=LOFT_F32) or change it here. All files
+ * of one program that share a loft object must agree on LOFT_NUM and LOFT_AXES; names.h turns a
  * disagreement into a link error that names both.
  */
 #ifndef LOFT_CONFIG_H
@@ -31,25 +31,29 @@
 #ifndef LOFT_MACHINE_QUEUE
 #  define LOFT_MACHINE_QUEUE 64
 #endif
-#if LOFT_MACHINE_QUEUE < 2 || LOFT_MACHINE_QUEUE > 32768 || (LOFT_MACHINE_QUEUE & (LOFT_MACHINE_QUEUE - 1))
+#if LOFT_MACHINE_QUEUE < 2 || LOFT_MACHINE_QUEUE > 32768 ||                                        \
+    (LOFT_MACHINE_QUEUE & (LOFT_MACHINE_QUEUE - 1))
 #  error "LOFT_MACHINE_QUEUE must be a power of two, 2..32768"
 #endif
 
-/* What the tick does with a span that the main loop has not prepared in time. 1: prepares it itself, which takes longer
- * than a tick on a slow part. 0: waits for it and counts that among the slowed ticks, which needs less stack. */
+/* What the tick does with a span that the main loop has not prepared in time. 1: prepares it
+ * itself, which takes longer than a tick on a slow part. 0: waits for it and counts that among the
+ * slowed ticks, which needs less stack. */
 #ifndef LOFT_MACHINE_TICK_PREPARES
 #  define LOFT_MACHINE_TICK_PREPARES 1
 #endif
 
-/* When a span's cap, by which an override above 100 percent keeps to the limits of the axes, is computed: 1: always when the span is
- * queued, 6,000 cycles on an AVR with two axes that move; 0: only while the override is above 100. What is in the queue when it
- * is given then passes as planned. */
+/* When a span's cap, by which an override above 100 percent keeps to the limits of the axes, is
+ * computed: 1: always when the span is queued, 6,000 cycles on an AVR with two axes that move; 0:
+ * only while the override is above 100. What is in the queue when it is given then passes as
+ * planned. */
 #ifndef LOFT_MACHINE_CAPS
 #  define LOFT_MACHINE_CAPS 1
 #endif
 
-/* May a machine plan by itself, so that curves can be sent to it? 1: those that are given memory for it do (lib/machine/planner.h).
- * Cost: the code of lib/motion/plan in the firmware, whether memory is given or not. */
+/* May a machine plan by itself, so that curves can be sent to it? 1: those that are given memory
+ * for it do (lib/machine/planner.h). Cost: the code of lib/motion/plan in the firmware, whether
+ * memory is given or not. */
 #ifndef LOFT_MACHINE_PLANS
 #  if defined(__AVR__)
 #    define LOFT_MACHINE_PLANS 0
@@ -58,13 +62,23 @@
 #  endif
 #endif
 
-/* The longest frame on the wire in bytes, delimiter included, 64..254 (one COBS block).
- * Cost: that much RAM for receiving and again for sending. The machine announces its own; the host keeps to the smaller of both. */
+/* The longest frame on the wire in bytes, delimiter included, 64..254 (one COBS block). Cost: that
+ * much RAM for receiving and again for sending. The machine announces its own; the host keeps to
+ * the smaller of both. */
 #ifndef LOFT_FRAME_MAX
 #  define LOFT_FRAME_MAX 128
 #endif
 #if LOFT_FRAME_MAX < 64 || LOFT_FRAME_MAX > 254
 #  error "LOFT_FRAME_MAX must be 64..254"
+#endif
+
+/* C++ calls the functions that a C compiler made: each header declares them between these two. */
+#ifdef __cplusplus
+#  define LOFT_BEGIN_C extern "C" {
+#  define LOFT_END_C   }
+#else
+#  define LOFT_BEGIN_C
+#  define LOFT_END_C
 #endif
 
 #include "names.h"

@@ -1,43 +1,62 @@
 /* lib/loft.h -- include this: the whole of loft, room by room
  * SPDX-License-Identifier: MIT
  *
- *   num/      what a number is       loft_real loft_unit loft_acc; one source for Q16.16, float and double
- *   geom/     what a point is        loft_vec, loft_box
- *   basis/    weights                Bernstein polynomials, power form, Horner; sign: positive, convex
- *   curve/    one parameter          bezier: point, derivative, pieces   forward: exact walking   measure: flatten, length
- *                                    bounds, nearest, intersect, overlap, offset: where it is   shape: cusps, curvature   join: C0 to G2
- *                                    hermite, cardinal, natural, parabola: through given points   bspline, nurbs
- *                                    rational, circle: conics and arcs   cubics: all of them as cubics
- *   surface/  two parameters         tensor, tensor_rational, tensor_join: patches over a square
- *                                    grid: whole patches by exact differences   local, area: normals, curvatures, area
- *                                    barycentric, triangle: Bezier triangles   tetra: tetrahedra   triangle_shape: positive, convex
- *                                    triangle_pieces, _join, _rational, _curvature   octant: of a sphere   pn: from normals
- *                                    coons, bicubic: from curves and corners   sphere, flat: elementary
- *   polygon/  n sides                domain: convex and simple polygons   wachspress, meanvalue: coordinates
- *                                    spatch, toric, basepoint, ring, gb: Bezier surfaces over them
- *   motion/   time                   plan: look-ahead   span: a cubic in time   pace: hold and resume   step: pulses
- *   wire/     bytes                  frame, codec, message, session: curves over a serial line (WIRE.md)
- *   machine/  the controller         wire -> queue -> span -> step
+ *   num/         what a number is: loft_real, loft_unit, loft_acc; Q16.16, float, double
+ *   geom/        what a point is: loft_vec, loft_box
+ *   basis/       weights: Bernstein polynomials, power form, interpolation, knots; sign, convexity
+ *   curve/       one parameter
+ *                  bezier, rational, bspline, nurbs      points, derivatives, subsegments
+ *                  hermite, cardinal, natural, parabola  through given points
+ *                  circle                                arcs of circles and ellipses, helices
+ *                  forward, rational_walk                exact walking
+ *                  cubics                                any curve as cubics
+ *                  measure                               flattening, length
+ *                  bounds, nearest, intersect, overlap   where a curve is
+ *                  offset, shape, join                   tool paths, cusps, curvature, C0 to G2
+ *   surface/     two parameters
+ *                  tensor/                               patches over a square; grid, area; coons
+ *                  triangle/                             Bezier triangles: pieces, joins, shape
+ *                  barycentric, tetra                    coordinates, tetrahedra
+ *                  octant, pn, sphere, flat              given by normals, elementary
+ *                  local, deficit                        normals and curvatures
+ *                  sheet, contour                        any surface as a function, waterlines
+ *   polygon/     n sides
+ *                  domain, partition                     polygons and their convex parts
+ *                  wachspress, meanvalue, harmonic       coordinates in them
+ *                  spatch, toric, basepoint, ring, gb    Bezier patches over them
+ *                  round                                 such a patch as one sheet
+ *   kinematics/  motors and tool: CoreXY, delta, polar
+ *   motion/      time: plan (look-ahead), span (a cubic in time)
+ *   wire/        bytes: frames, codec, messages, sessions (WIRE.md)
+ *   machine/     the controller: queue, pace (hold and resume), step (pulses)
  *
- * A file includes its own room and rooms above it. DESIGN.md says why it is so.
+ * A file includes its own room and rooms above it. RECIPES.md names the functions for a task,
+ * CATALOGUE.md what exists for which curve and patch. DESIGN.md gives the reasons.
  */
 #ifndef LOFT_H
 #define LOFT_H
 
+/* The version of library and tools (CHANGELOG.md), here and nowhere else; the wire has its own. */
 #define LOFT_VERSION_MAJOR 0
-#define LOFT_VERSION_MINOR 1
+#define LOFT_VERSION_MINOR 2
 #define LOFT_VERSION_PATCH 0
-#define LOFT_VERSION "0.1.0"
+#define LOFT_VERSION_TEXT(major, minor, patch) #major "." #minor "." #patch
+#define LOFT_VERSION_OF(major, minor, patch) LOFT_VERSION_TEXT(major, minor, patch)
+#define LOFT_VERSION LOFT_VERSION_OF(LOFT_VERSION_MAJOR, LOFT_VERSION_MINOR, LOFT_VERSION_PATCH)
 
 #include "num/num.h"
 #include "num/accs.h"
 #include "num/angle.h"
+#include "num/broad.h"
 #include "num/deep.h"
 #include "num/exact.h"
+#include "num/part.h"
 #include "num/power.h"
 #include "num/sci.h"
+#include "geom/chord.h"
 #include "geom/normal.h"
 #include "geom/vec.h"
+#include "geom/vec_exact.h"
 #include "basis/bernstein.h"
 #include "basis/copositive.h"
 #include "basis/interp.h"
@@ -65,28 +84,30 @@
 #include "curve/rational.h"
 #include "curve/rational_walk.h"
 #include "curve/shape.h"
-#include "surface/area.h"
+#include "surface/tensor/area.h"
 #include "surface/barycentric.h"
-#include "surface/bicubic.h"
-#include "surface/coons.h"
+#include "surface/tensor/bicubic.h"
+#include "surface/contour.h"
+#include "surface/tensor/coons.h"
 #include "surface/flat.h"
+#include "surface/sheet.h"
 #include "surface/sphere.h"
 #include "surface/octant.h"
 #include "surface/pn.h"
 #include "surface/tetra.h"
-#include "surface/triangle.h"
-#include "surface/triangle_curvature.h"
-#include "surface/triangle_join.h"
-#include "surface/triangle_operator.h"
-#include "surface/triangle_pieces.h"
-#include "surface/triangle_rational.h"
-#include "surface/triangle_shape.h"
-#include "surface/grid.h"
+#include "surface/triangle/triangle.h"
+#include "surface/triangle/triangle_curvature.h"
+#include "surface/triangle/triangle_join.h"
+#include "surface/triangle/triangle_operator.h"
+#include "surface/triangle/triangle_pieces.h"
+#include "surface/triangle/triangle_rational.h"
+#include "surface/triangle/triangle_shape.h"
+#include "surface/tensor/grid.h"
 #include "surface/deficit.h"
 #include "surface/local.h"
-#include "surface/tensor.h"
-#include "surface/tensor_join.h"
-#include "surface/tensor_rational.h"
+#include "surface/tensor/tensor.h"
+#include "surface/tensor/tensor_join.h"
+#include "surface/tensor/tensor_rational.h"
 #include "polygon/basepoint.h"
 #include "polygon/blend.h"
 #include "polygon/domain.h"
@@ -97,15 +118,17 @@
 #include "polygon/lattice.h"
 #include "polygon/meanvalue.h"
 #include "polygon/multi.h"
+#include "polygon/partition.h"
 #include "polygon/ring.h"
+#include "polygon/round.h"
 #include "polygon/spatch.h"
 #include "polygon/toric.h"
 #include "polygon/wachspress.h"
 #include "motion/plan.h"
-#include "motion/kinematics.h"
+#include "kinematics/kinematics.h"
 #include "motion/span.h"
-#include "motion/pace.h"
-#include "motion/step.h"
+#include "machine/pace.h"
+#include "machine/step.h"
 #include "wire/frame.h"
 #include "wire/codec.h"
 #include "wire/message.h"

@@ -1,13 +1,30 @@
 # ports/boards.mk -- how the firmware of a 32-bit board is built; each port.mk names its boards
 # SPDX-License-Identifier: MIT
 
-FIRMWARE_SRC = ports/firmware.c ports/bare/memory.c $(wildcard $(addsuffix /*.c,lib/num lib/geom lib/motion lib/wire lib/machine))
-FIRMWARE_FLAGS = -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections -DLOFT_PLAN_FLOW=0 $(WARN) -Ilib -Iports $(call num_flag,q16)
+MACHINE_SRC  = $(wildcard $(patsubst %,lib/%/*.c,num geom kinematics motion wire machine))
+FIRMWARE_SRC = ports/firmware.c ports/bare/memory.c $(MACHINE_SRC)
+FIRMWARE_FLAGS = -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections \
+                 -DLOFT_PLAN_FLOW=0 $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16)
 FIRMWARES :=
 
-# firmware BOARD, compiler and flags of the core, tool prefix, sources, script of the linker, its flags
+## Build the firmware of every board, print its flash and RAM   or one: make firmware-stm32f405
+.PHONY: firmware
+firmware:
+	+@$(PARALLEL) firmware-atmega328p $(addprefix firmware-,$(FIRMWARES))
+
+## Write the firmware to a board   PORT=/dev/ttyUSB0 (an ATmega328P), or BOARD=stm32f405|nrf51
+.PHONY: flash
+flash: BOARD ?= $(if $(PORT),atmega328p)
+flash:
+	@case "$(BOARD)" in \
+	atmega328p|stm32f405|nrf51) $(MAKE) --no-print-directory flash-$(BOARD) ;; \
+	*) echo "name the board or its port: make flash PORT=/dev/ttyUSB0 (an ATmega328P)," \
+	        "make flash BOARD=stm32f405 or BOARD=nrf51"; exit 1 ;; esac
+
+
+# firmware BOARD, compiler and flags of the core, tool prefix, sources, script of the linker
 define firmware
-build/firmware/$(1)/%.o: %.c $$(LIB_HDR) $$(wildcard ports/*.h ports/*/*.h)
+build/firmware/$(1)/%.o: %.c | lib/names.h
 	@mkdir -p $$(@D)
 	$$(SAY) "  CC  $$@"
 	$$(Q)$(2) $$(FIRMWARE_FLAGS) -c $$< -o $$@
@@ -17,11 +34,17 @@ build/firmware/$(1)/start.o: $(filter %.S,$(4))
 build/firmware/$(1)/loft.ld: $(5)
 	@mkdir -p $$(@D)
 	$$(Q)$(2) -E -P -x c $$< -o $$@
-build/firmware/$(1)/loft.elf: $$(patsubst %.c,build/firmware/$(1)/%.o,$$(FIRMWARE_SRC) $(filter %.c,$(4))) $(if $(filter %.S,$(4)),build/firmware/$(1)/start.o) build/firmware/$(1)/loft.ld
+build/firmware/$(1)/loft.elf: \
+        $$(patsubst %.c,build/firmware/$(1)/%.o,$$(FIRMWARE_SRC) $(filter %.c,$(4))) \
+        $(if $(filter %.S,$(4)),build/firmware/$(1)/start.o) build/firmware/$(1)/loft.ld
 	$$(SAY) "  LD  $$@"
-	$$(Q)$(2) -nostdlib -Wl,--gc-sections -Wl,--no-warn-rwx-segments -T build/firmware/$(1)/loft.ld $$(filter %.o,$$^) -lgcc -o $$@
+	$$(Q)$(2) -nostdlib -Wl,--gc-sections -Wl,--no-warn-rwx-segments \
+	    -T build/firmware/$(1)/loft.ld $$(filter %.o,$$^) -lgcc -o $$@
 .PHONY: firmware-$(1)
 firmware-$(1): build/firmware/$(1)/loft.elf
-	@$(3)-size $$< | awk 'NR == 2 { printf "%s: %d bytes of flash, %d of RAM without the stack\n", "$(1)", $$$$1 + $$$$2, $$$$2 + $$$$3 }'
+	@$(3)-size $$< | awk 'NR == 2 { \
+	    printf "%s: %d bytes of flash, %d of RAM without the stack\n", \
+	        "$(1)", $$$$1 + $$$$2, $$$$2 + $$$$3 }'
+-include $$(patsubst %.c,build/firmware/$(1)/%.d,$$(LIB_SRC) $$(FIRMWARE_SRC) $(filter %.c,$(4)))
 FIRMWARES += $(1)
 endef

@@ -36,7 +36,9 @@ static void watch_switches(uint8_t every)
     if ((uint8_t)(slots - sampled) < every)
         return;
     sampled = slots;
-    loft_switches_act(&machine, loft_switches_closed(&switches, loft_port_switches()));
+    const uint16_t closed = loft_port_inputs();
+    if (loft_switches_steady(&switches, closed))
+        loft_machine_inputs(&machine, closed);
 }
 
 int main(void)

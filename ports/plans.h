@@ -1,8 +1,10 @@
-/* ports/plans.h -- what a board needs to plan by itself: the planner and its memory, for LOFT_PORT_CURVES curves
+/* ports/plans.h -- what a board needs to plan by itself: the planner and its memory, for
+ * LOFT_PORT_CURVES curves
  * SPDX-License-Identifier: MIT
  *
- * Include it behind `CELLS`, the size of the queue, and call loft_port_plans before the configuration is given away.
- * Half of the curves must be longer than the way to stop. Cost: about 0.6 kB of RAM for each, and 42 kB of flash.
+ * Include it behind `CELLS`, the size of the queue, and call loft_port_plans before the
+ * configuration is given away. Half of the curves must be longer than the way to stop. Cost: about
+ * 0.6 kB of RAM for each, and 42 kB of flash.
  */
 #ifndef LOFT_PLANS_H
 #define LOFT_PLANS_H
@@ -21,7 +23,10 @@ static void loft_port_plans(loft_machine_config *config)
     static uint16_t passed[CELLS + LOFT_PLANNER_AHEAD];
 
     config->planner = &planner;
-    config->plan = (loft_planner_memory){ .moves = moves, .pieces = pieces, .passed = passed, .move_room = LOFT_PORT_CURVES,
+    config->plan = (loft_planner_memory){ .moves = moves,
+                                          .pieces = pieces,
+                                          .passed = passed,
+                                          .move_room = LOFT_PORT_CURVES,
                                           .piece_room = LOFT_PORT_CURVES * LOFT_PLAN_PIECES };
 }
 

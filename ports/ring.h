@@ -1,4 +1,5 @@
-/* ports/ring.h -- ring: bytes that have come in an interrupt, waiting for the main loop; no lock, they meet in single bytes
+/* ports/ring.h -- ring: bytes that have come in an interrupt, waiting for the main loop; no lock,
+ * they meet in single bytes
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_RING_H
@@ -9,8 +10,9 @@
 
 #include "machine/machine.h"    /* LOFT_BARRIER */
 
-/* A power of two, at most 32768 and on an 8-bit part 256: what the line brings while the main loop is busy, 1 ms at
- * 1 Mbit/s being 100 bytes; an emulated line has no speed, and may bring all that a sender has under way. */
+/* A power of two, at most 32768 and on an 8-bit part 256: what the line brings while the main loop
+ * is busy, 1 ms at 1 Mbit/s being 100 bytes; an emulated line has no speed, and may bring all that
+ * a sender has under way. */
 #ifndef LOFT_RING_BYTES
 #  define LOFT_RING_BYTES 1024u
 #endif
@@ -27,7 +29,8 @@ typedef struct {
     loft_ring_index tail;                           /* the main loop */
 } loft_ring;
 
-/* In the interrupt. A byte that finds no room is lost: its frame is then damaged, and sent again. */
+/* In the interrupt. A byte that finds no room is lost: its frame is then damaged, and sent
+ * again. */
 static inline void loft_ring_put(loft_ring *r, uint8_t byte)
 {
     const loft_ring_index head = r->head, after = (loft_ring_index)((head + 1u) % LOFT_RING_BYTES);

@@ -1,15 +1,15 @@
 /* tests/check.h -- assertions and seeded properties; no files, no malloc: runs on a target as well
  * SPDX-License-Identifier: MIT
  *
- * A property is a function whose name is a sentence. It is run with many seeds; a failure prints the
- * seed, and LOFT_SEED=<seed> in the environment (or -DLOFT_SEED) repeats that one.
+ * A property is a function whose name is a sentence. It is run with many seeds; a failure prints
+ * the seed, and LOFT_SEED=<seed> in the environment (or -DLOFT_SEED) repeats that one.
  *
  *     static void ends_on_the_last_point(arb *a) { ... CHECK(x == y); ... }
  *     int main(void) { PROPERTY(ends_on_the_last_point, 2000); return check_failures(); }
  *
- * On a target, CHECK_SHARE leaves one of so many seeds; loops over all of something go by CHECK_STEP,
- * and a sum over all seeds is asked for only if !check_sampled().
- * Each property prints one line, `ok` or `FAIL`; check_failures() prints the sums and gives the exit code.
+ * On a target, CHECK_SHARE leaves one of so many seeds; loops over all of something go by
+ * CHECK_STEP, and a sum over all seeds is asked for only if !check_sampled(). Each property prints
+ * one line, `ok` or `FAIL`; check_failures() prints the sums and gives the exit code.
  */
 #ifndef LOFT_TESTS_CHECK_H
 #define LOFT_TESTS_CHECK_H
@@ -20,7 +20,7 @@
 #include <stdlib.h>
 
 #include "num/num.h"
-#include "arb.h"
+#include "support/arb.h"
 
 /* One tolerance per number type, in one place. */
 #if LOFT_NUM == LOFT_Q16
@@ -42,10 +42,15 @@ static unsigned check_passed, check_failed;
 static uint64_t check_seed;
 static bool     check_bad;
 
-#define CHECK(condition) do { if (!(condition)) check_report(__FILE__, __LINE__, #condition); } while (0)
+#define CHECK(condition)                                                                           \
+    do {                                                                                           \
+        if (!(condition))                                                                          \
+            check_report(__FILE__, __LINE__, #condition);                                          \
+    } while (0)
 
 /* |got - want| <= bound, as doubles; prints the three. */
-#define CHECK_NEAR(got, want, bound) check_near((double)(got), (double)(want), (double)(bound), __FILE__, __LINE__, #got)
+#define CHECK_NEAR(got, want, bound)                                                               \
+    check_near((double)(got), (double)(want), (double)(bound), __FILE__, __LINE__, #got)
 
 static inline void check_report(const char *file, int line, const char *what)
 {
@@ -54,7 +59,8 @@ static inline void check_report(const char *file, int line, const char *what)
     check_bad = true;
 }
 
-static inline void check_near(double got, double want, double bound, const char *file, int line, const char *what)
+static inline void check_near(double got, double want, double bound, const char *file, int line,
+                              const char *what)
 {
     const double off = got > want ? got - want : want - got;
     if (off <= bound)
@@ -73,8 +79,10 @@ static inline bool check_sampled(void) { return CHECK_SHARE > 1 || getenv("LOFT_
 
 #define PROPERTY(name, times) check_property(#name, name, ((times) + CHECK_SHARE - 1) / CHECK_SHARE)
 
-/* One of which a single seed is a matter of seconds: left out, and said so, where CHECK_SHARE is more than 1. */
-#define PROPERTY_LONG(name, times) (CHECK_SHARE > 1 ? check_left(#name, name) : PROPERTY(name, times))
+/* One of which a single seed is a matter of seconds: left out, and said so, where CHECK_SHARE is
+ * more than 1. */
+#define PROPERTY_LONG(name, times)                                                                 \
+    (CHECK_SHARE > 1 ? check_left(#name, name) : PROPERTY(name, times))
 
 static inline void check_property(const char *name, void (*property)(arb *), unsigned times)
 {

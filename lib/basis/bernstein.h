@@ -1,19 +1,23 @@
-/* lib/basis/bernstein.h -- polynomials of degree 0..9 in Bernstein and in power form, one value at a time
+/* lib/basis/bernstein.h -- polynomials of degree 0..9 in Bernstein and in power form, one value at
+ * a time
  * SPDX-License-Identifier: MIT
  *
- * The scalar machinery under curves and surfaces. A polynomial on 0..1 is an array of degree + 1 wide
- * coefficients (loft_acc), so that a chain of operations rounds to a coordinate once, at its end:
+ * The scalar machinery under curves and surfaces. A polynomial on 0..1 is an array of degree + 1
+ * wide coefficients (loft_acc), so that a chain of operations rounds to a coordinate once, at its
+ * end:
  *
  *     loft_acc c[4] = { loft_wide(a), loft_wide(b), loft_wide(d), loft_wide(e) };
  *     loft_real y = loft_acc_round(loft_bernstein_eval(c, 3, t));
  *
- * Unless a function says otherwise: coefficients are within the range of loft_real (q16: +-2^15), the
- * degree is 0..9, t is in -1..2, and nothing overflows (bernstein.c has the proof).
+ * Unless a function says otherwise: coefficients are within the range of loft_real (q16: +-2^15),
+ * the degree is 0..9, t is in -1..2, and nothing overflows (bernstein.c has the proof).
  */
 #ifndef LOFT_BASIS_BERNSTEIN_H
 #define LOFT_BASIS_BERNSTEIN_H
 
 #include "num/num.h"    /* loft_real, loft_unit, loft_acc */
+
+LOFT_BEGIN_C
 
 #define LOFT_DEGREE_MAX 9
 
@@ -45,10 +49,12 @@ static inline loft_unit loft_unit_clamp(loft_unit t)
  */
 void loft_bernstein_weights(unsigned degree, loft_unit t, loft_acc w[]);
 
-/* One row of de Casteljau's scheme, in place: c[i] becomes the value between c[i] and c[i+1] at t, and
- * `degree` coefficients remain. `degree` rows with the same t evaluate, with different t give the blossom.
+/* One row of de Casteljau's scheme, in place: c[i] becomes the value between c[i] and c[i+1] at t,
+ * and `degree` coefficients remain. `degree` rows with the same t evaluate, with different t give
+ * the blossom.
  *
- *   error   q16: 2^-33 per row (1/2 of the last bit of loft_acc)   f32, f64: 3 ulp of double per row
+ *   error   q16: 2^-33 per row (1/2 of the last bit of loft_acc)   f32, f64: 3 ulp of double per
+ *           row
  *   cost    `degree` wide lerps
  *   see     Farin, ch. 4: the de Casteljau algorithm; Ramshaw, blossoming
  */
@@ -57,14 +63,15 @@ void loft_bernstein_step(loft_acc c[], unsigned degree, loft_unit t);
 /* The value at t. The coefficients are used up.
  *
  *   error   law of extrapolation, with L = |1 - t| + |t| (1 in 0..1, at most 3):
- *           q16: 2^-33 * (1 + L + .. + L^(degree-1)), which is degree * 2^-33 in 0..1, below 2^-19.7 always
- *           f32, f64: 3 * degree * L^degree ulp of double, of the largest coefficient
+ *           q16: 2^-33 * (1 + L + .. + L^(degree-1)), which is degree * 2^-33 in 0..1, below
+ *           2^-19.7 always f32, f64: 3 * degree * L^degree ulp of double, of the largest
+ *           coefficient
  *   cost    degree * (degree + 1) / 2 wide lerps
  */
 loft_acc loft_bernstein_eval(loft_acc c[], unsigned degree, loft_unit t);
 
-/* The value at exactly j / n, a parameter that no number type needs to hold: for equal steps of any degree
- * and any number, where forward.h does not reach. The coefficients are used up.
+/* The value at exactly j / n, a parameter that no number type needs to hold: for equal steps of any
+ * degree and any number, where forward.h does not reach. The coefficients are used up.
  *
  *   range   j <= 2 n, 1 <= n < 2^30
  *   error   that of loft_bernstein_eval   f32, f64: 4 in place of 3
@@ -85,7 +92,8 @@ void loft_bernstein_differences(loft_acc c[], unsigned degree);
 
 /* From Bernstein to power coefficients, in place: c_k = C(n,k) D^k c_0.
  *
- *   range   the results may exceed loft_real (to 5376 times the largest); they are exact all the same
+ *   range   the results may exceed loft_real (to 5376 times the largest); they are exact all the
+ *           same
  *   error   q16: none   f32, f64: (k + 1) * 2^k * C(n,k) roundings of double
  *   cost    as differences, and degree - 1 products by a whole number
  */
@@ -101,15 +109,18 @@ void loft_bernstein_from_power(loft_acc c[], unsigned degree);
 
 /* Value and first derivative of c_0 + c_1 x + .. + c_n x^n, by nested multiplication.
  *
- *   range   x in -2..2 and degree 0..9, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when one of the two results
- *           does not fit; nothing is written then
- *   error   q16: value 1/2 LSB + (2^n - 1) * 2^-17 LSB, derivative 1/2 LSB + n * 2^(n-1) * 2^-17 LSB: below 0.52
- *           f32, f64: n * 2^n ulp of double for the value, n^2 * 2^n for the derivative, of the largest
- *           coefficient, and 1/2 ulp of the result
+ *   range   x in -2..2 and degree 0..9, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when one of the two
+ *           results does not fit; nothing is written then
+ *   error   q16: value 1/2 LSB + (2^n - 1) * 2^-17 LSB, derivative 1/2 LSB + n * 2^(n-1) * 2^-17
+ *           LSB: below 0.52
+ *           f32, f64: n * 2^n ulp of double for the value, n^2 * 2^n for the derivative, of the
+ *           largest coefficient, and 1/2 ulp of the result
  *   cost    2 * degree wide products
  *   see     Horner's rule; Knuth, The Art of Computer Programming, vol. 2, 4.6.4
  */
 enum loft_status loft_power_eval(const loft_real c[], unsigned degree, loft_unit x,
                                  loft_real *value, loft_real *deriv) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

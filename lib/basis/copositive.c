@@ -1,12 +1,13 @@
 /* lib/basis/copositive.c
  * SPDX-License-Identifier: MIT
  *
- * Hadeler's theorem: a matrix whose principal submatrices of one order less are copositive is itself not copositive
- * exactly if its determinant is negative and no entry of its adjugate is. Taken from order 1 upwards (there the
- * adjugate is 1) this says: M is copositive if no principal submatrix is such a witness.
+ * Hadeler's theorem: a matrix whose principal submatrices of one order less are copositive is
+ * itself not copositive exactly if its determinant is negative and no entry of its adjugate is.
+ * Taken from order 1 upwards (there the adjugate is 1) this says: M is copositive if no principal
+ * submatrix is such a witness.
  *
- * Room: entries have R bits (31, in floats 128). A determinant of order 4 is a sum of 24 products of four,
- * below 2^(4 R + 4.6): 129 and 517 bits, within LOFT_EXACT_BITS.
+ * Room: entries have R bits (31, in floats 128). A determinant of order 4 is a sum of 24 products
+ * of four, below 2^(4 R + 4.6): 129 and 517 bits, within LOFT_EXACT_BITS.
  */
 #include "basis/copositive.h"
 #include "num/exact.h"          /* loft_exact: the decisions */
@@ -18,7 +19,8 @@ typedef struct {
     uint8_t at[LOFT_COPOSITIVE_MAX];
 } minor;
 
-/* Rows and columns i <= j of the upper triangle: before row i stand i rows of whole, whole - 1, .. entries. */
+/* Rows and columns i <= j of the upper triangle: before row i stand i rows of whole, whole - 1, ..
+ * entries. */
 static loft_exact entry(const minor *a, uint8_t row, uint8_t column)
 {
     const uint8_t i = row < column ? row : column, j = row < column ? column : row;
@@ -38,8 +40,10 @@ static loft_exact det3(const minor *a, const uint8_t row[3], const uint8_t colum
     loft_exact sum = loft_exact_from_int(0);
 
     for (int c = 0; c < 3; c++) {
-        const uint8_t others[2] = { column[(c + 1) % 3], column[(c + 2) % 3] };     /* in cyclic order: no sign */
-        sum = loft_exact_add(sum, loft_exact_mul(entry(a, row[0], column[c]), det2(a, row + 1, others)));
+        /* in cyclic order: no sign */
+        const uint8_t others[2] = { column[(c + 1) % 3], column[(c + 2) % 3] };
+        sum = loft_exact_add(sum,
+                             loft_exact_mul(entry(a, row[0], column[c]), det2(a, row + 1, others)));
     }
     return sum;
 }
@@ -60,8 +64,10 @@ static loft_exact cofactor(const minor *a, unsigned i, unsigned j)
 
     others(a, i, row);
     others(a, j, column);
-    const loft_exact d = a->n == 1 ? loft_exact_from_int(1) : a->n == 2 ? entry(a, row[0], column[0])
-                       : a->n == 3 ? det2(a, row, column) : det3(a, row, column);
+    const loft_exact d = a->n == 1   ? loft_exact_from_int(1)
+                         : a->n == 2 ? entry(a, row[0], column[0])
+                         : a->n == 3 ? det2(a, row, column)
+                                     : det3(a, row, column);
     return (i + j) % 2 ? loft_exact_neg(d) : d;
 }
 

@@ -1,26 +1,34 @@
-/* lib/basis/copositive.h -- is a quadratic form >= 0 wherever no variable is negative? Decided exactly
+/* lib/basis/copositive.h -- is a quadratic form >= 0 wherever no variable is negative? Decided
+ * exactly
  * SPDX-License-Identifier: MIT
  *
- * A symmetric matrix M is copositive if x^T M x >= 0 for all x >= 0. Every positive semidefinite matrix is, every
- * matrix without negative entries is, and many others are. Whether a quadratic over an interval, a triangle or a
- * tetrahedron is nowhere negative is this question for 2, 3 and 4 variables.
+ * A symmetric matrix M is copositive if x^T M x >= 0 for all x >= 0. Every positive semidefinite
+ * matrix is, every matrix without negative entries is, and many others are. Whether a quadratic
+ * over an interval, a triangle or a tetrahedron is nowhere negative is this question for 2, 3 and 4
+ * variables.
  */
 #ifndef LOFT_BASIS_COPOSITIVE_H
 #define LOFT_BASIS_COPOSITIVE_H
 
 #include "num/num.h"    /* loft_real */
 
+LOFT_BEGIN_C
+
 #define LOFT_COPOSITIVE_MAX 4
 
 /* Is the matrix of order n copositive?
  *
  *   shape   m: the upper triangle by rows, m11 m12 .. m1n m22 .. mnn: n (n + 1) / 2 numbers
- *   range   n = 1..4, otherwise LOFT_ERR_ARG; f32, f64: numbers that loft_exact_admits, otherwise LOFT_ERR_RANGE;
- *           *copositive is untouched then
+ *   range   n = 1..4, otherwise LOFT_ERR_ARG; f32, f64: numbers that loft_exact_admits, otherwise
+ *           LOFT_ERR_RANGE; *copositive is untouched then
  *   error   none
- *   cost    about 150 exact products for n = 4, 20 for n = 3; 1.8 kB of stack in q16; not for an ISR
+ *   cost    about 150 exact products for n = 4, 20 for n = 3; 1.8 kB of stack in q16; not for an
+ *           ISR
  *   see     Hadeler, On copositive matrices, Linear Algebra and its Applications 49 (1983)
  */
-enum loft_status loft_matrix_copositive(const loft_real m[], unsigned n, bool *copositive) LOFT_CHECKED;
+enum loft_status loft_matrix_copositive(const loft_real m[], unsigned n,
+                                        bool *copositive) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

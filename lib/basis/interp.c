@@ -8,12 +8,14 @@
 
 /* The parabola. With i, j, k in cyclic order,
  *
- *     p(t) = - sum f_i (t_j - t_k) (t - t_j) (t - t_k) / D        D = (t_0 - t_1) (t_1 - t_2) (t_2 - t_0)
+ *     p(t) = - sum f_i (t_j - t_k) (t - t_j) (t - t_k) / D        D = (t_0 - t_1) (t_1 - t_2) (t_2
+ *                                                                 - t_0)
  *
- * is Newton's form f_0 + (t - t_0) [01] + (t - t_0) (t - t_1) [012] with its divided differences brought to one
- * denominator. Each result is the quotient of such a sum and D. The longest sum has four factors (twice that
- * for the blossom), 4 (R + 1) + 3 bits: 131 in q16, 519 in floats. Numbers carry 2^E, E = LOFT_EXACT_REAL,
- * D carries 2^(3E): the quotient is shifted by what is left of that. */
+ * is Newton's form f_0 + (t - t_0) [01] + (t - t_0) (t - t_1) [012] with its divided differences
+ * brought to one denominator. Each result is the quotient of such a sum and D. The longest sum has
+ * four factors (twice that for the blossom), 4 (R + 1) + 3 bits: 131 in q16, 519 in floats. Numbers
+ * carry 2^E, E = LOFT_EXACT_REAL, D carries 2^(3E): the quotient is shifted by what is left of
+ * that. */
 
 /* a - b of two coordinates */
 static loft_exact gap(loft_real a, loft_real b)
@@ -31,7 +33,8 @@ static loft_exact weight(const loft_parabola *p, int i)
 /* D */
 static loft_exact spread(const loft_parabola *p)
 {
-    return loft_exact_mul(gap(p->t[0], p->t[1]), loft_exact_mul(gap(p->t[1], p->t[2]), gap(p->t[2], p->t[0])));
+    return loft_exact_mul(gap(p->t[0], p->t[1]),
+                          loft_exact_mul(gap(p->t[1], p->t[2]), gap(p->t[2], p->t[0])));
 }
 
 /* x / D * 2^shift, rounded to a coordinate if it fits */
@@ -69,7 +72,8 @@ static enum loft_status blossom(const loft_parabola *p, loft_real u, loft_real v
         return LOFT_ERR_RANGE;
     for (int i = 0; i < 3; i++) {
         const loft_real tj = p->t[(i + 1) % 3], tk = p->t[(i + 2) % 3];
-        const loft_exact one = loft_exact_mul(gap(u, tj), gap(v, tk)), two = loft_exact_mul(gap(u, tk), gap(v, tj));
+        const loft_exact one = loft_exact_mul(gap(u, tj), gap(v, tk)),
+                         two = loft_exact_mul(gap(u, tk), gap(v, tj));
         sum = loft_exact_add(sum, loft_exact_mul(weight(p, i), loft_exact_add(one, two)));
     }
     return over_spread(p, sum, -LOFT_EXACT_REAL - 1, out) ? LOFT_OK : LOFT_ERR_RANGE;
@@ -88,7 +92,8 @@ enum loft_status loft_parabola_deriv(const loft_parabola *p, loft_real t, loft_r
     if (!loft_exact_admits(t))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < 3; i++) {
-        const loft_exact factor = loft_exact_add(gap(t, p->t[(i + 1) % 3]), gap(t, p->t[(i + 2) % 3]));
+        const loft_exact factor = loft_exact_add(gap(t, p->t[(i + 1) % 3]),
+                                                 gap(t, p->t[(i + 2) % 3]));
         sum = loft_exact_add(sum, loft_exact_mul(weight(p, i), factor));
     }
     return over_spread(p, sum, 0, out) ? LOFT_OK : LOFT_ERR_RANGE;
@@ -103,7 +108,8 @@ enum loft_status loft_parabola_power(const loft_parabola *p, loft_real a[3])
         sum[m] = loft_exact_from_int(0);
     for (int i = 0; i < 3; i++) {
         const loft_exact w = weight(p, i);
-        const loft_exact tj = loft_exact_from_real(p->t[(i + 1) % 3]), tk = loft_exact_from_real(p->t[(i + 2) % 3]);
+        const loft_exact tj = loft_exact_from_real(p->t[(i + 1) % 3]),
+                         tk = loft_exact_from_real(p->t[(i + 2) % 3]);
         sum[0] = loft_exact_add(sum[0], loft_exact_mul(w, loft_exact_mul(tj, tk)));
         sum[1] = loft_exact_sub(sum[1], loft_exact_mul(w, loft_exact_add(tj, tk)));
         sum[2] = loft_exact_add(sum[2], w);
@@ -114,7 +120,8 @@ enum loft_status loft_parabola_power(const loft_parabola *p, loft_real a[3])
     return LOFT_OK;
 }
 
-enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from, loft_real to, loft_real c[3])
+enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from, loft_real to,
+                                         loft_real c[3])
 {
     enum loft_status status = blossom(p, from, from, &c[0]);
 
@@ -127,24 +134,28 @@ enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from,
 /* Both ends. The coefficients next to an end are what the slope there asks for:
  *
  *     cubic     p0    p0 + t0 / 3    p1 - t1 / 3    p1
- *     quintic   p0    p0 + t0 / 5    p0 + (8 t0 + a0) / 20    p1 - (8 t1 - a1) / 20    p1 - t1 / 5    p1
+ *     quintic   p0    p0 + t0 / 5    p0 + (8 t0 + a0) / 20    p1 - (8 t1 - a1) / 20    p1 - t1 / 5
+ *               p1
  *
- * and those of the derivative need no division but by 4, which loft_acc holds (q16: coordinates have 16 zeros
- * below them; sums that do not are rounded by 2^-33):
+ * and those of the derivative need no division but by 4, which loft_acc holds (q16: coordinates
+ * have 16 zeros below them; sums that do not are rounded by 2^-33):
  *
  *     cubic     t0    3 (p1 - p0) - t0 - t1    t1
  *     quintic   t0    t0 + a0 / 4    5 (p1 - p0) - 2 (t0 + t1) - (a0 - a1) / 4    t1 - a1 / 4    t1
  *
- * Room in q16, where values must stay below 2^30 for loft_acc_lerp. k - 1 more differences multiply by n!/(n-k)! / n
- * and 2^(k-1), the scheme by L^(n-k) <= 3^(n-k):
+ * Room in q16, where values must stay below 2^30 for loft_acc_lerp. k - 1 more differences multiply
+ * by n!/(n-k)! / n and 2^(k-1), the scheme by L^(n-k) <= 3^(n-k):
  *
- *     quintic, |e| <= 2^16            |c| <= 2^16 (5 * 2 + 4 + 1/2) < 2^19.9, times 24 * 8 * 3 at most (k = 4): 2^29.1
- *     cubic, |e| <= 2^21              |c| <= 2^21 (3 * 2 + 2) = 2^24, times 9 at most (k = 1): 2^27.2
+ *     quintic, |e| <= 2^16            |c| <= 2^16 (5 * 2 + 4 + 1/2) < 2^19.9, times 24 * 8 * 3 at
+ *                                     most (k = 4): 2^29.1
+ *     cubic, |e| <= 2^21              |c| <= 2^21 (3 * 2 + 2) = 2^24, times 9 at most (k = 1):
+ *                                     2^27.2
  *     cubic, t in 0..1, |slopes| <= 2^26, |e[1] - e[0]| <= 2^25
- *                                     |c| <= 2^25 (3 + 4) < 2^27.9, the second derivative 2 (2^27.9 + 2^26) < 2^29.3
+ *                                     |c| <= 2^25 (3 + 4) < 2^27.9, the second derivative 2 (2^27.9
+ *                                     + 2^26) < 2^29.3
  *     quintic, t in 0..1, |e| <= 2^24, |e[4]|, |e[5]| <= 2^27
- *                                     |8 e[2] + e[4]| <= 2^28, |c| <= 2^24 + 2^28 / 20 < 2^25; of the first derivative
- *                                     |c| <= 2^24 (10 + 4) + 2^26 < 2^28.2 */
+ *                                     |8 e[2] + e[4]| <= 2^28, |c| <= 2^24 + 2^28 / 20 < 2^25; of
+ *                                     the first derivative |c| <= 2^24 (10 + 4) + 2^26 < 2^28.2 */
 
 void loft_ends3_bernstein(const loft_acc e[4], loft_acc c[4])
 {
@@ -164,7 +175,8 @@ void loft_ends5_bernstein(const loft_acc e[6], loft_acc c[6])
     c[5] = e[1];
 }
 
-/* The k-th derivative at t of the polynomial with the coefficients c[0..degree], which are used up. */
+/* The k-th derivative at t of the polynomial with the coefficients c[0..degree], which are used
+ * up. */
 static loft_acc derivative(loft_acc c[], unsigned degree, unsigned k, loft_unit t)
 {
     if (k > degree)

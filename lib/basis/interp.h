@@ -1,21 +1,26 @@
-/* lib/basis/interp.h -- polynomials from values: the parabola through three, Hermite's from those at both ends
+/* lib/basis/interp.h -- polynomials from values: the parabola through three, Hermite's from those
+ * at both ends
  * SPDX-License-Identifier: MIT
  *
- * One coordinate at a time; curve/parabola.h, hermite.h, cardinal.h and natural.h make curves of it.
+ * One coordinate at a time; curve/parabola.h, hermite.h, cardinal.h and natural.h make curves of
+ * it.
  */
 #ifndef LOFT_BASIS_INTERP_H
 #define LOFT_BASIS_INTERP_H
 
 #include "num/num.h"    /* loft_real, loft_unit, loft_acc */
 
+LOFT_BEGIN_C
+
 
 /* The parabola through three values
  * ---------------------------------
- * Everything is a quotient of whole numbers (num/exact.h) that is rounded once, however close the places
- * are to each other. Not for an ISR; stack in q16 up to 2.5 kB, more than an ATmega328P has.
+ * Everything is a quotient of whole numbers (num/exact.h) that is rounded once, however close the
+ * places are to each other. Not for an ISR; stack in q16 up to 2.5 kB, more than an ATmega328P has.
  *
  *     loft_parabola p;
- *     if (loft_parabola_init(&p, t, f) == LOFT_OK && loft_parabola_eval(&p, LOFT_REAL(2.5), &y) == LOFT_OK) ..
+ *     if (loft_parabola_init(&p, t, f) == LOFT_OK && loft_parabola_eval(&p, LOFT_REAL(2.5), &y) ==
+ *     LOFT_OK) ..
  */
 
 /* f[i] at the place t[i]. Do not fill it yourself: call init. */
@@ -30,17 +35,21 @@ typedef struct {
  *   error   none: the numbers are kept as they are
  *   cost    three differences of exact numbers
  */
-enum loft_status loft_parabola_init(loft_parabola *p, const loft_real t[3], const loft_real f[3]) LOFT_CHECKED;
+enum loft_status loft_parabola_init(loft_parabola *p, const loft_real t[3],
+                                    const loft_real f[3]) LOFT_CHECKED;
 
 /* The value at t, the derivative there.
  *
- *   range   any t (f32, f64: admitted); LOFT_ERR_RANGE when the result does not fit, *out is untouched then
+ *   range   any t (f32, f64: admitted); LOFT_ERR_RANGE when the result does not fit, *out is
+ *           untouched then
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32, f64: 0.52 ulp of the result, 1 ulp in f64
  *   cost    about 20 products of exact numbers and one quotient
  *   see     Newton's divided differences, over their common denominator
  */
-enum loft_status loft_parabola_eval(const loft_parabola *p, loft_real t, loft_real *out) LOFT_CHECKED;
-enum loft_status loft_parabola_deriv(const loft_parabola *p, loft_real t, loft_real *out) LOFT_CHECKED;
+enum loft_status loft_parabola_eval(const loft_parabola *p, loft_real t,
+                                    loft_real *out) LOFT_CHECKED;
+enum loft_status loft_parabola_deriv(const loft_parabola *p, loft_real t,
+                                     loft_real *out) LOFT_CHECKED;
 
 /* The coefficients of a[0] + a[1] t + a[2] t^2.
  *
@@ -56,14 +65,15 @@ enum loft_status loft_parabola_power(const loft_parabola *p, loft_real a[3]) LOF
  *   error   as eval
  *   cost    three times eval
  */
-enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from, loft_real to, loft_real c[3]) LOFT_CHECKED;
-
+enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from, loft_real to,
+                                         loft_real c[3]) LOFT_CHECKED;
 
 /* Values and derivatives at both ends of 0..1
  * -------------------------------------------
- * Cubic: e[4] = { p(0), p(1), p'(0), p'(1) }, quintic: and p''(0), p''(1) in e[4], e[5]. Range in q16: |e| <= 2^21
- * for the cubic, 2^16 for the quintic; for t in 0..1 the slopes of a cubic may reach 2^26 and p(1) - p(0) 2^25, and up to
- * the first derivative a quintic's e may reach 2^24, p''(0) and p''(1) 2^27. */
+ * Cubic: e[4] = { p(0), p(1), p'(0), p'(1) }, quintic: and p''(0), p''(1) in e[4], e[5]. Range in
+ * q16: |e| <= 2^21 for the cubic, 2^16 for the quintic; for t in 0..1 the slopes of a cubic may
+ * reach 2^26 and p(1) - p(0) 2^25, and up to the first derivative a quintic's e may reach 2^24,
+ * p''(0) and p''(1) 2^27. */
 
 /* The Bernstein coefficients.
  *
@@ -78,11 +88,14 @@ void loft_ends5_bernstein(const loft_acc e[6], loft_acc c[6]);
  *
  *   range   t in -1..2
  *   error   with L = |1 - t| + |t|, n = 3 or 5, e of the coefficients, m = n - k:
- *           q16: (L^n + 1 + L + .. + L^(n-1)) * 2^-33 for k = 0, (1 + L + .. + L^(m-1)) * 2^-33 else
- *           f32, f64: (6 n + 4) L^n for k = 0, 3 n 2^n L^m (n!/m!) ulp of double else, of the largest of e
+ *           q16: (L^n + 1 + L + .. + L^(n-1)) * 2^-33 for k = 0, (1 + L + .. + L^(m-1)) * 2^-33
+ *           else f32, f64: (6 n + 4) L^n for k = 0, 3 n 2^n L^m (n!/m!) ulp of double else, of the
+ *           largest of e
  *   cost    as loft_bernstein_eval; safe in an ISR
  */
 loft_acc loft_ends3_deriv(const loft_acc e[4], unsigned k, loft_unit t);
 loft_acc loft_ends5_deriv(const loft_acc e[6], unsigned k, loft_unit t);
+
+LOFT_END_C
 
 #endif

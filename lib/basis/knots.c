@@ -5,15 +5,17 @@
  *
  *     k[s-rows+1+j] <= k[s] <= u <= k[s+1] <= k[s+1+j]        j = 0 .. rows - 1
  *
- * so each step is a mean of two values with shares of 0..1 and no division is by zero, whatever knots repeat.
- * Nothing exceeds the largest coefficient, |c| <= 2^47 of the 2^62 that loft_acc_lerp_in takes, and each
- * of `degree` rows adds its own rounding: degree * 2^-33.
+ * so each step is a mean of two values with shares of 0..1 and no division is by zero, whatever
+ * knots repeat. Nothing exceeds the largest coefficient, |c| <= 2^47 of the 2^62 that
+ * loft_acc_lerp_in takes, and each of `degree` rows adds its own rounding: degree * 2^-33.
  */
 #include "basis/knots.h"
 
-enum loft_status loft_knots_init(loft_knots *knots, const loft_real k[], unsigned points, unsigned degree)
+enum loft_status loft_knots_init(loft_knots *knots, const loft_real k[], unsigned points,
+                                 unsigned degree)
 {
-    if (degree < 1 || degree > LOFT_DEGREE_MAX || points <= degree || points > LOFT_KNOTS_POINTS_MAX)
+    if (degree < 1 || degree > LOFT_DEGREE_MAX || points <= degree ||
+        points > LOFT_KNOTS_POINTS_MAX)
         return LOFT_ERR_ARG;
 
     const unsigned last = points + degree;
@@ -41,8 +43,8 @@ loft_real loft_knots_clamp(const loft_knots *knots, loft_real u)
     return u > start ? u < end ? u : end : start;
 }
 
-/* k[low] <= u always, and u < k[high] but for high = points. At the end of the domain low is then the last index
- * before it, and its span may be empty. */
+/* k[low] <= u always, and u < k[high] but for high = points. At the end of the domain low is then
+ * the last index before it, and its span may be empty. */
 unsigned loft_knots_find(const loft_knots *knots, loft_real u)
 {
     unsigned low = knots->degree, high = knots->points;
@@ -71,9 +73,10 @@ unsigned loft_knots_next(const loft_knots *knots, unsigned span)
 
 /* Weights and values */
 
-/* A B-spline of degree r - 1 over lo .. hi hands the share (u - lo) / (hi - lo) of itself to its right neighbour of
- * degree r and keeps the rest. As in loft_bernstein_weights what is handed over is rounded, what is kept is
- * the difference, so the sum stays 1, and a weight takes two roundings per degree. */
+/* A B-spline of degree r - 1 over lo .. hi hands the share (u - lo) / (hi - lo) of itself to its
+ * right neighbour of degree r and keeps the rest. As in loft_bernstein_weights what is handed over
+ * is rounded, what is kept is the difference, so the sum stays 1, and a weight takes two roundings
+ * per degree. */
 unsigned loft_knots_weights(const loft_knots *knots, loft_real u, loft_acc w[])
 {
     const unsigned s = loft_knots_find(knots, u);
@@ -83,7 +86,8 @@ unsigned loft_knots_weights(const loft_knots *knots, loft_real u, loft_acc w[])
     for (unsigned r = 1; r <= knots->degree; r++) {
         w[r] = 0;
         for (unsigned i = r; i > 0; i--) {
-            const loft_acc handed = loft_acc_lerp_in(0, w[i - 1], u, knots->k[s + i - r], knots->k[s + i]);
+            const loft_acc handed = loft_acc_lerp_in(0, w[i - 1], u, knots->k[s + i - r],
+                                                     knots->k[s + i]);
             w[i]     += handed;
             w[i - 1] -= handed;
         }
@@ -91,7 +95,8 @@ unsigned loft_knots_weights(const loft_knots *knots, loft_real u, loft_acc w[])
     return s - knots->degree;
 }
 
-void loft_knots_step(const loft_knots *knots, unsigned span, unsigned rows, loft_real u, loft_acc c[])
+void loft_knots_step(const loft_knots *knots, unsigned span, unsigned rows, loft_real u,
+                     loft_acc c[])
 {
     const loft_real *hi = &knots->k[span + 1], *lo = hi - rows;
 
@@ -100,7 +105,8 @@ void loft_knots_step(const loft_knots *knots, unsigned span, unsigned rows, loft
 }
 
 /* The last `rows` rows, all at u. */
-static loft_acc finish(const loft_knots *knots, unsigned span, unsigned rows, loft_real u, loft_acc c[])
+static loft_acc finish(const loft_knots *knots, unsigned span, unsigned rows, loft_real u,
+                       loft_acc c[])
 {
     for (; rows > 0; rows--)
         loft_knots_step(knots, span, rows, u, c);
@@ -112,8 +118,8 @@ loft_acc loft_knots_eval(const loft_knots *knots, unsigned span, loft_real u, lo
     return finish(knots, span, knots->degree, u, c);
 }
 
-/* out[j] is the blossom with degree - j arguments k[s] and j arguments k[s+1]: after degree - j rows at the first,
- * j rows at the second in a copy. */
+/* out[j] is the blossom with degree - j arguments k[s] and j arguments k[s+1]: after degree - j
+ * rows at the first, j rows at the second in a copy. */
 void loft_knots_bezier(const loft_knots *knots, unsigned span, loft_acc c[], loft_acc out[])
 {
     const loft_real start = knots->k[span], end = knots->k[span + 1];
@@ -136,7 +142,8 @@ bool loft_knots_accepts(const loft_knots *knots, loft_real u)
     const unsigned last = knots->points + knots->degree;
     unsigned times = 0;
 
-    if (!(u >= knots->k[knots->degree] && u <= knots->k[knots->points]) || knots->points >= LOFT_KNOTS_POINTS_MAX)
+    if (!(u >= knots->k[knots->degree] && u <= knots->k[knots->points]) ||
+        knots->points >= LOFT_KNOTS_POINTS_MAX)
         return false;
     for (unsigned i = 0; i <= last; i++)
         times += knots->k[i] >= u && knots->k[i] <= u;

@@ -1,22 +1,26 @@
 /* lib/basis/knots.h -- knot vectors: spans, B-spline weights, one polynomial piece at a time
  * SPDX-License-Identifier: MIT
  *
- * The scalar machinery under B-spline and NURBS curves. `points` coefficients of degree p hang on points + p + 1 knots,
- * nondecreasing; the domain is k[p] .. k[points]. Knots and the parameter u are reals of any size, clamped
- * at the ends or not; a knot may occur up to p + 1 times. A span is the index s of a piece k[s] < k[s+1] within
- * the domain: its coefficients are s - p .. s. Wide values go through a chain of lerps and round once, at its end:
+ * The scalar machinery under B-spline and NURBS curves. `points` coefficients of degree p hang on
+ * points + p + 1 knots, nondecreasing; the domain is k[p] .. k[points]. Knots and the parameter u
+ * are reals of any size, clamped at the ends or not; a knot may occur up to p + 1 times. A span is
+ * the index s of a piece k[s] < k[s+1] within the domain: its coefficients are s - p .. s. Wide
+ * values go through a chain of lerps and round once, at its end:
  *
  *     const unsigned s = loft_knots_find(&knots, u);
  *     for (j = 0; j <= p; j++) c[j] = loft_wide(coefficient[s - p + j]);
  *     y = loft_acc_round(loft_knots_eval(&knots, s, u, c));
  *
- * The place of u between two knots is not rounded in q16, however close or far apart they are. Coefficients are
- * within the range of loft_real (q16: +-2^15). What takes u and a span expects u within it.
+ * The place of u between two knots is not rounded in q16, however close or far apart they are.
+ * Coefficients are within the range of loft_real (q16: +-2^15). What takes u and a span expects u
+ * within it.
  */
 #ifndef LOFT_BASIS_KNOTS_H
 #define LOFT_BASIS_KNOTS_H
 
 #include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
+
+LOFT_BEGIN_C
 
 #define LOFT_KNOTS_POINTS_MAX 32000
 
@@ -29,13 +33,14 @@ typedef struct {
 
 /* Check and keep points + degree + 1 knots, which must outlive it.
  *
- *   range   degree 1..9, degree + 1 <= points <= LOFT_KNOTS_POINTS_MAX, knots nondecreasing, none more than degree + 1
- *           times, the domain not empty, otherwise LOFT_ERR_ARG; finite knots (f64: below 2^1000), otherwise
- *           LOFT_ERR_RANGE; *knots is untouched then
+ *   range   degree 1..9, degree + 1 <= points <= LOFT_KNOTS_POINTS_MAX, knots nondecreasing, none
+ *           more than degree + 1 times, the domain not empty, otherwise LOFT_ERR_ARG; finite knots
+ *           (f64: below 2^1000), otherwise LOFT_ERR_RANGE; *knots is untouched then
  *   error   none
  *   cost    two comparisons a knot
  */
-enum loft_status loft_knots_init(loft_knots *knots, const loft_real k[], unsigned points, unsigned degree) LOFT_CHECKED;
+enum loft_status loft_knots_init(loft_knots *knots, const loft_real k[], unsigned points,
+                                 unsigned degree) LOFT_CHECKED;
 
 /* u within the domain; nan gives its start.
  *
@@ -63,8 +68,8 @@ unsigned loft_knots_next(const loft_knots *knots, unsigned span);
 /* Weights and values
  * ------------------ */
 
-/* The B-splines that are not 0 at u, which is clamped: the weights of the coefficients first .. first + degree,
- * `first` being the result.
+/* The B-splines that are not 0 at u, which is clamped: the weights of the coefficients first ..
+ * first + degree, `first` being the result.
  *
  *   shape   w[degree + 1]; q16: they sum to exactly 1 (2^32)
  *   error   q16: degree * 2^-32   f32, f64: 6 * degree ulp of double (of 1)
@@ -73,25 +78,27 @@ unsigned loft_knots_next(const loft_knots *knots, unsigned span);
  */
 unsigned loft_knots_weights(const loft_knots *knots, loft_real u, loft_acc w[]);
 
-/* One row of de Boor's scheme, in place: of rows + 1 values `rows` remain, c[j] becoming the value between c[j] and
- * c[j+1]. Start with rows = degree and go down to 1; with the same u that evaluates, with different ones it
- * gives the blossom.
+/* One row of de Boor's scheme, in place: of rows + 1 values `rows` remain, c[j] becoming the value
+ * between c[j] and c[j+1]. Start with rows = degree and go down to 1; with the same u that
+ * evaluates, with different ones it gives the blossom.
  *
  *   error   q16: 2^-33 per row   f32, f64: 5 ulp of double per row
  *   cost    `rows` times loft_acc_lerp_in
  *   see     de Boor, On calculating with B-splines, J. Approx. Theory 6 (1972); Ramshaw, blossoming
  */
-void loft_knots_step(const loft_knots *knots, unsigned span, unsigned rows, loft_real u, loft_acc c[]);
+void loft_knots_step(const loft_knots *knots, unsigned span, unsigned rows, loft_real u,
+                     loft_acc c[]);
 
 /* The value at u of the piece on `span`. The coefficients c[0..degree] are used up.
  *
- *   error   q16: degree * 2^-33   f32, f64: 5 * degree ulp of double, of the largest coefficient; of the value itself
- *           when all are positive
+ *   error   q16: degree * 2^-33   f32, f64: 5 * degree ulp of double, of the largest coefficient;
+ *           of the value itself when all are positive
  *   cost    degree * (degree + 1) / 2 times loft_acc_lerp_in
  */
 loft_acc loft_knots_eval(const loft_knots *knots, unsigned span, loft_real u, loft_acc c[]);
 
-/* The Bernstein coefficients out[0..degree] of the piece on `span`. c is used up; the two must differ.
+/* The Bernstein coefficients out[0..degree] of the piece on `span`. c is used up; the two must
+ * differ.
  *
  *   error   as eval
  *   cost    degree * (degree + 1) * (degree + 5) / 6 times loft_acc_lerp_in; 80 bytes of stack
@@ -109,12 +116,15 @@ void loft_knots_bezier(const loft_knots *knots, unsigned span, loft_acc c[], lof
  */
 bool loft_knots_accepts(const loft_knots *knots, loft_real u);
 
-/* The knots with one more at u: points + degree + 2. `out` may be the knots themselves, if they have room.
+/* The knots with one more at u: points + degree + 2. `out` may be the knots themselves, if they
+ * have room.
  *
  *   range   u is accepted
  *   error   none
  *   cost    that of find; moves the knots behind u
  */
 void loft_knots_insert(const loft_knots *knots, loft_real u, loft_real out[]);
+
+LOFT_END_C
 
 #endif

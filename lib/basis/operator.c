@@ -1,15 +1,16 @@
 /* lib/basis/operator.c -- samples of samples
  * SPDX-License-Identifier: MIT
  *
- * B keeps x, and maps x (1 - x) to (1 - 1/n) x (1 - x). Two things follow for functions that vanish at 0 and 1,
- * of which |g| <= c x (1 - x) is kept as |B g| <= (1 - 1/n) c x (1 - x):
+ * B keeps x, and maps x (1 - x) to (1 - 1/n) x (1 - x). Two things follow for functions that vanish
+ * at 0 and 1, of which |g| <= c x (1 - x) is kept as |B g| <= (1 - 1/n) c x (1 - x):
  *
- * The errors of sampling, e = n 2^-33 in each inner node and none at the ends (loft_bernstein_at), do not pile
- * up. In the nodes x (1 - x) >= (n - 1) / n^2, so each round adds at most e n^2 / (n - 1) x (1 - x); all rounds
- * together n times that, at most e n^3 / (4 n - 4). For n = 9: 205 * 2^-33, whatever the number of times.
+ * The errors of sampling, e = n 2^-33 in each inner node and none at the ends (loft_bernstein_at),
+ * do not pile up. In the nodes x (1 - x) >= (n - 1) / n^2, so each round adds at most e n^2 / (n -
+ * 1) x (1 - x); all rounds together n times that, at most e n^3 / (4 n - 4). For n = 9: 205 *
+ * 2^-33, whatever the number of times.
  *
- * The limit is reached. What f differs from its line, at most 2^17, is at most 2^17 n^2 / (n - 1) x (1 - x), and after
- * 512 rounds (8/9)^512 < 2^-87 of that: nothing in any number type.
+ * The limit is reached. What f differs from its line, at most 2^17, is at most 2^17 n^2 / (n - 1) x
+ * (1 - x), and after 512 rounds (8/9)^512 < 2^-87 of that: nothing in any number type.
  */
 #include "basis/operator.h"
 
@@ -29,8 +30,8 @@ static void sample(loft_acc f[], unsigned n)
         f[i] = g[i];
 }
 
-enum loft_status loft_bernstein_iterate(const loft_real f[], unsigned n, uint32_t times, loft_unit x,
-                                        loft_real *value)
+enum loft_status loft_bernstein_iterate(const loft_real f[], unsigned n, uint32_t times,
+                                        loft_unit x, loft_real *value)
 {
     loft_acc g[LOFT_DEGREE_MAX + 1];
 

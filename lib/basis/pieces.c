@@ -7,13 +7,15 @@
 loft_unit loft_dyad_at(loft_dyad n, loft_unit t)
 {
     const loft_acc one = loft_wide(LOFT_REAL(1));
-    const loft_acc from = loft_acc_scale(one, loft_dyad_from(n)), to = loft_acc_scale(one, loft_dyad_to(n));
+    const loft_acc from = loft_acc_scale(one, loft_dyad_from(n)),
+                   to = loft_acc_scale(one, loft_dyad_to(n));
 
     return loft_unit_ratio(loft_acc_lerp(from, to, t), one);
 }
 
 /* After degree - k rows at `from`, k rows at `to` in a copy. */
-void loft_bernstein_part(const loft_acc c[], unsigned degree, loft_unit from, loft_unit to, loft_acc out[])
+void loft_bernstein_part(const loft_acc c[], unsigned degree, loft_unit from, loft_unit to,
+                         loft_acc out[])
 {
     loft_acc row[LOFT_DEGREE_MAX + 1], copy[LOFT_DEGREE_MAX + 1];
 

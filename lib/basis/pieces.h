@@ -1,8 +1,9 @@
 /* lib/basis/pieces.h -- the dyadic pieces of 0..1, visited in order without a stack
  * SPDX-License-Identifier: MIT
  *
- * Piece k of level m is k / 2^m .. (k + 1) / 2^m. Halving what is not good enough yet makes a binary tree, whose leaves
- * are met from left to right: the one after piece k is k + 1, or rather its largest ancestor that starts there.
+ * Piece k of level m is k / 2^m .. (k + 1) / 2^m. Halving what is not good enough yet makes a
+ * binary tree, whose leaves are met from left to right: the one after piece k is k + 1, or rather
+ * its largest ancestor that starts there.
  *
  *     loft_dyad n = { 0, 0 };
  *     do {
@@ -11,13 +12,15 @@
  *         use(n);
  *     } while (loft_dyad_next(&n));
  *
- * The state is the piece itself, so there is no stack whose size would need a proof; that of the loop above is the
- * proof that is_good holds at some level <= LOFT_DYAD_LEVELS.
+ * The state is the piece itself, so there is no stack whose size would need a proof; that of the
+ * loop above is the proof that is_good holds at some level <= LOFT_DYAD_LEVELS.
  */
 #ifndef LOFT_BASIS_PIECES_H
 #define LOFT_BASIS_PIECES_H
 
 #include "num/num.h"    /* loft_unit, loft_acc */
+
+LOFT_BEGIN_C
 
 #define LOFT_DYAD_LEVELS 24    /* all k / 2^24 are exact in every number type */
 
@@ -26,8 +29,14 @@ typedef struct {
     uint8_t  level;
 } loft_dyad;
 
-static inline loft_unit loft_dyad_from(loft_dyad n)   { return loft_unit_of(n.k, (uint32_t)1 << n.level); }
-static inline loft_unit loft_dyad_to(loft_dyad n)     { return loft_unit_of(n.k + 1, (uint32_t)1 << n.level); }
+static inline loft_unit loft_dyad_from(loft_dyad n)
+{
+    return loft_unit_of(n.k, (uint32_t)1 << n.level);
+}
+static inline loft_unit loft_dyad_to(loft_dyad n)
+{
+    return loft_unit_of(n.k + 1, (uint32_t)1 << n.level);
+}
 
 /* The left half (side 0) or the right one (side 1). */
 static inline loft_dyad loft_dyad_half(loft_dyad n, uint32_t side)
@@ -58,6 +67,9 @@ loft_unit loft_dyad_at(loft_dyad n, loft_unit t);
  *   cost    degree * (degree + 1) * (degree + 5) / 6 wide lerps at most
  *   see     Ramshaw, blossoming: out[k] = c[from^(degree-k), to^k]
  */
-void loft_bernstein_part(const loft_acc c[], unsigned degree, loft_unit from, loft_unit to, loft_acc out[]);
+void loft_bernstein_part(const loft_acc c[], unsigned degree, loft_unit from, loft_unit to,
+                         loft_acc out[]);
+
+LOFT_END_C
 
 #endif

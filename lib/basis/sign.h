@@ -1,16 +1,18 @@
 /* lib/basis/sign.h -- where a polynomial in Bernstein form is positive or convex, decided exactly
  * SPDX-License-Identifier: MIT
  *
- * The coefficients prove much at once: if none is negative, neither is the polynomial over 0..1. The converse
- * is false, and degree raising brings the coefficients closer to the polynomial. These functions decide on
- * the polynomial itself. Every decision is a sign of whole numbers (num/exact.h), that of the coefficients as
- * given. In f32 and f64 they must be what loft_exact_admits says, otherwise LOFT_ERR_RANGE; nothing is
- * written then.
+ * The coefficients prove much at once: if none is negative, neither is the polynomial over 0..1.
+ * The converse is false, and degree raising brings the coefficients closer to the polynomial. These
+ * functions decide on the polynomial itself. Every decision is a sign of whole numbers
+ * (num/exact.h), that of the coefficients as given. In f32 and f64 they must be what
+ * loft_exact_admits says, otherwise LOFT_ERR_RANGE; nothing is written then.
  */
 #ifndef LOFT_BASIS_SIGN_H
 #define LOFT_BASIS_SIGN_H
 
 #include "num/num.h"    /* loft_real */
+
+LOFT_BEGIN_C
 
 #define LOFT_RAISES_MAX 60      /* loft_quadratic_sign looks so far */
 
@@ -29,14 +31,17 @@ typedef struct {
  */
 enum loft_status loft_quadratic_sign(const loft_real a[3], loft_sign *out) LOFT_CHECKED;
 
-/* Is a polynomial of degree 0..4 convex on 0..1? `net`: is its control polygon, all second differences >= 0,
- * which is enough, and for degrees up to 3 necessary.
+/* Is a polynomial of degree 0..4 convex on 0..1? `net`: is its control polygon, all second
+ * differences >= 0, which is enough, and for degrees up to 3 necessary.
  *
  *   range   degree 0..4, otherwise LOFT_ERR_ARG
  *   error   none
  *   cost    2 exact products for degree 4; 1.2 kB of stack in q16
  *   see     Chang, theorem 2.1, applied to the second differences
  */
-enum loft_status loft_bernstein_convex(const loft_real b[], unsigned degree, bool *net, bool *polynomial) LOFT_CHECKED;
+enum loft_status loft_bernstein_convex(const loft_real b[], unsigned degree, bool *net,
+                                       bool *polynomial) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

@@ -1,29 +1,31 @@
 /* lib/curve/bezier.h -- Bezier curves of degree 0..9: points, derivatives, pieces
  * SPDX-License-Identifier: MIT
  *
- * Two kinds: loft_bezier, any degree with borrowed control points, and loft_cubic, four points by value,
- * which has a fast road of its own. Everything is computed wide (loft_acc) and rounded once at the end,
- * so the errors below are all but the 1/2 LSB that no result can avoid.
+ * Two kinds: loft_bezier, any degree with borrowed control points, and loft_cubic, four points by
+ * value, which has a fast road of its own. Everything is computed wide (loft_acc) and rounded once
+ * at the end, so the errors below are all but the 1/2 LSB that no result can avoid.
  *
  *     loft_bezier b;
  *     if (loft_bezier_init(&b, points, 5) == LOFT_OK)
  *         p = loft_bezier_eval(&b, loft_unit_of(1, 3));
  *
- * Outside 0..1 the law of extrapolation holds (basis/bernstein.c): with L = |1 - t| + |t|, which is at most
- * 3 for t in -1..2, values grow like L^degree, but in q16 the error stays below 0.6 LSB because of the 16
- * guard bits. What does not fit a coordinate is reported, never wrapped.
+ * Outside 0..1 the law of extrapolation holds (basis/bernstein.c): with L = |1 - t| + |t|, which is
+ * at most 3 for t in -1..2, values grow like L^degree, but in q16 the error stays below 0.6 LSB
+ * because of the 16 guard bits. What does not fit a coordinate is reported, never wrapped.
  *
  * A parameter is a loft_unit. One that was given finer than that (q16: 2^-24) has been rounded once
  * already; that moves the point by at most 2^-25 * max|P'|.
  *
- * In the `error` lines ulp is that of the largest control value. q16 and f32 take any finite coordinates,
- * f64 those below 2^1000, so that a difference of control points cannot overflow.
+ * In the `error` lines ulp is that of the largest control value. q16 and f32 take any finite
+ * coordinates, f64 those below 2^1000, so that a difference of control points cannot overflow.
  */
 #ifndef LOFT_CURVE_BEZIER_H
 #define LOFT_CURVE_BEZIER_H
 
 #include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
 #include "geom/vec.h"           /* loft_vec, loft_box */
+
+LOFT_BEGIN_C
 
 #define LOFT_RAISE_MAX 18       /* the highest degree that loft_bezier_raise yields */
 
@@ -74,29 +76,33 @@ enum loft_status loft_bezier_extend(const loft_bezier *b, loft_unit t, loft_vec 
 /* The k-th derivative with respect to t; 0 for k > degree.
  *
  *   range   as extend
- *   error   q16: 1/2 LSB + f * e LSB, f = degree! / (degree - k)!, e = (m in 0..1, (L^m - 1) / (L - 1)
- *           outside) * 2^-17, m = degree - k
+ *   error   q16: 1/2 LSB + f * e LSB, f = degree! / (degree - k)!, e = (m in 0..1, (L^m - 1) / (L -
+ *           1) outside) * 2^-17, m = degree - k
  *           f32: 1/2 ulp of the result + 1/2 ulp   f64: f * 2^k * L^m * (3 * m + k + 1) ulp
  *   cost    differences, then as eval for degree - k
  *   see     Farin, ch. 5: derivatives of a Bezier curve
  */
-enum loft_status loft_bezier_deriv(const loft_bezier *b, unsigned k, loft_unit t, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_bezier_deriv(const loft_bezier *b, unsigned k, loft_unit t,
+                                   loft_vec *out) LOFT_CHECKED;
 
-/* The point at t of a curve given in Bezier's own form: a start point a[0] and edges a[1]..a[degree],
- * whose sums are the control points. The sums may leave the range; only the point must fit.
+/* The point at t of a curve given in Bezier's own form: a start point a[0] and edges
+ * a[1]..a[degree], whose sums are the control points. The sums may leave the range; only the point
+ * must fit.
  *
- *   range   degree 0..9 and t in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit,
- *           or, outside 0..1 and for degree 8 and 9 only, when one of the sums does not fit
+ *   range   degree 0..9 and t in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does
+ *           not fit, or, outside 0..1 and for degree 8 and 9 only, when one of the sums does not
+ *           fit
  *   error   that of extend (ulp of the largest sum)
  *   cost    as eval, and `degree` additions per axis
  *   see     P. Bezier, Numerical Control: Mathematics and Applications (1972)
  */
-enum loft_status loft_bezier_from_edges(const loft_vec a[], unsigned degree, loft_unit t, loft_vec *out) LOFT_CHECKED;
-
+enum loft_status loft_bezier_from_edges(const loft_vec a[], unsigned degree, loft_unit t,
+                                        loft_vec *out) LOFT_CHECKED;
 
 /* Any degree: pieces and other forms
  * ----------------------------------
- * `out`, `left` and `right` may be the control points themselves. They are undefined after an error. */
+ * `out`, `left` and `right` may be the control points themselves. They are undefined after an
+ * error. */
 
 /* The control points of the pieces 0..t and t..1, degree + 1 each. `left` and `right` must differ.
  *
@@ -104,16 +110,19 @@ enum loft_status loft_bezier_from_edges(const loft_vec a[], unsigned degree, lof
  *   error   as extend, per control point; left[degree] equals right[0]
  *   cost    as eval
  */
-enum loft_status loft_bezier_split(const loft_bezier *b, loft_unit t, loft_vec left[], loft_vec right[]) LOFT_CHECKED;
+enum loft_status loft_bezier_split(const loft_bezier *b, loft_unit t, loft_vec left[],
+                                   loft_vec right[]) LOFT_CHECKED;
 
 /* The control points of the piece from..to; from > to gives it reversed.
  *
  *   range   both in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when a point does not fit
  *   error   as extend with the larger L, per control point
- *   cost    degree * (degree + 1) * (degree + 5) / 6 wide lerps per axis at most; 160 bytes of stack
+ *   cost    degree * (degree + 1) * (degree + 5) / 6 wide lerps per axis at most; 160 bytes of
+ *           stack
  *   see     Ramshaw, blossoming: out[k] = b[from^(degree-k), to^k]
  */
-enum loft_status loft_bezier_part(const loft_bezier *b, loft_unit from, loft_unit to, loft_vec out[]) LOFT_CHECKED;
+enum loft_status loft_bezier_part(const loft_bezier *b, loft_unit from, loft_unit to,
+                                  loft_vec out[]) LOFT_CHECKED;
 
 /* The same curve with a degree higher by `times`: degree + times + 1 control points.
  *
@@ -122,23 +131,27 @@ enum loft_status loft_bezier_part(const loft_bezier *b, loft_unit from, loft_uni
  *   cost    (degree + 1) * (times + 1) small products and degree + times + 1 divisions per axis
  *   see     Farin, ch. 6: repeated degree elevation
  */
-enum loft_status loft_bezier_raise(const loft_bezier *b, unsigned times, loft_vec out[]) LOFT_CHECKED;
+enum loft_status loft_bezier_raise(const loft_bezier *b, unsigned times,
+                                   loft_vec out[]) LOFT_CHECKED;
 
 /* The coefficients of t^0..t^degree.
  *
  *   range   LOFT_ERR_RANGE when one does not fit
  *   error   q16: none   f32: 1/2 ulp of the result + 1/2 ulp   f64: (k + 1) * 2^k * C(degree,k) ulp
- *   cost    degree * (degree + 1) / 2 subtractions and degree - 1 products by a whole number per axis
+ *   cost    degree * (degree + 1) / 2 subtractions and degree - 1 products by a whole number per
+ *           axis
  */
 enum loft_status loft_bezier_power(const loft_bezier *b, loft_vec out[]) LOFT_CHECKED;
 
 /* The control points of the curve c[0] + c[1] t + .. + c[degree] t^degree.
  *
  *   range   degree 0..9, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when a point does not fit
- *   error   q16: 1/2 LSB + degree * 2^-17 LSB   f32: 1/2 ulp of the result + 1/2 ulp   f64: (degree + 1) * (degree + 2) ulp
+ *   error   q16: 1/2 LSB + degree * 2^-17 LSB   f32: 1/2 ulp of the result + 1/2 ulp   f64: (degree
+ *           + 1) * (degree + 2) ulp
  *   cost    that of loft_bernstein_from_power per axis
  */
-enum loft_status loft_bezier_from_power(const loft_vec c[], unsigned degree, loft_vec out[]) LOFT_CHECKED;
+enum loft_status loft_bezier_from_power(const loft_vec c[], unsigned degree,
+                                        loft_vec out[]) LOFT_CHECKED;
 
 /* The box of the control polygon. The curve over 0..1 lies inside; the box is not the smallest.
  *
@@ -159,8 +172,8 @@ loft_box loft_bezier_box(const loft_bezier *b);
  */
 loft_vec loft_cubic_eval(const loft_cubic *c, loft_unit t);
 
-/* The k-th derivative at t, wide, since it may exceed a coordinate 6-fold (k = 1), 24-fold or 48-fold
- * (k = 3); 0 for k > 3.
+/* The k-th derivative at t, wide, since it may exceed a coordinate 6-fold (k = 1), 24-fold or
+ * 48-fold (k = 3); 0 for k > 3.
  *
  *   error   q16: (3 - k) * 2^-33, for k = 0 2^-31   f32, f64: 2^(k+6) ulp of double
  *   cost    k = 1: 3 wide products per axis, k = 2: 1
@@ -180,5 +193,7 @@ loft_cubic loft_cubic_part(const loft_cubic *c, loft_unit from, loft_unit to);
  *   cost    6 wide lerps per axis
  */
 void loft_cubic_split(const loft_cubic *c, loft_unit t, loft_cubic *left, loft_cubic *right);
+
+LOFT_END_C
 
 #endif

@@ -1,16 +1,19 @@
 /* lib/curve/bounds.c
  * SPDX-License-Identifier: MIT
  *
- * One axis is a polynomial; its values on a piece lie below the largest coefficient of that piece. Pieces are
- * dropped when that is below the best value found at the ends of pieces, or so little above that it can be
- * taken instead. (The roots of the derivative are where the pieces get small; they need not be known.)
+ * One axis is a polynomial; its values on a piece lie below the largest coefficient of that piece.
+ * Pieces are dropped when that is below the best value found at the ends of pieces, or so little
+ * above that it can be taken instead. (The roots of the derivative are where the pieces get small;
+ * they need not be known.)
  *
- * Depth. A coefficient exceeds the larger end value of its piece by at most n^2 / 8 times the largest second
- * difference, which is h^2 times 4 |c| for a piece of width h: for n = 9 and h = 2^-24 that is |c| 2^-42.6, in
- * q16 2^-11 LSB, less than `enough` below; so there every piece may be taken.
+ * Depth. A coefficient exceeds the larger end value of its piece by at most n^2 / 8 times the
+ * largest second difference, which is h^2 times 4 |c| for a piece of width h: for n = 9 and h =
+ * 2^-24 that is |c| 2^-42.6, in q16 2^-11 LSB, less than `enough` below; so there every piece may
+ * be taken.
  *
- * Rounding. A coefficient of a piece is off by at most 9 * 2^-33 in q16 (3 * 9 ulp of double in floats); `noise`
- * is at least that, and added where a coefficient is taken as a bound. The whole curve has no noise. */
+ * Rounding. A coefficient of a piece is off by at most 9 * 2^-33 in q16 (3 * 9 ulp of double in
+ * floats); `noise` is at least that, and added where a coefficient is taken as a bound. The whole
+ * curve has no noise. */
 #include "curve/bounds.h"
 #include "basis/pieces.h"   /* loft_dyad, loft_bernstein_part */
 
@@ -72,7 +75,8 @@ static loft_acc upper(const loft_acc c[], unsigned degree)
     return ceiling(highest(c, degree, loft_acc_grain(size)), top_of(c, degree));
 }
 
-/* The smallest value is that of the negated polynomial, as an acc: the negative of a coordinate need not be one. */
+/* The smallest value is that of the negated polynomial, as an acc: the negative of a coordinate
+ * need not be one. */
 loft_box loft_bezier_bounds(const loft_bezier *b)
 {
     loft_acc c[LOFT_DEGREE_MAX + 1];

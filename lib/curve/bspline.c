@@ -47,12 +47,13 @@ loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u)
     return v;
 }
 
-/* After degree - k rows at u the k + 1 values left are the coefficients of a polynomial of degree k on the same knots,
- * whose Bernstein coefficients on the span have the constant k-th difference D: the derivative is f D / h^k, times
- * degree / h, (degree - 1) / h, .. in turn. Each coefficient is off by degree 2^-33, so D by 2^k degree 2^-33; each
- * quotient rounds by 2^-33, and what comes after it multiplies that by max(1, f / h^k) at most, since the factors
- * decrease. |D| <= 2^24, and no value on the way exceeds the last one by more than 9^9 / 9!, below 2^11, so one that does
- * not stay within 2^26 has none that fits at its end. */
+/* After degree - k rows at u the k + 1 values left are the coefficients of a polynomial of degree k
+ * on the same knots, whose Bernstein coefficients on the span have the constant k-th difference D:
+ * the derivative is f D / h^k, times degree / h, (degree - 1) / h, .. in turn. Each coefficient is
+ * off by degree 2^-33, so D by 2^k degree 2^-33; each quotient rounds by 2^-33, and what comes
+ * after it multiplies that by max(1, f / h^k) at most, since the factors decrease. |D| <= 2^24, and
+ * no value on the way exceeds the last one by more than 9^9 / 9!, below 2^11, so one that does not
+ * stay within 2^26 has none that fits at its end. */
 enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real u, loft_vec *out)
 {
     const unsigned span = loft_knots_find(&b->knots, u), degree = b->knots.degree;
@@ -94,9 +95,11 @@ bool loft_bspline_next(const loft_bspline *b, unsigned *span, loft_vec out[])
     return *span != 0;
 }
 
-/* Point k lies where u does between k[k] and k[k+degree], for the `degree` points whose stretch has the span; before
- * them points stay, behind them they move up. From the last one down, so that in place none is read too late. */
-enum loft_status loft_bspline_insert(const loft_bspline *b, loft_real u, loft_vec p[], loft_real knots[])
+/* Point k lies where u does between k[k] and k[k+degree], for the `degree` points whose stretch has
+ * the span; before them points stay, behind them they move up. From the last one down, so that in
+ * place none is read too late. */
+enum loft_status loft_bspline_insert(const loft_bspline *b, loft_real u, loft_vec p[],
+                                     loft_real knots[])
 {
     const unsigned span = loft_knots_find(&b->knots, u), degree = b->knots.degree;
     const loft_real *lo = b->knots.k, *hi = lo + degree;
@@ -107,8 +110,8 @@ enum loft_status loft_bspline_insert(const loft_bspline *b, loft_real u, loft_ve
         p[k] = b->p[k - 1];
     for (unsigned k = span; k > span - degree; k--)
         for (int i = 0; i < LOFT_AXES; i++)
-            p[k].axis[i] = loft_acc_round(loft_acc_lerp_in(loft_wide(b->p[k - 1].axis[i]), loft_wide(b->p[k].axis[i]),
-                                                           u, lo[k], hi[k]));
+            p[k].axis[i] = loft_acc_round(loft_acc_lerp_in(
+                loft_wide(b->p[k - 1].axis[i]), loft_wide(b->p[k].axis[i]), u, lo[k], hi[k]));
     for (unsigned k = 0; k <= span - degree; k++)
         p[k] = b->p[k];
     loft_knots_insert(&b->knots, u, knots);

@@ -1,26 +1,33 @@
-/* lib/curve/bspline.h -- B-spline curves of degree 1..9 on any knots: points, derivatives, Bezier spans, knot insertion
+/* lib/curve/bspline.h -- B-spline curves of degree 1..9 on any knots: points, derivatives, Bezier
+ * spans, knot insertion
  * SPDX-License-Identifier: MIT
  *
- * Control points and knots are borrowed (basis/knots.h says what knots are good). The parameter u is a real in the
- * units of the knots; a point is computed wide and rounded once, and the place of u between its knots not at all.
+ * Control points and knots are borrowed (basis/knots.h says what knots are good). The parameter u
+ * is a real in the units of the knots; a point is computed wide and rounded once, and the place of
+ * u between its knots not at all.
  *
  *     loft_bspline b;
  *     if (loft_bspline_init(&b, points, 7, knots, 3) == LOFT_OK)      // 11 knots
  *         p = loft_bspline_eval(&b, LOFT_REAL(2.5));
  *
- * Walking, flattening, measuring and motion take Bezier curves. These come one by one, in the caller's memory:
+ * Walking, flattening, measuring and motion take Bezier curves. These come one by one, in the
+ * caller's memory:
  *
  *     loft_vec out[4];
- *     for (unsigned span = 0; loft_bspline_next(&b, &span, out); )    // u from knots[span] to knots[span + 1]
+ *     for (unsigned span = 0; loft_bspline_next(&b, &span, out); )    // u from knots[span] to
+ *                                                                     knots[span + 1]
  *         ...
  *
- * In the `error` lines ulp is that of the largest control value. Coordinates are accepted as in bezier.h.
+ * In the `error` lines ulp is that of the largest control value. Coordinates are accepted as in
+ * bezier.h.
  */
 #ifndef LOFT_CURVE_BSPLINE_H
 #define LOFT_CURVE_BSPLINE_H
 
 #include "basis/knots.h"        /* loft_knots */
 #include "geom/vec.h"           /* loft_vec */
+
+LOFT_BEGIN_C
 
 /* Control points and knots are borrowed. Do not fill it yourself: call init. */
 typedef struct {
@@ -30,7 +37,8 @@ typedef struct {
 
 /* Make a curve of `points` control points and points + degree + 1 knots, which must outlive it.
  *
- *   range   knots as loft_knots_init; finite coordinates, otherwise LOFT_ERR_RANGE; *b is untouched after an error
+ *   range   knots as loft_knots_init; finite coordinates, otherwise LOFT_ERR_RANGE; *b is untouched
+ *           after an error
  *   error   none: points and knots are borrowed
  *   cost    two comparisons a coordinate and a knot
  */
@@ -39,8 +47,9 @@ enum loft_status loft_bspline_init(loft_bspline *b, const loft_vec p[], unsigned
 
 /* The point at u, by de Boor's algorithm.
  *
- *   range   u is clamped to the domain (nan to its start): cannot fail. At a knot where the curve jumps (degree + 1
- *           times) the piece to the right counts, at the end of the domain the last one
+ *   range   u is clamped to the domain (nan to its start): cannot fail. At a knot where the curve
+ *           jumps (degree + 1 times) the piece to the right counts, at the end of the domain the
+ *           last one
  *   error   q16: 1/2 LSB + degree * 2^-17 LSB   f32: 1 ulp   f64: 5 * degree + 1 ulp
  *   cost    degree * (degree + 1) / 2 times loft_acc_lerp_in per axis; 80 bytes of stack
  *   see     de Boor (1972); Piegl and Tiller, The NURBS Book, ch. 3
@@ -49,32 +58,43 @@ loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u);
 
 /* The k-th derivative with respect to u, of the same piece; 0 for k > degree.
  *
- *   range   u as eval; LOFT_ERR_RANGE when the derivative does not fit (it is up to 2^k f / h^k times a coordinate,
- *           f = degree! / (degree - k)!, h the length of the span); *out is untouched then
+ *   range   u as eval; LOFT_ERR_RANGE when the derivative does not fit (it is up to 2^k f / h^k
+ *           times a coordinate, f = degree! / (degree - k)!, h the length of the span); *out is
+ *           untouched then
  *   error   q16: 1/2 LSB + (k + (2^k * degree + k) * f / h^k) * 2^-17 LSB
  *           f32, f64: 1/2 ulp of the result + 5 * (degree + k) * 2^k * f / h^k ulp of double
- *   cost    as eval, k * (k + 1) * (k + 5) / 6 times loft_acc_lerp_in more, k long quotients per axis
+ *   cost    as eval, k * (k + 1) * (k + 5) / 6 times loft_acc_lerp_in more, k long quotients per
+ *           axis
  *   see     The NURBS Book, ch. 3: derivatives of a B-spline curve; Ramshaw, blossoming
  */
-enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real u, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real u,
+                                    loft_vec *out) LOFT_CHECKED;
 
-/* The next span as a Bezier curve, degree + 1 control points; empty spans are passed over. *span is 0 before the
- * first, then the index of the knot where the span begins; false, and *span 0 again, after the last.
+/* The next span as a Bezier curve, degree + 1 control points; empty spans are passed over. *span is
+ * 0 before the first, then the index of the knot where the span begins; false, and *span 0 again,
+ * after the last.
  *
- *   error   per control point as eval; where two spans meet without a jump they have the same control point to 1 LSB
- *   cost    degree * (degree + 1) * (degree + 5) / 6 times loft_acc_lerp_in per axis; 240 bytes of stack
+ *   error   per control point as eval; where two spans meet without a jump they have the same
+ *           control point to 1 LSB
+ *   cost    degree * (degree + 1) * (degree + 5) / 6 times loft_acc_lerp_in per axis; 240 bytes of
+ *           stack
  *   see     Ramshaw, blossoming; Boehm, CAD 12 (1980)
  */
 bool loft_bspline_next(const loft_bspline *b, unsigned *span, loft_vec out[]) LOFT_CHECKED;
 
-/* The same curve with one knot more, at u: points + 1 control points, points + degree + 2 knots. Both may be the
- * curve's own arrays, if they have room. Then init with the new ones.
+/* The same curve with one knot more, at u: points + 1 control points, points + degree + 2 knots.
+ * Both may be the curve's own arrays, if they have room. Then init with the new ones.
  *
- *   range   u within the domain and there at most degree times a knot, otherwise LOFT_ERR_ARG and nothing is written
- *   error   q16: control points 1/2 LSB + 2^-17 LSB, the curve no more than they   f32: 1 ulp   f64: 6 ulp
+ *   range   u within the domain and there at most degree times a knot, otherwise LOFT_ERR_ARG and
+ *           nothing is written
+ *   error   q16: control points 1/2 LSB + 2^-17 LSB, the curve no more than they   f32: 1 ulp
+ *           f64: 6 ulp
  *   cost    degree times loft_acc_lerp_in per axis; moves what lies behind u
  *   see     Boehm, Inserting new knots into B-spline curves, CAD 12 (1980)
  */
-enum loft_status loft_bspline_insert(const loft_bspline *b, loft_real u, loft_vec p[], loft_real knots[]) LOFT_CHECKED;
+enum loft_status loft_bspline_insert(const loft_bspline *b, loft_real u, loft_vec p[],
+                                     loft_real knots[]) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

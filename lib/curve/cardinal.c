@@ -10,10 +10,11 @@ static bool admits(loft_unit tension)
 }
 
 /* A cubic of Hermite's with slopes s (p2 - p0), s (p3 - p1). The product of a difference (2^16) and
- * 1 - tension (61) is below 2^22, its half below 2^21: within the range of loft_ends3. Each is rounded twice,
- * by 2^-33: a slope errs by 3/4 of 2^-32, of which a control point has a third and a value at most L^3 times that;
- * with its own rounding that is less than 2 L^3 2^-33. The coefficients of the derivative err by twice that of a
- * slope, 3/2 * 2^-32 = 3 * 2^-33, and each difference doubles it: below 2^k (3!/m!) 2^-33 for every k. */
+ * 1 - tension (61) is below 2^22, its half below 2^21: within the range of loft_ends3. Each is
+ * rounded twice, by 2^-33: a slope errs by 3/4 of 2^-32, of which a control point has a third and a
+ * value at most L^3 times that; with its own rounding that is less than 2 L^3 2^-33. The
+ * coefficients of the derivative err by twice that of a slope, 3/2 * 2^-32 = 3 * 2^-33, and each
+ * difference doubles it: below 2^k (3!/m!) 2^-33 for every k. */
 static void ends(const loft_vec p[4], loft_unit tension, int i, loft_acc e[4])
 {
     const loft_unit twice = LOFT_UNIT(1) - tension;
@@ -24,7 +25,8 @@ static void ends(const loft_vec p[4], loft_unit tension, int i, loft_acc e[4])
     e[3] = loft_acc_ratio(loft_acc_scale(loft_wide(p[3].axis[i]) - e[0], twice), 2);
 }
 
-enum loft_status loft_cardinal_deriv(const loft_vec p[4], loft_unit tension, unsigned k, loft_unit t, loft_vec *out)
+enum loft_status loft_cardinal_deriv(const loft_vec p[4], loft_unit tension, unsigned k,
+                                     loft_unit t, loft_vec *out)
 {
     loft_acc e[4], x[LOFT_AXES];
 
@@ -37,7 +39,8 @@ enum loft_status loft_cardinal_deriv(const loft_vec p[4], loft_unit tension, uns
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
-enum loft_status loft_cardinal_eval(const loft_vec p[4], loft_unit tension, loft_unit t, loft_vec *out)
+enum loft_status loft_cardinal_eval(const loft_vec p[4], loft_unit tension, loft_unit t,
+                                    loft_vec *out)
 {
     return loft_cardinal_deriv(p, tension, 0, t, out);
 }

@@ -1,10 +1,11 @@
 /* lib/curve/circle.c -- arcs from what G-code and SVG say
  * SPDX-License-Identifier: MIT
  *
- * An arc is kept as u and v, the way from the centre to its start and the derivative there with respect to the angle.
- * u is exact when the centre is given, and sines have 58 bits, so a point errs by roundings of loft_acc (2^-33, a
- * handful) and by the sweep: 2^-33 of it times the radius. The end is then off by as much, and by what the input was
- * off; that remains as drift, in proportion to the angle. So both ends are met.
+ * An arc is kept as u and v, the way from the centre to its start and the derivative there with
+ * respect to the angle. u is exact when the centre is given, and sines have 58 bits, so a point
+ * errs by roundings of loft_acc (2^-33, a handful) and by the sweep: 2^-33 of it times the radius.
+ * The end is then off by as much, and by what the input was off; that remains as drift, in
+ * proportion to the angle. So both ends are met.
  */
 #include "curve/circle.h"
 
@@ -62,8 +63,10 @@ static bool is_zero(pair a) { return !(a.x < 0) && !(a.x > 0) && !(a.y < 0) && !
 static pair on_ellipse(const loft_circle *c, loft_acc angle)
 {
     const loft_fine a = loft_fine_angle(angle), cosine = loft_fine_cos(a), sine = loft_fine_sin(a);
-    const pair p = { c->centre[0] + loft_fine_scale(c->u[0], cosine) + loft_fine_scale(c->v[0], sine),
-                     c->centre[1] + loft_fine_scale(c->u[1], cosine) + loft_fine_scale(c->v[1], sine) };
+    const pair p = {
+        c->centre[0] + loft_fine_scale(c->u[0], cosine) + loft_fine_scale(c->v[0], sine),
+        c->centre[1] + loft_fine_scale(c->u[1], cosine) + loft_fine_scale(c->v[1], sine)
+    };
     return p;
 }
 
@@ -96,7 +99,8 @@ enum loft_status loft_circle_eval(const loft_circle *c, loft_unit t, loft_vec *o
         if (!loft_acc_fits(p[i]))
             return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++)
-        out->axis[i] = t > 0 ? t < LOFT_UNIT(1) ? loft_acc_round(p[i]) : c->to.axis[i] : c->from.axis[i];
+        out->axis[i] = t > 0 ? t < LOFT_UNIT(1) ? loft_acc_round(p[i]) : c->to.axis[i]
+                             : c->from.axis[i];
     return LOFT_OK;
 }
 
@@ -128,7 +132,8 @@ static bool alike(loft_acc a, loft_acc b)
     return off <= loft_acc_ratio(a, 256) + 16 * loft_real_grain(a);
 }
 
-enum loft_status loft_circle_from_centre(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane, loft_vec centre, int32_t turns)
+enum loft_status loft_circle_from_centre(loft_circle *c, loft_vec from, loft_vec to,
+                                         loft_plane plane, loft_vec centre, int32_t turns)
 {
     if (!accepted(plane, turns))
         return LOFT_ERR_ARG;
@@ -155,9 +160,9 @@ enum loft_status loft_circle_from_centre(loft_circle *c, loft_vec from, loft_vec
 
 /* Radius and ellipse
  *
- * In the ellipse's own axes, each divided by its radius, the arc is one of the unit circle. There the way from the
- * start to the chord's middle is (hx / rx, hy / ry) = q (cos p, sin p), the centre is s = sqrt(1 - q^2) to its side,
- * and the arc is 2 asin q or the rest of the turn. */
+ * In the ellipse's own axes, each divided by its radius, the arc is one of the unit circle. There
+ * the way from the start to the chord's middle is (hx / rx, hy / ry) = q (cos p, sin p), the centre
+ * is s = sqrt(1 - q^2) to its side, and the arc is 2 asin q or the rest of the turn. */
 
 typedef struct {
     pair      half;             /* in the ellipse's axes, not divided */
@@ -171,21 +176,24 @@ static loft_fine direction(const chord *d, const loft_real radii[2])
 {
     if (!(radii[0] < radii[1]) && !(radii[0] > radii[1]))
         return angle_of(d->half);
-    const pair a = { loft_acc_mul(loft_acc_ratio(d->half.x, 4), radii[1]), loft_acc_mul(loft_acc_ratio(d->half.y, 4), radii[0]) };
+    const pair a = { loft_acc_mul(loft_acc_ratio(d->half.x, 4), radii[1]),
+                     loft_acc_mul(loft_acc_ratio(d->half.y, 4), radii[0]) };
     return angle_of(a);
 }
 
-/* p, and q or the stretch; false when the stretched radii do not fit. q is found in the axis that has more of it, and
- * in fine numbers: where it is near 1, its error decides on the centre. */
+/* p, and q or the stretch; false when the stretched radii do not fit. q is found in the axis that
+ * has more of it, and in fine numbers: where it is near 1, its error decides on the centre. */
 static bool measure(chord *d, const loft_real radii[2])
 {
-    const loft_acc one = loft_wide(LOFT_REAL(1)), larger = loft_wide(radii[0] > radii[1] ? radii[0] : radii[1]);
+    const loft_acc one = loft_wide(LOFT_REAL(1)),
+                   larger = loft_wide(radii[0] > radii[1] ? radii[0] : radii[1]);
 
     d->p = direction(d, radii);
     const loft_fine cosine = loft_fine_cos(d->p), sine = loft_fine_sin(d->p);
     const bool up = loft_fine_mul(sine, sine) > LOFT_FINE_1 / 2;
     const loft_fine part = up ? (sine < 0 ? -sine : sine) : cosine < 0 ? -cosine : cosine;
-    const loft_acc way = up ? d->half.y : d->half.x, far = way < 0 ? -way : way, radius = loft_wide(radii[up]);
+    const loft_acc way = up ? d->half.y : d->half.x, far = way < 0 ? -way : way,
+                   radius = loft_wide(radii[up]);
 
     d->stretch = one;
     d->q = LOFT_FINE_1;
@@ -213,9 +221,10 @@ static void straight(loft_circle *c, loft_vec from, loft_vec to, loft_plane plan
     finish(c, from, to, plane);
 }
 
-/* u and v in the ellipse's axes, turned by its angle. The centre is to the left of the chord for a small arc to the
- * left. */
-static void place(loft_circle *c, const chord *d, loft_fine cosine, loft_fine sine, bool large, bool left)
+/* u and v in the ellipse's axes, turned by its angle. The centre is to the left of the chord for a
+ * small arc to the left. */
+static void place(loft_circle *c, const chord *d, loft_fine cosine, loft_fine sine, bool large,
+                  bool left)
 {
     const loft_fine side = loft_fine_sqrt(loft_fine_mul(LOFT_FINE_1 - d->q, LOFT_FINE_1 + d->q));
     const loft_fine s = large == left ? -side : side;
@@ -224,7 +233,8 @@ static void place(loft_circle *c, const chord *d, loft_fine cosine, loft_fine si
     const loft_fine y = -loft_fine_mul(s, along) - loft_fine_mul(d->q, across);
     const int way_round = left ? 1 : -1;
     const pair u = { loft_fine_scale(d->radius[0], x), loft_fine_scale(d->radius[1], y) };
-    const pair v = { -way_round * loft_fine_scale(d->radius[0], y), way_round * loft_fine_scale(d->radius[1], x) };
+    const pair v = { -way_round * loft_fine_scale(d->radius[0], y),
+                     way_round * loft_fine_scale(d->radius[1], x) };
     const pair start = turned(u, cosine, sine), slope = turned(v, cosine, sine);
 
     c->u[0] = start.x;
@@ -232,7 +242,8 @@ static void place(loft_circle *c, const chord *d, loft_fine cosine, loft_fine si
     c->v[0] = slope.x;
     c->v[1] = slope.y;
     c->radius = d->radius[0] > d->radius[1] ? d->radius[0] : d->radius[1];
-    c->sweep = loft_fine_wide(2 * loft_fine_atan2((loft_acc)d->q, (loft_acc)(large ? -side : side)));
+    c->sweep = loft_fine_wide(2 *
+                              loft_fine_atan2((loft_acc)d->q, (loft_acc)(large ? -side : side)));
 }
 
 static bool size_of(loft_real radius, loft_real *size)
@@ -245,7 +256,8 @@ static bool size_of(loft_real radius, loft_real *size)
     return true;
 }
 
-enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane, loft_real radius, int32_t turns)
+enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec to,
+                                         loft_plane plane, loft_real radius, int32_t turns)
 {
     const bool large = radius < 0;
     loft_real radii[2];
@@ -259,7 +271,8 @@ enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec
     const pair whole = way(from, to, plane);
     d.half.x = whole.x / 2;
     d.half.y = whole.y / 2;
-    if (is_zero(whole) || !(radii[0] > 0) || !measure(&d, radii) || d.stretch > loft_wide(LOFT_REAL(1.00390625)))
+    if (is_zero(whole) || !(radii[0] > 0) || !measure(&d, radii) ||
+        d.stretch > loft_wide(LOFT_REAL(1.00390625)))
         return LOFT_ERR_ARG;
     place(c, &d, LOFT_FINE_1, 0, large, turns > 0);
     c->sweep += more_turns(turns);
@@ -272,15 +285,17 @@ static void turn_of(loft_real degrees, loft_fine *cosine, loft_fine *sine)
 {
     const loft_acc quarter = loft_wide(LOFT_REAL(90));
     const int32_t quarters = loft_acc_int(loft_acc_ratio(loft_wide(degrees), 90));
-    const loft_fine a = loft_fine_mul(loft_fine_ratio(loft_wide(degrees) - quarters * quarter, quarter), LOFT_FINE_PI / 2);
+    const loft_fine a = loft_fine_mul(
+        loft_fine_ratio(loft_wide(degrees) - quarters * quarter, quarter), LOFT_FINE_PI / 2);
     const loft_fine c = loft_fine_cos(a), s = loft_fine_sin(a);
 
     *cosine = quarters & 1 ? (quarters & 2 ? s : -s) : quarters & 2 ? -c : c;
     *sine   = quarters & 1 ? (quarters & 2 ? -c : c) : quarters & 2 ? -s : s;
 }
 
-enum loft_status loft_circle_from_ellipse(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane,
-                                          const loft_real radii[2], loft_real degrees, bool large, int32_t turns)
+enum loft_status loft_circle_from_ellipse(loft_circle *c, loft_vec from, loft_vec to,
+                                          loft_plane plane, const loft_real radii[2],
+                                          loft_real degrees, bool large, int32_t turns)
 {
     loft_fine cosine = LOFT_FINE_1, sine = 0;
     loft_real size[2];
@@ -288,8 +303,8 @@ enum loft_status loft_circle_from_ellipse(loft_circle *c, loft_vec from, loft_ve
 
     if (!accepted(plane, turns) || turns > 1 || turns < -1)
         return LOFT_ERR_ARG;
-    if (!finite(from) || !finite(to) || !size_of(radii[0], &size[0]) || !size_of(radii[1], &size[1]) ||
-        !(degrees >= -DEGREES_MAX && degrees <= DEGREES_MAX))
+    if (!finite(from) || !finite(to) || !size_of(radii[0], &size[0]) ||
+        !size_of(radii[1], &size[1]) || !(degrees >= -DEGREES_MAX && degrees <= DEGREES_MAX))
         return LOFT_ERR_RANGE;
     const pair whole = way(from, to, plane);
     if (is_zero(whole) || !(size[0] > 0) || !(size[1] > 0)) {

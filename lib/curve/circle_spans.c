@@ -1,17 +1,19 @@
 /* lib/curve/circle_spans.c -- arcs cut into Bezier spans
  * SPDX-License-Identifier: MIT
  *
- * A span of angle h has its inner points on the tangents at its ends, as many slopes away from them:
+ * A span of angle h has its inner points on the tangents at its ends, as many slopes away from
+ * them:
  *
  *     cubic            4/3 tan(h/4)                                 the middle lies on the circle
  *     conic            tan(h/2)                        w = cos(h/2)
  *     rational cubic   2 sin(h/2) / (1 + 2 cos(h/2))   w = (1 + 2 cos(h/2)) / 3, the conic elevated
  *
- * Error. The cubic leaves the circle by r 2/27 sin^6(h/4) / cos^2(h/4) <= 1.8143e-5 r h^6 for h <= pi/2; an ellipse is
- * an affine image of the unit circle and moves nothing by more than its larger radius. The angle of the cubic at t
- * is not t h but off by up to 2.01e-3 h^3; drift is linear in t, so a helix is off by 2.01e-3 h^2 of the drift of one
- * span. In the conics it is 8.55e-3 h^2. Their weight is rounded by g / 2, g the distance of numbers at 256, of at
- * least 181: that moves the curve by r sin^2(h/2) / cos(h/2) / 4 of it, less than r h^2 g / 4096.
+ * Error. The cubic leaves the circle by r 2/27 sin^6(h/4) / cos^2(h/4) <= 1.8143e-5 r h^6 for h <=
+ * pi/2; an ellipse is an affine image of the unit circle and moves nothing by more than its larger
+ * radius. The angle of the cubic at t is not t h but off by up to 2.01e-3 h^3; drift is linear in
+ * t, so a helix is off by 2.01e-3 h^2 of the drift of one span. In the conics it is 8.55e-3 h^2.
+ * Their weight is rounded by g / 2, g the distance of numbers at 256, of at least 181: that moves
+ * the curve by r sin^2(h/2) / cos(h/2) / 4 of it, less than r h^2 g / 4096.
  */
 #include "curve/circle.h"
 
@@ -27,14 +29,16 @@ static loft_acc part(loft_acc x, uint32_t j, uint32_t n) { return loft_acc_lerp_
 
 static loft_circle_place place_at(const loft_circle *c, uint32_t j, uint32_t n)
 {
-    const loft_fine a = loft_fine_angle(part(c->sweep, j, n)), cosine = loft_fine_cos(a), sine = loft_fine_sin(a);
+    const loft_fine a = loft_fine_angle(part(c->sweep, j, n)), cosine = loft_fine_cos(a),
+                    sine = loft_fine_sin(a);
     const uint8_t plane[2] = { c->plane.first, c->plane.second };
     loft_circle_place at;
 
     for (int i = 0; i < LOFT_AXES; i++)
         at.p[i] = loft_wide(c->from.axis[i]) + part(c->drift[i], j, n);
     for (int i = 0; i < 2; i++) {
-        at.p[plane[i]] = c->centre[i] + loft_fine_scale(c->u[i], cosine) + loft_fine_scale(c->v[i], sine) + part(c->drift[plane[i]], j, n);
+        at.p[plane[i]] = c->centre[i] + loft_fine_scale(c->u[i], cosine) +
+                         loft_fine_scale(c->v[i], sine) + part(c->drift[plane[i]], j, n);
         at.slope[i] = loft_fine_scale(c->v[i], cosine) - loft_fine_scale(c->u[i], sine);
     }
     for (int i = 0; i < LOFT_AXES && (j == 0 || j == n); i++)
@@ -49,7 +53,8 @@ static wide_point inner(const loft_circle_spans *s, const loft_circle_place *at,
     wide_point q;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        q.axis[i] = at->p[i] + sign * loft_fine_scale(loft_acc_ratio(c->drift[i], (int32_t)s->n), s->share);
+        q.axis[i] = at->p[i] +
+                    sign * loft_fine_scale(loft_acc_ratio(c->drift[i], (int32_t)s->n), s->share);
     q.axis[c->plane.first]  += sign * loft_fine_scale(at->slope[0], s->arm);
     q.axis[c->plane.second] += sign * loft_fine_scale(at->slope[1], s->arm);
     return q;
@@ -78,24 +83,29 @@ static loft_vec rounded(const loft_acc p[])
 /* An upper bound of what n spans err, rounding of the points apart. */
 static loft_acc error_of(const loft_circle *c, enum loft_circle_kind kind, uint32_t n)
 {
-    const loft_unit h = loft_unit_from(loft_acc_round(loft_acc_ratio(c->sweep, (int32_t)n)) + LOFT_REAL_LSB);
+    const loft_unit h = loft_unit_from(loft_acc_round(loft_acc_ratio(c->sweep, (int32_t)n)) +
+                                       LOFT_REAL_LSB);
     const loft_acc drift = loft_acc_ratio(loft_acc_hypot(c->drift, LOFT_AXES), (int32_t)n);
-    loft_acc off, lag = loft_acc_scale(drift, kind == LOFT_CIRCLE_CUBIC ? LOFT_UNIT(0.0021) : LOFT_UNIT(0.0086));
+    loft_acc off, lag = loft_acc_scale(drift, kind == LOFT_CIRCLE_CUBIC ? LOFT_UNIT(0.0021)
+                                                                        : LOFT_UNIT(0.0086));
 
     if (kind == LOFT_CIRCLE_CUBIC) {
         off = loft_acc_scale(c->radius, LOFT_UNIT(0.0000182));
         for (int k = 0; k < 4; k++)
             off = loft_acc_scale(off, h);
     } else {
-        off = loft_acc_ratio(loft_acc_mul(c->radius, loft_acc_round(loft_real_grain(loft_wide(OUTER)))), 4096);
+        off = loft_acc_ratio(
+            loft_acc_mul(c->radius, loft_acc_round(loft_real_grain(loft_wide(OUTER)))), 4096);
     }
     return loft_acc_scale(loft_acc_scale(off + lag, h), h);
 }
 
-/* The fewest spans of at most a quarter of a turn (and 2^-16 of one) with an error within `budget`; 0 for none. */
+/* The fewest spans of at most a quarter of a turn (and 2^-16 of one) with an error within `budget`;
+ * 0 for none. */
 static uint32_t count(const loft_circle *c, enum loft_circle_kind kind, loft_acc budget)
 {
-    const loft_acc quarters = loft_fine_scale(c->sweep, loft_fine_ratio((loft_acc)LOFT_FINE_1, (loft_acc)(LOFT_FINE_PI / 2)));
+    const loft_acc quarters = loft_fine_scale(
+        c->sweep, loft_fine_ratio((loft_acc)LOFT_FINE_1, (loft_acc)(LOFT_FINE_PI / 2)));
     const int32_t whole = loft_acc_int(quarters + loft_wide(LOFT_REAL(0.499984741)));
     uint32_t few = whole > 1 ? (uint32_t)whole : 1, many = few;
 
@@ -132,12 +142,14 @@ static loft_acc extent(const loft_circle *c)
 static void shape(loft_circle_spans *s)
 {
     const loft_fine h = loft_fine_angle(loft_acc_ratio(s->circle->sweep, (int32_t)s->n));
-    const loft_fine sine = loft_fine_sin(h / 2), cosine = loft_fine_cos(h / 2), sum = LOFT_FINE_1 + 2 * cosine;
+    const loft_fine sine = loft_fine_sin(h / 2), cosine = loft_fine_cos(h / 2),
+                    sum = LOFT_FINE_1 + 2 * cosine;
 
     s->weight = LOFT_FINE_1;
     s->share = LOFT_FINE_1 / 3;
     if (s->kind == LOFT_CIRCLE_CUBIC) {
-        s->arm = loft_fine_ratio((loft_acc)(4 * loft_fine_sin(h / 4)), (loft_acc)(3 * loft_fine_cos(h / 4)));
+        s->arm = loft_fine_ratio((loft_acc)(4 * loft_fine_sin(h / 4)),
+                                 (loft_acc)(3 * loft_fine_cos(h / 4)));
     } else if (s->kind == LOFT_CIRCLE_CONIC) {
         s->arm = loft_fine_ratio((loft_acc)sine, (loft_acc)cosine);
         s->weight = cosine;
@@ -163,7 +175,8 @@ static bool all_fit(const loft_circle_spans *s)
     return true;
 }
 
-enum loft_status loft_circle_spans_init(loft_circle_spans *s, const loft_circle *c, enum loft_circle_kind kind, loft_real tolerance)
+enum loft_status loft_circle_spans_init(loft_circle_spans *s, const loft_circle *c,
+                                        enum loft_circle_kind kind, loft_real tolerance)
 {
     const loft_acc budget = loft_wide(tolerance) - 3 * loft_real_grain(extent(c));
     loft_circle_spans made = { .circle = c, .next = 0, .kind = (uint8_t)kind };

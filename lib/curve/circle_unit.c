@@ -29,16 +29,20 @@ static loft_acc square(loft_acc x)
  *
  *     2 v^2 + 8 w^2 - 16 b^2      v = b (3 l - 2) (t - 1/2)      w = b (1 + 3 l / 4)
  *
- * so in q16 it does not fit when |v| or |w| exceeds 256. Both err by 2^-31 at most, |v| <= 0.15 l + 0.1 and |w| <= 0.19 l +
- * 0.25, so the excess errs by 4 |v| 2^-31 + 16 |w| 2^-31 and 2^-30 for the squares: below 2^-28 (1 + l). */
-enum loft_status loft_circle_quarter(loft_acc arm, loft_unit t, loft_real point[2], loft_real *excess)
+ * so in q16 it does not fit when |v| or |w| exceeds 256. Both err by 2^-31 at most, |v| <= 0.15 l +
+ * 0.1 and |w| <= 0.19 l + 0.25, so the excess errs by 4 |v| 2^-31 + 16 |w| 2^-31 and 2^-30 for the
+ * squares: below 2^-28 (1 + l). */
+enum loft_status loft_circle_quarter(loft_acc arm, loft_unit t, loft_real point[2],
+                                     loft_real *excess)
 {
     if (!inside(t))
         return LOFT_ERR_ARG;
     const loft_fine x = loft_fine_unit(t), b = loft_fine_mul(x, LOFT_FINE_1 - x);
     const loft_fine rise = loft_fine_mul(loft_fine_mul(x, x), FINE(3) - 2 * x);
-    const loft_acc px = loft_fine_wide(LOFT_FINE_1 - rise) + 3 * loft_fine_scale(arm, loft_fine_mul(b, x));
-    const loft_acc py = loft_fine_wide(rise) + 3 * loft_fine_scale(arm, loft_fine_mul(b, LOFT_FINE_1 - x));
+    const loft_acc px = loft_fine_wide(LOFT_FINE_1 - rise) +
+                        3 * loft_fine_scale(arm, loft_fine_mul(b, x));
+    const loft_acc py = loft_fine_wide(rise) +
+                        3 * loft_fine_scale(arm, loft_fine_mul(b, LOFT_FINE_1 - x));
     const loft_fine lean = loft_fine_mul(b, x - LOFT_FINE_1 / 2);
     const loft_acc v = 3 * loft_fine_scale(arm, lean) - loft_fine_wide(2 * lean);
     const loft_acc w = loft_fine_scale(arm, 3 * b / 4) + loft_fine_wide(b);
@@ -66,8 +70,8 @@ static bool over(loft_real theta, loft_fine *c, loft_fine *s)
     return true;
 }
 
-/* 2 cos / (1 + 2 sin) and (1 + 2 sin) / 3. The denominator errs by 2^-57, the quotient by that times
- * distance^2 / cos. Where it would exceed a coordinate by far it is not computed. */
+/* 2 cos / (1 + 2 sin) and (1 + 2 sin) / 3. The denominator errs by 2^-57, the quotient by that
+ * times distance^2 / cos. Where it would exceed a coordinate by far it is not computed. */
 enum loft_status loft_circle_over(loft_real theta, loft_real *distance, loft_real *weight)
 {
     loft_fine c, s;
@@ -87,7 +91,8 @@ enum loft_status loft_circle_over(loft_real theta, loft_real *distance, loft_rea
 
 /* The conic with weights 1, s, 1, of which the cubic is the elevation; with b = t (1 - t):
  *
- *     x = c (1 - 2t) / w      y = (s (1 - 2b) + 2b) / w      w = 1 - 2b (1 - s)  >=  (1 + s) / 2  >  1/4 */
+ *     x = c (1 - 2t) / w      y = (s (1 - 2b) + 2b) / w      w = 1 - 2b (1 - s)  >=  (1 + s) / 2  >
+ *         1/4 */
 enum loft_status loft_circle_over_eval(loft_real theta, loft_unit t, loft_real point[2])
 {
     loft_fine c, s;

@@ -1,37 +1,36 @@
 /* lib/curve/convex.c -- is a polygon the boundary of a convex region?
  * SPDX-License-Identifier: MIT
  *
- * Null edges are passed over. The others must turn one way: all products of neighbours >= 0, or all <= 0; if all
- * are 0 then all edges are parallel. How many revolutions they make is told by two half planes of directions, y > 0 or
- * y = 0 < x, and the opposite: an edge that turns by half a revolution or less changes between them once at most,
- * and a full revolution changes twice.
+ * Null edges are passed over. The others must turn one way: all products of neighbours >= 0, or all
+ * <= 0; if all are 0 then all edges are parallel. How many revolutions they make is told by two
+ * half planes of directions, y > 0 or y = 0 < x, and the opposite: an edge that turns by half a
+ * revolution or less changes between them once at most, and a full revolution changes twice.
  *
- * An edge that goes straight back is half a revolution. It needs no test: the directions of a polygon that makes one
- * revolution would then all lie in the other half plane, and such edges do not sum to 0.
+ * An edge that goes straight back is half a revolution. It needs no test: the directions of a
+ * polygon that makes one revolution would then all lie in the other half plane, and such edges do
+ * not sum to 0.
  *
  * Edges have R + 1 bits, products 2 R + 3 (R = 31, in floats 128).
  */
 #include "curve/shape.h"
-#include "num/exact.h"  /* loft_exact: the decisions */
+#include "geom/vec_exact.h" /* loft_exact: the decisions */
 
 typedef struct {
     loft_exact x, y;
 } edge;
 
-static loft_exact difference(const loft_vec *from, const loft_vec *to, int axis)
-{
-    return loft_exact_sub(loft_exact_from_real(loft_vec_axis(to, axis)), loft_exact_from_real(loft_vec_axis(from, axis)));
-}
-
 /* The edge k, closed: the last one leads back to the first point. */
 static edge edge_at(const loft_vec p[], unsigned count, unsigned k)
 {
     const loft_vec *from = &p[k], *to = &p[k + 1 < count ? k + 1 : 0];
-    const edge e = { difference(from, to, 0), difference(from, to, 1) };
+    const edge e = { loft_vec_exact_sub_axis(to, from, 0), loft_vec_exact_sub_axis(to, from, 1) };
     return e;
 }
 
-static bool is_null(const edge *e)  { return loft_exact_sign(e->x) == 0 && loft_exact_sign(e->y) == 0; }
+static bool is_null(const edge *e)
+{
+    return loft_exact_sign(e->x) == 0 && loft_exact_sign(e->y) == 0;
+}
 
 static bool is_upper(const edge *e)
 {
@@ -39,7 +38,10 @@ static bool is_upper(const edge *e)
     return y > 0 || (y == 0 && loft_exact_sign(e->x) > 0);
 }
 
-static int turn(const edge *a, const edge *b) { return loft_exact_sign(loft_exact_det(a->x, a->y, b->x, b->y)); }
+static int turn(const edge *a, const edge *b)
+{
+    return loft_exact_sign(loft_exact_det(a->x, a->y, b->x, b->y));
+}
 
 typedef struct {
     bool left, right;       /* has it turned left, right? */
@@ -62,9 +64,11 @@ enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum lo
     unsigned last = count;
 
     for (unsigned k = 0; k < count; k++)
-        if (!loft_exact_admits(loft_vec_axis(&p[k], 0)) || !loft_exact_admits(loft_vec_axis(&p[k], 1)))
+        if (!loft_exact_admits(loft_vec_axis(&p[k], 0)) ||
+            !loft_exact_admits(loft_vec_axis(&p[k], 1)))
             return LOFT_ERR_RANGE;
-    while (last > 0) {                          /* the last edge that is one comes before the first */
+    while (last > 0) {                          /* the last edge that is one comes before the
+                                                 * first */
         before = edge_at(p, count, --last);
         if (!is_null(&before))
             break;

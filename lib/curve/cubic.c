@@ -5,19 +5,23 @@
 
 /* The chord and the distance from it, which has t (1 - t) as a factor:
  *
- *     P = lerp(p0, p3, t) + t (1 - t) lerp(u, v, t)       u = 3 p1 - 2 p0 - p3,   v = 3 p2 - p0 - 2 p3
+ *     P = lerp(p0, p3, t) + t (1 - t) lerp(u, v, t)       u = 3 p1 - 2 p0 - p3,   v = 3 p2 - p0 - 2
+ *         p3
  *
- * since the chord as a cubic has the inner points (2 p0 + p3) / 3 and (p0 + 2 p3) / 3. Four products in place of
- * the six lerps of de Casteljau, and both ends stay exact in every number type.
+ * since the chord as a cubic has the inner points (2 p0 + p3) / 3 and (p0 + 2 p3) / 3. Four
+ * products in place of the six lerps of de Casteljau, and both ends stay exact in every number
+ * type.
  *
- * q16: |u|, |v| <= 6 * 2^47 < 2^50. Errors: 2^-33 for the chord, 2^-33 (1/4 + 1 + 1) for the rest, in sum below
- * 2^-31, 2^-15 LSB. Floats, e = 2^-53: u and v are off by 14 e, lerp(u, v) by 32 e, times 1/4, and so on: 16 e. */
+ * q16: |u|, |v| <= 6 * 2^47 < 2^50. Errors: 2^-33 for the chord, 2^-33 (1/4 + 1 + 1) for the rest,
+ * in sum below 2^-31, 2^-15 LSB. Floats, e = 2^-53: u and v are off by 14 e, lerp(u, v) by 32 e,
+ * times 1/4, and so on: 16 e. */
 static loft_acc point(loft_real p0, loft_real p1, loft_real p2, loft_real p3, loft_unit t)
 {
     const loft_acc a = loft_wide(p0), d = loft_wide(p3);
     const loft_acc u = 3 * loft_wide(p1) - 2 * a - d;
     const loft_acc v = 3 * loft_wide(p2) - a - 2 * d;
-    const loft_acc bulge = loft_acc_scale(loft_acc_scale(loft_acc_lerp(u, v, t), t), LOFT_UNIT(1) - t);
+    const loft_acc bulge = loft_acc_scale(loft_acc_scale(loft_acc_lerp(u, v, t), t),
+                                          LOFT_UNIT(1) - t);
 
     return loft_acc_lerp(a, d, t) + bulge;
 }
@@ -28,11 +32,13 @@ loft_vec loft_cubic_eval(const loft_cubic *c, loft_unit t)
 
     t = loft_unit_clamp(t);
     for (int i = 0; i < LOFT_AXES; i++)
-        v.axis[i] = loft_acc_round(point(c->p[0].axis[i], c->p[1].axis[i], c->p[2].axis[i], c->p[3].axis[i], t));
+        v.axis[i] = loft_acc_round(
+            point(c->p[0].axis[i], c->p[1].axis[i], c->p[2].axis[i], c->p[3].axis[i], t));
     return v;
 }
 
-/* The hodograph, a quadratic with the coefficients 3 (p[j+1] - p[j]) < 2^49.6, and its differences. */
+/* The hodograph, a quadratic with the coefficients 3 (p[j+1] - p[j]) < 2^49.6, and its
+ * differences. */
 void loft_cubic_deriv(const loft_cubic *c, unsigned k, loft_unit t, loft_acc out[LOFT_AXES])
 {
     t = loft_unit_clamp(t);
@@ -97,7 +103,8 @@ void loft_cubic_split(const loft_cubic *c, loft_unit t, loft_cubic *left, loft_c
         const loft_acc p0 = loft_wide(c->p[0].axis[i]), p1 = loft_wide(c->p[1].axis[i]);
         const loft_acc p2 = loft_wide(c->p[2].axis[i]), p3 = loft_wide(c->p[3].axis[i]);
 
-        const loft_acc q0 = loft_acc_lerp(p0, p1, t), q1 = loft_acc_lerp(p1, p2, t), q2 = loft_acc_lerp(p2, p3, t);
+        const loft_acc q0 = loft_acc_lerp(p0, p1, t), q1 = loft_acc_lerp(p1, p2, t),
+                       q2 = loft_acc_lerp(p2, p3, t);
         const loft_acc r0 = loft_acc_lerp(q0, q1, t), r1 = loft_acc_lerp(q1, q2, t);
         const loft_acc s  = loft_acc_lerp(r0, r1, t);
 

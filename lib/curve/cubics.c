@@ -1,41 +1,49 @@
 /* lib/curve/cubics.c
  * SPDX-License-Identifier: MIT
  *
- * A piece of the curve with numerator N = sum B_i x_i, x_i = w_i p_i, and denominator W = sum B_i w_i, both of degree
- * n, and a cubic C with the control points c_0..c_3, *rounded* as they are given:
+ * A piece of the curve with numerator N = sum B_i x_i, x_i = w_i p_i, and denominator W = sum B_i
+ * w_i, both of degree n, and a cubic C with the control points c_0..c_3, *rounded* as they are
+ * given:
  *
- *     P - C = (N - W C) / W      N - W C = sum_k B_k^(n+3) e_k / C(n+3,k)      e_k = sum_i C(n,i) C(3,k-i) (x_i - w_i c_(k-i))
+ *     P - C = (N - W C) / W      N - W C = sum_k B_k^(n+3) e_k / C(n+3,k)      e_k = sum_i C(n,i)
+ *         C(3,k-i) (x_i - w_i c_(k-i))
  *
  * The B_k are not negative and sum to 1, and so for W: everywhere on the piece
  *
- *     |P - C| <= max_k |e_k| / C(n+3,k) / min_i w_i                                                            (1)
+ *     |P - C| <= max_k |e_k| / C(n+3,k) / min_i w_i
+ *         (1)
  *
- * A piece is taken when (1) is within tol less what its computation may err, else halved. Rounding of the control
- * points is in (1); nothing is set aside for it.
+ * A piece is taken when (1) is within tol less what its computation may err, else halved. Rounding
+ * of the control points is in (1); nothing is set aside for it.
  *
- * C has the ends of the piece and the derivatives there: P' = n (x_1 - x_0 w_1 / w_0) / w_0 at the start.
+ * C has the ends of the piece and the derivatives there: P' = n (x_1 - x_0 w_1 / w_0) / w_0 at the
+ * start.
  *
- * It ends. Let S be half the diagonal of the control points' box, R = max w / min w, g = 2 n, and N taken about the
- * middle of the box. Over the whole curve |W^(j)| / W <= R/2 g^j and |N^(j)| / W <= S R g^j; with
- * P^(m) W = N^(m) - sum C(m,j) W^(j) P^(m-j), starting from |P| <= S, follows
+ * It ends. Let S be half the diagonal of the control points' box, R = max w / min w, g = 2 n, and N
+ * taken about the middle of the box. Over the whole curve |W^(j)| / W <= R/2 g^j and |N^(j)| / W <=
+ * S R g^j; with P^(m) W = N^(m) - sum C(m,j) W^(j) P^(m-j), starting from |P| <= S, follows
  *
- *     |P'| <= 3/2 S R g    ..    |P''''| <= S g^4 (3/2 R + 21/2 R^2 + 27/2 R^3 + 9/2 R^4) <= 30 S (g R)^4
+ *     |P'| <= 3/2 S R g    ..    |P''''| <= S g^4 (3/2 R + 21/2 R^2 + 27/2 R^3 + 9/2 R^4) <= 30 S
+ *                                (g R)^4
  *
- * and 4.51 S (g R)^4 for R = 2^16. The piece of length h and its C differ by D with D = D' = 0 at both ends, so, with
- * d = h^4 max |P''''|, |D''| <= d/12, |D'''| <= d/2, |D''''| = d, and the control values of W D / W(0) are below the sum
- * of its Taylor coefficients: d (1/24 + 1/12 + 1/24) plus what is h g R times smaller. For n = 9, R = 2^16 and h =
- * 2^-31 that is below 2^-43.4 S: less than 2^-11 LSB in q16, less than 2^-42 of the largest coordinate with six axes, an
- * eighth of the least tolerance of f64. What is left of (1) is rounding, which the least tolerances allow for:
+ * and 4.51 S (g R)^4 for R = 2^16. The piece of length h and its C differ by D with D = D' = 0 at
+ * both ends, so, with d = h^4 max |P''''|, |D''| <= d/12, |D'''| <= d/2, |D''''| = d, and the
+ * control values of W D / W(0) are below the sum of its Taylor coefficients: d (1/24 + 1/12 + 1/24)
+ * plus what is h g R times smaller. For n = 9, R = 2^16 and h = 2^-31 that is below 2^-43.4 S: less
+ * than 2^-11 LSB in q16, less than 2^-42 of the largest coordinate with six axes, an eighth of the
+ * least tolerance of f64. What is left of (1) is rounding, which the least tolerances allow for:
  *
- * Rounding. The scale: 2^13 <= s max w < 2^14, x in the size of s w p, w times LOFT_PROJECT, as in num/deep.h: |x|, w' <
- * 2^29, exact in q16. Each halving rounds n times by 2^-33 (1/2 of the grain g; in floats g is 2^-52 of the largest |x|
- * that could be, s w reach): after m of them x and w' c are off by n m g together. (1) is computed in units of 2^11:
- * |x - w' c| < 2^30, cut to 2^19, times the sum 924 of the binomials below 2^29, what loft_acc_hypot takes. So e_k / C
- * is off by 1/2 unit + (n m + 16) / 2^11 units of g per axis, sqrt(axes) times that altogether, and the limit by 1/2.
- * In LSB, with min s w >= 2^13 / R, a unit is R 2^-18: 1/4 for R = 2^16. There the ends and arms are rounded by 1/2 LSB
- * and 0.2 LSB (2 n^2 m g R / 3 2^-13), sqrt(6) times that is 1.7; with 6 + 1.1 units set aside and 1.6 in error: below
- * 4 LSB, which are asked for. For R = 1 it is sqrt(6) / 2 LSB and hardly more, of 2. In f64 the grains set aside are 2^-40.8
- * of the largest coordinate and the arms are off by 2^-41.2 of it: with the above less than 2^-39. */
+ * Rounding. The scale: 2^13 <= s max w < 2^14, x in the size of s w p, w times LOFT_PROJECT, as in
+ * num/deep.h: |x|, w' < 2^29, exact in q16. Each halving rounds n times by 2^-33 (1/2 of the grain
+ * g; in floats g is 2^-52 of the largest |x| that could be, s w reach): after m of them x and w' c
+ * are off by n m g together. (1) is computed in units of 2^11: |x - w' c| < 2^30, cut to 2^19,
+ * times the sum 924 of the binomials below 2^29, what loft_acc_hypot takes. So e_k / C is off by
+ * 1/2 unit + (n m + 16) / 2^11 units of g per axis, sqrt(axes) times that altogether, and the limit
+ * by 1/2. In LSB, with min s w >= 2^13 / R, a unit is R 2^-18: 1/4 for R = 2^16. There the ends and
+ * arms are rounded by 1/2 LSB and 0.2 LSB (2 n^2 m g R / 3 2^-13), sqrt(6) times that is 1.7; with
+ * 6 + 1.1 units set aside and 1.6 in error: below 4 LSB, which are asked for. For R = 1 it is
+ * sqrt(6) / 2 LSB and hardly more, of 2. In f64 the grains set aside are 2^-40.8 of the largest
+ * coordinate and the arms are off by 2^-41.2 of it: with the above less than 2^-39. */
 #include "curve/cubics.h"
 #include "num/deep.h"   /* LOFT_PROJECT, loft_acc_project, loft_acc_weigh */
 #include "num/part.h"   /* loft_acc_part, loft_acc_down */
@@ -91,12 +99,15 @@ static void find(loft_cubics *s)
 
 /* A cubic on trial */
 
-/* One coordinate of the end of an arm: (x0 + n/3 (x1 - x0 w1 / w0)) / w0, cut where only rounding makes it leave the
- * range; false where it is farther away. q16: |n third| <= 2^30. */
-static bool arm(const loft_cubics *s, loft_acc x0, loft_acc w0, loft_acc x1, loft_acc w1, loft_real *out)
+/* One coordinate of the end of an arm: (x0 + n/3 (x1 - x0 w1 / w0)) / w0, cut where only rounding
+ * makes it leave the range; false where it is farther away. q16: |n third| <= 2^30. */
+static bool arm(const loft_cubics *s, loft_acc x0, loft_acc w0, loft_acc x1, loft_acc w1,
+                loft_real *out)
 {
-    const loft_acc high = loft_acc_weigh(w0, s->reach), low = loft_acc_weigh(w0, -s->reach - LOFT_REAL_LSB);
-    const loft_acc third = loft_acc_ratio(x1 - loft_acc_part(x0, w1, w0), 3), rounding = loft_acc_ratio(high, (int32_t)1 << 30);
+    const loft_acc high = loft_acc_weigh(w0, s->reach),
+                   low = loft_acc_weigh(w0, -s->reach - LOFT_REAL_LSB);
+    const loft_acc third = loft_acc_ratio(x1 - loft_acc_part(x0, w1, w0), 3),
+                   rounding = loft_acc_ratio(high, (int32_t)1 << 30);
     const int32_t n = s->degree;
 
     *out = 0;
@@ -138,8 +149,9 @@ static loft_acc limit_of(const loft_cubics *s)
     }
     const loft_acc size = loft_acc_weigh(most, s->reach);
     const int32_t grains = ROOT * ((int32_t)s->degree * s->piece.level + 16);
-    return loft_acc_down(loft_acc_weigh(least, s->tol), UNIT) - loft_acc_down(grains * loft_acc_grain(size), UNIT)
-           - (ROOT + 2) * loft_acc_grain(loft_acc_down(size, UNIT));
+    return loft_acc_down(loft_acc_weigh(least, s->tol), UNIT) -
+           loft_acc_down(grains * loft_acc_grain(size), UNIT) -
+           (ROOT + 2) * loft_acc_grain(loft_acc_down(size, UNIT));
 }
 
 static bool is_close(const loft_cubics *s, const loft_cubic *c)
@@ -152,7 +164,9 @@ static bool is_close(const loft_cubics *s, const loft_cubic *c)
         for (unsigned i = k > 3 ? k - 3 : 0; i <= n && i <= k; i++) {
             const int32_t share = loft_binomial(n, i) * loft_binomial(3, k - i);
             for (int a = 0; a < LOFT_AXES; a++)
-                e[a] += share * loft_acc_down(s->x[a][i] - loft_acc_weigh(s->x[LOFT_AXES][i], c->p[k - i].axis[a]), UNIT);
+                e[a] += share * loft_acc_down(s->x[a][i] - loft_acc_weigh(s->x[LOFT_AXES][i],
+                                                                          c->p[k - i].axis[a]),
+                                              UNIT);
         }
         const loft_acc off = loft_acc_hypot(e, LOFT_AXES);
         if (off + loft_hypot_grain(off) > loft_binomial(n + 3, k) * limit)
@@ -207,7 +221,8 @@ static enum loft_status begin(loft_cubics *s, int32_t grains)
                 size = x > 0 ? x : x < -LOFT_REAL_MAX ? LOFT_REAL_MAX : -x;
         }
     const loft_acc tol = loft_wide(s->tol), wide = loft_wide(size);
-    if (!loft_real_valid(s->tol) || tol < grains * loft_real_grain(wide) || tol < 8192 * loft_acc_grain(wide))
+    if (!loft_real_valid(s->tol) || tol < grains * loft_real_grain(wide) ||
+        tol < 8192 * loft_acc_grain(wide))
         return LOFT_ERR_RANGE;
     s->reach = size > LOFT_REAL_MAX / 2 ? LOFT_REAL_MAX : 2 * size;
     s->last  = point(s, 0);

@@ -6,17 +6,18 @@
  *     P' = n q,  q = (1 - t) e0 + t e1        P' x P'' = n^2 (n - 1) e0 x e1
  *     curvature = (n - 1) / n * |e0 x e1| / |q|^3
  *
- * Edges and products are whole numbers, so that q = 0 and e0 x e1 = 0 are decided and no digit cancels. t = j / T,
- * T = 2^LOFT_EXACT_UNIT:
+ * Edges and products are whole numbers, so that q = 0 and e0 x e1 = 0 are decided and no digit
+ * cancels. t = j / T, T = 2^LOFT_EXACT_UNIT:
  *
- *     T^(n-2) e_k = sum over i = 0..n-2 of C(n-2, i) (T - j)^(n-2-i) j^i d_(i+k)         d_i = b_(i+1) - b_i
+ *     T^(n-2) e_k = sum over i = 0..n-2 of C(n-2, i) (T - j)^(n-2-i) j^i d_(i+k)         d_i =
+ *         b_(i+1) - b_i
  *
- * Bits for n = 9, t in -1..2: |T - j| + |j| <= 3 T, so e has R + 1 + 7 (25.6 or 54.6), q 1 (25.6 or 54.6) more and
- * e0 x e1 twice those of e and 1: q16 212, 237, 425; floats 512, 566, 1025.
+ * Bits for n = 9, t in -1..2: |T - j| + |j| <= 3 T, so e has R + 1 + 7 (25.6 or 54.6), q 1 (25.6 or
+ * 54.6) more and e0 x e1 twice those of e and 1: q16 212, 237, 425; floats 512, 566, 1025.
  *
- * Lengths: the components are brought to at most 100 bits before they are squared; what is cut off is 2^-100 of the
- * largest, and a root of 200 bits is whole to 2^-99. The cube has below 307 bits, the result errs by 2^-95 of itself
- * before it is rounded.
+ * Lengths: the components are brought to at most 100 bits before they are squared; what is cut off
+ * is 2^-100 of the largest, and a root of 200 bits is whole to 2^-99. The cube has below 307 bits,
+ * the result errs by 2^-95 of itself before it is rounded.
  */
 #include "curve/shape.h"
 #include "num/exact.h"  /* loft_exact: the decisions */
@@ -55,7 +56,9 @@ static loft_exact edge(const loft_bezier *b, int axis, unsigned k, loft_exact j,
         const loft_exact d = loft_exact_sub(loft_exact_from_real(b->p[i + k + 1].axis[axis]),
                                             loft_exact_from_real(b->p[i + k].axis[axis]));
         sum = loft_exact_mul(rest, sum);
-        sum = loft_exact_add(sum, loft_exact_mul(loft_exact_mul(loft_exact_from_int(loft_binomial(m, i)), power), d));
+        sum = loft_exact_add(
+            sum,
+            loft_exact_mul(loft_exact_mul(loft_exact_from_int(loft_binomial(m, i)), power), d));
         power = loft_exact_mul(j, power);
     }
     return sum;
@@ -68,12 +71,14 @@ typedef struct {
 
 static void find_ends(const loft_bezier *b, loft_unit t, int axes, ends *x)
 {
-    const loft_exact j = loft_exact_from_unit(t), one = loft_exact_from_unit(LOFT_UNIT(1)), rest = loft_exact_sub(one, j);
+    const loft_exact j = loft_exact_from_unit(t), one = loft_exact_from_unit(LOFT_UNIT(1)),
+                     rest = loft_exact_sub(one, j);
 
     for (int a = 0; a < axes; a++) {
         if (b->degree == 1) {
             x->e[0][a] = x->e[1][a] = loft_exact_from_int(0);
-            x->q[a] = loft_exact_sub(loft_exact_from_real(b->p[1].axis[a]), loft_exact_from_real(b->p[0].axis[a]));
+            x->q[a] = loft_exact_sub(loft_exact_from_real(b->p[1].axis[a]),
+                                     loft_exact_from_real(b->p[0].axis[a]));
             continue;
         }
         x->e[0][a] = edge(b, a, 0, j, rest);
@@ -99,15 +104,19 @@ static loft_exact area(const ends *x, int axes, int *shift)
     return loft_exact_root(s.sum);
 }
 
-/* (n - 1) / n * top / length^3 as it is in coordinates: e0 x e1 has T^(2n-4) G^2, length^3 has T^(3n-3) G^3. */
-static bool quotient(const loft_bezier *b, loft_exact top, int top_shift, loft_exact length, int length_shift, loft_real *out)
+/* (n - 1) / n * top / length^3 as it is in coordinates: e0 x e1 has T^(2n-4) G^2, length^3 has
+ * T^(3n-3) G^3. */
+static bool quotient(const loft_bezier *b, loft_exact top, int top_shift, loft_exact length,
+                     int length_shift, loft_real *out)
 {
     const int n = b->degree;
     const loft_exact cube = loft_exact_mul(length, loft_exact_mul(length, length));
     loft_acc k;
 
-    if (!loft_exact_quot(loft_exact_mul(loft_exact_from_int(n - 1), top), loft_exact_mul(loft_exact_from_int(n), cube),
-                         (n + 1) * LOFT_EXACT_UNIT + LOFT_EXACT_REAL + 3 * length_shift - top_shift, &k) ||
+    if (!loft_exact_quot(loft_exact_mul(loft_exact_from_int(n - 1), top),
+                         loft_exact_mul(loft_exact_from_int(n), cube),
+                         (n + 1) * LOFT_EXACT_UNIT + LOFT_EXACT_REAL + 3 * length_shift - top_shift,
+                         &k) ||
         !loft_acc_fits(k))
         return false;
     *out = loft_acc_round(k);
@@ -152,19 +161,23 @@ static enum loft_status bend(const loft_bezier *b, loft_unit t, int axes, bool w
     const loft_exact length = loft_exact_root(s.sum);
     if (loft_exact_sign(length) == 0)
         return LOFT_SINGULAR;
-    const loft_exact top = !with_sign ? area(&x, axes, &shift) : axes > 1 ? cross(&x, 0, axes > 1) : loft_exact_from_int(0);
+    const loft_exact top = !with_sign ? area(&x, axes, &shift)
+                           : axes > 1 ? cross(&x, 0, axes > 1)
+                                      : loft_exact_from_int(0);
     if (!quotient(b, top, shift, length, s.shift, curvature))
         return LOFT_ERR_RANGE;
     set_tangent(&x, axes, length, s.shift, tangent);
     return LOFT_OK;
 }
 
-enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t, loft_real *curvature, loft_vec *tangent)
+enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t, loft_real *curvature,
+                                       loft_vec *tangent)
 {
     return bend(b, t, LOFT_AXES, false, curvature, tangent);
 }
 
-enum loft_status loft_bezier_bend(const loft_bezier *b, loft_unit t, loft_real *curvature, loft_vec *tangent)
+enum loft_status loft_bezier_bend(const loft_bezier *b, loft_unit t, loft_real *curvature,
+                                  loft_vec *tangent)
 {
     return bend(b, t, LOFT_AXES < 2 ? LOFT_AXES : 2, true, curvature, tangent);
 }

@@ -1,30 +1,33 @@
 /* lib/curve/flatten.c -- chords within a tolerance (curve/measure.h)
  * SPDX-License-Identifier: MIT
  *
- * A piece of the curve with the control points b0..b3 and a chord, the closed segment between the *rounded*
- * ends A and B. The distance to a segment is a convex function, so along the piece
+ * A piece of the curve with the control points b0..b3 and a chord, the closed segment between the
+ * *rounded* ends A and B. The distance to a segment is a convex function, so along the piece
  *
  *     distance(P(t)) <= B0(t) d0 + B1(t) d1 + B2(t) d2 + B3(t) d3         d_i = distance of b_i
  *
- * With m = max(d0, d3), a >= b the excesses of d1 and d2 over m or 0, and B1 + B2 <= 3/4, max B1 = max B2 =
- * 4/9, this is at most
+ * With m = max(d0, d3), a >= b the excesses of d1 and d2 over m or 0, and B1 + B2 <= 3/4, max B1 =
+ * max B2 = 4/9, this is at most
  *
- *     m + 3/4 b + 4/9 (a - b)                                                                      (1)
+ *     m + 3/4 b + 4/9 (a - b)
+ *         (1)
  *
- * exactly so for equal d1, d2 and for d2 = 0. A piece that misses (1) is cut in two, and both are held against
- * the same chord; so on, until a cut is too far away. The pieces are the leaves of a binary tree, part k of
- * 2^level, visited in order: the one after part k is k + 1, or rather its largest ancestor that starts there.
+ * exactly so for equal d1, d2 and for d2 = 0. A piece that misses (1) is cut in two, and both are
+ * held against the same chord; so on, until a cut is too far away. The pieces are the leaves of a
+ * binary tree, part k of 2^level, visited in order: the one after part k is k + 1, or rather its
+ * largest ancestor that starts there.
  *
- * The other direction: the nearest point on the chord moves continuously with t and comes within the
- * rounding of both ends, so every point of the chord is the nearest one of some P(t), or lies within the
- * rounding of an end.
+ * The other direction: the nearest point on the chord moves continuously with t and comes within
+ * the rounding of both ends, so every point of the chord is the nearest one of some P(t), or lies
+ * within the rounding of an end.
  *
- * The search. From the parameter s of the last point the ends of the dyadic intervals that hold s are tried,
- * from the largest down to the first that succeeds; between that end and the one before it is halved.
- * Halving the curve at the middle until both inner points are within tol of the chord gives dyadic pieces
- * with distances of at most 3/4 tol. The rest s..r of such a piece a..r is no worse against its own chord (its
- * sideways motion is a part of the whole's; searched with hill climbing over all such pieces: 3/4 tol), so r is
- * reached from every s in a..r, and the chords here are never behind. */
+ * The search. From the parameter s of the last point the ends of the dyadic intervals that hold s
+ * are tried, from the largest down to the first that succeeds; between that end and the one before
+ * it is halved. Halving the curve at the middle until both inner points are within tol of the chord
+ * gives dyadic pieces with distances of at most 3/4 tol. The rest s..r of such a piece a..r is no
+ * worse against its own chord (its sideways motion is a part of the whole's; searched with hill
+ * climbing over all such pieces: 3/4 tol), so r is reached from every s in a..r, and the chords
+ * here are never behind. */
 #include "curve/measure.h"
 #include "geom/chord.h"    /* loft_chord_foot */
 
@@ -32,8 +35,8 @@
 #define FINE  256                   /* ends are found to 1 / FINE of the chord             */
 #define DEPTH 14                    /* pieces of a chord: 2^DEPTH where it is closest      */
 
-/* The distance of w from the chord: that of w from a point of the chord which is nearest but for rounding, so
- * never too small. */
+/* The distance of w from the chord: that of w from a point of the chord which is nearest but for
+ * rounding, so never too small. */
 static loft_acc distance(const loft_acc w[LOFT_AXES], const loft_chord *c)
 {
     loft_acc r[LOFT_AXES];
@@ -53,8 +56,10 @@ static bool is_within(loft_acc d0, loft_acc d1, loft_acc d2, loft_acc d3, loft_a
     return 36 * m + 16 * a + 11 * b <= 36 * limit;
 }
 
-/* The piece from..to of one axis: the blossoms b[from,from,from] b[from,from,to] b[from,to,to] b[to,to,to]. */
-static void cut_axis(const loft_cubic *curve, int axis, loft_unit from, loft_unit to, loft_acc out[4])
+/* The piece from..to of one axis: the blossoms b[from,from,from] b[from,from,to] b[from,to,to]
+ * b[to,to,to]. */
+static void cut_axis(const loft_cubic *curve, int axis, loft_unit from, loft_unit to,
+                     loft_acc out[4])
 {
     loft_acc a[4], b[4];
 
@@ -87,8 +92,10 @@ static uint32_t start_of(const loft_flatten *f, uint32_t steps, uint32_t k, unsi
     return f->at + (uint32_t)((uint64_t)steps * k >> level);
 }
 
-/* Is the curve from the last point to the one at `to` within the limit of the chord to *end? p is its first piece. */
-static bool is_along(const loft_flatten *f, uint32_t to, const loft_chord *c, loft_acc p[4][LOFT_AXES])
+/* Is the curve from the last point to the one at `to` within the limit of the chord to *end? p is
+ * its first piece. */
+static bool is_along(const loft_flatten *f, uint32_t to, const loft_chord *c,
+                     loft_acc p[4][LOFT_AXES])
 {
     loft_acc d0 = distance(p[0], c);
     unsigned level = 0;
@@ -130,8 +137,8 @@ static bool is_flat(const loft_flatten *f, uint32_t to, loft_vec *end)
     return is_along(f, to, &c, p);
 }
 
-/* One step of the parameter is always flat: its inner points are within 2^-44 of the largest coordinate of the
- * exact chord, below 1/4 of the smallest tolerance. */
+/* One step of the parameter is always flat: its inner points are within 2^-44 of the largest
+ * coordinate of the exact chord, below 1/4 of the smallest tolerance. */
 enum loft_status loft_flatten_init(loft_flatten *f, const loft_cubic *c, loft_real tol)
 {
     const loft_acc wide = loft_wide(tol);
@@ -148,7 +155,8 @@ enum loft_status loft_flatten_init(loft_flatten *f, const loft_cubic *c, loft_re
                 size = x < 0 ? -x : x;
         }
     }
-    if (!loft_real_valid(tol) || wide < 2 * loft_real_grain(size) || wide < 512 * loft_acc_grain(size))
+    if (!loft_real_valid(tol) || wide < 2 * loft_real_grain(size) ||
+        wide < 512 * loft_acc_grain(size))
         return LOFT_ERR_RANGE;
 
     f->curve = *c;

@@ -21,8 +21,8 @@ static bool accepted(const loft_bezier *b)
     return true;
 }
 
-/* One halving of the step adds `degree` bits to the fractions of the differences; 32 are there. A step
- * that is no power of two has its fractions rounded, so none is free. */
+/* One halving of the step adds `degree` bits to the fractions of the differences; 32 are there. A
+ * step that is no power of two has its fractions rounded, so none is free. */
 static int8_t halvings(unsigned degree, uint32_t n)
 {
     uint8_t used = 0;

@@ -1,8 +1,9 @@
 /* lib/curve/forward.h -- walk a Bezier curve at equal parameter steps, by exact forward differences
  * SPDX-License-Identifier: MIT
  *
- * degree additions per axis and point, no multiplication, no drift: the way to trace a curve at a fixed
- * rate. For single points use loft_bezier_eval; for steps that follow the curvature use measure.h.
+ * Each point costs as many additions per axis as the curve has degrees, and no multiplication. There
+ * is no drift. Use it to trace a curve at a fixed rate. For single points use loft_bezier_eval; for
+ * steps that follow the curvature use measure.h.
  *
  *     loft_forward w;
  *     loft_vec     p;
@@ -10,12 +11,12 @@
  *         while (loft_forward_next(&w, &p))
  *             move_to(p);                      // 64 points, the last one is the last control point
  *
- * The law of ranges: n steps are accepted while S = C(n,1) + .. + C(n,degree) <= 2^32 - 2^15, in every number
- * type:
+ * The law of ranges: n steps are accepted while S = C(n,1) + .. + C(n,degree) <= 2^32 - 2^15, in
+ * every number type. C(n,k) is the binomial coefficient.
  *
  *     degree                  1        2       3      4     5
  *     n at most   2^32 - 2^15    92,681   2,953    567   220
- *     n = 2^m, exact      2^31    65,536   1,024    256    64      q16: correctly rounded up to here
+ *     n = 2^m, exact      2^31    65,536   1,024    256    64      q16: correctly rounded to here
  */
 #ifndef LOFT_CURVE_FORWARD_H
 #define LOFT_CURVE_FORWARD_H
@@ -23,15 +24,18 @@
 #include "curve/bezier.h"   /* loft_bezier */
 #include "num/strict.h"     /* loft_walk, loft_strict: the state of one axis */
 
+LOFT_BEGIN_C
+
 #define LOFT_FORWARD_DEGREE_MAX LOFT_WALK_DEGREE_MAX
 
 /* State of one walk. Complete so that it can be static; do not rely on its fields. */
 typedef struct {
     loft_walk axis[LOFT_AXES];
-    uint32_t left;                      /* points to come                                               */
+    uint32_t left;                      /* points to come */
     uint8_t degree;
-    int8_t halvings, doublings;         /* halvings that the guard bits still allow, and doublings from
-                                           which a halving leads back exactly (negative: none does now) */
+    int8_t halvings, doublings;         /* halvings that the guard bits still allow, and doublings
+                                         * from which a halving leads back exactly (negative: none
+                                         * does now) */
 } loft_forward;
 
 /* State of a walk that is exact for any n. */
@@ -45,8 +49,9 @@ typedef struct {
 /* Prepare to walk `b` in n equal parameter steps.
  *
  *   shape   will yield n points, at t = 1/n, 2/n .. 1; the start is not repeated; `b` is not kept
- *   range   degree 0..5, n >= 1, otherwise LOFT_ERR_ARG; n within the law of ranges, any control points
- *           (f32, f64: to LOFT_REAL_MAX / 65536), otherwise LOFT_ERR_RANGE; then *w is untouched
+ *   range   degree 0..5, n >= 1, otherwise LOFT_ERR_ARG; n within the law of ranges, any control
+ *           points (f32, f64: to LOFT_REAL_MAX / 65536), otherwise LOFT_ERR_RANGE; then *w is
+ *           untouched
  *   error   none of its own: that of the points is said below
  *   cost    q16: degree * 6 divisions of 32 bits and, per axis, degree * (degree + 15) / 2 products
  *   see     Foley, van Dam, Feiner, Hughes: Computer Graphics, ch. 11
@@ -63,8 +68,8 @@ enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32
  */
 bool loft_forward_next(loft_forward *w, loft_vec *out);
 
-/* Give the next `count` points at once, or as many as are left; returns how many. The same points as
- * loft_forward_next, faster: one axis after the other, its state in registers.
+/* Give the next `count` points at once, or as many as are left; returns how many. The same points
+ * as loft_forward_next, faster: one axis after the other, its state in registers.
  *
  *   error   as loft_forward_next
  *   cost    `degree` additions per axis and point; safe in an ISR
@@ -73,9 +78,10 @@ uint32_t loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count);
 
 /* Go on with half the step, from the point where the walk is: the points to come double in number.
  *
- *   range   q16: n = 2^m with degree * (m + 1) <= 32, m as it is now, or back from loft_forward_double;
- *           4 steps or more for the whole curve, and control values no wider apart than
- *           2^31 / (degree * 3^(degree-1)) LSB per step; otherwise LOFT_ERR_RANGE and *w is untouched.
+ *   range   q16: n = 2^m with degree * (m + 1) <= 32, m as it is now, or back from
+ *           loft_forward_double; 4 steps or more for the whole curve, and control values no wider
+ *           apart than 2^31 / (degree * 3^(degree-1)) LSB per step; otherwise LOFT_ERR_RANGE and *w
+ *           is untouched.
  *           f32, f64: degree * (m + 1) <= 32 likewise
  *   error   as if the walk had begun with this step
  *   cost    at most 7 small products and 5 shifts per axis
@@ -90,14 +96,15 @@ enum loft_status loft_forward_halve(loft_forward *w) LOFT_CHECKED;
  */
 enum loft_status loft_forward_double(loft_forward *w) LOFT_CHECKED;
 
-/* Prepare a walk whose points are exact for any n, at about ten times the cost per point: a quotient and
- * a remainder per difference instead of a rounded one.
+/* Prepare a walk whose points are exact for any n, at about ten times the cost per point: a
+ * quotient and a remainder per difference instead of a rounded one.
  *
  *   range   as loft_forward_init, but n^degree < 2^63: n to 2,097,151 for a cubic
  *   error   none in q16   f32, f64: as loft_forward_init
  *   cost    q16: degree^2 divisions of 64 bits per axis
  */
-enum loft_status loft_forward_strict_init(loft_forward_strict *w, const loft_bezier *b, uint32_t n) LOFT_CHECKED;
+enum loft_status loft_forward_strict_init(loft_forward_strict *w, const loft_bezier *b,
+                                          uint32_t n) LOFT_CHECKED;
 
 /* Give the next point. Returns false, and leaves *out alone, when the walk is over.
  *
@@ -105,5 +112,7 @@ enum loft_status loft_forward_strict_init(loft_forward_strict *w, const loft_bez
  *   cost    `degree` additions of a quotient and of a remainder per axis; safe in an ISR
  */
 bool loft_forward_strict_next(loft_forward_strict *w, loft_vec *out);
+
+LOFT_END_C
 
 #endif

@@ -7,14 +7,17 @@
  *     loft_cubic c;
  *     if (loft_cubic_from_hermite(&h, &c) == LOFT_OK) ..      // walk it, flatten it, plan it
  *
- * A cubic has 4/3 of a tangent's reach: its points and control points may lie beyond the coordinates although
- * all data are within. Such a result is reported, never wrapped. In the `error` lines L = |1 - t| + |t| and ulp is
- * that of the largest coordinate given. f64 takes coordinates below 2^1000.
+ * A cubic has 4/3 of a tangent's reach: its points and control points may lie beyond the
+ * coordinates although all data are within. Such a result is reported, never wrapped. In the
+ * `error` lines L = |1 - t| + |t| and ulp is that of the largest coordinate given. f64 takes
+ * coordinates below 2^1000.
  */
 #ifndef LOFT_CURVE_HERMITE_H
 #define LOFT_CURVE_HERMITE_H
 
 #include "curve/bezier.h"       /* loft_cubic, loft_vec */
+
+LOFT_BEGIN_C
 
 /* p(0), p(1), p'(0), p'(1) */
 typedef struct {
@@ -28,14 +31,16 @@ typedef struct {
 
 /* The point at t.
  *
- *   range   t in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit; *out is untouched then
+ *   range   t in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit; *out is
+ *           untouched then
  *   error   n = 3 or 5, q16: 1/2 LSB + (L^n + 1 + L + .. + L^(n-1)) * 2^-17 LSB, exact at 0 and 1
  *           f32: 1/2 ulp of the result + 1/2 ulp   f64: (6 n + 4) L^n ulp
  *   cost    n (n + 1) / 2 wide lerps per axis; safe in an ISR
  *   see     Farin, Curves and Surfaces for CAGD, ch. 7
  */
 enum loft_status loft_hermite_eval(const loft_hermite *h, loft_unit t, loft_vec *out) LOFT_CHECKED;
-enum loft_status loft_hermite5_eval(const loft_hermite5 *h, loft_unit t, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_hermite5_eval(const loft_hermite5 *h, loft_unit t,
+                                    loft_vec *out) LOFT_CHECKED;
 
 /* The k-th derivative with respect to t; 0 for k above the degree.
  *
@@ -44,16 +49,21 @@ enum loft_status loft_hermite5_eval(const loft_hermite5 *h, loft_unit t, loft_ve
  *           f32: 1/2 ulp of the result + 1/2 ulp   f64: 3 n 2^n L^m (n!/m!) ulp
  *   cost    as eval
  */
-enum loft_status loft_hermite_deriv(const loft_hermite *h, unsigned k, loft_unit t, loft_vec *out) LOFT_CHECKED;
-enum loft_status loft_hermite5_deriv(const loft_hermite5 *h, unsigned k, loft_unit t, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_hermite_deriv(const loft_hermite *h, unsigned k, loft_unit t,
+                                    loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_hermite5_deriv(const loft_hermite5 *h, unsigned k, loft_unit t,
+                                     loft_vec *out) LOFT_CHECKED;
 
 /* The same curve by its control points: 4, or 6 of degree 5.
  *
  *   range   LOFT_ERR_RANGE when one does not fit; *out is undefined then
- *   error   q16: 1/2 LSB + 2^-17 LSB, none at the ends   f32: 1/2 ulp of the result + 1/2 ulp   f64: 3 ulp
+ *   error   q16: 1/2 LSB + 2^-17 LSB, none at the ends   f32: 1/2 ulp of the result + 1/2 ulp
+ *           f64: 3 ulp
  *   cost    2 or 4 divisions by small numbers per axis
  */
 enum loft_status loft_cubic_from_hermite(const loft_hermite *h, loft_cubic *out) LOFT_CHECKED;
 enum loft_status loft_bezier_from_hermite5(const loft_hermite5 *h, loft_vec out[6]) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

@@ -1,34 +1,38 @@
 /* lib/curve/intersect.c
  * SPDX-License-Identifier: MIT
  *
- * Pairs of pieces, one of each curve, starting with both wholes. A pair whose hulls are more than tol / 2 apart
- * is dropped: apart along an axis, or along the direction between the nearest points of the two chords (for any
- * direction u, min <b_i, u> - max <a_i, u> is a lower bound). Otherwise one piece is halved, until both are
- * straight: all control points within tol / 8 of the even steps along the chord, so that the curve is within tol / 8
- * of the chord at the same parameter. Then the chords decide: with a distance of at most tol / 2 they meet. So
+ * Pairs of pieces, one of each curve, starting with both wholes. A pair whose hulls are more than
+ * tol / 2 apart is dropped: apart along an axis, or along the direction between the nearest points
+ * of the two chords (for any direction u, min <b_i, u> - max <a_i, u> is a lower bound). Otherwise
+ * one piece is halved, until both are straight: all control points within tol / 8 of the even steps
+ * along the chord, so that the curve is within tol / 8 of the chord at the same parameter. Then the
+ * chords decide: with a distance of at most tol / 2 they meet. So
  *
  *     curves that meet    have chords within  tol / 4 < tol / 2       none is missed
  *     chords that meet    have curves within  tol / 2 + tol / 4       none is invented
  *
  * and a quarter of tol is left on both sides for rounding.
  *
- * Chords. The distance of the point at sigma of one segment from the other segment is convex in sigma: halving by
- * the sign of its slope finds the least. The slope is wrong where it is within d, the error of a foot, of
- * null: at an angle theta the distance is then off by less than d / sin theta, and by less than L sin theta on
- * a chord of length L anyway, so by less than sqrt(d L). With d = 4 grains (2^-30 in q16; 2^-43 L in f32) that is
- * below tol / 8 for L <= tol^2 / (256 grains) and L <= 2^14 tol. A longer chord is halved first, unless the whole
- * of it or of the other is within tol / 2: then they meet all along, and nothing has to be found. Even so L is
- * kept below 2^18 tol, for a parameter on the chord is a loft_unit: 2^-24 L.
+ * Chords. The distance of the point at sigma of one segment from the other segment is convex in
+ * sigma: halving by the sign of its slope finds the least. The slope is wrong where it is within d,
+ * the error of a foot, of null: at an angle theta the distance is then off by less than d / sin
+ * theta, and by less than L sin theta on a chord of length L anyway, so by less than sqrt(d L).
+ * With d = 4 grains (2^-30 in q16; 2^-43 L in f32) that is below tol / 8 for L <= tol^2 / (256
+ * grains) and L <= 2^14 tol. A longer chord is halved first, unless the whole of it or of the other
+ * is within tol / 2: then they meet all along, and nothing has to be found. Even so L is kept below
+ * 2^18 tol, for a parameter on the chord is a loft_unit: 2^-24 L.
  *
- * The walk. Which of the two was halved on the way down is kept, one flag per level: a piece has at most
- * LOFT_DYAD_LEVELS = 24 levels, hence at most 48 flags. At level 24 a piece is taken for straight. (It is: second
- * differences are 2^-48 of 4 times the largest coordinate, 2^-31 in q16.)
+ * The walk. Which of the two was halved on the way down is kept, one flag per level: a piece has at
+ * most LOFT_DYAD_LEVELS = 24 levels, hence at most 48 flags. At level 24 a piece is taken for
+ * straight. (It is: second differences are 2^-48 of 4 times the largest coordinate, 2^-31 in q16.)
  *
- * Stretches. The part of two chords within tol / 2 of each other is a convex set of (sigma, tau), and two such
- * sets of neighbouring pairs meet on the common edge; joining those whose ranges touch makes the whole stretch.
+ * Stretches. The part of two chords within tol / 2 of each other is a convex set of (sigma, tau),
+ * and two such sets of neighbouring pairs meet on the common edge; joining those whose ranges touch
+ * makes the whole stretch.
  *
- * A stretch that both curves share from end to end is known beforehand (curve/overlap.h). Pairs of pieces that meet only
- * there are passed over, so that what remains is found as quickly as if there were none. */
+ * A stretch that both curves share from end to end is known beforehand (curve/overlap.h). Pairs of
+ * pieces that meet only there are passed over, so that what remains is found as quickly as if there
+ * were none. */
 #include "curve/intersect.h"
 #include "basis/pieces.h"   /* loft_dyad, loft_bernstein_part */
 #include "curve/overlap.h"  /* loft_bezier_overlap */
@@ -116,7 +120,8 @@ static void move_to_chord(const side *s, loft_acc x[], loft_acc r[])
         x[i] -= r[i];
 }
 
-/* The extreme of <p_k - x, u> in the direction of u (sign 1) or against it (-1), but no less far than 0. */
+/* The extreme of <p_k - x, u> in the direction of u (sign 1) or against it (-1), but no less far
+ * than 0. */
 static loft_acc reach(const side *s, const loft_acc x[], const loft_unit u[], int32_t sign)
 {
     loft_acc most = 0;
@@ -160,8 +165,10 @@ static bool are_apart(const side *a, const side *b, loft_acc gap)
     return m - reach(a, x, u, 1) - reach(b, y, u, -1) - 4 * loft_hypot_grain(m) > gap;
 }
 
-/* The distance of the point at sigma of a's chord from b's chord, where on it, and the slope along a. */
-static loft_acc gap_at(const side *a, const side *b, loft_unit sigma, loft_unit *tau, loft_acc *slope)
+/* The distance of the point at sigma of a's chord from b's chord, where on it, and the slope along
+ * a. */
+static loft_acc gap_at(const side *a, const side *b, loft_unit sigma, loft_unit *tau,
+                       loft_acc *slope)
 {
     loft_acc w[LOFT_AXES], r[LOFT_AXES];
 
@@ -203,7 +210,8 @@ static loft_acc closest(const side *a, const side *b, loft_unit *sigma, loft_uni
             low = middle;
     }
     *sigma = loft_unit_of(low, STEPS);
-    const loft_acc left = gap_at(a, b, *sigma, tau, &slope), right = gap_at(a, b, loft_unit_of(high, STEPS), tau, &slope);
+    const loft_acc left = gap_at(a, b, *sigma, tau, &slope),
+                   right = gap_at(a, b, loft_unit_of(high, STEPS), tau, &slope);
     if (right < left) {
         *sigma = loft_unit_of(high, STEPS);
         return right;
@@ -212,7 +220,8 @@ static loft_acc closest(const side *a, const side *b, loft_unit *sigma, loft_uni
 }
 
 /* From sigma, which is near, on to `end`: the last parameter that is, and 2^-10 of the way more. */
-static loft_unit near_until(const side *a, const side *b, loft_unit sigma, loft_unit end, loft_acc gap)
+static loft_unit near_until(const side *a, const side *b, loft_unit sigma, loft_unit end,
+                            loft_acc gap)
 {
     if (is_near(a, b, end, gap))
         return end;
@@ -259,7 +268,8 @@ static bool add(loft_crossing c, loft_crossing out[], size_t room, size_t *count
     size_t k = 0;
 
     while (k < *count) {
-        if (touch(c.s_from, c.s_to, out[k].s_from, out[k].s_to) && touch(c.t_from, c.t_to, out[k].t_from, out[k].t_to)) {
+        if (touch(c.s_from, c.s_to, out[k].s_from, out[k].s_to) &&
+            touch(c.t_from, c.t_to, out[k].t_from, out[k].t_to)) {
             unite(&c, &out[k]);
             for (--*count; k < *count; k++)
                 out[k] = out[k + 1];
@@ -285,13 +295,16 @@ static bool meet(const search *z, loft_crossing out[], size_t room, size_t *coun
     loft_unit sigma, tau;
     loft_acc dot = 0;
 
-    c.distance = a->chord.length <= b->chord.length ? closest(a, b, &sigma, &tau) : closest(b, a, &tau, &sigma);
+    c.distance = a->chord.length <= b->chord.length ? closest(a, b, &sigma, &tau)
+                                                    : closest(b, a, &tau, &sigma);
     if (c.distance > gap)
         return true;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc x = a->p[i][0] + loft_acc_scale(a->chord.u[i], sigma), y = b->p[i][0] + loft_acc_scale(b->chord.u[i], tau);
+        const loft_acc x = a->p[i][0] + loft_acc_scale(a->chord.u[i], sigma),
+                       y = b->p[i][0] + loft_acc_scale(b->chord.u[i], tau);
         c.point.axis[i] = loft_acc_round(loft_acc_ratio(x + y, 2));
-        dot += loft_acc_scale(loft_acc_scale(loft_wide(LOFT_REAL(1)), a->chord.toward[i]), b->chord.toward[i]);
+        dot += loft_acc_scale(loft_acc_scale(loft_wide(LOFT_REAL(1)), a->chord.toward[i]),
+                              b->chord.toward[i]);
     }
     c.s       = loft_dyad_at(a->n, sigma);
     c.t       = loft_dyad_at(b->n, tau);
@@ -304,21 +317,26 @@ static bool meet(const search *z, loft_crossing out[], size_t room, size_t *coun
     return add(c, out, room, count);
 }
 
-/* Curves that are the same for a while are so until one of them ends. Which way the second runs is seen from the
- * ends of a long stretch: where the first turns back within tol, its direction at one place says little. */
+/* Curves that are the same for a while are so until one of them ends. Which way the second runs is
+ * seen from the ends of a long stretch: where the first turns back within tol, its direction at one
+ * place says little. */
 static void judge(const search *z, loft_crossing *c, loft_acc least)
 {
-    const loft_vec from = loft_bezier_eval(z->a.b, c->s_from), to = loft_bezier_eval(z->a.b, c->s_to);
+    const loft_vec from = loft_bezier_eval(z->a.b, c->s_from),
+                   to = loft_bezier_eval(z->a.b, c->s_to);
     const loft_vec middle = loft_bezier_eval(z->a.b, c->s_from + (c->s_to - c->s_from) / 2);
-    const loft_vec t_from = loft_bezier_eval(z->b.b, c->t_from), t_to = loft_bezier_eval(z->b.b, c->t_to);
+    const loft_vec t_from = loft_bezier_eval(z->b.b, c->t_from),
+                   t_to = loft_bezier_eval(z->b.b, c->t_to);
     const loft_acc straight = loft_vec_distance(from, t_from) + loft_vec_distance(to, t_to);
     const loft_acc crossed = loft_vec_distance(from, t_to) + loft_vec_distance(to, t_from);
     const bool along = straight < crossed || (straight <= crossed && c->along);
 
     const bool starts = !(c->s_from > 0) || (along ? !(c->t_from > 0) : !(c->t_to < LOFT_UNIT(1)));
-    const bool ends = !(c->s_to < LOFT_UNIT(1)) || (along ? !(c->t_to < LOFT_UNIT(1)) : !(c->t_from > 0));
+    const bool ends = !(c->s_to < LOFT_UNIT(1)) ||
+                      (along ? !(c->t_to < LOFT_UNIT(1)) : !(c->t_from > 0));
 
-    c->overlap = starts && ends && (loft_vec_distance(from, to) > least || loft_vec_distance(from, middle) > least);
+    c->overlap = starts && ends &&
+                 (loft_vec_distance(from, to) > least || loft_vec_distance(from, middle) > least);
     if (c->overlap)
         c->along = along;
 }
@@ -331,7 +349,8 @@ static bool descend(search *z)
 {
     side *a = &z->a, *b = &z->b;
 
-    if ((a->straight && b->straight) || (a->flat && b->flat && (is_along(a, b, z->half) || is_along(b, a, z->half))))
+    if ((a->straight && b->straight) ||
+        (a->flat && b->flat && (is_along(a, b, z->half) || is_along(b, a, z->half))))
         return false;
     const bool halve_a = !a->straight && (b->straight || a->size >= b->size);
     side *s = halve_a ? a : b;
@@ -371,7 +390,8 @@ static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t
     c.t        = o->t_from;
     c.t_from   = along ? o->t_from : o->t_to;
     c.t_to     = along ? o->t_to : o->t_from;
-    c.point    = loft_vec_lerp(loft_bezier_eval(z->a.b, c.s), loft_bezier_eval(z->b.b, c.t), LOFT_UNIT(0.5));
+    c.point = loft_vec_lerp(loft_bezier_eval(z->a.b, c.s), loft_bezier_eval(z->b.b, c.t),
+                            LOFT_UNIT(0.5));
     c.distance = o->distance;
     c.along    = along;
     c.overlap  = true;
@@ -383,8 +403,9 @@ static bool is_done(const search *z)
 {
     const loft_dyad a = z->a.n, b = z->b.n;
 
-    return are_apart(&z->a, &z->b, z->half)
-        || (z->shares && loft_overlap_covers(&z->shared, z->a.b, loft_dyad_from(a), loft_dyad_to(a), loft_dyad_from(b), loft_dyad_to(b)));
+    return are_apart(&z->a, &z->b, z->half) ||
+           (z->shares && loft_overlap_covers(&z->shared, z->a.b, loft_dyad_from(a), loft_dyad_to(a),
+                                             loft_dyad_from(b), loft_dyad_to(b)));
 }
 
 static bool walk(search *z, loft_crossing out[], size_t room, size_t *count)
@@ -416,7 +437,8 @@ static loft_acc largest(const loft_bezier *b, loft_acc most)
 enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *b, loft_real tol,
                                        loft_crossing out[], size_t room, size_t *count)
 {
-    const loft_acc wide = loft_wide(tol), size = largest(b, largest(a, 0)), grain = loft_acc_grain(size);
+    const loft_acc wide = loft_wide(tol), size = largest(b, largest(a, 0)),
+                   grain = loft_acc_grain(size);
     search z;
 
     *count = 0;
@@ -433,7 +455,8 @@ enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *
     z.eighth = loft_acc_ratio(wide, 8);
     z.half   = loft_acc_ratio(wide, 2);
     z.long_enough = tol < LOFT_REAL(2048) ? 262144 * wide : loft_wide(LOFT_REAL_MAX);
-    z.short_enough = loft_acc_mul(wide, wide > 4194304 * grain ? LOFT_REAL(16384) : loft_acc_quot(wide, 256 * grain));
+    z.short_enough = loft_acc_mul(wide, wide > 4194304 * grain ? LOFT_REAL(16384)
+                                                               : loft_acc_quot(wide, 256 * grain));
 
     z.shares = loft_bezier_overlap(a, b, tol, &z.shared);
     const bool complete = walk(&z, out, room, count);

@@ -8,10 +8,11 @@
  *     W = D^2 b[2] + N^2 a[n-1], which is D^2 (b[2] + alpha^2 a[n-1])
  *     G2: its part at a right angle to a is  (D W - <W, a> a) / D^3,  and eta = <W, a> / D^3
  *
- * Room: an edge is below 2^e, e = 32 in q16 and 129 in floats (num/exact.h). With 6 axes D and N are below 2^(2e + 2.6),
- * W below 2^(5e + 6.2) and D W - <W, a> a below 2^(7e + 9.8): 234 bits of 447, and 913 of 1087. */
+ * Room: an edge is below 2^e, e = 32 in q16 and 129 in floats (num/exact.h). With 6 axes D and N
+ * are below 2^(2e + 2.6), W below 2^(5e + 6.2) and D W - <W, a> a below 2^(7e + 9.8): 234 bits of
+ * 447, and 913 of 1087. */
 #include "curve/join.h"
-#include "num/exact.h"      /* loft_exact: no decision depends on rounding */
+#include "geom/vec_exact.h" /* loft_exact: no decision depends on rounding */
 
 typedef struct {
     loft_exact axis[LOFT_AXES];
@@ -21,18 +22,8 @@ static whole_vec edge(loft_vec from, loft_vec to)
 {
     whole_vec v;
 
-    for (int i = 0; i < LOFT_AXES; i++)
-        v.axis[i] = loft_exact_sub(loft_exact_from_real(to.axis[i]), loft_exact_from_real(from.axis[i]));
+    loft_vec_exact_sub(&to, &from, LOFT_AXES, v.axis);
     return v;
-}
-
-static loft_exact dot(const whole_vec *a, const whole_vec *b)
-{
-    loft_exact sum = loft_exact_from_int(0);
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        sum = loft_exact_add(sum, loft_exact_mul(a->axis[i], b->axis[i]));
-    return sum;
 }
 
 /* v = x v - y a */
@@ -58,32 +49,16 @@ static bool is_within(const whole_vec *v, loft_exact d, loft_real tol)
         if (!(tol > 0)) {
             if (loft_exact_sign(v->axis[i]))
                 return false;
-        } else if (!loft_exact_quot(v->axis[i], d, -LOFT_EXACT_REAL, &x[i]) || x[i] > wide || x[i] < -wide) {
+        } else if (!loft_exact_quot(v->axis[i], d, -LOFT_EXACT_REAL, &x[i]) || x[i] > wide ||
+                   x[i] < -wide) {
             return false;
         }
     }
     return !(tol > 0) || loft_acc_hypot(x, LOFT_AXES) <= wide;
 }
 
-static bool take(loft_exact a, loft_exact b, int s, loft_real *out)
-{
-    loft_acc x;
-
-    if (!loft_exact_quot(a, b, s, &x) || !loft_acc_fits(x))
-        return false;
-    *out = loft_acc_round(x);
-    return true;
-}
-
-static bool admits(loft_vec v)
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_exact_admits(v.axis[i]))
-            return false;
-    return true;
-}
-
-static void decide_parametric(loft_join *j, const loft_vec p[], const loft_vec q[], unsigned curved, loft_real tol)
+static void decide_parametric(loft_join *j, const loft_vec p[], const loft_vec q[], unsigned curved,
+                              loft_real tol)
 {
     const loft_exact one = loft_exact_from_int(1);
     whole_vec gap = edge(p[0], q[0]);
@@ -104,27 +79,30 @@ static void decide_parametric(loft_join *j, const loft_vec p[], const loft_vec q
 }
 
 /* G2 and eta, where G1 holds with alpha = n / d. Is eta a coordinate? */
-static bool decide_curvature(loft_join *j, const loft_vec p[], const loft_vec q[], loft_exact n, loft_exact d, loft_real tol)
+static bool decide_curvature(loft_join *j, const loft_vec p[], const loft_vec q[], loft_exact n,
+                             loft_exact d, loft_real tol)
 {
     const loft_exact d2 = loft_exact_mul(d, d), d3 = loft_exact_mul(d2, d);
     const whole_vec a = edge(p[-1], p[0]), a1 = edge(p[-2], p[-1]);
     whole_vec w = edge(q[1], q[2]);
 
     combine(&w, d2, loft_exact_neg(loft_exact_mul(n, n)), &a1);
-    const loft_exact along = dot(&w, &a);
+    const loft_exact along = loft_vec_exact_dot(w.axis, a.axis, LOFT_AXES);
     combine(&w, d, along, &a);
     j->g2 = is_within(&w, d3, tol);
-    return !j->g2 || take(along, d3, 0, &j->eta);
+    return !j->g2 || loft_exact_quot_real(along, d3, 0, &j->eta);
 }
 
 /* Of two lines W = (D N + N^2) a: eta = (N D + N^2) / D^2. */
 static bool decide_lines(loft_join *j, loft_exact n, loft_exact d)
 {
     j->g2 = true;
-    return take(loft_exact_mul(n, loft_exact_add(n, d)), loft_exact_mul(d, d), 0, &j->eta);
+    return loft_exact_quot_real(loft_exact_mul(n, loft_exact_add(n, d)), loft_exact_mul(d, d), 0,
+                                &j->eta);
 }
 
-enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_bezier *q, loft_real tol)
+enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_bezier *q,
+                                loft_real tol)
 {
     const loft_vec *last = p->p + p->degree;
     const unsigned count = p->degree < 2 ? p->degree : 2;
@@ -134,14 +112,17 @@ enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_b
     if (p->degree != q->degree || p->degree < 1 || !(tol >= 0))
         return LOFT_ERR_ARG;
     for (unsigned k = 0; k <= count; k++)
-        if (!admits(*(last - k)) || !admits(q->p[k]))
+        if (!loft_vec_exact_valid(last - k, 1, LOFT_AXES) ||
+            !loft_vec_exact_valid(&q->p[k], 1, LOFT_AXES))
             return LOFT_ERR_RANGE;
 
     decide_parametric(j, last, q->p, count > 1, tol);
 
     const whole_vec a = edge(last[-1], last[0]);
     whole_vec u = edge(q->p[0], q->p[1]);
-    const loft_exact one = loft_exact_from_int(1), d = dot(&a, &a), n = dot(&u, &a);
+    const loft_exact one = loft_exact_from_int(1);
+    const loft_exact d = loft_vec_exact_dot(a.axis, a.axis, LOFT_AXES);
+    const loft_exact n = loft_vec_exact_dot(u.axis, a.axis, LOFT_AXES);
 
     j->regular = !is_within(&a, one, tol) && !is_within(&u, one, tol);
     if (!j->regular || !j->c0 || loft_exact_sign(n) <= 0)
@@ -150,25 +131,34 @@ enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_b
     j->g1 = is_within(&u, d, tol);
     if (!j->g1)
         return LOFT_OK;
-    const bool fits = take(n, d, 0, &j->alpha);
-    return (count > 1 ? decide_curvature(j, last, q->p, n, d, tol) : decide_lines(j, n, d)) && fits ? LOFT_OK : LOFT_ERR_RANGE;
+    const bool fits = loft_exact_quot_real(n, d, 0, &j->alpha);
+    return (count > 1 ? decide_curvature(j, last, q->p, n, d, tol) : decide_lines(j, n, d)) && fits
+               ? LOFT_OK
+               : LOFT_ERR_RANGE;
 }
 
-/* One axis, in units of 2^-R for c[1] * 2^R and c[2] * 2^(2R), R = LOFT_EXACT_REAL: below 2^(3e). */
+/* One axis, in units of 2^-R for c[1] * 2^R and c[2] * 2^(2R), R = LOFT_EXACT_REAL: below
+ * 2^(3e). */
 static bool extend_axis(const loft_vec last[], int i, loft_real alpha, loft_real eta, loft_vec c[])
 {
     const loft_exact one = loft_exact_from_int(1), p = loft_exact_from_real(last[0].axis[i]);
-    const loft_exact p1 = loft_exact_from_real(last[-1].axis[i]), p2 = loft_exact_from_real(last[-2].axis[i]);
-    const loft_exact x = loft_exact_from_real(alpha), y = loft_exact_from_real(eta), a = loft_exact_sub(p, p1);
-    const loft_exact c1 = loft_exact_add(loft_exact_shift(p, LOFT_EXACT_REAL), loft_exact_mul(x, a));
+    const loft_exact p1 = loft_exact_from_real(last[-1].axis[i]),
+                     p2 = loft_exact_from_real(last[-2].axis[i]);
+    const loft_exact x = loft_exact_from_real(alpha), y = loft_exact_from_real(eta),
+                     a = loft_exact_sub(p, p1);
+    const loft_exact c1 = loft_exact_add(loft_exact_shift(p, LOFT_EXACT_REAL),
+                                         loft_exact_mul(x, a));
     const loft_exact curved = loft_exact_mul(loft_exact_mul(x, x), loft_exact_sub(p1, p2));
-    const loft_exact c2 = loft_exact_sub(loft_exact_shift(loft_exact_add(c1, loft_exact_mul(y, a)), LOFT_EXACT_REAL), curved);
+    const loft_exact c2 = loft_exact_sub(
+        loft_exact_shift(loft_exact_add(c1, loft_exact_mul(y, a)), LOFT_EXACT_REAL), curved);
 
     c[0].axis[i] = last[0].axis[i];
-    return take(c1, one, -2 * LOFT_EXACT_REAL, &c[1].axis[i]) && take(c2, one, -3 * LOFT_EXACT_REAL, &c[2].axis[i]);
+    return loft_exact_quot_real(c1, one, -2 * LOFT_EXACT_REAL, &c[1].axis[i]) &&
+           loft_exact_quot_real(c2, one, -3 * LOFT_EXACT_REAL, &c[2].axis[i]);
 }
 
-enum loft_status loft_join_extend(const loft_bezier *p, loft_real alpha, loft_real eta, loft_vec c[3])
+enum loft_status loft_join_extend(const loft_bezier *p, loft_real alpha, loft_real eta,
+                                  loft_vec c[3])
 {
     const loft_vec *last = p->p + p->degree;
     loft_vec out[3];
@@ -178,7 +168,7 @@ enum loft_status loft_join_extend(const loft_bezier *p, loft_real alpha, loft_re
     if (!loft_exact_admits(alpha) || !loft_exact_admits(eta))
         return LOFT_ERR_RANGE;
     for (int k = 0; k < 3; k++)
-        if (!admits(*(last - k)))
+        if (!loft_vec_exact_valid(last - k, 1, LOFT_AXES))
             return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++)
         if (!extend_axis(last, i, alpha, eta, out))

@@ -5,8 +5,8 @@
  *     if (loft_join_init(&j, &first, &second, 0) == LOFT_OK && j.g2)
  *         ...                                          // no jump of the curvature
  *
- * The curve P ends with the edges a[n-1], a[n] (a[k] = P[k] - P[k-1]), the curve Q starts with b[1], b[2]. They
- * meet in the sense of
+ * The curve P ends with the edges a[n-1], a[n] (a[k] = P[k] - P[k-1]), the curve Q starts with
+ * b[1], b[2]. They meet in the sense of
  *
  *     C0 = G0   P[n] = Q[0]
  *     C1        and b[1] = a[n]
@@ -21,6 +21,8 @@
 
 #include "curve/bezier.h"   /* loft_bezier */
 
+LOFT_BEGIN_C
+
 typedef struct {
     bool c0, c1, c2, g0, g1, g2;
     bool regular;               /* neither a[n] nor b[1] is null     */
@@ -29,20 +31,23 @@ typedef struct {
 
 /* Decide how Q goes on from P.
  *
- *   range   P and Q of the same degree 1..9, tol >= 0, otherwise LOFT_ERR_ARG. Of degree 1 C2 is C1 and G2 is G1
- *           (then eta = alpha + alpha^2, that of the raised curves). LOFT_ERR_RANGE: alpha or eta does not fit, the
- *           flags are right and what does not fit is 0; or, in floats, a coordinate that loft_exact_admits refuses,
- *           then all is false and 0. *j is always written
- *   error   tol = 0: none, the flags are decided on the coordinates as they are
- *           tol > 0: each difference above counts as none up to a length of tol; for G1 and G2 it is the part of
- *           b[1] and of b[2] + alpha^2 a[n-1] at a right angle to a[n], with alpha where b[1] projects; an edge is
- *           null up to that length. Lengths are compared within 2^-28 of them + 2^-31 (q16), 2^-49 (floats)
- *           alpha, eta: q16 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: 1 ulp
- *   cost    about 100 exact products in three axes (num/exact.h) and, for tol > 0, 15 quotients; 2.5 KB of
- *           stack in q16 with three axes, 6 KB in floats; not for an ISR
+ *   range   P and Q of the same degree 1..9, tol >= 0, otherwise LOFT_ERR_ARG. Of degree 1 C2 is C1
+ *           and G2 is G1 (then eta = alpha + alpha^2, that of the raised curves). LOFT_ERR_RANGE:
+ *           alpha or eta does not fit, the flags are right and what does not fit is 0; or, in
+ *           floats, a coordinate that loft_exact_admits refuses, then all is false and 0. *j is
+ *           always written
+ *   error   tol = 0: none, the flags are decided on the coordinates as they are tol > 0: each
+ *           difference above counts as none up to a length of tol; for G1 and G2 it is the part of
+ *           b[1] and of b[2] + alpha^2 a[n-1] at a right angle to a[n], with alpha where b[1]
+ *           projects; an edge is null up to that length. Lengths are compared within 2^-28 of them
+ *           + 2^-31 (q16), 2^-49 (floats) alpha, eta: q16 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp
+ *           f64: 1 ulp
+ *   cost    about 100 exact products in three axes (num/exact.h) and, for tol > 0, 15 quotients;
+ *           2.5 KB of stack in q16 with three axes, 6 KB in floats; not for an ISR
  *   see     Farin, Curves and Surfaces for CAGD, ch. 5 (C) and ch. 11 (G)
  */
-enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_bezier *q, loft_real tol) LOFT_CHECKED;
+enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_bezier *q,
+                                loft_real tol) LOFT_CHECKED;
 
 /* The first three control points of a curve of P's degree that goes on from P with G2:
  *
@@ -50,13 +55,16 @@ enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_b
  *
  * alpha = 1 and eta = 2 is C2. The points after these are free.
  *
- *   range   degree 2..9, otherwise LOFT_ERR_ARG; any alpha, though only alpha > 0 goes on with one tangent;
- *           LOFT_ERR_RANGE when a point does not fit or, in floats, loft_exact_admits refuses a number. c[] is
- *           untouched then
+ *   range   degree 2..9, otherwise LOFT_ERR_ARG; any alpha, though only alpha > 0 goes on with one
+ *           tangent; LOFT_ERR_RANGE when a point does not fit or, in floats, loft_exact_admits
+ *           refuses a number. c[] is untouched then
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp of the result   f64: 1 ulp of the result
  *   cost    4 exact products and 2 quotients per axis
  *   see     Farin, ch. 11: osculants and G2
  */
-enum loft_status loft_join_extend(const loft_bezier *p, loft_real alpha, loft_real eta, loft_vec c[3]) LOFT_CHECKED;
+enum loft_status loft_join_extend(const loft_bezier *p, loft_real alpha, loft_real eta,
+                                  loft_vec c[3]) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

@@ -1,24 +1,27 @@
 /* lib/curve/measure.c -- length, and the parameter at a length (curve/measure.h)
  * SPDX-License-Identifier: MIT
  *
- * With w0 w1 w2 the legs of the control polygon, the piece a..b of the curve, h = b - a, has the legs
+ * With w0 w1 w2 the legs of the control polygon, the piece a..b of the curve, h = b - a, has the
+ * legs
  *
- *     h v0,  h v1,  h v2           v0 = w[a,a],  v1 = w[a,b],  v2 = w[b,b]        (blossoms of a quadratic)
+ *     h v0,  h v1,  h v2           v0 = w[a,a],  v1 = w[a,b],  v2 = w[b,b]        (blossoms of a
+ *            quadratic)
  *
  * and its length lies between chord and polygon,
  *
  *     h |v0 + v1 + v2|  <=  length  <=  h (|v0| + |v1| + |v2|)
  *
- * The mean of the two is taken where they differ by at most 2 h tol, so that all pieces together err by at
- * most tol. (For pieces without inflection the mean is far better than that: Gravesen.) Elsewhere the piece
- * is halved. With D the larger of |w1 - w0|, |w2 - w1|, both at most the polygon's length P, two neighbours of
- * v0 v1 v2 are at most h D apart, and the difference is at most 4 h D: at 24 halvings it is below 2 tol for
- * all tol >= 2^-23 P. Twice that is asked, for the rounding of lengths, 2^-28 of each in q16.
+ * The mean of the two is taken where they differ by at most 2 h tol, so that all pieces together
+ * err by at most tol. (For pieces without inflection the mean is far better than that: Gravesen.)
+ * Elsewhere the piece is halved. With D the larger of |w1 - w0|, |w2 - w1|, both at most the
+ * polygon's length P, two neighbours of v0 v1 v2 are at most h D apart, and the difference is at
+ * most 4 h D: at 24 halvings it is below 2 tol for all tol >= 2^-23 P. Twice that is asked, for the
+ * rounding of lengths, 2^-28 of each in q16.
  *
  * Lengths are those of v, at most 3 * 2^16 sqrt(6) < 2^19; their rounding is scaled down with h.
  *
- * The pieces are the leaves of a binary tree, piece k of 2^level; they are visited in order. The one after
- * piece k is k + 1, or rather its largest ancestor that starts there: no stack. */
+ * The pieces are the leaves of a binary tree, piece k of 2^level; they are visited in order. The
+ * one after piece k is k + 1, or rather its largest ancestor that starts there: no stack. */
 #include "curve/measure.h"
 
 #define LEVELS     24       /* all k / 2^24 are exact in every number type */
@@ -96,8 +99,8 @@ static loft_acc mean(pair p, piece n)
     return loft_acc_ratio(p.chord + p.polygon, (int32_t)2 << n.level);
 }
 
-/* Add up the leaves below *n, in order, before the one that leads beyond `length` or t. *n becomes that leaf or,
- * when there is none, the piece after the given one. */
+/* Add up the leaves below *n, in order, before the one that leads beyond `length` or t. *n becomes
+ * that leaf or, when there is none, the piece after the given one. */
 static loft_acc walk(const hodograph *h, piece *n, loft_acc length, loft_unit t)
 {
     const uint8_t top = n->level;
@@ -121,14 +124,17 @@ static loft_acc walk(const hodograph *h, piece *n, loft_acc length, loft_unit t)
     return sum;
 }
 
-/* The parameter at `rest` into the leaf n. Leaves are halved until time and length are proportional, within tol:
- * the speed is between 3 (slowest - 2 tol) and 3 fastest, hence the length never off the straight line by more
- * than h / 4 times the difference. Every choice depends on the piece alone: the result grows with `rest`. */
+/* The parameter at `rest` into the leaf n. Leaves are halved until time and length are
+ * proportional, within tol: the speed is between 3 (slowest - 2 tol) and 3 fastest, hence the
+ * length never off the straight line by more than h / 4 times the difference. Every choice depends
+ * on the piece alone: the result grows with `rest`. */
 static loft_unit invert(const hodograph *h, piece n, loft_acc rest)
 {
     pair p = over(h, n);
 
-    while (n.level < LEVELS && (n.level < 3 || loft_acc_ratio(p.fastest - p.slowest, (int32_t)1 << n.level) > loft_acc_ratio(h->tol, 4))) {
+    while (n.level < LEVELS &&
+           (n.level < 3 || loft_acc_ratio(p.fastest - p.slowest, (int32_t)1 << n.level) >
+                               loft_acc_ratio(h->tol, 4))) {
         const piece first = half_of(n, 0);
         const pair q = over(h, first);
         const loft_acc length = mean(q, first);
@@ -144,7 +150,8 @@ static loft_unit invert(const hodograph *h, piece n, loft_acc rest)
     const loft_acc length = mean(p, n);
     if (rest >= length)
         return end_of(n);
-    const loft_unit t = loft_unit_ratio(length * (int32_t)n.k + rest, length * (int32_t)((uint32_t)1 << n.level));
+    const loft_unit t = loft_unit_ratio(length * (int32_t)n.k + rest,
+                                        length * (int32_t)((uint32_t)1 << n.level));
     return t < start_of(n) ? start_of(n) : t < end_of(n) ? t : end_of(n);
 }
 

@@ -1,37 +1,41 @@
 /* lib/curve/natural.c
  * SPDX-License-Identifier: MIT
  *
- * The unknowns are the slopes m_i at the points. With chords h_i, rises d_i = p_(i+1) - p_i, their quotients
- * q_i = d_i / h_i and w_i = h_i / (h_(i-1) + h_i), the equal second derivatives at each inner point and the
- * vanishing ones at the ends say
+ * The unknowns are the slopes m_i at the points. With chords h_i, rises d_i = p_(i+1) - p_i, their
+ * quotients q_i = d_i / h_i and w_i = h_i / (h_(i-1) + h_i), the equal second derivatives at each
+ * inner point and the vanishing ones at the ends say
  *
- *     2 m_0 + m_1 = 3 q_0
- *     w_i m_(i-1) + 2 m_i + (1 - w_i) m_(i+1) = 3 (w_i q_(i-1) + (1 - w_i) q_i) = 3 q_i + w_i 3 (q_(i-1) - q_i)
- *     m_(n-1) + 2 m_n = 3 q_(n-1)
+ *     2 m_0 + m_1 = 3 q_0 w_i m_(i-1) + 2 m_i + (1 - w_i) m_(i+1) = 3 (w_i q_(i-1) + (1 - w_i) q_i)
+ *     = 3 q_i + w_i 3 (q_(i-1) - q_i) m_(n-1) + 2 m_n = 3 q_(n-1)
  *
  * In each row 2 exceeds what stands beside it by 1 at least. Therefore
  *
- *     |m| <= 3 max |q|                            residuals of size r move the solution by r at most, however
- *                                                 many points there are: errors do not add up along the spline
+ *     |m| <= 3 max |q|                            residuals of size r move the solution by r at
+ *                                                 most, however
+ *                                                 many points there are: errors do not add up along
+ *                                                 the spline
  *
  * Elimination from the front: m_i = r_i - c_i m_(i+1), with c_0 = 1/2, r_0 = 3/2 q_0 and
  *
  *     den = 2 - w_i c_(i-1) >= 3/2      c_i = (1 - w_i) / den in 0..1/2
- *     r_i = (3 q_i + w_i (3 (q_(i-1) - q_i) - r_(i-1))) / den, |r| <= 3 max |q| (it solves a shorter such system)
+ *     r_i = (3 q_i + w_i (3 (q_(i-1) - q_i) - r_(i-1))) / den, |r| <= 3 max |q| (it solves a
+ *     shorter such system)
  *
- * then the m from the back. An error of 2^-32 in a slope would be multiplied by chords up to 2^17.3, so numbers
- * without a unit (w, c, den) and the slopes per chord length are kept times ONE = 2^24, in q16 to 2^-57 in
- * rounding steps of e = 2^-33. Largest intermediate: 9 ONE < 2^27.2. Slopes per uniform knot are coordinates,
- * |q| <= 2^16, and are kept as they are: 9 * 2^16.
+ * then the m from the back. An error of 2^-32 in a slope would be multiplied by chords up to
+ * 2^17.3, so numbers without a unit (w, c, den) and the slopes per chord length are kept times ONE
+ * = 2^24, in q16 to 2^-57 in rounding steps of e = 2^-33. Largest intermediate: 9 ONE < 2^27.2.
+ * Slopes per uniform knot are coordinates, |q| <= 2^16, and are kept as they are: 9 * 2^16.
  *
- * Errors, chord, in e, of what is kept times ONE: lengths are known to 2^-59 (num/part.h), so q: 1.25, w: 1.75 (both
- * lengths, their common scale, the division). The right-hand side: 3.75 + 7.5 from q, 9 * 1.75 from w, 1 of its
- * own: 28. c: 3.3, den: 5.2, which the unknown, up to 3, multiplies. r = (28 + 15.6 + w r') / den + 1 with
- * den >= 3/2: r <= 90. m = 90 + 3 * 3.3 + 1/2 m + 1: m <= 202 e / ONE < 2^-49. Uniform: q and w are exact,
- * r = (1 + r' / 2) / 1.75 + 1 <= 2.2 e, m <= 2 (2.2 + 1) e = 6.4 e < 2^-30.
+ * Errors, chord, in e, of what is kept times ONE: lengths are known to 2^-59 (num/part.h), so q:
+ * 1.25, w: 1.75 (both lengths, their common scale, the division). The right-hand side: 3.75 + 7.5
+ * from q, 9 * 1.75 from w, 1 of its own: 28. c: 3.3, den: 5.2, which the unknown, up to 3,
+ * multiplies. r = (28 + 15.6 + w r') / den + 1 with den >= 3/2: r <= 90. m = 90 + 3 * 3.3 + 1/2 m +
+ * 1: m <= 202 e / ONE < 2^-49. Uniform: q and w are exact, r = (1 + r' / 2) / 1.75 + 1 <= 2.2 e, m
+ * <= 2 (2.2 + 1) e = 6.4 e < 2^-30.
  *
- * A point needs m h (at most 3 * 2^17.3): 2^-49 * 2^17.3, and 2 e of its own: below 4 e, of which the curve sees
- * t (1 - t) <= 1/4, a control point 1/3; with the roundings of loft_ends3: 6 e = 6 * 2^-17 LSB.
+ * A point needs m h (at most 3 * 2^17.3): 2^-49 * 2^17.3, and 2 e of its own: below 4 e, of which
+ * the curve sees t (1 - t) <= 1/4, a control point 1/3; with the roundings of loft_ends3: 6 e = 6 *
+ * 2^-17 LSB.
  */
 #include "curve/natural.h"
 #include "basis/interp.h"       /* loft_ends3_deriv */
@@ -62,7 +66,7 @@ typedef struct {
 } leg;
 
 /* False when it has no length. d 2^shift <= length is exact in q16. */
-static bool leg_init(leg *g, const loft_vec *p, enum loft_knots knots)
+static bool leg_init(leg *g, const loft_vec *p, enum loft_spacing knots)
 {
     g->length = ONE;
     g->shift = 0;
@@ -73,7 +77,8 @@ static bool leg_init(leg *g, const loft_vec *p, enum loft_knots knots)
     for (int i = 0; i < LOFT_AXES; i++) {
         g->rise[i] = rise(p, i);
         if (knots == LOFT_CHORD)
-            g->rise[i] = loft_acc_part(g->rise[i] * (loft_acc)((uint64_t)1 << g->shift), ONE, g->length);
+            g->rise[i] = loft_acc_part(g->rise[i] * (loft_acc)((uint64_t)1 << g->shift), ONE,
+                                       g->length);
     }
     return true;
 }
@@ -96,12 +101,14 @@ static void eliminate(loft_natural_knot *knot, const leg *before, const leg *aft
     knot[1].length = loft_acc_part(ONE - w, ONE, den);
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc back = 3 * (before->rise[i] - after->rise[i]) - knot[0].slope[i];
-        knot[1].slope[i] = loft_acc_part(3 * after->rise[i] + loft_acc_part(back, w, ONE), ONE, den);
+        knot[1].slope[i] = loft_acc_part(3 * after->rise[i] + loft_acc_part(back, w, ONE), ONE,
+                                         den);
     }
 }
 
 /* Forward through all points; false when two coincide. */
-static bool forward(const loft_vec p[], uint32_t count, enum loft_knots knots, loft_natural_knot knot[])
+static bool forward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
+                    loft_natural_knot knot[])
 {
     leg before, after;
 
@@ -119,12 +126,14 @@ static bool forward(const loft_vec p[], uint32_t count, enum loft_knots knots, l
 
     loft_natural_knot *last = &knot[count-1];
     for (int i = 0; i < LOFT_AXES; i++)
-        last->slope[i] = loft_acc_part(3 * before.rise[i] - last[-1].slope[i], ONE, 2 * ONE - last[-1].length);
+        last->slope[i] = loft_acc_part(3 * before.rise[i] - last[-1].slope[i], ONE,
+                                       2 * ONE - last[-1].length);
     return true;
 }
 
 /* And back, when c makes room for the length of the chord. */
-static void backward(const loft_vec p[], uint32_t count, enum loft_knots knots, loft_natural_knot knot[])
+static void backward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
+                     loft_natural_knot knot[])
 {
     knot[count-1].length = 0;
     knot[count-1].shift = 0;
@@ -138,8 +147,8 @@ static void backward(const loft_vec p[], uint32_t count, enum loft_knots knots, 
     }
 }
 
-enum loft_status loft_natural_init(loft_natural *s, const loft_vec p[], uint32_t count, enum loft_knots knots,
-                                   loft_natural_knot memory[])
+enum loft_status loft_natural_init(loft_natural *s, const loft_vec p[], uint32_t count,
+                                   enum loft_spacing knots, loft_natural_knot memory[])
 {
     if (count < 2)
         return LOFT_ERR_ARG;
@@ -163,7 +172,8 @@ static bool reaches(const loft_natural *s, uint32_t i, loft_unit t)
 }
 
 /* The slope at `end` for a parameter that runs from 0 to 1 over the chord of `knot` */
-static loft_acc reach(const loft_natural *s, const loft_natural_knot *knot, const loft_natural_knot *end, int axis)
+static loft_acc reach(const loft_natural *s, const loft_natural_knot *knot,
+                      const loft_natural_knot *end, int axis)
 {
     if (s->knots == LOFT_UNIFORM)
         return end->slope[axis];
@@ -193,12 +203,14 @@ enum loft_status loft_natural_eval(const loft_natural *s, uint32_t i, loft_unit 
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
-/* Over the chord, per its length: the cubic with the rise q h and the slopes m h, divided by h, has the derivatives
- * wanted times h^(k-1). In q16 the division by h for k = 2 yields x ONE / length with |x| <= 24 ONE (below), length >= 4 ONE:
- * below 2^26.6. That is the second derivative times 2^(48 - shift), and shift <= 42: a shift to the right remains.
+/* Over the chord, per its length: the cubic with the rise q h and the slopes m h, divided by h, has
+ * the derivatives wanted times h^(k-1). In q16 the division by h for k = 2 yields x ONE / length
+ * with |x| <= 24 ONE (below), length >= 4 ONE: below 2^26.6. That is the second derivative times
+ * 2^(48 - shift), and shift <= 42: a shift to the right remains.
  *
- * Errors in e / ONE: m 202, q 1.25. k = 1: between m and 3 q - 2 m, 410 and 2 for the scheme, 2^-48, and 2^-33 for the
- * last division: 2^-17 LSB. k = 2: 2 (3 q - 3 m), 1220: 2^-46.7, divided by h >= 2^-16: 2^-14 LSB. */
+ * Errors in e / ONE: m 202, q 1.25. k = 1: between m and 3 q - 2 m, 410 and 2 for the scheme,
+ * 2^-48, and 2^-33 for the last division: 2^-17 LSB. k = 2: 2 (3 q - 3 m), 1220: 2^-46.7, divided
+ * by h >= 2^-16: 2^-14 LSB. */
 static loft_acc per_length(const loft_natural *s, uint32_t i, unsigned k, loft_unit t, int axis)
 {
     const loft_natural_knot *knot = &s->knot[i];
@@ -207,11 +219,13 @@ static loft_acc per_length(const loft_natural *s, uint32_t i, unsigned k, loft_u
     const loft_acc e[4] = { 0, q, knot[0].slope[axis], knot[1].slope[axis] };
     const loft_acc x = loft_ends3_deriv(e, k, t);
 
-    return k == 1 ? loft_acc_down(x, ONE_SHIFT)
-                  : loft_acc_down(loft_acc_part(x, ONE, knot->length), 2u * ONE_SHIFT - knot->shift);
+    return k == 1
+               ? loft_acc_down(x, ONE_SHIFT)
+               : loft_acc_down(loft_acc_part(x, ONE, knot->length), 2u * ONE_SHIFT - knot->shift);
 }
 
-enum loft_status loft_natural_deriv(const loft_natural *s, uint32_t i, unsigned k, loft_unit t, loft_vec *out)
+enum loft_status loft_natural_deriv(const loft_natural *s, uint32_t i, unsigned k, loft_unit t,
+                                    loft_vec *out)
 {
     loft_acc e[4], x[LOFT_AXES];
 

@@ -1,21 +1,25 @@
 /* lib/curve/nearest.c
  * SPDX-License-Identifier: MIT
  *
- * Branch and bound over the dyadic pieces of the curve, with everything relative to p. F is the point of a piece's
- * chord that is nearest to p, m = |F|, and u = F / m. No point of the piece is nearer than the plane at a right
- * angle to u that has all control points b_i behind it:
+ * Branch and bound over the dyadic pieces of the curve, with everything relative to p. F is the
+ * point of a piece's chord that is nearest to p, m = |F|, and u = F / m. No point of the piece is
+ * nearer than the plane at a right angle to u that has all control points b_i behind it:
  *
- *     |P(t)| >= <P(t), u> >= min <b_i, u> = m + min <b_i - F, u>                                       (1)
+ *     |P(t)| >= <P(t), u> >= min <b_i, u> = m + min <b_i - F, u>
+ *         (1)
  *
- * whichever point F is. A piece is dropped when (1) is not tol below the nearest point found; otherwise it is halved.
- * The point tried on each piece is the one with the parameter of F on the chord.
+ * whichever point F is. A piece is dropped when (1) is not tol below the nearest point found;
+ * otherwise it is halved. The point tried on each piece is the one with the parameter of F on the
+ * chord.
  *
- * Both are within O(h^2) of m for a piece of width h: b_i is within n^2 / 8 times the largest second difference,
- * 4 h^2 |P|, of the chord, and so is the point tried within twice that of F. At h = 2^-24 this is 2^-42 |P|
- * (2^-26 units at most in q16, less than 2^-9 LSB), so there each piece may be dropped: the tree is finite.
+ * Both are within O(h^2) of m for a piece of width h: b_i is within n^2 / 8 times the largest
+ * second difference, 4 h^2 |P|, of the chord, and so is the point tried within twice that of F. At
+ * h = 2^-24 this is 2^-42 |P| (2^-26 units at most in q16, less than 2^-9 LSB), so there each piece
+ * may be dropped: the tree is finite.
  *
- * Rounding in q16: u is off by 2^-24, which moves (1) by 2^-22 |b_i - F|, taken off below; m by the error of
- * loft_acc_hypot, 2^-28 of it + 2^-32. That counts as tolerance, four times, lest noise is subdivided. */
+ * Rounding in q16: u is off by 2^-24, which moves (1) by 2^-22 |b_i - F|, taken off below; m by the
+ * error of loft_acc_hypot, 2^-28 of it + 2^-32. That counts as tolerance, four times, lest noise is
+ * subdivided. */
 #include "curve/nearest.h"
 #include "basis/pieces.h"   /* loft_dyad, loft_bernstein_part */
 #include "geom/chord.h"     /* loft_chord_foot */
@@ -81,7 +85,8 @@ static loft_acc bound_of(const scene *s, loft_unit *t)
 static void cut(scene *s, loft_dyad n)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        loft_bernstein_part(s->whole[i], s->degree, loft_dyad_from(n), loft_dyad_to(n), s->piece[i]);
+        loft_bernstein_part(s->whole[i], s->degree, loft_dyad_from(n), loft_dyad_to(n),
+                            s->piece[i]);
 }
 
 /* Both ends are tried first, then the pieces. */
@@ -98,14 +103,16 @@ static void search(scene *s, loft_vec p, loft_acc tol, loft_nearest *out)
             cut(s, n);
             const loft_acc bound = bound_of(s, &t);
             try_at(s, n, t, p, out);
-            if (bound >= out->distance - tol - 4 * loft_hypot_grain(out->distance) || n.level == LOFT_DYAD_LEVELS)
+            if (bound >= out->distance - tol - 4 * loft_hypot_grain(out->distance) ||
+                n.level == LOFT_DYAD_LEVELS)
                 break;
             n = loft_dyad_half(n, 0);
         }
     } while (loft_dyad_next(&n));
 }
 
-enum loft_status loft_bezier_nearest(const loft_bezier *b, loft_vec p, loft_real tol, loft_nearest *out)
+enum loft_status loft_bezier_nearest(const loft_bezier *b, loft_vec p, loft_real tol,
+                                     loft_nearest *out)
 {
     loft_nearest found;
     scene s;

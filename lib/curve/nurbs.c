@@ -1,22 +1,24 @@
 /* lib/curve/nurbs.c
  * SPDX-License-Identifier: MIT
  *
- * As rational.c: numerator x and denominator w' are splines of their own on the same knots, at one scale for all spans,
+ * As rational.c: numerator x and denominator w' are splines of their own on the same knots, at one
+ * scale for all spans,
  *
- *     x_k = s w_k p_k         w'_k = 2^15 s w_k         point = 2^15 x / w'         |x_k|, w'_k < 2^30
+ *     x_k = s w_k p_k         w'_k = 2^15 s w_k         point = 2^15 x / w'         |x_k|, w'_k <
+ *         2^30
  *
- * No row leaves the range, since each is a mean; each rounds x and w' by 2^-33, where the smallest w' is 2^29 / R, so
- * a quotient errs by degree R 2^-30 LSB and its rounding by 1/2. In floats the denominator errs by 5 degree
- * roundings of itself, all its terms being positive, the numerator by as many of the largest coordinate times the
- * denominator, and four more operations round.
+ * No row leaves the range, since each is a mean; each rounds x and w' by 2^-33, where the smallest
+ * w' is 2^29 / R, so a quotient errs by degree R 2^-30 LSB and its rounding by 1/2. In floats the
+ * denominator errs by 5 degree roundings of itself, all its terms being positive, the numerator by
+ * as many of the largest coordinate times the denominator, and four more operations round.
  */
 #include "curve/nurbs.h"
 #include "num/deep.h"           /* loft_acc_project, loft_deep_slope */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 
-/* Each point alone is a rational curve of degree 0, with the scale of its weight: the largest weight has the
- * smallest. */
+/* Each point alone is a rational curve of degree 0, with the scale of its weight: the largest
+ * weight has the smallest. */
 enum loft_status loft_nurbs_init(loft_nurbs *n, const loft_weighted p[], unsigned points,
                                  const loft_real knots[], unsigned degree)
 {
@@ -86,9 +88,10 @@ static void two_of(const loft_nurbs *n, unsigned span, loft_real u, loft_deep c[
             c[j] = loft_deep_lerp_in(c[j], c[j + 1], u, hi[(int)j - (int)rows], hi[j]);
 }
 
-/* As loft_rational_deriv: the last row would take (x0, w0) and (x1, w1) at k[s] and k[s+1], with x_k = s w_k (p_k - o) and
- * o the point at u, rounded. The pairs err by degree 2^-79 where w >= 2^14 / R, the quotient rounds by 2^-33, and
- * all is divided by h < 2^16: a rate that fits has a numerator below 2^31. */
+/* As loft_rational_deriv: the last row would take (x0, w0) and (x1, w1) at k[s] and k[s+1], with
+ * x_k = s w_k (p_k - o) and o the point at u, rounded. The pairs err by degree 2^-79 where w >=
+ * 2^14 / R, the quotient rounds by 2^-33, and all is divided by h < 2^16: a rate that fits has a
+ * numerator below 2^31. */
 enum loft_status loft_nurbs_deriv(const loft_nurbs *n, loft_real u, loft_vec *out)
 {
     const unsigned span = loft_knots_find(&n->knots, u), degree = n->knots.degree;
@@ -107,7 +110,8 @@ enum loft_status loft_nurbs_deriv(const loft_nurbs *n, loft_real u, loft_vec *ou
         loft_acc d = 0;
         numerators(n, span, i, c);
         for (unsigned k = 0; k <= degree; k++)
-            x[k] = loft_deep_guarded(c[k] - loft_prod(o.axis[i], n->p[span - degree + k].w * (loft_real)n->scale));
+            x[k] = loft_deep_guarded(
+                c[k] - loft_prod(o.axis[i], n->p[span - degree + k].w * (loft_real)n->scale));
         two_of(n, span, u, x);
         if (!loft_deep_slope(x, w, loft_deep_lerp_in(w[0], w[1], u, lo, hi), (int32_t)degree, &d)
             || !loft_acc_rate(d, loft_wide(hi) - loft_wide(lo), &v.axis[i]))
@@ -137,20 +141,24 @@ bool loft_nurbs_next(const loft_nurbs *n, unsigned *span, loft_weighted out[])
     return true;
 }
 
-/* The point between k - 1 and k; lo and hi are the knots between which u has its place. The factor 2^15 s of the weight
- * is taken off as it was put on. */
-static loft_weighted between(const loft_nurbs *n, unsigned k, loft_real u, loft_real lo, loft_real hi)
+/* The point between k - 1 and k; lo and hi are the knots between which u has its place. The factor
+ * 2^15 s of the weight is taken off as it was put on. */
+static loft_weighted between(const loft_nurbs *n, unsigned k, loft_real u, loft_real lo,
+                             loft_real hi)
 {
     const loft_acc w = loft_acc_lerp_in(denominator(n, k - 1), denominator(n, k), u, lo, hi);
     loft_weighted q;
 
-    q.w = loft_weight_clamp(loft_acc_round(loft_acc_ratio(loft_acc_ratio(w, LOFT_PROJECT), n->scale)));
+    q.w = loft_weight_clamp(
+        loft_acc_round(loft_acc_ratio(loft_acc_ratio(w, LOFT_PROJECT), n->scale)));
     for (int i = 0; i < LOFT_AXES; i++)
-        q.p.axis[i] = loft_acc_project(loft_acc_lerp_in(numerator(n, k - 1, i), numerator(n, k, i), u, lo, hi), w);
+        q.p.axis[i] = loft_acc_project(
+            loft_acc_lerp_in(numerator(n, k - 1, i), numerator(n, k, i), u, lo, hi), w);
     return q;
 }
 
-enum loft_status loft_nurbs_insert(const loft_nurbs *n, loft_real u, loft_weighted p[], loft_real knots[])
+enum loft_status loft_nurbs_insert(const loft_nurbs *n, loft_real u, loft_weighted p[],
+                                   loft_real knots[])
 {
     const unsigned span = loft_knots_find(&n->knots, u), degree = n->knots.degree;
     const loft_real *lo = n->knots.k, *hi = lo + degree;

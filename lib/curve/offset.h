@@ -1,4 +1,5 @@
-/* lib/curve/offset.h -- the path beside a planar cubic at a distance, within a tolerance: for the radius of a tool
+/* lib/curve/offset.h -- the path beside a planar cubic at a distance, within a tolerance: for the
+ * radius of a tool
  * SPDX-License-Identifier: MIT
  *
  *     loft_offset      o;
@@ -8,13 +9,14 @@
  *             if (!s.behind)
  *                 cut_along(&s.curve);
  *
- * The offset of P(t) is O(t) = P(t) + distance * N(t), N the unit normal to the left of the direction of travel; a
- * negative distance is on the right. Plane and normal are those of the first two axes; the others (the height of a
- * tool) are the curve's own.
+ * The offset of P(t) is O(t) = P(t) + distance * N(t), N the unit normal to the left of the
+ * direction of travel; a negative distance is on the right. Plane and normal are those of the first
+ * two axes; the others (the height of a tool) are the curve's own.
  *
- * Where the curve bends towards that side with a radius below the distance, O runs backwards, between two cusps. A
- * tool there would cut into the curve. O is cut at its cusps and the spans between them say `behind`; who mills
- * leaves them out and joins the rest where it crosses itself (curve/intersect.h).
+ * Where the curve bends towards that side with a radius below the distance, O runs backwards,
+ * between two cusps. A tool there would cut into the curve. O is cut at its cusps and the spans
+ * between them say `behind`; who mills leaves them out and joins the rest where it crosses itself
+ * (curve/intersect.h).
  *
  * Where the curve itself has a cusp its normal jumps, and the next span says `apart`.
  */
@@ -22,17 +24,20 @@
 #define LOFT_CURVE_OFFSET_H
 
 #include "curve/bezier.h"   /* loft_cubic */
+#include "num/broad.h"       /* loft_broad */
+
+LOFT_BEGIN_C
 
 /* State of one offset; do not rely on its contents. */
 typedef struct {
     loft_cubic curve;
     loft_real  distance;
-    loft_acc   limit, hardly;   /* the tolerance as a part of the distance; a quarter of it      */
-    loft_acc   h[2][3];         /* the direction of travel: a polynomial without zeros at 0 and 1 */
-    uint8_t    degree;          /* of it                                                          */
-    int8_t     way;             /* 1: the offset runs forwards, -1: backwards, 0: not known yet   */
-    bool       apart;
-    uint32_t   at;              /* the parameter of the last end, in steps of 2^-24               */
+    loft_acc   limit, hardly;   /* the tolerance as a part of the distance; a quarter of it */
+    loft_broad  h[2][3];         /* the direction of travel: a polynomial without zeros at 0 and
+                                  * 1 */
+    uint8_t    degree;          /* of it */
+    int8_t     way;             /* 1: the offset runs forwards, -1: backwards, 0: not known yet */
+    uint32_t   at;              /* the parameter of the last end, in steps of 2^-24 */
 } loft_offset;
 
 typedef struct {
@@ -44,29 +49,39 @@ typedef struct {
 
 /* Prepare the offset of `c`, which is copied.
  *
- *   range   tol > 0 and at least two axes, otherwise LOFT_ERR_ARG; tol >= 4 LSB (f32, f64: 4 ulp of the largest
- *           coordinate of the offset) + 2^-17 of the distance, and coordinates that stay within their range when
- *           twice the distance is added, otherwise LOFT_ERR_RANGE; LOFT_SINGULAR when all four points are one in
- *           the plane: there is no direction
+ *   range   tol > 0 and at least two axes, otherwise LOFT_ERR_ARG; tol >= 4 LSB (f32, f64: 4 ulp of
+ *           the largest coordinate of the offset) + 2^-17 of the distance, and coordinates that
+ *           stay within their range when twice the distance is added, otherwise LOFT_ERR_RANGE;
+ *           LOFT_SINGULAR when all four points are one in the plane: there is no direction
  *   error   none of its own: that of the spans is said below
  *   cost    nothing yet
  */
-enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real distance, loft_real tol) LOFT_CHECKED;
+enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real distance,
+                                  loft_real tol) LOFT_CHECKED;
 
-/* Give the next span, the longest of dyadic end that can be proved. Returns false, and leaves *out alone, after the last.
+/* Give the next span, the longest of dyadic end that can be proved. Returns false, and leaves *out
+ * alone, after the last.
  *
- *   shape   the spans follow each other, from = 0 to to = 1, and each starts exactly where the one before it ended
- *           unless it is `apart`; then a stretch of at most 2^-18 of the parameter, in which the curve turns
- *           faster than it can be resolved, is left out
- *   error   at the same parameter, and so everywhere, the span is within tol of O, rounding included. Ends have
- *           the direction of O. Cusps are met within 2^-24 of the parameter. O is not cut where it runs backwards at
- *           such a pace that it would not come farther than 3/4 tol in the time of a quarter of the span, nor where
- *           it does so for less than that time; the span is within tol all the same
- *   cost    1 to 25 trials, each of 26 lerps per axis, 60 products and 6 square roots; a cusp 24 more. 8 spans for a
- *           quarter of a circle at tol = distance / 10^4, twice as many for a sixteenth of that. 1.1 KB of stack
- *   see     Tiller & Hanson, Offsets of two-dimensional profiles, IEEE CG&A 4 (1984); Klass, An offset spline
- *           approximation for plane cubic splines, CAD 15 (1983): ends with their derivatives, as here
+ *   shape   the spans follow each other, from = 0 to to = 1. Each starts exactly where the one
+ *           before it ended unless it is `apart`: then a stretch is left out, a cusp or nearly one,
+ *           in which the curve turns faster than can be resolved. All that is left out is at most
+ *           2^-18 of the parameter. Such a stretch at 0 or 1 is a span of its own, at the normal of
+ *           the one beside it
+ *   error   at the same parameter, and so everywhere, the span is within tol of O, rounding
+ *           included, but where it stands for such a stretch. Ends have the direction of O. Cusps
+ *           are met within 2^-24 of the parameter. O is not cut where it runs backwards at such a
+ *           pace that it would not come farther than 3/4 tol in the time of a quarter of the span,
+ *           nor where it does so for less than that time; the span is within tol all the same
+ *   cost    1 to 25 trials, each of 16 lerps per axis, 18 of num/broad.h, 60 products and 5 square
+ *           roots; a cusp 24 more, and 25 for each step of 2^-24 that is left out. 8 spans for a
+ *           quarter of a circle at tol = distance / 10^4, twice as many for a sixteenth of that.
+ *           1.1 KB of stack
+ *   see     Tiller & Hanson, Offsets of two-dimensional profiles, IEEE CG&A 4 (1984); Klass, An
+ *           offset spline approximation for plane cubic splines, CAD 15 (1983): ends with their
+ *           derivatives, as here
  */
 bool loft_offset_next(loft_offset *o, loft_offset_span *out);
+
+LOFT_END_C
 
 #endif

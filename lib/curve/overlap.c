@@ -1,9 +1,10 @@
 /* lib/curve/overlap.c
  * SPDX-License-Identifier: MIT
  *
- * A stretch ends where one of the curves does: candidates are the pairs (s, t) with an end on one side and the nearest
- * point on the other, and all pairs of ends. Of two candidates the parts of both curves between them are compared:
- * where all control points are within 7/8 tol of each other, so are all points.
+ * A stretch ends where one of the curves does: candidates are the pairs (s, t) with an end on one
+ * side and the nearest point on the other, and all pairs of ends. Of two candidates the parts of
+ * both curves between them are compared: where all control points are within 7/8 tol of each other,
+ * so are all points.
  */
 #include "curve/overlap.h"
 #include "basis/pieces.h"   /* loft_bernstein_part */
@@ -30,7 +31,8 @@ static void part_of(const loft_bezier *b, loft_unit from, loft_unit to, int axis
 
 /* Finding it */
 
-static void add_ends(const loft_bezier *a, const loft_bezier *b, loft_acc gap, place out[], unsigned *count)
+static void add_ends(const loft_bezier *a, const loft_bezier *b, loft_acc gap, place out[],
+                     unsigned *count)
 {
     for (unsigned end = 0; end < 4; end++) {
         const loft_vec p = a->p[end & 1 ? a->degree : 0], q = b->p[end & 2 ? b->degree : 0];
@@ -41,14 +43,16 @@ static void add_ends(const loft_bezier *a, const loft_bezier *b, loft_acc gap, p
 }
 
 /* An end of `a` and the point of `b` nearest to it; `swap` when `a` is the second curve. */
-static void add_nearest(const loft_bezier *a, const loft_bezier *b, loft_real tol, bool swap, place out[], unsigned *count)
+static void add_nearest(const loft_bezier *a, const loft_bezier *b, loft_real tol, bool swap,
+                        place out[], unsigned *count)
 {
     const loft_real fine = tol / 8 > 0 ? tol / 8 : LOFT_REAL_LSB;
     loft_nearest n;
 
     for (unsigned end = 0; end < 2; end++) {
         const loft_unit at = end ? LOFT_UNIT(1) : 0;
-        if (loft_bezier_nearest(b, a->p[end ? a->degree : 0], fine, &n) != LOFT_OK || n.distance > loft_acc_ratio(loft_wide(tol), 2))
+        if (loft_bezier_nearest(b, a->p[end ? a->degree : 0], fine, &n) != LOFT_OK ||
+            n.distance > loft_acc_ratio(loft_wide(tol), 2))
             continue;
         const place here = { swap ? n.t : at, swap ? at : n.t };
         out[(*count)++] = here;
@@ -56,7 +60,8 @@ static void add_nearest(const loft_bezier *a, const loft_bezier *b, loft_real to
 }
 
 /* Are the parts the same within `limit`, and no point? */
-static bool agree(const loft_bezier *a, const loft_bezier *b, place from, place to, loft_acc limit, loft_acc *distance)
+static bool agree(const loft_bezier *a, const loft_bezier *b, place from, place to, loft_acc limit,
+                  loft_acc *distance)
 {
     loft_acc p[LOFT_AXES][POINTS], q[LOFT_AXES][POINTS], off[LOFT_AXES], extent = 0;
 
@@ -78,25 +83,30 @@ static bool agree(const loft_bezier *a, const loft_bezier *b, place from, place 
     return extent > 4 * limit + loft_acc_ratio(4 * limit, 7);
 }
 
-bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real tol, loft_overlap *out)
+bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real tol,
+                         loft_overlap *out)
 {
     const loft_acc wide = loft_wide(tol), limit = wide - loft_acc_ratio(wide, 8);
-    const loft_bezier *lower = a->degree < b->degree ? a : b, *higher = a->degree < b->degree ? b : a;
+    const loft_bezier *lower = a->degree < b->degree ? a : b,
+                      *higher = a->degree < b->degree ? b : a;
     loft_vec p[POINTS];
     loft_bezier raised = { p, higher->degree };
     place at[PLACES];
     loft_acc distance = 0;          /* for compilers that do not see that agree() sets it */
     unsigned count = 0;
 
-    if (LOFT_AXES < 2 || loft_bezier_raise(lower, (unsigned)(higher->degree - lower->degree), p) != LOFT_OK)
+    if (LOFT_AXES < 2 ||
+        loft_bezier_raise(lower, (unsigned)(higher->degree - lower->degree), p) != LOFT_OK)
         return false;
     add_ends(a, b, loft_acc_ratio(wide, 2), at, &count);
     add_nearest(a, b, tol, false, at, &count);
     add_nearest(b, a, tol, true, at, &count);
     for (unsigned j = 0; j < count; j++)
         for (unsigned k = 0; k < count; k++)
-            if (at[j].s + SLACK < at[k].s && (at[j].t + SLACK < at[k].t || at[k].t + SLACK < at[j].t)
-                && agree(lower == a ? &raised : a, lower == a ? b : &raised, at[j], at[k], limit, &distance)) {
+            if (at[j].s + SLACK < at[k].s &&
+                (at[j].t + SLACK < at[k].t || at[k].t + SLACK < at[j].t) &&
+                agree(lower == a ? &raised : a, lower == a ? b : &raised, at[j], at[k], limit,
+                      &distance)) {
                 const loft_overlap found = { at[j].s, at[k].s, at[j].t, at[k].t, distance };
                 *out = found;
                 return true;
@@ -111,7 +121,8 @@ bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real t
 static loft_unit across(const loft_overlap *o, loft_unit t)
 {
     const loft_acc one = loft_wide(LOFT_REAL(1)), way = loft_acc_scale(one, o->t_to - o->t_from);
-    const loft_acc gone = loft_acc_scale(one, t - o->t_from), length = loft_acc_scale(one, o->s_to - o->s_from);
+    const loft_acc gone = loft_acc_scale(one, t - o->t_from),
+                   length = loft_acc_scale(one, o->s_to - o->s_from);
     const loft_acc s = loft_acc_part(length, way < 0 ? -gone : gone, way < 0 ? -way : way);
 
     return loft_unit_clamp(loft_unit_ratio(loft_acc_scale(one, o->s_from) + s, one));
@@ -122,8 +133,9 @@ static bool within(loft_unit from, loft_unit to, loft_unit low, loft_unit high)
     return from >= low - SLACK && to <= high + SLACK;
 }
 
-/* Edges within 60 degrees of the chord go on along it by half their length each: two points of the part that are within
- * tol of each other have at most 2 tol of it between them. Lengths and directions are right to 2^-20. */
+/* Edges within 60 degrees of the chord go on along it by half their length each: two points of the
+ * part that are within tol of each other have at most 2 tol of it between them. Lengths and
+ * directions are right to 2^-20. */
 static bool turns_little(const loft_bezier *a, loft_unit from, loft_unit to)
 {
     loft_acc p[LOFT_AXES][POINTS], chord[LOFT_AXES], edge[LOFT_AXES];
@@ -147,8 +159,8 @@ static bool turns_little(const loft_bezier *a, loft_unit from, loft_unit to)
     return true;
 }
 
-bool loft_overlap_covers(const loft_overlap *o, const loft_bezier *a, loft_unit s_from, loft_unit s_to,
-                         loft_unit t_from, loft_unit t_to)
+bool loft_overlap_covers(const loft_overlap *o, const loft_bezier *a, loft_unit s_from,
+                         loft_unit s_to, loft_unit t_from, loft_unit t_to)
 {
     const bool back = o->t_to < o->t_from;
 

@@ -4,8 +4,8 @@
 #include "curve/parabola.h"
 #include "basis/interp.h"       /* loft_parabola_bernstein */
 
-enum loft_status loft_bezier_from_parabola(const loft_real t[3], const loft_vec p[3], loft_real from, loft_real to,
-                                           loft_vec out[3])
+enum loft_status loft_bezier_from_parabola(const loft_real t[3], const loft_vec p[3],
+                                           loft_real from, loft_real to, loft_vec out[3])
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real f[3] = { p[0].axis[i], p[1].axis[i], p[2].axis[i] };

@@ -6,16 +6,23 @@
 
 #include "geom/vec.h"           /* loft_vec */
 
-/* The curve of degree 2 that is at p[i] at the parameter t[i], as the control points of its piece from..to (in
- * the same parameter; from > to gives it reversed).
+LOFT_BEGIN_C
+
+/* The curve of degree 2 that is at p[i] at the parameter t[i], as the control points of its piece
+ * from..to (in the same parameter; from > to gives it reversed).
  *
- *   range   LOFT_SINGULAR when two of t are the same; LOFT_ERR_RANGE when a control point does not fit;
- *           f32, f64: numbers that loft_exact_admits, otherwise LOFT_ERR_RANGE; out is undefined then
+ *   range   LOFT_SINGULAR when two of t are the same; LOFT_ERR_RANGE when a control point does not
+ *           fit;
+ *           f32, f64: numbers that loft_exact_admits, otherwise LOFT_ERR_RANGE; out is undefined
+ *           then
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.52 ulp, f64: 1 ulp of the result
  *   cost    that of 3 loft_parabola_eval per axis; stack in q16 2.5 kB; not for an ISR
  *   see     basis/interp.h
  */
-enum loft_status loft_bezier_from_parabola(const loft_real t[3], const loft_vec p[3], loft_real from, loft_real to,
+enum loft_status loft_bezier_from_parabola(const loft_real t[3], const loft_vec p[3],
+                                           loft_real from, loft_real to,
                                            loft_vec out[3]) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

@@ -1,25 +1,31 @@
 /* lib/curve/rational.c
  * SPDX-License-Identifier: MIT
  *
- * Numerator and denominator are polynomials of their own, evaluated wide one axis at a time, and divided once:
+ * Numerator and denominator are polynomials of their own, evaluated wide one axis at a time, and
+ * divided once:
  *
  *     x_k = s w_k p_k         w'_k = 2^15 s w_k         point = 2^15 x / w'
  *
- * with a power of two s that brings the largest weight into 2^14 .. 2^15. In q16 then |x_k| < 2^30 and w'_k < 2^30,
- * exactly (s is whole), and in 0..1 no step leaves that range, which is what loft_acc_lerp asks for.
+ * with a power of two s that brings the largest weight into 2^14 .. 2^15. In q16 then |x_k| < 2^30
+ * and w'_k < 2^30, exactly (s is whole), and in 0..1 no step leaves that range, which is what
+ * loft_acc_lerp asks for.
  *
- * Error. Each of n rows rounds x and w' by 2^-33. The smallest weight is s w >= 2^14 / R, so the quotient errs by
+ * Error. Each of n rows rounds x and w' by 2^-33. The smallest weight is s w >= 2^14 / R, so the
+ * quotient errs by
  *
- *     n 2^-33 / (2^14 / R)  +  2^15 n 2^-33 / (2^29 / R)  =  2 n R 2^-47        n R 2^-30 LSB,   < 0.001 for R = 2^16
+ *     n 2^-33 / (2^14 / R)  +  2^15 n 2^-33 / (2^29 / R)  =  2 n R 2^-47        n R 2^-30 LSB,   <
+ *         0.001 for R = 2^16
  *
- * and its rounding by 1/2. In floats all terms of the denominator are positive: it errs by 3 n ulp of itself, the
- * numerator by 3 n ulp of the largest coordinate times the denominator, and four more operations round.
+ * and its rounding by 1/2. In floats all terms of the denominator are positive: it errs by 3 n ulp
+ * of itself, the numerator by 3 n ulp of the largest coordinate times the denominator, and four
+ * more operations round.
  *
- * Beyond the ends a row multiplies by L = |1 - t| + |t| <= 3 at most, and the denominator may be as small as it likes,
- * 0 or negative: what divides by it is carried in loft_deep with 46 guard bits, |x|, w' < 2^62 2^46 3^9 < 2^123, and
- * is refused where the denominator is below FLOOR of the largest weight W; there is no bound that holds for all. Rows
- * round by (1 + L + .. + L^8) / 2 < 2^12.3 last bits, of a denominator of 2^(61 - 20 + 46) at least: a point errs by less
- * than 2^-40 LSB more. In floats the n rows err by 3 n L^n ulp of W, which is 3 n K ulp of the denominator,
+ * Beyond the ends a row multiplies by L = |1 - t| + |t| <= 3 at most, and the denominator may be as
+ * small as it likes, 0 or negative: what divides by it is carried in loft_deep with 46 guard bits,
+ * |x|, w' < 2^62 2^46 3^9 < 2^123, and is refused where the denominator is below FLOOR of the
+ * largest weight W; there is no bound that holds for all. Rows round by (1 + L + .. + L^8) / 2 <
+ * 2^12.3 last bits, of a denominator of 2^(61 - 20 + 46) at least: a point errs by less than 2^-40
+ * LSB more. In floats the n rows err by 3 n L^n ulp of W, which is 3 n K ulp of the denominator,
  *
  *     K = L^n W / w(t)
  *
@@ -60,7 +66,8 @@ static void guard(const loft_acc c[], unsigned degree, loft_deep out[])
         out[k] = loft_deep_guarded(c[k]);
 }
 
-/* As numerators and denominators, with guard bits; without the factor LOFT_PROJECT of w' where that is divided by. */
+/* As numerators and denominators, with guard bits; without the factor LOFT_PROJECT of w' where that
+ * is divided by. */
 static void deep_denominators(const loft_rational *r, int32_t by, loft_deep w[])
 {
     loft_acc c[POINTS];
@@ -184,13 +191,14 @@ static void two_of(loft_deep c[], unsigned degree, loft_unit t)
  *
  *     P' = n (x1 w0 - x0 w1) / w^2
  *
- * and with o the point at t rounded to a coordinate, (1 - t) x0 + t x1 is next to 0: inside 0..1 both parts have the same
- * sign, so nothing cancels. In q16 the pairs err by n 2^-79 there, where w >= 2^-2 and n w0 w1 / w^2 <= n 2^17, so
- * the result errs by less than 2^-55.
+ * and with o the point at t rounded to a coordinate, (1 - t) x0 + t x1 is next to 0: inside 0..1
+ * both parts have the same sign, so nothing cancels. In q16 the pairs err by n 2^-79 there, where w
+ * >= 2^-2 and n w0 w1 / w^2 <= n 2^17, so the result errs by less than 2^-55.
  *
- * Outside, x0 / w and x1 / w are 2 |P'| / n at most and that rounding, below 2^17, |w0| / w and |w1| / w at most K: each of the
- * parts is below 2^18 K and taken to 2^-58 of itself, which is less than 2^-24 K LSB in all. In floats x0 / w errs by
- * 3 n K ulp of the largest value there is, times K for w0 / w, times n. */
+ * Outside, x0 / w and x1 / w are 2 |P'| / n at most and that rounding, below 2^17, |w0| / w and
+ * |w1| / w at most K: each of the parts is below 2^18 K and taken to 2^-58 of itself, which is less
+ * than 2^-24 K LSB in all. In floats x0 / w errs by 3 n K ulp of the largest value there is, times
+ * K for w0 / w, times n. */
 enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_vec *out)
 {
     const unsigned n = r->degree;
@@ -206,7 +214,8 @@ enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_v
         loft_acc d = 0;
         deep_numerators(r, i, o.axis[i], x);
         two_of(x, n, t);
-        if (!loft_deep_slope(x, w, loft_deep_lerp(w[0], w[1], t), (int32_t)n, &d) || !loft_acc_fits(d))
+        if (!loft_deep_slope(x, w, loft_deep_lerp(w[0], w[1], t), (int32_t)n, &d) ||
+            !loft_acc_fits(d))
             return LOFT_ERR_RANGE;
         v.axis[i] = loft_acc_round(d);
     }
@@ -217,8 +226,8 @@ enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_v
 
 /* Pieces and other forms
  *
- * The weights of the result are written last: `out` may be the control points, of which each axis is read before it
- * is written. */
+ * The weights of the result are written last: `out` may be the control points, of which each axis
+ * is read before it is written. */
 
 /* Two roundings of 2^-33 and one to a real. */
 static loft_real unscaled(const loft_rational *r, loft_acc w)
@@ -227,7 +236,8 @@ static loft_real unscaled(const loft_rational *r, loft_acc w)
 }
 
 /* One axis of the control points; false when one does not fit. */
-static bool project(const loft_deep x[], const loft_deep w[], unsigned degree, int axis, loft_weighted out[])
+static bool project(const loft_deep x[], const loft_deep w[], unsigned degree, int axis,
+                    loft_weighted out[])
 {
     for (unsigned k = 0; k <= degree; k++)
         if (!loft_deep_rate(x[k], w[k], &out[k].p.axis[axis]))
@@ -252,15 +262,18 @@ static void halve(loft_deep c[], unsigned degree, loft_unit t, loft_deep left[])
     }
 }
 
-/* The weights as they come. They are means inside 0..1, where only a last bit may have left the range. */
+/* The weights as they come. They are means inside 0..1, where only a last bit may have left the
+ * range. */
 static bool weigh(const loft_rational *r, const loft_deep w[], bool means, loft_weighted out[])
 {
-    const loft_deep most = loft_deep_times(loft_deep_guarded(loft_wide(LOFT_WEIGHT_MAX) * LOFT_PROJECT), (uint32_t)r->scale);
+    const loft_deep most = loft_deep_times(
+        loft_deep_guarded(loft_wide(LOFT_WEIGHT_MAX) * LOFT_PROJECT), (uint32_t)r->scale);
 
     for (unsigned k = 0; k <= r->degree; k++) {
         if (!means && loft_deep_below(most, w[k]))
             return false;
-        const loft_real weight = loft_acc_round(loft_acc_ratio(loft_deep_wide(w[k], (uint32_t)r->scale), LOFT_PROJECT));
+        const loft_real weight = loft_acc_round(
+            loft_acc_ratio(loft_deep_wide(w[k], (uint32_t)r->scale), LOFT_PROJECT));
         if (!means && weight < LOFT_WEIGHT_MIN)
             return false;
         out[k].w = loft_weight_clamp(weight);
@@ -268,7 +281,8 @@ static bool weigh(const loft_rational *r, const loft_deep w[], bool means, loft_
     return true;
 }
 
-enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_weighted left[], loft_weighted right[])
+enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_weighted left[],
+                                     loft_weighted right[])
 {
     const unsigned degree = r->degree;
     loft_deep w_left[POINTS], w_right[POINTS], x_left[POINTS], x_right[POINTS];
@@ -283,10 +297,13 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
     for (int i = 0; i < LOFT_AXES; i++) {
         deep_numerators(r, i, 0, x_right);
         halve(x_right, degree, t, x_left);
-        if (!project(x_left, w_left, degree, i, left) || !project(x_right, w_right, degree, i, right))
+        if (!project(x_left, w_left, degree, i, left) ||
+            !project(x_right, w_right, degree, i, right))
             return LOFT_ERR_RANGE;
     }
-    return weigh(r, w_left, inside(t), left) && weigh(r, w_right, inside(t), right) ? LOFT_OK : LOFT_ERR_RANGE;
+    return weigh(r, w_left, inside(t), left) && weigh(r, w_right, inside(t), right)
+               ? LOFT_OK
+               : LOFT_ERR_RANGE;
 }
 
 /* out[k] = c[from^(degree-k), to^k]: after degree - k rows at `from`, k rows at `to` in a copy. */
@@ -302,8 +319,9 @@ static void blossom(loft_deep c[], unsigned degree, loft_unit from, loft_unit to
     }
 }
 
-/* The least power of two that brings all weights to 256 at most. The smallest of them stay above 1/256, where
- * they were before: the factor 2^15 s / divisor that is left is a power of two and at least 1. */
+/* The least power of two that brings all weights to 256 at most. The smallest of them stay above
+ * 1/256, where they were before: the factor 2^15 s / divisor that is left is a power of two and at
+ * least 1. */
 static int32_t divisor_of(const loft_acc w[], unsigned degree)
 {
     int32_t divisor = 1;
@@ -322,11 +340,12 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
         out[k].w = loft_weight_clamp(loft_acc_round(loft_acc_ratio(w[k], divisor)));
 }
 
-/* The weights as wide numbers below 2^30, all divided by the same power of two, which is 1 inside 0..1; false when one is
- * below 1/256 where the largest comes into 128..256. */
+/* The weights as wide numbers below 2^30, all divided by the same power of two, which is 1 inside
+ * 0..1; false when one is below 1/256 where the largest comes into 128..256. */
 static bool narrow(const loft_deep w[], unsigned degree, bool means, loft_acc out[])
 {
-    const loft_deep limit = loft_deep_times(loft_deep_guarded(loft_wide(LARGEST)), 2 * LOFT_PROJECT);
+    const loft_deep limit = loft_deep_times(loft_deep_guarded(loft_wide(LARGEST)),
+                                            2 * LOFT_PROJECT);
     uint32_t by = 1;
 
     for (unsigned k = 0; k <= degree; k++)
@@ -341,7 +360,8 @@ static bool narrow(const loft_deep w[], unsigned degree, bool means, loft_acc ou
     return true;
 }
 
-enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft_unit to, loft_weighted out[])
+enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft_unit to,
+                                    loft_weighted out[])
 {
     const unsigned degree = r->degree;
     const bool means = inside(from) && inside(to);
@@ -365,7 +385,8 @@ enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft
     return LOFT_OK;
 }
 
-/* b_k = k/(n+1) b_(k-1) + (1 - k/(n+1)) b_k, from the last one down, `times` times: each rounds by 2^-33. */
+/* b_k = k/(n+1) b_(k-1) + (1 - k/(n+1)) b_k, from the last one down, `times` times: each rounds by
+ * 2^-33. */
 static void raise(loft_acc c[], unsigned degree, unsigned times)
 {
     for (unsigned n = degree; n < degree + times; n++) {

@@ -1,17 +1,19 @@
 /* lib/curve/rational_walk.c
  * SPDX-License-Identifier: MIT
  *
- * With coefficients c_k of numerator or denominator and g_k = C(d, k) D^k c_0, the polynomial times n^d at i/n is
+ * With coefficients c_k of numerator or denominator and g_k = C(d, k) D^k c_0, the polynomial times
+ * n^d at i/n is
  *
  *     n^d F(i/n) = sum_k  g_k n^(d-k) i^k
  *
- * whole for whole c_k. Its differences at i = 0 are whole too, and adding them is exact. In q16 the c_k are whole:
- * below 2^31 2^24 = 2^55 for a coordinate times a weight, and for a weight times 2^31. With n^d < 2^63 all values
- * are below 2^118; the differences may wrap at 2^128, where sums are right all the same. So the quotient is that
- * of the true values and is rounded once.
+ * whole for whole c_k. Its differences at i = 0 are whole too, and adding them is exact. In q16 the
+ * c_k are whole: below 2^31 2^24 = 2^55 for a coordinate times a weight, and for a weight times
+ * 2^31. With n^d < 2^63 all values are below 2^118; the differences may wrap at 2^128, where sums
+ * are right all the same. So the quotient is that of the true values and is rounded once.
  *
- * In floats the n^d F are rounded as in forward.c, relative to the largest coefficient; the quotient by the
- * denominator, which is never below the smallest weight, brings the ratio R of the weights in, twice.
+ * In floats the n^d F are rounded as in forward.c, relative to the largest coefficient; the
+ * quotient by the denominator, which is never below the smallest weight, brings the ratio R of the
+ * weights in, twice.
  */
 #include "curve/rational_walk.h"
 #include "num/strict.h"     /* loft_strict_admits */
@@ -31,8 +33,8 @@ static void powers(loft_deep a[], unsigned degree, uint32_t n)
     }
 }
 
-/* From sum a_k i^k to its differences at i = 0: dividing by i, i - 1, .. in turn gives the coefficients of
- * i (i-1) .. (i-k+1), whose k-th difference is k!. */
+/* From sum a_k i^k to its differences at i = 0: dividing by i, i - 1, .. in turn gives the
+ * coefficients of i (i-1) .. (i-k+1), whose k-th difference is k!. */
 static void differences(loft_deep a[], unsigned degree)
 {
     uint32_t factorial = 1;
@@ -46,7 +48,8 @@ static void differences(loft_deep a[], unsigned degree)
     }
 }
 
-enum loft_status loft_rational_walk_init(loft_rational_walk *walk, const loft_rational *r, uint32_t n)
+enum loft_status loft_rational_walk_init(loft_rational_walk *walk, const loft_rational *r,
+                                         uint32_t n)
 {
     const unsigned degree = r->degree;
 

@@ -1,16 +1,20 @@
-/* lib/curve/rational_walk.h -- walk a rational curve at equal parameter steps, exactly, for any number of steps
+/* lib/curve/rational_walk.h -- walk a rational curve at equal parameter steps, exactly, for any
+ * number of steps
  * SPDX-License-Identifier: MIT
  *
- * Numerator and denominator are walked by forward differences, both times n^degree, which cancels in the quotient:
- * degree additions and one quotient per axis and point, no multiplication, no drift.
+ * Numerator and denominator are walked by forward differences, both times n^degree, which cancels
+ * in the quotient: degree additions and one quotient per axis and point, no multiplication, no
+ * drift.
  *
  *     loft_rational_walk w;
  *     loft_vec           p;
  *     if (loft_rational_walk_init(&w, &curve, 1000) == LOFT_OK)
  *         while (loft_rational_walk_next(&w, &p))
- *             move_to(p);                      // 1000 points, the last one is the last control point
+ *             move_to(p);                      // 1000 points, the last one is the last control
+ *                                              point
  *
- * The law of ranges: n^degree < 2^63 in every number type, whatever the control points and weights are:
+ * The law of ranges: n^degree < 2^63 in every number type, whatever the control points and weights
+ * are:
  *
  *     degree             1               2           3        4       5
  *     n at most   2^32 - 1   3,037,000,499   2,097,151   55,108   6,208
@@ -20,6 +24,8 @@
 
 #include "curve/rational.h"     /* loft_rational */
 #include "num/deep.h"           /* loft_deep: the differences */
+
+LOFT_BEGIN_C
 
 #define LOFT_RATIONAL_WALK_DEGREE_MAX 5
 
@@ -35,21 +41,25 @@ typedef struct {
 /* Prepare to walk `r` in n equal parameter steps.
  *
  *   shape   will yield n points, at t = 1/n, 2/n .. 1; the start is not repeated; `r` is not kept
- *   range   degree 0..5, n >= 1, otherwise LOFT_ERR_ARG; n within the law of ranges and, in f64, coordinates below
- *           2^900, otherwise LOFT_ERR_RANGE; then *walk is untouched
+ *   range   degree 0..5, n >= 1, otherwise LOFT_ERR_ARG; n within the law of ranges and, in f64,
+ *           coordinates below 2^900, otherwise LOFT_ERR_RANGE; then *walk is untouched
  *   error   none in q16   f32, f64: it is counted in that of the points
  *   cost    degree * (degree + 2) deep products by a whole number per axis and once more
  *   see     Foley, van Dam, Feiner, Hughes: Computer Graphics, ch. 11
  */
-enum loft_status loft_rational_walk_init(loft_rational_walk *walk, const loft_rational *r, uint32_t n) LOFT_CHECKED;
+enum loft_status loft_rational_walk_init(loft_rational_walk *walk, const loft_rational *r,
+                                         uint32_t n) LOFT_CHECKED;
 
 /* Give the next point. Returns false, and leaves *out alone, when the walk is over.
  *
- *   error   q16: 1/2 LSB   f32, f64: 2 R (K n + 8 * 3^degree) / 2^53 of the largest control value, K = 1 3 8 21
- *           56 for degree 1..5, R as in rational.h, and 1/2 ulp of the result. The last point: none.
- *   cost    `degree` additions and one quotient (32 subtractions of 128 bits in q16) per axis, `degree` additions
- *           for all; no branch on data in the additions; safe in an ISR
+ *   error   q16: 1/2 LSB   f32, f64: 2 R (K n + 8 * 3^degree) / 2^53 of the largest control value,
+ *           K = 1 3 8 21 56 for degree 1..5, R as in rational.h, and 1/2 ulp of the result. The
+ *           last point: none.
+ *   cost    `degree` additions and one quotient (32 subtractions of 128 bits in q16) per axis,
+ *           `degree` additions for all; no branch on data in the additions; safe in an ISR
  */
 bool loft_rational_walk_next(loft_rational_walk *walk, loft_vec *out);
+
+LOFT_END_C
 
 #endif

@@ -1,8 +1,8 @@
 /* lib/curve/shape.c -- the kind of a planar cubic
  * SPDX-License-Identifier: MIT
  *
- * P = p0 + 3 c t + 3 b t^2 + a t^3 with c = p1 - p0, b = p0 - 2 p1 + p2, a = p3 - 3 p2 + 3 p1 - p0, and the three
- * whole numbers (x is the planar product)
+ * P = p0 + 3 c t + 3 b t^2 + a t^3 with c = p1 - p0, b = p0 - 2 p1 + p2, a = p3 - 3 p2 + 3 p1 - p0,
+ * and the three whole numbers (x is the planar product)
  *
  *     u = c x a      v = a x b      w = 3 c x b
  *
@@ -10,17 +10,19 @@
  *
  *     3 v t^2 - 3 u t - w = 0        t = (3 u -+ sqrt(3 E)) / (6 v),     E = 3 u^2 + 4 v w
  *
- * Crossing: P(t1) = P(t2) divided by t1 - t2 is a (s^2 - p) + 3 b s + 3 c = 0 with s = t1 + t2, p = t1 t2. Times a:
- * s = u / v. Times b: p = s^2 + w / v. So t1, t2 are the roots of
+ * Crossing: P(t1) = P(t2) divided by t1 - t2 is a (s^2 - p) + 3 b s + 3 c = 0 with s = t1 + t2, p =
+ * t1 t2. Times a: s = u / v. Times b: p = s^2 + w / v. So t1, t2 are the roots of
  *
  *     v^2 t^2 - u v t + u^2 + v w = 0        t = (u -+ sqrt(-E)) / (2 v)
  *
- * E decides: two inflections, or a crossing, or for E = 0 both in one, a cusp at u / (2 v). For v = 0 one inflection
- * has gone to infinity; for u = v = 0 and w != 0 a = 0 (otherwise b and c are multiples of a, and w = 0), a parabola.
+ * E decides: two inflections, or a crossing, or for E = 0 both in one, a cusp at u / (2 v). For v =
+ * 0 one inflection has gone to infinity; for u = v = 0 and w != 0 a = 0 (otherwise b and c are
+ * multiples of a, and w = 0), a parabola.
  *
- * Which roots lie inside is decided by the signs of the polynomial at 0 and at 1 and the side of its vertex, without
- * the roots. Bits, from coordinates of R (31, in floats 128): c R + 1, b R + 2, a R + 3; u 2 R + 5, v 2 R + 6,
- * w 2 R + 6; E 4 R + 15; under the root with 128 more 4 R + 145: 269 in q16, 657 in floats.
+ * Which roots lie inside is decided by the signs of the polynomial at 0 and at 1 and the side of
+ * its vertex, without the roots. Bits, from coordinates of R (31, in floats 128): c R + 1, b R + 2,
+ * a R + 3; u 2 R + 5, v 2 R + 6, w 2 R + 6; E 4 R + 15; under the root with 128 more 4 R + 145: 269
+ * in q16, 657 in floats.
  */
 #include "curve/shape.h"
 #include "num/exact.h"  /* loft_exact: the decisions */
@@ -55,7 +57,10 @@ static void differences(const loft_cubic *cubic, int axis, loft_exact d[3])
 }
 
 static int sum_sign(loft_exact a, loft_exact b) { return loft_exact_sign(loft_exact_add(a, b)); }
-static loft_exact times(int32_t k, loft_exact a) { return loft_exact_mul(loft_exact_from_int(k), a); }
+static loft_exact times(int32_t k, loft_exact a)
+{
+    return loft_exact_mul(loft_exact_from_int(k), a);
+}
 
 /* u, v, w; is it one point? The sign is chosen so that v > 0, or v = 0 and u >= 0. */
 static bool find_invariants(const loft_cubic *c, invariants *i)
@@ -92,18 +97,21 @@ static loft_unit ratio(loft_exact x, loft_exact y)
 /* (m + sign sqrt(d)) / n */
 static loft_unit root(loft_exact m, int sign, loft_exact d, loft_exact n)
 {
-    const loft_exact r = loft_exact_root(loft_exact_shift(d, 2 * GUARD)), wide = loft_exact_shift(m, GUARD);
+    const loft_exact r = loft_exact_root(loft_exact_shift(d, 2 * GUARD)),
+                     wide = loft_exact_shift(m, GUARD);
 
-    return ratio(sign < 0 ? loft_exact_sub(wide, r) : loft_exact_add(wide, r), loft_exact_shift(n, GUARD));
+    return ratio(sign < 0 ? loft_exact_sub(wide, r) : loft_exact_add(wide, r),
+                 loft_exact_shift(n, GUARD));
 }
 
-/* f(t) = 3 v t^2 - 3 u t - w with v > 0 and two roots; its vertex is u / (2 v). A root is right of 0 unless f(0) and
- * the vertex say that it is not, and so on. */
+/* f(t) = 3 v t^2 - 3 u t - w with v > 0 and two roots; its vertex is u / (2 v). A root is right of
+ * 0 unless f(0) and the vertex say that it is not, and so on. */
 static void find_inflections(const invariants *i, loft_exact e, loft_shape *s)
 {
     const int at_0 = -loft_exact_sign(i->w);
     const int at_1 = loft_exact_sign(loft_exact_sub(times(3, loft_exact_sub(i->v, i->u)), i->w));
-    const int vertex_to_0 = loft_exact_sign(i->u), vertex_to_1 = loft_exact_compare(i->u, times(2, i->v));
+    const int vertex_to_0 = loft_exact_sign(i->u),
+              vertex_to_1 = loft_exact_compare(i->u, times(2, i->v));
     const bool first  = at_0 > 0 && vertex_to_0 > 0 && (at_1 < 0 || vertex_to_1 <= 0);
     const bool second = at_1 > 0 && vertex_to_1 < 0 && (at_0 < 0 || vertex_to_0 >= 0);
     const loft_exact m = times(3, i->u), d = times(3, e), n = times(6, i->v);
@@ -131,7 +139,8 @@ static bool vertex_inside(const invariants *i)
     return loft_exact_sign(i->u) >= 0 && loft_exact_compare(i->u, times(2, i->v)) <= 0;
 }
 
-/* g(t) = v^2 t^2 - u v t + u^2 + v w: both roots in 0..1 when the vertex is, and g(0), g(1) >= 0. */
+/* g(t) = v^2 t^2 - u v t + u^2 + v w: both roots in 0..1 when the vertex is, and g(0), g(1) >=
+ * 0. */
 static void find_crossing(const invariants *i, loft_exact e, loft_shape *s)
 {
     const loft_exact at_0 = loft_exact_add(loft_exact_mul(i->u, i->u), loft_exact_mul(i->v, i->w));
@@ -146,7 +155,8 @@ static void find_crossing(const invariants *i, loft_exact e, loft_shape *s)
 
 static void find_true_cubic(const invariants *i, loft_shape *s)
 {
-    const loft_exact e = loft_exact_add(times(3, loft_exact_mul(i->u, i->u)), times(4, loft_exact_mul(i->v, i->w)));
+    const loft_exact e = loft_exact_add(times(3, loft_exact_mul(i->u, i->u)),
+                                        times(4, loft_exact_mul(i->v, i->w)));
     const int sign = loft_exact_sign(e);
 
     s->kind = sign > 0 ? LOFT_SERPENTINE : sign < 0 ? LOFT_LOOP : LOFT_CUSP;

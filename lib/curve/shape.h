@@ -1,20 +1,24 @@
-/* lib/curve/shape.h -- what a curve looks like: its kind, its inflections and its curvature, decided exactly
+/* lib/curve/shape.h -- what a curve looks like: its kind, its inflections and its curvature,
+ * decided exactly
  * SPDX-License-Identifier: MIT
  *
- * Every decision here is a sign of whole numbers (num/exact.h): it is that of the control points as they are
- * given, also where they are one LSB away from another answer. `In the plane` means the first two axes.
+ * Every decision here is a sign of whole numbers (num/exact.h): it is that of the control points as
+ * they are given, also where they are one LSB away from another answer. `In the plane` means the
+ * first two axes.
  *
  *     loft_shape s;
  *     if (loft_cubic_shape(&c, &s) == LOFT_OK && s.kind == LOFT_LOOP)
  *         ...
  *
- * In f32 and f64 coordinates must be what loft_exact_admits says, 0 or from 1.4e-17 to 1048575 in size;
- * otherwise LOFT_ERR_RANGE. Nothing is written then.
+ * In f32 and f64 coordinates must be what loft_exact_admits says, 0 or from 1.4e-17 to 1048575 in
+ * size; otherwise LOFT_ERR_RANGE. Nothing is written then.
  */
 #ifndef LOFT_CURVE_SHAPE_H
 #define LOFT_CURVE_SHAPE_H
 
 #include "curve/bezier.h"       /* loft_cubic, loft_bezier */
+
+LOFT_BEGIN_C
 
 /* The kinds of a planar cubic, as a whole: for all t, not only 0..1. */
 enum loft_shape_kind {
@@ -29,39 +33,42 @@ enum loft_shape_kind {
 
 typedef struct {
     enum loft_shape_kind kind;
-    uint8_t inflections, cusps, loops;  /* how many lie within the range below: 0..2, 0..1, 0..1    */
+    uint8_t inflections, cusps, loops;  /* how many lie within the range below: 0..2, 0..1, 0..1 */
     loft_unit inflection[2];            /* where the curvature changes sign, t in 0..1 without the
-                                         * ends (which rounding may give back), ascending           */
-    loft_unit cusp;                     /* t in 0..1 with the ends                                  */
+                                         * ends (which rounding may give back), ascending */
+    loft_unit cusp;                     /* t in 0..1 with the ends */
     loft_unit loop[2];                  /* the two parameters of the crossing, both in 0..1 with the
-                                         * ends, ascending                                          */
+                                         * ends, ascending */
 } loft_shape;
 
 /* The kind of a planar cubic, its inflections, cusp or crossing.
  *
- *   error   none in the kind and the counts; parameters q16: 2^-25 + 2^-33   f32, f64: 1 ulp + 2^-65
- *   cost    q16: about 30 exact products, a root and 2 quotients; 3 kB of stack, more than an ATmega328P has
- *   see     Stone, DeRose, A geometric characterization of parametric cubic curves (ACM TOG 8, 1989);
- *           Su, Liu, Computational Geometry
+ *   error   none in the kind and the counts; parameters q16: 2^-25 + 2^-33   f32, f64: 1 ulp +
+ *           2^-65
+ *   cost    q16: about 30 exact products, a root and 2 quotients; 3 kB of stack, more than an
+ *           ATmega328P has
+ *   see     Stone, DeRose, A geometric characterization of parametric cubic curves (ACM TOG 8,
+ *           1989); Su, Liu, Computational Geometry
  */
 enum loft_status loft_cubic_shape(const loft_cubic *c, loft_shape *out) LOFT_CHECKED;
 
 /* The curvature at t, never negative, and the direction of the curve as a vector of length 1.
  *
  *   range   t in -1..2, otherwise LOFT_ERR_ARG; LOFT_SINGULAR where the first derivative vanishes;
- *           LOFT_ERR_RANGE when the curvature does not fit. Nothing is written then. In floats t is taken as
- *           the nearest multiple of 2^-53
+ *           LOFT_ERR_RANGE when the curvature does not fit. Nothing is written then. In floats t is
+ *           taken as the nearest multiple of 2^-53
  *   units   1 / length: the radius is 1 / curvature
- *   error   q16: 1/2 LSB + 2^-16 LSB   f32, f64: 1 ulp, of both results, however ill the curve is conditioned
- *   cost    q16, degree n: 6 n exact products per axis, then as many as axes, two roots; 3 kB of stack,
- *           more than an ATmega328P has
+ *   error   q16: 1/2 LSB + 2^-16 LSB   f32, f64: 1 ulp, of both results, however ill the curve is
+ *           conditioned
+ *   cost    q16, degree n: 6 n exact products per axis, then as many as axes, two roots; 3 kB of
+ *           stack, more than an ATmega328P has
  *   see     |P' x P''| / |P'|^3
  */
 enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t,
                                        loft_real *curvature, loft_vec *tangent) LOFT_CHECKED;
 
-/* The same in the plane, with a sign: > 0 where the curve turns left, from the first axis to the second. The
- * tangent is 0 in all other axes.
+/* The same in the plane, with a sign: > 0 where the curve turns left, from the first axis to the
+ * second. The tangent is 0 in all other axes.
  *
  *   range   as loft_bezier_curvature
  *   error   as loft_bezier_curvature
@@ -70,26 +77,30 @@ enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t,
 enum loft_status loft_bezier_bend(const loft_bezier *b, loft_unit t,
                                   loft_real *curvature, loft_vec *tangent) LOFT_CHECKED;
 
-/* Is a planar polygon, closed by its last point and its first, the boundary of a convex region, gone around
- * once? Points may coincide with their predecessor, and edges may continue straight on. */
+/* Is a planar polygon, closed by its last point and its first, the boundary of a convex region,
+ * gone around once? Points may coincide with their predecessor, and edges may continue straight
+ * on. */
 enum loft_convexity {
     LOFT_COLLINEAR  = -1,   /* all points lie on a line, or are one                             */
     LOFT_NOT_CONVEX =  0,
     LOFT_CONVEX     =  1
 };
 
-/* If the control polygon of a Bezier curve is LOFT_CONVEX then the curve over 0..1 is convex: it has no
- * inflection, no cusp inside and no crossing, it lies on the boundary of its own hull, and the chord closes it
- * to a convex region inside the polygon, because no line can cut the closed curve more often than the closed
- * polygon, that is twice. The converse is false: LOFT_NOT_CONVEX proves nothing about the curve.
- * LOFT_COLLINEAR proves that the curve lies on that line.
+/* If the control polygon of a Bezier curve is LOFT_CONVEX then the curve over 0..1 is convex: it
+ * has no inflection, no cusp inside and no crossing, it lies on the boundary of its own hull, and
+ * the chord closes it to a convex region inside the polygon, because no line can cut the closed
+ * curve more often than the closed polygon, that is twice. The converse is false: LOFT_NOT_CONVEX
+ * proves nothing about the curve. LOFT_COLLINEAR proves that the curve lies on that line.
  *
  *   range   any number of points
  *   error   none
  *   cost    2 exact products per point; 1.2 kB of stack in q16
- *   see     Liu Dingyuan (1984): a planar Bezier curve with a convex polygon is convex; Schoenberg, variation
- *           diminishing
+ *   see     Liu Dingyuan (1984): a planar Bezier curve with a convex polygon is convex; Schoenberg,
+ *           variation diminishing
  */
-enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum loft_convexity *out) LOFT_CHECKED;
+enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count,
+                                     enum loft_convexity *out) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

@@ -10,10 +10,10 @@ void loft_chord_aim(loft_chord *c)
         c->toward[i] = c->length > 0 ? loft_unit_ratio(c->u[i], c->length) : 0;
 }
 
-/* The first foot, t u, is off along the chord by up to 2^-23 |u|, which is too much at a right angle to
- * nothing, but r = w - t u shows by how much: the part of r along the chord. Taking that off again needs
- * the direction to few digits only. The foot must not leave the chord; `most` leaves 2^-20 of the way to
- * each end, more than the lengths are wrong by. */
+/* The first foot, t u, is off along the chord by up to 2^-23 |u|, which is too much at a right
+ * angle to nothing, but r = w - t u shows by how much: the part of r along the chord. Taking that
+ * off again needs the direction to few digits only. The foot must not leave the chord; `most`
+ * leaves 2^-20 of the way to each end, more than the lengths are wrong by. */
 loft_acc loft_chord_foot(const loft_chord *c, const loft_acc w[LOFT_AXES], loft_acc r[LOFT_AXES])
 {
     loft_acc along = 0, rest = 0;
@@ -28,7 +28,8 @@ loft_acc loft_chord_foot(const loft_chord *c, const loft_acc w[LOFT_AXES], loft_
         r[i] = w[i] - loft_acc_scale(c->u[i], t);
         rest += loft_acc_scale(r[i], c->toward[i]);
     }
-    const loft_acc back = loft_acc_scale(c->length, t), most = loft_acc_scale(back, LOFT_UNIT(1 - 1.0 / 1048576));
+    const loft_acc back = loft_acc_scale(c->length, t),
+                   most = loft_acc_scale(back, LOFT_UNIT(1 - 1.0 / 1048576));
     const loft_acc ahead = loft_acc_scale(c->length - back, LOFT_UNIT(1 - 1.0 / 1048576));
     if (rest < -most)
         rest = -most;

@@ -1,8 +1,8 @@
 /* lib/geom/normal.c
  * SPDX-License-Identifier: MIT
  *
- * In numbers with an exponent of their own vectors of any size are alike, and a difference of two products errs by
- * 2^-60 (q16) or 2^-52 (floats) of the larger one.
+ * In numbers with an exponent of their own vectors of any size are alike, and a difference of two
+ * products errs by 2^-60 (q16) or 2^-52 (floats) of the larger one.
  */
 #include "geom/normal.h"
 #include "num/sci.h"    /* loft_sci: any size */
@@ -62,7 +62,8 @@ static enum loft_status normal_in_space(const loft_acc a[], const loft_acc b[], 
     return aim(n, SPACE, out);
 }
 
-enum loft_status loft_vec_normal(const loft_acc a[LOFT_AXES], const loft_acc b[LOFT_AXES], loft_vec *out)
+enum loft_status loft_vec_normal(const loft_acc a[LOFT_AXES], const loft_acc b[LOFT_AXES],
+                                 loft_vec *out)
 {
     return LOFT_AXES < SPACE ? LOFT_SINGULAR : normal_in_space(a, b, out);
 }

@@ -3,7 +3,8 @@
  */
 #include "machine/cap.h"
 
-/* With D1, D2, D3 = the largest first, second and third difference of the control points of an axis, and s seconds that the span lasts,
+/* With D1, D2, D3 = the largest first, second and third difference of the control points of an
+ * axis, and s seconds that the span lasts,
  *
  *     |x'| <= 3 D1 / s      |x''| <= 6 D2 / s^2      |x'''| = 6 D3 / s^3
  *
@@ -11,14 +12,16 @@
  *
  *     r <= V s / (3 D1)     r^2 <= A s^2 / (6 D2)    r^3 <= J s^3 / (6 D3)
  *
- * (D1 to D3 are without what the rounding of points by 1/2 may have done: 1, 2 and 4.) Where a span of n ticks begins, after one
- * of m ticks with the last difference e, the velocity jumps by 3 (d m - e n) / (m n) per tick, d being its own first difference.
- * What exceeds twice the rounding, m + n, is a jump, which must not become greater.
+ * (D1 to D3 are without what the rounding of points by 1/2 may have done: 1, 2 and 4.) Where a span
+ * of n ticks begins, after one of m ticks with the last difference e, the velocity jumps by 3 (d m
+ * - e n) / (m n) per tick, d being its own first difference. What exceeds twice the rounding, m +
+ * n, is a jump, which must not become greater.
  *
- * In numbers: a difference of 2^27 (2 m) or more counts as one that allows nothing; so 6 D3 is below 2^32. s is in Q24, rounded down,
- * below 2^29 (1023 ticks at 50 Hz; a rate below that counts as 50). V s, A s^2 and J s^3 are raw mm, rounded down, at most
- * 2^32 - 1. A quotient is asked for in units of `unit` and only up to `most`; before the division the limit is shifted down to
- * 23 bits, the need likewise, but rounded up. */
+ * In numbers: a difference of 2^27 (2 m) or more counts as one that allows nothing; so 6 D3 is
+ * below 2^32. s is in Q24, rounded down, below 2^29 (1023 ticks at 50 Hz; a rate below that counts
+ * as 50). V s, A s^2 and J s^3 are raw mm, rounded down, at most 2^32 - 1. A quotient is asked for
+ * in units of `unit` and only up to `most`; before the division the limit is shifted down to 23
+ * bits, the need likewise, but rounded up. */
 #define FAR ((uint32_t)1 << 27)
 
 /* limit * seconds / 2^24 */
@@ -94,25 +97,29 @@ static uint16_t cap_of_axis(const int32_t d[3], const loft_traits_axis *axis, ui
     }
     if (axis->max_accel > 0) {
         const uint32_t need = 6 * greater(sure(d20, 2), sure(d21, 2));
-        cap = lesser(cap, quotient(times(times((uint32_t)axis->max_accel, seconds), seconds), need, 64, 256));
+        cap = lesser(cap, quotient(times(times((uint32_t)axis->max_accel, seconds), seconds), need,
+                                   64, 256));
     }
     if (axis->max_jerk > 0) {
         const uint64_t raw = (uint64_t)axis->max_jerk * seconds >> 8;
         const uint32_t change = times(raw > UINT32_MAX ? UINT32_MAX : (uint32_t)raw, seconds);
-        cap = lesser(cap, square_of_cube(quotient(times(change, seconds), 6 * sure(d21 - d20, 4), 512, 4096)));
+        cap = lesser(cap, square_of_cube(
+                              quotient(times(change, seconds), 6 * sure(d21 - d20, 4), 512, 4096)));
     }
     return cap;
 }
 
-uint8_t loft_cap_of(const loft_item *item, const int32_t from[LOFT_AXES], const volatile loft_item *before,
-                    const loft_traits_axis axis[LOFT_AXES], uint16_t tick_hz)
+uint8_t loft_cap_of(const loft_item *item, const int32_t from[LOFT_AXES],
+                    const volatile loft_item *before, const loft_traits_axis axis[LOFT_AXES],
+                    uint16_t tick_hz)
 {
     const uint32_t seconds = ((uint32_t)item->ticks << 22) / (tick_hz < 50 ? 50 : tick_hz) << 2;
     uint16_t cap = 256;
     bool far = false;
 
     for (int i = 0; i < LOFT_AXES && cap > LOFT_CAP_ONE + 1; i++) {
-        const int32_t d[3] = { difference(from[i], item->p[0][i], &far), difference(item->p[0][i], item->p[1][i], &far),
+        const int32_t d[3] = { difference(from[i], item->p[0][i], &far),
+                               difference(item->p[0][i], item->p[1][i], &far),
                                difference(item->p[1][i], item->p[2][i], &far) };
         const int32_t e = before ? difference(before->p[1][i], before->p[2][i], &far) : 0;
         if (far || jumps(d[0], item->ticks, e, before ? before->ticks : 1))

@@ -1,13 +1,15 @@
-/* lib/machine/drive.c -- what the main loop does with the drive: jobs begin, items go in, how things stand comes out
+/* lib/machine/drive.c -- what the main loop does with the drive: jobs begin, items go in, how
+ * things stand comes out
  * SPDX-License-Identifier: MIT
  *
  * What interrupts it is drive_tick.c.
  */
 #include "machine/drive.h"
 
-/* A span may move 3 max |p[k+1] - p[k]| / ticks per tick (its derivative is a mean of those differences, times 3).
- * In steps: each difference is known to one step, each end of a tick is rounded by 1/2 step and, by the walk, by 0.52 LSB,
- * which is 0.26 step at 32768 steps/mm. So |difference| + 1 <= REACH_PER_TICK ticks leaves 3 * 10921 + 2 < 32767 steps. */
+/* A span may move 3 max |p[k+1] - p[k]| / ticks per tick (its derivative is a mean of those
+ * differences, times 3). In steps: each difference is known to one step, each end of a tick is
+ * rounded by 1/2 step and, by the walk, by 0.52 LSB, which is 0.26 step at 32768 steps/mm. So
+ * |difference| + 1 <= REACH_PER_TICK ticks leaves 3 * 10921 + 2 < 32767 steps. */
 #define REACH_PER_TICK 10921u
 
 static int32_t steps_of(const loft_drive *d, int axis, int32_t raw)
@@ -49,8 +51,10 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
     return LOFT_OK;
 }
 
-/* The tick looks at nothing while `active` is 0, so everything may be set here; `active` comes last. */
-enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int32_t start[LOFT_AXES])
+/* The tick looks at nothing while `active` is 0, so everything may be set here; `active` comes
+ * last. */
+enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
+                                  const int32_t start[LOFT_AXES])
 {
     if (d->active || d->state == LOFT_STATE_FAULT)
         return LOFT_ERR_ARG;
@@ -77,7 +81,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind, const int3
     d->slot = 0;
     d->starved = 1;                     /* the queue is empty */
     d->fresh = true;
-    d->abort = d->ended = 0;
+    d->hold = d->abort = d->ended = 0;
     d->state = LOFT_STATE_RUNNING;
     d->active = 1;
     return LOFT_OK;
@@ -114,7 +118,8 @@ static enum loft_status queue_span(loft_drive *d, const loft_item *item)
     uint8_t cap = LOFT_CAP_ONE;
 
     if (LOFT_MACHINE_CAPS || d->percent > 100)
-        cap = loft_cap_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue), d->axis, d->tick_hz);
+        cap = loft_cap_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue), d->axis,
+                          d->tick_hz);
     return loft_queue_push(&d->queue, item, cap);
 }
 
@@ -134,7 +139,8 @@ enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
     if (!(d->kind == LOFT_SPANS ? span_fits(d, item) : point_fits(d, item)))
         return LOFT_ERR_RANGE;
 
-    const enum loft_status status = d->kind == LOFT_SPANS ? queue_span(d, item) : queue_point(d, item);
+    const enum loft_status status = d->kind == LOFT_SPANS ? queue_span(d, item)
+                                                          : queue_point(d, item);
     if (status == LOFT_OK) {
         loft_place_copy(d->end, item->p[2]);
         d->fresh = false;
@@ -180,7 +186,8 @@ loft_drive_report loft_drive_poll(loft_drive *d)
     r.elapsed = count_of(&d->elapsed);
     r.slowed = count_of(&d->slowed);
     r.starved = d->starved && r.ticks > 0;      /* not while the first items are awaited */
-    r.room = d->kind == LOFT_POINTS ? loft_points_room(&d->points, &d->queue) : loft_queue_room(&d->queue);
+    r.room = d->kind == LOFT_POINTS ? loft_points_room(&d->points, &d->queue)
+                                    : loft_queue_room(&d->queue);
     loft_step_position(&d->step, r.position);
     return r;
 }

@@ -1,4 +1,5 @@
-/* lib/machine/drive_tick.c -- what interrupts the main loop: ticks are made of the queue, slots of ticks
+/* lib/machine/drive_tick.c -- what interrupts the main loop: ticks are made of the queue, slots of
+ * ticks
  * SPDX-License-Identifier: MIT
  */
 #include "machine/drive.h"
@@ -6,18 +7,21 @@
 /* What a tick is, for counting it once its last pulse is given. */
 enum { NO_TICK = 0, TICK = 1, LAST_TICK = 2 };     /* LAST_TICK: of its item */
 
-/* Ticks of the shortest span that needs a walk. One of a tick is its end; one of two is its middle, and its end. */
+/* Ticks of the shortest span that needs a walk. One of a tick is its end; one of two is its middle,
+ * and its end. */
 #define WALKED 3
 
-/* How many items one call looks at, or looks ahead. The queue empties by at most one item per tick, so any number above 1 catches up. */
+/* How many items one call looks at, or looks ahead. The queue empties by at most one item per tick,
+ * so any number above 1 catches up. */
 #define LOOKS 8
 
 
 // Tick
 // ----
 
-/* The step module holds two ticks: the running and the prepared one. There is room again: the prepared one runs now, so
- * the one that ran before is over. When all is done, the running one is over as well. */
+/* The step module holds two ticks: the running and the prepared one. There is room again: the
+ * prepared one runs now, so the one that ran before is over. When all is done, the running one is
+ * over as well. */
 static void count_ticks(loft_drive *d)
 {
     if (d->prepared) {
@@ -35,22 +39,26 @@ static void count_ticks(loft_drive *d)
 
 static bool is_ready(const loft_drive *d)       { return d->ready && d->ready_item == d->item; }
 
-/* The law of supply. What is in the queue is worth as many ticks as it has, or as a queue so full has with full items:
+/* The law of supply. What is in the queue is worth as many ticks as it has, or as a queue so full
+ * has with full items:
  *
  *     fill = max(ahead, items * 4 H / cells)        H = 16 * the ticks from pace 1 to standing
  *
- * and the pace is fill / H. So a line that delivers a part q of what the plan needs finds the fill at q H and keeps it there:
- * d fill / dt = q - fill / H has no oscillation, and approaches evenly what comes. While the fill is within 1/8 of what belongs
- * to the pace, the pace stays as it is, so that items may come in portions. From standing it takes a sixteenth of pace 1, so
- * that something is there to go on with.
+ * and the pace is fill / H. So a line that delivers a part q of what the plan needs finds the fill
+ * at q H and keeps it there: d fill / dt = q - fill / H has no oscillation, and approaches evenly
+ * what comes. While the fill is within 1/8 of what belongs to the pace, the pace stays as it is, so
+ * that items may come in portions. From standing it takes a sixteenth of pace 1, so that something
+ * is there to go on with.
  *
- * Whatever that says, in units of the level, which changes by one unit per tick, while each tick takes one of `ahead`:
+ * Whatever that says, in units of the level, which changes by one unit per tick, while each tick
+ * takes one of `ahead`:
  *
  *     going down    ahead - level stays
- *     else          ahead - level falls by 2 at most      only while level + 1 <= ahead - 1 - MARGIN
+ *     else          ahead - level falls by 2 at most      only while level + 1 <= ahead - 1 -
+ *                   MARGIN
  *
- * (with a full queue, for which nothing better can come, without MARGIN), so ahead >= level always, and the machine stands before
- * the queue is empty or at its last tick. */
+ * (with a full queue, for which nothing better can come, without MARGIN), so ahead >= level always,
+ * and the machine stands before the queue is empty or at its last tick. */
 static uint16_t level_of(uint16_t full, uint16_t pace)      /* Q8; 2^14 * 2^18 */
 {
     return pace >= 512 ? (uint16_t)(4 * full) : (uint16_t)((uint32_t)full * pace * pace >> 16);
@@ -59,20 +67,24 @@ static uint16_t level_of(uint16_t full, uint16_t pace)      /* Q8; 2^14 * 2^18 *
 /* Does a span of several ticks come next? Beginning it is work enough for one tick. */
 static bool begins(const loft_drive *d)
 {
-    return d->kind == LOFT_SPANS && d->left == 0 && d->supply && loft_queue_first(&d->queue) && loft_queue_first(&d->queue)->ticks > 1;
+    return d->kind == LOFT_SPANS && d->left == 0 && d->supply && loft_queue_first(&d->queue) &&
+           loft_queue_first(&d->queue)->ticks > 1;
 }
 
 static uint16_t supplied(loft_drive *d)
 {
     const uint16_t full = loft_pace_full(&d->pace), unit = loft_pace_unit(&d->pace);
-    const uint32_t need = loft_queue_full(&d->queue) ? 1 : 1 + LOFT_DRIVE_MARGIN, items = (uint32_t)d->queue.looked * d->share;
+    const uint32_t need = loft_queue_full(&d->queue) ? 1 : 1 + LOFT_DRIVE_MARGIN,
+                   items = (uint32_t)d->queue.looked * d->share;
     const uint32_t fill = d->ahead > items ? d->ahead : items;
 
     if (fill >= (uint32_t)20 * (d->ramp + 1u)) {
         d->supply = (uint16_t)(4 * full);
     } else if (!begins(d)) {
-        const uint16_t pace = (uint16_t)(fill * d->gain >> 12);         /* 16 fill / stop; fill gain < 20 (2 stop + 1) 2^16 / stop */
-        const uint16_t least = level_of(full, (uint16_t)(pace - pace / 8)), most = level_of(full, (uint16_t)(pace + pace / 8));
+        /* 16 fill / stop; fill gain < 20 (2 stop + 1) 2^16 / stop */
+        const uint16_t pace = (uint16_t)(fill * d->gain >> 12);
+        const uint16_t least = level_of(full, (uint16_t)(pace - pace / 8)),
+                       most = level_of(full, (uint16_t)(pace + pace / 8));
         if (d->supply < least && (d->supply || least >= full / 256 + 1))
             d->supply = least;
         else if (d->supply > most)
@@ -82,14 +94,16 @@ static uint16_t supplied(loft_drive *d)
     return d->supply < sure ? d->supply : (uint16_t)sure;
 }
 
-/* The level of what is ordered, or of what the caps of the items allow if that is less. The level falls by a unit each tick if
- * it must; so it may be so high at the end of the next tick that it comes down to each cap at the beginning of its item,
+/* The level of what is ordered, or of what the caps of the items allow if that is less. The level
+ * falls by a unit each tick if it must; so it may be so high at the end of the next tick that it
+ * comes down to each cap at the beginning of its item,
  *
  *     level <= cap + unit * (ticks before that item - 1)
  *
- * and, with the next tick's own cap, keeps to it from then on. It never was higher than that: an item that is new in the queue has
- * `ahead` ticks before it, of which the law of supply leaves as many as the level has. A search through the queue ends where even
- * the lowest cap is far enough away; up to pace 1 there is nothing to search for. */
+ * and, with the next tick's own cap, keeps to it from then on. It never was higher than that: an
+ * item that is new in the queue has `ahead` ticks before it, of which the law of supply leaves as
+ * many as the level has. A search through the queue ends where even the lowest cap is far enough
+ * away; up to pace 1 there is nothing to search for. */
 static uint16_t allowed(const loft_drive *d)
 {
     const uint16_t full = loft_pace_full(&d->pace);
@@ -102,7 +116,9 @@ static uint16_t allowed(const loft_drive *d)
         return level < full ? level : full;
     if (before && level > loft_cap_level(d->cap, full))
         level = loft_cap_level(d->cap, full);
-    for (uint16_t k = 0; level > full && before * unit < level && (cell = loft_queue_cell(&d->queue, k)) != NULL; k++) {
+    for (uint16_t k = 0;
+         level > full && before * unit < level && (cell = loft_queue_cell(&d->queue, k)) != NULL;
+         k++) {
         const uint32_t most = loft_cap_level(cell->cap, full) + (before ? (before - 1) * unit : 0);
         if (level > most)
             level = (uint16_t)most;
@@ -125,7 +141,7 @@ static void steer(loft_drive *d, bool ended)
     loft_pace_aim(&d->pace, level < most ? level : most);
 }
 
-static void finish(loft_drive *d, enum loft_state state)
+static void finish(loft_drive *d, enum loft_machine_state state)
 {
     d->starved = 0;
     d->state = (uint8_t)state;
@@ -146,7 +162,8 @@ static void stand(loft_drive *d, bool ended)
 }
 
 /* Any coordinates and 1..LOFT_SPAN_TICKS_MAX ticks are within the ranges of the walk. */
-static void walk_item(loft_drive_walk *walk, const volatile loft_item *item, const volatile int32_t from[LOFT_AXES])
+static void walk_item(loft_drive_walk *walk, const volatile loft_item *item,
+                      const volatile int32_t from[LOFT_AXES])
 {
     loft_powers3 powers;
 
@@ -173,8 +190,8 @@ static bool is_prepared(const loft_drive *d)
     return d->ready && (uint8_t)(d->ready_item - d->item) < LOOKS;
 }
 
-/* The tick may take items while this runs: the number tells when the walk is to be used. The tick leaves
- * walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. */
+/* The tick may take items while this runs: the number tells when the walk is to be used. The tick
+ * leaves walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. */
 void loft_drive_prepare(loft_drive *d)
 {
     const volatile int32_t *from = d->from;
@@ -188,11 +205,13 @@ void loft_drive_prepare(loft_drive *d)
         number = d->item;
         item   = loft_queue_peek(&d->queue, 0);
     } while (number != d->item);
-    for (; item && item->ticks < WALKED && behind < LOOKS - 1; item = loft_queue_peek(&d->queue, behind)) {
+    for (; item && item->ticks < WALKED && behind < LOOKS - 1;
+         item = loft_queue_peek(&d->queue, behind)) {
         from = item->p[2];
         behind++;
     }
-    if (!item || item->ticks < WALKED || number != d->item)     /* items taken meanwhile: another time */
+    /* items taken meanwhile: another time */
+    if (!item || item->ticks < WALKED || number != d->item)
         return;
     walk_item(&d->walk[!d->which], item, from);
     LOFT_BARRIER();
@@ -213,13 +232,15 @@ static bool next_point(loft_drive *d)
 static void aim_at_middle(loft_drive *d, const volatile loft_item *item)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real half = loft_walk3_middle(loft_real_from_raw(d->from[i]), loft_real_from_raw(item->p[0][i]), loft_real_from_raw(item->p[1][i]),
-                                                 loft_real_from_raw(item->p[2][i]));
+        const loft_real half = loft_walk3_middle(
+            loft_real_from_raw(d->from[i]), loft_real_from_raw(item->p[0][i]),
+            loft_real_from_raw(item->p[1][i]), loft_real_from_raw(item->p[2][i]));
         d->target[i] = loft_steps_of(half, d->steps_per_mm[i]);
     }
 }
 
-/* Take the next item, of which there is one: it was counted in `ahead`. One of two ticks aims at its middle at once. */
+/* Take the next item, of which there is one: it was counted in `ahead`. One of two ticks aims at
+ * its middle at once. */
 static bool next_span(loft_drive *d)
 {
     const volatile loft_item *item = loft_queue_first(&d->queue);
@@ -253,7 +274,9 @@ static bool next_target(loft_drive *d)
     d->ahead--;
     if (--d->left == 0) {
         for (int i = 0; i < LOFT_AXES; i++)
-            d->target[i] = d->kind == LOFT_POINTS ? d->from[i] : loft_steps_of(loft_real_from_raw(d->from[i]), d->steps_per_mm[i]);
+            d->target[i] = d->kind == LOFT_POINTS
+                               ? d->from[i]
+                               : loft_steps_of(loft_real_from_raw(d->from[i]), d->steps_per_mm[i]);
         return true;
     }
     if (begun && d->left + 1 < WALKED)
@@ -261,7 +284,8 @@ static bool next_target(loft_drive *d)
     loft_drive_walk *walk = &d->walk[d->which];
     for (int i = 0; i < LOFT_AXES; i++)
         if (walk->moves & 1u << i)
-            d->target[i] = loft_steps_of(loft_walk3_step(&walk->axis[i], false), d->steps_per_mm[i]);
+            d->target[i] = loft_steps_of(loft_walk3_step(&walk->axis[i], false),
+                                         d->steps_per_mm[i]);
     return true;
 }
 
@@ -276,11 +300,13 @@ static bool must_wait(const loft_drive *d)
 
 void loft_drive_next(loft_drive *d)
 {
-    const bool ended = d->ended;        /* before the queue is looked at: what was pushed before it is seen */
+    const bool ended = d->ended;        /* before the queue is looked at: what was pushed before it
+                                         * is seen */
 
     count_ticks(d);
     for (uint8_t looks = 0; looks < LOOKS; looks++) {
-        const uint16_t ticks = d->kind == LOFT_POINTS ? loft_points_look(&d->points, &d->queue) : loft_queue_look(&d->queue);
+        const uint16_t ticks = d->kind == LOFT_POINTS ? loft_points_look(&d->points, &d->queue)
+                                                      : loft_queue_look(&d->queue);
         if (ticks == 0)
             break;
         d->ahead += ticks;

@@ -10,12 +10,12 @@
 #  define APART
 #endif
 
-/* An item that the machine cannot do, or for which the receiver saw room where there is none, is already counted as
- * taken: the job ends here, on the path. */
+/* An item that the machine cannot do, or for which the receiver saw room where there is none, is
+ * already counted as taken: the job ends here, on the path. */
 static void give_up(loft_machine *m)
 {
     loft_drive_abort(&m->drive);
-    loft_receiver_answer(&m->receiver, &m->job, LOFT_REFUSAL_ITEM);
+    loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_ITEM);
 }
 
 static void queue(loft_machine *m, const loft_item *item)
@@ -47,14 +47,17 @@ static enum loft_status begin_planner(loft_machine *m, const loft_job *job)
 {
     loft_job_limits asked;
     const enum loft_status status = loft_job_limits_decode(&m->receiver.frame, &asked);
-    return status == LOFT_OK ? loft_planner_begin(m->planner, m->traits, &asked, job->start) : status;
+    return status == LOFT_OK ? loft_planner_begin(m->planner, m->traits, &asked, job->start)
+                             : status;
 }
 
 /* An item of the queue is a span; items of the job are curves. */
 static void count_curves(loft_machine *m, loft_standing *now)
 {
     now->room     = loft_planner_room(m->planner);
-    now->executed = now->state == LOFT_STATE_DONE ? m->planner->taken : loft_planner_executed(m->planner, now->executed);
+    now->executed = now->state == LOFT_STATE_DONE
+                        ? m->planner->taken
+                        : loft_planner_executed(m->planner, now->executed);
 }
 
 static enum loft_status take_curve(loft_machine *m, const loft_item *item)
@@ -88,12 +91,34 @@ static enum loft_status init_planner(loft_machine *m, loft_machine_config *confi
     return config->planner ? LOFT_ERR_ARG : LOFT_OK;
 }
 
-static bool plans(const loft_machine *m)                                            { (void)m; return false; }
-static enum loft_status begin_planner(loft_machine *m, const loft_job *job)         { (void)m; (void)job; return LOFT_ERR_ARG; }
-static void count_curves(loft_machine *m, loft_standing *now)                       { (void)m; (void)now; }
-static enum loft_status take_curve(loft_machine *m, const loft_item *item)          { (void)m; (void)item; return LOFT_ERR_ARG; }
+static bool plans(const loft_machine *m)
+{
+    (void)m;
+    return false;
+}
+static enum loft_status begin_planner(loft_machine *m, const loft_job *job)
+{
+    (void)m;
+    (void)job;
+    return LOFT_ERR_ARG;
+}
+static void count_curves(loft_machine *m, loft_standing *now)
+{
+    (void)m;
+    (void)now;
+}
+static enum loft_status take_curve(loft_machine *m, const loft_item *item)
+{
+    (void)m;
+    (void)item;
+    return LOFT_ERR_ARG;
+}
 static void end_planner(loft_machine *m)                                            { (void)m; }
-bool loft_machine_plan(loft_machine *m)                                             { (void)m; return false; }
+bool loft_machine_plan(loft_machine *m)
+{
+    (void)m;
+    return false;
+}
 
 #endif
 
@@ -120,6 +145,8 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     config->traits.kinds  = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
     config->traits.curves = 0;
     m->job.kind = LOFT_SPANS;
+    m->job.id = m->job.away = 0;
+    m->closed = m->ended_by = 0;
     enum loft_status status = init_planner(m, config);
     if (status == LOFT_OK)
         status = loft_receiver_init(&m->receiver, m->traits);
@@ -141,9 +168,17 @@ static loft_standing standing(loft_machine *m)
     now.state = r.state;
     now.override = m->drive.percent;
     now.starved = r.starved;
+    now.closed = m->closed;
+    now.ended_by = m->ended_by;
     if (plans(m))
         count_curves(m, &now);
     return now;
+}
+
+/* The inputs that end a job which moves away from those of `away`. */
+static uint16_t ending(const loft_machine *m, uint16_t away)
+{
+    return (uint16_t)(m->closed & LOFT_INPUT_ENDING & ~away);
 }
 
 /* No job is under way. The plan of the one before is over with it, even if this one is refused. */
@@ -151,13 +186,21 @@ static void begin(loft_machine *m, const loft_job *job)
 {
     const bool curves = job->kind == LOFT_CURVES;
 
+    if (ending(m, job->away)) {
+        loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_INPUT);
+        return;
+    }
     if (curves && begin_planner(m, job) != LOFT_OK) {
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_LIMITS);
         return;
     }
-    switch (loft_drive_begin(&m->drive, curves ? LOFT_SPANS : (enum loft_kind)job->kind, job->start)) {
+    switch (
+        loft_drive_begin(&m->drive, curves ? LOFT_SPANS : (enum loft_kind)job->kind, job->start)) {
     case LOFT_OK:
-        m->job = *job;
+        m->job.id   = job->id;
+        m->job.kind = job->kind;
+        m->job.away = job->away;
+        m->ended_by = 0;
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_NONE);
         break;
     case LOFT_ERR_RANGE:
@@ -195,6 +238,24 @@ void loft_machine_control(loft_machine *m, enum loft_verb verb)
     }
 }
 
+void loft_machine_inputs(loft_machine *m, uint16_t closed)
+{
+    const uint16_t fresh = (uint16_t)(closed & ~m->closed);
+
+    m->closed   = closed;
+    m->job.away = (uint16_t)(m->job.away & closed);
+    const uint16_t why = ending(m, m->job.away);
+    if (why && m->drive.active && !m->ended_by) {
+        m->ended_by = why;
+        loft_drive_abort(&m->drive);
+        loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_INPUT);
+    } else if (fresh & LOFT_INPUT_HOLD) {
+        loft_machine_control(m, LOFT_HOLD);
+    } else if (fresh & LOFT_INPUT_RESUME) {
+        loft_machine_control(m, LOFT_RESUME);
+    }
+}
+
 static void act(loft_machine *m, enum loft_event event, const loft_event_data *what)
 {
     switch (event) {
@@ -227,12 +288,14 @@ static APART bool act_on_frame(loft_machine *m)
 
 void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count)
 {
-    loft_drive_prepare(&m->drive);              /* here and in loft_machine_poll: each takes a millisecond on an 8-bit part */
+    loft_drive_prepare(&m->drive);              /* here and in loft_machine_poll: each takes a
+                                                 * millisecond on an 8-bit part */
     for (size_t i = 0; i < count; i++) {
         if (!loft_receiver_push(&m->receiver, byte[i]))
             continue;
         do
-            loft_drive_prepare(&m->drive);      /* looking through a frame, and unpacking an item, takes longer than a short span lasts */
+            loft_drive_prepare(&m->drive);      /* looking through a frame, and unpacking an item,
+                                                 * takes longer than a short span lasts */
         while (act_on_frame(m));
     }
 }

@@ -5,8 +5,11 @@
  *
  *     loft_machine_init       once
  *     loft_machine_push       in the main loop, with the bytes that have come
- *     loft_machine_poll       in the main loop, for the next frame to be sent, when the line has taken the one before
- *     loft_machine_slot       in a timer interrupt, tick_hz * slots times per second: what the pins do
+ *     loft_machine_poll       in the main loop, for the next frame to be sent, when the line has
+ *                             taken the one before
+ *     loft_machine_inputs     in the main loop, with the inputs that are closed
+ *     loft_machine_slot       in a timer interrupt, tick_hz * slots times per second: what the pins
+ *                             do
  *     loft_machine_tick       at least once per tick, interruptible by the slots
  *
  * ports/firmware.c is one, and ports/port.h says what it needs of a board.
@@ -18,17 +21,21 @@
 #include "machine/planner.h"    /* loft_planner              */
 #include "wire/receiver.h"  /* loft_receiver, loft_traits    */
 
+LOFT_BEGIN_C
+
 /* A positive constant as raw Q16.16, for the traits. */
 #define LOFT_RAW(x) ((int32_t)((x) * 65536.0 + 0.5))
 
 typedef struct {
-    loft_traits traits;                 /* `queue`, `points`, `curves` and `kinds` are filled in by init */
-    int32_t  position[LOFT_AXES];       /* steps: where the machine stands at the start                 */
-    uint16_t ramp;                      /* ticks from full pace to standing in a hold                   */
-    volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number           */
+    loft_traits traits;                 /* `queue`, `points`, `curves` and `kinds` are filled in by
+                                         * init */
+    int32_t  position[LOFT_AXES];       /* steps: where the machine stands at the start */
+    uint16_t ramp;                      /* ticks from full pace to standing in a hold */
+    volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number */
     uint16_t cells;
-    loft_planner *planner;              /* NULL: the machine does not plan. Borrowed; LOFT_MACHINE_PLANS must be 1   */
-    loft_planner_memory plan;           /* its memory                                                   */
+    loft_planner *planner;              /* NULL: the machine does not plan. Borrowed;
+                                         * LOFT_MACHINE_PLANS must be 1 */
+    loft_planner_memory plan;           /* its memory */
 } loft_machine_config;
 
 /* Complete so that it can be static; the fields may change without notice. */
@@ -36,15 +43,21 @@ typedef struct {
     loft_drive    drive;
     loft_receiver receiver;
     const loft_traits *traits;
-    loft_job      job;
+    struct {
+        uint32_t id;
+        uint16_t away;                  /* what is left of it: inputs that have not opened since */
+        uint8_t  kind;
+    } job;                              /* under way or over */
     loft_planner *planner;
+    uint16_t      closed, ended_by;     /* inputs; those that have ended the job */
 } loft_machine;
 
 /* Stand idle and listen.
  *
  *   shape   config stays borrowed; its `queue`, `points`, `curves` and `kinds` are filled in
- *   range   that of loft_receiver_init (LOFT_ERR_ARG), of loft_drive_init (LOFT_ERR_RANGE) and of loft_planner_init (LOFT_ERR_SPACE);
- *           LOFT_ERR_ARG for a planner where LOFT_MACHINE_PLANS is 0 */
+ *   range   that of loft_receiver_init (LOFT_ERR_ARG), of loft_drive_init (LOFT_ERR_RANGE) and of
+ *           loft_planner_init (LOFT_ERR_SPACE); LOFT_ERR_ARG for a planner where LOFT_MACHINE_PLANS
+ *           is 0 */
 enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config) LOFT_CHECKED;
 
 
@@ -56,27 +69,42 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
  *   range   any bytes */
 void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count);
 
-/* Give the next frame for the line; 0 when there is none. Call it whenever the line has taken the one before. */
+/* Give the next frame for the line; 0 when there is none. Call it whenever the line has taken the
+ * one before. */
 size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* Plan one span, if the job is one of curves, the queue has room and the next span is certain: returns false if not. loft_machine_push
- * and loft_machine_poll do it once for each item and frame; a main loop with time to spare may call it until it is false.
+/* Plan one span, if the job is one of curves, the queue has room and the next span is certain:
+ * returns false if not. loft_machine_push and loft_machine_poll do it once for each item and frame;
+ * a main loop with time to spare may call it until it is false.
  *
  *   cost    as loft_plan_next */
 bool loft_machine_plan(loft_machine *m);
+
+/* The inputs that are closed now, a sum of LOFT_INPUT_, debounced; call it whenever that is known.
+ * A limit or the emergency stop that is closed ends the job, on its path, and lets none begin, but
+ * one whose JOB says that it moves `away` from it: that goes on as long as it stays closed, and
+ * ends when it closes again. A button counts when it closes. */
+void loft_machine_inputs(loft_machine *m, uint16_t closed);
 
 /* What a button on the machine does: as if the host had sent it. */
 void loft_machine_control(loft_machine *m, enum loft_verb verb);
 
 /* What a knob on the machine does: see loft_drive_override. */
-static inline void loft_machine_override(loft_machine *m, unsigned percent)   { loft_drive_override(&m->drive, percent); }
-
+static inline void loft_machine_override(loft_machine *m, unsigned percent)
+{
+    loft_drive_override(&m->drive, percent);
+}
 
 // Interrupts
 // ----------
 
 /* See loft_drive_tick and loft_drive_slot. */
 static inline void      loft_machine_tick(loft_machine *m)      { loft_drive_tick(&m->drive); }
-static inline loft_pins loft_machine_slot(loft_machine *m)      { return loft_drive_slot(&m->drive); }
+static inline loft_pins loft_machine_slot(loft_machine *m)
+{
+    return loft_drive_slot(&m->drive);
+}
+
+LOFT_END_C
 
 #endif

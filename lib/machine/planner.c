@@ -3,7 +3,8 @@
  */
 #include "machine/planner.h"
 
-enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *memory, uint16_t cells)
+enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *memory,
+                                   uint16_t cells)
 {
     if (memory->move_room < 4 || memory->piece_room < 12)
         return LOFT_ERR_SPACE;
@@ -23,14 +24,16 @@ static uint32_t lower_jerk(uint32_t a, uint32_t b)
     return a == 0 || (b > 0 && b < a) ? b : a;
 }
 
-enum loft_status loft_planner_begin(loft_planner *p, const loft_traits *machine, const loft_job_limits *asked,
-                                    const int32_t start[LOFT_AXES])
+enum loft_status loft_planner_begin(loft_planner *p, const loft_traits *machine,
+                                    const loft_job_limits *asked, const int32_t start[LOFT_AXES])
 {
     loft_limits limits = { .max_across = 0 };
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        limits.max_speed[i] = loft_real_from_raw(lower(asked->axis[i].max_speed, machine->axis[i].max_speed));
-        limits.max_accel[i] = loft_real_from_raw(lower(asked->axis[i].max_accel, machine->axis[i].max_accel));
+        limits.max_speed[i] = loft_real_from_raw(
+            lower(asked->axis[i].max_speed, machine->axis[i].max_speed));
+        limits.max_accel[i] = loft_real_from_raw(
+            lower(asked->axis[i].max_accel, machine->axis[i].max_accel));
         limits.max_jerk[i]  = lower_jerk(machine->axis[i].max_jerk, asked->axis[i].max_jerk);
         p->at.axis[i] = loft_real_from_raw(start[i]);
     }
@@ -40,7 +43,8 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_traits *machine,
     p->taken = p->told = p->spans = 0;
     p->mark  = 0;
     p->ended = p->rests = false;
-    return loft_plan_init(&p->plan, &limits, p->memory.moves, p->memory.move_room, p->memory.pieces, p->memory.piece_room);
+    return loft_plan_init(&p->plan, &limits, p->memory.moves, p->memory.move_room, p->memory.pieces,
+                          p->memory.piece_room);
 }
 
 /* mm/min to mm/s. */

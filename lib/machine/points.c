@@ -6,9 +6,9 @@
 /* A cell's `cap` is the number of points in it; and, once no more will follow: */
 #define CLOSED 0x80u
 
-/* A point that comes next takes 1..LOFT_POINT_BYTES2 bytes: steps are known modulo 2^16, and so are their changes. A cell in which it does
- * not fit is closed with less than that left, where the room was 0; so the room falls by one at most, and what the host
- * was told stays true. */
+/* A point that comes next takes 1..LOFT_POINT_BYTES2 bytes: steps are known modulo 2^16, and so are
+ * their changes. A cell in which it does not fit is closed with less than that left, where the room
+ * was 0; so the room falls by one at most, and what the host was told stays true. */
 #define SIZE sizeof(loft_item)
 
 static volatile uint8_t *bytes_of(const loft_queue *q, uint16_t cell)
@@ -21,7 +21,10 @@ static uint16_t after(const loft_queue *q, uint16_t index)
     return (uint16_t)(index + 1 == q->count ? 0 : index + 1);
 }
 
-static int16_t step_of(uint16_t x)      { return (int16_t)(x < 0x8000u ? x : (int32_t)x - 0x10000); }
+static int16_t step_of(uint16_t x)
+{
+    return (int16_t)(x < 0x8000u ? x : (int32_t)x - 0x10000);
+}
 
 static int16_t difference(int16_t a, int16_t b)
 {
@@ -79,7 +82,8 @@ uint16_t loft_points_room(const loft_points *p, loft_queue *q)
     const uint16_t cells = loft_queue_room(q);
 
     return p->count == 0 ? loft_points_capacity(cells)
-                         : (uint16_t)(loft_points_capacity((uint16_t)(cells - 1)) + (SIZE - p->used) / LOFT_POINT_BYTES2);
+                         : (uint16_t)(loft_points_capacity((uint16_t)(cells - 1)) +
+                                      (SIZE - p->used) / LOFT_POINT_BYTES2);
 }
 
 
@@ -112,7 +116,8 @@ uint8_t loft_points_look(loft_points *p, loft_queue *q)
     }
     if (p->told == 0 && loft_queue_full(q))
         return 0;
-    const uint8_t count = q->cell[q->seen].cap & (uint8_t)~CLOSED, more = (uint8_t)(count - p->told);
+    const uint8_t count = q->cell[q->seen].cap & (uint8_t)~CLOSED,
+                  more = (uint8_t)(count - p->told);
     if (p->told == 0 && count > 0)
         q->looked++;
     p->told = count;
@@ -121,7 +126,9 @@ uint8_t loft_points_look(loft_points *p, loft_queue *q)
 
 bool loft_points_poll(loft_points *p, loft_queue *q)
 {
-    const uint8_t count = q->tail == q->seen && p->told > 0 ? p->told : q->cell[q->tail].cap & (uint8_t)~CLOSED;
+    const uint8_t count = q->tail == q->seen && p->told > 0
+                              ? p->told
+                              : q->cell[q->tail].cap & (uint8_t)~CLOSED;
     const volatile uint8_t *from = bytes_of(q, q->tail) + p->at;
     uint8_t byte[LOFT_POINT_BYTES2];
     uint32_t change[LOFT_AXES];

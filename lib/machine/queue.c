@@ -3,15 +3,16 @@
  */
 #include "machine/queue.h"
 
-void loft_place_copy(volatile int32_t to[LOFT_AXES], const volatile int32_t from[LOFT_AXES])
+void loft_place_copy(volatile int32_t *to, const volatile int32_t *from)
 {
     for (int i = 0; i < LOFT_AXES; i++)
         to[i] = from[i];
 }
 
-/* The cells are volatile as a whole, so the compiler keeps their accesses in order: the item is written before the byte
- * that hands it over, and read before the byte that gives the cell back. A part with one core keeps the order too. */
-enum loft_status loft_queue_init(loft_queue *q, volatile loft_cell cell[], uint16_t count)
+/* The cells are volatile as a whole, so the compiler keeps their accesses in order: the item is
+ * written before the byte that hands it over, and read before the byte that gives the cell back. A
+ * part with one core keeps the order too. */
+enum loft_status loft_queue_init(loft_queue *q, volatile loft_cell *cell, uint16_t count)
 {
     if (count < 2 || count > LOFT_QUEUE_MAX)
         return LOFT_ERR_RANGE;

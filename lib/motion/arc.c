@@ -1,17 +1,18 @@
 /* lib/motion/arc.c
  * SPDX-License-Identifier: MIT
  *
- * An arc is kept as the polynomial C(t) = c0 + c1 t + c2 t^2 + c3 t^3 of its own parameter, t = 0..1. With b = 1, b = 2 steps of a
- * half, the derivative at its start, middle and end is
+ * An arc is kept as the polynomial C(t) = c0 + c1 t + c2 t^2 + c3 t^3 of its own parameter, t =
+ * 0..1. With b = 1, b = 2 steps of a half, the derivative at its start, middle and end is
  *
  *     D = c1 + c2 k + c3 3/4 k^2      k = 0, 1, 2
  *
- * and its control points, three times the legs between those of the curve, are c1, c1 + c2, c1 + 2 c2 + 3 c3: off their mean, the
- * chord, by c2 + c3, c3 and c2 + 2 c3.
+ * and its control points, three times the legs between those of the curve, are c1, c1 + c2, c1 + 2
+ * c2 + 3 c3: off their mean, the chord, by c2 + c3, c3 and c2 + 2 c3.
  *
- * q16: control points are below 2^14, the sums of four with weights 1, 3, 3, 1 below 2^17. A product with t rounds by u = 2^-33, and
- * multiplies what was rounded before by t <= 1: where an arc begins c0, c1, c2 err by at most 3, 5, 3 u and, for the half of a
- * curve or less of it, the sum of all at its end by 11 u.
+ * q16: control points are below 2^14, the sums of four with weights 1, 3, 3, 1 below 2^17. A
+ * product with t rounds by u = 2^-33, and multiplies what was rounded before by t <= 1: where an
+ * arc begins c0, c1, c2 err by at most 3, 5, 3 u and, for the half of a curve or less of it, the
+ * sum of all at its end by 11 u.
  */
 #include "motion/arc.h"
 
@@ -33,9 +34,9 @@ static loft_acc dot(const loft_vec *a, const loft_vec *b)
     return sum;
 }
 
-/* Is p on the segment a..b, to within 2^-16 mm per plane? The distance of p from the line is |q x c| / |c| with
- * q = p - a, c = b - a, and |c| at least the largest of its coordinates. Products of coordinates are exact in q16; they sum to
- * less than 6 * 2^28. */
+/* Is p on the segment a..b, to within 2^-16 mm per plane? The distance of p from the line is |q x
+ * c| / |c| with q = p - a, c = b - a, and |c| at least the largest of its coordinates. Products of
+ * coordinates are exact in q16; they sum to less than 6 * 2^28. */
 static bool on_chord(const loft_vec *p, const loft_vec *a, const loft_vec *b)
 {
     loft_vec q, c;
@@ -44,11 +45,13 @@ static bool on_chord(const loft_vec *p, const loft_vec *a, const loft_vec *b)
     for (int i = 0; i < LOFT_AXES; i++) {
         q.axis[i] = p->axis[i] - a->axis[i];
         c.axis[i] = b->axis[i] - a->axis[i];
-        most = loft_acc_most(most, loft_acc_size(loft_prod(c.axis[i], LOFT_REAL(0.0000152587890625))));
+        most = loft_acc_most(most,
+                             loft_acc_size(loft_prod(c.axis[i], LOFT_REAL(0.0000152587890625))));
     }
     for (int i = 0; i < LOFT_AXES; i++)
         for (int j = 0; j < i; j++)
-            if (loft_acc_size(loft_prod(q.axis[i], c.axis[j]) - loft_prod(q.axis[j], c.axis[i])) > most)
+            if (loft_acc_size(loft_prod(q.axis[i], c.axis[j]) - loft_prod(q.axis[j], c.axis[i])) >
+                most)
                 return false;
     return dot(&q, &c) >= 0 && dot(&q, &q) <= dot(&c, &c);
 }
@@ -62,8 +65,8 @@ static void straighten(loft_arc *a)
         a->c[2][i] = a->c[3][i] = 0;
 }
 
-/* The whole curve from parameter `from` on, as a polynomial of t - from: control points, their differences, the powers' coefficients, and
- * three rounds of Horner's scheme. */
+/* The whole curve from parameter `from` on, as a polynomial of t - from: control points, their
+ * differences, the powers' coefficients, and three rounds of Horner's scheme. */
 static void begin(loft_arc *a, const loft_cubic *curve, uint32_t from)
 {
     const loft_vec *p = curve->p;
@@ -91,8 +94,9 @@ static void shorten(loft_arc *a, loft_unit part)
             loft_accs_scale(a->c[k], part);
 }
 
-/* The derivative's control points, three times the legs, their mean and its length; per axis: how far they are off it at most, and the sum of their
- * sizes. Of coarse arcs the one in the middle counts double, as no parabola through three rates follows it. */
+/* The derivative's control points, three times the legs, their mean and its length; per axis: how
+ * far they are off it at most, and the sum of their sizes. Of coarse arcs the one in the middle
+ * counts double, as no parabola through three rates follows it. */
 typedef struct {
     loft_acc length, off, size;
     loft_acc chord[LOFT_AXES], leg[3][LOFT_AXES];
@@ -119,8 +123,8 @@ static void set_legs(const loft_arc *a, legs *l, bool coarse)
         }
 }
 
-/* When all legs are within |chord| / 16 of it (per axis), direction and rate change by at most 1/8 over the arc, 1/4 if it is coarse, so
- * no feature hides between the places looked at. */
+/* When all legs are within |chord| / 16 of it (per axis), direction and rate change by at most 1/8
+ * over the arc, 1/4 if it is coarse, so no feature hides between the places looked at. */
 static bool nearly_straight(const legs *l, bool coarse)
 {
     return l->length > 0 && l->length <= LENGTH_MAX && l->off * (coarse ? 8 : 16) <= l->length;
@@ -144,8 +148,9 @@ static loft_acc take_along(loft_acc v[LOFT_AXES], const loft_vec *u)
     return along;
 }
 
-/* Where a control point falls onto the end, rates grow from 0 and no part that begins there is nearly straight in the
- * sense above. A speck is, when all legs lead along its chord and no further than |chord| / 512 off it. */
+/* Where a control point falls onto the end, rates grow from 0 and no part that begins there is
+ * nearly straight in the sense above. A speck is, when all legs lead along its chord and no further
+ * than |chord| / 512 off it. */
 static bool straight_speck(legs *l)
 {
     loft_vec u;
@@ -166,7 +171,8 @@ static bool straight_speck(legs *l)
 /* The derivative at t = k / 4, and its size, the rate there. */
 static loft_acc set_rate(const loft_arc *a, int k, loft_acc d[LOFT_AXES])
 {
-    const loft_unit half = LOFT_UNIT(0.5) * (loft_unit)k, square = LOFT_UNIT(0.1875) * (loft_unit)(k * k);
+    const loft_unit half = LOFT_UNIT(0.5) * (loft_unit)k,
+                    square = LOFT_UNIT(0.1875) * (loft_unit)(k * k);
 
     loft_accs_copy(d, a->c[1]);
     loft_accs_grow(d, a->c[2], half);
@@ -190,7 +196,10 @@ static void set_length(loft_arc *a, loft_acc rate[5])
     }
 }
 
-static loft_unit times(loft_unit a, loft_unit b) { return loft_unit_round(loft_acc_scale(loft_unit_wide(a), b)); }
+static loft_unit times(loft_unit a, loft_unit b)
+{
+    return loft_unit_round(loft_acc_scale(loft_unit_wide(a), b));
+}
 
 static loft_unit between_ends(const loft_arc *a, loft_unit w)
 {
@@ -215,10 +224,12 @@ static loft_unit parameter_at(const loft_arc *a, loft_unit w)
 
 /* The parameter where the part w of the length ends is
  *
- *     t = w + v (g0 (1 - w) + g1 w + v s(w - 1/2))    v = w (1 - w)   g0 = length / r0 - 1   g1 = 1 - length / r4
+ *     t = w + v (g0 (1 - w) + g1 w + v s(w - 1/2))    v = w (1 - w)   g0 = length / r0 - 1   g1 = 1
+ *         - length / r4
  *
- * with its slopes at the ends, and s the parabola that is right near w = 1/4, 1/2, 3/4: at the parts of the length up to
- * t = 1/4, 1/2, 3/4, integrals of the polynomial of degree 4 through the rates, in units of the length
+ * with its slopes at the ends, and s the parabola that is right near w = 1/4, 1/2, 3/4: at the
+ * parts of the length up to t = 1/4, 1/2, 3/4, integrals of the polynomial of degree 4 through the
+ * rates, in units of the length
  *
  *     1/4 + S - T, 1/2 - M, 3/4 - S - T       S = (r0 + r4 + 2 (r1 + r3) - 6 r2) / 48
  *     T = 3 (r4 - r0 + 2 (r3 - r1)) / 64      M = (r4 - r0 + 4 (r3 - r1)) / 24
@@ -235,8 +246,10 @@ static void set_pace(loft_arc *a)
     for (int k = 0; k < 5; k++)
         r[k] = loft_unit_ratio(rate[k], a->length);
     const loft_unit rise = r[4] - r[0], inner = r[3] - r[1];
-    const loft_unit even = (r[0] + r[4] + 2 * (r[1] + r[3]) - 6 * r[2]) / 48, odd = 3 * (rise + 2 * inner) / 64;
-    const loft_unit x = off_pace(a, LOFT_UNIT(0.25) + even - odd, LOFT_UNIT(0.25)), z = off_pace(a, LOFT_UNIT(0.75) - even - odd, LOFT_UNIT(0.75));
+    const loft_unit even = (r[0] + r[4] + 2 * (r[1] + r[3]) - 6 * r[2]) / 48,
+                    odd = 3 * (rise + 2 * inner) / 64;
+    const loft_unit x = off_pace(a, LOFT_UNIT(0.25) + even - odd, LOFT_UNIT(0.25)),
+                    z = off_pace(a, LOFT_UNIT(0.75) - even - odd, LOFT_UNIT(0.75));
     const loft_unit y = off_pace(a, LOFT_UNIT(0.5) - (rise + 4 * inner) / 24, LOFT_UNIT(0.5));
 
     a->inner[0] = y;
@@ -254,8 +267,9 @@ static bool leads(const loft_arc *a, loft_acc length)
     return length > BLUR * loft_acc_grain(size);
 }
 
-/* Is it one that may be walked? `size` is that of its interval of parameters. What is too small for its bend to matter is a crumb if it has a
- * direction: the path may turn around where it begins and where it ends. */
+/* Is it one that may be walked? `size` is that of its interval of parameters. What is too small for
+ * its bend to matter is a crumb if it has a direction: the path may turn around where it begins and
+ * where it ends. */
 static bool fits(loft_arc *a, uint32_t size, bool coarse)
 {
     legs l;
@@ -265,7 +279,8 @@ static bool fits(loft_arc *a, uint32_t size, bool coarse)
     if (nearly_straight(&l, coarse))
         return true;
 
-    const bool speck = l.size <= SPECK && straight_speck(&l), dust = !speck && (l.size <= DUST || size == 1);
+    const bool speck = l.size <= SPECK && straight_speck(&l),
+               dust = !speck && (l.size <= DUST || size == 1);
     if (!speck && !dust)
         return false;
     a->crumb = dust && leads(a, l.length);
@@ -320,8 +335,9 @@ uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from, bo
  *
  *     K = (D' - u (u . D')) / |D|^2
  *
- * The quotient by |D| is below 1, as control points of the derivative differ by at most |chord| / 8. Arcs below 2^-15 mm may
- * bend more than a real of q16 can say: twice BEND_MAX stands for all of that. */
+ * The quotient by |D| is below 1, as control points of the derivative differ by at most |chord| /
+ * 8. Arcs below 2^-15 mm may bend more than a real of q16 can say: twice BEND_MAX stands for all of
+ * that. */
 static loft_real curvature(loft_acc across, loft_acc rate)
 {
     const loft_acc x = loft_wide(loft_acc_quot(across, rate));

@@ -1,10 +1,13 @@
-/* lib/motion/beat.h -- beat: how an averaged law goes on for a beat: faster, as fast, slower, or to the end
+/* lib/motion/beat.h -- beat: how an averaged law goes on for a beat: faster, as fast, slower, or to
+ * the end
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_MOTION_BEAT_H
 #define LOFT_MOTION_BEAT_H
 
 #include "motion/law.h"     /* loft_law */
+
+LOFT_BEGIN_C
 
 #if LOFT_PLAN_FILTER > 1
 
@@ -21,5 +24,7 @@ loft_unit loft_beat_next(loft_law *law);
 bool loft_beat_clear(const loft_law *law, loft_acc way, loft_real v);
 
 #endif
+
+LOFT_END_C
 
 #endif

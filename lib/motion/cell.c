@@ -1,30 +1,36 @@
 /* lib/motion/cell.c
  * SPDX-License-Identifier: MIT
  *
- * With x = v^2 along the length s, the acceleration along the path is a = x' / 2 and the jerk j = v x'' / 2. On a path with direction
- * u, curvature vector k and its derivative k', the vectors of acceleration and jerk are
+ * With x = v^2 along the length s, the acceleration along the path is a = x' / 2 and the jerk j = v
+ * x'' / 2. On a path with direction u, curvature vector k and its derivative k', the vectors of
+ * acceleration and jerk are
  *
  *     u a + k x          v (u x'' / 2 + 3 k a + k' x)
  *
- * x is a quadratic B-spline in s, one cell between two knots, and one control value b per cell. With the lengths l before a knot and h
- * behind it, and the values b0, b1 there
+ * x is a quadratic B-spline in s, one cell between two knots, and one control value b per cell.
+ * With the lengths l before a knot and h behind it, and the values b0, b1 there
  *
  *     x = (h b0 + l b1) / (l + h)          a = (b1 - b0) / (l + h)
  *
- * and in a cell x'' h / 2 = a1 - a0, the change of acceleration in it. The bracket times h must be within J h / v, which is J
- * times about the time in the cell, so everything that is compared is an acceleration. It is asked at both ends.
+ * and in a cell x'' h / 2 = a1 - a0, the change of acceleration in it. The bracket times h must be
+ * within J h / v, which is J times about the time in the cell, so everything that is compared is an
+ * acceleration. It is asked at both ends.
  *
- * The acceleration of an axis, f = u a + k x, has f'' = 4 k a' + 5 k' a + k'' x, so between the ends it is at most
+ * The acceleration of an axis, f = u a + k x, has f'' = 4 k a' + 5 k' a + k'' x, so between the
+ * ends it is at most
  *
  *     (4 |k| h |a1 - a0| + 5 |k'| h |a| h + |k''| h^2 x) / 8
  *
- * above the larger of both. Where that may be more than BOW of the limit the middle is asked as well, which leaves a quarter of it.
+ * above the larger of both. Where that may be more than BOW of the limit the middle is asked as
+ * well, which leaves a quarter of it.
  *
- * At rest x = 0 and the jerk is constant: x = x1 (s / h)^(4/3), which gives a1 = 2/3 x1 / h, x1'' h / 2 = 2/9 x1 / h, and b0 = b1 h0 / (3 h0 + 2 h1).
- * An axis has a jerk of j (u + 9 k s + 9/2 k' s^2) then, which bows by 27/8 |k1 - k0| h j: so near a rest the middle is always asked as well.
+ * At rest x = 0 and the jerk is constant: x = x1 (s / h)^(4/3), which gives a1 = 2/3 x1 / h, x1'' h
+ * / 2 = 2/9 x1 / h, and b0 = b1 h0 / (3 h0 + 2 h1). An axis has a jerk of j (u + 9 k s + 9/2 k'
+ * s^2) then, which bows by 27/8 |k1 - k0| h j: so near a rest the middle is always asked as well.
  *
- * A bump raises b by z P, so x, a and the brackets g become x + z X, a + z A, g + z G. Accelerations are linear in z. J h / sqrt x is convex
- * in x, so that it lies above its tangent, and
+ * A bump raises b by z P, so x, a and the brackets g become x + z X, a + z A, g + z G.
+ * Accelerations are linear in z. J h / sqrt x is convex in x, so that it lies above its tangent,
+ * and
  *
  *     |g + z G| <= (J h / v) (1 - z X / (2 x))
  *
@@ -33,7 +39,8 @@
 #include "motion/cell.h"
 
 #define MOST_BEATS  1024        /* times J h: more than any change of acceleration */
-#define BETWEEN     400         /* part of the square of the speed that is left for what it is between beats */
+/* part of the square of the speed that is left for what it is between beats */
+#define BETWEEN     400
 #define BOW         256         /* 1/256 of the acceleration may be exceeded between the ends */
 
 
@@ -41,7 +48,9 @@ loft_inverse loft_inverse_of(loft_acc length)
 {
     loft_inverse by = { 0, 0 };
     if (length < loft_wide(LOFT_REAL(0.015625)))
-        by.coarse = length > loft_acc_div(loft_wide(LOFT_REAL(1)), LOFT_REAL_MAX / 2) ? loft_acc_quot(loft_wide(LOFT_REAL(1)), length) : LOFT_REAL_MAX / 2;
+        by.coarse = length > loft_acc_div(loft_wide(LOFT_REAL(1)), LOFT_REAL_MAX / 2)
+                        ? loft_acc_quot(loft_wide(LOFT_REAL(1)), length)
+                        : LOFT_REAL_MAX / 2;
     else
         by.fine = loft_unit_round(loft_acc_div(loft_wide(LOFT_REAL(1)), loft_acc_round(length)));
     return by;
@@ -62,12 +71,14 @@ static loft_vec difference(loft_vec a, loft_vec b)
 /* x, or accel / bend if that is less */
 static loft_acc bend_most(loft_acc x, loft_real accel, loft_real bend)
 {
-    if (loft_acc_mul(loft_acc_least(x, loft_wide(LOFT_REAL(8191))), bend) > loft_wide(accel) || loft_acc_mul(x / 32768, bend) > loft_wide(accel) / 32768)
+    if (loft_acc_mul(loft_acc_least(x, loft_wide(LOFT_REAL(8191))), bend) > loft_wide(accel) ||
+        loft_acc_mul(x / 32768, bend) > loft_wide(accel) / 32768)
         return loft_acc_least(x, loft_acc_div(loft_wide(accel), bend));
     return x;
 }
 
-/* The largest square of the speed that the feed, the speeds of the axes and the curvature allow at one of three stations. */
+/* The largest square of the speed that the feed, the speeds of the axes and the curvature allow at
+ * one of three stations. */
 static loft_acc station_most(const loft_budget *b, const loft_arc_shape *s, int k, loft_real feed)
 {
     loft_real v = feed;
@@ -77,13 +88,15 @@ static loft_acc station_most(const loft_budget *b, const loft_arc_shape *s, int 
         v = loft_real_cap(v, b->max_speed[i], loft_real_size(s->along[k].axis[i]));
     x = loft_prod(v, v);
     if (b->across > 0)
-        return bend_most(x, b->across, loft_acc_round(loft_vec_distance(s->bend[k], (loft_vec){ { 0 } })));
+        return bend_most(x, b->across,
+                         loft_acc_round(loft_vec_distance(s->bend[k], (loft_vec){ { 0 } })));
     for (int i = 0; i < LOFT_AXES; i++)
         x = bend_most(x, b->accel[i], loft_real_size(s->bend[k].axis[i]));
     return x;
 }
 
-/* Does the derivative of the curvature change so much in it that between its ends it may ask for more of the jerk than there? */
+/* Does the derivative of the curvature change so much in it that between its ends it may ask for
+ * more of the jerk than there? */
 static bool varies(const loft_budget *b, const loft_plan_cell *p)
 {
     const loft_real v = loft_acc_sqrt(p->most);
@@ -92,7 +105,8 @@ static bool varies(const loft_budget *b, const loft_plan_cell *p)
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc change = loft_wide(p->turn[1].axis[i]) - loft_wide(p->turn[0].axis[i]);
-        if (loft_acc_mul(p->most, loft_acc_round(change < 0 ? -change : change)) * 6 > loft_acc_mul(beats, b->gain[i]))
+        if (loft_acc_mul(p->most, loft_acc_round(change < 0 ? -change : change)) * 6 >
+            loft_acc_mul(beats, b->gain[i]))
             return true;
     }
     return false;
@@ -109,11 +123,17 @@ static void set_bow(const loft_budget *b, loft_plan_cell *c)
 {
     c->bow = c->bow_change = c->bow_accel = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real k0 = loft_real_size(c->bend[0].axis[i]), k1 = loft_real_size(c->bend[1].axis[i]), t0 = c->turn[0].axis[i], t1 = c->turn[1].axis[i];
-        const loft_real k = k0 > k1 ? k0 : k1, t = loft_real_size(t0) > loft_real_size(t1) ? loft_real_size(t0) : loft_real_size(t1);
+        const loft_real k0 = loft_real_size(c->bend[0].axis[i]),
+                        k1 = loft_real_size(c->bend[1].axis[i]), t0 = c->turn[0].axis[i],
+                        t1 = c->turn[1].axis[i];
+        const loft_real k = k0 > k1 ? k0 : k1, t = loft_real_size(t0) > loft_real_size(t1)
+                                                       ? loft_real_size(t0)
+                                                       : loft_real_size(t1);
         const loft_unit change = part_of(loft_acc_scale(loft_wide(k), c->length) / 2, b->accel[i]);
-        const loft_unit accel  = part_of(loft_acc_scale(loft_wide(t), c->length) * 5 / 8, b->accel[i]);
-        const loft_unit always = part_of(loft_acc_mul(c->most, loft_real_size(t1 - t0)) / 8, b->accel[i]);
+        const loft_unit accel = part_of(loft_acc_scale(loft_wide(t), c->length) * 5 / 8,
+                                        b->accel[i]);
+        const loft_unit always = part_of(loft_acc_mul(c->most, loft_real_size(t1 - t0)) / 8,
+                                         b->accel[i]);
         c->bow_change = change > c->bow_change ? change : c->bow_change;
         c->bow_accel  = accel > c->bow_accel ? accel : c->bow_accel;
         c->bow        = always > c->bow ? always : c->bow;
@@ -121,7 +141,8 @@ static void set_bow(const loft_budget *b, loft_plan_cell *c)
     c->bow = varies(b, c) ? LOFT_UNIT(1) : c->bow;
 }
 
-void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *shape, loft_real feed)
+void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc,
+                    const loft_arc_shape *shape, loft_real feed)
 {
     loft_arc_shape s = *shape;
 
@@ -149,8 +170,10 @@ void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc
     set_bow(b, c);
 }
 
-/* Between its ends the slope turns, or easing begins: what holds there is asked at the ends, too. */
-static void set_cases(loft_plan_cell *c, int in, const loft_easing at[2], loft_unit outer, loft_unit inner, bool beyond, loft_acc turn)
+/* Between its ends the slope turns, or easing begins: what holds there is asked at the ends,
+ * too. */
+static void set_cases(loft_plan_cell *c, int in, const loft_easing at[2], loft_unit outer,
+                      loft_unit inner, bool beyond, loft_acc turn)
 {
     const loft_easing p = loft_ease_eval(LOFT_EASE_TURN);
     const bool turns = inner > LOFT_EASE_TURN && outer < LOFT_EASE_TURN;
@@ -177,17 +200,20 @@ static void set_cases(loft_plan_cell *c, int in, const loft_easing at[2], loft_u
 /* The speed that the direction u allows to an axis. */
 static void turn_most(loft_plan_cell *c, const loft_budget *b, int i, loft_acc u)
 {
-    const loft_real v = loft_real_cap(LOFT_SPEED_MAX, b->max_speed[i], loft_real_size(loft_acc_round(u)));
+    const loft_real v = loft_real_cap(LOFT_SPEED_MAX, b->max_speed[i],
+                                      loft_real_size(loft_acc_round(u)));
     const loft_acc  x = loft_prod(v, v);
     c->most = loft_acc_least(c->most, x - x / BETWEEN);
 }
 
 void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e, loft_acc off)
 {
-    const loft_acc w = loft_unit_wide(e->width), h = loft_unit_wide(c->length), top = loft_acc_scale(w, LOFT_UNIT(1) - 2 * LOFT_EASE_TURN);
+    const loft_acc w = loft_unit_wide(e->width), h = loft_unit_wide(c->length),
+                   top = loft_acc_scale(w, LOFT_UNIT(1) - 2 * LOFT_EASE_TURN);
     const loft_inverse by = loft_inverse_of(w);
     const int in = off < 0 ? 1 : 0;
-    const loft_acc to_top = (in == 1 ? -top : top) - off;       /* where it turns the direction most, r = 2 p */
+    /* where it turns the direction most, r = 2 p */
+    const loft_acc to_top = (in == 1 ? -top : top) - off;
     const loft_easing most = loft_ease_eval(2 * LOFT_EASE_TURN);
     const loft_acc before = c->most;
     loft_acc longest = 0;
@@ -208,21 +234,30 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
     for (int i = 0; i < LOFT_AXES; i++) {
         c->jump.axis[i] = e->jump[i];
         if (to_top > 0 && to_top < h)
-            turn_most(c, b, i, loft_acc_lerp(loft_wide(c->along[0].axis[i]), loft_wide(c->along[1].axis[i]), loft_unit_ratio(to_top, h))
-                               + loft_acc_scale(loft_acc_mul(most.along, e->jump[i]), e->width));
+            turn_most(c, b, i,
+                      loft_acc_lerp(loft_wide(c->along[0].axis[i]), loft_wide(c->along[1].axis[i]),
+                                    loft_unit_ratio(to_top, h)) +
+                          loft_acc_scale(loft_acc_mul(most.along, e->jump[i]), e->width));
         for (int end = 0; end < 2; end++) {
-            const loft_acc bend = loft_acc_mul(z[end].bend, e->jump[i]), turn = loft_acc_scale(loft_inverse_mul(loft_acc_mul(z[end].turn, e->jump[i]), &by), c->length);
+            const loft_acc bend = loft_acc_mul(z[end].bend, e->jump[i]),
+                           turn = loft_acc_scale(
+                               loft_inverse_mul(loft_acc_mul(z[end].turn, e->jump[i]), &by),
+                               c->length);
             c->bend[end].axis[i]  += loft_acc_round(in == 1 ? bend : -bend);
             c->turn[end].axis[i]  += loft_acc_round(turn);
-            c->along[end].axis[i] += loft_acc_round(loft_acc_scale(loft_acc_mul(z[end].along, e->jump[i]), e->width));
+            c->along[end].axis[i] += loft_acc_round(
+                loft_acc_scale(loft_acc_mul(z[end].along, e->jump[i]), e->width));
             turn_most(c, b, i, loft_wide(c->along[end].axis[i]));
         }
     }
     for (int end = 0; end < 2; end++)       /* the path moved aside is longer by that */
         longest = loft_acc_most(longest, loft_vec_dot(c->along[end], c->along[end]));
     if (longest > loft_wide(LOFT_REAL(1)))
-        c->most = loft_acc_least(c->most, loft_acc_scale(before, loft_unit_ratio(loft_wide(LOFT_REAL(1)), longest)));
-    const loft_acc turn = loft_acc_least(loft_acc_scale(loft_inverse_mul(loft_unit_wide(LOFT_EASE_SLOPE), &by), c->length), loft_wide(LOFT_REAL(60)));
+        c->most = loft_acc_least(
+            c->most, loft_acc_scale(before, loft_unit_ratio(loft_wide(LOFT_REAL(1)), longest)));
+    const loft_acc turn = loft_acc_least(
+        loft_acc_scale(loft_inverse_mul(loft_unit_wide(LOFT_EASE_SLOPE), &by), c->length),
+        loft_wide(LOFT_REAL(60)));
     set_cases(c, in, z, r[1 - in], r[in], beyond[1 - in], turn);
     c->bow = c->eased > 0 ? 0 : LOFT_UNIT(1);
     c->bow_change = c->bow_accel = 0;
@@ -232,7 +267,8 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
 /* Limits
  * ------ */
 
-/* g + z q <= most; a rise that does not add to g is not hindered where rounding has left g above that. */
+/* g + z q <= most; a rise that does not add to g is not hindered where rounding has left g above
+ * that. */
 static loft_unit limit_below(loft_unit z, loft_acc g, loft_acc q, loft_acc most)
 {
     const loft_acc room = loft_acc_most(most - g, 0);
@@ -252,7 +288,8 @@ static loft_unit limit_jerk(loft_unit z, loft_acc g, loft_acc q, loft_acc most, 
     return limit_below(limit_below(z, g, q + less, most), -g, less - q, most);
 }
 
-/* A place with what is known there: x, a and how they would rise, 1 / v, half the part by which x would grow. */
+/* A place with what is known there: x, a and how they would rise, 1 / v, half the part by which x
+ * would grow. */
 typedef struct {
     loft_acc x, a;
     loft_cell_rise up;
@@ -262,45 +299,61 @@ typedef struct {
 
 static place place_of(const loft_plan_cell *c, const loft_plan_cell *at, loft_cell_rise up)
 {
-    place p = { at->x, at->a, up, loft_acc_least(loft_acc_scale(c->span, at->r), loft_wide(LOFT_REAL(1)) * MOST_BEATS), 0 };
+    place p = {
+        at->x, at->a, up,
+        loft_acc_least(loft_acc_scale(c->span, at->r), loft_wide(LOFT_REAL(1)) * MOST_BEATS), 0
+    };
 
-    p.beats = loft_acc_scale(p.beats - p.beats / 24, c->grip);      /* a part is left for what is not asked between the ends */
+    /* a part is left for what is not asked between the ends */
+    p.beats = loft_acc_scale(p.beats - p.beats / 24, c->grip);
     p.w = loft_unit_round(loft_acc_scale(loft_acc_scale(up.x, at->r), at->r) / 2);
     return p;
 }
 
 #define AS_IT_IS (-1)
 
-/* Where jerk is limited by the changes `change`, `up` of the acceleration along the path in the cell; in a case of easing, or as it is; `slack`
- * more of the acceleration may be used. */
-static loft_unit limit_end(const loft_plan_cell *c, const loft_budget *b, const place *p, int end, loft_acc change, loft_acc up, loft_unit z,
-                           int eased, loft_unit slack)
+/* Where jerk is limited by the changes `change`, `up` of the acceleration along the path in the
+ * cell; in a case of easing, or as it is; `slack` more of the acceleration may be used. */
+static loft_unit limit_end(const loft_plan_cell *c, const loft_budget *b, const place *p, int end,
+                           loft_acc change, loft_acc up, loft_unit z, int eased, loft_unit slack)
 {
     const loft_real length = loft_acc_round(loft_unit_wide(c->length));
 
     for (int i = 0; i < LOFT_AXES && z > 0; i++) {
         const loft_real u = c->along[end].axis[i], jump = c->jump.axis[i];
-        const loft_real k = c->bend[end].axis[i] + (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->bends[eased][end])) : 0);
-        const loft_real turn = c->turn[end].axis[i] + (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->turns[eased][end])) : 0);
+        const loft_real k =
+            c->bend[end].axis[i] +
+            (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->bends[eased][end]))
+                        : 0);
+        const loft_real turn =
+            c->turn[end].axis[i] +
+            (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->turns[eased][end]))
+                        : 0);
         if (!(u < 0 || u > 0 || k < 0 || k > 0 || turn < 0 || turn > 0))
             continue;
         const loft_acc  accel = loft_wide(b->accel[i]);
         const loft_unit kh = loft_unit_round(loft_prod(k, length) * 3);
         const loft_acc  most = loft_acc_mul(p->beats, b->gain[i]);
         const loft_real across = b->across > 0 ? 0 : k;         /* it has a limit of its own */
-        z = limit(z, loft_acc_mul(p->a, u) + loft_acc_mul(p->x, across), loft_acc_mul(p->up.a, u) + loft_acc_mul(p->up.x, across), accel + loft_acc_scale(accel, slack));
-        z = limit_jerk(z, loft_acc_mul(change, u) + loft_acc_scale(p->a, kh) + loft_acc_mul(p->x, turn),
-                       loft_acc_mul(up, u) + loft_acc_scale(p->up.a, kh) + loft_acc_mul(p->up.x, turn), most, loft_acc_scale(most, p->w));
+        z = limit(z, loft_acc_mul(p->a, u) + loft_acc_mul(p->x, across),
+                  loft_acc_mul(p->up.a, u) + loft_acc_mul(p->up.x, across),
+                  accel + loft_acc_scale(accel, slack));
+        z = limit_jerk(
+            z, loft_acc_mul(change, u) + loft_acc_scale(p->a, kh) + loft_acc_mul(p->x, turn),
+            loft_acc_mul(up, u) + loft_acc_scale(p->up.a, kh) + loft_acc_mul(p->up.x, turn), most,
+            loft_acc_scale(most, p->w));
     }
     return z;
 }
 
-static loft_unit limit_rest(const loft_plan_cell *c, const loft_budget *b, const place *p, int end, loft_acc change, loft_acc up, loft_unit z)
+static loft_unit limit_rest(const loft_plan_cell *c, const loft_budget *b, const place *p, int end,
+                            loft_acc change, loft_acc up, loft_unit z)
 {
     for (int i = 0; i < LOFT_AXES && z > 0; i++) {
         const loft_real u = c->along[end].axis[i];
         const loft_acc  most = loft_acc_mul(p->beats, b->gain[i]);
-        z = limit_jerk(z, loft_acc_mul(change, u), loft_acc_mul(up, u), most, loft_acc_scale(most, p->w));
+        z = limit_jerk(z, loft_acc_mul(change, u), loft_acc_mul(up, u), most,
+                       loft_acc_scale(most, p->w));
     }
     return z;
 }
@@ -311,16 +364,19 @@ static loft_plan_cell middle_of(const loft_plan_cell *c)
     loft_plan_cell middle = *c;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real d0 = (3 * c->turn[0].axis[i] + c->turn[1].axis[i]) / 8, d = c->bend[1].axis[i] - c->bend[0].axis[i];
+        const loft_real d0 = (3 * c->turn[0].axis[i] + c->turn[1].axis[i]) / 8,
+                        d = c->bend[1].axis[i] - c->bend[0].axis[i];
         middle.bend[0].axis[i]  = c->bend[0].axis[i] + d0;
         middle.turn[0].axis[i]  = d;
-        middle.along[0].axis[i] = c->along[0].axis[i] / 2 + c->along[1].axis[i] / 2 - loft_acc_round(loft_acc_scale(loft_wide(d), c->length) / 8);
+        middle.along[0].axis[i] = c->along[0].axis[i] / 2 + c->along[1].axis[i] / 2 -
+                                  loft_acc_round(loft_acc_scale(loft_wide(d), c->length) / 8);
     }
     return middle;
 }
 
 /* Where it is eased it is asked with what is at its ends. */
-static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, const place *p, const place *q, loft_unit z)
+static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, const place *p,
+                              const place *q, loft_unit z)
 {
     const loft_acc change = q->a - p->a, up = q->up.a - p->up.a, h = loft_unit_wide(c->length);
     loft_plan_cell middle = middle_of(c);
@@ -330,7 +386,9 @@ static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, con
     if (!(middle.x > 0) || !(h > 0))
         return z;
     middle.r = loft_unit_round(loft_acc_div(loft_wide(LOFT_REAL(1)), loft_acc_sqrt(middle.x)));
-    const loft_cell_rise rise = { p->up.x + loft_acc_scale(p->up.a, c->length) + loft_acc_scale(up, c->length) / 4, (p->up.a + q->up.a) / 2 };
+    const loft_cell_rise rise = { p->up.x + loft_acc_scale(p->up.a, c->length) +
+                                      loft_acc_scale(up, c->length) / 4,
+                                  (p->up.a + q->up.a) / 2 };
     const place m = place_of(&middle, &middle, rise);
     if (c->eased == 0)
         return limit_end(&middle, b, &m, 0, change, up, z, AS_IT_IS, LOFT_UNIT(1) / BOW);
@@ -340,32 +398,43 @@ static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, con
     return z;
 }
 
-/* The middle between a rest and the place p, where 1 / v is r: x, a, x'' and v are those of p times 2^(-4/3), 2^(-1/3), 2^(2/3) and 2^(-2/3). */
-static loft_unit limit_near_rest(const loft_plan_cell *c, const loft_budget *b, const place *p, loft_unit r, loft_acc change, loft_acc up, loft_unit z)
+/* The middle between a rest and the place p, where 1 / v is r: x, a, x'' and v are those of p times
+ * 2^(-4/3), 2^(-1/3), 2^(2/3) and 2^(-2/3). */
+static loft_unit limit_near_rest(const loft_plan_cell *c, const loft_budget *b, const place *p,
+                                 loft_unit r, loft_acc change, loft_acc up, loft_unit z)
 {
-    const loft_unit two_thirds = LOFT_UNIT(1.5874010519682), third = LOFT_UNIT(0.7937005259841), four_thirds = LOFT_UNIT(0.3968502629920);
-    const loft_cell_rise rise = { loft_acc_scale(p->up.x, four_thirds), loft_acc_scale(p->up.a, third) };
+    const loft_unit two_thirds = LOFT_UNIT(1.5874010519682), third = LOFT_UNIT(0.7937005259841),
+                    four_thirds = LOFT_UNIT(0.3968502629920);
+    const loft_cell_rise rise = { loft_acc_scale(p->up.x, four_thirds),
+                                  loft_acc_scale(p->up.a, third) };
     loft_plan_cell middle = middle_of(c);
 
     middle.x = loft_acc_scale(p->x, four_thirds);
     middle.a = loft_acc_scale(p->a, third);
     middle.r = loft_unit_round(loft_acc_scale(loft_unit_wide(r), two_thirds));
     const place m = place_of(&middle, &middle, rise);
-    return limit_end(&middle, b, &m, 0, loft_acc_scale(change, two_thirds), loft_acc_scale(up, two_thirds), z, AS_IT_IS, LOFT_UNIT(1) / BOW);
+    return limit_end(&middle, b, &m, 0, loft_acc_scale(change, two_thirds),
+                     loft_acc_scale(up, two_thirds), z, AS_IT_IS, LOFT_UNIT(1) / BOW);
 }
 
 /* May more be asked for between the ends than there? Or is it fastest there? */
 static bool bows(const loft_plan_cell *c, const place *p, const place *q)
 {
     const loft_acc change = q->a - p->a, changed = change + q->up.a - p->up.a;
-    const loft_acc a = loft_acc_most(loft_acc_size(p->a), loft_acc_size(q->a)), raised = loft_acc_most(loft_acc_size(p->a + p->up.a), loft_acc_size(q->a + q->up.a));
-    const loft_acc more = loft_acc_scale(loft_acc_most(loft_acc_size(change), loft_acc_size(changed)), c->bow_change) + loft_acc_scale(loft_acc_most(a, raised), c->bow_accel);
+    const loft_acc a = loft_acc_most(loft_acc_size(p->a), loft_acc_size(q->a)),
+                   raised = loft_acc_most(loft_acc_size(p->a + p->up.a),
+                                          loft_acc_size(q->a + q->up.a));
+    const loft_acc more = loft_acc_scale(
+                              loft_acc_most(loft_acc_size(change), loft_acc_size(changed)),
+                              c->bow_change) +
+                          loft_acc_scale(loft_acc_most(a, raised), c->bow_accel);
 
-    return (p->a > 0 && q->a < 0) || (p->up.a > 0 && q->up.a < 0) || (loft_unit_wide(c->bow) + more) * BOW > loft_wide(LOFT_REAL(1));
+    return (p->a > 0 && q->a < 0) || (p->up.a > 0 && q->up.a < 0) ||
+           (loft_unit_wide(c->bow) + more) * BOW > loft_wide(LOFT_REAL(1));
 }
 
-loft_unit loft_cell_limit(const loft_plan_cell *c, const loft_plan_cell *next, const loft_budget *b, loft_cell_rise at, loft_cell_rise to, loft_unit z,
-                          bool first, bool last)
+loft_unit loft_cell_limit(const loft_plan_cell *c, const loft_plan_cell *next, const loft_budget *b,
+                          loft_cell_rise at, loft_cell_rise to, loft_unit z, bool first, bool last)
 {
     z = first ? z : limit(z, c->x, at.x, loft_acc_least(c->most, c->gate));
     z = last  ? z : limit(z, next->x, to.x, loft_acc_least(c->most, next->gate));

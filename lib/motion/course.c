@@ -8,15 +8,18 @@
  *            /        \_/  \    brake: from the right
  *           0               0
  *
- * The law of motion (law.c) is averaged over n beats afterwards, a window of time whose mean place has left a piece while its
- * ends are still there or before it. Therefore a piece with the cap c casts its bounds to all places within
+ * The law of motion (law.c) is averaged over n beats afterwards, a window of time whose mean place
+ * has left a piece while its ends are still there or before it. Therefore a piece with the cap c
+ * casts its bounds to all places within
  *
  *     z = c (n + 2) h / 2
  *
- * on both sides (n h for the window, one more h as the law changes its acceleration between beats only, and one as the spline of the samples
- * looks beyond them: what is left of its reach weighs 1 / (48 n); and where a joint is eased, the way that takes). That is enough: a window
- * of places whose mean is in the piece lies within z of it. If its one end were further off, the time from there to the mean's
- * place would be more than half the window, at a speed of at most c, and the mean would lie on that side.
+ * on both sides (n h for the window, one more h as the law changes its acceleration between beats
+ * only, and one as the spline of the samples looks beyond them: what is left of its reach weighs 1
+ * / (48 n); and where a joint is eased, the way that takes). That is enough: a window of places
+ * whose mean is in the piece lies within z of it. If its one end were further off, the time from
+ * there to the mean's place would be more than half the window, at a speed of at most c, and the
+ * mean would lie on that side.
  */
 #include "motion/course.h"
 
@@ -45,7 +48,8 @@ loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p)
 #endif
 }
 
-/* How far the zones of all pieces reach, which features of the path may make much less than the feed would. */
+/* How far the zones of all pieces reach, which features of the path may make much less than the
+ * feed would. */
 static loft_acc reach_of(const loft_course *c)
 {
 #if LOFT_PLAN_FILTER > 1
@@ -55,7 +59,8 @@ static loft_acc reach_of(const loft_course *c)
 #endif
 }
 
-void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves[], uint16_t move_room, loft_plan_piece pieces[], uint16_t piece_room)
+void loft_course_init(loft_course *c, const loft_budget *budget, loft_move moves[],
+                      uint16_t move_room, loft_plan_piece pieces[], uint16_t piece_room)
 {
     c->budget     = *budget;
     c->moves      = moves;
@@ -157,7 +162,8 @@ void loft_course_drop(loft_course *c)
 /* Braking
  * ------- */
 
-/* What holds at a place: bounds of its piece and of those whose zones it is in, and how far to the left nothing changes. */
+/* What holds at a place: bounds of its piece and of those whose zones it is in, and how far to the
+ * left nothing changes. */
 typedef struct {
     loft_acc  cap2, left;
     loft_real accel;
@@ -204,7 +210,8 @@ static bounds around(const loft_course *c, unsigned i, loft_acc off, loft_acc x,
     return b;
 }
 
-loft_acc loft_course_around(const loft_course *c, loft_course_place at, loft_acc x, bool fore, loft_real *accel)
+loft_acc loft_course_around(const loft_course *c, loft_course_place at, loft_acc x, bool fore,
+                            loft_real *accel)
 {
     const bounds b = around(c, at.piece, at.off, x, fore);
     *accel = b.accel;
@@ -216,15 +223,19 @@ static loft_real grip_at(const loft_course *c, unsigned i, loft_acc off, loft_ac
     return around(c, i, off, x, false).accel;
 }
 
-/* From x, the square of the speed at `off`, backward over `way`, on which the bounds `b` hold, b.accel at x or, for an x beyond the cap, where nothing rises. Goals are as far as the acceleration
- * leads that holds now, and not much nearer to the cap than where it is; that of the goal is used if it is smaller. */
-static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc way, loft_acc x, bounds b)
+/* From x, the square of the speed at `off`, backward over `way`, on which the bounds `b` hold,
+ * b.accel at x or, for an x beyond the cap, where nothing rises. Goals are as far as the
+ * acceleration leads that holds now, and not much nearer to the cap than where it is; that of the
+ * goal is used if it is smaller. */
+static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc way, loft_acc x,
+                     bounds b)
 {
     const loft_acc cap2 = b.cap2;
     loft_real here = b.accel;
 
     for (int n = 0; n < GOALS && x < cap2; n++) {
-        const loft_acc  far = x + 2 * loft_acc_mul(way, here), most = n < GOALS - 1 && cap2 - x > cap2 / 16 ? x + (cap2 - x) / 4 : cap2;
+        const loft_acc far = x + 2 * loft_acc_mul(way, here),
+                       most = n < GOALS - 1 && cap2 - x > cap2 / 16 ? x + (cap2 - x) / 4 : cap2;
         const loft_acc  goal = loft_acc_least(far, most);
         const loft_real there = grip_at(c, i, off, goal), g = there < here ? there : here;
         const loft_acc  gain = 2 * loft_acc_mul(way, g);
@@ -242,7 +253,8 @@ bool loft_course_rests(const loft_course *c, unsigned i)
     return i + 1u >= c->count || loft_course_piece(c, i + 1)->stop;
 }
 
-/* Does nothing in the zones around piece i, nor what follows it, ask for less than its cap? The brake curve is at the cap then. */
+/* Does nothing in the zones around piece i, nor what follows it, ask for less than its cap? The
+ * brake curve is at the cap then. */
 static bool runs(const loft_course *c, unsigned i)
 {
     const loft_acc  reach = reach_of(c);
@@ -268,7 +280,8 @@ static bool runs(const loft_course *c, unsigned i)
 /* From x, the square of the speed at `off` on piece i, backward to `to`. */
 static loft_acc back_over(const loft_course *c, unsigned i, loft_acc off, loft_acc x, loft_acc to)
 {
-    const loft_acc fine = loft_unit_wide(loft_course_piece(c, i)->length) / 1024;       /* zones are not told apart by less */
+    /* zones are not told apart by less */
+    const loft_acc fine = loft_unit_wide(loft_course_piece(c, i)->length) / 1024;
 
     while (off > to) {
         const bounds   b   = around(c, i, off, x, false);
@@ -281,11 +294,14 @@ static loft_acc back_over(const loft_course *c, unsigned i, loft_acc off, loft_a
 
 loft_acc loft_course_brake(const loft_course *c, loft_course_place at)
 {
-    const loft_plan_piece *p = loft_course_piece(c, at.piece), *next = loft_course_piece(c, at.piece + 1);
+    const loft_plan_piece *p = loft_course_piece(c, at.piece),
+                          *next = loft_course_piece(c, at.piece + 1);
 
     if (runs(c, at.piece))
         return loft_prod(p->cap, p->cap);
-    return back_over(c, at.piece, loft_unit_wide(p->length), loft_course_rests(c, at.piece) ? 0 : loft_prod(next->brake, next->brake), at.off);
+    return back_over(c, at.piece, loft_unit_wide(p->length),
+                     loft_course_rests(c, at.piece) ? 0 : loft_prod(next->brake, next->brake),
+                     at.off);
 }
 
 unsigned loft_course_stop(const loft_course *c, unsigned i)
@@ -296,15 +312,18 @@ unsigned loft_course_stop(const loft_course *c, unsigned i)
     return c->count;
 }
 
-/* At the worst the path rests where the zones of what is to come begin: so `sure`, the square of the speed at piece i's end, rises
- * to what is given at its start; `open` is how far from its end to the end of what is known. */
+/* At the worst the path rests where the zones of what is to come begin: so `sure`, the square of
+ * the speed at piece i's end, rises to what is given at its start; `open` is how far from its end
+ * to the end of what is known. */
 static loft_acc least_brake(const loft_course *c, unsigned i, loft_acc sure, loft_acc open)
 {
-    const loft_acc length = loft_unit_wide(loft_course_piece(c, i)->length), closed = length - loft_acc_most(c->zone - open, 0);
+    const loft_acc length = loft_unit_wide(loft_course_piece(c, i)->length),
+                   closed = length - loft_acc_most(c->zone - open, 0);
     return closed > 0 ? back_over(c, i, closed, sure, 0) : 0;
 }
 
-/* A speed is sure when the one it is braked to is, or when it does not depend on that: at the cap, whatever comes at the open end. */
+/* A speed is sure when the one it is braked to is, or when it does not depend on that: at the cap,
+ * whatever comes at the open end. */
 void loft_course_look_back(loft_course *c, unsigned i)
 {
     const unsigned stop = loft_course_stop(c, i);

@@ -1,19 +1,23 @@
 /* lib/motion/cut.c
  * SPDX-License-Identifier: MIT
  *
- * Curves are cut into pieces when there is room for them; joints between them that limit the speed become pieces without length.
+ * Curves are cut into pieces when there is room for them; joints between them that limit the speed
+ * become pieces without length.
  *
- * Where jerk is limited a joint may be eased, over a width that depends on the jump of its curvature and on the room: a part of what it joins, within
- * what is known, without a place of rest. What the path does on that width is no matter of the joint alone (profile.c), so once the width is known the
- * pieces on it are looked at, on the far side before they are cut.
+ * Where jerk is limited a joint may be eased, over a width that depends on the jump of its
+ * curvature and on the room: a part of what it joins, within what is known, without a place of
+ * rest. What the path does on that width is no matter of the joint alone (profile.c), so once the
+ * width is known the pieces on it are looked at, on the far side before they are cut.
  */
 #include "motion/cut.h"
 
 #include "motion/scope.h"   /* loft_scope_init, loft_scope_join */
 
-static bool set_piece(loft_plan_piece *p, const loft_course *c, const loft_arc *arc, const loft_arc_shape *shape, loft_real feed)
+static bool set_piece(loft_plan_piece *p, const loft_course *c, const loft_arc *arc,
+                      const loft_arc_shape *shape, loft_real feed)
 {
-    return LOFT_BUDGET_JERK(&c->budget) ? loft_profile_init(p, &c->budget, arc, shape, feed) : loft_scope_init(p, &c->budget, arc, shape, feed);
+    return LOFT_BUDGET_JERK(&c->budget) ? loft_profile_init(p, &c->budget, arc, shape, feed)
+                                        : loft_scope_init(p, &c->budget, arc, shape, feed);
 }
 
 static void copy_station(loft_arc_shape *s, int to, const loft_vec *along, const loft_vec *bend)
@@ -54,18 +58,23 @@ typedef struct {
 /* The next part of the curve. */
 static void cut_part(const loft_course *c, part *t)
 {
-    uint32_t size = loft_arc_next(&t->arc, &loft_course_move(c, c->cut)->curve, c->at, !LOFT_BUDGET_JERK(&c->budget)) - c->at;
+    uint32_t size = loft_arc_next(&t->arc, &loft_course_move(c, c->cut)->curve, c->at,
+                                  !LOFT_BUDGET_JERK(&c->budget)) -
+                    c->at;
 
     t->feed = loft_course_move(c, c->cut)->feed;
     measure(c, &t->arc, &t->shape);
-    for (; t->arc.length > 0 && !set_piece(&t->piece, c, &t->arc, &t->shape, t->feed) && size > 1
-           && t->arc.length > loft_budget_beat(&c->budget, t->piece.cap) / (LOFT_BUDGET_JERK(&c->budget) ? 1 : 32); size /= 2)
+    for (; t->arc.length > 0 && !set_piece(&t->piece, c, &t->arc, &t->shape, t->feed) && size > 1 &&
+           t->arc.length >
+               loft_budget_beat(&c->budget, t->piece.cap) / (LOFT_BUDGET_JERK(&c->budget) ? 1 : 32);
+         size /= 2)
         halve(c, &t->arc, &t->shape, size);
     t->piece.chord = t->arc.speck || t->arc.dust;
     t->to = c->at + size;
 }
 
-/* The way where a part begins (0) or ends (2). Where jerk is not limited only the bend that the next piece begins with matters. */
+/* The way where a part begins (0) or ends (2). Where jerk is not limited only the bend that the
+ * next piece begins with matters. */
 static loft_way way_at(const loft_course *c, const part *t, int k)
 {
     if (LOFT_BUDGET_JERK(&c->budget))
@@ -90,15 +99,18 @@ static loft_acc since_rest(const loft_course *c, loft_acc most, loft_real slow)
     return d;
 }
 
-/* How far the curve is known to go on from `to` likewise, in pieces that there is room for beside two; to a side, if there is one, they are added. */
-static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real slow, loft_flank *side)
+/* How far the curve is known to go on from `to` likewise, in pieces that there is room for beside
+ * two; to a side, if there is one, they are added. */
+static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real slow,
+                        loft_flank *side)
 {
     const uint32_t at = c->at;
     loft_acc d = 0;
     part t;
 
     c->at = to;
-    for (unsigned n = c->count + 4u; n <= c->piece_room && d < most && c->at < LOFT_ARC_WHOLE; n++) {
+    for (unsigned n = c->count + 4u; n <= c->piece_room && d < most && c->at < LOFT_ARC_WHOLE;
+         n++) {
         cut_part(c, &t);
         c->at = t.to;
         if (t.arc.speck || t.arc.dust || t.piece.cap < slow)
@@ -111,7 +123,8 @@ static loft_acc runs_on(loft_course *c, uint32_t to, loft_acc most, loft_real sl
     return d;
 }
 
-/* Add the pieces within `width` of the end of what is known. Chords are left out: 2^-16 mm at most, they do not bend. */
+/* Add the pieces within `width` of the end of what is known. Chords are left out: 2^-16 mm at most,
+ * they do not bend. */
 static void add_known(const loft_course *c, loft_flank *side, loft_acc width)
 {
     loft_acc d = 0;
@@ -129,8 +142,9 @@ static void add_known(const loft_course *c, loft_flank *side, loft_acc width)
     }
 }
 
-/* Where jerk is limited: first it is found how far the joint is eased, then what lies there matters, too. What asks for a lower speed by far
- * than the path beside the joint ends the room for it. */
+/* Where jerk is limited: first it is found how far the joint is eased, then what lies there
+ * matters, too. What asks for a lower speed by far than the path beside the joint ends the room for
+ * it. */
 static bool set_eased(loft_plan_piece *joint, loft_course *c, const part *t, loft_acc spacing)
 {
     const loft_way start = way_at(c, t, 0);
@@ -143,7 +157,8 @@ static bool set_eased(loft_plan_piece *joint, loft_course *c, const part *t, lof
     room = loft_acc_least(room, length + runs_on(c, t->to, room - length, slow, NULL));
     loft_flank_init(&before, &c->way);
     loft_flank_init(&after, &start);
-    const bool matters = loft_profile_join(joint, &c->budget, &before, &after, spacing, room, t->feed);
+    const bool matters = loft_profile_join(joint, &c->budget, &before, &after, spacing, room,
+                                           t->feed);
     const loft_acc width = matters ? loft_unit_wide(joint->ease.width) : 0;
     if (!(width > 0))
         return matters;
@@ -161,7 +176,8 @@ static bool set_joint(loft_plan_piece *joint, loft_course *c, const part *t, lof
     if (LOFT_BUDGET_JERK(&c->budget))
         return set_eased(joint, c, t, spacing);
 #endif
-    return loft_scope_join(joint, &c->budget, &c->way.along, &t->shape.along[0], spacing, c->at == 0, c->feed, t->feed);
+    return loft_scope_join(joint, &c->budget, &c->way.along, &t->shape.along[0], spacing,
+                           c->at == 0, c->feed, t->feed);
 }
 
 /* There is one more piece. */
@@ -185,7 +201,8 @@ static void add_joint(loft_course *c, const part *t)
     if (t->arc.crumb)
         spacing = loft_acc_least(spacing, t->arc.length);
     if (c->crumb && c->count > 0)
-        spacing = loft_acc_least(spacing, loft_unit_wide(loft_course_piece(c, c->count - 1u)->length));
+        spacing = loft_acc_least(spacing,
+                                 loft_unit_wide(loft_course_piece(c, c->count - 1u)->length));
     if (set_joint(&joint, c, t, spacing)) {
         loft_plan_piece *p = loft_course_add(c);
         joint.from = p->from;

@@ -6,7 +6,11 @@
 
 #include "motion/course.h"  /* loft_course */
 
+LOFT_BEGIN_C
+
 /* Cut curves into pieces while there is room. */
 void loft_cut_load(loft_course *c);
+
+LOFT_END_C
 
 #endif

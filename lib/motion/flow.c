@@ -1,16 +1,19 @@
 /* lib/motion/flow.c
  * SPDX-License-Identifier: MIT
  *
- * In a cell the acceleration is a straight line of the way, s'' = a0 + q s, so that speed is a sum of cosh and sinh (or cos and sin) of
- * the time, and with the mean of both ends' speeds, S = v0 + v1, length h and y = q h^2 / S^2 = (a1 - a0) h / S^2
+ * In a cell the acceleration is a straight line of the way, s'' = a0 + q s, so that speed is a sum
+ * of cosh and sinh (or cos and sin) of the time, and with the mean of both ends' speeds, S = v0 +
+ * v1, length h and y = q h^2 / S^2 = (a1 - a0) h / S^2
  *
  *     T = (2 h / S) atanh(sqrt y) / sqrt y
  *
- * of which (945 - 735 y + 64 y^2) / (945 - 1050 y + 225 y^2) is within 3e-4 up to y = 1/2. The place is the quintic in t / T that
- * has place, speed and acceleration of both ends. From rest it is (t / T)^3, T = 3 h / v1, exactly.
+ * of which (945 - 735 y + 64 y^2) / (945 - 1050 y + 225 y^2) is within 3e-4 up to y = 1/2. The
+ * place is the quintic in t / T that has place, speed and acceleration of both ends. From rest it
+ * is (t / T)^3, T = 3 h / v1, exactly.
  *
- * Beats are given when nothing more can come: the course has ended, or is full. Pieces ahead of the next one are raised until the
- * motion gets there. If what is known is used up, the path rests at its end.
+ * Beats are given when nothing more can come: the course has ended, or is full. Pieces ahead of the
+ * next one are raised until the motion gets there. If what is known is used up, the path rests at
+ * its end.
  */
 #include "motion/flow.h"
 
@@ -42,18 +45,21 @@ static void set_powers(loft_flow *f, loft_acc v0, loft_acc v1, loft_acc a0, loft
     f->power[5] = 6 * d - 3 * e + g / 2;
 }
 
-/* Is it enough for a way of that length from rest to rest, whatever its shape? Speed at most 15/8 of the mean, jerk 60 of the length over
- * the time's cube; and where the shape makes three ways of a beat point anywhere, the spline's acceleration is at most twice, its jerk
- * four times the longest of them. */
+/* Is it enough for a way of that length from rest to rest, whatever its shape? Speed at most 15/8
+ * of the mean, jerk 60 of the length over the time's cube; and where the shape makes three ways of
+ * a beat point anywhere, the spline's acceleration is at most twice, its jerk four times the
+ * longest of them. */
 static bool hops_in(const loft_budget *b, loft_acc span, loft_acc most, loft_acc beats)
 {
     const loft_inverse by = loft_inverse_of(beats);
     const loft_acc v = 2 * loft_inverse_mul(span, &by), a = loft_acc_ratio(v * b->tick_hz, b->beat);
     const loft_acc j = loft_inverse_mul(loft_inverse_mul(a, &by), &by);
-    bool good = v < loft_wide(LOFT_SPEED_MAX) && loft_prod(loft_acc_round(v), loft_acc_round(v)) <= most;
+    bool good = v < loft_wide(LOFT_SPEED_MAX) &&
+                loft_prod(loft_acc_round(v), loft_acc_round(v)) <= most;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        good = good && 4 * a <= loft_wide(b->accel[i]) && 60 * j <= loft_wide(b->gain[i]) && 8 * a <= loft_wide(b->gain[i]);
+        good = good && 4 * a <= loft_wide(b->accel[i]) && 60 * j <= loft_wide(b->gain[i]) &&
+               8 * a <= loft_wide(b->gain[i]);
     return good;
 }
 
@@ -93,16 +99,21 @@ static void enter_hop(loft_flow *f, const loft_course *c)
 static void enter_moving(loft_flow *f, const loft_plan_cell *p, const loft_plan_cell *next)
 {
     const loft_real sum = p->v + next->v;
-    const loft_acc  s2 = loft_prod(sum, sum), a0 = loft_acc_scale(p->a, p->length), a1 = loft_acc_scale(next->a, p->length);
+    const loft_acc s2 = loft_prod(sum, sum), a0 = loft_acc_scale(p->a, p->length),
+                   a1 = loft_acc_scale(next->a, p->length);
     const loft_acc  y = loft_unit_wide(loft_unit_ratio(a1 - a0, s2));
     const loft_acc  y2 = loft_acc_scale(y, loft_unit_round(y)), one = loft_wide(LOFT_REAL(1));
     const loft_acc  up = 945 * one - 735 * y + 64 * y2, down = 945 * one - 1050 * y + 225 * y2;
     const loft_acc  more = loft_unit_wide(loft_unit_ratio(up - down, down));
     const loft_unit z = loft_unit_round(one + more);
-    const loft_acc  w0 = loft_acc_scale(loft_unit_wide(loft_unit_ratio(loft_wide(p->v), loft_wide(sum))), z) * 2;
-    const loft_acc  w1 = loft_acc_scale(loft_unit_wide(loft_unit_ratio(loft_wide(next->v), loft_wide(sum))), z) * 2;
-    const loft_acc  g0 = loft_acc_scale(loft_acc_scale(loft_unit_wide(loft_unit_ratio(a0, s2)), z), z) * 4;
-    const loft_acc  g1 = loft_acc_scale(loft_acc_scale(loft_unit_wide(loft_unit_ratio(a1, s2)), z), z) * 4;
+    const loft_acc w0 =
+        loft_acc_scale(loft_unit_wide(loft_unit_ratio(loft_wide(p->v), loft_wide(sum))), z) * 2;
+    const loft_acc w1 =
+        loft_acc_scale(loft_unit_wide(loft_unit_ratio(loft_wide(next->v), loft_wide(sum))), z) * 2;
+    const loft_acc g0 =
+        loft_acc_scale(loft_acc_scale(loft_unit_wide(loft_unit_ratio(a0, s2)), z), z) * 4;
+    const loft_acc g1 =
+        loft_acc_scale(loft_acc_scale(loft_unit_wide(loft_unit_ratio(a1, s2)), z), z) * 4;
     const loft_inverse by = loft_inverse_of(loft_wide(sum));
 
     set_powers(f, w0, w1, g0, g1);
@@ -171,7 +182,8 @@ static bool hop(loft_flow *f, const loft_course *c)
 
     f->time += loft_wide(LOFT_REAL(1));
     loft_acc go = place(f) - before;
-    while (f->time >= f->whole || go > loft_unit_wide(loft_course_piece(c, f->at)->length) - f->off) {
+    while (f->time >= f->whole ||
+           go > loft_unit_wide(loft_course_piece(c, f->at)->length) - f->off) {
         go -= loft_unit_wide(loft_course_piece(c, f->at)->length) - f->off;
         if (!pass(f, c))
             return false;

@@ -1,23 +1,28 @@
 /* lib/motion/lane.c
  * SPDX-License-Identifier: MIT
  *
- * Cells are about as long as what is passed in a third of the time in which the acceleration is reached, and neighbours about as long
- * as each other, as a row of even cells takes fewer sweeps (raise.c); where nothing but limits along it counts they grow to twice the last one. On
- * the way to an arc with shorter ones they shrink by 8/5: in a long one there is one change of acceleration, so the jerk allows it none before a tight
- * bend, which then was reached at a crawl. Where the path rests, with acceleration A and jerk J
+ * Cells are about as long as what is passed in a third of the time in which the acceleration is
+ * reached, and neighbours about as long as each other, as a row of even cells takes fewer sweeps
+ * (raise.c); where nothing but limits along it counts they grow to twice the last one. On the way
+ * to an arc with shorter ones they shrink by 8/5: in a long one there is one change of
+ * acceleration, so the jerk allows it none before a tight bend, which then was reached at a crawl.
+ * Where the path rests, with acceleration A and jerk J
  *
  *     A (A / J)^2 / 8, or 1/16 of the way between two rests + 3/4 of the way from there
  *
- * is the most, as the jerk is even in the first cell: the acceleration is reached after A (A / J)^2 / 6, and on a short way between two rests
- * jerk changes after 1/12 of it. Curves are halved, and up to 10/7 of it is taken. What is appended creeps; a rest at the end of what is known is planned for only when
- * nothing comes in time. The last cells before an open end creep, too: those that a joint with the next curve may ease or take
- * a part of the jerk from, and two more, which is what it takes to come to rest from there.
+ * is the most, as the jerk is even in the first cell: the acceleration is reached after A (A / J)^2
+ * / 6, and on a short way between two rests jerk changes after 1/12 of it. Curves are halved, and
+ * up to 10/7 of it is taken. What is appended creeps; a rest at the end of what is known is planned
+ * for only when nothing comes in time. The last cells before an open end creep, too: those that a
+ * joint with the next curve may ease or take a part of the jerk from, and two more, which is what
+ * it takes to come to rest from there.
  *
- * A joint's change of direction is passed at a speed at which it takes up to 4/5 of the jerk (limits.c), for the two and a half beats
- * before and behind it that the spline of the samples spreads it over.
+ * A joint's change of direction is passed at a speed at which it takes up to 4/5 of the jerk
+ * (limits.c), for the two and a half beats before and behind it that the spline of the samples
+ * spreads it over.
  *
- * Cells so short that not even creeping could begin there (below 2e-3 / sqrt(J) mm), or so tight that it could not pass, are rows of their
- * own, from rest to rest, passed at once (flow.c).
+ * Cells so short that not even creeping could begin there (below 2e-3 / sqrt(J) mm), or so tight
+ * that it could not pass, are rows of their own, from rest to rest, passed at once (flow.c).
  */
 #include "motion/lane.h"
 
@@ -26,8 +31,10 @@
 #define SWEEPS 16      /* at most */
 #define PARTS  3       /* cells in the time in which the acceleration is reached */
 #define LENGTH_MAX loft_wide(LOFT_REAL(64))    /* of an arc */
-#define SHORT  16      /* of the way between two rests the first and the last cell are such a part */
-#define EVEN   1024    /* a path is straight where its bends take less than such a part of the acceleration */
+/* of the way between two rests the first and the last cell are such a part */
+#define SHORT  16
+/* a path is straight where its bends take less than such a part of the acceleration */
+#define EVEN   1024
 
 void loft_lane_init(loft_lane *l)
 {
@@ -61,11 +68,14 @@ static loft_row row_of(const loft_lane *l, const loft_course *c, unsigned i)
     return row;
 }
 
-/* Is it so short that not even creeping, at 1/64 mm/s, could end or begin there? x = 2^-12, and the jerk is 2/9 x^(3/2) / h^2. */
+/* Is it so short that not even creeping, at 1/64 mm/s, could end or begin there? x = 2^-12, and the
+ * jerk is 2/9 x^(3/2) / h^2. */
 static bool tiny(const loft_budget *b, const loft_plan_cell *p)
 {
     const loft_acc jerk = loft_acc_ratio(loft_wide(loft_real_least(b->gain)) * b->tick_hz, b->beat);
-    return p->length < LOFT_UNIT(0.0009765625) && loft_acc_scale(loft_acc_scale(jerk, p->length), p->length) < loft_wide(LOFT_REAL(1)) / 262144;
+    return p->length < LOFT_UNIT(0.0009765625) &&
+           loft_acc_scale(loft_acc_scale(jerk, p->length), p->length) <
+               loft_wide(LOFT_REAL(1)) / 262144;
 }
 
 /* Does it turn so much that not even creeping could pass? */
@@ -73,7 +83,8 @@ static bool tight(const loft_budget *b, const loft_plan_cell *p)
 {
     for (int i = 0; i < LOFT_AXES; i++)
         for (int e = 0; e < 2; e++) {
-            const loft_acc turn = loft_wide(p->turn[e].axis[i]), most = loft_acc_mul(p->span, b->gain[i]);
+            const loft_acc turn = loft_wide(p->turn[e].axis[i]),
+                           most = loft_acc_mul(p->span, b->gain[i]);
             if ((turn < 0 ? -turn : turn) / 4096 > 32 * most)
                 return true;
         }
@@ -88,7 +99,8 @@ static void hop(loft_course *c, unsigned first, unsigned end)
         loft_course_piece(c, i)->hop = true;
 }
 
-/* The row that is known ends at rest: apart from its last pieces if those are tiny; at once if it has less than three. */
+/* The row that is known ends at rest: apart from its last pieces if those are tiny; at once if it
+ * has less than three. */
 static void settle(const loft_lane *l, loft_course *c)
 {
     loft_row row = row_of(l, c, c->count - 1);
@@ -170,8 +182,9 @@ static loft_acc runs_on(const loft_course *c, loft_acc most)
     return d;
 }
 
-/* The most where the feed changes. The speed of the samples' spline is that of the path and its second derivative times h^2 / 6: that much of the
- * jerk J that the direction allows is carried across to the slower side. */
+/* The most where the feed changes. The speed of the samples' spline is that of the path and its
+ * second derivative times h^2 / 6: that much of the jerk J that the direction allows is carried
+ * across to the slower side. */
 static loft_acc feed_most(const loft_course *c, const loft_way *after, loft_real feed)
 {
     const loft_real slow = feed < c->feed ? feed : c->feed;
@@ -179,17 +192,20 @@ static loft_acc feed_most(const loft_course *c, const loft_way *after, loft_real
 
     for (int i = 0; i < LOFT_AXES; i++)
         gain = loft_real_cap(gain, c->budget.gain[i], loft_real_size(after->along.axis[i]));
-    const loft_real leak = loft_acc_round(loft_budget_beat(&c->budget, gain) / 6), left = leak < slow / 2 ? slow - leak : slow / 2;
+    const loft_real leak = loft_acc_round(loft_budget_beat(&c->budget, gain) / 6),
+                    left = leak < slow / 2 ? slow - leak : slow / 2;
     return loft_prod(left, left);
 }
 
 /* What the joint before `next`, the first arc of what follows, asks for; false: a rest. */
-static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const loft_way *after, loft_acc spacing, loft_acc room)
+static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const loft_way *after,
+                 loft_acc spacing, loft_acc room)
 {
     const loft_budget *b = &c->budget;
     const loft_acc most = loft_acc_most(loft_course_piece(c, c->count - 1)->cell.most, next->most);
     const loft_real feed = loft_acc_sqrt(most);
-    const loft_acc turn = loft_budget_joint(b, &c->way.along, &after->along, spacing, true), bend = loft_profile_jump(b, &c->way, after, spacing, feed);
+    const loft_acc turn = loft_budget_joint(b, &c->way.along, &after->along, spacing, true),
+                   bend = loft_profile_jump(b, &c->way, after, spacing, feed);
     const loft_real slow = loft_acc_sqrt(loft_acc_least(turn, bend));
     loft_unit used = 0;
 
@@ -197,13 +213,17 @@ static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const
         return false;
     if (turn / 1024 < most) {
         l->gate = loft_acc_least(l->gate, turn);
-        used += loft_unit_round(loft_acc_scale(loft_wide(LOFT_REAL(0.8)), turn > most ? loft_unit_ratio(loft_wide(feed), loft_wide(loft_acc_sqrt(turn))) : LOFT_UNIT(1)));
+        used += loft_unit_round(loft_acc_scale(
+            loft_wide(LOFT_REAL(0.8)),
+            turn > most ? loft_unit_ratio(loft_wide(feed), loft_wide(loft_acc_sqrt(turn)))
+                        : LOFT_UNIT(1)));
     }
     if (bend / 32 < most) {
         loft_ease e;
         for (int i = 0; i < LOFT_AXES; i++)
             e.jump[i] = after->bend.axis[i] - c->way.bend.axis[i];
-        e.width = loft_ease_width(b, loft_vec_distance(c->way.bend, after->bend), loft_acc_least(room, l->run));
+        e.width = loft_ease_width(b, loft_vec_distance(c->way.bend, after->bend),
+                                  loft_acc_least(room, l->run));
         if (loft_unit_wide(e.width) > 2 * loft_budget_beat(b, loft_acc_sqrt(bend))) {
             if (!ease_back(l, c, &e))
                 return false;
@@ -221,7 +241,8 @@ static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const
 /* Cutting
  * ------- */
 
-/* Beats in which the acceleration, or, if that is less, the one needed to reach speed v, J (n h)^2 = v, is reached. */
+/* Beats in which the acceleration, or, if that is less, the one needed to reach speed v, J (n h)^2
+ * = v, is reached. */
 static int32_t reaches(const loft_budget *b, loft_real gain, loft_real v)
 {
     int32_t n = 3;
@@ -231,21 +252,27 @@ static int32_t reaches(const loft_budget *b, loft_real gain, loft_real v)
 }
 
 /* What is passed at speed v in a third of n beats. */
-static loft_acc even_part(const loft_budget *b, loft_real v, int32_t n) { return loft_budget_beat(b, v) * n / PARTS; }
+static loft_acc even_part(const loft_budget *b, loft_real v, int32_t n)
+{
+    return loft_budget_beat(b, v) * n / PARTS;
+}
 
 /* Does it bend so little that only limits along it count? */
 static bool straight(const loft_budget *b, const loft_plan_cell *c)
 {
     for (int i = 0; i < LOFT_AXES; i++)
         for (int e = 0; e < 2; e++) {
-            const loft_acc bend = loft_acc_mul(c->most, c->bend[e].axis[i]), turn = loft_acc_mul(c->most, c->turn[e].axis[i]), most = loft_wide(b->accel[i]) / EVEN;
+            const loft_acc bend = loft_acc_mul(c->most, c->bend[e].axis[i]),
+                           turn = loft_acc_mul(c->most, c->turn[e].axis[i]),
+                           most = loft_wide(b->accel[i]) / EVEN;
             if (bend > most || bend < -most || turn > most || turn < -most)
                 return false;
         }
     return true;
 }
 
-/* How long the first cell of the arc that begins at parameter `end` of the curve, or with the next curve, may be. */
+/* How long the first cell of the arc that begins at parameter `end` of the curve, or with the next
+ * curve, may be. */
 static loft_acc beyond(loft_lane *l, const loft_course *c, uint32_t end)
 {
     const loft_budget *b = &c->budget;
@@ -267,25 +294,33 @@ static loft_acc beyond(loft_lane *l, const loft_course *c, uint32_t end)
     loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
     loft_cell_init(&cell, b, &arc, &shape, move->feed);
     const loft_real v = loft_acc_sqrt(cell.most);
-    l->beyond = loft_acc_least(loft_unit_wide(cell.length), even_part(b, v, reaches(b, loft_real_least(b->gain), v)));
+    l->beyond = loft_acc_least(loft_unit_wide(cell.length),
+                               even_part(b, v, reaches(b, loft_real_least(b->gain), v)));
     return l->beyond;
 }
 
-/* How long a cell should be: what is passed in a third of the time in which the acceleration is reached; on a straight line longer and longer; shorter
- * near a rest and at the end of a curve which may be one; else about as long as the last one, and the `next` arc's. */
-static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_plan_cell *whole, bool ends, loft_acc next)
+/* How long a cell should be: what is passed in a third of the time in which the acceleration is
+ * reached; on a straight line longer and longer; shorter near a rest and at the end of a curve
+ * which may be one; else about as long as the last one, and the `next` arc's. */
+static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_plan_cell *whole,
+                        bool ends, loft_acc next)
 {
     const loft_budget *b = &c->budget;
     const loft_real gain = loft_real_least(b->gain), v = loft_acc_sqrt(whole->most);
     const int32_t  n = reaches(b, gain, v);
     const loft_acc rest = loft_unit_wide(whole->length);
-    const loft_real accel = loft_acc_round(loft_acc_least(loft_wide(loft_real_least(b->accel)), loft_wide(gain) * n));
-    const loft_acc reach = loft_acc_scale(loft_budget_beat(b, accel), b->pulse) * (n * n) / 8;    /* A (A / J)^2 / 8 */
-    const loft_acc near = l->may_rest ? loft_acc_least(reach, loft_acc_most(l->run + rest, c->size) / SHORT) : reach;
+    const loft_real accel = loft_acc_round(
+        loft_acc_least(loft_wide(loft_real_least(b->accel)), loft_wide(gain) * n));
+    /* A (A / J)^2 / 8 */
+    const loft_acc reach = loft_acc_scale(loft_budget_beat(b, accel), b->pulse) * (n * n) / 8;
+    const loft_acc near = l->may_rest
+                              ? loft_acc_least(reach, loft_acc_most(l->run + rest, c->size) / SHORT)
+                              : reach;
     loft_acc most = even_part(b, v, n);
 
     if (l->last > 0)
-        most = loft_acc_least(loft_acc_most(loft_acc_least(most * 8 / 5, l->last), most / 2), l->last * 2);
+        most = loft_acc_least(loft_acc_most(loft_acc_least(most * 8 / 5, l->last), most / 2),
+                              l->last * 2);
     if (straight(b, whole))
         most = loft_acc_most(most, loft_acc_least(l->last * 8 / 5, loft_wide(LOFT_REAL(32))));
     most = loft_acc_least(most, near + l->run * 3 / 4);
@@ -326,7 +361,8 @@ static loft_way way_at(const loft_arc_shape *s, int k)
 }
 
 /* What comes before the arc: does the path rest there? */
-static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next, const loft_arc_shape *shape, bool smooth, loft_acc spacing)
+static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next,
+                  const loft_arc_shape *shape, bool smooth, loft_acc spacing)
 {
     const loft_way start = way_at(shape, 0);
 
@@ -338,7 +374,8 @@ static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next, cons
         l->gate = loft_acc_least(l->gate, feed_most(c, &start, feed));
     const loft_acc third = loft_acc_least(spacing / 3, loft_wide(LOFT_EASE_MAX));
 
-    if (!l->stop && !smooth && !join(l, c, next, &start, spacing, loft_acc_least(third, runs_on(c, third)))) {
+    if (!l->stop && !smooth &&
+        !join(l, c, next, &start, spacing, loft_acc_least(third, runs_on(c, third)))) {
         settle(l, c);
         l->stop = true;
         l->gate = next->most;
@@ -350,17 +387,19 @@ static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next, cons
     l->closed = false;
 }
 
-/* Is the last row one that is passed at once, and has not begun? Then what is passed at once behind it is passed with it: a rest more takes
- * two beats more. */
+/* Is the last row one that is passed at once, and has not begun? Then what is passed at once behind
+ * it is passed with it: a rest more takes two beats more. */
 static bool continues(const loft_lane *l, const loft_course *c)
 {
-    return c->count > 0 && loft_course_piece(c, c->count - 1)->hop && row_of(l, c, c->count - 1).first >= l->sure;
+    return c->count > 0 && loft_course_piece(c, c->count - 1)->hop &&
+           row_of(l, c, c->count - 1).first >= l->sure;
 }
 
 /* Does the cell belong to another row than the last one, as one of them is passed at once? */
 static void part(loft_lane *l, loft_course *c, const loft_plan_cell *cell)
 {
-    const bool first = l->stop || l->hop, hops = tight(&c->budget, cell) || (first && tiny(&c->budget, cell));
+    const bool first = l->stop || l->hop,
+               hops = tight(&c->budget, cell) || (first && tiny(&c->budget, cell));
 
     if (!l->stop && hops != l->hop) {
         settle(l, c);
@@ -402,11 +441,14 @@ static void append(loft_lane *l, loft_course *c, const loft_plan_cell *cell, uin
     loft_raise_append(c, &row);
 }
 
-/* Does the rate change so much that the length of the arc is not known well enough where it ends, for the jerk? */
+/* Does the rate change so much that the length of the arc is not known well enough where it ends,
+ * for the jerk? */
 static bool uneven(const loft_arc *arc, loft_acc beat)
 {
     const loft_unit most = LOFT_UNIT(0.03125);
-    return (arc->ends[0] > most || arc->ends[0] < -most || arc->ends[1] > most || arc->ends[1] < -most) && arc->length > beat;
+    return (arc->ends[0] > most || arc->ends[0] < -most || arc->ends[1] > most ||
+            arc->ends[1] < -most) &&
+           arc->length > beat;
 }
 
 /* The next part of the curve that can be one cell. */
@@ -429,8 +471,10 @@ static void load_cell(loft_lane *l, loft_course *c)
     }
     loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
     loft_cell_init(&cell, &c->budget, &arc, &shape, move->feed);
-    begin(l, c, &cell, &shape, c->smooth && !arc.speck, c->at == 0 ? loft_acc_least(c->size, c->extent) : c->size);
-    const loft_acc most = fitting(l, c, &cell, to == LOFT_ARC_WHOLE && l->may_rest, beyond(l, c, to));
+    begin(l, c, &cell, &shape, c->smooth && !arc.speck,
+          c->at == 0 ? loft_acc_least(c->size, c->extent) : c->size);
+    const loft_acc most = fitting(l, c, &cell, to == LOFT_ARC_WHOLE && l->may_rest,
+                                  beyond(l, c, to));
     const loft_acc beat = loft_budget_beat(&c->budget, loft_acc_sqrt(cell.most));
     while (to - c->at > 1 && (arc.length > most * 10 / 7 || uneven(&arc, beat))) {
         to = c->at + (to - c->at) / 2;
@@ -472,7 +516,10 @@ unsigned loft_lane_open(const loft_lane *l, const loft_course *c)
     if (l->closed || c->count == 0)
         return c->count;
     const loft_plan_cell *last = &loft_course_piece(c, c->count - 1)->cell;
-    const loft_acc ease = loft_acc_least(c->extent / 3, loft_wide(LOFT_EASE_MAX)), seen = loft_acc_least(c->extent / 4, loft_budget_beat(&c->budget, loft_acc_sqrt(last->most)) * 5 / 2);
+    const loft_acc ease = loft_acc_least(c->extent / 3, loft_wide(LOFT_EASE_MAX)),
+                   seen = loft_acc_least(c->extent / 4,
+                                         loft_budget_beat(&c->budget, loft_acc_sqrt(last->most)) *
+                                             5 / 2);
     const loft_acc zone = c->at == 0 ? loft_acc_most(ease, seen) : 0;
     unsigned i = c->count;
     loft_acc d = 0;

@@ -1,19 +1,20 @@
 /* lib/motion/law.c
  * SPDX-License-Identifier: MIT
  *
- * Beat by beat the law goes on (beat.c). The places that the plan uses are the means of n beats: speed and acceleration are means, and
- * acceleration changes by
+ * Beat by beat the law goes on (beat.c). The places that the plan uses are the means of n beats:
+ * speed and acceleration are means, and acceleration changes by
  *
  *     (a(t) - a(t - n h)) / (n h)
  *
- * a second, which is at most the larger of both over n h, as they have not opposite signs. A law of even acceleration with pauses
- * of T becomes the fastest motion with limited jerk, and the path is never left, for the mean of places of the path is taken
- * along it.
+ * a second, which is at most the larger of both over n h, as they have not opposite signs. A law of
+ * even acceleration with pauses of T becomes the fastest motion with limited jerk, and the path is
+ * never left, for the mean of places of the path is taken along it.
  *
- * Where the path rests the window is empty, so n may be chosen anew: a way d from rest to rest with jerk J is fastest with
- * 2 J (n h)^3 = d, and speeds up to v do not need more than J (n h)^2 = v.
+ * Where the path rests the window is empty, so n may be chosen anew: a way d from rest to rest with
+ * jerk J is fastest with 2 J (n h)^3 = d, and speeds up to v do not need more than J (n h)^2 = v.
  *
- * That is for limited jerk in little room: where there is more, it is flow.c that moves, and reach.c where jerk is not limited.
+ * That is for limited jerk in little room: where there is more, it is flow.c that moves, and
+ * reach.c where jerk is not limited.
  */
 #include "motion/law.h"
 
@@ -38,14 +39,16 @@ void loft_law_init(loft_law *law)
         law->way[k] = 0;
 #endif
 #if LOFT_PLAN_FLOW
-    law->flows = LOFT_BUDGET_JERK(&law->course.budget) && law->course.piece_room >= LOFT_FLOW_PIECES;
+    law->flows = LOFT_BUDGET_JERK(&law->course.budget) &&
+                 law->course.piece_room >= LOFT_FLOW_PIECES;
     loft_flow_init(&law->flow);
 #endif
 }
 
 #if LOFT_PLAN_FILTER > 1
 
-/* A window of n beats has room for the section that begins at piece i: false if more curves may make it longer. */
+/* A window of n beats has room for the section that begins at piece i: false if more curves may
+ * make it longer. */
 static bool choose_window(loft_law *law, unsigned i)
 {
     loft_course *c = &law->course;
@@ -59,7 +62,8 @@ static bool choose_window(loft_law *law, unsigned i)
         d += loft_course_length(c, j);
         v = loft_course_piece(c, j)->cap > v ? loft_course_piece(c, j)->cap : v;
     }
-    const loft_real gain = loft_acc_round(loft_acc_ratio(loft_budget_beat(&c->budget, accel), (int32_t)most));
+    const loft_real gain = loft_acc_round(
+        loft_acc_ratio(loft_budget_beat(&c->budget, accel), (int32_t)most));
     for (; n < most; n++) {
         const loft_acc reach = loft_wide(gain) * (int32_t)(n * n);              /* J (n h)^2 */
         if (reach >= loft_wide(v) || 2 * loft_acc_scale(reach, c->budget.pulse) * (int32_t)n >= d)
@@ -98,14 +102,15 @@ static void shift(loft_law *law, loft_unit way)
     law->way[law->slot] = way;
     law->slot = (uint8_t)(law->slot + 1u < law->beats ? law->slot + 1u : 0);
     law->mean += law->sum;
-    while (law->at.piece > law->from && law->mean >= loft_course_length(&law->course, law->from) * law->beats)
+    while (law->at.piece > law->from &&
+           law->mean >= loft_course_length(&law->course, law->from) * law->beats)
         law->mean -= loft_course_length(&law->course, law->from++) * law->beats;
     forget(law);
     law->calm = law->calm < UINT8_MAX ? (uint8_t)(law->calm + 1) : law->calm;
 }
 
-/* The path rests `d` before piece i, or is there already: a joint from piece `first` on that should have been eased before it is a
- * stop, too. */
+/* The path rests `d` before piece i, or is there already: a joint from piece `first` on that should
+ * have been eased before it is a stop, too. */
 static void late(loft_law *law, unsigned i, unsigned first, loft_acc d)
 {
     loft_course *c = &law->course;
@@ -121,7 +126,8 @@ static void late(loft_law *law, unsigned i, unsigned first, loft_acc d)
     }
 }
 
-/* Cut what has come, as far as there is room. Once the law rests, the way that the mean has still to go is settled, too. */
+/* Cut what has come, as far as there is room. Once the law rests, the way that the mean has still
+ * to go is settled, too. */
 static void load(loft_law *law)
 {
     const unsigned known = law->course.count;
@@ -136,7 +142,9 @@ static void load(loft_law *law)
 /* Nothing that was passed matters any more: the course begins with what comes next. */
 static void settle(loft_law *law)
 {
-    const bool joint = law->course.count > 0 && !(loft_course_length(&law->course, 0) > 0) && loft_course_rests(&law->course, 0);   /* that leads nowhere */
+    /* that leads nowhere */
+    const bool joint = law->course.count > 0 && !(loft_course_length(&law->course, 0) > 0) &&
+                       loft_course_rests(&law->course, 0);
 
     if (law->at.off > 0 || law->at.piece > 0 || joint)
         for (unsigned drop = law->at.piece + 1; drop > 0; drop--)
@@ -168,8 +176,9 @@ static enum loft_law_state leave(loft_law *law)
     return LOFT_LAW_RUNS;
 }
 
-/* Does the law, on its way to stop before piece `first`, hold what that and those after it ask for? They cast their bounds to
- * places where it is or was already, or where it will hold its speed since it has just sped up. */
+/* Does the law, on its way to stop before piece `first`, hold what that and those after it ask for?
+ * They cast their bounds to places where it is or was already, or where it will hold its speed
+ * since it has just sped up. */
 static bool agrees(const loft_law *law, unsigned first)
 {
     const loft_course *c = &law->course;
@@ -178,22 +187,26 @@ static bool agrees(const loft_law *law, unsigned first)
 
     for (unsigned j = law->at.piece; j < first; j++)
         d += loft_course_length(c, j);
-    for (unsigned j = first; j < c->count && d <= 2 * c->zone && !loft_course_piece(c, j)->stop; j++) {
+    for (unsigned j = first; j < c->count && d <= 2 * c->zone && !loft_course_piece(c, j)->stop;
+         j++) {
         const loft_plan_piece *p = loft_course_piece(c, j);
         if (d < 2 * loft_course_zone(c, p))
             return false;
         d += loft_course_length(c, j);
     }
-    return loft_beat_clear(law, loft_budget_beat(&c->budget, law->speed) * hold, law->speed - law->speed / 2048);
+    return loft_beat_clear(law, loft_budget_beat(&c->budget, law->speed) * hold,
+                           law->speed - law->speed / 2048);
 }
 
-/* New pieces while it moves: if they ask for less than what it counted on, the path rests before them, as it would have. */
+/* New pieces while it moves: if they ask for less than what it counted on, the path rests before
+ * them, as it would have. */
 static void join(loft_law *law, unsigned first)
 {
     loft_course *c = &law->course;
     const unsigned next = law->at.piece + 1;
 
-    if (law->rests || first >= c->count || (next < first && loft_course_piece(c, next)->sure) || loft_course_stop(c, law->at.piece) < first)
+    if (law->rests || first >= c->count || (next < first && loft_course_piece(c, next)->sure) ||
+        loft_course_stop(c, law->at.piece) < first)
         return;
     loft_course_look_back(c, law->at.piece);
     if (!agrees(law, first)) {
@@ -216,7 +229,9 @@ static enum loft_law_state flow(loft_law *law)
     law->from  = law->flow.at;
     law->mean  = law->flow.off;
     law->sum   = law->flow.way;
-    return state == LOFT_FLOW_RUNS ? LOFT_LAW_RUNS : state == LOFT_FLOW_WAITS ? LOFT_LAW_WAITS : LOFT_LAW_RESTS;
+    return state == LOFT_FLOW_RUNS    ? LOFT_LAW_RUNS
+           : state == LOFT_FLOW_WAITS ? LOFT_LAW_WAITS
+                                      : LOFT_LAW_RESTS;
 }
 
 #endif

@@ -6,7 +6,10 @@
 
 #include "motion/flow.h"    /* loft_flow, loft_course */
 
-/* Part of a piece that is passed with even acceleration: where it ends, from the start of the piece, and the speed there. */
+LOFT_BEGIN_C
+
+/* Part of a piece that is passed with even acceleration: where it ends, from the start of the
+ * piece, and the speed there. */
 typedef struct {
     loft_acc  end;
     loft_real speed;
@@ -15,14 +18,15 @@ typedef struct {
 /* Complete so that it can be static; do not rely on the fields. */
 typedef struct {
     loft_course course;
-    loft_course_place  at;                     /* of the law, before it is averaged                      */
-    loft_real   speed;                  /* there, mm/s                                            */
-    unsigned    from;                   /* the piece that the place is counted from                    */
+    loft_course_place  at;                     /* of the law, before it is averaged */
+    loft_real   speed;                  /* there, mm/s */
+    unsigned    from;                   /* the piece that the place is counted from */
     bool        rests;
-    loft_law_part part[3];              /* jerk not limited: of the piece; how many, and the next one     */
+    loft_law_part part[3];              /* jerk not limited: of the piece; how many, and the next
+                                         * one */
     uint8_t     parts, next;
-    loft_real   aim;                    /* the speed at the end of the piece that they lead to            */
-    loft_unit   left;                   /* of the beat                                                    */
+    loft_real   aim;                    /* the speed at the end of the piece that they lead to */
+    loft_unit   left;                   /* of the beat */
 #if LOFT_PLAN_FILTER > 1
     loft_acc    sum, mean;              /* of the ways; the mean place of the window times beats  */
     loft_unit   way[LOFT_PLAN_FILTER];  /* a ring: mm in each of the last beats                   */
@@ -32,7 +36,8 @@ typedef struct {
 #endif
 #if LOFT_PLAN_FLOW
     loft_flow   flow;
-    bool        flows;                  /* where jerk is limited and there is room for it: this is what moves */
+    bool        flows;                  /* where jerk is limited and there is room for it: this is
+                                         * what moves */
 #endif
 } loft_law;
 
@@ -67,8 +72,11 @@ static inline loft_acc loft_law_off(const loft_law *law)
 
 /* Go on for one beat.
  *
- *   shape   no beat is given that curves yet to come may make wrong, unless the course has ended or is full
+ *   shape   no beat is given that curves yet to come may make wrong, unless the course has ended or
+ *           is full
  */
 enum loft_law_state loft_law_next(loft_law *law);
+
+LOFT_END_C
 
 #endif

@@ -1,24 +1,28 @@
 /* lib/motion/plan.c
  * SPDX-License-Identifier: MIT
  *
- * The law gives a place c_k of the path per beat. They are the control points of a uniform cubic B-spline in time:
+ * The law gives a place c_k of the path per beat. They are the control points of a uniform cubic
+ * B-spline in time:
  *
  *     position at knot k     P = (c_k + 4 c_(k+1) + c_(k+2)) / 6
  *     velocity               V = (c_(k+2) - c_k) / 2                           per beat
  *     acceleration           A = c_k - 2 c_(k+1) + c_(k+2)                     per beat^2
  *     jerk up to knot k + 1  c_(k+3) - 3 c_(k+2) + 3 c_(k+1) - c_k             per beat^3, constant
  *
- * So it is C2, and all of them are averages of the path's: no larger per axis than the largest of what is averaged, across
- * joints and changes of phase (the variation diminishing property). Three equal samples put a knot there, at rest.
- * limits.c has the bound of its distance from the path.
+ * So it is C2, and all of them are averages of the path's: no larger per axis than the largest of
+ * what is averaged, across joints and changes of phase (the variation diminishing property). Three
+ * equal samples put a knot there, at rest. limits.c has the bound of its distance from the path.
  *
  * One polynomial piece of it per beat would do. A span is the longest of its Hermite interpolants
  *
- *     P0   P0 + V0 m / 3   P1 - V1 m / 3   P1                        from one knot to the m-th after it
+ *     P0   P0 + V0 m / 3   P1 - V1 m / 3   P1                        from one knot to the m-th
+ *          after it
  *
- * that passes the knots in time, within an eighth of the tolerance, at the velocity of the B-spline, to 1/2048, at all knots and
- * half way between them, with its speed and acceleration within the limits everywhere. Where jerk is limited its acceleration is also that of the
- * B-spline at all knots, as closely as the rounding of a beat's control points would leave it, and its jerk within the limit.
+ * that passes the knots in time, within an eighth of the tolerance, at the velocity of the
+ * B-spline, to 1/2048, at all knots and half way between them, with its speed and acceleration
+ * within the limits everywhere. Where jerk is limited its acceleration is also that of the B-spline
+ * at all knots, as closely as the rounding of a beat's control points would leave it, and its jerk
+ * within the limit.
  */
 #include "motion/plan.h"
 
@@ -26,15 +30,17 @@
 
 #define SIXTH LOFT_UNIT(0.16666666666666667)
 #define THIRD (2 * SIXTH)      /* rounded, on any compiler: the doubles of avr-gcc have 24 bits */
-#define SLACK loft_wide(LOFT_REAL(0.000244140625))   /* 2^-12 mm per beat, but a quarter of the slowest feed at most, shared out like the speed */
-#define GRAINS loft_wide(LOFT_REAL(0.000091552734))  /* 6 / 65536 mm per beat^2                      */
+/* 2^-12 mm per beat, but a quarter of the slowest feed at most, shared out like the speed */
+#define SLACK loft_wide(LOFT_REAL(0.000244140625))
+#define GRAINS loft_wide(LOFT_REAL(0.000091552734))  /* 6 / 65536 mm per beat^2 */
 
 
 /* Curves that the place of the law has left behind. */
 static uint16_t behind(const loft_plan *plan)
 {
     const loft_course *c = &plan->law.course;
-    return c->count > 0 ? loft_course_number(c, loft_course_piece(c, plan->law.from)) : (uint16_t)(c->passed + c->cut);
+    return c->count > 0 ? loft_course_number(c, loft_course_piece(c, plan->law.from))
+                        : (uint16_t)(c->passed + c->cut);
 }
 
 static bool same(const loft_acc point[], const loft_vec *v)
@@ -81,8 +87,8 @@ static void begin(loft_plan *plan)
 
 #endif
 
-enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft_move moves[], uint16_t move_room,
-                                loft_plan_piece pieces[], uint16_t piece_room)
+enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft_move moves[],
+                                uint16_t move_room, loft_plan_piece pieces[], uint16_t piece_room)
 {
     enum loft_status status = loft_limits_check(limits);
     loft_budget b;
@@ -109,7 +115,8 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft
     plan->slack = SLACK;
     for (int i = 0; i < LOFT_AXES; i++) {
         plan->speed[i]  = loft_budget_beat(&b, limits->max_speed[i]);
-        plan->accel[i]  = loft_acc_scale(loft_budget_beat(&b, limits->max_accel[i] + limits->max_across), b.pulse);
+        plan->accel[i] = loft_acc_scale(
+            loft_budget_beat(&b, limits->max_accel[i] + limits->max_across), b.pulse);
         plan->jerk[i]   = loft_acc_scale(loft_budget_beat(&b, b.gain[i]), b.pulse);
     }
 #endif
@@ -146,7 +153,8 @@ void loft_plan_end(loft_plan *plan)
 
 #if LOFT_PLAN_FILTER > 1
 
-/* Move the point at `off` on piece `from` aside for the joint before it, whose piece may be gone, and those ahead. */
+/* Move the point at `off` on piece `from` aside for the joint before it, whose piece may be gone,
+ * and those ahead. */
 static void ease(loft_plan *plan, loft_acc off, loft_acc point[])
 {
     const loft_course *c = &plan->law.course;
@@ -269,17 +277,24 @@ static void interpolate(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AX
     }
 }
 
-/* The velocity of an axis is a parabola with control values v0, v1, v2, the differences of the points times 3 / m. If v1 is beyond both others it
- * turns around at v0 + (v1 - v0)^2 / (v1 - v0 + v1 - v2). */
+/* The velocity of an axis is a parabola with control values v0, v1, v2, the differences of the
+ * points times 3 / m. If v1 is beyond both others it turns around at v0 + (v1 - v0)^2 / (v1 - v0 +
+ * v1 - v2). */
 static bool runs_within(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc d0 = p[1][i] - p[0][i], d1 = p[2][i] - p[1][i], d2 = p[3][i] - p[2][i], rise = d1 - d0, fall = d1 - d2;
+        const loft_acc d0 = p[1][i] - p[0][i], d1 = p[2][i] - p[1][i], d2 = p[3][i] - p[2][i],
+                       rise = d1 - d0, fall = d1 - d2;
         const loft_acc most = (plan->speed[i] + plan->speed[i] / 2048) * (int32_t)m;
-        const bool turns = (rise > 0) == (fall > 0) && loft_acc_size(rise) > 0 && loft_acc_size(fall) > 0;
-        const loft_acc peak = turns ? d0 + loft_acc_scale(rise, loft_unit_ratio(loft_acc_size(rise), loft_acc_size(rise + fall))) : d0;
+        const bool turns = (rise > 0) == (fall > 0) && loft_acc_size(rise) > 0 &&
+                           loft_acc_size(fall) > 0;
+        const loft_acc peak = turns ? d0 + loft_acc_scale(
+                                               rise, loft_unit_ratio(loft_acc_size(rise),
+                                                                     loft_acc_size(rise + fall)))
+                                    : d0;
 
-        if (3 * loft_acc_size(d0) > most || 3 * loft_acc_size(d2) > most || 3 * loft_acc_size(peak) > most)
+        if (3 * loft_acc_size(d0) > most || 3 * loft_acc_size(d2) > most ||
+            3 * loft_acc_size(peak) > most)
             return false;
     }
     return true;
@@ -289,17 +304,20 @@ static bool accelerates_within(const loft_plan *plan, unsigned m, loft_acc p[4][
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc most = plan->accel[i] * (int32_t)(m * m);
-        if (6 * loft_acc_size(p[0][i] - 2 * p[1][i] + p[2][i]) > most || 6 * loft_acc_size(p[1][i] - 2 * p[2][i] + p[3][i]) > most)
+        if (6 * loft_acc_size(p[0][i] - 2 * p[1][i] + p[2][i]) > most ||
+            6 * loft_acc_size(p[1][i] - 2 * p[2][i] + p[3][i]) > most)
             return false;
-        if (LOFT_BUDGET_JERK(&plan->law.course.budget)
-            && 6 * loft_acc_size(p[3][i] - p[0][i] + 3 * (p[1][i] - p[2][i])) > (plan->jerk[i] + plan->jerk[i] / 128) * (int32_t)(m * m * m))
+        if (LOFT_BUDGET_JERK(&plan->law.course.budget) &&
+            6 * loft_acc_size(p[3][i] - p[0][i] + 3 * (p[1][i] - p[2][i])) >
+                (plan->jerk[i] + plan->jerk[i] / 128) * (int32_t)(m * m * m))
             return false;
     }
     return true;
 }
 
-/* With a limit of its own across the path, the sum that the test above allows is more than what holds along it. Is the acceleration
- * between those of the B-spline at the knots, to 1/64 of what may be changed of the speed? */
+/* With a limit of its own across the path, the sum that the test above allows is more than what
+ * holds along it. Is the acceleration between those of the B-spline at the knots, to 1/64 of what
+ * may be changed of the speed? */
 static bool accelerates_between(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
 {
     const loft_budget *b = &plan->law.course.budget;
@@ -307,7 +325,8 @@ static bool accelerates_between(const loft_plan *plan, unsigned m, loft_acc p[4]
     for (int i = 0; i < LOFT_AXES && b->across > 0; i++) {
         loft_acc low = 0, high = 0;
         for (unsigned j = 0; j <= m; j++) {
-            const loft_acc bend = sample(plan, j)[i] - 2 * sample(plan, j + 1)[i] + sample(plan, j + 2)[i];
+            const loft_acc bend = sample(plan, j)[i] - 2 * sample(plan, j + 1)[i] +
+                                  sample(plan, j + 2)[i];
             low  = j == 0 || bend < low ? bend : low;
             high = j == 0 || bend > high ? bend : high;
         }
@@ -321,7 +340,8 @@ static bool accelerates_between(const loft_plan *plan, unsigned m, loft_acc p[4]
     return true;
 }
 
-/* The de Casteljau point, and the differences of the last rows that give velocity and acceleration. */
+/* The de Casteljau point, and the differences of the last rows that give velocity and
+ * acceleration. */
 typedef struct {
     loft_acc at, speed, accel;
 } state;
@@ -332,11 +352,13 @@ static state state_at(loft_acc p[4][LOFT_AXES], int i, unsigned m, loft_unit t)
     const loft_acc q2 = loft_acc_lerp(p[2][i], p[3][i], t);
     const loft_acc r0 = loft_acc_lerp(q0, q1, t), r1 = loft_acc_lerp(q1, q2, t);
 
-    return (state){ loft_acc_lerp(r0, r1, t), loft_acc_ratio(3 * (r1 - r0), (int32_t)m), 6 * (q0 - 2 * q1 + q2) };
+    return (state){ loft_acc_lerp(r0, r1, t), loft_acc_ratio(3 * (r1 - r0), (int32_t)m),
+                    6 * (q0 - 2 * q1 + q2) };
 }
 
 /* Does the span pass knot j as the B-spline does? |x| + |y| + .. bounds the distance. */
-static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LOFT_AXES], loft_acc tol)
+static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][LOFT_AXES],
+                   loft_acc tol)
 {
     const loft_unit t = loft_unit_of(j, m);
     const loft_acc *a = sample(plan, j), *b = sample(plan, j + 1), *c = sample(plan, j + 2);
@@ -345,7 +367,8 @@ static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const state s = state_at(p, i, m, t);
-        const loft_acc v = (c[i] - a[i]) / 2, bend = a[i] - 2 * b[i] + c[i], e = loft_acc_size(s.speed - v);
+        const loft_acc v = (c[i] - a[i]) / 2, bend = a[i] - 2 * b[i] + c[i],
+                       e = loft_acc_size(s.speed - v);
         const loft_acc most = plan->accel[i] / 256 < GRAINS ? plan->accel[i] / 256 : GRAINS;
         if (jerk && loft_acc_size(s.accel - bend * (int32_t)(m * m)) > most * (int32_t)(m * m))
             return false;
@@ -363,8 +386,10 @@ static bool runs_between(const loft_plan *plan, unsigned m, unsigned j, loft_acc
     loft_acc off = 0, speed = 0;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc d1 = sample(plan, j + 2)[i] - sample(plan, j + 1)[i], d = sample(plan, j + 3)[i] - sample(plan, j)[i];
-        const loft_acc v  = loft_acc_ratio(d + 5 * d1, 8), e = loft_acc_size(state_at(p, i, m, t).speed - v);
+        const loft_acc d1 = sample(plan, j + 2)[i] - sample(plan, j + 1)[i],
+                       d = sample(plan, j + 3)[i] - sample(plan, j)[i];
+        const loft_acc v = loft_acc_ratio(d + 5 * d1, 8),
+                       e = loft_acc_size(state_at(p, i, m, t).speed - v);
         off   = e > off ? e : off;
         speed = loft_acc_size(v) > speed ? loft_acc_size(v) : speed;
     }
@@ -376,7 +401,8 @@ static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
     const loft_acc tol = loft_wide(plan->law.course.budget.tol) / 8;
 
     interpolate(plan, m, p);
-    if (!runs_within(plan, m, p) || !accelerates_within(plan, m, p) || !accelerates_between(plan, m, p))
+    if (!runs_within(plan, m, p) || !accelerates_within(plan, m, p) ||
+        !accelerates_between(plan, m, p))
         return false;
     for (unsigned j = 0; j <= m; j++)
         if (!passes(plan, m, j, p, tol) || (j < m && !runs_between(plan, m, j, p)))
@@ -427,7 +453,8 @@ enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out)
 
 #else
 
-/* One beat: with b, c, d the control points of the B-spline after the first, and l = c - b, its Bezier points are
+/* One beat: with b, c, d the control points of the B-spline after the first, and l = c - b, its
+ * Bezier points are
  *
  *     b + l / 3   c - l / 3   c + (d - c - l) / 6
  */

@@ -1,4 +1,5 @@
-/* lib/motion/raise.h -- raise: the speed of a row of cells grows, bump by bump, as far as all limits allow
+/* lib/motion/raise.h -- raise: the speed of a row of cells grows, bump by bump, as far as all
+ * limits allow
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_MOTION_RAISE_H
@@ -6,7 +7,10 @@
 
 #include "motion/course.h"  /* loft_course */
 
-#define LOFT_RAISE_CREEP (loft_wide(LOFT_REAL(1)) / 4096)   /* the square of the speed from which it is raised: 1/64 mm/s */
+LOFT_BEGIN_C
+
+/* the square of the speed from which it is raised: 1/64 mm/s */
+#define LOFT_RAISE_CREEP (loft_wide(LOFT_REAL(1)) / 4096)
 
 /* Pieces first..end - 1 of a course from one rest to the next, or to the end of what is known. */
 typedef struct {
@@ -26,5 +30,7 @@ void loft_raise_close(const loft_course *c, const loft_row *row);
  *   cost    some 20 loft_cell_limit per piece and sweep
  */
 void loft_raise(const loft_course *c, const loft_row *row, int sweeps);
+
+LOFT_END_C
 
 #endif

@@ -1,24 +1,27 @@
 /* lib/motion/reach.c
  * SPDX-License-Identifier: MIT
  *
- * Time-optimal motion by reachability (H. Pham, Q.-C. Pham, IEEE Transactions on Robotics 34(3), 2018) on pieces whose scope (scope.c)
- * is a polygon in the plane of x, the square of the speed at the start, and the acceleration a.
+ * Time-optimal motion by reachability (H. Pham, Q.-C. Pham, IEEE Transactions on Robotics 34(3),
+ * 2018) on pieces whose scope (scope.c) is a polygon in the plane of x, the square of the speed at
+ * the start, and the acceleration a.
  *
- * Backward: from the largest x at the end of a piece follows the largest at its start, as far as nothing changes any more. The known path
- * ends in a stop, so what comes later only lets x grow; where it is the cap, whatever comes, the speed is sure.
+ * Backward: from the largest x at the end of a piece follows the largest at its start, as far as
+ * nothing changes any more. The known path ends in a stop, so what comes later only lets x grow;
+ * where it is the cap, whatever comes, the speed is sure.
  *
- * Forward, piece by piece: the largest acceleration in the scope, unless that leads to more than the next piece allows. Then up to three
- * parts, each of even acceleration:
+ * Forward, piece by piece: the largest acceleration in the scope, unless that leads to more than
+ * the next piece allows. Then up to three parts, each of even acceleration:
  *
  *      x     cap ________ last         1. as steep as the scope allows at the start
  *              /         \             2. along the cap, if the piece flows
  *             /           \            3. the line on which the next piece's speed is reached from
  *
- * Each is a part of a line through the piece that is in the scope. (The third may begin above the cap, as far as the far end of
- * the scope; where that is no further than the cap it is no steeper than the second, and there is none.)
+ * Each is a part of a line through the piece that is in the scope. (The third may begin above the
+ * cap, as far as the far end of the scope; where that is no further than the cap it is no steeper
+ * than the second, and there is none.)
  *
- * A part that begins with speed v, ends with w and is d long takes 2 d / (v + w) seconds; after a part z of that time the speed
- * is v + z (w - v). So places at whole beats are exact.
+ * A part that begins with speed v, ends with w and is d long takes 2 d / (v + w) seconds; after a
+ * part z of that time the speed is v + z (w - v). So places at whole beats are exact.
  */
 #include "motion/reach.h"
 
@@ -70,7 +73,8 @@ static bool knows(loft_law *law)
     const unsigned next = law->at.piece + 1u;
 
     for (int again = 0; again < 2; again++) {
-        if (next < c->count ? loft_course_piece(c, next)->sure : c->ended && c->cut == c->move_count)
+        if (next < c->count ? loft_course_piece(c, next)->sure
+                            : c->ended && c->cut == c->move_count)
             return true;
         if (again == 0)
             look_back(law);
@@ -86,7 +90,8 @@ static loft_real aim_of(const loft_law *law)
 {
     const loft_course *c = &law->course;
     const unsigned next = law->at.piece + 1u;
-    const loft_real last = loft_course_piece(c, law->at.piece)->last, brake = next < c->count ? loft_course_piece(c, next)->brake : 0;
+    const loft_real last = loft_course_piece(c, law->at.piece)->last,
+                    brake = next < c->count ? loft_course_piece(c, next)->brake : 0;
 
     return brake < last ? brake : last;
 }
@@ -118,8 +123,8 @@ static void add_to(loft_law *law, loft_acc way, const line *l, loft_unit z)
     add_part(law, law->at.off + loft_acc_scale(way, z), loft_acc_sqrt(value(l, z)));
 }
 
-/* The acceleration here. Beyond the start of the piece the line with acceleration a began with x - 2 a off: that of x and that
- * of the least such x there can be, whichever is less. */
+/* The acceleration here. Beyond the start of the piece the line with acceleration a began with x -
+ * 2 a off: that of x and that of the least such x there can be, whichever is less. */
 static loft_real speeding_up(const loft_plan_piece *p, loft_acc off, loft_acc x)
 {
     const loft_real a = loft_scope_most(p, x);
@@ -190,11 +195,13 @@ static loft_acc rest_of(const loft_law *law, loft_acc beat)
 static void run(loft_law *law)
 {
     const loft_law_part *to = &law->part[law->next];
-    const loft_acc way = to->end - law->at.off, beat = beat_to(law, to->speed), here = rest_of(law, beat);
+    const loft_acc way = to->end - law->at.off, beat = beat_to(law, to->speed),
+                   here = rest_of(law, beat);
 
     if (here < way && beat > 0) {       /* q16: at speeds that are nothing nothing is far */
         const bool even = !(law->speed < to->speed || to->speed < law->speed);
-        const loft_real v = even ? to->speed : loft_lerp(law->speed, to->speed, loft_unit_ratio(here, way));
+        const loft_real v = even ? to->speed
+                                 : loft_lerp(law->speed, to->speed, loft_unit_ratio(here, way));
         law->at.off += even ? here : loft_acc_least(rest_of(law, beat_to(law, v)), way);
         law->speed   = v;
         law->left    = 0;

@@ -1,64 +1,79 @@
 /* lib/motion/scope.c
  * SPDX-License-Identifier: MIT
  *
- * On a path with direction u and curvature vector k, passed with acceleration a and the square x of the speed, an axis has the
- * acceleration
+ * On a path with direction u and curvature vector k, passed with acceleration a and the square x of
+ * the speed, an axis has the acceleration
  *
  *     u a + k x
  *
- * On a piece of length l that begins with x it is u0 a + k0 x at the start and u1 a + k1 (x + 2 a l) = (u1 + 2 l k1) a + k1 x at
- * the end: with w = u0 or u1 + 2 l k1 each axis and end gives two lines in the plane of x and a,
+ * On a piece of length l that begins with x it is u0 a + k0 x at the start and u1 a + k1 (x + 2 a
+ * l) = (u1 + 2 l k1) a + k1 x at the end: with w = u0 or u1 + 2 l k1 each axis and end gives two
+ * lines in the plane of x and a,
  *
  *     -A <= w a + k x <= A        |w a| <= A (1 -+ k x / A)
  *
- * As u' = k and x' = 2 a, and k is nearly a line, the second derivative of u a + k x along the piece is 5 a (k1 - k0) / l: between the ends
- * it may go beyond both of them by q |a|, q = 5/8 l |k1 - k0|, on one side. On that side w a + k x + q |a| is within A. Where w and k1 - k0 have
- * opposite signs |w| becomes |w| + q, but stays |w| where the bend has to be relieved by w a. Where they have the same sign it stays |w|, or becomes
- * |w| - q where the bend is relieved; if q > |w| there is a line with q - |w| and the other sign of k. Likewise k becomes k +- r on the side to which
- * the curvature goes beyond the line between its ends, by up to r. So the largest a is the least of some
- * falling and rising lines in x, a concave function, and so is -a of the least one. Both are positive at x = 0. Where they meet is
- * the largest x that any acceleration allows: more than where a = 0 is possible, if the piece has to be passed while it speeds up
- * or slows down. Chords between x = 0, a knee and the far end lie inside of the polygon. The knee is where the line that is the
- * least at x = 0 meets that at the far end: a corner of the polygon, unless a third line cuts it off.
+ * As u' = k and x' = 2 a, and k is nearly a line, the second derivative of u a + k x along the
+ * piece is 5 a (k1 - k0) / l: between the ends it may go beyond both of them by q |a|, q = 5/8 l
+ * |k1 - k0|, on one side. On that side w a + k x + q |a| is within A. Where w and k1 - k0 have
+ * opposite signs |w| becomes |w| + q, but stays |w| where the bend has to be relieved by w a. Where
+ * they have the same sign it stays |w|, or becomes |w| - q where the bend is relieved; if q > |w|
+ * there is a line with q - |w| and the other sign of k. Likewise k becomes k +- r on the side to
+ * which the curvature goes beyond the line between its ends, by up to r. So the largest a is the
+ * least of some falling and rising lines in x, a concave function, and so is -a of the least one.
+ * Both are positive at x = 0. Where they meet is the largest x that any acceleration allows: more
+ * than where a = 0 is possible, if the piece has to be passed while it speeds up or slows down.
+ * Chords between x = 0, a knee and the far end lie inside of the polygon. The knee is where the
+ * line that is the least at x = 0 meets that at the far end: a corner of the polygon, unless a
+ * third line cuts it off.
  *
- * The far end is as far beyond the cap of the speed as a line can be that passes the cap within the piece.
+ * The far end is as far beyond the cap of the speed as a line can be that passes the cap within the
+ * piece.
  *
- * The caps at the ends are such that a line between their squares holds the speeds of the axes, too: |u| v <= V, where a line that is
- * lower in the middle lowers both. Where feed or another axis hold the cap at one station, it is no parabola through three stations, but u is: with
+ * The caps at the ends are such that a line between their squares holds the speeds of the axes,
+ * too: |u| v <= V, where a line that is lower in the middle lowers both. Where feed or another axis
+ * hold the cap at one station, it is no parabola through three stations, but u is: with
  *
  *     c = 2 |u1| - |u0| - |u2| > 0
  *
- * it is up to c / 8 above its own chords between neighbouring stations. So v <= V / (|u| + c / 8) at the three of them keeps |u| v
- * within V (1 + d^2 / 4) between two whose caps differ by the part d, at most 1/32. What is no parabola of u has, for arcs that turn and
- * change their rate by 1/4, two parts. One goes with c: at most c / 20 (an axis is fastest within the piece where the change of its direction cancels, so
- * that is less than c as well), for which c / 16 is left. The other is the cubic of a turn by 1/8 to both sides at a rate that changes by 1/8 to both sides,
- * (1/8)^3 of u, 0.385 of which are between the stations, 1/1300; with d^2 / 4 that is 1/1000, which is left, too.
+ * it is up to c / 8 above its own chords between neighbouring stations. So v <= V / (|u| + c / 8)
+ * at the three of them keeps |u| v within V (1 + d^2 / 4) between two whose caps differ by the part
+ * d, at most 1/32. What is no parabola of u has, for arcs that turn and change their rate by 1/4,
+ * two parts. One goes with c: at most c / 20 (an axis is fastest within the piece where the change
+ * of its direction cancels, so that is less than c as well), for which c / 16 is left. The other is
+ * the cubic of a turn by 1/8 to both sides at a rate that changes by 1/8 to both sides, (1/8)^3 of
+ * u, 0.385 of which are between the stations, 1/1300; with d^2 / 4 that is 1/1000, which is left,
+ * too.
  *
  * q16: y = x / far <= 1 and |k| far / A <= 32, so that all lines are below 33 * 2^14.
  */
 #include "motion/scope.h"
 
-#define BENT    40      /* where the speed may change, A / 40 is the most that the curvature's bow may ask for at the cap           */
-#define BOW     128     /* A / 128 it may, as that much is kept for joints                                                       */
-#define STEEP   LOFT_UNIT(0.015625)      /* the square of the cap is a line along the piece, to 1/64 of itself                                     */
+/* where the speed may change, A / 40 is the most that the curvature's bow may ask for at the cap */
+#define BENT    40
+#define BOW     128     /* A / 128 it may, as that much is kept for joints */
+/* the square of the cap is a line along the piece, to 1/64 of itself */
+#define STEEP   LOFT_UNIT(0.015625)
 #define TURN    LOFT_REAL(0.03)
-#define EDGE    4     /* of 256: the knee is no nearer to the ends                                                              */
+#define EDGE    4     /* of 256: the knee is no nearer to the ends */
 #define LINES   (4 * LOFT_AXES + 1)
-#define RELIEF  32    /* times the acceleration may be needed by a bend that can be relieved                                       */
-#define PART    LOFT_UNIT(0.00006103515625)     /* 2^-14 of the far end, for a real to hold it                                          */
+#define RELIEF  32    /* times the acceleration may be needed by a bend that can be relieved */
+#define PART    LOFT_UNIT(0.00006103515625)     /* 2^-14 of the far end, for a real to hold it */
 #define FASTEST (loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX) / 16)
 
-/* At the part y of the far end a <= most (1 - turn y) and -a <= most (1 + turn y), with turn[1] and turn[0]. The first line is the largest
- * acceleration there is. */
+/* At the part y of the far end a <= most (1 - turn y) and -a <= most (1 + turn y), with turn[1] and
+ * turn[0]. The first line is the largest acceleration there is. */
 typedef struct {
     loft_acc  length, far;
-    loft_unit middle, end;      /* where the middle station is, of the length; the largest y where there is an acceleration, */
-    loft_acc  least[2];         /* the least lines there: -a, a                                                     */
+    loft_unit middle, end;      /* where the middle station is, of the length; the largest y where
+                                 * there is an acceleration, */
+    loft_acc  least[2];         /* the least lines there: -a, a */
     uint8_t   line[2];
     uint8_t   count, low;       /* how many there are; the least where y = 0 */
-    loft_real skew[LOFT_AXES], bow[LOFT_AXES];  /* q with the sign of k1 - k0; r with its side, where it matters */
+    loft_real skew[LOFT_AXES], bow[LOFT_AXES];  /* q with the sign of k1 - k0; r with its side,
+                                                 * where it matters */
     loft_real most[LINES], turn[2][LINES];
-    loft_real relief[LINES];    /* what |w| is where the bend has to be relieved, if not the same; 0 */
+    loft_real relief[LINES];    /* what |w| is where the bend has to be relieved, if not the same;
+                                 * 0 */
     uint8_t   axis[LINES];
 } scope;
 
@@ -79,11 +94,16 @@ static loft_real bend_of(const loft_budget *b, const loft_arc_shape *s, int k, i
     return s->tight || b->across > 0 ? 0 : s->bend[k].axis[i];
 }
 
-/* Which part of the length ends at the middle station: half of the parameters. Rates are nearly a line. */
-static loft_unit middle_of(const loft_arc *arc) { return LOFT_UNIT(0.5) - (arc->ends[0] + arc->ends[1]) / 8; }
+/* Which part of the length ends at the middle station: half of the parameters. Rates are nearly a
+ * line. */
+static loft_unit middle_of(const loft_arc *arc)
+{
+    return LOFT_UNIT(0.5) - (arc->ends[0] + arc->ends[1]) / 8;
+}
 
 /* |w a| <= A (1 -+ turn x / A), or `turn` and `bow`; that is the curvature as yet. */
-static void add_line(scope *s, const loft_budget *b, int axis, loft_real w, loft_real relief, loft_real turn, loft_real bow)
+static void add_line(scope *s, const loft_budget *b, int axis, loft_real w, loft_real relief,
+                     loft_real turn, loft_real bow)
 {
     const uint8_t at = s->count++;
 
@@ -96,7 +116,8 @@ static void add_line(scope *s, const loft_budget *b, int axis, loft_real w, loft
 }
 
 /* What a has to be multiplied with where it is a at the start. */
-static loft_real weight_of(const scope *s, const loft_arc_shape *shape, int k, int i, loft_real bend)
+static loft_real weight_of(const scope *s, const loft_arc_shape *shape, int k, int i,
+                           loft_real bend)
 {
     return shape->along[k].axis[i] + (k == 2 ? loft_acc_round(twice(s->length, bend)) : 0);
 }
@@ -105,18 +126,25 @@ static loft_real weight_of(const scope *s, const loft_arc_shape *shape, int k, i
 static void add_lines(scope *s, const loft_budget *b, const loft_arc_shape *shape, int end)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real k = bend_of(b, shape, end, i), w = weight_of(s, shape, end, i, k), size = loft_real_size(w);
-        const loft_real with = w < 0 ? -s->skew[i] : s->skew[i], turn = w < 0 ? -k : k, bow = w < 0 ? -s->bow[i] : s->bow[i];
+        const loft_real k = bend_of(b, shape, end, i), w = weight_of(s, shape, end, i, k),
+                        size = loft_real_size(w);
+        const loft_real with = w < 0 ? -s->skew[i] : s->skew[i], turn = w < 0 ? -k : k,
+                        bow = w < 0 ? -s->bow[i] : s->bow[i];
 
         if (!(size > 0 || loft_real_size(k) > 0 || loft_real_size(with) > 0))
             continue;
-        add_line(s, b, i, with < 0 ? size - with : size, with < 0 ? size : with < size ? size - with : 0, turn, bow);
+        add_line(s, b, i, with < 0 ? size - with : size,
+                 with < 0      ? size
+                 : with < size ? size - with
+                               : 0,
+                 turn, bow);
         if (with > size)
             add_line(s, b, i, with - size, 0, -turn, -bow);
     }
 }
 
-/* The far end is no further than where a bend needs all of the acceleration, or RELIEF times as much where it can be relieved. */
+/* The far end is no further than where a bend needs all of the acceleration, or RELIEF times as
+ * much where it can be relieved. */
 static void set_far(scope *s, const loft_budget *b, const loft_arc_shape *shape)
 {
     const loft_real far = loft_acc_round(loft_acc_scale(s->far, PART)) + LOFT_REAL_LSB;
@@ -126,7 +154,9 @@ static void set_far(scope *s, const loft_budget *b, const loft_arc_shape *shape)
         const loft_real k = bend_of(b, shape, at, i), size = loft_real_size(k), accel = b->accel[i];
         if (loft_prod(far, size) > loft_acc_scale(loft_wide(accel), PART)) {
             const loft_real w = loft_real_size(weight_of(s, shape, at, i, k));
-            s->far = loft_acc_least(s->far, needed(accel, size, loft_prod(LOFT_ACCEL_MAX, w) > loft_wide(accel) ? RELIEF : 1));
+            s->far = loft_acc_least(
+                s->far,
+                needed(accel, size, loft_prod(LOFT_ACCEL_MAX, w) > loft_wide(accel) ? RELIEF : 1));
         }
     }
 }
@@ -147,7 +177,8 @@ static void set_turns(scope *s, const loft_budget *b)
     for (uint8_t j = 1; j < count; j++) {
         const bool same = !(s->turn[0][j] < s->turn[1][j]);
         for (int fore = same ? 1 : 0; fore < 2; fore++)
-            s->turn[fore][j] = loft_acc_quot(loft_acc_mul(s->far, s->turn[fore][j]), loft_wide(b->accel[s->axis[j]]));
+            s->turn[fore][j] = loft_acc_quot(loft_acc_mul(s->far, s->turn[fore][j]),
+                                             loft_wide(b->accel[s->axis[j]]));
         s->turn[0][j] = same ? s->turn[1][j] : s->turn[0][j];
         if (s->relief[j] > 0 && (s->turn[1][j] > LOFT_REAL(1) || s->turn[0][j] < LOFT_REAL(-1)))
             add_relief(s, b, j);
@@ -171,9 +202,13 @@ static loft_acc least_at(const scope *s, loft_unit y, bool fore, uint8_t *which)
     return least;
 }
 
-static loft_acc slope(const scope *s, uint8_t i, bool fore) { return loft_prod(s->most[i], s->turn[fore][i]); }
+static loft_acc slope(const scope *s, uint8_t i, bool fore)
+{
+    return loft_prod(s->most[i], s->turn[fore][i]);
+}
 
-/* The largest y <= 1 where there is an acceleration: Newton's way from the right, on a concave function. */
+/* The largest y <= 1 where there is an acceleration: Newton's way from the right, on a concave
+ * function. */
 static void set_end(scope *s)
 {
     s->end = LOFT_UNIT(1);
@@ -189,28 +224,38 @@ static void set_end(scope *s)
     }
 }
 
-static loft_acc knee_of(loft_acc far, uint8_t knee) { return loft_acc_scale(far, LOFT_UNIT(0.00390625) * (loft_unit)knee); }
+static loft_acc knee_of(loft_acc far, uint8_t knee)
+{
+    return loft_acc_scale(far, LOFT_UNIT(0.00390625) * (loft_unit)knee);
+}
 
 /* The knee, in 256ths of the way to the end, and the bounds there and at the end. */
 static uint8_t set_knee(const scope *s, bool fore, loft_real bound[2])
 {
     const uint8_t i = s->low, j = s->line[fore];
-    const loft_acc rise = loft_wide(s->most[j] - s->most[i]), more = loft_acc_scale(slope(s, j, fore) - slope(s, i, fore), s->end), fall = fore ? more : -more;
+    const loft_acc rise = loft_wide(s->most[j] - s->most[i]),
+                   more = loft_acc_scale(slope(s, j, fore) - slope(s, i, fore), s->end),
+                   fall = fore ? more : -more;
     uint8_t which;
     int knee = 128;
 
     if (i != j && fall > 0)
-        knee = rise < fall ? (int)loft_acc_int(loft_unit_wide(loft_unit_ratio(rise, fall)) * 256) : 256;
+        knee = rise < fall ? (int)loft_acc_int(loft_unit_wide(loft_unit_ratio(rise, fall)) * 256)
+                           : 256;
     knee = knee < EDGE ? EDGE : knee > 256 - EDGE ? 256 - EDGE : knee;
-    bound[0] = loft_acc_round(least_at(s, loft_unit_round(knee_of(loft_unit_wide(s->end), (uint8_t)knee)), fore, &which));
+    bound[0] = loft_acc_round(
+        least_at(s, loft_unit_round(knee_of(loft_unit_wide(s->end), (uint8_t)knee)), fore, &which));
     bound[1] = loft_acc_round(s->least[fore]);
     return (uint8_t)knee;
 }
 
-/* The size of a direction or curvature at station k, with what it may rise by between the stations. */
+/* The size of a direction or curvature at station k, with what it may rise by between the
+ * stations. */
 static loft_real crest(const loft_vec at[3], int k, int i)
 {
-    const loft_real arch = 2 * loft_real_size(at[1].axis[i]) - loft_real_size(at[0].axis[i]) - loft_real_size(at[2].axis[i]), size = loft_real_size(at[k].axis[i]);
+    const loft_real arch = 2 * loft_real_size(at[1].axis[i]) - loft_real_size(at[0].axis[i]) -
+                           loft_real_size(at[2].axis[i]),
+                    size = loft_real_size(at[k].axis[i]);
     return size + size / 1024 + (arch > 0 ? 3 * (arch / 16) : 0);
 }
 
@@ -238,13 +283,17 @@ static loft_unit part_of(loft_acc x, loft_acc whole)
     return part < least ? least : part;
 }
 
-/* The caps at both ends, such that the line between their squares is not above that in the middle, `at` of the length. */
-static bool set_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, loft_unit at, loft_real feed)
+/* The caps at both ends, such that the line between their squares is not above that in the middle,
+ * `at` of the length. */
+static bool set_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape,
+                     loft_unit at, loft_real feed)
 {
     p->cap  = speed_cap(b, shape, 0, feed);
     p->last = speed_cap(b, shape, 2, feed);
-    const loft_acc first = square(p->cap), last = square(p->last), middle = loft_acc_lerp(first, last, at);
-    const loft_acc most = square(speed_cap(b, shape, 1, feed)), change = first < last ? last - first : first - last;
+    const loft_acc first = square(p->cap), last = square(p->last),
+                   middle = loft_acc_lerp(first, last, at);
+    const loft_acc most = square(speed_cap(b, shape, 1, feed)),
+                   change = first < last ? last - first : first - last;
 
     if (most < middle) {
         const loft_unit part = part_of(most, middle);
@@ -273,12 +322,14 @@ static loft_real chord_at(const loft_plan_piece *p, loft_acc x, bool fore)
 
 loft_real loft_scope_most(const loft_plan_piece *p, loft_acc x)  { return chord_at(p, x, true); }
 
-/* With the bound g(x) of -a, a concave function, the line x - 2 l g(x) = end: the left side falls first, from 0 or less,
- * and rises then. At the far end the bend may have to be relieved by braking below `end`; then a line from the cap leads there. */
+/* With the bound g(x) of -a, a concave function, the line x - 2 l g(x) = end: the left side falls
+ * first, from 0 or less, and rises then. At the far end the bend may have to be relieved by braking
+ * below `end`; then a line from the cap leads there. */
 loft_acc loft_scope_brake(const loft_plan_piece *p, loft_acc end)
 {
     const loft_acc l = length_of(p), far = square(p->far), knee = knee_of(far, p->back_knee);
-    const loft_acc at_far = far - twice(l, p->back[1]), at_knee = knee - twice(l, p->back[0]), at_0 = -twice(l, p->rest);
+    const loft_acc at_far = far - twice(l, p->back[1]), at_knee = knee - twice(l, p->back[0]),
+                   at_0 = -twice(l, p->rest);
 
     if (end >= at_far)
         return end > far + twice(l, p->fore[1]) ? square(p->cap) : far;
@@ -297,26 +348,33 @@ static loft_real bow_of(const loft_budget *b, const loft_arc_shape *s, loft_unit
     return bend_of(b, s, 1, i) - loft_lerp(bend_of(b, s, 0, i), bend_of(b, s, 2, i), middle);
 }
 
-static void set_sides(scope *s, const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape)
+static void set_sides(scope *s, const loft_plan_piece *p, const loft_budget *b,
+                      const loft_arc_shape *shape)
 {
     const loft_acc x = square(p->cap > p->last ? p->cap : p->last);
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real bow = bow_of(b, shape, s->middle, i), turn = loft_acc_round(loft_acc_mul(s->length, bend_of(b, shape, 2, i) - bend_of(b, shape, 0, i)));
+        const loft_real bow = bow_of(b, shape, s->middle, i),
+                        turn = loft_acc_round(loft_acc_mul(s->length, bend_of(b, shape, 2, i) -
+                                                                          bend_of(b, shape, 0, i)));
         s->skew[i] = turn / 2 + turn / 8;
         s->bow[i]  = loft_acc_mul(x, loft_real_size(bow)) > loft_wide(b->accel[i] / BOW) ? bow : 0;
     }
 }
 
-/* Does the curvature's change ask for little between the ends, and the direction not turn much where speed has to change? */
-static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s, loft_unit middle)
+/* Does the curvature's change ask for little between the ends, and the direction not turn much
+ * where speed has to change? */
+static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s,
+                 loft_unit middle)
 {
     const loft_acc x = square(p->cap);
 
     if (!p->flows && twice(length_of(p), p->rest) > x)
         return false;
     for (int i = 0; i < LOFT_AXES; i++) {
-        if (loft_acc_mul(x, loft_real_size(bow_of(b, s, middle, i))) > loft_wide(b->accel[i] / BENT) && 128 * loft_acc_mul(length_of(p), b->accel[i]) > x)
+        if (loft_acc_mul(x, loft_real_size(bow_of(b, s, middle, i))) >
+                loft_wide(b->accel[i] / BENT) &&
+            128 * loft_acc_mul(length_of(p), b->accel[i]) > x)
             return false;
         if (!p->flows && loft_real_size(s->along[2].axis[i] - s->along[0].axis[i]) > TURN)
             return false;
@@ -325,7 +383,8 @@ static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_
 }
 
 /* Chords in the polygon, from which the far end may come nearer. */
-static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape, loft_unit middle)
+static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *shape,
+                       loft_unit middle)
 {
     scope s;
 
@@ -349,7 +408,8 @@ static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_
     p->cap = p->cap < p->far ? p->cap : p->far;
 }
 
-/* A piece that is bent more than its shape can say: half of the acceleration is for its turn. It is shorter than 2^-16 mm. */
+/* A piece that is bent more than its shape can say: half of the acceleration is for its turn. It is
+ * shorter than 2^-16 mm. */
 static void set_tight_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
 {
     loft_acc x = loft_acc_least(square(p->cap), square(p->last));
@@ -369,7 +429,8 @@ static void begin(loft_plan_piece *p)
     p->brake = 0;
 }
 
-bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *arc, const loft_arc_shape *s, loft_real feed)
+bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *arc,
+                     const loft_arc_shape *s, loft_real feed)
 {
     const loft_unit middle = middle_of(arc);
 
@@ -381,13 +442,16 @@ bool loft_scope_init(loft_plan_piece *p, const loft_budget *b, const loft_arc *a
     set_bounds(p, b, s, middle);
 
     const loft_acc x = square(p->cap), more = square(p->last) - x;
-    p->flows = more <= twice(length_of(p), loft_scope_most(p, x)) && -more <= twice(length_of(p), chord_at(p, x, false));
+    p->flows = more <= twice(length_of(p), loft_scope_most(p, x)) &&
+               -more <= twice(length_of(p), chord_at(p, x, false));
     return steady && even(p, b, s, middle);
 }
 
-/* The spline of the samples spreads a change of acceleration, by a, over beats: the speed at its place is off by 0.23 a h. Where the
- * feed changes there is one at both sides of the slower feed. */
-static loft_real feed_cap(const loft_budget *b, const loft_vec *along, loft_real feed0, loft_real feed1)
+/* The spline of the samples spreads a change of acceleration, by a, over beats: the speed at its
+ * place is off by 0.23 a h. Where the feed changes there is one at both sides of the slower
+ * feed. */
+static loft_real feed_cap(const loft_budget *b, const loft_vec *along, loft_real feed0,
+                          loft_real feed1)
 {
     const loft_real slow = feed0 < feed1 ? feed0 : feed1;
     loft_real a = LOFT_ACCEL_MAX;
@@ -400,7 +464,9 @@ static loft_real feed_cap(const loft_budget *b, const loft_vec *along, loft_real
     return leak < slow / 2 ? slow - leak : slow / 2;
 }
 
-bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, const loft_vec *before, const loft_vec *after, loft_acc spacing, bool corner, loft_real feed0, loft_real feed1)
+bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, const loft_vec *before,
+                     const loft_vec *after, loft_acc spacing, bool corner, loft_real feed0,
+                     loft_real feed1)
 {
     const loft_acc most = loft_budget_joint(b, before, after, spacing, corner);
     const loft_real cap = feed_cap(b, after, feed0, feed1);

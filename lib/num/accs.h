@@ -8,6 +8,8 @@
 
 #include "num/num.h"    /* loft_acc, loft_acc_scale */
 
+LOFT_BEGIN_C
+
 /* x = a, x = y */
 void loft_accs_from(loft_acc x[LOFT_AXES], const loft_real a[LOFT_AXES]);
 void loft_accs_copy(loft_acc x[LOFT_AXES], const loft_acc y[LOFT_AXES]);
@@ -20,5 +22,7 @@ void loft_accs_triple(loft_acc x[LOFT_AXES]);
 /* x *= t, x += y t */
 void loft_accs_scale(loft_acc x[LOFT_AXES], loft_unit t);
 void loft_accs_grow(loft_acc x[LOFT_AXES], const loft_acc y[LOFT_AXES], loft_unit t);
+
+LOFT_END_C
 
 #endif

@@ -3,11 +3,13 @@
  *
  * An angle is k quarters of a turn and a rest r, |r| <= pi/4, where the series
  *
- *     sin r = r (1 - r^2/(2*3) (1 - r^2/(4*5) (1 - .. r^2/(16*17))))      the next term is below 2^-63
+ *     sin r = r (1 - r^2/(2*3) (1 - r^2/(4*5) (1 - .. r^2/(16*17))))      the next term is below
+ *         2^-63
  *     cos r =    1 - r^2/(1*2) (1 - r^2/(3*4) (1 - .. r^2/(17*18)))       2^-68
  *
- * is summed from its end. Each step rounds by 2^-60 at most, and the next ones multiply that by r^2/2 < 0.31 or
- * less: in all below 2^-58 (q16). In doubles the steps round by 2^-54, the last one by 2^-53.
+ * is summed from its end. Each step rounds by 2^-60 at most, and the next ones multiply that by
+ * r^2/2 < 0.31 or less: in all below 2^-58 (q16). In doubles the steps round by 2^-54, the last one
+ * by 2^-53.
  */
 #include "num/angle.h"
 
@@ -17,7 +19,8 @@ static loft_fine rest_of(loft_acc a, int32_t *quarters);        /* |rest| <= pi/
 
 #define HALF_PI ((loft_fine)1811004864519280711)
 
-/* (a b + 2^59) / 2^60, |a b| < 2^123: four products of 32 bits; on magnitudes, so ties go away from 0. */
+/* (a b + 2^59) / 2^60, |a b| < 2^123: four products of 32 bits; on magnitudes, so ties go away from
+ * 0. */
 static int64_t multiply(int64_t a, int64_t b)
 {
     const uint64_t x = (uint64_t)(a < 0 ? -a : a), y = (uint64_t)(b < 0 ? -b : b);
@@ -31,9 +34,18 @@ static int64_t multiply(int64_t a, int64_t b)
 }
 
 bool      loft_fine_accepts(loft_real a)                { (void)a; return true; }
-loft_fine loft_fine_of(loft_real a)                     { return (loft_fine)a * ((loft_fine)1 << 44); }
-loft_fine loft_fine_unit(loft_unit t)                   { return (loft_fine)t * ((loft_fine)1 << 36); }
-loft_acc  loft_fine_wide(loft_fine x)                   { return (x / 134217728 + (x < 0 ? -1 : 1)) / 2; }
+loft_fine loft_fine_of(loft_real a)
+{
+    return (loft_fine)a * ((loft_fine)1 << 44);
+}
+loft_fine loft_fine_unit(loft_unit t)
+{
+    return (loft_fine)t * ((loft_fine)1 << 36);
+}
+loft_acc loft_fine_wide(loft_fine x)
+{
+    return (x / 134217728 + (x < 0 ? -1 : 1)) / 2;
+}
 loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return multiply(x, y); }
 loft_acc  loft_fine_scale(loft_acc a, loft_fine x)      { return multiply(a, x); }
 
@@ -78,7 +90,8 @@ static loft_fine rest_of(loft_acc a, int32_t *quarters)
 
 static loft_fine rest_of_fine(loft_fine x, int32_t *quarters)
 {
-    *quarters = x > 0 ? (int32_t)((x / 2 + HALF_PI / 4) / (HALF_PI / 2)) : -(int32_t)((HALF_PI / 4 - x / 2) / (HALF_PI / 2));
+    *quarters = x > 0 ? (int32_t)((x / 2 + HALF_PI / 4) / (HALF_PI / 2))
+                      : -(int32_t)((HALF_PI / 4 - x / 2) / (HALF_PI / 2));
     return x - *quarters * HALF_PI;
 }
 
@@ -101,7 +114,10 @@ static void normalise(int64_t *x, int64_t *y)
 
 #define HALF_PI 1.5707963267948966
 
-bool      loft_fine_accepts(loft_real a)                { return (double)a < 0x1p400 && (double)a > -0x1p400; }
+bool loft_fine_accepts(loft_real a)
+{
+    return (double)a < 0x1p400 && (double)a > -0x1p400;
+}
 loft_fine loft_fine_of(loft_real a)                     { return (loft_fine)a; }
 loft_acc  loft_fine_wide(loft_fine x)                   { return x; }
 loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return x * y; }
@@ -110,7 +126,8 @@ loft_acc  loft_fine_quot(loft_fine x, loft_fine y)      { return x / y; }
 loft_fine loft_fine_ratio(loft_acc x, loft_acc y)       { return x / y; }
 loft_fine loft_fine_unit(loft_unit t)                   { return (loft_fine)t; }
 
-/* pi/2 in two parts, the first with 33 bits: its product with a number of quarters to 2^20 is exact. */
+/* pi/2 in two parts, the first with 33 bits: its product with a number of quarters to 2^20 is
+ * exact. */
 static loft_fine rest_of(loft_acc a, int32_t *quarters)
 {
     *quarters = loft_acc_int(a / HALF_PI);
@@ -123,7 +140,8 @@ static void normalise(double *x, double *y) { (void)x; (void)y; }
 
 #endif
 
-/* Newton's method from above: each step is at least the root, and below the one before until it is met. */
+/* Newton's method from above: each step is at least the root, and below the one before until it is
+ * met. */
 loft_fine loft_fine_sqrt(loft_fine x)
 {
     loft_fine root = LOFT_FINE_1, next = (LOFT_FINE_1 + x) / 2;
@@ -192,7 +210,8 @@ loft_acc loft_cos(loft_acc a)
     return loft_fine_wide(sine_at(r, quarters + 1));
 }
 
-/* Four quarters are none, three are one backwards, and two go to the side of the rest that stays within a half. */
+/* Four quarters are none, three are one backwards, and two go to the side of the rest that stays
+ * within a half. */
 loft_fine loft_fine_angle(loft_acc a)
 {
     int32_t quarters;
@@ -206,19 +225,23 @@ loft_fine loft_fine_angle(loft_acc a)
     }
 }
 
-/* From the nearest axis, turn the vector back by the angle found so far; what is left has tangent q and angle
- * q - q^3/3 to within q^5/5. From |q| <= 1 on that leaves 0.12, 5e-6 and 1e-27. */
+/* From the nearest axis, turn the vector back by the angle found so far; what is left has tangent q
+ * and angle q - q^3/3 to within q^5/5. From |q| <= 1 on that leaves 0.12, 5e-6 and 1e-27. */
 loft_fine loft_fine_atan2(loft_acc y, loft_acc x)
 {
-    const bool behind = x < 0 && -x > (y < 0 ? -y : y), beside = !behind && !(x >= (y < 0 ? -y : y));
-    loft_fine angle = behind ? (y < 0 ? -LOFT_FINE_PI : LOFT_FINE_PI) : beside ? (y < 0 ? -HALF_PI : HALF_PI) : 0;
+    const bool behind = x < 0 && -x > (y < 0 ? -y : y),
+               beside = !behind && !(x >= (y < 0 ? -y : y));
+    loft_fine angle = behind   ? (y < 0 ? -LOFT_FINE_PI : LOFT_FINE_PI)
+                      : beside ? (y < 0 ? -HALF_PI : HALF_PI)
+                               : 0;
 
     if (!(x < 0) && !(x > 0) && !(y < 0) && !(y > 0))
         return 0;
     normalise(&x, &y);
     for (int round = 0; round < 3; round++) {
         const loft_fine c = loft_fine_cos(angle), s = loft_fine_sin(angle);
-        const loft_fine q = loft_fine_ratio(loft_fine_scale(y, c) - loft_fine_scale(x, s), loft_fine_scale(x, c) + loft_fine_scale(y, s));
+        const loft_fine q = loft_fine_ratio(loft_fine_scale(y, c) - loft_fine_scale(x, s),
+                                            loft_fine_scale(x, c) + loft_fine_scale(y, s));
         angle += q - loft_fine_mul(loft_fine_mul(q, q), q) / 3;
     }
     return angle > LOFT_FINE_PI ? LOFT_FINE_PI : angle < -LOFT_FINE_PI ? -LOFT_FINE_PI : angle;

@@ -1,8 +1,9 @@
 /* lib/num/angle.h -- sine, cosine and the angle of a vector, to the last bits
  * SPDX-License-Identifier: MIT
  *
- * Angles are in radians. Computations with angles need more than the 32 bits that loft_acc has below the point,
- * and little above it: loft_fine. Between two fine numbers + - < and products by small whole numbers are plain.
+ * Angles are in radians. Computations with angles need more than the 32 bits that loft_acc has
+ * below the point, and little above it: loft_fine. Between two fine numbers + - < and products by
+ * small whole numbers are plain.
  *
  *   loft_fine   a number below 8 in size   q16: int64_t times 2^60   f32, f64: double
  */
@@ -10,6 +11,8 @@
 #define LOFT_NUM_ANGLE_H
 
 #include "num/num.h"    /* loft_real, loft_acc */
+
+LOFT_BEGIN_C
 
 #if LOFT_NUM == LOFT_Q16
 
@@ -58,9 +61,10 @@ loft_fine loft_fine_atan2(loft_acc y, loft_acc x);
 
 /* Products, quotients and roots. A quotient may be of two fine numbers or of two wide ones.
  *
- *   range   mul: |x y| < 8   scale: |a x| < 2^30   quot: y != 0, |x / y| < 2^30   ratio: y != 0, |x / y| < 7
- *           sqrt: 0..1
- *   error   q16: mul 2^-61, scale 2^-33, quot 2^-33, ratio 2^-61, sqrt 2^-59   f32, f64: 1/2 ulp of double, sqrt 1
+ *   range   mul: |x y| < 8   scale: |a x| < 2^30   quot: y != 0, |x / y| < 2^30   ratio: y != 0, |x
+ *           / y| < 7 sqrt: 0..1
+ *   error   q16: mul 2^-61, scale 2^-33, quot 2^-33, ratio 2^-61, sqrt 2^-59   f32, f64: 1/2 ulp of
+ *           double, sqrt 1
  *   cost    ratio: 60 rounds of shift and subtraction in q16; sqrt: 7 to 36 ratios
  */
 loft_fine loft_fine_mul(loft_fine x, loft_fine y);
@@ -77,5 +81,7 @@ loft_fine loft_fine_sqrt(loft_fine x);
 loft_acc loft_sin(loft_acc a);
 loft_acc loft_cos(loft_acc a);
 loft_acc loft_atan2(loft_acc y, loft_acc x);
+
+LOFT_END_C
 
 #endif

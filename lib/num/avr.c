@@ -1,8 +1,9 @@
 /* lib/num/avr.c
  * SPDX-License-Identifier: MIT
  *
- * Arguments and results are in the registers that avr-gcc gives them: eight bytes in r18..r25, four more in r14..r17, results in
- * r18..r25 or r22..r25. r0, r18..r27, r30, r31 may be changed, r1 is 0 between functions.
+ * Arguments and results are in the registers that avr-gcc gives them: eight bytes in r18..r25, four
+ * more in r14..r17, results in r18..r25 or r22..r25. r0, r18..r27, r30, r31 may be changed, r1 is 0
+ * between functions.
  */
 #include "num/num.h"    /* loft_avr_*, where they are needed */
 #include "num/accs.h"   /* loft_accs_* */
@@ -11,32 +12,44 @@
 
 #define TEXT_(x)   #x
 #define TEXT(x)    TEXT_(x)
-#define OWN(f)     ".section .text." TEXT(f) ",\"ax\",@progbits\n.type " TEXT(f) ", @function\n" TEXT(f) ":\n"
+#define OWN(f) \
+    ".section .text." TEXT(f) ",\"ax\",@progbits\n.type " TEXT(f) ", @function\n" TEXT(f) ":\n"
 #define BEGIN(f)   ".global " TEXT(f) "\n" OWN(f)
 #define END(f)     ".size " TEXT(f) ", .-" TEXT(f) "\n.text\n"
 
-/* From the lowest byte on the columns of the product are summed in three bytes; column k + 3 becomes byte k of the result, where
- * byte k of x is not needed any more. Column 2 is kept on the stack for products that are cut two bytes lower. As x is
- * taken without its sign, a negative x has its t 2^64 too much. */
-#define TERM(x, t, a, b, c)     "mul r" #x ", r" #t "\n add r" #a ", r0\n adc r" #b ", r1\n adc r" #c ", r31\n"
-#define PUSH8  "push r10\n push r11\n push r12\n push r13\n push r14\n push r15\n push r16\n push r17\n"
+/* From the lowest byte on the columns of the product are summed in three bytes; column k + 3
+ * becomes byte k of the result, where byte k of x is not needed any more. Column 2 is kept on the
+ * stack for products that are cut two bytes lower. As x is taken without its sign, a negative x has
+ * its t 2^64 too much. */
+#define TERM(x, t, a, b, c) \
+    "mul r" #x ", r" #t "\n add r" #a ", r0\n adc r" #b ", r1\n adc r" #c ", r31\n"
+#define PUSH8 \
+    "push r10\n push r11\n push r12\n push r13\n push r14\n " \
+    "push r15\n push r16\n push r17\n"
 #define POP8   "pop r17\n pop r16\n pop r15\n pop r14\n pop r13\n pop r12\n pop r11\n pop r10\n"
 #define HALVE_N "lsr r25\n ror r24\n ror r23\n ror r22\n ror r21\n ror r20\n ror r19\n ror r18\n"
 #define HALVE_D "lsr r17\n ror r16\n ror r15\n ror r14\n ror r13\n ror r12\n ror r11\n ror r10\n"
-#define LESS8  "cp r18, r10\n cpc r19, r11\n cpc r20, r12\n cpc r21, r13\n cpc r22, r14\n cpc r23, r15\n cpc r24, r16\n cpc r25, r17\n"
+#define LESS8 \
+    "cp r18, r10\n cpc r19, r11\n cpc r20, r12\n cpc r21, r13\n " \
+    "cpc r22, r14\n cpc r23, r15\n cpc r24, r16\n cpc r25, r17\n"
 #define TAKE8  "movw r18, r10\n movw r20, r12\n movw r22, r14\n movw r24, r16\n"
 /* x = x OP y for all axes, byte by byte */
-#define AXES8(first, op)  "movw r26, r24\n movw r30, r22\n ldi r25, " TEXT(LOFT_AXES) "\n1: ldi r24, 8\n" first "2: ld __tmp_reg__, X\n ld r23, Z+\n" \
+#define AXES8(first, op) \
+    "movw r26, r24\n movw r30, r22\n ldi r25, " TEXT(LOFT_AXES) "\n1: ldi r24, 8\n" first \
+    "2: ld __tmp_reg__, X\n ld r23, Z+\n" \
     op " __tmp_reg__, r23\n st X+, __tmp_reg__\n dec r24\n brne 2b\n dec r25\n brne 1b\n ret\n"
 #define BYTE(k, a)              "mov r" #k ", r" #a "\n clr r" #a "\n"
 
 __asm__ (
     OWN(loft_avr_negate)
     "com r18\n com r19\n com r20\n com r21\n com r22\n com r23\n com r24\n com r25\n"
-    "clr __tmp_reg__\n adc r18, __tmp_reg__\n adc r19, __tmp_reg__\n adc r20, __tmp_reg__\n adc r21, __tmp_reg__\n"
-    "adc r22, __tmp_reg__\n adc r23, __tmp_reg__\n adc r24, __tmp_reg__\n adc r25, __tmp_reg__\n ret\n"
+    "clr __tmp_reg__\n adc r18, __tmp_reg__\n adc r19, __tmp_reg__\n adc r20, __tmp_reg__\n"
+    "adc r21, __tmp_reg__\n"
+    "adc r22, __tmp_reg__\n adc r23, __tmp_reg__\n adc r24, __tmp_reg__\n adc r25, __tmp_reg__\n"
+    "ret\n"
     "loft_avr_opposite: com r14\n com r15\n com r16\n com r17\n"
-    "clr __tmp_reg__\n adc r14, __tmp_reg__\n adc r15, __tmp_reg__\n adc r16, __tmp_reg__\n adc r17, __tmp_reg__\n ret\n"
+    "clr __tmp_reg__\n adc r14, __tmp_reg__\n adc r15, __tmp_reg__\n adc r16, __tmp_reg__\n"
+    "adc r17, __tmp_reg__\n ret\n"
     END(loft_avr_negate)
 
     BEGIN(loft_acc_size)
@@ -62,7 +75,8 @@ __asm__ (
     BEGIN(loft_accs_triple)
     "movw r26, r24\n ldi r25, " TEXT(LOFT_AXES) "\n ldi r23, 3\n"
     "1: ldi r24, 8\n clr r22\n"
-    "2: ld r20, X\n mul r20, r23\n add r0, r22\n clr r22\n adc r22, r1\n st X+, r0\n dec r24\n brne 2b\n dec r25\n brne 1b\n clr __zero_reg__\n ret\n"
+    "2: ld r20, X\n mul r20, r23\n add r0, r22\n clr r22\n adc r22, r1\n st X+, r0\n dec r24\n"
+    "brne 2b\n dec r25\n brne 1b\n clr __zero_reg__\n ret\n"
     END(loft_accs_triple)
 
     BEGIN(loft_accs_copy)
@@ -70,25 +84,30 @@ __asm__ (
     END(loft_accs_copy)
 
     BEGIN(loft_wide)
-    "movw r20, r22\n movw r22, r24\n clr r18\n clr r19\n mov r24, r23\n lsl r24\n sbc r24, r24\n mov r25, r24\n ret\n"
+    "movw r20, r22\n movw r22, r24\n clr r18\n clr r19\n mov r24, r23\n lsl r24\n sbc r24, r24\n"
+    "mov r25, r24\n ret\n"
     END(loft_wide)
 
     BEGIN(loft_unit_wide)
-    "clr r18\n mov r19, r22\n mov r20, r23\n mov r21, r24\n mov r22, r25\n mov r23, r25\n lsl r23\n sbc r23, r23\n mov r24, r23\n mov r25, r23\n ret\n"
+    "clr r18\n mov r19, r22\n mov r20, r23\n mov r21, r24\n mov r22, r25\n mov r23, r25\n"
+    "lsl r23\n sbc r23, r23\n mov r24, r23\n mov r25, r23\n ret\n"
     END(loft_unit_wide)
 
     BEGIN(loft_acc_round)
-    "lsl r19\n adc r20, __zero_reg__\n adc r21, __zero_reg__\n adc r22, __zero_reg__\n adc r23, __zero_reg__\n movw r24, r22\n movw r22, r20\n ret\n"
+    "lsl r19\n adc r20, __zero_reg__\n adc r21, __zero_reg__\n adc r22, __zero_reg__\n"
+    "adc r23, __zero_reg__\n movw r24, r22\n movw r22, r20\n ret\n"
     END(loft_acc_round)
 
     BEGIN(loft_unit_round)
-    "lsl r18\n adc r19, __zero_reg__\n adc r20, __zero_reg__\n adc r21, __zero_reg__\n adc r22, __zero_reg__\n"
+    "lsl r18\n adc r19, __zero_reg__\n adc r20, __zero_reg__\n adc r21, __zero_reg__\n"
+    "adc r22, __zero_reg__\n"
     "mov r25, r22\n mov r24, r21\n mov r23, r20\n mov r22, r19\n ret\n"
     END(loft_unit_round)
 
     BEGIN(loft_avr_bits)
     "ldi r26, 64\n"
-    "1: tst r25\n brne 2f\n mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n mov r19, r18\n clr r18\n"
+    "1: tst r25\n brne 2f\n mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n"
+    "mov r21, r20\n mov r20, r19\n mov r19, r18\n clr r18\n"
     "subi r26, 8\n brne 1b\n rjmp 3f\n"
     "2: lsl r25\n brcs 3f\n dec r26\n rjmp 2b\n"
     "3: mov r24, r26\n ret\n"
@@ -97,22 +116,30 @@ __asm__ (
     BEGIN(loft_avr_shift)
     "tst r16\n breq 4f\n brmi 2f\n mov r26, r16\n"
     "1: " HALVE_N "dec r26\n brne 1b\n"
-    "adc r18, __zero_reg__\n adc r19, __zero_reg__\n adc r20, __zero_reg__\n adc r21, __zero_reg__\n"
-    "adc r22, __zero_reg__\n adc r23, __zero_reg__\n adc r24, __zero_reg__\n adc r25, __zero_reg__\n ret\n"
+    "adc r18, __zero_reg__\n adc r19, __zero_reg__\n adc r20, __zero_reg__\n"
+    "adc r21, __zero_reg__\n"
+    "adc r22, __zero_reg__\n adc r23, __zero_reg__\n adc r24, __zero_reg__\n"
+    "adc r25, __zero_reg__\n ret\n"
     "2: mov r26, r16\n"
-    "3: lsl r18\n rol r19\n rol r20\n rol r21\n rol r22\n rol r23\n rol r24\n rol r25\n inc r26\n brne 3b\n"
+    "3: lsl r18\n rol r19\n rol r20\n rol r21\n rol r22\n rol r23\n rol r24\n rol r25\n inc r26\n"
+    "brne 3b\n"
     "4: ret\n"
     END(loft_avr_shift)
 
-    /* The sizes' product, as below, with the sign of both. Columns 0 to 2 are kept on the stack, column 3 where byte 0 of b was. */
+    /* The sizes' product, as below, with the sign of both. Columns 0 to 2 are kept on the stack,
+     * column 3 where byte 0 of b was. */
     BEGIN(loft_prod)
     "mov r26, r25\n eor r26, r21\n bst r26, 7\n"
-    "sbrs r25, 7\n rjmp 1f\n com r25\n com r24\n com r23\n neg r22\n sbci r23, 0xff\n sbci r24, 0xff\n sbci r25, 0xff\n"
-    "1: sbrs r21, 7\n rjmp 2f\n com r21\n com r20\n com r19\n neg r18\n sbci r19, 0xff\n sbci r20, 0xff\n sbci r21, 0xff\n"
+    "sbrs r25, 7\n rjmp 1f\n com r25\n com r24\n com r23\n neg r22\n sbci r23, 0xff\n"
+    "sbci r24, 0xff\n sbci r25, 0xff\n"
+    "1: sbrs r21, 7\n rjmp 2f\n com r21\n com r20\n com r19\n neg r18\n sbci r19, 0xff\n"
+    "sbci r20, 0xff\n sbci r21, 0xff\n"
     "2: clr r27\n clr r30\n clr r31\n mul r18, r22\n push r0\n mov r26, r1\n"
     TERM(18, 23, 26, 27, 30) TERM(19, 22, 26, 27, 30) "push r26\n clr r26\n"
-    TERM(18, 24, 27, 30, 26) TERM(19, 23, 27, 30, 26) TERM(20, 22, 27, 30, 26) "push r27\n clr r27\n"
-    TERM(18, 25, 30, 26, 27) TERM(19, 24, 30, 26, 27) TERM(20, 23, 30, 26, 27) TERM(21, 22, 30, 26, 27) BYTE(18, 30)
+    TERM(18, 24, 27, 30, 26) TERM(19, 23, 27, 30, 26) TERM(20, 22, 27, 30, 26)
+    "push r27\n clr r27\n"
+    TERM(18, 25, 30, 26, 27) TERM(19, 24, 30, 26, 27) TERM(20, 23, 30, 26, 27)
+    TERM(21, 22, 30, 26, 27) BYTE(18, 30)
     TERM(19, 25, 26, 27, 30) TERM(20, 24, 26, 27, 30) TERM(21, 23, 26, 27, 30) BYTE(22, 26)
     TERM(20, 25, 27, 30, 26) TERM(21, 24, 27, 30, 26) "mov r23, r27\n"
     "mul r21, r25\n add r30, r0\n adc r26, r1\n mov r24, r30\n mov r25, r26\n"
@@ -123,15 +150,22 @@ __asm__ (
     OWN(loft_avr_product)
     "sbrs r17, 7\n rjmp 1f\n"
     "call loft_avr_opposite\n call loft_avr_negate\n rcall 1f\n rjmp loft_avr_opposite\n"
-    "1: bst r25, 7\n clr r31\n mov r26, r25\n lsl r26\n sbc r26, r26\n cp r26, r25\n cpc r26, r24\n brne 3f\n tst r17\n brne 3f\n rjmp 4f\n3: clr r26\n"
+    "1: bst r25, 7\n clr r31\n mov r26, r25\n lsl r26\n sbc r26, r26\n cp r26, r25\n"
+    "cpc r26, r24\n brne 3f\n tst r17\n brne 3f\n rjmp 4f\n3: clr r26\n"
     TERM(18, 14, 26, 27, 30) "clr r26\n"
     TERM(18, 15, 27, 30, 26) TERM(19, 14, 27, 30, 26) "clr r27\n"
-    TERM(18, 16, 30, 26, 27) TERM(19, 15, 30, 26, 27) TERM(20, 14, 30, 26, 27) "push r30\n clr r30\n"
-    TERM(18, 17, 26, 27, 30) TERM(19, 16, 26, 27, 30) TERM(20, 15, 26, 27, 30) TERM(21, 14, 26, 27, 30) BYTE(18, 26)
-    TERM(19, 17, 27, 30, 26) TERM(20, 16, 27, 30, 26) TERM(21, 15, 27, 30, 26) TERM(22, 14, 27, 30, 26) BYTE(19, 27)
-    TERM(20, 17, 30, 26, 27) TERM(21, 16, 30, 26, 27) TERM(22, 15, 30, 26, 27) TERM(23, 14, 30, 26, 27) BYTE(20, 30)
-    TERM(21, 17, 26, 27, 30) TERM(22, 16, 26, 27, 30) TERM(23, 15, 26, 27, 30) TERM(24, 14, 26, 27, 30) BYTE(21, 26)
-    TERM(22, 17, 27, 30, 26) TERM(23, 16, 27, 30, 26) TERM(24, 15, 27, 30, 26) TERM(25, 14, 27, 30, 26) BYTE(22, 27)
+    TERM(18, 16, 30, 26, 27) TERM(19, 15, 30, 26, 27) TERM(20, 14, 30, 26, 27)
+    "push r30\n clr r30\n"
+    TERM(18, 17, 26, 27, 30) TERM(19, 16, 26, 27, 30) TERM(20, 15, 26, 27, 30)
+    TERM(21, 14, 26, 27, 30) BYTE(18, 26)
+    TERM(19, 17, 27, 30, 26) TERM(20, 16, 27, 30, 26) TERM(21, 15, 27, 30, 26)
+    TERM(22, 14, 27, 30, 26) BYTE(19, 27)
+    TERM(20, 17, 30, 26, 27) TERM(21, 16, 30, 26, 27) TERM(22, 15, 30, 26, 27)
+    TERM(23, 14, 30, 26, 27) BYTE(20, 30)
+    TERM(21, 17, 26, 27, 30) TERM(22, 16, 26, 27, 30) TERM(23, 15, 26, 27, 30)
+    TERM(24, 14, 26, 27, 30) BYTE(21, 26)
+    TERM(22, 17, 27, 30, 26) TERM(23, 16, 27, 30, 26) TERM(24, 15, 27, 30, 26)
+    TERM(25, 14, 27, 30, 26) BYTE(22, 27)
     TERM(23, 17, 30, 26, 27) TERM(24, 16, 30, 26, 27) TERM(25, 15, 30, 26, 27) BYTE(23, 30)
     TERM(24, 17, 26, 27, 30) TERM(25, 16, 26, 27, 30) BYTE(24, 26)
     "mul r25, r17\n add r27, r0\n mov r25, r27\n"
@@ -140,7 +174,8 @@ __asm__ (
     /* six bytes times three, the most there are on most ways */
     "4: clr r26\n" TERM(18, 14, 26, 27, 30) "clr r26\n"
     TERM(18, 15, 27, 30, 26) TERM(19, 14, 27, 30, 26) "clr r27\n"
-    TERM(18, 16, 30, 26, 27) TERM(19, 15, 30, 26, 27) TERM(20, 14, 30, 26, 27) "push r30\n clr r30\n"
+    TERM(18, 16, 30, 26, 27) TERM(19, 15, 30, 26, 27) TERM(20, 14, 30, 26, 27)
+    "push r30\n clr r30\n"
     TERM(19, 16, 26, 27, 30) TERM(20, 15, 26, 27, 30) TERM(21, 14, 26, 27, 30) BYTE(18, 26)
     TERM(20, 16, 27, 30, 26) TERM(21, 15, 27, 30, 26) TERM(22, 14, 27, 30, 26) BYTE(19, 27)
     TERM(21, 16, 30, 26, 27) TERM(22, 15, 30, 26, 27) TERM(23, 14, 30, 26, 27) BYTE(20, 30)
@@ -157,24 +192,29 @@ __asm__ (
 
     BEGIN(loft_acc_mul)
     "ldi r27, 0x80\n clr r30\n call loft_avr_product\n"
-    "mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n mov r19, r18\n mov r18, r26\n ret\n"
+    "mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n"
+    "mov r19, r18\n mov r18, r26\n ret\n"
     END(loft_acc_mul)
 
     /* b - a has 33 bits, of which S says the sign */
     BEGIN(loft_lerp)
-    "push r22\n push r23\n push r24\n push r25\n sub r18, r22\n sbc r19, r23\n sbc r20, r24\n sbc r21, r25\n"
-    "ldi r22, 0\n brge 1f\n ldi r22, 0xff\n 1: mov r23, r22\n movw r24, r22\n call " TEXT(loft_acc_scale) "\n"
-    "pop r25\n pop r24\n pop r23\n pop r22\n add r22, r18\n adc r23, r19\n adc r24, r20\n adc r25, r21\n ret\n"
+    "push r22\n push r23\n push r24\n push r25\n sub r18, r22\n sbc r19, r23\n sbc r20, r24\n"
+    "sbc r21, r25\n"
+    "ldi r22, 0\n brge 1f\n ldi r22, 0xff\n 1: mov r23, r22\n movw r24, r22\n"
+    "call " TEXT(loft_acc_scale) "\n"
+    "pop r25\n pop r24\n pop r23\n pop r22\n add r22, r18\n adc r23, r19\n adc r24, r20\n"
+    "adc r25, r21\n ret\n"
     END(loft_lerp)
 
-    /* (|n| + half) / d without its rest, where half is d / 2 or, for a negative n, (d - 1) / 2. Bytes of n leave at the top and come
-     * back at the bottom as those of the quotient. */
+    /* (|n| + half) / d without its rest, where half is d / 2 or, for a negative n, (d - 1) / 2.
+     * Bytes of n leave at the top and come back at the bottom as those of the quotient. */
     BEGIN(loft_avr_quotient)
     "push r28\n push r29\n movw r26, r14\n movw r30, r16\n bst r25, 7\n brtc 1f\n"
     "call loft_avr_negate\n sbiw r26, 1\n sbci r30, 0\n sbci r31, 0\n"
     "1: lsr r31\n ror r30\n ror r27\n ror r26\n"
     "add r18, r26\n adc r19, r27\n adc r20, r30\n adc r21, r31\n"
-    "adc r22, __zero_reg__\n adc r23, __zero_reg__\n adc r24, __zero_reg__\n adc r25, __zero_reg__\n"
+    "adc r22, __zero_reg__\n adc r23, __zero_reg__\n adc r24, __zero_reg__\n"
+    "adc r25, __zero_reg__\n"
     "clr r26\n clr r27\n movw r30, r26\n ldi r29, 8\n"
     "2: tst r25\n brne 3f\n"
     "rcall 9f\n dec r29\n brne 2b\n rjmp 8f\n"
@@ -185,7 +225,8 @@ __asm__ (
     "5: dec r28\n brne 4b\n"
     "rcall 9f\n dec r29\n brne 3b\n"
     "8: pop r29\n pop r28\n brtc 7f\n jmp loft_avr_negate\n"
-    "9: mov __tmp_reg__, r25\n mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n mov r19, r18\n"
+    "9: mov __tmp_reg__, r25\n mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n"
+    "mov r21, r20\n mov r20, r19\n mov r19, r18\n"
     "mov r18, __tmp_reg__\n"
     "7: ret\n"
     END(loft_avr_quotient)
@@ -193,21 +234,28 @@ __asm__ (
     /* j 2^24 by n */
     BEGIN(loft_unit_of)
     "push r14\n push r15\n push r16\n push r17\n movw r14, r18\n movw r16, r20\n"
-    "clr r18\n clr r19\n clr r20\n mov r21, r22\n mov r22, r23\n mov r23, r24\n mov r24, r25\n clr r25\n"
-    "call " TEXT(loft_avr_quotient) "\n movw r22, r18\n movw r24, r20\n pop r17\n pop r16\n pop r15\n pop r14\n ret\n"
+    "clr r18\n clr r19\n clr r20\n mov r21, r22\n mov r22, r23\n mov r23, r24\n mov r24, r25\n"
+    "clr r25\n"
+    "call " TEXT(loft_avr_quotient) "\n movw r22, r18\n movw r24, r20\n pop r17\n pop r16\n"
+    "pop r15\n pop r14\n ret\n"
     END(loft_unit_of)
 
     BEGIN(loft_acc_div)
-    "movw r24, r22\n movw r22, r20\n movw r20, r18\n clr r18\n clr r19\n sbrs r17, 7\n jmp " TEXT(loft_avr_quotient) "\n"
-    "call loft_avr_negate\n call loft_avr_opposite\n call " TEXT(loft_avr_quotient) "\n jmp loft_avr_opposite\n"
+    "movw r24, r22\n movw r22, r20\n movw r20, r18\n clr r18\n clr r19\n sbrs r17, 7\n"
+    "jmp " TEXT(loft_avr_quotient) "\n"
+    "call loft_avr_negate\n call loft_avr_opposite\n call " TEXT(loft_avr_quotient) "\n"
+    "jmp loft_avr_opposite\n"
     END(loft_acc_div)
 
-    /* |x| and y are halved until y is below 2^38. Bit by bit from the whole one on; the last rest, doubled, rounds. */
+    /* |x| and y are halved until y is below 2^38. Bit by bit from the whole one on; the last rest,
+     * doubled, rounds. */
     BEGIN(loft_unit_ratio)
     "bst r25, 7\n brtc 1f\n call loft_avr_negate\n"
-    "1: ldi r26, 63\n cp r26, r14\n cpc __zero_reg__, r15\n cpc __zero_reg__, r16\n cpc __zero_reg__, r17\n brcc 4f\n"
+    "1: ldi r26, 63\n cp r26, r14\n cpc __zero_reg__, r15\n cpc __zero_reg__, r16\n"
+    "cpc __zero_reg__, r17\n brcc 4f\n"
     PUSH8
-    "2: " HALVE_N HALVE_D "cp r26, r14\n cpc __zero_reg__, r15\n cpc __zero_reg__, r16\n cpc __zero_reg__, r17\n brcs 2b\n"
+    "2: " HALVE_N HALVE_D "cp r26, r14\n cpc __zero_reg__, r15\n cpc __zero_reg__, r16\n"
+    "cpc __zero_reg__, r17\n brcs 2b\n"
     "rcall 4f\n" POP8 "ret\n"
     "4: clr r26\n clr r27\n movw r30, r26\n ldi r23, 25\n"
     "5: lsl r26\n rol r27\n rol r30\n rol r31\n"
@@ -226,8 +274,8 @@ __asm__ (
     "1: ret\n"
     END(loft_avr_signed)
 
-    /* |x| and y are halved until |x| is below 2^47; then y is doubled until it is more, for each time there is one more round. A last round is
-     * for rounding. */
+    /* |x| and y are halved until |x| is below 2^47; then y is doubled until it is more, for each
+     * time there is one more round. A last round is for rounding. */
     BEGIN(loft_acc_quot)
     "bst r25, 7\n brtc 1f\n call loft_avr_negate\n"
     "1: " PUSH8 "rjmp 3f\n"
@@ -235,20 +283,25 @@ __asm__ (
     "3: mov r26, r23\n andi r26, 0x80\n or r26, r24\n or r26, r25\n brne 2b\n"
     "ldi r26, 17\n mov __tmp_reg__, r26\n clr r26\n clr r27\n movw r30, r26\n"
     "4: " LESS8 "brcs 5f\n"
-    "lsl r10\n rol r11\n rol r12\n rol r13\n rol r14\n rol r15\n rol r16\n rol r17\n inc __tmp_reg__\n rjmp 4b\n"
+    "lsl r10\n rol r11\n rol r12\n rol r13\n rol r14\n rol r15\n rol r16\n rol r17\n"
+    "inc __tmp_reg__\n rjmp 4b\n"
     "5: lsl r26\n rol r27\n rol r30\n rol r31\n"
-    "lsl r18\n rol r19\n rol r20\n rol r21\n rol r22\n rol r23\n rol r24\n rol r25\n" LESS8 "brcs 6f\n"
-    "sub r18, r10\n sbc r19, r11\n sbc r20, r12\n sbc r21, r13\n sbc r22, r14\n sbc r23, r15\n sbc r24, r16\n sbc r25, r17\n inc r26\n"
+    "lsl r18\n rol r19\n rol r20\n rol r21\n rol r22\n rol r23\n rol r24\n rol r25\n"
+    "" LESS8 "brcs 6f\n"
+    "sub r18, r10\n sbc r19, r11\n sbc r20, r12\n sbc r21, r13\n sbc r22, r14\n sbc r23, r15\n"
+    "sbc r24, r16\n sbc r25, r17\n inc r26\n"
     "6: dec __tmp_reg__\n brne 5b\n"
-    "lsr r31\n ror r30\n ror r27\n ror r26\n adc r26, __zero_reg__\n adc r27, __zero_reg__\n adc r30, __zero_reg__\n adc r31, __zero_reg__\n"
+    "lsr r31\n ror r30\n ror r27\n ror r26\n adc r26, __zero_reg__\n adc r27, __zero_reg__\n"
+    "adc r30, __zero_reg__\n adc r31, __zero_reg__\n"
     POP8 "jmp loft_avr_signed\n"
     END(loft_acc_quot)
 
-    /* Digit by digit, two bits of x a round: r12:r31:r30:r27:r26 is the rest, r17..r13 the root times 2. The root is
-     * one more where the rest exceeds it. */
+    /* Digit by digit, two bits of x a round: r12:r31:r30:r27:r26 is the rest, r17..r13 the root
+     * times 2. The root is one more where the rest exceeds it. */
     BEGIN(loft_avr_root)
     "push r12\n push r13\n push r14\n push r15\n push r16\n push r17\n push r28\n push r29\n"
-    "clr r12\n clr r13\n movw r14, r12\n clr r16\n clr r17\n movw r26, r14\n movw r30, r14\n ldi r29, 8\n"
+    "clr r12\n clr r13\n movw r14, r12\n clr r16\n clr r17\n movw r26, r14\n movw r30, r14\n"
+    "ldi r29, 8\n"
     "1: tst r25\n brne 2f\n rcall 9f\n dec r29\n brne 1b\n rjmp 6f\n"
     "2: ldi r28, 4\n"
     "3: lsl r25\n rol r26\n rol r27\n rol r30\n rol r31\n rol r12\n"
@@ -261,9 +314,11 @@ __asm__ (
     "6: lsr r17\n ror r16\n ror r15\n ror r14\n ror r13\n"
     "cp r13, r26\n cpc r14, r27\n cpc r15, r30\n cpc r16, r31\n cpc r17, r12\n"
     "mov r22, r13\n mov r23, r14\n mov r24, r15\n mov r25, r16\n"
-    "adc r22, __zero_reg__\n adc r23, __zero_reg__\n adc r24, __zero_reg__\n adc r25, __zero_reg__\n"
+    "adc r22, __zero_reg__\n adc r23, __zero_reg__\n adc r24, __zero_reg__\n"
+    "adc r25, __zero_reg__\n"
     "pop r29\n pop r28\n pop r17\n pop r16\n pop r15\n pop r14\n pop r13\n pop r12\n ret\n"
-    "9: mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n mov r19, r18\n ret\n"
+    "9: mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n"
+    "mov r19, r18\n ret\n"
     END(loft_avr_root)
 );
 

@@ -1,8 +1,8 @@
 /* lib/num/avr.h -- wide arithmetic out of line, for avr-gcc
  * SPDX-License-Identifier: MIT
  *
- * avr-gcc expands every operation of 64 bits in place and divides and multiplies by shifts of single bits; these are the same
- * operations once, in registers. No other compiler sees this file.
+ * avr-gcc expands every operation of 64 bits in place and divides and multiplies by shifts of
+ * single bits; these are the same operations once, in registers. No other compiler sees this file.
  */
 #ifndef LOFT_NUM_AVR_H
 #define LOFT_NUM_AVR_H
@@ -10,6 +10,8 @@
 #include <stdint.h>
 
 #include "config.h"     /* names, so that the symbols carry their arithmetic */
+
+LOFT_BEGIN_C
 
 /* x times t / 2^24 and x times a / 2^16, rounded to nearest, ties upward.
  *
@@ -75,5 +77,7 @@ static inline uint32_t loft_avr_flash(const uint32_t *entry)
     __asm__ ("lpm %A0, Z+\n lpm %B0, Z+\n lpm %C0, Z+\n lpm %D0, Z+" : "=&r" (x), "+z" (entry));
     return x;
 }
+
+LOFT_END_C
 
 #endif

@@ -10,7 +10,8 @@
 
 static bool negative(const loft_deep *x) { return x->limb[LIMBS - 1] >> 31 != 0; }
 
-/* x += (y ^ flip) + carry; returns the carry out of the top. All in 32 bits: an 8-bit core has no more. */
+/* x += (y ^ flip) + carry; returns the carry out of the top. All in 32 bits: an 8-bit core has no
+ * more. */
 static uint32_t accumulate(loft_deep *x, const loft_deep *y, uint32_t flip, uint32_t carry)
 {
     for (int k = 0; k < LIMBS; k++) {
@@ -66,7 +67,8 @@ loft_deep loft_deep_times(loft_deep x, uint32_t k)
 /* By one limb, and by 14 bits. */
 loft_deep loft_deep_guarded(loft_acc x)
 {
-    const loft_deep r = { { 0, loft_acc_low(x), (uint32_t)loft_acc_high(x), x < 0 ? 0xffffffffu : 0 } };
+    const loft_deep r = { { 0, loft_acc_low(x), (uint32_t)loft_acc_high(x),
+                            x < 0 ? 0xffffffffu : 0 } };
     return loft_deep_times(r, 16384);
 }
 
@@ -78,7 +80,8 @@ void loft_deep_step(loft_deep d[], unsigned degree)
 
 bool loft_deep_accepts(loft_real a) { (void)a; return true; }
 
-/* (|y - x| |t| + 2^23) / 2^24: five limbs, less than 2^126 * 2^25 + 2^23. Four limbs are cut out above bit 24. */
+/* (|y - x| |t| + 2^23) / 2^24: five limbs, less than 2^126 * 2^25 + 2^23. Four limbs are cut out
+ * above bit 24. */
 loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t)
 {
     const loft_deep difference = loft_deep_sub(y, x), opposite = negated(&difference);
@@ -125,7 +128,8 @@ loft_acc loft_deep_wide(loft_deep x, uint32_t k)
     return minus ? -whole : whole;
 }
 
-/* |y - x| j / n with j <= n < 2^32: a product of five limbs, and a division limb by limb, the rest below n. */
+/* |y - x| j / n with j <= n < 2^32: a product of five limbs, and a division limb by limb, the rest
+ * below n. */
 loft_deep loft_deep_lerp_in(loft_deep x, loft_deep y, loft_real a, loft_real lo, loft_real hi)
 {
     const uint32_t j = (uint32_t)a - (uint32_t)lo, n = (uint32_t)hi - (uint32_t)lo;
@@ -141,8 +145,8 @@ loft_deep loft_deep_lerp_in(loft_deep x, loft_deep y, loft_real a, loft_real lo,
     return down ? loft_deep_sub(x, part) : loft_deep_add(x, part);
 }
 
-/* Digit by digit: the first round finds the whole part of |x| / w, which is 0 or 1, the next 31 the bits below.
- * Ties go upward: away from 0 for a positive x only. */
+/* Digit by digit: the first round finds the whole part of |x| / w, which is 0 or 1, the next 31 the
+ * bits below. Ties go upward: away from 0 for a positive x only. */
 static loft_real signed_quotient(uint32_t q, bool minus, bool above, bool tie)
 {
     if (above || (tie && !minus))
@@ -167,16 +171,19 @@ loft_real loft_acc_project(loft_acc x, loft_acc w)
     return signed_quotient(q, x < 0, rest > d, rest == d);
 }
 
-/* The halves of w apart: high a 2^32 / 2^31, and low a / 2^31, |low a| < 2^63 - 2^31, with 1/2 added. */
+/* The halves of w apart: high a 2^32 / 2^31, and low a / 2^31, |low a| < 2^63 - 2^31, with 1/2
+ * added. */
 loft_acc loft_acc_weigh(loft_acc w, loft_real a)
 {
     const int64_t low = (int64_t)loft_acc_low(w) * a + 1073741824;
 
-    return (int64_t)loft_acc_high(w) * a * 2 + (int64_t)loft_acc_high(low) * 2 + (loft_acc_low(low) >> 31);
+    return (int64_t)loft_acc_high(w) * a * 2 + (int64_t)loft_acc_high(low) * 2 +
+           (loft_acc_low(low) >> 31);
 }
 
-/* 2^15 x / (2^15 h), and 2^15 h < 2^63. With e = |x| - 2^15 h it rounds to a coordinate when e / (2^15 h) is below
- * -2^-32, or at most 2^-32 where x is negative: of whole numbers, compared with the whole part of 2^15 h / 2^32. */
+/* 2^15 x / (2^15 h), and 2^15 h < 2^63. With e = |x| - 2^15 h it rounds to a coordinate when e /
+ * (2^15 h) is below -2^-32, or at most 2^-32 where x is negative: of whole numbers, compared with
+ * the whole part of 2^15 h / 2^32. */
 bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
 {
     const loft_acc w = h * LOFT_PROJECT, beyond = (x < 0 ? -x : x) - w;
@@ -226,14 +233,17 @@ bool loft_deep_rate(loft_deep x, loft_deep w, loft_real *out)
     return true;
 }
 
-/* x, w and v have a factor in common, of which the quotient has none. Five products, quotients and differences, each
- * off by 2^-61 of its result. */
-bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_deep v, int32_t k, loft_acc *out)
+/* x, w and v have a factor in common, of which the quotient has none. Five products, quotients and
+ * differences, each off by 2^-61 of its result. */
+bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_deep v, int32_t k,
+                     loft_acc *out)
 {
-    const loft_sci by = loft_sci_from_deep(v), w0 = loft_sci_from_deep(w[0]), w1 = loft_sci_from_deep(w[1]);
+    const loft_sci by = loft_sci_from_deep(v), w0 = loft_sci_from_deep(w[0]),
+                   w1 = loft_sci_from_deep(w[1]);
     const loft_sci x0 = loft_sci_from_deep(loft_deep_times(x[0], (uint32_t)k));
     const loft_sci x1 = loft_sci_from_deep(loft_deep_times(x[1], (uint32_t)k));
-    const loft_sci rise = loft_sci_div(loft_sci_mul(x1, w0), by), fall = loft_sci_div(loft_sci_mul(x0, w1), by);
+    const loft_sci rise = loft_sci_div(loft_sci_mul(x1, w0), by),
+                   fall = loft_sci_div(loft_sci_mul(x0, w1), by);
 
     return loft_sci_wide(loft_sci_div(loft_sci_sub(rise, fall), by), out);
 }
@@ -250,9 +260,18 @@ bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
     return true;
 }
 
-loft_real loft_acc_project(loft_acc x, loft_acc w)              { return loft_acc_round(x / w * LOFT_PROJECT); }
-loft_acc  loft_acc_weigh(loft_acc w, loft_real a)               { return w / LOFT_PROJECT * (loft_acc)a; }
-loft_real loft_deep_project(loft_deep x, loft_deep w)           { return loft_acc_round(x / w * LOFT_PROJECT); }
+loft_real loft_acc_project(loft_acc x, loft_acc w)
+{
+    return loft_acc_round(x / w * LOFT_PROJECT);
+}
+loft_acc loft_acc_weigh(loft_acc w, loft_real a)
+{
+    return w / LOFT_PROJECT * (loft_acc)a;
+}
+loft_real loft_deep_project(loft_deep x, loft_deep w)
+{
+    return loft_acc_round(x / w * LOFT_PROJECT);
+}
 bool      loft_deep_below(loft_deep x, loft_deep y)             { return x < y; }
 loft_deep loft_deep_of(loft_acc x)                              { return x; }
 loft_deep loft_deep_guarded(loft_acc x)                         { return x; }
@@ -261,7 +280,10 @@ loft_deep loft_deep_add(loft_deep x, loft_deep y)               { return x + y; 
 loft_deep loft_deep_sub(loft_deep x, loft_deep y)               { return x - y; }
 loft_deep loft_deep_times(loft_deep x, uint32_t k)              { return x * k; }
 loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t) { return loft_acc_lerp(x, y, t); }
-bool      loft_deep_accepts(loft_real a)                        { return (double)a > -0x1p900 && (double)a < 0x1p900; }
+bool loft_deep_accepts(loft_real a)
+{
+    return (double)a > -0x1p900 && (double)a < 0x1p900;
+}
 
 loft_deep loft_deep_lerp_in(loft_deep x, loft_deep y, loft_real a, loft_real lo, loft_real hi)
 {
@@ -284,7 +306,8 @@ void loft_deep_step(loft_deep d[], unsigned degree)
         d[k] += d[k + 1];
 }
 
-bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_deep v, int32_t k, loft_acc *out)
+bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_deep v, int32_t k,
+                     loft_acc *out)
 {
     *out = k * (x[1] / v * (w[0] / v) - x[0] / v * (w[1] / v));
     return *out >= -DBL_MAX && *out <= DBL_MAX;

@@ -1,8 +1,8 @@
 /* lib/num/deep.h -- numbers deeper than loft_acc, for curves with weights
  * SPDX-License-Identifier: MIT
  *
- * A point of a rational curve is the pair (x, w) of a sum of weighted points and a sum of weights. Both are
- * kept at one scale: with a coordinate p and a weight v,
+ * A point of a rational curve is the pair (x, w) of a sum of weighted points and a sum of weights.
+ * Both are kept at one scale: with a coordinate p and a weight v,
  *
  *     x = loft_prod(p, v)        w = loft_wide(v) * LOFT_PROJECT        loft_acc_project(x, w) = p
  *
@@ -14,6 +14,8 @@
 #define LOFT_NUM_DEEP_H
 
 #include "num/num.h"    /* loft_real, loft_unit, loft_acc */
+
+LOFT_BEGIN_C
 
 #define LOFT_PROJECT 32768
 
@@ -52,7 +54,8 @@ loft_acc loft_acc_weigh(loft_acc w, loft_real a);
  */
 loft_real loft_deep_project(loft_deep x, loft_deep w);
 
-/* The same of any deep numbers, where w > 0; false, and *out untouched, when the result does not fit.
+/* The same of any deep numbers, where w > 0; false, and *out untouched, when the result does not
+ * fit.
  *
  *   error   as loft_acc_project
  *   cost    q16: 33 rounds of 128 bits
@@ -105,7 +108,8 @@ bool      loft_deep_below(loft_deep x, loft_deep y);
  */
 void loft_deep_step(loft_deep d[], unsigned degree);
 
-/* Is a coordinate small enough for a walk? f64: below 2^900, to leave room for a weight and n^degree.
+/* Is a coordinate small enough for a walk? f64: below 2^900, to leave room for a weight and
+ * n^degree.
  *
  *   error   none
  *   cost    two comparisons
@@ -115,13 +119,14 @@ bool loft_deep_accepts(loft_real a);
 /* x at t = 0, y at t = 1.
  *
  *   range   t in -1..2; q16: |x|, |y| < 2^125, and the result
- *   error   q16: 1/2 of the last bit   f32, f64: 2 ulp of double of the larger of |x|, |y|, outside 0..1 three times
- *           that; none at 0 and 1
+ *   error   q16: 1/2 of the last bit   f32, f64: 2 ulp of double of the larger of |x|, |y|, outside
+ *           0..1 three times that; none at 0 and 1
  *   cost    q16: 5 products of 32 bits
  */
 loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t);
 
-/* x at a = lo, y at a = hi, and between them exactly where a lies between lo and hi, as loft_acc_lerp_in.
+/* x at a = lo, y at a = hi, and between them exactly where a lies between lo and hi, as
+ * loft_acc_lerp_in.
  *
  *   range   lo <= a <= hi, lo < hi; q16: |x|, |y| < 2^125
  *   error   q16: 1/2 of the last bit   f32, f64: as loft_acc_lerp_in; none at lo and hi
@@ -129,13 +134,17 @@ loft_deep loft_deep_lerp(loft_deep x, loft_deep y, loft_unit t);
  */
 loft_deep loft_deep_lerp_in(loft_deep x, loft_deep y, loft_real a, loft_real lo, loft_real hi);
 
-/* k (x[1] w[0] - x[0] w[1]) / (v v), v between w[0] and w[1], as a wide value; false, and *out untouched, when that
- * does not fit (q16: 2^31). All guarded and not projected: weights without the factor LOFT_PROJECT.
+/* k (x[1] w[0] - x[0] w[1]) / (v v), v between w[0] and w[1], as a wide value; false, and *out
+ * untouched, when that does not fit (q16: 2^31). All guarded and not projected: weights without the
+ * factor LOFT_PROJECT.
  *
  *   range   v > 0, k = 0..9
  *   error   q16: 2^-33 + 2^-58 of the result's two parts   f32, f64: 4 ulp of double of the parts
  *   cost    q16: 2 products of 64 bits and 3 quotients of 63 rounds
  */
-bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_deep v, int32_t k, loft_acc *out) LOFT_CHECKED;
+bool loft_deep_slope(const loft_deep x[2], const loft_deep w[2], loft_deep v, int32_t k,
+                     loft_acc *out) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

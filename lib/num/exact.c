@@ -1,8 +1,8 @@
 /* lib/num/exact.c -- the classical algorithms on limbs of 32 bits
  * SPDX-License-Identifier: MIT
  *
- * Two's complement makes sums, differences and products the same for all signs: they are those of unsigned
- * numbers, cut to the width.
+ * Two's complement makes sums, differences and products the same for all signs: they are those of
+ * unsigned numbers, cut to the width.
  */
 #include "num/exact.h"
 
@@ -31,13 +31,22 @@ static void accumulate(loft_exact *a, const loft_exact *b, uint32_t flip, uint32
 }
 
 static void add_to(loft_exact *a, const loft_exact *b)          { accumulate(a, b, 0, 0); }
-static void subtract_from(loft_exact *a, const loft_exact *b)   { accumulate(a, b, 0xffffffffu, 1); }
+static void subtract_from(loft_exact *a, const loft_exact *b)
+{
+    accumulate(a, b, 0xffffffffu, 1);
+}
 
-loft_exact loft_exact_neg(loft_exact a)               { loft_exact r = zero; subtract_from(&r, &a); return r; }
+loft_exact loft_exact_neg(loft_exact a)
+{
+    loft_exact r = zero;
+    subtract_from(&r, &a);
+    return r;
+}
 loft_exact loft_exact_add(loft_exact a, loft_exact b) { add_to(&a, &b); return a; }
 loft_exact loft_exact_sub(loft_exact a, loft_exact b) { subtract_from(&a, &b); return a; }
 
-/* The sum of a partial product, a digit and a carry is at most (2^32 - 1)^2 + 2 (2^32 - 1) < 2^64. */
+/* The sum of a partial product, a digit and a carry is at most (2^32 - 1)^2 + 2 (2^32 - 1) <
+ * 2^64. */
 loft_exact loft_exact_mul(loft_exact a, loft_exact b)
 {
     loft_exact r = zero;
@@ -177,7 +186,8 @@ loft_exact loft_exact_root(loft_exact a)
         return zero;
     for (int k = (loft_exact_bits(a) + 1) / 2 - 1; k >= 0; k--) {
         loft_exact trial = r;
-        trial.limb[2 * k / 32] |= (uint32_t)1 << (2 * k % 32);      /* r holds only bits above this one */
+        /* r holds only bits above this one */
+        trial.limb[2 * k / 32] |= (uint32_t)1 << (2 * k % 32);
         trial = loft_exact_sub(a, trial);
         r = shift_right(&r, 1);
         if (!negative(&trial)) {
@@ -206,8 +216,9 @@ static loft_exact reduced(loft_exact a, int *cut)
     return excess > 0 ? loft_exact_shift(a, -excess) : a;
 }
 
-/* a / b * 2^s to nearest, of which is known that it is below 2^63. Of a and b at most 160 bits count, so
- * that neither of them exceeds 288 bits when shifted: |s| makes both about as long as the other, or 64 bits longer. */
+/* a / b * 2^s to nearest, of which is known that it is below 2^63. Of a and b at most 160 bits
+ * count, so that neither of them exceeds 288 bits when shifted: |s| makes both about as long as the
+ * other, or 64 bits longer. */
 static int64_t quotient(loft_exact a, loft_exact b, int s)
 {
     int cut_a, cut_b;
@@ -313,3 +324,13 @@ bool loft_exact_quot(loft_exact a, loft_exact b, int s, loft_acc *out)
 }
 
 #endif
+
+bool loft_exact_quot_real(loft_exact a, loft_exact b, int s, loft_real *out)
+{
+    loft_acc x;
+
+    if (!loft_exact_quot(a, b, s, &x) || !loft_acc_fits(x))
+        return false;
+    *out = loft_acc_round(x);
+    return true;
+}

@@ -1,31 +1,36 @@
 /* lib/num/exact.h -- whole numbers wide enough that no decision depends on rounding
  * SPDX-License-Identifier: MIT
  *
- * Whether three points turn left, whether a curve has a cusp, whether two edges are parallel: such answers
- * are signs of sums of products of coordinates, and they are exact here, in every number type. A coordinate
- * x becomes the whole number x * 2^LOFT_EXACT_REAL, a parameter t the whole number t * 2^LOFT_EXACT_UNIT:
+ * Whether three points turn left, whether a curve has a cusp, whether two edges are parallel: such
+ * answers are signs of sums of products of coordinates, and they are exact here, in every number
+ * type. A coordinate x becomes the whole number x * 2^LOFT_EXACT_REAL, a parameter t the whole
+ * number t * 2^LOFT_EXACT_UNIT:
  *
- *     const loft_exact ax = loft_exact_sub(loft_exact_from_real(p1.axis[0]), loft_exact_from_real(p0.axis[0]));
+ *     const loft_exact ax = loft_exact_sub(loft_exact_from_real(p1.axis[0]),
+ *                                          loft_exact_from_real(p0.axis[0]));
  *     ...
  *     const int turn = loft_exact_sign(loft_exact_det(ax, ay, bx, by));
  *
- * Nothing may exceed LOFT_EXACT_BITS; who multiplies shows that it does not. With coordinates below 2^R
- * (R = 31 in q16, 128 in floats) a sum of m products of d differences each is below m * 2^(d (R + 1)): thirteen
- * factors fit in q16, eight in floats.
+ * Nothing may exceed LOFT_EXACT_BITS; who multiplies shows that it does not. With coordinates below
+ * 2^R (R = 31 in q16, 128 in floats) a sum of m products of d differences each is below m * 2^(d (R
+ * + 1)): thirteen factors fit in q16, eight in floats.
  *
  *   range   q16: any coordinate
- *           f32, f64: multiples of 2^-108 below 2^20 in size, which are all doubles from 1.4e-17 and all
- *           floats from 2.6e-26 to 1048575, and 0; loft_exact_admits says whether a number is one
+ *           f32, f64: multiples of 2^-108 below 2^20 in size, which are all doubles from 1.4e-17
+ *           and all floats from 2.6e-26 to 1048575, and 0; loft_exact_admits says whether a number
+ *           is one
  *   error   none, where nothing else is said
- *   cost    56 bytes a number in q16, 136 in floats; a product takes about 100 products of 32 bits in q16
- *           and 600 in floats, less for a small first factor >= 0; sums take one pass. Stack in q16: up to 1 kB
- *           for a quotient, 0.5 kB for anything else. Not for an ISR
+ *   cost    56 bytes a number in q16, 136 in floats; a product takes about 100 products of 32 bits
+ *           in q16 and 600 in floats, less for a small first factor >= 0; sums take one pass. Stack
+ *           in q16: up to 1 kB for a quotient, 0.5 kB for anything else. Not for an ISR
  *   see     Knuth, The Art of Computer Programming, vol. 2, 4.3.1: the classical algorithms
  */
 #ifndef LOFT_NUM_EXACT_H
 #define LOFT_NUM_EXACT_H
 
 #include "num/num.h"    /* loft_real, loft_unit, loft_acc */
+
+LOFT_BEGIN_C
 
 #if LOFT_NUM == LOFT_Q16
 #  define LOFT_EXACT_LIMBS 14
@@ -110,5 +115,15 @@ loft_exact loft_exact_hypot(const loft_exact x[], int n);
  *   cost    about 64 rounds of loft_exact_div
  */
 bool       loft_exact_quot(loft_exact a, loft_exact b, int s, loft_acc *out) LOFT_CHECKED;
+
+/* The same as a coordinate; false, and *out untouched, when it does not fit one.
+ *
+ *   range   b != 0
+ *   error   that of loft_exact_quot, and q16: 1/2 LSB   f32: 1/2 ulp   f64: none
+ *   cost    as loft_exact_quot
+ */
+bool       loft_exact_quot_real(loft_exact a, loft_exact b, int s, loft_real *out) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

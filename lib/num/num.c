@@ -6,8 +6,8 @@
 
 #if LOFT_NUM == LOFT_Q16
 
-/* The largest r with r^2 <= x, digit by digit (two bits of x a round); the rest tells x > (r + 1/2)^2 = r^2 + r + 1/4.
- * x < 2^63, so r < 2^31.5 and (2r+1) << 2k below stays within 64 bits. */
+/* The largest r with r^2 <= x, digit by digit (two bits of x a round); the rest tells x > (r +
+ * 1/2)^2 = r^2 + r + 1/4. x < 2^63, so r < 2^31.5 and (2r+1) << 2k below stays within 64 bits. */
 static uint32_t square_root(uint64_t x)
 {
 #if defined(__AVR__)
@@ -50,7 +50,8 @@ static uint8_t bits_above(uint64_t x, uint8_t bits)
     return down;
 }
 
-/* With y below 2^38 the quotient has all 24 bits; a larger y, and x with it, loses low bits: 2^-37 of y each. */
+/* With y below 2^38 the quotient has all 24 bits; a larger y, and x with it, loses low bits: 2^-37
+ * of y each. */
 loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
 {
     uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)y;
@@ -102,10 +103,10 @@ static uint64_t shift(uint64_t x, int8_t down)
 #endif
 }
 
-/* All components are brought to the same scale, the largest L to 2^29 <= L < 2^30, so that six squares
- * sum to at most 6 * 2^60 < 2^63. Scaled down, each component errs by at most 1/2, the result therefore by
- * 1/2 sum |x_i| / |x|, and its root by 1/2 again: together less than 1.29 units of 2^-29 L (the worst
- * of six: five are 0.29 L). Scaled up nothing is lost before the root. */
+/* All components are brought to the same scale, the largest L to 2^29 <= L < 2^30, so that six
+ * squares sum to at most 6 * 2^60 < 2^63. Scaled down, each component errs by at most 1/2, the
+ * result therefore by 1/2 sum |x_i| / |x|, and its root by 1/2 again: together less than 1.29 units
+ * of 2^-29 L (the worst of six: five are 0.29 L). Scaled up nothing is lost before the root. */
 loft_acc loft_acc_hypot(const loft_acc x[], int n)
 {
     uint64_t all = 0, sum = 0;
@@ -123,8 +124,8 @@ loft_acc loft_acc_hypot(const loft_acc x[], int n)
     return (loft_acc)shift(square_root(sum), (int8_t)-down);
 }
 
-/* Between lo and hi there are n < 2^32 steps, a is step j. |y - x| = q n + r with r < n, so q j <= |y - x| < 2^63 and
- * r j < 2^64: the result q j + r j / n is rounded once, a tie away from x. */
+/* Between lo and hi there are n < 2^32 steps, a is step j. |y - x| = q n + r with r < n, so q j <=
+ * |y - x| < 2^63 and r j < 2^64: the result q j + r j / n is rounded once, a tie away from x. */
 loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi)
 {
     const uint32_t j = (uint32_t)a - (uint32_t)lo, n = (uint32_t)hi - (uint32_t)lo;
@@ -142,13 +143,15 @@ loft_real loft_acc_sqrt(loft_acc x) { return (loft_real)loft_sci_sqrt(x); }
 
 loft_real loft_acc_quot(loft_acc x, loft_acc y) { return (loft_real)(x / y); }
 
-/* Each share is right to 3 roundings of itself, and its product to one more; the sum is the fifth. No share is 1
- * minus the other: where values of one sign differ much, the small one keeps all its digits. */
+/* Each share is right to 3 roundings of itself, and its product to one more; the sum is the fifth.
+ * No share is 1 minus the other: where values of one sign differ much, the small one keeps all its
+ * digits. */
 loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi)
 {
     const loft_acc length = loft_wide(hi) - loft_wide(lo);
 
-    return (loft_wide(hi) - loft_wide(a)) / length * x + (loft_wide(a) - loft_wide(lo)) / length * y;
+    return (loft_wide(hi) - loft_wide(a)) / length * x +
+           (loft_wide(a) - loft_wide(lo)) / length * y;
 }
 
 /* Scaled by the largest component, so that no square overflows or vanishes. */

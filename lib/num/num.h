@@ -16,7 +16,8 @@
  *   loft_prod(a, b)                         product of two reals as acc, exactly in q16 and f32
  *   loft_acc_lerp(x, y, t)                  acc between two accs
  *   loft_acc_lerp_at(x, y, j, n)            acc between two accs, at exactly j / n
- *   loft_acc_lerp_in(x, y, a, lo, hi)       acc between two accs, exactly where a lies between two reals
+ *   loft_acc_lerp_in(x, y, a, lo, hi)       acc between two accs, exactly where a lies between two
+ *                                           reals
  *   loft_acc_blend(x, y, z, v, w)           acc between three accs: x at 0 0, y at 1 0, z at 0 1
  *   loft_acc_mean(x, y)                     acc in the middle of two accs
  *   loft_acc_size(x)     loft_real_size(a)  |x|, |a|
@@ -68,6 +69,8 @@
 #  error "LOFT_NUM must be LOFT_Q16, LOFT_F32 or LOFT_F64 (see config.h)"
 #endif
 
+LOFT_BEGIN_C
+
 /* The square root of x.
  *
  *   range   q16: x <= 2^30 - 1/2, above that LOFT_REAL_MAX; a negative x gives 0
@@ -84,11 +87,12 @@ loft_real loft_acc_sqrt(loft_acc x);
  */
 loft_real loft_acc_quot(loft_acc x, loft_acc y);
 
-/* x at a = lo, y at a = hi, and between them exactly where a lies between lo and hi: no parameter is rounded.
+/* x at a = lo, y at a = hi, and between them exactly where a lies between lo and hi: no parameter
+ * is rounded.
  *
  *   range   lo <= a <= hi, lo < hi, any size; q16: |x|, |y| < 2^30
- *   error   q16: 2^-33   f32, f64: 5 ulp of double of the larger of |x|, |y|, and 5 ulp of the result when both
- *           are positive; none at lo and hi
+ *   error   q16: 2^-33   f32, f64: 5 ulp of double of the larger of |x|, |y|, and 5 ulp of the
+ *           result when both are positive; none at lo and hi
  *   cost    q16: two 64-bit divisions with remainder; floats: two divisions
  */
 loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi);
@@ -112,5 +116,7 @@ loft_acc loft_acc_hypot(const loft_acc x[], int n);
 loft_unit loft_unit_ratio(loft_acc x, loft_acc y);
 
 #endif
+
+LOFT_END_C
 
 #endif

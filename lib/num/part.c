@@ -33,8 +33,9 @@ static twice product(uint64_t x, uint64_t y)
     return r;
 }
 
-/* Long division, bit by bit. The rest stays below z < 2^63, so twice the rest fits; the quotient is below 2^63,
- * so the upper half of the product is below z / 2 and nothing of the quotient is lost. */
+/* Long division, bit by bit. The rest stays below z < 2^63, so twice the rest fits; the quotient is
+ * below 2^63, so the upper half of the product is below z / 2 and nothing of the quotient is
+ * lost. */
 loft_acc loft_acc_part(loft_acc x, loft_acc y, loft_acc z)
 {
     const twice p = product(size_of(x), size_of(y));
@@ -54,7 +55,8 @@ loft_acc loft_acc_part(loft_acc x, loft_acc y, loft_acc z)
     return (x < 0) != (y < 0) ? -(loft_acc)q : (loft_acc)q;
 }
 
-/* For h >= 1 the result is at most 9 |x|. Below 1, h 2^26 fits a loft_acc, and its share by k is what x may be. */
+/* For h >= 1 the result is at most 9 |x|. Below 1, h 2^26 fits a loft_acc, and its share by k is
+ * what x may be. */
 bool loft_acc_grow(loft_acc *x, int32_t k, loft_acc h)
 {
     const loft_acc most = loft_wide(LOFT_REAL(1)) * 67108864, size = *x < 0 ? -*x : *x;
@@ -65,7 +67,8 @@ bool loft_acc_grow(loft_acc *x, int32_t k, loft_acc h)
     return true;
 }
 
-/* The root of x < 2^122, to nearest: as in num.c, two bits of x a round. All of trial is below 2^123. */
+/* The root of x < 2^122, to nearest: as in num.c, two bits of x a round. All of trial is below
+ * 2^123. */
 static uint64_t root_of(twice x)
 {
     twice r = { 0, 0 }, bit = { (uint64_t)1 << 58, 0 };
@@ -86,7 +89,8 @@ static uint64_t root_of(twice x)
     return r.low + (x.high || x.low > r.low);
 }
 
-/* The largest component is brought to 2^58..2^59, which loses nothing; six squares sum to less than 2^120.6. */
+/* The largest component is brought to 2^58..2^59, which loses nothing; six squares sum to less than
+ * 2^120.6. */
 loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift)
 {
     uint64_t largest = 0;
@@ -117,7 +121,10 @@ loft_acc loft_acc_down(loft_acc x, unsigned shift)
 
 loft_acc loft_acc_part(loft_acc x, loft_acc y, loft_acc z)  { return x / z * y; }
 bool     loft_acc_grow(loft_acc *x, int32_t k, loft_acc h)  { *x = *x / h * k; return true; }
-loft_acc loft_acc_down(loft_acc x, unsigned shift)          { return x / (loft_acc)((uint64_t)1 << shift); }
+loft_acc loft_acc_down(loft_acc x, unsigned shift)
+{
+    return x / (loft_acc)((uint64_t)1 << shift);
+}
 
 loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift)
 {

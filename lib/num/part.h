@@ -1,14 +1,17 @@
-/* lib/num/part.h -- products, quotients and lengths of wide numbers that keep all bits of a loft_acc
+/* lib/num/part.h -- products, quotients and lengths of wide numbers that keep all bits of a
+ * loft_acc
  * SPDX-License-Identifier: MIT
  *
- * For equations whose unknowns are multiplied by long lengths at the end: a chord of 2^17 makes 2 LSB of an
- * error of 2^-32. What is below 1 is therefore kept times a power of two, a length in as many bits as
- * there are.
+ * For equations whose unknowns are multiplied by long lengths at the end: a chord of 2^17 makes 2
+ * LSB of an error of 2^-32. What is below 1 is therefore kept times a power of two, a length in as
+ * many bits as there are.
  */
 #ifndef LOFT_NUM_PART_H
 #define LOFT_NUM_PART_H
 
 #include "num/num.h"    /* loft_acc */
+
+LOFT_BEGIN_C
 
 /* The part y / z of x, that is x * y / z.
  *
@@ -26,7 +29,8 @@ loft_acc loft_acc_part(loft_acc x, loft_acc y, loft_acc z);
  */
 bool loft_acc_grow(loft_acc *x, int32_t k, loft_acc h) LOFT_CHECKED;
 
-/* The length of the vector x[0..n-1], times 2^shift: in q16 as long as it can be made, in floats shift is 0.
+/* The length of the vector x[0..n-1], times 2^shift: in q16 as long as it can be made, in floats
+ * shift is 0.
  *
  *   shape   q16: 0, or 2^26 <= result < 2^28.3
  *   range   q16: |x[i]| < 2^27, n = 0..6   f32, f64: as loft_acc_hypot
@@ -41,5 +45,7 @@ loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift);
  *   cost    q16: two shifts
  */
 loft_acc loft_acc_down(loft_acc x, unsigned shift);
+
+LOFT_END_C
 
 #endif

@@ -1,9 +1,11 @@
 /* lib/num/power.c
  * SPDX-License-Identifier: MIT
  *
- * ln x = e ln 2 + ln m, x = m 2^e with m in 1/sqrt 2 .. sqrt 2, and with s = (m - 1) / (m + 1), |s| < 0.1716,
+ * ln x = e ln 2 + ln m, x = m 2^e with m in 1/sqrt 2 .. sqrt 2, and with s = (m - 1) / (m + 1), |s|
+ * < 0.1716,
  *
- *     ln m = 2 s (1 + s^2/3 + s^4/5 + .. + s^24/25)               the next term is below 2^-70 of the first
+ *     ln m = 2 s (1 + s^2/3 + s^4/5 + .. + s^24/25)               the next term is below 2^-70 of
+ *                                                                 the first
  *
  * e^x = 2^n e^r, n the whole number nearest to x / ln 2, |r| <= 0.347, and
  *
@@ -96,13 +98,15 @@ static loft_sci rest_of(loft_sci x, int32_t n)
 loft_sci loft_sci_log(loft_sci x)
 {
     int32_t e;
-    const loft_sci m = share_of(x, &e), one = loft_sci_one(), s = loft_sci_div(loft_sci_sub(m, one), loft_sci_add(m, one));
+    const loft_sci m = share_of(x, &e), one = loft_sci_one(),
+                   s = loft_sci_div(loft_sci_sub(m, one), loft_sci_add(m, one));
     const loft_fine square = loft_sci_fine(loft_sci_mul(s, s));
     loft_fine sum = LOFT_FINE_1 / 25;
 
     for (int k = 23; k > 0; k -= 2)
         sum = LOFT_FINE_1 / k + loft_fine_mul(square, sum);
-    return loft_sci_add(loft_sci_mul(loft_sci_from_int(e), LN2), loft_sci_mul(loft_sci_add(s, s), loft_sci_from_fine(sum)));
+    return loft_sci_add(loft_sci_mul(loft_sci_from_int(e), LN2),
+                        loft_sci_mul(loft_sci_add(s, s), loft_sci_from_fine(sum)));
 }
 
 loft_sci loft_sci_exp(loft_sci x)

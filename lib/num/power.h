@@ -7,6 +7,8 @@
 #include "num/angle.h"  /* loft_fine */
 #include "num/sci.h"    /* loft_sci */
 
+LOFT_BEGIN_C
+
 /* A fine number as it is; and back, the nearest one.
  *
  *   range   fine: |x| < 8
@@ -32,5 +34,7 @@ loft_sci  loft_sci_log(loft_sci x);
  *   see     the series, after taking a power of two off
  */
 loft_sci  loft_sci_exp(loft_sci x);
+
+LOFT_END_C
 
 #endif

@@ -14,7 +14,8 @@ typedef int64_t loft_acc;       /* Q32.32: value * 2^32                         
 #define LOFT_REAL(x)   ((loft_real)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define LOFT_UNIT(x)   ((loft_unit)((x) * 16777216.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define LOFT_REAL_MAX  INT32_MAX
-#define LOFT_REAL_LSB  ((loft_real)1)       /* the distance between neighbouring coordinates; 0 in floats */
+/* the distance between neighbouring coordinates; 0 in floats */
+#define LOFT_REAL_LSB  ((loft_real)1)
 
 /* The only places where a wide number is shifted. A right shift of a negative number must be
  * arithmetic. avr-gcc shifts 64 bits one by one in a loop; there a shift by bytes is a move. */
@@ -32,7 +33,8 @@ static inline int64_t  loft_shift_24(int64_t x)
 {
     loft_bytes b, r;
     b.all = x;
-    r.half.low  = (uint32_t)b.byte[3] | ((uint32_t)b.byte[4] << 8) | ((uint32_t)b.byte[5] << 16) | ((uint32_t)b.byte[6] << 24);
+    r.half.low = (uint32_t)b.byte[3] | ((uint32_t)b.byte[4] << 8) | ((uint32_t)b.byte[5] << 16) |
+                 ((uint32_t)b.byte[6] << 24);
     r.half.high = (int8_t)b.byte[7];
     return r.all;
 }
@@ -50,7 +52,10 @@ static inline int64_t  loft_quotient(int64_t n, uint32_t d) { return loft_avr_qu
 #else
 static inline int32_t  loft_acc_high(int64_t x)   { return (int32_t)(x >> 32); }
 static inline uint32_t loft_acc_low(int64_t x)    { return (uint32_t)((uint64_t)x & 0xffffffffu); }
-static inline int32_t  loft_acc_middle(int64_t x) { return (int32_t)(uint32_t)(((uint64_t)x >> 16) & 0xffffffffu); }
+static inline int32_t loft_acc_middle(int64_t x)
+{
+    return (int32_t)(uint32_t)(((uint64_t)x >> 16) & 0xffffffffu);
+}
 static inline int64_t  loft_shift_24(int64_t x)   { return x >> 24; }
 static inline int64_t  loft_shift_16(int64_t x)   { return x >> 16; }
 
@@ -95,13 +100,20 @@ static inline loft_real loft_acc_round(loft_acc x)          { return loft_acc_mi
 #endif
 
 /* error 1/2; -2^31 <= x < 2^31 - 1/2 */
-static inline int32_t loft_acc_int(loft_acc x)              { return loft_acc_high(x + 2147483648); }
+static inline int32_t loft_acc_int(loft_acc x)
+{
+    return loft_acc_high(x + 2147483648);
+}
 
 /* error 1/2 LSB; range loft_acc_fits(loft_prod(a, b)), that is -32768 <= a * b < 32768 - 2^-17 */
-static inline loft_real loft_mul(loft_real a, loft_real b)  { return loft_acc_round(loft_prod(a, b)); }
+static inline loft_real loft_mul(loft_real a, loft_real b)
+{
+    return loft_acc_round(loft_prod(a, b));
+}
 
 #if !defined(__AVR__)
-/* error 1/2 LSB, none at t = 0 and 1; t in 0..1, any a, b: the difference has 33 bits, t 25, the product 58 */
+/* error 1/2 LSB, none at t = 0 and 1; t in 0..1, any a, b: the difference has 33 bits, t 25, the
+ * product 58 */
 static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
 {
     return (loft_real)(a + loft_shift_24(((int64_t)b - a) * t + 8388608));
@@ -111,7 +123,8 @@ static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
  * error 2^-33 (1/2 of an acc LSB); |x * t| <= 2^30 */
 static inline loft_acc loft_acc_scale(loft_acc x, loft_unit t)
 {
-    return (loft_acc)loft_acc_high(x) * t * 256 + loft_shift_24((int64_t)loft_acc_low(x) * t + 8388608);
+    return (loft_acc)loft_acc_high(x) * t * 256 +
+           loft_shift_24((int64_t)loft_acc_low(x) * t + 8388608);
 }
 #endif
 
@@ -121,9 +134,10 @@ static inline loft_acc loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
     return x + loft_acc_scale(y - x, t);
 }
 
-/* x + v (y - x) + w (z - x), rounded once: the low halves are summed before they are cut.
- * error 2^-33; |v|, |w| <= 32; |x|, |y|, |z| < 2^30 and v, w, 1 - v - w >= 0, or |y - x| and |z - x| < 2^31 and
- * (|v| |y - x| + |w| |z - x|) < 2^31 - 2^8 and the result below 2^31; none at the corners */
+/* x + v (y - x) + w (z - x), rounded once: the low halves are summed before they are cut. error
+ * 2^-33; |v|, |w| <= 32; |x|, |y|, |z| < 2^30 and v, w, 1 - v - w >= 0, or |y - x| and |z - x| <
+ * 2^31 and (|v| |y - x| + |w| |z - x|) < 2^31 - 2^8 and the result below 2^31; none at the
+ * corners */
 static inline loft_acc loft_acc_blend(loft_acc x, loft_acc y, loft_acc z, loft_unit v, loft_unit w)
 {
     const loft_acc d = y - x, e = z - x;
@@ -132,8 +146,9 @@ static inline loft_acc loft_acc_blend(loft_acc x, loft_acc y, loft_acc z, loft_u
     return x + (high * 256 + loft_shift_24(low + 8388608));
 }
 
-/* error 2^-33; |x|, |y| < 2^30, j <= n or |(y - x) j / n| <= 2^30 and j <= 2 n, 1 <= n < 2^30; none at j = 0 and
- * n. The quotient of y - x by n times j is whole; the rest is below n, times j below 2^61. */
+/* error 2^-33; |x|, |y| < 2^30, j <= n or |(y - x) j / n| <= 2^30 and j <= 2 n, 1 <= n < 2^30; none
+ * at j = 0 and n. The quotient of y - x by n times j is whole; the rest is below n, times j below
+ * 2^61. */
 static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint32_t n)
 {
     const int64_t d = n, quotient = (y - x) / d, rest = (y - x) % d * j;
@@ -160,7 +175,8 @@ static inline loft_acc loft_acc_mean(loft_acc x, loft_acc y) { return (x + y + 1
 /* error 2^-33; |x * a| <= 2^30 */
 static inline loft_acc loft_acc_mul(loft_acc x, loft_real a)
 {
-    return (loft_acc)loft_acc_high(x) * a * 65536 + loft_shift_16((int64_t)loft_acc_low(x) * a + 32768);
+    return (loft_acc)loft_acc_high(x) * a * 65536 +
+           loft_shift_16((int64_t)loft_acc_low(x) * a + 32768);
 }
 #endif
 
@@ -184,16 +200,22 @@ static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)
 }
 #endif
 
-/* error 1/2 LSB; b != 0, -32768 <= a / b < 32768: the quotient of the raw numbers. (It cannot round up to 32768: b would
- * have to exceed 2, and then a would not fit.) */
-static inline loft_real loft_div(loft_real a, loft_real b)  { return (loft_real)loft_acc_div(a, b); }
+/* error 1/2 LSB; b != 0, -32768 <= a / b < 32768: the quotient of the raw numbers. (It cannot round
+ * up to 32768: b would have to exceed 2, and then a would not fit.) */
+static inline loft_real loft_div(loft_real a, loft_real b)
+{
+    return (loft_real)loft_acc_div(a, b);
+}
 
 /* exact; |a| < 128 */
 static inline loft_unit loft_unit_from(loft_real a)         { return a * 256; }
 
 #if !defined(__AVR__)
 /* error 2^-25; |x| < 128 */
-static inline loft_unit loft_unit_round(loft_acc x)         { return loft_acc_middle(x * 256 + 32768); }
+static inline loft_unit loft_unit_round(loft_acc x)
+{
+    return loft_acc_middle(x * 256 + 32768);
+}
 
 /* exact */
 static inline loft_acc  loft_unit_wide(loft_unit t)         { return (loft_acc)t * 256; }

@@ -54,11 +54,12 @@ loft_sci loft_sci_from_deep(loft_deep x)
         top--;
     if (!x.limb[top])
         return normal((uint64_t)x.limb[1] << 32 | x.limb[0], 0, -32, minus);
-    return normal((uint64_t)x.limb[top] << 32 | x.limb[top - 1], x.limb[top - 2], 32 * (top - 1) - 32, minus);
+    return normal((uint64_t)x.limb[top] << 32 | x.limb[top - 1], x.limb[top - 2],
+                  32 * (top - 1) - 32, minus);
 }
 
-/* The smaller one is cut to the larger one's exponent, below which a difference takes 32 bits more: where they matter,
- * because the first bits cancel, they are all there are. */
+/* The smaller one is cut to the larger one's exponent, below which a difference takes 32 bits more:
+ * where they matter, because the first bits cancel, they are all there are. */
 loft_sci loft_sci_add(loft_sci a, loft_sci b)
 {
     if (!a.m || (b.m && b.e > a.e)) {
@@ -110,8 +111,8 @@ loft_sci loft_sci_div(loft_sci a, loft_sci b)
     return normal(q, 0, a.e - b.e - TOP, a.minus != b.minus);
 }
 
-/* The root of m 2^58 for an even exponent e: 61 bits, two bits of the radicand a round. Before a round the root r is
- * below 2^60 and the rest at most 2 r, so neither leaves 64 bits. */
+/* The root of m 2^58 for an even exponent e: 61 bits, two bits of the radicand a round. Before a
+ * round the root r is below 2^60 and the rest at most 2 r, so neither leaves 64 bits. */
 loft_sci loft_sci_sqrt(loft_sci a)
 {
     const bool odd = a.e % 2 != 0;
@@ -151,7 +152,8 @@ bool loft_sci_is_unit(loft_sci x, loft_unit *t)
         *t = 0;
         return true;
     }
-    if (x.minus || down < TOP - 24 || down > TOP || (x.m & (((uint64_t)1 << down) - 1)) || x.m >> down > 16777216)
+    if (x.minus || down < TOP - 24 || down > TOP || (x.m & (((uint64_t)1 << down) - 1)) ||
+        x.m >> down > 16777216)
         return false;
     *t = (loft_unit)(x.m >> down);
     return true;
@@ -160,11 +162,13 @@ bool loft_sci_is_unit(loft_sci x, loft_unit *t)
 /* Each difference has 32 bits and a sign, each product 64, their difference 65. */
 static loft_deep product(int64_t x, int64_t y)
 {
-    const loft_deep size = loft_deep_times(loft_deep_of((int64_t)size_of(x)), (uint32_t)size_of(y)), zero = { { 0 } };
+    const loft_deep size = loft_deep_times(loft_deep_of((int64_t)size_of(x)), (uint32_t)size_of(y)),
+                    zero = { { 0 } };
     return (x < 0) != (y < 0) ? loft_deep_sub(zero, size) : size;
 }
 
-loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2], const loft_real d[2])
+loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2],
+                        const loft_real d[2])
 {
     const int64_t ux = (int64_t)b[0] - a[0], uy = (int64_t)b[1] - a[1];
     const int64_t vx = (int64_t)d[0] - c[0], vy = (int64_t)d[1] - c[1];
@@ -175,8 +179,9 @@ loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_r
 #else
 
 /* Newton's iteration for the reciprocal square root would need a table; halving the exponent by
- * comparison keeps it freestanding: x is scaled by powers of 4 into [1, 4), where Heron's steps from
- * r = (1 + x) / 2 (relative error 1/4 at the worst, x = 4) err by 1/40, 2^-11, 2^-24, 2^-49, 2^-100. */
+ * comparison keeps it freestanding: x is scaled by powers of 4 into [1, 4), where Heron's steps
+ * from r = (1 + x) / 2 (relative error 1/4 at the worst, x = 4) err by 1/40, 2^-11, 2^-24, 2^-49,
+ * 2^-100. */
 loft_sci loft_sci_sqrt(loft_sci x)
 {
     double scale = 1;
@@ -207,26 +212,18 @@ static loft_exact difference(loft_real a, loft_real b)
     return loft_exact_sub(loft_exact_from_real(b), loft_exact_from_real(a));
 }
 
-/* What x y lacks in being p, its rounded value: halves of 26 bits whose products are exact (Dekker 1971). */
-static double tail_of_product(double x, double y, double p)
-{
-    const double cut = 134217729.0, xc = x * cut, yc = y * cut;
-    const double xh = xc - (xc - x), xl = x - xh, yh = yc - (yc - y), yl = y - yh;
-
-    return xl * yl - (((p - xh * yh) - xl * yh) - xh * yl);
-}
-
-/* The same of d = b - a (Knuth 1969). */
 static bool is_difference(double d, double b, double a)
 {
-    const double t = d - b;
-    return !((b - (d - t)) + (-a - t) > 0) && !((b - (d - t)) + (-a - t) < 0);
+    const double tail = loft_difference_tail(b, a, d);
+    return !(tail > 0) && !(tail < 0);
 }
 
-/* Each difference errs by 2^-53 of itself, each product by three times that: p - q by 3 * 2^-53 of |p| + |q|, which is
- * 48 * 2^-53 of the result where that is 1/16 of them. Below that, products of exact differences are taken twice as
- * long, which errs by 2^-104 of |p| + |q|; and below 2^-50 everything is exact but one quotient. */
-loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2], const loft_real d[2])
+/* Each difference errs by 2^-53 of itself, each product by three times that: p - q by 3 * 2^-53 of
+ * |p| + |q|, which is 48 * 2^-53 of the result where that is 1/16 of them. Below that, products of
+ * exact differences are taken twice as long, which errs by 2^-104 of |p| + |q|; and below 2^-50
+ * everything is exact but one quotient. */
+loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2],
+                        const loft_real d[2])
 {
     const double ux = (double)b[0] - (double)a[0], uy = (double)b[1] - (double)a[1];
     const double vx = (double)d[0] - (double)c[0], vy = (double)d[1] - (double)c[1];
@@ -236,15 +233,18 @@ loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_r
 
     if ((cross < 0 ? -cross : cross) >= size * 0.0625)
         return cross;
-    if (is_difference(ux, (double)b[0], (double)a[0]) && is_difference(uy, (double)b[1], (double)a[1]) &&
-        is_difference(vx, (double)d[0], (double)c[0]) && is_difference(vy, (double)d[1], (double)c[1])) {
-        cross += tail_of_product(ux, vy, p) - tail_of_product(uy, vx, q);
+    if (is_difference(ux, (double)b[0], (double)a[0]) &&
+        is_difference(uy, (double)b[1], (double)a[1]) &&
+        is_difference(vx, (double)d[0], (double)c[0]) &&
+        is_difference(vy, (double)d[1], (double)c[1])) {
+        cross += loft_product_tail(ux, vy, p) - loft_product_tail(uy, vx, q);
         if ((cross < 0 ? -cross : cross) >= size * 0x1p-50)
             return cross;
     }
     const loft_exact det = loft_exact_det(difference(a[0], b[0]), difference(a[1], b[1]),
                                           difference(c[0], d[0]), difference(c[1], d[1]));
-    return loft_exact_quot(det, loft_exact_from_int(1), -2 * LOFT_EXACT_REAL, &exact) ? exact : cross;
+    return loft_exact_quot(det, loft_exact_from_int(1), -2 * LOFT_EXACT_REAL, &exact) ? exact
+                                                                                      : cross;
 }
 
 #endif

@@ -1,21 +1,27 @@
-/* lib/num/sci.h -- numbers with an exponent of their own, for products of many factors and quotients of small ones
+/* lib/num/sci.h -- numbers with an exponent of their own, for products of many factors and
+ * quotients of small ones
  * SPDX-License-Identifier: MIT
  *
- * A product of six areas, a weight that vanishes toward an edge, the quotient of two such: no fixed place for the point
- * suits them all. Every operation errs by a share of its result, whatever that is:
+ * A product of six areas, a weight that vanishes toward an edge, the quotient of two such: no fixed
+ * place for the point suits them all. Every operation errs by a share of its result, whatever that
+ * is:
  *
  *   loft_sci   q16: m * 2^e with 62 bits and a sign   f32, f64: double
  *
- *   range   q16: 2^-32000 .. 2^32000 in size, which nobody checks   f32, f64: the normal numbers of double
- *   error   q16: 2^-61 of the result, of its larger part in a sum   f32, f64: 2^-53; none when the result is exact
- *   cost    q16: mul 4 products of 32 bits, add and sub two shifts, div and sqrt 63 rounds of shift and subtract;
- *           16 bytes a number; safe in an ISR, but for cross
+ *   range   q16: 2^-32000 .. 2^32000 in size, which nobody checks   f32, f64: the normal numbers of
+ *           double
+ *   error   q16: 2^-61 of the result, of its larger part in a sum   f32, f64: 2^-53; none when the
+ *           result is exact
+ *   cost    q16: mul 4 products of 32 bits, add and sub two shifts, div and sqrt 63 rounds of shift
+ *           and subtract; 16 bytes a number; safe in an ISR, but for cross
  */
 #ifndef LOFT_NUM_SCI_H
 #define LOFT_NUM_SCI_H
 
 #include "num/deep.h"   /* loft_deep */
 #include "num/num.h"    /* loft_real, loft_unit, loft_acc */
+
+LOFT_BEGIN_C
 
 #if LOFT_NUM == LOFT_Q16
 
@@ -28,7 +34,11 @@ typedef struct {
 
 /* 0 and 1, for the start of sums and products. */
 static inline loft_sci loft_sci_zero(void)  { const loft_sci r = { 0, 0, false }; return r; }
-static inline loft_sci loft_sci_one(void)   { const loft_sci r = { (uint64_t)1 << 62, -62, false }; return r; }
+static inline loft_sci loft_sci_one(void)
+{
+    const loft_sci r = { (uint64_t)1 << 62, -62, false };
+    return r;
+}
 
 /* A number as it is: wide, coordinate, parameter, whole, deep (which counts 2^-32).
  *
@@ -83,8 +93,14 @@ loft_sci loft_sci_sqrt(loft_sci a);
 
 #endif
 
-static inline loft_sci loft_sci_size(loft_sci a)         { return loft_sci_sign(a) < 0 ? loft_sci_neg(a) : a; }
-static inline bool loft_sci_less(loft_sci a, loft_sci b) { return loft_sci_sign(loft_sci_sub(a, b)) < 0; }
+static inline loft_sci loft_sci_size(loft_sci a)
+{
+    return loft_sci_sign(a) < 0 ? loft_sci_neg(a) : a;
+}
+static inline bool loft_sci_less(loft_sci a, loft_sci b)
+{
+    return loft_sci_sign(loft_sci_sub(a, b)) < 0;
+}
 
 /* a^k; 1 for k = 0, also of 0.
  *
@@ -98,15 +114,20 @@ loft_sci loft_sci_pow(loft_sci a, unsigned k);
  *   error   none */
 bool     loft_sci_is_unit(loft_sci x, loft_unit *t) LOFT_CHECKED;
 
-/* The cross product of b - a and d - c in the plane: twice the area of the triangle a b d when c = a. Its sign is
- * exact.
+/* The cross product of b - a and d - c in the plane: twice the area of the triangle a b d when c =
+ * a. Its sign is exact.
  *
  *   range   f32, f64: what loft_exact_admits
  *   error   q16: 2^-61   f32, f64: 2^-47 of the result, however close to parallel
- *   cost    q16: 2 products of 33 bits   f32, f64: 2 products, 12 more where they cancel to 1/16; four of num/exact.h
- *           and a quotient where they cancel to 2^-50 or differences are not doubles
- *   see     Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates (1997): the filter
+ *   cost    q16: 2 products of 33 bits   f32, f64: 2 products, 12 more where they cancel to 1/16;
+ *           four of num/exact.h and a quotient where they cancel to 2^-50 or differences are not
+ *           doubles
+ *   see     Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
+ *           predicates (1997): the filter
  */
-loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2], const loft_real d[2]);
+loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2],
+                        const loft_real d[2]);
+
+LOFT_END_C
 
 #endif

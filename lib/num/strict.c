@@ -1,19 +1,21 @@
 /* lib/num/strict.c -- the differences of a polynomial as whole numbers and rests
  * SPDX-License-Identifier: MIT
  *
- * The j-th difference of i^k at i = 0 is c(k, j) = j! S(k, j), the number of ways to map k things onto j (S:
- * Stirling's numbers of the second kind), so a walk of n steps along sum_k g_k t^k starts with
+ * The j-th difference of i^k at i = 0 is c(k, j) = j! S(k, j), the number of ways to map k things
+ * onto j (S: Stirling's numbers of the second kind), so a walk of n steps along sum_k g_k t^k
+ * starts with
  *
  *     e_j = sum_k  g_k c(k, j) / n^k
  *
- * g and c are whole, |g_k c(k, j)| < 2^45, and Horner's scheme in 1/n finds e_j without rounding: if
- * V = I + R / n^s then
+ * g and c are whole, |g_k c(k, j)| < 2^45, and Horner's scheme in 1/n finds e_j without rounding:
+ * if V = I + R / n^s then
  *
  *     V / n = floor(I / n) + (R + (I mod n) n^s) / n^(s+1)
  *
- * After degree divisions R < n^degree < 2^63. The sum of two rests is below 2^64, and what it has above
- * n^degree is carried to the whole numbers, which may wrap: the value is right modulo 2^32 and in 32 bits.
- * Half of n^degree is added to the rest of the value once, so that cutting the rest off rounds to nearest.
+ * After degree divisions R < n^degree < 2^63. The sum of two rests is below 2^64, and what it has
+ * above n^degree is carried to the whole numbers, which may wrap: the value is right modulo 2^32
+ * and in 32 bits. Half of n^degree is added to the rest of the value once, so that cutting the rest
+ * off rounds to nearest.
  */
 #include "num/strict.h"
 
@@ -47,7 +49,8 @@ static const uint8_t maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 1] = 
 };
 
 /* e_j as a whole number and the rest over n^degree, for j >= 1. */
-static int64_t difference(const loft_acc g[], unsigned degree, unsigned j, uint32_t n, uint64_t *rest)
+static int64_t difference(const loft_acc g[], unsigned degree, unsigned j, uint32_t n,
+                          uint64_t *rest)
 {
     int64_t whole = 0;
     uint64_t power = 1;

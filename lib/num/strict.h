@@ -1,13 +1,15 @@
 /* lib/num/strict.h -- a polynomial walked at whole numbers without any rounding, in one coordinate
  * SPDX-License-Identifier: MIT
  *
- * As num/walk.h, but each difference is a whole number and a rest over n^degree: exact for steps that are no
- * power of two, at a few times the cost. In f32 and f64 it is the walk of num/walk.h.
+ * As num/walk.h, but each difference is a whole number and a rest over n^degree: exact for steps
+ * that are no power of two, at a few times the cost. In f32 and f64 it is the walk of num/walk.h.
  */
 #ifndef LOFT_NUM_STRICT_H
 #define LOFT_NUM_STRICT_H
 
 #include "num/walk.h"   /* LOFT_WALK_DEGREE_MAX, loft_walk */
+
+LOFT_BEGIN_C
 
 #if LOFT_NUM == LOFT_Q16
 
@@ -54,5 +56,7 @@ uint64_t loft_strict_power(unsigned degree, uint32_t n);       /* n^degree */
  *   cost    q16: degree^2 divisions of 64 bits
  */
 void loft_strict_init(loft_strict *s, const loft_real p[], unsigned degree, uint32_t n);
+
+LOFT_END_C
 
 #endif

@@ -29,13 +29,15 @@ bool loft_walk_accepts(const loft_real p[], unsigned degree)
     return true;
 }
 
-/* loft_walk_halve divides by powers of two and so needs true differences, |D^k| < 2^31 LSB, none wrapped.
- * With n >= 4 steps all parameters that a difference sees, 0 .. 1 + (degree-1)/n, are within 0..2, where a
- * Bezier polynomial is at most 3^degree times its largest control value. So, w being the width of p,
+/* loft_walk_halve divides by powers of two and so needs true differences, |D^k| < 2^31 LSB, none
+ * wrapped. With n >= 4 steps all parameters that a difference sees, 0 .. 1 + (degree-1)/n, are
+ * within 0..2, where a Bezier polynomial is at most 3^degree times its largest control value. So, w
+ * being the width of p,
  *
  *     |D^k| <= degree!/(degree-k)! 2^(k-1) w 3^(degree-k) / n^k
  *
- * of which, for n >= 4 and degree <= 5, k = 1 gives the largest: n >= degree 3^(degree-1) w / 2^31 suffices. */
+ * of which, for n >= 4 and degree <= 5, k = 1 gives the largest: n >= degree 3^(degree-1) w / 2^31
+ * suffices. */
 uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree)
 {
     int64_t low = p[0], high = p[0];
@@ -94,8 +96,9 @@ void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride
 
 #else
 
-/* The differences are named, not an array: compilers keep names in registers. Those above the degree are
- * 0, so a cubic's road does for all below; two steps a round are 0.7 of the time of one. */
+/* The differences are named, not an array: compilers keep names in registers. Those above the
+ * degree are 0, so a cubic's road does for all below; two steps a round are 0.7 of the time of
+ * one. */
 static void run_cubic(loft_state d[], loft_real out[], size_t stride, uint32_t count)
 {
     loft_state d0 = d[0], d1 = d[1], d2 = d[2];
@@ -158,8 +161,8 @@ void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride
  *
  *     D^k = (2d + d^2)^k = sum_i  C(k, i) 2^(k-i) d^(k+i)
  *
- * The places from k upwards are still those of the single step when D^k is computed, as k rises. The
- * factor goes from i to i + 1 by (k - i) / (2 (i + 1)), without a rest. */
+ * The places from k upwards are still those of the single step when D^k is computed, as k rises.
+ * The factor goes from i to i + 1 by (k - i) / (2 (i + 1)), without a rest. */
 void loft_walk_double(loft_walk *w, unsigned degree)
 {
     for (unsigned k = 1; k <= degree; k++) {

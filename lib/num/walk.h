@@ -1,8 +1,9 @@
-/* lib/num/walk.h -- a polynomial walked at whole numbers by its forward differences, in one coordinate
+/* lib/num/walk.h -- a polynomial walked at whole numbers by its forward differences, in one
+ * coordinate
  * SPDX-License-Identifier: MIT
  *
- * The state is d[0] = the value and d[k] = the k-th difference; a step is d[k] += d[k+1] for k = 0, 1 ..
- * upwards. curve/forward.h walks all coordinates of a curve with it.
+ * The state is d[0] = the value and d[k] = the k-th difference; a step is d[k] += d[k+1] for k = 0,
+ * 1 .. upwards. curve/forward.h walks all coordinates of a curve with it.
  *
  *   q16        wrapping integers, 32 bits below the LSB: no sum rounds, only the start does, once
  *   f32, f64   plain sums of doubles; the last value is the last control value
@@ -12,14 +13,18 @@
 
 #include "num/num.h"
 
+LOFT_BEGIN_C
+
 #define LOFT_WALK_DEGREE_MAX 5
 
 #if LOFT_NUM == LOFT_Q16
 
-typedef uint64_t loft_state;    /* the LSB counts 2^32; wraps, which only a value outside 32 bits would notice */
+typedef uint64_t loft_state;    /* the LSB counts 2^32; wraps, which only a value outside 32 bits
+                                 * would notice */
 
 typedef struct {
-    uint32_t inverse[LOFT_WALK_DEGREE_MAX][3];      /* [k - 1]: n^-k in 96 bits below the point, the lowest first */
+    uint32_t inverse[LOFT_WALK_DEGREE_MAX][3];      /* [k - 1]: n^-k in 96 bits below the point, the
+                                                     * lowest first */
 } loft_powers;
 
 /* The same for a cubic, in less memory. */
@@ -28,7 +33,8 @@ typedef struct {
 } loft_powers3;
 
 typedef struct {
-    loft_state d[LOFT_WALK_DEGREE_MAX + 1];     /* d[0] carries the 1/2 LSB that rounds it when it is cut */
+    loft_state d[LOFT_WALK_DEGREE_MAX + 1];     /* d[0] carries the 1/2 LSB that rounds it when it
+                                                 * is cut */
 } loft_walk;
 
 /* The same of a cubic, in less memory. */
@@ -51,8 +57,16 @@ static inline loft_real loft_state_real(const loft_state *s)
 /* The value that the walk gives as its last one: here the differences lead to it. */
 static inline void loft_walk_keep(loft_walk *w, loft_real end)   { (void)w; (void)end; }
 static inline void loft_walk3_keep(loft_walk3 *w, loft_real end) { (void)w; (void)end; }
-static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)w; return arrived; }
-static inline loft_real loft_walk3_end(const loft_walk3 *w, loft_real arrived) { (void)w; return arrived; }
+static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived)
+{
+    (void)w;
+    return arrived;
+}
+static inline loft_real loft_walk3_end(const loft_walk3 *w, loft_real arrived)
+{
+    (void)w;
+    return arrived;
+}
 
 /* The middle of a cubic Bezier polynomial: what a walk of two steps passes, bit for bit.
  *
@@ -60,9 +74,11 @@ static inline loft_real loft_walk3_end(const loft_walk3 *w, loft_real arrived) {
  *   cost    AVR: 150 cycles */
 static inline loft_real loft_walk3_middle(loft_real a, loft_real b, loft_real c, loft_real d)
 {
-    /* (a + 3 b + 3 c + d + 4) / 8 in two parts: eight eighths of 29 bits, and what was cut off them, at most 56 + 4 */
+    /* (a + 3 b + 3 c + d + 4) / 8 in two parts: eight eighths of 29 bits, and what was cut off
+     * them, at most 56 + 4 */
     const uint8_t cut = (uint8_t)((a & 7) + (d & 7) + 3 * ((b & 7) + (c & 7)) + 4);
-    return loft_eighth(a) + loft_eighth(d) + 3 * (loft_eighth(b) + loft_eighth(c)) + (int32_t)(cut >> 3);
+    return loft_eighth(a) + loft_eighth(d) + 3 * (loft_eighth(b) + loft_eighth(c)) +
+           (int32_t)(cut >> 3);
 }
 
 #else
@@ -86,8 +102,16 @@ typedef struct {
 static inline loft_real loft_state_real(const loft_state *s) { return (loft_real)*s; }
 static inline void loft_walk_keep(loft_walk *w, loft_real end)   { w->end = end; }
 static inline void loft_walk3_keep(loft_walk3 *w, loft_real end) { w->end = end; }
-static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived) { (void)arrived; return w->end; }
-static inline loft_real loft_walk3_end(const loft_walk3 *w, loft_real arrived) { (void)arrived; return w->end; }
+static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived)
+{
+    (void)arrived;
+    return w->end;
+}
+static inline loft_real loft_walk3_end(const loft_walk3 *w, loft_real arrived)
+{
+    (void)arrived;
+    return w->end;
+}
 
 static inline loft_real loft_walk3_middle(loft_real a, loft_real b, loft_real c, loft_real d)
 {
@@ -100,11 +124,16 @@ static inline loft_real loft_walk3_middle(loft_real a, loft_real b, loft_real c,
 static inline void loft_state_add(loft_state d[2])
 {
 #if defined(__AVR__)
-#  define LOFT_ADD_BYTE(add, i) "ldd __tmp_reg__, Z+" #i "\n ldd %0, Z+8+" #i "\n " add " __tmp_reg__, %0\n std Z+" #i ", __tmp_reg__\n "
+#define LOFT_ADD_BYTE(add, i)                                                                      \
+    "ldd __tmp_reg__, Z+" #i "\n ldd %0, Z+8+" #i "\n " add " __tmp_reg__, %0\n std Z+" #i         \
+    ", __tmp_reg__\n "
     uint8_t byte;
-    __asm__ volatile (LOFT_ADD_BYTE("add", 0) LOFT_ADD_BYTE("adc", 1) LOFT_ADD_BYTE("adc", 2) LOFT_ADD_BYTE("adc", 3)
-                      LOFT_ADD_BYTE("adc", 4) LOFT_ADD_BYTE("adc", 5) LOFT_ADD_BYTE("adc", 6) LOFT_ADD_BYTE("adc", 7)
-                      : "=&r" (byte) : "z" (d) : "memory");
+    __asm__ volatile(LOFT_ADD_BYTE("add", 0) LOFT_ADD_BYTE("adc", 1) LOFT_ADD_BYTE("adc", 2)
+                         LOFT_ADD_BYTE("adc", 3) LOFT_ADD_BYTE("adc", 4) LOFT_ADD_BYTE("adc", 5)
+                             LOFT_ADD_BYTE("adc", 6) LOFT_ADD_BYTE("adc", 7)
+                     : "=&r"(byte)
+                     : "z"(d)
+                     : "memory");
 #  undef LOFT_ADD_BYTE
 #else
     d[0] += d[1];
@@ -139,11 +168,12 @@ bool loft_walk_admits(unsigned degree, uint32_t n);
 void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n);
 void loft_powers3_init(loft_powers3 *powers, uint32_t n);
 
-/* g[k] = C(degree, k) times the k-th difference of p[0..degree]: the polynomial is sum_k g[k] t^k. Whole numbers
- * of LSB in q16, |g| < 2^38. */
+/* g[k] = C(degree, k) times the k-th difference of p[0..degree]: the polynomial is sum_k g[k] t^k.
+ * Whole numbers of LSB in q16, |g| < 2^38. */
 void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree);
 
-/* Start at p[0] of the Bezier polynomial p[0..degree], n steps ahead. Differences above degree are 0.
+/* Start at p[0] of the Bezier polynomial p[0..degree], n steps ahead. Differences above degree are
+ * 0.
  *
  *   range   f32, f64: |p| <= LOFT_REAL_MAX / 65536
  *   error   q16: 2^-33 + 2^-50 LSB in each difference; none where n^degree divides 2^32
@@ -157,7 +187,8 @@ void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers3 *po
 /* `count` steps; the values go to out[0], out[stride] .. */
 void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);
 
-/* From a[k], the coefficient of t^k in steps of 1, to the k-th difference at 0, for k = 1..degree, in place. */
+/* From a[k], the coefficient of t^k in steps of 1, to the k-th difference at 0, for k = 1..degree,
+ * in place. */
 void loft_walk_differences(loft_state a[], unsigned degree);
 
 #if LOFT_NUM == LOFT_Q16
@@ -176,5 +207,7 @@ void loft_walk_double(loft_walk *w, unsigned degree);
 
 /* Is every value a number that a walk may start from? */
 bool loft_walk_accepts(const loft_real p[], unsigned degree);
+
+LOFT_END_C
 
 #endif

@@ -1,29 +1,34 @@
 /* lib/num/walk2.c -- the differences of a polynomial in two variables, from its control values
  * SPDX-License-Identifier: MIT
  *
- * With b the control values, D and E the differences of the net from row to row and along the rows, the polynomial at
- * u = i / rows, v = j / columns is
+ * With b the control values, D and E the differences of the net from row to row and along the rows,
+ * the polynomial at u = i / rows, v = j / columns is
  *
  *     square     sum  C(p,k) C(q,l) D^k E^l b  (i / rows)^k (j / columns)^l
  *     triangle   sum  p! / (k! l! (p-k-l)!) D^k E^l b  (i / n)^k (j / n)^l,      k + l <= p
  *
- * In the triangle E is taken from row l downwards, where it exists: E1, E2, E3 being the shifts to the corners, row i
- * and place j in it are the point ((n - i) E1 + (i - j) E2 + j E3)^p b / n^p, and E1 + i/n (E2 - E1) + j/n (E3 - E2) is its
- * operator. The factor is C(q,l) C(p,k) in the square and C(p,l) C(p-l,k) in the triangle.
+ * In the triangle E is taken from row l downwards, where it exists: E1, E2, E3 being the shifts to
+ * the corners, row i and place j in it are the point ((n - i) E1 + (i - j) E2 + j E3)^p b / n^p,
+ * and E1 + i/n (E2 - E1) + j/n (E3 - E2) is its operator. The factor is C(q,l) C(p,k) in the square
+ * and C(p,l) C(p-l,k) in the triangle.
  *
- * q16. Coefficients g are whole, |g| < 2^5 2^5 C C 2^31 < 2^48. g / (rows^k columns^l) is cut to 64 bits below the LSB, by
- * k + l divisions each cut: off by less than 2^-63. The differences are sums of these times whole numbers (num/walk.c)
- * of which all together are below 541^2 < 2^18.2, so a difference is off by less than 2^-44 before it is rounded to
- * 32 bits, and not at all where it is a multiple of 2^-32.
+ * q16. Coefficients g are whole, |g| < 2^5 2^5 C C 2^31 < 2^48. g / (rows^k columns^l) is cut to 64
+ * bits below the LSB, by k + l divisions each cut: off by less than 2^-63. The differences are sums
+ * of these times whole numbers (num/walk.c) of which all together are below 541^2 < 2^18.2, so a
+ * difference is off by less than 2^-44 before it is rounded to 32 bits, and not at all where it is
+ * a multiple of 2^-32.
  *
- * The law of ranges. The value at (i, j) is sum C(i,k) C(j,l) d[l][k], so it errs by at most S (2^-33 + 2^-44),
+ * The law of ranges. The value at (i, j) is sum C(i,k) C(j,l) d[l][k], so it errs by at most S
+ * (2^-33 + 2^-44),
  *
  *     square     S = (1 + S_u) (1 + S_v) - 1,   S_u = C(rows,1) + .. + C(rows,p),  S_v likewise
- *     triangle   S = C(2n,1) + .. + C(2n,p),    since sum over k + l = s of C(n,k) C(n,l) is C(2n,s)
+ *     triangle   S = C(2n,1) + .. + C(2n,p),    since sum over k + l = s of C(n,k) C(n,l) is
+ *                C(2n,s)
  *
- * and is admitted while that is below 1/2, S <= 2^32 - 2^22; or where nothing is rounded, powers of two with
- * p log2 rows + q log2 columns <= 32 (triangle: p log2 n <= 32; blend: p log2 rows + log2 columns and log2 rows + q log2 columns). Values then stay within the 32 bits in which the net
- * is, and all else may wrap.
+ * and is admitted while that is below 1/2, S <= 2^32 - 2^22; or where nothing is rounded, powers of
+ * two with p log2 rows + q log2 columns <= 32 (triangle: p log2 n <= 32; blend: p log2 rows + log2
+ * columns and log2 rows + q log2 columns). Values then stay within the 32 bits in which the net is,
+ * and all else may wrap.
  */
 #include "num/walk2.h"
 
@@ -55,7 +60,8 @@ static unsigned power_of_two(uint32_t n)
 bool loft_walk2_admits(const loft_walk2 *s)
 {
     if (s->triangle)
-        return s->p * power_of_two(s->rows) <= 32 || choices(s->p, (uint64_t)s->rows * 2) <= ADMITTED;
+        return s->p * power_of_two(s->rows) <= 32 ||
+               choices(s->p, (uint64_t)s->rows * 2) <= ADMITTED;
     const unsigned a = power_of_two(s->rows), b = power_of_two(s->columns);
     if (s->blend ? s->p * a + b <= 32 && a + s->q * b <= 32 : s->p * a + s->q * b <= 32)
         return true;
@@ -72,7 +78,8 @@ static unsigned binomial(unsigned n, unsigned k)
     return c;
 }
 
-/* The values of the net into the state: in the triangle row r, place c stands in column c at r - c. */
+/* The values of the net into the state: in the triangle row r, place c stands in column c at r -
+ * c. */
 static void load(loft_state d[], const loft_walk2 *s, const loft_real net[], size_t stride)
 {
     for (unsigned r = 0; r <= s->p; r++) {
@@ -89,7 +96,8 @@ static void take_powers(loft_state d[], const loft_walk2 *s)
 
     for (unsigned order = 1; order <= s->q; order++)
         for (unsigned l = s->q; l >= order; l--) {
-            loft_state *column = d + loft_walk2_column(s, l), *before = d + loft_walk2_column(s, l - 1) + lean;
+            loft_state *column = d + loft_walk2_column(s, l),
+                       *before = d + loft_walk2_column(s, l - 1) + lean;
             for (unsigned k = 0; k <= loft_walk2_degree(s, l); k++)
                 column[k] -= before[k];
         }
@@ -105,8 +113,9 @@ static void take_powers(loft_state d[], const loft_walk2 *s)
     }
 }
 
-/* The blend of the edges has the same polynomials at u = 0, v = 0, u = 1 and v = 1. The first two are the coefficients with
- * k = 0 or l = 0; at u = 1 that of v^l is the sum over k, at v = 1 that of u^k the sum over l. Where both are above 1 there is none. */
+/* The blend of the edges has the same polynomials at u = 0, v = 0, u = 1 and v = 1. The first two
+ * are the coefficients with k = 0 or l = 0; at u = 1 that of v^l is the sum over k, at v = 1 that
+ * of u^k the sum over l. Where both are above 1 there is none. */
 static void take_blend(loft_state g[], const loft_walk2 *s)
 {
     const unsigned p = s->p, stride = p + 1;

@@ -5,18 +5,21 @@
  *
  *     P(i/n) = sum_k  g_k (i/n)^k          g_k = C(degree, k) D^k p
  *
- * Written in the products i (i-1) .. (i-k+1) instead of the powers i^k, its coefficients times k! are the
- * differences e_k to start with: e_k is the sum of some G_j = g_j / n^j times whole numbers of 240 at most.
+ * Written in the products i (i-1) .. (i-k+1) instead of the powers i^k, its coefficients times k!
+ * are the differences e_k to start with: e_k is the sum of some G_j = g_j / n^j times whole numbers
+ * of 240 at most.
  *
- * q16. e_k is kept to 32 bits below the LSB. n^-k is cut to 96 bits, by k divisions each cut: it is low by
- * less than 2^-95. G_k = g_k n^-k is cut to 64 bits below the LSB: off by less than 2^-63 + |g_k| 2^-95. With
- * |p| <= 2^31 the sums of all that are below 2^-50, so e_k, then rounded to 32 bits, is off by at most
- * 2^-33 + 2^-50, and not at all where it is a multiple of 2^-32: if n^degree divides 2^32.
+ * q16. e_k is kept to 32 bits below the LSB. n^-k is cut to 96 bits, by k divisions each cut: it is
+ * low by less than 2^-95. G_k = g_k n^-k is cut to 64 bits below the LSB: off by less than 2^-63 +
+ * |g_k| 2^-95. With |p| <= 2^31 the sums of all that are below 2^-50, so e_k, then rounded to 32
+ * bits, is off by at most 2^-33 + 2^-50, and not at all where it is a multiple of 2^-32: if
+ * n^degree divides 2^32.
  *
- * The law of ranges. d[0] after i steps is sum_k C(i, k) e_k, so errors of 2^-33 + 2^-50 in e_1.. err there
- * by at most S (2^-33 + 2^-50) LSB, S = C(n, 1) + .. + C(n, degree). The walk is admitted while that is below
- * 1/2, S <= 2^32 - 2^15: then no value leaves the 32 bits in which its control values are, and the last one,
- * being whole, is met exactly. All else may wrap: the sums are right modulo 2^64 and d[0] needs no more.
+ * The law of ranges. d[0] after i steps is sum_k C(i, k) e_k, so errors of 2^-33 + 2^-50 in e_1..
+ * err there by at most S (2^-33 + 2^-50) LSB, S = C(n, 1) + .. + C(n, degree). The walk is admitted
+ * while that is below 1/2, S <= 2^32 - 2^15: then no value leaves the 32 bits in which its control
+ * values are, and the last one, being whole, is met exactly. All else may wrap: the sums are right
+ * modulo 2^64 and d[0] needs no more.
  */
 #include "num/walk.h"
 
@@ -36,8 +39,8 @@ void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree)
     }
 }
 
-/* From a[k] = G_k, k = 1..degree, to a[k] = e_k, linear and in small whole numbers. Dividing by i, i - 1, ..
- * in turn gives the coefficients of i (i-1) .. (i-k+1), whose k-th difference is k!. */
+/* From a[k] = G_k, k = 1..degree, to a[k] = e_k, linear and in small whole numbers. Dividing by i,
+ * i - 1, .. in turn gives the coefficients of i (i-1) .. (i-k+1), whose k-th difference is k!. */
 void loft_walk_differences(loft_state a[], unsigned degree)
 {
     unsigned factorial = 1;
@@ -75,26 +78,29 @@ static void shift_down(uint32_t x[], int limbs, uint8_t m)
 
 #if defined(__AVR__)
 
-/* x / n in place, cut, bit by bit from the highest: a third of the time that divisions of 32 bits take. */
+/* x / n in place, cut, bit by bit from the highest: a third of the time that divisions of 32 bits
+ * take. */
 static void divide_short(uint32_t x[], int limbs, uint16_t n)
 {
     uint8_t *byte = (uint8_t *)(x + limbs), bytes = (uint8_t)(4 * limbs), bits, part;
     uint16_t rest = 0;
 
-    __asm__ volatile (
-        "1: ld %[part], -%a[byte]\n ldi %[bits], 8\n"
-        "2: lsl %[part]\n rol %A[rest]\n rol %B[rest]\n brcs 3f\n"
-        "   cp %A[rest], %A[n]\n cpc %B[rest], %B[n]\n brcs 4f\n"
-        "3: sub %A[rest], %A[n]\n sbc %B[rest], %B[n]\n inc %[part]\n"
-        "4: dec %[bits]\n brne 2b\n"
-        "   st %a[byte], %[part]\n dec %[bytes]\n brne 1b\n"
-        : [byte] "+x" (byte), [bytes] "+&r" (bytes), [bits] "=&d" (bits), [part] "=&r" (part), [rest] "+&r" (rest)
-        : [n] "r" (n) : "memory");
+    __asm__ volatile("1: ld %[part], -%a[byte]\n ldi %[bits], 8\n"
+                     "2: lsl %[part]\n rol %A[rest]\n rol %B[rest]\n brcs 3f\n"
+                     "   cp %A[rest], %A[n]\n cpc %B[rest], %B[n]\n brcs 4f\n"
+                     "3: sub %A[rest], %A[n]\n sbc %B[rest], %B[n]\n inc %[part]\n"
+                     "4: dec %[bits]\n brne 2b\n"
+                     "   st %a[byte], %[part]\n dec %[bytes]\n brne 1b\n"
+                     : [byte] "+x"(byte), [bytes] "+&r"(bytes), [bits] "=&d"(bits),
+                       [part] "=&r"(part), [rest] "+&r"(rest)
+                     : [n] "r"(n)
+                     : "memory");
 }
 
 #else
 
-/* The same with divisions of 32 bits, the fastest on other cores, which take 16 bits of x at a time. */
+/* The same with divisions of 32 bits, the fastest on other cores, which take 16 bits of x at a
+ * time. */
 static void divide_short(uint32_t x[], int limbs, uint16_t n)
 {
     uint32_t rest = 0;
@@ -149,12 +155,21 @@ static void invert(uint32_t inverse[][3], unsigned degree, uint32_t n)
     }
 }
 
-void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)     { invert(powers->inverse, degree, n); }
-void loft_powers3_init(loft_powers3 *powers, uint32_t n)                    { invert(powers->inverse, 3, n); }
+void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
+{
+    invert(powers->inverse, degree, n);
+}
+void loft_powers3_init(loft_powers3 *powers, uint32_t n)
+{
+    invert(powers->inverse, 3, n);
+}
 
 #if !defined(__AVR__)
 
-static uint32_t high(uint64_t x)                        { return (uint32_t)loft_acc_high((int64_t)x); }
+static uint32_t high(uint64_t x)
+{
+    return (uint32_t)loft_acc_high((int64_t)x);
+}
 static uint32_t low(uint64_t x)                         { return (uint32_t)(x & 0xffffffffu); }
 static uint64_t product(uint32_t a, uint32_t b)         { return (uint64_t)a * b; }
 
@@ -163,18 +178,19 @@ typedef struct {
     uint32_t below;         /* the 32 bits below that   */
 } term;
 
-/* g times inverse, |g| < 2^38: the product has five places of 32 bits, of which 1 is `below` and 2, 3 are
- * `value`. Place 1 sums to less than 2^32 + 2^32 + 2^38. */
+/* g times inverse, |g| < 2^38: the product has five places of 32 bits, of which 1 is `below` and 2,
+ * 3 are `value`. Place 1 sums to less than 2^32 + 2^32 + 2^38. */
 static term scaled(int64_t g, const uint32_t inverse[3])
 {
     const uint64_t size = (uint64_t)(g < 0 ? -g : g);
     const uint64_t at_1 = product(low(size), inverse[1]);
-    const uint64_t sum_1 = product(high(size), inverse[0]) + high(product(low(size), inverse[0])) + low(at_1);
+    const uint64_t sum_1 = product(high(size), inverse[0]) + high(product(low(size), inverse[0])) +
+                           low(at_1);
     term t;
 
     t.below = low(sum_1);
-    t.value = product(low(size), inverse[2]) + product(high(size), inverse[1]) + high(sum_1) + high(at_1) +
-              join(high(size) * inverse[2], 0);
+    t.value = product(low(size), inverse[2]) + product(high(size), inverse[1]) + high(sum_1) +
+              high(at_1) + join(high(size) * inverse[2], 0);
     if (g < 0) {
         t.below = 0 - t.below;
         t.value = 0 - t.value - (t.below != 0);
@@ -185,7 +201,8 @@ static term scaled(int64_t g, const uint32_t inverse[3])
 typedef uint64_t wide;
 
 /* Room for degree + 1 numbers is the caller's. */
-static void start(loft_state d[], const loft_real p[], unsigned degree, const uint32_t inverse[][3], wide below[])
+static void start(loft_state d[], const loft_real p[], unsigned degree, const uint32_t inverse[][3],
+                  wide below[])
 {
     loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
 
@@ -204,25 +221,34 @@ static void start(loft_state d[], const loft_real p[], unsigned degree, const ui
 
 #else
 
-/* 96 bits, the lowest byte first; wraps. avr-gcc calls a function for each operation of 64 bits, with 16 registers to fill:
- * here value and `below` are one number, and every operation a loop over its bytes. */
+/* 96 bits, the lowest byte first; wraps. avr-gcc calls a function for each operation of 64 bits,
+ * with 16 registers to fill: here value and `below` are one number, and every operation a loop over
+ * its bytes. */
 typedef struct {
     uint8_t byte[12];
 } wide;
 
-#define WIDE_LOOP(op) "ldi %[left], 12\n clc\n" \
-    "1: ld __tmp_reg__, %a[a]\n ld %[byte], %a[b]+\n " op " __tmp_reg__, %[byte]\n st %a[a]+, __tmp_reg__\n dec %[left]\n brne 1b\n"
+#define WIDE_LOOP(op)                                                                              \
+    "ldi %[left], 12\n clc\n"                                                                      \
+    "1: ld __tmp_reg__, %a[a]\n ld %[byte], %a[b]+\n " op                                          \
+    " __tmp_reg__, %[byte]\n st %a[a]+, __tmp_reg__\n dec %[left]\n brne 1b\n"
 
 static void wide_add(wide *a, const wide *b)
 {
     uint8_t byte, left;
-    __asm__ volatile (WIDE_LOOP("adc") : [a] "+x" (a), [b] "+z" (b), [byte] "=&r" (byte), [left] "=&d" (left) : : "memory");
+    __asm__ volatile(WIDE_LOOP("adc")
+                     : [a] "+x"(a), [b] "+z"(b), [byte] "=&r"(byte), [left] "=&d"(left)
+                     :
+                     : "memory");
 }
 
 static void wide_sub(wide *a, const wide *b)
 {
     uint8_t byte, left;
-    __asm__ volatile (WIDE_LOOP("sbc") : [a] "+x" (a), [b] "+z" (b), [byte] "=&r" (byte), [left] "=&d" (left) : : "memory");
+    __asm__ volatile(WIDE_LOOP("sbc")
+                     : [a] "+x"(a), [b] "+z"(b), [byte] "=&r"(byte), [left] "=&d"(left)
+                     :
+                     : "memory");
 }
 
 static void wide_times(wide *a, uint8_t factor)
@@ -243,12 +269,14 @@ static void add_row(uint8_t sum[13], const uint32_t inverse[3], uint8_t factor)
     const uint8_t zero = 0;
     uint8_t byte, left = 12, carry = 0;
 
-    __asm__ volatile (
-        "1: ld %[byte], %a[inverse]+\n mul %[byte], %[factor]\n ld %[byte], %a[sum]\n"
-        "   add r0, %[byte]\n adc r1, %[zero]\n add r0, %[carry]\n adc r1, %[zero]\n"
-        "   st %a[sum]+, r0\n mov %[carry], r1\n dec %[left]\n brne 1b\n st %a[sum], %[carry]\n clr r1\n"
-        : [sum] "+x" (sum), [inverse] "+z" (inverse), [byte] "=&r" (byte), [left] "+&r" (left), [carry] "+&r" (carry)
-        : [factor] "r" (factor), [zero] "r" (zero) : "memory");
+    __asm__ volatile("1: ld %[byte], %a[inverse]+\n mul %[byte], %[factor]\n ld %[byte], %a[sum]\n"
+                     "   add r0, %[byte]\n adc r1, %[zero]\n add r0, %[carry]\n adc r1, %[zero]\n"
+                     "   st %a[sum]+, r0\n mov %[carry], r1\n dec %[left]\n brne 1b\n st %a[sum], "
+                     "%[carry]\n clr r1\n"
+                     : [sum] "+x"(sum), [inverse] "+z"(inverse), [byte] "=&r"(byte),
+                       [left] "+&r"(left), [carry] "+&r"(carry)
+                     : [factor] "r"(factor), [zero] "r"(zero)
+                     : "memory");
 }
 
 static void wide_negate(wide *a)
@@ -258,7 +286,8 @@ static void wide_negate(wide *a)
     *a = zero;
 }
 
-/* a times inverse, |a| < 2^38, as `scaled` above: of the 17 bytes of the product the lowest four are cut. */
+/* a times inverse, |a| < 2^38, as `scaled` above: of the 17 bytes of the product the lowest four
+ * are cut. */
 static void wide_scale(wide *a, const uint32_t inverse[3])
 {
     const bool negative = a->byte[11] & 0x80u;
@@ -281,7 +310,8 @@ static void wide_set(wide *a, int32_t x)
 }
 
 /* loft_walk_powers and loft_walk_differences in these numbers. */
-static void start(loft_state d[], const loft_real p[], unsigned degree, const uint32_t inverse[][3], wide a[])
+static void start(loft_state d[], const loft_real p[], unsigned degree, const uint32_t inverse[][3],
+                  wide a[])
 {
     uint8_t choose = 1, factorial = 1;
 
@@ -311,7 +341,8 @@ static void start(loft_state d[], const loft_real p[], unsigned degree, const ui
 
 #endif
 
-static void start_any(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
+static void start_any(loft_state d[], const loft_real p[], unsigned degree,
+                      const loft_powers *powers)
 {
     wide room[LOFT_WALK_DEGREE_MAX + 1];
     start(d, p, degree, powers->inverse, room);
@@ -332,7 +363,8 @@ void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
     powers->n = n;
 }
 
-static void start_any(loft_state d[], const loft_real p[], unsigned degree, const loft_powers *powers)
+static void start_any(loft_state d[], const loft_real p[], unsigned degree,
+                      const loft_powers *powers)
 {
     loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
     double scale = powers->n;
@@ -346,7 +378,10 @@ static void start_any(loft_state d[], const loft_real p[], unsigned degree, cons
     loft_walk_differences(d, degree);
 }
 
-static void start_cubic(loft_state d[], const loft_real p[4], const loft_powers3 *powers)   { start_any(d, p, 3, powers); }
+static void start_cubic(loft_state d[], const loft_real p[4], const loft_powers3 *powers)
+{
+    start_any(d, p, 3, powers);
+}
 
 #endif
 

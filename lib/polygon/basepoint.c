@@ -1,8 +1,9 @@
 /* lib/polygon/basepoint.c
  * SPDX-License-Identifier: MIT
  *
- * Weights and phi are not negative, so nothing cancels, next to a base point either: numerator and denominator err by shares, a
- * term by less than 2 degree + 6 roundings, and the quotient by twice that.
+ * Weights and phi are not negative, so nothing cancels, next to a base point either: numerator and
+ * denominator err by shares, a term by less than 2 degree + 6 roundings, and the quotient by twice
+ * that.
  */
 #include "polygon/basepoint.h"
 #include "curve/rational.h"     /* LOFT_WEIGHT_MIN */
@@ -19,8 +20,8 @@ static bool is_cut(const uint8_t l[3], unsigned degree, const uint8_t cut[3])
     return false;
 }
 
-enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], const loft_real w[], unsigned degree,
-                                     const uint8_t cut[3])
+enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], const loft_real w[],
+                                     unsigned degree, const uint8_t cut[3])
 {
     uint8_t l[3];
     unsigned rank = 0;
@@ -48,8 +49,10 @@ enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], cons
     return LOFT_OK;
 }
 
-/* The sum of all terms with factor[0]^i factor[1]^j factor[2]^k shared^(degree - the index of the corner - its cut). */
-static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3], loft_sci shared, unsigned corner, loft_vec *out)
+/* The sum of all terms with factor[0]^i factor[1]^j factor[2]^k shared^(degree - the index of the
+ * corner - its cut). */
+static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3], loft_sci shared,
+                                unsigned corner, loft_vec *out)
 {
     uint8_t l[3];
     unsigned rank = 0;
@@ -59,8 +62,10 @@ static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3
     loft_multi_first(l, 3, b->degree);
     do {
         if (!is_cut(l, b->degree, b->cut)) {
-            loft_sci weight = loft_sci_mul(loft_sci_from_int(loft_multi_ways(l, 3)), loft_sci_from_real(b->w[rank]));
-            weight = loft_sci_mul(weight, loft_sci_pow(shared, (unsigned)b->degree - l[corner] - b->cut[corner]));
+            loft_sci weight = loft_sci_mul(loft_sci_from_int(loft_multi_ways(l, 3)),
+                                           loft_sci_from_real(b->w[rank]));
+            weight = loft_sci_mul(
+                weight, loft_sci_pow(shared, (unsigned)b->degree - l[corner] - b->cut[corner]));
             for (unsigned i = 0; i < 3; i++)
                 weight = loft_sci_mul(weight, loft_sci_pow(factor[i], l[i]));
             if (loft_sci_sign(weight))
@@ -71,7 +76,8 @@ static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3
     return loft_blend_project(&sum, out);
 }
 
-/* Is exactly one of them 0, and the share of the other two one that a loft_unit holds? Then *number is the side there. */
+/* Is exactly one of them 0, and the share of the other two one that a loft_unit holds? Then *number
+ * is the side there. */
 static bool on_side(const loft_basepoint *b, const loft_sci phi[3], unsigned *number, loft_unit *t)
 {
     unsigned zeros = 0, corner = 0;
@@ -87,7 +93,8 @@ static bool on_side(const loft_basepoint *b, const loft_sci phi[3], unsigned *nu
     return zeros == 1 && loft_sci_is_unit(phi[after(corner)], t);
 }
 
-enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, loft_unit phi2, loft_vec *out)
+enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, loft_unit phi2,
+                                     loft_vec *out)
 {
     loft_sci phi[3] = { loft_sci_from_unit(phi1), loft_sci_from_unit(phi2), loft_sci_one() };
     loft_unit t;
@@ -103,7 +110,8 @@ enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, lo
 }
 
 /* Points with i + j < c are cut off: the factor v^c is common to all that are left. */
-enum loft_status loft_basepoint_corner(const loft_basepoint *b, unsigned corner, loft_unit u, loft_unit v, loft_vec *out)
+enum loft_status loft_basepoint_corner(const loft_basepoint *b, unsigned corner, loft_unit u,
+                                       loft_unit v, loft_vec *out)
 {
     loft_sci factor[3];
 
@@ -151,8 +159,8 @@ loft_basepoint_side loft_basepoint_side_of(const loft_basepoint *b, unsigned num
     return s;
 }
 
-/* Control point t of a side. At a cut corner these are the points that border what is cut off; between corners those on the
- * edge of the triangle, of which the ends may be cut off. */
+/* Control point t of a side. At a cut corner these are the points that border what is cut off;
+ * between corners those on the edge of the triangle, of which the ends may be cut off. */
 static unsigned side_rank(const loft_basepoint *b, loft_basepoint_side s, unsigned t)
 {
     const unsigned cut = b->cut[s.corner], one = after(s.corner), two = after(one);
@@ -164,9 +172,10 @@ static unsigned side_rank(const loft_basepoint *b, loft_basepoint_side s, unsign
     return loft_multi_rank(l, 3);
 }
 
-/* A side of degree m between corners that are cut is the part C(degree, cut + t) of a curve of the triangle's degree: a factor
- * of C(degree, cut + t) / C(m, t) on its weights. */
-static enum loft_status cut_side(const loft_basepoint *b, loft_basepoint_side s, loft_unit at, loft_vec *out)
+/* A side of degree m between corners that are cut is the part C(degree, cut + t) of a curve of the
+ * triangle's degree: a factor of C(degree, cut + t) / C(m, t) on its weights. */
+static enum loft_status cut_side(const loft_basepoint *b, loft_basepoint_side s, loft_unit at,
+                                 loft_vec *out)
 {
     const loft_sci x = loft_sci_from_unit(at), y = loft_sci_sub(loft_sci_one(), x);
     loft_blend sum;
@@ -175,13 +184,15 @@ static enum loft_status cut_side(const loft_basepoint *b, loft_basepoint_side s,
     for (unsigned t = 0; t <= s.degree; t++) {
         const unsigned rank = side_rank(b, s, t);
         loft_sci weight = loft_sci_mul(loft_sci_pow(y, s.degree - t), loft_sci_pow(x, t));
-        weight = loft_sci_mul(weight, loft_sci_from_int(loft_binomial(b->degree, b->cut[s.corner] + t)));
+        weight = loft_sci_mul(weight,
+                              loft_sci_from_int(loft_binomial(b->degree, b->cut[s.corner] + t)));
         loft_blend_add(&sum, &b->p[rank], loft_sci_mul(weight, loft_sci_from_real(b->w[rank])));
     }
     return loft_blend_project(&sum, out);
 }
 
-enum loft_status loft_basepoint_boundary(const loft_basepoint *b, unsigned number, loft_unit t, loft_vec *out)
+enum loft_status loft_basepoint_boundary(const loft_basepoint *b, unsigned number, loft_unit t,
+                                         loft_vec *out)
 {
     loft_vec p[LOFT_DEGREE_MAX + 1];
     loft_real w[LOFT_DEGREE_MAX + 1];
@@ -195,6 +206,7 @@ enum loft_status loft_basepoint_boundary(const loft_basepoint *b, unsigned numbe
         p[k] = b->p[side_rank(b, s, k)];
         w[k] = b->w[side_rank(b, s, k)];
     }
-    const loft_sci share[2] = { loft_sci_sub(loft_sci_one(), loft_sci_from_unit(t)), loft_sci_from_unit(t) };
+    const loft_sci share[2] = { loft_sci_sub(loft_sci_one(), loft_sci_from_unit(t)),
+                                loft_sci_from_unit(t) };
     return loft_blend_curve(p, w, s.degree, share, out);
 }

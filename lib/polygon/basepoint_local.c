@@ -1,7 +1,9 @@
-/* lib/polygon/basepoint_local.c -- derivatives of surfaces from a rational Bezier triangle with cut corners
+/* lib/polygon/basepoint_local.c -- derivatives of surfaces from a rational Bezier triangle with cut
+ * corners
  * SPDX-License-Identifier: MIT
  *
- * The sum of basepoint.c, in functions of phi_1 and phi_2, counted from the point itself.
+ * The sums of basepoint.c, in functions of phi_1 and phi_2, or of u and v at a corner, counted from
+ * the point itself.
  */
 #include "polygon/basepoint.h"
 #include "polygon/jet_blend.h"  /* loft_jet_blend */
@@ -25,37 +27,77 @@ static bool is_cut(const loft_basepoint *b, const uint8_t l[3])
     return false;
 }
 
-static loft_jet weight_of(const loft_basepoint *b, const loft_jet phi[3], const uint8_t l[3], unsigned rank)
+/* The factors of the three indices, and what has the power degree - index - cut of a corner. */
+typedef struct {
+    loft_jet factor[3], shared;
+    unsigned corner;
+} powers;
+
+static loft_jet weight_of(const loft_basepoint *b, const powers *f, const uint8_t l[3],
+                          unsigned rank)
 {
-    loft_jet weight = loft_jet_of(loft_sci_mul(loft_sci_from_int(loft_multi_ways(l, 3)), loft_sci_from_real(b->w[rank])));
+    const loft_sci ways = loft_sci_from_int(loft_multi_ways(l, 3));
+    const unsigned shared = (unsigned)b->degree - l[f->corner] - b->cut[f->corner];
+    loft_jet weight = loft_jet_of(loft_sci_mul(ways, loft_sci_from_real(b->w[rank])));
 
     for (unsigned i = 0; i < 3; i++) {
-        const loft_jet power = loft_jet_pow(&phi[i], l[i]);
+        const loft_jet power = loft_jet_pow(&f->factor[i], l[i]);
         weight = loft_jet_mul(&weight, &power);
     }
-    return weight;
+    const loft_jet power = loft_jet_pow(&f->shared, shared);
+    return loft_jet_mul(&weight, &power);
 }
 
-enum loft_status loft_basepoint_local(const loft_basepoint *b, loft_unit phi1, loft_unit phi2, loft_local *out)
+static enum loft_status sum_jets(const loft_basepoint *b, const powers *f, loft_vec here,
+                                 loft_local *out)
 {
-    loft_jet phi[3];
     loft_jet_blend sum;
-    loft_vec here;
     uint8_t l[3];
     unsigned rank = 0;
 
-    const enum loft_status status = loft_basepoint_eval(b, phi1, phi2, &here);
-    if (status != LOFT_OK)
-        return status;
-    shares(phi1, phi2, phi);
     loft_jet_blend_start(&sum, here);
     loft_multi_first(l, 3, b->degree);
     do {
         if (!is_cut(b, l)) {
-            const loft_jet weight = weight_of(b, phi, l, rank);
+            const loft_jet weight = weight_of(b, f, l, rank);
             loft_jet_blend_add(&sum, &b->p[rank], &weight);
         }
         rank++;
     } while (loft_multi_next(l, 3));
     return loft_jet_blend_project(&sum, out);
+}
+
+enum loft_status loft_basepoint_local(const loft_basepoint *b, loft_unit phi1, loft_unit phi2,
+                                      loft_local *out)
+{
+    loft_vec here;
+    powers f;
+
+    const enum loft_status status = loft_basepoint_eval(b, phi1, phi2, &here);
+    if (status != LOFT_OK)
+        return status;
+    shares(phi1, phi2, f.factor);
+    f.shared = loft_jet_of(loft_sci_one());
+    f.corner = 2;
+    return sum_jets(b, &f, here, out);
+}
+
+enum loft_status loft_basepoint_corner_local(const loft_basepoint *b, unsigned corner, loft_unit u,
+                                             loft_unit v, loft_local *out)
+{
+    const loft_jet one = loft_jet_of(loft_sci_one());
+    loft_vec here;
+    powers f;
+
+    const enum loft_status status = loft_basepoint_corner(b, corner, u, v, &here);
+    if (status != LOFT_OK)
+        return status;
+    loft_jet *across = &f.factor[(corner + 2) % 3];
+    *across = loft_jet_of(loft_sci_from_unit(u));
+    f.shared = loft_jet_of(loft_sci_from_unit(v));
+    across->x = f.shared.y = loft_sci_one();
+    f.factor[(corner + 1) % 3] = loft_jet_sub(&one, across);
+    f.factor[corner] = loft_jet_sub(&one, &f.shared);
+    f.corner = corner;
+    return sum_jets(b, &f, here, out);
 }

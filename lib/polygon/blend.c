@@ -47,7 +47,8 @@ enum loft_status loft_blend_project(const loft_blend *b, loft_vec *out)
 }
 
 /* As curve/ does it, with a parameter that its type holds. */
-static enum loft_status held(const loft_vec p[], const loft_real w[], unsigned degree, loft_unit t, loft_vec *out)
+static enum loft_status held(const loft_vec p[], const loft_real w[], unsigned degree, loft_unit t,
+                             loft_vec *out)
 {
     loft_weighted weighted[LOFT_DEGREE_MAX + 1];
     loft_rational r;
@@ -69,8 +70,10 @@ static enum loft_status held(const loft_vec p[], const loft_real w[], unsigned d
     return status;
 }
 
-/* The weights are C(degree, k) t^k (1 - t)^(degree - k): all positive, each off by 2 degree + 2 roundings. */
-enum loft_status loft_blend_curve(const loft_vec p[], const loft_real w[], unsigned degree, const loft_sci share[2], loft_vec *out)
+/* The weights are C(degree, k) t^k (1 - t)^(degree - k): all positive, each off by 2 degree + 2
+ * roundings. */
+enum loft_status loft_blend_curve(const loft_vec p[], const loft_real w[], unsigned degree,
+                                  const loft_sci share[2], loft_vec *out)
 {
     loft_blend sum;
     loft_unit t;
@@ -79,7 +82,8 @@ enum loft_status loft_blend_curve(const loft_vec p[], const loft_real w[], unsig
         return held(p, w, degree, t, out);
     loft_blend_start(&sum);
     for (unsigned k = 0; k <= degree; k++) {
-        loft_sci weight = loft_sci_mul(loft_sci_pow(share[0], degree - k), loft_sci_pow(share[1], k));
+        loft_sci weight = loft_sci_mul(loft_sci_pow(share[0], degree - k),
+                                       loft_sci_pow(share[1], k));
         weight = loft_sci_mul(weight, loft_sci_from_int(loft_binomial(degree, k)));
         loft_blend_add(&sum, &p[k], w ? loft_sci_mul(weight, loft_sci_from_real(w[k])) : weight);
     }

@@ -1,7 +1,8 @@
 /* lib/polygon/domain.c
  * SPDX-License-Identifier: MIT
  *
- * Every decision is a sign of a cross product, which num/sci.h promises exactly, or compares two coordinates.
+ * Every decision is a sign of a cross product, which num/sci.h promises exactly, or compares two
+ * coordinates.
  */
 #include "polygon/domain.h"
 #include "num/exact.h"  /* loft_exact_admits */
@@ -13,7 +14,7 @@ static loft_sci turn(const loft_spot *a, const loft_spot *b, const loft_spot *c)
     return loft_sci_cross(a->at, b->at, a->at, c->at);
 }
 
-static int side_of(const loft_spot *a, const loft_spot *b, const loft_spot *c)
+int loft_spot_turn(const loft_spot *a, const loft_spot *b, const loft_spot *c)
 {
     return loft_sci_sign(turn(a, b, c));
 }
@@ -34,57 +35,66 @@ static bool same(const loft_spot *a, const loft_spot *b)
     return within(a, b, b);
 }
 
-/* Do the edges a b and c d, that do not follow each other, cross? Or touch where one of them starts: where one ends another
- * starts, and if that one follows the edge which is touched, it folds back onto it. */
+/* Do the edges a b and c d, that do not follow each other, cross? Or touch where one of them
+ * starts: where one ends another starts, and if that one follows the edge which is touched, it
+ * folds back onto it. */
 static bool touch(const loft_spot *a, const loft_spot *b, const loft_spot *c, const loft_spot *d)
 {
-    const int abc = side_of(a, b, c), cda = side_of(c, d, a);
+    const int abc = loft_spot_turn(a, b, c), cda = loft_spot_turn(c, d, a);
 
     if ((!abc && within(c, a, b)) || (!cda && within(a, c, d)))
         return true;
-    return abc * side_of(a, b, d) < 0 && cda * side_of(c, d, b) < 0;
+    return abc * loft_spot_turn(a, b, d) < 0 && cda * loft_spot_turn(c, d, b) < 0;
 }
 
-/* Does the edge from `at` fold back over the whole of the one before it, which may have no length? Where it covers a part only, the vertex after it
- * touches that edge; of three points on a line one edge covers another. */
+/* Does the edge from `at` fold back over the whole of the one before it, which may have no length?
+ * Where it covers a part only, the vertex after it touches that edge; of three points on a line one
+ * edge covers another. */
 static bool folded(const loft_spot *before, const loft_spot *at, const loft_spot *after)
 {
-    return !side_of(before, at, after) && within(before, at, after);
+    return !loft_spot_turn(before, at, after) && within(before, at, after);
 }
 
-static bool broken(const loft_spot v[], unsigned sides)
+bool loft_outline_fault(const loft_spot v[], unsigned sides, unsigned edge[2])
 {
-    for (unsigned i = 0; i < sides; i++) {
-        const unsigned j = next(i, sides);
+    for (edge[0] = 0; edge[0] < sides; edge[0]++) {
+        const unsigned i = edge[0], j = next(i, sides);
+        edge[1] = j;
         if (folded(&v[i], &v[j], &v[next(j, sides)]))
             return true;
-        for (unsigned k = i + 2; k < sides; k++)
-            if (next(k, sides) != i && touch(&v[i], &v[j], &v[k], &v[next(k, sides)]))
+        for (edge[1] = i + 2; edge[1] < sides; edge[1]++) {
+            const unsigned k = edge[1], l = next(k, sides);
+            if (l != i && touch(&v[i], &v[j], &v[k], &v[l]))
                 return true;
+        }
     }
     return false;
 }
 
-/* A simple polygon turns at its lowest vertex (of those the leftmost) as it does as a whole: no edge is below. Where the
- * vertices beside it are on one line with it, one of them would be lower or further left. */
+/* A simple polygon turns at its lowest vertex (of those the leftmost) as it does as a whole: no
+ * edge is below. Where the vertices beside it are on one line with it, one of them would be lower
+ * or further left. */
 static int orientation(const loft_spot v[], unsigned sides)
 {
     unsigned least = 0;
 
     for (unsigned i = 1; i < sides; i++)
-        if (v[i].at[1] < v[least].at[1] || (!(v[i].at[1] > v[least].at[1]) && v[i].at[0] < v[least].at[0]))
+        if (v[i].at[1] < v[least].at[1] ||
+            (!(v[i].at[1] > v[least].at[1]) && v[i].at[0] < v[least].at[0]))
             least = i;
-    return side_of(&v[least ? least - 1 : sides - 1], &v[least], &v[next(least, sides)]);
+    return loft_spot_turn(&v[least ? least - 1 : sides - 1], &v[least], &v[next(least, sides)]);
 }
 
 enum loft_outline loft_outline_of(const loft_spot v[], unsigned sides)
 {
-    if (broken(v, sides))
+    unsigned edge[2];
+
+    if (loft_outline_fault(v, sides, edge))
         return LOFT_OUTLINE_BROKEN;
     if (orientation(v, sides) < 0)
         return LOFT_OUTLINE_CLOCKWISE;
     for (unsigned i = 0; i < sides; i++)
-        if (side_of(&v[i], &v[next(i, sides)], &v[next(next(i, sides), sides)]) <= 0)
+        if (loft_spot_turn(&v[i], &v[next(i, sides)], &v[next(next(i, sides), sides)]) <= 0)
             return LOFT_OUTLINE_SIMPLE;
     return LOFT_OUTLINE_CONVEX;
 }
@@ -115,9 +125,11 @@ enum loft_status loft_domain_init(loft_domain *d, const loft_spot v[], unsigned 
     return LOFT_OK;
 }
 
-/* A ray from p to the right crosses an edge that has one end above p and one not above it, when p lies left of the
- * edge as it rises or right of it as it falls. Inside, the number of crossings is odd. */
-enum loft_place loft_domain_place(const loft_domain *d, loft_spot p, loft_sci area[], unsigned *index)
+/* A ray from p to the right crosses an edge that has one end above p and one not above it, when p
+ * lies left of the edge as it rises or right of it as it falls. Inside, the number of crossings is
+ * odd. */
+enum loft_place loft_domain_place(const loft_domain *d, loft_spot p, loft_sci area[],
+                                  unsigned *index)
 {
     bool inside = false, on_edge = false;
 
@@ -150,7 +162,8 @@ static loft_sci distance(loft_real from, loft_real to)
     return loft_sci_sub(loft_sci_from_real(to), loft_sci_from_real(from));
 }
 
-/* Along the axis in which the edge is longer. Both shares are quotients: neither is 1 minus the other, rounded. */
+/* Along the axis in which the edge is longer. Both shares are quotients: neither is 1 minus the
+ * other, rounded. */
 void loft_domain_edge(const loft_domain *d, loft_spot p, unsigned edge, loft_sci phi[])
 {
     const unsigned after = next(edge, d->sides);
@@ -162,4 +175,44 @@ void loft_domain_edge(const loft_domain *d, loft_spot p, unsigned edge, loft_sci
     loft_domain_vertex(d, edge, phi);
     phi[edge]  = loft_sci_div(distance(p.at[tall], b->at[tall]), whole);
     phi[after] = loft_sci_div(distance(a->at[tall], p.at[tall]), whole);
+}
+
+/* The point of edge i nearest to p: its share, and the square of its distance. */
+static loft_sci nearest_of_edge(const loft_domain *d, loft_spot p, unsigned i, loft_sci *share)
+{
+    const loft_spot *a = &d->v[i], *b = &d->v[next(i, d->sides)];
+    loft_sci along = loft_sci_zero(), whole = loft_sci_zero(), apart = loft_sci_zero();
+
+    for (int k = 0; k < 2; k++) {
+        const loft_sci edge = distance(a->at[k], b->at[k]);
+        along = loft_sci_add(along, loft_sci_mul(distance(a->at[k], p.at[k]), edge));
+        whole = loft_sci_add(whole, loft_sci_mul(edge, edge));
+    }
+    *share = loft_sci_sign(along) <= 0     ? loft_sci_zero()
+             : loft_sci_less(along, whole) ? loft_sci_div(along, whole)
+                                           : loft_sci_one();
+    for (int k = 0; k < 2; k++) {
+        const loft_sci off = loft_sci_sub(distance(a->at[k], p.at[k]),
+                                          loft_sci_mul(*share, distance(a->at[k], b->at[k])));
+        apart = loft_sci_add(apart, loft_sci_mul(off, off));
+    }
+    return apart;
+}
+
+void loft_domain_nearest(const loft_domain *d, loft_spot p, loft_sci phi[])
+{
+    loft_sci share, best, least = nearest_of_edge(d, p, 0, &best);
+    unsigned edge = 0;
+
+    for (unsigned i = 1; i < d->sides; i++) {
+        const loft_sci apart = nearest_of_edge(d, p, i, &share);
+        if (loft_sci_less(apart, least)) {
+            least = apart;
+            best = share;
+            edge = i;
+        }
+    }
+    loft_domain_vertex(d, edge, phi);
+    phi[next(edge, d->sides)] = best;
+    phi[edge] = loft_sci_sub(loft_sci_one(), best);
 }

@@ -1,8 +1,9 @@
 /* lib/polygon/domain.h -- the polygon that a patch with n sides is defined over
  * SPDX-License-Identifier: MIT
  *
- * Vertices counter-clockwise, edge i from vertex i to vertex i + 1 (indices from 0, cyclic). Whether a polygon is one,
- * whether it is convex and where a point lies are decided exactly, in every number type.
+ * Vertices counter-clockwise, edge i from vertex i to vertex i + 1 (indices from 0, cyclic).
+ * Whether a polygon is one, whether it is convex and where a point lies are decided exactly, in
+ * every number type.
  *
  *     static const loft_spot v[5] = { .. };
  *     loft_domain d;
@@ -15,6 +16,8 @@
 
 #include "num/sci.h"    /* loft_sci: areas, and coordinates with respect to the vertices */
 
+LOFT_BEGIN_C
+
 #define LOFT_SIDES_MAX 8
 
 /* A point of the plane that polygons lie in. */
@@ -25,17 +28,25 @@ typedef struct {
 /* A simple polygon. The vertices are borrowed. Do not fill it yourself: call init. */
 typedef struct {
     const loft_spot *v;
-    loft_sci corner[LOFT_SIDES_MAX];    /* twice the area of vertices i - 1, i, i + 1                   */
+    loft_sci corner[LOFT_SIDES_MAX];    /* twice the area of vertices i - 1, i, i + 1 */
     uint8_t sides;
-    bool convex;                        /* strictly: every inner angle is below half a turn             */
+    bool convex;                        /* strictly: every inner angle is below half a turn */
 } loft_domain;
+
+/* To which side of the line from a to b is c? 1 left, -1 right, 0 on it.
+ *
+ *   range   f32, f64: admitted points
+ *   error   none: exact
+ *   cost    a cross product
+ */
+int loft_spot_turn(const loft_spot *a, const loft_spot *b, const loft_spot *c);
 
 /* What a closed chain of points encloses. */
 enum loft_outline {
-    LOFT_OUTLINE_CONVEX,        /* counter-clockwise, every corner turns left                            */
-    LOFT_OUTLINE_SIMPLE,        /* counter-clockwise, some corner does not; no two edges touch           */
-    LOFT_OUTLINE_CLOCKWISE,     /* simple, but to be reversed                                            */
-    LOFT_OUTLINE_BROKEN         /* edges cross, touch or have no length                                  */
+    LOFT_OUTLINE_CONVEX,        /* counter-clockwise, every corner turns left */
+    LOFT_OUTLINE_SIMPLE,        /* counter-clockwise, some corner does not; no two edges touch */
+    LOFT_OUTLINE_CLOCKWISE,     /* simple, but to be reversed */
+    LOFT_OUTLINE_BROKEN         /* edges cross, touch or have no length */
 };
 
 /* Judge `sides` points, 3..8, in any order.
@@ -45,12 +56,23 @@ enum loft_outline {
  */
 enum loft_outline loft_outline_of(const loft_spot v[], unsigned sides);
 
+/* Find two edges that make a chain of 3..8 points broken: they cross or touch, or the second, which
+ * follows the first, folds back onto it or has no length, or the first has none. False: none do.
+ *
+ *   shape   edge[2], of no meaning when there are none
+ *   error   none: exact
+ *   cost    as loft_outline_of
+ */
+bool loft_outline_fault(const loft_spot v[], unsigned sides, unsigned edge[2]);
+
 /* Make a domain of `sides` vertices, which must outlive it.
  *
- *   range   3..8 simple and counter-clockwise; LOFT_ERR_ARG for other counts or clockwise, LOFT_SINGULAR for a
- *           broken outline, LOFT_ERR_RANGE for coordinates beyond the range; *d is untouched then
+ *   range   3..8 simple and counter-clockwise; LOFT_ERR_ARG for other counts or clockwise,
+ *           LOFT_SINGULAR for a broken outline, LOFT_ERR_RANGE for coordinates beyond the range; *d
+ *           is untouched then
  *   error   that of loft_sci_cross in corner[], otherwise none: the vertices are borrowed
- *   cost    as loft_outline_of and `sides` cross products more; the domain takes 136 bytes in q16 on a 32-bit core, 72 in floats
+ *   cost    as loft_outline_of and `sides` cross products more; the domain takes 136 bytes in q16
+ *           on a 32-bit core, 72 in floats
  */
 enum loft_status loft_domain_init(loft_domain *d, const loft_spot v[], unsigned sides) LOFT_CHECKED;
 
@@ -62,23 +84,37 @@ enum loft_place {
     LOFT_AT_VERTEX              /* *index is the vertex                      */
 };
 
-/* Find where p lies, and the areas it makes: area[i] is twice the signed area of p, vertex i, vertex i + 1.
+/* Find where p lies, and the areas it makes: area[i] is twice the signed area of p, vertex i,
+ * vertex i + 1.
  *
  *   shape   area[sides]; *index is written for an edge or a vertex only
  *   range   f32, f64: an admitted p
  *   error   none: exact; areas: that of loft_sci_cross
  *   cost    `sides` cross products
  */
-enum loft_place loft_domain_place(const loft_domain *d, loft_spot p, loft_sci area[], unsigned *index);
+enum loft_place loft_domain_place(const loft_domain *d, loft_spot p, loft_sci area[],
+                                  unsigned *index);
 
-/* The coordinates of a point on an edge or at a vertex: linear on the edge, 0 for every other vertex.
+/* The coordinates of a point on an edge or at a vertex: linear on the edge, 0 for every other
+ * vertex.
  *
  *   shape   phi[d->sides]
- *   error   q16: 2^-60 of each   f32, f64: 2^-51; at a vertex none, nor where the quotient is a number of the type
+ *   error   q16: 2^-60 of each   f32, f64: 2^-51; at a vertex none, nor where the quotient is a
+ *           number of the type
  *   cost    2 divisions
  */
 void loft_domain_edge(const loft_domain *d, loft_spot p, unsigned edge, loft_sci phi[]);
 void loft_domain_vertex(const loft_domain *d, unsigned vertex, loft_sci phi[]);
+
+/* The coordinates of the point of the boundary that is nearest to p: for points that rounding has
+ * led outside.
+ *
+ *   shape   phi[d->sides]
+ *   error   q16: 2^-56 of each   f32, f64: 2^-48; of edges whose distances differ by less than
+ *           that share of the polygon's size, any
+ *   cost    9 products and a division per side
+ */
+void loft_domain_nearest(const loft_domain *d, loft_spot p, loft_sci phi[]);
 
 /* Can this point be taken exactly? Always in q16.
  *
@@ -86,5 +122,7 @@ void loft_domain_vertex(const loft_domain *d, unsigned vertex, loft_sci phi[]);
  *   cost    floats: that of loft_exact_admits twice
  */
 bool loft_spot_admits(loft_spot p);
+
+LOFT_END_C
 
 #endif

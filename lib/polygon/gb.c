@@ -1,10 +1,12 @@
 /* lib/polygon/gb.c
  * SPDX-License-Identifier: MIT
  *
- * 1 - s_i = phi_i / (phi_i + phi_(i+1)), 1 - h_i = phi_i + phi_(i+1), and h_i is the sum of the others: where no phi is negative all
- * that is multiplied are sums of positive numbers, their products and quotients. A weight has at most 2 degree + 8 factors, each off
- * by some roundings: q16 2^-54 of it, floats 2^-46. The weights of one ribbon sum to at most 1, those of all to at most 1.5 (the
- * centre of a triangle), and V0 takes what is missing: a point errs by 2^-52 (2^-44) of the largest coordinate.
+ * 1 - s_i = phi_i / (phi_i + phi_(i+1)), 1 - h_i = phi_i + phi_(i+1), and h_i is the sum of the
+ * others: where no phi is negative all that is multiplied are sums of positive numbers, their
+ * products and quotients. A weight has at most 2 degree + 8 factors, each off by some roundings:
+ * q16 2^-54 of it, floats 2^-46. The weights of one ribbon sum to at most 1, those of all to at
+ * most 1.5 (the centre of a triangle), and V0 takes what is missing: a point errs by 2^-52 (2^-44)
+ * of the largest coordinate.
  */
 #include "polygon/gb.h"
 #include "polygon/blend.h"      /* loft_blend, loft_blend_curve */
@@ -124,11 +126,13 @@ static bool portion(loft_sci a, loft_sci b, loft_sci *out)
     return true;
 }
 
-static bool ribbon_start(ribbon *r, const loft_gb_side side[], unsigned sides, unsigned degree, unsigned i)
+static bool ribbon_start(ribbon *r, const loft_gb_side side[], unsigned sides, unsigned degree,
+                         unsigned i)
 {
     loft_sci alpha, beta;
 
-    if (!portion(side[before(i, sides)].h, side[i].h, &alpha) || !portion(side[after(i, sides)].h, side[i].h, &beta))
+    if (!portion(side[before(i, sides)].h, side[i].h, &alpha) ||
+        !portion(side[after(i, sides)].h, side[i].h, &beta))
         return false;
     bernstein(r->along, degree, degree + 1, side[i].s, side[i].before_s);
     bernstein(r->across, degree, high_of(degree), side[i].h, side[i].below_h);
@@ -155,7 +159,8 @@ static loft_sci share_of(const ribbon *r, unsigned degree, unsigned j, unsigned 
 /* The first j of row k whose mu is not 0; the last one is as far from the other end. */
 static unsigned first_of(unsigned k) { return k < 2 ? 0 : k; }
 
-enum loft_status loft_gb_weights(unsigned sides, unsigned degree, const loft_sci phi[], loft_sci out[])
+enum loft_status loft_gb_weights(unsigned sides, unsigned degree, const loft_sci phi[],
+                                 loft_sci out[])
 {
     const unsigned last = loft_gb_count(sides, degree) - 1;
     loft_gb_side side[LOFT_SIDES_MAX];
@@ -201,7 +206,8 @@ static unsigned border_of(unsigned sides, const loft_sci phi[])
     return i;
 }
 
-static enum loft_status border_point(const loft_gb *g, const loft_sci phi[], unsigned side, loft_vec *out)
+static enum loft_status border_point(const loft_gb *g, const loft_sci phi[], unsigned side,
+                                     loft_vec *out)
 {
     const loft_sci share[2] = { phi[side], phi[after(side, g->sides)] };
     loft_vec p[LOFT_DEGREE_MAX + 1];
@@ -217,7 +223,8 @@ static void add_row(loft_blend *sum, const loft_gb *g, const ribbon *r, unsigned
 
     loft_blend_start(&row);
     for (unsigned j = first_of(k); j <= g->degree - first_of(k); j++)
-        loft_blend_add(&row, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)], share_of(r, g->degree, j, k));
+        loft_blend_add(&row, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)],
+                       share_of(r, g->degree, j, k));
     loft_blend_join(sum, &row, r->across[k]);
 }
 
@@ -241,6 +248,7 @@ enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *
         for (unsigned k = 0; k < high_of(g->degree); k++)
             add_row(&sum, g, &r, i, k);
     }
-    loft_blend_add(&sum, &g->p[loft_gb_count(g->sides, g->degree) - 1], loft_sci_sub(loft_sci_one(), sum.w));
+    loft_blend_add(&sum, &g->p[loft_gb_count(g->sides, g->degree) - 1],
+                   loft_sci_sub(loft_sci_one(), sum.w));
     return loft_blend_point(&sum, out);
 }

@@ -1,22 +1,29 @@
 /* lib/polygon/gb_local.c -- derivatives of generalized Bezier patches
  * SPDX-License-Identifier: MIT
  *
- * The formulas of gb.c, in functions of the point. All weights, B0 too, sum to 1, so the derivatives of the weights sum to 0:
+ * The formulas of gb.c, in functions of the point. All weights, B0 too, sum to 1, so the
+ * derivatives of the weights sum to 0:
  *
  *     S - V0 = sum mu^i_jk B_j(s_i) B_k(h_i) (V^i_jk - V0)
  *
- * Toward vertex i the derivatives of mu grow without bounds, and cancel where ribbons i and i - 1 share a point: their mu sum to 1
- * there. With a = phi_i, b and c those after and before it, R the rest, alpha = h_(i-1) / (h_(i-1) + h_i), beta = 1 - alpha, and
+ * Toward vertex i the derivatives of mu grow without bounds, and cancel where ribbons i and i - 1
+ * share a point: their mu sum to 1 there. With a = phi_i, b and c those after and before it, R the
+ * rest, alpha = h_(i-1) / (h_(i-1) + h_i), beta = 1 - alpha, and
  *
- *     e = a R - b c      e / (a + c) = s_(i-1) R - (1 - s_(i-1)) b      e / (a + b) = (1 - s_i) R - s_i c
+ *     e = a R - b c      e / (a + c) = s_(i-1) R - (1 - s_(i-1)) b      e / (a + b) = (1 - s_i) R -
+ *         s_i c
  *
  * which are small of the second order there, the four points of a corner have the weights
  *
- *     V^i_00  a^d                                           V^i_10  d a^(d-1) (b + beta e / (a + c))
- *     V^i_01  d a^(d-1) (c + alpha e / (a + b))             V^i_11  d^2 a^(d-1) s_i h_i + d^2 a^(d-2) beta (1 - s_i) (c - b) e / (a + c)
+ *     V^i_00  a^d                                           V^i_10  d a^(d-1) (b + beta e / (a +
+ *                                                                   c))
+ *     V^i_01  d a^(d-1) (c + alpha e / (a + b))             V^i_11  d^2 a^(d-1) s_i h_i + d^2
+ *                                                                   a^(d-2) beta (1 - s_i) (c - b)
+ *                                                                   e / (a + c)
  *
- * On a far side s_i is 0/0. All weights have squares of what is 0 there as factors, and for second derivatives only the limit of s_i
- * counts, the quotient of derivatives in any direction that leaves the side.
+ * On a far side s_i is 0/0. All weights have squares of what is 0 there as factors, and for second
+ * derivatives only the limit of s_i counts, the quotient of derivatives in any direction that
+ * leaves the side.
  */
 #include "polygon/gb.h"
 #include "polygon/jet_blend.h"  /* loft_jet_blend */
@@ -41,7 +48,8 @@ static loft_jet mul3(const loft_jet *a, const loft_jet *b, const loft_jet *c)
 }
 
 /* C(degree, k) x^k y^(degree - k) for k = 0 .. count - 1. */
-static void bernstein(loft_jet out[], unsigned degree, unsigned count, const loft_jet *x, const loft_jet *y)
+static void bernstein(loft_jet out[], unsigned degree, unsigned count, const loft_jet *x,
+                      const loft_jet *y)
 {
     loft_jet power = loft_jet_of(loft_sci_one());
 
@@ -89,7 +97,8 @@ static bool params_at(params *p, const loft_jet phi[], unsigned sides, unsigned 
     return !none(p->below_h.f) || none(a->f);
 }
 
-static void add_point(loft_jet_blend *s, const loft_gb *g, unsigned side, unsigned j, unsigned k, const loft_jet *weight)
+static void add_point(loft_jet_blend *s, const loft_gb *g, unsigned side, unsigned j, unsigned k,
+                      const loft_jet *weight)
 {
     loft_jet_blend_add(s, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)], weight);
 }
@@ -102,7 +111,8 @@ static loft_jet moved(const loft_jet *b, const loft_jet *share, const loft_jet *
 }
 
 /* The four points of corner i, from the parameters of its two sides. */
-static bool add_corner(loft_jet_blend *s, const loft_gb *g, const loft_jet phi[], unsigned i, const params *last, const params *here)
+static bool add_corner(loft_jet_blend *s, const loft_gb *g, const loft_jet phi[], unsigned i,
+                       const params *last, const params *here)
 {
     const unsigned n = g->sides, d = g->degree;
     const loft_sci m = loft_sci_from_int((int32_t)d);
@@ -166,7 +176,8 @@ enum loft_status loft_gb_local(const loft_gb *g, const loft_jet phi[], loft_loca
         return LOFT_SINGULAR;
     loft_jet_blend_start(&sum, g->p[loft_gb_count(g->sides, g->degree) - 1]);
     for (unsigned i = 0; i < g->sides; i++) {
-        if (!params_at(&side[1], phi, g->sides, i) || !add_corner(&sum, g, phi, i, &side[0], &side[1]))
+        if (!params_at(&side[1], phi, g->sides, i) ||
+            !add_corner(&sum, g, phi, i, &side[0], &side[1]))
             return LOFT_SINGULAR;
         add_ribbon(&sum, g, i, &side[1]);
         side[0] = side[1];

@@ -1,19 +1,22 @@
 /* lib/polygon/gb_net.c -- control points of generalized Bezier patches from the curves around them
  * SPDX-License-Identifier: MIT
  *
- * With S_i the side after corner i, d the degree, and a, b steps away from the corner along S_i and S_(i-1), the bilinearly
- * blended Coons net has
+ * With S_i the side after corner i, d the degree, and a, b steps away from the corner along S_i and
+ * S_(i-1), the bilinearly blended Coons net has
  *
  *     d^2 V = (d - b) d S_i(a) + b d T(a) + (d - a) d S_(i-1)(d - b) + a d U(b)
  *           - (d - a) (d - b) v_i - a (d - b) v_(i+1) - (d - a) b v_(i-1) - a b o
  *
- * between S_i, S_(i-1) and two curves T, U from v_(i-1), v_(i+1) to a fourth corner o. They are S_(i-2), backward, and S_(i+1),
- * with o - v_(i-2), o - v_(i+2) added in proportion, o being the mean of both. Then o drops out:
+ * between S_i, S_(i-1) and two curves T, U from v_(i-1), v_(i+1) to a fourth corner o. They are
+ * S_(i-2), backward, and S_(i+1), with o - v_(i-2), o - v_(i+2) added in proportion, o being the
+ * mean of both. Then o drops out:
  *
  *     2 d^2 V = 2 d ((d - b) S_i(a) + b S_(i-2)(d - a) + (d - a) S_(i-1)(d - b) + a S_(i+1)(b))
- *             - 2 ((d - a) (d - b) v_i + a (d - b) v_(i+1) + (d - a) b v_(i-1)) - a b (v_(i+2) + v_(i-2))
+ *             - 2 ((d - a) (d - b) v_i + a (d - b) v_(i+1) + (d - a) b v_(i-1)) - a b (v_(i+2) +
+ *             v_(i-2))
  *
- * With four sides v_(i+2) is v_(i-2) and nothing was changed. The weights are whole numbers below 2^10 that sum to 2 d^2.
+ * With four sides v_(i+2) is v_(i-2) and nothing was changed. The weights are whole numbers below
+ * 2^10 that sum to 2 d^2.
  */
 #include "polygon/gb.h"
 #include "polygon/blend.h"      /* loft_blend */
@@ -51,7 +54,8 @@ static void add_point(loft_blend *sum, const outline *o, unsigned i, unsigned a,
 }
 
 /* The point in the middle of a side belongs to both its ends. */
-static enum loft_status inner_point(const outline *o, unsigned i, unsigned a, unsigned b, loft_vec *out)
+static enum loft_status inner_point(const outline *o, unsigned i, unsigned a, unsigned b,
+                                    loft_vec *out)
 {
     loft_blend sum;
 
@@ -75,7 +79,8 @@ enum loft_status loft_gb_middle(const loft_vec p[], unsigned sides, unsigned deg
     return loft_blend_project(&sum, out);
 }
 
-enum loft_status loft_gb_from_boundary(const loft_vec boundary[], unsigned sides, unsigned degree, loft_vec out[])
+enum loft_status loft_gb_from_boundary(const loft_vec boundary[], unsigned sides, unsigned degree,
+                                       loft_vec out[])
 {
     const unsigned layers = (degree + 1) / 2;
     const outline o = { boundary, sides, degree };
@@ -87,7 +92,8 @@ enum loft_status loft_gb_from_boundary(const loft_vec boundary[], unsigned sides
             out[loft_gb_place(sides, degree, i, j, 0)] = boundary[i * degree + j];
         for (unsigned a = 1; a <= degree / 2; a++)
             for (unsigned b = 1; b < layers; b++)
-                if (inner_point(&o, i, a, b, &out[loft_gb_place(sides, degree, i, a, b)]) != LOFT_OK)
+                if (inner_point(&o, i, a, b, &out[loft_gb_place(sides, degree, i, a, b)]) !=
+                    LOFT_OK)
                     return LOFT_ERR_RANGE;
     }
     return loft_gb_middle(out, sides, degree, &out[loft_gb_count(sides, degree) - 1]);

@@ -3,7 +3,7 @@
  *
  * phi_i solves Laplace's equation inside and is linear on the edges, 1 at vertex i, 0 at the others; so inside 0 < phi_i < 1
  * in polygons that are not convex too, sum phi_i = 1 and sum phi_i v_i = p. There is no formula: the host solves the
- * equation once for a polygon (`loft harmonic`, host-tools/harmonic.h), and what is evaluated is a series
+ * equation once for a polygon (`loft harmonic`, host-tools/engine/harmonic.h), and what is evaluated is a series
  *
  *     phi_i = sum c_k Im w^k + sum Re, Im of c_k / (z - pole) + sum Re, Im of c_k t^k
  *
@@ -24,6 +24,8 @@
 #include "num/angle.h"          /* loft_fine */
 #include "polygon/domain.h"     /* loft_domain, loft_spot */
 #include "polygon/jet.h"        /* loft_jet */
+
+LOFT_BEGIN_C
 
 /* A pole outside the polygon, and the size of its term's numerator. */
 typedef struct {
@@ -86,5 +88,7 @@ enum loft_status loft_harmonic_eval(const loft_harmonic *h, loft_spot p, loft_sc
  *   cost    three products of complex numbers and eight of numbers where eval has one
  */
 enum loft_status loft_harmonic_jet(const loft_harmonic *h, loft_spot p, loft_jet phi[]) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

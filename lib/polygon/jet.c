@@ -1,15 +1,20 @@
 /* lib/polygon/jet.c
  * SPDX-License-Identifier: MIT
  *
- *     (a b)_x = a_x b + a b_x     (a b)_xx = a_xx b + 2 a_x b_x + a b_xx     (a b)_xy = a_xy b + a_x b_y + a_y b_x + a b_xy
+ *     (a b)_x = a_x b + a b_x     (a b)_xx = a_xx b + 2 a_x b_x + a b_xx     (a b)_xy = a_xy b +
+ *         a_x b_y + a_y b_x + a b_xy
  *
- * A quotient q = a / b is what makes q b = a, and a root what makes r r = a: the same lines, solved for what is new in them.
+ * A quotient q = a / b is what makes q b = a, and a root what makes r r = a: the same lines, solved
+ * for what is new in them.
  */
 #include "polygon/jet.h"
 
 static loft_sci mul(loft_sci a, loft_sci b)             { return loft_sci_mul(a, b); }
 static loft_sci twice(loft_sci a)                       { return loft_sci_add(a, a); }
-static loft_sci less(loft_sci a, loft_sci b, loft_sci c) { return loft_sci_sub(a, loft_sci_mul(b, c)); }
+static loft_sci less(loft_sci a, loft_sci b, loft_sci c)
+{
+    return loft_sci_sub(a, loft_sci_mul(b, c));
+}
 
 loft_jet loft_jet_of(loft_sci c)
 {
@@ -20,21 +25,24 @@ loft_jet loft_jet_of(loft_sci c)
 
 loft_jet loft_jet_add(const loft_jet *a, const loft_jet *b)
 {
-    const loft_jet r = { loft_sci_add(a->f, b->f),   loft_sci_add(a->x, b->x),   loft_sci_add(a->y, b->y),
-                         loft_sci_add(a->xx, b->xx), loft_sci_add(a->xy, b->xy), loft_sci_add(a->yy, b->yy) };
+    const loft_jet r = { loft_sci_add(a->f, b->f),   loft_sci_add(a->x, b->x),
+                         loft_sci_add(a->y, b->y),   loft_sci_add(a->xx, b->xx),
+                         loft_sci_add(a->xy, b->xy), loft_sci_add(a->yy, b->yy) };
     return r;
 }
 
 loft_jet loft_jet_scale(const loft_jet *a, loft_sci c)
 {
-    const loft_jet r = { mul(a->f, c), mul(a->x, c), mul(a->y, c), mul(a->xx, c), mul(a->xy, c), mul(a->yy, c) };
+    const loft_jet r = { mul(a->f, c),  mul(a->x, c),  mul(a->y, c),
+                         mul(a->xx, c), mul(a->xy, c), mul(a->yy, c) };
     return r;
 }
 
 loft_jet loft_jet_sub(const loft_jet *a, const loft_jet *b)
 {
-    const loft_jet r = { loft_sci_sub(a->f, b->f),   loft_sci_sub(a->x, b->x),   loft_sci_sub(a->y, b->y),
-                         loft_sci_sub(a->xx, b->xx), loft_sci_sub(a->xy, b->xy), loft_sci_sub(a->yy, b->yy) };
+    const loft_jet r = { loft_sci_sub(a->f, b->f),   loft_sci_sub(a->x, b->x),
+                         loft_sci_sub(a->y, b->y),   loft_sci_sub(a->xx, b->xx),
+                         loft_sci_sub(a->xy, b->xy), loft_sci_sub(a->yy, b->yy) };
     return r;
 }
 
@@ -46,8 +54,11 @@ static loft_sci first(loft_sci a, loft_sci a_x, loft_sci b, loft_sci b_x)
 
 loft_jet loft_jet_mul(const loft_jet *a, const loft_jet *b)
 {
-    const loft_sci xx = twice(mul(a->x, b->x)), xy = first(a->x, a->y, b->x, b->y), yy = twice(mul(a->y, b->y));
-    const loft_jet r = { mul(a->f, b->f), first(a->f, a->x, b->f, b->x), first(a->f, a->y, b->f, b->y),
+    const loft_sci xx = twice(mul(a->x, b->x)), xy = first(a->x, a->y, b->x, b->y),
+                   yy = twice(mul(a->y, b->y));
+    const loft_jet r = { mul(a->f, b->f),
+                         first(a->f, a->x, b->f, b->x),
+                         first(a->f, a->y, b->f, b->y),
                          loft_sci_add(first(a->f, a->xx, b->f, b->xx), xx),
                          loft_sci_add(first(a->f, a->xy, b->f, b->xy), xy),
                          loft_sci_add(first(a->f, a->yy, b->f, b->yy), yy) };

@@ -1,13 +1,17 @@
-/* lib/polygon/jet.h -- functions of a point of the plane near that point: value, first and second derivatives
+/* lib/polygon/jet.h -- functions of a point of the plane near that point: value, first and second
+ * derivatives
  * SPDX-License-Identifier: MIT
  *
- * Sums, products and quotients of functions give those of their derivatives; so whatever is computed from coordinates of a
- * point is differentiated by the same formula, exactly but for roundings.
+ * Sums, products and quotients of functions give those of their derivatives; so whatever is
+ * computed from coordinates of a point is differentiated by the same formula, exactly but for
+ * roundings.
  */
 #ifndef LOFT_POLYGON_JET_H
 #define LOFT_POLYGON_JET_H
 
 #include "num/sci.h"    /* loft_sci */
+
+LOFT_BEGIN_C
 
 /* f and its derivatives by x and y. */
 typedef struct {
@@ -24,7 +28,8 @@ loft_jet loft_jet_of(loft_sci c);
 /* a + b, a - b, a b, a / b where b is not 0, the root of a > 0.
  *
  *   error   of each part that of as many sums and products of loft_sci as it has
- *   cost    sum and difference 6 sums; product 15 products and 11 sums; quotient 9, 11 and 6 quotients; root 8, 3, 5 and a root
+ *   cost    sum and difference 6 sums; product 15 products and 11 sums; quotient 9, 11 and 6
+ *           quotients; root 8, 3, 5 and a root
  */
 loft_jet loft_jet_add(const loft_jet *a, const loft_jet *b);
 loft_jet loft_jet_sub(const loft_jet *a, const loft_jet *b);
@@ -45,5 +50,7 @@ loft_jet loft_jet_scale(const loft_jet *a, loft_sci c);
  *   cost    at most 2 log2 k + 1 of mul
  */
 loft_jet loft_jet_pow(const loft_jet *a, unsigned k);
+
+LOFT_END_C
 
 #endif

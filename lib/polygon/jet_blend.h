@@ -1,4 +1,5 @@
-/* lib/polygon/jet_blend.h -- sums of weighted points whose weights are functions of a point, for the derivatives of a patch
+/* lib/polygon/jet_blend.h -- sums of weighted points whose weights are functions of a point, for
+ * the derivatives of a patch
  * SPDX-License-Identifier: MIT
  *
  * As polygon/blend.h, counted from an origin: what is near it loses no digits.
@@ -10,7 +11,10 @@
 #include "polygon/jet.h"        /* loft_jet */
 #include "surface/local.h"      /* loft_local */
 
-/* The sum of (point - origin) times weight, the sum of weights, and the sums of the sizes of the terms of first derivatives. */
+LOFT_BEGIN_C
+
+/* The sum of (point - origin) times weight, the sum of weights, and the sums of the sizes of the
+ * terms of first derivatives. */
 typedef struct {
     loft_jet x[LOFT_AXES], w;
     loft_sci wide_x[LOFT_AXES], wide_y[LOFT_AXES];
@@ -25,13 +29,17 @@ typedef struct {
 void loft_jet_blend_start(loft_jet_blend *b, loft_vec origin);
 void loft_jet_blend_add(loft_jet_blend *b, const loft_vec *p, const loft_jet *weight);
 
-/* The derivatives of the sum, for weights that sum to 1 everywhere; or of the sum divided by that of the weights.
+/* The derivatives of the sum, for weights that sum to 1 everywhere; or of the sum divided by that
+ * of the weights.
  *
  *   range   LOFT_SINGULAR when the weights sum to 0; *out is untouched then
- *   error   q16: 2^-57   f32, f64: 2^-49 of the terms' sizes, the latter for an origin that is the point but for its rounding
+ *   error   q16: 2^-57   f32, f64: 2^-49 of the terms' sizes, the latter for an origin that is the
+ *           point but for its rounding
  *   cost    project: 13 products and 5 quotients per axis
  */
 void loft_jet_blend_end(const loft_jet_blend *b, loft_local *out);
 enum loft_status loft_jet_blend_project(const loft_jet_blend *b, loft_local *out) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

@@ -1,7 +1,8 @@
 /* lib/polygon/lattice.c
  * SPDX-License-Identifier: MIT
  *
- * Vectors between vertices are within 64, products within 4096, their sums within 2^13: int holds them everywhere.
+ * Vectors between vertices are within 64, products within 4096, their sums within 2^13: int holds
+ * them everywhere.
  */
 #include "polygon/lattice.h"
 
@@ -58,7 +59,8 @@ static loft_lattice_edge edge_of(loft_whole from, loft_whole to)
     return e;
 }
 
-enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_whole v[], unsigned sides)
+enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_whole v[],
+                                           unsigned sides)
 {
     if (sides < 3 || sides > LOFT_SIDES_MAX)
         return LOFT_ERR_ARG;

@@ -1,12 +1,15 @@
 /* lib/polygon/lattice.h -- polygons with whole vertices, and the whole points in them
  * SPDX-License-Identifier: MIT
  *
- * h_i(x, y) = normal . (x, y) + offset is 0 on edge i, 1 on the next line of whole points inside, and so on.
+ * h_i(x, y) = normal . (x, y) + offset is 0 on edge i, 1 on the next line of whole points inside,
+ * and so on.
  */
 #ifndef LOFT_POLYGON_LATTICE_H
 #define LOFT_POLYGON_LATTICE_H
 
 #include "polygon/domain.h"     /* LOFT_SIDES_MAX */
+
+LOFT_BEGIN_C
 
 #define LOFT_LATTICE_MAX 32     /* the largest coordinate of a vertex, in size */
 
@@ -29,12 +32,13 @@ typedef struct {
 
 /* Make a convex lattice polygon.
  *
- *   range   3..8 vertices within -32..32, otherwise LOFT_ERR_ARG; counter-clockwise and strictly convex, otherwise
- *           LOFT_SINGULAR; *l is untouched then
+ *   range   3..8 vertices within -32..32, otherwise LOFT_ERR_ARG; counter-clockwise and strictly
+ *           convex, otherwise LOFT_SINGULAR; *l is untouched then
  *   error   none: exact
  *   cost    no multiplication of numbers; 66 bytes
  */
-enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_whole v[], unsigned sides) LOFT_CHECKED;
+enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_whole v[],
+                                           unsigned sides) LOFT_CHECKED;
 
 /* h_edge of a whole point.
  *
@@ -44,8 +48,8 @@ enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_w
  */
 int loft_lattice_polygon_height(const loft_lattice_polygon *l, unsigned edge, loft_whole p);
 
-/* The whole points of the polygon, edges included, row by row upward, each from the left. first gives one always; next gives
- * the one after *p in place, or false after the last.
+/* The whole points of the polygon, edges included, row by row upward, each from the left. first
+ * gives one always; next gives the one after *p in place, or false after the last.
  *
  *   error   none
  *   cost    at most `sides` heights for every whole point of the box low..high that is passed over
@@ -59,5 +63,7 @@ bool loft_lattice_polygon_next(const loft_lattice_polygon *l, loft_whole *p);
  *   cost    at most `sides` heights for every whole point of the box low..high
  */
 unsigned loft_lattice_polygon_count(const loft_lattice_polygon *l);
+
+LOFT_END_C
 
 #endif

@@ -9,10 +9,12 @@ static unsigned next(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 
  *
  *     cross / (r_i r_(i+1) + dot)    or    (r_i r_(i+1) - dot) / cross
  *
- * whichever adds two numbers of one sign. The cross product is 0 only where the angle is: p is not on the edge. */
+ * whichever adds two numbers of one sign. The cross product is 0 only where the angle is: p is not
+ * on the edge. */
 static loft_sci half_tangent(const loft_sci d[2][2], loft_sci r0, loft_sci r1, loft_sci cross)
 {
-    const loft_sci dot = loft_sci_add(loft_sci_mul(d[0][0], d[1][0]), loft_sci_mul(d[0][1], d[1][1]));
+    const loft_sci dot = loft_sci_add(loft_sci_mul(d[0][0], d[1][0]),
+                                      loft_sci_mul(d[0][1], d[1][1]));
     const loft_sci rr = loft_sci_mul(r0, r1);
 
     if (loft_sci_sign(dot) < 0)
@@ -20,12 +22,13 @@ static loft_sci half_tangent(const loft_sci d[2][2], loft_sci r0, loft_sci r1, l
     return loft_sci_div(cross, loft_sci_add(rr, dot));
 }
 
-/* w_i = (t_(i-1) + t_i) / r_i, phi_i = w_i / sum w. The sum of a simple polygon is never 0 (Hormann, Floater: it is positive
- * inside and negative outside).
+/* w_i = (t_(i-1) + t_i) / r_i, phi_i = w_i / sum w. The sum of a simple polygon is never 0
+ * (Hormann, Floater: it is positive inside and negative outside).
  *
- * A tangent errs by eight roundings of itself, in floats by what the cross product does, and by what the dot product
- * loses: at most 2 roundings of r r', which is no more than the sum it goes into. The two tangents may cancel, and so may the
- * w_i outside: errors count by K = sum (|t_(i-1)| + |t_i|) / r_i over |sum w_i|, and in phi_i = w_i / sum w by (1 + |phi_i|) K. */
+ * A tangent errs by eight roundings of itself, in floats by what the cross product does, and by
+ * what the dot product loses: at most 2 roundings of r r', which is no more than the sum it goes
+ * into. The two tangents may cancel, and so may the w_i outside: errors count by K = sum (|t_(i-1)|
+ * + |t_i|) / r_i over |sum w_i|, and in phi_i = w_i / sum w by (1 + |phi_i|) K. */
 enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci phi[])
 {
     loft_sci area[LOFT_SIDES_MAX], r[LOFT_SIDES_MAX], to[LOFT_SIDES_MAX][2], sum = loft_sci_zero();
@@ -45,7 +48,8 @@ enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci
     for (unsigned i = 0; i < n; i++) {
         for (int k = 0; k < 2; k++)
             to[i][k] = loft_sci_sub(loft_sci_from_real(d->v[i].at[k]), loft_sci_from_real(p.at[k]));
-        r[i] = loft_sci_sqrt(loft_sci_add(loft_sci_mul(to[i][0], to[i][0]), loft_sci_mul(to[i][1], to[i][1])));
+        r[i] = loft_sci_sqrt(
+            loft_sci_add(loft_sci_mul(to[i][0], to[i][0]), loft_sci_mul(to[i][1], to[i][1])));
     }
     for (unsigned i = 0; i < n; i++) {
         const unsigned j = next(i, n);
@@ -64,7 +68,8 @@ enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci
 
 /* Derivatives */
 
-/* Of an edge: t = above / below, from its ends as seen from p; `back` where the angle is more than a right one. */
+/* Of an edge: t = above / below, from its ends as seen from p; `back` where the angle is more than
+ * a right one. */
 typedef struct {
     loft_jet above, below;
     bool back;
@@ -92,7 +97,8 @@ static void seen(const loft_domain *d, loft_spot p, unsigned i, loft_jet to[2])
 }
 
 /* The cross product is linear in p: its derivatives are differences of the ends. */
-static tangent tangent_at(const loft_domain *d, loft_spot p, unsigned i, const loft_jet r[], loft_sci area)
+static tangent tangent_at(const loft_domain *d, loft_spot p, unsigned i, const loft_jet r[],
+                          loft_sci area)
 {
     const unsigned j = next(i, d->sides);
     loft_jet a[2], b[2], cross = loft_jet_of(area);
@@ -109,7 +115,8 @@ static tangent tangent_at(const loft_domain *d, loft_spot p, unsigned i, const l
     return t;
 }
 
-/* t of edge i, times the product of `below` over all edges that are seen at more than a right angle. */
+/* t of edge i, times the product of `below` over all edges that are seen at more than a right
+ * angle. */
 static loft_jet lifted(const tangent t[], unsigned sides, unsigned i)
 {
     loft_jet r = t[i].back ? t[i].above : loft_jet_div(&t[i].above, &t[i].below);
@@ -120,8 +127,9 @@ static loft_jet lifted(const tangent t[], unsigned sides, unsigned i)
     return r;
 }
 
-/* All sum to 1. Toward a vertex, at a distance r, second derivatives of the tangents grow as 1 / r^2, those of coordinates as 1 / r: for
- * the others as they are a product with r, for that of the vertex, the largest, because all sum to 1. */
+/* All sum to 1. Toward a vertex, at a distance r, second derivatives of the tangents grow as 1 /
+ * r^2, those of coordinates as 1 / r: for the others as they are a product with r, for that of the
+ * vertex, the largest, because all sum to 1. */
 static void complete(loft_jet phi[], unsigned sides)
 {
     loft_jet rest = loft_jet_of(loft_sci_zero());
@@ -137,9 +145,10 @@ static void complete(loft_jet phi[], unsigned sides)
     phi[largest] = rest;
 }
 
-/* Toward an edge its tangent is without bounds, and so are the derivatives of all w_i: what is finite is their product with the cross
- * product of that edge. An edge is seen at more than a right angle there: all w_i times `below` of all such edges are finite, on the
- * edges themselves too, and have the same quotients. Inside a convex polygon there are three of them at most. */
+/* Toward an edge its tangent is without bounds, and so are the derivatives of all w_i: what is
+ * finite is their product with the cross product of that edge. An edge is seen at more than a right
+ * angle there: all w_i times `below` of all such edges are finite, on the edges themselves too, and
+ * have the same quotients. Inside a convex polygon there are three of them at most. */
 enum loft_status loft_meanvalue_jet(const loft_domain *d, loft_spot p, loft_jet phi[])
 {
     loft_sci area[LOFT_SIDES_MAX];
@@ -161,7 +170,8 @@ enum loft_status loft_meanvalue_jet(const loft_domain *d, loft_spot p, loft_jet 
     for (unsigned i = 0; i < n; i++)
         t[i] = tangent_at(d, p, i, r, area[i]);
     for (unsigned i = 0; i < n; i++) {
-        const loft_jet one = lifted(t, n, i ? i - 1 : n - 1), two = lifted(t, n, i), both = loft_jet_add(&one, &two);
+        const loft_jet one = lifted(t, n, i ? i - 1 : n - 1), two = lifted(t, n, i),
+                       both = loft_jet_add(&one, &two);
         phi[i] = loft_jet_div(&both, &r[i]);
         sum = loft_jet_add(&sum, &phi[i]);
     }

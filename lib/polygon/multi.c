@@ -26,8 +26,9 @@ bool loft_multi_next(uint8_t l[], unsigned sides)
     return true;
 }
 
-/* Before l, with the same first i parts, come those that leave less than l does, `left`, to the k = sides - 1 - i parts
- * after part i: the sum of C(s + k - 1, k - 1) for s < left, which is C(left - 1 + k, k). */
+/* Before l, with the same first i parts, come those that leave less than l does, `left`, to the k =
+ * sides - 1 - i parts after part i: the sum of C(s + k - 1, k - 1) for s < left, which is C(left -
+ * 1 + k, k). */
 unsigned loft_multi_rank(const uint8_t l[], unsigned sides)
 {
     unsigned left = 0, rank = 0;

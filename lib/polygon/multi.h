@@ -1,8 +1,9 @@
 /* lib/polygon/multi.h -- indices of several parts: the names of the control points of an S-patch
  * SPDX-License-Identifier: MIT
  *
- * `sides` numbers l[0], l[1] .. >= 0 that sum to `depth`. They are in order from (depth, 0 .. 0) to (0 .. 0, depth), the
- * larger first number first, then the larger second, and so on; the rank of one is its place in that order.
+ * `sides` numbers l[0], l[1] .. >= 0 that sum to `depth`. They are in order from (depth, 0 .. 0) to
+ * (0 .. 0, depth), the larger first number first, then the larger second, and so on; the rank of
+ * one is its place in that order.
  *
  *     uint8_t l[LOFT_SIDES_MAX];
  *     loft_multi_first(l, sides, depth);
@@ -15,6 +16,8 @@
 
 #include "basis/bernstein.h"    /* loft_binomial */
 #include "polygon/domain.h"     /* LOFT_SIDES_MAX */
+
+LOFT_BEGIN_C
 
 /* How many there are: C(sides + depth - 1, depth), at most 19448.
  *
@@ -53,5 +56,7 @@ unsigned loft_multi_rank(const uint8_t l[], unsigned sides);
  *   cost    depth + sides products and `depth` divisions of 32 bits
  */
 int32_t loft_multi_ways(const uint8_t l[], unsigned sides);
+
+LOFT_END_C
 
 #endif

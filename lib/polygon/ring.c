@@ -5,14 +5,16 @@
  *
  *     inside      C(d,a) C(d,b) P
  *     on side i   C(d,k) P f      f = 1 - d U (5 sides), 1 - 2 d U (6 sides), U = prod u_i
- *                                 3 sides: 1 - u_i ((d - k) + (2 k - d) u_(i+1)) if d - k <= k, else 1 - u_i (k + (d - 2 k) u_(i-1))
+ *                                 3 sides: 1 - u_i ((d - k) + (2 k - d) u_(i+1)) if d - k <= k,
+ *                                 else 1 - u_i (k + (d - 2 k) u_(i-1))
  *
- * They sum to 1 + e with a small e, of which each of the T points inside takes its part away. All are below 126^2 / 2^4 in size,
- * products of at most 9 sides + 3 factors: they err by 2^-53 (floats 2^-46) at the worst and the sum of 151 of them, of which
- * most are far below 1, by no more.
+ * They sum to 1 + e with a small e, of which each of the T points inside takes its part away. All
+ * are below 126^2 / 2^4 in size, products of at most 9 sides + 3 factors: they err by 2^-53 (floats
+ * 2^-46) at the worst and the sum of 151 of them, of which most are far below 1, by no more.
  */
 #include "polygon/ring.h"
 #include "polygon/blend.h"      /* loft_blend */
+#include "polygon/jet_blend.h"  /* loft_jet_blend */
 
 /* The points of a block: a = 0 .. wide - 1, b = 0 .. high - 1. */
 static unsigned wide_of(unsigned degree) { return degree / 2 + 1; }
@@ -27,7 +29,8 @@ unsigned loft_ring_count(unsigned sides, unsigned degree)
 }
 
 /* The centre is the point a = b = degree / 2 of any corner. */
-static void block_of(unsigned sides, unsigned degree, unsigned k, unsigned *corner, unsigned *a, unsigned *b)
+static void block_of(unsigned sides, unsigned degree, unsigned k, unsigned *corner, unsigned *a,
+                     unsigned *b)
 {
     const unsigned high = high_of(degree), block = wide_of(degree) * high;
 
@@ -108,11 +111,13 @@ static loft_sci border_factor(const basis *b, unsigned side, unsigned k)
     if (b->sides != 3)
         return b->factor;
     const loft_sci *beside = &b->u[far ? after(side, 3) : before(side, 3)];
-    const loft_sci sum = loft_sci_add(loft_sci_from_int(one), loft_sci_mul(loft_sci_from_int(rest), *beside));
+    const loft_sci sum = loft_sci_add(loft_sci_from_int(one),
+                                      loft_sci_mul(loft_sci_from_int(rest), *beside));
     return loft_sci_sub(loft_sci_one(), loft_sci_mul(b->u[side], sum));
 }
 
-/* The weight of point k before the correction; *inside says whether it is one of those that are corrected. */
+/* The weight of point k before the correction; *inside says whether it is one of those that are
+ * corrected. */
 static loft_sci weight_of(const basis *b, unsigned k, bool *inside)
 {
     uint8_t l[LOFT_RING_SIDES];
@@ -124,10 +129,12 @@ static loft_sci weight_of(const basis *b, unsigned k, bool *inside)
     for (unsigned i = 0; i < b->sides; i++)
         if (l[i])
             weight = loft_sci_mul(weight, b->power[i][l[i]]);
-    weight = loft_sci_mul(weight, loft_sci_from_int(loft_binomial(b->degree, a) * loft_binomial(b->degree, c)));
+    weight = loft_sci_mul(
+        weight, loft_sci_from_int(loft_binomial(b->degree, a) * loft_binomial(b->degree, c)));
     *inside = a && c;
     if (!*inside)
-        weight = loft_sci_mul(weight, c ? border_factor(b, before(corner, b->sides), b->degree - c) : border_factor(b, corner, a));
+        weight = loft_sci_mul(weight, c ? border_factor(b, before(corner, b->sides), b->degree - c)
+                                        : border_factor(b, corner, a));
     return weight;
 }
 
@@ -140,7 +147,8 @@ static int32_t inner_count(unsigned sides, unsigned degree)
 /* What each point inside lacks: (1 - sum) / T. */
 static loft_sci lack(unsigned sides, unsigned degree, loft_sci sum)
 {
-    return loft_sci_div(loft_sci_sub(loft_sci_one(), sum), loft_sci_from_int(inner_count(sides, degree)));
+    return loft_sci_div(loft_sci_sub(loft_sci_one(), sum),
+                        loft_sci_from_int(inner_count(sides, degree)));
 }
 
 void loft_ring_weights(unsigned sides, unsigned degree, const loft_sci u[], loft_sci out[])
@@ -175,7 +183,8 @@ static unsigned border_place(const loft_ring *r, unsigned side, unsigned k)
     return k < wide_of(d) ? side * block + k * high : after(side, r->sides) * block + d - k;
 }
 
-static enum loft_status border_point(const loft_ring *r, const loft_sci u[], unsigned side, loft_vec *out)
+static enum loft_status border_point(const loft_ring *r, const loft_sci u[], unsigned side,
+                                     loft_vec *out)
 {
     const loft_sci share[2] = { u[after(side, r->sides)], u[before(side, r->sides)] };
     loft_vec p[LOFT_DEGREE_MAX + 1];
@@ -206,4 +215,108 @@ enum loft_status loft_ring_eval(const loft_ring *r, const loft_sci u[], loft_vec
     }
     loft_blend_join(&sum, &inner, lack(r->sides, r->degree, sum.w));
     return loft_blend_point(&sum, out);
+}
+
+
+/* Derivatives
+ *
+ * The same weights in jets, and points counted from the last one, as the weights sum to 1. With P
+ * and Q of ring.h the terms of a first derivative of a product of powers are at most n P, of a
+ * second one (n P)^2 + n Q, times weights whose sizes sum to less than 3. They err by 9 sides + 3
+ * < 2^6 roundings of 2^-61 (floats 2^-53), their sum and the correction by as much: below 2^-52. */
+
+typedef struct {
+    loft_jet factor;            /* f of 5 and 6 sides */
+    const loft_jet *u;
+    unsigned sides, degree;
+} jet_basis;
+
+/* 1 - a. */
+static loft_jet less_than_one(const loft_jet *a)
+{
+    const loft_jet one = loft_jet_of(loft_sci_one());
+    return loft_jet_sub(&one, a);
+}
+
+static void jet_basis_start(jet_basis *b, const loft_ring *r, const loft_jet u[])
+{
+    const int32_t times = r->sides == 6 ? 2 * r->degree : r->degree;
+    loft_jet all = loft_jet_of(loft_sci_from_int(times));
+
+    for (unsigned i = 0; i < r->sides; i++)
+        all = loft_jet_mul(&all, &u[i]);
+    b->factor = less_than_one(&all);
+    b->u = u;
+    b->sides = r->sides;
+    b->degree = r->degree;
+}
+
+static loft_jet border_jet(const jet_basis *b, unsigned side, unsigned k)
+{
+    const unsigned d = b->degree;
+    const bool far = d - k <= k;
+    const int32_t one = (int32_t)(far ? d - k : k), rest = (int32_t)d - 2 * one;
+
+    if (b->sides != 3)
+        return b->factor;
+    const loft_jet *beside = &b->u[far ? after(side, 3) : before(side, 3)];
+    loft_jet sum = loft_jet_scale(beside, loft_sci_from_int(rest));
+    sum.f = loft_sci_add(sum.f, loft_sci_from_int(one));
+    const loft_jet product = loft_jet_mul(&b->u[side], &sum);
+    return less_than_one(&product);
+}
+
+/* As weight_of. */
+static loft_jet jet_weight_of(const jet_basis *b, unsigned k, bool *inside)
+{
+    uint8_t l[LOFT_RING_SIDES];
+    unsigned corner, a, c;
+
+    block_of(b->sides, b->degree, k, &corner, &a, &c);
+    loft_ring_index(b->sides, b->degree, k, l);
+    const int32_t ways = loft_binomial(b->degree, a) * loft_binomial(b->degree, c);
+    loft_jet weight = loft_jet_of(loft_sci_from_int(ways));
+    for (unsigned i = 0; i < b->sides; i++)
+        if (l[i]) {
+            const loft_jet power = loft_jet_pow(&b->u[i], l[i]);
+            weight = loft_jet_mul(&weight, &power);
+        }
+    *inside = a && c;
+    if (*inside)
+        return weight;
+    const loft_jet factor = c ? border_jet(b, before(corner, b->sides), b->degree - c)
+                              : border_jet(b, corner, a);
+    return loft_jet_mul(&weight, &factor);
+}
+
+/* What each point inside lacks: (1 - sum) / T. */
+static loft_jet jet_lack(const loft_ring *r, const loft_jet *sum)
+{
+    const loft_jet rest = less_than_one(sum);
+    const loft_sci count = loft_sci_from_int(inner_count(r->sides, r->degree));
+
+    return loft_jet_scale(&rest, loft_sci_div(loft_sci_one(), count));
+}
+
+void loft_ring_local(const loft_ring *r, const loft_jet u[], loft_local *out)
+{
+    const unsigned count = loft_ring_count(r->sides, r->degree);
+    loft_jet_blend sum;
+    jet_basis b;
+    bool inside;
+
+    jet_basis_start(&b, r, u);
+    loft_jet_blend_start(&sum, r->p[count - 1]);
+    for (unsigned k = 0; k < count; k++) {
+        const loft_jet weight = jet_weight_of(&b, k, &inside);
+        loft_jet_blend_add(&sum, &r->p[k], &weight);
+    }
+    const loft_jet part = jet_lack(r, &sum.w);
+    for (unsigned k = 0; k < count; k++) {
+        unsigned corner, a, c;
+        block_of(r->sides, r->degree, k, &corner, &a, &c);
+        if (a && c)
+            loft_jet_blend_add(&sum, &r->p[k], &part);
+    }
+    loft_jet_blend_end(&sum, out);
 }

@@ -1,9 +1,18 @@
 /* lib/polygon/round.c
  * SPDX-License-Identifier: MIT
  *
- * Patches over polygons go straight from the middle to the point of the side. The others are cut into kites, one for each corner k:
- * s along side k and t along side k - 1, 0..1 to the middles of both sides, s = t = 1 is the middle of the patch; and in those the
- * way is straight. Kites meet where two parameters are equal.
+ * In a convex polygon the way from the middle to the point of the side is straight. Any other
+ * polygon is taken for a convex one with as many sides, the model, in which the ways are straight
+ * too. The same diagonals cut both into convex parts (those of a convex polygon never cross), and
+ * the triangles between the mean of a part's vertices and two that follow each other are mapped
+ * linearly from the one to the other. On a side of a triangle the map depends on its ends alone. So
+ * the triangles fit together, none is turned over, and all together cover the polygon once. A
+ * convex polygon is one part, and the map of it keeps the shares in each triangle: the ways are
+ * straight again.
+ *
+ * The others are cut into kites, one for each corner k: s along side k and t along side k - 1, 0..1
+ * to the middles of both sides, s = t = 1 is the middle of the patch; and in those the way is
+ * straight. Kites meet where two parameters are equal.
  */
 #include "polygon/round.h"
 
@@ -39,26 +48,156 @@ static loft_spot spot_of(loft_spot middle, loft_spot a, loft_spot b, loft_unit s
     return p;
 }
 
-/* Next to a side a point may be rounded to one outside: it is taken for one of the side. */
-static enum loft_status coordinates_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_sci phi[])
+/* The model: a convex octagon of whole numbers, or a choice of its vertices. */
+static void model_vertex(unsigned sides, unsigned i, int32_t out[2])
 {
-    const loft_spot *v = r->domain->v;
-    enum loft_status status = LOFT_ERR_RANGE;
+    static const int8_t octagon[8][2] = { { 1, 0 }, { 2, 0 }, { 3, 1 }, { 3, 2 },
+                                          { 2, 3 }, { 1, 3 }, { 0, 2 }, { 0, 1 } };
+    const int8_t *v = octagon[8 * i / sides];
 
-    if (u < LOFT_UNIT(1)) {
-        const loft_spot p = spot_of(r->middle, v[side], v[after(side, r->sides)], share, u);
-        if (!r->coordinates && !r->harmonic)
-            return LOFT_ERR_ARG;
-        status = r->harmonic ? loft_harmonic_eval(r->harmonic, p, phi) : r->coordinates(r->domain, p, phi);
+    out[0] = v[0];
+    out[1] = v[1];
+}
+
+/* The sum of the vertices of a part of the model: as many times the mean of them. */
+static void model_sum(const loft_round *r, unsigned part, int32_t out[2])
+{
+    int32_t v[2];
+
+    out[0] = out[1] = 0;
+    for (unsigned k = 0; k < r->cut.sides[part]; k++) {
+        model_vertex(r->sides, r->cut.vertex[part][k], v);
+        out[0] += v[0];
+        out[1] += v[1];
     }
-    if (status == LOFT_ERR_RANGE) {
+}
+
+/* A point of the model, as many times as the first part has sides. */
+static void model_point(const loft_round *r, unsigned side, loft_unit share, loft_unit u,
+                        loft_acc out[2])
+{
+    const loft_acc one = loft_unit_wide(LOFT_UNIT(1));
+    const int32_t times = r->cut.sides[0];
+    int32_t a[2], b[2], sum[2];
+
+    model_vertex(r->sides, side, a);
+    model_vertex(r->sides, after(side, r->sides), b);
+    model_sum(r, 0, sum);
+    for (int i = 0; i < 2; i++) {
+        const loft_acc on = times * (a[i] * one + (b[i] - a[i]) * loft_unit_wide(share));
+        out[i] = loft_acc_lerp(sum[i] * one, on, u);
+    }
+}
+
+/* A triangle of a part, and the shares that a point has of it, of any common size: of the middle,
+ * of vertex a, of vertex b. */
+typedef struct {
+    unsigned part, a, b;
+    loft_acc of[3];
+} fan_triangle;
+
+static loft_acc cross(int32_t x, int32_t y, const loft_acc p[2]) { return x * p[1] - y * p[0]; }
+
+/* With the middle m = M / k, and the point q times n:
+ *
+ *     of m: k (b - a) x (n q - n a)     of a: (M - k b) x (n q - n b)     of b: (k a - M) x (n q -
+ *         n a) */
+static fan_triangle triangle_of(const loft_round *r, unsigned part, unsigned corner,
+                                const loft_acc q[2])
+{
+    const int32_t k = r->cut.sides[part], n = r->cut.sides[0];
+    const loft_acc one = loft_unit_wide(LOFT_UNIT(1));
+    fan_triangle t = { part,
+                       r->cut.vertex[part][corner],
+                       r->cut.vertex[part][after(corner, r->cut.sides[part])],
+                       { 0, 0, 0 } };
+    int32_t a[2], b[2], m[2];
+    loft_acc from_a[2], from_b[2];
+
+    model_vertex(r->sides, t.a, a);
+    model_vertex(r->sides, t.b, b);
+    model_sum(r, part, m);
+    for (int i = 0; i < 2; i++) {
+        from_a[i] = q[i] - n * a[i] * one;
+        from_b[i] = q[i] - n * b[i] * one;
+    }
+    t.of[0] = cross(k * (b[0] - a[0]), k * (b[1] - a[1]), from_a);
+    t.of[1] = cross(m[0] - k * b[0], m[1] - k * b[1], from_b);
+    t.of[2] = cross(k * a[0] - m[0], k * a[1] - m[1], from_a);
+    return t;
+}
+
+static loft_acc least_share(const fan_triangle *t)
+{
+    return loft_acc_least(t->of[0], loft_acc_least(t->of[1], t->of[2]));
+}
+
+/* The triangle that q lies in; next to a border, either of the two. */
+static fan_triangle triangle_around(const loft_round *r, const loft_acc q[2])
+{
+    fan_triangle best = triangle_of(r, 0, 0, q);
+
+    for (unsigned part = 0; part < r->cut.count; part++)
+        for (unsigned corner = 0; corner < r->cut.sides[part]; corner++) {
+            const fan_triangle t = triangle_of(r, part, corner, q);
+            if (least_share(&t) > least_share(&best))
+                best = t;
+        }
+    for (int i = 0; i < 3; i++)
+        best.of[i] = loft_acc_most(best.of[i], 0);
+    return best;
+}
+
+static loft_spot mean_of(const loft_spot v[], const uint8_t vertex[], unsigned n)
+{
+    loft_spot m;
+
+    for (int i = 0; i < 2; i++) {
+        loft_acc sum = 0;
+        for (unsigned k = 0; k < n; k++)
+            sum += loft_wide(v[vertex[k]].at[i]);
+        m.at[i] = loft_acc_round(loft_acc_ratio(sum, (int32_t)n));
+    }
+    return m;
+}
+
+static loft_spot spot_in(const loft_round *r, unsigned side, loft_unit share, loft_unit u)
+{
+    loft_acc q[2];
+
+    model_point(r, side, share, u, q);
+    const fan_triangle t = triangle_around(r, q);
+    const loft_spot *v = r->domain->v,
+                    middle = mean_of(v, r->cut.vertex[t.part], r->cut.sides[t.part]);
+    const loft_acc both = t.of[1] + t.of[2];
+    const loft_unit along = both > 0 ? loft_unit_ratio(t.of[2], both) : 0;
+    return spot_of(middle, v[t.a], v[t.b], along, loft_unit_ratio(both, both + t.of[0]));
+}
+
+/* Next to the boundary a point may be rounded to one outside: then the nearest one is taken. */
+static enum loft_status coordinates_at(const loft_round *r, unsigned side, loft_unit share,
+                                       loft_unit u, loft_sci phi[])
+{
+    enum loft_status status;
+
+    if (!(u < LOFT_UNIT(1))) {
         phi_of_side(r->sides, side, share, phi);
+        return LOFT_OK;
+    }
+    if (!r->coordinates && !r->harmonic)
+        return LOFT_ERR_ARG;
+    const loft_spot p = spot_in(r, side, share, u);
+    status = r->harmonic ? loft_harmonic_eval(r->harmonic, p, phi)
+                         : r->coordinates(r->domain, p, phi);
+    if (status == LOFT_ERR_RANGE) {
+        loft_domain_nearest(r->domain, p, phi);
         status = LOFT_OK;
     }
     return status;
 }
 
-static enum loft_status spatch_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+static enum loft_status spatch_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u,
+                                  loft_vec *out)
 {
     loft_sci phi[LOFT_SIDES_MAX];
     const enum loft_status status = coordinates_at(r, side, share, u, phi);
@@ -66,7 +205,8 @@ static enum loft_status spatch_at(const loft_round *r, unsigned side, loft_unit 
     return status ? status : loft_spatch_eval(r->patch, phi, out);
 }
 
-static enum loft_status gb_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+static enum loft_status gb_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u,
+                              loft_vec *out)
 {
     loft_sci phi[LOFT_SIDES_MAX];
     const enum loft_status status = coordinates_at(r, side, share, u, phi);
@@ -83,45 +223,55 @@ static loft_spot corner_of(const loft_toric *t, unsigned k)
     return s;
 }
 
-/* A point that is rounded to one outside is drawn towards the middle. */
-static enum loft_status toric_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
-{
-    const loft_spot a = corner_of(r->patch, side), b = corner_of(r->patch, after(side, r->sides));
-    enum loft_status status = loft_toric_eval(r->patch, spot_of(r->middle, a, b, share, u), out);
-
-    for (loft_unit less = LOFT_UNIT(0x1p-22); status == LOFT_ERR_RANGE && less < LOFT_UNIT(0x1p-8); less = 2 * less)
-        if (u > less)
-            status = loft_toric_eval(r->patch, spot_of(r->middle, a, b, share, u - less), out);
-    return status;
-}
-
-static loft_spot mean_of(const loft_spot v[], unsigned n)
+static loft_spot mean_of_corners(const loft_toric *t)
 {
     loft_spot m;
 
     for (int i = 0; i < 2; i++) {
-        loft_acc sum = 0;
-        for (unsigned k = 0; k < n; k++)
-            sum += loft_wide(v[k].at[i]);
-        m.at[i] = loft_acc_round(loft_acc_ratio(sum, (int32_t)n));
+        int32_t sum = 0;
+        for (unsigned k = 0; k < t->lattice->sides; k++)
+            sum += t->lattice->edge[k].from.at[i];
+        m.at[i] = loft_acc_round(
+            loft_acc_ratio(loft_wide(loft_real_from_int(sum)), t->lattice->sides));
     }
     return m;
 }
 
-static enum loft_status over_polygon(loft_round *r, const loft_domain *d, loft_coordinates *coordinates, unsigned sides)
+/* A point that is rounded to one outside is drawn towards the middle. */
+static enum loft_status toric_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u,
+                                 loft_vec *out)
 {
-    loft_sci area[LOFT_SIDES_MAX];
-    unsigned index;
-    const loft_spot middle = mean_of(d->v, d->sides);
+    const loft_spot a = corner_of(r->patch, side), b = corner_of(r->patch, after(side, r->sides)),
+                    middle = mean_of_corners(r->patch);
+    enum loft_status status = loft_toric_eval(r->patch, spot_of(middle, a, b, share, u), out);
 
-    if (d->sides != sides || !loft_spot_admits(middle) || loft_domain_place(d, middle, area, &index) != LOFT_INSIDE)
+    for (loft_unit less = LOFT_UNIT(0x1p-22); status == LOFT_ERR_RANGE && less < LOFT_UNIT(0x1p-8);
+         less = 2 * less)
+        if (u > less)
+            status = loft_toric_eval(r->patch, spot_of(middle, a, b, share, u - less), out);
+    return status;
+}
+
+static enum loft_status over_polygon(loft_round *r, const loft_domain *d,
+                                     loft_coordinates *coordinates, unsigned sides)
+{
+    if (d->sides != sides)
         return LOFT_ERR_ARG;
     r->domain = d;
     r->coordinates = coordinates;
     r->harmonic = NULL;
-    r->middle = middle;
+    loft_partition_init(&r->cut, d);
     r->sides = (uint8_t)sides;
     return LOFT_OK;
+}
+
+static void over_none(loft_round *r, unsigned sides)
+{
+    r->domain = NULL;
+    r->coordinates = NULL;
+    r->harmonic = NULL;
+    r->cut.count = 0;
+    r->sides = (uint8_t)sides;
 }
 
 enum loft_status loft_round_harmonic(loft_round *r, const loft_harmonic *h)
@@ -132,7 +282,8 @@ enum loft_status loft_round_harmonic(loft_round *r, const loft_harmonic *h)
     return LOFT_OK;
 }
 
-enum loft_status loft_round_from_spatch(loft_round *r, const loft_spatch *s, const loft_domain *d, loft_coordinates *coordinates)
+enum loft_status loft_round_from_spatch(loft_round *r, const loft_spatch *s, const loft_domain *d,
+                                        loft_coordinates *coordinates)
 {
     const enum loft_status status = over_polygon(r, d, coordinates, s->sides);
 
@@ -143,7 +294,8 @@ enum loft_status loft_round_from_spatch(loft_round *r, const loft_spatch *s, con
     return status;
 }
 
-enum loft_status loft_round_from_gb(loft_round *r, const loft_gb *g, const loft_domain *d, loft_coordinates *coordinates)
+enum loft_status loft_round_from_gb(loft_round *r, const loft_gb *g, const loft_domain *d,
+                                    loft_coordinates *coordinates)
 {
     const enum loft_status status = over_polygon(r, d, coordinates, g->sides);
 
@@ -154,20 +306,11 @@ enum loft_status loft_round_from_gb(loft_round *r, const loft_gb *g, const loft_
     return status;
 }
 
-enum loft_status loft_round_from_toric(loft_round *r, const loft_toric *t)
+void loft_round_from_toric(loft_round *r, const loft_toric *t)
 {
-    loft_spot v[LOFT_SIDES_MAX];
-
-    for (unsigned k = 0; k < t->lattice->sides; k++)
-        v[k] = corner_of(t, k);
+    over_none(r, t->lattice->sides);
     r->at = toric_at;
     r->patch = t;
-    r->domain = NULL;
-    r->coordinates = NULL;
-    r->harmonic = NULL;
-    r->middle = mean_of(v, t->lattice->sides);
-    r->sides = t->lattice->sides;
-    return LOFT_OK;
 }
 
 
@@ -182,25 +325,29 @@ typedef struct {
 static kite kite_of(const loft_round *r, unsigned side, loft_unit share, loft_unit u)
 {
     const bool first = share <= LOFT_UNIT(0.5);
-    const loft_unit far = rest(2 * (first ? share : rest(share)));     /* 1 - s or 1 - t on the side */
+    /* 1 - s or 1 - t on the side */
+    const loft_unit far = rest(2 * (first ? share : rest(share)));
     const loft_unit on = rest(product(u, far)), off = rest(u);
     const kite k = { first ? side : after(side, r->sides), first ? on : off, first ? off : on };
 
     return k;
 }
 
-/* A corner where a side at a cut corner of the triangle begins or ends, or one that is not cut. With w and 1 - w the shares that the
- * next and the last corner of the triangle have of what the corner itself lacks to 1, which is v: the kite ends at the lines where
- * two of the three shares are equal,
+/* A corner where a side at a cut corner of the triangle begins or ends, or one that is not cut.
+ * With w and 1 - w the shares that the next and the last corner of the triangle have of what the
+ * corner itself lacks to 1, which is v: the kite ends at the lines where two of the three shares
+ * are equal,
  *
  *     begins: w = s/2, v = t / (2 - w)      ends: w = 1 - t/2, v = s / (1 + w)
  *     not cut: shares s/2 (1 - t/2) and t/2 (1 - s/2), over 1 - s t / 4 */
-static enum loft_status basepoint_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+static enum loft_status basepoint_at(const loft_round *r, unsigned side, loft_unit share,
+                                     loft_unit u, loft_vec *out)
 {
     const kite k = kite_of(r, side, share, u);
     const loft_basepoint *b = r->patch;
     const loft_basepoint_side here = loft_basepoint_side_of(b, k.corner);
-    const loft_acc one = loft_unit_wide(LOFT_UNIT(1)), s = loft_unit_wide(k.s), t = loft_unit_wide(k.t);
+    const loft_acc one = loft_unit_wide(LOFT_UNIT(1)), s = loft_unit_wide(k.s),
+                   t = loft_unit_wide(k.t);
     loft_unit w = 0, v = 0;
 
     if (here.cut) {
@@ -210,7 +357,8 @@ static enum loft_status basepoint_at(const loft_round *r, unsigned side, loft_un
         w = rest(loft_unit_ratio(t, 2 * one));
         v = loft_unit_ratio(s, one + loft_unit_wide(w));
     } else {
-        const loft_acc both = loft_unit_wide(product(k.s, k.t)), next = 2 * s - both, last = 2 * t - both;
+        const loft_acc both = loft_unit_wide(product(k.s, k.t)), next = 2 * s - both,
+                       last = 2 * t - both;
         v = loft_unit_ratio(next + last, 4 * one - both);
         w = next + last > 0 ? loft_unit_ratio(next, next + last) : 0;
     }
@@ -219,19 +367,16 @@ static enum loft_status basepoint_at(const loft_round *r, unsigned side, loft_un
 
 void loft_round_from_basepoint(loft_round *r, const loft_basepoint *b)
 {
+    over_none(r, loft_basepoint_sides(b));
     r->at = basepoint_at;
     r->patch = b;
-    r->domain = NULL;
-    r->coordinates = NULL;
-    r->harmonic = NULL;
-    r->middle.at[0] = r->middle.at[1] = 0;
-    r->sides = (uint8_t)loft_basepoint_sides(b);
 }
 
 /* The parameter a of side i - 1 that is that of side i + 1 too, when side i has b:
  *
  *     5 sides   b a^2 - 2 a + 1 = 0,  a = 1 / (1 + sqrt(1 - b))
- *     6 sides   2 b a^3 - 4 a^2 + b a + 1 = 0, by Newton's steps from 1/2 + 0.29 b, which is within 0.02 */
+ *     6 sides   2 b a^3 - 4 a^2 + b a + 1 = 0, by Newton's steps from 1/2 + 0.29 b, which is within
+ *               0.02 */
 static loft_sci balanced(unsigned sides, loft_sci b)
 {
     const loft_sci one = loft_sci_one(), two = loft_sci_from_int(2), four = loft_sci_from_int(4);
@@ -239,11 +384,16 @@ static loft_sci balanced(unsigned sides, loft_sci b)
 
     if (sides == 5)
         return loft_sci_div(one, loft_sci_add(one, loft_sci_sqrt(loft_sci_sub(one, b))));
-    a = loft_sci_add(loft_sci_from_unit(LOFT_UNIT(0.5)), loft_sci_mul(b, loft_sci_from_unit(LOFT_UNIT(0.29))));
+    a = loft_sci_add(loft_sci_from_unit(LOFT_UNIT(0.5)),
+                     loft_sci_mul(b, loft_sci_from_unit(LOFT_UNIT(0.29))));
     for (int step = 0; step < 4; step++) {
         const loft_sci ab = loft_sci_mul(a, b), aab = loft_sci_mul(a, ab), aa = loft_sci_mul(a, a);
-        const loft_sci f = loft_sci_add(loft_sci_sub(loft_sci_mul(two, loft_sci_mul(a, aab)), loft_sci_mul(four, aa)), loft_sci_add(ab, one));
-        const loft_sci d = loft_sci_add(loft_sci_sub(loft_sci_mul(loft_sci_from_int(6), aab), loft_sci_mul(loft_sci_from_int(8), a)), b);
+        const loft_sci f = loft_sci_add(
+            loft_sci_sub(loft_sci_mul(two, loft_sci_mul(a, aab)), loft_sci_mul(four, aa)),
+            loft_sci_add(ab, one));
+        const loft_sci d = loft_sci_add(loft_sci_sub(loft_sci_mul(loft_sci_from_int(6), aab),
+                                                     loft_sci_mul(loft_sci_from_int(8), a)),
+                                        b);
         a = loft_sci_sub(a, loft_sci_div(f, d));
     }
     return a;
@@ -252,15 +402,18 @@ static loft_sci balanced(unsigned sides, loft_sci b)
 /* s balanced(c t), c what all parameters are in the middle: (sqrt 5 - 1) / 2 and sqrt(1/2). */
 static loft_unit ring_parameter(unsigned sides, loft_unit s, loft_unit t)
 {
-    const loft_sci middle = loft_sci_from_unit(sides == 5 ? LOFT_UNIT(0.6180339887498949) : LOFT_UNIT(0.7071067811865476));
-    const loft_sci a = loft_sci_mul(loft_sci_from_unit(s), balanced(sides, loft_sci_mul(middle, loft_sci_from_unit(t))));
+    const loft_sci middle = loft_sci_from_unit(sides == 5 ? LOFT_UNIT(0.6180339887498949)
+                                                          : LOFT_UNIT(0.7071067811865476));
+    const loft_sci a = loft_sci_mul(loft_sci_from_unit(s),
+                                    balanced(sides, loft_sci_mul(middle, loft_sci_from_unit(t))));
     loft_acc wide = 0;
 
     return loft_sci_wide(a, &wide) ? loft_unit_round(wide) : 0;
 }
 
 /* Three sides: u_i belongs to corner i + 2, opposite to side i. */
-static enum loft_status triple_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+static enum loft_status triple_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u,
+                                  loft_vec *out)
 {
     loft_unit of[3] = { 0, 0, 0 };
     loft_sci parameter[3];
@@ -268,19 +421,22 @@ static enum loft_status triple_at(const loft_round *r, unsigned side, loft_unit 
     of[after(side, 3)] = share;
     of[side] = rest(share);
     for (int i = 0; i < 3; i++)
-        of[i] = loft_unit_round(loft_acc_lerp(loft_unit_wide(loft_unit_of(1, 3)), loft_unit_wide(of[i]), u));
+        of[i] = loft_unit_round(
+            loft_acc_lerp(loft_unit_wide(loft_unit_of(1, 3)), loft_unit_wide(of[i]), u));
     if (of[0] + of[2] > LOFT_UNIT(1))
         of[0] = rest(of[2]);
     const enum loft_status status = loft_ring_lift(of[2], of[0], parameter);
     return status ? status : loft_ring_eval(r->patch, parameter, out);
 }
 
-static enum loft_status ring_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out)
+static enum loft_status ring_at(const loft_round *r, unsigned side, loft_unit share, loft_unit u,
+                                loft_vec *out)
 {
     const unsigned n = r->sides;
     const kite k = kite_of(r, side, share, u);
     loft_sci turned[LOFT_RING_SIDES], parameter[LOFT_RING_SIDES];
-    const enum loft_status status = loft_ring_params(n, ring_parameter(n, k.s, k.t), ring_parameter(n, k.t, k.s), turned);
+    const enum loft_status status = loft_ring_params(n, ring_parameter(n, k.s, k.t),
+                                                     ring_parameter(n, k.t, k.s), turned);
 
     if (status != LOFT_OK)
         return status;
@@ -291,13 +447,9 @@ static enum loft_status ring_at(const loft_round *r, unsigned side, loft_unit sh
 
 void loft_round_from_ring(loft_round *r, const loft_ring *g)
 {
+    over_none(r, g->sides);
     r->at = g->sides == 3 ? triple_at : ring_at;
     r->patch = g;
-    r->domain = NULL;
-    r->coordinates = NULL;
-    r->harmonic = NULL;
-    r->middle.at[0] = r->middle.at[1] = 0;
-    r->sides = g->sides;
 }
 
 

@@ -1,16 +1,20 @@
-/* lib/polygon/round.h -- a whole patch with n sides as one sheet around its middle, for contours and lines
+/* lib/polygon/round.h -- a whole patch with n sides as one sheet around its middle, for contours
+ * and lines
  * SPDX-License-Identifier: MIT
  *
- * u runs from the middle to the boundary, v around: from k / n to (k + 1) / n along side k, straight on it. So there is no seam: the
- * waterlines of surface/contour.h close around the middle, and rows and columns = a multiple of n make a grid with all corners.
+ * u runs from the middle to the boundary, v around: from k / n to (k + 1) / n along side k,
+ * straight on it. So there is no seam: the waterlines of surface/contour.h close around the middle,
+ * and rows and columns = a multiple of n make a grid with all corners. The polygon may have any
+ * shape: the sheet covers every point of it once.
  *
  *     loft_round r;
  *     if (loft_round_from_spatch(&r, &patch, &domain, loft_wachspress_eval) == LOFT_OK &&
- *         loft_contour_init(&c, loft_sheet_from_round(&r), 2, height, tol, 32, 40, memory, sizeof memory) == LOFT_OK)
- *         ..
+ *         loft_contour_init(&c, loft_sheet_from_round(&r), 2, height, tol, 32, 40, memory, sizeof
+ *         memory) == LOFT_OK) ..
  *
- * In q16 the points of a polygon have the step 2^-16, and what is found on the patch the step that this makes there: take a large
- * polygon, not one in the unit circle, for fine contours. Coordinates do not depend on its size.
+ * In q16 the points of a polygon have the step 2^-16, and what is found on the patch the step that
+ * this makes there: take a large polygon, not one in the unit circle, for fine contours.
+ * Coordinates do not depend on its size.
  */
 #ifndef LOFT_POLYGON_ROUND_H
 #define LOFT_POLYGON_ROUND_H
@@ -18,36 +22,42 @@
 #include "polygon/basepoint.h"  /* loft_basepoint */
 #include "polygon/gb.h"         /* loft_gb */
 #include "polygon/harmonic.h"   /* loft_harmonic */
+#include "polygon/partition.h"  /* loft_partition */
 #include "polygon/ring.h"       /* loft_ring */
 #include "polygon/spatch.h"     /* loft_spatch */
 #include "polygon/toric.h"      /* loft_toric */
 #include "surface/sheet.h"      /* loft_sheet */
+
+LOFT_BEGIN_C
 
 /* loft_wachspress_eval, loft_meanvalue_eval. */
 typedef enum loft_status loft_coordinates(const loft_domain *d, loft_spot p, loft_sci phi[]);
 
 /* All is borrowed. Do not fill it yourself. */
 typedef struct loft_round {
-    enum loft_status (*at)(const struct loft_round *r, unsigned side, loft_unit share, loft_unit u, loft_vec *out);
+    enum loft_status (*at)(const struct loft_round *r, unsigned side, loft_unit share, loft_unit u,
+                           loft_vec *out);
     const void *patch;
     const loft_domain *domain;
     loft_coordinates *coordinates;
     const loft_harmonic *harmonic;
-    loft_spot middle;
+    loft_partition cut;         /* over a polygon: into convex parts */
     uint8_t sides;
 } loft_round;
 
-/* Of a patch over a polygon with its coordinates, or (NULL) harmonic ones, see below; of one over whole points; with base points; of Zheng and Ball. The middle is the mean
- * of the vertices.
+/* Of a patch over a polygon with its coordinates, or (NULL) harmonic ones, see below; of one over
+ * whole points; with base points; of Zheng and Ball. The middle is the mean of the vertices, of
+ * those of the first part where the polygon is not convex.
  *
- *   range   as many vertices as sides, a middle that is inside (in a convex polygon it is), otherwise LOFT_ERR_ARG; *r is
- *           untouched then
+ *   range   as many vertices as sides, otherwise LOFT_ERR_ARG; *r is untouched then
  *   error   none: borrowed
- *   cost    a sum and a quotient per vertex, a point's place in the polygon
+ *   cost    that of loft_partition_init
  */
-enum loft_status loft_round_from_spatch(loft_round *r, const loft_spatch *s, const loft_domain *d, loft_coordinates *coordinates) LOFT_CHECKED;
-enum loft_status loft_round_from_gb(loft_round *r, const loft_gb *g, const loft_domain *d, loft_coordinates *coordinates) LOFT_CHECKED;
-enum loft_status loft_round_from_toric(loft_round *r, const loft_toric *t) LOFT_CHECKED;
+enum loft_status loft_round_from_spatch(loft_round *r, const loft_spatch *s, const loft_domain *d,
+                                        loft_coordinates *coordinates) LOFT_CHECKED;
+enum loft_status loft_round_from_gb(loft_round *r, const loft_gb *g, const loft_domain *d,
+                                    loft_coordinates *coordinates) LOFT_CHECKED;
+void loft_round_from_toric(loft_round *r, const loft_toric *t);
 void loft_round_from_basepoint(loft_round *r, const loft_basepoint *b);
 void loft_round_from_ring(loft_round *r, const loft_ring *g);
 
@@ -62,11 +72,16 @@ enum loft_status loft_round_harmonic(loft_round *r, const loft_harmonic *h) LOFT
 /* As a sheet: LOFT_SHEET_ROUND.
  *
  *   range   u, v in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit
- *   error   that of the patch's eval, at parameters rounded to 2^-24 of u and v, of a polygon to its step; at u = 1 of spatch and gb the
- *           point of the side, at v = k / n where n is a power of two, and v = 1, the corner itself
- *   cost    a point of the patch; over a polygon the coordinates and four lerps; of rings a root (6 sides: 4 steps of
- *           Newton's, 40 products) twice
+ *   error   that of the patch's eval, at parameters rounded to 2^-24 of u and v, of a polygon to
+ *           2^-23 and its step; at u = 1 of spatch and gb the point of the side, at v = k / n where
+ *           n is a power of two, and v = 1, the corner itself; the nearest point of the boundary
+ *           where rounding leads outside
+ *   cost    a point of the patch; over a polygon the coordinates, 6 small products for each side of
+ *           each part and six lerps; of rings a root (6 sides: 4 steps of Newton's, 40 products)
+ *           twice
  */
 loft_sheet loft_sheet_from_round(const loft_round *r);
+
+LOFT_END_C
 
 #endif

@@ -1,9 +1,10 @@
 /* lib/polygon/spatch.c
  * SPDX-License-Identifier: MIT
  *
- * Error. A term depth!/l! prod phi_i^l_i V_l is a product of at most 2 depth + sides + 3 factors and partial products, less
- * than 32 roundings of 2^-61 (floats 2^-53) of its size; the terms' sizes sum to M |V|, and the sum of N of them adds one
- * rounding of the largest partial sum each: N <= 11440 < 2^13.5. In q16 |V| = 2^31 LSB:
+ * Error. A term depth!/l! prod phi_i^l_i V_l is a product of at most 2 depth + sides + 3 factors
+ * and partial products, less than 32 roundings of 2^-61 (floats 2^-53) of its size; the terms'
+ * sizes sum to M |V|, and the sum of N of them adds one rounding of the largest partial sum each: N
+ * <= 11440 < 2^13.5. In q16 |V| = 2^31 LSB:
  *
  *     (32 + 2^13.5) 2^-61 2^31 M LSB < 2^-16 M LSB
  *
@@ -13,7 +14,8 @@
 #include "curve/rational.h"     /* LOFT_WEIGHT_MIN, loft_weight_clamp */
 #include "polygon/blend.h"      /* loft_blend */
 
-enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft_real w[], unsigned sides, unsigned depth)
+enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft_real w[],
+                                  unsigned sides, unsigned depth)
 {
     if (sides < 3 || sides > LOFT_SIDES_MAX || depth < 1 || depth > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
@@ -58,7 +60,8 @@ static bool on_edge(const loft_spatch *s, const loft_sci phi[], unsigned *edge)
     return others == 0;
 }
 
-static enum loft_status edge_point(const loft_spatch *s, const loft_sci phi[], unsigned edge, loft_vec *out)
+static enum loft_status edge_point(const loft_spatch *s, const loft_sci phi[], unsigned edge,
+                                   loft_vec *out)
 {
     const loft_sci share[2] = { phi[edge], phi[after(edge, s->sides)] };
     loft_vec p[LOFT_DEGREE_MAX + 1];
@@ -75,8 +78,8 @@ static enum loft_status edge_point(const loft_spatch *s, const loft_sci phi[], u
     return loft_blend_curve(p, s->w ? w : NULL, s->depth, share, out);
 }
 
-/* part[i] is the product of C(left, l_j) phi_j^l_j for j < i, where `left` is what the parts before j leave: of one index to
- * the next only those behind the part that changed are new. */
+/* part[i] is the product of C(left, l_j) phi_j^l_j for j < i, where `left` is what the parts before
+ * j leave: of one index to the next only those behind the part that changed are new. */
 static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_blend *sum)
 {
     loft_sci power[LOFT_SIDES_MAX][LOFT_DEGREE_MAX + 1], part[LOFT_SIDES_MAX + 1];
@@ -98,11 +101,13 @@ static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_blend *sum)
         for (; i < n; left -= l[i], i++) {
             part[i + 1] = loft_sci_mul(part[i], power[i][l[i]]);
             if (l[i] && l[i] < left)
-                part[i + 1] = loft_sci_mul(part[i + 1], loft_sci_from_int(loft_binomial(left, l[i])));
+                part[i + 1] = loft_sci_mul(part[i + 1],
+                                           loft_sci_from_int(loft_binomial(left, l[i])));
             last[i] = l[i];
         }
         if (loft_sci_sign(part[n]))
-            loft_blend_add(sum, &s->p[rank], s->w ? loft_sci_mul(part[n], weight_of(s, rank)) : part[n]);
+            loft_blend_add(sum, &s->p[rank],
+                           s->w ? loft_sci_mul(part[n], weight_of(s, rank)) : part[n]);
         rank++;
     } while (loft_multi_next(l, n));
 }
@@ -155,7 +160,8 @@ static loft_sci cascade(const loft_spatch *s, const loft_sci phi[], int axis, lo
         work[rank] = loft_sci_zero();
         for (unsigned i = 0; i < n; i++) {
             l[i]++;
-            work[rank] = loft_sci_add(work[rank], loft_sci_mul(phi[i], homogeneous(s, loft_multi_rank(l, n), axis)));
+            work[rank] = loft_sci_add(
+                work[rank], loft_sci_mul(phi[i], homogeneous(s, loft_multi_rank(l, n), axis)));
             l[i]--;
         }
         rank++;
@@ -165,7 +171,8 @@ static loft_sci cascade(const loft_spatch *s, const loft_sci phi[], int axis, lo
     return work[0];
 }
 
-enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[], loft_sci work[], loft_vec *out)
+enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[], loft_sci work[],
+                                       loft_vec *out)
 {
     loft_blend sum;
 
@@ -180,7 +187,8 @@ enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[
 
 /* Other forms: sums of points with whole factors, divided once */
 
-static enum loft_status store(const loft_spatch *s, const loft_blend *sum, loft_sci factors, loft_vec *out, loft_real *w)
+static enum loft_status store(const loft_spatch *s, const loft_blend *sum, loft_sci factors,
+                              loft_vec *out, loft_real *w)
 {
     loft_acc mean = 0;
 
@@ -217,13 +225,15 @@ enum loft_status loft_spatch_raise(const loft_spatch *s, loft_vec out[], loft_re
                 add(s, &sum, l, l[i] + 1);
                 l[i]++;
             }
-        status = store(s, &sum, loft_sci_from_int(s->depth + 1), &out[rank], s->w ? &w[rank] : NULL);
+        status = store(s, &sum, loft_sci_from_int(s->depth + 1), &out[rank],
+                       s->w ? &w[rank] : NULL);
         rank++;
     } while (status == LOFT_OK && loft_multi_next(l, s->sides));
     return status;
 }
 
-/* With phi = ((1-u)(1-v), u(1-v), uv, (1-u)v) the power of u is l_1 + l_2, that of v is l_2 + l_3. */
+/* With phi = ((1-u)(1-v), u(1-v), uv, (1-u)v) the power of u is l_1 + l_2, that of v is l_2 +
+ * l_3. */
 enum loft_status loft_spatch_tensor(const loft_spatch *s, loft_vec out[], loft_real w[])
 {
     const unsigned d = s->depth;
@@ -236,11 +246,13 @@ enum loft_status loft_spatch_tensor(const loft_spatch *s, loft_vec out[], loft_r
             loft_blend sum;
             loft_blend_start(&sum);
             for (unsigned both = i + j > d ? i + j - d : 0; both <= i && both <= j; both++) {
-                const uint8_t l[4] = { (uint8_t)(d + both - i - j), (uint8_t)(i - both), (uint8_t)both, (uint8_t)(j - both) };
+                const uint8_t l[4] = { (uint8_t)(d + both - i - j), (uint8_t)(i - both),
+                                       (uint8_t)both, (uint8_t)(j - both) };
                 add(s, &sum, l, loft_multi_ways(l, 4));
             }
             const int32_t ways = loft_binomial(d, i) * loft_binomial(d, j);
-            const enum loft_status status = store(s, &sum, loft_sci_from_int(ways), &out[at], s->w ? &w[at] : NULL);
+            const enum loft_status status = store(s, &sum, loft_sci_from_int(ways), &out[at],
+                                                  s->w ? &w[at] : NULL);
             if (status != LOFT_OK)
                 return status;
         }

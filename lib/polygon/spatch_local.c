@@ -6,7 +6,8 @@
 #include "polygon/spatch.h"
 #include "polygon/jet_blend.h"  /* loft_jet_blend */
 
-static loft_jet weight_of(const loft_spatch *s, const loft_jet phi[], const uint8_t l[], unsigned rank)
+static loft_jet weight_of(const loft_spatch *s, const loft_jet phi[], const uint8_t l[],
+                          unsigned rank)
 {
     const loft_sci ways = loft_sci_from_int(loft_multi_ways(l, s->sides));
     loft_jet weight = loft_jet_of(s->w ? loft_sci_mul(ways, loft_sci_from_real(s->w[rank])) : ways);

@@ -1,10 +1,11 @@
 /* lib/polygon/toric.c
  * SPDX-License-Identifier: MIT
  *
- * All terms are positive, so numerator and denominator err by shares: a power h^k by k times what h errs by and k
- * roundings at most, h by what a cross product does. Exponents: a product of heights is below 2^900 and, with h >= 2^-16 in
- * q16, above 2^-16 * 900; the smallest in floats may vanish, which no point of the patch notices, because next to a vertex the
- * term of that vertex is a product of the other heights.
+ * All terms are positive, so numerator and denominator err by shares: a power h^k by k times what h
+ * errs by and k roundings at most, h by what a cross product does. Exponents: a product of heights
+ * is below 2^900 and, with h >= 2^-16 in q16, above 2^-16 * 900; the smallest in floats may vanish,
+ * which no point of the patch notices, because next to a vertex the term of that vertex is a
+ * product of the other heights.
  */
 #include "polygon/toric.h"
 #include "polygon/blend.h"      /* loft_blend */
@@ -20,7 +21,8 @@ static unsigned bits(int h)
     return count;
 }
 
-/* The product of heights at whole point l of a point where each height is the largest of the polygon. */
+/* The product of heights at whole point l of a point where each height is the largest of the
+ * polygon. */
 static unsigned bits_of(const loft_lattice_polygon *lattice, const int highest[], loft_whole l)
 {
     unsigned sum = 0;
@@ -49,13 +51,14 @@ static bool tame(const loft_lattice_polygon *lattice)
     return true;
 }
 
-enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *lattice, const loft_vec p[], const loft_real c[],
-                                 const loft_real w[])
+enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *lattice,
+                                 const loft_vec p[], const loft_real c[], const loft_real w[])
 {
     const unsigned count = loft_lattice_polygon_count(lattice);
 
     for (unsigned k = 0; k < count; k++) {
-        if ((w && !(w[k] >= LOFT_WEIGHT_MIN && w[k] <= LOFT_WEIGHT_MAX)) || (c && !(c[k] > 0 && c[k] <= LOFT_REAL(32767))))
+        if ((w && !(w[k] >= LOFT_WEIGHT_MIN && w[k] <= LOFT_WEIGHT_MAX)) ||
+            (c && !(c[k] > 0 && c[k] <= LOFT_REAL(32767))))
             return LOFT_ERR_RANGE;
         if (!loft_vec_valid(p[k]))
             return LOFT_ERR_RANGE;
@@ -78,13 +81,15 @@ static loft_spot spot_of(loft_whole p)
     return s;
 }
 
-/* The heights of p, all exact in sign: the cross product of an edge and the way to p, by the edge's length. False when p is
- * outside. */
+/* The heights of p, all exact in sign: the cross product of an edge and the way to p, by the edge's
+ * length. False when p is outside. */
 static bool heights(const loft_lattice_polygon *l, loft_spot p, loft_sci h[])
 {
     for (unsigned i = 0; i < l->sides; i++) {
-        const loft_spot a = spot_of(l->edge[i].from), b = spot_of(l->edge[i + 1u < l->sides ? i + 1 : 0].from);
-        h[i] = loft_sci_div(loft_sci_cross(a.at, b.at, a.at, p.at), loft_sci_from_int(l->edge[i].length));
+        const loft_spot a = spot_of(l->edge[i].from),
+                        b = spot_of(l->edge[i + 1u < l->sides ? i + 1 : 0].from);
+        h[i] = loft_sci_div(loft_sci_cross(a.at, b.at, a.at, p.at),
+                            loft_sci_from_int(l->edge[i].length));
         if (loft_sci_sign(h[i]) < 0)
             return false;
     }
@@ -112,7 +117,8 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
     do {
         loft_sci weight = factor(t, k);
         for (unsigned i = 0; i < sides && loft_sci_sign(weight); i++)
-            weight = loft_sci_mul(weight, loft_sci_pow(h[i], (unsigned)loft_lattice_polygon_height(t->lattice, i, l)));
+            weight = loft_sci_mul(weight, loft_sci_pow(h[i], (unsigned)loft_lattice_polygon_height(
+                                                                 t->lattice, i, l)));
         if (loft_sci_sign(weight))
             loft_blend_add(&sum, &t->p[k], weight);
         k++;
@@ -145,7 +151,8 @@ static loft_whole along(const loft_lattice_edge *e, unsigned step)
     return l;
 }
 
-/* Weights as loft_rational_weights takes them: the largest brought into 128..256, all times LOFT_PROJECT. */
+/* Weights as loft_rational_weights takes them: the largest brought into 128..256, all times
+ * LOFT_PROJECT. */
 static enum loft_status weigh(loft_sci w[], unsigned degree, loft_weighted out[])
 {
     const loft_sci two = loft_sci_from_int(2), top = loft_sci_from_int(256);
@@ -186,22 +193,26 @@ enum loft_status loft_toric_edge(const loft_toric *t, unsigned edge, loft_weight
     return weigh(w, m, out);
 }
 
-/* A / (A + B) of the products of heights with positive and with negative exponents. At the first vertex the height of the
- * edge before is 0 and its exponent positive, at the second that of the edge after, negative. */
-enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_spot p, loft_unit *out)
+/* A / (A + B) of the products of heights with positive and with negative exponents. At the first
+ * vertex the height of the edge before is 0 and its exponent positive, at the second that of the
+ * edge after, negative. */
+enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_spot p,
+                                      loft_unit *out)
 {
     const loft_lattice_polygon *lattice = t->lattice;
     loft_sci h[LOFT_SIDES_MAX], product[2] = { loft_sci_one(), loft_sci_one() };
     loft_acc share = 0;
 
-    if (edge >= lattice->sides || !loft_spot_admits(p) || !heights(lattice, p, h) || loft_sci_sign(h[edge]))
+    if (edge >= lattice->sides || !loft_spot_admits(p) || !heights(lattice, p, h) ||
+        loft_sci_sign(h[edge]))
         return LOFT_ERR_ARG;
     const loft_whole *n = &lattice->edge[edge].normal;
     for (unsigned j = 0; j < lattice->sides; j++) {
         const loft_whole *e = &lattice->edge[j].normal;
         const int power = e->at[0] * n->at[1] - e->at[1] * n->at[0];
         if (j != edge)
-            product[power < 0] = loft_sci_mul(product[power < 0], loft_sci_pow(h[j], (unsigned)(power < 0 ? -power : power)));
+            product[power < 0] = loft_sci_mul(
+                product[power < 0], loft_sci_pow(h[j], (unsigned)(power < 0 ? -power : power)));
     }
     if (!loft_sci_wide(loft_sci_div(product[0], loft_sci_add(product[0], product[1])), &share))
         return LOFT_ERR_RANGE;

@@ -1,13 +1,15 @@
 /* lib/polygon/toric.h -- toric patches: rational surfaces over the whole points of a polygon
  * SPDX-License-Identifier: MIT
  *
- * A control point for every whole point l of a convex lattice polygon, in the order of loft_lattice_polygon_next:
+ * A control point for every whole point l of a convex lattice polygon, in the order of
+ * loft_lattice_polygon_next:
  *
  *     S = sum w_l B_l V_l / sum w_l B_l        B_l(p) = c_l prod h_i(p)^h_i(l)        0^0 = 1
  *
- * A triangle of size d with multinomials c is a rational Bezier triangle, a rectangle with products of binomials a tensor
- * product patch. Along edge i it is a rational Bezier curve of the degree of the edge's length m, with weights
- * w_t c_t / C(m,t), at the parameter that loft_toric_parameter tells.
+ * A triangle of size d with multinomials c is a rational Bezier triangle, a rectangle with products
+ * of binomials a tensor product patch. Along edge i it is a rational Bezier curve of the degree of
+ * the edge's length m, with weights w_t c_t / C(m,t), at the parameter that loft_toric_parameter
+ * tells.
  */
 #ifndef LOFT_POLYGON_TORIC_H
 #define LOFT_POLYGON_TORIC_H
@@ -16,6 +18,8 @@
 #include "polygon/lattice.h"    /* loft_lattice_polygon */
 #include "surface/local.h"      /* loft_local */
 
+LOFT_BEGIN_C
+
 /* All are borrowed; c and w are null for ones. Do not fill it yourself: call init. */
 typedef struct {
     const loft_lattice_polygon *lattice;
@@ -23,54 +27,68 @@ typedef struct {
     const loft_real *c, *w;
 } loft_toric;
 
-/* Make a patch of loft_lattice_polygon_count(lattice) points, coefficients and weights, which must outlive it.
+/* Make a patch of loft_lattice_polygon_count(lattice) points, coefficients and weights, which must
+ * outlive it.
  *
- *   range   coefficients above 0 and to 32767, weights 1/256..256, finite coordinates, and a lattice of which no product of
- *           heights can exceed 2^900 (one of several hundred points may), otherwise LOFT_ERR_RANGE; *t is untouched then
+ *   range   coefficients above 0 and to 32767, weights 1/256..256, finite coordinates, and a
+ *           lattice of which no product of heights can exceed 2^900 (one of several hundred points
+ *           may), otherwise LOFT_ERR_RANGE; *t is untouched then
  *   error   none: all is borrowed
- *   cost    two walks over the whole points, `sides` heights for each; 4 comparisons and a look at each coordinate a point
+ *   cost    two walks over the whole points, `sides` heights for each; 4 comparisons and a look at
+ *           each coordinate a point
  */
-enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *lattice, const loft_vec p[], const loft_real c[],
+enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *lattice,
+                                 const loft_vec p[], const loft_real c[],
                                  const loft_real w[]) LOFT_CHECKED;
 
 /* The point at p, in the plane of the lattice.
  *
  *   range   p in the polygon, edges included, otherwise LOFT_ERR_RANGE; *out is untouched then
  *   error   with N points and H the largest sum h_i(l), which is d in a triangle of size d:
- *           q16: 1/2 LSB + (N + 2 H) 2^-28 LSB   f32: 1/2 ulp + (N + 2^7 H) 2^-29 ulp   f64: N + 2^7 H ulp,
+ *           q16: 1/2 LSB + (N + 2 H) 2^-28 LSB   f32: 1/2 ulp + (N + 2^7 H) 2^-29 ulp   f64: N +
+ *               2^7 H ulp,
  *           of the largest coordinate; at a vertex q16: none
- *   cost    n cross products and divisions; per point 2 log2 h_i + 1 products for every side, three and one per
- *           axis; a division per axis; no table
+ *   cost    n cross products and divisions; per point 2 log2 h_i + 1 products for every side, three
+ *           and one per axis; a division per axis; no table
  *   see     Krasauskas, Toric surface patches (2002)
  */
 enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out) LOFT_CHECKED;
 
-/* The derivatives by x and y of the first and second order, for normals and curvatures (surface/local.h). Width is the sum of |derivatives
- * of a weight| times |distance of its point| over the sum of weights.
+/* The derivatives by x and y of the first and second order, for normals and curvatures
+ * (surface/local.h). Width is the sum of |derivatives of a weight| times |distance of its point|
+ * over the sum of weights.
  *
  *   range   as eval
- *   error   with L the largest coordinate, A and B the sums of |first and second derivatives of the weights| over |the sum of the
- *           weights|: first q16: L A 2^-44   f32, f64: L A 2^-36; second: the same with B + A^2 in place of A
- *   cost    per control point 15 sides (2 log2 h_i + 2) products and 6 per axis; eval once more; q16: 2.5 kB of stack
+ *   error   with L the largest coordinate, A and B the sums of |first and second derivatives of the
+ *           weights| over |the sum of the weights|: first q16: L A 2^-44   f32, f64: L A 2^-36;
+ *           second: the same with B + A^2 in place of A
+ *   cost    per control point 15 sides (2 log2 h_i + 2) products and 6 per axis; eval once more;
+ *           q16: 2.5 kB of stack
  */
 enum loft_status loft_toric_local(const loft_toric *t, loft_spot p, loft_local *out) LOFT_CHECKED;
 
 /* The curve along an edge, from its first vertex to its second.
  *
- *   shape   out[length + 1], length = t->lattice->edge[edge].length; weights with a common factor, a power of two
- *   range   length 1..9, otherwise LOFT_ERR_ARG; the smallest weight at least 1/256 when the largest is in 128..256, otherwise
- *           LOFT_ERR_RANGE
+ *   shape   out[length + 1], length = t->lattice->edge[edge].length; weights with a common factor,
+ *           a power of two
+ *   range   length 1..9, otherwise LOFT_ERR_ARG; the smallest weight at least 1/256 when the
+ *           largest is in 128..256, otherwise LOFT_ERR_RANGE
  *   error   points none; weights q16: 1/2 LSB, the largest is in 128..256   f32: 1 ulp   f64: 4 ulp
  *   cost    3 products a point
  */
-enum loft_status loft_toric_edge(const loft_toric *t, unsigned edge, loft_weighted out[]) LOFT_CHECKED;
+enum loft_status loft_toric_edge(const loft_toric *t, unsigned edge,
+                                 loft_weighted out[]) LOFT_CHECKED;
 
-/* Where on that curve the patch is at p, a point of the edge: r / (1 + r), r = prod h_j^(normal_j . direction of the edge).
+/* Where on that curve the patch is at p, a point of the edge: r / (1 + r), r = prod h_j^(normal_j .
+ * direction of the edge).
  *
  *   range   p on the edge or at one of its ends, otherwise LOFT_ERR_ARG
  *   error   q16: 2^-25   f32: 1 ulp   f64: 2^12 ulp
  *   cost    as eval of one point
  */
-enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_spot p, loft_unit *out) LOFT_CHECKED;
+enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_spot p,
+                                      loft_unit *out) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

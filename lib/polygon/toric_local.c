@@ -1,8 +1,8 @@
 /* lib/polygon/toric_local.c -- derivatives of toric patches
  * SPDX-License-Identifier: MIT
  *
- * The sum of toric.c, in functions of the point, counted from the point itself. The heights are linear: their derivatives are
- * the normals.
+ * The sum of toric.c, in functions of the point, counted from the point itself. The heights are
+ * linear: their derivatives are the normals.
  */
 #include "polygon/toric.h"
 #include "polygon/jet_blend.h"  /* loft_jet_blend */
@@ -10,10 +10,13 @@
 static void heights(const loft_lattice_polygon *l, loft_spot p, loft_jet h[])
 {
     for (unsigned i = 0; i < l->sides; i++) {
-        const loft_sci x = loft_sci_from_int(l->edge[i].normal.at[0]), y = loft_sci_from_int(l->edge[i].normal.at[1]);
-        const loft_sci by_x = loft_sci_mul(x, loft_sci_from_real(p.at[0])), by_y = loft_sci_mul(y, loft_sci_from_real(p.at[1]));
+        const loft_sci x = loft_sci_from_int(l->edge[i].normal.at[0]),
+                       y = loft_sci_from_int(l->edge[i].normal.at[1]);
+        const loft_sci by_x = loft_sci_mul(x, loft_sci_from_real(p.at[0])),
+                       by_y = loft_sci_mul(y, loft_sci_from_real(p.at[1]));
 
-        h[i] = loft_jet_of(loft_sci_add(loft_sci_add(by_x, by_y), loft_sci_from_int(l->edge[i].offset)));
+        h[i] = loft_jet_of(
+            loft_sci_add(loft_sci_add(by_x, by_y), loft_sci_from_int(l->edge[i].offset)));
         h[i].x = x;
         h[i].y = y;
     }
@@ -25,7 +28,8 @@ static loft_jet weight_of(const loft_toric *t, const loft_jet h[], loft_whole l,
     loft_jet weight = loft_jet_of(t->w ? loft_sci_mul(c, loft_sci_from_real(t->w[k])) : c);
 
     for (unsigned i = 0; i < t->lattice->sides; i++) {
-        const loft_jet power = loft_jet_pow(&h[i], (unsigned)loft_lattice_polygon_height(t->lattice, i, l));
+        const loft_jet power = loft_jet_pow(
+            &h[i], (unsigned)loft_lattice_polygon_height(t->lattice, i, l));
         weight = loft_jet_mul(&weight, &power);
     }
     return weight;

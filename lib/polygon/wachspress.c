@@ -20,10 +20,10 @@ static unsigned largest_of(const loft_sci area[], unsigned sides)
  *
  *     w_i = C_i prod A_j, j not i - 1 or i        phi_i = w_i / sum w
  *
- * All factors are positive inside, so nothing cancels: n - 1 products, n sums and one quotient of factors that err by
- * 2^-61 (floats: 2^-47) each. In floats an area is at least 2^-216 and at most 2^43; divided by the largest of them
- * they are 2^-259 to 1, and the product of those that do not belong to the nearest vertex stays a normal number
- * unless three of them are that small. */
+ * All factors are positive inside, so nothing cancels: n - 1 products, n sums and one quotient of
+ * factors that err by 2^-61 (floats: 2^-47) each. In floats an area is at least 2^-216 and at most
+ * 2^43; divided by the largest of them they are 2^-259 to 1, and the product of those that do not
+ * belong to the nearest vertex stays a normal number unless three of them are that small. */
 enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sci phi[])
 {
     loft_sci area[LOFT_SIDES_MAX], sum = loft_sci_zero();
@@ -59,15 +59,17 @@ enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sc
     return LOFT_OK;
 }
 
-/* A_j = (v_j - p) x (v_(j+1) - p) has the derivatives y_j - y_(j+1) and x_(j+1) - x_j. The same products; on an edge and at a vertex
- * as well, where one or two areas are 0. */
+/* A_j = (v_j - p) x (v_(j+1) - p) has the derivatives y_j - y_(j+1) and x_(j+1) - x_j. The same
+ * products; on an edge and at a vertex as well, where one or two areas are 0. */
 static loft_jet area_at(const loft_domain *d, unsigned j, loft_sci area, loft_sci unit)
 {
     const loft_spot *a = &d->v[j], *b = &d->v[next(j, d->sides)];
     loft_jet r = loft_jet_of(loft_sci_div(area, unit));
 
-    r.x = loft_sci_div(loft_sci_sub(loft_sci_from_real(a->at[1]), loft_sci_from_real(b->at[1])), unit);
-    r.y = loft_sci_div(loft_sci_sub(loft_sci_from_real(b->at[0]), loft_sci_from_real(a->at[0])), unit);
+    r.x = loft_sci_div(loft_sci_sub(loft_sci_from_real(a->at[1]), loft_sci_from_real(b->at[1])),
+                       unit);
+    r.y = loft_sci_div(loft_sci_sub(loft_sci_from_real(b->at[0]), loft_sci_from_real(a->at[0])),
+                       unit);
     return r;
 }
 

@@ -1,20 +1,21 @@
 /* lib/surface/barycentric.c
  * SPDX-License-Identifier: MIT
  *
- * Room of a row, in q16. Coefficients are at most 2^15 times the product G of the growths L of the rows before, and
- * loft_bary_grows sees to it that G L <= 19683 for the row in hand. loft_acc_blend forms
+ * Room of a row, in q16. Coefficients are at most 2^15 times the product G of the growths L of the
+ * rows before, and loft_bary_grows sees to it that G L <= 19683 for the row in hand. loft_acc_blend
+ * forms
  *
  *     |v| |y - x| + |w| |z - x|  <=  2 (|v| + |w|) 2^15 G  <=  2 L G 2^15  <  2^30.3
  *
- * and the result is below 2^29.3, both below the 2^31 that it has. Its rounding of 2^-33 is multiplied by the
- * growths of the rows after it, so for rows of one L <= 19683^(1/n)
+ * and the result is below 2^29.3, both below the 2^31 that it has. Its rounding of 2^-33 is
+ * multiplied by the growths of the rows after it, so for rows of one L <= 19683^(1/n)
  *
  *     e_n = 2^-33 (1 + L + .. + L^(n-1)) <= 9841 * 2^-33 < 2^-19.7
  *
  * as for curves (basis/bernstein.c), with the worst at n = 9, L = 3.
  */
 #include "surface/barycentric.h"
-#include "num/exact.h"          /* loft_exact: areas and decisions */
+#include "geom/vec_exact.h"          /* loft_exact: areas and decisions */
 
 #define GROWTH_MAX 19683
 #define FARTHEST   LOFT_UNIT(32)
@@ -29,22 +30,10 @@ typedef struct {
 
 static side between(loft_vec a, loft_vec b)
 {
-    return (side) {
-        loft_exact_sub(loft_exact_from_real(loft_vec_axis(&b, 0)), loft_exact_from_real(loft_vec_axis(&a, 0))),
-        loft_exact_sub(loft_exact_from_real(loft_vec_axis(&b, 1)), loft_exact_from_real(loft_vec_axis(&a, 1)))
-    };
+    return (side) { loft_vec_exact_sub_axis(&b, &a, 0), loft_vec_exact_sub_axis(&b, &a, 1) };
 }
 
 static loft_exact det(side a, side b) { return loft_exact_det(a.x, a.y, b.x, b.y); }
-
-static bool admits(const loft_vec p[], unsigned count)
-{
-    for (unsigned k = 0; k < count; k++)
-        for (int i = 0; i < 2; i++)
-            if (!loft_exact_admits(loft_vec_axis(&p[k], i)))
-                return false;
-    return true;
-}
 
 /* part / whole, part being two determinants and their difference from the whole or from 0. */
 static enum loft_status divide(const loft_exact part[3], loft_exact whole, loft_acc out[3])
@@ -64,9 +53,10 @@ static enum loft_status divide(const loft_exact part[3], loft_exact whole, loft_
 /* [x - T1, T3 - T1] and [T2 - T1, x - T1] over [T2 - T1, T3 - T1] */
 enum loft_status loft_bary_from_point(const loft_vec corner[3], loft_vec x, loft_acc out[3])
 {
-    if (!admits(corner, 3) || !admits(&x, 1))
+    if (!loft_vec_exact_valid(corner, 3, 2) || !loft_vec_exact_valid(&x, 1, 2))
         return LOFT_ERR_RANGE;
-    const side a = between(corner[0], corner[1]), b = between(corner[0], corner[2]), p = between(corner[0], x);
+    const side a = between(corner[0], corner[1]), b = between(corner[0], corner[2]),
+               p = between(corner[0], x);
     const loft_exact whole = det(a, b);
     loft_exact part[3] = { whole, det(p, b), det(a, p) };
 
@@ -78,10 +68,12 @@ enum loft_status loft_bary_from_vector(const loft_vec corner[3], loft_vec x, lof
 {
     const loft_vec origin = { { 0 } };
 
-    if (!admits(corner, 3) || !admits(&x, 1))
+    if (!loft_vec_exact_valid(corner, 3, 2) || !loft_vec_exact_valid(&x, 1, 2))
         return LOFT_ERR_RANGE;
-    const side a = between(corner[0], corner[1]), b = between(corner[0], corner[2]), p = between(origin, x);
-    const loft_exact v = det(p, b), w = det(a, p), part[3] = { loft_exact_neg(loft_exact_add(v, w)), v, w };
+    const side a = between(corner[0], corner[1]), b = between(corner[0], corner[2]),
+               p = between(origin, x);
+    const loft_exact v = det(p, b), w = det(a, p),
+                     part[3] = { loft_exact_neg(loft_exact_add(v, w)), v, w };
 
     return divide(part, det(a, b), out);
 }
@@ -90,10 +82,11 @@ enum loft_status loft_bary_area(const loft_vec corner[3], loft_real *area)
 {
     loft_acc x;
 
-    if (!admits(corner, 3))
+    if (!loft_vec_exact_valid(corner, 3, 2))
         return LOFT_ERR_RANGE;
     const loft_exact twice = det(between(corner[0], corner[1]), between(corner[0], corner[2]));
-    if (!loft_exact_quot(twice, loft_exact_from_int(2), -2 * LOFT_EXACT_REAL, &x) || !loft_acc_fits(x))
+    if (!loft_exact_quot(twice, loft_exact_from_int(2), -2 * LOFT_EXACT_REAL, &x) ||
+        !loft_acc_fits(x))
         return LOFT_ERR_RANGE;
     *area = loft_acc_round(x);
     return LOFT_OK;
@@ -122,8 +115,10 @@ enum loft_status loft_bary_change(const loft_bary corner[3], loft_bary x, loft_a
 {
     if (!near(corner[0]) || !near(corner[1]) || !near(corner[2]) || !near(x))
         return LOFT_ERR_ARG;
-    out[1] = loft_acc_blend(widened(corner[0].v), widened(corner[1].v), widened(corner[2].v), x.v, x.w);
-    out[2] = loft_acc_blend(widened(corner[0].w), widened(corner[1].w), widened(corner[2].w), x.v, x.w);
+    out[1] = loft_acc_blend(widened(corner[0].v), widened(corner[1].v), widened(corner[2].v), x.v,
+                            x.w);
+    out[2] = loft_acc_blend(widened(corner[0].w), widened(corner[1].w), widened(corner[2].w), x.v,
+                            x.w);
     out[0] = loft_wide(LOFT_REAL(1)) - out[1] - out[2];
     return LOFT_OK;
 }
@@ -141,7 +136,9 @@ bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *prod
     if (!near(u))
         return false;
     const loft_acc v = widened(u.v), w = widened(u.w);
-    const loft_acc growth = loft_acc_size((direction ? 0 : one) - v - w) + loft_acc_size(v) + loft_acc_size(w);    /* at most 129 */
+    /* at most 129 */
+    const loft_acc growth = loft_acc_size((direction ? 0 : one) - v - w) + loft_acc_size(v) +
+                            loft_acc_size(w);
     for (unsigned k = 0; k < times && growth > one; k++) {
         *product = loft_acc_mul(*product, loft_acc_round(growth)) + loft_acc_grain(*product);
         if (*product > most)
@@ -150,10 +147,11 @@ bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *prod
     return true;
 }
 
-/* Each weight hands the parts v and w to its two neighbours of the next degree and keeps the rest, so the sum
- * stays 1 without error. It is touched by two roundings of what it hands over, and by two of what it is handed; what
- * it had before is passed on with weights of sum 1: 4 * 2^-33 for each degree. Row m is read before row m + 1 is
- * complete: from the last row up, and within a row from the end. */
+/* Each weight hands the parts v and w to its two neighbours of the next degree and keeps the rest,
+ * so the sum stays 1 without error. It is touched by two roundings of what it hands over, and by
+ * two of what it is handed; what it had before is passed on with weights of sum 1: 4 * 2^-33 for
+ * each degree. Row m is read before row m + 1 is complete: from the last row up, and within a row
+ * from the end. */
 void loft_bary_weights(unsigned degree, loft_bary u, loft_acc c[])
 {
     c[0] = loft_wide(LOFT_REAL(1));
@@ -172,7 +170,8 @@ void loft_bary_weights(unsigned degree, loft_bary u, loft_acc c[])
     }
 }
 
-/* From place p in row m, the places of b_i(j+1)k and b_ij(k+1) are p + m + 1 and p + m + 2: both still unchanged. */
+/* From place p in row m, the places of b_i(j+1)k and b_ij(k+1) are p + m + 1 and p + m + 2: both
+ * still unchanged. */
 void loft_bary_step(loft_acc c[], unsigned degree, loft_bary u)
 {
     for (unsigned m = 0, p = 0; m < degree; m++)

@@ -1,14 +1,17 @@
-/* lib/surface/barycentric.h -- coordinates in a triangle, and polynomials over it, one value at a time
+/* lib/surface/barycentric.h -- coordinates in a triangle, and polynomials over it, one value at a
+ * time
  * SPDX-License-Identifier: MIT
  *
- * A point u T1 + v T2 + w T3 with u + v + w = 1 is given by v and w, so that the sum cannot be wrong: u is
- * 1 - v - w. A direction has u + v + w = 0 and is given by the same two. The corners T1, T2, T3 are
+ * A point u T1 + v T2 + w T3 with u + v + w = 1 is given by v and w, so that the sum cannot be
+ * wrong: u is 1 - v - w. A direction has u + v + w = 0 and is given by the same two. The corners
+ * T1, T2, T3 are
  *
  *     { 0, 0 }     { LOFT_UNIT(1), 0 }     { 0, LOFT_UNIT(1) }
  *
- * A polynomial of degree n over a triangle is an array of LOFT_TRIANGLE_POINTS(n) coefficients b_ijk, i + j + k = n,
- * with i descending, then j descending: 200 110 101 020 011 002. b_ijk stands at loft_triangle_place(j, k)
- * whatever the degree, and row j + k is the line of points at that distance from T1.
+ * A polynomial of degree n over a triangle is an array of LOFT_TRIANGLE_POINTS(n) coefficients
+ * b_ijk, i + j + k = n, with i descending, then j descending: 200 110 101 020 011 002. b_ijk stands
+ * at loft_triangle_place(j, k) whatever the degree, and row j + k is the line of points at that
+ * distance from T1.
  *
  * In the `error` lines L = |u| + |v| + |w|, which is 1 inside and at the edges of the triangle.
  */
@@ -18,6 +21,8 @@
 #include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
 #include "geom/vec.h"           /* loft_vec */
 
+LOFT_BEGIN_C
+
 #define LOFT_TRIANGLE_POINTS(degree) (((degree) + 1u) * ((degree) + 2u) / 2u)
 #define LOFT_TRIANGLE_MOST LOFT_TRIANGLE_POINTS(LOFT_DEGREE_MAX)
 
@@ -26,7 +31,10 @@ typedef struct {
     loft_unit v, w;
 } loft_bary;
 
-static inline unsigned loft_triangle_place(unsigned j, unsigned k) { return (j + k) * (j + k + 1) / 2 + k; }
+static inline unsigned loft_triangle_place(unsigned j, unsigned k)
+{
+    return (j + k) * (j + k + 1) / 2 + k;
+}
 
 /* Is a point inside the triangle or on its edges? */
 static inline bool loft_bary_inside(loft_bary u)
@@ -47,18 +55,21 @@ static inline loft_bary loft_bary_clamp(loft_bary u)
 
 /* Coordinates in a plane triangle
  * -------------------------------
- * In the first two axes; wide, since a point far from a narrow triangle has large ones. Exact up to one rounding.
+ * In the first two axes; wide, since a point far from a narrow triangle has large ones. Exact up to
+ * one rounding.
  *
- *   range   LOFT_SINGULAR for three corners on a line; LOFT_ERR_RANGE when a coordinate is 2^30 or more, or for numbers
- *           that loft_exact_admits refuses; `out` is untouched then
+ *   range   LOFT_SINGULAR for three corners on a line; LOFT_ERR_RANGE when a coordinate is 2^30 or
+ *           more, or for numbers that loft_exact_admits refuses; `out` is untouched then
  *   error   q16: 2^-33 + 2^-60   f32, f64: 0.51 ulp of double
  *   cost    4 determinants and 3 quotients of exact numbers; 1 kB of stack; not for an ISR */
 
 /* u, v, w of the point x. */
-enum loft_status loft_bary_from_point(const loft_vec corner[3], loft_vec x, loft_acc out[3]) LOFT_CHECKED;
+enum loft_status loft_bary_from_point(const loft_vec corner[3], loft_vec x,
+                                      loft_acc out[3]) LOFT_CHECKED;
 
 /* u, v, w of the vector x, whose sum is 0. */
-enum loft_status loft_bary_from_vector(const loft_vec corner[3], loft_vec x, loft_acc out[3]) LOFT_CHECKED;
+enum loft_status loft_bary_from_vector(const loft_vec corner[3], loft_vec x,
+                                       loft_acc out[3]) LOFT_CHECKED;
 
 /* The area, positive when the corners turn left; here LOFT_SINGULAR is never given.
  *
@@ -74,23 +85,24 @@ enum loft_status loft_bary_area(const loft_vec corner[3], loft_real *area) LOFT_
  */
 enum loft_status loft_bary_round(const loft_acc wide[3], loft_bary *out) LOFT_CHECKED;
 
-/* Coordinates in a triangle T of the point that has the coordinates x in another one, whose corners have the
- * coordinates corner[0..2] in T.
+/* Coordinates in a triangle T of the point that has the coordinates x in another one, whose corners
+ * have the coordinates corner[0..2] in T.
  *
  *   range   |v|, |w| <= 32, otherwise LOFT_ERR_ARG
  *   error   q16: 2^-33 for v and w, 2^-32 for u   f32, f64: 3 L ulp of double of the largest
  *   cost    4 wide products
  */
-enum loft_status loft_bary_change(const loft_bary corner[3], loft_bary x, loft_acc out[3]) LOFT_CHECKED;
-
+enum loft_status loft_bary_change(const loft_bary corner[3], loft_bary x,
+                                  loft_acc out[3]) LOFT_CHECKED;
 
 /* Polynomials over a triangle
  * ---------------------------
  * Nothing overflows while loft_bary_grows holds for all steps taken. */
 
-/* *product is a bound of what steps have multiplied the largest coefficient by, 1 before the first one: make it
- * that after `times` steps with u (a point or, with `direction`, a direction). False when coefficients of
- * any size could overflow: q16 and floats above 19683 = 3^9, or |v| or |w| > 32; inside the triangle never.
+/* *product is a bound of what steps have multiplied the largest coefficient by, 1 before the first
+ * one: make it that after `times` steps with u (a point or, with `direction`, a direction). False
+ * when coefficients of any size could overflow: q16 and floats above 19683 = 3^9, or |v| or |w| >
+ * 32; inside the triangle never.
  *
  *   error   2^-16 of the product
  *   cost    `times` wide products, none inside the triangle
@@ -107,9 +119,9 @@ bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *prod
  */
 void loft_bary_weights(unsigned degree, loft_bary u, loft_acc w[]);
 
-/* One row of de Casteljau's scheme, in place: b_ijk becomes u b_(i+1)jk + v b_i(j+1)k + w b_ij(k+1), and the
- * coefficients of one degree less remain. Rows with the same u evaluate, with different ones give the polar form,
- * with directions derivatives (without the factor n).
+/* One row of de Casteljau's scheme, in place: b_ijk becomes u b_(i+1)jk + v b_i(j+1)k + w
+ * b_ij(k+1), and the coefficients of one degree less remain. Rows with the same u evaluate, with
+ * different ones give the polar form, with directions derivatives (without the factor n).
  *
  *   error   q16: 2^-33 per row   f32, f64: 3 L ulp of double per row
  *   cost    degree (degree + 1) wide products
@@ -125,5 +137,7 @@ void loft_bary_slope(loft_acc c[], unsigned degree, loft_bary direction);
  *   cost    degree (degree + 1) (degree + 2) / 3 wide products
  */
 loft_acc loft_bary_eval(loft_acc c[], unsigned degree, loft_bary u);
+
+LOFT_END_C
 
 #endif

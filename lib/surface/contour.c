@@ -1,12 +1,15 @@
 /* lib/surface/contour.c
  * SPDX-License-Identifier: MIT
  *
- * A corner of the grid is (i, j), i of rows and j of columns. The lower triangle of cell (i, j) has the corners (i, j), (i + 1, j),
- * (i, j + 1), the upper one (i + 1, j + 1), (i, j + 1), (i + 1, j), both counter-clockwise with u to the right. Edge k of a triangle
- * runs from corner k to the next one. A contour that has the higher side to its left enters a triangle over the edge that leads from
- * a higher corner to a lower one and leaves it over the one that leads back: exactly one of each, when the corners differ.
+ * A corner of the grid is (i, j), i of rows and j of columns. The lower triangle of cell (i, j) has
+ * the corners (i, j), (i + 1, j), (i, j + 1), the upper one (i + 1, j + 1), (i, j + 1), (i + 1, j),
+ * both counter-clockwise with u to the right. Edge k of a triangle runs from corner k to the next
+ * one. A contour that has the higher side to its left enters a triangle over the edge that leads
+ * from a higher corner to a lower one and leaves it over the one that leads back: exactly one of
+ * each, when the corners differ.
  *
- * The same edge has the same lower and the same higher end from both sides, and what is found between them is the same point.
+ * The same edge has the same lower and the same higher end from both sides, and what is found
+ * between them is the same point.
  */
 #include "surface/contour.h"
 
@@ -17,7 +20,10 @@ typedef struct {
 } corner;
 
 static bool bit(const loft_contour *c, uint32_t k)       { return c->memory[k / 8] >> k % 8 & 1; }
-static void set_bit(loft_contour *c, uint32_t k)         { c->memory[k / 8] = (uint8_t)(c->memory[k / 8] | 1u << k % 8); }
+static void set_bit(loft_contour *c, uint32_t k)
+{
+    c->memory[k / 8] = (uint8_t)(c->memory[k / 8] | 1u << k % 8);
+}
 
 static uint32_t corner_bit(const loft_contour *c, corner k)
 {
@@ -27,7 +33,8 @@ static uint32_t corner_bit(const loft_contour *c, corner k)
 
 static uint32_t cell_bit(const loft_contour *c, const loft_contour_cell *t)
 {
-    return (c->rows + (uint32_t)1) * (c->columns + (uint32_t)1) + ((uint32_t)t->i * c->columns + t->j) * 2 + t->upper;
+    return (c->rows + (uint32_t)1) * (c->columns + (uint32_t)1) +
+           ((uint32_t)t->i * c->columns + t->j) * 2 + t->upper;
 }
 
 static bool is_high(const loft_contour *c, corner k) { return bit(c, corner_bit(c, k)); }
@@ -42,23 +49,26 @@ static bool exists(const loft_contour *c, unsigned i, unsigned j, bool upper)
 /* Corner k of a triangle, k = 0..3, 3 being 0 again. */
 static corner corner_of(const loft_contour_cell *t, unsigned k)
 {
-    const unsigned one = t->upper ? 0 : 1, i = t->i + (k % 3 == 1 ? one : 1 - one), j = t->j + (k % 3 == 2 ? one : 1 - one);
+    const unsigned one = t->upper ? 0 : 1, i = t->i + (k % 3 == 1 ? one : 1 - one),
+                   j = t->j + (k % 3 == 2 ? one : 1 - one);
     const corner at = { i, j };
     return at;
 }
 
-/* The edge over which a contour enters (`high` true) or leaves the triangle; 3 when it does not cross it. */
+/* The edge over which a contour enters (`high` true) or leaves the triangle; 3 when it does not
+ * cross it. */
 static unsigned crossed(const loft_contour *c, const loft_contour_cell *t, bool high)
 {
     unsigned k = 0;
 
-    while (k < 3 && !(is_high(c, corner_of(t, k)) == high && is_high(c, corner_of(t, k + 1)) == !high))
+    while (k < 3 &&
+           !(is_high(c, corner_of(t, k)) == high && is_high(c, corner_of(t, k + 1)) == !high))
         k++;
     return k;
 }
 
-/* The triangle beyond edge k, in place; false when that is the border. Edge 0 is the line between columns, 1 the diagonal, 2 the
- * line between rows. */
+/* The triangle beyond edge k, in place; false when that is the border. Edge 0 is the line between
+ * columns, 1 the diagonal, 2 the line between rows. */
 static bool go_beyond(const loft_contour *c, loft_contour_cell *t, unsigned k)
 {
     unsigned i = t->i, j = t->j;
@@ -120,8 +130,9 @@ static bool is_near(const loft_contour *c, const spot *s)
     return s->off <= loft_wide(c->tol) && s->off >= -loft_wide(c->tol);
 }
 
-/* Where, between a low and a high corner, low.off < 0 <= high.off. By turns where the chord has the height, and the middle: the
- * chord is good where the surface is smooth, and no surface takes more than twice as long as halving. */
+/* Where, between a low and a high corner, low.off < 0 <= high.off. By turns where the chord has the
+ * height, and the middle: the chord is good where the surface is smooth, and no surface takes more
+ * than twice as long as halving. */
 static spot search(const loft_contour *c, corner from, corner to)
 {
     loft_unit least = 0, most = LOFT_UNIT(1);
@@ -132,7 +143,8 @@ static spot search(const loft_contour *c, corner from, corner to)
     low = a;
     high = b;
     for (unsigned guess = 0; guess < 2 * GUESSES && high.off != 0; guess++) {
-        const loft_unit share = guess % 2 ? LOFT_UNIT(0.5) : loft_unit_ratio(-low.off, high.off - low.off);
+        const loft_unit share = guess % 2 ? LOFT_UNIT(0.5)
+                                          : loft_unit_ratio(-low.off, high.off - low.off);
         const loft_unit s = between(least, most, share);
         spot x;
         if (!(s > least && s < most)) {
@@ -170,14 +182,16 @@ static void give(loft_contour *c, unsigned k, bool entry, loft_vec *out)
 
 /* Curves */
 
-enum loft_status loft_contour_init(loft_contour *c, loft_sheet sheet, unsigned axis, loft_real height, loft_real tol,
-                                   unsigned rows, unsigned columns, uint8_t memory[], size_t count)
+enum loft_status loft_contour_init(loft_contour *c, loft_sheet sheet, unsigned axis,
+                                   loft_real height, loft_real tol, unsigned rows, unsigned columns,
+                                   uint8_t memory[], size_t count)
 {
     const bool round = sheet.over == LOFT_SHEET_ROUND, triangle = sheet.over == LOFT_SHEET_TRIANGLE;
     corner k;
 
-    if (rows < 1 || rows > LOFT_CONTOUR_MOST || columns < (round ? 3u : 1u) || columns > LOFT_CONTOUR_MOST ||
-        (triangle && rows != columns) || axis >= LOFT_AXES || !(tol >= 0) || !loft_real_valid(height))
+    if (rows < 1 || rows > LOFT_CONTOUR_MOST || columns < (round ? 3u : 1u) ||
+        columns > LOFT_CONTOUR_MOST || (triangle && rows != columns) || axis >= LOFT_AXES ||
+        !(tol >= 0) || !loft_real_valid(height))
         return LOFT_ERR_ARG;
     if (count < LOFT_CONTOUR_BYTES(rows, columns))
         return LOFT_ERR_SPACE;
@@ -205,7 +219,8 @@ enum loft_status loft_contour_init(loft_contour *c, loft_sheet sheet, unsigned a
     return LOFT_OK;
 }
 
-/* Does a curve that was not walked yet begin in this triangle? On the border first, then anywhere. */
+/* Does a curve that was not walked yet begin in this triangle? On the border first, then
+ * anywhere. */
 static bool begins(const loft_contour *c, const loft_contour_cell *t, unsigned *entry)
 {
     loft_contour_cell beyond = *t;

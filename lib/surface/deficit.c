@@ -4,26 +4,29 @@
  * Of the triangle with edges a, b at the vertex and c = b - a, with D = |a x b|, twice its area:
  *
  *     angle = atan2(D, a b)     area = D / 4 where a b < 0
- *                                      D / 8 where a c > 0 or b c < 0
- *                                      (a^2 (b c) - b^2 (a c)) / (8 D) otherwise: (a^2 cot at b's end + b^2 cot at a's end) / 8
+ *                                      D / 8 where a c > 0 or b c < 0 (a^2 (b c) - b^2 (a c)) / (8
+ *                                      D) otherwise: (a^2 cot at b's end + b^2 cot at a's end) / 8
  *
- * At a right angle the formulas on both sides agree, so a sign that rounding decides costs no more than rounding does.
- * The terms of the last one are not negative. Where D is small against a^2 both angles far from the vertex are nearly right, and
- * (b c) is off by 2^-60 of |b c|: their sum by that of a^2, which the bound allows for.
+ * At a right angle the formulas on both sides agree, so a sign that rounding decides costs no more
+ * than rounding does. The terms of the last one are not negative. Where D is small against a^2 both
+ * angles far from the vertex are nearly right, and (b c) is off by 2^-60 of |b c|: their sum by
+ * that of a^2, which the bound allows for.
  */
 #include "surface/deficit.h"
-#include "num/exact.h"  /* loft_exact_admits */
+#include "geom/vec_exact.h" /* loft_vec_exact_valid */
 #include "num/power.h"  /* loft_sci_from_fine */
 
 static loft_sci dot(const loft_sci a[3], const loft_sci b[3])
 {
-    return loft_sci_add(loft_sci_add(loft_sci_mul(a[0], b[0]), loft_sci_mul(a[1], b[1])), loft_sci_mul(a[2], b[2]));
+    return loft_sci_add(loft_sci_add(loft_sci_mul(a[0], b[0]), loft_sci_mul(a[1], b[1])),
+                        loft_sci_mul(a[2], b[2]));
 }
 
 static void offset(const loft_vec *from, const loft_vec *to, loft_sci out[3])
 {
     for (int k = 0; k < 3; k++)
-        out[k] = loft_sci_sub(loft_sci_from_real(loft_vec_axis(to, k)), loft_sci_from_real(loft_vec_axis(from, k)));
+        out[k] = loft_sci_sub(loft_sci_from_real(loft_vec_axis(to, k)),
+                              loft_sci_from_real(loft_vec_axis(from, k)));
 }
 
 /* |a x b|, each component as precise as it is small. */
@@ -34,7 +37,8 @@ static loft_sci cross_size(const loft_vec *vertex, const loft_vec *p, const loft
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         const loft_real o[2] = { loft_vec_axis(vertex, i), loft_vec_axis(vertex, j) };
-        const loft_real a[2] = { loft_vec_axis(p, i), loft_vec_axis(p, j) }, b[2] = { loft_vec_axis(q, i), loft_vec_axis(q, j) };
+        const loft_real a[2] = { loft_vec_axis(p, i), loft_vec_axis(p, j) },
+                        b[2] = { loft_vec_axis(q, i), loft_vec_axis(q, j) };
         c[k] = loft_sci_cross(o, a, o, b);
     }
     return loft_sci_sqrt(dot(c, c));
@@ -43,11 +47,13 @@ static loft_sci cross_size(const loft_vec *vertex, const loft_vec *p, const loft
 /* The angle of (x, y), y >= 0: both are brought to 2^29 of the larger. */
 static loft_fine angle_of(loft_sci y, loft_sci x)
 {
-    const loft_sci size = loft_sci_sign(x) < 0 ? loft_sci_neg(x) : x, most = loft_sci_less(size, y) ? y : size;
+    const loft_sci size = loft_sci_sign(x) < 0 ? loft_sci_neg(x) : x,
+                   most = loft_sci_less(size, y) ? y : size;
     const loft_sci scale = loft_sci_div(loft_sci_from_int(536870912), most);
     loft_acc wide[2] = { 0, 0 };
 
-    if (!loft_sci_wide(loft_sci_mul(y, scale), &wide[0]) || !loft_sci_wide(loft_sci_mul(x, scale), &wide[1]))
+    if (!loft_sci_wide(loft_sci_mul(y, scale), &wide[0]) ||
+        !loft_sci_wide(loft_sci_mul(x, scale), &wide[1]))
         return 0;
     return loft_fine_atan2(wide[0], wide[1]);
 }
@@ -66,22 +72,15 @@ static loft_sci area_of(const loft_sci a[3], const loft_sci b[3], const loft_sci
     return loft_sci_div(loft_sci_mul(sum, loft_sci_from_unit(LOFT_UNIT(0.125))), d);
 }
 
-static bool admits(const loft_vec *p)
-{
-    for (int k = 0; k < 3; k++)
-        if (!loft_exact_admits(loft_vec_axis(p, k)))
-            return false;
-    return true;
-}
-
-enum loft_status loft_deficit_eval(const loft_vec *vertex, const loft_vec ring[], unsigned count, loft_deficit *out)
+enum loft_status loft_deficit_eval(const loft_vec *vertex, const loft_vec ring[], unsigned count,
+                                   loft_deficit *out)
 {
     loft_sci angles = loft_sci_zero(), area = loft_sci_zero(), a[3], b[3], c[3];
 
     if (count < 3 || count > 255)
         return LOFT_ERR_ARG;
     for (unsigned i = 0; i < count; i++)
-        if (!admits(vertex) || !admits(&ring[i]))
+        if (!loft_vec_exact_valid(vertex, 1, 3) || !loft_vec_exact_valid(&ring[i], 1, 3))
             return LOFT_ERR_RANGE;
     for (unsigned i = 0; i < count; i++) {
         const loft_vec *next = &ring[i + 1 < count ? i + 1 : 0];

@@ -1,14 +1,16 @@
 /* lib/surface/flat.c
  * SPDX-License-Identifier: MIT
  *
- * A line is the case of two axes of what is said here of three. With E = LOFT_EXACT_REAL coordinates carry the factor
- * 2^E, the normal 2^E of a line and 2^(2 E) of a plane, the value at a point 2^E more than that.
+ * A line is the case of two axes of what is said here of three. With E = LOFT_EXACT_REAL
+ * coordinates carry the factor 2^E, the normal 2^E of a line and 2^(2 E) of a plane, the value at a
+ * point 2^E more than that.
  *
- * Room: differences have R + 1 bits (32, in floats 129), the normal of a plane 2 R + 3, the value 3 R + 6: 99 and 390
- * bits. What loft_exact_hypot makes of the normal has twice its bits and 130 more.
+ * Room: differences have R + 1 bits (32, in floats 129), the normal of a plane 2 R + 3, the value 3
+ * R + 6: 99 and 390 bits. What loft_exact_hypot makes of the normal has twice its bits and 130
+ * more.
  */
 #include "surface/flat.h"
-#include "num/exact.h"  /* loft_exact */
+#include "geom/vec_exact.h" /* loft_exact */
 
 /* The equation n (x - p0) = 0 in `axes` axes; n carries 2^scale. */
 typedef struct {
@@ -17,44 +19,30 @@ typedef struct {
     int        axes, scale;
 } equation;
 
-static bool admits(const loft_vec p[], int count, int axes)
-{
-    for (int k = 0; k < count; k++)
-        for (int i = 0; i < axes; i++)
-            if (!loft_exact_admits(loft_vec_axis(&p[k], i)))
-                return false;
-    return true;
-}
-
-static loft_exact difference(const loft_vec *from, const loft_vec *to, int axis)
-{
-    return loft_exact_sub(loft_exact_from_real(loft_vec_axis(to, axis)), loft_exact_from_real(loft_vec_axis(from, axis)));
-}
-
 static bool of_line(const loft_line *l, equation *e)
 {
     e->p0    = l->p[0];
     e->axes  = 2;
     e->scale = LOFT_EXACT_REAL;
-    if (!admits(l->p, 2, 2))
+    if (!loft_vec_exact_valid(l->p, 2, 2))
         return false;
-    e->normal[0] = difference(&l->p[1], &l->p[0], 1);
-    e->normal[1] = difference(&l->p[0], &l->p[1], 0);
+    e->normal[0] = loft_vec_exact_sub_axis(&l->p[0], &l->p[1], 1);
+    e->normal[1] = loft_vec_exact_sub_axis(&l->p[1], &l->p[0], 0);
     return true;
 }
 
 static bool of_facet(const loft_facet *f, equation *e)
 {
+    loft_exact a[3], b[3];
+
     e->p0    = f->p[0];
     e->axes  = 3;
     e->scale = 2 * LOFT_EXACT_REAL;
-    if (!admits(f->p, 3, 3))
+    if (!loft_vec_exact_valid(f->p, 3, 3))
         return false;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        e->normal[i] = loft_exact_det(difference(&f->p[0], &f->p[1], j), difference(&f->p[0], &f->p[1], k),
-                                      difference(&f->p[0], &f->p[2], j), difference(&f->p[0], &f->p[2], k));
-    }
+    loft_vec_exact_sub(&f->p[1], &f->p[0], 3, a);
+    loft_vec_exact_sub(&f->p[2], &f->p[0], 3, b);
+    loft_vec_exact_cross(a, b, e->normal);
     return true;
 }
 
@@ -66,29 +54,19 @@ static bool is_nothing(const equation *e)
     return true;
 }
 
-/* a / b * 2^s, rounded to a coordinate if it fits */
-static bool take(loft_exact a, loft_exact b, int s, loft_real *out)
-{
-    loft_acc x;
-
-    if (!loft_exact_quot(a, b, s, &x) || !loft_acc_fits(x))
-        return false;
-    *out = loft_acc_round(x);
-    return true;
-}
-
 static loft_exact value(const equation *e, const loft_vec *x)
 {
-    loft_exact sum = loft_exact_from_int(0);
+    loft_exact d[3];
 
-    for (int i = 0; i < e->axes; i++)
-        sum = loft_exact_add(sum, loft_exact_mul(e->normal[i], difference(&e->p0, x, i)));
-    return sum;
+    loft_vec_exact_sub(x, &e->p0, e->axes, d);
+    return loft_vec_exact_dot(e->normal, d, e->axes);
 }
 
 static enum loft_status value_at(const equation *e, loft_vec x, loft_real *out)
 {
-    if (!admits(&x, 1, e->axes) || !take(value(e, &x), loft_exact_from_int(1), -e->scale - LOFT_EXACT_REAL, out))
+    if (!loft_vec_exact_valid(&x, 1, e->axes) ||
+        !loft_exact_quot_real(value(e, &x), loft_exact_from_int(1), -e->scale - LOFT_EXACT_REAL,
+                              out))
         return LOFT_ERR_RANGE;
     return LOFT_OK;
 }
@@ -98,8 +76,9 @@ static enum loft_status distance_at(const equation *e, loft_vec x, loft_real *ou
 {
     if (is_nothing(e))
         return LOFT_SINGULAR;
-    if (!admits(&x, 1, e->axes) ||
-        !take(value(e, &x), loft_exact_hypot(e->normal, e->axes), LOFT_EXACT_HYPOT - LOFT_EXACT_REAL, out))
+    if (!loft_vec_exact_valid(&x, 1, e->axes) ||
+        !loft_exact_quot_real(value(e, &x), loft_exact_hypot(e->normal, e->axes),
+                              LOFT_EXACT_HYPOT - LOFT_EXACT_REAL, out))
         return LOFT_ERR_RANGE;
     return LOFT_OK;
 }
@@ -113,7 +92,7 @@ static enum loft_status normal_of(const equation *e, loft_vec *out)
     const loft_exact length = loft_exact_hypot(e->normal, e->axes);
     *out = nothing;
     for (int i = 0; i < e->axes && i < LOFT_AXES; i++)
-        if (!take(e->normal[i], length, LOFT_EXACT_HYPOT, &out->axis[i]))
+        if (!loft_exact_quot_real(e->normal[i], length, LOFT_EXACT_HYPOT, &out->axis[i]))
             return LOFT_ERR_RANGE;      /* never: it is at most 1 */
     return LOFT_OK;
 }
@@ -125,9 +104,10 @@ static enum loft_status numbers_of(const equation *e, loft_real out[])
     loft_real number[4];
 
     for (int i = 0; i < e->axes; i++)
-        if (!take(e->normal[i], one, -e->scale, &number[i]))
+        if (!loft_exact_quot_real(e->normal[i], one, -e->scale, &number[i]))
             return LOFT_ERR_RANGE;
-    if (!take(value(e, &origin), one, -e->scale - LOFT_EXACT_REAL, &number[e->axes]))
+    if (!loft_exact_quot_real(value(e, &origin), one, -e->scale - LOFT_EXACT_REAL,
+                              &number[e->axes]))
         return LOFT_ERR_RANGE;
     for (int i = 0; i <= e->axes; i++)
         out[i] = number[i];

@@ -1,22 +1,40 @@
-/* lib/surface/local.c -- derivatives and what follows from them, in numbers with an exponent of their own
+/* lib/surface/local.c -- derivatives and what follows from them, in numbers with an exponent of
+ * their own
  * SPDX-License-Identifier: MIT
  *
- * Derivatives are schemes of de Casteljau on the differences of the net, which are exact in q16; a lerp x + (y - x) t errs by
- * 3 roundings. In the frame of the unit vectors a along the longer tangent, say P_u = p a, and b at a right angle to it in
- * the tangent plane, P_v = q a + r b, the second fundamental form N . d^2P has the matrix
+ * Derivatives are schemes of de Casteljau on the differences of the net, which are exact in q16; a
+ * lerp x + (y - x) t errs by 3 roundings. In the frame of the unit vectors a along the longer
+ * tangent, say P_u = p a, and b at a right angle to it in the tangent plane, P_v = q a + r b, the
+ * second fundamental form N . d^2P has the matrix
  *
- *     A = N_uu / p^2     B = (N_uv - q/p N_uu) / (p r)     C = (N_vv - 2 q/p N_uv + (q/p)^2 N_uu) / r^2      N_uu = P_uu . N ..
+ *     A = N_uu / p^2     B = (N_uv - q/p N_uu) / (p r)     C = (N_vv - 2 q/p N_uv + (q/p)^2 N_uu) /
+ *         r^2      N_uu = P_uu . N ..
  *
- * with |q / p| <= 1, and the principal curvatures (A + C) / 2 +- sqrt(((A - C) / 2)^2 + B^2): nothing cancels but the
- * curvatures themselves. With E = P_u^2, F = P_u P_v and D = |P_u x P_v|: p^2 = E, q / p = F / E, p r = D, r^2 = D^2 / E.
+ * with |q / p| <= 1, and the principal curvatures (A + C) / 2 +- sqrt(((A - C) / 2)^2 + B^2):
+ * nothing cancels but the curvatures themselves. With E = P_u^2, F = P_u P_v and D = |P_u x P_v|:
+ * p^2 = E, q / p = F / E, p r = D, r^2 = D^2 / E.
  *
- * A rational patch is P = o + X / w with any o. With o the point itself, but for its rounding, X is small, and
+ * A rational patch is P = o + X / w with any o. With o the point itself, but for its rounding, X is
+ * small, and
  *
- *     P_u = (X_u - (P - o) w_u) / w     P_uv = (X_uv - P_u w_v - P_v w_u - (P - o) w_uv) / w     P_uu, P_vv likewise
+ *     P_u = (X_u - (P - o) w_u) / w     P_uv = (X_uv - P_u w_v - P_v w_u - (P - o) w_uv) / w
+ *         P_uu, P_vv likewise
+ *
+ * Let e be the error of one operation (q16: 2^-61, floats: 2^-53), x and y the largest coefficients
+ * of X_u and X_uu over w. A row errs by 3 e of them. w errs by 3 rows R e of itself, being at least
+ * 1 / R of the largest weight, and w_u / w is at most n R. So P_u errs by (3 rows + 4) e x and by
+ * (3 rows R + 2) e |P_u|, |P_u| <= x: at most 6 R (rows + 1) e x. P_uu errs by as much of y and of
+ * 2 n R x, where w_u and P_u err: at most 8 R (rows + 2) e (y + 2 n R x).
+ *
+ * A Coons patch is the Boolean sum of coons.c. H depends on one parameter, so its derivative is
+ *
+ *     S_jk = sum H_b^(k)(t) U_b^(j)(s) + sum H_a^(j)(s) (V_a^(k)(t) - sum H_b^(k)(t) C_ab)
+ *
+ * Its width is the same sum with the largest coefficient in place of each value and all signs
+ * positive. A curve of degree 9 errs by 28 e of its largest coefficient, H by 17 e, a product and
+ * at most 13 sums by 14 e: together below 64 e of the width, 2^-55 in q16 and 2^-47 in floats.
  */
 #include "surface/local.h"
-#include "num/exact.h"      /* loft_exact_admits */
-
 #define MOST ((LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1))
 #define WEIGHTS (-1)        /* in place of an axis */
 
@@ -57,11 +75,14 @@ static void load(const net *s, int axis, loft_sci c[])
     }
 }
 
+/* In floats products of up to six coordinates times small numbers stay below 2^1023. */
 static bool admitted(const net *s)
 {
+    const loft_sci limit = loft_sci_pow(loft_sci_from_int(2), 100);
+
     for (unsigned k = 0; k < points_of(s); k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_exact_admits(point_of(s, k)->axis[i]))
+            if (!loft_sci_less(loft_sci_size(loft_sci_from_real(point_of(s, k)->axis[i])), limit))
                 return false;
     return true;
 }
@@ -76,7 +97,8 @@ static loft_sci largest_of(const loft_sci c[], unsigned count)
     return most;
 }
 
-/* The derivative of order a by u and b by v at a place, of one axis, and its largest coefficient. */
+/* The derivative of order a by u and b by v at a place, of one axis, and its largest
+ * coefficient. */
 typedef struct {
     loft_sci value, width;
 } slope;
@@ -101,7 +123,8 @@ static slope tensor_slope(const net *s, int axis, unsigned a, unsigned b, loft_s
     for (; b > 0; b--, n--) {
         factor *= (int32_t)n;
         for (unsigned k = 0; k + 1 < (m + 1) * stride; k++)
-            c[k] = loft_sci_sub(c[k + 1], c[k]);    /* what is beyond the n-th of a row is of no use, and not used */
+            c[k] = loft_sci_sub(c[k + 1], c[k]);    /* what is beyond the n-th of a row is of no
+                                                     * use, and not used */
     }
     for (unsigned i = 0; i <= m; i++) {
         const loft_sci most = largest_of(c + i * stride, n + 1);
@@ -120,7 +143,8 @@ static slope tensor_slope(const net *s, int axis, unsigned a, unsigned b, loft_s
     return r;
 }
 
-/* u and v are the second and third coordinate; a row of the scheme replaces b_ijk by the three below it. */
+/* u and v are the second and third coordinate; a row of the scheme replaces b_ijk by the three
+ * below it. */
 static slope triangle_slope(const net *s, int axis, unsigned a, unsigned b, loft_sci u, loft_sci v)
 {
     unsigned degree = s->m;
@@ -169,7 +193,8 @@ static void find(const net *s, loft_unit u, loft_unit v, loft_local *out)
 
     out->width_u = out->width_v = loft_sci_zero();
     for (int i = 0; i < LOFT_AXES; i++) {
-        const slope by_u = slope_of(s, i, 1, 0, at_u, at_v), by_v = slope_of(s, i, 0, 1, at_u, at_v);
+        const slope by_u = slope_of(s, i, 1, 0, at_u, at_v),
+                    by_v = slope_of(s, i, 0, 1, at_u, at_v);
         out->u[i] = by_u.value;
         out->v[i] = by_v.value;
         widen(&out->width_u, by_u.width);
@@ -209,7 +234,10 @@ enum loft_status loft_triangle_local(const loft_triangle *t, loft_bary at, loft_
 
 /* Rational patches */
 
-static loft_sci less_product(loft_sci x, loft_sci a, loft_sci b) { return loft_sci_sub(x, loft_sci_mul(a, b)); }
+static loft_sci less_product(loft_sci x, loft_sci a, loft_sci b)
+{
+    return loft_sci_sub(x, loft_sci_mul(a, b));
+}
 
 /* From the derivatives of X, in place, and those of w to those of X / w. */
 static void divide(loft_local *x, int i, loft_sci offset, loft_sci w, const loft_sci d[5])
@@ -219,16 +247,34 @@ static void divide(loft_local *x, int i, loft_sci offset, loft_sci w, const loft
     x->u[i] = loft_sci_div(less_product(x->u[i], offset, d[0]), w);
     x->v[i] = loft_sci_div(less_product(x->v[i], offset, d[1]), w);
     x->uu[i] = less_product(less_product(x->uu[i], loft_sci_mul(two, x->u[i]), d[0]), offset, d[2]);
-    x->uv[i] = less_product(less_product(less_product(x->uv[i], x->u[i], d[1]), x->v[i], d[0]), offset, d[3]);
+    x->uv[i] = less_product(less_product(less_product(x->uv[i], x->u[i], d[1]), x->v[i], d[0]),
+                            offset, d[3]);
     x->vv[i] = less_product(less_product(x->vv[i], loft_sci_mul(two, x->v[i]), d[1]), offset, d[4]);
     x->uu[i] = loft_sci_div(x->uu[i], w);
     x->uv[i] = loft_sci_div(x->uv[i], w);
     x->vv[i] = loft_sci_div(x->vv[i], w);
 }
 
-enum loft_status loft_tensor_rational_local(const loft_tensor_rational *s, loft_unit u, loft_unit v, loft_local *out)
+/* The origin of the net is the point itself. */
+static void find_rational(const net *s, loft_unit u, loft_unit v, loft_local *out)
 {
+    static const uint8_t order[5][2] = { { 1, 0 }, { 0, 1 }, { 2, 0 }, { 1, 1 }, { 0, 2 } };
     const loft_sci at_u = loft_sci_from_unit(u), at_v = loft_sci_from_unit(v);
+    const loft_sci w = slope_of(s, WEIGHTS, 0, 0, at_u, at_v).value;
+    loft_sci d[5];
+
+    find(s, u, v, out);
+    for (int k = 0; k < 5; k++)
+        d[k] = slope_of(s, WEIGHTS, order[k][0], order[k][1], at_u, at_v).value;
+    for (int i = 0; i < LOFT_AXES; i++)
+        divide(out, i, loft_sci_div(slope_of(s, i, 0, 0, at_u, at_v).value, w), w, d);
+    out->width_u = loft_sci_div(out->width_u, w);
+    out->width_v = loft_sci_div(out->width_v, w);
+}
+
+enum loft_status loft_tensor_rational_local(const loft_tensor_rational *s, loft_unit u, loft_unit v,
+                                            loft_local *out)
+{
     net n = { NULL, s->p, s->p[0].p, s->m, s->n, false };
 
     if (!within(u) || !within(v))
@@ -236,16 +282,202 @@ enum loft_status loft_tensor_rational_local(const loft_tensor_rational *s, loft_
     if (!admitted(&n))
         return LOFT_ERR_RANGE;
     n.origin = loft_tensor_rational_eval(s, u, v);
-    find(&n, u, v, out);
+    find_rational(&n, u, v, out);
+    return LOFT_OK;
+}
 
-    const loft_sci w = tensor_slope(&n, WEIGHTS, 0, 0, at_u, at_v).value;
-    const loft_sci d[5] = { tensor_slope(&n, WEIGHTS, 1, 0, at_u, at_v).value, tensor_slope(&n, WEIGHTS, 0, 1, at_u, at_v).value,
-                            tensor_slope(&n, WEIGHTS, 2, 0, at_u, at_v).value, tensor_slope(&n, WEIGHTS, 1, 1, at_u, at_v).value,
-                            tensor_slope(&n, WEIGHTS, 0, 2, at_u, at_v).value };
-    for (int i = 0; i < LOFT_AXES; i++)
-        divide(out, i, loft_sci_div(tensor_slope(&n, i, 0, 0, at_u, at_v).value, w), w, d);
-    out->width_u = loft_sci_div(out->width_u, w);
-    out->width_v = loft_sci_div(out->width_v, w);
+enum loft_status loft_triangle_rational_local(const loft_triangle_rational *t, loft_bary at,
+                                              loft_local *out)
+{
+    net n = { NULL, t->p, t->p[0].p, t->degree, t->degree, true };
+
+    if (!loft_bary_inside(at))
+        return LOFT_ERR_ARG;
+    if (!admitted(&n))
+        return LOFT_ERR_RANGE;
+    n.origin = loft_triangle_rational_eval(t, at);
+    find_rational(&n, at.v, at.w, out);
+    return LOFT_OK;
+}
+
+
+/* Coons patches */
+
+#define ENDS (2 * LOFT_COONS_ORDERS)    /* 2 k + end: the k-th derivative at that end */
+
+/* The coefficients of the k-th derivative, k <= degree, but for the factor that is given. */
+static loft_sci differ(loft_sci c[], unsigned degree, unsigned k)
+{
+    int32_t factor = 1;
+
+    for (; k > 0; k--, degree--) {
+        factor *= (int32_t)degree;
+        for (unsigned i = 0; i < degree; i++)
+            c[i] = loft_sci_sub(c[i + 1], c[i]);
+    }
+    return loft_sci_from_int(factor);
+}
+
+/* The k-th derivative at t of a polynomial with `degree` + 1 coefficients, which are used up. */
+static slope line_slope(loft_sci c[], unsigned degree, unsigned k, loft_sci t)
+{
+    slope r = { loft_sci_zero(), loft_sci_zero() };
+
+    if (k > degree)
+        return r;
+    const loft_sci factor = differ(c, degree, k);
+    degree -= k;
+    r.width = loft_sci_mul(largest_of(c, degree + 1), factor);
+    for (; degree > 0; degree--)
+        for (unsigned i = 0; i < degree; i++)
+            c[i] = sci_lerp(c[i], c[i + 1], t);
+    r.value = loft_sci_mul(c[0], factor);
+    return r;
+}
+
+static void load_curve(const loft_bezier *b, int axis, loft_acc origin, loft_sci c[])
+{
+    for (unsigned i = 0; i <= b->degree; i++)
+        c[i] = loft_sci_of(loft_wide(b->p[i].axis[axis]) - origin);
+}
+
+static slope curve_slope(const loft_bezier *b, int axis, loft_acc origin, unsigned k, loft_sci t)
+{
+    loft_sci c[LOFT_DEGREE_MAX + 1];
+
+    load_curve(b, axis, origin, c);
+    return line_slope(c, b->degree, k, t);
+}
+
+/* What a curve says of its own end: a coefficient. `which` is 2 k + end. */
+static slope end_slope(const loft_bezier *b, int axis, loft_acc origin, unsigned which)
+{
+    const unsigned k = which / 2;
+    loft_sci c[LOFT_DEGREE_MAX + 1];
+    slope r = { loft_sci_zero(), loft_sci_zero() };
+
+    if (k > b->degree)
+        return r;
+    load_curve(b, axis, origin, c);
+    const loft_sci factor = differ(c, b->degree, k);
+    r.value = loft_sci_mul(factor, c[which % 2 ? b->degree - k : 0]);
+    r.width = loft_sci_size(r.value);
+    return r;
+}
+
+/* H_b has Bernstein coefficients of degree 2 orders - 1, whole numbers over 1, 3, 5 or 20. */
+static slope blend_slope(unsigned orders, unsigned b, unsigned k, loft_sci t)
+{
+    static const int8_t whole[LOFT_COONS_ORDERS][ENDS][ENDS] = {
+        { { 1, 0 }, { 0, 1 } },
+        { { 1, 1, 0, 0 }, { 0, 0, 1, 1 }, { 0, 1, 0, 0 }, { 0, 0, -1, 0 } },
+        { { 1, 1, 1, 0, 0, 0 }, { 0, 0, 0, 1, 1, 1 }, { 0, 1, 2, 0, 0, 0 }, { 0, 0, 0, -2, -1, 0 },
+          { 0, 0, 1, 0, 0, 0 }, { 0, 0, 0, 1, 0, 0 } }
+    };
+    static const int8_t over[][LOFT_COONS_ORDERS] = { { 1 }, { 1, 3 }, { 1, 5, 20 } };
+    const loft_sci part = loft_sci_from_int(over[orders - 1][b / 2]);
+    loft_sci c[ENDS];
+
+    for (unsigned i = 0; i < 2 * orders; i++)
+        c[i] = loft_sci_from_int(whole[orders - 1][b][i]);
+    slope r = line_slope(c, 2 * orders - 1, k, t);
+    r.value = loft_sci_div(r.value, part);
+    r.width = loft_sci_div(r.width, part);
+    return r;
+}
+
+/* One axis of the curves at s and t with their derivatives, what U_b says of its ends, and H_b. */
+typedef struct {
+    slope u[ENDS][3], v[ENDS][3], corner[ENDS][ENDS];
+    slope by_s[ENDS][3], by_t[ENDS][3];
+} blended;
+
+static void blend_with(blended *x, unsigned orders, loft_sci s, loft_sci t)
+{
+    for (unsigned b = 0; b < 2 * orders; b++)
+        for (unsigned k = 0; k < 3; k++) {
+            x->by_s[b][k] = blend_slope(orders, b, k, s);
+            x->by_t[b][k] = blend_slope(orders, b, k, t);
+        }
+}
+
+/* Points count from a corner; derivatives from 0. */
+static void take_curves(blended *x, const loft_coons_bezier *c, int axis, loft_sci s, loft_sci t)
+{
+    const loft_acc first = loft_wide(c->u[0][0].p[0].axis[axis]);
+
+    for (unsigned b = 0; b < 2u * c->orders; b++) {
+        const loft_bezier *u = &c->u[b / 2][b % 2], *v = &c->v[b / 2][b % 2];
+        const loft_acc origin = b < 2 ? first : 0;
+        for (unsigned k = 0; k < 3; k++) {
+            x->u[b][k] = curve_slope(u, axis, origin, k, s);
+            x->v[b][k] = curve_slope(v, axis, origin, k, t);
+        }
+        for (unsigned a = 0; a < 2u * c->orders; a++)
+            x->corner[a][b] = end_slope(u, axis, origin, a);
+    }
+}
+
+static void add_product(slope *sum, slope h, slope x)
+{
+    sum->value = loft_sci_add(sum->value, loft_sci_mul(h.value, x.value));
+    sum->width = loft_sci_add(sum->width, loft_sci_mul(h.width, x.width));
+}
+
+/* The Boolean sum of coons.c, j times by s and k times by t. */
+static slope coons_slope(const blended *x, unsigned ends, unsigned j, unsigned k)
+{
+    slope sum = { loft_sci_zero(), loft_sci_zero() };
+
+    for (unsigned b = 0; b < ends; b++)
+        add_product(&sum, x->by_t[b][k], x->u[b][j]);
+    for (unsigned a = 0; a < ends; a++) {
+        slope rest = x->v[a][k];
+        rest.value = loft_sci_neg(rest.value);
+        for (unsigned b = 0; b < ends; b++)
+            add_product(&rest, x->by_t[b][k], x->corner[a][b]);
+        rest.value = loft_sci_neg(rest.value);
+        add_product(&sum, x->by_s[a][j], rest);
+    }
+    return sum;
+}
+
+static bool curves_admitted(const loft_coons_bezier *c)
+{
+    for (unsigned k = 0; k < 2u * c->orders; k++) {
+        const loft_bezier *u = &c->u[k / 2][k % 2], *v = &c->v[k / 2][k % 2];
+        const net along_u = { u->p, NULL, u->p[0], u->degree, 0, false };
+        const net along_v = { v->p, NULL, v->p[0], v->degree, 0, false };
+        if (!admitted(&along_u) || !admitted(&along_v))
+            return false;
+    }
+    return true;
+}
+
+enum loft_status loft_coons_bezier_local(const loft_coons_bezier *c, loft_unit s, loft_unit t,
+                                         loft_local *out)
+{
+    const loft_sci at_s = loft_sci_from_unit(s), at_t = loft_sci_from_unit(t);
+    const unsigned ends = 2u * c->orders;
+    blended x;
+
+    if (!within(s) || !within(t))
+        return LOFT_ERR_ARG;
+    if (!curves_admitted(c))
+        return LOFT_ERR_RANGE;
+    blend_with(&x, c->orders, at_s, at_t);
+    out->width_u = out->width_v = loft_sci_zero();
+    for (int i = 0; i < LOFT_AXES; i++) {
+        take_curves(&x, c, i, at_s, at_t);
+        const slope by_u = coons_slope(&x, ends, 1, 0), by_v = coons_slope(&x, ends, 0, 1);
+        out->u[i] = by_u.value;
+        out->v[i] = by_v.value;
+        widen(&out->width_u, by_u.width);
+        widen(&out->width_v, by_v.width);
+        out->uu[i] = coons_slope(&x, ends, 2, 0).value;
+        out->uv[i] = coons_slope(&x, ends, 1, 1).value;
+        out->vv[i] = coons_slope(&x, ends, 0, 2).value;
+    }
     return LOFT_OK;
 }
 
@@ -256,7 +488,8 @@ enum loft_status loft_tensor_rational_local(const loft_tensor_rational *s, loft_
 
 static loft_sci dot(const loft_sci x[], const loft_sci y[])
 {
-    return loft_sci_add(loft_sci_add(loft_sci_mul(x[0], y[0]), loft_sci_mul(x[1], y[1])), loft_sci_mul(x[2], y[2]));
+    return loft_sci_add(loft_sci_add(loft_sci_mul(x[0], y[0]), loft_sci_mul(x[1], y[1])),
+                        loft_sci_mul(x[2], y[2]));
 }
 
 /* P_u x P_v and the square of its length; false where it is no more than 2^-30 of the widths. */
@@ -267,7 +500,8 @@ static bool cross(const loft_local *at, loft_sci n[3], loft_sci *square)
         n[i] = less_product(loft_sci_mul(at->u[j], at->v[k]), at->u[k], at->v[j]);
     }
     *square = dot(n, n);
-    const loft_sci least = loft_sci_div(loft_sci_mul(at->width_u, at->width_v), loft_sci_from_int((int32_t)1 << 30));
+    const loft_sci least = loft_sci_div(loft_sci_mul(at->width_u, at->width_v),
+                                        loft_sci_from_int((int32_t)1 << 30));
     return loft_sci_less(loft_sci_mul(least, least), *square);
 }
 
@@ -280,7 +514,8 @@ enum loft_status loft_local_normal(const loft_local *at, loft_vec *out)
         return LOFT_SINGULAR;
     const loft_sci length = loft_sci_sqrt(square);
     for (int i = 0; i < LOFT_AXES; i++)
-        out->axis[i] = i < 3 && loft_sci_wide(loft_sci_div(n[i], length), &x) ? loft_acc_round(x) : 0;
+        out->axis[i] = i < 3 && loft_sci_wide(loft_sci_div(n[i], length), &x) ? loft_acc_round(x)
+                                                                              : 0;
     return LOFT_OK;
 }
 
@@ -288,8 +523,8 @@ static bool take(loft_sci gauss, loft_sci mean, loft_sci least, loft_sci most, l
 {
     loft_curvatures k;
 
-    if (!loft_sci_wide(gauss, &k.gauss) || !loft_sci_wide(mean, &k.mean) || !loft_sci_wide(least, &k.least) ||
-        !loft_sci_wide(most, &k.most))
+    if (!loft_sci_wide(gauss, &k.gauss) || !loft_sci_wide(mean, &k.mean) ||
+        !loft_sci_wide(least, &k.least) || !loft_sci_wide(most, &k.most))
         return false;
     *out = k;
     return true;
@@ -302,37 +537,59 @@ enum loft_status loft_local_curvatures(const loft_local *at, loft_curvatures *ou
     if (!cross(at, n, &square))
         return LOFT_SINGULAR;
     const bool swap = loft_sci_less(dot(at->u, at->u), dot(at->v, at->v));
-    const loft_sci *u = swap ? at->v : at->u, *uu = swap ? at->vv : at->uu, *vv = swap ? at->uu : at->vv;
-    const loft_sci length = loft_sci_sqrt(square), e = dot(u, u), f = loft_sci_div(dot(at->u, at->v), e);
-    const loft_sci n_uu = dot(uu, n), n_uv = dot(at->uv, n), n_vv = dot(vv, n);       /* times the length */
+    const loft_sci *u = swap ? at->v : at->u, *uu = swap ? at->vv : at->uu,
+                   *vv = swap ? at->uu : at->vv;
+    const loft_sci length = loft_sci_sqrt(square), e = dot(u, u),
+                   f = loft_sci_div(dot(at->u, at->v), e);
+    /* times the length */
+    const loft_sci n_uu = dot(uu, n), n_uv = dot(at->uv, n), n_vv = dot(vv, n);
 
     const loft_sci lean = less_product(n_uv, f, n_uu);
     const loft_sci a = loft_sci_div(n_uu, loft_sci_mul(e, length)), b = loft_sci_div(lean, square);
-    const loft_sci c = loft_sci_div(loft_sci_mul(less_product(less_product(n_vv, f, n_uv), f, lean), e), loft_sci_mul(square, length));
+    const loft_sci c = loft_sci_div(
+        loft_sci_mul(less_product(less_product(n_vv, f, n_uv), f, lean), e),
+        loft_sci_mul(square, length));
     const loft_sci half = loft_sci_div(loft_sci_one(), loft_sci_from_int(2));
-    const loft_sci mean = loft_sci_mul(half, loft_sci_add(a, c)), apart = loft_sci_mul(half, loft_sci_sub(a, c));
-    const loft_sci spread = loft_sci_sqrt(loft_sci_add(loft_sci_mul(apart, apart), loft_sci_mul(b, b)));
+    const loft_sci mean = loft_sci_mul(half, loft_sci_add(a, c)),
+                   apart = loft_sci_mul(half, loft_sci_sub(a, c));
+    const loft_sci spread = loft_sci_sqrt(
+        loft_sci_add(loft_sci_mul(apart, apart), loft_sci_mul(b, b)));
 
-    return take(less_product(loft_sci_mul(a, c), b, b), mean, loft_sci_sub(mean, spread), loft_sci_add(mean, spread), out)
-         ? LOFT_OK : LOFT_ERR_RANGE;
+    return take(less_product(loft_sci_mul(a, c), b, b), mean, loft_sci_sub(mean, spread),
+                loft_sci_add(mean, spread), out)
+               ? LOFT_OK
+               : LOFT_ERR_RANGE;
 }
 
 #else
 
-enum loft_status loft_local_normal(const loft_local *at, loft_vec *out)                     { (void)at; (void)out; return LOFT_SINGULAR; }
-enum loft_status loft_local_curvatures(const loft_local *at, loft_curvatures *out)          { (void)at; (void)out; return LOFT_SINGULAR; }
+enum loft_status loft_local_normal(const loft_local *at, loft_vec *out)
+{
+    (void)at;
+    (void)out;
+    return LOFT_SINGULAR;
+}
+enum loft_status loft_local_curvatures(const loft_local *at, loft_curvatures *out)
+{
+    (void)at;
+    (void)out;
+    return LOFT_SINGULAR;
+}
 
 #endif
 
-/* A coordinate that is not above 1 / most: rounded to nearest and then one step back where it is. */
+/* A coordinate that is not above 1 / most: rounded to nearest and then one step back where it
+ * is. */
 loft_real loft_ball_radius(const loft_curvatures *k)
 {
     loft_acc radius;
 
-    if (!(k->most > 0) || !loft_sci_wide(loft_sci_div(loft_sci_one(), loft_sci_of(k->most)), &radius))
+    if (!(k->most > 0) ||
+        !loft_sci_wide(loft_sci_div(loft_sci_one(), loft_sci_of(k->most)), &radius))
         return LOFT_REAL_MAX;
     const loft_acc below = radius - loft_real_grain(radius);
     if (!loft_acc_fits(radius))
         return LOFT_REAL_MAX;
-    return loft_wide(loft_acc_round(radius)) <= radius ? loft_acc_round(radius) : loft_acc_round(below);
+    return loft_wide(loft_acc_round(radius)) <= radius ? loft_acc_round(radius)
+                                                       : loft_acc_round(below);
 }

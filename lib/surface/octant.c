@@ -1,13 +1,16 @@
 /* lib/surface/octant.c
  * SPDX-License-Identifier: MIT
  *
- * The net has the symmetry of its corners: a control point is one of four kinds, and each of its coordinates depends on
- * the index of its axis alone.
+ * The net has the symmetry of its corners: a control point is one of four kinds, and each of its
+ * coordinates depends on the index of its axis alone.
  *
  *     b400 = (1, 0, 0)            w400 = 4 sqrt3 (sqrt3 - 1)
- *     b310 = (1, alpha, 0)        w310 = 3 sqrt2                                  alpha = (sqrt3 - 1) / sqrt3
- *     b220 = (beta, beta, 0)      w220 = 4                                        beta  = (sqrt3 + 1) / (2 sqrt3)
- *     b211 = (1, gamma, gamma)    w211 = sqrt2 / sqrt3 (3 + 2 sqrt2 - sqrt3)      gamma = 1 - (5 - sqrt2) (7 - sqrt3) / 46
+ *     b310 = (1, alpha, 0)        w310 = 3 sqrt2                                  alpha = (sqrt3 -
+ *         1) / sqrt3
+ *     b220 = (beta, beta, 0)      w220 = 4                                        beta  = (sqrt3 +
+ *         1) / (2 sqrt3)
+ *     b211 = (1, gamma, gamma)    w211 = sqrt2 / sqrt3 (3 + 2 sqrt2 - sqrt3)      gamma = 1 - (5 -
+ *         sqrt2) (7 - sqrt3) / 46
  *
  * The constants err by 2^-58 (floats 2^-50) and the rows by 2^-58 together; weights are positive.
  */
@@ -26,9 +29,11 @@ static loft_sci whole(int32_t i) { return loft_sci_from_int(i); }
 
 static shape shape_of(void)
 {
-    const loft_sci one = loft_sci_one(), root2 = loft_sci_sqrt(whole(2)), root3 = loft_sci_sqrt(whole(3));
+    const loft_sci one = loft_sci_one(), root2 = loft_sci_sqrt(whole(2)),
+                   root3 = loft_sci_sqrt(whole(3));
     const loft_sci less = loft_sci_sub(root3, one), more = loft_sci_add(root3, one);
-    const loft_sci near = loft_sci_mul(loft_sci_sub(whole(5), root2), loft_sci_sub(whole(7), root3));
+    const loft_sci near = loft_sci_mul(loft_sci_sub(whole(5), root2),
+                                       loft_sci_sub(whole(7), root3));
     const loft_sci far = loft_sci_sub(loft_sci_add(whole(3), loft_sci_mul(whole(2), root2)), root3);
     shape s;
 
@@ -59,7 +64,10 @@ static loft_sci coordinate(const shape *s, const unsigned index[SPACE], int axis
     const bool inner = index[0] && index[1] && index[2];
     const unsigned own = index[axis];
 
-    return own == 0 ? loft_sci_zero() : own == 1 ? (inner ? s->gamma : s->alpha) : own == 2 && !inner ? s->beta : loft_sci_one();
+    return own == 0             ? loft_sci_zero()
+           : own == 1           ? (inner ? s->gamma : s->alpha)
+           : own == 2 && !inner ? s->beta
+                                : loft_sci_one();
 }
 
 /* Weights, or weighted coordinates of an axis, evaluated at u. */
@@ -77,7 +85,9 @@ static loft_sci value(const shape *s, int axis, loft_sci u, loft_sci v, loft_sci
     for (unsigned n = DEGREE; n > 0; n--)
         for (unsigned m = 0, p = 0; m < n; m++)
             for (unsigned k = 0; k <= m; k++, p++)
-                c[p] = loft_sci_add(loft_sci_add(loft_sci_mul(u, c[p]), loft_sci_mul(v, c[p + m + 1])), loft_sci_mul(w, c[p + m + 2]));
+                c[p] = loft_sci_add(
+                    loft_sci_add(loft_sci_mul(u, c[p]), loft_sci_mul(v, c[p + m + 1])),
+                    loft_sci_mul(w, c[p + m + 2]));
     return c[0];
 }
 
@@ -95,7 +105,8 @@ loft_vec loft_octant_eval(loft_bary at)
 
     at = loft_bary_clamp(at);
     const loft_sci v = loft_sci_from_unit(at.v), w = loft_sci_from_unit(at.w);
-    const loft_sci u = loft_sci_sub(loft_sci_sub(loft_sci_one(), v), w), sum = value(&s, -1, u, v, w);
+    const loft_sci u = loft_sci_sub(loft_sci_sub(loft_sci_one(), v), w),
+                   sum = value(&s, -1, u, v, w);
     for (int i = 0; i < SPACE && i < LOFT_AXES; i++)
         out.axis[i] = rounded(loft_sci_div(value(&s, i, u, v, w), sum));
     return out;
@@ -114,7 +125,8 @@ enum loft_status loft_octant_from_radius(loft_real r, loft_weighted out[15])
             out[p].p = origin;
             out[p].w = rounded(loft_sci_mul(whole(32), weight(&s, index)));
             for (int i = 0; i < SPACE && i < LOFT_AXES; i++)
-                out[p].p.axis[i] = rounded(loft_sci_mul(loft_sci_from_real(r), coordinate(&s, index, i)));
+                out[p].p.axis[i] = rounded(
+                    loft_sci_mul(loft_sci_from_real(r), coordinate(&s, index, i)));
         }
     return LOFT_OK;
 }

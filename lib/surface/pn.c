@@ -3,11 +3,13 @@
  *
  * With the foot f_ij = <P_j - P_i, N_i> / <N_i, N_i>
  *
- *     b at P_i toward P_j = (2 P_i + P_j - f_ij N_i) / 3          n between P_i and P_j = N_i + N_j - 2 g (P_j - P_i)
- *     b111 = E + (E - V) / 2                                      g = <P_j - P_i, N_i + N_j> / |P_j - P_i|^2
+ *     b at P_i toward P_j = (2 P_i + P_j - f_ij N_i) / 3          n between P_i and P_j = N_i + N_j
+ *                                                                 - 2 g (P_j - P_i)
+ *     b111 = E + (E - V) / 2                                      g = <P_j - P_i, N_i + N_j> / |P_j
+ *                                                                 - P_i|^2
  *
- * E the mean of the six, V that of the corners; the normals of length 1 in the second column. |f N| is at most |P_j - P_i|,
- * so the six are below 2^18 and b111 below 2^19 whatever is given.
+ * E the mean of the six, V that of the corners; the normals of length 1 in the second column. |f N|
+ * is at most |P_j - P_i|, so the six are below 2^18 and b111 below 2^19 whatever is given.
  */
 #include "surface/pn.h"
 #include "geom/normal.h"            /* loft_vec_unit */
@@ -66,8 +68,9 @@ static bool fill(loft_pn *t)
     return true;
 }
 
-/* The normal between two corners: the sum of theirs, mirrored in the plane at a right angle to the edge. What it is
- * for two points in one, or for opposite normals that cancel, shows nowhere else: then it is the sum, or 0. */
+/* The normal between two corners: the sum of theirs, mirrored in the plane at a right angle to the
+ * edge. What it is for two points in one, or for opposite normals that cancel, shows nowhere else:
+ * then it is the sum, or 0. */
 static loft_vec between(const loft_vec corner[3], const loft_vec n[3], int i, int j)
 {
     const sci_vec e = edge(corner[i], corner[j]);
@@ -77,9 +80,11 @@ static loft_vec between(const loft_vec corner[3], const loft_vec n[3], int i, in
     sci_vec sum;
 
     for (int a = 0; a < LOFT_AXES; a++)
-        sum.axis[a] = loft_sci_add(loft_sci_from_real(n[i].axis[a]), loft_sci_from_real(n[j].axis[a]));
+        sum.axis[a] = loft_sci_add(loft_sci_from_real(n[i].axis[a]),
+                                   loft_sci_from_real(n[j].axis[a]));
     const loft_sci along = dot(&e, &sum);
-    const loft_sci g = loft_sci_sign(square) > 0 ? loft_sci_div(loft_sci_add(along, along), square) : loft_sci_zero();
+    const loft_sci g = loft_sci_sign(square) > 0 ? loft_sci_div(loft_sci_add(along, along), square)
+                                                 : loft_sci_zero();
     for (int a = 0; a < LOFT_AXES; a++)
         if (!loft_sci_wide(loft_sci_sub(sum.axis[a], loft_sci_mul(g, e.axis[a])), &h[a]))
             return out;                 /* never: a mirror image is no longer */
@@ -88,7 +93,8 @@ static loft_vec between(const loft_vec corner[3], const loft_vec n[3], int i, in
 
 enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3], const loft_vec normal[3])
 {
-    static const uint8_t place[3][3] = { { 0, 1, 2 }, { 3, 6, 7 }, { 5, 8, 9 } };   /* at corner i toward corner j */
+    /* at corner i toward corner j */
+    static const uint8_t place[3][3] = { { 0, 1, 2 }, { 3, 6, 7 }, { 5, 8, 9 } };
     loft_vec n[3];
 
     for (int i = 0; i < 3; i++) {
@@ -118,18 +124,35 @@ enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3], const loft_v
     return LOFT_OK;
 }
 
-loft_vec loft_pn_eval(const loft_pn *t, loft_bary u)
+static loft_acc axis_at(const loft_pn *t, int axis, loft_bary u)
 {
     loft_acc c[10];
+
+    for (int k = 0; k < 10; k++)
+        c[k] = t->b[axis][k];
+    return loft_bary_eval(c, 3, u);
+}
+
+loft_vec loft_pn_eval(const loft_pn *t, loft_bary u)
+{
     loft_vec v;
 
     u = loft_bary_clamp(u);
-    for (int i = 0; i < LOFT_AXES; i++) {
-        for (int k = 0; k < 10; k++)
-            c[k] = t->b[i][k];
-        v.axis[i] = loft_acc_round(loft_bary_eval(c, 3, u));
-    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        v.axis[i] = loft_acc_round(axis_at(t, i, u));
     return v;
+}
+
+/* Control points err by 2^-32, which three rows multiply by L^3, the rows 2^-33 (1 + L + L^2). */
+enum loft_status loft_pn_extend(const loft_pn *t, loft_bary u, loft_vec *out)
+{
+    loft_acc product = loft_wide(LOFT_REAL(1)), x[LOFT_AXES];
+
+    if (!loft_bary_grows(u, false, 3, &product))
+        return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES; i++)
+        x[i] = axis_at(t, i, u);
+    return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_pn_normal(const loft_pn *t, loft_bary u, loft_vec *out)

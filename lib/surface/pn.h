@@ -1,9 +1,10 @@
 /* lib/surface/pn.h -- curved triangles from three points and their normals, as a mesh gives them
  * SPDX-License-Identifier: MIT
  *
- * A cubic triangle through the points that is at a right angle to the normals there; its edges depend on nothing but
- * the points and normals at their ends, so that neighbours in a mesh meet without a gap. Beside it goes a quadratic
- * field of normals for shading, which is not the geometric normal between the corners.
+ * A cubic triangle through the points that is at a right angle to the normals there; its edges
+ * depend on nothing but the points and normals at their ends, so that neighbours in a mesh meet
+ * without a gap. Beside it goes a quadratic field of normals for shading, which is not the
+ * geometric normal between the corners.
  *
  *     loft_pn t;
  *     if (loft_pn_init(&t, corner, normal) == LOFT_OK)
@@ -14,6 +15,8 @@
 
 #include "surface/barycentric.h"    /* loft_bary */
 
+LOFT_BEGIN_C
+
 /* Points wide, so that a point is rounded once. Do not fill it yourself: call init. */
 typedef struct {
     loft_acc b[LOFT_AXES][10];
@@ -22,27 +25,41 @@ typedef struct {
 
 /* Make the triangle of three points and normals of any length.
  *
- *   range   LOFT_SINGULAR for a normal of 0; finite coordinates, and control points that fit, otherwise LOFT_ERR_RANGE;
- *           *t is undefined then
+ *   range   LOFT_SINGULAR for a normal of 0; finite coordinates, and control points that fit,
+ *           otherwise LOFT_ERR_RANGE; *t is undefined then
  *   error   control points q16: 2^-32   f32, f64: 2^-49 of the largest coordinate
- *   cost    in numbers of num/sci.h about 50 products and 12 quotients; 240 bytes of its own per triangle in three
- *           axes; not for an ISR
+ *   cost    in numbers of num/sci.h about 50 products and 12 quotients; 240 bytes of its own per
+ *           triangle in three axes; not for an ISR
  *   see     Vlachos, Peters, Boyd, Mitchell, Curved PN triangles (2001)
  */
-enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3], const loft_vec normal[3]) LOFT_CHECKED;
+enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3],
+                              const loft_vec normal[3]) LOFT_CHECKED;
 
 /* The point at u.
  *
  *   range   u is clamped to the triangle: cannot fail
- *   error   q16: 1/2 LSB + 2^-14 LSB   f32: 1/2 ulp + 2^-48   f64: 2^-48, of the largest coordinate; exact at the corners
+ *   error   q16: 1/2 LSB + 2^-14 LSB   f32: 1/2 ulp + 2^-48   f64: 2^-48, of the largest
+ *           coordinate; exact at the corners
  *   cost    20 wide products per axis
  */
 loft_vec loft_pn_eval(const loft_pn *t, loft_bary u);
 
+/* The point at u, outside the triangle as well; L = |u| + |v| + |w|.
+ *
+ *   range   LOFT_ERR_RANGE when the point does not fit, for L above 27, |v| or |w| above 32; *out
+ *           is untouched then
+ *   error   q16: 1/2 LSB + (2 L^3 + L^2 + L + 1) * 2^-17 LSB   f32: 1/2 ulp of the result and
+ *           L^3 2^-48   f64: L^3 2^-48, of the largest coordinate
+ *   cost    as eval
+ */
+enum loft_status loft_pn_extend(const loft_pn *t, loft_bary u, loft_vec *out) LOFT_CHECKED;
+
 /* The shading normal at u, of length 1; at the corners that of the corner.
  *
- *   range   u is clamped; LOFT_SINGULAR where the field vanishes, between opposite normals; *out is untouched then
- *   error   with h the length of the sum before it is brought to 1: q16: 2^-15 / h   f32: 2^-21 / h   f64: 2^-48 / h
+ *   range   u is clamped; LOFT_SINGULAR where the field vanishes, between opposite normals; *out is
+ *           untouched then
+ *   error   with h the length of the sum before it is brought to 1: q16: 2^-15 / h   f32: 2^-21 / h
+ *           f64: 2^-48 / h
  *   cost    8 wide products per axis, loft_vec_unit
  */
 enum loft_status loft_pn_normal(const loft_pn *t, loft_bary u, loft_vec *out) LOFT_CHECKED;
@@ -53,5 +70,7 @@ enum loft_status loft_pn_normal(const loft_pn *t, loft_bary u, loft_vec *out) LO
  *   cost    one rounding a coordinate
  */
 void loft_pn_net(const loft_pn *t, loft_vec out[10]);
+
+LOFT_END_C
 
 #endif

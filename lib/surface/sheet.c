@@ -9,7 +9,8 @@ static enum loft_status tensor_at(const void *surface, loft_unit u, loft_unit v,
     return LOFT_OK;
 }
 
-static enum loft_status tensor_rational_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
+static enum loft_status tensor_rational_at(const void *surface, loft_unit u, loft_unit v,
+                                           loft_vec *out)
 {
     *out = loft_tensor_rational_eval(surface, u, v);
     return LOFT_OK;
@@ -23,7 +24,8 @@ static enum loft_status triangle_at(const void *surface, loft_unit u, loft_unit 
     return LOFT_OK;
 }
 
-static enum loft_status triangle_rational_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
+static enum loft_status triangle_rational_at(const void *surface, loft_unit u, loft_unit v,
+                                             loft_vec *out)
 {
     const loft_bary at = { u, v };
 
@@ -43,30 +45,45 @@ static enum loft_status coons_at(const void *surface, loft_unit u, loft_unit v, 
 
 static enum loft_status sphere_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {
-    return loft_sphere_eval(surface, loft_lerp(0, LOFT_REAL(360), v), loft_lerp(0, LOFT_REAL(180), u), out);
+    return loft_sphere_eval(surface, loft_lerp(0, LOFT_REAL(360), v),
+                            loft_lerp(0, LOFT_REAL(180), u), out);
 }
 
-static loft_sheet sheet_of(enum loft_status (*eval)(const void *, loft_unit, loft_unit, loft_vec *), const void *surface,
-                           enum loft_sheet_over over)
+static loft_sheet sheet_of(enum loft_status (*eval)(const void *, loft_unit, loft_unit, loft_vec *),
+                           const void *surface, enum loft_sheet_over over)
 {
     const loft_sheet s = { eval, surface, over };
     return s;
 }
 
-loft_sheet loft_sheet_from_tensor(const loft_tensor *s)             { return sheet_of(tensor_at, s, LOFT_SHEET_SQUARE); }
+loft_sheet loft_sheet_from_tensor(const loft_tensor *s)
+{
+    return sheet_of(tensor_at, s, LOFT_SHEET_SQUARE);
+}
 loft_sheet loft_sheet_from_tensor_rational(const loft_tensor_rational *s)
 {
     return sheet_of(tensor_rational_at, s, LOFT_SHEET_SQUARE);
 }
-loft_sheet loft_sheet_from_triangle(const loft_triangle *s)         { return sheet_of(triangle_at, s, LOFT_SHEET_TRIANGLE); }
+loft_sheet loft_sheet_from_triangle(const loft_triangle *s)
+{
+    return sheet_of(triangle_at, s, LOFT_SHEET_TRIANGLE);
+}
 loft_sheet loft_sheet_from_triangle_rational(const loft_triangle_rational *s)
 {
     return sheet_of(triangle_rational_at, s, LOFT_SHEET_TRIANGLE);
 }
-loft_sheet loft_sheet_from_bicubic(const loft_bicubic *s)           { return sheet_of(bicubic_at, s, LOFT_SHEET_SQUARE); }
-loft_sheet loft_sheet_from_coons(const loft_coons_bezier *s)        { return sheet_of(coons_at, s, LOFT_SHEET_SQUARE); }
-loft_sheet loft_sheet_from_sphere(const loft_sphere *s)             { return sheet_of(sphere_at, s, LOFT_SHEET_ROUND); }
-
+loft_sheet loft_sheet_from_bicubic(const loft_bicubic *s)
+{
+    return sheet_of(bicubic_at, s, LOFT_SHEET_SQUARE);
+}
+loft_sheet loft_sheet_from_coons(const loft_coons_bezier *s)
+{
+    return sheet_of(coons_at, s, LOFT_SHEET_SQUARE);
+}
+loft_sheet loft_sheet_from_sphere(const loft_sphere *s)
+{
+    return sheet_of(sphere_at, s, LOFT_SHEET_ROUND);
+}
 
 /* Lines */
 
@@ -78,7 +95,8 @@ static bool holds(const loft_sheet *s, const loft_unit at[2])
     return s->over != LOFT_SHEET_TRIANGLE || at[1] <= LOFT_UNIT(1) - at[0];
 }
 
-enum loft_status loft_trace_init(loft_trace *w, loft_sheet sheet, loft_unit u0, loft_unit v0, loft_unit u1, loft_unit v1, uint32_t n)
+enum loft_status loft_trace_init(loft_trace *w, loft_sheet sheet, loft_unit u0, loft_unit v0,
+                                 loft_unit u1, loft_unit v1, uint32_t n)
 {
     const loft_trace start = { sheet, { u0, v0 }, { u1, v1 }, n, 0 };
     loft_vec p;
@@ -98,7 +116,8 @@ bool loft_trace_next(loft_trace *w, loft_vec *out)
     while (w->at <= w->n) {
         loft_unit at[2];
         for (int i = 0; i < 2; i++)
-            at[i] = loft_unit_round(loft_acc_lerp_at(loft_unit_wide(w->from[i]), loft_unit_wide(w->to[i]), w->at, w->n));
+            at[i] = loft_unit_round(loft_acc_lerp_at(loft_unit_wide(w->from[i]),
+                                                     loft_unit_wide(w->to[i]), w->at, w->n));
         w->at++;
         if (w->sheet.eval(w->sheet.surface, at[0], at[1], out) == LOFT_OK)
             return true;

@@ -3,15 +3,16 @@
  */
 #include "surface/sphere.h"
 #include "num/angle.h"  /* loft_fine: sines */
-#include "num/exact.h"  /* loft_exact: distances */
+#include "geom/vec_exact.h"  /* loft_exact: distances */
 
 #define ANGLE_MAX LOFT_REAL(32767)
 
 
-/* By angles. An angle is k quarters and a rest of at most 45 degrees (and the rounding of a quotient), taken apart without
- * rounding; the rest in radians, off by 2^-59, has a sine and cosine off by 2^-57 in q16. A product of two of them is off
- * by 2^-56, times a radius below 2^15 by 2^-41, and 2^-33 from rounding to a wide value: 2^-17 LSB, three times less
- * than what is promised. Floats: 2^-52 in place of 2^-57, and products. */
+/* By angles. An angle is k quarters and a rest of at most 45 degrees (and the rounding of a
+ * quotient), taken apart without rounding; the rest in radians, off by 2^-59, has a sine and cosine
+ * off by 2^-57 in q16. A product of two of them is off by 2^-56, times a radius below 2^15 by
+ * 2^-41, and 2^-33 from rounding to a wide value: 2^-17 LSB, three times less than what is
+ * promised. Floats: 2^-52 in place of 2^-57, and products. */
 
 typedef struct {
     loft_fine sin, cos;
@@ -21,7 +22,8 @@ static turn turn_of(loft_real degrees)
 {
     const int32_t k = loft_real_floor(loft_div(degrees, LOFT_REAL(90)) + LOFT_REAL(0.5));
     const loft_acc rest = loft_wide(degrees) - k * loft_wide(LOFT_REAL(90));
-    const loft_fine angle = loft_fine_mul(loft_fine_ratio(rest, loft_wide(LOFT_REAL(180))), LOFT_FINE_PI);
+    const loft_fine angle = loft_fine_mul(loft_fine_ratio(rest, loft_wide(LOFT_REAL(180))),
+                                          LOFT_FINE_PI);
     const loft_fine s = loft_fine_sin(angle), c = loft_fine_cos(angle);
     turn t = { s, c };
 
@@ -36,7 +38,8 @@ static turn turn_of(loft_real degrees)
 
 static bool accepts(const loft_sphere *s, loft_real theta, loft_real phi)
 {
-    return s->radius >= 0 && theta >= -ANGLE_MAX && theta <= ANGLE_MAX && phi >= -ANGLE_MAX && phi <= ANGLE_MAX;
+    return s->radius >= 0 && theta >= -ANGLE_MAX && theta <= ANGLE_MAX && phi >= -ANGLE_MAX &&
+           phi <= ANGLE_MAX;
 }
 
 static void direction_of(loft_real theta, loft_real phi, loft_fine n[3])
@@ -48,7 +51,8 @@ static void direction_of(loft_real theta, loft_real phi, loft_fine n[3])
     n[2] = colatitude.cos;
 }
 
-enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_real phi, loft_vec *out)
+enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_real phi,
+                                  loft_vec *out)
 {
     loft_acc x[LOFT_AXES];
     loft_fine n[3];
@@ -57,11 +61,13 @@ enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_re
         return LOFT_ERR_ARG;
     direction_of(theta, phi, n);
     for (int i = 0; i < LOFT_AXES; i++)
-        x[i] = loft_wide(s->centre.axis[i]) + (i < 3 ? loft_fine_scale(loft_wide(s->radius), n[i < 3 ? i : 0]) : 0);
+        x[i] = loft_wide(s->centre.axis[i]) +
+               (i < 3 ? loft_fine_scale(loft_wide(s->radius), n[i < 3 ? i : 0]) : 0);
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
-enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_real phi, loft_vec *out)
+enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_real phi,
+                                    loft_vec *out)
 {
     loft_fine n[3];
 
@@ -74,28 +80,16 @@ enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_
 }
 
 
-/* By whole numbers, which carry 2^E, E = LOFT_EXACT_REAL; the length from the centre 2^(E + LOFT_EXACT_HYPOT). Differences
- * have R + 1 bits, three squares 2 R + 4, 130 more for the root: 196 and 390 bits. */
+/* By whole numbers, which carry 2^E, E = LOFT_EXACT_REAL; the length from the centre 2^(E +
+ * LOFT_EXACT_HYPOT). Differences have R + 1 bits, three squares 2 R + 4, 130 more for the root: 196
+ * and 390 bits. */
 
 static bool arm_of(const loft_sphere *s, const loft_vec *x, loft_exact arm[3])
 {
-    for (int i = 0; i < 3; i++) {
-        const loft_real from = loft_vec_axis(&s->centre, i), to = loft_vec_axis(x, i);
-        if (!loft_exact_admits(from) || !loft_exact_admits(to))
-            return false;
-        arm[i] = loft_exact_sub(loft_exact_from_real(to), loft_exact_from_real(from));
-    }
-    return loft_exact_admits(s->radius);
-}
-
-static bool take(loft_exact a, loft_exact b, int shift, loft_real *out)
-{
-    loft_acc x;
-
-    if (!loft_exact_quot(a, b, shift, &x) || !loft_acc_fits(x))
+    if (!loft_vec_exact_valid(&s->centre, 1, 3) || !loft_vec_exact_valid(x, 1, 3))
         return false;
-    *out = loft_acc_round(x);
-    return true;
+    loft_vec_exact_sub(x, &s->centre, 3, arm);
+    return loft_exact_admits(s->radius);
 }
 
 enum loft_status loft_sphere_distance(const loft_sphere *s, loft_vec x, loft_real *out)
@@ -108,7 +102,8 @@ enum loft_status loft_sphere_distance(const loft_sphere *s, loft_vec x, loft_rea
         return LOFT_ERR_RANGE;
     const loft_exact radius = loft_exact_shift(loft_exact_from_real(s->radius), LOFT_EXACT_HYPOT);
     const loft_exact gap = loft_exact_sub(loft_exact_hypot(arm, 3), radius);
-    return take(gap, loft_exact_from_int(1), -LOFT_EXACT_REAL - LOFT_EXACT_HYPOT, out) ? LOFT_OK : LOFT_ERR_RANGE;
+    const int shift = -LOFT_EXACT_REAL - LOFT_EXACT_HYPOT;
+    return loft_exact_quot_real(gap, loft_exact_from_int(1), shift, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_sphere_value(const loft_sphere *s, loft_vec x, loft_real *out)
@@ -120,10 +115,10 @@ enum loft_status loft_sphere_value(const loft_sphere *s, loft_vec x, loft_real *
     if (!arm_of(s, &x, arm))
         return LOFT_ERR_RANGE;
     const loft_exact radius = loft_exact_from_real(s->radius);
-    loft_exact sum = loft_exact_neg(loft_exact_mul(radius, radius));
-    for (int i = 0; i < 3; i++)
-        sum = loft_exact_add(sum, loft_exact_mul(arm[i], arm[i]));
-    return take(sum, loft_exact_from_int(1), -2 * LOFT_EXACT_REAL, out) ? LOFT_OK : LOFT_ERR_RANGE;
+    const loft_exact square = loft_vec_exact_dot(arm, arm, 3);
+    const loft_exact sum = loft_exact_sub(square, loft_exact_mul(radius, radius));
+    return loft_exact_quot_real(sum, loft_exact_from_int(1), -2 * LOFT_EXACT_REAL, out) ?
+        LOFT_OK : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_sphere_direction(const loft_sphere *s, loft_vec x, loft_vec *out)
@@ -135,12 +130,13 @@ enum loft_status loft_sphere_direction(const loft_sphere *s, loft_vec x, loft_ve
         return LOFT_ERR_ARG;
     if (!arm_of(s, &x, arm))
         return LOFT_ERR_RANGE;
-    if (loft_exact_sign(arm[0]) == 0 && loft_exact_sign(arm[1]) == 0 && loft_exact_sign(arm[2]) == 0)
+    if (loft_exact_sign(arm[0]) == 0 && loft_exact_sign(arm[1]) == 0 &&
+        loft_exact_sign(arm[2]) == 0)
         return LOFT_SINGULAR;
     const loft_exact length = loft_exact_hypot(arm, 3);
     *out = nothing;
     for (int i = 0; i < 3 && i < LOFT_AXES; i++)
-        if (!take(arm[i], length, LOFT_EXACT_HYPOT, &out->axis[i]))
+        if (!loft_exact_quot_real(arm[i], length, LOFT_EXACT_HYPOT, &out->axis[i]))
             return LOFT_ERR_RANGE;      /* never: it is at most 1 */
     return LOFT_OK;
 }

@@ -1,17 +1,21 @@
 /* lib/surface/sphere.h -- spheres: points by longitude and colatitude, normals, distances
  * SPDX-License-Identifier: MIT
  *
- * A sphere lies in the first three axes; the others keep the centre's coordinate. Plain data, no init.
+ * A sphere lies in the first three axes; the others keep the centre's coordinate. Plain data, no
+ * init.
  *
  *     x = r cos theta sin phi     y = r sin theta sin phi     z = r cos phi       and the centre
  *
- * Angles are in degrees, unlike elsewhere: a quarter of a turn is 90 exactly, the poles and the equator are met
- * without error, and in q16 a degree has 65536 steps where a radian would have so many for 57.
+ * Angles are in degrees, unlike elsewhere: a quarter of a turn is 90 exactly, the poles and the
+ * equator are met without error, and in q16 a degree has 65536 steps where a radian would have so
+ * many for 57.
  */
 #ifndef LOFT_SURFACE_SPHERE_H
 #define LOFT_SURFACE_SPHERE_H
 
 #include "geom/vec.h"   /* loft_vec */
+
+LOFT_BEGIN_C
 
 typedef struct {
     loft_vec  centre;
@@ -21,13 +25,15 @@ typedef struct {
 /* The point at longitude theta, colatitude phi (0 at the pole where z is largest).
  *
  *   units   degrees
- *   range   radius >= 0 and angles of -32767..32767, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not
- *           fit; *out is untouched then
- *   error   q16: 1/2 LSB + 2^-14 LSB   f32: 0.51 ulp of the result + 2^-24 ulp of the radius   f64: 16 ulp of radius and
- *           centre; none but the sum with the centre where both angles are multiples of 90
+ *   range   radius >= 0 and angles of -32767..32767, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when
+ *           the point does not fit; *out is untouched then
+ *   error   q16: 1/2 LSB + 2^-14 LSB   f32: 0.51 ulp of the result + 2^-24 ulp of the radius   f64:
+ *           16 ulp of radius and centre; none but the sum with the centre where both angles are
+ *           multiples of 90
  *   cost    2 sines, 2 cosines, 2 quotients of 60 rounds in q16
  */
-enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_real phi, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_real phi,
+                                  loft_vec *out) LOFT_CHECKED;
 
 /* The outward normal there, of length 1; for a radius of 0 as well.
  *
@@ -36,24 +42,31 @@ enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_re
  *   error   q16: 1/2 LSB + 2^-14 LSB, far below 2^-14   f32: 0.51 ulp of 1   f64: 16 ulp of 1
  *   cost    2 sines, 2 cosines
  */
-enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_real phi, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_real phi,
+                                    loft_vec *out) LOFT_CHECKED;
 
 /* |x - centre| - radius, and (x - centre)^2 - radius^2: negative inside.
  *
- *   range   radius >= 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the result does not fit or, in floats,
- *           loft_exact_admits refuses a number; *out is untouched then
- *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: distance 1 ulp of the radius, value 1 ulp
+ *   range   radius >= 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the result does not fit or, in
+ *           floats, loft_exact_admits refuses a number; *out is untouched then
+ *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: distance 1 ulp of the radius, value 1
+ *           ulp
  *   cost    4 exact products, one exact root, one quotient; 1.2 kB of stack in q16; not for an ISR
  */
-enum loft_status loft_sphere_distance(const loft_sphere *s, loft_vec x, loft_real *out) LOFT_CHECKED;
+enum loft_status loft_sphere_distance(const loft_sphere *s, loft_vec x,
+                                      loft_real *out) LOFT_CHECKED;
 enum loft_status loft_sphere_value(const loft_sphere *s, loft_vec x, loft_real *out) LOFT_CHECKED;
 
-/* The direction from the centre to x, of length 1: the normal of the sphere through x about the same centre.
+/* The direction from the centre to x, of length 1: the normal of the sphere through x about the
+ * same centre.
  *
  *   range   LOFT_SINGULAR at the centre; otherwise as distance
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: 1 ulp
  *   cost    3 exact products, one exact root, a quotient per axis; not for an ISR
  */
-enum loft_status loft_sphere_direction(const loft_sphere *s, loft_vec x, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_sphere_direction(const loft_sphere *s, loft_vec x,
+                                       loft_vec *out) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

@@ -1,14 +1,17 @@
 /* lib/surface/tetra.c
  * SPDX-License-Identifier: MIT
  *
- * From the place p of b_ijkl in layer m = j + k + l and its row n = k + l, those of the next degree are
+ * From the place p of b_ijkl in layer m = j + k + l and its row n = k + l, those of the next degree
+ * are
  *
- *     b_(i+1)jkl: p        b_i(j+1)kl: q = p + (m + 1) (m + 2) / 2        b_ij(k+1)l: q + n + 1        b_ijk(l+1): q + n + 2
+ *     b_(i+1)jkl: p        b_i(j+1)kl: q = p + (m + 1) (m + 2) / 2        b_ij(k+1)l: q + n + 1
+ *         b_ijk(l+1): q + n + 2
  *
- * all behind p or p itself, so that a row of the scheme runs in place from the front, and one of weights from the back.
+ * all behind p or p itself, so that a row of the scheme runs in place from the front, and one of
+ * weights from the back.
  */
 #include "surface/tetra.h"
-#include "num/exact.h"          /* loft_exact: volumes and decisions */
+#include "geom/vec_exact.h"     /* loft_exact: volumes and decisions */
 
 #define MOST LOFT_TETRA_MOST
 #define SPACE 3
@@ -28,51 +31,28 @@ loft_volume loft_volume_clamp(loft_volume u)
 
 /* Coordinates. A difference has 32 bits (floats 129), a determinant 3 times that and 3. */
 
-typedef struct {
-    loft_exact axis[SPACE];
-} whole_vec;
-
-static whole_vec edge(loft_vec from, loft_vec to)
+static loft_exact det(const loft_exact a[SPACE], const loft_exact b[SPACE],
+                      const loft_exact c[SPACE])
 {
-    whole_vec e;
+    loft_exact product[SPACE];
 
-    for (int i = 0; i < SPACE; i++)
-        e.axis[i] = loft_exact_sub(loft_exact_from_real(loft_vec_axis(&to, i)), loft_exact_from_real(loft_vec_axis(&from, i)));
-    return e;
-}
-
-static loft_exact det(const whole_vec *a, const whole_vec *b, const whole_vec *c)
-{
-    loft_exact sum = loft_exact_from_int(0);
-
-    for (int i = 0; i < SPACE; i++) {
-        const int j = (i + 1) % SPACE, k = (i + 2) % SPACE;
-        sum = loft_exact_add(sum, loft_exact_mul(a->axis[i], loft_exact_det(b->axis[j], b->axis[k], c->axis[j], c->axis[k])));
-    }
-    return sum;
-}
-
-static bool admits(loft_vec p)
-{
-    for (int i = 0; i < SPACE; i++)
-        if (!loft_exact_admits(loft_vec_axis(&p, i)))
-            return false;
-    return true;
+    loft_vec_exact_cross(b, c, product);
+    return loft_vec_exact_dot(a, product, SPACE);
 }
 
 enum loft_status loft_volume_from_point(const loft_vec corner[4], loft_vec p, loft_acc out[4])
 {
+    loft_exact a[SPACE], b[SPACE], c[SPACE], e[SPACE];
     loft_acc x[4];
 
-    for (int k = 0; k < 4; k++)
-        if (!admits(corner[k]))
-            return LOFT_ERR_RANGE;
-    if (!admits(p))
+    if (!loft_vec_exact_valid(corner, 4, SPACE) || !loft_vec_exact_valid(&p, 1, SPACE))
         return LOFT_ERR_RANGE;
-    const whole_vec a = edge(corner[0], corner[1]), b = edge(corner[0], corner[2]), c = edge(corner[0], corner[3]);
-    const whole_vec e = edge(corner[0], p);
-    const loft_exact whole = det(&a, &b, &c);
-    loft_exact part[4] = { whole, det(&e, &b, &c), det(&a, &e, &c), det(&a, &b, &e) };
+    loft_vec_exact_sub(&corner[1], &corner[0], SPACE, a);
+    loft_vec_exact_sub(&corner[2], &corner[0], SPACE, b);
+    loft_vec_exact_sub(&corner[3], &corner[0], SPACE, c);
+    loft_vec_exact_sub(&p, &corner[0], SPACE, e);
+    const loft_exact whole = det(a, b, c);
+    loft_exact part[4] = { whole, det(e, b, c), det(a, e, c), det(a, b, e) };
 
     if (loft_exact_sign(whole) == 0)
         return LOFT_SINGULAR;
@@ -89,7 +69,8 @@ enum loft_status loft_volume_from_point(const loft_vec corner[4], loft_vec p, lo
 
 /* Points */
 
-/* Each weight hands on three parts, rounded, and keeps the rest, so the sum stays 1: 6 * 2^-33 for each degree. */
+/* Each weight hands on three parts, rounded, and keeps the rest, so the sum stays 1: 6 * 2^-33 for
+ * each degree. */
 void loft_volume_weights(unsigned degree, loft_volume u, loft_acc c[])
 {
     c[0] = loft_wide(LOFT_REAL(1));
@@ -100,7 +81,8 @@ void loft_volume_weights(unsigned degree, loft_volume u, loft_acc c[])
             for (unsigned n = m + 1; n-- > 0; )
                 for (unsigned l = n + 1; l-- > 0; ) {
                     const unsigned q = --p + (m + 1) * (m + 2) / 2;
-                    const loft_acc v = loft_acc_scale(c[p], u.v), w = loft_acc_scale(c[p], u.w), x = loft_acc_scale(c[p], u.x);
+                    const loft_acc v = loft_acc_scale(c[p], u.v), w = loft_acc_scale(c[p], u.w),
+                                   x = loft_acc_scale(c[p], u.x);
                     c[p] -= v + w + x;
                     c[q] += v;
                     c[q + n + 1] += w;
@@ -159,17 +141,20 @@ loft_vec loft_tetra_eval(const loft_tetra *t, loft_volume u)
 
 /* Raised */
 
-/* sum C(i,q) C(j,r) C(k,s) C(l,t) b_qrst / C(n+m,n) over q + r + s + t = n, with (i, j, k, l) of degree n + m. The products of
- * binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 < 2^62.6. */
-static loft_acc raised(const loft_acc c[], unsigned n, unsigned i, unsigned j, unsigned k, unsigned l)
+/* sum C(i,q) C(j,r) C(k,s) C(l,t) b_qrst / C(n+m,n) over q + r + s + t = n, with (i, j, k, l) of
+ * degree n + m. The products of binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below
+ * 48620 * 2^47 < 2^62.6. */
+static loft_acc raised(const loft_acc c[], unsigned n, unsigned i, unsigned j, unsigned k,
+                       unsigned l)
 {
     loft_acc sum = 0;
 
     for (unsigned r = 0; r <= n && r <= j; r++)
         for (unsigned s = 0; r + s <= n && s <= k; s++)
             for (unsigned t = 0; r + s + t <= n && t <= l; t++)
-                sum += c[loft_tetra_place(r, s, t)] * (loft_binomial(i, n - r - s - t) * loft_binomial(j, r) *
-                                                       (loft_binomial(k, s) * loft_binomial(l, t)));
+                sum += c[loft_tetra_place(r, s, t)] *
+                       (loft_binomial(i, n - r - s - t) * loft_binomial(j, r) *
+                        (loft_binomial(k, s) * loft_binomial(l, t)));
     return loft_acc_ratio(sum, loft_binomial(i + j + k + l, n));
 }
 

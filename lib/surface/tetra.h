@@ -1,16 +1,20 @@
-/* lib/surface/tetra.h -- Bezier tetrahedra of degree 0..9: what varies in space, or bends space itself
+/* lib/surface/tetra.h -- Bezier tetrahedra of degree 0..9: what varies in space, or bends space
+ * itself
  * SPDX-License-Identifier: MIT
  *
- * A point u T1 + v T2 + w T3 + x T4 with u + v + w + x = 1 is given by the last three. A net of degree n has
- * LOFT_TETRA_POINTS(n) control points b_ijkl, i + j + k + l = n, with i descending, then j, then k: layers of
- * triangles from the corner T1 down to the face T2 T3 T4. With control points in the plane or in space a tetrahedron
- * is a deformation (free form); one coordinate alone is a field, a temperature or a stiffness.
+ * A point u T1 + v T2 + w T3 + x T4 with u + v + w + x = 1 is given by the last three. A net of
+ * degree n has LOFT_TETRA_POINTS(n) control points b_ijkl, i + j + k + l = n, with i descending,
+ * then j, then k: layers of triangles from the corner T1 down to the face T2 T3 T4. With control
+ * points in the plane or in space a tetrahedron is a deformation (free form); one coordinate alone
+ * is a field, a temperature or a stiffness.
  */
 #ifndef LOFT_SURFACE_TETRA_H
 #define LOFT_SURFACE_TETRA_H
 
 #include "curve/bezier.h"       /* LOFT_DEGREE_MAX, LOFT_RAISE_MAX */
 #include "geom/vec.h"           /* loft_vec */
+
+LOFT_BEGIN_C
 
 #define LOFT_TETRA_POINTS(degree) (((degree) + 1u) * ((degree) + 2u) * ((degree) + 3u) / 6u)
 #define LOFT_TETRA_MOST LOFT_TETRA_POINTS(LOFT_DEGREE_MAX)
@@ -34,14 +38,17 @@ static inline unsigned loft_tetra_place(unsigned j, unsigned k, unsigned l)
  */
 loft_volume loft_volume_clamp(loft_volume u);
 
-/* u, v, w, x of the point p in the first three axes; wide, since a point far from a flat tetrahedron has large ones.
+/* u, v, w, x of the point p in the first three axes; wide, since a point far from a flat
+ * tetrahedron has large ones.
  *
- *   range   LOFT_SINGULAR for four corners in a plane; LOFT_ERR_RANGE when a coordinate is 2^30 or more, or for numbers
- *           that loft_exact_admits refuses; `out` is untouched then
+ *   range   LOFT_SINGULAR for four corners in a plane; LOFT_ERR_RANGE when a coordinate is 2^30 or
+ *           more, or for numbers that loft_exact_admits refuses; `out` is untouched then
  *   error   q16: 2^-33 + 2^-60   f32, f64: 0.51 ulp of double
- *   cost    4 determinants of three rows and 4 quotients of exact numbers; 2 kB of stack in q16; not for an ISR
+ *   cost    4 determinants of three rows and 4 quotients of exact numbers; 2 kB of stack in q16;
+ *           not for an ISR
  */
-enum loft_status loft_volume_from_point(const loft_vec corner[4], loft_vec p, loft_acc out[4]) LOFT_CHECKED;
+enum loft_status loft_volume_from_point(const loft_vec corner[4], loft_vec p,
+                                        loft_acc out[4]) LOFT_CHECKED;
 
 /* The Bernstein polynomials n!/(i! j! k! l!) u^i v^j w^k x^l: the weights of the control points.
  *
@@ -52,7 +59,8 @@ enum loft_status loft_volume_from_point(const loft_vec corner[4], loft_vec p, lo
  */
 void loft_volume_weights(unsigned degree, loft_volume u, loft_acc w[]);
 
-/* A tetrahedron of any degree. The control points are borrowed. Do not fill it yourself: call init. */
+/* A tetrahedron of any degree. The control points are borrowed. Do not fill it yourself: call
+ * init. */
 typedef struct {
     const loft_vec *p;
     uint8_t degree;
@@ -60,7 +68,8 @@ typedef struct {
 
 /* Make a tetrahedron of LOFT_TETRA_POINTS(degree) control points, which must outlive it.
  *
- *   range   degree 0..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise LOFT_ERR_RANGE; *t is untouched then
+ *   range   degree 0..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise LOFT_ERR_RANGE; *t
+ *           is untouched then
  *   error   none: the points are borrowed
  *   cost    two comparisons a coordinate
  */
@@ -69,19 +78,26 @@ enum loft_status loft_tetra_init(loft_tetra *t, const loft_vec p[], unsigned deg
 /* The point at u, by de Casteljau's algorithm.
  *
  *   range   u is clamped to the tetrahedron: cannot fail
- *   error   q16: 1/2 LSB + degree * 2^-16 LSB   f32: 1 ulp   f64: 6 * degree ulp, of the largest control value
- *   cost    3 LOFT_TETRA_POINTS(degree - 1) wide products per axis for each degree up to that; 1.8 kB of stack: not for
- *           machines with 2 kB of memory
- *   see     Farin, Curves and Surfaces for CAGD, ch. 17: tetrahedra, of which triangles are the faces
+ *   error   q16: 1/2 LSB + degree * 2^-16 LSB   f32: 1 ulp   f64: 6 * degree ulp, of the largest
+ *           control value
+ *   cost    3 LOFT_TETRA_POINTS(degree - 1) wide products per axis for each degree up to that; 1.8
+ *           kB of stack: not for machines with 2 kB of memory
+ *   see     Farin, Curves and Surfaces for CAGD, ch. 17: tetrahedra, of which triangles are the
+ *           faces
  */
 loft_vec loft_tetra_eval(const loft_tetra *t, loft_volume u);
 
-/* The same with a degree higher by `times`: LOFT_TETRA_POINTS(degree + times) control points, not those of t.
+/* The same with a degree higher by `times`: LOFT_TETRA_POINTS(degree + times) control points, not
+ * those of t.
  *
  *   range   degree + times <= LOFT_RAISE_MAX, otherwise LOFT_ERR_ARG
- *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree^2 + 3 ulp, of the largest control value
- *   cost    at most as many small products and one division for each control point of the result as the net has points
+ *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree^2 + 3 ulp, of the largest control
+ *           value
+ *   cost    at most as many small products and one division for each control point of the result as
+ *           the net has points
  */
 enum loft_status loft_tetra_raise(const loft_tetra *t, unsigned times, loft_vec out[]) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

@@ -7,9 +7,13 @@
 #include "wire/point_code.h"    /* loft_point_encode */
 #include "wire/varint.h"        /* loft_varint_encode */
 
-/* All differences are taken modulo 2^32 in unsigned arithmetic, so nothing overflows and every int32 returns. */
+/* All differences are taken modulo 2^32 in unsigned arithmetic, so nothing overflows and every
+ * int32 returns. */
 
-static bool is_point(enum loft_kind kind)   { return kind == LOFT_POINTS || kind == LOFT_POINTS_FINE; }
+static bool is_point(enum loft_kind kind)
+{
+    return kind == LOFT_POINTS || kind == LOFT_POINTS_FINE;
+}
 
 void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES])
 {
@@ -103,8 +107,9 @@ static uint8_t span_size(const uint8_t *byte, uint8_t left)
 // Points: the second or third difference of each axis, as a rule -2..2
 // --------------------------------------------------------------------
 //
-// Rounding to steps makes noise that grows with each difference (its variance is C(2k, k) / 12): where the motion is smooth
-// in steps the second is the shortest, in fine units or coarse sampling the third.
+// Rounding to steps makes noise that grows with each difference (its variance is C(2k, k) / 12):
+// where the motion is smooth in steps the second is the shortest, in fine units or coarse sampling
+// the third.
 
 /* Where a point is expected. */
 static uint32_t expected(enum loft_kind kind, const loft_predictor *p, int i)
@@ -112,7 +117,8 @@ static uint32_t expected(enum loft_kind kind, const loft_predictor *p, int i)
     return p->position[i] + p->change[i] + (kind == LOFT_POINTS_FINE ? p->bend[i] : 0);
 }
 
-static uint8_t put_point(uint8_t *byte, enum loft_kind kind, const loft_predictor *p, const loft_item *item)
+static uint8_t put_point(uint8_t *byte, enum loft_kind kind, const loft_predictor *p,
+                         const loft_item *item)
 {
     uint32_t r[LOFT_AXES];
     for (int i = 0; i < LOFT_AXES; i++)
@@ -121,7 +127,8 @@ static uint8_t put_point(uint8_t *byte, enum loft_kind kind, const loft_predicto
 }
 
 /* vel += r; pos += vel */
-static const uint8_t *get_point(const uint8_t *byte, bool still, enum loft_kind kind, const loft_predictor *p, loft_item *item)
+static const uint8_t *get_point(const uint8_t *byte, bool still, enum loft_kind kind,
+                                const loft_predictor *p, loft_item *item)
 {
     uint32_t r[LOFT_AXES] = { 0 };
 
@@ -139,7 +146,8 @@ static const uint8_t *get_point(const uint8_t *byte, bool still, enum loft_kind 
 // Packing
 // -------
 
-void loft_packer_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t *byte, uint8_t room)
+void loft_packer_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor,
+                      uint8_t *byte, uint8_t room)
 {
     p->predictor = *predictor;
     p->byte  = byte;
@@ -174,7 +182,8 @@ static uint16_t most_ticks(enum loft_kind kind)
     return kind == LOFT_CURVES ? 0xFFFFu : kind == LOFT_SPANS ? LOFT_SPAN_TICKS_MAX : 1;
 }
 
-static uint8_t put_item(uint8_t *byte, enum loft_kind kind, const loft_predictor *p, const loft_item *item)
+static uint8_t put_item(uint8_t *byte, enum loft_kind kind, const loft_predictor *p,
+                        const loft_item *item)
 {
     return kind == LOFT_CURVES ? loft_curve_encode(byte, p, item)
          : kind == LOFT_SPANS  ? put_span(byte, p, item) : put_point(byte, kind, p, item);
@@ -209,11 +218,13 @@ enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
 
 static uint8_t item_size(enum loft_kind kind, const uint8_t *byte, uint8_t left)
 {
-    return kind == LOFT_CURVES ? loft_curve_size(byte, left) : kind == LOFT_SPANS ? span_size(byte, left) : loft_point_size(byte, left);
+    return kind == LOFT_CURVES  ? loft_curve_size(byte, left)
+           : kind == LOFT_SPANS ? span_size(byte, left)
+                                : loft_point_size(byte, left);
 }
 
-enum loft_status loft_unpacker_init(loft_unpacker *u, enum loft_kind kind, const uint8_t *byte, uint8_t size,
-                                    uint8_t count)
+enum loft_status loft_unpacker_init(loft_unpacker *u, enum loft_kind kind, const uint8_t *byte,
+                                    uint8_t size, uint8_t count)
 {
     uint16_t found = 0;
     for (uint8_t at = 0, n; at < size; at = (uint8_t)(at + n)) {

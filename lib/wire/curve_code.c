@@ -32,7 +32,8 @@ static bool is_straight(const loft_predictor *p, const loft_item *item)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t p3 = (uint32_t)item->p[2][i], part = third(p3 - p->position[i]);
-        if ((uint32_t)item->p[0][i] != p->position[i] + part || (uint32_t)item->p[1][i] != p3 - part)
+        if ((uint32_t)item->p[0][i] != p->position[i] + part ||
+            (uint32_t)item->p[1][i] != p3 - part)
             return false;
     }
     return true;
@@ -40,10 +41,12 @@ static bool is_straight(const loft_predictor *p, const loft_item *item)
 
 static bool moves(const loft_predictor *p, const loft_item *item, int i)
 {
-    return (uint32_t)item->p[0][i] != p->position[i] || item->p[1][i] != item->p[0][i] || item->p[2][i] != item->p[0][i];
+    return (uint32_t)item->p[0][i] != p->position[i] || item->p[1][i] != item->p[0][i] ||
+           item->p[2][i] != item->p[0][i];
 }
 
-uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *p, const loft_item *item)
+uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *p,
+                          const loft_item *item)
 {
     const bool straight = is_straight(p, item), feed = item->ticks != p->bend[0];
     uint8_t n = 1;

@@ -6,17 +6,18 @@
 #  include "num/avr.h"      /* loft_avr_flash */
 #endif
 
-/* CRC-32C: polynomial 0x1EDC6F41, here with its bits reversed (0x82F63B78), least significant bit first.
- * Hamming distance 6 up to 655 bytes (Koopman, Cyclic redundancy code polynomial selection for embedded
- * networks, 2004). The table holds the remainders of the 16 nibbles:
+/* CRC-32C: polynomial 0x1EDC6F41, here with its bits reversed (0x82F63B78), least significant bit
+ * first. Hamming distance 6 up to 655 bytes (Koopman, Cyclic redundancy code polynomial selection
+ * for embedded networks, 2004). The table holds the remainders of the 16 nibbles:
  *
  *     crc(byte) = two times   crc' = crc >> 4  xor  table[(crc xor nibble) mod 16]
  *
- * Initial value and final inversion are FFFFFFFF: without an inversion a 0x00 put in front of the delimiter or
- * behind the CRC would pass. The register starts where FFFFFFFF has gone after the four bytes "loft": a frame of
- * another protocol with the same CRC is refused at no cost on the wire. After content and its CRC the register
- * holds a constant, whatever the content: one comparison, no second copy of the CRC. A seal on the CRC changes the register by
- * what the seal alone makes of a register of zeros, since a CRC is linear. */
+ * Initial value and final inversion are FFFFFFFF: without an inversion a 0x00 put in front of the
+ * delimiter or behind the CRC would pass. The register starts where FFFFFFFF has gone after the
+ * four bytes "loft": a frame of another protocol with the same CRC is refused at no cost on the
+ * wire. After content and its CRC the register holds a constant, whatever the content: one
+ * comparison, no second copy of the CRC. A seal on the CRC changes the register by what the seal
+ * alone makes of a register of zeros, since a CRC is linear. */
 #define CRC_START   0x73AC3B06u         /* of "loft"                */
 #define CRC_PASSED  0xB798B438u         /* after any good frame     */
 
@@ -30,10 +31,10 @@
 
 uint32_t loft_crc(uint32_t crc, uint8_t byte)
 {
-    static const uint32_t table[16] TABLE = {
-        0x00000000u, 0x105EC76Fu, 0x20BD8EDEu, 0x30E349B1u, 0x417B1DBCu, 0x5125DAD3u, 0x61C69362u, 0x7198540Du,
-        0x82F63B78u, 0x92A8FC17u, 0xA24BB5A6u, 0xB21572C9u, 0xC38D26C4u, 0xD3D3E1ABu, 0xE330A81Au, 0xF36E6F75u
-    };
+    static const uint32_t table[16] TABLE = { 0x00000000u, 0x105EC76Fu, 0x20BD8EDEu, 0x30E349B1u,
+                                              0x417B1DBCu, 0x5125DAD3u, 0x61C69362u, 0x7198540Du,
+                                              0x82F63B78u, 0x92A8FC17u, 0xA24BB5A6u, 0xB21572C9u,
+                                              0xC38D26C4u, 0xD3D3E1ABu, 0xE330A81Au, 0xF36E6F75u };
     crc = (crc >> 4) ^ ENTRY(crc ^ byte);
     return (crc >> 4) ^ ENTRY(crc ^ (uint32_t)(byte >> 4));
 }
@@ -45,9 +46,10 @@ uint32_t loft_crc32(uint32_t crc, uint32_t x)
     return crc;
 }
 
-/* COBS: the content is cut at its zeros; each piece is sent behind a code byte that tells its length + 1, so the
- * zeros themselves need not be sent. A frame is shorter than 254 bytes, hence no piece needs to be split and the
- * overhead is exactly one byte. The code FF, which means a split, makes the frame too long and so refused.
+/* COBS: the content is cut at its zeros; each piece is sent behind a code byte that tells its
+ * length + 1, so the zeros themselves need not be sent. A frame is shorter than 254 bytes, hence no
+ * piece needs to be split and the overhead is exactly one byte. The code FF, which means a split,
+ * makes the frame too long and so refused.
  *
  * flags: */
 #define STARTED 1u      /* a byte has come since the last delimiter             */
@@ -113,7 +115,8 @@ enum loft_status loft_frame_push(loft_frame *f, uint8_t byte)
     return LOFT_MORE;
 }
 
-/* In place, because content starts at wire[1]: the code of a piece takes the place of the zero before it. */
+/* In place, because content starts at wire[1]: the code of a piece takes the place of the zero
+ * before it. */
 static void stuff(uint8_t wire[], size_t size)
 {
     size_t code = 0;
@@ -126,7 +129,10 @@ static void stuff(uint8_t wire[], size_t size)
     wire[size + 1] = 0;
 }
 
-size_t loft_frame_encode(uint8_t wire[LOFT_FRAME_MAX], size_t count)  { return loft_frame_seal(wire, count, 0); }
+size_t loft_frame_encode(uint8_t wire[LOFT_FRAME_MAX], size_t count)
+{
+    return loft_frame_seal(wire, count, 0);
+}
 
 size_t loft_frame_seal(uint8_t wire[LOFT_FRAME_MAX], size_t count, uint32_t seal)
 {

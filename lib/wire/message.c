@@ -20,8 +20,16 @@ typedef struct {
 } writer;
 
 static void put8(writer *w, uint8_t x)      { w->wire[++w->size] = x; }
-static void put16(writer *w, uint16_t x)    { put8(w, (uint8_t)(x & 0xFFu)); put8(w, (uint8_t)(x >> 8)); }
-static void put32(writer *w, uint32_t x)    { put16(w, (uint16_t)(x & 0xFFFFu)); put16(w, (uint16_t)(x >> 16)); }
+static void put16(writer *w, uint16_t x)
+{
+    put8(w, (uint8_t)(x & 0xFFu));
+    put8(w, (uint8_t)(x >> 8));
+}
+static void put32(writer *w, uint32_t x)
+{
+    put16(w, (uint16_t)(x & 0xFFFFu));
+    put16(w, (uint16_t)(x >> 16));
+}
 static void put_axes(writer *w, const int32_t x[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++)
@@ -69,8 +77,16 @@ static uint8_t get8(reader *r)
     return r->frame->byte[r->at++];
 }
 
-static uint16_t get16(reader *r)            { const uint16_t low = get8(r);  return (uint16_t)(low | (unsigned)get8(r) << 8); }
-static uint32_t get32(reader *r)            { const uint32_t low = get16(r); return low | (uint32_t)get16(r) << 16; }
+static uint16_t get16(reader *r)
+{
+    const uint16_t low = get8(r);
+    return (uint16_t)(low | (unsigned)get8(r) << 8);
+}
+static uint32_t get32(reader *r)
+{
+    const uint32_t low = get16(r);
+    return low | (uint32_t)get16(r) << 16;
+}
 static int32_t  get_i32(reader *r)
 {
     const uint32_t x = get32(r);
@@ -134,6 +150,7 @@ size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRA
     put32(&w, m->nonce);
     put32(&w, m->id);
     put8(&w, m->kind);
+    put16(&w, m->away);
     put_axes(&w, m->start);
     if (m->kind == LOFT_CURVES)
         put_limits(&w, m->limits);
@@ -146,6 +163,7 @@ static reader read_job(const loft_frame *f, loft_job *m)
     m->nonce = get32(&r);
     m->id    = get32(&r);
     m->kind  = get8(&r);
+    m->away  = get16(&r);
     get_axes(&r, m->start);
     m->limits = NULL;
     return r;
@@ -156,7 +174,8 @@ enum loft_status loft_job_decode(const loft_frame *f, loft_job *m)
     reader r = read_job(f, m);
     if (m->kind == LOFT_CURVES)
         r.at = (uint8_t)(r.at + LIMITS_BYTES);
-    return read_all(&r, m->id != 0 && (m->kind == LOFT_SPANS || m->kind == LOFT_POINTS || m->kind == LOFT_CURVES));
+    return read_all(&r, m->id != 0 && (m->kind == LOFT_SPANS || m->kind == LOFT_POINTS ||
+                                       m->kind == LOFT_CURVES));
 }
 
 enum loft_status loft_job_limits_decode(const loft_frame *f, loft_job_limits *m)
@@ -202,7 +221,9 @@ enum loft_status loft_control_decode(const loft_frame *f, loft_control *m)
     m->number = get8(&r);
     m->verb   = get8(&r);
     m->value  = get8(&r);
-    return read_all(&r, m->verb == LOFT_OVERRIDE ? m->value >= 1 && m->value <= 200 : m->verb >= LOFT_HOLD && m->verb <= LOFT_CLOSE && m->value == 0);
+    return read_all(&r, m->verb == LOFT_OVERRIDE
+                            ? m->value >= 1 && m->value <= 200
+                            : m->verb >= LOFT_HOLD && m->verb <= LOFT_CLOSE && m->value == 0);
 }
 
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
@@ -214,16 +235,20 @@ size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 /* Before the items: type, session, first 2, count. */
 #define ITEMS_AT 5
 
-void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t frame_max,
-                    uint8_t wire[LOFT_FRAME_MAX])
+void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor,
+                    uint8_t frame_max, uint8_t wire[LOFT_FRAME_MAX])
 {
     const uint8_t most = frame_max < LOFT_FRAME_MAX ? frame_max : LOFT_FRAME_MAX;
-    const uint8_t room = most > ITEMS_AT + LOFT_FRAME_EXTRA ? (uint8_t)(most - ITEMS_AT - LOFT_FRAME_EXTRA) : 0;
+    const uint8_t room = most > ITEMS_AT + LOFT_FRAME_EXTRA
+                             ? (uint8_t)(most - ITEMS_AT - LOFT_FRAME_EXTRA)
+                             : 0;
     loft_packer_init(p, kind, predictor, wire + 1 + ITEMS_AT, room);
 }
 
-static const uint8_t message_of[] = { [LOFT_SPANS] = LOFT_DATA_SPANS, [LOFT_POINTS] = LOFT_DATA_POINTS,
-                                      [LOFT_POINTS_FINE] = LOFT_DATA_FINE, [LOFT_CURVES] = LOFT_DATA_CURVES };
+static const uint8_t message_of[] = { [LOFT_SPANS] = LOFT_DATA_SPANS,
+                                      [LOFT_POINTS] = LOFT_DATA_POINTS,
+                                      [LOFT_POINTS_FINE] = LOFT_DATA_FINE,
+                                      [LOFT_CURVES] = LOFT_DATA_CURVES };
 
 static enum loft_kind kind_of(enum loft_message type)
 {
@@ -236,7 +261,8 @@ bool loft_data_carried(const loft_frame *f)
     return loft_message_type(f) == message_of[kind_of(loft_message_type(f))];
 }
 
-size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session,
+                        uint8_t wire[LOFT_FRAME_MAX])
 {
     writer w = start(wire, (enum loft_message)message_of[p->kind], LOFT_WIRE_VERSION, session);
     put16(&w, (uint16_t)(first & 0xFFFFu));
@@ -257,7 +283,8 @@ enum loft_status loft_data_decode(const loft_frame *f, loft_unpacker *u)
     (void)get16(&r);
     const uint8_t count = get8(&r);
     return r.bad ? LOFT_ERR_DATA
-                 : loft_unpacker_init(u, kind_of(loft_message_type(f)), f->byte + ITEMS_AT, (uint8_t)(f->count - ITEMS_AT), count);
+                 : loft_unpacker_init(u, kind_of(loft_message_type(f)), f->byte + ITEMS_AT,
+                                      (uint8_t)(f->count - ITEMS_AT), count);
 }
 
 
@@ -318,6 +345,7 @@ size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[
     put8(&w, m->kinds);
     put16(&w, m->curves);
     put16(&w, m->points);
+    put16(&w, m->closed);
     return finish(&w);
 }
 
@@ -344,6 +372,7 @@ enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m)
     }
     if (f->count > r.at)
         m->points = get16(&r);
+    m->closed = f->count > r.at ? get16(&r) : 0;
     return read_some(&r, sound);
 }
 
@@ -371,7 +400,8 @@ enum loft_status loft_axis_decode(const loft_frame *f, loft_axis *m)
     return read_all(&r, m->number < LOFT_AXES);
 }
 
-size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session,
+                                  uint8_t wire[LOFT_FRAME_MAX])
 {
     writer w = start(wire, LOFT_STATUS, LOFT_WIRE_VERSION, session);
     put_ack(&w, &m->ack);
@@ -381,6 +411,7 @@ size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session,
     put32(&w, m->damaged);
     put32(&w, m->dropped);
     put8(&w, m->override);
+    put16(&w, m->closed);
     put_axes(&w, m->position);
     return finish(&w);
 }
@@ -395,6 +426,7 @@ enum loft_status loft_machine_status_decode(const loft_frame *f, loft_machine_st
     m->damaged = get32(&r);
     m->dropped = get32(&r);
     m->override = get8(&r);
+    m->closed  = get16(&r);
     get_axes(&r, m->position);
     return read_all(&r, sound);
 }
@@ -408,6 +440,7 @@ size_t loft_report_encode(const loft_report *m, uint8_t session, uint8_t wire[LO
     put32(&w, m->elapsed);
     put32(&w, m->slowed);
     put8(&w, m->state);
+    put16(&w, m->ended_by);
     put_axes(&w, m->position);
     return finish(&w);
 }
@@ -421,6 +454,8 @@ enum loft_status loft_report_decode(const loft_frame *f, loft_report *m)
     m->elapsed = get32(&r);
     m->slowed  = get32(&r);
     m->state   = get8(&r);
+    m->ended_by = get16(&r);
     get_axes(&r, m->position);
-    return read_all(&r, m->job != 0 && (m->state == LOFT_STATE_DONE || m->state == LOFT_STATE_ABORTED));
+    return read_all(&r,
+                    m->job != 0 && (m->state == LOFT_STATE_DONE || m->state == LOFT_STATE_ABORTED));
 }

@@ -1,8 +1,9 @@
 /* lib/wire/message.h -- messages: what the content of a frame says
  * SPDX-License-Identifier: MIT
  *
- * Every message is a struct and two functions: encode makes a whole frame of it, ready to be sent; decode
- * reads the content of a received frame. All numbers are little endian; WIRE.md has the tables.
+ * Every message is a struct and two functions: encode makes a whole frame of it, ready to be sent;
+ * decode reads the content of a received frame. All numbers are little endian; WIRE.md has the
+ * tables.
  *
  *     host to machine   HELLO  JOB  SPANS  POINTS  FINE  CURVES  END  CONTROL  POLL
  *     machine to host   WELCOME  AXIS  ACK  STATUS  REPORT
@@ -13,22 +14,26 @@
 #include "wire/codec.h"     /* loft_packer, enum loft_kind */
 #include "wire/frame.h"     /* LOFT_FRAME_MAX, loft_frame  */
 
-#define LOFT_WIRE_VERSION 1
+LOFT_BEGIN_C
+
+#define LOFT_WIRE_VERSION 2
 
 enum loft_message {
-    LOFT_HELLO   = 0x1,     LOFT_WELCOME = 0x8,     /* who is there? the one thing that never changes its form */
+    LOFT_HELLO   = 0x1,     LOFT_WELCOME = 0x8,     /* who is there? the one thing that never
+                                                     * changes its form */
     LOFT_JOB     = 0x2,     LOFT_AXIS    = 0x9,
     LOFT_DATA_SPANS  = 0x3, LOFT_ACK     = 0xA,
     LOFT_DATA_POINTS = 0x4, LOFT_STATUS  = 0xB,
     LOFT_END     = 0x5,     LOFT_REPORT  = 0xC,
     LOFT_CONTROL = 0x6,
     LOFT_POLL    = 0x7,
-    LOFT_DATA_FINE   = 0xD,                         /* from the host: POINTS, packed by third differences */
-    LOFT_DATA_CURVES = 0xE                          /* from the host                                      */
+    LOFT_DATA_FINE   = 0xD,                         /* from the host: POINTS, packed by third
+                                                     * differences */
+    LOFT_DATA_CURVES = 0xE                          /* from the host */
 };
 
 /* What the machine is doing. */
-enum loft_state {
+enum loft_machine_state {
     LOFT_STATE_IDLE,        /* no job                                                           */
     LOFT_STATE_RUNNING,     /* in a job: moving, or waiting for items                           */
     LOFT_STATE_HOLDING,     /* slowing down on the path, to be held                             */
@@ -60,8 +65,19 @@ enum loft_refusal {
     LOFT_REFUSAL_KIND,      /* the machine does not take items of this kind                     */
     LOFT_REFUSAL_ITEM,      /* an item cannot be read, or asks for more than the machine can do */
     LOFT_REFUSAL_FAULT,     /* the machine's position is not to be trusted                      */
-    LOFT_REFUSAL_LIMITS     /* the limits that the job asks for are impossible                  */
+    LOFT_REFUSAL_LIMITS,    /* the limits that the job asks for are impossible                  */
+    LOFT_REFUSAL_INPUT      /* a limit switch or the emergency stop is closed                   */
 };
+
+/* Inputs of a machine, a bit each, 1: closed. A limit switch that serves both ends of its axis is
+ * both. */
+#define LOFT_INPUT_LOW(axis)    ((uint16_t)(1u << 2 * (axis)))
+#define LOFT_INPUT_HIGH(axis)   ((uint16_t)(2u << 2 * (axis)))
+#define LOFT_INPUT_ENDS(axis)   ((uint16_t)(3u << 2 * (axis)))
+#define LOFT_INPUT_STOP         0x1000u     /* the emergency stop                               */
+#define LOFT_INPUT_HOLD         0x2000u     /* the buttons                                      */
+#define LOFT_INPUT_RESUME       0x4000u
+#define LOFT_INPUT_ENDING       0x1FFFu     /* those that end a job, and let none begin         */
 
 enum loft_verb {
     LOFT_HOLD   = 1,        /* slow down on the path, stand still                               */
@@ -78,82 +94,89 @@ typedef struct {
 
 /* What a machine that plans is asked to keep to, beside its own limits. */
 typedef struct {
-    int32_t corner, tol;                /* as in lib/motion/limits.h, mm, raw Q16.16                */
+    int32_t corner, tol;                /* as in lib/motion/limits.h, mm, raw Q16.16 */
     struct {
-        int32_t  max_speed, max_accel;  /* raw Q16.16; the machine's own are stronger               */
-        uint32_t max_jerk;              /* mm/s^3; 0: not limited                                   */
+        int32_t  max_speed, max_accel;  /* raw Q16.16; the machine's own are stronger */
+        uint32_t max_jerk;              /* mm/s^3; 0: not limited */
     } axis[LOFT_AXES];
 } loft_job_limits;
 
 typedef struct {
-    uint32_t nonce;                     /* of the HELLO that began the session: a job is for this connection only */
-    uint32_t id;                        /* not 0; the same for the same job, see loft_job_id        */
-    uint8_t  kind;                      /* enum loft_kind                                           */
-    int32_t  start[LOFT_AXES];          /* spans, curves: raw Q16.16 mm; points: steps              */
-    const loft_job_limits *limits;      /* to be sent with curves; decode leaves it NULL            */
+    uint32_t nonce;                     /* of the HELLO that began the session: a job is for this
+                                         * connection only */
+    uint32_t id;                        /* not 0; the same for the same job, see loft_job_id */
+    uint8_t  kind;                      /* enum loft_kind */
+    uint16_t away;                      /* inputs from which it moves away: closed, they hinder it
+                                         * not, until they have opened */
+    int32_t  start[LOFT_AXES];          /* spans, curves: raw Q16.16 mm; points: steps */
+    const loft_job_limits *limits;      /* to be sent with curves; decode leaves it NULL */
 } loft_job;
 
 typedef struct {
-    uint8_t number;                     /* counts up; the same number is obeyed once                */
-    uint8_t verb;                       /* enum loft_verb                                           */
-    uint8_t value;                      /* of LOFT_OVERRIDE: 1..200; else 0                         */
+    uint8_t number;                     /* counts up; the same number is obeyed once */
+    uint8_t verb;                       /* enum loft_verb */
+    uint8_t value;                      /* of LOFT_OVERRIDE: 1..200; else 0 */
 } loft_control;
 
 /* How far things are: part of every answer. */
 typedef struct {
-    uint32_t next;                      /* items taken = number of the next item wanted             */
-    uint32_t limit;                     /* items below this number may be sent                      */
-    uint32_t executed;                  /* items executed entirely                                  */
-    uint8_t  state;                     /* enum loft_state                                          */
-    uint8_t  flags;                     /* of enum loft_flag                                        */
-    uint8_t  refusal;                   /* enum loft_refusal: the last one in this session          */
-    uint8_t  control;                   /* number of the last CONTROL obeyed in this session        */
+    uint32_t next;                      /* items taken = number of the next item wanted */
+    uint32_t limit;                     /* items below this number may be sent */
+    uint32_t executed;                  /* items executed entirely */
+    uint8_t  state;                     /* enum loft_machine_state */
+    uint8_t  flags;                     /* of enum loft_flag */
+    uint8_t  refusal;                   /* enum loft_refusal: the last one in this session */
+    uint8_t  control;                   /* number of the last CONTROL obeyed in this session */
 } loft_ack;
 
 typedef struct {
-    uint8_t  version;                   /* 0: none in common                                        */
-    uint32_t nonce;                     /* HELLO's                                                  */
-    uint32_t boot;                      /* another one for each start of the machine                */
-    uint32_t job;                       /* 0: none                                                  */
+    uint8_t  version;                   /* 0: none in common */
+    uint32_t nonce;                     /* HELLO's */
+    uint32_t boot;                      /* another one for each start of the machine */
+    uint32_t job;                       /* 0: none */
     loft_ack ack;
     uint8_t  axes;
-    uint8_t  num;                       /* LOFT_Q16, LOFT_F32, LOFT_F64                             */
-    uint8_t  frame_max;                 /* the longest frame that the machine takes                 */
-    uint16_t queue;                     /* spans that fit the queue                                 */
-    uint16_t tick_hz;                   /* ticks per second                                         */
-    uint16_t slots;                     /* chances to step per tick                                 */
-    uint8_t  kinds;                     /* bit k: items of kind k are taken                         */
-    uint16_t curves;                    /* that its plan can hold; 0: it does not plan              */
-    uint16_t points;                    /* that fit its queue at the least                          */
+    uint8_t  num;                       /* LOFT_Q16, LOFT_F32, LOFT_F64 */
+    uint8_t  frame_max;                 /* the longest frame that the machine takes */
+    uint16_t queue;                     /* spans that fit the queue */
+    uint16_t tick_hz;                   /* ticks per second */
+    uint16_t slots;                     /* chances to step per tick */
+    uint8_t  kinds;                     /* bit k: items of kind k are taken */
+    uint16_t curves;                    /* that its plan can hold; 0: it does not plan */
+    uint16_t points;                    /* that fit its queue at the least */
+    uint16_t closed;                    /* inputs */
 } loft_welcome;
 
 /* One per axis after each WELCOME. */
 typedef struct {
-    uint8_t number;                     /* 0 .. axes - 1                                            */
-    int32_t steps_per_mm;               /* raw Q16.16                                               */
-    int32_t max_speed;                  /* mm/s, raw Q16.16                                         */
-    int32_t max_accel;                  /* mm/s^2, raw Q16.16                                       */
-    int32_t position;                   /* steps                                                    */
-    int32_t start;                      /* of the job, as in loft_job; 0 if there is none           */
+    uint8_t number;                     /* 0 .. axes - 1 */
+    int32_t steps_per_mm;               /* raw Q16.16 */
+    int32_t max_speed;                  /* mm/s, raw Q16.16 */
+    int32_t max_accel;                  /* mm/s^2, raw Q16.16 */
+    int32_t position;                   /* steps */
+    int32_t start;                      /* of the job, as in loft_job; 0 if there is none */
 } loft_axis;
 
 typedef struct {
     loft_ack ack;
-    uint32_t ticks;                     /* ticks of the job's plan executed                         */
-    uint32_t elapsed;                   /* ticks of time that took                                  */
-    uint32_t slowed;                    /* ticks that lasted longer because their steps did not fit */
-    uint32_t damaged;                   /* frames that arrived damaged                              */
-    uint32_t dropped;                   /* good frames not taken: repeated, early, unknown, stale   */
-    uint8_t  override;                  /* percent, as ordered                                      */
-    int32_t  position[LOFT_AXES];       /* steps                                                    */
+    uint32_t ticks;                     /* ticks of the job's plan executed */
+    uint32_t elapsed;                   /* ticks of time that took */
+    uint32_t slowed;                    /* ticks that lasted longer because their steps did not
+                                         * fit */
+    uint32_t damaged;                   /* frames that arrived damaged */
+    uint32_t dropped;                   /* good frames not taken: repeated, early, unknown, stale */
+    uint8_t  override;                  /* percent, as ordered */
+    uint16_t closed;                    /* inputs */
+    int32_t  position[LOFT_AXES];       /* steps */
 } loft_machine_status;
 
 typedef struct {
     uint32_t job;
-    uint32_t items;                     /* executed                                                 */
-    uint32_t ticks, elapsed, slowed;    /* as in loft_machine_status                                */
-    uint8_t  state;                     /* LOFT_STATE_DONE or LOFT_STATE_ABORTED                    */
-    int32_t  position[LOFT_AXES];       /* where the pulses have led, in steps                      */
+    uint32_t items;                     /* executed */
+    uint32_t ticks, elapsed, slowed;    /* as in loft_machine_status */
+    uint8_t  state;                     /* LOFT_STATE_DONE or LOFT_STATE_ABORTED */
+    uint16_t ended_by;                  /* inputs that ended the job; 0: none did */
+    int32_t  position[LOFT_AXES];       /* where the pulses have led, in steps */
 } loft_report;
 
 
@@ -161,8 +184,14 @@ typedef struct {
 // ---------
 
 /* Of the content of a frame: what it is, and the session it belongs to. */
-static inline enum loft_message loft_message_type(const loft_frame *f)    { return (enum loft_message)(f->byte[0] >> 4); }
-static inline uint8_t           loft_message_version(const loft_frame *f) { return f->byte[0] & 15; }
+static inline enum loft_message loft_message_type(const loft_frame *f)
+{
+    return (enum loft_message)(f->byte[0] >> 4);
+}
+static inline uint8_t loft_message_version(const loft_frame *f)
+{
+    return f->byte[0] & 15;
+}
 static inline uint8_t           loft_message_session(const loft_frame *f) { return f->byte[1]; }
 
 
@@ -176,22 +205,25 @@ size_t loft_end_encode(uint32_t total, uint8_t session, uint8_t wire[LOFT_FRAME_
 size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* SPANS, POINTS, FINE and CURVES: init prepares `p` to pack items into the frame, encode finishes it with what was packed.
- * `frame_max` is the longest frame that the machine takes; LOFT_FRAME_MAX is kept to as well; `seal` is
- * loft_predictor_seal of `predictor`, before the items. */
-void   loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor, uint8_t frame_max,
-                      uint8_t wire[LOFT_FRAME_MAX]);
+/* SPANS, POINTS, FINE and CURVES: init prepares `p` to pack items into the frame, encode finishes
+ * it with what was packed. `frame_max` is the longest frame that the machine takes; LOFT_FRAME_MAX
+ * is kept to as well; `seal` is loft_predictor_seal of `predictor`, before the items. */
+void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor,
+                    uint8_t frame_max, uint8_t wire[LOFT_FRAME_MAX]);
 bool   loft_data_carried(const loft_frame *f);     /* is it one of these? */
-size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session,
+                        uint8_t wire[LOFT_FRAME_MAX]);
 
-/* SPANS, POINTS, FINE or CURVES: the number of its first item modulo 65536. Look at it before the seal: only the item that `first`
- * names has a predictor to seal with. LOFT_ERR_DATA: too short. */
+/* SPANS, POINTS, FINE or CURVES: the number of its first item modulo 65536. Look at it before the
+ * seal: only the item that `first` names has a predictor to seal with. LOFT_ERR_DATA: too short. */
 enum loft_status loft_data_first(const loft_frame *f, uint16_t *first) LOFT_CHECKED;
 
-/* Each decode gives LOFT_ERR_DATA if the content has another length or holds a value that its table does not list. */
+/* Each decode gives LOFT_ERR_DATA if the content has another length or holds a value that its table
+ * does not list. */
 enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m) LOFT_CHECKED;
 enum loft_status loft_job_decode(const loft_frame *f, loft_job *m) LOFT_CHECKED;
-enum loft_status loft_job_limits_decode(const loft_frame *f, loft_job_limits *m) LOFT_CHECKED;     /* of a JOB of curves */
+/* of a JOB of curves */
+enum loft_status loft_job_limits_decode(const loft_frame *f, loft_job_limits *m) LOFT_CHECKED;
 enum loft_status loft_end_decode(const loft_frame *f, uint32_t *total) LOFT_CHECKED;
 enum loft_status loft_control_decode(const loft_frame *f, loft_control *m) LOFT_CHECKED;
 enum loft_status loft_data_decode(const loft_frame *f, loft_unpacker *u) LOFT_CHECKED;
@@ -204,14 +236,18 @@ enum loft_status loft_data_decode(const loft_frame *f, loft_unpacker *u) LOFT_CH
 size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_axis_encode(const loft_axis *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_ack_encode(const loft_ack *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
-size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session,
+                                  uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_report_encode(const loft_report *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
 /* As above. */
 enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m) LOFT_CHECKED;
 enum loft_status loft_axis_decode(const loft_frame *f, loft_axis *m) LOFT_CHECKED;
 enum loft_status loft_ack_decode(const loft_frame *f, loft_ack *m) LOFT_CHECKED;
-enum loft_status loft_machine_status_decode(const loft_frame *f, loft_machine_status *m) LOFT_CHECKED;
+enum loft_status loft_machine_status_decode(const loft_frame *f,
+                                            loft_machine_status *m) LOFT_CHECKED;
 enum loft_status loft_report_decode(const loft_frame *f, loft_report *m) LOFT_CHECKED;
+
+LOFT_END_C
 
 #endif

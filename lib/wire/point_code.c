@@ -5,7 +5,8 @@
 
 /* A point is one group of residuals for each three axes (the last group may have one or two):
  *
- *     0..124      residuals r0 r1 r2 in -2..2:  (r0 + 2) + 5 (r1 + 2) + 25 (r2 + 2); absent axes count as r = 0
+ *     0..124      residuals r0 r1 r2 in -2..2:  (r0 + 2) + 5 (r1 + 2) + 25 (r2 + 2); absent axes
+ *                                               count as r = 0
  *     125         each residual in one byte, int8
  *     126         each in two bytes, int16, low byte first
  *     127         each in four bytes, int32
@@ -25,7 +26,10 @@ static uint8_t width_of(const uint32_t r[3])
 {
     uint8_t width = 0;
     for (int i = 0; i < 3; i++) {
-        const uint8_t w = r[i] + 2u <= 4u ? 0 : r[i] + 0x80u <= 0xFFu ? 1 : r[i] + 0x8000u <= 0xFFFFu ? 2 : 4;
+        const uint8_t w = r[i] + 2u <= 4u             ? 0
+                          : r[i] + 0x80u <= 0xFFu     ? 1
+                          : r[i] + 0x8000u <= 0xFFFFu ? 2
+                                                      : 4;
         if (w > width)
             width = w;
     }
@@ -76,7 +80,8 @@ static const uint8_t *get_group(const uint8_t *byte, uint32_t r[3], uint8_t axes
     }
     const uint8_t width = (uint8_t)(1u << (code - WIDE8));
     for (uint8_t i = 0; i < axes; i++) {
-        r[i] = byte[width - 1] & 0x80u ? 0xFFFFFFFFu : 0u;      /* the sign, shifted out at width 4 */
+        /* the sign, shifted out at width 4 */
+        r[i] = byte[width - 1] & 0x80u ? 0xFFFFFFFFu : 0u;
         for (uint8_t k = width; k > 0; k--)
             r[i] = (r[i] << 8) | byte[k - 1];
         byte += width;
@@ -102,7 +107,8 @@ uint8_t loft_point_size(const uint8_t *byte, uint8_t left)
         if (size >= left || byte[size] >= RUN)
             return 0;
         const uint8_t code = byte[size];
-        size = (uint16_t)(size + 1u + (code < WIDE8 ? 0u : (unsigned)group_axes(first) << (code - WIDE8)));
+        size = (uint16_t)(size + 1u +
+                          (code < WIDE8 ? 0u : (unsigned)group_axes(first) << (code - WIDE8)));
     }
     return (uint8_t)(size <= left ? size : 0);
 }

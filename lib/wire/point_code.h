@@ -1,10 +1,13 @@
-/* lib/wire/point_code.h -- a point of a job as bytes: what prediction leaves of each axis, as a rule -2..2
+/* lib/wire/point_code.h -- a point of a job as bytes: what prediction leaves of each axis, as a
+ * rule -2..2
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_WIRE_POINT_CODE_H
 #define LOFT_WIRE_POINT_CODE_H
 
 #include "num/num.h"    /* LOFT_AXES, uint8_t */
+
+LOFT_BEGIN_C
 
 #define LOFT_POINT_GROUPS ((LOFT_AXES + 2) / 3)
 
@@ -28,5 +31,7 @@ const uint8_t *loft_point_decode(const uint8_t *byte, uint32_t residual[LOFT_AXE
 
 /* The length of the point at byte[0], 0 if it is cut off or broken. */
 uint8_t loft_point_size(const uint8_t *byte, uint8_t left);
+
+LOFT_END_C
 
 #endif

@@ -1,10 +1,11 @@
 /* lib/wire/receiver.c -- the machine's half of a session
  * SPDX-License-Identifier: MIT
  *
- * Exactly once: `next` is the number of the only item that is taken, and it grows in the same call that gives the
- * item away. A frame that starts anywhere else is answered with `next` and forgotten, so a repeated frame does
- * nothing and a missing one is asked for. No answer carries a change, only states (next, limit, number of the last
- * control): an answer lost or doubled does no harm.
+ * Exactly once: `next` is the number of the only item that is taken, and it grows in the same call
+ * that gives the item away. A frame that starts anywhere else is answered with `next` and
+ * forgotten, so a repeated frame does nothing and a missing one is asked for. No answer carries a
+ * change, only states (next, limit, number of the last control): an answer lost or doubled does no
+ * harm.
  */
 #include "wire/receiver.h"
 
@@ -60,7 +61,8 @@ static void spoil(loft_receiver *r)
 
 bool loft_receiver_push(loft_receiver *r, uint8_t byte)
 {
-    if (r->fresh || r->unpacker.count > 0) {    /* the caller did not look: as if the rest had not come */
+    if (r->fresh || r->unpacker.count > 0) {    /* the caller did not look: as if the rest had not
+                                                 * come */
         r->fresh = false;
         r->unpacker.count = 0;
         r->dropped++;
@@ -71,7 +73,8 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte)
         r->fresh = true;
         return true;
     case LOFT_ERR_DATA:
-        if (r->frame.count > 0 && for_us(r) && loft_data_carried(&r->frame)) {  /* sealed: take_data knows */
+        if (r->frame.count > 0 && for_us(r) && loft_data_carried(&r->frame)) {
+            /* sealed: take_data knows */
             r->fresh = true;
             return true;
         }
@@ -128,9 +131,13 @@ static enum loft_event take_job(loft_receiver *r, const loft_standing *now, loft
     if (loft_job_decode(&r->frame, m) != LOFT_OK || m->nonce != r->nonce)
         return drop(r, 0);
     if (m->id == r->job && (r->opened || now->state == LOFT_STATE_DONE))
-        return drop(r, DUE_ACK);                        /* the same again, or drawn and not yet reported */
+        return drop(r, DUE_ACK);                        /* the same again, or drawn and not yet
+                                                         * reported */
     if (r->opened || loft_state_busy(now->state))
         return refuse(r, LOFT_REFUSAL_BUSY);
+    if (r->refusal != LOFT_REFUSAL_NONE)
+        return drop(r, DUE_STATUS);                     /* what stood in its way may be gone, and so
+                                                         * may the host */
     if (now->state == LOFT_STATE_FAULT)
         return refuse(r, LOFT_REFUSAL_FAULT);
     if (!(r->traits->kinds & 1u << m->kind))
@@ -141,7 +148,7 @@ static enum loft_event take_job(loft_receiver *r, const loft_standing *now, loft
 void loft_receiver_answer(loft_receiver *r, const loft_job *job, enum loft_refusal refusal)
 {
     r->refusal = (uint8_t)refusal;
-    r->due    |= DUE_ACK;
+    r->due     = (uint8_t)(r->due | (refusal ? DUE_STATUS : DUE_ACK));
     if (refusal != LOFT_REFUSAL_NONE)
         return;
     r->job      = job->id;
@@ -156,7 +163,8 @@ void loft_receiver_answer(loft_receiver *r, const loft_job *job, enum loft_refus
     loft_predictor_init(&r->predictor, job->start);
 }
 
-/* Distance from `next` to the number whose low 16 bits are `first`: windows are shorter than 2^15 items. */
+/* Distance from `next` to the number whose low 16 bits are `first`: windows are shorter than 2^15
+ * items. */
 static int32_t ahead(const loft_receiver *r, uint16_t first)
 {
     const uint16_t d = (uint16_t)(first - (uint16_t)(r->next & 0xFFFFu));
@@ -179,7 +187,8 @@ static enum loft_event take_data(loft_receiver *r, const loft_standing *now)
     }
     if (loft_data_decode(&r->frame, &u) != LOFT_OK)
         return refuse(r, LOFT_REFUSAL_ITEM);
-    if ((type == LOFT_DATA_SPANS) != (r->kind == LOFT_SPANS) || (type == LOFT_DATA_CURVES) != (r->kind == LOFT_CURVES))
+    if ((type == LOFT_DATA_SPANS) != (r->kind == LOFT_SPANS) ||
+        (type == LOFT_DATA_CURVES) != (r->kind == LOFT_CURVES))
         return refuse(r, LOFT_REFUSAL_KIND);
     if (u.count > now->room || u.count > 0xFFFFFFFFu - r->next)
         return drop(r, DUE_ACK | DUE_NAK);
@@ -207,7 +216,8 @@ static enum loft_event take_end(loft_receiver *r)
 }
 
 /* Numbers count up, so that neither a repeated nor an overtaken control is obeyed. */
-static enum loft_event take_control(loft_receiver *r, const loft_standing *now, loft_event_data *out)
+static enum loft_event take_control(loft_receiver *r, const loft_standing *now,
+                                    loft_event_data *out)
 {
     loft_control m;
     if (loft_control_decode(&r->frame, &m) != LOFT_OK)
@@ -290,8 +300,9 @@ static loft_ack ack_of(loft_receiver *r, const loft_standing *now)
     a.limit    = r->told = limit_of(r, now);
     a.executed = now->executed;
     a.state    = now->state;
-    a.flags    = (uint8_t)((r->due & DUE_NAK ? LOFT_FLAG_NAK : 0) | (r->ended ? LOFT_FLAG_ENDED : 0)
-                         | (now->starved ? LOFT_FLAG_STARVED : 0) | (r->opened ? LOFT_FLAG_OPENED : 0));
+    a.flags = (uint8_t)((r->due & DUE_NAK ? LOFT_FLAG_NAK : 0) | (r->ended ? LOFT_FLAG_ENDED : 0) |
+                        (now->starved ? LOFT_FLAG_STARVED : 0) |
+                        (r->opened ? LOFT_FLAG_OPENED : 0));
     a.refusal  = r->refusal;
     a.control  = r->control;
     r->due &= (uint8_t)~(DUE_ACK | DUE_NAK);
@@ -315,10 +326,12 @@ static size_t give_welcome(loft_receiver *r, const loft_standing *now, uint8_t w
     m.kinds     = r->traits->kinds;
     m.curves    = r->traits->curves;
     m.points    = r->traits->points;
+    m.closed    = now->closed;
     return loft_welcome_encode(&m, r->session, wire);
 }
 
-static size_t give_axis(const loft_receiver *r, const loft_standing *now, uint8_t number, uint8_t wire[])
+static size_t give_axis(const loft_receiver *r, const loft_standing *now, uint8_t number,
+                        uint8_t wire[])
 {
     loft_axis m;
     m.number       = number;
@@ -340,6 +353,7 @@ static size_t give_status(loft_receiver *r, const loft_standing *now, uint8_t wi
     m.damaged = r->damaged;
     m.dropped = r->dropped;
     m.override = now->override;
+    m.closed  = now->closed;
     for (int i = 0; i < LOFT_AXES; i++)
         m.position[i] = now->position[i];
     r->due &= (uint8_t)~DUE_STATUS;
@@ -355,18 +369,21 @@ static size_t give_report(loft_receiver *r, const loft_standing *now, uint8_t wi
     m.elapsed = now->elapsed;
     m.slowed  = now->slowed;
     m.state   = now->state;
+    m.ended_by = now->ended_by;
     for (int i = 0; i < LOFT_AXES; i++)
         m.position[i] = now->position[i];
     r->due &= (uint8_t)~DUE_REPORT;
     return loft_report_encode(&m, r->session, wire);
 }
 
-/* Room is told a quarter of the queue at a time: often enough that the host never waits for it with a queue less
- * than three quarters full, seldom enough that it does not send frames of one item. */
+/* Room is told a quarter of the queue at a time: often enough that the host never waits for it with
+ * a queue less than three quarters full, seldom enough that it does not send frames of one item. */
 static void note_changes(loft_receiver *r, const loft_standing *now)
 {
     const loft_traits *t = r->traits;
-    const uint16_t most = r->kind == LOFT_CURVES ? t->curves : r->kind == LOFT_POINTS ? t->points : t->queue;
+    const uint16_t most = r->kind == LOFT_CURVES   ? t->curves
+                          : r->kind == LOFT_POINTS ? t->points
+                                                   : t->queue;
     const uint32_t step = most < 4 ? 1 : most / 4u;
 
     if (limit_of(r, now) > r->told && limit_of(r, now) - r->told >= step)

@@ -1,8 +1,9 @@
 /* lib/wire/rto.c -- how long to wait for an answer
  * SPDX-License-Identifier: MIT
  *
- * Twice the round trip beside four deviations: on a steady line the deviation goes to nothing, and then a STATUS that
- * stands in the way of an ACK must not look like a loss. Most losses are told by a NAK anyway.
+ * Twice the round trip beside four deviations: on a steady line the deviation goes to nothing, and
+ * then a STATUS that stands in the way of an ACK must not look like a loss. Most losses are told by
+ * a NAK anyway.
  */
 #include "wire/rto.h"
 
@@ -32,6 +33,9 @@ void loft_rto_reset(loft_rto *r)
     r->ms = ms < LOFT_RTO_LEAST ? LOFT_RTO_LEAST : ms > LOFT_RTO_MOST ? LOFT_RTO_MOST : ms;
 }
 
-void loft_rto_back_off(loft_rto *r)             { r->ms = r->ms > LOFT_RTO_MOST / 2 ? LOFT_RTO_MOST : 2 * r->ms; }
+void loft_rto_back_off(loft_rto *r)
+{
+    r->ms = r->ms > LOFT_RTO_MOST / 2 ? LOFT_RTO_MOST : 2 * r->ms;
+}
 
 uint32_t loft_rto_trip(const loft_rto *r)       { return r->rtt8 / 8; }

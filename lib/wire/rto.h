@@ -6,6 +6,8 @@
 
 #include "num/num.h"        /* the integer types */
 
+LOFT_BEGIN_C
+
 #define LOFT_RTO_FIRST  200     /* ms */
 #define LOFT_RTO_LEAST   25
 #define LOFT_RTO_MOST  1000
@@ -18,10 +20,12 @@ typedef struct {
 /* Nothing is measured yet: LOFT_RTO_FIRST. */
 void loft_rto_init(loft_rto *r);
 
-/* A round trip took `m` ms (0 counts as 1): smooth it. What is to be waited changes with loft_rto_reset.
+/* A round trip took `m` ms (0 counts as 1): smooth it. What is to be waited changes with
+ * loft_rto_reset.
  *
  *   range   m to 2^28
- *   see     V. Jacobson, Congestion avoidance and control, 1988: srtt += (m - srtt) / 8, var += (|m - srtt| - var) / 4
+ *   see     V. Jacobson, Congestion avoidance and control, 1988: srtt += (m - srtt) / 8, var += (|m
+ *           - srtt| - var) / 4
  */
 void loft_rto_take(loft_rto *r, uint32_t m);
 
@@ -33,5 +37,7 @@ void loft_rto_back_off(loft_rto *r);
 
 /* The smoothed round trip in ms; 0 until one was measured. */
 uint32_t loft_rto_trip(const loft_rto *r);
+
+LOFT_END_C
 
 #endif

@@ -1,8 +1,10 @@
-/* lib/wire/sender.c -- the host's half of a session: go back n, with the machine's own count as the only truth
+/* lib/wire/sender.c -- the host's half of a session: go back n, with the machine's own count as the
+ * only truth
  * SPDX-License-Identifier: MIT
  *
- * A NAK sends again from what was not acknowledged, and so does a STATUS that still misses what had been sent before it was
- * asked for. Silence alone does not: a machine or a computer that is busy answers late, and everything sent twice makes it later.
+ * A NAK sends again from what was not acknowledged, and so does a STATUS that still misses what had
+ * been sent before it was asked for. Silence alone does not: a machine or a computer that is busy
+ * answers late, and everything sent twice makes it later.
  */
 #include "wire/sender.h"
 
@@ -67,7 +69,8 @@ static void join(loft_sender *s)
     s->job_sent = false;
     if (s->opened && !same)
         s->phase = LOFT_PHASE_LOST;
-    else if (same && (s->asked || loft_state_busy(w->ack.state) || w->ack.state == LOFT_STATE_DONE)) {
+    else if (same &&
+             (s->asked || loft_state_busy(w->ack.state) || w->ack.state == LOFT_STATE_DONE)) {
         s->resumed   = s->resumed   || (!s->asked && loft_state_busy(w->ack.state));
         s->collected = s->collected || (!s->asked && w->ack.state == LOFT_STATE_DONE);
         stream(s);
@@ -81,10 +84,10 @@ static void join(loft_sender *s)
     s->job.nonce = s->nonce;
 }
 
-enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count, loft_item_source *source,
-                                   void *context)
+enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count,
+                                   loft_item_source *source, void *context)
 {
-    if (s->phase != LOFT_PHASE_READY || job->id == 0 || count == 0xFFFFFFFFu
+    if (s->phase != LOFT_PHASE_READY || job->id == 0
         || (job->kind != LOFT_SPANS && job->kind != LOFT_POINTS && job->kind != LOFT_CURVES)
         || (job->kind == LOFT_CURVES && (!job->limits || s->machine.curves == 0)))
         return LOFT_ERR_ARG;
@@ -94,6 +97,14 @@ enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t
     s->machine.ack = s->ack;        /* newer than the welcome */
     join(s);
     return LOFT_OK;
+}
+
+/* A machine that is beyond all items has another job, though of the same id. */
+void loft_sender_extend(loft_sender *s, uint32_t known, uint32_t count)
+{
+    loft_window_extend(&s->window, known, count);
+    if (s->phase == LOFT_PHASE_STREAMING && s->window.base > count)
+        s->phase = LOFT_PHASE_LOST;
 }
 
 static void control(loft_sender *s, enum loft_verb verb)
@@ -132,18 +143,21 @@ void loft_sender_control(loft_sender *s, enum loft_verb verb)
 
 static bool fits(const loft_welcome *w)
 {
-    return w->version == LOFT_WIRE_VERSION && w->axes == LOFT_AXES && w->frame_max >= LOFT_WINDOW_LEAST
-        && w->queue > 0 && w->tick_hz > 0 && w->slots > 0;
+    return w->version == LOFT_WIRE_VERSION && w->axes == LOFT_AXES &&
+           w->frame_max >= LOFT_WINDOW_LEAST && w->queue > 0 && w->tick_hz > 0 && w->slots > 0;
 }
 
 static void take_welcome(loft_sender *s, uint32_t now)
 {
     loft_welcome w;
-    if (s->phase != LOFT_PHASE_HELLO || loft_welcome_decode(&s->frame, &w) != LOFT_OK || w.nonce != s->nonce)
+    if (s->phase != LOFT_PHASE_HELLO || loft_welcome_decode(&s->frame, &w) != LOFT_OK ||
+        w.nonce != s->nonce)
         return;
     if (!s->greeted || w.boot != s->machine.boot || loft_message_session(&s->frame) != s->session)
-        s->seen = 0;                            /* otherwise the same WELCOME again, because an AXIS was lost */
+        s->seen = 0;                            /* otherwise the same WELCOME again, because an AXIS
+                                                 * was lost */
     s->machine = w;
+    s->closed  = w.closed;
     s->ack     = w.ack;
     s->session = loft_message_session(&s->frame);
     s->greeted = true;
@@ -152,7 +166,8 @@ static void take_welcome(loft_sender *s, uint32_t now)
         s->phase = LOFT_PHASE_UNFIT;
 }
 
-/* The last AXIS completes the greeting. A control that was not acknowledged is given again: it is a wish, not a step. */
+/* The last AXIS completes the greeting. A control that was not acknowledged is given again: it is a
+ * wish, not a step. */
 static void take_axis(loft_sender *s, uint32_t now)
 {
     loft_axis m;
@@ -192,7 +207,8 @@ static void advance(loft_sender *s, uint32_t now)
     s->tried = now;
 }
 
-/* What an answer means while items go out. In-flight frames behind a gap each cause a NAK: one per round trip counts. */
+/* What an answer means while items go out. In-flight frames behind a gap each cause a NAK: one per
+ * round trip counts. */
 static void take_progress(loft_sender *s, uint32_t now)
 {
     if (s->ack.state == LOFT_STATE_FAULT) {
@@ -206,7 +222,8 @@ static void take_progress(loft_sender *s, uint32_t now)
     if (s->ack.next > s->window.base)
         advance(s, now);
     const uint32_t once = s->rtt_ms ? s->rtt_ms : LOFT_RTO_FIRST / 4;
-    if (s->ack.flags & LOFT_FLAG_NAK && (s->window.base < s->window.high || s->window.ended) && now - s->back >= once) {
+    if (s->ack.flags & LOFT_FLAG_NAK && (s->window.base < s->window.high || s->window.ended) &&
+        now - s->back >= once) {
         s->naks++;
         loft_window_shrink(&s->window);
         go_back(s, now);
@@ -223,7 +240,8 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
     s->ack = *m;
     if (m->refusal)
         s->refusal = m->refusal;
-    if (streaming && s->ack.limit < limit)      /* limits only grow; a lower one is older, or the job is over */
+    if (streaming && s->ack.limit < limit)      /* limits only grow; a lower one is older, or the
+                                                 * job is over */
         s->ack.limit = limit;
 
     if (s->verb_sent && m->control == s->number) {
@@ -251,15 +269,17 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
 /* Is an answer due to something that would be sent again? */
 static bool waits(const loft_sender *s)
 {
-    return s->phase == LOFT_PHASE_STREAMING && !s->aborting
-        && (s->window.base < s->window.send || (s->window.ended && !(s->ack.flags & LOFT_FLAG_ENDED)));
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting &&
+           (s->window.base < s->window.send ||
+            (s->window.ended && !(s->ack.flags & LOFT_FLAG_ENDED)));
 }
 
-/* The line keeps the order: what was sent before the question and is still missing is lost. If an earlier question was
- * open, the first answer may be to that one. */
+/* The line keeps the order: what was sent before the question and is still missing is lost. If an
+ * earlier question was open, the first answer may be to that one. */
 static void take_status(loft_sender *s, const loft_machine_status *m, uint32_t now)
 {
     s->status  = *m;
+    s->closed  = m->closed;
     s->polling = false;
     take_ack(s, &m->ack, now);
     if (s->doubt > 0 && --s->doubt == 0 && waits(s))
@@ -269,7 +289,8 @@ static void take_status(loft_sender *s, const loft_machine_status *m, uint32_t n
 static void take_report(loft_sender *s)
 {
     loft_report m;
-    if (s->phase != LOFT_PHASE_STREAMING || loft_report_decode(&s->frame, &m) != LOFT_OK || m.job != s->job.id)
+    if (s->phase != LOFT_PHASE_STREAMING || loft_report_decode(&s->frame, &m) != LOFT_OK ||
+        m.job != s->job.id)
         return;
     s->report = m;
     s->phase  = LOFT_PHASE_CLOSING;
@@ -290,7 +311,8 @@ static void take_frame(loft_sender *s, uint32_t now)
             take_ack(s, &ack, now);
         break;
     case LOFT_STATUS:
-        if (s->phase != LOFT_PHASE_HELLO && loft_machine_status_decode(&s->frame, &status) == LOFT_OK)
+        if (s->phase != LOFT_PHASE_HELLO &&
+            loft_machine_status_decode(&s->frame, &status) == LOFT_OK)
             take_status(s, &status, now);
         break;
     default:
@@ -325,7 +347,9 @@ bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms)
 static bool can_send(const loft_sender *s)
 {
     const loft_welcome *w = &s->machine;
-    const uint16_t most   = s->job.kind == LOFT_CURVES ? w->curves : s->job.kind == LOFT_POINTS ? w->points : w->queue;
+    const uint16_t most = s->job.kind == LOFT_CURVES   ? w->curves
+                          : s->job.kind == LOFT_POINTS ? w->points
+                                                       : w->queue;
 
     return s->phase == LOFT_PHASE_STREAMING && !s->aborting
         && loft_window_ready(&s->window, s->ack.limit, most < 4 ? 1 : most / 4u);
@@ -333,8 +357,8 @@ static bool can_send(const loft_sender *s)
 
 static bool can_end(const loft_sender *s)
 {
-    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->window.send == s->window.count && !s->window.ended
-        && !(s->ack.flags & LOFT_FLAG_ENDED);
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting && s->window.send == s->window.count &&
+           !s->window.ended && !(s->ack.flags & LOFT_FLAG_ENDED);
 }
 
 static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
@@ -390,19 +414,26 @@ static size_t give_control(loft_sender *s, uint32_t now, uint8_t wire[])
     return loft_control_encode(&m, s->session, wire);
 }
 
-/* Silence: from the beginning again. The report in hand, it is the closing alone that went unheard. */
+/* Silence: from the beginning again. The report in hand, it is the closing alone that went
+ * unheard. */
 static void check_silence(loft_sender *s, uint32_t now)
 {
-    if (s->phase == LOFT_PHASE_CLOSING && s->attempts >= CLOSE_TRIES && left(s->verb_time, s->rto.ms, now) == 0)
+    if (s->phase == LOFT_PHASE_CLOSING && s->attempts >= CLOSE_TRIES &&
+        left(s->verb_time, s->rto.ms, now) == 0)
         conclude(s);
-    if (s->phase > LOFT_PHASE_HELLO && s->phase < LOFT_PHASE_CLOSING && left(s->heard, LOFT_SENDER_SILENCE, now) == 0)
+    if (s->phase > LOFT_PHASE_HELLO && s->phase < LOFT_PHASE_CLOSING &&
+        left(s->heard, LOFT_SENDER_SILENCE, now) == 0)
         greet(s, now);
 }
 
+/* A job begins free of what was ordered before it, so a hold or an override waits until the machine
+ * has the JOB. */
 static bool control_due(const loft_sender *s, uint32_t now)
 {
-    return s->verb && s->phase != LOFT_PHASE_HELLO && !(s->phase == LOFT_PHASE_OPENING && !s->job_sent)
-        && (!finished(s) || s->phase == LOFT_PHASE_BUSY) && (!s->verb_sent || left(s->verb_time, s->rto.ms, now) == 0);
+    return s->verb && s->phase != LOFT_PHASE_HELLO &&
+           !(s->phase == LOFT_PHASE_OPENING && (!s->job_sent || s->verb != LOFT_ABORT)) &&
+           (!finished(s) || s->phase == LOFT_PHASE_BUSY) &&
+           (!s->verb_sent || left(s->verb_time, s->rto.ms, now) == 0);
 }
 
 /* An answer is overdue: ask what has come. */
@@ -443,14 +474,17 @@ size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME
 {
     check_silence(s, now_ms);
     if (s->phase == LOFT_PHASE_HELLO)
-        return !s->hello_sent || left(s->tried, s->rto.ms, now_ms) == 0 ? give_hello(s, now_ms, wire) : 0;
+        return !s->hello_sent || left(s->tried, s->rto.ms, now_ms) == 0
+                   ? give_hello(s, now_ms, wire)
+                   : 0;
     if (control_due(s, now_ms))
         return give_control(s, now_ms, wire);
     if (finished(s))
         return 0;
     if (poll_due(s, now_ms))
         return give_poll(s, now_ms, wire);
-    if (s->phase == LOFT_PHASE_OPENING && !s->aborting && (!s->job_sent || left(s->tried, s->rto.ms, now_ms) == 0))
+    if (s->phase == LOFT_PHASE_OPENING && !s->aborting &&
+        (!s->job_sent || left(s->tried, s->rto.ms, now_ms) == 0))
         return give_job(s, now_ms, wire);
     return s->phase == LOFT_PHASE_STREAMING ? give_stream(s, now_ms, wire) : 0;
 }
@@ -462,7 +496,8 @@ uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms)
 
     if (s->phase == LOFT_PHASE_HELLO)
         return s->hello_sent ? retry : 0;
-    if (control_due(s, now_ms) || can_send(s) || can_end(s) || (s->phase == LOFT_PHASE_OPENING && !s->job_sent))
+    if (control_due(s, now_ms) || can_send(s) || can_end(s) ||
+        (s->phase == LOFT_PHASE_OPENING && !s->job_sent))
         return 0;
     if (finished(s))
         return LOFT_SENDER_POLL;
@@ -470,10 +505,15 @@ uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms)
         wait = left(s->verb_time, s->rto.ms, now_ms);
     if ((waits(s) || (s->phase == LOFT_PHASE_OPENING && !s->aborting)) && retry < wait)
         wait = retry;
-    return left(s->heard, LOFT_SENDER_SILENCE, now_ms) < wait ? left(s->heard, LOFT_SENDER_SILENCE, now_ms) : wait;
+    return left(s->heard, LOFT_SENDER_SILENCE, now_ms) < wait
+               ? left(s->heard, LOFT_SENDER_SILENCE, now_ms)
+               : wait;
 }
 
-uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms)     { return now_ms - s->heard; }
+uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms)
+{
+    return now_ms - s->heard;
+}
 
 void loft_sender_hangup(loft_sender *s)
 {

@@ -1,14 +1,17 @@
-/* lib/wire/sender.h -- the host's half of a session: a job goes out, is repaired, resumed and reported
+/* lib/wire/sender.h -- the host's half of a session: a job goes out, is repaired, resumed and
+ * reported
  * SPDX-License-Identifier: MIT
  *
- * No transport and no clock: the caller moves the bytes and tells the time in ms (any origin, may wrap). Items
- * are asked for by number, again when frames were lost; nothing that was sent is stored.
+ * No transport and no clock: the caller moves the bytes and tells the time in ms (any origin, may
+ * wrap). Items are asked for by number, again when frames were lost; nothing that was sent is
+ * stored. They may still be being made while the first ones are executed.
  *
  *     loft_sender_init(&s, nonce, now);
  *     loop:
  *         for each byte read        loft_sender_push(&s, byte, now);
  *         if the line is free       write(wire, loft_sender_poll(&s, now, wire));
- *         if s.phase is LOFT_PHASE_READY          plan for s.machine and s.axis; loft_sender_begin(&s, &job, ..);
+ *         if s.phase is LOFT_PHASE_READY          plan for s.machine and s.axis;
+ *                                                 loft_sender_begin(&s, &job, ..);
  *         if s.phase >= LOFT_PHASE_DONE           print what happened; stop
  *         sleep until a byte comes or loft_sender_wait(&s, now) ms have passed
  */
@@ -19,82 +22,108 @@
 #include "wire/rto.h"       /* loft_rto */
 #include "wire/window.h"    /* loft_window, loft_item_source */
 
+LOFT_BEGIN_C
+
 #define LOFT_SENDER_SILENCE 1500        /* ms without an answer until HELLO is said again */
 #define LOFT_SENDER_POLL    100         /* ms between two questions for the status        */
 
 enum loft_phase {
-    LOFT_PHASE_HELLO,       /* nobody has answered yet; also in mid-job, after a silence: the job then goes on  */
-    LOFT_PHASE_READY,       /* welcomed: `machine` and `axis` are known; waits for loft_sender_begin            */
-    LOFT_PHASE_OPENING,     /* JOB is sent                                                                      */
-    LOFT_PHASE_STREAMING,   /* items go out; also after the last one, until the report                          */
-    LOFT_PHASE_CLOSING,     /* the report is here, the machine is told so                                       */
-                            /* ... from here on nothing more happens                                            */
-    LOFT_PHASE_DONE,        /* drawn: `report`                                                                  */
-    LOFT_PHASE_ABORTED,     /* ended early: `report` if report.job is not 0                                     */
-    LOFT_PHASE_BUSY,        /* another job is under way: `machine.job`                                          */
-    LOFT_PHASE_LOST,        /* the machine restarted or serves another job: its position is not to be trusted   */
-    LOFT_PHASE_REFUSED,     /* by the machine: refusal                                                          */
-    LOFT_PHASE_UNFIT        /* no common version, other number of axes, or too short a frame: see `machine`     */
+    LOFT_PHASE_HELLO,       /* nobody has answered yet; also in mid-job, after a silence: the job
+                             * then goes on */
+    LOFT_PHASE_READY,       /* welcomed: `machine` and `axis` are known; waits for
+                             * loft_sender_begin */
+    LOFT_PHASE_OPENING,     /* JOB is sent */
+    LOFT_PHASE_STREAMING,   /* items go out; also after the last one, until the report */
+    LOFT_PHASE_CLOSING,     /* the report is here, the machine is told so */
+                            /* ... from here on nothing more happens */
+    LOFT_PHASE_DONE,        /* drawn: `report` */
+    LOFT_PHASE_ABORTED,     /* ended early: `report` if report.job is not 0 */
+    LOFT_PHASE_BUSY,        /* another job is under way: `machine.job` */
+    LOFT_PHASE_LOST,        /* the machine restarted or serves another job: its position is not to
+                             * be trusted */
+    LOFT_PHASE_REFUSED,     /* by the machine: refusal */
+    LOFT_PHASE_UNFIT        /* no common version, other number of axes, or too short a frame: see
+                             * `machine` */
 };
 
-/* Complete so that it can be static. Read what stands above the line; the rest may change without notice. */
+/* Complete so that it can be static. Read what stands above the line; the rest may change without
+ * notice. */
 typedef struct {
     enum loft_phase     phase;
     loft_welcome        machine;
     loft_axis           axis[LOFT_AXES];
-    loft_ack            ack;                /* the latest                                                       */
-    loft_machine_status status;             /* the latest, about LOFT_SENDER_POLL ms old; its ack is not kept   */
+    loft_ack            ack;                /* the latest */
+    loft_machine_status status;             /* the latest, about LOFT_SENDER_POLL ms old; its ack is
+                                             * not kept */
     loft_report         report;
-    uint8_t  refusal;                       /* enum loft_refusal: why REFUSED or ABORTED, if not by wish         */
-    bool     resumed;                       /* the job was already under way when it was begun                  */
-    bool     collected;                     /* the job was already over: only its report was fetched            */
-    uint32_t sent, resent, naks, timeouts, hellos, damaged, unknown;    /* frames; data frames in the first two  */
-    uint32_t rtt_ms;                        /* smoothed; 0 until measured                                       */
+    uint16_t closed;                        /* inputs of the machine, the latest */
+    uint8_t  refusal;                       /* enum loft_refusal: why REFUSED or ABORTED, if not by
+                                             * wish */
+    bool     resumed;                       /* the job was already under way when it was begun */
+    bool     collected;                     /* the job was already over: only its report was
+                                             * fetched */
+    /* frames; data frames in the first two */
+    uint32_t sent, resent, naks, timeouts, hellos, damaged, unknown;
+    uint32_t rtt_ms;                        /* smoothed; 0 until measured */
     /* ---- */
     loft_frame  frame;
     loft_job    job;
-    loft_window window;                     /* the items on their way                                           */
-    uint8_t     doubt;                      /* with so many STATUS it is known what of it is lost; 0: no doubt  */
-    uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come                     */
-    uint8_t     verb, value, number;        /* CONTROL waiting for its acknowledgement                          */
-    uint8_t     percent;                    /* override that was not acknowledged; 0: none                      */
-    uint8_t     attempts;                   /* of CONTROL                                                       */
-    bool        greeted;                    /* WELCOME has come, AXIS may be missing                            */
-    bool        began, asked, opened;       /* loft_sender_begin; JOB was sent; JOB was taken                   */
-    bool        hello_sent, job_sent, verb_sent;    /* in this session                                      */
-    bool        aborting, polling;          /* polling: no STATUS since the last POLL                           */
+    loft_window window;                     /* the items on their way */
+    uint8_t     doubt;                      /* with so many STATUS it is known what of it is lost;
+                                             * 0: no doubt */
+    uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come */
+    uint8_t     verb, value, number;        /* CONTROL waiting for its acknowledgement */
+    uint8_t     percent;                    /* override that was not acknowledged; 0: none */
+    uint8_t     attempts;                   /* of CONTROL */
+    bool        greeted;                    /* WELCOME has come, AXIS may be missing */
+    bool        began, asked, opened;       /* loft_sender_begin; JOB was sent; JOB was taken */
+    bool        hello_sent, job_sent, verb_sent;    /* in this session */
+    bool        aborting, polling;          /* polling: no STATUS since the last POLL */
     uint32_t    nonce, boot;
-    loft_rto    rto;                        /* how long to wait for an answer                                   */
-    uint32_t    heard, tried, polled, back, verb_time;          /* times                                        */
+    loft_rto    rto;                        /* how long to wait for an answer */
+    uint32_t    heard, tried, polled, back, verb_time;          /* times */
 } loft_sender;
 
-/* Prepare to greet a machine. `nonce`: any number that the last connection did not use (a clock, a random number). */
+/* Prepare to greet a machine. `nonce`: any number that the last connection did not use (a clock, a
+ * random number). */
 void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms);
 
-/* Begin `job` of `count` items (job->nonce is filled in). What follows depends on the machine:
- * it is idle: the job starts. It is in the middle of this very job (same id): the job goes on where the machine
- * stands. It has finished it, and nobody has fetched the report: the report is fetched. It is in another job: BUSY.
+/* Begin `job` of `count` items (job->nonce is filled in), or of LOFT_ITEMS_OPEN: see
+ * loft_sender_extend. What follows depends on the machine: it is idle: the job starts. It is in the
+ * middle of this very job (same id): the job goes on where the machine stands. It has finished it,
+ * and nobody has fetched the report: the report is fetched. It is in another job: BUSY.
  *
- *   range   phase is LOFT_PHASE_READY, job->id not 0, job->kind known, curves only for a machine that plans (machine.curves > 0),
- *           with job->limits (borrowed); otherwise LOFT_ERR_ARG
+ *   range   phase is LOFT_PHASE_READY, job->id not 0, job->kind known, curves only for a machine
+ *           that plans (machine.curves > 0), with job->limits (borrowed); otherwise LOFT_ERR_ARG
  */
-enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count, loft_item_source *source,
-                                   void *context) LOFT_CHECKED;
+enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count,
+                                   loft_item_source *source, void *context) LOFT_CHECKED;
 
-/* Hold, resume or abort (not LOFT_CLOSE), at any time after the welcome, also with a full window, also when BUSY.
- * The latest counts. After an abort no more items are sent and the phase becomes ABORTED. */
+/* More of a job is known that began with LOFT_ITEMS_OPEN: items 0 .. known - 1 can be asked for
+ * now. `count`: LOFT_ITEMS_OPEN, or, when these are all, known. A job that goes on at an item
+ * beyond `known` waits for it.
+ *
+ *   range   known not below what it was; after loft_sender_begin */
+void loft_sender_extend(loft_sender *s, uint32_t known, uint32_t count);
+
+/* Hold, resume or abort (not LOFT_CLOSE), at any time after the welcome, also with a full window,
+ * also when BUSY. The latest counts. After an abort no more items are sent and the phase becomes
+ * ABORTED. */
 void loft_sender_control(loft_sender *s, enum loft_verb verb);
 
-/* Let time run at `percent` of the plan, 1..200, from now on until the job ends; when another control is on its way, after it. */
+/* Let time run at `percent` of the plan, 1..200, from now on until the job ends; when another
+ * control is on its way, after it. */
 void loft_sender_override(loft_sender *s, unsigned percent);
 
-/* Take one byte from the line. Gives true when `phase`, `ack`, `status` or `report` may have changed. */
+/* Take one byte from the line. Gives true when `phase`, `ack`, `status` or `report` may have
+ * changed. */
 bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms);
 
 /* Give the next frame to send; 0 when there is none now. */
 size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* For how many ms loft_sender_poll has nothing to send if no byte comes in; 0: it has something now. */
+/* For how many ms loft_sender_poll has nothing to send if no byte comes in; 0: it has something
+ * now. */
 uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms);
 
 /* The line is gone for good: a job whose report is here has ended all the same. */
@@ -102,5 +131,7 @@ void loft_sender_hangup(loft_sender *s);
 
 /* For how many ms no good frame has come. */
 uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms);
+
+LOFT_END_C
 
 #endif

@@ -1,8 +1,9 @@
 /* lib/wire/varint.h -- whole numbers in as few bytes as they need
  * SPDX-License-Identifier: MIT
  *
- * A varint is seven bits per byte, low bits first, the top bit says that more follow; the shortest form only. A residual
- * is a signed number modulo 2^32 as a zigzag varint: 0 -1 1 -2 2 .. become 0 1 2 3 4 ..
+ * A varint is seven bits per byte, low bits first, the top bit says that more follow; the shortest
+ * form only. A residual is a signed number modulo 2^32 as a zigzag varint: 0 -1 1 -2 2 .. become 0
+ * 1 2 3 4 ..
  */
 #ifndef LOFT_WIRE_VARINT_H
 #define LOFT_WIRE_VARINT_H
@@ -10,7 +11,10 @@
 #include "num/num.h"    /* the integer types */
 
 /* A word as the signed number that it stands for. */
-static inline int32_t loft_word_signed(uint32_t x)  { return x & 0x80000000u ? -(int32_t)~x - 1 : (int32_t)x; }
+static inline int32_t loft_word_signed(uint32_t x)
+{
+    return x & 0x80000000u ? -(int32_t)~x - 1 : (int32_t)x;
+}
 
 /* Write x; gives the number of bytes, 1..5. */
 static inline uint8_t loft_varint_encode(uint8_t *byte, uint32_t x)
@@ -45,7 +49,8 @@ static inline uint32_t loft_residual_decode(const uint8_t **byte)
     return (z >> 1) ^ (z & 1u ? 0xFFFFFFFFu : 0u);
 }
 
-/* The length of the varint at byte[0], 0 if it is cut off, longer than 32 bits, or not the shortest form. */
+/* The length of the varint at byte[0], 0 if it is cut off, longer than 32 bits, or not the shortest
+ * form. */
 static inline uint8_t loft_varint_size(const uint8_t *byte, uint8_t left)
 {
     for (uint8_t n = 0; n < left && n < 5; n++)

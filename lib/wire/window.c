@@ -1,21 +1,33 @@
 /* lib/wire/window.c -- items on their way: go back n
  * SPDX-License-Identifier: MIT
  *
- * Frames are made again from the items, so the frame that starts at n depends on items n - 3 .. n - 1 and n .. only, whether
- * sent for the first time, again, or by another process.
+ * Frames are made again from the items, so the frame that starts at n depends on items n - 3 .. n -
+ * 1 and n .. only, whether sent for the first time, again, or by another process.
  *
- * A frame of n bytes survives with probability (1 - e)^n: on a bad line short frames go through where long ones never
- * do. So a loss takes a quarter of the length, and each frame that came through gives a few bytes back.
+ * A frame of n bytes survives with probability (1 - e)^n: on a bad line short frames go through
+ * where long ones never do. So a loss takes a quarter of the length, and each frame that came
+ * through gives a few bytes back.
  */
 #include "wire/window.h"
 
-#define CURVE_LEAST (15 + 15 * LOFT_AXES)       /* bytes of the shortest frame that holds any curve */
+/* bytes of the shortest frame that holds any curve */
+#define CURVE_LEAST (15 + 15 * LOFT_AXES)
 
-void loft_window_init(loft_window *w, const loft_job *job, uint32_t count, loft_item_source *source, void *context)
+void loft_window_init(loft_window *w, const loft_job *job, uint32_t count, loft_item_source *source,
+                      void *context)
 {
-    *w = (loft_window){ .source = source, .context = context, .count = count, .kind = (uint8_t)job->kind };
+    *w = (loft_window){
+        .source = source, .context = context, .count = count, .kind = (uint8_t)job->kind
+    };
+    w->known = count == LOFT_ITEMS_OPEN ? 0 : count;
     for (int i = 0; i < LOFT_AXES; i++)
         w->start[i] = job->start[i];
+}
+
+void loft_window_extend(loft_window *w, uint32_t known, uint32_t count)
+{
+    w->known = known;
+    w->count = count;
 }
 
 void loft_window_open(loft_window *w, uint32_t next, uint8_t frame_most)
@@ -42,10 +54,12 @@ void loft_window_shrink(loft_window *w)
 
 static void grow(loft_window *w)
 {
-    w->frame_size = w->frame_most - w->frame_size > 4 ? (uint8_t)(w->frame_size + 4) : w->frame_most;
+    w->frame_size = w->frame_most - w->frame_size > 4 ? (uint8_t)(w->frame_size + 4)
+                                                      : w->frame_most;
 }
 
-/* What was sent once measures; what was sent again may be the answer to either (P. Karn, C. Partridge, 1987). */
+/* What was sent once measures; what was sent again may be the answer to either (P. Karn, C.
+ * Partridge, 1987). */
 bool loft_window_take(loft_window *w, uint32_t next, uint32_t now_ms, uint32_t *trip)
 {
     bool timed = false;
@@ -62,31 +76,33 @@ bool loft_window_take(loft_window *w, uint32_t next, uint32_t now_ms, uint32_t *
     return timed;
 }
 
-/* One frame too many is cheaper than a frame of one item after each executed item: with little room, wait until
- * the machine has told `step` of it (which it does unasked), unless this is all that is left, or said again. */
+/* One frame too many is cheaper than a frame of one item after each executed item: with little
+ * room, wait until the machine has told `step` of it (which it does unasked), unless this is all
+ * that is known, or said again. */
 bool loft_window_ready(const loft_window *w, uint32_t limit, uint32_t step)
 {
-    const uint32_t most = limit < w->count ? limit : w->count;
+    const uint32_t most = limit < w->known ? limit : w->known;
 
     return w->flights < LOFT_WINDOW_FRAMES && w->send < most
-        && (most == w->count || w->send < w->high || most - w->send >= step);
+        && (most == w->known || w->send < w->high || most - w->send >= step);
 }
 
 static void predict(const loft_window *w, loft_predictor *p)
 {
     loft_item item;
     loft_predictor_init(p, w->start);
-    for (uint32_t back = w->send < LOFT_PREDICTOR_BACK ? w->send : LOFT_PREDICTOR_BACK; back > 0; back--) {
+    for (uint32_t back = w->send < LOFT_PREDICTOR_BACK ? w->send : LOFT_PREDICTOR_BACK; back > 0;
+         back--) {
         w->source(w->context, w->send - back, &item);
         loft_predictor_next(p, (enum loft_kind)w->kind, &item);
     }
 }
 
 /* As many items as fit and may be sent. */
-static void pack(const loft_window *w, uint32_t limit, enum loft_kind kind, const loft_predictor *predictor, loft_packer *p,
-                 uint8_t wire[])
+static void pack(const loft_window *w, uint32_t limit, enum loft_kind kind,
+                 const loft_predictor *predictor, loft_packer *p, uint8_t wire[])
 {
-    const uint32_t most = limit < w->count ? limit : w->count;
+    const uint32_t most = limit < w->known ? limit : w->known;
     enum loft_status status = LOFT_OK;
     loft_item item;
 
@@ -98,7 +114,8 @@ static void pack(const loft_window *w, uint32_t limit, enum loft_kind kind, cons
 }
 
 /* Points by third differences, if they are shorter for this frame. */
-static void pack_shortest(const loft_window *w, uint32_t limit, const loft_predictor *predictor, loft_packer *p, uint8_t wire[])
+static void pack_shortest(const loft_window *w, uint32_t limit, const loft_predictor *predictor,
+                          loft_packer *p, uint8_t wire[])
 {
     const enum loft_kind kind = (enum loft_kind)w->kind;
     loft_packer fine;
@@ -113,7 +130,8 @@ static void pack_shortest(const loft_window *w, uint32_t limit, const loft_predi
         pack(w, limit, kind, predictor, p, wire);
 }
 
-size_t loft_window_give(loft_window *w, uint32_t limit, uint8_t session, uint32_t now_ms, uint8_t wire[LOFT_FRAME_MAX])
+size_t loft_window_give(loft_window *w, uint32_t limit, uint8_t session, uint32_t now_ms,
+                        uint8_t wire[LOFT_FRAME_MAX])
 {
     const uint32_t first = w->send;
     loft_predictor predictor;

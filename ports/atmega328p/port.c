@@ -1,13 +1,16 @@
-/* ports/atmega328p/port.c -- an ATmega328P at 16 MHz with the pins of the Arduino Uno CNC shield: three axes
+/* ports/atmega328p/port.c -- an ATmega328P at 16 MHz with the pins of the Arduino Uno CNC shield:
+ * three axes
  * SPDX-License-Identifier: MIT
  *
  *     step     D2 D3 D4 (PD2..4)         limits   D9 D10 D12 (PB1 PB2 PB4), closing to ground
- *     dir      D5 D6 D7 (PD5..7)         buttons  A0 abort, A1 hold, A2 resume (PC0..2), closing to ground
+ *     dir      D5 D6 D7 (PD5..7)         buttons  A0 abort, A1 hold, A2 resume (PC0..2), closing to
+ *              ground
  *     enable   D8 (PB0), low             line     D0 D1 (USART0), 8N1
  *
- * The timer interrupt takes what the pins do in a slot from a ring, so the edges do not depend on how long computing takes.
- * When the ring runs low it goes on, with interrupts enabled again, to make the slots to come, many at once: that and the tick
- * are interrupted by the slots. Pulses are counted when they are made, at most 1.6 ms before they are given.
+ * The timer interrupt takes what the pins do in a slot from a ring, so the edges do not depend on
+ * how long computing takes. When the ring runs low it goes on, with interrupts enabled again, to
+ * make the slots to come, many at once: that and the tick are interrupted by the slots. Pulses are
+ * counted when they are made, at most 1.6 ms before they are given.
  */
 #include <avr/interrupt.h>
 #include <avr/io.h>
@@ -49,12 +52,13 @@ static loft_machine_config config = {
 // ----
 
 #define STEPS   0x1C                /* of PORTD */
-#define RX_PULL 0x01 
+#define RX_PULL 0x01
 #define LIMITS  0x16                /* of PINB  */
 #define BUTTONS 0x07                /* of PINC  */
 
-#define RING    64                  /* slots                                      */
-#define LOW     36                  /* so many are enough for the longest tick, and half as many again */
+#define RING    64                  /* slots */
+/* so many are enough for the longest tick, and half as many again */
+#define LOW     36
 
 static volatile uint8_t ring[RING], ring_head, ring_tail;
 static volatile uint8_t at_work;
@@ -64,7 +68,8 @@ static inline uint8_t ring_count(void)      { return (uint8_t)(ring_head - ring_
 /* As many slots as there is room for, up to the end of the ring or of a tick. */
 static void make_slots(void)
 {
-    const uint8_t head = ring_head, room = (uint8_t)(RING - 1 - ring_count()), end = (uint8_t)(RING - head);
+    const uint8_t head = ring_head, room = (uint8_t)(RING - 1 - ring_count()),
+                  end = (uint8_t)(RING - head);
     uint8_t *slot = (uint8_t *)&ring[head], dir;
     uint8_t count = room < end ? room : end;
 
@@ -78,8 +83,8 @@ static void make_slots(void)
     ring_head = (uint8_t)(head + count) % RING;
 }
 
-/* Called by the stub below, which has saved the registers, with interrupts enabled. While the machine stands in a job, once per
- * turn is enough to see whether it may go on. */
+/* Called by the stub below, which has saved the registers, with interrupts enabled. While the
+ * machine stands in a job, once per turn is enough to see whether it may go on. */
 __attribute__((used)) void loft_port_work(void);
 void loft_port_work(void)
 {
@@ -93,10 +98,12 @@ void loft_port_work(void)
 __attribute__((used, naked)) void loft_port_work_stub(void);
 void loft_port_work_stub(void)
 {
-    __asm__ volatile (
-        "push r0\n push r1\n push r18\n push r19\n push r20\n push r21\n push r22\n push r23\n push r24\n push r25\n"
+    __asm__ volatile(
+        "push r0\n push r1\n push r18\n push r19\n push r20\n push r21\n push r22\n push r23\n "
+        "push r24\n push r25\n"
         "push r26\n push r27\n push r30\n push r31\n clr r1\n sei\n call loft_port_work\n cli\n"
-        "pop r31\n pop r30\n pop r27\n pop r26\n pop r25\n pop r24\n pop r23\n pop r22\n pop r21\n pop r20\n"
+        "pop r31\n pop r30\n pop r27\n pop r26\n pop r25\n pop r24\n pop r23\n pop r22\n pop r21\n "
+        "pop r20\n"
         "pop r19\n pop r18\n pop r1\n pop r0\n ret\n");
 }
 
@@ -211,8 +218,11 @@ static void watch_switches(void)
     if ((uint8_t)(TCNT0 - sampled) < 16)
         return;
     sampled = TCNT0;
-    const uint8_t closed = ~PINC & BUTTONS;     /* A0..2 are as LOFT_SWITCH_ has them */
-    loft_switches_act(&machine, loft_switches_closed(&switches, ~PINB & LIMITS ? closed | LOFT_SWITCH_ABORT : closed));
+    const uint8_t limits = (uint8_t)~PINB, buttons = ~PINC & BUTTONS;
+    const uint16_t closed = loft_switches_of((limits >> 1 & 3u) | (limits >> 2 & 4u) |
+                                             (unsigned)buttons << 3);
+    if (loft_switches_steady(&switches, closed))
+        loft_machine_inputs(&machine, closed);
 }
 
 int main(void)

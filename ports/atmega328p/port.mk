@@ -4,24 +4,28 @@ AVR_BAUD  ?= 115200
 AVR_SLOTS ?= 40
 AVR_TICK_HZ ?= 1000
 AVR_MAX    = 30720 1600             # bytes of flash, and of RAM without the stack
-AVR_FLAGS  = -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -ffreestanding -ffunction-sections -fdata-sections $(WARN) \
-             -Ilib -Iports $(call num_flag,q16) -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_MACHINE_CAPS=0 -DLOFT_FRAME_MAX=88 -DLOFT_BAUD=$(AVR_BAUD) -DLOFT_SLOTS=$(AVR_SLOTS) -DLOFT_TICK_HZ=$(AVR_TICK_HZ)
+AVR_FLAGS  = -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -ffreestanding -ffunction-sections \
+             -fdata-sections $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16) \
+             -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_MACHINE_CAPS=0 -DLOFT_FRAME_MAX=88 \
+             -DLOFT_BAUD=$(AVR_BAUD) -DLOFT_SLOTS=$(AVR_SLOTS) -DLOFT_TICK_HZ=$(AVR_TICK_HZ)
 AVR_OPTIMIZE = -Os
 AVR_DIR   ?= build/firmware/atmega328p
-AVR_OBJ    = $(patsubst %.c,$(AVR_DIR)/%.o,$(wildcard $(addsuffix /*.c,lib/num lib/geom lib/motion lib/wire lib/machine)))
+AVR_OBJ    = $(patsubst %.c,$(AVR_DIR)/%.o,$(MACHINE_SRC))
 
-$(AVR_DIR)/lib/%.o: lib/%.c $(LIB_HDR)
+$(AVR_DIR)/lib/%.o: lib/%.c | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  CC  $@"
 	$(Q)avr-gcc $(AVR_FLAGS) $(AVR_OPTIMIZE) -c $< -o $@
 
 # the slot interrupt is worth some flash
-$(AVR_DIR)/port.o: ports/atmega328p/port.c ports/port.h $(LIB_HDR)
+$(AVR_DIR)/port.o: ports/atmega328p/port.c | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  CC  $@"
 	$(Q)avr-gcc $(AVR_FLAGS) -O2 -c $< -o $@
 
-$(AVR_DIR)/lib/motion/step.o: AVR_OPTIMIZE = -O2
+$(AVR_DIR)/lib/machine/step.o: AVR_OPTIMIZE = -O2
+
+-include $(AVR_DIR)/port.d $(AVR_OBJ:.o=.d)
 
 $(AVR_DIR)/loft.elf: $(AVR_DIR)/port.o $(AVR_OBJ)
 	$(SAY) "  LD  $@"
@@ -29,47 +33,54 @@ $(AVR_DIR)/loft.elf: $(AVR_DIR)/port.o $(AVR_OBJ)
 $(AVR_DIR)/loft.hex: $(AVR_DIR)/loft.elf
 	$(Q)avr-objcopy -O ihex -R .eeprom $< $@
 
-## Build build/firmware/atmega328p/loft.hex for an Arduino Uno with CNC shield   AVR_BAUD=250000|1000000  AVR_SLOTS=40
+## Build loft.hex for an Arduino Uno with CNC shield   AVR_BAUD=250000|1000000  AVR_SLOTS=40
 .PHONY: firmware-atmega328p
 firmware-atmega328p: $(AVR_DIR)/loft.hex
 	@avr-size $(AVR_DIR)/loft.elf | awk -v most="$(AVR_MAX)" 'NR == 2 { split(most, m, " "); \
-	    printf "atmega328p: %d bytes of flash (at most %d), %d of RAM without the stack (at most %d)\n", $$1 + $$2, m[1], $$2 + $$3, m[2]; \
+	    printf "atmega328p: %d bytes of flash (at most %d), ", $$1 + $$2, m[1]; \
+	    printf "%d of RAM without the stack (at most %d)\n", $$2 + $$3, m[2]; \
 	    exit $$1 + $$2 > m[1] || $$2 + $$3 > m[2] }'
 
 ## Write it to a board with avrdude   PORT=/dev/ttyUSB0  FLASH_BAUD=115200
 .PHONY: flash-atmega328p
 flash-atmega328p: firmware-atmega328p
-	@command -v avrdude >/dev/null || { echo "avrdude is missing: apt install avrdude"; exit 1; }
+	@command -v avrdude >/dev/null || \
+	    { echo "avrdude is missing: apt install avrdude"; exit 1; }
 	@test -n "$(PORT)" || { echo "name the board's port: make $@ PORT=/dev/ttyUSB0"; exit 1; }
-	avrdude -p atmega328p -c arduino -P $(PORT) -b $(or $(FLASH_BAUD),115200) -D -U flash:w:$(AVR_DIR)/loft.hex:i
+	avrdude -p atmega328p -c arduino -P $(PORT) -b $(or $(FLASH_BAUD),115200) \
+	    -D -U flash:w:$(AVR_DIR)/loft.hex:i
 
-# --- the emulated chip -------------------------------------------------------------------------------
-CHIP_SRC = $(patsubst %,tests/target/avr_%.c,chip core meter gate) ports/host/line.c ports/host/record.c
+# --- the emulated chip ----------------------------------------------------------------------------
+SIMAVR   = -D_GNU_SOURCE $(INCLUDE) -isystem /usr/include/simavr $(call num_flag,q16)
+CHIP_SRC = $(patsubst %,tests/target/avr_%.c,chip core meter gate) \
+           ports/host/line.c ports/host/record.c
 build/target/chip: $(CHIP_SRC) $(wildcard tests/target/avr_*.h) build/q16x3/libloft.a
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
-	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) -Iports -Itests/target -isystem /usr/include/simavr $(call num_flag,q16) $(CHIP_SRC) build/q16x3/libloft.a \
-	    -lsimavr -lm -o $@
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) $(SIMAVR) -Iports -Itests/target $(CHIP_SRC) \
+	    build/q16x3/libloft.a -lsimavr -lm -o $@
 TRIALS_SRC = $(patsubst %,tests/target/avr_%.c,trials core meter) ports/host/record.c
 build/target/trials: $(TRIALS_SRC) $(wildcard tests/target/avr_*.h) build/q16x3/libloft.a
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
-	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) -Iports -Itests/target -isystem /usr/include/simavr $(call num_flag,q16) $(TRIALS_SRC) build/q16x3/libloft.a \
-	    -lsimavr -lm -o $@
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) $(SIMAVR) -Iports -Itests/target $(TRIALS_SRC) \
+	    build/q16x3/libloft.a -lsimavr -lm -o $@
 build/target/rate: tests/target/rate.c build/q16x3/libloft.a
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
-	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) $(call num_flag,q16) $^ -lm -o $@
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) -D_GNU_SOURCE $(INCLUDE) $(call num_flag,q16) $^ \
+	    -lm -o $@
 
-build/target/bench_%: tests/bench_%.c build/q16x3/libloft.a
+build/target/bench_%: tests/bench/bench_%.c build/q16x3/libloft.a
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
-	$(Q)$(CC) $(CFLAGS) $(STD) $(CPPFLAGS) $(call num_flag,q16) $^ -lm -o $@
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) $(INCLUDE) $(call num_flag,q16) $^ -lm -o $@
 
-## Print the controller and its line in numbers beside grbl's, with their bounds: half an hour   TRIALS=2000 CUTS=500 FRAMES=100000000
+## Print the controller's numbers beside grbl's, half an hour   TRIALS= CUTS= FRAMES=number of each
 .PHONY: bench-machine
-bench-machine: firmware-atmega328p $(TOOL_OUT)/loft $(patsubst %,build/target/%,chip rate trials bench_line bench_frames)
-	@bash tests/bench_machine.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
+bench-machine: firmware-atmega328p $(TOOL_OUT)/loft \
+               $(addprefix build/target/,chip rate trials bench_line bench_frames)
+	@bash tests/bench/bench_machine.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
 
 ## Run whole jobs on an emulated ATmega328P, cycle by cycle: pulses, timing, limits
 .PHONY: check-atmega328p
@@ -77,34 +88,40 @@ check-atmega328p: firmware-atmega328p build/target/chip build/target/rate $(TOOL
 	@bash tests/target/avr.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
 TARGET_BESIDE += check-atmega328p
 
-# --- planning on the chip ------------------------------------------------------------------------------
-# Every function for itself and called, not inlined: half the size. The image is all that this chip holds: the planner and the curves of a
-# drawing, neither the line nor the pins.
+# --- planning on the chip -------------------------------------------------------------------------
+# Every function for itself and called, not inlined: half the size. The image is all that this chip
+# holds: the planner and the curves of a drawing, neither the line nor the pins.
 PLAN_CHIP    = atmega328p
 PLAN_OPTIONS = -DLOFT_PLAN_WINDOW=4 -DLOFT_PLAN_FILTER=1 -DLOFT_PLAN_BEATS=125
-PLAN_FLAGS   = -std=c99 -ffreestanding -Os -flto -fno-inline -mcall-prologues -mrelax -mstrict-X -fshort-enums -fira-algorithm=priority -fno-gcse -fno-tree-pre \
-               -fno-tree-loop-im -fno-tree-loop-ivcanon -fno-tree-forwprop -fno-tree-ccp -fno-tree-dominator-opts \
-               -fno-move-loop-invariants -fno-tree-sra -fno-expensive-optimizations -ffunction-sections -fdata-sections
-PLAN_SRC     = tests/target/plan.c $(wildcard lib/num/*.c lib/geom/*.c lib/motion/*.c) lib/curve/bezier.c lib/curve/forward.c
+PLAN_FLAGS   = -std=c99 -ffreestanding -Os -flto -fno-inline -mcall-prologues -mrelax -mstrict-X \
+               -fshort-enums -fira-algorithm=priority -fno-gcse -fno-tree-pre -fno-tree-loop-im \
+               -fno-tree-loop-ivcanon -fno-tree-forwprop -fno-tree-ccp -fno-tree-dominator-opts \
+               -fno-move-loop-invariants -fno-tree-sra -fno-expensive-optimizations \
+               -ffunction-sections -fdata-sections
+PLAN_SRC     = tests/target/plan.c $(wildcard lib/num/*.c lib/geom/*.c lib/motion/*.c) \
+               lib/curve/bezier.c lib/curve/forward.c
+PLAN_INC     = -Wno-missing-braces -Ilib -Ibuild/target $(call num_flag,q16) $(PLAN_OPTIONS)
 PLAN_MOST    = MOST_RAM=870 MOST_STACK=1050 MOST_FLASH=32000 MOST_LOAD=0.56
 
 build/target/outline12.inc: tests/drawings/outline12.csv
 	@mkdir -p $(@D)
-	$(Q)awk -F, '!/^#/ { for (i = 1; i <= 8; i++) printf "%.0f,", $$i * 65536; print "" }' $< > $@
+	$(Q)awk -F, '!/^#/ { for (i = 1; i <= 8; i++) printf "%.0f,", $$i * 65536; print "" }' \
+	    $< > $@
 build/target/plan.elf: $(PLAN_SRC) build/target/outline12.inc $(LIB_HDR) ports/atmega328p/port.mk
 	$(SAY) "  LD  $@"
-	$(Q)avr-gcc -mmcu=$(PLAN_CHIP) $(PLAN_FLAGS) -Wno-missing-braces -Ilib -Ibuild/target $(call num_flag,q16) $(PLAN_OPTIONS) \
-	    -Wl,--gc-sections $(PLAN_SRC) -o $@
+	$(Q)avr-gcc -mmcu=$(PLAN_CHIP) $(PLAN_FLAGS) $(PLAN_INC) -Wl,--gc-sections $(PLAN_SRC) -o $@
 build/target/plan: $(PLAN_SRC) build/target/outline12.inc $(LIB_HDR) ports/atmega328p/port.mk
 	$(SAY) "  LD  $@"
-	$(Q)$(CC) -std=c99 -O2 -ffunction-sections -Wl,--gc-sections -Wno-missing-braces -Ilib -Ibuild/target $(call num_flag,q16) $(PLAN_OPTIONS) $(PLAN_SRC) -lm -o $@
+	$(Q)$(CC) $(LDFLAGS) -std=c99 $(BUILT) -ffunction-sections -Wl,--gc-sections $(PLAN_INC) \
+	    $(PLAN_SRC) -lm -o $@
 build/target/plan_chip: tests/target/plan_chip.c
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
-	$(Q)$(CC) $(CFLAGS) $(STD) -D_GNU_SOURCE $(CPPFLAGS) -isystem /usr/include/simavr $(call num_flag,q16) $< -lsimavr -lm -o $@
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) $(SIMAVR) $< -lsimavr -lm -o $@
 
-## Plan the outline of 12 cubics on an emulated AVR: the same spans as here, flash, RAM, stack, share of the time
+## Plan the outline of 12 cubics on an emulated AVR: spans as here, flash, RAM, stack, share of time
 .PHONY: check-avr-plan
 check-avr-plan: build/target/plan.elf build/target/plan build/target/plan_chip
-	@$(PLAN_MOST) bash tests/target/plan.sh build/target/plan.elf $(PLAN_CHIP) build/target/plan build/target/plan_chip
+	@$(PLAN_MOST) bash tests/target/plan.sh build/target/plan.elf $(PLAN_CHIP) \
+	    build/target/plan build/target/plan_chip
 TARGET_BESIDE += check-avr-plan

@@ -1,9 +1,10 @@
 /* ports/cortex-m/cortex.h -- what all Cortex-M cores have: registers, SysTick, interrupts, sleep
  * SPDX-License-Identifier: MIT
  *
- * A port is compiled with the number of interrupts, CORTEX_IRQS, and that of its line, CORTEX_LINE_IRQ: cortex_line
- * is called when a byte has come. Slots come from SysTick; where CORTEX_SLOT_IRQ is given, from that, by cortex_slot.
- * loft_port_tick runs in the interrupt of lowest priority, when cortex_later has asked for it.
+ * A port is compiled with the number of interrupts, CORTEX_IRQS, and that of its line,
+ * CORTEX_LINE_IRQ: cortex_line is called when a byte has come. Slots come from SysTick; where
+ * CORTEX_SLOT_IRQ is given, from that, by cortex_slot. loft_port_tick runs in the interrupt of
+ * lowest priority, when cortex_later has asked for it.
  */
 #ifndef LOFT_CORTEX_H
 #define LOFT_CORTEX_H
@@ -23,7 +24,8 @@
 void cortex_line(void);
 void cortex_slot(void);
 
-/* Let interrupt `irq` come, before the tick and after the slots; with `first` at the same time as slots. */
+/* Let interrupt `irq` come, before the tick and after the slots; with `first` at the same time as
+ * slots. */
 static inline void cortex_enable(unsigned irq, int first)
 {
     const unsigned shift = irq % 4 * 8;

@@ -8,31 +8,41 @@ CORTEX_M7  = -mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard
 CORTEX_M33 = -mcpu=cortex-m33 -mfpu=fpv5-sp-d16 -mfloat-abi=hard
 
 # cortex BOARD, core, memory (flash, its size, RAM, its size), flags, source
-cortex_gcc = arm-none-eabi-gcc -mthumb $(1) -DFLASH=$(word 1,$(2)) -DFLASH_SIZE=$(word 2,$(2)) -DRAM=$(word 3,$(2)) -DRAM_SIZE=$(word 4,$(2)) $(3)
-cortex = $(eval $(call firmware,$(1),$(call cortex_gcc,$(2),$(3),$(4)),arm-none-eabi,ports/cortex-m/start.c $(5),ports/cortex-m/cortex.ld.in))
+cortex_memory = -DFLASH=$(word 1,$(1)) -DFLASH_SIZE=$(word 2,$(1)) \
+                -DRAM=$(word 3,$(1)) -DRAM_SIZE=$(word 4,$(1))
+cortex_gcc = arm-none-eabi-gcc -mthumb $(1) $(call cortex_memory,$(2)) $(3)
+cortex = $(eval $(call firmware,$(1),$(call cortex_gcc,$(2),$(3),$(4)),arm-none-eabi,$(strip \
+    ports/cortex-m/start.c $(5)),ports/cortex-m/cortex.ld.in))
 
-MPS2    = -DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=0 -DMPS2_CLOCK=25000000 -DMPS2_UART0=0x40004000 -DMPS2_GPIO0=0x40010000 -DMPS2_GPIO1=0x40011000
-MPS2_33 = -DCORTEX_IRQS=64 -DCORTEX_LINE_IRQ=32 -DMPS2_CLOCK=20000000 -DMPS2_UART0=0x50200000 -DMPS2_GPIO0=0x50100000 -DMPS2_GPIO1=0x50101000
+STM32F405 = -DCORTEX_IRQS=82 -DCORTEX_LINE_IRQ=37
+NRF51     = -DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=2 -DCORTEX_SLOT_IRQ=8 -DLOFT_MACHINE_PLANS=0
+MPS2      = -DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=0 -DMPS2_CLOCK=25000000 \
+            -DMPS2_UART0=0x40004000 -DMPS2_GPIO0=0x40010000 -DMPS2_GPIO1=0x40011000
+MPS2_33   = -DCORTEX_IRQS=64 -DCORTEX_LINE_IRQ=32 -DMPS2_CLOCK=20000000 \
+            -DMPS2_UART0=0x50200000 -DMPS2_GPIO0=0x50100000 -DMPS2_GPIO1=0x50101000
 
-$(call cortex,stm32f405,$(CORTEX_M4F),0x08000000 1024K 0x20000000 128K,-DCORTEX_IRQS=82 -DCORTEX_LINE_IRQ=37,ports/stm32f405/port.c)
-$(call cortex,nrf51,$(CORTEX_M0),0x00000000 256K 0x20000000 16K,-DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=2 -DCORTEX_SLOT_IRQ=8 -DLOFT_MACHINE_PLANS=0,ports/nrf51/port.c)
+$(call cortex,stm32f405,$(CORTEX_M4F),0x08000000 1024K 0x20000000 128K,$(STM32F405),$(strip \
+    ports/stm32f405/port.c))
+$(call cortex,nrf51,$(CORTEX_M0),0x00000000 256K 0x20000000 16K,$(NRF51),ports/nrf51/port.c)
 $(call cortex,mps2-an385,$(CORTEX_M3),0x00000000 4M 0x20000000 4M,$(MPS2),ports/mps2/port.c)
 $(call cortex,mps2-an386,$(CORTEX_M4F),0x00000000 4M 0x20000000 4M,$(MPS2),ports/mps2/port.c)
 $(call cortex,mps2-an500,$(CORTEX_M7),0x00000000 4M 0x20000000 4M,$(MPS2),ports/mps2/port.c)
 $(call cortex,mps2-an505,$(CORTEX_M33),0x10000000 4M 0x38000000 4M,$(MPS2_33),ports/mps2/port.c)
 
-# --- flashing: the usual tool, or a clear word when it is missing ------------------------------------
+# --- flashing: the usual tool, or a clear word when it is missing ---------------------------------
 flash_tool = @command -v $(1) >/dev/null || { echo "$(1) is missing: apt install $(2)"; exit 1; }
 
 ## Write it to a board with an ST-Link (BOOT0 low)
 .PHONY: flash-stm32f405
 flash-stm32f405: firmware-stm32f405
 	$(call flash_tool,st-flash,stlink-tools)
-	arm-none-eabi-objcopy -O binary build/firmware/stm32f405/loft.elf build/firmware/stm32f405/loft.bin
+	arm-none-eabi-objcopy -O binary build/firmware/stm32f405/loft.elf \
+	    build/firmware/stm32f405/loft.bin
 	st-flash --reset write build/firmware/stm32f405/loft.bin 0x08000000
 
 ## Write it to a micro:bit (version 1) through its own debugger
 .PHONY: flash-nrf51
 flash-nrf51: firmware-nrf51
 	$(call flash_tool,openocd,openocd)
-	openocd -f interface/cmsis-dap.cfg -f target/nrf51.cfg -c "program build/firmware/nrf51/loft.elf verify reset exit"
+	openocd -f interface/cmsis-dap.cfg -f target/nrf51.cfg \
+	    -c "program build/firmware/nrf51/loft.elf verify reset exit"

@@ -1,14 +1,16 @@
-/* ports/host/host.c -- the machine behind a pseudo terminal or a serial port, in real or in simulated time
+/* ports/host/host.c -- the machine behind a pseudo terminal or a serial port, in real or in
+ * simulated time
  * SPDX-License-Identifier: MIT
  *
- * One loop does what on a board are three contexts: bytes in and out, the slots that are due, a tick behind each.
+ * One loop does what on a board are three contexts: bytes in and out, the slots that are due, a
+ * tick behind each.
  *
- * Real time: slots are due as the clock says, in batches of about a millisecond.
- * Simulated time: a batch is due whenever the machine can go on without regard to how fast the line is, that is while the
- * queue is at least half full, the end of the job is known, or nothing has come for QUIET_MS of real time (then
- * the sender is gone, and the machine starves as it should). Otherwise time stands.
- * A board's lines: slots are made ahead, and the board gives them in its own time (board.h).
- * In all of them, the loop sleeps in poll while nothing moves.
+ * Real time: slots are due as the clock says, in batches of about a millisecond. Simulated time: a
+ * batch is due whenever the machine can go on without regard to how fast the line is, that is while
+ * the queue is at least half full, the end of the job is known, or nothing has come for GONE_MS of
+ * real time (then the sender is gone, and the machine starves as it should). Otherwise time stands.
+ * A board's lines: slots are made ahead, and the board gives them in its own time (board.h). In all
+ * of them, the loop sleeps in poll while nothing moves.
  */
 #include "host/host.h"
 
@@ -25,13 +27,15 @@
 #include "host/line.h"          /* the pseudo terminal  */
 #include "host/record.h"        /* the pulses           */
 #include "machine/machine.h"    /* loft_machine         */
-#include "switches.h"           /* loft_switches_act    */
 
 #define QUIET_MS    300
-#define LEAVE_MS    5000        /* how long `once` waits for a sender to fetch the report of an ended job */
-#define STOP_MS     1000        /* how long it waits for the last answer to be read                         */
-#define BATCH       20          /* ticks of simulated time between two looks at the line                  */
-#define LATE_MS     100         /* real time that the machine may be behind; more is forgotten            */
+/* a sender that plans on a busy computer may have no turn for a second */
+#define GONE_MS     1500
+/* how long `once` waits for a sender to fetch the report of an ended job */
+#define LEAVE_MS    5000
+#define STOP_MS     1000        /* how long it waits for the last answer to be read */
+#define BATCH       20          /* ticks of simulated time between two looks at the line */
+#define LATE_MS     100         /* real time that the machine may be behind; more is forgotten */
 
 struct host {
     const struct loft_host_options *o;
@@ -119,18 +123,22 @@ static int start_machine(struct host *h)
         c->traits.axis[i].steps_per_mm = raw_of(o->steps_per_mm[i]);
         c->traits.axis[i].max_speed = raw_of(o->max_speed[i]);
         c->traits.axis[i].max_accel = raw_of(o->max_accel[i]);
-        c->traits.axis[i].max_jerk = o->max_jerk[i] > 0 && o->max_jerk[i] < 1e9 ? (uint32_t)o->max_jerk[i] : 0;
+        c->traits.axis[i].max_jerk = o->max_jerk[i] > 0 && o->max_jerk[i] < 1e9
+                                         ? (uint32_t)o->max_jerk[i]
+                                         : 0;
     }
     c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
     c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);
     if (!give_memory(h, c) || loft_machine_init(&h->machine, c) != LOFT_OK) {
-        fprintf(stderr, "loft: a machine cannot be like this: see the ranges of steps per mm, tick rate, slots, ramp, queue and curves\n");
+        fprintf(stderr, "loft: a machine cannot be like this: see the ranges of steps per mm, tick "
+                        "rate, slots, ramp, queue and curves\n");
         return EX_USAGE;
     }
     return 0;
 }
 
-/* SIGINT and SIGTERM are blocked but in poll, so none comes between looking at stop_wanted and going to sleep. */
+/* SIGINT and SIGTERM are blocked but in poll, so none comes between looking at stop_wanted and
+ * going to sleep. */
 static void catch_signals(struct host *h)
 {
     struct sigaction act;
@@ -165,8 +173,9 @@ static void print_job(struct host *h, const char *what)
 {
     const loft_drive_report r = loft_drive_poll(&h->machine.drive);
 
-    printf("job %08lx %s: %lu items, %lu ticks in %.3f s, %lu slowed, ", (unsigned long)h->machine.job.id, what,
-           (unsigned long)r.executed, (unsigned long)r.ticks, r.elapsed / (double)h->o->tick_hz, (unsigned long)r.slowed);
+    printf("job %08lx %s: %lu items, %lu ticks in %.3f s, %lu slowed, ",
+           (unsigned long)h->machine.job.id, what, (unsigned long)r.executed,
+           (unsigned long)r.ticks, r.elapsed / (double)h->o->tick_hz, (unsigned long)r.slowed);
     print_position(h);
 }
 
@@ -178,6 +187,8 @@ static void note_state(struct host *h)
     if (now == before)
         return;
     h->state = now;
+    if (loft_state_busy(now) && !loft_state_busy(before))
+        host_record_job(&h->record, h->machine.job.id);
     if (now == LOFT_STATE_DONE || now == LOFT_STATE_ABORTED) {
         h->ended = now_ns();
         if (h->record.file)
@@ -249,9 +260,29 @@ static bool moving(const struct host *h)
     return !loft_step_done(&h->machine.drive.step);
 }
 
+/* The limit switches where the motors are. */
+static uint16_t limits_closed(const struct host *h)
+{
+    uint16_t closed = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const double at = h->record.position[i] / h->o->steps_per_mm[i];
+        closed = (uint16_t)(closed | (at <= h->o->limit[i][0] ? LOFT_INPUT_LOW(i) : 0) |
+                            (at >= h->o->limit[i][1] ? LOFT_INPUT_HIGH(i) : 0));
+    }
+    return closed;
+}
+
+static void take_inputs(struct host *h)
+{
+    loft_machine_inputs(&h->machine, h->board ? h->board->inputs(h->board) : limits_closed(h));
+}
+
 static void run_slots(struct host *h, uint64_t count)
 {
     for (uint64_t i = 0; i < count; i++) {
+        if (!h->board && h->slot % h->o->slots == 0)
+            take_inputs(h);
         loft_machine_tick(&h->machine);
         const loft_pins pins = loft_machine_slot(&h->machine);
         if (h->board)
@@ -265,13 +296,15 @@ static void run_slots(struct host *h, uint64_t count)
 static bool supplied(struct host *h)
 {
     const loft_drive *d = &h->machine.drive;
-    const unsigned most = d->kind == LOFT_POINTS ? h->machine.traits->points : h->machine.traits->queue;
+    const unsigned most = d->kind == LOFT_POINTS ? h->machine.traits->points
+                                                 : h->machine.traits->queue;
 
     return d->ended || d->abort || 2u * loft_drive_poll(&h->machine.drive).room <= most ||
-           now_ns() - h->heard > QUIET_MS * 1000000LL;
+           now_ns() - h->heard > GONE_MS * 1000000LL;
 }
 
-/* Let time go on if it may; gives the ms that the loop may sleep then, negative for as long as nothing comes. */
+/* Let time go on if it may; gives the ms that the loop may sleep then, negative for as long as
+ * nothing comes. */
 static int run_simulated(struct host *h)
 {
     if (!loft_state_busy(h->machine.drive.state))
@@ -292,7 +325,8 @@ static int run_real(struct host *h)
         h->started = 0;
         return -1;
     }
-    if (h->started == 0 || (double)(now - h->started) * 1e-9 * slot_hz > (double)h->slot + LATE_MS * 1e-3 * slot_hz)
+    if (h->started == 0 ||
+        (double)(now - h->started) * 1e-9 * slot_hz > (double)h->slot + LATE_MS * 1e-3 * slot_hz)
         h->started = now - (int64_t)((double)h->slot / slot_hz * 1e9);
     const uint64_t due = (uint64_t)((double)(now - h->started) * 1e-9 * slot_hz);
     if (due > h->slot)
@@ -300,7 +334,8 @@ static int run_real(struct host *h)
     return 1;
 }
 
-/* A board: keep it supplied for lead_ms. It may be standing, waiting for the line; time counts as long as a job is under way. */
+/* A board: keep it supplied for lead_ms. It may be standing, waiting for the line; time counts as
+ * long as a job is under way. */
 static int run_board(struct host *h)
 {
     const uint64_t lead = (uint64_t)h->o->tick_hz * h->o->slots * h->board->lead_ms / 1000;
@@ -321,8 +356,8 @@ static int run_on(struct host *h)
     return h->board ? run_board(h) : h->o->fast ? run_simulated(h) : run_real(h);
 }
 
-/* May the program end? When the host has closed the job and read what was sent last, which would be lost with the line, or
- * when it does not come for it. */
+/* May the program end? When the host has closed the job and read what was sent last, which would be
+ * lost with the line, or when it does not come for it. */
 static bool finished(struct host *h)
 {
     const bool told = h->sent == h->count && host_line_drained(&h->line);
@@ -353,10 +388,10 @@ static void run(struct host *h)
 {
     while (!finished(h)) {
         take_bytes(h);
+        note_state(h);                  /* a job that has begun, before its first pulse */
         if (stop_wanted)
             loft_machine_control(&h->machine, LOFT_ABORT);
-        if (h->board)
-            loft_switches_act(&h->machine, h->board->switches(h->board));
+        take_inputs(h);
         bool more = loft_machine_plan(&h->machine);
         while (more && !h->board)
             more = loft_machine_plan(&h->machine);
@@ -392,7 +427,8 @@ int loft_host_simulate(const struct loft_host_options *o)
     if (code == 0)
         code = host_record_open(&h.record, o);
     if (code == 0)
-        code = o->port ? host_line_serial(&h.line, o->port, o->baud) : host_line_open(&h.line, o->link, o->noise);
+        code = o->port ? host_line_serial(&h.line, o->port, o->baud)
+                       : host_line_open(&h.line, o->link, o->noise);
     if (code == 0) {
         catch_signals(&h);
         code = h.board ? begin_board(&h) : 0;

@@ -26,18 +26,68 @@ static int refuse(const char *what, const char *name)
     return EX_OSERR;
 }
 
-/* An older link is replaced, any other file is left alone. */
-static int make_link(const char *link, const char *name)
+/* As long as it lives a machine locks the slave of its pseudo terminal, at the byte that is the
+ * number of its link: the slave of a link that was left behind may be that of another machine by
+ * now. flock is for the programs that talk to it. */
+static struct flock lock_of(const struct stat *link)
+{
+    struct flock lock;
+
+    memset(&lock, 0, sizeof lock);
+    lock.l_type   = F_WRLCK;
+    lock.l_whence = SEEK_SET;
+    lock.l_start  = (off_t)(link->st_ino & INT64_MAX);
+    lock.l_len    = 1;
+    return lock;
+}
+
+static bool is_alive(const char *name, const struct stat *link)
+{
+    struct flock lock = lock_of(link);
+    const int fd = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+
+    if (fd < 0)
+        return false;
+    const bool held = fcntl(fd, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+    close(fd);
+    return held;
+}
+
+/* NULL: nothing is there, or the link of a machine that is gone, which is removed; else what is
+ * there. */
+static const char *clear_link(const char *link)
 {
     struct stat info;
+    char target[64];
 
-    if (lstat(link, &info) == 0 && S_ISLNK(info.st_mode))
-        unlink(link);
-    if (symlink(name, link) != 0) {
-        fprintf(stderr, "loft: %s: cannot make this link: %s\n", link, strerror(errno));
-        return EX_CANTCREAT;
+    if (lstat(link, &info) != 0)
+        return NULL;
+    const ssize_t length = S_ISLNK(info.st_mode) ? readlink(link, target, sizeof target - 1) : -1;
+    if (length < 0)
+        return "is a file, not a link: give another --link";
+    target[length] = '\0';
+    if (strncmp(target, "/dev/pts/", 9) != 0)
+        return "is a link to something else than a simulated machine: remove it, or give another "
+               "--link";
+    if (is_alive(target, &info))
+        return "another simulated machine has this link: end it, or give another --link";
+    unlink(link);
+    return NULL;
+}
+
+static int make_link(const char *link, const char *name, int slave)
+{
+    const char *there = clear_link(link);
+    struct stat info;
+
+    if (!there && symlink(name, link) == 0 && lstat(link, &info) == 0) {
+        struct flock lock = lock_of(&info);
+        if (fcntl(slave, F_OFD_SETLK, &lock) == 0)
+            return 0;
     }
-    return 0;
+    fprintf(stderr, "loft: %s: %s%s\n", link,
+            there ? there : "cannot make this link: ", there ? "" : strerror(errno));
+    return EX_CANTCREAT;
 }
 
 int host_line_open(struct host_line *l, const char *link, double noise)
@@ -58,7 +108,7 @@ int host_line_open(struct host_line *l, const char *link, double noise)
     if (tcsetattr(l->slave, TCSANOW, &t) != 0 || fcntl(l->master, F_SETFL, O_NONBLOCK) != 0)
         return refuse("cannot be made raw", l->name);
     if (link) {
-        const int code = make_link(link, l->name);
+        const int code = make_link(link, l->name, l->slave);
         if (code)
             return code;
         l->link = link;
@@ -127,7 +177,7 @@ void host_line_close(struct host_line *l)
     if (l->link) {
         const ssize_t length = readlink(l->link, target, sizeof target);
         if (length == (ssize_t)strlen(l->name) && memcmp(target, l->name, (size_t)length) == 0)
-            unlink(l->link);            /* not if another machine has taken it over */
+            unlink(l->link);            /* not if somebody made another link of it */
     }
     if (l->slave >= 0)
         close(l->slave);
@@ -172,9 +222,12 @@ size_t host_line_write(struct host_line *l, const uint8_t *byte, size_t count)
     return written > 0 ? (size_t)written : 0;
 }
 
-void host_line_poll(struct host_line *l, bool write, int ms, const sigset_t *during, struct pollfd *other, unsigned count)
+void host_line_poll(struct host_line *l, bool write, int ms, const sigset_t *during,
+                    struct pollfd *other, unsigned count)
 {
-    struct pollfd fd[1 + HOST_LINE_OTHERS] = { { .fd = l->master, .events = (short)(POLLIN | (write ? POLLOUT : 0)) } };
+    struct pollfd fd[1 + HOST_LINE_OTHERS] = {
+        { .fd = l->master, .events = (short)(POLLIN | (write ? POLLOUT : 0)) }
+    };
 
     if (l->master < 0 && (ms < 0 || ms > AWAY_MS))
         ms = AWAY_MS;

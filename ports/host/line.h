@@ -1,7 +1,9 @@
-/* ports/host/line.h -- the machine's end of the line: the master of a pseudo terminal, or a serial port
+/* ports/host/line.h -- the machine's end of the line: the master of a pseudo terminal, or a serial
+ * port
  * SPDX-License-Identifier: MIT
  *
- * The slave is kept open here as well, so the line outlives every sender. A serial port that vanishes is opened again when it is back.
+ * The slave is kept open here as well, so the line outlives every sender. A serial port that
+ * vanishes is opened again when it is back.
  */
 #ifndef LOFT_HOST_LINE_H
 #define LOFT_HOST_LINE_H
@@ -23,8 +25,9 @@
 #define host_line_drained   LOFT_NAME(host_line_drained)
 
 struct host_line {
-    int master, slave;          /* -1: none; a serial port is a master that is away while it is -1 */
-    const char *port;           /* a serial port, or NULL                         */
+    int master, slave;          /* -1: none; a serial port is a master that is away while it is
+                                 * -1 */
+    const char *port;           /* a serial port, or NULL */
     unsigned baud;
     const char *link;           /* symbolic link to the slave, or NULL            */
     char name[64];              /* of the slave                                   */
@@ -32,21 +35,24 @@ struct host_line {
     uint64_t random;
 };
 
-/* Open a raw pseudo terminal; gives 0 or an exit code after one line on standard error. `noise`: see host.h. */
+/* Open a raw pseudo terminal; gives 0 or an exit code after one line on standard error. `noise`:
+ * see host.h. */
 int  host_line_open(struct host_line *l, const char *link, double noise);
 void host_line_close(struct host_line *l);
 
-/* Open a serial port, raw, 8N1, without touching its modem lines; results as above. No second machine may have it. */
+/* Open a serial port, raw, 8N1, without touching its modem lines; results as above. No second
+ * machine may have it. */
 int  host_line_serial(struct host_line *l, const char *port, unsigned baud);
 
 /* As many bytes as there are or fit; never wait. */
 size_t host_line_read(struct host_line *l, uint8_t *byte, size_t max);
 size_t host_line_write(struct host_line *l, const uint8_t *byte, size_t count);
 
-/* Wait until bytes can be read (or written, if `write`), `ms` have passed (negative: for ever), or a signal that
- * `during` lets through has come, or one of the `count` others has something. */
+/* Wait until bytes can be read (or written, if `write`), `ms` have passed (negative: for ever), or
+ * a signal that `during` lets through has come, or one of the `count` others has something. */
 #define HOST_LINE_OTHERS 8
-void host_line_poll(struct host_line *l, bool write, int ms, const sigset_t *during, struct pollfd *other, unsigned count);
+void host_line_poll(struct host_line *l, bool write, int ms, const sigset_t *during,
+                    struct pollfd *other, unsigned count);
 
 static inline void host_line_wait(struct host_line *l, bool write, int ms, const sigset_t *during)
 {

@@ -41,6 +41,12 @@ int host_record_open(struct host_record *r, const struct loft_host_options *o)
     return fflush(r->file) == 0 ? 0 : refuse(o);
 }
 
+void host_record_job(struct host_record *r, uint32_t id)
+{
+    if (r->file)
+        fprintf(r->file, "# job = %08lx\n", (unsigned long)id);
+}
+
 void host_record_slot(struct host_record *r, uint64_t slot, loft_pins pins)
 {
     if (pins.step == 0)

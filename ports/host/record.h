@@ -8,10 +8,11 @@
 #include <stdio.h>
 
 #include "host/host.h"          /* struct loft_host_options */
-#include "motion/step.h"        /* loft_pins                */
+#include "machine/step.h"        /* loft_pins                */
 
 #define host_record_open    LOFT_NAME(host_record_open)
 #define host_record_slot    LOFT_NAME(host_record_slot)
+#define host_record_job     LOFT_NAME(host_record_job)
 #define host_record_close   LOFT_NAME(host_record_close)
 
 struct host_record {
@@ -19,13 +20,18 @@ struct host_record {
     int32_t position[LOFT_AXES];        /* counted here, from the pins alone      */
 };
 
-/* Begin the file that `o` names, with its header. Gives 0 or an exit code after one line on standard error. */
+/* Begin the file that `o` names, with its header. Gives 0 or an exit code after one line on
+ * standard error. */
 int host_record_open(struct host_record *r, const struct loft_host_options *o);
+
+/* The pulses that follow are those of this job. */
+void host_record_job(struct host_record *r, uint32_t id);
 
 /* Note what the pins do in slot number `slot`. */
 void host_record_slot(struct host_record *r, uint64_t slot, loft_pins pins);
 
-/* Write out what is buffered and close the file; gives 0 or an exit code after one line on standard error. */
+/* Write out what is buffered and close the file; gives 0 or an exit code after one line on standard
+ * error. */
 int host_record_close(struct host_record *r, const struct loft_host_options *o);
 
 #endif

@@ -1,4 +1,5 @@
-/* ports/linux-gpio/gpio.h -- lines of a GPIO chip, whichever libgpiod there is: gpio_v1.c or gpio_v2.c
+/* ports/linux-gpio/gpio.h -- lines of a GPIO chip, whichever libgpiod there is: gpio_v1.c or
+ * gpio_v2.c
  * SPDX-License-Identifier: MIT
  *
  * Values are those of the pins, 0 low and 1 high. What fails leaves its reason in errno.
@@ -36,12 +37,13 @@ bool       gpio_chip_owner(gpio_chip *chip, unsigned offset, char owner[GPIO_TEX
 /* Take `count` lines as outputs at once; bit i of `high` is what line offset[i] begins with. */
 gpio_request *gpio_outputs(gpio_chip *chip, const unsigned offset[], unsigned count, uint32_t high);
 
-/* Those lines of the request that `which` names (bit i: offset[i]) become what `high` says, all with one call of the kernel; the
- * others stay. Cost: one system call. */
+/* Those lines of the request that `which` names (bit i: offset[i]) become what `high` says, all
+ * with one call of the kernel; the others stay. Cost: one system call. */
 bool          gpio_set(gpio_request *r, uint32_t which, uint32_t high);
 
 /* Take a line as an input whose edges are told, debounced if gpio_debounces. */
-gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias, unsigned debounce_us);
+gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
+                         unsigned debounce_us);
 bool          gpio_debounces(void);
 int           gpio_fd(const gpio_request *r);       /* readable when there are edges          */
 bool          gpio_forget_edges(gpio_request *r);   /* take what is there off, without waiting */

@@ -1,8 +1,9 @@
 /* ports/linux-gpio/gpio_v1.c -- gpio.h over libgpiod 1.x (tested with 1.6.3)
  * SPDX-License-Identifier: MIT
  *
- * A request of several lines writes all of them, whatever is asked for: gpiod_line_set_value on one line of it drives the others
- * low, and says that all went well. So each request keeps what its lines are, and always writes that.
+ * A request of several lines writes all of them, whatever is asked for: gpiod_line_set_value on one
+ * line of it drives the others low, and says that all went well. So each request keeps what its
+ * lines are, and always writes that.
  */
 #include "linux-gpio/gpio.h"
 
@@ -72,7 +73,8 @@ gpio_request *gpio_outputs(gpio_chip *chip, const unsigned offset[], unsigned co
         r->value[i] = high >> i & 1;
     }
     gpiod_line_bulk_init(&r->bulk);
-    if (gpiod_chip_get_lines(chip, number, count, &r->bulk) != 0 || gpiod_line_request_bulk_output(&r->bulk, CONSUMER, r->value) != 0) {
+    if (gpiod_chip_get_lines(chip, number, count, &r->bulk) != 0 ||
+        gpiod_line_request_bulk_output(&r->bulk, CONSUMER, r->value) != 0) {
         free(r);
         return NULL;
     }
@@ -87,9 +89,12 @@ bool gpio_set(gpio_request *r, uint32_t which, uint32_t high)
     return gpiod_line_set_value_bulk(&r->bulk, r->value) == 0;
 }
 
-gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias, unsigned debounce_us)
+gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
+                         unsigned debounce_us)
 {
-    const int flags = bias == GPIO_BIAS_UP ? GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP : bias == GPIO_BIAS_DOWN ? GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN : 0;
+    const int flags = bias == GPIO_BIAS_UP     ? GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP
+                      : bias == GPIO_BIAS_DOWN ? GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN
+                                               : 0;
     struct gpiod_line *line = gpiod_chip_get_line(chip, offset);
     gpio_request *r = line ? calloc(1, sizeof *r) : NULL;
 
@@ -118,7 +123,8 @@ int gpio_fd(const gpio_request *r)
 bool gpio_forget_edges(gpio_request *r)
 {
     struct gpiod_line_event event[16];
-    return gpiod_line_event_read_multiple(r->bulk.lines[0], event, sizeof event / sizeof event[0]) >= 0;
+    return gpiod_line_event_read_multiple(r->bulk.lines[0], event,
+                                          sizeof event / sizeof event[0]) >= 0;
 }
 
 int gpio_get(gpio_request *r)

@@ -78,14 +78,16 @@ bool gpio_chip_owner(gpio_chip *chip, unsigned offset, char owner[GPIO_TEXT])
 }
 
 /* Take the lines with the same settings and, for outputs, these values. */
-static struct gpiod_line_request *request(gpio_chip *chip, struct gpiod_line_settings *settings, const unsigned offset[], unsigned count,
+static struct gpiod_line_request *request(gpio_chip *chip, struct gpiod_line_settings *settings,
+                                          const unsigned offset[], unsigned count,
                                           const enum gpiod_line_value value[])
 {
     struct gpiod_line_config *lines = gpiod_line_config_new();
     struct gpiod_request_config *named = gpiod_request_config_new();
     struct gpiod_line_request *got = NULL;
 
-    if (lines && named && settings && gpiod_line_config_add_line_settings(lines, offset, count, settings) == 0 &&
+    if (lines && named && settings &&
+        gpiod_line_config_add_line_settings(lines, offset, count, settings) == 0 &&
         (!value || gpiod_line_config_set_output_values(lines, value, count) == 0)) {
         gpiod_request_config_set_consumer(named, CONSUMER);
         got = gpiod_chip_request_lines(chip, named, lines);
@@ -136,10 +138,12 @@ bool gpio_set(gpio_request *r, uint32_t which, uint32_t high)
             offset[count] = r->offset[i];
             value[count++] = value_of(high >> i);
         }
-    return count == 0 || gpiod_line_request_set_values_subset(r->request, count, offset, value) == 0;
+    return count == 0 ||
+           gpiod_line_request_set_values_subset(r->request, count, offset, value) == 0;
 }
 
-gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias, unsigned debounce_us)
+gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
+                         unsigned debounce_us)
 {
     struct gpiod_line_settings *settings = gpiod_line_settings_new();
 
@@ -148,7 +152,9 @@ gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias, 
         gpiod_line_settings_set_edge_detection(settings, GPIOD_LINE_EDGE_BOTH);
         gpiod_line_settings_set_debounce_period_us(settings, debounce_us);
         if (bias != GPIO_BIAS_KEEP)
-            gpiod_line_settings_set_bias(settings, bias == GPIO_BIAS_UP ? GPIOD_LINE_BIAS_PULL_UP : GPIOD_LINE_BIAS_PULL_DOWN);
+            gpiod_line_settings_set_bias(settings, bias == GPIO_BIAS_UP
+                                                       ? GPIOD_LINE_BIAS_PULL_UP
+                                                       : GPIOD_LINE_BIAS_PULL_DOWN);
     }
     gpio_request *r = keep(request(chip, settings, &offset, 1, NULL), &offset, 1);
     if (r && !(r->edges = gpiod_edge_event_buffer_new(EDGES))) {

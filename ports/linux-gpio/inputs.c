@@ -6,7 +6,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "switches.h"           /* LOFT_SWITCH_ */
+#include "wire/message.h"       /* LOFT_INPUT_STOP */
 
 static int64_t now_ns(void)
 {
@@ -50,22 +50,22 @@ static void take_edges(struct inputs *in, int64_t now)
     }
 }
 
-uint8_t inputs_closed(struct inputs *in)
+uint16_t inputs_closed(struct inputs *in)
 {
-    static const uint8_t asks_for[LINE_LIMIT] = { LOFT_SWITCH_ABORT, LOFT_SWITCH_HOLD, LOFT_SWITCH_RESUME };
+    static const uint16_t button[LINE_LIMIT] = { LOFT_INPUT_STOP, LOFT_INPUT_HOLD,
+                                                 LOFT_INPUT_RESUME };
     const int64_t now = now_ns();
-    uint8_t sum = 0;
+    uint16_t sum = 0;
 
     take_edges(in, now);
     for (unsigned i = 0; i < LINE_INPUTS; i++) {
         struct input *is = &in->input[i];
-        if (is->edge == 0 || now - is->edge < in->quiet_us * INT64_C(1000))
-            continue;
-        const bool closed = is_closed(in, i);
-        is->edge = 0;
-        if (closed && !is->closed)
-            sum |= i < LINE_LIMIT ? asks_for[i] : LOFT_SWITCH_ABORT;
-        is->closed = closed;
+        if (is->edge != 0 && now - is->edge >= in->quiet_us * INT64_C(1000)) {
+            is->edge = 0;
+            is->closed = is_closed(in, i);
+        }
+        if (is->closed)
+            sum = (uint16_t)(sum | (i < LINE_LIMIT ? button[i] : LOFT_INPUT_ENDS(i - LINE_LIMIT)));
     }
     return sum;
 }

@@ -14,7 +14,8 @@
 
 static int refuse(const struct line_wanted *w, int code, const char *trouble, const char *more)
 {
-    fprintf(stderr, "loft-gpio: %s: %s%s%s: %s%s\n", w->key, w->chip, w->chip[0] ? ":" : "", w->line, trouble, more);
+    fprintf(stderr, "loft-gpio: %s: %s%s%s: %s%s\n", w->key, w->chip, w->chip[0] ? ":" : "",
+            w->line, trouble, more);
     return code;
 }
 
@@ -25,8 +26,11 @@ static int refused(const struct line_wanted *w, const char *path)
     char text[160];
 
     snprintf(text, sizeof text, "%s: %s%s", path, strerror(error),
-             error == EACCES || error == EPERM ? ": join the group that owns it (often gpio), or be root" :
-             error == ENOTTY || error == ENODEV ? ": this kernel does not serve this version of libgpiod" : "");
+             error == EACCES || error == EPERM
+                 ? ": join the group that owns it (often gpio), or be root"
+             : error == ENOTTY || error == ENODEV
+                 ? ": this kernel does not serve this version of libgpiod"
+                 : "");
     return refuse(w, EX_NOPERM, text, "");
 }
 
@@ -66,8 +70,10 @@ static bool has_label(gpio_chip *chip, const char *label)
     return gpio_chip_label(chip, is) && strcmp(is, label) == 0;
 }
 
-/* Look through all chips for a label or, with `line`, for the name of a line; more than one is as bad as none. */
-static bool look_through(const struct line_wanted *w, const char *label, const char *line, char path[40])
+/* Look through all chips for a label or, with `line`, for the name of a line; more than one is as
+ * bad as none. */
+static bool look_through(const struct line_wanted *w, const char *label, const char *line,
+                         char path[40])
 {
     unsigned found = 0, barred = 0;
     glob_t all;
@@ -88,8 +94,15 @@ static bool look_through(const struct line_wanted *w, const char *label, const c
     }
     if (found == 1)
         return true;
-    refuse(w, 0, found ? "there are several" : barred ? "not among the chips that may be opened: join the group that owns /dev/gpiochip* (often gpio), or be root" :
-           line ? "no chip has a line of this name" : "no chip has this label", found ? ": name the chip, as in gpiochip0:LINE" : barred ? "" : ": see gpioinfo");
+    refuse(w, 0,
+           found    ? "there are several"
+           : barred ? "not among the chips that may be opened: join the group that owns "
+                      "/dev/gpiochip* (often gpio), or be root"
+           : line   ? "no chip has a line of this name"
+                    : "no chip has this label",
+           found    ? ": name the chip, as in gpiochip0:LINE"
+           : barred ? ""
+                    : ": see gpioinfo");
     return false;
 }
 
@@ -98,8 +111,10 @@ static bool is_number(const char *text)
     return *text && text[strspn(text, "0123456789")] == 0 && strlen(text) < 6;
 }
 
-/* Which chip (its number in `l`) and which line of it? -1: none, after one line on standard error. */
-static int find(struct lines *l, const struct settings *s, const struct line_wanted *w, unsigned *offset)
+/* Which chip (its number in `l`) and which line of it? -1: none, after one line on standard
+ * error. */
+static int find(struct lines *l, const struct settings *s, const struct line_wanted *w,
+                unsigned *offset)
 {
     const char *label = w->chip[0] || !is_number(w->line) ? w->chip : s->chip;
     char path[40];
@@ -148,11 +163,12 @@ static void tell(struct lines *l, const struct line_wanted *w, int chip, unsigne
 
     gpio_chip_label(l->chip[chip], label);
     const bool used = gpio_chip_owner(l->chip[chip], offset, owner);
-    printf("%-10s %s line %u of \"%s\"%s, %s%s\n", w->key, l->path[chip], offset, label, w->low ? ", active low" : "", used ? "in use by " : "free",
-           used ? owner : "");
+    printf("%-10s %s line %u of \"%s\"%s, %s%s\n", w->key, l->path[chip], offset, label,
+           w->low ? ", active low" : "", used ? "in use by " : "free", used ? owner : "");
 }
 
-static int place(struct lines *l, const struct settings *s, const struct line_wanted *w, bool look, int *chip, unsigned *offset)
+static int place(struct lines *l, const struct settings *s, const struct line_wanted *w, bool look,
+                 int *chip, unsigned *offset)
 {
     *chip = find(l, s, w, offset);
     if (*chip < 0)
@@ -196,7 +212,8 @@ static int take_outputs(struct lines *l, const struct settings *s)
 {
     for (unsigned i = 0; i < l->chips; i++) {
         struct lines_part *p = &l->part[i];
-        if (p->count && !(p->request = gpio_outputs(l->chip[i], p->offset, p->count, of_part(p, l->low))))
+        if (p->count &&
+            !(p->request = gpio_outputs(l->chip[i], p->offset, p->count, of_part(p, l->low))))
             return refused(&s->output[p->bit[0]], l->path[i]);
     }
     return 0;

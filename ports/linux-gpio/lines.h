@@ -1,4 +1,5 @@
-/* ports/linux-gpio/lines.h -- the machine's lines, found and taken; outputs by bits, whatever chips they are on
+/* ports/linux-gpio/lines.h -- the machine's lines, found and taken; outputs by bits, whatever chips
+ * they are on
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_LINES_H
@@ -26,11 +27,13 @@ struct lines {
     bool input_low[LINE_INPUTS];
 };
 
-/* Find all lines that are wanted and take them: outputs inactive, inputs with edges. `look` only says what they are, and who
- * has them. Gives 0, or an exit code after one line on standard error; either way lines_close gives everything back. */
+/* Find all lines that are wanted and take them: outputs inactive, inputs with edges. `look` only
+ * says what they are, and who has them. Gives 0, or an exit code after one line on standard error;
+ * either way lines_close gives everything back. */
 int  lines_open(struct lines *l, const struct settings *s, bool look);
 
-/* Outputs `which` become active (bit set in `on`) or inactive. Gives false if a chip did not obey. */
+/* Outputs `which` become active (bit set in `on`) or inactive. Gives false if a chip did not
+ * obey. */
 bool lines_set(struct lines *l, uint32_t which, uint32_t on);
 
 /* All outputs inactive, all lines given back. What a line is from then on its chip decides. */

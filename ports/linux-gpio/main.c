@@ -35,16 +35,21 @@ static struct gpio_board *of(struct loft_board *b)
     return (struct gpio_board *)b;
 }
 
-/* The thread has the higher priority: the main loop may take the time that is left. All memory is there by now, so that which comes later
- * need not be locked, for which an account may have too little. */
+/* The thread has the higher priority: the main loop may take the time that is left. All memory is
+ * there by now, so that which comes later need not be locked, for which an account may have too
+ * little. */
 static void make_real_time(unsigned priority)
 {
     const struct sched_param half = { .sched_priority = (int)(priority + 1) / 2 };
 
     if (mlockall(MCL_CURRENT) != 0)
-        fprintf(stderr, "loft-gpio: memory cannot be locked (%s): pulses may come late; run as root, or with `ulimit -l unlimited`\n", strerror(errno));
+        fprintf(stderr,
+                "loft-gpio: memory cannot be locked (%s): pulses may come late; run as root, or "
+                "with `ulimit -l unlimited`\n",
+                strerror(errno));
     if (priority)
-        sched_setscheduler(0, SCHED_FIFO, &half);       /* the thread tells if that is not allowed */
+        sched_setscheduler(0, SCHED_FIFO, &half);       /* the thread tells if that is not
+                                                         * allowed */
 }
 
 static int begin(struct loft_board *b, uint32_t slot_hz, uint32_t most)
@@ -74,7 +79,7 @@ static uint64_t left(struct loft_board *b)
     return pulses_left(&of(b)->pulses);
 }
 
-static uint8_t switches(struct loft_board *b)
+static uint16_t inputs(struct loft_board *b)
 {
     return inputs_closed(&of(b)->inputs);
 }
@@ -98,14 +103,23 @@ static void end(struct loft_board *b)
 {
     pulses_end(&of(b)->pulses);
     if (!works(b))
-        fprintf(stderr, "loft-gpio: a chip no longer obeys: is it still there? The position is lost\n");
+        fprintf(stderr,
+                "loft-gpio: a chip no longer obeys: is it still there? The position is lost\n");
     lines_set(&of(b)->lines, UINT32_MAX, 0);
 }
 
 static struct loft_board board_of(const struct settings *s)
 {
-    return (struct loft_board){ .lead_ms = s->lead_ms, .begin = begin, .slot = slot, .give = give, .left = left, .switches = switches,
-                                .watch = watch, .works = works, .report = report, .end = end };
+    return (struct loft_board){ .lead_ms = s->lead_ms,
+                                .begin = begin,
+                                .slot = slot,
+                                .give = give,
+                                .left = left,
+                                .inputs = inputs,
+                                .watch = watch,
+                                .works = works,
+                                .report = report,
+                                .end = end };
 }
 
 
@@ -123,11 +137,16 @@ static void print_help(void)
            "  --quiet         print only the port, errors and lateness\n"
            "  --record FILE   write every pulse with its slot to FILE (CSV)\n"
            "  --help          this\n\n"
-           "FILEs hold lines KEY = VALUE, # begins a comment; what comes later counts. x stands for x, y or z; LINE is a number or the\n"
-           "name of a line, or CHIP:LINE, where CHIP is the label, name (gpiochip0) or path of a chip.\n\n", gpio_library());
+           "FILEs hold lines KEY = VALUE, # begins a comment; what comes later counts. x stands "
+           "for x, y or z; LINE is a number or the\n"
+           "name of a line, or CHIP:LINE, where CHIP is the label, name (gpiochip0) or path of a "
+           "chip.\n\n",
+           gpio_library());
     settings_print(&usual);
-    printf("\nWhen it ends, by a signal too, it stops on the path, then steps are low, enable is off, and the lines are given back. What they are\n"
-           "from then on, and after a crash, the board decides: give enable a resistor to its off side.\n");
+    printf("\nWhen it ends, by a signal too, it stops on the path, then steps are low, enable is "
+           "off, and the lines are given back. What they are\n"
+           "from then on, and after a crash, the board decides: give enable a resistor to its off "
+           "side.\n");
 }
 
 static int usage(const char *trouble, const char *what)
@@ -171,13 +190,17 @@ static int check_settings(const struct settings *s)
     bool any = false;
 
     if (slot_hz > SLOT_HZ_MAX) {
-        fprintf(stderr, "loft-gpio: tick_hz * slots is %.0f: lines take at most %d slots per second\n", slot_hz, SLOT_HZ_MAX);
+        fprintf(stderr,
+                "loft-gpio: tick_hz * slots is %.0f: lines take at most %d slots per second\n",
+                slot_hz, SLOT_HZ_MAX);
         return EX_DATAERR;
     }
     for (int i = 0; i < LOFT_AXES; i++) {
-        const bool step = s->output[LINE_STEP + i].key[0] != 0, dir = s->output[LINE_DIR + i].key[0] != 0;
+        const bool step = s->output[LINE_STEP + i].key[0] != 0,
+                   dir = s->output[LINE_DIR + i].key[0] != 0;
         if (step != dir) {
-            fprintf(stderr, "loft-gpio: %s has no %s\n", s->output[(step ? LINE_STEP : LINE_DIR) + i].key, step ? "dir" : "step");
+            fprintf(stderr, "loft-gpio: %s has no %s\n",
+                    s->output[(step ? LINE_STEP : LINE_DIR) + i].key, step ? "dir" : "step");
             return EX_CONFIG;
         }
         any |= step;

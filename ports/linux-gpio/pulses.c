@@ -1,9 +1,9 @@
 /* ports/linux-gpio/pulses.c
  * SPDX-License-Identifier: MIT
  *
- * Main loop and thread meet in `head` and `given`, written by one of them each. The thread sleeps on `wake` when the ring is empty;
- * `waiting` says so, and whoever takes it back posts. When it wakes after that, time begins anew: the slot behind the last one given is
- * due now.
+ * Main loop and thread meet in `head` and `given`, written by one of them each. The thread sleeps
+ * on `wake` when the ring is empty; `waiting` says so, and whoever takes it back posts. When it
+ * wakes after that, time begins anew: the slot behind the last one given is due now.
  */
 #include "linux-gpio/pulses.h"
 
@@ -34,7 +34,8 @@ static int64_t now_ns(void)
 /* Gives what time it is then. */
 static int64_t wait_until(int64_t when)
 {
-    const struct timespec t = { .tv_sec = (time_t)(when / 1000000000), .tv_nsec = (long)(when % 1000000000) };
+    const struct timespec t = { .tv_sec = (time_t)(when / 1000000000),
+                                .tv_nsec = (long)(when % 1000000000) };
     int64_t now = now_ns();
 
     if (when - now > SPIN_NS)
@@ -57,7 +58,8 @@ static int64_t most(int64_t a, int64_t b)
 /* From slot 0 on; exact for 2^64 slots. */
 static int64_t time_of(const struct pulses *p, uint64_t slot)
 {
-    return (int64_t)(slot / p->slot_hz) * 1000000000 + (int64_t)(slot % p->slot_hz * 1000000000 / p->slot_hz);
+    return (int64_t)(slot / p->slot_hz) * 1000000000 +
+           (int64_t)(slot % p->slot_hz * 1000000000 / p->slot_hz);
 }
 
 static void set(struct pulses *p, uint32_t which, uint32_t on)
@@ -98,12 +100,14 @@ static void turn(struct pulses *p, int64_t due, uint8_t dir)
     note_late(p, now - due);
 }
 
-/* A pulse: not before the direction has stood for setup_ns, nor half a slot after the last, nor the lines have been low for long enough. Where the
- * thread lost the processor after it had looked at the clock (calls take less than two slots), the pulse is as late as it is seen to be high, and
+/* A pulse: not before the direction has stood for setup_ns, nor half a slot after the last, nor the
+ * lines have been low for long enough. Where the thread lost the processor after it had looked at
+ * the clock (calls take less than two slots), the pulse is as late as it is seen to be high, and
  * what follows counts from there. */
 static void pulse(struct pulses *p, int64_t due, uint8_t step)
 {
-    const int64_t now = wait_until(most(most(due, p->turned + p->setup_ns), most(p->rose + p->slot_ns / 2, p->fell + p->pulse_ns)));
+    const int64_t now = wait_until(most(most(due, p->turned + p->setup_ns),
+                                        most(p->rose + p->slot_ns / 2, p->fell + p->pulse_ns)));
 
     set(p, (uint32_t)step << LINE_STEP, UINT32_MAX);
     p->rose = now_ns();
@@ -147,7 +151,9 @@ static void *run(void *argument)
 
     prctl(PR_SET_TIMERSLACK, 1ul);
     if (p->priority && pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority) != 0)
-        fprintf(stderr, "loft-gpio: no real-time priority: run as root, or with `ulimit -r %u`; pulses may come late, and it will be said how late\n",
+        fprintf(stderr,
+                "loft-gpio: no real-time priority: run as root, or with `ulimit -r %u`; pulses may "
+                "come late, and it will be said how late\n",
                 p->priority);
     for (uint32_t tail = 0; await(p, tail); tail++) {
         const struct pulses_entry e = p->ring[tail & (p->room - 1)];
@@ -177,7 +183,8 @@ static bool start_thread(struct pulses *p)
     return error == 0;
 }
 
-int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s, uint32_t slot_hz, uint32_t most_slots)
+int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s, uint32_t slot_hz,
+                 uint32_t most_slots)
 {
     memset(p, 0, sizeof *p);
     p->lines = lines;
@@ -186,7 +193,8 @@ int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s
     p->pulse_ns = s->pulse_us * INT64_C(1000);
     p->setup_ns = s->setup_us * INT64_C(1000);
     p->priority = s->priority;
-    for (p->room = 2; p->room <= 2 * most_slots; p->room *= 2) {}       /* what happens in each, and the last of each portion */
+    /* what happens in each, and the last of each portion */
+    for (p->room = 2; p->room <= 2 * most_slots; p->room *= 2) {}
     p->ring = calloc(p->room, sizeof *p->ring);
     if (!p->ring || sem_init(&p->wake, 0, 0) != 0 || !start_thread(p)) {
         fprintf(stderr, "loft-gpio: cannot start a thread: %s\n", strerror(errno));
@@ -204,7 +212,8 @@ static void append(struct pulses *p, uint64_t slot, loft_pins pins)
     STORE(p->head, p->head + 1);
 }
 
-/* The thread is told of a slot without pulses once per millisecond, and of the last one: so the main loop learns how far it is. */
+/* The thread is told of a slot without pulses once per millisecond, and of the last one: so the
+ * main loop learns how far it is. */
 void pulses_put(struct pulses *p, uint64_t slot, loft_pins pins)
 {
     p->put = slot + 1;
@@ -238,7 +247,8 @@ void pulses_report(struct pulses *p)
 {
     const struct pulses_late *l = &p->late;
 
-    printf("lateness of %llu pulses: worst %.1f us;", (unsigned long long)l->pulses, (double)l->worst_ns / 1000);
+    printf("lateness of %llu pulses: worst %.1f us;", (unsigned long long)l->pulses,
+           (double)l->worst_ns / 1000);
     for (int i = 0; i < PULSES_BINS; i++)
         if (l->count[i]) {
             if (i < PULSES_BINS - 1)
@@ -246,7 +256,8 @@ void pulses_report(struct pulses *p)
             else
                 printf(" more %llu,", (unsigned long long)l->count[i]);
         }
-    printf(" slower by %.3f ms in %llu places, ran dry %llu times\n", (double)l->moved_ns / 1e6, (unsigned long long)l->moved, (unsigned long long)p->dry);
+    printf(" slower by %.3f ms in %llu places, ran dry %llu times\n", (double)l->moved_ns / 1e6,
+           (unsigned long long)l->moved, (unsigned long long)p->dry);
     fflush(stdout);
     memset(&p->late, 0, sizeof p->late);
     p->dry = 0;

@@ -1,9 +1,11 @@
-/* ports/linux-gpio/pulses.h -- slots on their way to the lines: put down by the main loop, given by a thread that does nothing else
+/* ports/linux-gpio/pulses.h -- slots on their way to the lines: put down by the main loop, given by
+ * a thread that does nothing else
  * SPDX-License-Identifier: MIT
  *
- * The thread sleeps until a slot is due, and looks at the clock once more. What Linux makes late stays late: no pulse is lost, none is
- * joined with another, and none comes closer to the one before than planned but for one slot. Lateness beyond one slot moves
- * everything that follows, so the machine is slower by as much, and says so.
+ * The thread sleeps until a slot is due, and looks at the clock once more. What Linux makes late
+ * stays late: no pulse is lost, none is joined with another, and none comes closer to the one
+ * before than planned but for one slot. Lateness beyond one slot moves everything that follows, so
+ * the machine is slower by as much, and says so.
  */
 #ifndef LOFT_PULSES_H
 #define LOFT_PULSES_H
@@ -12,7 +14,7 @@
 #include <semaphore.h>
 
 #include "linux-gpio/lines.h"
-#include "motion/step.h"        /* loft_pins */
+#include "machine/step.h"        /* loft_pins */
 
 #define PULSES_BINS 10
 
@@ -57,8 +59,10 @@ struct pulses {
     uint8_t  dir;
 };
 
-/* Start the thread. `most` slots are put down at once at most. Gives 0 or an exit code after one line on standard error. */
-int      pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s, uint32_t slot_hz, uint32_t most);
+/* Start the thread. `most` slots are put down at once at most. Gives 0 or an exit code after one
+ * line on standard error. */
+int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s, uint32_t slot_hz,
+                 uint32_t most);
 
 /* What the pins do in slot number `slot`, the one behind the last. */
 void     pulses_put(struct pulses *p, uint64_t slot, loft_pins pins);
@@ -72,7 +76,8 @@ uint64_t pulses_left(const struct pulses *p);
 /* Did all lines obey? */
 bool     pulses_work(const struct pulses *p);
 
-/* Print how late pulses were, and count anew. For when nothing is left to give, or behind pulses_end. */
+/* Print how late pulses were, and count anew. For when nothing is left to give, or behind
+ * pulses_end. */
 void     pulses_report(struct pulses *p);
 
 /* End the thread behind the pulse that it is giving. */

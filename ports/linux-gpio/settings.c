@@ -32,38 +32,51 @@ struct row {
 #define ROOM(field) sizeof ((struct settings *)0)->field
 
 static const struct row rows[] = {
-    { "step",         OUTPUT, true,  LINE_STEP, 0, 0, "pulses, low between them" },
-    { "dir",          OUTPUT, true,  LINE_DIR, 0, 0, "high towards minus; `low` turns the axis" },
-    { "enable",       OUTPUT, false, LINE_ENABLE, 0, 0, "on while the program runs" },
-    { "enable",       OUTPUT, true,  LINE_ENABLE + 1, 0, 0, "the same for drivers that have one each" },
-    { "limit",        INPUT,  true,  LINE_LIMIT, 0, 0, "ends the job, on its path" },
-    { "estop",        INPUT,  false, LINE_ESTOP, 0, 0, "ends the job, on its path" },
-    { "hold",         INPUT,  false, LINE_HOLD, 0, 0, "slows down on the path and stands" },
-    { "resume",       INPUT,  false, LINE_RESUME, 0, 0, "goes on" },
-    { "chip",         TEXT,   false, AT(chip), ROOM(chip), 0, "where numbers of lines count, unless CHIP: stands before them" },
-    { "port",         TEXT,   false, AT(port), ROOM(port), 0, "serial port of the sender; without one there is a pseudo terminal" },
-    { "baud",         WHOLE,  false, AT(host.baud), 9600, 2000000, "of the port" },
-    { "link",         TEXT,   false, AT(link), ROOM(link), 0, "symbolic link to the pseudo terminal" },
-    { "pulse_us",     WHOLE,  false, AT(pulse_us), 1, 1000, "length of a step pulse, and between two, at least" },
-    { "setup_us",     WHOLE,  false, AT(setup_us), 0, 10000, "from dir to step and from step to dir, at least" },
-    { "debounce_us",  WHOLE,  false, AT(debounce_us), 0, 1000000, "that a switch must be closed" },
-    { "lead_ms",      WHOLE,  false, AT(lead_ms), 4, 1000, "computed ahead; a hold begins as much later" },
-    { "priority",     WHOLE,  false, AT(priority), 0, 99, "of SCHED_FIFO; 0: none" },
-    { "steps_per_mm", REAL,   true,  AT(host.steps_per_mm), 0.01, 30000, "gearing" },
-    { "max_speed",    REAL,   true,  AT(host.max_speed), 1 / 64.0, 16383, "mm/s" },
-    { "max_accel",    REAL,   true,  AT(host.max_accel), 1, 16383, "mm/s^2" },
-    { "max_jerk",     REAL,   true,  AT(host.max_jerk), 0, 1e7, "mm/s^3; 0: not limited" },
-    { "tick_hz",      WHOLE,  false, AT(host.tick_hz), 50, 50000, "ticks per second" },
-    { "slots",        WHOLE,  false, AT(host.slots), 1, 1000, "chances to step per tick" },
-    { "ramp",         WHOLE,  false, AT(host.ramp), 1, 32767, "ticks from full pace to standing" },
-    { "queue",        WHOLE,  false, AT(host.queue), 2, 32768, "items that the machine can hold" },
-    { "curves",       WHOLE,  false, AT(host.curves), 0, 4096, "that its plan can hold; 0: it does not plan" },
+    { "step", OUTPUT, true, LINE_STEP, 0, 0, "pulses, low between them" },
+    { "dir", OUTPUT, true, LINE_DIR, 0, 0, "high towards minus; `low` turns the axis" },
+    { "enable", OUTPUT, false, LINE_ENABLE, 0, 0, "on while the program runs" },
+    { "enable", OUTPUT, true, LINE_ENABLE + 1, 0, 0, "the same for drivers that have one each" },
+    { "limit", INPUT, true, LINE_LIMIT, 0, 0,
+      "at both ends of the axis: ends the job, on its path; closed, it lets none begin" },
+    { "estop", INPUT, false, LINE_ESTOP, 0, 0,
+      "ends the job, on its path; closed, it lets none begin" },
+    { "hold", INPUT, false, LINE_HOLD, 0, 0, "slows down on the path and stops" },
+    { "resume", INPUT, false, LINE_RESUME, 0, 0, "goes on" },
+    { "chip", TEXT, false, AT(chip), ROOM(chip), 0,
+      "where numbers of lines count, unless CHIP: precedes them" },
+    { "port", TEXT, false, AT(port), ROOM(port), 0,
+      "serial port of the sender; without one there is a pseudo terminal" },
+    { "baud", WHOLE, false, AT(host.baud), 9600, 2000000, "of the port" },
+    { "link", TEXT, false, AT(link), ROOM(link), 0, "symbolic link to the pseudo terminal" },
+    { "pulse_us", WHOLE, false, AT(pulse_us), 1, 1000,
+      "length of a step pulse, and between two, at least" },
+    { "setup_us", WHOLE, false, AT(setup_us), 0, 10000,
+      "from dir to step and from step to dir, at least" },
+    { "debounce_us", WHOLE, false, AT(debounce_us), 0, 1000000, "that a switch must be closed" },
+    { "lead_ms", WHOLE, false, AT(lead_ms), 4, 1000,
+      "computed ahead; a hold begins as much later" },
+    { "priority", WHOLE, false, AT(priority), 0, 99, "of SCHED_FIFO; 0: none" },
+    { "steps_per_mm", REAL, true, AT(host.steps_per_mm), 0.01, 30000, "gearing" },
+    { "max_speed", REAL, true, AT(host.max_speed), 1 / 64.0, 16383, "mm/s" },
+    { "max_accel", REAL, true, AT(host.max_accel), 1, 16383, "mm/s^2" },
+    { "max_jerk", REAL, true, AT(host.max_jerk), 0, 1e7, "mm/s^3; 0: not limited" },
+    { "tick_hz", WHOLE, false, AT(host.tick_hz), 50, 50000, "ticks per second" },
+    { "slots", WHOLE, false, AT(host.slots), 1, 1000, "chances to step per tick" },
+    { "ramp", WHOLE, false, AT(host.ramp), 1, 32767, "ticks from full pace to standing" },
+    { "queue", WHOLE, false, AT(host.queue), 2, 32768, "items that the machine can hold" },
+    { "curves", WHOLE, false, AT(host.curves), 0, 4096,
+      "that its plan can hold; 0: it does not plan" },
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
 struct settings settings_usual(void)
 {
-    struct settings s = { .host = loft_host_defaults(), .pulse_us = 5, .setup_us = 5, .debounce_us = 5000, .lead_ms = 20, .priority = 80 };
+    struct settings s = { .host = loft_host_defaults(),
+                          .pulse_us = 5,
+                          .setup_us = 5,
+                          .debounce_us = 5000,
+                          .lead_ms = 20,
+                          .priority = 80 };
 
     for (int i = 0; i < LOFT_AXES; i++) {
         s.host.max_speed[i] = 100;
@@ -77,7 +90,8 @@ struct settings settings_usual(void)
 
 void settings_print(const struct settings *usual)
 {
-    static const char *const value[] = { "LINE [low]", "LINE [low] [up|down]", "NUMBER", "NUMBER", "TEXT" };
+    static const char *const value[] = { "LINE [low]", "LINE [low] [up|down]", "NUMBER", "NUMBER",
+                                         "TEXT" };
 
     for (size_t i = 0; i < ROWS; i++) {
         const struct row *k = &rows[i];
@@ -105,8 +119,10 @@ static int wrong(const char *where, const char *key, const char *value, const ch
     return EX_DATAERR;
 }
 
-/* `LINE` or `CHIP:LINE`, the last colon counts: labels have some. Then low, up, down in any order. */
-static int take_line(struct line_wanted *to, const struct row *k, const char *where, const char *key, const char *value)
+/* `LINE` or `CHIP:LINE`, the last colon counts: labels have some. Then low, up, down in any
+ * order. */
+static int take_line(struct line_wanted *to, const struct row *k, const char *where,
+                     const char *key, const char *value)
 {
     char text[2 * GPIO_TEXT], *rest, *word;
 
@@ -132,19 +148,24 @@ static int take_line(struct line_wanted *to, const struct row *k, const char *wh
         else if (k->kind == INPUT && strcmp(word, "down") == 0)
             to->bias = GPIO_BIAS_DOWN;
         else
-            return wrong(where, key, value, k->kind == INPUT ? "behind the line may stand low, and up or down" : "behind the line may stand low");
+            return wrong(where, key, value,
+                         k->kind == INPUT ? "low, and up or down, may follow the line"
+                                          : "low may follow the line");
     }
     snprintf(to->key, sizeof to->key, "%s", key);
     return 0;
 }
 
-static int take_number(struct settings *s, const struct row *k, int axis, const char *where, const char *key, const char *value)
+static int take_number(struct settings *s, const struct row *k, int axis, const char *where,
+                       const char *key, const char *value)
 {
     char *end, remedy[80];
     const double x = strtod(value, &end);
 
-    if (end == value || *end || !(x >= k->least && x <= k->most) || (k->kind == WHOLE && x != (unsigned)x)) {
-        snprintf(remedy, sizeof remedy, "give a %snumber from %.10g to %.10g", k->kind == WHOLE ? "whole " : "", k->least, k->most);
+    if (end == value || *end || !(x >= k->least && x <= k->most) ||
+        (k->kind == WHOLE && x != (unsigned)x)) {
+        snprintf(remedy, sizeof remedy, "give a %snumber from %.10g to %.10g",
+                 k->kind == WHOLE ? "whole " : "", k->least, k->most);
         return wrong(where, key, value, remedy);
     }
     if (k->kind == WHOLE)
@@ -156,7 +177,8 @@ static int take_number(struct settings *s, const struct row *k, int axis, const 
     return 0;
 }
 
-static int take_value(struct settings *s, const struct row *k, int axis, const char *where, const char *key, const char *value)
+static int take_value(struct settings *s, const struct row *k, int axis, const char *where,
+                      const char *key, const char *value)
 {
     switch (k->kind) {
     case OUTPUT:
@@ -177,7 +199,8 @@ static int take_value(struct settings *s, const struct row *k, int axis, const c
 static const struct row *find(const char *key, bool axis)
 {
     for (size_t i = 0; i < ROWS; i++)
-        if (strcmp(rows[i].key, key) == 0 && (rows[i].axes == axis || (rows[i].kind == REAL && !axis)))
+        if (strcmp(rows[i].key, key) == 0 &&
+            (rows[i].axes == axis || (rows[i].kind == REAL && !axis)))
             return &rows[i];
     return NULL;
 }
@@ -202,7 +225,8 @@ int settings_take(struct settings *s, const char *where, const char *text)
     char key[40], value[256];
     int axis = -1;
 
-    if (!equal || !trim(key, sizeof key, text, (size_t)(equal - text)) || !trim(value, sizeof value, equal + 1, strlen(equal + 1))) {
+    if (!equal || !trim(key, sizeof key, text, (size_t)(equal - text)) ||
+        !trim(value, sizeof value, equal + 1, strlen(equal + 1))) {
         fprintf(stderr, "loft-gpio: %s: %.60s: give key = value\n", where, text);
         return EX_DATAERR;
     }
@@ -211,7 +235,7 @@ int settings_take(struct settings *s, const char *where, const char *text)
             axis = i;
     const struct row *k = find(axis < 0 ? key : key + 2, axis >= 0);
     if (!k)
-        return wrong(where, key, value, "there is no such key: see --help");
+        return wrong(where, key, value, "unknown key: see --help");
     return take_value(s, k, axis, where, key, value);
 }
 

@@ -1,4 +1,5 @@
-/* ports/linux-gpio/settings.h -- what the machine is and where its lines are: `key = value`, in files and as arguments
+/* ports/linux-gpio/settings.h -- what the machine is and where its lines are: `key = value`, in
+ * files and as arguments
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_SETTINGS_H

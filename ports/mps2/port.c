@@ -1,11 +1,13 @@
-/* ports/mps2/port.c -- Arm's MPS2 boards, as AN385 (Cortex-M3), AN386 (M4), AN500 (M7) and AN505 (M33): three axes
+/* ports/mps2/port.c -- Arm's MPS2 boards, as AN385 (Cortex-M3), AN386 (M4), AN500 (M7) and AN505
+ * (M33): three axes
  * SPDX-License-Identifier: MIT
  *
  *     step  GPIO0 0..2     dir  GPIO0 3..5     line  UART0, 8N1
- *     limits  GPIO1 0..2, closing to ground    buttons  GPIO1 3 abort, 4 hold, 5 resume, closing to ground
+ *     limits  GPIO1 0..2, closing to 3.3 V    buttons  GPIO1 3 abort, 4 hold, 5 resume, closing to
+ *             3.3 V; each with a resistor to ground
  *
- * Registers: Arm's Cortex-M System Design Kit. MPS2_BASE is 0x40000000, with AN505 its secure alias 0x50000000 and the
- * blocks 2 MB higher; the rules give it, and the clock in Hz.
+ * Registers: Arm's Cortex-M System Design Kit. MPS2_BASE is 0x40000000, with AN505 its secure alias
+ * 0x50000000 and the blocks 2 MB higher; the rules give it, and the clock in Hz.
  */
 #include "cortex-m/cortex.h"
 #include "port.h"
@@ -77,7 +79,7 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return 1;
 }
 
-uint8_t loft_port_switches(void)
+uint16_t loft_port_inputs(void)
 {
-    return loft_switches_of(~REG(MPS2_GPIO1 + 0x00));
+    return loft_switches_of(REG(MPS2_GPIO1 + 0x00));
 }

@@ -1,11 +1,13 @@
-/* ports/nrf51/port.c -- an nRF51822 at 16 MHz as on the BBC micro:bit: three axes, 20,000 steps per second each
+/* ports/nrf51/port.c -- an nRF51822 at 16 MHz as on the BBC micro:bit: three axes, 20,000 steps per
+ * second each
  * SPDX-License-Identifier: MIT
  *
- *     step     P0.03 P0.02 P0.01 (edge 0 1 2)     limits   P0.11 (edge 9), closing to ground
+ *     step     P0.03 P0.02 P0.01 (edge 0 1 2)     stop     P0.11 (edge 9), closing to ground
  *     dir      P0.18 P0.20 P0.16 (edge 8 12 16)   buttons  P0.17 hold (A), P0.26 resume (B)
  *     line     P0.24 P0.25, through the board's USB, 8N1
  *
- * Registers: Nordic's nRF51 series reference manual. The core has no SysTick: TIMER0 gives the slots.
+ * Registers: Nordic's nRF51 series reference manual. The core has no SysTick: TIMER0 gives the
+ * slots.
  */
 #include "cortex-m/cortex.h"
 #include "port.h"
@@ -38,7 +40,8 @@ static loft_machine_config config = {
     .ramp = 80, .cell = cells, .cells = CELLS
 };
 
-static const uint8_t step_pin[3] = { 3, 2, 1 }, dir_pin[3] = { 18, 20, 16 }, in_pin[3] = { 11, 17, 26 };
+static const uint8_t step_pin[3] = { 3, 2, 1 }, dir_pin[3] = { 18, 20, 16 },
+                     in_pin[3] = { 11, 17, 26 };
 
 /* Wait for an event, but not for ever. */
 static bool came(uint32_t address)
@@ -107,7 +110,8 @@ void cortex_slot(void)
 
 static uint32_t spread(uint8_t bits, const uint8_t pin[3])
 {
-    return (uint32_t)(bits & 1) << pin[0] | (uint32_t)(bits >> 1 & 1) << pin[1] | (uint32_t)(bits >> 2 & 1) << pin[2];
+    return (uint32_t)(bits & 1) << pin[0] | (uint32_t)(bits >> 1 & 1) << pin[1] |
+           (uint32_t)(bits >> 2 & 1) << pin[2];
 }
 
 void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
@@ -127,7 +131,8 @@ void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
     }
 }
 
-/* The event is cleared before the byte is taken: RXD shows the next of six, and the event comes again for it. */
+/* The event is cleared before the byte is taken: RXD shows the next of six, and the event comes
+ * again for it. */
 void cortex_line(void)
 {
     REG(UART + 0x108) = 0;
@@ -147,10 +152,10 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return 1;
 }
 
-uint8_t loft_port_switches(void)
+uint16_t loft_port_inputs(void)
 {
     const uint32_t closed = ~REG(IN);
 
-    return (uint8_t)((closed >> in_pin[0] & 1 ? LOFT_SWITCH_ABORT : 0) | (closed >> in_pin[1] & 1 ? LOFT_SWITCH_HOLD : 0) |
-                     (closed >> in_pin[2] & 1 ? LOFT_SWITCH_RESUME : 0));
+    return loft_switches_of((closed >> in_pin[0] & 1) << 3 | (closed >> in_pin[1] & 1) << 4 |
+                            (closed >> in_pin[2] & 1) << 5);
 }

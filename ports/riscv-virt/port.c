@@ -1,9 +1,10 @@
 /* ports/riscv-virt/port.c -- RISC-V (rv32imac) as QEMU's board `virt` has it: three axes
  * SPDX-License-Identifier: MIT
  *
- * It has a serial line (an NS16550 at 0x10000000) and timers, but no pins: `pins` stands for them. Whoever watches its
- * addresses sees each pulse: pins[step + 8 * dir] is written when pins are set. The slot is the timer's interrupt; it asks for
- * the software interrupt, which computes the tick with interrupts enabled.
+ * It has a serial line (an NS16550 at 0x10000000) and timers, but no pins: `pins` stands for them.
+ * Whoever watches its addresses sees each pulse: pins[step + 8 * dir] is written when pins are set.
+ * The slot is the timer's interrupt; it asks for the software interrupt, which computes the tick
+ * with interrupts enabled.
  */
 #include "port.h"
 
@@ -35,12 +36,27 @@ static uint32_t period;
 static uint64_t due;
 
 extern volatile uint8_t pins[64];
-volatile uint8_t pins[64] __attribute__((section(".noinit")));   /* what the start clears would look like pulses */
+/* what the start clears would look like pulses */
+volatile uint8_t pins[64] __attribute__((section(".noinit")));
 
-#define CSR_SET(name, bits)     __asm__ volatile (".option push\n .option arch, +zicsr\n csrs " #name ", %0\n .option pop" : : "r" (bits) : "memory")
-#define CSR_CLEAR(name, bits)   __asm__ volatile (".option push\n .option arch, +zicsr\n csrc " #name ", %0\n .option pop" : : "r" (bits) : "memory")
-#define CSR_READ(name, to)      __asm__ volatile (".option push\n .option arch, +zicsr\n csrr %0, " #name "\n .option pop" : "=r" (to))
-#define CSR_WRITE(name, from)   __asm__ volatile (".option push\n .option arch, +zicsr\n csrw " #name ", %0\n .option pop" : : "r" (from) : "memory")
+#define CSR_SET(name, bits)                                                                        \
+    __asm__ volatile(".option push\n .option arch, +zicsr\n csrs " #name ", %0\n .option pop"      \
+                     :                                                                             \
+                     : "r"(bits)                                                                   \
+                     : "memory")
+#define CSR_CLEAR(name, bits)                                                                      \
+    __asm__ volatile(".option push\n .option arch, +zicsr\n csrc " #name ", %0\n .option pop"      \
+                     :                                                                             \
+                     : "r"(bits)                                                                   \
+                     : "memory")
+#define CSR_READ(name, to)                                                                         \
+    __asm__ volatile(".option push\n .option arch, +zicsr\n csrr %0, " #name "\n .option pop"      \
+                     : "=r"(to))
+#define CSR_WRITE(name, from)                                                                      \
+    __asm__ volatile(".option push\n .option arch, +zicsr\n csrw " #name ", %0\n .option pop"      \
+                     :                                                                             \
+                     : "r"(from)                                                                   \
+                     : "memory")
 
 #define MIE     8u                      /* of mstatus                    */
 #define SOFT    (1u << 3)               /* of mie: software, timer, line */
@@ -139,7 +155,7 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return 1;
 }
 
-uint8_t loft_port_switches(void)
+uint16_t loft_port_inputs(void)
 {
     return 0;
 }

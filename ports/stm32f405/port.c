@@ -1,4 +1,5 @@
-/* ports/stm32f405/port.c -- an STM32F405 or F407 at 168 MHz: three axes, 100,000 steps per second each
+/* ports/stm32f405/port.c -- an STM32F405 or F407 at 168 MHz: three axes, 100,000 steps per second
+ * each
  * SPDX-License-Identifier: MIT
  *
  *     step     PA0 PA1 PA2       limits   PC0 PC1 PC2, closing to ground
@@ -15,7 +16,8 @@
 #  define LOFT_BAUD 115200
 #endif
 #ifndef LOFT_CRYSTAL
-#  define LOFT_CRYSTAL 8            /* MHz, a whole number; without one the clock is that inside, 1 % */
+/* MHz, a whole number; without one the clock is that inside, 1 % */
+#  define LOFT_CRYSTAL 8
 #endif
 #define CORE    168000000u          /* Hz */
 #define PULSE   (CORE / 500000)     /* 2 us */
@@ -29,6 +31,7 @@
 
 #define STEPS   0x07u
 #define DIR_AT  3
+#define PULLED_UP 0x555u     /* 0..5 of GPIOC */
 #define CELLS   1024
 #include "plans.h"
 
@@ -55,13 +58,14 @@ static void set_clock(void)
 {
     bool crystal;
 
-    REG(RCC + 0x00) |= 1u << 16;                                        /* CR: HSEON, until HSERDY      */
+    REG(RCC + 0x00) |= 1u << 16;                        /* CR: HSEON, until HSERDY */
     crystal = came(RCC + 0x00, 1u << 17);
-    REG(FLASHES + 0x00) = 5 | 7u << 8;                                  /* 5 wait states, caches        */
-    REG(RCC + 0x04) = (crystal ? LOFT_CRYSTAL | 1u << 22 : 16u) | 336u << 6 | 7u << 24;     /* 1 MHz * 336 / 2 */
-    REG(RCC + 0x00) |= 1u << 24;                                        /* PLLON, until PLLRDY          */
+    REG(FLASHES + 0x00) = 5 | 7u << 8;                                  /* 5 wait states, caches */
+    /* 1 MHz * 336 / 2 */
+    REG(RCC + 0x04) = (crystal ? LOFT_CRYSTAL | 1u << 22 : 16u) | 336u << 6 | 7u << 24;
+    REG(RCC + 0x00) |= 1u << 24;                                        /* PLLON, until PLLRDY */
     if (came(RCC + 0x00, 1u << 25))
-        REG(RCC + 0x08) = 2 | 5u << 10 | 4u << 13;                      /* CFGR: the PLL is the clock   */
+        REG(RCC + 0x08) = 2 | 5u << 10 | 4u << 13;      /* CFGR: the PLL is the clock */
 }
 
 static uint32_t random_number(void)
@@ -76,13 +80,15 @@ loft_machine_config *loft_port_init(void)
     set_clock();
     config.traits.boot = random_number() ^ cortex_starts();
 
-    REG(RCC + 0x30) |= 1 << 0 | 1 << 2;                                 /* ports A and C                */
-    REG(RCC + 0x44) |= 1 << 4;                                          /* USART1                       */
-    REG(GPIOA + 0x00) = (REG(GPIOA + 0x00) & ~0x003C3FFFu) | 0x00281555u;   /* MODER: 0..6 out, 9 10 line */
-    REG(GPIOA + 0x24) = (REG(GPIOA + 0x24) & ~0x00000FF0u) | 0x00000770u;   /* AFRH: USART1             */
-    REG(GPIOC + 0x0C) = (REG(GPIOC + 0x0C) & ~0x00000FFFu) | 0x00000555u;   /* PUPDR: 0..5 up           */
+    REG(RCC + 0x30) |= 1 << 0 | 1 << 2;                                 /* ports A and C */
+    REG(RCC + 0x44) |= 1 << 4;                                          /* USART1 */
+    /* MODER: 0..6 out, 9 10 line */
+    REG(GPIOA + 0x00) = (REG(GPIOA + 0x00) & ~0x003C3FFFu) | 0x00281555u;
+    REG(GPIOA + 0x24) = (REG(GPIOA + 0x24) & ~0x00000FF0u) | 0x00000770u;   /* AFRH: USART1 */
+    REG(GPIOC + 0x0C) = (REG(GPIOC + 0x0C) & ~0x00000FFFu) | PULLED_UP;     /* PUPDR: 0..5 up */
     REG(USART1 + 0x08) = (CORE / 2 + LOFT_BAUD / 2) / LOFT_BAUD;
-    REG(USART1 + 0x0C) = 1 << 13 | 1 << 5 | 1 << 3 | 1 << 2;            /* on, receive with interrupt   */
+    /* on, receive with interrupt */
+    REG(USART1 + 0x0C) = 1 << 13 | 1 << 5 | 1 << 3 | 1 << 2;
     loft_port_plans(&config);
     return &config;
 }
@@ -100,7 +106,8 @@ void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
     static uint8_t dir_last;
 
     if (dir_bits != dir_last) {
-        REG(GPIOA + 0x18) = (uint32_t)dir_bits << DIR_AT | (uint32_t)(~dir_bits & STEPS) << (DIR_AT + 16);
+        REG(GPIOA + 0x18) = (uint32_t)dir_bits << DIR_AT | (uint32_t)(~dir_bits & STEPS)
+                                                               << (DIR_AT + 16);
         dir_last = dir_bits;
     }
     if (step_bits) {
@@ -123,7 +130,8 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return 1;
 }
 
-uint8_t loft_port_switches(void)
+/* An emulator without this port keeps no pull-ups, and has no switches. */
+uint16_t loft_port_inputs(void)
 {
-    return loft_switches_of(~REG(GPIOC + 0x10));
+    return (REG(GPIOC + 0x0C) & 0xFFFu) == PULLED_UP ? loft_switches_of(~REG(GPIOC + 0x10)) : 0;
 }

@@ -7,7 +7,8 @@
 #include "port.h"
 
 /* The machine. Values in mm go through LOFT_RAW. */
-#define AXIS { LOFT_RAW(80), LOFT_RAW(200), LOFT_RAW(1000), 0 }     /* steps/mm, mm/s, mm/s^2, mm/s^3 or 0 */
+/* steps/mm, mm/s, mm/s^2, mm/s^3 or 0 */
+#define AXIS { LOFT_RAW(80), LOFT_RAW(200), LOFT_RAW(1000), 0 }
 
 static volatile loft_cell cells[LOFT_MACHINE_QUEUE];
 static loft_machine_config config = {
@@ -15,8 +16,8 @@ static loft_machine_config config = {
     .ramp = 50, .cell = cells, .cells = LOFT_MACHINE_QUEUE
 };
 
-/* Set the clock, make the step and direction pins outputs, open the serial line at the rate that the host uses, let its receive
- * interrupt give each byte to loft_port_byte. */
+/* Set the clock, make the step and direction pins outputs, open the serial line at the rate that
+ * the host uses, let its receive interrupt give each byte to loft_port_byte. */
 loft_machine_config *loft_port_init(void)
 {
     for (int i = 1; i < LOFT_AXES; i++)
@@ -24,14 +25,15 @@ loft_machine_config *loft_port_init(void)
     return &config;
 }
 
-/* Let a timer interrupt call loft_port_slot and loft_port_tick at `slot_hz`, then enable interrupts. */
+/* Let a timer interrupt call loft_port_slot and loft_port_tick at `slot_hz`, then enable
+ * interrupts. */
 void loft_port_start(uint32_t slot_hz)
 {
     (void)slot_hz;
 }
 
-/* Write the direction pins, then raise the step pins; lower them some microseconds later, with a second compare of the
- * same timer or at the next call. */
+/* Write the direction pins, then raise the step pins; lower them some microseconds later, with a
+ * second compare of the same timer or at the next call. */
 void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
 {
     (void)step_bits;
@@ -46,7 +48,7 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
 }
 
 /* Read the pins of limit switches and buttons: see switches.h. */
-uint8_t loft_port_switches(void)
+uint16_t loft_port_inputs(void)
 {
     return 0;
 }

@@ -1,16 +1,25 @@
-/* tests/model/session.pml -- the session of lib/wire as a model for spin: WIRE.md part 5 to 7, one item per frame
+/* tests/model/session.pml -- the session of lib/wire as a model for spin: WIRE.md part 5 to 7,
+ * one item per frame
  * SPDX-License-Identifier: MIT
  *
- * What may happen at any moment: a frame is lost (damaged ones are: the CRC finds them) or doubled, FAULTS times; the
- * host program dies and is started again, DEATHS times; the machine restarts, REBOOTS times; what is on the line stays
- * there. With -DFREE timeouts may come at any moment too (a busy host), otherwise when nothing else can happen.
+ * What may happen at any moment, while what is on the line stays there:
  *
- *     safety    every item is taken once, in order, and never more than the queue holds; the report comes when all of
- *               them are executed; after a restart in mid-job nothing is taken until the user says so
- *     liveness  the job ends, as done or as lost (ltl ends, weak fairness)
+ *     FAULTS    times a frame is lost (damaged ones are: the CRC finds them) or doubled
+ *     DEATHS    times the host program dies and is started again
+ *     REBOOTS   times the machine restarts
+ *     LIMITS    times a limit switch closes, which ends the job or lets none begin, and opens again
  *
- * Numbers on the wire count modulo M (65536 on the real one). `item` in a message is the item itself; the
- * protocol never looks at it.  BUG=1..3 plants a mistake that must be found: see tests/model.sh.
+ * With -DFREE timeouts may come at any moment too (a busy host), otherwise when nothing else can
+ * happen. What holds:
+ *
+ *     safety    every item is taken once, in order, and never more than the queue holds; the report
+ *               comes when all of them are executed; after a restart in mid-job nothing is taken
+ *               until the user says so; no job begins whose host is at its end
+ *     liveness  the job ends, as done, aborted, refused or lost (ltl ends, weak fairness)
+ *
+ * Numbers on the wire count modulo M (65536 on the real one). `item` in a message is the item
+ * itself; the protocol never looks at it. BUG=1..4 plants a mistake that must be found: see
+ * tests/model/model.sh.
  */
 #ifndef K
 #define K 3             /* items of the job */
@@ -36,13 +45,20 @@
 #ifndef REBOOTS
 #define REBOOTS 0
 #endif
+#ifndef LIMITS
+#define LIMITS 0
+#endif
 #ifndef BUG
-#define BUG 0           /* 1: END is taken whatever it counts  2: an item ahead of `next` is taken  3: credit is counted */
+#define BUG 0           /* 1: END is taken whatever it counts
+                         * 2: an item ahead of `next` is taken
+                         * 3: credit is counted
+                         * 4: a JOB that was refused may begin later in its session */
 #endif
 
 #define IDLE 0          /* of the machine */
 #define RUNNING 1
 #define DONE 2
+#define ABORTED 3
 
 #define GREETING 0      /* of the host */
 #define OPENING 1
@@ -53,21 +69,24 @@
 
 mtype = { HELLO, JOB, ITEM, END, POLL, CLOSE, WELCOME, ACK, REPORT };
 
-chan to_machine = [CH] of { mtype, byte, byte, byte };                  /* session, number or nonce, item     */
-chan to_host    = [CH] of { mtype, byte, byte, byte, byte, byte };      /* session, nonce, next, limit, boot; */
-                                                                        /* limit + 16 * state, + 128: opened  */
-byte faults = FAULTS, deaths = DEATHS, reboots = REBOOTS;
+/* session, number or nonce, item */
+chan to_machine = [CH] of { mtype, byte, byte, byte };
+/* session, nonce, next, limit, boot; limit + 16 * state, + 64: refused, + 128: opened */
+chan to_host    = [CH] of { mtype, byte, byte, byte, byte, byte };
+byte faults = FAULTS, deaths = DEATHS, reboots = REBOOTS, limits = LIMITS;
 byte nonces = 0;                /* each HELLO of a new connection has another nonce */
 
 /* the machine */
 byte m_state = IDLE, m_session = 0, m_sessions = 0, m_nonce = 0, m_boot = 0;
 byte m_next = 0, m_executed = 0;
-bool m_opened = false, m_ended = false;
+bool m_opened = false, m_ended = false, m_closed = false, m_refused = false;
 bool due_welcome = false, due_ack = false, due_report = false;
 
 /* the host */
-byte h_phase = GREETING, h_session = 0, h_nonce = 0, h_boot = 0, h_base = 0, h_send = 0, h_limit = 0;
-bool h_sent = false, h_opened = false, h_end_sent = false, h_silent = false, h_doubt = false;
+byte h_phase = GREETING, h_session = 0, h_nonce = 0, h_boot = 0;
+byte h_base = 0, h_send = 0, h_limit = 0;
+bool h_sent = false, h_opened = false, h_end_sent = false;
+bool h_asked = false, h_silent = false, h_doubt = false;
 
 /* what is proved about */
 bool in_job = false;            /* JOB was taken and not yet closed                        */
@@ -75,8 +94,8 @@ bool distrusted = false;        /* the machine restarted in mid-job, a host aliv
 
 #define over (h_phase == FINISHED || h_phase == LOST)
 
-#define room    (Q - (m_next - m_executed))
-#define word    ((m_next + room) + 16 * m_state + 128 * m_opened)
+#define room    (m_state == ABORTED -> 0 : Q - (m_next - m_executed))
+#define word    ((m_next + room) + 16 * m_state + 64 * m_refused + 128 * m_opened)
 
 /* What is given to the line arrives, or is lost, or arrives twice. */
 inline give(line, what, a, b, c)
@@ -105,7 +124,8 @@ inline machine_hello(nonce)
     :: m_session == 0 || nonce != m_nonce ->
         m_sessions++;
         m_session = m_sessions;
-        m_opened  = (m_state == RUNNING)
+        m_opened  = (m_state == RUNNING);
+        m_refused = false
     :: else
     fi
     m_nonce     = nonce;
@@ -118,7 +138,12 @@ inline machine_job(nonce)
     if
     :: nonce != m_nonce
     :: nonce == m_nonce && (m_opened || m_state == DONE) -> due_ack = true
-    :: nonce == m_nonce && !m_opened && m_state == IDLE ->
+    :: nonce == m_nonce && !m_opened && (m_state == IDLE || m_state == ABORTED) &&
+       (m_closed || (m_refused && BUG != 4)) ->
+        m_refused = true; due_ack = true
+    :: nonce == m_nonce && !m_opened && (m_state == IDLE || m_state == ABORTED) &&
+       !m_closed && (!m_refused || BUG == 4) ->
+        assert(!over);                                  /* somebody is there */
         assert(!in_job);                                /* never a job within a job */
         assert(!distrusted);
         in_job   = true;
@@ -134,7 +159,8 @@ inline machine_job(nonce)
 inline machine_item(number, item)
 {
     if
-    :: m_state == RUNNING && !m_ended && (number == m_next % M || (BUG == 2 && number == (m_next + 1) % M)) && room > 0 ->
+    :: m_state == RUNNING && !m_ended && room > 0 &&
+       (number == m_next % M || (BUG == 2 && number == (m_next + 1) % M)) ->
         assert(item == m_next);                         /* exactly once, in order */
         assert(!distrusted);
         m_next++
@@ -165,9 +191,13 @@ end:
                 due_ack = true
             :: what == POLL  ->
                 due_ack = true;
-                if :: m_state == DONE -> due_report = true :: else fi
+                if :: m_state == DONE || m_state == ABORTED -> due_report = true :: else fi
             :: what == CLOSE ->
-                if :: m_state == DONE -> m_state = IDLE; in_job = false; due_report = false :: else fi
+                if
+                :: m_state == DONE || m_state == ABORTED ->
+                    m_state = IDLE; in_job = false; due_report = false
+                :: else
+                fi
                 due_ack = true
             fi
         :: else
@@ -175,24 +205,37 @@ end:
         what = HELLO; session = 0; number = 0; item = 0 }
 
     :: atomic { due_welcome && nfull(to_host) -> due_welcome = false; answer(WELCOME) }
-    :: atomic { !due_welcome && due_report && m_session != 0 && nfull(to_host) -> due_report = false; answer(REPORT) }
-    :: atomic { !due_welcome && !due_report && due_ack && nfull(to_host) -> due_ack = false; answer(ACK) }
+    :: atomic { !due_welcome && due_report && m_session != 0 && nfull(to_host) ->
+        due_report = false; answer(REPORT) }
+    :: atomic { !due_welcome && !due_report && due_ack && nfull(to_host) ->
+        due_ack = false; answer(ACK) }
 
-    :: atomic { m_executed < m_next ->
+    :: atomic { m_executed < m_next && m_state == RUNNING ->
         m_executed++;
         assert(m_next - m_executed < Q);
-        if :: m_session != 0 -> due_ack = true :: else fi }                 /* room is told unasked */
+        if :: m_session != 0 -> due_ack = true :: else fi }     /* room is told unasked */
     :: atomic { m_state == RUNNING && m_ended && m_executed == m_next ->
         assert(m_executed == K);
         m_state = DONE;
         if :: m_session != 0 -> due_report = true :: else fi }
+
+    :: atomic { limits > 0 && !m_closed ->
+        limits--;
+        m_closed = true;
+        if
+        :: m_state == RUNNING ->
+            m_state = ABORTED; in_job = false;
+            if :: m_session != 0 -> due_report = true; due_ack = true :: else fi
+        :: else
+        fi }
+    :: atomic { m_closed -> m_closed = false }
 
     :: atomic { reboots > 0 ->
         reboots--;
         if :: in_job && h_opened -> distrusted = true :: else fi;
         m_boot++;
         m_state = IDLE; m_session = 0; m_sessions = m_boot; m_nonce = 0; m_next = 0; m_executed = 0;
-        m_opened = false; m_ended = false; in_job = false;
+        m_opened = false; m_ended = false; m_refused = false; in_job = false;
         due_welcome = false; due_ack = false; due_report = false }
     od
 }
@@ -205,22 +248,26 @@ inline host_join(state, next, limit, boot, opened)
     :: h_opened && (state == IDLE || boot != h_boot) -> h_phase = LOST
     :: else ->
         if
-        :: state == IDLE -> h_phase = OPENING
+        :: state == IDLE || (state == ABORTED && !h_asked) -> h_phase = OPENING
         :: else ->
-            h_phase = STREAMING; h_opened = true; h_base = next; h_send = next; h_limit = limit; h_end_sent = false
+            h_phase = STREAMING; h_opened = true;
+            h_base = next; h_send = next; h_limit = limit; h_end_sent = false
         fi
     fi
     h_boot = boot
 }
 
-inline host_ack(state, next, limit, opened)
+inline host_ack(state, next, limit, opened, refused)
 {
     if
+    :: h_phase == OPENING && h_sent && !opened && refused -> h_phase = FINISHED
     :: h_phase == OPENING && h_sent && opened ->
-        h_phase = STREAMING; h_opened = true; h_base = next; h_send = next; h_limit = limit; h_end_sent = false
+        h_phase = STREAMING; h_opened = true;
+        h_base = next; h_send = next; h_limit = limit; h_end_sent = false
     :: h_phase == STREAMING && next >= h_base ->
         if
-        :: h_doubt && next == h_base -> h_send = h_base; h_end_sent = false     /* asked, and still missing: lost */
+        :: h_doubt && next == h_base ->         /* asked, and still missing: lost */
+            h_send = h_base; h_end_sent = false
         :: else
         fi
         h_doubt = false;
@@ -238,7 +285,8 @@ inline host_ack(state, next, limit, opened)
 
 inline host_greet()
 {
-    h_phase = GREETING; h_session = 0; h_sent = false; h_end_sent = false; h_silent = false; h_doubt = false;
+    h_phase = GREETING; h_session = 0;
+    h_sent = false; h_end_sent = false; h_silent = false; h_doubt = false;
     nonces++;
     h_nonce = nonces
 }
@@ -255,47 +303,57 @@ active proctype host()
 {
     mtype what;
     byte session, nonce, next, state, boot;
-    bool opened;
+    bool opened, refused;
 
     atomic { host_greet() }
     do
     :: atomic { to_host?what, session, nonce, next, state, boot ->
         opened = state >= 128;
-        state  = state % 128;
+        refused = (state % 128) >= 64;
+        state  = state % 64;
         if :: session == h_session -> h_silent = false :: else fi;
         if
         :: what == WELCOME && h_phase == GREETING && nonce == h_nonce ->
             h_session = session;
             host_join(state / 16, next, state % 16, boot, opened)
         :: what == ACK && h_phase != GREETING && session == h_session ->
-            host_ack(state / 16, next, state % 16, opened)
+            host_ack(state / 16, next, state % 16, opened, refused)
         :: what == REPORT && h_phase == STREAMING && session == h_session ->
             h_phase = CLOSING; h_sent = false
         :: else
         fi;
-        what = HELLO; session = 0; nonce = 0; next = 0; state = 0; boot = 0; opened = false }
+        what = HELLO; session = 0; nonce = 0; next = 0; state = 0; boot = 0;
+        opened = false; refused = false }
 
-    :: atomic { h_phase == GREETING && !h_sent && nfull(to_machine) -> h_sent = true; give(to_machine, HELLO, 0, h_nonce, 0) }
+    :: atomic { h_phase == GREETING && !h_sent && nfull(to_machine) ->
+        h_sent = true; give(to_machine, HELLO, 0, h_nonce, 0) }
     :: atomic { h_phase == OPENING && !h_sent && nfull(to_machine) ->
-        h_sent = true; give(to_machine, JOB, h_session, h_nonce, 0) }
-    :: atomic { h_phase == CLOSING && !h_sent && nfull(to_machine) -> h_sent = true; give(to_machine, CLOSE, h_session, 0, 0) }
-    :: atomic { h_phase == STREAMING && h_send < K && h_send < h_limit && h_send < h_base + W && nfull(to_machine) ->
-        assert(m_boot != h_boot || h_send < m_executed + Q);    /* never more than there is room for */
+        h_sent = true; h_asked = true; give(to_machine, JOB, h_session, h_nonce, 0) }
+    :: atomic { h_phase == CLOSING && !h_sent && nfull(to_machine) ->
+        h_sent = true; give(to_machine, CLOSE, h_session, 0, 0) }
+    :: atomic { h_phase == STREAMING && h_send < K && h_send < h_limit && h_send < h_base + W &&
+                nfull(to_machine) ->
+        /* never more than there is room for */
+        assert(m_boot != h_boot || h_send < m_executed + Q);
         give(to_machine, ITEM, h_session, h_send % M, h_send); h_send++ }
     :: atomic { h_phase == STREAMING && h_send == K && !h_end_sent && nfull(to_machine) ->
         h_end_sent = true; give(to_machine, END, h_session, K, 0) }
 
     /* silence: a question, or the same again, once; then from the greeting */
     :: atomic { quiet && h_phase == GREETING && h_sent -> h_sent = false }
-    :: atomic { quiet && (h_phase == OPENING || h_phase == CLOSING) && h_sent && !h_silent -> h_silent = true; h_sent = false }
+    :: atomic { quiet && (h_phase == OPENING || h_phase == CLOSING) && h_sent && !h_silent ->
+        h_silent = true; h_sent = false }
     :: atomic { quiet && h_phase == CLOSING && h_sent && h_silent -> h_phase = FINISHED }
     :: atomic { quiet && h_phase == STREAMING && !h_silent && nfull(to_machine) ->
         h_silent = true; h_doubt = true; give(to_machine, POLL, h_session, 0, 0) }
-    :: atomic { quiet && (h_phase == OPENING || h_phase == STREAMING) && h_silent && nonces < MOST -> host_greet() }
+    :: atomic { quiet && (h_phase == OPENING || h_phase == STREAMING) && h_silent &&
+                nonces < MOST ->
+        host_greet() }
 
     /* the program dies and is started again: it knows its job and nothing else */
     :: atomic { deaths > 0 && h_phase < CLOSING && !distrusted ->
-        deaths--; h_opened = false; h_base = 0; h_send = 0; h_limit = 0; h_boot = 0; host_greet() }
+        deaths--; h_opened = false; h_asked = false;
+        h_base = 0; h_send = 0; h_limit = 0; h_boot = 0; host_greet() }
     :: over -> break
     od
 }

@@ -41,7 +41,8 @@ static void let_interrupts_come(void)
 
 void setitimer(int which, const struct itimerval *once, struct itimerval *before)
 {
-    const uint32_t now = REG(TIME), high = REG(TIME + 4), due = now + 10 * (uint32_t)once->it_value.tv_usec;
+    const uint32_t now = REG(TIME), high = REG(TIME + 4),
+                   due = now + 10 * (uint32_t)once->it_value.tv_usec;
 
     (void)which;
     (void)before;

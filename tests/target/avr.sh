@@ -10,18 +10,35 @@ result=$tmp/result
 . tests/target/rows.sh
 ram() { echo $(($(avr-size "$elf" | awk 'NR == 2 { print $2 + $3 }') + $(value stack))); }
 
+# simulated [OPTION..]: the drawing on the simulated machine, its pulses in $tmp/here.csv
+simulated() {
+    "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 \
+        --max-speed 160 --accel 500 --queue 14 --ramp 40 >"$tmp/log" &
+    here=$!
+    for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+    timeout 300 "$loft" stream "$drawing" --feed $feed "$@" --port "$tmp/here" >"$tmp/planned" 2>&1
+    wait $here
+}
+time_ratio() {
+    awk -F, -v t="$ticks" '
+        /^[0-9]/ { if (!a) a = $1; b = $1 }
+        END      { if (t) printf "%.4f", (b - a) / 16000 / t }' "$tmp/chip.csv"
+}
+
 echo "-- a drawing: $drawing at $feed mm/s, 250 steps/mm, planned here"
-"$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 --max-speed 160 --accel 500 --queue 14 --ramp 40 >"$tmp/log" & here=$!
-for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
-timeout 300 "$loft" stream "$drawing" --feed $feed --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
-on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --port "$tmp/port" --record "$tmp/chip.csv"
+simulated
+on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --port "$tmp/port" \
+    --record "$tmp/chip.csv"
 
 ticks=$(sed -n 's/.*items, \([0-9]*\) ticks.*/\1/p' "$tmp/log")
 row "the command ends well"                                 "$code" = 0
-row "steps told and steps counted at the pins"              "$(told "$tmp/out")" = "$(value position)"
-row "every axis steps as on the simulated machine"          "$(path_of "$tmp/chip.csv")" = "$(path_of "$tmp/here.csv")"
-row "worst path error: tolerance 0.005 and a step"          "$(sed -n 's/.*worst path error \([0-9.]*\) mm.*/\1/p' "$tmp/out")" "<=" 0.0107 mm
-row "machine time over the time of the plan"                "$(awk -F, -v t="$ticks" '/^[0-9]/ { if (!a) a = $1; b = $1 } END { if (t) printf "%.4f", (b - a) / 16000 / t }' "$tmp/chip.csv")" "<=" 1.05
+row "steps told and steps counted at the pins" \
+    "$(told "$tmp/out")" = "$(value position)"
+row "every axis steps as on the simulated machine" \
+    "$(path_of "$tmp/chip.csv")" = "$(path_of "$tmp/here.csv")"
+row "worst path error: tolerance 0.005 and a step" \
+    "$(sed -n 's/.*worst path error \([0-9.]*\) mm.*/\1/p' "$tmp/out")" "<=" 0.0107 mm
+row "machine time over the time of the plan"                "$(time_ratio)" "<=" 1.05
 row "slots missed"                                          "$(value slots_missed)" = 0
 row "bytes that overran the chip"                           "$(value overruns)" = 0
 row "slot interrupt, mean"                                  "$(value slot_mean)" "<=" 120 cycles
@@ -29,8 +46,10 @@ row "slot interrupt, worst"                                 "$(value slot_most)"
 row "slot interrupt, latest"                                "$(value slot_late)" "<=" 200 cycles
 row "slots that found the ring empty in mid-job"            "$(value slots_empty)" = 0
 row "making the slots of a tick, and the next tick, mean"   "$(value tick_mean)" "<=" 4000 cycles
-# Not the worst of these calls: one makes one tick or several, as the moment wants it, and may take its time while slots are left.
-row "slots left in the ring when a slot came, fewest"       "$(value ring_least)" ">=" 8 "of the 36 at which work begins"
+# Not the worst of these calls: one makes one tick or several, as the moment wants it, and may take
+# its time while slots are left.
+row "slots left in the ring when a slot came, fewest" \
+    "$(value ring_least)" ">=" 8 "of the 36 at which work begins"
 row "all interrupts"                                        "$(value load)" "<=" 0.85 "of the time"
 row "shortest pulse (2 us)"                                 "$(value pulse_least)" ">=" 32 cycles
 row "direction set before the pulse, at least"              "$(value setup_least)" ">=" 320 cycles
@@ -38,19 +57,22 @@ row "direction kept after the pulse, at least"              "$(value hold_least)
 row "RAM: data, bss and the deepest stack; 60 of 2048 stay" "$(ram)" "<=" 1988 bytes
 
 echo "-- the same as points, one per ms"
-"$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 --max-speed 160 --accel 500 --queue 14 --ramp 40 >"$tmp/log" & here=$!
-for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
-timeout 300 "$loft" stream "$drawing" --feed $feed --points --port "$tmp/here" >"$tmp/planned" 2>&1; wait $here
-on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --points --port "$tmp/port" --record "$tmp/chip.csv"
+simulated --points
+on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --points --port "$tmp/port" \
+    --record "$tmp/chip.csv"
 ticks=$(sed -n 's/.*items, \([0-9]*\) ticks.*/\1/p' "$tmp/log")
 row "points: the command ends well"                         "$code" = 0
-row "points: every axis steps as on the simulated machine"  "$(path_of "$tmp/chip.csv")" = "$(path_of "$tmp/here.csv")"
-row "points: machine time over the time of the plan"        "$(awk -F, -v t="$ticks" '/^[0-9]/ { if (!a) a = $1; b = $1 } END { if (t) printf "%.4f", (b - a) / 16000 / t }' "$tmp/chip.csv")" "<=" 1.02
+row "points: every axis steps as on the simulated machine" \
+    "$(path_of "$tmp/chip.csv")" = "$(path_of "$tmp/here.csv")"
+row "points: machine time over the time of the plan"        "$(time_ratio)" "<=" 1.02
 row "points: slots missed"                                  "$(value slots_missed)" = 0
 row "points: RAM, data, bss and the deepest stack"          "$(ram)" "<=" 1988 bytes
 
 # rates NAME AXES STEPS_PER_TICK
-rates() { on_chip "$chip" "$elf" "$rate" "$tmp/port" "$2" "$3"; row "$1: every step there" "$code" = 0; }
+rates() {
+    on_chip "$chip" "$elf" "$rate" "$tmp/port" "$2" "$3"
+    row "$1: every step there" "$code" = 0
+}
 for axes in 1 3; do
     rates "40 steps/ms, $axes axes" $axes 40
     row "40 steps/ms, $axes axes: ticks that were slowed"   "$(said slowed)" = 0
@@ -62,5 +84,13 @@ done
 rates "60 steps/ms, 3 axes" 3 60
 row "60 steps/ms, 3 axes: it says how many ticks were slowed" "$(said slowed)" ">=" 1
 row "60 steps/ms, 3 axes: slots missed"                     "$(value slots_missed)" = 0
+
+echo "-- a line that is cut"
+"$loft" simulate --link "$tmp/cut" --speed real >"$tmp/log" & here=$!
+for _ in $(seq 3000); do [ -e "$tmp/cut" ] && break; sleep 0.02; done
+{ for _ in $(seq 3000); do grep -q begun "$tmp/log" && break; sleep 0.02; done; kill -9 $here; } &
+timeout 60 "$rate" "$tmp/cut" 3 40 >"$tmp/out" 2>"$tmp/said"; code=$?
+wait
+row "the test's own sender ends"                            "$code" = 1
 
 sum

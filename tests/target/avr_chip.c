@@ -1,8 +1,10 @@
 /* tests/target/avr_chip.c -- the emulated chip behind a pseudo terminal
  * SPDX-License-Identifier: MIT
- * usage: chip FIRMWARE.elf --tick ADDRESS --ring HEAD,TAIL [--link PATH] [--record FILE] [--steps N] [--profile FILE]
+ * usage: chip FIRMWARE.elf --tick ADDRESS --ring HEAD,TAIL [--link PATH] [--record FILE] [--steps
+ * N] [--profile FILE]
  *
- * The chip's time stands while it is the host's turn (avr_gate.h). Ends when a job has been drawn and closed, with lines `name value` on standard output.
+ * The chip's time stands while it is the host's turn (avr_gate.h). Ends when a job has been drawn
+ * and closed, with lines `name value` on standard output.
  */
 #include <signal.h>
 #include <stdio.h>
@@ -17,11 +19,13 @@
 #include "host/line.h"          /* the pseudo terminal  */
 
 #define HZ          AVR_HZ
-#define BATCH       (HZ / 1000)     /* cycles between two looks at the line                           */
-#define SETTLE      (HZ / 50)       /* after the last byte, to answer it                              */
-#define QUIET_MS    10000           /* of real time without a byte that is owed: the sender is gone, not only busy */
-#define WINDOW_MS   400             /* the same while it may be waiting for what the machine says to its last frames */
-#define LEAVE_MS    10000           /* for the last answer to be read                                 */
+#define BATCH       (HZ / 1000)     /* cycles between two looks at the line */
+#define SETTLE      (HZ / 50)       /* after the last byte, to answer it */
+/* of real time without a byte that is owed: the sender is gone, not only busy */
+#define QUIET_MS    10000
+/* the same while it may be waiting for what the machine says to its last frames */
+#define WINDOW_MS   400
+#define LEAVE_MS    10000           /* for the last answer to be read */
 
 struct chip {
     struct avr_core core;
@@ -74,7 +78,8 @@ static void take_bytes(struct chip *c)
 static void give_bytes(struct chip *c)
 {
     while (c->out_tail != c->out_head) {
-        const size_t most = c->out_head > c->out_tail ? (size_t)(c->out_head - c->out_tail) : sizeof c->out - c->out_tail;
+        const size_t most = c->out_head > c->out_tail ? (size_t)(c->out_head - c->out_tail)
+                                                      : sizeof c->out - c->out_tail;
         const size_t count = host_line_write(&c->line, c->out + c->out_tail, most);
         if (count == 0)
             return;
@@ -87,8 +92,8 @@ static bool pending(const struct chip *c)
     return c->core.in_tail != c->core.in_head || c->core.avr->cycle - c->core.heard < SETTLE;
 }
 
-/* Let the host speak while it is its turn: in mid-job until it has sent what it may, else until it says anything. A host
- * that did not is given up until it may send more. */
+/* Let the host speak while it is its turn: in mid-job until it has sent what it may, else until it
+ * says anything. A host that did not is given up until it may send more. */
 static void wait_for_host(struct chip *c)
 {
     const bool busy = gate_busy(&c->gate);
@@ -117,7 +122,8 @@ static void run(struct chip *c)
         if (!avr_core_run(&c->core, BATCH, true))
             return;
         give_bytes(c);
-        if (gate_busy(&c->gate) ? gate_owed(&c->gate) && c->gate.ack.limit != c->given_up : !pending(c))
+        if (gate_busy(&c->gate) ? gate_owed(&c->gate) && c->gate.ack.limit != c->given_up
+                                : !pending(c))
             wait_for_host(c);
         else
             take_bytes(c);
@@ -154,18 +160,24 @@ static void print_results(const struct chip *c)
     print_context("slot", &m->context[SLOT]);
     print_context("tick", &m->context[TICK]);
     print_context("receive", &m->context[RECEIVE]);
-    printf("slot_period %u\nslot_late %llu\nslots_missed %llu\nslots_empty %llu\n", m->period, (unsigned long long)m->slot_late, (unsigned long long)meter_missed(m),
+    printf("slot_period %u\nslot_late %llu\nslots_missed %llu\nslots_empty %llu\n", m->period,
+           (unsigned long long)m->slot_late, (unsigned long long)meter_missed(m),
            (unsigned long long)m->starved);
-    printf("load %.3f\n", (double)(m->context[SLOT].cycles + m->context[TICK].cycles + m->context[RECEIVE].cycles) / (double)slots);
+    printf("load %.3f\n", (double)(m->context[SLOT].cycles + m->context[TICK].cycles +
+                                   m->context[RECEIVE].cycles) /
+                              (double)slots);
     print_least("ring_least", m->left_least);
     print_least("pulse_least", m->pulse_least);
     print_least("setup_least", m->setup_least);
     print_least("hold_least", m->hold_least);
     print_least("between_least", m->between_least);
-    printf("pulses %llu %llu %llu\n", (unsigned long long)m->pulses[0], (unsigned long long)m->pulses[1], (unsigned long long)m->pulses[2]);
-    printf("position %d %d %d\n", (int)m->record.position[0], (int)m->record.position[1], (int)m->record.position[2]);
+    printf("pulses %llu %llu %llu\n", (unsigned long long)m->pulses[0],
+           (unsigned long long)m->pulses[1], (unsigned long long)m->pulses[2]);
+    printf("position %d %d %d\n", (int)m->record.position[0], (int)m->record.position[1],
+           (int)m->record.position[2]);
     printf("stack %d\nstack_at %#x\n", 0x8FF - m->deepest, (unsigned)m->deepest_pc);
-    printf("bytes_received %llu\nbytes_given %llu\noverruns %llu\nnaks %u\nhost_late %u\n", (unsigned long long)c->core.received, (unsigned long long)c->core.given,
+    printf("bytes_received %llu\nbytes_given %llu\noverruns %llu\nnaks %u\nhost_late %u\n",
+           (unsigned long long)c->core.received, (unsigned long long)c->core.given,
            (unsigned long long)c->core.overruns, (unsigned)c->gate.naks, (unsigned)c->waits);
     printf("byte_cycles %u\nseconds %.6f\n", c->core.byte_cycles, (double)c->core.avr->cycle / HZ);
 }
@@ -204,7 +216,8 @@ int main(int argc, char **argv)
     c.core.out = byte_out;
     c.core.context = &c;
     gate_init(&c.gate);
-    int code = argc < 2 ? EX_USAGE : avr_core_start(&c.core, argv[1], (uint32_t)strtoul(tick, NULL, 0));
+    int code = argc < 2 ? EX_USAGE
+                        : avr_core_start(&c.core, argv[1], (uint32_t)strtoul(tick, NULL, 0));
     if (code == 0)
         code = host_record_open(&c.core.meter.record, &o);
     if (code == 0)

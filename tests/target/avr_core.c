@@ -25,13 +25,15 @@ static void byte_out(struct avr_irq_t *irq, uint32_t value, void *param)
 /* simavr counts eleven bits per byte; a byte has ten. */
 static void correct_baud(struct avr_core *c)
 {
-    const uint32_t divider = 1u + (c->avr->data[c->uart->ubrrl.reg] | (uint32_t)(c->avr->data[c->uart->ubrrh.reg] & 15) << 8);
+    const uint32_t divider = 1u + (c->avr->data[c->uart->ubrrl.reg] |
+                                   (uint32_t)(c->avr->data[c->uart->ubrrh.reg] & 15) << 8);
 
     c->byte_cycles = divider * (avr_regbit_get(c->avr, c->uart->u2x) ? 80u : 160u);
     c->uart->cycles_per_byte = c->byte_cycles;
 }
 
-/* One byte each ten bits. Two wait in the chip; a third one that comes then is lost on silicon, so it is counted. */
+/* One byte each ten bits. Two wait in the chip; a third one that comes then is lost on silicon, so
+ * it is counted. */
 static void give_byte(struct avr_core *c)
 {
     if (c->in_tail == c->in_head || c->avr->cycle < c->free_at)
@@ -42,7 +44,8 @@ static void give_byte(struct avr_core *c)
     avr_raise_irq(c->input, c->in[c->in_tail++]);
     c->received++;
     c->heard = c->avr->cycle;
-    c->free_at = (c->free_at + c->byte_cycles > c->avr->cycle ? c->free_at : c->avr->cycle) + c->byte_cycles + 8;
+    c->free_at = (c->free_at + c->byte_cycles > c->avr->cycle ? c->free_at : c->avr->cycle) +
+                 c->byte_cycles + 8;
 }
 
 static void no_sleep(avr_t *avr, avr_cycle_count_t cycles)
@@ -64,7 +67,8 @@ int avr_core_start(struct avr_core *c, const char *file, uint32_t tick_pc)
     uint32_t flags = 0;
 
     avr_global_logger_set(quiet_log);
-    if (elf_read_firmware(file, &firmware) != 0 || (c->avr = avr_make_mcu_by_name("atmega328p")) == NULL) {
+    if (elf_read_firmware(file, &firmware) != 0 ||
+        (c->avr = avr_make_mcu_by_name("atmega328p")) == NULL) {
         fprintf(stderr, "%s: cannot be loaded\n", file);
         return EX_NOINPUT;
     }

@@ -1,4 +1,5 @@
-/* tests/target/avr_core.h -- an ATmega328P in libsimavr, cycle by cycle, with a serial line of the baud rate that the firmware has set
+/* tests/target/avr_core.h -- an ATmega328P in libsimavr, cycle by cycle, with a serial line of the
+ * baud rate that the firmware has set
  * SPDX-License-Identifier: MIT
  */
 #ifndef TARGET_AVR_CORE_H
@@ -15,13 +16,13 @@ struct avr_core {
     avr_uart_t *uart;
     avr_irq_t *input;
     struct meter meter;
-    uint32_t byte_cycles;               /* ten bits                                                */
-    uint8_t in[65536];                  /* to the chip; indices wrap                               */
+    uint32_t byte_cycles;               /* ten bits */
+    uint8_t in[65536];                  /* to the chip; indices wrap */
     uint16_t in_head, in_tail;
-    uint64_t free_at;                   /* when the line to the chip is free again                 */
-    uint64_t heard;                     /* cycle of the last byte either way                       */
+    uint64_t free_at;                   /* when the line to the chip is free again */
+    uint64_t heard;                     /* cycle of the last byte either way */
     uint64_t received, given, overruns;
-    void (*out)(void *context, uint8_t byte);   /* CALLBACK: the chip begins to send a byte         */
+    void (*out)(void *context, uint8_t byte);   /* CALLBACK: the chip begins to send a byte */
     void *context;
 };
 
@@ -31,7 +32,8 @@ int avr_core_start(struct avr_core *c, const char *file, uint32_t tick_pc);
 /* A byte for the chip: it gets it when those before have passed, each in ten bits. */
 static inline void avr_core_put(struct avr_core *c, uint8_t byte)   { c->in[c->in_head++] = byte; }
 
-/* Let `cycles` pass; with `metered`, each instruction is looked at. False if the firmware has stopped. */
+/* Let `cycles` pass; with `metered`, each instruction is looked at. False if the firmware has
+ * stopped. */
 bool avr_core_run(struct avr_core *c, uint32_t cycles, bool metered);
 
 #endif

@@ -1,4 +1,4 @@
-/* tests/target/gate.c
+/* tests/target/avr_gate.c
  * SPDX-License-Identifier: MIT
  */
 #include "avr_gate.h"
@@ -10,14 +10,18 @@ void gate_init(struct gate *g)
     loft_frame_init(&g->from_machine);
 }
 
-/* The seal of a frame of items is not looked at: this line bends no byte. The number of its first item is one of 16 bits, near `next`. */
+/* The seal of a frame of items is not looked at: this line bends no byte. The number of its first
+ * item is one of 16 bits, near `next`. */
 static void take_items(struct gate *g)
 {
     loft_unpacker u;
     uint16_t first;
 
-    if (loft_data_first(&g->from_host, &first) == LOFT_OK && loft_data_decode(&g->from_host, &u) == LOFT_OK)
-        g->sent = (uint32_t)((int64_t)g->ack.next + (int16_t)(uint16_t)(first - (g->ack.next & 0xFFFFu))) + u.count;
+    if (loft_data_first(&g->from_host, &first) == LOFT_OK &&
+        loft_data_decode(&g->from_host, &u) == LOFT_OK)
+        g->sent = (uint32_t)((int64_t)g->ack.next +
+                             (int16_t)(uint16_t)(first - (g->ack.next & 0xFFFFu))) +
+                  u.count;
 }
 
 void gate_host(struct gate *g, uint8_t byte)
@@ -43,7 +47,8 @@ void gate_host(struct gate *g, uint8_t byte)
 
 static void take(struct gate *g, const loft_ack *ack)
 {
-    if (loft_state_busy(g->ack.state) == false && ack->state == LOFT_STATE_IDLE && g->ack.state >= LOFT_STATE_DONE)
+    if (loft_state_busy(g->ack.state) == false && ack->state == LOFT_STATE_IDLE &&
+        g->ack.state >= LOFT_STATE_DONE)
         g->jobs++;
     if (ack->flags & LOFT_FLAG_NAK) {
         g->sent = ack->next;

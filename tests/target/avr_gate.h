@@ -1,8 +1,10 @@
-/* tests/target/gate.h -- whose turn it is: may an emulated machine's time go on, or has the host still to speak?
+/* tests/target/avr_gate.h -- whose turn it is: may an emulated machine's time go on, or has the
+ * host still to speak?
  * SPDX-License-Identifier: MIT
  *
- * It listens to both directions of the line. Time stands while no job is under way and the machine has nothing more to say,
- * and while the host may send items and has not: so no result depends on how fast the host is.
+ * It listens to both directions of the line. Time stands while no job is under way and the machine
+ * has nothing more to say, and while the host may send items and has not: so no result depends on
+ * how fast the host is.
  */
 #ifndef TARGET_GATE_H
 #define TARGET_GATE_H
@@ -26,9 +28,13 @@ void gate_machine(struct gate *g, uint8_t byte);
 
 /* Is a job under way, and is it the host's turn in it? */
 static inline bool gate_busy(const struct gate *g)      { return loft_state_busy(g->ack.state); }
-static inline bool gate_owed(const struct gate *g)      { return !g->ended && (int32_t)(g->ack.limit - g->sent) >= (int32_t)g->step; }
+static inline bool gate_owed(const struct gate *g)
+{
+    return !g->ended && (int32_t)(g->ack.limit - g->sent) >= (int32_t)g->step;
+}
 
-/* Has the machine told of all items that were sent? If not the host may wait for that, and send no more. */
+/* Has the machine told of all items that were sent? If not the host may wait for that, and send no
+ * more. */
 static inline bool gate_answered(const struct gate *g)  { return g->ack.next == g->sent; }
 
 #endif

@@ -1,4 +1,4 @@
-/* tests/target/meter.c
+/* tests/target/avr_meter.c
  * SPDX-License-Identifier: MIT
  */
 #include "avr_meter.h"
@@ -7,14 +7,19 @@
 
 #define RET         0x9508
 #define RETI        0x9518
-#define RESPONSE    4               /* cycles until the first instruction of an interrupt, which simavr does not count */
-#define EARLY       8               /* a slot may begin that much sooner than the first one, which came late itself */
+/* cycles until the first instruction of an interrupt, which simavr does not count */
+#define RESPONSE    4
+/* a slot may begin that much sooner than the first one, which came late itself */
+#define EARLY       8
 #define VECTORS     26
 #define SLOT_VECTOR 11              /* timer 1 compare A */
 #define RX_VECTOR   18
 #define RING        64              /* slots that the firmware's ring has */
 
-static uint16_t stack(const avr_t *avr)     { return (uint16_t)(avr->data[R_SPL] | avr->data[R_SPH] << 8); }
+static uint16_t stack(const avr_t *avr)
+{
+    return (uint16_t)(avr->data[R_SPL] | avr->data[R_SPH] << 8);
+}
 
 static void least(uint64_t *is, uint64_t x) { if (x < *is) *is = x; }
 static void most(uint64_t *is, uint64_t x)  { if (x > *is) *is = x; }
@@ -46,13 +51,15 @@ static void pin_changed(struct avr_irq_t *irq, uint32_t value, void *param)
             meter_flush(m);
         m->when = now;
         m->step |= (uint8_t)(1u << axis);
-        m->dir = (uint8_t)((m->dir & ~(1u << axis)) | (m->avr->data[0x2B] >> (5 + axis) & 1u) << axis);
+        m->dir = (uint8_t)((m->dir & ~(1u << axis)) | (m->avr->data[0x2B] >> (5 + axis) & 1u)
+                                                          << axis);
         if (m->turned[axis])
             least(&m->setup_least, now - m->turned[axis]);
         if (m->pulses[axis]++)
             least(&m->between_least, now - m->last[axis]);
         m->rose[axis] = m->last[axis] = now;
-        m->path[axis] = (m->path[axis] ^ (m->dir >> axis & 1u)) * 0x100000001b3u + 1;     /* as FNV-1a does */
+        /* as FNV-1a does */
+        m->path[axis] = (m->path[axis] ^ (m->dir >> axis & 1u)) * 0x100000001b3u + 1;
         if (m->armed && m->begun) {
             m->starved += m->empty;
             least(&m->left_least, m->low);
@@ -74,7 +81,8 @@ void meter_init(struct meter *m, avr_t *avr, uint32_t tick_pc)
     m->low = RING;
     m->left_least = m->pulse_least = m->setup_least = m->hold_least = m->between_least = UINT64_MAX;
     for (int pin = 2; pin < 8; pin++)
-        avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), pin), pin_changed, m);
+        avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), pin), pin_changed,
+                                m);
     avr->run_cycle_limit = 1;
 }
 
@@ -116,14 +124,16 @@ static void count_slot(struct meter *m)
     m->empty += left == 0;
     if (left < m->low)
         m->low = left;
-    most(&m->slot_late, (now - m->slot_first + EARLY) % m->period > EARLY ? (now - m->slot_first) % m->period : 0);
+    most(&m->slot_late,
+         (now - m->slot_first + EARLY) % m->period > EARLY ? (now - m->slot_first) % m->period : 0);
 }
 
 uint64_t meter_missed(const struct meter *m)
 {
     if (!m->armed)
         return 0;
-    const uint64_t due = (m->slot_last - m->slot_first) / m->period + 1, were = m->context[SLOT].calls + (m->depth > 0);
+    const uint64_t due = (m->slot_last - m->slot_first) / m->period + 1,
+                   were = m->context[SLOT].calls + (m->depth > 0);
     return due > were ? due - were : 0;
 }
 
@@ -139,13 +149,14 @@ void meter_run(struct meter *m)
     m->nest[m->depth].own += took;
     if (m->profile)
         m->profile[pc / 2] += took;
-    if (stack(avr) < m->deepest && instruction >> 9 != 0xBF >> 1) {     /* not between the writes of its two bytes, which are `out` */
+    if (stack(avr) < m->deepest && instruction >> 9 != 0xBF >> 1) {
+        /* not between the writes of its two bytes, which are `out` */
         m->deepest = stack(avr);
         m->deepest_pc = pc;
     }
 
-    if (m->depth && (instruction == RETI ||
-                     (instruction == RET && m->nest[m->depth].kind == TICK && stack(avr) > m->nest[m->depth].sp)))
+    if (m->depth && (instruction == RETI || (instruction == RET && m->nest[m->depth].kind == TICK &&
+                                             stack(avr) > m->nest[m->depth].sp)))
         leave(m);
     if (avr->pc == m->tick_pc && pc != avr->pc) {
         enter(m, TICK);

@@ -1,15 +1,20 @@
-/* tests/target/avr_trials.c -- jobs over a bad line: loft_sender, the line, and the emulated chip in one program and one time
+/* tests/target/avr_trials.c -- jobs over a bad line: loft_sender, the line, and the emulated chip
+ * in one program and one time
  * SPDX-License-Identifier: MIT
  * usage: trials FIRMWARE.elf KIND COUNT [SEED]
  *
  * KIND is the fault that each trial has, at a random byte of either direction:
  *     byte       one byte flipped in one bit, dropped, doubled, or another one inserted
- *     cut        the line is dead from there on, for 0.1 to 60 s (each duration as likely as its double)
- *     frames     the same at the boundary of each frame that the host sends, one after the other; COUNT is the most
- *     killed     the sender is killed there, and another one begins the same job 0.1 to 5 s later, unless the job is drawn, reported and closed
+ *     cut        the line is dead from there on, for 0.1 to 60 s (each duration as likely as its
+ *                double)
+ *     frames     the same at the boundary of each frame that the host sends, one after the other;
+ *                COUNT is the most
+ *     killed     the sender is killed there, and another one begins the same job 0.1 to 5 s later,
+ *                unless the job is drawn, reported and closed
  *     noise      one bit of 10,000 is flipped, the job is the whole drawing
- * Each trial must end with the whole job drawn: the chip's report, the pulses counted at its pins and the order of each axis'
- * steps are those of an undisturbed run. One line per kind: `KIND trials N wrong N incomplete N resent FRAMES seconds ..`
+ * Each trial must end with the whole job drawn: the chip's report, the pulses counted at its pins
+ * and the order of each axis' steps are those of an undisturbed run. One line per kind: `KIND
+ * trials N wrong N incomplete N resent FRAMES seconds ..`
  */
 #include <math.h>
 #include <stdio.h>
@@ -50,7 +55,8 @@ static uint32_t items;
 static loft_job job = { .kind = LOFT_SPANS };
 static struct fault fault;
 static uint64_t passed, dead_until, random_state;
-static bool cut_done, told;         /* told: the sender that was killed had the report of the whole job */
+static bool cut_done, told;         /* told: the sender that was killed had the report of the whole
+                                     * job */
 static loft_report report;
 static uint32_t frames_sent;
 static uint64_t calm_path[3], calm_pulses[3];
@@ -82,11 +88,13 @@ static int plan_job(const char *file, uint32_t most)
         limits.max_speed[i] = LOFT_REAL(160);
         limits.max_accel[i] = LOFT_REAL(500);
     }
-    if (f == NULL || loft_plan_init(&plan, &limits, moves, 16, pieces, 16 * LOFT_PLAN_PIECES) != LOFT_OK)
+    if (f == NULL ||
+        loft_plan_init(&plan, &limits, moves, 16, pieces, 16 * LOFT_PLAN_PIECES) != LOFT_OK)
         return 1;
     for (uint32_t n = 0; n < most && fgets(line, sizeof line, f);) {
         loft_move move = { .feed = LOFT_REAL(50) };
-        if (sscanf(line, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", v, v + 1, v + 2, v + 3, v + 4, v + 5, v + 6, v + 7) != 8)
+        if (sscanf(line, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", v, v + 1, v + 2, v + 3, v + 4, v + 5,
+                   v + 6, v + 7) != 8)
             continue;
         for (int k = 0; k < 8; k++)
             move.curve.p[k / 2].axis[k % 2] = loft_real_from_raw((int32_t)lround(v[k] * 65536));
@@ -156,7 +164,8 @@ static void begin(void)
 /* The fault that begins at a place of the traffic. */
 static void break_line(bool boundary)
 {
-    const bool here = fault.kind == FRAMES ? boundary && frames_sent == fault.at : passed >= fault.at;
+    const bool here = fault.kind == FRAMES ? boundary && frames_sent == fault.at
+                                           : passed >= fault.at;
 
     if (cut_done || fault.kind < CUT || fault.kind > KILLED || !here)
         return;
@@ -183,7 +192,8 @@ static void host_turn(void)
         sender.phase = LOFT_PHASE_DONE;
         sender.report = report;
     }
-    if (sender.phase == LOFT_PHASE_READY && loft_sender_begin(&sender, &job, items, source, NULL) != LOFT_OK)
+    if (sender.phase == LOFT_PHASE_READY &&
+        loft_sender_begin(&sender, &job, items, source, NULL) != LOFT_OK)
         sender.phase = LOFT_PHASE_REFUSED;
     if (core.in_head != core.in_tail)
         return;
@@ -216,8 +226,10 @@ static struct outcome run_trial(void)
     o.done = sender.phase == LOFT_PHASE_DONE;
     o.exact = true;
     for (int i = 0; i < 3; i++)
-        o.exact &= sender.report.position[i] == core.meter.record.position[i] && (fault.kind == CALM ||
-                   (core.meter.record.position[i] == calm_position[i] && core.meter.pulses[i] == calm_pulses[i] && core.meter.path[i] == calm_path[i]));
+        o.exact &= sender.report.position[i] == core.meter.record.position[i] &&
+                   (fault.kind == CALM ||
+                    (core.meter.record.position[i] == calm_position[i] &&
+                     core.meter.pulses[i] == calm_pulses[i] && core.meter.path[i] == calm_path[i]));
     o.ms = (uint32_t)((core.avr->cycle - from) / MS);
     o.resent = sender.resent;
     o.bytes = (uint32_t)passed;
@@ -231,14 +243,20 @@ static struct outcome in_a_child(struct outcome *shared, const struct fault *f)
     fault = *f;
     *shared = run_trial();
     if (f->kind != CALM && !(shared->done && shared->exact))
-        fprintf(stderr, "trial: kind %d at %llu what %u bit %u for %u ms: %s, phase %d, position %d %d\n", f->kind, (unsigned long long)f->at, f->what, f->bit,
-                f->ms, shared->done ? "wrong steps" : "incomplete", sender.phase, core.meter.record.position[0], core.meter.record.position[1]);
+        fprintf(stderr,
+                "trial: kind %d at %llu what %u bit %u for %u ms: %s, phase %d, position %d %d\n",
+                f->kind, (unsigned long long)f->at, f->what, f->bit, f->ms,
+                shared->done ? "wrong steps" : "incomplete", sender.phase,
+                core.meter.record.position[0], core.meter.record.position[1]);
     return *shared;
 }
 
 static struct fault next_fault(enum kind kind, uint64_t bytes, uint32_t number)
 {
-    struct fault f = { .kind = kind, .at = random_64() % bytes, .what = (unsigned)(number % 4), .bit = (unsigned)(random_64() % 8) };
+    struct fault f = { .kind = kind,
+                       .at = random_64() % bytes,
+                       .what = (unsigned)(number % 4),
+                       .bit = (unsigned)(random_64() % 8) };
     const double share = (double)(random_64() >> 11) / 9007199254740992.0;
 
     f.ms = (uint32_t)(100 * pow(kind == KILLED ? 50 : 600, share));
@@ -249,7 +267,9 @@ static struct fault next_fault(enum kind kind, uint64_t bytes, uint32_t number)
 
 static struct outcome calm_run(void)
 {
-    struct outcome *o = mmap(NULL, sizeof *o + sizeof calm_path + sizeof calm_pulses + sizeof calm_position, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    struct outcome *o = mmap(
+        NULL, sizeof *o + sizeof calm_path + sizeof calm_pulses + sizeof calm_position,
+        PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     uint8_t *rest = (uint8_t *)(o + 1);
 
     if (fork() == 0) {
@@ -271,12 +291,15 @@ static int trials(enum kind kind, const char *name, uint32_t count, double rate)
     const struct outcome calm = calm_run();
     if (kind == FRAMES && calm.frames < count)
         count = calm.frames;
-    struct outcome *o = mmap(NULL, (count + 1) * sizeof *o, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    struct outcome *o = mmap(NULL, (count + 1) * sizeof *o, PROT_READ | PROT_WRITE,
+                             MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     uint32_t wrong = 0, incomplete = 0, resent = 0, running = 0;
     double seconds = 0, bytes = 0;
 
     if (!calm.done || !calm.exact || calm_pulses[0] == 0) {
-        fprintf(stderr, "trials: the undisturbed job does not end: %d %d ms %u frames %u pulses %llu\n", calm.done, calm.exact, calm.ms, calm.frames, (unsigned long long)calm_pulses[0]);
+        fprintf(stderr,
+                "trials: the undisturbed job does not end: %d %d ms %u frames %u pulses %llu\n",
+                calm.done, calm.exact, calm.ms, calm.frames, (unsigned long long)calm_pulses[0]);
         return 1;
     }
     for (uint32_t i = 0; i < count; i++) {
@@ -301,8 +324,10 @@ static int trials(enum kind kind, const char *name, uint32_t count, double rate)
         seconds += o[i].ms / 1000.0;
         bytes += o[i].bytes;
     }
-    printf("%s trials %u wrong %u incomplete %u resent %u seconds %.1f bytes %.0f calm %.3f items %u\n", name, (unsigned)count, (unsigned)wrong,
-           (unsigned)incomplete, (unsigned)resent, seconds, bytes, calm.ms / 1000.0, (unsigned)items);
+    printf("%s trials %u wrong %u incomplete %u resent %u seconds %.1f bytes %.0f calm %.3f items "
+           "%u\n",
+           name, (unsigned)count, (unsigned)wrong, (unsigned)incomplete, (unsigned)resent, seconds,
+           bytes, calm.ms / 1000.0, (unsigned)items);
     return wrong + incomplete > 0;
 }
 
@@ -320,7 +345,9 @@ int main(int argc, char **argv)
     }
     random_state = argc > 4 ? strtoull(argv[4], NULL, 10) : 1;
     core.out = chip_said;
-    if (avr_core_start(&core, argv[1], 0) != 0 || plan_job("tests/drawings/outline12.csv", kind == NOISE ? 12 : 3) != 0 || !avr_core_run(&core, 50 * MS, false))
+    if (avr_core_start(&core, argv[1], 0) != 0 ||
+        plan_job("tests/drawings/outline12.csv", kind == NOISE ? 12 : 3) != 0 ||
+        !avr_core_run(&core, 50 * MS, false))
         return 70;
     return trials(kind, names[kind], (uint32_t)atoi(argv[3]), kind == NOISE ? 1e-4 : 0);
 }

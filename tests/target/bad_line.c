@@ -1,11 +1,14 @@
-/* tests/target/bad_line.c -- a bad line in front of a machine's socket: bytes are lost, doubled, bent and put in, and the cable is out
+/* tests/target/bad_line.c -- a bad line in front of a machine's socket: bytes are lost, doubled,
+ * bent and put in, and the cable is out
  * SPDX-License-Identifier: MIT
  * usage: bad_line SOCKET MACHINE BAUD SEED BYTES OUTAGES OUTAGE_MS
  *
- * Serves the Unix socket SOCKET, one client after the other, and passes on to and from the Unix socket MACHINE, at BAUD. Of a million bytes, BYTES are
- * flipped in a bit, as many dropped, doubled, preceded by another one; a third of that are bursts, and frames of some time ago come again. In a
- * million milliseconds the cable is out OUTAGES times, for up to OUTAGE_MS. Runs until it is killed; then prints how many bytes came
- * otherwise than they went, and how often the cable was out.
+ * Serves the Unix socket SOCKET, one client after the other, and passes on to and from the Unix
+ * socket MACHINE, at BAUD. Of a million bytes, BYTES are flipped in a bit, as many dropped,
+ * doubled, preceded by another one; a third of that are bursts, and frames of some time ago come
+ * again. In a million milliseconds the cable is out OUTAGES times, for up to OUTAGE_MS. Runs until
+ * it is killed; then prints how many bytes came otherwise than they went, and how often the cable
+ * was out.
  */
 #include <poll.h>
 #include <signal.h>
@@ -17,7 +20,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "line.h"               /* line, line_faults: what befalls a byte */
+#include "support/line.h"               /* line, line_faults: what befalls a byte */
 
 static volatile sig_atomic_t stop_wanted;
 
@@ -57,7 +60,8 @@ static int served(const char *path)
     const int server = socket(AF_UNIX, SOCK_STREAM, 0);
 
     unlink(path);
-    if (server < 0 || bind(server, (const struct sockaddr *)&address, sizeof address) != 0 || listen(server, 1) != 0)
+    if (server < 0 || bind(server, (const struct sockaddr *)&address, sizeof address) != 0 ||
+        listen(server, 1) != 0)
         die(path);
     return server;
 }
@@ -67,7 +71,8 @@ static int connected(const char *path)
     const struct sockaddr_un address = address_of(path);
     const int fd = socket(AF_UNIX, SOCK_STREAM, 0);
 
-    for (int tries = 0; connect(fd, (const struct sockaddr *)&address, sizeof address) != 0; tries++) {
+    for (int tries = 0; connect(fd, (const struct sockaddr *)&address, sizeof address) != 0;
+         tries++) {
         if (tries == 500)
             die(path);
         usleep(20000);
@@ -91,7 +96,8 @@ static bool send_byte(line *l, arb *a, const line_faults *f, uint8_t byte, uint6
     return l->in == before + 1 && l->byte[before % LINE_ROOM] == byte;
 }
 
-/* What `from` says goes into the line; the number of bytes that are damaged, or -1 when `from` is gone. */
+/* What `from` says goes into the line; the number of bytes that are damaged, or -1 when `from` is
+ * gone. */
 static int take(int from, line *l, arb *a, const line_faults *f, uint64_t now)
 {
     uint8_t bytes[512];
@@ -125,14 +131,21 @@ int main(int argc, char **argv)
     bytes = strtoul(argv[5], NULL, 10);
     byte_us = 10000000 / (uint32_t)strtoul(argv[3], NULL, 10);
     arb a = arb_start(strtoull(argv[4], NULL, 10));
-    const line_faults f = { .flip = (uint32_t)bytes, .drop = (uint32_t)bytes, .twice = (uint32_t)bytes, .insert = (uint32_t)bytes, .burst = (uint32_t)bytes / 3,
-                            .outage = (uint32_t)strtoul(argv[6], NULL, 10), .outage_ms = (uint32_t)strtoul(argv[7], NULL, 10), .replay = (uint32_t)bytes };
+    const line_faults f = { .flip = (uint32_t)bytes,
+                            .drop = (uint32_t)bytes,
+                            .twice = (uint32_t)bytes,
+                            .insert = (uint32_t)bytes,
+                            .burst = (uint32_t)bytes / 3,
+                            .outage = (uint32_t)strtoul(argv[6], NULL, 10),
+                            .outage_ms = (uint32_t)strtoul(argv[7], NULL, 10),
+                            .replay = (uint32_t)bytes };
     signal(SIGTERM, want_stop);
     signal(SIGPIPE, SIG_IGN);
     const int server = served(argv[1]), machine = connected(argv[2]);
     int client = -1;
     for (uint32_t past = (uint32_t)(now_us() / 1000); !stop_wanted;) {
-        struct pollfd p[2] = { { .fd = client >= 0 ? client : server, .events = POLLIN }, { .fd = machine, .events = POLLIN } };
+        struct pollfd p[2] = { { .fd = client >= 0 ? client : server, .events = POLLIN },
+                               { .fd = machine, .events = POLLIN } };
         poll(p, 2, 1);
         const uint64_t us = now_us();
         const uint32_t now = (uint32_t)(us / 1000);

@@ -1,12 +1,13 @@
-/* tests/target/calls.c -- what one call of lib/motion costs at worst, on an ATmega328P in cycles, on a Cortex-M in instructions
+/* tests/target/calls.c -- what one call of lib/motion costs at worst, on an ATmega328P in cycles,
+ * on a Cortex-M in instructions
  * SPDX-License-Identifier: MIT
  *
- * On the ATmega328P alone (simavr), or with microbit.c and netduino.ld. Prints `function worst` lines, and `bytes struct size` lines;
- * calls.sh compares them with the table of lib/motion/span.h.
+ * On the ATmega328P alone (simavr), or with microbit.c and netduino.ld. Prints `function worst`
+ * lines, and `bytes struct size` lines; calls.sh compares them with the table of lib/motion/span.h.
  */
-#include "motion/pace.h"
+#include "machine/pace.h"
 #include "motion/span.h"
-#include "motion/step.h"
+#include "machine/step.h"
 
 #include "say.h"            /* say_line */
 
@@ -61,8 +62,9 @@ static void stop(void)      {}
 #endif
 
 enum { SLOT, RUN, LOAD, PACE, TICK, STEPS, POSITION, WALK, CALLS };
-static const char names[CALLS][20] = { "loft_step_next", "loft_step_run", "loft_step_load", "loft_pace_next", "loft_forward_next",
-                                       "loft_steps_of", "loft_step_position", "loft_span_walk" };
+static const char names[CALLS][20] = { "loft_step_next",     "loft_step_run",     "loft_step_load",
+                                       "loft_pace_next",     "loft_forward_next", "loft_steps_of",
+                                       "loft_step_position", "loft_span_walk" };
 static uint32_t worst[CALLS], empty, random_state;
 
 static loft_pace pace;

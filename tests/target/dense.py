@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
-# tests/target/dense.py -- the drawing as a dense G-code file would have it: points at equal distances along its curves
+# tests/target/dense.py -- the drawing as a dense G-code file would have it:
+# points at equal distances along its curves
 # SPDX-License-Identifier: MIT
-"""usage: dense.py CUBICS.csv SPACING > points.loft ; a cubic per line; lines of .loft from point to point (LOFT.md)"""
+"""usage: dense.py CUBICS.csv SPACING > points.loft
+
+CUBICS.csv has a cubic per line; points.loft has lines from point to point (LOFT.md)."""
 import math
 import sys
 
@@ -9,7 +12,8 @@ MOST = 5000             # points per curve of a .loft file
 
 
 def main(path, spacing):
-    rows = [[float(x) for x in line.split(",")] for line in open(path) if line.strip() and not line.startswith("#")]
+    rows = [[float(x) for x in line.split(",")] for line in open(path)
+            if line.strip() and not line.startswith("#")]
     fine = []
     for c in rows:
         for k in range(4000):

@@ -1,8 +1,11 @@
 #!/bin/bash
-# tests/target/gpio.sh -- loft-gpio on a real kernel with simulated GPIO chips, with libgpiod 1.x and 2.x; each number a line `ok` or `FAIL`
+# tests/target/gpio.sh -- loft-gpio on a real kernel with simulated GPIO chips, with libgpiod 1.x
+# and 2.x; each number a line `ok` or `FAIL`
 # SPDX-License-Identifier: MIT
-# usage: tests/target/gpio.sh CACHE GUEST LOFT ; CACHE is made by gpio_get.sh, GUEST holds loft-gpio1, loft-gpio2 and guest
-# Counted instructions are the clock (-icount, 125 a us; idle time is skipped): how late pulses come does not depend on the load here.
+# usage: tests/target/gpio.sh CACHE GUEST LOFT ; CACHE is made by gpio_get.sh, GUEST holds
+# loft-gpio1, loft-gpio2 and guest
+# Counted instructions are the clock (-icount, 125 a us; idle time is skipped): how late pulses
+# come does not depend on the load here.
 # The sender is this computer, at the other end of the guest's serial port.
 set -u
 cache=$1 guest=$2 loft=$3
@@ -12,7 +15,8 @@ result=$tmp/result
 . tests/target/rows.sh
 
 for tool in qemu-system-x86_64 cpio python3 busybox; do
-    command -v $tool >/dev/null || { echo "FAIL $tool is missing: make deps-target"; echo "0 passed, 1 failed"; exit 1; }
+    command -v $tool >/dev/null ||
+        { echo "FAIL $tool is missing: make deps-target"; echo "0 passed, 1 failed"; exit 1; }
 done
 
 # image: the guest's files, packed
@@ -28,23 +32,31 @@ image() {
 
 # here NAME SPEED: the same job on the simulated machine, its pulses in $tmp/here.NAME
 here() {
-    "$loft" simulate --link "$tmp/at.$1" --record "$tmp/here.$1" --once --quiet --steps 80 --max-speed "$2" --accel 500 --slots 20 --queue 1024 >"$tmp/sim" & local sim=$!
+    "$loft" simulate --link "$tmp/at.$1" --record "$tmp/here.$1" --once --quiet --steps 80 \
+        --max-speed "$2" --accel 500 --slots 20 --queue 1024 >"$tmp/sim" &
+    local sim=$!
     for _ in $(seq 3000); do [ -e "$tmp/at.$1" ] && break; sleep 0.02; done
-    timeout 300 "$loft" stream "$drawing" --feed $feed --port "$tmp/at.$1" >"$tmp/planned" 2>&1; wait $sim
+    timeout 300 "$loft" stream "$drawing" --feed $feed --port "$tmp/at.$1" >"$tmp/planned" 2>&1
+    wait $sim
 }
 
-# send CASE: stream to the machine of this case when it listens; output in $tmp/CASE.out, exit code in $tmp/CASE.code
+# send CASE: stream to the machine of this case when it listens;
+# output in $tmp/CASE.out, exit code in $tmp/CASE.code
 send() {
     until grep -q "^job $1" "$tmp/console" 2>/dev/null; do
         kill -0 $qemu 2>/dev/null || return 1
         sleep 0.05
     done
-    timeout 300 "$loft" stream "$drawing" --feed $feed --port "unix:$tmp/line" >"$tmp/$1.out" 2>&1 </dev/null
+    timeout 300 "$loft" stream "$drawing" --feed $feed --port "unix:$tmp/line" \
+        >"$tmp/$1.out" 2>&1 </dev/null
     echo $? > "$tmp/$1.code"
 }
 
 # wave CASE: its numbers for `value`
-wave() { python3 tests/target/gpio_wave.py "$tmp/dump" "$1" "$tmp/$1.csv" >"$tmp/chip"; code=$(cat "$tmp/$1.code"); }
+wave() {
+    python3 tests/target/gpio_wave.py "$tmp/dump" "$1" "$tmp/$1.csv" >"$tmp/chip"
+    code=$(cat "$tmp/$1.code")
+}
 
 # starts CASE: does every axis of the case step as it does in the first part of the slow job here?
 starts() {
@@ -59,27 +71,38 @@ def rows(path):
                     steps[i].append(at)
                     last[i] = at
     return steps
-print(sum(len(a) for a in rows(sys.argv[1]) for b in [0]) and all(a == b[:len(a)] for a, b in zip(rows(sys.argv[1]), rows(sys.argv[2]))))
+case, slow = rows(sys.argv[1]), rows(sys.argv[2])
+print(sum(len(a) for a in case) and all(a == b[:len(a)] for a, b in zip(case, slow)))
 P
 }
 
-# paper NAME WHAT PLAN: the job by loft-gpio-NAME, here, on lines of paper, behind a pseudo terminal, planned by the host or the machine
+# paper NAME WHAT PLAN: the job by loft-gpio-NAME, here, on lines of paper, behind a pseudo
+# terminal, planned by the host or the machine
 paper() {
     local dump=$tmp/dump.$1
-    LOFT_PAPER=$tmp/paper "$guest/loft-gpio-$1" --once --record "$tmp/record" link="$tmp/paper.$1" priority=0 chip=/dev/0 x.step=0 x.dir=1 enable="2 low" \
+    LOFT_PAPER=$tmp/paper "$guest/loft-gpio-$1" --once --record "$tmp/record" link="$tmp/paper.$1" \
+        priority=0 chip=/dev/0 x.step=0 x.dir=1 enable="2 low" \
         z.step=3 z.dir=4 y.step=/dev/1:0 y.dir=/dev/1:1 >"$tmp/said" 2>&1 & local machine=$!
     for _ in $(seq 3000); do [ -e "$tmp/paper.$1" ] && break; sleep 0.02; done
-    timeout 300 "$loft" stream "$drawing" --feed $feed --plan="$3" --port "$tmp/paper.$1" >"$tmp/out" 2>&1 </dev/null; code=$?
+    timeout 300 "$loft" stream "$drawing" --feed $feed --plan="$3" --port "$tmp/paper.$1" \
+        >"$tmp/out" 2>&1 </dev/null
+    code=$?
     wait $machine
     echo "code $?" >> "$tmp/said"
-    {   printf '=== map0\ngpiochip0: GPIOs 0-7, parent: none, motors\ngpiochip1: GPIOs 100-107, parent: none, switches\n=== paper0.said\n'
-        cat "$tmp/said"; echo "=== paper0.record"; cat "$tmp/record"; echo "=== paper0.lines"; cat "$tmp/paper"; echo "=== paper0.pulls"
+    {   echo "=== map0"
+        echo "gpiochip0: GPIOs 0-7, parent: none, motors"
+        echo "gpiochip1: GPIOs 100-107, parent: none, switches"
+        echo "=== paper0.said"; cat "$tmp/said"
+        echo "=== paper0.record"; cat "$tmp/record"
+        echo "=== paper0.lines"; cat "$tmp/paper"
+        echo "=== paper0.pulls"
     } > "$dump"
     python3 tests/target/gpio_wave.py "$dump" paper0 "$tmp/paper.csv" >"$tmp/chip"
     echo "-- on paper, under $2, planned by the $3"
     row "the command ends well"                               "$code" = 0
     row "the program ends well"                               "$(value code)" = 0
-    row "every axis steps as on the simulated machine"        "$(path_of "$tmp/paper.csv")" = "$(path_of "$tmp/here.fast")"
+    row "every axis steps as on the simulated machine" \
+        "$(path_of "$tmp/paper.csv")" = "$(path_of "$tmp/here.fast")"
     row "direction set before a pulse (5 us), at least"       "$(value setup)" ">=" 5 us
     row "direction kept after a pulse (5 us), at least"       "$(value hold)" ">=" 5 us
     safe "paper"
@@ -90,7 +113,8 @@ paper() {
 refuses() {
     local expected=$1 text=$2 code
     shift 2
-    LOFT_PAPER=$tmp/paper timeout 60 "$guest/loft-gpio-memory" "$@" >"$tmp/out" 2>"$tmp/err"; code=$?
+    LOFT_PAPER=$tmp/paper timeout 60 "$guest/loft-gpio-memory" "$@" >"$tmp/out" 2>"$tmp/err"
+    code=$?
     row "refused: $*" "$code $(wc -l < "$tmp/err") $(grep -c "$text" "$tmp/err")" = "$expected 1 1"
 }
 
@@ -107,10 +131,15 @@ safe() {
 }
 
 image
-timeout 600 qemu-system-x86_64 -accel tcg -icount shift=3,sleep=off -m 384 -nodefaults -no-user-config -display none -no-reboot \
-    -serial "file:$tmp/console" -chardev "socket,id=line,path=$tmp/line,server=on,wait=off" -serial chardev:line \
-    -chardev "file,id=dump,path=$tmp/dump" -device isa-debugcon,iobase=0xe9,chardev=dump -device isa-debug-exit,iobase=0xf4,iosize=0x4 \
-    -kernel "$cache/vmlinuz" -initrd "$tmp/image" -append "console=ttyS0 quiet panic=-1" >"$tmp/qemu" 2>&1 </dev/null & qemu=$!
+timeout 600 qemu-system-x86_64 -accel tcg -icount shift=3,sleep=off -m 384 -nodefaults \
+    -no-user-config -display none -no-reboot \
+    -serial "file:$tmp/console" -chardev "socket,id=line,path=$tmp/line,server=on,wait=off" \
+    -serial chardev:line \
+    -chardev "file,id=dump,path=$tmp/dump" -device isa-debugcon,iobase=0xe9,chardev=dump \
+    -device isa-debug-exit,iobase=0xf4,iosize=0x4 \
+    -kernel "$cache/vmlinuz" -initrd "$tmp/image" -append "console=ttyS0 quiet panic=-1" \
+    >"$tmp/qemu" 2>&1 </dev/null &
+qemu=$!
 here fast 100
 here slow 20
 for version in 1 2; do
@@ -121,10 +150,10 @@ paper race ThreadSanitizer host
 paper memory AddressSanitizer chip
 refuses 64 'no axis: give a file'                       chip=/dev/0
 refuses 64 'what is --lok'                              --lok
-refuses 65 'there is no such key: see --help'           chip=/dev/0 w.step=1
+refuses 65 'unknown key: see --help'           chip=/dev/0 w.step=1
 refuses 65 'give a whole number from 1 to 1000'         slots=2.5
 refuses 65 'at most 200000 slots per second'            slots=1000 x.step=/dev/0:0 x.dir=/dev/0:1
-refuses 65 'behind the line may stand low'              x.step="1 high"
+refuses 65 'low may follow the line'                    x.step="1 high"
 refuses 66 'cannot read: No such file'                  /nonexistent
 refuses 78 'x.step has no dir'                          x.step=/dev/0:0
 refuses 78 'is the same line as x.step'                 chip=/dev/0 x.step=0 x.dir=0
@@ -139,15 +168,19 @@ for v in 1 2; do
     echo "-- $name: $drawing at $feed mm/s, 80 steps/mm, axes on two chips"
     wave whole$v
     row "the command ends well"                               "$code" = 0
-    row "every axis steps as on the simulated machine"        "$(path_of "$tmp/whole$v.csv")" = "$(path_of "$tmp/here.fast")"
-    row "steps at the lines and steps put down"               "$(value pulses)" = "$(value recorded)"
+    row "every axis steps as on the simulated machine" \
+        "$(path_of "$tmp/whole$v.csv")" = "$(path_of "$tmp/here.fast")"
+    row "steps at the lines and steps put down" \
+        "$(value pulses)" = "$(value recorded)"
     safe "job"
     row "direction set before a pulse (5 us), at least"       "$(value setup)" ">=" 5 us
     row "direction kept after a pulse (5 us), at least"       "$(value hold)" ">=" 5 us
     row "closer to the one before than planned (50 us and calls)" "$(value closer)" "<=" 75 us
     row "lateness told, worst"                                "$(value worst)" "<=" 1000 us
-    row "later than told, seen at the lines"                  "$(awk -v a="$(value apart)" -v t="$(value worst)" 'BEGIN { print a - t }')" "<=" 30 us
-    row "slower than planned, seen less told"                 "$(awk -v a="$(value longer)" -v t="$(value slower)" 'BEGIN { print a - t }')" "<=" 0.1 ms
+    row "later than told, seen at the lines" \
+        "$(awk -v a="$(value apart)" -v t="$(value worst)" 'BEGIN { print a - t }')" "<=" 30 us
+    row "slower than planned, seen less told" \
+        "$(awk -v a="$(value longer)" -v t="$(value slower)" 'BEGIN { print a - t }')" "<=" 0.1 ms
     row "time to planned time"                                "$(value took)" "<=" 1.01
     row "ran dry"                                             "$(value dry)" = 0
 
@@ -174,26 +207,36 @@ for v in 1 2; do
     row "kill: the path until there is that of the job"       "$(starts term$v)" = True
     safe "kill"
     section busy$v > "$tmp/busy"
-    row "the second: lines that it is told who has"           "$(grep -c 'in use by loft' "$tmp/busy")" = 11
-    row "the second: refuses, with the owner's name"          "$(grep -c 'loft-gpio: x.step: 0: /dev/gpiochip[0-9]* line 0 is in use by "loft"' "$tmp/busy")" = 1
-    row "the second: exit code"                               "$(sed -n 's/^code //p' "$tmp/busy")" = 69
+    row "the second: lines that it is told who has" \
+        "$(grep -c 'in use by loft' "$tmp/busy")" = 11
+    row "the second: refuses, with the owner's name" \
+        "$(grep -c 'loft-gpio: x.step: 0: /dev/gpiochip[0-9]* line 0 is in use by "loft"' \
+            "$tmp/busy")" = 1
+    row "the second: exit code" \
+        "$(sed -n 's/^code //p' "$tmp/busy")" = 69
 
     echo "-- $name: an account without rights, beside a program that takes all the time it gets"
     wave plain$v
     section plain$v.said > "$tmp/said"
-    row "it says that memory is not locked"                   "$(grep -c 'memory cannot be locked' "$tmp/said")" = 1
-    row "it says that it has no priority"                     "$(grep -c 'no real-time priority' "$tmp/said")" = 1
-    row "every axis steps as on the simulated machine"        "$(path_of "$tmp/plain$v.csv")" = "$(path_of "$tmp/here.fast")"
+    row "it says that memory is not locked" \
+        "$(grep -c 'memory cannot be locked' "$tmp/said")" = 1
+    row "it says that it has no priority" \
+        "$(grep -c 'no real-time priority' "$tmp/said")" = 1
+    row "every axis steps as on the simulated machine" \
+        "$(path_of "$tmp/plain$v.csv")" = "$(path_of "$tmp/here.fast")"
     safe "plain"
     row "lateness told, worst"                                "$(value worst)" ">=" 100 us
     row "closer to the one before than planned (50 us and calls)" "$(value closer)" "<=" 75 us
-    row "slower than planned, seen less told"                 "$(awk -v a="$(value longer)" -v t="$(value slower)" 'BEGIN { d = a - t; print d < 0 ? -d : d }')" "<=" 0.2 ms
+    row "slower than planned, seen less told" \
+        "$(awk -v a="$(value longer)" -v t="$(value slower)" \
+            'BEGIN { d = a - t; print d < 0 ? -d : d }')" "<=" 0.2 ms
     row "time to planned time"                                "$(value took)" "<=" 1.5
 
     echo "-- $name: a chip that goes in mid-job"
     wave gone$v
     section gone$v.said > "$tmp/said"
-    row "the program says so"                                 "$(grep -c 'a chip no longer obeys' "$tmp/said")" = 1
+    row "the program says so" \
+        "$(grep -c 'a chip no longer obeys' "$tmp/said")" = 1
     row "its exit code"                                       "$(value code)" = 74
 done
 

@@ -1,10 +1,13 @@
 #!/bin/bash
-# tests/target/gpio_get.sh -- what a Linux with simulated GPIO chips needs, downloaded and built once: prints the folder
+# tests/target/gpio_get.sh -- what a Linux with simulated GPIO chips needs, downloaded and built
+# once: prints the folder
 # SPDX-License-Identifier: MIT
-# usage: tests/target/gpio_get.sh [FOLDER] ; ~/.cache/loft/gpio if none is named. No root, nothing is installed.
+# usage: tests/target/gpio_get.sh [FOLDER] ; ~/.cache/loft/gpio if none is named.
+# No root, nothing is installed.
 #
-# Debian's kernel with configfs; gpio-sim, which Debian does not build, from the same source as a module; libgpiod 1.x of Debian 12 and 2.x of
-# Debian 13, static. 225 MB are downloaded, 9 MB are kept.
+# Debian's kernel with configfs; gpio-sim, which Debian does not build, from the same source as a
+# module; libgpiod 1.x of Debian 12 and 2.x of Debian 13, static.
+# 225 MB are downloaded, 9 MB are kept.
 set -euo pipefail
 keep=${1:-${XDG_CACHE_HOME:-$HOME/.cache}/loft/gpio}
 mirror=${DEBIAN_MIRROR:-http://deb.debian.org}
@@ -15,7 +18,10 @@ complete() { for f in "${made[@]}"; do [ -s "$keep/$f" ] || return 1; done; }
 if complete; then echo "$keep"; exit 0; fi
 
 for tool in apt-get dpkg-deb gcc-12 make xz strip; do
-    command -v $tool >/dev/null || { echo "$tool is missing, without which no kernel can be got: make deps-target, on Debian 12" >&2; exit 1; }
+    command -v $tool >/dev/null || {
+        echo "$tool is missing, without which no kernel can be got: make deps-target, on Debian 12"
+        exit 1
+    } >&2
 done
 mkdir -p "$keep"
 work=$(mktemp -d "$keep/work.XXXXXX"); trap 'rm -rf "$work"' EXIT
@@ -28,8 +34,10 @@ archive() {
     mkdir -p "$name/lists/partial" "$name/archives/partial"
     printf "deb [signed-by=$keys] %s main\n" "$@" > "$name/sources.list"
     cat > "$name/apt.conf" <<E
-Dir::Etc::sourcelist "$name/sources.list"; Dir::Etc::sourceparts "/dev/null"; Dir::Etc::preferencesparts "/dev/null";
-Dir::State "$name"; Dir::State::status "/dev/null"; Dir::Cache "$name"; APT::Sandbox::User "$(id -un)"; APT::Architecture "amd64";
+Dir::Etc::sourcelist "$name/sources.list";
+Dir::Etc::sourceparts "/dev/null"; Dir::Etc::preferencesparts "/dev/null";
+Dir::State "$name"; Dir::State::status "/dev/null"; Dir::Cache "$name";
+APT::Sandbox::User "$(id -un)"; APT::Architecture "amd64";
 Acquire::Languages "none"; Acquire::Retries "3";
 E
     export APT_CONFIG=$name/apt.conf
@@ -53,22 +61,26 @@ archive old "$mirror/debian bookworm" "$mirror/debian-security bookworm-security
 libgpiod 1
 kernel=$(apt-cache depends linux-image-amd64 | sed -n 's/.*Depends: linux-image-//p' | head -1)
 series=$(echo "$kernel" | cut -d. -f1,2)
-get "linux-image-$kernel-unsigned" "linux-headers-$kernel" "linux-headers-${kernel%-amd64}-common" "linux-kbuild-$series" "linux-source-$series"
+parts=("linux-headers-$kernel" "linux-headers-${kernel%-amd64}-common" "linux-kbuild-$series")
+get "linux-image-$kernel-unsigned" "${parts[@]}" "linux-source-$series"
 
 unpack "linux-image-$kernel-unsigned" --wildcards './boot/vmlinuz-*' '*/fs/configfs/configfs.ko'
-for part in "linux-headers-$kernel" "linux-headers-${kernel%-amd64}-common" "linux-kbuild-$series"; do unpack "$part"; done
+for part in "${parts[@]}"; do unpack "$part"; done
 
 # gpio-sim and what it stands on; irq_to_desc is not there for modules, the function behind it is
 source=linux-source-$series
-dpkg-deb --fsys-tarfile "$source"_*.deb | tar -xO "./usr/src/$source.tar.xz" | tar -xJ --strip-components=1 \
-    "$source/drivers/gpio/gpio-sim.c" "$source/drivers/gpio/gpiolib.h" "$source/kernel/irq/irq_sim.c"
+dpkg-deb --fsys-tarfile "$source"_*.deb | tar -xO "./usr/src/$source.tar.xz" |
+    tar -xJ --strip-components=1 "$source/drivers/gpio/gpio-sim.c" \
+        "$source/drivers/gpio/gpiolib.h" "$source/kernel/irq/irq_sim.c"
 mkdir module
 cp drivers/gpio/gpio-sim.c module/gpio-sim-main.c
 cp drivers/gpio/gpiolib.h kernel/irq/irq_sim.c module/
-sed -i 's/irq_to_desc(irqnum)/irq_data_to_desc(irq_get_irq_data(irqnum))/; s/#include <linux\/irq.h>/&\n#include <linux\/irqdesc.h>/' module/irq_sim.c
+sed -i -e 's/irq_to_desc(irqnum)/irq_data_to_desc(irq_get_irq_data(irqnum))/' \
+    -e 's/#include <linux\/irq.h>/&\n#include <linux\/irqdesc.h>/' module/irq_sim.c
 printf 'obj-m := gpio-sim.o\ngpio-sim-y := gpio-sim-main.o irq_sim.o\n' > module/Makefile
 sed -i "s|/usr/src/|$work/usr/src/|" "usr/src/linux-headers-$kernel/Makefile"
-make -s -C "$work/usr/src/linux-headers-$kernel" M="$work/module" modules >build.log 2>&1 || { cat build.log >&2; exit 1; }
+make -s -C "$work/usr/src/linux-headers-$kernel" M="$work/module" modules >build.log 2>&1 ||
+    { cat build.log >&2; exit 1; }
 
 # gpio-sim.ko last: it is what makes the folder complete
 cp boot/vmlinuz-* "$keep/vmlinuz"

@@ -1,9 +1,12 @@
 /* tests/target/gpio_guest.c -- what a shell cannot do in the guest of gpio.sh; static
  * SPDX-License-Identifier: MIT
  *
- *     put NAME < FILE             send it to the host, behind a line `=== NAME`, through QEMU's debug port
- *     changes < TRACE             of the tracepoint gpio_value: a line `us line value` for each output that became another
- *     pull FILE VALUE US ..       write values into a simulated line's pull, each followed by a pause; tell when: `us VALUE`
+ *     put NAME < FILE             send it to the host, behind a line `=== NAME`, through QEMU's
+ *                                 debug port
+ *     changes < TRACE             of the tracepoint gpio_value: a line `us line value` for each
+ *                                 output that became another
+ *     pull FILE VALUE US ..       write values into a simulated line's pull, each followed by a
+ *                                 pause; tell when: `us VALUE`
  *     exit CODE                   end QEMU with 2 * CODE + 1
  */
 #include <stdio.h>
@@ -44,7 +47,8 @@ static int changes(void)
     while (fgets(text, sizeof text, stdin)) {
         char *event = strstr(text, ": gpio_value: ");
         unsigned line, value, s, us;
-        if (!event || sscanf(event, ": gpio_value: %u set %u", &line, &value) != 2 || line >= LINES || is[line] == (signed char)value)
+        if (!event || sscanf(event, ": gpio_value: %u set %u", &line, &value) != 2 ||
+            line >= LINES || is[line] == (signed char)value)
             continue;
         *event = 0;
         if (sscanf(strrchr(text, ' ') + 1, "%u.%u", &s, &us) != 2)
@@ -65,7 +69,9 @@ static int pull(int argc, char **argv)
         if (!file || fprintf(file, "pull-%s\n", argv[i]) < 0 || fclose(file) != 0)
             return 1;
         clock_gettime(CLOCK_MONOTONIC, &now);
-        printf("%llu %s\n", (unsigned long long)now.tv_sec * 1000000 + (unsigned long long)now.tv_nsec / 1000, argv[i]);
+        printf("%llu %s\n",
+               (unsigned long long)now.tv_sec * 1000000 + (unsigned long long)now.tv_nsec / 1000,
+               argv[i]);
         nanosleep(&pause, NULL);
     }
     return 0;

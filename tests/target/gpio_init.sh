@@ -1,10 +1,13 @@
 #!/bin/busybox sh
-# tests/target/gpio_init.sh -- the guest of gpio.sh: two simulated GPIO chips, and loft-gpio on their lines in one case after another
+# tests/target/gpio_init.sh -- the guest of gpio.sh: two simulated GPIO chips, and loft-gpio on
+# their lines in one case after another
 # SPDX-License-Identifier: MIT
-# It says `job NAME` on the console when a machine listens at its serial port, and puts what came of it to the debug port.
+# It says `job NAME` on the console when a machine listens at its serial port, and puts what came
+# of it to the debug port.
 /bin/busybox --install -s /bin
 export PATH=/bin
-mount -t proc p /proc; mount -t sysfs s /sys; mount -t devtmpfs d /dev; mount -t debugfs g /sys/kernel/debug
+mount -t proc p /proc; mount -t sysfs s /sys; mount -t devtmpfs d /dev
+mount -t debugfs g /sys/kernel/debug
 insmod /lib/configfs.ko && insmod /lib/gpio-sim.ko || guest exit 9
 mount -t configfs c /sys/kernel/config; mount -t tracefs t /sys/kernel/tracing
 
@@ -38,7 +41,8 @@ E
 mkdir /etc; echo 'plain:x:1000:1000::/:/bin/sh' > /etc/passwd
 chmod 777 /tmp
 trace=/sys/kernel/tracing
-echo mono > $trace/trace_clock; echo 24576 > $trace/buffer_size_kb; echo 1 > $trace/events/gpio/gpio_value/enable
+echo mono > $trace/trace_clock; echo 24576 > $trace/buffer_size_kb
+echo 1 > $trace/events/gpio/gpio_value/enable
 
 # begin VERSION NAME OPTION..: a machine that listens; $pid
 begin() {
@@ -47,7 +51,9 @@ begin() {
     echo > $trace/trace
     rm -f /tmp/record
     set -- loft-gpio$version --once --record /tmp/record "$@" /machine
-    if [ "$name" = plain ]; then ulimit -l 64; su plain -c "exec $*"; else exec "$@"; fi > /said 2>&1 & pid=$!
+    if [ "$name" = plain ]; then ulimit -l 64; su plain -c "exec $*"; else exec "$@"; fi \
+        > /said 2>&1 &
+    pid=$!
     while ! grep -q machine: /said && kill -0 $pid; do usleep 20000; done
     echo "job $name$version"
 }
@@ -60,7 +66,8 @@ finish() {
     guest put "$2$1.pulls" < /pulls
     : > /pulls
 }
-# moving: wait until a good thousand pulses have been made (what is recorded of them is written in portions)
+# moving: wait until a good thousand pulses have been made
+# (what is recorded of them is written in portions)
 moving() { while [ "$(wc -c < /tmp/record)" -lt 16000 ] && kill -0 $pid; do usleep 20000; done; }
 
 : > /pulls
@@ -75,7 +82,8 @@ for version in 1 2; do
     # a touch shorter than debouncing, then a switch that bounces when it closes and stays closed
     begin $version estop max_speed=20
     moving
-    guest pull $switches/sim_gpio5/pull up 2000 down 300000 up 300 down 700 up 200 down 1500 up 1000 down 100 up 0 > /pulls
+    guest pull $switches/sim_gpio5/pull up 2000 down 300000 \
+        up 300 down 700 up 200 down 1500 up 1000 down 100 up 0 > /pulls
     finish $version estop
     guest pull $switches/sim_gpio5/pull down 1000 > /dev/null
 
@@ -89,7 +97,10 @@ for version in 1 2; do
 
     # a second machine finds the lines taken; the first is told to end in mid-job
     begin $version term max_speed=20
-    { loft-gpio$version --look /machine; loft-gpio$version link=/tmp/other port= /machine; echo "code $?"; } 2>&1 | guest put busy$version
+    {   loft-gpio$version --look /machine
+        loft-gpio$version link=/tmp/other port= /machine
+        echo "code $?"
+    } 2>&1 | guest put busy$version
     moving
     kill -TERM $pid
     finish $version term

@@ -1,8 +1,10 @@
-/* tests/target/gpio_paper.c -- gpio.h on paper: chips named /dev/0 and /dev/1, whose outputs' changes go to the file $LOFT_PAPER
+/* tests/target/gpio_paper.c -- gpio.h on paper: chips named /dev/0 and /dev/1, whose outputs'
+ * changes go to the file $LOFT_PAPER
  * SPDX-License-Identifier: MIT
  *
- * As gpio_guest.c's `changes`: lines `us line value`; line 3 of /dev/1 is 103. Main loop and thread come here one after another, and nothing
- * here keeps them apart: what ThreadSanitizer sees is the program's own order.
+ * As gpio_guest.c's `changes`: lines `us line value`; line 3 of /dev/1 is 103. Main loop and thread
+ * come here one after another, and nothing here keeps them apart: what ThreadSanitizer sees is the
+ * program's own order.
  */
 #include <fcntl.h>
 #include <stdio.h>
@@ -28,7 +30,9 @@ static void note(unsigned line, bool high)
     struct timespec t;
 
     clock_gettime(CLOCK_MONOTONIC, &t);
-    fprintf(paper, "%llu %u %d\n", (unsigned long long)t.tv_sec * 1000000 + (unsigned long long)t.tv_nsec / 1000, line, high);
+    fprintf(paper, "%llu %u %d\n",
+            (unsigned long long)t.tv_sec * 1000000 + (unsigned long long)t.tv_nsec / 1000, line,
+            high);
 }
 
 const char *gpio_library(void)
@@ -108,7 +112,8 @@ bool gpio_set(gpio_request *r, uint32_t which, uint32_t high)
 }
 
 /* An open switch that nobody touches. */
-gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias, unsigned debounce_us)
+gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
+                         unsigned debounce_us)
 {
     gpio_request *r = calloc(1, sizeof *r);
 

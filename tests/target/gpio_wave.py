@@ -1,17 +1,22 @@
 #!/usr/bin/env python3
-# tests/target/gpio_wave.py -- what gpio.sh's guest recorded at its lines: gpio_wave.py DUMP CASE OUT.csv > VALUES
+# tests/target/gpio_wave.py -- numbers of what gpio.sh's guest recorded at its lines
 # SPDX-License-Identifier: MIT
-"""Prints `name value` lines; OUT.csv has rows `slot,x,y,z` as `loft simulate --record` writes them, with the time in us for the slot.
+"""usage: gpio_wave.py DUMP CASE OUT.csv > VALUES
 
-DUMP has sections `=== NAME`: `map` and the version, the kernel's list of chips, and of each case what the program said, the slots it recorded, the changes
-of outputs that the tracepoint saw, and when switches were pulled.
+VALUES are lines `name value`. OUT.csv has rows `slot,x,y,z` as `loft simulate --record` writes
+them, with the time in us for the slot.
+
+DUMP has sections `=== NAME`: `map` and the version, the kernel's list of chips; and of each case
+what the program said, the slots it recorded, the changes of outputs that the tracepoint saw, and
+when switches were pulled.
 """
 import re
 import sys
 
 AXES = "xyz"
-WHERE = {"x": ("motors", 0, 1), "y": ("switches", 0, 1), "z": ("motors", 3, 4)}      # chip, step, dir: as in gpio_init.sh
-ENABLE = ("motors", 2)                                                               # active low
+# chip, step, dir: as in gpio_init.sh
+WHERE = {"x": ("motors", 0, 1), "y": ("switches", 0, 1), "z": ("motors", 3, 4)}
+ENABLE = ("motors", 2)          # active low
 
 
 def sections(path):
@@ -27,7 +32,8 @@ def sections(path):
 
 def main(dump, case, out):
     part = sections(dump)
-    base = {label: int(first) for first, label in re.findall(r"GPIOs (\d+)-\d+, parent: [^,]*, (\w+)", "\n".join(part["map" + case[-1]]))}
+    chips = re.findall(r"GPIOs (\d+)-\d+, parent: [^,]*, (\w+)", "\n".join(part["map" + case[-1]]))
+    base = {label: int(first) for first, label in chips}
     step = {base[chip] + s: axis for axis, (chip, s, _) in WHERE.items()}
     turn = {base[chip] + d: axis for axis, (chip, _, d) in WHERE.items()}
     enable = base[ENABLE[0]] + ENABLE[1]
@@ -66,7 +72,8 @@ def main(dump, case, out):
 
     said = "\n".join(part[case + ".said"])
     pulls = [line.split() for line in part[case + ".pulls"]]
-    report = re.search(r"lateness of (\d+) pulses: worst ([\d.]+) us;.* slower by ([\d.]+) ms in \d+ places, ran dry (\d+)", said)
+    report = re.search(r"lateness of (\d+) pulses: worst ([\d.]+) us;"
+                       r".* slower by ([\d.]+) ms in \d+ places, ran dry (\d+)", said)
     slot_hz, slots, before = 0.0, [], (0, 0, 0)
     for line in part[case + ".record"]:
         if line.startswith("# slot_hz"):
@@ -90,7 +97,8 @@ def main(dump, case, out):
         print("slower", report[3])
         print("dry", report[4])
 
-    # a slot with several steps is several pulses, those of another chip some us later: the first is the slot's
+    # a slot with several steps is several pulses, those of another chip some us later:
+    # the first is the slot's
     first, taken = [], 0
     for _, count in slots:
         first += times[taken:taken + 1]

@@ -1,4 +1,5 @@
-/* tests/target/microbit.c -- what a program needs to run on a Cortex-M0 in QEMU (-M microbit) without a library
+/* tests/target/microbit.c -- what a program needs to run on a Cortex-M0 in QEMU (-M microbit)
+ * without a library
  * SPDX-License-Identifier: MIT
  *
  * The vector table, a start that clears memory, and output through the debugger (semihost.S).
@@ -33,8 +34,9 @@ typedef union {
     const void *data;
 } vector;
 
-__attribute__((section(".vectors"), used))
-static const vector vectors[4] = { { .data = stack_top }, { .code = reset }, { .code = fault }, { .code = fault } };
+__attribute__((section(".vectors"), used)) static const vector vectors[4] = {
+    { .data = stack_top }, { .code = reset }, { .code = fault }, { .code = fault }
+};
 
 /* What the compiler asks for. */
 void *memcpy(void *to, const void *from, size_t count)

@@ -1,13 +1,15 @@
-/* tests/target/motion.c -- what planning and stepping the outline costs on a Cortex-M, in instructions
+/* tests/target/motion.c -- what planning and stepping the outline costs on a Cortex-M, in
+ * instructions
  * SPDX-License-Identifier: MIT
  *
- * With microbit.c, netduino.ld, -DJERK=mm/s^3 (0: not limited), -DMOVES= and -DPIECES= (the rings). `outline.h` is
- * `static const int32_t outline[12][4][2]`, raw Q16.16 (outline_array.sh).
- * Prints `name number` lines: curves, spans, ticks; the cost of planning, of the dearest call, of ticks, of the dearest tick, of slots.
+ * With microbit.c, netduino.ld, -DJERK=mm/s^3 (0: not limited), -DMOVES= and -DPIECES= (the rings).
+ * `outline.h` is `static const int32_t outline[12][4][2]`, raw Q16.16 (outline_array.sh). Prints
+ * `name number` lines: curves, spans, ticks; the cost of planning, of the dearest call, of ticks,
+ * of the dearest tick, of slots.
  */
 #include "meter.h"          /* meter_start, meter_now       */
 #include "motion/plan.h"    /* loft_plan                    */
-#include "motion/step.h"    /* loft_step, loft_steps_of     */
+#include "machine/step.h"    /* loft_step, loft_steps_of     */
 #include "outline.h"        /* outline                      */
 #include "say.h"            /* say_line                     */
 
@@ -21,7 +23,9 @@ static loft_plan_piece pieces[PIECES];
 static loft_plan       plan;
 static loft_step       step;
 
-static uint32_t spans, ticks, planning, plan_worst, ticking, tick_worst, slotting, slots, begin;
+static uint64_t planning, ticking, slotting, begin;     /* sums: limited jerk on a Cortex-M0 may
+                                                         * take more than 2^32 */
+static uint32_t spans, ticks, plan_worst, tick_worst, slots;
 
 static uint32_t since(uint32_t start)
 {
@@ -32,7 +36,7 @@ static uint32_t since(uint32_t start)
     return cost - empty;
 }
 
-static void take(uint32_t cost, uint32_t *sum, uint32_t *worst)
+static void take(uint32_t cost, uint64_t *sum, uint32_t *worst)
 {
     *sum += cost;
     *worst = cost > *worst ? cost : *worst;
@@ -90,7 +94,8 @@ int main(void)
         limits.max_jerk[i]  = JERK;
     }
     meter_start();
-    if (loft_plan_init(&plan, &limits, moves, MOVES, pieces, PIECES) != LOFT_OK || loft_step_init(&step, origin) != LOFT_OK)
+    if (loft_plan_init(&plan, &limits, moves, MOVES, pieces, PIECES) != LOFT_OK ||
+        loft_step_init(&step, origin) != LOFT_OK)
         return 1;
     while (next < 12 || state == LOFT_PLAN_SPAN) {
         const loft_move m = curve(next < 12 ? next : 11);
@@ -111,12 +116,12 @@ int main(void)
     say_line(debugger_put, "curves", next);
     say_line(debugger_put, "spans", spans);
     say_line(debugger_put, "ticks", ticks);
-    say_line(debugger_put, "planning", planning);
+    say_wide(debugger_put, "planning", planning);
     say_line(debugger_put, "plan_worst", plan_worst);
-    say_line(debugger_put, "ticking", ticking);
-    say_line(debugger_put, "begin", begin);
+    say_wide(debugger_put, "ticking", ticking);
+    say_wide(debugger_put, "begin", begin);
     say_line(debugger_put, "tick_worst", tick_worst);
-    say_line(debugger_put, "slotting", slotting);
+    say_wide(debugger_put, "slotting", slotting);
     say_line(debugger_put, "slots", slots);
     say_line(debugger_put, "plan_bytes", sizeof plan + sizeof moves + sizeof pieces);
     return step.position[0] == 0 && step.position[1] == 0 ? 0 : 1;

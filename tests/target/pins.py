@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-# tests/target/pins.py -- what QEMU logged of a board's pins becomes positions: pins.py BOARD LOG > CSV
+# tests/target/pins.py -- what QEMU logged of a board's pins becomes positions
 # SPDX-License-Identifier: MIT
-"""Rows `slot,x,y,z` as `loft simulate --record` writes them; QEMU's logs have no time, so `slot` counts the pulses."""
+"""usage: pins.py BOARD LOG > CSV
+
+Rows `slot,x,y,z` as `loft simulate --record` writes them; QEMU's logs have no time, so `slot`
+counts the pulses."""
 import re
 import sys
 
-STORE = re.compile(r"(\w[\w-]*): unimplemented device write \(size 4, offset (0x\w+), value (0x\w+)\)")
+STORE = re.compile(r"(\w[\w-]*): unimplemented device write "
+                   r"\(size 4, offset (0x\w+), value (0x\w+)\)")
 NRF51 = re.compile(r"nrf51_gpio_write offset (0x\w+) value (0x\w+)")
 NRF51_STEP, NRF51_DIR = (3, 2, 1), (18, 20, 16)     # as in ports/nrf51/port.c
 
@@ -39,7 +43,8 @@ def riscv(line, pins):
 
 
 def main(board, path):
-    read = riscv if board == "riscv-virt" else mps2 if board.startswith("mps2") else globals()[board]
+    readers = {"riscv-virt": riscv, "stm32f405": stm32f405, "nrf51": nrf51}
+    read = mps2 if board.startswith("mps2") else readers[board]
     pins, slot, at = 0, 0, [0, 0, 0]
     print("slot,x,y,z")
     for line in open(path):

@@ -1,8 +1,9 @@
-/* tests/target/plan.c -- the outline of 12 cubics planned: on an emulated chip, in its own time, and here for comparison
+/* tests/target/plan.c -- the outline of 12 cubics planned: on an emulated chip, in its own time,
+ * and here for comparison
  * SPDX-License-Identifier: MIT
  *
- * On the chip each span is told to the emulator (plan_chip.c) by a write to GPIOR0, which costs the chip two cycles. Here they are
- * printed, and after them what became of the path.
+ * On the chip each span is told to the emulator (plan_chip.c) by a write to GPIOR0, which costs the
+ * chip two cycles. Here they are printed, and after them what became of the path.
  */
 #include "motion/plan.h"    /* loft_plan */
 
@@ -131,7 +132,8 @@ static double distance_from_line(double x, double y)
 
     for (unsigned n = 0; n < CURVES * SAMPLES; n++) {
         const double dx = line[n + 1][0] - line[n][0], dy = line[n + 1][1] - line[n][1];
-        const double t = fmin(1, fmax(0, ((x - line[n][0]) * dx + (y - line[n][1]) * dy) / (dx * dx + dy * dy)));
+        const double t = fmin(
+            1, fmax(0, ((x - line[n][0]) * dx + (y - line[n][1]) * dy) / (dx * dx + dy * dy)));
         least = fmin(least, hypot(line[n][0] + t * dx - x, line[n][1] + t * dy - y));
     }
     return least;
@@ -168,7 +170,8 @@ int main(void)
     if (loft_plan_init(&plan, &l, moves, 2, pieces, PIECES) != LOFT_OK)
         return 1;
     plan_outline(take);
-    fprintf(stderr, "spans %u\nticks %u\nratio %.4f\ndeviation %.6f\n", (unsigned)spans, (unsigned)ticks, ticks / 1000.0 / least, worst);
+    fprintf(stderr, "spans %u\nticks %u\nratio %.4f\ndeviation %.6f\n", (unsigned)spans,
+            (unsigned)ticks, ticks / 1000.0 / least, worst);
     return 0;
 }
 

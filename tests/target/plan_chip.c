@@ -1,6 +1,8 @@
-/* tests/target/plan_chip.c -- an emulated chip of the AVR family plans: the spans it gives, its cycles and its stack
+/* tests/target/plan_chip.c -- an emulated chip of the AVR family plans: the spans it gives, its
+ * cycles and its stack
  * SPDX-License-Identifier: MIT
- * usage: plan_chip FIRMWARE.elf CHIP SPAN_ADDRESS ; spans to standard output, `cycles N` and `stack N` to standard error
+ * usage: plan_chip FIRMWARE.elf CHIP SPAN_ADDRESS ; spans to standard output, `cycles N` and `stack
+ * N` to standard error
  */
 #include <simavr/sim_avr.h>
 #include <simavr/sim_elf.h>
@@ -66,11 +68,13 @@ int main(int argc, char **argv)
         const unsigned instruction = (unsigned)(avr->flash[pc] | avr->flash[pc + 1] << 8);
         const int state = avr_run(avr);
         const uint16_t sp = (uint16_t)(avr->data[R_SPL] | avr->data[R_SPH] << 8);
-        if (begun && sp < deepest && instruction >> 9 != 0xBF >> 1)     /* not between the writes of its two bytes */
+        /* not between the writes of its two bytes */
+        if (begun && sp < deepest && instruction >> 9 != 0xBF >> 1)
             deepest = sp;
         if (state == cpu_Sleeping || state == cpu_Done || state == cpu_Crashed)
             break;
     }
-    fprintf(stderr, "cycles %llu\nstack %d\n", (unsigned long long)(avr->cycle - begun), (int)avr->ramend - deepest);
+    fprintf(stderr, "cycles %llu\nstack %d\n", (unsigned long long)(avr->cycle - begun),
+            (int)avr->ramend - deepest);
     return avr->state == cpu_Crashed;
 }

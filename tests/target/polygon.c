@@ -1,8 +1,10 @@
-/* tests/target/polygon.c -- what a point of a patch with n sides costs on a Cortex-M, in instructions, and its check sum
+/* tests/target/polygon.c -- what a point of a patch with n sides costs on a Cortex-M, in
+ * instructions, and its check sum
  * SPDX-License-Identifier: MIT
  *
- * With microbit.c and netduino.ld on an emulated chip, where the debugger gives the letters, or alone here. Prints lines: a name,
- * instructions of a point (here 0), a sum over all points, to be equal bit for bit in q16. tests/bench_polygon.sh runs it.
+ * With microbit.c and netduino.ld on an emulated chip, where the debugger gives the letters, or
+ * alone here. Prints lines: a name, instructions of a point (here 0), a sum over all points, to be
+ * equal bit for bit in q16. tests/bench/bench_polygon.sh runs it.
  */
 #include "polygon/basepoint.h"      /* loft_basepoint       */
 #include "polygon/gb.h"             /* loft_gb              */
@@ -30,11 +32,13 @@ static uint32_t meter_now(void)     { return 0; }
 #define ROUNDS 16
 #define TERMS  37           /* 4 powers at each of 5 corners, a polynomial of degree 8 */
 
-static const loft_spot pentagon[5] = {
-    { { LOFT_REAL(0), LOFT_REAL(1) } }, { { LOFT_REAL(-0.951171875), LOFT_REAL(0.30908203125) } }, { { LOFT_REAL(-0.587890625), LOFT_REAL(-0.80908203125) } },
-    { { LOFT_REAL(0.587890625), LOFT_REAL(-0.80908203125) } }, { { LOFT_REAL(0.951171875), LOFT_REAL(0.30908203125) } }
-};
-static const loft_whole hexagon[6] = { { { 0, 0 } }, { { 2, 0 } }, { { 3, 1 } }, { { 3, 3 } }, { { 1, 3 } }, { { 0, 2 } } };
+static const loft_spot pentagon[5] = { { { LOFT_REAL(0), LOFT_REAL(1) } },
+                                       { { LOFT_REAL(-0.951171875), LOFT_REAL(0.30908203125) } },
+                                       { { LOFT_REAL(-0.587890625), LOFT_REAL(-0.80908203125) } },
+                                       { { LOFT_REAL(0.587890625), LOFT_REAL(-0.80908203125) } },
+                                       { { LOFT_REAL(0.951171875), LOFT_REAL(0.30908203125) } } };
+static const loft_whole hexagon[6] = { { { 0, 0 } }, { { 2, 0 } }, { { 3, 1 } },
+                                       { { 3, 3 } }, { { 1, 3 } }, { { 0, 2 } } };
 
 static loft_vec p[256];
 static loft_real w[256];
@@ -105,7 +109,11 @@ static loft_spot inside(void)
 static bool prepare(void)
 {
     static const uint8_t cut[3] = { 1, 0, 2 };
-    static const loft_harmonic_table table = { .coefficient = coefficient, .terms = TERMS, .sides = 5, .degree = 8, .powers = { 4, 4, 4, 4, 4 } };
+    static const loft_harmonic_table table = { .coefficient = coefficient,
+                                               .terms = TERMS,
+                                               .sides = 5,
+                                               .degree = 8,
+                                               .powers = { 4, 4, 4, 4, 4 } };
 
     for (int k = 0; k < 256; k++) {
         w[k] = LOFT_REAL(1);
@@ -114,8 +122,10 @@ static bool prepare(void)
     }
     for (int k = 0; k < TERMS * 5; k++)
         coefficient[k] = (loft_acc)some() * 64 - 536870912;
-    return loft_domain_init(&domain, pentagon, 5) == LOFT_OK && loft_lattice_polygon_init(&lattice, hexagon, 6) == LOFT_OK &&
-           loft_harmonic_init(&harmonic, &domain, &table) == LOFT_OK && loft_toric_init(&toric, &lattice, p, NULL, w) == LOFT_OK &&
+    return loft_domain_init(&domain, pentagon, 5) == LOFT_OK &&
+           loft_lattice_polygon_init(&lattice, hexagon, 6) == LOFT_OK &&
+           loft_harmonic_init(&harmonic, &domain, &table) == LOFT_OK &&
+           loft_toric_init(&toric, &lattice, p, NULL, w) == LOFT_OK &&
            loft_basepoint_init(&basepoint, p, w, 5, cut) == LOFT_OK;
 }
 
@@ -123,7 +133,8 @@ static bool prepare(void)
 // Coordinates
 // -----------
 
-static void coordinates(const char *name, enum loft_status (*eval)(const loft_domain *, loft_spot, loft_sci []))
+static void coordinates(const char *name,
+                        enum loft_status (*eval)(const loft_domain *, loft_spot, loft_sci[]))
 {
     for (int n = 0; n < ROUNDS; n++) {
         const loft_spot s = inside();
@@ -208,7 +219,8 @@ static void bends(void)
 static void torics(void)
 {
     for (int n = 0; n < ROUNDS; n++) {
-        const loft_spot s = { { LOFT_REAL(1) + (loft_real)(some() & 0xffff), LOFT_REAL(1) + (loft_real)(some() & 0xffff) } };
+        const loft_spot s = { { LOFT_REAL(1) + (loft_real)(some() & 0xffff),
+                                LOFT_REAL(1) + (loft_real)(some() & 0xffff) } };
         loft_vec v = { { 0 } };
         from_here();
         const enum loft_status status = loft_toric_eval(&toric, s, &v);

@@ -1,9 +1,12 @@
 #!/bin/bash
-# tests/target/qemu.sh -- a whole job on each 32-bit board in QEMU: every pulse at the pins, in the order of the simulated machine
+# tests/target/qemu.sh -- a whole job on each 32-bit board in QEMU: every pulse at the pins, in the
+# order of the simulated machine
 # SPDX-License-Identifier: MIT
 # usage: tests/target/qemu.sh FIRMWARE_FOLDER LOFT PLUGIN.so BAD_LINE
-# The same over a bad line (bad_line.c): bytes flipped, lost, doubled, put in; the cable out again and again; the sender killed and started again.
-# Counted instructions are the clock (-icount): a slot lasts as on a real part, idle time is skipped. An emulated line has no speed.
+# The same over a bad line (bad_line.c): bytes flipped, lost, doubled, put in;
+# the cable out again and again; the sender killed and started again.
+# Counted instructions are the clock (-icount): a slot lasts as on a real part, idle time is
+# skipped. An emulated line has no speed.
 set -u
 firmware=$1 loft=$2 plugin=$3 bad_line=$4
 drawing=tests/drawings/outline12.csv feed=50
@@ -12,28 +15,38 @@ tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
 . tests/target/rows.sh
 result=/dev/null          # each lane writes its own
 
-# board NAME QEMU MACHINE SHIFT "MACHINE'S NUMBERS" HOST|CHIP [FAULT SEED]: a drawing here and there, planned by the host or the chip
+# board NAME QEMU MACHINE SHIFT "MACHINE'S NUMBERS" HOST|CHIP [FAULT SEED]: a drawing here and
+# there, planned by the host or the chip
 board() {
-    local name=$1 qemu=$2 machine=$3 shift=$4 numbers=$5 plan=$6 fault=${7:-none} seed=${8:-1} elf=$firmware/$1/loft.elf extra=() code port
+    local name=$1 qemu=$2 machine=$3 shift=$4 numbers=$5 plan=$6 fault=${7:-none} seed=${8:-1}
+    local elf=$firmware/$1/loft.elf extra=() code port
     local at=$tmp/$name-$plan-$fault-$seed what="$1, planned on the $6"
     local log=$at/log
     mkdir "$at"
     case $name in
     nrf51)      extra=(-trace nrf51_gpio_write -D "$log") ;;
     riscv-virt) local pins=0x$(riscv64-unknown-elf-nm "$elf" | awk '$3 == "pins" { print $1 }')
-                extra=(-bios none -plugin "$plugin,lo=$pins,hi=$(printf '0x%x' $((pins + 64))),out=$log") ;;
+                local hi; hi=$(printf '0x%x' $((pins + 64)))
+                extra=(-bios none -plugin "$plugin,lo=$pins,hi=$hi,out=$log") ;;
     *)          extra=(-d unimp -D "$log") ;;
     esac
     if [ $fault = none ]; then
         # shellcheck disable=SC2086
-        "$loft" simulate --link "$at/here" --record "$at/here.csv" --once --quiet $numbers >"$at/said" & local here=$!
+        "$loft" simulate --link "$at/here" --record "$at/here.csv" --once --quiet $numbers \
+            >"$at/said" &
+        local here=$!
         for _ in $(seq 3000); do [ -e "$at/here" ] && break; sleep 0.02; done
-        timeout 300 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "$at/here" >"$at/planned" 2>&1; wait $here
+        timeout 300 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "$at/here" \
+            >"$at/planned" 2>&1
+        wait $here
     else
         cp "$tmp/$name-$plan-none-1/here.csv" "$at"         # the run over a good line came before
     fi
-    timeout 300 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" -icount "shift=$shift,sleep=off" "${extra[@]}" \
-        -chardev "socket,id=s0,path=$at/sock,server=on,wait=on" -serial chardev:s0 >"$at/qemu" 2>&1 & local child=$!
+    timeout 300 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" \
+        -icount "shift=$shift,sleep=off" "${extra[@]}" \
+        -chardev "socket,id=s0,path=$at/sock,server=on,wait=on" -serial chardev:s0 \
+        >"$at/qemu" 2>&1 &
+    local child=$!
     for _ in $(seq 3000); do [ -e "$at/sock" ] && break; sleep 0.02; done
     port=$at/sock
     case $fault in
@@ -49,41 +62,60 @@ board() {
         for _ in $(seq 3000); do [ -e "$port" ] && break; sleep 0.02; done
     fi
     if [ $fault = killed ]; then            # some time after the first pulses
-        "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" >"$at/first" 2>&1 </dev/null & local first=$!
-        for _ in $(seq 100); do [ "$(python3 tests/target/pins.py "$name" "$log" 2>/dev/null | wc -l)" -gt 300 ] && break; sleep 0.05; done
+        "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" \
+            >"$at/first" 2>&1 </dev/null &
+        local first=$!
+        for _ in $(seq 100); do
+            [ "$(python3 tests/target/pins.py "$name" "$log" 2>/dev/null | wc -l)" -gt 300 ] &&
+                break
+            sleep 0.05
+        done
         { kill -KILL $first; wait $first; } 2>/dev/null
     fi
-    timeout 300 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" >"$at/out" 2>"$at/err" </dev/null; code=$?
+    timeout 300 "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" \
+        >"$at/out" 2>"$at/err" </dev/null
+    code=$?
     [ -z "$line" ] || { kill $between; wait $between; }
     kill $child; wait $child 2>/dev/null
     [ $code = 0 ] || sed 's/^/     /' "$at/err" "$at/qemu"
     python3 tests/target/pins.py "$name" "$log" > "$at/csv"
 
     row "$what: the command ends well" "$code" = 0
-    row "$what: steps told and steps counted at the pins" "$(tail -1 "$at/csv" | awk -F, '{ print $2, $3, $4 }')" = "$(told "$at/out")"
-    row "$what: every axis steps as on the simulated machine" "$(path_of "$at/csv")" = "$(path_of "$at/here.csv")"
+    row "$what: steps told and steps counted at the pins" \
+        "$(tail -1 "$at/csv" | awk -F, '{ print $2, $3, $4 }')" = "$(told "$at/out")"
+    row "$what: every axis steps as on the simulated machine" \
+        "$(path_of "$at/csv")" = "$(path_of "$at/here.csv")"
     case $fault in
     none)   ;;
-    killed) row "$what: the second one goes on at this share of the job" "$(awk '/^resuming at item/ { printf "%.2f", $4 / $6 }' "$at/err")" "<=" 0.99; return ;;
-    *)      row "$what: bytes damaged, and times that the cable was out" "$(awk '{ print $2 + $4 }' "$at/line")" ">=" 3; return ;;
+    killed) row "$what: the second one goes on at this share of the job" \
+                "$(awk '/^resuming at item/ { printf "%.2f", $4 / $6 }' "$at/err")" "<=" 0.99
+            return ;;
+    *)      row "$what: bytes damaged, and times that the cable was out" \
+                "$(awk '{ print $2 + $4 }' "$at/line")" ">=" 3
+            return ;;
     esac
-    row "$what: frames sent twice" "$(sed -n 's/.* \([0-9]*\) of [0-9]* frames resent.*/\1/p' "$at/out" "$at/err")" = 0
+    row "$what: frames sent twice" \
+        "$(sed -n 's/.* \([0-9]*\) of [0-9]* frames resent.*/\1/p' "$at/out" "$at/err")" = 0
 }
 
 for tool in qemu-system-arm qemu-system-riscv32 python3; do
-    command -v $tool >/dev/null || { echo "$tool is missing: make deps-target"; echo "0 passed, 1 failed"; exit 1; }
+    command -v $tool >/dev/null ||
+        { echo "$tool is missing: make deps-target"; echo "0 passed, 1 failed"; exit 1; }
 done
 f405="--steps 250 --max-speed 400 --accel 2000 --slots 100 --queue 1024 --ramp 200"
 mps2="--steps 250 --max-speed 160 --accel 1000 --slots 40 --queue 1024 --ramp 160"
 (   board stm32f405   qemu-system-arm     netduinoplus2 3 "$f405" host
-    board nrf51       qemu-system-arm     microbit      6 "--steps 250 --max-speed 80 --accel 500 --slots 20 --queue 160 --ramp 80" host
+    board nrf51       qemu-system-arm     microbit      6 \
+        "--steps 250 --max-speed 80 --accel 500 --slots 20 --queue 160 --ramp 80" host
     board stm32f405   qemu-system-arm     netduinoplus2 3 "$f405" chip
     for fault in "bytes 1" "bytes 2" "cuts 1" "killed 1"; do
         # shellcheck disable=SC2086
         board stm32f405 qemu-system-arm   netduinoplus2 3 "$f405" host $fault
     done
 ) > "$tmp/result2" & other=$!
-(   for m in mps2-an385 mps2-an386 mps2-an500 mps2-an505; do board $m qemu-system-arm $m 5 "$mps2" host; done
+(   for m in mps2-an385 mps2-an386 mps2-an500 mps2-an505; do
+        board $m qemu-system-arm $m 5 "$mps2" host
+    done
     for fault in none "bytes 1" "cuts 1" "killed 1"; do
         # shellcheck disable=SC2086
         board riscv-virt qemu-system-riscv32 virt 3 "$mps2" host $fault

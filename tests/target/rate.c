@@ -1,7 +1,10 @@
-/* tests/target/rate.c -- a machine at the rate asked for: some axes straight on, all at the same number of steps per tick
+/* tests/target/rate.c -- a machine at the rate asked for: some axes straight on, all at the same
+ * number of steps per tick
  * SPDX-License-Identifier: MIT
- * usage: rate PORT AXES STEPS_PER_TICK ; prints `ticks elapsed slowed` and the positions reached, and fails if they are not those of the plan
+ * usage: rate PORT AXES STEPS_PER_TICK ; prints `ticks elapsed slowed` and the positions reached,
+ * and fails if they are not those of the plan
  */
+#include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <stdio.h>
@@ -31,7 +34,8 @@ static void source(void *context, uint32_t index, loft_item *out)
     *out = item[index];
 }
 
-/* A parabola of time at both ends: with d its length, it has the control values 0 0 d/3 d and 0 2d/3 d d. */
+/* A parabola of time at both ends: with d its length, it has the control values 0 0 d/3 d and 0
+ * 2d/3 d d. */
 static void plan(const loft_sender *s, int axes, double rate)
 {
     for (int i = 0; i < axes; i++) {
@@ -41,8 +45,12 @@ static void plan(const loft_sender *s, int axes, double rate)
         end_steps = (int32_t)(at / 65536 * per_mm + rate * RAMP * (SPANS - 1) + 0.5);
         for (int k = 0; k < SPANS; k++) {
             const double length = k == 0 || k == SPANS - 1 ? d / 2 : d;
-            item[k].p[0][i] = (int32_t)(at + (k == 0 ? 0 : k == SPANS - 1 ? 2 * length / 3 : length / 3));
-            item[k].p[1][i] = (int32_t)(at + (k == 0 ? length / 3 : k == SPANS - 1 ? length : 2 * length / 3));
+            item[k].p[0][i] = (int32_t)(at + (k == 0           ? 0
+                                              : k == SPANS - 1 ? 2 * length / 3
+                                                               : length / 3));
+            item[k].p[1][i] = (int32_t)(at + (k == 0           ? length / 3
+                                              : k == SPANS - 1 ? length
+                                                               : 2 * length / 3));
             item[k].p[2][i] = (int32_t)(at += length);
             item[k].ticks = RAMP;
         }
@@ -50,7 +58,8 @@ static void plan(const loft_sender *s, int axes, double rate)
     for (int i = axes; i < LOFT_AXES; i++)
         for (int k = 0; k < SPANS; k++)
             for (int j = 0; j < 3; j++)
-                item[k].p[j][i] = (int32_t)((int64_t)s->axis[i].position * 65536 * 65536 / s->axis[i].steps_per_mm);
+                item[k].p[j][i] = (int32_t)((int64_t)s->axis[i].position * 65536 * 65536 /
+                                            s->axis[i].steps_per_mm);
 }
 
 static int begin(loft_sender *s, int axes, double rate)
@@ -59,7 +68,8 @@ static int begin(loft_sender *s, int axes, double rate)
 
     plan(s, axes, rate);
     for (int i = 0; i < LOFT_AXES; i++)
-        job.start[i] = (int32_t)((int64_t)s->axis[i].position * 65536 * 65536 / s->axis[i].steps_per_mm);
+        job.start[i] = (int32_t)((int64_t)s->axis[i].position * 65536 * 65536 /
+                                 s->axis[i].steps_per_mm);
     job.id = loft_job_id(&job, SPANS, source, NULL);
     return loft_sender_begin(s, &job, SPANS, source, NULL) == LOFT_OK ? 0 : 1;
 }
@@ -73,6 +83,21 @@ static int open_port(const char *name)
         return -1;
     cfmakeraw(&mode);
     return tcsetattr(fd, TCSANOW, &mode) == 0 ? fd : -1;
+}
+
+/* All of it, or false: the line is gone, or took nothing for 15 s. */
+static bool give(int fd, const uint8_t *byte, size_t count)
+{
+    for (size_t sent = 0; sent < count;) {
+        struct pollfd p = { .fd = fd, .events = POLLOUT };
+        const ssize_t put = write(fd, byte + sent, count - sent);
+        if (put < 0 && errno != EAGAIN && errno != EINTR)
+            return false;
+        if (put <= 0 && poll(&p, 1, 15000) == 0)
+            return false;
+        sent += put > 0 ? (size_t)put : 0;
+    }
+    return true;
 }
 
 int main(int argc, char **argv)
@@ -90,20 +115,22 @@ int main(int argc, char **argv)
         uint8_t byte[256], wire[LOFT_FRAME_MAX + 1];
         struct pollfd p = { .fd = fd, .events = POLLIN };
         const size_t count = loft_sender_poll(&s, now_ms(), wire);
-        for (size_t sent = 0; sent < count;) {
-            const ssize_t put = write(fd, wire + sent, count - sent);
-            sent += put > 0 ? (size_t)put : 0;
+        if (!give(fd, wire, count)) {
+            perror(argv[1]);
+            return 1;
         }
         if (count)
             continue;
-        poll(&p, 1, (int)(loft_sender_wait(&s, now_ms()) < 20 ? loft_sender_wait(&s, now_ms()) : 20));
+        poll(&p, 1,
+             (int)(loft_sender_wait(&s, now_ms()) < 20 ? loft_sender_wait(&s, now_ms()) : 20));
         const ssize_t got = read(fd, byte, sizeof byte);
         for (ssize_t i = 0; i < got; i++)
             (void)loft_sender_push(&s, byte[i], now_ms());
         if (s.phase == LOFT_PHASE_READY)
             failed = begin(&s, axes, atof(argv[3]));
     }
-    printf("ticks %u elapsed %u slowed %u position", (unsigned)s.report.ticks, (unsigned)s.report.elapsed, (unsigned)s.report.slowed);
+    printf("ticks %u elapsed %u slowed %u position", (unsigned)s.report.ticks,
+           (unsigned)s.report.elapsed, (unsigned)s.report.slowed);
     for (int i = 0; i < LOFT_AXES; i++)
         printf(" %d", (int)s.report.position[i]);
     printf(" planned %d\n", (int)end_steps);

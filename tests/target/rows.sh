@@ -1,36 +1,45 @@
-# tests/target/rows.sh -- rows of measured values, and the emulated ATmega328P behind a port; sourced, with $tmp a folder and $result a file
+# tests/target/rows.sh -- rows of measured values, and the emulated ATmega328P behind a port;
+# sourced, with $tmp a folder and $result a file
 # SPDX-License-Identifier: MIT
 
 # holds VALUE OPERATOR BOUND: exit code 0 if it does
 holds() {
     awk -v x="$1" -v op="$2" -v y="$3" 'BEGIN {
-        exit !(x != "" && (op == "<=" ? x + 0 <= y + 0 : op == ">=" ? x + 0 >= y + 0 : x "" == y "")) }'
+        exit !(x != "" &&
+            (op == "<=" ? x + 0 <= y + 0 : op == ">=" ? x + 0 >= y + 0 : x "" == y "")) }'
 }
 
 # row NAME VALUE OPERATOR BOUND [UNIT]
 row() {
     local verdict=FAIL
     holds "$2" "$3" "$4" && verdict="ok  "
-    printf '%s %-60s %s%s (%s %s)\n' "$verdict" "$1" "${2:-nothing}" "${5:+ $5}" "$3" "$4" | tee -a "$result"
+    printf '%s %-60s %s%s (%s %s)\n' "$verdict" "$1" "${2:-nothing}" "${5:+ $5}" "$3" "$4" |
+        tee -a "$result"
 }
 
 # every axis' own row of steps, whatever the time between them
 path_of() {
-    awk -F, '!/^#/ && $1 != "slot" { for (i = 2; i <= NF; i++) if ($i != last[i]) { last[i] = $i; row[i] = row[i] " " $i } }
+    awk -F, '!/^#/ && $1 != "slot" {
+                 for (i = 2; i <= NF; i++)
+                     if ($i != last[i]) { last[i] = $i; row[i] = row[i] " " $i }
+             }
              END { for (i = 2; i <= 4; i++) print row[i] }' "$1" | cksum
 }
 
 # told OUTPUT: the position that the command reports
 told() { sed -n 's/.*steps \(-*[0-9]* -*[0-9]* -*[0-9]*\).*as commanded.*/\1/p' "$1" | head -1; }
 
-# on_chip CHIP FIRMWARE COMMAND..: the chip behind $tmp/port, its pulses in $tmp/chip.csv, what it came to in $tmp/chip; COMMAND's
-# output in $tmp/out and $tmp/err, its exit code in $code
+# on_chip CHIP FIRMWARE COMMAND..: the chip behind $tmp/port, its pulses in $tmp/chip.csv, what it
+# came to in $tmp/chip; COMMAND's output in $tmp/out and $tmp/err, its exit code in $code
 on_chip() {
     local chip=$1 elf=$2 tick ring child
     shift 2
     tick=0x$(avr-nm "$elf" | awk '$3 == "loft_port_work_stub" { print $1 }')
-    ring=$(avr-nm "$elf" | awk '{ at[$3] = substr($1, 5) } END { print "0x" at["ring_head"] ",0x" at["ring_tail"] }')
-    "$chip" "$elf" --tick "$tick" --ring "$ring" --link "$tmp/port" --record "$tmp/chip.csv" >"$tmp/chip" 2>"$tmp/chip.err" & child=$!
+    ring=$(avr-nm "$elf" |
+        awk '{ at[$3] = substr($1, 5) } END { print "0x" at["ring_head"] ",0x" at["ring_tail"] }')
+    "$chip" "$elf" --tick "$tick" --ring "$ring" --link "$tmp/port" --record "$tmp/chip.csv" \
+        >"$tmp/chip" 2>"$tmp/chip.err" &
+    child=$!
     for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done
     timeout 300 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
     timeout 30 tail --pid=$child -f /dev/null || kill $child     # it ends when the job is closed
@@ -41,7 +50,9 @@ on_chip() {
 value() { awk -v name="$1" '$1 == name { $1 = ""; print substr($0, 2) }' "$tmp/chip"; }
 
 # said NAME: the number behind a name in $tmp/out, or in FILE
-said() { awk -v name="$1" '{ for (i = 1; i < NF; i++) if ($i == name) print $(i + 1) }' "${2:-$tmp/out}"; }
+said() {
+    awk -v name="$1" '{ for (i = 1; i < NF; i++) if ($i == name) print $(i + 1) }' "${2:-$tmp/out}"
+}
 
 # sum: the last line
 sum() {

@@ -33,4 +33,24 @@ static inline void say_line(void (*put)(char), const char *words, uint32_t n)
     put('\n');
 }
 
+/* The same of a number of 64 bits, in halves of nine digits. */
+static inline void say_wide(void (*put)(char), const char *words, uint64_t n)
+{
+    const uint64_t most = n / 1000000000u;
+    uint32_t rest = (uint32_t)(n % 1000000000u);
+
+    if (most == 0) {
+        say_line(put, words, rest);
+        return;
+    }
+    say_words(put, words);
+    put(' ');
+    say_number(put, (uint32_t)most);
+    for (uint32_t digit = 100000000u; digit > 0; digit /= 10) {
+        put((char)('0' + rest / digit));
+        rest %= digit;
+    }
+    put('\n');
+}
+
 #endif

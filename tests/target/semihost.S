@@ -1,11 +1,13 @@
-/* tests/target/semihost.S -- semihost(operation, argument): the call to a debugger, on a Cortex-M and on RISC-V
+/* tests/target/semihost.S -- semihost(operation, argument): the call to a debugger,
+ * on a Cortex-M and on RISC-V
  * SPDX-License-Identifier: MIT
  */
     .text
     .globl  semihost
     .balign 16
 #ifdef __riscv
-    .option norvc               /* the three instructions around ebreak are what is looked for; in one page */
+    /* the debugger looks for the three instructions around ebreak, in one page */
+    .option norvc
 semihost:
     slli    x0, x0, 0x1f
     ebreak

@@ -1,7 +1,9 @@
-/* tests/target/semihost.h -- a word to the debugger that runs a chip, which QEMU is as well: text, an exit code
+/* tests/target/semihost.h -- a word to the debugger that runs a chip, which QEMU is as well: text,
+ * an exit code
  * SPDX-License-Identifier: MIT
  *
- * qemu-system-.. -semihosting-config enable=on,target=native: text goes to QEMU's standard error, the exit code is QEMU's.
+ * qemu-system-.. -semihosting-config enable=on,target=native: text goes to QEMU's standard error,
+ * the exit code is QEMU's.
  */
 #ifndef LOFT_TARGET_SEMIHOST_H
 #define LOFT_TARGET_SEMIHOST_H

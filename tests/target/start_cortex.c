@@ -1,4 +1,5 @@
-/* tests/target/start_cortex.c -- from reset to main on a Cortex-M, for a program that ends; its exit code goes to the debugger
+/* tests/target/start_cortex.c -- from reset to main on a Cortex-M, for a program that ends; its
+ * exit code goes to the debugger
  * SPDX-License-Identifier: MIT
  */
 #include <stdint.h>
@@ -20,7 +21,8 @@ void reset(void)
     for (uint32_t *p = bss_begin; p < bss_end; p++)
         *p = 0;
 #ifndef __ARM_ARCH_6M__
-    *(volatile uint32_t *)0xE000ED88 |= 0xFu << 20;     /* CPACR: a floating-point unit is on; the library may move integers through it */
+    *(volatile uint32_t *)0xE000ED88 |= 0xFu << 20;     /* CPACR: a floating-point unit is on; the
+                                                         * library may move integers through it */
     __asm__ volatile ("dsb\n isb" ::: "memory");
 #endif
     semihost_exit((uint32_t)main());
@@ -37,8 +39,7 @@ typedef union {
     const void *data;
 } vector;
 
-__attribute__((section(".vectors"), used))
-static const vector vectors[16] = {
-    { .data = stack_top }, { .code = reset }, { .code = fault }, { .code = fault }, { .code = fault }, { .code = fault }, { .code = fault },
-    [15] = { .code = alarm_interrupt }
+__attribute__((section(".vectors"), used)) static const vector vectors[16] = {
+    { .data = stack_top }, { .code = reset }, { .code = fault }, { .code = fault },
+    { .code = fault },     { .code = fault }, { .code = fault }, [15] = { .code = alarm_interrupt }
 };

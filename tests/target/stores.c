@@ -3,7 +3,8 @@
  *
  *     qemu-system-riscv32 ... -plugin stores.so,lo=0x80001000,hi=0x80001040,out=FILE
  *
- * A line per store: the offset in the range. QEMU's package has no header for plugins: below is what is used of version 1 of its interface.
+ * A line per store: the offset in the range. QEMU's package has no header for plugins: below is
+ * what is used of version 1 of its interface.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -21,11 +22,14 @@ typedef void on_mem(unsigned vcpu, qemu_plugin_meminfo_t info, uint64_t address,
 void   qemu_plugin_register_vcpu_tb_trans_cb(qemu_plugin_id_t id, on_tb *call);
 size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb *tb);
 struct qemu_plugin_insn *qemu_plugin_tb_get_insn(const struct qemu_plugin_tb *tb, size_t i);
-void   qemu_plugin_register_vcpu_mem_cb(struct qemu_plugin_insn *insn, on_mem *call, int registers, int access, void *context);
+void qemu_plugin_register_vcpu_mem_cb(struct qemu_plugin_insn *insn, on_mem *call, int registers,
+                                      int access, void *context);
 
 extern int qemu_plugin_version;
 __attribute__((visibility("default"))) int qemu_plugin_version = 1;
-__attribute__((visibility("default"))) int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t *info, int argc, char *argv[]);
+__attribute__((visibility("default"))) int qemu_plugin_install(qemu_plugin_id_t id,
+                                                               const qemu_info_t *info, int argc,
+                                                               char *argv[]);
 
 static uint64_t lo, hi;
 static FILE *out;
@@ -43,7 +47,8 @@ static void translated(qemu_plugin_id_t id, struct qemu_plugin_tb *tb)
 {
     (void)id;
     for (size_t i = 0; i < qemu_plugin_tb_n_insns(tb); i++)
-        qemu_plugin_register_vcpu_mem_cb(qemu_plugin_tb_get_insn(tb, i), stored, 0, 2, NULL);   /* stores only */
+        /* stores only */
+        qemu_plugin_register_vcpu_mem_cb(qemu_plugin_tb_get_insn(tb, i), stored, 0, 2, NULL);
 }
 
 int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t *info, int argc, char *argv[])

@@ -1,15 +1,16 @@
 /* tests/target/sums.c -- check sums of the arithmetic, to be equal bit for bit on every core in q16
  * SPDX-License-Identifier: MIT
  *
- * Each line is a name and a sum over many results, extremes included. tests/target.sh runs this program here
- * and on emulated chips and compares. On AVR the lines leave through the serial port, on Cortex-M0 through the debugger
- * (microbit.c), and the four parts (-DPART=1 operations, 2 points and walking, 3 measures, 4 grids over patches)
- * are programs of their own: together they exceed the flash of an ATmega328P. Its lines that begin with # are times.
+ * Each line is a name and a sum over many results, extremes included. tests/target/target.sh runs
+ * this program here and on emulated chips and compares. On AVR the lines leave through the serial
+ * port, on Cortex-M0 through the debugger (microbit.c), and the four parts (-DPART=1 operations, 2
+ * points and walking, 3 measures, 4 grids over patches) are programs of their own: together they
+ * exceed the flash of an ATmega328P. Its lines that begin with # are times.
  */
 #include "num/accs.h"
 #include "curve/forward.h"
 #include "curve/measure.h"
-#include "surface/grid.h"
+#include "surface/tensor/grid.h"
 
 #include "say.h"    /* say_line */
 
@@ -89,39 +90,88 @@ static loft_cubic some_cubic(unsigned bits)
 
 static void sums(int rounds)
 {
-    for (int n = 0; n < rounds; n++) { const loft_acc x = some(47); if (loft_acc_fits(x)) add(loft_acc_round(x)); }
+    for (int n = 0; n < rounds; n++) {
+        const loft_acc x = some(47);
+        if (loft_acc_fits(x))
+            add(loft_acc_round(x));
+    }
     say("acc_round");
-    for (int n = 0; n < rounds; n++) { const loft_acc x = loft_prod(coordinate(), coordinate()); if (loft_acc_fits(x)) add(loft_acc_round(x)); }
+    for (int n = 0; n < rounds; n++) {
+        const loft_acc x = loft_prod(coordinate(), coordinate());
+        if (loft_acc_fits(x))
+            add(loft_acc_round(x));
+    }
     say("mul");
     for (int n = 0; n < rounds; n++) add(loft_acc_int(some(62)));
     say("acc_int");
-    for (int n = 0; n < rounds; n++) { const int32_t a = (int32_t)some(24), b = (int32_t)some(31); if (b / 256 != 0) add(loft_div(a, b)); }
+    for (int n = 0; n < rounds; n++) {
+        const int32_t a = (int32_t)some(24), b = (int32_t)some(31);
+        if (b / 256 != 0)
+            add(loft_div(a, b));
+    }
     say("div");
-    for (int n = 0; n < rounds; n++) { const int32_t a = coordinate(), b = coordinate(); add(loft_lerp(a, b, fraction())); }
+    for (int n = 0; n < rounds; n++) {
+        const int32_t a = coordinate(), b = coordinate();
+        add(loft_lerp(a, b, fraction()));
+    }
     say("lerp");
-    for (int n = 0; n < rounds; n++) { const loft_acc x = some(55); add(loft_acc_scale(x, (loft_unit)some(30))); }
+    for (int n = 0; n < rounds; n++) {
+        const loft_acc x = some(55);
+        add(loft_acc_scale(x, (loft_unit)some(30)));
+    }
     say("acc_scale");
-    for (int n = 0; n < rounds; n++) { const loft_acc x = some(62), y = some(62); add(loft_acc_lerp(x, y, fraction())); }
+    for (int n = 0; n < rounds; n++) {
+        const loft_acc x = some(62), y = some(62);
+        add(loft_acc_lerp(x, y, fraction()));
+    }
     say("acc_lerp");
-    for (int n = 0; n < rounds; n++) { const loft_acc x = some(46); add(loft_acc_mul(x, (loft_real)some(31))); }
+    for (int n = 0; n < rounds; n++) {
+        const loft_acc x = some(46);
+        add(loft_acc_mul(x, (loft_real)some(31)));
+    }
     say("acc_mul");
-    for (int n = 0; n < rounds; n++) { const loft_acc x = some(46); const int32_t a = coordinate(); if (a) add(loft_acc_div(x, a)); }
+    for (int n = 0; n < rounds; n++) {
+        const loft_acc x = some(46);
+        const int32_t a = coordinate();
+        if (a)
+            add(loft_acc_div(x, a));
+    }
     say("acc_div");
-    for (int n = 0; n < rounds; n++) { const loft_acc x = some(63); add(loft_acc_ratio(x, 1 + ((int32_t)some(31) & 0x3fffffff))); }
+    for (int n = 0; n < rounds; n++) {
+        const loft_acc x = some(63);
+        add(loft_acc_ratio(x, 1 + ((int32_t)some(31) & 0x3fffffff)));
+    }
     say("acc_ratio");
     for (int n = 0; n < rounds; n++) add(loft_acc_sqrt(some(63)));
     say("acc_sqrt");
-    for (int n = 0; n < rounds; n++) { const loft_acc x[3] = { some(61), some(61), some(50) }; add(loft_acc_hypot(x, 3)); }
+    for (int n = 0; n < rounds; n++) {
+        const loft_acc x[3] = { some(61), some(61), some(50) };
+        add(loft_acc_hypot(x, 3));
+    }
     say("acc_hypot");
-    for (int n = 0; n < rounds; n++) { const int64_t y = 1 + ((some(62) & INT64_MAX) >> 1), x = some(62) % y; add(loft_unit_ratio(x, y)); }
+    for (int n = 0; n < rounds; n++) {
+        const int64_t y = 1 + ((some(62) & INT64_MAX) >> 1), x = some(62) % y;
+        add(loft_unit_ratio(x, y));
+    }
     say("unit_ratio");
-    for (int n = 0; n < rounds; n++) { const uint32_t k = 1 + ((uint32_t)some(31) & 0x7fffffff), j = (uint32_t)some(31) % k; add(loft_unit_of(j, k)); }
+    for (int n = 0; n < rounds; n++) {
+        const uint32_t k = 1 + ((uint32_t)some(31) & 0x7fffffff), j = (uint32_t)some(31) % k;
+        add(loft_unit_of(j, k));
+    }
     say("unit_of");
-    for (int n = 0; n < rounds; n++) { const uint32_t k = UINT32_MAX - ((uint32_t)some(31) & 0x7fffffff), j = k - ((uint32_t)some(31) & 0x7fffffff); add(loft_unit_of(j, k)); }
+    for (int n = 0; n < rounds; n++) {
+        const uint32_t k = UINT32_MAX - ((uint32_t)some(31) & 0x7fffffff),
+                       j = k - ((uint32_t)some(31) & 0x7fffffff);
+        add(loft_unit_of(j, k));
+    }
     say("unit_of_more");
     for (int n = 0; n < rounds; n++) add(loft_real_floor(coordinate()));
     say("real_floor");
-    for (int n = 0; n < rounds; n++) { const loft_acc x = some(62), y = n % 8 ? some(62) : x; add(loft_acc_size(x) ^ loft_acc_least(x, y)); add(loft_acc_most(x, y)); }
+    for (int n = 0; n < rounds; n++) {
+        const loft_acc x = some(62), y = n % 8 ? some(62) : x;
+        add(loft_acc_size(x) ^ loft_acc_least(x, y));
+        add(loft_acc_most(x, y));
+    }
     say("acc_order");
     for (int n = 0; n < rounds; n++) {
         loft_acc x[LOFT_AXES], y[LOFT_AXES];
@@ -146,7 +196,8 @@ static void sums(int rounds)
         const loft_cubic c = some_cubic(31);
         loft_bezier b;
         loft_forward w;
-        if (loft_bezier_init(&b, c.p, 3) == LOFT_OK && loft_forward_init(&w, &b, n % 2 ? 64 : 100) == LOFT_OK)
+        if (loft_bezier_init(&b, c.p, 3) == LOFT_OK &&
+            loft_forward_init(&w, &b, n % 2 ? 64 : 100) == LOFT_OK)
             while (loft_forward_next(&w, &p))
                 for (int i = 0; i < LOFT_AXES; i++)
                     add(p.axis[i]);

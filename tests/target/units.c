@@ -1,7 +1,8 @@
 /* tests/target/units.c -- tests of tests/ on a chip: each in turn, and the stack that it takes
  * SPDX-License-Identifier: MIT
  *
- * A test's main is compiled under the name that `units`, generated, calls. After each a line `== NAME CODE STACK`.
+ * A test's main is compiled under the name that `units`, generated, calls. After each a line `==
+ * NAME CODE STACK`.
  */
 #include "units.h"
 

@@ -1,37 +1,48 @@
-# tests/target/units.mk -- the tests of tests/ on emulated chips: their objects, one set per instruction set and number type
+# tests/target/units.mk -- the tests of tests/ on emulated chips: their objects, one set per
+# instruction set and number type
 # SPDX-License-Identifier: MIT
 #
-# The library is the one of the firmware, by its compiler and flags. Tests, and what they stand on in place of a library, are compiled by
-# clang: it has a long double of 113 bits and integers of 128 on any core (libc/quad.c, libc/int128.c compute them), so that the references
-# are as exact as here.
+# The library is the one of the firmware, by its compiler and flags. Clang compiles the tests, and
+# what they stand on in place of a library: it has a long double of 113 bits and integers of 128 on
+# any core (libc/quad.c, libc/int128.c compute them), so that the references are as exact as here.
 
 UNIT_SHARE ?= 1000
 UNITS      := build/units
-UNIT_TESTS := $(filter-out harmonic wire_page yardstick topp raise,$(TESTS))   # raise: no part of a firmware (LOFT_PLAN_FLOW)
+# raise: no part of a firmware (LOFT_PLAN_FLOW)
+UNIT_TESTS := $(filter-out harmonic wire_page yardstick topp raise,$(TESTS))
 UNIT_BASE  := libc/quad libc/int128 libc/aeabi libc/math libc/print alarm units
-UNIT_FLAGS  = -std=c99 -ffreestanding -O1 -Xclang -mlong-double-128 -Xclang -fforce-enable-int128 -ffp-contract=off '-D__float128=long double' \
-              -Wall -Wextra -Werror=implicit-function-declaration -Wno-unused-function -Wno-sometimes-uninitialized \
+UNIT_FLAGS  = -std=c99 -ffreestanding -O1 -Xclang -mlong-double-128 -Xclang -fforce-enable-int128 \
+              -ffp-contract=off '-D__float128=long double' \
+              -Wall -Wextra -Werror=implicit-function-declaration -Wno-unused-function \
+              -Wno-sometimes-uninitialized \
               -Itests/target/libc -Itests/target -Itests -Ilib -DLOFT_AXES=3 -DLOFT_PLAN_FLOW=0
 
 # unit_set NAME, number type, clang's flags of the core, what it starts with
 define unit_set
-$(UNITS)/$(1)/test_%.o: tests/test_%.c $(LIB_HDR) $(wildcard tests/*.h tests/target/libc/*.h)
+$(UNITS)/$(1)/test_%.o: test_%.c $(wildcard tests/target/libc/*.h) | lib/names.h
 	@mkdir -p $$(@D)
 	$$(SAY) "  CC  $$@"
-	$$(Q)clang $(3) $$(UNIT_FLAGS) -DLOFT_NUM=LOFT_$(2) -DCHECK_SHARE=$$(UNIT_SHARE) -Dmain=main_$$* -c $$< -o $$@
-$(UNITS)/$(1)/%.o: tests/target/%.c $(wildcard tests/target/*.h tests/target/libc/*.h tests/target/libc/*/*.h)
+	$$(Q)clang $(3) $$(UNIT_FLAGS) -DLOFT_NUM=LOFT_$(2) $$(DEPS) -DCHECK_SHARE=$$(UNIT_SHARE) \
+	    -Dmain=main_$$* -c $$< -o $$@
+$(UNITS)/$(1)/%.o: tests/target/%.c \
+                   $(wildcard $(addprefix tests/target/,*.h libc/*.h libc/*/*.h))
 	@mkdir -p $$(@D)
 	$$(Q)clang $(3) $$(UNIT_FLAGS) -DLOFT_NUM=LOFT_$(2) -c $$< -o $$@
 $(UNITS)/$(1)/test_libc.o: tests/target/libc/test_libc.c $(wildcard tests/target/libc/*.h)
 	@mkdir -p $$(@D)
-	$$(Q)clang $(3) $$(UNIT_FLAGS) -DLOFT_NUM=LOFT_$(2) -DCHECK_SHARE=10 -Dmain=main_libc -c $$< -o $$@
-UNIT_OBJ_$(1) = $$(patsubst %,$(UNITS)/$(1)/test_%.o,libc $$(UNIT_TESTS)) $$(patsubst %,$(UNITS)/$(1)/%.o,$$(UNIT_BASE) $(4))
+	$$(Q)clang $(3) $$(UNIT_FLAGS) -DLOFT_NUM=LOFT_$(2) -DCHECK_SHARE=10 -Dmain=main_libc \
+	    -c $$< -o $$@
+-include $(patsubst %,$(UNITS)/$(1)/test_%.d,$(UNIT_TESTS))
+UNIT_OBJ_$(1) = $$(patsubst %,$(UNITS)/$(1)/test_%.o,libc $$(UNIT_TESTS)) \
+                $$(patsubst %,$(UNITS)/$(1)/%.o,$$(UNIT_BASE) $(4))
 endef
 UNIT_ARM = -fshort-enums --target=thumb
-$(eval $(call unit_set,v6m-q16,Q16,$(UNIT_ARM)v6m-none-eabi -mcpu=cortex-m0 -DLOFT_MACHINE_PLANS=0,start_cortex))
+UNIT_M0  = $(UNIT_ARM)v6m-none-eabi -mcpu=cortex-m0 -DLOFT_MACHINE_PLANS=0
+UNIT_RV  = --target=riscv32-unknown-elf -march=rv32imac -mabi=ilp32 -mcmodel=medany -mno-relax
+$(eval $(call unit_set,v6m-q16,Q16,$(UNIT_M0),start_cortex))
 $(eval $(call unit_set,v7m-q16,Q16,$(UNIT_ARM)v7m-none-eabi -mcpu=cortex-m3,start_cortex))
 $(eval $(call unit_set,v7em-f32,F32,$(UNIT_ARM)v7em-none-eabihf -mcpu=cortex-m4,start_cortex))
-$(eval $(call unit_set,rv32-q16,Q16,--target=riscv32-unknown-elf -march=rv32imac -mabi=ilp32 -mcmodel=medany -mno-relax,))
+$(eval $(call unit_set,rv32-q16,Q16,$(UNIT_RV),))
 
 # unit_board NAME, tool prefix: the whole library as its firmware has it, in an archive
 define unit_board
@@ -40,17 +51,22 @@ $(UNITS)/$(1)/libloft.a: $(patsubst %.c,build/firmware/$(1)/%.o,$(LIB_SRC) ports
 	$$(Q)rm -f $$@; $(2)-ar rcs $$@ $$^
 UNIT_ALL += $(UNITS)/$(1)/libloft.a
 endef
-$(foreach b,nrf51 stm32f405 mps2-an385 mps2-an500 mps2-an505,$(eval $(call unit_board,$(b),arm-none-eabi)))
+$(foreach b,nrf51 stm32f405 mps2-an385 mps2-an500 mps2-an505,\
+    $(eval $(call unit_board,$(b),arm-none-eabi)))
 $(eval $(call unit_board,riscv-virt,riscv64-unknown-elf))
 
 # the same library in f32 for a Cortex-M4F
-$(UNITS)/stm32f405-f32/%.o: %.c $(LIB_HDR)
+$(UNITS)/stm32f405-f32/%.o: %.c | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  CC  $@"
-	$(Q)arm-none-eabi-gcc -mthumb $(CORTEX_M4F) $(patsubst %LOFT_Q16,%LOFT_F32,$(FIRMWARE_FLAGS)) -c $< -o $@
-$(UNITS)/stm32f405-f32/libloft.a: $(patsubst %.c,$(UNITS)/stm32f405-f32/%.o,$(LIB_SRC) ports/bare/memory.c)
+	$(Q)arm-none-eabi-gcc -mthumb $(CORTEX_M4F) \
+	    $(patsubst %LOFT_Q16,%LOFT_F32,$(FIRMWARE_FLAGS)) -c $< -o $@
+$(UNITS)/stm32f405-f32/libloft.a: $(patsubst %.c,$(UNITS)/stm32f405-f32/%.o,\
+                                              $(LIB_SRC) ports/bare/memory.c)
 	$(Q)rm -f $@; arm-none-eabi-ar rcs $@ $^
-UNIT_ALL += $(UNITS)/stm32f405-f32/libloft.a $(foreach s,v6m-q16 v7m-q16 v7em-f32 rv32-q16,$(UNIT_OBJ_$(s))) $(patsubst %,$(UNITS)/%.o,riscv-start riscv-semihost arm-semihost)
+UNIT_ALL += $(UNITS)/stm32f405-f32/libloft.a \
+            $(foreach s,v6m-q16 v7m-q16 v7em-f32 rv32-q16,$(UNIT_OBJ_$(s))) \
+            $(patsubst %,$(UNITS)/%.o,riscv-start riscv-semihost arm-semihost)
 
 $(UNITS)/riscv-start.o: ports/riscv-virt/start.S
 	@mkdir -p $(@D)
@@ -63,10 +79,10 @@ $(UNITS)/arm-semihost.o: tests/target/semihost.S
 	$(Q)arm-none-eabi-gcc -mthumb -mcpu=cortex-m0 -c $< -o $@
 $(UNITS)/quad_check: tests/target/libc/quad_check.c tests/target/libc/quad.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) -std=gnu99 -O2 -Wall -Wextra $< -o $@
+	$(Q)$(CC) $(LDFLAGS) -std=gnu99 $(BUILT) -Wall -Wextra $< -o $@
 UNIT_ALL += $(UNITS)/quad_check
 
-## Run the tests of the library on emulated Cortex-M0, M3, M4F (f32 too), M7, M33 and rv32imac   UNIT_SHARE=1000: one seed of so many
+## Run the tests on emulated Cortex-M0, M3, M4F (f32 too), M7, M33, rv32imac   UNIT_SHARE=1000 seeds
 .PHONY: check-units
 check-units: $(UNIT_ALL)
 	@python3 tests/target/units.py $(UNITS)

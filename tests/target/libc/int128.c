@@ -1,8 +1,9 @@
-/* tests/target/libc/int128.c -- products, quotients and shifts of 128 bits where the compiler's own library has none
+/* tests/target/libc/int128.c -- products, quotients and shifts of 128 bits where the compiler's own
+ * library has none
  * SPDX-License-Identifier: MIT
  *
- * clang -Xclang -fforce-enable-int128 calls these functions, by these names. Nothing here may be compiled into a call of itself:
- * shifts go by halves, and a product is of 64 bits.
+ * clang -Xclang -fforce-enable-int128 calls these functions, by these names. Nothing here may be
+ * compiled into a call of itself: shifts go by halves, and a product is of 64 bits.
  */
 #include <stdint.h>
 
@@ -11,7 +12,11 @@ __extension__ typedef __int128 wide;
 
 typedef union {
     uwide whole;
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    struct { uint64_t high, low; } half;
+#else
     struct { uint64_t low, high; } half;
+#endif
 } halves;
 
 uwide __multi3(uwide a, uwide b);
@@ -26,12 +31,14 @@ wide  __modti3(wide a, wide b);
 uwide __multi3(uwide a, uwide b)
 {
     const halves x = { a }, y = { b };
-    const uint64_t x1 = x.half.low >> 32, x0 = (uint32_t)x.half.low, y1 = y.half.low >> 32, y0 = (uint32_t)y.half.low;
+    const uint64_t x1 = x.half.low >> 32, x0 = (uint32_t)x.half.low, y1 = y.half.low >> 32,
+                   y0 = (uint32_t)y.half.low;
     const uint64_t low = x0 * y0, mid = x1 * y0 + (low >> 32), other = x0 * y1 + (uint32_t)mid;
     halves r;
 
     r.half.low = other << 32 | (uint32_t)low;
-    r.half.high = x1 * y1 + (mid >> 32) + (other >> 32) + x.half.high * y.half.low + x.half.low * y.half.high;
+    r.half.high = x1 * y1 + (mid >> 32) + (other >> 32) + x.half.high * y.half.low +
+                  x.half.low * y.half.high;
     return r.whole;
 }
 

@@ -1,7 +1,8 @@
 /* tests/target/libc/math.c
  * SPDX-License-Identifier: MIT
  *
- * A long double has 113 bits here; tests are written for one of 64. Nothing is quick: series whose next term is below 2^-113.
+ * A long double has 113 bits here; tests are written for one of 64. Nothing is quick: series whose
+ * next term is below 2^-113.
  */
 #include "math.h"
 
@@ -16,14 +17,20 @@
 
 typedef union {
     long double value;
-    struct { uint64_t low, high; } bits;        /* the exponent: 15 bits below the sign */
+    struct {
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+        uint64_t high, low;
+#else
+        uint64_t low, high;
+#endif
+    } bits;                                     /* the exponent: 15 bits below the sign */
 } parts;
 
 static int exponent_of(const parts *p) { return (int)(p->bits.high >> 48 & 0x7fff); }
 
 static long double power_of_two(int n)          /* -16382 <= n <= 16383 */
 {
-    const parts p = { .bits = { 0, (uint64_t)(n + 16383) << 48 } };
+    const parts p = { .bits = { .high = (uint64_t)(n + 16383) << 48 } };
     return p.value;
 }
 
@@ -72,7 +79,11 @@ long double truncl(long double x)
 
 long double floorl(long double x)   { const long double t = truncl(x); return t > x ? t - 1 : t; }
 long double ceill(long double x)    { return -floorl(-x); }
-long double roundl(long double x)   { const long double t = truncl(x); return fabsl(x - t) >= 0.5L ? t + (x < 0 ? -1 : 1) : t; }
+long double roundl(long double x)
+{
+    const long double t = truncl(x);
+    return fabsl(x - t) >= 0.5L ? t + (x < 0 ? -1 : 1) : t;
+}
 
 /* The rest is taken from the largest multiple by a power of two down: each difference is exact. */
 long double fmodl(long double x, long double y)
@@ -170,7 +181,8 @@ long double sqrtl(long double x)
     return ldexpl(y, n / 2);
 }
 
-/* Rounded to 53 bits from 113 it is the nearest: a root is never so near the middle of two doubles. */
+/* Rounded to 53 bits from 113 it is the nearest: a root is never so near the middle of two
+ * doubles. */
 double sqrt(double x) { return (double)sqrtl(x); }
 
 long double hypotl(long double x, long double y)

@@ -1,8 +1,8 @@
 /* tests/target/libc/math.h -- what tests use of <math.h>, where there is no library
  * SPDX-License-Identifier: MIT
  *
- *   error   sqrt, floor, ceil, round, ldexp, frexp, fmod, nextafter: none; sqrtl: 2^-62; the rest: 2^-58 of the result, 2^-58 for
- *           sines and cosines
+ *   error   sqrt, floor, ceil, round, ldexp, frexp, fmod, nextafter: none; sqrtl: 2^-62; the rest:
+ *           2^-58 of the result, 2^-58 for sines and cosines
  */
 #ifndef LOFT_TARGET_MATH_H
 #define LOFT_TARGET_MATH_H
@@ -54,10 +54,12 @@ static inline double ceil(double x)                  { return (double)ceill(x); 
 static inline double round(double x)                 { return (double)roundl(x); }
 static inline double fmod(double x, double y)        { return (double)fmodl(x, y); }
 static inline double pow(double x, double y)         { return (double)powl(x, y); }
+static inline double cbrt(double x)                  { return (double)(x < 0 ? -powl(-x, 1 / 3.0L) : x > 0 ? powl(x, 1 / 3.0L) : 0); }
 static inline double exp(double x)                   { return (double)expl(x); }
 static inline double log(double x)                   { return (double)logl(x); }
 static inline double sin(double x)                   { return (double)sinl(x); }
 static inline double cos(double x)                   { return (double)cosl(x); }
+static inline double tan(double x)                   { return (double)tanl(x); }
 static inline double acos(double x)                  { return (double)acosl(x); }
 static inline double atan2(double y, double x)       { return (double)atan2l(y, x); }
 static inline long lround(double x)                  { return (long)roundl(x); }

@@ -83,7 +83,9 @@ static const char *put_value(const char *format, va_list *values)
         longs += *format == 'l';
     switch (*format) {
     case 'd': {
-        const int64_t value = longs > 1 ? va_arg(*values, long long) : longs ? va_arg(*values, long) : va_arg(*values, int);
+        const int64_t value = longs > 1 ? va_arg(*values, long long)
+                              : longs   ? va_arg(*values, long)
+                                        : va_arg(*values, int);
         if (value < 0)
             put('-');
         put_whole(value < 0 ? -(uint64_t)value : (uint64_t)value, 10);
@@ -91,7 +93,10 @@ static const char *put_value(const char *format, va_list *values)
     }
     case 'u':
     case 'x':
-        put_whole(longs > 1 ? va_arg(*values, unsigned long long) : longs ? va_arg(*values, unsigned long) : va_arg(*values, unsigned), *format == 'x' ? 16 : 10);
+        put_whole(longs > 1 ? va_arg(*values, unsigned long long)
+                  : longs   ? va_arg(*values, unsigned long)
+                            : va_arg(*values, unsigned),
+                  *format == 'x' ? 16 : 10);
         break;
     case 'e':
     case 'f':

@@ -1,12 +1,15 @@
-/* tests/target/libc/quad.c -- long double of 128 bits where the compiler's own library has none: the references of tests on a Cortex-M
+/* tests/target/libc/quad.c -- long double of 128 bits where the compiler's own library has none:
+ * the references of tests on a Cortex-M
  * SPDX-License-Identifier: MIT
  *
- * clang -Xclang -mlong-double-128 calls these functions, by these names. IEEE 754 binary128: sign, 15 bits of exponent, 112 of mantissa;
- * everything is rounded to nearest, ties to even. Checked on this computer, bit for bit, against gcc's __float128 (quad_check.c), for
- * which all names are made others there.
+ * clang -Xclang -mlong-double-128 calls these functions, by these names. IEEE 754 binary128: sign,
+ * 15 bits of exponent, 112 of mantissa; everything is rounded to nearest, ties to even. Checked on
+ * this computer, bit for bit, against gcc's __float128 (quad_check.c), for which all names are made
+ * others there.
  *
- * A finite number is m * 2^(e - BIAS - 112 - 3) with m of 116 bits: 113 of mantissa and three beyond it, of which the last one
- * is set where anything was cut off. An addition or a product cuts off once and is rounded once, in pack().
+ * A finite number is m * 2^(e - BIAS - 112 - 3) with m of 116 bits: 113 of mantissa and three
+ * beyond it, of which the last one is set where anything was cut off. An addition or a product cuts
+ * off once and is rounded once, in pack().
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -20,8 +23,10 @@ __extension__ typedef unsigned __int128 uwide;
 __extension__ typedef __int128 wide;
 
 #define BIAS    16383
-#define TOP     ((uwide)1 << 115)           /* the first bit of a mantissa with three bits beyond it */
-#define E_LAST  ((int)INT16_MAX)            /* the exponent of infinities and of what is no number   */
+/* the first bit of a mantissa with three bits beyond it */
+#define TOP     ((uwide)1 << 115)
+/* the exponent of infinities and of what is no number */
+#define E_LAST  ((int)INT16_MAX)
 
 struct parts {
     bool negative;
@@ -101,7 +106,8 @@ static quad pack(bool negative, int e, uwide m)
         m >>= 1;
         e++;
     }
-    if (e == 0 && m >> 112)                     /* the greatest subnormal number has become a normal one */
+    if (e == 0 && m >> 112)                     /* the greatest subnormal number has become a normal
+                                                 * one */
         e = 1;
     if (e >= E_LAST)
         return special(negative, true);
@@ -146,8 +152,10 @@ quad QUAD(subtf3)(quad x, quad y)
 /* The upper 128 bits of a product of 256, with the last one set where any bit below is. */
 static uwide upper_product(uwide a, uwide b)
 {
-    const uint64_t a1 = (uint64_t)(a >> 64), a0 = (uint64_t)a, b1 = (uint64_t)(b >> 64), b0 = (uint64_t)b;
-    const uwide low = (uwide)a0 * b0, mid = (uwide)a1 * b0 + (low >> 64), other = (uwide)a0 * b1 + (uint64_t)mid;
+    const uint64_t a1 = (uint64_t)(a >> 64), a0 = (uint64_t)a, b1 = (uint64_t)(b >> 64),
+                   b0 = (uint64_t)b;
+    const uwide low = (uwide)a0 * b0, mid = (uwide)a1 * b0 + (low >> 64),
+                other = (uwide)a0 * b1 + (uint64_t)mid;
 
     return ((uwide)a1 * b1 + (mid >> 64) + (other >> 64)) | ((uint64_t)other || (uint64_t)low);
 }
@@ -163,7 +171,8 @@ quad QUAD(multf3)(quad x, quad y)
         return special(negative, true);
     }
     const struct parts p = unpack(a), q = unpack(b);
-    return pack(negative, p.e + q.e - BIAS, upper_product(p.m << 3, q.m << 10));  /* of 2^243 the upper part is 2^115 */
+    /* of 2^243 the upper part is 2^115 */
+    return pack(negative, p.e + q.e - BIAS, upper_product(p.m << 3, q.m << 10));
 }
 
 quad QUAD(divtf3)(quad x, quad y)
@@ -180,7 +189,8 @@ quad QUAD(divtf3)(quad x, quad y)
         return quad_of((uwide)negative << 127);
     const struct parts p = unpack(a), q = unpack(b);
     uwide rest = p.m;
-    for (int n = 0; n < 4; n++) {               /* 29 bits each, at most a few too little: rest < 4 q.m again */
+    for (int n = 0; n < 4; n++) {               /* 29 bits each, at most a few too little: rest < 4
+                                                 * q.m again */
         const uint64_t digit = (uint64_t)(rest >> 55) / ((uint64_t)(q.m >> 84) + 1);
         quotient = (quotient << 29) + digit;
         rest = (rest << 29) - digit * q.m;      /* what wraps is above the difference */
@@ -253,7 +263,8 @@ static uint64_t narrowed(uwide bits, int mantissa, int most)
     const uint64_t negative = (uint64_t)(bits >> 127);
 
     if (!finite_(bits))
-        return negative << (mantissa + most) | ((UINT64_C(1) << most) - 1) << mantissa | (uint64_t)nan_(bits) << (mantissa - 1);
+        return negative << (mantissa + most) | ((UINT64_C(1) << most) - 1) << mantissa |
+               (uint64_t)nan_(bits) << (mantissa - 1);
     const struct parts p = unpack(bits);
     const int e = p.e - BIAS + (1 << (most - 1)) - 1, below = e <= 0 ? 1 - e : 0;
     const uwide m = shifted_right(p.m, 112 - mantissa + below);
@@ -261,7 +272,8 @@ static uint64_t narrowed(uwide bits, int mantissa, int most)
     uint64_t result = (uint64_t)(m >> 3);
     result += beyond > 4 || (beyond == 4 && (result & 1));
     if (p.m)
-        result += (uint64_t)(below ? 0 : e - 1) << mantissa;            /* the first bit of the mantissa adds one */
+        /* the first bit of the mantissa adds one */
+        result += (uint64_t)(below ? 0 : e - 1) << mantissa;
     if (result >> mantissa >= (UINT64_C(1) << most) - 1 || e >= 1 << most)
         result = ((UINT64_C(1) << most) - 1) << mantissa;
     return result | negative << (mantissa + most);
@@ -294,7 +306,8 @@ uwide    QUAD(fixunstfti)(quad x);
 
 static quad of_whole(bool negative, uwide size)
 {
-    return size >> 127 ? pack(negative, BIAS + 116, shifted_right(size, 1)) : pack(negative, BIAS + 115, size);
+    return size >> 127 ? pack(negative, BIAS + 116, shifted_right(size, 1))
+                       : pack(negative, BIAS + 115, size);
 }
 
 quad QUAD(floattitf)(wide x)            { return of_whole(x < 0, x < 0 ? -(uwide)x : (uwide)x); }
@@ -315,7 +328,10 @@ static uwide whole(quad x)
     return n > 0 ? p.m << n : p.m >> -n;
 }
 
-wide     QUAD(fixtfti)(quad x)          { return bits_of(x) >> 127 ? (wide)-whole(x) : (wide)whole(x); }
+wide QUAD(fixtfti)(quad x)
+{
+    return bits_of(x) >> 127 ? (wide)-whole(x) : (wide)whole(x);
+}
 int64_t  QUAD(fixtfdi)(quad x)          { return (int64_t)QUAD(fixtfti)(x); }
 int32_t  QUAD(fixtfsi)(quad x)          { return (int32_t)QUAD(fixtfti)(x); }
 uwide    QUAD(fixunstfti)(quad x)       { return whole(x); }

@@ -46,11 +46,16 @@ static void same(const char *what, quad x, quad y, quad got, quad want)
     if (a == b || (nan_(a) && nan_(b)))
         return;
     if (wrong++ < 10)
-        printf("%s of %.20Lg and %.20Lg: %016llx %016llx, wanted %016llx %016llx\n", what, (long double)x, (long double)y,
-               (unsigned long long)(a >> 64), (unsigned long long)a, (unsigned long long)(b >> 64), (unsigned long long)b);
+        printf("%s of %.20Lg and %.20Lg: %016llx %016llx, wanted %016llx %016llx\n", what,
+               (long double)x, (long double)y, (unsigned long long)(a >> 64), (unsigned long long)a,
+               (unsigned long long)(b >> 64), (unsigned long long)b);
 }
 
-#define AGREE(what, got, want) do { if (memcmp(&(got), &(want), sizeof (want)) && wrong++ < 10) printf("%s of %.20Lg differs\n", what, (long double)x); } while (0)
+#define AGREE(what, got, want)                                                                     \
+    do {                                                                                           \
+        if (memcmp(&(got), &(want), sizeof(want)) && wrong++ < 10)                                 \
+            printf("%s of %.20Lg differs\n", what, (long double)x);                                \
+    } while (0)
 
 static void conversions(quad x)
 {
@@ -75,17 +80,22 @@ static void conversions(quad x)
 int main(void)
 {
     for (unsigned n = 0; n < 1000000; n++) {
-        const quad x = quad_of(arbitrary()), y = n % 16 == 0 ? x : n % 16 == 1 ? -x : quad_of(arbitrary());
+        const quad x = quad_of(arbitrary()), y = n % 16 == 0   ? x
+                                                 : n % 16 == 1 ? -x
+                                                               : quad_of(arbitrary());
         same("sum", x, y, own_addtf3(x, y), x + y);
         same("difference", x, y, own_subtf3(x, y), x - y);
         same("product", x, y, own_multf3(x, y), x * y);
         if (n % 8 == 0)
             same("quotient", x, y, own_divtf3(x, y), x / y);
-        if ((own_lttf2(x, y) < 0) != (x < y) || (own_letf2(x, y) <= 0) != (x <= y) || (own_gttf2(x, y) > 0) != (x > y) ||
-            (own_getf2(x, y) >= 0) != (x >= y) || (own_eqtf2(x, y) == 0) != (x == y))
+        if ((own_lttf2(x, y) < 0) != (x < y) || (own_letf2(x, y) <= 0) != (x <= y) ||
+            (own_gttf2(x, y) > 0) != (x > y) || (own_getf2(x, y) >= 0) != (x >= y) ||
+            (own_eqtf2(x, y) == 0) != (x == y))
             wrong++;
         conversions(x);
     }
-    printf("%s quad: sums, products, quotients, orders and conversions as those of __float128 (1000000)\n", wrong ? "FAIL" : "ok  ");
+    printf("%s quad: sums, products, quotients, orders and conversions as those of __float128 "
+           "(1000000)\n",
+           wrong ? "FAIL" : "ok  ");
     return wrong > 0;
 }

@@ -5,7 +5,7 @@
 #define LOFT_TARGET_SIGNAL_H
 
 #define SIGALRM 14
-#define SIG_IGN ((void (*)(int))0)
+#define SIG_IGN ((void (*)(int))1)
 
 /* `handler` is called in the timer's interrupt; SIG_IGN stops the timer. */
 void signal(int number, void (*handler)(int));

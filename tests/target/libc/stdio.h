@@ -9,10 +9,12 @@
 typedef struct { int unused; } FILE;
 #define stdout ((FILE *)0)
 
-/* %s %c %d %u %x, with l, ll and z, and %g %f %e, always with an exponent; widths and flags are passed over. */
+/* %s %c %d %u %x, with l, ll and z, and %g %f %e, always with an exponent; widths and flags are
+ * passed over. */
 int printf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* There are no files: who calls one of these does not link. Headers of tests name them in functions that a chip does not call. */
+/* There are no files: who calls one of these does not link. Headers of tests name them in functions
+ * that a chip does not call. */
 int   snprintf(char *to, size_t most, const char *format, ...);
 FILE *fopen(const char *name, const char *mode);
 int   fscanf(FILE *file, const char *format, ...);

@@ -1,4 +1,5 @@
-/* tests/target/libc/string.h -- what tests use of <string.h>; the first four are those of ports/bare
+/* tests/target/libc/string.h -- what tests use of <string.h>; the first four are those of
+ * ports/bare
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TARGET_STRING_H

@@ -1,4 +1,5 @@
-/* tests/target/libc/test_libc.c -- the mathematics that the tests' references stand on, by identities and known values in 113 bits
+/* tests/target/libc/test_libc.c -- the mathematics that the tests' references stand on, by
+ * identities and known values in 113 bits
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -26,14 +27,18 @@ static void known_values_are_met(arb *a)
     is_near(log2l(1024), 10, 0x1p-105L);
     is_near(hypotl(3e300L, -4e300L) / 1e300L, 5, 0x1p-108L);
     CHECK(sqrt(2) == 0x1.6a09e667f3bcdp0 && sqrt(1e-200) == 1e-100 && sqrt(0) == 0);
-    CHECK(nextafter(1, 2) == 1 + 0x1p-52 && nextafter(1, 0) == 1 - 0x1p-53 && nextafter(0, -1) == -0x1p-1074 && nextafterf(1, 2) == 1 + 0x1p-23f);
-    CHECK(floor(-0.5) == -1 && ceil(-0.5) == 0 && round(-0.5) == -1 && round(2.5) == 3 && lround(-2.5) == -3 && llroundl(0x1p52L + 0.25L) == 1ll << 52);
-    CHECK(fmod(-7.5, 2) == -1.5 && remainderl(7.5L, 2) == -0.5L && remainderl(3, 2) == -1 && remainderl(5, 2) == 1 && powl(3, -2) * 9 == 1 && pow(2, 0.5) == sqrt(2));
+    CHECK(nextafter(1, 2) == 1 + 0x1p-52 && nextafter(1, 0) == 1 - 0x1p-53 &&
+          nextafter(0, -1) == -0x1p-1074 && nextafterf(1, 2) == 1 + 0x1p-23f);
+    CHECK(floor(-0.5) == -1 && ceil(-0.5) == 0 && round(-0.5) == -1 && round(2.5) == 3 &&
+          lround(-2.5) == -3 && llroundl(0x1p52L + 0.25L) == 1ll << 52);
+    CHECK(fmod(-7.5, 2) == -1.5 && remainderl(7.5L, 2) == -0.5L && remainderl(3, 2) == -1 &&
+          remainderl(5, 2) == 1 && powl(3, -2) * 9 == 1 && pow(2, 0.5) == sqrt(2));
 }
 
 static void functions_invert_each_other(arb *a)
 {
-    const long double x = (long double)arb_next(a) * 0x1p-64L, y = (long double)arb_next(a) * 0x1p-60L + 1;
+    const long double x = (long double)arb_next(a) * 0x1p-64L,
+                      y = (long double)arb_next(a) * 0x1p-60L + 1;
     const long double angle = (x - 0.5L) * 6.28L, s = sinl(angle), c = cosl(angle);
     int n;
 

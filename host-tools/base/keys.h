@@ -1,0 +1,25 @@
+/* host-tools/base/keys.h -- single keys and ^C while a job runs; the terminal is restored on every
+ * way out
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_KEYS_H
+#define LOFT_KEYS_H
+
+#include <stdbool.h>
+
+/* Catch ^C, TERM and HUP, and, if `single`, take keys one by one without echo (standard input must
+ * be a terminal). */
+void keys_start(bool single);
+void keys_stop(void);
+
+/* The next key, or 0. */
+int keys_next(void);
+
+/* While it is true the first ^C ends the program at once, with EX_TEMPFAIL: nothing has been sent
+ * yet, and a long computation has nobody to look at keys_interrupted. */
+void keys_hasty(bool hasty);
+
+/* Has the user asked to stop? The second ^C ends the program at once, with EX_TEMPFAIL. */
+bool keys_interrupted(void);
+
+#endif

@@ -1,0 +1,120 @@
+/* host-tools/base/source.c -- reading all of a file
+ * SPDX-License-Identifier: MIT
+ *
+ * What is packed with gzip, as .svgz, is unpacked by zlib while it is read.
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "base/source.h"
+#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+
+/* bytes; a drawing of the greatest number of curves is smaller */
+#define FILE_MAX ((size_t)512 << 20)
+
+#define SLICE_MAX (64u << 20)           /* bytes; what is asked for at once */
+
+/* All of `stream`; NULL on failure with errno set (EFBIG: more than FILE_MAX; EBADMSG: damaged
+ * gzip). */
+static char *slurp_stream(gzFile stream, size_t *size)
+{
+    size_t room = 1u << 16, used = 0;
+    char *text = tool_grow(NULL, room + 1);
+
+    for (;;) {
+        const size_t left = room - used;
+        const int got = gzread(stream, text + used,
+                               (unsigned)(left < SLICE_MAX ? left : SLICE_MAX));
+        int status;
+        (void)gzerror(stream, &status);
+        if (got < 0 || (got == 0 && status != Z_OK && status != Z_STREAM_END)) {
+            errno = status == Z_ERRNO ? errno : EBADMSG;
+            break;
+        }
+        used += (size_t)got;
+        if (got == 0) {
+            text[used] = '\0';
+            *size = used;
+            return text;
+        }
+        if (used > FILE_MAX) {
+            errno = EFBIG;
+            break;
+        }
+        if (used == room)
+            text = tool_grow(text, (room *= 2) + 1);
+    }
+    free(text);
+    return NULL;
+}
+
+/* All of what `handle` reads, which is closed. */
+static char *slurp(int handle, size_t *size)
+{
+    gzFile stream = handle < 0 ? NULL : gzdopen(handle, "rb");
+    char *text = stream ? slurp_stream(stream, size) : NULL;
+    const int why = errno;
+
+    if (stream != NULL)
+        gzclose_r(stream);
+    errno = why;
+    return text;
+}
+
+static int unreadable(const char *file)
+{
+    switch (errno) {
+    case ENOENT: return tool_error(EX_NOINPUT, "%s: no such file: check the name", file);
+    case EISDIR: return tool_error(EX_NOINPUT, "%s: is a directory: give a file", file);
+    case EACCES: return tool_error(EX_NOPERM, "%s: may not be read: check its permissions", file);
+    case EBADMSG:
+        return tool_error(
+            EX_DATAERR, "%s: is compressed, and damaged or cut off: fetch or pack it again", file);
+    case EFBIG:
+        return tool_error(EX_DATAERR, "%s: more than %zu MB: split the drawing", file,
+                          FILE_MAX >> 20);
+    default:     return tool_error(EX_IOERR, "%s: cannot be read: %s", file, strerror(errno));
+    }
+}
+
+const char *source_name(const char *file)
+{
+    return strcmp(file, "-") == 0 ? "standard input" : file;
+}
+
+/* Standard input is read once and kept, since a second reader may ask for it: is it a surface, or
+ * curves? */
+static char *slurp_input(size_t *size)
+{
+    static char *kept;
+    static size_t length;
+
+    if (kept == NULL)
+        kept = slurp(dup(STDIN_FILENO), &length);
+    if (kept == NULL)
+        return NULL;
+    *size = length;
+    return memcpy(tool_grow(NULL, length + 1), kept, length + 1);
+}
+
+char *source_read(const char *file, size_t *size, int *code)
+{
+    char *text = strcmp(file, "-") == 0 ? slurp_input(size)
+                                        : slurp(open(file, O_RDONLY | O_CLOEXEC), size);
+
+    *code = text ? 0 : unreadable(source_name(file));
+    return text;
+}
+
+bool source_is_xml(const char *text)
+{
+    if (strncmp(text, "\xFE\xFF", 2) == 0 || strncmp(text, "\xFF\xFE", 2) == 0)
+        return true;
+    if (strncmp(text, "\xEF\xBB\xBF", 3) == 0)
+        text += 3;
+    return text[strspn(text, " \t\r\n")] == '<';
+}

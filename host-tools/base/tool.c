@@ -1,0 +1,259 @@
+/* host-tools/base/tool.c -- options, help, errors in one line
+ * SPDX-License-Identifier: MIT
+ */
+#include <errno.h>
+#include <getopt.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/tool.h"
+
+int tool_error(int code, const char *format, ...)
+{
+    va_list values;
+
+    fflush(stdout);
+    fputs("loft: ", stderr);
+    va_start(values, format);
+    vfprintf(stderr, format, values);
+    va_end(values);
+    fputc('\n', stderr);
+    return code;
+}
+
+void *tool_grow(void *old, size_t bytes)
+{
+    void *grown = realloc(old, bytes ? bytes : 1);
+
+    if (grown == NULL)
+        exit(tool_error(EX_OSERR, "no memory for %zu bytes: give a smaller drawing", bytes));
+    return grown;
+}
+
+double tool_clock(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* The number at the start of `text`, and where it ends; false if there is none or it is out of
+ * bounds. */
+static bool number_at(const char *text, double least, double most, double *out, char **end)
+{
+    const double value = strtod(text, end);
+
+    if (*end == text || !(value >= least && value <= most))
+        return false;
+    *out = value;
+    return true;
+}
+
+static bool number_refused(const char *option, const char *text, double least, double most,
+                           const char *unit)
+{
+    (void)tool_error(EX_USAGE, "--%s %s: give a number from %.9g to %.9g%s", option, text, least,
+                     most, unit);
+    return false;
+}
+
+bool tool_number(const char *option, const char *text, double least, double most, double *out)
+{
+    char *end;
+
+    if (!number_at(text, least, most, out, &end) || *end != '\0')
+        return number_refused(option, text, least, most, "");
+    return true;
+}
+
+static bool count_of(const tool_option *o, const char *text)
+{
+    char *end;
+    double value;
+
+    if (!number_at(text, o->least, o->most, &value, &end) || *end != '\0' || value != floor(value))
+        return number_refused(o->name, text, o->least, o->most, ", a whole one");
+    *(unsigned *)o->out = (unsigned)value;
+    return true;
+}
+
+static bool speed_of(const char *option, const char *text, double least, double most, double *out)
+{
+    static const struct { const char *unit; double factor;
+    } units[] = { { "", 1 },
+                  { "mm/s", 1 },
+                  { "mm/min", 1 / 60.0 },
+                  { "m/min", 1000 / 60.0 },
+                  { "in/min", 25.4 / 60.0 } };
+    char *end;
+    double value;
+
+    if (number_at(text, -HUGE_VAL, HUGE_VAL, &value, &end)) {
+        while (*end == ' ')
+            end++;
+        for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
+            if (strcmp(end, units[i].unit) == 0 && value * units[i].factor >= least &&
+                value * units[i].factor <= most) {
+                *out = value * units[i].factor;
+                return true;
+            }
+    }
+    return number_refused(option, text, least, most, " mm/s, as 20, 20mm/s or 1200mm/min");
+}
+
+static bool list_of(const tool_option *o, const char *text)
+{
+    tool_list *list = o->out;
+
+    for (char *end;; text = end + 1) {
+        double value;
+        if (!number_at(text, o->least, o->most, &value, &end) || (*end != ',' && *end != '\0'))
+            return number_refused(o->name, text, o->least, o->most,
+                                  ", or several with commas between");
+        if (list->count == TOOL_LIST_MAX) {
+            (void)tool_error(EX_USAGE, "--%s: give at most %d numbers", o->name, TOOL_LIST_MAX);
+            return false;
+        }
+        list->value[list->count++] = value;
+        if (*end == '\0')
+            return true;
+    }
+}
+
+static bool take(const tool_option *o, const char *text)
+{
+    switch (o->kind) {
+    case TOOL_IS_MAYBE:
+        *(double *)o->out = 0;
+        return text == NULL || tool_number(o->name, text, o->least, o->most, o->out);
+    case TOOL_IS_SWITCH: *(bool *)o->out = true; return true;
+    case TOOL_IS_NUMBER: return tool_number(o->name, text, o->least, o->most, o->out);
+    case TOOL_IS_COUNT:  return count_of(o, text);
+    case TOOL_IS_SPEED:  return speed_of(o->name, text, o->least, o->most, o->out);
+    case TOOL_IS_TEXT:   *(const char **)o->out = text; return true;
+    case TOOL_IS_LIST:   return list_of(o, text);
+    case TOOL_IS_PARSED: return o->parse(text, o->out);
+    case TOOL_END:       break;
+    }
+    return false;
+}
+
+static void print_help(const tool_command *self, const tool_option options[])
+{
+    printf("loft %s -- %s\n\nusage: loft %s %s\n", self->name, self->summary, self->name,
+           self->arguments);
+    if (self->detail)
+        printf("\n%s", self->detail);
+    printf("\noptions:\n");
+    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
+        char both[40];
+        const bool maybe = o->kind == TOOL_IS_MAYBE;
+        snprintf(both, sizeof both, "--%s%s%s%s", o->name,
+                 maybe         ? " ["
+                 : o->argument ? " "
+                               : "",
+                 o->argument ? o->argument : "", maybe ? "]" : "");
+        printf("  %-20s %s\n", both, o->help);
+    }
+    printf("  %-20s %s\n", "--help", "this text");
+}
+
+/* The row that -o is short for; -1 if the command writes no file. */
+static int output_row(const tool_option options[])
+{
+    for (int i = 0; options[i].kind != TOOL_END; i++)
+        if (strcmp(options[i].name, "output") == 0)
+            return i;
+    return -1;
+}
+
+/* getopt takes a number that may be left away only behind `=`: the next word, if it is one; NULL if
+ * not. */
+static const char *number_behind(int argc, char **argv)
+{
+    double value;
+    char *end;
+
+    if (optind >= argc || !number_at(argv[optind], -HUGE_VAL, HUGE_VAL, &value, &end) ||
+        *end != '\0')
+        return NULL;
+    return argv[optind++];
+}
+
+/* getopt takes `--f` for `--feed`; a script that says so would mean something else one day. */
+static bool is_abbreviated(char **argv, const char *name)
+{
+    const bool apart = optarg != NULL && optarg == argv[optind - 1];
+    const char *word = argv[optind - (apart ? 2 : 1)];
+
+    return strncmp(word, "--", 2) == 0 && strcspn(word + 2, "=") != strlen(name);
+}
+
+int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv,
+                 int *first)
+{
+    size_t count = 0;
+    while (options[count].kind != TOOL_END)
+        count++;
+
+    struct option *table = tool_grow(NULL, (count + 2) * sizeof *table);
+    for (size_t i = 0; i < count; i++)
+        table[i] = (struct option){ options[i].name,
+                                    options[i].kind == TOOL_IS_MAYBE ? optional_argument
+                                    : options[i].argument            ? required_argument
+                                                                     : no_argument,
+                                    NULL, 0 };
+    table[count]     = (struct option){ "help", no_argument, NULL, 'h' };
+    table[count + 1] = (struct option){ NULL, 0, NULL, 0 };
+
+    int code = 0;
+    optind = 1;
+    opterr = 0;
+    while (code == 0) {
+        int which = -1;
+        int c = getopt_long(argc, argv, ":ho:", table, &which);
+        if (c == 'o' && (which = output_row(options)) >= 0)
+            c = 0;
+        if (c == -1)
+            break;
+        if (c == 'h') {
+            print_help(self, options);
+            code = TOOL_HELP;
+        } else if (c == ':') {
+            code = tool_error(EX_USAGE, "%s needs a value: see `loft %s --help`", argv[optind - 1],
+                              self->name);
+        } else if (c != 0) {
+            code = tool_error(EX_USAGE, "%s is not an option of %s: see `loft %s --help`",
+                              argv[optind - 1], self->name, self->name);
+        } else if (is_abbreviated(argv, options[which].name)) {
+            code = tool_error(EX_USAGE, "--%s: write the whole name: see `loft %s --help`",
+                              options[which].name, self->name);
+        } else if (!take(&options[which], options[which].kind == TOOL_IS_MAYBE && optarg == NULL
+                                              ? number_behind(argc, argv)
+                                              : optarg)) {
+            code = EX_USAGE;
+        }
+    }
+    free(table);
+    *first = optind;
+    return code;
+}
+
+int tool_file_options(const tool_command *self, const tool_option options[], int argc, char **argv,
+                      const char *const *points, const char **file)
+{
+    int first;
+    const int code = tool_options(self, options, argc, argv, &first);
+    const bool given = points != NULL && *points != NULL;
+
+    if (code == 0 && argc - first > !given)
+        return tool_error(EX_USAGE, "%s: give one file%s: see `loft %s --help`", argv[argc - 1],
+                          given ? " or --points, not both" : "", self->name);
+    *file = first < argc ? argv[first] : "-";
+    return code;
+}

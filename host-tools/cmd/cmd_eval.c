@@ -1,0 +1,236 @@
+/* host-tools/cmd/cmd_eval.c -- loft eval: points of a curve or a surface, or what a curve looks
+ * like
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+
+#include "engine/piece.h"
+#include "engine/print.h"
+#include "engine/sided.h"      /* sided_has */
+#include "base/source.h"     /* source_name */
+#include "engine/surface.h"
+#include "base/tool.h"
+
+typedef struct {
+    print_options p;
+    const tool_list *t;
+    const char *file;
+    size_t number;          /* of the curve */
+} evaluation;
+
+
+// Points
+// ------
+
+static int refuse(const evaluation *v, const curve *c, double t, int status)
+{
+    if (!curve_extends(c) && (t < curve_from(c) || t > curve_to(c)))
+        return tool_error(EX_DATAERR, "%s:%u: t = %g: give %.9g to %.9g for this %s", v->file,
+                          c->line, t, curve_from(c), curve_to(c), curve_name(c->kind));
+    return tool_error(EX_DATAERR, "%s:%u: t = %g: %s", v->file, c->line, t, engine_status(status));
+}
+
+static int print_points(evaluation *v, const curve *c, engine_curve *held)
+{
+    if (v->number > 0)
+        putchar('\n');
+    for (size_t j = 0; j < v->t->count || j == 0; j++) {
+        const double t = v->t->count ? v->t->value[j] : (curve_from(c) + curve_to(c)) / 2;
+        double point[ENGINE_AXES];
+        const int status = v->p.e->curve->eval(held, t, point);
+        if (status != 0)
+            return refuse(v, c, t, status);
+        print_point(&v->p, point);
+    }
+    return EX_OK;
+}
+
+
+// Shape
+// -----
+
+/* Parameters are those of the whole curve. */
+static void print_places(const engine_shape *s, const curve *c, unsigned i)
+{
+    const double a = curve_break(c, i), b = curve_break(c, i + 1) - a;
+
+    for (unsigned k = 0; k < s->inflections; k++)
+        printf("inflection at %.9g, ", a + b * s->inflection[k]);
+    if (s->cusp)
+        printf("cusp at %.9g, ", a + b * s->cusp_at);
+    if (s->loop)
+        printf("loop from %.9g to %.9g, ", a + b * s->loop_at[0], a + b * s->loop_at[1]);
+}
+
+static int print_shapes(evaluation *v, const curve *c, engine_curve *held)
+{
+    const engine *e = v->p.e;
+    int status = 0;
+
+    for (unsigned i = 0; i < e->curve->pieces(held) && status == 0; i++) {
+        engine_shape s;
+        piece p;
+        status = e->curve->piece(held, i, &p);
+        if (status == 0)
+            status = e->piece->shape(&p, &s);
+        if (status != 0)
+            break;
+        printf("%zu.%u %s: ", v->number, i, curve_name(c->kind));
+        if (s.type != NULL)
+            printf("%s, ", s.type);
+        print_places(&s, c, i);
+        printf("%s ", s.tight ? "box" : "hull");
+        for (int k = 0; k < 2; k++) {
+            print_words(&v->p, s.box[k]);
+            fputs(k == 0 ? " to " : "\n", stdout);
+        }
+    }
+    return status == 0 ? EX_OK
+                       : tool_error(EX_DATAERR, "%s:%u: %s: %s", v->file, c->line,
+                                    curve_name(c->kind), engine_status(status));
+}
+
+static int every_curve(evaluation *v, const curves *all, bool shape)
+{
+    const engine_curves *make = v->p.e->curve;
+    int code = EX_OK;
+
+    for (v->number = 0; v->number < all->count && code == EX_OK; v->number++) {
+        const curve *c = &all->curve[v->number];
+        engine_curve *held;
+        const int status = make->open(c, &held);
+        if (status != 0)
+            return tool_error(EX_DATAERR, "%s:%u: %s: %s", v->file, c->line, curve_name(c->kind),
+                              engine_status(status));
+        code = shape ? print_shapes(v, c, held) : print_points(v, c, held);
+        make->close(held);
+    }
+    return code;
+}
+
+
+// Surfaces
+// --------
+
+/* A point for each pair of parameters, an empty line between surfaces. */
+static int surface_points_of(const evaluation *v, const surface *s)
+{
+    const engine_surfaces *make = v->p.e->surface;
+    engine_surface *held;
+    double middle[2];
+    int status = make->open(s, &held), code = EX_OK;
+
+    if (status != 0)
+        return tool_error(EX_DATAERR, "%s:%u: %s: %s", v->file, s->line, surface_name(s->kind),
+                          surface_status(s, status));
+    surface_middle(s, middle);
+    for (size_t j = 0; (j < v->t->count || j == 0) && code == EX_OK; j += 2) {
+        const double a = v->t->count ? v->t->value[j] : middle[0],
+                     b = v->t->count ? v->t->value[j + 1] : middle[1];
+        double point[ENGINE_AXES];
+        status = make->eval(held, a, b, point);
+        if (status == 0)
+            print_point((void *)&v->p, point);
+        else if (!surface_is_sided(s) &&
+                 !(a >= 0 && a <= 1 && b >= 0 && b <= (surface_is_triangle(s) ? 1 - a : 1)))
+            code = tool_error(EX_DATAERR, "%s:%u: u, v = %g, %g: give 0 to 1 for this %s%s",
+                              v->file, s->line, a, b, surface_name(s->kind),
+                              surface_is_triangle(s) ? ", u + v at most 1" : "");
+        else if (!sided_has(s, a, b))
+            code = tool_error(
+                EX_DATAERR,
+                "%s:%u: u, v = %g, %g: outside the domain: give a point x, y of the polygon",
+                v->file, s->line, a, b);
+        else
+            code = tool_error(EX_DATAERR, "%s:%u: u, v = %g, %g: %s", v->file, s->line, a, b,
+                              surface_status(s, status));
+    }
+    make->close(held);
+    return code;
+}
+
+static int every_surface(const evaluation *v, const surfaces *all)
+{
+    int code = EX_OK;
+
+    for (size_t i = 0; i < all->count && code == EX_OK; i++) {
+        if (i > 0)
+            putchar('\n');
+        code = surface_points_of(v, &all->surface[i]);
+    }
+    return code;
+}
+
+static int eval_surfaces(const surfaces *all, const char *file, const engine *e,
+                         const tool_list *uv, bool of_curves)
+{
+    const evaluation v = { { e, true }, uv, source_name(file), 0 };
+
+    if (of_curves)
+        return tool_error(EX_USAGE,
+                          "%s: holds surfaces: --t and --shape are for curves, give --uv U,V,..",
+                          v.file);
+    if (uv->count % 2 != 0)
+        return tool_error(EX_USAGE, "--uv: %zu numbers: give pairs, U,V,U,V,..", uv->count);
+    return every_surface(&v, all);
+}
+
+static int run(const tool_command *self, int argc, char **argv)
+{
+    const engine *e  = &engine_q16;
+    const char *text = NULL;
+    tool_list t = { .count = 0 }, uv = { .count = 0 };
+    curves all       = { 0 };
+    surfaces patches = { 0 };
+    bool shape       = false;
+    const char *file;
+
+    const tool_option options[] = {
+        TOOL_LIST("t", "T,..", &t, -1e6, 1e6, "parameters, 0..1 on a Bezier curve (the middle)"),
+        TOOL_LIST("uv", "U,V,..", &uv, -32768, 32767,
+                  "pairs of parameters on a surface (the middle)"),
+        TOOL_SWITCH("shape", &shape,
+                    "not points, but what each piece looks like: its type, inflections, box"),
+        TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
+        ENGINE_OPTION(&e, "number type: q16, f32 or f64 (q16)"),
+        TOOL_OPTIONS_END
+    };
+    int code = tool_file_options(self, options, argc, argv, &text, &file);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (shape && t.count > 0)
+        return tool_error(EX_USAGE,
+                          "--shape and --t: give one of them: a shape is that of the whole curve");
+    if (text == NULL)
+        code = surfaces_read(&patches, file);
+    if (code == 0 && patches.count > 0) {
+        code = eval_surfaces(&patches, file, e, &uv, shape || t.count > 0);
+        surfaces_free(&patches);
+        return code;
+    }
+    surfaces_free(&patches);
+    if (code == 0 && uv.count > 0)
+        code = tool_error(EX_USAGE, "--uv: is for surfaces: curves have one parameter, --t");
+    if (code == 0)
+        code = curves_read(&all, file, text);
+    if (code == 0) {
+        evaluation v = { { e, all.solid }, &t, text ? "--points" : source_name(file), 0 };
+        code = every_curve(&v, &all, shape);
+    }
+    curves_free(&all);
+    return code;
+}
+
+const tool_command command_eval = { "eval", "[--t T,..|--uv U,V,..] [FILE|-]",
+                                    "points of a curve or a surface, or what a curve looks like",
+                                    "FILE has one control point per line, `x y` or `x y z` (an "
+                                    "empty line ends a curve), or curves of any kind in the\n"
+                                    "format of host-tools/LOFT.md. Prints one point per parameter. "
+                                    "A parameter is the curve's own: 0..1 for Bezier\n"
+                                    "curves, 0..n over the n pieces of a spline, the knots of a "
+                                    "B-spline. With --shape prints one line per piece: its\n"
+                                    "number and kind, what it is as a cubic in the plane of x and "
+                                    "y (decided exactly) and where, the smallest box around\n"
+                                    "it, or, if it has weights, around its control points. Of "
+                                    "surfaces (the same format) prints one point per pair --uv.\n",
+                                    run };

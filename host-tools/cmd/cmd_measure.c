@@ -1,0 +1,585 @@
+/* host-tools/cmd/cmd_measure.c -- loft measure: lengths and boxes, nearest points, crossings,
+ * joins; and the path beside
+ * SPDX-License-Identifier: MIT
+ *
+ * Rows of fields with one tab between; the first line, which starts with `#`, names them. A curve
+ * is FILE:LINE.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "num/status.h"     /* LOFT_SINGULAR, LOFT_MORE */
+
+#include "engine/element.h"
+#include "engine/print.h"          /* print_words */
+#include "base/source.h"         /* source_name */
+#include "base/tool.h"
+
+#define FINE 0.01           /* of the tolerance, for cubics in place of other curves */
+
+typedef struct {
+    print_options p;
+    elements list;
+    double tol, at[ENGINE_AXES], distance;
+} measuring;
+
+static void print_name(const element *x)
+{
+    printf("%s:%u", x->file, x->of->line);
+}
+
+/* Coordinates as fields of their own. */
+static void print_fields(const measuring *m, const double point[ENGINE_AXES])
+{
+    for (int i = 0; i < (m->p.solid ? ENGINE_AXES : 2); i++) {
+        putchar('\t');
+        print_number(m->p.e, point[i]);
+    }
+}
+
+static void print_value(double x)
+{
+    printf("\t%.9g", x);
+}
+
+/* `names` ends with the names of the coordinates; behind them stand those of `rest`. */
+static void print_head(const measuring *m, const char *names, const char *prefix, const char *rest)
+{
+    printf("# %s", names);
+    for (int i = 0; i < (m->p.solid ? ENGINE_AXES : 2); i++)
+        printf("\t%s%c", prefix, "xyz"[i]);
+    printf("%s\n", rest);
+}
+
+/* The elements of one curve: first .. result - 1. */
+static size_t end_of(const elements *list, size_t first)
+{
+    size_t last = first;
+
+    while (last < list->count && list->element[last].number == list->element[first].number)
+        last++;
+    return last;
+}
+
+
+// Lengths and boxes
+// -----------------
+
+typedef struct {
+    const measuring *m;
+    double sum, tol;
+    int status;
+} summing;
+
+static void add_length(void *context, double p[4][CURVE_AXES])
+{
+    summing *s = context;
+    double length = 0;
+
+    if (s->status == 0)
+        s->status = s->m->p.e->measure->length((const double (*)[CURVE_AXES])p, s->tol, &length);
+    s->sum += length;
+}
+
+/* Of the tolerance, for cubics in place of an element. */
+static double share_of(const measuring *m, const element *x)
+{
+    return fmax(FINE * m->tol, engine_finest(m->p.e, &x->p));
+}
+
+static void widen(double box[2][ENGINE_AXES], const double other[2][ENGINE_AXES], bool first)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        box[0][i] = first ? other[0][i] : fmin(box[0][i], other[0][i]);
+        box[1][i] = first ? other[1][i] : fmax(box[1][i], other[1][i]);
+    }
+}
+
+static void print_size(const measuring *m, const char *kind, double length,
+                       const double box[2][ENGINE_AXES])
+{
+    printf("\t%s", kind);
+    print_value(length);
+    print_fields(m, box[0]);
+    print_fields(m, box[1]);
+    putchar('\n');
+}
+
+static int size_of_curve(const measuring *m, size_t first, size_t last, double *length,
+                         double box[2][ENGINE_AXES])
+{
+    summing s = { m, 0, m->tol / (double)(last - first), 0 };
+
+    for (size_t i = first; i < last; i++) {
+        const element *x = &m->list.element[i];
+        engine_shape shape;
+        int status = m->p.e->piece->shape(&x->p, &shape);
+        if (status == 0)
+            status = m->p.e->piece->cubics(&x->p, share_of(m, x), add_length, &s);
+        if (status != 0 || s.status != 0)
+            return element_error(x, engine_status(status ? status : s.status));
+        widen(box, (const double (*)[ENGINE_AXES])shape.box, i == first);
+    }
+    *length = s.sum;
+    return EX_OK;
+}
+
+static int print_sizes(const measuring *m)
+{
+    double all[2][ENGINE_AXES] = { { 0 } }, sum = 0;
+
+    print_head(m, "curve\tkind\tlength_mm", "min_",
+               m->p.solid ? "\tmax_x\tmax_y\tmax_z" : "\tmax_x\tmax_y");
+    for (size_t first = 0, last; first < m->list.count; first = last) {
+        double box[2][ENGINE_AXES], length = 0;
+        last = end_of(&m->list, first);
+        const int code = size_of_curve(m, first, last, &length, box);
+        if (code != EX_OK)
+            return code;
+        print_name(&m->list.element[first]);
+        print_size(m, curve_name(m->list.element[first].of->kind), length,
+                   (const double(*)[ENGINE_AXES])box);
+        widen(all, (const double (*)[ENGINE_AXES])box, first == 0);
+        sum += length;
+    }
+    fputs("all", stdout);
+    print_size(m, "-", sum, (const double (*)[ENGINE_AXES])all);
+    return EX_OK;
+}
+
+
+// Nearest points
+// --------------
+
+/* The point of one curve, elements first .. last - 1. */
+static int nearest_of(const measuring *m, size_t first, size_t last, engine_near *near)
+{
+    const element *x = m->list.element;
+    const double range[2] = { x[first].from, x[last - 1].to };
+    int code = EX_OK;
+    reference r;
+
+    const bool known = reference_init(&r, x[first].of);
+    near->distance = HUGE_VAL;
+    for (size_t i = first; i < last && code == EX_OK; i++) {
+        engine_near n;
+        const int status = m->p.e->measure->nearest(&x[i].p, m->at, m->tol / 2, &n);
+        if (status != 0)
+            code = element_error(&x[i], engine_status(status));
+        else if (known)
+            element_settle(&x[i], &r, range, m->at, &n);
+        if (code == EX_OK && n.distance < near->distance)
+            *near = n;
+    }
+    reference_free(&r);
+    return code;
+}
+
+static int print_nearest(const measuring *m)
+{
+    print_head(m, "curve\tkind\tt", "", "\tdistance_mm");
+    for (size_t first = 0, last; first < m->list.count; first = last) {
+        const element *x = &m->list.element[first];
+        engine_near near;
+        last = end_of(&m->list, first);
+        const int code = nearest_of(m, first, last, &near);
+        if (code != EX_OK)
+            return code;
+        print_name(x);
+        printf("\t%s", curve_name(x->of->kind));
+        print_value(near.t);
+        print_fields(m, near.point);
+        print_value(near.distance);
+        putchar('\n');
+    }
+    return EX_OK;
+}
+
+
+// Crossings
+// ---------
+
+static bool apart(const element *a, const element *b, double gap)
+{
+    for (int i = 0; i < CURVE_AXES; i++)
+        if (a->box[0][i] > b->box[1][i] + gap || b->box[0][i] > a->box[1][i] + gap)
+            return true;
+    return false;
+}
+
+/* A stretch along which two curves meet, and its ends on each: where it begins, where they are
+ * closest, where it ends. */
+typedef struct {
+    double s[3], t[3], on_first[3][CURVE_AXES], on_second[3][CURVE_AXES];
+    double point[ENGINE_AXES], distance;
+    bool overlap;
+} stretch;
+
+typedef struct {
+    stretch *row;
+    size_t count, room;
+    double range[2];            /* of the parameters of both curves */
+} stretches;
+
+static double gap_of(const double a[CURVE_AXES], const double b[CURVE_AXES])
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+}
+
+/* Does one begin where the other ends, or before? Not across the seam of a closed curve. */
+static bool touch(const double s[3], double at[3][CURVE_AXES], const double other[3],
+                  double other_at[3][CURVE_AXES], double gap, double range)
+{
+    if (s[0] <= other[2] && other[0] <= s[2])
+        return true;
+    const bool after = s[0] > other[2];
+    return fabs(after ? s[0] - other[2] : other[0] - s[2]) <= range / 100
+        && gap_of(at[after ? 0 : 2], other_at[after ? 2 : 0]) <= gap;
+}
+
+static void extend(double s[3], double at[3][CURVE_AXES], const double other[3],
+                   double other_at[3][CURVE_AXES])
+{
+    for (int k = 0; k < 3; k += 2)
+        if (k == 0 ? other[k] < s[k] : other[k] > s[k]) {
+            s[k] = other[k];
+            memcpy(at[k], other_at[k], sizeof at[k]);
+        }
+}
+
+/* Curves come in pieces: what goes on in the next one is one stretch. */
+static void add_stretch(stretches *list, stretch c, double gap)
+{
+    for (size_t k = 0; k < list->count; ) {
+        stretch *r = &list->row[k];
+        if (!touch(c.s, c.on_first, r->s, r->on_first, gap, list->range[0])
+            || !touch(c.t, c.on_second, r->t, r->on_second, gap, list->range[1])) {
+            k++;
+            continue;
+        }
+        stretch *far = r->distance < c.distance ? &c : r, both = r->distance < c.distance ? *r : c;
+        extend(both.s, both.on_first, far->s, far->on_first);
+        extend(both.t, both.on_second, far->t, far->on_second);
+        both.overlap = c.overlap || r->overlap;
+        c = both;
+        memmove(r, r + 1, (--list->count - k) * sizeof *r);
+        k = 0;
+    }
+    if (list->count == list->room) {
+        list->room = list->room ? 2 * list->room : 16;
+        list->row = tool_grow(list->row, list->room * sizeof *list->row);
+    }
+    list->row[list->count++] = c;
+}
+
+/* Parameters of the curve and points at three places of an element. */
+static void set_places(const element *x, const double t[3], double out[3], double at[3][CURVE_AXES])
+{
+    double d[3][CURVE_AXES];
+
+    for (int k = 0; k < 3; k++) {
+        piece_eval(&x->p, t[k], d);
+        memcpy(at[k], d[0], sizeof at[k]);
+        out[k] = element_parameter(x, t[k], at[k]);
+    }
+}
+
+static int meet(const measuring *m, const element *a, const element *b, stretches *list)
+{
+    engine_meeting c[ENGINE_MEETINGS];
+    size_t count;
+    const int status = m->p.e->measure->meet(&a->p, &b->p, m->tol / 2, c, &count);
+
+    if (status == LOFT_MORE)
+        return element_error(
+            a, "meets another curve in more places than two curves have: give a larger --tol");
+    if (status != 0)
+        return element_error(a, engine_status(status));
+    for (size_t k = 0; k < count; k++) {
+        stretch r = { .distance = c[k].distance, .overlap = c[k].overlap };
+        memcpy(r.point, c[k].point, sizeof r.point);
+        set_places(a, c[k].s, r.s, r.on_first);
+        set_places(b, c[k].t, r.t, r.on_second);
+        add_stretch(list, r, 4 * m->tol);
+    }
+    return EX_OK;
+}
+
+static int by_first(const void *a, const void *b)
+{
+    const stretch *x = a, *y = b;
+    return (x->s[1] > y->s[1]) - (x->s[1] < y->s[1]);
+}
+
+/* The stretches of two curves, in the order of the first. */
+static void print_stretches(const measuring *m, const element *a, const element *b, stretches *list)
+{
+    if (list->count)
+        qsort(list->row, list->count, sizeof *list->row, by_first);
+    for (size_t k = 0; k < list->count; k++) {
+        const stretch *r = &list->row[k];
+        print_name(a);
+        for (int i = 0; i < 3; i++)
+            print_value(r->s[i]);
+        putchar('\t');
+        print_name(b);
+        for (int i = 0; i < 3; i++)
+            print_value(r->t[i]);
+        print_fields(m, r->point);
+        print_value(r->distance);
+        printf("\t%s\n", r->overlap ? "overlap" : "meet");
+    }
+    list->count = 0;
+}
+
+/* Two curves: elements first .. last - 1 and other .. end - 1. */
+static int print_pair(const measuring *m, size_t first, size_t last, size_t other, size_t end,
+                      stretches *found)
+{
+    const element *x = m->list.element;
+
+    found->range[0] = x[last - 1].to - x[first].from;
+    found->range[1] = x[end - 1].to - x[other].from;
+    for (size_t i = first; i < last; i++)
+        for (size_t j = other; j < end; j++) {
+            const int code = apart(&x[i], &x[j], m->tol) ? EX_OK : meet(m, &x[i], &x[j], found);
+            if (code != EX_OK)
+                return code;
+        }
+    print_stretches(m, &x[first], &x[other], found);
+    return EX_OK;
+}
+
+static int print_meetings(const measuring *m)
+{
+    const elements *list = &m->list;
+    stretches found = { 0 };
+    int code = EX_OK;
+
+    print_head(m, "first\ts_from\ts\ts_to\tsecond\tt_from\tt\tt_to", "", "\tdistance_mm\thow");
+    for (size_t first = 0, last; first < list->count && code == EX_OK; first = last) {
+        last = end_of(list, first);
+        for (size_t other = last, end; other < list->count && code == EX_OK; other = end) {
+            end = end_of(list, other);
+            code = print_pair(m, first, last, other, end, &found);
+        }
+    }
+    free(found.row);
+    return code;
+}
+
+
+// Joins
+// -----
+
+/* A cubic with the point and the first two derivatives that the piece has at its end, or at its
+ * start. */
+static piece jet(const piece *whole, bool end)
+{
+    piece out = { .degree = 3 };
+    double d[3][CURVE_AXES];
+    const int sign = end ? -1 : 1;
+
+    piece_eval(whole, end ? 1 : 0, d);
+    for (unsigned k = 0; k < 4; k++)
+        out.w[k] = 1;
+    for (int i = 0; i < CURVE_AXES; i++) {
+        const double p = d[0][i], arm = p + sign * d[1][i] / 3, next = d[2][i] / 6 + 2 * arm - p;
+        out.p[end ? 3 : 0][i] = p;
+        out.p[end ? 2 : 1][i] = arm;
+        out.p[end ? 1 : 2][i] = next;
+        out.p[end ? 0 : 3][i] = next;
+    }
+    return out;
+}
+
+/* Polynomials of one degree as they are; others by what they are at the joint. */
+static int join(const measuring *m, const element *a, const element *b, engine_joint *out)
+{
+    if (a->exact && b->exact && a->p.degree == b->p.degree && a->p.degree >= 1)
+        return m->p.e->measure->join(&a->p, &b->p, m->tol, out);
+    const piece first = jet(&a->whole, true), second = jet(&b->whole, false);
+    return m->p.e->measure->join(&first, &second, m->tol, out);
+}
+
+static int print_joins(const measuring *m)
+{
+    printf("# first\tsecond\tC0\tC1\tC2\tG0\tG1\tG2\talpha\teta\n");
+    for (size_t first = 0, last; first < m->list.count; first = last) {
+        last = end_of(&m->list, first);
+        if (last == m->list.count)
+            break;
+        const element *a = &m->list.element[last - 1], *b = &m->list.element[last];
+        engine_joint j;
+        const int status = join(m, a, b, &j);
+        if (status != 0)
+            return element_error(b, engine_status(status));
+        print_name(a);
+        putchar('\t');
+        print_name(b);
+        for (int k = 0; k < 6; k++)
+            printf("\t%d", k < 3 ? j.c[k] : j.g[k - 3]);
+        print_value(j.alpha);
+        print_value(j.eta);
+        putchar('\n');
+    }
+    return EX_OK;
+}
+
+
+// The path beside
+// ---------------
+
+typedef struct {
+    const measuring *m;
+    double tol;
+    int status;
+} offsetting;
+
+/* Spans that run backwards would cut into the curve. */
+static void print_span(void *context, double p[4][ENGINE_AXES], bool behind)
+{
+    offsetting *o = context;
+
+    if (behind)
+        return;
+    puts("bezier 3");
+    for (int k = 0; k < 4; k++)
+        print_point((print_options *)&o->m->p, p[k]);
+}
+
+static void offset_cubic(void *context, double p[4][CURVE_AXES])
+{
+    offsetting *o = context;
+    const measuring *m = o->m;
+
+    if (o->status == 0)
+        o->status = m->p.e->measure->offset((const double(*)[CURVE_AXES])p, m->distance, o->tol,
+                                            print_span, o);
+}
+
+static int print_offset(const measuring *m)
+{
+    size_t number = SIZE_MAX;
+
+    for (size_t i = 0; i < m->list.count; i++) {
+        const element *x = &m->list.element[i];
+        const double share = share_of(m, x);
+        offsetting o = { m, x->p.degree == 3 ? 0.9 * m->tol : fmin(0.9 * m->tol, m->tol - share),
+                         0 };
+        if (x->number != number) {
+            printf("# %.9g mm to the %s of ", fabs(m->distance),
+                   m->distance < 0 ? "right" : "left");
+            print_name(x);
+            putchar('\n');
+            number = x->number;
+        }
+        const int status = o.tol > 0 ? m->p.e->piece->cubics(&x->p, share, offset_cubic, &o)
+                                     : LOFT_ERR_RANGE;
+        if (o.status == 0)
+            o.status = status;
+        if (o.status != 0 && o.status != LOFT_SINGULAR)     /* a point has nothing beside it */
+            return element_error(x, engine_status(o.status));
+    }
+    return EX_OK;
+}
+
+
+// The command
+// -----------
+
+static int read_all(measuring *m, curves all[], int argc, char **argv, const char *text)
+{
+    char *none[] = { "-" };
+    int code = 0;
+
+    if (argc == 0 || text != NULL) {
+        argv = none;
+        argc = 1;
+    }
+    for (int i = 0; i < argc && code == 0; i++) {
+        code = curves_read(&all[i], argv[i], text);
+        if (code == 0)
+            code = elements_add(&m->list, m->p.e, &all[i], text ? "--points" : source_name(argv[i]),
+                                m->tol);
+    }
+    m->p.solid = m->list.solid;
+    return code;
+}
+
+static int run(const tool_command *self, int argc, char **argv)
+{
+    const engine *e    = &engine_q16;
+    const char *text   = NULL;
+    tool_list at       = { .count = 0 };
+    bool meets = false, joins = false;
+    double distance = 0, tol = 0.001;
+    int first;
+
+    const tool_option options[] = {
+        TOOL_LIST("nearest", "X,Y[,Z]", &at, -1e6, 1e6,
+                  "the point of each curve that is nearest to this one"),
+        TOOL_SWITCH("intersect", &meets, "where the curves meet, each with each"),
+        TOOL_SWITCH("joins", &joins, "how smoothly each curve goes on from the one before"),
+        TOOL_NUMBER("offset", "MM", &distance, -1e4, 1e4,
+                    "the path at this distance to the left (< 0: right), as .loft"),
+        TOOL_NUMBER("tol", "MM", &tol, 1e-9, 1000, "within which all of it is (0.001)"),
+        TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
+        ENGINE_OPTION(&e, "number type: q16, f32 or f64 (q16)"),
+        TOOL_OPTIONS_END
+    };
+    int code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if ((at.count > 0) + meets + joins + (distance < 0 || distance > 0) > 1)
+        return tool_error(EX_USAGE, "--nearest, --intersect, --joins, --offset: give one of them: "
+                                    "each has rows of its own");
+    if (at.count == 1 || at.count > ENGINE_AXES)
+        return tool_error(EX_USAGE, "--nearest: %zu numbers: give x,y or x,y,z", at.count);
+
+    measuring m = { .p = { e, false }, .tol = tol, .distance = distance };
+    memcpy(m.at, at.value, at.count * sizeof m.at[0]);
+    const size_t files = (size_t)(argc - first) + 1;
+    curves *all = tool_grow(NULL, files * sizeof *all);
+    memset(all, 0, files * sizeof *all);
+    code = read_all(&m, all, argc - first, argv + first, text);
+    if (code == 0)
+        code = at.count ? print_nearest(&m) : meets ? print_meetings(&m) : joins ? print_joins(&m)
+             : distance < 0 || distance > 0 ? print_offset(&m) : print_sizes(&m);
+    elements_free(&m.list);
+    for (size_t i = 0; i < files; i++)
+        curves_free(&all[i]);
+    free(all);
+    return code;
+}
+
+const tool_command command_measure = {
+    "measure", "[--nearest X,Y | --intersect | --joins | --offset MM] [FILE..|-]",
+    "lengths, boxes, nearest points, crossings, joins, offsets",
+    "A FILE is a drawing in SVG, curves of any kind (host-tools/LOFT.md), lines of eight numbers "
+    "(a cubic each), or control\n"
+    "points, one per line. Prints rows of fields with tabs between; the first line, with a #, "
+    "names them. A curve is called\n"
+    "FILE:LINE, its parameter is that of `loft eval`; lengths and coordinates are mm.\n\n"
+    "Without an option: length and smallest box of each curve, and of all. --nearest: the point of "
+    "each curve that is\n"
+    "nearest to X,Y: its distance is within the tolerance of the least, and there the distance is "
+    "least along the curve\n"
+    "(of the centre of a circle any point is). --intersect: where any two curves come within the "
+    "tolerance: from, where\n"
+    "they are closest, and to, on both, a row for each stretch; how: meet, or overlap, where "
+    "pieces of them do not part\n"
+    "before one of them ends.\n"
+    "--joins: 1 or 0 for C0 C1 C2 (derivatives, each last or first piece over 0..1) and G0 G1 G2 "
+    "(position, tangent,\n"
+    "curvature) of each curve and the next; alpha and eta of G2. --offset: the path of a tool's "
+    "centre beside the curves, in\n"
+    "the plane of x and y, as cubics in .loft, which all commands read; where it would cut into "
+    "the curve it is left out,\n"
+    "corners between curves are not joined. Curves with weights, and for length and offset those "
+    "above degree 3, are\n"
+    "made cubics within a hundredth of the tolerance first, or what the number type can hold.\n",
+    run
+};

@@ -1,0 +1,111 @@
+/* host-tools/cmd/cmd_monitor.c -- loft monitor: between a sender and its machine, the line in words
+ * SPDX-License-Identifier: MIT
+ */
+#include <errno.h>
+#include <signal.h>
+#include <string.h>
+
+#include "host/line.h"      /* host_line: the sender's side */
+#include "base/keys.h"           /* keys_interrupted */
+#include "base/tool.h"
+#include "send/transport.h"
+#include "send/wire_text.h"
+
+typedef struct {
+    transport machine;
+    struct host_line sender;
+    wire_text down, up;
+    double began;
+} monitor;
+
+/* Bytes for the machine: all of them, or the machine is gone. */
+static bool pass_down(monitor *m, const uint8_t byte[], size_t count)
+{
+    const double until = tool_clock() + 10;
+
+    for (size_t sent = 0; sent < count;) {
+        const long put = m->machine.kind->write(&m->machine, byte + sent, count - sent, 100);
+        if (put < 0 || tool_clock() > until)
+            return false;
+        sent += (size_t)put;
+    }
+    return true;
+}
+
+/* Bytes for the sender; what nobody reads is dropped, as on a line with nobody at its end. */
+static void pass_up(monitor *m, const uint8_t byte[], size_t count)
+{
+    for (size_t sent = 0, put = 1; sent < count && put > 0; sent += put)
+        put = host_line_write(&m->sender, byte + sent, count - sent);
+}
+
+static int relay(monitor *m)
+{
+    uint8_t byte[512];
+
+    while (!keys_interrupted()) {
+        const long came = m->machine.kind->read(&m->machine, byte, sizeof byte, 2);
+        if (came < 0)
+            return tool_error(EX_IOERR, "%s: the port has vanished (%s)", m->machine.text,
+                              strerror(errno));
+        wire_text_push(&m->up, stdout, tool_clock() - m->began, byte, (size_t)came);
+        pass_up(m, byte, (size_t)came);
+        const size_t count = host_line_read(&m->sender, byte, sizeof byte);
+        wire_text_push(&m->down, stdout, tool_clock() - m->began, byte, count);
+        if (!pass_down(m, byte, count))
+            return tool_error(EX_IOERR, "%s: the port takes no more bytes (%s)", m->machine.text,
+                              strerror(errno));
+    }
+    return 0;
+}
+
+static void print_sum(const wire_text *w)
+{
+    printf("%c %llu bytes, %llu frames, %llu damaged\n", w->arrow, w->bytes, w->frames, w->damaged);
+}
+
+static int run(const tool_command *self, int argc, char **argv)
+{
+    const char *port = NULL, *link = NULL;
+    unsigned baud = 115200;
+    const tool_option options[] = {
+        TOOL_TEXT(
+            "port", "PORT", &port,
+            "the machine: /dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT (`loft ports` lists)"),
+        TOOL_COUNT("baud", "RATE", &baud, 300, 4000000, "of a serial port (115200)"),
+        TOOL_TEXT("link", "PATH", &link, "make PATH a symbolic link to the sender's end"),
+        TOOL_OPTIONS_END
+    };
+    monitor m = { .began = tool_clock() };
+    int first, code = tool_options(self, options, argc, argv, &first);
+
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (port == NULL || first < argc)
+        return tool_error(EX_USAGE,
+                          "no --port: name the machine's port; see `loft monitor --help`");
+    keys_start(false);
+    if ((code = transport_open(&m.machine, port, baud)) != 0)
+        return code;
+    if ((code = host_line_open(&m.sender, link, 0)) == 0) {
+        wire_text_init(&m.down, '>');
+        wire_text_init(&m.up, '<');
+        printf("machine: %s\n", m.sender.name);
+        fflush(stdout);
+        code = relay(&m);
+        print_sum(&m.down);
+        print_sum(&m.up);
+        host_line_close(&m.sender);
+    }
+    m.machine.kind->close(&m.machine);
+    return code;
+}
+
+const tool_command command_monitor = {
+    "monitor", "--port PORT [--link PATH]", "between a sender and its machine: the line in words",
+    "Makes a pseudo terminal, prints its name and passes all bytes between it and PORT; give it, "
+    "or PATH, to `loft stream --port`.\n"
+    "Each frame is a line: seconds, > to the machine or < from it, what it is, its fields. Ends "
+    "with ^C.\n",
+    run
+};

@@ -1,0 +1,211 @@
+/* host-tools/cmd/cmd_plan.c -- loft plan: how fast a drawing can be drawn, and what limits it
+ * SPDX-License-Identifier: MIT
+ */
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "draw/plan_plot.h"      /* plan_plot */
+#include "plan/planning.h"
+#include "plan/trace.h"
+
+typedef struct {
+    planning p;
+    double rate;                    /* rows per second; 0: none */
+    const char *output, *picture;
+    double size;
+    bool total;
+    const char *file;
+} plan_options;
+
+
+// Table
+// -----
+
+static int print_row(const trace *t, const char *name, const char *line, const trace_part *p)
+{
+    char words[160];
+
+    trace_words(t, p, words, sizeof words);
+    return printf("%-8s %6s %11.3f %10.3f %9.2f  %s\n", name, line, p->length, p->seconds, p->top,
+                  words);
+}
+
+static void print_table(const plan_options *o, const drawing *d, const toolpath *path,
+                        const trace *t)
+{
+    trace_part all = { .length = 0 }, drawn = all, travelled = all;
+
+    printf("%-8s %6s %11s %10s %9s  %s\n", "curve", "line", "mm", "s", "top mm/s",
+           "limited by, of the time");
+    for (size_t k = 0; k < path->count; k++) {
+        const bool draws = path->curve[k] != TOOLPATH_TRAVEL;
+        char name[24] = "travel", line[16] = "";
+        if (draws) {
+            snprintf(name, sizeof name, "%zu", path->curve[k] + 1);
+            snprintf(line, sizeof line, "%u", d->curve[path->curve[k]].line);
+        }
+        if (!o->total)
+            print_row(t, name, line, &t->part[k]);
+        trace_add(draws ? &drawn : &travelled, &t->part[k]);
+        trace_add(&all, &t->part[k]);
+    }
+    print_row(t, "drawn", "", &drawn);
+    print_row(t, "travel", "", &travelled);
+    print_row(t, "in all", "", &all);
+}
+
+
+// Rows of numbers
+// ---------------
+
+static void put_axes(FILE *out, const double v[ENGINE_AXES], int digits)
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        fprintf(out, ",%.*f", digits, fabs(v[i]) < 0.5 * pow(10, -digits) ? 0 : v[i]);
+}
+
+static void put_row(FILE *out, const trace *t, double seconds, size_t *near)
+{
+    trace_motion m;
+
+    trace_at(t, seconds, near, &m);
+    fprintf(out, "%.6f", seconds);
+    put_axes(out, m.tool.x, 6);
+    put_axes(out, m.tool.v, 5);
+    put_axes(out, m.tool.a, 4);
+    putc('\n', out);
+}
+
+/* From 0 at equal times, and the end. */
+static void put_rows(FILE *out, const trace *t, double rate)
+{
+    size_t near = 0;
+
+    fprintf(out, "t,x,y,z,vx,vy,vz,ax,ay,az\n");
+    for (double k = 0; k / rate < t->seconds - 1e-9; k++)
+        put_row(out, t, k / rate, &near);
+    put_row(out, t, t->seconds, &near);
+}
+
+static int write_rows(const trace *t, double rate, const char *name)
+{
+    FILE *out = fopen(name, "w");
+
+    if (out == NULL)
+        return tool_error(EX_CANTCREAT, "%s: cannot be written: %s", name, strerror(errno));
+    put_rows(out, t, rate);
+    const bool bad = ferror(out) != 0;
+    if (fclose(out) != 0 || bad)
+        return tool_error(EX_IOERR, "%s: %s: is the disk full? write elsewhere", name,
+                          strerror(errno));
+    return 0;
+}
+
+
+// All of it
+// ---------
+
+static int report(const plan_options *o, const drawing *d, const toolpath *path, const trace *t)
+{
+    int code = 0;
+
+    if (o->rate > 0 && o->output != NULL)
+        code = write_rows(t, o->rate, o->output);
+    if (code == 0 && o->picture != NULL) {
+        const plan_picture p = {
+            .d = d, .path = path, .t = t, .name = o->file, .output = o->picture, .size = o->size
+        };
+        code = plan_plot(&p);
+    }
+    if (code == 0 && o->rate > 0 && o->output == NULL)
+        put_rows(stdout, t, o->rate);
+    else if (code == 0)
+        print_table(o, d, path, t);
+    return code;
+}
+
+static int plan(const plan_options *o, const drawing *d)
+{
+    const double start[ENGINE_AXES] = { 0, 0, 0 };
+    toolpath_options how = planning_path(&o->p);
+    engine_limits limits;
+    toolpath path;
+    joints of;
+    trace t = { .count = 0 };
+
+    planning_machine(&o->p, &limits);
+    planning_limit(&o->p, &limits);
+    (void)planning_start_at(&o->p, start, &how);
+    toolpath_make(&path, d, &how);
+    int code = planning_joints(&o->p, o->file, d, start, false, &limits, &path, &of), status = 0;
+    if (code == 0)
+        status = trace_make(&t, o->p.e, &limits, &path, &of);
+    if (status != 0)
+        code = tool_error(EX_DATAERR, "%s: cannot be planned: %s", o->file, engine_status(status));
+    else if (code == 0)
+        code = report(o, d, &path, &t);
+    trace_free(&t);
+    joints_free(&of);
+    toolpath_free(&path);
+    return code;
+}
+
+static int run(const tool_command *self, int argc, char **argv)
+{
+    plan_options o = { .size = 1600 };
+    drawing d = { .count = 0 }, smooth = { .count = 0 };
+    bool png;
+    int first, code = planning_start(&o.p, argc, argv);
+
+    if (code != 0)
+        return code;
+    const tool_option options[] = {
+        PLANNING_OPTIONS(&o.p),
+        TOOL_NUMBER("csv", "RATE", &o.rate, 0.001, 1e6,
+                    "rows t,x,y,z,vx,vy,vz,ax,ay,az at RATE Hz, in place of the table, or with -o "
+                    "FILE beside it"),
+        TOOL_TEXT("output", "FILE", &o.output, "or -o: where the rows go (standard output)"),
+        TOOL_TEXT("plot", "FILE", &o.picture,
+                  "a picture, .png .svg or .pdf: the path by speed; speed, acceleration and jerk "
+                  "over time"),
+        TOOL_NUMBER("size", "WIDTH", &o.size, 100, 20000,
+                    "px of a PNG, points of the others (1600)"),
+        TOOL_SWITCH("total", &o.total, "the sums alone, not every curve"),
+        TOOL_OPTIONS_END
+    };
+    code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (first + 1 != argc)
+        return tool_error(EX_USAGE, "%s: see `loft plan --help`",
+                          first < argc ? "more than one drawing"
+                                       : "no drawing: name an SVG, CSV or .loft file, or -");
+    if (o.output != NULL && !(o.rate > 0))
+        return tool_error(
+            EX_USAGE, "-o %s: is for rows: give --csv RATE as well, or --plot FILE for a picture",
+            o.output);
+    if (o.picture != NULL && !plot_known(o.picture, &png))
+        return tool_error(EX_USAGE, "--plot %s: give a name that ends with .png, .svg or .pdf",
+                          o.picture);
+    o.file = argv[first];
+    code = planning_read(&o.p, &d, &smooth, o.file);
+    if (code == 0)
+        code = plan(&o, &smooth);
+    drawing_free(&smooth);
+    drawing_free(&d);
+    return code;
+}
+
+const tool_command command_plan = {
+    "plan", "FILE [--machine FILE] [--csv RATE [-o FILE]] [--plot FILE]",
+    "how fast a drawing can be drawn, and what limits it",
+    "Plans as `loft stream` does and looks at the result: of every curve and travel, and in all, "
+    "length, time, top speed, and\n"
+    "what held it back for which part of the time: the feed; speed, acceleration or jerk of an "
+    "axis; acceleration across the\n"
+    "path (curvature); corners; stops. Where no limit is used up it is the one that was or will "
+    "be, whichever is nearer.\n",
+    run
+};

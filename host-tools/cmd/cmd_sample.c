@@ -1,0 +1,130 @@
+/* host-tools/cmd/cmd_sample.c -- loft sample: a curve or a surface at equal parameter steps
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+
+#include "engine/piece.h"
+#include "engine/print.h"
+#include "base/source.h"         /* source_name */
+#include "engine/surface.h"
+#include "base/tool.h"
+
+typedef struct {
+    print_options p;
+    uint32_t n;
+} sampling;
+
+static int walk(void *context, const curve *c, engine_curve *held)
+{
+    sampling *s = context;
+    const engine *e = s->p.e;
+    int status = 0;
+
+    (void)c;
+    for (unsigned i = 0; i < e->curve->pieces(held) && status == 0; i++) {
+        piece p;
+        status = e->curve->piece(held, i, &p);
+        if (status == 0)
+            status = e->piece->walk(&p, s->n, print_point, &s->p);
+    }
+    return status;
+}
+
+/* A grid: the rows of u, an empty line behind each and two between surfaces and kites; those of a
+ * triangle shrink. */
+static int grid(const print_options *p, const surface *s, const engine_surface *held, unsigned kite,
+                unsigned n)
+{
+    print_options how = *p;
+    int status = 0;
+
+    for (unsigned i = 0; i <= n && status == 0; i++) {
+        for (unsigned j = 0; j <= (surface_is_triangle(s) ? n - i : n) && status == 0; j++) {
+            double point[ENGINE_AXES];
+            status = p->e->surface->kite(held, kite, i / (double)n, j / (double)n, point);
+            if (status == 0)
+                print_point(&how, point);
+        }
+        putchar('\n');
+    }
+    return status;
+}
+
+static int sample_surfaces(const surfaces *all, const char *file, const engine *e, unsigned n)
+{
+    const print_options p = { e, true };
+    int status = 0;
+
+    for (size_t k = 0; k < all->count && status == 0; k++) {
+        const surface *s = &all->surface[k];
+        engine_surface *held;
+        if (k > 0)
+            putchar('\n');
+        status = e->surface->open(s, &held);
+        if (status == 0) {
+            for (unsigned kite = 0; kite < surface_kites(s) && status == 0; kite++) {
+                if (kite > 0)
+                    putchar('\n');
+                status = grid(&p, s, held, kite, n);
+            }
+            e->surface->close(held);
+        }
+        if (status != 0)
+            return tool_error(EX_DATAERR, "%s:%u: %s in %u steps: %s", source_name(file), s->line,
+                              surface_name(s->kind), n, surface_status(s, status));
+    }
+    return EX_OK;
+}
+
+static int run(const tool_command *self, int argc, char **argv)
+{
+    const engine *e  = &engine_q16;
+    const char *text = NULL;
+    unsigned n       = 64;
+    curves all       = { 0 };
+    surfaces patches = { 0 };
+    const char *file;
+
+    const tool_option options[] = {
+        TOOL_COUNT("n", "N", &n, 1, 1e9, "equal parameter steps per piece of a curve (64)"),
+        TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
+        ENGINE_OPTION(&e, "number type: q16, f32 or f64 (q16)"),
+        TOOL_OPTIONS_END
+    };
+    int code = tool_file_options(self, options, argc, argv, &text, &file);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+
+    if (text == NULL)
+        code = surfaces_read(&patches, file);
+    if (code == 0 && patches.count > 0) {
+        code = sample_surfaces(&patches, file, e, n);
+        surfaces_free(&patches);
+        return code;
+    }
+    surfaces_free(&patches);
+    if (code == 0)
+        code = curves_read(&all, file, text);
+    if (code == 0) {
+        sampling s = { { e, all.solid }, n };
+        char words[40];
+        snprintf(words, sizeof words, " in %u steps", n);
+        code = print_chain(&s.p, &all, text ? "--points" : source_name(file), words, walk, &s);
+    }
+    curves_free(&all);
+    return code;
+}
+
+const tool_command command_sample = {
+    "sample", "[--n N] [FILE|-]", "a curve or a surface at equal parameter steps",
+    "FILE has one control point per line, or curves of any kind (host-tools/LOFT.md), or is a "
+    "drawing. Prints the start\n"
+    "and N points per piece, an empty line where a curve does not start at the end of the one "
+    "before it. Curves to\n"
+    "degree 5 are walked by forward differences, others are evaluated point by point. Of surfaces "
+    "prints a grid of N + 1 by\n"
+    "N + 1 points, u outside, an empty line behind each row (a triangle: rows that shrink), two "
+    "between surfaces; of those\n"
+    "with n sides a grid for each side, from the corner where it begins to the middle.\n",
+    run
+};

@@ -1,0 +1,142 @@
+/* host-tools/cmd/cmd_simulate.c -- loft simulate: the machine as a program, behind a pseudo
+ * terminal
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "host/host.h"      /* loft_host_simulate_q16x3 */
+#include "read/machine_file.h"   /* machine_option */
+#include "base/tool.h"
+
+/* One number for all axes, or one for each. */
+static int spread(const char *option, const tool_list *list, double out[LOFT_AXES])
+{
+    if (list->count == 0)
+        return 0;
+    if (list->count != 1 && list->count != LOFT_AXES)
+        return tool_error(EX_USAGE, "--%s: give one number, or %d with commas between", option,
+                          LOFT_AXES);
+    for (size_t i = 0; i < LOFT_AXES; i++)
+        out[i] = list->value[list->count == 1 ? 0 : i];
+    return 0;
+}
+
+/* The file's numbers are the defaults of the options. */
+static int take_file(struct loft_host_options *o, char text[KINEMATICS_TEXT], int argc, char **argv)
+{
+    machine_file m = machine_usual();
+    const int code = machine_option(&m, argc, argv);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        o->steps_per_mm[i] = m.steps_per_mm[i];
+        o->max_speed[i] = m.max_speed[i];
+        o->max_accel[i] = m.max_accel[i];
+        o->max_jerk[i] = m.max_jerk[i];
+    }
+    o->tick_hz = (unsigned)m.tick_hz;
+    o->slots = (unsigned)m.slots;
+    o->ramp = (unsigned)m.ramp;
+    o->queue = (unsigned)m.queue;
+    o->curves = (unsigned)m.curves;
+    kinematics_text(&m.k, text);
+    o->note = text;
+    return code;
+}
+
+/* `x-=-5,y+=200`: at -5 mm the limit switch at the low end of x closes. */
+static int take_limits(const char *text, double limit[LOFT_AXES][2])
+{
+    static const char names[] = "xyzabc";
+
+    for (const char *at = text; at && *at;) {
+        const char *axis = strchr(names, at[0]);
+        char *end = NULL;
+        double where = 0;
+        if (axis && axis - names < LOFT_AXES && (at[1] == '-' || at[1] == '+') && at[2] == '=')
+            where = strtod(at + 3, &end);
+        if (!end || end == at + 3 || !(fabs(where) < 32768) || (*end && *end != ','))
+            return tool_error(EX_USAGE,
+                              "--limits %s: give axis, end and mm of each switch, as x-=-5,x+=200",
+                              text);
+        limit[axis - names][at[1] == '+'] = where;
+        at = *end ? end + 1 : end;
+    }
+    return 0;
+}
+
+static int simulate(const struct loft_host_options *o, const engine *e)
+{
+    if (e == &engine_f32)
+        return loft_host_simulate_f32x3(o);
+    if (e == &engine_f64)
+        return loft_host_simulate_f64x3(o);
+    return loft_host_simulate_q16x3(o);
+}
+
+static int run(const tool_command *self, int argc, char **argv)
+{
+    struct loft_host_options o = loft_host_defaults();
+    const engine *e            = &engine_q16;
+    const char *speed          = o.fast ? "fast" : "real";
+    tool_list steps = { .count = 0 }, fastest = { .count = 0 }, accel = { .count = 0 };
+    const char *machine = NULL, *limits = NULL;
+    char text[KINEMATICS_TEXT];
+    int first;
+
+    int code = take_file(&o, text, argc, argv);
+    if (code != 0)
+        return code;
+    const tool_option options[] = {
+        TOOL_TEXT("machine", "FILE", &machine,
+                  "a machine as text, see host-tools/MACHINE.md; the options below are stronger"),
+        TOOL_TEXT("link", "PATH", &o.link, "make PATH a symbolic link to the pseudo terminal"),
+        TOOL_TEXT("record", "FILE", &o.record, "write every pulse with its time to FILE (CSV)"),
+        TOOL_TEXT("speed", "HOW", &speed, "real time, or fast: as fast as it goes (fast)"),
+        TOOL_SWITCH("once", &o.once, "end after one job"),
+        TOOL_SWITCH("quiet", &o.quiet, "print only the name of the pseudo terminal, and errors"),
+        TOOL_LIST("steps", "N,..", &steps, 0.01, 30000, "steps per mm, for all axes or each (80)"),
+        TOOL_LIST("max-speed", "MM/S,..", &fastest, 1 / 64.0, 16383, "of the axes (500)"),
+        TOOL_LIST("accel", "MM/S2,..", &accel, 1, 16383, "of the axes (2000)"),
+        TOOL_COUNT("tick-hz", "HZ", &o.tick_hz, 50, 50000, "ticks per second (1000)"),
+        TOOL_COUNT("slots", "N", &o.slots, 1, 4096, "chances to step per tick (40)"),
+        TOOL_COUNT("ramp", "TICKS", &o.ramp, 1, 32767,
+                   "from full pace to standing in a hold (100)"),
+        TOOL_COUNT("curves", "N", &o.curves, 0, 4096,
+                   "curves that fit its plan; 0: it does not plan (64)"),
+        TOOL_COUNT("queue", "N", &o.queue, 2, 32768, "items that fit the queue (256)"),
+        TOOL_TEXT("limits", "x-=MM,..", &limits,
+                  "limit switches: axis, - or + end, and where its motor closes it (none)"),
+        TOOL_NUMBER("noise", "PPM", &o.noise, 0, 100000,
+                    "of a million bits on the line so many are flipped (0)"),
+        ENGINE_OPTION(&e, "number type of the machine: q16, f32 or f64 (q16)"),
+        TOOL_OPTIONS_END
+    };
+    code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (first < argc)
+        return tool_error(EX_USAGE, "%s: simulate takes no file: see `loft simulate --help`",
+                          argv[first]);
+    if (o.curves > 0 && o.curves < 4)
+        return tool_error(EX_USAGE, "a plan of %u curves: give 0 for none, or 4 to 4096", o.curves);
+    if (strcmp(speed, "fast") != 0 && strcmp(speed, "real") != 0)
+        return tool_error(EX_USAGE, "--speed %s: give real or fast", speed);
+    if ((code = spread("steps", &steps, o.steps_per_mm)) != 0 ||
+        (code = spread("max-speed", &fastest, o.max_speed)) != 0 ||
+        (code = spread("accel", &accel, o.max_accel)) != 0 ||
+        (code = take_limits(limits, o.limit)) != 0)
+        return code;
+    o.fast = strcmp(speed, "fast") == 0;
+    return simulate(&o, e);
+}
+
+const tool_command command_simulate = { "simulate", "[--link PATH] [--record FILE]",
+                                        "the machine as a program, behind a pseudo terminal",
+                                        "Prints the name of the pseudo terminal; give it, or PATH, "
+                                        "to `loft stream --port`. What runs is the code of the\n"
+                                        "firmware, in any number type. Ends with ^C, which stops "
+                                        "the machine on the path, or with --once after one job.\n",
+                                        run };

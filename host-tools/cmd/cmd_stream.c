@@ -1,0 +1,338 @@
+/* host-tools/cmd/cmd_stream.c -- loft stream: a drawing becomes motion
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/keys.h"           /* keys_start, keys_hasty */
+#include "send/grbl.h"           /* grbl_run */
+#include "plan/planning.h"       /* planning_limit */
+#include "send/stream.h"         /* stream_run */
+#include "base/tool.h"
+#include "plan/toolpath.h"       /* toolpath_make */
+
+typedef struct {
+    planning p;
+    const char *port, *record, *log;
+    unsigned baud;
+    double wait;
+    const char *where;
+    bool points, grbl, g5, dry, hold, resume, abort, chip, away;
+} stream_options;
+
+static void machine_limits(const loft_sender *s, engine_limits *l)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        l->max_speed[i] = (double)s->axis[i].max_speed / 65536;
+        l->max_accel[i] = (double)s->axis[i].max_accel / 65536;
+    }
+    l->tick_hz = s->machine.tick_hz;
+}
+
+/* Steps in mm, a whole number of 2^-16, which steps_of turns back into the same steps. */
+static double mm_of(const loft_axis *a, int32_t steps)
+{
+    return round((double)steps * 65536 * 65536 / (double)a->steps_per_mm) / 65536;
+}
+
+/* Where a new job starts: where the machine stands. */
+static void new_start(const loft_sender *s, double out[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = mm_of(&s->axis[i], s->axis[i].position);
+}
+
+/* Where the machine's job started. */
+static void old_start(const loft_sender *s, bool points, double out[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = points ? mm_of(&s->axis[i], s->axis[i].start) : (double)s->axis[i].start / 65536;
+}
+
+/* A job and what it is planned from. */
+typedef struct {
+    toolpath path;
+    joints of;
+    job j;
+} work;
+
+static void discard(work *w)
+{
+    job_free(&w->j);
+    joints_free(&w->of);
+    toolpath_free(&w->path);
+}
+
+/* From where the motors stand, the first portion. */
+static int plan(const stream_options *o, const char *file, const drawing *d,
+                const double start[ENGINE_AXES], const job_options *as, work *w)
+{
+    toolpath_options how = planning_path(&o->p);
+    int status = 0;
+
+    if (!planning_start_at(&o->p, start, &how))
+        return tool_error(EX_DATAERR,
+                          "%s: its motors are at %.6g %.6g %.6g, where those of a %s machine like "
+                          "this cannot be: give its --machine FILE",
+                          o->port ? o->port : "-", start[0], start[1], start[2],
+                          kinematics_name(&o->p.machine.k));
+    toolpath_make(&w->path, d, &how);
+    if (w->path.count == 0)
+        return tool_error(EX_DATAERR,
+                          "%s: nothing to draw in it: give a drawing with visible outlines", file);
+    keys_hasty(true);
+    int code = planning_joints(&o->p, file, d, start, o->chip, &as->limits, &w->path, &w->of);
+    if (code == 0)
+        status = job_open(&w->j, &w->of, as);
+    keys_hasty(false);
+    return status == 0
+               ? code
+               : tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
+}
+
+static void print_plan(const job *j, const toolpath *path, double tol)
+{
+    printf("planned: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s, %zu %s, path within %.4f "
+           "mm, job %08x\n",
+           path->curves, tool_s(path->curves), path->drawn / 1000, path->travelled / 1000,
+           job_seconds(j), j->count, job_words(j), tol, (unsigned)j->head.id);
+}
+
+/* What a machine of these limits is to get. */
+static int options_of(const stream_options *o, job_options *as)
+{
+    as->e    = o->p.e;
+    as->kind = o->chip ? LOFT_CURVES : o->points ? LOFT_POINTS : LOFT_SPANS;
+    planning_limit(&o->p, &as->limits);
+    if (o->chip && as->limits.max_across > 0)
+        return tool_error(EX_CONFIG,
+                          "%s: a machine that plans knows no limit of its own across the path: "
+                          "give --plan host, or --across 0, "
+                          "so that --accel holds in bends too",
+                          o->port);
+    return 0;
+}
+
+static int finish(const char *file, job *j)
+{
+    keys_hasty(true);
+    const int status = job_finish(j);
+    keys_hasty(false);
+    return status == LOFT_OK
+               ? 0
+               : tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
+}
+
+static int dry_run(const stream_options *o, const char *file, const drawing *d)
+{
+    const double start[ENGINE_AXES] = { 0, 0, 0 };
+    job_options as;
+    work w = { .path = { 0 } };
+
+    planning_machine(&o->p, &as.limits);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        as.steps_per_mm[i] = (int32_t)lround(o->p.machine.steps_per_mm[i] * 65536);
+    int code = options_of(o, &as);
+    if (code == 0)
+        code = plan(o, file, d, start, &as, &w);
+    if (code == 0)
+        code = finish(file, &w.j);
+    if (code == 0)
+        print_plan(&w.j, &w.path, o->p.tol);
+    discard(&w);
+    return code;
+}
+
+/* Can the machine do what it is asked for? */
+static int check_machine(const stream_options *o, const loft_sender *s)
+{
+    if (!o->chip || (s->machine.kinds & 1u << LOFT_CURVES && s->machine.curves > 0))
+        return 0;
+    return tool_error(EX_CONFIG,
+                      "%s: this machine does not plan by itself: give --plan host, or build its "
+                      "firmware with memory for a planner",
+                      o->port);
+}
+
+static int plan_for(const stream_options *o, const char *file, const drawing *d,
+                    const double start[ENGINE_AXES], const loft_sender *s, work *w)
+{
+    job_options as;
+
+    discard(w);
+    machine_limits(s, &as.limits);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        as.steps_per_mm[i] = s->axis[i].steps_per_mm;
+    const int code = options_of(o, &as);
+    return code == 0 ? plan(o, file, d, start, &as, w) : code;
+}
+
+/* If the machine has a job it may be this one, which then goes on; it is if it has the same id
+ * planned from the same start. */
+static int stream(const stream_options *o, const char *file, const drawing *d,
+                  const drawing *smooth, talk *t)
+{
+    const loft_sender *s = &t->sender;
+    double start[ENGINE_AXES];
+    work w               = { .path = { 0 } };
+    int code             = check_machine(o, s);
+
+    if (code == 0 && s->machine.job != 0) {
+        old_start(s, o->points, start);
+        code = plan_for(o, file, smooth, start, s, &w);
+    }
+    if (code == 0 && (w.j.count == 0 || w.j.head.id != s->machine.job)) {
+        new_start(s, start);
+        code = plan_for(o, file, smooth, start, s, &w);
+    }
+    if (code == 0) {
+        w.j.head.away = o->away ? s->closed : 0;
+        const stream_subject about = { file, w.path.curves, w.path.drawn,   o->p.tol,
+                                       d,    o->record,     &o->p.machine.k };
+        code = stream_run(t, &w.j, &about);
+    }
+    discard(&w);
+    return code;
+}
+
+static int control(const stream_options *o)
+{
+    const enum loft_verb verb = o->abort ? LOFT_ABORT : o->hold ? LOFT_HOLD : LOFT_RESUME;
+    talk t;
+
+    int code = talk_open(&t, o->port, o->baud, o->wait, o->log);
+    if (code != 0)
+        return code;
+    code = stream_control(&t, verb, &o->p.machine.k);
+    talk_close(&t);
+    return code;
+}
+
+/* Lines of G-code to a controller of grbl's kind, or, dry, to standard output. The controller
+ * plans. */
+static int draw_gcode(const stream_options *o, const char *file, const drawing *d,
+                      toolpath_options *how)
+{
+    grbl *g = NULL;
+    toolpath path;
+    gcode lines;
+    char what[64];
+    int code = o->dry ? 0 : grbl_open(&g, o->port, o->baud, o->wait);
+
+    if (code != 0)
+        return code;
+    if (g != NULL)
+        memcpy(how->start, grbl_place(g), sizeof how->start);
+    toolpath_make(&path, d, how);
+    gcode_make(&lines, &path, (o->p.tol - o->p.smoothed) / 2, o->g5);
+    snprintf(what, sizeof what, "%zu curve%s, %.3f m", path.curves, tool_s(path.curves),
+             path.drawn / 1000);
+    if (path.count == 0)
+        code = tool_error(EX_DATAERR,
+                          "%s: nothing to draw in it: give a drawing with visible outlines", file);
+    else if (g != NULL)
+        code = grbl_run(g, &lines, what);
+    else
+        for (size_t i = 0; i < lines.count; i++)
+            puts(lines.line[i]);
+    gcode_free(&lines);
+    toolpath_free(&path);
+    grbl_close(g);
+    return code;
+}
+
+static int draw(stream_options *o, const char *file)
+{
+    toolpath_options how = planning_path(&o->p);
+    drawing d = { 0 }, smooth = { 0 };
+    talk t;
+
+    keys_hasty(true);
+    int code = planning_read(&o->p, &d, &smooth, file);
+    keys_hasty(false);
+    if (code == 0 && o->grbl)
+        code = draw_gcode(o, file, &smooth, &how);
+    else if (code == 0 && o->dry)
+        code = dry_run(o, file, &smooth);
+    else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
+        code = stream(o, file, &d, &smooth, &t);
+        talk_close(&t);
+    }
+    drawing_free(&smooth);
+    drawing_free(&d);
+    return code;
+}
+
+static int run(const tool_command *self, int argc, char **argv)
+{
+    stream_options o = { .baud = 115200, .wait = 5, .where = "host" };
+    int first, code  = planning_start(&o.p, argc, argv);
+
+    if (code != 0)
+        return code;
+    const tool_option options[] = {
+        TOOL_TEXT("port", "PORT", &o.port,
+                  "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)"),
+        TOOL_COUNT("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
+        TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
+        PLANNING_OPTIONS(&o.p),
+        TOOL_TEXT("plan", "WHERE", &o.where,
+                  "host: spans are sent; chip: curves are, and the machine plans (host)"),
+        TOOL_SWITCH("points", &o.points, "send sampled points, one per tick, instead of spans"),
+        TOOL_SWITCH(
+            "grbl", &o.grbl,
+            "send G-code to a controller of grbl's kind, which plans; with --dry-run print it"),
+        TOOL_SWITCH("g5", &o.g5,
+                    "with --grbl: curves as G5, for controllers that have it, in place of arcs"),
+        TOOL_SWITCH("dry-run", &o.dry, "plan for a usual machine, print a summary, move nothing"),
+        TOOL_TEXT("record", "FILE", &o.record,
+                  "the pulses that `loft simulate --record FILE` writes: measure the path error"),
+        TOOL_TEXT("log", "FILE", &o.log, "write what passes on the line, in words"),
+        TOOL_SWITCH("away", &o.away,
+                    "the drawing leads away from the limit switches that are closed now"),
+        TOOL_SWITCH("hold", &o.hold, "no FILE: slow down on the path and stop"),
+        TOOL_SWITCH("resume", &o.resume, "no FILE: go on"),
+        TOOL_SWITCH("abort", &o.abort, "no FILE: slow down on the path and end the job"),
+        TOOL_OPTIONS_END
+    };
+    code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (o.port == NULL && !o.dry)
+        return tool_error(EX_USAGE, "no --port: name the machine's port, or plan with --dry-run");
+
+    o.chip = strcmp(o.where, "chip") == 0;
+    if (!o.chip && strcmp(o.where, "host") != 0)
+        return tool_error(EX_USAGE, "--plan %s: give host or chip", o.where);
+    if (o.chip && o.points)
+        return tool_error(
+            EX_USAGE, "--points: a machine that plans takes curves: leave it, or give --plan host");
+
+    const bool controls = o.hold || o.resume || o.abort;
+    if (!controls && first + 1 != argc)
+        return tool_error(EX_USAGE, "%s: see `loft stream --help`",
+                          first < argc ? "more than one drawing"
+                                       : "no drawing: name an SVG or CSV file, or -");
+    if (o.hold + o.resume + o.abort > 1 || (controls && first < argc))
+        return tool_error(
+            EX_USAGE,
+            "--hold, --resume and --abort take nothing beside them: see `loft stream --help`");
+    if (o.port && !controls && strcmp(o.port, "-") == 0 && strcmp(argv[first], "-") == 0)
+        return tool_error(EX_USAGE,
+                          "both the drawing and the port are standard input: name one of them");
+    keys_start(!controls && !o.dry && strcmp(argv[first], "-") != 0 &&
+               (o.port == NULL || strcmp(o.port, "-") != 0));
+    return controls ? control(&o) : draw(&o, argv[first]);
+}
+
+const tool_command command_stream = {
+    "stream", "FILE --port PORT", "a drawing becomes motion: plan it and stream it to a machine",
+    "Keys while it runs: h holds, r resumes, a aborts, + and - change the override by 10 % "
+    "(10..200), 0 makes it 100 %,\n"
+    "s says where things are; ^C holds and leaves, twice leaves at once. The machine never leaves\n"
+    "the path. A job that was cut off goes on where the machine stopped when the same command is "
+    "run again.\n",
+    run
+};

@@ -1,0 +1,141 @@
+/* host-tools/draw/plot.h -- pictures: the drawing, its control polygons, curvature, what the
+ * machine drew, the error magnified
+ * SPDX-License-Identifier: MIT
+ *
+ *     plot.c        the picture: layers over each other, in mm
+ *     plot_shape.c  control polygons, knots and curvature combs
+ *     plot_frame.c  what stands around it: axes, title, legend, scale and colour bar
+ */
+#ifndef LOFT_PLOT_H
+#define LOFT_PLOT_H
+
+#include <cairo.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "read/drawing.h"
+#include "read/record.h"
+
+#define PLOT_NO_ERROR   (-1.0)
+#define PLOT_AUTO_ERROR 0.0
+#define PLOT_NO_COMB    (-1.0)
+#define PLOT_AUTO_COMB  0.0
+
+typedef struct {
+    const drawing *d;
+    const record *r;            /* NULL: none */
+    bool control;               /* draw the control polygons, and knots where curves are splines */
+    double comb;                /* mm of a comb's tooth per curvature of 1/mm; PLOT_AUTO_COMB,
+                                 * PLOT_NO_COMB */
+    double error;               /* how many times errors are magnified; PLOT_AUTO_ERROR,
+                                 * PLOT_NO_ERROR */
+    double part[4];             /* x, y, width, height in mm of what is shown; width 0:
+                                 * everything */
+    double size;                /* width: px of a PNG, mm of the others; 0: 1600 px, or true to
+                                 * scale */
+    const char *name;           /* of the drawing, for the title */
+    const char *output;         /* its ending decides: .png .svg .pdf */
+} plot_options;
+
+/* What a plot found out on its way. */
+typedef struct {
+    double worst, worst_point[2];       /* mm; the worst path error and where; without a record 0 */
+    double mean;                        /* mm                                                     */
+    size_t drawing_pulses;              /* with the pen down                                      */
+} plot_result;
+
+/* Draw. Gives 0, or a code of <sysexits.h> after printing one line. */
+int plot_draw(const plot_options *o, plot_result *result);
+
+
+// Between the files
+// -----------------
+
+/* A tooth of a comb: from the curve away from the centre of curvature. */
+typedef struct {
+    double foot[2], tip[2];
+    bool fresh;                 /* does not follow the one before it */
+} plot_tooth;
+
+/* Where mm are on the canvas, and what is shown. */
+typedef struct {
+    const plot_options *o;
+    cairo_t *cairo;
+    FILE *file;                 /* the picture; failed: what went wrong with it, of errno */
+    int failed;
+    double u;                   /* a thousandth of the canvas' width: unit of line widths and
+                                 * letters */
+    double width, height;       /* canvas */
+    double left, top, right, bottom;    /* the frame on the canvas */
+    double x0, y0, scale;       /* mm at its lower left corner; canvas units per mm */
+    double magnified;           /* by how much errors are; 0: they are not shown */
+    plot_tooth *tooth;
+    size_t teeth;
+    double comb;                /* mm per 1/mm; 0: no combs */
+    plot_result found;
+} plot_view;
+
+/* The colour of a share 0..1 of the worst error. */
+void plot_colour(double share, double rgb[3]);
+
+void plot_frame(plot_view *v);
+
+/* A stroke that grows point by point and changes its colour on the way: level 0..PLOT_LEVELS - 1.
+ * It ends with plot_brush_up. */
+#define PLOT_LEVELS 24
+typedef struct {
+    const plot_view *v;
+    double at[2];               /* mm */
+    int level;
+    bool open;
+} plot_brush;
+void plot_brush_to(plot_brush *b, const double to[2], int level);
+void plot_brush_up(plot_brush *b);
+
+/* Parts of frames: axes in mm; an entry of a legend at *x, y, which moves *x behind it; a bar of
+ * colours beside the frame, from 0 to `most`, and the words below it. */
+void plot_axes(const plot_view *v);
+void plot_entry(const plot_view *v, double *x, double y, const double rgb[3], double wide,
+                bool dashed, const char *words);
+void plot_bar(const plot_view *v, double most, const char *words);
+
+/* What frames are made of: a grey; text at (x, y), where align 0 starts, 1/2 is centred, 1 ends,
+ * which gives its width; a line; 1, 2 or 5 times a power of ten, so that `range` has about `count`
+ * steps; a number with the digits that a step needs; a file's name without its folders. */
+#define PLOT_SMALL 12.5         /* letters, in thousandths of the width */
+#define PLOT_LARGE 17.0
+void   plot_ink(const plot_view *v, double grey);
+double plot_text(const plot_view *v, double size, double x, double y, double align,
+                 const char *words);
+void   plot_line(const plot_view *v, double x0, double y0, double x1, double y1);
+double plot_step(double range, double count);
+
+/* A round length at the lower right, about a `parts`-th of the picture's width, at the height y. */
+void   plot_scale_bar(const plot_view *v, double y, double parts);
+void   plot_number(char *out, size_t size, double value, double step);
+const char *plot_base_name(const char *path);
+
+/* Begin a picture: v->cairo on a canvas of v->width x v->height, of what the ending of `output`
+ * says; is it one that is known, and is it a PNG? End it: gives an exit code after printing one
+ * line. `v` stays where it is between. */
+bool plot_known(const char *output, bool *png);
+cairo_surface_t *plot_begin(plot_view *v, const char *output);
+int  plot_end(plot_view *v, cairo_surface_t *canvas, const char *output);
+
+/* Where mm are on the canvas. */
+double plot_x(const plot_view *v, double x);
+double plot_y(const plot_view *v, double y);
+
+/* The smallest box around box and p. */
+void plot_join(double box[2][2], const double p[2]);
+
+/* The teeth of all combs, for curves within `box`; v->tooth is to be freed. */
+void plot_make_combs(plot_view *v, const double box[2][2]);
+
+/* Widen the box by what the layers below show. */
+void plot_shape_box(const plot_view *v, double box[2][2]);
+
+void plot_combs(const plot_view *v);
+void plot_control(const plot_view *v);
+
+#endif

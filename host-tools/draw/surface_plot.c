@@ -1,0 +1,117 @@
+/* host-tools/draw/surface_plot.c -- a picture of surfaces
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "draw/contour.h"    /* contour_heights */
+#include "base/source.h"     /* source_name */
+#include "draw/surface_plot.h"
+#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+
+#define PT_PER_MM (72 / 25.4)
+#define CELLS     60000         /* of the whole picture, about */
+
+static double value_of(enum surface_map map, const mesh_vertex *v)
+{
+    return map == MAP_GAUSS ? v->gauss : map == MAP_MEAN ? v->mean : mesh_bend(v);
+}
+
+/* The values of the map, to be freed. */
+static double *make_map(surface_view *s)
+{
+    const mesh *m = s->scene.m;
+    const double diameter = s->scene.diameter,
+                 flat = 1e-7 / (s->o->map == MAP_GAUSS ? diameter * diameter : diameter);
+    double *value;
+
+    if (s->o->map == MAP_NONE)
+        return NULL;
+    value = tool_grow(NULL, m->vertices * sizeof *value);
+    for (size_t i = 0; i < m->vertices; i++)
+        value[i] = value_of(s->o->map, &m->vertex[i]);
+    s->scene.value = value;
+    s->scene.scale.signs = s->o->map != MAP_LARGEST;
+    scene_scale_of(&s->scene.scale, value, m->vertices, flat);
+    return value;
+}
+
+static void add_lines(surface_view *s)
+{
+    const surface_options *o = s->o;
+
+    if (o->control)
+        scene_net(&s->scene, o->all);
+    if (o->contours > 0)
+        s->heights = contour_heights(s->scene.m, o->contours, s->height, SURFACE_HEIGHTS);
+    for (size_t i = 0; i < o->heights && i < SURFACE_HEIGHTS; i++)
+        s->height[s->heights++] = o->height[i];
+    for (size_t i = 0; i < s->heights; i++)
+        scene_contour(&s->scene, s->height[i]);
+    s->scene.plain = o->contours > 0 || o->heights > 0;
+}
+
+/* Margins in thousandths of the width; the picture is as high as it must, within limits. */
+static void lay_out(surface_view *s, bool vector)
+{
+    const double left = 40, right = s->o->map != MAP_NONE ? 150 : 40, above = 58, below = 104,
+                 room = 1000 - left - right;
+    const double wide = s->scene.seen[1][0] - s->scene.seen[0][0],
+                 high = s->scene.seen[1][1] - s->scene.seen[0][1];
+    plot_view *v = &s->v;
+
+    v->width = s->o->size > 0 ? s->o->size * (vector ? PT_PER_MM : 1)
+               : vector       ? 160 * PT_PER_MM
+                              : 1600;
+    v->u      = v->width / 1000;
+    v->left   = left * v->u;
+    v->right  = (left + room) * v->u;
+    v->top    = above * v->u;
+    v->bottom = v->top + fmax(high * fmin(room / wide, 620 / high), 260) * v->u;
+    v->height = v->bottom + below * v->u;
+    scene_fit(&s->scene, v);
+}
+
+static int draw(surface_view *s, bool png)
+{
+    lay_out(s, !png);
+    if (png && (s->v.width > 30000 || s->v.height > 30000))
+        return tool_error(EX_USAGE, "%s: %.0f x %.0f px are too many: give a smaller --size",
+                          s->o->output, s->v.width, s->v.height);
+    cairo_surface_t *canvas = plot_begin(&s->v, s->o->output);
+    cairo_set_source_rgb(s->v.cairo, 1, 1, 1);
+    cairo_paint(s->v.cairo);
+    scene_paint(&s->scene, &s->v);
+    scene_label(&s->scene, &s->v);
+    surface_frame(s);
+    return plot_end(&s->v, canvas, s->o->output);
+}
+
+int surface_plot(const surface_options *o)
+{
+    const double fair = sqrt((double)CELLS / (double)o->all->count);
+    const unsigned n = fair > 96 ? 96 : fair < 16 ? 16 : (unsigned)fair / 8 * 8;
+    mesh m = { 0 };
+    surface_view s = { .o = o,
+                       .scene = { .m = &m,
+                                  .wire = o->wire,
+                                  .azimuth = o->azimuth,
+                                  .elevation = o->elevation,
+                                  .distance = o->distance } };
+    bool png;
+
+    if (!plot_known(o->output, &png))
+        return tool_error(EX_USAGE, "%s: give a name that ends with .png, .svg or .pdf", o->output);
+    int code = mesh_make(&m, o->all, source_name(o->name), o->e, n, n / 8);
+    if (code == 0) {
+        add_lines(&s);
+        scene_look(&s.scene);
+        double *value = make_map(&s);
+        code = draw(&s, png);
+        free(value);
+    }
+    scene_free(&s.scene);
+    mesh_free(&m);
+    return code;
+}

@@ -1,0 +1,57 @@
+/* host-tools/draw/surface_plot.h -- a picture of surfaces: shaded, with parameter lines, control
+ * nets, contours, maps of curvature
+ * SPDX-License-Identifier: MIT
+ *
+ *     scene.c          the view, what hides what, shades and colours
+ *     scene_label.c    heights written on contours
+ *     surface_plot.c   one picture of all surfaces of a file
+ *     surface_frame.c  what stands around it: title, axes, legend, scale
+ */
+#ifndef LOFT_HOST_SURFACE_PLOT_H
+#define LOFT_HOST_SURFACE_PLOT_H
+
+#include "draw/scene.h"
+
+enum surface_map { MAP_NONE, MAP_GAUSS, MAP_MEAN, MAP_LARGEST };
+
+typedef struct {
+    const surfaces *all;
+    const char *name;           /* of the file, for the title */
+    const char *output;
+    const engine *e;
+    enum surface_map map;
+    bool control, wire;         /* control nets; parameter lines only, nothing hidden           */
+    unsigned contours;          /* lines of equal height, about so many at round heights        */
+    const double *height;       /* or at these                                                  */
+    size_t heights;
+    double azimuth, elevation;  /* degrees: from where it is seen, from +x towards +y, and up   */
+    double distance;            /* of the eye, in diameters of the surface; 0: endless          */
+    double size;                /* width: px of a PNG, mm of the others; 0: 1600 px, 160 mm     */
+} surface_options;
+
+/* Draw. Gives 0, or an exit code after printing one line. */
+int surface_plot(const surface_options *o);
+
+
+// Between the files
+// -----------------
+
+#define SURFACE_HEIGHTS 200
+
+typedef struct {
+    plot_view v;                /* canvas, frame, unit; scale: canvas units per mm in the middle */
+    const surface_options *o;
+    scene scene;
+    double height[SURFACE_HEIGHTS];     /* of the contours */
+    size_t heights;
+} surface_view;
+
+void surface_frame(const surface_view *s);
+
+/* The three directions as they are seen, around (x, y). */
+void surface_axes(const plot_view *v, const scene *s, double x, double y);
+
+/* What heights there are contours at, in words. */
+void surface_heights(char *out, size_t size, const double height[], size_t count);
+
+#endif

@@ -1,0 +1,161 @@
+/* host-tools/engine/curve.c -- kinds of curves: their names, their pieces and parameters, lists of
+ * them
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+
+#include "engine/curve.h"
+#include "base/tool.h"       /* tool_grow */
+
+static const char *const names[CURVE_KINDS] = {
+    "bezier",          "line",          "rational", "parabola", "hermite3", "hermite5", "cardinal",
+    "natural uniform", "natural chord", "bspline",  "nurbs",    "arc"
+};
+
+const char *curve_name(enum curve_kind kind)
+{
+    return names[kind];
+}
+
+bool curve_is_rational(const curve *c)
+{
+    return c->kind == CURVE_RATIONAL || c->kind == CURVE_NURBS;
+}
+
+bool curve_extends(const curve *c)
+{
+    return c->kind == CURVE_BEZIER || c->kind == CURVE_PARABOLA;
+}
+
+static bool has_knots(const curve *c)
+{
+    return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS;
+}
+
+
+// Pieces
+// ------
+
+/* Knots degree .. count of a B-spline bound its pieces; equal ones bound none. */
+static unsigned knot_pieces(const curve *c)
+{
+    unsigned pieces = 0;
+
+    for (unsigned i = c->degree; i < c->count; i++)
+        pieces += c->knot[i + 1] > c->knot[i];
+    return pieces;
+}
+
+static double knot_break(const curve *c, unsigned i)
+{
+    for (unsigned k = c->degree; k < c->count; k++)
+        if (c->knot[k + 1] > c->knot[k] && i-- == 0)
+            return c->knot[k];
+    return c->knot[c->count];
+}
+
+unsigned curve_pieces(const curve *c)
+{
+    switch (c->kind) {
+    case CURVE_BSPLINE: case CURVE_NURBS:
+        return knot_pieces(c);
+    case CURVE_CARDINAL:
+        return c->count - 3;
+    case CURVE_LINE: case CURVE_HERMITE3: case CURVE_HERMITE5: case CURVE_NATURAL: case CURVE_CHORD:
+        return c->count - 1;
+    default:
+        return 1;
+    }
+}
+
+double curve_break(const curve *c, unsigned i)
+{
+    if (has_knots(c))
+        return knot_break(c, i);
+    if (c->kind == CURVE_PARABOLA)
+        return c->point[i == 0 ? 0 : 2].w;
+    return i;
+}
+
+double curve_from(const curve *c)
+{
+    return has_knots(c) ? c->knot[c->degree] : curve_break(c, 0);
+}
+
+double curve_to(const curve *c)
+{
+    return has_knots(c) ? c->knot[c->count] : curve_break(c, curve_pieces(c));
+}
+
+/* The piece of a B-spline in which t lies, and its ends. */
+static unsigned knot_locate(const curve *c, long double t, double end[2])
+{
+    unsigned pieces = 0;
+
+    for (unsigned k = c->degree; k < c->count; k++)
+        if (c->knot[k + 1] > c->knot[k]) {
+            end[0] = c->knot[k];
+            end[1] = c->knot[k + 1];
+            pieces++;
+            if (t < (long double)end[1])
+                break;
+        }
+    return pieces - 1;
+}
+
+unsigned curve_locate(const curve *c, long double t, long double *local)
+{
+    const unsigned pieces = curve_pieces(c);
+    double end[2] = { 0, 1 };
+    unsigned i;
+
+    if (has_knots(c)) {
+        i = knot_locate(c, t, end);
+    } else {
+        i = pieces == 1 || !(t >= 1) ? 0 : t >= pieces ? pieces - 1 : (unsigned)t;
+        end[0] = curve_break(c, i);
+        end[1] = curve_break(c, i + 1);
+    }
+    *local = (t - (long double)end[0]) / ((long double)end[1] - (long double)end[0]);
+    return i;
+}
+
+
+// Lists
+// -----
+
+/* Room for one more, doubled when it is used up. */
+static void *room_for(void *list, size_t count, size_t each)
+{
+    return (count & (count - 1)) == 0 ? tool_grow(list, (count ? 2 * count : 1) * each) : list;
+}
+
+curve *curves_add(curves *all, enum curve_kind kind, unsigned line)
+{
+    all->curve = room_for(all->curve, all->count, sizeof *all->curve);
+    curve *c = &all->curve[all->count++];
+    *c = (curve){ .kind = kind, .line = line };
+    return c;
+}
+
+void curve_add_point(curve *c, const curve_point *p)
+{
+    c->point = room_for(c->point, c->count, sizeof *c->point);
+    c->point[c->count++] = *p;
+}
+
+void curve_add_knot(curve *c, double knot)
+{
+    c->knot = room_for(c->knot, c->knot_count, sizeof *c->knot);
+    c->knot[c->knot_count++] = knot;
+}
+
+void curves_free(curves *all)
+{
+    for (size_t i = 0; i < all->count; i++) {
+        free(all->curve[i].point);
+        free(all->curve[i].knot);
+    }
+    free(all->curve);
+    *all = (curves){ 0 };
+}

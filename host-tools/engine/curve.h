@@ -1,0 +1,99 @@
+/* host-tools/engine/curve.h -- any kind of curve, as it stands in a file: points with what belongs
+ * to them
+ * SPDX-License-Identifier: MIT
+ *
+ *     curve.c       the kinds, their parameters, the list
+ *     curve_read.c  files told apart: SVG, eight numbers per line, control points, .loft
+ *     curve_text.c  the text format .loft (LOFT.md)
+ *     piece.h       what a curve becomes: Bezier pieces
+ *     reference.h   its definition in long double
+ *
+ * A curve runs over its own parameter, from curve_from to curve_to: 0..1 for Bezier curves and
+ * arcs, 0..n over n pieces of a spline, the parameters given for a parabola, the knots for a
+ * B-spline.
+ */
+#ifndef LOFT_HOST_CURVE_H
+#define LOFT_HOST_CURVE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define CURVE_AXES       3
+#define CURVE_DEGREE_MAX 9          /* of the library */
+#define CURVE_POINTS_MAX 4000000    /* of a curve in a file                       */
+#define CURVE_HUNG_MAX   32000      /* of B-splines: LOFT_KNOTS_POINTS_MAX        */
+
+enum curve_kind {
+    CURVE_BEZIER,
+    CURVE_LINE,
+    CURVE_RATIONAL,
+    CURVE_PARABOLA,
+    CURVE_HERMITE3,
+    CURVE_HERMITE5,
+    CURVE_CARDINAL,
+    CURVE_NATURAL,
+    CURVE_CHORD,
+    CURVE_BSPLINE,
+    CURVE_NURBS,
+    CURVE_ARC,
+    CURVE_KINDS
+};
+
+/* A point and what stands behind it. */
+typedef struct {
+    double p[CURVE_AXES];       /* arc: start, centre, end                                      */
+    double d[2][CURVE_AXES];    /* hermite3: the first derivative; hermite5: the second as well */
+    double w;                   /* rational, nurbs: the weight; parabola: its parameter         */
+} curve_point;
+
+typedef struct curve {
+    enum curve_kind kind;
+    unsigned degree;            /* of the pieces                                                */
+    double tension;             /* cardinal                                                     */
+    int turns;                  /* arc: > 0 left about, counterclockwise; 2: once round and on  */
+    curve_point *point;
+    unsigned count;
+    double *knot;               /* bspline, nurbs: count + degree + 1 of them                   */
+    unsigned knot_count;
+    unsigned line;              /* where it starts in the file                                  */
+} curve;
+
+typedef struct curves {
+    curve *curve;
+    size_t count;
+    bool solid;                 /* some point has a z */
+} curves;
+
+const char *curve_name(enum curve_kind kind);
+
+/* Does it have weights? Is it a single Bezier curve, which goes on beyond its ends? */
+bool curve_is_rational(const curve *c);
+bool curve_extends(const curve *c);
+
+/* The pieces in which it is one polynomial (or rational), and where piece i starts; piece `pieces`
+ * is the end. */
+unsigned curve_pieces(const curve *c);
+double   curve_break(const curve *c, unsigned i);
+double   curve_from(const curve *c);
+double   curve_to(const curve *c);
+
+/* The piece in which t lies, the last one at the end, and how far into it: 0..1, or beyond at the
+ * outer ends. */
+unsigned curve_locate(const curve *c, long double t, long double *local);
+
+/* Append to the list a curve without points, or to the last curve a point. */
+curve *curves_add(curves *all, enum curve_kind kind, unsigned line);
+void   curve_add_point(curve *c, const curve_point *p);
+void   curve_add_knot(curve *c, double knot);
+void   curves_free(curves *all);
+
+/* Read `file` ("-" is standard input) or, if `text` is not NULL, the control points of one Bezier
+ * curve in it: "0,0 1,2 3,0". Gives 0 or an exit code after printing one line. `*all` must be
+ * zeroed. */
+int curves_read(curves *all, const char *file, const char *text);
+
+/* The text format: is it one, and what it holds. */
+bool curves_is_text(const char *file, const char *text);
+int  curves_read_text(curves *all, const char *file, const char *text);
+
+#endif

@@ -1,0 +1,397 @@
+/* host-tools/engine/engine_curve.c -- curves of every kind through the library; compiled once per
+ * number type
+ * SPDX-License-Identifier: MIT
+ *
+ * A curve is opened: its points are rounded to the number type, what it needs is prepared. Each
+ * piece is then a Bezier curve of the library, by the library's own conversion; points come from
+ * the function that evaluates that kind.
+ */
+#include <float.h>
+#include <stdlib.h>
+
+#include "basis/interp.h"           /* loft_parabola */
+#include "curve/bezier.h"           /* loft_bezier */
+#include "curve/bspline.h"          /* loft_bspline */
+#include "curve/cardinal.h"         /* loft_cardinal_eval */
+#include "curve/circle.h"           /* loft_circle */
+#include "curve/hermite.h"          /* loft_hermite */
+#include "curve/natural.h"          /* loft_natural */
+#include "curve/nurbs.h"            /* loft_nurbs */
+#include "curve/parabola.h"         /* loft_bezier_from_parabola */
+#include "curve/rational.h"         /* loft_rational */
+
+#include "engine/curve.h"
+#include "engine/engine_num.h"     /* real_of, vec_of, point_of */
+#include "engine/piece.h"
+#include "base/tool.h"           /* tool_grow */
+
+#define ARC_TOL 1e-4    /* mm; how far the cubics of an arc may leave it */
+
+struct engine_curve {
+    const curve *c;
+    loft_vec *p;
+    loft_real *w;                   /* weights; of a parabola: its parameters */
+    loft_weighted *weighted;        /* both                                   */
+    loft_vec (*d)[2];
+    loft_unit tension;
+    loft_natural natural;
+    loft_natural_knot *memory;      /* of `natural` */
+    loft_real *knot;
+    loft_bspline bspline;
+    loft_nurbs nurbs;
+    unsigned *before;               /* B-splines: for each span the one before it, as the library
+                                     * counts them; 0 first */
+    loft_circle circle;
+    loft_cubic *cubic;              /* of an arc: its spans */
+    unsigned spans;                 /* of B-splines and arcs */
+};
+
+/* A piece in the number type. */
+typedef struct {
+    loft_vec p[LOFT_DEGREE_MAX + 1];
+    loft_weighted weighted[LOFT_DEGREE_MAX + 1];
+    unsigned degree;
+    bool rational;
+} part;
+
+
+// Open and close
+// --------------
+
+static void curve_close(engine_curve *e)
+{
+    free(e->p);
+    free(e->w);
+    free(e->weighted);
+    free(e->d);
+    free(e->memory);
+    free(e->knot);
+    free(e->before);
+    free(e->cubic);
+    free(e);
+}
+
+/* What stands in the file, in the number type. */
+static int hold(engine_curve *e)
+{
+    const curve *c = e->c;
+
+    e->p = tool_grow(NULL, c->count * sizeof *e->p);
+    e->w = tool_grow(NULL, c->count * sizeof *e->w);
+    e->weighted = tool_grow(NULL, c->count * sizeof *e->weighted);
+    e->d = tool_grow(NULL, c->count * sizeof *e->d);
+    for (unsigned i = 0; i < c->count; i++) {
+        if (!vec_of(c->point[i].p, &e->p[i]) || !vec_of(c->point[i].d[0], &e->d[i][0]) ||
+            !vec_of(c->point[i].d[1], &e->d[i][1]) || !real_of(c->point[i].w, &e->w[i]))
+            return LOFT_ERR_RANGE;
+        e->weighted[i] = (loft_weighted){ e->p[i], e->w[i] };
+    }
+    e->knot = tool_grow(NULL, c->knot_count * sizeof *e->knot);
+    for (unsigned i = 0; i < c->knot_count; i++)
+        if (!real_of(c->knot[i], &e->knot[i]))
+            return LOFT_ERR_RANGE;
+    e->tension = LOFT_UNIT(c->tension);
+    return LOFT_OK;
+}
+
+static void list_spans(engine_curve *e, const loft_knots *knots)
+{
+    e->before = tool_grow(NULL, e->c->count * sizeof *e->before);
+    for (unsigned span = 0; ; ) {
+        const unsigned before = span;
+        span = loft_knots_next(knots, span);
+        if (span == 0)
+            break;
+        e->before[e->spans++] = before;
+    }
+}
+
+/* In floats no less than what their step is there. */
+static double arc_tolerance(const engine_curve *e)
+{
+    const double step = LOFT_REAL_LSB > 0                     ? 0
+                        : sizeof(loft_real) == sizeof(double) ? DBL_EPSILON
+                                                              : (double)FLT_EPSILON;
+    double largest = 0;
+
+    for (unsigned k = 0; k < 3; k++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            largest = fmax(largest, fabs(e->c->point[k].p[i]));
+    return fmax(ARC_TOL, 16 * step * largest);
+}
+
+static int prepare_arc(engine_curve *e)
+{
+    loft_circle_spans s;
+    int status = loft_circle_from_centre(&e->circle, e->p[0], e->p[2], LOFT_PLANE_XY, e->p[1],
+                                         e->c->turns);
+
+    if (status == LOFT_OK)
+        status = loft_circle_spans_init(&s, &e->circle, LOFT_CIRCLE_CUBIC,
+                                        LOFT_REAL(arc_tolerance(e)));
+    if (status != LOFT_OK)
+        return status;
+    e->cubic = tool_grow(NULL, s.n * sizeof *e->cubic);
+    while (loft_circle_spans_next(&s, &e->cubic[e->spans]))
+        e->spans++;
+    return LOFT_OK;
+}
+
+static int prepare(engine_curve *e)
+{
+    const curve *c = e->c;
+    int status = hold(e);
+
+    if (status != LOFT_OK)
+        return status;
+    switch (c->kind) {
+    case CURVE_NATURAL: case CURVE_CHORD:
+        e->memory = tool_grow(NULL, c->count * sizeof *e->memory);
+        return loft_natural_init(&e->natural, e->p, c->count,
+                                 c->kind == CURVE_CHORD ? LOFT_CHORD : LOFT_UNIFORM, e->memory);
+    case CURVE_BSPLINE:
+        status = loft_bspline_init(&e->bspline, e->p, c->count, e->knot, c->degree);
+        if (status == LOFT_OK)
+            list_spans(e, &e->bspline.knots);
+        return status;
+    case CURVE_NURBS:
+        status = loft_nurbs_init(&e->nurbs, e->weighted, c->count, e->knot, c->degree);
+        if (status == LOFT_OK)
+            list_spans(e, &e->nurbs.knots);
+        return status;
+    case CURVE_ARC:
+        return prepare_arc(e);
+    default:
+        return LOFT_OK;
+    }
+}
+
+static int curve_open(const curve *c, engine_curve **out)
+{
+    engine_curve *e = tool_grow(NULL, sizeof *e);
+
+    *e = (engine_curve){ .c = c };
+    const int status = prepare(e);
+    if (status != LOFT_OK)
+        curve_close(e);
+    else
+        *out = e;
+    return status;
+}
+
+
+// Pieces
+// ------
+
+static void take(const engine_curve *e, unsigned first, part *out)
+{
+    for (unsigned k = 0; k <= out->degree; k++) {
+        out->p[k] = e->p[first + k];
+        out->weighted[k] = e->weighted[first + k];
+    }
+}
+
+static loft_hermite hermite_of(const engine_curve *e, unsigned i)
+{
+    return (loft_hermite){ e->p[i], e->p[i + 1], e->d[i][0], e->d[i + 1][0] };
+}
+
+static loft_hermite5 hermite5_of(const engine_curve *e, unsigned i)
+{
+    return (loft_hermite5){ e->p[i],        e->p[i + 1], e->d[i][0],
+                            e->d[i + 1][0], e->d[i][1],  e->d[i + 1][1] };
+}
+
+/* What the library makes of it: a cubic. */
+static int cubic_of(const engine_curve *e, unsigned i, loft_cubic *out)
+{
+    const loft_hermite h = e->c->kind == CURVE_HERMITE3 ? hermite_of(e, i)
+                                                        : (loft_hermite){ .p0 = e->p[0] };
+
+    switch (e->c->kind) {
+    case CURVE_HERMITE3: return loft_cubic_from_hermite(&h, out);
+    case CURVE_CARDINAL: return loft_cubic_from_cardinal(&e->p[i], e->tension, out);
+    case CURVE_ARC:      *out = e->cubic[i]; return LOFT_OK;
+    default:             return loft_cubic_from_natural(&e->natural, i, out);
+    }
+}
+
+static int part_of(const engine_curve *e, unsigned i, part *out)
+{
+    loft_hermite5 h;
+    loft_cubic cubic;
+    unsigned span;
+    int status;
+
+    out->degree   = e->c->degree;
+    out->rational = curve_is_rational(e->c);
+    switch (e->c->kind) {
+    case CURVE_BEZIER: case CURVE_RATIONAL:
+        take(e, 0, out);
+        return LOFT_OK;
+    case CURVE_LINE:
+        take(e, i, out);
+        return LOFT_OK;
+    case CURVE_PARABOLA:
+        return loft_bezier_from_parabola(e->w, e->p, e->w[0], e->w[2], out->p);
+    case CURVE_HERMITE5:
+        h = hermite5_of(e, i);
+        return loft_bezier_from_hermite5(&h, out->p);
+    case CURVE_HERMITE3: case CURVE_CARDINAL: case CURVE_NATURAL: case CURVE_CHORD: case CURVE_ARC:
+        status = cubic_of(e, i, &cubic);
+        for (int k = 0; k < 4; k++)
+            out->p[k] = cubic.p[k];
+        return status;
+    case CURVE_BSPLINE:
+        span = e->before[i];
+        return loft_bspline_next(&e->bspline, &span, out->p) ? LOFT_OK : LOFT_ERR_ARG;
+    case CURVE_NURBS:
+        span = e->before[i];
+        return loft_nurbs_next(&e->nurbs, &span, out->weighted) ? LOFT_OK : LOFT_ERR_ARG;
+    default:
+        return LOFT_ERR_ARG;
+    }
+}
+
+static unsigned curve_count(const engine_curve *e)
+{
+    return e->spans ? e->spans : curve_pieces(e->c);
+}
+
+static int curve_piece(engine_curve *e, unsigned i, piece *out)
+{
+    part s;
+    const int status = part_of(e, i, &s);
+
+    out->degree = e->c->degree;
+    for (unsigned k = 0; status == LOFT_OK && k <= s.degree; k++) {
+        point_of(s.rational ? s.weighted[k].p : s.p[k], out->p[k]);
+        out->w[k] = s.rational ? double_of(s.weighted[k].w) : 1;
+    }
+    return status;
+}
+
+
+// Points
+// ------
+
+static int eval_bezier(const loft_vec p[], unsigned degree, double t, loft_vec *out)
+{
+    loft_bezier b;
+    const int status = loft_bezier_init(&b, p, degree);
+
+    if (status != LOFT_OK)
+        return status;
+    if (!(t >= 0 && t <= 1))
+        return fabs(t) < 127 ? loft_bezier_extend(&b, LOFT_UNIT(t), out) : LOFT_ERR_RANGE;
+    *out = loft_bezier_eval(&b, LOFT_UNIT(t));
+    return LOFT_OK;
+}
+
+static int eval_rational(const loft_weighted p[], unsigned degree, double t, loft_vec *out)
+{
+    loft_rational r;
+    const int status = loft_rational_init(&r, p, degree);
+
+    if (status == LOFT_OK)
+        *out = loft_rational_eval(&r, LOFT_UNIT(t));
+    return status;
+}
+
+static int eval_parabola(const engine_curve *e, double t, loft_vec *out)
+{
+    int status = LOFT_OK;
+    loft_real at;
+
+    if (!real_of(t, &at))
+        return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES && status == LOFT_OK; i++) {
+        const loft_real f[3] = { e->p[0].axis[i], e->p[1].axis[i], e->p[2].axis[i] };
+        loft_parabola p;
+        status = loft_parabola_init(&p, e->w, f);
+        if (status == LOFT_OK)
+            status = loft_parabola_eval(&p, at, &out->axis[i]);
+    }
+    return status;
+}
+
+static int eval_part(const engine_curve *e, unsigned i, double t, loft_vec *out)
+{
+    part s;
+    const int status = part_of(e, i, &s);
+
+    if (status != LOFT_OK)
+        return status;
+    return s.rational ? eval_rational(s.weighted, s.degree, t, out)
+                      : eval_bezier(s.p, s.degree, t, out);
+}
+
+/* At `local` within piece i, by the function that evaluates this kind. */
+static int eval_at(const engine_curve *e, unsigned i, double local, loft_vec *out)
+{
+    loft_hermite h;
+    loft_hermite5 h5;
+
+    switch (e->c->kind) {
+    case CURVE_HERMITE3:
+        h = hermite_of(e, i);
+        return loft_hermite_eval(&h, LOFT_UNIT(local), out);
+    case CURVE_HERMITE5:
+        h5 = hermite5_of(e, i);
+        return loft_hermite5_eval(&h5, LOFT_UNIT(local), out);
+    case CURVE_CARDINAL:
+        return loft_cardinal_eval(&e->p[i], e->tension, LOFT_UNIT(local), out);
+    case CURVE_NATURAL: case CURVE_CHORD:
+        return loft_natural_eval(&e->natural, i, LOFT_UNIT(local), out);
+    case CURVE_ARC:
+        return loft_circle_eval(&e->circle, LOFT_UNIT(local), out);
+    default:
+        return eval_part(e, i, local, out);
+    }
+}
+
+static int eval_bspline(const engine_curve *e, double t, loft_vec *out)
+{
+    loft_real u;
+
+    if (!real_of(t, &u))
+        return LOFT_ERR_RANGE;
+    *out = e->c->kind == CURVE_NURBS ? loft_nurbs_eval(&e->nurbs, u)
+                                     : loft_bspline_eval(&e->bspline, u);
+    return LOFT_OK;
+}
+
+static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
+{
+    const bool inside = t >= curve_from(e->c) && t <= curve_to(e->c);
+    long double local;
+    unsigned i;
+    loft_vec at;
+    int status;
+
+    if (!inside && !curve_extends(e->c))
+        return LOFT_ERR_ARG;
+    switch (e->c->kind) {
+    case CURVE_PARABOLA:
+        status = eval_parabola(e, t, &at);
+        break;
+    case CURVE_BSPLINE: case CURVE_NURBS:
+        status = eval_bspline(e, t, &at);
+        break;
+    default:
+        i = curve_locate(e->c, (long double)t, &local);
+        status = eval_at(e, i, (double)local, &at);
+        break;
+    }
+    if (status == LOFT_OK)
+        point_of(at, out);
+    return status;
+}
+
+const engine_curves ENGINE_OF(engine_curves) = {
+    .open   = curve_open,
+    .close  = curve_close,
+    .eval   = curve_eval,
+    .pieces = curve_count,
+    .piece  = curve_piece
+};

@@ -1,0 +1,91 @@
+/* host-tools/engine/engine_num.h -- doubles in and out of the number type that is being compiled
+ * SPDX-License-Identifier: MIT
+ *
+ * For the files that are compiled once per number type. Numbers are made and read through
+ * LOFT_REAL(1), the raw value of 1, so those files do not know which type it is.
+ */
+#ifndef LOFT_ENGINE_NUM_H
+#define LOFT_ENGINE_NUM_H
+
+#include <math.h>
+
+#include "geom/vec.h"       /* loft_vec */
+#include "surface/local.h"  /* loft_local_curvatures */
+
+#include "engine/engine.h"
+
+#define ENGINE_ONE ((double)LOFT_REAL(1.0))
+
+#define ENGINE_OF_(name, tag) name ## _ ## tag
+#define ENGINE_OF__(name, tag) ENGINE_OF_(name, tag)
+#define ENGINE_OF(name)       ENGINE_OF__(name, LOFT_TAG)
+
+typedef char engine_axes_agree[LOFT_AXES == ENGINE_AXES ? 1 : -1];
+
+static inline bool real_of(double x, loft_real *out)
+{
+    if (!(fabs(x) * ENGINE_ONE <= (double)LOFT_REAL_MAX))
+        return false;
+    *out = LOFT_REAL(x);
+    return true;
+}
+
+/* A tolerance, never more than said. */
+static inline bool tol_of(double x, loft_real *out)
+{
+    if (!real_of(x, out))
+        return false;
+    *out -= (double)*out / ENGINE_ONE > x ? LOFT_REAL_LSB : 0;
+    return true;
+}
+
+static inline bool vec_of(const double point[ENGINE_AXES], loft_vec *out)
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        if (!real_of(point[i], &out->axis[i]))
+            return false;
+    return true;
+}
+
+static inline bool vecs_of(const double p[][ENGINE_AXES], unsigned count, loft_vec out[])
+{
+    for (unsigned i = 0; i < count; i++)
+        if (!vec_of(p[i], &out[i]))
+            return false;
+    return true;
+}
+
+static inline double double_of(loft_real x)
+{
+    return (double)x / ENGINE_ONE;
+}
+
+static inline double double_of_acc(loft_acc x)
+{
+    return (double)x / (double)loft_wide(LOFT_REAL(1.0));
+}
+
+static inline void point_of(loft_vec v, double out[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = double_of(v.axis[i]);
+}
+
+/* Normal and curvatures of what the library found at a place. */
+static inline int look_of(const loft_local *here, engine_look *out)
+{
+    loft_curvatures k;
+    loft_vec normal;
+    int status = loft_local_normal(here, &normal);
+
+    if (status == LOFT_OK)
+        status = loft_local_curvatures(here, &k);
+    if (status != LOFT_OK)
+        return status;
+    point_of(normal, out->normal);
+    out->gauss = double_of_acc(k.gauss);
+    out->mean  = double_of_acc(k.mean);
+    return LOFT_OK;
+}
+
+#endif

@@ -1,0 +1,154 @@
+/* host-tools/engine/engine_plan.c -- moves become spans, one at a time
+ * SPDX-License-Identifier: MIT
+ *
+ * Compiled once per number type. What comes out depends on when moves are pushed: always as many
+ * as there is room for, then spans until the plan waits. So it is the same however long the
+ * caller pauses between two steps.
+ */
+#include <stdlib.h>
+
+#include "motion/plan.h"    /* loft_plan */
+
+#include "engine/engine_num.h"     /* real_of, vecs_of, double_of */
+#include "base/tool.h"           /* tool_grow */
+
+enum { MOVES = 512, PIECES = MOVES * LOFT_PLAN_PIECES };
+
+struct engine_plan {
+    engine_move_source *source;
+    void *context;
+    size_t count, next;             /* moves, and those that were pushed  */
+    size_t passed;                  /* those behind the end of the last span */
+    bool pushing;
+    loft_plan plan;
+    loft_move ring[MOVES];
+    loft_plan_piece pieces[PIECES];
+};
+
+static bool limits_of(const engine_limits *from, loft_limits *out)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        if (!real_of(from->max_speed[i], &out->max_speed[i])
+            || !real_of(from->max_accel[i], &out->max_accel[i])
+            || !(from->max_jerk[i] >= 0 && from->max_jerk[i] <= UINT32_MAX))
+            return false;
+        out->max_jerk[i] = (uint32_t)lround(from->max_jerk[i]);
+    }
+    out->tick_hz = (uint16_t)from->tick_hz;
+    return from->tick_hz <= UINT16_MAX && real_of(from->max_across, &out->max_across)
+        && real_of(from->corner, &out->corner) && real_of(from->tol, &out->tol);
+}
+
+static bool move_of(const engine_plan *p, size_t n, loft_move *out)
+{
+    engine_move move;
+
+    p->source(p->context, n, &move);
+    return vecs_of((const double(*)[ENGINE_AXES])move.p, 4, out->curve.p)
+        && real_of(move.feed, &out->feed);
+}
+
+/* Nothing may be refused later, when the machine is moving: look at all moves now. */
+static bool moves_fit(const engine_plan *p)
+{
+    loft_move move;
+    loft_vec end;
+
+    for (size_t n = 0; n < p->count; n++) {
+        if (!move_of(p, n, &move) || move.feed < LOFT_SPEED_MIN || move.feed > LOFT_SPEED_MAX
+            || (n > 0 && !loft_vec_equal(move.curve.p[0], end)))
+            return false;
+        for (int k = 0; k < 4; k++)
+            if (!loft_vec_within(move.curve.p[k], LOFT_PLAN_REACH))
+                return false;
+        end = move.curve.p[3];
+    }
+    return true;
+}
+
+static int plan_open(const engine_limits *limits, engine_move_source *source, void *context,
+                     size_t count, engine_plan **out)
+{
+    loft_limits within;
+
+    *out = NULL;
+    if (count == 0 || !limits_of(limits, &within))
+        return count == 0 ? LOFT_ERR_ARG : LOFT_ERR_RANGE;
+    engine_plan *p = tool_grow(NULL, sizeof *p);
+    p->source  = source;
+    p->context = context;
+    p->count   = count;
+    p->next    = p->passed = 0;
+    p->pushing = true;
+    int status = LOFT_ERR_RANGE;
+    if (moves_fit(p))
+        status = loft_plan_init(&p->plan, &within, p->ring, MOVES, p->pieces, PIECES);
+    if (status == LOFT_OK)
+        *out = p;
+    else
+        free(p);
+    return status;
+}
+
+/* Push a move, or the end behind the last one. */
+static int push(engine_plan *p)
+{
+    loft_move move;
+
+    if (p->next == p->count) {
+        loft_plan_end(&p->plan);
+        p->pushing = false;
+        return ENGINE_PLAN_BUSY;
+    }
+    if (!move_of(p, p->next, &move))
+        return LOFT_ERR_RANGE;
+    const int status = loft_plan_push(&p->plan, &move);
+    if (status == LOFT_ERR_SPACE)
+        p->pushing = false;
+    else if (status != LOFT_OK)
+        return status;
+    else
+        p->next++;
+    return ENGINE_PLAN_BUSY;
+}
+
+/* A span as the wire carries it: raw Q16.16, whatever the type it was planned in. */
+static void raw_of(const loft_span *s, engine_span *out)
+{
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            out->p[k][i] = (int32_t)lround(double_of(s->p[k].axis[i]) * 65536.0);
+    out->ticks = s->ticks;
+}
+
+static int plan_step(engine_plan *p, engine_span *out)
+{
+    loft_span span;
+
+    if (p->pushing)
+        return push(p);
+    if (loft_plan_next(&p->plan, &span) != LOFT_PLAN_SPAN) {
+        p->pushing = p->next < p->count;
+        return p->pushing ? ENGINE_PLAN_BUSY : ENGINE_PLAN_DONE;
+    }
+    raw_of(&span, out);
+    p->passed += (uint16_t)(loft_plan_passed(&p->plan) - (uint16_t)p->passed);
+    return ENGINE_PLAN_SPAN;
+}
+
+static size_t plan_passed(const engine_plan *p)
+{
+    return p->passed;
+}
+
+static void plan_close(engine_plan *p)
+{
+    free(p);
+}
+
+const engine_plans ENGINE_OF(engine_plans) = {
+    .open   = plan_open,
+    .step   = plan_step,
+    .passed = plan_passed,
+    .close  = plan_close
+};

@@ -1,0 +1,390 @@
+/* host-tools/engine/engine_surface.c -- surfaces of every kind through the library; compiled once
+ * per number type
+ * SPDX-License-Identifier: MIT
+ *
+ * A surface is opened: its points are rounded to the number type, what it needs is prepared. Points
+ * come from the function of the library that evaluates that kind.
+ */
+#include <stdlib.h>
+
+#include "polygon/round.h"              /* loft_round */
+#include "surface/tensor/bicubic.h"            /* loft_bicubic */
+#include "surface/contour.h"            /* loft_contour */
+#include "surface/tensor/coons.h"              /* loft_coons_bezier */
+#include "surface/local.h"              /* loft_local */
+#include "surface/octant.h"             /* loft_octant_from_radius */
+#include "surface/pn.h"                 /* loft_pn */
+#include "surface/sphere.h"             /* loft_sphere */
+#include "surface/tensor/tensor.h"             /* loft_tensor */
+#include "surface/tensor/tensor_rational.h"    /* loft_tensor_rational */
+#include "surface/triangle/triangle.h"           /* loft_triangle */
+#include "surface/triangle/triangle_rational.h"  /* loft_triangle_rational */
+
+#include "engine/engine_num.h"     /* real_of, vec_of, point_of */
+#include "engine/engine_sided.h"
+#include "engine/surface.h"
+#include "base/tool.h"           /* tool_grow */
+
+#define OCTANT_POINTS 15
+
+/* One of the library's; which says the kind. */
+struct engine_surface {
+    const surface *s;
+    engine_sided *sided;        /* with n sides, and then nothing else */
+    loft_vec *p;
+    loft_weighted *weighted;
+    union {
+        loft_tensor tensor;
+        loft_tensor_rational tensor_rational;
+        loft_triangle triangle;
+        loft_triangle_rational triangle_rational;
+        loft_coons_bezier coons;
+        loft_bicubic bicubic;
+        loft_pn pn;
+        loft_sphere sphere;
+    } as;
+};
+
+
+// Open and close
+// --------------
+
+static void surface_close(engine_surface *e)
+{
+    if (e->sided)
+        ENGINE_OF(engine_sides).close(e->sided);
+    free(e->p);
+    free(e->weighted);
+    free(e);
+}
+
+static int hold(engine_surface *e)
+{
+    const surface *s = e->s;
+    const unsigned room = s->count > OCTANT_POINTS ? s->count : OCTANT_POINTS;
+
+    e->p = tool_grow(NULL, room * sizeof *e->p);
+    e->weighted = tool_grow(NULL, room * sizeof *e->weighted);
+    for (unsigned i = 0; i < s->count; i++) {
+        if (!vec_of(s->point[i].p, &e->p[i]) || !real_of(s->point[i].w, &e->weighted[i].w))
+            return LOFT_ERR_RANGE;
+        e->weighted[i].p = e->p[i];
+    }
+    return LOFT_OK;
+}
+
+/* First 2 orders curves along u, then those along v. */
+static int prepare_coons(engine_surface *e)
+{
+    const surface *s = e->s;
+    loft_bezier u[LOFT_COONS_ORDERS][2], v[LOFT_COONS_ORDERS][2];
+    int status = LOFT_OK;
+
+    for (unsigned k = 0; k < 2 * s->orders && status == LOFT_OK; k++) {
+        status = loft_bezier_init(&u[k / 2][k % 2], e->p + k * (s->m + 1), s->m);
+        if (status == LOFT_OK)
+            status = loft_bezier_init(&v[k / 2][k % 2],
+                                      e->p + 2 * s->orders * (s->m + 1) + k * (s->n + 1), s->n);
+    }
+    return status ? status
+                  : (int)loft_coons_bezier_init(&e->as.coons, (const loft_bezier(*)[2])u,
+                                                (const loft_bezier(*)[2])v, s->orders, 0);
+}
+
+static int prepare_pn(engine_surface *e)
+{
+    loft_vec normal[3];
+
+    for (int k = 0; k < 3; k++)
+        if (!vec_of(e->s->point[k].d, &normal[k]))
+            return LOFT_ERR_RANGE;
+    return loft_pn_init(&e->as.pn, e->p, normal);
+}
+
+/* The library's octant has its centre at 0. */
+static int prepare_octant(engine_surface *e)
+{
+    loft_real radius;
+    double point[ENGINE_AXES];
+
+    if (!real_of(e->s->radius, &radius))
+        return LOFT_ERR_RANGE;
+    const int status = loft_octant_from_radius(radius, e->weighted);
+    for (int k = 0; k < OCTANT_POINTS && status == LOFT_OK; k++) {
+        point_of(e->weighted[k].p, point);
+        for (int i = 0; i < ENGINE_AXES; i++)
+            point[i] += double_of(e->p[0].axis[i]);
+        if (!vec_of(point, &e->weighted[k].p))
+            return LOFT_ERR_RANGE;
+    }
+    return status ? status
+                  : (int)loft_triangle_rational_init(&e->as.triangle_rational, e->weighted, 4);
+}
+
+static int prepare_sphere(engine_surface *e)
+{
+    e->as.sphere.centre = e->p[0];
+    return real_of(e->s->radius, &e->as.sphere.radius) ? LOFT_OK : LOFT_ERR_RANGE;
+}
+
+static int prepare(engine_surface *e)
+{
+    const surface *s = e->s;
+    const int status = hold(e);
+
+    if (status != LOFT_OK)
+        return status;
+    switch (s->kind) {
+    case SURFACE_TENSOR:
+        return s->rational
+                   ? (int)loft_tensor_rational_init(&e->as.tensor_rational, e->weighted, s->m, s->n)
+                   : (int)loft_tensor_init(&e->as.tensor, e->p, s->m, s->n);
+    case SURFACE_TRIANGLE:
+        return s->rational
+                   ? (int)loft_triangle_rational_init(&e->as.triangle_rational, e->weighted, s->m)
+                   : (int)loft_triangle_init(&e->as.triangle, e->p, s->m);
+    case SURFACE_COONS:  return prepare_coons(e);
+    case SURFACE_PN:     return prepare_pn(e);
+    case SURFACE_OCTANT: return prepare_octant(e);
+    case SURFACE_SPHERE: return prepare_sphere(e);
+    default:
+        for (int k = 0; k < 16; k++)
+            e->as.bicubic.at[k / 4][k % 4] = e->p[k];
+        return LOFT_OK;
+    }
+}
+
+static int surface_open(const surface *s, engine_surface **out)
+{
+    engine_surface *e = tool_grow(NULL, sizeof *e);
+
+    *e = (engine_surface){ .s = s };
+    const int status = surface_is_sided(s) ? ENGINE_OF(engine_sides).open(s, &e->sided)
+                                           : prepare(e);
+    if (status != LOFT_OK)
+        surface_close(e);
+    else
+        *out = e;
+    return status;
+}
+
+
+// Points
+// ------
+
+/* The parameters of a sphere are angles in degrees. */
+static int eval_sphere(const engine_surface *e, double u, double v, loft_vec *out)
+{
+    return loft_sphere_eval(&e->as.sphere, LOFT_REAL(360 * v), LOFT_REAL(180 * u), out);
+}
+
+static int eval_triangle(const engine_surface *e, double u, double v, loft_vec *out)
+{
+    const loft_bary at = { LOFT_UNIT(u), LOFT_UNIT(v) };
+
+    if (e->s->kind == SURFACE_PN)
+        *out = loft_pn_eval(&e->as.pn, at);
+    else if (e->s->rational || e->s->kind == SURFACE_OCTANT)
+        *out = loft_triangle_rational_eval(&e->as.triangle_rational, at);
+    else
+        *out = loft_triangle_eval(&e->as.triangle, at);
+    return LOFT_OK;
+}
+
+static int surface_eval(const engine_surface *e, double u, double v, double out[ENGINE_AXES])
+{
+    int status = LOFT_OK;
+    loft_vec at;
+
+    if (e->sided)
+        return ENGINE_OF(engine_sides).eval(e->sided, (sided_place){ SIDED_OWN, 0, u, v }, out);
+    if (!(u >= 0 && v >= 0 && u <= 1 && v <= 1 &&
+          (u + v <= 1 + 1e-9 || !surface_is_triangle(e->s))))
+        return LOFT_ERR_ARG;
+    switch (e->s->kind) {
+    case SURFACE_TENSOR:
+        at = e->s->rational
+                 ? loft_tensor_rational_eval(&e->as.tensor_rational, LOFT_UNIT(u), LOFT_UNIT(v))
+                 : loft_tensor_eval(&e->as.tensor, LOFT_UNIT(u), LOFT_UNIT(v));
+        break;
+    case SURFACE_COONS:
+        status = loft_coons_bezier_eval(&e->as.coons, LOFT_UNIT(u), LOFT_UNIT(v), &at);
+        break;
+    case SURFACE_BICUBIC:
+        status = loft_bicubic_eval(&e->as.bicubic, LOFT_UNIT(u), LOFT_UNIT(v), &at);
+        break;
+    case SURFACE_SPHERE: status = eval_sphere(e, u, v, &at); break;
+    default: status = eval_triangle(e, u, v, &at); break;
+    }
+    if (status == LOFT_OK)
+        point_of(at, out);
+    return status;
+}
+
+static int surface_kite(const engine_surface *e, unsigned kite, double u, double v,
+                        double out[ENGINE_AXES])
+{
+    if (e->sided)
+        return ENGINE_OF(engine_sides).eval(e->sided, sided_kite(e->s, kite, u, v), out);
+    return surface_eval(e, u, v, out);
+}
+
+
+// Normals and curvatures
+// ----------------------
+
+/* Of a sphere: outward, and bent away from that. */
+static int look_round(const engine_surface *e, double u, double v, engine_look *out)
+{
+    double at[ENGINE_AXES], length = 0;
+    const int status = surface_eval(e, u, v, at);
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        at[i] -= e->s->point[0].p[i];
+    for (int i = 0; i < ENGINE_AXES; i++)
+        length += at[i] * at[i];
+    for (int i = 0; i < ENGINE_AXES && status == LOFT_OK; i++)
+        out->normal[i] = at[i] / sqrt(length);
+    out->gauss = 1 / (e->s->radius * e->s->radius);
+    out->mean  = -1 / e->s->radius;
+    return status;
+}
+
+/* The derivatives at (u, v). `net` is that of what is made a tensor product or a triangle. */
+static int local_of(const engine_surface *e, double u, double v, loft_local *out)
+{
+    const loft_bary point = { LOFT_UNIT(u), LOFT_UNIT(v) };
+    const loft_bary at = surface_is_triangle(e->s) ? loft_bary_clamp(point) : point;
+    loft_vec net[16];
+    const loft_tensor tensor = { net, 3, 3 };
+    const loft_triangle cubic = { net, 3 };
+    int status;
+
+    switch (e->s->kind) {
+    case SURFACE_TENSOR:
+        if (e->s->rational)
+            return loft_tensor_rational_local(&e->as.tensor_rational, at.v, at.w, out);
+        return loft_tensor_local(&e->as.tensor, at.v, at.w, out);
+    case SURFACE_COONS:
+        return loft_coons_bezier_local(&e->as.coons, at.v, at.w, out);
+    case SURFACE_BICUBIC:
+        status = loft_tensor_from_bicubic(&e->as.bicubic, net);
+        return status ? status : (int)loft_tensor_local(&tensor, at.v, at.w, out);
+    case SURFACE_PN:
+        loft_pn_net(&e->as.pn, net);
+        return loft_triangle_local(&cubic, at, out);
+    default:
+        if (e->s->rational || e->s->kind == SURFACE_OCTANT)
+            return loft_triangle_rational_local(&e->as.triangle_rational, at, out);
+        return loft_triangle_local(&e->as.triangle, at, out);
+    }
+}
+
+static int look_at(const engine_surface *e, unsigned kite, double u, double v, engine_look *out)
+{
+    loft_local here;
+
+    if (e->sided)
+        return ENGINE_OF(engine_sides).look(e->sided, sided_kite(e->s, kite, u, v), out);
+    if (e->s->kind == SURFACE_SPHERE)
+        return look_round(e, u, v, out);
+    const int status = local_of(e, u, v, &here);
+
+    return status ? status : look_of(&here, out);
+}
+
+/* Where rounding leads out of the polygon: a little inside. Where there is no normal, as on an edge
+ * that is one point, 2^-21 of the way to the middle, or more: the normal errs by about
+ * 2^-43 / share there, and by its turn over the share. */
+static int surface_look(const engine_surface *e, unsigned kite, double u, double v,
+                        engine_look *out)
+{
+    const double middle = surface_is_triangle(e->s) ? 1 / 3.0 : 0.5;
+    int status = look_at(e, kite, u, v, out);
+
+    for (double share = 0x1p-33; status != LOFT_OK && share < 0x1p-8; share *= 4) {
+        if (status == LOFT_SINGULAR)
+            share = fmax(share, 0x1p-21);
+        status = look_at(e, kite, u + share * (middle - u), v + share * (middle - v), out);
+    }
+    return status;
+}
+
+
+// Contours
+// --------
+
+/* What the sheet of a surface borrows, beside the surface. */
+typedef struct {
+    loft_vec net[10];
+    loft_triangle cubic;
+    loft_round round;
+} sheet_room;
+
+static int sheet_of(const engine_surface *e, sheet_room *room, loft_sheet *out)
+{
+    int status = LOFT_OK;
+
+    if (e->sided) {
+        status = ENGINE_OF(engine_sides).round(e->sided, &room->round);
+        *out = loft_sheet_from_round(&room->round);
+        return status;
+    }
+    switch (e->s->kind) {
+    case SURFACE_TENSOR:
+        *out = e->s->rational ? loft_sheet_from_tensor_rational(&e->as.tensor_rational)
+                              : loft_sheet_from_tensor(&e->as.tensor);
+        break;
+    case SURFACE_PN:
+        loft_pn_net(&e->as.pn, room->net);
+        status = loft_triangle_init(&room->cubic, room->net, 3);
+        *out = loft_sheet_from_triangle(&room->cubic);
+        break;
+    case SURFACE_COONS:   *out = loft_sheet_from_coons(&e->as.coons);     break;
+    case SURFACE_BICUBIC: *out = loft_sheet_from_bicubic(&e->as.bicubic); break;
+    case SURFACE_SPHERE:  *out = loft_sheet_from_sphere(&e->as.sphere);   break;
+    default:
+        *out = e->s->rational || e->s->kind == SURFACE_OCTANT
+                   ? loft_sheet_from_triangle_rational(&e->as.triangle_rational)
+                   : loft_sheet_from_triangle(&e->as.triangle);
+        break;
+    }
+    return status;
+}
+
+static int surface_contour(const engine_surface *e, double height, double tol, unsigned n,
+                           engine_contour_sink *sink, void *context)
+{
+    const unsigned sides = surface_is_sided(e->s) ? sided_count(e->s) : 1,
+                   around = (n + sides - 1) / sides * sides;
+    const size_t bytes = LOFT_CONTOUR_BYTES((size_t)n, (size_t)around);
+    enum loft_contour_step step;
+    double point[ENGINE_AXES];
+    sheet_room room;
+    loft_sheet sheet;
+    loft_contour c;
+    loft_real z, within;
+    loft_vec at;
+
+    if (!real_of(height, &z) || !tol_of(tol, &within))
+        return LOFT_ERR_RANGE;
+    uint8_t *memory = tool_grow(NULL, bytes);
+    int status = sheet_of(e, &room, &sheet);
+    if (status == LOFT_OK)
+        status = loft_contour_init(&c, sheet, 2, z, within, n, around, memory, bytes);
+    while (status == LOFT_OK && (step = loft_contour_next(&c, &at)) != LOFT_CONTOUR_OVER) {
+        point_of(at, point);
+        sink(context, step == LOFT_CONTOUR_START, point);
+    }
+    free(memory);
+    return status;
+}
+
+const engine_surfaces ENGINE_OF(engine_surfaces) = {
+    .open  = surface_open,
+    .close = surface_close,
+    .eval  = surface_eval,
+    .kite  = surface_kite,
+    .look  = surface_look,
+    .contour = surface_contour
+};

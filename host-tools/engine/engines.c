@@ -1,0 +1,42 @@
+/* host-tools/engine/engines.c -- finding an engine by name, and what one can resolve
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <string.h>
+
+#include "base/tool.h"
+#include "engine/engine.h"
+#include "engine/piece.h"
+
+const engine *engine_find(const char *name)
+{
+    static const engine *const all[] = { &engine_q16, &engine_f32, &engine_f64 };
+
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++)
+        if (strcmp(all[i]->name, name) == 0)
+            return all[i];
+    return NULL;
+}
+
+bool engine_parse(const char *text, void *out)
+{
+    const engine *e = engine_find(text);
+
+    if (e == NULL) {
+        (void)tool_error(EX_USAGE, "--num %s: give q16, f32 or f64", text);
+        return false;
+    }
+    *(const engine **)out = e;
+    return true;
+}
+
+/* lib/curve/cubics.h: 4 LSB, 2^-21 or 2^-39 of the largest coordinate. */
+double engine_finest(const engine *e, const piece *p)
+{
+    double largest = 0;
+
+    for (unsigned k = 0; k <= p->degree; k++)
+        for (int i = 0; i < CURVE_AXES; i++)
+            largest = fmax(largest, fabs(p->p[k][i]));
+    return e->fixed ? 4 * e->lsb : fmax(4 * e->lsb, 0x1p-39) * largest;
+}

@@ -1,0 +1,254 @@
+/* host-tools/engine/reference.c -- each kind of curve from its formula, in long double
+ * SPDX-License-Identifier: MIT
+ *
+ * natural: with the steps h and the second derivatives M of the cubics between the points (de Boor,
+ * A Practical Guide to Splines, ch. IV; M = 0 at both ends)
+ *
+ *     h[i-1] M[i-1] + 2 (h[i-1] + h[i]) M[i] + h[i] M[i+1] = 6 ((P[i+1] - P[i]) / h[i] - (P[i] -
+ *     P[i-1]) / h[i-1])
+ *
+ * B-splines: de Boor's recurrence in homogeneous coordinates. Knots beyond the curve's own are used
+ * as they are.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/reference.h"
+#include "base/tool.h"       /* tool_grow */
+
+#define WIDE (CURVE_AXES + 1)       /* homogeneous: the last is the weight */
+
+static void blend(long double a[WIDE], const long double b[WIDE], long double t)
+{
+    for (int i = 0; i < WIDE; i++)
+        a[i] += t * (b[i] - a[i]);
+}
+
+static void lift(const curve *c, unsigned k, long double out[WIDE])
+{
+    const long double w = curve_is_rational(c) ? (long double)c->point[k].w : 1;
+
+    for (int i = 0; i < CURVE_AXES; i++)
+        out[i] = w * (long double)c->point[k].p[i];
+    out[CURVE_AXES] = w;
+}
+
+static void project(const long double p[WIDE], long double out[CURVE_AXES])
+{
+    for (int i = 0; i < CURVE_AXES; i++)
+        out[i] = p[i] / p[CURVE_AXES];
+}
+
+static void bezier(const curve *c, long double t, long double out[CURVE_AXES])
+{
+    long double b[CURVE_DEGREE_MAX + 1][WIDE];
+
+    for (unsigned k = 0; k <= c->degree; k++)
+        lift(c, k, b[k]);
+    for (unsigned row = c->degree; row > 0; row--)
+        for (unsigned k = 0; k < row; k++)
+            blend(b[k], b[k + 1], t);
+    project(b[0], out);
+}
+
+/* The last span of knots from knot[s] < knot[s + 1] with knot[s] <= t, by bisection; the first one
+ * if t is before it. */
+static unsigned span_of(const curve *c, long double t)
+{
+    unsigned low = c->degree, high = c->count;      /* knot[low] <= t, or low is the first; t <
+                                                     * knot[high], or it is the last */
+
+    while (high - low > 1) {
+        const unsigned middle = (low + high) / 2;
+        if ((long double)c->knot[middle] <= t && c->knot[middle] < c->knot[c->count])
+            low = middle;
+        else
+            high = middle;
+    }
+    while (!(c->knot[low] < c->knot[low + 1]))
+        low++;
+    return low;
+}
+
+static void bspline(const curve *c, long double t, long double out[CURVE_AXES])
+{
+    const unsigned n = c->degree;
+    const unsigned s = span_of(c, t);
+    long double d[CURVE_DEGREE_MAX + 1][WIDE];
+
+    for (unsigned k = 0; k <= n; k++)
+        lift(c, s - n + k, d[k]);
+    for (unsigned row = 1; row <= n; row++)
+        for (unsigned k = n; k >= row; k--) {
+            const long double from = (long double)c->knot[s - n + k],
+                              to = (long double)c->knot[s + 1 + k - row];
+            long double p[WIDE];
+            memcpy(p, d[k - 1], sizeof p);
+            blend(p, d[k], (t - from) / (to - from));
+            memcpy(d[k], p, sizeof p);
+        }
+    project(d[n], out);
+}
+
+static void parabola(const curve *c, long double t, long double out[CURVE_AXES])
+{
+    memset(out, 0, CURVE_AXES * sizeof *out);
+    for (int k = 0; k < 3; k++) {
+        long double weight = 1;
+        for (int j = 0; j < 3; j++)
+            if (j != k)
+                weight *= (t - (long double)c->point[j].w) /
+                          ((long double)c->point[k].w - (long double)c->point[j].w);
+        for (int i = 0; i < CURVE_AXES; i++)
+            out[i] += weight * (long double)c->point[k].p[i];
+    }
+}
+
+static void hermite(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
+{
+    const curve_point *a = &c->point[k], *b = a + 1;
+    const long double t2 = t * t, t3 = t2 * t, t4 = t2 * t2, t5 = t4 * t;
+    const bool five      = c->kind == CURVE_HERMITE5;
+    const long double f1 = five ? 10*t3 - 15*t4 + 6*t5 : 3*t2 - 2*t3;
+    const long double g0 = five ? t - 6 * t3 + 8 * t4 - 3 * t5 : t - 2 * t2 + t3,
+                      g1 = five ? -4 * t3 + 7 * t4 - 3 * t5 : t3 - t2;
+    const long double h0 = five ? (t2 - 3 * t3 + 3 * t4 - t5) / 2 : 0,
+                      h1 = five ? (t3 - 2 * t4 + t5) / 2 : 0;
+
+    for (int i = 0; i < CURVE_AXES; i++)
+        out[i] = (1 - f1) * (long double)a->p[i] + f1 * (long double)b->p[i]
+               + g0 * (long double)a->d[0][i] + g1 * (long double)b->d[0][i]
+               + h0 * (long double)a->d[1][i] + h1 * (long double)b->d[1][i];
+}
+
+/* From point k + 1 to k + 2 with the slopes s (P[k+2] - P[k]) and s (P[k+3] - P[k+1]), s = (1 -
+ * tension) / 2. */
+static void cardinal(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
+{
+    const curve_point *p = &c->point[k];
+    const long double s  = (1 - (long double)c->tension) / 2;
+
+    for (int i = 0; i < CURVE_AXES; i++) {
+        const long double a = (long double)p[1].p[i], b = (long double)p[2].p[i];
+        const long double da = s * (b - (long double)p[0].p[i]),
+                          db = s * ((long double)p[3].p[i] - a);
+        out[i] = a + t * (da + t * (3 * (b - a) - 2 * da - db + t * (2 * (a - b) + da + db)));
+    }
+}
+
+static void natural(const reference *r, unsigned k, long double t, long double out[CURVE_AXES])
+{
+    const curve_point *p = &r->c->point[k];
+    const long double h2 = r->step[k] * r->step[k] / 6, s = 1 - t;
+
+    for (int i = 0; i < CURVE_AXES; i++)
+        out[i] = s * (long double)p[0].p[i] + t * (long double)p[1].p[i]
+               + h2 * ((s*s*s - s) * r->bend[k][i] + (t*t*t - t) * r->bend[k + 1][i]);
+}
+
+/* Elimination from the first row to the last and back (Thomas); the rows are dominated by their
+ * diagonal. */
+static void solve_bends(reference *r, int axis)
+{
+    const curve *c = r->c;
+    long double *over = tool_grow(NULL, c->count * sizeof *over);
+
+    over[0] = r->bend[0][axis] = 0;
+    for (unsigned i = 1; i + 1 < c->count; i++) {
+        const long double a = r->step[i - 1], b = r->step[i];
+        const long double right =
+            6 * (((long double)c->point[i + 1].p[axis] - (long double)c->point[i].p[axis]) / b -
+                 ((long double)c->point[i].p[axis] - (long double)c->point[i - 1].p[axis]) / a);
+        const long double pivot = 2 * (a + b) - a * over[i - 1];
+        over[i] = b / pivot;
+        r->bend[i][axis] = (right - a * r->bend[i - 1][axis]) / pivot;
+    }
+    r->bend[c->count - 1][axis] = 0;
+    for (unsigned i = c->count - 1; i-- > 1; )
+        r->bend[i][axis] -= over[i] * r->bend[i + 1][axis];
+    free(over);
+}
+
+/* Turned about the centre by its part of the sweep; what the ends' distances differ by, and the
+ * other axes, in proportion. */
+static void arc(const curve *c, long double t, long double out[CURVE_AXES])
+{
+    const curve_point *p = c->point;
+    const long double a[2] = { (long double)p[0].p[0] - (long double)p[1].p[0],
+                               (long double)p[0].p[1] - (long double)p[1].p[1] };
+    const long double z[2] = { (long double)p[2].p[0] - (long double)p[1].p[0],
+                               (long double)p[2].p[1] - (long double)p[1].p[1] };
+    const long double way  = c->turns > 0 ? 1 : -1, turn = 2 * acosl(-1);
+    long double sweep = way * atan2l(a[0] * z[1] - a[1] * z[0], a[0] * z[0] + a[1] * z[1]);
+
+    if (sweep < 1e-14L)
+        sweep += turn;
+    sweep += turn * (fabsl((long double)c->turns) - 1);
+    const long double angle = way * t * sweep, last = way * sweep;
+    out[0] = (long double)p[1].p[0] + a[0] * cosl(angle) - a[1] * sinl(angle) +
+             t * (z[0] - a[0] * cosl(last) + a[1] * sinl(last));
+    out[1] = (long double)p[1].p[1] + a[0] * sinl(angle) + a[1] * cosl(angle) +
+             t * (z[1] - a[0] * sinl(last) - a[1] * cosl(last));
+    out[2] = (long double)p[0].p[2] + t * ((long double)p[2].p[2] - (long double)p[0].p[2]);
+}
+
+static long double distance(const double a[CURVE_AXES], const double b[CURVE_AXES])
+{
+    long double sum = 0;
+
+    for (int i = 0; i < CURVE_AXES; i++)
+        sum += ((long double)b[i] - (long double)a[i]) * ((long double)b[i] - (long double)a[i]);
+    return sqrtl(sum);
+}
+
+bool reference_init(reference *r, const curve *c)
+{
+    *r = (reference){ .c = c };
+    if (c->kind != CURVE_NATURAL && c->kind != CURVE_CHORD)
+        return true;
+    r->step = tool_grow(NULL, c->count * sizeof *r->step);
+    r->bend = tool_grow(NULL, c->count * sizeof *r->bend);
+    for (unsigned i = 0; i + 1 < c->count; i++) {
+        r->step[i] = c->kind == CURVE_CHORD ? distance(c->point[i].p, c->point[i + 1].p) : 1;
+        if (!(r->step[i] > 0))
+            return false;
+    }
+    for (int i = 0; i < CURVE_AXES; i++)
+        solve_bends(r, i);
+    return true;
+}
+
+void reference_free(reference *r)
+{
+    free(r->step);
+    free(r->bend);
+    *r = (reference){ 0 };
+}
+
+void reference_eval(const reference *r, long double t, long double out[CURVE_AXES])
+{
+    const curve *c = r->c;
+    const bool knots  = c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS;
+    long double local = t;
+    const unsigned k  = knots ? 0 : curve_locate(c, t, &local);
+
+    switch (c->kind) {
+    case CURVE_BEZIER: case CURVE_RATIONAL:   bezier(c, t, out); break;
+    case CURVE_PARABOLA:                      parabola(c, t, out); break;
+    case CURVE_HERMITE3: case CURVE_HERMITE5: hermite(c, k, local, out); break;
+    case CURVE_CARDINAL:                      cardinal(c, k, local, out); break;
+    case CURVE_NATURAL: case CURVE_CHORD:     natural(r, k, local, out); break;
+    case CURVE_BSPLINE: case CURVE_NURBS:     bspline(c, t, out); break;
+    case CURVE_LINE:
+        for (int i = 0; i < CURVE_AXES; i++)
+            out[i] = (long double)c->point[k].p[i] +
+                     local * ((long double)c->point[k + 1].p[i] - (long double)c->point[k].p[i]);
+        break;
+    case CURVE_ARC:
+        arc(c, t, out);
+        break;
+    case CURVE_KINDS:
+        break;
+    }
+}

@@ -1,0 +1,134 @@
+/* host-tools/engine/surface.c -- the kinds of surfaces, and files of them
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "num/status.h" /* enum loft_status */
+
+#include "engine/engine.h"     /* engine_status */
+#include "base/lines.h"      /* lines_start */
+#include "engine/sided.h"      /* sided_points */
+#include "base/source.h"     /* source_read */
+#include "engine/surface.h"
+#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+
+const char *surface_name(enum surface_kind kind)
+{
+    static const char *const names[SURFACE_KINDS] = {
+        [SURFACE_TENSOR] = "tensor", [SURFACE_TRIANGLE] = "triangle",
+        [SURFACE_COONS] = "coons",   [SURFACE_BICUBIC] = "bicubic",
+        [SURFACE_PN] = "pn",         [SURFACE_SPHERE] = "sphere",
+        [SURFACE_OCTANT] = "octant", [SURFACE_SPATCH] = "spatch",
+        [SURFACE_TORIC] = "toric",   [SURFACE_BASEPOINT] = "basepoint",
+        [SURFACE_RING] = "ring",     [SURFACE_GB] = "gb"
+    };
+    return names[kind];
+}
+
+bool surface_is_triangle(const surface *s)
+{
+    return s->kind == SURFACE_TRIANGLE || s->kind == SURFACE_PN || s->kind == SURFACE_OCTANT;
+}
+
+bool surface_is_sided(const surface *s)
+{
+    return s->kind >= SURFACE_SPATCH;
+}
+
+unsigned surface_kites(const surface *s)
+{
+    unsigned kites = 0;
+
+    for (unsigned k = 0; k < s->parts; k++)
+        kites += s->part[k].sides;
+    return surface_is_sided(s) ? kites : 1;
+}
+
+/* That the domain is a polygon is known (LOFT.md): not that it is one when it was rounded. */
+const char *surface_status(const surface *s, int status)
+{
+    const bool polygon = s->kind == SURFACE_SPATCH || s->kind == SURFACE_GB;
+
+    if (polygon && (status == LOFT_SINGULAR || status == LOFT_ERR_ARG))
+        return "its domain, rounded, is not a simple polygon any more: make the domain larger, or "
+               "take --num f64";
+    if (polygon && status == LOFT_ERR_RANGE && s->coordinates == COORDINATES_HARMONIC)
+        return "the points do not fit, or the domain is too narrow for harmonic coordinates: make "
+               "it wider, or take meanvalue";
+    return engine_status(status);
+}
+
+void surface_middle(const surface *s, double uv[2])
+{
+    const sided_place at = surface_is_sided(s)
+                               ? sided_middle(s)
+                               : (sided_place){ .u = surface_is_triangle(s) ? 1 / 3.0 : 0.5 };
+
+    uv[0] = at.u;
+    uv[1] = surface_is_sided(s) ? at.v : at.u;
+}
+
+unsigned surface_points(const surface *s)
+{
+    if (surface_is_sided(s))
+        return sided_points(s);
+    switch (s->kind) {
+    case SURFACE_TENSOR:   return (s->m + 1) * (s->n + 1);
+    case SURFACE_TRIANGLE: return (s->m + 1) * (s->m + 2) / 2;
+    case SURFACE_COONS:    return 2 * s->orders * (s->m + s->n + 2);
+    case SURFACE_BICUBIC:  return 16;
+    case SURFACE_PN:       return 3;
+    default:               return 1;
+    }
+}
+
+surface *surfaces_add(surfaces *all, enum surface_kind kind, unsigned line)
+{
+    all->surface = tool_grow(all->surface, (all->count + 1) * sizeof *all->surface);
+    surface *s = &all->surface[all->count++];
+    *s = (surface){ .kind = kind, .orders = 1, .line = line };
+    return s;
+}
+
+void surface_add_point(surface *s, const surface_point *p)
+{
+    if ((s->count & (s->count - 1)) == 0)       /* at powers of two there is room for as many
+                                                 * again */
+        s->point = tool_grow(s->point, (s->count ? 2 * s->count : 1) * sizeof *s->point);
+    s->point[s->count++] = *p;
+}
+
+void surfaces_free(surfaces *all)
+{
+    for (size_t i = 0; i < all->count; i++)
+        free(all->surface[i].point);
+    free(all->surface);
+    *all = (surfaces){ 0 };
+}
+
+int surfaces_read(surfaces *all, const char *file)
+{
+    size_t size;
+    int code;
+    char *text = source_read(file, &size, &code);
+
+    if (text == NULL)
+        return code;
+    if (strlen(text) == size && surface_begins(lines_start(text)))
+        code = surfaces_read_text(all, source_name(file), text);
+    free(text);
+    return code;
+}
+
+int surfaces_read_only(surfaces *all, const char *file)
+{
+    const int code = surfaces_read(all, file);
+
+    if (code == 0 && all->count == 0)
+        return tool_error(EX_DATAERR,
+                          "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, "
+                          "sphere, octant, spatch, toric, basepoint, ring or gb",
+                          source_name(file));
+    return code;
+}

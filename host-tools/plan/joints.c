@@ -1,0 +1,462 @@
+/* host-tools/plan/joints.c -- a toolpath as the motors of a machine go it
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plan/joints.h"
+#include "base/source.h"         /* source_name */
+#include "base/tool.h"           /* tool_error, tool_grow */
+
+#define LOOKS     8         /* places in a piece where it is compared with the path */
+#define EVEN      1.02      /* how much the feed of the motors may change in a piece */
+#define SHORT     0.02      /* mm: pieces this short may change it more             */
+#define CUTS      20        /* halvings of a move until it cannot be followed       */
+#define POLE      1e-6      /* mm: this is the pole                                 */
+#define SPEED_MAX 16383.0   /* of a plan, lib/motion/limits.h                       */
+#define ACCEL_MAX 16383.0
+#define JERK_MAX  1e7
+#define TOL_MIN   (1 / 1024.0)
+#define TOL_MAX   1.0
+#define GRAIN     (1 / 65536.0)     /* of the wire */
+
+typedef struct {
+    joints *j;
+    const toolpath *path;
+    const joints_options *o;
+    double at[ENGINE_AXES];         /* the motors */
+    size_t number;                  /* of the tool's move */
+} mapping;
+
+/* A piece under examination. */
+typedef struct {
+    engine_move move;
+    double least, most;             /* planned length of the motors over that of the tool */
+    double off, length;             /* of the tool, mm                                    */
+} piece;
+
+
+// Cubics
+// ------
+
+static double size_of(const double v[ENGINE_AXES])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static double apart(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
+{
+    const double by[ENGINE_AXES] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+
+    return size_of(by);
+}
+
+static void eval(const engine_move *m, double t, double out[ENGINE_AXES])
+{
+    const double s = 1 - t;
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = s * s * s * m->p[0][i] + 3 * s * s * t * m->p[1][i] + 3 * s * t * t * m->p[2][i] +
+                 t * t * t * m->p[3][i];
+}
+
+static void deriv(const engine_move *m, double t, double out[ENGINE_AXES])
+{
+    const double s = 1 - t;
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = 3 * (s * s * (m->p[1][i] - m->p[0][i]) + 2 * s * t * (m->p[2][i] - m->p[1][i]) +
+                      t * t * (m->p[3][i] - m->p[2][i]));
+}
+
+static double radius(const kinematics *k, const double tool[ENGINE_AXES])
+{
+    return hypot(tool[0] - k->center[0], tool[1] - k->center[1]);
+}
+
+
+// Past a pole
+// -----------
+
+/* How near the line from a to b comes to the pole. */
+static double passes(const kinematics *k, const double a[ENGINE_AXES], const double b[ENGINE_AXES])
+{
+    const double bx = b[0] - a[0], by = b[1] - a[1], cx = k->center[0] - a[0],
+                 cy = k->center[1] - a[1], square = bx * bx + by * by;
+    const double z = square > 0 ? fmin(fmax((bx * cx + by * cy) / square, 0), 1) : 0;
+
+    return hypot(cx - z * bx, cy - z * by);
+}
+
+static void line(engine_move *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        m->p[0][i] = from[i];
+        m->p[1][i] = from[i] + (to[i] - from[i]) / 3;
+        m->p[2][i] = to[i] - (to[i] - from[i]) / 3;
+        m->p[3][i] = to[i];
+    }
+}
+
+static bool is_upright(const engine_move *m)
+{
+    return hypot(m->p[0][0] - m->p[3][0], m->p[0][1] - m->p[3][1]) < POLE;
+}
+
+/* Travels that come too near to the pole go to it and from there on: there the angle may turn
+ * without the tool. */
+static void lead_through(toolpath *t, const kinematics *k)
+{
+    for (size_t n = 0; n < t->count; n++) {
+        engine_move *m = &t->move[n];
+        if (t->curve[n] != TOOLPATH_TRAVEL || is_upright(m) || radius(k, m->p[0]) < POLE ||
+            radius(k, m->p[3]) < POLE || passes(k, m->p[0], m->p[3]) >= k->inside)
+            continue;
+        t->move  = tool_grow(t->move, (t->count + 1) * sizeof *t->move);
+        t->curve = tool_grow(t->curve, (t->count + 1) * sizeof *t->curve);
+        m        = &t->move[n];
+        memmove(m + 1, m, (t->count - n) * sizeof *m);
+        memmove(&t->curve[n + 1], &t->curve[n], (t->count - n) * sizeof *t->curve);
+        const double pole[ENGINE_AXES] = { k->center[0], k->center[1], m->p[0][2] };
+        line(&m[1], pole, m[1].p[3]);
+        line(&m[0], m[0].p[0], pole);
+        t->count++;
+        n++;
+    }
+}
+
+
+// Pieces
+// ------
+
+static void add(mapping *m, const engine_move *move)
+{
+    joints *j = m->j;
+
+    if (j->count == j->room) {
+        j->room = j->room ? 2 * j->room : 64;
+        j->move = tool_grow(j->move, j->room * sizeof *j->move);
+        j->of   = tool_grow(j->of, j->room * sizeof *j->of);
+    }
+    j->of[j->count]     = m->number;
+    j->move[j->count++] = *move;
+    memcpy(m->at, move->p[3], sizeof m->at);
+}
+
+/* Planned length of a velocity of the motors. */
+static double planned(const joints *j, const double v[ENGINE_AXES])
+{
+    const double scaled[ENGINE_AXES] = { v[0] * j->scale[0], v[1] * j->scale[1],
+                                         v[2] * j->scale[2] };
+
+    return size_of(scaled);
+}
+
+/* Lengths of motors and tool at t. */
+static void compare_lengths(const joints *j, engine_move *m, double t, piece *p)
+{
+    double at[ENGINE_AXES], v[ENGINE_AXES], slope[ENGINE_AXES];
+
+    eval(m, t, at);
+    deriv(m, t, v);
+    const double size = size_of(v);
+    if (!(size > 1e-9))
+        return;
+    kinematics_slope(j->k, at, v, slope);
+    p->least = fmin(p->least, planned(j, slope) / size);
+    p->most  = fmax(p->most, planned(j, slope) / size);
+}
+
+/* The cubic of the motors that has the places and the directions of the path at t0 and t1 (the
+ * derivative by t is that of the path, turned by the map). */
+static void map_piece(const mapping *m, engine_move *move, double t0, double t1, piece *p)
+{
+    double tool[2][ENGINE_AXES], v[ENGINE_AXES], slope[2][ENGINE_AXES];
+
+    memcpy(p->move.p[0], m->at, sizeof p->move.p[0]);
+    for (int k = 0; k < 2; k++) {
+        eval(move, k ? t1 : t0, tool[k]);
+        deriv(move, k ? t1 : t0, v);
+        kinematics_slope(m->j->k, tool[k], v, slope[k]);
+    }
+    kinematics_motors(m->j->k, tool[1], m->at, p->move.p[3]);
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        p->move.p[1][i] = p->move.p[0][i] + slope[0][i] * (t1 - t0) / 3;
+        p->move.p[2][i] = p->move.p[3][i] - slope[1][i] * (t1 - t0) / 3;
+    }
+}
+
+/* Look at it along the way: is the tool on the path, and how do lengths compare? */
+static void look(const mapping *m, engine_move *move, double t0, double t1, piece *p)
+{
+    double before[ENGINE_AXES];
+
+    map_piece(m, move, t0, t1, p);
+    p->least = HUGE_VAL;
+    p->most = p->off = p->length = 0;
+    eval(move, t0, before);
+    for (int n = 0; n <= LOOKS; n++) {
+        const double u = (double)n / LOOKS, t = t0 + u * (t1 - t0);
+        double want[ENGINE_AXES], motors[ENGINE_AXES], is[ENGINE_AXES];
+        eval(move, t, want);
+        eval(&p->move, u, motors);
+        compare_lengths(m->j, move, t, p);
+        p->off = kinematics_tool(m->j->k, motors, is) ? fmax(p->off, apart(is, want)) : HUGE_VAL;
+        p->length += apart(want, before);
+        memcpy(before, want, sizeof before);
+    }
+}
+
+static int refuse(const mapping *m, const double at[ENGINE_AXES], const char *why)
+{
+    const size_t curve = m->path->curve[m->number];
+    char where[64] = "";
+
+    if (curve != TOOLPATH_TRAVEL)
+        snprintf(where, sizeof where, ":%u", m->o->d->curve[curve].line);
+    return tool_error(EX_DATAERR, "%s%s: %s %.6g,%.6g,%.6g mm is beyond a %s machine like this, %s",
+                      source_name(m->o->file), where,
+                      curve == TOOLPATH_TRAVEL ? "the travel over" : "the place", at[0], at[1],
+                      at[2], kinematics_name(m->j->k), why);
+}
+
+/* Is each place within reach? Looked at as often as curves are cut, so that none slips through by
+ * much. */
+static int within_reach(const mapping *m, engine_move *move)
+{
+    const double length = apart(move->p[0], move->p[1]) + apart(move->p[1], move->p[2]) +
+                          apart(move->p[2], move->p[3]);
+    const int n = (int)fmin(
+        fmax(m->j->k->kind == ENGINE_POLAR ? 2 * length / m->j->k->inside : length, 8), 10000);
+    char why[160];
+
+    for (int i = 0; i <= n; i++) {
+        double at[ENGINE_AXES];
+        eval(move, (double)i / n, at);
+        if (kinematics_beyond(m->j->k, at, why))
+            return refuse(m, at, why);
+    }
+    return 0;
+}
+
+static int reaches(const mapping *m, const engine_move *move, const double at[ENGINE_AXES])
+{
+    for (int n = 1; n < 4; n++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            if (!(fabs(move->p[n][i]) * m->j->scale[i] <= m->o->reach)) {
+                char why[160];
+                snprintf(why, sizeof why, "motor %c would be at %.6g, of %.6g that can be planned",
+                         kinematics_axes(m->j->k)[i], move->p[n][i], m->o->reach / m->j->scale[i]);
+                return refuse(m, at, why);
+            }
+    return 0;
+}
+
+static int add_piece(mapping *m, piece *p, double feed, const double tool[ENGINE_AXES])
+{
+    engine_move move = { .feed = fmin(feed * (p->least < HUGE_VAL ? p->least : 1), SPEED_MAX) };
+    char why[160];
+
+    memcpy(move.p, p->move.p, sizeof move.p);
+    if (kinematics_beyond(m->j->k, tool, why))
+        return refuse(m, tool, why);
+    const int code = reaches(m, &move, tool);
+    if (code == 0) {
+        add(m, &move);
+        m->j->least = fmin(m->j->least, kinematics_least(m->j->k, tool, m->j->scale));
+    }
+    return code;
+}
+
+/* Greedy: the longest piece that will do, twice as long as the last one at most. */
+static int map_curved(mapping *m, engine_move *move)
+{
+    double t = 0, step = 1;
+    int code = within_reach(m, move);
+
+    m->j->least = fmin(m->j->least, kinematics_least(m->j->k, move->p[0], m->j->scale));
+    while (code == 0 && t < 1) {
+        double tool[ENGINE_AXES];
+        piece p;
+        step = fmin(2 * step, 1 - t);
+        for (int cuts = 0;; cuts++, step /= 2) {
+            look(m, move, t, t + step, &p);
+            if (p.off <= m->j->within && (p.most <= EVEN * p.least || p.length <= SHORT))
+                break;
+            if (cuts == CUTS) {
+                eval(move, t, tool);
+                return refuse(m, tool, "and cannot be followed: move the drawing");
+            }
+        }
+        t = t + step > 1 - 1e-9 ? 1 : t + step;
+        eval(move, t, tool);
+        code = add_piece(m, &p, move->feed, tool);
+    }
+    return code;
+}
+
+/* A matrix: its control points are turned, and the feed by the direction in which it counts
+ * least. */
+static int map_linear(mapping *m, engine_move *move)
+{
+    piece p = { .least = HUGE_VAL };
+
+    memcpy(p.move.p[0], m->at, sizeof p.move.p[0]);
+    for (int n = 1; n < 4; n++)
+        kinematics_motors(m->j->k, move->p[n], m->at, p.move.p[n]);
+    for (int n = 0; n <= LOOKS && m->j->k->kind != ENGINE_CARTESIAN; n++)
+        compare_lengths(m->j, move, (double)n / LOOKS, &p);
+    return add_piece(m, &p, move->feed, move->p[3]);
+}
+
+/* From or to the pole, or straight up: the angle is that of the other end, and turned to first. */
+static int map_radial(mapping *m, engine_move *move)
+{
+    const bool out = radius(m->j->k, move->p[0]) < POLE;
+    double from[ENGINE_AXES], to[ENGINE_AXES];
+    engine_move turn = { .feed = SPEED_MAX },
+                go = { .feed = fmin(move->feed * m->j->scale[0], SPEED_MAX) };
+
+    memcpy(from, m->at, sizeof from);
+    kinematics_motors(m->j->k, move->p[3], m->at, to);
+    if (out)
+        from[1] = to[1];
+    else
+        to[1] = from[1];
+    line(&turn, m->at, from);
+    line(&go, from, to);
+    int code = reaches(m, &go, move->p[3]);
+    if (code == 0 && fabs(from[1] - m->at[1]) > 0)
+        add(m, &turn);
+    if (code == 0 && apart(from, to) > 0)
+        add(m, &go);
+    return code;
+}
+
+static int map_move(mapping *m, engine_move *move)
+{
+    const kinematics *k = m->j->k;
+    const bool travels  = m->path->curve[m->number] == TOOLPATH_TRAVEL;
+
+    if (k->kind == ENGINE_CARTESIAN || k->kind == ENGINE_COREXY)
+        return map_linear(m, move);
+    if (k->kind == ENGINE_POLAR && travels &&
+        (radius(k, move->p[0]) < POLE || radius(k, move->p[3]) < POLE || is_upright(move)))
+        return map_radial(m, move);
+    return map_curved(m, move);
+}
+
+
+// All of it
+// ---------
+
+static double farthest(const toolpath *path, const kinematics *k)
+{
+    double most = 0;
+
+    for (size_t n = 0; n < path->count; n++)
+        for (int i = 0; i < 4; i++)
+            most = fmax(most, radius(k, path->move[n].p[i]));
+    return most;
+}
+
+int joints_make(joints *out, toolpath *path, const kinematics *k, const joints_options *o)
+{
+    mapping m = { .j = out, .path = path, .o = o };
+    int code  = 0;
+
+    *out = (joints){ .k = k, .scale = { 1, 1, 1 }, .least = 1 };
+    memcpy(m.at, o->start, sizeof m.at);
+    if (k->kind == ENGINE_POLAR)
+        lead_through(path, k);
+    if (k->kind != ENGINE_CARTESIAN) {
+        out->within = k->kind == ENGINE_COREXY ? 0 : o->within;
+        if (!o->chip)
+            kinematics_scale(k, farthest(path, k), out->scale);
+        out->least  = k->kind == ENGINE_POLAR ? out->scale[0] : HUGE_VAL;
+    }
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out->scaled = out->scaled || out->scale[i] > 1;
+    for (m.number = 0; m.number < path->count && code == 0; m.number++)
+        code = map_move(&m, &path->move[m.number]);
+    return code;
+}
+
+void joints_free(joints *j)
+{
+    free(j->move);
+    free(j->of);
+    *j = (joints){ .k = NULL };
+}
+
+/* What the way from planned units to those of the wire adds: half a grain of each motor that is
+ * scaled, and of the plan. */
+static double rounding(const joints *j)
+{
+    double sum = 0;
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        sum += j->scale[i] > 1 ? (j->scale[i] + 1) * (j->scale[i] + 1) : 0;
+    return sqrt(sum) * GRAIN / 2;
+}
+
+engine_limits joints_limits(const joints *j, const engine_limits *motors)
+{
+    engine_limits l = *motors;
+
+    if (j->k->kind == ENGINE_CARTESIAN)
+        return l;
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        l.max_speed[i] = fmin(l.max_speed[i] * j->scale[i], SPEED_MAX);
+        l.max_accel[i] = fmin(l.max_accel[i] * j->scale[i], ACCEL_MAX);
+        l.max_jerk[i]  = fmin(l.max_jerk[i] * j->scale[i], JERK_MAX);
+    }
+    l.max_across = fmin(l.max_across * j->least, ACCEL_MAX);
+    l.corner = fmin(l.corner * j->least, 1);
+    l.tol    = fmin((l.tol - j->within) * j->least - rounding(j), TOL_MAX);
+    return l;
+}
+
+/* A move in planned units. */
+static void scaled_move(void *context, size_t n, engine_move *out)
+{
+    const joints *j = context;
+
+    *out = j->move[n];
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            out->p[k][i] *= j->scale[i];
+}
+
+int joints_plan(joints_planning *p, joints *j, const engine *e, const engine_limits *motors)
+{
+    const engine_limits limits = joints_limits(j, motors);
+
+    *p = (joints_planning){ .j = j, .e = e };
+    return e->plan->open(&limits, scaled_move, j, j->count, &p->plan);
+}
+
+int joints_step(joints_planning *p, engine_span *out)
+{
+    const int step = p->e->plan->step(p->plan, out);
+
+    for (int n = 0; n < 4 && step == ENGINE_PLAN_SPAN; n++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            if (p->j->scale[i] > 1)
+                out->p[n][i] = (int32_t)lround(out->p[n][i] / p->j->scale[i]);
+    return step;
+}
+
+size_t joints_passed(const joints_planning *p)
+{
+    return p->e->plan->passed(p->plan);
+}
+
+void joints_end(joints_planning *p)
+{
+    if (p->plan != NULL)
+        p->e->plan->close(p->plan);
+    *p = (joints_planning){ .plan = NULL };
+}

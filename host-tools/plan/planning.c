@@ -1,0 +1,127 @@
+/* host-tools/plan/planning.c -- what is planned, and within which limits
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <string.h>
+
+#include "plan/planning.h"
+#include "plan/smooth.h"         /* drawing_smooth */
+#include "base/source.h"         /* source_name */
+
+#define JERK_MAX 1e7        /* mm/s^3, of lib/motion/limits.h                    */
+#define SMOOTH_PART 0.2     /* of the tolerance: for making curves of lines      */
+#define MAP_PART    0.2     /* of it: for curves of motors that are not straight  */
+#define TOL_MIN     (1 / 1024.0)    /* mm, of lib/motion/limits.h                */
+#define JERK_PER 20         /* times the acceleration: it is reached in 1/20 s   */
+
+int planning_start(planning *p, int argc, char **argv)
+{
+    *p = (planning){ .e = &engine_q16,
+                     .machine = machine_usual(),
+                     .feed = 30,
+                     .travel = 100,
+                     .accel = -1,
+                     .jerk = -1,
+                     .across = -1,
+                     .lift = 1,
+                     .smooth = -1 };
+    const int code = machine_option(&p->machine, argc, argv);
+
+    p->corner = p->machine.corner;
+    p->tol    = p->machine.tol;
+    return code;
+}
+
+void planning_machine(const planning *p, engine_limits *limits)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        limits->max_speed[i] = p->machine.max_speed[i];
+        limits->max_accel[i] = p->machine.max_accel[i];
+    }
+    limits->tick_hz = (unsigned)p->machine.tick_hz;
+}
+
+void planning_limit(const planning *p, engine_limits *limits)
+{
+    if (p->machine.limited)
+        machine_limit(&p->machine, limits);
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        const double said = p->jerk >= 0 ? p->jerk : p->machine.max_jerk[i];
+        if (p->accel > 0)
+            limits->max_accel[i] = fmin(limits->max_accel[i], p->accel);
+        limits->max_jerk[i] = said >= 0 ? said : fmin(JERK_PER * limits->max_accel[i], JERK_MAX);
+    }
+    limits->max_across = p->across >= 0 ? p->across : p->machine.max_across;
+    limits->corner = p->corner;
+    limits->tol    = p->tol - p->smoothed;
+}
+
+static int within_reach(const planning *p, const drawing *d, const char *file)
+{
+    for (size_t i = 0; i < d->count; i++)
+        for (int k = 0; k < 4; k++) {
+            const double *at = d->curve[i].p[k];
+            if (!(fabs(at[0]) <= p->e->reach && fabs(at[1]) <= p->e->reach))
+                return tool_error(
+                    EX_DATAERR, "%s:%u: a point at %.6g,%.6g mm: bring the drawing within +-%g mm",
+                    source_name(file), d->curve[i].line, at[0], at[1], p->e->reach);
+        }
+    return 0;
+}
+
+int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
+{
+    const double within = p->smooth < 0 ? SMOOTH_PART * p->tol : p->smooth;
+
+    if (within > p->tol / 2)
+        return tool_error(
+            EX_USAGE, "--smooth %g: leave at least half of the tolerance of %g mm to the machine",
+            within, p->tol);
+    int code = drawing_read(d, file);
+    if (code == 0)
+        code = within_reach(p, d, file);
+    if (code == 0 && drawing_smooth(smooth, d, within) > 0)
+        p->smoothed = within;
+    return code;
+}
+
+toolpath_options planning_path(const planning *p)
+{
+    const double motors[ENGINE_AXES] = { 0, 0, 0 };
+    toolpath_options how = {
+        .feed = p->feed, .travel = p->travel, .lift = p->lift, .park = p->park
+    };
+
+    (void)kinematics_tool(&p->machine.k, motors, how.zero);
+    return how;
+}
+
+bool planning_start_at(const planning *p, const double start[ENGINE_AXES], toolpath_options *how)
+{
+    return kinematics_tool(&p->machine.k, start, how->start);
+}
+
+int planning_joints(const planning *p, const char *file, const drawing *d,
+                    const double start[ENGINE_AXES], bool chip, const engine_limits *limits,
+                    toolpath *path, joints *out)
+{
+    joints_options o = {
+        .file = file, .d = d, .within = MAP_PART * p->tol, .reach = p->e->reach, .chip = chip
+    };
+
+    memcpy(o.start, start, sizeof o.start);
+    const int code = joints_make(out, path, &p->machine.k, &o);
+    if (code != 0)
+        return code;
+    const double tol = joints_limits(out, limits).tol;
+    if (tol < TOL_MIN && p->machine.k.kind != ENGINE_CARTESIAN)
+        return tool_error(EX_DATAERR,
+                          "%s: for these motors %g mm are %.5f: give --tol %.2g or more%s",
+                          source_name(file), limits->tol, tol,
+                          p->tol +
+                              1.05 * (TOL_MIN - tol) / out->least /
+                                  (1 - MAP_PART - (p->smoothed > 0 ? SMOOTH_PART : 0)) +
+                              5e-4,
+                          chip ? ", or --plan host" : "");
+    return 0;
+}

@@ -1,0 +1,77 @@
+/* host-tools/plan/planning.h -- what `loft stream` and `loft plan` are told alike: machine, feeds,
+ * limits, tolerance
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_PLANNING_H
+#define LOFT_PLANNING_H
+
+#include "read/drawing.h"        /* drawing */
+#include "plan/joints.h"         /* joints */
+#include "read/machine_file.h"   /* machine_file */
+#include "base/tool.h"           /* tool_option */
+#include "plan/toolpath.h"       /* toolpath_options */
+
+typedef struct {
+    const engine *e;
+    machine_file machine;
+    const char *file;               /* the machine's, which has been read          */
+    double feed, travel;            /* mm/s                                        */
+    double accel, jerk, across;     /* mm/s^2, mm/s^3, mm/s^2; below 0: the machine's */
+    double corner, tol, lift;       /* mm                                          */
+    double smooth;                  /* mm of tol, below 0: SMOOTH_PART             */
+    double smoothed;                /* mm of tol that were used up by it           */
+    bool park;
+} planning;
+
+/* Rows of a table of options. */
+#define PLANNING_OPTIONS(p)                                                                        \
+    TOOL_TEXT("machine", "FILE", &(p)->file,                                                       \
+              "a machine as text, see host-tools/MACHINE.md: its limits hold too; without a port " \
+              "it is planned for"),                                                                \
+        TOOL_SPEED("feed", &(p)->feed, 0.016, 1000, "pen down, mm/s, or as 1200mm/min (30)"),      \
+        TOOL_SPEED("travel", &(p)->travel, 0.016, 1000, "pen up (100)"),                           \
+        TOOL_NUMBER("accel", "MM/S2", &(p)->accel, 1, 30000,                                       \
+                    "no more than this on any axis (the machine's)"),                              \
+        TOOL_NUMBER("across", "MM/S2", &(p)->across, 0, 16383,                                     \
+                    "across the path alone, so that --accel is for speeding up and slowing down "  \
+                    "alone; 0: --accel is for both"),                                              \
+        TOOL_NUMBER("jerk", "MM/S3", &(p)->jerk, 0, 1e7,                                           \
+                    "change of acceleration on any axis (the machine's); 0: at once"),             \
+        TOOL_NUMBER("corner", "MM", &(p)->corner, 0, 1,                                            \
+                    "how far corners are taken to be rounded when slowing down (0.01)"),           \
+        TOOL_NUMBER("tol", "MM", &(p)->tol, 0.0005, 1,                                             \
+                    "how far the machine may leave the drawing (0.005)"),                          \
+        TOOL_NUMBER("smooth", "MM", &(p)->smooth, 0, 1,                                            \
+                    "of this tolerance, for chains of short lines to become curves (a fifth); 0: " \
+                    "each line is drawn"),                                                         \
+        TOOL_NUMBER("lift", "MM", &(p)->lift, 0, 100, "height of the pen while travelling (1)"),   \
+        TOOL_SWITCH("park", &(p)->park,                                                            \
+                    "at the end go to the machine's zero, where it was switched on or homed"),     \
+        ENGINE_OPTION(&(p)->e, "number type of the planner: q16, f32 or f64 (q16)")
+
+/* Fill in what holds without options; a machine's file among them is read. Gives 0, or an exit code
+ * after one line. */
+int planning_start(planning *p, int argc, char **argv);
+
+/* The limits of the machine of the file, or of a usual one; and, over any machine's, those of file
+ * and options. */
+void planning_machine(const planning *p, engine_limits *limits);
+void planning_limit(const planning *p, engine_limits *limits);
+
+/* Read a drawing that can be planned, and make of it what is planned. Gives 0, or an exit code
+ * after one line. */
+int planning_read(planning *p, drawing *d, drawing *smooth, const char *file);
+
+/* How its toolpath is made, from where the tool is when the motors are at `start`; false if they
+ * cannot be there. */
+toolpath_options planning_path(const planning *p);
+bool planning_start_at(const planning *p, const double start[ENGINE_AXES], toolpath_options *how);
+
+/* The path as the motors go it from there, for the machine to plan (`chip`) or not; `limits` are
+ * those of the motors. Gives 0, or an exit code after one line; free with joints_free in any
+ * case. */
+int planning_joints(const planning *p, const char *file, const drawing *d,
+                    const double start[ENGINE_AXES], bool chip, const engine_limits *limits,
+                    toolpath *path, joints *out);
+
+#endif

@@ -1,0 +1,365 @@
+/* host-tools/plan/smooth.c
+ * SPDX-License-Identifier: MIT
+ *
+ * A chain is sampled: its vertices, and places on long lines. A cubic B-spline over the length
+ * along the chain is fitted by least squares (C. de Boor, A Practical Guide to Splines, 2001,
+ * chapter XIV); the normal equations have seven diagonals. Intervals that err too much are halved,
+ * until all is well or a vertex turns out to be a corner: then the chain is cut there, and both
+ * parts tried.
+ */
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plan/smooth.h"
+#include "base/tool.h"           /* tool_grow */
+
+#define STRAIGHT    1e-6    /* mm: control points this far from the thirds of a line    */
+#define TURN        0.86    /* the least cosine between lines that may be one curve     */
+#define LEAST       4       /* lines that are worth it                                  */
+#define APART       0.25    /* mm: samples on a long line; at most MANY of them         */
+#define MANY        200
+#define BETWEEN     4       /* places between two samples that are checked              */
+#define CHECKED     0.9     /* of `within` may be used at them                          */
+#define ROUNDS      40
+
+/* Samples of one chain, and the spline through them. */
+typedef struct {
+    double (*p)[2], *u;     /* place, length along the chain                  */
+    size_t *vertex;         /* the line whose start it is, or that it lies on */
+    size_t count, room;
+    double *knot;           /* ends and inner knots, ascending: `intervals` + 1 */
+    size_t *first;          /* of each interval: its first sample             */
+    size_t intervals;
+    double (*c)[2];         /* intervals + 3 coefficients                     */
+    double (*a)[4], (*b)[2];
+} fit;
+
+
+// The spline
+// ----------
+
+static double knot_at(const fit *f, long i)
+{
+    return f->knot[i < 0 ? 0 : i > (long)f->intervals ? (long)f->intervals : i];
+}
+
+/* The four B-splines that are not 0 on interval k, and their derivatives (de Boor's recurrence). */
+static void basis(const fit *f, size_t k, double u, double value[4], double deriv[4])
+{
+    double left[4], right[4], lower[3] = { 0 };
+
+    value[0] = 1;
+    for (int j = 1; j <= 3; j++) {
+        double saved = 0;
+        if (j == 3)
+            memcpy(lower, value, sizeof lower);
+        left[j]  = u - knot_at(f, (long)k + 1 - j);
+        right[j] = knot_at(f, (long)k + j) - u;
+        for (int r = 0; r < j; r++) {
+            const double part = value[r] / (right[r + 1] + left[j - r]);
+            value[r] = saved + right[r + 1] * part;
+            saved    = left[j - r] * part;
+        }
+        value[j] = saved;
+    }
+    for (int r = 0; r <= 3; r++) {
+        const long i = (long)k + r - 3;
+        deriv[r] = (r > 0 ? 3 * lower[r - 1] / (knot_at(f, i + 3) - knot_at(f, i)) : 0) -
+                   (r < 3 ? 3 * lower[r] / (knot_at(f, i + 4) - knot_at(f, i + 1)) : 0);
+    }
+}
+
+static void eval(const fit *f, size_t k, double u, double out[2], double slope[2])
+{
+    double value[4], deriv[4];
+
+    basis(f, k, u, value, deriv);
+    for (int i = 0; i < 2; i++) {
+        out[i] = slope[i] = 0;
+        for (int r = 0; r < 4; r++) {
+            out[i]   += value[r] * f->c[k + (size_t)r][i];
+            slope[i] += deriv[r] * f->c[k + (size_t)r][i];
+        }
+    }
+}
+
+/* Seven diagonals, Cholesky: a[i][j] is row i, column i - j. */
+static void solve_banded(double (*a)[4], double (*b)[2], size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = i < 3 ? i : 3; j + 1 > 0; j--) {
+            double sum = a[i][j];
+            for (size_t k = j + 1; k <= 3 && k <= i; k++)
+                sum -= a[i][k] * a[i - j][k - j];
+            a[i][j] = j > 0 ? sum / a[i - j][0] : sqrt(sum > 1e-300 ? sum : 1e-300);
+            if (j == 0)
+                break;
+        }
+        for (int x = 0; x < 2; x++) {
+            for (size_t j = 1; j <= 3 && j <= i; j++)
+                b[i][x] -= a[i][j] * b[i - j][x];
+            b[i][x] /= a[i][0];
+        }
+    }
+    for (size_t i = n; i-- > 0;)
+        for (int x = 0; x < 2; x++) {
+            for (size_t j = 1; j <= 3 && i + j < n; j++)
+                b[i][x] -= a[i + j][j] * b[i + j][x];
+            b[i][x] /= a[i][0];
+        }
+}
+
+/* Each sample counts as much as the length around it; the ends are exact. */
+static void solve(fit *f)
+{
+    const size_t n = f->intervals + 3, last = f->count - 1;
+
+    memset(f->a, 0, n * sizeof *f->a);
+    memset(f->b, 0, n * sizeof *f->b);
+    for (size_t k = 0; k < f->intervals; k++)
+        for (size_t s = f->first[k]; s < f->first[k + 1]; s++) {
+            const double weight = f->u[s < last ? s + 1 : s] - f->u[s > 0 ? s - 1 : 0];
+            double value[4], deriv[4];
+            basis(f, k, f->u[s], value, deriv);
+            for (size_t r = 0; r < 4; r++) {
+                for (size_t j = 0; j <= r; j++)
+                    f->a[k + r][j] += weight * value[r] * value[r - j];
+                for (int x = 0; x < 2; x++)
+                    f->b[k + r][x] += weight * value[r] * f->p[s][x];
+            }
+        }
+    f->a[0][0]     += 1e12;
+    f->a[n - 1][0] += 1e12;
+    for (int x = 0; x < 2; x++) {
+        f->b[0][x]     += 1e12 * f->p[0][x];
+        f->b[n - 1][x] += 1e12 * f->p[last][x];
+    }
+    solve_banded(f->a, f->b, n);
+    memcpy(f->c, f->b, n * sizeof *f->c);
+    memcpy(f->c[0], f->p[0], sizeof f->c[0]);
+    memcpy(f->c[n - 1], f->p[last], sizeof f->c[n - 1]);
+}
+
+/* The most by which interval k leaves the chain, and the sample behind which it does. */
+static double error_of(const fit *f, size_t k, size_t *where)
+{
+    double worst = 0;
+
+    for (size_t s = f->first[k]; s < f->first[k + 1]; s++)
+        for (int j = 0; j <= BETWEEN && s + 1 < f->count; j++) {
+            const double part = (double)j / (BETWEEN + 1),
+                         u = f->u[s] + part * (f->u[s + 1] - f->u[s]);
+            double at[2], slope[2];
+            if (u > f->knot[k + 1])
+                break;
+            eval(f, k, u, at, slope);
+            const double off = hypot(at[0] - f->p[s][0] - part * (f->p[s + 1][0] - f->p[s][0]),
+                                     at[1] - f->p[s][1] - part * (f->p[s + 1][1] - f->p[s][1]));
+            if (off > worst) {
+                worst  = off;
+                *where = s;
+            }
+        }
+    return worst;
+}
+
+/* Halve all intervals that err by more than `within`. Gives how many did; SIZE_MAX if one cannot be
+ * halved, at sample *where. */
+static size_t refine(fit *f, double within, size_t *where)
+{
+    const size_t before = f->intervals;
+    size_t bad = 0, worst_at = 0;
+
+    for (size_t k = before; k-- > 0;) {
+        if (error_of(f, k, &worst_at) <= CHECKED * within)
+            continue;
+        const size_t middle = (f->first[k] + f->first[k + 1]) / 2;
+        bad++;
+        if (f->first[k + 1] - f->first[k] < 4) {
+            *where = worst_at;
+            return SIZE_MAX;
+        }
+        memmove(&f->knot[k + 2], &f->knot[k + 1], (f->intervals - k) * sizeof *f->knot);
+        memmove(&f->first[k + 2], &f->first[k + 1], (f->intervals - k) * sizeof *f->first);
+        f->first[k + 1] = middle;
+        f->knot[k + 1]  = (f->u[middle - 1] + f->u[middle]) / 2;
+        f->intervals++;
+    }
+    return bad;
+}
+
+
+// Chains
+// ------
+
+static bool is_line(const drawing_curve *c)
+{
+    for (int i = 0; i < 2; i++) {
+        const double a = c->p[0][i], b = c->p[3][i];
+        if (fabs(c->p[1][i] - (2 * a + b) / 3) > STRAIGHT ||
+            fabs(c->p[2][i] - (a + 2 * b) / 3) > STRAIGHT)
+            return false;
+    }
+    return true;
+}
+
+/* May the vertex between two lines lie on a curve? It turns little, and is not high above the line
+ * between its neighbours. */
+static bool smooth_at(const drawing_curve *a, const drawing_curve *b, double within)
+{
+    const double ax = a->p[3][0] - a->p[0][0], ay = a->p[3][1] - a->p[0][1],
+                 bx = b->p[3][0] - b->p[0][0], by = b->p[3][1] - b->p[0][1];
+    const double length = hypot(ax, ay) * hypot(bx, by), across = fabs(ax * by - ay * bx),
+                 along = ax * bx + ay * by;
+
+    return a->path == b->path && length > 0 && along > TURN * length &&
+           across <= 4 * within * hypot(ax + bx, ay + by);
+}
+
+static void sample(fit *f, const double p[2], size_t vertex)
+{
+    if (f->count == f->room) {
+        f->room   = f->room ? 2 * f->room : 1024;
+        f->p      = tool_grow(f->p, f->room * sizeof *f->p);
+        f->u      = tool_grow(f->u, f->room * sizeof *f->u);
+        f->vertex = tool_grow(f->vertex, f->room * sizeof *f->vertex);
+    }
+    const size_t n = f->count++;
+    memcpy(f->p[n], p, sizeof f->p[n]);
+    f->u[n]      = n > 0 ? f->u[n - 1] + hypot(p[0] - f->p[n - 1][0], p[1] - f->p[n - 1][1]) : 0;
+    f->vertex[n] = vertex;
+}
+
+/* Lines from..to-1 of `d`. */
+static void sample_lines(fit *f, const drawing *d, size_t from, size_t to)
+{
+    f->count = 0;
+    for (size_t i = from; i < to; i++) {
+        const drawing_curve *c = &d->curve[i];
+        const double length = hypot(c->p[3][0] - c->p[0][0], c->p[3][1] - c->p[0][1]);
+        const int pieces = (int)fmin(fmax(ceil(length / APART), 1), MANY);
+        for (int j = 0; j < pieces; j++) {
+            const double part = (double)j / pieces;
+            sample(f,
+                   (double[2]){ c->p[0][0] + part * (c->p[3][0] - c->p[0][0]),
+                                c->p[0][1] + part * (c->p[3][1] - c->p[0][1]) },
+                   i);
+        }
+    }
+    sample(f, d->curve[to - 1].p[3], to);
+    f->knot  = tool_grow(f->knot, (f->count + 2) * sizeof *f->knot);
+    f->first = tool_grow(f->first, (f->count + 2) * sizeof *f->first);
+    f->a     = tool_grow(f->a, (f->count + 4) * sizeof *f->a);
+    f->b     = tool_grow(f->b, (f->count + 4) * sizeof *f->b);
+    f->c     = tool_grow(f->c, (f->count + 4) * sizeof *f->c);
+    f->knot[0]   = 0;
+    f->knot[1]   = f->u[f->count - 1];
+    f->first[0]  = 0;
+    f->first[1]  = f->count;
+    f->intervals = 1;
+}
+
+/* Give `to`, or the line before which the chain must be cut. */
+static size_t fit_lines(fit *f, const drawing *d, size_t from, size_t to, double within)
+{
+    size_t where = 0;
+
+    sample_lines(f, d, from, to);
+    for (int round = 0; round < ROUNDS; round++) {
+        if (f->count < f->intervals + 3)
+            break;
+        solve(f);
+        const size_t bad = refine(f, within, &where);
+        if (bad == 0)
+            return to;
+        if (bad == SIZE_MAX)
+            break;
+    }
+    const size_t at = f->vertex[where] +
+                      (where + 1 < f->count && f->vertex[where + 1] != f->vertex[where]);
+    return at <= from ? from + 1 : at >= to ? to - 1 : at;
+}
+
+static void give_spline(drawing *to, const fit *f, bool fresh, unsigned line)
+{
+    double p[4][2], slope[2][2];
+
+    memcpy(p[3], f->p[0], sizeof p[3]);
+    for (size_t k = 0; k < f->intervals; k++) {
+        const double third = (f->knot[k + 1] - f->knot[k]) / 3;
+        memcpy(p[0], p[3], sizeof p[0]);
+        eval(f, k, f->knot[k], p[1], slope[0]);
+        eval(f, k, f->knot[k + 1], p[3], slope[1]);
+        for (int i = 0; i < 2; i++) {
+            p[1][i] = p[0][i] + third * slope[0][i];
+            p[2][i] = p[3][i] - third * slope[1][i];
+        }
+        if (k + 1 == f->intervals)
+            memcpy(p[3], f->p[f->count - 1], sizeof p[3]);
+        drawing_add(to, p, fresh && k == 0, line);
+    }
+}
+
+static void copy(drawing *to, const drawing *from, size_t i)
+{
+    double p[4][2];
+
+    memcpy(p, from->curve[i].p, sizeof p);
+    drawing_add(to, p, i == 0 || from->curve[i].path != from->curve[i - 1].path,
+                from->curve[i].line);
+}
+
+/* The chain from..to-1 in as few parts as are found. Gives how many lines were replaced. */
+static size_t smooth_chain(drawing *to, const drawing *d, fit *f, size_t from, size_t end,
+                           double within)
+{
+    size_t replaced = 0, stop = end;
+
+    while (from < end) {
+        if (stop - from < LEAST) {
+            while (from < stop)
+                copy(to, d, from++);
+            stop = end;
+            continue;
+        }
+        const size_t cut = fit_lines(f, d, from, stop, within);
+        if (cut < stop) {
+            stop = cut;
+            continue;
+        }
+        give_spline(to, f, from == 0 || d->curve[from].path != d->curve[from - 1].path,
+                    d->curve[from].line);
+        replaced += stop - from;
+        from = stop;
+        stop = end;
+    }
+    return replaced;
+}
+
+size_t drawing_smooth(drawing *to, const drawing *from, double within)
+{
+    fit f = { 0 };
+    size_t replaced = 0;
+
+    to->width  = from->width;
+    to->height = from->height;
+    for (size_t i = 0, end; i < from->count; i = end) {
+        end = i + 1;
+        if (within > 0 && is_line(&from->curve[i]))
+            while (end < from->count && is_line(&from->curve[end]) &&
+                   smooth_at(&from->curve[end - 1], &from->curve[end], within))
+                end++;
+        replaced += smooth_chain(to, from, &f, i, end, within);
+    }
+    free(f.p);
+    free(f.u);
+    free(f.vertex);
+    free(f.knot);
+    free(f.first);
+    free(f.a);
+    free(f.b);
+    free(f.c);
+    return replaced;
+}

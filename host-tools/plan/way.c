@@ -1,0 +1,133 @@
+/* host-tools/plan/way.c -- how far along a chain of moves a motion is
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tool.h"           /* tool_grow */
+#include "plan/way.h"
+
+#define SAGITTA   0.0005    /* mm; how far chords leave their curve          */
+#define CHORDS    4000      /* of a curve at most                            */
+#define DRIFT     0.05      /* mm of distance that a mm of a detour is worth */
+#define WIDENINGS 8
+
+static double apart(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
+{
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+static void add(way *w, const double at[ENGINE_AXES], uint32_t move)
+{
+    if (w->count == w->room) {
+        w->room = w->room ? 2 * w->room : 256;
+        w->end  = tool_grow(w->end, w->room * sizeof *w->end);
+    }
+    way_end *e = &w->end[w->count];
+
+    memcpy(e->at, at, sizeof e->at);
+    e->move = move;
+    e->s    = w->count > 0 ? e[-1].s + apart(e[-1].at, at) : 0;
+    w->count++;
+}
+
+/* The second derivative of a cubic is at most 6 d, d being the largest second difference of its
+ * points; n chords leave it by at most 6 d / (8 n^2). */
+static void add_move(way *w, const engine_move *m, uint32_t number)
+{
+    double d = 0, at[ENGINE_AXES];
+
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < ENGINE_AXES; i++)
+            at[i] = m->p[k][i] - 2 * m->p[k + 1][i] + m->p[k + 2][i];
+        d = fmax(d, sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]));
+    }
+    const int n = (int)fmin(fmax(ceil(sqrt(0.75 * d / SAGITTA)), 1), CHORDS);
+    for (int k = 1; k <= n; k++) {
+        const double z = (double)k / n, y = 1 - z;
+        for (int i = 0; i < ENGINE_AXES; i++)
+            at[i] = y * y * y * m->p[0][i] + 3 * y * y * z * m->p[1][i] +
+                    3 * y * z * z * m->p[2][i] + z * z * z * m->p[3][i];
+        add(w, at, number);
+    }
+}
+
+void way_make(way *w, const engine_move move[], size_t moves, double tol)
+{
+    *w = (way){ .tol = tol };
+    w->length = tool_grow(NULL, moves * sizeof *w->length);
+    if (moves > 0)
+        add(w, move[0].p[0], 0);
+    for (size_t k = 0; k < moves; k++) {
+        const double before = way_length(w);
+        add_move(w, &move[k], (uint32_t)k);
+        w->length[k] = way_length(w) - before;
+    }
+    if (moves > 0)
+        memcpy(w->x, move[0].p[0], sizeof w->x);
+}
+
+void way_free(way *w)
+{
+    free(w->end);
+    free(w->length);
+    *w = (way){ .count = 0 };
+}
+
+double way_length(const way *w)
+{
+    return w->count > 0 ? w->end[w->count - 1].s : 0;
+}
+
+/* The nearest place of chord k, not before w->s: gives the distance. */
+static double nearest(const way *w, size_t k, const double x[ENGINE_AXES], double *s)
+{
+    const way_end *b = &w->end[k], *a = k > 0 ? b - 1 : b;
+    const double length = b->s - a->s;
+    double dot = 0, at[ENGINE_AXES];
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        dot += (x[i] - a->at[i]) * (b->at[i] - a->at[i]);
+    const double least = length > 0 ? fmax(0, (w->s - a->s) / length) : 0,
+                 z = length > 0 ? fmin(fmax(dot / (length * length), least), 1) : 1;
+    for (int i = 0; i < ENGINE_AXES; i++)
+        at[i] = a->at[i] + z * (b->at[i] - a->at[i]);
+    *s = a->s + z * length;
+    return apart(x, at);
+}
+
+/* The best place within `reach` of the place `goal`; gives the distance. */
+static double search(const way *w, const double x[ENGINE_AXES], double goal, double reach,
+                     size_t *near, double *s)
+{
+    double least = HUGE_VAL, off = HUGE_VAL;
+
+    for (size_t k = w->near; k < w->count && (k == w->near || w->end[k - 1].s <= goal + reach);
+         k++) {
+        double at;
+        const double d = nearest(w, k, x, &at), cost = d + DRIFT * fabs(at - goal);
+        if (cost < least) {
+            least = cost;
+            off   = d;
+            *near = k;
+            *s    = at;
+        }
+    }
+    return off;
+}
+
+uint32_t way_follow(way *w, const double x[ENGINE_AXES])
+{
+    const double step = apart(x, w->x), goal = w->s + step;
+    double reach = 2 * w->tol + step / 4, s = w->s;
+    size_t near  = w->near;
+
+    for (int n = 0; n < WIDENINGS && search(w, x, goal, reach, &near, &s) > 2 * w->tol; n++)
+        reach *= 4;
+    memcpy(w->x, x, sizeof w->x);
+    w->near = near;
+    w->s    = s;
+    return w->end[near].move;
+}

@@ -1,0 +1,77 @@
+/* host-tools/read/csv.c -- reads curves as numbers: x0,y0,x1,y1,x2,y2,x3,y3 in mm, one cubic per
+ * line
+ * SPDX-License-Identifier: MIT
+ *
+ * `#` starts a comment; a first line of names is passed over. A curve that starts where the one
+ * before ends goes on with its path. Commas, semicolons, tabs and blanks separate.
+ */
+#include <ctype.h>
+#include <string.h>
+
+#include "read/drawing.h"
+#include "base/scan.h"       /* scan_numbers */
+#include "base/tool.h"       /* tool_error, sysexits */
+
+static const char *skip(const char *s)
+{
+    return s + strspn(s, ",; \t\r");
+}
+
+static int refuse(const char *file, unsigned line, int count, const char *rest)
+{
+    double more;
+
+    if (count == 8 && scan_number(&rest, &more))
+        return tool_error(
+            EX_DATAERR, "%s:%u: more than eight numbers: a curve is x0,y0,x1,y1,x2,y2,x3,y3 in mm",
+            file, line);
+    if (*rest == '\0' || *rest == '\n' || *rest == '#')
+        return tool_error(EX_DATAERR, "%s:%u: %d numbers: a curve is x0,y0,x1,y1,x2,y2,x3,y3 in mm",
+                          file, line, count);
+    if (line == 1 && count == 0)
+        return tool_error(
+            EX_DATAERR,
+            "%s: is not a drawing: neither SVG nor CSV with x0,y0,x1,y1,x2,y2,x3,y3 in mm", file);
+    return tool_error(
+        EX_DATAERR, "%s:%u: \"%.*s\" is not a number: a curve is x0,y0,x1,y1,x2,y2,x3,y3 in mm",
+        file, line, (int)strcspn(rest, ",; \t\r\n") > 20 ? 20 : (int)strcspn(rest, ",; \t\r\n"),
+        rest);
+}
+
+/* A line of names such as x0,y0,x1..: letters first, and a comma or blank somewhere. */
+static bool is_header(const char *s)
+{
+    const size_t length = strcspn(s, "\n");
+
+    return (isalpha((unsigned char)*s) || *s == '"') && strcspn(s, ",;\t") < length;
+}
+
+int drawing_read_csv(drawing *d, const char *file, const char *text, size_t size)
+{
+    bool first = true;
+    unsigned line = 1;
+
+    if (strncmp(text, "\xEF\xBB\xBF", 3) == 0)
+        text += 3;
+    (void)size;
+    for (const char *s = text; *s != '\0'; line++) {
+        const char *rest = skip(s);
+        if (*rest != '#' && *rest != '\n' && *rest != '\0') {
+            double v[8];
+            if (!(first && is_header(rest))) {
+                const int count = scan_numbers(&rest, v, 8);
+                if (count != 8 || (*rest != '\n' && *rest != '\0' && *rest != '#'))
+                    return refuse(file, line, count, rest);
+                double p[4][2];
+                memcpy(p, v, sizeof p);
+                const int code = drawing_join(d, file, line, p);
+                if (code != 0)
+                    return code;
+            }
+            first = false;
+        }
+        s += strcspn(s, "\n");
+        s += *s == '\n';
+    }
+    return 0;
+}

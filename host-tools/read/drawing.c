@@ -1,0 +1,219 @@
+/* host-tools/read/drawing.c -- reading a file by its content; length and box of a drawing
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "engine/curve.h"      /* curves_is_text, curves_free */
+#include "read/drawing.h"
+#include "read/foreign.h"
+#include "base/source.h"     /* source_read */
+#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+
+#define SAME 1e-6       /* mm; ends that are nearer count as one point */
+
+// Reading
+// -------
+
+/* A line of G-code near the beginning: a letter and a number, as G21, N10 or M3. */
+static bool is_gcode(const char *text)
+{
+    for (int line = 0; line < 20 && *text != '\0'; line++) {
+        text += strspn(text, " \t\r");
+        if (strchr("GMNgmn", *text) && *text != '\0' && strspn(text + 1, "0123456789") > 0)
+            return true;
+        text += strcspn(text, "\n");
+        text += *text == '\n';
+    }
+    return false;
+}
+
+static int read_text(drawing *d, const char *file, const char *text, size_t size)
+{
+    if (text[strspn(text, " \t\r\n")] == '\0' && strlen(text) == size)
+        return tool_error(EX_DATAERR, "%s: is empty: a drawing is expected, SVG, CSV or .loft",
+                          file);
+    if (source_is_xml(text))
+        return drawing_read_svg(d, file, text, size);
+    if (foreign_refuse(file, text, size) != 0)
+        return EX_DATAERR;
+    if (strlen(text) != size)
+        return tool_error(EX_DATAERR, "%s: is not text: a drawing is expected, SVG, CSV or .loft",
+                          file);
+    if (curves_is_text(file, text))
+        return drawing_read_curves(d, file, text);
+    if (is_gcode(text))
+        return tool_error(EX_DATAERR,
+                          "%s: is G-code: give the drawing that it was made of, as SVG, CSV or "
+                          ".loft, or its points as .loft `line`",
+                          file);
+    return drawing_read_csv(d, file, text, size);
+}
+
+int drawing_read(drawing *d, const char *file)
+{
+    size_t size;
+    int code;
+    char *text = source_read(file, &size, &code);
+
+    if (text != NULL)
+        code = read_text(d, source_name(file), text, size);
+    free(text);
+    if (code == 0 && d->count == 0)
+        return tool_error(EX_DATAERR,
+                          "%s: nothing to draw: it holds no visible curve of 0.000001 mm or more",
+                          source_name(file));
+    return code;
+}
+
+void drawing_free(drawing *d)
+{
+    if (d->of != NULL)
+        curves_free(d->of);
+    free(d->of);
+    free(d->curve);
+    *d = (drawing){ 0 };
+}
+
+void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line)
+{
+    if (d->count == d->room) {
+        d->room = d->room ? 2 * d->room : 256;
+        d->curve = tool_grow(d->curve, d->room * sizeof *d->curve);
+    }
+    const unsigned path = d->count == 0 ? 0 : d->curve[d->count - 1].path + (fresh ? 1 : 0);
+    drawing_curve *c = &d->curve[d->count++];
+
+    memcpy(c->p, p, sizeof c->p);
+    c->path = path;
+    c->line = line;
+}
+
+int drawing_join(drawing *d, const char *file, unsigned line, double p[4][2])
+{
+    for (int i = 0; i < 8; i++)
+        if (!(fabs(p[i / 2][i % 2]) <= DRAWING_LIMIT))
+            return tool_error(EX_DATAERR, "%s:%u: %g mm is beyond +-%g mm: check the units", file,
+                              line, p[i / 2][i % 2], DRAWING_LIMIT);
+    if (d->count >= DRAWING_CURVES_MAX)
+        return tool_error(EX_DATAERR, "%s:%u: more than %u curves: split the drawing", file, line,
+                          DRAWING_CURVES_MAX);
+
+    const double *end = d->count ? d->curve[d->count - 1].p[3] : NULL;
+    const bool goes_on = end && hypot(end[0] - p[0][0], end[1] - p[0][1]) <= SAME;
+    if (goes_on)
+        memcpy(p[0], end, sizeof p[0]);
+    for (int k = 1; k < 4; k++)
+        if (hypot(p[k][0] - p[0][0], p[k][1] - p[0][1]) > SAME) {
+            drawing_add(d, p, !goes_on, line);
+            break;                      /* a curve without length draws nothing */
+        }
+    return 0;
+}
+
+
+// Measuring
+// ---------
+
+void drawing_eval(const drawing_curve *c, double t, double out[2])
+{
+    const double s = 1 - t;
+    const double w[4] = { s*s*s, 3*s*s*t, 3*s*t*t, t*t*t };
+
+    for (int i = 0; i < 2; i++)
+        out[i] = w[0]*c->p[0][i] + w[1]*c->p[1][i] + w[2]*c->p[2][i] + w[3]*c->p[3][i];
+}
+
+void drawing_deriv(const drawing_curve *c, double t, double out[2])
+{
+    const double s = 1 - t;
+
+    for (int i = 0; i < 2; i++)
+        out[i] = 3 * (s * s * (c->p[1][i] - c->p[0][i]) + 2 * s * t * (c->p[2][i] - c->p[1][i]) +
+                      t * t * (c->p[3][i] - c->p[2][i]));
+}
+
+/* The length of the piece from a to b by Gauss's rule with seven points: exact for a speed of
+ * degree 13. */
+static double gauss(const drawing_curve *c, double a, double b)
+{
+    static const double at[4] = { 0, 0.40584515137739716691, 0.74153118559939443986,
+                                  0.94910791234275852453 };
+    static const double weight[4] = { 0.41795918367346938776, 0.38183005050511894495,
+                                      0.27970539148927666790, 0.12948496616886969327 };
+    const double middle = (a + b) / 2, half = (b - a) / 2;
+    double sum = 0;
+
+    for (int i = -3; i <= 3; i++) {
+        double v[2];
+        drawing_deriv(c, middle + half * (i < 0 ? -at[-i] : at[i]), v);
+        sum += weight[i < 0 ? -i : i] * hypot(v[0], v[1]);
+    }
+    return sum * half;
+}
+
+/* Halve until both halves agree with the whole. Near a cusp the speed has a corner, which the
+ * halving closes in on: what is left after 40 levels is 2^-40 of the curve. */
+static double length_between(const drawing_curve *c, double a, double b, double whole, double tol,
+                             int levels)
+{
+    const double middle = (a + b) / 2, left = gauss(c, a, middle), right = gauss(c, middle, b);
+
+    if (levels == 0 || fabs(left + right - whole) <= tol)
+        return left + right;
+    return length_between(c, a, middle, left, tol / 2, levels - 1) +
+           length_between(c, middle, b, right, tol / 2, levels - 1);
+}
+
+double drawing_length(const drawing *d)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < d->count; i++) {
+        const drawing_curve *c = &d->curve[i];
+        double legs = 0;        /* of the control polygon: not less than the length */
+        for (int k = 0; k < 3; k++)
+            legs += hypot(c->p[k + 1][0] - c->p[k][0], c->p[k + 1][1] - c->p[k][1]);
+        sum += length_between(c, 0, 1, gauss(c, 0, 1), 1e-8 * legs, 40);
+    }
+    return sum;
+}
+
+static void box_join(double box[2][2], const double p[2])
+{
+    for (int i = 0; i < 2; i++) {
+        box[0][i] = fmin(box[0][i], p[i]);
+        box[1][i] = fmax(box[1][i], p[i]);
+    }
+}
+
+/* Extremes lie at the ends and where a coordinate of the derivative, a t^2 + b t + c, is zero. */
+static void box_curve(double box[2][2], const drawing_curve *of)
+{
+    box_join(box, of->p[0]);
+    box_join(box, of->p[3]);
+    for (int i = 0; i < 2; i++) {
+        const double d0 = of->p[1][i] - of->p[0][i], d1 = of->p[2][i] - of->p[1][i],
+                     d2 = of->p[3][i] - of->p[2][i];
+        const double a = d0 - 2*d1 + d2, b = 2 * (d1 - d0), c = d0;
+        const double q = -(b + copysign(sqrt(fmax(b*b - 4*a*c, 0)), b)) / 2;
+        const double root[2] = { q / a, c / q };
+
+        for (int k = 0; k < 2; k++)
+            if (root[k] > 0 && root[k] < 1) {   /* false for the nan of 0/0 */
+                double p[2];
+                drawing_eval(of, root[k], p);
+                box_join(box, p);
+            }
+    }
+}
+
+bool drawing_box(const drawing *d, double box[2][2])
+{
+    box[0][0] = box[0][1] = HUGE_VAL;
+    box[1][0] = box[1][1] = -HUGE_VAL;
+    for (size_t i = 0; i < d->count; i++)
+        box_curve(box, &d->curve[i]);
+    return d->count > 0;
+}

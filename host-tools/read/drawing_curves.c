@@ -1,0 +1,76 @@
+/* host-tools/read/drawing_curves.c -- a drawing of curves of any kind: every one becomes cubics in
+ * the plane
+ * SPDX-License-Identifier: MIT
+ *
+ * A curve that starts where the one before ends goes on with its path. Polynomials to degree 3 stay
+ * what they are; others are cut into cubics that stay within DRAWING_TOL, a fiftieth of what a plan
+ * may leave its path.
+ */
+#include <string.h>
+
+#include "engine/curve.h"
+#include "read/drawing.h"
+#include "engine/engine.h"     /* engine_f64: pieces of a curve, and cubics */
+#include "engine/piece.h"
+#include "base/tool.h"       /* tool_error, sysexits */
+
+#define DRAWING_TOL 1e-4     /* mm */
+
+typedef struct {
+    drawing *d;
+    const curve *c;
+    const char *file;
+    int code;
+} pen;
+
+static void draw(void *context, double p[4][CURVE_AXES])
+{
+    pen *out = context;
+    double flat[4][2];
+
+    for (int k = 0; k < 4; k++) {
+        if (out->code == 0 && (p[k][2] < 0 || p[k][2] > 0))
+            out->code = tool_error(
+                EX_DATAERR, "%s:%u: %s: leaves the plane of the drawing: give points without z",
+                out->file, out->c->line, curve_name(out->c->kind));
+        memcpy(flat[k], p[k], sizeof flat[k]);
+    }
+    if (out->code == 0)
+        out->code = drawing_join(out->d, out->file, out->c->line, flat);
+}
+
+static int draw_curve(pen *out)
+{
+    const engine_curves *make = engine_f64.curve;
+    engine_curve *held;
+    int status = make->open(out->c, &held);
+
+    if (status != 0)
+        return tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, out->c->line,
+                          curve_name(out->c->kind), engine_status(status));
+    for (unsigned i = 0; i < make->pieces(held) && out->code == 0 && status == 0; i++) {
+        piece p;
+        status = make->piece(held, i, &p);
+        if (status == 0)
+            status = engine_f64.piece->cubics(&p, DRAWING_TOL, draw, out);
+    }
+    make->close(held);
+    if (status != 0)
+        return tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, out->c->line,
+                          curve_name(out->c->kind), engine_status(status));
+    return out->code;
+}
+
+int drawing_read_curves(drawing *d, const char *file, const char *text)
+{
+    curves *all = d->of = tool_grow(NULL, sizeof *d->of);
+    int code;
+
+    *all = (curves){ 0 };
+    code = curves_read_text(all, file, text);
+    for (size_t i = 0; i < all->count && code == 0; i++) {
+        pen out = { d, &all->curve[i], file, 0 };
+        code = draw_curve(&out);
+    }
+    return code;
+}

@@ -1,0 +1,348 @@
+/* host-tools/read/machine_file.c -- reads machines: `key = value` lines, and grbl's `$` numbers;
+ * MACHINE.md says what there is
+ * SPDX-License-Identifier: MIT
+ */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "read/machine_file.h"
+#include "base/scan.h"           /* scan_number, scan_space */
+#include "base/source.h"         /* source_read */
+#include "base/tool.h"
+
+/* A key, what it may be, and where it goes. Keys of axes have x, y, z or, for all of them, nothing
+ * in front. */
+typedef struct {
+    const char *key, *unit;
+    size_t at;
+    bool   axes, whole, limits;
+    double least, most;
+    unsigned kinds;             /* kinematics that have it, as bits; 0: all */
+} row;
+
+#define AT(field) offsetof(machine_file, field)
+#define POLAR     (1u << ENGINE_POLAR)
+#define DELTA     (1u << ENGINE_DELTA)
+#define ARM       0.99      /* the radius of a delta, over its arm, at most */
+#define APART     30        /* degrees between towers, at least             */
+
+static const row rows[] = {
+    { "steps_per_mm", "steps/mm", AT(steps_per_mm), true, false, false, 0.01, 30000, 0 },
+    { "max_speed", "mm/s", AT(max_speed), true, false, true, 1 / 64.0, 16383, 0 },
+    { "max_accel", "mm/s^2", AT(max_accel), true, false, true, 1, 16383, 0 },
+    { "max_jerk", "mm/s^3", AT(max_jerk), true, false, true, 0, 1e7, 0 },
+    { "max_across", "mm/s^2", AT(max_across), false, false, false, 0, 16383, 0 },
+    { "corner", "mm", AT(corner), false, false, false, 0, 1, 0 },
+    { "tolerance", "mm", AT(tol), false, false, false, 1 / 1024.0, 1, 0 },
+    { "tick_hz", "ticks/s", AT(tick_hz), false, true, false, 50, 50000, 0 },
+    { "slots", "per tick", AT(slots), false, true, false, 1, 4096, 0 },
+    { "ramp", "ticks", AT(ramp), false, true, false, 1, 32767, 0 },
+    { "queue", "items", AT(queue), false, true, false, 2, 32768, 0 },
+    { "curves", "curves", AT(curves), false, true, false, 0, 4096, 0 },
+    { "center", "mm", AT(k.center), true, false, false, -8191, 8191, POLAR | DELTA },
+    { "arm_length", "mm", AT(k.arm_length), false, false, false, 1, 8191, DELTA },
+    { "delta_radius", "mm", AT(k.delta_radius), false, false, false, 1, 8191, DELTA },
+    { "tower_angle", "degrees", AT(k.tower_angle), true, false, false, -360, 360, DELTA },
+    { "turn", "per turn", AT(k.turn), false, false, false, 6, 8191, POLAR },
+    { "inside", "mm", AT(k.inside), false, false, false, 0.01, 1000, POLAR },
+};
+#define ROWS (sizeof rows / sizeof rows[0])
+
+/* grbl 1.1: `$100=250.000`. Rates are in mm/min. Numbers that say nothing about a plan are passed
+ * over. */
+static const struct { int number; const char *key; int axis; double unit;
+} grbl[] = {
+    { 11, "corner", -1, 1 },           { 100, "steps_per_mm", 0, 1 },
+    { 101, "steps_per_mm", 1, 1 },     { 102, "steps_per_mm", 2, 1 },
+    { 110, "max_speed", 0, 1 / 60.0 }, { 111, "max_speed", 1, 1 / 60.0 },
+    { 112, "max_speed", 2, 1 / 60.0 }, { 120, "max_accel", 0, 1 },
+    { 121, "max_accel", 1, 1 },        { 122, "max_accel", 2, 1 },
+};
+
+typedef struct {
+    machine_file *m;
+    const char *file;
+    unsigned line, named;                   /* which one gave the kinematics; 0: none */
+    unsigned said[ROWS][1 + ENGINE_AXES];   /* the line of each key: for all axes, for x, y, z */
+} reading;
+
+machine_file machine_usual(void)
+{
+    machine_file m = { .corner = 0.01,
+                       .tol = 0.005,
+                       .tick_hz = 1000,
+                       .slots = 40,
+                       .ramp = 100,
+                       .queue = 256,
+                       .curves = 64,
+                       .k = kinematics_usual() };
+
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        m.steps_per_mm[i] = 80;
+        m.max_speed[i] = 500;
+        m.max_accel[i] = 2000;
+        m.max_jerk[i] = -1;
+    }
+    return m;
+}
+
+static const row *find(const char *key, size_t length)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        if (strlen(rows[i].key) == length && strncmp(rows[i].key, key, length) == 0)
+            return &rows[i];
+    return NULL;
+}
+
+/* One key has one place; that for all axes stands before those for one. */
+static int once(reading *r, const row *k, int axis)
+{
+    unsigned *said = r->said[k - rows], *mine = &said[1 + axis];
+
+    for (int i = 0; i <= ENGINE_AXES; i++)
+        if (said[i] > 0 && (i == 1 + axis || (axis < 0 && k->axes)))
+            return tool_error(EX_DATAERR, "%s:%u: %s is given in line %u already: %s", r->file,
+                              r->line, k->key, said[i],
+                              i == 1 + axis ? "take one of them away"
+                                            : "put what holds for all axes first");
+    *mine = r->line;
+    return 0;
+}
+
+static int set(reading *r, const row *k, int axis, double value)
+{
+    double *to = (double *)((char *)r->m + k->at);
+
+    if (!(value >= k->least && value <= k->most) || (k->whole && value != floor(value)))
+        return tool_error(EX_DATAERR, "%s:%u: %s is %.10g: give %s from %.10g to %.10g %s", r->file,
+                          r->line, k->key, value, k->whole ? "a whole number" : "a number",
+                          k->least, k->most, k->unit);
+    for (int i = 0; i < (k->axes ? ENGINE_AXES : 1); i++)
+        if (axis < 0 || axis == i)
+            to[i] = value;
+    r->m->limited = r->m->limited || k->limits;
+    return once(r, k, axis);
+}
+
+/* What is behind a number must be nothing, a comment, or the remark in brackets that grbl
+ * prints. */
+static bool ends(const char *s)
+{
+    s += strspn(s, " \t\r");
+    return *s == '\0' || *s == '\n' || *s == '#' || *s == '(';
+}
+
+static int read_grbl(reading *r, const char *s)
+{
+    double number, value;
+
+    s++;
+    if (!scan_number(&s, &number) || *s++ != '=' || !scan_number(&s, &value) || !ends(s))
+        return tool_error(EX_DATAERR,
+                          "%s:%u: not a setting of grbl: give lines such as $100=250.000", r->file,
+                          r->line);
+    for (size_t i = 0; i < sizeof grbl / sizeof grbl[0]; i++)
+        if (grbl[i].number == number)
+            return set(r, find(grbl[i].key, strlen(grbl[i].key)), grbl[i].axis,
+                       value * grbl[i].unit);
+    return 0;
+}
+
+static int unknown(const reading *r, const char *s, size_t length)
+{
+    char all[440] = "kinematics";
+
+    for (size_t i = 0, used = strlen(all); i < ROWS; i++)
+        used += (size_t)snprintf(all + used, sizeof all - used, ", %s%s",
+                                 rows[i].axes ? "[x.]" : "", rows[i].key);
+    return tool_error(EX_DATAERR, "%s:%u: unknown key \"%.*s\": there are %s", r->file, r->line,
+                      (int)(length < 30 ? length : 30), s, all);
+}
+
+/* `s` is behind the key. */
+static int read_kinematics(reading *r, const char *s)
+{
+    s += strspn(s, " \t");
+    const char *word = *s == '=' ? s + 1 + strspn(s + 1, " \t") : s;
+    const size_t length = strcspn(word, " \t\r\n#");
+
+    if (r->named > 0)
+        return tool_error(EX_DATAERR,
+                          "%s:%u: kinematics is given in line %u already: take one of them away",
+                          r->file, r->line, r->named);
+    if (word == s || !ends(word + length) || !kinematics_find(&r->m->k, word, length))
+        return tool_error(EX_DATAERR,
+                          "%s:%u: write kinematics = cartesian, corexy, hbot, delta or polar",
+                          r->file, r->line);
+    r->named = r->line;
+    return 0;
+}
+
+/* Axis 0 to 2 of `x.` or, by its motor, `a.`; -1: neither. */
+static int axis_of(const char *s, size_t length)
+{
+    const char *at = length > 2 && s[1] == '.' ? strchr("xyzabc", tolower((unsigned char)s[0]))
+                                               : NULL;
+
+    return at ? (int)(strchr("xyzabc", *at) - "xyzabc") % ENGINE_AXES : -1;
+}
+
+static int read_key(reading *r, const char *s)
+{
+    const size_t length = strcspn(s, " \t\r\n=#");
+    const int axis      = axis_of(s, length);
+    const bool named    = axis >= 0;
+    const row *k        = find(named ? s + 2 : s, named ? length - 2 : length);
+    double value;
+
+    if (length == 10 && strncmp(s, "kinematics", 10) == 0)
+        return read_kinematics(r, s + length);
+    if (k == NULL || (named && !k->axes))
+        return unknown(r, s, length);
+    s += length;
+    s += strspn(s, " \t");
+    if (*s != '=')
+        return tool_error(EX_DATAERR, "%s:%u: no `=` behind %s: write %s = %g", r->file, r->line,
+                          k->key, k->key, k->least > 1 ? k->least : 1);
+    s++;
+    s += strspn(s, " \t");
+    if (!scan_number(&s, &value) || !ends(s))
+        return tool_error(EX_DATAERR, "%s:%u: %s is not a number: give one in %s", r->file, r->line,
+                          k->key, k->unit);
+    return set(r, k, axis, value);
+}
+
+
+
+// What must fit together
+// ----------------------
+
+/* The line that gave a key; 0: none did. */
+static unsigned line_of(const reading *r, size_t key)
+{
+    unsigned line = 0;
+
+    for (int i = 0; i <= ENGINE_AXES; i++)
+        line = r->said[key][i] > line ? r->said[key][i] : line;
+    return line;
+}
+
+/* Keys of other kinematics, which would do nothing. */
+static int check_keys(const reading *r)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        if (line_of(r, i) > 0 && rows[i].kinds != 0 && !(rows[i].kinds & 1u << r->m->k.kind))
+            return tool_error(
+                EX_DATAERR,
+                "%s:%u: %s is for kinematics = %s, and this machine is %s: remove one of them",
+                r->file, line_of(r, i), rows[i].key,
+                rows[i].kinds == DELTA   ? "delta"
+                : rows[i].kinds == POLAR ? "polar"
+                                         : "delta or polar",
+                kinematics_name(&r->m->k));
+    return 0;
+}
+
+static int check_delta(const reading *r)
+{
+    const kinematics *k = &r->m->k;
+    const unsigned angles = line_of(r, (size_t)(find("tower_angle", 11) - rows));
+
+    if (!(k->arm_length > 0 && k->delta_radius > 0))
+        return tool_error(EX_DATAERR, "%s:%u: kinematics = delta needs %s as well: give it in mm",
+                          r->file, r->named, k->arm_length > 0 ? "delta_radius" : "arm_length");
+    if (k->delta_radius > ARM * k->arm_length)
+        return tool_error(EX_DATAERR,
+                          "%s:%u: arms of %g mm do not reach the middle from %g mm: give a "
+                          "delta_radius of at most %g times arm_length",
+                          r->file, line_of(r, (size_t)(find("delta_radius", 12) - rows)),
+                          k->arm_length, k->delta_radius, ARM);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        if (fabs(remainder(k->tower_angle[i] - k->tower_angle[(i + 1) % ENGINE_AXES], 360)) < APART)
+            return tool_error(EX_DATAERR,
+                              "%s:%u: two towers at %g and %g degrees: give them angles %d degrees "
+                              "apart, as 210, 330 and 90",
+                              r->file, angles ? angles : r->named, k->tower_angle[i],
+                              k->tower_angle[(i + 1) % ENGINE_AXES], APART);
+    return 0;
+}
+
+/* Both motors of a CoreXY move x and y, so both have one limit, the smaller: then it holds for the
+ * motors, and for the tool along x and along y, whichever of them was meant
+ * (lib/kinematics/kinematics.h). */
+static void share_limits(machine_file *m)
+{
+    double *const of[] = { m->max_speed, m->max_accel }, *jerk = m->max_jerk;
+
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++)
+        of[i][0] = of[i][1] = fmin(of[i][0], of[i][1]);
+    jerk[0] = jerk[1] = (jerk[0] > 0) != (jerk[1] > 0) ? fmax(jerk[0], jerk[1])
+                                                       : fmin(jerk[0], jerk[1]);
+}
+
+static int check(const reading *r)
+{
+    int code = check_keys(r);
+
+    if (code == 0 && r->m->k.kind == ENGINE_DELTA)
+        code = check_delta(r);
+    if (code == 0 && r->m->k.kind == ENGINE_COREXY)
+        share_limits(r->m);
+    kinematics_ready(&r->m->k);
+    return code;
+}
+
+int machine_line(machine_file *m, const char *file, unsigned line, const char *text)
+{
+    reading r = { .m = m, .file = file, .line = line };
+
+    return read_key(&r, text);
+}
+
+int machine_read(machine_file *m, const char *file)
+{
+    reading r = { .m = m, .file = source_name(file), .line = 1 };
+    size_t size;
+    int code = 0;
+    char *text = source_read(file, &size, &code);
+
+    if (text == NULL)
+        return code;
+    if (strlen(text) != size)
+        code = tool_error(
+            EX_DATAERR,
+            "%s: is not text: lines `key = value` are expected, see host-tools/MACHINE.md", r.file);
+    for (const char *s = text; *s != '\0' && code == 0; r.line++) {
+        const char *first = s + strspn(s, " \t\r");
+        if (*first == '$')
+            code = read_grbl(&r, first);
+        else if (*first != '#' && *first != '\n' && *first != '\0')
+            code = read_key(&r, first);
+        s += strcspn(s, "\n");
+        s += *s == '\n';
+    }
+    free(text);
+    return code ? code : check(&r);
+}
+
+int machine_option(machine_file *m, int argc, char **argv)
+{
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        if (strncmp(argv[i], "--machine=", 10) == 0)
+            return machine_read(m, argv[i] + 10);
+        if (strcmp(argv[i], "--machine") == 0 && i + 1 < argc)
+            return machine_read(m, argv[i + 1]);
+    }
+    return 0;
+}
+
+void machine_limit(const machine_file *m, engine_limits *limits)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        limits->max_speed[i] = fmin(limits->max_speed[i], m->max_speed[i]);
+        limits->max_accel[i] = fmin(limits->max_accel[i], m->max_accel[i]);
+    }
+}

@@ -1,0 +1,594 @@
+/* host-tools/read/svg.c -- the SVG document: elements, viewports, <use>, what is hidden
+ * SPDX-License-Identifier: MIT
+ *
+ * What is drawn: path, rect, circle, ellipse, line, polyline, polygon, in g, a, svg, switch and
+ * use. What cannot be drawn (text, pictures, clipping) is said once. What is wrong in the file ends
+ * the reading, with its line.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/scan.h"       /* scan_number */
+#include "read/svg.h"
+
+#define MM_PER_PX (25.4 / 96)
+#define UNCLIPPED 0.01          /* mm; what leaves a viewport by less is not told */
+
+static const xmlChar xlink_namespace[] = "http://www.w3.org/1999/xlink";
+
+/* The targets of the <use> elements that are being drawn, innermost first. */
+typedef struct use_chain {
+    const xmlNode *target;
+    const struct use_chain *up;
+} use_chain;
+
+static bool draw(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain);
+
+
+// What is drawn at all
+// --------------------
+
+static bool one_of(const xmlNode *node, const char *const names[])
+{
+    for (; *names != NULL; names++)
+        if (strcmp((const char *)node->name, *names) == 0)
+            return true;
+    return false;
+}
+
+/* Conditional processing: no extension is known here, and the language is English. */
+static bool applies(const xmlNode *node)
+{
+    char *extensions = svg_attribute(node, "requiredExtensions"),
+         *language = svg_attribute(node, "systemLanguage");
+    const bool good = extensions == NULL &&
+                      (language == NULL || strncmp(language, "en", 2) == 0 ||
+                       strstr(language, ",en") != NULL || strstr(language, ", en") != NULL);
+
+    xmlFree(extensions);
+    xmlFree(language);
+    return good;
+}
+
+/* Is it a colour of which nothing is seen? Those that carry how opaque they are end with it. */
+static bool is_clear(const char *colour)
+{
+    const size_t length = strlen(colour);
+    const char *last = strrchr(colour, '/') ? strrchr(colour, '/') : strrchr(colour, ',');
+    double x;
+
+    if (colour[0] == '#')
+        return (length == 5 && colour[4] == '0') || (length == 9 && strcmp(colour + 7, "00") == 0);
+    if (last != NULL &&
+        (strncmp(colour, "rgba(", 5) == 0 || strncmp(colour, "hsla(", 5) == 0 || *last == '/')) {
+        last++;
+        scan_space(&last);
+        return scan_number(&last, &x) && x <= 0;
+    }
+    return strcmp(colour, "none") == 0 || strcmp(colour, "transparent") == 0;
+}
+
+static bool is_inherited(const char *value)
+{
+    return value == NULL || strcmp(value, "inherit") == 0 || strcmp(value, "unset") == 0;
+}
+
+/* Does the property paint? If it is not said: as before. */
+static void read_paint(svg_reader *r, const svg_style *style, enum svg_property which, bool *paints)
+{
+    char *value = svg_property(r, style, which, NULL);
+
+    if (!is_inherited(value))
+        *paints = strcmp(value, "initial") == 0 ? which == SVG_FILL : !is_clear(value);
+    xmlFree(value);
+}
+
+/* Is the number above 0? If it is not said, or no number: as before. */
+static void read_positive(svg_reader *r, const svg_style *style, enum svg_property which,
+                          bool *positive)
+{
+    char *value = svg_property(r, style, which, NULL);
+    const char *at = value;
+    double x;
+
+    if (value != NULL && strcmp(value, "initial") == 0)
+        *positive = true;
+    else if (value != NULL && scan_number(&at, &x) && (x >= 0 || which != SVG_STROKE_WIDTH))
+        *positive = x > 0;
+    xmlFree(value);
+}
+
+static void read_visibility(svg_reader *r, const svg_style *style, bool *visible)
+{
+    char *value = svg_property(r, style, SVG_VISIBILITY, NULL);
+
+    if (value != NULL && (strcmp(value, "hidden") == 0 || strcmp(value, "collapse") == 0))
+        *visible = false;
+    else if (value != NULL && (strcmp(value, "visible") == 0 || strcmp(value, "initial") == 0))
+        *visible = true;
+    xmlFree(value);
+}
+
+/* Read what tells whether the current element is seen; false if nothing of it is. */
+static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space)
+{
+    char *display = svg_property(r, style, SVG_DISPLAY, NULL),
+         *overflow = svg_property(r, style, SVG_OVERFLOW, NULL);
+    bool opaque = true;
+
+    read_positive(r, style, SVG_OPACITY, &opaque);
+    const bool good = opaque && (display == NULL || strcmp(display, "none") != 0);
+    space->clipped = overflow == NULL ||
+                     (strcmp(overflow, "visible") != 0 && strcmp(overflow, "auto") != 0);
+    xmlFree(display);
+    xmlFree(overflow);
+
+    read_visibility(r, style, &space->visible);
+    read_paint(r, style, SVG_FILL, &space->fill);
+    read_paint(r, style, SVG_STROKE, &space->stroke);
+    read_positive(r, style, SVG_FILL_OPACITY, &space->fill_opaque);
+    read_positive(r, style, SVG_STROKE_OPACITY, &space->stroke_opaque);
+    read_positive(r, style, SVG_STROKE_WIDTH, &space->stroke_wide);
+    return good;
+}
+
+/* Apply the transform of the current element: of its style, or else its attribute. */
+static bool enter_transform(svg_reader *r, const svg_style *style, svg_space *space)
+{
+    bool css;
+    char *text = svg_property(r, style, SVG_TRANSFORM, &css);
+    const bool good = text == NULL || (css && strcmp(text, "unset") == 0) ||
+                      svg_transform(r, text, css, &space->to_mm);
+
+    xmlFree(text);
+    return good;
+}
+
+/* Say what the drawing will lack. */
+static void warn_of(svg_reader *r, const svg_style *style)
+{
+    static const struct {
+        enum svg_property property;
+        enum svg_warning kind;
+        const char *text;
+    } left_out[] = {
+        { SVG_CLIP_PATH, SVG_WARN_CLIP_PATH,
+          "clip-path is not applied, the whole outline is drawn: cut the paths in the editor" },
+        { SVG_MASK, SVG_WARN_MASK,
+          "mask is not applied, the whole outline is drawn: cut the paths in the editor" },
+        { SVG_DASHES, SVG_WARN_DASHES,
+          "stroke-dasharray is not applied, whole lines are drawn: make paths of the dashes in the "
+          "editor" },
+        { SVG_MARKER, SVG_WARN_MARKER, "markers are not drawn: make paths of them in the editor" },
+        { SVG_MARKER_START, SVG_WARN_MARKER,
+          "markers are not drawn: make paths of them in the editor" },
+        { SVG_MARKER_MID, SVG_WARN_MARKER,
+          "markers are not drawn: make paths of them in the editor" },
+        { SVG_MARKER_END, SVG_WARN_MARKER,
+          "markers are not drawn: make paths of them in the editor" }
+    };
+
+    for (size_t i = 0; i < sizeof left_out / sizeof left_out[0]; i++) {
+        char *value = svg_property(r, style, left_out[i].property, NULL);
+        if (!is_inherited(value) && strcmp(value, "none") != 0 && strcmp(value, "0") != 0 &&
+            strcmp(value, "initial") != 0)
+            svg_warn(r, left_out[i].kind, "%s", left_out[i].text);
+        xmlFree(value);
+    }
+}
+
+/* Read the style of the current element into `space`; *shown: something of it is seen. `scope` must
+ * outlive what stands in it, and be closed. */
+static bool enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
+{
+    svg_style style;
+
+    svg_style_open(r, &style, scope, space->scope);
+    space->scope = style.scope;
+    *shown = is_displayed(r, &style, space);
+    const bool good = !*shown || enter_transform(r, &style, space);
+    if (good && *shown)
+        warn_of(r, &style);
+    svg_style_close(&style);
+    if (good && r->effort > SVG_EFFORT_MAX)
+        return svg_fail(r, "the style sheet takes too long: give shapes their styles by style=\"\" "
+                           "or fewer classes");
+    return good;
+}
+
+static void warn_undrawn(svg_reader *r, const svg_space *space)
+{
+    static const char *const texts[]    = { "text", "flowRoot", NULL };
+    static const char *const pictures[] = { "image", "foreignObject", NULL };
+
+    if (space->visible && one_of(r->node, texts))
+        svg_warn(r, SVG_WARN_TEXT, "<%s> is not drawn: convert text to paths",
+                 (const char *)r->node->name);
+    if (space->visible && one_of(r->node, pictures))
+        svg_warn(r, SVG_WARN_PICTURE, "<%s> is not drawn: trace pictures to paths",
+                 (const char *)r->node->name);
+}
+
+
+// Viewports
+// ---------
+
+/* Enter the viewport of the current element: a box of width x height (below 0: unknown) in `space`
+ * becomes its viewBox. *empty: it has no size, nothing of it is drawn. */
+static bool enter_viewport(const svg_reader *r, svg_space *space, double width, double height,
+                           bool *empty)
+{
+    double box[4];
+    bool given;
+    svg_matrix fit;
+
+    if (!svg_view_box(r, box, &given))
+        return false;
+    if (given && (width < 0 || height < 0)) {
+        width  = box[2];
+        height = box[3];
+    }
+    *empty = width == 0 || height == 0 || (given && (box[2] == 0 || box[3] == 0));
+    if (*empty)
+        return true;
+    if (given) {
+        if (!svg_fit(r, box, width, height, &fit))
+            return false;
+        space->to_mm = svg_multiply(space->to_mm, fit);
+        width  = box[2];
+        height = box[3];
+    }
+    space->width  = width;
+    space->height = height;
+    return true;
+}
+
+/* The sizes that an element gives itself, `width` and `height` if it does not. */
+static bool sizes(const svg_reader *r, const svg_space *space, double *width, double *height)
+{
+    const double across = *width, along = *height;
+
+    if (!svg_length(r, space, "width", SVG_ACROSS, across, width) ||
+        !svg_length(r, space, "height", SVG_ALONG_Y, along, height))
+        return false;
+    if ((*width < 0 && *width != across) || (*height < 0 && *height != along))
+        return svg_fail(r, "width and height cannot be negative");
+    return true;
+}
+
+static bool moved(const svg_reader *r, svg_space *space)
+{
+    double x, y;
+
+    if (!svg_length(r, space, "x", SVG_ACROSS, 0, &x) ||
+        !svg_length(r, space, "y", SVG_ALONG_Y, 0, &y))
+        return false;
+    space->to_mm = svg_multiply(space->to_mm, (svg_matrix){ 1, 0, 0, 1, x, y });
+    return true;
+}
+
+static bool draw_children(svg_reader *r, const xmlNode *node, svg_space space,
+                          const use_chain *chain)
+{
+    for (const xmlNode *child = node->children; child != NULL; child = child->next)
+        if (!draw(r, child, space, chain))
+            return false;
+    return true;
+}
+
+/* The curve in the space that `m` turns into mm. */
+static drawing_curve curve_within(const drawing_curve *c, const svg_matrix *m)
+{
+    const double area = m->a * m->d - m->b * m->c;
+    drawing_curve in = *c;
+
+    for (int k = 0; k < 4; k++) {
+        const double x = c->p[k][0] - m->e, y = c->p[k][1] - m->f;
+        in.p[k][0] = (m->d * x - m->c * y) / area;
+        in.p[k][1] = (m->a * y - m->b * x) / area;
+    }
+    return in;
+}
+
+/* Warn if a curve from the first'th on leaves width x height, which a browser would cut. */
+static void warn_unclipped(svg_reader *r, const xmlNode *node, const svg_matrix *frame,
+                           double width, double height, size_t first)
+{
+    const double margin = UNCLIPPED / svg_stretch(*frame);
+
+    for (size_t i = first; i < r->d->count && !(r->warned & 1u << SVG_WARN_UNCLIPPED); i++) {
+        drawing_curve in = curve_within(&r->d->curve[i], frame);
+        const drawing one = { .curve = &in, .count = 1 };
+        double box[2][2];
+
+        r->node = node;
+        if (drawing_box(&one, box) && (box[0][0] < -margin || box[0][1] < -margin ||
+                                       box[1][0] > width + margin || box[1][1] > height + margin))
+            svg_warn(
+                r, SVG_WARN_UNCLIPPED,
+                "<%s> is not cut at its edges, all of it is drawn: cut the paths in the editor",
+                (const char *)node->name);
+    }
+}
+
+/* An <svg> within the drawing; or the target of a <use>, which gives the sizes. */
+static bool draw_viewport(svg_reader *r, const xmlNode *node, svg_space space, double width,
+                          double height, const use_chain *chain)
+{
+    const svg_matrix frame = space.to_mm;
+    const bool clipped = space.clipped && width > 0 && height > 0;
+    const size_t first = r->d->count;
+    bool empty;
+
+    r->node = node;
+    if (!enter_viewport(r, &space, width, height, &empty))
+        return false;
+    if (!empty && !draw_children(r, node, space, chain))
+        return false;
+    if (clipped)
+        warn_unclipped(r, node, &frame, width, height, first);
+    return true;
+}
+
+static bool draw_svg(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
+{
+    double width = space.width, height = space.height;
+
+    return moved(r, &space) && sizes(r, &space, &width, &height) &&
+           draw_viewport(r, node, space, width, height, chain);
+}
+
+static bool draw_switch(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
+{
+    for (const xmlNode *child = node->children; child != NULL; child = child->next)
+        if (svg_is(child, NULL) && applies(child))
+            return draw(r, child, space, chain);
+    return true;
+}
+
+
+// Use
+// ---
+
+static int by_id(const void *a, const void *b)
+{
+    return strcmp(((const svg_named *)a)->id, ((const svg_named *)b)->id);
+}
+
+static const xmlNode *find(const svg_reader *r, const char *id)
+{
+    const svg_named key = { (char *)(size_t)id, NULL };
+    const svg_named *found = r->named_count
+                                 ? bsearch(&key, r->named, r->named_count, sizeof key, by_id)
+                                 : NULL;
+
+    return found ? found->node : NULL;
+}
+
+static char *reference(const xmlNode *node)
+{
+    char *href = svg_attribute(node, "href");
+
+    if (href == NULL)
+        href = (char *)xmlGetNsProp(node, (const xmlChar *)"href", xlink_namespace);
+    return href ? href : svg_attribute(node, "xlink:href");
+}
+
+/* The element that the current <use> means; NULL, after a warning, if there is none. */
+static const xmlNode *use_target(svg_reader *r)
+{
+    char *href = reference(r->node);
+    const xmlNode *target = NULL;
+
+    if (href == NULL)
+        svg_warn(r, SVG_WARN_USE_NOTHING,
+                 "<use> without href draws nothing: name an element, as href=\"#id\"");
+    else if (href[0] != '#')
+        svg_warn(r, SVG_WARN_USE_ELSEWHERE,
+                 "<use> of \"%.60s\" is not drawn, it is not in this file: copy it in, "
+                 "and name it as \"#id\"",
+                 href);
+    else if ((target = find(r, href + 1)) == NULL)
+        svg_warn(r, SVG_WARN_USE_MISSING, "<use> of \"%.60s\" is not drawn, no element has this id",
+                 href);
+    xmlFree(href);
+    return target;
+}
+
+static bool is_circle(const use_chain *chain, const xmlNode *target)
+{
+    while (chain != NULL && chain->target != target)
+        chain = chain->up;
+    return chain != NULL;
+}
+
+static bool fail_circle(const svg_reader *r)
+{
+    char *href = reference(r->node);
+
+    svg_fail(r, "\"%.60s\" uses itself: break the circle", href);
+    xmlFree(href);
+    return false;
+}
+
+/* A <symbol> or <svg> that the <use> `node` draws: its own sizes, which those of <use> override. */
+static bool draw_use_viewport(svg_reader *r, const xmlNode *node, svg_space space,
+                              const use_chain *chain)
+{
+    double width = space.width, height = space.height;
+    svg_scope scope;
+    bool shown;
+
+    r->node = chain->target;
+    bool good = enter(r, &space, &scope, &shown);
+    if (good && shown) {
+        good = moved(r, &space) && sizes(r, &space, &width, &height);
+        r->node = node;
+        good = good && sizes(r, &space, &width, &height) &&
+               draw_viewport(r, chain->target, space, width, height, chain);
+    }
+    svg_scope_close(&scope);
+    return good;
+}
+
+static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
+{
+    const xmlNode *target = use_target(r);
+    const use_chain link = { target, chain };
+
+    if (target == NULL)
+        return true;
+    if (is_circle(chain, target))
+        return fail_circle(r);
+    if (!moved(r, &space))
+        return false;
+    if (svg_is(target, "symbol") || svg_is(target, "svg"))
+        return draw_use_viewport(r, node, space, &link);
+    return draw(r, target, space, &link);
+}
+
+
+// Elements
+// --------
+
+static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
+                         const use_chain *chain)
+{
+    static const char *const groups[] = { "g", "a", NULL };
+    bool shape;
+
+    if (one_of(node, groups))
+        return draw_children(r, node, space, chain);
+    if (svg_is(node, "svg"))
+        return draw_svg(r, node, space, chain);
+    if (svg_is(node, "use"))
+        return draw_use(r, node, space, chain);
+    if (svg_is(node, "switch"))
+        return draw_switch(r, node, space, chain);
+    warn_undrawn(r, &space);
+    if (!space.visible)
+        return true;
+    if ((space.fill && space.fill_opaque) ||
+        (space.stroke && space.stroke_opaque && space.stroke_wide))
+        return svg_shape(r, &space, &shape);
+    svg_warn(r, SVG_WARN_UNSEEN,
+             "<%s> without fill and stroke is not seen and not drawn: give it a stroke to draw it",
+             (const char *)node->name);
+    return true;
+}
+
+/* Elements that only others draw, or nobody. */
+static bool is_never_drawn(const xmlNode *node)
+{
+    static const char *const names[] = { "defs",           "symbol",         "clipPath",
+                                         "mask",           "pattern",        "marker",
+                                         "linearGradient", "radialGradient", "filter",
+                                         "style",          "script",         "title",
+                                         "desc",           "metadata",       NULL };
+    return one_of(node, names);
+}
+
+static bool draw_in_space(svg_reader *r, const xmlNode *node, svg_space space,
+                          const use_chain *chain)
+{
+    svg_scope scope;
+    bool shown, good = enter(r, &space, &scope, &shown);
+    const double area = space.to_mm.a * space.to_mm.d - space.to_mm.b * space.to_mm.c;
+
+    if (good && shown && area != 0)     /* flattened to a line or point: SVG draws nothing */
+        good = draw_element(r, node, space, chain);
+    svg_scope_close(&scope);
+    return good;
+}
+
+static bool draw(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
+{
+    if (!svg_is(node, NULL) || is_never_drawn(node) || !applies(node))
+        return true;
+    r->node = node;
+    if (++r->visited > SVG_ELEMENTS_MAX)
+        return svg_fail(r, "more than %u elements, counting each use: split the drawing",
+                        SVG_ELEMENTS_MAX);
+    if (r->depth >= SVG_DEPTH_MAX)
+        return svg_fail(
+            r, "more than %d elements in each other, counting each use: draw with fewer groups",
+            SVG_DEPTH_MAX);
+    r->depth++;
+    const bool good = draw_in_space(r, node, space, chain);
+    r->depth--;
+    return good;
+}
+
+
+// The page
+// --------
+
+/* Turn the page into mm, y up. Sizes that are not given are those of the viewBox in px, or
+ * unknown. */
+static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg_scope *scope,
+                       bool *empty)
+{
+    double box[4], width = -1, height = -1;
+    bool given;
+
+    *space = (svg_space){ .to_mm = svg_identity,
+                          .width = -1,
+                          .height = -1,
+                          .visible = true,
+                          .fill = true,
+                          .fill_opaque = true,
+                          .stroke_opaque = true,
+                          .stroke_wide = true };
+    r->node = root;
+    if (!svg_view_box(r, box, &given))
+        return false;
+    if (given) {
+        space->width  = box[2];
+        space->height = box[3];
+    }
+    if (!sizes(r, space, &width, &height))
+        return false;
+    if (given && width < 0)
+        width = height < 0 ? box[2] : height * box[2] / box[3];
+    if (given && height < 0)
+        height = width * box[3] / box[2];
+
+    const bool known = width > 0 && height > 0;
+    r->d->width  = known ? width  * MM_PER_PX : 0;
+    r->d->height = known ? height * MM_PER_PX : 0;
+    space->to_mm = (svg_matrix){ MM_PER_PX, 0, 0, -MM_PER_PX, 0, r->d->height };
+    space->width = space->height = -1;
+    bool shown;
+    const bool good = enter(r, space, scope, &shown);
+    *empty = !shown;
+    return good && (*empty || enter_viewport(r, space, width, height, empty));
+}
+
+/* Without a page the drawing itself is one: its lower left corner is the origin. */
+static void shift_to_origin(drawing *d)
+{
+    double box[2][2];
+
+    if (d->height > 0 || !drawing_box(d, box))
+        return;
+    for (size_t i = 0; i < d->count; i++)
+        for (int k = 0; k < 4; k++) {
+            d->curve[i].p[k][0] -= box[0][0];
+            d->curve[i].p[k][1] -= box[0][1];
+        }
+}
+
+bool svg_draw(svg_reader *r, const xmlNode *root)
+{
+    svg_scope scope = { .up = NULL };
+    svg_space space;
+    bool empty;
+    const bool good = enter_page(r, root, &space, &scope, &empty) &&
+                      (empty || draw_children(r, root, space, NULL));
+
+    svg_scope_close(&scope);
+    if (good)
+        shift_to_origin(r->d);
+    return good;
+}
+

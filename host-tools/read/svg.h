@@ -1,0 +1,251 @@
+/* host-tools/read/svg.h -- what the parts of the SVG reader share
+ * SPDX-License-Identifier: MIT
+ *
+ *     svg_file.c   the XML: read safely, ids, lines for messages
+ *     svg.c        the document: elements, viewports, use, what is hidden
+ *     svg_shape.c  path data and basic shapes          -> pen
+ *     svg_pen.c    lines, cubics, arcs in user units   -> curves in mm
+ *     svg_space.c  transforms, lengths with units, viewBox
+ *     svg_style.c  properties from attributes, style="" and style sheets; var()
+ *     svg_sheet.c  the rules of style sheets
+ *
+ * Functions that give bool print one line with file and line and give false when the file is at
+ * fault; the reading ends there: a machine shall not draw half of a broken drawing.
+ */
+#ifndef LOFT_SVG_H
+#define LOFT_SVG_H
+
+#include <libxml/hash.h>
+#include <libxml/tree.h>
+#include <stdbool.h>
+
+#include "read/drawing.h"
+
+/* x' = a x + c y + e,  y' = b x + d y + f */
+typedef struct {
+    double a, b, c, d, e, f;
+} svg_matrix;
+
+typedef struct svg_sheet svg_sheet;     /* the rules of <style>, see svg_sheet.c */
+
+/* An element with an id. */
+typedef struct {
+    char *id;
+    const xmlNode *node;
+} svg_named;
+
+/* of a file; and to draw, counting those of a <use> each time */
+#define SVG_ELEMENTS_MAX 2000000u
+/* elements in each other; to draw, counting those of each <use> */
+#define SVG_DEPTH_MAX    500
+
+#define SVG_EFFORT_MAX   100000000u /* rules tried on elements, some seconds */
+
+/* One reading of one file. */
+typedef struct {
+    drawing *d;
+    const char *file;
+    const xmlNode *node;        /* the element being read: its attributes, and for messages */
+    svg_sheet *sheet;
+    unsigned long long effort;  /* rules tried on elements, and custom properties looked up */
+    svg_named *named;           /* sorted; of equal ids the first in the file             */
+    size_t named_count;
+    unsigned visited, depth;    /* elements, to stop a flood of <use>; those in each other */
+    unsigned warned;            /* bits, see svg_warn                                     */
+} svg_reader;
+
+/* Where the custom properties --name of an element are found: in it, or in those around it. */
+typedef struct svg_scope {
+    const struct svg_scope *up;
+    struct {
+        xmlHashTablePtr names;
+        unsigned long long rank;
+    } *list;                    /* one for each rule that sets some, and for style="" */
+    size_t count;
+    xmlHashTablePtr own;        /* of style="" */
+} svg_scope;
+
+/* The space that an element is drawn in. */
+typedef struct {
+    svg_matrix to_mm;
+    double width, height;       /* of the viewport in user units, for %; below 0: unknown */
+    bool visible;
+    bool fill, fill_opaque;                 /* what has neither fill nor stroke is not   */
+    bool stroke, stroke_opaque, stroke_wide;/* seen, and not drawn                       */
+    bool clipped;               /* the element, at the edges of its viewport              */
+    const svg_scope *scope;
+} svg_space;
+
+enum svg_side { SVG_ACROSS, SVG_ALONG_Y, SVG_DIAGONAL };       /* what a % is taken of */
+
+
+// Document
+// --------
+
+/* Is it an element of SVG, of this name (NULL: of any)? */
+bool svg_is(const xmlNode *node, const char *name);
+
+/* Draw everything in the outermost <svg>. */
+bool svg_draw(svg_reader *r, const xmlNode *root);
+
+
+// Messages
+// --------
+
+/* The line on which the tag of the current element starts. */
+unsigned svg_at_line(const svg_reader *r);
+
+/* Print `loft: file:line: <message>`, give false. */
+bool svg_fail(const svg_reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+enum svg_warning {
+    SVG_WARN_SELECTOR,
+    SVG_WARN_TEXT,
+    SVG_WARN_PICTURE,
+    SVG_WARN_CLIP_PATH,
+    SVG_WARN_MASK,
+    SVG_WARN_DASHES,
+    SVG_WARN_MARKER,
+    SVG_WARN_UNSEEN,
+    SVG_WARN_UNCLIPPED,
+    SVG_WARN_USE_NOTHING,
+    SVG_WARN_USE_ELSEWHERE,
+    SVG_WARN_USE_MISSING
+};
+
+/* The same, but the reading goes on; only the first of each kind is printed. */
+void svg_warn(svg_reader *r, enum svg_warning kind, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+// Attributes and style
+// --------------------
+
+/* The attribute without a namespace, or NULL; free with xmlFree. */
+char *svg_attribute(const xmlNode *node, const char *name);
+
+enum svg_property {
+    SVG_DISPLAY,
+    SVG_VISIBILITY,
+    SVG_OPACITY,
+    SVG_FILL,
+    SVG_FILL_OPACITY,
+    SVG_STROKE,
+    SVG_STROKE_OPACITY,
+    SVG_STROKE_WIDTH,
+    SVG_TRANSFORM,
+    SVG_OVERFLOW,
+    SVG_CLIP_PATH,
+    SVG_MASK,
+    SVG_DASHES,
+    SVG_MARKER,
+    SVG_MARKER_START,
+    SVG_MARKER_MID,
+    SVG_MARKER_END,
+    SVG_PROPERTIES
+};
+
+/* A value within the text of a style, and what it ranks among others. */
+typedef struct {
+    const char *text;           /* NULL: not set */
+    size_t length;
+    unsigned long long rank;
+} svg_value;
+
+#define SVG_RANK_IMPORTANT (1ull << 60)
+#define SVG_RANK_OWN       (1ull << 59)     /* of style=""; those of sheets are less */
+
+/* Put it in place of one of the same or a lower rank. */
+void svg_value_put(svg_value *to, svg_value from);
+
+/* `a: b; --c: d` */
+typedef struct {
+    svg_value value[SVG_PROPERTIES];
+    xmlHashTablePtr names;      /* of custom properties, to their values; NULL: none. Free with
+                                 * svg_names_free */
+} svg_block;
+
+void svg_block_read(svg_block *block, const char *text, unsigned long long rank);
+void svg_names_free(xmlHashTablePtr names);
+
+/* All that is set for the current element by style sheets and style="". */
+typedef struct {
+    svg_value value[SVG_PROPERTIES];
+    unsigned attributes;        /* bits: there is one of the name */
+    char *text;                 /* of style="" */
+    const svg_scope *scope;
+} svg_style;
+
+/* Read the style of the current element; `*scope` becomes its own, within `up`. Each is closed by
+ * itself. */
+void svg_style_open(svg_reader *r, svg_style *style, svg_scope *scope, const svg_scope *up);
+void svg_style_close(svg_style *style);
+void svg_scope_add(svg_scope *scope, xmlHashTablePtr names, unsigned long long rank);
+void svg_scope_close(svg_scope *scope);
+
+/* The value of a property, with all var() put in, or "unset" if one of them is not set; else the
+ * attribute; or NULL. *css tells whether it came from a style. Free with xmlFree. */
+char *svg_property(svg_reader *r, const svg_style *style, enum svg_property which, bool *css);
+
+void svg_sheet_apply(svg_reader *r, svg_style *style, svg_scope *scope);
+void svg_sheet_read(svg_reader *r, const xmlNode *style);
+void svg_sheet_free(svg_sheet *sheet);
+
+
+// Space
+// -----
+
+extern const svg_matrix svg_identity;
+
+/* First `inner`, then `outer`. */
+svg_matrix svg_multiply(svg_matrix outer, svg_matrix inner);
+
+/* The greatest factor by which it stretches any length. */
+double svg_stretch(svg_matrix m);
+
+/* Append the list of transforms in `text` to *m. `css`: numbers may carry px and deg. */
+bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *m);
+
+/* A length attribute of the current element in user units; `absent` if it is missing or `auto`. */
+bool svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
+                double absent, double *out);
+
+/* Numbers of the attribute `viewBox`; *given tells whether there are any. */
+bool svg_view_box(const svg_reader *r, double box[4], bool *given);
+
+/* The matrix that fits `box` into width x height as preserveAspectRatio of the current element
+ * says. */
+bool svg_fit(const svg_reader *r, const double box[4], double width, double height,
+             svg_matrix *out);
+
+// Pen
+// ---
+
+typedef struct {
+    const svg_reader *r;
+    svg_matrix to_mm;
+    double start[2], at[2];     /* user units                                    */
+    double end[2];              /* mm; where the drawn path ends                 */
+    bool fresh;                 /* nothing is drawn since the last move          */
+    unsigned line;              /* of the file                                   */
+} svg_pen;
+
+svg_pen svg_pen_at(const svg_reader *r, svg_matrix to_mm);
+void svg_move(svg_pen *pen, double x, double y);
+bool svg_line(svg_pen *pen, double x, double y);
+bool svg_quad(svg_pen *pen, double x1, double y1, double x, double y);
+bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double x, double y);
+bool svg_arc(svg_pen *pen, double rx, double ry, double degrees, bool large, bool sweep, double x,
+             double y);
+bool svg_close(svg_pen *pen);
+
+
+// Shapes
+// ------
+
+/* Draw the current element if it is a shape; *known tells whether it is. */
+bool svg_shape(const svg_reader *r, const svg_space *space, bool *known);
+
+/* Draw path data. */
+bool svg_path(const svg_reader *r, const char *data, svg_pen *pen);
+
+#endif

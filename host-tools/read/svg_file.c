@@ -1,0 +1,357 @@
+/* host-tools/read/svg_file.c -- the XML of an SVG file: safely read, its ids and style sheets
+ * found, lines for messages
+ * SPDX-License-Identifier: MIT
+ *
+ * libxml2 reads it, without network and external entities. Its limits are lifted, since they refuse
+ * good drawings. Here are others: of elements, of their depth, and of what entities stand for.
+ */
+#include <libxml/parser.h>
+#include <libxml/SAX2.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "read/svg.h"
+#include "base/tool.h"       /* tool_error, tool_grow */
+
+/* bytes that entities and defaults stand for, each time */
+#define EXPANDED_MAX   ((size_t)16 << 20)
+/* bytes that libxml2 copies to append entities to text */
+#define COPIED_MAX     ((size_t)4 << 30)
+#define ENTITY_DEPTH   8                    /* entities in each other */
+#define INNER_DEPTH    50                   /* elements in each other within one entity */
+#define ATTRIBUTES_MAX 1000                 /* of an element: libxml2 compares each with each */
+
+
+// Messages
+// --------
+
+/* Elements of an entity have no line: that of the element counts which the entity stands in. */
+unsigned svg_at_line(const svg_reader *r)
+{
+    const xmlNode *node = r->node;
+
+    while (node->_private == NULL && node->parent != NULL)
+        node = node->parent;
+    return (unsigned)(size_t)node->_private;
+}
+
+bool svg_fail(const svg_reader *r, const char *format, ...)
+{
+    char text[300];
+    va_list values;
+
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    (void)tool_error(EX_DATAERR, "%s:%u: <%s>: %s", r->file, svg_at_line(r),
+                     (const char *)r->node->name, text);
+    return false;
+}
+
+void svg_warn(svg_reader *r, enum svg_warning kind, const char *format, ...)
+{
+    char text[300];
+    va_list values;
+
+    if (r->warned & 1u << kind)
+        return;
+    r->warned |= 1u << kind;
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    (void)tool_error(EX_OK, "%s:%u: %s", r->file, svg_at_line(r), text);
+}
+
+
+// Ids and style sheets
+// --------------------
+
+static const xmlChar svg_namespace[]   = "http://www.w3.org/2000/svg";
+
+bool svg_is(const xmlNode *node, const char *name)
+{
+    return node->type == XML_ELEMENT_NODE &&
+           (node->ns == NULL || xmlStrEqual(node->ns->href, svg_namespace)) &&
+           (name == NULL || strcmp((const char *)node->name, name) == 0);
+}
+
+/* The element that follows in the file, children first. */
+static const xmlNode *following(const xmlNode *node)
+{
+    if (node->children != NULL && node->type == XML_ELEMENT_NODE)
+        return node->children;
+    while (node != NULL && node->next == NULL)
+        node = node->parent;
+    return node ? node->next : NULL;
+}
+
+typedef struct {
+    svg_named named;
+    size_t order;
+} numbered;
+
+static int by_id_and_order(const void *a, const void *b)
+{
+    const numbered *x = a, *y = b;
+    const int order = strcmp(x->named.id, y->named.id);
+
+    return order ? order : (x->order > y->order) - (x->order < y->order);
+}
+
+/* Collect ids and style sheets. */
+static void survey(svg_reader *r, const xmlNode *root)
+{
+    numbered *list = NULL;
+    size_t count = 0, room = 0;
+
+    for (const xmlNode *node = root; node != NULL; node = following(node)) {
+        char *id = node->type == XML_ELEMENT_NODE ? svg_attribute(node, "id") : NULL;
+        if (id != NULL) {
+            if (count == room)
+                list = tool_grow(list, (room = room ? 2 * room : 64) * sizeof *list);
+            list[count] = (numbered){ { id, node }, count };
+            count++;
+        }
+        r->node = node;
+        if (svg_is(node, "style"))
+            svg_sheet_read(r, node);
+    }
+    if (count > 0)
+        qsort(list, count, sizeof *list, by_id_and_order);
+    r->named = tool_grow(NULL, count * sizeof *r->named);
+    for (size_t i = 0; i < count; i++)
+        if (r->named_count == 0 || strcmp(r->named[r->named_count - 1].id, list[i].named.id) != 0)
+            r->named[r->named_count++] = list[i].named;
+        else
+            xmlFree(list[i].named.id);
+    free(list);
+}
+
+
+// XML
+// ---
+
+/* What the XML reader reports while it reads. */
+typedef struct {
+    xmlParserCtxtPtr outer;     /* of the file; libxml2 makes others to read entities        */
+    char message[200];          /* of the first error; those behind it are its consequences  */
+    int line;
+    bool stopped;               /* at a limit                                                 */
+    unsigned elements;
+    size_t expanded, room;      /* bytes of entities and defaults, and how many there may be  */
+    size_t copied;
+} report;
+
+static void keep_first_error(void *context, xmlErrorPtr error)
+{
+    report *r = ((xmlParserCtxtPtr)context)->_private;
+
+    if (r->message[0] != '\0' || error->level < XML_ERR_ERROR ||
+        error->domain == XML_FROM_NAMESPACE)
+        return;
+    snprintf(r->message, sizeof r->message, "broken XML: %s",
+             error->message ? error->message : "unknown");
+    r->message[strcspn(r->message, "\n")] = '\0';
+    r->line = error->line;
+}
+
+static void stop_at_limit(xmlParserCtxtPtr parser, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+static void stop_at_limit(xmlParserCtxtPtr parser, const char *format, ...)
+{
+    report *r = parser->_private;
+    va_list values;
+
+    if (!r->stopped) {
+        va_start(values, format);
+        vsnprintf(r->message, sizeof r->message, format, values);
+        va_end(values);
+        r->line = r->outer->input ? r->outer->input->line : 0;
+    }
+    r->stopped = true;
+    xmlStopParser(parser);
+}
+
+static void expand(xmlParserCtxtPtr parser, size_t bytes)
+{
+    report *r = parser->_private;
+
+    r->expanded += bytes;
+    if (r->expanded > r->room)
+        stop_at_limit(parser,
+                      "its entities stand for more than %zu MB: write out what they stand for",
+                      EXPANDED_MAX >> 20);
+}
+
+/* The bytes that an entity stands for when those in it are put in, at most EXPANDED_MAX + 1.
+ * libxml2 copies what it has read once, so that the calls of find_entity alone do not tell.
+ * _private keeps the result, plus one. */
+static size_t full_length(xmlParserCtxtPtr parser, xmlEntityPtr entity, int depth)
+{
+    if (entity == NULL || entity->content == NULL ||
+        entity->etype == XML_INTERNAL_PREDEFINED_ENTITY)
+        return 0;
+    if (entity->_private != NULL)
+        return (size_t)entity->_private - 1;
+    if (depth > ENTITY_DEPTH)
+        return EXPANDED_MAX + 1;
+
+    size_t sum = (size_t)entity->length;
+    for (const char *at = (const char *)entity->content; *(at += strcspn(at, "&%")) != '\0';) {
+        const char kind = *at++;
+        const size_t length = strcspn(at, ";&%");
+        if (at[length] == ';' && *at != '#') {
+            xmlChar *name = xmlStrndup((const xmlChar *)at, (int)length);
+            sum += full_length(parser,
+                               kind == '&' ? xmlSAX2GetEntity(parser, name)
+                                           : xmlSAX2GetParameterEntity(parser, name),
+                               depth + 1);
+            sum = sum > EXPANDED_MAX ? EXPANDED_MAX + 1 : sum;
+            xmlFree(name);
+        }
+        at += length;
+    }
+    entity->_private = (void *)(sum + 1);
+    return sum;
+}
+
+/* Entities are looked up here each time they are used: a small file cannot stand for gigabytes.
+ * Text before the entity is copied when that is appended. */
+static xmlEntityPtr count_entity(xmlParserCtxtPtr parser, xmlEntityPtr entity)
+{
+    report *r = parser->_private;
+    const xmlNode *before = parser->node ? parser->node->last : NULL;
+
+    if (entity == NULL || entity->etype == XML_INTERNAL_PREDEFINED_ENTITY)
+        return entity;
+    expand(parser, full_length(parser, entity, 0));
+    if (before != NULL && before->type == XML_TEXT_NODE)
+        r->copied += strlen((const char *)before->content);
+    if (r->copied > COPIED_MAX)
+        stop_at_limit(parser, "too many entities in one text: write out what they stand for");
+    return r->stopped ? NULL : entity;
+}
+
+static xmlEntityPtr find_entity(void *context, const xmlChar *name)
+{
+    return count_entity(context, xmlSAX2GetEntity(context, name));
+}
+
+static xmlEntityPtr find_parameter(void *context, const xmlChar *name)
+{
+    return count_entity(context, xmlSAX2GetParameterEntity(context, name));
+}
+
+/* The line on which the tag starts that the parser has just read: there is no other `<` in it. */
+static unsigned tag_line(const xmlParserInput *in)
+{
+    const xmlChar *at = memrchr(in->base, '<', (size_t)(in->cur - in->base));
+    unsigned line = (unsigned)in->line;
+
+    for (; at != NULL && (at = memchr(at, '\n', (size_t)(in->cur - at))) != NULL; at++)
+        line--;
+    return line;
+}
+
+/* What an element takes beside its own text: defaults, and namespaces, which may be defaults
+ * too. */
+static size_t defaults_length(int namespace_count, const xmlChar **namespaces, int count,
+                              int defaulted, const xmlChar **attributes)
+{
+    size_t sum = 0;
+
+    for (int i = 0; i < namespace_count; i++)
+        sum += (size_t)xmlStrlen(namespaces[2 * i + 1]);
+    for (int i = count - defaulted; i < count; i++)
+        sum += (size_t)(attributes[5 * i + 4] - attributes[5 * i + 3]);
+    return sum;
+}
+
+static void start_element(void *context, const xmlChar *name, const xmlChar *prefix,
+                          const xmlChar *uri, int namespace_count, const xmlChar **namespaces,
+                          int count, int defaulted, const xmlChar **attributes)
+{
+    xmlParserCtxtPtr parser = context;
+    report *r = parser->_private;
+    const bool inner = parser != r->outer || parser->inputNr > 1;
+
+    expand(parser, defaults_length(namespace_count, namespaces, count, defaulted, attributes));
+    if (++r->elements > SVG_ELEMENTS_MAX)
+        stop_at_limit(parser, "more than %u elements: split the drawing", SVG_ELEMENTS_MAX);
+    if (count > ATTRIBUTES_MAX)
+        stop_at_limit(parser, "<%s> has more than %d attributes: leave some out",
+                      (const char *)name, ATTRIBUTES_MAX);
+    if (parser->nodeNr >= (inner ? INNER_DEPTH : SVG_DEPTH_MAX))
+        stop_at_limit(parser, "more than %d elements in each other%s: draw with fewer groups",
+                      inner ? INNER_DEPTH : SVG_DEPTH_MAX, inner ? " in an entity" : "");
+    if (r->stopped)
+        return;
+    xmlSAX2StartElementNs(context, name, prefix, uri, namespace_count, namespaces, count, defaulted,
+                          attributes);
+    if (!inner && parser->node != NULL)
+        parser->node->_private = (void *)(size_t)tag_line(parser->input);
+}
+
+/* Nothing but the file itself is ever read. */
+static xmlParserInputPtr load_nothing(const char *url, const char *id, xmlParserCtxtPtr context)
+{
+    (void)url, (void)id, (void)context;
+    return NULL;
+}
+
+static xmlDocPtr parse(const char *text, size_t size, report *r)
+{
+    xmlParserCtxtPtr context = xmlNewParserCtxt();
+    if (context == NULL)
+        return NULL;
+
+    xmlSetExternalEntityLoader(load_nothing);
+    *r = (report){ .outer = context, .room = EXPANDED_MAX + size };
+    context->_private = r;
+    context->sax->serror = keep_first_error;
+    context->sax->getEntity = find_entity;
+    context->sax->getParameterEntity = find_parameter;
+    context->sax->startElementNs = start_element;
+    context->sax->comment = NULL;
+    context->sax->processingInstruction = NULL;
+    xmlDocPtr document = xmlCtxtReadMemory(context, text, (int)size, NULL, NULL,
+                                           XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA |
+                                               XML_PARSE_BIG_LINES | XML_PARSE_HUGE);
+    xmlFreeParserCtxt(context);
+    if (r->stopped && document != NULL) {
+        xmlFreeDoc(document);
+        document = NULL;
+    }
+    return document;
+}
+
+int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size)
+{
+    svg_reader r = { .d = d, .file = file };
+    report problem;
+    xmlDocPtr document = parse(text, size, &problem);
+    const xmlNode *root = document ? xmlDocGetRootElement(document) : NULL;
+    int code = 0;
+
+    r.node = root;
+    if (root == NULL)
+        code = tool_error(EX_DATAERR, "%s:%d: %s", file, problem.line, problem.message);
+    else if (!svg_is(root, "svg"))
+        code = tool_error(EX_DATAERR, "%s:%u: <%s> is not an SVG drawing: "
+                          "<svg xmlns=\"http://www.w3.org/2000/svg\"> is expected", file,
+                          svg_at_line(&r), (const char *)root->name);
+    else {
+        survey(&r, root);
+        code = svg_draw(&r, root) ? 0 : EX_DATAERR;
+    }
+
+    for (size_t i = 0; i < r.named_count; i++)
+        xmlFree(r.named[i].id);
+    free(r.named);
+    svg_sheet_free(r.sheet);
+    if (document != NULL)
+        xmlFreeDoc(document);
+    return code;
+}

@@ -1,0 +1,320 @@
+/* host-tools/read/svg_shape.c -- path data and the basic shapes
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <string.h>
+
+#include "base/scan.h"       /* scan_number, scan_comma, scan_space */
+#include "read/svg.h"
+
+
+// Path data
+// ---------
+
+/* Path data while it is read. The control point of the last curve is kept for S and T to
+ * reflect. */
+typedef struct {
+    const char *data, *at;
+    svg_pen *pen;
+    double last[2];
+    char last_kind;         /* C or Q: what `last` belongs to; 0: nothing to reflect */
+} path;
+
+static bool nonsense(const path *p, const char *wanted)
+{
+    const int before = p->at - p->data > 20 ? 20 : (int)(p->at - p->data);
+
+    if (*p->at == '\0')
+        return svg_fail(p->pen->r, "path data ends behind \"%.*s\": %s is missing", before,
+                        p->at - before, wanted);
+    return svg_fail(p->pen->r, "path data: \"%.12s\" behind \"%.*s\": %s is expected", p->at,
+                    before, p->at - before, wanted);
+}
+
+/* The numbers of one segment: `x` and `y` pairs, or for A two radii, an angle, two flags, x and
+ * y. */
+static bool read_numbers(path *p, char kind, double v[7])
+{
+    static const char kinds[] = "MLTHVSQCA", counts[] = "222114467";
+    const int count = counts[strchr(kinds, kind) - kinds] - '0';
+
+    for (int i = 0; i < count; i++) {
+        if (i > 0)
+            scan_comma(&p->at);
+        else
+            scan_space(&p->at);
+        if (kind == 'A' && (i == 3 || i == 4)) {
+            if (*p->at != '0' && *p->at != '1')
+                return nonsense(p, "a flag, 0 or 1,");
+            v[i] = *p->at++ - '0';
+        } else if (!scan_number(&p->at, &v[i])) {
+            return nonsense(p, "a number");
+        }
+    }
+    return true;
+}
+
+/* Relative numbers become absolute ones. */
+static void make_absolute(const path *p, char kind, double v[7])
+{
+    static const char kinds[] = "MLTHVSQCA", counts[] = "222114467";
+    const int count = counts[strchr(kinds, kind) - kinds] - '0';
+
+    for (int i = kind == 'A' ? 5 : 0, axis = kind == 'V'; i < count; i++, axis = !axis)
+        v[i] += p->pen->at[axis];
+}
+
+/* The first control point of S or T: the mirror image of the last one, if the last curve was of the
+ * same kind. */
+static void reflect(const path *p, char kind, double out[2])
+{
+    for (int i = 0; i < 2; i++)
+        out[i] = p->last_kind == kind ? 2 * p->pen->at[i] - p->last[i] : p->pen->at[i];
+}
+
+static void keep(path *p, char kind, const double control[2])
+{
+    memcpy(p->last, control, sizeof p->last);
+    p->last_kind = kind;
+}
+
+static bool segment(path *p, char kind, const double v[7])
+{
+    svg_pen *pen = p->pen;
+    double c[2];
+
+    switch (kind) {
+    case 'L': p->last_kind = 0; return svg_line(pen, v[0], v[1]);
+    case 'H': p->last_kind = 0; return svg_line(pen, v[0], pen->at[1]);
+    case 'V': p->last_kind = 0; return svg_line(pen, pen->at[0], v[0]);
+    case 'A':
+        p->last_kind = 0;
+        return svg_arc(pen, v[0], v[1], v[2], v[3] > 0, v[4] > 0, v[5], v[6]);
+    case 'C': keep(p, 'C', v + 2); return svg_cubic(pen, v[0], v[1], v[2], v[3], v[4], v[5]);
+    case 'Q': keep(p, 'Q', v);     return svg_quad(pen, v[0], v[1], v[2], v[3]);
+    case 'S':
+        reflect(p, 'C', c);
+        keep(p, 'C', v);
+        return svg_cubic(pen, c[0], c[1], v[0], v[1], v[2], v[3]);
+    case 'T':
+        reflect(p, 'Q', c);
+        keep(p, 'Q', c);
+        return svg_quad(pen, c[0], c[1], v[0], v[1]);
+    default:
+        p->last_kind = 0;
+        svg_move(pen, v[0], v[1]);
+        return true;
+    }
+}
+
+/* One command letter with all the segments that follow it. */
+static bool command(path *p)
+{
+    const char letter = *p->at;
+    char kind = letter >= 'a' ? (char)(letter - 'a' + 'A') : letter;
+
+    if (letter == '\0' || strchr("MLTHVSQCAZ", kind) == NULL)
+        return nonsense(p, "one of MLHVCSQTAZ");
+    p->at++;
+    if (kind == 'Z') {
+        p->last_kind = 0;
+        return svg_close(p->pen);
+    }
+    for (;;) {
+        double v[7];
+        if (!read_numbers(p, kind, v))
+            return false;
+        if (letter >= 'a')
+            make_absolute(p, kind, v);
+        if (!segment(p, kind, v))
+            return false;
+        kind = kind == 'M' ? 'L' : kind;
+
+        const bool comma = scan_comma(&p->at);
+        if (!comma && (*p->at == '\0' || strchr("+-.0123456789", *p->at) == NULL))
+            return true;
+    }
+}
+
+bool svg_path(const svg_reader *r, const char *data, svg_pen *pen)
+{
+    path p = { .data = data, .at = data, .pen = pen };
+
+    (void)r;
+    scan_space(&p.at);
+    if (strcmp(p.at, "none") == 0)
+        return true;
+    if (*p.at != '\0' && *p.at != 'M' && *p.at != 'm')
+        return nonsense(&p, "M");
+    while (*p.at != '\0') {
+        if (!command(&p))
+            return false;
+        scan_space(&p.at);
+    }
+    return true;
+}
+
+
+// Basic shapes
+// ------------
+
+static bool length(const svg_reader *r, const svg_space *s, const char *name, enum svg_side side,
+                   double *out)
+{
+    return svg_length(r, s, name, side, 0, out);
+}
+
+/* A size: like a length, but not negative. */
+static bool size(const svg_reader *r, const svg_space *s, const char *name, enum svg_side side,
+                 double absent, double *out)
+{
+    if (!svg_length(r, s, name, side, absent, out))
+        return false;
+    return *out >= 0 || *out == absent ||
+           svg_fail(r, "%s=%g: a size cannot be negative", name, *out);
+}
+
+static bool draw_path(const svg_reader *r, const svg_space *s)
+{
+    char *data = svg_attribute(r->node, "d");
+    svg_pen pen = svg_pen_at(r, s->to_mm);
+    const bool good = data == NULL || svg_path(r, data, &pen);
+
+    xmlFree(data);
+    return good;
+}
+
+static bool draw_line(const svg_reader *r, const svg_space *s)
+{
+    svg_pen pen = svg_pen_at(r, s->to_mm);
+    double x1, y1, x2, y2;
+
+    if (!length(r, s, "x1", SVG_ACROSS, &x1) || !length(r, s, "y1", SVG_ALONG_Y, &y1) ||
+        !length(r, s, "x2", SVG_ACROSS, &x2) || !length(r, s, "y2", SVG_ALONG_Y, &y2))
+        return false;
+    svg_move(&pen, x1, y1);
+    return svg_line(&pen, x2, y2);
+}
+
+static bool draw_points(const svg_reader *r, const svg_space *s, bool closed)
+{
+    char *text = svg_attribute(r->node, "points");
+    const char *at = text;
+    svg_pen pen = svg_pen_at(r, s->to_mm);
+    bool good = true;
+    double v[2];
+    int count = 0;
+
+    if (text == NULL)
+        return true;
+    scan_space(&at);
+    while (good && scan_number(&at, &v[count % 2])) {
+        if (count == 1)
+            svg_move(&pen, v[0], v[1]);
+        else if (count % 2 == 1)
+            good = svg_line(&pen, v[0], v[1]);
+        count++;
+        scan_comma(&at);
+    }
+    if (good && *at != '\0')
+        good = svg_fail(r, "points: \"%.12s\" behind %d numbers: a number is expected", at, count);
+    if (good && count % 2 == 1)
+        good = svg_fail(r, "points: %d numbers: give x and y of each point", count);
+    if (good && closed && count > 0)
+        good = svg_close(&pen);
+    xmlFree(text);
+    return good;
+}
+
+static bool draw_polyline(const svg_reader *r, const svg_space *s)
+{
+    return draw_points(r, s, false);
+}
+static bool draw_polygon(const svg_reader *r, const svg_space *s)
+{
+    return draw_points(r, s, true);
+}
+
+/* Four quarters from three o'clock on, in the direction of growing angles. */
+static bool draw_round(const svg_reader *r, const svg_space *s, double cx, double cy, double rx,
+                       double ry)
+{
+    svg_pen pen = svg_pen_at(r, s->to_mm);
+
+    if (!(rx > 0 && ry > 0))
+        return true;
+    svg_move(&pen, cx + rx, cy);
+    return svg_arc(&pen, rx, ry, 0, false, true, cx, cy + ry) &&
+           svg_arc(&pen, rx, ry, 0, false, true, cx - rx, cy) &&
+           svg_arc(&pen, rx, ry, 0, false, true, cx, cy - ry) &&
+           svg_arc(&pen, rx, ry, 0, false, true, cx + rx, cy) && svg_close(&pen);
+}
+
+static bool draw_circle(const svg_reader *r, const svg_space *s)
+{
+    double cx, cy, radius;
+
+    return length(r, s, "cx", SVG_ACROSS, &cx) && length(r, s, "cy", SVG_ALONG_Y, &cy) &&
+           size(r, s, "r", SVG_DIAGONAL, 0, &radius) && draw_round(r, s, cx, cy, radius, radius);
+}
+
+/* Radii of which one is missing: both are the same. */
+static bool radii(const svg_reader *r, const svg_space *s, double *rx, double *ry)
+{
+    if (!size(r, s, "rx", SVG_ACROSS, -1, rx) || !size(r, s, "ry", SVG_ALONG_Y, -1, ry))
+        return false;
+    if (*rx < 0)
+        *rx = fmax(*ry, 0);
+    if (*ry < 0)
+        *ry = *rx;
+    return true;
+}
+
+static bool draw_ellipse(const svg_reader *r, const svg_space *s)
+{
+    double cx, cy, rx, ry;
+
+    return length(r, s, "cx", SVG_ACROSS, &cx) && length(r, s, "cy", SVG_ALONG_Y, &cy) &&
+           radii(r, s, &rx, &ry) && draw_round(r, s, cx, cy, rx, ry);
+}
+
+static bool draw_rect(const svg_reader *r, const svg_space *s)
+{
+    svg_pen pen = svg_pen_at(r, s->to_mm);
+    double x, y, w, h, rx, ry;
+
+    if (!length(r, s, "x", SVG_ACROSS, &x) || !length(r, s, "y", SVG_ALONG_Y, &y) ||
+        !radii(r, s, &rx, &ry) || !size(r, s, "width", SVG_ACROSS, 0, &w) ||
+        !size(r, s, "height", SVG_ALONG_Y, 0, &h))
+        return false;
+    if (w == 0 || h == 0)
+        return true;
+    rx = fmin(rx, w / 2);
+    ry = fmin(ry, h / 2);
+    svg_move(&pen, x + rx, y);
+    return svg_line(&pen, x + w - rx, y) && svg_arc(&pen, rx, ry, 0, false, true, x + w, y + ry) &&
+           svg_line(&pen, x + w, y + h - ry) &&
+           svg_arc(&pen, rx, ry, 0, false, true, x + w - rx, y + h) &&
+           svg_line(&pen, x + rx, y + h) && svg_arc(&pen, rx, ry, 0, false, true, x, y + h - ry) &&
+           svg_line(&pen, x, y + ry) && svg_arc(&pen, rx, ry, 0, false, true, x + rx, y) &&
+           svg_close(&pen);
+}
+
+bool svg_shape(const svg_reader *r, const svg_space *space, bool *known)
+{
+    static const struct {
+        const char *name;
+        bool (*draw)(const svg_reader *r, const svg_space *s);
+    } shapes[] = { { "path", draw_path },      { "rect", draw_rect },
+                   { "circle", draw_circle },  { "ellipse", draw_ellipse },
+                   { "line", draw_line },      { "polyline", draw_polyline },
+                   { "polygon", draw_polygon } };
+
+    for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++)
+        if (strcmp((const char *)r->node->name, shapes[i].name) == 0) {
+            *known = true;
+            return shapes[i].draw(r, space);
+        }
+    *known = false;
+    return true;
+}

@@ -1,0 +1,296 @@
+/* host-tools/read/svg_space.c -- transforms, lengths with units, viewBox and preserveAspectRatio
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/scan.h"       /* scan_number, scan_comma, scan_word */
+#include "read/svg.h"
+
+#define DEGREE 0.017453292519943295769
+
+const svg_matrix svg_identity = { 1, 0, 0, 1, 0, 0 };
+
+svg_matrix svg_multiply(svg_matrix m, svg_matrix n)
+{
+    return (svg_matrix){
+        m.a * n.a + m.c * n.b,          m.b * n.a + m.d * n.b,
+        m.a * n.c + m.c * n.d,          m.b * n.c + m.d * n.d,
+        m.a * n.e + m.c * n.f + m.e,    m.b * n.e + m.d * n.f + m.f
+    };
+}
+
+/* The larger singular value: (|u| + |v|) / 2, where u and v are the parts that turn and that
+ * mirror. */
+double svg_stretch(svg_matrix m)
+{
+    return (hypot(m.a + m.d, m.b - m.c) + hypot(m.a - m.d, m.b + m.c)) / 2;
+}
+
+
+// Transforms
+// ----------
+
+static svg_matrix turned(double degrees)
+{
+    /* quarter turns exactly: they are what drawings are made of */
+    const double quarters = degrees / 90;
+    if (isfinite(quarters) && quarters == floor(quarters)) {
+        static const double sine[4] = { 0, 1, 0, -1 };
+        const int q = (int)(quarters - 4 * floor(quarters / 4));
+        return (svg_matrix){ sine[(q + 1) % 4], sine[q], -sine[q], sine[(q + 1) % 4], 0, 0 };
+    }
+    const double c = cos(degrees * DEGREE), s = sin(degrees * DEGREE);
+    return (svg_matrix){ c, s, -s, c, 0, 0 };
+}
+
+/* The matrix of one function; false if there is none of that name with so many numbers. */
+static bool one_transform(const char *name, int length, const double v[6], int count,
+                          svg_matrix *out)
+{
+    static const char *const names[] = {
+        "matrix", "translate", "scale", "rotate", "skewX", "skewY"
+    };
+    int which = 0;
+
+    while (which < 6 && !(strlen(names[which]) == (size_t)length &&
+                          strncasecmp(names[which], name, (size_t)length) == 0))
+        which++;
+    switch (10 * which + count) {
+    case  6: *out = (svg_matrix){ v[0], v[1], v[2], v[3], v[4], v[5] };       return true;
+    case 11: *out = (svg_matrix){ 1, 0, 0, 1, v[0], 0 };                      return true;
+    case 12: *out = (svg_matrix){ 1, 0, 0, 1, v[0], v[1] };                   return true;
+    case 21: *out = (svg_matrix){ v[0], 0, 0, v[0], 0, 0 };                   return true;
+    case 22: *out = (svg_matrix){ v[0], 0, 0, v[1], 0, 0 };                   return true;
+    case 31: *out = turned(v[0]);                                             return true;
+    case 33: *out = svg_multiply(svg_multiply((svg_matrix){ 1, 0, 0, 1, v[1], v[2] }, turned(v[0])),
+                                 (svg_matrix){ 1, 0, 0, 1, -v[1], -v[2] });   return true;
+    case 41: *out = (svg_matrix){ 1, 0, tan(v[0] * DEGREE), 1, 0, 0 };        return true;
+    case 51: *out = (svg_matrix){ 1, tan(v[0] * DEGREE), 0, 1, 0, 0 };        return true;
+    default: return false;
+    }
+}
+
+/* The numbers between parentheses; how many, or -1 if something else stands there. */
+static int arguments(const char **at, bool css, double v[6])
+{
+    int count = 0;
+
+    if (**at != '(')
+        return -1;
+    ++*at;
+    for (scan_space(at); **at != ')'; count++) {
+        if (count == 6 || (count > 0 && scan_comma(at) && **at == ')') ||
+            !scan_number(at, &v[count]))
+            return -1;
+        if (css)
+            *at += strncmp(*at, "px", 2) == 0 ? 2 : strncmp(*at, "deg", 3) == 0 ? 3 : 0;
+        scan_space(at);
+    }
+    ++*at;
+    return count;
+}
+
+static bool is_finite(svg_matrix m)
+{
+    return isfinite(m.a) && isfinite(m.b) && isfinite(m.c) && isfinite(m.d) && isfinite(m.e) &&
+           isfinite(m.f);
+}
+
+bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *m)
+{
+    const char *at = text;
+
+    scan_space(&at);
+    if (strcmp(at, "none") == 0)
+        return true;
+    while (*at != '\0') {
+        const char *name = at;
+        const int length = scan_word(at);
+        double v[6];
+        svg_matrix one;
+
+        at += length;
+        scan_space(&at);
+        if (length == 0 || !one_transform(name, length, v, arguments(&at, css, v), &one))
+            return svg_fail(
+                r,
+                "transform: \"%.40s\" is none of matrix(6 numbers) translate(1 or 2) scale(1 or 2) "
+                "rotate(1 or 3) skewX(1) skewY(1)",
+                name);
+        *m = svg_multiply(*m, one);
+        if (!is_finite(*m))
+            return svg_fail(
+                r, "transform: \"%.40s\" is too great to compute with: give smaller numbers", name);
+        scan_comma(&at);
+    }
+    return true;
+}
+
+
+// Lengths
+// -------
+
+static const struct { const char *name; double px;
+} units[] = { { "", 1 },    { "px", 1 },         { "mm", 96 / 25.4 }, { "cm", 96 / 2.54 },
+              { "in", 96 }, { "pt", 96 / 72.0 }, { "pc", 16 },        { "q", 96 / 101.6 } };
+
+static bool percent(const svg_reader *r, const svg_space *space, const char *name,
+                    enum svg_side side, double *value)
+{
+    if (space->width <= 0 || space->height <= 0)
+        return svg_fail(
+            r,
+            "%s: %g%% of a page whose size is not known: give <svg> a viewBox, or width and height",
+            name, *value);
+    *value /= 100;
+    switch (side) {
+    case SVG_ACROSS:   *value *= space->width;                                       break;
+    case SVG_ALONG_Y:  *value *= space->height;                                      break;
+    case SVG_DIAGONAL: *value *= hypot(space->width, space->height) / sqrt(2);       break;
+    }
+    return true;
+}
+
+bool svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
+                double absent, double *out)
+{
+    char *text = svg_attribute(r->node, name);
+    const char *at = text;
+
+    *out = absent;
+    if (text == NULL)
+        return true;
+    scan_space(&at);
+    if (*at == '\0' || strcmp(at, "auto") == 0) {
+        xmlFree(text);
+        return true;
+    }
+    char unit[8] = "";
+    bool good = scan_number(&at, out);
+    if (good) {
+        const size_t length = strcspn(at, " \t\r\n\f");
+        good = length < sizeof unit;
+        memcpy(unit, at, good ? length : 0);
+        at += length;
+        scan_space(&at);
+        good = good && *at == '\0';
+    }
+    size_t which = 0, count = sizeof units / sizeof units[0];
+    while (which < count && strcasecmp(unit, units[which].name) != 0)
+        which++;
+    if (good && which < count)
+        *out *= units[which].px;
+    else if (good && strcmp(unit, "%") == 0)
+        good = percent(r, space, name, side, out);
+    else
+        good = svg_fail(r, "%s=\"%.40s\": give a number with px mm cm in pt pc Q or %%", name,
+                        text);
+    if (good && !isfinite(*out))
+        good = svg_fail(r, "%s=\"%.40s\" is too great to compute with: give a smaller number", name,
+                        text);
+    xmlFree(text);
+    return good;
+}
+
+
+// Viewports
+// ---------
+
+bool svg_view_box(const svg_reader *r, double box[4], bool *given)
+{
+    char *text = svg_attribute(r->node, "viewBox");
+    const char *at = text;
+    int count = 0;
+
+    *given = false;
+    if (text == NULL)
+        return true;
+    scan_space(&at);
+    if (strcmp(at, "none") == 0) {
+        xmlFree(text);
+        return true;
+    }
+    while (count < 4 && scan_number(&at, &box[count])) {
+        count++;
+        scan_comma(&at);
+    }
+    *given = count == 4 && *at == '\0' && box[2] >= 0 && box[3] >= 0;
+    if (!*given)
+        svg_fail(
+            r, "viewBox=\"%.60s\": give four numbers: x y width height, none of the sizes negative",
+            text);
+    for (int i = 0; *given && i < 4; i++)
+        if (!isfinite(box[i]))
+            *given = svg_fail(
+                r, "viewBox=\"%.60s\" is too great to compute with: give smaller numbers", text);
+    xmlFree(text);
+    return *given;
+}
+
+/* 0, 1/2, 1 for Min, Mid, Max at `text`; -1 for anything else. */
+static double alignment(const char *text)
+{
+    return strncmp(text, "Min", 3) == 0   ? 0
+           : strncmp(text, "Mid", 3) == 0 ? 0.5
+           : strncmp(text, "Max", 3) == 0 ? 1
+                                          : -1;
+}
+
+static bool aspect(const svg_reader *r, bool *stretch, bool *slice, double align[2])
+{
+    char *text = svg_attribute(r->node, "preserveAspectRatio");
+    const char *at = text;
+    bool good = true;
+
+    *stretch = *slice = false;
+    align[0] = align[1] = 0.5;
+    if (text == NULL)
+        return true;
+    scan_space(&at);
+    if (strncmp(at, "none", 4) == 0) {
+        *stretch = true;
+        at += 4;
+    } else if (*at == 'x' && strlen(at) >= 8 && at[4] == 'Y') {
+        align[0] = alignment(at + 1);
+        align[1] = alignment(at + 5);
+        at += 8;
+        good = align[0] >= 0 && align[1] >= 0;
+    } else {
+        good = *at == '\0';
+    }
+    const char *behind = at;
+    scan_space(&at);
+    *slice = strncmp(at, "slice", 5) == 0;
+    at += *slice ? 5 : strncmp(at, "meet", 4) == 0 ? 4 : 0;
+    good = good && (at == behind || *behind == '\0' || strchr(" \t\r\n\f", *behind) != NULL);
+    scan_space(&at);
+    if (!good || *at != '\0')
+        good = svg_fail(
+            r,
+            "preserveAspectRatio=\"%.40s\": give none or xMidYMid and the like, with meet or slice",
+            text);
+    xmlFree(text);
+    return good;
+}
+
+bool svg_fit(const svg_reader *r, const double box[4], double width, double height, svg_matrix *out)
+{
+    double sx = width / box[2], sy = height / box[3], align[2];
+    bool stretch, slice;
+
+    if (!aspect(r, &stretch, &slice, align))
+        return false;
+    if (!stretch)
+        sx = sy = slice ? fmax(sx, sy) : fmin(sx, sy);
+    *out = (svg_matrix){ sx, 0, 0, sy,
+                         (width  - sx * box[2]) * align[0] - sx * box[0],
+                         (height - sy * box[3]) * align[1] - sy * box[1] };
+    if (stretch) {
+        out->e = -sx * box[0];
+        out->f = -sy * box[1];
+    }
+    return is_finite(*out) || svg_fail(r, "a viewBox of %g x %g is too small to fill %g x %g px",
+                                       box[2], box[3], width, height);
+}

@@ -1,0 +1,231 @@
+/* host-tools/send/gcode.c
+ * SPDX-License-Identifier: MIT
+ *
+ * A curve is halved until each half is near the arc through its ends and its middle. An arc errs by
+ * the fourth power of its length where the curvature changes evenly, a chord by the square: so arcs
+ * need far fewer lines.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "send/gcode.h"
+#include "base/tool.h"           /* tool_grow */
+
+#define DEPTH   16          /* halvings at most                                  */
+#define LOOKS   16          /* places of a piece that are looked at              */
+#define WIDE    2000.0      /* mm: the largest radius; beyond, a line is as good */
+
+typedef struct {
+    gcode *g;
+    double tol, feed;       /* the feed that holds, mm/min */
+    bool cubics;
+    size_t move;
+} writer;
+
+typedef struct {
+    double p[4][3];
+} cubic;
+
+static void put(writer *w, const char *words)
+{
+    gcode *g = w->g;
+
+    if (g->count == g->room) {
+        g->room = g->room ? 2 * g->room : 256;
+        g->line = tool_grow(g->line, g->room * sizeof *g->line);
+        g->move = tool_grow(g->move, g->room * sizeof *g->move);
+    }
+    g->move[g->count] = w->move;
+    g->line[g->count] = tool_grow(NULL, strlen(words) + 1);
+    strcpy(g->line[g->count++], words);
+}
+
+/* Append a word with at most four decimals. */
+static void word(char *text, char letter, double value)
+{
+    char *at = text + strlen(text);
+
+    snprintf(at, 24, "%c%.4f", letter, value);
+    for (size_t n = strlen(at); at[n - 1] == '0' || at[n - 1] == '.'; n--) {
+        const bool point = at[n - 1] == '.';
+        at[n - 1] = '\0';
+        if (point)
+            break;
+    }
+    if (strcmp(at + 1, "-0") == 0)
+        strcpy(at + 1, "0");
+}
+
+static void finish(writer *w, char *text, double feed)
+{
+    if (fabs(60 * feed - w->feed) > 1e-9) {
+        w->feed = 60 * feed;
+        word(text, 'F', w->feed);
+    }
+    put(w, text);
+}
+
+static void point_at(const cubic *c, double t, double out[3])
+{
+    const double u = 1 - t;
+
+    for (int i = 0; i < 3; i++)
+        out[i] = u * u * u * c->p[0][i] + 3 * u * t * (u * c->p[1][i] + t * c->p[2][i]) +
+                 t * t * t * c->p[3][i];
+}
+
+static void line_to(writer *w, const cubic *c, double feed)
+{
+    char text[96] = "G1";
+
+    for (int i = 0; i < 3; i++)
+        if (fabs(c->p[3][i] - c->p[0][i]) > 0)
+            word(text, "XYZ"[i], c->p[3][i]);
+    if (text[2] != '\0')
+        finish(w, text, feed);
+}
+
+/* Is the piece near its chord, and does it not turn back on it? */
+static bool near_line(const cubic *c, double tol)
+{
+    double v[3], q = 0, last = 0;
+
+    for (int i = 0; i < 3; i++) {
+        v[i] = c->p[3][i] - c->p[0][i];
+        q += v[i] * v[i];
+    }
+    for (int k = 1; k < LOOKS; k++) {
+        double p[3], along = 0, off = 0;
+        point_at(c, (double)k / LOOKS, p);
+        for (int i = 0; i < 3; i++)
+            along += (p[i] - c->p[0][i]) * v[i];
+        along = q > 0 ? along / q : 0;
+        for (int i = 0; i < 3; i++)
+            off += pow(p[i] - c->p[0][i] - along * v[i], 2);
+        if (sqrt(off) > tol || along < last || along > 1)
+            return false;
+        last = along;
+    }
+    return true;
+}
+
+/* The circle through both ends and the middle, if the whole piece is near it and goes round it one
+ * way. */
+static bool near_arc(const cubic *c, double tol, double centre[2], bool *left)
+{
+    double m[3];
+
+    point_at(c, 0.5, m);
+    const double ax = m[0] - c->p[0][0], ay = m[1] - c->p[0][1], bx = c->p[3][0] - c->p[0][0],
+                 by = c->p[3][1] - c->p[0][1];
+    const double cross = ax * by - ay * bx, a = ax * ax + ay * ay, b = bx * bx + by * by;
+    if (cross == 0 || c->p[0][2] != c->p[3][2])
+        return false;
+    const double x = (by * a - ay * b) / (2 * cross), y = (ax * b - bx * a) / (2 * cross),
+                 r = hypot(x, y);
+    double last[2] = { -x, -y };
+
+    if (r > WIDE)
+        return false;
+    centre[0] = c->p[0][0] + x;
+    centre[1] = c->p[0][1] + y;
+    *left = cross > 0;
+    for (int k = 1; k <= LOOKS; k++) {
+        double p[3];
+        point_at(c, (double)k / LOOKS, p);
+        const double now[2] = { p[0] - centre[0], p[1] - centre[1] },
+                     turn = last[0] * now[1] - last[1] * now[0];
+        if (fabs(hypot(now[0], now[1]) - r) > tol || (turn > 0) != *left ||
+            last[0] * now[0] + last[1] * now[1] < 0)
+            return false;
+        memcpy(last, now, sizeof last);
+    }
+    return (-x * last[1] + y * last[0] > 0) == *left;       /* less than half a turn */
+}
+
+static void arc_to(writer *w, const cubic *c, const double centre[2], bool left, double feed)
+{
+    char text[96];
+
+    strcpy(text, left ? "G3" : "G2");
+    for (int i = 0; i < 2; i++)
+        word(text, "XY"[i], c->p[3][i]);
+    for (int i = 0; i < 2; i++)
+        word(text, "IJ"[i], centre[i] - c->p[0][i]);
+    finish(w, text, feed);
+}
+
+static void halve(const cubic *c, cubic half[2])
+{
+    for (int i = 0; i < 3; i++) {
+        const double a = (c->p[0][i] + c->p[1][i]) / 2, m = (c->p[1][i] + c->p[2][i]) / 2,
+                     z = (c->p[2][i] + c->p[3][i]) / 2;
+        const double b = (a + m) / 2, y = (m + z) / 2, x = (b + y) / 2;
+        const double left[4] = { c->p[0][i], a, b, x }, right[4] = { x, y, z, c->p[3][i] };
+        for (int k = 0; k < 4; k++) {
+            half[0].p[k][i] = left[k];
+            half[1].p[k][i] = right[k];
+        }
+    }
+}
+
+static void write_arcs(writer *w, const cubic *c, double feed, int depth)
+{
+    double centre[2];
+    cubic half[2];
+    bool left;
+
+    if (near_line(c, w->tol) || depth == DEPTH) {
+        line_to(w, c, feed);
+    } else if (near_arc(c, w->tol, centre, &left)) {
+        arc_to(w, c, centre, left, feed);
+    } else {
+        halve(c, half);
+        write_arcs(w, &half[0], feed, depth + 1);
+        write_arcs(w, &half[1], feed, depth + 1);
+    }
+}
+
+/* I J: the first control point from the start; P Q: the second one from the end. */
+static void write_cubic(writer *w, const cubic *c, double feed)
+{
+    char text[128] = "G5";
+
+    for (int i = 0; i < 2; i++)
+        word(text, "IJ"[i], c->p[1][i] - c->p[0][i]);
+    for (int i = 0; i < 2; i++)
+        word(text, "PQ"[i], c->p[2][i] - c->p[3][i]);
+    for (int i = 0; i < 2; i++)
+        word(text, "XY"[i], c->p[3][i]);
+    finish(w, text, feed);
+}
+
+void gcode_make(gcode *g, const toolpath *t, double tol, bool cubics)
+{
+    writer w = { .g = g, .tol = tol, .cubics = cubics };
+
+    *g = (gcode){ .count = 0 };
+    put(&w, "G21G90G94G17");
+    for (size_t i = 0; i < t->count; i++) {
+        cubic c;
+        memcpy(c.p, t->move[i].p, sizeof c.p);
+        w.move = i;
+        if (near_line(&c, cubics ? 1e-6 : tol))
+            line_to(&w, &c, t->move[i].feed);
+        else if (cubics)
+            write_cubic(&w, &c, t->move[i].feed);
+        else
+            write_arcs(&w, &c, t->move[i].feed, 0);
+    }
+}
+
+void gcode_free(gcode *g)
+{
+    for (size_t i = 0; i < g->count; i++)
+        free(g->line[i]);
+    free(g->line);
+    free(g->move);
+    *g = (gcode){ .count = 0 };
+}

@@ -1,0 +1,10 @@
+/* host-tools/send/grbl_words.h -- what the numbers of grbl's errors and alarms mean, and what to do
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_GRBL_WORDS_H
+#define LOFT_GRBL_WORDS_H
+
+const char *grbl_error_text(int number);
+const char *grbl_alarm_text(int number);
+
+#endif

@@ -1,0 +1,340 @@
+/* host-tools/send/stream.c -- a job goes to the machine
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/keys.h"           /* keys_next, keys_interrupted */
+#include "base/progress.h"       /* progress_show */
+#include "send/stream.h"
+#include "send/stream_end.h"     /* stream_drawn, stream_place */
+#include "base/tool.h"
+#include "base/waits.h"          /* waits_for */
+
+#define SILENCE 10.0        /* s without a word until we give up */
+#define STOP    10.0        /* s for the machine to come to a stand */
+#define PORTION 0.005       /* s of planning between two looks at the line */
+/* items before those that the machine has: the sender needs 3, a feed 1 */
+#define KEPT    4
+
+typedef struct {
+    talk *t;
+    job *j;
+    const stream_subject *about;
+    progress bar, again;    /* again: planning up to where a job goes on */
+    waits waiting;
+    int planned;            /* enum loft_status                         */
+    size_t kept;            /* items before it are not asked for again  */
+    double stop_at;         /* the clock when ^C was seen; 0: not yet   */
+    double held_at;         /* the clock when the machine stood; 0: not */
+    bool woken;             /* a job found under way goes on            */
+    uint32_t ticks, elapsed;/* of the status before                     */
+    double pace;            /* between the last two                     */
+    double moved;           /* the clock when the ticks last went on    */
+    int percent;            /* that a key asked for last; 0: none did   */
+} run_state;
+
+static bool standing(const loft_sender *s)
+{
+    return s->ack.state == LOFT_STATE_HELD || !loft_state_busy(s->ack.state);
+}
+
+/* What the machine is doing, in one width so that the numbers behind it stand still. */
+static void state_text(const run_state *r, char text[32])
+{
+    const loft_sender *s = &r->t->sender;
+
+    switch (s->ack.state) {
+    case LOFT_STATE_HOLDING:  snprintf(text, 32, "%-16s", "slowing down");    return;
+    case LOFT_STATE_HELD:     snprintf(text, 32, "%-16s", "held, r resumes"); return;
+    case LOFT_STATE_STOPPING: snprintf(text, 32, "%-16s", "aborting");        return;
+    default: break;
+    }
+    if ((s->ack.flags & LOFT_FLAG_STARVED) && r->pace < 0.02)
+        snprintf(text, 32, "%-16s", "waits for data");
+    else
+        snprintf(text, 32, "feed %5.1f mm/s ",
+                 r->pace * job_feed(r->j, job_item_at(r->j, s->status.ticks)));
+}
+
+/* Ticks of the plan over ticks of time, between two answers. */
+static void measure_pace(run_state *r)
+{
+    const loft_machine_status *now = &r->t->sender.status;
+
+    if (now->ticks != r->ticks)
+        r->moved = tool_clock();
+    if (now->elapsed == r->elapsed)
+        return;
+    r->pace    = (double)(now->ticks - r->ticks) / (double)(now->elapsed - r->elapsed);
+    r->ticks   = now->ticks;
+    r->elapsed = now->elapsed;
+}
+
+/* Does time stand until somebody or something else goes on? */
+static bool rests(const run_state *r)
+{
+    const loft_sender *s = &r->t->sender;
+
+    return s->ack.state == LOFT_STATE_HELD ||
+           ((s->ack.flags & LOFT_FLAG_STARVED) && r->pace < 0.02);
+}
+
+/* What keeps the job from going on, or NULL. */
+static const char *awaited(const run_state *r, char text[200])
+{
+    const loft_sender *s = &r->t->sender;
+
+    if (s->phase == LOFT_PHASE_HELLO)
+        return "the machine does not answer: look at cable and power";
+    if (s->phase == LOFT_PHASE_OPENING)
+        return "the machine has not taken the job";
+    if (s->phase != LOFT_PHASE_STREAMING || r->bar.shown)
+        return NULL;                    /* a bar says it */
+    switch (s->ack.state) {
+    case LOFT_STATE_HOLDING:    return "the machine slows down to a hold";
+    case LOFT_STATE_STOPPING:   return "the machine slows down, then the job is over";
+    case LOFT_STATE_HELD:
+        snprintf(text, 200,
+                 "the machine is held: end this command, then `loft stream --resume --port %s` "
+                 "goes on, and --abort gives up",
+                 r->t->port);
+        return text;
+    default: break;
+    }
+    if (tool_clock() - r->moved < 3 * LOFT_SENDER_POLL / 1000.0)
+        return NULL;
+    if (job_items(r->j) == LOFT_ITEMS_OPEN && r->j->count < s->ack.next)
+        return "planning up to where the machine stands";
+    if (job_items(r->j) == LOFT_ITEMS_OPEN && r->j->count == s->ack.next)
+        return "the machine has all that is planned by now: it waits for more";
+    if (s->ack.flags & LOFT_FLAG_STARVED)
+        return "the machine waits for data: this computer or the line is slow";
+    if (r->j->head.kind == LOFT_CURVES && s->status.ticks == 0)
+        return "the machine plans";
+    return s->ack.next < s->window.count ? "the machine's queue is full, and it does not move"
+                                         : "the machine has all items, and does not move";
+}
+
+static void show(run_state *r)
+{
+    const loft_sender *s = &r->t->sender;
+    char state[32], text[160];
+    double at[LOFT_AXES];
+
+    measure_pace(r);
+    state_text(r, state);
+    r->bar.total = job_ticks(r->j);
+    if (job_items(r->j) == LOFT_ITEMS_OPEN && r->j->count < s->ack.next) {
+        progress_show(&r->again, (double)r->j->count, "planning up to where the machine stopped");
+        return;
+    }
+    size_t used = (size_t)snprintf(text, sizeof text, "%s %3u %%  queue %3u ", state,
+                                   s->status.override, (unsigned)(s->ack.next - s->ack.executed));
+    stream_place(s, r->about->k, s->status.position, at);
+    for (int i = 0; i < LOFT_AXES; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], at[i]);
+    if (rests(r))
+        progress_rest(&r->bar);
+    progress_show(&r->bar, (double)s->status.ticks, text);
+}
+
+/* One line that stays: where things are. */
+static void tell(run_state *r)
+{
+    const loft_sender *s = &r->t->sender;
+    char state[32], of[32];
+    double at[LOFT_AXES];
+
+    state_text(r, state);
+    stream_place(s, r->about->k, s->status.position, at);
+    progress_clear(&r->bar);
+    fprintf(stderr, "item %u%s, %u queued, override %u %%, %s", (unsigned)s->ack.executed,
+            job_of(r->j, of), (unsigned)(s->ack.next - s->ack.executed), s->status.override, state);
+    for (int i = 0; i < LOFT_AXES; i++)
+        fprintf(stderr, " %c %.2f", "XYZABC"[i], at[i]);
+    fputc('\n', stderr);
+}
+
+/* A key counts from what was last asked for, which the machine may not have said yet. */
+static void change_override(run_state *r, int by)
+{
+    loft_sender *s = &r->t->sender;
+    const int now  = r->percent ? r->percent : s->status.override, next = by == 0 ? 100 : now + by;
+
+    if (now == 0)
+        return;
+    r->percent = next < 10 ? 10 : next > 200 ? 200 : next;
+    loft_sender_override(s, (unsigned)r->percent);
+}
+
+static void obey_keys(run_state *r)
+{
+    switch (keys_next()) {
+    case '+': case '=': change_override(r, 10);  break;
+    case '-': case '_': change_override(r, -10); break;
+    case '0': change_override(r, 0); break;
+    case 's': tell(r); break;
+    case 'h': loft_sender_control(&r->t->sender, LOFT_HOLD);   break;
+    case 'r': loft_sender_control(&r->t->sender, LOFT_RESUME); break;
+    case 'a': loft_sender_control(&r->t->sender, LOFT_ABORT);  break;
+    default:  break;
+    }
+}
+
+/* What is to be said and done once when a job is found under way. */
+static void wake(run_state *r)
+{
+    const loft_sender *s = &r->t->sender;
+    char of[32];
+
+    if (s->phase < LOFT_PHASE_STREAMING || !s->resumed || r->woken)
+        return;
+    r->woken    = true;
+    job_sent_from(r->j, s->ack.next);
+    fprintf(stderr, "resuming at item %u%s\n", (unsigned)s->ack.next, job_of(r->j, of));
+    progress_start(&r->again, (double)s->ack.next);
+    if ((s->ack.state == LOFT_STATE_HELD || s->ack.state == LOFT_STATE_HOLDING) && r->stop_at <= 0)
+        loft_sender_control(&r->t->sender, LOFT_RESUME);
+}
+
+/* After ^C: hold, wait until the machine stands and has told where. True when that is done or takes
+ * too long. */
+static bool stopped(run_state *r)
+{
+    const double now = tool_clock();
+
+    if (!keys_interrupted())
+        return false;
+    if (r->stop_at <= 0) {
+        r->stop_at = now;
+        loft_sender_control(&r->t->sender, LOFT_HOLD);
+    }
+    if (!standing(&r->t->sender) || r->t->sender.phase < LOFT_PHASE_STREAMING)
+        r->held_at = 0;
+    else if (r->held_at <= 0)
+        r->held_at = now;
+    return (r->held_at > 0 && now - r->held_at > 3 * LOFT_SENDER_POLL / 1000.0) ||
+           now - r->stop_at > STOP;
+}
+
+static const char *where(const run_state *r, char text[64])
+{
+    char of[32];
+
+    snprintf(text, 64, "at item %u%s ", (unsigned)r->t->sender.ack.next, job_of(r->j, of));
+    return text;
+}
+
+/* Plan a portion, if one is wanted; true if another is. Greetings and the end after ^C come first:
+ * on a busy computer a portion may take long. */
+static bool plan_on(run_state *r)
+{
+    loft_sender *s = &r->t->sender;
+
+    if (s->phase != LOFT_PHASE_STREAMING || r->stop_at > 0 || r->planned != LOFT_OK)
+        return false;
+    if (s->ack.executed > r->kept + KEPT)
+        r->kept = s->ack.executed - KEPT;
+    if (!job_waits(r->j, r->kept))
+        return false;
+    r->planned = job_plan(r->j, r->kept, PORTION);
+    loft_sender_extend(s, (uint32_t)r->j->count, job_items(r->j));
+    if (r->planned != LOFT_OK)
+        loft_sender_control(s, LOFT_ABORT);
+    return r->planned == LOFT_OK && job_waits(r->j, r->kept);
+}
+
+/* Until the sender is at its end, or an exit code. */
+static int loop(run_state *r)
+{
+    loft_sender *s = &r->t->sender;
+    char place[64], text[200];
+
+    while (s->phase < LOFT_PHASE_DONE) {
+        if (!talk_pump(r->t, plan_on(r) ? 0 : 20)) {
+            loft_sender_hangup(s);
+            if (s->phase >= LOFT_PHASE_DONE)
+                break;
+            progress_clear(&r->bar);
+            return talk_vanished(r->t, where(r, place));
+        }
+        if (talk_silence(r->t) > SILENCE) {
+            progress_clear(&r->bar);
+            return tool_error(EX_IOERR,
+                              "%s: the machine has been silent for %g s %s: it stops on the path; "
+                              "look at cable and power, "
+                              "then run the same command again",
+                              r->t->port, SILENCE, where(r, place));
+        }
+        wake(r);
+        obey_keys(r);
+        if (stopped(r))
+            break;
+        if (s->phase == LOFT_PHASE_STREAMING)
+            show(r);
+        waits_for(&r->waiting, awaited(r, text));
+    }
+    progress_clear(&r->bar);
+    return 0;
+}
+
+int stream_run(talk *t, job *j, const stream_subject *about)
+{
+    run_state r = { .t = t, .j = j, .about = about };
+
+    if (loft_sender_begin(&t->sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
+        return tool_error(EX_SOFTWARE, "the job could not begin: please report this");
+    loft_sender_extend(&t->sender, (uint32_t)j->count, job_items(j));
+    progress_start(&r.bar, job_ticks(j));
+    const int code = loop(&r);
+    if (code != 0)
+        return code;
+    if (r.planned != LOFT_OK)
+        return tool_error(
+            EX_DATAERR, "%s: cannot be planned beyond item %zu: %s: the job was ended on the path",
+            about->file, j->count, engine_status(r.planned));
+    if (t->sender.phase < LOFT_PHASE_DONE)
+        return stream_interrupted(t, j);
+    return stream_ended(t, j, about);
+}
+
+/* Has the machine done what `verb` asks for? */
+static bool obeyed(const loft_sender *s, enum loft_verb verb)
+{
+    if (s->verb != 0)
+        return false;
+    return verb == LOFT_RESUME
+               ? s->ack.state != LOFT_STATE_HELD && s->ack.state != LOFT_STATE_HOLDING
+               : standing(s);
+}
+
+int stream_control(talk *t, enum loft_verb verb, const kinematics *k)
+{
+    loft_sender *s     = &t->sender;
+    const double began = tool_clock();
+    double done        = 0;
+    waits waiting      = { .told = false };
+
+    if (!loft_state_busy(s->ack.state))
+        return tool_error(EX_UNAVAILABLE, "%s: no job is under way: nothing to %s", t->port,
+                          verb == LOFT_HOLD ? "hold" : verb == LOFT_RESUME ? "resume" : "abort");
+    loft_sender_control(s, verb);
+    while (s->phase < LOFT_PHASE_DONE &&
+           (done <= 0 || tool_clock() - done < 3 * LOFT_SENDER_POLL / 1000.0)) {
+        if (!talk_pump(t, 20))
+            return talk_vanished(t, "");
+        if (tool_clock() - began > STOP)
+            return tool_error(
+                EX_IOERR,
+                "%s: the machine did not obey in %g s: look at the cable, or cut its power",
+                t->port, STOP);
+        waits_for(&waiting, done > 0              ? NULL
+                            : verb == LOFT_RESUME ? "the machine does not go on yet"
+                                                  : "the machine is not stopped yet");
+        if (done <= 0 && obeyed(s, verb))
+            done = tool_clock();
+    }
+    return stream_obeyed(t, verb, k);
+}

@@ -1,0 +1,31 @@
+/* host-tools/send/stream.h -- a job goes to the machine: keys, progress, the end
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_STREAM_H
+#define LOFT_STREAM_H
+
+#include <stddef.h>
+
+#include "read/drawing.h"        /* drawing */
+#include "plan/job.h"            /* job, kinematics */
+#include "send/talk.h"           /* talk */
+
+/* What is said of the drawing in the closing line. */
+typedef struct {
+    const char *file;
+    size_t curves;
+    double drawn;           /* mm                                                       */
+    double tol;             /* mm, planned                                              */
+    const drawing *d;
+    const char *record;     /* the pulses that a simulated machine recorded, or NULL    */
+    const kinematics *k;
+} stream_subject;
+
+/* Begin `j` on the greeted machine, plan on while it draws, and see it through. Gives an exit code,
+ * after the closing line or one error. */
+int stream_run(talk *t, job *j, const stream_subject *about);
+
+/* Hold, resume or abort whatever the machine does, and say where it stands. Gives an exit code. */
+int stream_control(talk *t, enum loft_verb verb, const kinematics *k);
+
+#endif

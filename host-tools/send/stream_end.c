@@ -1,0 +1,290 @@
+/* host-tools/send/stream_end.c -- how a job ended, in one line
+ * SPDX-License-Identifier: MIT
+ */
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "read/record.h"         /* record_worst_error */
+#include "send/stream_end.h"
+#include "base/tool.h"
+
+void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES],
+                  double out[LOFT_AXES])
+{
+    double at[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        at[i] = (double)steps[i] * 65536 / (double)s->axis[i].steps_per_mm;
+    if (!kinematics_tool(k, at, out))
+        memcpy(out, at, sizeof at);
+}
+
+/* "12.345 8.000 1.000" of steps. */
+static const char *place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES],
+                         char text[96])
+{
+    double at[LOFT_AXES];
+    size_t used = 0;
+
+    stream_place(s, k, steps, at);
+    for (int i = 0; i < LOFT_AXES; i++)
+        used += (size_t)snprintf(text + used, 96 - used, "%s%.3f", i ? " " : "", at[i]);
+    return text;
+}
+
+static const char *steps_text(const int32_t steps[LOFT_AXES], char text[96])
+{
+    size_t used = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        used += (size_t)snprintf(text + used, 96 - used, "%s%" PRId32, i ? " " : "", steps[i]);
+    return text;
+}
+
+static const engine *engine_of(const loft_welcome *machine)
+{
+    return machine->num == LOFT_F32   ? &engine_f32
+           : machine->num == LOFT_F64 ? &engine_f64
+                                      : &engine_q16;
+}
+
+/* Where the job should end, rounded to steps as the machine rounds. */
+static void commanded(const loft_sender *s, const job *j, int32_t out[LOFT_AXES])
+{
+    const engine *e = engine_of(&s->machine);
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        out[i] = j->head.kind == LOFT_POINTS ? j->last[i]
+                                             : e->steps((double)j->last[i] / 65536,
+                                                        (double)s->axis[i].steps_per_mm / 65536);
+}
+
+static double machine_seconds(const loft_sender *s)
+{
+    return (double)s->report.elapsed / (double)s->machine.tick_hz;
+}
+
+/* Bytes, their share of the line's time, and repairs. */
+static void print_line(const talk *t, const job *j)
+{
+    const loft_sender *s  = &t->sender;
+    const unsigned baud   = t->line.baud ? t->line.baud : 115200;
+    const double part     = 1 - (double)j->first_due / (double)j->ticks;
+    const double seconds  = machine_seconds(s) * part;
+
+    printf("line: %" PRIu64 " bytes out for %zu %s, %" PRIu64 " in, ", t->written,
+           j->count - j->first, job_words(j), t->received);
+    if (seconds > 0 && !s->collected)
+        printf("%.1f %% of %u baud, ", 1000 * (double)t->written / (seconds * baud), baud);
+    if (s->report.slowed > 0)
+        printf("%u ticks slowed because their steps did not fit, ", (unsigned)s->report.slowed);
+    if (s->report.elapsed > s->report.ticks + s->machine.tick_hz / 10)
+        printf("%.1f s held or waiting, ",
+               (double)(s->report.elapsed - s->report.ticks) / (double)s->machine.tick_hz);
+    printf("%u of %u frames resent\n", (unsigned)s->resent, (unsigned)(s->sent + s->resent));
+}
+
+/* The record of a machine that lives in another process: it is complete when it ends where the
+ * report says. */
+static int read_record(const loft_sender *s, const char *file, record *r)
+{
+    for (double until = tool_clock() + 2;;) {
+        bool complete  = true;
+        const int code = record_read(r, file, s->report.job);
+        if (code != 0)
+            return code;
+        for (int i = 0; i < LOFT_AXES && r->count > 0; i++)
+            complete = complete &&
+                       lround(r->motors[i] * r->steps_per_mm[i]) == s->report.position[i];
+        if (complete && r->count > 0)
+            return 0;
+        record_free(r);
+        if (tool_clock() > until)
+            return tool_error(
+                EX_DATAERR,
+                "%s: does not end where the machine says it is: name the record of this machine",
+                file);
+        usleep(50000);
+    }
+}
+
+/* "worst path error 0.0031 mm", measured, or what was planned. */
+static int error_text(const loft_sender *s, const stream_subject *about, char text[64])
+{
+    record r = { 0 };
+
+    if (about->record == NULL) {
+        snprintf(text, 64, "path planned within %.4f mm", about->tol);
+        return 0;
+    }
+    const int code = read_record(s, about->record, &r);
+    if (code == 0)
+        snprintf(text, 64, "worst path error %.4f mm",
+                 record_worst_error(about->d, &r, NULL, NULL));
+    record_free(&r);
+    return code;
+}
+
+static int drawn(talk *t, job *j, const stream_subject *about)
+{
+    const loft_sender *s = &t->sender;
+    int32_t want[LOFT_AXES];
+    char text[96], other[96], error[64];
+    int status = LOFT_OK;
+
+    if (j->head.kind != LOFT_CURVES || j->first > 0)    /* of a job that was drawn before, not all
+                                                         * need be planned */
+        status = job_finish(j);
+    if (status != LOFT_OK)
+        return tool_error(EX_DATAERR, "%s: cannot be planned: %s", about->file,
+                          engine_status(status));
+    commanded(s, j, want);
+    if (memcmp(want, s->report.position, sizeof want) != 0)
+        return tool_error(
+            EX_SOFTWARE,
+            "the machine is at steps %s, commanded were %s: home it, and please report this",
+            steps_text(s->report.position, text), steps_text(want, other));
+    if (s->collected)
+        fprintf(stderr, "this job was drawn already: its report is\n");
+    const int code = error_text(s, about, error);
+    if (code != 0)
+        return code;
+    printf("drawn: %zu curve%s, %.3f m, %.1f s machine time, %s, steps %s as commanded\n",
+           about->curves, tool_s(about->curves), about->drawn / 1000, machine_seconds(s), error,
+           steps_text(want, text));
+    print_line(t, j);
+    return EX_OK;
+}
+
+/* An input ended the job, or let it not begin. */
+static int hindered(const talk *t, const job *j)
+{
+    const loft_sender *s = &t->sender;
+    const bool began     = s->report.job != 0;
+    const uint16_t by    = (began ? s->report.ended_by : s->closed) & LOFT_INPUT_ENDING;
+    char text[256], at[96], steps[96], of[32];
+
+    if (!began)
+        return tool_error(
+            EX_UNAVAILABLE,
+            "%s: %s is closed: move away by hand, or with a drawing that leads away and --away",
+            t->port, by ? talk_inputs(by, text) : "an input");
+    return tool_error(EX_TEMPFAIL,
+                      "%s: %s closed and ended the job after %u%s items: the machine is stopped on "
+                      "the path at %s mm, steps %s; "
+                      "move away by hand, or with a drawing that leads away and --away",
+                      t->port, talk_inputs(by, text), (unsigned)s->report.items, job_of(j, of),
+                      place(s, j->k, s->report.position, at),
+                      steps_text(s->report.position, steps));
+}
+
+static int refused(const talk *t, const job *j)
+{
+    switch (t->sender.refusal) {
+    case LOFT_REFUSAL_START:
+        return tool_error(EX_TEMPFAIL,
+                          "%s: the machine has moved since it was asked for its position: run the "
+                          "same command again",
+                          t->port);
+    case LOFT_REFUSAL_KIND:
+        return tool_error(
+            EX_CONFIG,
+            "%s: the machine does not take items of this kind: try with or without --points",
+            t->port);
+    case LOFT_REFUSAL_LIMITS:
+        return tool_error(EX_DATAERR,
+                          "%s: the machine cannot plan within these limits: see --tol, --corner, "
+                          "--accel and --jerk, or plan here, "
+                          "with --plan host",
+                          t->port);
+    case LOFT_REFUSAL_ITEM:
+        return tool_error(EX_DATAERR,
+                          "%s: the machine cannot do item %u: give less --feed or --accel", t->port,
+                          (unsigned)t->sender.ack.next);
+    case LOFT_REFUSAL_INPUT:
+        return hindered(t, j);
+    case LOFT_REFUSAL_FAULT:
+        return tool_error(EX_UNAVAILABLE,
+                          "%s: the machine does not trust its position: restart and home it",
+                          t->port);
+    default:
+        return tool_error(
+            EX_TEMPFAIL,
+            "%s: the machine is busy: wait, or end its job with `loft stream --abort --port %s`",
+            t->port, t->port);
+    }
+}
+
+int stream_ended(talk *t, job *j, const stream_subject *about)
+{
+    const loft_sender *s = &t->sender;
+    char text[96], other[96], of[32];
+
+    switch (s->phase) {
+    case LOFT_PHASE_DONE:
+        return drawn(t, j, about);
+    case LOFT_PHASE_ABORTED:
+        if (s->refusal != LOFT_REFUSAL_NONE)
+            return refused(t, j);
+        return tool_error(EX_TEMPFAIL,
+                          "aborted after %u%s items: the machine is stopped on the path at %s mm, "
+                          "steps %s; the next job starts there",
+                          (unsigned)s->report.items, job_of(j, of),
+                          place(s, j->k, s->report.position, text),
+                          steps_text(s->report.position, other));
+    case LOFT_PHASE_BUSY:
+        return tool_error(EX_TEMPFAIL,
+                          "%s: another job (%08x) is under way: wait, or end it with `loft stream "
+                          "--abort --port %s`",
+                          t->port, (unsigned)s->machine.job, t->port);
+    case LOFT_PHASE_LOST:
+        return tool_error(
+            EX_PROTOCOL,
+            "%s: the machine was restarted in the middle of the job: home it and start again",
+            t->port);
+    case LOFT_PHASE_UNFIT:
+        return tool_error(
+            EX_CONFIG, "%s: the machine came back with another version or other axes: start again",
+            t->port);
+    default:
+        return refused(t, j);
+    }
+}
+
+int stream_interrupted(const talk *t, const job *j)
+{
+    const loft_sender *s = &t->sender;
+    char text[96], other[96], of[32];
+
+    if (s->phase < LOFT_PHASE_STREAMING && s->sent == 0 && !s->resumed)
+        return tool_error(EX_TEMPFAIL, "stopped before the job began: the machine has not moved");
+    if (s->ack.state != LOFT_STATE_HELD)
+        return tool_error(EX_IOERR, "stopped, but the machine did not say that it is stopped: it "
+                                    "runs out of items and then stops on the path");
+    return tool_error(EX_TEMPFAIL,
+                      "held at item %u%s: the machine is stopped on the path at %s mm, steps %s; "
+                      "the same command goes on, "
+                      "`loft stream --abort --port %s` gives up",
+                      (unsigned)s->ack.executed, job_of(j, of),
+                      place(s, j->k, s->status.position, text),
+                      steps_text(s->status.position, other), t->port);
+}
+
+int stream_obeyed(const talk *t, enum loft_verb verb, const kinematics *k)
+{
+    const loft_sender *s   = &t->sender;
+    const bool told        = s->phase == LOFT_PHASE_ABORTED && s->report.job != 0;
+    const int32_t *at      = told ? s->report.position : s->status.position;
+    char text[96], other[96];
+
+    printf("%s: %u items executed, at %s mm, steps %s\n",
+           verb == LOFT_HOLD     ? "held"
+           : verb == LOFT_RESUME ? "resumed"
+                                 : "aborted",
+           (unsigned)(told ? s->report.items : s->ack.executed), place(s, k, at, text),
+           steps_text(at, other));
+    return EX_OK;
+}

@@ -1,0 +1,168 @@
+/* host-tools/send/talk.c -- a session with a machine over a transport
+ * SPDX-License-Identifier: MIT
+ */
+#include <errno.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/keys.h"           /* keys_interrupted */
+#include "send/talk.h"
+#include "base/tool.h"
+#include "base/waits.h"          /* waits_for */
+
+static uint32_t now_ms(void)
+{
+    return (uint32_t)(uint64_t)(1000 * tool_clock());
+}
+
+/* Send frames until there are none or the line is full. */
+static bool send_frames(talk *t)
+{
+    for (;;) {
+        if (t->out_at == t->out_size) {
+            t->out_at   = 0;
+            t->out_size = loft_sender_poll(&t->sender, now_ms(), t->out);
+            if (t->out_size == 0)
+                return true;
+        }
+        const long put = t->line.kind->write(&t->line, t->out + t->out_at, t->out_size - t->out_at,
+                                             0);
+        if (put < 0)
+            return false;
+        if (t->log != NULL)
+            wire_text_push(&t->down, t->log, tool_clock() - t->began, t->out + t->out_at,
+                           (size_t)put);
+        t->out_at  += (size_t)put;
+        t->written += (uint64_t)put;
+        if (put == 0)
+            return true;
+    }
+}
+
+/* What has come is read before anything is sent: if this program had no turn for a while, the
+ * answers that are here are not late. */
+bool talk_pump(talk *t, int most_ms)
+{
+    uint8_t bytes[512];
+    const uint32_t idle = loft_sender_wait(&t->sender, now_ms());
+    int wait = idle < (uint32_t)most_ms ? (int)idle : most_ms;
+    if (t->out_at < t->out_size && wait < 1)
+        wait = 1;                       /* the line is full: look again soon, but do not spin */
+    const long got = t->line.kind->read(&t->line, bytes, sizeof bytes, wait);
+    if (got < 0)
+        return false;
+    t->received += (uint64_t)got;
+    if (t->log != NULL)
+        wire_text_push(&t->up, t->log, tool_clock() - t->began, bytes, (size_t)got);
+    for (long i = 0; i < got; i++)
+        (void)loft_sender_push(&t->sender, bytes[i], now_ms());
+    return send_frames(t);
+}
+
+int talk_vanished(const talk *t, const char *where)
+{
+    return tool_error(EX_IOERR,
+                      "%s: the port has vanished %s(%s): plug it in and run the same command again",
+                      t->port, where, strerror(errno));
+}
+
+const char *talk_inputs(uint16_t inputs, char text[256])
+{
+    size_t used = 0;
+
+    text[0] = '\0';
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const uint16_t ends = inputs & LOFT_INPUT_ENDS(i);
+        if (ends && used < 200)
+            used += (size_t)snprintf(text + used, 256 - used, "%sthe limit switch of %c%s",
+                                     used ? ", " : "", "xyzabc"[i],
+                                     ends == LOFT_INPUT_LOW(i)    ? " at its low end"
+                                     : ends == LOFT_INPUT_HIGH(i) ? " at its high end"
+                                                                  : "");
+    }
+    if (inputs & LOFT_INPUT_STOP && used < 230)
+        snprintf(text + used, 256 - used, "%sthe emergency stop", used ? ", " : "");
+    return text;
+}
+
+double talk_silence(const talk *t)
+{
+    return (double)loft_sender_silence(&t->sender, now_ms()) / 1000;
+}
+
+static int greet(talk *t, double seconds)
+{
+    const double until = tool_clock() + seconds;
+    waits waiting      = { .told = false };
+    char text[200];
+
+    snprintf(text, sizeof text, "no machine has answered at %s yet: it is asked for %g s",
+             t->line.text, seconds);
+    while (t->sender.phase == LOFT_PHASE_HELLO) {
+        if (keys_interrupted())
+            return tool_error(EX_TEMPFAIL, "stopped before the machine answered: nothing was sent");
+        if (!talk_pump(t, 20))
+            return talk_vanished(t, "before the machine answered ");
+        waits_for(&waiting, text);
+        if (tool_clock() < until)
+            continue;
+        if (t->received > 0)
+            return tool_error(EX_PROTOCOL,
+                              "%s: %llu bytes came, but no good frame: is it a loft machine, and "
+                              "is --baud %u right?",
+                              t->line.text, (unsigned long long)t->received,
+                              t->line.baud ? t->line.baud : 115200);
+        return tool_error(EX_UNAVAILABLE,
+                          "%s: no machine answered in %g s: look at its power, cable and baud rate",
+                          t->line.text, seconds);
+    }
+    if (t->sender.phase == LOFT_PHASE_UNFIT)
+        return tool_error(EX_CONFIG,
+                          "%s: the machine has %u axes and wire version %u, this program %d and "
+                          "%d: give both the same release",
+                          t->port, t->sender.machine.axes, t->sender.machine.version, LOFT_AXES,
+                          LOFT_WIRE_VERSION);
+    return 0;
+}
+
+static int open_log(talk *t, const char *file)
+{
+    if (file == NULL)
+        return 0;
+    wire_text_init(&t->down, '>');
+    wire_text_init(&t->up, '<');
+    t->log = fopen(file, "w");
+    return t->log != NULL ? 0
+                          : tool_error(EX_CANTCREAT, "%s: %s: name a log that can be written", file,
+                                       strerror(errno));
+}
+
+int talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log)
+{
+    *t = (talk){ .port = port, .began = tool_clock() };
+    int code = open_log(t, log);
+
+    if (code == 0)
+        code = transport_open(&t->line, port, baud);
+    if (code != 0) {
+        talk_close(t);
+        return code;
+    }
+    loft_sender_init(&t->sender,
+                     (uint32_t)(uint64_t)(1e9 * tool_clock()) ^ (uint32_t)getpid() << 16, now_ms());
+    code = greet(t, seconds);
+    if (code != 0)
+        talk_close(t);
+    return code;
+}
+
+void talk_close(talk *t)
+{
+    if (t->line.kind)
+        t->line.kind->close(&t->line);
+    t->line.kind = NULL;
+    if (t->log && (ferror(t->log) | fclose(t->log)) != 0)
+        tool_error(EX_IOERR, "the log is not complete: %s: is the disk full? log elsewhere",
+                   strerror(errno));
+    t->log = NULL;
+}

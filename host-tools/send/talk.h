@@ -1,0 +1,43 @@
+/* host-tools/send/talk.h -- a session with a machine over a transport: bytes and clock for
+ * lib/wire/sender.h
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_TALK_H
+#define LOFT_TALK_H
+
+#include "wire/sender.h"    /* loft_sender */
+
+#include "send/transport.h"      /* transport */
+#include "send/wire_text.h"      /* wire_text */
+
+typedef struct {
+    const char *port;
+    transport line;
+    loft_sender sender;
+    uint64_t written, received;         /* bytes                          */
+    uint8_t out[LOFT_FRAME_MAX + 1];    /* a frame on its way, from out_at */
+    size_t out_size, out_at;
+    FILE *log;                          /* all that passes, in words, or NULL */
+    wire_text down, up;
+    double began;
+} talk;
+
+/* Open the port and greet; waits for the machine's answer. Gives 0, or an exit code after printing
+ * one line. `log`: a file for what passes on the line, in words (wire_text.h), or NULL. */
+int  talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log);
+void talk_close(talk *t);
+
+/* Move bytes both ways, for at most `most_ms`. Gives false if the port has vanished (errno says
+ * why). */
+bool talk_pump(talk *t, int most_ms);
+
+/* Print that the port has vanished, with `where` the job stands; gives the exit code. */
+int  talk_vanished(const talk *t, const char *where);
+
+/* "the limit switch of x at its low end, the emergency stop": those inputs that end a job. */
+const char *talk_inputs(uint16_t inputs, char text[256]);
+
+/* For how many seconds the machine has been silent. */
+double talk_silence(const talk *t);
+
+#endif

@@ -1,0 +1,57 @@
+/* host-tools/send/transport.c -- choosing the kind of a line by its name
+ * SPDX-License-Identifier: MIT
+ */
+#include <errno.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+
+#include "base/tool.h"
+#include "send/transport.h"
+
+bool transport_own(int fd, const char *name)
+{
+    if (flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+        return true;
+    (void)tool_error(EX_UNAVAILABLE, "%s: another program talks to it: end that one first", name);
+    return false;
+}
+
+int transport_refused(const char *name, int error)
+{
+    switch (error) {
+    case EACCES: case EPERM:
+        return tool_error(EX_NOPERM, "%s: %s: join its group (often dialout) and log in again",
+                          name, strerror(error));
+    case EBUSY:
+        return tool_error(EX_UNAVAILABLE, "%s: another program talks to it: end that one first",
+                          name);
+    case ECONNREFUSED:
+        return tool_error(EX_UNAVAILABLE, "%s: %s: start the machine's server first", name,
+                          strerror(error));
+    default:
+        return tool_error(EX_UNAVAILABLE, "%s: %s: see `loft ports` for the ports there are", name,
+                          strerror(error));
+    }
+}
+
+int transport_open(transport *t, const char *name, unsigned baud)
+{
+    char real[PATH_MAX];
+
+    *t = (transport){ .in = -1, .out = -1 };
+    if (strcmp(name, "-") == 0)
+        return transport_open_standard(t);
+    if (strncmp(name, "unix:", 5) == 0 || strncmp(name, "tcp:", 4) == 0)
+        return transport_open_socket(t, name);
+
+    /* libserialport refuses symbolic links; a name without a slash is one of its own, such as
+     * COM3 */
+    if (strchr(name, '/') == NULL)
+        strncat(strcpy(real, ""), name, sizeof real - 1);
+    else if (realpath(name, real) == NULL)
+        return transport_refused(name, errno);
+    const int code = transport_open_serial(t, real, baud);
+    return code == TRANSPORT_OTHER ? transport_open_terminal(t, real, baud) : code;
+}

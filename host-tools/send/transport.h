@@ -1,0 +1,54 @@
+/* host-tools/send/transport.h -- bytes to and from a machine: serial ports, ptys, sockets, standard
+ * input and output
+ * SPDX-License-Identifier: MIT
+ *
+ *     /dev/ttyUSB0  COM3  ..      a serial port, through libserialport; a pty or another terminal
+ *                                 through termios
+ *     unix:PATH   tcp:HOST:PORT   a socket
+ *     -                           standard input and output
+ *
+ * A port that vanishes is noticed by the next read or write; after that only transport_close may be
+ * called.
+ */
+#ifndef LOFT_TRANSPORT_H
+#define LOFT_TRANSPORT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct transport transport;
+
+/* What a kind of line can do. Reads and writes wait up to timeout_ms and give the count, 0 if there
+ * was nothing to do in time, -1 if the line is gone (errno says why). */
+typedef struct {
+    long (*read)(transport *t, void *bytes, size_t max, int timeout_ms);
+    long (*write)(transport *t, const void *bytes, size_t count, int timeout_ms);
+    void (*close)(transport *t);
+} transport_kind;
+
+struct transport {
+    const transport_kind *kind;
+    int in, out;                /* file descriptors           */
+    void *port;                 /* of libserialport           */
+    unsigned baud;              /* 0: there is no such thing  */
+    char text[128];             /* "/dev/ttyUSB0 at 115200 baud" */
+};
+
+/* Open by name. Gives 0, or an exit code after printing one line. */
+int transport_open(transport *t, const char *name, unsigned baud);
+
+/* The kinds. `serial` gives TRANSPORT_OTHER and prints nothing if libserialport does not know such
+ * a device. */
+#define TRANSPORT_OTHER (-1)
+int transport_open_serial(transport *t, const char *name, unsigned baud);
+int transport_open_terminal(transport *t, const char *name, unsigned baud);
+int transport_open_socket(transport *t, const char *name);
+int transport_open_standard(transport *t);
+
+/* A second owner is refused: gives false after printing one line. For the kinds. */
+bool transport_own(int fd, const char *name);
+
+/* Print why `name` cannot be opened, with the remedy that errno suggests; gives the exit code. */
+int transport_refused(const char *name, int error);
+
+#endif

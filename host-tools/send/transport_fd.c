@@ -1,0 +1,201 @@
+/* host-tools/send/transport_fd.c -- ptys and other terminals, sockets, standard input and output
+ * SPDX-License-Identifier: MIT
+ */
+#include <errno.h>
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "host/baud.h"      /* host_baud */
+
+#include "base/tool.h"
+#include "send/transport.h"
+
+static bool later(int error)
+{
+    return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
+}
+
+static long fd_read(transport *t, void *bytes, size_t max, int timeout_ms)
+{
+    struct pollfd p = { .fd = t->in, .events = POLLIN };
+    const int ready = poll(&p, 1, timeout_ms);
+
+    if (ready <= 0)
+        return ready == 0 || errno == EINTR ? 0 : -1;
+    const ssize_t got = read(t->in, bytes, max);
+    if (got > 0)
+        return (long)got;
+    if (got < 0 && later(errno) && !(p.revents & (POLLHUP | POLLERR)))
+        return 0;
+    if (got == 0)
+        errno = EPIPE;
+    return -1;
+}
+
+static long fd_write(transport *t, const void *bytes, size_t count, int timeout_ms)
+{
+    struct pollfd p = { .fd = t->out, .events = POLLOUT };
+    const int ready = poll(&p, 1, timeout_ms);
+
+    if (ready <= 0)
+        return ready == 0 || errno == EINTR ? 0 : -1;
+    const ssize_t put = write(t->out, bytes, count);
+    return put >= 0 ? (long)put : later(errno) ? 0 : -1;
+}
+
+static void fd_close(transport *t)
+{
+    close(t->in);
+    if (t->out != t->in)
+        close(t->out);
+}
+
+static const transport_kind kind = { fd_read, fd_write, fd_close };
+
+static int take(transport *t, int in, int out, const char *name)
+{
+    t->kind = &kind;
+    t->in   = in;
+    t->out  = out;
+    snprintf(t->text, sizeof t->text, "%.120s", name);
+    return 0;
+}
+
+/* Raw bytes, no modem lines; the lock is advisory because TIOCEXCL would outlive a killed sender on
+ * a pty. */
+static int make_raw(int fd, const char *name, unsigned baud)
+{
+    struct termios mode;
+    speed_t speed;
+
+    if (!host_baud(baud, &speed))
+        return tool_error(
+            EX_USAGE,
+            "--baud %u: give 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600 ..", baud);
+    if (tcgetattr(fd, &mode) != 0)
+        return transport_refused(name, errno);
+    cfmakeraw(&mode);
+    cfsetispeed(&mode, speed);
+    cfsetospeed(&mode, speed);
+    mode.c_cflag |= CLOCAL | CREAD;
+    mode.c_cflag &= ~(tcflag_t)(HUPCL | CRTSCTS);
+    mode.c_cc[VMIN]  = 1;
+    mode.c_cc[VTIME] = 0;
+    return tcsetattr(fd, TCSANOW, &mode) == 0 ? 0 : transport_refused(name, errno);
+}
+
+int transport_open_terminal(transport *t, const char *name, unsigned baud)
+{
+    const int fd = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    int code     = 0;
+
+    if (fd < 0)
+        return transport_refused(name, errno);
+    if (!isatty(fd))
+        code = tool_error(
+            EX_UNAVAILABLE,
+            "%s: not a serial port: see `loft ports`, or name a pty, unix:PATH or tcp:HOST:PORT",
+            name);
+    else if (!transport_own(fd, name))
+        code = EX_UNAVAILABLE;
+    else
+        code = make_raw(fd, name, baud);
+    if (code != 0) {
+        close(fd);
+        return code;
+    }
+    return take(t, fd, fd, name);
+}
+
+static int connected(transport *t, int fd, const char *name)
+{
+    (void)fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) | O_NONBLOCK);
+    return take(t, fd, fd, name);
+}
+
+static int open_unix(transport *t, const char *name)
+{
+    struct sockaddr_un address = { .sun_family = AF_UNIX };
+    const char *path = name + strlen("unix:");
+
+    if (strlen(path) >= sizeof address.sun_path)
+        return tool_error(EX_USAGE, "%s: the path is too long: give at most %zu characters", name,
+                          sizeof address.sun_path - 1);
+    strcpy(address.sun_path, path);
+    const int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (fd < 0 || connect(fd, (const struct sockaddr *)&address, sizeof address) != 0) {
+        const int error = errno;
+        if (fd >= 0)
+            close(fd);
+        return transport_refused(name, error);
+    }
+    return connected(t, fd, name);
+}
+
+static int connect_any(const struct addrinfo *list)
+{
+    const int one = 1;
+
+    errno = EHOSTUNREACH;
+    for (const struct addrinfo *a = list; a; a = a->ai_next) {
+        const int fd = socket(a->ai_family, a->ai_socktype | SOCK_CLOEXEC, a->ai_protocol);
+        if (fd < 0)
+            continue;
+        if (connect(fd, a->ai_addr, a->ai_addrlen) == 0) {
+            (void)setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+            return fd;
+        }
+        const int error = errno;
+        close(fd);
+        errno = error;
+    }
+    return -1;
+}
+
+static int open_tcp(transport *t, const char *name)
+{
+    const struct addrinfo hints = { .ai_family = AF_UNSPEC, .ai_socktype = SOCK_STREAM };
+    const char *colon = strrchr(name, ':');
+    struct addrinfo *list;
+    char host[256];
+
+    const size_t length = (size_t)(colon - name) - 3;   /* "tcp" and what is before the last
+                                                         * colon */
+    if (colon == name + 3 || length > sizeof host || colon[1] == '\0')
+        return tool_error(EX_USAGE, "%s: give tcp:HOST:PORT", name);
+    const bool bracketed = name[4] == '[' && colon[-1] == ']';      /* an IPv6 address */
+    snprintf(host, sizeof host, "%.*s", (int)length - 1 - 2 * bracketed, name + 4 + bracketed);
+    const int failed = getaddrinfo(host, colon + 1, &hints, &list);
+    if (failed)
+        return tool_error(EX_NOHOST, "%s: %s: look at the name of the host and the port", name,
+                          gai_strerror(failed));
+    const int fd = connect_any(list);
+    const int error = errno;
+    freeaddrinfo(list);
+    return fd < 0 ? transport_refused(name, error) : connected(t, fd, name);
+}
+
+int transport_open_socket(transport *t, const char *name)
+{
+    return strncmp(name, "unix:", 5) == 0 ? open_unix(t, name) : open_tcp(t, name);
+}
+
+/* What the program prints goes to standard error from now on: standard output is the line. It stays
+ * blocking, for its flags are shared with other programs; poll keeps us from waiting. */
+int transport_open_standard(transport *t)
+{
+    const int in = dup(STDIN_FILENO), out = dup(STDOUT_FILENO);
+
+    if (in < 0 || out < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+        return transport_refused("standard input and output", errno);
+    return take(t, in, out, "standard input and output");
+}

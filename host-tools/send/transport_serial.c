@@ -1,0 +1,139 @@
+/* host-tools/send/transport_serial.c -- serial ports through libserialport
+ * SPDX-License-Identifier: MIT
+ *
+ * What the library leaves to us: a read of a port that was unplugged gives 0, as a timeout does, so
+ * after each 0 sp_input_waiting tells the two apart; its blocking read spins, so we poll the
+ * descriptor; drivers accept baud rates they do not have, so the rate is read back; a second owner
+ * is let in, so the port is locked; closing drops DTR, which resets many boards, so HUPCL is
+ * cleared and a second run finds the machine where it stands.
+ */
+#include <errno.h>
+#include <poll.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+
+#include <libserialport.h>
+
+#include "base/tool.h"
+#include "send/transport.h"
+
+static long serial_read(transport *t, void *bytes, size_t max, int timeout_ms)
+{
+    struct pollfd p = { .fd = t->in, .events = POLLIN };
+
+    if (poll(&p, 1, timeout_ms) < 0 && errno != EINTR)
+        return -1;
+    const long got = sp_nonblocking_read(t->port, bytes, max);
+    if (got < 0 || (got == 0 && sp_input_waiting(t->port) < 0)) {
+        errno = sp_last_error_code();
+        return -1;
+    }
+    return got;
+}
+
+static long serial_write(transport *t, const void *bytes, size_t count, int timeout_ms)
+{
+    struct pollfd p = { .fd = t->out, .events = POLLOUT };
+
+    if (poll(&p, 1, timeout_ms) < 0 && errno != EINTR)
+        return -1;
+    const long put = sp_nonblocking_write(t->port, bytes, count);
+    if (put < 0) {
+        errno = sp_last_error_code();
+        return errno == EAGAIN || errno == EINTR ? 0 : -1;
+    }
+    return put;
+}
+
+/* No sp_drain: it waits for ever on a device that holds the line. */
+static void serial_close(transport *t)
+{
+    sp_close(t->port);
+    sp_free_port(t->port);
+}
+
+/* 8N1, no flow control, in one call: each setter of its own costs a round trip on USB. */
+static bool configure(struct sp_port *port, unsigned baud)
+{
+    struct sp_port_config *c;
+
+    if (sp_new_config(&c) != SP_OK)
+        return false;
+    const bool good = sp_set_config_baudrate(c, (int)baud) == SP_OK &&
+                      sp_set_config_bits(c, 8) == SP_OK &&
+                      sp_set_config_parity(c, SP_PARITY_NONE) == SP_OK &&
+                      sp_set_config_stopbits(c, 1) == SP_OK &&
+                      sp_set_config_flowcontrol(c, SP_FLOWCONTROL_NONE) == SP_OK &&
+                      sp_set_config(port, c) == SP_OK;
+    sp_free_config(c);
+    return good;
+}
+
+static int baud_of(struct sp_port *port)
+{
+    struct sp_port_config *c;
+    int baud = 0;
+
+    if (sp_new_config(&c) != SP_OK)
+        return 0;
+    if (sp_get_config(port, c) != SP_OK || sp_get_config_baudrate(c, &baud) != SP_OK)
+        baud = 0;
+    sp_free_config(c);
+    return baud;
+}
+
+/* Keep DTR up when we close, and keep others out. */
+static void keep(int fd)
+{
+    struct termios mode;
+
+    (void)ioctl(fd, TIOCEXCL);
+    if (tcgetattr(fd, &mode) == 0) {
+        mode.c_cflag &= ~(tcflag_t)HUPCL;
+        (void)tcsetattr(fd, TCSANOW, &mode);
+    }
+}
+
+static int set_up(transport *t, const char *name, unsigned baud)
+{
+    struct sp_port *port = t->port;
+    int fd;
+
+    if (sp_get_port_handle(port, &fd) != SP_OK)
+        return transport_refused(name, sp_last_error_code());
+    if (!transport_own(fd, name))
+        return EX_UNAVAILABLE;
+    const bool configured = configure(port, baud);
+    const int got         = baud_of(port);
+    if (!configured || got != (int)baud)
+        return tool_error(EX_UNAVAILABLE,
+                          "%s: asked for %u baud, the port has %d: give a --baud that it has", name,
+                          baud, got);
+    keep(fd);
+    static const transport_kind kind = { serial_read, serial_write, serial_close };
+    t->kind = &kind;
+    t->in   = t->out = fd;
+    t->baud = baud;
+    snprintf(t->text, sizeof t->text, "%.90s at %u baud", name, baud);
+    return 0;
+}
+
+int transport_open_serial(transport *t, const char *name, unsigned baud)
+{
+    struct sp_port *port;
+
+    if (sp_get_port_by_name(name, &port) != SP_OK)
+        return TRANSPORT_OTHER;
+    if (sp_open(port, SP_MODE_READ_WRITE) != SP_OK) {
+        const int error = sp_last_error_code();
+        sp_free_port(port);
+        return error == ENOTTY ? TRANSPORT_OTHER : transport_refused(name, error);
+    }
+    t->port = port;
+    const int code = set_up(t, name, baud);
+    if (code != 0)
+        serial_close(t);
+    return code;
+}

@@ -1,0 +1,169 @@
+/* lib/kinematics/kinematics.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "kinematics/kinematics.h"
+
+#include "num/angle.h"  /* loft_fine_atan2, loft_fine_sin */
+#include "num/sci.h"    /* loft_sci */
+
+#if LOFT_AXES >= 2
+
+/* a = x + y, b = x - y; x = (a + b) / 2, y = (a - b) / 2. The way back
+ * is in acc, for a + b may be beyond a coordinate. */
+loft_vec loft_corexy_motors(const void *geometry, loft_vec tool)
+{
+    const loft_real x = tool.axis[0], y = tool.axis[1];
+
+    (void)geometry;
+    tool.axis[0] = x + y;
+    tool.axis[1] = x - y;
+    return tool;
+}
+
+bool loft_corexy_tool(const void *geometry, loft_vec motors, loft_vec *tool)
+{
+    const loft_acc a = loft_wide(motors.axis[0]), b = loft_wide(motors.axis[1]);
+
+    (void)geometry;
+    *tool = motors;
+    tool->axis[0] = loft_acc_round((a + b) / 2);
+    tool->axis[1] = loft_acc_round((a - b) / 2);
+    return true;
+}
+
+/* x^2 + y^2 <= 2^29 is exact in acc. The angle over a whole turn is at most 1/2 and errs by 2^-33,
+ * which counts `turn` times: turn 2^-33 mm, turn 2^-17 LSB. */
+loft_vec loft_polar_motors(const void *geometry, loft_vec tool)
+{
+    const loft_polar *polar = geometry;
+    const loft_real x = tool.axis[0], y = tool.axis[1];
+    const loft_fine angle = loft_fine_atan2(loft_wide(y), loft_wide(x));
+
+    tool.axis[0] = loft_acc_sqrt(loft_prod(x, x) + loft_prod(y, y));
+    tool.axis[1] = loft_acc_round(
+        loft_acc_mul(loft_fine_quot(angle, 2 * LOFT_FINE_PI), polar->turn));
+    return tool;
+}
+
+/* The whole turns between two angles, to nearest. */
+static int32_t turns_of(loft_real by, loft_real turn)
+{
+    return loft_acc_int(loft_wide(loft_div(by, turn)));
+}
+
+loft_vec loft_polar_near(const void *geometry, loft_vec motors, loft_vec before)
+{
+    const loft_polar *polar = geometry;
+    const int32_t k = turns_of(before.axis[1] - motors.axis[1], polar->turn);
+
+    motors.axis[1] = loft_acc_round(loft_wide(motors.axis[1]) + k * loft_wide(polar->turn));
+    return motors;
+}
+
+/* Whole turns are taken off first, exactly in q16 and f32: what is left is at most half a turn (and
+ * what the quotient was rounded by), so the product with 2 pi is below 4. */
+bool loft_polar_tool(const void *geometry, loft_vec motors, loft_vec *tool)
+{
+    const loft_polar *polar = geometry;
+    const loft_acc radius = loft_wide(motors.axis[0]), turn = loft_wide(polar->turn);
+    const loft_acc rest = loft_wide(motors.axis[1]) - turns_of(motors.axis[1], polar->turn) * turn;
+    const loft_fine angle = loft_fine_mul(loft_fine_ratio(rest, turn), 2 * LOFT_FINE_PI);
+
+    *tool = motors;
+    tool->axis[0] = loft_acc_round(loft_fine_scale(radius, loft_fine_cos(angle)));
+    tool->axis[1] = loft_acc_round(loft_fine_scale(radius, loft_fine_sin(angle)));
+    return true;
+}
+
+#if LOFT_AXES >= 3
+
+/* Pythagoras: the carriage is above the joint by h, h^2 = arm^2 - dx^2 - dy^2. Products are exact
+ * in acc, below 2^28 + 2 * 2^30. */
+loft_vec loft_delta_motors(const void *geometry, loft_vec tool)
+{
+    const loft_delta *delta = geometry;
+    const loft_real x = tool.axis[0], y = tool.axis[1], z = tool.axis[2];
+
+    for (int i = 0; i < 3; i++) {
+        const loft_real dx = x - delta->tower[i][0], dy = y - delta->tower[i][1];
+        const loft_acc left = loft_prod(delta->arm, delta->arm) - loft_prod(dx, dx) -
+                              loft_prod(dy, dy);
+        tool.axis[i] = z + (left > 0 ? loft_acc_sqrt(left) : 0);
+    }
+    return tool;
+}
+
+typedef struct { loft_sci c[3]; } arrow;
+
+static arrow cross(arrow a, arrow b)
+{
+    arrow out;
+
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        out.c[i] = loft_sci_sub(loft_sci_mul(a.c[j], b.c[k]), loft_sci_mul(a.c[k], b.c[j]));
+    }
+    return out;
+}
+
+static loft_sci square(arrow a)
+{
+    return loft_sci_add(loft_sci_add(loft_sci_mul(a.c[0], a.c[0]), loft_sci_mul(a.c[1], a.c[1])),
+                        loft_sci_mul(a.c[2], a.c[2]));
+}
+
+/* From carriage 0 to carriage i; differences of coordinates are exact in acc. */
+static arrow side(const loft_delta *d, loft_vec motors, int i)
+{
+    arrow out;
+
+    for (int k = 0; k < 2; k++)
+        out.c[k] = loft_sci_of(loft_wide(d->tower[i][k]) - loft_wide(d->tower[0][k]));
+    out.c[2] = loft_sci_of(loft_wide(motors.axis[i]) - loft_wide(motors.axis[0]));
+    return out;
+}
+
+/* Seen from carriage 0, with b and c the sides from there and n = b x c, the centre of the circle
+ * around the carriages and its radius are
+ *
+ *     m = (b^2 c x n + c^2 n x b) / (2 n^2)        r^2 = m^2
+ *
+ * and the tool is at m -+ n sqrt((arm^2 - r^2) / n^2): below, so with the sign of -n_z. q16: the
+ * sides are exact; n is the difference of products, off by 2^-60 of them, which for triangles that
+ * are not flatter than 1:8 is 2^-57 of n. Each of the other 40 roundings is 2^-61 of a size below
+ * 2^15 mm, and arm^2 - r^2 loses by cancelling no more than the arm's steepness: in all below 2^-30
+ * mm. */
+bool loft_delta_tool(const void *geometry, loft_vec motors, loft_vec *tool)
+{
+    const loft_delta *d = geometry;
+    const arrow b = side(d, motors, 1), c = side(d, motors, 2), n = cross(b, c), cn = cross(c, n),
+                nb = cross(n, b);
+    const loft_sci b2 = square(b), c2 = square(c), n2 = square(n), arm = loft_sci_from_real(d->arm);
+    const loft_real from[3] = { d->tower[0][0], d->tower[0][1], motors.axis[0] };
+    loft_acc at[3];
+    arrow m;
+
+    if (loft_sci_sign(n.c[2]) == 0)
+        return false;
+    for (int i = 0; i < 3; i++)
+        m.c[i] = loft_sci_div(loft_sci_add(loft_sci_mul(b2, cn.c[i]), loft_sci_mul(c2, nb.c[i])),
+                              loft_sci_add(n2, n2));
+    const loft_sci left = loft_sci_sub(loft_sci_mul(arm, arm), square(m));
+    if (loft_sci_sign(left) < 0)
+        return false;
+    const loft_sci part = loft_sci_sqrt(loft_sci_div(left, n2)),
+                   down = loft_sci_sign(n.c[2]) > 0 ? loft_sci_neg(part) : part;
+    for (int i = 0; i < 3; i++) {
+        if (!loft_sci_wide(loft_sci_add(m.c[i], loft_sci_mul(n.c[i], down)), &at[i]))
+            return false;
+        at[i] += loft_wide(from[i]);
+        if (!loft_acc_fits(at[i]))
+            return false;
+    }
+    for (int i = 0; i < 3; i++)
+        tool->axis[i] = loft_acc_round(at[i]);
+    return true;
+}
+
+#endif
+#endif

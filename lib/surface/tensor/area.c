@@ -1,0 +1,191 @@
+/* lib/surface/tensor/area.c
+ * SPDX-License-Identifier: MIT
+ *
+ * The area is the integral of |N|, N = P_u x P_v, a vector polynomial of degrees 2 m - 1 and 2 n -
+ * 1 with the coefficients
+ *
+ *     N_kl = m n / (C(2m-1,k) C(2n-1,l))  sum over i + i' = k, j + j' = l
+ *                 C(m-1,i) C(n,j) C(m,i') C(n-1,j')  (b_(i+1)j - b_ij) x (b_i'(j'+1) - b_i'j')
+ *
+ * Every Bernstein polynomial has the same integral, 1 / (4 m n) here. So, since |sum| <= integral
+ * |N| <= sum of |..|,
+ *
+ *     |sum of N_kl| / (4 m n)  <=  area  <=  (sum of |N_kl|) / (4 m n)
+ *
+ * The mean of the two is taken where they differ by at most 2 tol times the piece's share of the
+ * parameters, so that all pieces together err by at most tol. Elsewhere the piece is halved, along
+ * u and v in turn; the difference falls with the square of its width, or with the area where N is
+ * null. The pieces are the leaves of a binary tree (basis/pieces.h): every other bit of k is the
+ * side in u, the others that in v.
+ */
+#include "surface/tensor/area.h"
+#include "basis/pieces.h"   /* loft_dyad */
+#include "num/exact.h"      /* loft_exact_admits */
+#include "num/sci.h"        /* loft_sci: areas of any size */
+
+#define MOST ((LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1))
+
+typedef struct {
+    loft_sci axis[3];
+} spot;
+
+/* A piece of the patch; coordinates count from the first control point. */
+typedef struct {
+    spot c[MOST];
+    unsigned m, n;
+} patch;
+
+typedef struct {
+    loft_sci lower, upper;
+} bounds;
+
+static void load(patch *x, const loft_tensor *s)
+{
+    x->m = s->m;
+    x->n = s->n;
+    for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
+        for (int i = 0; i < 3; i++)
+            x->c[k].axis[i] = loft_sci_of(loft_wide(loft_vec_axis(&s->p[k], i)) -
+                                          loft_wide(loft_vec_axis(&s->p[0], i)));
+}
+
+/* One half of the curve c[0], c[stride] .. The left half is what the scheme leaves behind at the
+ * front, the right half what it leaves at the back. */
+static void halve(spot c[], unsigned degree, unsigned stride, unsigned side)
+{
+    const loft_sci half = loft_sci_div(loft_sci_one(), loft_sci_from_int(2));
+
+    for (unsigned row = 0; row < degree; row++)
+        for (unsigned k = 0; k < degree - row; k++) {
+            spot *to = &c[(side ? k : degree - k) * stride];
+            const spot *other = side ? to + stride : to - stride;
+            for (int i = 0; i < 3; i++)
+                to->axis[i] = loft_sci_mul(half, loft_sci_add(to->axis[i], other->axis[i]));
+        }
+}
+
+static void cut(patch *x, loft_dyad piece)
+{
+    for (unsigned level = 0; level < piece.level; level++) {
+        const unsigned side = piece.k >> (piece.level - 1u - level) & 1;
+        if (level % 2 == 0)
+            for (unsigned j = 0; j <= x->n; j++)
+                halve(x->c + j, x->m, x->n + 1, side);
+        else
+            for (unsigned i = 0; i <= x->m; i++)
+                halve(x->c + i * (x->n + 1), x->n, 1, side);
+    }
+}
+
+static spot step(const spot *from, const spot *to)
+{
+    spot d;
+
+    for (int i = 0; i < 3; i++)
+        d.axis[i] = loft_sci_sub(to->axis[i], from->axis[i]);
+    return d;
+}
+
+/* sum += weight a x b */
+static void add_cross(spot *sum, int32_t weight, const spot *a, const spot *b)
+{
+    const loft_sci w = loft_sci_from_int(weight);
+
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const loft_sci d = loft_sci_sub(loft_sci_mul(a->axis[j], b->axis[k]),
+                                        loft_sci_mul(a->axis[k], b->axis[j]));
+        sum->axis[i] = loft_sci_add(sum->axis[i], loft_sci_mul(w, d));
+    }
+}
+
+static unsigned above(unsigned x, unsigned y)   { return x > y ? x - y : 0; }
+
+/* N_kl C(2m-1,k) C(2n-1,l) / (m n). The product of the four binomials is at most 70 * 126 * 126 *
+ * 70 < 2^27. */
+static spot normal(const patch *x, unsigned k, unsigned l)
+{
+    const unsigned m = x->m, n = x->n, w = n + 1;
+    spot sum = { { loft_sci_zero(), loft_sci_zero(), loft_sci_zero() } };
+
+    for (unsigned i = above(k, m); i <= k && i < m; i++)
+        for (unsigned j = above(l, n - 1); j <= l && j <= n; j++) {
+            const spot *a = &x->c[i * w + j], *b = &x->c[(k - i) * w + l - j];
+            const spot along_u = step(a, a + w), along_v = step(b, b + 1);
+            const int32_t weight = loft_binomial(m - 1, i) * loft_binomial(n, j) *
+                                   loft_binomial(m, k - i) * loft_binomial(n - 1, l - j);
+            add_cross(&sum, weight, &along_u, &along_v);
+        }
+    return sum;
+}
+
+static loft_sci length(const spot *x)
+{
+    loft_sci sum = loft_sci_zero();
+
+    for (int i = 0; i < 3; i++)
+        sum = loft_sci_add(sum, loft_sci_mul(x->axis[i], x->axis[i]));
+    return loft_sci_sqrt(sum);
+}
+
+/* m n / (4 m n) = 1/4 of the sums. */
+static bounds bounds_of(const patch *x)
+{
+    const loft_sci four = loft_sci_from_int(4);
+    spot total = { { loft_sci_zero(), loft_sci_zero(), loft_sci_zero() } };
+    bounds r = { loft_sci_zero(), loft_sci_zero() };
+
+    for (unsigned k = 0; k < 2 * x->m; k++)
+        for (unsigned l = 0; l < 2 * x->n; l++) {
+            const loft_sci scale = loft_sci_from_int(loft_binomial(2 * x->m - 1, k) *
+                                                     loft_binomial(2 * x->n - 1, l));
+            spot one = normal(x, k, l);
+            for (int i = 0; i < 3; i++) {
+                one.axis[i] = loft_sci_div(one.axis[i], scale);
+                total.axis[i] = loft_sci_add(total.axis[i], one.axis[i]);
+            }
+            r.upper = loft_sci_add(r.upper, length(&one));
+        }
+    r.lower = loft_sci_div(length(&total), four);
+    r.upper = loft_sci_div(r.upper, four);
+    return r;
+}
+
+static bool admitted(const loft_tensor *s)
+{
+    for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (!loft_exact_admits(s->p[k].axis[i]))
+                return false;
+    return true;
+}
+
+enum loft_status loft_tensor_area(const loft_tensor *s, loft_real tol, loft_acc *out)
+{
+    const loft_sci two = loft_sci_from_int(2);
+    loft_dyad piece = { 0, 0 };
+    loft_sci twice = loft_sci_zero();       /* the area, times 2 */
+    patch x;
+
+    if (!(tol > 0))
+        return LOFT_ERR_ARG;
+    if (!admitted(s))
+        return LOFT_ERR_RANGE;
+    do {
+        for (;;) {
+            load(&x, s);
+            cut(&x, piece);
+            const bounds b = bounds_of(&x);
+            const loft_sci share = loft_sci_div(loft_sci_mul(two, loft_sci_from_real(tol)),
+                                                loft_sci_from_int((int32_t)1 << piece.level));
+            if (!loft_sci_less(share, loft_sci_sub(b.upper, b.lower))) {
+                twice = loft_sci_add(twice, loft_sci_add(b.lower, b.upper));
+                break;
+            }
+            if (piece.level == LOFT_DYAD_LEVELS)
+                return LOFT_ERR_RANGE;
+            piece = loft_dyad_half(piece, 0);
+        }
+    } while (loft_dyad_next(&piece));
+    return loft_sci_wide(loft_sci_div(twice, two), out) ? LOFT_OK : LOFT_ERR_RANGE;
+}

@@ -1,0 +1,226 @@
+/* lib/surface/triangle/triangle_pieces.c
+ * SPDX-License-Identifier: MIT
+ *
+ * One axis at a time: all of it is read before any of it is written, so the result may replace what
+ * it is made of. Room and error of the rows: barycentric.c.
+ */
+#include "surface/triangle/triangle_pieces.h"
+
+#define MOST LOFT_TRIANGLE_MOST
+
+static void widen(const loft_vec p[], unsigned count, int axis, loft_acc c[])
+{
+    for (unsigned k = 0; k < count; k++)
+        c[k] = loft_wide(p[k].axis[axis]);
+}
+
+static bool take(loft_acc x, loft_real *out)
+{
+    if (!loft_acc_fits(x))
+        return false;
+    *out = loft_acc_round(x);
+    return true;
+}
+
+static void copy(const loft_acc from[], unsigned count, loft_acc to[])
+{
+    for (unsigned k = 0; k < count; k++)
+        to[k] = from[k];
+}
+
+
+/* Around a point */
+
+/* After r rows what lies on the three edges of the net that is left belongs to the three pieces,
+ * with the power r of the new corner: b_0jk, b_i0k and b_ij0. */
+static bool deal(const loft_acc x[], unsigned degree, unsigned r, int axis, loft_vec a[],
+                 loft_vec b[], loft_vec c[])
+{
+    const unsigned n = degree - r;
+
+    for (unsigned k = 0; k <= n; k++)
+        if (!take(x[loft_triangle_place(n - k, k)], &a[loft_triangle_place(n - k, k)].axis[axis]) ||
+            !take(x[loft_triangle_place(0, k)], &b[loft_triangle_place(r, k)].axis[axis]) ||
+            !take(x[loft_triangle_place(k, 0)], &c[loft_triangle_place(k, r)].axis[axis]))
+            return false;
+    return true;
+}
+
+enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_vec a[],
+                                     loft_vec b[], loft_vec c[])
+{
+    const unsigned n = t->degree;
+    loft_acc x[MOST], product = loft_wide(LOFT_REAL(1));
+
+    if (!loft_bary_grows(u, false, n, &product))
+        return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        widen(t->p, LOFT_TRIANGLE_POINTS(n), i, x);
+        for (unsigned r = 0; r <= n; r++) {
+            if (!deal(x, n, r, i, a, b, c))
+                return LOFT_ERR_RANGE;
+            loft_bary_step(x, n - r, u);
+        }
+    }
+    return LOFT_OK;
+}
+
+
+/* Over another triangle */
+
+/* One corner of a part, and the row of the scheme that belongs to it. */
+typedef struct {
+    loft_bary u;
+    uint8_t ends[2];                /* for halves: the middle of these two corners, which may be
+                                     * one */
+} corner;
+
+typedef void row(loft_acc c[], unsigned degree, const corner *at);
+
+static void blend_row(loft_acc c[], unsigned degree, const corner *at)
+{
+    loft_bary_step(c, degree, at->u);
+}
+
+/* Corner e = 0, 1, 2 of the small triangle at place p in row m stands at p, p + m + 1, p + m + 2.
+ * In q16 a coordinate has 16 bits below its last one, of which nine rows use nine: nothing is
+ * rounded. */
+static void halve_row(loft_acc c[], unsigned degree, const corner *at)
+{
+    for (unsigned m = 0, p = 0; m < degree; m++)
+        for (unsigned k = 0; k <= m; k++, p++) {
+            const unsigned place[3] = { p, p + m + 1, p + m + 2 };
+            c[p] = (c[place[at->ends[0]]] + c[place[at->ends[1]]]) / 2;
+        }
+}
+
+/* b[corner0^i, corner1^j, corner2^k]: i rows at the first corner, in a copy j at the second, in a
+ * copy of that k at the third. */
+static bool reshape(loft_acc c[], unsigned degree, const corner at[3], row *step, int axis,
+                    loft_vec out[])
+{
+    loft_acc second[MOST], third[MOST];
+
+    for (unsigned m = degree + 1; m-- > 0; ) {
+        copy(c, LOFT_TRIANGLE_POINTS(m), second);
+        for (unsigned k = m + 1; k-- > 0; ) {
+            copy(second, LOFT_TRIANGLE_POINTS(k), third);
+            for (unsigned n = k; n > 0; n--)
+                step(third, n, &at[2]);
+            if (!take(third[0], &out[loft_triangle_place(m - k, k)].axis[axis]))
+                return false;
+            step(second, k, &at[1]);
+        }
+        step(c, m, &at[0]);
+    }
+    return true;
+}
+
+static enum loft_status reshape_all(const loft_triangle *t, const corner at[3], row *step,
+                                    loft_vec out[])
+{
+    const unsigned count = LOFT_TRIANGLE_POINTS(t->degree);
+    loft_acc c[MOST];
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        widen(t->p, count, i, c);
+        if (!reshape(c, t->degree, at, step, i, out))
+            return LOFT_ERR_RANGE;
+    }
+    return LOFT_OK;
+}
+
+enum loft_status loft_triangle_quarter(const loft_triangle *t, unsigned part, loft_vec out[])
+{
+    static const uint8_t ends[4][3][2] = {
+        { { 0, 0 }, { 0, 1 }, { 0, 2 } }, { { 0, 1 }, { 1, 1 }, { 1, 2 } },
+        { { 0, 2 }, { 1, 2 }, { 2, 2 } }, { { 1, 2 }, { 0, 2 }, { 0, 1 } }
+    };
+    corner at[3] = { { { 0, 0 }, { 0, 0 } }, { { 0, 0 }, { 0, 0 } }, { { 0, 0 }, { 0, 0 } } };
+
+    if (part > 3)
+        return LOFT_ERR_ARG;
+    for (int k = 0; k < 3; k++)
+        for (int e = 0; e < 2; e++)
+            at[k].ends[e] = ends[part][k][e];
+    return reshape_all(t, at, halve_row, out);
+}
+
+enum loft_status loft_triangle_part(const loft_triangle *t, const loft_bary at[3], loft_vec out[])
+{
+    corner corners[3];
+
+    for (int k = 0; k < 3; k++) {
+        loft_acc product = loft_wide(LOFT_REAL(1));
+        if (!loft_bary_grows(at[k], false, t->degree, &product))
+            return LOFT_ERR_RANGE;
+        corners[k].u = at[k];
+    }
+    return reshape_all(t, corners, blend_row, out);
+}
+
+
+/* Other forms */
+
+/* sum C(i,r) C(j,s) C(k,t) b_rst / C(n+m,n) over r + s + t = n, with (i, j, k) of degree n + m. The
+ * products of binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 <
+ * 2^62.6. One division, rounded to 2^-33. */
+static loft_acc raised(const loft_acc c[], unsigned n, unsigned i, unsigned j, unsigned k)
+{
+    loft_acc sum = 0;
+
+    for (unsigned s = 0; s <= n && s <= j; s++)
+        for (unsigned t = 0; s + t <= n && t <= k; t++)
+            sum += c[loft_triangle_place(s, t)] *
+                   (loft_binomial(i, n - s - t) * loft_binomial(j, s) * loft_binomial(k, t));
+    return loft_acc_ratio(sum, loft_binomial(i + j + k, n));
+}
+
+enum loft_status loft_triangle_raise(const loft_triangle *t, unsigned times, loft_vec out[])
+{
+    const unsigned n = t->degree, most = n + times;
+    loft_acc c[MOST];
+
+    if (times > LOFT_RAISE_MAX - n)
+        return LOFT_ERR_ARG;
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        widen(t->p, LOFT_TRIANGLE_POINTS(n), axis, c);
+        for (unsigned m = 0; m <= most; m++)
+            for (unsigned k = 0; k <= m; k++)
+                out[loft_triangle_place(m - k, k)].axis[axis] = loft_acc_round(
+                    raised(c, n, most - m, m - k, k));
+    }
+    return LOFT_OK;
+}
+
+/* b_ijk = sum over p <= j, r <= k of C(j,p) C(k,r) a_pr over n! / (p! r! (n-p-r)!) = C(n,p)
+ * C(n-p,r). A product is below 126 * 2^47, no quotient exceeds its coefficient, and there are at
+ * most 30 of them: below 2^52. */
+static loft_acc from_power(const loft_acc a[], unsigned n, unsigned j, unsigned k)
+{
+    loft_acc sum = 0;
+
+    for (unsigned p = 0; p <= j; p++)
+        for (unsigned r = 0; r <= k; r++)
+            sum += loft_acc_ratio(a[loft_triangle_place(p, r)] *
+                                      (loft_binomial(j, p) * loft_binomial(k, r)),
+                                  loft_binomial(n, p) * loft_binomial(n - p, r));
+    return sum;
+}
+
+enum loft_status loft_triangle_from_power(const loft_vec a[], unsigned degree, loft_vec out[])
+{
+    loft_acc c[MOST];
+
+    if (degree > LOFT_DEGREE_MAX)
+        return LOFT_ERR_ARG;
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        widen(a, LOFT_TRIANGLE_POINTS(degree), axis, c);
+        for (unsigned m = 0; m <= degree; m++)
+            for (unsigned k = 0; k <= m; k++)
+                if (!take(from_power(c, degree, m - k, k),
+                          &out[loft_triangle_place(m - k, k)].axis[axis]))
+                    return LOFT_ERR_RANGE;
+    }
+    return LOFT_OK;
+}

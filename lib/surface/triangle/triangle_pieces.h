@@ -1,0 +1,80 @@
+/* lib/surface/triangle/triangle_pieces.h -- Bezier triangles cut, reshaped and raised: the same
+ * surface with other control points
+ * SPDX-License-Identifier: MIT
+ *
+ * Results are nets in the order of barycentric.h. They may be the control points themselves, but
+ * not each other, and are undefined after an error. The `error` lines are those of triangle.h, for
+ * each control point.
+ */
+#ifndef LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
+#define LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
+
+#include "curve/bezier.h"           /* LOFT_RAISE_MAX */
+#include "surface/triangle/triangle.h"       /* loft_triangle */
+
+LOFT_BEGIN_C
+
+/* The three triangles around the point u: (u, T2, T3), (T1, u, T3) and (T1, T2, u).
+ *
+ *   range   LOFT_ERR_RANGE when a control point does not fit or the law of triangle.h is not kept
+ *   error   as loft_triangle_extend
+ *   cost    as loft_triangle_eval; 500 bytes of stack
+ *   see     Farin, Curves and Surfaces for CAGD, ch. 17: subdivision at a point
+ */
+enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_vec a[],
+                                     loft_vec b[], loft_vec c[]) LOFT_CHECKED;
+
+/* The four triangles between corners and middles of the edges, M12 between T1 and T2 and so on:
+ *
+ *     part 0   T1 M12 M13         part 2   M13 M23 T3
+ *     part 1   M12 T2 M23         part 3   M23 M13 M12
+ *
+ *   range   part 0..3, otherwise LOFT_ERR_ARG
+ *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: degree / 2 ulp
+ *   cost    (degree + 1) (degree + 2) (degree + 3) (degree + 8) / 24 sums and halves at most, no
+ *           product; 1.4 kB of stack
+ *   see     Farin, ch. 17; Goldman, Subdivision algorithms for Bezier triangles (1983)
+ */
+enum loft_status loft_triangle_quarter(const loft_triangle *t, unsigned part,
+                                       loft_vec out[]) LOFT_CHECKED;
+
+/* The part over any other triangle, given by its corners: b[corner0^i, corner1^j, corner2^k].
+ *
+ *   range   LOFT_ERR_RANGE when a control point does not fit or the law of triangle.h is not kept
+ *   error   as loft_triangle_extend with the largest L
+ *   cost    (degree + 1) (degree + 2) (degree + 3) (degree + 8) / 24 blends at most; 1.4 kB of
+ *           stack
+ *   see     Ramshaw, blossoming
+ */
+enum loft_status loft_triangle_part(const loft_triangle *t, const loft_bary corner[3],
+                                    loft_vec out[]) LOFT_CHECKED;
+
+/* The same surface with a degree higher by `times`: LOFT_TRIANGLE_POINTS(degree + times) control
+ * points.
+ *
+ *   range   degree + times <= LOFT_RAISE_MAX, otherwise LOFT_ERR_ARG
+ *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree + 3 ulp
+ *   cost    at most as many small products and one division for each control point of the result as
+ *           the net has points; 450 bytes of stack
+ *   see     Farin, ch. 17: degree elevation
+ */
+enum loft_status loft_triangle_raise(const loft_triangle *t, unsigned times,
+                                     loft_vec out[]) LOFT_CHECKED;
+
+/* The control points of the surface sum a_pr v^p w^r in the coordinates of a loft_bary, the shares
+ * of T2 and T3, which are the u and v of a sheet. a is listed by degree, then by the power of w:
+ * those of 1, v, w, v^2, v w, w^2, ..
+ *
+ *   range   degree 0..9, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when a point does not fit
+ *   error   q16: 1/2 LSB + degree^2 * 2^-17 LSB   f32: 1/2 ulp of the result + 1/2 ulp
+ *           f64: (degree + 1)^2 (degree + 2) ulp, of the largest coefficient
+ *   cost    one division for each pair of a coefficient and a control point of the same or a higher
+ *           power
+ *   see     Farin, ch. 17; the form of curve/bezier.h in two variables
+ */
+enum loft_status loft_triangle_from_power(const loft_vec a[], unsigned degree,
+                                          loft_vec out[]) LOFT_CHECKED;
+
+LOFT_END_C
+
+#endif

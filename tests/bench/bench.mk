@@ -1,0 +1,62 @@
+# tests/bench/bench.mk -- what is measured: curves beside other libraries, patches, motion
+# SPDX-License-Identifier: MIT
+
+# --- make bench: build/bench/bench<axes>, with each of AGG, GSL and cairo that pkg-config finds ---
+BENCH_LIBS := $(foreach l,gsl cairo $(if $(shell command -v $(CXX)),libagg), \
+                $(shell pkg-config --exists $(l) 2>/dev/null && echo $(l)))
+BENCH_FLAGS = $(if $(BENCH_LIBS),$(shell pkg-config --cflags $(BENCH_LIBS))) \
+              $(if $(filter gsl,$(BENCH_LIBS)),-DBENCH_GSL) \
+              $(if $(filter cairo,$(BENCH_LIBS)),-DBENCH_CAIRO)
+
+build/bench/agg.o: tests/bench/bench_agg.cpp
+	@mkdir -p $(@D)
+	$(SAY) "  CXX $@"
+	$(Q)$(CXX) -O2 -g $(CPPFLAGS) $(CXXFLAGS) $(BENCH_FLAGS) -c $< -o $@
+build/bench/bench%: tests/bench/bench.c build/q16x%/libloft.a \
+                    $(if $(filter libagg,$(BENCH_LIBS)),build/bench/agg.o)
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) $(BUILT) $(STD) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$* \
+	    $(BENCH_FLAGS) $(if $(filter libagg,$(BENCH_LIBS)),-DBENCH_AGG) $^ -o $@ \
+	    $(if $(BENCH_LIBS),$(shell pkg-config --libs $(BENCH_LIBS))) \
+	    $(if $(filter libagg,$(BENCH_LIBS)),-lstdc++) -lm
+
+## Time walking a cubic against de Casteljau, Horner, AGG, GSL and cairo (make deps-bench)
+.PHONY: bench
+bench:
+	@for axes in 2 3; do \
+	    $(MAKE) -s --no-print-directory AXES=$$axes build/bench/bench$$axes && \
+	    build/bench/bench$$axes || exit 1; done
+	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; \
+	    *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
+
+## Count the instructions of a point of each patch with n sides on an emulated Cortex-M0 and M4
+.PHONY: bench-polygon
+bench-polygon: lib/names.h
+	@sh tests/bench/bench_polygon.sh build/bench/polygon
+
+# --- make bench-motion: build/bench/motion/<what>-<num> measure, bench_motion.sh prints -----------
+MOTION := build/bench/motion
+MOTION_WHAT := $(patsubst tests/bench/bench_motion_%.c,%,$(filter-out %_moves.c, \
+                 $(sort $(wildcard tests/bench/bench_motion_*.c))))
+define motioned
+$(MOTION)/%-$(1): tests/bench/bench_motion_%.c build/$(1)x3/libloft.a
+	@mkdir -p $$(@D)
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(BUILT) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
+	    -DLOFT_NUM=LOFT_$(2) -DLOFT_AXES=3 $$(filter %.c %.a,$$^) -lm -o $$@
+-include $(patsubst %,$(MOTION)/%-$(1).d,$(MOTION_WHAT))
+endef
+$(eval $(call motioned,q16,Q16))
+$(eval $(call motioned,f64,F64))
+$(MOTION)/moves: tests/bench/bench_motion_moves.c $(filter-out %/loft.o,$(TOOL_OBJ)) $(TOOL_LIBS)
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) $(BUILT) $(filter-out $(DEPS),$(TOOL_STD)) \
+	    $(call tool_flag,q16) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
+
+CASES ?= 100000
+## Measure what motion promises, beside its bounds, in half an hour   CASES=of the property run
+.PHONY: bench-motion
+bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MOTION)/$(w)-f64)
+	@bash tests/bench/bench_motion.sh $(MOTION) $(CASES)

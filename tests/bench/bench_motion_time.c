@@ -1,0 +1,184 @@
+/* tests/bench/bench_motion_time.c -- how long plans take, and the least time in which their paths
+ * can be passed
+ * SPDX-License-Identifier: MIT
+ * usage: time FOLDER [CHAINS]      FOLDER holds lists of moves; CHAINS random smooth ones as well
+ *
+ * Prints `accel NAME PLAN LEAST` where jerk is not limited; `jerk NAME PLAN` where it is, and
+ * writes FOLDER/NAME.path for topp_jerk.py; `rest LENGTH PLAN LEAST BEAT` of lines from rest to
+ * rest. Seconds.
+ */
+#define CURVES 64
+
+#include "support/motion_paths.h"   /* test_paths, smooth_path   */
+#include "support/motion_spans.h"   /* plan_chain, seconds       */
+#include "support/topp.h"           /* topp_grid, topp_time      */
+
+static topp grid;
+
+static double twist[TOPP_MAX][LOFT_AXES];      /* the derivative of the curvature vector by
+                                                * length */
+
+/* From the neighbours on the same curve. */
+static void set_twist(unsigned j)
+{
+    const unsigned from = j > 0 && grid.node[j - 1].s < grid.node[j].s ? j - 1 : j;
+    const unsigned to   = j + 1 < grid.count && grid.node[j + 1].s > grid.node[j].s ? j + 1 : j;
+    for (int i = 0; i < LOFT_AXES; i++)
+        twist[j][i] = (grid.node[to].k[i] - grid.node[from].k[i]) /
+                      (grid.node[to].s - grid.node[from].s);
+}
+
+/* Where curvature jumps, by d at length s, no speed keeps a jerk limit on the path itself. A path
+ * that passes from one curvature to the other evenly over a length w leaves it by d w^2 / 24: the
+ * longest w that the tolerance allows. */
+static void ease_jump(unsigned j)
+{
+    double jump[LOFT_AXES], size = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        jump[i] = grid.node[j + 1].k[i] - grid.node[j].k[i];
+        size   += jump[i] * jump[i];
+    }
+    const double s = grid.node[j].s, w = sqrt(24 * arb_value(limits.tol) / fmax(1e-9, sqrt(size)));
+    for (unsigned n = 0; n < grid.count; n++) {
+        topp_node *node = &grid.node[n];
+        const double x = (node->s - s) / w;
+        if (fabs(x) > 0.5)
+            continue;
+        const double by = n <= j ? x + 0.5 : x - 0.5;
+        for (int i = 0; i < LOFT_AXES; i++) {
+            node->k[i]  += by * jump[i];
+            twist[n][i] += jump[i] / w;
+        }
+    }
+}
+
+static void ease_grid(void)
+{
+    for (unsigned j = 0; j < grid.count; j++)
+        set_twist(j);
+    for (unsigned j = 0; j + 1 < grid.count; j++)
+        if (!(grid.node[j + 1].s > grid.node[j].s))
+            ease_jump(j);
+}
+
+static void print_row(FILE *f, const double v[])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        fprintf(f, " %.9g", v[i]);
+}
+
+static void write_path(const char *folder, const char *name)
+{
+    char file[300];
+
+    snprintf(file, sizeof file, "%s/%s.path", folder, name);
+    FILE *f = fopen(file, "w");
+    if (!f)
+        exit(73);
+    fprintf(f, "limits");
+    for (int i = 0; i < LOFT_AXES; i++)
+        fprintf(f, " %.9g", arb_value(limits.max_accel[i]));
+    for (int i = 0; i < LOFT_AXES; i++)
+        fprintf(f, " %.9g", (double)limits.max_jerk[i]);
+    for (unsigned j = 0; j < grid.count; j++) {
+        fprintf(f, "\n%.9g ", grid.node[j].s);
+        print_row(f, grid.node[j].u);
+        print_row(f, grid.node[j].k);
+        print_row(f, twist[j]);
+        fprintf(f, " %.9g", grid.node[j].top);
+    }
+    fprintf(f, "\n");
+    fclose(f);
+}
+
+static void measure(const char *folder, const char *name)
+{
+    const arrival all = { CURVES, PIECES, NULL };
+
+    if (plan_chain(&all) != PLANNED || count == 0)
+        return;
+    topp_grid(&grid, chain, curves, &limits, 1000);
+    if (limits.max_jerk[0] > 0) {
+        ease_grid();
+        write_path(folder, name);
+        printf("jerk %s %.6f\n", name, seconds());
+    } else
+        printf("accel %s %.6f %.6f\n", name, seconds(), topp_time(&grid));
+}
+
+/* A yardstick's yardstick: its best jerk-limited time is L / v + v / a + a / j = 2.15 s. */
+static void line_path(void)
+{
+    const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0, 1 },
+                 u[4] = { 0, 100 / 3.0, 200 / 3.0, 100 }, w[4] = { 0 };
+
+    even_limits(1000, 500, 10000);
+    begin_chain();
+    add_curve(d, e, u, w, 50);
+}
+
+/* The least time from rest to rest: seven parts of even jerk, fewer where the speed, or the
+ * acceleration, is not reached. */
+static double least_time(double length, double v, double a, double j)
+{
+    if (v * j < a * a)
+        return length < 2 * v * sqrt(v / j) ? 4 * cbrt(length / (2 * j))
+                                            : length / v + 2 * sqrt(v / j);
+    if (length < 2 * a * a * a / (j * j))
+        return 4 * cbrt(length / (2 * j));
+    v = fmin(v, (sqrt(a * a * a * a / (j * j) + 4 * a * length) - a * a / j) / 2);
+    return length / v + v / a + a / j;
+}
+
+static void measure_line(double length, double v, double accel)
+{
+    const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0, 1 },
+                 u[4] = { 0, length / 3, length * 2 / 3, length }, w[4] = { 0 };
+    const arrival all = { CURVES, PIECES, NULL };
+    loft_budget b;
+
+    even_limits(1000, accel, 20 * accel);
+    begin_chain();
+    add_curve(d, e, u, w, v);
+    if (plan_chain(&all) != PLANNED)
+        return;
+    loft_budget_init(&b, &limits);
+    printf("rest %g-mm-at-%g-mm/s-%g-mm/s2 %.6f %.6f %.6f\n", length, v, accel, seconds(),
+           least_time(length, v, accel, 20 * accel), (double)b.beat / b.tick_hz);
+}
+
+static void measure_lines(void)
+{
+    static const double lengths[] = { 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 40, 50, 100 };
+
+    for (unsigned k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+        measure_line(lengths[k], 30, 500);
+        measure_line(lengths[k], 5, 500);
+        measure_line(lengths[k], 100, 1000);
+    }
+}
+
+int main(int words, char **word)
+{
+    const unsigned chains = words > 2 ? (unsigned)atoi(word[2]) : 0;
+    char name[40];
+
+    if (words < 2)
+        return 64;
+    for (unsigned k = 0; k < TEST_PATHS; k++)
+        if (strcmp(test_paths[k].drawing, "outline12") == 0) {
+            if (!load_path(&test_paths[k], word[1]))
+                return 66;
+            measure(word[1], test_paths[k].name);
+        }
+    line_path();
+    measure(word[1], "line");
+    measure_lines();
+    for (unsigned seed = 1; seed <= chains; seed++) {
+        snprintf(name, sizeof name, "smooth-seed-%u", seed);
+        smooth_path(seed, seed % 4 == 0);
+        measure(word[1], name);
+    }
+    return 0;
+}

@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+# tests/e2e/grbl_peer.py -- a controller that speaks grbl's protocol behind a pseudo terminal, as
+# its documentation describes it
+# SPDX-License-Identifier: MIT
+"""usage: grbl_peer.py LINK PATH_FILE [--g5] [--locked] [--error LINE] [--alarm LINE] [--reset LINE]
+                    [--mute LINE] [--mpos] [--nowco] [--late MS] [--twice] [--babble]
+
+Written from grbl's wiki (Interface, Commands, Configuration) alone. A line takes a millisecond to
+be read, the machine draws at 40 times the feed; 15 moves are planned ahead, then lines wait in a
+buffer of 128 bytes: one more and the job has failed.
+--late: as a boot loader it hears nothing for so long after the first byte; --twice: it answers, and
+is reset when it is first asked for $I; --nowco: MPos, and WCO never; --babble: another baud rate.
+At the end (a hang-up or SIGTERM) PATH_FILE has the places that were drawn, and a last line
+`# lines N overflow N most N`.
+"""
+import math
+import os
+import pty
+import re
+import select
+import signal
+import sys
+import time
+import tty
+
+RX, BLOCKS, SPEED = 128, 15, 40.0
+WORD = re.compile(r"([A-Z])(-?\d*\.?\d+)")
+
+
+class Peer:
+    def __init__(self, master, options):
+        self.master, self.o = master, options
+        self.buffer, self.lines, self.overflow, self.most = b"", 0, 0, 0
+        self.at, self.feed, self.motion, self.path = [0.0, 0.0, 0.0], 0.0, None, [(0.0, 0.0, 0.0)]
+        self.blocks, self.polls, self.rate = [], 0, 100
+        self.state = "Alarm" if options.get("locked") else "Idle"
+        self.deaf = None
+        if not (self.o.get("late") or self.o.get("babble")):
+            self.greet()
+
+    def say(self, text):
+        os.write(self.master, (text + "\r\n").encode())
+
+    def greet(self):
+        self.say("")
+        self.say("Grbl 1.1h ['$' for help]")
+
+    # bytes that are acted on at once
+    def realtime(self, byte):
+        if byte == ord("?"):
+            self.polls += 1
+            machine = self.o.get("mpos") or self.o.get("nowco")
+            place = [a + 10.0 for a in self.at] if machine else self.at
+            name = "MPos" if machine else "WPos"
+            moving = "Run" if self.blocks else "Idle"
+            state = self.state if self.state in ("Alarm", "Hold:0") else moving
+            text = (f"<{state}|{name}:{place[0]:.3f},{place[1]:.3f},{place[2]:.3f}"
+                    f"|FS:{self.feed if self.blocks else 0:.0f},0")
+            if self.o.get("mpos") and self.polls % 10 == 1:
+                text += "|WCO:10.000,10.000,10.000"
+            self.say(text + (f"|Ov:{self.rate},100,100>" if self.polls % 10 == 2 else ">"))
+        elif byte == ord("!"):
+            self.state = "Hold:0"
+        elif byte == ord("~"):
+            self.state = "Idle"
+        elif byte == 0x18:
+            self.buffer, self.blocks, self.state = b"", [], "Idle"
+            self.greet()
+        elif byte in (0x90, 0x91, 0x92):
+            step = 10 if byte == 0x91 else -10
+            self.rate = 100 if byte == 0x90 else min(200, max(10, self.rate + step))
+        else:
+            return False
+        return True
+
+    def booting(self):
+        """Is it not there yet?"""
+        now = time.monotonic()
+        self.deaf = self.deaf or now + self.o.get("late", 0) / 1000
+        if self.o.get("late") and now >= self.deaf:
+            self.o["late"] = 0
+            self.greet()
+        return self.deaf > now
+
+    def tick(self):
+        if self.deaf and self.o.get("late"):
+            self.booting()
+
+    def take(self, data):
+        if self.o.get("babble"):
+            os.write(self.master, bytes(b ^ 0x96 for b in data) + b"\r\n")
+            return
+        if self.booting():
+            return
+        for byte in data:
+            if byte in b"?!~" or byte == 0x18 or byte >= 0x80:
+                self.realtime(byte)
+            else:
+                self.buffer += bytes([byte])
+        self.most = max(self.most, len(self.buffer))
+        self.overflow += len(self.buffer) > RX
+
+    # one line
+    def work(self):
+        while self.blocks and self.state != "Hold:0" and self.blocks[0] <= time.monotonic():
+            self.blocks.pop(0)
+        if b"\n" not in self.buffer or len(self.blocks) >= BLOCKS or self.state == "Hold:0":
+            return
+        line, self.buffer = self.buffer.split(b"\n", 1)
+        text = line.decode("ascii", "replace").strip().upper()
+        if text == "$I" and self.o.pop("twice", False):
+            self.realtime(0x18)
+            return
+        if text == "$I":
+            self.say("[VER:1.1h.20190830:]")
+            self.say(f"[OPT:V,{BLOCKS},{RX}]")
+            self.say("ok")
+            return
+        if not text:
+            self.say("ok")
+            return
+        self.lines += 1
+        if self.o.get("alarm") == self.lines:
+            self.state, self.blocks = "Alarm", []
+            self.say("ALARM:2")
+            return
+        if self.o.get("reset") == self.lines:
+            self.realtime(0x18)
+            return
+        answer = self.obey(text)
+        if self.o.get("mute") != self.lines:        # else the answer is lost on the line
+            self.say(answer)
+        time.sleep(0.001)
+
+    def obey(self, text):
+        if self.state == "Alarm":
+            return "error:9"
+        if self.o.get("error") == self.lines:
+            return "error:2"
+        words = WORD.findall(text)
+        if "".join(a + b for a, b in words) != text:
+            return "error:2"
+        value = {}
+        for letter, number in words:
+            if letter == "G":
+                if number in ("21", "90", "94", "17"):
+                    continue
+                if number not in ("0", "1", "2", "3") and not (number == "5" and self.o.get("g5")):
+                    return "error:20"
+                self.motion = number
+            elif letter in value or letter not in "XYZIJPQF":
+                return "error:25"
+            else:
+                value[letter] = float(number)
+        self.feed = value.pop("F", self.feed)
+        if not value:
+            return "ok"
+        if self.motion is None or self.feed <= 0:
+            return "error:22"
+        return self.move(value)
+
+    def move(self, v):
+        start, end = list(self.at), [v.get("XYZ"[i], self.at[i]) for i in range(3)]
+        if self.motion in "23":
+            points = self.arc(v, start, end)
+            if points is None:
+                return "error:33"
+        elif self.motion == "5":
+            c = [start[:2], [start[0] + v["I"], start[1] + v["J"]],
+                 [end[0] + v["P"], end[1] + v["Q"]], end[:2]]
+            points = []
+            for k in range(1, 65):
+                t = k / 64
+                b = ((1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3)
+                point = tuple(sum(b[j] * c[j][i] for j in range(4)) for i in (0, 1))
+                points.append(point + (end[2],))
+        else:
+            points = [tuple(end)]
+        length = 0.0
+        for p in points:
+            length += math.dist(self.path[-1], p)
+            self.path.append(p)
+        self.at = end
+        begin = self.blocks[-1] if self.blocks else time.monotonic()
+        self.blocks.append(begin + length / self.feed * 60 / SPEED)
+        return "ok"
+
+    def arc(self, v, start, end):
+        cx, cy = start[0] + v.get("I", 0), start[1] + v.get("J", 0)
+        r, s = math.hypot(start[0] - cx, start[1] - cy), math.hypot(end[0] - cx, end[1] - cy)
+        if abs(r - s) > 0.005 and abs(r - s) > 0.001 * r:
+            return None
+        a, b = math.atan2(start[1] - cy, start[0] - cx), math.atan2(end[1] - cy, end[0] - cx)
+        turn = (b - a) % (2 * math.pi) if self.motion == "3" else -((a - b) % (2 * math.pi))
+        n = max(2, int(abs(turn) * r / 0.05))
+        angles = [a + turn * k / n for k in range(1, n)]
+        return [(cx + r * math.cos(t), cy + r * math.sin(t), end[2]) for t in angles] + [tuple(end)]
+
+
+def main():
+    link, out = sys.argv[1:3]
+    options, words = {}, sys.argv[3:]
+    while words:
+        name = words.pop(0)[2:]
+        options[name] = int(words.pop(0)) if words and words[0].isdigit() else True
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    os.symlink(os.ttyname(slave), link)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+    peer = Peer(master, options)
+    try:
+        while True:
+            if select.select([master], [], [], 0.001)[0]:
+                peer.take(os.read(master, 1024))
+            peer.tick()
+            peer.work()
+    finally:
+        with open(out, "w") as f:
+            for p in peer.path:
+                f.write("%.4f,%.4f,%.4f\n" % p)
+            f.write(f"# lines {peer.lines} overflow {peer.overflow} most {peer.most}\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,199 @@
+#!/bin/sh
+# tests/house/lint.sh -- the rules of the house, each one line `ok` or `FAIL` with the places
+# SPDX-License-Identifier: MIT
+# usage: tests/house/lint.sh
+# It calls itself for what runs side by side: compiled COMPILER NUM AXES, compiled_tools COMPILER.
+set -u
+result=$(mktemp); trap 'rm -f "$result" "$result.jobs"' EXIT
+rule() {        # rule NAME: standard input lists the offending places; none is good
+    places=$(cat)
+    if [ -z "$places" ]; then echo "ok   lint $1"
+    else echo "FAIL lint $1"; echo "$places" | sed 's/^/     /' | head -20; fi | tee -a "$result"
+}
+
+sources=$(find lib -mindepth 2 -name '*.[ch]' ! -path 'lib/examples/*' | LC_ALL=C sort)
+headers=$(printf '%s\n' $sources | grep '\.h$')
+
+warnings="-std=c99 -Wall -Wextra -Wpedantic -Wconversion -Wshadow"
+warnings="$warnings -Wstrict-prototypes -Wmissing-prototypes -Wundef -Werror"
+# compiled COMPILER NUM AXES: does lib/ compile without a warning, and all of its headers together?
+compiled() {
+    given="$warnings -ffreestanding -Ilib -DLOFT_NUM=LOFT_$2 -DLOFT_AXES=$3 -fsyntax-only"
+    {   $1 $given $(printf '%s\n' $sources | grep '\.c$')
+        echo '#include "loft.h"' | $1 $given -x c -
+    } 2>&1 | rule "$1 $2 x$3"
+}
+compiled_tools() {      # compiled_tools COMPILER
+    $1 -std=c99 -D_GNU_SOURCE ${warnings#-std=c99} -Ilib -Iports -Ihost-tools -I. \
+        $(pkg-config --cflags libxml-2.0 zlib cairo libserialport) \
+        -DLOFT_NUM=LOFT_Q16 -fsyntax-only host-tools/*.c host-tools/*/*.c ports/host/*.c \
+        ports/linux-gpio/[!g]*.c ports/template/*.c ports/firmware.c 2>&1 |
+        rule "$1 host tools and ports"
+}
+if [ $# -gt 0 ]; then "$@"; exit; fi
+
+# 1. arrows: a file includes its own room and rooms before it
+wrong_arrows() {        # wrong_arrows TOP ROOM..: includes of a later room
+    top=$1 rank=0; shift
+    for room in "$@"; do
+        rank=$((rank + 1)) later=0
+        [ -d "$top/$room" ] || { echo "$top/$room: no such room"; continue; }
+        for other in "$@"; do
+            later=$((later + 1))
+            [ $later -le $rank ] ||
+                grep -rnE "#[[:space:]]*include[[:space:]]*\"$other/" "$top/$room" \
+                    --include='*.[ch]'
+        done
+    done
+    ls -d "$top"/*/ | while read -r found; do
+        found=${found%/}
+        case " $* examples pictures " in
+        *" ${found##*/} "*) ;;
+        *) echo "$found: a room without a rank" ;;
+        esac
+    done
+}
+{ wrong_arrows lib num geom basis curve surface polygon kinematics motion wire machine
+  grep -nE '#[[:space:]]*include.*(ports|host-tools|loft\.h|port\.h)' $sources
+} | rule "arrows of lib/ point one way"
+{ wrong_arrows host-tools base engine read plan send draw study cmd
+  grep -nE '#[[:space:]]*include[[:space:]]*"[^/]*"' host-tools/*/*.[ch]
+} | rule "arrows of host-tools/ point one way, and includes name the room"
+
+# 2. freestanding
+grep -nE '#[[:space:]]*include[[:space:]]*<' lib/*.h $sources |
+    grep -vE '<(stdint|stddef|stdbool|limits|float|stdarg|iso646)\.h>' |
+        rule "lib/ includes freestanding headers only"
+grep -nwE 'malloc|calloc|realloc|free|alloca|printf|setjmp|longjmp' $sources |
+    grep -vE ':[0-9]+:[[:space:]]*(/?\*|//)' | rule "no heap and no libc in lib/"
+
+# 3. names.h is what the headers say
+sh tests/house/names.sh | diff - lib/names.h | rule "names.h is fresh"
+sh tests/house/errors.sh | diff - lib/ERRORS.md | rule "ERRORS.md is fresh: make lib/ERRORS.md"
+
+for header in $headers; do
+    sed -n '/^static\|^typedef/d; s/^[a-z][A-Za-z0-9_ ]*[ *]\(loft_[a-z0-9_]*\)(.*/\1/p' "$header" |
+        sort -u
+done | sort | uniq -d | rule "no public name stands for two functions"
+
+# ... and loft.h brings every header, but the inside of motion/ and of the packer
+not_for_users='lib/motion/|lib/num/(q16|f32|f64|floats|avr).h|lib/wire/(curve_code|varint).h'
+echo '#include "loft.h"' | cc -Ilib -M -x c - | tr -d '\\' | tr -s ' ' '\n' |
+    { cat; printf '%s\n' $headers | grep -E "$not_for_users"; } | sort -u >"$result.included"
+printf '%s\n' $headers | grep -vxF -f "$result.included" | rule "loft.h includes every header"
+rm "$result.included"
+
+# 4. only num/ tests the number type
+grep -nE '^[[:space:]]*#.*LOFT_(NUM|Q16|F32|F64)\b' $sources | grep -v '^lib/num/' |
+    rule "only num/ tests LOFT_NUM"
+
+# 5. every public function of lib/ is documented:
+# a comment stands above it, or above the group it opens
+for header in $headers; do
+    awk -v file="$header" '
+        /^(static|typedef|#|}|extern|struct|enum loft_[a-z]+ *\{)/ { grouped = 0 }
+        /\*\/[ \t]*$/               { grouped = 1 }
+        /^$/                        { grouped = 0 }
+        /^[a-z][A-Za-z0-9_ ]*[ *]loft_[a-z0-9_]*\(/ && !/^(static|typedef)/ {
+            if (!grouped) print file ":" FNR ": " $0
+            grouped = 1
+        }' "$header"
+done | rule "public functions are documented"
+
+# ... and those that compute curves, surfaces and patches over polygons say how much they err and
+# what they cost: in the comment above them, above the first of their group (no empty line
+# between), or at the head of the section (a comment with a line of dashes)
+for header in $(printf '%s\n' $headers | grep -E '^lib/(basis|curve|surface|polygon)/'); do
+    awk -v file="$header" '
+        /^\/\*/                      { said = ""; inside = 1 }
+        inside                      { said = said "\n" $0 }
+        /\*\/[ \t]*$/               {
+            if (inside && said ~ /\n \* ---/) { section = said; said = "" }
+            inside = 0
+            next
+        }
+        /^\/\/ ---/                 { section = "" }
+        /^$/ && !inside             { said = "" }
+        /^[a-z][A-Za-z0-9_ ]*[ *]loft_[a-z0-9_]*\(/ && !inside && !/^(static|typedef)/ {
+            for (i = split("error cost", label, " "); i > 0; i--)
+                if (said section !~ "\n \\* +" label[i] " +[^ ]")
+                    print file ":" FNR ": no " label[i] ": " $0
+        }' "$header"
+done | rule "curves and surfaces say their error and their cost"
+
+# 6. every source says its licence and what it is
+named=$(find ports host-tools tests -name '*.[ch]' -o -name '*.sh' -o -name '*.mk')
+for file in lib/*.h $sources lib/examples/*.c $named; do
+    head -4 "$file" | grep -q 'SPDX-License-Identifier: MIT' || echo "$file: no SPDX line"
+    head -3 "$file" | grep -qF "$file" || echo "$file: the first lines do not name the file"
+done | rule "files name themselves and their licence"
+
+# ... and a header with functions has a test of its name, or tests/README.md says which holds it
+test_of() { dir=$(dirname "${1#lib/}"); echo "tests/lib/$dir/test_$(basename "$1" .h).c"; }
+includes() {    # includes TEST HEADER: in some number type, or on an AVR?
+    for flags in -DLOFT_NUM=LOFT_Q16 -DLOFT_NUM=LOFT_F64 '-DLOFT_NUM=LOFT_Q16 -D__AVR__'; do
+        cc -Ilib -Itests -Ihost-tools $flags -MM "$1" 2>/dev/null | tr -s ' \\' '\n' |
+            grep -qxF "$2" && return
+    done
+}
+reaches() {     # reaches TEST HEADER: does it include that, or the header of a source that does?
+    includes "$1" "$2" && return
+    for source in $(grep -lF "\"${2#lib/}\"" $(printf '%s\n' $sources | grep '\.c$')); do
+        includes "$1" "${source%.c}.h" && return
+    done
+    return 1
+}
+held() {
+    sed -n 's,^| `\([a-z0-9_/]*\.h\)` | `\([a-z0-9_/]*\.c\)` |.*,lib/\1 tests/\2,p' tests/README.md
+}
+without_test() {
+    for header in $headers; do
+        grep -qE '^[a-z][A-Za-z0-9_ ]*[ *]loft_[a-z0-9_]*\(' "$header" || continue
+        [ -f "$(test_of "$header")" ] || held | grep -q "^$header " ||
+            echo "$header: has no $(test_of "$header"):" \
+                "write it, or name another in tests/README.md"
+    done
+    held | while read -r header test; do
+        [ -f "$header" ] || echo "tests/README.md: $header: no such header"
+        [ ! -f "$(test_of "$header")" ] || echo "tests/README.md: $header: has a test of its name"
+        reaches "$test" "$header" || echo "tests/README.md: $test does not reach $header"
+    done
+}
+without_test | rule "each header has a test of its name, or tests/README.md names another"
+
+# 7. CPPFLAGS, CFLAGS and LDFLAGS that the user gives stand in every call of the compiler,
+# the last where it links
+links_and_objects="lib tools test-tools test-axes test-e2e
+    build/test/q16/forward build/test/f64/harmonic build/vectors/f32
+    build/bench/bench3 build/bench/motion/time-q16 build/bench/motion/moves build/loft-gpio
+    build/target/gpio/guest build/target/gpio/loft-gpio-memory
+    build/target/stores.so build/target/bad_line build/target/chip build/target/trials
+    build/target/rate build/target/bench_line build/target/plan build/target/plan_chip"
+flags_that_are_missing() {
+    make -n -B V=1 CC=given-cc CXX=given-cc CPPFLAGS=-DGIVEN CFLAGS=-fgiven CXXFLAGS=-fgiven \
+        LDFLAGS=-Lgiven $links_and_objects 2>&1 |
+        sed -e ':join' -e '/\\$/{N;s/\\\n//;bjoin' -e '}' |
+        awk '/\*\*\*/ { print }
+             /given-cc/ {
+                 calls++
+                 if (!/ -DGIVEN / || !/ -fgiven / || (!/ -c / && !/ -Lgiven /)) print
+             }
+             END { if (calls < 500) print "only " calls + 0 " calls of the compiler were seen" }'
+}
+flags_that_are_missing | rule "every rule heeds CPPFLAGS, CFLAGS and LDFLAGS"
+
+# 8. gcc and clang, warnings as errors, all number types, one, three and six axes: side by side
+for compiler in gcc clang; do
+    for num in Q16 F32 F64; do
+        for axes in 1 3 6; do echo "sh tests/house/lint.sh compiled $compiler $num $axes"; done
+    done
+done >"$result.jobs"
+for compiler in gcc clang; do
+    echo "sh tests/house/lint.sh compiled_tools $compiler"
+done >>"$result.jobs"
+bash tests/house/beside.sh <"$result.jobs" | tee -a "$result"
+
+passed=$(grep -c '^ok' "$result")
+failed=$(grep -c '^FAIL' "$result")
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]

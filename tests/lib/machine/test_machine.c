@@ -1,0 +1,430 @@
+/* tests/lib/machine/test_machine.c -- properties of lib/machine/machine.h: whole jobs from a sender
+ * to the pulses, over a bad line
+ * SPDX-License-Identifier: MIT
+ */
+#include "support/rig.h"
+
+#include "machine/machine.h"
+#include "wire/sender.h"
+
+#define PIPE 256            /* bytes on their way                       */
+#define RATE 12             /* bytes per ms: 115200 baud                */
+#define LONG 600000         /* ms until a test gives up                 */
+
+/* One direction of the line. Of 65536 bytes: how many are bent, lost, doubled. */
+typedef struct {
+    uint8_t byte[PIPE];
+    uint32_t in, out;
+    uint32_t bend, lose, twice;
+} pipe;
+
+static struct {
+    loft_machine machine;
+    loft_machine_config config;
+    loft_sender sender;
+    loft_job job;
+    pipe down, up;
+    uint32_t ms, faults;
+    bool cut;               /* nobody is at the sender's end            */
+    arb arb;
+} w;
+
+static uint32_t pipe_room(const pipe *p)            { return PIPE - (p->in - p->out); }
+static void pipe_add(pipe *p, uint8_t byte)
+{
+    if (pipe_room(p))
+        p->byte[p->in++ % PIPE] = byte;
+}
+
+static void pipe_send(pipe *p, const uint8_t *byte, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t luck = arb_below(&w.arb, 65536);
+        if (luck < p->bend)
+            pipe_add(p, (uint8_t)(byte[i] ^ (1u << arb_below(&w.arb, 8))));
+        else if (luck >= p->bend + p->lose)
+            pipe_add(p, byte[i]);
+        if (luck >= 65536 - p->twice)
+            pipe_add(p, byte[i]);
+    }
+}
+
+static void items_of(void *context, uint32_t index, loft_item *out)
+{
+    (void)context;
+    *out = r.item[index];
+}
+
+static void greet(void)
+{
+    loft_sender_init(&w.sender, 1000 + w.ms, w.ms);
+    w.cut = false;
+}
+
+static void world_start(arb *a, int32_t reach)
+{
+    const uint16_t slots = (uint16_t)(1 + arb_below(a, 40));
+    const loft_drive_config c = rig_init(a, &w.machine.drive, slots,
+                                         (uint16_t)(1 + arb_below(a, 60)), reach);
+
+    w.machine.receiver.session = 0;
+    w.config = (loft_machine_config){ .traits = { .boot = 77, .tick_hz = 1000, .slots = slots },
+                                      .ramp = r.ramp, .cell = cells, .cells = r.cells };
+    for (int i = 0; i < LOFT_AXES; i++) {
+        w.config.traits.axis[i].steps_per_mm = per_mm[i];
+        w.config.position[i] = c.position[i];
+    }
+    CHECK(loft_machine_init(&w.machine, &w.config) == LOFT_OK);
+    w.down = w.up = (pipe){ .in = 0 };
+    w.ms = 0;
+    w.arb = *a;
+    w.job = (loft_job){ .id = 4711, .kind = (uint8_t)r.kind };
+    for (int i = 0; i < LOFT_AXES; i++)
+        w.job.start[i] = r.start[i];
+    greet();
+}
+
+static void make_noise(arb *a)
+{
+    const uint32_t much = 1u << arb_below(a, 9);        /* to 1 byte in 256 */
+    w.down.bend  = arb_below(a, much);
+    w.down.lose  = arb_below(a, much);
+    w.down.twice = arb_below(a, much);
+    w.up.bend    = arb_below(a, much);
+    w.up.lose    = arb_below(a, much);
+    w.up.twice   = arb_below(a, much);
+}
+
+/* The sender's end, for one ms. */
+static void sender_runs(void)
+{
+    uint8_t wire[LOFT_FRAME_MAX];
+    size_t count;
+
+    for (int i = 0; i < RATE && w.up.in != w.up.out; i++) {
+        const uint8_t byte = w.up.byte[w.up.out++ % PIPE];
+        if (!w.cut)
+            loft_sender_push(&w.sender, byte, w.ms);
+    }
+    if (w.cut)
+        return;
+    if (w.sender.phase == LOFT_PHASE_READY)
+        CHECK(loft_sender_begin(&w.sender, &w.job, r.items, items_of, NULL) == LOFT_OK);
+    if (pipe_room(&w.down) >= 2 * LOFT_FRAME_MAX - 1 &&
+        (count = loft_sender_poll(&w.sender, w.ms, wire)) != 0)
+        pipe_send(&w.down, wire, count);
+}
+
+/* The machine, for one ms = one tick: bytes, answers, slots. */
+static void machine_runs(void)
+{
+    uint8_t wire[LOFT_FRAME_MAX];
+    size_t count;
+
+    for (int i = 0; i < RATE && w.down.in != w.down.out; i++)
+        loft_machine_push(&w.machine, &w.down.byte[w.down.out++ % PIPE], 1);
+    if (pipe_room(&w.up) >= 2 * LOFT_FRAME_MAX - 1 &&
+        (count = loft_machine_poll(&w.machine, wire)) != 0)
+        pipe_send(&w.up, wire, count);
+    for (uint16_t slot = 0; slot < r.slots; slot++) {
+        loft_machine_tick(&w.machine);
+        rig_slot();
+    }
+    loft_machine_tick(&w.machine);
+}
+
+static bool world_runs(void)
+{
+    sender_runs();
+    machine_runs();
+    return ++w.ms < LONG && (w.cut || w.sender.phase < LOFT_PHASE_DONE);
+}
+
+static void check_drawn(void)
+{
+    CHECK(w.sender.phase == LOFT_PHASE_DONE);
+    CHECK(w.sender.report.state == LOFT_STATE_DONE && w.sender.report.job == w.job.id);
+    CHECK(w.sender.report.items == r.items && w.sender.report.ticks == r.ticks);
+    CHECK(r.passed == r.ticks && here(r.path[r.ticks]));
+    for (int i = 0; i < LOFT_AXES; i++)
+        CHECK(w.sender.report.position[i] == r.path[r.ticks][i]);
+}
+
+static void a_job_is_drawn_exactly_once_over_a_bad_line(arb *a)
+{
+    world_start(a, 20);
+    make_noise(a);
+    while (world_runs()) {}
+    check_drawn();
+    while (w.machine.drive.state != LOFT_STATE_IDLE && w.ms < LONG)
+        world_runs();
+    CHECK(w.machine.drive.state == LOFT_STATE_IDLE);
+}
+
+/* The sender dies, again and again, and another one begins the same job: it goes on where the
+ * machine stands. */
+static void a_sender_that_dies_is_replaced_without_a_step_lost_or_doubled(arb *a)
+{
+    uint32_t deaths = 0;
+
+    world_start(a, 20);
+    if (arb_below(a, 2))
+        make_noise(a);
+    while (world_runs()) {
+        /* a sender that is closing has its report: another one would begin the job anew */
+        if (!w.cut && w.sender.phase < LOFT_PHASE_CLOSING && deaths < 5 && arb_below(a, 150) == 0) {
+            deaths++;
+            w.cut = true;
+        } else if (w.cut && arb_below(a, 400) == 0) {
+            greet();
+        }
+    }
+    check_drawn();
+}
+
+static void a_job_may_be_held_and_resumed_from_the_host(arb *a)
+{
+    world_start(a, 20);
+    if (arb_below(a, 2))
+        make_noise(a);
+    uint32_t calm = 2000;
+    while (world_runs())
+        if (arb_below(a, 300) == 0 && calm) {
+            calm--;
+            loft_sender_control(&w.sender, arb_below(a, 2) ? LOFT_HOLD : LOFT_RESUME);
+        } else if (w.sender.status.ack.state == LOFT_STATE_HELD && arb_below(a, 100) == 0) {
+            loft_sender_control(&w.sender, LOFT_RESUME);
+        }
+    check_drawn();
+}
+
+static void a_hold_from_the_host_stands_until_it_is_lifted(arb *a)
+{
+    do
+        world_start(a, 20);
+    while (r.ticks < 500);
+
+    for (uint32_t ms = 0; ms < 250; ms++)
+        world_runs();
+    loft_sender_control(&w.sender, LOFT_HOLD);
+    while (w.machine.drive.state != LOFT_STATE_HELD && world_runs()) {}
+    const uint32_t passed = r.passed;
+    for (uint32_t ms = 0; ms < 500; ms++)
+        world_runs();
+    CHECK(w.machine.drive.state == LOFT_STATE_HELD && r.passed == passed && here(r.path[passed]) &&
+          passed < r.ticks);
+    CHECK(w.sender.status.ack.state == LOFT_STATE_HELD);
+    loft_sender_control(&w.sender, LOFT_RESUME);
+    while (world_runs()) {}
+    check_drawn();
+}
+
+/* The machine stands, the job before it is over: another one from here, of one item, that moves
+ * away from the inputs `away`. */
+static void another_job(uint16_t away)
+{
+    w.job.id++;
+    w.job.kind = LOFT_POINTS;
+    w.job.away = away;
+    r.items = r.ticks = r.passed = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        w.job.start[i] = r.path[0][i] = r.at[i];
+    greet();
+}
+
+static void an_aborted_job_reports_where_it_stands_and_another_begins_there(arb *a)
+{
+    const uint32_t when = 20 + arb_below(a, 1500);
+
+    world_start(a, 20);
+    if (arb_below(a, 2))
+        make_noise(a);
+    while (world_runs())
+        if (w.ms == when)
+            loft_sender_control(&w.sender, LOFT_ABORT);
+    if (w.sender.phase == LOFT_PHASE_DONE) {
+        check_drawn();                                  /* it was quicker */
+        return;
+    }
+    CHECK(w.sender.phase == LOFT_PHASE_ABORTED);
+    CHECK(here(r.path[r.passed]));
+    if (w.sender.report.job) {
+        CHECK(w.sender.report.state == LOFT_STATE_ABORTED && w.sender.report.ticks == r.passed);
+        for (int i = 0; i < LOFT_AXES; i++)
+            CHECK(w.sender.report.position[i] == r.path[r.passed][i]);
+    }
+    another_job(0);
+    while (world_runs()) {}
+    check_drawn();
+}
+
+/* A hold ends with its job, also where the machine was held when that was aborted, or was asked to
+ * hold with no job under way. */
+static void a_job_begins_free_of_the_holds_before_it(arb *a)
+{
+    world_start(a, 20);
+    const bool held = arb_below(a, 2);
+    while (w.sender.phase < LOFT_PHASE_STREAMING && world_runs()) {}
+    loft_sender_control(&w.sender, LOFT_HOLD);
+    while (held && w.machine.drive.state != LOFT_STATE_HELD && world_runs()) {}
+    for (uint32_t ms = arb_below(a, 100); ms > 0; ms--)
+        world_runs();
+    loft_sender_control(&w.sender, LOFT_ABORT);
+    while (world_runs()) {}
+    CHECK(!loft_state_busy(w.machine.drive.state));
+    if (arb_below(a, 2))
+        loft_machine_control(&w.machine, LOFT_HOLD);
+
+    another_job(0);
+    while (world_runs())
+        CHECK(w.machine.drive.state != LOFT_STATE_HELD &&
+              w.machine.drive.state != LOFT_STATE_HOLDING);
+    check_drawn();
+}
+
+static uint16_t arb_ending(arb *a)
+{
+    const int axis = (int)arb_below(a, LOFT_AXES);
+
+    switch (arb_below(a, 4)) {
+    case 0:  return LOFT_INPUT_LOW(axis);
+    case 1:  return LOFT_INPUT_HIGH(axis);
+    case 2:  return LOFT_INPUT_ENDS(axis);
+    default: return LOFT_INPUT_STOP;
+    }
+}
+
+/* A limit that closes ends the job on its path, and the report says which; closed, it lets none
+ * begin but one that moves away. */
+static void a_closed_limit_ends_jobs_and_lets_none_begin(arb *a)
+{
+    const uint16_t closed = arb_ending(a);
+    const uint32_t when = arb_below(a, 400);
+
+    do
+        world_start(a, 20);
+    while (r.ticks < 500);
+    if (arb_below(a, 2))
+        make_noise(a);
+    for (bool running = true; running;) {
+        running = world_runs();
+        loft_machine_inputs(&w.machine, w.ms > when ? closed : 0);
+    }
+    if (when > 0 && w.sender.report.job)
+        CHECK(w.sender.phase == LOFT_PHASE_ABORTED && w.sender.refusal == LOFT_REFUSAL_INPUT &&
+              w.sender.report.ended_by == closed);
+    else
+        CHECK(w.sender.phase == LOFT_PHASE_REFUSED && w.sender.refusal == LOFT_REFUSAL_INPUT &&
+              w.sender.closed == closed);
+    CHECK(here(r.path[r.passed]) && r.passed < r.ticks);
+
+    for (int turn = 0; turn < 2; turn++) {              /* refused as often as it is tried, from a
+                                                         * session of its own each time */
+        another_job(turn ? (uint16_t)(LOFT_INPUT_ENDING & ~closed) : 0);
+        while (world_runs()) {}
+        CHECK(w.sender.phase == LOFT_PHASE_REFUSED && w.sender.refusal == LOFT_REFUSAL_INPUT &&
+              w.sender.closed == closed);
+        CHECK(here(r.path[0]) && !w.machine.drive.active);
+    }
+    another_job(closed);
+    while (world_runs()) {}
+    check_drawn();
+    CHECK(w.sender.report.ended_by == 0);
+}
+
+/* What a job moves away from may stay closed, but ends it when it has opened and closes again;
+ * others end it at once. */
+static void a_limit_that_was_left_ends_the_job_when_it_closes_again(arb *a)
+{
+    const uint16_t first = LOFT_INPUT_LOW(0), other = LOFT_INPUT_STOP;
+    const bool again = arb_below(a, 2);
+
+    do
+        world_start(a, 20);
+    while (r.ticks < 1500);
+    w.job.away = first;
+    loft_machine_inputs(&w.machine, first);
+    while (world_runs()) {
+        const uint16_t left = w.ms < 400 ? first : w.ms < 600 || !again ? 0 : first;
+        loft_machine_inputs(&w.machine, w.ms < 700 || again ? left : other);
+        CHECK(w.ms >= 600 || w.machine.drive.abort == 0);
+    }
+    CHECK(w.sender.phase == LOFT_PHASE_ABORTED &&
+          w.sender.report.ended_by == (again ? first : other));
+}
+
+/* Buttons count when they close. */
+static void a_button_that_stays_closed_counts_once(arb *a)
+{
+    do
+        world_start(a, 20);
+    while (r.ticks < 500);
+    while (world_runs())
+        loft_machine_inputs(&w.machine, w.ms > 300 && w.ms < 500 ? LOFT_INPUT_HOLD
+                                        : w.ms > 900             ? LOFT_INPUT_RESUME
+                                                                 : 0);
+    check_drawn();
+    CHECK(w.sender.report.elapsed > r.ticks + 200);
+}
+
+static void a_job_that_starts_elsewhere_is_refused(arb *a)
+{
+    world_start(a, 20);
+    w.job.start[arb_below(a, LOFT_AXES)] += 65536;
+    while (world_runs()) {}
+    CHECK(w.sender.phase == LOFT_PHASE_REFUSED && w.sender.ack.refusal == LOFT_REFUSAL_START);
+    CHECK(here(r.path[0]));
+}
+
+/* An item beyond what the machine can do ends the job on the path, and the host is told why. */
+static void an_item_that_is_too_fast_ends_the_job_on_the_path(arb *a)
+{
+    world_start(a, 20);
+    const uint32_t bad = arb_below(a, r.items);
+    const int axis = (int)arb_below(a, LOFT_AXES);
+    r.item[bad].p[2][axis] = r.item[bad].p[2][axis] < 0 ? INT32_MAX : INT32_MIN;
+    r.item[bad].ticks = 1;
+    if (r.kind == LOFT_SPANS)
+        for (r.ticks = 0; r.item_of[r.ticks] < bad; r.ticks++) {}
+    while (world_runs()) {}
+    CHECK(w.sender.phase == LOFT_PHASE_REFUSED || w.sender.phase == LOFT_PHASE_ABORTED);
+    CHECK(w.sender.ack.refusal == LOFT_REFUSAL_ITEM);
+    for (int ms = 0; ms < 5000; ms++)
+        machine_runs();
+    CHECK(!loft_state_busy(w.machine.drive.state));
+    CHECK(here(r.path[r.passed]) && r.passed <= r.ticks);
+}
+
+/* Any bytes at all: the machine stands where it stood. */
+static void nonsense_on_the_line_moves_nothing(arb *a)
+{
+    uint8_t byte[64], wire[LOFT_FRAME_MAX];
+
+    world_start(a, 20);
+    for (int turn = 0; turn < 200; turn++) {
+        for (size_t i = 0; i < sizeof byte; i++)
+            byte[i] = (uint8_t)(arb_below(a, 4) ? arb_next(a) >> 50 : 0);
+        loft_machine_push(&w.machine, byte, sizeof byte);
+        CHECK(loft_machine_poll(&w.machine, wire) == 0);
+        loft_machine_tick(&w.machine);
+        CHECK(loft_machine_slot(&w.machine).step == 0);
+    }
+    CHECK(w.machine.drive.state == LOFT_STATE_IDLE && here(r.path[0]));
+}
+
+int main(void)
+{
+    PROPERTY(a_job_is_drawn_exactly_once_over_a_bad_line,                        30);
+    PROPERTY(a_sender_that_dies_is_replaced_without_a_step_lost_or_doubled,      30);
+    PROPERTY(a_job_may_be_held_and_resumed_from_the_host,                        20);
+    PROPERTY(a_hold_from_the_host_stands_until_it_is_lifted,                     10);
+    PROPERTY(an_aborted_job_reports_where_it_stands_and_another_begins_there,    30);
+    PROPERTY(a_job_begins_free_of_the_holds_before_it,                           20);
+    PROPERTY(a_closed_limit_ends_jobs_and_lets_none_begin,                       30);
+    PROPERTY(a_limit_that_was_left_ends_the_job_when_it_closes_again,            10);
+    PROPERTY(a_button_that_stays_closed_counts_once,                              5);
+    PROPERTY(a_job_that_starts_elsewhere_is_refused,                             10);
+    PROPERTY(an_item_that_is_too_fast_ends_the_job_on_the_path,                  20);
+    PROPERTY(nonsense_on_the_line_moves_nothing,                                 50);
+    return check_failures();
+}

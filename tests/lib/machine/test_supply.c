@@ -1,0 +1,212 @@
+/* tests/lib/machine/test_supply.c -- properties of lib/machine/drive.h: what a machine makes of a
+ * line that is too slow, uneven or cut
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+
+#include "check.h"
+#include "machine/drive.h"
+
+#define CELLS 256
+#define SLOTS 40
+
+static loft_drive drive;
+static volatile loft_cell cells[CELLS];
+
+/* An even motion without an end, in spans of `ticks`; the line brings `portion` of them at once,
+ * `rate` of what pace 1 needs. */
+typedef struct {
+    uint16_t cells, ticks, portion, ramp;
+    double rate;
+    bool cut;
+
+    int32_t end[LOFT_AXES];         /* of the last span pushed */
+    uint32_t waiting;               /* spans that have come and not been pushed */
+    double due;                     /* ticks of time until the next portion */
+    uint32_t slots;                 /* of the tick under way */
+    uint32_t passed, turns, stands; /* ticks; times that the pace began to rise or to fall; that the
+                                     * machine stood */
+    double slowest, fastest;        /* of the pace */
+    double extreme;                 /* the pace where it turned */
+    int sense;
+} line;
+
+static line l;
+
+static void start(uint16_t count, uint16_t ticks, uint16_t portion, uint16_t ramp, double rate)
+{
+    static loft_traits_axis axis[LOFT_AXES];
+    loft_drive_config c = {
+        .axis = axis, .tick_hz = 1000, .slots = SLOTS, .ramp = ramp, .cell = cells, .cells = count
+    };
+
+    l = (line){
+        .cells = count, .ticks = ticks, .portion = portion, .ramp = ramp, .rate = rate, .slowest = 9
+    };
+    for (int i = 0; i < LOFT_AXES; i++) {
+        axis[i] = (loft_traits_axis){ .steps_per_mm = 100 * 65536 };
+        c.position[i] = 0;
+    }
+    CHECK(loft_drive_init(&drive, &c) == LOFT_OK);
+    CHECK(loft_drive_begin(&drive, LOFT_SPANS, l.end) == LOFT_OK);
+}
+
+/* Always towards where there is room: 0.01 mm a tick. */
+static void push(void)
+{
+    loft_item item = { .ticks = l.ticks };
+    const int32_t third = 218 * l.ticks;
+
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            item.p[k][i] = l.end[i] + (k + 1) * (i == 0 ? third : -third);
+    if (loft_drive_push(&drive, &item) != LOFT_OK)
+        return;
+    for (int i = 0; i < LOFT_AXES; i++)
+        l.end[i] = item.p[2][i];
+    l.waiting--;
+}
+
+/* A change of less than a quarter is none: the slowest paces are as far apart. */
+static void note(double pace)
+{
+    l.slowest = fmin(l.slowest, pace);
+    l.fastest = fmax(l.fastest, pace);
+    if (l.sense >= 0 ? pace > l.extreme : pace < l.extreme)
+        l.extreme = pace;
+    else if (l.sense >= 0 ? pace < l.extreme * 4 / 5 : pace > l.extreme * 5 / 4) {
+        l.sense = l.sense >= 0 ? -1 : 1;
+        l.extreme = pace;
+        l.turns++;
+    }
+}
+
+static void forget(void)
+{
+    l.passed = l.turns = l.stands = 0;
+    l.slowest = 9;
+    l.fastest = 0;
+    l.sense = 0;
+}
+
+/* One tick of time. The machine stands only where the pace is 0: the queue is never empty while it
+ * moves. */
+static void live(void)
+{
+    for (l.due -= 1; l.due <= 0 && !l.cut; l.due += l.portion * l.ticks / l.rate)
+        l.waiting = l.waiting + l.portion > 2u * CELLS ? l.waiting : l.waiting + l.portion;
+    for (int slot = 0; slot < SLOTS; slot++) {
+        if (l.waiting)
+            push();
+        loft_drive_prepare(&drive);
+        loft_drive_tick(&drive);
+        const bool stood = loft_step_done(&drive.step);
+        CHECK(!stood || drive.pace.level == 0);
+        (void)loft_drive_slot(&drive);
+        l.slots++;
+        if (!stood && !drive.step.busy) {
+            note((double)SLOTS / l.slots);
+            l.slots = 0;
+            l.passed++;
+        } else if (stood) {
+            l.stands += l.slots == 1 && l.slowest < 9;
+            if (l.slots == 1)
+                note(0);
+            l.slots = 2;
+        }
+    }
+}
+
+static void settle(double ticks)
+{
+    while (ticks-- > 0)
+        live();
+    forget();
+}
+
+static double horizon(void)         { return 16 * ceil(l.ramp / 2.); }
+static double portion_ticks(void)   { return (double)l.portion * l.ticks; }
+
+/* Portions that the law of supply does not see: below 1/8 of the fill that belongs to the rate. */
+static void a_line_of_any_rate_makes_an_even_pace(arb *a)
+{
+    const uint16_t ramp = (uint16_t)(20 + arb_below(a, 100));
+    const double rate = 0.15 + arb_below(a, 81) / 100.0, most = 16 * ceil(ramp / 2.) * rate / 8,
+                 worth = 32. * (ramp + 1) / CELLS;
+
+    start(CELLS, (uint16_t)(1 + arb_below(a, (uint32_t)fmax(1, fmin(most, 80)))), 1, ramp, rate);
+    while (fmax(l.ticks, worth) * (l.portion + 1) < most && arb_below(a, 3))
+        l.portion++;
+    settle(8 * horizon() / rate);
+    const double fill = drive.ahead, time = 12000;
+    for (int tick = 0; tick < time; tick++)
+        live();
+    CHECK(l.stands == 0);
+    const double grain = 0.5 / sqrt(loft_pace_full(&drive.pace));       /* half the slowest pace */
+    CHECK(l.slowest > rate * 0.75 - grain && l.fastest < rate * 1.25 + grain);
+    CHECK(l.turns <= 6);
+    CHECK_NEAR(l.passed, rate * time, 2 * portion_ticks() + fabs(fill - drive.ahead) + 2);
+}
+
+/* Any portions: the pace may rise and fall with each, no more. */
+static void portions_of_any_size_make_no_oscillation_of_their_own(arb *a)
+{
+    start((uint16_t)(8 + arb_below(a, CELLS - 7)), (uint16_t)(1 + arb_below(a, 60)),
+          (uint16_t)(1 + arb_below(a, 30)), (uint16_t)(20 + arb_below(a, 80)),
+          0.1 + arb_below(a, 86) / 100.0);
+    settle(8 * horizon() / l.rate);
+    const uint32_t fill = drive.ahead + l.waiting * l.ticks;
+    const double time = 20000, portions = time * l.rate / portion_ticks();
+    for (int tick = 0; tick < time; tick++)
+        live();
+    CHECK(l.turns <= 2 * portions + 6);
+    CHECK_NEAR(l.passed, l.rate * time,
+               2 * portion_ticks() + fabs((double)fill - drive.ahead - l.waiting * l.ticks) + 2);
+}
+
+/* At once: the machine stands, on the path, with hardly anything left; and goes on when the line is
+ * back. */
+static void a_cut_line_lets_the_machine_come_to_a_stand(arb *a)
+{
+    start((uint16_t)(16 + arb_below(a, CELLS - 15)), (uint16_t)(1 + arb_below(a, 60)), 1,
+          (uint16_t)(20 + arb_below(a, 80)), 4);
+    settle(6000);
+    CHECK(drive.pace.level == loft_pace_full(&drive.pace) || l.cells * l.ticks < 3 * l.ramp);
+    l.cut = true;
+    l.waiting = 0;
+    uint32_t ticks = 0;
+    for (; ticks < 200000 && !(loft_step_done(&drive.step) && drive.pace.level == 0); ticks++)
+        live();
+    CHECK(ticks < 200000 && l.turns <= 1);
+    CHECK(drive.ahead <= fmax(horizon() / sqrt(loft_pace_full(&drive.pace)) + 3, 4 * l.ticks));
+    l.cut = false;
+    settle(6000);
+    CHECK(drive.pace.level == loft_pace_full(&drive.pace) || l.cells * l.ticks < 3 * l.ramp);
+}
+
+static void print_a_table(arb *a)
+{
+    (void)a;
+    printf("     a line too slow, ramp 100 ticks, spans of 20 ticks; 20,000 ticks of time\n"
+           "     rate portion   pace        turns stands goodput\n");
+    for (int k = 0; k < 15; k++) {
+        static const double rate[5] = { 0.1, 0.3, 0.5, 0.8, 0.95 };
+        static const uint16_t portion[3] = { 1, 5, 25 };
+        start(CELLS, 20, portion[k % 3], 100, rate[k / 3]);
+        settle(8 * horizon() / l.rate);
+        for (int tick = 0; tick < 20000; tick++)
+            live();
+        printf("     %4.2f %4u t  %5.3f..%5.3f %5u %5u   %5.3f\n", l.rate, l.portion * 20u,
+               l.slowest, l.fastest, (unsigned)l.turns, (unsigned)l.stands,
+               l.passed / (20000 * l.rate));
+    }
+}
+
+int main(void)
+{
+    PROPERTY_LONG(print_a_table,                                       1);
+    PROPERTY(a_line_of_any_rate_makes_an_even_pace,                   BY_NUM(15, 2, 2));
+    PROPERTY(portions_of_any_size_make_no_oscillation_of_their_own,   BY_NUM(15, 2, 2));
+    PROPERTY(a_cut_line_lets_the_machine_come_to_a_stand,             BY_NUM(20, 2, 2));
+    return check_failures();
+}

@@ -1,0 +1,125 @@
+/* tests/lib/motion/test_arc.c -- properties of lib/motion/arc.h
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>           /* sqrt, fmax: the reference */
+
+#include "motion/arc.h"     /* loft_arc_next, loft_arc_eval */
+#include "support/motion_oracle.h"  /* cubic_at, distance; CHECK, PROPERTY, arb */
+
+static double wide_value(loft_acc x)
+{
+    return BY_NUM((double)x / 4294967296.0, (double)x, (double)x);
+}
+
+static void point_at(const loft_arc *arc, loft_acc s, double out[LOFT_AXES])
+{
+    loft_acc x[LOFT_AXES];
+    loft_arc_eval(arc, s, x);
+    for (int i = 0; i < LOFT_AXES; i++)
+        out[i] = wide_value(x[i]);
+}
+
+/* Sizes from 2^-10 mm to the reach of a plan, with coinciding points. */
+static loft_cubic arb_curve(arb *a)
+{
+    const int down = (int)arb_below(a, 24);
+    loft_cubic c = arb_cubic(a, 8190);
+
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            c.p[k].axis[i] = BY_NUM(c.p[k].axis[i] / (1 << down),
+                                    c.p[k].axis[i] / (loft_real)(1 << down),
+                                    c.p[k].axis[i] / (loft_real)(1 << down));
+    if (arb_below(a, 4) == 0)
+        c.p[1 + arb_below(a, 3)] = c.p[arb_below(a, 4)];
+    return c;
+}
+
+/* The length of the curve between two parameters, as 1024 chords. */
+static double length_of(const loft_cubic *c, double from, double to)
+{
+    double sum = 0, p[LOFT_AXES], q[LOFT_AXES];
+
+    cubic_at(c->p, from, p);
+    for (int n = 1; n <= 1024; n++) {
+        cubic_at(c->p, from + (to - from) * n / 1024, q);
+        sum += distance(p, q);
+        for (int i = 0; i < LOFT_AXES; i++)
+            p[i] = q[i];
+    }
+    return sum;
+}
+
+/* Cut the next one, and pace it. */
+static uint32_t next(loft_arc *arc, const loft_cubic *c, uint32_t from, bool coarse)
+{
+    const uint32_t to = loft_arc_next(arc, c, from, coarse);
+    const loft_acc length = arc->length;
+
+    loft_arc_pace(arc, c, from, to, arc->speck || arc->dust);
+    CHECK_NEAR(wide_value(arc->length), wide_value(length), 0x1p-28 + 0x1p-28 * wide_value(length));
+    return to;
+}
+
+/* They follow each other without a gap from the first control point to the last, and each begins
+ * and ends on the curve at its parameters (a straight curve is walked evenly, so there only the
+ * ends are compared). */
+static void arcs_make_up_the_curve(arb *a)
+{
+    const loft_cubic c = arb_curve(a);
+    const bool coarse = arb_below(a, 2) == 0;
+    double at[LOFT_AXES], p[LOFT_AXES];
+    loft_arc arc;
+    unsigned n = 0;
+
+    cubic_at(c.p, 0, at);
+    for (uint32_t from = 0, to; from < LOFT_ARC_WHOLE; from = to, n++) {
+        to = next(&arc, &c, from, coarse);
+        CHECK(to > from && to <= LOFT_ARC_WHOLE);
+        if (!(arc.length > 0))
+            continue;
+        point_at(&arc, 0, p);
+        CHECK_NEAR(distance(p, at), 0, BY_NUM(0x1p-29, 1e-9, 1e-9));
+        point_at(&arc, arc.length, p);
+        for (int i = 0; i < LOFT_AXES; i++)
+            at[i] = p[i];
+    }
+    cubic_at(c.p, 1, p);
+    CHECK_NEAR(distance(p, at), 0, BY_NUM(0x1p-29, 1e-9, 1e-9));
+    CHECK(n <= 8 * 32 + polygon_length(&c) / 32);     /* an arc has at most 64 mm */
+}
+
+/* Lengths add up, and equal lengths are equal distances: the speed along the path is what the plan
+ * says. */
+static void arcs_are_walked_by_their_length(arb *a)
+{
+    const loft_cubic c = arb_curve(a);
+    const bool coarse = arb_below(a, 2) == 0;
+    loft_arc arc;
+    double p[LOFT_AXES], q[LOFT_AXES];
+
+    for (uint32_t from = 0, to; from < LOFT_ARC_WHOLE; from = to) {
+        to = next(&arc, &c, from, coarse);
+        if (wide_value(arc.length) < 0.001)
+            continue;
+        const double length = wide_value(arc.length),
+                     want = length_of(&c, (double)from / LOFT_ARC_WHOLE,
+                                      (double)to / LOFT_ARC_WHOLE);
+        if (from > 0 || to < LOFT_ARC_WHOLE)
+            CHECK_NEAR(length / want, 1, 0x1p-16 + 1e-9 / length);
+        for (int n = 0; n < 8; n++) {
+            loft_acc s0 = arc.length / 8 * n, s1 = arc.length / 8 * (n + 1);
+            point_at(&arc, s0, p);
+            point_at(&arc, s1, q);
+            CHECK_NEAR(distance(p, q) / wide_value(s1 - s0), 1,
+                       (coarse ? 0.0004 : 0.0001) + 8 * BY_NUM(0x1p-24, 0x1p-23, 0));
+        }
+    }
+}
+
+int main(void)
+{
+    PROPERTY(arcs_make_up_the_curve,          2000);
+    PROPERTY(arcs_are_walked_by_their_length,  100);
+    return check_failures();
+}

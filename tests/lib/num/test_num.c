@@ -1,0 +1,16 @@
+/* tests/lib/num/test_num.c -- every scalar function of lib/num holds the bound in its docstring, at
+ * the extremes too
+ * SPDX-License-Identifier: MIT
+ */
+#include "num/num.h"
+
+#if LOFT_NUM == LOFT_Q16
+#  include "support/num_q16.h"      /* test_num: against exact integers */
+#else
+#  include "support/num_floats.h"   /* test_num: against long double    */
+#endif
+
+int main(void)
+{
+    return test_num();
+}

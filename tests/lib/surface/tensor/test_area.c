@@ -1,0 +1,160 @@
+/* tests/lib/surface/tensor/test_area.c -- properties of lib/surface/tensor/area.h
+ * SPDX-License-Identifier: MIT
+ */
+#include "check.h"              /* CHECK, PROPERTY, BY_NUM */
+#include "surface/tensor/area.h"
+#include "support/tensors.h"            /* tensor_fill, tensor_exact */
+
+/* The reference: Gauss's rule with 8 x 8 places on each of PARTS x PARTS pieces. */
+static long double density(const loft_tensor *s, long double u, long double v)
+{
+    long double a[3] = { 0 }, b[3] = { 0 }, sum = 0;
+
+    for (int i = 0; i < 3 && i < LOFT_AXES; i++) {
+        a[i] = tensor_exact(s, i, 1, 0, u, v);
+        b[i] = tensor_exact(s, i, 0, 1, u, v);
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        sum += (a[j] * b[k] - a[k] * b[j]) * (a[j] * b[k] - a[k] * b[j]);
+    }
+    return sqrtl(sum);
+}
+
+static long double integral(const loft_tensor *s, unsigned parts)
+{
+    static const long double place[4] = { 0.1834346424956498049394761L,
+                                          0.5255324099163289858177390L,
+                                          0.7966664774136267395915539L,
+                                          0.9602898564975362316835609L };
+    static const long double weight[4] = { 0.3626837833783619829651504L,
+                                           0.3137066458778872873379622L,
+                                           0.2223810344533744705443560L,
+                                           0.1012285362903762591525314L };
+    long double sum = 0;
+
+    for (unsigned p = 0; p < parts; p++)
+        for (unsigned q = 0; q < parts; q++)
+            for (int i = 0; i < 8; i++)
+                for (int j = 0; j < 8; j++) {
+                    const long double x = i < 4 ? place[i] : -place[i - 4],
+                                      y = j < 4 ? place[j] : -place[j - 4];
+                    sum += weight[i % 4] * weight[j % 4] *
+                           density(s, (p + (1 + x) / 2) / parts, (q + (1 + y) / 2) / parts);
+                }
+    return sum / 4 / parts / parts;
+}
+
+/* A sheet over a square of the given size, with bumps of `height` of it. */
+static tensor *arb_sheet(arb *a, int32_t size, int32_t height)
+{
+    static tensor x;
+    const unsigned m = 1 + arb_below(a, 3), n = 1 + arb_below(a, 3);
+
+    tensor_fill(&x, a, m, n);
+    for (unsigned i = 0; i <= m; i++)
+        for (unsigned j = 0; j <= n; j++)
+            for (int axis = 0; axis < LOFT_AXES; axis++) {
+                const int64_t raw = (axis == 0   ? (int64_t)i * size / (int64_t)m
+                                     : axis == 1 ? (int64_t)j * size / (int64_t)n
+                                                 : 0) +
+                                    arb_raw(a, height);
+                x.p[i * (n + 1) + j].axis[axis] = (loft_real)BY_NUM(raw, (double)raw / 65536,
+                                                                    (double)raw / 65536);
+            }
+    return &x;
+}
+
+static void an_area_is_within_its_tolerance(arb *a)
+{
+    const int32_t size = (int32_t)1 << (12 + arb_below(a, 16));
+    const tensor *x = arb_sheet(a, size, size / 8 + 1);
+    const long double extent = exact_of(loft_real_from_raw(size));
+    const loft_real tol =
+        (loft_real)(LOFT_REAL_LSB +
+                    (loft_real)BY_NUM(
+                        extent * extent * 65536 / 500 < 1e9L ? extent * extent * 65536 / 500 : 1e9L,
+                        extent * extent / 500, extent * extent / 500));
+    loft_acc area;
+
+    CHECK(loft_tensor_area(&x->s, tol, &area) == LOFT_OK);
+    CHECK_EXACT(exact_acc(area), integral(&x->s, 4),
+                exact_of(tol) + BY_NUM(0x1p-32L, 0, 0) + 1e-9L * extent * extent);
+}
+
+static void a_finer_tolerance_is_kept_too(arb *a)
+{
+    const tensor *x = arb_sheet(a, 65536 * 10, 65536);
+    const loft_real tol = LOFT_REAL(0.002);
+    loft_acc area;
+
+    CHECK(loft_tensor_area(&x->s, tol, &area) == LOFT_OK);
+    CHECK_EXACT(exact_acc(area), integral(&x->s, 4), exact_of(tol) + 1e-7L);
+}
+
+/* Plane, whatever its parameters: the corners of the rectangle say it. */
+static void a_plane_patch_is_exact(arb *a)
+{
+    static tensor x;
+    const unsigned m = 1 + arb_below(a, LOFT_DEGREE_MAX), n = 1 + arb_below(a, LOFT_DEGREE_MAX);
+    const int64_t wide = 65536 + arb_below(a, 1u << 30), high = 65536 + arb_below(a, 1u << 30);
+    loft_acc area;
+
+    tensor_fill(&x, a, m, n);
+    for (unsigned i = 0; i <= m; i++)
+        for (unsigned j = 0; j <= n; j++)
+            for (int axis = 0; axis < LOFT_AXES; axis++) {
+                const int64_t raw = axis == 1   ? wide * i * i / (m * m)
+                                    : axis == 2 ? high * j / n
+                                                : 0;
+                x.p[i * (n + 1) + j].axis[axis] = (loft_real)BY_NUM(raw, (double)raw / 65536,
+                                                                    (double)raw / 65536);
+            }
+    const long double want = exact_of(x.p[(m + 1) * (n + 1) - 1].axis[1]) *
+                             exact_of(x.p[n].axis[2]);
+    CHECK(loft_tensor_area(&x.s, LOFT_REAL(0.001), &area) == LOFT_OK);
+    CHECK_EXACT(exact_acc(area), want,
+                0x1p-30L * BY_NUM(1, 0, 0) + 81 * want * BY_NUM(0x1p-48L, 0x1p-40L, 0x1p-40L));
+}
+
+static void what_cannot_be_answered_is_refused(arb *a)
+{
+    tensor *x = arb_sheet(a, 65536 * 1000, 65536 * 100);
+    loft_acc area = 77;
+
+    CHECK(loft_tensor_area(&x->s, 0, &area) == LOFT_ERR_ARG);
+    x->p[0].axis[0] -= LOFT_REAL(1);            /* bent: no tolerance that fine can be proven */
+    x->p[x->n].axis[LOFT_AXES - 1] += LOFT_REAL(200);
+#if LOFT_NUM != LOFT_Q16
+    CHECK(loft_tensor_area(&x->s, (loft_real)1e-15, &area) == LOFT_ERR_RANGE);
+#endif
+    tensor_fill(x, a, 1, 1);
+    x->p[0] = x->p[1] = x->p[2] = x->p[3] = (loft_vec){ { 0 } };
+    x->p[1].axis[1] = x->p[3].axis[1] = LOFT_REAL(32767);
+    x->p[2].axis[0] = x->p[3].axis[0] = LOFT_REAL(32767);
+    CHECK(loft_tensor_area(&x->s, LOFT_REAL(1), &area) == LOFT_OK);
+    x->p[0].axis[0] = x->p[1].axis[0] = x->p[0].axis[1] = x->p[2].axis[1] = LOFT_REAL(-32767);
+    area = 77;
+    CHECK(loft_tensor_area(&x->s, LOFT_REAL(1), &area) == BY_NUM(LOFT_ERR_RANGE, LOFT_OK, LOFT_OK));
+    CHECK(BY_NUM(area == 77, area > 4e9, area > 4e9));
+}
+
+static void a_patch_without_extent_has_none(arb *a)
+{
+    tensor *x = arb_sheet(a, 65536 * 10, 65536);
+    loft_tensor line = x->s;
+    loft_acc area = 1;
+
+    line.n = 0;
+    CHECK(loft_tensor_area(&line, LOFT_REAL(0.01), &area) == LOFT_OK && !(area > 0) && !(area < 0));
+}
+
+int main(void)
+{
+    PROPERTY(an_area_is_within_its_tolerance, 12);
+    PROPERTY_LONG(a_finer_tolerance_is_kept_too, 2);
+    PROPERTY(a_plane_patch_is_exact, 12);
+    PROPERTY(what_cannot_be_answered_is_refused, 2);
+    PROPERTY(a_patch_without_extent_has_none, 5);
+    return check_failures();
+}

@@ -1,0 +1,243 @@
+/* tests/support/motion_follow.h -- spans followed along their path: how far from it they are, and
+ * how fast where which feed is asked for
+ * SPDX-License-Identifier: MIT
+ *
+ * The distance is that of Frechet, the length of the leash on which one walks along the path and a
+ * dog along the spans, neither of them ever back: no part of the path is left out, none is passed
+ * twice. Path and spans become chords that leave them by at most 1/64 of the tolerance. Whether a
+ * leash will do is decided for these exactly: each chord of the one with each of the other is a
+ * cell whose places (s, t) within the leash are convex, so that what can be reached on its right
+ * and upper side follows from what was reached on the other two [Alt and Godau 1995]. Cells are
+ * visited in the order of time; of the path, those that can be reached are kept.
+ */
+#ifndef LOFT_TESTS_MOTION_FOLLOW_H
+#define LOFT_TESTS_MOTION_FOLLOW_H
+
+#include <string.h>         /* memcpy */
+
+#ifndef PATH_MAX
+#  define PATH_MAX 200000
+#endif
+#include "support/motion_uses.h"    /* spans, limits, span_squares, quartic_peak */
+
+typedef struct {
+    double off;         /* the distance of spans and path, mm; at most a 32nd of the tolerance and
+                         * what was asked for too large */
+    double along;       /* speed along the path, part of the feed there */
+} motion_follow;
+
+typedef struct {
+    double low, high;   /* parts of a chord; none if high < low */
+} stretch;
+
+typedef struct {
+    const path   *track;
+    double        leash;
+    unsigned      first, last;      /* chords of the path that can be reached now */
+    motion_follow out;
+} follower;
+
+static const stretch nowhere = { 1, 0 };
+static stretch reached[PATH_MAX];   /* of them */
+
+static inline double follow_chord_error(void) { return arb_value(limits.tol) / 64; }
+
+/* The part of the chord a..b within `leash` of q. */
+static inline stretch stretch_near(const double a[], const double b[], const double q[],
+                                   double leash)
+{
+    double aa = 0, ab = 0, bb = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        aa += (a[i] - q[i]) * (a[i] - q[i]);
+        ab += (a[i] - q[i]) * (b[i] - a[i]);
+        bb += (b[i] - a[i]) * (b[i] - a[i]);
+    }
+    const double square = ab * ab - bb * (aa - leash * leash);
+    if (!(bb > 0))
+        return aa <= leash * leash ? (stretch){ 0, 1 } : nowhere;
+    if (square < 0)
+        return nowhere;
+    const stretch s = { fmax(0, (-ab - sqrt(square)) / bb), fmin(1, (-ab + sqrt(square)) / bb) };
+    return s;
+}
+
+static inline bool is_stretch(stretch s) { return s.low <= s.high; }
+
+/* What of `side` can be reached in a cell: all of it from below, or what is not behind the place
+ * where it was entered. */
+static inline stretch onward(stretch side, stretch across, stretch opposite)
+{
+    return is_stretch(across)     ? side
+           : is_stretch(opposite) ? (stretch){ fmax(side.low, opposite.low), side.high }
+                                  : nowhere;
+}
+
+/* The dog is at `from`, at the start: how far can one be? */
+static inline void follow_begin(follower *f, const double from[])
+{
+    const path *p = f->track;
+
+    f->first = 0;
+    reached[0] = stretch_near(p->end[0].at, p->end[1].at, from, f->leash);
+    if (reached[0].low > 0)
+        reached[0] = nowhere;
+    for (f->last = 0;
+         is_stretch(reached[f->last]) && reached[f->last].high >= 1 && f->last + 2 < p->count;) {
+        const stretch next = stretch_near(p->end[f->last + 1].at, p->end[f->last + 2].at, from,
+                                          f->leash);
+        f->last++;
+        reached[f->last] = next.low > 0 ? nowhere : next;
+    }
+}
+
+/* It runs from one place to another; false when the leash is too short. */
+static inline bool follow_run(follower *f, const double from[], const double to[])
+{
+    const path *p = f->track;
+    stretch below = nowhere;
+    unsigned first = p->count, last = 0;
+
+    for (unsigned j = f->first; j + 1 < p->count && (j <= f->last || is_stretch(below)); j++) {
+        const stretch left = j <= f->last ? reached[j] : nowhere;
+        reached[j] = nowhere;
+        if (is_stretch(left) || is_stretch(below)) {
+            reached[j] = onward(stretch_near(p->end[j].at, p->end[j + 1].at, to, f->leash), below,
+                                left);
+            below = onward(stretch_near(from, to, p->end[j + 1].at, f->leash), left, below);
+        }
+        if (is_stretch(reached[j])) {
+            first = j < first ? j : first;
+            last  = j;
+        }
+    }
+    f->first = first;
+    f->last  = last;
+    return first < p->count;
+}
+
+/* A place on the path, mm. */
+static inline double place_on(const path *p, unsigned chord, double part)
+{
+    return p->end[chord].s + part * (p->end[chord + 1].s - p->end[chord].s);
+}
+
+/* The places that can be reached, mm along the path. */
+static inline stretch places(const follower *f)
+{
+    return (stretch){ place_on(f->track, f->first, reached[f->first].low),
+                      place_on(f->track, f->last, reached[f->last].high) };
+}
+
+/* The largest feed of the curves near places; f->first and f->last are not far. */
+static inline double feed_near(const follower *f, stretch s)
+{
+    const path *p = f->track;
+    const double more = 4 * arb_value(limits.tol);
+    unsigned first = f->first, last = f->last;
+    double feed = 0;
+
+    while (first > 0 && p->end[first].s > s.low - more)
+        first--;
+    while (first + 2 < p->count && p->end[first + 1].s < s.low - more)
+        first++;
+    while (last > first && p->end[last].s > s.high + more)
+        last--;
+    while (last + 2 < p->count && p->end[last + 1].s < s.high + more)
+        last++;
+    for (unsigned c = p->end[first + 1].curve; c <= p->end[last + 1].curve; c++)
+        feed = fmax(feed, arb_value(p->chain[c].feed));
+    return feed;
+}
+
+/* Parts of a span that its chords leave by no more than they may. */
+static inline int parts_of(const loft_span *s)
+{
+    const double h = duration(s);
+    double most = 0;
+
+    for (int end = 0; end < 2; end++) {
+        const motion m = span_at(s, end, limits.tick_hz);
+        double sum = 0;
+        for (int i = 0; i < LOFT_AXES; i++)
+            sum += m.a[i] * m.a[i];
+        most = fmax(most, sqrt(sum));
+    }
+    return 1 + (int)(h * sqrt(most / (8 * follow_chord_error())));
+}
+
+/* Its length, by 8 midpoints. */
+static inline double part_length(const loft_span *s, double from, double to)
+{
+    double sum = 0;
+    for (int n = 0; n < 8; n++)
+        sum += span_at(s, from + (to - from) * (n + 0.5) / 8, limits.tick_hz).speed;
+    return sum / 8 * (to - from) * duration(s);
+}
+
+/* Compare the speed in a part of span k, which leads from `before` to where it is now, with the
+ * feed there: bit by bit, as the speed is nearly even in it. */
+static inline void follow_feed(follower *f, unsigned k, double from, double to, stretch before)
+{
+    const double noise = sqrt(LOFT_AXES) * 3 * grain() / duration(&spans[k]);
+    const stretch now = places(f);
+    const int bits = feed_near(f, (stretch){ before.low, before.high }) == feed_near(f, now) ? 1
+                                                                                             : 16;
+
+    for (int n = 0; n < bits; n++) {
+        const double z0 = (double)n / bits, z1 = (n + 1.0) / bits;
+        const stretch s = { before.low + z0 * (now.low - before.low),
+                            before.high + z1 * (now.high - before.high) };
+        double q[5];
+        span_squares(&spans[k], from + z0 * (to - from), from + z1 * (to - from), q);
+        f->out.along = fmax(f->out.along, use_of(sqrt(quartic_peak(q)), noise, feed_near(f, s)));
+    }
+}
+
+/* Can one walk along the path while the dog runs along the spans? `feed`: is speed compared with
+ * that of the place? */
+static inline bool follow_all(follower *f, double leash, bool feed)
+{
+    double at[LOFT_AXES], to[LOFT_AXES];
+
+    f->leash = leash;
+    cubic_at(spans[0].p, 0, at);
+    follow_begin(f, at);
+    for (unsigned k = 0; k < count; k++) {
+        const int parts = parts_of(&spans[k]);
+        for (int j = 1; j <= parts; j++) {
+            const stretch before = places(f);
+            cubic_at(spans[k].p, (double)j / parts, to);
+            if (!follow_run(f, at, to))
+                return false;
+            memcpy(at, to, sizeof at);
+            if (feed)
+                follow_feed(f, k, (j - 1.0) / parts, (double)j / parts, before);
+        }
+    }
+    return f->last + 2 == f->track->count && reached[f->last].high >= 1;
+}
+
+/* Follow the spans along `moved` moves, and find their distance, which is at most the tolerance or
+ * else to `fine` mm. */
+static inline motion_follow follow_path(path *track, const loft_move moves[], unsigned moved,
+                                        double fine)
+{
+    const double error = 2 * follow_chord_error();
+    follower f = { .track = track };
+    double low = 0, high = arb_value(limits.tol);
+
+    path_trace_near(track, moves, moved, follow_chord_error());
+    for (bool first = true; !follow_all(&f, high - error, first) && high < 1e3; first = false) {
+        low = high;
+        high *= 2;
+    }
+    while (high - low > fine && high > 1.5 * error) {
+        const double middle = fmax((low + high) / 2, 1.25 * error);
+        if (follow_all(&f, middle - error, false)) high = middle; else low = middle;
+    }
+    f.out.off = high;
+    return f.out;
+}
+
+#endif

@@ -1,0 +1,39 @@
+# tests/target/target.mk -- what runs on emulated chips: arithmetic, calls, whole jobs, unit tests
+# SPDX-License-Identifier: MIT
+
+## Check the firmware on emulated chips: arithmetic bit for bit as here, whole jobs, pulses, timing
+.PHONY: check-target
+check-target: lib/names.h
+	@MAKE="$(MAKE)" bash tests/house/check.sh $(TARGET_STAGES)
+
+## Run arithmetic, curves and grids on an emulated ATmega328P and Cortex-M0: bit for bit as here
+.PHONY: check-sums
+check-sums: lib/names.h
+	@sh tests/target/target.sh
+
+## Check what the calls of lib/motion/span.h cost on an emulated ATmega328P, Cortex-M0 and M4
+.PHONY: check-calls
+check-calls: lib/names.h
+	@sh tests/target/calls.sh build/calls
+
+build/target/stores.so: tests/target/stores.c
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) -shared -fPIC $< -o $@
+
+build/target/bad_line: tests/target/bad_line.c build/q16x3/libloft.a
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Itests $(BUILT) $(STD) $(DEPS) -MF $@.d -MT $@ \
+	    -D_GNU_SOURCE $(call num_flag,q16) $(filter %.c %.a,$^) -o $@
+-include build/target/bad_line.d
+
+## Run a whole job on each 32-bit board in QEMU: every pulse at the pins, over a bad line as well
+.PHONY: check-boards
+check-boards: $(addprefix firmware-,$(FIRMWARES)) build/target/stores.so build/target/bad_line \
+              $(TOOL_OUT)/loft
+	@bash tests/target/qemu.sh build/firmware $(TOOL_OUT)/loft build/target/stores.so \
+	    build/target/bad_line
+
+include tests/target/units.mk
+include tests/target/hosts.mk

@@ -1,0 +1,237 @@
+# tests/tests.mk -- the tests of the library, of what reads and draws, of vectors, of whole jobs
+# SPDX-License-Identifier: MIT
+
+TESTED    = -O1 -g1 $(CPPFLAGS) $(CFLAGS)
+SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+
+# --- the library: build/test/<num>/<module>, one sanitized program per module and number type -----
+TEST_SRC := $(sort $(wildcard tests/lib/*/test_*.c tests/lib/*/*/test_*.c))
+TESTS    := $(sort $(patsubst test_%.c,%,$(notdir $(TEST_SRC))))
+vpath test_%.c $(sort $(dir $(TEST_SRC)))
+
+# the solver of harmonic coordinates, of which tests make tables: on the host, in long double
+SOLVER_SRC := $(sort $(wildcard host-tools/engine/harmonic*.c)) host-tools/base/least.c
+SOLVER_OBJ := $(patsubst %.c,build/solver/%.o,$(SOLVER_SRC))
+build/solver/%.o: %.c
+	@mkdir -p $(@D)
+	$(SAY) "  CC  $@"
+	$(Q)$(CC) $(BUILT) $(STD) $(DEPS) -Ihost-tools -c $< -o $@
+-include $(SOLVER_OBJ:.o=.d)
+SOLVED := harmonic
+
+define tested
+build/test/$(1)/lib/%.o: lib/%.c | lib/names.h
+	@mkdir -p $$(@D)
+	$$(SAY) "  CC  $$@"
+	$$(Q)$$(CC) $$(INCLUDE) $$(TESTED) $$(STD) $$(DEPS) $$(SANITIZE) $$(call num_flag,$(1)) \
+	    -c $$< -o $$@
+build/test/$(1)/libloft.a: $(patsubst %.c,build/test/$(1)/%.o,$(LIB_SRC))
+	$$(SAY) "  AR  $$@"
+	$$(Q)rm -f $$@; $$(AR) rcs $$@ $$^
+build/test/$(1)/%: test_%.c build/test/$(1)/libloft.a
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(TESTED) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
+	    $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.o %.a,$$^) -lm -o $$@
+build/test/$(1)/$(SOLVED): INCLUDE += -Ihost-tools
+build/test/$(1)/$(SOLVED): $(SOLVER_OBJ)
+-include $(patsubst %.c,build/test/$(1)/%.d,$(LIB_SRC)) $(patsubst %,build/test/$(1)/%.d,$(TESTS))
+endef
+$(foreach n,$(NUMS),$(eval $(call tested,$(n))))
+
+## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
+.PHONY: test
+test: $(foreach n,$(NUMS),$(foreach t,$(TESTS),build/test/$(n)/$(t)))
+	@for t in $(TESTS); do for n in $(NUMS); do \
+	    echo "echo '-- $$t $$n'; build/test/$$n/$$t"; done; done | \
+	    bash tests/house/beside.sh
+
+# one module in all number types: make test-forward
+test-%: $(foreach n,$(NUMS),build/test/$(n)/%)
+	@for n in $(NUMS); do build/test/$$n/$* || exit 1; done
+.PRECIOUS: $(foreach n,$(NUMS),build/test/$(n)/%)
+
+# --- other numbers of axes: the wire in q16 with 1, 2, 4 and 6, curves with 1 ---------------------
+AXES_TESTS  := codec message receiver
+CURVE_TESTS := bezier rational rational_extend bspline nurbs join intersect overlap offset nearest \
+               bounds
+axes_src     = $(foreach r,$(1),$(sort $(wildcard lib/$(r)/*.c)))
+
+# axes_test TEST, axes, rooms of the library
+define axes_test
+build/axes/$(2)/$(1): test_$(1).c $(patsubst %.c,build/axes/$(2)/%.o,$(call axes_src,$(3)))
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(TESTED) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
+	    $$(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$(2) $$(filter %.c %.o,$$^) -lm -o $$@
+-include build/axes/$(2)/$(1).d
+AXES_EACH += build/axes/$(2)/$(1)
+endef
+define axes_objects
+build/axes/$(1)/lib/%.o: lib/%.c | lib/names.h
+	@mkdir -p $$(@D)
+	$$(Q)$$(CC) $$(INCLUDE) $$(TESTED) $$(STD) $$(DEPS) $$(SANITIZE) \
+	    -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$(1) -c $$< -o $$@
+endef
+$(foreach a,1 2 4 6,$(eval $(call axes_objects,$(a))))
+$(foreach a,1 2 4 6,$(foreach t,$(AXES_TESTS),$(eval $(call axes_test,$(t),$(a),wire))))
+$(foreach t,$(CURVE_TESTS),$(eval $(call axes_test,$(t),1,num geom basis curve)))
+-include $(patsubst %.c,build/axes/1/%.d,$(call axes_src,num geom basis curve))
+-include $(foreach a,1 2 4 6,$(patsubst %.c,build/axes/$(a)/%.d,$(call axes_src,wire)))
+
+## Run the wire's tests with 1, 2, 4 and 6 axes, those of curves with 1
+.PHONY: test-axes
+test-axes: $(AXES_EACH)
+	@for t in $(AXES_EACH); do echo "echo '-- $$t'; $$t"; done | bash tests/house/beside.sh
+
+# --- exact results: one line per CSV of a folder --------------------------------------------------
+VECTORS ?= tests/vectors
+VECTOR_SRC := $(sort $(wildcard tests/vectors/*.c)) host-tools/study/engine_chapter.c \
+              host-tools/study/chapter.c host-tools/study/chapter_study.c
+define vectored
+build/vectors/$(1)-obj/%.o: %.c | lib/names.h
+	@mkdir -p $$(@D)
+	$$(SAY) "  CC  $$@"
+	$$(Q)$$(CC) $$(INCLUDE) -Itests -Ihost-tools $$(TESTED) $$(STD) $$(DEPS) $$(SANITIZE) \
+	    $$(call num_flag,$(1)) -c $$< -o $$@
+build/vectors/$(1): $(patsubst %.c,build/vectors/$(1)-obj/%.o,$(VECTOR_SRC)) $(SOLVER_OBJ) \
+                    build/test/$(1)/libloft.a
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(LDFLAGS) $$(TESTED) $$(SANITIZE) $$^ -lm -o $$@
+-include $(patsubst %.c,build/vectors/$(1)-obj/%.d,$(VECTOR_SRC))
+endef
+$(foreach n,$(NUMS),$(eval $(call vectored,$(n))))
+
+## Compare with exact results   VECTORS=folder of CSVs  NUM=q16|f32|f64
+.PHONY: check-vectors
+check-vectors: build/vectors/$(NUM)
+	@build/vectors/$(NUM) $(VECTORS) tests/vectors
+
+.PHONY: check-vectors-all
+check-vectors-all: $(foreach n,$(NUMS),build/vectors/$(n))
+	@{ for n in $(NUMS); do \
+	       echo "echo '-- $$n'; build/vectors/$$n $(VECTORS) tests/vectors"; done; \
+	   echo "sh tests/vectors/runner.sh build/vectors/q16 tests/vectors"; } | \
+	    bash tests/house/beside.sh
+
+# --- what reads, plans and draws: build/test/tools/<module>, sanitized ----------------------------
+# The tests take the place of base/tool.c: they catch what it would print.
+TOOL_TESTS  := $(patsubst tests/tools/test_%.c,%,$(sort $(wildcard tests/tools/test_*.c)))
+TOOL_TESTED := $(filter-out %/tool.c,$(sort $(foreach r,base engine read plan draw, \
+                 $(wildcard host-tools/$(r)/*.c))))
+TOOL_TESTED := $(filter-out host-tools/engine/engines.c,$(TOOL_TESTED))
+TOOL_FLAGS   = $(INCLUDE) $(TESTED) $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
+TOOL_TESTED_OBJ := $(patsubst %.c,build/test/tools/%.o,$(TOOL_TESTED))
+
+build/test/tools/%.o: %.c | lib/names.h
+	@mkdir -p $(@D)
+	$(SAY) "  CC  $@"
+	$(Q)$(CC) $(TOOL_FLAGS) -c $< -o $@
+build/test/tools/libtools.a: $(TOOL_TESTED_OBJ)
+	$(SAY) "  AR  $@"
+	$(Q)rm -f $@; $(AR) rcs $@ $^
+build/test/tools/%: tests/tools/test_%.c build/test/tools/libtools.a build/test/f64/libloft.a
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ \
+	    $(filter %.c,$^) $(filter %.a,$^) \
+	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o $@
+-include $(TOOL_TESTED_OBJ:.o=.d) $(patsubst %,build/test/tools/%.d,$(TOOL_TESTS))
+.PRECIOUS: build/test/tools/%.o
+
+## Check what the SVG reader draws and refuses, pulse records and pictures, under ASan and UBSan
+.PHONY: test-tools
+test-tools: $(patsubst %,build/test/tools/%,$(TOOL_TESTS))
+	@for t in $(TOOL_TESTS); do echo "echo '-- $$t'; build/test/tools/$$t"; done | \
+	    bash tests/house/beside.sh
+
+# --- how parts fit together -----------------------------------------------------------------------
+## Show that builds that disagree do not link, and that three number types do in one program
+.PHONY: test-mixed
+test-mixed: $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
+	@sh tests/house/mixed.sh build
+
+## Compile loft.h and each header alone as C++11 to C++20, and link every function with the library
+.PHONY: test-cplusplus
+test-cplusplus: $(foreach n,$(NUMS),build/$(n)x3/libloft.a)
+	@sh tests/house/cplusplus.sh build
+
+## Compile and run the README's example
+.PHONY: test-readme
+test-readme: build/q16x3/libloft.a
+	@sh tests/house/readme.sh build/q16x3/libloft.a build/readme
+
+## Compile and run the programs of lib/examples in all number types, link what lib/RECIPES.md lists
+.PHONY: test-examples
+test-examples: $(foreach n,$(NUMS),build/$(n)x3/libloft.a)
+	@sh tests/house/examples.sh build
+
+## Decode the examples of lib/wire/WIRE.md by a peer that was written from that page alone
+.PHONY: test-peer
+test-peer:
+	@python3 tests/lib/wire/wire_peer.py
+
+## Search every state of the session's model with spin: nothing twice, nothing lost, the job ends
+.PHONY: test-model
+test-model:
+	@sh tests/model/model.sh
+
+# --- long sweeps, not part of `make check` --------------------------------------------------------
+define swept
+build/sweep/$(1)/%: test_%.c build/$(1)x$(AXES)/libloft.a
+	@mkdir -p $$(@D)
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(BUILT) $$(STD) $$(call num_flag,$(1)) \
+	    $$(filter %.c %.a,$$^) -lm -o $$@
+endef
+$(foreach n,$(NUMS),$(eval $(call swept,$(n))))
+
+## Offset LOFT_CASES (1000000) folded cubics in each number type, in an hour of processor time
+.PHONY: sweep-offset
+sweep-offset: $(foreach n,$(NUMS),build/sweep/$(n)/offset)
+	@for t in $^; do LOFT_CASES=$(or $(LOFT_CASES),1000000) $$t || exit 1; done
+
+FUZZ_SECONDS ?= 60
+## Fuzz what comes from the line with libFuzzer for FUZZ_SECONDS (60)
+.PHONY: fuzz
+fuzz: lib/names.h
+	@mkdir -p build/fuzz/wire
+	clang $(INCLUDE) -O1 -g $(STD) -fsanitize=fuzzer,address,undefined \
+	    -fno-sanitize-recover=all $(call num_flag,q16) \
+	    tests/lib/wire/fuzz_wire.c $(wildcard lib/wire/*.c) \
+	    -o build/fuzz/wire_fuzz
+	build/fuzz/wire_fuzz -max_len=1200 -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 \
+	    build/fuzz/wire
+
+FUZZED = $(INCLUDE) -O1 -g $(filter-out -MMD -MP,$(TOOL_STD)) -fsanitize=address,undefined \
+         -fno-sanitize-recover=all -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
+build/fuzz/tools/%.o: %.c | lib/names.h
+	@mkdir -p $(@D)
+	$(SAY) "  CC  $@"
+	$(Q)clang $(FUZZED) -fsanitize=fuzzer-no-link -c $< -o $@
+build/fuzz/tools.a: $(patsubst %.c,build/fuzz/tools/%.o,$(TOOL_TESTED) $(LIB_SRC))
+	$(SAY) "  AR  $@"
+	$(Q)rm -f $@; $(AR) rcs $@ $^
+
+## Fuzz the SVG reader with libFuzzer for FUZZ_SECONDS (60)
+.PHONY: fuzz-svg
+fuzz-svg: build/fuzz/tools.a
+	@mkdir -p build/fuzz/svg
+	clang $(FUZZED) -fsanitize=fuzzer tests/tools/fuzz_svg.c $< \
+	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o build/fuzz/svg_fuzz
+	build/fuzz/svg_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \
+	    -print_final_stats=1 build/fuzz/svg tests/tools/seeds
+
+# --- whole jobs -----------------------------------------------------------------------------------
+## Run whole jobs: the command, sanitized, on the simulated machine   CASE=one of tests/e2e/e2e.sh
+.PHONY: test-e2e
+test-e2e: build/e2e/pty build/e2e/shim.so
+	+@$(PARALLEL) -s tools TOOL_OUT=build/e2e BUILT="$(TESTED) $(SANITIZE)" \
+	    TOOL_LIB=build/test/%/libloft.a
+	@bash tests/e2e/e2e.sh build/e2e/loft build/e2e $(CASE)
+
+build/e2e/pty: tests/e2e/e2e_pty.c
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) -D_GNU_SOURCE $< -o $@
+build/e2e/shim.so: tests/e2e/e2e_shim.c
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) -D_GNU_SOURCE -shared -fPIC $< -ldl -o $@

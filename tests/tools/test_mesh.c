@@ -1,0 +1,285 @@
+/* tests/tools/test_mesh.c -- normals and curvatures of meshes against closed forms; what the text
+ * format of surfaces holds
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+
+#include "tools/drawn.h"          /* CHECK, tool_error */
+#include "engine/engine.h"
+#include "draw/mesh.h"
+
+#define N 12
+
+static void make(mesh *m, const char *text)
+{
+    surfaces all = { 0 };
+
+    *m = (mesh){ 0 };
+    CHECK(surfaces_read_text(&all, "test", text) == 0);
+    CHECK(mesh_make(m, &all, "test", &engine_f64, N, 4) == 0);
+    surfaces_free(&all);
+}
+
+static void check_vertex(const mesh_vertex *v, const double normal[3], double gauss, double mean,
+                         double within)
+{
+    for (int i = 0; i < 3; i++)
+        CHECK_NEAR(v->normal[i], normal[i], within);
+    CHECK_NEAR(v->gauss, gauss, within * (fabs(gauss) + 0.01));
+    CHECK_NEAR(v->mean, mean, within * (fabs(mean) + 0.01));
+}
+
+/* Radius 4 about (1, 2, 3): outward normals, 1/16 and -1/4; the whole sphere and its eighth. */
+static void spheres_are_round(arb *a)
+{
+    static const char *const text[2] = { "sphere 4\n1 2 3\n", "octant 4\n1 2 3\n" };
+    mesh m;
+
+    (void)a;
+    for (int k = 0; k < 2; k++) {
+        make(&m, text[k]);
+        CHECK(m.vertices == (k ? (N + 1) * (N + 2) / 2 : (N + 1) * (N + 1)) && m.cells == N * N);
+        for (size_t i = 0; i < m.vertices; i++) {
+            const double normal[3] = { (m.vertex[i].p[0] - 1) / 4, (m.vertex[i].p[1] - 2) / 4,
+                                       (m.vertex[i].p[2] - 3) / 4 };
+            check_vertex(&m.vertex[i], normal, 1 / 16.0, -0.25, 1e-9);
+            CHECK_NEAR(mesh_bend(&m.vertex[i]), 0.25, 1e-6);
+        }
+        mesh_free(&m);
+    }
+}
+
+/* A quarter of a cylinder of radius 15 about the y axis through (15, y, 0), of rational spans. */
+static void cylinders_bend_one_way(arb *a)
+{
+    mesh m;
+
+    (void)a;
+    make(&m, "tensor 2 1\n0 0 0 : 256\n0 30 0 : 256\n0 0 15 : 181.0193359837562\n0 30 15 : "
+             "181.0193359837562\n15 0 15 : 256\n15 30 15 : 256\n");
+    for (size_t i = 0; i < m.vertices; i++) {
+        const double normal[3] = { (m.vertex[i].p[0] - 15) / 15, 0, m.vertex[i].p[2] / 15 };
+        check_vertex(&m.vertex[i], normal, 0, -1 / 30.0, 1e-7);
+    }
+    mesh_free(&m);
+}
+
+/* z = x y / 10, as a tensor product and with slopes. */
+static void saddles_bend_both_ways(arb *a)
+{
+    static const char *const text[2] = {
+        "tensor 1 1\n0 0 0\n0 10 0\n10 0 0\n10 10 10\n",
+        "coons slopes 1 1\n0 0 0\n10 0 0\n0 10 0\n10 10 10\n0 10 0\n0 10 10\n0 10 0\n0 10 10\n"
+        "0 0 0\n0 10 0\n10 0 0\n10 10 10\n10 0 0\n10 0 10\n10 0 0\n10 0 10\n"
+    };
+    mesh m;
+
+    (void)a;
+    for (int k = 0; k < 2; k++) {
+        make(&m, text[k]);
+        for (size_t i = 0; i < m.vertices; i++) {
+            const double p = m.vertex[i].p[1] / 10, q = m.vertex[i].p[0] / 10,
+                         w = 1 + p * p + q * q;
+            const double normal[3] = { -p / sqrt(w), -q / sqrt(w), 1 / sqrt(w) };
+            check_vertex(&m.vertex[i], normal, -0.01 / (w * w), -p * q * 0.1 / (w * sqrt(w)), 1e-9);
+        }
+        mesh_free(&m);
+    }
+}
+
+static unsigned looked;     /* how many places had normals to compare with */
+
+#define NODES 9         /* of a polynomial through points of the surface, at steps of STEP */
+#define STEP  0.006
+
+/* Its derivatives by two parameters, in the order of loft_local. */
+typedef struct {
+    double by[5][3];
+} slopes;
+
+/* What the values at the nodes count for the first derivative at node i. */
+static void node_weights(unsigned i, double out[NODES])
+{
+    static const double binomial[NODES] = { 1, -8, 28, -56, 70, -56, 28, -8, 1 };
+
+    out[i] = 0;
+    for (unsigned k = 0; k < NODES; k++)
+        if (k != i) {
+            out[k] = binomial[k] / binomial[i] / ((double)i - k) / STEP;
+            out[i] -= out[k];
+        }
+}
+
+/* A place (u, v), and two ways from it that stay on the surface: toward the far corners of a
+ * triangle, or the far sides of a square. */
+typedef struct {
+    const engine_surface *held;
+    unsigned kite;
+    double at[2], way[2][2];
+} stencil;
+
+static void set_ways(stencil *s, bool triangle)
+{
+    static const double corner[3][2] = { { 0, 0 }, { 1, 0 }, { 0, 1 } };
+    const double u = s->at[0], v = s->at[1], share[3] = { 1 - u - v, u, v };
+    const int later = share[1] >= share[2] ? 1 : 2, near = share[0] >= share[later] ? 0 : later;
+
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 2; i++)
+            s->way[k][i] = triangle ? corner[(near + 1 + k) % 3][i] - s->at[i]
+                         : k == i ? (s->at[i] < 0.5 ? 1 : -1) : 0;
+}
+
+static slopes slopes_of(const stencil *s)
+{
+    double first[NODES], second[NODES] = { 0 }, w[NODES], p[3];
+    slopes d = { { { 0 } } };
+
+    node_weights(0, first);
+    for (unsigned m = 0; m < NODES; m++) {
+        node_weights(m, w);
+        for (unsigned k = 0; k < NODES; k++)
+            second[k] += first[m] * w[k];
+    }
+    for (unsigned a = 0; a < NODES; a++)
+        for (unsigned b = 0; b < NODES; b++) {
+            const double u = s->at[0] + STEP * (a * s->way[0][0] + b * s->way[1][0]);
+            const double v = s->at[1] + STEP * (a * s->way[0][1] + b * s->way[1][1]);
+            const double count[5] = { b ? 0 : first[a], a ? 0 : first[b], b ? 0 : second[a],
+                                      first[a] * first[b], a ? 0 : second[b] };
+            CHECK(engine_f64.surface->kite(s->held, s->kite, u, v, p) == 0);
+            for (int k = 0; k < 5; k++)
+                for (int i = 0; i < 3; i++)
+                    d.by[k][i] += count[k] * p[i];
+        }
+    return d;
+}
+
+static double product(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Normal and curvatures by the fundamental forms; false where there is no normal. */
+static bool look_by_slopes(const stencil *s, engine_look *out)
+{
+    const slopes d = slopes_of(s);
+    const double *a = d.by[0], *b = d.by[1];
+    const double turn = s->way[0][0] * s->way[1][1] - s->way[0][1] * s->way[1][0];
+    const double e = product(a, a), f = product(a, b), g = product(b, b);
+    double n[3];
+
+    for (int i = 0; i < 3; i++)
+        n[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+    const double area = product(n, n);
+    if (!(area > 1e-9 * (e + g) * (e + g)))
+        return false;
+    for (int i = 0; i < 3; i++)
+        out->normal[i] = n[i] / sqrt(area) * (turn < 0 ? -1 : 1);
+    const double l = product(d.by[2], out->normal), m = product(d.by[3], out->normal);
+    const double k = product(d.by[4], out->normal);
+    out->gauss = (l * k - m * m) / area;
+    out->mean  = (e * k - 2 * f * m + g * l) / (2 * area);
+    return true;
+}
+
+/* At the vertex of a GB patch curvatures depend on where one comes from. */
+static void check_look(const surface *s, const engine_surface *held, unsigned kite, double u,
+                       double v)
+{
+    stencil at = { .held = held, .kite = kite, .at = { u, v } };
+    engine_look got = { .gauss = 0 }, want;
+
+    CHECK(engine_f64.surface->look(held, kite, u, v, &got) == 0);
+    CHECK_NEAR(product(got.normal, got.normal), 1, 1e-12);
+    set_ways(&at, surface_is_triangle(s));
+    if (!look_by_slopes(&at, &want))
+        return;
+    for (int i = 0; i < 3; i++)
+        CHECK_NEAR(got.normal[i], want.normal[i], 1e-6);
+    if (s->kind == SURFACE_GB && u == 0 && v == 0)
+        return;
+    const double bend = fabs(want.mean) + sqrt(fmax(want.mean * want.mean - want.gauss, 0));
+    CHECK_NEAR(got.gauss, want.gauss, 1e-5 * (bend * bend + 1e-4));
+    CHECK_NEAR(got.mean, want.mean, 1e-5 * (bend + 1e-2));
+    looked++;
+}
+
+static unsigned variety(const surface *s)
+{
+    const unsigned one = s->kind == SURFACE_COONS ? s->orders : s->rational;
+    return 1u << (s->kind == SURFACE_RING ? s->n : one);
+}
+
+/* Every kind, and each variety of it, on a grid with its edges. */
+static void normals_are_those_of_the_surface(arb *a)
+{
+    static const char *const file[4] = { "patch", "surfaces", "sided", "normals" };
+    unsigned seen[SURFACE_KINDS] = { 0 };
+    char name[64];
+
+    (void)a;
+    for (int k = 0; k < 4; k++) {
+        surfaces all = { 0 };
+        snprintf(name, sizeof name, "tests/drawings/%s.loft", file[k]);
+        CHECK(surfaces_read(&all, name) == 0 && all.count > 0);
+        for (size_t j = 0; j < all.count; j++) {
+            const surface *s = &all.surface[j];
+            engine_surface *held = NULL;
+            seen[s->kind] |= variety(s);
+            CHECK(engine_f64.surface->open(s, &held) == 0);
+            for (unsigned kite = 0; kite < surface_kites(s); kite++)
+                for (int p = 0; p <= 4; p++)
+                    for (int q = 0; q <= (surface_is_triangle(s) ? 4 - p : 4); q++)
+                        check_look(s, held, kite, p / 4.0, q / 4.0);
+            engine_f64.surface->close(held);
+        }
+        surfaces_free(&all);
+    }
+    for (int k = 0; k < SURFACE_KINDS; k++)
+        CHECK(seen[k] != 0);
+    CHECK(seen[SURFACE_TENSOR] == 3 && seen[SURFACE_TRIANGLE] == 3);
+    CHECK(seen[SURFACE_COONS] == 14 && seen[SURFACE_RING] == 104 && looked > 1200);
+}
+
+/* Every corner of a cell turns left as seen from the normal; edges are marked all around and
+ * nowhere else. */
+static void cells_face_their_normals(arb *a)
+{
+    static const char *const text[3] = { "tensor 1 1\n0 0 0\n0 10 0\n10 0 0\n10 10 10\n",
+                                         "triangle\n0 0 0\n9 0 1\n0 9 2\n", "sphere 5\n" };
+    mesh m;
+
+    (void)a;
+    for (int k = 0; k < 3; k++) {
+        unsigned edges = 0;
+        make(&m, text[k]);
+        for (size_t i = 0; i < m.cells; i++) {
+            const mesh_vertex *v[3] = { &m.vertex[m.cell[i].corner[0]],
+                                        &m.vertex[m.cell[i].corner[1]],
+                                        &m.vertex[m.cell[i].corner[2]] };
+            double along = 0;
+            for (int c = 0; c < 3; c++) {
+                const int y = (c + 1) % 3, z = (c + 2) % 3;
+                along += v[0]->normal[c] * ((v[1]->p[y] - v[0]->p[y]) * (v[2]->p[z] - v[0]->p[z]) -
+                                            (v[1]->p[z] - v[0]->p[z]) * (v[2]->p[y] - v[0]->p[y]));
+            }
+            CHECK(along > 0 || k == 2);
+            CHECK(along > -1e-9);
+            for (int side = 0; side < 4; side++)
+                edges += m.cell[i].line >> (side + 4) & 1;
+        }
+        CHECK(edges == (k == 1 ? 3 * N : 4 * N));
+        mesh_free(&m);
+    }
+}
+
+int main(void)
+{
+    PROPERTY(spheres_are_round, 1);
+    PROPERTY(cylinders_bend_one_way, 1);
+    PROPERTY(saddles_bend_both_ways, 1);
+    PROPERTY(normals_are_those_of_the_surface, 1);
+    PROPERTY(cells_face_their_normals, 1);
+    return check_failures();
+}

@@ -1,0 +1,207 @@
+/* tests/tools/test_smooth.c -- chains of short lines that become curves: near enough, smooth, and
+ * corners stay
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "tools/drawn.h"
+#include "plan/smooth.h"
+
+static double unit(arb *a)      { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
+
+static void line_to(drawing *d, double at[2], double x, double y, bool fresh)
+{
+    double p[4][2];
+    const double to[2] = { x, y };
+
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 4; k++)
+            p[k][i] = k == 3 ? to[i] : at[i] + k * (to[i] - at[i]) / 3;
+    drawing_add(d, p, fresh, 7);
+    at[0] = x;
+    at[1] = y;
+}
+
+/* A smooth curve, of waves of random length and height, as `count` chords, rounded to `grid`. */
+static void chain(drawing *d, arb *a, int count, double grid)
+{
+    const double size = 5 + 50 * unit(a), wave = (1 + 3 * unit(a)) * 3.14159 / size,
+                 high = (0.1 + unit(a)) / wave, phase = 6 * unit(a);
+    double at[2] = { 0, 0 };
+
+    for (int i = 0; i <= count; i++) {
+        double x = size * i / count, y = high * sin(wave * x + phase);
+        if (grid > 0) {
+            x = round(x / grid) * grid;
+            y = round(y / grid) * grid;
+        }
+        if (i == 0) {
+            at[0] = x;
+            at[1] = y;
+        } else if (x != at[0] || y != at[1]) {
+            line_to(d, at, x, y, d->count == 0);
+        }
+    }
+}
+
+static double to_line(const double p[2], const drawing_curve *c)
+{
+    const double vx = c->p[3][0] - c->p[0][0], vy = c->p[3][1] - c->p[0][1], q = vx * vx + vy * vy;
+    const double t = fmin(fmax(((p[0] - c->p[0][0]) * vx + (p[1] - c->p[0][1]) * vy) / q, 0), 1);
+
+    return hypot(p[0] - c->p[0][0] - t * vx, p[1] - c->p[0][1] - t * vy);
+}
+
+static double to_curve(const double p[2], const drawing_curve *c, double t)
+{
+    double at[2];
+
+    drawing_eval(c, t, at);
+    return hypot(p[0] - at[0], p[1] - at[1]);
+}
+
+/* By thirds; the distance has one least value on so short a piece. */
+static double nearest(const double p[2], const drawing_curve *c, double lo, double hi)
+{
+    for (int i = 0; i < 30; i++) {
+        const double a = lo + (hi - lo) / 3, b = hi - (hi - lo) / 3;
+        if (to_curve(p, c, a) < to_curve(p, c, b))
+            hi = b;
+        else
+            lo = a;
+    }
+    return to_curve(p, c, lo);
+}
+
+/* How far the curves of `d` are from the lines of `lines`, and the ends of the lines from the
+ * curves. */
+static double apart(const drawing *d, const drawing *lines)
+{
+    double worst = 0;
+
+    for (size_t i = 0; i < d->count; i++)
+        for (int k = 0; k <= 16; k++) {
+            double p[2], least = 1e9;
+            drawing_eval(&d->curve[i], k / 16.0, p);
+            for (size_t j = 0; j < lines->count; j++)
+                least = fmin(least, to_line(p, &lines->curve[j]));
+            worst = fmax(worst, least);
+        }
+    for (size_t j = 0; j < lines->count; j++) {
+        double least = 1e9;
+        for (size_t i = 0; i < d->count; i++)
+            for (int k = 0; k < 32; k++)
+                if (to_curve(lines->curve[j].p[3], &d->curve[i], (k + 0.5) / 32) < least + 2)
+                    least = fmin(least, nearest(lines->curve[j].p[3], &d->curve[i], k / 32.0,
+                                                (k + 1) / 32.0));
+        worst = fmax(worst, least);
+    }
+    return worst;
+}
+
+static void curves_stay_within(arb *a)
+{
+    drawing lines = { .count = 0 }, d = { .count = 0 };
+    const double within = 0.0005 + 0.003 * unit(a);
+
+    chain(&lines, a, 40 + (int)arb_below(a, 200), arb_below(a, 2) ? 0.0001 : 0);
+    const size_t replaced = drawing_smooth(&d, &lines, within);
+    CHECK(replaced <= lines.count && d.count > 0);
+    CHECK_NEAR(apart(&d, &lines), 0, within);
+    for (int i = 0; i < 2; i++) {
+        CHECK(d.curve[0].p[0][i] == lines.curve[0].p[0][i]);
+        CHECK(d.curve[d.count - 1].p[3][i] == lines.curve[lines.count - 1].p[3][i]);
+    }
+    drawing_free(&d);
+    drawing_free(&lines);
+}
+
+/* Second derivatives by length agree on both sides of a knot. */
+static void dense_chains_become_smooth_curves(arb *a)
+{
+    drawing lines = { .count = 0 }, d = { .count = 0 };
+
+    chain(&lines, a, 3000, 0);
+    const size_t replaced = drawing_smooth(&d, &lines, 0.001);
+    CHECK(replaced == lines.count);
+    CHECK(d.count * 5 < lines.count);
+    for (size_t k = 1; k < d.count; k++) {
+        double (*p)[2] = d.curve[k - 1].p, (*q)[2] = d.curve[k].p;
+        double b = hypot(p[3][0] - p[2][0], p[3][1] - p[2][1]),
+               c = hypot(q[1][0] - q[0][0], q[1][1] - q[0][1]), scale = b + c;
+        for (int i = 0; i < 2; i++) {
+            const double before = (p[3][i] - p[2][i]) / b, after = (q[1][i] - q[0][i]) / c;
+            const double bend = (p[3][i] - 2 * p[2][i] + p[1][i]) / (b * b),
+                         bent = (q[2][i] - 2 * q[1][i] + q[0][i]) / (c * c);
+            CHECK(p[3][i] == q[0][i]);
+            CHECK_NEAR(before, after, 1e-6);
+            CHECK_NEAR(bend, bent, 0.05 * (1 + hypot(bend, bent)) + 1e-4 / scale);
+        }
+    }
+    drawing_free(&d);
+    drawing_free(&lines);
+}
+
+static void corners_stay(arb *a)
+{
+    drawing lines = { .count = 0 }, d = { .count = 0 };
+    double at[2] = { 0, 0 }, way = 6 * unit(a), corner[2];
+    bool found = false;
+
+    for (int i = 0; i < 100; i++) {
+        line_to(&lines, at, at[0] + 0.05 * cos(way), at[1] + 0.05 * sin(way), i == 0);
+        way += 0.004;
+    }
+    memcpy(corner, at, sizeof corner);
+    way += 0.6 + 2 * unit(a);
+    for (int i = 0; i < 100; i++) {
+        line_to(&lines, at, at[0] + 0.05 * cos(way), at[1] + 0.05 * sin(way), false);
+        way -= 0.004;
+    }
+    CHECK(drawing_smooth(&d, &lines, 0.001) == 200);
+    for (size_t k = 0; k < d.count; k++)
+        found |= d.curve[k].p[3][0] == corner[0] && d.curve[k].p[3][1] == corner[1];
+    CHECK(found);
+    CHECK(d.count < 40);
+    drawing_free(&d);
+    drawing_free(&lines);
+}
+
+/* A polygon of 36 sides is one; curves are copied bit for bit; 0 changes nothing. */
+static void what_is_no_chain_is_copied(arb *a)
+{
+    drawing lines = { .count = 0 }, d = { .count = 0 };
+    double at[2] = { 50, 0 }, p[4][2];
+
+    for (int i = 1; i <= 36; i++)
+        line_to(&lines, at, 50 * cos(i * 3.14159265358979 / 18),
+                50 * sin(i * 3.14159265358979 / 18), i == 1);
+    for (int n = 0; n < 5; n++) {
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < 2; i++)
+                p[k][i] = 20 * unit(a);
+        drawing_add(&lines, p, true, 9);
+    }
+    CHECK(drawing_smooth(&d, &lines, 0.001) == 0);
+    CHECK(d.count == lines.count);
+    for (size_t k = 0; k < d.count && k < lines.count; k++)
+        CHECK(memcmp(d.curve[k].p, lines.curve[k].p, sizeof d.curve[k].p) == 0 &&
+              d.curve[k].path == lines.curve[k].path && d.curve[k].line == lines.curve[k].line);
+    drawing_free(&d);
+    drawing_free(&lines);
+    chain(&lines, a, 300, 0);
+    CHECK(drawing_smooth(&d, &lines, 0) == 0 && d.count == lines.count);
+    drawing_free(&d);
+    drawing_free(&lines);
+}
+
+int main(void)
+{
+    PROPERTY(curves_stay_within, 20);
+    PROPERTY(dense_chains_become_smooth_curves, 40);
+    PROPERTY(corners_stay, 100);
+    PROPERTY(what_is_no_chain_is_copied, 20);
+    return check_failures();
+}
