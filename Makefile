@@ -11,8 +11,8 @@ NUMS := q16 f32 f64
 CC     ?= cc
 INCLUDE := -Ilib
 # what the user gives follows what the house gives, and wins: CPPFLAGS and CFLAGS in every call of
-# the compiler, LDFLAGS where it links
-BUILT   = -O2 -g $(CPPFLAGS) $(CFLAGS)
+# the compiler, LDFLAGS where it links; the same sources give the same bytes in any folder
+BUILT   = -O2 -g -ffile-prefix-map=$(CURDIR)=. $(CPPFLAGS) $(CFLAGS)
 WARN   := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes \
           -Wundef
 STD    := -std=c99 $(WARN)
@@ -71,16 +71,28 @@ lib:
 	+@$(PARALLEL) build/$(NUM)x$(AXES)/libloft.a
 
 # --- the command: build/loft, one program with all three number types -----------------------------
-TOOL_PKG  := libxml-2.0 zlib cairo libserialport
+# WITHOUT="cairo libserialport": pictures and serial ports are refused then, the rest is there;
+# with a TOOL_OUT of its own, or after make clean
+PKG_CONFIG ?= pkg-config
+TOOL_PKG  := libxml-2.0 zlib $(filter-out $(WITHOUT),cairo libserialport)
 TOOL_OUT  ?= build
-TOOL_INC   = -Ihost-tools -Iports \
-             $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(TOOL_PKG)))
+TOOL_INC   = -Ihost-tools -Iports $(if $(filter cairo,$(WITHOUT)),-DLOFT_WITHOUT_CAIRO) \
+             $(patsubst -I%,-isystem %,$(shell $(PKG_CONFIG) --cflags $(TOOL_PKG)))
 TOOL_STD   = $(STD) $(DEPS) -D_GNU_SOURCE $(TOOL_INC)
 tool_flag  = -DLOFT_NUM=LOFT_$(call upper,$(1)) -DLOFT_AXES=3
 TOOL_ONCE := host-tools/engine/engine_status.c host-tools/engine/engines.c
 TOOL_ENGINE := $(filter-out $(TOOL_ONCE),$(wildcard host-tools/engine/engine*.c \
                  host-tools/study/engine*.c))
-TOOL_SRC  := $(filter-out $(TOOL_ENGINE),$(sort $(wildcard host-tools/*.c host-tools/*/*.c)))
+# what needs a library that may be left out, and what refuses in its place
+TOOL_WITH_cairo            := $(wildcard $(patsubst %,host-tools/draw/%.c,plot* scene* gallery \
+                                surface_* plan_plot))
+TOOL_WITH_libserialport    := host-tools/send/transport_serial.c
+TOOL_WITHOUT_cairo         := host-tools/draw/without_cairo.c
+TOOL_WITHOUT_libserialport := host-tools/send/without_serial.c
+TOOL_LEFT := $(foreach l,cairo libserialport,\
+                 $(TOOL_WITH$(if $(filter $(l),$(WITHOUT)),,OUT)_$(l)))
+TOOL_SRC  := $(filter-out $(TOOL_ENGINE) $(TOOL_LEFT),$(sort $(wildcard host-tools/*.c \
+                 host-tools/*/*.c)))
 TOOL_EACH := $(TOOL_ENGINE) $(sort $(wildcard ports/host/*.c))
 TOOL_LIB  ?= build/%x3/libloft.a
 TOOL_LIBS := $(foreach n,$(NUMS),$(subst %,$(n),$(TOOL_LIB)))
@@ -105,7 +117,7 @@ $(TOOL_OUT)/tools/host-tools/%.o: host-tools/%.c | lib/names.h
 
 $(TOOL_OUT)/loft: $(TOOL_OBJ) $(TOOL_LIBS)
 	$(SAY) "  LD  $@"
-	$(Q)$(CC) $(LDFLAGS) $(BUILT) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $^ $(shell $(PKG_CONFIG) --libs $(TOOL_PKG)) -lm -o $@
 -include $(TOOL_OBJ:.o=.d)
 
 ## Build the command build/loft
@@ -172,7 +184,7 @@ TARGET_BESIDE := check-sums check-calls bench-polygon check-hosts
 TARGET_STAGES  = $(subst $() $(),+,$(TARGET_BESIDE)) check-boards check-units
 
 include tests/tests.mk tests/bench/bench.mk
-include ports/boards.mk $(sort $(wildcard ports/*/port.mk))
+include ports/boards.mk ports/packages/packages.mk $(sort $(wildcard ports/*/port.mk))
 include tests/target/target.mk
 
 ## Remove build/

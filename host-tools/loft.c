@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/describe.h"   /* describe_all */
 #include "base/tool.h"       /* tool_command */
 #include "loft.h"            /* LOFT_VERSION */
 
@@ -68,6 +69,8 @@ int main(int argc, char **argv)
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 ||
         (strcmp(name, "help") == 0 && argc == 2))
         return flushed(help());
+    if (strncmp(name, "--help=", 7) == 0)
+        return flushed(describe_all(name + 7, commands, COMMANDS));
     if (strcmp(name, "help") == 0) {
         char option[] = "--help";
         char *line[] = { argv[2], option, NULL };

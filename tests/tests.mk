@@ -115,7 +115,7 @@ check-vectors-all: $(foreach n,$(NUMS),build/vectors/$(n))
 # --- what reads, plans and draws: build/test/tools/<module>, sanitized ----------------------------
 # The tests take the place of base/tool.c: they catch what it would print.
 TOOL_TESTS  := $(patsubst tests/tools/test_%.c,%,$(sort $(wildcard tests/tools/test_*.c)))
-TOOL_TESTED := $(filter-out %/tool.c,$(sort $(foreach r,base engine read plan draw, \
+TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(foreach r,base engine read plan draw, \
                  $(wildcard host-tools/$(r)/*.c))))
 TOOL_TESTED := $(filter-out host-tools/engine/engines.c,$(TOOL_TESTED))
 TOOL_FLAGS   = $(INCLUDE) $(TESTED) $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3

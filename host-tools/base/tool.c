@@ -10,6 +10,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/describe.h"   /* describe_command */
 #include "base/tool.h"
 
 int tool_error(int code, const char *format, ...)
@@ -143,26 +144,6 @@ static bool take(const tool_option *o, const char *text)
     return false;
 }
 
-static void print_help(const tool_command *self, const tool_option options[])
-{
-    printf("loft %s -- %s\n\nusage: loft %s %s\n", self->name, self->summary, self->name,
-           self->arguments);
-    if (self->detail)
-        printf("\n%s", self->detail);
-    printf("\noptions:\n");
-    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
-        char both[40];
-        const bool maybe = o->kind == TOOL_IS_MAYBE;
-        snprintf(both, sizeof both, "--%s%s%s%s", o->name,
-                 maybe         ? " ["
-                 : o->argument ? " "
-                               : "",
-                 o->argument ? o->argument : "", maybe ? "]" : "");
-        printf("  %-20s %s\n", both, o->help);
-    }
-    printf("  %-20s %s\n", "--help", "this text");
-}
-
 /* The row that -o is short for; -1 if the command writes no file. */
 static int output_row(const tool_option options[])
 {
@@ -208,7 +189,7 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
                                     : options[i].argument            ? required_argument
                                                                      : no_argument,
                                     NULL, 0 };
-    table[count]     = (struct option){ "help", no_argument, NULL, 'h' };
+    table[count]     = (struct option){ "help", optional_argument, NULL, 'h' };
     table[count + 1] = (struct option){ NULL, 0, NULL, 0 };
 
     int code = 0;
@@ -222,8 +203,8 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
         if (c == -1)
             break;
         if (c == 'h') {
-            print_help(self, options);
-            code = TOOL_HELP;
+            code = describe_command(optarg, self, options);
+            code = code == EX_OK ? TOOL_HELP : code;
         } else if (c == ':') {
             code = tool_error(EX_USAGE, "%s needs a value: see `loft %s --help`", argv[optind - 1],
                               self->name);

@@ -255,7 +255,7 @@ static int run(const tool_command *self, int argc, char **argv)
 
     const tool_option options[] = {
         TOOL_TEXT("num", "TYPE,..", &types, "number types to measure (q16,f32,f64)"),
-        TOOL_TEXT("against", "TYPE", &than,
+        TOOL_TEXT("against", "exact|q16|f32|f64", &than,
                   "what they are measured against: exact, q16, f32 or f64 (exact)"),
         TOOL_COUNT("n", "N", &n, 1, 1e8, "parameters per piece, j/N (1024)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),

@@ -145,7 +145,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_NUMBER("tol", "MM", &c.tol, 0, 1000, "of the height (0.001)"),
         TOOL_SWITCH("csv", &c.rows, "rows surface,height,curve,x,y,z, in place of .loft"),
         TOOL_SWITCH("flat", &flat, "without z: a map, which `loft stream` draws"),
-        ENGINE_OPTION(&c.p.e, "number type: q16, f32 or f64 (q16)"),
+        ENGINE_OPTION(&c.p.e, "number type (q16)"),
         TOOL_OPTIONS_END
     };
     int code = tool_options(self, options, argc, argv, &first);

@@ -192,7 +192,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_SWITCH("shape", &shape,
                     "not points, but what each piece looks like: its type, inflections, box"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
-        ENGINE_OPTION(&e, "number type: q16, f32 or f64 (q16)"),
+        ENGINE_OPTION(&e, "number type (q16)"),
         TOOL_OPTIONS_END
     };
     int code = tool_file_options(self, options, argc, argv, &text, &file);

@@ -62,7 +62,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_NUMBER("tol", "MM", &tol, 1e-6, 1000,
                     "how far a chord may leave its curve, rounding included (0.01)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
-        ENGINE_OPTION(&e, "number type: q16, f32 or f64 (q16)"), TOOL_OPTIONS_END
+        ENGINE_OPTION(&e, "number type (q16)"), TOOL_OPTIONS_END
     };
     int code = tool_file_options(self, options, argc, argv, &text, &file);
     if (code != 0)

@@ -172,7 +172,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const tool_option options[] = {
         TOOL_TEXT("output", "FILE", &output, "or -o: where the table goes, .h (C, for the number type) or .csv"),
         TOOL_LIST("at", "X,Y", &at, -32768, 32767, "print the coordinates of this point, inside or on the boundary"),
-        ENGINE_OPTION(&e, "number type of the table: q16, f32 or f64 (q16)"),
+        ENGINE_OPTION(&e, "number type of the table (q16)"),
         TOOL_OPTIONS_END
     };
     int code = tool_file_options(self, options, argc, argv, NULL, &file);

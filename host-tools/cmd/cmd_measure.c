@@ -527,7 +527,7 @@ static int run(const tool_command *self, int argc, char **argv)
                     "the path at this distance to the left (< 0: right), as .loft"),
         TOOL_NUMBER("tol", "MM", &tol, 1e-9, 1000, "within which all of it is (0.001)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
-        ENGINE_OPTION(&e, "number type: q16, f32 or f64 (q16)"),
+        ENGINE_OPTION(&e, "number type (q16)"),
         TOOL_OPTIONS_END
     };
     int code = tool_options(self, options, argc, argv, &first);

@@ -160,7 +160,7 @@ static int run(const tool_command *self, int argc, char **argv)
                   "show this part only, in mm from the lower left corner"),
         TOOL_LIST("view", "AROUND,UP", &w.view, -1000, 1000,
                   "see a surface from there, in degrees (-55,28); a third number: perspective"),
-        TOOL_TEXT("curvature", "KIND", &w.map,
+        TOOL_TEXT("curvature", "gauss|mean|largest", &w.map,
                   "colour a surface by its curvature: gauss, mean or largest"),
         TOOL_COUNT("contours", "N", &w.contours, 1, 100,
                    "draw lines of equal height on a surface, about N, at round heights"),

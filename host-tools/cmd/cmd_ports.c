@@ -3,27 +3,9 @@
  */
 #include <stdio.h>
 
-#include <libserialport.h>
-
 #include "send/talk.h"           /* talk_open */
+#include "send/transport.h"      /* transport_ports */
 #include "base/tool.h"
-
-static const char *or_none(const char *text)
-{
-    return text ? text : "";
-}
-
-static void print_port(struct sp_port *port)
-{
-    int vendor, product;
-
-    printf("%s\t%s", sp_get_port_name(port), or_none(sp_get_port_description(port)));
-    if (sp_get_port_transport(port) == SP_TRANSPORT_USB &&
-        sp_get_port_usb_vid_pid(port, &vendor, &product) == SP_OK)
-        printf("\tusb %04x:%04x %s", (unsigned)vendor, (unsigned)product,
-               or_none(sp_get_port_usb_serial(port)));
-    putchar('\n');
-}
 
 /* Who answers there: one line, on standard error if nobody does. */
 static int ask(const char *name, unsigned baud)
@@ -47,43 +29,50 @@ static int ask(const char *name, unsigned baud)
     return 0;
 }
 
+typedef struct {
+    bool who;
+    unsigned baud, count;
+} asking;
+
+static void print_port(void *context, const transport_port *port)
+{
+    asking *a = context;
+
+    a->count++;
+    if (a->who)
+        (void)ask(port->name, a->baud);
+    else
+        printf("%s\t%s%s%s\n", port->name, port->description, port->usb[0] ? "\tusb " : "",
+               port->usb);
+}
+
 static int run(const tool_command *self, int argc, char **argv)
 {
-    unsigned baud = 115200;
-    bool who = false;
+    asking a = { .who = false, .baud = 115200 };
     const tool_option options[] = {
-        TOOL_SWITCH("ask", &who,
+        TOOL_SWITCH("ask", &a.who,
                     "ask at each port, or at the ports that are named, who answers: moves nothing"),
-        TOOL_COUNT("baud", "RATE", &baud, 300, 4000000, "to ask with (115200)"), TOOL_OPTIONS_END
+        TOOL_COUNT("baud", "RATE", &a.baud, 300, 4000000, "to ask with (115200)"), TOOL_OPTIONS_END
     };
-    struct sp_port **list = NULL;
     int first;
-    const int code = tool_options(self, options, argc, argv, &first);
+    int code = tool_options(self, options, argc, argv, &first);
 
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
     if (first < argc) {
         int worst = 0;
         for (int i = first; i < argc; i++) {
-            const int failed = ask(argv[i], baud);
+            const int failed = ask(argv[i], a.baud);
             worst = failed != 0 ? failed : worst;
         }
         return worst;
     }
-    if (sp_list_ports(&list) != SP_OK)
-        list = NULL;            /* a system without /sys/class/tty has no ports */
-    if (list == NULL || list[0] == NULL)
+    code = transport_ports(print_port, &a);
+    if (code == 0 && a.count == 0)
         (void)tool_error(
             EX_OK,
             "no serial ports: plug the machine in, or name a pty, unix:PATH or tcp:HOST:PORT");
-    for (size_t i = 0; list && list[i]; i++)
-        if (who)
-            (void)ask(sp_get_port_name(list[i]), baud);
-        else
-            print_port(list[i]);
-    if (list)
-        sp_free_port_list(list);
-    return EX_OK;
+    return code;
 }
 
 const tool_command command_ports = {

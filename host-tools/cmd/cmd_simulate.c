@@ -94,7 +94,7 @@ static int run(const tool_command *self, int argc, char **argv)
                   "a machine as text, see host-tools/MACHINE.md; the options below are stronger"),
         TOOL_TEXT("link", "PATH", &o.link, "make PATH a symbolic link to the pseudo terminal"),
         TOOL_TEXT("record", "FILE", &o.record, "write every pulse with its time to FILE (CSV)"),
-        TOOL_TEXT("speed", "HOW", &speed, "real time, or fast: as fast as it goes (fast)"),
+        TOOL_TEXT("speed", "real|fast", &speed, "real time, or fast: as fast as it goes (fast)"),
         TOOL_SWITCH("once", &o.once, "end after one job"),
         TOOL_SWITCH("quiet", &o.quiet, "print only the name of the pseudo terminal, and errors"),
         TOOL_LIST("steps", "N,..", &steps, 0.01, 30000, "steps per mm, for all axes or each (80)"),
@@ -111,7 +111,7 @@ static int run(const tool_command *self, int argc, char **argv)
                   "limit switches: axis, - or + end, and where its motor closes it (none)"),
         TOOL_NUMBER("noise", "PPM", &o.noise, 0, 100000,
                     "of a million bits on the line so many are flipped (0)"),
-        ENGINE_OPTION(&e, "number type of the machine: q16, f32 or f64 (q16)"),
+        ENGINE_OPTION(&e, "number type of the machine (q16)"),
         TOOL_OPTIONS_END
     };
     code = tool_options(self, options, argc, argv, &first);

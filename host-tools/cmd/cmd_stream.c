@@ -278,7 +278,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_COUNT("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
         TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
         PLANNING_OPTIONS(&o.p),
-        TOOL_TEXT("plan", "WHERE", &o.where,
+        TOOL_TEXT("plan", "host|chip", &o.where,
                   "host: spans are sent; chip: curves are, and the machine plans (host)"),
         TOOL_SWITCH("points", &o.points, "send sampled points, one per tick, instead of spans"),
         TOOL_SWITCH(

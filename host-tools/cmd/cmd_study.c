@@ -122,7 +122,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_COUNT("fine", "N", &fine, 4, 400, "5 N^2 points of each pentagon are looked at (60)"),
         TOOL_SWITCH("brief", &t.brief, "print only what is off, and the sum"),
         TOOL_SWITCH("pictures-only", &pictures_only, "no numbers"),
-        ENGINE_OPTION(&num, "number type: q16, f32 or f64 (f64)"),
+        ENGINE_OPTION(&num, "number type (f64)"),
         TOOL_OPTIONS_END
     };
     int code = tool_options(self, options, argc, argv, &first);

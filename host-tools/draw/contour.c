@@ -38,6 +38,16 @@ static void cross_triangle(const mesh *m, size_t cell, const size_t corner[3], d
         sink(context, cell, end[0], end[1]);
 }
 
+double plot_step(double range, double count)
+{
+    const double least = range / count, power = pow(10, floor(log10(least)));
+
+    return least <= power       ? power
+           : least <= 2 * power ? 2 * power
+           : least <= 5 * power ? 5 * power
+                                : 10 * power;
+}
+
 void contour_lines(const mesh *m, double height, contour_sink *sink, void *context)
 {
     for (size_t i = 0; i < m->cells; i++) {

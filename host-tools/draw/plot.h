@@ -9,7 +9,12 @@
 #ifndef LOFT_PLOT_H
 #define LOFT_PLOT_H
 
+#ifdef LOFT_WITHOUT_CAIRO
+typedef struct cairo_t cairo_t;             /* there is none */
+typedef struct cairo_surface_t cairo_surface_t;
+#else
 #include <cairo.h>
+#endif
 #include <stdbool.h>
 #include <stdio.h>
 

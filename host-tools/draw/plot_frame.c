@@ -36,16 +36,6 @@ void plot_line(const plot_view *v, double x0, double y0, double x1, double y1)
     cairo_stroke(v->cairo);
 }
 
-double plot_step(double range, double count)
-{
-    const double least = range / count, power = pow(10, floor(log10(least)));
-
-    return least <= power       ? power
-           : least <= 2 * power ? 2 * power
-           : least <= 5 * power ? 5 * power
-                                : 10 * power;
-}
-
 void plot_number(char *out, size_t size, double value, double step)
 {
     const int digits = step < 1 ? (int)ceil(-log10(step) - 1e-9) : 0;

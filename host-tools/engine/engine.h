@@ -209,7 +209,7 @@ extern const engine engine_q16, engine_f32, engine_f64;
 const engine *engine_find(const char *name);    /* NULL if there is none */
 
 /* The option --num TYPE of a command; `out` is the address of a const engine *. */
-#define ENGINE_OPTION(out, help)    TOOL_PARSED("num", "TYPE", out, engine_parse, help)
+#define ENGINE_OPTION(out, help)    TOOL_PARSED("num", "q16|f32|f64", out, engine_parse, help)
 bool engine_parse(const char *text, void *out);
 
 /* The least tolerance, or a little more, within which a piece becomes cubics. */

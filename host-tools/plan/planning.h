@@ -47,7 +47,7 @@ typedef struct {
         TOOL_NUMBER("lift", "MM", &(p)->lift, 0, 100, "height of the pen while travelling (1)"),   \
         TOOL_SWITCH("park", &(p)->park,                                                            \
                     "at the end go to the machine's zero, where it was switched on or homed"),     \
-        ENGINE_OPTION(&(p)->e, "number type of the planner: q16, f32 or f64 (q16)")
+        ENGINE_OPTION(&(p)->e, "number type of the planner (q16)")
 
 /* Fill in what holds without options; a machine's file among them is read. Gives 0, or an exit code
  * after one line. */

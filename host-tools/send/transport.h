@@ -45,6 +45,14 @@ int transport_open_terminal(transport *t, const char *name, unsigned baud);
 int transport_open_socket(transport *t, const char *name);
 int transport_open_standard(transport *t);
 
+/* The serial ports of this computer, one by one; those that are not USB have empty words there.
+ * Gives 0, or an exit code after printing one line. */
+typedef struct {
+    const char *name, *description;
+    const char *usb;            /* "2341:0043 SERIAL" */
+} transport_port;
+int transport_ports(void (*each)(void *context, const transport_port *port), void *context);
+
 /* A second owner is refused: gives false after printing one line. For the kinds. */
 bool transport_own(int fd, const char *name);
 

@@ -137,3 +137,26 @@ int transport_open_serial(transport *t, const char *name, unsigned baud)
         serial_close(t);
     return code;
 }
+
+static const char *or_none(const char *text) { return text ? text : ""; }
+
+int transport_ports(void (*each)(void *context, const transport_port *port), void *context)
+{
+    struct sp_port **list = NULL;
+
+    if (sp_list_ports(&list) != SP_OK)
+        return 0;               /* a system without /sys/class/tty has no ports */
+    for (size_t i = 0; list[i]; i++) {
+        char usb[120] = "";
+        int vendor, product;
+        if (sp_get_port_transport(list[i]) == SP_TRANSPORT_USB &&
+            sp_get_port_usb_vid_pid(list[i], &vendor, &product) == SP_OK)
+            snprintf(usb, sizeof usb, "%04x:%04x %s", (unsigned)vendor, (unsigned)product,
+                     or_none(sp_get_port_usb_serial(list[i])));
+        const transport_port port = { sp_get_port_name(list[i]),
+                                      or_none(sp_get_port_description(list[i])), usb };
+        each(context, &port);
+    }
+    sp_free_port_list(list);
+    return 0;
+}

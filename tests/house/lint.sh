@@ -163,7 +163,7 @@ without_test | rule "each header has a test of its name, or tests/README.md name
 
 # 7. CPPFLAGS, CFLAGS and LDFLAGS that the user gives stand in every call of the compiler,
 # the last where it links
-links_and_objects="lib tools test-tools test-axes test-e2e
+links_and_objects="lib libraries tools test-tools test-axes test-e2e
     build/test/q16/forward build/test/f64/harmonic build/vectors/f32
     build/bench/bench3 build/bench/motion/time-q16 build/bench/motion/moves build/loft-gpio
     build/target/gpio/guest build/target/gpio/loft-gpio-memory

@@ -1,0 +1,387 @@
+/* host-tools/base/describe.c -- a command described: help, man page, completions of shells
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "base/describe.h"
+
+enum { LONGEST = 40 };      /* of a name, its value, and an option's column in the help */
+
+/* What the value of an option may be. */
+enum taken { NOTHING, ANYTHING, A_FILE, A_FOLDER, A_WORD };
+
+static enum taken taken_by(const tool_option *o)
+{
+    static const char *const files[] = { "FILE", "PATH", "PORT" };
+
+    if (o->argument == NULL)
+        return NOTHING;
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
+        if (strcmp(o->argument, files[i]) == 0)
+            return A_FILE;
+    if (strcmp(o->argument, "DIR") == 0)
+        return A_FOLDER;
+    return strchr(o->argument, '|') ? A_WORD : ANYTHING;
+}
+
+/* The words of "q16|f32|f64" with spaces between. */
+static const char *words_of(const tool_option *o, char words[LONGEST])
+{
+    snprintf(words, LONGEST, "%s", o->argument);
+    for (char *c = words; *c; c++)
+        if (*c == '|')
+            *c = ' ';
+    return words;
+}
+
+/* Text, a backslash before each character of `special`. */
+static void put_escaped(const char *text, const char *special)
+{
+    for (; *text; text++) {
+        if (strchr(special, *text) != NULL)
+            putchar('\\');
+        putchar(*text);
+    }
+}
+
+static void put_without(const char *text, const char *special)
+{
+    for (; *text; text++)
+        if (strchr(special, *text) == NULL)
+            putchar(*text);
+}
+
+/* Between single quotes of a shell. */
+static void put_quoted(const char *text)
+{
+    for (; *text; text++)
+        if (*text == '\'')
+            fputs("'\\''", stdout);
+        else
+            putchar(*text);
+}
+
+static void print_help(const tool_command *self, const tool_option options[])
+{
+    printf("loft %s -- %s\n\nusage: loft %s %s\n", self->name, self->summary, self->name,
+           self->arguments);
+    if (self->detail)
+        printf("\n%s", self->detail);
+    printf("\noptions:\n");
+    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
+        char both[LONGEST];
+        const bool maybe = o->kind == TOOL_IS_MAYBE;
+        snprintf(both, sizeof both, "--%s%s%s%s", o->name,
+                 maybe         ? " ["
+                 : o->argument ? " "
+                               : "",
+                 o->argument ? o->argument : "", maybe ? "]" : "");
+        printf("  %-20s %s\n", both, o->help);
+    }
+    printf("  %-20s %s\n", "--help", "this text");
+}
+
+
+// Man pages
+// ---------
+
+/* A line of roff: a backslash and a minus are written apart, a control character does not begin
+ * it. */
+static void put_roff(const char *text, size_t length)
+{
+    if (length > 0 && (*text == '.' || *text == '\''))
+        fputs("\\&", stdout);
+    for (size_t i = 0; i < length; i++)
+        if (text[i] == '\\')
+            fputs("\\e", stdout);
+        else if (text[i] == '-')
+            fputs("\\-", stdout);
+        else
+            putchar(text[i]);
+}
+
+static void put_man(const char *text) { put_roff(text, strlen(text)); }
+
+/* Paragraphs; indented lines stay as they are. */
+static void put_paragraphs(const char *text)
+{
+    bool kept = false;
+
+    while (*text) {
+        const size_t length = strcspn(text, "\n");
+        const bool indented = *text == ' ';
+        if (indented != kept)
+            puts(indented ? ".nf" : ".fi");
+        kept = indented;
+        if (length == 0)
+            fputs(".PP", stdout);
+        else
+            put_roff(text, length);
+        putchar('\n');
+        text += length + (text[length] == '\n');
+    }
+    if (kept)
+        puts(".fi");
+}
+
+static void man_head(const char *name, const char *summary)
+{
+    printf(".TH loft%s%s 1 \"\" \"loft %s\" \"loft\"\n.SH NAME\nloft%s%s \\- ", *name ? "\\-" : "",
+           name, tool_version, *name ? "\\-" : "", name);
+    put_man(summary);
+    printf("\n.SH SYNOPSIS\n.B loft%s%s\n", *name ? " " : "", name);
+}
+
+static void man_command(const tool_command *self, const tool_option options[])
+{
+    man_head(self->name, self->summary);
+    put_man(self->arguments);
+    if (self->detail) {
+        puts("\n.SH DESCRIPTION");
+        put_paragraphs(self->detail);
+    } else {
+        putchar('\n');
+    }
+    puts(".SH OPTIONS");
+    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
+        printf(".TP\n\\fB\\-\\-");
+        put_man(o->name);
+        printf("\\fR");
+        if (o->argument) {
+            printf(o->kind == TOOL_IS_MAYBE ? " [\\fI" : " \\fI");
+            put_man(o->argument);
+            printf(o->kind == TOOL_IS_MAYBE ? "\\fR]" : "\\fR");
+        }
+        putchar('\n');
+        put_man(o->help);
+        putchar('\n');
+    }
+    puts(".TP\n\\fB\\-\\-help\\fR\nPrint a summary of these options.\n"
+         ".SH \"EXIT STATUS\"\n"
+         "0, or a code of\n.IR sysexits.h :\n"
+         "64 usage, 65 data, 66 no such file, 69 no machine, 70 a fault of loft, 73 a file cannot "
+         "be written,\n74 reading or writing failed, 75 try again, 76 the machine does not "
+         "understand, 78 the machine refuses.\n"
+         ".SH \"SEE ALSO\"\n.BR loft (1)");
+}
+
+static void man_all(const tool_command *const commands[], size_t count)
+{
+    man_head("", "curves from the drawing to the step pulse");
+    puts("COMMAND [options] [FILE|\\-]\n"
+         ".SH DESCRIPTION\n"
+         "Reads drawings and curves, plans how a machine moves along them, and streams that to "
+         "it.\n"
+         "Coordinates are in mm. Commands read a file or standard input and pipe into each other.\n"
+         ".SH COMMANDS");
+    for (size_t i = 0; i < count; i++) {
+        printf(".TP\n\\fB%s\\fR\n", commands[i]->name);
+        put_man(commands[i]->summary);
+        putchar('\n');
+    }
+    puts(".SH OPTIONS\n"
+         ".TP\n\\fB\\-\\-help\\fR\nPrint the list of commands. loft COMMAND \\-\\-help tells "
+         "more.\n"
+         ".TP\n\\fB\\-\\-version\\fR\nPrint the version.\n"
+         ".TP\n\\fB\\-\\-help\\fR=\\fIman\\fR|\\fIbash\\fR|\\fIzsh\\fR|\\fIfish\\fR\n"
+         "Print this page, or completions for a shell.");
+    printf(".SH \"SEE ALSO\"\n");
+    for (size_t i = 0; i < count; i++)
+        printf(".BR loft\\-%s (1)%s\n", commands[i]->name, i + 1 < count ? "," : "");
+}
+
+
+// Completions
+// -----------
+
+static void bash_command(const tool_command *self, const tool_option options[])
+{
+    char words[LONGEST];
+
+    printf("    %s)\n        case $before in\n", self->name);
+    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
+        switch (taken_by(o)) {
+        case A_FILE:   printf("        --%s) kind=file ;;\n", o->name); break;
+        case A_FOLDER: printf("        --%s) kind=folder ;;\n", o->name); break;
+        case A_WORD:
+            printf("        --%s) kind=word words='%s' ;;\n", o->name, words_of(o, words));
+            break;
+        case ANYTHING: printf("        --%s) kind=none ;;\n", o->name); break;
+        case NOTHING:  break;
+        }
+    }
+    printf("        esac\n        options='");
+    for (const tool_option *o = options; o->kind != TOOL_END; o++)
+        printf("--%s ", o->name);
+    printf("--help'\n        ;;\n");
+}
+
+static void zsh_command(const tool_command *self, const tool_option options[])
+{
+    char words[LONGEST];
+
+    printf("    %s)\n        _arguments \\\n", self->name);
+    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
+        const enum taken taken = taken_by(o);
+        printf("            '%s--%s[", o->kind == TOOL_IS_LIST ? "*" : "", o->name);
+        for (const char *c = o->help; *c; c++) {
+            char one[2] = { *c, '\0' };
+            if (strchr("[]\\:", *c))
+                putchar('\\');
+            put_quoted(one);
+        }
+        putchar(']');
+        if (taken != NOTHING) {
+            printf(":%s", o->kind == TOOL_IS_MAYBE ? ":" : "");
+            put_without(taken == A_WORD ? o->name : o->argument, ":[]'");
+            putchar(':');
+        }
+        if (taken == A_FILE)
+            printf("_files");
+        else if (taken == A_FOLDER)
+            printf("_files -/");
+        else if (taken == A_WORD)
+            printf("(%s)", words_of(o, words));
+        printf("' \\\n");
+    }
+    printf("            '--help[print a summary]' \\\n            '*:file:_files'\n        ;;\n");
+}
+
+static void fish_command(const tool_command *self, const tool_option options[])
+{
+    char words[LONGEST];
+
+    printf("complete -c loft -n __fish_use_subcommand -f -a %s -d '", self->name);
+    put_escaped(self->summary, "\\'");
+    printf("'\n");
+    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
+        printf("complete -c loft -n '__fish_seen_subcommand_from %s' -l %s", self->name, o->name);
+        switch (taken_by(o)) {
+        case A_FILE:   printf(" -r -F"); break;
+        case A_FOLDER: printf(" -x -a '(__fish_complete_directories)'"); break;
+        case A_WORD:   printf(" -x -a '%s'", words_of(o, words)); break;
+        case ANYTHING: printf(o->kind == TOOL_IS_MAYBE ? "" : " -x"); break;
+        case NOTHING:  break;
+        }
+        printf(" -d '");
+        put_escaped(o->help, "\\'");
+        printf("'\n");
+    }
+}
+
+/* What stands before and behind the commands in the completions of a shell. */
+static const struct shell {
+    const char *name;
+    void (*command)(const tool_command *self, const tool_option options[]);
+    const char *head, *foot;
+} shells[] = {
+    { "bash", bash_command,
+      "    local now=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
+      "    local kind=file words='' options=''\n"
+      "    COMPREPLY=()\n"
+      "    if [ \"$COMP_CWORD\" = 1 ]; then\n"
+      "        mapfile -t COMPREPLY < <(compgen -W \"$commands help --help --version\" -- "
+      "\"$now\")\n"
+      "        return\n"
+      "    fi\n"
+      "    case ${COMP_WORDS[1]} in\n"
+      "    help) kind=word words=$commands ;;\n",
+      "    esac\n"
+      "    case $kind:$now in\n"
+      "    file:-*) mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$now\") ;;\n"
+      "    file:*)  compopt -o filenames 2>/dev/null\n"
+      "             mapfile -t COMPREPLY < <(compgen -f -- \"$now\") ;;\n"
+      "    folder:*) compopt -o filenames 2>/dev/null\n"
+      "             mapfile -t COMPREPLY < <(compgen -d -- \"$now\") ;;\n"
+      "    word:*)  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$now\") ;;\n"
+      "    esac\n"
+      "}\n"
+      "complete -F _loft loft\n" },
+    { "zsh", zsh_command, "", "    *) _files ;;\n    esac\n}\n_loft \"$@\"\n" },
+    { "fish", fish_command, "complete -c loft -n __fish_use_subcommand -f -a help "
+                            "-d 'tell more about a command'\n", "" },
+};
+
+static const struct shell *shell_of(const char *form)
+{
+    for (size_t i = 0; i < sizeof shells / sizeof shells[0]; i++)
+        if (strcmp(form, shells[i].name) == 0)
+            return &shells[i];
+    return NULL;
+}
+
+static int refused(const char *form)
+{
+    return tool_error(EX_USAGE, "--help=%s: give man, bash, zsh or fish, or --help alone", form);
+}
+
+int describe_command(const char *form, const tool_command *self, const tool_option options[])
+{
+    const struct shell *shell = form ? shell_of(form) : NULL;
+
+    if (shell != NULL)
+        shell->command(self, options);
+    else if (form == NULL)
+        print_help(self, options);
+    else if (strcmp(form, "man") == 0)
+        man_command(self, options);
+    else
+        return refused(form);
+    return EX_OK;
+}
+
+static void shell_head(const struct shell *shell, const tool_command *const commands[],
+                       size_t count)
+{
+    printf("%s loft %s -- completions, made by `loft --help=%s`\n",
+           strcmp(shell->name, "zsh") == 0 ? "#compdef loft\n#" : "#", tool_version, shell->name);
+    if (strcmp(shell->name, "bash") == 0) {
+        printf("_loft()\n{\n    local commands='");
+        for (size_t i = 0; i < count; i++)
+            printf("%s%s", i > 0 ? " " : "", commands[i]->name);
+        puts("'");
+    }
+    if (strcmp(shell->name, "zsh") == 0) {
+        puts("_loft()\n{\n    local -a commands=(");
+        for (size_t i = 0; i < count; i++) {
+            printf("        '%s:", commands[i]->name);
+            put_quoted(commands[i]->summary);
+            puts("'");
+        }
+        puts("        'help:tell more about a command'\n    )\n"
+             "    if (( CURRENT == 2 )); then\n"
+             "        _describe 'command of loft' commands\n        return\n    fi\n"
+             "    local command=$words[2]\n"
+             "    shift words\n    (( CURRENT-- ))\n"
+             "    case $command in\n"
+             "    help) _describe 'command of loft' commands ;;");
+    }
+    fputs(shell->head, stdout);
+}
+
+int describe_all(const char *form, const tool_command *const commands[], size_t count)
+{
+    const struct shell *shell = shell_of(form);
+    char option[LONGEST];
+    char *line[2] = { NULL, option };
+
+    if (strcmp(form, "man") == 0) {
+        man_all(commands, count);
+        return EX_OK;
+    }
+    if (shell == NULL)
+        return refused(form);
+    shell_head(shell, commands, count);
+    snprintf(option, sizeof option, "--help=%s", form);
+    for (size_t i = 0; i < count; i++) {
+        char name[LONGEST];
+        snprintf(name, sizeof name, "%s", commands[i]->name);
+        line[0] = name;
+        const int code = commands[i]->run(commands[i], 2, line);
+        if (code != EX_OK)
+            return code;
+    }
+    fputs(shell->foot, stdout);
+    return EX_OK;
+}

@@ -1,0 +1,92 @@
+# ports/packages/packages.mk -- loft in every tool chain: install, uninstall, dist, check-packages
+# SPDX-License-Identifier: MIT
+#
+# PREFIX and the folders below are those of the GNU coding standards; DESTDIR stands before them.
+PREFIX     ?= /usr/local
+BINDIR     ?= $(PREFIX)/bin
+LIBDIR     ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+DATADIR    ?= $(PREFIX)/share
+
+# Version and soname are read from loft.h. The soname is the major version; while that is 0, each
+# minor version may change the interface, so it is both. The date is that of the version.
+version_part = $(shell sed -n 's/^\#define LOFT_VERSION_$(1) //p' lib/loft.h)
+VERSION   := $(call version_part,MAJOR).$(call version_part,MINOR).$(call version_part,PATCH)
+SOVERSION := $(patsubst 0,0.$(call version_part,MINOR),$(call version_part,MAJOR))
+DATE      := $(shell sed -n 's/^\#\# \[$(VERSION)\] - //p' CHANGELOG.md)
+
+# --- shared libraries: build/<num>x<axes>/libloft-<num>.so, named as what is installed ------------
+# Three axes are the usual number; a library of another carries it in its name.
+INSTALLED_AS = $(1)$(if $(filter-out 3,$(AXES)),x$(AXES))
+define shared
+build/$(1)x$(AXES)/shared/%.o: %.c | lib/names.h
+	@mkdir -p $$(@D)
+	$$(SAY) "  CC  $$@"
+	$$(Q)$$(CC) $$(INCLUDE) $$(BUILT) $$(STD) $$(DEPS) -ffreestanding -fPIC $$(call num_flag,$(1)) \
+	    -c $$< -o $$@
+build/$(1)x$(AXES)/libloft-$(INSTALLED_AS).so: \
+        $(patsubst %.c,build/$(1)x$(AXES)/shared/%.o,$(LIB_SRC)) build/loft.map
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) -shared $$(LDFLAGS) $$(BUILT) $$(filter %.o,$$^) \
+	    -Wl,-soname,$$(@F).$(SOVERSION) -Wl,--version-script=build/loft.map -o $$@
+-include $(patsubst %.c,build/$(1)x$(AXES)/shared/%.d,$(LIB_SRC))
+endef
+$(foreach n,$(NUMS),$(eval $(call shared,$(n))))
+SHARED := $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft-$(call INSTALLED_AS,$(n)).so)
+STATIC := $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
+
+build/loft.map: lib/loft.h
+	@mkdir -p $(@D)
+	@printf 'LOFT_%s { global: loft_*; local: *; };\n' $(SOVERSION) > $@
+
+# --- install: what goes where is laid out in build/stage first ------------------------------------
+STAGE = VERSION=$(VERSION) SOVERSION=$(SOVERSION) DATE=$(DATE) AXES=$(AXES) NUMS="$(NUMS)" \
+        INCLUDEDIR="$(INCLUDEDIR)" LIBDIR="$(LIBDIR)" sh ports/packages/stage.sh build/stage
+# copied FOLDER, where: a folder of the stage, with its links, to its place
+copied = mkdir -p "$(DESTDIR)$(2)" && cp -RP build/stage/$(1)/. "$(DESTDIR)$(2)"
+removed = cd build/stage/$(1) && find . ! -type d | while read -r f; do \
+              rm -f "$(DESTDIR)$(2)/$$f"; done && \
+          find . -depth -type d -name '*loft*' | while read -r d; do \
+              rmdir "$(DESTDIR)$(2)/$$d" 2>/dev/null; done; cd ../../..
+
+.PHONY: libraries
+libraries:
+	+@$(PARALLEL) $(STATIC) $(SHARED)
+
+## Install headers, libraries and the command   DESTDIR= PREFIX=/usr/local (LIBDIR= BINDIR= ..)
+.PHONY: install
+install: install-lib tools
+	@$(STAGE) $(TOOL_OUT)/loft
+	@$(call copied,bin,$(BINDIR)) && $(call copied,share,$(DATADIR))
+	@echo "installed in $(DESTDIR)$(PREFIX): the command, man pages, completions"
+
+## Install headers and libraries alone, which needs a C compiler and nothing else
+.PHONY: install-lib
+install-lib: libraries lib/names.h
+	@$(STAGE)
+	@$(call copied,include,$(INCLUDEDIR)) && $(call copied,lib,$(LIBDIR))
+	@echo "installed in $(DESTDIR)$(PREFIX): headers, libloft-$(subst $() $(),$(),$(NUMS:%=%,))" \
+	    "pkg-config and CMake files"
+
+## Remove what `make install` with the same DESTDIR= and PREFIX= put there
+.PHONY: uninstall
+uninstall: libraries tools
+	@$(STAGE) $(TOOL_OUT)/loft
+	@$(call removed,include,$(INCLUDEDIR)); $(call removed,lib,$(LIBDIR)); \
+	 $(call removed,bin,$(BINDIR)); $(call removed,share,$(DATADIR))
+
+# --- make check-packages: one line per thing that was built and run, `N passed, N failed` ---------
+PACKAGE_ROWS := install tool
+
+## Install what check-packages needs (Debian's build tools, shells, compilers of other languages)
+.PHONY: deps-packages
+deps-packages: deps deps-target
+	@sh tests/house/deps.sh mandoc groff bash zsh fish bsdextrautils musl-tools
+
+$(PACKAGE_ROWS:%=check-packages-%): check-packages-%: lib/names.h
+	@bash tests/packages/$*.sh
+
+## Build and run loft in every tool chain (one: make check-packages-cmake)
+.PHONY: check-packages $(PACKAGE_ROWS:%=check-packages-%)
+check-packages:
+	@MAKE="$(MAKE)" bash tests/house/check.sh $(PACKAGE_ROWS:%=check-packages-%)

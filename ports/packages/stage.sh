@@ -1,0 +1,49 @@
+#!/bin/sh
+# ports/packages/stage.sh -- lay out what is installed: FOLDER/include, lib, bin, share
+# SPDX-License-Identifier: MIT
+# usage: stage.sh FOLDER [COMMAND]   with VERSION SOVERSION DATE AXES NUMS INCLUDEDIR LIBDIR set
+# With COMMAND, the command loft that was built: bin and share too. Same input, same bytes.
+set -eu
+stage=$1 command=${2:-}
+macro() { echo "LOFT_$(echo "$1" | tr a-z A-Z)"; }
+filled() {      # filled FILE [NAME NUM]: with the places that @..@ stands for
+    sed -e "s|@VERSION@|$VERSION|g; s|@INCLUDEDIR@|$INCLUDEDIR|g; s|@LIBDIR@|$LIBDIR|g" \
+        -e "s|@AXES@|$AXES|g; s|@NAME@|${2:-}|g; s|@NUM@|${3:-}|g" "$1"
+}
+
+rm -rf "$stage"
+mkdir -p "$stage/include/loft" "$stage/lib/pkgconfig" "$stage/lib/cmake/loft"
+(cd lib && find . -name '*.h') | LC_ALL=C sort | while read -r header; do
+    mkdir -p "$stage/include/loft/$(dirname "$header")"
+    cp "lib/$header" "$stage/include/loft/$header"
+done
+
+suffix=
+[ "$AXES" = 3 ] || suffix=x$AXES
+for num in $NUMS; do
+    name=loft-$num$suffix built=build/${num}x$AXES
+    cp "$built/libloft.a" "$stage/lib/lib$name.a"
+    cp "$built/lib$name.so" "$stage/lib/lib$name.so.$VERSION"
+    [ "$VERSION" = "$SOVERSION" ] ||
+        ln -s "lib$name.so.$VERSION" "$stage/lib/lib$name.so.$SOVERSION"
+    ln -s "lib$name.so.$SOVERSION" "$stage/lib/lib$name.so"
+    filled ports/packages/loft.pc.in "$name" "$(macro "$num")" > "$stage/lib/pkgconfig/$name.pc"
+done
+filled ports/packages/cmake/loft-config.cmake.in > "$stage/lib/cmake/loft/loft-config.cmake"
+filled ports/packages/cmake/loft-config-version.cmake.in \
+    > "$stage/lib/cmake/loft/loft-config-version.cmake"
+
+[ -n "$command" ] || exit 0
+share=$stage/share
+mkdir -p "$stage/bin" "$share/man/man1" "$share/bash-completion/completions" \
+    "$share/zsh/site-functions" "$share/fish/vendor_completions.d" "$share/doc/loft"
+cp "$command" "$stage/bin/loft"
+page() { sed "1s/ \"\" / \"$DATE\" /" > "$share/man/man1/$1.1"; }
+"$command" --help=man | page loft
+"$command" --help | sed -n 's/^  \([a-z]*\) .*/\1/p' | while read -r name; do
+    "$command" "$name" --help=man | page "loft-$name"
+done
+"$command" --help=bash > "$share/bash-completion/completions/loft"
+"$command" --help=zsh > "$share/zsh/site-functions/_loft"
+"$command" --help=fish > "$share/fish/vendor_completions.d/loft.fish"
+cp LICENSE README.md CHANGELOG.md host-tools/LOFT.md host-tools/MACHINE.md "$share/doc/loft"

@@ -1,0 +1,30 @@
+#!/bin/bash
+# tests/packages/tool.sh -- the command without cairo and libserialport
+# SPDX-License-Identifier: MIT
+# usage: tests/packages/tool.sh
+row=tool
+. tests/packages/row.sh
+needs clang musl-gcc
+
+# what is left out is refused in one line, and the rest works
+without=$work/without/loft
+built() { make -s tools WITHOUT="cairo libserialport" TOOL_OUT="$work/without"; }
+verdict "make tools WITHOUT=\"cairo libserialport\"" built
+free() { ! ldd "$without" | grep -E 'cairo|serialport'; }
+verdict "it is linked with neither" free
+refuses() {     # refuses WORD ARGUMENT..: with the code 69 and one line that has the word
+    local word=$1 said
+    shift
+    said=$("$without" "$@" 2>&1 >/dev/null </dev/null)
+    [ $? = 69 ] && [ "$(echo "$said" | wc -l)" = 1 ] && echo "$said" | grep -q "without $word"
+}
+verdict "loft plot is refused, with the cause" refuses cairo plot tests/drawings/demo.svg
+verdict "loft ports is refused, with the cause" refuses libserialport ports
+streams() {     # a whole job on the simulated machine
+    "$without" simulate --once --quiet --link "$work/machine" & local machine=$!
+    for _ in 1 2 3 4 5 6 7 8 9; do [ -e "$work/machine" ] || sleep 0.2; done
+    echo 0,0,1,2,3,2,4,0 | "$without" stream - --port "$work/machine" </dev/stdin &&
+        wait $machine
+}
+verdict "loft stream draws on the simulated machine" streams
+ended
