@@ -132,8 +132,8 @@ demo: tools
 	@host-tools/demo.sh $(TOOL_OUT)/loft "$(DRAWING)" build/demo $(MACHINE)
 
 # --- on a fresh machine ---------------------------------------------------------------------------
-HOST_PACKAGES := gcc g++ libc6-dev make pkg-config clang libclang-rt-14-dev libxml2-dev zlib1g-dev \
-                 libcairo2-dev libserialport-dev spin python3
+HOST_PACKAGES := gcc g++ libc6-dev make pkg-config clang clang-format libclang-rt-14-dev \
+                 libxml2-dev zlib1g-dev libcairo2-dev libserialport-dev spin python3
 
 ## Install the Debian packages that demo and check need
 .PHONY: deps
@@ -165,8 +165,14 @@ check:
 
 ## Check the rules of the house: warnings of gcc and clang, arrows, freestanding, names, docs
 .PHONY: lint
-lint: lib/names.h
+lint:
 	@sh tests/house/lint.sh
+
+## Break and indent the lines of all C files as .clang-format says
+.PHONY: format
+format:
+	$(Q)find lib host-tools ports tests -name '*.[ch]' ! -path lib/names.h \
+	    -exec python3 tests/house/format.py {} +
 
 ## Compile lib/ for Cortex-M0+, M4, ATmega328P, rv32imac: no writable data, libc, slow interrupt
 .PHONY: check-cross

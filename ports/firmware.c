@@ -17,15 +17,9 @@ void loft_port_slot(void)
     slots++;
 }
 
-void loft_port_tick(void)
-{
-    loft_machine_tick(&machine);
-}
+void loft_port_tick(void) { loft_machine_tick(&machine); }
 
-void loft_port_byte(uint8_t byte)
-{
-    loft_ring_put(&line, byte);
-}
+void loft_port_byte(uint8_t byte) { loft_ring_put(&line, byte); }
 
 /* About once per `every` slots. */
 static void watch_switches(uint8_t every)
@@ -45,7 +39,7 @@ int main(void)
 {
     static uint8_t wire[LOFT_FRAME_MAX];
     loft_machine_config *config = loft_port_init();
-    const uint32_t slot_hz = (uint32_t)config->traits.tick_hz * config->traits.slots;
+    const uint32_t slot_hz = (uint32_t)config->info.tick_hz * config->info.slots;
     const uint8_t every = (uint8_t)(slot_hz / 1000 < 255 ? slot_hz / 1000 : 255);
     size_t count = 0, sent = 0;
 

@@ -29,7 +29,7 @@
 #include "machine/machine.h"    /* loft_machine_config */
 
 /* Clocks, pins, serial line; interrupts stay off. Gives what the machine is and where it stands,
- * with the memory of its queue, to which `machine` keeps. Put another number into traits.boot at
+ * with the memory of its queue, to which `machine` keeps. Put another number into info.boot at
  * each start (a counter in flash, a random number): by it the host knows that the machine restarted
  * and lost its position. */
 loft_machine_config *loft_port_init(void);

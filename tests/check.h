@@ -66,8 +66,8 @@ static inline void check_near(double got, double want, double bound, const char 
     if (off <= bound)
         return;
     if (!check_bad)
-        printf("%s:%d: seed %llu: %s = %.17g, wanted %.17g, off by %.6g, bound %.6g\n",
-               file, line, (unsigned long long)check_seed, what, got, want, off, bound);
+        printf("%s:%d: seed %llu: %s = %.17g, wanted %.17g, off by %.6g, bound %.6g\n", file, line,
+               (unsigned long long)check_seed, what, got, want, off, bound);
     check_bad = true;
 }
 

@@ -299,8 +299,10 @@ static const struct shell {
       "}\n"
       "complete -F _loft loft\n" },
     { "zsh", zsh_command, "", "    *) _files ;;\n    esac\n}\n_loft \"$@\"\n" },
-    { "fish", fish_command, "complete -c loft -n __fish_use_subcommand -f -a help "
-                            "-d 'tell more about a command'\n", "" },
+    { "fish", fish_command,
+      "complete -c loft -n __fish_use_subcommand -f -a help "
+      "-d 'tell more about a command'\n",
+      "" },
 };
 
 static const struct shell *shell_of(const char *form)

@@ -40,10 +40,7 @@ static void stop(int number)
     _exit(EX_TEMPFAIL);
 }
 
-void keys_hasty(bool hasty)
-{
-    at_once = hasty;
-}
+void keys_hasty(bool hasty) { at_once = hasty; }
 
 static void catch(int number, void (*handler)(int))
 {
@@ -81,7 +78,4 @@ int keys_next(void)
     return key;
 }
 
-bool keys_interrupted(void)
-{
-    return stops > 0;
-}
+bool keys_interrupted(void) { return stops > 0; }

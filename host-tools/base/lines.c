@@ -13,10 +13,7 @@ int lines_wrong(const lines *r, const char *what, const char *remedy)
     return tool_error(EX_DATAERR, "%s:%u: %s: %s", r->file, r->line, what, remedy);
 }
 
-bool lines_over(const lines *r)
-{
-    return *r->rest == '\0' || *r->rest == '\n' || *r->rest == '#';
-}
+bool lines_over(const lines *r) { return *r->rest == '\0' || *r->rest == '\n' || *r->rest == '#'; }
 
 static const char *behind_mark(const char *text)
 {

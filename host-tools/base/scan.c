@@ -7,10 +7,7 @@
 
 #include "base/scan.h"
 
-void scan_space(const char **at)
-{
-    *at += strspn(*at, " \t\r\n\f");
-}
+void scan_space(const char **at) { *at += strspn(*at, " \t\r\n\f"); }
 
 bool scan_comma(const char **at)
 {
@@ -22,10 +19,7 @@ bool scan_comma(const char **at)
     return true;
 }
 
-static const char *digits(const char *s)
-{
-    return s + strspn(s, "0123456789");
-}
+static const char *digits(const char *s) { return s + strspn(s, "0123456789"); }
 
 /* Where the number that starts at `s` ends; `s` itself if none does. */
 static const char *number_end(const char *s)

@@ -85,7 +85,9 @@ static bool count_of(const tool_option *o, const char *text)
 
 static bool speed_of(const char *option, const char *text, double least, double most, double *out)
 {
-    static const struct { const char *unit; double factor;
+    static const struct {
+        const char *unit;
+        double factor;
     } units[] = { { "", 1 },
                   { "mm/s", 1 },
                   { "mm/min", 1 / 60.0 },

@@ -1,4 +1,5 @@
-/* host-tools/cmd/cmd_harmonic.c -- loft harmonic: harmonic coordinates of a polygon as a table for lib/polygon/harmonic.h
+/* host-tools/cmd/cmd_harmonic.c -- loft harmonic: harmonic coordinates of a polygon as a table for
+ * lib/polygon/harmonic.h
  * SPDX-License-Identifier: MIT
  */
 #include <ctype.h>
@@ -36,7 +37,9 @@ static void round_vertices(reading *r, const engine *e)
 {
     for (unsigned i = 0; i < r->n; i++)
         for (int k = 0; k < 2; k++)
-            r->v[i][k] = e == &engine_q16 ? nearbyint(r->v[i][k] * 65536) / 65536 : e == &engine_f32 ? (double)(float)r->v[i][k] : r->v[i][k];
+            r->v[i][k] = e == &engine_q16   ? nearbyint(r->v[i][k] * 65536) / 65536
+                         : e == &engine_f32 ? (double)(float)r->v[i][k]
+                                            : r->v[i][k];
 }
 
 /* Decided on numbers of 16 bits: finer ones do not matter for what is solved. */
@@ -46,16 +49,24 @@ static int judge(const reading *r, const char *name)
     unsigned side[2];
 
     if (r->n < 3)
-        return tool_error(EX_DATAERR, "%s: %u vertices, not 3 to 8: give one per line, counterclockwise", name, r->n);
+        return tool_error(EX_DATAERR,
+                          "%s: %u vertices, not 3 to 8: give one per line, counterclockwise", name,
+                          r->n);
     for (unsigned i = 0; i < r->n; i++)
         for (int k = 0; k < 2; k++)
             if (!real_of(r->v[i][k], &v[i].at[k]))
-                return tool_error(EX_DATAERR, "%s: vertex %u is beyond 32767: scale the polygon", name, i + 1);
+                return tool_error(EX_DATAERR, "%s: vertex %u is beyond 32767: scale the polygon",
+                                  name, i + 1);
     switch (loft_outline_of(v, r->n)) {
     case LOFT_OUTLINE_BROKEN:
         loft_outline_fault(v, r->n, side);
-        return tool_error(EX_DATAERR, "%s: edges %u and %u cross or touch (edge 1 is from vertex 1 to vertex 2): give a simple polygon", name, side[0] + 1, side[1] + 1);
-    case LOFT_OUTLINE_CLOCKWISE: return tool_error(EX_DATAERR, "%s: the vertices run clockwise: give them in the other order", name);
+        return tool_error(EX_DATAERR,
+                          "%s: edges %u and %u cross or touch (edge 1 is from vertex 1 to vertex "
+                          "2): give a simple polygon",
+                          name, side[0] + 1, side[1] + 1);
+    case LOFT_OUTLINE_CLOCKWISE:
+        return tool_error(EX_DATAERR,
+                          "%s: the vertices run clockwise: give them in the other order", name);
     default:                     return 0;
     }
 }
@@ -99,8 +110,10 @@ static void write_number(FILE *out, long double x, const engine *e)
 
 static void write_header(FILE *out, const harmonic_series *s, const engine *e, const char *name)
 {
-    fprintf(out, "/* Harmonic coordinates of a polygon with %u sides in %s, by `loft harmonic`: error at most %.2Lg.\n *\n", s->sides, e->name,
-            s->bound + s->weight * HARMONIC_ROUNDING);
+    fprintf(out,
+            "/* Harmonic coordinates of a polygon with %u sides in %s, by `loft harmonic`: error "
+            "at most %.2Lg.\n *\n",
+            s->sides, e->name, s->bound + s->weight * HARMONIC_ROUNDING);
     for (unsigned i = 0; i < s->sides; i++)
         fprintf(out, " *     %.9g, %.9g\n", s->v[i][0], s->v[i][1]);
     fprintf(out, " */\nstatic const loft_acc %s_coefficient[%u] = {\n", name, s->terms * s->sides);
@@ -121,8 +134,11 @@ static void write_header(FILE *out, const harmonic_series *s, const engine *e, c
         write_number(out, s->pole[i][2], e);
         fprintf(out, " },\n");
     }
-    fprintf(out, "%sstatic const loft_harmonic_table %s_table = {\n    %s_coefficient, %s%s, %u, %u, %u, %u, {", s->poles > 0 ? "};\n" : "", name, name,
-            s->poles > 0 ? name : "0", s->poles > 0 ? "_pole" : "", s->terms, s->sides, s->poles, s->degree);
+    fprintf(out,
+            "%sstatic const loft_harmonic_table %s_table = {\n    %s_coefficient, %s%s, %u, %u, "
+            "%u, %u, {",
+            s->poles > 0 ? "};\n" : "", name, name, s->poles > 0 ? name : "0",
+            s->poles > 0 ? "_pole" : "", s->terms, s->sides, s->poles, s->degree);
     for (unsigned i = 0; i < s->sides; i++)
         fprintf(out, " %u,", s->powers[i]);
     fprintf(out, " }, %u\n};\n", s->straight);
@@ -132,7 +148,8 @@ static void write_header(FILE *out, const harmonic_series *s, const engine *e, c
 static void write_csv(FILE *out, const harmonic_series *s)
 {
     for (unsigned i = 0; i < s->poles; i++)
-        fprintf(out, "pole %u,%.17Lg,%.17Lg,%.17Lg\n", i, s->pole[i][0], s->pole[i][1], s->pole[i][2]);
+        fprintf(out, "pole %u,%.17Lg,%.17Lg,%.17Lg\n", i, s->pole[i][0], s->pole[i][1],
+                s->pole[i][2]);
     fprintf(out, "term,coefficients of each vertex\n");
     for (unsigned k = 0; k < s->terms; k++) {
         fprintf(out, "%u", k);
@@ -147,17 +164,22 @@ static int write_table(const harmonic_series *s, const engine *e, const char *ou
     const size_t length = strlen(output);
     char name[64];
 
-    if (length < 3 || (strcmp(output + length - 2, ".h") != 0 && strcmp(output + length - 4 * (length > 4), ".csv") != 0))
-        return tool_error(EX_USAGE, "%s: what kind of file: give a name that ends with .h or .csv", output);
+    if (length < 3 || (strcmp(output + length - 2, ".h") != 0 &&
+                       strcmp(output + length - 4 * (length > 4), ".csv") != 0))
+        return tool_error(EX_USAGE, "%s: what kind of file: give a name that ends with .h or .csv",
+                          output);
     FILE *out = fopen(output, "w");
     if (out == NULL)
-        return tool_error(EX_CANTCREAT, "%s: cannot be written: name a file in a folder that exists", output);
+        return tool_error(EX_CANTCREAT,
+                          "%s: cannot be written: name a file in a folder that exists", output);
     name_of(output, name);
     if (output[length - 1] == 'h')
         write_header(out, s, e, name);
     else
         write_csv(out, s);
-    return fclose(out) == 0 ? 0 : tool_error(EX_IOERR, "%s: cannot be written: is the disk full?", output);
+    return fclose(out) == 0
+               ? 0
+               : tool_error(EX_IOERR, "%s: cannot be written: is the disk full?", output);
 }
 
 static int run(const tool_command *self, int argc, char **argv)
@@ -170,10 +192,11 @@ static int run(const tool_command *self, int argc, char **argv)
     const char *file;
 
     const tool_option options[] = {
-        TOOL_TEXT("output", "FILE", &output, "or -o: where the table goes, .h (C, for the number type) or .csv"),
-        TOOL_LIST("at", "X,Y", &at, -32768, 32767, "print the coordinates of this point, inside or on the boundary"),
-        ENGINE_OPTION(&e, "number type of the table (q16)"),
-        TOOL_OPTIONS_END
+        TOOL_TEXT("output", "FILE", &output,
+                  "or -o: where the table goes, .h (C, for the number type) or .csv"),
+        TOOL_LIST("at", "X,Y", &at, -32768, 32767,
+                  "print the coordinates of this point, inside or on the boundary"),
+        ENGINE_OPTION(&e, "number type of the table (q16)"), TOOL_OPTIONS_END
     };
     int code = tool_file_options(self, options, argc, argv, NULL, &file);
     if (code != 0)
@@ -187,7 +210,9 @@ static int run(const tool_command *self, int argc, char **argv)
     if (code != 0)
         return code;
 
-    const harmonic_target target = e == &engine_q16 ? HARMONIC_TARGET_Q16 : e == &engine_f32 ? HARMONIC_TARGET_F32 : HARMONIC_TARGET_F64;
+    const harmonic_target target = e == &engine_q16   ? HARMONIC_TARGET_Q16
+                                   : e == &engine_f32 ? HARMONIC_TARGET_F32
+                                                      : HARMONIC_TARGET_F64;
     harmonic_solve(r.v, r.n, target, &s);
     const long double error = s.bound + s.weight * HARMONIC_ROUNDING;
     if (at.count == 2) {
@@ -197,20 +222,25 @@ static int run(const tool_command *self, int argc, char **argv)
             printf("%s%.15Lg", i ? "," : "", phi[i]);
         printf("\n");
     } else {
-        printf("error at most %.2Lg, found on %u points of the boundary; %u terms (polynomial of degree %u, %u poles), table of %u bytes\n", error, s.points, s.terms,
-               s.degree, s.poles, s.terms * s.sides * 8 + s.poles * 24);
+        printf("error at most %.2Lg, found on %u points of the boundary; %u terms (polynomial of "
+               "degree %u, %u poles), table of %u bytes\n",
+               error, s.points, s.terms, s.degree, s.poles, s.terms * s.sides * 8 + s.poles * 24);
     }
     if (output != NULL)
         code = write_table(&s, e, output);
     harmonic_free(&s);
     if (code == 0 && error > 1e-6L)
-        return tool_error(EX_DATAERR, "%s: the error is above 1e-6: the polygon is too narrow somewhere", source_name(file));
+        return tool_error(EX_DATAERR,
+                          "%s: the error is above 1e-6: the polygon is too narrow somewhere",
+                          source_name(file));
     return code;
 }
 
 const tool_command command_harmonic = {
-    "harmonic", "POLYGON|- [-o TABLE.h|.csv]", "harmonic coordinates of a polygon as a table for lib/polygon/harmonic.h",
-    "POLYGON has one vertex per line, x and y, counterclockwise, 3 to 8 of them; it need not be convex. Solves Laplace's equation on it and\n"
+    "harmonic", "POLYGON|- [-o TABLE.h|.csv]",
+    "harmonic coordinates of a polygon as a table for lib/polygon/harmonic.h",
+    "POLYGON has one vertex per line, x and y, counterclockwise, 3 to 8 of them; it need not be "
+    "convex. Solves Laplace's equation on it and\n"
     "prints the largest error, which is found on the boundary, and the size of the table.\n",
     run
 };

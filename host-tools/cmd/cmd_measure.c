@@ -25,10 +25,7 @@ typedef struct {
     double tol, at[ENGINE_AXES], distance;
 } measuring;
 
-static void print_name(const element *x)
-{
-    printf("%s:%u", x->file, x->of->line);
-}
+static void print_name(const element *x) { printf("%s:%u", x->file, x->of->line); }
 
 /* Coordinates as fields of their own. */
 static void print_fields(const measuring *m, const double point[ENGINE_AXES])
@@ -39,10 +36,7 @@ static void print_fields(const measuring *m, const double point[ENGINE_AXES])
     }
 }
 
-static void print_value(double x)
-{
-    printf("\t%.9g", x);
-}
+static void print_value(double x) { printf("\t%.9g", x); }
 
 /* `names` ends with the names of the coordinates; behind them stand those of `rest`. */
 static void print_head(const measuring *m, const char *names, const char *prefix, const char *rest)
@@ -235,8 +229,8 @@ static bool touch(const double s[3], double at[3][CURVE_AXES], const double othe
     if (s[0] <= other[2] && other[0] <= s[2])
         return true;
     const bool after = s[0] > other[2];
-    return fabs(after ? s[0] - other[2] : other[0] - s[2]) <= range / 100
-        && gap_of(at[after ? 0 : 2], other_at[after ? 2 : 0]) <= gap;
+    return fabs(after ? s[0] - other[2] : other[0] - s[2]) <= range / 100 &&
+           gap_of(at[after ? 0 : 2], other_at[after ? 2 : 0]) <= gap;
 }
 
 static void extend(double s[3], double at[3][CURVE_AXES], const double other[3],
@@ -254,8 +248,8 @@ static void add_stretch(stretches *list, stretch c, double gap)
 {
     for (size_t k = 0; k < list->count; ) {
         stretch *r = &list->row[k];
-        if (!touch(c.s, c.on_first, r->s, r->on_first, gap, list->range[0])
-            || !touch(c.t, c.on_second, r->t, r->on_second, gap, list->range[1])) {
+        if (!touch(c.s, c.on_first, r->s, r->on_first, gap, list->range[0]) ||
+            !touch(c.t, c.on_second, r->t, r->on_second, gap, list->range[1])) {
             k++;
             continue;
         }
@@ -546,8 +540,11 @@ static int run(const tool_command *self, int argc, char **argv)
     memset(all, 0, files * sizeof *all);
     code = read_all(&m, all, argc - first, argv + first, text);
     if (code == 0)
-        code = at.count ? print_nearest(&m) : meets ? print_meetings(&m) : joins ? print_joins(&m)
-             : distance < 0 || distance > 0 ? print_offset(&m) : print_sizes(&m);
+        code = at.count                       ? print_nearest(&m)
+               : meets                        ? print_meetings(&m)
+               : joins                        ? print_joins(&m)
+               : distance < 0 || distance > 0 ? print_offset(&m)
+                                              : print_sizes(&m);
     elements_free(&m.list);
     for (size_t i = 0; i < files; i++)
         curves_free(&all[i]);

@@ -88,8 +88,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const tool_option options[] = {
         TOOL_COUNT("n", "N", &n, 1, 1e9, "equal parameter steps per piece of a curve (64)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
-        ENGINE_OPTION(&e, "number type (q16)"),
-        TOOL_OPTIONS_END
+        ENGINE_OPTION(&e, "number type (q16)"), TOOL_OPTIONS_END
     };
     int code = tool_file_options(self, options, argc, argv, &text, &file);
     if (code != 0)

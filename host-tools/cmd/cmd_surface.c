@@ -21,8 +21,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const tool_option options[] = {
         TOOL_TEXT("output", "FILE", &output, "or -o: mesh to write, .stl or .ply (mesh.stl)"),
         TOOL_COUNT("n", "N", &n, 1, 2000, "steps along each parameter of each surface (32)"),
-        ENGINE_OPTION(&e, "number type (q16)"),
-        TOOL_OPTIONS_END
+        ENGINE_OPTION(&e, "number type (q16)"), TOOL_OPTIONS_END
     };
     int code = tool_options(self, options, argc, argv, &first);
     if (code != 0)

@@ -12,10 +12,7 @@
 #define SMALL PLOT_SMALL
 #define LARGE PLOT_LARGE
 
-void plot_ink(const plot_view *v, double grey)
-{
-    cairo_set_source_rgb(v->cairo, grey, grey, grey);
-}
+void plot_ink(const plot_view *v, double grey) { cairo_set_source_rgb(v->cairo, grey, grey, grey); }
 
 double plot_text(const plot_view *v, double size, double x, double y, double align,
                  const char *words)

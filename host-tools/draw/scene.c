@@ -63,8 +63,10 @@ static void tensor_net(scene *s, const surface_point *q, unsigned m, unsigned n)
     for (unsigned i = 0; i <= m; i++)
         for (unsigned j = 0; j <= n; j++) {
             const surface_point *at = q + i * (n + 1) + j;
-            if (i < m) add_edge(s, at, at + n + 1);
-            if (j < n) add_edge(s, at, at + 1);
+            if (i < m)
+                add_edge(s, at, at + n + 1);
+            if (j < n)
+                add_edge(s, at, at + 1);
         }
 }
 
@@ -104,7 +106,9 @@ static void net_of(scene *s, const surface *p)
         }
         points = 0;
         break;
-    case SURFACE_BICUBIC: case SURFACE_SPHERE: case SURFACE_OCTANT: points = 0; break;
+    case SURFACE_BICUBIC:
+    case SURFACE_SPHERE:
+    case SURFACE_OCTANT: points = 0; break;
     default:               sided_net(p, add_edge, s);           break;
     }
     for (unsigned k = 0; k < points; k++)
@@ -125,10 +129,7 @@ static void add_contour(void *context, size_t cell, const double from[3], const 
     s->line[s->lines - 1].cell = cell;
 }
 
-void scene_contour(scene *s, double height)
-{
-    contour_lines(s->m, height, add_contour, s);
-}
+void scene_contour(scene *s, double height) { contour_lines(s->m, height, add_contour, s); }
 
 void scene_free(scene *s)
 {

@@ -9,8 +9,10 @@
 
 static int refused(const char *output)
 {
-    return tool_error(EX_UNAVAILABLE, "%s: this loft was built without cairo, which draws: build "
-                      "it with cairo", output);
+    return tool_error(EX_UNAVAILABLE,
+                      "%s: this loft was built without cairo, which draws: build "
+                      "it with cairo",
+                      output);
 }
 
 bool plot_known(const char *output, bool *png)

@@ -12,25 +12,16 @@ static const char *const names[CURVE_KINDS] = {
     "natural uniform", "natural chord", "bspline",  "nurbs",    "arc"
 };
 
-const char *curve_name(enum curve_kind kind)
-{
-    return names[kind];
-}
+const char *curve_name(enum curve_kind kind) { return names[kind]; }
 
 bool curve_is_rational(const curve *c)
 {
     return c->kind == CURVE_RATIONAL || c->kind == CURVE_NURBS;
 }
 
-bool curve_extends(const curve *c)
-{
-    return c->kind == CURVE_BEZIER || c->kind == CURVE_PARABOLA;
-}
+bool curve_extends(const curve *c) { return c->kind == CURVE_BEZIER || c->kind == CURVE_PARABOLA; }
 
-static bool has_knots(const curve *c)
-{
-    return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS;
-}
+static bool has_knots(const curve *c) { return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS; }
 
 
 // Pieces
@@ -57,14 +48,15 @@ static double knot_break(const curve *c, unsigned i)
 unsigned curve_pieces(const curve *c)
 {
     switch (c->kind) {
-    case CURVE_BSPLINE: case CURVE_NURBS:
-        return knot_pieces(c);
-    case CURVE_CARDINAL:
-        return c->count - 3;
-    case CURVE_LINE: case CURVE_HERMITE3: case CURVE_HERMITE5: case CURVE_NATURAL: case CURVE_CHORD:
-        return c->count - 1;
-    default:
-        return 1;
+    case CURVE_BSPLINE:
+    case CURVE_NURBS: return knot_pieces(c);
+    case CURVE_CARDINAL: return c->count - 3;
+    case CURVE_LINE:
+    case CURVE_HERMITE3:
+    case CURVE_HERMITE5:
+    case CURVE_NATURAL:
+    case CURVE_CHORD: return c->count - 1;
+    default: return 1;
     }
 }
 
@@ -77,10 +69,7 @@ double curve_break(const curve *c, unsigned i)
     return i;
 }
 
-double curve_from(const curve *c)
-{
-    return has_knots(c) ? c->knot[c->degree] : curve_break(c, 0);
-}
+double curve_from(const curve *c) { return has_knots(c) ? c->knot[c->degree] : curve_break(c, 0); }
 
 double curve_to(const curve *c)
 {

@@ -145,7 +145,8 @@ static int prepare(engine_curve *e)
     if (status != LOFT_OK)
         return status;
     switch (c->kind) {
-    case CURVE_NATURAL: case CURVE_CHORD:
+    case CURVE_NATURAL:
+    case CURVE_CHORD:
         e->memory = tool_grow(NULL, c->count * sizeof *e->memory);
         return loft_natural_init(&e->natural, e->p, c->count,
                                  c->kind == CURVE_CHORD ? LOFT_CHORD : LOFT_UNIFORM, e->memory);
@@ -159,10 +160,8 @@ static int prepare(engine_curve *e)
         if (status == LOFT_OK)
             list_spans(e, &e->nurbs.knots);
         return status;
-    case CURVE_ARC:
-        return prepare_arc(e);
-    default:
-        return LOFT_OK;
+    case CURVE_ARC: return prepare_arc(e);
+    default: return LOFT_OK;
     }
 }
 
@@ -226,18 +225,16 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
     out->degree   = e->c->degree;
     out->rational = curve_is_rational(e->c);
     switch (e->c->kind) {
-    case CURVE_BEZIER: case CURVE_RATIONAL:
-        take(e, 0, out);
-        return LOFT_OK;
-    case CURVE_LINE:
-        take(e, i, out);
-        return LOFT_OK;
-    case CURVE_PARABOLA:
-        return loft_bezier_from_parabola(e->w, e->p, e->w[0], e->w[2], out->p);
-    case CURVE_HERMITE5:
-        h = hermite5_of(e, i);
-        return loft_bezier_from_hermite5(&h, out->p);
-    case CURVE_HERMITE3: case CURVE_CARDINAL: case CURVE_NATURAL: case CURVE_CHORD: case CURVE_ARC:
+    case CURVE_BEZIER:
+    case CURVE_RATIONAL: take(e, 0, out); return LOFT_OK;
+    case CURVE_LINE: take(e, i, out); return LOFT_OK;
+    case CURVE_PARABOLA: return loft_bezier_from_parabola(e->w, e->p, e->w[0], e->w[2], out->p);
+    case CURVE_HERMITE5: h = hermite5_of(e, i); return loft_bezier_from_hermite5(&h, out->p);
+    case CURVE_HERMITE3:
+    case CURVE_CARDINAL:
+    case CURVE_NATURAL:
+    case CURVE_CHORD:
+    case CURVE_ARC:
         status = cubic_of(e, i, &cubic);
         for (int k = 0; k < 4; k++)
             out->p[k] = cubic.p[k];
@@ -248,8 +245,7 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
     case CURVE_NURBS:
         span = e->before[i];
         return loft_nurbs_next(&e->nurbs, &span, out->weighted) ? LOFT_OK : LOFT_ERR_ARG;
-    default:
-        return LOFT_ERR_ARG;
+    default: return LOFT_ERR_ARG;
     }
 }
 
@@ -283,7 +279,7 @@ static int eval_bezier(const loft_vec p[], unsigned degree, double t, loft_vec *
     if (status != LOFT_OK)
         return status;
     if (!(t >= 0 && t <= 1))
-        return fabs(t) < 127 ? loft_bezier_extend(&b, LOFT_UNIT(t), out) : LOFT_ERR_RANGE;
+        return fabs(t) < 127 ? loft_bezier_extrapolate(&b, LOFT_UNIT(t), out) : LOFT_ERR_RANGE;
     *out = loft_bezier_eval(&b, LOFT_UNIT(t));
     return LOFT_OK;
 }
@@ -333,20 +329,15 @@ static int eval_at(const engine_curve *e, unsigned i, double local, loft_vec *ou
     loft_hermite5 h5;
 
     switch (e->c->kind) {
-    case CURVE_HERMITE3:
-        h = hermite_of(e, i);
-        return loft_hermite_eval(&h, LOFT_UNIT(local), out);
+    case CURVE_HERMITE3: h = hermite_of(e, i); return loft_hermite_eval(&h, LOFT_UNIT(local), out);
     case CURVE_HERMITE5:
         h5 = hermite5_of(e, i);
         return loft_hermite5_eval(&h5, LOFT_UNIT(local), out);
-    case CURVE_CARDINAL:
-        return loft_cardinal_eval(&e->p[i], e->tension, LOFT_UNIT(local), out);
-    case CURVE_NATURAL: case CURVE_CHORD:
-        return loft_natural_eval(&e->natural, i, LOFT_UNIT(local), out);
-    case CURVE_ARC:
-        return loft_circle_eval(&e->circle, LOFT_UNIT(local), out);
-    default:
-        return eval_part(e, i, local, out);
+    case CURVE_CARDINAL: return loft_cardinal_eval(&e->p[i], e->tension, LOFT_UNIT(local), out);
+    case CURVE_NATURAL:
+    case CURVE_CHORD: return loft_natural_eval(&e->natural, i, LOFT_UNIT(local), out);
+    case CURVE_ARC: return loft_circle_eval(&e->circle, LOFT_UNIT(local), out);
+    default: return eval_part(e, i, local, out);
     }
 }
 
@@ -372,12 +363,9 @@ static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
     if (!inside && !curve_extends(e->c))
         return LOFT_ERR_ARG;
     switch (e->c->kind) {
-    case CURVE_PARABOLA:
-        status = eval_parabola(e, t, &at);
-        break;
-    case CURVE_BSPLINE: case CURVE_NURBS:
-        status = eval_bspline(e, t, &at);
-        break;
+    case CURVE_PARABOLA: status = eval_parabola(e, t, &at); break;
+    case CURVE_BSPLINE:
+    case CURVE_NURBS: status = eval_bspline(e, t, &at); break;
     default:
         i = curve_locate(e->c, (long double)t, &local);
         status = eval_at(e, i, (double)local, &at);
@@ -388,10 +376,8 @@ static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
     return status;
 }
 
-const engine_curves ENGINE_OF(engine_curves) = {
-    .open   = curve_open,
+const engine_curves ENGINE_OF(engine_curves) = { .open = curve_open,
     .close  = curve_close,
     .eval   = curve_eval,
     .pieces = curve_count,
-    .piece  = curve_piece
-};
+                                                 .piece = curve_piece };

@@ -27,11 +27,14 @@ static inline void engine_harmonic_free(engine_harmonic *e)
     free(e);
 }
 
-/* The best there is for this number type: q16 has a grain, floats differ by what is worth while. LOFT_ERR_RANGE when coefficients do not fit or
+/* The best there is for this number type: q16 has a grain, floats differ by what is worth while.
+ * LOFT_ERR_RANGE when coefficients do not fit or
  * the error on the boundary is above 1e-3. */
 static inline int engine_harmonic_solve(const loft_domain *d, engine_harmonic **out)
 {
-    const harmonic_target target = LOFT_REAL_LSB > 0 ? HARMONIC_TARGET_Q16 : sizeof(loft_real) == sizeof(double) ? HARMONIC_TARGET_F64 : HARMONIC_TARGET_F32;
+    const harmonic_target target = LOFT_REAL_LSB > 0                     ? HARMONIC_TARGET_Q16
+                                   : sizeof(loft_real) == sizeof(double) ? HARMONIC_TARGET_F64
+                                                                         : HARMONIC_TARGET_F32;
     engine_harmonic *e = least_room(sizeof *e);
     double v[LOFT_SIDES_MAX][2];
 
@@ -40,7 +43,9 @@ static inline int engine_harmonic_solve(const loft_domain *d, engine_harmonic **
         for (int k = 0; k < 2; k++)
             v[i][k] = double_of(d->v[i].at[k]);
     harmonic_solve(v, d->sides, target, &e->series);
-    int status = e->series.bound < 1e-3L && harmonic_table_of(&e->series, &e->table) ? LOFT_OK : LOFT_ERR_RANGE;
+    int status = e->series.bound < 1e-3L && harmonic_table_of(&e->series, &e->table)
+                     ? LOFT_OK
+                     : LOFT_ERR_RANGE;
     if (status == LOFT_OK)
         status = loft_harmonic_init(&e->h, d, &e->table);
     if (status == LOFT_OK)

@@ -4,7 +4,7 @@
  */
 #include "curve/intersect.h"    /* loft_bezier_intersect */
 #include "curve/join.h"         /* loft_join */
-#include "curve/measure.h"      /* loft_cubic_length */
+#include "curve/measure.h"      /* loft_cubic_arclen */
 #include "curve/nearest.h"      /* loft_bezier_nearest */
 #include "curve/offset.h"       /* loft_offset */
 
@@ -41,7 +41,7 @@ static int measure_length(const double p[4][ENGINE_AXES], double tol, double *ou
 
     if (!cubic_of(p, &c) || !real_of(tol, &within))
         return LOFT_ERR_RANGE;
-    *out = double_of_acc(loft_cubic_length(&c, within));
+    *out = double_of_acc(loft_cubic_arclen(&c, within));
     return LOFT_OK;
 }
 
@@ -140,10 +140,8 @@ static int measure_offset(const double p[4][ENGINE_AXES], double distance, doubl
     return status;
 }
 
-const engine_measures ENGINE_OF(engine_measures) = {
-    .length  = measure_length,
+const engine_measures ENGINE_OF(engine_measures) = { .length = measure_length,
     .nearest = measure_nearest,
     .meet    = measure_meet,
     .join    = measure_join,
-    .offset  = measure_offset
-};
+                                                     .offset = measure_offset };

@@ -10,7 +10,7 @@
 #include <math.h>
 
 #include "geom/vec.h"       /* loft_vec */
-#include "surface/local.h"  /* loft_local_curvatures */
+#include "surface/differential.h"  /* loft_differential_curvatures */
 
 #include "engine/engine.h"
 
@@ -55,14 +55,11 @@ static inline bool vecs_of(const double p[][ENGINE_AXES], unsigned count, loft_v
     return true;
 }
 
-static inline double double_of(loft_real x)
-{
-    return (double)x / ENGINE_ONE;
-}
+static inline double double_of(loft_real x) { return (double)x / ENGINE_ONE; }
 
 static inline double double_of_acc(loft_acc x)
 {
-    return (double)x / (double)loft_wide(LOFT_REAL(1.0));
+    return (double)x / (double)loft_to_acc(LOFT_REAL(1.0));
 }
 
 static inline void point_of(loft_vec v, double out[ENGINE_AXES])
@@ -72,14 +69,14 @@ static inline void point_of(loft_vec v, double out[ENGINE_AXES])
 }
 
 /* Normal and curvatures of what the library found at a place. */
-static inline int look_of(const loft_local *here, engine_look *out)
+static inline int look_of(const loft_differential *here, engine_look *out)
 {
     loft_curvatures k;
     loft_vec normal;
-    int status = loft_local_normal(here, &normal);
+    int status = loft_differential_normal(here, &normal);
 
     if (status == LOFT_OK)
-        status = loft_local_curvatures(here, &k);
+        status = loft_differential_curvatures(here, &k);
     if (status != LOFT_OK)
         return status;
     point_of(normal, out->normal);

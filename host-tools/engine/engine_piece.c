@@ -4,7 +4,7 @@
  */
 #include "curve/bezier.h"           /* loft_bezier */
 #include "curve/bounds.h"           /* loft_bezier_bounds */
-#include "curve/cubics.h"           /* loft_cubics */
+#include "curve/to_cubics.h"           /* loft_to_cubics */
 #include "curve/forward.h"          /* loft_forward */
 #include "curve/rational.h"         /* loft_rational */
 #include "curve/rational_walk.h"    /* loft_rational_walk */
@@ -63,13 +63,13 @@ static int walk_bezier(const part *s, uint32_t n, engine_point_sink *sink, void 
 static int walk_strict(const part *s, uint32_t n, engine_point_sink *sink, void *context)
 {
     loft_bezier b;
-    loft_forward_strict w;
+    loft_forward_exact w;
     loft_vec at;
     int status = loft_bezier_init(&b, s->p, s->degree);
 
     if (status == LOFT_OK)
-        status = loft_forward_strict_init(&w, &b, n);
-    while (status == LOFT_OK && loft_forward_strict_next(&w, &at))
+        status = loft_forward_exact_init(&w, &b, n);
+    while (status == LOFT_OK && loft_forward_exact_next(&w, &at))
         give(sink, context, at);
     return status;
 }
@@ -126,7 +126,7 @@ static int piece_cubics(const piece *p, double tol, engine_cubic_sink *sink, voi
 {
     loft_rational r;
     loft_bezier b;
-    loft_cubics chain;
+    loft_to_cubics chain;
     loft_cubic c;
     loft_real within;
     part s;
@@ -137,9 +137,9 @@ static int piece_cubics(const piece *p, double tol, engine_cubic_sink *sink, voi
     status = s.rational ? loft_rational_init(&r, s.weighted, s.degree)
                         : loft_bezier_init(&b, s.p, s.degree);
     if (status == LOFT_OK)
-        status = s.rational ? loft_rational_cubics_init(&chain, &r, within)
-                            : loft_cubics_init(&chain, &b, within);
-    while (status == LOFT_OK && loft_cubics_next(&chain, &c)) {
+        status = s.rational ? loft_rational_to_cubics_init(&chain, &r, within)
+                            : loft_to_cubics_init(&chain, &b, within);
+    while (status == LOFT_OK && loft_to_cubics_next(&chain, &c)) {
         double out[4][ENGINE_AXES];
         for (int k = 0; k < 4; k++)
             point_of(c.p[k], out[k]);
@@ -152,10 +152,7 @@ static int piece_cubics(const piece *p, double tol, engine_cubic_sink *sink, voi
 // Shape
 // -----
 
-static double double_of_unit(loft_unit t)
-{
-    return (double)t / (double)LOFT_UNIT(1.0);
-}
+static double double_of_unit(loft_unit t) { return (double)t / (double)LOFT_UNIT(1.0); }
 
 static void take_box(loft_box box, bool tight, engine_shape *out)
 {
@@ -220,8 +217,6 @@ static int piece_shape(const piece *p, engine_shape *out)
     return s.degree == 3 ? shape_of_cubic(&s, out) : shape_of_lower(&s, out);
 }
 
-const engine_pieces ENGINE_OF(engine_pieces) = {
-    .walk   = piece_walk,
+const engine_pieces ENGINE_OF(engine_pieces) = { .walk = piece_walk,
     .shape  = piece_shape,
-    .cubics = piece_cubics
-};
+                                                 .cubics = piece_cubics };

@@ -28,15 +28,15 @@ struct engine_plan {
 static bool limits_of(const engine_limits *from, loft_limits *out)
 {
     for (int i = 0; i < ENGINE_AXES; i++) {
-        if (!real_of(from->max_speed[i], &out->max_speed[i])
-            || !real_of(from->max_accel[i], &out->max_accel[i])
-            || !(from->max_jerk[i] >= 0 && from->max_jerk[i] <= UINT32_MAX))
+        if (!real_of(from->max_speed[i], &out->max_speed[i]) ||
+            !real_of(from->max_accel[i], &out->max_accel[i]) ||
+            !(from->max_jerk[i] >= 0 && from->max_jerk[i] <= UINT32_MAX))
             return false;
         out->max_jerk[i] = (uint32_t)lround(from->max_jerk[i]);
     }
     out->tick_hz = (uint16_t)from->tick_hz;
-    return from->tick_hz <= UINT16_MAX && real_of(from->max_across, &out->max_across)
-        && real_of(from->corner, &out->corner) && real_of(from->tol, &out->tol);
+    return from->tick_hz <= UINT16_MAX && real_of(from->max_across, &out->max_across) &&
+           real_of(from->corner, &out->corner) && real_of(from->tol, &out->tol);
 }
 
 static bool move_of(const engine_plan *p, size_t n, loft_move *out)
@@ -44,8 +44,8 @@ static bool move_of(const engine_plan *p, size_t n, loft_move *out)
     engine_move move;
 
     p->source(p->context, n, &move);
-    return vecs_of((const double(*)[ENGINE_AXES])move.p, 4, out->curve.p)
-        && real_of(move.feed, &out->feed);
+    return vecs_of((const double(*)[ENGINE_AXES])move.p, 4, out->curve.p) &&
+           real_of(move.feed, &out->feed);
 }
 
 /* Nothing may be refused later, when the machine is moving: look at all moves now. */
@@ -55,8 +55,8 @@ static bool moves_fit(const engine_plan *p)
     loft_vec end;
 
     for (size_t n = 0; n < p->count; n++) {
-        if (!move_of(p, n, &move) || move.feed < LOFT_SPEED_MIN || move.feed > LOFT_SPEED_MAX
-            || (n > 0 && !loft_vec_equal(move.curve.p[0], end)))
+        if (!move_of(p, n, &move) || move.feed < LOFT_SPEED_MIN || move.feed > LOFT_SPEED_MAX ||
+            (n > 0 && !loft_vec_equal(move.curve.p[0], end)))
             return false;
         for (int k = 0; k < 4; k++)
             if (!loft_vec_within(move.curve.p[k], LOFT_PLAN_REACH))
@@ -136,19 +136,10 @@ static int plan_step(engine_plan *p, engine_span *out)
     return ENGINE_PLAN_SPAN;
 }
 
-static size_t plan_passed(const engine_plan *p)
-{
-    return p->passed;
-}
+static size_t plan_passed(const engine_plan *p) { return p->passed; }
 
-static void plan_close(engine_plan *p)
-{
-    free(p);
-}
+static void plan_close(engine_plan *p) { free(p); }
 
 const engine_plans ENGINE_OF(engine_plans) = {
-    .open   = plan_open,
-    .step   = plan_step,
-    .passed = plan_passed,
-    .close  = plan_close
+    .open = plan_open, .step = plan_step, .passed = plan_passed, .close = plan_close
 };

@@ -9,8 +9,8 @@
 #include "polygon/gb.h"                 /* loft_gb */
 #include "polygon/meanvalue.h"          /* loft_meanvalue_eval */
 #include "polygon/partition.h"          /* loft_partition */
-#include "polygon/ring.h"               /* loft_ring */
-#include "polygon/round.h"              /* loft_round */
+#include "polygon/zheng_ball.h"               /* loft_zheng_ball */
+#include "polygon/disk.h"              /* loft_disk */
 #include "polygon/spatch.h"             /* loft_spatch */
 #include "polygon/toric.h"              /* loft_toric */
 #include "polygon/wachspress.h"         /* loft_wachspress_eval */
@@ -33,7 +33,7 @@ struct engine_sided {
         loft_spatch spatch;
         loft_toric toric;
         loft_basepoint basepoint;
-        loft_ring ring;
+        loft_zheng_ball ring;
         loft_gb gb;
     } as;
 };
@@ -121,19 +121,19 @@ static int prepare_basepoint(engine_sided *e)
     unsigned rank = 0, kept = 0;
     int status = LOFT_OK;
 
-    loft_multi_first(l, 3, s->m);
+    loft_multiindex_first(l, 3, s->m);
     do {
         if (l[0] + cut[0] <= s->m && l[1] + cut[1] <= s->m && l[2] + cut[2] <= s->m)
             status = hold_point(e, rank, &s->point[kept++]);
         rank++;
-    } while (status == LOFT_OK && loft_multi_next(l, 3));
+    } while (status == LOFT_OK && loft_multiindex_next(l, 3));
     return status ? status : (int)loft_basepoint_init(&e->as.basepoint, e->p, e->w, s->m, cut);
 }
 
 static int prepare_ring(engine_sided *e)
 {
     const int status = hold(e);
-    return status ? status : (int)loft_ring_init(&e->as.ring, e->p, e->s->n, e->s->m);
+    return status ? status : (int)loft_zheng_ball_init(&e->as.ring, e->p, e->s->n, e->s->m);
 }
 
 static int prepare(engine_sided *e)
@@ -150,7 +150,7 @@ static int prepare(engine_sided *e)
 static int sided_open(const surface *s, engine_sided **out)
 {
     engine_sided *e = tool_grow(NULL, sizeof *e);
-    const size_t room = s->kind == SURFACE_BASEPOINT ? loft_multi_count(3, s->m) : s->count;
+    const size_t room = s->kind == SURFACE_BASEPOINT ? loft_multiindex_count(3, s->m) : s->count;
 
     *e = (engine_sided){ .s = s };
     e->p = tool_grow(NULL, room * sizeof *e->p);
@@ -266,16 +266,16 @@ static unsigned first_of(const engine_sided *e, sided_place at)
 static int eval_ring(const engine_sided *e, sided_place at, loft_vec *out)
 {
     const unsigned n = e->s->n, first = first_of(e, at);
-    loft_sci turned[LOFT_RING_SIDES], u[LOFT_RING_SIDES];
+    loft_sci turned[LOFT_ZHENG_BALL_SIDES], u[LOFT_ZHENG_BALL_SIDES];
     const int status = n == 3 && at.how == SIDED_CORNER
-                           ? loft_ring_lift(LOFT_UNIT(at.u), LOFT_UNIT(at.v), turned)
-                           : loft_ring_params(n, LOFT_UNIT(at.u), LOFT_UNIT(at.v), turned);
+                           ? loft_zheng_ball_lift(LOFT_UNIT(at.u), LOFT_UNIT(at.v), turned)
+                           : loft_zheng_ball_params(n, LOFT_UNIT(at.u), LOFT_UNIT(at.v), turned);
 
     if (status != LOFT_OK)
         return status;
     for (unsigned i = 0; i < n; i++)
         u[(first + i) % n] = turned[i];
-    return loft_ring_eval(&e->as.ring, u, out);
+    return loft_zheng_ball_eval(&e->as.ring, u, out);
 }
 
 static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_AXES])
@@ -300,18 +300,19 @@ static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_A
 // ----------------------
 
 /* As eval_ring. */
-static int local_ring(const engine_sided *e, sided_place at, loft_local *out)
+static int local_ring(const engine_sided *e, sided_place at, loft_differential *out)
 {
     const unsigned n = e->s->n, first = first_of(e, at);
-    loft_jet turned[LOFT_RING_SIDES], u[LOFT_RING_SIDES];
+    loft_jet turned[LOFT_ZHENG_BALL_SIDES], u[LOFT_ZHENG_BALL_SIDES];
     const loft_unit a = LOFT_UNIT(at.u), b = LOFT_UNIT(at.v);
-    const int status = n == 3 && at.how == SIDED_CORNER ? loft_ring_lift_jet(a, b, turned)
-                                                        : loft_ring_params_jet(n, a, b, turned);
+    const bool lifted = n == 3 && at.how == SIDED_CORNER;
+    const int status = lifted ? loft_zheng_ball_lift_jet(a, b, turned)
+                              : loft_zheng_ball_params_jet(n, a, b, turned);
 
     for (unsigned i = 0; i < n && status == LOFT_OK; i++)
         u[(first + i) % n] = turned[i];
     if (status == LOFT_OK)
-        loft_ring_local(&e->as.ring, u, out);
+        loft_zheng_ball_differential(&e->as.ring, u, out);
     return status;
 }
 
@@ -326,14 +327,14 @@ static void swap(loft_sci a[LOFT_AXES], loft_sci b[LOFT_AXES])
 
 /* At a cut corner by the parameters there, which turn the other way round; at one that is not cut
  * by the shares of the triangle's corners. */
-static int local_basepoint(const engine_sided *e, sided_place at, loft_local *out)
+static int local_basepoint(const engine_sided *e, sided_place at, loft_differential *out)
 {
     const loft_basepoint *b = &e->as.basepoint;
     double phi[3] = { at.u, at.v, 0 };
 
     if (at.how == SIDED_CORNER && b->cut[at.k] > 0) {
         const loft_unit u = LOFT_UNIT(at.u), v = LOFT_UNIT(at.v);
-        const int status = loft_basepoint_corner_local(b, at.k, u, v, out);
+        const int status = loft_basepoint_corner_differential(b, at.k, u, v, out);
         swap(out->u, out->v);
         swap(out->uu, out->vv);
         return status;
@@ -343,11 +344,11 @@ static int local_basepoint(const engine_sided *e, sided_place at, loft_local *ou
         phi[(at.k + 1) % 3] = (1 - at.u) * at.v;
         phi[(at.k + 2) % 3] = at.u * at.v;
     }
-    return loft_basepoint_local(b, LOFT_UNIT(phi[0]), LOFT_UNIT(phi[1]), out);
+    return loft_basepoint_differential(b, LOFT_UNIT(phi[0]), LOFT_UNIT(phi[1]), out);
 }
 
 /* The derivatives of a patch at a place: of one over a polygon by the coordinates of its points. */
-static int local_at(const engine_sided *e, sided_place at, loft_local *out)
+static int local_at(const engine_sided *e, sided_place at, loft_differential *out)
 {
     loft_jet phi[SURFACE_SIDES_MAX];
     loft_spot p;
@@ -358,24 +359,24 @@ static int local_at(const engine_sided *e, sided_place at, loft_local *out)
         return local_ring(e, at, out);
     int status = spot_of(e, at, &p);
     if (status == LOFT_OK && e->s->kind == SURFACE_TORIC)
-        return loft_toric_local(&e->as.toric, p, out);
+        return loft_toric_differential(&e->as.toric, p, out);
     if (status == LOFT_OK)
         status = coordinate_jets(e, p, phi);
     if (status == LOFT_OK)
-        status = e->s->kind == SURFACE_GB ? loft_gb_local(&e->as.gb, phi, out)
-                                          : loft_spatch_local(&e->as.spatch, phi, out);
+        status = e->s->kind == SURFACE_GB ? loft_gb_differential(&e->as.gb, phi, out)
+                                          : loft_spatch_differential(&e->as.spatch, phi, out);
     return status;
 }
 
 static int sided_look(const engine_sided *e, sided_place at, engine_look *out)
 {
-    loft_local here;
+    loft_differential here;
     const int status = local_at(e, at, &here);
 
     return status ? status : look_of(&here, out);
 }
 
-static int sided_round(const engine_sided *e, loft_round *out)
+static int sided_round(const engine_sided *e, loft_disk *out)
 {
     loft_coordinates *const of[] = { [COORDINATES_WACHSPRESS] = loft_wachspress_eval,
                                      [COORDINATES_MEANVALUE] = loft_meanvalue_eval,
@@ -384,16 +385,14 @@ static int sided_round(const engine_sided *e, loft_round *out)
     int status = LOFT_OK;
 
     switch (e->s->kind) {
-    case SURFACE_SPATCH:
-        status = loft_round_from_spatch(out, &e->as.spatch, &e->domain, phi);
-        break;
-    case SURFACE_GB: status = loft_round_from_gb(out, &e->as.gb, &e->domain, phi); break;
-    case SURFACE_TORIC: loft_round_from_toric(out, &e->as.toric); break;
-    case SURFACE_BASEPOINT: loft_round_from_basepoint(out, &e->as.basepoint); break;
-    default: loft_round_from_ring(out, &e->as.ring); break;
+    case SURFACE_SPATCH: status = loft_disk_from_spatch(out, &e->as.spatch, &e->domain, phi); break;
+    case SURFACE_GB: status = loft_disk_from_gb(out, &e->as.gb, &e->domain, phi); break;
+    case SURFACE_TORIC: loft_disk_from_toric(out, &e->as.toric); break;
+    case SURFACE_BASEPOINT: loft_disk_from_basepoint(out, &e->as.basepoint); break;
+    default: loft_disk_from_zheng_ball(out, &e->as.ring); break;
     }
     if (status == LOFT_OK && e->harmonic != NULL)
-        status = loft_round_harmonic(out, engine_harmonic_of(e->harmonic));
+        status = loft_disk_harmonic(out, engine_harmonic_of(e->harmonic));
     return status;
 }
 
@@ -416,7 +415,7 @@ static int cut_polygon(surface *s, unsigned at[2])
     for (at[0] = 0; at[0] < s->n; at[0]++) {
         const double *p = s->domain[at[0]];
         loft_spot *q = &v[at[0]];
-        if (!real_of(p[0], &q->at[0]) || !real_of(p[1], &q->at[1]) || !loft_spot_admits(*q))
+        if (!real_of(p[0], &q->at[0]) || !real_of(p[1], &q->at[1]) || !loft_spot_valid(*q))
             return LOFT_ERR_RANGE;
     }
     const int status = loft_domain_init(&d, v, s->n);
@@ -473,12 +472,10 @@ static int sided_complete(surface *s)
     return status;
 }
 
-const engine_sides ENGINE_OF(engine_sides) = {
-    .open     = sided_open,
+const engine_sides ENGINE_OF(engine_sides) = { .open = sided_open,
     .close    = sided_close,
     .eval     = sided_eval,
     .look     = sided_look,
     .complete = sided_complete,
     .cut      = sided_cut,
-    .round    = sided_round
-};
+                                               .round = sided_round };

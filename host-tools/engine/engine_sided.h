@@ -9,7 +9,7 @@
 #include "engine/sided.h"
 
 typedef struct engine_sided engine_sided;
-struct loft_round;          /* of the library */
+struct loft_disk;          /* of the library */
 
 /* As with engine_surfaces. */
 typedef struct {
@@ -27,7 +27,7 @@ typedef struct {
      * is none. */
     int (*cut)(surface *s, unsigned at[2]);
     /* The whole as a sheet around its middle; it borrows from `e`. */
-    int (*round)(const engine_sided *e, struct loft_round *out);
+    int (*round)(const engine_sided *e, struct loft_disk *out);
 } engine_sides;
 
 extern const engine_sides engine_sides_q16, engine_sides_f32, engine_sides_f64;

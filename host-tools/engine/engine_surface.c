@@ -7,11 +7,11 @@
  */
 #include <stdlib.h>
 
-#include "polygon/round.h"              /* loft_round */
+#include "polygon/disk.h"              /* loft_disk */
 #include "surface/tensor/bicubic.h"            /* loft_bicubic */
 #include "surface/contour.h"            /* loft_contour */
 #include "surface/tensor/coons.h"              /* loft_coons_bezier */
-#include "surface/local.h"              /* loft_local */
+#include "surface/differential.h"              /* loft_differential */
 #include "surface/octant.h"             /* loft_octant_from_radius */
 #include "surface/pn.h"                 /* loft_pn */
 #include "surface/sphere.h"             /* loft_sphere */
@@ -251,7 +251,7 @@ static int look_round(const engine_surface *e, double u, double v, engine_look *
 }
 
 /* The derivatives at (u, v). `net` is that of what is made a tensor product or a triangle. */
-static int local_of(const engine_surface *e, double u, double v, loft_local *out)
+static int local_of(const engine_surface *e, double u, double v, loft_differential *out)
 {
     const loft_bary point = { LOFT_UNIT(u), LOFT_UNIT(v) };
     const loft_bary at = surface_is_triangle(e->s) ? loft_bary_clamp(point) : point;
@@ -263,26 +263,25 @@ static int local_of(const engine_surface *e, double u, double v, loft_local *out
     switch (e->s->kind) {
     case SURFACE_TENSOR:
         if (e->s->rational)
-            return loft_tensor_rational_local(&e->as.tensor_rational, at.v, at.w, out);
-        return loft_tensor_local(&e->as.tensor, at.v, at.w, out);
-    case SURFACE_COONS:
-        return loft_coons_bezier_local(&e->as.coons, at.v, at.w, out);
+            return loft_tensor_rational_differential(&e->as.tensor_rational, at.v, at.w, out);
+        return loft_tensor_differential(&e->as.tensor, at.v, at.w, out);
+    case SURFACE_COONS: return loft_coons_bezier_differential(&e->as.coons, at.v, at.w, out);
     case SURFACE_BICUBIC:
         status = loft_tensor_from_bicubic(&e->as.bicubic, net);
-        return status ? status : (int)loft_tensor_local(&tensor, at.v, at.w, out);
+        return status ? status : (int)loft_tensor_differential(&tensor, at.v, at.w, out);
     case SURFACE_PN:
         loft_pn_net(&e->as.pn, net);
-        return loft_triangle_local(&cubic, at, out);
+        return loft_triangle_differential(&cubic, at, out);
     default:
         if (e->s->rational || e->s->kind == SURFACE_OCTANT)
-            return loft_triangle_rational_local(&e->as.triangle_rational, at, out);
-        return loft_triangle_local(&e->as.triangle, at, out);
+            return loft_triangle_rational_differential(&e->as.triangle_rational, at, out);
+        return loft_triangle_differential(&e->as.triangle, at, out);
     }
 }
 
 static int look_at(const engine_surface *e, unsigned kite, double u, double v, engine_look *out)
 {
-    loft_local here;
+    loft_differential here;
 
     if (e->sided)
         return ENGINE_OF(engine_sides).look(e->sided, sided_kite(e->s, kite, u, v), out);
@@ -318,35 +317,35 @@ static int surface_look(const engine_surface *e, unsigned kite, double u, double
 typedef struct {
     loft_vec net[10];
     loft_triangle cubic;
-    loft_round round;
+    loft_disk round;
 } sheet_room;
 
-static int sheet_of(const engine_surface *e, sheet_room *room, loft_sheet *out)
+static int sheet_of(const engine_surface *e, sheet_room *room, loft_surface *out)
 {
     int status = LOFT_OK;
 
     if (e->sided) {
         status = ENGINE_OF(engine_sides).round(e->sided, &room->round);
-        *out = loft_sheet_from_round(&room->round);
+        *out = loft_surface_from_disk(&room->round);
         return status;
     }
     switch (e->s->kind) {
     case SURFACE_TENSOR:
-        *out = e->s->rational ? loft_sheet_from_tensor_rational(&e->as.tensor_rational)
-                              : loft_sheet_from_tensor(&e->as.tensor);
+        *out = e->s->rational ? loft_surface_from_tensor_rational(&e->as.tensor_rational)
+                              : loft_surface_from_tensor(&e->as.tensor);
         break;
     case SURFACE_PN:
         loft_pn_net(&e->as.pn, room->net);
         status = loft_triangle_init(&room->cubic, room->net, 3);
-        *out = loft_sheet_from_triangle(&room->cubic);
+        *out = loft_surface_from_triangle(&room->cubic);
         break;
-    case SURFACE_COONS:   *out = loft_sheet_from_coons(&e->as.coons);     break;
-    case SURFACE_BICUBIC: *out = loft_sheet_from_bicubic(&e->as.bicubic); break;
-    case SURFACE_SPHERE:  *out = loft_sheet_from_sphere(&e->as.sphere);   break;
+    case SURFACE_COONS:   *out = loft_surface_from_coons(&e->as.coons);     break;
+    case SURFACE_BICUBIC: *out = loft_surface_from_bicubic(&e->as.bicubic); break;
+    case SURFACE_SPHERE:  *out = loft_surface_from_sphere(&e->as.sphere);   break;
     default:
         *out = e->s->rational || e->s->kind == SURFACE_OCTANT
-                   ? loft_sheet_from_triangle_rational(&e->as.triangle_rational)
-                   : loft_sheet_from_triangle(&e->as.triangle);
+                   ? loft_surface_from_triangle_rational(&e->as.triangle_rational)
+                   : loft_surface_from_triangle(&e->as.triangle);
         break;
     }
     return status;
@@ -361,7 +360,7 @@ static int surface_contour(const engine_surface *e, double height, double tol, u
     enum loft_contour_step step;
     double point[ENGINE_AXES];
     sheet_room room;
-    loft_sheet sheet;
+    loft_surface sheet;
     loft_contour c;
     loft_real z, within;
     loft_vec at;
@@ -380,11 +379,9 @@ static int surface_contour(const engine_surface *e, double height, double tol, u
     return status;
 }
 
-const engine_surfaces ENGINE_OF(engine_surfaces) = {
-    .open  = surface_open,
+const engine_surfaces ENGINE_OF(engine_surfaces) = { .open = surface_open,
     .close = surface_close,
     .eval  = surface_eval,
     .kite  = surface_kite,
     .look  = surface_look,
-    .contour = surface_contour
-};
+                                                     .contour = surface_contour };

@@ -30,7 +30,7 @@ bool engine_parse(const char *text, void *out)
     return true;
 }
 
-/* lib/curve/cubics.h: 4 LSB, 2^-21 or 2^-39 of the largest coordinate. */
+/* lib/curve/to_cubics.h: 4 LSB, 2^-21 or 2^-39 of the largest coordinate. */
 double engine_finest(const engine *e, const piece *p)
 {
     double largest = 0;

@@ -11,7 +11,8 @@
 #define PLACES 6000         /* of a boundary sample, at most     */
 #define TERMS  600          /* of a series                       */
 
-/* What kind of series to try: powers at each corner (twice as many where it is more than half a turn), the polynomial's
+/* What kind of series to try: powers at each corner (twice as many where it is more than half a
+ * turn), the polynomial's
  * degree, and poles at steps of `step` times the narrowness; 0: no poles. */
 typedef struct {
     unsigned powers, degree;
@@ -25,8 +26,12 @@ typedef struct {
     size_t places, checks;
 } problem;
 
-/* A corner of a turn over a whole number has no singularity: the polynomial does it, unless the corner is straight. */
-static bool is_regular(long double power) { return power > 1.5L && fabsl(power - roundl(power)) < 1e-13L; }
+/* A corner of a turn over a whole number has no singularity: the polynomial does it, unless the
+ * corner is straight. */
+static bool is_regular(long double power)
+{
+    return power > 1.5L && fabsl(power - roundl(power)) < 1e-13L;
+}
 
 static void place_poles(const harmonic_shape *h, long double step, harmonic_series *s)
 {
@@ -34,15 +39,18 @@ static void place_poles(const harmonic_shape *h, long double step, harmonic_seri
     const size_t count = harmonic_walk(h, step, 1, 3, place, PLACES);
 
     for (size_t k = 0; k < count && k < PLACES && s->poles < HARMONIC_POLES; k++) {
-        const long double off = fminl(place[k].narrow, harmonic_clearance(h, &place[k], 4 * h->reach) / 2);
-        const harmonic_point d = h->v[(place[k].edge + 1) % h->sides] - h->v[place[k].edge], at = place[k].at - I * d / cabsl(d) * off;
+        const long double off = fminl(place[k].narrow,
+                                      harmonic_clearance(h, &place[k], 4 * h->reach) / 2);
+        const harmonic_point d = h->v[(place[k].edge + 1) % h->sides] - h->v[place[k].edge],
+                             at = place[k].at - I * d / cabsl(d) * off;
         const long double size = harmonic_distance(h, at);
         bool apart = harmonic_outside(h, at) && size > 0.3L * place[k].narrow;
         for (unsigned i = 0; i < s->poles && apart; i++)
             apart = cabsl(at - (s->pole[i][0] + I * s->pole[i][1])) > 0.3L * size;
         if (!apart)
             continue;
-        s->pole[s->poles][0] = (double)creall(at);      /* in every number type the table holds what is solved with here */
+        s->pole[s->poles][0] = (double)creall(
+            at); /* in every number type the table holds what is solved with here */
         s->pole[s->poles][1] = (double)cimagl(at);
         s->pole[s->poles++][2] = (double)size;
     }
@@ -87,7 +95,8 @@ static long double on_edge(const harmonic_shape *h, const harmonic_place *b, uns
 static void fit(const problem *p, harmonic_series *s)
 {
     const size_t rows = p->places, columns = s->terms, all = columns + s->sides;
-    long double *a = least_room(rows * all * sizeof *a), *x = least_room(columns * s->sides * sizeof *x), term[TERMS];
+    long double *a = least_room(rows * all * sizeof *a),
+                *x = least_room(columns * s->sides * sizeof *x), term[TERMS];
 
     for (size_t r = 0; r < rows; r++) {
         harmonic_terms(&p->shape, s, p->place[r].at, (int)p->place[r].edge, term);
@@ -104,7 +113,8 @@ static void fit(const problem *p, harmonic_series *s)
         long double sum = 0;
         for (size_t k = 0; k < columns; k++) {
             const long double c = x[i * columns + k], grain = p->target.grain;
-            s->coefficient[k * s->sides + i] = grain > 0 ? roundl(c / grain) * grain : (long double)(double)c;
+            s->coefficient[k * s->sides + i] = grain > 0 ? roundl(c / grain) * grain
+                                                         : (long double)(double)c;
             s->largest = fmaxl(s->largest, fabsl(c));
             sum += fabsl(c);
         }
@@ -132,9 +142,11 @@ static void judge(const problem *p, harmonic_series *s)
 }
 
 static const recipe recipes[] = {
-    { 2, 2, 0 },    { 3, 3, 0 },    { 3, 9, 0 },    { 4, 4, 0 },    { 4, 12, 0 },    { 6, 6, 0 },    { 6, 18, 0 },    { 8, 8, 0 },
-    { 8, 24, 0 },   { 11, 11, 0 },  { 11, 33, 0 },  { 15, 15, 0 },  { 15, 45, 0 },   { 20, 20, 0 },  { 20, 60, 0 },   { 20, 100, 0 },
-    { 6, 8, 1 },    { 8, 10, 0.7L }, { 10, 10, 0.5L }, { 10, 10, 0.35L }, { 28, 28, 0 }, { 28, 120, 0 }, { 40, 40, 0 }, { 40, 80, 0 }
+    { 2, 2, 0 },    { 3, 3, 0 },    { 3, 9, 0 },     { 4, 4, 0 },      { 4, 12, 0 },
+    { 6, 6, 0 },    { 6, 18, 0 },   { 8, 8, 0 },     { 8, 24, 0 },     { 11, 11, 0 },
+    { 11, 33, 0 },  { 15, 15, 0 },  { 15, 45, 0 },   { 20, 20, 0 },    { 20, 60, 0 },
+    { 20, 100, 0 }, { 6, 8, 1 },    { 8, 10, 0.7L }, { 10, 10, 0.5L }, { 10, 10, 0.35L },
+    { 28, 28, 0 },  { 28, 120, 0 }, { 40, 40, 0 },   { 40, 80, 0 }
 };
 
 static void start(double v[][2], unsigned sides, harmonic_target target, problem *p)
@@ -175,7 +187,8 @@ static long double attempt(const problem *p, recipe r, harmonic_series *best)
     return bound;
 }
 
-/* A series that errs 1000 times as much as wanted is not about to become the one: the next one is left out. */
+/* A series that errs 1000 times as much as wanted is not about to become the one: the next one is
+ * left out. */
 bool harmonic_solve(double v[][2], unsigned sides, harmonic_target target, harmonic_series *out)
 {
     problem p;

@@ -1,8 +1,11 @@
-/* host-tools/engine/harmonic.h -- the series of lib/polygon/harmonic.h for a polygon: Laplace's equation, solved on the host
+/* host-tools/engine/harmonic.h -- the series of lib/polygon/harmonic.h for a polygon: Laplace's
+ * equation, solved on the host
  * SPDX-License-Identifier: MIT
  *
- * The terms are harmonic, so only the boundary counts: coefficients are the least squares of the error on points of all
- * edges, close together where the polygon is narrow and toward the vertices. What terms to take is tried, small series first.
+ * The terms are harmonic, so only the boundary counts: coefficients are the least squares of the
+ * error on points of all
+ * edges, close together where the polygon is narrow and toward the vertices. What terms to take is
+ * tried, small series first.
  * All in long double.
  *
  *     harmonic_series s;
@@ -34,14 +37,17 @@ typedef struct {
 typedef struct {
     double v[HARMONIC_SIDES][2];
     unsigned sides, terms, poles, degree, powers[HARMONIC_SIDES], straight;
-    long double pole[HARMONIC_POLES][3];        /* x, y, size                                               */
-    long double *coefficient;                   /* [terms * sides], rounded as the target says              */
-    long double bound, largest, weight;         /* twice the largest error on a boundary sample; the largest coefficient; the
-                                                   largest sum of sizes of coefficients of one coordinate */
-    unsigned points, tried;                     /* of that sample; series that were solved                  */
+    long double pole[HARMONIC_POLES][3];        /* x, y, size                                 */
+    long double *coefficient;                   /* [terms * sides], rounded as the target says */
+    long double bound;                          /* twice the largest error on a boundary sample */
+    long double largest;                        /* the largest coefficient                    */
+    long double weight;                         /* of one coordinate: the largest sum of
+                                                 * absolute values of coefficients            */
+    unsigned points, tried;                     /* of that sample; series that were solved    */
 } harmonic_series;
 
-/* Find a series for a simple polygon, counter-clockwise, whose bound is that of the target, or the best one when there is
+/* Find a series for a simple polygon, counter-clockwise, whose bound is that of the target, or the
+ * best one when there is
  * none; the result says whether it was reached.
  *
  *   cost    some 0.1 s for 1e-6, a few seconds for 1e-14 and for narrow polygons */

@@ -22,7 +22,8 @@ void harmonic_shape_of(double v[][2], unsigned sides, harmonic_shape *h)
     }
     h->middle /= (long double)sides;
     for (unsigned i = 0; i < sides; i++) {
-        const harmonic_point after = h->v[(i + 1) % sides] - h->v[i], before = h->v[(i + sides - 1) % sides] - h->v[i];
+        const harmonic_point after = h->v[(i + 1) % sides] - h->v[i],
+                             before = h->v[(i + sides - 1) % sides] - h->v[i];
         h->reach = fmaxl(h->reach, cabsl(h->v[i] - h->middle));
         h->start[i] = cargl(after);
         h->angle[i] = cargl(before / after);
@@ -49,7 +50,8 @@ static long double meets(const harmonic_shape *h, harmonic_point p, harmonic_poi
 {
     const harmonic_point a = h->v[e], b = h->v[(e + 1) % h->sides];
     const long double here = cross(b - a, p - a), there = cross(b - a, p + d - a);
-    const bool opposite = !((here > 0 && there > 0) || (here < 0 && there < 0)) && (here < 0 || here > 0 || there < 0 || there > 0);
+    const bool opposite = !((here > 0 && there > 0) || (here < 0 && there < 0)) &&
+                          (here < 0 || here > 0 || there < 0 || there > 0);
 
     return opposite && cross(d, a - p) * cross(d, b - p) <= 0 ? here / (here - there) : 2;
 }
@@ -89,15 +91,19 @@ static harmonic_point quotient(harmonic_point x)
     return sum;
 }
 
-void harmonic_terms(const harmonic_shape *h, const harmonic_series *s, harmonic_point z, int edge, long double out[])
+void harmonic_terms(const harmonic_shape *h, const harmonic_series *s, harmonic_point z, int edge,
+                    long double out[])
 {
     for (unsigned i = 0; i < h->sides; i++) {
         const long double a = HARMONIC_PI / h->angle[i], r = cabsl(z - h->v[i]) / h->far[i];
         const bool there = r > 0 && s->powers[i] > 0;
-        const harmonic_point l = there ? logl(r) + I * angle_at(h, i, z, edge) : 0, w = there ? cexpl(a * l) : 0;
+        const harmonic_point l = there ? logl(r) + I * angle_at(h, i, z, edge) : 0,
+                             w = there ? cexpl(a * l) : 0;
         harmonic_point power = w;
         for (unsigned k = 1; k <= s->powers[i]; k++, power *= w)
-            *out++ = k > 1 || !(s->straight >> i & 1) ? cimagl(power) : there ? cimagl(cexpl(l) * l * quotient((a - 1) * l)) : 0;
+            *out++ = k > 1 || !(s->straight >> i & 1) ? cimagl(power)
+                     : there                          ? cimagl(cexpl(l) * l * quotient((a - 1) * l))
+                                                      : 0;
     }
     for (unsigned i = 0; i < s->poles; i++) {
         const harmonic_point q = s->pole[i][2] / (z - (s->pole[i][0] + I * s->pole[i][1]));
@@ -147,9 +153,11 @@ bool harmonic_outside(const harmonic_shape *h, harmonic_point z)
     return outside;
 }
 
-long double harmonic_clearance(const harmonic_shape *h, const harmonic_place *from, long double most)
+long double harmonic_clearance(const harmonic_shape *h, const harmonic_place *from,
+                               long double most)
 {
-    const harmonic_point d = h->v[(from->edge + 1) % h->sides] - h->v[from->edge], out = -I * d / cabsl(d) * most;
+    const harmonic_point d = h->v[(from->edge + 1) % h->sides] - h->v[from->edge],
+                         out = -I * d / cabsl(d) * most;
     long double first = 1;
 
     for (unsigned k = 1; k < h->sides; k++)
@@ -161,7 +169,8 @@ long double harmonic_clearance(const harmonic_shape *h, const harmonic_place *fr
 static long double narrowness(const harmonic_shape *h, unsigned e, long double along, int depth)
 {
     const harmonic_point a = h->v[e], d = h->v[(e + 1) % h->sides] - a;
-    const long double length = cabsl(d), end = fmaxl(fminl(along, length - along), ldexpl(length, -depth));
+    const long double length = cabsl(d),
+                      end = fmaxl(fminl(along, length - along), ldexpl(length, -depth));
     long double least = end;
 
     for (unsigned k = 2; k + 1 < h->sides; k++)
@@ -169,7 +178,8 @@ static long double narrowness(const harmonic_shape *h, unsigned e, long double a
     return fmaxl(least, ldexpl(length, -depth));
 }
 
-size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least, int depth, harmonic_place out[], size_t most)
+size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least, int depth,
+                     harmonic_place out[], size_t most)
 {
     size_t count = 0;
 
@@ -177,9 +187,13 @@ size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least, 
         const harmonic_point a = h->v[e], d = h->v[(e + 1) % h->sides] - a;
         const long double length = cabsl(d);
         for (long double along = 0; along < length; count++) {
-            const long double way = fminl(fminl(step * narrowness(h, e, along, depth), length / least), length - along), here = along + way / 2;
+            const long double way = fminl(
+                                  fminl(step * narrowness(h, e, along, depth), length / least),
+                                  length - along),
+                              here = along + way / 2;
             if (count < most)
-                out[count] = (harmonic_place){ e, here, narrowness(h, e, here, depth), a + d * (here / length) };
+                out[count] = (harmonic_place){ e, here, narrowness(h, e, here, depth),
+                                               a + d * (here / length) };
             along += fmaxl(way, length * 1e-9L);
         }
     }

@@ -1,4 +1,5 @@
-/* host-tools/engine/harmonic_table.h -- a solved series as the table of lib/polygon/harmonic.h, in the number type of the file that includes it
+/* host-tools/engine/harmonic_table.h -- a solved series as the table of lib/polygon/harmonic.h, in
+ * the number type of the file that includes it
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_HARMONIC_TABLE_H
@@ -14,11 +15,12 @@
 /* A wide number's 1 is 2^32 in q16. */
 static inline loft_acc harmonic_acc(long double x)
 {
-    const long double one = (long double)loft_wide(LOFT_REAL(1.0));
+    const long double one = (long double)loft_to_acc(LOFT_REAL(1.0));
     return (loft_acc)(one > 1 ? roundl(x * one) : x);
 }
 
-/* The table of a series that was solved for this number type; its two arrays are the caller's to free. False, with an empty table, when
+/* The table of a series that was solved for this number type; its two arrays are the caller's to
+ * free. False, with an empty table, when
  * a coefficient does not fit. */
 static inline bool harmonic_table_of(const harmonic_series *s, loft_harmonic_table *out)
 {
@@ -36,8 +38,10 @@ static inline bool harmonic_table_of(const harmonic_series *s, loft_harmonic_tab
         pole[i].at[1] = harmonic_acc(s->pole[i][1]);
         pole[i].size = harmonic_acc(s->pole[i][2]);
     }
-    *out = (loft_harmonic_table){ coefficient, pole, (uint16_t)s->terms, (uint8_t)s->sides, (uint8_t)s->poles, (uint8_t)s->degree, { 0 },
-                                  (uint8_t)s->straight };
+    *out = (loft_harmonic_table){
+        coefficient,        pole,  (uint16_t)s->terms,  (uint8_t)s->sides, (uint8_t)s->poles,
+        (uint8_t)s->degree, { 0 }, (uint8_t)s->straight
+    };
     for (unsigned i = 0; i < s->sides; i++)
         out->powers[i] = (uint8_t)s->powers[i];
     if (fits)

@@ -12,7 +12,9 @@
 #define POLE   1e-6         /* mm: this is the pole */
 #define PI     3.14159265358979323846
 
-static const struct { const char *name; enum engine_kinematics kind;
+static const struct {
+    const char *name;
+    enum engine_kinematics kind;
 } names[] = { { "cartesian", ENGINE_CARTESIAN },
               { "corexy", ENGINE_COREXY },
               { "hbot", ENGINE_COREXY },

@@ -117,9 +117,9 @@ static void hermite(const curve *c, unsigned k, long double t, long double out[C
                       h1 = five ? (t3 - 2 * t4 + t5) / 2 : 0;
 
     for (int i = 0; i < CURVE_AXES; i++)
-        out[i] = (1 - f1) * (long double)a->p[i] + f1 * (long double)b->p[i]
-               + g0 * (long double)a->d[0][i] + g1 * (long double)b->d[0][i]
-               + h0 * (long double)a->d[1][i] + h1 * (long double)b->d[1][i];
+        out[i] = (1 - f1) * (long double)a->p[i] + f1 * (long double)b->p[i] +
+                 g0 * (long double)a->d[0][i] + g1 * (long double)b->d[0][i] +
+                 h0 * (long double)a->d[1][i] + h1 * (long double)b->d[1][i];
 }
 
 /* From point k + 1 to k + 2 with the slopes s (P[k+2] - P[k]) and s (P[k+3] - P[k+1]), s = (1 -
@@ -143,8 +143,8 @@ static void natural(const reference *r, unsigned k, long double t, long double o
     const long double h2 = r->step[k] * r->step[k] / 6, s = 1 - t;
 
     for (int i = 0; i < CURVE_AXES; i++)
-        out[i] = s * (long double)p[0].p[i] + t * (long double)p[1].p[i]
-               + h2 * ((s*s*s - s) * r->bend[k][i] + (t*t*t - t) * r->bend[k + 1][i]);
+        out[i] = s * (long double)p[0].p[i] + t * (long double)p[1].p[i] +
+                 h2 * ((s * s * s - s) * r->bend[k][i] + (t * t * t - t) * r->bend[k + 1][i]);
 }
 
 /* Elimination from the first row to the last and back (Thomas); the rows are dominated by their
@@ -234,21 +234,22 @@ void reference_eval(const reference *r, long double t, long double out[CURVE_AXE
     const unsigned k  = knots ? 0 : curve_locate(c, t, &local);
 
     switch (c->kind) {
-    case CURVE_BEZIER: case CURVE_RATIONAL:   bezier(c, t, out); break;
+    case CURVE_BEZIER:
+    case CURVE_RATIONAL: bezier(c, t, out); break;
     case CURVE_PARABOLA:                      parabola(c, t, out); break;
-    case CURVE_HERMITE3: case CURVE_HERMITE5: hermite(c, k, local, out); break;
+    case CURVE_HERMITE3:
+    case CURVE_HERMITE5: hermite(c, k, local, out); break;
     case CURVE_CARDINAL:                      cardinal(c, k, local, out); break;
-    case CURVE_NATURAL: case CURVE_CHORD:     natural(r, k, local, out); break;
-    case CURVE_BSPLINE: case CURVE_NURBS:     bspline(c, t, out); break;
+    case CURVE_NATURAL:
+    case CURVE_CHORD: natural(r, k, local, out); break;
+    case CURVE_BSPLINE:
+    case CURVE_NURBS: bspline(c, t, out); break;
     case CURVE_LINE:
         for (int i = 0; i < CURVE_AXES; i++)
             out[i] = (long double)c->point[k].p[i] +
                      local * ((long double)c->point[k + 1].p[i] - (long double)c->point[k].p[i]);
         break;
-    case CURVE_ARC:
-        arc(c, t, out);
-        break;
-    case CURVE_KINDS:
-        break;
+    case CURVE_ARC: arc(c, t, out); break;
+    case CURVE_KINDS: break;
     }
 }

@@ -7,17 +7,14 @@
 #include "polygon/basepoint.h"  /* loft_basepoint_side_of */
 #include "polygon/gb.h"         /* loft_gb_count */
 #include "polygon/lattice.h"    /* loft_lattice_polygon */
-#include "polygon/ring.h"       /* loft_ring_count */
+#include "polygon/zheng_ball.h"       /* loft_zheng_ball_count */
 #include "polygon/spatch.h"     /* loft_links */
 
 #include "engine/sided.h"
 
 #define NOTHING 1e-9            /* of a kite: on the side, however it is rounded */
 
-unsigned sided_count(const surface *s)
-{
-    return s->n;
-}
+unsigned sided_count(const surface *s) { return s->n; }
 
 
 // Polygons
@@ -71,11 +68,11 @@ unsigned sided_points(const surface *s)
     loft_lattice_polygon lattice;
 
     switch (s->kind) {
-    case SURFACE_SPATCH:    return loft_multi_count(s->n, s->m);
+    case SURFACE_SPATCH:    return loft_multiindex_count(s->n, s->m);
     case SURFACE_TORIC: return lattice_of(s, &lattice) ? loft_lattice_polygon_count(&lattice) : 0;
-    case SURFACE_BASEPOINT: return loft_multi_count(3, s->m) - cut_off(s);
+    case SURFACE_BASEPOINT: return loft_multiindex_count(3, s->m) - cut_off(s);
     case SURFACE_GB:        return loft_gb_count(s->n, s->m);
-    default:                return loft_ring_count(s->n, s->m);
+    default:                return loft_zheng_ball_count(s->n, s->m);
     }
 }
 
@@ -84,7 +81,7 @@ unsigned sided_points(const surface *s)
 // -----
 
 /* The u_(i-1) that equals u_(i+1) when u_i = b: where the middle line of side i runs;
- * polygon/round.c has the equations. */
+ * polygon/disk.c has the equations. */
 static double balanced(unsigned sides, double b)
 {
     double low = 0, high = 1;
@@ -356,8 +353,10 @@ static void toric_net(const surface *s, sided_edge *each, void *context)
     do {
         const unsigned right = place_of(&lattice, l.at[0] + 1, l.at[1]),
                        up = place_of(&lattice, l.at[0], l.at[1] + 1);
-        if (right < s->count) each(context, &s->point[k], &s->point[right]);
-        if (up < s->count)    each(context, &s->point[k], &s->point[up]);
+        if (right < s->count)
+            each(context, &s->point[k], &s->point[right]);
+        if (up < s->count)
+            each(context, &s->point[k], &s->point[up]);
         k++;
     } while (loft_lattice_polygon_next(&lattice, &l));
     for (unsigned i = 0; i < lattice.sides; i++) {
@@ -383,12 +382,12 @@ static void basepoint_net(const surface *s, sided_edge *each, void *context)
     unsigned rank = 0, kept = 0;
     uint8_t l[3];
 
-    loft_multi_first(l, 3, s->m);
+    loft_multiindex_first(l, 3, s->m);
     do
         at[rank++] = is_cut(s, l) ? NULL : &s->point[kept++];
-    while (loft_multi_next(l, 3));
+    while (loft_multiindex_next(l, 3));
     rank = 0;
-    loft_multi_first(l, 3, s->m);
+    loft_multiindex_first(l, 3, s->m);
     do {
         for (unsigned i = 0; i < 3; i++) {
             uint8_t beside[3] = { l[0], l[1], l[2] };
@@ -396,12 +395,12 @@ static void basepoint_net(const surface *s, sided_edge *each, void *context)
                 continue;
             beside[i]--;
             beside[(i + 1) % 3]++;
-            const surface_point *other = at[loft_multi_rank(beside, 3)];
+            const surface_point *other = at[loft_multiindex_rank(beside, 3)];
             if (at[rank] != NULL && other != NULL)
                 each(context, at[rank], other);
         }
         rank++;
-    } while (loft_multi_next(l, 3));
+    } while (loft_multiindex_next(l, 3));
 }
 
 /* Blocks of a = 0 .. wide - 1, b = 0 .. high - 1 at each corner. The row at distance b from side i:

@@ -31,10 +31,7 @@ bool surface_is_triangle(const surface *s)
     return s->kind == SURFACE_TRIANGLE || s->kind == SURFACE_PN || s->kind == SURFACE_OCTANT;
 }
 
-bool surface_is_sided(const surface *s)
-{
-    return s->kind >= SURFACE_SPATCH;
-}
+bool surface_is_sided(const surface *s) { return s->kind >= SURFACE_SPATCH; }
 
 unsigned surface_kites(const surface *s)
 {

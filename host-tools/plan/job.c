@@ -15,7 +15,8 @@
 #include "base/tool.h"           /* tool_grow, tool_clock, tool_version */
 
 #define FIRST   64          /* items by which the plan is known again           */
-#define AHEAD   65536       /* items that are planned ahead: more than any machine's queue, for
+#define AHEAD                                                                                      \
+    65536            /* items that are planned ahead: more than any machine's queue, for
                                frames to be filled                              */
 #define OPENING 0.2         /* s for the first portion                          */
 #define KNOWN   0.02        /* of the path: enough to guess how long all of it takes */
@@ -250,8 +251,8 @@ static int step(job *j, size_t kept)
 
 bool job_waits(const job *j, size_t kept)
 {
-    return !j->whole && j->plan.plan != NULL
-        && (j->head.kind == LOFT_CURVES || j->count < kept + AHEAD);
+    return !j->whole && j->plan.plan != NULL &&
+           (j->head.kind == LOFT_CURVES || j->count < kept + AHEAD);
 }
 
 int job_plan(job *j, size_t kept, double seconds)
@@ -355,8 +356,8 @@ int job_open(job *j, joints *of, const job_options *o)
     }
     const double until = tool_clock() + OPENING;
     int status = joints_plan(&j->plan, of, o->e, &o->limits);
-    while (status >= 0 && !j->whole
-           && (j->count < FIRST || (tool_clock() < until && job_waits(j, 0))))
+    while (status >= 0 && !j->whole &&
+           (j->count < FIRST || (tool_clock() < until && job_waits(j, 0))))
         status = step(j, 0);
     if (status < 0 || j->count == 0)
         return status < 0 ? status : LOFT_ERR_ARG;
@@ -375,15 +376,9 @@ void job_free(job *j)
 // How far it is
 // -------------
 
-double job_part(const job *j)
-{
-    return j->whole || !(j->all > 0) ? 1 : fmin(j->done / j->all, 1);
-}
+double job_part(const job *j) { return j->whole || !(j->all > 0) ? 1 : fmin(j->done / j->all, 1); }
 
-double job_ticks(const job *j)
-{
-    return (double)j->ticks / fmax(job_part(j), 1e-6);
-}
+double job_ticks(const job *j) { return (double)j->ticks / fmax(job_part(j), 1e-6); }
 
 const char *job_of(const job *j, char text[32])
 {
@@ -401,18 +396,13 @@ const char *job_of(const job *j, char text[32])
 const char *job_words(const job *j)
 {
     return j->head.kind == LOFT_POINTS ? "points"
-         : j->head.kind == LOFT_CURVES ? "curves" : "spans";
+           : j->head.kind == LOFT_CURVES ? "curves"
+                                         : "spans";
 }
 
-double job_seconds(const job *j)
-{
-    return (double)j->ticks / (double)j->tick_hz;
-}
+double job_seconds(const job *j) { return (double)j->ticks / (double)j->tick_hz; }
 
-static const job_entry *entry_of(const job *j, size_t n)
-{
-    return &j->entry[n - j->low];
-}
+static const job_entry *entry_of(const job *j, size_t n) { return &j->entry[n - j->low]; }
 
 size_t job_item_at(const job *j, uint64_t tick)
 {

@@ -449,10 +449,7 @@ int joints_step(joints_planning *p, engine_span *out)
     return step;
 }
 
-size_t joints_passed(const joints_planning *p)
-{
-    return p->e->plan->passed(p->plan);
-}
+size_t joints_passed(const joints_planning *p) { return p->e->plan->passed(p->plan); }
 
 void joints_end(joints_planning *p)
 {

@@ -76,10 +76,7 @@ void way_free(way *w)
     *w = (way){ .count = 0 };
 }
 
-double way_length(const way *w)
-{
-    return w->count > 0 ? w->end[w->count - 1].s : 0;
-}
+double way_length(const way *w) { return w->count > 0 ? w->end[w->count - 1].s : 0; }
 
 /* The nearest place of chord k, not before w->s: gives the distance. */
 static double nearest(const way *w, size_t k, const double x[ENGINE_AXES], double *s)

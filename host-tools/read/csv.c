@@ -12,10 +12,7 @@
 #include "base/scan.h"       /* scan_numbers */
 #include "base/tool.h"       /* tool_error, sysexits */
 
-static const char *skip(const char *s)
-{
-    return s + strspn(s, ",; \t\r");
-}
+static const char *skip(const char *s) { return s + strspn(s, ",; \t\r"); }
 
 static int refuse(const char *file, unsigned line, int count, const char *rest)
 {

@@ -317,7 +317,8 @@ static int end_curve(reading *r)
         return lines_wrong(&at, words, remedy);
     }
     switch (c->kind) {
-    case CURVE_BSPLINE: case CURVE_NURBS: return check_knots(&at, c);
+    case CURVE_BSPLINE:
+    case CURVE_NURBS: return check_knots(&at, c);
     case CURVE_PARABOLA:                  return check_parameters(&at, c);
     case CURVE_ARC:                       return check_radii(&at, c);
     default:                              return 0;

@@ -53,7 +53,11 @@ static const row rows[] = {
 
 /* grbl 1.1: `$100=250.000`. Rates are in mm/min. Numbers that say nothing about a plan are passed
  * over. */
-static const struct { int number; const char *key; int axis; double unit;
+static const struct {
+    int number;
+    const char *key;
+    int axis;
+    double unit;
 } grbl[] = {
     { 11, "corner", -1, 1 },           { 100, "steps_per_mm", 0, 1 },
     { 101, "steps_per_mm", 1, 1 },     { 102, "steps_per_mm", 2, 1 },

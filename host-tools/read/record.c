@@ -206,7 +206,10 @@ double record_seconds(const record *r)
 /* The drawing as chords, each with the part of its curve. */
 typedef struct {
     nearest chords;
-    struct chord { const drawing_curve *curve; double t0, t1; } *of;
+    struct chord {
+        const drawing_curve *curve;
+        double t0, t1;
+    } * of;
     size_t room;
 } chords;
 

@@ -339,9 +339,10 @@ int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size
     if (root == NULL)
         code = tool_error(EX_DATAERR, "%s:%d: %s", file, problem.line, problem.message);
     else if (!svg_is(root, "svg"))
-        code = tool_error(EX_DATAERR, "%s:%u: <%s> is not an SVG drawing: "
-                          "<svg xmlns=\"http://www.w3.org/2000/svg\"> is expected", file,
-                          svg_at_line(&r), (const char *)root->name);
+        code = tool_error(EX_DATAERR,
+                          "%s:%u: <%s> is not an SVG drawing: "
+                          "<svg xmlns=\"http://www.w3.org/2000/svg\"> is expected",
+                          file, svg_at_line(&r), (const char *)root->name);
     else {
         survey(&r, root);
         code = svg_draw(&r, root) ? 0 : EX_DATAERR;

@@ -259,8 +259,10 @@ static void add_rule(svg_reader *r, const char *text, size_t length, const svg_b
             u->namings[u->naming_count++] = (naming){ block->names, rank };
         }
     } else if (hides_or_moves(block)) {
-        svg_warn(r, SVG_WARN_SELECTOR, "the style sheet's selector \"%.40s\" is not understood: "
-                                       "use a class, an id or style=\"\"", selector);
+        svg_warn(r, SVG_WARN_SELECTOR,
+                 "the style sheet's selector \"%.40s\" is not understood: "
+                 "use a class, an id or style=\"\"",
+                 selector);
     }
     xmlFree(selector);
 }

@@ -14,11 +14,9 @@ const svg_matrix svg_identity = { 1, 0, 0, 1, 0, 0 };
 
 svg_matrix svg_multiply(svg_matrix m, svg_matrix n)
 {
-    return (svg_matrix){
-        m.a * n.a + m.c * n.b,          m.b * n.a + m.d * n.b,
+    return (svg_matrix){ m.a * n.a + m.c * n.b,       m.b * n.a + m.d * n.b,
         m.a * n.c + m.c * n.d,          m.b * n.c + m.d * n.d,
-        m.a * n.e + m.c * n.f + m.e,    m.b * n.e + m.d * n.f + m.f
-    };
+                         m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f };
 }
 
 /* The larger singular value: (|u| + |v|) / 2, where u and v are the parts that turn and that
@@ -64,8 +62,10 @@ static bool one_transform(const char *name, int length, const double v[6], int c
     case 21: *out = (svg_matrix){ v[0], 0, 0, v[0], 0, 0 };                   return true;
     case 22: *out = (svg_matrix){ v[0], 0, 0, v[1], 0, 0 };                   return true;
     case 31: *out = turned(v[0]);                                             return true;
-    case 33: *out = svg_multiply(svg_multiply((svg_matrix){ 1, 0, 0, 1, v[1], v[2] }, turned(v[0])),
-                                 (svg_matrix){ 1, 0, 0, 1, -v[1], -v[2] });   return true;
+    case 33:
+        *out = svg_multiply(svg_multiply((svg_matrix){ 1, 0, 0, 1, v[1], v[2] }, turned(v[0])),
+                            (svg_matrix){ 1, 0, 0, 1, -v[1], -v[2] });
+        return true;
     case 41: *out = (svg_matrix){ 1, 0, tan(v[0] * DEGREE), 1, 0, 0 };        return true;
     case 51: *out = (svg_matrix){ 1, tan(v[0] * DEGREE), 0, 1, 0, 0 };        return true;
     default: return false;
@@ -132,7 +132,9 @@ bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *
 // Lengths
 // -------
 
-static const struct { const char *name; double px;
+static const struct {
+    const char *name;
+    double px;
 } units[] = { { "", 1 },    { "px", 1 },         { "mm", 96 / 25.4 }, { "cm", 96 / 2.54 },
               { "in", 96 }, { "pt", 96 / 72.0 }, { "pc", 16 },        { "q", 96 / 101.6 } };
 
@@ -284,7 +286,10 @@ bool svg_fit(const svg_reader *r, const double box[4], double width, double heig
         return false;
     if (!stretch)
         sx = sy = slice ? fmax(sx, sy) : fmin(sx, sy);
-    *out = (svg_matrix){ sx, 0, 0, sy,
+    *out = (svg_matrix){ sx,
+                         0,
+                         0,
+                         sy,
                          (width  - sx * box[2]) * align[0] - sx * box[0],
                          (height - sy * box[3]) * align[1] - sy * box[1] };
     if (stretch) {

@@ -237,10 +237,7 @@ void svg_style_open(svg_reader *r, svg_style *style, svg_scope *scope, const svg
     style->scope = scope->count > 0 ? scope : up;
 }
 
-void svg_style_close(svg_style *style)
-{
-    xmlFree(style->text);
-}
+void svg_style_close(svg_style *style) { xmlFree(style->text); }
 
 void svg_scope_close(svg_scope *scope)
 {

@@ -81,7 +81,9 @@ static void three(const char *text, double out[ENGINE_AXES])
 
 static enum grbl_state state_of(const char *word)
 {
-    static const struct { const char *word; enum grbl_state state;
+    static const struct {
+        const char *word;
+        enum grbl_state state;
     } states[] = { { "Idle", IDLE },   { "Run", RUN },   { "Jog", RUN },
                    { "Hold:0", HELD }, { "Hold", HOLD }, { "Alarm", ALARM } };
 
@@ -300,10 +302,7 @@ void grbl_close(grbl *g)
     free(g);
 }
 
-const double *grbl_place(const grbl *g)
-{
-    return g->place;
-}
+const double *grbl_place(const grbl *g) { return g->place; }
 
 // The job
 // -------

@@ -172,8 +172,10 @@ static void change_override(run_state *r, int by)
 static void obey_keys(run_state *r)
 {
     switch (keys_next()) {
-    case '+': case '=': change_override(r, 10);  break;
-    case '-': case '_': change_override(r, -10); break;
+    case '+':
+    case '=': change_override(r, 10); break;
+    case '-':
+    case '_': change_override(r, -10); break;
     case '0': change_override(r, 0); break;
     case 's': tell(r); break;
     case 'h': loft_sender_control(&r->t->sender, LOFT_HOLD);   break;
@@ -319,7 +321,9 @@ int stream_control(talk *t, enum loft_verb verb, const kinematics *k)
 
     if (!loft_state_busy(s->ack.state))
         return tool_error(EX_UNAVAILABLE, "%s: no job is under way: nothing to %s", t->port,
-                          verb == LOFT_HOLD ? "hold" : verb == LOFT_RESUME ? "resume" : "abort");
+                          verb == LOFT_HOLD     ? "hold"
+                          : verb == LOFT_RESUME ? "resume"
+                                                : "abort");
     loft_sender_control(s, verb);
     while (s->phase < LOFT_PHASE_DONE &&
            (done <= 0 || tool_clock() - done < 3 * LOFT_SENDER_POLL / 1000.0)) {

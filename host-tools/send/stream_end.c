@@ -204,8 +204,7 @@ static int refused(const talk *t, const job *j)
         return tool_error(EX_DATAERR,
                           "%s: the machine cannot do item %u: give less --feed or --accel", t->port,
                           (unsigned)t->sender.ack.next);
-    case LOFT_REFUSAL_INPUT:
-        return hindered(t, j);
+    case LOFT_REFUSAL_INPUT: return hindered(t, j);
     case LOFT_REFUSAL_FAULT:
         return tool_error(EX_UNAVAILABLE,
                           "%s: the machine does not trust its position: restart and home it",
@@ -224,8 +223,7 @@ int stream_ended(talk *t, job *j, const stream_subject *about)
     char text[96], other[96], of[32];
 
     switch (s->phase) {
-    case LOFT_PHASE_DONE:
-        return drawn(t, j, about);
+    case LOFT_PHASE_DONE: return drawn(t, j, about);
     case LOFT_PHASE_ABORTED:
         if (s->refusal != LOFT_REFUSAL_NONE)
             return refused(t, j);
@@ -249,8 +247,7 @@ int stream_ended(talk *t, job *j, const stream_subject *about)
         return tool_error(
             EX_CONFIG, "%s: the machine came back with another version or other axes: start again",
             t->port);
-    default:
-        return refused(t, j);
+    default: return refused(t, j);
     }
 }
 

@@ -10,10 +10,7 @@
 #include "base/tool.h"
 #include "base/waits.h"          /* waits_for */
 
-static uint32_t now_ms(void)
-{
-    return (uint32_t)(uint64_t)(1000 * tool_clock());
-}
+static uint32_t now_ms(void) { return (uint32_t)(uint64_t)(1000 * tool_clock()); }
 
 /* Send frames until there are none or the line is full. */
 static bool send_frames(talk *t)

@@ -21,7 +21,8 @@ bool transport_own(int fd, const char *name)
 int transport_refused(const char *name, int error)
 {
     switch (error) {
-    case EACCES: case EPERM:
+    case EACCES:
+    case EPERM:
         return tool_error(EX_NOPERM, "%s: %s: join its group (often dialout) and log in again",
                           name, strerror(error));
     case EBUSY:

@@ -19,10 +19,7 @@
 #include "base/tool.h"
 #include "send/transport.h"
 
-static bool later(int error)
-{
-    return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
-}
+static bool later(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
 
 static long fd_read(transport *t, void *bytes, size_t max, int timeout_ms)
 {

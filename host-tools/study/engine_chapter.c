@@ -97,10 +97,10 @@ static int coordinate_jets(const engine_chapter *e, loft_spot p, loft_jet phi[])
 static double double_of_sci(loft_sci x)
 {
     loft_acc wide = 0;
-    return loft_sci_wide(x, &wide) ? double_of_acc(wide) : NAN;
+    return loft_sci_to_acc(x, &wide) ? double_of_acc(wide) : NAN;
 }
 
-static void jet_of(const loft_local *l, unsigned axis, double f, chapter_jet *out)
+static void jet_of(const loft_differential *l, unsigned axis, double f, chapter_jet *out)
 {
     *out = (chapter_jet){ f,
                           double_of_sci(l->u[axis]),
@@ -115,7 +115,7 @@ static int chapter_at(const engine_chapter *e, double x, double y, bool bent, ch
     const loft_spot p = { { LOFT_REAL(x), LOFT_REAL(y) } };
     loft_sci phi[LOFT_SIDES_MAX], weight[POINTS];
     loft_jet jet[LOFT_SIDES_MAX];
-    loft_local here, bump;
+    loft_differential here, bump;
     loft_vec at;
     int status = coordinates(e, p, phi);
 
@@ -130,8 +130,8 @@ static int chapter_at(const engine_chapter *e, double x, double y, bool bent, ch
     for (unsigned k = 0; k < 3; k++)
         out->p[k].f = double_of(at.axis[k]);
     if (!bent || coordinate_jets(e, p, jet) != LOFT_OK ||
-        loft_gb_local(&e->patch, jet, &here) != LOFT_OK ||
-        loft_gb_local(&e->weight, jet, &bump) != LOFT_OK)
+        loft_gb_differential(&e->patch, jet, &here) != LOFT_OK ||
+        loft_gb_differential(&e->weight, jet, &bump) != LOFT_OK)
         return LOFT_OK;
     out->bent = true;
     for (unsigned k = 0; k < 3; k++)
@@ -154,10 +154,8 @@ static int chapter_fan(const double vertex[3], double ring[][3], unsigned count,
     return status;
 }
 
-const engine_chapters ENGINE_OF(engine_chapters) = {
-    .rough = sizeof(loft_real) < sizeof(double),
+const engine_chapters ENGINE_OF(engine_chapters) = { .rough = sizeof(loft_real) < sizeof(double),
     .open  = chapter_open,
     .close = chapter_close,
     .at    = chapter_at,
-    .fan   = chapter_fan
-};
+                                                     .fan = chapter_fan };

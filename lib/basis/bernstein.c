@@ -39,7 +39,7 @@ int32_t loft_binomial(unsigned n, unsigned k)
  * e_k from above. */
 void loft_bernstein_weights(unsigned degree, loft_unit t, loft_acc w[])
 {
-    w[0] = loft_wide(LOFT_REAL(1));
+    w[0] = loft_to_acc(LOFT_REAL(1));
     for (unsigned k = 1; k <= degree; k++) {
         w[k] = 0;
         for (unsigned i = k; i > 0; i--) {
@@ -113,12 +113,12 @@ enum loft_status loft_power_eval(const loft_real c[], unsigned degree, loft_unit
     if (degree > LOFT_DEGREE_MAX || !(x >= LOFT_UNIT(-2) && x <= LOFT_UNIT(2)))
         return LOFT_ERR_ARG;
 
-    loft_acc v = loft_wide(c[degree]), d = 0;
+    loft_acc v = loft_to_acc(c[degree]), d = 0;
     for (unsigned k = degree; k > 0; k--) {
         d = loft_acc_scale(d, x) + v;
-        v = loft_acc_scale(v, x) + loft_wide(c[k-1]);
+        v = loft_acc_scale(v, x) + loft_to_acc(c[k-1]);
     }
-    if (!loft_acc_fits(v) || !loft_acc_fits(d))
+    if (!loft_acc_valid(v) || !loft_acc_valid(d))
         return LOFT_ERR_RANGE;
 
     *value = loft_acc_round(v);

@@ -6,7 +6,7 @@
  * wide coefficients (loft_acc), so that a chain of operations rounds to a coordinate once, at its
  * end:
  *
- *     loft_acc c[4] = { loft_wide(a), loft_wide(b), loft_wide(d), loft_wide(e) };
+ *     loft_acc c[4] = { loft_to_acc(a), loft_to_acc(b), loft_to_acc(d), loft_to_acc(e) };
  *     loft_real y = loft_acc_round(loft_bernstein_eval(c, 3, t));
  *
  * Unless a function says otherwise: coefficients are within the range of loft_real (q16: +-2^15),

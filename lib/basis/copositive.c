@@ -99,7 +99,7 @@ enum loft_status loft_matrix_copositive(const loft_real m[], unsigned n, bool *c
     if (n < 1 || n > LOFT_COPOSITIVE_MAX)
         return LOFT_ERR_ARG;
     for (unsigned k = 0; k < n * (n + 1) / 2; k++)
-        if (!loft_exact_admits(m[k]))
+        if (!loft_exact_valid(m[k]))
             return LOFT_ERR_RANGE;
     for (unsigned set = 1; set < 1u << n && !witness; set++) {
         minor a = { m, (uint8_t)n, 0, { 0 } };

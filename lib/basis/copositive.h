@@ -19,7 +19,7 @@ LOFT_BEGIN_C
 /* Is the matrix of order n copositive?
  *
  *   shape   m: the upper triangle by rows, m11 m12 .. m1n m22 .. mnn: n (n + 1) / 2 numbers
- *   range   n = 1..4, otherwise LOFT_ERR_ARG; f32, f64: numbers that loft_exact_admits, otherwise
+ *   range   n = 1..4, otherwise LOFT_ERR_ARG; f32, f64: numbers that loft_exact_valid, otherwise
  *           LOFT_ERR_RANGE; *copositive is untouched then
  *   error   none
  *   cost    about 150 exact products for n = 4, 20 for n = 3; 1.8 kB of stack in q16; not for an

@@ -42,7 +42,7 @@ static bool over_spread(const loft_parabola *p, loft_exact x, int shift, loft_re
 {
     loft_acc y;
 
-    if (!loft_exact_quot(x, spread(p), shift, &y) || !loft_acc_fits(y))
+    if (!loft_exact_quot(x, spread(p), shift, &y) || !loft_acc_valid(y))
         return false;
     *out = loft_acc_round(y);
     return true;
@@ -51,7 +51,7 @@ static bool over_spread(const loft_parabola *p, loft_exact x, int shift, loft_re
 enum loft_status loft_parabola_init(loft_parabola *p, const loft_real t[3], const loft_real f[3])
 {
     for (int i = 0; i < 3; i++)
-        if (!loft_exact_admits(t[i]) || !loft_exact_admits(f[i]))
+        if (!loft_exact_valid(t[i]) || !loft_exact_valid(f[i]))
             return LOFT_ERR_RANGE;
     for (int i = 0; i < 3; i++)
         if (loft_exact_sign(gap(t[i], t[(i + 1) % 3])) == 0)
@@ -68,7 +68,7 @@ static enum loft_status blossom(const loft_parabola *p, loft_real u, loft_real v
 {
     loft_exact sum = loft_exact_from_int(0);
 
-    if (!loft_exact_admits(u) || !loft_exact_admits(v))
+    if (!loft_exact_valid(u) || !loft_exact_valid(v))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < 3; i++) {
         const loft_real tj = p->t[(i + 1) % 3], tk = p->t[(i + 2) % 3];
@@ -89,7 +89,7 @@ enum loft_status loft_parabola_deriv(const loft_parabola *p, loft_real t, loft_r
 {
     loft_exact sum = loft_exact_from_int(0);
 
-    if (!loft_exact_admits(t))
+    if (!loft_exact_valid(t))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < 3; i++) {
         const loft_exact factor = loft_exact_add(gap(t, p->t[(i + 1) % 3]),
@@ -125,8 +125,10 @@ enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from,
 {
     enum loft_status status = blossom(p, from, from, &c[0]);
 
-    if (status == LOFT_OK) status = blossom(p, from, to, &c[1]);
-    if (status == LOFT_OK) status = blossom(p, to, to, &c[2]);
+    if (status == LOFT_OK)
+        status = blossom(p, from, to, &c[1]);
+    if (status == LOFT_OK)
+        status = blossom(p, to, to, &c[2]);
     return status;
 }
 

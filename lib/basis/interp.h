@@ -31,7 +31,7 @@ typedef struct {
 /* Take three places and their values.
  *
  *   range   the places in any order; LOFT_SINGULAR when two are the same
- *           f32, f64: what loft_exact_admits, otherwise LOFT_ERR_RANGE; *p is untouched then
+ *           f32, f64: what loft_exact_valid, otherwise LOFT_ERR_RANGE; *p is untouched then
  *   error   none: the numbers are kept as they are
  *   cost    three differences of exact numbers
  */

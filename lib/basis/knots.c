@@ -82,7 +82,7 @@ unsigned loft_knots_weights(const loft_knots *knots, loft_real u, loft_acc w[])
     const unsigned s = loft_knots_find(knots, u);
 
     u = loft_knots_clamp(knots, u);
-    w[0] = loft_wide(LOFT_REAL(1));
+    w[0] = loft_to_acc(LOFT_REAL(1));
     for (unsigned r = 1; r <= knots->degree; r++) {
         w[r] = 0;
         for (unsigned i = r; i > 0; i--) {
@@ -137,7 +137,7 @@ void loft_knots_bezier(const loft_knots *knots, unsigned span, loft_acc c[], lof
 
 /* One knot more */
 
-bool loft_knots_accepts(const loft_knots *knots, loft_real u)
+bool loft_knots_valid(const loft_knots *knots, loft_real u)
 {
     const unsigned last = knots->points + knots->degree;
     unsigned times = 0;

@@ -8,7 +8,7 @@
  * values go through a chain of lerps and round once, at its end:
  *
  *     const unsigned s = loft_knots_find(&knots, u);
- *     for (j = 0; j <= p; j++) c[j] = loft_wide(coefficient[s - p + j]);
+ *     for (j = 0; j <= p; j++) c[j] = loft_to_acc(coefficient[s - p + j]);
  *     y = loft_acc_round(loft_knots_eval(&knots, s, u, c));
  *
  * The place of u between two knots is not rounded in q16, however close or far apart they are.
@@ -114,7 +114,7 @@ void loft_knots_bezier(const loft_knots *knots, unsigned span, loft_acc c[], lof
  *   error   none
  *   cost    two comparisons a knot
  */
-bool loft_knots_accepts(const loft_knots *knots, loft_real u);
+bool loft_knots_valid(const loft_knots *knots, loft_real u);
 
 /* The knots with one more at u: points + degree + 2. `out` may be the knots themselves, if they
  * have room.

@@ -10,7 +10,7 @@
 static bool taken(loft_exact out[], const loft_real a[], unsigned count)
 {
     for (unsigned k = 0; k < count; k++) {
-        if (!loft_exact_admits(a[k]))
+        if (!loft_exact_valid(a[k]))
             return false;
         out[k] = loft_exact_from_real(a[k]);
     }
@@ -57,7 +57,7 @@ static bool raised_is_positive(const loft_exact a[3], loft_exact d, int32_t m)
 
 static int8_t raises(const loft_exact a[3], loft_exact d)
 {
-    for (int8_t r = 0; r <= LOFT_RAISES_MAX; r++)
+    for (int8_t r = 0; r <= LOFT_ELEVATIONS_MAX; r++)
         if (raised_is_positive(a, d, r + 2))
             return r;
     return -1;

@@ -5,7 +5,7 @@
  * The converse is false, and degree raising brings the coefficients closer to the polynomial. These
  * functions decide on the polynomial itself. Every decision is a sign of whole numbers
  * (num/exact.h), that of the coefficients as given. In f32 and f64 they must be what
- * loft_exact_admits says, otherwise LOFT_ERR_RANGE; nothing is written then.
+ * loft_exact_valid says, otherwise LOFT_ERR_RANGE; nothing is written then.
  */
 #ifndef LOFT_BASIS_SIGN_H
 #define LOFT_BASIS_SIGN_H
@@ -14,7 +14,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_RAISES_MAX 60      /* loft_quadratic_sign looks so far */
+#define LOFT_ELEVATIONS_MAX 60      /* loft_quadratic_sign looks so far */
 
 typedef struct {
     bool nonnegative;   /* >= 0 on 0..1, the ends included                                      */

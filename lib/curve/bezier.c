@@ -12,15 +12,12 @@
  */
 #include "curve/bezier.h"
 
-static bool extends(loft_unit t)
-{
-    return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2);
-}
+static bool extends(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
 
 /* Round to a coordinate, if it fits. */
 static bool take(loft_acc x, loft_real *out)
 {
-    if (!loft_acc_fits(x))
+    if (!loft_acc_valid(x))
         return false;
     *out = loft_acc_round(x);
     return true;
@@ -29,7 +26,7 @@ static bool take(loft_acc x, loft_real *out)
 static void widen(const loft_vec p[], unsigned degree, int axis, loft_acc c[])
 {
     for (unsigned k = 0; k <= degree; k++)
-        c[k] = loft_wide(p[k].axis[axis]);
+        c[k] = loft_to_acc(p[k].axis[axis]);
 }
 
 static bool take_all(const loft_acc c[], unsigned degree, int axis, loft_vec out[])
@@ -50,7 +47,7 @@ enum loft_status loft_bezier_init(loft_bezier *b, const loft_vec p[], unsigned d
     for (unsigned k = 0; k <= degree; k++)
         for (int i = 0; i < LOFT_AXES; i++)
             /* infinities and nans; in q16 everything fits */
-            if (!loft_acc_fits(loft_wide(p[k].axis[i])))
+            if (!loft_acc_valid(loft_to_acc(p[k].axis[i])))
                 return LOFT_ERR_RANGE;
     b->p = p;
     b->degree = (uint8_t)degree;
@@ -70,7 +67,7 @@ loft_vec loft_bezier_eval(const loft_bezier *b, loft_unit t)
     return v;
 }
 
-enum loft_status loft_bezier_extend(const loft_bezier *b, loft_unit t, loft_vec *out)
+enum loft_status loft_bezier_extrapolate(const loft_bezier *b, loft_unit t, loft_vec *out)
 {
     return loft_bezier_deriv(b, 0, t, out);
 }
@@ -98,7 +95,7 @@ enum loft_status loft_bezier_deriv(const loft_bezier *b, unsigned k, loft_unit t
     for (unsigned j = 0; j < k; j++)
         factor = j < b->degree ? factor * (int32_t)(b->degree - j) : 0;
 
-    const loft_acc limit = factor ? 2 * loft_acc_ratio(loft_wide(LOFT_REAL_MAX), factor) : 0;
+    const loft_acc limit = factor ? 2 * loft_acc_ratio(loft_to_acc(LOFT_REAL_MAX), factor) : 0;
     for (int i = 0; i < LOFT_AXES && factor; i++) {
         widen(b->p, b->degree, i, c);
         for (unsigned m = b->degree; m > b->degree - k; m--)
@@ -128,7 +125,7 @@ enum loft_status loft_bezier_from_edges(const loft_vec a[], unsigned degree, lof
         widen(a, degree, i, c);
         for (unsigned k = 1; k <= degree; k++) {
             c[k] += c[k-1];
-            if (narrow && !loft_acc_fits(c[k]))
+            if (narrow && !loft_acc_valid(c[k]))
                 return LOFT_ERR_RANGE;
         }
         if (!take(loft_bernstein_eval(c, degree, t), &v.axis[i]))
@@ -165,8 +162,7 @@ enum loft_status loft_bezier_split(const loft_bezier *b, loft_unit t, loft_vec l
 }
 
 /* out[k] = b[from^(degree-k), to^k]: after degree - k rows at `from`, k rows at `to` in a copy. */
-enum loft_status loft_bezier_part(const loft_bezier *b, loft_unit from, loft_unit to,
-                                  loft_vec out[])
+enum loft_status loft_bezier_sub(const loft_bezier *b, loft_unit from, loft_unit to, loft_vec out[])
 {
     loft_acc c[LOFT_DEGREE_MAX + 1], copy[LOFT_DEGREE_MAX + 1];
 
@@ -188,12 +184,12 @@ enum loft_status loft_bezier_part(const loft_bezier *b, loft_unit from, loft_uni
 /* q_k = sum C(n,i) C(r,k-i) b_i / C(n+r,k), i = max(0,k-r) .. min(n,k). The products of binomials
  * sum to C(n+r,k) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 < 2^62.6. One division,
  * rounded to 2^-33. */
-enum loft_status loft_bezier_raise(const loft_bezier *b, unsigned times, loft_vec out[])
+enum loft_status loft_bezier_elevate(const loft_bezier *b, unsigned times, loft_vec out[])
 {
     const unsigned n = b->degree;
     loft_acc c[LOFT_DEGREE_MAX + 1];
 
-    if (times > LOFT_RAISE_MAX - n)
+    if (times > LOFT_ELEVATE_MAX - n)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         widen(b->p, n, axis, c);

@@ -27,7 +27,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_RAISE_MAX 18       /* the highest degree that loft_bezier_raise yields */
+#define LOFT_ELEVATE_MAX 18       /* the highest degree that loft_bezier_elevate yields */
 
 /* A cubic, by value: what motion is planned along and what flattening cuts. */
 typedef struct {
@@ -71,7 +71,8 @@ loft_vec loft_bezier_eval(const loft_bezier *b, loft_unit t);
  *           f32: 1/2 ulp of the result + 1/2 ulp   f64: 3 * degree * L^degree ulp
  *   cost    as eval
  */
-enum loft_status loft_bezier_extend(const loft_bezier *b, loft_unit t, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_bezier_extrapolate(const loft_bezier *b, loft_unit t,
+                                         loft_vec *out) LOFT_CHECKED;
 
 /* The k-th derivative with respect to t; 0 for k > degree.
  *
@@ -121,17 +122,17 @@ enum loft_status loft_bezier_split(const loft_bezier *b, loft_unit t, loft_vec l
  *           stack
  *   see     Ramshaw, blossoming: out[k] = b[from^(degree-k), to^k]
  */
-enum loft_status loft_bezier_part(const loft_bezier *b, loft_unit from, loft_unit to,
+enum loft_status loft_bezier_sub(const loft_bezier *b, loft_unit from, loft_unit to,
                                   loft_vec out[]) LOFT_CHECKED;
 
 /* The same curve with a degree higher by `times`: degree + times + 1 control points.
  *
- *   range   degree + times <= LOFT_RAISE_MAX, otherwise LOFT_ERR_ARG
+ *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree + 3 ulp
  *   cost    (degree + 1) * (times + 1) small products and degree + times + 1 divisions per axis
  *   see     Farin, ch. 6: repeated degree elevation
  */
-enum loft_status loft_bezier_raise(const loft_bezier *b, unsigned times,
+enum loft_status loft_bezier_elevate(const loft_bezier *b, unsigned times,
                                    loft_vec out[]) LOFT_CHECKED;
 
 /* The coefficients of t^0..t^degree.
@@ -185,7 +186,7 @@ void loft_cubic_deriv(const loft_cubic *c, unsigned k, loft_unit t, loft_acc out
  *   error   q16: 1/2 LSB + 3 * 2^-17 LSB   f32: 1 ulp   f64: 9 ulp;  exact at 0 and 1
  *   cost    14 wide lerps per axis
  */
-loft_cubic loft_cubic_part(const loft_cubic *c, loft_unit from, loft_unit to);
+loft_cubic loft_cubic_sub(const loft_cubic *c, loft_unit from, loft_unit to);
 
 /* The pieces 0..t and t..1.
  *

@@ -15,7 +15,7 @@
  * floats); `noise` is at least that, and added where a coefficient is taken as a bound. The whole
  * curve has no noise. */
 #include "curve/bounds.h"
-#include "basis/pieces.h"   /* loft_dyad, loft_bernstein_part */
+#include "basis/dyadic.h"   /* loft_dyad, loft_bernstein_sub */
 
 static loft_acc top_of(const loft_acc c[], unsigned degree)
 {
@@ -38,9 +38,11 @@ static loft_acc highest(const loft_acc c[], unsigned degree, loft_acc grain)
         return best;
     do {
         for (;;) {
-            loft_bernstein_part(c, degree, loft_dyad_from(n), loft_dyad_to(n), p);
-            if (p[0] > best)      best = p[0];
-            if (p[degree] > best) best = p[degree];
+            loft_bernstein_sub(c, degree, loft_dyad_from(n), loft_dyad_to(n), p);
+            if (p[0] > best)
+                best = p[0];
+            if (p[degree] > best)
+                best = p[degree];
             const loft_acc top = top_of(p, degree);
             if (top <= best + enough || n.level == LOFT_DYAD_LEVELS) {
                 if (top + noise > bound)
@@ -56,11 +58,12 @@ static loft_acc highest(const loft_acc c[], unsigned degree, loft_acc grain)
 /* The coordinate at or above x, but not above the coordinate `most`. */
 static loft_acc ceiling(loft_acc x, loft_acc most)
 {
-    const loft_acc beyond = x + loft_real_grain(x < 0 ? -x : x);
+    const loft_acc beyond = x + loft_real_ulp(x < 0 ? -x : x);
 
-    if (!loft_acc_fits(beyond))
+    if (!loft_acc_valid(beyond))
         return most;
-    const loft_acc near = loft_wide(loft_acc_round(x)), next = loft_wide(loft_acc_round(beyond));
+    const loft_acc near = loft_to_acc(loft_acc_round(x)),
+                   next = loft_to_acc(loft_acc_round(beyond));
     const loft_acc up = near < x ? next : near;
     return up < most && up >= x ? up : most;
 }
@@ -72,7 +75,7 @@ static loft_acc upper(const loft_acc c[], unsigned degree)
     for (unsigned k = 0; k <= degree; k++)
         if (size < (c[k] < 0 ? -c[k] : c[k]))
             size = c[k] < 0 ? -c[k] : c[k];
-    return ceiling(highest(c, degree, loft_acc_grain(size)), top_of(c, degree));
+    return ceiling(highest(c, degree, loft_acc_ulp(size)), top_of(c, degree));
 }
 
 /* The smallest value is that of the negated polynomial, as an acc: the negative of a coordinate
@@ -84,7 +87,7 @@ loft_box loft_bezier_bounds(const loft_bezier *b)
 
     for (int i = 0; i < LOFT_AXES; i++) {
         for (unsigned k = 0; k <= b->degree; k++)
-            c[k] = loft_wide(b->p[k].axis[i]);
+            c[k] = loft_to_acc(b->p[k].axis[i]);
         box.max.axis[i] = loft_acc_round(upper(c, b->degree));
         for (unsigned k = 0; k <= b->degree; k++)
             c[k] = -c[k];

@@ -4,7 +4,7 @@
  * One axis at a time, wide: basis/knots.c has the bounds.
  */
 #include "curve/bspline.h"
-#include "num/part.h"           /* loft_acc_grow */
+#include "num/muldiv.h"           /* loft_acc_grow */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 
@@ -30,7 +30,7 @@ static void widen(const loft_bspline *b, unsigned span, int axis, loft_acc c[])
     const loft_vec *p = &b->p[span - b->knots.degree];
 
     for (unsigned k = 0; k <= b->knots.degree; k++)
-        c[k] = loft_wide(p[k].axis[axis]);
+        c[k] = loft_to_acc(p[k].axis[axis]);
 }
 
 loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u)
@@ -57,7 +57,7 @@ loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u)
 enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real u, loft_vec *out)
 {
     const unsigned span = loft_knots_find(&b->knots, u), degree = b->knots.degree;
-    const loft_acc h = loft_wide(b->knots.k[span + 1]) - loft_wide(b->knots.k[span]);
+    const loft_acc h = loft_to_acc(b->knots.k[span + 1]) - loft_to_acc(b->knots.k[span]);
     loft_knots lower = b->knots;
     loft_acc c[POINTS], piece[POINTS];
     loft_vec v = { { 0 } };
@@ -73,7 +73,7 @@ enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real
         for (unsigned j = 0; j < k; j++)
             if (!loft_acc_grow(&piece[k], (int32_t)(degree - j), h))
                 return LOFT_ERR_RANGE;
-        if (!loft_acc_fits(piece[k]))
+        if (!loft_acc_valid(piece[k]))
             return LOFT_ERR_RANGE;
         v.axis[i] = loft_acc_round(piece[k]);
     }
@@ -104,14 +104,14 @@ enum loft_status loft_bspline_insert(const loft_bspline *b, loft_real u, loft_ve
     const unsigned span = loft_knots_find(&b->knots, u), degree = b->knots.degree;
     const loft_real *lo = b->knots.k, *hi = lo + degree;
 
-    if (!loft_knots_accepts(&b->knots, u))
+    if (!loft_knots_valid(&b->knots, u))
         return LOFT_ERR_ARG;
     for (unsigned k = b->knots.points; k > span; k--)
         p[k] = b->p[k - 1];
     for (unsigned k = span; k > span - degree; k--)
         for (int i = 0; i < LOFT_AXES; i++)
             p[k].axis[i] = loft_acc_round(loft_acc_lerp_in(
-                loft_wide(b->p[k - 1].axis[i]), loft_wide(b->p[k].axis[i]), u, lo[k], hi[k]));
+                loft_to_acc(b->p[k - 1].axis[i]), loft_to_acc(b->p[k].axis[i]), u, lo[k], hi[k]));
     for (unsigned k = 0; k <= span - degree; k++)
         p[k] = b->p[k];
     loft_knots_insert(&b->knots, u, knots);

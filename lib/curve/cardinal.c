@@ -19,10 +19,10 @@ static void ends(const loft_vec p[4], loft_unit tension, int i, loft_acc e[4])
 {
     const loft_unit twice = LOFT_UNIT(1) - tension;
 
-    e[0] = loft_wide(p[1].axis[i]);
-    e[1] = loft_wide(p[2].axis[i]);
-    e[2] = loft_acc_ratio(loft_acc_scale(e[1] - loft_wide(p[0].axis[i]), twice), 2);
-    e[3] = loft_acc_ratio(loft_acc_scale(loft_wide(p[3].axis[i]) - e[0], twice), 2);
+    e[0] = loft_to_acc(p[1].axis[i]);
+    e[1] = loft_to_acc(p[2].axis[i]);
+    e[2] = loft_acc_ratio(loft_acc_scale(e[1] - loft_to_acc(p[0].axis[i]), twice), 2);
+    e[3] = loft_acc_ratio(loft_acc_scale(loft_to_acc(p[3].axis[i]) - e[0], twice), 2);
 }
 
 enum loft_status loft_cardinal_deriv(const loft_vec p[4], loft_unit tension, unsigned k,

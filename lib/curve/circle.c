@@ -42,7 +42,7 @@ static bool accepted(loft_plane plane, int32_t turns)
 static bool finite(loft_vec a)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_fine_accepts(a.axis[i]))
+        if (!loft_fine_valid(a.axis[i]))
             return false;
     return true;
 }
@@ -50,8 +50,8 @@ static bool finite(loft_vec a)
 /* b - a in the plane */
 static pair way(loft_vec a, loft_vec b, loft_plane plane)
 {
-    const pair d = { loft_wide(b.axis[plane.first]) - loft_wide(a.axis[plane.first]),
-                     loft_wide(b.axis[plane.second]) - loft_wide(a.axis[plane.second]) };
+    const pair d = { loft_to_acc(b.axis[plane.first]) - loft_to_acc(a.axis[plane.first]),
+                     loft_to_acc(b.axis[plane.second]) - loft_to_acc(a.axis[plane.second]) };
     return d;
 }
 
@@ -76,13 +76,13 @@ static void finish(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
     c->from = from;
     c->to = to;
     c->plane = plane;
-    c->centre[0] = loft_wide(from.axis[plane.first]) - c->u[0];
-    c->centre[1] = loft_wide(from.axis[plane.second]) - c->u[1];
+    c->centre[0] = loft_to_acc(from.axis[plane.first]) - c->u[0];
+    c->centre[1] = loft_to_acc(from.axis[plane.second]) - c->u[1];
     for (int i = 0; i < LOFT_AXES; i++)
-        c->drift[i] = loft_wide(to.axis[i]) - loft_wide(from.axis[i]);
+        c->drift[i] = loft_to_acc(to.axis[i]) - loft_to_acc(from.axis[i]);
     const pair end = on_ellipse(c, c->sweep);
-    c->drift[plane.first]  = loft_wide(to.axis[plane.first]) - end.x;
-    c->drift[plane.second] = loft_wide(to.axis[plane.second]) - end.y;
+    c->drift[plane.first]  = loft_to_acc(to.axis[plane.first]) - end.x;
+    c->drift[plane.second] = loft_to_acc(to.axis[plane.second]) - end.y;
 }
 
 enum loft_status loft_circle_eval(const loft_circle *c, loft_unit t, loft_vec *out)
@@ -92,11 +92,11 @@ enum loft_status loft_circle_eval(const loft_circle *c, loft_unit t, loft_vec *o
     t = loft_unit_clamp(t);
     const pair turn = on_ellipse(c, loft_acc_scale(c->sweep, t));
     for (int i = 0; i < LOFT_AXES; i++)
-        p[i] = loft_wide(c->from.axis[i]) + loft_acc_scale(c->drift[i], t);
+        p[i] = loft_to_acc(c->from.axis[i]) + loft_acc_scale(c->drift[i], t);
     p[c->plane.first]  = turn.x + loft_acc_scale(c->drift[c->plane.first], t);
     p[c->plane.second] = turn.y + loft_acc_scale(c->drift[c->plane.second], t);
     for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_acc_fits(p[i]))
+        if (!loft_acc_valid(p[i]))
             return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++)
         out->axis[i] = t > 0 ? t < LOFT_UNIT(1) ? loft_acc_round(p[i]) : c->to.axis[i]
@@ -111,7 +111,7 @@ enum loft_status loft_circle_eval(const loft_circle *c, loft_unit t, loft_vec *o
 static loft_acc more_turns(int32_t turns)
 {
     const int32_t whole = (turns > 0 ? turns : -turns) - 1;
-    return loft_fine_scale(loft_wide(loft_real_from_int(2 * whole)), LOFT_FINE_PI);
+    return loft_fine_scale(loft_to_acc(loft_real_from_int(2 * whole)), LOFT_FINE_PI);
 }
 
 /* The angle from one direction to another, in the sense of `turns`, with its whole turns. */
@@ -123,13 +123,13 @@ static loft_acc sweep_of(loft_fine from, loft_fine to, int32_t turns)
         a += 2 * LOFT_FINE_PI;
     if (a < SAME_DIRECTION)
         a += 2 * LOFT_FINE_PI;
-    return loft_fine_wide(a) + more_turns(turns);
+    return loft_fine_to_acc(a) + more_turns(turns);
 }
 
 static bool alike(loft_acc a, loft_acc b)
 {
     const loft_acc off = a > b ? a - b : b - a;
-    return off <= loft_acc_ratio(a, 256) + 16 * loft_real_grain(a);
+    return off <= loft_acc_ratio(a, 256) + 16 * loft_real_ulp(a);
 }
 
 enum loft_status loft_circle_from_centre(loft_circle *c, loft_vec from, loft_vec to,
@@ -185,15 +185,15 @@ static loft_fine direction(const chord *d, const loft_real radii[2])
  * has more of it, and in fine numbers: where it is near 1, its error decides on the centre. */
 static bool measure(chord *d, const loft_real radii[2])
 {
-    const loft_acc one = loft_wide(LOFT_REAL(1)),
-                   larger = loft_wide(radii[0] > radii[1] ? radii[0] : radii[1]);
+    const loft_acc one = loft_to_acc(LOFT_REAL(1)),
+                   larger = loft_to_acc(radii[0] > radii[1] ? radii[0] : radii[1]);
 
     d->p = direction(d, radii);
     const loft_fine cosine = loft_fine_cos(d->p), sine = loft_fine_sin(d->p);
     const bool up = loft_fine_mul(sine, sine) > LOFT_FINE_1 / 2;
     const loft_fine part = up ? (sine < 0 ? -sine : sine) : cosine < 0 ? -cosine : cosine;
     const loft_acc way = up ? d->half.y : d->half.x, far = way < 0 ? -way : way,
-                   radius = loft_wide(radii[up]);
+                   radius = loft_to_acc(radii[up]);
 
     d->stretch = one;
     d->q = LOFT_FINE_1;
@@ -205,7 +205,7 @@ static bool measure(chord *d, const loft_real radii[2])
             return false;
         d->q = LOFT_FINE_1;
         d->stretch = loft_fine_quot(far, reach);
-        if (d->stretch > loft_fine_quot(loft_wide(LOFT_REAL_MAX), larger > one ? larger : one))
+        if (d->stretch > loft_fine_quot(loft_to_acc(LOFT_REAL_MAX), larger > one ? larger : one))
             return false;
     }
     for (int i = 0; i < 2; i++)
@@ -217,7 +217,7 @@ static bool measure(chord *d, const loft_real radii[2])
 static void straight(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
 {
     c->u[0] = c->u[1] = c->v[0] = c->v[1] = c->radius = 0;
-    c->sweep = loft_wide(LOFT_REAL(1));
+    c->sweep = loft_to_acc(LOFT_REAL(1));
     finish(c, from, to, plane);
 }
 
@@ -242,15 +242,15 @@ static void place(loft_circle *c, const chord *d, loft_fine cosine, loft_fine si
     c->v[0] = slope.x;
     c->v[1] = slope.y;
     c->radius = d->radius[0] > d->radius[1] ? d->radius[0] : d->radius[1];
-    c->sweep = loft_fine_wide(2 *
+    c->sweep = loft_fine_to_acc(2 *
                               loft_fine_atan2((loft_acc)d->q, (loft_acc)(large ? -side : side)));
 }
 
 static bool size_of(loft_real radius, loft_real *size)
 {
-    const loft_acc x = radius < 0 ? -loft_wide(radius) : loft_wide(radius);
+    const loft_acc x = radius < 0 ? -loft_to_acc(radius) : loft_to_acc(radius);
 
-    if (!loft_fine_accepts(radius) || !loft_acc_fits(x))
+    if (!loft_fine_valid(radius) || !loft_acc_valid(x))
         return false;
     *size = loft_acc_round(x);
     return true;
@@ -272,7 +272,7 @@ enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec
     d.half.x = whole.x / 2;
     d.half.y = whole.y / 2;
     if (is_zero(whole) || !(radii[0] > 0) || !measure(&d, radii) ||
-        d.stretch > loft_wide(LOFT_REAL(1.00390625)))
+        d.stretch > loft_to_acc(LOFT_REAL(1.00390625)))
         return LOFT_ERR_ARG;
     place(c, &d, LOFT_FINE_1, 0, large, turns > 0);
     c->sweep += more_turns(turns);
@@ -283,10 +283,10 @@ enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec
 /* The nearest number of quarters of a turn is taken off, exactly. */
 static void turn_of(loft_real degrees, loft_fine *cosine, loft_fine *sine)
 {
-    const loft_acc quarter = loft_wide(LOFT_REAL(90));
-    const int32_t quarters = loft_acc_int(loft_acc_ratio(loft_wide(degrees), 90));
+    const loft_acc quarter = loft_to_acc(LOFT_REAL(90));
+    const int32_t quarters = loft_acc_int(loft_acc_ratio(loft_to_acc(degrees), 90));
     const loft_fine a = loft_fine_mul(
-        loft_fine_ratio(loft_wide(degrees) - quarters * quarter, quarter), LOFT_FINE_PI / 2);
+        loft_fine_ratio(loft_to_acc(degrees) - quarters * quarter, quarter), LOFT_FINE_PI / 2);
     const loft_fine c = loft_fine_cos(a), s = loft_fine_sin(a);
 
     *cosine = quarters & 1 ? (quarters & 2 ? s : -s) : quarters & 2 ? -c : c;

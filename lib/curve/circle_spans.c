@@ -35,14 +35,14 @@ static loft_circle_place place_at(const loft_circle *c, uint32_t j, uint32_t n)
     loft_circle_place at;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        at.p[i] = loft_wide(c->from.axis[i]) + part(c->drift[i], j, n);
+        at.p[i] = loft_to_acc(c->from.axis[i]) + part(c->drift[i], j, n);
     for (int i = 0; i < 2; i++) {
         at.p[plane[i]] = c->centre[i] + loft_fine_scale(c->u[i], cosine) +
                          loft_fine_scale(c->v[i], sine) + part(c->drift[plane[i]], j, n);
         at.slope[i] = loft_fine_scale(c->v[i], cosine) - loft_fine_scale(c->u[i], sine);
     }
     for (int i = 0; i < LOFT_AXES && (j == 0 || j == n); i++)
-        at.p[i] = loft_wide(j ? c->to.axis[i] : c->from.axis[i]);
+        at.p[i] = loft_to_acc(j ? c->to.axis[i] : c->from.axis[i]);
     return at;
 }
 
@@ -63,7 +63,7 @@ static wide_point inner(const loft_circle_spans *s, const loft_circle_place *at,
 static bool fits(const loft_acc p[])
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_acc_fits(p[i]))
+        if (!loft_acc_valid(p[i]))
             return false;
     return true;
 }
@@ -95,7 +95,7 @@ static loft_acc error_of(const loft_circle *c, enum loft_circle_kind kind, uint3
             off = loft_acc_scale(off, h);
     } else {
         off = loft_acc_ratio(
-            loft_acc_mul(c->radius, loft_acc_round(loft_real_grain(loft_wide(OUTER)))), 4096);
+            loft_acc_mul(c->radius, loft_acc_round(loft_real_ulp(loft_to_acc(OUTER)))), 4096);
     }
     return loft_acc_scale(loft_acc_scale(off + lag, h), h);
 }
@@ -106,7 +106,7 @@ static uint32_t count(const loft_circle *c, enum loft_circle_kind kind, loft_acc
 {
     const loft_acc quarters = loft_fine_scale(
         c->sweep, loft_fine_ratio((loft_acc)LOFT_FINE_1, (loft_acc)(LOFT_FINE_PI / 2)));
-    const int32_t whole = loft_acc_int(quarters + loft_wide(LOFT_REAL(0.499984741)));
+    const int32_t whole = loft_acc_int(quarters + loft_to_acc(LOFT_REAL(0.499984741)));
     uint32_t few = whole > 1 ? (uint32_t)whole : 1, many = few;
 
     while (error_of(c, kind, many) > budget) {
@@ -131,7 +131,7 @@ static loft_acc extent(const loft_circle *c)
     loft_acc largest = c->radius;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc end[2] = { loft_wide(c->from.axis[i]), loft_wide(c->to.axis[i]) };
+        const loft_acc end[2] = { loft_to_acc(c->from.axis[i]), loft_to_acc(c->to.axis[i]) };
         for (int k = 0; k < 2; k++)
             if (end[k] > largest || -end[k] > largest)
                 largest = end[k] < 0 ? -end[k] : end[k];
@@ -178,7 +178,7 @@ static bool all_fit(const loft_circle_spans *s)
 enum loft_status loft_circle_spans_init(loft_circle_spans *s, const loft_circle *c,
                                         enum loft_circle_kind kind, loft_real tolerance)
 {
-    const loft_acc budget = loft_wide(tolerance) - 3 * loft_real_grain(extent(c));
+    const loft_acc budget = loft_to_acc(tolerance) - 3 * loft_real_ulp(extent(c));
     loft_circle_spans made = { .circle = c, .next = 0, .kind = (uint8_t)kind };
 
     if (!(budget > 0))
@@ -225,7 +225,7 @@ bool loft_circle_spans_rational(loft_circle_spans *s, loft_weighted out[])
     if (s->kind == LOFT_CIRCLE_CUBIC || s->next == s->n)
         return false;
     next_points(s, p);
-    const loft_real weight = loft_acc_round(256 * loft_fine_wide(s->weight));
+    const loft_real weight = loft_acc_round(256 * loft_fine_to_acc(s->weight));
     const int count_of = s->kind == LOFT_CIRCLE_CONIC ? 3 : 4;
     for (int k = 0; k < count_of; k++) {
         const bool outer = k == 0 || k == count_of - 1;

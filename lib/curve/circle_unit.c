@@ -5,10 +5,7 @@
 
 #define FINE(k) ((k) * LOFT_FINE_1)
 
-static bool inside(loft_unit t)
-{
-    return t >= 0 && t <= LOFT_UNIT(1);
-}
+static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
 /* 4/3 tan(pi/8) */
 loft_acc loft_circle_arm(void)
@@ -21,7 +18,7 @@ loft_acc loft_circle_arm(void)
 static loft_acc square(loft_acc x)
 {
     const loft_real r = loft_acc_round(x);
-    const loft_acc rest = x - loft_wide(r);
+    const loft_acc rest = x - loft_to_acc(r);
     return loft_prod(r, r) + 2 * loft_acc_mul(rest, r);
 }
 
@@ -39,17 +36,18 @@ enum loft_status loft_circle_quarter(loft_acc arm, loft_unit t, loft_real point[
         return LOFT_ERR_ARG;
     const loft_fine x = loft_fine_unit(t), b = loft_fine_mul(x, LOFT_FINE_1 - x);
     const loft_fine rise = loft_fine_mul(loft_fine_mul(x, x), FINE(3) - 2 * x);
-    const loft_acc px = loft_fine_wide(LOFT_FINE_1 - rise) +
+    const loft_acc px = loft_fine_to_acc(LOFT_FINE_1 - rise) +
                         3 * loft_fine_scale(arm, loft_fine_mul(b, x));
-    const loft_acc py = loft_fine_wide(rise) +
+    const loft_acc py = loft_fine_to_acc(rise) +
                         3 * loft_fine_scale(arm, loft_fine_mul(b, LOFT_FINE_1 - x));
     const loft_fine lean = loft_fine_mul(b, x - LOFT_FINE_1 / 2);
-    const loft_acc v = 3 * loft_fine_scale(arm, lean) - loft_fine_wide(2 * lean);
-    const loft_acc w = loft_fine_scale(arm, 3 * b / 4) + loft_fine_wide(b);
-    if (!loft_acc_fits(128 * v) || !loft_acc_fits(128 * w))
+    const loft_acc v = 3 * loft_fine_scale(arm, lean) - loft_fine_to_acc(2 * lean);
+    const loft_acc w = loft_fine_scale(arm, 3 * b / 4) + loft_fine_to_acc(b);
+    if (!loft_acc_valid(128 * v) || !loft_acc_valid(128 * w))
         return LOFT_ERR_RANGE;
-    const loft_acc e = 2 * square(v) + 8 * square(w) - loft_fine_wide(loft_fine_mul(4 * b, 4 * b));
-    if (!loft_acc_fits(px) || !loft_acc_fits(py) || !loft_acc_fits(e))
+    const loft_acc e = 2 * square(v) + 8 * square(w) -
+                       loft_fine_to_acc(loft_fine_mul(4 * b, 4 * b));
+    if (!loft_acc_valid(px) || !loft_acc_valid(py) || !loft_acc_valid(e))
         return LOFT_ERR_RANGE;
     point[0] = loft_acc_round(px);
     point[1] = loft_acc_round(py);
@@ -82,10 +80,10 @@ enum loft_status loft_circle_over(loft_real theta, loft_real *distance, loft_rea
     if (base < LOFT_FINE_1 / 1000000)
         return LOFT_ERR_RANGE;
     const loft_acc d = loft_fine_quot(2 * c, base);
-    if (!loft_acc_fits(d))
+    if (!loft_acc_valid(d))
         return LOFT_ERR_RANGE;
     *distance = loft_acc_round(d);
-    *weight = loft_acc_round(loft_fine_wide(base / 3));
+    *weight = loft_acc_round(loft_fine_to_acc(base / 3));
     return LOFT_OK;
 }
 

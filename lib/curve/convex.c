@@ -64,8 +64,8 @@ enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum lo
     unsigned last = count;
 
     for (unsigned k = 0; k < count; k++)
-        if (!loft_exact_admits(loft_vec_axis(&p[k], 0)) ||
-            !loft_exact_admits(loft_vec_axis(&p[k], 1)))
+        if (!loft_exact_valid(loft_vec_axis(&p[k], 0)) ||
+            !loft_exact_valid(loft_vec_axis(&p[k], 1)))
             return LOFT_ERR_RANGE;
     while (last > 0) {                          /* the last edge that is one comes before the
                                                  * first */
@@ -81,6 +81,7 @@ enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum lo
         before = e;
     }
     *out = !t.left && !t.right ? LOFT_COLLINEAR
-         : (t.left && t.right) || t.changes != 2 ? LOFT_NOT_CONVEX : LOFT_CONVEX;
+           : (t.left && t.right) || t.changes != 2 ? LOFT_NOT_CONVEX
+                                                   : LOFT_CONVEX;
     return LOFT_OK;
 }

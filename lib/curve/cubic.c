@@ -17,9 +17,9 @@
  * times 1/4, and so on: 16 e. */
 static loft_acc point(loft_real p0, loft_real p1, loft_real p2, loft_real p3, loft_unit t)
 {
-    const loft_acc a = loft_wide(p0), d = loft_wide(p3);
-    const loft_acc u = 3 * loft_wide(p1) - 2 * a - d;
-    const loft_acc v = 3 * loft_wide(p2) - a - 2 * d;
+    const loft_acc a = loft_to_acc(p0), d = loft_to_acc(p3);
+    const loft_acc u = 3 * loft_to_acc(p1) - 2 * a - d;
+    const loft_acc v = 3 * loft_to_acc(p2) - a - 2 * d;
     const loft_acc bulge = loft_acc_scale(loft_acc_scale(loft_acc_lerp(u, v, t), t),
                                           LOFT_UNIT(1) - t);
 
@@ -43,26 +43,19 @@ void loft_cubic_deriv(const loft_cubic *c, unsigned k, loft_unit t, loft_acc out
 {
     t = loft_unit_clamp(t);
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc p1 = loft_wide(c->p[1].axis[i]), p2 = loft_wide(c->p[2].axis[i]);
-        const loft_acc a = 3 * (p1 - loft_wide(c->p[0].axis[i]));
+        const loft_acc p1 = loft_to_acc(c->p[1].axis[i]), p2 = loft_to_acc(c->p[2].axis[i]);
+        const loft_acc a = 3 * (p1 - loft_to_acc(c->p[0].axis[i]));
         const loft_acc b = 3 * (p2 - p1);
-        const loft_acc d = 3 * (loft_wide(c->p[3].axis[i]) - p2);
+        const loft_acc d = 3 * (loft_to_acc(c->p[3].axis[i]) - p2);
 
         switch (k) {
         case 0:
             out[i] = point(c->p[0].axis[i], c->p[1].axis[i], c->p[2].axis[i], c->p[3].axis[i], t);
             break;
-        case 1:
-            out[i] = loft_acc_lerp(loft_acc_lerp(a, b, t), loft_acc_lerp(b, d, t), t);
-            break;
-        case 2:
-            out[i] = loft_acc_lerp(2 * (b - a), 2 * (d - b), t);
-            break;
-        case 3:
-            out[i] = 2 * (d - 2 * b + a);
-            break;
-        default:
-            out[i] = 0;
+        case 1: out[i] = loft_acc_lerp(loft_acc_lerp(a, b, t), loft_acc_lerp(b, d, t), t); break;
+        case 2: out[i] = loft_acc_lerp(2 * (b - a), 2 * (d - b), t); break;
+        case 3: out[i] = 2 * (d - 2 * b + a); break;
+        default: out[i] = 0;
         }
     }
 }
@@ -72,7 +65,7 @@ void loft_cubic_deriv(const loft_cubic *c, unsigned k, loft_unit t, loft_acc out
  *     b[a,a,a]   b[a,a,b]   b[a,b,b]   b[b,b,b]        a = from, b = to
  *
  * Two rows of de Casteljau at a and two at b; the third row mixes them. */
-loft_cubic loft_cubic_part(const loft_cubic *c, loft_unit from, loft_unit to)
+loft_cubic loft_cubic_sub(const loft_cubic *c, loft_unit from, loft_unit to)
 {
     loft_cubic piece;
 
@@ -81,7 +74,7 @@ loft_cubic loft_cubic_part(const loft_cubic *c, loft_unit from, loft_unit to)
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc a[4], b[4];
         for (int k = 0; k < 4; k++)
-            a[k] = b[k] = loft_wide(c->p[k].axis[i]);
+            a[k] = b[k] = loft_to_acc(c->p[k].axis[i]);
 
         loft_bernstein_step(a, 3, from);
         loft_bernstein_step(a, 2, from);
@@ -100,8 +93,8 @@ void loft_cubic_split(const loft_cubic *c, loft_unit t, loft_cubic *left, loft_c
 {
     t = loft_unit_clamp(t);
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc p0 = loft_wide(c->p[0].axis[i]), p1 = loft_wide(c->p[1].axis[i]);
-        const loft_acc p2 = loft_wide(c->p[2].axis[i]), p3 = loft_wide(c->p[3].axis[i]);
+        const loft_acc p0 = loft_to_acc(c->p[0].axis[i]), p1 = loft_to_acc(c->p[1].axis[i]);
+        const loft_acc p2 = loft_to_acc(c->p[2].axis[i]), p3 = loft_to_acc(c->p[3].axis[i]);
 
         const loft_acc q0 = loft_acc_lerp(p0, p1, t), q1 = loft_acc_lerp(p1, p2, t),
                        q2 = loft_acc_lerp(p2, p3, t);

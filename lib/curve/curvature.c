@@ -117,7 +117,7 @@ static bool quotient(const loft_bezier *b, loft_exact top, int top_shift, loft_e
                          loft_exact_mul(loft_exact_from_int(n), cube),
                          (n + 1) * LOFT_EXACT_UNIT + LOFT_EXACT_REAL + 3 * length_shift - top_shift,
                          &k) ||
-        !loft_acc_fits(k))
+        !loft_acc_valid(k))
         return false;
     *out = loft_acc_round(k);
     return true;
@@ -139,7 +139,7 @@ static enum loft_status check(const loft_bezier *b, loft_unit t, int axes)
         return LOFT_ERR_ARG;
     for (unsigned k = 0; k <= b->degree; k++)
         for (int a = 0; a < axes; a++)
-            if (!loft_exact_admits(b->p[k].axis[a]))
+            if (!loft_exact_valid(b->p[k].axis[a]))
                 return LOFT_ERR_RANGE;
     return b->degree == 0 ? LOFT_SINGULAR : LOFT_OK;
 }
@@ -176,7 +176,7 @@ enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t, loft_r
     return bend(b, t, LOFT_AXES, false, curvature, tangent);
 }
 
-enum loft_status loft_bezier_bend(const loft_bezier *b, loft_unit t, loft_real *curvature,
+enum loft_status loft_bezier_curvature_vec(const loft_bezier *b, loft_unit t, loft_real *curvature,
                                   loft_vec *tangent)
 {
     return bend(b, t, LOFT_AXES < 2 ? LOFT_AXES : 2, true, curvature, tangent);

@@ -64,7 +64,7 @@ static void cut_axis(const loft_cubic *curve, int axis, loft_unit from, loft_uni
     loft_acc a[4], b[4];
 
     for (int k = 0; k < 4; k++)
-        a[k] = b[k] = loft_wide(curve->p[k].axis[axis]);
+        a[k] = b[k] = loft_to_acc(curve->p[k].axis[axis]);
     for (unsigned degree = 3; degree > 1; degree--) {
         loft_bernstein_step(a, degree, from);
         loft_bernstein_step(b, degree, to);
@@ -82,7 +82,7 @@ static void cut(const loft_flatten *f, uint32_t from, uint32_t to, loft_acc p[4]
         loft_acc c[4];
         cut_axis(&f->curve, i, loft_unit_of(from, STEPS), loft_unit_of(to, STEPS), c);
         for (int k = 0; k < 4; k++)
-            p[k][i] = c[k] - loft_wide(f->last.axis[i]);
+            p[k][i] = c[k] - loft_to_acc(f->last.axis[i]);
     }
 }
 
@@ -129,9 +129,9 @@ static bool is_flat(const loft_flatten *f, uint32_t to, loft_vec *end)
 
     cut(f, f->at, to, p);
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc from = loft_wide(f->last.axis[i]);
+        const loft_acc from = loft_to_acc(f->last.axis[i]);
         end->axis[i] = to == STEPS ? f->curve.p[3].axis[i] : loft_acc_round(p[3][i] + from);
-        c.u[i] = loft_wide(end->axis[i]) - from;
+        c.u[i] = loft_to_acc(end->axis[i]) - from;
     }
     loft_chord_aim(&c);
     return is_along(f, to, &c, p);
@@ -141,28 +141,27 @@ static bool is_flat(const loft_flatten *f, uint32_t to, loft_vec *end)
  * coordinate of the exact chord, below 1/4 of the smallest tolerance. */
 enum loft_status loft_flatten_init(loft_flatten *f, const loft_cubic *c, loft_real tol)
 {
-    const loft_acc wide = loft_wide(tol);
+    const loft_acc wide = loft_to_acc(tol);
     loft_acc size = 0;
 
     if (!(tol > 0))
         return LOFT_ERR_ARG;
     for (int k = 0; k < 4; k++) {
         for (int i = 0; i < LOFT_AXES; i++) {
-            const loft_acc x = loft_wide(c->p[k].axis[i]);
+            const loft_acc x = loft_to_acc(c->p[k].axis[i]);
             if (!loft_real_valid(c->p[k].axis[i]))
                 return LOFT_ERR_RANGE;
             if (size < (x < 0 ? -x : x))
                 size = x < 0 ? -x : x;
         }
     }
-    if (!loft_real_valid(tol) || wide < 2 * loft_real_grain(size) ||
-        wide < 512 * loft_acc_grain(size))
+    if (!loft_real_valid(tol) || wide < 2 * loft_real_ulp(size) || wide < 512 * loft_acc_ulp(size))
         return LOFT_ERR_RANGE;
 
     f->curve = *c;
     f->last  = c->p[0];
     f->at    = 0;
-    f->limit = wide - loft_acc_scale(wide, LOFT_UNIT(1.0 / 1048576)) - 64 * loft_acc_grain(size);
+    f->limit = wide - loft_acc_scale(wide, LOFT_UNIT(1.0 / 1048576)) - 64 * loft_acc_ulp(size);
     return LOFT_OK;
 }
 

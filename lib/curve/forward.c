@@ -15,7 +15,7 @@ static bool accepted(const loft_bezier *b)
 
     for (int i = 0; i < LOFT_AXES; i++) {
         control_values(p, b, i);
-        if (!loft_walk_accepts(p, b->degree))
+        if (!loft_walk_valid(p, b->degree))
             return false;
     }
     return true;
@@ -53,7 +53,7 @@ enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32
 
     if (b->degree > LOFT_FORWARD_DEGREE_MAX || n == 0)
         return LOFT_ERR_ARG;
-    if (!loft_walk_admits(b->degree, n) || !accepted(b))
+    if (!loft_walk_steps_valid(b->degree, n) || !accepted(b))
         return LOFT_ERR_RANGE;
 
     loft_powers_init(&powers, b->degree, n);
@@ -127,32 +127,32 @@ enum loft_status loft_forward_double(loft_forward *w)
     return LOFT_OK;
 }
 
-enum loft_status loft_forward_strict_init(loft_forward_strict *w, const loft_bezier *b, uint32_t n)
+enum loft_status loft_forward_exact_init(loft_forward_exact *w, const loft_bezier *b, uint32_t n)
 {
     if (b->degree > LOFT_FORWARD_DEGREE_MAX || n == 0)
         return LOFT_ERR_ARG;
-    if (!loft_strict_admits(b->degree, n) || !accepted(b))
+    if (!loft_walk_exact_steps_valid(b->degree, n) || !accepted(b))
         return LOFT_ERR_RANGE;
 
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_real p[LOFT_FORWARD_DEGREE_MAX + 1];
 
         control_values(p, b, i);
-        loft_strict_init(&w->axis[i], p, b->degree, n);
+        loft_walk_exact_init(&w->axis[i], p, b->degree, n);
     }
-    w->power = loft_strict_power(b->degree, n);
+    w->power = loft_walk_exact_power(b->degree, n);
     w->left = n;
     w->degree = b->degree;
     return LOFT_OK;
 }
 
-bool loft_forward_strict_next(loft_forward_strict *w, loft_vec *out)
+bool loft_forward_exact_next(loft_forward_exact *w, loft_vec *out)
 {
     if (w->left == 0)
         return false;
     w->left--;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        out->axis[i] = loft_strict_step(&w->axis[i], w->degree, w->power, w->left == 0);
+        out->axis[i] = loft_walk_exact_step(&w->axis[i], w->degree, w->power, w->left == 0);
     return true;
 }

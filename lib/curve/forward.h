@@ -1,7 +1,8 @@
 /* lib/curve/forward.h -- walk a Bezier curve at equal parameter steps, by exact forward differences
  * SPDX-License-Identifier: MIT
  *
- * Each point costs as many additions per axis as the curve has degrees, and no multiplication. There
+ * Each point costs as many additions per axis as the curve has degrees, and no multiplication.
+ * There
  * is no drift. Use it to trace a curve at a fixed rate. For single points use loft_bezier_eval; for
  * steps that follow the curvature use measure.h.
  *
@@ -22,7 +23,7 @@
 #define LOFT_CURVE_FORWARD_H
 
 #include "curve/bezier.h"   /* loft_bezier */
-#include "num/strict.h"     /* loft_walk, loft_strict: the state of one axis */
+#include "num/walk_exact.h"     /* loft_walk, loft_walk_exact: the state of one axis */
 
 LOFT_BEGIN_C
 
@@ -40,11 +41,11 @@ typedef struct {
 
 /* State of a walk that is exact for any n. */
 typedef struct {
-    loft_strict axis[LOFT_AXES];
+    loft_walk_exact axis[LOFT_AXES];
     uint64_t power;                     /* n^degree */
     uint32_t left;
     uint8_t degree;
-} loft_forward_strict;
+} loft_forward_exact;
 
 /* Prepare to walk `b` in n equal parameter steps.
  *
@@ -103,7 +104,7 @@ enum loft_status loft_forward_double(loft_forward *w) LOFT_CHECKED;
  *   error   none in q16   f32, f64: as loft_forward_init
  *   cost    q16: degree^2 divisions of 64 bits per axis
  */
-enum loft_status loft_forward_strict_init(loft_forward_strict *w, const loft_bezier *b,
+enum loft_status loft_forward_exact_init(loft_forward_exact *w, const loft_bezier *b,
                                           uint32_t n) LOFT_CHECKED;
 
 /* Give the next point. Returns false, and leaves *out alone, when the walk is over.
@@ -111,7 +112,7 @@ enum loft_status loft_forward_strict_init(loft_forward_strict *w, const loft_bez
  *   error   q16: 1/2 LSB, and none at the last point   f32, f64: as loft_forward_next
  *   cost    `degree` additions of a quotient and of a remainder per axis; safe in an ISR
  */
-bool loft_forward_strict_next(loft_forward_strict *w, loft_vec *out);
+bool loft_forward_exact_next(loft_forward_exact *w, loft_vec *out);
 
 LOFT_END_C
 

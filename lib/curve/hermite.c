@@ -6,17 +6,14 @@
 #include "curve/hermite.h"
 #include "basis/interp.h"       /* loft_ends3_deriv, loft_ends5_deriv */
 
-static bool extends(loft_unit t)
-{
-    return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2);
-}
+static bool extends(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
 
 static void ends3(const loft_hermite *h, int i, loft_acc e[4])
 {
-    e[0] = loft_wide(h->p0.axis[i]);
-    e[1] = loft_wide(h->p1.axis[i]);
-    e[2] = loft_wide(h->t0.axis[i]);
-    e[3] = loft_wide(h->t1.axis[i]);
+    e[0] = loft_to_acc(h->p0.axis[i]);
+    e[1] = loft_to_acc(h->p1.axis[i]);
+    e[2] = loft_to_acc(h->t0.axis[i]);
+    e[3] = loft_to_acc(h->t1.axis[i]);
 }
 
 static void ends5(const loft_hermite5 *h, int i, loft_acc e[6])
@@ -24,8 +21,8 @@ static void ends5(const loft_hermite5 *h, int i, loft_acc e[6])
     const loft_hermite cubic = { h->p0, h->p1, h->t0, h->t1 };
 
     ends3(&cubic, i, e);
-    e[4] = loft_wide(h->a0.axis[i]);
-    e[5] = loft_wide(h->a1.axis[i]);
+    e[4] = loft_to_acc(h->a0.axis[i]);
+    e[5] = loft_to_acc(h->a1.axis[i]);
 }
 
 enum loft_status loft_hermite_deriv(const loft_hermite *h, unsigned k, loft_unit t, loft_vec *out)

@@ -34,7 +34,7 @@
  * pieces that meet only there are passed over, so that what remains is found as quickly as if there
  * were none. */
 #include "curve/intersect.h"
-#include "basis/pieces.h"   /* loft_dyad, loft_bernstein_part */
+#include "basis/dyadic.h"   /* loft_dyad, loft_bernstein_sub */
 #include "curve/overlap.h"  /* loft_bezier_overlap */
 #include "geom/chord.h"     /* loft_chord_foot */
 
@@ -83,8 +83,10 @@ static void range_of(const side *s, int axis, loft_acc *low, loft_acc *high)
 {
     *low = *high = s->p[axis][0];
     for (unsigned k = 1; k <= s->b->degree; k++) {
-        if (s->p[axis][k] < *low)  *low  = s->p[axis][k];
-        if (s->p[axis][k] > *high) *high = s->p[axis][k];
+        if (s->p[axis][k] < *low)
+            *low = s->p[axis][k];
+        if (s->p[axis][k] > *high)
+            *high = s->p[axis][k];
     }
 }
 
@@ -95,8 +97,8 @@ static void cut(search *z, side *s)
     s->size = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
         for (unsigned k = 0; k <= s->b->degree; k++)
-            c[k] = loft_wide(s->b->p[k].axis[i]);
-        loft_bernstein_part(c, s->b->degree, loft_dyad_from(s->n), loft_dyad_to(s->n), s->p[i]);
+            c[k] = loft_to_acc(s->b->p[k].axis[i]);
+        loft_bernstein_sub(c, s->b->degree, loft_dyad_from(s->n), loft_dyad_to(s->n), s->p[i]);
         s->chord.u[i] = s->p[i][s->b->degree] - s->p[i][0];
         range_of(s, i, &low, &high);
         if (high - low > s->size)
@@ -162,7 +164,7 @@ static bool are_apart(const side *a, const side *b, loft_acc gap)
         return false;
     for (int i = 0; i < LOFT_AXES; i++)
         u[i] = loft_unit_ratio(r[i], m);
-    return m - reach(a, x, u, 1) - reach(b, y, u, -1) - 4 * loft_hypot_grain(m) > gap;
+    return m - reach(a, x, u, 1) - reach(b, y, u, -1) - 4 * loft_hypot_ulp(m) > gap;
 }
 
 /* The distance of the point at sigma of a's chord from b's chord, where on it, and the slope along
@@ -246,8 +248,10 @@ static bool touch(loft_unit from, loft_unit to, loft_unit other_from, loft_unit 
 
 static void extend(loft_unit *from, loft_unit *to, loft_unit other_from, loft_unit other_to)
 {
-    if (other_from < *from) *from = other_from;
-    if (other_to > *to)     *to   = other_to;
+    if (other_from < *from)
+        *from = other_from;
+    if (other_to > *to)
+        *to = other_to;
 }
 
 /* c becomes the crossing that c and other make together. */
@@ -303,7 +307,7 @@ static bool meet(const search *z, loft_crossing out[], size_t room, size_t *coun
         const loft_acc x = a->p[i][0] + loft_acc_scale(a->chord.u[i], sigma),
                        y = b->p[i][0] + loft_acc_scale(b->chord.u[i], tau);
         c.point.axis[i] = loft_acc_round(loft_acc_ratio(x + y, 2));
-        dot += loft_acc_scale(loft_acc_scale(loft_wide(LOFT_REAL(1)), a->chord.toward[i]),
+        dot += loft_acc_scale(loft_acc_scale(loft_to_acc(LOFT_REAL(1)), a->chord.toward[i]),
                               b->chord.toward[i]);
     }
     c.s       = loft_dyad_at(a->n, sigma);
@@ -429,22 +433,22 @@ static loft_acc largest(const loft_bezier *b, loft_acc most)
 {
     for (unsigned k = 0; k <= b->degree; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            if (loft_acc_size(loft_wide(b->p[k].axis[i])) > most)
-                most = loft_acc_size(loft_wide(b->p[k].axis[i]));
+            if (loft_acc_abs(loft_to_acc(b->p[k].axis[i])) > most)
+                most = loft_acc_abs(loft_to_acc(b->p[k].axis[i]));
     return most;
 }
 
 enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *b, loft_real tol,
                                        loft_crossing out[], size_t room, size_t *count)
 {
-    const loft_acc wide = loft_wide(tol), size = largest(b, largest(a, 0)),
-                   grain = loft_acc_grain(size);
+    const loft_acc wide = loft_to_acc(tol), size = largest(b, largest(a, 0)),
+                   grain = loft_acc_ulp(size);
     search z;
 
     *count = 0;
     if (!(tol > 0) || LOFT_AXES < 2)
         return LOFT_ERR_ARG;
-    if (!loft_real_valid(tol) || wide < 2 * loft_real_grain(size) || wide < 16384 * grain)
+    if (!loft_real_valid(tol) || wide < 2 * loft_real_ulp(size) || wide < 16384 * grain)
         return LOFT_ERR_RANGE;
 
     z.a.b = a;
@@ -454,7 +458,7 @@ enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *
     z.depth = 0;
     z.eighth = loft_acc_ratio(wide, 8);
     z.half   = loft_acc_ratio(wide, 2);
-    z.long_enough = tol < LOFT_REAL(2048) ? 262144 * wide : loft_wide(LOFT_REAL_MAX);
+    z.long_enough = tol < LOFT_REAL(2048) ? 262144 * wide : loft_to_acc(LOFT_REAL_MAX);
     z.short_enough = loft_acc_mul(wide, wide > 4194304 * grain ? LOFT_REAL(16384)
                                                                : loft_acc_quot(wide, 256 * grain));
 

@@ -42,7 +42,7 @@ static void subtract(whole_vec *v, const whole_vec *a)
 /* Is v / d no longer than tol? For tol = 0: is v null? */
 static bool is_within(const whole_vec *v, loft_exact d, loft_real tol)
 {
-    const loft_acc wide = loft_wide(tol);
+    const loft_acc wide = loft_to_acc(tol);
     loft_acc x[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -157,7 +157,7 @@ static bool extend_axis(const loft_vec last[], int i, loft_real alpha, loft_real
            loft_exact_quot_real(c2, one, -3 * LOFT_EXACT_REAL, &c[2].axis[i]);
 }
 
-enum loft_status loft_join_extend(const loft_bezier *p, loft_real alpha, loft_real eta,
+enum loft_status loft_join_continue(const loft_bezier *p, loft_real alpha, loft_real eta,
                                   loft_vec c[3])
 {
     const loft_vec *last = p->p + p->degree;
@@ -165,7 +165,7 @@ enum loft_status loft_join_extend(const loft_bezier *p, loft_real alpha, loft_re
 
     if (p->degree < 2)
         return LOFT_ERR_ARG;
-    if (!loft_exact_admits(alpha) || !loft_exact_admits(eta))
+    if (!loft_exact_valid(alpha) || !loft_exact_valid(eta))
         return LOFT_ERR_RANGE;
     for (int k = 0; k < 3; k++)
         if (!loft_vec_exact_valid(last - k, 1, LOFT_AXES))

@@ -34,7 +34,7 @@ typedef struct {
  *   range   P and Q of the same degree 1..9, tol >= 0, otherwise LOFT_ERR_ARG. Of degree 1 C2 is C1
  *           and G2 is G1 (then eta = alpha + alpha^2, that of the raised curves). LOFT_ERR_RANGE:
  *           alpha or eta does not fit, the flags are right and what does not fit is 0; or, in
- *           floats, a coordinate that loft_exact_admits refuses, then all is false and 0. *j is
+ *           floats, a coordinate that loft_exact_valid refuses, then all is false and 0. *j is
  *           always written
  *   error   tol = 0: none, the flags are decided on the coordinates as they are tol > 0: each
  *           difference above counts as none up to a length of tol; for G1 and G2 it is the part of
@@ -56,13 +56,13 @@ enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_b
  * alpha = 1 and eta = 2 is C2. The points after these are free.
  *
  *   range   degree 2..9, otherwise LOFT_ERR_ARG; any alpha, though only alpha > 0 goes on with one
- *           tangent; LOFT_ERR_RANGE when a point does not fit or, in floats, loft_exact_admits
+ *           tangent; LOFT_ERR_RANGE when a point does not fit or, in floats, loft_exact_valid
  *           refuses a number. c[] is untouched then
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp of the result   f64: 1 ulp of the result
  *   cost    4 exact products and 2 quotients per axis
  *   see     Farin, ch. 11: osculants and G2
  */
-enum loft_status loft_join_extend(const loft_bezier *p, loft_real alpha, loft_real eta,
+enum loft_status loft_join_continue(const loft_bezier *p, loft_real alpha, loft_real eta,
                                   loft_vec c[3]) LOFT_CHECKED;
 
 LOFT_END_C

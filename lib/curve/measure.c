@@ -26,7 +26,7 @@
 
 #define LEVELS     24       /* all k / 2^24 are exact in every number type */
 #define MARK_LEVEL 4
-typedef char marks_are_a_level[LOFT_RULER_MARKS == 1 << MARK_LEVEL ? 1 : -1];
+typedef char marks_are_a_level[LOFT_ARCLEN_MARKS == 1 << MARK_LEVEL ? 1 : -1];
 
 typedef struct {
     loft_acc legs[3][LOFT_AXES];
@@ -57,7 +57,7 @@ static void prepare(hodograph *h, const loft_cubic *c, loft_acc tol)
     h->polygon = 0;
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < LOFT_AXES; i++)
-            h->legs[k][i] = loft_wide(c->p[k + 1].axis[i]) - loft_wide(c->p[k].axis[i]);
+            h->legs[k][i] = loft_to_acc(c->p[k + 1].axis[i]) - loft_to_acc(c->p[k].axis[i]);
         h->polygon += loft_acc_hypot(h->legs[k], LOFT_AXES);
     }
     const loft_acc least = loft_acc_ratio(h->polygon, (int32_t)1 << 22);
@@ -86,8 +86,10 @@ static pair between(const hodograph *h, loft_unit from, loft_unit to)
     p.polygon = size[0] + size[1] + size[2];
     p.slowest = p.fastest = size[0];
     for (int k = 1; k < 3; k++) {
-        if (size[k] < p.slowest) p.slowest = size[k];
-        if (size[k] > p.fastest) p.fastest = size[k];
+        if (size[k] < p.slowest)
+            p.slowest = size[k];
+        if (size[k] > p.fastest)
+            p.fastest = size[k];
     }
     return p;
 }
@@ -168,27 +170,27 @@ static loft_unit locate(const hodograph *h, piece n, loft_acc length)
     return invert(h, n, length);
 }
 
-loft_acc loft_cubic_length(const loft_cubic *c, loft_real tol)
+loft_acc loft_cubic_arclen(const loft_cubic *c, loft_real tol)
 {
     hodograph h;
     piece whole = { 0, 0 };
 
-    prepare(&h, c, loft_wide(tol));
+    prepare(&h, c, loft_to_acc(tol));
     return walk(&h, &whole, 2 * h.polygon, LOFT_UNIT(1));
 }
 
 /* Half of tol for the lengths, the other half for the inversion. */
-loft_unit loft_cubic_at_length(const loft_cubic *c, loft_acc length, loft_real tol)
+loft_unit loft_cubic_inv_arclen(const loft_cubic *c, loft_acc length, loft_real tol)
 {
     const piece whole = { 0, 0 };
     hodograph h;
 
-    prepare(&h, c, loft_acc_ratio(loft_wide(tol), 2));
+    prepare(&h, c, loft_acc_ratio(loft_to_acc(tol), 2));
     return locate(&h, whole, length);
 }
 
 
-enum loft_status loft_ruler_init(loft_ruler *r, const loft_cubic *c, loft_real tol)
+enum loft_status loft_arclen_init(loft_arclen *r, const loft_cubic *c, loft_real tol)
 {
     hodograph h;
 
@@ -199,29 +201,29 @@ enum loft_status loft_ruler_init(loft_ruler *r, const loft_cubic *c, loft_real t
             return LOFT_ERR_RANGE;
 
     r->curve   = *c;
-    r->tol     = loft_acc_ratio(loft_wide(tol), 2);
+    r->tol     = loft_acc_ratio(loft_to_acc(tol), 2);
     r->mark[0] = 0;
     prepare(&h, c, r->tol);
-    for (uint32_t k = 0; k < LOFT_RULER_MARKS; k++) {
+    for (uint32_t k = 0; k < LOFT_ARCLEN_MARKS; k++) {
         piece part = { k, MARK_LEVEL };
         r->mark[k + 1] = r->mark[k] + walk(&h, &part, 2 * h.polygon, LOFT_UNIT(1));
     }
     return LOFT_OK;
 }
 
-loft_acc loft_ruler_length(const loft_ruler *r)     { return r->mark[LOFT_RULER_MARKS]; }
+loft_acc loft_arclen_total(const loft_arclen *r)     { return r->mark[LOFT_ARCLEN_MARKS]; }
 
-loft_acc loft_ruler_eval(const loft_ruler *r, loft_unit t)
+loft_acc loft_arclen_eval(const loft_arclen *r, loft_unit t)
 {
     piece n = { 0, MARK_LEVEL };
     hodograph h;
     loft_acc sum;
 
     t = loft_unit_clamp(t);
-    while (n.k < LOFT_RULER_MARKS && end_of(n) <= t)
+    while (n.k < LOFT_ARCLEN_MARKS && end_of(n) <= t)
         n.k++;
     sum = r->mark[n.k];
-    if (n.k == LOFT_RULER_MARKS)
+    if (n.k == LOFT_ARCLEN_MARKS)
         return sum;
     prepare(&h, &r->curve, r->tol);
     sum += walk(&h, &n, 2 * h.polygon, t);
@@ -230,14 +232,14 @@ loft_acc loft_ruler_eval(const loft_ruler *r, loft_unit t)
     return sum + loft_acc_scale(loft_acc_ratio(p.chord + p.polygon, 2), t - start_of(n));
 }
 
-loft_unit loft_ruler_at_length(const loft_ruler *r, loft_acc length)
+loft_unit loft_arclen_inverse(const loft_arclen *r, loft_acc length)
 {
     piece n = { 0, MARK_LEVEL };
     hodograph h;
 
-    while (n.k < LOFT_RULER_MARKS && r->mark[n.k + 1] < length)
+    while (n.k < LOFT_ARCLEN_MARKS && r->mark[n.k + 1] < length)
         n.k++;
-    if (n.k == LOFT_RULER_MARKS)
+    if (n.k == LOFT_ARCLEN_MARKS)
         return LOFT_UNIT(1);
     prepare(&h, &r->curve, r->tol);
     return locate(&h, n, length - r->mark[n.k]);

@@ -66,56 +66,56 @@ bool loft_flatten_next(loft_flatten *f, loft_vec *out);
  *           roots
  *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997
  */
-loft_acc loft_cubic_length(const loft_cubic *c, loft_real tol);
+loft_acc loft_cubic_arclen(const loft_cubic *c, loft_real tol);
 
 /* The parameter at which the curve has the length `length`; 0 below, 1 beyond. Never decreases with
  * `length`.
  *
- *   range   as loft_cubic_length, but 2^-21 of the polygon
- *   error   the length from 0 to the result is off by no more than that of loft_cubic_length and,
+ *   range   as loft_cubic_arclen, but 2^-21 of the polygon
+ *   error   the length from 0 to the result is off by no more than that of loft_cubic_arclen and,
  *           in q16 and f32, what one step of t = 2^-24 makes
- *   cost    as loft_cubic_length, up to there. For many lengths along one curve take a ruler
+ *   cost    as loft_cubic_arclen, up to there. For many lengths along one curve take a ruler
  */
-loft_unit loft_cubic_at_length(const loft_cubic *c, loft_acc length, loft_real tol);
+loft_unit loft_cubic_inv_arclen(const loft_cubic *c, loft_acc length, loft_real tol);
 
 
 // A ruler along one curve
 // -----------------------
 
-#define LOFT_RULER_MARKS 16
+#define LOFT_ARCLEN_MARKS 16
 
 /* The lengths at t = 0, 1/16 .. 1, from which the others are soon found; do not rely on its
  * contents. */
 typedef struct {
     loft_cubic curve;
     loft_acc   tol;
-    loft_acc   mark[LOFT_RULER_MARKS + 1];
-} loft_ruler;
+    loft_acc   mark[LOFT_ARCLEN_MARKS + 1];
+} loft_arclen;
 
 /* Measure `c` once; it is copied.
  *
  *   range   tol <= 0: LOFT_ERR_ARG, a control point that is no number: LOFT_ERR_RANGE; else as
  *           at_length
- *   error   that of loft_cubic_length in each mark
- *   cost    that of loft_cubic_length
+ *   error   that of loft_cubic_arclen in each mark
+ *   cost    that of loft_cubic_arclen
  */
-enum loft_status loft_ruler_init(loft_ruler *r, const loft_cubic *c, loft_real tol) LOFT_CHECKED;
+enum loft_status loft_arclen_init(loft_arclen *r, const loft_cubic *c, loft_real tol) LOFT_CHECKED;
 
 /* The length of the whole curve, and from 0 to t (clamped to 0..1).
  *
  *   range   as at_length
  *   error   as at_length
- *   cost    length: none; eval: that of loft_cubic_length for a sixteenth of the curve
+ *   cost    length: none; eval: that of loft_cubic_arclen for a sixteenth of the curve
  */
-loft_acc loft_ruler_length(const loft_ruler *r);
-loft_acc loft_ruler_eval(const loft_ruler *r, loft_unit t);
+loft_acc loft_arclen_total(const loft_arclen *r);
+loft_acc loft_arclen_eval(const loft_arclen *r, loft_unit t);
 
-/* The parameter at a length: loft_cubic_at_length in a sixteenth of the time.
+/* The parameter at a length: loft_cubic_inv_arclen in a sixteenth of the time.
  *
- *   error   as loft_cubic_at_length
- *   cost    at most 16 comparisons, and loft_cubic_at_length in a sixteenth of the curve
+ *   error   as loft_cubic_inv_arclen
+ *   cost    at most 16 comparisons, and loft_cubic_inv_arclen in a sixteenth of the curve
  */
-loft_unit loft_ruler_at_length(const loft_ruler *r, loft_acc length);
+loft_unit loft_arclen_inverse(const loft_arclen *r, loft_acc length);
 
 LOFT_END_C
 

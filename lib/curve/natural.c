@@ -26,7 +26,7 @@
  * = 2^24, in q16 to 2^-57 in rounding steps of e = 2^-33. Largest intermediate: 9 ONE < 2^27.2.
  * Slopes per uniform knot are coordinates, |q| <= 2^16, and are kept as they are: 9 * 2^16.
  *
- * Errors, chord, in e, of what is kept times ONE: lengths are known to 2^-59 (num/part.h), so q:
+ * Errors, chord, in e, of what is kept times ONE: lengths are known to 2^-59 (num/muldiv.h), so q:
  * 1.25, w: 1.75 (both lengths, their common scale, the division). The right-hand side: 3.75 + 7.5
  * from q, 9 * 1.75 from w, 1 of its own: 28. c: 3.3, den: 5.2, which the unknown, up to 3,
  * multiplies. r = (28 + 15.6 + w r') / den + 1 with den >= 3/2: r <= 90. m = 90 + 3 * 3.3 + 1/2 m +
@@ -39,14 +39,14 @@
  */
 #include "curve/natural.h"
 #include "basis/interp.h"       /* loft_ends3_deriv */
-#include "num/part.h"           /* loft_acc_part, loft_acc_length */
+#include "num/muldiv.h"           /* loft_acc_muldiv, loft_acc_length */
 
 #define ONE_SHIFT 24
-#define ONE       (loft_wide(LOFT_REAL(1)) * 16777216)
+#define ONE       (loft_to_acc(LOFT_REAL(1)) * 16777216)
 
 static loft_acc rise(const loft_vec *p, int axis)
 {
-    return loft_wide(p[1].axis[axis]) - loft_wide(p[0].axis[axis]);
+    return loft_to_acc(p[1].axis[axis]) - loft_to_acc(p[0].axis[axis]);
 }
 
 /* The chord from p[0] to p[1], times 2^shift. */
@@ -77,7 +77,7 @@ static bool leg_init(leg *g, const loft_vec *p, enum loft_spacing knots)
     for (int i = 0; i < LOFT_AXES; i++) {
         g->rise[i] = rise(p, i);
         if (knots == LOFT_CHORD)
-            g->rise[i] = loft_acc_part(g->rise[i] * (loft_acc)((uint64_t)1 << g->shift), ONE,
+            g->rise[i] = loft_acc_muldiv(g->rise[i] * (loft_acc)((uint64_t)1 << g->shift), ONE,
                                        g->length);
     }
     return true;
@@ -90,18 +90,19 @@ static loft_acc share(const leg *before, const leg *after)
     const loft_acc a = loft_acc_down(before->length, before->shift - common);
     const loft_acc b = loft_acc_down(after->length, after->shift - common);
 
-    return loft_acc_part(b, ONE, a + b);
+    return loft_acc_muldiv(b, ONE, a + b);
 }
 
 /* One row: knot[0] has c in `length` and r in `slope`, knot[1] gets its own. */
 static void eliminate(loft_natural_knot *knot, const leg *before, const leg *after)
 {
-    const loft_acc w = share(before, after), den = 2 * ONE - loft_acc_part(w, knot[0].length, ONE);
+    const loft_acc w = share(before, after),
+                   den = 2 * ONE - loft_acc_muldiv(w, knot[0].length, ONE);
 
-    knot[1].length = loft_acc_part(ONE - w, ONE, den);
+    knot[1].length = loft_acc_muldiv(ONE - w, ONE, den);
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc back = 3 * (before->rise[i] - after->rise[i]) - knot[0].slope[i];
-        knot[1].slope[i] = loft_acc_part(3 * after->rise[i] + loft_acc_part(back, w, ONE), ONE,
+        knot[1].slope[i] = loft_acc_muldiv(3 * after->rise[i] + loft_acc_muldiv(back, w, ONE), ONE,
                                          den);
     }
 }
@@ -126,7 +127,7 @@ static bool forward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
 
     loft_natural_knot *last = &knot[count-1];
     for (int i = 0; i < LOFT_AXES; i++)
-        last->slope[i] = loft_acc_part(3 * before.rise[i] - last[-1].slope[i], ONE,
+        last->slope[i] = loft_acc_muldiv(3 * before.rise[i] - last[-1].slope[i], ONE,
                                        2 * ONE - last[-1].length);
     return true;
 }
@@ -139,7 +140,7 @@ static void backward(const loft_vec p[], uint32_t count, enum loft_spacing knots
     knot[count-1].shift = 0;
     for (uint32_t k = count - 1; k-- > 0; ) {
         for (int i = 0; i < LOFT_AXES; i++)
-            knot[k].slope[i] -= loft_acc_part(knot[k].length, knot[k+1].slope[i], ONE);
+            knot[k].slope[i] -= loft_acc_muldiv(knot[k].length, knot[k+1].slope[i], ONE);
         knot[k].length = ONE;
         knot[k].shift = 0;
         if (knots == LOFT_CHORD)
@@ -177,15 +178,15 @@ static loft_acc reach(const loft_natural *s, const loft_natural_knot *knot,
 {
     if (s->knots == LOFT_UNIFORM)
         return end->slope[axis];
-    return loft_acc_down(loft_acc_part(end->slope[axis], knot->length, ONE), knot->shift);
+    return loft_acc_down(loft_acc_muldiv(end->slope[axis], knot->length, ONE), knot->shift);
 }
 
 static void ends(const loft_natural *s, uint32_t i, int axis, loft_acc e[4])
 {
     const loft_natural_knot *knot = &s->knot[i];
 
-    e[0] = loft_wide(s->p[i].axis[axis]);
-    e[1] = loft_wide(s->p[i+1].axis[axis]);
+    e[0] = loft_to_acc(s->p[i].axis[axis]);
+    e[1] = loft_to_acc(s->p[i+1].axis[axis]);
     e[2] = reach(s, knot, knot, axis);
     e[3] = reach(s, knot, knot + 1, axis);
 }
@@ -215,13 +216,13 @@ static loft_acc per_length(const loft_natural *s, uint32_t i, unsigned k, loft_u
 {
     const loft_natural_knot *knot = &s->knot[i];
     const loft_acc unit = (loft_acc)((uint64_t)1 << knot->shift);
-    const loft_acc q = loft_acc_part(rise(&s->p[i], axis) * unit, ONE, knot->length);
+    const loft_acc q = loft_acc_muldiv(rise(&s->p[i], axis) * unit, ONE, knot->length);
     const loft_acc e[4] = { 0, q, knot[0].slope[axis], knot[1].slope[axis] };
     const loft_acc x = loft_ends3_deriv(e, k, t);
 
     return k == 1
                ? loft_acc_down(x, ONE_SHIFT)
-               : loft_acc_down(loft_acc_part(x, ONE, knot->length), 2u * ONE_SHIFT - knot->shift);
+               : loft_acc_down(loft_acc_muldiv(x, ONE, knot->length), 2u * ONE_SHIFT - knot->shift);
 }
 
 enum loft_status loft_natural_deriv(const loft_natural *s, uint32_t i, unsigned k, loft_unit t,

@@ -48,7 +48,7 @@ typedef struct {
  *           f64); LOFT_SINGULAR: chord length knots, and two consecutive points coincide
  *   error   of the slopes: uniform q16: 2^-30   f32, f64: 16 ulp of double
  *           chord (a slope is at most 3) q16: 2^-49   f32, f64: 2^-44
- *   cost    O(count): per point 3 + 3 LOFT_AXES long divisions (num/part.h), in chord 3 + 4
+ *   cost    O(count): per point 3 + 3 LOFT_AXES long divisions (num/muldiv.h), in chord 3 + 4
  *           LOFT_AXES and twice a length; memory of 33 bytes a point on AVR, 40 elsewhere (3 axes);
  *           stack 0.4 kB
  *   see     de Boor, A Practical Guide to Splines, ch. 4; Farin, Curves and Surfaces for CAGD, ch.

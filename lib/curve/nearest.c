@@ -21,7 +21,7 @@
  * error of loft_acc_hypot, 2^-28 of it + 2^-32. That counts as tolerance, four times, lest noise is
  * subdivided. */
 #include "curve/nearest.h"
-#include "basis/pieces.h"   /* loft_dyad, loft_bernstein_part */
+#include "basis/dyadic.h"   /* loft_dyad, loft_bernstein_sub */
 #include "geom/chord.h"     /* loft_chord_foot */
 
 /* The curve relative to p, and one piece of it. */
@@ -47,7 +47,7 @@ static void try_at(scene *s, loft_dyad n, loft_unit t, loft_vec p, loft_nearest 
     out->distance = distance;
     out->t = loft_dyad_at(n, t);
     for (int i = 0; i < LOFT_AXES; i++)
-        out->point.axis[i] = loft_acc_round(loft_wide(p.axis[i]) + x[i]);
+        out->point.axis[i] = loft_acc_round(loft_to_acc(p.axis[i]) + x[i]);
 }
 
 /* The bound (1), and where the nearest point of the chord lies on it. */
@@ -85,8 +85,7 @@ static loft_acc bound_of(const scene *s, loft_unit *t)
 static void cut(scene *s, loft_dyad n)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        loft_bernstein_part(s->whole[i], s->degree, loft_dyad_from(n), loft_dyad_to(n),
-                            s->piece[i]);
+        loft_bernstein_sub(s->whole[i], s->degree, loft_dyad_from(n), loft_dyad_to(n), s->piece[i]);
 }
 
 /* Both ends are tried first, then the pieces. */
@@ -103,7 +102,7 @@ static void search(scene *s, loft_vec p, loft_acc tol, loft_nearest *out)
             cut(s, n);
             const loft_acc bound = bound_of(s, &t);
             try_at(s, n, t, p, out);
-            if (bound >= out->distance - tol - 4 * loft_hypot_grain(out->distance) ||
+            if (bound >= out->distance - tol - 4 * loft_hypot_ulp(out->distance) ||
                 n.level == LOFT_DYAD_LEVELS)
                 break;
             n = loft_dyad_half(n, 0);
@@ -125,12 +124,12 @@ enum loft_status loft_bezier_nearest(const loft_bezier *b, loft_vec p, loft_real
     s.degree = b->degree;
     for (int i = 0; i < LOFT_AXES; i++)
         for (unsigned k = 0; k <= s.degree; k++)
-            s.whole[i][k] = loft_wide(b->p[k].axis[i]) - loft_wide(p.axis[i]);
+            s.whole[i][k] = loft_to_acc(b->p[k].axis[i]) - loft_to_acc(p.axis[i]);
 
     found.t = 0;
     found.point = b->p[0];
     found.distance = loft_vec_distance(p, b->p[0]);
-    search(&s, p, loft_wide(tol), &found);
+    search(&s, p, loft_to_acc(tol), &found);
     *out = found;
     return LOFT_OK;
 }

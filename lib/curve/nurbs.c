@@ -13,7 +13,7 @@
  * as many of the largest coordinate times the denominator, and four more operations round.
  */
 #include "curve/nurbs.h"
-#include "num/deep.h"           /* loft_acc_project, loft_deep_slope */
+#include "num/acc128.h"           /* loft_acc_project, loft_acc128_slope */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 
@@ -42,7 +42,7 @@ enum loft_status loft_nurbs_init(loft_nurbs *n, const loft_weighted p[], unsigne
 
 static loft_acc denominator(const loft_nurbs *n, unsigned k)
 {
-    return loft_wide(n->p[k].w * (loft_real)n->scale) * LOFT_PROJECT;
+    return loft_to_acc(n->p[k].w * (loft_real)n->scale) * LOFT_PROJECT;
 }
 
 static loft_acc numerator(const loft_nurbs *n, unsigned k, int axis)
@@ -79,13 +79,13 @@ loft_vec loft_nurbs_eval(const loft_nurbs *n, loft_real u)
 }
 
 /* All rows but the last: c[0] and c[1] remain. */
-static void two_of(const loft_nurbs *n, unsigned span, loft_real u, loft_deep c[])
+static void two_of(const loft_nurbs *n, unsigned span, loft_real u, loft_acc128 c[])
 {
     const loft_real *hi = &n->knots.k[span + 1];
 
     for (unsigned rows = n->knots.degree; rows > 1; rows--)
         for (unsigned j = 0; j < rows; j++)
-            c[j] = loft_deep_lerp_in(c[j], c[j + 1], u, hi[(int)j - (int)rows], hi[j]);
+            c[j] = loft_acc128_lerp_in(c[j], c[j + 1], u, hi[(int)j - (int)rows], hi[j]);
 }
 
 /* As loft_rational_deriv: the last row would take (x0, w0) and (x1, w1) at k[s] and k[s+1], with
@@ -97,24 +97,25 @@ enum loft_status loft_nurbs_deriv(const loft_nurbs *n, loft_real u, loft_vec *ou
     const unsigned span = loft_knots_find(&n->knots, u), degree = n->knots.degree;
     const loft_real lo = n->knots.k[span], hi = n->knots.k[span + 1];
     const loft_vec o = loft_nurbs_eval(n, u);
-    loft_deep w[POINTS], x[POINTS];
+    loft_acc128 w[POINTS], x[POINTS];
     loft_acc c[POINTS];
     loft_vec v;
 
     u = loft_knots_clamp(&n->knots, u);
     denominators(n, span, c);
     for (unsigned k = 0; k <= degree; k++)
-        w[k] = loft_deep_guarded(loft_acc_ratio(c[k], LOFT_PROJECT));
+        w[k] = loft_acc128_guarded(loft_acc_ratio(c[k], LOFT_PROJECT));
     two_of(n, span, u, w);
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc d = 0;
         numerators(n, span, i, c);
         for (unsigned k = 0; k <= degree; k++)
-            x[k] = loft_deep_guarded(
+            x[k] = loft_acc128_guarded(
                 c[k] - loft_prod(o.axis[i], n->p[span - degree + k].w * (loft_real)n->scale));
         two_of(n, span, u, x);
-        if (!loft_deep_slope(x, w, loft_deep_lerp_in(w[0], w[1], u, lo, hi), (int32_t)degree, &d)
-            || !loft_acc_rate(d, loft_wide(hi) - loft_wide(lo), &v.axis[i]))
+        if (!loft_acc128_slope(x, w, loft_acc128_lerp_in(w[0], w[1], u, lo, hi), (int32_t)degree,
+                               &d) ||
+            !loft_acc_rate(d, loft_to_acc(hi) - loft_to_acc(lo), &v.axis[i]))
             return LOFT_ERR_RANGE;
     }
     *out = v;
@@ -163,7 +164,7 @@ enum loft_status loft_nurbs_insert(const loft_nurbs *n, loft_real u, loft_weight
     const unsigned span = loft_knots_find(&n->knots, u), degree = n->knots.degree;
     const loft_real *lo = n->knots.k, *hi = lo + degree;
 
-    if (!loft_knots_accepts(&n->knots, u))
+    if (!loft_knots_valid(&n->knots, u))
         return LOFT_ERR_ARG;
     for (unsigned k = n->knots.points; k > span; k--)
         p[k] = n->p[k - 1];

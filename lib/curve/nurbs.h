@@ -55,7 +55,7 @@ loft_vec loft_nurbs_eval(const loft_nurbs *n, loft_real u);
  *   range   u as eval; LOFT_ERR_RANGE when the derivative does not fit; *out is untouched then
  *   error   q16: 0.51 LSB + 2^-17 / h LSB   f32, f64: 1/2 ulp of the result + 40 * degree^2 * R / h
  *           ulp of double
- *   cost    eval; degree * (degree + 1) / 2 times loft_deep_lerp_in per axis and once more; per
+ *   cost    eval; degree * (degree + 1) / 2 times loft_acc128_lerp_in per axis and once more; per
  *           axis 4 long quotients;
  *           q16: 900 bytes of stack
  *   see     Floater, Derivatives of rational Bezier curves, CAGD 9 (1992), with knots; The NURBS

@@ -62,13 +62,13 @@
  * 2^-30 M. So at an end of the curve a stretch is given all the same: as the curve with the normal
  * of the span beside it. */
 #include "curve/offset.h"
-#include "basis/pieces.h"   /* loft_bernstein_part */
-#include "num/broad.h"       /* loft_broad_lerp */
+#include "basis/dyadic.h"   /* loft_bernstein_sub */
+#include "num/acc2.h"       /* loft_acc2_lerp */
 
 #define STEPS ((uint32_t)1 << 24)   /* of the parameter: all are exact in every number type */
 #define Y     (LOFT_AXES > 1)       /* the second axis; with one, init refuses */
 /* of H, of 2^27 .. 2^28: 2^23. A good span has 2^24 and more */
-#define SMALL (512 * loft_wide(LOFT_REAL(16384)))
+#define SMALL (512 * loft_to_acc(LOFT_REAL(16384)))
 
 /* A span on trial. */
 typedef struct {
@@ -78,7 +78,7 @@ typedef struct {
     loft_unit first[2], last[2];    /* T at both ends                                 */
 } trial;
 
-static loft_acc wide_unit(loft_unit t)  { return loft_acc_scale(loft_wide(LOFT_REAL(1)), t); }
+static loft_acc wide_unit(loft_unit t)  { return loft_acc_scale(loft_to_acc(LOFT_REAL(1)), t); }
 
 static loft_acc cross(const loft_unit t[2], const loft_acc v[2])
 {
@@ -95,10 +95,10 @@ static loft_acc dot(const loft_unit t[2], const loft_acc v[2])
 
 static bool is_null(const loft_offset *o, unsigned k)
 {
-    const loft_broad v[2] = { o->h[0][k], o->h[1][k] };
+    const loft_acc2 v[2] = { o->h[0][k], o->h[1][k] };
     loft_acc any[2];
 
-    return !loft_broad_scaled(v, 2, any);
+    return !loft_acc2_scaled(v, 2, any);
 }
 
 /* sum C(m,j) h_j t^j (1-t)^(m-j) without h_0 is t times a sum of degree m - 1 with coefficients m /
@@ -111,8 +111,8 @@ static bool divide(loft_offset *o)
         const unsigned m = o->degree;
         for (unsigned j = 0; j < m; j++)
             for (int i = 0; i < 2; i++) {
-                const loft_broad h = o->h[i][front ? j + 1 : j];
-                o->h[i][j] = m > (front ? j + 1 : m - j) ? loft_broad_twice(h) : h;
+                const loft_acc2 h = o->h[i][front ? j + 1 : j];
+                o->h[i][j] = m > (front ? j + 1 : m - j) ? loft_acc2_twice(h) : h;
             }
         o->degree--;
     }
@@ -122,7 +122,7 @@ static bool divide(loft_offset *o)
 enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real distance,
                                   loft_real tol)
 {
-    const loft_acc d = loft_acc_size(loft_wide(distance)), wide = loft_wide(tol);
+    const loft_acc d = loft_acc_abs(loft_to_acc(distance)), wide = loft_to_acc(tol);
     loft_acc size = 0;
 
     if (LOFT_AXES < 2 || !(tol > 0))
@@ -131,18 +131,18 @@ enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real
         for (int i = 0; i < LOFT_AXES; i++) {
             if (!loft_real_valid(c->p[k].axis[i]))
                 return LOFT_ERR_RANGE;
-            if (loft_acc_size(loft_wide(c->p[k].axis[i])) > size)
-                size = loft_acc_size(loft_wide(c->p[k].axis[i]));
+            if (loft_acc_abs(loft_to_acc(c->p[k].axis[i])) > size)
+                size = loft_acc_abs(loft_to_acc(c->p[k].axis[i]));
         }
     size += 2 * d;
-    const loft_acc rounding = 2 * loft_real_grain(size);
-    if (!loft_real_valid(tol) || !loft_acc_fits(size) ||
+    const loft_acc rounding = 2 * loft_real_ulp(size);
+    if (!loft_real_valid(tol) || !loft_acc_valid(size) ||
         wide < 2 * rounding + loft_acc_scale(d, LOFT_UNIT(1.0 / 131072)))
         return LOFT_ERR_RANGE;
 
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 3; k++)
-            o->h[i][k] = loft_broad_minus(c->p[k + 1].axis[i ? Y : 0], c->p[k].axis[i ? Y : 0]);
+            o->h[i][k] = loft_acc2_sub(c->p[k + 1].axis[i ? Y : 0], c->p[k].axis[i ? Y : 0]);
     o->degree = 2;
     if (!divide(o))
         return LOFT_SINGULAR;
@@ -162,23 +162,23 @@ enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real
 
 /* H between two places: the value of its blossom where k of its arguments are `to`, the others
  * `from`. */
-static loft_broad blossom_of(const loft_offset *o, int axis, unsigned k, loft_unit from,
+static loft_acc2 blossom_of(const loft_offset *o, int axis, unsigned k, loft_unit from,
                              loft_unit to)
 {
-    loft_broad row[3] = { o->h[axis][0], o->h[axis][1], o->h[axis][2] };
+    loft_acc2 row[3] = { o->h[axis][0], o->h[axis][1], o->h[axis][2] };
 
     for (unsigned left = o->degree; left > 0; left--)
         for (unsigned j = 0; j < left; j++)
-            row[j] = loft_broad_lerp(row[j], row[j + 1], left > k ? from : to);
+            row[j] = loft_acc2_lerp(row[j], row[j + 1], left > k ? from : to);
     return row[0];
 }
 
 /* T of H; false where that is 0. */
-static bool tangent_of(const loft_broad v[2], loft_unit out[2])
+static bool tangent_of(const loft_acc2 v[2], loft_unit out[2])
 {
     loft_acc h[2];
 
-    if (!loft_broad_scaled(v, 2, h))
+    if (!loft_acc2_scaled(v, 2, h))
         return false;
     const loft_acc length = loft_acc_hypot(h, 2);
     for (int i = 0; i < 2; i++)
@@ -192,12 +192,12 @@ static bool aim(const loft_offset *o, loft_unit from, loft_unit to, trial *r, lo
                 loft_acc length[3])
 {
     const unsigned m = o->degree;
-    loft_broad broad[6];
+    loft_acc2 broad[6];
     loft_acc all[6], most = 0;
 
     for (unsigned k = 0; k < 2 * m + 2; k++)
         broad[k] = blossom_of(o, (int)(k % 2), k / 2, from, to);
-    if (!loft_broad_scaled(broad, (int)(2 * m + 2), all))
+    if (!loft_acc2_scaled(broad, (int)(2 * m + 2), all))
         return false;
     for (unsigned j = 0; j <= m; j++) {
         h[0][j] = all[2 * j];
@@ -222,7 +222,7 @@ static bool turn(const loft_offset *o, trial *r, loft_acc h[2][3], const loft_ac
                    last_but_one[2] = { h[0][m ? m - 1 : 0], h[1][m ? m - 1 : 0] };
     const loft_acc x0 = cross(r->first, second), x1 = -cross(r->last, last_but_one);
 
-    if (loft_acc_size(x0) > length[0] || loft_acc_size(x1) > length[m])
+    if (loft_acc_abs(x0) > length[0] || loft_acc_abs(x1) > length[m])
         return false;
     const loft_unit turn0 = loft_unit_ratio(x0, length[0]), turn1 = loft_unit_ratio(x1, length[m]);
     for (int i = 0; i < 2; i++) {
@@ -245,8 +245,8 @@ static void place(const loft_offset *o, loft_unit from, loft_unit to, trial *r)
 
     for (int i = 0; i < LOFT_AXES; i++) {
         for (int k = 0; k < 4; k++)
-            p[k] = loft_wide(o->curve.p[k].axis[i]);
-        loft_bernstein_part(p, 3, from, to, r->c[i]);
+            p[k] = loft_to_acc(o->curve.p[k].axis[i]);
+        loft_bernstein_sub(p, 3, from, to, r->c[i]);
     }
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 4; k++)
@@ -270,7 +270,7 @@ static void hold_normal(const loft_offset *o, uint32_t start, uint32_t end, uint
                         trial *r)
 {
     const loft_unit at = loft_unit_of(where, STEPS);
-    const loft_broad h[2] = { blossom_of(o, 0, 0, at, at), blossom_of(o, 1, 0, at, at) };
+    const loft_acc2 h[2] = { blossom_of(o, 0, 0, at, at), blossom_of(o, 1, 0, at, at) };
     loft_unit t[2];
 
     if (!tangent_of(h, t)) {
@@ -295,7 +295,7 @@ static loft_acc sideways(const trial *r, unsigned m)
             for (int i = 0; i < 2; i++)
                 sum += loft_binomial(3, k - j) * loft_binomial(m, j) *
                        loft_acc_scale(r->e[i][k - j], r->h[i][j]);
-        sum = loft_acc_size(loft_acc_ratio(sum, loft_binomial(3 + m, k)));
+        sum = loft_acc_abs(loft_acc_ratio(sum, loft_binomial(3 + m, k)));
         if (sum > most)
             most = sum;
     }
@@ -314,7 +314,7 @@ static loft_acc outward(const trial *r)
             for (int i = 0; i < 2; i++)
                 sum += loft_binomial(3, k - j) * loft_binomial(3, j) *
                        loft_acc_scale(r->e[i][k - j], loft_unit_ratio(r->e[i][j], one));
-        sum = loft_acc_size(loft_acc_ratio(sum, loft_binomial(6, k)) - one);
+        sum = loft_acc_abs(loft_acc_ratio(sum, loft_binomial(6, k)) - one);
         if (sum > most)
             most = sum;
     }

@@ -24,7 +24,7 @@
 #define LOFT_CURVE_OFFSET_H
 
 #include "curve/bezier.h"   /* loft_cubic */
-#include "num/broad.h"       /* loft_broad */
+#include "num/acc2.h"       /* loft_acc2 */
 
 LOFT_BEGIN_C
 
@@ -33,7 +33,7 @@ typedef struct {
     loft_cubic curve;
     loft_real  distance;
     loft_acc   limit, hardly;   /* the tolerance as a part of the distance; a quarter of it */
-    loft_broad  h[2][3];         /* the direction of travel: a polynomial without zeros at 0 and
+    loft_acc2  h[2][3];         /* the direction of travel: a polynomial without zeros at 0 and
                                   * 1 */
     uint8_t    degree;          /* of it */
     int8_t     way;             /* 1: the offset runs forwards, -1: backwards, 0: not known yet */
@@ -72,7 +72,7 @@ enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real
  *           are met within 2^-24 of the parameter. O is not cut where it runs backwards at such a
  *           pace that it would not come farther than 3/4 tol in the time of a quarter of the span,
  *           nor where it does so for less than that time; the span is within tol all the same
- *   cost    1 to 25 trials, each of 16 lerps per axis, 18 of num/broad.h, 60 products and 5 square
+ *   cost    1 to 25 trials, each of 16 lerps per axis, 18 of num/acc2.h, 60 products and 5 square
  *           roots; a cusp 24 more, and 25 for each step of 2^-24 that is left out. 8 spans for a
  *           quarter of a circle at tol = distance / 10^4, twice as many for a sixteenth of that.
  *           1.1 KB of stack

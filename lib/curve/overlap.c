@@ -7,9 +7,9 @@
  * so are all points.
  */
 #include "curve/overlap.h"
-#include "basis/pieces.h"   /* loft_bernstein_part */
+#include "basis/dyadic.h"   /* loft_bernstein_sub */
 #include "curve/nearest.h"  /* loft_bezier_nearest */
-#include "num/part.h"       /* loft_acc_part */
+#include "num/muldiv.h"       /* loft_acc_muldiv */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 #define PLACES 8
@@ -24,8 +24,8 @@ static void part_of(const loft_bezier *b, loft_unit from, loft_unit to, int axis
     loft_acc c[POINTS];
 
     for (unsigned k = 0; k <= b->degree; k++)
-        c[k] = loft_wide(b->p[k].axis[axis]);
-    loft_bernstein_part(c, b->degree, from, to, out);
+        c[k] = loft_to_acc(b->p[k].axis[axis]);
+    loft_bernstein_sub(c, b->degree, from, to, out);
 }
 
 
@@ -52,7 +52,7 @@ static void add_nearest(const loft_bezier *a, const loft_bezier *b, loft_real to
     for (unsigned end = 0; end < 2; end++) {
         const loft_unit at = end ? LOFT_UNIT(1) : 0;
         if (loft_bezier_nearest(b, a->p[end ? a->degree : 0], fine, &n) != LOFT_OK ||
-            n.distance > loft_acc_ratio(loft_wide(tol), 2))
+            n.distance > loft_acc_ratio(loft_to_acc(tol), 2))
             continue;
         const place here = { swap ? n.t : at, swap ? at : n.t };
         out[(*count)++] = here;
@@ -86,7 +86,7 @@ static bool agree(const loft_bezier *a, const loft_bezier *b, place from, place 
 bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real tol,
                          loft_overlap *out)
 {
-    const loft_acc wide = loft_wide(tol), limit = wide - loft_acc_ratio(wide, 8);
+    const loft_acc wide = loft_to_acc(tol), limit = wide - loft_acc_ratio(wide, 8);
     const loft_bezier *lower = a->degree < b->degree ? a : b,
                       *higher = a->degree < b->degree ? b : a;
     loft_vec p[POINTS];
@@ -96,7 +96,7 @@ bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real t
     unsigned count = 0;
 
     if (LOFT_AXES < 2 ||
-        loft_bezier_raise(lower, (unsigned)(higher->degree - lower->degree), p) != LOFT_OK)
+        loft_bezier_elevate(lower, (unsigned)(higher->degree - lower->degree), p) != LOFT_OK)
         return false;
     add_ends(a, b, loft_acc_ratio(wide, 2), at, &count);
     add_nearest(a, b, tol, false, at, &count);
@@ -120,10 +120,10 @@ bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real t
 /* The parameter on the first curve where the second is at t. */
 static loft_unit across(const loft_overlap *o, loft_unit t)
 {
-    const loft_acc one = loft_wide(LOFT_REAL(1)), way = loft_acc_scale(one, o->t_to - o->t_from);
+    const loft_acc one = loft_to_acc(LOFT_REAL(1)), way = loft_acc_scale(one, o->t_to - o->t_from);
     const loft_acc gone = loft_acc_scale(one, t - o->t_from),
                    length = loft_acc_scale(one, o->s_to - o->s_from);
-    const loft_acc s = loft_acc_part(length, way < 0 ? -gone : gone, way < 0 ? -way : way);
+    const loft_acc s = loft_acc_muldiv(length, way < 0 ? -gone : gone, way < 0 ? -way : way);
 
     return loft_unit_clamp(loft_unit_ratio(loft_acc_scale(one, o->s_from) + s, one));
 }
@@ -164,8 +164,8 @@ bool loft_overlap_covers(const loft_overlap *o, const loft_bezier *a, loft_unit 
 {
     const bool back = o->t_to < o->t_from;
 
-    if (!within(s_from, s_to, o->s_from, o->s_to)
-        || !within(t_from, t_to, back ? o->t_to : o->t_from, back ? o->t_from : o->t_to))
+    if (!within(s_from, s_to, o->s_from, o->s_to) ||
+        !within(t_from, t_to, back ? o->t_to : o->t_from, back ? o->t_from : o->t_to))
         return false;
     const loft_unit one = across(o, back ? t_to : t_from), two = across(o, back ? t_from : t_to);
     return turns_little(a, one < s_from ? one : s_from, two > s_to ? two : s_to);

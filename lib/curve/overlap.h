@@ -26,7 +26,7 @@ typedef struct {
  *   range   tol > 0, as loft_bezier_intersect; at least two axes, otherwise none is found
  *   error   the points at the same part of both stretches are within 7/8 tol of each other. Curves
  *           that agree to tol / 8 (in q16 to half an LSB at 4 LSB and more) are found
- *   cost    4 times loft_bezier_nearest, up to 28 times loft_bernstein_part of both; 1.2 KB of
+ *   cost    4 times loft_bezier_nearest, up to 28 times loft_bernstein_sub of both; 1.2 KB of
  *           stack in q16
  *   see     a proper polynomial parametrization is unique up to an affine one: Sendra, Winkler &
  *           Perez-Diaz, Rational Algebraic Curves (2008), ch. 4
@@ -39,7 +39,7 @@ bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real t
  * that of loft_bezier_overlap.
  *
  *   error   none that invents one: false when it cannot be told
- *   cost    one loft_bernstein_part
+ *   cost    one loft_bernstein_sub
  */
 bool loft_overlap_covers(const loft_overlap *o, const loft_bezier *a, loft_unit s_from,
                          loft_unit s_to, loft_unit t_from, loft_unit t_to);

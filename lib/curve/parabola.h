@@ -13,7 +13,7 @@ LOFT_BEGIN_C
  *
  *   range   LOFT_SINGULAR when two of t are the same; LOFT_ERR_RANGE when a control point does not
  *           fit;
- *           f32, f64: numbers that loft_exact_admits, otherwise LOFT_ERR_RANGE; out is undefined
+ *           f32, f64: numbers that loft_exact_valid, otherwise LOFT_ERR_RANGE; out is undefined
  *           then
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.52 ulp, f64: 1 ulp of the result
  *   cost    that of 3 loft_parabola_eval per axis; stack in q16 2.5 kB; not for an ISR

@@ -21,7 +21,8 @@
  * more operations round.
  *
  * Beyond the ends a row multiplies by L = |1 - t| + |t| <= 3 at most, and the denominator may be as
- * small as it likes, 0 or negative: what divides by it is carried in loft_deep with 46 guard bits,
+ * small as it likes, 0 or negative: what divides by it is carried in loft_acc128 with 46 guard
+ * bits,
  * |x|, w' < 2^62 2^46 3^9 < 2^123, and is refused where the denominator is below FLOOR of the
  * largest weight W; there is no bound that holds for all. Rows round by (1 + L + .. + L^8) / 2 <
  * 2^12.3 last bits, of a denominator of 2^(61 - 20 + 46) at least: a point errs by less than 2^-40
@@ -32,26 +33,20 @@
  * Pieces take the same way inside and outside of 0..1.
  */
 #include "curve/rational.h"
-#include "num/deep.h"   /* loft_acc_project, loft_deep_slope */
+#include "num/acc128.h"   /* loft_acc_project, loft_acc128_slope */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 #define LARGEST LOFT_REAL(16384)
 #define FLOOR 1048576       /* one over it; inside 0..1 a denominator is at least 1/65536 */
 
-static bool inside(loft_unit t)
-{
-    return t >= 0 && t <= LOFT_UNIT(1);
-}
+static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
-static bool extends(loft_unit t)
-{
-    return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2);
-}
+static bool extends(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
 
 static void denominators(const loft_rational *r, loft_acc w[])
 {
     for (unsigned k = 0; k <= r->degree; k++)
-        w[k] = loft_wide(r->p[k].w * (loft_real)r->scale) * LOFT_PROJECT;
+        w[k] = loft_to_acc(r->p[k].w * (loft_real)r->scale) * LOFT_PROJECT;
 }
 
 static void numerators(const loft_rational *r, int axis, loft_acc x[])
@@ -60,15 +55,15 @@ static void numerators(const loft_rational *r, int axis, loft_acc x[])
         x[k] = loft_prod(r->p[k].p.axis[axis], r->p[k].w * (loft_real)r->scale);
 }
 
-static void guard(const loft_acc c[], unsigned degree, loft_deep out[])
+static void guard(const loft_acc c[], unsigned degree, loft_acc128 out[])
 {
     for (unsigned k = 0; k <= degree; k++)
-        out[k] = loft_deep_guarded(c[k]);
+        out[k] = loft_acc128_guarded(c[k]);
 }
 
 /* As numerators and denominators, with guard bits; without the factor LOFT_PROJECT of w' where that
  * is divided by. */
-static void deep_denominators(const loft_rational *r, int32_t by, loft_deep w[])
+static void deep_denominators(const loft_rational *r, int32_t by, loft_acc128 w[])
 {
     loft_acc c[POINTS];
 
@@ -79,7 +74,7 @@ static void deep_denominators(const loft_rational *r, int32_t by, loft_deep w[])
 }
 
 /* From the coordinate `origin`: |p - origin| s w < 2^31 in q16. */
-static void deep_numerators(const loft_rational *r, int axis, loft_real origin, loft_deep x[])
+static void deep_numerators(const loft_rational *r, int axis, loft_real origin, loft_acc128 x[])
 {
     loft_acc c[POINTS];
 
@@ -89,21 +84,21 @@ static void deep_numerators(const loft_rational *r, int axis, loft_real origin, 
     guard(c, r->degree, x);
 }
 
-static void step(loft_deep c[], unsigned degree, loft_unit t)
+static void step(loft_acc128 c[], unsigned degree, loft_unit t)
 {
     for (unsigned i = 0; i < degree; i++)
-        c[i] = loft_deep_lerp(c[i], c[i + 1], t);
+        c[i] = loft_acc128_lerp(c[i], c[i + 1], t);
 }
 
 /* The least denominator that is divided by, for weights c[0..degree]. */
-static loft_deep floor_of(const loft_deep c[], unsigned degree)
+static loft_acc128 floor_of(const loft_acc128 c[], unsigned degree)
 {
-    loft_deep most = c[0];
+    loft_acc128 most = c[0];
 
     for (unsigned k = 1; k <= degree; k++)
-        if (loft_deep_below(most, c[k]))
+        if (loft_acc128_below(most, c[k]))
             most = c[k];
-    return loft_deep_guarded(loft_deep_wide(most, FLOOR));
+    return loft_acc128_guarded(loft_acc128_to_acc(most, FLOOR));
 }
 
 
@@ -153,27 +148,27 @@ loft_vec loft_rational_eval(const loft_rational *r, loft_unit t)
     return v;
 }
 
-static loft_deep deep_eval(loft_deep c[], unsigned degree, loft_unit t)
+static loft_acc128 deep_eval(loft_acc128 c[], unsigned degree, loft_unit t)
 {
     for (unsigned k = degree; k > 0; k--)
         step(c, k, t);
     return c[0];
 }
 
-enum loft_status loft_rational_extend(const loft_rational *r, loft_unit t, loft_vec *out)
+enum loft_status loft_rational_extrapolate(const loft_rational *r, loft_unit t, loft_vec *out)
 {
-    loft_deep c[POINTS];
+    loft_acc128 c[POINTS];
     loft_vec v;
 
     if (!extends(t))
         return LOFT_ERR_ARG;
     deep_denominators(r, 1, c);
-    const loft_deep least = floor_of(c, r->degree), w = deep_eval(c, r->degree, t);
-    if (loft_deep_below(w, least))
+    const loft_acc128 least = floor_of(c, r->degree), w = deep_eval(c, r->degree, t);
+    if (loft_acc128_below(w, least))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
         deep_numerators(r, i, 0, c);
-        if (!loft_deep_rate(deep_eval(c, r->degree, t), w, &v.axis[i]))
+        if (!loft_acc128_rate(deep_eval(c, r->degree, t), w, &v.axis[i]))
             return LOFT_ERR_RANGE;
     }
     *out = v;
@@ -181,7 +176,7 @@ enum loft_status loft_rational_extend(const loft_rational *r, loft_unit t, loft_
 }
 
 /* All but the last step: c[0] and c[1] remain. */
-static void two_of(loft_deep c[], unsigned degree, loft_unit t)
+static void two_of(loft_acc128 c[], unsigned degree, loft_unit t)
 {
     for (unsigned k = degree; k > 1; k--)
         step(c, k, t);
@@ -202,9 +197,9 @@ static void two_of(loft_deep c[], unsigned degree, loft_unit t)
 enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_vec *out)
 {
     const unsigned n = r->degree;
-    loft_deep w[POINTS], x[POINTS];
+    loft_acc128 w[POINTS], x[POINTS];
     loft_vec o, v = { { 0 } };
-    const enum loft_status status = loft_rational_extend(r, t, &o);
+    const enum loft_status status = loft_rational_extrapolate(r, t, &o);
 
     if (status != LOFT_OK)
         return status;
@@ -214,8 +209,8 @@ enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_v
         loft_acc d = 0;
         deep_numerators(r, i, o.axis[i], x);
         two_of(x, n, t);
-        if (!loft_deep_slope(x, w, loft_deep_lerp(w[0], w[1], t), (int32_t)n, &d) ||
-            !loft_acc_fits(d))
+        if (!loft_acc128_slope(x, w, loft_acc128_lerp(w[0], w[1], t), (int32_t)n, &d) ||
+            !loft_acc_valid(d))
             return LOFT_ERR_RANGE;
         v.axis[i] = loft_acc_round(d);
     }
@@ -236,25 +231,25 @@ static loft_real unscaled(const loft_rational *r, loft_acc w)
 }
 
 /* One axis of the control points; false when one does not fit. */
-static bool project(const loft_deep x[], const loft_deep w[], unsigned degree, int axis,
+static bool project(const loft_acc128 x[], const loft_acc128 w[], unsigned degree, int axis,
                     loft_weighted out[])
 {
     for (unsigned k = 0; k <= degree; k++)
-        if (!loft_deep_rate(x[k], w[k], &out[k].p.axis[axis]))
+        if (!loft_acc128_rate(x[k], w[k], &out[k].p.axis[axis]))
             return false;
     return true;
 }
 
-static bool divisible(const loft_deep w[], unsigned degree, loft_deep least)
+static bool divisible(const loft_acc128 w[], unsigned degree, loft_acc128 least)
 {
     for (unsigned k = 0; k <= degree; k++)
-        if (loft_deep_below(w[k], least))
+        if (loft_acc128_below(w[k], least))
             return false;
     return true;
 }
 
 /* The first value of each row goes to `left`; the last ones stay in c. */
-static void halve(loft_deep c[], unsigned degree, loft_unit t, loft_deep left[])
+static void halve(loft_acc128 c[], unsigned degree, loft_unit t, loft_acc128 left[])
 {
     for (unsigned k = 0; k <= degree; k++) {
         left[k] = c[0];
@@ -264,16 +259,16 @@ static void halve(loft_deep c[], unsigned degree, loft_unit t, loft_deep left[])
 
 /* The weights as they come. They are means inside 0..1, where only a last bit may have left the
  * range. */
-static bool weigh(const loft_rational *r, const loft_deep w[], bool means, loft_weighted out[])
+static bool weigh(const loft_rational *r, const loft_acc128 w[], bool means, loft_weighted out[])
 {
-    const loft_deep most = loft_deep_times(
-        loft_deep_guarded(loft_wide(LOFT_WEIGHT_MAX) * LOFT_PROJECT), (uint32_t)r->scale);
+    const loft_acc128 most = loft_acc128_times(
+        loft_acc128_guarded(loft_to_acc(LOFT_WEIGHT_MAX) * LOFT_PROJECT), (uint32_t)r->scale);
 
     for (unsigned k = 0; k <= r->degree; k++) {
-        if (!means && loft_deep_below(most, w[k]))
+        if (!means && loft_acc128_below(most, w[k]))
             return false;
         const loft_real weight = loft_acc_round(
-            loft_acc_ratio(loft_deep_wide(w[k], (uint32_t)r->scale), LOFT_PROJECT));
+            loft_acc_ratio(loft_acc128_to_acc(w[k], (uint32_t)r->scale), LOFT_PROJECT));
         if (!means && weight < LOFT_WEIGHT_MIN)
             return false;
         out[k].w = loft_weight_clamp(weight);
@@ -285,12 +280,12 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
                                      loft_weighted right[])
 {
     const unsigned degree = r->degree;
-    loft_deep w_left[POINTS], w_right[POINTS], x_left[POINTS], x_right[POINTS];
+    loft_acc128 w_left[POINTS], w_right[POINTS], x_left[POINTS], x_right[POINTS];
 
     if (!extends(t))
         return LOFT_ERR_ARG;
     deep_denominators(r, 1, w_right);
-    const loft_deep least = floor_of(w_right, degree);
+    const loft_acc128 least = floor_of(w_right, degree);
     halve(w_right, degree, t, w_left);
     if (!divisible(w_left, degree, least) || !divisible(w_right, degree, least))
         return LOFT_ERR_RANGE;
@@ -307,9 +302,10 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
 }
 
 /* out[k] = c[from^(degree-k), to^k]: after degree - k rows at `from`, k rows at `to` in a copy. */
-static void blossom(loft_deep c[], unsigned degree, loft_unit from, loft_unit to, loft_deep out[])
+static void blossom(loft_acc128 c[], unsigned degree, loft_unit from, loft_unit to,
+                    loft_acc128 out[])
 {
-    loft_deep copy[POINTS];
+    loft_acc128 copy[POINTS];
 
     for (unsigned k = degree + 1; k-- > 0; ) {
         for (unsigned j = 0; j <= k; j++)
@@ -327,7 +323,7 @@ static int32_t divisor_of(const loft_acc w[], unsigned degree)
     int32_t divisor = 1;
 
     for (unsigned k = 0; k <= degree; k++)
-        while (loft_acc_ratio(w[k], divisor) > loft_wide(LOFT_WEIGHT_MAX))
+        while (loft_acc_ratio(w[k], divisor) > loft_to_acc(LOFT_WEIGHT_MAX))
             divisor *= 2;
     return divisor;
 }
@@ -342,17 +338,17 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
 
 /* The weights as wide numbers below 2^30, all divided by the same power of two, which is 1 inside
  * 0..1; false when one is below 1/256 where the largest comes into 128..256. */
-static bool narrow(const loft_deep w[], unsigned degree, bool means, loft_acc out[])
+static bool narrow(const loft_acc128 w[], unsigned degree, bool means, loft_acc out[])
 {
-    const loft_deep limit = loft_deep_times(loft_deep_guarded(loft_wide(LARGEST)),
+    const loft_acc128 limit = loft_acc128_times(loft_acc128_guarded(loft_to_acc(LARGEST)),
                                             2 * LOFT_PROJECT);
     uint32_t by = 1;
 
     for (unsigned k = 0; k <= degree; k++)
-        while (!loft_deep_below(w[k], loft_deep_times(limit, by)))
+        while (!loft_acc128_below(w[k], loft_acc128_times(limit, by)))
             by *= 2;
     for (unsigned k = 0; k <= degree; k++)
-        out[k] = loft_deep_wide(w[k], by);
+        out[k] = loft_acc128_to_acc(w[k], by);
     const int32_t divisor = divisor_of(out, degree);
     for (unsigned k = 0; k <= degree; k++)
         if (!means && loft_acc_round(loft_acc_ratio(out[k], divisor)) < LOFT_WEIGHT_MIN)
@@ -360,18 +356,18 @@ static bool narrow(const loft_deep w[], unsigned degree, bool means, loft_acc ou
     return true;
 }
 
-enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft_unit to,
+enum loft_status loft_rational_sub(const loft_rational *r, loft_unit from, loft_unit to,
                                     loft_weighted out[])
 {
     const unsigned degree = r->degree;
     const bool means = inside(from) && inside(to);
-    loft_deep c[POINTS], w[POINTS], x[POINTS];
+    loft_acc128 c[POINTS], w[POINTS], x[POINTS];
     loft_acc narrowed[POINTS];
 
     if (!extends(from) || !extends(to))
         return LOFT_ERR_ARG;
     deep_denominators(r, 1, c);
-    const loft_deep least = floor_of(c, degree);
+    const loft_acc128 least = floor_of(c, degree);
     blossom(c, degree, from, to, w);
     if (!divisible(w, degree, least) || !narrow(w, degree, means, narrowed))
         return LOFT_ERR_RANGE;
@@ -396,12 +392,12 @@ static void raise(loft_acc c[], unsigned degree, unsigned times)
     }
 }
 
-enum loft_status loft_rational_raise(const loft_rational *r, unsigned times, loft_weighted out[])
+enum loft_status loft_rational_elevate(const loft_rational *r, unsigned times, loft_weighted out[])
 {
     const unsigned degree = r->degree;
-    loft_acc w[LOFT_RAISE_MAX + 1], x[LOFT_RAISE_MAX + 1];
+    loft_acc w[LOFT_ELEVATE_MAX + 1], x[LOFT_ELEVATE_MAX + 1];
 
-    if (times > LOFT_RAISE_MAX - degree)
+    if (times > LOFT_ELEVATE_MAX - degree)
         return LOFT_ERR_ARG;
     denominators(r, w);
     raise(w, degree, times);

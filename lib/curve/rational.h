@@ -24,7 +24,7 @@
 #define LOFT_CURVE_RATIONAL_H
 
 #include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
-#include "curve/bezier.h"       /* LOFT_RAISE_MAX */
+#include "curve/bezier.h"       /* LOFT_ELEVATE_MAX */
 #include "geom/vec.h"           /* loft_vec, loft_box */
 
 LOFT_BEGIN_C
@@ -97,7 +97,7 @@ loft_vec loft_rational_eval(const loft_rational *r, loft_unit t);
  *   cost    degree * (degree + 1) / 2 deep lerps per axis and once more, a quotient of 128 bits per
  *           axis; 500 bytes of stack
  */
-enum loft_status loft_rational_extend(const loft_rational *r, loft_unit t,
+enum loft_status loft_rational_extrapolate(const loft_rational *r, loft_unit t,
                                       loft_vec *out) LOFT_CHECKED;
 
 /* The first derivative with respect to t, by the quotient rule in the form of Floater: with the two
@@ -147,11 +147,11 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
  *           quotients per axis; q16: 1.1 kB of stack
  *   see     Ramshaw, blossoming, for numerator and denominator
  */
-enum loft_status loft_rational_part(const loft_rational *r, loft_unit from, loft_unit to,
+enum loft_status loft_rational_sub(const loft_rational *r, loft_unit from, loft_unit to,
                                     loft_weighted out[]) LOFT_CHECKED;
 
-/* The weights of out[0..degree] from those of the form of num/deep.h, with a common factor as in
- * loft_rational_part.
+/* The weights of out[0..degree] from those of the form of num/acc128.h, with a common factor as in
+ * loft_rational_sub.
  *
  *   range   q16: w < 2^30, the largest at most 65536 times the smallest   all: the largest at least
  *           128
@@ -162,7 +162,7 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
 
 /* The same curve with a degree higher by `times`: degree + times + 1 control points.
  *
- *   range   degree + times <= LOFT_RAISE_MAX, otherwise LOFT_ERR_ARG
+ *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
  *   error   points: that of eval with times in place of degree; weights q16: 1/2 LSB + times *
  *           2^-17 LSB
  *           f32: 1 ulp   f64: 4 * times ulp
@@ -170,7 +170,7 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
  *           bytes of stack
  *   see     Farin, ch. 13: degree elevation
  */
-enum loft_status loft_rational_raise(const loft_rational *r, unsigned times,
+enum loft_status loft_rational_elevate(const loft_rational *r, unsigned times,
                                      loft_weighted out[]) LOFT_CHECKED;
 
 /* The box of the control polygon. The curve over 0..1 lies inside; the box is not the smallest.

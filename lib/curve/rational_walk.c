@@ -16,35 +16,35 @@
  * weights in, twice.
  */
 #include "curve/rational_walk.h"
-#include "num/strict.h"     /* loft_strict_admits */
+#include "num/walk_exact.h"     /* loft_walk_exact_steps_valid */
 
 #define DEGREE LOFT_RATIONAL_WALK_DEGREE_MAX
 
 /* a_k = g_k n^(d-k), in place of the Bernstein coefficients */
-static void powers(loft_deep a[], unsigned degree, uint32_t n)
+static void powers(loft_acc128 a[], unsigned degree, uint32_t n)
 {
     for (unsigned k = 1; k <= degree; k++)
         for (unsigned i = degree; i >= k; i--)
-            a[i] = loft_deep_sub(a[i], a[i - 1]);
+            a[i] = loft_acc128_sub(a[i], a[i - 1]);
     for (unsigned k = 0; k <= degree; k++) {
-        a[k] = loft_deep_times(a[k], (uint32_t)loft_binomial(degree, k));
+        a[k] = loft_acc128_times(a[k], (uint32_t)loft_binomial(degree, k));
         for (unsigned i = k; i < degree; i++)
-            a[k] = loft_deep_times(a[k], n);
+            a[k] = loft_acc128_times(a[k], n);
     }
 }
 
 /* From sum a_k i^k to its differences at i = 0: dividing by i, i - 1, .. in turn gives the
  * coefficients of i (i-1) .. (i-k+1), whose k-th difference is k!. */
-static void differences(loft_deep a[], unsigned degree)
+static void differences(loft_acc128 a[], unsigned degree)
 {
     uint32_t factorial = 1;
 
     for (unsigned j = 1; j < degree; j++)
         for (unsigned k = degree - 1; k >= j; k--)
-            a[k] = loft_deep_add(a[k], loft_deep_times(a[k + 1], j));
+            a[k] = loft_acc128_add(a[k], loft_acc128_times(a[k + 1], j));
     for (unsigned k = 2; k <= degree; k++) {
         factorial *= k;
-        a[k] = loft_deep_times(a[k], factorial);
+        a[k] = loft_acc128_times(a[k], factorial);
     }
 }
 
@@ -55,21 +55,21 @@ enum loft_status loft_rational_walk_init(loft_rational_walk *walk, const loft_ra
 
     if (degree > DEGREE || n == 0)
         return LOFT_ERR_ARG;
-    if (!loft_strict_admits(degree, n))
+    if (!loft_walk_exact_steps_valid(degree, n))
         return LOFT_ERR_RANGE;
     for (unsigned k = 0; k <= degree; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_deep_accepts(r->p[k].p.axis[i]))
+            if (!loft_acc128_valid(r->p[k].p.axis[i]))
                 return LOFT_ERR_RANGE;
 
     for (int i = 0; i < LOFT_AXES; i++) {
         for (unsigned k = 0; k <= degree; k++)
-            walk->x[i][k] = loft_deep_of(loft_prod(r->p[k].p.axis[i], r->p[k].w));
+            walk->x[i][k] = loft_acc128_of(loft_prod(r->p[k].p.axis[i], r->p[k].w));
         powers(walk->x[i], degree, n);
         differences(walk->x[i], degree);
     }
     for (unsigned k = 0; k <= degree; k++)
-        walk->w[k] = loft_deep_of(loft_wide(r->p[k].w) * LOFT_PROJECT);
+        walk->w[k] = loft_acc128_of(loft_to_acc(r->p[k].w) * LOFT_PROJECT);
     powers(walk->w, degree, n);
     differences(walk->w, degree);
     walk->end = r->p[degree].p;
@@ -84,10 +84,10 @@ bool loft_rational_walk_next(loft_rational_walk *walk, loft_vec *out)
         return false;
     walk->left--;
 
-    loft_deep_step(walk->w, walk->degree);
+    loft_acc128_step(walk->w, walk->degree);
     for (int i = 0; i < LOFT_AXES; i++) {
-        loft_deep_step(walk->x[i], walk->degree);
-        out->axis[i] = loft_deep_project(walk->x[i][0], walk->w[0]);
+        loft_acc128_step(walk->x[i], walk->degree);
+        out->axis[i] = loft_acc128_project(walk->x[i][0], walk->w[0]);
     }
     if (walk->left == 0)
         *out = walk->end;

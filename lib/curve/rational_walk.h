@@ -23,7 +23,7 @@
 #define LOFT_CURVE_RATIONAL_WALK_H
 
 #include "curve/rational.h"     /* loft_rational */
-#include "num/deep.h"           /* loft_deep: the differences */
+#include "num/acc128.h"           /* loft_acc128: the differences */
 
 LOFT_BEGIN_C
 
@@ -31,8 +31,8 @@ LOFT_BEGIN_C
 
 /* State of one walk, 96 bytes per axis and once more in q16. Do not rely on its fields. */
 typedef struct {
-    loft_deep x[LOFT_AXES][LOFT_RATIONAL_WALK_DEGREE_MAX + 1];
-    loft_deep w[LOFT_RATIONAL_WALK_DEGREE_MAX + 1];
+    loft_acc128 x[LOFT_AXES][LOFT_RATIONAL_WALK_DEGREE_MAX + 1];
+    loft_acc128 w[LOFT_RATIONAL_WALK_DEGREE_MAX + 1];
     loft_vec  end;
     uint32_t  left;             /* points to come */
     uint8_t   degree;

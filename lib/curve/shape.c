@@ -37,7 +37,7 @@ static bool admitted(const loft_cubic *c)
 {
     for (int k = 0; k < 4; k++)
         for (int axis = 0; axis < 2; axis++)
-            if (!loft_exact_admits(loft_vec_axis(&c->p[k], axis)))
+            if (!loft_exact_valid(loft_vec_axis(&c->p[k], axis)))
                 return false;
     return true;
 }
@@ -91,7 +91,7 @@ static loft_unit ratio(loft_exact x, loft_exact y)
 
     if (!loft_exact_quot(x, y, 0, &t))
         t = 0;                                  /* never: t lies in 0..1 */
-    return loft_unit_ratio(t, loft_wide(LOFT_REAL(1)));
+    return loft_unit_ratio(t, loft_to_acc(LOFT_REAL(1)));
 }
 
 /* (m + sign sqrt(d)) / n */

@@ -10,7 +10,7 @@
  *     if (loft_cubic_shape(&c, &s) == LOFT_OK && s.kind == LOFT_LOOP)
  *         ...
  *
- * In f32 and f64 coordinates must be what loft_exact_admits says, 0 or from 1.4e-17 to 1048575 in
+ * In f32 and f64 coordinates must be what loft_exact_valid says, 0 or from 1.4e-17 to 1048575 in
  * size; otherwise LOFT_ERR_RANGE. Nothing is written then.
  */
 #ifndef LOFT_CURVE_SHAPE_H
@@ -64,8 +64,8 @@ enum loft_status loft_cubic_shape(const loft_cubic *c, loft_shape *out) LOFT_CHE
  *           stack, more than an ATmega328P has
  *   see     |P' x P''| / |P'|^3
  */
-enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t,
-                                       loft_real *curvature, loft_vec *tangent) LOFT_CHECKED;
+enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t, loft_real *curvature,
+                                       loft_vec *tangent) LOFT_CHECKED;
 
 /* The same in the plane, with a sign: > 0 where the curve turns left, from the first axis to the
  * second. The tangent is 0 in all other axes.
@@ -74,8 +74,8 @@ enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t,
  *   error   as loft_bezier_curvature
  *   cost    as loft_bezier_curvature, of two axes
  */
-enum loft_status loft_bezier_bend(const loft_bezier *b, loft_unit t,
-                                  loft_real *curvature, loft_vec *tangent) LOFT_CHECKED;
+enum loft_status loft_bezier_curvature_vec(const loft_bezier *b, loft_unit t, loft_real *curvature,
+                                           loft_vec *tangent) LOFT_CHECKED;
 
 /* Is a planar polygon, closed by its last point and its first, the boundary of a convex region,
  * gone around once? Points may coincide with their predecessor, and edges may continue straight

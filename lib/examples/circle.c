@@ -4,10 +4,13 @@
 #include <stdio.h>
 #include "loft.h"
 
-static const loft_limits limits = {             /* mm, s */
+static const loft_limits limits = {
+    /* mm, s */
     .max_speed = { LOFT_REAL(200), LOFT_REAL(200), LOFT_REAL(20) },
     .max_accel = { LOFT_REAL(1000), LOFT_REAL(1000), LOFT_REAL(200) },
-    .corner = LOFT_REAL(0.01), .tol = LOFT_REAL(0.005), .tick_hz = 1000,
+    .corner = LOFT_REAL(0.01),
+    .tol = LOFT_REAL(0.005),
+    .tick_hz = 1000,
 };
 static loft_move moves[8], move = { .feed = LOFT_REAL(50) };
 static loft_plan_piece pieces[8 * LOFT_PLAN_PIECES];
@@ -33,8 +36,8 @@ int main(void)
     while (loft_plan_next(&plan, &span) == LOFT_PLAN_SPAN &&
            loft_span_walk(&walk, &span) == LOFT_OK)
         for (; loft_forward_next(&walk, &at); last = at, ticks++)
-            steady += loft_vec_distance(last, at) >= loft_wide(LOFT_REAL(0.0499)) &&
-                      loft_vec_distance(last, at) <= loft_wide(LOFT_REAL(0.0501));   /* mm a tick */
+            steady += loft_vec_distance(last, at) >= loft_to_acc(LOFT_REAL(0.0499)) &&
+                      loft_vec_distance(last, at) <= loft_to_acc(LOFT_REAL(0.0501));
     printf("%u ticks, %u of them at 50 mm/s within 0.2 %%\n", ticks, steady);
     return 0;
 }

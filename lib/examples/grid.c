@@ -4,11 +4,16 @@
 #include <stdio.h>
 #include "loft.h"
 
-#define P(x, y, z) { { LOFT_REAL(x), LOFT_REAL(y), LOFT_REAL(z) } }
-static const loft_vec net[4 * 4] = {            /* a bicubic hill: v runs along a row */
-    P(0, 0, 0),  P(0, 10, 0),   P(0, 20, 0),   P(0, 30, 0),
-    P(10, 0, 0), P(10, 10, 40), P(10, 20, 20), P(10, 30, 0),
-    P(20, 0, 0), P(20, 10, 20), P(20, 20, 10), P(20, 30, 0),
+#define P(x, y, z)                                                                                 \
+    {                                                                                              \
+        {                                                                                          \
+            LOFT_REAL(x), LOFT_REAL(y), LOFT_REAL(z)                                               \
+        }                                                                                          \
+    }
+static const loft_vec net[4 * 4] = {
+    /* a bicubic hill: v runs along a row */
+    P(0, 0, 0),    P(0, 10, 0),  P(0, 20, 0),  P(0, 30, 0),   P(10, 0, 0),   P(10, 10, 40),
+    P(10, 20, 20), P(10, 30, 0), P(20, 0, 0),  P(20, 10, 20), P(20, 20, 10), P(20, 30, 0),
     P(30, 0, 0), P(30, 10, 0),  P(30, 20, 0),  P(30, 30, 0),
 };
 static loft_state memory[LOFT_GRID_STATES(3, 3)];

@@ -4,28 +4,33 @@
 #include <stdio.h>
 #include "loft.h"
 
-#define V(x, y) { { LOFT_REAL(x), LOFT_REAL(y) } }
+#define V(x, y)                                                                                    \
+    {                                                                                              \
+        {                                                                                          \
+            LOFT_REAL(x), LOFT_REAL(y)                                                             \
+        }                                                                                          \
+    }
 enum { SIDES = 5, DEPTH = 2 };
 static const loft_spot pentagon[] = { V(0, -10), V(10, -3), V(6, 8), V(-6, 8), V(-10, -3) };
 
 int main(void)
 {
-    loft_vec points[15], at;                    /* loft_multi_count(SIDES, DEPTH) */
+    loft_vec points[15], at;                    /* loft_multiindex_count(SIDES, DEPTH) */
     uint8_t l[LOFT_SIDES_MAX];
     loft_sci phi[SIDES];
     loft_domain domain;
     loft_spatch patch;
 
-    loft_multi_first(l, SIDES, DEPTH);
+    loft_multiindex_first(l, SIDES, DEPTH);
     do {                                        /* corners stay on the floor, the rest is lifted */
-        loft_vec *p = &points[loft_multi_rank(l, SIDES)];
+        loft_vec *p = &points[loft_multiindex_rank(l, SIDES)];
         *p = (loft_vec) { { 0, 0, LOFT_REAL(20) } };
         for (int i = 0; i < SIDES; i++) {
             p->axis[0] += l[i] * pentagon[i].at[0] / DEPTH;
             p->axis[1] += l[i] * pentagon[i].at[1] / DEPTH;
             p->axis[2] -= l[i] == DEPTH ? LOFT_REAL(20) : 0;
         }
-    } while (loft_multi_next(l, SIDES));
+    } while (loft_multiindex_next(l, SIDES));
     if (loft_domain_init(&domain, pentagon, SIDES) != LOFT_OK ||
         loft_spatch_init(&patch, points, NULL, SIDES, DEPTH) != LOFT_OK)
         return 1;

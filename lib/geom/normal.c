@@ -27,7 +27,7 @@ static enum loft_status aim(const loft_sci x[], int n, loft_vec *out)
         return LOFT_SINGULAR;
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc y = 0;
-        if (i < n && !loft_sci_wide(loft_sci_div(x[i], length), &y))
+        if (i < n && !loft_sci_to_acc(loft_sci_div(x[i], length), &y))
             y = 0;                              /* never: |y| <= 1 */
         out->axis[i] = loft_acc_round(y);
     }

@@ -59,7 +59,7 @@ static inline bool loft_vec_equal(loft_vec a, loft_vec b)
 static inline bool loft_vec_round(const loft_acc x[LOFT_AXES], loft_vec *out)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_acc_fits(x[i]))
+        if (!loft_acc_valid(x[i]))
             return false;
     for (int i = 0; i < LOFT_AXES; i++)
         out->axis[i] = loft_acc_round(x[i]);
@@ -70,7 +70,7 @@ static inline bool loft_vec_round(const loft_acc x[LOFT_AXES], loft_vec *out)
 static inline bool loft_vec_round_axis(const loft_acc x[], unsigned count, int axis, loft_vec out[])
 {
     for (unsigned k = 0; k < count; k++) {
-        if (!loft_acc_fits(x[k]))
+        if (!loft_acc_valid(x[k]))
             return false;
         out[k].axis[axis] = loft_acc_round(x[k]);
     }
@@ -123,8 +123,10 @@ static inline loft_acc loft_vec_distance(loft_vec a, loft_vec b)
 static inline loft_box loft_box_join(loft_box box, loft_vec p)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
-        if (p.axis[i] < box.min.axis[i]) box.min.axis[i] = p.axis[i];
-        if (p.axis[i] > box.max.axis[i]) box.max.axis[i] = p.axis[i];
+        if (p.axis[i] < box.min.axis[i])
+            box.min.axis[i] = p.axis[i];
+        if (p.axis[i] > box.max.axis[i])
+            box.max.axis[i] = p.axis[i];
     }
     return box;
 }

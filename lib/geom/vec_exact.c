@@ -7,7 +7,7 @@ bool loft_vec_exact_valid(const loft_vec p[], unsigned count, int axes)
 {
     for (unsigned k = 0; k < count; k++)
         for (int i = 0; i < axes; i++)
-            if (!loft_exact_admits(loft_vec_axis(&p[k], i)))
+            if (!loft_exact_valid(loft_vec_axis(&p[k], i)))
                 return false;
     return true;
 }

@@ -22,7 +22,7 @@ loft_vec loft_corexy_motors(const void *geometry, loft_vec tool)
 
 bool loft_corexy_tool(const void *geometry, loft_vec motors, loft_vec *tool)
 {
-    const loft_acc a = loft_wide(motors.axis[0]), b = loft_wide(motors.axis[1]);
+    const loft_acc a = loft_to_acc(motors.axis[0]), b = loft_to_acc(motors.axis[1]);
 
     (void)geometry;
     *tool = motors;
@@ -37,7 +37,7 @@ loft_vec loft_polar_motors(const void *geometry, loft_vec tool)
 {
     const loft_polar *polar = geometry;
     const loft_real x = tool.axis[0], y = tool.axis[1];
-    const loft_fine angle = loft_fine_atan2(loft_wide(y), loft_wide(x));
+    const loft_fine angle = loft_fine_atan2(loft_to_acc(y), loft_to_acc(x));
 
     tool.axis[0] = loft_acc_sqrt(loft_prod(x, x) + loft_prod(y, y));
     tool.axis[1] = loft_acc_round(
@@ -48,7 +48,7 @@ loft_vec loft_polar_motors(const void *geometry, loft_vec tool)
 /* The whole turns between two angles, to nearest. */
 static int32_t turns_of(loft_real by, loft_real turn)
 {
-    return loft_acc_int(loft_wide(loft_div(by, turn)));
+    return loft_acc_int(loft_to_acc(loft_div(by, turn)));
 }
 
 loft_vec loft_polar_near(const void *geometry, loft_vec motors, loft_vec before)
@@ -56,7 +56,7 @@ loft_vec loft_polar_near(const void *geometry, loft_vec motors, loft_vec before)
     const loft_polar *polar = geometry;
     const int32_t k = turns_of(before.axis[1] - motors.axis[1], polar->turn);
 
-    motors.axis[1] = loft_acc_round(loft_wide(motors.axis[1]) + k * loft_wide(polar->turn));
+    motors.axis[1] = loft_acc_round(loft_to_acc(motors.axis[1]) + k * loft_to_acc(polar->turn));
     return motors;
 }
 
@@ -65,8 +65,9 @@ loft_vec loft_polar_near(const void *geometry, loft_vec motors, loft_vec before)
 bool loft_polar_tool(const void *geometry, loft_vec motors, loft_vec *tool)
 {
     const loft_polar *polar = geometry;
-    const loft_acc radius = loft_wide(motors.axis[0]), turn = loft_wide(polar->turn);
-    const loft_acc rest = loft_wide(motors.axis[1]) - turns_of(motors.axis[1], polar->turn) * turn;
+    const loft_acc radius = loft_to_acc(motors.axis[0]), turn = loft_to_acc(polar->turn);
+    const loft_acc rest = loft_to_acc(motors.axis[1]) -
+                          turns_of(motors.axis[1], polar->turn) * turn;
     const loft_fine angle = loft_fine_mul(loft_fine_ratio(rest, turn), 2 * LOFT_FINE_PI);
 
     *tool = motors;
@@ -93,7 +94,9 @@ loft_vec loft_delta_motors(const void *geometry, loft_vec tool)
     return tool;
 }
 
-typedef struct { loft_sci c[3]; } arrow;
+typedef struct {
+    loft_sci c[3];
+} arrow;
 
 static arrow cross(arrow a, arrow b)
 {
@@ -118,8 +121,8 @@ static arrow side(const loft_delta *d, loft_vec motors, int i)
     arrow out;
 
     for (int k = 0; k < 2; k++)
-        out.c[k] = loft_sci_of(loft_wide(d->tower[i][k]) - loft_wide(d->tower[0][k]));
-    out.c[2] = loft_sci_of(loft_wide(motors.axis[i]) - loft_wide(motors.axis[0]));
+        out.c[k] = loft_sci_of(loft_to_acc(d->tower[i][k]) - loft_to_acc(d->tower[0][k]));
+    out.c[2] = loft_sci_of(loft_to_acc(motors.axis[i]) - loft_to_acc(motors.axis[0]));
     return out;
 }
 
@@ -154,10 +157,10 @@ bool loft_delta_tool(const void *geometry, loft_vec motors, loft_vec *tool)
     const loft_sci part = loft_sci_sqrt(loft_sci_div(left, n2)),
                    down = loft_sci_sign(n.c[2]) > 0 ? loft_sci_neg(part) : part;
     for (int i = 0; i < 3; i++) {
-        if (!loft_sci_wide(loft_sci_add(m.c[i], loft_sci_mul(n.c[i], down)), &at[i]))
+        if (!loft_sci_to_acc(loft_sci_add(m.c[i], loft_sci_mul(n.c[i], down)), &at[i]))
             return false;
-        at[i] += loft_wide(from[i]);
-        if (!loft_acc_fits(at[i]))
+        at[i] += loft_to_acc(from[i]);
+        if (!loft_acc_valid(at[i]))
             return false;
     }
     for (int i = 0; i < 3; i++)

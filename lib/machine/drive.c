@@ -73,7 +73,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
     d->ahead = d->left = 0;
     d->which = d->ready = d->item = 0;
     d->running = d->prepared = 0;
-    d->cap = LOFT_CAP_ONE;
+    d->cap = LOFT_OVERRIDE_LIMIT_ONE;
     d->percent = d->obeyed = 100;
     d->ordered = loft_pace_full(&d->pace);
     d->supply = 0;
@@ -115,11 +115,11 @@ static bool span_fits(const loft_drive *d, const loft_item *item)
 
 static enum loft_status queue_span(loft_drive *d, const loft_item *item)
 {
-    uint8_t cap = LOFT_CAP_ONE;
+    uint8_t cap = LOFT_OVERRIDE_LIMIT_ONE;
 
     if (LOFT_MACHINE_CAPS || d->percent > 100)
-        cap = loft_cap_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue), d->axis,
-                          d->tick_hz);
+        cap = loft_override_limit_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue),
+                                     d->axis, d->tick_hz);
     return loft_queue_push(&d->queue, item, cap);
 }
 

@@ -6,9 +6,10 @@
  *     slot        loft_drive_slot: the pins; about 40 kHz
  *
  * Each may interrupt the one above it. The machine never leaves the path and never stops abruptly.
- * A hold, an abort and a queue that runs low all lower the pace (pace.h) to 0, at the end of a tick,
+ * A hold, an abort and a queue that runs low all lower the pace (pace.h) to 0, at the end of a
+ * tick,
  * and no item is lost. Above 100 percent the pace comes down in time where an item may not pass so
- * fast (cap.h).
+ * fast (override_limit.h).
  *
  * The law of supply: while the end of the job is not known, the pace follows how full the queue is.
  * Pace 1 needs a quarter of the queue, or sixteen times the ticks from pace 1 to a stop, whichever
@@ -18,7 +19,7 @@
 #ifndef LOFT_MACHINE_DRIVE_H
 #define LOFT_MACHINE_DRIVE_H
 
-#include "machine/cap.h"    /* loft_cap_of, loft_traits_axis       */
+#include "machine/override_limit.h"    /* loft_override_limit_of, loft_axis_config       */
 #include "machine/points.h" /* loft_points                         */
 #include "machine/queue.h"  /* loft_queue, loft_item               */
 #include "machine/pace.h"    /* loft_pace                           */
@@ -31,7 +32,7 @@ LOFT_BEGIN_C
 #define LOFT_DRIVE_MARGIN 2     /* ticks */
 
 typedef struct {
-    const loft_traits_axis *axis;       /* LOFT_AXES of them, borrowed */
+    const loft_axis_config *axis;       /* LOFT_AXES of them, borrowed */
     int32_t  position[LOFT_AXES];       /* steps: where the machine stands */
     uint16_t tick_hz, slots;            /* ticks per second, slots per tick */
     uint16_t ramp;                      /* ticks from full pace to standing; the queue should hold
@@ -93,7 +94,7 @@ typedef struct {
     bool     fresh;                     /* main loop: nothing was pushed yet */
     int32_t  end[LOFT_AXES];            /* main loop: where the last pushed item ends */
     loft_real steps_per_mm[LOFT_AXES];
-    const loft_traits_axis *axis;
+    const loft_axis_config *axis;
     uint16_t ramp, tick_hz;
     uint16_t share;                     /* of the law of supply: ticks that an item is worth */
     uint16_t gain;                      /* and pace per tick, 2^-20 */

@@ -114,12 +114,13 @@ static uint16_t allowed(const loft_drive *d)
 
     if (level <= full || d->kind == LOFT_POINTS)
         return level < full ? level : full;
-    if (before && level > loft_cap_level(d->cap, full))
-        level = loft_cap_level(d->cap, full);
+    if (before && level > loft_override_limit_level(d->cap, full))
+        level = loft_override_limit_level(d->cap, full);
     for (uint16_t k = 0;
          level > full && before * unit < level && (cell = loft_queue_cell(&d->queue, k)) != NULL;
          k++) {
-        const uint32_t most = loft_cap_level(cell->cap, full) + (before ? (before - 1) * unit : 0);
+        const uint32_t most = loft_override_limit_level(cell->cap, full) +
+                              (before ? (before - 1) * unit : 0);
         if (level > most)
             level = (uint16_t)most;
         before += cell->item.ticks;

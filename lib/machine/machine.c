@@ -35,8 +35,8 @@ static enum loft_status init_planner(loft_machine *m, loft_machine_config *confi
     m->planner = config->planner;
     if (!m->planner)
         return LOFT_OK;
-    config->traits.kinds = (uint8_t)(config->traits.kinds | 1u << LOFT_CURVES);
-    config->traits.curves = config->plan.move_room;
+    config->info.kinds = (uint8_t)(config->info.kinds | 1u << LOFT_CURVES);
+    config->info.curves = config->plan.move_room;
     return loft_planner_init(m->planner, &config->plan, config->cells);
 }
 
@@ -47,12 +47,11 @@ static enum loft_status begin_planner(loft_machine *m, const loft_job *job)
 {
     loft_job_limits asked;
     const enum loft_status status = loft_job_limits_decode(&m->receiver.frame, &asked);
-    return status == LOFT_OK ? loft_planner_begin(m->planner, m->traits, &asked, job->start)
-                             : status;
+    return status == LOFT_OK ? loft_planner_begin(m->planner, m->info, &asked, job->start) : status;
 }
 
 /* An item of the queue is a span; items of the job are curves. */
-static void count_curves(loft_machine *m, loft_standing *now)
+static void count_curves(loft_machine *m, loft_snapshot *now)
 {
     now->room     = loft_planner_room(m->planner);
     now->executed = now->state == LOFT_STATE_DONE
@@ -102,7 +101,7 @@ static enum loft_status begin_planner(loft_machine *m, const loft_job *job)
     (void)job;
     return LOFT_ERR_ARG;
 }
-static void count_curves(loft_machine *m, loft_standing *now)
+static void count_curves(loft_machine *m, loft_snapshot *now)
 {
     (void)m;
     (void)now;
@@ -130,33 +129,33 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
 {
     loft_drive_config drive;
 
-    m->traits = &config->traits;
+    m->info = &config->info;
     for (int i = 0; i < LOFT_AXES; i++)
         drive.position[i] = config->position[i];
-    drive.axis = m->traits->axis;
-    drive.tick_hz = config->traits.tick_hz;
-    drive.slots = config->traits.slots;
+    drive.axis = m->info->axis;
+    drive.tick_hz = config->info.tick_hz;
+    drive.slots = config->info.slots;
     drive.ramp = config->ramp;
     drive.cell = config->cell;
     drive.cells = config->cells;
 
-    config->traits.queue  = config->cells;
-    config->traits.points = loft_points_capacity(config->cells);
-    config->traits.kinds  = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
-    config->traits.curves = 0;
+    config->info.queue  = config->cells;
+    config->info.points = loft_points_capacity(config->cells);
+    config->info.kinds  = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
+    config->info.curves = 0;
     m->job.kind = LOFT_SPANS;
     m->job.id = m->job.away = 0;
     m->closed = m->ended_by = 0;
     enum loft_status status = init_planner(m, config);
     if (status == LOFT_OK)
-        status = loft_receiver_init(&m->receiver, m->traits);
+        status = loft_receiver_init(&m->receiver, m->info);
     return status == LOFT_OK ? loft_drive_init(&m->drive, &drive) : status;
 }
 
-static loft_standing standing(loft_machine *m)
+static loft_snapshot snapshot_of(loft_machine *m)
 {
     const loft_drive_report r = loft_drive_poll(&m->drive);
-    loft_standing now;
+    loft_snapshot now;
 
     now.executed = r.executed;
     now.ticks = r.ticks;
@@ -203,11 +202,8 @@ static void begin(loft_machine *m, const loft_job *job)
         m->ended_by = 0;
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_NONE);
         break;
-    case LOFT_ERR_RANGE:
-        loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_START);
-        break;
-    default:
-        loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_BUSY);
+    case LOFT_ERR_RANGE: loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_START); break;
+    default: loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_BUSY);
     }
 }
 
@@ -274,7 +270,7 @@ static void act(loft_machine *m, enum loft_event event, const loft_event_data *w
 /* What the frame that has come asks for next, of points all; false if there is nothing more. */
 static APART bool act_on_frame(loft_machine *m)
 {
-    const loft_standing now = standing(m);
+    const loft_snapshot now = snapshot_of(m);
     loft_event_data what;
     enum loft_event event;
 
@@ -304,6 +300,6 @@ size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])
 {
     (void)loft_machine_plan(m);
     loft_drive_prepare(&m->drive);
-    const loft_standing now = standing(m);
+    const loft_snapshot now = snapshot_of(m);
     return loft_receiver_poll(&m->receiver, &now, wire);
 }

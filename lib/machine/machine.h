@@ -19,16 +19,15 @@
 
 #include "machine/drive.h"  /* loft_drive                    */
 #include "machine/planner.h"    /* loft_planner              */
-#include "wire/receiver.h"  /* loft_receiver, loft_traits    */
+#include "wire/receiver.h"  /* loft_receiver, loft_machine_info    */
 
 LOFT_BEGIN_C
 
-/* A positive constant as raw Q16.16, for the traits. */
+/* A positive constant as raw Q16.16, for the machine info. */
 #define LOFT_RAW(x) ((int32_t)((x) * 65536.0 + 0.5))
 
 typedef struct {
-    loft_traits traits;                 /* `queue`, `points`, `curves` and `kinds` are filled in by
-                                         * init */
+    loft_machine_info info;             /* init fills in `queue`, `points`, `curves`, `kinds` */
     int32_t  position[LOFT_AXES];       /* steps: where the machine stands at the start */
     uint16_t ramp;                      /* ticks from full pace to standing in a hold */
     volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number */
@@ -42,7 +41,7 @@ typedef struct {
 typedef struct {
     loft_drive    drive;
     loft_receiver receiver;
-    const loft_traits *traits;
+    const loft_machine_info *info;
     struct {
         uint32_t id;
         uint16_t away;                  /* what is left of it: inputs that have not opened since */
@@ -100,10 +99,7 @@ static inline void loft_machine_override(loft_machine *m, unsigned percent)
 
 /* See loft_drive_tick and loft_drive_slot. */
 static inline void      loft_machine_tick(loft_machine *m)      { loft_drive_tick(&m->drive); }
-static inline loft_pins loft_machine_slot(loft_machine *m)
-{
-    return loft_drive_slot(&m->drive);
-}
+static inline loft_pins loft_machine_slot(loft_machine *m) { return loft_drive_slot(&m->drive); }
 
 LOFT_END_C
 

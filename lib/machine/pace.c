@@ -46,10 +46,7 @@ static uint16_t square_root(uint32_t x)
     return (uint16_t)(x > r ? r + 1 : r);
 }
 
-static uint16_t level_root(uint16_t level)
-{
-    return square_root((uint32_t)level << 16);
-}
+static uint16_t level_root(uint16_t level) { return square_root((uint32_t)level << 16); }
 
 enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp)
 {

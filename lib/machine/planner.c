@@ -19,12 +19,9 @@ enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *m
 static int32_t lower(int32_t a, int32_t b)      { return b > 0 && b < a ? b : a; }
 
 /* 0 is no limit. */
-static uint32_t lower_jerk(uint32_t a, uint32_t b)
-{
-    return a == 0 || (b > 0 && b < a) ? b : a;
-}
+static uint32_t lower_jerk(uint32_t a, uint32_t b) { return a == 0 || (b > 0 && b < a) ? b : a; }
 
-enum loft_status loft_planner_begin(loft_planner *p, const loft_traits *machine,
+enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *machine,
                                     const loft_job_limits *asked, const int32_t start[LOFT_AXES])
 {
     loft_limits limits = { .max_across = 0 };
@@ -50,7 +47,7 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_traits *machine,
 /* mm/min to mm/s. */
 static loft_real feed_of(uint16_t per_minute)
 {
-    return loft_acc_round(loft_acc_ratio(loft_wide(LOFT_REAL(1)) * per_minute, 60));
+    return loft_acc_round(loft_acc_ratio(loft_to_acc(LOFT_REAL(1)) * per_minute, 60));
 }
 
 enum loft_status loft_planner_push(loft_planner *p, const loft_item *item)

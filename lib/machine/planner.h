@@ -14,7 +14,7 @@
 #define LOFT_MACHINE_PLANNER_H
 
 #include "motion/plan.h"    /* loft_plan                                            */
-#include "wire/receiver.h"  /* loft_traits, loft_item, loft_job_limits              */
+#include "wire/receiver.h"  /* loft_machine_info, loft_item, loft_job_limits              */
 
 LOFT_BEGIN_C
 
@@ -56,7 +56,7 @@ enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *m
  * whichever are lower.
  *
  *   range   as loft_plan_init */
-enum loft_status loft_planner_begin(loft_planner *p, const loft_traits *machine,
+enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *machine,
                                     const loft_job_limits *asked,
                                     const int32_t start[LOFT_AXES]) LOFT_CHECKED;
 
@@ -82,10 +82,7 @@ bool loft_planner_next(loft_planner *p, bool hurry, loft_item *span);
 static inline bool loft_planner_done(const loft_planner *p)     { return p->ended && p->rests; }
 
 /* Curves that can be pushed now. */
-static inline uint16_t loft_planner_room(const loft_planner *p)
-{
-    return loft_plan_room(&p->plan);
-}
+static inline uint16_t loft_planner_room(const loft_planner *p) { return loft_plan_room(&p->plan); }
 
 /* Curves executed, when so many spans are. */
 uint32_t loft_planner_executed(loft_planner *p, uint32_t spans);

@@ -21,20 +21,14 @@ static uint16_t after(const loft_queue *q, uint16_t index)
     return (uint16_t)(index + 1 == q->count ? 0 : index + 1);
 }
 
-static int16_t step_of(uint16_t x)
-{
-    return (int16_t)(x < 0x8000u ? x : (int32_t)x - 0x10000);
-}
+static int16_t step_of(uint16_t x) { return (int16_t)(x < 0x8000u ? x : (int32_t)x - 0x10000); }
 
 static int16_t difference(int16_t a, int16_t b)
 {
     return step_of((uint16_t)((uint16_t)a - (uint16_t)b));
 }
 
-void loft_points_init(loft_points *p)
-{
-    *p = (loft_points){ .used = 0 };
-}
+void loft_points_init(loft_points *p) { *p = (loft_points){ .used = 0 }; }
 
 uint16_t loft_points_capacity(uint16_t cells)
 {

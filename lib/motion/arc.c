@@ -18,10 +18,10 @@
 
 #include "num/accs.h"       /* loft_accs_add, .. */
 
-#define SPECK        loft_wide(LOFT_REAL(0.0000457763671875))    /* 3 / 2^16 */
+#define SPECK        loft_to_acc(LOFT_REAL(0.0000457763671875))    /* 3 / 2^16 */
 #define DUST         loft_acc_scale(SPECK, LOFT_UNIT(0.25))
 #define BLUR         16384                          /* grains: what is longer has a direction */
-#define LENGTH_MAX   loft_wide(LOFT_REAL(64))       /* a loft_unit holds it */
+#define LENGTH_MAX   loft_to_acc(LOFT_REAL(64))       /* a loft_unit holds it */
 #define BEND_MAX     (LOFT_REAL_MAX / 2)
 
 
@@ -45,12 +45,12 @@ static bool on_chord(const loft_vec *p, const loft_vec *a, const loft_vec *b)
     for (int i = 0; i < LOFT_AXES; i++) {
         q.axis[i] = p->axis[i] - a->axis[i];
         c.axis[i] = b->axis[i] - a->axis[i];
-        most = loft_acc_most(most,
-                             loft_acc_size(loft_prod(c.axis[i], LOFT_REAL(0.0000152587890625))));
+        most = loft_acc_max(most,
+                             loft_acc_abs(loft_prod(c.axis[i], LOFT_REAL(0.0000152587890625))));
     }
     for (int i = 0; i < LOFT_AXES; i++)
         for (int j = 0; j < i; j++)
-            if (loft_acc_size(loft_prod(q.axis[i], c.axis[j]) - loft_prod(q.axis[j], c.axis[i])) >
+            if (loft_acc_abs(loft_prod(q.axis[i], c.axis[j]) - loft_prod(q.axis[j], c.axis[i])) >
                 most)
                 return false;
     return dot(&q, &c) >= 0 && dot(&q, &q) <= dot(&c, &c);
@@ -117,9 +117,9 @@ static void set_legs(const loft_arc *a, legs *l, bool coarse)
     l->off = l->size = 0;
     for (int i = 0; i < LOFT_AXES; i++)
         for (int k = 0; k < 3; k++) {
-            const loft_acc x = l->leg[k][i], off = loft_acc_size(x - l->chord[i]);
-            l->off  = loft_acc_most(l->off, coarse && k == 1 ? 2 * off : off);
-            l->size += loft_acc_size(x);
+            const loft_acc x = l->leg[k][i], off = loft_acc_abs(x - l->chord[i]);
+            l->off  = loft_acc_max(l->off, coarse && k == 1 ? 2 * off : off);
+            l->size += loft_acc_abs(x);
         }
 }
 
@@ -162,7 +162,7 @@ static bool straight_speck(legs *l)
         if (take_along(l->leg[k], &u) < 0)
             return false;
         for (int i = 0; i < LOFT_AXES; i++)
-            if (171 * loft_acc_size(l->leg[k][i]) > l->length)      /* a leg is a third of that */
+            if (171 * loft_acc_abs(l->leg[k][i]) > l->length)      /* a leg is a third of that */
                 return false;
     }
     return true;
@@ -198,7 +198,7 @@ static void set_length(loft_arc *a, loft_acc rate[5])
 
 static loft_unit times(loft_unit a, loft_unit b)
 {
-    return loft_unit_round(loft_acc_scale(loft_unit_wide(a), b));
+    return loft_unit_round(loft_acc_scale(loft_unit_to_acc(a), b));
 }
 
 static loft_unit between_ends(const loft_arc *a, loft_unit w)
@@ -209,9 +209,9 @@ static loft_unit between_ends(const loft_arc *a, loft_unit w)
 /* What s has to be for t to be right at w. */
 static loft_unit off_pace(const loft_arc *a, loft_unit w, loft_unit t)
 {
-    const loft_acc  v   = loft_unit_wide(times(w, LOFT_UNIT(1) - w));
-    const loft_unit off = loft_unit_ratio(loft_unit_wide(t - w), v) - between_ends(a, w);
-    return loft_unit_ratio(loft_unit_wide(off), v);
+    const loft_acc  v   = loft_unit_to_acc(times(w, LOFT_UNIT(1) - w));
+    const loft_unit off = loft_unit_ratio(loft_unit_to_acc(t - w), v) - between_ends(a, w);
+    return loft_unit_ratio(loft_unit_to_acc(off), v);
 }
 
 static loft_unit parameter_at(const loft_arc *a, loft_unit w)
@@ -263,8 +263,8 @@ static bool leads(const loft_arc *a, loft_acc length)
     loft_acc size = 0;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        size = loft_acc_most(size, loft_acc_size(a->c[0][i]));
-    return length > BLUR * loft_acc_grain(size);
+        size = loft_acc_max(size, loft_acc_abs(a->c[0][i]));
+    return length > BLUR * loft_acc_ulp(size);
 }
 
 /* Is it one that may be walked? `size` is that of its interval of parameters. What is too small for
@@ -340,8 +340,8 @@ uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from, bo
  * that. */
 static loft_real curvature(loft_acc across, loft_acc rate)
 {
-    const loft_acc x = loft_wide(loft_acc_quot(across, rate));
-    if (loft_acc_size(x) > loft_acc_mul(rate, BEND_MAX))
+    const loft_acc x = loft_to_acc(loft_acc_quot(across, rate));
+    if (loft_acc_abs(x) > loft_acc_mul(rate, BEND_MAX))
         return x < 0 ? -2 * BEND_MAX : 2 * BEND_MAX;
     return loft_acc_quot(x, rate);
 }

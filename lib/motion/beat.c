@@ -287,7 +287,7 @@ loft_unit loft_beat_next(loft_law *law)
     if (!(way > 0))
         way = LOFT_UNIT(0.00000006);    /* q16: the least there is, lest it creeps without getting
                                          * on */
-    if (!move(law, &to, loft_unit_wide(way)) || !(law->speed > 0)) {
+    if (!move(law, &to, loft_unit_to_acc(way)) || !(law->speed > 0)) {
         way = loft_unit_round(remains(law));
         to  = law->at;
         (void)move(law, &to, 2 * remains(law));     /* onto the end itself */

@@ -47,12 +47,12 @@
 loft_inverse loft_inverse_of(loft_acc length)
 {
     loft_inverse by = { 0, 0 };
-    if (length < loft_wide(LOFT_REAL(0.015625)))
-        by.coarse = length > loft_acc_div(loft_wide(LOFT_REAL(1)), LOFT_REAL_MAX / 2)
-                        ? loft_acc_quot(loft_wide(LOFT_REAL(1)), length)
+    if (length < loft_to_acc(LOFT_REAL(0.015625)))
+        by.coarse = length > loft_acc_div(loft_to_acc(LOFT_REAL(1)), LOFT_REAL_MAX / 2)
+                        ? loft_acc_quot(loft_to_acc(LOFT_REAL(1)), length)
                         : LOFT_REAL_MAX / 2;
     else
-        by.fine = loft_unit_round(loft_acc_div(loft_wide(LOFT_REAL(1)), loft_acc_round(length)));
+        by.fine = loft_unit_round(loft_acc_div(loft_to_acc(LOFT_REAL(1)), loft_acc_round(length)));
     return by;
 }
 
@@ -71,9 +71,9 @@ static loft_vec difference(loft_vec a, loft_vec b)
 /* x, or accel / bend if that is less */
 static loft_acc bend_most(loft_acc x, loft_real accel, loft_real bend)
 {
-    if (loft_acc_mul(loft_acc_least(x, loft_wide(LOFT_REAL(8191))), bend) > loft_wide(accel) ||
-        loft_acc_mul(x / 32768, bend) > loft_wide(accel) / 32768)
-        return loft_acc_least(x, loft_acc_div(loft_wide(accel), bend));
+    if (loft_acc_mul(loft_acc_min(x, loft_to_acc(LOFT_REAL(8191))), bend) > loft_to_acc(accel) ||
+        loft_acc_mul(x / 32768, bend) > loft_to_acc(accel) / 32768)
+        return loft_acc_min(x, loft_acc_div(loft_to_acc(accel), bend));
     return x;
 }
 
@@ -85,13 +85,13 @@ static loft_acc station_most(const loft_budget *b, const loft_arc_shape *s, int 
     loft_acc  x;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        v = loft_real_cap(v, b->max_speed[i], loft_real_size(s->along[k].axis[i]));
+        v = loft_real_cap(v, b->max_speed[i], loft_real_abs(s->along[k].axis[i]));
     x = loft_prod(v, v);
     if (b->across > 0)
         return bend_most(x, b->across,
                          loft_acc_round(loft_vec_distance(s->bend[k], (loft_vec){ { 0 } })));
     for (int i = 0; i < LOFT_AXES; i++)
-        x = bend_most(x, b->accel[i], loft_real_size(s->bend[k].axis[i]));
+        x = bend_most(x, b->accel[i], loft_real_abs(s->bend[k].axis[i]));
     return x;
 }
 
@@ -100,11 +100,11 @@ static loft_acc station_most(const loft_budget *b, const loft_arc_shape *s, int 
 static bool varies(const loft_budget *b, const loft_plan_cell *p)
 {
     const loft_real v = loft_acc_sqrt(p->most);
-    const loft_inverse by = loft_inverse_of(loft_wide(v));
+    const loft_inverse by = loft_inverse_of(loft_to_acc(v));
     const loft_acc beats = loft_inverse_mul(p->span, &by);
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc change = loft_wide(p->turn[1].axis[i]) - loft_wide(p->turn[0].axis[i]);
+        const loft_acc change = loft_to_acc(p->turn[1].axis[i]) - loft_to_acc(p->turn[0].axis[i]);
         if (loft_acc_mul(p->most, loft_acc_round(change < 0 ? -change : change)) * 6 >
             loft_acc_mul(beats, b->gain[i]))
             return true;
@@ -115,7 +115,7 @@ static bool varies(const loft_budget *b, const loft_plan_cell *p)
 /* x / accel, as a part; 1 is enough. */
 static loft_unit part_of(loft_acc x, loft_real accel)
 {
-    return x < loft_wide(accel) ? loft_unit_ratio(x, loft_wide(accel)) : LOFT_UNIT(1);
+    return x < loft_to_acc(accel) ? loft_unit_ratio(x, loft_to_acc(accel)) : LOFT_UNIT(1);
 }
 
 /* How much more of the acceleration than at its ends may be asked for between them? */
@@ -123,16 +123,17 @@ static void set_bow(const loft_budget *b, loft_plan_cell *c)
 {
     c->bow = c->bow_change = c->bow_accel = 0;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real k0 = loft_real_size(c->bend[0].axis[i]),
-                        k1 = loft_real_size(c->bend[1].axis[i]), t0 = c->turn[0].axis[i],
+        const loft_real k0 = loft_real_abs(c->bend[0].axis[i]),
+                        k1 = loft_real_abs(c->bend[1].axis[i]), t0 = c->turn[0].axis[i],
                         t1 = c->turn[1].axis[i];
-        const loft_real k = k0 > k1 ? k0 : k1, t = loft_real_size(t0) > loft_real_size(t1)
-                                                       ? loft_real_size(t0)
-                                                       : loft_real_size(t1);
-        const loft_unit change = part_of(loft_acc_scale(loft_wide(k), c->length) / 2, b->accel[i]);
-        const loft_unit accel = part_of(loft_acc_scale(loft_wide(t), c->length) * 5 / 8,
+        const loft_real k = k0 > k1 ? k0 : k1, t = loft_real_abs(t0) > loft_real_abs(t1)
+                                                       ? loft_real_abs(t0)
+                                                       : loft_real_abs(t1);
+        const loft_unit change = part_of(loft_acc_scale(loft_to_acc(k), c->length) / 2,
+                                         b->accel[i]);
+        const loft_unit accel = part_of(loft_acc_scale(loft_to_acc(t), c->length) * 5 / 8,
                                         b->accel[i]);
-        const loft_unit always = part_of(loft_acc_mul(c->most, loft_real_size(t1 - t0)) / 8,
+        const loft_unit always = part_of(loft_acc_mul(c->most, loft_real_abs(t1 - t0)) / 8,
                                          b->accel[i]);
         c->bow_change = change > c->bow_change ? change : c->bow_change;
         c->bow_accel  = accel > c->bow_accel ? accel : c->bow_accel;
@@ -155,7 +156,7 @@ void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc
     }
     c->most = loft_prod(feed, feed);
     for (int k = 0; k < 3; k++)
-        c->most = loft_acc_least(c->most, station_most(b, &s, k, feed));
+        c->most = loft_acc_min(c->most, station_most(b, &s, k, feed));
     c->most -= c->most / BETWEEN;
     const loft_vec d0 = difference(s.bend[1], s.bend[0]), d1 = difference(s.bend[2], s.bend[1]);
     for (int i = 0; i < LOFT_AXES; i++) {       /* of the parabola through three */
@@ -163,7 +164,7 @@ void loft_cell_init(loft_plan_cell *c, const loft_budget *b, const loft_arc *arc
         c->turn[1].axis[i] = 3 * d1.axis[i] - d0.axis[i];
     }
     c->length = loft_unit_round(arc->length);
-    c->span   = loft_acc_ratio(loft_unit_wide(c->length) * b->tick_hz, b->beat);
+    c->span   = loft_acc_ratio(loft_unit_to_acc(c->length) * b->tick_hz, b->beat);
     c->gate   = c->most;
     c->grip   = LOFT_UNIT(1);
     c->eased  = 0;
@@ -201,14 +202,14 @@ static void set_cases(loft_plan_cell *c, int in, const loft_easing at[2], loft_u
 static void turn_most(loft_plan_cell *c, const loft_budget *b, int i, loft_acc u)
 {
     const loft_real v = loft_real_cap(LOFT_SPEED_MAX, b->max_speed[i],
-                                      loft_real_size(loft_acc_round(u)));
+                                      loft_real_abs(loft_acc_round(u)));
     const loft_acc  x = loft_prod(v, v);
-    c->most = loft_acc_least(c->most, x - x / BETWEEN);
+    c->most = loft_acc_min(c->most, x - x / BETWEEN);
 }
 
 void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e, loft_acc off)
 {
-    const loft_acc w = loft_unit_wide(e->width), h = loft_unit_wide(c->length),
+    const loft_acc w = loft_unit_to_acc(e->width), h = loft_unit_to_acc(c->length),
                    top = loft_acc_scale(w, LOFT_UNIT(1) - 2 * LOFT_EASE_TURN);
     const loft_inverse by = loft_inverse_of(w);
     const int in = off < 0 ? 1 : 0;
@@ -235,8 +236,8 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
         c->jump.axis[i] = e->jump[i];
         if (to_top > 0 && to_top < h)
             turn_most(c, b, i,
-                      loft_acc_lerp(loft_wide(c->along[0].axis[i]), loft_wide(c->along[1].axis[i]),
-                                    loft_unit_ratio(to_top, h)) +
+                      loft_acc_lerp(loft_to_acc(c->along[0].axis[i]),
+                                    loft_to_acc(c->along[1].axis[i]), loft_unit_ratio(to_top, h)) +
                           loft_acc_scale(loft_acc_mul(most.along, e->jump[i]), e->width));
         for (int end = 0; end < 2; end++) {
             const loft_acc bend = loft_acc_mul(z[end].bend, e->jump[i]),
@@ -247,17 +248,17 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
             c->turn[end].axis[i]  += loft_acc_round(turn);
             c->along[end].axis[i] += loft_acc_round(
                 loft_acc_scale(loft_acc_mul(z[end].along, e->jump[i]), e->width));
-            turn_most(c, b, i, loft_wide(c->along[end].axis[i]));
+            turn_most(c, b, i, loft_to_acc(c->along[end].axis[i]));
         }
     }
     for (int end = 0; end < 2; end++)       /* the path moved aside is longer by that */
-        longest = loft_acc_most(longest, loft_vec_dot(c->along[end], c->along[end]));
-    if (longest > loft_wide(LOFT_REAL(1)))
-        c->most = loft_acc_least(
-            c->most, loft_acc_scale(before, loft_unit_ratio(loft_wide(LOFT_REAL(1)), longest)));
-    const loft_acc turn = loft_acc_least(
-        loft_acc_scale(loft_inverse_mul(loft_unit_wide(LOFT_EASE_SLOPE), &by), c->length),
-        loft_wide(LOFT_REAL(60)));
+        longest = loft_acc_max(longest, loft_vec_dot(c->along[end], c->along[end]));
+    if (longest > loft_to_acc(LOFT_REAL(1)))
+        c->most = loft_acc_min(
+            c->most, loft_acc_scale(before, loft_unit_ratio(loft_to_acc(LOFT_REAL(1)), longest)));
+    const loft_acc turn = loft_acc_min(
+        loft_acc_scale(loft_inverse_mul(loft_unit_to_acc(LOFT_EASE_SLOPE), &by), c->length),
+        loft_to_acc(LOFT_REAL(60)));
     set_cases(c, in, z, r[1 - in], r[in], beyond[1 - in], turn);
     c->bow = c->eased > 0 ? 0 : LOFT_UNIT(1);
     c->bow_change = c->bow_accel = 0;
@@ -271,7 +272,7 @@ void loft_cell_ease(loft_plan_cell *c, const loft_budget *b, const loft_ease *e,
  * that. */
 static loft_unit limit_below(loft_unit z, loft_acc g, loft_acc q, loft_acc most)
 {
-    const loft_acc room = loft_acc_most(most - g, 0);
+    const loft_acc room = loft_acc_max(most - g, 0);
 
     return loft_acc_scale(q, z) > room ? loft_unit_ratio(room, q) : z;
 }
@@ -301,7 +302,7 @@ static place place_of(const loft_plan_cell *c, const loft_plan_cell *at, loft_ce
 {
     place p = {
         at->x, at->a, up,
-        loft_acc_least(loft_acc_scale(c->span, at->r), loft_wide(LOFT_REAL(1)) * MOST_BEATS), 0
+        loft_acc_min(loft_acc_scale(c->span, at->r), loft_to_acc(LOFT_REAL(1)) * MOST_BEATS), 0
     };
 
     /* a part is left for what is not asked between the ends */
@@ -317,21 +318,21 @@ static place place_of(const loft_plan_cell *c, const loft_plan_cell *at, loft_ce
 static loft_unit limit_end(const loft_plan_cell *c, const loft_budget *b, const place *p, int end,
                            loft_acc change, loft_acc up, loft_unit z, int eased, loft_unit slack)
 {
-    const loft_real length = loft_acc_round(loft_unit_wide(c->length));
+    const loft_real length = loft_acc_round(loft_unit_to_acc(c->length));
 
     for (int i = 0; i < LOFT_AXES && z > 0; i++) {
         const loft_real u = c->along[end].axis[i], jump = c->jump.axis[i];
         const loft_real k =
             c->bend[end].axis[i] +
-            (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->bends[eased][end]))
+            (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_to_acc(jump), c->bends[eased][end]))
                         : 0);
         const loft_real turn =
             c->turn[end].axis[i] +
-            (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_wide(jump), c->turns[eased][end]))
+            (eased >= 0 ? loft_acc_round(loft_acc_scale(loft_to_acc(jump), c->turns[eased][end]))
                         : 0);
         if (!(u < 0 || u > 0 || k < 0 || k > 0 || turn < 0 || turn > 0))
             continue;
-        const loft_acc  accel = loft_wide(b->accel[i]);
+        const loft_acc  accel = loft_to_acc(b->accel[i]);
         const loft_unit kh = loft_unit_round(loft_prod(k, length) * 3);
         const loft_acc  most = loft_acc_mul(p->beats, b->gain[i]);
         const loft_real across = b->across > 0 ? 0 : k;         /* it has a limit of its own */
@@ -369,7 +370,7 @@ static loft_plan_cell middle_of(const loft_plan_cell *c)
         middle.bend[0].axis[i]  = c->bend[0].axis[i] + d0;
         middle.turn[0].axis[i]  = d;
         middle.along[0].axis[i] = c->along[0].axis[i] / 2 + c->along[1].axis[i] / 2 -
-                                  loft_acc_round(loft_acc_scale(loft_wide(d), c->length) / 8);
+                                  loft_acc_round(loft_acc_scale(loft_to_acc(d), c->length) / 8);
     }
     return middle;
 }
@@ -378,14 +379,14 @@ static loft_plan_cell middle_of(const loft_plan_cell *c)
 static loft_unit limit_middle(const loft_plan_cell *c, const loft_budget *b, const place *p,
                               const place *q, loft_unit z)
 {
-    const loft_acc change = q->a - p->a, up = q->up.a - p->up.a, h = loft_unit_wide(c->length);
+    const loft_acc change = q->a - p->a, up = q->up.a - p->up.a, h = loft_unit_to_acc(c->length);
     loft_plan_cell middle = middle_of(c);
 
     middle.x = p->x + loft_acc_scale(p->a, c->length) + loft_acc_scale(change, c->length) / 4;
     middle.a = (p->a + q->a) / 2;
     if (!(middle.x > 0) || !(h > 0))
         return z;
-    middle.r = loft_unit_round(loft_acc_div(loft_wide(LOFT_REAL(1)), loft_acc_sqrt(middle.x)));
+    middle.r = loft_unit_round(loft_acc_div(loft_to_acc(LOFT_REAL(1)), loft_acc_sqrt(middle.x)));
     const loft_cell_rise rise = { p->up.x + loft_acc_scale(p->up.a, c->length) +
                                       loft_acc_scale(up, c->length) / 4,
                                   (p->up.a + q->up.a) / 2 };
@@ -411,7 +412,7 @@ static loft_unit limit_near_rest(const loft_plan_cell *c, const loft_budget *b, 
 
     middle.x = loft_acc_scale(p->x, four_thirds);
     middle.a = loft_acc_scale(p->a, third);
-    middle.r = loft_unit_round(loft_acc_scale(loft_unit_wide(r), two_thirds));
+    middle.r = loft_unit_round(loft_acc_scale(loft_unit_to_acc(r), two_thirds));
     const place m = place_of(&middle, &middle, rise);
     return limit_end(&middle, b, &m, 0, loft_acc_scale(change, two_thirds),
                      loft_acc_scale(up, two_thirds), z, AS_IT_IS, LOFT_UNIT(1) / BOW);
@@ -421,23 +422,22 @@ static loft_unit limit_near_rest(const loft_plan_cell *c, const loft_budget *b, 
 static bool bows(const loft_plan_cell *c, const place *p, const place *q)
 {
     const loft_acc change = q->a - p->a, changed = change + q->up.a - p->up.a;
-    const loft_acc a = loft_acc_most(loft_acc_size(p->a), loft_acc_size(q->a)),
-                   raised = loft_acc_most(loft_acc_size(p->a + p->up.a),
-                                          loft_acc_size(q->a + q->up.a));
-    const loft_acc more = loft_acc_scale(
-                              loft_acc_most(loft_acc_size(change), loft_acc_size(changed)),
+    const loft_acc a = loft_acc_max(loft_acc_abs(p->a), loft_acc_abs(q->a)),
+                   raised = loft_acc_max(loft_acc_abs(p->a + p->up.a),
+                                          loft_acc_abs(q->a + q->up.a));
+    const loft_acc more = loft_acc_scale(loft_acc_max(loft_acc_abs(change), loft_acc_abs(changed)),
                               c->bow_change) +
-                          loft_acc_scale(loft_acc_most(a, raised), c->bow_accel);
+                          loft_acc_scale(loft_acc_max(a, raised), c->bow_accel);
 
     return (p->a > 0 && q->a < 0) || (p->up.a > 0 && q->up.a < 0) ||
-           (loft_unit_wide(c->bow) + more) * BOW > loft_wide(LOFT_REAL(1));
+           (loft_unit_to_acc(c->bow) + more) * BOW > loft_to_acc(LOFT_REAL(1));
 }
 
 loft_unit loft_cell_limit(const loft_plan_cell *c, const loft_plan_cell *next, const loft_budget *b,
                           loft_cell_rise at, loft_cell_rise to, loft_unit z, bool first, bool last)
 {
-    z = first ? z : limit(z, c->x, at.x, loft_acc_least(c->most, c->gate));
-    z = last  ? z : limit(z, next->x, to.x, loft_acc_least(c->most, next->gate));
+    z = first ? z : limit(z, c->x, at.x, loft_acc_min(c->most, c->gate));
+    z = last  ? z : limit(z, next->x, to.x, loft_acc_min(c->most, next->gate));
     if (!first && !last)
         z = limit(z, c->b, c->rise, c->most);
     if (!(z > 0))

@@ -42,7 +42,7 @@ loft_acc loft_course_zone(const loft_course *c, const loft_plan_piece *p)
 {
     const loft_acc zone = zone_at(c, p->cap, !(p->length > 0));
 #if LOFT_PLAN_FILTER > 1
-    return zone + loft_unit_wide(p->ease.width);
+    return zone + loft_unit_to_acc(p->ease.width);
 #else
     return zone;
 #endif
@@ -84,7 +84,7 @@ static loft_acc extent(const loft_cubic *c)
 {
     loft_acc most = 0;
     for (int k = 1; k < 4; k++)
-        most = loft_acc_most(most, loft_vec_distance(c->p[0], c->p[k]));
+        most = loft_acc_max(most, loft_vec_distance(c->p[0], c->p[k]));
     return most;
 }
 
@@ -134,7 +134,7 @@ enum loft_status loft_course_push(loft_course *c, const loft_move *move)
     c->end   = move->curve.p[3];
     c->ended = false;
     if (LOFT_BUDGET_JERK(&c->budget))
-        c->zone = loft_acc_most(c->zone, zone_at(c, move->feed, true) + loft_wide(LOFT_EASE_MAX));
+        c->zone = loft_acc_max(c->zone, zone_at(c, move->feed, true) + loft_to_acc(LOFT_EASE_MAX));
     return LOFT_OK;
 }
 
@@ -172,7 +172,7 @@ typedef struct {
 static void bound(const loft_plan_piece *p, bounds *b, loft_acc x, bool fore)
 {
     const loft_real a = loft_profile_grip(p, x, fore);
-    b->cap2  = loft_acc_least(b->cap2, loft_prod(p->cap, p->cap));
+    b->cap2  = loft_acc_min(b->cap2, loft_prod(p->cap, p->cap));
     b->accel = a < b->accel ? a : b->accel;
 }
 
@@ -181,7 +181,7 @@ static bounds around(const loft_course *c, unsigned i, loft_acc off, loft_acc x,
     const loft_acc reach = reach_of(c);
     const loft_plan_piece *p = loft_course_piece(c, i);
     bounds b = { loft_prod(p->cap, p->cap), off, LOFT_ACCEL_MAX };
-    loft_acc d = loft_unit_wide(p->length) - off;
+    loft_acc d = loft_unit_to_acc(p->length) - off;
 
     bound(p, &b, x, fore);
     for (unsigned j = i + 1; j < c->count && d < reach; j++) {
@@ -191,9 +191,9 @@ static bounds around(const loft_course *c, unsigned i, loft_acc off, loft_acc x,
             break;
         if (d < z) {
             bound(q, &b, x, fore);
-            b.left = loft_acc_least(b.left, z - d);
+            b.left = loft_acc_min(b.left, z - d);
         }
-        d += loft_unit_wide(q->length);
+        d += loft_unit_to_acc(q->length);
     }
     d = off;
     for (unsigned j = i; j > 0 && d <= reach + off && !loft_course_piece(c, j)->stop; j--) {
@@ -202,11 +202,11 @@ static bounds around(const loft_course *c, unsigned i, loft_acc off, loft_acc x,
         if (d <= z)
             bound(q, &b, x, fore);
         else
-            b.left = loft_acc_least(b.left, d - z);
-        d += loft_unit_wide(q->length);
+            b.left = loft_acc_min(b.left, d - z);
+        d += loft_unit_to_acc(q->length);
     }
     if (c->gear < LOFT_UNIT(1))
-        b.accel = loft_acc_round(loft_acc_scale(loft_wide(b.accel), c->gear));
+        b.accel = loft_acc_round(loft_acc_scale(loft_to_acc(b.accel), c->gear));
     return b;
 }
 
@@ -236,12 +236,12 @@ static loft_acc rise(const loft_course *c, unsigned i, loft_acc off, loft_acc wa
     for (int n = 0; n < GOALS && x < cap2; n++) {
         const loft_acc far = x + 2 * loft_acc_mul(way, here),
                        most = n < GOALS - 1 && cap2 - x > cap2 / 16 ? x + (cap2 - x) / 4 : cap2;
-        const loft_acc  goal = loft_acc_least(far, most);
+        const loft_acc  goal = loft_acc_min(far, most);
         const loft_real there = grip_at(c, i, off, goal), g = there < here ? there : here;
         const loft_acc  gain = 2 * loft_acc_mul(way, g);
         if (gain <= goal - x)
             return x + gain;
-        way -= loft_acc_least(way, loft_acc_scale(way, loft_unit_ratio(goal - x, gain)));
+        way -= loft_acc_min(way, loft_acc_scale(way, loft_unit_ratio(goal - x, gain)));
         x = goal;
         here = there;
     }
@@ -266,13 +266,13 @@ static bool runs(const loft_course *c, unsigned i)
     for (unsigned j = i + 1; j < c->count && d < reach; j++) {
         if (loft_course_piece(c, j)->cap < cap)
             return false;
-        d += loft_unit_wide(loft_course_piece(c, j)->length);
+        d += loft_unit_to_acc(loft_course_piece(c, j)->length);
     }
     d = 0;
     for (unsigned j = i; j > 0 && d <= reach; j--) {
         if (loft_course_piece(c, j - 1)->cap < cap)
             return false;
-        d += loft_unit_wide(loft_course_piece(c, j - 1)->length);
+        d += loft_unit_to_acc(loft_course_piece(c, j - 1)->length);
     }
     return true;
 }
@@ -281,15 +281,15 @@ static bool runs(const loft_course *c, unsigned i)
 static loft_acc back_over(const loft_course *c, unsigned i, loft_acc off, loft_acc x, loft_acc to)
 {
     /* zones are not told apart by less */
-    const loft_acc fine = loft_unit_wide(loft_course_piece(c, i)->length) / 1024;
+    const loft_acc fine = loft_unit_to_acc(loft_course_piece(c, i)->length) / 1024;
 
     while (off > to) {
         const bounds   b   = around(c, i, off, x, false);
-        const loft_acc way = loft_acc_least(loft_acc_most(b.left, fine), off - to);
-        x = rise(c, i, off, way, loft_acc_least(x, b.cap2), b);
+        const loft_acc way = loft_acc_min(loft_acc_max(b.left, fine), off - to);
+        x = rise(c, i, off, way, loft_acc_min(x, b.cap2), b);
         off -= way;
     }
-    return loft_acc_least(x, around(c, i, off, x, false).cap2);
+    return loft_acc_min(x, around(c, i, off, x, false).cap2);
 }
 
 loft_acc loft_course_brake(const loft_course *c, loft_course_place at)
@@ -299,7 +299,7 @@ loft_acc loft_course_brake(const loft_course *c, loft_course_place at)
 
     if (runs(c, at.piece))
         return loft_prod(p->cap, p->cap);
-    return back_over(c, at.piece, loft_unit_wide(p->length),
+    return back_over(c, at.piece, loft_unit_to_acc(p->length),
                      loft_course_rests(c, at.piece) ? 0 : loft_prod(next->brake, next->brake),
                      at.off);
 }
@@ -317,8 +317,8 @@ unsigned loft_course_stop(const loft_course *c, unsigned i)
  * to the end of what is known. */
 static loft_acc least_brake(const loft_course *c, unsigned i, loft_acc sure, loft_acc open)
 {
-    const loft_acc length = loft_unit_wide(loft_course_piece(c, i)->length),
-                   closed = length - loft_acc_most(c->zone - open, 0);
+    const loft_acc length = loft_unit_to_acc(loft_course_piece(c, i)->length),
+                   closed = length - loft_acc_max(c->zone - open, 0);
     return closed > 0 ? back_over(c, i, closed, sure, 0) : 0;
 }
 
@@ -336,7 +336,7 @@ void loft_course_look_back(loft_course *c, unsigned i)
             return;
         if (!sure)
             least = least_brake(c, j, least, open);
-        open += loft_unit_wide(p->length);
+        open += loft_unit_to_acc(p->length);
         sure  = sure || !(least < loft_prod(p->cap, p->cap));
         p->brake = loft_acc_sqrt(loft_course_brake(c, (loft_course_place){ j, 0 }));
         p->sure  = sure;

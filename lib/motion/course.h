@@ -93,7 +93,7 @@ static inline loft_plan_piece *loft_course_piece(const loft_course *c, unsigned 
 /* Its length. */
 static inline loft_acc loft_course_length(const loft_course *c, unsigned i)
 {
-    return loft_unit_wide(loft_course_piece(c, i)->length);
+    return loft_unit_to_acc(loft_course_piece(c, i)->length);
 }
 
 /* The number of the curve that a piece is of, from the start of the path, modulo 2^16. */

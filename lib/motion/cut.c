@@ -92,7 +92,7 @@ static loft_acc since_rest(const loft_course *c, loft_acc most, loft_real slow)
         const loft_plan_piece *p = loft_course_piece(c, j - 1);
         if (p->length > 0 && p->cap < slow)
             break;
-        d += loft_unit_wide(p->length);
+        d += loft_unit_to_acc(p->length);
         if (p->stop)
             break;
     }
@@ -138,7 +138,7 @@ static void add_known(const loft_course *c, loft_flank *side, loft_acc width)
             loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
             loft_flank_add(side, p, &c->budget, &shape);
         }
-        d += loft_unit_wide(p->length);
+        d += loft_unit_to_acc(p->length);
     }
 }
 
@@ -150,16 +150,16 @@ static bool set_eased(loft_plan_piece *joint, loft_course *c, const part *t, lof
     const loft_way start = way_at(c, t, 0);
     const loft_real slow = (start.cap < c->way.cap ? start.cap : c->way.cap) / 4 * 3;
     const loft_acc length = t->arc.length;
-    loft_acc room = loft_acc_least(spacing / 8, loft_wide(LOFT_EASE_MAX));
+    loft_acc room = loft_acc_min(spacing / 8, loft_to_acc(LOFT_EASE_MAX));
     loft_flank before, after;
 
-    room = loft_acc_least(room, since_rest(c, room, slow));
-    room = loft_acc_least(room, length + runs_on(c, t->to, room - length, slow, NULL));
+    room = loft_acc_min(room, since_rest(c, room, slow));
+    room = loft_acc_min(room, length + runs_on(c, t->to, room - length, slow, NULL));
     loft_flank_init(&before, &c->way);
     loft_flank_init(&after, &start);
     const bool matters = loft_profile_join(joint, &c->budget, &before, &after, spacing, room,
                                            t->feed);
-    const loft_acc width = matters ? loft_unit_wide(joint->ease.width) : 0;
+    const loft_acc width = matters ? loft_unit_to_acc(joint->ease.width) : 0;
     if (!(width > 0))
         return matters;
     add_known(c, &before, width);
@@ -185,7 +185,7 @@ static void widen(loft_course *c, const loft_plan_piece *last)
 {
 #if LOFT_PLAN_FILTER > 1
     if (LOFT_BUDGET_JERK(&c->budget))
-        c->reach = loft_acc_most(c->count > 1 ? c->reach : 0, loft_course_zone(c, last));
+        c->reach = loft_acc_max(c->count > 1 ? c->reach : 0, loft_course_zone(c, last));
 #else
     (void)c;
     (void)last;
@@ -195,14 +195,14 @@ static void widen(loft_course *c, const loft_plan_piece *last)
 /* A joint before a part of the curve, if there is one that matters. */
 static void add_joint(loft_course *c, const part *t)
 {
-    loft_acc spacing = c->at == 0 ? loft_acc_least(c->size, c->extent) : c->size;
+    loft_acc spacing = c->at == 0 ? loft_acc_min(c->size, c->extent) : c->size;
     loft_plan_piece joint;
 
     if (t->arc.crumb)
-        spacing = loft_acc_least(spacing, t->arc.length);
+        spacing = loft_acc_min(spacing, t->arc.length);
     if (c->crumb && c->count > 0)
-        spacing = loft_acc_least(spacing,
-                                 loft_unit_wide(loft_course_piece(c, c->count - 1u)->length));
+        spacing = loft_acc_min(spacing,
+                                 loft_unit_to_acc(loft_course_piece(c, c->count - 1u)->length));
     if (set_joint(&joint, c, t, spacing)) {
         loft_plan_piece *p = loft_course_add(c);
         joint.from = p->from;

@@ -27,42 +27,42 @@ loft_unit loft_ease_width(const loft_budget *b, loft_acc jump, loft_acc room)
 
     if (!(size > 0) || size > LOFT_REAL(4095))
         return 0;
-    const loft_acc most = loft_acc_least(room, loft_acc_div(loft_wide(LOFT_REAL(1)) / 6, size));
-    return loft_unit_round(loft_acc_least(
-        most, loft_wide(loft_acc_sqrt(loft_acc_div(loft_wide(b->tol) * 103 / 4, size)))));
+    const loft_acc most = loft_acc_min(room, loft_acc_div(loft_to_acc(LOFT_REAL(1)) / 6, size));
+    return loft_unit_round(loft_acc_min(
+        most, loft_to_acc(loft_acc_sqrt(loft_acc_div(loft_to_acc(b->tol) * 103 / 4, size)))));
 }
 
 void loft_ease_point(const loft_ease *e, loft_acc off, loft_acc point[LOFT_AXES])
 {
-    const loft_acc w = loft_unit_wide(e->width), s = off < 0 ? -off : off;
+    const loft_acc w = loft_unit_to_acc(e->width), s = off < 0 ? -off : off;
 
     if (s >= w)
         return;
     const loft_unit r = LOFT_UNIT(1) - loft_unit_ratio(s, w);
-    const loft_acc  r1 = loft_unit_wide(r), r2 = loft_acc_scale(r1, r), r3 = loft_acc_scale(r2, r);
+    const loft_acc r1 = loft_unit_to_acc(r), r2 = loft_acc_scale(r1, r), r3 = loft_acc_scale(r2, r);
     const loft_acc z = r < LOFT_EASE_TURN
                            ? r3
-                           : 2 * loft_unit_wide(TURN3) - 6 * loft_acc_scale(r1, TURN2) +
+                           : 2 * loft_unit_to_acc(TURN3) - 6 * loft_acc_scale(r1, TURN2) +
                                  6 * loft_acc_scale(r2, LOFT_EASE_TURN) - r3;
     const loft_unit part = loft_unit_round(loft_acc_ratio(loft_acc_scale(z, LOFT_EASE_SLOPE), 6));
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc g = loft_acc_scale(
-            loft_acc_scale(loft_acc_scale(loft_wide(e->jump[i]), e->width), e->width), part);
+            loft_acc_scale(loft_acc_scale(loft_to_acc(e->jump[i]), e->width), e->width), part);
         point[i] += off < 0 ? -g : g;
     }
 }
 
 loft_easing loft_ease_eval(loft_unit r)
 {
-    const loft_acc x = loft_unit_wide(r), c = loft_unit_wide(LOFT_EASE_SLOPE),
-                   p = loft_unit_wide(LOFT_EASE_TURN);
+    const loft_acc x = loft_unit_to_acc(r), c = loft_unit_to_acc(LOFT_EASE_SLOPE),
+                   p = loft_unit_to_acc(LOFT_EASE_TURN);
 
     if (r < LOFT_EASE_TURN)
         return (loft_easing){ -loft_acc_scale(c, r), -c,
                               -loft_acc_scale(loft_acc_scale(c, r), r) / 2 };
     return (loft_easing){ loft_acc_scale(x - 2 * p, LOFT_EASE_SLOPE), c,
                           loft_acc_scale(loft_acc_scale(x, r) / 2 - 2 * loft_acc_scale(p, r) +
-                                             loft_unit_wide(TURN2),
+                                             loft_unit_to_acc(TURN2),
                                          LOFT_EASE_SLOPE) };
 }
 

@@ -35,7 +35,7 @@ static bool rests_after(const loft_course *c, unsigned i)
 /* Speed and acceleration at both ends, times the time, of the length. */
 static void set_powers(loft_flow *f, loft_acc v0, loft_acc v1, loft_acc a0, loft_acc a1)
 {
-    const loft_acc d = loft_wide(LOFT_REAL(1)) - v0 - a0 / 2, e = v1 - v0 - a0, g = a1 - a0;
+    const loft_acc d = loft_to_acc(LOFT_REAL(1)) - v0 - a0 / 2, e = v1 - v0 - a0, g = a1 - a0;
 
     f->power[0] = 0;
     f->power[1] = v0;
@@ -54,19 +54,19 @@ static bool hops_in(const loft_budget *b, loft_acc span, loft_acc most, loft_acc
     const loft_inverse by = loft_inverse_of(beats);
     const loft_acc v = 2 * loft_inverse_mul(span, &by), a = loft_acc_ratio(v * b->tick_hz, b->beat);
     const loft_acc j = loft_inverse_mul(loft_inverse_mul(a, &by), &by);
-    bool good = v < loft_wide(LOFT_SPEED_MAX) &&
+    bool good = v < loft_to_acc(LOFT_SPEED_MAX) &&
                 loft_prod(loft_acc_round(v), loft_acc_round(v)) <= most;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        good = good && 4 * a <= loft_wide(b->accel[i]) && 60 * j <= loft_wide(b->gain[i]) &&
-               8 * a <= loft_wide(b->gain[i]);
+        good = good && 4 * a <= loft_to_acc(b->accel[i]) && 60 * j <= loft_to_acc(b->gain[i]) &&
+               8 * a <= loft_to_acc(b->gain[i]);
     return good;
 }
 
 /* The least such time, to a 64th. */
 static loft_acc hop_time(const loft_budget *b, loft_acc span, loft_acc most)
 {
-    loft_acc beats = loft_wide(LOFT_REAL(2)), step = 0;
+    loft_acc beats = loft_to_acc(LOFT_REAL(2)), step = 0;
 
     while (!hops_in(b, span, most, beats)) {
         step   = beats / 4;
@@ -88,7 +88,7 @@ static void enter_hop(loft_flow *f, const loft_course *c)
     f->length = 0;
     for (unsigned i = f->at; i < c->count && (i == f->at || !loft_course_piece(c, i)->stop); i++) {
         const loft_plan_cell *p = &loft_course_piece(c, i)->cell;
-        f->length += loft_unit_wide(p->length);
+        f->length += loft_unit_to_acc(p->length);
         span += p->span;
         most = p->most < most ? p->most : most;
     }
@@ -101,20 +101,23 @@ static void enter_moving(loft_flow *f, const loft_plan_cell *p, const loft_plan_
     const loft_real sum = p->v + next->v;
     const loft_acc s2 = loft_prod(sum, sum), a0 = loft_acc_scale(p->a, p->length),
                    a1 = loft_acc_scale(next->a, p->length);
-    const loft_acc  y = loft_unit_wide(loft_unit_ratio(a1 - a0, s2));
-    const loft_acc  y2 = loft_acc_scale(y, loft_unit_round(y)), one = loft_wide(LOFT_REAL(1));
+    const loft_acc  y = loft_unit_to_acc(loft_unit_ratio(a1 - a0, s2));
+    const loft_acc  y2 = loft_acc_scale(y, loft_unit_round(y)), one = loft_to_acc(LOFT_REAL(1));
     const loft_acc  up = 945 * one - 735 * y + 64 * y2, down = 945 * one - 1050 * y + 225 * y2;
-    const loft_acc  more = loft_unit_wide(loft_unit_ratio(up - down, down));
+    const loft_acc  more = loft_unit_to_acc(loft_unit_ratio(up - down, down));
     const loft_unit z = loft_unit_round(one + more);
     const loft_acc w0 =
-        loft_acc_scale(loft_unit_wide(loft_unit_ratio(loft_wide(p->v), loft_wide(sum))), z) * 2;
+        loft_acc_scale(loft_unit_to_acc(loft_unit_ratio(loft_to_acc(p->v), loft_to_acc(sum))), z) *
+        2;
     const loft_acc w1 =
-        loft_acc_scale(loft_unit_wide(loft_unit_ratio(loft_wide(next->v), loft_wide(sum))), z) * 2;
+        loft_acc_scale(loft_unit_to_acc(loft_unit_ratio(loft_to_acc(next->v), loft_to_acc(sum))),
+                       z) *
+        2;
     const loft_acc g0 =
-        loft_acc_scale(loft_acc_scale(loft_unit_wide(loft_unit_ratio(a0, s2)), z), z) * 4;
+        loft_acc_scale(loft_acc_scale(loft_unit_to_acc(loft_unit_ratio(a0, s2)), z), z) * 4;
     const loft_acc g1 =
-        loft_acc_scale(loft_acc_scale(loft_unit_wide(loft_unit_ratio(a1, s2)), z), z) * 4;
-    const loft_inverse by = loft_inverse_of(loft_wide(sum));
+        loft_acc_scale(loft_acc_scale(loft_unit_to_acc(loft_unit_ratio(a1, s2)), z), z) * 4;
+    const loft_inverse by = loft_inverse_of(loft_to_acc(sum));
 
     set_powers(f, w0, w1, g0, g1);
     f->whole = loft_acc_scale(loft_inverse_mul(p->span, &by), z) * 2;
@@ -126,11 +129,11 @@ static void enter(loft_flow *f, const loft_course *c)
     const loft_plan_piece *p = loft_course_piece(c, f->at);
     const bool rests = rests_after(c, f->at);
     const loft_plan_cell *cell = &p->cell;
-    const loft_acc one = loft_wide(LOFT_REAL(1));
+    const loft_acc one = loft_to_acc(LOFT_REAL(1));
 
     f->time = 0;
     f->off  = 0;
-    f->length = loft_unit_wide(p->length);
+    f->length = loft_unit_to_acc(p->length);
     if (p->hop)
         enter_hop(f, c);
     else if (p->stop) {
@@ -164,7 +167,7 @@ static bool knows(const loft_flow *f, unsigned i)
 /* Go to the end of the piece; false: it rests there. */
 static bool pass(loft_flow *f, const loft_course *c)
 {
-    const loft_acc length = loft_unit_wide(loft_course_piece(c, f->at)->length);
+    const loft_acc length = loft_unit_to_acc(loft_course_piece(c, f->at)->length);
 
     f->way += length - f->off;
     f->off  = length;
@@ -180,11 +183,11 @@ static bool hop(loft_flow *f, const loft_course *c)
 {
     const loft_acc before = place(f);
 
-    f->time += loft_wide(LOFT_REAL(1));
+    f->time += loft_to_acc(LOFT_REAL(1));
     loft_acc go = place(f) - before;
     while (f->time >= f->whole ||
-           go > loft_unit_wide(loft_course_piece(c, f->at)->length) - f->off) {
-        go -= loft_unit_wide(loft_course_piece(c, f->at)->length) - f->off;
+           go > loft_unit_to_acc(loft_course_piece(c, f->at)->length) - f->off) {
+        go -= loft_unit_to_acc(loft_course_piece(c, f->at)->length) - f->off;
         if (!pass(f, c))
             return false;
     }
@@ -196,7 +199,7 @@ static bool hop(loft_flow *f, const loft_course *c)
 /* A beat. False: it is at rest. */
 static bool run(loft_flow *f, const loft_course *c)
 {
-    loft_acc beat = loft_wide(LOFT_REAL(1));
+    loft_acc beat = loft_to_acc(LOFT_REAL(1));
 
     f->way = 0;
     if (loft_course_piece(c, f->at)->hop)
@@ -219,7 +222,7 @@ static bool run(loft_flow *f, const loft_course *c)
 /* The piece that a beat may lead to. */
 static unsigned ahead(const loft_flow *f, const loft_course *c)
 {
-    loft_acc beat = loft_wide(LOFT_REAL(1)) - (f->whole - f->time);
+    loft_acc beat = loft_to_acc(LOFT_REAL(1)) - (f->whole - f->time);
     unsigned i = f->at;
 
     if (loft_course_piece(c, i)->hop)

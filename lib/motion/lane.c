@@ -30,7 +30,7 @@
 
 #define SWEEPS 16      /* at most */
 #define PARTS  3       /* cells in the time in which the acceleration is reached */
-#define LENGTH_MAX loft_wide(LOFT_REAL(64))    /* of an arc */
+#define LENGTH_MAX loft_to_acc(LOFT_REAL(64))    /* of an arc */
 /* of the way between two rests the first and the last cell are such a part */
 #define SHORT  16
 /* a path is straight where its bends take less than such a part of the acceleration */
@@ -51,7 +51,7 @@ void loft_lane_init(loft_lane *l)
 
 static loft_acc length_of(const loft_course *c, unsigned i)
 {
-    return loft_unit_wide(loft_course_piece(c, i)->length);
+    return loft_unit_to_acc(loft_course_piece(c, i)->length);
 }
 
 /* The row that piece i is in, as far as it is known. */
@@ -72,10 +72,10 @@ static loft_row row_of(const loft_lane *l, const loft_course *c, unsigned i)
  * jerk is 2/9 x^(3/2) / h^2. */
 static bool tiny(const loft_budget *b, const loft_plan_cell *p)
 {
-    const loft_acc jerk = loft_acc_ratio(loft_wide(loft_real_least(b->gain)) * b->tick_hz, b->beat);
+    const loft_acc jerk = loft_acc_ratio(loft_to_acc(loft_real_min(b->gain)) * b->tick_hz, b->beat);
     return p->length < LOFT_UNIT(0.0009765625) &&
            loft_acc_scale(loft_acc_scale(jerk, p->length), p->length) <
-               loft_wide(LOFT_REAL(1)) / 262144;
+               loft_to_acc(LOFT_REAL(1)) / 262144;
 }
 
 /* Does it turn so much that not even creeping could pass? */
@@ -83,7 +83,7 @@ static bool tight(const loft_budget *b, const loft_plan_cell *p)
 {
     for (int i = 0; i < LOFT_AXES; i++)
         for (int e = 0; e < 2; e++) {
-            const loft_acc turn = loft_wide(p->turn[e].axis[i]),
+            const loft_acc turn = loft_to_acc(p->turn[e].axis[i]),
                            most = loft_acc_mul(p->span, b->gain[i]);
             if ((turn < 0 ? -turn : turn) / 4096 > 32 * most)
                 return true;
@@ -133,7 +133,7 @@ void loft_lane_close(loft_lane *l, loft_course *c)
 /* Ease the cells before the new one, if their speed has not been raised. */
 static bool ease_back(const loft_lane *l, loft_course *c, const loft_ease *e)
 {
-    const loft_acc w = loft_unit_wide(e->width);
+    const loft_acc w = loft_unit_to_acc(e->width);
     loft_acc d = 0;
     unsigned i;
 
@@ -162,7 +162,7 @@ static bool spare(loft_lane *l, loft_course *c, loft_unit grip)
             return false;
         p->grip = p->grip < grip ? p->grip : grip;
     }
-    l->left = loft_acc_most(l->left, reach);
+    l->left = loft_acc_max(l->left, reach);
     l->grip = l->grip < grip ? l->grip : grip;
     return true;
 }
@@ -191,7 +191,7 @@ static loft_acc feed_most(const loft_course *c, const loft_way *after, loft_real
     loft_real gain = LOFT_ACCEL_MAX;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        gain = loft_real_cap(gain, c->budget.gain[i], loft_real_size(after->along.axis[i]));
+        gain = loft_real_cap(gain, c->budget.gain[i], loft_real_abs(after->along.axis[i]));
     const loft_real leak = loft_acc_round(loft_budget_beat(&c->budget, gain) / 6),
                     left = leak < slow / 2 ? slow - leak : slow / 2;
     return loft_prod(left, left);
@@ -202,20 +202,20 @@ static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const
                  loft_acc spacing, loft_acc room)
 {
     const loft_budget *b = &c->budget;
-    const loft_acc most = loft_acc_most(loft_course_piece(c, c->count - 1)->cell.most, next->most);
+    const loft_acc most = loft_acc_max(loft_course_piece(c, c->count - 1)->cell.most, next->most);
     const loft_real feed = loft_acc_sqrt(most);
     const loft_acc turn = loft_budget_joint(b, &c->way.along, &after->along, spacing, true),
                    bend = loft_profile_jump(b, &c->way, after, spacing, feed);
-    const loft_real slow = loft_acc_sqrt(loft_acc_least(turn, bend));
+    const loft_real slow = loft_acc_sqrt(loft_acc_min(turn, bend));
     loft_unit used = 0;
 
-    if (slow < loft_acc_round(loft_acc_scale(loft_wide(loft_real_least(b->accel)), b->pulse) / 4))
+    if (slow < loft_acc_round(loft_acc_scale(loft_to_acc(loft_real_min(b->accel)), b->pulse) / 4))
         return false;
     if (turn / 1024 < most) {
-        l->gate = loft_acc_least(l->gate, turn);
+        l->gate = loft_acc_min(l->gate, turn);
         used += loft_unit_round(loft_acc_scale(
-            loft_wide(LOFT_REAL(0.8)),
-            turn > most ? loft_unit_ratio(loft_wide(feed), loft_wide(loft_acc_sqrt(turn)))
+            loft_to_acc(LOFT_REAL(0.8)),
+            turn > most ? loft_unit_ratio(loft_to_acc(feed), loft_to_acc(loft_acc_sqrt(turn)))
                         : LOFT_UNIT(1)));
     }
     if (bend / 32 < most) {
@@ -223,14 +223,14 @@ static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const
         for (int i = 0; i < LOFT_AXES; i++)
             e.jump[i] = after->bend.axis[i] - c->way.bend.axis[i];
         e.width = loft_ease_width(b, loft_vec_distance(c->way.bend, after->bend),
-                                  loft_acc_least(room, l->run));
-        if (loft_unit_wide(e.width) > 2 * loft_budget_beat(b, loft_acc_sqrt(bend))) {
+                                  loft_acc_min(room, l->run));
+        if (loft_unit_to_acc(e.width) > 2 * loft_budget_beat(b, loft_acc_sqrt(bend))) {
             if (!ease_back(l, c, &e))
                 return false;
             l->ease  = e;
             l->since = 0;
         } else {
-            l->gate = loft_acc_least(l->gate, bend / 2);
+            l->gate = loft_acc_min(l->gate, bend / 2);
             used += LOFT_UNIT(0.4);
         }
     }
@@ -246,7 +246,7 @@ static bool join(loft_lane *l, loft_course *c, const loft_plan_cell *next, const
 static int32_t reaches(const loft_budget *b, loft_real gain, loft_real v)
 {
     int32_t n = 3;
-    while (n < b->filter && loft_budget_beat(b, gain) * (n * n) < loft_wide(v))
+    while (n < b->filter && loft_budget_beat(b, gain) * (n * n) < loft_to_acc(v))
         n++;
     return n;
 }
@@ -264,7 +264,7 @@ static bool straight(const loft_budget *b, const loft_plan_cell *c)
         for (int e = 0; e < 2; e++) {
             const loft_acc bend = loft_acc_mul(c->most, c->bend[e].axis[i]),
                            turn = loft_acc_mul(c->most, c->turn[e].axis[i]),
-                           most = loft_wide(b->accel[i]) / EVEN;
+                           most = loft_to_acc(b->accel[i]) / EVEN;
             if (bend > most || bend < -most || turn > most || turn < -most)
                 return false;
         }
@@ -294,8 +294,8 @@ static loft_acc beyond(loft_lane *l, const loft_course *c, uint32_t end)
     loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
     loft_cell_init(&cell, b, &arc, &shape, move->feed);
     const loft_real v = loft_acc_sqrt(cell.most);
-    l->beyond = loft_acc_least(loft_unit_wide(cell.length),
-                               even_part(b, v, reaches(b, loft_real_least(b->gain), v)));
+    l->beyond = loft_acc_min(loft_unit_to_acc(cell.length),
+                               even_part(b, v, reaches(b, loft_real_min(b->gain), v)));
     return l->beyond;
 }
 
@@ -306,26 +306,26 @@ static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_pla
                         bool ends, loft_acc next)
 {
     const loft_budget *b = &c->budget;
-    const loft_real gain = loft_real_least(b->gain), v = loft_acc_sqrt(whole->most);
+    const loft_real gain = loft_real_min(b->gain), v = loft_acc_sqrt(whole->most);
     const int32_t  n = reaches(b, gain, v);
-    const loft_acc rest = loft_unit_wide(whole->length);
+    const loft_acc rest = loft_unit_to_acc(whole->length);
     const loft_real accel = loft_acc_round(
-        loft_acc_least(loft_wide(loft_real_least(b->accel)), loft_wide(gain) * n));
+        loft_acc_min(loft_to_acc(loft_real_min(b->accel)), loft_to_acc(gain) * n));
     /* A (A / J)^2 / 8 */
     const loft_acc reach = loft_acc_scale(loft_budget_beat(b, accel), b->pulse) * (n * n) / 8;
     const loft_acc near = l->may_rest
-                              ? loft_acc_least(reach, loft_acc_most(l->run + rest, c->size) / SHORT)
+                              ? loft_acc_min(reach, loft_acc_max(l->run + rest, c->size) / SHORT)
                               : reach;
     loft_acc most = even_part(b, v, n);
 
     if (l->last > 0)
-        most = loft_acc_least(loft_acc_most(loft_acc_least(most * 8 / 5, l->last), most / 2),
+        most = loft_acc_min(loft_acc_max(loft_acc_min(most * 8 / 5, l->last), most / 2),
                               l->last * 2);
     if (straight(b, whole))
-        most = loft_acc_most(most, loft_acc_least(l->last * 8 / 5, loft_wide(LOFT_REAL(32))));
-    most = loft_acc_least(most, near + l->run * 3 / 4);
-    most = loft_acc_least(most, ends ? loft_acc_most(near, rest * 3 / 7) : next + rest * 3 / 8);
-    return loft_acc_most(loft_acc_least(most, c->size / 4), loft_wide(LOFT_REAL(1)) / 16384);
+        most = loft_acc_max(most, loft_acc_min(l->last * 8 / 5, loft_to_acc(LOFT_REAL(32))));
+    most = loft_acc_min(most, near + l->run * 3 / 4);
+    most = loft_acc_min(most, ends ? loft_acc_max(near, rest * 3 / 7) : next + rest * 3 / 8);
+    return loft_acc_max(loft_acc_min(most, c->size / 4), loft_to_acc(LOFT_REAL(1)) / 16384);
 }
 
 /* May the path rest at the end of the curve that is cut? */
@@ -371,11 +371,11 @@ static void begin(loft_lane *l, loft_course *c, const loft_plan_cell *next,
     l->gate = next->most;
     l->stop = c->count == 0 || l->closed || !c->known;
     if (!l->stop && (feed < c->feed || feed > c->feed))
-        l->gate = loft_acc_least(l->gate, feed_most(c, &start, feed));
-    const loft_acc third = loft_acc_least(spacing / 3, loft_wide(LOFT_EASE_MAX));
+        l->gate = loft_acc_min(l->gate, feed_most(c, &start, feed));
+    const loft_acc third = loft_acc_min(spacing / 3, loft_to_acc(LOFT_EASE_MAX));
 
     if (!l->stop && !smooth &&
-        !join(l, c, next, &start, spacing, loft_acc_least(third, runs_on(c, third)))) {
+        !join(l, c, next, &start, spacing, loft_acc_min(third, runs_on(c, third)))) {
         settle(l, c);
         l->stop = true;
         l->gate = next->most;
@@ -413,7 +413,7 @@ static void part(loft_lane *l, loft_course *c, const loft_plan_cell *cell)
 
 static void append(loft_lane *l, loft_course *c, const loft_plan_cell *cell, uint32_t to)
 {
-    const loft_acc length = loft_unit_wide(cell->length);
+    const loft_acc length = loft_unit_to_acc(cell->length);
     loft_plan_piece *p = loft_course_add(c);
 
     p->length = cell->length;
@@ -472,7 +472,7 @@ static void load_cell(loft_lane *l, loft_course *c)
     loft_arc_measure(&arc, &shape, LOFT_ARC_ALL);
     loft_cell_init(&cell, &c->budget, &arc, &shape, move->feed);
     begin(l, c, &cell, &shape, c->smooth && !arc.speck,
-          c->at == 0 ? loft_acc_least(c->size, c->extent) : c->size);
+          c->at == 0 ? loft_acc_min(c->size, c->extent) : c->size);
     const loft_acc most = fitting(l, c, &cell, to == LOFT_ARC_WHOLE && l->may_rest,
                                   beyond(l, c, to));
     const loft_acc beat = loft_budget_beat(&c->budget, loft_acc_sqrt(cell.most));
@@ -516,11 +516,11 @@ unsigned loft_lane_open(const loft_lane *l, const loft_course *c)
     if (l->closed || c->count == 0)
         return c->count;
     const loft_plan_cell *last = &loft_course_piece(c, c->count - 1)->cell;
-    const loft_acc ease = loft_acc_least(c->extent / 3, loft_wide(LOFT_EASE_MAX)),
-                   seen = loft_acc_least(c->extent / 4,
-                                         loft_budget_beat(&c->budget, loft_acc_sqrt(last->most)) *
-                                             5 / 2);
-    const loft_acc zone = c->at == 0 ? loft_acc_most(ease, seen) : 0;
+    const loft_acc ease = loft_acc_min(c->extent / 3, loft_to_acc(LOFT_EASE_MAX)),
+                   seen = loft_acc_min(c->extent / 4,
+                                       loft_budget_beat(&c->budget, loft_acc_sqrt(last->most)) * 5 /
+                                           2);
+    const loft_acc zone = c->at == 0 ? loft_acc_max(ease, seen) : 0;
     unsigned i = c->count;
     loft_acc d = 0;
 

@@ -65,8 +65,8 @@ static bool choose_window(loft_law *law, unsigned i)
     const loft_real gain = loft_acc_round(
         loft_acc_ratio(loft_budget_beat(&c->budget, accel), (int32_t)most));
     for (; n < most; n++) {
-        const loft_acc reach = loft_wide(gain) * (int32_t)(n * n);              /* J (n h)^2 */
-        if (reach >= loft_wide(v) || 2 * loft_acc_scale(reach, c->budget.pulse) * (int32_t)n >= d)
+        const loft_acc reach = loft_to_acc(gain) * (int32_t)(n * n);              /* J (n h)^2 */
+        if (reach >= loft_to_acc(v) || 2 * loft_acc_scale(reach, c->budget.pulse) * (int32_t)n >= d)
             break;
     }
     if (n < most && stop == c->count && !c->ended && !loft_course_full(c))
@@ -98,7 +98,7 @@ static void forget(loft_law *law)
 /* One beat more, in which it went `way`: the window forgets the oldest one. */
 static void shift(loft_law *law, loft_unit way)
 {
-    law->sum += loft_unit_wide(way) - loft_unit_wide(law->way[law->slot]);
+    law->sum += loft_unit_to_acc(way) - loft_unit_to_acc(law->way[law->slot]);
     law->way[law->slot] = way;
     law->slot = (uint8_t)(law->slot + 1u < law->beats ? law->slot + 1u : 0);
     law->mean += law->sum;
@@ -115,14 +115,14 @@ static void late(loft_law *law, unsigned i, unsigned first, loft_acc d)
 {
     loft_course *c = &law->course;
 
-    for (; i < c->count && d < loft_wide(LOFT_EASE_MAX); i++) {
+    for (; i < c->count && d < loft_to_acc(LOFT_EASE_MAX); i++) {
         loft_plan_piece *p = loft_course_piece(c, i);
-        if (i >= first && d < loft_unit_wide(p->ease.width)) {
+        if (i >= first && d < loft_unit_to_acc(p->ease.width)) {
             p->stop = true;
             p->ease.width = 0;
             d = 0;
         }
-        d += loft_unit_wide(p->length);
+        d += loft_unit_to_acc(p->length);
     }
 }
 

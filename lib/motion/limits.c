@@ -63,12 +63,13 @@ static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
 {
     loft_acc size[LOFT_AXES];
     for (int i = 0; i < LOFT_AXES; i++)
-        size[i] = loft_wide(limits->max_accel[i]);
+        size[i] = loft_to_acc(limits->max_accel[i]);
 
     const loft_acc a = loft_acc_ratio(
-        loft_acc_hypot(size, LOFT_AXES) + loft_wide(limits->max_across), limits->tick_hz);
+        loft_acc_hypot(size, LOFT_AXES) + loft_to_acc(limits->max_across), limits->tick_hz);
     const loft_acc most = loft_acc_ratio(
-        loft_wide(limits->tol) * (int32_t)(LOFT_BUDGET_JERK(b) ? 54 : BEND) * limits->tick_hz, 18);
+        loft_to_acc(limits->tol) * (int32_t)(LOFT_BUDGET_JERK(b) ? 54 : BEND) * limits->tick_hz,
+        18);
 
     uint16_t n = (uint16_t)(limits->tick_hz / (LOFT_BUDGET_JERK(b) ? SLOW_HZ : LOFT_PLAN_BEATS));
     while (n > 1 && a * n * n > most)
@@ -82,13 +83,13 @@ static loft_unit set_beat(loft_budget *b, const loft_limits *limits)
  * pace. */
 static void set_gain(loft_budget *b, int i, uint32_t jerk)
 {
-    const loft_acc accel = loft_wide(b->accel[i]);
-    const loft_acc gain = loft_acc_ratio(loft_wide(LOFT_REAL(1)) * b->beat, b->tick_hz) *
+    const loft_acc accel = loft_to_acc(b->accel[i]);
+    const loft_acc gain = loft_acc_ratio(loft_to_acc(LOFT_REAL(1)) * b->beat, b->tick_hz) *
                           (int32_t)jerk;
     unsigned n = 1;
 
     b->gain[i] = jerk == 0 || gain > accel ? b->accel[i] : loft_acc_round(gain);
-    while (n < LOFT_PLAN_FILTER && (int32_t)n * loft_wide(b->gain[i]) < accel)
+    while (n < LOFT_PLAN_FILTER && (int32_t)n * loft_to_acc(b->gain[i]) < accel)
         n++;
     b->filter = (uint8_t)(n > b->filter ? n : b->filter);
 }
@@ -98,8 +99,8 @@ static void set_gain(loft_budget *b, int i, uint32_t jerk)
  * half. Kept are 1/64 of the acceleration or 4/5 of the jerk. */
 static void set_shares(loft_budget *b, int i)
 {
-    const loft_acc part = LOFT_BUDGET_JERK(b) ? loft_acc_ratio(loft_wide(b->gain[i]), 5)
-                                              : loft_acc_ratio(loft_wide(b->accel[i]), SPARE);
+    const loft_acc part = LOFT_BUDGET_JERK(b) ? loft_acc_ratio(loft_to_acc(b->gain[i]), 5)
+                                              : loft_acc_ratio(loft_to_acc(b->accel[i]), SPARE);
 
     b->share[i] = loft_acc_round(part);
     b->spare[i] = loft_acc_round(loft_acc_scale(LOFT_BUDGET_JERK(b) ? 2 * part : part, b->pulse));
@@ -116,12 +117,12 @@ static loft_real most_of_axis(const loft_limits *limits, loft_unit usable)
     if (LOFT_PLAN_WINDOW == 4 || !(usable < LOFT_UNIT(1)))
         return most;
     for (int i = 0; i < LOFT_AXES; i++)
-        size[i] = loft_wide(limits->max_accel[i]);
+        size[i] = loft_to_acc(limits->max_accel[i]);
     const loft_acc whole = loft_acc_scale(loft_acc_hypot(size, LOFT_AXES), usable);
     most = 0;
     for (loft_real step = LOFT_ACCEL_MAX / 2; step > LOFT_REAL(0.01); step /= 2) {
         for (int i = 0; i < LOFT_AXES; i++)
-            size[i] = loft_wide(limits->max_accel[i] < most + step ? limits->max_accel[i]
+            size[i] = loft_to_acc(limits->max_accel[i] < most + step ? limits->max_accel[i]
                                                                    : most + step);
         most += loft_acc_hypot(size, LOFT_AXES) > whole ? 0 : step;
     }
@@ -141,8 +142,8 @@ void loft_budget_init(loft_budget *b, const loft_limits *limits)
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real held = limits->max_accel[i] < most ? limits->max_accel[i] : most;
         const loft_acc accel = LOFT_PLAN_WINDOW == 4
-                                   ? loft_acc_scale(loft_wide(limits->max_accel[i]), usable)
-                                   : loft_wide(held);
+                                   ? loft_acc_scale(loft_to_acc(limits->max_accel[i]), usable)
+                                   : loft_to_acc(held);
         b->max_speed[i] = limits->max_speed[i];
         b->accel[i] = loft_acc_round(
             LOFT_BUDGET_JERK(b) ? accel : accel - loft_acc_ratio(accel, 2 * SPARE));
@@ -150,17 +151,17 @@ void loft_budget_init(loft_budget *b, const loft_limits *limits)
             set_gain(b, i, limits->max_jerk[i]);
         set_shares(b, i);
     }
-    const loft_acc swing = loft_acc_ratio(loft_wide(limits->tol) * SWING * b->tick_hz,
+    const loft_acc swing = loft_acc_ratio(loft_to_acc(limits->tol) * SWING * b->tick_hz,
                                           18 * (int32_t)b->beat);
-    b->swing  = swing < loft_wide(LOFT_SPEED_MAX) ? loft_acc_round(swing) : LOFT_SPEED_MAX;
+    b->swing  = swing < loft_to_acc(LOFT_SPEED_MAX) ? loft_acc_round(swing) : LOFT_SPEED_MAX;
     b->corner = limits->corner;
     b->tol    = limits->tol;
-    b->across = loft_acc_round(loft_acc_scale(loft_wide(limits->max_across), usable));
+    b->across = loft_acc_round(loft_acc_scale(loft_to_acc(limits->max_across), usable));
 }
 
 loft_acc loft_budget_beat(const loft_budget *b, loft_real v)
 {
-    return loft_acc_scale(loft_wide(v), b->pulse);
+    return loft_acc_scale(loft_to_acc(v), b->pulse);
 }
 
 /* Where the direction jumps by d = after - before, the velocity v jumps by v d. Averaged over a
@@ -189,7 +190,7 @@ static loft_real junction_speed(const loft_budget *b, const loft_real jump[], lo
     for (int i = 0; i < LOFT_AXES; i++)
         accel = loft_real_cap(accel, loft_acc_round(loft_acc_mul(turn, b->accel[i])), jump[i]);
 
-    const loft_real s    = loft_acc_sqrt(loft_wide(LOFT_REAL(1)) - loft_prod(whole, whole) / 4);
+    const loft_real s    = loft_acc_sqrt(loft_to_acc(LOFT_REAL(1)) - loft_prod(whole, whole) / 4);
     const loft_acc  top  = loft_acc_mul(loft_prod(accel, b->corner), s);
     const loft_real root = loft_acc_sqrt(top + loft_acc_mul(top, s));
 
@@ -200,7 +201,7 @@ static loft_real junction_speed(const loft_budget *b, const loft_real jump[], lo
  * 2^14 */
 static void set_dense(loft_acc *speed2, loft_real accel, loft_real spacing, loft_real jump)
 {
-    const loft_acc most = loft_acc_mul(loft_wide(accel), spacing);
+    const loft_acc most = loft_acc_mul(loft_to_acc(accel), spacing);
 
     if (loft_acc_mul(*speed2, jump) > most)
         *speed2 = loft_acc_div(most, jump);
@@ -209,13 +210,13 @@ static void set_dense(loft_acc *speed2, loft_real accel, loft_real spacing, loft
 loft_acc loft_budget_joint(const loft_budget *b, const loft_vec *before, const loft_vec *after,
                            loft_acc spacing, bool corner)
 {
-    const loft_real apart = spacing < loft_wide(SPACING_MAX) ? loft_acc_round(spacing)
+    const loft_real apart = spacing < loft_to_acc(SPACING_MAX) ? loft_acc_round(spacing)
                                                              : SPACING_MAX;
     loft_real jump[LOFT_AXES], v = LOFT_SPEED_MAX;
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real turn = after->axis[i] - before->axis[i];
-        jump[i] = loft_real_size(turn);
+        jump[i] = loft_real_abs(turn);
         v = loft_real_cap(v, b->spare[i], jump[i]);
     }
     const loft_acc  turn = loft_vec_distance(*before, *after);
@@ -229,5 +230,5 @@ loft_acc loft_budget_joint(const loft_budget *b, const loft_vec *before, const l
         else
             set_dense(&sharp, b->accel[i], apart, jump[i]);
     }
-    return LOFT_BUDGET_JERK(b) ? smooth : loft_acc_most(smooth, sharp);
+    return LOFT_BUDGET_JERK(b) ? smooth : loft_acc_max(smooth, sharp);
 }

@@ -113,7 +113,7 @@ loft_acc loft_budget_joint(const loft_budget *b, const loft_vec *before, const l
                            loft_acc spacing, bool corner);
 
 /* The least of what the axes have. */
-static inline loft_real loft_real_least(const loft_real of[LOFT_AXES])
+static inline loft_real loft_real_min(const loft_real of[LOFT_AXES])
 {
     loft_real a = of[0];
     for (int i = 1; i < LOFT_AXES; i++)
@@ -127,7 +127,7 @@ static inline loft_real loft_real_least(const loft_real of[LOFT_AXES])
  */
 static inline loft_real loft_real_cap(loft_real v, loft_real a, loft_real b)
 {
-    return loft_prod(v, b) > loft_wide(a) ? loft_div(a, b) : v;
+    return loft_prod(v, b) > loft_to_acc(a) ? loft_div(a, b) : v;
 }
 
 LOFT_END_C

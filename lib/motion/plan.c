@@ -31,8 +31,8 @@
 #define SIXTH LOFT_UNIT(0.16666666666666667)
 #define THIRD (2 * SIXTH)      /* rounded, on any compiler: the doubles of avr-gcc have 24 bits */
 /* 2^-12 mm per beat, but a quarter of the slowest feed at most, shared out like the speed */
-#define SLACK loft_wide(LOFT_REAL(0.000244140625))
-#define GRAINS loft_wide(LOFT_REAL(0.000091552734))  /* 6 / 65536 mm per beat^2 */
+#define SLACK loft_to_acc(LOFT_REAL(0.000244140625))
+#define GRAINS loft_to_acc(LOFT_REAL(0.000091552734))  /* 6 / 65536 mm per beat^2 */
 
 
 /* Curves that the place of the law has left behind. */
@@ -46,7 +46,7 @@ static uint16_t behind(const loft_plan *plan)
 static bool same(const loft_acc point[], const loft_vec *v)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (loft_acc_size(point[i] - loft_wide(v->axis[i])) > 0)
+        if (loft_acc_abs(point[i] - loft_to_acc(v->axis[i])) > 0)
             return false;
     return true;
 }
@@ -137,15 +137,12 @@ enum loft_status loft_plan_push(loft_plan *plan, const loft_move *move)
     }
 #if LOFT_PLAN_WINDOW > 4
     if (status == LOFT_OK)
-        plan->slack = loft_acc_least(plan->slack, loft_budget_beat(&c->budget, move->feed) / 4);
+        plan->slack = loft_acc_min(plan->slack, loft_budget_beat(&c->budget, move->feed) / 4);
 #endif
     return status;
 }
 
-void loft_plan_end(loft_plan *plan)
-{
-    plan->law.course.ended = true;
-}
+void loft_plan_end(loft_plan *plan) { plan->law.course.ended = true; }
 
 
 /* Samples
@@ -158,11 +155,11 @@ void loft_plan_end(loft_plan *plan)
 static void ease(loft_plan *plan, loft_acc off, loft_acc point[])
 {
     const loft_course *c = &plan->law.course;
-    const loft_acc reach = loft_wide(LOFT_EASE_MAX);
+    const loft_acc reach = loft_to_acc(LOFT_EASE_MAX);
     const unsigned from  = plan->law.from;
 
     loft_acc d = off;
-    for (unsigned j = from; d < reach; d += loft_unit_wide(loft_course_piece(c, --j)->length)) {
+    for (unsigned j = from; d < reach; d += loft_unit_to_acc(loft_course_piece(c, --j)->length)) {
         const loft_plan_piece *p = loft_course_piece(c, j);
         if (p->ease.width > 0) {
             plan->eased = p->ease;
@@ -172,11 +169,11 @@ static void ease(loft_plan *plan, loft_acc off, loft_acc point[])
             break;
     }
     loft_ease_point(&plan->eased, plan->past, point);
-    d = loft_unit_wide(loft_course_piece(c, from)->length) - off;
+    d = loft_unit_to_acc(loft_course_piece(c, from)->length) - off;
     for (unsigned j = from + 1; d < reach && j < c->count; j++) {
         const loft_plan_piece *p = loft_course_piece(c, j);
         loft_ease_point(&p->ease, -d, point);
-        d += loft_unit_wide(p->length);
+        d += loft_unit_to_acc(p->length);
     }
 }
 
@@ -202,7 +199,7 @@ static void set_place(loft_plan *plan, loft_acc point[])
     if (LOFT_BUDGET_JERK(&c->budget))
         plan->past += loft_law_mean(&plan->law, plan->law.sum);
 #endif
-    if (p->length > 0 && p->to == LOFT_ARC_WHOLE && off >= loft_unit_wide(p->length)) {
+    if (p->length > 0 && p->to == LOFT_ARC_WHOLE && off >= loft_unit_to_acc(p->length)) {
         loft_accs_from(point, c->moves[p->move].curve.p[3].axis);
         return;
     }
@@ -286,15 +283,15 @@ static bool runs_within(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AX
         const loft_acc d0 = p[1][i] - p[0][i], d1 = p[2][i] - p[1][i], d2 = p[3][i] - p[2][i],
                        rise = d1 - d0, fall = d1 - d2;
         const loft_acc most = (plan->speed[i] + plan->speed[i] / 2048) * (int32_t)m;
-        const bool turns = (rise > 0) == (fall > 0) && loft_acc_size(rise) > 0 &&
-                           loft_acc_size(fall) > 0;
+        const bool turns = (rise > 0) == (fall > 0) && loft_acc_abs(rise) > 0 &&
+                           loft_acc_abs(fall) > 0;
         const loft_acc peak = turns ? d0 + loft_acc_scale(
-                                               rise, loft_unit_ratio(loft_acc_size(rise),
-                                                                     loft_acc_size(rise + fall)))
+                                               rise, loft_unit_ratio(loft_acc_abs(rise),
+                                                                     loft_acc_abs(rise + fall)))
                                     : d0;
 
-        if (3 * loft_acc_size(d0) > most || 3 * loft_acc_size(d2) > most ||
-            3 * loft_acc_size(peak) > most)
+        if (3 * loft_acc_abs(d0) > most || 3 * loft_acc_abs(d2) > most ||
+            3 * loft_acc_abs(peak) > most)
             return false;
     }
     return true;
@@ -304,11 +301,11 @@ static bool accelerates_within(const loft_plan *plan, unsigned m, loft_acc p[4][
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc most = plan->accel[i] * (int32_t)(m * m);
-        if (6 * loft_acc_size(p[0][i] - 2 * p[1][i] + p[2][i]) > most ||
-            6 * loft_acc_size(p[1][i] - 2 * p[2][i] + p[3][i]) > most)
+        if (6 * loft_acc_abs(p[0][i] - 2 * p[1][i] + p[2][i]) > most ||
+            6 * loft_acc_abs(p[1][i] - 2 * p[2][i] + p[3][i]) > most)
             return false;
         if (LOFT_BUDGET_JERK(&plan->law.course.budget) &&
-            6 * loft_acc_size(p[3][i] - p[0][i] + 3 * (p[1][i] - p[2][i])) >
+            6 * loft_acc_abs(p[3][i] - p[0][i] + 3 * (p[1][i] - p[2][i])) >
                 (plan->jerk[i] + plan->jerk[i] / 128) * (int32_t)(m * m * m))
             return false;
     }
@@ -368,13 +365,13 @@ static bool passes(const loft_plan *plan, unsigned m, unsigned j, loft_acc p[4][
     for (int i = 0; i < LOFT_AXES; i++) {
         const state s = state_at(p, i, m, t);
         const loft_acc v = (c[i] - a[i]) / 2, bend = a[i] - 2 * b[i] + c[i],
-                       e = loft_acc_size(s.speed - v);
+                       e = loft_acc_abs(s.speed - v);
         const loft_acc most = plan->accel[i] / 256 < GRAINS ? plan->accel[i] / 256 : GRAINS;
-        if (jerk && loft_acc_size(s.accel - bend * (int32_t)(m * m)) > most * (int32_t)(m * m))
+        if (jerk && loft_acc_abs(s.accel - bend * (int32_t)(m * m)) > most * (int32_t)(m * m))
             return false;
-        off  += loft_acc_size(s.at - b[i] - loft_acc_ratio(bend, 6));
+        off  += loft_acc_abs(s.at - b[i] - loft_acc_ratio(bend, 6));
         off_speed = e > off_speed ? e : off_speed;
-        speed = loft_acc_size(v) > speed ? loft_acc_size(v) : speed;
+        speed = loft_acc_abs(v) > speed ? loft_acc_abs(v) : speed;
     }
     return off <= tol && off_speed * 2048 <= speed + plan->slack;
 }
@@ -389,16 +386,16 @@ static bool runs_between(const loft_plan *plan, unsigned m, unsigned j, loft_acc
         const loft_acc d1 = sample(plan, j + 2)[i] - sample(plan, j + 1)[i],
                        d = sample(plan, j + 3)[i] - sample(plan, j)[i];
         const loft_acc v = loft_acc_ratio(d + 5 * d1, 8),
-                       e = loft_acc_size(state_at(p, i, m, t).speed - v);
+                       e = loft_acc_abs(state_at(p, i, m, t).speed - v);
         off   = e > off ? e : off;
-        speed = loft_acc_size(v) > speed ? loft_acc_size(v) : speed;
+        speed = loft_acc_abs(v) > speed ? loft_acc_abs(v) : speed;
     }
     return off * 2048 <= speed + plan->slack;
 }
 
 static bool fits(const loft_plan *plan, unsigned m, loft_acc p[4][LOFT_AXES])
 {
-    const loft_acc tol = loft_wide(plan->law.course.budget.tol) / 8;
+    const loft_acc tol = loft_to_acc(plan->law.course.budget.tol) / 8;
 
     interpolate(plan, m, p);
     if (!runs_within(plan, m, p) || !accelerates_within(plan, m, p) ||

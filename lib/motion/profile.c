@@ -31,7 +31,7 @@
 
 #define SLOWEST LOFT_REAL(0.0005)   /* no feature is passed slower, mm/s             */
 #define LEAST   LOFT_REAL(0.25)     /* nor with less acceleration from rest, mm/s^2 */
-#define LSB     loft_wide(LOFT_REAL(0.000015258789))    /* 2^-16 */
+#define LSB     loft_to_acc(LOFT_REAL(0.000015258789))    /* 2^-16 */
 
 #if LOFT_PLAN_FILTER > 1
 
@@ -41,9 +41,9 @@ static loft_real most_of(loft_real x, loft_real y) { return x > y ? x : y; }
 /* By how much a parabola through three may exceed the largest of them. */
 static loft_real bulge_of(const loft_vec at[3], int i)
 {
-    const loft_acc bend = loft_wide(at[0].axis[i]) - 2 * loft_wide(at[1].axis[i]) +
-                          loft_wide(at[2].axis[i]);
-    return loft_real_size(loft_acc_round(loft_acc_scale(bend, LOFT_UNIT(0.125))));
+    const loft_acc bend = loft_to_acc(at[0].axis[i]) - 2 * loft_to_acc(at[1].axis[i]) +
+                          loft_to_acc(at[2].axis[i]);
+    return loft_real_abs(loft_acc_round(loft_acc_scale(bend, LOFT_UNIT(0.125))));
 }
 
 /* The largest size of three, and by how much a parabola through them may exceed it. */
@@ -51,30 +51,30 @@ static loft_real largest(const loft_vec at[3], int i)
 {
     loft_real most = 0;
     for (int k = 0; k < 3; k++)
-        most = loft_real_size(at[k].axis[i]) > most ? loft_real_size(at[k].axis[i]) : most;
+        most = loft_real_abs(at[k].axis[i]) > most ? loft_real_abs(at[k].axis[i]) : most;
     return most + bulge_of(at, i);
 }
 
 static loft_acc bend_cap(loft_acc x, loft_real accel, loft_real bend)
 {
-    return bend > 0 ? loft_acc_least(x, loft_acc_div(loft_wide(accel), bend)) : x;
+    return bend > 0 ? loft_acc_min(x, loft_acc_div(loft_to_acc(accel), bend)) : x;
 }
 
 /* The largest derivative of the parabola through three values, times the length: at one of its
  * ends. */
 static loft_real change(const loft_vec at[3], int i)
 {
-    const loft_acc d0 = loft_wide(at[1].axis[i]) - loft_wide(at[0].axis[i]),
-                   d1 = loft_wide(at[2].axis[i]) - loft_wide(at[1].axis[i]);
+    const loft_acc d0 = loft_to_acc(at[1].axis[i]) - loft_to_acc(at[0].axis[i]),
+                   d1 = loft_to_acc(at[2].axis[i]) - loft_to_acc(at[1].axis[i]);
     const loft_acc start = 3 * d0 - d1, end = 3 * d1 - d0;
     const loft_acc a = start < 0 ? -start : start, b = end < 0 ? -end : end;
-    return loft_acc_round(loft_acc_least(a > b ? a : b, loft_wide(LOFT_REAL_MAX)));
+    return loft_acc_round(loft_acc_min(a > b ? a : b, loft_to_acc(LOFT_REAL_MAX)));
 }
 
 /* v h / l, the part of the piece that a beat passes, or 4095 */
 static loft_real part_of(const loft_plan_piece *p, const loft_budget *b, loft_real v)
 {
-    const loft_acc way = loft_budget_beat(b, v), length = loft_unit_wide(p->length);
+    const loft_acc way = loft_budget_beat(b, v), length = loft_unit_to_acc(p->length);
     return way / 4095 < length ? loft_acc_quot(way, length) : LOFT_REAL(4095);
 }
 
@@ -91,7 +91,7 @@ static bool twists_within(const loft_plan_piece *p, const loft_budget *b, const 
                           loft_real v)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (twist(p, b, s, i, v) > loft_wide(b->gain[i]) / 4 * 3)
+        if (twist(p, b, s, i, v) > loft_to_acc(b->gain[i]) / 4 * 3)
             return false;
     return true;
 }
@@ -122,9 +122,9 @@ static loft_real jerk_grip(const loft_plan_piece *p, const loft_budget *b, const
     loft_real a = p->rest;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc  left = loft_wide(b->gain[i]) - twist(p, b, s, i, v);
+        const loft_acc  left = loft_to_acc(b->gain[i]) - twist(p, b, s, i, v);
         const loft_acc  turn = loft_prod(largest(s->bend, i), way);
-        const loft_acc  both = loft_acc_ratio(loft_wide(largest(s->along, i)), b->filter) + turn;
+        const loft_acc  both = loft_acc_ratio(loft_to_acc(largest(s->along, i)), b->filter) + turn;
         a = loft_real_cap(a, left > 0 ? loft_acc_round(left) : 0, loft_acc_round(both));
     }
     return a;
@@ -157,8 +157,9 @@ static void set_jerk_lines(loft_plan_piece *p, const loft_budget *b, const loft_
     loft_real rest = slow;
 
     for (int k = 1; k <= 3; k++) {
-        const loft_real v = loft_acc_round(loft_acc_ratio(loft_wide(p->cap) * k, 4));
-        const loft_acc  f = loft_wide(jerk_grip_ahead(p, b, s, v)) * 12 - loft_wide(high) * (k * k);
+        const loft_real v = loft_acc_round(loft_acc_ratio(loft_to_acc(p->cap) * k, 4));
+        const loft_acc f = loft_to_acc(jerk_grip_ahead(p, b, s, v)) * 12 -
+                           loft_to_acc(high) * (k * k);
         rest = least(rest, f > 0 ? loft_acc_round(loft_acc_ratio(f, 12 - k * k)) : 0);
     }
     rest    = rest > high ? rest : high;
@@ -171,7 +172,7 @@ static void set_jerk_lines(loft_plan_piece *p, const loft_budget *b, const loft_
  * 3). */
 static loft_real size_at(const loft_vec at[3], int k, int i)
 {
-    return k < 3 ? loft_real_size(at[k].axis[i]) : largest(at, i);
+    return k < 3 ? loft_real_abs(at[k].axis[i]) : largest(at, i);
 }
 
 /* The length of the curvature vector likewise, rounded up. */
@@ -180,9 +181,9 @@ static loft_real bend_at(const loft_arc_shape *s, int k)
     loft_acc bend[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++)
-        bend[i] = loft_wide(size_at(s->bend, k, i));
+        bend[i] = loft_to_acc(size_at(s->bend, k, i));
     return loft_acc_round(
-        loft_acc_least(loft_acc_hypot(bend, LOFT_AXES) + LSB / 2, loft_wide(LOFT_REAL(32767))));
+        loft_acc_min(loft_acc_hypot(bend, LOFT_AXES) + LSB / 2, loft_to_acc(LOFT_REAL(32767))));
 }
 
 /* What the limits of acceleration leave for a at the square x of the speed, at any of the three
@@ -195,13 +196,13 @@ static loft_real accel_grip(const loft_budget *b, const loft_arc_shape *s, loft_
         const loft_real most = largest(s->bend, i), bulge = bulge_of(s->along, i);
         for (int k = 0; k < 3; k++) {
             const loft_real u = s->along[k].axis[i], k_i = s->bend[k].axis[i],
-                            size = loft_real_size(u);
+                            size = loft_real_abs(u);
             /* does the bend need the other direction? */
             const bool      more = size > bulge && ((u < 0) == (k_i < 0)) != fore;
             const loft_acc used = b->across > 0
                                       ? 0
-                                      : loft_acc_mul(x, size > bulge ? loft_real_size(k_i) : most);
-            const loft_acc  left = loft_wide(b->accel[i]) + (more ? used : -used);
+                                      : loft_acc_mul(x, size > bulge ? loft_real_abs(k_i) : most);
+            const loft_acc  left = loft_to_acc(b->accel[i]) + (more ? used : -used);
             a = loft_real_cap(a, left > 0 ? loft_acc_round(left) : 0, size + bulge);
         }
     }
@@ -212,8 +213,8 @@ static void set_lines(loft_plan_piece *p, const loft_budget *b, const loft_arc_s
 {
     p->rest = LOFT_ACCEL_MAX;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc jerk = loft_wide(b->gain[i]) * b->filter, accel = loft_wide(b->accel[i]);
-        p->rest = loft_real_cap(p->rest, loft_acc_round(loft_acc_least(jerk, accel)),
+        const loft_acc jerk = loft_to_acc(b->gain[i]) * b->filter, accel = loft_to_acc(b->accel[i]);
+        p->rest = loft_real_cap(p->rest, loft_acc_round(loft_acc_min(jerk, accel)),
                                 largest(s->along, i));
     }
     const loft_acc top = loft_prod(p->cap, p->cap);
@@ -277,8 +278,8 @@ static loft_unit twist_of(const loft_plan_piece *p, const loft_budget *b,
     loft_unit most = 0;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc  used = twist(p, b, shape, i, p->cap), gain = loft_wide(b->gain[i]);
-        const loft_unit part = loft_unit_ratio(loft_acc_least(used, gain), gain);
+        const loft_acc  used = twist(p, b, shape, i, p->cap), gain = loft_to_acc(b->gain[i]);
+        const loft_unit part = loft_unit_ratio(loft_acc_min(used, gain), gain);
         most = part > most ? part : most;
     }
     return most;
@@ -289,9 +290,9 @@ static loft_unit twist_at(const loft_way *w, loft_real v)
 {
     if (!(v < w->cap))
         return w->twist;
-    const loft_unit z = loft_unit_ratio(loft_wide(v), loft_wide(w->cap));
+    const loft_unit z = loft_unit_ratio(loft_to_acc(v), loft_to_acc(w->cap));
     return loft_unit_round(
-        loft_acc_scale(loft_acc_scale(loft_acc_scale(loft_unit_wide(w->twist), z), z), z));
+        loft_acc_scale(loft_acc_scale(loft_acc_scale(loft_unit_to_acc(w->twist), z), z), z));
 }
 
 void loft_flank_init(loft_flank *side, const loft_way *way)
@@ -337,15 +338,15 @@ void loft_flank_add(loft_flank *side, const loft_plan_piece *p, const loft_budge
 loft_acc loft_profile_jump(const loft_budget *b, const loft_way *before, const loft_way *after,
                            loft_acc spacing, loft_real feed)
 {
-    const loft_real seen = part_of(&(loft_plan_piece){ .length = loft_unit_round(loft_acc_least(
-                                                           spacing, loft_wide(LOFT_REAL(64)))) },
+    const loft_real seen = part_of(&(loft_plan_piece){ .length = loft_unit_round(loft_acc_min(
+                                                           spacing, loft_to_acc(LOFT_REAL(64)))) },
                                    b, feed);
     loft_acc x = loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX);
 
     for (int i = 0; i < LOFT_AXES; i++) {
         /* below 2^15 */
-        const loft_acc jump = loft_wide(after->bend.axis[i]) - loft_wide(before->bend.axis[i]);
-        const loft_acc most = loft_acc_div(loft_wide(b->gain[i]), LOFT_REAL(1) + 3 * seen);
+        const loft_acc jump = loft_to_acc(after->bend.axis[i]) - loft_to_acc(before->bend.axis[i]);
+        const loft_acc most = loft_acc_div(loft_to_acc(b->gain[i]), LOFT_REAL(1) + 3 * seen);
         x = bend_cap(x, loft_acc_round(most), loft_acc_round(jump < 0 ? -jump : jump));
     }
     return x;
@@ -380,14 +381,15 @@ static loft_unit joint_use(const joint *j, loft_real v, const loft_way *before,
 {
     const bool      turns = j->turn < j->bend;
     const loft_real slow  = turns ? j->turn : j->bend;
-    const loft_unit w = v < slow ? loft_unit_ratio(loft_wide(v), loft_wide(slow)) : LOFT_UNIT(1);
-    const loft_acc  part = loft_acc_scale(loft_wide(LOFT_REAL(0.8)), w);
+    const loft_unit w = v < slow ? loft_unit_ratio(loft_to_acc(v), loft_to_acc(slow))
+                                 : LOFT_UNIT(1);
+    const loft_acc  part = loft_acc_scale(loft_to_acc(LOFT_REAL(0.8)), w);
     const loft_unit first = twist_at(before, v), second = twist_at(after, v),
                     most = first > second ? first : second;
 
     if (j->eased)
         return most + twist_at(&j->ease, v) +
-               (v < j->turn ? loft_unit_ratio(loft_wide(v) / 5 * 4, loft_wide(j->turn))
+               (v < j->turn ? loft_unit_ratio(loft_to_acc(v) / 5 * 4, loft_to_acc(j->turn))
                             : LOFT_UNIT(0.8));
     return loft_unit_round(turns ? part : loft_acc_scale(part, w)) + most;
 }
@@ -403,10 +405,10 @@ static void leave_for_joint(loft_plan_piece *p, const joint *j, const loft_way *
     }
     const loft_unit left = LOFT_UNIT(1) - used;
     if (j->eased || j->turn < j->bend)
-        p->rest = loft_acc_round(loft_acc_scale(loft_wide(p->rest), LOFT_UNIT(0.8)));
+        p->rest = loft_acc_round(loft_acc_scale(loft_to_acc(p->rest), LOFT_UNIT(0.8)));
     for (int k = 0; k < 2; k++) {
-        p->fore[k] = loft_acc_round(loft_acc_scale(loft_wide(p->fore[k]), left));
-        p->back[k] = loft_acc_round(loft_acc_scale(loft_wide(p->back[k]), left));
+        p->fore[k] = loft_acc_round(loft_acc_scale(loft_to_acc(p->fore[k]), left));
+        p->back[k] = loft_acc_round(loft_acc_scale(loft_to_acc(p->back[k]), left));
     }
 }
 
@@ -424,9 +426,9 @@ static void ease_bounds(loft_plan_piece *p, const loft_budget *b, const loft_fla
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real beyond = e.jump[i] / 17 * 3, half = e.jump[i] / 2,
-                        size = loft_real_size(e.jump[i]);
+                        size = loft_real_abs(e.jump[i]);
         const loft_real turn = loft_acc_round(
-            loft_acc_ratio(loft_acc_scale(loft_wide(size), e.width), 9));
+            loft_acc_ratio(loft_acc_scale(loft_to_acc(size), e.width), 9));
         const loft_real u0 = least(before->along[0].axis[i], after->along[0].axis[i]),
                         u1 = most_of(before->along[1].axis[i], after->along[1].axis[i]);
         loft_real low = least(before->bend[0].axis[i] + least(-beyond, half),
@@ -488,7 +490,7 @@ bool loft_profile_join(loft_plan_piece *p, const loft_budget *b, const loft_flan
                          (joint){ .turn = loft_acc_sqrt(turn), .bend = loft_acc_sqrt(bend) }, room,
                          feed);
     const loft_real slow = least(j.turn, j.bend);
-    p->stop = slow < loft_acc_round(loft_acc_scale(loft_wide(p->rest), b->pulse) / 4);
+    p->stop = slow < loft_acc_round(loft_acc_scale(loft_to_acc(p->rest), b->pulse) / 4);
     if (p->stop) {
         p->ease.width = 0;
         return true;

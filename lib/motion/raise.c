@@ -46,7 +46,7 @@ static loft_plan_cell *cell_of(const loft_course *c, unsigned i)
 
 static loft_acc length_of(const loft_course *c, unsigned i)
 {
-    return loft_unit_wide(cell_of(c, i)->length);
+    return loft_unit_to_acc(cell_of(c, i)->length);
 }
 
 /* Speed and acceleration at the start of piece i of the row. */
@@ -66,7 +66,7 @@ static void set_knot(const loft_course *c, const loft_row *row, unsigned i)
     p->x = loft_acc_lerp(before, p->b, p->part);
     p->a = loft_inverse_mul(p->b - before, &p->both);
     p->v = loft_acc_sqrt(p->x);
-    p->r = loft_unit_round(loft_acc_div(loft_wide(LOFT_REAL(1)), p->v));
+    p->r = loft_unit_round(loft_acc_div(loft_to_acc(LOFT_REAL(1)), p->v));
 }
 
 /* The part of the second cell's control value that the first one has if it begins at rest; so for
@@ -122,8 +122,8 @@ static loft_unit bump(loft_unit near, loft_unit far)
 {
     const loft_unit one = LOFT_UNIT(1);
     if (near + far < one)
-        return one - 2 * loft_unit_round(loft_acc_scale(loft_unit_wide(near), far));
-    return far < one ? 2 * loft_unit_round(loft_acc_scale(loft_unit_wide(one - near), one - far))
+        return one - 2 * loft_unit_round(loft_acc_scale(loft_unit_to_acc(near), far));
+    return far < one ? 2 * loft_unit_round(loft_acc_scale(loft_unit_to_acc(one - near), one - far))
                      : 0;
 }
 
@@ -131,13 +131,11 @@ static loft_unit bump(loft_unit near, loft_unit far)
 static loft_acc put(const loft_course *c, unsigned i, loft_unit part, loft_acc rise, loft_acc *top)
 {
     loft_plan_cell *p = cell_of(c, i);
-    const loft_acc room = loft_acc_least(p->top - p->b, 4 * p->b),
-                   want = loft_acc_scale(rise, part);
+    const loft_acc room = loft_acc_min(p->top - p->b, 4 * p->b), want = loft_acc_scale(rise, part);
 
-    p->rise = loft_unit_wide(part);
+    p->rise = loft_unit_to_acc(part);
     if (want > room)
-        *top = loft_acc_least(*top,
-                              room > 0 ? loft_acc_scale(rise, loft_unit_ratio(room, want)) : 0);
+        *top = loft_acc_min(*top, room > 0 ? loft_acc_scale(rise, loft_unit_ratio(room, want)) : 0);
     return *top;
 }
 
@@ -146,12 +144,12 @@ static loft_acc put_side(const loft_course *c, unsigned middle, unsigned last, l
                          loft_acc rise)
 {
     loft_acc d = length_of(c, middle) / 2;
-    loft_unit near = least(loft_unit_ratio(loft_acc_least(d, reach), reach), LOFT_UNIT(1));
+    loft_unit near = least(loft_unit_ratio(loft_acc_min(d, reach), reach), LOFT_UNIT(1));
 
     for (unsigned i = middle; i != last; ) {
         i = i < last ? i + 1 : i - 1;
         d += length_of(c, i);
-        const loft_unit far = loft_unit_ratio(loft_acc_least(d, reach), reach);
+        const loft_unit far = loft_unit_ratio(loft_acc_min(d, reach), reach);
         (void)put(c, i, bump(near, far), rise, &rise);
         near = far;
     }
@@ -210,7 +208,7 @@ static void raise(const loft_course *c, const loft_row *row, unsigned middle, un
     const loft_acc right = reach_of(c, middle, high, high == to - 1,
                                     tied_last ? length_of(c, to) : 0);
     touched t = { low > row->first ? low - 1 : low, high + 1 < row->end ? high + 1 : high };
-    loft_acc rise = loft_acc_least(cell_of(c, middle)->top - cell_of(c, middle)->b,
+    loft_acc rise = loft_acc_min(cell_of(c, middle)->top - cell_of(c, middle)->b,
                                    4 * cell_of(c, middle)->b);
 
     for (unsigned i = t.low > row->first ? t.low - 1 : t.low; i <= t.high + 1 && i < row->end; i++)
@@ -237,7 +235,7 @@ static loft_acc gentle(loft_real accel, loft_real s, loft_acc d)
     const loft_acc  v = loft_acc_mul(d, s);
     const loft_real turn = loft_real_cap(LOFT_SPEED_MAX, accel / 2, s);
 
-    return v < loft_wide(turn) ? loft_prod(loft_acc_round(v), loft_acc_round(v))
+    return v < loft_to_acc(turn) ? loft_prod(loft_acc_round(v), loft_acc_round(v))
                                : loft_acc_mul(d, accel) - loft_prod(turn, turn);
 }
 
@@ -245,9 +243,9 @@ static loft_acc gentle(loft_real accel, loft_real s, loft_acc d)
 static void set_tops(const loft_course *c, const loft_row *row)
 {
     const loft_budget *b = &c->budget;
-    const loft_real accel = loft_real_least(b->accel);
+    const loft_real accel = loft_real_min(b->accel);
     /* gain <= accel: at most 50000 */
-    const loft_acc  rate = loft_acc_div(loft_wide(loft_real_least(b->gain)), accel) * b->tick_hz;
+    const loft_acc  rate = loft_acc_div(loft_to_acc(loft_real_min(b->gain)), accel) * b->tick_hz;
     const loft_real s = loft_acc_round(loft_acc_ratio(rate, EASY * b->beat)) + LOFT_REAL_LSB;
     loft_acc d = 0;
 
@@ -256,8 +254,8 @@ static void set_tops(const loft_course *c, const loft_row *row)
         d += length_of(c, i) / 2;
         const loft_acc x = row->rests
                                ? p->most
-                               : gentle(accel, s, loft_acc_least(d, loft_wide(LOFT_PLAN_REACH)));
-        p->top = x < p->b ? p->b : loft_acc_least(x, p->most);
+                               : gentle(accel, s, loft_acc_min(d, loft_to_acc(LOFT_PLAN_REACH)));
+        p->top = x < p->b ? p->b : loft_acc_min(x, p->most);
         d += length_of(c, i) / 2;
     }
 }

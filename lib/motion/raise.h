@@ -10,7 +10,7 @@
 LOFT_BEGIN_C
 
 /* the square of the speed from which it is raised: 1/64 mm/s */
-#define LOFT_RAISE_CREEP (loft_wide(LOFT_REAL(1)) / 4096)
+#define LOFT_RAISE_CREEP (loft_to_acc(LOFT_REAL(1)) / 4096)
 
 /* Pieces first..end - 1 of a course from one rest to the next, or to the end of what is known. */
 typedef struct {

@@ -29,7 +29,7 @@
 #include "motion/scope.h"   /* loft_scope_most, loft_scope_brake */
 
 static loft_acc square(loft_real v)                  { return loft_prod(v, v); }
-static loft_acc length_of(const loft_plan_piece *p)  { return loft_unit_wide(p->length); }
+static loft_acc length_of(const loft_plan_piece *p)  { return loft_unit_to_acc(p->length); }
 
 static loft_unit part_of(loft_acc x, loft_acc whole)
 {
@@ -57,10 +57,10 @@ static void look_back(loft_law *law)
         const loft_acc cap = p->stop ? 0 : square(p->cap), last = square(p->last);
         if (p->sure)
             return;
-        const loft_acc end = loft_acc_least(x, last);
+        const loft_acc end = loft_acc_min(x, last);
         x = before(p, end);
         sure = sure || !(x < cap);
-        x = loft_acc_least(x, cap);
+        x = loft_acc_min(x, cap);
         p->brake = x < cap ? loft_acc_sqrt(x) : p->stop ? 0 : p->cap;
         p->sure  = sure;
     }
@@ -182,7 +182,7 @@ static void set_parts(loft_law *law)
 /* How far a beat gets that ends with speed v. */
 static loft_acc beat_to(const loft_law *law, loft_real v)
 {
-    return loft_acc_scale((loft_wide(law->speed) + loft_wide(v)) / 2, law->course.budget.pulse);
+    return loft_acc_scale((loft_to_acc(law->speed) + loft_to_acc(v)) / 2, law->course.budget.pulse);
 }
 
 /* And how far what is left of it. */
@@ -202,7 +202,7 @@ static void run(loft_law *law)
         const bool even = !(law->speed < to->speed || to->speed < law->speed);
         const loft_real v = even ? to->speed
                                  : loft_lerp(law->speed, to->speed, loft_unit_ratio(here, way));
-        law->at.off += even ? here : loft_acc_least(rest_of(law, beat_to(law, v)), way);
+        law->at.off += even ? here : loft_acc_min(rest_of(law, beat_to(law, v)), way);
         law->speed   = v;
         law->left    = 0;
     } else {

@@ -79,12 +79,12 @@ typedef struct {
 
 static loft_acc  twice(loft_acc way, loft_real a) { return 2 * loft_acc_mul(way, a); }
 static loft_acc  square(loft_real v)              { return loft_prod(v, v); }
-static loft_acc  length_of(const loft_plan_piece *p) { return loft_unit_wide(p->length); }
+static loft_acc  length_of(const loft_plan_piece *p) { return loft_unit_to_acc(p->length); }
 
 /* Where the bend needs `times` the acceleration; beyond 2^29 it does not matter. */
 static loft_acc needed(loft_real accel, loft_real bend, int times)
 {
-    const loft_acc x = loft_acc_div(loft_wide(accel), bend);
+    const loft_acc x = loft_acc_div(loft_to_acc(accel), bend);
     return x < FASTEST ? x * times : RELIEF * FASTEST;
 }
 
@@ -127,11 +127,11 @@ static void add_lines(scope *s, const loft_budget *b, const loft_arc_shape *shap
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real k = bend_of(b, shape, end, i), w = weight_of(s, shape, end, i, k),
-                        size = loft_real_size(w);
+                        size = loft_real_abs(w);
         const loft_real with = w < 0 ? -s->skew[i] : s->skew[i], turn = w < 0 ? -k : k,
                         bow = w < 0 ? -s->bow[i] : s->bow[i];
 
-        if (!(size > 0 || loft_real_size(k) > 0 || loft_real_size(with) > 0))
+        if (!(size > 0 || loft_real_abs(k) > 0 || loft_real_abs(with) > 0))
             continue;
         add_line(s, b, i, with < 0 ? size - with : size,
                  with < 0      ? size
@@ -151,12 +151,12 @@ static void set_far(scope *s, const loft_budget *b, const loft_arc_shape *shape)
 
     for (int n = 0; n < 3 * LOFT_AXES; n++) {
         const int i = n / 3, at = n % 3;
-        const loft_real k = bend_of(b, shape, at, i), size = loft_real_size(k), accel = b->accel[i];
-        if (loft_prod(far, size) > loft_acc_scale(loft_wide(accel), PART)) {
-            const loft_real w = loft_real_size(weight_of(s, shape, at, i, k));
-            s->far = loft_acc_least(
-                s->far,
-                needed(accel, size, loft_prod(LOFT_ACCEL_MAX, w) > loft_wide(accel) ? RELIEF : 1));
+        const loft_real k = bend_of(b, shape, at, i), size = loft_real_abs(k), accel = b->accel[i];
+        if (loft_prod(far, size) > loft_acc_scale(loft_to_acc(accel), PART)) {
+            const loft_real w = loft_real_abs(weight_of(s, shape, at, i, k));
+            s->far = loft_acc_min(
+                s->far, needed(accel, size,
+                               loft_prod(LOFT_ACCEL_MAX, w) > loft_to_acc(accel) ? RELIEF : 1));
         }
     }
 }
@@ -178,7 +178,7 @@ static void set_turns(scope *s, const loft_budget *b)
         const bool same = !(s->turn[0][j] < s->turn[1][j]);
         for (int fore = same ? 1 : 0; fore < 2; fore++)
             s->turn[fore][j] = loft_acc_quot(loft_acc_mul(s->far, s->turn[fore][j]),
-                                             loft_wide(b->accel[s->axis[j]]));
+                                             loft_to_acc(b->accel[s->axis[j]]));
         s->turn[0][j] = same ? s->turn[1][j] : s->turn[0][j];
         if (s->relief[j] > 0 && (s->turn[1][j] > LOFT_REAL(1) || s->turn[0][j] < LOFT_REAL(-1)))
             add_relief(s, b, j);
@@ -188,11 +188,11 @@ static void set_turns(scope *s, const loft_budget *b)
 /* The least of the lines at y, and which it is. */
 static loft_acc least_at(const scope *s, loft_unit y, bool fore, uint8_t *which)
 {
-    loft_acc least = loft_wide(LOFT_ACCEL_MAX);
+    loft_acc least = loft_to_acc(LOFT_ACCEL_MAX);
 
     *which = 0;
     for (uint8_t j = 1; j < s->count; j++) {
-        const loft_real turn = loft_acc_round(loft_acc_scale(loft_wide(s->turn[fore][j]), y));
+        const loft_real turn = loft_acc_round(loft_acc_scale(loft_to_acc(s->turn[fore][j]), y));
         const loft_acc  a = loft_prod(s->most[j], LOFT_REAL(1) + (fore ? -turn : turn));
         if (a < least) {
             least  = a;
@@ -218,7 +218,7 @@ static void set_end(scope *s)
         if (s->least[0] + s->least[1] >= 0 || n == 12)
             return;
         const loft_acc fall = slope(s, s->line[1], true) - slope(s, s->line[0], false);
-        const loft_acc both = loft_wide(s->most[s->line[0]]) + loft_wide(s->most[s->line[1]]);
+        const loft_acc both = loft_to_acc(s->most[s->line[0]]) + loft_to_acc(s->most[s->line[1]]);
         s->end = both < fall ? loft_unit_ratio(both, fall) : s->end;
         s->end -= s->end / 4096;
     }
@@ -233,18 +233,18 @@ static loft_acc knee_of(loft_acc far, uint8_t knee)
 static uint8_t set_knee(const scope *s, bool fore, loft_real bound[2])
 {
     const uint8_t i = s->low, j = s->line[fore];
-    const loft_acc rise = loft_wide(s->most[j] - s->most[i]),
+    const loft_acc rise = loft_to_acc(s->most[j] - s->most[i]),
                    more = loft_acc_scale(slope(s, j, fore) - slope(s, i, fore), s->end),
                    fall = fore ? more : -more;
     uint8_t which;
     int knee = 128;
 
     if (i != j && fall > 0)
-        knee = rise < fall ? (int)loft_acc_int(loft_unit_wide(loft_unit_ratio(rise, fall)) * 256)
+        knee = rise < fall ? (int)loft_acc_int(loft_unit_to_acc(loft_unit_ratio(rise, fall)) * 256)
                            : 256;
     knee = knee < EDGE ? EDGE : knee > 256 - EDGE ? 256 - EDGE : knee;
-    bound[0] = loft_acc_round(
-        least_at(s, loft_unit_round(knee_of(loft_unit_wide(s->end), (uint8_t)knee)), fore, &which));
+    bound[0] = loft_acc_round(least_at(
+        s, loft_unit_round(knee_of(loft_unit_to_acc(s->end), (uint8_t)knee)), fore, &which));
     bound[1] = loft_acc_round(s->least[fore]);
     return (uint8_t)knee;
 }
@@ -253,9 +253,9 @@ static uint8_t set_knee(const scope *s, bool fore, loft_real bound[2])
  * stations. */
 static loft_real crest(const loft_vec at[3], int k, int i)
 {
-    const loft_real arch = 2 * loft_real_size(at[1].axis[i]) - loft_real_size(at[0].axis[i]) -
-                           loft_real_size(at[2].axis[i]),
-                    size = loft_real_size(at[k].axis[i]);
+    const loft_real arch = 2 * loft_real_abs(at[1].axis[i]) - loft_real_abs(at[0].axis[i]) -
+                           loft_real_abs(at[2].axis[i]),
+                    size = loft_real_abs(at[k].axis[i]);
     return size + size / 1024 + (arch > 0 ? 3 * (arch / 16) : 0);
 }
 
@@ -270,9 +270,9 @@ static loft_real speed_cap(const loft_budget *b, const loft_arc_shape *s, int k,
     if (s->tight || !(b->across > 0))
         return feed;
     for (int i = 0; i < LOFT_AXES; i++)
-        bend[i] = loft_wide(crest(s->bend, k, i));
+        bend[i] = loft_to_acc(crest(s->bend, k, i));
     const loft_real size = loft_acc_round(loft_acc_hypot(bend, LOFT_AXES));
-    const loft_acc  most = size > 0 ? loft_acc_div(loft_wide(b->across), size) : square(feed);
+    const loft_acc  most = size > 0 ? loft_acc_div(loft_to_acc(b->across), size) : square(feed);
     return most < square(feed) ? loft_acc_sqrt(most) : feed;
 }
 
@@ -358,7 +358,7 @@ static void set_sides(scope *s, const loft_plan_piece *p, const loft_budget *b,
                         turn = loft_acc_round(loft_acc_mul(s->length, bend_of(b, shape, 2, i) -
                                                                           bend_of(b, shape, 0, i)));
         s->skew[i] = turn / 2 + turn / 8;
-        s->bow[i]  = loft_acc_mul(x, loft_real_size(bow)) > loft_wide(b->accel[i] / BOW) ? bow : 0;
+        s->bow[i]  = loft_acc_mul(x, loft_real_abs(bow)) > loft_to_acc(b->accel[i] / BOW) ? bow : 0;
     }
 }
 
@@ -372,11 +372,11 @@ static bool even(const loft_plan_piece *p, const loft_budget *b, const loft_arc_
     if (!p->flows && twice(length_of(p), p->rest) > x)
         return false;
     for (int i = 0; i < LOFT_AXES; i++) {
-        if (loft_acc_mul(x, loft_real_size(bow_of(b, s, middle, i))) >
-                loft_wide(b->accel[i] / BENT) &&
+        if (loft_acc_mul(x, loft_real_abs(bow_of(b, s, middle, i))) >
+                loft_to_acc(b->accel[i] / BENT) &&
             128 * loft_acc_mul(length_of(p), b->accel[i]) > x)
             return false;
-        if (!p->flows && loft_real_size(s->along[2].axis[i] - s->along[0].axis[i]) > TURN)
+        if (!p->flows && loft_real_abs(s->along[2].axis[i] - s->along[0].axis[i]) > TURN)
             return false;
     }
     return true;
@@ -412,12 +412,12 @@ static void set_bounds(loft_plan_piece *p, const loft_budget *b, const loft_arc_
  * shorter than 2^-16 mm. */
 static void set_tight_caps(loft_plan_piece *p, const loft_budget *b, const loft_arc_shape *s)
 {
-    loft_acc x = loft_acc_least(square(p->cap), square(p->last));
+    loft_acc x = loft_acc_min(square(p->cap), square(p->last));
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_real turn = loft_real_size(s->along[2].axis[i] - s->along[0].axis[i]);
+        const loft_real turn = loft_real_abs(s->along[2].axis[i] - s->along[0].axis[i]);
         const loft_acc  half = loft_acc_mul(length_of(p), b->accel[i]) / 2;
-        x = turn > 0 ? loft_acc_least(x, loft_acc_div(half, turn)) : x;
+        x = turn > 0 ? loft_acc_min(x, loft_acc_div(half, turn)) : x;
     }
     p->cap  = loft_acc_sqrt(x);
     p->last = p->cap;
@@ -459,7 +459,7 @@ static loft_real feed_cap(const loft_budget *b, const loft_vec *along, loft_real
     if (!(feed0 < feed1 || feed1 < feed0))
         return slow;
     for (int i = 0; i < LOFT_AXES; i++)
-        a = loft_real_cap(a, b->accel[i], loft_real_size(along->axis[i]));
+        a = loft_real_cap(a, b->accel[i], loft_real_abs(along->axis[i]));
     const loft_real leak = loft_acc_round(loft_budget_beat(b, a) / 2);
     return leak < slow / 2 ? slow - leak : slow / 2;
 }
@@ -479,7 +479,7 @@ bool loft_scope_join(loft_plan_piece *p, const loft_budget *b, const loft_vec *b
     begin(p);
     p->length = 0;
     p->cap    = loft_acc_sqrt(most);
-    p->stop   = p->cap < loft_acc_round(loft_acc_scale(loft_wide(rest), b->pulse) / 4);
+    p->stop   = p->cap < loft_acc_round(loft_acc_scale(loft_to_acc(rest), b->pulse) / 4);
     p->cap    = p->last = p->cap < cap ? p->cap : cap;
     return true;
 }

@@ -6,7 +6,7 @@
 void loft_accs_from(loft_acc x[LOFT_AXES], const loft_real a[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        x[i] = loft_wide(a[i]);
+        x[i] = loft_to_acc(a[i]);
 }
 
 #if !defined(__AVR__)

@@ -33,19 +33,14 @@ static int64_t multiply(int64_t a, int64_t b)
     return (a < 0) != (b < 0) ? -(int64_t)size : (int64_t)size;
 }
 
-bool      loft_fine_accepts(loft_real a)                { (void)a; return true; }
-loft_fine loft_fine_of(loft_real a)
+bool loft_fine_valid(loft_real a)
 {
-    return (loft_fine)a * ((loft_fine)1 << 44);
+    (void)a;
+    return true;
 }
-loft_fine loft_fine_unit(loft_unit t)
-{
-    return (loft_fine)t * ((loft_fine)1 << 36);
-}
-loft_acc loft_fine_wide(loft_fine x)
-{
-    return (x / 134217728 + (x < 0 ? -1 : 1)) / 2;
-}
+loft_fine loft_fine_of(loft_real a) { return (loft_fine)a * ((loft_fine)1 << 44); }
+loft_fine loft_fine_unit(loft_unit t) { return (loft_fine)t * ((loft_fine)1 << 36); }
+loft_acc loft_fine_to_acc(loft_fine x) { return (x / 134217728 + (x < 0 ? -1 : 1)) / 2; }
 loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return multiply(x, y); }
 loft_acc  loft_fine_scale(loft_acc a, loft_fine x)      { return multiply(a, x); }
 
@@ -114,12 +109,9 @@ static void normalise(int64_t *x, int64_t *y)
 
 #define HALF_PI 1.5707963267948966
 
-bool loft_fine_accepts(loft_real a)
-{
-    return (double)a < 0x1p400 && (double)a > -0x1p400;
-}
+bool loft_fine_valid(loft_real a) { return (double)a < 0x1p400 && (double)a > -0x1p400; }
 loft_fine loft_fine_of(loft_real a)                     { return (loft_fine)a; }
-loft_acc  loft_fine_wide(loft_fine x)                   { return x; }
+loft_acc  loft_fine_to_acc(loft_fine x)                   { return x; }
 loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return x * y; }
 loft_acc  loft_fine_scale(loft_acc a, loft_fine x)      { return a * x; }
 loft_acc  loft_fine_quot(loft_fine x, loft_fine y)      { return x / y; }
@@ -136,7 +128,11 @@ static loft_fine rest_of(loft_acc a, int32_t *quarters)
 
 static loft_fine rest_of_fine(loft_fine x, int32_t *quarters) { return rest_of(x, quarters); }
 
-static void normalise(double *x, double *y) { (void)x; (void)y; }
+static void normalise(double *x, double *y)
+{
+    (void)x;
+    (void)y;
+}
 
 #endif
 
@@ -200,14 +196,14 @@ loft_acc loft_sin(loft_acc a)
 {
     int32_t quarters;
     const loft_fine r = rest_of(a, &quarters);
-    return loft_fine_wide(sine_at(r, quarters));
+    return loft_fine_to_acc(sine_at(r, quarters));
 }
 
 loft_acc loft_cos(loft_acc a)
 {
     int32_t quarters;
     const loft_fine r = rest_of(a, &quarters);
-    return loft_fine_wide(sine_at(r, quarters + 1));
+    return loft_fine_to_acc(sine_at(r, quarters + 1));
 }
 
 /* Four quarters are none, three are one backwards, and two go to the side of the rest that stays
@@ -247,4 +243,4 @@ loft_fine loft_fine_atan2(loft_acc y, loft_acc x)
     return angle > LOFT_FINE_PI ? LOFT_FINE_PI : angle < -LOFT_FINE_PI ? -LOFT_FINE_PI : angle;
 }
 
-loft_acc loft_atan2(loft_acc y, loft_acc x)     { return loft_fine_wide(loft_fine_atan2(y, x)); }
+loft_acc loft_atan2(loft_acc y, loft_acc x)     { return loft_fine_to_acc(loft_fine_atan2(y, x)); }

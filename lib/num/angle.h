@@ -29,13 +29,13 @@ typedef double loft_fine;
 #endif
 
 /* Is a coordinate one to compute angles with? f32, f64: below 2^400. */
-bool loft_fine_accepts(loft_real a);
+bool loft_fine_valid(loft_real a);
 
 /*   range   |a| < 8, |x| < 8
  *   error   of, unit: none   wide: q16: 2^-33   f32, f64: none */
 loft_fine loft_fine_of(loft_real a);
 loft_fine loft_fine_unit(loft_unit t);
-loft_acc  loft_fine_wide(loft_fine x);
+loft_acc  loft_fine_to_acc(loft_fine x);
 
 /* An angle of any number of turns, within -pi..pi.
  *

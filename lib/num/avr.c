@@ -5,6 +5,7 @@
  * more in r14..r17, results in r18..r25 or r22..r25. r0, r18..r27, r30, r31 may be changed, r1 is 0
  * between functions.
  */
+/* clang-format off */
 #include "num/num.h"    /* loft_avr_*, where they are needed */
 #include "num/accs.h"   /* loft_accs_* */
 
@@ -52,17 +53,17 @@ __asm__ (
     "adc r17, __tmp_reg__\n ret\n"
     END(loft_avr_negate)
 
-    BEGIN(loft_acc_size)
+    BEGIN(loft_acc_abs)
     "sbrs r25, 7\n ret\n jmp loft_avr_negate\n"
-    END(loft_acc_size)
+    END(loft_acc_abs)
 
-    BEGIN(loft_acc_least)
+    BEGIN(loft_acc_min)
     LESS8 "brlt 1f\n" TAKE8 "1: ret\n"
-    END(loft_acc_least)
+    END(loft_acc_min)
 
-    BEGIN(loft_acc_most)
+    BEGIN(loft_acc_max)
     LESS8 "brge 1f\n" TAKE8 "1: ret\n"
-    END(loft_acc_most)
+    END(loft_acc_max)
 
     BEGIN(loft_accs_add)
     AXES8("clc\n", "adc")
@@ -83,15 +84,15 @@ __asm__ (
     AXES8("", "mov")
     END(loft_accs_copy)
 
-    BEGIN(loft_wide)
+    BEGIN(loft_to_acc)
     "movw r20, r22\n movw r22, r24\n clr r18\n clr r19\n mov r24, r23\n lsl r24\n sbc r24, r24\n"
     "mov r25, r24\n ret\n"
-    END(loft_wide)
+    END(loft_to_acc)
 
-    BEGIN(loft_unit_wide)
+    BEGIN(loft_unit_to_acc)
     "clr r18\n mov r19, r22\n mov r20, r23\n mov r21, r24\n mov r22, r25\n mov r23, r25\n"
     "lsl r23\n sbc r23, r23\n mov r24, r23\n mov r25, r23\n ret\n"
-    END(loft_unit_wide)
+    END(loft_unit_to_acc)
 
     BEGIN(loft_acc_round)
     "lsl r19\n adc r20, __zero_reg__\n adc r21, __zero_reg__\n adc r22, __zero_reg__\n"

@@ -24,11 +24,11 @@ int64_t loft_acc_mul(int64_t x, int32_t a);
 /* As num.h says.
  *
  *   cost    about 20 cycles, loft_prod 130 */
-int64_t loft_acc_size(int64_t x);
-int64_t loft_acc_least(int64_t x, int64_t y);
-int64_t loft_acc_most(int64_t x, int64_t y);
-int64_t loft_wide(int32_t a);
-int64_t loft_unit_wide(int32_t t);
+int64_t loft_acc_abs(int64_t x);
+int64_t loft_acc_min(int64_t x, int64_t y);
+int64_t loft_acc_max(int64_t x, int64_t y);
+int64_t loft_to_acc(int32_t a);
+int64_t loft_unit_to_acc(int32_t t);
 int32_t loft_acc_round(int64_t x);
 int32_t loft_unit_round(int64_t x);
 int64_t loft_prod(int32_t a, int32_t b);

@@ -31,10 +31,7 @@ static void accumulate(loft_exact *a, const loft_exact *b, uint32_t flip, uint32
 }
 
 static void add_to(loft_exact *a, const loft_exact *b)          { accumulate(a, b, 0, 0); }
-static void subtract_from(loft_exact *a, const loft_exact *b)
-{
-    accumulate(a, b, 0xffffffffu, 1);
-}
+static void subtract_from(loft_exact *a, const loft_exact *b) { accumulate(a, b, 0xffffffffu, 1); }
 
 loft_exact loft_exact_neg(loft_exact a)
 {
@@ -42,8 +39,16 @@ loft_exact loft_exact_neg(loft_exact a)
     subtract_from(&r, &a);
     return r;
 }
-loft_exact loft_exact_add(loft_exact a, loft_exact b) { add_to(&a, &b); return a; }
-loft_exact loft_exact_sub(loft_exact a, loft_exact b) { subtract_from(&a, &b); return a; }
+loft_exact loft_exact_add(loft_exact a, loft_exact b)
+{
+    add_to(&a, &b);
+    return a;
+}
+loft_exact loft_exact_sub(loft_exact a, loft_exact b)
+{
+    subtract_from(&a, &b);
+    return a;
+}
 
 /* The sum of a partial product, a digit and a carry is at most (2^32 - 1)^2 + 2 (2^32 - 1) <
  * 2^64. */
@@ -69,15 +74,9 @@ loft_exact loft_exact_det(loft_exact a, loft_exact b, loft_exact c, loft_exact d
     return loft_exact_sub(loft_exact_mul(a, d), loft_exact_mul(b, c));
 }
 
-int loft_exact_sign(loft_exact a)
-{
-    return negative(&a) ? -1 : is_zero(&a) ? 0 : 1;
-}
+int loft_exact_sign(loft_exact a) { return negative(&a) ? -1 : is_zero(&a) ? 0 : 1; }
 
-int loft_exact_compare(loft_exact a, loft_exact b)
-{
-    return loft_exact_sign(loft_exact_sub(a, b));
-}
+int loft_exact_compare(loft_exact a, loft_exact b) { return loft_exact_sign(loft_exact_sub(a, b)); }
 
 loft_exact loft_exact_from_int(int32_t i)
 {
@@ -154,8 +153,10 @@ loft_exact loft_exact_div(loft_exact a, loft_exact b)
     const bool flip = negative(&a) != negative(&b);
     loft_exact q = zero, r;
 
-    if (negative(&a)) a = loft_exact_neg(a);
-    if (negative(&b)) b = loft_exact_neg(b);
+    if (negative(&a))
+        a = loft_exact_neg(a);
+    if (negative(&b))
+        b = loft_exact_neg(b);
     int k = loft_exact_bits(a) - loft_exact_bits(b) + 1;
     if (k < 0)
         return zero;
@@ -240,7 +241,11 @@ static int order(loft_exact a, loft_exact b) { return loft_exact_bits(a) - loft_
 
 #if LOFT_NUM == LOFT_Q16
 
-bool       loft_exact_admits(loft_real a)       { (void)a; return true; }
+bool loft_exact_valid(loft_real a)
+{
+    (void)a;
+    return true;
+}
 loft_exact loft_exact_from_real(loft_real a)    { return loft_exact_from_int(a); }
 loft_exact loft_exact_from_unit(loft_unit t)    { return loft_exact_from_int(t); }
 
@@ -274,7 +279,7 @@ static loft_exact fixed(double x, int limbs, double *rest)
 #define REAL_SIZE 0x1p20        /* 128 bits from 2^20 down to 2^-108 */
 #define UNIT_SIZE 0x1p11        /* 64 bits from 2^11 down to 2^-53   */
 
-bool loft_exact_admits(loft_real a)
+bool loft_exact_valid(loft_real a)
 {
     double rest = 1;
 
@@ -303,8 +308,10 @@ static double power_of_two(int s)
 {
     double p = 1;
 
-    for (; s > 0; s--) p *= 2;
-    for (; s < 0; s++) p *= 0.5;
+    for (; s > 0; s--)
+        p *= 2;
+    for (; s < 0; s++)
+        p *= 0.5;
     return p;
 }
 
@@ -329,7 +336,7 @@ bool loft_exact_quot_real(loft_exact a, loft_exact b, int s, loft_real *out)
 {
     loft_acc x;
 
-    if (!loft_exact_quot(a, b, s, &x) || !loft_acc_fits(x))
+    if (!loft_exact_quot(a, b, s, &x) || !loft_acc_valid(x))
         return false;
     *out = loft_acc_round(x);
     return true;

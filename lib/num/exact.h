@@ -17,7 +17,7 @@
  *
  *   range   q16: any coordinate
  *           f32, f64: multiples of 2^-108 below 2^20 in size, which are all doubles from 1.4e-17
- *           and all floats from 2.6e-26 to 1048575, and 0; loft_exact_admits says whether a number
+ *           and all floats from 2.6e-26 to 1048575, and 0; loft_exact_valid says whether a number
  *           is one
  *   error   none, where nothing else is said
  *   cost    56 bytes a number in q16, 136 in floats; a product takes about 100 products of 32 bits
@@ -50,7 +50,7 @@ typedef struct {
 } loft_exact;
 
 /* Can this coordinate be taken exactly? Always in q16; false for nan. */
-bool       loft_exact_admits(loft_real a);
+bool       loft_exact_valid(loft_real a);
 
 /* x * 2^LOFT_EXACT_REAL of an admitted coordinate; a whole number as it is. */
 loft_exact loft_exact_from_real(loft_real a);

@@ -21,16 +21,13 @@
 #define LOFT_REAL_LSB  ((loft_real)0)
 
 /* error none */
-static inline loft_acc  loft_wide(loft_real a)                  { return (loft_acc)a; }
+static inline loft_acc  loft_to_acc(loft_real a)                  { return (loft_acc)a; }
 
 /* error f32: none   f64: 1/2 ulp */
-static inline loft_acc loft_prod(loft_real a, loft_real b)
-{
-    return (loft_acc)a * (loft_acc)b;
-}
+static inline loft_acc loft_prod(loft_real a, loft_real b) { return (loft_acc)a * (loft_acc)b; }
 
 /* Does x round into a real? (Not said of the half ulp of f32 above LOFT_REAL_MAX, nor of NaN.) */
-static inline bool      loft_acc_fits(loft_acc x)
+static inline bool      loft_acc_valid(loft_acc x)
 {
     return x <= (loft_acc)LOFT_REAL_MAX && x >= -(loft_acc)LOFT_REAL_MAX;
 }
@@ -43,17 +40,11 @@ static inline bool      loft_real_valid(loft_real a)
 
 /* At least the distance between neighbours at `size` and below, at most twice that. Exact at powers
  * of two */
-static inline loft_acc  loft_acc_grain(loft_acc size)           { return size * DBL_EPSILON; }
-static inline loft_acc loft_real_grain(loft_acc size)
-{
-    return size * (loft_acc)LOFT_REAL_EPSILON;
-}
+static inline loft_acc  loft_acc_ulp(loft_acc size)           { return size * DBL_EPSILON; }
+static inline loft_acc loft_real_ulp(loft_acc size) { return size * (loft_acc)LOFT_REAL_EPSILON; }
 
 /* At least the error of loft_acc_hypot, for that result. */
-static inline loft_acc loft_hypot_grain(loft_acc length)
-{
-    return length * (4 * DBL_EPSILON);
-}
+static inline loft_acc loft_hypot_ulp(loft_acc length) { return length * (4 * DBL_EPSILON); }
 
 /* error f32: 1/2 ulp   f64: none */
 static inline loft_real loft_acc_round(loft_acc x)              { return (loft_real)x; }
@@ -89,16 +80,16 @@ static inline loft_acc  loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
 
 /* error 3 ulp of the largest of |x|, |y|, |z|, times |1 - v - w| + |v| + |w|; none at the corners.
  * The weight of x errs by one rounding of 1 and one of 1 - v */
-static inline loft_acc  loft_acc_blend(loft_acc x, loft_acc y, loft_acc z, loft_unit v, loft_unit w)
+static inline loft_acc  loft_acc_lerp3(loft_acc x, loft_acc y, loft_acc z, loft_unit v, loft_unit w)
 {
     return (1 - (loft_acc)v - (loft_acc)w) * x + (loft_acc)v * y + (loft_acc)w * z;
 }
 
 /* error none */
-static inline loft_real loft_real_size(loft_real a)            { return a < 0 ? -a : a; }
-static inline loft_acc  loft_acc_size(loft_acc x)              { return x < 0 ? -x : x; }
-static inline loft_acc  loft_acc_least(loft_acc x, loft_acc y) { return x < y ? x : y; }
-static inline loft_acc  loft_acc_most(loft_acc x, loft_acc y)  { return x > y ? x : y; }
+static inline loft_real loft_real_abs(loft_real a)            { return a < 0 ? -a : a; }
+static inline loft_acc  loft_acc_abs(loft_acc x)              { return x < 0 ? -x : x; }
+static inline loft_acc  loft_acc_min(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static inline loft_acc  loft_acc_max(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 
 /* error 1/2 ulp */
 static inline loft_acc  loft_acc_mean(loft_acc x, loft_acc y)   { return (x + y) * 0.5; }
@@ -132,11 +123,11 @@ static inline loft_unit loft_unit_from(loft_real a)             { return a; }
 static inline loft_unit loft_unit_round(loft_acc x)             { return (loft_unit)x; }
 
 /* exact */
-static inline loft_acc  loft_unit_wide(loft_unit t)             { return (loft_acc)t; }
+static inline loft_acc  loft_unit_to_acc(loft_unit t)             { return (loft_acc)t; }
 
-/* raw Q16.16; error from real: 2^-17, to real: f32 1/2 ulp, f64 none; range as loft_raw_fits
+/* raw Q16.16; error from real: 2^-17, to real: f32 1/2 ulp, f64 none; range as loft_raw_valid
  * says */
-static inline bool      loft_raw_fits(loft_real a)
+static inline bool      loft_raw_valid(loft_real a)
 {
     return (double)a * 65536 > -2147483648.5 && (double)a * 65536 < 2147483647.5;
 }
@@ -144,10 +135,7 @@ static inline int32_t loft_raw_from_real(loft_real a)
 {
     return (int32_t)((double)a * 65536 + (a < 0 ? -0.5 : 0.5));
 }
-static inline loft_real loft_real_from_raw(int32_t raw)
-{
-    return (loft_real)(raw / 65536.0);
-}
+static inline loft_real loft_real_from_raw(int32_t raw) { return (loft_real)(raw / 65536.0); }
 
 /* error none for |i| <= 2^24, f32: 1/2 ulp above */
 static inline loft_real loft_real_from_int(int32_t i)           { return (loft_real)i; }

@@ -148,10 +148,10 @@ loft_real loft_acc_quot(loft_acc x, loft_acc y) { return (loft_real)(x / y); }
  * digits. */
 loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi)
 {
-    const loft_acc length = loft_wide(hi) - loft_wide(lo);
+    const loft_acc length = loft_to_acc(hi) - loft_to_acc(lo);
 
-    return (loft_wide(hi) - loft_wide(a)) / length * x +
-           (loft_wide(a) - loft_wide(lo)) / length * y;
+    return (loft_to_acc(hi) - loft_to_acc(a)) / length * x +
+           (loft_to_acc(a) - loft_to_acc(lo)) / length * y;
 }
 
 /* Scaled by the largest component, so that no square overflows or vanishes. */

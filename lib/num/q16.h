@@ -23,12 +23,37 @@ typedef char loft_assert_arithmetic_shift[((-1 >> 1) == -1) ? 1 : -1];
 
 #if defined(__AVR__)
 #include "num/avr.h"
-typedef union { int64_t all; struct { uint32_t low; int32_t high; } half;
-                struct { uint16_t low; int32_t middle; uint16_t high; } mid;
-                uint8_t byte[8]; } loft_bytes;
-static inline int32_t  loft_acc_high(int64_t x)   { loft_bytes b; b.all = x; return b.half.high; }
-static inline uint32_t loft_acc_low(int64_t x)    { loft_bytes b; b.all = x; return b.half.low; }
-static inline int32_t  loft_acc_middle(int64_t x) { loft_bytes b; b.all = x; return b.mid.middle; }
+typedef union {
+    int64_t all;
+    struct {
+        uint32_t low;
+        int32_t high;
+    } half;
+    struct {
+        uint16_t low;
+        int32_t middle;
+        uint16_t high;
+    } mid;
+    uint8_t byte[8];
+} loft_bytes;
+static inline int32_t loft_acc_high(int64_t x)
+{
+    loft_bytes b;
+    b.all = x;
+    return b.half.high;
+}
+static inline uint32_t loft_acc_low(int64_t x)
+{
+    loft_bytes b;
+    b.all = x;
+    return b.half.low;
+}
+static inline int32_t loft_acc_middle(int64_t x)
+{
+    loft_bytes b;
+    b.all = x;
+    return b.mid.middle;
+}
 static inline int64_t  loft_shift_24(int64_t x)
 {
     loft_bytes b, r;
@@ -60,7 +85,7 @@ static inline int64_t  loft_shift_24(int64_t x)   { return x >> 24; }
 static inline int64_t  loft_shift_16(int64_t x)   { return x >> 16; }
 
 /* error none */
-static inline loft_acc loft_wide(loft_real a)     { return (loft_acc)a * 65536; }
+static inline loft_acc loft_to_acc(loft_real a)     { return (loft_acc)a * 65536; }
 
 /* n / d, d = 1..2^31, to nearest, ties upward */
 static inline int64_t  loft_quotient(int64_t n, uint32_t d)
@@ -79,33 +104,42 @@ static inline loft_acc loft_prod(loft_real a, loft_real b)  { return (loft_acc)a
 #endif
 
 /* Every coordinate is one to compute with. */
-static inline bool loft_real_valid(loft_real a)             { (void)a; return true; }
+static inline bool loft_real_valid(loft_real a)
+{
+    (void)a;
+    return true;
+}
 
 /* The distance between neighbours, at any size: 2^-32 and 2^-16. */
-static inline loft_acc loft_acc_grain(loft_acc size)        { (void)size; return 1; }
-static inline loft_acc loft_real_grain(loft_acc size)       { (void)size; return 65536; }
+static inline loft_acc loft_acc_ulp(loft_acc size)
+{
+    (void)size;
+    return 1;
+}
+static inline loft_acc loft_real_ulp(loft_acc size)
+{
+    (void)size;
+    return 65536;
+}
 
 /* At least the error of loft_acc_hypot, for that result. */
-static inline loft_acc loft_hypot_grain(loft_acc length)    { return length / 268435456 + 1; }
+static inline loft_acc loft_hypot_ulp(loft_acc length)    { return length / 268435456 + 1; }
 
 /* Does x round into a real? */
-static inline bool loft_acc_fits(loft_acc x)
+static inline bool loft_acc_valid(loft_acc x)
 {
     return x >= (loft_acc)INT32_MIN * 65536 - 32768 && x < (loft_acc)INT32_MAX * 65536 + 32768;
 }
 
 #if !defined(__AVR__)
-/* error 1/2 LSB; range loft_acc_fits(x) */
+/* error 1/2 LSB; range loft_acc_valid(x) */
 static inline loft_real loft_acc_round(loft_acc x)          { return loft_acc_middle(x + 32768); }
 #endif
 
 /* error 1/2; -2^31 <= x < 2^31 - 1/2 */
-static inline int32_t loft_acc_int(loft_acc x)
-{
-    return loft_acc_high(x + 2147483648);
-}
+static inline int32_t loft_acc_int(loft_acc x) { return loft_acc_high(x + 2147483648); }
 
-/* error 1/2 LSB; range loft_acc_fits(loft_prod(a, b)), that is -32768 <= a * b < 32768 - 2^-17 */
+/* error 1/2 LSB; range loft_acc_valid(loft_prod(a, b)), that is -32768 <= a * b < 32768 - 2^-17 */
 static inline loft_real loft_mul(loft_real a, loft_real b)
 {
     return loft_acc_round(loft_prod(a, b));
@@ -138,7 +172,7 @@ static inline loft_acc loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
  * 2^-33; |v|, |w| <= 32; |x|, |y|, |z| < 2^30 and v, w, 1 - v - w >= 0, or |y - x| and |z - x| <
  * 2^31 and (|v| |y - x| + |w| |z - x|) < 2^31 - 2^8 and the result below 2^31; none at the
  * corners */
-static inline loft_acc loft_acc_blend(loft_acc x, loft_acc y, loft_acc z, loft_unit v, loft_unit w)
+static inline loft_acc loft_acc_lerp3(loft_acc x, loft_acc y, loft_acc z, loft_unit v, loft_unit w)
 {
     const loft_acc d = y - x, e = z - x;
     const int64_t high = (int64_t)loft_acc_high(d) * v + (int64_t)loft_acc_high(e) * w;
@@ -157,15 +191,15 @@ static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint
 }
 
 /* error none; |a| < 2^15 */
-static inline loft_real loft_real_size(loft_real a)           { return a < 0 ? -a : a; }
+static inline loft_real loft_real_abs(loft_real a)           { return a < 0 ? -a : a; }
 
 #if !defined(__AVR__)
 /* error none; |x| < 2^31 */
-static inline loft_acc loft_acc_size(loft_acc x)              { return x < 0 ? -x : x; }
+static inline loft_acc loft_acc_abs(loft_acc x)              { return x < 0 ? -x : x; }
 
 /* error none */
-static inline loft_acc loft_acc_least(loft_acc x, loft_acc y) { return x < y ? x : y; }
-static inline loft_acc loft_acc_most(loft_acc x, loft_acc y)  { return x > y ? x : y; }
+static inline loft_acc loft_acc_min(loft_acc x, loft_acc y) { return x < y ? x : y; }
+static inline loft_acc loft_acc_max(loft_acc x, loft_acc y)  { return x > y ? x : y; }
 #endif
 
 /* error 2^-33, ties upward; |x + y| < 2^31 */
@@ -202,27 +236,25 @@ static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)
 
 /* error 1/2 LSB; b != 0, -32768 <= a / b < 32768: the quotient of the raw numbers. (It cannot round
  * up to 32768: b would have to exceed 2, and then a would not fit.) */
-static inline loft_real loft_div(loft_real a, loft_real b)
-{
-    return (loft_real)loft_acc_div(a, b);
-}
+static inline loft_real loft_div(loft_real a, loft_real b) { return (loft_real)loft_acc_div(a, b); }
 
 /* exact; |a| < 128 */
 static inline loft_unit loft_unit_from(loft_real a)         { return a * 256; }
 
 #if !defined(__AVR__)
 /* error 2^-25; |x| < 128 */
-static inline loft_unit loft_unit_round(loft_acc x)
-{
-    return loft_acc_middle(x * 256 + 32768);
-}
+static inline loft_unit loft_unit_round(loft_acc x) { return loft_acc_middle(x * 256 + 32768); }
 
 /* exact */
-static inline loft_acc  loft_unit_wide(loft_unit t)         { return (loft_acc)t * 256; }
+static inline loft_acc  loft_unit_to_acc(loft_unit t)         { return (loft_acc)t * 256; }
 #endif
 
 /* exact; the wire and files hold coordinates as raw Q16.16 in every number type */
-static inline bool      loft_raw_fits(loft_real a)          { (void)a; return true; }
+static inline bool loft_raw_valid(loft_real a)
+{
+    (void)a;
+    return true;
+}
 static inline int32_t   loft_raw_from_real(loft_real a)     { return a; }
 static inline loft_real loft_real_from_raw(int32_t raw)     { return raw; }
 

@@ -42,14 +42,14 @@ loft_sci loft_sci_from_unit(loft_unit t)    { return normal(size_of(t), 0, -24, 
 loft_sci loft_sci_from_int(int32_t i)       { return normal(size_of(i), 0, 0, i < 0); }
 
 /* The highest limb that is not 0 and the two below it hold 65 bits at least, or all there are. */
-loft_sci loft_sci_from_deep(loft_deep x)
+loft_sci loft_sci_from_acc128(loft_acc128 x)
 {
-    const loft_deep zero = { { 0 } };
+    const loft_acc128 zero = { { 0 } };
     const bool minus = x.limb[3] >> 31 != 0;
     int top = 3;
 
     if (minus)
-        x = loft_deep_sub(zero, x);
+        x = loft_acc128_sub(zero, x);
     while (top > 2 && !x.limb[top])
         top--;
     if (!x.limb[top])
@@ -132,7 +132,7 @@ loft_sci loft_sci_sqrt(loft_sci a)
     return normal(r, 0, (a.e - odd - 58) / 2, false);
 }
 
-bool loft_sci_wide(loft_sci x, loft_acc *out)
+bool loft_sci_to_acc(loft_sci x, loft_acc *out)
 {
     const int down = -(x.e + 32);
 
@@ -160,11 +160,12 @@ bool loft_sci_is_unit(loft_sci x, loft_unit *t)
 }
 
 /* Each difference has 32 bits and a sign, each product 64, their difference 65. */
-static loft_deep product(int64_t x, int64_t y)
+static loft_acc128 product(int64_t x, int64_t y)
 {
-    const loft_deep size = loft_deep_times(loft_deep_of((int64_t)size_of(x)), (uint32_t)size_of(y)),
+    const loft_acc128 size = loft_acc128_times(loft_acc128_of((int64_t)size_of(x)),
+                                               (uint32_t)size_of(y)),
                     zero = { { 0 } };
-    return (x < 0) != (y < 0) ? loft_deep_sub(zero, size) : size;
+    return (x < 0) != (y < 0) ? loft_acc128_sub(zero, size) : size;
 }
 
 loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2],
@@ -173,7 +174,7 @@ loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_r
     const int64_t ux = (int64_t)b[0] - a[0], uy = (int64_t)b[1] - a[1];
     const int64_t vx = (int64_t)d[0] - c[0], vy = (int64_t)d[1] - c[1];
 
-    return loft_sci_from_deep(loft_deep_sub(product(ux, vy), product(uy, vx)));
+    return loft_sci_from_acc128(loft_acc128_sub(product(ux, vy), product(uy, vx)));
 }
 
 #else
@@ -190,8 +191,14 @@ loft_sci loft_sci_sqrt(loft_sci x)
         return 0;
     if (x > DBL_MAX)
         return x;
-    while (x >= 4) { x *= 0.25; scale *= 2; }
-    while (x < 1)  { x *= 4;    scale *= 0.5; }
+    while (x >= 4) {
+        x *= 0.25;
+        scale *= 2;
+    }
+    while (x < 1) {
+        x *= 4;
+        scale *= 0.5;
+    }
 
     double r = 0.5 * (1 + x);
     for (int i = 0; i < 5; i++)

@@ -18,7 +18,7 @@
 #ifndef LOFT_NUM_SCI_H
 #define LOFT_NUM_SCI_H
 
-#include "num/deep.h"   /* loft_deep */
+#include "num/acc128.h"   /* loft_acc128 */
 #include "num/num.h"    /* loft_real, loft_unit, loft_acc */
 
 LOFT_BEGIN_C
@@ -33,7 +33,11 @@ typedef struct {
 } loft_sci;
 
 /* 0 and 1, for the start of sums and products. */
-static inline loft_sci loft_sci_zero(void)  { const loft_sci r = { 0, 0, false }; return r; }
+static inline loft_sci loft_sci_zero(void)
+{
+    const loft_sci r = { 0, 0, false };
+    return r;
+}
 static inline loft_sci loft_sci_one(void)
 {
     const loft_sci r = { (uint64_t)1 << 62, -62, false };
@@ -47,7 +51,7 @@ loft_sci loft_sci_of(loft_acc x);
 loft_sci loft_sci_from_real(loft_real a);
 loft_sci loft_sci_from_unit(loft_unit t);
 loft_sci loft_sci_from_int(int32_t i);
-loft_sci loft_sci_from_deep(loft_deep x);
+loft_sci loft_sci_from_acc128(loft_acc128 x);
 
 /* a + b, a - b, a b, a / b for b != 0, the root of a >= 0. */
 loft_sci loft_sci_add(loft_sci a, loft_sci b);
@@ -56,11 +60,15 @@ loft_sci loft_sci_mul(loft_sci a, loft_sci b);
 loft_sci loft_sci_div(loft_sci a, loft_sci b);
 loft_sci loft_sci_sqrt(loft_sci a);
 
-static inline loft_sci loft_sci_neg(loft_sci a) { a.minus = !a.minus; return a; }
+static inline loft_sci loft_sci_neg(loft_sci a)
+{
+    a.minus = !a.minus;
+    return a;
+}
 static inline int loft_sci_sign(loft_sci a)     { return a.m ? a.minus ? -1 : 1 : 0; }
 
 /* x as a wide number, rounded to 2^-32; false, and *out untouched, when it does not fit. */
-bool loft_sci_wide(loft_sci x, loft_acc *out) LOFT_CHECKED;
+bool loft_sci_to_acc(loft_sci x, loft_acc *out) LOFT_CHECKED;
 
 #else
 
@@ -72,7 +80,7 @@ static inline loft_sci loft_sci_of(loft_acc x)                  { return x; }
 static inline loft_sci loft_sci_from_real(loft_real a)          { return (loft_sci)a; }
 static inline loft_sci loft_sci_from_unit(loft_unit t)          { return (loft_sci)t; }
 static inline loft_sci loft_sci_from_int(int32_t i)             { return i; }
-static inline loft_sci loft_sci_from_deep(loft_deep x)          { return x; }
+static inline loft_sci loft_sci_from_acc128(loft_acc128 x)          { return x; }
 static inline loft_sci loft_sci_add(loft_sci a, loft_sci b)     { return a + b; }
 static inline loft_sci loft_sci_sub(loft_sci a, loft_sci b)     { return a - b; }
 static inline loft_sci loft_sci_mul(loft_sci a, loft_sci b)     { return a * b; }
@@ -80,7 +88,7 @@ static inline loft_sci loft_sci_div(loft_sci a, loft_sci b)     { return a / b; 
 static inline loft_sci loft_sci_neg(loft_sci a)                 { return -a; }
 static inline int loft_sci_sign(loft_sci a)                     { return (a > 0) - (a < 0); }
 
-static inline bool loft_sci_wide(loft_sci x, loft_acc *out)
+static inline bool loft_sci_to_acc(loft_sci x, loft_acc *out)
 {
     if (!(x >= -DBL_MAX && x <= DBL_MAX))
         return false;
@@ -93,7 +101,7 @@ loft_sci loft_sci_sqrt(loft_sci a);
 
 #endif
 
-static inline loft_sci loft_sci_size(loft_sci a)
+static inline loft_sci loft_sci_abs(loft_sci a)
 {
     return loft_sci_sign(a) < 0 ? loft_sci_neg(a) : a;
 }
@@ -117,7 +125,7 @@ bool     loft_sci_is_unit(loft_sci x, loft_unit *t) LOFT_CHECKED;
 /* The cross product of b - a and d - c in the plane: twice the area of the triangle a b d when c =
  * a. Its sign is exact.
  *
- *   range   f32, f64: what loft_exact_admits
+ *   range   f32, f64: what loft_exact_valid
  *   error   q16: 2^-61   f32, f64: 2^-47 of the result, however close to parallel
  *   cost    q16: 2 products of 33 bits   f32, f64: 2 products, 12 more where they cancel to 1/16;
  *           four of num/exact.h and a quotient where they cancel to 2^-50 or differences are not

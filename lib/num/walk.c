@@ -6,7 +6,7 @@
 #include "num/walk.h"
 
 /* C(n, k) < 2^32 before each product, so none exceeds 2^64. */
-bool loft_walk_admits(unsigned degree, uint32_t n)
+bool loft_walk_steps_valid(unsigned degree, uint32_t n)
 {
     const uint64_t limit = UINT32_MAX - 32767;
     uint64_t choose = 1, sum = 0;
@@ -22,7 +22,7 @@ bool loft_walk_admits(unsigned degree, uint32_t n)
 
 #if LOFT_NUM == LOFT_Q16
 
-bool loft_walk_accepts(const loft_real p[], unsigned degree)
+bool loft_walk_valid(const loft_real p[], unsigned degree)
 {
     (void)p;
     (void)degree;
@@ -44,8 +44,10 @@ uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree)
     uint64_t bound = degree;
 
     for (unsigned k = 1; k <= degree; k++) {
-        if (p[k] < low)  low = p[k];
-        if (p[k] > high) high = p[k];
+        if (p[k] < low)
+            low = p[k];
+        if (p[k] > high)
+            high = p[k];
     }
     for (unsigned k = 1; k < degree; k++)
         bound *= 3;
@@ -62,7 +64,7 @@ static loft_state over_power_of_two(loft_state sum, unsigned k)
 #else
 
 /* The sum of all |g_k| c(k, j) is below 2^14 times the largest |p|. */
-bool loft_walk_accepts(const loft_real p[], unsigned degree)
+bool loft_walk_valid(const loft_real p[], unsigned degree)
 {
     for (unsigned k = 0; k <= degree; k++)
         if (!(p[k] >= -LOFT_REAL_MAX / 65536 && p[k] <= LOFT_REAL_MAX / 65536))
@@ -78,10 +80,7 @@ uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree)
     return 1;
 }
 
-static loft_state over_power_of_two(loft_state sum, unsigned k)
-{
-    return sum / (1 << k);
-}
+static loft_state over_power_of_two(loft_state sum, unsigned k) { return sum / (1 << k); }
 
 #endif
 

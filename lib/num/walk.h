@@ -55,8 +55,16 @@ static inline loft_real loft_state_real(const loft_state *s)
 }
 
 /* The value that the walk gives as its last one: here the differences lead to it. */
-static inline void loft_walk_keep(loft_walk *w, loft_real end)   { (void)w; (void)end; }
-static inline void loft_walk3_keep(loft_walk3 *w, loft_real end) { (void)w; (void)end; }
+static inline void loft_walk_keep(loft_walk *w, loft_real end)
+{
+    (void)w;
+    (void)end;
+}
+static inline void loft_walk3_keep(loft_walk3 *w, loft_real end)
+{
+    (void)w;
+    (void)end;
+}
 static inline loft_real loft_walk_end(const loft_walk *w, loft_real arrived)
 {
     (void)w;
@@ -158,7 +166,7 @@ static inline loft_real loft_walk3_step(loft_walk3 *w, bool last)
 }
 
 /* Does the law of ranges (walk_start.c) admit n >= 1 steps? */
-bool loft_walk_admits(unsigned degree, uint32_t n);
+bool loft_walk_steps_valid(unsigned degree, uint32_t n);
 
 /* What all axes need of n.
  *
@@ -206,7 +214,7 @@ void loft_walk_halve(loft_walk *w, unsigned degree);
 void loft_walk_double(loft_walk *w, unsigned degree);
 
 /* Is every value a number that a walk may start from? */
-bool loft_walk_accepts(const loft_real p[], unsigned degree);
+bool loft_walk_valid(const loft_real p[], unsigned degree);
 
 LOFT_END_C
 

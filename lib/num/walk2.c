@@ -57,7 +57,7 @@ static unsigned power_of_two(uint32_t n)
     return m;
 }
 
-bool loft_walk2_admits(const loft_walk2 *s)
+bool loft_walk2_steps_valid(const loft_walk2 *s)
 {
     if (s->triangle)
         return s->p * power_of_two(s->rows) <= 32 ||
@@ -165,7 +165,11 @@ static void rows_to_differences(loft_state a[], const loft_walk2 *s)
 
 #if LOFT_NUM == LOFT_Q16
 
-bool loft_walk2_accepts(loft_real a) { (void)a; return true; }
+bool loft_walk2_valid(loft_real a)
+{
+    (void)a;
+    return true;
+}
 
 #define STATES ((LOFT_WALK_DEGREE_MAX + 1) * (LOFT_WALK_DEGREE_MAX + 1))
 
@@ -222,7 +226,7 @@ void loft_walk2_init(loft_state d[], const loft_walk2 *s, const loft_real net[],
 #else
 
 /* Sums of |g| c(k) are below 2^30 times the largest value. */
-bool loft_walk2_accepts(loft_real a)
+bool loft_walk2_valid(loft_real a)
 {
     const loft_real most = LOFT_REAL_MAX / 65536 / 65536;
     return a >= -most && a <= most;

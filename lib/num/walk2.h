@@ -38,11 +38,11 @@ static inline size_t   loft_walk2_column(const loft_walk2 *s, unsigned l)
 
 /* Does the law of ranges (walk2.c) admit these numbers of steps? All >= 1, degrees to
  * LOFT_WALK_DEGREE_MAX. */
-bool loft_walk2_admits(const loft_walk2 *s);
+bool loft_walk2_steps_valid(const loft_walk2 *s);
 
 /* Is it a number that such a walk may start from? f32, f64: within LOFT_REAL_MAX / 2^32, so that no
  * sum overflows. */
-bool loft_walk2_accepts(loft_real a);
+bool loft_walk2_valid(loft_real a);
 
 /* Start at the first value of a net whose values are net[0], net[stride] .. in the order above.
  *

@@ -159,17 +159,11 @@ void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 {
     invert(powers->inverse, degree, n);
 }
-void loft_powers3_init(loft_powers3 *powers, uint32_t n)
-{
-    invert(powers->inverse, 3, n);
-}
+void loft_powers3_init(loft_powers3 *powers, uint32_t n) { invert(powers->inverse, 3, n); }
 
 #if !defined(__AVR__)
 
-static uint32_t high(uint64_t x)
-{
-    return (uint32_t)loft_acc_high((int64_t)x);
-}
+static uint32_t high(uint64_t x) { return (uint32_t)loft_acc_high((int64_t)x); }
 static uint32_t low(uint64_t x)                         { return (uint32_t)(x & 0xffffffffu); }
 static uint64_t product(uint32_t a, uint32_t b)         { return (uint64_t)a * b; }
 
@@ -260,7 +254,8 @@ static void wide_times(wide *a, uint8_t factor)
         "1: ld %[byte], %a[a]\n mul %[byte], %[factor]\n add r0, %[carry]\n adc r1, %[zero]\n"
         "   st %a[a]+, r0\n mov %[carry], r1\n dec %[left]\n brne 1b\n clr r1\n"
         : [a] "+x" (a), [byte] "=&r" (byte), [left] "+&r" (left), [carry] "+&r" (carry)
-        : [factor] "r" (factor), [zero] "r" (zero) : "memory");
+        : [factor] "r"(factor), [zero] "r"(zero)
+        : "memory");
 }
 
 /* sum += inverse * factor; sum[12], which is 0, takes what is left. */

@@ -7,7 +7,7 @@
  */
 #include "polygon/basepoint.h"
 #include "curve/rational.h"     /* LOFT_WEIGHT_MIN */
-#include "polygon/blend.h"      /* loft_blend */
+#include "polygon/weighted_sum.h"      /* loft_weighted_sum */
 
 static unsigned after(unsigned corner) { return corner < 2 ? corner + 1 : 0; }
 
@@ -31,7 +31,7 @@ enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], cons
     for (unsigned i = 0; i < 3; i++)
         if ((unsigned)cut[i] + cut[after(i)] >= degree)
             return LOFT_ERR_ARG;
-    loft_multi_first(l, 3, degree);
+    loft_multiindex_first(l, 3, degree);
     do {
         const bool read = !is_cut(l, degree, cut);
         if (read && !(w[rank] >= LOFT_WEIGHT_MIN && w[rank] <= LOFT_WEIGHT_MAX))
@@ -40,7 +40,7 @@ enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], cons
             if (!loft_real_valid(p[rank].axis[i]))
                 return LOFT_ERR_RANGE;
         rank++;
-    } while (loft_multi_next(l, 3));
+    } while (loft_multiindex_next(l, 3));
     b->p = p;
     b->w = w;
     b->degree = (uint8_t)degree;
@@ -56,24 +56,24 @@ static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3
 {
     uint8_t l[3];
     unsigned rank = 0;
-    loft_blend sum;
+    loft_weighted_sum sum;
 
-    loft_blend_start(&sum);
-    loft_multi_first(l, 3, b->degree);
+    loft_weighted_sum_start(&sum);
+    loft_multiindex_first(l, 3, b->degree);
     do {
         if (!is_cut(l, b->degree, b->cut)) {
-            loft_sci weight = loft_sci_mul(loft_sci_from_int(loft_multi_ways(l, 3)),
+            loft_sci weight = loft_sci_mul(loft_sci_from_int(loft_multiindex_multinomial(l, 3)),
                                            loft_sci_from_real(b->w[rank]));
             weight = loft_sci_mul(
                 weight, loft_sci_pow(shared, (unsigned)b->degree - l[corner] - b->cut[corner]));
             for (unsigned i = 0; i < 3; i++)
                 weight = loft_sci_mul(weight, loft_sci_pow(factor[i], l[i]));
             if (loft_sci_sign(weight))
-                loft_blend_add(&sum, &b->p[rank], weight);
+                loft_weighted_sum_add(&sum, &b->p[rank], weight);
         }
         rank++;
-    } while (loft_multi_next(l, 3));
-    return loft_blend_project(&sum, out);
+    } while (loft_multiindex_next(l, 3));
+    return loft_weighted_sum_project(&sum, out);
 }
 
 /* Is exactly one of them 0, and the share of the other two one that a loft_unit holds? Then *number
@@ -169,7 +169,7 @@ static unsigned side_rank(const loft_basepoint *b, loft_basepoint_side s, unsign
     l[s.corner] = (uint8_t)(s.cut ? b->degree - cut : b->degree - cut - t);
     l[one]      = (uint8_t)(s.cut ? t : cut + t);
     l[two]      = (uint8_t)(s.cut ? cut - t : 0);
-    return loft_multi_rank(l, 3);
+    return loft_multiindex_rank(l, 3);
 }
 
 /* A side of degree m between corners that are cut is the part C(degree, cut + t) of a curve of the
@@ -178,17 +178,18 @@ static enum loft_status cut_side(const loft_basepoint *b, loft_basepoint_side s,
                                  loft_vec *out)
 {
     const loft_sci x = loft_sci_from_unit(at), y = loft_sci_sub(loft_sci_one(), x);
-    loft_blend sum;
+    loft_weighted_sum sum;
 
-    loft_blend_start(&sum);
+    loft_weighted_sum_start(&sum);
     for (unsigned t = 0; t <= s.degree; t++) {
         const unsigned rank = side_rank(b, s, t);
         loft_sci weight = loft_sci_mul(loft_sci_pow(y, s.degree - t), loft_sci_pow(x, t));
         weight = loft_sci_mul(weight,
                               loft_sci_from_int(loft_binomial(b->degree, b->cut[s.corner] + t)));
-        loft_blend_add(&sum, &b->p[rank], loft_sci_mul(weight, loft_sci_from_real(b->w[rank])));
+        loft_weighted_sum_add(&sum, &b->p[rank],
+                              loft_sci_mul(weight, loft_sci_from_real(b->w[rank])));
     }
-    return loft_blend_project(&sum, out);
+    return loft_weighted_sum_project(&sum, out);
 }
 
 enum loft_status loft_basepoint_boundary(const loft_basepoint *b, unsigned number, loft_unit t,
@@ -208,5 +209,5 @@ enum loft_status loft_basepoint_boundary(const loft_basepoint *b, unsigned numbe
     }
     const loft_sci share[2] = { loft_sci_sub(loft_sci_one(), loft_sci_from_unit(t)),
                                 loft_sci_from_unit(t) };
-    return loft_blend_curve(p, w, s.degree, share, out);
+    return loft_weighted_sum_curve(p, w, s.degree, share, out);
 }

@@ -2,7 +2,8 @@
  * whose net are cut off
  * SPDX-License-Identifier: MIT
  *
- * Control points in the order of polygon/multi.h: (i, j, k) with i + j + k = degree, the power of
+ * Control points in the order of polygon/multiindex.h: (i, j, k) with i + j + k = degree, the power
+ * of
  * phi_1, phi_2, phi_3. Cutting corner 1 by a takes the points with j + k < a away (their weights
  * are 0, what stands there is not read), corner 2 by b those with i + k < b, corner 3 by c those
  * with i + j < c. At a cut corner the quotient is 0/0, a base point, and the surface gets a side
@@ -15,8 +16,8 @@
 #define LOFT_POLYGON_BASEPOINT_H
 
 #include "geom/vec.h"           /* loft_vec */
-#include "polygon/multi.h"      /* loft_multi_count */
-#include "surface/local.h"      /* loft_local */
+#include "polygon/multiindex.h"      /* loft_multiindex_count */
+#include "surface/differential.h"      /* loft_differential */
 
 LOFT_BEGIN_C
 
@@ -27,7 +28,7 @@ typedef struct {
     uint8_t degree, cut[3];
 } loft_basepoint;
 
-/* Make a patch of loft_multi_count(3, degree) points and weights, which must outlive it.
+/* Make a patch of loft_multiindex_count(3, degree) points and weights, which must outlive it.
  *
  *   range   degree 1..9, every sum of two cuts below degree, otherwise LOFT_ERR_ARG; weights that
  *           are not cut off 1/256..256, finite coordinates, otherwise LOFT_ERR_RANGE; *b is
@@ -51,7 +52,7 @@ enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, lo
                                      loft_vec *out) LOFT_CHECKED;
 
 /* The derivatives by phi_1 and phi_2 of the first and second order, for normals and curvatures
- * (surface/local.h). Width as of a toric patch.
+ * (surface/differential.h). Width as of a toric patch.
  *
  *   range   as eval
  *   error   with L the largest coordinate, A and B the sums of |first and second derivatives of the
@@ -60,8 +61,8 @@ enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, lo
  *   cost    per control point 15 (2 log2 degree + 4) products and 6 per axis; eval once more; q16:
  *           2 kB of stack
  */
-enum loft_status loft_basepoint_local(const loft_basepoint *b, loft_unit phi1, loft_unit phi2,
-                                      loft_local *out) LOFT_CHECKED;
+enum loft_status loft_basepoint_differential(const loft_basepoint *b, loft_unit phi1,
+                                             loft_unit phi2, loft_differential *out) LOFT_CHECKED;
 
 /* The same blown up at corner 3: phi = ((1 - u) v, u v, 1 - v), where v = 0 is the side that corner
  * has, or the corner itself; or at corner 0..2, counted from 0, the shares standing under the names
@@ -79,15 +80,16 @@ enum loft_status loft_basepoint_corner(const loft_basepoint *b, unsigned corner,
                                        loft_unit v, loft_vec *out) LOFT_CHECKED;
 
 /* The derivatives by u and v there of the first and second order, on the side of a cut corner too.
- * P_u x P_v points to the other side than that of loft_basepoint_local does.
+ * P_u x P_v points to the other side than that of loft_basepoint_differential does.
  *
  *   range   as corner; at v = 0 of a corner that is not cut the point does not move with u
- *   error   as loft_basepoint_local, of weights by u and v
+ *   error   as loft_basepoint_differential, of weights by u and v
  *   cost    per control point 15 (2 log2 degree + 5) products and 6 per axis; corner once more;
  *           q16: 2.5 kB of stack
  */
-enum loft_status loft_basepoint_corner_local(const loft_basepoint *b, unsigned corner, loft_unit u,
-                                             loft_unit v, loft_local *out) LOFT_CHECKED;
+enum loft_status loft_basepoint_corner_differential(const loft_basepoint *b, unsigned corner,
+                                                    loft_unit u, loft_unit v,
+                                                    loft_differential *out) LOFT_CHECKED;
 
 
 /* The boundary, counter-clockwise

@@ -5,7 +5,7 @@
  * coordinates.
  */
 #include "polygon/domain.h"
-#include "num/exact.h"  /* loft_exact_admits */
+#include "num/exact.h"  /* loft_exact_valid */
 
 static unsigned next(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 : 0; }
 
@@ -30,10 +30,7 @@ static bool within(const loft_spot *p, const loft_spot *a, const loft_spot *b)
     return between(p->at[0], a->at[0], b->at[0]) && between(p->at[1], a->at[1], b->at[1]);
 }
 
-static bool same(const loft_spot *a, const loft_spot *b)
-{
-    return within(a, b, b);
-}
+static bool same(const loft_spot *a, const loft_spot *b) { return within(a, b, b); }
 
 /* Do the edges a b and c d, that do not follow each other, cross? Or touch where one of them
  * starts: where one ends another starts, and if that one follows the edge which is touched, it
@@ -99,17 +96,14 @@ enum loft_outline loft_outline_of(const loft_spot v[], unsigned sides)
     return LOFT_OUTLINE_CONVEX;
 }
 
-bool loft_spot_admits(loft_spot p)
-{
-    return loft_exact_admits(p.at[0]) && loft_exact_admits(p.at[1]);
-}
+bool loft_spot_valid(loft_spot p) { return loft_exact_valid(p.at[0]) && loft_exact_valid(p.at[1]); }
 
 enum loft_status loft_domain_init(loft_domain *d, const loft_spot v[], unsigned sides)
 {
     if (sides < 3 || sides > LOFT_SIDES_MAX)
         return LOFT_ERR_ARG;
     for (unsigned i = 0; i < sides; i++)
-        if (!loft_spot_admits(v[i]))
+        if (!loft_spot_valid(v[i]))
             return LOFT_ERR_RANGE;
     const enum loft_outline outline = loft_outline_of(v, sides);
     if (outline == LOFT_OUTLINE_BROKEN)

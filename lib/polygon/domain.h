@@ -9,7 +9,7 @@
  *     loft_domain d;
  *     if (loft_domain_init(&d, v, 5) == LOFT_OK && loft_wachspress_eval(&d, p, phi) == LOFT_OK) ..
  *
- *   range   q16: any coordinates   f32, f64: what loft_exact_admits
+ *   range   q16: any coordinates   f32, f64: what loft_exact_valid
  */
 #ifndef LOFT_POLYGON_DOMAIN_H
 #define LOFT_POLYGON_DOMAIN_H
@@ -119,9 +119,9 @@ void loft_domain_nearest(const loft_domain *d, loft_spot p, loft_sci phi[]);
 /* Can this point be taken exactly? Always in q16.
  *
  *   error   none
- *   cost    floats: that of loft_exact_admits twice
+ *   cost    floats: that of loft_exact_valid twice
  */
-bool loft_spot_admits(loft_spot p);
+bool loft_spot_valid(loft_spot p);
 
 LOFT_END_C
 

@@ -9,7 +9,7 @@
  * of the largest coordinate.
  */
 #include "polygon/gb.h"
-#include "polygon/blend.h"      /* loft_blend, loft_blend_curve */
+#include "polygon/weighted_sum.h"      /* loft_weighted_sum, loft_weighted_sum_curve */
 
 #define LAYERS ((LOFT_DEGREE_MAX + 1) / 2)
 
@@ -214,32 +214,33 @@ static enum loft_status border_point(const loft_gb *g, const loft_sci phi[], uns
 
     for (unsigned j = 0; j <= g->degree; j++)
         p[j] = g->p[loft_gb_place(g->sides, g->degree, side, j, 0)];
-    return loft_blend_curve(p, NULL, g->degree, share, out);
+    return loft_weighted_sum_curve(p, NULL, g->degree, share, out);
 }
 
-static void add_row(loft_blend *sum, const loft_gb *g, const ribbon *r, unsigned side, unsigned k)
+static void add_row(loft_weighted_sum *sum, const loft_gb *g, const ribbon *r, unsigned side,
+                    unsigned k)
 {
-    loft_blend row;
+    loft_weighted_sum row;
 
-    loft_blend_start(&row);
+    loft_weighted_sum_start(&row);
     for (unsigned j = first_of(k); j <= g->degree - first_of(k); j++)
-        loft_blend_add(&row, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)],
+        loft_weighted_sum_add(&row, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)],
                        share_of(r, g->degree, j, k));
-    loft_blend_join(sum, &row, r->across[k]);
+    loft_weighted_sum_join(sum, &row, r->across[k]);
 }
 
 enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *out)
 {
     const unsigned border = border_of(g->sides, phi);
     loft_gb_side side[LOFT_SIDES_MAX];
-    loft_blend sum;
+    loft_weighted_sum sum;
     ribbon r;
 
     if (border < g->sides)
         return border_point(g, phi, border, out);
     if (loft_gb_params(g->sides, phi, side) != LOFT_OK)
         return LOFT_SINGULAR;
-    loft_blend_start(&sum);
+    loft_weighted_sum_start(&sum);
     for (unsigned i = 0; i < g->sides; i++) {
         if (side[i].any)
             continue;
@@ -248,7 +249,7 @@ enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *
         for (unsigned k = 0; k < high_of(g->degree); k++)
             add_row(&sum, g, &r, i, k);
     }
-    loft_blend_add(&sum, &g->p[loft_gb_count(g->sides, g->degree) - 1],
+    loft_weighted_sum_add(&sum, &g->p[loft_gb_count(g->sides, g->degree) - 1],
                    loft_sci_sub(loft_sci_one(), sum.w));
-    return loft_blend_point(&sum, out);
+    return loft_weighted_sum_point(&sum, out);
 }

@@ -33,7 +33,7 @@
 #include "geom/vec.h"           /* loft_vec */
 #include "polygon/domain.h"     /* LOFT_SIDES_MAX */
 #include "polygon/jet.h"        /* loft_jet */
-#include "surface/local.h"      /* loft_local */
+#include "surface/differential.h"      /* loft_differential */
 
 LOFT_BEGIN_C
 
@@ -158,14 +158,15 @@ enum loft_status loft_gb_weights(unsigned sides, unsigned degree, const loft_sci
  *           negative; LOFT_ERR_RANGE when the point does not fit; *out is untouched then
  *   error   where no phi is negative: q16: 1/2 LSB + 2^-12 LSB   f32: 1/2 ulp + 2^-16 ulp   f64:
  *           2^9 ulp, of the largest coordinate; beside what phi has. On a side that of
- *           loft_blend_curve, at a corner none
+ *           loft_weighted_sum_curve, at a corner none
  *   cost    sides (degree + 1) layers times at most one product and one per axis, sides (3 degree +
  *           4 layers + 8) more; 3 sides quotients; no table; q16: 1.5 kB of stack
  */
 enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *out) LOFT_CHECKED;
 
 /* The derivatives by x and y of the first and second order, for normals and curvatures
- * (surface/local.h). Width is the sum of |derivatives of a weight| times |distance of its point
+ * (surface/differential.h). Width is the sum of |derivatives of a weight| times |distance of its
+ * point
  * from V0|.
  *
  *   shape   phi[sides] with their derivatives by x and y
@@ -176,8 +177,8 @@ enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *
  *   cost    sides (degree + 1) layers times at most 15 products and 6 per axis, sides (80 degree +
  *           40 layers + 400) more; 24 sides quotients; q16: 4.5 kB of stack
  */
-enum loft_status loft_gb_local(const loft_gb *g, const loft_jet phi[],
-                               loft_local *out) LOFT_CHECKED;
+enum loft_status loft_gb_differential(const loft_gb *g, const loft_jet phi[],
+                               loft_differential *out) LOFT_CHECKED;
 
 LOFT_END_C
 

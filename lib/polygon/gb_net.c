@@ -19,16 +19,16 @@
  * 2^10 that sum to 2 d^2.
  */
 #include "polygon/gb.h"
-#include "polygon/blend.h"      /* loft_blend */
+#include "polygon/weighted_sum.h"      /* loft_weighted_sum */
 
 typedef struct {
     const loft_vec *p;
     unsigned sides, degree;
 } outline;
 
-static void add(loft_blend *sum, const loft_vec *p, int32_t weight)
+static void add(loft_weighted_sum *sum, const loft_vec *p, int32_t weight)
 {
-    loft_blend_add(sum, p, loft_sci_from_int(weight));
+    loft_weighted_sum_add(sum, p, loft_sci_from_int(weight));
 }
 
 /* Point k of side i + ahead. */
@@ -37,7 +37,7 @@ static const loft_vec *at(const outline *o, unsigned i, unsigned ahead, unsigned
     return &o->p[((i + ahead) % o->sides * o->degree + k) % (o->sides * o->degree)];
 }
 
-static void add_point(loft_blend *sum, const outline *o, unsigned i, unsigned a, unsigned b)
+static void add_point(loft_weighted_sum *sum, const outline *o, unsigned i, unsigned a, unsigned b)
 {
     const unsigned d = o->degree, back = o->sides - 1;
     const int32_t m = (int32_t)d, u = (int32_t)a, v = (int32_t)b;
@@ -57,26 +57,26 @@ static void add_point(loft_blend *sum, const outline *o, unsigned i, unsigned a,
 static enum loft_status inner_point(const outline *o, unsigned i, unsigned a, unsigned b,
                                     loft_vec *out)
 {
-    loft_blend sum;
+    loft_weighted_sum sum;
 
-    loft_blend_start(&sum);
+    loft_weighted_sum_start(&sum);
     add_point(&sum, o, i, a, b);
     if (2 * a == o->degree)
         add_point(&sum, o, (i + 1) % o->sides, b, a);
-    return loft_blend_project(&sum, out);
+    return loft_weighted_sum_project(&sum, out);
 }
 
 enum loft_status loft_gb_middle(const loft_vec p[], unsigned sides, unsigned degree, loft_vec *out)
 {
     const unsigned layers = (degree + 1) / 2;
-    loft_blend sum;
+    loft_weighted_sum sum;
 
     if (sides < 3 || sides > LOFT_SIDES_MAX || degree < 3 || degree > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
-    loft_blend_start(&sum);
+    loft_weighted_sum_start(&sum);
     for (unsigned i = 0; i < sides; i++)
         add(&sum, &p[loft_gb_place(sides, degree, i, layers, layers - 1)], 1);
-    return loft_blend_project(&sum, out);
+    return loft_weighted_sum_project(&sum, out);
 }
 
 enum loft_status loft_gb_from_boundary(const loft_vec boundary[], unsigned sides, unsigned degree,

@@ -1,23 +1,27 @@
 /* lib/polygon/harmonic.c
  * SPDX-License-Identifier: MIT
  *
- * Every term is the real part of an analytic function f(z), z = x + i y, or of -i f. Its derivatives are
+ * Every term is the real part of an analytic function f(z), z = x + i y, or of -i f. Its
+ * derivatives are
  *
  *     Re f' by x    -Im f' by y    Re f'' by x twice    -Im f'' by x and y    -Re f'' by y twice
  *
- * At a corner v with a = pi / angle and l = ln((z - v) / reach) turned so that the edge that leaves is real,
+ * At a corner v with a = pi / angle and l = ln((z - v) / reach) turned so that the edge that leaves
+ * is real,
  *
  *     w = e^(a l)     (w^k)' = k a w^k / (z - v)     (w^k)'' = k a (k a - 1) w^k / (z - v)^2
  *
- * Where the corner is nearly straight, w and zeta = e^l are nearly the same, and the solution needs their difference: it is
+ * Where the corner is nearly straight, w and zeta = e^l are nearly the same, and the solution needs
+ * their difference: it is
  * the first term instead of w,
  *
- *     f = (w - zeta) / (a - 1) = zeta l (e^x - 1) / x, x = (a - 1) l     f' = (a f + zeta) / (z - v)     f'' = a w / (z - v)^2
+ *     f = (w - zeta) / (a - 1) = zeta l (e^x - 1) / x, x = (a - 1) l     f' = (a f + zeta) / (z -
+ *     v)     f'' = a w / (z - v)^2
  *
  * which is zeta l where the corner is straight.
  */
 #include "polygon/harmonic.h"
-#include "num/power.h"  /* loft_sci_log, loft_sci_exp */
+#include "num/explog.h"  /* loft_sci_log, loft_sci_exp */
 
 typedef struct {
     loft_sci re, im;
@@ -41,7 +45,10 @@ static number scaled(number a, loft_sci c)
     return a;
 }
 
-static loft_sci square_of(number a) { return loft_sci_add(loft_sci_mul(a.re, a.re), loft_sci_mul(a.im, a.im)); }
+static loft_sci square_of(number a)
+{
+    return loft_sci_add(loft_sci_mul(a.re, a.re), loft_sci_mul(a.im, a.im));
+}
 
 static number inverse(number a)
 {
@@ -57,7 +64,10 @@ typedef struct {
     loft_jet *jet;
 } sums;
 
-static void add_to(loft_sci *sum, loft_sci c, loft_sci x) { *sum = loft_sci_add(*sum, loft_sci_mul(c, x)); }
+static void add_to(loft_sci *sum, loft_sci c, loft_sci x)
+{
+    *sum = loft_sci_add(*sum, loft_sci_mul(c, x));
+}
 
 /* Re f, with f[0..2] the function and its derivatives. */
 static void add_term(sums *s, const number f[3])
@@ -97,7 +107,7 @@ static void add_imaginary(sums *s, const number f[3])
 /* x within -pi..pi of `near`, in whole turns. */
 static int32_t turns_to(loft_acc x, loft_acc near)
 {
-    const loft_acc half = loft_fine_wide(LOFT_FINE_PI);
+    const loft_acc half = loft_fine_to_acc(LOFT_FINE_PI);
     int32_t turns = 0;
 
     for (; x + half < near; turns++)
@@ -107,8 +117,10 @@ static int32_t turns_to(loft_acc x, loft_acc near)
     return turns;
 }
 
-/* The angle of the offset from a corner, as one sees it who comes from there inside: on the way from p to the corner
- * the angle stays the same, up to the edge where the way leaves the polygon, and along the boundary it was followed by init.
+/* The angle of the offset from a corner, as one sees it who comes from there inside: on the way
+ * from p to the corner
+ * the angle stays the same, up to the edge where the way leaves the polygon, and along the boundary
+ * it was followed by init.
  * Without such an edge it is within 0..angle. */
 static loft_acc angle_near(const loft_harmonic *h, unsigned at, loft_spot p)
 {
@@ -120,11 +132,14 @@ static loft_acc angle_near(const loft_harmonic *h, unsigned at, loft_spot p)
 
     if (d->convex)
         return near;
-    for (unsigned e = next(at, d->sides), f = next(e, d->sides); f != at; e = f, f = next(f, d->sides)) {
+    for (unsigned e = next(at, d->sides), f = next(e, d->sides); f != at;
+         e = f, f = next(f, d->sides)) {
         const loft_real *a = d->v[e].at, *b = d->v[f].at;
         const loft_sci here = loft_sci_cross(a, b, a, q), there = loft_sci_cross(a, b, a, v);
-        if (loft_sci_sign(here) * loft_sci_sign(there) > 0 || !(loft_sci_sign(here) || loft_sci_sign(there)) ||
-            loft_sci_sign(loft_sci_cross(q, v, q, a)) * loft_sci_sign(loft_sci_cross(q, v, q, b)) > 0)
+        if (loft_sci_sign(here) * loft_sci_sign(there) > 0 ||
+            !(loft_sci_sign(here) || loft_sci_sign(there)) ||
+            loft_sci_sign(loft_sci_cross(q, v, q, a)) * loft_sci_sign(loft_sci_cross(q, v, q, b)) >
+                0)
             continue;
         const loft_sci way = loft_sci_div(here, loft_sci_sub(here, there));
         if (loft_sci_less(way, first)) {
@@ -137,7 +152,8 @@ static loft_acc angle_near(const loft_harmonic *h, unsigned at, loft_spot p)
 
 static loft_fine direction(const loft_spot *from, const loft_spot *to)
 {
-    return loft_fine_atan2(loft_wide(to->at[1]) - loft_wide(from->at[1]), loft_wide(to->at[0]) - loft_wide(from->at[0]));
+    return loft_fine_atan2(loft_to_acc(to->at[1]) - loft_to_acc(from->at[1]),
+                           loft_to_acc(to->at[0]) - loft_to_acc(from->at[0]));
 }
 
 static number offset(const loft_spot *from, const loft_spot *to)
@@ -158,9 +174,10 @@ static number exponential(number x)
     loft_acc turns = 0;
     number r;
 
-    if (!loft_sci_wide(half_of(loft_sci_div(x.im, turn)), &turns))
+    if (!loft_sci_to_acc(half_of(loft_sci_div(x.im, turn)), &turns))
         turns = 0;
-    const loft_fine angle = loft_sci_fine(loft_sci_sub(x.im, loft_sci_mul(turn, loft_sci_from_int(2 * loft_acc_int(turns)))));
+    const loft_fine angle = loft_sci_to_fine(
+        loft_sci_sub(x.im, loft_sci_mul(turn, loft_sci_from_int(2 * loft_acc_int(turns)))));
     r.re = loft_sci_mul(size, loft_sci_from_fine(loft_fine_cos(angle)));
     r.im = loft_sci_mul(size, loft_sci_from_fine(loft_fine_sin(angle)));
     return r;
@@ -202,17 +219,19 @@ static void add_corner(const loft_harmonic *h, unsigned at, loft_spot p, sums *s
     const loft_harmonic_corner *c = &h->corner[at];
     const number d = offset(&h->domain->v[at], &p);
     const loft_fine angle = direction(&h->domain->v[at], &p) - c->start;
-    const int32_t turns = turns_to(loft_fine_wide(angle), angle_near(h, at, p));
+    const int32_t turns = turns_to(loft_fine_to_acc(angle), angle_near(h, at, p));
     number l, f[3], w, power, by = { loft_sci_zero(), loft_sci_zero() };
 
     l.re = loft_sci_sub(half_of(loft_sci_log(square_of(d))), c->log_reach);
-    l.im = loft_sci_add(loft_sci_from_fine(angle), loft_sci_mul(loft_sci_from_fine(LOFT_FINE_PI), loft_sci_from_int(2 * turns)));
+    l.im = loft_sci_add(loft_sci_from_fine(angle), loft_sci_mul(loft_sci_from_fine(LOFT_FINE_PI),
+                                                                loft_sci_from_int(2 * turns)));
     w = power = exponential(scaled(l, c->power));
     if (s->jet)
         by = inverse(d);
 
     for (int k = 1; k <= h->table->powers[at]; k++, power = times(power, w)) {
-        const loft_sci exponent = loft_sci_mul(c->power, loft_sci_from_int(k)), less = loft_sci_sub(exponent, loft_sci_one());
+        const loft_sci exponent = loft_sci_mul(c->power, loft_sci_from_int(k)),
+                       less = loft_sci_sub(exponent, loft_sci_one());
         if (k == 1 && h->table->straight >> at & 1) {
             nearly_straight(l, w, by, c->power, f);
         } else {
@@ -289,7 +308,7 @@ static void prepare_corner(const loft_domain *d, unsigned at, loft_harmonic_corn
     angle = direction(here, &v[before]) - c->start;
     if (angle < 0)
         angle += 2 * LOFT_FINE_PI;
-    c->half = loft_fine_wide(angle / 2);
+    c->half = loft_fine_to_acc(angle / 2);
     c->power = loft_sci_div(pi, loft_sci_from_fine(angle));
     for (unsigned i = 0; i < d->sides; i++) {
         const loft_sci square = square_of(offset(here, &v[i]));
@@ -299,12 +318,13 @@ static void prepare_corner(const loft_domain *d, unsigned at, loft_harmonic_corn
 
     c->turn[at] = c->turn[after] = 0;
     for (unsigned e = after, f = next(e, d->sides); f != at; e = f, f = next(f, d->sides)) {
-        const loft_acc step = loft_fine_wide(direction(here, &v[f]) - direction(here, &v[e]));
-        c->turn[f] = c->turn[e] + step + 2 * turns_to(step, 0) * loft_fine_wide(LOFT_FINE_PI);
+        const loft_acc step = loft_fine_to_acc(direction(here, &v[f]) - direction(here, &v[e]));
+        c->turn[f] = c->turn[e] + step + 2 * turns_to(step, 0) * loft_fine_to_acc(LOFT_FINE_PI);
     }
 }
 
-enum loft_status loft_harmonic_init(loft_harmonic *h, const loft_domain *domain, const loft_harmonic_table *table)
+enum loft_status loft_harmonic_init(loft_harmonic *h, const loft_domain *domain,
+                                    const loft_harmonic_table *table)
 {
     const unsigned n = domain->sides;
     unsigned terms = 1u + 2u * table->degree + 2u * table->poles;
@@ -349,7 +369,7 @@ enum loft_status loft_harmonic_eval(const loft_harmonic *h, loft_spot p, loft_sc
     sums s = { h->table->coefficient, n, phi, 0 };
     unsigned index = 0;
 
-    if (!loft_spot_admits(p))
+    if (!loft_spot_valid(p))
         return LOFT_ERR_RANGE;
     const enum loft_place place = loft_domain_place(h->domain, p, area, &index);
     if (place == LOFT_OUTSIDE)
@@ -376,7 +396,7 @@ enum loft_status loft_harmonic_jet(const loft_harmonic *h, loft_spot p, loft_jet
     sums s = { h->table->coefficient, n, 0, phi };
     unsigned index = 0;
 
-    if (!loft_spot_admits(p))
+    if (!loft_spot_valid(p))
         return LOFT_ERR_RANGE;
     const enum loft_place place = loft_domain_place(h->domain, p, area, &index);
     if (place == LOFT_OUTSIDE)

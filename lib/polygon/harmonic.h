@@ -1,21 +1,29 @@
-/* lib/polygon/harmonic.h -- harmonic coordinates of a point with respect to the vertices of any simple polygon
+/* lib/polygon/harmonic.h -- harmonic coordinates of a point with respect to the vertices of any
+ * simple polygon
  * SPDX-License-Identifier: MIT
  *
- * phi_i solves Laplace's equation inside and is linear on the edges, 1 at vertex i, 0 at the others; so inside 0 < phi_i < 1
- * in polygons that are not convex too, sum phi_i = 1 and sum phi_i v_i = p. There is no formula: the host solves the
- * equation once for a polygon (`loft harmonic`, host-tools/engine/harmonic.h), and what is evaluated is a series
+ * phi_i solves Laplace's equation inside and is linear on the edges, 1 at vertex i, 0 at the
+ * others; so inside 0 < phi_i < 1
+ * in polygons that are not convex too, sum phi_i = 1 and sum phi_i v_i = p. There is no formula:
+ * the host solves the
+ * equation once for a polygon (`loft harmonic`, host-tools/engine/harmonic.h), and what is
+ * evaluated is a series
  *
  *     phi_i = sum c_k Im w^k + sum Re, Im of c_k / (z - pole) + sum Re, Im of c_k t^k
  *
- * with, at each corner, w = zeta^(pi / angle), the power of the offset from it that is real on both its edges, poles
- * outside and a polynomial. Each term is harmonic, so the error inside is at most that on the boundary, which the host prints.
+ * with, at each corner, w = zeta^(pi / angle), the power of the offset from it that is real on both
+ * its edges, poles
+ * outside and a polynomial. Each term is harmonic, so the error inside is at most that on the
+ * boundary, which the host prints.
  *
  *     static const loft_acc coefficient[] = { .. };
  *     static const loft_harmonic_table table = { .. };             written by the host
  *     loft_harmonic h;
- *     if (loft_harmonic_init(&h, &domain, &table) == LOFT_OK && loft_harmonic_eval(&h, p, phi) == LOFT_OK) ..
+ *     if (loft_harmonic_init(&h, &domain, &table) == LOFT_OK && loft_harmonic_eval(&h, p, phi) ==
+ *     LOFT_OK) ..
  *
- *   see     Joshi, Meyer, DeRose, Green, Sanocki, Harmonic coordinates for character articulation (2007); Betcke,
+ *   see     Joshi, Meyer, DeRose, Green, Sanocki, Harmonic coordinates for character articulation
+ *           (2007); Betcke,
  *           Trefethen, Reviving the method of particular solutions (2005): the series
  */
 #ifndef LOFT_POLYGON_HARMONIC_H
@@ -32,23 +40,27 @@ typedef struct {
     loft_acc at[2], size;
 } loft_harmonic_pole;
 
-/* What the host found. Terms in the order of corners, poles (real and imaginary part), powers of the polynomial (1, then both
- * parts of each), for each of them the coefficients of all coordinates. */
+/* What the host found. Terms in the order of corners, poles (real and imaginary part), powers of
+ * the polynomial (1, then both parts of each), for each of them the coefficients of all
+ * coordinates. */
 typedef struct {
     const loft_acc *coefficient;                /* terms * sides                        */
     const loft_harmonic_pole *pole;             /* null when there are none             */
     uint16_t terms;
     uint8_t sides, poles, degree;
     uint8_t powers[LOFT_SIDES_MAX];             /* of w at each corner                  */
-    uint8_t straight;                           /* bit i: at corner i the first one is (w - zeta) / (power - 1)  */
+    uint8_t straight;                           /* bit i: at corner i the first one is
+                                                 * (w - zeta) / (power - 1)             */
 } loft_harmonic_table;
 
 /* What the series has at a corner. */
 typedef struct {
-    loft_sci power, log_reach;          /* pi over the angle; the logarithm of the distance to the farthest vertex  */
-    loft_fine start;                    /* the direction of the edge that leaves                                    */
-    loft_acc half;                      /* half the angle                                                           */
-    loft_acc turn[LOFT_SIDES_MAX];      /* the direction to each vertex from that edge, followed along the boundary */
+    loft_sci power;                     /* pi over the angle                                  */
+    loft_sci log_reach;                 /* the logarithm of the distance to the farthest vertex */
+    loft_fine start;                    /* the direction of the edge that leaves              */
+    loft_acc half;                      /* half the angle                                     */
+    loft_acc turn[LOFT_SIDES_MAX];      /* the direction to each vertex from that edge,
+                                         * followed along the boundary                        */
 } loft_harmonic_corner;
 
 /* Domain and table are borrowed. Do not fill it yourself: call init. */
@@ -65,29 +77,37 @@ typedef struct {
  *   error   of angles q16: 2^-55   f32, f64: 2^-49
  *   cost    sides^2 angles, sides logarithms; q16: 1.1 kB, f32, f64: 0.9 kB for *h
  */
-enum loft_status loft_harmonic_init(loft_harmonic *h, const loft_domain *domain, const loft_harmonic_table *table) LOFT_CHECKED;
+enum loft_status loft_harmonic_init(loft_harmonic *h, const loft_domain *domain,
+                                    const loft_harmonic_table *table) LOFT_CHECKED;
 
 /* The coordinates of p.
  *
  *   shape   phi[sides]
  *   range   p inside, on an edge or at a vertex, otherwise LOFT_ERR_RANGE
- *   error   the table's bound, and for rounding 2^-48 of the sum of its coefficients for one coordinate: the host prints both in one.
- *           Measured for polygons with 4 to 8 sides that are nowhere narrower than 1/10: q16: 2^-22 with 5..200 terms
- *           f32: 2^-30 with 5..270   f64: 2^-44 with 5..350; on edges and at vertices as loft_domain_edge. None is negative nor larger than 1
- *   cost    per corner an angle, a sine, a cosine, a logarithm and an exponential; per term a product of complex numbers and one
+ *   error   the table's bound, and for rounding 2^-48 of the sum of its coefficients for one
+ *           coordinate: the host prints both in one.
+ *           Measured for polygons with 4 to 8 sides that are nowhere narrower than 1/10: q16: 2^-22
+ *           with 5..200 terms
+ *           f32: 2^-30 with 5..270   f64: 2^-44 with 5..350; on edges and at vertices as
+ *           loft_domain_edge. None is negative nor larger than 1
+ *   cost    per corner an angle, a sine, a cosine, a logarithm and an exponential; per term a
+ *           product of complex numbers and one
  *           per coordinate; table: 8 bytes a term and coordinate, 24 a pole
  */
-enum loft_status loft_harmonic_eval(const loft_harmonic *h, loft_spot p, loft_sci phi[]) LOFT_CHECKED;
+enum loft_status loft_harmonic_eval(const loft_harmonic *h, loft_spot p,
+                                    loft_sci phi[]) LOFT_CHECKED;
 
 /* The same with derivatives by x and y.
  *
  *   shape   phi[sides]
  *   range   as eval; LOFT_SINGULAR at vertices
- *   error   inside, at a distance r from the boundary and with E that of the table: values E, first derivatives 4/pi E / r,
+ *   error   inside, at a distance r from the boundary and with E that of the table: values E, first
+ *           derivatives 4/pi E / r,
  *           second ones 16/pi E / r^2: what a harmonic function of size E in a circle can have
  *   cost    three products of complex numbers and eight of numbers where eval has one
  */
-enum loft_status loft_harmonic_jet(const loft_harmonic *h, loft_spot p, loft_jet phi[]) LOFT_CHECKED;
+enum loft_status loft_harmonic_jet(const loft_harmonic *h, loft_spot p,
+                                   loft_jet phi[]) LOFT_CHECKED;
 
 LOFT_END_C
 

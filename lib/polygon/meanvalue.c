@@ -35,7 +35,7 @@ enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci
     const unsigned n = d->sides;
     unsigned index = 0;
 
-    if (!loft_spot_admits(p))
+    if (!loft_spot_valid(p))
         return LOFT_ERR_RANGE;
     const enum loft_place place = loft_domain_place(d, p, area, &index);
     if (place == LOFT_AT_VERTEX)
@@ -157,7 +157,7 @@ enum loft_status loft_meanvalue_jet(const loft_domain *d, loft_spot p, loft_jet 
     const unsigned n = d->sides;
     unsigned index = 0;
 
-    if (!loft_spot_admits(p))
+    if (!loft_spot_valid(p))
         return LOFT_ERR_RANGE;
     if (loft_domain_place(d, p, area, &index) == LOFT_AT_VERTEX)
         return LOFT_SINGULAR;

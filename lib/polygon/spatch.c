@@ -12,14 +12,14 @@
  */
 #include "polygon/spatch.h"
 #include "curve/rational.h"     /* LOFT_WEIGHT_MIN, loft_weight_clamp */
-#include "polygon/blend.h"      /* loft_blend */
+#include "polygon/weighted_sum.h"      /* loft_weighted_sum */
 
 enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft_real w[],
                                   unsigned sides, unsigned depth)
 {
     if (sides < 3 || sides > LOFT_SIDES_MAX || depth < 1 || depth > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
-    const unsigned count = loft_multi_count(sides, depth);
+    const unsigned count = loft_multiindex_count(sides, depth);
     for (unsigned k = 0; k < count; k++) {
         if (w && !(w[k] >= LOFT_WEIGHT_MIN && w[k] <= LOFT_WEIGHT_MAX))
             return LOFT_ERR_RANGE;
@@ -71,16 +71,16 @@ static enum loft_status edge_point(const loft_spatch *s, const loft_sci phi[], u
         uint8_t l[LOFT_SIDES_MAX] = { 0 };
         l[edge] = (uint8_t)(s->depth - k);
         l[after(edge, s->sides)] = (uint8_t)k;
-        const unsigned rank = loft_multi_rank(l, s->sides);
+        const unsigned rank = loft_multiindex_rank(l, s->sides);
         p[k] = s->p[rank];
         w[k] = s->w ? s->w[rank] : LOFT_REAL(1);
     }
-    return loft_blend_curve(p, s->w ? w : NULL, s->depth, share, out);
+    return loft_weighted_sum_curve(p, s->w ? w : NULL, s->depth, share, out);
 }
 
 /* part[i] is the product of C(left, l_j) phi_j^l_j for j < i, where `left` is what the parts before
  * j leave: of one index to the next only those behind the part that changed are new. */
-static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_blend *sum)
+static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_weighted_sum *sum)
 {
     loft_sci power[LOFT_SIDES_MAX][LOFT_DEGREE_MAX + 1], part[LOFT_SIDES_MAX + 1];
     uint8_t l[LOFT_SIDES_MAX], last[LOFT_SIDES_MAX] = { 0 };
@@ -93,7 +93,7 @@ static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_blend *sum)
             power[i][k] = loft_sci_mul(power[i][k - 1], phi[i]);
     }
     part[0] = loft_sci_one();
-    loft_multi_first(l, n, d);
+    loft_multiindex_first(l, n, d);
     do {
         unsigned left = d, i = 0;
         for (; rank > 0 && l[i] == last[i]; i++)
@@ -106,22 +106,22 @@ static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_blend *sum)
             last[i] = l[i];
         }
         if (loft_sci_sign(part[n]))
-            loft_blend_add(sum, &s->p[rank],
+            loft_weighted_sum_add(sum, &s->p[rank],
                            s->w ? loft_sci_mul(part[n], weight_of(s, rank)) : part[n]);
         rank++;
-    } while (loft_multi_next(l, n));
+    } while (loft_multiindex_next(l, n));
 }
 
 enum loft_status loft_spatch_eval(const loft_spatch *s, const loft_sci phi[], loft_vec *out)
 {
-    loft_blend sum;
+    loft_weighted_sum sum;
     unsigned edge;
 
     if (on_edge(s, phi, &edge))
         return edge_point(s, phi, edge, out);
-    loft_blend_start(&sum);
+    loft_weighted_sum_start(&sum);
     sum_all(s, phi, &sum);
-    return s->w ? loft_blend_project(&sum, out) : loft_blend_point(&sum, out);
+    return s->w ? loft_weighted_sum_project(&sum, out) : loft_weighted_sum_point(&sum, out);
 }
 
 /* One depth less, in place: l + e_0 has the same rank as l, l + e_i a higher one. */
@@ -130,16 +130,16 @@ static void reduce(loft_sci c[], const loft_sci phi[], unsigned sides, unsigned 
     uint8_t l[LOFT_SIDES_MAX];
     unsigned rank = 0;
 
-    loft_multi_first(l, sides, depth);
+    loft_multiindex_first(l, sides, depth);
     do {
         loft_sci value = loft_sci_mul(phi[0], c[rank]);
         for (unsigned i = 1; i < sides; i++) {
             l[i]++;
-            value = loft_sci_add(value, loft_sci_mul(phi[i], c[loft_multi_rank(l, sides)]));
+            value = loft_sci_add(value, loft_sci_mul(phi[i], c[loft_multiindex_rank(l, sides)]));
             l[i]--;
         }
         c[rank++] = value;
-    } while (loft_multi_next(l, sides));
+    } while (loft_multiindex_next(l, sides));
 }
 
 /* A coordinate times its weight, or the weight. */
@@ -155,17 +155,17 @@ static loft_sci cascade(const loft_spatch *s, const loft_sci phi[], int axis, lo
     uint8_t l[LOFT_SIDES_MAX];
     unsigned rank = 0;
 
-    loft_multi_first(l, n, s->depth - 1u);
+    loft_multiindex_first(l, n, s->depth - 1u);
     do {
         work[rank] = loft_sci_zero();
         for (unsigned i = 0; i < n; i++) {
             l[i]++;
             work[rank] = loft_sci_add(
-                work[rank], loft_sci_mul(phi[i], homogeneous(s, loft_multi_rank(l, n), axis)));
+                work[rank], loft_sci_mul(phi[i], homogeneous(s, loft_multiindex_rank(l, n), axis)));
             l[i]--;
         }
         rank++;
-    } while (loft_multi_next(l, n));
+    } while (loft_multiindex_next(l, n));
     for (unsigned depth = s->depth - 1u; depth > 0; depth--)
         reduce(work, phi, n, depth - 1);
     return work[0];
@@ -174,40 +174,41 @@ static loft_sci cascade(const loft_spatch *s, const loft_sci phi[], int axis, lo
 enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[], loft_sci work[],
                                        loft_vec *out)
 {
-    loft_blend sum;
+    loft_weighted_sum sum;
 
     for (int axis = 0; axis < LOFT_AXES; axis++)
         sum.x[axis] = cascade(s, phi, axis, work);
     if (!s->w)
-        return loft_blend_point(&sum, out);
+        return loft_weighted_sum_point(&sum, out);
     sum.w = cascade(s, phi, LOFT_AXES, work);
-    return loft_blend_project(&sum, out);
+    return loft_weighted_sum_project(&sum, out);
 }
 
 
 /* Other forms: sums of points with whole factors, divided once */
 
-static enum loft_status store(const loft_spatch *s, const loft_blend *sum, loft_sci factors,
+static enum loft_status store(const loft_spatch *s, const loft_weighted_sum *sum, loft_sci factors,
                               loft_vec *out, loft_real *w)
 {
     loft_acc mean = 0;
 
     if (s->w) {
-        if (!loft_sci_wide(loft_sci_div(sum->w, factors), &mean))
+        if (!loft_sci_to_acc(loft_sci_div(sum->w, factors), &mean))
             return LOFT_ERR_RANGE;
         *w = loft_weight_clamp(loft_acc_round(mean));
     }
-    return loft_blend_project(sum, out);
+    return loft_weighted_sum_project(sum, out);
 }
 
-static void add(const loft_spatch *s, loft_blend *sum, const uint8_t l[], int32_t factor)
+static void add(const loft_spatch *s, loft_weighted_sum *sum, const uint8_t l[], int32_t factor)
 {
-    const unsigned rank = loft_multi_rank(l, s->sides);
-    loft_blend_add(sum, &s->p[rank], loft_sci_mul(loft_sci_from_int(factor), weight_of(s, rank)));
+    const unsigned rank = loft_multiindex_rank(l, s->sides);
+    loft_weighted_sum_add(sum, &s->p[rank],
+                          loft_sci_mul(loft_sci_from_int(factor), weight_of(s, rank)));
 }
 
 /* V_l = sum l_i / (depth + 1) V_(l - e_i) */
-enum loft_status loft_spatch_raise(const loft_spatch *s, loft_vec out[], loft_real w[])
+enum loft_status loft_spatch_elevate(const loft_spatch *s, loft_vec out[], loft_real w[])
 {
     uint8_t l[LOFT_SIDES_MAX];
     unsigned rank = 0;
@@ -215,10 +216,10 @@ enum loft_status loft_spatch_raise(const loft_spatch *s, loft_vec out[], loft_re
 
     if (s->depth >= LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
-    loft_multi_first(l, s->sides, s->depth + 1u);
+    loft_multiindex_first(l, s->sides, s->depth + 1u);
     do {
-        loft_blend sum;
-        loft_blend_start(&sum);
+        loft_weighted_sum sum;
+        loft_weighted_sum_start(&sum);
         for (unsigned i = 0; i < s->sides; i++)
             if (l[i]) {
                 l[i]--;
@@ -228,7 +229,7 @@ enum loft_status loft_spatch_raise(const loft_spatch *s, loft_vec out[], loft_re
         status = store(s, &sum, loft_sci_from_int(s->depth + 1), &out[rank],
                        s->w ? &w[rank] : NULL);
         rank++;
-    } while (status == LOFT_OK && loft_multi_next(l, s->sides));
+    } while (status == LOFT_OK && loft_multiindex_next(l, s->sides));
     return status;
 }
 
@@ -243,12 +244,12 @@ enum loft_status loft_spatch_tensor(const loft_spatch *s, loft_vec out[], loft_r
     for (unsigned i = 0; i <= d; i++)
         for (unsigned j = 0; j <= d; j++) {
             const unsigned at = i * (d + 1) + j;
-            loft_blend sum;
-            loft_blend_start(&sum);
+            loft_weighted_sum sum;
+            loft_weighted_sum_start(&sum);
             for (unsigned both = i + j > d ? i + j - d : 0; both <= i && both <= j; both++) {
                 const uint8_t l[4] = { (uint8_t)(d + both - i - j), (uint8_t)(i - both),
                                        (uint8_t)both, (uint8_t)(j - both) };
-                add(s, &sum, l, loft_multi_ways(l, 4));
+                add(s, &sum, l, loft_multiindex_multinomial(l, 4));
             }
             const int32_t ways = loft_binomial(d, i) * loft_binomial(d, j);
             const enum loft_status status = store(s, &sum, loft_sci_from_int(ways), &out[at],
@@ -264,7 +265,7 @@ enum loft_status loft_spatch_tensor(const loft_spatch *s, loft_vec out[], loft_r
 
 void loft_links_start(loft_links *w, unsigned sides, unsigned depth)
 {
-    loft_multi_first(w->rest, sides, depth - 1);
+    loft_multiindex_first(w->rest, sides, depth - 1);
     w->sides = (uint8_t)sides;
     w->r = 0;
     w->more = true;
@@ -273,7 +274,7 @@ void loft_links_start(loft_links *w, unsigned sides, unsigned depth)
 static unsigned rank_beyond(loft_links *w, unsigned i)
 {
     w->rest[i]++;
-    const unsigned rank = loft_multi_rank(w->rest, w->sides);
+    const unsigned rank = loft_multiindex_rank(w->rest, w->sides);
     w->rest[i]--;
     return rank;
 }
@@ -286,7 +287,7 @@ bool loft_links_next(loft_links *w, unsigned *l, unsigned *m)
     *m = rank_beyond(w, after(w->r, w->sides));
     if (++w->r == w->sides) {
         w->r = 0;
-        w->more = loft_multi_next(w->rest, w->sides);
+        w->more = loft_multiindex_next(w->rest, w->sides);
     }
     return true;
 }

@@ -1,7 +1,7 @@
 /* lib/polygon/spatch.h -- S-patches: Bezier surfaces with 3 to 8 sides
  * SPDX-License-Identifier: MIT
  *
- * A control point for every index of polygon/multi.h, in its order; a point of the surface for
+ * A control point for every index of polygon/multiindex.h, in its order; a point of the surface for
  * every set of coordinates phi with respect to the vertices of a polygon, whichever coordinates
  * these are:
  *
@@ -19,9 +19,9 @@
 #define LOFT_POLYGON_SPATCH_H
 
 #include "geom/vec.h"           /* loft_vec */
-#include "polygon/multi.h"      /* loft_multi_count */
+#include "polygon/multiindex.h"      /* loft_multiindex_count */
 #include "polygon/jet.h"        /* loft_jet */
-#include "surface/local.h"      /* loft_local */
+#include "surface/differential.h"      /* loft_differential */
 
 LOFT_BEGIN_C
 
@@ -33,7 +33,7 @@ typedef struct {
     uint8_t sides, depth;
 } loft_spatch;
 
-/* Make a patch of loft_multi_count(sides, depth) control points, which must outlive it.
+/* Make a patch of loft_multiindex_count(sides, depth) control points, which must outlive it.
  *
  *   range   sides 3..8, depth 1..9, otherwise LOFT_ERR_ARG; finite coordinates and weights
  *           1/256..256, otherwise LOFT_ERR_RANGE; *s is untouched then
@@ -48,7 +48,7 @@ enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft
  *   range   coordinates that sum to 1; LOFT_ERR_RANGE when the point does not fit, LOFT_SINGULAR
  *           when the weights sum to 0: neither happens where no phi is negative; *out is untouched
  *           then
- *   error   as above; on an edge that of loft_blend_curve, at a corner none
+ *   error   as above; on an edge that of loft_weighted_sum_curve, at a corner none
  *   cost    per control point about 3 products and one per axis, with weights one more; a division
  *           per axis with weights; 1.6 kB of stack in q16
  *   see     Loop, DeRose, A multisided generalization of Bezier surfaces (1989)
@@ -59,7 +59,7 @@ enum loft_status loft_spatch_eval(const loft_spatch *s, const loft_sci phi[],
 /* The same point by de Casteljau's algorithm: V_l of depth r - 1 is sum phi_i V_(l + e_i) of depth
  * r.
  *
- *   shape   work[loft_multi_count(sides, depth - 1)]
+ *   shape   work[loft_multiindex_count(sides, depth - 1)]
  *   range   as eval
  *   error   as above
  *   cost    `sides` products per point of every depth, axis by axis
@@ -68,7 +68,8 @@ enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[
                                        loft_vec *out) LOFT_CHECKED;
 
 /* The derivatives by x and y of the first and second order, for normals and curvatures
- * (surface/local.h). Width is the sum of |derivatives of a weight| times |distance of its point|.
+ * (surface/differential.h). Width is the sum of |derivatives of a weight| times |distance of its
+ * point|.
  *
  *   shape   phi[sides] with their derivatives by x and y, wherever they have them
  *   range   as eval
@@ -78,17 +79,17 @@ enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[
  *   cost    per control point 20 (sides + depth) products and 6 per axis; eval once more; q16: 2.7
  *           kB of stack
  */
-enum loft_status loft_spatch_local(const loft_spatch *s, const loft_jet phi[],
-                                   loft_local *out) LOFT_CHECKED;
+enum loft_status loft_spatch_differential(const loft_spatch *s, const loft_jet phi[],
+                                   loft_differential *out) LOFT_CHECKED;
 
 /* The same patch with a depth higher by 1.
  *
- *   shape   out[loft_multi_count(sides, depth + 1)], weights too unless s->w is null
+ *   shape   out[loft_multiindex_count(sides, depth + 1)], weights too unless s->w is null
  *   range   depth 1..8, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: 2 * sides + 4 ulp; weights the same
  *   cost    sides + 1 products and a division per point and axis
  */
-enum loft_status loft_spatch_raise(const loft_spatch *s, loft_vec out[],
+enum loft_status loft_spatch_elevate(const loft_spatch *s, loft_vec out[],
                                    loft_real w[]) LOFT_CHECKED;
 
 /* The tensor product net of a patch with four sides over a parallelogram and Wachspress
@@ -114,11 +115,12 @@ typedef struct {
     bool more;
 } loft_links;
 
-/*   shape   sides * loft_multi_count(sides, depth - 1) edges; next gives the ranks of both ends,
+/*   shape   sides * loft_multiindex_count(sides, depth - 1) edges; next gives the ranks of both
+ * ends,
  *           false at the end
  *   range   sides 3..8, depth 1..9
  *   error   none
- *   cost    start: none; next: two of loft_multi_rank */
+ *   cost    start: none; next: two of loft_multiindex_rank */
 void loft_links_start(loft_links *w, unsigned sides, unsigned depth);
 bool loft_links_next(loft_links *w, unsigned *l, unsigned *m);
 

@@ -8,7 +8,7 @@
  * product of the other heights.
  */
 #include "polygon/toric.h"
-#include "polygon/blend.h"      /* loft_blend */
+#include "polygon/weighted_sum.h"      /* loft_weighted_sum */
 
 #define BITS_MAX 900
 
@@ -106,13 +106,13 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
 {
     const unsigned sides = t->lattice->sides;
     loft_sci h[LOFT_SIDES_MAX];
-    loft_blend sum;
+    loft_weighted_sum sum;
     loft_whole l;
     unsigned k = 0;
 
-    if (!loft_spot_admits(p) || !heights(t->lattice, p, h))
+    if (!loft_spot_valid(p) || !heights(t->lattice, p, h))
         return LOFT_ERR_RANGE;
-    loft_blend_start(&sum);
+    loft_weighted_sum_start(&sum);
     loft_lattice_polygon_first(t->lattice, &l);
     do {
         loft_sci weight = factor(t, k);
@@ -120,10 +120,10 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
             weight = loft_sci_mul(weight, loft_sci_pow(h[i], (unsigned)loft_lattice_polygon_height(
                                                                  t->lattice, i, l)));
         if (loft_sci_sign(weight))
-            loft_blend_add(&sum, &t->p[k], weight);
+            loft_weighted_sum_add(&sum, &t->p[k], weight);
         k++;
     } while (loft_lattice_polygon_next(t->lattice, &l));
-    return loft_blend_project(&sum, out);
+    return loft_weighted_sum_project(&sum, out);
 }
 
 
@@ -172,7 +172,7 @@ static enum loft_status weigh(loft_sci w[], unsigned degree, loft_weighted out[]
     if (loft_sci_less(loft_sci_mul(least, scale), loft_sci_from_int(LOFT_PROJECT / 256)))
         return LOFT_ERR_RANGE;
     for (unsigned k = 0; k <= degree; k++)
-        if (!loft_sci_wide(loft_sci_mul(w[k], scale), &wide[k]))
+        if (!loft_sci_to_acc(loft_sci_mul(w[k], scale), &wide[k]))
             return LOFT_ERR_RANGE;
     loft_rational_weights(wide, degree, out);
     return LOFT_OK;
@@ -203,7 +203,7 @@ enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_s
     loft_sci h[LOFT_SIDES_MAX], product[2] = { loft_sci_one(), loft_sci_one() };
     loft_acc share = 0;
 
-    if (edge >= lattice->sides || !loft_spot_admits(p) || !heights(lattice, p, h) ||
+    if (edge >= lattice->sides || !loft_spot_valid(p) || !heights(lattice, p, h) ||
         loft_sci_sign(h[edge]))
         return LOFT_ERR_ARG;
     const loft_whole *n = &lattice->edge[edge].normal;
@@ -214,8 +214,8 @@ enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_s
             product[power < 0] = loft_sci_mul(
                 product[power < 0], loft_sci_pow(h[j], (unsigned)(power < 0 ? -power : power)));
     }
-    if (!loft_sci_wide(loft_sci_div(product[0], loft_sci_add(product[0], product[1])), &share))
+    if (!loft_sci_to_acc(loft_sci_div(product[0], loft_sci_add(product[0], product[1])), &share))
         return LOFT_ERR_RANGE;
-    *out = loft_unit_ratio(share, loft_wide(LOFT_REAL(1)));
+    *out = loft_unit_ratio(share, loft_to_acc(LOFT_REAL(1)));
     return LOFT_OK;
 }

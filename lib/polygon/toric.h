@@ -16,7 +16,7 @@
 
 #include "curve/rational.h"     /* loft_weighted */
 #include "polygon/lattice.h"    /* loft_lattice_polygon */
-#include "surface/local.h"      /* loft_local */
+#include "surface/differential.h"      /* loft_differential */
 
 LOFT_BEGIN_C
 
@@ -55,7 +55,8 @@ enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *latt
 enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out) LOFT_CHECKED;
 
 /* The derivatives by x and y of the first and second order, for normals and curvatures
- * (surface/local.h). Width is the sum of |derivatives of a weight| times |distance of its point|
+ * (surface/differential.h). Width is the sum of |derivatives of a weight| times |distance of its
+ * point|
  * over the sum of weights.
  *
  *   range   as eval
@@ -65,7 +66,8 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
  *   cost    per control point 15 sides (2 log2 h_i + 2) products and 6 per axis; eval once more;
  *           q16: 2.5 kB of stack
  */
-enum loft_status loft_toric_local(const loft_toric *t, loft_spot p, loft_local *out) LOFT_CHECKED;
+enum loft_status loft_toric_differential(const loft_toric *t, loft_spot p,
+                                         loft_differential *out) LOFT_CHECKED;
 
 /* The curve along an edge, from its first vertex to its second.
  *

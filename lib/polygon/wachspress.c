@@ -32,7 +32,7 @@ enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sc
 
     if (!d->convex)
         return LOFT_ERR_ARG;
-    if (!loft_spot_admits(p))
+    if (!loft_spot_valid(p))
         return LOFT_ERR_RANGE;
     const enum loft_place place = loft_domain_place(d, p, area, &index);
     if (place == LOFT_OUTSIDE)
@@ -82,7 +82,7 @@ enum loft_status loft_wachspress_jet(const loft_domain *d, loft_spot p, loft_jet
 
     if (!d->convex)
         return LOFT_ERR_ARG;
-    if (!loft_spot_admits(p) || loft_domain_place(d, p, area, &index) == LOFT_OUTSIDE)
+    if (!loft_spot_valid(p) || loft_domain_place(d, p, area, &index) == LOFT_OUTSIDE)
         return LOFT_ERR_RANGE;
     const loft_sci unit = area[largest_of(area, n)];
     for (unsigned j = 0; j < n; j++)

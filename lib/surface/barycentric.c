@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  *
  * Room of a row, in q16. Coefficients are at most 2^15 times the product G of the growths L of the
- * rows before, and loft_bary_grows sees to it that G L <= 19683 for the row in hand. loft_acc_blend
+ * rows before, and loft_bary_grows sees to it that G L <= 19683 for the row in hand. loft_acc_lerp3
  * forms
  *
  *     |v| |y - x| + |w| |z - x|  <=  2 (|v| + |w|) 2^15 G  <=  2 L G 2^15  <  2^30.3
@@ -86,7 +86,7 @@ enum loft_status loft_bary_area(const loft_vec corner[3], loft_real *area)
         return LOFT_ERR_RANGE;
     const loft_exact twice = det(between(corner[0], corner[1]), between(corner[0], corner[2]));
     if (!loft_exact_quot(twice, loft_exact_from_int(2), -2 * LOFT_EXACT_REAL, &x) ||
-        !loft_acc_fits(x))
+        !loft_acc_valid(x))
         return LOFT_ERR_RANGE;
     *area = loft_acc_round(x);
     return LOFT_OK;
@@ -99,7 +99,7 @@ static bool near(loft_bary u)
 
 enum loft_status loft_bary_round(const loft_acc wide[3], loft_bary *out)
 {
-    const loft_acc most = loft_wide(LOFT_REAL(32));
+    const loft_acc most = loft_to_acc(LOFT_REAL(32));
 
     for (int k = 1; k < 3; k++)
         if (!(wide[k] >= -most && wide[k] <= most))
@@ -109,17 +109,17 @@ enum loft_status loft_bary_round(const loft_acc wide[3], loft_bary *out)
     return LOFT_OK;
 }
 
-static loft_acc widened(loft_unit t) { return loft_acc_scale(loft_wide(LOFT_REAL(1)), t); }
+static loft_acc widened(loft_unit t) { return loft_acc_scale(loft_to_acc(LOFT_REAL(1)), t); }
 
 enum loft_status loft_bary_change(const loft_bary corner[3], loft_bary x, loft_acc out[3])
 {
     if (!near(corner[0]) || !near(corner[1]) || !near(corner[2]) || !near(x))
         return LOFT_ERR_ARG;
-    out[1] = loft_acc_blend(widened(corner[0].v), widened(corner[1].v), widened(corner[2].v), x.v,
+    out[1] = loft_acc_lerp3(widened(corner[0].v), widened(corner[1].v), widened(corner[2].v), x.v,
                             x.w);
-    out[2] = loft_acc_blend(widened(corner[0].w), widened(corner[1].w), widened(corner[2].w), x.v,
+    out[2] = loft_acc_lerp3(widened(corner[0].w), widened(corner[1].w), widened(corner[2].w), x.v,
                             x.w);
-    out[0] = loft_wide(LOFT_REAL(1)) - out[1] - out[2];
+    out[0] = loft_to_acc(LOFT_REAL(1)) - out[1] - out[2];
     return LOFT_OK;
 }
 
@@ -129,7 +129,7 @@ enum loft_status loft_bary_change(const loft_bary corner[3], loft_bary x, loft_a
 
 bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *product)
 {
-    const loft_acc one = loft_wide(LOFT_REAL(1)), most = one * GROWTH_MAX;
+    const loft_acc one = loft_to_acc(LOFT_REAL(1)), most = one * GROWTH_MAX;
 
     if (!direction && loft_bary_inside(u))
         return true;
@@ -137,10 +137,10 @@ bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *prod
         return false;
     const loft_acc v = widened(u.v), w = widened(u.w);
     /* at most 129 */
-    const loft_acc growth = loft_acc_size((direction ? 0 : one) - v - w) + loft_acc_size(v) +
-                            loft_acc_size(w);
+    const loft_acc growth = loft_acc_abs((direction ? 0 : one) - v - w) + loft_acc_abs(v) +
+                            loft_acc_abs(w);
     for (unsigned k = 0; k < times && growth > one; k++) {
-        *product = loft_acc_mul(*product, loft_acc_round(growth)) + loft_acc_grain(*product);
+        *product = loft_acc_mul(*product, loft_acc_round(growth)) + loft_acc_ulp(*product);
         if (*product > most)
             return false;
     }
@@ -154,7 +154,7 @@ bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *prod
  * from the end. */
 void loft_bary_weights(unsigned degree, loft_bary u, loft_acc c[])
 {
-    c[0] = loft_wide(LOFT_REAL(1));
+    c[0] = loft_to_acc(LOFT_REAL(1));
     for (unsigned n = 1; n <= degree; n++) {
         for (unsigned k = 0; k <= n; k++)
             c[loft_triangle_place(n - k, k)] = 0;
@@ -176,14 +176,14 @@ void loft_bary_step(loft_acc c[], unsigned degree, loft_bary u)
 {
     for (unsigned m = 0, p = 0; m < degree; m++)
         for (unsigned k = 0; k <= m; k++, p++)
-            c[p] = loft_acc_blend(c[p], c[p + m + 1], c[p + m + 2], u.v, u.w);
+            c[p] = loft_acc_lerp3(c[p], c[p + m + 1], c[p + m + 2], u.v, u.w);
 }
 
 void loft_bary_slope(loft_acc c[], unsigned degree, loft_bary z)
 {
     for (unsigned m = 0, p = 0; m < degree; m++)
         for (unsigned k = 0; k <= m; k++, p++)
-            c[p] = loft_acc_blend(0, c[p + m + 1] - c[p], c[p + m + 2] - c[p], z.v, z.w);
+            c[p] = loft_acc_lerp3(0, c[p + m + 1] - c[p], c[p + m + 2] - c[p], z.v, z.w);
 }
 
 loft_acc loft_bary_eval(loft_acc c[], unsigned degree, loft_bary u)

@@ -59,7 +59,7 @@ static inline loft_bary loft_bary_clamp(loft_bary u)
  * one rounding.
  *
  *   range   LOFT_SINGULAR for three corners on a line; LOFT_ERR_RANGE when a coordinate is 2^30 or
- *           more, or for numbers that loft_exact_admits refuses; `out` is untouched then
+ *           more, or for numbers that loft_exact_valid refuses; `out` is untouched then
  *   error   q16: 2^-33 + 2^-60   f32, f64: 0.51 ulp of double
  *   cost    4 determinants and 3 quotients of exact numbers; 1 kB of stack; not for an ISR */
 

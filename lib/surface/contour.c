@@ -27,7 +27,7 @@ static void set_bit(loft_contour *c, uint32_t k)
 
 static uint32_t corner_bit(const loft_contour *c, corner k)
 {
-    const unsigned j = c->sheet.over == LOFT_SHEET_ROUND && k.j == c->columns ? 0 : k.j;
+    const unsigned j = c->sheet.over == LOFT_SURFACE_DISK && k.j == c->columns ? 0 : k.j;
     return k.i * (c->columns + (uint32_t)1) + j;
 }
 
@@ -41,7 +41,7 @@ static bool is_high(const loft_contour *c, corner k) { return bit(c, corner_bit(
 
 static bool exists(const loft_contour *c, unsigned i, unsigned j, bool upper)
 {
-    if (c->sheet.over == LOFT_SHEET_TRIANGLE)
+    if (c->sheet.over == LOFT_SURFACE_TRIANGLE)
         return i + j + upper < c->rows;
     return i < c->rows && j < c->columns;
 }
@@ -74,7 +74,7 @@ static bool go_beyond(const loft_contour *c, loft_contour_cell *t, unsigned k)
     unsigned i = t->i, j = t->j;
 
     if (k == 0 && !t->upper && j == 0) {
-        if (c->sheet.over != LOFT_SHEET_ROUND)
+        if (c->sheet.over != LOFT_SURFACE_DISK)
             return false;
         j = c->columns;
     }
@@ -84,7 +84,7 @@ static bool go_beyond(const loft_contour *c, loft_contour_cell *t, unsigned k)
         j = t->upper ? j + 1 : j - 1;
     if (k == 2)
         i = t->upper ? i + 1 : i - 1;
-    if (c->sheet.over == LOFT_SHEET_ROUND && j == c->columns)
+    if (c->sheet.over == LOFT_SURFACE_DISK && j == c->columns)
         j = 0;
     if (!exists(c, i, j, !t->upper))
         return false;
@@ -106,7 +106,7 @@ typedef struct {
 
 static loft_unit between(loft_unit a, loft_unit b, loft_unit s)
 {
-    return loft_unit_round(loft_acc_lerp(loft_unit_wide(a), loft_unit_wide(b), s));
+    return loft_unit_round(loft_acc_lerp(loft_unit_to_acc(a), loft_unit_to_acc(b), s));
 }
 
 /* False when the sheet has no point there. */
@@ -114,7 +114,7 @@ static bool look(const loft_contour *c, spot *s)
 {
     if (c->sheet.eval(c->sheet.surface, s->u, s->v, &s->p) != LOFT_OK)
         return false;
-    s->off = loft_wide(s->p.axis[c->axis]) - loft_wide(c->height);
+    s->off = loft_to_acc(s->p.axis[c->axis]) - loft_to_acc(c->height);
     return true;
 }
 
@@ -127,7 +127,7 @@ static bool look_at(const loft_contour *c, corner k, spot *s)
 
 static bool is_near(const loft_contour *c, const spot *s)
 {
-    return s->off <= loft_wide(c->tol) && s->off >= -loft_wide(c->tol);
+    return s->off <= loft_to_acc(c->tol) && s->off >= -loft_to_acc(c->tol);
 }
 
 /* Where, between a low and a high corner, low.off < 0 <= high.off. By turns where the chord has the
@@ -182,11 +182,12 @@ static void give(loft_contour *c, unsigned k, bool entry, loft_vec *out)
 
 /* Curves */
 
-enum loft_status loft_contour_init(loft_contour *c, loft_sheet sheet, unsigned axis,
+enum loft_status loft_contour_init(loft_contour *c, loft_surface sheet, unsigned axis,
                                    loft_real height, loft_real tol, unsigned rows, unsigned columns,
                                    uint8_t memory[], size_t count)
 {
-    const bool round = sheet.over == LOFT_SHEET_ROUND, triangle = sheet.over == LOFT_SHEET_TRIANGLE;
+    const bool round = sheet.over == LOFT_SURFACE_DISK,
+               triangle = sheet.over == LOFT_SURFACE_TRIANGLE;
     corner k;
 
     if (rows < 1 || rows > LOFT_CONTOUR_MOST || columns < (round ? 3u : 1u) ||

@@ -4,7 +4,7 @@
  *
  *     static uint8_t memory[LOFT_CONTOUR_BYTES(32, 32)];
  *     loft_contour c;
- *     if (loft_contour_init(&c, loft_sheet_from_tensor(&patch), 2, height, tol, 32, 32, memory,
+ *     if (loft_contour_init(&c, loft_surface_from_tensor(&patch), 2, height, tol, 32, 32, memory,
  *     sizeof memory) == LOFT_OK)
  *         while ((step = loft_contour_next(&c, &p)) != LOFT_CONTOUR_OVER)
  *             ..                                  // LOFT_CONTOUR_START: the pen travels there;
@@ -21,7 +21,7 @@
 #ifndef LOFT_SURFACE_CONTOUR_H
 #define LOFT_SURFACE_CONTOUR_H
 
-#include "surface/sheet.h"      /* loft_sheet */
+#include "surface/surface.h"      /* loft_surface */
 
 LOFT_BEGIN_C
 
@@ -41,7 +41,7 @@ typedef struct {
  * last point lies. */
 typedef struct {
     loft_unit u, v;
-    loft_sheet sheet;
+    loft_surface sheet;
     loft_real height, tol;
     uint8_t *memory;
     uint16_t rows, columns;
@@ -62,7 +62,7 @@ typedef struct {
  *   error   none: a corner at the height counts as higher
  *   cost    (rows + 1) (columns + 1) points of the sheet
  */
-enum loft_status loft_contour_init(loft_contour *c, loft_sheet sheet, unsigned axis,
+enum loft_status loft_contour_init(loft_contour *c, loft_surface sheet, unsigned axis,
                                    loft_real height, loft_real tol, unsigned rows, unsigned columns,
                                    uint8_t memory[], size_t count) LOFT_CHECKED;
 

@@ -14,7 +14,7 @@
  */
 #include "surface/deficit.h"
 #include "geom/vec_exact.h" /* loft_vec_exact_valid */
-#include "num/power.h"  /* loft_sci_from_fine */
+#include "num/explog.h"  /* loft_sci_from_fine */
 
 static loft_sci dot(const loft_sci a[3], const loft_sci b[3])
 {
@@ -52,8 +52,8 @@ static loft_fine angle_of(loft_sci y, loft_sci x)
     const loft_sci scale = loft_sci_div(loft_sci_from_int(536870912), most);
     loft_acc wide[2] = { 0, 0 };
 
-    if (!loft_sci_wide(loft_sci_mul(y, scale), &wide[0]) ||
-        !loft_sci_wide(loft_sci_mul(x, scale), &wide[1]))
+    if (!loft_sci_to_acc(loft_sci_mul(y, scale), &wide[0]) ||
+        !loft_sci_to_acc(loft_sci_mul(x, scale), &wide[1]))
         return 0;
     return loft_fine_atan2(wide[0], wide[1]);
 }

@@ -14,7 +14,7 @@
  * neighbours at equal distances along the lines of curvature. For four along lines that cross at 60
  * degrees on a sphere it tends to 1.6 times the curvature, at 45 degrees to 2.5 times, and for four
  * along the straight lines of a saddle to 0, however fine the mesh. For a surface that is given,
- * take loft_local_curvatures (surface/local.h).
+ * take loft_differential_curvatures (surface/differential.h).
  *
  *   see     Meyer, Desbrun, Schroeder, Barr, Discrete differential-geometry operators for
  *           triangulated 2-manifolds (2002); Xu, Convergence of discrete Laplace-Beltrami operators
@@ -37,7 +37,7 @@ typedef struct {
  *
  *   shape   ring[count]
  *   range   3..255 neighbours, otherwise LOFT_ERR_ARG; f32, f64: coordinates that
- *           loft_exact_admits, otherwise LOFT_ERR_RANGE; LOFT_SINGULAR for a neighbour at the
+ *           loft_exact_valid, otherwise LOFT_ERR_RANGE; LOFT_SINGULAR for a neighbour at the
  *           vertex or no area; *out is untouched then. A triangle without area has an angle of 0 or
  *           a half turn
  *   error   angles: q16: count * 2^-54   f32, f64: count * 2^-48; area: q16: 2^-55   f32, f64:

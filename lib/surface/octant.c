@@ -95,7 +95,7 @@ static loft_real rounded(loft_sci x)
 {
     loft_acc y;
 
-    return loft_sci_wide(x, &y) && loft_acc_fits(y) ? loft_acc_round(y) : 0;
+    return loft_sci_to_acc(x, &y) && loft_acc_valid(y) ? loft_acc_round(y) : 0;
 }
 
 loft_vec loft_octant_eval(loft_bary at)

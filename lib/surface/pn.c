@@ -46,10 +46,11 @@ static bool pull(loft_pn *t, unsigned place, loft_vec p, loft_vec q, loft_vec no
 
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc lift = 0;
-        if (!loft_sci_wide(loft_sci_mul(foot, n.axis[i]), &lift))
+        if (!loft_sci_to_acc(loft_sci_mul(foot, n.axis[i]), &lift))
             return false;
-        t->b[i][place] = loft_acc_ratio(2 * loft_wide(p.axis[i]) + loft_wide(q.axis[i]) - lift, 3);
-        if (!loft_acc_fits(t->b[i][place]))
+        t->b[i][place] = loft_acc_ratio(2 * loft_to_acc(p.axis[i]) + loft_to_acc(q.axis[i]) - lift,
+                                        3);
+        if (!loft_acc_valid(t->b[i][place]))
             return false;
     }
     return true;
@@ -62,7 +63,7 @@ static bool fill(loft_pn *t)
         loft_acc *b = t->b[i];
         const loft_acc ring = b[1] + b[2] + b[3] + b[5] + b[7] + b[8], corners = b[0] + b[6] + b[9];
         b[4] = loft_acc_ratio(3 * ring - 2 * corners, 12);
-        if (!loft_acc_fits(b[4]))
+        if (!loft_acc_valid(b[4]))
             return false;
     }
     return true;
@@ -86,7 +87,7 @@ static loft_vec between(const loft_vec corner[3], const loft_vec n[3], int i, in
     const loft_sci g = loft_sci_sign(square) > 0 ? loft_sci_div(loft_sci_add(along, along), square)
                                                  : loft_sci_zero();
     for (int a = 0; a < LOFT_AXES; a++)
-        if (!loft_sci_wide(loft_sci_sub(sum.axis[a], loft_sci_mul(g, e.axis[a])), &h[a]))
+        if (!loft_sci_to_acc(loft_sci_sub(sum.axis[a], loft_sci_mul(g, e.axis[a])), &h[a]))
             return out;                 /* never: a mirror image is no longer */
     return loft_vec_unit(h, &out) == LOFT_OK ? out : (loft_vec) { { 0 } };
 }
@@ -102,7 +103,7 @@ enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3], const loft_v
         if (!loft_vec_valid(corner[i]) || !loft_vec_valid(normal[i]))
             return LOFT_ERR_RANGE;
         for (int a = 0; a < LOFT_AXES; a++)
-            wide[a] = loft_wide(normal[i].axis[a]);
+            wide[a] = loft_to_acc(normal[i].axis[a]);
         if (loft_vec_unit(wide, &n[i]) != LOFT_OK)
             return LOFT_SINGULAR;
     }
@@ -110,7 +111,7 @@ enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3], const loft_v
         for (int j = 0; j < 3; j++)
             if (i == j)
                 for (int a = 0; a < LOFT_AXES; a++)
-                    t->b[a][place[i][i]] = loft_wide(corner[i].axis[a]);
+                    t->b[a][place[i][i]] = loft_to_acc(corner[i].axis[a]);
             else if (!pull(t, place[i][j], corner[i], corner[j], normal[i]))
                 return LOFT_ERR_RANGE;
     if (!fill(t))
@@ -144,9 +145,9 @@ loft_vec loft_pn_eval(const loft_pn *t, loft_bary u)
 }
 
 /* Control points err by 2^-32, which three rows multiply by L^3, the rows 2^-33 (1 + L + L^2). */
-enum loft_status loft_pn_extend(const loft_pn *t, loft_bary u, loft_vec *out)
+enum loft_status loft_pn_extrapolate(const loft_pn *t, loft_bary u, loft_vec *out)
 {
-    loft_acc product = loft_wide(LOFT_REAL(1)), x[LOFT_AXES];
+    loft_acc product = loft_to_acc(LOFT_REAL(1)), x[LOFT_AXES];
 
     if (!loft_bary_grows(u, false, 3, &product))
         return LOFT_ERR_RANGE;
@@ -162,7 +163,7 @@ enum loft_status loft_pn_normal(const loft_pn *t, loft_bary u, loft_vec *out)
     u = loft_bary_clamp(u);
     for (int i = 0; i < LOFT_AXES; i++) {
         for (int k = 0; k < 6; k++)
-            c[k] = loft_wide(t->n[k].axis[i]);
+            c[k] = loft_to_acc(t->n[k].axis[i]);
         h[i] = loft_bary_eval(c, 2, u);
     }
     return loft_vec_unit(h, out);

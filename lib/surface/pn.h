@@ -52,7 +52,7 @@ loft_vec loft_pn_eval(const loft_pn *t, loft_bary u);
  *           L^3 2^-48   f64: L^3 2^-48, of the largest coordinate
  *   cost    as eval
  */
-enum loft_status loft_pn_extend(const loft_pn *t, loft_bary u, loft_vec *out) LOFT_CHECKED;
+enum loft_status loft_pn_extrapolate(const loft_pn *t, loft_bary u, loft_vec *out) LOFT_CHECKED;
 
 /* The shading normal at u, of length 1; at the corners that of the corner.
  *

@@ -21,16 +21,25 @@ typedef struct {
 static turn turn_of(loft_real degrees)
 {
     const int32_t k = loft_real_floor(loft_div(degrees, LOFT_REAL(90)) + LOFT_REAL(0.5));
-    const loft_acc rest = loft_wide(degrees) - k * loft_wide(LOFT_REAL(90));
-    const loft_fine angle = loft_fine_mul(loft_fine_ratio(rest, loft_wide(LOFT_REAL(180))),
+    const loft_acc rest = loft_to_acc(degrees) - k * loft_to_acc(LOFT_REAL(90));
+    const loft_fine angle = loft_fine_mul(loft_fine_ratio(rest, loft_to_acc(LOFT_REAL(180))),
                                           LOFT_FINE_PI);
     const loft_fine s = loft_fine_sin(angle), c = loft_fine_cos(angle);
     turn t = { s, c };
 
     switch (k & 3) {
-    case 1: t.sin = c;  t.cos = -s; break;
-    case 2: t.sin = -s; t.cos = -c; break;
-    case 3: t.sin = -c; t.cos = s;  break;
+    case 1:
+        t.sin = c;
+        t.cos = -s;
+        break;
+    case 2:
+        t.sin = -s;
+        t.cos = -c;
+        break;
+    case 3:
+        t.sin = -c;
+        t.cos = s;
+        break;
     default: break;
     }
     return t;
@@ -61,8 +70,8 @@ enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_re
         return LOFT_ERR_ARG;
     direction_of(theta, phi, n);
     for (int i = 0; i < LOFT_AXES; i++)
-        x[i] = loft_wide(s->centre.axis[i]) +
-               (i < 3 ? loft_fine_scale(loft_wide(s->radius), n[i < 3 ? i : 0]) : 0);
+        x[i] = loft_to_acc(s->centre.axis[i]) +
+               (i < 3 ? loft_fine_scale(loft_to_acc(s->radius), n[i < 3 ? i : 0]) : 0);
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
@@ -75,7 +84,7 @@ enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_
         return LOFT_ERR_ARG;
     direction_of(theta, phi, n);
     for (int i = 0; i < LOFT_AXES; i++)
-        out->axis[i] = i < 3 ? loft_acc_round(loft_fine_wide(n[i < 3 ? i : 0])) : 0;
+        out->axis[i] = i < 3 ? loft_acc_round(loft_fine_to_acc(n[i < 3 ? i : 0])) : 0;
     return LOFT_OK;
 }
 
@@ -89,7 +98,7 @@ static bool arm_of(const loft_sphere *s, const loft_vec *x, loft_exact arm[3])
     if (!loft_vec_exact_valid(&s->centre, 1, 3) || !loft_vec_exact_valid(x, 1, 3))
         return false;
     loft_vec_exact_sub(x, &s->centre, 3, arm);
-    return loft_exact_admits(s->radius);
+    return loft_exact_valid(s->radius);
 }
 
 enum loft_status loft_sphere_distance(const loft_sphere *s, loft_vec x, loft_real *out)
@@ -117,8 +126,9 @@ enum loft_status loft_sphere_value(const loft_sphere *s, loft_vec x, loft_real *
     const loft_exact radius = loft_exact_from_real(s->radius);
     const loft_exact square = loft_vec_exact_dot(arm, arm, 3);
     const loft_exact sum = loft_exact_sub(square, loft_exact_mul(radius, radius));
-    return loft_exact_quot_real(sum, loft_exact_from_int(1), -2 * LOFT_EXACT_REAL, out) ?
-        LOFT_OK : LOFT_ERR_RANGE;
+    return loft_exact_quot_real(sum, loft_exact_from_int(1), -2 * LOFT_EXACT_REAL, out)
+               ? LOFT_OK
+               : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_sphere_direction(const loft_sphere *s, loft_vec x, loft_vec *out)

@@ -48,7 +48,7 @@ enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_
 /* |x - centre| - radius, and (x - centre)^2 - radius^2: negative inside.
  *
  *   range   radius >= 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the result does not fit or, in
- *           floats, loft_exact_admits refuses a number; *out is untouched then
+ *           floats, loft_exact_valid refuses a number; *out is untouched then
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: distance 1 ulp of the radius, value 1
  *           ulp
  *   cost    4 exact products, one exact root, one quotient; 1.2 kB of stack in q16; not for an ISR

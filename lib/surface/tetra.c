@@ -73,7 +73,7 @@ enum loft_status loft_volume_from_point(const loft_vec corner[4], loft_vec p, lo
  * each degree. */
 void loft_volume_weights(unsigned degree, loft_volume u, loft_acc c[])
 {
-    c[0] = loft_wide(LOFT_REAL(1));
+    c[0] = loft_to_acc(LOFT_REAL(1));
     for (unsigned d = 1; d <= degree; d++) {
         for (unsigned k = LOFT_TETRA_POINTS(d - 1); k < LOFT_TETRA_POINTS(d); k++)
             c[k] = 0;
@@ -99,7 +99,7 @@ static void step(loft_acc c[], unsigned degree, loft_volume u)
             for (unsigned l = 0; l <= n; l++, p++) {
                 const unsigned q = p + (m + 1) * (m + 2) / 2;
                 const loft_acc rest = loft_acc_scale(c[q + n + 2] - c[p], u.x);
-                c[p] = loft_acc_blend(c[p], c[q], c[q + n + 1], u.v, u.w) + rest;
+                c[p] = loft_acc_lerp3(c[p], c[q], c[q + n + 1], u.v, u.w) + rest;
             }
 }
 
@@ -108,7 +108,7 @@ static void widen(const loft_tetra *t, int axis, loft_acc c[])
     const unsigned degree = t->degree;
 
     for (unsigned k = 0; k < LOFT_TETRA_POINTS(degree); k++)
-        c[k] = loft_wide(t->p[k].axis[axis]);
+        c[k] = loft_to_acc(t->p[k].axis[axis]);
 }
 
 enum loft_status loft_tetra_init(loft_tetra *t, const loft_vec p[], unsigned degree)
@@ -158,12 +158,12 @@ static loft_acc raised(const loft_acc c[], unsigned n, unsigned i, unsigned j, u
     return loft_acc_ratio(sum, loft_binomial(i + j + k + l, n));
 }
 
-enum loft_status loft_tetra_raise(const loft_tetra *t, unsigned times, loft_vec out[])
+enum loft_status loft_tetra_elevate(const loft_tetra *t, unsigned times, loft_vec out[])
 {
     const unsigned n = t->degree, most = n + times;
     loft_acc c[MOST];
 
-    if (times > LOFT_RAISE_MAX - n)
+    if (times > LOFT_ELEVATE_MAX - n)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         widen(t, axis, c);

@@ -11,7 +11,7 @@
 #ifndef LOFT_SURFACE_TETRA_H
 #define LOFT_SURFACE_TETRA_H
 
-#include "curve/bezier.h"       /* LOFT_DEGREE_MAX, LOFT_RAISE_MAX */
+#include "curve/bezier.h"       /* LOFT_DEGREE_MAX, LOFT_ELEVATE_MAX */
 #include "geom/vec.h"           /* loft_vec */
 
 LOFT_BEGIN_C
@@ -42,7 +42,7 @@ loft_volume loft_volume_clamp(loft_volume u);
  * tetrahedron has large ones.
  *
  *   range   LOFT_SINGULAR for four corners in a plane; LOFT_ERR_RANGE when a coordinate is 2^30 or
- *           more, or for numbers that loft_exact_admits refuses; `out` is untouched then
+ *           more, or for numbers that loft_exact_valid refuses; `out` is untouched then
  *   error   q16: 2^-33 + 2^-60   f32, f64: 0.51 ulp of double
  *   cost    4 determinants of three rows and 4 quotients of exact numbers; 2 kB of stack in q16;
  *           not for an ISR
@@ -90,13 +90,14 @@ loft_vec loft_tetra_eval(const loft_tetra *t, loft_volume u);
 /* The same with a degree higher by `times`: LOFT_TETRA_POINTS(degree + times) control points, not
  * those of t.
  *
- *   range   degree + times <= LOFT_RAISE_MAX, otherwise LOFT_ERR_ARG
+ *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree^2 + 3 ulp, of the largest control
  *           value
  *   cost    at most as many small products and one division for each control point of the result as
  *           the net has points
  */
-enum loft_status loft_tetra_raise(const loft_tetra *t, unsigned times, loft_vec out[]) LOFT_CHECKED;
+enum loft_status loft_tetra_elevate(const loft_tetra *t, unsigned times,
+                                    loft_vec out[]) LOFT_CHECKED;
 
 LOFT_END_C
 

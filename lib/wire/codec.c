@@ -186,7 +186,8 @@ static uint8_t put_item(uint8_t *byte, enum loft_kind kind, const loft_predictor
                         const loft_item *item)
 {
     return kind == LOFT_CURVES ? loft_curve_encode(byte, p, item)
-         : kind == LOFT_SPANS  ? put_span(byte, p, item) : put_point(byte, kind, p, item);
+           : kind == LOFT_SPANS ? put_span(byte, p, item)
+                                : put_point(byte, kind, p, item);
 }
 
 enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
@@ -285,7 +286,7 @@ enum loft_status loft_item_from_span(loft_item *item, const loft_span *span)
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++)
         for (int k = 0; k < 3; k++) {
-            if (!loft_raw_fits(span->p[k + 1].axis[i]))
+            if (!loft_raw_valid(span->p[k + 1].axis[i]))
                 return LOFT_ERR_RANGE;
             item->p[k][i] = loft_raw_from_real(span->p[k + 1].axis[i]);
         }

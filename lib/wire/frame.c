@@ -92,10 +92,7 @@ static enum loft_status finish(loft_frame *f)
     return whole && f->odd == 0 ? LOFT_OK : empty ? LOFT_MORE : LOFT_ERR_DATA;
 }
 
-bool loft_frame_sealed(const loft_frame *f, uint32_t seal)
-{
-    return f->odd == loft_crc32(0, seal);
-}
+bool loft_frame_sealed(const loft_frame *f, uint32_t seal) { return f->odd == loft_crc32(0, seal); }
 
 enum loft_status loft_frame_push(loft_frame *f, uint8_t byte)
 {

@@ -252,8 +252,10 @@ static const uint8_t message_of[] = { [LOFT_SPANS] = LOFT_DATA_SPANS,
 
 static enum loft_kind kind_of(enum loft_message type)
 {
-    return type == LOFT_DATA_SPANS ? LOFT_SPANS : type == LOFT_DATA_POINTS ? LOFT_POINTS
-         : type == LOFT_DATA_CURVES ? LOFT_CURVES : LOFT_POINTS_FINE;
+    return type == LOFT_DATA_SPANS    ? LOFT_SPANS
+           : type == LOFT_DATA_POINTS ? LOFT_POINTS
+           : type == LOFT_DATA_CURVES ? LOFT_CURVES
+                                      : LOFT_POINTS_FINE;
 }
 
 bool loft_data_carried(const loft_frame *f)

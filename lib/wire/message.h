@@ -19,12 +19,17 @@ LOFT_BEGIN_C
 #define LOFT_WIRE_VERSION 2
 
 enum loft_message {
-    LOFT_HELLO   = 0x1,     LOFT_WELCOME = 0x8,     /* who is there? the one thing that never
+    LOFT_HELLO = 0x1,
+    LOFT_WELCOME = 0x8, /* who is there? the one thing that never
                                                      * changes its form */
-    LOFT_JOB     = 0x2,     LOFT_AXIS    = 0x9,
-    LOFT_DATA_SPANS  = 0x3, LOFT_ACK     = 0xA,
-    LOFT_DATA_POINTS = 0x4, LOFT_STATUS  = 0xB,
-    LOFT_END     = 0x5,     LOFT_REPORT  = 0xC,
+    LOFT_JOB = 0x2,
+    LOFT_AXIS = 0x9,
+    LOFT_DATA_SPANS = 0x3,
+    LOFT_ACK = 0xA,
+    LOFT_DATA_POINTS = 0x4,
+    LOFT_STATUS = 0xB,
+    LOFT_END = 0x5,
+    LOFT_REPORT = 0xC,
     LOFT_CONTROL = 0x6,
     LOFT_POLL    = 0x7,
     LOFT_DATA_FINE   = 0xD,                         /* from the host: POINTS, packed by third
@@ -188,10 +193,7 @@ static inline enum loft_message loft_message_type(const loft_frame *f)
 {
     return (enum loft_message)(f->byte[0] >> 4);
 }
-static inline uint8_t loft_message_version(const loft_frame *f)
-{
-    return f->byte[0] & 15;
-}
+static inline uint8_t loft_message_version(const loft_frame *f) { return f->byte[0] & 15; }
 static inline uint8_t           loft_message_session(const loft_frame *f) { return f->byte[1]; }
 
 

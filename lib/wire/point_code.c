@@ -66,8 +66,10 @@ uint8_t loft_point_encode(uint8_t byte[LOFT_POINT_BYTES], const uint32_t residua
 /* The digits of the code one by one: three short loops instead of divisions. */
 static void get_digits(uint8_t code, uint32_t r[3])
 {
-    for (r[2] = (uint32_t)-2; code >= 25; code = (uint8_t)(code - 25)) r[2]++;
-    for (r[1] = (uint32_t)-2; code >= 5;  code = (uint8_t)(code - 5))  r[1]++;
+    for (r[2] = (uint32_t)-2; code >= 25; code = (uint8_t)(code - 25))
+        r[2]++;
+    for (r[1] = (uint32_t)-2; code >= 5; code = (uint8_t)(code - 5))
+        r[1]++;
     r[0] = code - (uint32_t)2;
 }
 

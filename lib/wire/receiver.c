@@ -15,14 +15,14 @@
 #define DUE_STATUS  4u
 #define DUE_REPORT  8u
 
-enum loft_status loft_receiver_init(loft_receiver *r, const loft_traits *traits)
+enum loft_status loft_receiver_init(loft_receiver *r, const loft_machine_info *info)
 {
-    if (traits->queue < 1 || traits->tick_hz < 1 || traits->slots < 1)
+    if (info->queue < 1 || info->tick_hz < 1 || info->slots < 1)
         return LOFT_ERR_ARG;
 
     loft_frame_init(&r->frame);
-    r->traits   = traits;
-    r->sessions = (uint8_t)(traits->boot & 0xFFu);      /* not the numbers of the run before */
+    r->info   = info;
+    r->sessions = (uint8_t)(info->boot & 0xFFu);      /* not the numbers of the run before */
     r->session  = 0;
     r->nonce    = r->job = r->next = r->told = r->damaged = r->dropped = 0;
     r->kind     = r->control = r->refusal = r->welcome = r->due = 0;
@@ -47,8 +47,8 @@ static bool is_over(uint8_t state)
 
 static bool for_us(const loft_receiver *r)
 {
-    return loft_message_version(&r->frame) == LOFT_WIRE_VERSION && r->session != 0
-        && loft_message_session(&r->frame) == r->session;
+    return loft_message_version(&r->frame) == LOFT_WIRE_VERSION && r->session != 0 &&
+           loft_message_session(&r->frame) == r->session;
 }
 
 /* A damaged frame. */
@@ -69,9 +69,7 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte)
         r->due |= DUE_ACK | DUE_NAK;
     }
     switch (loft_frame_push(&r->frame, byte)) {
-    case LOFT_OK:
-        r->fresh = true;
-        return true;
+    case LOFT_OK: r->fresh = true; return true;
     case LOFT_ERR_DATA:
         if (r->frame.count > 0 && for_us(r) && loft_data_carried(&r->frame)) {
             /* sealed: take_data knows */
@@ -80,8 +78,7 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte)
         }
         spoil(r);
         return false;
-    default:
-        return false;
+    default: return false;
     }
 }
 
@@ -103,7 +100,7 @@ static enum loft_event refuse(loft_receiver *r, enum loft_refusal refusal)
 }
 
 /* The same nonce again is the same connection: its WELCOME was lost. */
-static enum loft_event take_hello(loft_receiver *r, const loft_standing *now)
+static enum loft_event take_hello(loft_receiver *r, const loft_snapshot *now)
 {
     loft_hello m;
     if (loft_hello_decode(&r->frame, &m) != LOFT_OK)
@@ -126,7 +123,7 @@ static enum loft_event take_hello(loft_receiver *r, const loft_standing *now)
     return LOFT_EVENT_NONE;
 }
 
-static enum loft_event take_job(loft_receiver *r, const loft_standing *now, loft_job *m)
+static enum loft_event take_job(loft_receiver *r, const loft_snapshot *now, loft_job *m)
 {
     if (loft_job_decode(&r->frame, m) != LOFT_OK || m->nonce != r->nonce)
         return drop(r, 0);
@@ -140,7 +137,7 @@ static enum loft_event take_job(loft_receiver *r, const loft_standing *now, loft
                                                          * may the host */
     if (now->state == LOFT_STATE_FAULT)
         return refuse(r, LOFT_REFUSAL_FAULT);
-    if (!(r->traits->kinds & 1u << m->kind))
+    if (!(r->info->kinds & 1u << m->kind))
         return refuse(r, LOFT_REFUSAL_KIND);
     return LOFT_EVENT_JOB;
 }
@@ -171,7 +168,7 @@ static int32_t ahead(const loft_receiver *r, uint16_t first)
     return d < 0x8000u ? (int32_t)d : (int32_t)d - 0x10000;
 }
 
-static enum loft_event take_data(loft_receiver *r, const loft_standing *now)
+static enum loft_event take_data(loft_receiver *r, const loft_snapshot *now)
 {
     const enum loft_message type = loft_message_type(&r->frame);
     loft_unpacker u;
@@ -216,7 +213,7 @@ static enum loft_event take_end(loft_receiver *r)
 }
 
 /* Numbers count up, so that neither a repeated nor an overtaken control is obeyed. */
-static enum loft_event take_control(loft_receiver *r, const loft_standing *now,
+static enum loft_event take_control(loft_receiver *r, const loft_snapshot *now,
                                     loft_event_data *out)
 {
     loft_control m;
@@ -232,9 +229,7 @@ static enum loft_event take_control(loft_receiver *r, const loft_standing *now,
     case LOFT_HOLD:   return LOFT_EVENT_HOLD;
     case LOFT_RESUME: return LOFT_EVENT_RESUME;
     case LOFT_ABORT:  return LOFT_EVENT_ABORT;
-    case LOFT_OVERRIDE:
-        out->percent = m.value;
-        return LOFT_EVENT_OVERRIDE;
+    case LOFT_OVERRIDE: out->percent = m.value; return LOFT_EVENT_OVERRIDE;
     default:
         if (!is_over(now->state))
             return LOFT_EVENT_NONE;
@@ -243,7 +238,7 @@ static enum loft_event take_control(loft_receiver *r, const loft_standing *now,
     }
 }
 
-static enum loft_event take_frame(loft_receiver *r, const loft_standing *now, loft_event_data *out)
+static enum loft_event take_frame(loft_receiver *r, const loft_snapshot *now, loft_event_data *out)
 {
     if (loft_message_type(&r->frame) == LOFT_HELLO)
         return take_hello(r, now);
@@ -263,12 +258,11 @@ static enum loft_event take_frame(loft_receiver *r, const loft_standing *now, lo
         if (is_over(now->state) && r->job)
             r->due |= DUE_REPORT;
         return LOFT_EVENT_NONE;
-    default:
-        return drop(r, 0);
+    default: return drop(r, 0);
     }
 }
 
-enum loft_event loft_receiver_next(loft_receiver *r, const loft_standing *now, loft_event_data *out)
+enum loft_event loft_receiver_next(loft_receiver *r, const loft_snapshot *now, loft_event_data *out)
 {
     if (r->fresh) {
         r->fresh = false;
@@ -286,14 +280,14 @@ enum loft_event loft_receiver_next(loft_receiver *r, const loft_standing *now, l
 // Answers
 // -------
 
-static uint32_t limit_of(const loft_receiver *r, const loft_standing *now)
+static uint32_t limit_of(const loft_receiver *r, const loft_snapshot *now)
 {
     if (r->job == 0 || r->ended || !takes_items(now->state))
         return r->next;
     return now->room < 0xFFFFFFFFu - r->next ? r->next + now->room : 0xFFFFFFFFu;
 }
 
-static loft_ack ack_of(loft_receiver *r, const loft_standing *now)
+static loft_ack ack_of(loft_receiver *r, const loft_snapshot *now)
 {
     loft_ack a;
     a.next     = r->next;
@@ -309,41 +303,41 @@ static loft_ack ack_of(loft_receiver *r, const loft_standing *now)
     return a;
 }
 
-static size_t give_welcome(loft_receiver *r, const loft_standing *now, uint8_t wire[])
+static size_t give_welcome(loft_receiver *r, const loft_snapshot *now, uint8_t wire[])
 {
     loft_welcome m;
     m.version   = r->session ? LOFT_WIRE_VERSION : 0;
     m.nonce     = r->nonce;
-    m.boot      = r->traits->boot;
+    m.boot      = r->info->boot;
     m.job       = r->job;
     m.ack       = ack_of(r, now);
     m.axes      = LOFT_AXES;
     m.num       = LOFT_NUM;
     m.frame_max = LOFT_FRAME_MAX;
-    m.queue     = r->traits->queue;
-    m.tick_hz   = r->traits->tick_hz;
-    m.slots     = r->traits->slots;
-    m.kinds     = r->traits->kinds;
-    m.curves    = r->traits->curves;
-    m.points    = r->traits->points;
+    m.queue     = r->info->queue;
+    m.tick_hz   = r->info->tick_hz;
+    m.slots     = r->info->slots;
+    m.kinds     = r->info->kinds;
+    m.curves    = r->info->curves;
+    m.points    = r->info->points;
     m.closed    = now->closed;
     return loft_welcome_encode(&m, r->session, wire);
 }
 
-static size_t give_axis(const loft_receiver *r, const loft_standing *now, uint8_t number,
+static size_t give_axis(const loft_receiver *r, const loft_snapshot *now, uint8_t number,
                         uint8_t wire[])
 {
     loft_axis m;
     m.number       = number;
-    m.steps_per_mm = r->traits->axis[number].steps_per_mm;
-    m.max_speed    = r->traits->axis[number].max_speed;
-    m.max_accel    = r->traits->axis[number].max_accel;
+    m.steps_per_mm = r->info->axis[number].steps_per_mm;
+    m.max_speed    = r->info->axis[number].max_speed;
+    m.max_accel    = r->info->axis[number].max_accel;
     m.position     = now->position[number];
     m.start        = r->job ? r->start[number] : 0;
     return loft_axis_encode(&m, r->session, wire);
 }
 
-static size_t give_status(loft_receiver *r, const loft_standing *now, uint8_t wire[])
+static size_t give_status(loft_receiver *r, const loft_snapshot *now, uint8_t wire[])
 {
     loft_machine_status m;
     m.ack     = ack_of(r, now);
@@ -360,7 +354,7 @@ static size_t give_status(loft_receiver *r, const loft_standing *now, uint8_t wi
     return loft_machine_status_encode(&m, r->session, wire);
 }
 
-static size_t give_report(loft_receiver *r, const loft_standing *now, uint8_t wire[])
+static size_t give_report(loft_receiver *r, const loft_snapshot *now, uint8_t wire[])
 {
     loft_report m;
     m.job     = r->job;
@@ -378,9 +372,9 @@ static size_t give_report(loft_receiver *r, const loft_standing *now, uint8_t wi
 
 /* Room is told a quarter of the queue at a time: often enough that the host never waits for it with
  * a queue less than three quarters full, seldom enough that it does not send frames of one item. */
-static void note_changes(loft_receiver *r, const loft_standing *now)
+static void note_changes(loft_receiver *r, const loft_snapshot *now)
 {
-    const loft_traits *t = r->traits;
+    const loft_machine_info *t = r->info;
     const uint16_t most = r->kind == LOFT_CURVES   ? t->curves
                           : r->kind == LOFT_POINTS ? t->points
                                                    : t->queue;
@@ -396,7 +390,7 @@ static void note_changes(loft_receiver *r, const loft_standing *now)
         r->due &= (uint8_t)~DUE_REPORT;
 }
 
-size_t loft_receiver_poll(loft_receiver *r, const loft_standing *now, uint8_t wire[LOFT_FRAME_MAX])
+size_t loft_receiver_poll(loft_receiver *r, const loft_snapshot *now, uint8_t wire[LOFT_FRAME_MAX])
 {
     if (r->welcome > LOFT_AXES || (r->welcome && r->session == 0)) {
         r->welcome = r->session ? LOFT_AXES : 0;

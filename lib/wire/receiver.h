@@ -6,13 +6,13 @@
  *
  *     while (port has a byte)
  *         if (loft_receiver_push(&r, byte)) {                              // a frame is complete
- *             loft_standing now = where_i_stand();
+ *             loft_snapshot now = where_i_stand();
  *             enum loft_event e;
  *             while ((e = loft_receiver_next(&r, &now, &what)) != LOFT_EVENT_NONE)
  *                 act(e, &what);                                           // queue what.item, ...
  *         }
  *     if (the port can take a frame) {
- *         loft_standing now = where_i_stand();
+ *         loft_snapshot now = where_i_stand();
  *         write(wire, loft_receiver_poll(&r, &now, wire));
  *     }
  *
@@ -31,7 +31,7 @@ typedef struct {
     int32_t  steps_per_mm, max_speed, max_accel;    /* raw Q16.16: of mm, mm/s, mm/s^2 */
     uint32_t max_jerk;                              /* mm/s^3; 0: not limited. The host is not
                                                      * told */
-} loft_traits_axis;
+} loft_axis_config;
 
 /* What the machine is; set once. */
 typedef struct {
@@ -43,8 +43,8 @@ typedef struct {
     uint16_t curves;                    /* curves that fit the plan */
     uint8_t  kinds;                     /* bit 1: spans, bit 2: points, bit 4: curves: 1 << enum
                                          * loft_kind */
-    loft_traits_axis axis[LOFT_AXES];
-} loft_traits;
+    loft_axis_config axis[LOFT_AXES];
+} loft_machine_info;
 
 /* How the machine stands; made afresh for each call. */
 typedef struct {
@@ -57,7 +57,7 @@ typedef struct {
     uint16_t closed, ended_by;          /* inputs, as in loft_machine_status and loft_report; only
                                          * looked at by poll */
     bool     starved;
-} loft_standing;
+} loft_snapshot;
 
 enum loft_event {
     LOFT_EVENT_NONE,
@@ -84,7 +84,7 @@ typedef union {
 typedef struct {
     uint32_t damaged, dropped;          /* frames, as in loft_machine_status */
 
-    const loft_traits *traits;
+    const loft_machine_info *info;
     loft_frame     frame;
     loft_unpacker  unpacker;
     loft_predictor predictor;
@@ -99,11 +99,11 @@ typedef struct {
     bool     ended, reported;
 } loft_receiver;
 
-/* Prepare to listen. `traits` is borrowed.
+/* Prepare to listen. `info` is borrowed.
  *
  *   range   queue, tick_hz and slots >= 1; otherwise LOFT_ERR_ARG
  */
-enum loft_status loft_receiver_init(loft_receiver *r, const loft_traits *traits) LOFT_CHECKED;
+enum loft_status loft_receiver_init(loft_receiver *r, const loft_machine_info *info) LOFT_CHECKED;
 
 /* Take one byte from the line. Gives true when a frame waits: call loft_receiver_next until it
  * gives LOFT_EVENT_NONE.
@@ -118,7 +118,7 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte);
  *   shape   `now` as it was before the first event of this frame is good enough for all of them
  *   cost    one item unpacked
  */
-enum loft_event loft_receiver_next(loft_receiver *r, const loft_standing *now,
+enum loft_event loft_receiver_next(loft_receiver *r, const loft_snapshot *now,
                                    loft_event_data *out);
 
 /* Answer LOFT_EVENT_JOB: LOFT_REFUSAL_NONE begins `job`, item 0 is next; any other is told to the
@@ -128,7 +128,7 @@ void loft_receiver_answer(loft_receiver *r, const loft_job *job, enum loft_refus
 
 /* Give the next frame to send; 0 when there is none. Call it whenever the line can take one: it
  * also tells the host of room that the queue gained. */
-size_t loft_receiver_poll(loft_receiver *r, const loft_standing *now, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_receiver_poll(loft_receiver *r, const loft_snapshot *now, uint8_t wire[LOFT_FRAME_MAX]);
 
 LOFT_END_C
 

@@ -87,9 +87,9 @@ static void join(loft_sender *s)
 enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count,
                                    loft_item_source *source, void *context)
 {
-    if (s->phase != LOFT_PHASE_READY || job->id == 0
-        || (job->kind != LOFT_SPANS && job->kind != LOFT_POINTS && job->kind != LOFT_CURVES)
-        || (job->kind == LOFT_CURVES && (!job->limits || s->machine.curves == 0)))
+    if (s->phase != LOFT_PHASE_READY || job->id == 0 ||
+        (job->kind != LOFT_SPANS && job->kind != LOFT_POINTS && job->kind != LOFT_CURVES) ||
+        (job->kind == LOFT_CURVES && (!job->limits || s->machine.curves == 0)))
         return LOFT_ERR_ARG;
     s->job     = *job;
     loft_window_init(&s->window, job, count, source, context);
@@ -315,8 +315,7 @@ static void take_frame(loft_sender *s, uint32_t now)
             loft_machine_status_decode(&s->frame, &status) == LOFT_OK)
             take_status(s, &status, now);
         break;
-    default:
-        s->unknown++;
+    default: s->unknown++;
     }
 }
 
@@ -329,8 +328,8 @@ bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms)
         return false;
 
     const bool welcome = loft_message_type(&s->frame) == LOFT_WELCOME;
-    if (!welcome && (loft_message_version(&s->frame) != LOFT_WIRE_VERSION || s->session == 0
-                     || loft_message_session(&s->frame) != s->session)) {
+    if (!welcome && (loft_message_version(&s->frame) != LOFT_WIRE_VERSION || s->session == 0 ||
+                     loft_message_session(&s->frame) != s->session)) {
         s->unknown++;
         return false;
     }
@@ -351,8 +350,8 @@ static bool can_send(const loft_sender *s)
                           : s->job.kind == LOFT_POINTS ? w->points
                                                        : w->queue;
 
-    return s->phase == LOFT_PHASE_STREAMING && !s->aborting
-        && loft_window_ready(&s->window, s->ack.limit, most < 4 ? 1 : most / 4u);
+    return s->phase == LOFT_PHASE_STREAMING && !s->aborting &&
+           loft_window_ready(&s->window, s->ack.limit, most < 4 ? 1 : most / 4u);
 }
 
 static bool can_end(const loft_sender *s)
@@ -510,10 +509,7 @@ uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms)
                : wait;
 }
 
-uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms)
-{
-    return now_ms - s->heard;
-}
+uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms) { return now_ms - s->heard; }
 
 void loft_sender_hangup(loft_sender *s)
 {

@@ -83,8 +83,8 @@ bool loft_window_ready(const loft_window *w, uint32_t limit, uint32_t step)
 {
     const uint32_t most = limit < w->known ? limit : w->known;
 
-    return w->flights < LOFT_WINDOW_FRAMES && w->send < most
-        && (most == w->known || w->send < w->high || most - w->send >= step);
+    return w->flights < LOFT_WINDOW_FRAMES && w->send < most &&
+           (most == w->known || w->send < w->high || most - w->send >= step);
 }
 
 static void predict(const loft_window *w, loft_predictor *p)

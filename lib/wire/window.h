@@ -28,7 +28,10 @@ typedef struct {
     int32_t  start[LOFT_AXES];                  /* where it starts, as in loft_job */
     uint8_t  kind;                              /* enum loft_kind */
     uint32_t base, send, high;
-    struct { uint32_t end, time; bool again; } flight[LOFT_WINDOW_FRAMES];
+    struct {
+        uint32_t end, time;
+        bool again;
+    } flight[LOFT_WINDOW_FRAMES];
     uint8_t  flights, first;                    /* frames on their way; the slot of the oldest */
     uint8_t  frame_most, frame_size;            /* the longest frame at all, and for now: shorter
                                                  * ones survive more damage */

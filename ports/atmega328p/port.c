@@ -38,13 +38,18 @@
 #define CELLS 14                    /* what RAM is left for */
 
 /* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500), 10000 }
+#define AXIS                                                                                       \
+    {                                                                                              \
+        LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500), 10000                                         \
+    }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine machine;
 static loft_machine_config config = {
-    .traits = { .tick_hz = LOFT_TICK_HZ, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
-    .ramp = 40, .cell = cells, .cells = CELLS
+    .info = { .tick_hz = LOFT_TICK_HZ, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
+    .ramp = 40,
+    .cell = cells,
+    .cells = CELLS
 };
 
 
@@ -136,10 +141,7 @@ ISR(TIMER1_COMPA_vect)
 
 static loft_ring line;
 
-ISR(USART_RX_vect)
-{
-    loft_ring_put(&line, UDR0);
-}
+ISR(USART_RX_vect) { loft_ring_put(&line, UDR0); }
 
 size_t loft_port_write(const uint8_t *bytes, size_t count)
 {
@@ -173,14 +175,15 @@ static uint32_t count_start(void)
         EEDR = byte;
         EECR |= 1 << EEMPE;
         EECR |= 1 << EEPE;
-        while (EECR & 1 << EEPE) {}
+        while (EECR & 1 << EEPE) {
+        }
     }
     return boot;
 }
 
 loft_machine_config *loft_port_init(void)
 {
-    config.traits.boot = count_start();
+    config.info.boot = count_start();
 
     PORTD = RX_PULL ^ LOFT_INVERT;
     DDRD = 0xFC;
@@ -233,7 +236,7 @@ int main(void)
 
     if (loft_machine_init(&machine, loft_port_init()) != LOFT_OK)
         return 1;
-    loft_port_start((uint32_t)config.traits.tick_hz * config.traits.slots);
+    loft_port_start((uint32_t)config.info.tick_hz * config.info.slots);
     for (;;) {
         loft_machine_push(&machine, byte, loft_ring_take(&line, byte, sizeof byte));
         if (sent == count) {

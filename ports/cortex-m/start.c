@@ -11,10 +11,7 @@ void reset(void);
 
 static uint32_t starts __attribute__((section(".noinit")));
 
-uint32_t cortex_starts(void)
-{
-    return ++starts;
-}
+uint32_t cortex_starts(void) { return ++starts; }
 
 void reset(void)
 {
@@ -37,7 +34,8 @@ void reset(void)
 /* Stand still: no slot comes, so no step is made. */
 static void fault(void)
 {
-    for (;;) {}
+    for (;;) {
+    }
 }
 
 #ifndef CORTEX_SLOT_IRQ
@@ -50,22 +48,25 @@ static void systick(void)
 #  define systick fault
 #endif
 
-void loft_port_wait(void)
-{
-    cortex_wait();
-}
+void loft_port_wait(void) { cortex_wait(); }
 
 typedef union {
     void (*code)(void);
     const void *data;
 } vector;
 
-__attribute__((section(".vectors"), used))
-static const vector vectors[16 + CORTEX_IRQS] = {
-    { .data = stack_top }, { .code = reset },
-    { .code = fault }, { .code = fault }, { .code = fault }, { .code = fault }, { .code = fault },
-    [11] = { .code = fault }, [12] = { .code = fault },
-    [14] = { .code = loft_port_tick }, [15] = { .code = systick },
+__attribute__((section(".vectors"), used)) static const vector vectors[16 + CORTEX_IRQS] = {
+    { .data = stack_top },
+    { .code = reset },
+    { .code = fault },
+    { .code = fault },
+    { .code = fault },
+    { .code = fault },
+    { .code = fault },
+    [11] = { .code = fault },
+    [12] = { .code = fault },
+    [14] = { .code = loft_port_tick },
+    [15] = { .code = systick },
     [16 + CORTEX_LINE_IRQ] = { .code = cortex_line },
 #ifdef CORTEX_SLOT_IRQ
     [16 + CORTEX_SLOT_IRQ] = { .code = cortex_slot },

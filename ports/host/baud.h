@@ -11,7 +11,9 @@
 /* The system's name of a speed; false if it has none. */
 static inline bool host_baud(unsigned baud, speed_t *out)
 {
-    static const struct { unsigned baud; speed_t speed;
+    static const struct {
+        unsigned baud;
+        speed_t speed;
     } speeds[] = { { 9600, B9600 },       { 19200, B19200 },    { 38400, B38400 },
                    { 57600, B57600 },     { 115200, B115200 },  { 230400, B230400 },
                    { 460800, B460800 },   { 500000, B500000 },  { 921600, B921600 },

@@ -74,10 +74,7 @@ static int64_t now_ns(void)
 }
 
 /* A positive number as raw Q16.16; 0 if it does not fit, which the machine refuses. */
-static int32_t raw_of(double x)
-{
-    return x > 0 && x < 32768 ? (int32_t)(x * 65536 + 0.5) : 0;
-}
+static int32_t raw_of(double x) { return x > 0 && x < 32768 ? (int32_t)(x * 65536 + 0.5) : 0; }
 
 static uint32_t boot_number(void)
 {
@@ -116,14 +113,14 @@ static int start_machine(struct host *h)
     const struct loft_host_options *o = h->o;
     loft_machine_config *c = &h->config;
 
-    c->traits.boot = boot_number();
-    c->traits.tick_hz = (uint16_t)(o->tick_hz <= UINT16_MAX ? o->tick_hz : 0);
-    c->traits.slots = (uint16_t)(o->slots <= UINT16_MAX ? o->slots : 0);
+    c->info.boot = boot_number();
+    c->info.tick_hz = (uint16_t)(o->tick_hz <= UINT16_MAX ? o->tick_hz : 0);
+    c->info.slots = (uint16_t)(o->slots <= UINT16_MAX ? o->slots : 0);
     for (int i = 0; i < LOFT_AXES; i++) {
-        c->traits.axis[i].steps_per_mm = raw_of(o->steps_per_mm[i]);
-        c->traits.axis[i].max_speed = raw_of(o->max_speed[i]);
-        c->traits.axis[i].max_accel = raw_of(o->max_accel[i]);
-        c->traits.axis[i].max_jerk = o->max_jerk[i] > 0 && o->max_jerk[i] < 1e9
+        c->info.axis[i].steps_per_mm = raw_of(o->steps_per_mm[i]);
+        c->info.axis[i].max_speed = raw_of(o->max_speed[i]);
+        c->info.axis[i].max_accel = raw_of(o->max_accel[i]);
+        c->info.axis[i].max_jerk = o->max_jerk[i] > 0 && o->max_jerk[i] < 1e9
                                          ? (uint32_t)o->max_jerk[i]
                                          : 0;
     }
@@ -206,10 +203,7 @@ static void note_state(struct host *h)
 
 
 /* Have all slots of the job been given? */
-static bool given(const struct host *h)
-{
-    return !h->board || h->board->left(h->board) == 0;
-}
+static bool given(const struct host *h) { return !h->board || h->board->left(h->board) == 0; }
 
 /* Let the board report when the last slot of a job has been given. */
 static void note_end(struct host *h)
@@ -255,10 +249,7 @@ static bool give_bytes(struct host *h)
 // Time
 // ----
 
-static bool moving(const struct host *h)
-{
-    return !loft_step_done(&h->machine.drive.step);
-}
+static bool moving(const struct host *h) { return !loft_step_done(&h->machine.drive.step); }
 
 /* The limit switches where the motors are. */
 static uint16_t limits_closed(const struct host *h)
@@ -296,8 +287,7 @@ static void run_slots(struct host *h, uint64_t count)
 static bool supplied(struct host *h)
 {
     const loft_drive *d = &h->machine.drive;
-    const unsigned most = d->kind == LOFT_POINTS ? h->machine.traits->points
-                                                 : h->machine.traits->queue;
+    const unsigned most = d->kind == LOFT_POINTS ? h->machine.info->points : h->machine.info->queue;
 
     return d->ended || d->abort || 2u * loft_drive_poll(&h->machine.drive).room <= most ||
            now_ns() - h->heard > GONE_MS * 1000000LL;

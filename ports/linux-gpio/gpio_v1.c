@@ -18,20 +18,11 @@ struct gpio_request {
     int value[GPIO_LINES];      /* what the outputs are */
 };
 
-const char *gpio_library(void)
-{
-    return gpiod_version_string();
-}
+const char *gpio_library(void) { return gpiod_version_string(); }
 
-gpio_chip *gpio_chip_open(const char *path)
-{
-    return gpiod_chip_open(path);
-}
+gpio_chip *gpio_chip_open(const char *path) { return gpiod_chip_open(path); }
 
-void gpio_chip_close(gpio_chip *chip)
-{
-    gpiod_chip_close(chip);
-}
+void gpio_chip_close(gpio_chip *chip) { gpiod_chip_close(chip); }
 
 bool gpio_chip_label(gpio_chip *chip, char label[GPIO_TEXT])
 {
@@ -39,10 +30,7 @@ bool gpio_chip_label(gpio_chip *chip, char label[GPIO_TEXT])
     return true;
 }
 
-unsigned gpio_chip_lines(gpio_chip *chip)
-{
-    return gpiod_chip_num_lines(chip);
-}
+unsigned gpio_chip_lines(gpio_chip *chip) { return gpiod_chip_num_lines(chip); }
 
 int gpio_chip_find(gpio_chip *chip, const char *name)
 {
@@ -110,15 +98,9 @@ gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
     return r;
 }
 
-bool gpio_debounces(void)
-{
-    return false;
-}
+bool gpio_debounces(void) { return false; }
 
-int gpio_fd(const gpio_request *r)
-{
-    return gpiod_line_event_get_fd(r->bulk.lines[0]);
-}
+int gpio_fd(const gpio_request *r) { return gpiod_line_event_get_fd(r->bulk.lines[0]); }
 
 bool gpio_forget_edges(gpio_request *r)
 {
@@ -127,10 +109,7 @@ bool gpio_forget_edges(gpio_request *r)
                                           sizeof event / sizeof event[0]) >= 0;
 }
 
-int gpio_get(gpio_request *r)
-{
-    return gpiod_line_get_value(r->bulk.lines[0]);
-}
+int gpio_get(gpio_request *r) { return gpiod_line_get_value(r->bulk.lines[0]); }
 
 void gpio_release(gpio_request *r)
 {

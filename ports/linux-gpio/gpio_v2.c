@@ -22,20 +22,11 @@ static enum gpiod_line_value value_of(uint32_t bit)
     return bit & 1 ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;
 }
 
-const char *gpio_library(void)
-{
-    return gpiod_api_version();
-}
+const char *gpio_library(void) { return gpiod_api_version(); }
 
-gpio_chip *gpio_chip_open(const char *path)
-{
-    return gpiod_chip_open(path);
-}
+gpio_chip *gpio_chip_open(const char *path) { return gpiod_chip_open(path); }
 
-void gpio_chip_close(gpio_chip *chip)
-{
-    gpiod_chip_close(chip);
-}
+void gpio_chip_close(gpio_chip *chip) { gpiod_chip_close(chip); }
 
 bool gpio_chip_label(gpio_chip *chip, char label[GPIO_TEXT])
 {
@@ -164,15 +155,9 @@ gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
     return r;
 }
 
-bool gpio_debounces(void)
-{
-    return true;
-}
+bool gpio_debounces(void) { return true; }
 
-int gpio_fd(const gpio_request *r)
-{
-    return gpiod_line_request_get_fd(r->request);
-}
+int gpio_fd(const gpio_request *r) { return gpiod_line_request_get_fd(r->request); }
 
 bool gpio_forget_edges(gpio_request *r)
 {

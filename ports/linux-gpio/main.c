@@ -30,10 +30,7 @@ struct gpio_board {
 // The board
 // ---------
 
-static struct gpio_board *of(struct loft_board *b)
-{
-    return (struct gpio_board *)b;
-}
+static struct gpio_board *of(struct loft_board *b) { return (struct gpio_board *)b; }
 
 /* The thread has the higher priority: the main loop may take the time that is left. All memory is
  * there by now, so that which comes later need not be locked, for which an account may have too
@@ -69,20 +66,11 @@ static void slot(struct loft_board *b, uint64_t number, loft_pins pins)
     pulses_put(&of(b)->pulses, number, pins);
 }
 
-static void give(struct loft_board *b)
-{
-    pulses_give(&of(b)->pulses);
-}
+static void give(struct loft_board *b) { pulses_give(&of(b)->pulses); }
 
-static uint64_t left(struct loft_board *b)
-{
-    return pulses_left(&of(b)->pulses);
-}
+static uint64_t left(struct loft_board *b) { return pulses_left(&of(b)->pulses); }
 
-static uint16_t inputs(struct loft_board *b)
-{
-    return inputs_closed(&of(b)->inputs);
-}
+static uint16_t inputs(struct loft_board *b) { return inputs_closed(&of(b)->inputs); }
 
 static unsigned watch(struct loft_board *b, struct pollfd fd[LOFT_BOARD_WATCHED], int *ms)
 {
@@ -94,10 +82,7 @@ static bool works(struct loft_board *b)
     return pulses_work(&of(b)->pulses) && !of(b)->inputs.lost;
 }
 
-static void report(struct loft_board *b)
-{
-    pulses_report(&of(b)->pulses);
-}
+static void report(struct loft_board *b) { pulses_report(&of(b)->pulses); }
 
 static void end(struct loft_board *b)
 {

@@ -39,17 +39,15 @@ static int64_t wait_until(int64_t when)
     int64_t now = now_ns();
 
     if (when - now > SPIN_NS)
-        while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, NULL) == EINTR) {}
+        while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, NULL) == EINTR) {
+        }
     do
         now = now_ns();
     while (now < when);
     return now;
 }
 
-static int64_t most(int64_t a, int64_t b)
-{
-    return a > b ? a : b;
-}
+static int64_t most(int64_t a, int64_t b) { return a > b ? a : b; }
 
 
 // The thread
@@ -138,7 +136,8 @@ static bool await(struct pulses *p, uint32_t tail)
         STORE(p->waiting, true);
         if (LOAD(p->head) != tail || LOAD(p->stop))
             break;
-        while (sem_wait(&p->wake) != 0) {}
+        while (sem_wait(&p->wake) != 0) {
+        }
         p->origin = now_ns() - time_of(p, p->done);
     }
     return !LOAD(p->stop);
@@ -194,7 +193,8 @@ int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s
     p->setup_ns = s->setup_us * INT64_C(1000);
     p->priority = s->priority;
     /* what happens in each, and the last of each portion */
-    for (p->room = 2; p->room <= 2 * most_slots; p->room *= 2) {}
+    for (p->room = 2; p->room <= 2 * most_slots; p->room *= 2) {
+    }
     p->ring = calloc(p->room, sizeof *p->ring);
     if (!p->ring || sem_init(&p->wake, 0, 0) != 0 || !start_thread(p)) {
         fprintf(stderr, "loft-gpio: cannot start a thread: %s\n", strerror(errno));
@@ -222,10 +222,7 @@ void pulses_put(struct pulses *p, uint64_t slot, loft_pins pins)
     p->dir_put = pins.dir;
 }
 
-uint64_t pulses_left(const struct pulses *p)
-{
-    return (uint32_t)p->put - LOAD(p->given);
-}
+uint64_t pulses_left(const struct pulses *p) { return (uint32_t)p->put - LOAD(p->given); }
 
 void pulses_give(struct pulses *p)
 {
@@ -238,10 +235,7 @@ void pulses_give(struct pulses *p)
     sem_post(&p->wake);
 }
 
-bool pulses_work(const struct pulses *p)
-{
-    return !LOAD(p->broken);
-}
+bool pulses_work(const struct pulses *p) { return !LOAD(p->broken); }
 
 void pulses_report(struct pulses *p)
 {

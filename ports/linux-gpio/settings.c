@@ -190,8 +190,7 @@ static int take_value(struct settings *s, const struct row *k, int axis, const c
             return wrong(where, key, value, "is too long");
         strcpy((char *)s + k->at, value);
         return 0;
-    default:
-        return take_number(s, k, axis, where, key, value);
+    default: return take_number(s, k, axis, where, key, value);
     }
 }
 

@@ -24,17 +24,22 @@
 #include "plans.h"
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000), 20000 }
+#define AXIS                                                                                       \
+    {                                                                                              \
+        LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000), 20000                                        \
+    }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {
-    .traits = { .tick_hz = 1000, .slots = 40, .axis = { AXIS, AXIS, AXIS } },
-    .ramp = 160, .cell = cells, .cells = CELLS
+    .info = { .tick_hz = 1000, .slots = 40, .axis = { AXIS, AXIS, AXIS } },
+    .ramp = 160,
+    .cell = cells,
+    .cells = CELLS
 };
 
 loft_machine_config *loft_port_init(void)
 {
-    config.traits.boot = cortex_starts();
+    config.info.boot = cortex_starts();
     REG(MPS2_GPIO0 + 0x10) = STEPS | STEPS << DIR_AT;   /* OUTENSET                  */
     REG(MPS2_UART0 + 0x10) = MPS2_CLOCK / LOFT_BAUD;    /* BAUDDIV, at least 16      */
     REG(MPS2_UART0 + 0x08) = 1 << 3 | 1 << 1 | 1 << 0;  /* both ways, with interrupt */
@@ -79,7 +84,4 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return 1;
 }
 
-uint16_t loft_port_inputs(void)
-{
-    return loft_switches_of(REG(MPS2_GPIO1 + 0x00));
-}
+uint16_t loft_port_inputs(void) { return loft_switches_of(REG(MPS2_GPIO1 + 0x00)); }

@@ -32,12 +32,17 @@
 #define CELLS   160
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS { LOFT_RAW(250), LOFT_RAW(80), LOFT_RAW(500), 10000 }
+#define AXIS                                                                                       \
+    {                                                                                              \
+        LOFT_RAW(250), LOFT_RAW(80), LOFT_RAW(500), 10000                                          \
+    }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {
-    .traits = { .tick_hz = 1000, .slots = 20, .axis = { AXIS, AXIS, AXIS } },
-    .ramp = 80, .cell = cells, .cells = CELLS
+    .info = { .tick_hz = 1000, .slots = 20, .axis = { AXIS, AXIS, AXIS } },
+    .ramp = 80,
+    .cell = cells,
+    .cells = CELLS
 };
 
 static const uint8_t step_pin[3] = { 3, 2, 1 }, dir_pin[3] = { 18, 20, 16 },
@@ -71,7 +76,7 @@ loft_machine_config *loft_port_init(void)
 {
     REG(CLOCK + 0x000) = 1;                         /* the crystal */
     (void)came(CLOCK + 0x100);
-    config.traits.boot = random_number() ^ cortex_starts();
+    config.info.boot = random_number() ^ cortex_starts();
 
     for (int i = 0; i < 3; i++) {
         REG(GPIO + 0x518) = 1u << step_pin[i] | 1u << dir_pin[i];

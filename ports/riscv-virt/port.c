@@ -25,12 +25,17 @@
 #include "plans.h"
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000), 20000 }
+#define AXIS                                                                                       \
+    {                                                                                              \
+        LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000), 20000                                        \
+    }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {
-    .traits = { .tick_hz = 1000, .slots = 40, .axis = { AXIS, AXIS, AXIS } },
-    .ramp = 160, .cell = cells, .cells = CELLS
+    .info = { .tick_hz = 1000, .slots = 40, .axis = { AXIS, AXIS, AXIS } },
+    .ramp = 160,
+    .cell = cells,
+    .cells = CELLS
 };
 static uint32_t period;
 static uint64_t due;
@@ -115,13 +120,14 @@ void trap(void)
     case 0x80000003:    tick();     break;
     case 0x8000000B:    line();     break;
     default:
-        for (;;) {}                     /* a fault: no slot comes, so no step is made */
+        for (;;) {
+        } /* a fault: no slot comes, so no step is made */
     }
 }
 
 loft_machine_config *loft_port_init(void)
 {
-    config.traits.boot = REG(CLOCK) ^ REG(CLOCK + 4) << 16;
+    config.info.boot = REG(CLOCK) ^ REG(CLOCK + 4) << 16;
     REG8(LINE + 3) = 3;                 /* 8N1                   */
     REG8(LINE + 2) = 1;                 /* queues of bytes       */
     REG8(LINE + 1) = 1;                 /* interrupt for a byte  */
@@ -155,12 +161,6 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return 1;
 }
 
-uint16_t loft_port_inputs(void)
-{
-    return 0;
-}
+uint16_t loft_port_inputs(void) { return 0; }
 
-void loft_port_wait(void)
-{
-    __asm__ volatile ("wfi" ::: "memory");
-}
+void loft_port_wait(void) { __asm__ volatile("wfi" ::: "memory"); }

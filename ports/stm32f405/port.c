@@ -36,12 +36,17 @@
 #include "plans.h"
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS { LOFT_RAW(250), LOFT_RAW(400), LOFT_RAW(2000), 40000 }
+#define AXIS                                                                                       \
+    {                                                                                              \
+        LOFT_RAW(250), LOFT_RAW(400), LOFT_RAW(2000), 40000                                        \
+    }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {
-    .traits = { .tick_hz = 1000, .slots = 100, .axis = { AXIS, AXIS, AXIS } },
-    .ramp = 200, .cell = cells, .cells = CELLS
+    .info = { .tick_hz = 1000, .slots = 100, .axis = { AXIS, AXIS, AXIS } },
+    .ramp = 200,
+    .cell = cells,
+    .cells = CELLS
 };
 
 /* Wait for `bits` in a register, but not for ever: an emulator may not have it. */
@@ -78,7 +83,7 @@ static uint32_t random_number(void)
 loft_machine_config *loft_port_init(void)
 {
     set_clock();
-    config.traits.boot = random_number() ^ cortex_starts();
+    config.info.boot = random_number() ^ cortex_starts();
 
     REG(RCC + 0x30) |= 1 << 0 | 1 << 2;                                 /* ports A and C */
     REG(RCC + 0x44) |= 1 << 4;                                          /* USART1 */
@@ -117,10 +122,7 @@ void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
     }
 }
 
-void cortex_line(void)
-{
-    loft_port_byte((uint8_t)REG(USART1 + 0x04));
-}
+void cortex_line(void) { loft_port_byte((uint8_t)REG(USART1 + 0x04)); }
 
 size_t loft_port_write(const uint8_t *bytes, size_t count)
 {

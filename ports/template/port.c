@@ -8,12 +8,17 @@
 
 /* The machine. Values in mm go through LOFT_RAW. */
 /* steps/mm, mm/s, mm/s^2, mm/s^3 or 0 */
-#define AXIS { LOFT_RAW(80), LOFT_RAW(200), LOFT_RAW(1000), 0 }
+#define AXIS                                                                                       \
+    {                                                                                              \
+        LOFT_RAW(80), LOFT_RAW(200), LOFT_RAW(1000), 0                                             \
+    }
 
 static volatile loft_cell cells[LOFT_MACHINE_QUEUE];
 static loft_machine_config config = {
-    .traits = { .boot = 1, .tick_hz = 1000, .slots = 25, .axis = { AXIS } },
-    .ramp = 50, .cell = cells, .cells = LOFT_MACHINE_QUEUE
+    .info = { .boot = 1, .tick_hz = 1000, .slots = 25, .axis = { AXIS } },
+    .ramp = 50,
+    .cell = cells,
+    .cells = LOFT_MACHINE_QUEUE
 };
 
 /* Set the clock, make the step and direction pins outputs, open the serial line at the rate that
@@ -21,16 +26,13 @@ static loft_machine_config config = {
 loft_machine_config *loft_port_init(void)
 {
     for (int i = 1; i < LOFT_AXES; i++)
-        config.traits.axis[i] = config.traits.axis[0];
+        config.info.axis[i] = config.info.axis[0];
     return &config;
 }
 
 /* Let a timer interrupt call loft_port_slot and loft_port_tick at `slot_hz`, then enable
  * interrupts. */
-void loft_port_start(uint32_t slot_hz)
-{
-    (void)slot_hz;
-}
+void loft_port_start(uint32_t slot_hz) { (void)slot_hz; }
 
 /* Write the direction pins, then raise the step pins; lower them some microseconds later, with a
  * second compare of the same timer or at the next call. */
@@ -48,12 +50,7 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
 }
 
 /* Read the pins of limit switches and buttons: see switches.h. */
-uint16_t loft_port_inputs(void)
-{
-    return 0;
-}
+uint16_t loft_port_inputs(void) { return 0; }
 
 /* The instruction that sleeps until an interrupt. */
-void loft_port_wait(void)
-{
-}
+void loft_port_wait(void) {}

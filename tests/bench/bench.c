@@ -79,11 +79,11 @@ static unsigned next(unsigned c, unsigned n)
 static unsigned strict(unsigned c, unsigned n)
 {
     const loft_bezier b = bezier(c);
-    loft_forward_strict w;
+    loft_forward_exact w;
     unsigned j = 0;
-    if (loft_forward_strict_init(&w, &b, n) != LOFT_OK)
+    if (loft_forward_exact_init(&w, &b, n) != LOFT_OK)
         abort();
-    while (loft_forward_strict_next(&w, &fixed_out[j]))
+    while (loft_forward_exact_next(&w, &fixed_out[j]))
         j++;
     return j;
 }
@@ -260,7 +260,7 @@ static unsigned cairo_way(unsigned c, unsigned n)
 static const way ways[] = {
     { "loft_forward_run",         run,             FIXED },
     { "loft_forward_next",        next,            FIXED },
-    { "loft_forward_strict_next", strict,          FIXED },
+    { "loft_forward_exact_next", strict,          FIXED },
     { "loft_cubic_eval",          eval,            FIXED },
     { "double Horner",            horner,          PLAIN },
     { "double de Casteljau",      de_casteljau,    PLAIN },

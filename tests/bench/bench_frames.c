@@ -53,12 +53,8 @@ static size_t damage(const char *class, uint8_t *wire, size_t size)
             for (uint32_t n = 2 + below(15), k = at; n && k < size; n--, k++)
                 wire[k] = (uint8_t)random_32();
         return size;
-    case 'l':
-        memmove(wire + at, wire + at + 1, size - at - 1);
-        return size - 1;
-    case 'd':
-        memmove(wire + at + 1, wire + at, size - at);
-        return size + 1;
+    case 'l': memmove(wire + at, wire + at + 1, size - at - 1); return size - 1;
+    case 'd': memmove(wire + at + 1, wire + at, size - at); return size + 1;
     default:
         memmove(wire + at + 1, wire + at, size - at);
         wire[at] = (uint8_t)random_32();

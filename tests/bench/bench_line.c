@@ -80,24 +80,24 @@ static bool measure(double rate)
     static loft_sender s;
     static loft_receiver r;
     struct way down = { .size = 0 }, up = { .size = 0 };
-    loft_traits traits = { .boot = 1,
+    loft_machine_info info = { .boot = 1,
                            .queue = QUEUE,
                            .points = QUEUE,
                            .tick_hz = 1000,
                            .slots = 40,
                            .kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS };
-    loft_standing now = { .room = QUEUE };
+    loft_snapshot now = { .room = QUEUE };
     loft_job job = { .kind = LOFT_POINTS };
     uint64_t bytes = 0, began = 0;
     uint32_t taken = 0, frames = 0;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        traits.axis[i].steps_per_mm = 250 * 65536;
-        traits.axis[i].max_speed = traits.axis[i].max_accel = 1000 * 65536;
+        info.axis[i].steps_per_mm = 250 * 65536;
+        info.axis[i].max_speed = info.axis[i].max_accel = 1000 * 65536;
     }
     job.id = loft_job_id(&job, points, source, NULL);
     loft_sender_init(&s, 12345, 0);
-    if (loft_receiver_init(&r, &traits) != LOFT_OK)
+    if (loft_receiver_init(&r, &info) != LOFT_OK)
         return false;
     for (uint64_t t = 0; s.phase < LOFT_PHASE_DONE; t++) {
         const uint32_t ms = (uint32_t)(t * 1000 / BYTES_PER_S);

@@ -1,8 +1,11 @@
 #!/bin/bash
-# tests/e2e/e2e.sh -- whole jobs: the command, a pseudo terminal, the simulated machine, counted pulses
+# tests/e2e/e2e.sh -- whole jobs: the command, a pseudo terminal, the simulated machine, counted
+# pulses
 # SPDX-License-Identifier: MIT
-# usage: tests/e2e/e2e.sh LOFT HELPERS [CASE..] ; HELPERS holds pty and shim.so; each case prints one line, the last line sums them
-# The cases mostly wait for machines in real time, so several run at once, each in a folder of its own ($tmp).
+# usage: tests/e2e/e2e.sh LOFT HELPERS [CASE..] ; HELPERS holds pty and shim.so; each case prints
+# one line, the last line sums them
+# The cases mostly wait for machines in real time, so several run at once, each in a folder of its
+# own ($tmp).
 set -u
 loft=$1 pty=$2/pty shim=$2/shim.so; shift 2
 top=$(mktemp -d)
@@ -11,7 +14,7 @@ echo leak:libfontconfig.so >"$top/leaks"        # it keeps its tables until the 
 export LSAN_OPTIONS=suppressions=$top/leaks:print_suppressions=0
 
 
-# --- what the cases are made of ---------------------------------------------------------------------
+# --- what the cases are made of -------------------------------------------------------------------
 
 # A heart, a wave and a line: 7 curves, with corners, pen lifts and a very short one.
 cat >"$top/small.csv" <<'CSV'
@@ -34,11 +37,15 @@ machine() {
     wait_for "$tmp/$name"
 }
 # a busy computer may take its time: a minute
-wait_for() { for _ in $(seq 3000); do [ -e "$1" ] && return; sleep 0.02; done; job_fails "$1 did not appear"; }
-gone() { for _ in $(seq 3000); do kill -0 "$1" 2>/dev/null || return; sleep 0.02; done; job_fails "process $1 did not end"; kill -9 "$1"; }
-until_log() { for _ in $(seq 3000); do grep -q "$2" "$tmp/$1.log" && return; sleep 0.02; done; job_fails "the machine never said: $2"; }
+wait_for() { for _ in $(seq 3000); do [ -e "$1" ] \
+    && return; sleep 0.02; done; job_fails "$1 did not appear"; }
+gone() { for _ in $(seq 3000); do kill -0 "$1" 2>/dev/null \
+    || return; sleep 0.02; done; job_fails "process $1 did not end"; kill -9 "$1"; }
+until_log() { for _ in $(seq 3000); do grep -q "$2" "$tmp/$1.log" \
+    && return; sleep 0.02; done; job_fails "the machine never said: $2"; }
 
-# run CODE COMMAND..: standard output to $tmp/out, standard error to $tmp/err; the exit code must be CODE
+# run CODE COMMAND..: standard output to $tmp/out, standard error to $tmp/err; the exit code must
+# be CODE
 run() {
     local want=$1 got; shift
     timeout 200 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; got=$?
@@ -64,7 +71,8 @@ counted() {
     local said record
     said=$(sed -n 's/.*steps \(-\?[0-9]* -\?[0-9]* -\?[0-9]*\).*/\1/p' "$tmp/${2:-out}" | head -1)
     record=$(tail -1 "$tmp/$1.csv" | cut -d, -f2- | tr ',' ' ')
-    [ -n "$said" ] && [ "$said" = "$record" ] || job_fails "said steps \`$said\`, the pulses led to \`$record\`"
+    [ -n "$said" ] && [ "$said" = "$record" ] \
+        || job_fails "said steps \`$said\`, the pulses led to \`$record\`"
 }
 
 # every axis' own row of steps, whatever the time between them
@@ -72,34 +80,48 @@ path_of() {
     awk -F, '!/^#/ && $1 != "slot" { for (i = 2; i <= NF; i++) if ($i != last[i]) { last[i] = $i; row[i] = row[i] " " $i } }
              END { for (i = 2; i <= 4; i++) print row[i] }' "$tmp/$1.csv" | cksum
 }
-same_path() { [ "$(path_of "$1")" = "$(path_of "$2")" ] || job_fails "the steps differ from an undisturbed run"; }
+same_path() { [ "$(path_of "$1")" = "$(path_of "$2")" ] \
+    || job_fails "the steps differ from an undisturbed run"; }
 undisturbed() {         # the reference: $tmp/calm.csv
     machine calm --speed fast --once
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/calm" "${slowly[@]}"; gone "$machine"
 }
 slowly=(--feed 60)      # the job lasts about 6 s of machine time
-draws() { drawing_on=$1; job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}"); }     # draws MACHINE: sets ${job[@]}
-cut_off() {             # cut_off SECONDS: ${job[@]} is killed without warning, that long after the machine has begun
+draws() { drawing_on=$1; job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}"); } \
+    # draws MACHINE: sets ${job[@]}
+cut_off() { \
+    # cut_off SECONDS: ${job[@]} is killed without warning, that long after the machine has begun
     "${job[@]}" >/dev/null 2>&1 & local sender=$!
-    disown $sender; until_log "$drawing_on" ' begun'; sleep "$1"; kill -9 $sender || job_fails "the sender ended before it could be killed"; gone $sender
+    disown $sender
+    until_log "$drawing_on" ' begun'
+    sleep "$1"
+    kill -9 $sender || job_fails "the sender ended before it could be killed"
+    gone $sender
 }
 cut_off_when_sent() {   # the same, as soon as the machine has taken the last item
     "${job[@]}" --log "$tmp/talk.log" >/dev/null 2>&1 & local sender=$!
-    disown $sender; wait_for "$tmp/talk.log"; until_log talk '< .* all'; kill -9 $sender || job_fails "the sender ended before it could be killed"; gone $sender
+    disown $sender
+    wait_for "$tmp/talk.log"
+    until_log talk '< .* all'
+    kill -9 $sender || job_fails "the sender ended before it could be killed"
+    gone $sender
 }
 
 
-# --- jobs -------------------------------------------------------------------------------------------
+# --- jobs -----------------------------------------------------------------------------------------
 
 exactly() {     # exactly MACHINE PLANNER OPTIONS..
     local m=$1 p=$2; shift 2
     machine "m$m$p" --speed fast --once --num "$m" --steps 320 --slots 80
-    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/m$m$p" --num "$p" --record "$tmp/m$m$p.csv" "$@"
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/m$m$p" --num "$p" --record "$tmp/m$m$p.csv" \
+        "$@"
     gone "$machine"
     is_empty err; says out '^drawn: 7 curves, .*as commanded$'; says out '^line: '; counted "m$m$p"
     local worst; worst=$(sed -n 's/.*worst path error \([0-9.]*\) mm.*/\1/p' "$tmp/out")
-    # the tolerance, and on each axis half a step for the place at a tick and half a step for the slots between
-    awk -v w="$worst" 'BEGIN { exit !(w != "" && w <= 0.005 + sqrt(2) / 320 && w > 0) }' || job_fails "worst path error \`$worst\`"
+    # the tolerance, and on each axis half a step for the place at a tick and half a step for the
+    # slots between
+    awk -v w="$worst" 'BEGIN { exit !(w != "" && w <= 0.005 + sqrt(2) / 320 && w > 0) }' \
+        || job_fails "worst path error \`$worst\`"
 }
 case_exact_q16()        { exactly q16 q16; }
 case_exact_f32()        { exactly f32 f32; }
@@ -113,19 +135,24 @@ case_noisy_line()       {
 }
 case_two_jobs_and_park() {
     machine twice --speed fast
-    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice"; says out 'steps 4800 2400 80 as commanded'
-    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice"; says out 'steps 4800 2400 80 as commanded'
-    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice" --park; says out 'steps 0 0 0 as commanded'
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice"
+    says out 'steps 4800 2400 80 as commanded'
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice"
+    says out 'steps 4800 2400 80 as commanded'
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/twice" --park
+    says out 'steps 0 0 0 as commanded'
     kill "$machine"; gone "$machine"; counted twice
 }
 case_each_of_two_jobs_is_measured_alone() {
     printf '70,0,70,30,90,30,90,0\n' >"$tmp/arch.csv"
     machine both --speed fast
     for d in small arch; do
-        run 0 "$loft" stream "$tmp/$d.csv" --port "$tmp/both" --record "$tmp/both.csv"; says out 'as commanded$'
+        run 0 "$loft" stream "$tmp/$d.csv" --port "$tmp/both" --record "$tmp/both.csv"
+        says out 'as commanded$'
         awk '{ for (i = 1; i < NF; i++) if ($i == "error" && $(i + 1) > 0.005 + 1.42 / 80) exit 1 }' "$tmp/out" || job_fails "$d: $(cat "$tmp/out")"
     done
-    run 0 "$loft" plot "$tmp/arch.csv" --record "$tmp/both.csv" -o "$tmp/both.png"; says out 'path error 0.0[01]'
+    run 0 "$loft" plot "$tmp/arch.csv" --record "$tmp/both.csv" -o "$tmp/both.png"
+    says out 'path error 0.0[01]'
 }
 case_dense_curves_at_115200_baud() {
     awk 'BEGIN { for (i = 0; i < 150; i++) { s = i % 2 ? 0.15 : -0.15
@@ -133,22 +160,30 @@ case_dense_curves_at_115200_baud() {
     machine dense --speed real --once
     "$pty" relay "$tmp/slow" "$tmp/dense" 115200 & children+=($!); disown $!
     wait_for "$tmp/slow"
-    run 0 "$loft" stream "$tmp/squiggle.csv" --port "unix:$tmp/slow" --feed 60; gone "$machine"; counted dense
+    run 0 "$loft" stream "$tmp/squiggle.csv" --port "unix:$tmp/slow" --feed 60
+    gone "$machine"
+    counted dense
     # the machine took no longer than planned: the line has fed it in time
     local planned took
-    read -r planned took < <(sed -n 's/.* done: .* items, \([0-9]*\) ticks in \([0-9.]*\) s.*/\1 \2/p' "$tmp/dense.log")
-    awk -v p="$planned" -v t="$took" 'BEGIN { exit !(p > 4000 && 1000 * t - p < 500) }' || job_fails "$planned ticks took $took s"
-    awk '/^line/ { exit !($0 ~ / of 115200 baud/) }' "$tmp/out" || job_fails "no share of the line: $(cat "$tmp/out")"
+    read -r planned took < <(sed \
+        -n 's/.* done: .* items, \([0-9]*\) ticks in \([0-9.]*\) s.*/\1 \2/p' "$tmp/dense.log")
+    awk -v p="$planned" -v t="$took" 'BEGIN { exit !(p > 4000 && 1000 * t - p < 500) }' \
+        || job_fails "$planned ticks took $took s"
+    awk '/^line/ { exit !($0 ~ / of 115200 baud/) }' "$tmp/out" \
+        || job_fails "no share of the line: $(cat "$tmp/out")"
 }
 case_demo() {
     run 0 host-tools/demo.sh "$loft" "$tmp/small.csv" "$tmp/demo"
-    says out 'worst path error 0.00[0-9]* mm, steps 19200 9600 320 as commanded$'; says out "^picture: $tmp/demo/drawn.png"
+    says out 'worst path error 0.00[0-9]* mm, steps 19200 9600 320 as commanded$'
+    says out "^picture: $tmp/demo/drawn.png"
     [ "$(head -c 4 "$tmp/demo/drawn.png" | tail -c 3)" = PNG ] || job_fails "no picture"
     one_line 66 'no such file' host-tools/demo.sh "$loft" "$tmp/none.svg" "$tmp/demo2"
 }
 case_from_a_pipe()      {
     machine pipe --speed fast --once
-    run 0 sh -c "cat '$tmp/small.csv' | '$loft' stream - --port '$tmp/pipe'"; gone "$machine"; counted pipe
+    run 0 sh -c "cat '$tmp/small.csv' | '$loft' stream - --port '$tmp/pipe'"
+    gone "$machine"
+    counted pipe
 }
 case_through_a_socket() {
     machine behind --speed fast --once
@@ -158,36 +193,50 @@ case_through_a_socket() {
 }
 case_through_standard_streams() {
     machine std --speed fast --once
-    run 0 sh -c "'$loft' stream '$tmp/small.csv' --port - <'$tmp/std' >'$tmp/std' 2>'$tmp/said'"; gone "$machine"
+    run 0 sh -c "'$loft' stream '$tmp/small.csv' --port - <'$tmp/std' >'$tmp/std' 2>'$tmp/said'"
+    gone "$machine"
     says said 'as commanded$'; counted std said
 }
 case_through_libserialport() {
-    local serial=(env ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD="$shim" "$loft" stream "$tmp/small.csv" "${slowly[@]}")
+    local serial=(env ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD="$shim" "$loft" stream \
+        "$tmp/small.csv" "${slowly[@]}")
     machine serial --speed fast --once
     run 0 "${serial[@]}" --port "$tmp/serial"; gone "$machine"; counted serial; is_empty err
     "$pty" mute "$tmp/mute" & children+=($!); disown $!
     wait_for "$tmp/mute"
-    one_line 69 'at 57600 baud: no machine answered' "${serial[@]}" --port "$tmp/mute" --wait 0.3 --baud 57600
+    one_line 69 'at 57600 baud: no machine answered' "${serial[@]}" --port "$tmp/mute" --wait 0.3 \
+        --baud 57600
     machine unplugged --speed real
     { until_log unplugged " begun"; sleep 0.7; kill -9 "$machine"; } & children+=($!)
     one_line 74 'the port has vanished at item [0-9]* of' "${serial[@]}" --port "$tmp/unplugged"
 }
 
 
-chip_draws() { drawing_on=$1; job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}" --plan chip); }
+chip_draws() { drawing_on=$1; job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}" \
+    --plan chip); }
 case_planned_here_or_there() {      # the same drawing: the same end, path, and time
     for m in q16 f32; do
         for where in host chip; do
             machine "at-$where" --speed fast --once --num $m --steps 320 --slots 80
-            run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/at-$where" --plan=$where --record "$tmp/at-$where.csv" --log "$tmp/at-$where.log"; gone "$machine"
-            is_empty err; says out '^drawn: 7 curves, .*as commanded$'; counted "at-$where"; cp "$tmp/out" "$tmp/at-$where.out"
+            run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/at-$where" --plan=$where \
+                --record "$tmp/at-$where.csv" --log "$tmp/at-$where.log"
+            gone "$machine"
+            is_empty err
+            says out '^drawn: 7 curves, .*as commanded$'
+            counted "at-$where"
+            cp "$tmp/out" "$tmp/at-$where.out"
             awk '{ for (i = 1; i < NF; i++) if ($i == "error" && $(i + 1) > 0.005 + 1.42 / 320) exit 1 }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
         done
-        [ "$(tail -1 "$tmp/at-host.csv" | cut -d, -f2-)" = "$(tail -1 "$tmp/at-chip.csv" | cut -d, -f2-)" ] || job_fails "$m: another end"
-        local took; took=$(sed -n 's/.* m, \([0-9.]*\) s machine time.*/\1/p' "$tmp"/at-*.out | sort -u | tr '\n' ' ')
-        # on the machine curves come while others are raised, in other portions: 2 % at most was measured (f32)
+        [ "$(tail -1 "$tmp/at-host.csv" | cut -d, -f2-)" = \
+            "$(tail -1 "$tmp/at-chip.csv" | cut -d, -f2-)" ] || job_fails "$m: another end"
+        local took
+        took=$(sed -n 's/.* m, \([0-9.]*\) s machine time.*/\1/p' "$tmp"/at-*.out \
+            | sort -u | tr '\n' ' ')
+        # on the machine curves come while others are raised, in other portions: 2 % at most was
+        # measured (f32)
         awk -v t="$took" 'BEGIN { split(t, a, " "); b = a[2] ? a[2] : a[1]; exit !(b <= 1.02 * a[1] + 0.11) }' || job_fails "$m: $took s"
-        # frames of curves, each once: how often it is asked how things stand depends on how long all of it took here
+        # frames of curves, each once: how often it is asked how things stand depends on how long
+        # all of it took here
         awk '$2 == ">" && $3 == "CURVES" && !seen[$7]++ { curves += $11; bytes += $12 } END { exit !(curves == 17 && bytes > 0 && bytes < 204) }' \
             "$tmp/at-chip.log" || job_fails "$m: $(grep CURVES "$tmp/at-chip.log")"
     done
@@ -200,29 +249,43 @@ case_planned_there_and_killed() {
     machine killed --speed real --once
     chip_draws killed
     for pause in 0.7 0.4; do cut_off $pause; done
-    run 0 "$loft" stream --hold --port "$tmp/killed"; says out '^held: [0-9]* items executed'; run 0 "$loft" stream --resume --port "$tmp/killed"
-    one_line 75 'another job' "$loft" stream "$tmp/small.csv" --port "$tmp/killed" "${slowly[@]}"       # the same drawing, but not the same job
-    run 0 "${job[@]}" --record "$tmp/killed.csv"; gone "$machine"; says err '^resuming at item'; says out 'as commanded$'; counted killed
-    awk '{ for (i = 1; i < NF; i++) if ($i == "error" && $(i + 1) > 0.005 + 1.42 / 80) exit 1 }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
+    run 0 "$loft" stream --hold --port "$tmp/killed"
+    says out '^held: [0-9]* items executed'
+    run 0 "$loft" stream --resume --port "$tmp/killed"
+    one_line 75 'another job' "$loft" stream "$tmp/small.csv" --port "$tmp/killed" "${slowly[@]}" \
+        # the same drawing, but not the same job
+    run 0 "${job[@]}" --record "$tmp/killed.csv"
+    gone "$machine"
+    says err '^resuming at item'
+    says out 'as commanded$'
+    counted killed
+    awk '{ for (i = 1; i < NF; i++) if ($i == "error" && $(i + 1) > 0.005 + 1.42 / 80) exit 1 }' \
+        "$tmp/out" || job_fails "$(cat "$tmp/out")"
 }
 case_planned_there_and_aborted() {
     machine ended --speed real --once
     chip_draws ended; cut_off 1
-    run 0 "$loft" stream --abort --port "$tmp/ended"; gone "$machine"; says out '^aborted: [0-9]* items'; counted ended
+    run 0 "$loft" stream --abort --port "$tmp/ended"
+    gone "$machine"
+    says out '^aborted: [0-9]* items'
+    counted ended
 }
 case_a_machine_that_does_not_plan() {
     machine plain --speed fast --curves 0
-    one_line 78 'does not plan by itself: give --plan host' "$loft" stream "$tmp/small.csv" --port "$tmp/plain" --plan chip
+    one_line 78 'does not plan by itself: give --plan host' "$loft" stream "$tmp/small.csv" \
+        --port "$tmp/plain" --plan chip
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/plain"; says out 'as commanded$'
     machine able --speed fast
     one_line 64 'give host or chip' "$loft" stream "$tmp/small.csv" --port "$tmp/able" --plan moon
-    one_line 78 'knows no limit of its own across' "$loft" stream "$tmp/small.csv" --port "$tmp/able" --plan chip --across 900
-    one_line 64 'takes curves'      "$loft" stream "$tmp/small.csv" --port "$tmp/able" --plan chip --points
+    one_line 78 'knows no limit of its own across' "$loft" stream "$tmp/small.csv" \
+        --port "$tmp/able" --plan chip --across 900
+    one_line 64 'takes curves'      "$loft" stream "$tmp/small.csv" --port "$tmp/able" --plan chip \
+        --points
     run 0 "$loft" stream "$tmp/small.csv" --plan chip --dry-run; says out ' 17 curves, path within'
 }
 
 
-# --- disturbances -----------------------------------------------------------------------------------
+# --- disturbances ---------------------------------------------------------------------------------
 
 case_killed_and_run_again() {
     undisturbed
@@ -230,62 +293,95 @@ case_killed_and_run_again() {
     draws killed
     for pause in 0.7 0.4 1.1; do cut_off $pause; done
     run 0 "${job[@]}"; gone "$machine"
-    says err '^resuming at item [0-9]*\( of \(about \)\?[0-9]*\)\?$'; says out 'as commanded$'; counted killed; same_path killed calm
+    says err '^resuming at item [0-9]*\( of \(about \)\?[0-9]*\)\?$'
+    says out 'as commanded$'
+    counted killed
+    same_path killed calm
 }
 case_hold_and_resume_by_key() {
     undisturbed
     machine keyed --speed real --once
-    "$pty" type "$tmp/keyed.log" "1.2:h 2.2:r" "$loft" stream "$tmp/small.csv" --port "$tmp/keyed" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    "$pty" type "$tmp/keyed.log" "1.2:h 2.2:r" "$loft" stream "$tmp/small.csv" --port "$tmp/keyed" \
+        "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
     gone "$machine"
     tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
-    says screen 'held, r resumes'; says screen '%  [0-9]*:[0-9][0-9] left  feed  *[56][0-9]\.[0-9] mm/s  100 %  queue  *[0-9]*  X'; says screen 'as commanded'
+    says screen 'held, r resumes'
+    says screen '%  [0-9]*:[0-9][0-9] left  feed  *[56][0-9]\.[0-9] mm/s  100 %  queue  *[0-9]*  X'
+    says screen 'as commanded'
     counted keyed; same_path keyed calm
 }
 case_what_is_left_stays_while_held() {
     machine patient --speed real --once
-    "$pty" type "$tmp/patient.log" "2:h 5.5:r" "$loft" stream "$tmp/small.csv" --port "$tmp/patient" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    "$pty" type "$tmp/patient.log" "2:h 5.5:r" "$loft" stream "$tmp/small.csv" \
+        --port "$tmp/patient" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
     gone "$machine"
     tr '\r' '\n' <"$tmp/out" | sed -n 's/.* \([0-9]*\):\([0-9]*\) left  held.*/\1 \2/p' >"$tmp/left"
-    awk '{ s = 60 * $1 + $2; if (NR > 1 && s > was) exit 1; was = s } END { if (NR < 10) exit 1 }' "$tmp/left" || job_fails "left while held: $(uniq -c "$tmp/left" | tr '\n' ',')"
+    awk '{ s = 60 * $1 + $2; if (NR > 1 && s > was) exit 1; was = s } END { if (NR < 10) exit 1 }' \
+        "$tmp/left" || job_fails "left while held: $(uniq -c "$tmp/left" | tr '\n' ',')"
 }
 case_a_wait_says_for_what() {
     machine stood --speed real --once
-    "$pty" type "$tmp/stood.log" "0.8:h 4:r" env TERM=dumb "$loft" stream "$tmp/small.csv" --port "$tmp/stood" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
-    gone "$machine"; says out 'waiting: the machine is held: .*--resume --port'; says out 'as commanded'
+    "$pty" type "$tmp/stood.log" "0.8:h 4:r" env TERM=dumb "$loft" stream "$tmp/small.csv" \
+        --port "$tmp/stood" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    gone "$machine"
+    says out 'waiting: the machine is held: .*--resume --port'
+    says out 'as commanded'
     [ "$(grep -c 'waiting: ' "$tmp/out")" = 1 ] || job_fails "$(grep 'waiting: ' "$tmp/out")"
     machine asleep --speed real --once
     draws asleep; "${job[@]}" >"$tmp/out" 2>"$tmp/err" </dev/null & local sender=$!
-    until_log asleep ' begun'; sleep 0.5; kill -STOP "$machine"; sleep 4; kill -CONT "$machine"; wait $sender || job_fails "the sender ended with $?"
-    gone "$machine"; says err '^waiting: the machine does not answer: look at cable'; says out 'as commanded$'
+    until_log asleep ' begun'
+    sleep 0.5
+    kill -STOP "$machine"
+    sleep 4
+    kill -CONT "$machine"
+    wait $sender || job_fails "the sender ended with $?"
+    gone "$machine"
+    says err '^waiting: the machine does not answer: look at cable'
+    says out 'as commanded$'
     "$pty" mute "$tmp/mute" & children+=($!); disown $!
     wait_for "$tmp/mute"
-    run 69 "$loft" stream --hold --port "$tmp/mute" --wait 2; says err '^waiting: no machine has answered at .* yet: it is asked for 2 s$'
+    run 69 "$loft" stream --hold --port "$tmp/mute" --wait 2
+    says err '^waiting: no machine has answered at .* yet: it is asked for 2 s$'
 }
 case_a_job_begins_free_of_a_hold_before_it() {
     machine again --speed real
     draws again; cut_off 1
-    run 0 "$loft" stream --hold --port "$tmp/again"; until_log again held; run 0 "$loft" stream --abort --port "$tmp/again"
-    run 0 timeout 60 "$loft" stream "$tmp/small.csv" --port "$tmp/again" --feed 200; says out 'as commanded$'; is_empty err
+    run 0 "$loft" stream --hold --port "$tmp/again"
+    until_log again held
+    run 0 "$loft" stream --abort --port "$tmp/again"
+    run 0 timeout 60 "$loft" stream "$tmp/small.csv" --port "$tmp/again" --feed 200
+    says out 'as commanded$'
+    is_empty err
 }
 case_override_by_key() {
     undisturbed
     machine hurried --speed real --once
-    "$pty" type "$tmp/hurried.log" "0.8:+ 0.8:+ @ 120 %  queue@s @override 120 %@- 0:- 0:- 0:- @ 80 %  queue@0" "$loft" stream "$tmp/small.csv" --port "$tmp/hurried" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    "$pty" type "$tmp/hurried.log" \
+        "0.8:+ 0.8:+ @ 120 %  queue@s @override 120 %@- 0:- 0:- 0:- @ 80 %  queue@0" "$loft" \
+        stream "$tmp/small.csv" --port "$tmp/hurried" "${slowly[@]}" >"$tmp/out" 2>&1 \
+        || job_fails "exit code $?"
     gone "$machine"
     tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
-    says screen ' 120 %  queue'; says screen ' 80 %  queue'; says screen 'override 120 %, feed'; says screen 'as commanded'
+    says screen ' 120 %  queue'
+    says screen ' 80 %  queue'
+    says screen 'override 120 %, feed'
+    says screen 'as commanded'
     counted hurried; same_path hurried calm
 }
 case_abort_by_key() {
     machine aborted --speed real --once
-    "$pty" type "$tmp/aborted.log" "1.2:a" "$loft" stream "$tmp/small.csv" --port "$tmp/aborted" "${slowly[@]}" >"$tmp/out" 2>&1
+    "$pty" type "$tmp/aborted.log" "1.2:a" "$loft" stream "$tmp/small.csv" --port "$tmp/aborted" \
+        "${slowly[@]}" >"$tmp/out" 2>&1
     [ $? = 75 ] || job_fails "exit code is not 75"
-    gone "$machine"; says out 'aborted after [0-9]* of [0-9]* items: the machine is stopped on the path at'; counted aborted
+    gone "$machine"
+    says out 'aborted after [0-9]* of [0-9]* items: the machine is stopped on the path at'
+    counted aborted
 }
 case_interrupt_holds_and_the_same_command_goes_on() {
     undisturbed
     machine stopped --speed real --once
-    "$pty" type "$tmp/stopped.log" "1.2:^C" "$loft" stream "$tmp/small.csv" --port "$tmp/stopped" "${slowly[@]}" >"$tmp/out" 2>&1
+    "$pty" type "$tmp/stopped.log" "1.2:^C" "$loft" stream "$tmp/small.csv" --port "$tmp/stopped" \
+        "${slowly[@]}" >"$tmp/out" 2>&1
     [ $? = 75 ] || job_fails "exit code is not 75"
     says out 'held at item [0-9]* of [0-9]*: the machine is stopped on the path at'
     until_log stopped held
@@ -293,7 +389,12 @@ case_interrupt_holds_and_the_same_command_goes_on() {
     said=$(sed -n 's/.*mm, steps \(-\?[0-9]* -\?[0-9]* -\?[0-9]*\);.*/\1/p' "$tmp/out")
     held=$(sed -n 's/.* held: .*position \(.*\)/\1/p' "$tmp/stopped.log")
     [ "$said" = "$held" ] || job_fails "said $said, the machine stood at $held"
-    draws stopped; run 0 "${job[@]}"; gone "$machine"; says err '^resuming at item'; counted stopped; same_path stopped calm
+    draws stopped
+    run 0 "${job[@]}"
+    gone "$machine"
+    says err '^resuming at item'
+    counted stopped
+    same_path stopped calm
 }
 # more than half a minute of planning
 long_drawing() { awk 'BEGIN { print "bspline 3"; for (i = 0; i < 30000; i++) print i % 97, i * 7 % 89 }' >"$tmp/long.loft"; }
@@ -311,7 +412,8 @@ case_interrupt_while_planning_ends_at_once() {
 case_long_drawing_moves_while_it_is_planned() {
     long_drawing
     machine early --speed real
-    "$loft" stream "$tmp/long.loft" --port "$tmp/early" >"$tmp/out" 2>"$tmp/err" & local sender=$! ticks
+    "$loft" stream "$tmp/long.loft" --port "$tmp/early" >"$tmp/out" 2>"$tmp/err" & local sender=$! \
+        ticks
     until_log early ' begun'
     ticks=$(awk '{ print $14 + $15 }' /proc/$sender/stat)
     # 2 s of work; the sanitized command takes three times as long
@@ -319,18 +421,28 @@ case_long_drawing_moves_while_it_is_planned() {
     sleep 1; kill -INT $sender; wait $sender; [ $? = 75 ] || job_fails "exit code is not 75"
     says err 'held at item [0-9]*.*: the machine is stopped on the path at'
     "$loft" stream "$tmp/long.loft" --port "$tmp/early" >"$tmp/out" 2>"$tmp/err" & sender=$!
-    for _ in $(seq 3000); do grep -q "^resuming at item [1-9]" "$tmp/err" && break; sleep 0.02; done; says err "^resuming at item [1-9]"
+    for _ in $(seq 3000); do grep -q "^resuming at item [1-9]" "$tmp/err" \
+        && break; sleep 0.02; done; says err "^resuming at item [1-9]"
     sleep 1; kill -INT $sender; wait $sender; says err 'held at item'
 }
-case_long_drawing_killed_goes_on() {    # the same steps as a run that was never cut off, and as long as when planned at once
-    awk 'BEGIN { print "bspline 3"; for (i = 0; i < 60; i++) print i % 17, i * 7 % 19 }' >"$tmp/more.loft"
+case_long_drawing_killed_goes_on() { \
+    # the same steps as a run that was never cut off, and as long as when planned at once
+    awk 'BEGIN { print "bspline 3"; for (i = 0; i < 60; i++) print i % 17, i * 7 % 19 }' \
+        >"$tmp/more.loft"
     job=("$loft" stream "$tmp/more.loft" --feed 300 --accel 20000)
-    run 0 "${job[@]}" --dry-run; local planned; planned=$(sed -n 's/.* \([0-9.]*\) s, [0-9]* spans.*/\1/p' "$tmp/out")
+    run 0 "${job[@]}" --dry-run
+    local planned
+    planned=$(sed -n 's/.* \([0-9.]*\) s, [0-9]* spans.*/\1/p' "$tmp/out")
     machine calm --speed fast --once; run 0 "${job[@]}" --port "$tmp/calm"; gone "$machine"
     says out "[^0-9]$planned s machine time"
     machine cut --speed real --once; drawing_on=cut; job+=(--port "$tmp/cut")
     for pause in 0.7 0.4; do cut_off $pause; done
-    run 0 "${job[@]}"; gone "$machine"; says err '^resuming at item'; says out 'as commanded$'; counted cut; same_path cut calm
+    run 0 "${job[@]}"
+    gone "$machine"
+    says err '^resuming at item'
+    says out 'as commanded$'
+    counted cut
+    same_path cut calm
 }
 case_memory_of_a_long_job() {           # 800 thousand points, of which each took 48 bytes
     local most=()
@@ -346,22 +458,31 @@ sys.exit(code)' "$loft" stream "$tmp/rows.csv" --feed 15 --points --port "$tmp/r
         gone "$machine"; says out 'as commanded$'
         most+=("$(sed -n 's/^most //p' "$tmp/out")")
     done
-    [ $((most[1] - most[0])) -lt 12000 ] || job_fails "${most[*]} kB"      # 131072 items are kept at most
+    [ $((most[1] - most[0])) -lt 12000 ] || job_fails "${most[*]} kB" \
+        # 131072 items are kept at most
 }
 case_planning_is_seen() {               # on a terminal a bar, elsewhere nothing
     long_drawing
     echo ' begun' >"$tmp/any.log"
-    "$pty" type "$tmp/any.log" "@planning@^C" "$loft" stream "$tmp/long.loft" --dry-run >"$tmp/out" 2>&1
-    tr '\r' '\n' <"$tmp/out" >"$tmp/screen"; says screen '^\[.*%  [0-9-]*:[0-9-][0-9-] left  planning'
+    "$pty" type "$tmp/any.log" "@planning@^C" "$loft" stream "$tmp/long.loft" \
+        --dry-run >"$tmp/out" 2>&1
+    tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
+    says screen '^\[.*%  [0-9-]*:[0-9-][0-9-] left  planning'
     timeout -s INT 1.5 "$loft" stream "$tmp/long.loft" --dry-run >"$tmp/out" 2>"$tmp/err"
     ! grep -q planning "$tmp/err" || job_fails "$(cat "$tmp/err")"
 }
 case_second_interrupt_leaves_at_once() {
     undisturbed
     machine left --speed real --once
-    "$pty" type "$tmp/left.log" "1.2:^C 1.22:^C" sh -c "trap : INT; '$loft' stream '$tmp/small.csv' --port '$tmp/left' --feed 60; echo code \$?; stty -a" >"$tmp/out" 2>&1
+    "$pty" type "$tmp/left.log" "1.2:^C 1.22:^C" sh \
+        -c "trap : INT; '$loft' stream '$tmp/small.csv' --port '$tmp/left' --feed 60; echo code \$?; stty -a" >"$tmp/out" 2>&1
     says out '^code 75'; says out 'left at once'; says out ' icanon'; says out ' echo '
-    draws left; run 0 "${job[@]}"; gone "$machine"; says err '^resuming at item'; counted left; same_path left calm
+    draws left
+    run 0 "${job[@]}"
+    gone "$machine"
+    says err '^resuming at item'
+    counted left
+    same_path left calm
 }
 case_control_from_another_run() {
     undisturbed
@@ -381,48 +502,67 @@ case_a_closed_limit_ends_a_job_and_lets_none_begin() {
             "$loft" stream "$tmp/small.csv" --port "$tmp/$m"; counted $m err
         run 0 "$loft" ports "$tmp/$m"; says out '	closed: the limit switch of x at its high end$'
         for how in "" --points "--plan chip"; do
-            one_line 69 'the limit switch of x at its high end is closed: move away .*--away' "$loft" stream "$tmp/back.csv" --port "$tmp/$m" $how
+            one_line 69 'the limit switch of x at its high end is closed: move away .*--away' \
+                "$loft" stream "$tmp/back.csv" --port "$tmp/$m" $how
         done
-        run 0 "$loft" stream "$tmp/back.csv" --port "$tmp/$m" --away --log "$tmp/$m.talk"; says out 'as commanded$'; says $m.talk 'away inputs 0002'
+        run 0 "$loft" stream "$tmp/back.csv" --port "$tmp/$m" --away --log "$tmp/$m.talk"
+        says out 'as commanded$'
+        says $m.talk 'away inputs 0002'
         run 0 "$loft" stream "$tmp/back.csv" --port "$tmp/$m"; says out 'as commanded$'; counted $m
     done
-    for bad in x=3 x-=y q+=3 x+=1e9 x+=3y; do one_line 64 'give axis, end and mm' "$loft" simulate --limits $bad; done
+    for bad in x=3 x-=y q+=3 x+=1e9 x+=3y; do one_line 64 'give axis, end and mm' "$loft" simulate \
+        --limits $bad; done
 }
 case_park_after_an_abort() {
     machine parked --speed real
-    draws parked; cut_off 1; run 0 "$loft" stream --abort --port "$tmp/parked"; says out '^aborted: '
-    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/parked" --feed 200 --park; says out 'steps 0 0 0 as commanded$'
+    draws parked
+    cut_off 1
+    run 0 "$loft" stream --abort --port "$tmp/parked"
+    says out '^aborted: '
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/parked" --feed 200 --park
+    says out 'steps 0 0 0 as commanded$'
 }
 case_abort_from_another_run() {
     machine ended --speed real --once
     draws ended; cut_off 1
-    run 0 "$loft" stream --abort --port "$tmp/ended"; gone "$machine"; says out '^aborted: '; counted ended
+    run 0 "$loft" stream --abort --port "$tmp/ended"
+    gone "$machine"
+    says out '^aborted: '
+    counted ended
     machine idle --speed fast
     one_line 69 'no job is under way' "$loft" stream --hold --port "$tmp/idle"
 }
 case_report_is_fetched_later() {
     machine later --speed real
-    draws later; job+=(--jerk 0); cut_off_when_sent; until_log later done      # few enough items for the queue to hold them all
+    draws later; job+=(--jerk 0); cut_off_when_sent; until_log later done \
+        # few enough items for the queue to hold them all
     run 0 "${job[@]}"; says err 'was drawn already'; counted later
     cp "$tmp/out" "$tmp/first"
-    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/later" --feed 200; says out 'as commanded$'; is_empty err
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/later" --feed 200
+    says out 'as commanded$'
+    is_empty err
 }
 case_another_job_after_a_lost_one() {
     machine other --speed real
     draws other; job+=(--jerk 0); cut_off_when_sent; until_log other done
-    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/other" --feed 200; says out 'as commanded$'; is_empty err
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/other" --feed 200
+    says out 'as commanded$'
+    is_empty err
 }
 case_port_vanishes() {
     machine lost --speed real
     { until_log lost " begun"; sleep 0.7; kill -9 "$machine"; } & children+=($!)
-    one_line 74 'the port has vanished at item [0-9]* of' "$loft" stream "$tmp/small.csv" --port "$tmp/lost" "${slowly[@]}"
+    one_line 74 'the port has vanished at item [0-9]* of' "$loft" stream "$tmp/small.csv" \
+        --port "$tmp/lost" "${slowly[@]}"
 }
 case_machine_restarts_in_mid_job() {
     machine again --speed real
     "$pty" relay "$tmp/line" "$tmp/again" & children+=($!); disown $!
     wait_for "$tmp/line"
-    { until_log again " begun"; sleep 0.7; kill -9 "$machine"; rm -f "$tmp/again"; exec "$loft" simulate --link "$tmp/again" >/dev/null 2>&1; } & children+=($!)
-    one_line 76 'restarted in the middle of the job: home it' "$loft" stream "$tmp/small.csv" --port "unix:$tmp/line" "${slowly[@]}"
+    { until_log again " begun"; sleep 0.7; kill -9 "$machine"; rm -f "$tmp/again"; exec "$loft" \
+        simulate --link "$tmp/again" >/dev/null 2>&1; } & children+=($!)
+    one_line 76 'restarted in the middle of the job: home it' "$loft" stream "$tmp/small.csv" \
+        --port "unix:$tmp/line" "${slowly[@]}"
 }
 case_second_sender_is_refused() {
     machine owned --speed real --once
@@ -440,24 +580,31 @@ case_machine_talks_nonsense() {
 case_machine_is_mute() {
     "$pty" mute "$tmp/mute" & children+=($!); disown $!
     wait_for "$tmp/mute"
-    one_line 69 'no machine answered in 0.5 s' "$loft" stream "$tmp/small.csv" --port "$tmp/mute" --wait 0.5
+    one_line 69 'no machine answered in 0.5 s' "$loft" stream "$tmp/small.csv" --port "$tmp/mute" \
+        --wait 0.5
 }
 
 
-# --- bad input --------------------------------------------------------------------------------------
+# --- bad input ------------------------------------------------------------------------------------
 
 case_bad_drawings() {
     printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M 0 0' >"$tmp/broken.svg"
-    printf '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm"></svg>' >"$tmp/empty.svg"
+    printf '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm"></svg>' \
+        >"$tmp/empty.svg"
     printf 'this is no drawing\n' >"$tmp/text.txt"
-    printf '(made by x)\n%%\nG21 G90\nG1 X1 Y2 F100\n' >"$tmp/job.nc"; one_line 65 'job.nc: is G-code' "$loft" stream "$tmp/job.nc" --dry-run
+    printf '(made by x)\n%%\nG21 G90\nG1 X1 Y2 F100\n' >"$tmp/job.nc"
+    one_line 65 'job.nc: is G-code' "$loft" stream "$tmp/job.nc" --dry-run
     head -c 4096 /dev/urandom >"$tmp/random.bin"
     : >"$tmp/nothing"
     one_line 66 'no such file' "$loft" stream "$tmp/absent.svg" --dry-run
-    for bad in broken.svg empty.svg text.txt random.bin nothing; do one_line 65 "$bad" "$loft" stream "$tmp/$bad" --dry-run; done
-    printf '0,0,1e9,0,1,1,2,2\n' >"$tmp/far.csv";  one_line 65 'far.csv' "$loft" stream "$tmp/far.csv" --dry-run
-    printf '\n0,0,9000,0,1,1,2,2\n' >"$tmp/wide.csv"; one_line 65 'wide.csv:2: a point at 9000,0 mm' "$loft" stream "$tmp/wide.csv" --dry-run
-    printf '0,0 1,1\n0,zero\n'   >"$tmp/word.txt"; one_line 65 'word.txt:1' "$loft" eval "$tmp/word.txt"
+    for bad in broken.svg empty.svg text.txt random.bin nothing; do one_line 65 "$bad" "$loft" \
+        stream "$tmp/$bad" --dry-run; done
+    printf '0,0,1e9,0,1,1,2,2\n' >"$tmp/far.csv"
+    one_line 65 'far.csv' "$loft" stream "$tmp/far.csv" --dry-run
+    printf '\n0,0,9000,0,1,1,2,2\n' >"$tmp/wide.csv"
+    one_line 65 'wide.csv:2: a point at 9000,0 mm' "$loft" stream "$tmp/wide.csv" --dry-run
+    printf '0,0 1,1\n0,zero\n'   >"$tmp/word.txt"
+    one_line 65 'word.txt:1' "$loft" eval "$tmp/word.txt"
 }
 case_bad_options() {
     one_line 64 'unknown command draw'     "$loft" draw
@@ -481,7 +628,8 @@ case_bad_options() {
     one_line 74 'standard output' sh -c "'$loft' --version >/dev/full"
     one_line 65 'give 0 to 1 for this tensor' "$loft" eval --uv 5,5 tests/drawings/patch.loft
     ln -s /dev/full "$tmp/full.pdf"; ln -s /dev/full "$tmp/full.png"
-    for full in full.pdf full.png; do one_line 73 'No space left' "$loft" plot "$tmp/small.csv" -o "$tmp/$full"; done
+    for full in full.pdf full.png; do one_line 73 'No space left' "$loft" plot "$tmp/small.csv" \
+        -o "$tmp/$full"; done
     one_line 64 'HOST:PORT'      "$loft" stream "$tmp/small.csv" --port tcp:1234
 }
 case_bad_ports() {
@@ -493,37 +641,54 @@ case_bad_ports() {
 }
 
 
-# --- numbers through pipes --------------------------------------------------------------------------
+# --- numbers through pipes ------------------------------------------------------------------------
 
 case_links_of_others_are_left_alone() {
-    echo precious >"$tmp/file"; ln -s "$tmp/file" "$tmp/mine"; ln -s nowhere "$tmp/dangling"; mkdir "$tmp/folder"
-    one_line 73 'link to something else' "$loft" simulate --link "$tmp/mine"; one_line 73 'link to something else' "$loft" simulate --link "$tmp/dangling"
-    one_line 73 'is a file' "$loft" simulate --link "$tmp/file"; one_line 73 'is a file' "$loft" simulate --link "$tmp/folder"
-    [ "$(readlink "$tmp/mine") $(readlink "$tmp/dangling") $(cat "$tmp/mine")" = "$tmp/file nowhere precious" ] || job_fails "$(ls -l "$tmp")"
+    echo precious >"$tmp/file"
+    ln -s "$tmp/file" "$tmp/mine"
+    ln -s nowhere "$tmp/dangling"
+    mkdir "$tmp/folder"
+    one_line 73 'link to something else' "$loft" simulate --link "$tmp/mine"
+    one_line 73 'link to something else' "$loft" simulate --link "$tmp/dangling"
+    one_line 73 'is a file' "$loft" simulate --link "$tmp/file"
+    one_line 73 'is a file' "$loft" simulate --link "$tmp/folder"
+    [ "$(readlink "$tmp/mine") $(readlink "$tmp/dangling") $(cat "$tmp/mine")" = \
+        "$tmp/file nowhere precious" ] || job_fails "$(ls -l "$tmp")"
     machine first --speed fast
     one_line 73 'another simulated machine has this link' "$loft" simulate --link "$tmp/first"
     run 0 "$loft" ports "$tmp/first"; says out '	idle'
-    kill -9 "$machine"; gone "$machine"; [ -L "$tmp/first" ] || job_fails "no link is left behind to be replaced"
-    machine first --speed fast; until_log first '^machine: '; run 0 "$loft" ports "$tmp/first"; says out '	idle'
-    ln -sfn elsewhere "$tmp/first"; kill "$machine"; gone "$machine"; [ "$(readlink "$tmp/first")" = elsewhere ] || job_fails "a link of somebody else was removed"
+    kill -9 "$machine"
+    gone "$machine"
+    [ -L "$tmp/first" ] || job_fails "no link is left behind to be replaced"
+    machine first --speed fast
+    until_log first '^machine: '
+    run 0 "$loft" ports "$tmp/first"
+    says out '	idle'
+    ln -sfn elsewhere "$tmp/first"; kill "$machine"; gone "$machine"; [ "$(readlink "$tmp/first")" \
+        = elsewhere ] || job_fails "a link of somebody else was removed"
 }
 case_help_everywhere() {
     run 0 "$loft" --help;    says out 'usage: loft COMMAND'
     run 0 "$loft" --version; says out '^loft [0-9]'
     run 64 "$loft"
-    for command in stream simulate plot ports eval sample flatten measure compare surface contour; do
+    for command in stream simulate plot ports eval sample flatten measure compare surface contour; \
+        do
         run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
-        run 0 "$loft" $command --help; cmp -s "$tmp/out" "$tmp/help" || job_fails "help $command and $command --help differ"
+        run 0 "$loft" $command --help
+        cmp -s "$tmp/out" "$tmp/help" || job_fails "help $command and $command --help differ"
     done
 }
 case_eval_and_sample() {
     for num in q16 f32 f64; do
         run 0 "$loft" eval --num $num --t 0,0.25,1 --points "0,0 4,8 12,0"
-        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;2.25 3;12 0;" ] || job_fails "eval $num: $(cat "$tmp/out")"
+        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;2.25 3;12 0;" ] \
+            || job_fails "eval $num: $(cat "$tmp/out")"
         run 0 "$loft" sample --num $num --n 4 --points "0,0 4,8 12,0"
-        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;2.25 3;5 4;8.25 3;12 0;" ] || job_fails "sample $num: $(cat "$tmp/out")"
+        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;2.25 3;5 4;8.25 3;12 0;" ] \
+            || job_fails "sample $num: $(cat "$tmp/out")"
     done
-    run 0 sh -c "'$loft' sample --n 2 '$tmp/small.csv' | '$loft' flatten - | wc -l"; says out '^ *[0-9]'
+    run 0 sh -c "'$loft' sample --n 2 '$tmp/small.csv' | '$loft' flatten - | wc -l"
+    says out '^ *[0-9]'
 }
 case_flatten_keeps_its_tolerance() {
     for num in q16 f32 f64; do
@@ -547,20 +712,26 @@ case_compare_holds_the_bounds() {
     [ "$(grep -c '^q16  *f64' "$tmp/out")" = 2 ] || job_fails "$(cat "$tmp/out")"
 }
 # fields of row N of $tmp/out, a blank between
-row() { awk -F'\t' -v n="$1" -v from="$2" 'NR == n + 1 { for (i = from; i <= NF; i++) printf "%s%s", $i, i < NF ? " " : "" }' "$tmp/out"; }
+row() { awk -F'\t' -v n="$1" -v from="$2" \
+    'NR == n + 1 { for (i = from; i <= NF; i++) printf "%s%s", $i, i < NF ? " " : "" }' \
+    "$tmp/out"; }
 case_measure() {
     local num
-    printf 'arc left\n10 0\n0 0\n-10 0\nline\n-10 0\n10 0\nrational\n10 0\n10 10 : 0.7071\n0 10\n' >"$tmp/m.loft"
+    printf 'arc left\n10 0\n0 0\n-10 0\nline\n-10 0\n10 0\nrational\n10 0\n10 10 : 0.7071\n0 10\n' \
+        >"$tmp/m.loft"
     for num in q16 f32 f64; do
-        run 0 "$loft" measure --num $num "$tmp/m.loft"          # half a circle, its chord, a quarter again: 5 pi, 10, 5 pi / 2
+        run 0 "$loft" measure --num $num "$tmp/m.loft" \
+            # half a circle, its chord, a quarter again: 5 pi, 10, 5 pi / 2
         awk -F'\t' 'function near(x, y) { return x - y < 2e-3 && y - x < 2e-3 }
              /:1/ { n += near($3, 31.4159265) && near($4, -10) && near($5, 0) && near($6, 10) && near($7, 10) }
              /:5/ { n += near($3, 20) && near($5, 0) && near($7, 0) }   /:8/ { n += near($3, 15.7079632) }
              /^all/ { n += near($3, 67.1238898) } END { exit n != 4 }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
         run 0 "$loft" measure --num $num --nearest 0,4 "$tmp/m.loft"
-        [ "$(awk -F'\t' 'NR > 1 { printf "%.2f %.2f;", $3, $6 }' "$tmp/out")" = "0.50 6.00;0.50 4.00;1.00 6.00;" ] || job_fails "$num: $(cat "$tmp/out")"
+        [ "$(awk -F'\t' 'NR > 1 { printf "%.2f %.2f;", $3, $6 }' "$tmp/out")" = \
+            "0.50 6.00;0.50 4.00;1.00 6.00;" ] || job_fails "$num: $(cat "$tmp/out")"
         run 0 "$loft" measure --num $num --joins "$tmp/m.loft"
-        [ "$(row 1 3 | cut -c1-11) $(row 2 3 | cut -c1-11)" = "1 0 0 1 0 0 1 0 0 1 0 0" ] || job_fails "$num: $(cat "$tmp/out")"
+        [ "$(row 1 3 | cut -c1-11) $(row 2 3 | cut -c1-11)" = "1 0 0 1 0 0 1 0 0 1 0 0" ] \
+            || job_fails "$num: $(cat "$tmp/out")"
         run 0 "$loft" measure --num $num --intersect "$tmp/m.loft"
         awk -F'\t' 'NR > 1 { n[$1 $5]++; seen[$12]++ } END { exit !(length(n) == 3 && seen["overlap"] >= 1 && seen["meet"] >= 2) }' "$tmp/out" ||
             job_fails "$num: $(cat "$tmp/out")"
@@ -571,7 +742,8 @@ case_measure() {
         # the foot, and not its distance alone, is within the tolerance
         for at in 0.3,0.5 3,4 -0.2,0.1 -7,0.01 40,30; do
             run 0 "$loft" measure --num $num --nearest "$at" "$tmp/m.loft"
-            echo "$at" | awk -F'[,\t]' 'NR == FNR { r = 10 / sqrt($1 * $1 + $2 * $2); x = r * $1; y = r * $2; next }
+            echo "$at" | awk -F'[,\t]' \
+                'NR == FNR { r = 10 / sqrt($1 * $1 + $2 * $2); x = r * $1; y = r * $2; next }
                  /:1/ { good = $4 - x < 1e-3 && x - $4 < 1e-3 && $5 - y < 1e-3 && y - $5 < 1e-3 } END { exit !good }' - "$tmp/out" ||
                 job_fails "$num $at: $(cat "$tmp/out")"
         done
@@ -579,10 +751,13 @@ case_measure() {
     printf 'bezier\n0 0\n10 20\n20 -20\n30 0\n\nbezier\n0 1\n30 1\n' >"$tmp/x.loft"
     run 0 "$loft" measure --intersect "$tmp/x.loft"
     [ "$(grep -c 'meet$' "$tmp/out")" = 2 ] || job_fails "$(cat "$tmp/out")"
-    run 0 "$loft" measure --joins --num f64 --tol 1e-9 --points "0,0 1,1 2,0"; [ "$(wc -l <"$tmp/out")" = 1 ] || job_fails "one curve has no joint"
+    run 0 "$loft" measure --joins --num f64 --tol 1e-9 --points "0,0 1,1 2,0"
+    [ "$(wc -l <"$tmp/out")" = 1 ] || job_fails "one curve has no joint"
     printf 'bezier\n0 0\n1 1\n2 1\n3 0\nbezier\n3 0\n4 -1\n5 -3\n7 0\n' >"$tmp/j.loft"
-    run 0 "$loft" measure --joins "$tmp/j.loft"; [ "$(row 1 3)" = "1 1 1 1 1 1 1 2" ] || job_fails "$(cat "$tmp/out")"
-    run 0 "$loft" measure --nearest 3,0,4 --points "0,0,0 10,0,0"; [ "$(row 1 4)" = "3 0 0 4" ] || job_fails "$(cat "$tmp/out")"
+    run 0 "$loft" measure --joins "$tmp/j.loft"
+    [ "$(row 1 3)" = "1 1 1 1 1 1 1 2" ] || job_fails "$(cat "$tmp/out")"
+    run 0 "$loft" measure --nearest 3,0,4 --points "0,0,0 10,0,0"
+    [ "$(row 1 4)" = "3 0 0 4" ] || job_fails "$(cat "$tmp/out")"
     one_line 64 'give x,y or x,y,z'   "$loft" measure --nearest 3 "$tmp/m.loft"
     one_line 64 'give one of them'    "$loft" measure --joins --intersect "$tmp/m.loft"
     printf 'line\n0 0\n1 1\nbezier\n0 0\n40000 0\n' >"$tmp/far.loft"
@@ -593,10 +768,13 @@ case_measure_offset() {
     run 0 "$loft" measure --offset -5 --tol 0.01 tests/drawings/demo.svg; is_empty err
     printf 'bezier\n0 0\n0 50\n50 50\n50 0\n' >"$tmp/arch.loft"
     run 0 "$loft" measure --offset 5 --tol 0.01 "$tmp/arch.loft"; cp "$tmp/out" "$tmp/beside.loft"
-    run 0 "$loft" sample --num f64 --n 8 "$tmp/beside.loft"; grep . "$tmp/out" | tr ' ' , >"$tmp/points"
-    while read -r at; do                                        # every point of it is as far away as was asked
+    run 0 "$loft" sample --num f64 --n 8 "$tmp/beside.loft"
+    grep . "$tmp/out" | tr ' ' , >"$tmp/points"
+    while read -r at; do \
+        # every point of it is as far away as was asked
         run 0 "$loft" measure --num f64 --tol 1e-4 --nearest "$at" "$tmp/arch.loft"
-        awk -F'\t' 'NR == 2 { exit !($6 > 4.989 && $6 < 5.011) }' "$tmp/out" || job_fails "$at: $(cat "$tmp/out")"
+        awk -F'\t' 'NR == 2 { exit !($6 > 4.989 && $6 < 5.011) }' "$tmp/out" \
+            || job_fails "$at: $(cat "$tmp/out")"
     done < <(awk 'NR % 7 == 1' "$tmp/points")
     [ "$(wc -l <"$tmp/points")" -gt 30 ] || job_fails "$(wc -l <"$tmp/points") points"
     run 0 "$loft" plot "$tmp/beside.loft" -o "$tmp/beside.svg"
@@ -605,27 +783,35 @@ case_measure_offset() {
 case_curves_of_every_kind() {
     local all=tests/drawings/curves.loft kinds
     run 0 "$loft" compare "$all"
-    kinds=$(awk '/^q16/ { $1=$2=$3=$4=$5=$6=$7=$8=$9=""; print }' "$tmp/out" | sort -u | tr -s ' \n' ' ')
+    kinds=$(awk '/^q16/ { $1=$2=$3=$4=$5=$6=$7=$8=$9=""; print }' "$tmp/out" \
+        | sort -u | tr -s ' \n' ' ')
     [ "$kinds" = " arc bezier bspline cardinal hermite3 hermite5 line natural chord natural uniform nurbs parabola rational " ] || job_fails "kinds:$kinds"
     awk '/^q16 .* eval / && $5 > ($10 == "rational" || $10 == "nurbs" ? 2 : 1) { exit 1 } /^q16 .* walk / && $5 > 2 { exit 1 }
          /^f32 .* eval / && $5 > 1 { exit 1 } /^f64 .* eval / && $5 > 32 { exit 1 }' "$tmp/out" || job_fails "beyond the bounds: $(cat "$tmp/out")"
     run 0 "$loft" compare --num q16 --against f64 --n 64 "$all"
     run 0 sh -c "cat '$all' | '$loft' eval -"
-    [ "$(grep -c . "$tmp/out")" = "$(grep -c '^[a-z]' "$all" | awk '{ print $1 - 2 }')" ] || job_fails "$(cat "$tmp/out")"      # two lines of knots
+    [ "$(grep -c . "$tmp/out")" = "$(grep -c '^[a-z]' "$all" | awk '{ print $1 - 2 }')" ] \
+        || job_fails "$(cat "$tmp/out")"      # two lines of knots
 }
 case_curves_through_pipes() {
     printf 'natural\n0 0\n10 10\n20 0\narc left\n20 0\n20 10\n30 10\n' >"$tmp/two.loft"
     for num in q16 f32 f64; do
         run 0 "$loft" eval --num $num --t 0,1 "$tmp/two.loft"
-        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;10 10;;20 0;30 10;" ] || job_fails "$num: $(cat "$tmp/out")"
-        run 0 "$loft" sample --num $num --n 1 "$tmp/two.loft"       # one path: no empty line where the arc goes on
-        ! grep -q '^$' "$tmp/out" && [ "$(head -3 "$tmp/out" | tr '\n' ';')$(tail -1 "$tmp/out")" = "0 0;10 10;20 0;30 10" ] || job_fails "$num: $(cat "$tmp/out")"
+        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0;10 10;;20 0;30 10;" ] \
+            || job_fails "$num: $(cat "$tmp/out")"
+        run 0 "$loft" sample --num $num --n 1 "$tmp/two.loft" \
+            # one path: no empty line where the arc goes on
+        ! grep -q '^$' "$tmp/out" && [ "$(head -3 "$tmp/out" | tr '\n' ';')$(tail -1 "$tmp/out")" \
+            = "0 0;10 10;20 0;30 10" ] || job_fails "$num: $(cat "$tmp/out")"
         run 0 "$loft" flatten --num $num --tol 0.01 "$tmp/two.loft"
         awk '$1 > 20.001 { d = sqrt(($1-20)^2 + ($2-10)^2) - 10; if (d > 1e-3 || d < -1e-3) exit 1; n++ } END { exit n < 5 }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
     done
     run 0 "$loft" stream "$tmp/two.loft" --dry-run; says out '^planned: .*path within 0.0050 mm'
     machine curves --speed fast --once
-    run 0 "$loft" stream "$tmp/two.loft" --port "$tmp/curves" --feed 60; gone "$machine"; says out 'as commanded$'; counted curves
+    run 0 "$loft" stream "$tmp/two.loft" --port "$tmp/curves" --feed 60
+    gone "$machine"
+    says out 'as commanded$'
+    counted curves
 }
 case_the_page_of_the_format_is_true() {
     awk '/^```/ { on = !on; n += on; next } on && n == 1' host-tools/LOFT.md >"$tmp/page.loft"
@@ -637,37 +823,52 @@ case_the_page_of_the_format_is_true() {
     run 0 "$loft" plot "$tmp/page.loft" -o "$tmp/page.svg"
 }
 case_shapes_are_told() {
-    run 0 "$loft" eval --shape --points "0,0 20,10 -10,10 10,0"; says out '^0.0 bezier: loop, loop from 0.112701[0-9]* to 0.887298[0-9]*, box '
-    run 0 "$loft" eval --shape --points "0,0 10,10 0,10 10,0";   says out '^0.0 bezier: cusp, cusp at 0.5, box 0 0 to 10 7.5'
-    run 0 "$loft" eval --shape --points "0,0 1,1";               says out '^0.0 bezier: line, box 0 0 to 1 1$'
-    run 0 "$loft" eval --shape --points "0,0 1,1 2,0";           says out '^0.0 bezier: parabola, box 0 0 to 2 0.5'
-    run 0 "$loft" eval --shape tests/drawings/curves.loft;       says out ' natural uniform: serpentine, inflection at 1.377[0-9]*, box '
+    run 0 "$loft" eval --shape --points "0,0 20,10 -10,10 10,0"
+    says out '^0.0 bezier: loop, loop from 0.112701[0-9]* to 0.887298[0-9]*, box '
+    run 0 "$loft" eval --shape --points "0,0 10,10 0,10 10,0"
+    says out '^0.0 bezier: cusp, cusp at 0.5, box 0 0 to 10 7.5'
+    run 0 "$loft" eval --shape --points "0,0 1,1"
+    says out '^0.0 bezier: line, box 0 0 to 1 1$'
+    run 0 "$loft" eval --shape --points "0,0 1,1 2,0"
+    says out '^0.0 bezier: parabola, box 0 0 to 2 0.5'
+    run 0 "$loft" eval --shape tests/drawings/curves.loft
+    says out ' natural uniform: serpentine, inflection at 1.377[0-9]*, box '
     one_line 64 'give one of them' "$loft" eval --shape --t 0.5 --points "0,0 1,1"
 }
 case_combs_and_knots_are_drawn() {
-    run 0 "$loft" plot tests/drawings/curves.loft --comb -o "$tmp/a.png";              says out 'a.png: [0-9]* curves$'
-    run 0 "$loft" plot --comb 20 --control tests/drawings/curves.loft -o "$tmp/b.svg"; says out 'b.svg: [0-9]* curves$'
+    run 0 "$loft" plot tests/drawings/curves.loft --comb -o "$tmp/a.png"
+    says out 'a.png: [0-9]* curves$'
+    run 0 "$loft" plot --comb 20 --control tests/drawings/curves.loft -o "$tmp/b.svg"
+    says out 'b.svg: [0-9]* curves$'
     run 0 "$loft" plot --comb=20 -o "$tmp/c.pdf" "$tmp/small.csv"
-    [ "$(head -c 4 "$tmp/a.png" | tail -c 3)" = PNG ] && [ -s "$tmp/b.svg" ] && [ -s "$tmp/c.pdf" ] || job_fails "no picture"
+    [ "$(head -c 4 "$tmp/a.png" | tail -c 3)" = PNG ] && [ -s "$tmp/b.svg" ] \
+        && [ -s "$tmp/c.pdf" ] || job_fails "no picture"
     run 0 "$loft" plot -o "$tmp/d.svg" tests/drawings/curves.loft
-    [ "$(grep -c '<path' "$tmp/b.svg")" -gt "$(grep -c '<path' "$tmp/d.svg")" ] || job_fails "no comb in the picture"
+    [ "$(grep -c '<path' "$tmp/b.svg")" -gt "$(grep -c '<path' "$tmp/d.svg")" ] \
+        || job_fails "no comb in the picture"
     one_line 64 '--comb x' "$loft" plot --comb=x "$tmp/small.csv"
 }
 case_surfaces_are_evaluated() {
     for num in q16 f32 f64; do
         run 0 "$loft" eval --num $num --uv 0,0,1,0,0,1 tests/drawings/surfaces.loft
-        [ "$(tr '\n' ';' <"$tmp/out")" = "0 0 0;30 0 4;0 30 6;;40 0 0;70 0 4;40 30 6;;90 0 0;105 0 15;90 30 0;;0 50 0;30 45 0;20 68 0;;40 50 0;70 48 0;56 72 8;;102 48 0;82 68 0;82 48 20;;128 12 18;128 12 0;128 12 18;;118 50 0;142 50 4;118 72 4;" ] ||
+        [ "$(tr '\n' ';' <"$tmp/out")" = \
+            "0 0 0;30 0 4;0 30 6;;40 0 0;70 0 4;40 30 6;;90 0 0;105 0 15;90 30 0;;0 50 0;30 45 0;20 68 0;;40 50 0;70 48 0;56 72 8;;102 48 0;82 68 0;82 48 20;;128 12 18;128 12 0;128 12 18;;118 50 0;142 50 4;118 72 4;" ] ||
             job_fails "corners in $num: $(tr '\n' ';' <"$tmp/out")"
         run 0 "$loft" sample --num $num --n 4 tests/drawings/surfaces.loft
-        [ "$(grep -c . "$tmp/out")" = $((5 * 25 + 3 * 15)) ] || job_fails "$(grep -c . "$tmp/out") points in $num"
+        [ "$(grep -c . "$tmp/out")" = $((5 * 25 + 3 * 15)) ] \
+            || job_fails "$(grep -c . "$tmp/out") points in $num"
     done
-    printf 'octant 20\n' | "$loft" eval --num f64 --uv 0.25,0.5 - | awk '{ r = sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2); exit !(r > 19.999999 && r < 20.000001) }' || job_fails "the octant is not round"
+    printf 'octant 20\n' | "$loft" eval --num f64 --uv 0.25,0.5 - \
+        | awk '{ r = sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2); exit !(r > 19.999999 && r < 20.000001) }' \
+        || job_fails "the octant is not round"
     run 0 sh -c "cat tests/drawings/patch.loft | '$loft' eval -";      says out '^15 15 '
     one_line 64 'give pairs'           "$loft" eval --uv 0.5 tests/drawings/patch.loft
     one_line 64 'for curves'           "$loft" eval --t 0.5 tests/drawings/patch.loft
     one_line 64 'for surfaces'         "$loft" eval --uv 0,0 tests/drawings/curves.loft
     one_line 65 'u, v = 0.9, 0.9'      sh -c "printf 'octant 3\n' | '$loft' eval --uv 0.9,0.9 -"
-    printf 'tensor 3 3\n' >"$tmp/far.loft"; yes '30000 30000 30000' | head -15 >>"$tmp/far.loft"; echo '0 0 40000' >>"$tmp/far.loft"
+    printf 'tensor 3 3\n' >"$tmp/far.loft"
+    yes '30000 30000 30000' | head -15 >>"$tmp/far.loft"
+    echo '0 0 40000' >>"$tmp/far.loft"
     one_line 65 'far.loft:1: tensor: ' "$loft" eval "$tmp/far.loft"
     run 0 "$loft" eval --num f32 "$tmp/far.loft"
 }
@@ -677,20 +878,27 @@ case_surfaces_with_n_sides_are_used() {
         run 0 "$loft" eval --num $num "$sided"
         [ "$(grep -c . "$tmp/out")" = 6 ] || job_fails "$(cat "$tmp/out")"
         run 0 "$loft" sample --num $num --n 2 "$sided"
-        [ "$(grep -c . "$tmp/out")" = $((9 * (5 + 6 + 6 + 5 + 6 + 7))) ] || job_fails "$(grep -c . "$tmp/out") points in $num"
-        run 0 "$loft" surface --num $num --n 8 -o "$tmp/sided.stl" "$sided"; says out ': 6 surfaces, [0-9]* triangles$'
+        [ "$(grep -c . "$tmp/out")" = $((9 * (5 + 6 + 6 + 5 + 6 + 7))) ] \
+            || job_fails "$(grep -c . "$tmp/out") points in $num"
+        run 0 "$loft" surface --num $num --n 8 -o "$tmp/sided.stl" "$sided"
+        says out ': 6 surfaces, [0-9]* triangles$'
     done
-    run 0 "$loft" plot "$sided" --control --heights 4,8 -o "$tmp/sided.svg";      says out 'sided.svg: 6 surfaces$'
-    run 0 "$loft" plot "$sided" --curvature gauss --contours 5 -o "$tmp/sided.pdf"; says out 'sided.pdf: 6 surfaces$'
+    run 0 "$loft" plot "$sided" --control --heights 4,8 -o "$tmp/sided.svg"
+    says out 'sided.svg: 6 surfaces$'
+    run 0 "$loft" plot "$sided" --curvature gauss --contours 5 -o "$tmp/sided.pdf"
+    says out 'sided.pdf: 6 surfaces$'
     one_line 65 'u, v = 2, 0'           "$loft" eval --uv 2,0 "$sided"
     one_line 64 'for surfaces'          "$loft" plot --contours 5 tests/drawings/curves.loft
-    one_line 65 'n.loft:2: not a point' sh -c "printf 'gb 5 3\n1 x\n' >'$tmp/n.loft'; '$loft' eval '$tmp/n.loft'"
+    one_line 65 'n.loft:2: not a point' sh \
+        -c "printf 'gb 5 3\n1 x\n' >'$tmp/n.loft'; '$loft' eval '$tmp/n.loft'"
 }
-# A reader of its own: sizes, indices, unit normals on the right side, and the area and volume of a sphere.
+# A reader of its own: sizes, indices, unit normals on the right side, and the area and volume of a
+# sphere.
 # An eighth of one as a rational triangle (Farin, Piper, Worsey 1987) has its points as normals.
 case_meshes_are_read_back() {
     printf 'sphere 20\n1 2 3\n' >"$tmp/ball.loft"
-    run 0 "$loft" surface --n 64 -o "$tmp/ball.stl" "$tmp/ball.loft"; says out ': 1 surface, 8064 triangles$'
+    run 0 "$loft" surface --n 64 -o "$tmp/ball.stl" "$tmp/ball.loft"
+    says out ': 1 surface, 8064 triangles$'
     run 0 "$loft" surface --n 64 -o "$tmp/ball.ply" "$tmp/ball.loft"
     python3 - >"$tmp/eighth.loft" <<'PY'
 from math import sqrt
@@ -752,26 +960,33 @@ PY
     one_line 66 'no such file'           "$loft" surface "$tmp/nothing.loft"
 }
 case_surfaces_are_drawn() {
-    run 0 "$loft" plot tests/drawings/surfaces.loft --control --size 500 -o "$tmp/a.png"; says out 'a.png: 8 surfaces$'
+    run 0 "$loft" plot tests/drawings/surfaces.loft --control --size 500 -o "$tmp/a.png"
+    says out 'a.png: 8 surfaces$'
     run 0 "$loft" plot tests/drawings/patch.loft --curvature gauss --view 30,60,2 -o "$tmp/b.svg"
     run 0 "$loft" plot tests/drawings/patch.loft --wire --control -o "$tmp/c.pdf"
     run 0 sh -c "printf 'tensor 1 1\n0 0\n0 1\n1 0\n1 1\n' | '$loft' plot --curvature largest -o '$tmp/d.png' -"
-    [ "$(head -c 4 "$tmp/a.png" | tail -c 3)" = PNG ] && [ -s "$tmp/b.svg" ] && [ -s "$tmp/c.pdf" ] && [ -s "$tmp/d.png" ] || job_fails "no picture"
+    [ "$(head -c 4 "$tmp/a.png" | tail -c 3)" = PNG ] && [ -s "$tmp/b.svg" ] \
+        && [ -s "$tmp/c.pdf" ] && [ -s "$tmp/d.png" ] || job_fails "no picture"
     one_line 64 'gauss, mean or largest' "$loft" plot --curvature red tests/drawings/patch.loft
     one_line 64 'AROUND,UP'              "$loft" plot --view 30 tests/drawings/patch.loft
     one_line 64 'AROUND,UP'              "$loft" plot --view 30,100 tests/drawings/patch.loft
     one_line 64 'are for drawings'       "$loft" plot --comb tests/drawings/patch.loft
     one_line 64 'are for surfaces'       "$loft" plot --wire tests/drawings/curves.loft
-    one_line 64 'give one of them'       "$loft" plot --wire --curvature mean tests/drawings/patch.loft
+    one_line 64 'give one of them'       "$loft" plot --wire --curvature mean \
+        tests/drawings/patch.loft
     one_line 64 '.png, .svg or .pdf'     "$loft" plot -o "$tmp/a.gif" tests/drawings/patch.loft
 }
 case_bad_surfaces() {
-    bad_surface() { printf "$1" >"$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$2" "$loft" eval "$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$2" "$loft" surface "$tmp/bad.loft"; }
-    bad_surface 'tensor 3\n'                            '1: not two degrees: give two whole numbers from 0 to 9'
+    bad_surface() { printf "$1" >"$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$2" "$loft" eval \
+        "$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$2" "$loft" surface "$tmp/bad.loft"; }
+    bad_surface 'tensor 3\n' \
+        '1: not two degrees: give two whole numbers from 0 to 9'
     bad_surface 'tensor 1 1\n0 0 0\n'                   '1: tensor with 1 point: give 4'
     bad_surface 'tensor 1 0\n0 0 0\n1 0 0\n2 0 0\n'     '4: more than the 2 points of this tensor'
-    bad_surface 'tensor 0 1\n0 0 0\n1 0 0 : 300\n'      '3: not a point: `x y z` or `x y z : weight`, a weight of 1/256 to 256'
-    bad_surface '# c\ntriangle\n0 0 0\n1 0 0\n'         '2: triangle with 2 points: give 1, 3, 6, 10'
+    bad_surface 'tensor 0 1\n0 0 0\n1 0 0 : 300\n' \
+        '3: not a point: `x y z` or `x y z : weight`, a weight of 1/256 to 256'
+    bad_surface '# c\ntriangle\n0 0 0\n1 0 0\n' \
+        '2: triangle with 2 points: give 1, 3, 6, 10'
     bad_surface 'coons bent 3 3\n'                      '1: not a kind of Coons patch'
     bad_surface 'coons 1 1\n0 0\n1 0\n0 1\n1 1\n0 0\n0 1\n2 0\n1 1\n' '1: coons: '
     bad_surface 'pn\n0 0 0\n'                          '2: not a point: `x y z : nx ny nz`'
@@ -779,73 +994,100 @@ case_bad_surfaces() {
     bad_surface 'sphere 3\n0 0 0\n1 1 1\n'              '3: more than the 1 point of this sphere'
     bad_surface 'octant -3\n'                           '1: no radius'
     bad_surface 'octant 3\nbezier 3\n'                  '2: `bezier` is not a kind of surface'
-    printf 'line\n0 0\n1 1\ntensor 1 1\n' >"$tmp/bad.loft"; one_line 65 'bad.loft:4: `tensor` is not a kind of curve: surfaces go into a file of their own' "$loft" eval "$tmp/bad.loft"
+    printf 'line\n0 0\n1 1\ntensor 1 1\n' >"$tmp/bad.loft"
+    one_line 65 'bad.loft:4: `tensor` is not a kind of curve: surfaces go into a file of their own' "$loft" eval "$tmp/bad.loft"
 }
 case_waterlines() {
     local num
     printf 'sphere 10\n1 2 3\n' >"$tmp/ball.loft"
-    for num in q16 f32 f64; do      # circles of radius 8 and 6 around the centre, closed, once about each
+    for num in q16 f32 f64; do \
+        # circles of radius 8 and 6 around the centre, closed, once about each
         run 0 "$loft" contour --num $num --heights 9,-5 --n 64 --csv "$tmp/ball.loft"; is_empty err
         awk -F, 'NR == 1 { if ($0 != "surface,height,curve,x,y,z") exit bad = 1; next }
             { r = sqrt(($4 - 1) ^ 2 + ($5 - 2) ^ 2) - ($2 == 9 ? 8 : 6); z = $6 - $2; if (r * r > 4e-6 || z * z > 1.1e-6) exit bad = 1
               if ($3 != curve) { curve = $3; curves++; first = $4 " " $5 } last = $4 " " $5; n[$2]++ }
             END { exit bad || curves != 1 || last != first || n[9] < 100 || n[-5] < 100 }' curve=0 "$tmp/out" || job_fails "$num: $(head -3 "$tmp/out")"
     done
-    run 0 "$loft" contour --n 20 --levels 5 tests/drawings/sided.loft; cp "$tmp/out" "$tmp/lines.loft"
-    says out '^line  *# surface 6, z = 15, closed$'; run 0 "$loft" measure --num f64 "$tmp/lines.loft"; says out '	line	'
-    run 0 sh -c "'$loft' contour --n 64 --flat tests/drawings/patch.loft | '$loft' stream - --dry-run"; says out '^planned: [0-9]* curves, 0\.39[0-9] m drawn'
-    for heights in 5,6.5 20; do run 0 "$loft" plot "$tmp/ball.loft" --view -90,60 --heights $heights -o "$tmp/at-$heights.svg"; done
-    [ "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") $(grep -c 'fill:rgb(42%' "$tmp/at-20.svg")" = "10 0" ] || job_fails "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") labels"
+    run 0 "$loft" contour --n 20 --levels 5 tests/drawings/sided.loft
+    cp "$tmp/out" "$tmp/lines.loft"
+    says out '^line  *# surface 6, z = 15, closed$'
+    run 0 "$loft" measure --num f64 "$tmp/lines.loft"
+    says out '	line	'
+    run 0 sh -c "'$loft' contour --n 64 --flat tests/drawings/patch.loft | '$loft' stream - --dry-run"
+    says out '^planned: [0-9]* curves, 0\.39[0-9] m drawn'
+    for heights in 5,6.5 20; do run 0 "$loft" plot "$tmp/ball.loft" --view -90,60 \
+        --heights $heights -o "$tmp/at-$heights.svg"; done
+    [ "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") $(grep -c 'fill:rgb(42%' "$tmp/at-20.svg")" = \
+        "10 0" ] || job_fails "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") labels"
     one_line 65 'reach from z = -7 to 13 mm' "$loft" contour --heights 20 "$tmp/ball.loft"
     one_line 65 'no surface in it'          "$loft" contour "$tmp/small.csv"
     one_line 64 'give one of them'          "$loft" contour --heights 1 --levels 3 "$tmp/ball.loft"
 }
 case_bad_curves() {
-    bad_loft() { printf "$1" >"$tmp/bad.loft"; shift; one_line 65 "$tmp/bad.loft:$1" "$loft" eval "$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$1" "$loft" stream --dry-run "$tmp/bad.loft"; }
+    bad_loft() { printf "$1" >"$tmp/bad.loft"; shift; one_line 65 "$tmp/bad.loft:$1" "$loft" eval \
+        "$tmp/bad.loft"; one_line 65 "$tmp/bad.loft:$1" "$loft" stream --dry-run "$tmp/bad.loft"; }
     bad_loft 'bezier 3\n0 0\n1 1\n'                      '1: bezier with 2 points: give 4'
     bad_loft '# c\n\nsnake\n'                            '3: `snake` is not a kind of curve'
     bad_loft 'line\n0 0\n1 1\nrational\n0 0\n1 1 : -1\n' '6: not a point: `x y : weight`'
     bad_loft 'natural chord\n0 0\n0 0\n1 1\n'            '1: natural chord: two points in one'
-    bad_loft 'rational\n0 0 : 300\n1 1\n'               '2: not a point: `x y : weight`, a weight of 1/256 to 256'
-    printf 'line\n0 0\n1 1 1\n' >"$tmp/z.loft"; one_line 65 'z.loft:1: line: leaves the plane of the drawing' "$loft" stream --dry-run "$tmp/z.loft"
-    printf 'hermite3\n0 0 : 90000 0\n1 0 : 90000 0\n' >"$tmp/far.loft"; one_line 65 'far.loft:1: .*take --num f64' "$loft" sample "$tmp/far.loft"
-    printf 'bspline 2\n0 0\n1 1\n2 0\n' >"$tmp/t.loft"; one_line 65 't.loft:1: t = 1.5: give 0 to 1 for this bspline' "$loft" eval --t 1.5 "$tmp/t.loft"
+    bad_loft 'rational\n0 0 : 300\n1 1\n' \
+        '2: not a point: `x y : weight`, a weight of 1/256 to 256'
+    printf 'line\n0 0\n1 1 1\n' >"$tmp/z.loft"
+    one_line 65 'z.loft:1: line: leaves the plane of the drawing' "$loft" stream \
+        --dry-run "$tmp/z.loft"
+    printf 'hermite3\n0 0 : 90000 0\n1 0 : 90000 0\n' >"$tmp/far.loft"
+    one_line 65 'far.loft:1: .*take --num f64' "$loft" sample "$tmp/far.loft"
+    printf 'bspline 2\n0 0\n1 1\n2 0\n' >"$tmp/t.loft"
+    one_line 65 't.loft:1: t = 1.5: give 0 to 1 for this bspline' "$loft" eval --t 1.5 "$tmp/t.loft"
 }
 case_dry_run_says_the_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --dry-run
     says out '^planned: 7 curves, 0\.[0-9]* m drawn, .* s, [0-9]* spans, path within 0.0050 mm, job [0-9a-f]*$'
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 1800mm/min; cp "$tmp/out" "$tmp/minutes"
-    run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 30mm/s; cmp -s "$tmp/out" "$tmp/minutes" || job_fails "1800mm/min is not 30mm/s"
+    run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 30mm/s
+    cmp -s "$tmp/out" "$tmp/minutes" || job_fails "1800mm/min is not 30mm/s"
 }
 case_short_lines_become_curves() {
     awk 'BEGIN { print "line"; for (i = 0; i <= 2000; i++) printf "%.6f %.6f\n", 20 * cos(i * 0.002), 20 * sin(i * 0.002) }' >"$tmp/dense.loft"
-    run 0 "$loft" stream "$tmp/dense.loft" --dry-run --feed 60; says out '^planned: [1-9][0-9]\? curves, 0.080 m drawn'
-    run 0 "$loft" stream "$tmp/dense.loft" --dry-run --feed 60 --smooth 0; says out '^planned: 2000 curves, 0.080 m drawn'
+    run 0 "$loft" stream "$tmp/dense.loft" --dry-run --feed 60
+    says out '^planned: [1-9][0-9]\? curves, 0.080 m drawn'
+    run 0 "$loft" stream "$tmp/dense.loft" --dry-run --feed 60 --smooth 0
+    says out '^planned: 2000 curves, 0.080 m drawn'
     one_line 64 'leave at least half of the tolerance' "$loft" plan "$tmp/dense.loft" --smooth 0.004
     machine dense --steps 250 --once
-    run 0 "$loft" stream "$tmp/dense.loft" --feed 60 --port "$tmp/dense" --record "$tmp/dense.csv"; gone "$machine"
+    run 0 "$loft" stream "$tmp/dense.loft" --feed 60 --port "$tmp/dense" --record "$tmp/dense.csv"
+    gone "$machine"
     says out 'as commanded'
     awk '/worst path error/ { for (i = 1; i < NF; i++) if ($i == "error" && $(i + 1) < 0.0080) ok = 1 } END { exit !ok }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
 }
 case_the_line_in_words() {
     machine watched --speed fast
-    run 0 "$loft" ports "$tmp/watched"; says out 'loft, 3 axes, 1000 ticks/s, 40 slots, queue of 256 spans or 1280 points	steps/mm 80 80 80	idle'
-    "$loft" monitor --port "$tmp/watched" --link "$tmp/between" >"$tmp/words" & local monitor=$!; children+=("$monitor")
+    run 0 "$loft" ports "$tmp/watched"
+    says out 'loft, 3 axes, 1000 ticks/s, 40 slots, queue of 256 spans or 1280 points	steps/mm 80 80 80	idle'
+    "$loft" monitor --port "$tmp/watched" --link "$tmp/between" >"$tmp/words" & local monitor=$!
+    children+=("$monitor")
     wait_for "$tmp/between"
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/between" --log "$tmp/log"
     kill -INT $monitor; wait $monitor || job_fails "monitor: exit code $?"
     for f in words log; do
-        for line in '> HELLO ' '< WELCOME .* axes 3 queue 256 points 1280' '> JOB .* spans start 0 0 0' '> SPANS .* first 0 ' '< ACK .* running' '> END .* total' '< REPORT .* done position'; do
+        for line in '> HELLO ' '< WELCOME .* axes 3 queue 256 points 1280' \
+            '> JOB .* spans start 0 0 0' '> SPANS .* first 0 ' '< ACK .* running' '> END .* total' \
+            '< REPORT .* done position'; do
             grep -q -- "$line" "$tmp/$f" || job_fails "$f has no line $line"
         done
-        ! grep -qE 'readable|unknown| \? ' "$tmp/$f" || job_fails "$(grep -E 'readable|unknown' "$tmp/$f" | head -1)"
+        ! grep -qE 'readable|unknown| \? ' "$tmp/$f" \
+            || job_fails "$(grep -E 'readable|unknown' "$tmp/$f" | head -1)"
     done
-    grep -q '^> [0-9]* bytes, [0-9]* frames, 0 damaged$' "$tmp/words" || job_fails "$(tail -2 "$tmp/words")"
+    grep -q '^> [0-9]* bytes, [0-9]* frames, 0 damaged$' "$tmp/words" \
+        || job_fails "$(tail -2 "$tmp/words")"
 }
-# peer NAME OPTIONS..: a controller of grbl's kind behind $tmp/NAME, what it drew in $tmp/NAME.csv when it has ended
+# peer NAME OPTIONS..: a controller of grbl's kind behind $tmp/NAME, what it drew in $tmp/NAME.csv
+# when it has ended
 peer() {
     local name=$1; shift
-    python3 tests/e2e/grbl_peer.py "$tmp/$name" "$tmp/$name.csv" "$@" & peer=$!; children+=("$peer"); disown "$peer"
+    python3 tests/e2e/grbl_peer.py "$tmp/$name" "$tmp/$name.csv" "$@" & peer=$!
+    children+=("$peer")
+    disown "$peer"
     wait_for "$tmp/$name"
 }
 drew() {        # drew NAME: all of outline12.csv within the tolerance, and the buffer never overflowed
@@ -870,15 +1112,22 @@ PY
 }
 case_grbl_draws_arcs() {
     peer arcs
-    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/arcs"; says out '^drawn: 12 curves, 0.131 m, [0-9]* lines of G-code .*Grbl 1.1h'; drew arcs
+    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/arcs"
+    says out '^drawn: 12 curves, 0.131 m, [0-9]* lines of G-code .*Grbl 1.1h'
+    drew arcs
 }
 case_grbl_draws_cubics_and_work_coordinates() {
     peer g5 --g5 --mpos
-    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --g5 --feed 50 --port "$tmp/g5"; says out '^drawn: 12 curves, 0.131 m, 1[0-9] lines'; drew g5
-    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --g5 --dry-run; [ "$(grep -c '^G5' "$tmp/out")" = 12 ] || job_fails "$(head -3 "$tmp/out")"
+    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --g5 --feed 50 --port "$tmp/g5"
+    says out '^drawn: 12 curves, 0.131 m, 1[0-9] lines'
+    drew g5
+    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --g5 --dry-run
+    [ "$(grep -c '^G5' "$tmp/out")" = 12 ] || job_fails "$(head -3 "$tmp/out")"
 }
 case_grbl_troubles_are_told() {
-    refuses() { local pattern=$1 code=$2; shift 2; peer bad "$@"; one_line "$code" "$pattern" "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/bad" ${cubics:-}; kill "$peer"; gone "$peer"; rm -f "$tmp/bad"; }
+    refuses() { local pattern=$1 code=$2; shift 2; peer bad "$@"; one_line "$code" "$pattern" \
+        "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/bad" \
+        ${cubics:-}; kill "$peer"; gone "$peer"; rm -f "$tmp/bad"; }
     refuses 'locked after an alarm: home it' 78 --locked
     refuses 'alarm 2 at line [0-9]* of [0-9]*: .*travel' 76 --alarm 20
     refuses 'error 2 at line [0-9]* of [0-9]*, `G.*: a number that cannot be read' 76 --error 20
@@ -891,23 +1140,33 @@ case_grbl_troubles_are_told() {
 }
 case_grbl_answers_late() {     # a boot loader, and a board that is reset after it has answered
     peer late --late 2500
-    one_line 69 'no answer in 0.5 s: look at its power' "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/late" --wait 0.5
-    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/late" --wait 8; says out '^drawn: 12 curves.*Grbl 1.1h'; drew late
+    one_line 69 'no answer in 0.5 s: look at its power' "$loft" stream \
+        tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/late" --wait 0.5
+    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/late" --wait 8
+    says out '^drawn: 12 curves.*Grbl 1.1h'
+    drew late
     peer twice --twice
-    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/twice"; drew twice
+    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/twice"
+    drew twice
 }
 case_plan_says_what_limits() {
     plan() { run 0 "$loft" plan "$@"; is_empty err; }
-    limited() { local by=$1; shift; plan --total "$@"; grep -q "^drawn .*  $by [0-9]* %" "$tmp/out" || job_fails "not by $by: $(cat "$tmp/out")"; }
+    limited() { local by=$1; shift; plan --total "$@"; grep -q "^drawn .*  $by [0-9]* %" \
+        "$tmp/out" || job_fails "not by $by: $(cat "$tmp/out")"; }
     printf '0,0,10,0,20,0,30,0\n' >"$tmp/line.csv"
     printf 'arc left\n10 0\n0 0\n10 0\n' >"$tmp/ring.loft"
-    awk 'BEGIN { print "line"; for (i = 0; i < 60; i++) print i * 0.5, i % 2 * 0.3 }' >"$tmp/saw.loft"
+    awk 'BEGIN { print "line"; for (i = 0; i < 60; i++) print i * 0.5, i % 2 * 0.3 }' \
+        >"$tmp/saw.loft"
     printf 'max_speed = 500\nx.max_speed = 20\nmax_jerk = 0\n' >"$tmp/slow.txt"
     plan "$tmp/line.csv" --jerk 0       # from rest to rest: 30 mm / 30 mm/s + 30 mm/s / 2000 mm/s2
     awk '$1 == 1 { n++; exit !($2 == 1 && $3 == "30.000" && $4 > 1.012 && $4 < 1.022 && $5 > 29.9 && $5 < 30.1) } END { exit !n }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
-    limited feed "$tmp/line.csv";                    limited 'x speed' "$tmp/line.csv" --feed 60 --machine "$tmp/slow.txt"
-    limited 'x acceleration' "$tmp/line.csv" --feed 1000 --jerk 0;  limited 'x jerk' "$tmp/line.csv" --feed 1000 --jerk 10000
-    limited curvature "$tmp/ring.loft" --feed 1000 --accel 300 --jerk 0;    plan --total "$tmp/saw.loft" --jerk 0; says out '^in all .*, corner [0-9]'
+    limited feed "$tmp/line.csv"
+    limited 'x speed' "$tmp/line.csv" --feed 60 --machine "$tmp/slow.txt"
+    limited 'x acceleration' "$tmp/line.csv" --feed 1000 --jerk 0
+    limited 'x jerk' "$tmp/line.csv" --feed 1000 --jerk 10000
+    limited curvature "$tmp/ring.loft" --feed 1000 --accel 300 --jerk 0
+    plan --total "$tmp/saw.loft" --jerk 0
+    says out '^in all .*, corner [0-9]'
     for num in q16 f32 f64; do
         plan "$tmp/small.csv" --num $num
         [ "$(grep -c '^[0-9]' "$tmp/out")" = 7 ] || job_fails "$num: $(cat "$tmp/out")"
@@ -921,20 +1180,26 @@ case_plan_says_what_limits() {
 }
 case_plan_as_rows() {
     run 0 "$loft" plan "$tmp/small.csv" --csv 500; is_empty err; cp "$tmp/out" "$tmp/rows"
-    # velocity is the slope of the place and acceleration that of the velocity; limits hold; the end is at rest above the last point
+    # velocity is the slope of the place and acceleration that of the velocity; limits hold; the
+    # end is at rest above the last point
     awk -F, 'NR == 1 { if ($0 != "t,x,y,z,vx,vy,vz,ax,ay,az") exit bad = 1; next }
         NF != 10 { exit bad = 1 }
         NR > 2 && $1 - t > 0.0019 && $1 - t < 0.0021 { for (i = 2; i < 8; i++) { d = ($i - o[i]) / ($1 - t) - ($(i + 3) + o[i + 3]) / 2; if (d < 0) d = -d
             if (d > (i < 5 ? 0.05 : 60)) { print "row " NR " column " i " is off by " d; exit bad = 1 } } n++ }
         { t = $1; for (i = 2; i <= NF; i++) o[i] = $i }
         END { exit bad || n < 3000 || !($2 == 60 && $3 == 30 && $4 == 1 && $5 == 0 && $6 == 0 && $7 == 0) }' "$tmp/rows" || job_fails "$(tail -1 "$tmp/rows")"
-    run 0 "$loft" plan "$tmp/small.csv" --csv 500 -o "$tmp/file.csv"; says out '^in all '; cmp -s "$tmp/file.csv" "$tmp/rows" || job_fails "the file has other rows"
-    run 0 sh -c "cat '$tmp/small.csv' | '$loft' plan - --csv 10 --num f64 --park | tail -1"; says out ',0.000000,0.000000,0.000000,0.00000,0.00000,0.00000,'
+    run 0 "$loft" plan "$tmp/small.csv" --csv 500 -o "$tmp/file.csv"
+    says out '^in all '
+    cmp -s "$tmp/file.csv" "$tmp/rows" || job_fails "the file has other rows"
+    run 0 sh -c "cat '$tmp/small.csv' | '$loft' plan - --csv 10 --num f64 --park | tail -1"
+    says out ',0.000000,0.000000,0.000000,0.00000,0.00000,0.00000,'
 }
 case_plan_as_a_picture() {
     run 0 "$loft" plan "$tmp/small.csv" --total --plot "$tmp/a.png" --size 400; says out '^drawn '
-    run 0 "$loft" plan tests/drawings/curves.loft --total --jerk 0 --plot "$tmp/b.svg"; run 0 "$loft" plan "$tmp/small.csv" --total --plot "$tmp/c.pdf"
-    [ "$(head -c 4 "$tmp/a.png" | tail -c 3)" = PNG ] && [ -s "$tmp/b.svg" ] && [ -s "$tmp/c.pdf" ] || job_fails "no picture"
+    run 0 "$loft" plan tests/drawings/curves.loft --total --jerk 0 --plot "$tmp/b.svg"
+    run 0 "$loft" plan "$tmp/small.csv" --total --plot "$tmp/c.pdf"
+    [ "$(head -c 4 "$tmp/a.png" | tail -c 3)" = PNG ] && [ -s "$tmp/b.svg" ] \
+        && [ -s "$tmp/c.pdf" ] || job_fails "no picture"
     one_line 64 'ends with .png, .svg or .pdf' "$loft" plan "$tmp/small.csv" --plot "$tmp/a.gif"
     one_line 73 'cannot be written'  "$loft" plan "$tmp/small.csv" --plot "$tmp/none/a.png"
     one_line 73 'cannot be written'  "$loft" plan "$tmp/small.csv" --csv 10 -o "$tmp/none/a.csv"
@@ -942,27 +1207,36 @@ case_plan_as_a_picture() {
     one_line 64 'no drawing'         "$loft" plan
     one_line 66 'none.svg: no such'  "$loft" plan "$tmp/none.svg"
     one_line 65 'unknown key'        "$loft" plan "$tmp/small.csv" --machine "$tmp/small.csv"
-    printf '\n0,0,9000,0,1,1,2,2\n' >"$tmp/wide.csv"; one_line 65 'wide.csv:2: a point at 9000,0 mm' "$loft" plan "$tmp/wide.csv"
+    printf '\n0,0,9000,0,1,1,2,2\n' >"$tmp/wide.csv"
+    one_line 65 'wide.csv:2: a point at 9000,0 mm' "$loft" plan "$tmp/wide.csv"
 }
 case_machines_as_text() {
-    printf '# slow\nmax_speed = 20\ny.max_accel = 100 # mm/s2\nsteps_per_mm = 100\n' >"$tmp/slow.txt"
+    printf '# slow\nmax_speed = 20\ny.max_accel = 100 # mm/s2\nsteps_per_mm = 100\n' \
+        >"$tmp/slow.txt"
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 60; cp "$tmp/out" "$tmp/fast"
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 60 --machine "$tmp/slow.txt"
     cmp -s "$tmp/out" "$tmp/fast" && job_fails "the limits of the file change nothing"
     printf '$100=100.000 (x, step/mm)\n$101=100.000\n$102=100.000\n$110=1200.000\n$111=1200\n$112=1200\n$121=100.000\n$32=0\n' >"$tmp/grbl.txt"
-    cp "$tmp/out" "$tmp/ours"; run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 60 --machine "$tmp/grbl.txt"
-    cmp -s "$tmp/out" "$tmp/ours" || job_fails "the same machine in grbl's numbers gives another plan"
+    cp "$tmp/out" "$tmp/ours"
+    run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 60 --machine "$tmp/grbl.txt"
+    cmp -s "$tmp/out" "$tmp/ours" || job_fails \
+        "the same machine in grbl's numbers gives another plan"
     machine slow --speed fast --once --machine "$tmp/slow.txt"
-    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/slow" --feed 60; gone "$machine"; counted slow
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/slow" --feed 60
+    gone "$machine"
+    counted slow
     says slow.csv '^# steps_per_mm_z = 100'
-    bad_machine() { printf "$1" >"$tmp/bad.txt"; one_line 65 "bad.txt:$2" timeout 5 "$loft" simulate --machine "$tmp/bad.txt"; }
+    bad_machine() { printf "$1" >"$tmp/bad.txt"; one_line 65 "bad.txt:$2" timeout 5 "$loft" \
+        simulate --machine "$tmp/bad.txt"; }
     bad_machine '\nx.speed = 3\n'         '2: unknown key "x.speed": there are'
     bad_machine 'max_accel 5\n'           '1: no `=` behind max_accel'
     bad_machine 'z.max_accel = fast\n'    '1: max_accel is not a number: give one in mm/s'
     bad_machine 'slots = 3.5\n'           '1: slots is 3.5: give a whole number from 1 to 4096'
     bad_machine '# a\n$100=\n'            '2: not a setting of grbl'
-    bad_machine 'corner = 0.1\n$11=0.2\n'                  '2: corner is given in line 1 already: take one'
-    bad_machine 'y.max_jerk = 5\n\nmax_jerk = 6\n'           '3: max_jerk is given in line 1 already: put what holds for all axes first'
+    bad_machine 'corner = 0.1\n$11=0.2\n' \
+        '2: corner is given in line 1 already: take one'
+    bad_machine 'y.max_jerk = 5\n\nmax_jerk = 6\n' \
+        '3: max_jerk is given in line 1 already: put what holds for all axes first'
     bad_machine 'slots = 40\n\0\n'                          ' is not text'
     one_line 66 'none.txt' "$loft" simulate --machine "$tmp/none.txt"
 }
@@ -976,30 +1250,43 @@ kinematics() {
     polar) printf 'steps_per_mm = 320\nb.steps_per_mm = 400 # per degree\nx.center = 20\ny.center = -30\nb.max_speed = 400\n' ;;
     esac >>"$tmp/$1.txt"
 }
-# carries KIND BOUND OPTIONS..: draws on it; the tool errs by at most the tolerance and BOUND, what the steps of its motors make of it
+# carries KIND BOUND OPTIONS..: draws on it; the tool errs by at most the tolerance and BOUND, what
+# the steps of its motors make of it
 carries() {
     local kind=$1 bound=$2 worst; shift 2
     kinematics "$kind"
     machine "$kind" --speed fast --once --machine "$tmp/$kind.txt"
-    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/$kind" --machine "$tmp/$kind.txt" --record "$tmp/$kind.csv" "$@"; gone "$machine"
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/$kind" --machine "$tmp/$kind.txt" \
+        --record "$tmp/$kind.csv" "$@"
+    gone "$machine"
     is_empty err; says out '^drawn: 7 curves, .*as commanded$'; counted "$kind"
     worst=$(sed -n 's/.*worst path error \([0-9.]*\) mm.*/\1/p' "$tmp/out")
-    awk -v w="$worst" -v b="$bound" 'BEGIN { exit !(w != "" && w > 0 && w <= 0.005 + b) }' || job_fails "$kind: worst path error \`$worst\`"
-    run 0 "$loft" plot "$tmp/small.csv" --record "$tmp/$kind.csv" -o "$tmp/$kind.png"; says out "path error $worst mm at worst"
+    awk -v w="$worst" -v b="$bound" 'BEGIN { exit !(w != "" && w > 0 && w <= 0.005 + b) }' \
+        || job_fails "$kind: worst path error \`$worst\`"
+    run 0 "$loft" plot "$tmp/small.csv" --record "$tmp/$kind.csv" -o "$tmp/$kind.png"
+    says out "path error $worst mm at worst"
     says "$kind.csv" "^# kinematics = $kind"
 }
-# A motor is off by half a step at a tick and half for the slots between: corexy, 1/320 mm in all. delta: 4 steps of 1/800 mm, at the
-# edge of this drawing. polar: one of radius, 1/320 mm, and one of 1/400 degree, 65 mm from the pole.
+# A motor is off by half a step at a tick and half for the slots between: corexy, 1/320 mm in all.
+# delta: 4 steps of 1/800 mm, at the
+# edge of this drawing. polar: one of radius, 1/320 mm, and one of 1/400 degree, 65 mm from the
+# pole.
 case_kinematics_corexy()        { carries corexy 0.0032; carries hbot 0.0032 --num f64; }
 case_kinematics_delta()         { carries delta 0.0050; }
 case_kinematics_polar()         { carries polar 0.0043; }
-case_kinematics_points()        { carries delta 0.0050 --points; carries polar 0.0043 --points --num f32; }
-case_kinematics_planned_there() { carries corexy 0.0032 --plan chip; carries delta 0.0050 --plan chip; carries polar 0.0043 --plan chip; }
+case_kinematics_points()        { carries delta 0.0050 --points; carries polar 0.0043 --points \
+    --num f32; }
+case_kinematics_planned_there() { carries corexy 0.0032 --plan chip; carries delta 0.0050 \
+    --plan chip; carries polar 0.0043 --plan chip; }
 case_kinematics_cut_off() {
     kinematics delta
     machine there --speed real --machine "$tmp/delta.txt"
     job=("$loft" stream "$tmp/small.csv" --port "$tmp/there" --machine "$tmp/delta.txt" --feed 60)
-    drawing_on=there; cut_off 1; run 0 "${job[@]}"; says err '^resuming at item'; says out 'as commanded$'
+    drawing_on=there
+    cut_off 1
+    run 0 "${job[@]}"
+    says err '^resuming at item'
+    says out 'as commanded$'
     local end; end=$(sed -n 's/.* \(steps .* as commanded\)$/\1/p' "$tmp/out")
     run 0 "${job[@]}"; says out "$end"
     run 0 "${job[@]}" --park; says out 'steps 0 0 0 as commanded'
@@ -1008,9 +1295,13 @@ case_kinematics_plan() {
     local kind
     for kind in corexy delta polar; do
         kinematics $kind
-        run 0 "$loft" plan "$tmp/small.csv" --machine "$tmp/$kind.txt" --csv 500 -o "$tmp/rows" --plot "$tmp/$kind.svg"; is_empty err
-        # the tool's rows: velocity is the slope of the place, acceleration that of the velocity. A span of one tick, rounded to 2^-16 mm, has that
-        # of a motor off by 12 * 2^-16 mm / tick^2 = 183 mm/s2 at worst, and the slope over two ticks by 3 * 2^-16 mm / tick^2 = 46; on the average it is a hundredth.
+        run 0 "$loft" plan "$tmp/small.csv" --machine "$tmp/$kind.txt" --csv 500 -o "$tmp/rows" \
+            --plot "$tmp/$kind.svg"
+        is_empty err
+        # the tool's rows: velocity is the slope of the place, acceleration that of the velocity. A
+        # span of one tick, rounded to 2^-16 mm, has that
+        # of a motor off by 12 * 2^-16 mm / tick^2 = 183 mm/s2 at worst, and the slope over two
+        # ticks by 3 * 2^-16 mm / tick^2 = 46; on the average it is a hundredth.
         # The feed holds, and travels
         awk -F, 'NR == 1 { next }
             NR > 2 && $1 - t > 0.0019 && $1 - t < 0.0021 { for (i = 2; i < 8; i++) { d = ($i - o[i]) / ($1 - t) - ($(i + 3) + o[i + 3]) / 2; if (d < 0) d = -d
@@ -1022,20 +1313,34 @@ case_kinematics_plan() {
     done
 }
 case_kinematics_refused() {
-    bad_kind() { printf "$1" >"$tmp/bad.txt"; one_line 65 "$2" "$loft" plan "$tmp/small.csv" --machine "$tmp/bad.txt"; }
-    bad_kind 'kinematics = scara\n'                                     'bad.txt:1: write kinematics = cartesian, corexy, hbot, delta or polar'
-    bad_kind '# a\nkinematics = delta\narm_length = 90\n'               'bad.txt:2: kinematics = delta needs delta_radius as well'
-    bad_kind 'kinematics = delta\narm_length = 90\ndelta_radius = 90\n' 'bad.txt:3: arms of 90 mm do not reach'
-    bad_kind 'kinematics = delta\narm_length = 90\ndelta_radius = 50\nb.tower_angle = 200\n' 'bad.txt:4: two towers at 210 and 200 degrees'
-    bad_kind 'arm_length = 90\nkinematics = polar\n'                    'bad.txt:1: arm_length is for kinematics = delta, and this machine is polar'
-    bad_kind 'y.center = 90\n'                                          'bad.txt:1: center is for kinematics = delta or polar, and this machine is cartesian'
-    bad_kind 'kinematics = delta\narm_length = 90\ndelta_radius = 50\n' 'small.csv:[0-9]*: .* is beyond a delta machine like this, .* from the tower of motor'
-    bad_kind 'kinematics = polar\nx.center = 60\ny.center = 20\n'       'small.csv:7: .* from the pole'
-    printf 'arc left 30\n40 0\n0 0\n40 0\n' >"$tmp/turns.loft"; printf 'kinematics = polar\n' >"$tmp/bad.txt"
-    one_line 65 'turns.loft:1: .* motor b would be at 8[0-9.]*, of 8191' "$loft" plan "$tmp/turns.loft" --machine "$tmp/bad.txt"
-    kinematics delta; one_line 65 'for these motors 0.0012 mm are 0.000[56][0-9]*: give --tol' "$loft" plan "$tmp/small.csv" --machine "$tmp/delta.txt" --tol 0.0012
+    bad_kind() { printf "$1" >"$tmp/bad.txt"; one_line 65 "$2" "$loft" plan "$tmp/small.csv" \
+        --machine "$tmp/bad.txt"; }
+    bad_kind 'kinematics = scara\n' \
+        'bad.txt:1: write kinematics = cartesian, corexy, hbot, delta or polar'
+    bad_kind '# a\nkinematics = delta\narm_length = 90\n' \
+        'bad.txt:2: kinematics = delta needs delta_radius as well'
+    bad_kind 'kinematics = delta\narm_length = 90\ndelta_radius = 90\n' \
+        'bad.txt:3: arms of 90 mm do not reach'
+    bad_kind 'kinematics = delta\narm_length = 90\ndelta_radius = 50\nb.tower_angle = 200\n' \
+        'bad.txt:4: two towers at 210 and 200 degrees'
+    bad_kind 'arm_length = 90\nkinematics = polar\n' \
+        'bad.txt:1: arm_length is for kinematics = delta, and this machine is polar'
+    bad_kind 'y.center = 90\n' \
+        'bad.txt:1: center is for kinematics = delta or polar, and this machine is cartesian'
+    bad_kind 'kinematics = delta\narm_length = 90\ndelta_radius = 50\n' \
+        'small.csv:[0-9]*: .* is beyond a delta machine like this, .* from the tower of motor'
+    bad_kind 'kinematics = polar\nx.center = 60\ny.center = 20\n' \
+        'small.csv:7: .* from the pole'
+    printf 'arc left 30\n40 0\n0 0\n40 0\n' >"$tmp/turns.loft"
+    printf 'kinematics = polar\n' >"$tmp/bad.txt"
+    one_line 65 'turns.loft:1: .* motor b would be at 8[0-9.]*, of 8191' "$loft" plan \
+        "$tmp/turns.loft" --machine "$tmp/bad.txt"
+    kinematics delta
+    one_line 65 'for these motors 0.0012 mm are 0.000[56][0-9]*: give --tol' "$loft" plan \
+        "$tmp/small.csv" --machine "$tmp/delta.txt" --tol 0.0012
     kinematics corexy; printf 'y.max_speed = 20\n' >>"$tmp/corexy.txt"     # one limit for both
-    run 0 "$loft" plan "$tmp/small.csv" --machine "$tmp/corexy.txt" --total --feed 100; awk '/^drawn/ { exit !($4 > 19.8 && $4 < 20.02) }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
+    run 0 "$loft" plan "$tmp/small.csv" --machine "$tmp/corexy.txt" --total --feed 100
+    awk '/^drawn/ { exit !($4 > 19.8 && $4 < 20.02) }' "$tmp/out" || job_fails "$(cat "$tmp/out")"
 }
 
 
@@ -1045,12 +1350,16 @@ case_study_of_a_patch() {
     run 0 "$loft" study gb --fine 4 --expected tests/vectors/ch4_numbers.csv
     says out '^4-3;P1_regular;B0 at the centre (vertex mean);H;0.2864;0.2864;'
     says out '^4-6..4-11;P3_irregular;Z_tt on the centre-vertex ray at rho=0.5, 0.75, 0.9; dz=4.4;MV;'
-    sed 's/vertex mean);W;0.2864;/vertex mean);W;0.2865;/' tests/vectors/ch4_numbers.csv >"$tmp/other.csv"
-    run 65 "$loft" study gb --fine 4 --expected "$tmp/other.csv" --brief; says out ';0.2864;0.2865;.*;off$'; says out ' 1 of them off'
+    sed 's/vertex mean);W;0.2864;/vertex mean);W;0.2865;/' tests/vectors/ch4_numbers.csv \
+        >"$tmp/other.csv"
+    run 65 "$loft" study gb --fine 4 --expected "$tmp/other.csv" --brief
+    says out ';0.2864;0.2865;.*;off$'
+    says out ' 1 of them off'
     one_line 64 'give `gb`' "$loft" study
     head -c 100000 /dev/urandom >"$tmp/random.bin"; : >"$tmp/nothing"
     for other in "$tmp/random.bin" "$tmp/nothing" tests/vectors/flatten.csv; do
-        one_line 65 'no row of it is a number of this study' "$loft" study gb --fine 4 --brief --expected "$other"
+        one_line 65 'no row of it is a number of this study' "$loft" study gb --fine 4 --brief \
+            --expected "$other"
     done
     one_line 65 'cannot be read' "$loft" study gb --fine 4 --expected "$tmp"
     one_line 66 'none.csv: no such file' "$loft" study gb --expected "$tmp/none.csv"
@@ -1061,16 +1370,20 @@ case_harmonic_coordinates_as_a_table() {
     run 0 "$loft" harmonic "$tmp/notch.csv" -o "$tmp/notch.h"; says out '^error at most [0-9.e-]*, '
     grep -q '^static const loft_harmonic_table ' "$tmp/notch.h" || job_fails "no table"
     printf '#include "polygon/harmonic.h"\n#include "notch.h"\nint main(void) { return notch_table.sides != 5; }\n' >"$tmp/use.c"
-    gcc -std=c99 -Wall -Wextra -Werror -Ilib -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=3 "$tmp/use.c" -o "$tmp/use" 2>"$tmp/err" && "$tmp/use" || job_fails "$(head -3 "$tmp/err")"
-    run 0 "$loft" harmonic "$tmp/notch.csv" --num f64 -o "$tmp/notch.csv.csv"; says notch.csv.csv '^term,'
-    run 0 "$loft" harmonic "$tmp/notch.csv" --at 2,0.5; says out '^0\.[0-9]*,0\.[0-9]*,0\.[0-9]*,0\.[0-9]*,0\.[0-9]*$'
-    printf '0,0\n1,1\n1,0\n0,1\n' >"$tmp/cross.csv"; one_line 65 'cross.csv: .*cross' "$loft" harmonic "$tmp/cross.csv"
+    gcc -std=c99 -Wall -Wextra -Werror -Ilib -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=3 "$tmp/use.c" \
+        -o "$tmp/use" 2>"$tmp/err" && "$tmp/use" || job_fails "$(head -3 "$tmp/err")"
+    run 0 "$loft" harmonic "$tmp/notch.csv" --num f64 -o "$tmp/notch.csv.csv"
+    says notch.csv.csv '^term,'
+    run 0 "$loft" harmonic "$tmp/notch.csv" --at 2,0.5
+    says out '^0\.[0-9]*,0\.[0-9]*,0\.[0-9]*,0\.[0-9]*,0\.[0-9]*$'
+    printf '0,0\n1,1\n1,0\n0,1\n' >"$tmp/cross.csv"
+    one_line 65 'cross.csv: .*cross' "$loft" harmonic "$tmp/cross.csv"
     one_line 65 'not 3 to 8' "$loft" harmonic /dev/null
     one_line 66 'none.csv' "$loft" harmonic "$tmp/none.csv"
 }
 
 
-# --- run them -----------------------------------------------------------------------------------------
+# --- run them -------------------------------------------------------------------------------------
 
 run_case() {
     tmp=$top/$1 why='' children=()

@@ -74,12 +74,14 @@ static int machine(const char *link, int noisy)
     for (;;) {
         struct pollfd p = { .fd = master, .events = POLLIN };
         poll(&p, 1, 5);
-        while (read(master, bytes, sizeof bytes) > 0) {}
+        while (read(master, bytes, sizeof bytes) > 0) {
+        }
         for (size_t i = 0; i < sizeof bytes; i++) {
             seed     = seed * 1103515245u + 12345u;
             bytes[i] = (unsigned char)(seed >> 16);
         }
-        if (noisy && write(master, bytes, sizeof bytes) < 0) {}
+        if (noisy && write(master, bytes, sizeof bytes) < 0) {
+        }
     }
 }
 
@@ -115,7 +117,8 @@ static ssize_t carry(int from, int to, size_t most)
     unsigned char bytes[FIFO];
     const ssize_t got = read(from, bytes, most < sizeof bytes ? most : sizeof bytes);
 
-    if (got > 0 && to >= 0 && write(to, bytes, (size_t)got) < 0) {}
+    if (got > 0 && to >= 0 && write(to, bytes, (size_t)got) < 0) {
+    }
     return got;
 }
 

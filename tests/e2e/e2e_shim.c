@@ -16,10 +16,7 @@
 
 static const char class[] = "/sys/class/tty/pts/";
 
-static int is_pty(const char *path)
-{
-    return strncmp(path, class, sizeof class - 1) == 0;
-}
+static int is_pty(const char *path) { return strncmp(path, class, sizeof class - 1) == 0; }
 
 /* A symbolic link into the devices, as every serial port has. */
 static int linked(struct stat *s)

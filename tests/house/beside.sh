@@ -11,14 +11,17 @@ said=$(mktemp -d); trap 'rm -rf "$said"' EXIT
 show() {        # those that have ended, up to the first that has not
     while [ -e "$said/$shown.code" ]; do
         cat "$said/$shown"
-        [ "$(cat "$said/$shown.code")" = 0 ] || bad=1
-        rm "$said/$shown"*
+        [ "$(cat "$said/$shown.code")" = 0 ] || {
+            bad=1; echo "FAIL code $(cat "$said/$shown.code") of: $(cat "$said/$shown.run")"
+        }
+        rm "$said/$shown" "$said/$shown.run" "$said/$shown.code"
         shown=$((shown + 1))
     done
 }
 
 while read -r command || [ -n "$command" ]; do
     while [ "$(jobs -rp | wc -l)" -ge "$cores" ]; do wait -n; show; done
+    printf '%s\n' "$command" >"$said/$count.run"
     {   bash -c "$command" >"$said/$count" 2>&1 </dev/null
         echo $? >"$said/$count.new"
         mv "$said/$count.new" "$said/$count.code"

@@ -10,7 +10,7 @@ set -u
 [ -z "$(missing_tools)" ] || { missing_tools; echo "0 passed, 1 failed"; exit 1; }
 
 # what may run in an interrupt, and the helpers that cost too much there
-hot="loft_forward_next loft_forward_run loft_forward_strict_next loft_rational_walk_next"
+hot="loft_forward_next loft_forward_run loft_forward_exact_next loft_rational_walk_next"
 hot="$hot loft_pace_next loft_step_load loft_step_next loft_step_run"
 hot="$hot loft_drive_slot loft_drive_run"
 slow='u?divdi3|u?moddi3|u?divmoddi4|ashldi3|ashrdi3|lshrdi3'

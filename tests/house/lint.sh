@@ -2,7 +2,7 @@
 # tests/house/lint.sh -- the rules of the house, each one line `ok` or `FAIL` with the places
 # SPDX-License-Identifier: MIT
 # usage: tests/house/lint.sh
-# It calls itself for what runs side by side: compiled COMPILER NUM AXES, compiled_tools COMPILER.
+# It calls itself for what runs side by side: compiled, compiled_tools, broken.
 set -u
 result=$(mktemp); trap 'rm -f "$result" "$result.jobs"' EXIT
 rule() {        # rule NAME: standard input lists the offending places; none is good
@@ -29,6 +29,10 @@ compiled_tools() {      # compiled_tools COMPILER
         -DLOFT_NUM=LOFT_Q16 -fsyntax-only host-tools/*.c host-tools/*/*.c ports/host/*.c \
         ports/linux-gpio/[!g]*.c ports/template/*.c ports/firmware.c 2>&1 |
         rule "$1 host tools and ports"
+}
+broken() {              # broken FOLDER: are its lines broken as .clang-format says?
+    find "$1" -name '*.[ch]' ! -path lib/names.h -exec python3 tests/house/format.py --check {} + |
+        rule "$1/ is broken and indented as .clang-format says: make format"
 }
 if [ $# -gt 0 ]; then "$@"; exit; fi
 
@@ -68,7 +72,7 @@ grep -nwE 'malloc|calloc|realloc|free|alloca|printf|setjmp|longjmp' $sources |
     grep -vE ':[0-9]+:[[:space:]]*(/?\*|//)' | rule "no heap and no libc in lib/"
 
 # 3. names.h is what the headers say
-sh tests/house/names.sh | diff - lib/names.h | rule "names.h is fresh"
+sh tests/house/names.sh | diff - lib/names.h | rule "names.h is fresh: make lib/names.h"
 sh tests/house/errors.sh | diff - lib/ERRORS.md | rule "ERRORS.md is fresh: make lib/ERRORS.md"
 
 for header in $headers; do
@@ -190,6 +194,9 @@ for compiler in gcc clang; do
 done >"$result.jobs"
 for compiler in gcc clang; do
     echo "sh tests/house/lint.sh compiled_tools $compiler"
+done >>"$result.jobs"
+for folder in lib host-tools ports tests; do
+    echo "sh tests/house/lint.sh broken $folder"
 done >>"$result.jobs"
 bash tests/house/beside.sh <"$result.jobs" | tee -a "$result"
 

@@ -25,7 +25,7 @@ cat > "$work/part.c" <<'PART'
 double PART(void);
 double PART(void)
 {
-    const loft_acc square[2] = { loft_wide(LOFT_REAL(1)), loft_wide(LOFT_REAL(1)) };
+    const loft_acc square[2] = { loft_to_acc(LOFT_REAL(1)), loft_to_acc(LOFT_REAL(1)) };
     return (double)loft_acc_hypot(square, 2) / UNIT;
 }
 PART

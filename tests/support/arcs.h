@@ -9,7 +9,9 @@
 
 static const long double pi = 3.14159265358979323846264338327950288L;
 
-typedef struct { long double x, y; } pair;
+typedef struct {
+    long double x, y;
+} pair;
 
 /* An arc as long double: centre + u cos a + v sin a + drift a / sweep */
 typedef struct {
@@ -35,7 +37,11 @@ static inline pair in_plane(loft_vec v, loft_plane plane)
     return p;
 }
 
-static inline pair minus(pair a, pair b) { const pair c = { a.x - b.x, a.y - b.y }; return c; }
+static inline pair minus(pair a, pair b)
+{
+    const pair c = { a.x - b.x, a.y - b.y };
+    return c;
+}
 static inline long double size(pair a) { return sqrtl(a.x * a.x + a.y * a.y); }
 
 /* What is left when the ends are known: the drift. */

@@ -10,8 +10,12 @@
 #include "check.h"          /* BY_NUM, arb */
 
 typedef long double real;
-typedef struct { real x[LOFT_AXES]; } point;
-typedef struct { point p[4]; } exact;
+typedef struct {
+    real x[LOFT_AXES];
+} point;
+typedef struct {
+    point p[4];
+} exact;
 
 static inline point point_of(loft_vec v)
 {
@@ -134,8 +138,12 @@ static inline loft_cubic arb_shape(arb *a)
     switch (arb_below(a, 10)) {
     case 0: c.p[3] = c.p[0]; break;
     case 1: c.p[1] = c.p[0]; break;
-    case 2: c.p[1] = c.p[0]; c.p[2] = c.p[3]; break;
-    case 3: case 4:
+    case 2:
+        c.p[1] = c.p[0];
+        c.p[2] = c.p[3];
+        break;
+    case 3:
+    case 4:
         for (int i = 0; i < LOFT_AXES; i++) {
             c.p[0].axis[i] /= 4;
             c.p[3].axis[i] /= 4;

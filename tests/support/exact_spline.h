@@ -64,10 +64,11 @@ static inline exact_parabola exact_parabola_of(const loft_real t[3], const loft_
 {
     const quad t0 = quad_of(t[0]), t1 = quad_of(t[1]), t2 = quad_of(t[2]);
     const quad f0 = quad_of(f[0]), f1 = quad_of(f[1]), f2 = quad_of(f[2]);
-    const exact_parabola p = {
-        { t0, t1 }, f0, (f1 - f0) / (t1 - t0),
-        ((f2 - f1) * (t1 - t0) - (f1 - f0) * (t2 - t1)) / ((t1 - t0) * (t2 - t1) * (t2 - t0))
-    };
+    const exact_parabola p = { { t0, t1 },
+                               f0,
+                               (f1 - f0) / (t1 - t0),
+                               ((f2 - f1) * (t1 - t0) - (f1 - f0) * (t2 - t1)) /
+                                   ((t1 - t0) * (t2 - t1) * (t2 - t0)) };
     return p;
 }
 
@@ -108,7 +109,9 @@ static inline void exact_natural_solve(exact_natural *s, int axis)
     for (unsigned i = 1; i < n; i++) {
         const quad den = 2 * (h[i-1] + h[i]) - h[i-1] * c[i-1];
         c[i] = h[i] / den;
-        m[i] = (6 * ((p[i+1] - p[i]) / h[i] - (p[i] - p[i-1]) / h[i-1]) - h[i-1] * m[i-1]) / den;
+        m[i] = (6 * ((p[i + 1] - p[i]) / h[i] - (p[i] - p[i - 1]) / h[i - 1]) -
+                h[i - 1] * m[i - 1]) /
+               den;
     }
     m[n] = 0;
     for (unsigned i = n; i-- > 1; )

@@ -25,10 +25,7 @@ typedef struct {
 } vast;
 
 static inline vast vast_of(wide v)              { return (vast) { (low_bits)v, (quad)v }; }
-static inline vast vast_add(vast a, vast b)
-{
-    return (vast){ a.low + b.low, a.near + b.near };
-}
+static inline vast vast_add(vast a, vast b) { return (vast){ a.low + b.low, a.near + b.near }; }
 static inline vast vast_times(wide k, vast a)
 {
     return (vast){ (low_bits)k * a.low, (quad)k * a.near };
@@ -41,9 +38,6 @@ static inline long double vast_value(vast a)
 {
     return vast_small(a) ? (long double)(wide)a.low : (long double)a.near;
 }
-static inline int vast_sign(vast a)
-{
-    return vast_value(a) > 0 ? 1 : vast_value(a) < 0 ? -1 : 0;
-}
+static inline int vast_sign(vast a) { return vast_value(a) > 0 ? 1 : vast_value(a) < 0 ? -1 : 0; }
 
 #endif

@@ -97,9 +97,9 @@ static inline void line_trouble(line *l, arb *a, const line_faults *f, uint32_t 
 // -----------
 
 typedef struct {
-    loft_traits   traits;
+    loft_machine_info   info;
     loft_receiver r;
-    loft_standing now;
+    loft_snapshot now;
     uint32_t queued, ended, stop_at, wake;
     uint32_t period;                /* ms per item; 0: at once */
     enum loft_refusal refuses;
@@ -112,21 +112,21 @@ typedef struct {
 static inline void mill_init(mill *m, uint32_t boot, uint16_t queue, uint32_t period)
 {
     memset(m, 0, sizeof *m);
-    m->traits.boot    = boot;
-    m->traits.queue   = queue;
-    m->traits.tick_hz = 1000;
-    m->traits.slots   = 40;
-    m->traits.curves  = m->traits.points = queue;
-    m->traits.kinds   = 1u << LOFT_SPANS | 1u << LOFT_POINTS | 1u << LOFT_CURVES;
+    m->info.boot    = boot;
+    m->info.queue   = queue;
+    m->info.tick_hz = 1000;
+    m->info.slots   = 40;
+    m->info.curves  = m->info.points = queue;
+    m->info.kinds   = 1u << LOFT_SPANS | 1u << LOFT_POINTS | 1u << LOFT_CURVES;
     for (int i = 0; i < LOFT_AXES; i++) {
-        m->traits.axis[i].steps_per_mm = (80 + i) * 65536;
-        m->traits.axis[i].max_speed    = 200 * 65536;
-        m->traits.axis[i].max_accel    = 2000 * 65536;
+        m->info.axis[i].steps_per_mm = (80 + i) * 65536;
+        m->info.axis[i].max_speed    = 200 * 65536;
+        m->info.axis[i].max_accel    = 2000 * 65536;
     }
     m->period   = period;
     m->now.room = queue;
     memset(&m->r, 0xA5, sizeof m->r);
-    CHECK(loft_receiver_init(&m->r, &m->traits) == LOFT_OK);
+    CHECK(loft_receiver_init(&m->r, &m->info) == LOFT_OK);
 }
 
 /* The item n of the job with this id: different for every n and id. */
@@ -149,7 +149,7 @@ static inline void mill_item(mill *m, const loft_item *got)
     loft_item want;
     job_item(m->r.job, (enum loft_kind)m->r.kind, m->delivered, &want);
     CHECK(want.ticks == got->ticks && memcmp(want.p, got->p, sizeof want.p) == 0);
-    CHECK(m->queued < m->traits.queue);
+    CHECK(m->queued < m->info.queue);
     CHECK(m->now.state == LOFT_STATE_RUNNING || m->now.state == LOFT_STATE_HELD);
     m->delivered++;
     m->queued++;
@@ -172,7 +172,10 @@ static inline void mill_act(mill *m, enum loft_event e, const loft_event_data *d
     switch (e) {
     case LOFT_EVENT_JOB:  mill_job(m, &data->job, now); break;
     case LOFT_EVENT_ITEM: mill_item(m, &data->item);     break;
-    case LOFT_EVENT_END:  m->ended = 1; m->ends++;       break;
+    case LOFT_EVENT_END:
+        m->ended = 1;
+        m->ends++;
+        break;
     case LOFT_EVENT_HOLD:
         m->holds++;
         if (m->now.state == LOFT_STATE_RUNNING)
@@ -208,8 +211,8 @@ static inline void mill_byte(mill *m, arb *a, uint8_t byte, uint32_t now)
     enum loft_event e;
     if (!loft_receiver_push(&m->r, byte))
         return;
-    m->now.room = (uint16_t)(m->traits.queue - m->queued);
-    const loft_standing before = m->now;
+    m->now.room = (uint16_t)(m->info.queue - m->queued);
+    const loft_snapshot before = m->now;
     while ((e = loft_receiver_next(&m->r, &before, &data)) != LOFT_EVENT_NONE) {
         mill_act(m, e, &data, now);
         if (line_hit(a, m->sloppy))
@@ -234,7 +237,7 @@ static inline void mill_run(mill *m, uint32_t now)
         m->queued = 0;
         m->now.state = LOFT_STATE_ABORTED;
     }
-    m->now.room = (uint16_t)(m->traits.queue - m->queued);
+    m->now.room = (uint16_t)(m->info.queue - m->queued);
     m->now.starved = m->now.state == LOFT_STATE_RUNNING && m->queued == 0;
     m->now.elapsed++;
 }

@@ -88,16 +88,15 @@ enum kind {
 };
 
 /* Curves of one shape, in sizes along two directions. */
-static const double shape[KINDS][2][4] = {
-    [LINE]           = { { 0, 1/3.0, 2/3.0, 1 },  { 0, 0, 0, 0 } },
-    [ARC]            = { { 0, 0.5522847, 1, 1 },  { 0, 0, 0.4477153, 1 } },
+static const double shape[KINDS][2][4] = { [LINE] = { { 0, 1 / 3.0, 2 / 3.0, 1 }, { 0, 0, 0, 0 } },
+                                           [ARC] = { { 0, 0.5522847, 1, 1 },
+                                                     { 0, 0, 0.4477153, 1 } },
     [EASED_LINE]     = { { 0, 0, 1, 1 },          { 0, 0, 0, 0 } },
     [CUSP]           = { { 0, 1, 0, 1 },          { 0, 1, 1, 0 } },
     [LOOP]           = { { 0, 2, -1, 1 },         { 0, 1, 1, 0 } },
     [POINT]          = { { 0, 0, 0, 0 },          { 0, 0, 0, 0 } },
     [REVERSED]       = { { 0, 2, -1, 1 },         { 0, 0, 0, 0 } },
-    [THERE_AND_BACK] = { { 0, 1, 1, 0 },          { 0, 0, 0, 0 } }
-};
+                                           [THERE_AND_BACK] = { { 0, 1, 1, 0 }, { 0, 0, 0, 0 } } };
 
 /* `onward`: it begins where the one before was heading. */
 static inline void arb_curve(arb *a, enum kind kind, double size, double feed, bool onward)

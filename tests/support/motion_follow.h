@@ -234,7 +234,10 @@ static inline motion_follow follow_path(path *track, const loft_move moves[], un
     }
     while (high - low > fine && high > 1.5 * error) {
         const double middle = fmax((low + high) / 2, 1.25 * error);
-        if (follow_all(&f, middle - error, false)) high = middle; else low = middle;
+        if (follow_all(&f, middle - error, false))
+            high = middle;
+        else
+            low = middle;
     }
     f.out.off = high;
     return f.out;

@@ -19,7 +19,10 @@ typedef struct {
     const loft_move *chain;
     unsigned count;
     double length;
-    struct { double at[LOFT_AXES], s, t; unsigned curve; } end[PATH_MAX];
+    struct {
+        double at[LOFT_AXES], s, t;
+        unsigned curve;
+    } end[PATH_MAX];
 } path;
 
 static inline void cubic_at(const loft_vec p[4], double t, double out[LOFT_AXES])

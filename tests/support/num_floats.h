@@ -47,7 +47,7 @@ static void products_and_quotients_are_rounded_to_nearest(arb *a)
     near(loft_mul(x, y), product, product, REAL_BITS, 0.5L);
     near(loft_div(x, y), quotient, quotient, REAL_BITS, BY_NUM(0, 0.5L, 0.5L + 0x1p-11L));
     near(loft_prod(x, y), product, product, 53, BY_NUM(0, 0, 0.5L + 0x1p-11L));
-    CHECK(loft_wide(x) - x <= 0 && loft_wide(x) - x >= 0);
+    CHECK(loft_to_acc(x) - x <= 0 && loft_to_acc(x) - x >= 0);
 }
 
 static void lerp_is_within_two_ulps_and_exact_at_the_ends(arb *a)
@@ -88,11 +88,11 @@ static void a_blend_is_within_three_ulps_and_exact_at_the_corners(arb *a)
     const loft_unit v = arb_unit(a) * (loft_unit)(arb_below(a, 2) ? 1 : -3), w = arb_unit(a);
     const long double u = 1 - (long double)v - w, growth = fabsl(u) + fabsl(v) + w;
 
-    near(loft_acc_blend(x, y, z, v, w), u * x + (long double)v * y + (long double)w * z,
+    near(loft_acc_lerp3(x, y, z, v, w), u * x + (long double)v * y + (long double)w * z,
          larger(larger(x, y), z) * growth, 53, 3);
-    near(loft_acc_blend(x, y, z, 0, 0), x, x, 53, 0);
-    near(loft_acc_blend(x, y, z, 1, 0), y, y, 53, 0);
-    near(loft_acc_blend(x, y, z, 0, 1), z, z, 53, 0);
+    near(loft_acc_lerp3(x, y, z, 0, 0), x, x, 53, 0);
+    near(loft_acc_lerp3(x, y, z, 1, 0), y, y, 53, 0);
+    near(loft_acc_lerp3(x, y, z, 0, 1), z, z, 53, 0);
     near(loft_unit_round(x), x, x, REAL_BITS, BY_NUM(0, 0.5L, 0));
 }
 
@@ -114,13 +114,13 @@ static void what_fits_a_real_is_known(arb *a)
 {
     const loft_acc most = (loft_acc)LOFT_REAL_MAX;
 
-    CHECK(loft_acc_fits(arb_double(a)) && loft_acc_fits(most) && loft_acc_fits(-most));
-    CHECK(!loft_acc_fits(INFINITY) && !loft_acc_fits(-INFINITY) && !loft_acc_fits(NAN));
+    CHECK(loft_acc_valid(arb_double(a)) && loft_acc_valid(most) && loft_acc_valid(-most));
+    CHECK(!loft_acc_valid(INFINITY) && !loft_acc_valid(-INFINITY) && !loft_acc_valid(NAN));
     CHECK(loft_real_valid(LOFT_REAL_REACH) && loft_real_valid(-LOFT_REAL_REACH) &&
           loft_real_valid(0));
     CHECK(!loft_real_valid((loft_real)INFINITY) && !loft_real_valid(-(loft_real)INFINITY) &&
           !loft_real_valid((loft_real)NAN));
-    CHECK(loft_acc_fits(most * 1.0001) == false && loft_acc_fits(-most * 1.0001) == false);
+    CHECK(loft_acc_valid(most * 1.0001) == false && loft_acc_valid(-most * 1.0001) == false);
 }
 
 static void roots_are_within_their_bound(arb *a)
@@ -174,10 +174,9 @@ static void ratios_of_accs_are_nearest(arb *a)
 static void grains_are_one_to_two_ulps(arb *a)
 {
     const loft_acc x = fabs(arb_double(a));
-    CHECK(loft_acc_grain(x) >= (loft_acc)ulp(x, 53) &&
-          loft_acc_grain(x) <= 2 * (loft_acc)ulp(x, 53));
-    CHECK(loft_real_grain(x) >= (loft_acc)ulp(x, REAL_BITS) &&
-          loft_real_grain(x) <= 2 * (loft_acc)ulp(x, REAL_BITS));
+    CHECK(loft_acc_ulp(x) >= (loft_acc)ulp(x, 53) && loft_acc_ulp(x) <= 2 * (loft_acc)ulp(x, 53));
+    CHECK(loft_real_ulp(x) >= (loft_acc)ulp(x, REAL_BITS) &&
+          loft_real_ulp(x) <= 2 * (loft_acc)ulp(x, REAL_BITS));
 }
 
 static void conversions_are_exact(arb *a)
@@ -205,14 +204,14 @@ static void whole_and_raw_numbers_are_nearest(arb *a)
         CHECK(loft_acc_int((loft_acc)i + part[k]) == i);
     CHECK(loft_acc_int(most) == INT32_MAX && loft_acc_int(-2147483648.0) == INT32_MIN);
     near(x, i / 65536.0L, i / 65536.0L, REAL_BITS, BY_NUM(0, 0.5L, 0));
-    if (loft_raw_fits(x))
+    if (loft_raw_valid(x))
         CHECK_NEAR(loft_raw_from_real(x), (long double)x * 65536, 0);
-    if (loft_raw_fits(y))
+    if (loft_raw_valid(y))
         CHECK_NEAR(loft_raw_from_real(y) - (long double)y * 65536, 0, 0.5000001L);
-    CHECK(loft_raw_fits(y) ==
+    CHECK(loft_raw_valid(y) ==
           ((long double)y > -32768 - 0x1p-17L && (long double)y < 32768 - 0x1p-17L));
-    CHECK(loft_raw_fits(-32768) && !loft_raw_fits(32768) && !loft_raw_fits((loft_real)-32768.1) &&
-          !loft_raw_fits((loft_real)NAN));
+    CHECK(loft_raw_valid(-32768) && !loft_raw_valid(32768) &&
+          !loft_raw_valid((loft_real)-32768.1) && !loft_raw_valid((loft_real)NAN));
 }
 
 static void floors_of_whole_numbers_and_extremes_are_exact(arb *a)

@@ -58,7 +58,7 @@ static void product(int32_t a, int32_t b)
     CHECK(loft_acc_int(loft_prod(a, b)) == rounded(exact, (wide)1 << 32));
     if (want >= INT32_MIN && want <= INT32_MAX)
         CHECK(loft_mul(a, b) == want);
-    CHECK(loft_acc_fits(loft_prod(a, b)) == (want >= INT32_MIN && want <= INT32_MAX));
+    CHECK(loft_acc_valid(loft_prod(a, b)) == (want >= INT32_MIN && want <= INT32_MAX));
 }
 
 static void quotient(int32_t a, int32_t b)
@@ -83,8 +83,16 @@ static void between(int32_t a, int32_t b)
     CHECK(loft_lerp(a, b, LOFT_UNIT(1)) == b && loft_lerp(a, b, 0) == a);
 }
 
-static void products_are_rounded_to_nearest(arb *a)  { (void)a; each_pair(product); }
-static void quotients_are_rounded_to_nearest(arb *a) { (void)a; each_pair(quotient); }
+static void products_are_rounded_to_nearest(arb *a)
+{
+    (void)a;
+    each_pair(product);
+}
+static void quotients_are_rounded_to_nearest(arb *a)
+{
+    (void)a;
+    each_pair(quotient);
+}
 
 static void lerps_are_rounded_to_nearest(arb *a)
 {
@@ -172,7 +180,7 @@ static void a_lerp_at_a_fraction_is_rounded_to_nearest(arb *a)
 
 static void check_blend(int64_t x, int64_t y, int64_t z, int32_t v, int32_t w)
 {
-    CHECK(loft_acc_blend(x, y, z, v, w) ==
+    CHECK(loft_acc_lerp3(x, y, z, v, w) ==
           (int64_t)rounded((wide)x * 16777216 + ((wide)y - x) * v + ((wide)z - x) * w, 16777216));
 }
 
@@ -193,9 +201,9 @@ static void a_blend_is_rounded_to_nearest(arb *a)
     check_blend(x[0], x[1], x[2], v, w);
     check_blend(x[0], x[1], x[2], v, 16777216 - v);
     check_blend(small[0], small[1], small[2], far[arb_below(a, 3)], far[arb_below(a, 3)]);
-    CHECK(loft_acc_blend(x[0], x[1], x[2], 0, 0) == x[0] &&
-          loft_acc_blend(x[0], x[1], x[2], LOFT_UNIT(1), 0) == x[1] &&
-          loft_acc_blend(x[0], x[1], x[2], 0, LOFT_UNIT(1)) == x[2]);
+    CHECK(loft_acc_lerp3(x[0], x[1], x[2], 0, 0) == x[0] &&
+          loft_acc_lerp3(x[0], x[1], x[2], LOFT_UNIT(1), 0) == x[1] &&
+          loft_acc_lerp3(x[0], x[1], x[2], 0, LOFT_UNIT(1)) == x[2]);
     const int64_t u = (int64_t)arb_next(a) >> (25 + arb_below(a, 39));
     CHECK(loft_unit_round(u) == (int32_t)rounded(u, 256));
 }
@@ -205,16 +213,16 @@ static void rounding_an_acc_is_exact_where_it_fits(arb *a)
     (void)a;
     for (int j = 0; j < EDGES(31); j++) {
         const int32_t r = (int32_t)edge(j, 31);
-        CHECK(loft_acc_round(loft_wide(r)) == r && loft_wide(r) == (wide)r * 65536);
+        CHECK(loft_acc_round(loft_to_acc(r)) == r && loft_to_acc(r) == (wide)r * 65536);
         for (int32_t low = -65536; low <= 65536; low += CHECK_STEP) {
             const wide x = (wide)r * 65536 + low, want = rounded(x, 65536);
             const bool fits = want >= INT32_MIN && want <= INT32_MAX;
-            CHECK(loft_acc_fits((int64_t)x) == fits);
+            CHECK(loft_acc_valid((int64_t)x) == fits);
             if (fits)
                 CHECK(loft_acc_round((int64_t)x) == want);
         }
     }
-    CHECK(!loft_acc_fits(INT64_MAX) && !loft_acc_fits(INT64_MIN));
+    CHECK(!loft_acc_valid(INT64_MAX) && !loft_acc_valid(INT64_MIN));
 }
 
 /* r is the nearest root of x: (r - 1/2)^2 <= x <= (r + 1/2)^2, times 4. */
@@ -358,9 +366,8 @@ static void constants_are_nearest(arb *a)
     CHECK(LOFT_UNIT(0.5) == 8388608 && LOFT_UNIT(1) == 16777216 && LOFT_UNIT(1.0 / 3) == 5592405 &&
           LOFT_UNIT(-128) == INT32_MIN);
     CHECK(loft_real_from_raw(INT32_MIN) == INT32_MIN &&
-          loft_raw_from_real(INT32_MAX) == INT32_MAX && loft_raw_fits(INT32_MIN));
-    CHECK(LOFT_REAL_LSB == 1 && loft_acc_grain(INT64_MAX) == 1 &&
-          loft_real_grain(0) == loft_wide(1));
+          loft_raw_from_real(INT32_MAX) == INT32_MAX && loft_raw_valid(INT32_MIN));
+    CHECK(LOFT_REAL_LSB == 1 && loft_acc_ulp(INT64_MAX) == 1 && loft_real_ulp(0) == loft_to_acc(1));
     CHECK(loft_real_valid(INT32_MIN) && loft_real_valid(INT32_MAX));
 }
 

@@ -11,7 +11,7 @@
 #define POINTS (LOFT_DEGREE_MAX + 1)
 
 typedef struct {
-    loft_weighted p[LOFT_RAISE_MAX + 1];
+    loft_weighted p[LOFT_ELEVATE_MAX + 1];
     unsigned n;
     loft_rational r;
     long double x[LOFT_AXES][POINTS], w[POINTS], largest, ratio;
@@ -24,10 +24,14 @@ static inline loft_real arb_weight(arb *a, uint32_t kind, unsigned k)
     const uint32_t shift = arb_below(a, 17);
     double w = (65536 + arb_below(a, 65536)) / (double)(1 << shift) / 512;
 
-    if (kind == 0) w = 1;
-    if (kind == 1) w = extreme[k & 1];
-    if (kind == 2) w = extreme[arb_below(a, 2)];
-    if (kind == 3) w = 1 + arb_below(a, 65536) / 65536.0;
+    if (kind == 0)
+        w = 1;
+    if (kind == 1)
+        w = extreme[k & 1];
+    if (kind == 2)
+        w = extreme[arb_below(a, 2)];
+    if (kind == 3)
+        w = 1 + arb_below(a, 65536) / 65536.0;
     w = w < extreme[0] ? extreme[0] : w;
     return (loft_real)BY_NUM((int32_t)(w * 65536), (float)w, w);
 }

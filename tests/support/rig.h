@@ -39,7 +39,7 @@ typedef struct {
 
 static rig r;
 static volatile loft_cell cells[CELLS];
-static loft_traits_axis axes[LOFT_AXES];
+static loft_axis_config axes[LOFT_AXES];
 
 static const int32_t per_mm[6] = { 80 * 65536,        80 * 65536, 400 * 65536,
                                    13 * 65536 + 4242, 65536,      1000 * 65536 };
@@ -119,7 +119,7 @@ static loft_drive_config rig_init(arb *a, loft_drive *drive, uint16_t slots, uin
     r.kind = arb_below(a, 3) ? LOFT_SPANS : LOFT_POINTS;
     for (int i = 0; i < LOFT_AXES; i++) {
         const int32_t raw = arb_raw(a, 100 * 65536);
-        axes[i] = (loft_traits_axis){ .steps_per_mm = per_mm[i] };
+        axes[i] = (loft_axis_config){ .steps_per_mm = per_mm[i] };
         start.axis[i] = loft_real_from_raw(raw);
         r.start[i] = raw;
     }

@@ -10,7 +10,7 @@
 #include "check.h"              /* CHECK, BY_NUM */
 #include "support/exact.h"              /* exact_of */
 #include "polygon/meanvalue.h"  /* loft_meanvalue_eval */
-#include "polygon/round.h"
+#include "polygon/disk.h"
 #include "polygon/wachspress.h" /* loft_wachspress_eval */
 
 #define KINDS  7
@@ -28,9 +28,9 @@ typedef struct {
     loft_spatch spatch;
     loft_toric toric;
     loft_basepoint basepoint;
-    loft_ring ring;
+    loft_zheng_ball ring;
     loft_gb gb;
-    loft_round round;
+    loft_disk round;
     unsigned kind, sides, degree, count;
 } scene;
 
@@ -56,7 +56,7 @@ static inline void over_multi(scene *x, arb *a, unsigned sides, long double wild
     uint8_t l[LOFT_SIDES_MAX];
     unsigned k = 0;
 
-    loft_multi_first(l, sides, x->degree);
+    loft_multiindex_first(l, sides, x->degree);
     do {
         long double at[2] = { 0, 0 }, v[2];
         for (unsigned i = 0; i < sides; i++) {
@@ -65,10 +65,10 @@ static inline void over_multi(scene *x, arb *a, unsigned sides, long double wild
             at[1] += v[1] * l[i] / x->degree;
         }
         put(x, a, k++, at, wild);
-    } while (loft_multi_next(l, sides));
+    } while (loft_multiindex_next(l, sides));
 }
 
-/* Corner by corner, as ring.h and gb.h have them, and the middle. */
+/* Corner by corner, as zheng_ball.h and gb.h have them, and the middle. */
 static inline void over_kites(scene *x, arb *a, long double wild)
 {
     const unsigned d = x->degree;
@@ -124,7 +124,7 @@ static inline void make_basepoint(scene *x, arb *a, long double wild)
     x->degree = 5;
     over_multi(x, a, 3, wild);
     CHECK(loft_basepoint_init(&x->basepoint, x->p, x->w, 5, cuts[arb_below(a, 4)]) == LOFT_OK);
-    loft_round_from_basepoint(&x->round, &x->basepoint);
+    loft_disk_from_basepoint(&x->round, &x->basepoint);
 }
 
 static inline scene *arb_kind(arb *a, unsigned kind, long double wild)
@@ -136,36 +136,35 @@ static inline scene *arb_kind(arb *a, unsigned kind, long double wild)
     x.sides = 3 + arb_below(a, 6);
     x.degree = 3 + arb_below(a, 3);
     switch (kind) {
-    case 0: case 1:                                     /* spatch, Wachspress or mean value */
+    case 0:
+    case 1: /* spatch, Wachspress or mean value */
         x.degree = 1 + arb_below(a, 3);
         over_multi(&x, a, x.sides, wild);
         make_domain(&x);
         CHECK(loft_spatch_init(&x.spatch, x.p, NULL, x.sides, x.degree) == LOFT_OK);
-        CHECK(loft_round_from_spatch(&x.round, &x.spatch, &x.domain,
+        CHECK(loft_disk_from_spatch(&x.round, &x.spatch, &x.domain,
                                      kind ? loft_meanvalue_eval : loft_wachspress_eval) == LOFT_OK);
         break;
-    case 2: case 3:                                     /* gb */
+    case 2:
+    case 3: /* gb */
         over_kites(&x, a, wild);
         make_domain(&x);
         CHECK(loft_gb_init(&x.gb, x.p, x.sides, x.degree) == LOFT_OK);
-        CHECK(loft_round_from_gb(&x.round, &x.gb, &x.domain,
-                                 kind == 3 ? loft_meanvalue_eval : loft_wachspress_eval) ==
-              LOFT_OK);
+        CHECK(loft_disk_from_gb(&x.round, &x.gb, &x.domain,
+                                kind == 3 ? loft_meanvalue_eval : loft_wachspress_eval) == LOFT_OK);
         break;
     case 4:
         over_lattice(&x, a, wild);
         CHECK(loft_toric_init(&x.toric, &x.lattice, x.p, NULL, NULL) == LOFT_OK);
-        loft_round_from_toric(&x.round, &x.toric);
+        loft_disk_from_toric(&x.round, &x.toric);
         break;
-    case 5:
-        make_basepoint(&x, a, wild);
-        break;
+    case 5: make_basepoint(&x, a, wild); break;
     default:
         x.sides = arb_below(a, 3);
         x.sides = x.sides == 0 ? 3 : 4 + x.sides;
         over_kites(&x, a, wild);
-        CHECK(loft_ring_init(&x.ring, x.p, x.sides, x.degree) == LOFT_OK);
-        loft_round_from_ring(&x.round, &x.ring);
+        CHECK(loft_zheng_ball_init(&x.ring, x.p, x.sides, x.degree) == LOFT_OK);
+        loft_disk_from_zheng_ball(&x.round, &x.ring);
         break;
     }
     x.sides = x.round.sides;
@@ -174,10 +173,10 @@ static inline scene *arb_kind(arb *a, unsigned kind, long double wild)
 
 static inline loft_vec point_at(const scene *x, loft_unit u, loft_unit v)
 {
-    const loft_sheet s = loft_sheet_from_round(&x->round);
+    const loft_surface s = loft_surface_from_disk(&x->round);
     loft_vec p;
 
-    CHECK(s.over == LOFT_SHEET_ROUND);
+    CHECK(s.over == LOFT_SURFACE_DISK);
     CHECK(s.eval(s.surface, u, v, &p) == LOFT_OK);
     return p;
 }

@@ -151,14 +151,20 @@ static inline double topp_time(topp *g)
         if (!(n[1].s > n->s)) {             /* a joint: what both sides allow */
             for (int k = 0; k < 60; k++) {
                 const double x = (low + high) / 2;
-                if (topp_range(g, n, x, &a, &b)) low = x; else high = x;
+                if (topp_range(g, n, x, &a, &b))
+                    low = x;
+                else
+                    high = x;
             }
             n->x = fmin(low, to);
             continue;
         }
         for (int k = 0; k < 60; k++) {
             const double x = (low + high) / 2;
-            if (topp_leads(g, i, x, to)) low = x; else high = x;
+            if (topp_leads(g, i, x, to))
+                low = x;
+            else
+                high = x;
         }
         n->x = low;
     }

@@ -27,10 +27,7 @@ static void rung(void)
 #define CMP             0x02004000      /* mtimecmp */
 #define TIME            0x0200BFF8      /* mtime, 10 MHz */
 
-void alarm_stop(void)
-{
-    REG(CMP + 4) = 0xFFFFFFFF;
-}
+void alarm_stop(void) { REG(CMP + 4) = 0xFFFFFFFF; }
 
 /* Of the timer alone; not in an interrupt, which is not to be interrupted itself. */
 static void let_interrupts_come(void)
@@ -72,10 +69,7 @@ void trap(void)
 
 #define SYST(offset)    (*(volatile uint32_t *)(uintptr_t)(0xE000E010u + (offset)))
 
-void alarm_stop(void)
-{
-    SYST(0) = 0;
-}
+void alarm_stop(void) { SYST(0) = 0; }
 
 static void let_interrupts_come(void) {}        /* as they do from reset on */
 
@@ -89,10 +83,7 @@ void setitimer(int which, const struct itimerval *once, struct itimerval *before
     SYST(0) = 7;
 }
 
-void alarm_interrupt(void)
-{
-    rung();
-}
+void alarm_interrupt(void) { rung(); }
 
 #endif
 

@@ -204,12 +204,18 @@ int main(int argc, char **argv)
     o.tick_hz = 1000;
     o.slots = HZ / 1000;                /* the record counts cycles */
     for (int i = 2; i + 1 < argc; i += 2) {
-        if (strcmp(argv[i], "--tick") == 0)    tick = argv[i + 1];
-        if (strcmp(argv[i], "--ring") == 0)    ring = argv[i + 1];
-        if (strcmp(argv[i], "--link") == 0)    o.link = argv[i + 1];
-        if (strcmp(argv[i], "--record") == 0)  o.record = argv[i + 1];
-        if (strcmp(argv[i], "--steps") == 0)   steps = atof(argv[i + 1]);
-        if (strcmp(argv[i], "--profile") == 0) profile = argv[i + 1];
+        if (strcmp(argv[i], "--tick") == 0)
+            tick = argv[i + 1];
+        if (strcmp(argv[i], "--ring") == 0)
+            ring = argv[i + 1];
+        if (strcmp(argv[i], "--link") == 0)
+            o.link = argv[i + 1];
+        if (strcmp(argv[i], "--record") == 0)
+            o.record = argv[i + 1];
+        if (strcmp(argv[i], "--steps") == 0)
+            steps = atof(argv[i + 1]);
+        if (strcmp(argv[i], "--profile") == 0)
+            profile = argv[i + 1];
     }
     for (int i = 0; i < LOFT_AXES; i++)
         o.steps_per_mm[i] = steps;

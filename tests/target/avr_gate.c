@@ -87,7 +87,6 @@ void gate_machine(struct gate *g, uint8_t byte)
         if (loft_report_decode(&g->from_machine, &report) == LOFT_OK)
             g->ack.state = report.state;
         break;
-    default:
-        break;
+    default: break;
     }
 }

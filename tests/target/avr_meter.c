@@ -21,8 +21,16 @@ static uint16_t stack(const avr_t *avr)
     return (uint16_t)(avr->data[R_SPL] | avr->data[R_SPH] << 8);
 }
 
-static void least(uint64_t *is, uint64_t x) { if (x < *is) *is = x; }
-static void most(uint64_t *is, uint64_t x)  { if (x > *is) *is = x; }
+static void least(uint64_t *is, uint64_t x)
+{
+    if (x < *is)
+        *is = x;
+}
+static void most(uint64_t *is, uint64_t x)
+{
+    if (x > *is)
+        *is = x;
+}
 
 
 // Pins

@@ -25,7 +25,11 @@ struct meter {
     avr_t *avr;
     uint32_t tick_pc;                               /* where the tick begins */
     struct meter_context context[CONTEXTS];
-    struct { uint8_t kind; uint16_t sp; uint32_t own; } nest[8];
+    struct {
+        uint8_t kind;
+        uint16_t sp;
+        uint32_t own;
+    } nest[8];
     uint8_t depth;
     uint16_t deepest;                               /* the lowest stack pointer, and where that
                                                      * was */

@@ -156,10 +156,7 @@ static void chip_said(void *context, uint8_t byte)
     pass(byte, to_host);
 }
 
-static void begin(void)
-{
-    loft_sender_init(&sender, (uint32_t)random_64(), now_ms());
-}
+static void begin(void) { loft_sender_init(&sender, (uint32_t)random_64(), now_ms()); }
 
 /* The fault that begins at a place of the traffic. */
 static void break_line(bool boundary)
@@ -316,7 +313,8 @@ static int trials(enum kind kind, const char *name, uint32_t count, double rate)
         }
         running++;
     }
-    while (wait(NULL) > 0) {}
+    while (wait(NULL) > 0) {
+    }
     for (uint32_t i = 0; i < count; i++) {
         incomplete += !o[i].done;
         wrong += o[i].done && !o[i].exact;

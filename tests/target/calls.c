@@ -36,7 +36,8 @@ static uint32_t now(void)
 
 static void put(char c)
 {
-    while (!(UCSR0A & (1 << UDRE0))) {}
+    while (!(UCSR0A & (1 << UDRE0))) {
+    }
     UDR0 = (uint8_t)c;
 }
 
@@ -50,7 +51,13 @@ static void start(void)
     sei();
 }
 
-static void stop(void) { put('\n'); cli(); sleep_enable(); sleep_cpu(); }
+static void stop(void)
+{
+    put('\n');
+    cli();
+    sleep_enable();
+    sleep_cpu();
+}
 #else
 #  include "meter.h"        /* meter_start, meter_now */
 

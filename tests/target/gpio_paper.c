@@ -15,7 +15,9 @@
 
 #include "linux-gpio/gpio.h"
 
-struct gpiod_chip { unsigned number; };
+struct gpiod_chip {
+    unsigned number;
+};
 
 struct gpio_request {
     unsigned count, line[GPIO_LINES];
@@ -35,10 +37,7 @@ static void note(unsigned line, bool high)
             high);
 }
 
-const char *gpio_library(void)
-{
-    return "on paper";
-}
+const char *gpio_library(void) { return "on paper"; }
 
 gpio_chip *gpio_chip_open(const char *path)
 {
@@ -127,15 +126,9 @@ gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
     return r;
 }
 
-bool gpio_debounces(void)
-{
-    return true;
-}
+bool gpio_debounces(void) { return true; }
 
-int gpio_fd(const gpio_request *r)
-{
-    return r->fd;
-}
+int gpio_fd(const gpio_request *r) { return r->fd; }
 
 bool gpio_forget_edges(gpio_request *r)
 {
@@ -149,7 +142,4 @@ int gpio_get(gpio_request *r)
     return 0;
 }
 
-void gpio_release(gpio_request *r)
-{
-    free(r);
-}
+void gpio_release(gpio_request *r) { free(r); }

@@ -10,7 +10,7 @@
 #include "polygon/gb.h"             /* loft_gb              */
 #include "polygon/harmonic.h"       /* loft_harmonic        */
 #include "polygon/meanvalue.h"      /* loft_meanvalue_eval  */
-#include "polygon/ring.h"           /* loft_ring            */
+#include "polygon/zheng_ball.h"           /* loft_ring            */
 #include "polygon/spatch.h"         /* loft_spatch          */
 #include "polygon/toric.h"          /* loft_toric           */
 #include "polygon/wachspress.h"     /* loft_wachspress_eval */
@@ -71,7 +71,7 @@ static void add_all(const loft_sci phi[], unsigned n)
 {
     for (unsigned i = 0; i < n; i++) {
         loft_acc x = 0;
-        if (loft_sci_wide(phi[i], &x))
+        if (loft_sci_to_acc(phi[i], &x))
             add((loft_real)(x / 65536));
     }
 }
@@ -200,14 +200,14 @@ static void bends(void)
     for (int n = 0; n < ROUNDS; n++) {
         const loft_spot s = inside();
         loft_jet phi[5];
-        loft_local at;
+        loft_differential at;
         loft_curvatures k = { 0, 0, 0, 0 };
         from_here();
         enum loft_status status = loft_wachspress_jet(&domain, s, phi);
         if (status == LOFT_OK)
-            status = loft_gb_local(&gb, phi, &at);
+            status = loft_gb_differential(&gb, phi, &at);
         if (status == LOFT_OK)
-            status = loft_local_curvatures(&at, &k);
+            status = loft_differential_curvatures(&at, &k);
         to_here();
         add((loft_real)status);
         add((loft_real)(k.gauss & 0xffffffff));
@@ -247,16 +247,16 @@ static void basepoints(void)
 
 static void rings(const char *name, unsigned sides, unsigned degree)
 {
-    if (loft_ring_init(&ring, p, sides, degree) != LOFT_OK)
+    if (loft_zheng_ball_init(&ring, p, sides, degree) != LOFT_OK)
         return;
     for (int n = 0; n < ROUNDS; n++) {
         const loft_unit a = (loft_unit)(some() & 0x7fffff), b = (loft_unit)(some() & 0x7fffff);
-        loft_sci u[LOFT_RING_SIDES];
+        loft_sci u[LOFT_ZHENG_BALL_SIDES];
         loft_vec v = { { 0 } };
         from_here();
-        enum loft_status status = loft_ring_params(sides, a, b, u);
+        enum loft_status status = loft_zheng_ball_params(sides, a, b, u);
         if (status == LOFT_OK)
-            status = loft_ring_eval(&ring, u, &v);
+            status = loft_zheng_ball_eval(&ring, u, &v);
         to_here();
         add((loft_real)status);
         add_vec(&v);

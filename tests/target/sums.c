@@ -20,11 +20,23 @@
 #  include <avr/sleep.h>
 static void put(char c)
 {
-    while (!(UCSR0A & (1 << UDRE0))) {}
+    while (!(UCSR0A & (1 << UDRE0))) {
+    }
     UDR0 = (uint8_t)c;
 }
-static void start(void) { UBRR0 = 0; UCSR0A = 1 << U2X0; UCSR0B = 1 << TXEN0; }
-static void stop(void)  { put('\n'); cli(); sleep_enable(); sleep_cpu(); }
+static void start(void)
+{
+    UBRR0 = 0;
+    UCSR0A = 1 << U2X0;
+    UCSR0B = 1 << TXEN0;
+}
+static void stop(void)
+{
+    put('\n');
+    cli();
+    sleep_enable();
+    sleep_cpu();
+}
 #elif defined(__ARM_ARCH_6M__)
 void debugger_put(char c);
 static void put(char c) { debugger_put(c); }
@@ -92,17 +104,18 @@ static void sums(int rounds)
 {
     for (int n = 0; n < rounds; n++) {
         const loft_acc x = some(47);
-        if (loft_acc_fits(x))
+        if (loft_acc_valid(x))
             add(loft_acc_round(x));
     }
     say("acc_round");
     for (int n = 0; n < rounds; n++) {
         const loft_acc x = loft_prod(coordinate(), coordinate());
-        if (loft_acc_fits(x))
+        if (loft_acc_valid(x))
             add(loft_acc_round(x));
     }
     say("mul");
-    for (int n = 0; n < rounds; n++) add(loft_acc_int(some(62)));
+    for (int n = 0; n < rounds; n++)
+        add(loft_acc_int(some(62)));
     say("acc_int");
     for (int n = 0; n < rounds; n++) {
         const int32_t a = (int32_t)some(24), b = (int32_t)some(31);
@@ -142,7 +155,8 @@ static void sums(int rounds)
         add(loft_acc_ratio(x, 1 + ((int32_t)some(31) & 0x3fffffff)));
     }
     say("acc_ratio");
-    for (int n = 0; n < rounds; n++) add(loft_acc_sqrt(some(63)));
+    for (int n = 0; n < rounds; n++)
+        add(loft_acc_sqrt(some(63)));
     say("acc_sqrt");
     for (int n = 0; n < rounds; n++) {
         const loft_acc x[3] = { some(61), some(61), some(50) };
@@ -165,23 +179,28 @@ static void sums(int rounds)
         add(loft_unit_of(j, k));
     }
     say("unit_of_more");
-    for (int n = 0; n < rounds; n++) add(loft_real_floor(coordinate()));
+    for (int n = 0; n < rounds; n++)
+        add(loft_real_floor(coordinate()));
     say("real_floor");
     for (int n = 0; n < rounds; n++) {
         const loft_acc x = some(62), y = n % 8 ? some(62) : x;
-        add(loft_acc_size(x) ^ loft_acc_least(x, y));
-        add(loft_acc_most(x, y));
+        add(loft_acc_abs(x) ^ loft_acc_min(x, y));
+        add(loft_acc_max(x, y));
     }
     say("acc_order");
     for (int n = 0; n < rounds; n++) {
         loft_acc x[LOFT_AXES], y[LOFT_AXES];
-        for (int i = 0; i < LOFT_AXES; i++) { x[i] = some(60); y[i] = some(60); }
+        for (int i = 0; i < LOFT_AXES; i++) {
+            x[i] = some(60);
+            y[i] = some(60);
+        }
         loft_accs_add(x, y);
         add(x[0]);
         loft_accs_copy(y, x);
         loft_accs_triple(y);
         loft_accs_sub(x, y);
-        for (int i = 0; i < LOFT_AXES; i++) add(x[i]);
+        for (int i = 0; i < LOFT_AXES; i++)
+            add(x[i]);
     }
     say("accs");
 }
@@ -218,14 +237,23 @@ static loft_grid grid;
 #if defined(__AVR__)
 
 /* Timer 1 counts 64 cycles. */
-static void start_timer(void) { TCCR1A = 0; TCCR1B = (1 << CS11) | (1 << CS10); TCNT1 = 0; }
+static void start_timer(void)
+{
+    TCCR1A = 0;
+    TCCR1B = (1 << CS11) | (1 << CS10);
+    TCNT1 = 0;
+}
 static uint32_t cycles(void)  { return (uint32_t)TCNT1 * 64; }
 static void say_time(const char *name, uint32_t n)      { say_line(put, name, n); }
 
 #else
 static void start_timer(void)                           {}
 static uint32_t cycles(void)                            { return 0; }
-static void say_time(const char *name, uint32_t n)      { (void)name; (void)n; }
+static void say_time(const char *name, uint32_t n)
+{
+    (void)name;
+    (void)n;
+}
 #endif
 
 static void some_net(unsigned bits)
@@ -310,9 +338,9 @@ static void sums(int rounds)
     say("flatten");
     for (int n = 0; n < rounds; n++) {
         const loft_cubic c = some_cubic(22);
-        const loft_acc length = loft_cubic_length(&c, LOFT_REAL(0.125));
+        const loft_acc length = loft_cubic_arclen(&c, LOFT_REAL(0.125));
         add(length);
-        add(loft_cubic_at_length(&c, length / 3, LOFT_REAL(0.125)));
+        add(loft_cubic_inv_arclen(&c, length / 3, LOFT_REAL(0.125)));
     }
     say("length");
 }

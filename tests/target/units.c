@@ -29,7 +29,8 @@ static int with_stack(int (*run)(void), unsigned *bytes)
     for (p = bss_end; p < top; p++)
         *p = PAINT;
     const int code = run();
-    for (p = bss_end; p < top && *p == PAINT; p++) {}
+    for (p = bss_end; p < top && *p == PAINT; p++) {
+    }
     *bytes = (unsigned)((uintptr_t)here() - (uintptr_t)p);
     return code;
 }

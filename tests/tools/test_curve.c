@@ -32,8 +32,7 @@ static void refuses(const char *text, const char *words, int line)
 
 static void every_kind_is_read(arb *a)
 {
-    static const char text[] =
-        "\xEF\xBB\xBF# all kinds\r\n\r\n"
+    static const char text[] = "\xEF\xBB\xBF# all kinds\r\n\r\n"
         "bezier 3\n0 0\n1,2\n  3\t4 # a comment\n5;6\n"              /* line 3 */
         "bezier\n0 0 1\n1 -.5e1 2\n"
         "line\n0 0\n1 0\n1 1\n"

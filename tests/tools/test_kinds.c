@@ -13,10 +13,7 @@ static double random_to(arb *a, double most)
     return most * ((double)arb_below(a, 2000001) / 1000000 - 1);
 }
 
-static double random_weight(arb *a)
-{
-    return exp2((double)arb_below(a, 8001) / 1000 - 4);
-}
+static double random_weight(arb *a) { return exp2((double)arb_below(a, 8001) / 1000 - 4); }
 
 /* Points no nearer than 1 to the one before. */
 static curve_point random_point(arb *a, const curve *c, double ascending)
@@ -259,7 +256,8 @@ static void cover(void *context, double p[4][CURVE_AXES])
         const double t = j / 4.0, s = 1 - t;
         double at[CURVE_AXES], best = HUGE_VAL;
         for (int i = 0; i < CURVE_AXES; i++)
-            at[i] = s*s*s * p[0][i] + 3*s*s*t * p[1][i] + 3*s*t*t * p[2][i] + t*t*t * p[3][i];
+            at[i] = s * s * s * p[0][i] + 3 * s * s * t * p[1][i] + 3 * s * t * t * p[2][i] +
+                    t * t * t * p[3][i];
         for (int k = 0; k <= 1000; k++) {
             double d[3][CURVE_AXES];
             piece_eval(c->p, k / 1000.0, d);

@@ -92,7 +92,7 @@ static unsigned looked;     /* how many places had normals to compare with */
 #define NODES 9         /* of a polynomial through points of the surface, at steps of STEP */
 #define STEP  0.006
 
-/* Its derivatives by two parameters, in the order of loft_local. */
+/* Its derivatives by two parameters, in the order of loft_differential. */
 typedef struct {
     double by[5][3];
 } slopes;
@@ -127,7 +127,8 @@ static void set_ways(stencil *s, bool triangle)
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 2; i++)
             s->way[k][i] = triangle ? corner[(near + 1 + k) % 3][i] - s->at[i]
-                         : k == i ? (s->at[i] < 0.5 ? 1 : -1) : 0;
+                           : k == i ? (s->at[i] < 0.5 ? 1 : -1)
+                                    : 0;
 }
 
 static slopes slopes_of(const stencil *s)

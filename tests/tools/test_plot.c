@@ -123,9 +123,9 @@ static void a_comb_stands_on_the_outside(arb *a)
 static void every_format_is_written(arb *a)
 {
     static const double errors[] = { PLOT_NO_ERROR, PLOT_AUTO_ERROR, 10 };
-    static const struct { const char *name, *start; } formats[] = {
-        { "b.png", "\x89PNG" }, { "b.PDF", "%PDF-" }, { "b.svg", "<?xml" }
-    };
+    static const struct {
+        const char *name, *start;
+    } formats[] = { { "b.png", "\x89PNG" }, { "b.PDF", "%PDF-" }, { "b.svg", "<?xml" } };
     drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 0, 0, NULL };
     record r;
     (void)a;

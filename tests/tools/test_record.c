@@ -10,10 +10,7 @@
 
 static char file[] = "/tmp/loft-record-XXXXXX";
 
-static double arb_mm(arb *a)
-{
-    return (double)arb_raw(a, 100 << 16) / 65536;
-}
+static double arb_mm(arb *a) { return (double)arb_raw(a, 100 << 16) / 65536; }
 
 /* The tree finds the same distance as looking at each piece, whatever the hint. */
 static void the_nearest_piece_is_found(arb *a)

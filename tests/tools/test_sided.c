@@ -7,7 +7,7 @@
 #include "draw/contour.h"
 #include "tools/drawn.h"          /* CHECK, tool_error */
 #include "draw/mesh.h"
-#include "polygon/multi.h"  /* loft_multi_next */
+#include "polygon/multiindex.h"  /* loft_multiindex_next */
 #include "engine/sided.h"
 
 #define N 12
@@ -33,7 +33,7 @@ static void flat_multi(char *text, size_t size, unsigned sides, unsigned depth,
 {
     uint8_t l[LOFT_SIDES_MAX];
 
-    loft_multi_first(l, sides, depth);
+    loft_multiindex_first(l, sides, depth);
     do {
         double at[2] = { 0, 0 };
         for (unsigned i = 0; i < sides; i++) {
@@ -45,7 +45,7 @@ static void flat_multi(char *text, size_t size, unsigned sides, unsigned depth,
         if (cut == NULL ||
             (l[0] + cut[0] <= depth && l[1] + cut[1] <= depth && l[2] + cut[2] <= depth))
             say(text, size, "%.17g %.17g 3\n", at[0], at[1]);
-    } while (loft_multi_next(l, sides));
+    } while (loft_multiindex_next(l, sides));
 }
 
 static void flat_ring(char *text, size_t size, unsigned sides, unsigned degree)

@@ -138,7 +138,9 @@ static void shapes(arb *a)
  * side. */
 static void rounded_corners(arb *a)
 {
-    static const struct { const char *radii; double rx, ry;
+    static const struct {
+        const char *radii;
+        double rx, ry;
     } all[] = { { "rx='3' ry='2'", 3, 2 },   { "rx='3'", 3, 3 },   { "ry='2'", 2, 2 },
                 { "rx='30' ry='2'", 10, 2 }, { "rx='30'", 10, 5 }, { "rx='10%' ry='auto'", 10, 5 },
                 { "rx='3' ry='0'", 0, 0 },   { "rx='auto'", 0, 0 } };

@@ -191,13 +191,17 @@ static void push(answer *a, long double value)
 }
 
 void answer_real(answer *a, loft_real x) { push(a, exact_of(x)); }
-void answer_wide(answer *a, loft_acc x)  { push(a, exact_acc(x)); a->wide = true; }
+void answer_wide(answer *a, loft_acc x)
+{
+    push(a, exact_acc(x));
+    a->wide = true;
+}
 
 void answer_unit(answer *a, loft_unit t) { push(a, exact_unit(t)); }
 
 void answer_acc(answer *a, loft_acc x)
 {
-    if (loft_acc_fits(x))
+    if (loft_acc_valid(x))
         answer_real(a, loft_acc_round(x));
     else
         a->refused = true;
@@ -414,7 +418,9 @@ static enum verdict report(const char *name, const vector_system *s, bool known,
     }
     const bool good = sum->rows && !sum->bad;
     printf("%s %u %.5Lg %.5Lg %s\n", name, sum->rows, sum->error, sum->bound,
-           good ? "ok" : sum->rows ? "FAIL" : "FAIL: no rows");
+           good        ? "ok"
+           : sum->rows ? "FAIL"
+                       : "FAIL: no rows");
     return good ? PASSED : FAILED;
 }
 

@@ -9,7 +9,7 @@
 #include "support/exact_whole.h"            /* wide, whole_of */
 #include "surface/tensor/bicubic.h"
 #include "surface/tensor/coons.h"
-#include "surface/flat.h"
+#include "surface/plane.h"
 #include "surface/sphere.h"
 
 static bool as_given(const row *r)  { return !(r->inexact > 0); }

@@ -3,7 +3,7 @@
  */
 #include "vectors/vectors.h"                /* row, answer, law */
 #include "basis/bernstein.h"
-#include "basis/steps.h"
+#include "basis/differences.h"
 #include "curve/bezier.h"
 #include "curve/forward.h"
 
@@ -14,11 +14,9 @@
 static law extrapolation(unsigned n, loft_unit t, long double gain)
 {
     const long double x = exact_unit(t);
-    return (law) {
-        .lsb       = 0.5L + gain * growth_sum(x, n) / 131072,
+    return (law){ .lsb = 0.5L + gain * growth_sum(x, n) / 131072,
         .gain      = gain * powl(growth(x), n),
-        .roundings = 3 * n
-    };
+                  .roundings = 3 * n };
 }
 
 static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
@@ -46,8 +44,8 @@ static void expect_vec(row *r, const char *column, enum loft_status status, loft
     row_expect(r, column, a, l);
 }
 
-static void expect_points(row *r, const char *column, enum loft_status status,
-                          const loft_vec p[], unsigned count, unsigned d, law l)
+static void expect_points(row *r, const char *column, enum loft_status status, const loft_vec p[],
+                          unsigned count, unsigned d, law l)
 {
     answer *a = answer_new();
 
@@ -68,7 +66,7 @@ static void expect_point(row *r, const loft_bezier *b, unsigned d, loft_unit t, 
 {
     loft_vec v = { { 0 } };
 
-    const enum loft_status status = loft_bezier_extend(b, t, &v);
+    const enum loft_status status = loft_bezier_extrapolate(b, t, &v);
     expect_vec(r, "point", status, v, d, l);
     if (!inside(t))
         return;
@@ -155,21 +153,21 @@ static void bezier_segment(row *r)
     const law l = extrapolation(n, growth(exact_unit(from)) > growth(exact_unit(to)) ? from : to,
                                 1);
 
-    const enum loft_status status = loft_bezier_part(&b, from, to, out);
+    const enum loft_status status = loft_bezier_sub(&b, from, to, out);
     expect_points(r, "Q", status, out, n + 1, d, l);
     if (n == 3 && inside(from) && inside(to)) {
-        const loft_cubic c = cubic_of(p), piece = loft_cubic_part(&c, from, to);
+        const loft_cubic c = cubic_of(p), piece = loft_cubic_sub(&c, from, to);
         expect_points(r, "Q", LOFT_OK, piece.p, 4, d, l);
     }
 }
 
 static void bezier_elevate(row *r)
 {
-    loft_vec p[POINTS], out[LOFT_RAISE_MAX + 1];
-    const unsigned n = degree(r), d = dimension(r), times = row_count(r, "r", LOFT_RAISE_MAX - n);
+    loft_vec p[POINTS], out[LOFT_ELEVATE_MAX + 1];
+    const unsigned n = degree(r), d = dimension(r), times = row_count(r, "r", LOFT_ELEVATE_MAX - n);
     const loft_bezier b = curve(r, n, d, p);
 
-    const enum loft_status status = loft_bezier_raise(&b, times, out);
+    const enum loft_status status = loft_bezier_elevate(&b, times, out);
     expect_points(r, "Q", status, out, n + times + 1, d,
                   (law){ .lsb = 0.5L + 1 / 131072.0L, .roundings = n + 3 });
 }
@@ -220,7 +218,7 @@ static void power_bernstein(row *r)
         row_complain(r, "column dir: neither p2b nor b2p");
     row_reals(r, "in_q16", n + 1, in);
     for (unsigned k = 0; k <= n; k++)
-        c[k] = loft_wide(in[k]);
+        c[k] = loft_to_acc(in[k]);
     if (back)
         loft_bernstein_to_power(c, n);
     else
@@ -263,7 +261,7 @@ typedef struct {
 static void copy_wide(const walked *w, loft_acc c[])
 {
     for (unsigned k = 0; k <= w->n; k++)
-        c[k] = loft_wide(w->a[k]);
+        c[k] = loft_to_acc(w->a[k]);
 }
 
 static void expect_differences(row *r, const walked *w)
@@ -284,7 +282,7 @@ static void expect_step_differences(row *r, const walked *w)
     loft_real e[POINTS];
     const long double t = fmaxl((long double)w->n / w->steps, 1), power = powl(2, w->n);
 
-    a->refused = loft_bernstein_steps(w->a, w->n, w->steps, e) != LOFT_OK;
+    a->refused = loft_bernstein_forward_differences(w->a, w->n, w->steps, e) != LOFT_OK;
     for (unsigned k = 0; k <= w->n && !a->refused; k++)
         answer_real(a, e[k]);
     row_expect(
@@ -298,17 +296,17 @@ static bool expect_walk(row *r, const walked *w, bool strict, law l)
     loft_vec p[POINTS] = { { { 0 } } }, v;
     loft_bezier b;
     loft_forward plain;
-    loft_forward_strict exact;
+    loft_forward_exact exact;
     answer *a = answer_new();
 
     for (unsigned k = 0; k <= w->n; k++)
         p[k].axis[0] = w->a[k];
     if (w->n > LOFT_FORWARD_DEGREE_MAX || loft_bezier_init(&b, p, w->n) != LOFT_OK ||
-        (strict ? loft_forward_strict_init(&exact, &b, w->steps)
+        (strict ? loft_forward_exact_init(&exact, &b, w->steps)
                 : loft_forward_init(&plain, &b, w->steps)) != LOFT_OK)
         return false;
     answer_real(a, w->a[0]);
-    while (strict ? loft_forward_strict_next(&exact, &v) : loft_forward_next(&plain, &v))
+    while (strict ? loft_forward_exact_next(&exact, &v) : loft_forward_next(&plain, &v))
         answer_real(a, v.axis[0]);
     row_expect(r, "values", a, l);
     return true;

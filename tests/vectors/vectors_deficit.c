@@ -30,8 +30,8 @@ static void discrete_curvature(row *r)
         least = i == 1 ? square : fminl(least, square);
     }
     const enum loft_status status = loft_deficit_eval(&p[0], p + 1, m, &d);
-    if (status != LOFT_OK || !loft_sci_wide(d.angles, &wide[0]) ||
-        !loft_sci_wide(d.area, &wide[1]) || !loft_sci_wide(d.gauss, &wide[2])) {
+    if (status != LOFT_OK || !loft_sci_to_acc(d.angles, &wide[0]) ||
+        !loft_sci_to_acc(d.area, &wide[1]) || !loft_sci_to_acc(d.gauss, &wide[2])) {
         row_complain(r, "status %d, or a number does not fit", status);
         return;
     }

@@ -59,7 +59,7 @@ static void expect_parameter(row *r, char letter, unsigned i, loft_sci value, lo
     loft_acc x = 0;
 
     snprintf(column, sizeof column, "%c%u", letter, i + 1);
-    if (!loft_sci_wide(value, &x))
+    if (!loft_sci_to_acc(value, &x))
         row_complain(r, "%s does not fit", column);
     expect_wide(r, column, x,
                 (law){ .lsb = 0x1p-17L + 0x1p-24L + off * 65536,
@@ -201,7 +201,7 @@ static void gb_eval(row *r)
                         .gain = 4,
                         .roundings = 128 + off * 0x1p52L });
     if (loft_gb_weights(p.g.sides, p.g.degree, phi, weight) != LOFT_OK ||
-        !loft_sci_wide(weight[loft_gb_count(p.g.sides, p.g.degree) - 1], &x))
+        !loft_sci_to_acc(weight[loft_gb_count(p.g.sides, p.g.degree) - 1], &x))
         row_complain(r, "no weights");
     r->largest = 1;
     expect_wide(
@@ -241,7 +241,7 @@ static void gb_curvature(row *r)
 {
     patch p;
     loft_jet phi[LOFT_SIDES_MAX];
-    loft_local here;
+    loft_differential here;
     loft_curvatures k;
 
     if (!patch_of(r, row_text(r, "case"), &p))
@@ -251,8 +251,8 @@ static void gb_curvature(row *r)
         row_complain(r, "no derivatives of coordinates of the kind %c", p.which);
         return;
     }
-    const enum loft_status status = loft_gb_local(&p.g, phi, &here);
-    if (status != LOFT_OK || loft_local_curvatures(&here, &k) != LOFT_OK) {
+    const enum loft_status status = loft_gb_differential(&p.g, phi, &here);
+    if (status != LOFT_OK || loft_differential_curvatures(&here, &k) != LOFT_OK) {
         /* no loft_acc holds it */
         if (status != LOFT_OK ||
             !BY_NUM(fabsl(decimal(r, row_text(r, "K"))) > 0x1p30L, false, false))

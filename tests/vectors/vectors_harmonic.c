@@ -1,4 +1,5 @@
-/* tests/vectors/vectors_harmonic.c -- harmonic coordinates of the polygons of CSVs: each is solved once, at run time
+/* tests/vectors/vectors_harmonic.c -- harmonic coordinates of the polygons of CSVs: each is solved
+ * once, at run time
  * SPDX-License-Identifier: MIT
  */
 #include <string.h>
@@ -61,16 +62,19 @@ static void gbc_harmonic(row *r)
     for (unsigned i = 0; i < p.n; i++) {
         loft_acc x = 0;
         snprintf(column, sizeof column, "phi_%u", i + 1);
-        if (!loft_sci_wide(phi[i], &x))
+        if (!loft_sci_to_acc(phi[i], &x))
             row_complain(r, "coordinate %u does not fit", i);
         const long double want = r->inexact > 0 ? own[i] : decimal(r, row_text(r, column));
-        row_within(r, column, fabsl(exact_acc(x) - want) * 65536, (bound + BY_NUM(0x1p-32L, 0, 0)) * 65536);
+        row_within(r, column, fabsl(exact_acc(x) - want) * 65536,
+                   (bound + BY_NUM(0x1p-32L, 0, 0)) * 65536);
     }
 }
 
 #define PHI "phi_1,phi_2,phi_3,phi_4,phi_5,phi_6,phi_7,phi_8"
 
 const vector_system vectors_harmonic[] = {
-    { "gbc_harmonic", "polygon,n,type,x,y,bound," PHI, gbc_harmonic, "what the solver states for the polygon, at most q16 2^-18, f32 1e-8, f64 1e-12; where the point lies: exact" },
+    { "gbc_harmonic", "polygon,n,type,x,y,bound," PHI, gbc_harmonic,
+      "what the solver states for the polygon, at most q16 2^-18, f32 1e-8, f64 1e-12; where the "
+      "point lies: exact" },
     { 0 }
 };

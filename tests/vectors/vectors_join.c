@@ -7,7 +7,10 @@
 #include "support/joins.h"          /* joins_flags */
 #include "vectors/vectors.h"        /* row, row_expect */
 
-#define HALF { .lsb = 0.5L + LSB, .roundings = 2 }
+#define HALF                                                                                       \
+    {                                                                                              \
+        .lsb = 0.5L + LSB, .roundings = 2                                                          \
+    }
 
 static bool same(const loft_join *a, const loft_join *b)
 {
@@ -91,7 +94,7 @@ static void join_construct(row *r)
         row_complain(r, "not a curve");
         return;
     }
-    answer_status(r, a, loft_join_extend(&b, alpha, eta, c));
+    answer_status(r, a, loft_join_continue(&b, alpha, eta, c));
     for (int k = 0; k < 3 && !a->refused; k++)
         answer_vec(a, c[k], d);
     row_expect(r, "c", a, (law) { .lsb = 0.5L + LSB, .gain = gain, .roundings = 1 });

@@ -5,7 +5,7 @@
 
 #include "vectors/vectors_sheet.h"          /* sheet_of, decimal_real */
 #include "polygon/basepoint.h"
-#include "polygon/ring.h"
+#include "polygon/zheng_ball.h"
 #include "polygon/toric.h"
 
 #define POINTS 4096
@@ -227,7 +227,7 @@ static bool basepoint_of(row *r, const char *id, loft_basepoint *b)
         }
         for (int i = 0; i < 3; i++)
             cut[i] = (uint8_t)decimal(r, f[2 + i]);
-        const unsigned rank = loft_multi_rank(l, 3);
+        const unsigned rank = loft_multiindex_rank(l, 3);
         weight[rank] = aside(r, f[8]);
         read_point(r, f + 9, rank);
     }
@@ -306,14 +306,14 @@ static void basepoint_boundary(row *r)
 
 static unsigned ring_place(row *r, const char *text, unsigned n, unsigned d)
 {
-    int l[LOFT_RING_SIDES + 1];
-    uint8_t own[LOFT_RING_SIDES];
-    const unsigned count = loft_ring_count(n, d);
+    int l[LOFT_ZHENG_BALL_SIDES + 1];
+    uint8_t own[LOFT_ZHENG_BALL_SIDES];
+    const unsigned count = loft_zheng_ball_count(n, d);
 
-    if (wholes(text, l, LOFT_RING_SIDES + 1) == n)
+    if (wholes(text, l, LOFT_ZHENG_BALL_SIDES + 1) == n)
         for (unsigned k = 0; k < count; k++) {
             unsigned same = 0;
-            loft_ring_index(n, d, k, own);
+            loft_zheng_ball_index(n, d, k, own);
             for (unsigned i = 0; i < n; i++)
                 same += own[i] == l[i];
             if (same == n)
@@ -323,7 +323,7 @@ static unsigned ring_place(row *r, const char *text, unsigned n, unsigned d)
     return 0;
 }
 
-static bool ring_of(row *r, const char *id, loft_ring *ring)
+static bool ring_of(row *r, const char *id, loft_zheng_ball *ring)
 {
     const sheet *s = sheet_of(r, "zb_net");
     unsigned found = 0, n = 0, d = 0;
@@ -338,9 +338,9 @@ static bool ring_of(row *r, const char *id, loft_ring *ring)
         read_point(r, f + 4, ring_place(r, f[3], n, d));
         found++;
     }
-    if (!found || found != loft_ring_count(n, d))
+    if (!found || found != loft_zheng_ball_count(n, d))
         row_complain(r, "the net of %s has %u points", id, found);
-    else if (loft_ring_init(ring, point, n, d) != LOFT_OK)
+    else if (loft_zheng_ball_init(ring, point, n, d) != LOFT_OK)
         row_complain(r, "the patch %s was refused", id);
     return !r->complaint[0];
 }
@@ -349,7 +349,7 @@ static bool params_of(row *r, unsigned n, loft_sci u[])
 {
     const loft_unit one = decimal_unit(r, row_text(r, "u1")),
                     two = decimal_unit(r, row_text(r, "u2"));
-    const enum loft_status status = loft_ring_params(n, one, two, u);
+    const enum loft_status status = loft_zheng_ball_params(n, one, two, u);
 
     if (status != LOFT_OK)
         row_complain(r, "no parameters: status %d", status);
@@ -358,7 +358,7 @@ static bool params_of(row *r, unsigned n, loft_sci u[])
 
 static void zb_net(row *r)
 {
-    loft_ring ring;
+    loft_zheng_ball ring;
     ring_of(r, row_text(r, "case"), &ring);
 }
 
@@ -369,7 +369,7 @@ static void expect_params(row *r, const loft_sci u[], unsigned first, unsigned n
         char column[16];
         loft_acc x = 0;
         snprintf(column, sizeof column, "u%u", i + 1);
-        if (!loft_sci_wide(u[i], &x))
+        if (!loft_sci_to_acc(u[i], &x))
             row_complain(r, "%s does not fit", column);
         expect_wide(r, column, x, (law) { .lsb = 0x1p-16L, .gain = 16, .roundings = 1024 });
     }
@@ -377,8 +377,8 @@ static void expect_params(row *r, const loft_sci u[], unsigned first, unsigned n
 
 static void zb_params(row *r)
 {
-    const unsigned n = row_count(r, "n", LOFT_RING_SIDES);
-    loft_sci u[LOFT_RING_SIDES];
+    const unsigned n = row_count(r, "n", LOFT_ZHENG_BALL_SIDES);
+    loft_sci u[LOFT_ZHENG_BALL_SIDES];
 
     if (params_of(r, n, u))
         expect_params(r, u, 2, n);
@@ -388,8 +388,8 @@ static void zb_lift3(row *r)
 {
     loft_sci u[3];
 
-    if (loft_ring_lift(decimal_unit(r, row_text(r, "b1")), decimal_unit(r, row_text(r, "b2")), u) !=
-        LOFT_OK)
+    if (loft_zheng_ball_lift(decimal_unit(r, row_text(r, "b1")), decimal_unit(r, row_text(r, "b2")),
+                             u) != LOFT_OK)
         row_complain(r, "the lift was refused");
     else
         expect_params(r, u, 0, 3);
@@ -398,15 +398,16 @@ static void zb_lift3(row *r)
 static void zb_basis(row *r)
 {
     static loft_sci b[POINTS];
-    const unsigned n = row_count(r, "n", LOFT_RING_SIDES), d = row_count(r, "d", LOFT_DEGREE_MAX);
-    loft_sci u[LOFT_RING_SIDES];
+    const unsigned n = row_count(r, "n", LOFT_ZHENG_BALL_SIDES),
+                   d = row_count(r, "d", LOFT_DEGREE_MAX);
+    loft_sci u[LOFT_ZHENG_BALL_SIDES];
     loft_acc x = 0;
 
     const unsigned place = ring_place(r, row_text(r, "lambda"), n, d);
     if (r->complaint[0] || !params_of(r, n, u))
         return;
-    loft_ring_weights(n, d, u, b);
-    if (!loft_sci_wide(b[place], &x))
+    loft_zheng_ball_weights(n, d, u, b);
+    if (!loft_sci_to_acc(b[place], &x))
         row_complain(r, "the weight does not fit");
     r->largest = 1;
     expect_wide(r, "B", x, (law) { .lsb = 0x1p-16L, .gain = 64, .roundings = 4096 });
@@ -414,13 +415,13 @@ static void zb_basis(row *r)
 
 static void zb_eval(row *r)
 {
-    loft_ring ring;
-    loft_sci u[LOFT_RING_SIDES];
+    loft_zheng_ball ring;
+    loft_sci u[LOFT_ZHENG_BALL_SIDES];
     loft_vec v = { { 0 } };
 
     if (!ring_of(r, row_text(r, "case"), &ring) || !params_of(r, ring.sides, u))
         return;
-    expect_point(r, loft_ring_eval(&ring, u, &v), v,
+    expect_point(r, loft_zheng_ball_eval(&ring, u, &v), v,
                  (law){ .lsb = 0.5L + 0x1p-10L, .gain = 64, .roundings = 4096 });
 }
 

@@ -102,7 +102,7 @@ static void expect_phi(row *r, unsigned n, const loft_sci phi[], long double los
 
     r->largest = 1;
     for (unsigned i = 0; i < n; i++) {
-        if (!loft_sci_wide(phi[i], &x[i]))
+        if (!loft_sci_to_acc(phi[i], &x[i]))
             row_complain(r, "coordinate %u does not fit", i);
         r->largest = fmaxl(r->largest, fabsl(exact_acc(x[i])));
     }
@@ -126,7 +126,7 @@ static void expect_own(row *r, unsigned n, const loft_sci phi[], const long doub
         largest = fmaxl(largest, fabsl(own[i]));
     for (unsigned i = 0; i < n; i++) {
         loft_acc x = 0;
-        if (!loft_sci_wide(phi[i], &x))
+        if (!loft_sci_to_acc(phi[i], &x))
             row_complain(r, "coordinate %u does not fit", i);
         row_within(r, "phi, as read", fabsl(exact_acc(x) - own[i]) * 65536,
                    64 * lost * largest * 0x1p-52L * 65536);
@@ -167,7 +167,7 @@ static void expect_column(row *r, const char *column, const loft_sci phi[], unsi
 
     for (unsigned i = 0; i < n; i++) {
         loft_acc x = 0;
-        if (loft_sci_wide(phi[i], &x))
+        if (loft_sci_to_acc(phi[i], &x))
             answer_wide(a, x);
     }
     r->largest = 1;

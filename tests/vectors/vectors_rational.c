@@ -121,10 +121,10 @@ static void rational_split(row *r)
 static void rational_elevate(row *r)
 {
     rational c = rational_of(r);
-    loft_weighted out[LOFT_RAISE_MAX + 1];
+    loft_weighted out[LOFT_ELEVATE_MAX + 1];
 
     init(r, &c);
-    if (loft_rational_raise(&c.curve, 1, out) != LOFT_OK) {
+    if (loft_rational_elevate(&c.curve, 1, out) != LOFT_OK) {
         row_complain(r, "raising was refused");
         return;
     }
@@ -136,7 +136,7 @@ static void rational_elevate(row *r)
 static void arc_quarter(row *r)
 {
     const bool touching = row_is(r, "lam_q16", "lambda0");
-    const loft_acc arm = touching ? loft_circle_arm() : loft_wide(row_real(r, "lam_q16"));
+    const loft_acc arm = touching ? loft_circle_arm() : loft_to_acc(row_real(r, "lam_q16"));
     const long double l = fabsl(exact_acc(arm));
     loft_real p[2] = { 0, 0 }, excess = 0;
     answer *x = answer_new(), *y = answer_new(), *e = answer_new();

@@ -9,7 +9,7 @@
 #include "vectors/vectors.h"                /* row, answer, law */
 #include "support/exact_shape.h"            /* exact_shape_of, exact_bend_at */
 #include "support/exact_sign.h"             /* exact_sign_of */
-#include "basis/operator.h"
+#include "basis/bernstein_operator.h"
 #include "basis/sign.h"
 #include "curve/shape.h"
 
@@ -112,7 +112,7 @@ static void curvature(row *r)
     row_points(r, "P_q16", n + 1, d, p);
     if (loft_bezier_init(&b, p, n) != LOFT_OK)
         row_complain(r, "the curve was refused");
-    const enum loft_status status = d == 2 ? loft_bezier_bend(&b, t, &k, &tangent)
+    const enum loft_status status = d == 2 ? loft_bezier_curvature_vec(&b, t, &k, &tangent)
                                            : loft_bezier_curvature(&b, t, &k, &tangent);
     const exact_bend own = exact_bend_at(&b, (int64_t)(exact_unit(t) * 65536),
                                          d == 2 ? 2 : LOFT_AXES);

@@ -36,7 +36,7 @@ static unsigned rank_of(row *r, const char *text, unsigned n, unsigned sum)
         row_complain(r, "the parts of '%.30s' do not sum to %u", text, sum);
         return 0;
     }
-    return loft_multi_rank(index, n);
+    return loft_multiindex_rank(index, n);
 }
 
 static const char *domain_of(const sheet *s, const char *id)
@@ -78,7 +78,7 @@ static bool patch_of(row *r, const char *id, bool with_domain, patch *p)
         found++;
     }
     r->inexact = fmaxl(r->inexact, inexact);
-    if (!found || found != loft_multi_count(p->n, p->d))
+    if (!found || found != loft_multiindex_count(p->n, p->d))
         row_complain(r, "the net of %s has %u points", id, found);
     else if (loft_spatch_init(&p->s, point, rational ? weight : NULL, p->n, p->d) != LOFT_OK)
         row_complain(r, "the patch %s was refused", id);
@@ -114,7 +114,7 @@ static law point_law(const patch *p, loft_spot at, const loft_sci phi[], long do
 
     for (unsigned i = 0; i < p->n; i++) {
         loft_acc x = 0;
-        if (loft_sci_wide(phi[i], &x))
+        if (loft_sci_to_acc(phi[i], &x))
             sum += fabsl(exact_acc(x));
     }
     const long double gain = powl(sum, p->d);
@@ -156,7 +156,7 @@ static void spatch_elevated(row *r)
 
     if (!patch_of(r, row_text(r, "case"), false, &p))
         return;
-    if (loft_spatch_raise(&p.s, out, w) != LOFT_OK)
+    if (loft_spatch_elevate(&p.s, out, w) != LOFT_OK)
         row_complain(r, "raising was refused");
     else
         expect_point(r, LOFT_OK, out[rank_of(r, row_text(r, "lambda"), p.n, p.d + 1)], other_form);

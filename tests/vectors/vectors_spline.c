@@ -122,7 +122,8 @@ static void hermite3(row *r)
         const enum loft_status status = k ? loft_hermite_deriv(&h, k, t, &v)
                                           : loft_hermite_eval(&h, t, &v);
         const law slope = { .lsb = 0.5L + growth_sum(exact_unit(t), 3 - k) / 131072,
-                            .gain = (k == 1 ? 8 : 24) * powl(l, 3 - k), .roundings = 18 };
+                            .gain = (k == 1 ? 8 : 24) * powl(l, 3 - k),
+                            .roundings = 18 };
         expect_vec(r, columns[k], status, v, d, k ? slope : point);
     }
     if (t >= 0 && t <= LOFT_UNIT(1))
@@ -153,7 +154,7 @@ static void hermite5(row *r)
     if (!BY_NUM(true, false, true) || loft_bezier_from_hermite5(&h, c) != LOFT_OK ||
         loft_bezier_init(&b, c, 5) != LOFT_OK)
         return;
-    const enum loft_status again = loft_bezier_extend(&b, t, &v);
+    const enum loft_status again = loft_bezier_extrapolate(&b, t, &v);
     point.lsb += 0.5L * l5 + growth_sum(exact_unit(t), 5) / 131072;
     point.roundings += 17;
     expect_vec(r, "p", again, v, d, point);

@@ -71,10 +71,10 @@ static void tensor_elevate(row *r)
     const loft_tensor s = patch(r, 1, p);
 
     if (row_is(r, "dir", "u"))
-        expect_net(r, "out", loft_tensor_raise_u(&s, 1, out), out, (s.m + 2u) * (s.n + 1u),
+        expect_net(r, "out", loft_tensor_elevate_u(&s, 1, out), out, (s.m + 2u) * (s.n + 1u),
                    inside(1, 1, 1));
     else if (row_is(r, "dir", "v"))
-        expect_net(r, "out", loft_tensor_raise_v(&s, 1, out), out, (s.m + 1u) * (s.n + 2u),
+        expect_net(r, "out", loft_tensor_elevate_v(&s, 1, out), out, (s.m + 1u) * (s.n + 2u),
                    inside(1, 1, 1));
     else
         row_complain(r, "column dir is neither u nor v");

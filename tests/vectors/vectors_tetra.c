@@ -112,7 +112,7 @@ static void tetra_elevate(row *r)
     const unsigned n = row_tetra(r, p, &t);
     answer *a = answer_new();
 
-    answer_status(r, a, loft_tetra_raise(&t, 1, out));
+    answer_status(r, a, loft_tetra_elevate(&t, 1, out));
     for (unsigned k = 0; k < LOFT_TETRA_POINTS(n + 1); k++)
         answer_vec(a, out[k], 1);
     row_expect(r, "out", a,

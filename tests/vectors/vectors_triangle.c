@@ -3,7 +3,7 @@
  */
 #include "support/triangles.h"              /* sums, growth3, exact_point */
 #include "vectors/vectors_bary.h"           /* row_bary, and row, answer, law */
-#include "curve/bezier.h"           /* LOFT_RAISE_MAX */
+#include "curve/bezier.h"           /* LOFT_ELEVATE_MAX */
 #include "surface/triangle/triangle.h"
 #include "surface/triangle/triangle_join.h"
 #include "surface/triangle/triangle_operator.h"
@@ -56,7 +56,7 @@ static void tri_eval(row *r)
     const loft_bary u = row_bary(r, "u_q16", false);
     loft_vec p = { { 0 } }, three[3];
 
-    const enum loft_status status = loft_triangle_extend(&x->t, u, &p);
+    const enum loft_status status = loft_triangle_extrapolate(&x->t, u, &p);
     if (loft_bary_inside(u) &&
         (status != LOFT_OK || !loft_vec_equal(p, loft_triangle_eval(&x->t, u))))
         row_complain(r, "inside the triangle eval and extend differ");
@@ -89,10 +89,10 @@ static void tri_dderiv(row *r)
 static void tri_elevate(row *r)
 {
     const net *x = row_net(r, "net_q16", false);
-    const unsigned times = row_count(r, "m", LOFT_RAISE_MAX - x->n);
-    static loft_vec out[LOFT_TRIANGLE_POINTS(LOFT_RAISE_MAX)];
+    const unsigned times = row_count(r, "m", LOFT_ELEVATE_MAX - x->n);
+    static loft_vec out[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)];
 
-    expect_points(r, "out", loft_triangle_raise(&x->t, times, out), out,
+    expect_points(r, "out", loft_triangle_elevate(&x->t, times, out), out,
                   LOFT_TRIANGLE_POINTS(x->n + times), x->d,
                   (law){ .lsb = 0.5L + 1 / 131072.0L, .gain = 1, .roundings = x->n + 3 });
 }
@@ -130,7 +130,7 @@ static void tri_reparam(row *r)
     loft_vec out[MOST];
 
     row_barys(r, "V_q16", 3, false, v);
-    expect_points(r, "out", loft_triangle_part(&x->t, v, out), out, LOFT_TRIANGLE_POINTS(x->n), 1,
+    expect_points(r, "out", loft_triangle_sub(&x->t, v, out), out, LOFT_TRIANGLE_POINTS(x->n), 1,
                   point_law(x->n, fmaxl(growth3(v[0]), fmaxl(growth3(v[1]), growth3(v[2])))));
 }
 
@@ -182,7 +182,7 @@ static void tri_continuation(row *r)
     const unsigned order = row_count(r, "r", x->n);
     loft_vec out[MOST];
 
-    expect_points(r, "c", loft_triangle_join_extend(&x->t, star, order, out), out,
+    expect_points(r, "c", loft_triangle_join_continue(&x->t, star, order, out), out,
                   LOFT_TRIANGLE_ROWS(x->n, order), 1,
                   (law){ .lsb = 0.5L + LSB, .gain = powl(growth3(star), order), .roundings = 1 });
 }

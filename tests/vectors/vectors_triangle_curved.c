@@ -125,7 +125,7 @@ static void tri_normal_curvature(row *r)
     row_points(r, "net_q16", LOFT_TRIANGLE_POINTS(n), 3, p);
     if (loft_triangle_init(&t, p, n) != LOFT_OK)
         row_complain(r, "the net was refused");
-    const enum loft_status status = loft_triangle_corner_bend(&t, z, &bend);
+    const enum loft_status status = loft_triangle_corner_curvature_vec(&t, z, &bend);
     if (r->inexact > 0) {
         const long double want = status == LOFT_OK ? bend_of(p, n, z) : 0;
         row_within(r, "kn", fabsl(exact_of(bend) - want) * 65536, ulp(want) * 65536);

@@ -15,12 +15,12 @@
  * The mean of the two is taken where they differ by at most 2 tol times the piece's share of the
  * parameters, so that all pieces together err by at most tol. Elsewhere the piece is halved, along
  * u and v in turn; the difference falls with the square of its width, or with the area where N is
- * null. The pieces are the leaves of a binary tree (basis/pieces.h): every other bit of k is the
+ * null. The pieces are the leaves of a binary tree (basis/dyadic.h): every other bit of k is the
  * side in u, the others that in v.
  */
 #include "surface/tensor/area.h"
-#include "basis/pieces.h"   /* loft_dyad */
-#include "num/exact.h"      /* loft_exact_admits */
+#include "basis/dyadic.h"   /* loft_dyad */
+#include "num/exact.h"      /* loft_exact_valid */
 #include "num/sci.h"        /* loft_sci: areas of any size */
 
 #define MOST ((LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1))
@@ -45,8 +45,8 @@ static void load(patch *x, const loft_tensor *s)
     x->n = s->n;
     for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
         for (int i = 0; i < 3; i++)
-            x->c[k].axis[i] = loft_sci_of(loft_wide(loft_vec_axis(&s->p[k], i)) -
-                                          loft_wide(loft_vec_axis(&s->p[0], i)));
+            x->c[k].axis[i] = loft_sci_of(loft_to_acc(loft_vec_axis(&s->p[k], i)) -
+                                          loft_to_acc(loft_vec_axis(&s->p[0], i)));
 }
 
 /* One half of the curve c[0], c[stride] .. The left half is what the scheme leaves behind at the
@@ -155,7 +155,7 @@ static bool admitted(const loft_tensor *s)
 {
     for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_exact_admits(s->p[k].axis[i]))
+            if (!loft_exact_valid(s->p[k].axis[i]))
                 return false;
     return true;
 }
@@ -187,5 +187,5 @@ enum loft_status loft_tensor_area(const loft_tensor *s, loft_real tol, loft_acc 
             piece = loft_dyad_half(piece, 0);
         }
     } while (loft_dyad_next(&piece));
-    return loft_sci_wide(loft_sci_div(twice, two), out) ? LOFT_OK : LOFT_ERR_RANGE;
+    return loft_sci_to_acc(loft_sci_div(twice, two), out) ? LOFT_OK : LOFT_ERR_RANGE;
 }

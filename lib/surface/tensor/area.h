@@ -12,7 +12,7 @@ LOFT_BEGIN_C
 /* The area over 0..1 x 0..1, in the first three axes; what is covered twice counts twice.
  *
  *   range   tol > 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the area does not fit a loft_acc
- *           (q16: 2^31), in f32 and f64 when loft_exact_admits refuses a coordinate, or when 24
+ *           (q16: 2^31), in f32 and f64 when loft_exact_valid refuses a coordinate, or when 24
  *           halvings of the patch do not prove `tol`, which is then finer than about 2^-18 of the
  *           area: *out is untouched
  *   error   tol, in units squared, and q16: 2^-32 + 2^-48 A   f32, f64: 2^-40 A with A = m n times

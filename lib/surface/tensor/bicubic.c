@@ -20,7 +20,7 @@ static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 static void widen(const loft_vec p[4], int axis, loft_acc e[4])
 {
     for (int b = 0; b < 4; b++)
-        e[b] = loft_wide(p[b].axis[axis]);
+        e[b] = loft_to_acc(p[b].axis[axis]);
 }
 
 enum loft_status loft_bicubic_deriv(const loft_bicubic *b, unsigned j, unsigned k, loft_unit u,
@@ -59,7 +59,7 @@ enum loft_status loft_tensor_from_bicubic(const loft_bicubic *b, loft_vec net[16
                 e[a] = along_v[a][column];
             loft_ends3_bernstein(e, c);
             for (int r = 0; r < 4; r++) {
-                if (!loft_acc_fits(c[r]))
+                if (!loft_acc_valid(c[r]))
                     return LOFT_ERR_RANGE;
                 net[4 * r + column].axis[i] = loft_acc_round(c[r]);
             }
@@ -131,7 +131,7 @@ enum loft_status loft_bicubic_join_init(loft_bicubic_join *j, const loft_bicubic
     j->g1 = proportional(c, a, x, y);
     if (!j->g1)
         return LOFT_OK;
-    if (!loft_exact_quot(y, x, 0, &lambda) || !loft_acc_fits(lambda))
+    if (!loft_exact_quot(y, x, 0, &lambda) || !loft_acc_valid(lambda))
         return LOFT_ERR_RANGE;
     j->lambda = loft_acc_round(lambda);
     return LOFT_OK;

@@ -73,7 +73,7 @@ typedef struct {
  * necessary.
  *
  *   range   any; LOFT_ERR_RANGE: lambda does not fit: the flags are right and lambda is 0; or, in
- *           floats, a coordinate that loft_exact_admits refuses, then all is false and 0. *j is
+ *           floats, a coordinate that loft_exact_valid refuses, then all is false and 0. *j is
  *           always written
  *   error   none in the flags; lambda q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: 1 ulp
  *   cost    8 exact products per axis and one quotient; 1 kB of stack in q16; not for an ISR

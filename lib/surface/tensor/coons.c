@@ -27,7 +27,7 @@ static void bezier_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES])
 
     for (int i = 0; i < LOFT_AXES; i++) {
         for (unsigned k = 0; k <= b->degree; k++)
-            c[k] = loft_wide(b->p[k].axis[i]);
+            c[k] = loft_to_acc(b->p[k].axis[i]);
         out[i] = loft_bernstein_eval(c, b->degree, t);
     }
 }
@@ -35,7 +35,7 @@ static void bezier_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES])
 static void widen(loft_vec p, loft_acc out[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        out[i] = loft_wide(p.axis[i]);
+        out[i] = loft_to_acc(p.axis[i]);
 }
 
 static void rational_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES])
@@ -46,8 +46,8 @@ static void rational_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES
 /* The place of t in a domain: knots may be anything, their distance no coordinate. */
 static loft_real along(const loft_knots *knots, loft_unit t)
 {
-    return loft_acc_round(
-        loft_acc_lerp(loft_wide(knots->k[knots->degree]), loft_wide(knots->k[knots->points]), t));
+    return loft_acc_round(loft_acc_lerp(loft_to_acc(knots->k[knots->degree]),
+                                        loft_to_acc(knots->k[knots->points]), t));
 }
 
 static void bspline_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES])
@@ -97,7 +97,7 @@ enum loft_status loft_coons_init(loft_coons *c, const loft_side u[2], const loft
             u[b].eval(u[b].curve, a ? LOFT_UNIT(1) : 0, corner);
             v[a].eval(v[a].curve, b ? LOFT_UNIT(1) : 0, other);
             for (int i = 0; i < LOFT_AXES; i++)
-                if (!(wide_between(corner[i], other[i]) <= loft_wide(tol)))
+                if (!(wide_between(corner[i], other[i]) <= loft_to_acc(tol)))
                     return LOFT_ERR_ARG;
         }
     *c = made;
@@ -139,7 +139,7 @@ static loft_acc bezier_at(const loft_bezier *b, int axis, unsigned k, loft_unit 
     if (k > b->degree)
         return 0;
     for (unsigned i = 0; i <= b->degree; i++)
-        c[i] = loft_wide(b->p[i].axis[axis]);
+        c[i] = loft_to_acc(b->p[i].axis[axis]);
     for (unsigned d = b->degree; d > b->degree - k; d--) {
         for (unsigned i = 0; i < d; i++)
             c[i] = c[i + 1] - c[i];
@@ -172,9 +172,9 @@ enum loft_status loft_coons_bezier_init(loft_coons_bezier *c, const loft_bezier 
     for (int a = 0; a < 2; a++)
         for (int b = 0; b < 2; b++)
             for (int i = 0; i < LOFT_AXES; i++) {
-                const loft_acc of_u = loft_wide(u[0][b].p[a ? u[0][b].degree : 0].axis[i]);
-                const loft_acc of_v = loft_wide(v[0][a].p[b ? v[0][a].degree : 0].axis[i]);
-                if (!(wide_between(of_u, of_v) <= loft_wide(tol)))
+                const loft_acc of_u = loft_to_acc(u[0][b].p[a ? u[0][b].degree : 0].axis[i]);
+                const loft_acc of_v = loft_to_acc(v[0][a].p[b ? v[0][a].degree : 0].axis[i]);
+                if (!(wide_between(of_u, of_v) <= loft_to_acc(tol)))
                     return LOFT_ERR_ARG;
             }
     for (unsigned k = 0; k < LOFT_COONS_ORDERS; k++)
@@ -193,7 +193,7 @@ bool loft_coons_bezier_meets(const loft_coons_bezier *c, loft_real tol)
             for (int i = 0; i < LOFT_AXES; i++) {
                 const loft_acc x = bezier_end(&c->u[b / 2][b % 2], i, a),
                                y = bezier_end(&c->v[a / 2][a % 2], i, b);
-                if (!(wide_between(x, y) <= loft_wide(tol)))
+                if (!(wide_between(x, y) <= loft_to_acc(tol)))
                     return false;
             }
     return true;
@@ -245,16 +245,16 @@ enum loft_status loft_tensor_from_coons(const loft_coons_bezier *c, loft_vec net
     for (int32_t i = 0; i <= m; i++)
         for (int32_t j = 0; j <= n; j++)
             for (int axis = 0; axis < LOFT_AXES; axis++) {
-                const loft_acc left = n * loft_wide(v[0].p[j].axis[axis]) -
-                                      (n - j) * loft_wide(u[0].p[0].axis[axis]) -
-                                      j * loft_wide(u[1].p[0].axis[axis]);
-                const loft_acc right = n * loft_wide(v[1].p[j].axis[axis]) -
-                                       (n - j) * loft_wide(u[0].p[m].axis[axis]) -
-                                       j * loft_wide(u[1].p[m].axis[axis]);
-                const loft_acc ruled = (n - j) * loft_wide(u[0].p[i].axis[axis]) +
-                                       j * loft_wide(u[1].p[i].axis[axis]);
+                const loft_acc left = n * loft_to_acc(v[0].p[j].axis[axis]) -
+                                      (n - j) * loft_to_acc(u[0].p[0].axis[axis]) -
+                                      j * loft_to_acc(u[1].p[0].axis[axis]);
+                const loft_acc right = n * loft_to_acc(v[1].p[j].axis[axis]) -
+                                       (n - j) * loft_to_acc(u[0].p[m].axis[axis]) -
+                                       j * loft_to_acc(u[1].p[m].axis[axis]);
+                const loft_acc ruled = (n - j) * loft_to_acc(u[0].p[i].axis[axis]) +
+                                       j * loft_to_acc(u[1].p[i].axis[axis]);
                 const loft_acc x = loft_acc_ratio(m * ruled + (m - i) * left + i * right, m * n);
-                if (!loft_acc_fits(x))
+                if (!loft_acc_valid(x))
                     return LOFT_ERR_RANGE;
                 net[i * (n + 1) + j].axis[axis] = loft_acc_round(x);
             }

@@ -19,7 +19,7 @@ static bool accepted(const loft_vec net[], size_t points)
 {
     for (size_t k = 0; k < points; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_walk2_accepts(net[k].axis[i]))
+            if (!loft_walk2_valid(net[k].axis[i]))
                 return false;
     return true;
 }
@@ -66,7 +66,7 @@ static enum loft_status start(loft_grid *g, const loft_vec net[], const loft_wal
     const size_t points = last_of(shape, shape->p) + 1;
     loft_powers powers;
 
-    if (!loft_walk2_admits(shape) || !accepted(net, points))
+    if (!loft_walk2_steps_valid(shape) || !accepted(net, points))
         return LOFT_ERR_RANGE;
     if (count < states * LOFT_AXES)
         return LOFT_ERR_SPACE;

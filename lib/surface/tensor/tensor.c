@@ -8,10 +8,7 @@
  */
 #include "surface/tensor/tensor.h"
 
-static bool inside(loft_unit t)
-{
-    return t >= 0 && t <= LOFT_UNIT(1);
-}
+static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
 static loft_bezier row_of(const loft_tensor *s, unsigned i)
 {
@@ -73,7 +70,7 @@ static loft_acc differences_at(const loft_tensor *s, int axis, unsigned a, unsig
 
     for (unsigned j = 0; j <= s->n; j++) {
         for (unsigned i = 0; i <= s->m; i++)
-            c[i] = loft_wide(s->p[i * (s->n + 1u) + j].axis[axis]);
+            c[i] = loft_to_acc(s->p[i * (s->n + 1u) + j].axis[axis]);
         difference(c, s->m, a);
         row[j] = loft_bernstein_eval(c, s->m - a, u);
     }
@@ -112,11 +109,11 @@ enum loft_status loft_tensor_deriv(const loft_tensor *s, unsigned a, unsigned b,
     if (!inside(u) || !inside(v) || a > LOFT_DEGREE_MAX || b > LOFT_DEGREE_MAX - a)
         return LOFT_ERR_ARG;
     const int32_t factor = falling(s->m, a) * falling(s->n, b);
-    const loft_acc limit = factor ? 2 * loft_acc_ratio(loft_wide(LOFT_REAL_MAX), factor) : 0;
+    const loft_acc limit = factor ? 2 * loft_acc_ratio(loft_to_acc(LOFT_REAL_MAX), factor) : 0;
 
     for (int i = 0; i < LOFT_AXES && factor; i++) {
         const loft_acc d = differences_at(s, i, a, b, u, v);
-        if (!(d >= -limit && d <= limit) || !loft_acc_fits(d * factor))
+        if (!(d >= -limit && d <= limit) || !loft_acc_valid(d * factor))
             return LOFT_ERR_RANGE;
         r.axis[i] = loft_acc_round(d * factor);
     }
@@ -175,14 +172,14 @@ enum loft_status loft_tensor_split_v(const loft_tensor *s, loft_unit t, loft_vec
     return LOFT_OK;
 }
 
-enum loft_status loft_tensor_part_u(const loft_tensor *s, loft_unit from, loft_unit to,
+enum loft_status loft_tensor_sub_u(const loft_tensor *s, loft_unit from, loft_unit to,
                                     loft_vec out[])
 {
     loft_vec copy[LOFT_DEGREE_MAX + 1];
 
     for (unsigned j = 0; j <= s->n; j++) {
         const loft_bezier column = column_of(s, j, copy);
-        const enum loft_status status = loft_bezier_part(&column, from, to, copy);
+        const enum loft_status status = loft_bezier_sub(&column, from, to, copy);
         if (status != LOFT_OK)
             return status;
         set_column(copy, s->m + 1u, j, s->n + 1u, out);
@@ -190,12 +187,12 @@ enum loft_status loft_tensor_part_u(const loft_tensor *s, loft_unit from, loft_u
     return LOFT_OK;
 }
 
-enum loft_status loft_tensor_part_v(const loft_tensor *s, loft_unit from, loft_unit to,
+enum loft_status loft_tensor_sub_v(const loft_tensor *s, loft_unit from, loft_unit to,
                                     loft_vec out[])
 {
     for (unsigned i = 0; i <= s->m; i++) {
         const loft_bezier row = row_of(s, i);
-        const enum loft_status status = loft_bezier_part(&row, from, to,
+        const enum loft_status status = loft_bezier_sub(&row, from, to,
                                                          out + (size_t)i * (s->n + 1u));
         if (status != LOFT_OK)
             return status;
@@ -203,13 +200,13 @@ enum loft_status loft_tensor_part_v(const loft_tensor *s, loft_unit from, loft_u
     return LOFT_OK;
 }
 
-enum loft_status loft_tensor_raise_u(const loft_tensor *s, unsigned times, loft_vec out[])
+enum loft_status loft_tensor_elevate_u(const loft_tensor *s, unsigned times, loft_vec out[])
 {
-    loft_vec copy[LOFT_DEGREE_MAX + 1], line[LOFT_RAISE_MAX + 1];
+    loft_vec copy[LOFT_DEGREE_MAX + 1], line[LOFT_ELEVATE_MAX + 1];
 
     for (unsigned j = 0; j <= s->n; j++) {
         const loft_bezier column = column_of(s, j, copy);
-        const enum loft_status status = loft_bezier_raise(&column, times, line);
+        const enum loft_status status = loft_bezier_elevate(&column, times, line);
         if (status != LOFT_OK)
             return status;
         set_column(line, s->m + times + 1, j, s->n + 1u, out);
@@ -217,11 +214,11 @@ enum loft_status loft_tensor_raise_u(const loft_tensor *s, unsigned times, loft_
     return LOFT_OK;
 }
 
-enum loft_status loft_tensor_raise_v(const loft_tensor *s, unsigned times, loft_vec out[])
+enum loft_status loft_tensor_elevate_v(const loft_tensor *s, unsigned times, loft_vec out[])
 {
     for (unsigned i = 0; i <= s->m; i++) {
         const loft_bezier row = row_of(s, i);
-        const enum loft_status status = loft_bezier_raise(&row, times,
+        const enum loft_status status = loft_bezier_elevate(&row, times,
                                                           out + (size_t)i * (s->n + times + 1));
         if (status != LOFT_OK)
             return status;

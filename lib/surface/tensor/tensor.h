@@ -20,7 +20,7 @@
 #define LOFT_SURFACE_TENSOR_TENSOR_H
 
 #include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
-#include "curve/bezier.h"       /* LOFT_RAISE_MAX */
+#include "curve/bezier.h"       /* LOFT_ELEVATE_MAX */
 #include "geom/vec.h"           /* loft_vec, loft_box */
 
 LOFT_BEGIN_C
@@ -96,24 +96,24 @@ enum loft_status loft_tensor_split_v(const loft_tensor *s, loft_unit t, loft_vec
 /* The net of the piece from..to in u, or in v; from > to gives it reversed, 1 to 0 exactly.
  *
  *   range   both in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when a point does not fit
- *   error   that of loft_bezier_part, per control point
- *   cost    that of loft_bezier_part for each column, or row
+ *   error   that of loft_bezier_sub, per control point
+ *   cost    that of loft_bezier_sub for each column, or row
  */
-enum loft_status loft_tensor_part_u(const loft_tensor *s, loft_unit from, loft_unit to,
+enum loft_status loft_tensor_sub_u(const loft_tensor *s, loft_unit from, loft_unit to,
                                     loft_vec out[]) LOFT_CHECKED;
-enum loft_status loft_tensor_part_v(const loft_tensor *s, loft_unit from, loft_unit to,
+enum loft_status loft_tensor_sub_v(const loft_tensor *s, loft_unit from, loft_unit to,
                                     loft_vec out[]) LOFT_CHECKED;
 
 /* The same patch with the degree in u, or in v, higher by `times`. `out` must not overlap the net.
  *
  *   shape   (m + times + 1) (n + 1), or (m + 1) (n + times + 1), points
- *   range   the degree + times <= LOFT_RAISE_MAX, otherwise LOFT_ERR_ARG
- *   error   that of loft_bezier_raise, per control point
- *   cost    that of loft_bezier_raise for each column, or row
+ *   range   the degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
+ *   error   that of loft_bezier_elevate, per control point
+ *   cost    that of loft_bezier_elevate for each column, or row
  */
-enum loft_status loft_tensor_raise_u(const loft_tensor *s, unsigned times,
+enum loft_status loft_tensor_elevate_u(const loft_tensor *s, unsigned times,
                                      loft_vec out[]) LOFT_CHECKED;
-enum loft_status loft_tensor_raise_v(const loft_tensor *s, unsigned times,
+enum loft_status loft_tensor_elevate_v(const loft_tensor *s, unsigned times,
                                      loft_vec out[]) LOFT_CHECKED;
 
 /* The net with u and v exchanged: (n + 1) (m + 1) points. `out` must not overlap the net.

@@ -21,7 +21,7 @@
  * coefficient of A x T after L halvings is below 2^(2e + 1 + (2n - 1)(L + 1)).
  */
 #include "surface/tensor/tensor_join.h"
-#include "basis/pieces.h"       /* loft_dyad: the pieces of the edge */
+#include "basis/dyadic.h"       /* loft_dyad: the pieces of the edge */
 #include "geom/vec_exact.h"     /* loft_exact: no decision depends on rounding */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
@@ -166,7 +166,7 @@ static bool admitted(const loft_tensor *s)
 {
     for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_exact_admits(s->p[k].axis[i]))
+            if (!loft_exact_valid(s->p[k].axis[i]))
                 return false;
     return true;
 }

@@ -13,7 +13,7 @@
  *     if (loft_tensor_join_init(&j, &first, &second) == LOFT_OK && j.g1)
  *         ...                                         // no crease
  *
- * Other edges: loft_tensor_transpose and loft_tensor_part_u (1 to 0 reverses) bring them here.
+ * Other edges: loft_tensor_transpose and loft_tensor_sub_u (1 to 0 reverses) bring them here.
  */
 #ifndef LOFT_SURFACE_TENSOR_TENSOR_JOIN_H
 #define LOFT_SURFACE_TENSOR_TENSOR_JOIN_H
@@ -29,7 +29,8 @@ typedef struct {
 /* Decide how Q goes on from P. Normals are those in the first three axes.
  *
  *   range   degrees of at least 1 in u and the same degree n in v, otherwise LOFT_ERR_ARG;
- *           f32, f64: coordinates that loft_exact_admits, otherwise LOFT_ERR_RANGE. All is false then
+ *           f32, f64: coordinates that loft_exact_valid, otherwise LOFT_ERR_RANGE. All is false
+ *           then
  *   error   none: the flags are decided on the coordinates as they are. One exception: normals that
  *           cannot be told from null on a piece of the edge 2^-L long, with L = 24 for n <= 7, 23
  *           for n = 8 and 20 for n = 9 (q16; floats 24), count as null: G1 is false then

@@ -6,8 +6,8 @@
  * (m + n) 2^-33, the quotient therefore by (m + n) R 2^-30 LSB.
  */
 #include "surface/tensor/tensor_rational.h"
-#include "num/deep.h"           /* loft_acc_project */
-#include "surface/local.h"      /* the derivatives */
+#include "num/acc128.h"           /* loft_acc_project */
+#include "surface/differential.h"      /* the derivatives */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 #define WEIGHTS (-1)            /* in place of an axis */
@@ -58,7 +58,7 @@ enum loft_status loft_tensor_rational_init(loft_tensor_rational *s, const loft_w
 static loft_acc coefficient(const loft_tensor_rational *s, const loft_weighted *p, int axis)
 {
     const loft_real w = p->w * (loft_real)s->scale;
-    return axis == WEIGHTS ? loft_wide(w) * LOFT_PROJECT : loft_prod(p->p.axis[axis], w);
+    return axis == WEIGHTS ? loft_to_acc(w) * LOFT_PROJECT : loft_prod(p->p.axis[axis], w);
 }
 
 static loft_acc polynomial(const loft_tensor_rational *s, int axis, loft_unit u, loft_unit v)
@@ -90,7 +90,7 @@ static bool take(const loft_sci x[LOFT_AXES], loft_vec *out)
     loft_acc wide[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_sci_wide(x[i], &wide[i]))
+        if (!loft_sci_to_acc(x[i], &wide[i]))
             return false;
     return loft_vec_round(wide, out);
 }
@@ -98,10 +98,10 @@ static bool take(const loft_sci x[LOFT_AXES], loft_vec *out)
 enum loft_status loft_tensor_rational_deriv(const loft_tensor_rational *s, loft_unit u, loft_unit v,
                                             loft_vec *by_u, loft_vec *by_v)
 {
-    loft_local at;
+    loft_differential at;
     loft_vec one, two;
 
-    const enum loft_status status = loft_tensor_rational_local(s, u, v, &at);
+    const enum loft_status status = loft_tensor_rational_differential(s, u, v, &at);
     if (status != LOFT_OK)
         return status;
     if (!take(at.u, &one) || !take(at.v, &two))
@@ -144,14 +144,14 @@ enum loft_status loft_tensor_rational_split_v(const loft_tensor_rational *s, lof
     return LOFT_OK;
 }
 
-enum loft_status loft_tensor_rational_raise_u(const loft_tensor_rational *s, unsigned times,
+enum loft_status loft_tensor_rational_elevate_u(const loft_tensor_rational *s, unsigned times,
                                               loft_weighted out[])
 {
-    loft_weighted copy[POINTS], line[LOFT_RAISE_MAX + 1];
+    loft_weighted copy[POINTS], line[LOFT_ELEVATE_MAX + 1];
 
     for (unsigned j = 0; j <= s->n; j++) {
         const loft_rational column = column_of(s, j, copy);
-        const enum loft_status status = loft_rational_raise(&column, times, line);
+        const enum loft_status status = loft_rational_elevate(&column, times, line);
         if (status != LOFT_OK)
             return status;
         set_column(line, s->m + times + 1, j, s->n + 1u, out);
@@ -159,12 +159,12 @@ enum loft_status loft_tensor_rational_raise_u(const loft_tensor_rational *s, uns
     return LOFT_OK;
 }
 
-enum loft_status loft_tensor_rational_raise_v(const loft_tensor_rational *s, unsigned times,
+enum loft_status loft_tensor_rational_elevate_v(const loft_tensor_rational *s, unsigned times,
                                               loft_weighted out[])
 {
     for (unsigned i = 0; i <= s->m; i++) {
         const loft_rational row = row_of(s, i);
-        const enum loft_status status = loft_rational_raise(&row, times,
+        const enum loft_status status = loft_rational_elevate(&row, times,
                                                             out + (size_t)i * (s->n + times + 1));
         if (status != LOFT_OK)
             return status;

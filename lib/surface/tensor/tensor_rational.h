@@ -15,7 +15,7 @@
 #ifndef LOFT_SURFACE_TENSOR_TENSOR_RATIONAL_H
 #define LOFT_SURFACE_TENSOR_TENSOR_RATIONAL_H
 
-#include "curve/rational.h"     /* loft_weighted, LOFT_RAISE_MAX */
+#include "curve/rational.h"     /* loft_weighted, LOFT_ELEVATE_MAX */
 #include "geom/vec.h"           /* loft_vec, loft_box */
 
 LOFT_BEGIN_C
@@ -55,7 +55,7 @@ loft_vec loft_tensor_rational_eval(const loft_tensor_rational *s, loft_unit u, l
  *           2^100 and more in size; nothing is written then
  *   error   with d the larger degree, q16: 1/2 LSB + d (m + n) R * 2^-26 LSB
  *           f32, f64: 1/2 ulp of the result + 32 d (m + n + 1) R ulp of double
- *   cost    that of loft_tensor_rational_local (surface/local.h)
+ *   cost    that of loft_tensor_rational_differential (surface/differential.h)
  */
 enum loft_status loft_tensor_rational_deriv(const loft_tensor_rational *s, loft_unit u, loft_unit v,
                                             loft_vec *by_u, loft_vec *by_v) LOFT_CHECKED;
@@ -82,13 +82,13 @@ enum loft_status loft_tensor_rational_split_v(const loft_tensor_rational *s, lof
 
 /* The same patch with the degree in u, or in v, higher by `times`. `out` must not overlap the net.
  *
- *   range   the degree + times <= LOFT_RAISE_MAX, otherwise LOFT_ERR_ARG
- *   error   that of loft_rational_raise, per control point
- *   cost    that of loft_rational_raise for each column, or row
+ *   range   the degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
+ *   error   that of loft_rational_elevate, per control point
+ *   cost    that of loft_rational_elevate for each column, or row
  */
-enum loft_status loft_tensor_rational_raise_u(const loft_tensor_rational *s, unsigned times,
+enum loft_status loft_tensor_rational_elevate_u(const loft_tensor_rational *s, unsigned times,
                                               loft_weighted out[]) LOFT_CHECKED;
-enum loft_status loft_tensor_rational_raise_v(const loft_tensor_rational *s, unsigned times,
+enum loft_status loft_tensor_rational_elevate_v(const loft_tensor_rational *s, unsigned times,
                                               loft_weighted out[]) LOFT_CHECKED;
 
 /* The box of the net. The patch over 0..1 x 0..1 lies inside, rounded or not (f64: but for the

@@ -16,7 +16,7 @@ static void widen(const loft_triangle *t, int axis, loft_acc c[])
     const unsigned count = LOFT_TRIANGLE_POINTS(t->degree);
 
     for (unsigned k = 0; k < count; k++)
-        c[k] = loft_wide(t->p[k].axis[axis]);
+        c[k] = loft_to_acc(t->p[k].axis[axis]);
 }
 
 /* `times` rows of a net of that degree. */
@@ -28,7 +28,7 @@ static void step(loft_acc c[], unsigned degree, unsigned times, loft_bary u)
 
 static bool grows(const loft_triangle *t, loft_bary a, loft_bary b)
 {
-    loft_acc product = loft_wide(LOFT_REAL(1)), other = product;
+    loft_acc product = loft_to_acc(LOFT_REAL(1)), other = product;
 
     return loft_bary_grows(a, false, t->degree, &product) &&
            loft_bary_grows(b, false, t->degree, &other);
@@ -63,7 +63,7 @@ loft_vec loft_triangle_eval(const loft_triangle *t, loft_bary u)
     return v;
 }
 
-enum loft_status loft_triangle_extend(const loft_triangle *t, loft_bary u, loft_vec *out)
+enum loft_status loft_triangle_extrapolate(const loft_triangle *t, loft_bary u, loft_vec *out)
 {
     return loft_triangle_polar(t, 0, u, u, out);
 }
@@ -71,7 +71,7 @@ enum loft_status loft_triangle_extend(const loft_triangle *t, loft_bary u, loft_
 enum loft_status loft_triangle_polar(const loft_triangle *t, unsigned times, loft_bary a,
                                      loft_bary u, loft_vec *out)
 {
-    loft_acc c[MOST], product = loft_wide(LOFT_REAL(1)), x[LOFT_AXES];
+    loft_acc c[MOST], product = loft_to_acc(LOFT_REAL(1)), x[LOFT_AXES];
 
     if (times > t->degree)
         return LOFT_ERR_ARG;
@@ -99,7 +99,7 @@ static void three(const loft_triangle *t, loft_bary u, int axis, loft_acc x[3])
 
 enum loft_status loft_triangle_tangent(const loft_triangle *t, loft_bary u, loft_vec out[3])
 {
-    loft_acc product = loft_wide(LOFT_REAL(1)), x[3];
+    loft_acc product = loft_to_acc(LOFT_REAL(1)), x[3];
     loft_vec v[3];
 
     if (t->degree == 0)
@@ -138,7 +138,7 @@ enum loft_status loft_triangle_normal(const loft_triangle *t, loft_bary u, loft_
 enum loft_status loft_triangle_deriv(const loft_triangle *t, unsigned r, loft_bary z, loft_bary u,
                                      loft_vec *out)
 {
-    loft_acc c[MOST], product = loft_wide(LOFT_REAL(1)), x[LOFT_AXES];
+    loft_acc c[MOST], product = loft_to_acc(LOFT_REAL(1)), x[LOFT_AXES];
     const unsigned n = t->degree;
     int32_t factor = 1;
 
@@ -150,7 +150,7 @@ enum loft_status loft_triangle_deriv(const loft_triangle *t, unsigned r, loft_ba
         return LOFT_ERR_RANGE;
     for (unsigned j = 0; j < r; j++)
         factor *= (int32_t)(n - j);
-    const loft_acc limit = 2 * loft_acc_ratio(loft_wide(LOFT_REAL_MAX), factor);
+    const loft_acc limit = 2 * loft_acc_ratio(loft_to_acc(LOFT_REAL_MAX), factor);
     for (int i = 0; i < LOFT_AXES; i++) {
         widen(t, i, c);
         for (unsigned m = n; m > n - r; m--)

@@ -60,7 +60,7 @@ loft_vec loft_triangle_eval(const loft_triangle *t, loft_bary u);
  *           f32: 1/2 ulp of the result + 1/2 ulp   f64: 3 * degree * L^degree ulp
  *   cost    as eval
  */
-enum loft_status loft_triangle_extend(const loft_triangle *t, loft_bary u,
+enum loft_status loft_triangle_extrapolate(const loft_triangle *t, loft_bary u,
                                       loft_vec *out) LOFT_CHECKED;
 
 /* The three points of the last row but one, which span the tangent plane at u and of which u, v, w

@@ -68,7 +68,8 @@ static enum loft_status check(const loft_triangle *t, loft_bary z)
     return loft_vec_exact_valid(t->p, t->degree > 1 ? 6 : 3, SPACE) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
-enum loft_status loft_triangle_corner_bend(const loft_triangle *t, loft_bary z, loft_real *out)
+enum loft_status loft_triangle_corner_curvature_vec(const loft_triangle *t, loft_bary z,
+                                                    loft_real *out)
 {
     const enum loft_status status = check(t, z);
     loft_exact p[SPACE], q[SPACE], e[SPACE], f[SPACE], m[SPACE], b[6];
@@ -86,7 +87,9 @@ enum loft_status loft_triangle_corner_bend(const loft_triangle *t, loft_bary z, 
     if (loft_exact_sign(speed) == 0 || loft_exact_sign(size) == 0)
         return LOFT_SINGULAR;
     const int32_t n = t->degree;
-    const loft_exact above = loft_exact_mul(loft_exact_from_int(n - 1), loft_vec_exact_dot(q, m, SPACE));
+    const loft_exact above = loft_exact_mul(loft_exact_from_int(n - 1),
+                                            loft_vec_exact_dot(q, m, SPACE));
     const loft_exact below = loft_exact_mul(loft_exact_from_int(n), loft_exact_mul(size, speed));
-    return loft_exact_quot_real(above, below, LOFT_EXACT_REAL + shift, out) ? LOFT_OK : LOFT_ERR_RANGE;
+    return loft_exact_quot_real(above, below, LOFT_EXACT_REAL + shift, out) ? LOFT_OK
+                                                                            : LOFT_ERR_RANGE;
 }

@@ -13,14 +13,14 @@ LOFT_BEGIN_C
  * the unit normal N, in the first three axes. Split or part a triangle to have it elsewhere.
  *
  *   range   degree >= 1, otherwise LOFT_ERR_ARG; |v|, |w| < 127 of z, coordinates that
- *           loft_exact_admits, and a curvature that fits, otherwise LOFT_ERR_RANGE; LOFT_SINGULAR,
+ *           loft_exact_valid, and a curvature that fits, otherwise LOFT_ERR_RANGE; LOFT_SINGULAR,
  *           decided exactly, where there is no normal or S' is 0, and for fewer than three axes;
  *           *out is untouched then
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 1/2 ulp   f64: 1 ulp
  *   cost    about 60 exact products, a root and a quotient; 4 kB of stack in q16; not for an ISR
  *   see     do Carmo, Differential Geometry of Curves and Surfaces, 3-2
  */
-enum loft_status loft_triangle_corner_bend(const loft_triangle *t, loft_bary z,
+enum loft_status loft_triangle_corner_curvature_vec(const loft_triangle *t, loft_bary z,
                                            loft_real *out) LOFT_CHECKED;
 
 LOFT_END_C

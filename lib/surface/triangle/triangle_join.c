@@ -73,14 +73,14 @@ static bool extend_axis(const loft_triangle *t, int axis, unsigned order, const 
             const int shift = -LOFT_EXACT_REAL - (int)i * LOFT_EXACT_UNIT;
             loft_acc y;
             if (!loft_exact_quot(beyond(t, axis, i, k, x), loft_exact_from_int(1), shift, &y) ||
-                !loft_acc_fits(y))
+                !loft_acc_valid(y))
                 return false;
             out->axis[axis] = loft_acc_round(y);
         }
     return true;
 }
 
-enum loft_status loft_triangle_join_extend(const loft_triangle *t, loft_bary star, unsigned order,
+enum loft_status loft_triangle_join_continue(const loft_triangle *t, loft_bary star, unsigned order,
                                            loft_vec out[])
 {
     weights x;

@@ -7,7 +7,7 @@
  * degree and the order of barycentric.h, so that their points with i = 0 lie on the common edge.
  * Everything is exact in whole numbers (num/exact.h).
  *
- *   range   coordinates that loft_exact_admits: any in q16, multiples of 2^-108 below 2^20 in f32
+ *   range   coordinates that loft_exact_valid: any in q16, multiples of 2^-108 below 2^20 in f32
  *           and f64, otherwise LOFT_ERR_RANGE
  *   cost    2 kB of stack in q16; not for an ISR
  *   see     Farin, Curves and Surfaces for CAGD, ch. 17: Cr conditions; Chang, Mathematics of
@@ -32,7 +32,7 @@ LOFT_BEGIN_C
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1/2 ulp   f64: 1 ulp, of the result
  *   cost    (i + 1) (i + 2) exact products and a quotient for each coordinate of row i
  */
-enum loft_status loft_triangle_join_extend(const loft_triangle *t, loft_bary star, unsigned order,
+enum loft_status loft_triangle_join_continue(const loft_triangle *t, loft_bary star, unsigned order,
                                            loft_vec out[]) LOFT_CHECKED;
 
 /* The largest r for which all derivatives up to r agree along the edge; -1 when the edges differ.

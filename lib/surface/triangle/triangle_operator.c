@@ -53,7 +53,7 @@ static enum loft_status iterate(const loft_real f[], unsigned *n, uint32_t times
     for (unsigned p = 0; p < LOFT_TRIANGLE_POINTS(*n); p++) {
         if (!loft_real_valid(f[p]))
             return LOFT_ERR_RANGE;
-        g[p] = loft_wide(f[p]);
+        g[p] = loft_to_acc(f[p]);
     }
     if (times > TIMES_MAX) {                        /* the limit: a polynomial of degree 1 */
         g[1] = g[loft_triangle_place(*n, 0)];
@@ -79,10 +79,10 @@ enum loft_status loft_triangle_iterate(const loft_real f[], unsigned n, uint32_t
 
 /* What the samples err by, at most s 2^-33, the n rows multiply by L^n. After 512 rounds what is
  * left of f beside the plane is multiplied by at most 2^14.3. */
-enum loft_status loft_triangle_iterate_extend(const loft_real f[], unsigned n, uint32_t times,
+enum loft_status loft_triangle_iterate_extrapolate(const loft_real f[], unsigned n, uint32_t times,
                                               loft_bary u, loft_real *value)
 {
-    loft_acc g[MOST], product = loft_wide(LOFT_REAL(1));
+    loft_acc g[MOST], product = loft_to_acc(LOFT_REAL(1));
 
     const enum loft_status status = iterate(f, &n, times, g);
     if (status != LOFT_OK)
@@ -90,7 +90,7 @@ enum loft_status loft_triangle_iterate_extend(const loft_real f[], unsigned n, u
     if (!loft_bary_grows(u, false, n, &product))
         return LOFT_ERR_RANGE;
     const loft_acc x = loft_bary_eval(g, n, u);
-    if (!loft_acc_fits(x))
+    if (!loft_acc_valid(x))
         return LOFT_ERR_RANGE;
     *value = loft_acc_round(x);
     return LOFT_OK;

@@ -1,14 +1,15 @@
 /* lib/surface/triangle/triangle_operator.h -- Bernstein's operator over a triangle, again and again
  * SPDX-License-Identifier: MIT
  *
- * As basis/operator.h over an interval: a function on a triangle is replaced by the polynomial of
+ * As basis/bernstein_operator.h over an interval: a function on a triangle is replaced by the
+ * polynomial of
  * its samples at the nodes (i/n, j/n, k/n). The corners stay, everything else is averaged, and what
  * remains is the plane through them.
  */
 #ifndef LOFT_SURFACE_TRIANGLE_TRIANGLE_OPERATOR_H
 #define LOFT_SURFACE_TRIANGLE_TRIANGLE_OPERATOR_H
 
-#include "basis/operator.h"         /* LOFT_FOREVER */
+#include "basis/bernstein_operator.h"         /* LOFT_FOREVER */
 #include "surface/barycentric.h"    /* loft_bary */
 
 LOFT_BEGIN_C
@@ -38,7 +39,7 @@ enum loft_status loft_triangle_iterate(const loft_real f[], unsigned n, uint32_t
  *           f32: 1/2 ulp of the result + 1/2 ulp   f64: 4 (n + s) L^n ulp, of the largest sample
  *   cost    as iterate
  */
-enum loft_status loft_triangle_iterate_extend(const loft_real f[], unsigned n, uint32_t times,
+enum loft_status loft_triangle_iterate_extrapolate(const loft_real f[], unsigned n, uint32_t times,
                                               loft_bary u, loft_real *value) LOFT_CHECKED;
 
 LOFT_END_C

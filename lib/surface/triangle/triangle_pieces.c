@@ -11,12 +11,12 @@
 static void widen(const loft_vec p[], unsigned count, int axis, loft_acc c[])
 {
     for (unsigned k = 0; k < count; k++)
-        c[k] = loft_wide(p[k].axis[axis]);
+        c[k] = loft_to_acc(p[k].axis[axis]);
 }
 
 static bool take(loft_acc x, loft_real *out)
 {
-    if (!loft_acc_fits(x))
+    if (!loft_acc_valid(x))
         return false;
     *out = loft_acc_round(x);
     return true;
@@ -50,7 +50,7 @@ enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_v
                                      loft_vec b[], loft_vec c[])
 {
     const unsigned n = t->degree;
-    loft_acc x[MOST], product = loft_wide(LOFT_REAL(1));
+    loft_acc x[MOST], product = loft_to_acc(LOFT_REAL(1));
 
     if (!loft_bary_grows(u, false, n, &product))
         return LOFT_ERR_RANGE;
@@ -132,10 +132,10 @@ static enum loft_status reshape_all(const loft_triangle *t, const corner at[3], 
 
 enum loft_status loft_triangle_quarter(const loft_triangle *t, unsigned part, loft_vec out[])
 {
-    static const uint8_t ends[4][3][2] = {
-        { { 0, 0 }, { 0, 1 }, { 0, 2 } }, { { 0, 1 }, { 1, 1 }, { 1, 2 } },
-        { { 0, 2 }, { 1, 2 }, { 2, 2 } }, { { 1, 2 }, { 0, 2 }, { 0, 1 } }
-    };
+    static const uint8_t ends[4][3][2] = { { { 0, 0 }, { 0, 1 }, { 0, 2 } },
+                                           { { 0, 1 }, { 1, 1 }, { 1, 2 } },
+                                           { { 0, 2 }, { 1, 2 }, { 2, 2 } },
+                                           { { 1, 2 }, { 0, 2 }, { 0, 1 } } };
     corner at[3] = { { { 0, 0 }, { 0, 0 } }, { { 0, 0 }, { 0, 0 } }, { { 0, 0 }, { 0, 0 } } };
 
     if (part > 3)
@@ -146,12 +146,12 @@ enum loft_status loft_triangle_quarter(const loft_triangle *t, unsigned part, lo
     return reshape_all(t, at, halve_row, out);
 }
 
-enum loft_status loft_triangle_part(const loft_triangle *t, const loft_bary at[3], loft_vec out[])
+enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary at[3], loft_vec out[])
 {
     corner corners[3];
 
     for (int k = 0; k < 3; k++) {
-        loft_acc product = loft_wide(LOFT_REAL(1));
+        loft_acc product = loft_to_acc(LOFT_REAL(1));
         if (!loft_bary_grows(at[k], false, t->degree, &product))
             return LOFT_ERR_RANGE;
         corners[k].u = at[k];
@@ -176,12 +176,12 @@ static loft_acc raised(const loft_acc c[], unsigned n, unsigned i, unsigned j, u
     return loft_acc_ratio(sum, loft_binomial(i + j + k, n));
 }
 
-enum loft_status loft_triangle_raise(const loft_triangle *t, unsigned times, loft_vec out[])
+enum loft_status loft_triangle_elevate(const loft_triangle *t, unsigned times, loft_vec out[])
 {
     const unsigned n = t->degree, most = n + times;
     loft_acc c[MOST];
 
-    if (times > LOFT_RAISE_MAX - n)
+    if (times > LOFT_ELEVATE_MAX - n)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         widen(t->p, LOFT_TRIANGLE_POINTS(n), axis, c);

@@ -9,7 +9,7 @@
 #ifndef LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
 #define LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
 
-#include "curve/bezier.h"           /* LOFT_RAISE_MAX */
+#include "curve/bezier.h"           /* LOFT_ELEVATE_MAX */
 #include "surface/triangle/triangle.h"       /* loft_triangle */
 
 LOFT_BEGIN_C
@@ -17,7 +17,7 @@ LOFT_BEGIN_C
 /* The three triangles around the point u: (u, T2, T3), (T1, u, T3) and (T1, T2, u).
  *
  *   range   LOFT_ERR_RANGE when a control point does not fit or the law of triangle.h is not kept
- *   error   as loft_triangle_extend
+ *   error   as loft_triangle_extrapolate
  *   cost    as loft_triangle_eval; 500 bytes of stack
  *   see     Farin, Curves and Surfaces for CAGD, ch. 17: subdivision at a point
  */
@@ -41,24 +41,24 @@ enum loft_status loft_triangle_quarter(const loft_triangle *t, unsigned part,
 /* The part over any other triangle, given by its corners: b[corner0^i, corner1^j, corner2^k].
  *
  *   range   LOFT_ERR_RANGE when a control point does not fit or the law of triangle.h is not kept
- *   error   as loft_triangle_extend with the largest L
+ *   error   as loft_triangle_extrapolate with the largest L
  *   cost    (degree + 1) (degree + 2) (degree + 3) (degree + 8) / 24 blends at most; 1.4 kB of
  *           stack
  *   see     Ramshaw, blossoming
  */
-enum loft_status loft_triangle_part(const loft_triangle *t, const loft_bary corner[3],
+enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary corner[3],
                                     loft_vec out[]) LOFT_CHECKED;
 
 /* The same surface with a degree higher by `times`: LOFT_TRIANGLE_POINTS(degree + times) control
  * points.
  *
- *   range   degree + times <= LOFT_RAISE_MAX, otherwise LOFT_ERR_ARG
+ *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree + 3 ulp
  *   cost    at most as many small products and one division for each control point of the result as
  *           the net has points; 450 bytes of stack
  *   see     Farin, ch. 17: degree elevation
  */
-enum loft_status loft_triangle_raise(const loft_triangle *t, unsigned times,
+enum loft_status loft_triangle_elevate(const loft_triangle *t, unsigned times,
                                      loft_vec out[]) LOFT_CHECKED;
 
 /* The control points of the surface sum a_pr v^p w^r in the coordinates of a loft_bary, the shares

@@ -6,7 +6,7 @@
  * triangle, each row rounds them by 2^-33, and the quotient errs by n R 2^-30 LSB.
  */
 #include "surface/triangle/triangle_rational.h"
-#include "num/deep.h"               /* loft_acc_project */
+#include "num/acc128.h"               /* loft_acc_project */
 #include "num/sci.h"                /* loft_sci: derivatives */
 
 #define MOST LOFT_TRIANGLE_MOST
@@ -32,7 +32,7 @@ static loft_acc denominator(const loft_triangle_rational *t, loft_bary u)
     loft_acc c[MOST];
 
     for (unsigned k = 0; k < LOFT_TRIANGLE_POINTS(degree); k++)
-        c[k] = loft_wide(t->p[k].w * (loft_real)t->scale) * LOFT_PROJECT;
+        c[k] = loft_to_acc(t->p[k].w * (loft_real)t->scale) * LOFT_PROJECT;
     return loft_bary_eval(c, degree, u);
 }
 
@@ -126,7 +126,7 @@ enum loft_status loft_triangle_rational_deriv(const loft_triangle_rational *t, l
             three(t, i, &at, x);
             const loft_sci rise = loft_sci_mul(blend(x[0], x[1], x[2], &toward), sum);
             const loft_sci fall = loft_sci_mul(blend(x[0], x[1], x[2], &at), slope);
-            if (!loft_sci_wide(loft_sci_mul(factor, loft_sci_sub(rise, fall)), &d[i]))
+            if (!loft_sci_to_acc(loft_sci_mul(factor, loft_sci_sub(rise, fall)), &d[i]))
                 return LOFT_ERR_RANGE;
         }
     }

@@ -10,7 +10,7 @@
 static bool admits_all(const loft_real b[], unsigned count)
 {
     for (unsigned k = 0; k < count; k++)
-        if (!loft_exact_admits(b[k]))
+        if (!loft_exact_valid(b[k]))
             return false;
     return true;
 }
@@ -31,10 +31,7 @@ typedef struct {
 } form;
 
 /* x + y sqrt(z), given s, the sign of x^2 - y^2 z */
-static int surd(int x, int y, int s)
-{
-    return x == y ? x : x == 0 ? y : y == 0 ? x : x * s;
-}
+static int surd(int x, int y, int s) { return x == y ? x : x == 0 ? y : y == 0 ? x : x * s; }
 
 /* a + sqrt(B C) */
 static int edge_sign(loft_exact a, loft_exact b, loft_exact c)
@@ -145,7 +142,7 @@ enum loft_status loft_triangle_wang_liu(const loft_real b[], unsigned degree, bo
 
         all = all && loft_exact_sign(sum) >= 0;
         sums[corner] = 0;
-        if (loft_exact_quot(sum, loft_exact_from_int(1), -LOFT_EXACT_REAL, &x) && loft_acc_fits(x))
+        if (loft_exact_quot(sum, loft_exact_from_int(1), -LOFT_EXACT_REAL, &x) && loft_acc_valid(x))
             sums[corner] = loft_acc_round(x);
         else
             status = LOFT_ERR_RANGE;

@@ -5,7 +5,7 @@
  * A polynomial of degree n over a triangle has coefficients b_ijk, i + j + k = n, listed with i
  * descending, then j descending: 200 110 101 020 011 002. Every decision is a sign of whole numbers
  * (num/exact.h), that of the coefficients as given. In f32 and f64 they must be what
- * loft_exact_admits, otherwise LOFT_ERR_RANGE; nothing is written then.
+ * loft_exact_valid, otherwise LOFT_ERR_RANGE; nothing is written then.
  *
  *     loft_net_convexity c;
  *     if (loft_triangle_convex(height, 3, &c) == LOFT_OK && c.weak)   // no dent in a cubic

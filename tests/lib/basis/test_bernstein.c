@@ -26,7 +26,7 @@ static sample arb_sample(arb *a)
         s.x[k] = kind == 0 ? (loft_real)(k & 1 ? BY_NUM(INT32_MAX, 32767, 32767)
                                                : BY_NUM(INT32_MIN, -32768, -32768))
                            : arb_real(a, (int32_t)limit);
-        s.c[k] = loft_wide(s.x[k]);
+        s.c[k] = loft_to_acc(s.x[k]);
         s.exact[k] = exact_of(s.x[k]);
         s.largest = fmaxl(s.largest, fabsl(s.exact[k]));
     }
@@ -88,8 +88,8 @@ static void the_law_of_extrapolation_holds(arb *a)
     const loft_unit t = arb_extended(a);
     const long double x = exact_unit(t);
 
-    check_acc(loft_bernstein_eval(s.c, s.n, t), exact_eval(s.exact, s.n, x),
-              growth_sum(x, s.n), s.largest * powl(growth(x), s.n), 3 * s.n);
+    check_acc(loft_bernstein_eval(s.c, s.n, t), exact_eval(s.exact, s.n, x), growth_sum(x, s.n),
+              s.largest * powl(growth(x), s.n), 3 * s.n);
 }
 
 static void a_step_is_one_row_of_the_scheme(arb *a)
@@ -111,8 +111,8 @@ static void a_value_at_a_fraction_knows_the_fraction_exactly(arb *a)
                    j = arb_below(a, 2 * n + 1);
     const long double x = (long double)j / n;
 
-    check_acc(loft_bernstein_at(s.c, s.n, j, n), exact_eval(s.exact, s.n, x),
-              growth_sum(x, s.n), s.largest * powl(growth(x), s.n), 4 * s.n);
+    check_acc(loft_bernstein_at(s.c, s.n, j, n), exact_eval(s.exact, s.n, x), growth_sum(x, s.n),
+              s.largest * powl(growth(x), s.n), 4 * s.n);
     CHECK_EXACT(exact_acc(loft_bernstein_at(ends.c, s.n, 0, n)), s.exact[0], 0);
     CHECK_EXACT(exact_acc(loft_bernstein_at(last.c, s.n, n, n)), s.exact[s.n], 0);
 }

@@ -184,7 +184,7 @@ static ends arb_ends(arb *a)
     const int32_t limit = (int32_t)1 << arb_below(a, 15);
 
     for (unsigned k = 0; k < s.n + 1; k++) {
-        s.e[k] = loft_wide(arb_real(a, limit)) * (s.n == 3 ? 64 : 2);
+        s.e[k] = loft_to_acc(arb_real(a, limit)) * (s.n == 3 ? 64 : 2);
         x[k] = exact_acc(s.e[k]);
         s.largest = fmaxl(s.largest, fabsl(x[k]));
     }
@@ -205,8 +205,10 @@ static void coefficients_are_what_the_ends_ask_for(arb *a)
     const ends s = arb_ends(a);
     loft_acc c[6];
 
-    if (s.n == 3) loft_ends3_bernstein(s.e, c);
-    else          loft_ends5_bernstein(s.e, c);
+    if (s.n == 3)
+        loft_ends3_bernstein(s.e, c);
+    else
+        loft_ends5_bernstein(s.e, c);
     for (unsigned k = 0; k <= s.n; k++)
         CHECK_EXACT(exact_acc(c[k]), s.c[k],
                     BY_NUM(k == 0 || k == s.n ? 0 : 0x1p-33L + s.largest * 0x1p-62L,

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "support/splines.h"            /* arb_grid, exact_weights */
-#include "num/deep.h"           /* loft_acc_rate */
+#include "num/acc128.h"           /* loft_acc_rate */
 
 static grid *started(arb *a)
 {
@@ -92,7 +92,7 @@ static void a_value_of_one_coefficient_is_its_weight(arb *a)
     loft_acc c[POINTS] = { 0 };
     long double n[KNOTS_MOST];
 
-    c[j] = loft_wide(LOFT_REAL(1));
+    c[j] = loft_to_acc(LOFT_REAL(1));
     exact_weights(g, g->p, s, exact_of(u), n);
     const loft_acc y = loft_knots_eval(&g->knots, s, u, c);
     CHECK_EXACT(exact_acc(y), n[s - g->p + j],
@@ -152,8 +152,8 @@ static void a_rate_is_the_nearest_coordinate_or_refused(arb *a)
     sort(k, 2);
     if (!(k[0] < k[1]))
         return;
-    const bool fits = loft_acc_rate((loft_wide(p) - loft_wide(q)) * times,
-                                    loft_wide(k[1]) - loft_wide(k[0]), &rate);
+    const bool fits = loft_acc_rate((loft_to_acc(p) - loft_to_acc(q)) * times,
+                                    loft_to_acc(k[1]) - loft_to_acc(k[0]), &rate);
     const long double want = (exact_of(p) - exact_of(q)) * times /
                              (exact_of(k[1]) - exact_of(k[0]));
     CHECK(fits || (!(rate < untouched) && !(rate > untouched)));
@@ -174,7 +174,7 @@ static void a_knot_is_inserted_in_its_place_or_refused(arb *a)
     for (unsigned i = 0; i < count; i++)
         times += !(g->k[i] < u) && !(u < g->k[i]);
     const bool wanted = !(u < g->k[g->p]) && !(g->k[g->points] < u) && times <= g->p;
-    CHECK(loft_knots_accepts(&g->knots, u) == wanted);
+    CHECK(loft_knots_valid(&g->knots, u) == wanted);
     if (!wanted || g->points == POINTS_MOST)
         return;
     more.points++;

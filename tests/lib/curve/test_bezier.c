@@ -60,11 +60,9 @@ static long double factorial(unsigned n)
 static long double bound_of(const sample *s, long double want, long double q16_steps,
                             long double f64_ulps)
 {
-    const long double by_num[3] = {
-        LSB / 2 + q16_steps * LSB / 131072 + 1e-12L,
+    const long double by_num[3] = { LSB / 2 + q16_steps * LSB / 131072 + 1e-12L,
         ulp(want) / 2 + ulp(s->largest) / 2,
-        ulp(want) / 2 + ulp(s->largest) * f64_ulps
-    };
+                                    ulp(want) / 2 + ulp(s->largest) * f64_ulps };
     return by_num[BY_NUM(0, 1, 2)];
 }
 
@@ -116,7 +114,7 @@ static void beyond_the_ends_the_law_of_extrapolation_holds(arb *a)
         all  = all && f == 1;
         none = none && f != 0;
     }
-    const enum loft_status status = loft_bezier_extend(&s->b, t, &v);
+    const enum loft_status status = loft_bezier_extrapolate(&s->b, t, &v);
     CHECK(status == LOFT_OK || status == LOFT_ERR_RANGE);
     CHECK(status == LOFT_OK || !all);
     CHECK(status != LOFT_OK || none);
@@ -213,15 +211,15 @@ static void a_part_is_within_its_bound_in_both_directions(arb *a)
     const int fit = piece_fits(s, exact_unit(from), exact_unit(to));
     loft_vec there[POINTS], back[POINTS];
 
-    const enum loft_status status = loft_bezier_part(&s->b, from, to, there);
+    const enum loft_status status = loft_bezier_sub(&s->b, from, to, there);
     CHECK(status == LOFT_OK || (status == LOFT_ERR_RANGE && fit != 1));
     CHECK(status != LOFT_OK || fit);
     if (status != LOFT_OK)
         return;
     check_points(s, there, s->n + 1, exact_unit(from), exact_unit(to));
-    if (loft_bezier_part(&s->b, to, from, back) == LOFT_OK)
+    if (loft_bezier_sub(&s->b, to, from, back) == LOFT_OK)
         check_points(s, back, s->n + 1, exact_unit(to), exact_unit(from));
-    CHECK(loft_bezier_part(&s->b, 0, LOFT_UNIT(1), there) == LOFT_OK);
+    CHECK(loft_bezier_sub(&s->b, 0, LOFT_UNIT(1), there) == LOFT_OK);
     for (unsigned k = 0; k <= s->n; k++)
         CHECK(loft_vec_equal(there[k], s->p[k]));
 }
@@ -229,12 +227,12 @@ static void a_part_is_within_its_bound_in_both_directions(arb *a)
 static void a_raised_curve_is_within_its_bound(arb *a)
 {
     const sample *s = arb_curve(a);
-    const unsigned r = arb_below(a, LOFT_RAISE_MAX - s->n + 1);
-    loft_vec out[LOFT_RAISE_MAX + 1];
+    const unsigned r = arb_below(a, LOFT_ELEVATE_MAX - s->n + 1);
+    loft_vec out[LOFT_ELEVATE_MAX + 1];
 
-    CHECK(loft_bezier_raise(&s->b, r, out) == LOFT_OK);
+    CHECK(loft_bezier_elevate(&s->b, r, out) == LOFT_OK);
     for (int i = 0; i < LOFT_AXES; i++) {
-        long double c[LOFT_RAISE_MAX + 1];
+        long double c[LOFT_ELEVATE_MAX + 1];
         for (unsigned k = 0; k <= s->n; k++)
             c[k] = s->c[i][k];
         for (unsigned m = s->n; m < s->n + r; m++) {        /* one degree at a time */
@@ -361,7 +359,7 @@ static void the_box_holds_the_curve(arb *a)
 static void results_may_replace_the_control_points(arb *a)
 {
     const sample *s = arb_curve(a);
-    loft_vec p[LOFT_RAISE_MAX + 1], left[POINTS], right[POINTS], raised[LOFT_RAISE_MAX + 1],
+    loft_vec p[LOFT_ELEVATE_MAX + 1], left[POINTS], right[POINTS], raised[LOFT_ELEVATE_MAX + 1],
         other[POINTS];
     const loft_unit t = arb_unit(a);
     const loft_bezier b = { p, (uint8_t)s->n };
@@ -370,11 +368,11 @@ static void results_may_replace_the_control_points(arb *a)
         for (unsigned k = 0; k <= s->n; k++)
             p[k] = s->p[k];
         CHECK(loft_bezier_split(&s->b, t, left, right) == LOFT_OK);
-        CHECK(loft_bezier_raise(&s->b, 2, raised) == LOFT_OK);
+        CHECK(loft_bezier_elevate(&s->b, 2, raised) == LOFT_OK);
         CHECK((way == 0   ? loft_bezier_split(&b, t, p, other)
                : way == 1 ? loft_bezier_split(&b, t, other, p)
-               : way == 2 ? loft_bezier_part(&b, t, LOFT_UNIT(1), p)
-                          : loft_bezier_raise(&b, 2, p)) == LOFT_OK);
+               : way == 2 ? loft_bezier_sub(&b, t, LOFT_UNIT(1), p)
+                          : loft_bezier_elevate(&b, 2, p)) == LOFT_OK);
         const loft_vec *want = way == 0 ? left : way == 3 ? raised : right;
         for (unsigned k = 0;
              k <= s->n + (way == 3 ? 2u : 0u) && (way != 2 || BY_NUM(true, true, false)); k++)
@@ -433,8 +431,8 @@ static void a_cubic_piece_is_within_its_bound(arb *a)
     loft_cubic c, left, right;
     const sample *s = arb_cubic_curve(a, &c);
     const loft_unit from = arb_unit(a), to = arb_unit(a);
-    const loft_cubic piece = loft_cubic_part(&c, from, to),
-                     whole = loft_cubic_part(&c, LOFT_UNIT(-1), LOFT_UNIT(2));
+    const loft_cubic piece = loft_cubic_sub(&c, from, to),
+                     whole = loft_cubic_sub(&c, LOFT_UNIT(-1), LOFT_UNIT(2));
 
     check_points(s, piece.p, 4, exact_unit(from), exact_unit(to));
     loft_cubic_split(&c, to, &left, &right);
@@ -447,7 +445,7 @@ static void a_cubic_piece_is_within_its_bound(arb *a)
 
 static void mistakes_are_refused_by_name(arb *a)
 {
-    loft_vec p[POINTS + 1], out[LOFT_RAISE_MAX + 2], other[POINTS];
+    loft_vec p[POINTS + 1], out[LOFT_ELEVATE_MAX + 2], other[POINTS];
     loft_bezier b = { NULL, 77 };
 
     for (int k = 0; k <= POINTS; k++)
@@ -456,17 +454,17 @@ static void mistakes_are_refused_by_name(arb *a)
     CHECK(b.p == NULL && b.degree == 77);
     const unsigned n = arb_below(a, POINTS);
     CHECK(loft_bezier_init(&b, p, n) == LOFT_OK);
-    CHECK(loft_bezier_raise(&b, LOFT_RAISE_MAX - n, out) == LOFT_OK);
-    CHECK(loft_bezier_raise(&b, LOFT_RAISE_MAX - n + 1, out) == LOFT_ERR_ARG);
+    CHECK(loft_bezier_elevate(&b, LOFT_ELEVATE_MAX - n, out) == LOFT_OK);
+    CHECK(loft_bezier_elevate(&b, LOFT_ELEVATE_MAX - n + 1, out) == LOFT_ERR_ARG);
     CHECK(loft_bezier_from_power(p, POINTS, out) == LOFT_ERR_ARG);
     CHECK(loft_bezier_from_edges(p, POINTS, 0, out) == LOFT_ERR_ARG);
     const loft_unit beyond[2] = { LOFT_UNIT(-1.0001), LOFT_UNIT(2.0001) };
     for (int k = 0; k < 2; k++) {
-        CHECK(loft_bezier_extend(&b, beyond[k], out) == LOFT_ERR_ARG);
+        CHECK(loft_bezier_extrapolate(&b, beyond[k], out) == LOFT_ERR_ARG);
         CHECK(loft_bezier_deriv(&b, 1, beyond[k], out) == LOFT_ERR_ARG);
         CHECK(loft_bezier_split(&b, beyond[k], out, other) == LOFT_ERR_ARG);
-        CHECK(loft_bezier_part(&b, beyond[k], 0, out) == LOFT_ERR_ARG);
-        CHECK(loft_bezier_part(&b, 0, beyond[k], out) == LOFT_ERR_ARG);
+        CHECK(loft_bezier_sub(&b, beyond[k], 0, out) == LOFT_ERR_ARG);
+        CHECK(loft_bezier_sub(&b, 0, beyond[k], out) == LOFT_ERR_ARG);
         CHECK(loft_bezier_from_edges(p, n, beyond[k], out) == LOFT_ERR_ARG);
     }
     const loft_real bad[3] = { BY_NUM(0, NAN, NAN), BY_NUM(0, INFINITY, INFINITY),
@@ -476,7 +474,7 @@ static void mistakes_are_refused_by_name(arb *a)
         loft_bezier c = b;
         p[where].axis[arb_below(a, LOFT_AXES)] = bad[k];
         CHECK(loft_bezier_init(&c, p, n) == LOFT_ERR_RANGE);
-        CHECK(loft_bezier_extend(&b, bad[k], out) == LOFT_ERR_ARG);
+        CHECK(loft_bezier_extrapolate(&b, bad[k], out) == LOFT_ERR_ARG);
     }
 }
 

@@ -40,8 +40,11 @@ static quad exact_cardinal(const loft_vec p[4], loft_unit tension, unsigned k, q
                c2 = 2 * s * p0 + (s - 3) * p1 + (3 - 2 * s) * p2 - s * p3;
     const quad c1 = s * (p2 - p0);
 
-    return k == 0 ? ((c3 * t + c2) * t + c1) * t + p1 : k == 1 ? (3 * c3 * t + 2 * c2) * t + c1
-         : k == 2 ? 6 * c3 * t + 2 * c2 : k == 3 ? 6 * c3 : 0;
+    return k == 0   ? ((c3 * t + c2) * t + c1) * t + p1
+           : k == 1 ? (3 * c3 * t + 2 * c2) * t + c1
+           : k == 2 ? 6 * c3 * t + 2 * c2
+           : k == 3 ? 6 * c3
+                    : 0;
 }
 
 static void points_and_derivatives_are_within_their_bound(arb *a)

@@ -19,7 +19,7 @@ static void the_arm_touches_the_circle_and_leaves_it_by_no_more_than_stated(arb 
 static void a_quarter_arc_is_within_its_bound(arb *a)
 {
     const loft_acc arm = arb_below(a, 2) ? loft_circle_arm()
-                                         : loft_wide(arb_real(a, 1 << arb_below(a, 15)));
+                                         : loft_to_acc(arb_real(a, 1 << arb_below(a, 15)));
     const loft_unit t = arb_unit(a);
     const long double l = exact_acc(arm), cx[4] = { 1, 1, l, 0 }, cy[4] = { 0, l, 1, 1 };
     const long double x = exact_eval(cx, 3, exact_unit(t)), y = exact_eval(cy, 3, exact_unit(t)),

@@ -1,16 +1,18 @@
 /* tests/lib/curve/test_cubics_use.c -- what is made of curves of any degree through
- * lib/curve/cubics.h: chords, lengths, plans
+ * lib/curve/to_cubics.h: chords, lengths, plans
  * SPDX-License-Identifier: MIT
  */
 #include "support/rationals.h"          /* sample, measure, exact_deriv */
-#include "curve/cubics.h"
-#include "curve/measure.h"      /* loft_flatten, loft_cubic_length */
+#include "curve/to_cubics.h"
+#include "curve/measure.h"      /* loft_flatten, loft_cubic_arclen */
 #include "motion/plan.h"        /* loft_plan */
 
 #define MOVES 4000
 #define LOOKS 3000
 
-typedef struct { long double x[LOFT_AXES]; } place;
+typedef struct {
+    long double x[LOFT_AXES];
+} place;
 
 static sample curved;
 static loft_move moves[MOVES];
@@ -70,17 +72,17 @@ static void cut(loft_real tol, long double ends[])
 {
     loft_vec p[POINTS];
     loft_bezier b;
-    loft_cubics s;
+    loft_to_cubics s;
 
     count = 0;
     if (curved.n == 9 && !(curved.ratio > 1)) {
         for (unsigned k = 0; k <= 9; k++)
             p[k] = curved.p[k].p;
-        CHECK(loft_bezier_init(&b, p, 9) == LOFT_OK && loft_cubics_init(&s, &b, tol) == LOFT_OK);
+        CHECK(loft_bezier_init(&b, p, 9) == LOFT_OK && loft_to_cubics_init(&s, &b, tol) == LOFT_OK);
     } else {
-        CHECK(loft_rational_cubics_init(&s, &curved.r, tol) == LOFT_OK);
+        CHECK(loft_rational_to_cubics_init(&s, &curved.r, tol) == LOFT_OK);
     }
-    while (count < MOVES && loft_cubics_next(&s, &moves[count].curve)) {
+    while (count < MOVES && loft_to_cubics_next(&s, &moves[count].curve)) {
         moves[count].feed = LOFT_REAL(50);
         ends[count++] = s.more ? ldexpl((long double)s.piece.k, -s.piece.level) : 1;
     }
@@ -148,7 +150,7 @@ static void lengths_differ_by_the_tolerance_times_the_turning(arb *a)
     arb_smooth(a);
     cut(tol, ends);
     for (unsigned c = 0; c < count; c++)
-        got += exact_acc(loft_cubic_length(&moves[c].curve, LOFT_REAL(0.0001)));
+        got += exact_acc(loft_cubic_arclen(&moves[c].curve, LOFT_REAL(0.0001)));
     measured(&want, &turning);
     CHECK_EXACT(got, want, exact_of(tol) * turning + count * (0.0001L + 2 * LSB) + want * 1e-6L);
 }

@@ -114,10 +114,13 @@ static void check_law(const subject *s, uint32_t n, uint64_t i, loft_vec got)
         double largest = 0;
         for (unsigned k = 0; k <= d; k++) {
             long double term = (long double)choose(d, k) * s->p[k].axis[x];
-            for (unsigned j = 0; j < k; j++) term *= t;
-            for (unsigned j = k; j < d; j++) term *= 1 - t;
+            for (unsigned j = 0; j < k; j++)
+                term *= t;
+            for (unsigned j = k; j < d; j++)
+                term *= 1 - t;
             sum += term;
-            if (largest < fabs((double)s->p[k].axis[x])) largest = fabs((double)s->p[k].axis[x]);
+            if (largest < fabs((double)s->p[k].axis[x]))
+                largest = fabs((double)s->p[k].axis[x]);
         }
         const double law = (steps_factor[d] * n + per_start) * 0x1p-53 + BY_NUM(0, 0x1p-24, 0);
         CHECK(fabs((double)((long double)got.axis[x] - sum)) <= law * largest);
@@ -225,18 +228,18 @@ static void strict_walks_are_exact_for_any_number(arb *a)
     const unsigned degree = arb_below(a, 6);
     const uint32_t n = draw_steps(a, most_strict_steps(degree));
     subject s;
-    loft_forward_strict w;
+    loft_forward_exact w;
     loft_vec p = { { 0 } };
     uint64_t i;
 
     draw(&s, a, degree);
-    CHECK(loft_forward_strict_init(&w, &s.curve, n) == LOFT_OK);
-    for (i = 1; i <= MOST && loft_forward_strict_next(&w, &p); i++)
+    CHECK(loft_forward_exact_init(&w, &s.curve, n) == LOFT_OK);
+    for (i = 1; i <= MOST && loft_forward_exact_next(&w, &p); i++)
         check_exact(&s, n, i, p);
     if (n <= MOST) {
         CHECK(i == (uint64_t)n + 1);
         check_last(&s, p);
-        CHECK(!loft_forward_strict_next(&w, &p));
+        CHECK(!loft_forward_exact_next(&w, &p));
     }
 }
 
@@ -402,7 +405,7 @@ static void halving_undoes_doubling(arb *a)
 static void what_does_not_fit_is_refused(arb *a)
 {
     loft_forward w, was;
-    loft_forward_strict t, had;
+    loft_forward_exact t, had;
     subject s;
 
     memset(&w, 0x5a, sizeof w);
@@ -416,21 +419,21 @@ static void what_does_not_fit_is_refused(arb *a)
             continue;
         CHECK(loft_forward_init(&w, &s.curve, UINT32_MAX) == LOFT_ERR_RANGE);
         CHECK(loft_forward_init(&w, &s.curve, 0) == LOFT_ERR_ARG);
-        CHECK(loft_forward_strict_init(&t, &s.curve, most_strict_steps(degree) + 1) ==
+        CHECK(loft_forward_exact_init(&t, &s.curve, most_strict_steps(degree) + 1) ==
               LOFT_ERR_RANGE);
-        CHECK(loft_forward_strict_init(&t, &s.curve, UINT32_MAX) == LOFT_ERR_RANGE);
-        CHECK(loft_forward_strict_init(&t, &s.curve, 0) == LOFT_ERR_ARG);
+        CHECK(loft_forward_exact_init(&t, &s.curve, UINT32_MAX) == LOFT_ERR_RANGE);
+        CHECK(loft_forward_exact_init(&t, &s.curve, 0) == LOFT_ERR_ARG);
     }
     s.curve.degree = LOFT_FORWARD_DEGREE_MAX + 1;
     CHECK(loft_forward_init(&w, &s.curve, 1) == LOFT_ERR_ARG);
-    CHECK(loft_forward_strict_init(&t, &s.curve, 1) == LOFT_ERR_ARG);
+    CHECK(loft_forward_exact_init(&t, &s.curve, 1) == LOFT_ERR_ARG);
 #if LOFT_NUM != LOFT_Q16
     s.curve.degree = 3;
     const loft_real bad[] = { LOFT_REAL_MAX, (loft_real)INFINITY, (loft_real)-INFINITY,
                               (loft_real)NAN };
     s.p[arb_below(a, 4)].axis[arb_below(a, LOFT_AXES)] = bad[arb_below(a, 4)];
     CHECK(loft_forward_init(&w, &s.curve, 10) == LOFT_ERR_RANGE);
-    CHECK(loft_forward_strict_init(&t, &s.curve, 10) == LOFT_ERR_RANGE);
+    CHECK(loft_forward_exact_init(&t, &s.curve, 10) == LOFT_ERR_RANGE);
 #endif
     CHECK(memcmp(&w, &was, sizeof w) == 0);
     CHECK(memcmp(&t, &had, sizeof t) == 0);

@@ -238,7 +238,7 @@ static void a_part_overlaps(arb *a)
 
     arb_curve(a, &p, 1 + arb_below(a, 4), 200);
     q = p;
-    CHECK(loft_bezier_part(&p.b, along ? from : to, along ? to : from, q.p) == LOFT_OK);
+    CHECK(loft_bezier_sub(&p.b, along ? from : to, along ? to : from, q.p) == LOFT_OK);
     prepare(&q);
     CHECK(loft_bezier_intersect(&p.b, &q.b, tol, c, ROOM, &count) == LOFT_SINGULAR);
     check_crossings(&p, &q, c, count, exact_of(tol));
@@ -261,7 +261,7 @@ static void a_long_overlap_takes_no_longer(arb *a)
 
     arb_curve(a, &p, 2 + arb_below(a, 4), 30000);
     q = p;
-    CHECK(loft_bezier_part(&p.b, loft_unit_of(first, 1024), loft_unit_of(first + 512, 1024), q.p) ==
+    CHECK(loft_bezier_sub(&p.b, loft_unit_of(first, 1024), loft_unit_of(first + 512, 1024), q.p) ==
           LOFT_OK);
     prepare(&q);
     CHECK(loft_bezier_intersect(&p.b, &q.b, tol, c, ROOM, &count) == LOFT_SINGULAR);

@@ -186,13 +186,13 @@ static void cut(const shape *s, loft_unit t, loft_weighted out[2][POINTS],
 
     if (s->kind == A_RATIONAL) {
         CHECK(loft_rational_split(&s->rational, t, out[0], out[1]) == LOFT_OK);
-        CHECK(loft_rational_part(&s->rational, 0, t, part[0]) == LOFT_OK &&
-              loft_rational_part(&s->rational, t, LOFT_UNIT(1), part[1]) == LOFT_OK);
+        CHECK(loft_rational_sub(&s->rational, 0, t, part[0]) == LOFT_OK &&
+              loft_rational_sub(&s->rational, t, LOFT_UNIT(1), part[1]) == LOFT_OK);
         return;
     }
     CHECK(loft_bezier_split(&s->bezier, t, bare[0], bare[1]) == LOFT_OK);
-    CHECK(loft_bezier_part(&s->bezier, 0, t, bare[2]) == LOFT_OK &&
-          loft_bezier_part(&s->bezier, t, LOFT_UNIT(1), bare[3]) == LOFT_OK);
+    CHECK(loft_bezier_sub(&s->bezier, 0, t, bare[2]) == LOFT_OK &&
+          loft_bezier_sub(&s->bezier, t, LOFT_UNIT(1), bare[3]) == LOFT_OK);
     for (unsigned k = 0; k <= s->degree; k++)
         for (int side = 0; side < 2; side++) {
             out[side][k].p = bare[side][k];
@@ -229,9 +229,9 @@ static void a_raised_curve_is_the_same(arb *a)
     high.degree = s.degree + arb_below(a, LOFT_DEGREE_MAX - s.degree + 1);
     high.count = high.degree + 1;
     if (s.kind == A_RATIONAL) {
-        CHECK(loft_rational_raise(&s.rational, high.degree - s.degree, high.p) == LOFT_OK);
+        CHECK(loft_rational_elevate(&s.rational, high.degree - s.degree, high.p) == LOFT_OK);
     } else {
-        CHECK(loft_bezier_raise(&s.bezier, high.degree - s.degree, high.bare) == LOFT_OK);
+        CHECK(loft_bezier_elevate(&s.bezier, high.degree - s.degree, high.bare) == LOFT_OK);
         for (unsigned k = 0; k < high.count; k++)
             high.p[k].p = high.bare[k];
     }

@@ -101,7 +101,7 @@ static void an_extension_is_g2(arb *a)
 
     arb_joint(a, &g, n, 1 << 18, 2, 2, 0);      /* edges are multiples of 4 LSB: nothing is
                                                  * rounded */
-    CHECK(loft_join_extend(&g.first, lsb(alpha), lsb(eta), c) == LOFT_OK);
+    CHECK(loft_join_continue(&g.first, lsb(alpha), lsb(eta), c) == LOFT_OK);
     for (int k = 0; k < 3; k++)
         g.q[k] = c[k];
     loft_join j = decide(&g);
@@ -137,7 +137,7 @@ static void extends_by_the_formula(arb *a)
     for (unsigned k = 0; k <= n; k++)
         p[k] = arb_vec(a, 300);
     CHECK(loft_bezier_init(&b, p, n) == LOFT_OK);
-    CHECK(loft_join_extend(&b, alpha, eta, c) == LOFT_OK);
+    CHECK(loft_join_continue(&b, alpha, eta, c) == LOFT_OK);
     for (int i = 0; i < LOFT_AXES; i++) {
         const long double p0 = exact_of(p[n].axis[i]), p1 = exact_of(p[n - 1].axis[i]),
                           p2 = exact_of(p[n - 2].axis[i]);
@@ -268,14 +268,15 @@ static void refuses_what_it_cannot_decide(arb *a)
     CHECK(loft_bezier_init(&other, g.q, 0) == LOFT_OK &&
           loft_join_init(&j, &other, &other, 0) == LOFT_ERR_ARG);
     CHECK(loft_bezier_init(&other, g.q, 1) == LOFT_OK &&
-          loft_join_extend(&other, lsb(65536), 0, c) == LOFT_ERR_ARG);
+          loft_join_continue(&other, lsb(65536), 0, c) == LOFT_ERR_ARG);
 
     for (int k = 0; k < 4; k++)         /* edges of 50000: their continuation is beyond q16, and
                                          * within floats */
         for (int i = 0; i < LOFT_AXES; i++)
             g.p[k].axis[i] = (loft_real)((k % 2 ? 25000 : -25000) * BY_NUM(65536, 1, 1));
     set(&g, 3);
-    CHECK(loft_join_extend(&g.first, lsb(65536), 0, c) == BY_NUM(LOFT_ERR_RANGE, LOFT_OK, LOFT_OK));
+    CHECK(loft_join_continue(&g.first, lsb(65536), 0, c) ==
+          BY_NUM(LOFT_ERR_RANGE, LOFT_OK, LOFT_OK));
     CHECK(BY_NUM(c[0].axis[0] == 0, true, true));       /* and c[] is untouched */
 
     for (int k = 0; k < 3; k++)         /* alpha = 50000, eta = 0 */

@@ -41,8 +41,10 @@ static void arb_points(arb *a, sample *n, uint32_t count)
         for (int i = 0; i < LOFT_AXES; i++) {
             const loft_real any = arb_real(a, limit), before = k ? n->p[k-1].axis[i] : any;
             loft_real x = any;
-            if (kind == 0)                          x = k / period % 2 ? top : bottom;
-            if (kind == 1 && k % 4 != 0)            x = nudged(a, before);
+            if (kind == 0)
+                x = k / period % 2 ? top : bottom;
+            if (kind == 1 && k % 4 != 0)
+                x = nudged(a, before);
             if (kind == 2)
                 x = (loft_real)((int32_t)arb_below(a, 5) - 2) *
                     BY_NUM(1, 1 / 65536.0f, 1 / 65536.0);

@@ -38,8 +38,10 @@ static loft_real arb_weight(arb *a, uint32_t kind, unsigned k)
 {
     const double any = (65536 + arb_below(a, 65536)) / 65536.0 * (1 << arb_below(a, 15)) / 128 / 2;
 
-    return kind == 0 ? LOFT_REAL(1) : kind == 1 ? (k & 1 ? LOFT_WEIGHT_MAX : LOFT_WEIGHT_MIN)
-         : kind == 2 ? (arb_below(a, 2) ? LOFT_WEIGHT_MAX : LOFT_WEIGHT_MIN) : LOFT_REAL(any);
+    return kind == 0   ? LOFT_REAL(1)
+           : kind == 1 ? (k & 1 ? LOFT_WEIGHT_MAX : LOFT_WEIGHT_MIN)
+           : kind == 2 ? (arb_below(a, 2) ? LOFT_WEIGHT_MAX : LOFT_WEIGHT_MIN)
+                       : LOFT_REAL(any);
 }
 
 static sample *arb_nurbs(arb *a)
@@ -372,7 +374,7 @@ static void an_inserted_knot_changes_nothing(arb *a)
     const loft_real at = arb_u(a, &s->g), u = arb_u(a, &old.g);
     long double least = 256;
 
-    if (!loft_knots_accepts(&s->n.knots, at) || s->g.points == POINTS_MOST) {
+    if (!loft_knots_valid(&s->n.knots, at) || s->g.points == POINTS_MOST) {
         CHECK(s->g.points == POINTS_MOST ||
               loft_nurbs_insert(&s->n, at, s->p, s->g.k) == LOFT_ERR_ARG);
         return;
@@ -386,8 +388,10 @@ static void an_inserted_knot_changes_nothing(arb *a)
     for (int i = 0; i < LOFT_AXES; i++) {
         const long double want = exact_point(&old, i, u),
                           weights = BY_NUM(0x1p-17L / least, 0x1p-23L, 12 * 0x1p-52L);
-        CHECK_EXACT(exact_of(v.axis[i]), want, point_bound(&old, s->g.p, want)
-                    + point_bound(&old, 1, BY_NUM(want, old.largest, want)) + weights * old.width);
+        CHECK_EXACT(exact_of(v.axis[i]), want,
+                    point_bound(&old, s->g.p, want) +
+                        point_bound(&old, 1, BY_NUM(want, old.largest, want)) +
+                        weights * old.width);
     }
 }
 

@@ -246,7 +246,7 @@ static void arb_folded(arb *a, scene *s)
     s->distance = arb_real(a, 1 + (int32_t)arb_below(a, 70));
     s->tol = loft_real_from_raw(4096 << arb_below(a, 5));
     if (arb_below(a, 8) == 0)           /* the least that init takes, nearly */
-        s->tol = loft_real_from_raw(4 + loft_raw_from_real(loft_real_size(s->distance)) / 131072 +
+        s->tol = loft_real_from_raw(4 + loft_raw_from_real(loft_real_abs(s->distance)) / 131072 +
                                     1);
 }
 

@@ -29,8 +29,10 @@ static long double apart(const curve *p, long double s, const curve *q, long dou
 
     for (int i = 0; i < LOFT_AXES; i++) {
         long double x[POINTS], y[POINTS];
-        for (unsigned k = 0; k <= p->b.degree; k++) x[k] = exact_of(p->p[k].axis[i]);
-        for (unsigned k = 0; k <= q->b.degree; k++) y[k] = exact_of(q->p[k].axis[i]);
+        for (unsigned k = 0; k <= p->b.degree; k++)
+            x[k] = exact_of(p->p[k].axis[i]);
+        for (unsigned k = 0; k <= q->b.degree; k++)
+            y[k] = exact_of(q->p[k].axis[i]);
         sum += powl(exact_eval(x, p->b.degree, s) - exact_eval(y, q->b.degree, t), 2);
     }
     return sqrtl(sum);
@@ -72,11 +74,11 @@ static void a_part_of_a_curve_is_found(arb *a)
     curve p, q;
 
     arb_curve(a, &p, degree);
-    CHECK(loft_bezier_part(&p.b, along ? from : to, along ? to : from, q.p) == LOFT_OK);
+    CHECK(loft_bezier_sub(&p.b, along ? from : to, along ? to : from, q.p) == LOFT_OK);
     init(&q, degree);
     if (size_of(&q) < 1)
         return;
-    CHECK(loft_bezier_raise(&q.b, times, q.p) == LOFT_OK);
+    CHECK(loft_bezier_elevate(&q.b, times, q.p) == LOFT_OK);
     init(&q, degree + times);
     const bool found = second ? loft_bezier_overlap(&q.b, &p.b, tol, &o)
                               : loft_bezier_overlap(&p.b, &q.b, tol, &o);
@@ -96,8 +98,8 @@ static void curves_that_go_on_from_each_other_overlap(arb *a)
     curve p, q, whole;
 
     arb_curve(a, &whole, 3);
-    CHECK(loft_bezier_part(&whole.b, 0, half, p.p) == LOFT_OK &&
-          loft_bezier_part(&whole.b, third, LOFT_UNIT(1), q.p) == LOFT_OK);
+    CHECK(loft_bezier_sub(&whole.b, 0, half, p.p) == LOFT_OK &&
+          loft_bezier_sub(&whole.b, third, LOFT_UNIT(1), q.p) == LOFT_OK);
     init(&p, 3);
     init(&q, 3);
     if (size_of(&p) < 100 || size_of(&q) < 100)

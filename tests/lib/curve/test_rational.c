@@ -192,7 +192,7 @@ static void a_part_is_within_its_bound_in_both_directions(arb *a)
     loft_weighted out[POINTS];
     long double most = 0, largest = 0, point[LOFT_AXES];
 
-    CHECK(loft_rational_part(&s->r, from, to, out) == LOFT_OK);
+    CHECK(loft_rational_sub(&s->r, from, to, out) == LOFT_OK);
     for (unsigned k = 0; k <= s->n; k++) {
         most = fmaxl(most, exact_of(out[k].w));
         largest = fmaxl(largest, blossom_of(s, k, exact_unit(from), exact_unit(to), point));
@@ -209,7 +209,7 @@ static void a_part_is_the_same_curve(arb *a)
     loft_weighted out[POINTS];
     long double want[LOFT_AXES];
 
-    CHECK(loft_rational_part(&s->r, 0, LOFT_UNIT(1), out) == LOFT_OK);
+    CHECK(loft_rational_sub(&s->r, 0, LOFT_UNIT(1), out) == LOFT_OK);
     CHECK(loft_rational_init(&piece.r, out, s->n) == LOFT_OK);
     const loft_vec v = loft_rational_eval(&piece.r, t);
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -223,10 +223,10 @@ static void a_part_is_the_same_curve(arb *a)
 static void a_raised_curve_is_within_its_bound(arb *a)
 {
     const sample *s = arb_rational(a, LOFT_DEGREE_MAX);
-    const unsigned times = arb_below(a, LOFT_RAISE_MAX - s->n + 1), top = s->n + times;
-    loft_weighted out[LOFT_RAISE_MAX + 1];
+    const unsigned times = arb_below(a, LOFT_ELEVATE_MAX - s->n + 1), top = s->n + times;
+    loft_weighted out[LOFT_ELEVATE_MAX + 1];
 
-    CHECK(loft_rational_raise(&s->r, times, out) == LOFT_OK);
+    CHECK(loft_rational_elevate(&s->r, times, out) == LOFT_OK);
     for (unsigned k = 0; k <= top; k++) {
         long double w = 0, want[LOFT_AXES] = { 0 };
         for (unsigned j = 0; j <= s->n && j <= k; j++) {
@@ -277,21 +277,21 @@ static void results_may_replace_the_control_points(arb *a)
 {
     const sample *s = arb_rational(a, LOFT_DEGREE_MAX);
     const loft_unit t = arb_unit(a);
-    loft_weighted left[POINTS], right[POINTS], part[POINTS], raised[LOFT_RAISE_MAX + 1],
-        p[LOFT_RAISE_MAX + 1], other[POINTS];
+    loft_weighted left[POINTS], right[POINTS], part[POINTS], raised[LOFT_ELEVATE_MAX + 1],
+        p[LOFT_ELEVATE_MAX + 1], other[POINTS];
     loft_rational r = s->r;
 
     r.p = p;
     CHECK(loft_rational_split(&s->r, t, left, right) == LOFT_OK &&
-          loft_rational_part(&s->r, t, 0, part) == LOFT_OK);
-    CHECK(loft_rational_raise(&s->r, 2, raised) == LOFT_OK);
+          loft_rational_sub(&s->r, t, 0, part) == LOFT_OK);
+    CHECK(loft_rational_elevate(&s->r, 2, raised) == LOFT_OK);
     for (int way = 0; way < 4; way++) {
         for (unsigned k = 0; k <= s->n; k++)
             p[k] = s->p[k];
         CHECK((way == 0   ? loft_rational_split(&r, t, p, other)
                : way == 1 ? loft_rational_split(&r, t, other, p)
-               : way == 2 ? loft_rational_part(&r, t, 0, p)
-                          : loft_rational_raise(&r, 2, p)) == LOFT_OK);
+               : way == 2 ? loft_rational_sub(&r, t, 0, p)
+                          : loft_rational_elevate(&r, 2, p)) == LOFT_OK);
         CHECK(same(p,
                    way == 0   ? left
                    : way == 1 ? right
@@ -330,12 +330,12 @@ static void nonsense_is_refused(arb *a)
         const loft_unit t = i ? LOFT_UNIT(2) + LOFT_UNIT(0.0000002)
                               : LOFT_UNIT(-1) - LOFT_UNIT(0.0000002);
         CHECK(loft_rational_split(&s->r, t, out, other) == LOFT_ERR_ARG);
-        CHECK(loft_rational_part(&s->r, t, 0, out) == LOFT_ERR_ARG &&
-              loft_rational_part(&s->r, 0, t, out) == LOFT_ERR_ARG);
+        CHECK(loft_rational_sub(&s->r, t, 0, out) == LOFT_ERR_ARG &&
+              loft_rational_sub(&s->r, 0, t, out) == LOFT_ERR_ARG);
         CHECK(loft_rational_deriv(&s->r, t, &v) == LOFT_ERR_ARG &&
-              loft_rational_extend(&s->r, t, &v) == LOFT_ERR_ARG);
+              loft_rational_extrapolate(&s->r, t, &v) == LOFT_ERR_ARG);
     }
-    CHECK(loft_rational_raise(&s->r, LOFT_RAISE_MAX - s->n + 1, out) == LOFT_ERR_ARG);
+    CHECK(loft_rational_elevate(&s->r, LOFT_ELEVATE_MAX - s->n + 1, out) == LOFT_ERR_ARG);
 }
 
 int main(void)

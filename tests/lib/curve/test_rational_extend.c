@@ -110,7 +110,7 @@ static void a_point_beyond_the_ends_is_within_its_bound_or_refused(arb *a)
     loft_vec v;
 
     v.axis[0] = LOFT_REAL(7);
-    const enum loft_status status = loft_rational_extend(&s->r, t, &v);
+    const enum loft_status status = loft_rational_extrapolate(&s->r, t, &v);
     const int good = divisible(&e, s->n, exact_unit(t), w);
     CHECK(status == LOFT_OK || status == LOFT_ERR_RANGE);
     CHECK(good != 0 || status == LOFT_ERR_RANGE);
@@ -236,7 +236,7 @@ static void a_part_beyond_the_ends_is_within_its_bound_or_refused(arb *a)
     const loft_unit from = back ? two : one, to = back ? one : two;
     loft_weighted out[POINTS];
     const exact_piece p = piece_of(s, &e, from, to);
-    const enum loft_status status = loft_rational_part(&s->r, from, to, out);
+    const enum loft_status status = loft_rational_sub(&s->r, from, to, out);
     const bool inside = from >= 0 && from <= LOFT_UNIT(1) && to >= 0 && to <= LOFT_UNIT(1);
     /* into 128..256 */
     const long double factor = exp2l(floorl(8 - log2l(p.most))), lowest = p.least * factor * 256;
@@ -268,8 +268,8 @@ static void equal_weights_extend_as_the_polynomial(arb *a)
     }
     CHECK(loft_bezier_init(&b, p, s->n) == LOFT_OK &&
           loft_rational_init(&s->r, s->p, s->n) == LOFT_OK);
-    const enum loft_status status = loft_rational_extend(&s->r, t, &v);
-    CHECK(status == loft_bezier_extend(&b, t, &want));
+    const enum loft_status status = loft_rational_extrapolate(&s->r, t, &v);
+    CHECK(status == loft_bezier_extrapolate(&b, t, &want));
     for (int i = 0; i < LOFT_AXES && status == LOFT_OK; i++) {
         const long double size = fmaxl(s->largest, fabsl(exact_of(want.axis[i]))) *
                                  powl(growth(exact_unit(t)), s->n);
@@ -290,18 +290,18 @@ static void where_the_denominator_vanishes_there_is_no_point(arb *a)
 
     (void)a;
     CHECK(loft_rational_init(&r, p, 1) == LOFT_OK);
-    CHECK(loft_rational_extend(&r, before, &v) == LOFT_OK);
+    CHECK(loft_rational_extrapolate(&r, before, &v) == LOFT_OK);
     CHECK_EXACT(exact_of(v.axis[0]), 5, 0);                     /* 1.25 / (4 (1 - 1.25) + 1.25) */
     CHECK(loft_rational_deriv(&r, before, &v) == LOFT_OK);
     CHECK_EXACT(exact_of(v.axis[0]), 64, BY_NUM(0, 0, 16 * ulp(64)));    /* 4 / 0.25^2 */
-    CHECK(loft_rational_extend(&r, pole, &v) == LOFT_ERR_RANGE &&
-          loft_rational_extend(&r, behind, &v) == LOFT_ERR_RANGE);
+    CHECK(loft_rational_extrapolate(&r, pole, &v) == LOFT_ERR_RANGE &&
+          loft_rational_extrapolate(&r, behind, &v) == LOFT_ERR_RANGE);
     CHECK(loft_rational_deriv(&r, pole, &v) == LOFT_ERR_RANGE &&
           loft_rational_deriv(&r, behind, &v) == LOFT_ERR_RANGE);
     CHECK(loft_rational_split(&r, behind, left, right) == LOFT_ERR_RANGE);
-    CHECK(loft_rational_part(&r, 0, behind, left) == LOFT_ERR_RANGE &&
-          loft_rational_part(&r, behind, 0, left) == LOFT_ERR_RANGE);
-    CHECK(loft_rational_part(&r, 0, before, left) == LOFT_OK &&
+    CHECK(loft_rational_sub(&r, 0, behind, left) == LOFT_ERR_RANGE &&
+          loft_rational_sub(&r, behind, 0, left) == LOFT_ERR_RANGE);
+    CHECK(loft_rational_sub(&r, 0, before, left) == LOFT_OK &&
           loft_rational_split(&r, before, left, right) == LOFT_OK);
 }
 

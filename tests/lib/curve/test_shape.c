@@ -89,11 +89,16 @@ static loft_cubic some_cubic(arb *a)
 
     for (int k = 0; k < 4; k++)
         c.p[k] = some_point(a, size);
-    if (kind == 0) c = with_cusp(a, size);
-    if (kind == 1) c = with_line(a);
-    if (kind == 2) c = with_parabola(a);
-    if (kind == 3) c.p[arb_below(a, 4)] = c.p[arb_below(a, 4)];
-    if (kind == 4) c.p[2] = c.p[1 + arb_below(a, 2)] = at(some(a, size), 0);
+    if (kind == 0)
+        c = with_cusp(a, size);
+    if (kind == 1)
+        c = with_line(a);
+    if (kind == 2)
+        c = with_parabola(a);
+    if (kind == 3)
+        c.p[arb_below(a, 4)] = c.p[arb_below(a, 4)];
+    if (kind == 4)
+        c.p[2] = c.p[1 + arb_below(a, 2)] = at(some(a, size), 0);
     if (kind == 5) {                                /* as a graph y = x^3 + a x */
         const int64_t h = some(a, 2), y = some(a, 2);
         for (int k = 0; k < 4; k++)
@@ -224,8 +229,8 @@ static void curvature_changes_its_sign_at_an_inflection(arb *a)
     CHECK(loft_bezier_init(&b, c.p, 3) == LOFT_OK);
     if (s.inflections == 0 || (s.inflections == 2 && s.inflection[1] - t < 3 * step))
         return;
-    const enum loft_status one = loft_bezier_bend(&b, t - step, &before, &tangent),
-                           two = loft_bezier_bend(&b, t + step, &after, &tangent);
+    const enum loft_status one = loft_bezier_curvature_vec(&b, t - step, &before, &tangent),
+                           two = loft_bezier_curvature_vec(&b, t + step, &after, &tangent);
     if (one == LOFT_OK && two == LOFT_OK)
         CHECK((before <= 0 && after >= 0) || (before >= 0 && after <= 0));
 }
@@ -276,7 +281,7 @@ static void curvature_is_rounded_once(arb *a)
 
     CHECK(loft_bezier_init(&b, p, n) == LOFT_OK);
     const loft_unit t = loft_unit_of((uint32_t)j, 65536);
-    const enum loft_status status = plane ? loft_bezier_bend(&b, t, &k, &tangent)
+    const enum loft_status status = plane ? loft_bezier_curvature_vec(&b, t, &k, &tangent)
                                           : loft_bezier_curvature(&b, t, &k, &tangent);
     const exact_bend want = exact_bend_at(&b, j, plane ? 2 : LOFT_AXES);
 
@@ -302,8 +307,8 @@ static void a_reversed_curve_bends_the_other_way(arb *a)
     for (unsigned i = 0; i <= n; i++)
         q[i] = p[n - i];
     CHECK(loft_bezier_init(&b, p, n) == LOFT_OK && loft_bezier_init(&c, q, n) == LOFT_OK);
-    const enum loft_status status = loft_bezier_bend(&b, loft_unit_of(j, 65536), &k, &one);
-    CHECK(status == loft_bezier_bend(&c, loft_unit_of(65536 - j, 65536), &l, &two));
+    const enum loft_status status = loft_bezier_curvature_vec(&b, loft_unit_of(j, 65536), &k, &one);
+    CHECK(status == loft_bezier_curvature_vec(&c, loft_unit_of(65536 - j, 65536), &l, &two));
     if (status == LOFT_OK)
         CHECK_EXACT(exact_of(k), -exact_of(l), BY_NUM(LSB, ulp(exact_of(k)), ulp(exact_of(k))));
 }
@@ -318,11 +323,11 @@ static void known_curvatures_are_given(arb *a)
     loft_real k;
 
     CHECK(loft_bezier_init(&b, line, 3) == LOFT_OK &&
-          loft_bezier_bend(&b, LOFT_UNIT(0.25), &k, &tangent) == LOFT_OK);
+          loft_bezier_curvature_vec(&b, LOFT_UNIT(0.25), &k, &tangent) == LOFT_OK);
     CHECK(!(k > 0) && !(k < 0));
     near_result(tangent.axis[1], sqrtl(0.5L), 0);
     CHECK(loft_bezier_init(&b, bend, 2) == LOFT_OK &&
-          loft_bezier_bend(&b, 0, &k, &tangent) == LOFT_OK);
+          loft_bezier_curvature_vec(&b, 0, &k, &tangent) == LOFT_OK);
     near_result(k, 65536 / (2 * (long double)h), 0);
     near_result(tangent.axis[0], 1, 0);
 }
@@ -335,21 +340,21 @@ static void what_has_no_curvature_says_so(arb *a)
 
     (void)a;
     CHECK(loft_bezier_init(&b, p, 2) == LOFT_OK);
-    CHECK(loft_bezier_bend(&b, 0, &k, &tangent) == LOFT_SINGULAR &&
+    CHECK(loft_bezier_curvature_vec(&b, 0, &k, &tangent) == LOFT_SINGULAR &&
           loft_bezier_curvature(&b, 0, &k, &tangent) == LOFT_SINGULAR);
-    CHECK(loft_bezier_bend(&b, LOFT_UNIT(2.5), &k, &tangent) == LOFT_ERR_ARG);
-    CHECK(loft_bezier_bend(&b, LOFT_UNIT(-1.5), &k, &tangent) == LOFT_ERR_ARG);
+    CHECK(loft_bezier_curvature_vec(&b, LOFT_UNIT(2.5), &k, &tangent) == LOFT_ERR_ARG);
+    CHECK(loft_bezier_curvature_vec(&b, LOFT_UNIT(-1.5), &k, &tangent) == LOFT_ERR_ARG);
     CHECK(loft_bezier_init(&b, p, 0) == LOFT_OK &&
           loft_bezier_curvature(&b, 0, &k, &tangent) == LOFT_SINGULAR);
 #if LOFT_NUM == LOFT_Q16
     /* 32768 / 2^0: one more than fits */
     loft_vec sharp[3] = { at(0, 0), at(1, 0), at(1, 1) };
     CHECK(loft_bezier_init(&b, sharp, 2) == LOFT_OK &&
-          loft_bezier_bend(&b, 0, &k, &tangent) == LOFT_ERR_RANGE);
+          loft_bezier_curvature_vec(&b, 0, &k, &tangent) == LOFT_ERR_RANGE);
 #else
     p[2].axis[0] = (loft_real)2e6;
     CHECK(loft_bezier_init(&b, p, 2) == LOFT_OK &&
-          loft_bezier_bend(&b, LOFT_UNIT(0.5), &k, &tangent) == LOFT_ERR_RANGE);
+          loft_bezier_curvature_vec(&b, LOFT_UNIT(0.5), &k, &tangent) == LOFT_ERR_RANGE);
 #endif
     CHECK(k <= LOFT_REAL(3) && k >= LOFT_REAL(3) && loft_vec_equal(tangent, at(7, 7)));
 }
@@ -370,8 +375,10 @@ static unsigned some_polygon(arb *a, loft_vec p[])
         const long double angle = 6.2831853071795864769L * (from + k) / count *
                                   (1 + (arb_below(a, 20) == 0));
         const int64_t along = some(a, 1);
-        p[k] = kind == 0 ? some_point(a, size) : kind == 3 ? at(along * dx, along * dy)
-             : at((int64_t)roundl(radius * cosl(angle)), (int64_t)roundl(radius * sinl(angle)));
+        p[k] = kind == 0   ? some_point(a, size)
+               : kind == 3 ? at(along * dx, along * dy)
+                           : at((int64_t)roundl(radius * cosl(angle)),
+                                (int64_t)roundl(radius * sinl(angle)));
         if (k > 0 && arb_below(a, 8) == 0)
             p[k] = p[k - 1];
     }
@@ -433,7 +440,7 @@ static void a_convex_polygon_makes_the_curve_bend_one_way(arb *a)
         return;
     CHECK(loft_bezier_init(&b, p, count - 1) == LOFT_OK);
     for (uint32_t j = 0; j <= 16; j++)
-        if (loft_bezier_bend(&b, loft_unit_of(j, 16), &k, &tangent) == LOFT_OK) {
+        if (loft_bezier_curvature_vec(&b, loft_unit_of(j, 16), &k, &tangent) == LOFT_OK) {
             left = left || k > 0;
             right = right || k < 0;
         }

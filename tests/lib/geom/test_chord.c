@@ -19,8 +19,8 @@ static void arb_scene(arb *a, scene *s)
     long double uu = 0, uw = 0, ww = 0, rr = 0;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        s->c.u[i] = loft_acc_ratio(loft_wide(arb_real(a, near)), small);
-        s->w[i]   = loft_acc_ratio(loft_wide(arb_real(a, far)), arb_below(a, 2) ? small : 1);
+        s->c.u[i] = loft_acc_ratio(loft_to_acc(arb_real(a, near)), small);
+        s->w[i]   = loft_acc_ratio(loft_to_acc(arb_real(a, far)), arb_below(a, 2) ? small : 1);
         s->u[i]   = exact_acc(s->c.u[i]);
         s->x[i]   = exact_acc(s->w[i]);
         uu += s->u[i] * s->u[i];

@@ -1,7 +1,8 @@
 /* tests/lib/geom/test_vec_exact.c -- properties of lib/geom/vec_exact.h
  * SPDX-License-Identifier: MIT
  *
- * Coordinates are multiples of 2^-16, so whole numbers here; the test computes them in __int128.
+ * Coordinates are multiples of 2^-16, so whole numbers here; the test computes them in wide
+ * integers.
  */
 #include "support/exact_whole.h"        /* whole_of */
 #include "geom/vec_exact.h"
@@ -55,8 +56,7 @@ static void differences_and_products_are_exact(arb *a)
 /* |a x b|^2 + (a b)^2 = |a|^2 |b|^2, whatever the coordinates are. */
 static void lagranges_identity_holds(arb *a)
 {
-    const loft_vec p[3] = { arb_vec(a, 32767 * 65536), arb_vec(a, 32767 * 65536),
-                            arb_vec(a, 32767 * 65536) };
+    const loft_vec p[3] = { arb_vec(a, 32767), arb_vec(a, 32767), arb_vec(a, 32767) };
     loft_exact x[3], y[3], n[3];
 
     if (!loft_vec_exact_valid(p, 3, 3))

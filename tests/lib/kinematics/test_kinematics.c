@@ -52,10 +52,7 @@ static loft_polar arb_polar(arb *a)
     return p;
 }
 
-static loft_vec arb_place(arb *a)
-{
-    return arb_vec(a, arb_below(a, 2) ? 16383 : 200);
-}
+static loft_vec arb_place(arb *a) { return arb_vec(a, arb_below(a, 2) ? 16383 : 200); }
 
 static void radius_and_angle_are_those_of_the_tool(arb *a)
 {

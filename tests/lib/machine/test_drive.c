@@ -61,10 +61,7 @@ static void rig_life(arb *a, uint32_t slot)
         loft_drive_tick(&drive);
 }
 
-static uint32_t items_in(uint32_t ticks)
-{
-    return ticks == r.ticks ? r.items : r.item_of[ticks];
-}
+static uint32_t items_in(uint32_t ticks) { return ticks == r.ticks ? r.items : r.item_of[ticks]; }
 
 static void whatever_happens_a_job_passes_every_point_and_ends_on_the_last(arb *a)
 {
@@ -137,7 +134,8 @@ static void a_held_machine_stands_at_the_end_of_a_tick_until_it_is_resumed(arb *
 
     rig_start(a, 40, (uint16_t)(1 + arb_below(a, 100)), 20);
     for (uint32_t slot = 0; slot < 2000000 && loft_state_busy(drive.state); slot++) {
-        while (rig_push()) {}
+        while (rig_push()) {
+        }
         if (r.pushed == r.items)
             loft_drive_end(&drive);
         if (slot == when)
@@ -176,7 +174,8 @@ static void an_abort_stands_on_the_path_and_the_next_job_begins_there(arb *a)
 
     rig_start(a, 40, (uint16_t)(1 + arb_below(a, 100)), 20);
     for (uint32_t slot = 0; slot < 4000000 && loft_state_busy(drive.state); slot++) {
-        while (rig_push()) {}
+        while (rig_push()) {
+        }
         if (slot == when) {
             loft_drive_abort(&drive);
             /* still on the line: forgotten, not refused */
@@ -247,7 +246,8 @@ static void steps_that_do_not_fit_their_tick_are_all_made(arb *a)
 {
     rig_start(a, (uint16_t)(1 + arb_below(a, 60)), 10, 2000);
     r.items = r.items < 8 ? r.items : 8;
-    for (r.ticks = 0; r.item_of[r.ticks] < r.items && r.ticks < TICKS; r.ticks++) {}
+    for (r.ticks = 0; r.item_of[r.ticks] < r.items && r.ticks < TICKS; r.ticks++) {
+    }
     for (uint32_t slot = 0; slot < 40000000 && loft_state_busy(drive.state); slot++) {
         rig_push();
         if (r.pushed == r.items)
@@ -361,7 +361,7 @@ static void an_interrupt_at_any_place_of_the_main_loop_does_no_harm(arb *a)
 
 static void init_refuses_what_cannot_work(arb *a)
 {
-    loft_traits_axis axis[LOFT_AXES] = { { 0 } };
+    loft_axis_config axis[LOFT_AXES] = { { 0 } };
     loft_drive_config c = { axis, { 0 }, 1000, 40, 100, cells, CELLS };
     loft_drive d;
     (void)a;

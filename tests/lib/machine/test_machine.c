@@ -68,10 +68,12 @@ static void world_start(arb *a, int32_t reach)
                                          (uint16_t)(1 + arb_below(a, 60)), reach);
 
     w.machine.receiver.session = 0;
-    w.config = (loft_machine_config){ .traits = { .boot = 77, .tick_hz = 1000, .slots = slots },
-                                      .ramp = r.ramp, .cell = cells, .cells = r.cells };
+    w.config = (loft_machine_config){ .info = { .boot = 77, .tick_hz = 1000, .slots = slots },
+                                      .ramp = r.ramp,
+                                      .cell = cells,
+                                      .cells = r.cells };
     for (int i = 0; i < LOFT_AXES; i++) {
-        w.config.traits.axis[i].steps_per_mm = per_mm[i];
+        w.config.info.axis[i].steps_per_mm = per_mm[i];
         w.config.position[i] = c.position[i];
     }
     CHECK(loft_machine_init(&w.machine, &w.config) == LOFT_OK);
@@ -154,7 +156,8 @@ static void a_job_is_drawn_exactly_once_over_a_bad_line(arb *a)
 {
     world_start(a, 20);
     make_noise(a);
-    while (world_runs()) {}
+    while (world_runs()) {
+    }
     check_drawn();
     while (w.machine.drive.state != LOFT_STATE_IDLE && w.ms < LONG)
         world_runs();
@@ -207,7 +210,8 @@ static void a_hold_from_the_host_stands_until_it_is_lifted(arb *a)
     for (uint32_t ms = 0; ms < 250; ms++)
         world_runs();
     loft_sender_control(&w.sender, LOFT_HOLD);
-    while (w.machine.drive.state != LOFT_STATE_HELD && world_runs()) {}
+    while (w.machine.drive.state != LOFT_STATE_HELD && world_runs()) {
+    }
     const uint32_t passed = r.passed;
     for (uint32_t ms = 0; ms < 500; ms++)
         world_runs();
@@ -215,7 +219,8 @@ static void a_hold_from_the_host_stands_until_it_is_lifted(arb *a)
           passed < r.ticks);
     CHECK(w.sender.status.ack.state == LOFT_STATE_HELD);
     loft_sender_control(&w.sender, LOFT_RESUME);
-    while (world_runs()) {}
+    while (world_runs()) {
+    }
     check_drawn();
 }
 
@@ -254,7 +259,8 @@ static void an_aborted_job_reports_where_it_stands_and_another_begins_there(arb 
             CHECK(w.sender.report.position[i] == r.path[r.passed][i]);
     }
     another_job(0);
-    while (world_runs()) {}
+    while (world_runs()) {
+    }
     check_drawn();
 }
 
@@ -264,13 +270,16 @@ static void a_job_begins_free_of_the_holds_before_it(arb *a)
 {
     world_start(a, 20);
     const bool held = arb_below(a, 2);
-    while (w.sender.phase < LOFT_PHASE_STREAMING && world_runs()) {}
+    while (w.sender.phase < LOFT_PHASE_STREAMING && world_runs()) {
+    }
     loft_sender_control(&w.sender, LOFT_HOLD);
-    while (held && w.machine.drive.state != LOFT_STATE_HELD && world_runs()) {}
+    while (held && w.machine.drive.state != LOFT_STATE_HELD && world_runs()) {
+    }
     for (uint32_t ms = arb_below(a, 100); ms > 0; ms--)
         world_runs();
     loft_sender_control(&w.sender, LOFT_ABORT);
-    while (world_runs()) {}
+    while (world_runs()) {
+    }
     CHECK(!loft_state_busy(w.machine.drive.state));
     if (arb_below(a, 2))
         loft_machine_control(&w.machine, LOFT_HOLD);
@@ -321,13 +330,15 @@ static void a_closed_limit_ends_jobs_and_lets_none_begin(arb *a)
     for (int turn = 0; turn < 2; turn++) {              /* refused as often as it is tried, from a
                                                          * session of its own each time */
         another_job(turn ? (uint16_t)(LOFT_INPUT_ENDING & ~closed) : 0);
-        while (world_runs()) {}
+        while (world_runs()) {
+        }
         CHECK(w.sender.phase == LOFT_PHASE_REFUSED && w.sender.refusal == LOFT_REFUSAL_INPUT &&
               w.sender.closed == closed);
         CHECK(here(r.path[0]) && !w.machine.drive.active);
     }
     another_job(closed);
-    while (world_runs()) {}
+    while (world_runs()) {
+    }
     check_drawn();
     CHECK(w.sender.report.ended_by == 0);
 }
@@ -371,7 +382,8 @@ static void a_job_that_starts_elsewhere_is_refused(arb *a)
 {
     world_start(a, 20);
     w.job.start[arb_below(a, LOFT_AXES)] += 65536;
-    while (world_runs()) {}
+    while (world_runs()) {
+    }
     CHECK(w.sender.phase == LOFT_PHASE_REFUSED && w.sender.ack.refusal == LOFT_REFUSAL_START);
     CHECK(here(r.path[0]));
 }
@@ -385,8 +397,10 @@ static void an_item_that_is_too_fast_ends_the_job_on_the_path(arb *a)
     r.item[bad].p[2][axis] = r.item[bad].p[2][axis] < 0 ? INT32_MAX : INT32_MIN;
     r.item[bad].ticks = 1;
     if (r.kind == LOFT_SPANS)
-        for (r.ticks = 0; r.item_of[r.ticks] < bad; r.ticks++) {}
-    while (world_runs()) {}
+        for (r.ticks = 0; r.item_of[r.ticks] < bad; r.ticks++) {
+        }
+    while (world_runs()) {
+    }
     CHECK(w.sender.phase == LOFT_PHASE_REFUSED || w.sender.phase == LOFT_PHASE_ABORTED);
     CHECK(w.sender.ack.refusal == LOFT_REFUSAL_ITEM);
     for (int ms = 0; ms < 5000; ms++)

@@ -33,7 +33,7 @@ static void make_job(int32_t start[LOFT_AXES])
 {
     for (unsigned n = 0; n < curves; n++) {
         const uint16_t feed = (uint16_t)fmin(fmax(floor(arb_value(chain[n].feed) * 60), 1), 65535);
-        chain[n].feed  = loft_acc_round(loft_acc_ratio(loft_wide(LOFT_REAL(1)) * feed, 60));
+        chain[n].feed  = loft_acc_round(loft_acc_ratio(loft_to_acc(LOFT_REAL(1)) * feed, 60));
         items[n].ticks = feed;
         for (int i = 0; i < LOFT_AXES; i++)
             for (int k = 0; k < 3; k++)
@@ -57,11 +57,11 @@ static loft_job_limits asked(void)
 }
 
 /* A machine that limits nothing. */
-static loft_traits traits(void)
+static loft_machine_info info(void)
 {
-    loft_traits t = { .tick_hz = limits.tick_hz, .slots = 40 };
+    loft_machine_info t = { .tick_hz = limits.tick_hz, .slots = 40 };
     for (int i = 0; i < LOFT_AXES; i++)
-        t.axis[i] = (loft_traits_axis){ .steps_per_mm = 80 * 65536,
+        t.axis[i] = (loft_axis_config){ .steps_per_mm = 80 * 65536,
                                         .max_speed = INT32_MAX,
                                         .max_accel = INT32_MAX };
     return t;
@@ -113,7 +113,7 @@ static void curves_are_told_when_they_are_behind(arb *a)
     uint32_t told = 0;
 
     arb_job(a, start);
-    const loft_traits machine = traits();
+    const loft_machine_info machine = info();
     const loft_job_limits l   = asked();
     path_trace(&track, chain, curves, fmax(0.01, arb_value(limits.tol)) * 20);
     CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_OK);
@@ -156,7 +156,7 @@ static void the_spans_are_those_of_the_plan(arb *a)
 
     arb_job(a, start);
     limits.tol = loft_real_from_raw(raw(limits.tol));
-    const loft_traits machine = traits();
+    const loft_machine_info machine = info();
     const loft_job_limits l   = asked();
     for (int i = 0; i < LOFT_AXES; i++) {
         limits.max_speed[i] = loft_real_from_raw(l.axis[i].max_speed);
@@ -195,7 +195,7 @@ static void the_lower_limit_holds(arb *a)
     begin_chain();
     add_curve(along, across, line[0], line[1], 1000);
     make_job(start);
-    loft_traits machine = traits();
+    loft_machine_info machine = info();
     loft_job_limits l   = asked();
     (which & 1 ? &machine.axis[0].max_speed : &l.axis[0].max_speed)[0] = 100 * 65536;
     (which & 2 ? &machine.axis[0].max_accel : &l.axis[0].max_accel)[0] = 200 * 65536;
@@ -217,7 +217,7 @@ static void impossible_jobs_are_refused(arb *a)
     (void)a;
 
     usual_limits();
-    const loft_traits machine = traits();
+    const loft_machine_info machine = info();
     loft_job_limits l = asked();
     CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_OK &&
           loft_planner_begin(&planner, &machine, &l, start) == LOFT_OK);
@@ -269,7 +269,7 @@ static void dial(void)      { loft_sender_init(&w.sender, 1000 + w.ms, w.ms); }
 /* A machine for the chain; each axis may go 30 steps per tick, at 80 steps/mm and 1000 ticks/s. */
 static void switch_on(arb *a, uint16_t move_room)
 {
-    w.config = (loft_machine_config){ .traits = { .boot = 77, .tick_hz = 1000, .slots = 40 },
+    w.config = (loft_machine_config){ .info = { .boot = 77, .tick_hz = 1000, .slots = 40 },
                                       .ramp = 30,
                                       .cell = w.cell,
                                       .cells = CELLS,
@@ -279,9 +279,9 @@ static void switch_on(arb *a, uint16_t move_room)
 
     limits.tick_hz = 1000;
     for (int i = 0; i < LOFT_AXES; i++) {
-        w.config.traits.axis[i].steps_per_mm = 80 * 65536;
-        w.config.traits.axis[i].max_speed = 300 * 65536;
-        w.config.traits.axis[i].max_accel = 3000 * 65536;
+        w.config.info.axis[i].steps_per_mm = 80 * 65536;
+        w.config.info.axis[i].max_speed = 300 * 65536;
+        w.config.info.axis[i].max_accel = 3000 * 65536;
         w.at[i] = 0;
     }
     w.ms = w.bend = 0;
@@ -442,12 +442,12 @@ static void a_machine_without_a_planner_is_sent_no_curves(arb *a)
 {
     arb_drawing(a);
     switch_on(a, CURVES);
-    w.config = (loft_machine_config){ .traits = { .boot = 77, .tick_hz = 1000, .slots = 40 },
+    w.config = (loft_machine_config){ .info = { .boot = 77, .tick_hz = 1000, .slots = 40 },
                                       .ramp = 30,
                                       .cell = w.cell,
                                       .cells = CELLS };
     for (int i = 0; i < LOFT_AXES; i++)
-        w.config.traits.axis[i].steps_per_mm = 80 * 65536;
+        w.config.info.axis[i].steps_per_mm = 80 * 65536;
     CHECK(loft_machine_init(&w.machine, &w.config) == LOFT_OK);
     while (w.sender.phase < LOFT_PHASE_READY && w.ms < LONG)
         go_on();

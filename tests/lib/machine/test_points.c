@@ -67,7 +67,8 @@ static void points_come_out_in_order_and_unchanged(arb *a)
         for (uint32_t k = arb_below(a, 40); k > 0 && arb_below(a, 30) < eager; k--)
             push_point(&n);
         if (arb_below(a, 2))
-            for (uint8_t more; (more = loft_points_look(&points, &queue)) > 0; n.looked += more) {}
+            for (uint8_t more; (more = loft_points_look(&points, &queue)) > 0; n.looked += more) {
+            }
         CHECK(n.looked <= n.pushed);
         for (uint32_t k = arb_below(a, 20); k > 0; k--)
             poll_point(&n);

@@ -35,7 +35,7 @@ static line l;
 
 static void start(uint16_t count, uint16_t ticks, uint16_t portion, uint16_t ramp, double rate)
 {
-    static loft_traits_axis axis[LOFT_AXES];
+    static loft_axis_config axis[LOFT_AXES];
     loft_drive_config c = {
         .axis = axis, .tick_hz = 1000, .slots = SLOTS, .ramp = ramp, .cell = cells, .cells = count
     };
@@ -44,7 +44,7 @@ static void start(uint16_t count, uint16_t ticks, uint16_t portion, uint16_t ram
         .cells = count, .ticks = ticks, .portion = portion, .ramp = ramp, .rate = rate, .slowest = 9
     };
     for (int i = 0; i < LOFT_AXES; i++) {
-        axis[i] = (loft_traits_axis){ .steps_per_mm = 100 * 65536 };
+        axis[i] = (loft_axis_config){ .steps_per_mm = 100 * 65536 };
         c.position[i] = 0;
     }
     CHECK(loft_drive_init(&drive, &c) == LOFT_OK);

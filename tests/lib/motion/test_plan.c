@@ -72,10 +72,7 @@ static double grain(void)
 
 static double duration(const loft_span *s)       { return s->ticks / (double)limits.tick_hz; }
 static double speed_noise(const loft_span *s)    { return 3 * grain() / duration(s); }
-static double accel_noise(const loft_span *s)
-{
-    return 12 * grain() / (duration(s) * duration(s));
-}
+static double accel_noise(const loft_span *s) { return 12 * grain() / (duration(s) * duration(s)); }
 static double jerk_noise(const loft_span *s)
 {
     return 24 * grain() / (duration(s) * duration(s) * duration(s));

@@ -34,17 +34,14 @@ static void arb_path(arb *a)
 }
 
 static const loft_plan_cell *cell_of(unsigned i) { return &loft_course_piece(&course, i)->cell; }
-static bool rests(unsigned i)
-{
-    return i >= course.count || loft_course_piece(&course, i)->stop;
-}
+static bool rests(unsigned i) { return i >= course.count || loft_course_piece(&course, i)->stop; }
 
 /* The largest part of the limits of acceleration and jerk that the cell uses at one end, computed
  * anew from its control values. */
 static double use_of(unsigned i, int end)
 {
     const loft_plan_cell *c = cell_of(i);
-    const double h = (double)exact_acc(loft_unit_wide(c->length));
+    const double h = (double)exact_acc(loft_unit_to_acc(c->length));
     const bool first = rests(i), last = rests(i + 1);
     double x[2], a[2], most = 0;
 
@@ -54,8 +51,8 @@ static double use_of(unsigned i, int end)
             continue;
         }
         const loft_plan_cell *p = cell_of(i + (unsigned)k - 1), *q = cell_of(i + (unsigned)k);
-        const double l = (double)exact_acc(loft_unit_wide(p->length)),
-                     m = (double)exact_acc(loft_unit_wide(q->length));
+        const double l = (double)exact_acc(loft_unit_to_acc(p->length)),
+                     m = (double)exact_acc(loft_unit_to_acc(q->length));
         x[k] = (double)(m * exact_acc(p->b) + l * exact_acc(q->b)) / (l + m);
         a[k] = (double)(exact_acc(q->b) - exact_acc(p->b)) / (l + m);
     }
@@ -103,7 +100,7 @@ static void all_cells_hold_the_limits_at_their_ends(arb *a)
 static double use_beside_rest(unsigned i)
 {
     const loft_plan_cell *c = cell_of(i), *at = rests(i) ? cell_of(i + 1) : c;
-    const double h = (double)exact_acc(loft_unit_wide(c->length)), sign = rests(i) ? 1 : -1,
+    const double h = (double)exact_acc(loft_unit_to_acc(c->length)), sign = rests(i) ? 1 : -1,
                  a1 = (double)exact_acc(at->a), x1 = (double)exact_acc(at->x);
     double most = 0;
 
@@ -239,8 +236,8 @@ static void cells_shrink_and_grow_by_steps_around_a_bend(arb *a)
     loft_lane_load(&lane, &course);
     loft_lane_close(&lane, &course);
     for (unsigned i = 0; i + 1 < course.count; i++) {
-        const loft_acc h = loft_unit_wide(cell_of(i)->length),
-                       next = loft_unit_wide(cell_of(i + 1)->length);
+        const loft_acc h = loft_unit_to_acc(cell_of(i)->length),
+                       next = loft_unit_to_acc(cell_of(i + 1)->length);
         CHECK(rests(i + 1) || (h < 4 * next && next < 4 * h));
     }
 }
@@ -296,7 +293,7 @@ static void places_follow_each_other(arb *a)
     course.ended = true;
     loft_lane_load(&lane, &course);
     for (unsigned i = 0; i < course.count; i++)
-        length += (double)exact_acc(loft_unit_wide(cell_of(i)->length));
+        length += (double)exact_acc(loft_unit_to_acc(cell_of(i)->length));
     if (course.cut < course.move_count)
         return;
     begin();
@@ -304,7 +301,7 @@ static void places_follow_each_other(arb *a)
     loft_flow_init(&flow);
     for (; beats < 1000000 && loft_flow_next(&flow, &course) == LOFT_FLOW_RUNS; beats++) {
         CHECK(flow.way >= 0 && flow.off >= 0 &&
-              flow.off <= loft_unit_wide(cell_of(flow.at)->length));
+              flow.off <= loft_unit_to_acc(cell_of(flow.at)->length));
         gone += (double)exact_acc(flow.way);
     }
     CHECK_NEAR(gone, length, 1e-6 * length + beats * 1e-9);
@@ -318,18 +315,18 @@ static void eased_cells_bend_as_the_points_do(arb *a)
                  off = arb_value(real_of(arb_between(a, -1.4, 1.1) * w));
     const double h = arb_value(real_of(arb_between(a, 0.1, 0.3) * w)),
                  e = arb_value(real_of(w / BY_NUM(64, 64, 256)));
-    loft_ease ease = { loft_unit_round(loft_wide(real_of(w))), { 0 } };
+    loft_ease ease = { loft_unit_round(loft_to_acc(real_of(w))), { 0 } };
     const double jump[3] = { arb_between(a, -0.5, 0.5), arb_between(a, -0.5, 0.5),
                              arb_between(a, -0.5, 0.5) };
-    loft_plan_cell c = { .length = loft_unit_round(loft_wide(real_of(h))),
-                         .most = loft_wide(real_of(10)) };
+    loft_plan_cell c = { .length = loft_unit_round(loft_to_acc(real_of(h))),
+                         .most = loft_to_acc(real_of(10)) };
     loft_budget b = { .beat = 1, .tick_hz = 1000 };
 
     for (int i = 0; i < LOFT_AXES; i++) {
         ease.jump[i] = real_of(jump[i]);
         b.max_speed[i] = real_of(100);
     }
-    loft_cell_ease(&c, &b, &ease, loft_wide(real_of(off)));
+    loft_cell_ease(&c, &b, &ease, loft_to_acc(real_of(off)));
     for (int end = 0; end < 2; end++) {
         const double s = off + end * h;
         double p[3][LOFT_AXES];
@@ -338,7 +335,7 @@ static void eased_cells_bend_as_the_points_do(arb *a)
             continue;
         for (int k = 0; k < 3; k++) {
             loft_acc point[LOFT_AXES] = { 0 };
-            loft_ease_point(&ease, loft_wide(real_of(s + (k - 1) * e)), point);
+            loft_ease_point(&ease, loft_to_acc(real_of(s + (k - 1) * e)), point);
             for (int i = 0; i < LOFT_AXES; i++)
                 p[k][i] = (double)exact_acc(point[i]);
         }
@@ -353,8 +350,8 @@ static void eased_cells_bend_as_the_points_do(arb *a)
 
 static void an_inverse_multiplies_by_it(arb *a)
 {
-    const loft_acc length = loft_wide(real_of(arb_decades(a, 0.0003, 1000))),
-                   x = loft_wide(real_of(arb_decades(a, 0.01, 10)));
+    const loft_acc length = loft_to_acc(real_of(arb_decades(a, 0.0003, 1000))),
+                   x = loft_to_acc(real_of(arb_decades(a, 0.01, 10)));
     const loft_inverse by = loft_inverse_of(length);
     const double exact = (double)exact_acc(x) / (double)exact_acc(length);
 

@@ -18,10 +18,7 @@ typedef struct {
     double          ahead[LOFT_AXES], aside[LOFT_AXES];
 } scene;
 
-static loft_acc wide_of(double x)
-{
-    return BY_NUM((loft_acc)floor(x * 4294967296.0 + 0.5), x, x);
-}
+static loft_acc wide_of(double x) { return BY_NUM((loft_acc)floor(x * 4294967296.0 + 0.5), x, x); }
 static double value_of(loft_acc x)
 {
     return BY_NUM((double)x / 4294967296.0, (double)x, (double)x);

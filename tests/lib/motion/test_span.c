@@ -28,7 +28,8 @@ static void a_walk_yields_the_position_after_each_tick(arb *a)
         for (int i = 0; i < LOFT_AXES; i++) {
             const long double x[4] = { arb_value(s.p[0].axis[i]), arb_value(s.p[1].axis[i]),
                                        arb_value(s.p[2].axis[i]), arb_value(s.p[3].axis[i]) };
-            const long double want = q*q*q * x[0] + 3*q*q*t * x[1] + 3*q*t*t * x[2] + t*t*t * x[3];
+            const long double want = q * q * q * x[0] + 3 * q * q * t * x[1] +
+                                     3 * q * t * t * x[2] + t * t * t * x[3];
             CHECK_NEAR(arb_value(p.axis[i]) - want, 0,
                        BY_NUM(0.521 / 65536, 8191 * 0x1p-24, 8191 * 0x1p-39));
         }

@@ -10,7 +10,4 @@
 #  include "support/num_floats.h"   /* test_num: against long double    */
 #endif
 
-int main(void)
-{
-    return test_num();
-}
+int main(void) { return test_num(); }

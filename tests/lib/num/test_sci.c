@@ -82,8 +82,8 @@ static void numbers_come_in_and_go_out_as_they_are(arb *a)
     CHECK_EXACT(exact_sci(loft_sci_from_real(x)), exact_of(x), 0);
     CHECK_EXACT(exact_sci(loft_sci_from_unit(t)), exact_unit(t), 0);
     CHECK_EXACT(exact_sci(loft_sci_of(loft_prod(x, x))), exact_acc(loft_prod(x, x)), 0);
-    CHECK_EXACT(exact_sci(loft_sci_from_deep(loft_deep_of(loft_wide(x)))), exact_of(x), 0);
-    CHECK(loft_sci_wide(loft_sci_from_real(x), &wide));
+    CHECK_EXACT(exact_sci(loft_sci_from_acc128(loft_acc128_of(loft_to_acc(x)))), exact_of(x), 0);
+    CHECK(loft_sci_to_acc(loft_sci_from_real(x), &wide));
     CHECK_EXACT(exact_acc(wide), exact_of(x), 0);
     CHECK(loft_sci_is_unit(loft_sci_from_unit(t), &back));
     CHECK_EXACT(exact_unit(back), exact_unit(t), 0);
@@ -104,12 +104,12 @@ static void what_does_not_fit_is_refused(arb *a)
     loft_acc wide = (loft_acc)7;
     const loft_sci large = loft_sci_pow(loft_sci_from_int(2), 31 + arb_below(a, 40));
 
-    CHECK(loft_sci_wide(large, &wide) == BY_NUM(false, true, true));
+    CHECK(loft_sci_to_acc(large, &wide) == BY_NUM(false, true, true));
     CHECK(BY_NUM(wide == (loft_acc)7, true, true));
-    CHECK(
-        loft_sci_wide(loft_sci_sub(loft_sci_pow(loft_sci_from_int(2), 31), loft_sci_one()), &wide));
+    CHECK(loft_sci_to_acc(loft_sci_sub(loft_sci_pow(loft_sci_from_int(2), 31), loft_sci_one()),
+                          &wide));
     CHECK_EXACT(exact_acc(wide), 2147483647.0L, 0);
-    CHECK(loft_sci_wide(loft_sci_div(loft_sci_one(), large), &wide));
+    CHECK(loft_sci_to_acc(loft_sci_div(loft_sci_one(), large), &wide));
     const long double small = exact_sci(loft_sci_div(loft_sci_one(), large));
     CHECK_EXACT(exact_acc(wide),
                 BY_NUM(floorl(small * 4294967296.0L + 0.5L) / 4294967296.0L, small, small), 0);

@@ -23,14 +23,14 @@ static loft_basepoint arb_basepoint(arb *a, bool cuts)
         if (d < 2)
             break;
     }
-    arb_net(a, &points, loft_multi_count(3, d));
-    loft_multi_first(l, 3, d);
+    arb_net(a, &points, loft_multiindex_count(3, d));
+    loft_multiindex_first(l, 3, d);
     do {
         for (int i = 0; i < 3; i++)
             if (l[i] + cut[i] > (int)d)
                 points.w[k] = (loft_real)BY_NUM(-7, NAN, NAN);
         k++;
-    } while (loft_multi_next(l, 3));
+    } while (loft_multiindex_next(l, 3));
     CHECK(loft_basepoint_init(&b, points.p, points.w, d, cut) == LOFT_OK);
     return b;
 }
@@ -46,18 +46,19 @@ static long double exact_basepoint(const loft_basepoint *b, long double x, long 
 
     for (int i = 0; i < LOFT_AXES; i++)
         out[i] = 0;
-    loft_multi_first(l, 3, b->degree);
+    loft_multiindex_first(l, 3, b->degree);
     do {
         if (l[0] + b->cut[0] <= b->degree && l[1] + b->cut[1] <= b->degree &&
             l[2] + b->cut[2] <= b->degree) {
-            const long double t = loft_multi_ways(l, 3) * exact_of(b->w[k]) * power(x, l[0]) *
-                                  power(y, l[1]) * power(z, l[2]) * power(s, l[0] + l[1] - less);
+            const long double t = loft_multiindex_multinomial(l, 3) * exact_of(b->w[k]) *
+                                  power(x, l[0]) * power(y, l[1]) * power(z, l[2]) *
+                                  power(s, l[0] + l[1] - less);
             w += t;
             for (int i = 0; i < LOFT_AXES; i++)
                 out[i] += t * exact_of(b->p[k].axis[i]);
         }
         k++;
-    } while (loft_multi_next(l, 3));
+    } while (loft_multiindex_next(l, 3));
     for (int i = 0; i < LOFT_AXES; i++)
         out[i] /= w;
     return w;
@@ -179,8 +180,8 @@ static void without_cuts_it_is_a_rational_triangle(arb *a)
                     BY_NUM(1, 1, 256) * ulp(points.largest));
     for (unsigned k = 0; k <= b.degree; k++) {
         const uint8_t l[3] = { (uint8_t)(b.degree - k), (uint8_t)k, 0 };
-        side[k].p = points.p[loft_multi_rank(l, 3)];
-        side[k].w = points.w[loft_multi_rank(l, 3)];
+        side[k].p = points.p[loft_multiindex_rank(l, 3)];
+        side[k].w = points.w[loft_multiindex_rank(l, 3)];
     }
     CHECK(loft_rational_init(&r, side, b.degree) == LOFT_OK);
     CHECK(loft_basepoint_boundary(&b, 0, two, &w) == LOFT_OK);

@@ -370,7 +370,7 @@ static void derivatives_are_limits_of_differences(arb *a)
     const quad_surface s = { &g, &p, mean };
     const quad near = quad_scale(&p, quad_of(q), true);
     loft_jet phi[LOFT_SIDES_MAX];
-    loft_local here;
+    loft_differential here;
     quad want[LOFT_AXES][5], rough[LOFT_AXES][5];
     long double first, second;
 
@@ -378,7 +378,7 @@ static void derivatives_are_limits_of_differences(arb *a)
           (mean && !(near > 0) ? LOFT_SINGULAR : LOFT_OK));
     if (mean && !(near > 0))
         return;
-    CHECK(loft_gb_local(&g, phi, &here) == (near > 0 ? LOFT_OK : LOFT_SINGULAR));
+    CHECK(loft_gb_differential(&g, phi, &here) == (near > 0 ? LOFT_OK : LOFT_SINGULAR));
     if (!(near > 0))
         return;
     slopes_of(phi, p.n, &first, &second);
@@ -407,14 +407,14 @@ static void across_a_side_two_rows_count(arb *a)
     const loft_spot q = arb_on_edge(a, &p, i);
     const loft_gb g = arb_gb(a, p.n, d);
     loft_jet phi[LOFT_SIDES_MAX];
-    loft_local here;
+    loft_differential here;
     long double first, second;
 
     if (!(quad_scale(&p, quad_of(q), true) > 0))
         return;
     CHECK((mean ? loft_meanvalue_jet(&p.d, q, phi) : loft_wachspress_jet(&p.d, q, phi)) ==
               LOFT_OK &&
-          loft_gb_local(&g, phi, &here) == LOFT_OK);
+          loft_gb_differential(&g, phi, &here) == LOFT_OK);
     slopes_of(phi, p.n, &first, &second);
     const loft_jet *one = &phi[i], *two = &phi[(i + 1) % p.n];
     for (int along = 0; along < 2; along++) {
@@ -472,13 +472,14 @@ static void curvature_is_right_to_nine_digits(arb *a)
                                               (int)arb_below(a, 40000) - 20000));
     const quad_surface s = { &g, &p, arb_below(a, 2) };
     loft_jet phi[LOFT_SIDES_MAX];
-    loft_local here;
+    loft_differential here;
     loft_curvatures k;
     quad want[LOFT_AXES][5];
 
     if ((s.mean ? loft_meanvalue_jet(&p.d, q, phi) : loft_wachspress_jet(&p.d, q, phi)) != LOFT_OK)
         return;
-    CHECK(loft_gb_local(&g, phi, &here) == LOFT_OK && loft_local_curvatures(&here, &k) == LOFT_OK);
+    CHECK(loft_gb_differential(&g, phi, &here) == LOFT_OK &&
+          loft_differential_curvatures(&here, &k) == LOFT_OK);
     quad_differences(quad_surface_at, &s, LOFT_AXES, quad_of(q), 1e-7L, want);
     const long double gauss = (long double)quad_gauss(want);
     CHECK_EXACT(exact_acc(k.gauss), gauss,

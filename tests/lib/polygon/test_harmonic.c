@@ -1,4 +1,5 @@
-/* tests/lib/polygon/test_harmonic.c -- properties of lib/polygon/harmonic.h and of the host's solver
+/* tests/lib/polygon/test_harmonic.c -- properties of lib/polygon/harmonic.h and of the host's
+ * solver
  * SPDX-License-Identifier: MIT
  */
 #include "support/arb_polygon.h"            /* exact_sci, spot_raw */
@@ -6,7 +7,8 @@
 
 #define SHAPES 12
 
-/* Polygons that ask for everything: corners of all kinds, straight and nearly so, a vertex that is not seen from most of the inside. */
+/* Polygons that ask for everything: corners of all kinds, straight and nearly so, a vertex that is
+ * not seen from most of the inside. */
 static const struct {
     const char *name;
     unsigned n;
@@ -15,15 +17,41 @@ static const struct {
     { "triangle",   3, { { 0, 0 }, { 3, 1 }, { 1, 2 } } },
     { "square",     4, { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } },
     { "kite",       4, { { -1, -1 }, { 1.5, -0.5 }, { 1, 1.25 }, { -0.5, 0.75 } } },
-    { "pentagon",   5, { { 0, 1 }, { -0.951171875, 0.30908203125 }, { -0.587890625, -0.80908203125 }, { 0.587890625, -0.80908203125 }, { 0.951171875, 0.30908203125 } } },
-    { "long",       5, { { -1.25, -0.25 }, { 0.25, -0.75 }, { 1.5, -0.125 }, { 0.5, 0.625 }, { -0.75, 0.75 } } },
-    { "hexagon",    6, { { 0, 1 }, { -0.865966796875, 0.5 }, { -0.865966796875, -0.5 }, { 0, -1 }, { 0.865966796875, -0.5 }, { 0.865966796875, 0.5 } } },
+    { "pentagon",
+      5,
+      { { 0, 1 },
+        { -0.951171875, 0.30908203125 },
+        { -0.587890625, -0.80908203125 },
+        { 0.587890625, -0.80908203125 },
+        { 0.951171875, 0.30908203125 } } },
+    { "long",
+      5,
+      { { -1.25, -0.25 }, { 0.25, -0.75 }, { 1.5, -0.125 }, { 0.5, 0.625 }, { -0.75, 0.75 } } },
+    { "hexagon",
+      6,
+      { { 0, 1 },
+        { -0.865966796875, 0.5 },
+        { -0.865966796875, -0.5 },
+        { 0, -1 },
+        { 0.865966796875, -0.5 },
+        { 0.865966796875, 0.5 } } },
     { "straight",   5, { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1.5 } } },
     { "almost",     5, { { 0, 0 }, { 1, 0 }, { 2, 0.0009765625 }, { 2, 1 }, { 0, 1.5 } } },
     { "notch",      5, { { 0, 0 }, { 4, 0 }, { 4, 3 }, { 2, 1 }, { 0, 3 } } },
     { "angle",      6, { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } } },
-    { "star",       8, { { 2, 0 }, { 0.5, 0.5 }, { 0, 2 }, { -0.5, 0.5 }, { -2, 0 }, { -0.5, -0.5 }, { 0, -2 }, { 0.5, -0.5 } } },
-    { "spiral",     8, { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 1, 4 }, { 1, 2 }, { 3, 3 }, { 3, 1 }, { 0, 1 } } }
+    { "star",
+      8,
+      { { 2, 0 },
+        { 0.5, 0.5 },
+        { 0, 2 },
+        { -0.5, 0.5 },
+        { -2, 0 },
+        { -0.5, -0.5 },
+        { 0, -2 },
+        { 0.5, -0.5 } } },
+    { "spiral",
+      8,
+      { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 1, 4 }, { 1, 2 }, { 3, 3 }, { 3, 1 }, { 0, 1 } } }
 };
 
 static struct {
@@ -40,7 +68,8 @@ static solved *shape_of(unsigned k)
         return &known[k].s;
     p->n = shapes[k].n;
     for (unsigned i = 0; i < p->n; i++)
-        p->v[i] = spot_raw((int64_t)(shapes[k].v[i][0] * 65536), (int64_t)(shapes[k].v[i][1] * 65536));
+        p->v[i] = spot_raw((int64_t)(shapes[k].v[i][0] * 65536),
+                           (int64_t)(shapes[k].v[i][1] * 65536));
     CHECK(loft_domain_init(&p->d, p->v, p->n) == LOFT_OK);
     solve(&known[k].s, &p->d);
     CHECK(known[k].s.ready);
@@ -94,7 +123,8 @@ static void the_library_evaluates_the_series(arb *a)
     }
 }
 
-/* sum phi_i = 1 and sum phi_i v_i = p hold of the solution, so of the series within its bound for each. */
+/* sum phi_i = 1 and sum phi_i v_i = p hold of the solution, so of the series within its bound for
+ * each. */
 static void constants_and_the_point_are_reproduced(arb *a)
 {
     const unsigned shape = arb_below(a, SHAPES);
@@ -135,13 +165,16 @@ static void triangle_and_square_are_what_formulas_say(arb *a)
     const long double square[4] = { (1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y };
     for (unsigned i = 0; i < p->n; i++) {
         const loft_spot *b = &p->v[(i + 1) % p->n], *c = &p->v[(i + 2) % p->n];
-        const long double triangle = (long double)exact_cross(&q, b, c) / (long double)exact_cross(&p->v[i], b, c);
+        const long double triangle = (long double)exact_cross(&q, b, c) /
+                                     (long double)exact_cross(&p->v[i], b, c);
         CHECK_NEAR(exact_sci(phi[i]) - (shape ? square[i] : triangle), 0, off);
     }
 }
 
-/* One LSB inside, a coordinate is what it is on the edge but for some multiple of its slope there; at a corner of the angle
- * A that is infinite, like r^(pi/A - 1), at most r^(-1/2). A branch that is missed anywhere shows as an error of its own size. */
+/* One LSB inside, a coordinate is what it is on the edge but for some multiple of its slope there;
+ * at a corner of the angle
+ * A that is infinite, like r^(pi/A - 1), at most r^(-1/2). A branch that is missed anywhere shows
+ * as an error of its own size. */
 static void next_to_an_edge_it_is_nearly_linear(arb *a)
 {
     const unsigned shape = arb_below(a, SHAPES);
@@ -149,17 +182,24 @@ static void next_to_an_edge_it_is_nearly_linear(arb *a)
     const arb_domain *p = &known[shape].p;
     const unsigned edge = arb_below(a, p->n), after = (edge + 1) % p->n;
     const loft_spot on = arb_on_edge(a, p, edge);
-    const loft_spot q = spot_raw(exact_raw(on.at[0]) + (int)arb_below(a, 5) - 2, exact_raw(on.at[1]) + (int)arb_below(a, 5) - 2);
+    const loft_spot q = spot_raw(exact_raw(on.at[0]) + (int)arb_below(a, 5) - 2,
+                                 exact_raw(on.at[1]) + (int)arb_below(a, 5) - 2);
     loft_sci phi[LOFT_SIDES_MAX], area[LOFT_SIDES_MAX];
     unsigned index = 0;
 
     if (loft_domain_place(&p->d, q, area, &index) != LOFT_INSIDE)
         return;
     CHECK(loft_harmonic_eval(&s->h, q, phi) == LOFT_OK);
-    const long double x = exact_of(p->v[after].at[0]) - exact_of(p->v[edge].at[0]), y = exact_of(p->v[after].at[1]) - exact_of(p->v[edge].at[1]);
-    const long double t = ((exact_of(q.at[0]) - exact_of(p->v[edge].at[0])) * x + (exact_of(q.at[1]) - exact_of(p->v[edge].at[1])) * y) / (x * x + y * y);
+    const long double x = exact_of(p->v[after].at[0]) - exact_of(p->v[edge].at[0]),
+                      y = exact_of(p->v[after].at[1]) - exact_of(p->v[edge].at[1]);
+    const long double t = ((exact_of(q.at[0]) - exact_of(p->v[edge].at[0])) * x +
+                           (exact_of(q.at[1]) - exact_of(p->v[edge].at[1])) * y) /
+                          (x * x + y * y);
     for (unsigned i = 0; i < p->n; i++)
-        CHECK_NEAR(exact_sci(phi[i]) - (i == edge ? 1 - t : i == after ? t : 0), 0, 0.02L + s->series.bound);
+        CHECK_NEAR(exact_sci(phi[i]) - (i == edge    ? 1 - t
+                                        : i == after ? t
+                                                     : 0),
+                   0, 0.02L + s->series.bound);
 }
 
 static void edges_and_vertices_are_exact_and_outside_is_refused(arb *a)
@@ -168,7 +208,8 @@ static void edges_and_vertices_are_exact_and_outside_is_refused(arb *a)
     const solved *s = shape_of(shape);
     const arb_domain *p = &known[shape].p;
     const unsigned edge = arb_below(a, p->n);
-    const loft_spot q = arb_on_edge(a, p, edge), far = spot_raw(100 * 65536, (int32_t)arb_below(a, 65536));
+    const loft_spot q = arb_on_edge(a, p, edge),
+                    far = spot_raw(100 * 65536, (int32_t)arb_below(a, 65536));
     loft_sci phi[LOFT_SIDES_MAX], want[LOFT_SIDES_MAX], area[LOFT_SIDES_MAX];
     loft_jet jet[LOFT_SIDES_MAX];
     unsigned index = 0;
@@ -182,7 +223,8 @@ static void edges_and_vertices_are_exact_and_outside_is_refused(arb *a)
     for (unsigned i = 0; i < p->n; i++)
         CHECK(exact_sci(phi[i]) - exact_sci(want[i]) == 0);
     CHECK(loft_harmonic_jet(&s->h, q, jet) == (place == LOFT_AT_VERTEX ? LOFT_SINGULAR : LOFT_OK));
-    CHECK(loft_harmonic_eval(&s->h, far, phi) == LOFT_ERR_RANGE && loft_harmonic_jet(&s->h, far, jet) == LOFT_ERR_RANGE);
+    CHECK(loft_harmonic_eval(&s->h, far, phi) == LOFT_ERR_RANGE &&
+          loft_harmonic_jet(&s->h, far, jet) == LOFT_ERR_RANGE);
 }
 
 /* How far from the boundary. */
@@ -192,7 +234,8 @@ static long double room_of(const arb_domain *p, const double at[2])
 
     for (unsigned i = 0; i < p->n; i++) {
         const loft_spot *b = &p->v[i], *c = &p->v[(i + 1) % p->n];
-        const long double x = exact_of(c->at[0]) - exact_of(b->at[0]), y = exact_of(c->at[1]) - exact_of(b->at[1]);
+        const long double x = exact_of(c->at[0]) - exact_of(b->at[0]),
+                          y = exact_of(c->at[1]) - exact_of(b->at[1]);
         const long double u = at[0] - exact_of(b->at[0]), v = at[1] - exact_of(b->at[1]);
         const long double t = fminl(fmaxl((u * x + v * y) / (x * x + y * y), 0), 1);
         least = fminl(least, hypotl(u - t * x, v - t * y));
@@ -200,7 +243,8 @@ static long double room_of(const arb_domain *p, const double at[2])
     return least;
 }
 
-/* Against central differences of the series, whose own error is a fourth derivative: at most 4! / r^4 times the step squared. */
+/* Against central differences of the series, whose own error is a fourth derivative: at most 4! /
+ * r^4 times the step squared. */
 static void derivatives_are_those_of_the_series(arb *a)
 {
     const unsigned shape = arb_below(a, SHAPES);
@@ -214,21 +258,31 @@ static void derivatives_are_those_of_the_series(arb *a)
     if (!inside(a, p, &q))
         return;
     point_of(q, at);
-    const long double room = room_of(p, at), step = ldexpl(1, ilogbl(room) - 9), rest = solved_rounding(s) + 0x1p-60L * s->series.largest;
+    const long double room = room_of(p, at), step = ldexpl(1, ilogbl(room) - 9),
+                      rest = solved_rounding(s) + 0x1p-60L * s->series.largest;
     if (room < 0.01L)
         return;
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
-            const double beside[2] = { at[0] + (i - 1) * (double)step, at[1] + (k - 1) * (double)step };
+            const double beside[2] = { at[0] + (i - 1) * (double)step,
+                                       at[1] + (k - 1) * (double)step };
             harmonic_at(&s->series, beside, by[i][k]);
         }
     CHECK(loft_harmonic_jet(&s->h, q, jet) == LOFT_OK);
     for (unsigned i = 0; i < p->n; i++) {
-        const long double first = 8 * step * step / powl(room, 3) + 16 * rest / room, second = 64 * step * step / powl(room, 4) + 256 * rest / (room * room) + 0x1p-60L * s->series.largest / (step * step);
-        CHECK_NEAR(exact_sci(jet[i].x) - (by[2][1][i] - by[0][1][i]) / (2 * step), 0, first + rest / step * 0x1p-8L);
-        CHECK_NEAR(exact_sci(jet[i].y) - (by[1][2][i] - by[1][0][i]) / (2 * step), 0, first + rest / step * 0x1p-8L);
-        CHECK_NEAR(exact_sci(jet[i].xx) - (by[2][1][i] - 2 * by[1][1][i] + by[0][1][i]) / (step * step), 0, second);
-        CHECK_NEAR(exact_sci(jet[i].xy) - (by[2][2][i] - by[2][0][i] - by[0][2][i] + by[0][0][i]) / (4 * step * step), 0, second);
+        const long double first = 8 * step * step / powl(room, 3) + 16 * rest / room,
+                          second = 64 * step * step / powl(room, 4) + 256 * rest / (room * room) +
+                                   0x1p-60L * s->series.largest / (step * step);
+        CHECK_NEAR(exact_sci(jet[i].x) - (by[2][1][i] - by[0][1][i]) / (2 * step), 0,
+                   first + rest / step * 0x1p-8L);
+        CHECK_NEAR(exact_sci(jet[i].y) - (by[1][2][i] - by[1][0][i]) / (2 * step), 0,
+                   first + rest / step * 0x1p-8L);
+        CHECK_NEAR(exact_sci(jet[i].xx) -
+                       (by[2][1][i] - 2 * by[1][1][i] + by[0][1][i]) / (step * step),
+                   0, second);
+        CHECK_NEAR(exact_sci(jet[i].xy) -
+                       (by[2][2][i] - by[2][0][i] - by[0][2][i] + by[0][0][i]) / (4 * step * step),
+                   0, second);
         CHECK_NEAR(exact_sci(jet[i].xx) + exact_sci(jet[i].yy), 0, 0);
     }
 }

@@ -43,7 +43,7 @@ static loft_spot arb_spot(arb *a, const loft_spot v[], unsigned sides)
 static long double value_of(loft_sci x)
 {
     loft_acc wide = 0;
-    CHECK(loft_sci_wide(x, &wide));
+    CHECK(loft_sci_to_acc(x, &wide));
     return exact_acc(wide);
 }
 

@@ -1,5 +1,5 @@
 /* tests/lib/polygon/test_slopes.c -- derivatives of S-patches, toric and base point patches:
- * properties of lib/polygon/jet_blend.h
+ * properties of lib/polygon/jet_weighted_sum.h
  * SPDX-License-Identifier: MIT
  *
  * Their weights are products of powers; in 113 bits, one factor after the other.
@@ -7,7 +7,7 @@
 #include "support/exact_quad.h"             /* quad */
 #include "support/arb_patch.h"              /* arb_net */
 #include "polygon/basepoint.h"
-#include "polygon/jet_blend.h"
+#include "polygon/jet_weighted_sum.h"
 #include "polygon/meanvalue.h"
 #include "polygon/spatch.h"
 #include "polygon/toric.h"
@@ -56,7 +56,7 @@ static void add_term(exact_sum *s, const loft_vec *p, quad c, const function f[]
 }
 
 /* The quotient's derivatives against what the library gives. */
-static void check_slopes(const exact_sum *s, const loft_local *got)
+static void check_slopes(const exact_sum *s, const loft_differential *got)
 {
     const quad *w = s->w;
     const long double a = (long double)(s->size[0] / quad_size(w[0])),
@@ -97,28 +97,29 @@ static void derivatives_of_s_patches_are_exact(arb *a)
     function f[LOFT_SIDES_MAX];
     uint8_t l[LOFT_SIDES_MAX];
     exact_sum sum = { .size = { 0, 0 } };
-    loft_local here;
+    loft_differential here;
     loft_spatch s;
 
-    while (loft_multi_count(p.n, depth) > PATCH_POINTS)
+    while (loft_multiindex_count(p.n, depth) > PATCH_POINTS)
         depth--;
     if (loft_domain_place(&p.d, q, area, &rank) != LOFT_INSIDE)
         return;
     CHECK((arb_below(a, 2) ? loft_meanvalue_jet(&p.d, q, phi)
                            : loft_wachspress_jet(&p.d, q, phi)) == LOFT_OK);
-    arb_net(a, &points, loft_multi_count(p.n, depth));
+    arb_net(a, &points, loft_multiindex_count(p.n, depth));
     CHECK(loft_spatch_init(&s, points.p, rational ? points.w : NULL, p.n, depth) == LOFT_OK &&
-          loft_spatch_local(&s, phi, &here) == LOFT_OK);
+          loft_spatch_differential(&s, phi, &here) == LOFT_OK);
     for (unsigned i = 0; i < p.n; i++)
         f[i] = function_of(&phi[i]);
     rank = 0;
-    loft_multi_first(l, p.n, depth);
+    loft_multiindex_first(l, p.n, depth);
     do {
         add_term(&sum, &points.p[rank],
-                 loft_multi_ways(l, p.n) * (rational ? (quad)exact_of(points.w[rank]) : 1), f, l,
-                 p.n);
+                 loft_multiindex_multinomial(l, p.n) *
+                     (rational ? (quad)exact_of(points.w[rank]) : 1),
+                 f, l, p.n);
         rank++;
-    } while (loft_multi_next(l, p.n));
+    } while (loft_multiindex_next(l, p.n));
     check_slopes(&sum, &here);
 }
 
@@ -128,7 +129,7 @@ static void a_flat_triangle_does_not_bend(arb *a)
     arb_domain p;
     loft_jet phi[LOFT_SIDES_MAX];
     loft_curvatures k;
-    loft_local here;
+    loft_differential here;
     loft_spatch s;
 
     do
@@ -138,8 +139,8 @@ static void a_flat_triangle_does_not_bend(arb *a)
     arb_net(a, &points, 3);
     CHECK(loft_wachspress_jet(&p.d, p.v[arb_below(a, 3)], phi) == LOFT_OK);
     CHECK(loft_spatch_init(&s, points.p, NULL, 3, 1) == LOFT_OK &&
-          loft_spatch_local(&s, phi, &here) == LOFT_OK);
-    const enum loft_status status = loft_local_curvatures(&here, &k);
+          loft_spatch_differential(&s, phi, &here) == LOFT_OK);
+    const enum loft_status status = loft_differential_curvatures(&here, &k);
     CHECK(status == LOFT_SINGULAR || status == LOFT_ERR_RANGE || LOFT_AXES >= 3);
     for (int i = 0; i < LOFT_AXES; i++) {
         long double most = 0;
@@ -154,7 +155,9 @@ static void a_flat_triangle_does_not_bend(arb *a)
 
 static void derivatives_of_toric_patches_are_exact(arb *a)
 {
-    static const struct { loft_whole v[LOFT_SIDES_MAX]; unsigned n;
+    static const struct {
+        loft_whole v[LOFT_SIDES_MAX];
+        unsigned n;
     } shape[3] = { { { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 2 } }, { { 0, 2 } } }, 5 },
                    { { { { -3, -2 } },
                        { { 1, -3 } },
@@ -168,7 +171,7 @@ static void derivatives_of_toric_patches_are_exact(arb *a)
     loft_lattice_polygon l = { .sides = 0 };
     exact_sum sum = { .size = { 0, 0 } };
     function h[LOFT_SIDES_MAX];
-    loft_local here;
+    loft_differential here;
     loft_toric t;
     loft_whole q;
     unsigned m = 0;
@@ -188,7 +191,7 @@ static void derivatives_of_toric_patches_are_exact(arb *a)
     for (unsigned i = 0; i < loft_lattice_polygon_count(&l); i++)
         factor[i] = loft_real_from_int(1 + (int32_t)arb_below(a, 30));
     CHECK(loft_toric_init(&t, &l, points.p, factor, points.w) == LOFT_OK &&
-          loft_toric_local(&t, p, &here) == LOFT_OK);
+          loft_toric_differential(&t, p, &here) == LOFT_OK);
     loft_lattice_polygon_first(&l, &q);
     do {
         uint8_t e[LOFT_SIDES_MAX];
@@ -214,20 +217,20 @@ static void derivatives_of_base_point_patches_are_exact(arb *a)
                               { 1 - x - y, { -1, -1, 0, 0, 0 } } };
     exact_sum sum = { .size = { 0, 0 } };
     loft_basepoint b;
-    loft_local here;
+    loft_differential here;
     uint8_t l[3];
     unsigned k = 0;
 
-    arb_net(a, &points, loft_multi_count(3, d));
+    arb_net(a, &points, loft_multiindex_count(3, d));
     CHECK(loft_basepoint_init(&b, points.p, points.w, d, cut) == LOFT_OK &&
-          loft_basepoint_local(&b, one, two, &here) == LOFT_OK);
-    loft_multi_first(l, 3, d);
+          loft_basepoint_differential(&b, one, two, &here) == LOFT_OK);
+    loft_multiindex_first(l, 3, d);
     do {
         if (l[0] + cut[0] <= (int)d && l[1] + cut[1] <= (int)d && l[2] + cut[2] <= (int)d)
-            add_term(&sum, &points.p[k], loft_multi_ways(l, 3) * (quad)exact_of(points.w[k]), phi,
-                     l, 3);
+            add_term(&sum, &points.p[k],
+                     loft_multiindex_multinomial(l, 3) * (quad)exact_of(points.w[k]), phi, l, 3);
         k++;
-    } while (loft_multi_next(l, 3));
+    } while (loft_multiindex_next(l, 3));
     check_slopes(&sum, &here);
 }
 
@@ -240,29 +243,31 @@ static void derivatives_at_a_corner_are_exact(arb *a)
     const uint8_t *cut = cuts[arb_below(a, 4)];
     const loft_unit u = loft_unit_of(i, 65536), v = loft_unit_of(j, 65536);
     const quad x = (quad)i / 65536, y = (quad)j / 65536;
-    const function factor_of[4] = { { 1 - y, { 0, -1, 0, 0, 0 } }, { 1 - x, { -1, 0, 0, 0, 0 } },
-                                    { x, { 1, 0, 0, 0, 0 } }, { y, { 0, 1, 0, 0, 0 } } };
+    const function factor_of[4] = { { 1 - y, { 0, -1, 0, 0, 0 } },
+                                    { 1 - x, { -1, 0, 0, 0, 0 } },
+                                    { x, { 1, 0, 0, 0, 0 } },
+                                    { y, { 0, 1, 0, 0, 0 } } };
     exact_sum sum = { .size = { 0, 0 } };
     loft_basepoint b;
-    loft_local here;
+    loft_differential here;
     uint8_t l[3];
     unsigned k = 0;
 
     if (i == 65536 || j == 65536)
         return;
-    arb_net(a, &points, loft_multi_count(3, d));
+    arb_net(a, &points, loft_multiindex_count(3, d));
     CHECK(loft_basepoint_init(&b, points.p, points.w, d, cut) == LOFT_OK);
-    CHECK(loft_basepoint_corner_local(&b, corner, u, v, &here) == LOFT_OK);
-    CHECK(loft_basepoint_corner_local(&b, 3, u, v, &here) == LOFT_ERR_ARG);
-    loft_multi_first(l, 3, d);
+    CHECK(loft_basepoint_corner_differential(&b, corner, u, v, &here) == LOFT_OK);
+    CHECK(loft_basepoint_corner_differential(&b, 3, u, v, &here) == LOFT_ERR_ARG);
+    loft_multiindex_first(l, 3, d);
     do {
         const uint8_t e[4] = { l[corner], l[(corner + 1) % 3], l[(corner + 2) % 3],
                                (uint8_t)(d - l[corner] - cut[corner]) };
-        const quad ways = loft_multi_ways(l, 3);
+        const quad ways = loft_multiindex_multinomial(l, 3);
         if (l[0] + cut[0] <= (int)d && l[1] + cut[1] <= (int)d && l[2] + cut[2] <= (int)d)
             add_term(&sum, &points.p[k], ways * (quad)exact_of(points.w[k]), factor_of, e, 4);
         k++;
-    } while (loft_multi_next(l, 3));
+    } while (loft_multiindex_next(l, 3));
     check_slopes(&sum, &here);
 }
 
@@ -272,20 +277,20 @@ static void widths_are_those_of_the_surface(arb *a)
 {
     arb_domain p = arb_convex(a);
     loft_jet phi[LOFT_SIDES_MAX];
-    loft_local here, there;
+    loft_differential here, there;
     loft_spatch s;
 
     settle(&p);
-    arb_net(a, &points, loft_multi_count(p.n, 2));
-    for (unsigned k = 0; k < loft_multi_count(p.n, 2); k++)
+    arb_net(a, &points, loft_multiindex_count(p.n, 2));
+    for (unsigned k = 0; k < loft_multiindex_count(p.n, 2); k++)
         points.w[k] = loft_real_from_int(1 + (int32_t)arb_below(a, 16));
     CHECK(loft_wachspress_jet(&p.d, p.v[arb_below(a, p.n)], phi) == LOFT_OK);
     CHECK(loft_spatch_init(&s, points.p, points.w, p.n, 2) == LOFT_OK &&
-          loft_spatch_local(&s, phi, &here) == LOFT_OK);
-    for (unsigned k = 0; k < loft_multi_count(p.n, 2); k++)
+          loft_spatch_differential(&s, phi, &here) == LOFT_OK);
+    for (unsigned k = 0; k < loft_multiindex_count(p.n, 2); k++)
         points.w[k] *= 4;
     CHECK(loft_spatch_init(&s, points.p, points.w, p.n, 2) == LOFT_OK &&
-          loft_spatch_local(&s, phi, &there) == LOFT_OK);
+          loft_spatch_differential(&s, phi, &there) == LOFT_OK);
     CHECK_EXACT(exact_sci(there.width_u), exact_sci(here.width_u),
                 exact_sci(here.width_u) * BY_NUM(0x1p-55L, 0x1p-48L, 0x1p-48L));
     CHECK_EXACT(exact_sci(there.width_v), exact_sci(here.width_v),
@@ -297,18 +302,18 @@ static void where_there_is_no_point_there_are_no_derivatives(arb *a)
     static const uint8_t cut[3] = { 1, 0, 0 };
     loft_lattice_polygon l = { .sides = 0 };
     const loft_whole v[3] = { { { 0, 0 } }, { { 4, 0 } }, { { 0, 4 } } };
-    loft_local here;
+    loft_differential here;
     loft_basepoint b;
     loft_toric t;
 
     arb_net(a, &points, 21);
     CHECK(loft_basepoint_init(&b, points.p, points.w, 3, cut) == LOFT_OK);
-    CHECK(loft_basepoint_local(&b, LOFT_UNIT(1), 0, &here) == LOFT_SINGULAR &&
-          loft_basepoint_local(&b, LOFT_UNIT(1), LOFT_UNIT(1), &here) == LOFT_ERR_ARG);
+    CHECK(loft_basepoint_differential(&b, LOFT_UNIT(1), 0, &here) == LOFT_SINGULAR &&
+          loft_basepoint_differential(&b, LOFT_UNIT(1), LOFT_UNIT(1), &here) == LOFT_ERR_ARG);
     CHECK(loft_lattice_polygon_init(&l, v, 3) == LOFT_OK &&
           loft_toric_init(&t, &l, points.p, NULL, NULL) == LOFT_OK);
-    CHECK(loft_toric_local(&t, spot_raw(-1, 5), &here) == LOFT_ERR_RANGE &&
-          loft_toric_local(&t, spot_raw(0, 0), &here) == LOFT_OK);
+    CHECK(loft_toric_differential(&t, spot_raw(-1, 5), &here) == LOFT_ERR_RANGE &&
+          loft_toric_differential(&t, spot_raw(0, 0), &here) == LOFT_OK);
 }
 
 int main(void)

@@ -1,4 +1,5 @@
-/* tests/lib/polygon/test_spatch.c -- properties of lib/polygon/spatch.h, multi.h and blend.h
+/* tests/lib/polygon/test_spatch.c -- properties of lib/polygon/spatch.h, multiindex.h and
+ * weighted_sum.h
  * SPDX-License-Identifier: MIT
  */
 #include "support/arb_patch.h"              /* arb_net, arb_domain */
@@ -17,9 +18,9 @@ static loft_spatch arb_spatch(arb *a, unsigned sides, bool rational)
     unsigned depth = 1 + arb_below(a, LOFT_DEGREE_MAX);
     loft_spatch s = { 0, 0, 0, 0 };
 
-    while (loft_multi_count(sides, depth) > PATCH_POINTS)
+    while (loft_multiindex_count(sides, depth) > PATCH_POINTS)
         depth--;
-    arb_net(a, &points, loft_multi_count(sides, depth));
+    arb_net(a, &points, loft_multiindex_count(sides, depth));
     CHECK(loft_spatch_init(&s, points.p, rational ? points.w : NULL, sides, depth) == LOFT_OK);
     return s;
 }
@@ -48,7 +49,7 @@ static void exact_spatch(const loft_spatch *s, const loft_sci phi[], long double
 
     for (int i = 0; i < LOFT_AXES; i++)
         out[i] = 0;
-    loft_multi_first(l, s->sides, s->depth);
+    loft_multiindex_first(l, s->sides, s->depth);
     do {
         long double b = factorial[s->depth];
         for (unsigned i = 0; i < s->sides; i++)
@@ -58,7 +59,7 @@ static void exact_spatch(const loft_spatch *s, const loft_sci phi[], long double
         for (int i = 0; i < LOFT_AXES; i++)
             out[i] += b * exact_of(s->p[k].axis[i]);
         k++;
-    } while (loft_multi_next(l, s->sides));
+    } while (loft_multiindex_next(l, s->sides));
     for (int i = 0; i < LOFT_AXES && s->w; i++)
         out[i] /= w;
 }
@@ -69,15 +70,15 @@ static void ranks_count_all_indices_in_order(arb *a)
     uint8_t l[LOFT_SIDES_MAX];
     unsigned rank = 0;
 
-    loft_multi_first(l, n, d);
+    loft_multiindex_first(l, n, d);
     do {
         unsigned sum = 0;
         for (unsigned i = 0; i < n; i++)
             sum += l[i];
-        CHECK(sum == d && loft_multi_rank(l, n) == rank);
+        CHECK(sum == d && loft_multiindex_rank(l, n) == rank);
         rank++;
-    } while (loft_multi_next(l, n));
-    CHECK(rank == loft_multi_count(n, d) && l[n - 1] == d);
+    } while (loft_multiindex_next(l, n));
+    CHECK(rank == loft_multiindex_count(n, d) && l[n - 1] == d);
 }
 
 static void both_roads_are_within_the_bound(arb *a)
@@ -142,8 +143,8 @@ static void edges_are_the_curves_of_their_points(arb *a)
         uint8_t l[LOFT_SIDES_MAX] = { 0 };
         l[e] = (uint8_t)(d - k);
         l[f] = (uint8_t)k;
-        w[k].p = p[k] = s.p[loft_multi_rank(l, s.sides)];
-        w[k].w = points.w[loft_multi_rank(l, s.sides)];
+        w[k].p = p[k] = s.p[loft_multiindex_rank(l, s.sides)];
+        w[k].w = points.w[loft_multiindex_rank(l, s.sides)];
     }
     for (unsigned i = 0; i < s.sides; i++)
         phi[i] = loft_sci_zero();
@@ -177,7 +178,7 @@ static void corners_are_control_points(arb *a)
         phi[i] = i == corner ? loft_sci_one() : loft_sci_zero();
     CHECK(loft_spatch_eval(&s, phi, &v) == LOFT_OK);
     for (int i = 0; i < LOFT_AXES; i++)
-        CHECK_EXACT(exact_of(v.axis[i]), exact_of(s.p[loft_multi_rank(l, s.sides)].axis[i]),
+        CHECK_EXACT(exact_of(v.axis[i]), exact_of(s.p[loft_multiindex_rank(l, s.sides)].axis[i]),
                     s.w ? BY_NUM(0, ulp(points.largest), ulp(points.largest)) : 0);
 }
 
@@ -188,11 +189,12 @@ static void raising_changes_nothing(arb *a)
     loft_sci phi[LOFT_SIDES_MAX];
     long double want[LOFT_AXES], got[LOFT_AXES];
 
-    if (s.depth == LOFT_DEGREE_MAX || loft_multi_count(sides, s.depth + 1u) > PATCH_POINTS) {
-        CHECK(s.depth < LOFT_DEGREE_MAX || loft_spatch_raise(&s, other.p, other.w) == LOFT_ERR_ARG);
+    if (s.depth == LOFT_DEGREE_MAX || loft_multiindex_count(sides, s.depth + 1u) > PATCH_POINTS) {
+        CHECK(s.depth < LOFT_DEGREE_MAX ||
+              loft_spatch_elevate(&s, other.p, other.w) == LOFT_ERR_ARG);
         return;
     }
-    CHECK(loft_spatch_raise(&s, other.p, other.w) == LOFT_OK);
+    CHECK(loft_spatch_elevate(&s, other.p, other.w) == LOFT_OK);
     CHECK(loft_spatch_init(&raised, other.p, s.w ? other.w : NULL, sides, s.depth + 1u) == LOFT_OK);
     arb_phi(a, sides, phi);
     exact_spatch(&s, phi, want);
@@ -299,7 +301,7 @@ static void a_moved_net_moves_the_surface(arb *a)
 
     if (points.largest > 16000)
         return;
-    for (unsigned k = 0; k < loft_multi_count(s.sides, s.depth); k++)
+    for (unsigned k = 0; k < loft_multiindex_count(s.sides, s.depth); k++)
         for (int i = 0; i < LOFT_AXES; i++)
             other.p[k].axis[i] = s.p[k].axis[i] + by;
     m.p = other.p;
@@ -313,7 +315,7 @@ static void a_moved_net_moves_the_surface(arb *a)
 static void the_surface_stays_within_its_points(arb *a)
 {
     const loft_spatch s = arb_spatch(a, 3 + arb_below(a, 6), arb_below(a, 2));
-    const unsigned count = loft_multi_count(s.sides, s.depth);
+    const unsigned count = loft_multiindex_count(s.sides, s.depth);
     loft_sci phi[LOFT_SIDES_MAX];
     loft_vec v = { { 0 } };
 
@@ -336,15 +338,15 @@ static void links_are_the_edges_of_the_net(arb *a)
     static uint8_t l[PATCH_POINTS][LOFT_SIDES_MAX];
     static bool seen[PATCH_POINTS][LOFT_SIDES_MAX];
     const loft_spatch s = arb_spatch(a, 3 + arb_below(a, 6), false);
-    const unsigned n = s.sides, count = loft_multi_count(n, s.depth);
+    const unsigned n = s.sides, count = loft_multiindex_count(n, s.depth);
     unsigned from, to, edges = 0;
     loft_links w;
 
-    loft_multi_first(l[0], n, s.depth);
+    loft_multiindex_first(l[0], n, s.depth);
     for (unsigned k = 1; k < count; k++) {
         for (unsigned i = 0; i < n; i++)
             l[k][i] = l[k - 1][i];
-        loft_multi_next(l[k], n);
+        loft_multiindex_next(l[k], n);
     }
     for (unsigned k = 0; k < count; k++)
         for (unsigned i = 0; i < n; i++)
@@ -360,13 +362,13 @@ static void links_are_the_edges_of_the_net(arb *a)
               !seen[from][r]);
         seen[from][r < n ? r : 0] = true;
     }
-    CHECK(edges == n * loft_multi_count(n, s.depth - 1u));
+    CHECK(edges == n * loft_multiindex_count(n, s.depth - 1u));
 }
 
 static void nonsense_is_refused(arb *a)
 {
     loft_spatch s = arb_spatch(a, 4, true), t = { .sides = 77 };
-    const unsigned k = arb_below(a, loft_multi_count(4, s.depth));
+    const unsigned k = arb_below(a, loft_multiindex_count(4, s.depth));
 
     CHECK(loft_spatch_init(&t, points.p, NULL, 2, 3) == LOFT_ERR_ARG &&
           loft_spatch_init(&t, points.p, NULL, 9, 3) == LOFT_ERR_ARG);

@@ -10,7 +10,9 @@ static net points;
 static loft_real factor[PATCH_POINTS];
 
 /* Polygons whose edges have any direction and length. */
-static const struct { loft_whole v[LOFT_SIDES_MAX]; unsigned n;
+static const struct {
+    loft_whole v[LOFT_SIDES_MAX];
+    unsigned n;
 } shape[] = {
     { { { { 0, 0 } }, { { 4, 0 } }, { { 0, 4 } } }, 3 },
     { { { { 0, 0 } }, { { 1, 0 } }, { { 7, 1 } } }, 3 },

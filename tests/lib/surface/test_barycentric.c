@@ -52,11 +52,11 @@ static void rows_are_within_their_bound_anywhere(arb *a)
 {
     arb_net *x = arb_net_of(a, 0, LOFT_DEGREE_MAX, 32767);
     const loft_bary u = arb_below(a, 3) ? arb_bary(a) : arb_far(a, 1 + (int32_t)arb_below(a, 31));
-    loft_acc c[MOST], product = loft_wide(LOFT_REAL(1));
+    loft_acc c[MOST], product = loft_to_acc(LOFT_REAL(1));
     const long double l = fmaxl(1, growth3(u));
 
     for (unsigned k = 0; k < x->count; k++)
-        c[k] = loft_wide(x->p[k].axis[0]);
+        c[k] = loft_to_acc(x->p[k].axis[0]);
     const bool grows = loft_bary_grows(u, false, x->n, &product);
     CHECK(grows == (powl(l, x->n) <= 19683) || fabsl(powl(l, x->n) / 19683 - 1) < 0x1p-10L);
     if (!grows)
@@ -144,9 +144,9 @@ static void a_change_of_triangle_is_within_its_bound(arb *a)
 
 static void what_is_too_far_is_refused(arb *a)
 {
-    const loft_acc far[3] = { 0, loft_wide(LOFT_REAL(arb_below(a, 2) ? 33 : -33)), 0 };
+    const loft_acc far[3] = { 0, loft_to_acc(LOFT_REAL(arb_below(a, 2) ? 33 : -33)), 0 };
     const loft_bary u = { LOFT_UNIT(32.1), 0 };
-    loft_acc product = loft_wide(LOFT_REAL(1));
+    loft_acc product = loft_to_acc(LOFT_REAL(1));
     loft_bary b;
 
     CHECK(loft_bary_round(far, &b) == LOFT_ERR_RANGE);

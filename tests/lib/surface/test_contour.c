@@ -1,5 +1,5 @@
 /* tests/lib/surface/test_contour.c -- properties of lib/surface/contour.h and of the traces of
- * lib/surface/sheet.h
+ * lib/surface/surface.h
  * SPDX-License-Identifier: MIT
  */
 #include "check.h"              /* CHECK, PROPERTY, BY_NUM */
@@ -50,7 +50,7 @@ typedef struct {
     loft_vec p[TENSOR_POINTS];
     loft_tensor tensor;
     loft_triangle triangle;
-    loft_sheet sheet;
+    loft_surface sheet;
     unsigned rows, columns, axis;
     loft_real height, tol;
 } scene;
@@ -66,7 +66,8 @@ static scene *arb_scene(arb *a)
             x.p[k].axis[i] = arb_real(a, 100);
     CHECK(loft_tensor_init(&x.tensor, x.p, m, n) == LOFT_OK);
     CHECK(loft_triangle_init(&x.triangle, x.p, m) == LOFT_OK);
-    x.sheet = triangle ? loft_sheet_from_triangle(&x.triangle) : loft_sheet_from_tensor(&x.tensor);
+    x.sheet = triangle ? loft_surface_from_triangle(&x.triangle)
+                       : loft_surface_from_tensor(&x.tensor);
     x.rows    = 1 + arb_below(a, MOST);
     x.columns = triangle ? x.rows : 1 + arb_below(a, MOST);
     x.axis    = arb_below(a, LOFT_AXES);
@@ -76,7 +77,7 @@ static scene *arb_scene(arb *a)
     return &x;
 }
 
-static loft_vec point_at(const loft_sheet *s, loft_unit u, loft_unit v)
+static loft_vec point_at(const loft_surface *s, loft_unit u, loft_unit v)
 {
     loft_vec p;
     CHECK(s->eval(s->surface, u, v, &p) == LOFT_OK);
@@ -120,7 +121,8 @@ static bool on_border(const scene *x, const found *f)
 {
     const long double u = exact_unit(f->u), v = exact_unit(f->v), less = 1e-6L;
     return u < less || v < less ||
-           (x->sheet.over == LOFT_SHEET_TRIANGLE ? u + v > 1 - less : u > 1 - less || v > 1 - less);
+           (x->sheet.over == LOFT_SURFACE_TRIANGLE ? u + v > 1 - less
+                                                   : u > 1 - less || v > 1 - less);
 }
 
 static cornered corner_of(const scene *x, unsigned i, unsigned j)
@@ -148,7 +150,7 @@ static unsigned crossed(const scene *x)
 
     for (unsigned i = 0; i < x->rows; i++)
         for (unsigned j = 0; j < x->columns; j++) {
-            const bool triangle = x->sheet.over == LOFT_SHEET_TRIANGLE;
+            const bool triangle = x->sheet.over == LOFT_SURFACE_TRIANGLE;
             if (triangle && i + j >= x->rows)
                 continue;
             const bool one = is_high(x, i, j + 1), two = is_high(x, i + 1, j);
@@ -208,7 +210,7 @@ static void a_sphere_has_rings(arb *a)
 
     if (LOFT_AXES < 3)
         return;
-    CHECK(loft_contour_init(&c, loft_sheet_from_sphere(&s), 2, height, LOFT_REAL(0.01), rows,
+    CHECK(loft_contour_init(&c, loft_surface_from_sphere(&s), 2, height, LOFT_REAL(0.01), rows,
                             columns, memory, sizeof memory) == LOFT_OK);
     const unsigned count = gather(&c);
     CHECK(count >= 2 * columns + 1 && list[0].start);
@@ -243,7 +245,7 @@ static void a_plane_has_a_line(arb *a)
     const long double level = 1 + arb_below(a, 8);      /* x + 2 y = level, 0 < x < 10 */
     if (LOFT_AXES < 3)
         return;
-    CHECK(loft_contour_init(&c, loft_sheet_from_tensor(&s), 2, LOFT_REAL(level), 0, rows, columns,
+    CHECK(loft_contour_init(&c, loft_surface_from_tensor(&s), 2, LOFT_REAL(level), 0, rows, columns,
                             memory, sizeof memory) == LOFT_OK);
     const unsigned count = gather(&c);
     for (unsigned k = 0; k < count; k++) {
@@ -270,9 +272,9 @@ static void what_is_wrong_is_refused(arb *a)
                             sizeof memory) == LOFT_ERR_ARG);
     CHECK(loft_contour_init(&c, x->sheet, 0, x->height, x->tol, x->rows, LOFT_CONTOUR_MOST + 1,
                             memory, sizeof memory) == LOFT_ERR_ARG);
-    CHECK(loft_contour_init(&c, loft_sheet_from_triangle(&x->triangle), 0, x->height, x->tol, 3, 4,
-                            memory, sizeof memory) == LOFT_ERR_ARG);
-    CHECK(loft_contour_init(&c, loft_sheet_from_sphere(&s), 0, x->height, x->tol, 3, 2, memory,
+    CHECK(loft_contour_init(&c, loft_surface_from_triangle(&x->triangle), 0, x->height, x->tol, 3,
+                            4, memory, sizeof memory) == LOFT_ERR_ARG);
+    CHECK(loft_contour_init(&c, loft_surface_from_sphere(&s), 0, x->height, x->tol, 3, 2, memory,
                             sizeof memory) == LOFT_ERR_ARG);
 }
 
@@ -287,7 +289,7 @@ static void traces_are_lines_of_the_parameters(arb *a)
     loft_vec p;
 
     const loft_unit v = arb_unit(a);
-    const loft_sheet s = loft_sheet_from_tensor(&x->tensor);
+    const loft_surface s = loft_surface_from_tensor(&x->tensor);
     CHECK(loft_trace_init(&w, s, 0, v, LOFT_UNIT(1), v, n) == LOFT_OK);
     for (unsigned k = 0; k <= n; k++) {
         CHECK(loft_trace_next(&w, &p));
@@ -308,7 +310,7 @@ static void traces_are_lines_of_the_parameters(arb *a)
     }
     CHECK(loft_trace_init(&w, s, 0, 0, 0, LOFT_UNIT(1), 0) == LOFT_ERR_ARG);
     CHECK(loft_trace_init(&w, s, 0, 0, 0, LOFT_UNIT(1.5), 3) == LOFT_ERR_ARG);
-    CHECK(loft_trace_init(&w, loft_sheet_from_triangle(&x->triangle), LOFT_UNIT(0.6),
+    CHECK(loft_trace_init(&w, loft_surface_from_triangle(&x->triangle), LOFT_UNIT(0.6),
                           LOFT_UNIT(0.6), 0, 0, 3) == LOFT_ERR_ARG);
 }
 

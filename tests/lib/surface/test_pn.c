@@ -92,10 +92,11 @@ static void the_cubic_goes_on_beyond_the_triangle(arb *a)
     bool all = true, none = true;
     loft_vec v, w;
 
-    CHECK(loft_pn_extend(&s->t, in, &v) == LOFT_OK && loft_vec_equal(v, loft_pn_eval(&s->t, in)));
+    CHECK(loft_pn_extrapolate(&s->t, in, &v) == LOFT_OK &&
+          loft_vec_equal(v, loft_pn_eval(&s->t, in)));
     for (int k = 0; k < 3; k++)
         exact_bary(u, false, at[k]);
-    const enum loft_status status = loft_pn_extend(&s->t, u, &w);
+    const enum loft_status status = loft_pn_extrapolate(&s->t, u, &w);
     for (int i = 0; i < LOFT_AXES; i++) {
         for (int k = 0; k < 10; k++)
             c[k] = exact_acc(s->t.b[i][k]);

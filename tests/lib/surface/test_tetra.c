@@ -140,14 +140,14 @@ static void beyond_is_clamped_and_corners_are_exact(arb *a)
 /* Each control point is that of raising once, again and again; the value stays. */
 static void a_raised_tetrahedron_is_within_its_bound(arb *a)
 {
-    static loft_vec out[LOFT_TETRA_POINTS(LOFT_RAISE_MAX)];
-    static long double c[LOFT_TETRA_POINTS(LOFT_RAISE_MAX)],
-        next[LOFT_TETRA_POINTS(LOFT_RAISE_MAX)];
+    static loft_vec out[LOFT_TETRA_POINTS(LOFT_ELEVATE_MAX)];
+    static long double c[LOFT_TETRA_POINTS(LOFT_ELEVATE_MAX)],
+        next[LOFT_TETRA_POINTS(LOFT_ELEVATE_MAX)];
     const block *b = arb_block(a, LOFT_DEGREE_MAX);
     const unsigned times = arb_below(a, 5);
 
-    CHECK(loft_tetra_raise(&b->t, times, out) == LOFT_OK &&
-          loft_tetra_raise(&b->t, LOFT_RAISE_MAX - b->n + 1, out) == LOFT_ERR_ARG);
+    CHECK(loft_tetra_elevate(&b->t, times, out) == LOFT_OK &&
+          loft_tetra_elevate(&b->t, LOFT_ELEVATE_MAX - b->n + 1, out) == LOFT_ERR_ARG);
     for (int i = 0; i < LOFT_AXES; i++) {
         for (unsigned k = 0; k < LOFT_TETRA_POINTS(b->n); k++)
             c[k] = exact_of(b->p[k].axis[i]);

@@ -14,7 +14,11 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-#define MUST(condition) do { if (!(condition)) abort(); } while (0)
+#define MUST(condition)                                                                            \
+    do {                                                                                           \
+        if (!(condition))                                                                          \
+            abort();                                                                               \
+    } while (0)
 
 
 // The codec: what is accepted says the same when it is packed again
@@ -46,7 +50,8 @@ static void fuzz_codec(const uint8_t *data, size_t size)
     MUST(kind != LOFT_SPANS || (p.size == size - 2 && memcmp(packed, data + 2, p.size) == 0));
 
     MUST(loft_unpacker_init(&u, kind, packed, p.size, p.count) == LOFT_OK);
-    while (loft_unpacker_next(&u, &again, &item)) {}
+    while (loft_unpacker_next(&u, &again, &item)) {
+    }
     MUST(memcmp(&there, &again, sizeof there) == 0);
 }
 
@@ -56,7 +61,7 @@ static void fuzz_codec(const uint8_t *data, size_t size)
 
 typedef struct {
     loft_receiver r;
-    loft_standing now;
+    loft_snapshot now;
     uint32_t taken;
 } machine;
 
@@ -77,7 +82,10 @@ static void obey(machine *m, enum loft_event e, const loft_event_data *data)
              (data->item.ticks >= 1 || m->r.kind == LOFT_CURVES));
         m->taken++;
         break;
-    case LOFT_EVENT_END:    m->now.state = LOFT_STATE_DONE; m->now.executed = m->taken; break;
+    case LOFT_EVENT_END:
+        m->now.state = LOFT_STATE_DONE;
+        m->now.executed = m->taken;
+        break;
     case LOFT_EVENT_HOLD:
         if (m->now.state == LOFT_STATE_RUNNING)
             m->now.state = LOFT_STATE_HELD;
@@ -103,7 +111,7 @@ static void machine_byte(machine *m, uint8_t byte)
     if (!loft_receiver_push(&m->r, byte))
         return;
     m->now.room = (uint16_t)(16 - (m->taken - m->now.executed));
-    const loft_standing before = m->now;
+    const loft_snapshot before = m->now;
     while ((e = loft_receiver_next(&m->r, &before, &data)) != LOFT_EVENT_NONE)
         obey(m, e, &data);
 }
@@ -164,7 +172,7 @@ static size_t fuzz_frame(const uint8_t **data, size_t *size, uint8_t session, ui
 
 static void fuzz_receiver(const uint8_t *data, size_t size, bool raw)
 {
-    static const loft_traits traits = { .boot = 7,
+    static const loft_machine_info info = { .boot = 7,
                                         .tick_hz = 1000,
                                         .slots = 40,
                                         .queue = 16,
@@ -176,7 +184,7 @@ static void fuzz_receiver(const uint8_t *data, size_t size, bool raw)
     machine m;
 
     memset(&m, 0, sizeof m);
-    MUST(loft_receiver_init(&m.r, &traits) == LOFT_OK);
+    MUST(loft_receiver_init(&m.r, &info) == LOFT_OK);
     while (size > 0) {
         if (raw) {
             machine_byte(&m, *data++), size--;

@@ -101,10 +101,7 @@ static void arb_items(arb *a, enum loft_kind kind, loft_item item[], int count)
         arb_points(a, item, count);
 }
 
-static enum loft_kind arb_kind(arb *a)
-{
-    return (enum loft_kind)(LOFT_SPANS + arb_below(a, 4));
-}
+static enum loft_kind arb_kind(arb *a) { return (enum loft_kind)(LOFT_SPANS + arb_below(a, 4)); }
 
 static bool same_item(const loft_item *a, const loft_item *b)
 {
@@ -281,7 +278,9 @@ static void the_largest_item_fits_its_bytes(arb *a)
  * escapes. */
 static void points_take_the_bytes_of_the_table(arb *a)
 {
-    static const struct { int32_t r; uint8_t size[7];
+    static const struct {
+        int32_t r;
+        uint8_t size[7];
     } row[] = { /* by LOFT_AXES */
                 { -2, { 0, 1, 1, 1, 2, 2, 2 } },        { 2, { 0, 1, 1, 1, 2, 2, 2 } },
                 { 3, { 0, 2, 3, 4, 6, 7, 8 } },         { -128, { 0, 2, 3, 4, 6, 7, 8 } },
@@ -384,7 +383,8 @@ static void any_bytes_are_items_or_refused(arb *a)
         CHECK(p.count == count && u.byte == byte + size);
         CHECK(kind != LOFT_SPANS || (p.size == size && memcmp(byte, packed, size) == 0));
         CHECK(loft_unpacker_init(&v, kind, packed, p.size, p.count) == LOFT_OK);
-        while (loft_unpacker_next(&v, &again, &back)) {}
+        while (loft_unpacker_next(&v, &again, &back)) {
+        }
         CHECK(same_predictor(&there, &again));
     }
     CHECK(accepted <= 1);
@@ -402,7 +402,8 @@ static void a_wrong_count_or_length_is_refused(arb *a)
 
     arb_items(a, kind, item, 40);
     loft_packer_init(&p, kind, &start, byte, 190);
-    for (int n = 0; n < 40 && loft_packer_push(&p, &item[n]) == LOFT_OK; n++) {}
+    for (int n = 0; n < 40 && loft_packer_push(&p, &item[n]) == LOFT_OK; n++) {
+    }
     CHECK(loft_unpacker_init(&u, kind, byte, p.size, p.count) == LOFT_OK);
     for (int count = 0; count < 256; count++)
         CHECK(count == p.count ||

@@ -18,8 +18,11 @@ static content arb_content(arb *a, size_t least, size_t most)
     content c;
     c.size = least + arb_below(a, (uint32_t)(most - least) + 1);
     for (size_t i = 0; i < c.size; i++)
-        c.byte[i] = taste == 0 ? 0 : taste == 1 ? 0xFF : taste == 2 ? (uint8_t)arb_below(a, 3)
-                  : taste == 3 ? (uint8_t)(1 + arb_below(a, 255)) : (uint8_t)arb_next(a);
+        c.byte[i] = taste == 0   ? 0
+                    : taste == 1 ? 0xFF
+                    : taste == 2 ? (uint8_t)arb_below(a, 3)
+                    : taste == 3 ? (uint8_t)(1 + arb_below(a, 255))
+                                 : (uint8_t)arb_next(a);
     return c;
 }
 

@@ -63,7 +63,8 @@ static loft_frame content(const uint8_t wire[], size_t size)
 }
 
 /* Run `decode` (a call with &f and m) on the content one byte shorter and one longer. */
-#define REFUSES_OTHER_LENGTHS(f, call, may_grow) do {                                       \
+#define REFUSES_OTHER_LENGTHS(f, call, may_grow)                                                   \
+    do {                                                                                           \
         (f).count--;                                                                        \
         CHECK((call) == LOFT_ERR_DATA);                                                     \
         (f).count = (uint8_t)((f).count + 2);                                               \
@@ -348,7 +349,8 @@ static void items_come_back(arb *a)
     CHECK(loft_data_carried(&f));
     CHECK(loft_data_first(&f, &number) == LOFT_OK && loft_data_decode(&f, &u) == LOFT_OK &&
           number == (first & 0xFFFFu) && u.count == k.count);
-    while (loft_unpacker_next(&u, &p, &got)) {}
+    while (loft_unpacker_next(&u, &p, &got)) {
+    }
     CHECK(memcmp(p.position, k.predictor.position, sizeof p.position) == 0);
     REFUSES_OTHER_LENGTHS(f, loft_data_decode(&f, &u), false);
     f.byte[4]++;                                                /* count */

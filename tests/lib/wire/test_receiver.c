@@ -21,7 +21,7 @@ static loft_ack answer(mill *m)
     loft_frame f;
     size_t n;
 
-    m->now.room = (uint16_t)(m->traits.queue - m->queued);
+    m->now.room = (uint16_t)(m->info.queue - m->queued);
     loft_frame_init(&f);
     while ((n = loft_receiver_poll(&m->r, &m->now, wire)) > 0)
         for (size_t i = 0; i < n; i++)
@@ -171,12 +171,12 @@ static void arb_mill(arb *a, mill *m, loft_job *job)
     uint8_t wire[LOFT_FRAME_MAX];
 
     mill_init(m, 1 + (uint32_t)arb_below(a, 1000000), (uint16_t)(300 + arb_below(a, 300)), 0);
-    m->traits.tick_hz = (uint16_t)(1 + arb_below(a, 5000));
-    m->traits.slots   = (uint16_t)(1 + arb_below(a, 60));
+    m->info.tick_hz = (uint16_t)(1 + arb_below(a, 5000));
+    m->info.slots   = (uint16_t)(1 + arb_below(a, 60));
     for (int i = 0; i < LOFT_AXES; i++) {
-        m->traits.axis[i].steps_per_mm = arb_raw(a, 1 << 30);
-        m->traits.axis[i].max_speed    = arb_raw(a, 1 << 30);
-        m->traits.axis[i].max_accel    = arb_raw(a, 1 << 30);
+        m->info.axis[i].steps_per_mm = arb_raw(a, 1 << 30);
+        m->info.axis[i].max_speed    = arb_raw(a, 1 << 30);
+        m->info.axis[i].max_accel    = arb_raw(a, 1 << 30);
         m->now.position[i]             = arb_raw(a, 1 << 30);
         job->start[i]                  = arb_raw(a, 1 << 30);
     }
@@ -269,15 +269,15 @@ static void answers_say_what_is(arb *a)
     CHECK(all.types == (TYPE(LOFT_WELCOME) | TYPE(LOFT_AXIS)) && all.frames == 1 + LOFT_AXES);
     same_ack(&all.welcome.ack, &m, m.r.next);
     CHECK(all.welcome.version == LOFT_WIRE_VERSION && all.welcome.nonce == 8 &&
-          all.welcome.boot == m.traits.boot);
+          all.welcome.boot == m.info.boot);
     CHECK(all.welcome.job == job.id && all.welcome.axes == LOFT_AXES &&
           all.welcome.num == LOFT_NUM);
-    CHECK(all.welcome.frame_max == LOFT_FRAME_MAX && all.welcome.queue == m.traits.queue);
-    CHECK(all.welcome.tick_hz == m.traits.tick_hz && all.welcome.slots == m.traits.slots);
+    CHECK(all.welcome.frame_max == LOFT_FRAME_MAX && all.welcome.queue == m.info.queue);
+    CHECK(all.welcome.tick_hz == m.info.tick_hz && all.welcome.slots == m.info.slots);
     for (int i = 0; i < LOFT_AXES; i++) {
-        CHECK(all.axis[i].steps_per_mm == m.traits.axis[i].steps_per_mm &&
-              all.axis[i].max_speed == m.traits.axis[i].max_speed);
-        CHECK(all.axis[i].max_accel == m.traits.axis[i].max_accel &&
+        CHECK(all.axis[i].steps_per_mm == m.info.axis[i].steps_per_mm &&
+              all.axis[i].max_speed == m.info.axis[i].max_speed);
+        CHECK(all.axis[i].max_accel == m.info.axis[i].max_accel &&
               all.axis[i].position == m.now.position[i]);
         CHECK(all.axis[i].start == job.start[i]);
     }
@@ -352,7 +352,7 @@ static void room_is_told_in_quarters(arb *a)
         answers all = all_answers(&m);
         const uint16_t told = m.now.room;
         CHECK(all.types == TYPE(LOFT_ACK) && all.ack.limit == (takes[state] ? told : 0u));
-        m.now.room = (uint16_t)(told + m.traits.queue / 4 - 1);
+        m.now.room = (uint16_t)(told + m.info.queue / 4 - 1);
         CHECK(all_answers(&m).frames == 0);
         m.now.room++;
         all = all_answers(&m);

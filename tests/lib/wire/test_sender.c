@@ -189,7 +189,8 @@ static void wait_tells_the_truth(arb *a)
         loft_sender s = w.s;                            /* a copy, which hears nothing from now
                                                          * on */
         uint32_t now = w.now;
-        for (int frames = 0; frames < 20 && poll(&s, now, wire) > 0; frames++) {}
+        for (int frames = 0; frames < 20 && poll(&s, now, wire) > 0; frames++) {
+        }
         for (int round = 0; round < 4 && s.phase < LOFT_PHASE_DONE; round++) {
             const uint32_t wait = loft_sender_wait(&s, now);
             CHECK(wait > 0 && wait <= 1000);
@@ -236,12 +237,14 @@ static void a_dead_line_is_tried_ever_less_often(arb *a)
     uint32_t now = w.now, rto = w.s.rto.ms, timeouts = 0;
     uint8_t wire[LOFT_FRAME_MAX];
 
-    while (poll(&w.s, now, wire) > 0) {}
+    while (poll(&w.s, now, wire) > 0) {
+    }
     CHECK(w.s.window.base < w.s.window.send);
     const uint32_t sent = w.s.sent, resent = w.s.resent, tried = w.s.tried;
     uint32_t last = tried, nonce = w.s.nonce;
     for (; w.s.phase == LOFT_PHASE_STREAMING && !check_bad; now++) {
-        while (poll(&w.s, now, wire) > 0) {}
+        while (poll(&w.s, now, wire) > 0) {
+        }
         if (w.s.timeouts > timeouts && w.s.phase == LOFT_PHASE_STREAMING) {
             CHECK(w.s.timeouts == timeouts + 1 && now - last == rto);
             rto = 2 * rto < 1000 ? 2 * rto : 1000;

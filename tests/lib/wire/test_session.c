@@ -231,7 +231,7 @@ static void a_restarted_machine_is_lost(arb *a)
     for (uint32_t ms = arb_below(a, 500); ms > 0 && w.m.queued > 0; ms--)
         world_step(&w);
 
-    mill_init(&w.m, w.m.traits.boot + 1 + arb_below(a, 1000), w.m.traits.queue, 3);
+    mill_init(&w.m, w.m.info.boot + 1 + arb_below(a, 1000), w.m.info.queue, 3);
     w.m.told = 0xFFFFFFFFu;                             /* what the one before said still counts */
     w.up.out_at = w.up.out_size = 0;
     world_run(&w, 3000000);
@@ -328,7 +328,7 @@ static void a_refusal_is_told(arb *a)
     w.m.refuses = arb_below(a, 2) ? LOFT_REFUSAL_START : LOFT_REFUSAL_ITEM;
     if (arb_below(a, 3) == 0) {
         w.m.refuses = LOFT_REFUSAL_NONE;                /* the receiver itself does */
-        w.m.traits.kinds = (uint8_t)(w.m.traits.kinds & ~(1u << w.job.kind));
+        w.m.info.kinds = (uint8_t)(w.m.info.kinds & ~(1u << w.job.kind));
     }
     world_run(&w, 600000);
     CHECK(w.s.phase == LOFT_PHASE_REFUSED);
@@ -402,12 +402,18 @@ static void an_unfit_machine_is_not_used(arb *a)
     m.axes = LOFT_AXES;
     m.queue = m.tick_hz = m.slots = 10;
     m.frame_max = 13 + 15 * LOFT_AXES;
-    if (what == 0) m.version = 0;
-    if (what == 1) m.axes++;
-    if (what == 2) m.frame_max--;
-    if (what == 3) m.queue = 0;
-    if (what == 4) m.tick_hz = 0;
-    if (what == 5) m.slots = 0;
+    if (what == 0)
+        m.version = 0;
+    if (what == 1)
+        m.axes++;
+    if (what == 2)
+        m.frame_max--;
+    if (what == 3)
+        m.queue = 0;
+    if (what == 4)
+        m.tick_hz = 0;
+    if (what == 5)
+        m.slots = 0;
     CHECK(loft_sender_poll(&w.s, w.now, wire) > 0);
     m.nonce = w.s.nonce;
     const size_t n = loft_welcome_encode(&m, 7, wire);
@@ -625,7 +631,7 @@ static void unknown_messages_are_skipped_and_counted(arb *a)
 static void bad_arguments_are_refused(arb *a)
 {
     static world w;
-    loft_traits t = { 0 };
+    loft_machine_info t = { 0 };
     loft_receiver r;
     world_init(&w, a, 16, 0, 5);
     /* not welcomed */

@@ -83,8 +83,7 @@ static void frames_follow_each_other(arb *a)
             next = w.base;
             CHECK(w.flights == 0);
             break;
-        case 1:
-            break;
+        case 1: break;
         default:
             if (w.high > w.base) {
                 const uint32_t reached = w.base + 1 + arb_below(a, w.high - w.base);

@@ -101,11 +101,8 @@ static size_t say_host(const loft_frame *f, uint8_t wire[])
         say("CONTROL session=%u number=%u verb=%u value=%u", session, control.number, control.verb,
             control.value);
         return loft_control_encode(&control, session, wire);
-    case LOFT_POLL:
-        say("POLL session=%u", session);
-        return loft_poll_encode(session, wire);
-    default:
-        return 0;
+    case LOFT_POLL: say("POLL session=%u", session); return loft_poll_encode(session, wire);
+    default: return 0;
     }
 }
 
@@ -158,13 +155,14 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
             ul(report.slowed), report.state, report.ended_by);
         say_axes("position", report.position);
         return loft_report_encode(&report, session, wire);
-    default:
-        return 0;
+    default: return 0;
     }
 }
 
 /* How each data message is called, and the kind of its items. */
-static const struct { const char *name; enum loft_kind kind;
+static const struct {
+    const char *name;
+    enum loft_kind kind;
 } data_of[] = { [LOFT_DATA_SPANS] = { "SPANS", LOFT_SPANS },
                 [LOFT_DATA_POINTS] = { "POINTS", LOFT_POINTS },
                 [LOFT_DATA_FINE] = { "FINE", LOFT_POINTS_FINE },
@@ -219,7 +217,8 @@ static void check_example(const example *e)
                       loft_frame_sealed(&f, loft_predictor_seal(&state))
                 : ended == LOFT_OK);
     n = items ? say_items(&f, wire)
-      : type >= LOFT_WELCOME ? say_machine(&f, wire) : say_host(&f, wire);
+        : type >= LOFT_WELCOME ? say_machine(&f, wire)
+                               : say_host(&f, wire);
     shown = (uint16_t)(shown | 1u << type);
     CHECK(strcmp(said.text, e->text) == 0);
     CHECK(n == e->size && memcmp(wire, e->byte, n) == 0);

@@ -13,9 +13,13 @@ __extension__ typedef __int128 wide;
 typedef union {
     uwide whole;
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-    struct { uint64_t high, low; } half;
+    struct {
+        uint64_t high, low;
+    } half;
 #else
-    struct { uint64_t low, high; } half;
+    struct {
+        uint64_t low, high;
+    } half;
 #endif
 } halves;
 
@@ -103,8 +107,17 @@ static uwide divided(uwide a, uwide b, uwide *rest)
 
 static uwide size_of(wide a) { return a < 0 ? -(uwide)a : (uwide)a; }
 
-uwide __udivti3(uwide a, uwide b)   { uwide rest; return divided(a, b, &rest); }
-uwide __umodti3(uwide a, uwide b)   { uwide rest; divided(a, b, &rest); return rest; }
+uwide __udivti3(uwide a, uwide b)
+{
+    uwide rest;
+    return divided(a, b, &rest);
+}
+uwide __umodti3(uwide a, uwide b)
+{
+    uwide rest;
+    divided(a, b, &rest);
+    return rest;
+}
 
 wide __divti3(wide a, wide b)
 {

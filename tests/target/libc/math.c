@@ -77,7 +77,11 @@ long double truncl(long double x)
     return x < 0 ? -sum : sum;
 }
 
-long double floorl(long double x)   { const long double t = truncl(x); return t > x ? t - 1 : t; }
+long double floorl(long double x)
+{
+    const long double t = truncl(x);
+    return t > x ? t - 1 : t;
+}
 long double ceill(long double x)    { return -floorl(-x); }
 long double roundl(long double x)
 {
@@ -117,7 +121,10 @@ long double remainderl(long double x, long double y)
 
 double nextafter(double x, double toward)
 {
-    union { double d; uint64_t bits; } u = { x };
+    union {
+        double d;
+        uint64_t bits;
+    } u = { x };
 
     if (x == toward || isnan(x) || isnan(toward))
         return isnan(x) ? x : toward;
@@ -130,7 +137,10 @@ double nextafter(double x, double toward)
 
 float nextafterf(float x, float toward)
 {
-    union { float f; uint32_t bits; } u = { x };
+    union {
+        float f;
+        uint32_t bits;
+    } u = { x };
 
     if (x == toward || isnan(x) || isnan(toward))
         return isnan(x) ? x : toward;

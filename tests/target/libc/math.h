@@ -54,7 +54,10 @@ static inline double ceil(double x)                  { return (double)ceill(x); 
 static inline double round(double x)                 { return (double)roundl(x); }
 static inline double fmod(double x, double y)        { return (double)fmodl(x, y); }
 static inline double pow(double x, double y)         { return (double)powl(x, y); }
-static inline double cbrt(double x)                  { return (double)(x < 0 ? -powl(-x, 1 / 3.0L) : x > 0 ? powl(x, 1 / 3.0L) : 0); }
+static inline double cbrt(double x)
+{
+    return (double)(x < 0 ? -powl(-x, 1 / 3.0L) : x > 0 ? powl(x, 1 / 3.0L) : 0);
+}
 static inline double exp(double x)                   { return (double)expl(x); }
 static inline double log(double x)                   { return (double)logl(x); }
 static inline double sin(double x)                   { return (double)sinl(x); }

@@ -51,14 +51,20 @@ static uwide shifted_right(uwide m, int n)  /* what is cut off stays as the last
 
 static uwide bits_of(quad a)
 {
-    union { quad q; uwide bits; } u;
+    union {
+        quad q;
+        uwide bits;
+    } u;
     u.q = a;
     return u.bits;
 }
 
 static quad quad_of(uwide bits)
 {
-    union { quad q; uwide bits; } u;
+    union {
+        quad q;
+        uwide bits;
+    } u;
     u.bits = bits;
     return u.q;
 }
@@ -144,10 +150,7 @@ quad QUAD(addtf3)(quad x, quad y)
     return pack(p.m != small && p.negative, p.e, p.m - small);
 }
 
-quad QUAD(subtf3)(quad x, quad y)
-{
-    return QUAD(addtf3)(x, quad_of(bits_of(y) ^ (uwide)1 << 127));
-}
+quad QUAD(subtf3)(quad x, quad y) { return QUAD(addtf3)(x, quad_of(bits_of(y) ^ (uwide)1 << 127)); }
 
 /* The upper 128 bits of a product of 256, with the last one set where any bit below is. */
 static uwide upper_product(uwide a, uwide b)
@@ -245,7 +248,10 @@ float  QUAD(trunctfsf2)(quad x);
 
 quad QUAD(extenddftf2)(double x)
 {
-    union { double d; uint64_t bits; } u = { x };
+    union {
+        double d;
+        uint64_t bits;
+    } u = { x };
     const bool negative = u.bits >> 63;
     const int e = (int)(u.bits >> 52 & 2047);
     const uwide m = (uwide)(u.bits & ((UINT64_C(1) << 52) - 1)) << 63;
@@ -281,13 +287,19 @@ static uint64_t narrowed(uwide bits, int mantissa, int most)
 
 double QUAD(trunctfdf2)(quad x)
 {
-    union { uint64_t bits; double d; } u = { narrowed(bits_of(x), 52, 11) };
+    union {
+        uint64_t bits;
+        double d;
+    } u = { narrowed(bits_of(x), 52, 11) };
     return u.d;
 }
 
 float QUAD(trunctfsf2)(quad x)
 {
-    union { uint32_t bits; float f; } u = { (uint32_t)narrowed(bits_of(x), 23, 8) };
+    union {
+        uint32_t bits;
+        float f;
+    } u = { (uint32_t)narrowed(bits_of(x), 23, 8) };
     return u.f;
 }
 
@@ -328,10 +340,7 @@ static uwide whole(quad x)
     return n > 0 ? p.m << n : p.m >> -n;
 }
 
-wide QUAD(fixtfti)(quad x)
-{
-    return bits_of(x) >> 127 ? (wide)-whole(x) : (wide)whole(x);
-}
+wide QUAD(fixtfti)(quad x) { return bits_of(x) >> 127 ? (wide)-whole(x) : (wide)whole(x); }
 int64_t  QUAD(fixtfdi)(quad x)          { return (int64_t)QUAD(fixtfti)(x); }
 int32_t  QUAD(fixtfsi)(quad x)          { return (int32_t)QUAD(fixtfti)(x); }
 uwide    QUAD(fixunstfti)(quad x)       { return whole(x); }

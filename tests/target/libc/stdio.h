@@ -6,7 +6,9 @@
 
 #include <stddef.h>
 
-typedef struct { int unused; } FILE;
+typedef struct {
+    int unused;
+} FILE;
 #define stdout ((FILE *)0)
 
 /* %s %c %d %u %x, with l, ll and z, and %g %f %e, always with an exponent; widths and flags are
@@ -20,6 +22,10 @@ FILE *fopen(const char *name, const char *mode);
 int   fscanf(FILE *file, const char *format, ...);
 int   fclose(FILE *file);
 
-static inline int fflush(FILE *file) { (void)file; return 0; }
+static inline int fflush(FILE *file)
+{
+    (void)file;
+    return 0;
+}
 
 #endif

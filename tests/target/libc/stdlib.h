@@ -11,7 +11,11 @@ static inline int       abs(int x)          { return x < 0 ? -x : x; }
 static inline long      labs(long x)        { return x < 0 ? -x : x; }
 static inline long long llabs(long long x)  { return x < 0 ? -x : x; }
 
-static inline char *getenv(const char *name) { (void)name; return NULL; }
+static inline char *getenv(const char *name)
+{
+    (void)name;
+    return NULL;
+}
 void abort(void);
 unsigned long strtoul(const char *text, char **end, int base);
 unsigned long long strtoull(const char *text, char **end, int base);

@@ -3,7 +3,7 @@
  */
 #include "support/exact_sci.h"          /* exact_sci, exact_of */
 #include "surface/tensor/coons.h"
-#include "surface/local.h"
+#include "surface/differential.h"
 
 #define COUNT (LOFT_DEGREE_MAX + 1)
 
@@ -271,8 +271,8 @@ static void web_of(web *w, const loft_vec net[], unsigned n)
                 w->reach = fmaxl(w->reach, fmaxl((long double)llabs(x), (long double)llabs(y)));
             }
     for (unsigned k = 0; k < 2 * LOFT_COONS_ORDERS; k++)
-        CHECK(loft_bezier_init(&w->u[k / 2][k % 2], w->p[k], n) == LOFT_OK
-           && loft_bezier_init(&w->v[k / 2][k % 2], w->p[2 * LOFT_COONS_ORDERS + k], n) == LOFT_OK);
+        CHECK(loft_bezier_init(&w->u[k / 2][k % 2], w->p[k], n) == LOFT_OK &&
+              loft_bezier_init(&w->v[k / 2][k % 2], w->p[2 * LOFT_COONS_ORDERS + k], n) == LOFT_OK);
 }
 
 static loft_real arb_whole(arb *a, int32_t limit)
@@ -466,7 +466,7 @@ static void local_derivatives_keep_their_law(arb *a)
     const long double x = exact_unit(s), y = exact_unit(t);
     const long double law = 16 * BY_NUM(0x1p-59L, 0x1p-50L, 0x1p-50L);
     long double widths[2] = { 0, 0 };
-    loft_local here;
+    loft_differential here;
     web w;
 
     arb_web(a, &w, n, n > 5 ? 4 : 30);
@@ -474,7 +474,7 @@ static void local_derivatives_keep_their_law(arb *a)
         for (unsigned i = 0; i <= n; i++)
             w.p[k][i] = arb_vec(a, 1000);
     loft_coons_bezier c = patch_of(&w, orders);
-    CHECK(loft_coons_bezier_local(&c, s, t, &here) == LOFT_OK);
+    CHECK(loft_coons_bezier_differential(&c, s, t, &here) == LOFT_OK);
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_sci got[5] = { here.u[i], here.v[i], here.uu[i], here.uv[i], here.vv[i] };
         static const uint8_t order[5][2] = { { 1, 0 }, { 0, 1 }, { 2, 0 }, { 1, 1 }, { 0, 2 } };
@@ -488,8 +488,8 @@ static void local_derivatives_keep_their_law(arb *a)
     }
     CHECK_EXACT(exact_sci(here.width_u), widths[0], 1e-9L * widths[0]);
     CHECK_EXACT(exact_sci(here.width_v), widths[1], 1e-9L * widths[1]);
-    CHECK(loft_coons_bezier_local(&c, LOFT_UNIT(1.5), t, &here) == LOFT_ERR_ARG);
-    CHECK(loft_coons_bezier_local(&c, s, LOFT_UNIT(-1), &here) == LOFT_ERR_ARG);
+    CHECK(loft_coons_bezier_differential(&c, LOFT_UNIT(1.5), t, &here) == LOFT_ERR_ARG);
+    CHECK(loft_coons_bezier_differential(&c, s, LOFT_UNIT(-1), &here) == LOFT_ERR_ARG);
 }
 
 /* A bilinear, bicubic or biquintic tensor product is its own patch, and bends the same. */
@@ -498,7 +498,7 @@ static void bends_as_the_tensor_product_it_is(arb *a)
     const unsigned orders = 1 + arb_below(a, 3), n = 2 * orders - 1;
     const loft_unit s = loft_unit_of(arb_below(a, 65), 64), t = loft_unit_of(arb_below(a, 65), 64);
     loft_vec net[36], normal[2] = { { { 0 } }, { { 0 } } };
-    loft_local here[2];
+    loft_differential here[2];
     loft_curvatures k[2];
     loft_tensor tensor;
     web w;
@@ -512,11 +512,11 @@ static void bends_as_the_tensor_product_it_is(arb *a)
     web_of(&w, net, n);
     const loft_coons_bezier c = patch_of(&w, orders);
     CHECK(loft_tensor_init(&tensor, net, n, n) == LOFT_OK);
-    CHECK(loft_tensor_local(&tensor, s, t, &here[0]) == LOFT_OK);
-    CHECK(loft_coons_bezier_local(&c, s, t, &here[1]) == LOFT_OK);
+    CHECK(loft_tensor_differential(&tensor, s, t, &here[0]) == LOFT_OK);
+    CHECK(loft_coons_bezier_differential(&c, s, t, &here[1]) == LOFT_OK);
     for (int i = 0; i < 2; i++) {
-        CHECK(loft_local_normal(&here[i], &normal[i]) == LOFT_OK);
-        CHECK(loft_local_curvatures(&here[i], &k[i]) == LOFT_OK);
+        CHECK(loft_differential_normal(&here[i], &normal[i]) == LOFT_OK);
+        CHECK(loft_differential_curvatures(&here[i], &k[i]) == LOFT_OK);
     }
     for (int i = 0; i < 3; i++)
         CHECK_EXACT(exact_of(normal[0].axis[i]), exact_of(normal[1].axis[i]),

@@ -198,10 +198,7 @@ static void check_grid(const patch *x)
     CHECK(!loft_grid_next(&g, &p));
 }
 
-static void every_point_of_a_patch_is_within_its_bound(arb *a)
-{
-    check_grid(arb_patch(a, false));
-}
+static void every_point_of_a_patch_is_within_its_bound(arb *a) { check_grid(arb_patch(a, false)); }
 static void every_point_of_a_triangle_is_within_its_bound(arb *a)
 {
     check_grid(arb_patch(a, true));
@@ -416,9 +413,11 @@ static void check_blend(const frame *x, loft_vec p, uint32_t i, uint32_t j, uint
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         long double u[2], v[2], c[DEGREE + 1];
         for (unsigned side = 0; side < 2; side++) {
-            for (unsigned k = 0; k <= x->p; k++) c[k] = exact_of(x->u[side][k].axis[axis]);
+            for (unsigned k = 0; k <= x->p; k++)
+                c[k] = exact_of(x->u[side][k].axis[axis]);
             u[side] = exact_eval(c, x->p, s);
-            for (unsigned k = 0; k <= x->q; k++) c[k] = exact_of(x->v[side][k].axis[axis]);
+            for (unsigned k = 0; k <= x->q; k++)
+                c[k] = exact_of(x->v[side][k].axis[axis]);
             v[side] = exact_eval(c, x->q, t);
         }
         const long double corners = (1 - s) * ((1 - t) * exact_of(x->u[0][0].axis[axis]) +

@@ -173,26 +173,26 @@ static void splitting_changes_nothing(arb *a)
 
 static void parts_and_raised_patches_are_the_patch(arb *a)
 {
-    static loft_vec net[(LOFT_RAISE_MAX + 1) * (LOFT_DEGREE_MAX + 1)];
+    static loft_vec net[(LOFT_ELEVATE_MAX + 1) * (LOFT_DEGREE_MAX + 1)];
     const tensor *x = arb_tensor(a);
     const loft_unit from = arb_unit(a), to = arb_unit(a);
     const long double piece[2] = { exact_unit(from), exact_unit(to) }, whole[2] = { 0, 1 };
     const unsigned times = arb_below(a, 4);
 
-    CHECK(loft_tensor_part_u(&x->s, from, to, net) == LOFT_OK);
+    CHECK(loft_tensor_sub_u(&x->s, from, to, net) == LOFT_OK);
     check_piece(x, net, x->m, x->n, (long double *)piece, (long double *)whole, a);
-    CHECK(loft_tensor_part_v(&x->s, from, to, net) == LOFT_OK);
+    CHECK(loft_tensor_sub_v(&x->s, from, to, net) == LOFT_OK);
     check_piece(x, net, x->m, x->n, (long double *)whole, (long double *)piece, a);
     if (x->m + times <= LOFT_DEGREE_MAX) {
-        CHECK(loft_tensor_raise_u(&x->s, times, net) == LOFT_OK);
+        CHECK(loft_tensor_elevate_u(&x->s, times, net) == LOFT_OK);
         check_piece(x, net, x->m + times, x->n, (long double *)whole, (long double *)whole, a);
     }
     if (x->n + times <= LOFT_DEGREE_MAX) {
-        CHECK(loft_tensor_raise_v(&x->s, times, net) == LOFT_OK);
+        CHECK(loft_tensor_elevate_v(&x->s, times, net) == LOFT_OK);
         check_piece(x, net, x->m, x->n + times, (long double *)whole, (long double *)whole, a);
     }
-    CHECK(loft_tensor_raise_u(&x->s, LOFT_RAISE_MAX + 1 - x->m, net) == LOFT_ERR_ARG);
-    CHECK(loft_tensor_raise_v(&x->s, LOFT_RAISE_MAX + 1 - x->n, net) == LOFT_ERR_ARG);
+    CHECK(loft_tensor_elevate_u(&x->s, LOFT_ELEVATE_MAX + 1 - x->m, net) == LOFT_ERR_ARG);
+    CHECK(loft_tensor_elevate_v(&x->s, LOFT_ELEVATE_MAX + 1 - x->n, net) == LOFT_ERR_ARG);
 }
 
 static void a_piece_may_take_the_place_of_its_net(arb *a)
@@ -206,7 +206,7 @@ static void a_piece_may_take_the_place_of_its_net(arb *a)
     CHECK(loft_tensor_split_u(&x->s, t, other, x->p) == LOFT_OK);
     for (unsigned k = 0; k < count; k++)
         CHECK(loft_vec_equal(left[k], other[k]) && loft_vec_equal(right[k], x->p[k]));
-    CHECK(loft_tensor_part_u(&x->s, LOFT_UNIT(1), 0, x->p) == LOFT_OK);
+    CHECK(loft_tensor_sub_u(&x->s, LOFT_UNIT(1), 0, x->p) == LOFT_OK);
     for (unsigned k = 0; k < count; k++)
         CHECK(
             loft_vec_equal(x->p[k], right[(x->m - k / (x->n + 1)) * (x->n + 1) + k % (x->n + 1)]));

@@ -74,14 +74,8 @@ static void check_point(const rational *x, arb *a)
                            ulp(x->largest), (6 * (x->m + x->n) + 4) * ulp(x->largest)));
 }
 
-static void a_point_is_within_its_bound(arb *a)
-{
-    check_point(arb_patch(a, 16, 32767), a);
-}
-static void so_it_is_with_weights_to_256(arb *a)
-{
-    check_point(arb_patch(a, 256, 32767), a);
-}
+static void a_point_is_within_its_bound(arb *a) { check_point(arb_patch(a, 16, 32767), a); }
+static void so_it_is_with_weights_to_256(arb *a) { check_point(arb_patch(a, 256, 32767), a); }
 
 static void corners_are_exact_and_points_within_the_box(arb *a)
 {
@@ -152,7 +146,7 @@ static void check_piece(const rational *x, const loft_weighted net[], unsigned m
 
 static void splitting_and_raising_change_nothing(arb *a)
 {
-    static loft_weighted left[(LOFT_RAISE_MAX + 1) * (LOFT_DEGREE_MAX + 1)], right[TENSOR_POINTS];
+    static loft_weighted left[(LOFT_ELEVATE_MAX + 1) * (LOFT_DEGREE_MAX + 1)], right[TENSOR_POINTS];
     const rational *x = arb_patch(a, 1, 32767);
     const long double whole[2] = { 0, 1 };
     const unsigned times = arb_below(a, 4);
@@ -171,11 +165,11 @@ static void splitting_and_raising_change_nothing(arb *a)
     check_piece(&y, left, y.m, y.n, whole, before, a);
     check_piece(&y, right, y.m, y.n, whole, after, a);
     if (y.m + times <= LOFT_DEGREE_MAX) {
-        CHECK(loft_tensor_rational_raise_u(&y.s, times, left) == LOFT_OK);
+        CHECK(loft_tensor_rational_elevate_u(&y.s, times, left) == LOFT_OK);
         check_piece(&y, left, y.m + times, y.n, whole, whole, a);
     }
     if (y.n + times <= LOFT_DEGREE_MAX) {
-        CHECK(loft_tensor_rational_raise_v(&y.s, times, left) == LOFT_OK);
+        CHECK(loft_tensor_rational_elevate_v(&y.s, times, left) == LOFT_OK);
         check_piece(&y, left, y.m, y.n + times, whole, whole, a);
     }
 }
@@ -191,7 +185,7 @@ static void arguments_out_of_range_are_refused(arb *a)
           loft_tensor_rational_init(&s, x->p, 0, 10) == LOFT_ERR_ARG);
     CHECK(loft_tensor_rational_deriv(&s, LOFT_UNIT(1.5), 0, &p, &q) == LOFT_ERR_ARG);
     CHECK(loft_tensor_rational_split_u(&s, LOFT_UNIT(2.5), left, right) == LOFT_ERR_ARG);
-    CHECK(loft_tensor_rational_raise_v(&s, LOFT_RAISE_MAX + 1 - x->n, left) == LOFT_ERR_ARG);
+    CHECK(loft_tensor_rational_elevate_v(&s, LOFT_ELEVATE_MAX + 1 - x->n, left) == LOFT_ERR_ARG);
     x->p[x->n].w = 0;
     CHECK(loft_tensor_rational_init(&s, x->p, x->m, x->n) == LOFT_ERR_RANGE);
     x->p[x->n].w = LOFT_REAL(257);

@@ -34,7 +34,7 @@ static void a_point_is_within_its_bound(arb *a)
         const long double want = net_at(x, i, u);
         CHECK_EXACT(exact_of(v.axis[i]), want, rows_bound(x, x->n, 1, want));
     }
-    CHECK(loft_triangle_extend(&t, u, &w) == LOFT_OK && loft_vec_equal(v, w));
+    CHECK(loft_triangle_extrapolate(&t, u, &w) == LOFT_OK && loft_vec_equal(v, w));
 }
 
 static void corners_are_exact_and_beyond_is_clamped(arb *a)
@@ -61,7 +61,7 @@ static void a_point_beyond_is_within_its_bound_or_refused(arb *a)
     bool all = true, none = true;
     loft_vec v = before;
 
-    const enum loft_status status = loft_triangle_extend(&t, u, &v);
+    const enum loft_status status = loft_triangle_extrapolate(&t, u, &v);
     for (int i = 0; i < LOFT_AXES; i++) {
         const long double want = net_at(x, i, u);
         all  = all && exact_fits(want) == 1;

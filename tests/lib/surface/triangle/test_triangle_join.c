@@ -26,7 +26,7 @@ static void a_continuation_is_within_its_bound_or_refused(arb *a)
     bool all = true, none = true;
     loft_vec out[MOST];
 
-    const enum loft_status status = loft_triangle_join_extend(&t, star, order, out);
+    const enum loft_status status = loft_triangle_join_continue(&t, star, order, out);
     for (unsigned i = 0, p = 0; i <= order; i++)
         for (unsigned k = 0; k <= x->n - i; k++, p++)
             for (int axis = 0; axis < LOFT_AXES; axis++) {
@@ -62,7 +62,7 @@ static void a_continuation_joins_until_it_is_spoilt(arb *a)
         for (int i = 0; i < LOFT_AXES; i++)
             x->p[k].axis[i] = loft_real_from_int((int32_t)arb_below(a, 5) - 2);
     CHECK(loft_triangle_init(&b, x->p, n) == LOFT_OK && loft_triangle_init(&c, q, n) == LOFT_OK);
-    if (loft_triangle_join_extend(&b, star, n, out) != LOFT_OK)
+    if (loft_triangle_join_continue(&b, star, n, out) != LOFT_OK)
         return;
     for (unsigned i = 0, p = 0; i <= n; i++)
         for (unsigned k = 0; k <= n - i; k++, p++)
@@ -92,12 +92,12 @@ static void nonsense_is_refused(arb *a)
     loft_real bend = 7;
     int order = 7;
 
-    CHECK(loft_triangle_join_extend(&t, star, x->n + 1, out) == LOFT_ERR_ARG &&
+    CHECK(loft_triangle_join_continue(&t, star, x->n + 1, out) == LOFT_ERR_ARG &&
           loft_triangle_join_order(&t, &s, star, &order) == LOFT_ERR_ARG);
-    CHECK(loft_triangle_join_extend(&t, far, 0, out) == LOFT_ERR_RANGE &&
+    CHECK(loft_triangle_join_continue(&t, far, 0, out) == LOFT_ERR_RANGE &&
           loft_triangle_join_order(&t, &t, far, &order) == LOFT_ERR_RANGE);
-    CHECK(loft_triangle_corner_bend(&t, far, &bend) == LOFT_ERR_RANGE &&
-          loft_triangle_corner_bend(&t, none, &bend) == LOFT_SINGULAR);
+    CHECK(loft_triangle_corner_curvature_vec(&t, far, &bend) == LOFT_ERR_RANGE &&
+          loft_triangle_corner_curvature_vec(&t, none, &bend) == LOFT_SINGULAR);
     CHECK(order == 7);
     CHECK_EXACT(exact_of(bend), exact_of(7), 0);
 }
@@ -130,7 +130,7 @@ static void the_bend_of_a_corner_is_that_of_the_curve_over_it(arb *a)
         top += q[i] * n[i];
         scale += fabsl(q[i] * n[i]);
     }
-    const enum loft_status status = loft_triangle_corner_bend(&t, z, &bend);
+    const enum loft_status status = loft_triangle_corner_curvature_vec(&t, z, &bend);
     CHECK((status == LOFT_SINGULAR) == !(speed > 0 && size > 0));
     if (status == LOFT_SINGULAR)
         return;
@@ -159,7 +159,7 @@ static void a_bowl_bends_the_same_in_all_directions(arb *a)
     loft_real bend;
 
     CHECK(loft_triangle_init(&t, p, 2) == LOFT_OK);
-    if (loft_triangle_corner_bend(&t, z, &bend) == LOFT_OK)
+    if (loft_triangle_corner_curvature_vec(&t, z, &bend) == LOFT_OK)
         CHECK_EXACT(exact_of(bend), 1.0L / r, BY_NUM(0, ulp(1.0L / r), ulp(1.0L / r)));
     else
         CHECK(!(fabsl(exact_unit(z.v)) + fabsl(exact_unit(z.w)) > 0));

@@ -121,7 +121,7 @@ static void a_part_is_within_its_bound_and_the_same_surface(arb *a)
         exact_bary(corner[k], false, at[k]);
         growth = fmaxl(growth, growth3(corner[k]));
     }
-    const enum loft_status status = loft_triangle_part(&t, corner, out);
+    const enum loft_status status = loft_triangle_sub(&t, corner, out);
     CHECK(status == LOFT_OK ||
           (status == LOFT_ERR_RANGE && powl(growth, x->n) * x->largest > 16383));
     if (status == LOFT_OK)
@@ -132,15 +132,15 @@ static void a_part_is_within_its_bound_and_the_same_surface(arb *a)
  * once, again and again. */
 static void a_raised_triangle_is_within_its_bound(arb *a)
 {
-    static long double c[LOFT_TRIANGLE_POINTS(LOFT_RAISE_MAX)],
-        next[LOFT_TRIANGLE_POINTS(LOFT_RAISE_MAX)];
-    static loft_vec out[LOFT_TRIANGLE_POINTS(LOFT_RAISE_MAX)];
+    static long double c[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)],
+        next[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)];
+    static loft_vec out[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)];
     const arb_net *x = arb_net_of(a, 0, LOFT_DEGREE_MAX, 32767);
     const loft_triangle t = triangle_of(x);
-    const unsigned times = arb_below(a, LOFT_RAISE_MAX - x->n + 1);
+    const unsigned times = arb_below(a, LOFT_ELEVATE_MAX - x->n + 1);
 
-    CHECK(loft_triangle_raise(&t, times, out) == LOFT_OK);
-    CHECK(loft_triangle_raise(&t, LOFT_RAISE_MAX - x->n + 1, out) == LOFT_ERR_ARG);
+    CHECK(loft_triangle_elevate(&t, times, out) == LOFT_OK);
+    CHECK(loft_triangle_elevate(&t, LOFT_ELEVATE_MAX - x->n + 1, out) == LOFT_ERR_ARG);
     for (int i = 0; i < LOFT_AXES; i++) {
         for (unsigned k = 0; k < x->count; k++)
             c[k] = x->c[i][k];
@@ -213,8 +213,8 @@ static bool same(const loft_vec p[], const loft_vec q[], unsigned count)
 static void results_may_replace_the_control_points(arb *a)
 {
     const arb_net *x = arb_net_of(a, 0, 5, 300);
-    static loft_vec p[LOFT_TRIANGLE_POINTS(LOFT_RAISE_MAX)],
-        out[LOFT_TRIANGLE_POINTS(LOFT_RAISE_MAX)];
+    static loft_vec p[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)],
+        out[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)];
     const loft_triangle t = triangle_of(x);
     const loft_bary corner[3] = { arb_bary(a), arb_bary(a), arb_bary(a) };
     loft_vec part[3][MOST];
@@ -238,11 +238,11 @@ static void results_may_replace_the_control_points(arb *a)
             CHECK(loft_triangle_quarter(&t, 3, out) == LOFT_OK &&
                   loft_triangle_quarter(&own, 3, p) == LOFT_OK);
         if (way == 4)
-            CHECK(loft_triangle_part(&t, corner, out) == LOFT_OK &&
-                  loft_triangle_part(&own, corner, p) == LOFT_OK);
+            CHECK(loft_triangle_sub(&t, corner, out) == LOFT_OK &&
+                  loft_triangle_sub(&own, corner, p) == LOFT_OK);
         if (way == 5)
-            CHECK(loft_triangle_raise(&t, 3, out) == LOFT_OK &&
-                  loft_triangle_raise(&own, 3, p) == LOFT_OK);
+            CHECK(loft_triangle_elevate(&t, 3, out) == LOFT_OK &&
+                  loft_triangle_elevate(&own, 3, p) == LOFT_OK);
         if (way == 6)
             CHECK(loft_triangle_from_power(x->p, x->n, out) == LOFT_OK &&
                   loft_triangle_from_power(p, x->n, p) == LOFT_OK);

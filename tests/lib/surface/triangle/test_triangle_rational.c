@@ -5,7 +5,7 @@
 #include "support/exact_sci.h"          /* exact_sci */
 #include "support/rationals.h"          /* arb_weight */
 #include "support/triangles.h"          /* arb_net_of, exact_polar */
-#include "surface/local.h"
+#include "surface/differential.h"
 #include "surface/octant.h"
 #include "surface/triangle/triangle.h"
 #include "surface/triangle/triangle_rational.h"
@@ -168,11 +168,11 @@ static void local_derivatives_keep_their_law(arb *a)
     const long double law = 2 * s->ratio * (n + 2) * BY_NUM(0x1p-59L, 0x1p-50L, 0x1p-50L);
     const long double tiny = 0x1p-62L * s->net->largest * s->ratio * n;     /* of the reference */
     long double x[MOST], d[5], width[5], widths[2] = { 0, 0 }, none;
-    loft_local here;
+    loft_differential here;
 
     const loft_bary outside = { -LOFT_UNIT(0.001), 0 };
-    CHECK(loft_triangle_rational_local(&s->t, outside, &here) == LOFT_ERR_ARG);
-    CHECK(loft_triangle_rational_local(&s->t, u, &here) == LOFT_OK);
+    CHECK(loft_triangle_rational_differential(&s->t, outside, &here) == LOFT_ERR_ARG);
+    CHECK(loft_triangle_rational_differential(&s->t, u, &here) == LOFT_OK);
     const long double width_u = exact_sci(here.width_u), width_v = exact_sci(here.width_v);
     const long double steep = 2 * s->ratio * n * fmaxl(width_u, width_v), w = value(s->w, n, u, 0);
     for (int k = 0; k < 5; k++)
@@ -211,12 +211,13 @@ static void the_octant_bends_as_its_sphere(arb *a)
     loft_weighted p[15];
     loft_triangle_rational t;
     loft_curvatures k;
-    loft_local here;
+    loft_differential here;
 
     CHECK(loft_octant_from_radius(r, p) == LOFT_OK);
     CHECK(loft_triangle_rational_init(&t, p, 4) == LOFT_OK);
-    CHECK(loft_triangle_rational_local(&t, u, &here) == LOFT_OK);
-    CHECK(loft_local_normal(&here, &n) == LOFT_OK && loft_local_curvatures(&here, &k) == LOFT_OK);
+    CHECK(loft_triangle_rational_differential(&t, u, &here) == LOFT_OK);
+    CHECK(loft_differential_normal(&here, &n) == LOFT_OK &&
+          loft_differential_curvatures(&here, &k) == LOFT_OK);
     const loft_vec v = loft_triangle_rational_eval(&t, u);
     /* Points and weights of the net are rounded: slopes are off by 24 times as much. */
     const long double off = BY_NUM(24 * 0x1p-15L / size + 24 * 0x1p-20L, 0x1p-18L, 0x1p-44L);

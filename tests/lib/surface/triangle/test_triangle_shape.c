@@ -44,9 +44,12 @@ static wide value_at(unsigned n, const int32_t raw[], int m, int x, int y)
         for (unsigned k = 0; k <= rest; k++) {
             const unsigned i = n - rest, j = rest - k;
             wide term = (wide)loft_binomial(n, i) * loft_binomial(rest, j) * raw[exact_place(j, k)];
-            for (unsigned p = 0; p < i; p++) term *= x;
-            for (unsigned p = 0; p < j; p++) term *= y;
-            for (unsigned p = 0; p < k; p++) term *= m - x - y;
+            for (unsigned p = 0; p < i; p++)
+                term *= x;
+            for (unsigned p = 0; p < j; p++)
+                term *= y;
+            for (unsigned p = 0; p < k; p++)
+                term *= m - x - y;
             sum += term;
         }
     return sum;

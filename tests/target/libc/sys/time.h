@@ -6,8 +6,12 @@
 
 #define ITIMER_REAL 0
 
-struct timeval   { long tv_sec, tv_usec; };
-struct itimerval { struct timeval it_interval, it_value; };
+struct timeval {
+    long tv_sec, tv_usec;
+};
+struct itimerval {
+    struct timeval it_interval, it_value;
+};
 
 /* An interrupt after it_value.tv_usec < 1000 microseconds, or some more or less: the core's clock
  * is taken as 25 MHz. */

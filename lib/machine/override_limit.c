@@ -1,0 +1,131 @@
+/* lib/machine/override_limit.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "machine/override_limit.h"
+
+/* With D1, D2, D3 = the largest first, second and third difference of the control points of an
+ * axis, and s seconds that the span lasts,
+ *
+ *     |x'| <= 3 D1 / s      |x''| <= 6 D2 / s^2      |x'''| = 6 D3 / s^3
+ *
+ * so at the pace r the limits V, A and J hold if
+ *
+ *     r <= V s / (3 D1)     r^2 <= A s^2 / (6 D2)    r^3 <= J s^3 / (6 D3)
+ *
+ * (D1 to D3 are without what the rounding of points by 1/2 may have done: 1, 2 and 4.) Where a span
+ * of n ticks begins, after one of m ticks with the last difference e, the velocity jumps by 3 (d m
+ * - e n) / (m n) per tick, d being its own first difference. What exceeds twice the rounding, m +
+ * n, is a jump, which must not become greater.
+ *
+ * In numbers: a difference of 2^27 (2 m) or more counts as one that allows nothing; so 6 D3 is
+ * below 2^32. s is in Q24, rounded down, below 2^29 (1023 ticks at 50 Hz; a rate below that counts
+ * as 50). V s, A s^2 and J s^3 are raw mm, rounded down, at most 2^32 - 1. A quotient is asked for
+ * in units of `unit` and only up to `most`; before the division the limit is shifted down to 23
+ * bits, the need likewise, but rounded up. */
+#define FAR ((uint32_t)1 << 27)
+
+/* limit * seconds / 2^24 */
+static uint32_t times(uint32_t limit, uint32_t seconds)
+{
+    const uint64_t product = (uint64_t)limit * seconds;
+
+    return product >> 56 ? UINT32_MAX : (uint32_t)(product >> 24);
+}
+
+static uint16_t quotient(uint32_t limit, uint32_t need, uint16_t unit, uint16_t most)
+{
+    for (; limit >= (uint32_t)1 << 23; limit >>= 1)
+        need = (need >> 1) + (need & 1);
+    if (need == 0)
+        return most;
+    const uint32_t q = limit * unit / need;
+    return q > most ? most : (uint16_t)q;
+}
+
+/* The greatest c = 64 r^2 for 512 r^3: c^3 <= (512 r^3)^2 <= 2^24. */
+static uint16_t square_of_cube(uint16_t cube)
+{
+    const uint32_t square = (uint32_t)cube * cube;
+    uint16_t c = 0;
+
+    for (uint16_t bit = 256; bit; bit >>= 1) {
+        const uint32_t trial = (uint32_t)c + bit;
+        if (trial <= 256 && trial * trial * trial <= square)
+            c = (uint16_t)trial;
+    }
+    return c;
+}
+
+static uint16_t lesser(uint16_t a, uint16_t b)      { return a < b ? a : b; }
+static uint32_t greater(uint32_t a, uint32_t b)     { return a > b ? a : b; }
+
+/* The size of a difference beyond what rounding may have made of it. */
+static uint32_t sure(int32_t d, uint8_t rounding)
+{
+    const uint32_t size = d < 0 ? 0 - (uint32_t)d : (uint32_t)d;
+
+    return size > rounding ? size - rounding : 0;
+}
+
+/* b - a; *far is set if it is. */
+static int32_t difference(int32_t a, int32_t b, bool *far)
+{
+    const uint32_t d = (uint32_t)b - (uint32_t)a;
+
+    if ((b < a ? 0 - d : d) >= FAR)
+        *far = true;
+    return (int32_t)d;
+}
+
+/* Does the velocity jump? */
+static bool jumps(int32_t d, uint16_t n, int32_t e, uint16_t m)
+{
+    const int64_t by = (int64_t)d * m - (int64_t)e * n, rounding = 2 * (int32_t)(m + n);
+
+    return by > rounding || by < -rounding;
+}
+
+static uint16_t cap_of_axis(const int32_t d[3], const loft_axis_config *axis, uint32_t seconds)
+{
+    const int32_t d20 = d[1] - d[0], d21 = d[2] - d[1];
+    uint16_t cap = 256;
+
+    if (axis->max_speed > 0) {
+        const uint32_t need = 3 * greater(greater(sure(d[0], 1), sure(d[1], 1)), sure(d[2], 1));
+        const uint16_t r = quotient(times((uint32_t)axis->max_speed, seconds), need, 128, 256);
+        cap = (uint16_t)((uint32_t)r * r >> 8);
+    }
+    if (axis->max_accel > 0) {
+        const uint32_t need = 6 * greater(sure(d20, 2), sure(d21, 2));
+        cap = lesser(cap, quotient(times(times((uint32_t)axis->max_accel, seconds), seconds), need,
+                                   64, 256));
+    }
+    if (axis->max_jerk > 0) {
+        const uint64_t raw = (uint64_t)axis->max_jerk * seconds >> 8;
+        const uint32_t change = times(raw > UINT32_MAX ? UINT32_MAX : (uint32_t)raw, seconds);
+        cap = lesser(cap, square_of_cube(
+                              quotient(times(change, seconds), 6 * sure(d21 - d20, 4), 512, 4096)));
+    }
+    return cap;
+}
+
+uint8_t loft_override_limit_of(const loft_item *item, const int32_t from[LOFT_AXES],
+                               const volatile loft_item *before,
+                               const loft_axis_config axis[LOFT_AXES], uint16_t tick_hz)
+{
+    const uint32_t seconds = ((uint32_t)item->ticks << 22) / (tick_hz < 50 ? 50 : tick_hz) << 2;
+    uint16_t cap = 256;
+    bool far = false;
+
+    for (int i = 0; i < LOFT_AXES && cap > LOFT_OVERRIDE_LIMIT_ONE + 1; i++) {
+        const int32_t d[3] = { difference(from[i], item->p[0][i], &far),
+                               difference(item->p[0][i], item->p[1][i], &far),
+                               difference(item->p[1][i], item->p[2][i], &far) };
+        const int32_t e = before ? difference(before->p[1][i], before->p[2][i], &far) : 0;
+        if (far || jumps(d[0], item->ticks, e, before ? before->ticks : 1))
+            return LOFT_OVERRIDE_LIMIT_ONE;
+        if (d[0] || d[1] || d[2])
+            cap = lesser(cap, cap_of_axis(d, &axis[i], seconds));
+    }
+    return (uint8_t)((cap < LOFT_OVERRIDE_LIMIT_ONE + 1 ? LOFT_OVERRIDE_LIMIT_ONE + 1 : cap) - 1);
+}

@@ -1,0 +1,324 @@
+/* lib/num/acc128.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "num/acc128.h"
+#include "num/sci.h"    /* loft_acc128_slope divides by small weights */
+
+#if LOFT_NUM == LOFT_Q16
+
+#define LIMBS 4
+
+static bool negative(const loft_acc128 *x) { return x->limb[LIMBS - 1] >> 31 != 0; }
+
+/* x += (y ^ flip) + carry; returns the carry out of the top. All in 32 bits: an 8-bit core has no
+ * more. */
+static uint32_t accumulate(loft_acc128 *x, const loft_acc128 *y, uint32_t flip, uint32_t carry)
+{
+    for (int k = 0; k < LIMBS; k++) {
+        const uint32_t term = y->limb[k] ^ flip, sum = x->limb[k] + term;
+        x->limb[k] = sum + carry;
+        carry = (uint32_t)(sum < term) | (uint32_t)(x->limb[k] < carry);
+    }
+    return carry;
+}
+
+loft_acc128 loft_acc128_add(loft_acc128 x, loft_acc128 y)
+{
+    accumulate(&x, &y, 0, 0);
+    return x;
+}
+loft_acc128 loft_acc128_sub(loft_acc128 x, loft_acc128 y)
+{
+    accumulate(&x, &y, 0xffffffffu, 1);
+    return x;
+}
+
+static loft_acc128 negated(const loft_acc128 *x)
+{
+    loft_acc128 r = { { 0 } };
+    accumulate(&r, x, 0xffffffffu, 1);
+    return r;
+}
+
+loft_acc128 loft_acc128_of(loft_acc x)
+{
+    const uint32_t sign = x < 0 ? 0xffffffffu : 0;
+    const loft_acc128 r = { { loft_acc_low(x), (uint32_t)loft_acc_high(x), sign, sign } };
+    return r;
+}
+
+bool loft_acc128_below(loft_acc128 x, loft_acc128 y)
+{
+    const loft_acc128 difference = loft_acc128_sub(x, y);
+    return negative(&difference);
+}
+
+/* x k in `limbs` limbs of out: a product and a carry are at most (2^32 - 1)^2 + 2^32 - 1 < 2^64. */
+static void multiply(const loft_acc128 *x, uint32_t k, uint32_t out[], int limbs)
+{
+    uint32_t carry = 0;
+
+    for (int i = 0; i < limbs; i++) {
+        const uint64_t sum = (uint64_t)(i < LIMBS ? x->limb[i] : 0) * k + carry;
+        out[i] = (uint32_t)(sum & 0xffffffffu);
+        carry = (uint32_t)loft_acc_high((int64_t)sum);
+    }
+}
+
+loft_acc128 loft_acc128_times(loft_acc128 x, uint32_t k)
+{
+    loft_acc128 r;
+    multiply(&x, k, r.limb, LIMBS);
+    return r;
+}
+
+/* By one limb, and by 14 bits. */
+loft_acc128 loft_acc128_guarded(loft_acc x)
+{
+    const loft_acc128 r = { { 0, loft_acc_low(x), (uint32_t)loft_acc_high(x),
+                            x < 0 ? 0xffffffffu : 0 } };
+    return loft_acc128_times(r, 16384);
+}
+
+void loft_acc128_step(loft_acc128 d[], unsigned degree)
+{
+    for (unsigned k = 0; k < degree; k++)
+        accumulate(&d[k], &d[k + 1], 0, 0);
+}
+
+bool loft_acc128_valid(loft_real a)
+{
+    (void)a;
+    return true;
+}
+
+/* (|y - x| |t| + 2^23) / 2^24: five limbs, less than 2^126 * 2^25 + 2^23. Four limbs are cut out
+ * above bit 24. */
+loft_acc128 loft_acc128_lerp(loft_acc128 x, loft_acc128 y, loft_unit t)
+{
+    const loft_acc128 difference = loft_acc128_sub(y, x), opposite = negated(&difference);
+    const bool down = negative(&difference);
+    uint32_t product[LIMBS + 1];
+    loft_acc128 part;
+
+    multiply(down ? &opposite : &difference, (uint32_t)(t < 0 ? -t : t), product, LIMBS + 1);
+    for (uint32_t i = 0, carry = 8388608; i <= LIMBS; i++) {
+        product[i] += carry;
+        carry = product[i] < carry;
+    }
+    for (int i = 0; i < LIMBS; i++)
+        part.limb[i] = product[i] >> 24 | product[i + 1] << 8;
+    return down != (t < 0) ? loft_acc128_sub(x, part) : loft_acc128_add(x, part);
+}
+
+/* The whole part of x / n, x of five limbs and below 2^128 n, and what is left of x. */
+static uint32_t divide(const uint32_t x[LIMBS + 1], uint32_t n, loft_acc128 *out)
+{
+    uint64_t rest = x[LIMBS];
+
+    for (int i = LIMBS - 1; i >= 0; i--) {
+        rest = rest << 32 | x[i];
+        out->limb[i] = (uint32_t)(rest / n);
+        rest %= n;
+    }
+    return (uint32_t)rest;
+}
+
+/* |x| / k, of which the lowest 46 bits are rounded away. */
+loft_acc loft_acc128_to_acc(loft_acc128 x, uint32_t k)
+{
+    const bool minus = negative(&x);
+    const loft_acc128 size = minus ? negated(&x) : x;
+    uint32_t five[LIMBS + 1] = { 0 };
+    loft_acc128 q;
+
+    for (int i = 0; i < LIMBS; i++)
+        five[i] = size.limb[i];
+    (void)divide(five, k, &q);
+    const uint64_t upper = (uint64_t)q.limb[3] << 32 | q.limb[2];
+    const int64_t whole = (int64_t)(upper << 18 | q.limb[1] >> 14) + (q.limb[1] >> 13 & 1);
+    return minus ? -whole : whole;
+}
+
+/* |y - x| j / n with j <= n < 2^32: a product of five limbs, and a division limb by limb, the rest
+ * below n. */
+loft_acc128 loft_acc128_lerp_in(loft_acc128 x, loft_acc128 y, loft_real a, loft_real lo,
+                                loft_real hi)
+{
+    const uint32_t j = (uint32_t)a - (uint32_t)lo, n = (uint32_t)hi - (uint32_t)lo;
+    const loft_acc128 difference = loft_acc128_sub(y, x), opposite = negated(&difference);
+    const bool down = negative(&difference);
+    uint32_t product[LIMBS + 1];
+    loft_acc128 part;
+
+    multiply(down ? &opposite : &difference, j, product, LIMBS + 1);
+    const uint32_t rest = divide(product, n, &part);
+    const loft_acc128 up = { { rest >= n - rest, 0, 0, 0 } };
+    part = loft_acc128_add(part, up);
+    return down ? loft_acc128_sub(x, part) : loft_acc128_add(x, part);
+}
+
+/* Digit by digit: the first round finds the whole part of |x| / w, which is 0 or 1, the next 31 the
+ * bits below. Ties go upward: away from 0 for a positive x only. */
+static loft_real signed_quotient(uint32_t q, bool minus, bool above, bool tie)
+{
+    if (above || (tie && !minus))
+        q++;
+    return (loft_real)(minus ? -(int64_t)q : (int64_t)q);
+}
+
+loft_real loft_acc_project(loft_acc x, loft_acc w)
+{
+    const uint64_t d = (uint64_t)w;
+    uint64_t rest = (uint64_t)(x < 0 ? -x : x);
+    uint32_t q = 0;
+
+    for (int round = 0; round < 32; round++) {
+        q += q;
+        if (rest >= d) {
+            rest -= d;
+            q++;
+        }
+        rest += rest;
+    }
+    return signed_quotient(q, x < 0, rest > d, rest == d);
+}
+
+/* The halves of w apart: high a 2^32 / 2^31, and low a / 2^31, |low a| < 2^63 - 2^31, with 1/2
+ * added. */
+loft_acc loft_acc_weigh(loft_acc w, loft_real a)
+{
+    const int64_t low = (int64_t)loft_acc_low(w) * a + 1073741824;
+
+    return (int64_t)loft_acc_high(w) * a * 2 + (int64_t)loft_acc_high(low) * 2 +
+           (loft_acc_low(low) >> 31);
+}
+
+/* 2^15 x / (2^15 h), and 2^15 h < 2^63. With e = |x| - 2^15 h it rounds to a coordinate when e /
+ * (2^15 h) is below -2^-32, or at most 2^-32 where x is negative: of whole numbers, compared with
+ * the whole part of 2^15 h / 2^32. */
+bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
+{
+    const loft_acc w = h * LOFT_PROJECT, beyond = (x < 0 ? -x : x) - w;
+
+    if (x < 0 ? beyond > loft_acc_high(w) : beyond >= -(loft_acc)loft_acc_high(w))
+        return false;
+    *out = loft_acc_project(x, w);
+    return true;
+}
+
+/* a -= b if that is not negative */
+static bool taken(loft_acc128 *a, const loft_acc128 *b)
+{
+    loft_acc128 less = *a;
+
+    if (!accumulate(&less, b, 0xffffffffu, 1))
+        return false;
+    *a = less;
+    return true;
+}
+
+loft_real loft_acc128_project(loft_acc128 x, loft_acc128 w)
+{
+    const bool minus = negative(&x);
+    loft_acc128 rest = minus ? negated(&x) : x;
+    uint32_t q = 0;
+
+    for (int round = 0; round < 32; round++) {
+        q += q + taken(&rest, &w);
+        accumulate(&rest, &rest, 0, 0);
+    }
+    const bool reached = taken(&rest, &w);
+    const bool tie = reached && !(rest.limb[0] | rest.limb[1] | rest.limb[2] | rest.limb[3]);
+    return signed_quotient(q, minus, reached && !tie, tie);
+}
+
+/* As loft_acc_rate, of 128 bits. */
+bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out)
+{
+    const bool minus = negative(&x);
+    const loft_acc128 beyond = loft_acc128_sub(minus ? negated(&x) : x, w);
+    const loft_acc128 room = { { w.limb[1], w.limb[2], w.limb[3], 0 } };
+
+    if (minus ? loft_acc128_below(room, beyond) : !loft_acc128_below(beyond, negated(&room)))
+        return false;
+    *out = loft_acc128_project(x, w);
+    return true;
+}
+
+/* x, w and v have a factor in common, of which the quotient has none. Five products, quotients and
+ * differences, each off by 2^-61 of its result. */
+bool loft_acc128_slope(const loft_acc128 x[2], const loft_acc128 w[2], loft_acc128 v, int32_t k,
+                     loft_acc *out)
+{
+    const loft_sci by = loft_sci_from_acc128(v), w0 = loft_sci_from_acc128(w[0]),
+                   w1 = loft_sci_from_acc128(w[1]);
+    const loft_sci x0 = loft_sci_from_acc128(loft_acc128_times(x[0], (uint32_t)k));
+    const loft_sci x1 = loft_sci_from_acc128(loft_acc128_times(x[1], (uint32_t)k));
+    const loft_sci rise = loft_sci_div(loft_sci_mul(x1, w0), by),
+                   fall = loft_sci_div(loft_sci_mul(x0, w1), by);
+
+    return loft_sci_to_acc(loft_sci_div(loft_sci_sub(rise, fall), by), out);
+}
+
+#else
+
+bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
+{
+    const loft_acc rate = x / h;
+
+    if (!loft_acc_valid(rate))
+        return false;
+    *out = loft_acc_round(rate);
+    return true;
+}
+
+loft_real loft_acc_project(loft_acc x, loft_acc w) { return loft_acc_round(x / w * LOFT_PROJECT); }
+loft_acc loft_acc_weigh(loft_acc w, loft_real a) { return w / LOFT_PROJECT * (loft_acc)a; }
+loft_real loft_acc128_project(loft_acc128 x, loft_acc128 w)
+{
+    return loft_acc_round(x / w * LOFT_PROJECT);
+}
+bool      loft_acc128_below(loft_acc128 x, loft_acc128 y)             { return x < y; }
+loft_acc128 loft_acc128_of(loft_acc x)                              { return x; }
+loft_acc128 loft_acc128_guarded(loft_acc x)                         { return x; }
+loft_acc  loft_acc128_to_acc(loft_acc128 x, uint32_t k)               { return x / k; }
+loft_acc128 loft_acc128_add(loft_acc128 x, loft_acc128 y)               { return x + y; }
+loft_acc128 loft_acc128_sub(loft_acc128 x, loft_acc128 y)               { return x - y; }
+loft_acc128 loft_acc128_times(loft_acc128 x, uint32_t k)              { return x * k; }
+loft_acc128 loft_acc128_lerp(loft_acc128 x, loft_acc128 y, loft_unit t)
+{
+    return loft_acc_lerp(x, y, t);
+}
+bool loft_acc128_valid(loft_real a) { return (double)a > -0x1p900 && (double)a < 0x1p900; }
+
+loft_acc128 loft_acc128_lerp_in(loft_acc128 x, loft_acc128 y, loft_real a, loft_real lo,
+                                loft_real hi)
+{
+    return loft_acc_lerp_in(x, y, a, lo, hi);
+}
+
+bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out)
+{
+    const double rate = x / w * LOFT_PROJECT;
+
+    if (!loft_acc_valid(rate * (1 - 0x1p-40)))       /* a mean of f32's largest is one, rounded */
+        return false;
+    *out = loft_acc_round(rate);
+    return true;
+}
+
+void loft_acc128_step(loft_acc128 d[], unsigned degree)
+{
+    for (unsigned k = 0; k < degree; k++)
+        d[k] += d[k + 1];
+}
+
+bool loft_acc128_slope(const loft_acc128 x[2], const loft_acc128 w[2], loft_acc128 v, int32_t k,
+                     loft_acc *out)
+{
+    *out = k * (x[1] / v * (w[0] / v) - x[0] / v * (w[1] / v));
+    return *out >= -DBL_MAX && *out <= DBL_MAX;
+}
+
+#endif

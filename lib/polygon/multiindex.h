@@ -1,0 +1,63 @@
+/* lib/polygon/multiindex.h -- indices of several parts: the names of the control points of an
+ * S-patch
+ * SPDX-License-Identifier: MIT
+ *
+ * `sides` numbers l[0], l[1] .. >= 0 that sum to `depth`. They are in order from (depth, 0 .. 0) to
+ * (0 .. 0, depth), the larger first number first, then the larger second, and so on; the rank of
+ * one is its place in that order.
+ *
+ *     uint8_t l[LOFT_SIDES_MAX];
+ *     loft_multiindex_first(l, sides, depth);
+ *     do { .. } while (loft_multiindex_next(l, sides));
+ *
+ *   range   sides 2..8, depth 0..10
+ */
+#ifndef LOFT_POLYGON_MULTIINDEX_H
+#define LOFT_POLYGON_MULTIINDEX_H
+
+#include "basis/bernstein.h"    /* loft_binomial */
+#include "polygon/domain.h"     /* LOFT_SIDES_MAX */
+
+LOFT_BEGIN_C
+
+/* How many there are: C(sides + depth - 1, depth), at most 19448.
+ *
+ *   error   none
+ *   cost    `depth` products and divisions of 32 bits
+ */
+static inline unsigned loft_multiindex_count(unsigned sides, unsigned depth)
+{
+    return (unsigned)loft_binomial(sides + depth - 1, depth);
+}
+
+/* (depth, 0 .. 0).
+ *
+ *   error   none
+ *   cost    no product
+ */
+void loft_multiindex_first(uint8_t l[], unsigned sides, unsigned depth);
+
+/* The one after l, in place; false, and l untouched, after the last.
+ *
+ *   error   none
+ *   cost    at most `sides` comparisons, no product
+ */
+bool loft_multiindex_next(uint8_t l[], unsigned sides);
+
+/* The place of l, from 0.
+ *
+ *   error   none
+ *   cost    at most sides (sides - 1) / 2 products and divisions of 32 bits
+ */
+unsigned loft_multiindex_rank(const uint8_t l[], unsigned sides);
+
+/* depth! / (l[0]! l[1]! ..), at most 10!.
+ *
+ *   error   none
+ *   cost    depth + sides products and `depth` divisions of 32 bits
+ */
+int32_t loft_multiindex_multinomial(const uint8_t l[], unsigned sides);
+
+LOFT_END_C
+
+#endif
