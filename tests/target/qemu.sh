@@ -42,7 +42,7 @@ board() {
     else
         cp "$tmp/$name-$plan-none-1/here.csv" "$at"         # the run over a good line came before
     fi
-    timeout 300 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" \
+    timeout -k 10 300 "$qemu" -M "$machine" -nographic -monitor none -kernel "$elf" \
         -icount "shift=$shift,sleep=off" "${extra[@]}" \
         -chardev "socket,id=s0,path=$at/sock,server=on,wait=on" -serial chardev:s0 \
         >"$at/qemu" 2>&1 &
