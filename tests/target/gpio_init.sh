@@ -32,7 +32,7 @@ z.step  = 3
 z.dir   = 4
 y.step  = switches:0        # an axis on another chip
 y.dir   = switches:1
-estop   = ESTOP up          # by its name
+estop   = ESTOP up          # by its name; opens against a bias, so a torn wire stops, too
 x.limit = switches:6 low
 port    = /dev/ttyS1
 hold    = switches:3
@@ -55,6 +55,8 @@ begin() {
         > /said 2>&1 &
     pid=$!
     while ! grep -q machine: /said && kill -0 $pid; do usleep 20000; done
+    # the emergency stop is closed to ground, against the bias that the machine has asked for
+    guest pull $switches/sim_gpio5/pull down 100000 > /dev/null
     echo "job $name$version"
 }
 # finish VERSION NAME: wait for its end
@@ -73,7 +75,6 @@ moving() { while [ "$(wc -c < /tmp/record)" -lt 16000 ] && kill -0 $pid; do usle
 : > /pulls
 for version in 1 2; do
     guest put map$version < /sys/kernel/debug/gpio
-    guest pull $switches/sim_gpio5/pull down 1000 > /dev/null
     guest pull $switches/sim_gpio6/pull up 1000 > /dev/null
 
     begin $version whole
@@ -85,7 +86,6 @@ for version in 1 2; do
     guest pull $switches/sim_gpio5/pull up 2000 down 300000 \
         up 300 down 700 up 200 down 1500 up 1000 down 100 up 0 > /pulls
     finish $version estop
-    guest pull $switches/sim_gpio5/pull down 1000 > /dev/null
 
     begin $version limit max_speed=20
     moving
