@@ -28,7 +28,7 @@ $(HOSTS)/$(1)/libc/quadtf.o: tests/target/libc/quad.c
 	    -c $$< -o $$@
 $(HOSTS)/$(1)/libc/%.o: tests/target/libc/%.c $(wildcard tests/target/libc/*.h)
 	@mkdir -p $$(@D)
-	$$(Q)clang --target=$(3)-linux-gnu $(4) $$(HOST_UNIT_FLAGS) $$(call num_flag,$(2)) \
+	$$(Q)clang --target=$(3)-linux-gnu $(4) $$(QUAD_FLAGS) $$(HOST_UNIT_FLAGS) $$(call num_flag,$(2)) \
 	    -c $$< -o $$@
 $(HOSTS)/$(1)/units.c: $(MAKEFILE_LIST)
 	@mkdir -p $$(@D)
@@ -48,16 +48,20 @@ $(HOSTS)/$(1)/tests: tests/target/hosts.c $(HOSTS)/$(1)/units.c \
     $(patsubst %.c,$(HOSTS)/$(1)/%.d,$(LIB_SRC))
 endef
 $(eval $(call host_set,i686-q16,q16,i686,,))
+# floats as the standard says them: without SSE a 32-bit x86 computes in 80 bits
+$(eval $(call host_set,i686-f64,f64,i686,-msse2,-msse2 -mfpmath=sse))
 $(eval $(call host_set,powerpc-q16,q16,powerpc,-Xclang -mabi=ieeelongdouble))
-HOST_ALL := $(patsubst %,$(HOSTS)/%/tests,i686-q16 powerpc-q16)
+HOST_ALL := $(patsubst %,$(HOSTS)/%/tests,i686-q16 i686-f64 powerpc-q16)
 
+# clang calls the functions of a quad with results that are not aligned for SSE
+$(HOSTS)/i686-f64/libc/quad.o: QUAD_FLAGS := -mno-sse
 # on a PowerPC clang calls the functions of a quad by other names: __addkf3, not __addtf3
 $(HOSTS)/powerpc-%/libc/quad.o: $(HOSTS)/powerpc-%/libc/quadtf.o
 	$(Q)powerpc-linux-gnu-nm $< | \
 	    sed -n 's/.* T \(__[a-z]*\)tf\([a-z0-9]*\)$$/\1tf\2 \1kf\2/p' > $@.names
 	$(Q)powerpc-linux-gnu-objcopy --redefine-syms=$@.names $< $@
 
-## Run the tests on a 32-bit x86 and a big-endian PowerPC, in q16   HOST_SHARE=1000
+## Run the tests on a 32-bit x86 and a big-endian PowerPC: q16, f64   HOST_SHARE=1000
 .PHONY: check-hosts
 check-hosts: $(HOST_ALL)
 	@bash tests/target/hosts.sh $(patsubst %/tests,%,$(HOST_ALL))
