@@ -165,6 +165,23 @@ without_test() {
 }
 without_test | rule "each header has a test of its name, or tests/README.md names another"
 
+# ... and no line has more than 100 columns (characters). Excepted: tables of pages, a line with a
+# word (a link) of more than 80 characters, generated files, drawings, data and pictures.
+too_wide() {
+    find . \( -name .git -o -name __pycache__ -o -path ./build -o -path ./tests/drawings \) -prune \
+        -o -type f ! -name '*.csv' ! -name '*.svg' ! -name '*.png' ! -path ./lib/names.h \
+        ! -path ./lib/ERRORS.md -print0 | xargs -0 python3 -c '
+import sys
+for name in sys.argv[1:]:
+    for number, line in enumerate(open(name, encoding="utf-8"), 1):
+        line = line.rstrip("\n")
+        table = name.endswith(".md") and line.startswith("|")
+        if len(line) > 100 and not table and max(map(len, line.split())) <= 80:
+            print("%s:%d: %d columns" % (name, number, len(line)))
+' 2>&1 || echo "the columns cannot be counted"
+}
+too_wide | rule "no line has more than 100 columns"
+
 # 7. CPPFLAGS, CFLAGS and LDFLAGS that the user gives stand in every call of the compiler,
 # the last where it links
 links_and_objects="lib libraries tools test-tools test-axes test-e2e
