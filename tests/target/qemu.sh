@@ -61,14 +61,13 @@ board() {
         port=$at/bad
         for _ in $(seq 3000); do [ -e "$port" ] && break; sleep 0.02; done
     fi
-    if [ $fault = killed ]; then            # some time after the first pulses
+    if [ $fault = killed ]; then            # once it has drawn something
         "$loft" stream "$drawing" --feed $feed --plan=$plan --port "unix:$port" \
-            >"$at/first" 2>&1 </dev/null &
+            --log "$at/talk" >"$at/first" 2>&1 </dev/null &
         local first=$!
-        for _ in $(seq 100); do
-            [ "$(python3 tests/target/pins.py "$name" "$log" 2>/dev/null | wc -l)" -gt 300 ] &&
-                break
-            sleep 0.05
+        for _ in $(seq 3000); do
+            ! grep -q '< ACK .* executed [1-9]' "$at/talk" 2>/dev/null || break
+            sleep 0.02
         done
         { kill -KILL $first; wait $first; } 2>/dev/null
     fi
