@@ -35,7 +35,7 @@ bool loft_corexy_tool(const void *geometry, loft_vec motors, loft_vec *tool)
  * which counts `turn` times: turn 2^-33 mm, turn 2^-17 LSB. */
 loft_vec loft_polar_motors(const void *geometry, loft_vec tool)
 {
-    const loft_polar *polar = geometry;
+    const loft_polar *polar = (const loft_polar *)geometry;
     const loft_real x = tool.axis[0], y = tool.axis[1];
     const loft_fine angle = loft_fine_atan2(loft_to_acc(y), loft_to_acc(x));
 
@@ -53,7 +53,7 @@ static int32_t turns_of(loft_real by, loft_real turn)
 
 loft_vec loft_polar_near(const void *geometry, loft_vec motors, loft_vec before)
 {
-    const loft_polar *polar = geometry;
+    const loft_polar *polar = (const loft_polar *)geometry;
     const int32_t k = turns_of(before.axis[1] - motors.axis[1], polar->turn);
 
     motors.axis[1] = loft_acc_round(loft_to_acc(motors.axis[1]) + k * loft_to_acc(polar->turn));
@@ -64,7 +64,7 @@ loft_vec loft_polar_near(const void *geometry, loft_vec motors, loft_vec before)
  * what the quotient was rounded by), so the product with 2 pi is below 4. */
 bool loft_polar_tool(const void *geometry, loft_vec motors, loft_vec *tool)
 {
-    const loft_polar *polar = geometry;
+    const loft_polar *polar = (const loft_polar *)geometry;
     const loft_acc radius = loft_to_acc(motors.axis[0]), turn = loft_to_acc(polar->turn);
     const loft_acc rest = loft_to_acc(motors.axis[1]) -
                           turns_of(motors.axis[1], polar->turn) * turn;
@@ -82,7 +82,7 @@ bool loft_polar_tool(const void *geometry, loft_vec motors, loft_vec *tool)
  * in acc, below 2^28 + 2 * 2^30. */
 loft_vec loft_delta_motors(const void *geometry, loft_vec tool)
 {
-    const loft_delta *delta = geometry;
+    const loft_delta *delta = (const loft_delta *)geometry;
     const loft_real x = tool.axis[0], y = tool.axis[1], z = tool.axis[2];
 
     for (int i = 0; i < 3; i++) {
@@ -138,7 +138,7 @@ static arrow side(const loft_delta *d, loft_vec motors, int i)
  * mm. */
 bool loft_delta_tool(const void *geometry, loft_vec motors, loft_vec *tool)
 {
-    const loft_delta *d = geometry;
+    const loft_delta *d = (const loft_delta *)geometry;
     const arrow b = side(d, motors, 1), c = side(d, motors, 2), n = cross(b, c), cn = cross(c, n),
                 nb = cross(n, b);
     const loft_sci b2 = square(b), c2 = square(c), n2 = square(n), arm = loft_sci_from_real(d->arm);

@@ -40,11 +40,22 @@ uint16_t loft_queue_room(loft_queue *q)
     return q->room;
 }
 
+/* C++ does not assign volatile structures: bytes, which are volatile too. */
+static void put_item(volatile loft_item *to, const loft_item *item)
+{
+#ifdef __cplusplus
+    for (size_t i = 0; i < sizeof *item; i++)
+        ((volatile uint8_t *)to)[i] = ((const uint8_t *)item)[i];
+#else
+    *to = *item;
+#endif
+}
+
 enum loft_status loft_queue_push(loft_queue *q, const loft_item *item, uint8_t cap)
 {
     if (loft_queue_room(q) == 0)
         return LOFT_ERR_SPACE;
-    q->cell[q->head].item = *item;
+    put_item(&q->cell[q->head].item, item);
     q->cell[q->head].cap = cap;
     q->head = after(q, q->head);
     q->room--;

@@ -202,7 +202,7 @@ static enum loft_status spatch_at(const loft_disk *r, unsigned side, loft_unit s
     loft_sci phi[LOFT_SIDES_MAX];
     const enum loft_status status = coordinates_at(r, side, share, u, phi);
 
-    return status ? status : loft_spatch_eval(r->patch, phi, out);
+    return status ? status : loft_spatch_eval((const loft_spatch *)r->patch, phi, out);
 }
 
 static enum loft_status gb_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
@@ -211,7 +211,7 @@ static enum loft_status gb_at(const loft_disk *r, unsigned side, loft_unit share
     loft_sci phi[LOFT_SIDES_MAX];
     const enum loft_status status = coordinates_at(r, side, share, u, phi);
 
-    return status ? status : loft_gb_eval(r->patch, phi, out);
+    return status ? status : loft_gb_eval((const loft_gb *)r->patch, phi, out);
 }
 
 static loft_spot corner_of(const loft_toric *t, unsigned k)
@@ -241,14 +241,15 @@ static loft_spot mean_of_corners(const loft_toric *t)
 static enum loft_status toric_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
                                  loft_vec *out)
 {
-    const loft_spot a = corner_of(r->patch, side), b = corner_of(r->patch, after(side, r->sides)),
-                    middle = mean_of_corners(r->patch);
-    enum loft_status status = loft_toric_eval(r->patch, spot_of(middle, a, b, share, u), out);
+    const loft_toric *patch = (const loft_toric *)r->patch;
+    const loft_spot a = corner_of(patch, side), b = corner_of(patch, after(side, r->sides)),
+                    middle = mean_of_corners(patch);
+    enum loft_status status = loft_toric_eval(patch, spot_of(middle, a, b, share, u), out);
 
     for (loft_unit less = LOFT_UNIT(0x1p-22); status == LOFT_ERR_RANGE && less < LOFT_UNIT(0x1p-8);
          less = 2 * less)
         if (u > less)
-            status = loft_toric_eval(r->patch, spot_of(middle, a, b, share, u - less), out);
+            status = loft_toric_eval(patch, spot_of(middle, a, b, share, u - less), out);
     return status;
 }
 
@@ -344,7 +345,7 @@ static enum loft_status basepoint_at(const loft_disk *r, unsigned side, loft_uni
                                      loft_unit u, loft_vec *out)
 {
     const kite k = kite_of(r, side, share, u);
-    const loft_basepoint *b = r->patch;
+    const loft_basepoint *b = (const loft_basepoint *)r->patch;
     const loft_basepoint_side here = loft_basepoint_side_of(b, k.corner);
     const loft_acc one = loft_unit_to_acc(LOFT_UNIT(1)), s = loft_unit_to_acc(k.s),
                    t = loft_unit_to_acc(k.t);
@@ -426,7 +427,8 @@ static enum loft_status triple_at(const loft_disk *r, unsigned side, loft_unit s
     if (of[0] + of[2] > LOFT_UNIT(1))
         of[0] = rest(of[2]);
     const enum loft_status status = loft_zheng_ball_lift(of[2], of[0], parameter);
-    return status ? status : loft_zheng_ball_eval(r->patch, parameter, out);
+    return status ? status
+                  : loft_zheng_ball_eval((const loft_zheng_ball *)r->patch, parameter, out);
 }
 
 static enum loft_status ring_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
@@ -442,7 +444,7 @@ static enum loft_status ring_at(const loft_disk *r, unsigned side, loft_unit sha
         return status;
     for (unsigned i = 0; i < n; i++)
         parameter[(k.corner + n - 1 + i) % n] = turned[i];
-    return loft_zheng_ball_eval(r->patch, parameter, out);
+    return loft_zheng_ball_eval((const loft_zheng_ball *)r->patch, parameter, out);
 }
 
 void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g)
@@ -457,7 +459,7 @@ void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g)
 
 static enum loft_status round_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {
-    const loft_disk *r = surface;
+    const loft_disk *r = (const loft_disk *)surface;
     loft_unit share = (loft_unit)(r->sides * v);
     unsigned side = 0;
 

@@ -5,14 +5,14 @@
 
 static enum loft_status tensor_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {
-    *out = loft_tensor_eval(surface, u, v);
+    *out = loft_tensor_eval((const loft_tensor *)surface, u, v);
     return LOFT_OK;
 }
 
 static enum loft_status tensor_rational_at(const void *surface, loft_unit u, loft_unit v,
                                            loft_vec *out)
 {
-    *out = loft_tensor_rational_eval(surface, u, v);
+    *out = loft_tensor_rational_eval((const loft_tensor_rational *)surface, u, v);
     return LOFT_OK;
 }
 
@@ -20,7 +20,7 @@ static enum loft_status triangle_at(const void *surface, loft_unit u, loft_unit 
 {
     const loft_bary at = { u, v };
 
-    *out = loft_triangle_eval(surface, at);
+    *out = loft_triangle_eval((const loft_triangle *)surface, at);
     return LOFT_OK;
 }
 
@@ -29,23 +29,23 @@ static enum loft_status triangle_rational_at(const void *surface, loft_unit u, l
 {
     const loft_bary at = { u, v };
 
-    *out = loft_triangle_rational_eval(surface, at);
+    *out = loft_triangle_rational_eval((const loft_triangle_rational *)surface, at);
     return LOFT_OK;
 }
 
 static enum loft_status bicubic_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {
-    return loft_bicubic_eval(surface, u, v, out);
+    return loft_bicubic_eval((const loft_bicubic *)surface, u, v, out);
 }
 
 static enum loft_status coons_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {
-    return loft_coons_bezier_eval(surface, u, v, out);
+    return loft_coons_bezier_eval((const loft_coons_bezier *)surface, u, v, out);
 }
 
 static enum loft_status sphere_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {
-    return loft_sphere_eval(surface, loft_lerp(0, LOFT_REAL(360), v),
+    return loft_sphere_eval((const loft_sphere *)surface, loft_lerp(0, LOFT_REAL(360), v),
                             loft_lerp(0, LOFT_REAL(180), u), out);
 }
 

@@ -43,7 +43,7 @@ static void greet(loft_sender *s, uint32_t now)
 
 void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms)
 {
-    *s = (loft_sender){ 0 };
+    *s = (loft_sender){ .phase = LOFT_PHASE_HELLO };
     s->nonce = nonce;
     loft_rto_init(&s->rto);
     loft_frame_init(&s->frame);

@@ -75,13 +75,37 @@ uninstall: libraries tools
 	@$(call removed,include,$(INCLUDEDIR)); $(call removed,lib,$(LIBDIR)); \
 	 $(call removed,bin,$(BINDIR)); $(call removed,share,$(DATADIR))
 
+# --- dist: what is given away, in build/dist ----------------------------------------------------
+## Pack sources, loft.h and loft.c, trees for other tools in build/dist   NUM= ROOMS=curve,..
+.PHONY: dist
+dist: lib/names.h
+	@VERSION=$(VERSION) SOVERSION=$(SOVERSION) DATE=$(DATE) NUM=$(NUM) ROOMS=$(ROOMS) \
+	    bash ports/packages/dist.sh build/dist
+	@echo "packed in build/dist: $$(cd build/dist && ls -d *.gz *.json | paste -sd' ')"
+
+# --- check-quick: under a minute, for those who build packages -----------------------------------
+QUICK := bezier forward hermite rational measure nurbs tensor triangle span limits codec frame \
+         receiver machine step kinematics
+quick_runs := $(foreach n,$(NUMS),$(foreach t,$(QUICK),build/sweep/$(n)/$(t)))
+.PHONY: test-quick
+test-quick: $(quick_runs)
+	@for t in $(quick_runs); do echo "LOFT_CASES=200 $$t"; done | bash tests/house/beside.sh
+
+## Check the library that was built, without sanitizers, in a minute
+.PHONY: check-quick
+check-quick:
+	@MAKE="$(MAKE)" bash tests/house/check.sh test-quick test-readme
+
 # --- make check-packages: one line per thing that was built and run, `N passed, N failed` ---------
-PACKAGE_ROWS := install tool
+PACKAGE_ROWS := install tool onefile cmake meson debian arduino
 
 ## Install what check-packages needs (Debian's build tools, shells, compilers of other languages)
 .PHONY: deps-packages
 deps-packages: deps deps-target
-	@sh tests/house/deps.sh mandoc groff bash zsh fish bsdextrautils musl-tools
+	@sh tests/house/deps.sh mandoc groff bash zsh fish bsdextrautils musl-tools \
+	    cmake meson ninja-build debhelper lintian fakeroot clang \
+	    arduino-core-avr arduino-builder arduino-ctags libnewlib-arm-none-eabi \
+	    libstdc++-arm-none-eabi-newlib
 
 $(PACKAGE_ROWS:%=check-packages-%): check-packages-%: lib/names.h
 	@bash tests/packages/$*.sh
