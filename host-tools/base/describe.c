@@ -11,7 +11,7 @@ enum { LONGEST = 40 };      /* of a name, its value, and an option's column in t
 /* What the value of an option may be. */
 enum taken { NOTHING, ANYTHING, A_FILE, A_FOLDER, A_WORD };
 
-static enum taken taken_by(const tool_option *o)
+static enum taken value_taken_by(const tool_option *o)
 {
     static const char *const files[] = { "FILE", "PATH", "PORT" };
 
@@ -201,7 +201,7 @@ static void bash_command(const tool_command *self, const tool_option options[])
 
     printf("    %s)\n        case $before in\n", self->name);
     for (const tool_option *o = options; o->kind != TOOL_END; o++) {
-        switch (taken_by(o)) {
+        switch (value_taken_by(o)) {
         case A_FILE:   printf("        --%s) kind=file ;;\n", o->name); break;
         case A_FOLDER: printf("        --%s) kind=folder ;;\n", o->name); break;
         case A_WORD:
@@ -223,7 +223,7 @@ static void zsh_command(const tool_command *self, const tool_option options[])
 
     printf("    %s)\n        _arguments \\\n", self->name);
     for (const tool_option *o = options; o->kind != TOOL_END; o++) {
-        const enum taken taken = taken_by(o);
+        const enum taken taken = value_taken_by(o);
         printf("            '%s--%s[", o->kind == TOOL_IS_LIST ? "*" : "", o->name);
         for (const char *c = o->help; *c; c++) {
             char one[2] = { *c, '\0' };
@@ -257,7 +257,7 @@ static void fish_command(const tool_command *self, const tool_option options[])
     printf("'\n");
     for (const tool_option *o = options; o->kind != TOOL_END; o++) {
         printf("complete -c loft -n '__fish_seen_subcommand_from %s' -l %s", self->name, o->name);
-        switch (taken_by(o)) {
+        switch (value_taken_by(o)) {
         case A_FILE:   printf(" -r -F"); break;
         case A_FOLDER: printf(" -x -a '(__fish_complete_directories)'"); break;
         case A_WORD:   printf(" -x -a '%s'", words_of(o, words)); break;
@@ -313,7 +313,7 @@ static const struct shell *shell_of(const char *form)
     return NULL;
 }
 
-static int refused(const char *form)
+static int refuse_form(const char *form)
 {
     return tool_error(EX_USAGE, "--help=%s: give man, bash, zsh or fish, or --help alone", form);
 }
@@ -329,7 +329,7 @@ int describe_command(const char *form, const tool_command *self, const tool_opti
     else if (strcmp(form, "man") == 0)
         man_command(self, options);
     else
-        return refused(form);
+        return refuse_form(form);
     return EX_OK;
 }
 
@@ -373,7 +373,7 @@ int describe_all(const char *form, const tool_command *const commands[], size_t 
         return EX_OK;
     }
     if (shell == NULL)
-        return refused(form);
+        return refuse_form(form);
     shell_head(shell, commands, count);
     snprintf(option, sizeof option, "--help=%s", form);
     for (size_t i = 0; i < count; i++) {

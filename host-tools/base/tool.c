@@ -128,7 +128,7 @@ static bool list_of(const tool_option *o, const char *text)
     }
 }
 
-static bool take(const tool_option *o, const char *text)
+static bool take_value(const tool_option *o, const char *text)
 {
     switch (o->kind) {
     case TOOL_IS_MAYBE:
@@ -216,7 +216,8 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
         } else if (is_abbreviated(argv, options[which].name)) {
             code = tool_error(EX_USAGE, "--%s: write the whole name: see `loft %s --help`",
                               options[which].name, self->name);
-        } else if (!take(&options[which], options[which].kind == TOOL_IS_MAYBE && optarg == NULL
+        } else if (!take_value(&options[which],
+                               options[which].kind == TOOL_IS_MAYBE && optarg == NULL
                                               ? number_behind(argc, argv)
                                               : optarg)) {
             code = EX_USAGE;

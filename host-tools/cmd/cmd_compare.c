@@ -30,7 +30,7 @@ typedef struct {
     long double from, to;
 } comparison;
 
-static void look(comparison *m, long double t, const double got[ENGINE_AXES])
+static void measure_point(comparison *m, long double t, const double got[ENGINE_AXES])
 {
     long double want[ENGINE_AXES];
     double other[ENGINE_AXES];
@@ -53,7 +53,7 @@ static void look(comparison *m, long double t, const double got[ENGINE_AXES])
 }
 
 /* Parameter j of all, n per piece; j ascends. */
-static long double parameter(comparison *m, uint32_t j)
+static long double parameter_of(comparison *m, uint32_t j)
 {
     const unsigned i = (j - 1) / m->n;
 
@@ -65,30 +65,30 @@ static long double parameter(comparison *m, uint32_t j)
     return m->from + (m->to - m->from) * (long double)(j - i * m->n) / (long double)m->n;
 }
 
-static void meet(void *context, const double point[ENGINE_AXES])
+static void take_point(void *context, const double point[ENGINE_AXES])
 {
     comparison *m = context;
 
     m->j++;
-    look(m, parameter(m, m->j), point);
+    measure_point(m, parameter_of(m, m->j), point);
 }
 
-static int by_eval(comparison *m, const engine *e, engine_curve *held)
+static int compare_eval(comparison *m, const engine *e, engine_curve *held)
 {
     const uint32_t all = m->n * curve_pieces(m->exact->c);
     int status = 0;
 
     for (uint32_t j = 1; j <= all && status == 0; j++) {
-        const long double t = parameter(m, j);
+        const long double t = parameter_of(m, j);
         double at[ENGINE_AXES];
         status = e->curve->eval(held, (double)t, at);
         if (status == 0)
-            look(m, t, at);
+            measure_point(m, t, at);
     }
     return status;
 }
 
-static int by_walk(comparison *m, const engine *e, engine_curve *held)
+static int compare_walk(comparison *m, const engine *e, engine_curve *held)
 {
     int status = 0;
 
@@ -96,7 +96,7 @@ static int by_walk(comparison *m, const engine *e, engine_curve *held)
         piece p;
         status = e->curve->piece(held, i, &p);
         if (status == 0)
-            status = e->piece->walk(&p, m->n, meet, m);
+            status = e->piece->walk(&p, m->n, take_point, m);
     }
     return status;
 }
@@ -105,7 +105,7 @@ static int by_walk(comparison *m, const engine *e, engine_curve *held)
 // Rounded to a number type
 // ------------------------
 
-static bool hold_all(const engine *e, double x[], int count)
+static bool round_numbers(const engine *e, double x[], int count)
 {
     for (int i = 0; i < count; i++)
         if (e->hold(x[i], &x[i]) != 0)
@@ -115,7 +115,7 @@ static bool hold_all(const engine *e, double x[], int count)
 
 /* A copy of the curve as the number type has it; false if it does not fit. In either case free
  * it. */
-static bool hold(const engine *e, const curve *c, curves *out)
+static bool round_curve(const engine *e, const curve *c, curves *out)
 {
     curve *held = curves_add(out, c->kind, c->line);
     bool fits   = true;
@@ -126,16 +126,16 @@ static bool hold(const engine *e, const curve *c, curves *out)
     held->count = held->knot_count = 0;
     for (unsigned i = 0; i < c->count; i++) {
         curve_point p = c->point[i];
-        fits = fits && hold_all(e, p.p, CURVE_AXES) && hold_all(e, p.d[0], CURVE_AXES) &&
-               hold_all(e, p.d[1], CURVE_AXES) && hold_all(e, &p.w, 1);
+        fits = fits && round_numbers(e, p.p, CURVE_AXES) && round_numbers(e, p.d[0], CURVE_AXES) &&
+               round_numbers(e, p.d[1], CURVE_AXES) && round_numbers(e, &p.w, 1);
         curve_add_point(held, &p);
     }
     for (unsigned i = 0; i < c->knot_count; i++) {
         double knot = c->knot[i];
-        fits = fits && hold_all(e, &knot, 1);
+        fits = fits && round_numbers(e, &knot, 1);
         curve_add_knot(held, knot);
     }
-    return fits && hold_all(e, &held->tension, 1);
+    return fits && round_numbers(e, &held->tension, 1);
 }
 
 /* Its LSB in mm: fixed, or that of the largest coordinate. */
@@ -166,12 +166,13 @@ static int compare_ways(const engine *e, comparison *m, engine_curve *held, size
     static const struct {
         const char *name;
         int (*run)(comparison *, const engine *, engine_curve *);
-    } ways[] = { { "eval", by_eval }, { "walk", by_walk } };
+    } ways[] = { { "eval", compare_eval }, { "walk", compare_walk } };
     int status = 0;
 
     for (size_t w = 0; w < sizeof ways / sizeof ways[0] && status == 0; w++) {
         comparison one = *m;
-        if (ways[w].run == by_walk && (m->exact->c->degree > 5 || m->exact->c->kind == CURVE_ARC))
+        if (ways[w].run == compare_walk &&
+            (m->exact->c->degree > 5 || m->exact->c->kind == CURVE_ARC))
             continue;
         status = ways[w].run(&one, e, held);
         if (status == 0 && one.count > 0)
@@ -186,7 +187,7 @@ static int compare_curve(const engine *e, const engine *against, const curve *c,
     engine_curve *held = NULL, *other = NULL;
     curves rounded = { 0 };
     reference exact = { 0 };
-    int status = hold(e, c, &rounded) ? LOFT_OK : LOFT_ERR_RANGE;
+    int status = round_curve(e, c, &rounded) ? LOFT_OK : LOFT_ERR_RANGE;
 
     if (status == LOFT_OK && curve_pieces(&rounded.curve[0]) > UINT32_MAX / n)
         status = LOFT_ERR_RANGE;
@@ -246,7 +247,7 @@ static int compare_types(const char *types, const engine *against, const curves 
     return code;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_compare(const tool_command *self, int argc, char **argv)
 {
     const char *types = "q16,f32,f64", *than = "exact", *text = NULL;
     unsigned n        = 1024;
@@ -286,5 +287,5 @@ const tool_command command_compare = {
     "Walks go along the\n"
     "Bezier pieces, so the rounding of those counts; arcs, whose pieces have a tolerance, are not "
     "walked.\n",
-    run
+    run_compare
 };

@@ -129,7 +129,7 @@ static int print_contours(contouring *c, const surfaces *all, unsigned levels)
     return code;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_contour(const tool_command *self, int argc, char **argv)
 {
     contouring c    = { .p = { &engine_q16, true }, .tol = 0.001, .n = 128 };
     unsigned levels = 0;
@@ -174,5 +174,5 @@ const tool_command command_contour = {
     "side is to the left. What lies between the\n"
     "corners of a cell, a peak, is not seen. `loft contour --flat FILE | loft stream -` draws a "
     "map.\n",
-    run
+    run_contour
 };

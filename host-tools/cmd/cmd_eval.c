@@ -22,7 +22,7 @@ typedef struct {
 // Points
 // ------
 
-static int refuse(const evaluation *v, const curve *c, double t, int status)
+static int refuse_parameter(const evaluation *v, const curve *c, double t, int status)
 {
     if (!curve_extends(c) && (t < curve_from(c) || t > curve_to(c)))
         return tool_error(EX_DATAERR, "%s:%u: t = %g: give %.9g to %.9g for this %s", v->file,
@@ -39,7 +39,7 @@ static int print_points(evaluation *v, const curve *c, engine_curve *held)
         double point[ENGINE_AXES];
         const int status = v->p.e->curve->eval(held, t, point);
         if (status != 0)
-            return refuse(v, c, t, status);
+            return refuse_parameter(v, c, t, status);
         print_point(&v->p, point);
     }
     return EX_OK;
@@ -175,7 +175,7 @@ static int eval_surfaces(const surfaces *all, const char *file, const engine *e,
     return every_surface(&v, all);
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_eval(const tool_command *self, int argc, char **argv)
 {
     const engine *e  = &engine_q16;
     const char *text = NULL;
@@ -233,4 +233,4 @@ const tool_command command_eval = { "eval", "[--t T,..|--uv U,V,..] [FILE|-]",
                                     "y (decided exactly) and where, the smallest box around\n"
                                     "it, or, if it has weights, around its control points. Of "
                                     "surfaces (the same format) prints one point per pair --uv.\n",
-                                    run };
+                                    run_eval };

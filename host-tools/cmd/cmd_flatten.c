@@ -50,7 +50,7 @@ static int flatten(void *context, const curve *c, engine_curve *held)
     return f->status;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_flatten(const tool_command *self, int argc, char **argv)
 {
     const engine *e  = &engine_q16;
     const char *text = NULL;
@@ -84,5 +84,5 @@ const tool_command command_flatten = {
     "DRAWING is an SVG file, curves of any kind (host-tools/LOFT.md), lines of eight numbers (a "
     "cubic each), or control\n"
     "points, one per line. Prints one point per line, an empty line between paths.\n",
-    run
+    run_flatten
 };

@@ -48,7 +48,7 @@ static void print_head(const measuring *m, const char *names, const char *prefix
 }
 
 /* The elements of one curve: first .. result - 1. */
-static size_t end_of(const elements *list, size_t first)
+static size_t curve_end(const elements *list, size_t first)
 {
     size_t last = first;
 
@@ -78,12 +78,12 @@ static void add_length(void *context, double p[4][CURVE_AXES])
 }
 
 /* Of the tolerance, for cubics in place of an element. */
-static double share_of(const measuring *m, const element *x)
+static double cubics_share(const measuring *m, const element *x)
 {
     return fmax(FINE * m->tol, engine_finest(m->p.e, &x->p));
 }
 
-static void widen(double box[2][ENGINE_AXES], const double other[2][ENGINE_AXES], bool first)
+static void widen_box(double box[2][ENGINE_AXES], const double other[2][ENGINE_AXES], bool first)
 {
     for (int i = 0; i < ENGINE_AXES; i++) {
         box[0][i] = first ? other[0][i] : fmin(box[0][i], other[0][i]);
@@ -111,10 +111,10 @@ static int size_of_curve(const measuring *m, size_t first, size_t last, double *
         engine_shape shape;
         int status = m->p.e->piece->shape(&x->p, &shape);
         if (status == 0)
-            status = m->p.e->piece->cubics(&x->p, share_of(m, x), add_length, &s);
+            status = m->p.e->piece->cubics(&x->p, cubics_share(m, x), add_length, &s);
         if (status != 0 || s.status != 0)
             return element_error(x, engine_status(status ? status : s.status));
-        widen(box, (const double (*)[ENGINE_AXES])shape.box, i == first);
+        widen_box(box, (const double (*)[ENGINE_AXES])shape.box, i == first);
     }
     *length = s.sum;
     return EX_OK;
@@ -128,14 +128,14 @@ static int print_sizes(const measuring *m)
                m->p.solid ? "\tmax_x\tmax_y\tmax_z" : "\tmax_x\tmax_y");
     for (size_t first = 0, last; first < m->list.count; first = last) {
         double box[2][ENGINE_AXES], length = 0;
-        last = end_of(&m->list, first);
+        last = curve_end(&m->list, first);
         const int code = size_of_curve(m, first, last, &length, box);
         if (code != EX_OK)
             return code;
         print_name(&m->list.element[first]);
         print_size(m, curve_name(m->list.element[first].of->kind), length,
                    (const double(*)[ENGINE_AXES])box);
-        widen(all, (const double (*)[ENGINE_AXES])box, first == 0);
+        widen_box(all, (const double (*)[ENGINE_AXES])box, first == 0);
         sum += length;
     }
     fputs("all", stdout);
@@ -148,7 +148,7 @@ static int print_sizes(const measuring *m)
 // --------------
 
 /* The point of one curve, elements first .. last - 1. */
-static int nearest_of(const measuring *m, size_t first, size_t last, engine_near *near)
+static int nearest_point(const measuring *m, size_t first, size_t last, engine_near *near)
 {
     const element *x = m->list.element;
     const double range[2] = { x[first].from, x[last - 1].to };
@@ -177,8 +177,8 @@ static int print_nearest(const measuring *m)
     for (size_t first = 0, last; first < m->list.count; first = last) {
         const element *x = &m->list.element[first];
         engine_near near;
-        last = end_of(&m->list, first);
-        const int code = nearest_of(m, first, last, &near);
+        last = curve_end(&m->list, first);
+        const int code = nearest_point(m, first, last, &near);
         if (code != EX_OK)
             return code;
         print_name(x);
@@ -195,7 +195,7 @@ static int print_nearest(const measuring *m)
 // Crossings
 // ---------
 
-static bool apart(const element *a, const element *b, double gap)
+static bool boxes_apart(const element *a, const element *b, double gap)
 {
     for (int i = 0; i < CURVE_AXES; i++)
         if (a->box[0][i] > b->box[1][i] + gap || b->box[0][i] > a->box[1][i] + gap)
@@ -217,23 +217,23 @@ typedef struct {
     double range[2];            /* of the parameters of both curves */
 } stretches;
 
-static double gap_of(const double a[CURVE_AXES], const double b[CURVE_AXES])
+static double stretch_gap(const double a[CURVE_AXES], const double b[CURVE_AXES])
 {
     return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 /* Does one begin where the other ends, or before? Not across the seam of a closed curve. */
-static bool touch(const double s[3], double at[3][CURVE_AXES], const double other[3],
+static bool stretches_touch(const double s[3], double at[3][CURVE_AXES], const double other[3],
                   double other_at[3][CURVE_AXES], double gap, double range)
 {
     if (s[0] <= other[2] && other[0] <= s[2])
         return true;
     const bool after = s[0] > other[2];
     return fabs(after ? s[0] - other[2] : other[0] - s[2]) <= range / 100 &&
-           gap_of(at[after ? 0 : 2], other_at[after ? 2 : 0]) <= gap;
+           stretch_gap(at[after ? 0 : 2], other_at[after ? 2 : 0]) <= gap;
 }
 
-static void extend(double s[3], double at[3][CURVE_AXES], const double other[3],
+static void extend_stretch(double s[3], double at[3][CURVE_AXES], const double other[3],
                    double other_at[3][CURVE_AXES])
 {
     for (int k = 0; k < 3; k += 2)
@@ -248,14 +248,14 @@ static void add_stretch(stretches *list, stretch c, double gap)
 {
     for (size_t k = 0; k < list->count; ) {
         stretch *r = &list->row[k];
-        if (!touch(c.s, c.on_first, r->s, r->on_first, gap, list->range[0]) ||
-            !touch(c.t, c.on_second, r->t, r->on_second, gap, list->range[1])) {
+        if (!stretches_touch(c.s, c.on_first, r->s, r->on_first, gap, list->range[0]) ||
+            !stretches_touch(c.t, c.on_second, r->t, r->on_second, gap, list->range[1])) {
             k++;
             continue;
         }
         stretch *far = r->distance < c.distance ? &c : r, both = r->distance < c.distance ? *r : c;
-        extend(both.s, both.on_first, far->s, far->on_first);
-        extend(both.t, both.on_second, far->t, far->on_second);
+        extend_stretch(both.s, both.on_first, far->s, far->on_first);
+        extend_stretch(both.t, both.on_second, far->t, far->on_second);
         both.overlap = c.overlap || r->overlap;
         c = both;
         memmove(r, r + 1, (--list->count - k) * sizeof *r);
@@ -280,7 +280,7 @@ static void set_places(const element *x, const double t[3], double out[3], doubl
     }
 }
 
-static int meet(const measuring *m, const element *a, const element *b, stretches *list)
+static int meet_elements(const measuring *m, const element *a, const element *b, stretches *list)
 {
     engine_meeting c[ENGINE_MEETINGS];
     size_t count;
@@ -301,7 +301,7 @@ static int meet(const measuring *m, const element *a, const element *b, stretche
     return EX_OK;
 }
 
-static int by_first(const void *a, const void *b)
+static int compare_stretches(const void *a, const void *b)
 {
     const stretch *x = a, *y = b;
     return (x->s[1] > y->s[1]) - (x->s[1] < y->s[1]);
@@ -311,7 +311,7 @@ static int by_first(const void *a, const void *b)
 static void print_stretches(const measuring *m, const element *a, const element *b, stretches *list)
 {
     if (list->count)
-        qsort(list->row, list->count, sizeof *list->row, by_first);
+        qsort(list->row, list->count, sizeof *list->row, compare_stretches);
     for (size_t k = 0; k < list->count; k++) {
         const stretch *r = &list->row[k];
         print_name(a);
@@ -338,7 +338,9 @@ static int print_pair(const measuring *m, size_t first, size_t last, size_t othe
     found->range[1] = x[end - 1].to - x[other].from;
     for (size_t i = first; i < last; i++)
         for (size_t j = other; j < end; j++) {
-            const int code = apart(&x[i], &x[j], m->tol) ? EX_OK : meet(m, &x[i], &x[j], found);
+            const int code = boxes_apart(&x[i], &x[j], m->tol)
+                                 ? EX_OK
+                                 : meet_elements(m, &x[i], &x[j], found);
             if (code != EX_OK)
                 return code;
         }
@@ -354,9 +356,9 @@ static int print_meetings(const measuring *m)
 
     print_head(m, "first\ts_from\ts\ts_to\tsecond\tt_from\tt\tt_to", "", "\tdistance_mm\thow");
     for (size_t first = 0, last; first < list->count && code == EX_OK; first = last) {
-        last = end_of(list, first);
+        last = curve_end(list, first);
         for (size_t other = last, end; other < list->count && code == EX_OK; other = end) {
-            end = end_of(list, other);
+            end = curve_end(list, other);
             code = print_pair(m, first, last, other, end, &found);
         }
     }
@@ -370,7 +372,7 @@ static int print_meetings(const measuring *m)
 
 /* A cubic with the point and the first two derivatives that the piece has at its end, or at its
  * start. */
-static piece jet(const piece *whole, bool end)
+static piece end_jet(const piece *whole, bool end)
 {
     piece out = { .degree = 3 };
     double d[3][CURVE_AXES];
@@ -390,11 +392,11 @@ static piece jet(const piece *whole, bool end)
 }
 
 /* Polynomials of one degree as they are; others by what they are at the joint. */
-static int join(const measuring *m, const element *a, const element *b, engine_joint *out)
+static int join_elements(const measuring *m, const element *a, const element *b, engine_joint *out)
 {
     if (a->exact && b->exact && a->p.degree == b->p.degree && a->p.degree >= 1)
         return m->p.e->measure->join(&a->p, &b->p, m->tol, out);
-    const piece first = jet(&a->whole, true), second = jet(&b->whole, false);
+    const piece first = end_jet(&a->whole, true), second = end_jet(&b->whole, false);
     return m->p.e->measure->join(&first, &second, m->tol, out);
 }
 
@@ -402,12 +404,12 @@ static int print_joins(const measuring *m)
 {
     printf("# first\tsecond\tC0\tC1\tC2\tG0\tG1\tG2\talpha\teta\n");
     for (size_t first = 0, last; first < m->list.count; first = last) {
-        last = end_of(&m->list, first);
+        last = curve_end(&m->list, first);
         if (last == m->list.count)
             break;
         const element *a = &m->list.element[last - 1], *b = &m->list.element[last];
         engine_joint j;
-        const int status = join(m, a, b, &j);
+        const int status = join_elements(m, a, b, &j);
         if (status != 0)
             return element_error(b, engine_status(status));
         print_name(a);
@@ -460,7 +462,7 @@ static int print_offset(const measuring *m)
 
     for (size_t i = 0; i < m->list.count; i++) {
         const element *x = &m->list.element[i];
-        const double share = share_of(m, x);
+        const double share = cubics_share(m, x);
         offsetting o = { m, x->p.degree == 3 ? 0.9 * m->tol : fmin(0.9 * m->tol, m->tol - share),
                          0 };
         if (x->number != number) {
@@ -484,7 +486,7 @@ static int print_offset(const measuring *m)
 // The command
 // -----------
 
-static int read_all(measuring *m, curves all[], int argc, char **argv, const char *text)
+static int read_files(measuring *m, curves all[], int argc, char **argv, const char *text)
 {
     char *none[] = { "-" };
     int code = 0;
@@ -503,7 +505,7 @@ static int read_all(measuring *m, curves all[], int argc, char **argv, const cha
     return code;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_measure(const tool_command *self, int argc, char **argv)
 {
     const engine *e    = &engine_q16;
     const char *text   = NULL;
@@ -538,7 +540,7 @@ static int run(const tool_command *self, int argc, char **argv)
     const size_t files = (size_t)(argc - first) + 1;
     curves *all = tool_grow(NULL, files * sizeof *all);
     memset(all, 0, files * sizeof *all);
-    code = read_all(&m, all, argc - first, argv + first, text);
+    code = read_files(&m, all, argc - first, argv + first, text);
     if (code == 0)
         code = at.count                       ? print_nearest(&m)
                : meets                        ? print_meetings(&m)
@@ -578,5 +580,5 @@ const tool_command command_measure = {
     "corners between curves are not joined. Curves with weights, and for length and offset those "
     "above degree 3, are\n"
     "made cubics within a hundredth of the tolerance first, or what the number type can hold.\n",
-    run
+    run_measure
 };

@@ -64,7 +64,7 @@ static void print_sum(const wire_text *w)
     printf("%c %llu bytes, %llu frames, %llu damaged\n", w->arrow, w->bytes, w->frames, w->damaged);
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_monitor(const tool_command *self, int argc, char **argv)
 {
     const char *port = NULL, *link = NULL;
     unsigned baud = 115200;
@@ -107,5 +107,5 @@ const tool_command command_monitor = {
     "or PATH, to `loft stream --port`.\n"
     "Each frame is a line: seconds, > to the machine or < from it, what it is, its fields. Ends "
     "with ^C.\n",
-    run
+    run_monitor
 };

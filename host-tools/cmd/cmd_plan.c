@@ -107,7 +107,8 @@ static int write_rows(const trace *t, double rate, const char *name)
 // All of it
 // ---------
 
-static int report(const plan_options *o, const drawing *d, const toolpath *path, const trace *t)
+static int report_plan(const plan_options *o, const drawing *d, const toolpath *path,
+                       const trace *t)
 {
     int code = 0;
 
@@ -126,7 +127,7 @@ static int report(const plan_options *o, const drawing *d, const toolpath *path,
     return code;
 }
 
-static int plan(const plan_options *o, const drawing *d)
+static int plan_drawing(const plan_options *o, const drawing *d)
 {
     const double start[ENGINE_AXES] = { 0, 0, 0 };
     toolpath_options how = planning_path(&o->p);
@@ -145,14 +146,14 @@ static int plan(const plan_options *o, const drawing *d)
     if (status != 0)
         code = tool_error(EX_DATAERR, "%s: cannot be planned: %s", o->file, engine_status(status));
     else if (code == 0)
-        code = report(o, d, &path, &t);
+        code = report_plan(o, d, &path, &t);
     trace_free(&t);
     joints_free(&of);
     toolpath_free(&path);
     return code;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_plan(const tool_command *self, int argc, char **argv)
 {
     plan_options o = { .size = 1600 };
     drawing d = { .count = 0 }, smooth = { .count = 0 };
@@ -192,7 +193,7 @@ static int run(const tool_command *self, int argc, char **argv)
     o.file = argv[first];
     code = planning_read(&o.p, &d, &smooth, o.file);
     if (code == 0)
-        code = plan(&o, &smooth);
+        code = plan_drawing(&o, &smooth);
     drawing_free(&smooth);
     drawing_free(&d);
     return code;
@@ -207,5 +208,5 @@ const tool_command command_plan = {
     "axis; acceleration across the\n"
     "path (curvature); corners; stops. Where no limit is used up it is the one that was or will "
     "be, whichever is nearer.\n",
-    run
+    run_plan
 };

@@ -57,7 +57,7 @@ typedef struct {
     bool wire;
 } surface_wishes;
 
-static bool wishes_any(const surface_wishes *w)
+static bool wishes_given(const surface_wishes *w)
 {
     return w->view.count + w->heights.count + w->contours > 0 || w->map != NULL || w->wire;
 }
@@ -116,7 +116,7 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
 }
 
 /* What the file holds decides. */
-static int plot_any(plot_options *o, const char *record_file, const surface_wishes *w,
+static int plot_file(plot_options *o, const char *record_file, const surface_wishes *w,
                     bool of_drawings)
 {
     surfaces all = { 0 };
@@ -126,7 +126,7 @@ static int plot_any(plot_options *o, const char *record_file, const surface_wish
         code = tool_error(
             EX_USAGE, "%s: holds surfaces: --record, --error, --comb and --part are for drawings",
             o->name);
-    else if (code == 0 && all.count == 0 && wishes_any(w))
+    else if (code == 0 && all.count == 0 && wishes_given(w))
         code = tool_error(EX_USAGE,
                           "%s: holds no surface: --view, --curvature, --contours, --heights and "
                           "--wire are for surfaces",
@@ -137,7 +137,7 @@ static int plot_any(plot_options *o, const char *record_file, const surface_wish
     return code;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_plot(const tool_command *self, int argc, char **argv)
 {
     const char *record_file = NULL;
     tool_list part = { .count = 0 };
@@ -187,7 +187,7 @@ static int run(const tool_command *self, int argc, char **argv)
         if (part.count == 4)
             memcpy(o.part, part.value, sizeof o.part);
         o.name = argv[first];
-        code = plot_any(&o, record_file, &w,
+        code = plot_file(&o, record_file, &w,
                         record_file != NULL || o.error >= 0 || o.comb >= 0 || part.count > 0);
     }
     return code;
@@ -206,5 +206,5 @@ const tool_command command_plot = {
     "reciprocal is the radius that fits.\n"
     "--contours and --heights draw where it is cut by level planes; --view -90,90 shows it from "
     "above.\n",
-    run
+    run_plot
 };

@@ -8,7 +8,7 @@
 #include "base/tool.h"
 
 /* Who answers there: one line, on standard error if nobody does. */
-static int ask(const char *name, unsigned baud)
+static int ask_port(const char *name, unsigned baud)
 {
     char closed[256];
     talk t;
@@ -40,13 +40,13 @@ static void print_port(void *context, const transport_port *port)
 
     a->count++;
     if (a->who)
-        (void)ask(port->name, a->baud);
+        (void)ask_port(port->name, a->baud);
     else
         printf("%s\t%s%s%s\n", port->name, port->description, port->usb[0] ? "\tusb " : "",
                port->usb);
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_ports(const tool_command *self, int argc, char **argv)
 {
     asking a = { .who = false, .baud = 115200 };
     const tool_option options[] = {
@@ -62,7 +62,7 @@ static int run(const tool_command *self, int argc, char **argv)
     if (first < argc) {
         int worst = 0;
         for (int i = first; i < argc; i++) {
-            const int failed = ask(argv[i], a.baud);
+            const int failed = ask_port(argv[i], a.baud);
             worst = failed != 0 ? failed : worst;
         }
         return worst;
@@ -82,5 +82,5 @@ const tool_command command_ports = {
     "listed, but can be named, here and to --port. Asks the ports that are named, or all with "
     "--ask: the machine's axes,\n"
     "ticks, slots, queue and gearing. Opening the port resets some boards.\n",
-    run
+    run_ports
 };

@@ -14,7 +14,7 @@ typedef struct {
     uint32_t n;
 } sampling;
 
-static int walk(void *context, const curve *c, engine_curve *held)
+static int walk_curve(void *context, const curve *c, engine_curve *held)
 {
     sampling *s = context;
     const engine *e = s->p.e;
@@ -32,8 +32,8 @@ static int walk(void *context, const curve *c, engine_curve *held)
 
 /* A grid: the rows of u, an empty line behind each and two between surfaces and kites; those of a
  * triangle shrink. */
-static int grid(const print_options *p, const surface *s, const engine_surface *held, unsigned kite,
-                unsigned n)
+static int sample_kite(const print_options *p, const surface *s, const engine_surface *held,
+                       unsigned kite, unsigned n)
 {
     print_options how = *p;
     int status = 0;
@@ -65,7 +65,7 @@ static int sample_surfaces(const surfaces *all, const char *file, const engine *
             for (unsigned kite = 0; kite < surface_kites(s) && status == 0; kite++) {
                 if (kite > 0)
                     putchar('\n');
-                status = grid(&p, s, held, kite, n);
+                status = sample_kite(&p, s, held, kite, n);
             }
             e->surface->close(held);
         }
@@ -76,7 +76,7 @@ static int sample_surfaces(const surfaces *all, const char *file, const engine *
     return EX_OK;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_sample(const tool_command *self, int argc, char **argv)
 {
     const engine *e  = &engine_q16;
     const char *text = NULL;
@@ -108,7 +108,8 @@ static int run(const tool_command *self, int argc, char **argv)
         sampling s = { { e, all.solid }, n };
         char words[40];
         snprintf(words, sizeof words, " in %u steps", n);
-        code = print_chain(&s.p, &all, text ? "--points" : source_name(file), words, walk, &s);
+        code = print_chain(&s.p, &all, text ? "--points" : source_name(file), words, walk_curve,
+                           &s);
     }
     curves_free(&all);
     return code;
@@ -125,5 +126,5 @@ const tool_command command_sample = {
     "N + 1 points, u outside, an empty line behind each row (a triangle: rows that shrink), two "
     "between surfaces; of those\n"
     "with n sides a grid for each side, from the corner where it begins to the middle.\n",
-    run
+    run_sample
 };

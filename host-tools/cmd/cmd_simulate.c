@@ -76,7 +76,7 @@ static int simulate(const struct loft_host_options *o, const engine *e)
     return loft_host_simulate_q16x3(o);
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_simulate(const tool_command *self, int argc, char **argv)
 {
     struct loft_host_options o = loft_host_defaults();
     const engine *e            = &engine_q16;
@@ -139,4 +139,4 @@ const tool_command command_simulate = { "simulate", "[--link PATH] [--record FIL
                                         "to `loft stream --port`. What runs is the code of the\n"
                                         "firmware, in any number type. Ends with ^C, which stops "
                                         "the machine on the path, or with --once after one job.\n",
-                                        run };
+                                        run_simulate };

@@ -58,7 +58,7 @@ typedef struct {
     job j;
 } work;
 
-static void discard(work *w)
+static void free_work(work *w)
 {
     job_free(&w->j);
     joints_free(&w->of);
@@ -66,7 +66,7 @@ static void discard(work *w)
 }
 
 /* From where the motors stand, the first portion. */
-static int plan(const stream_options *o, const char *file, const drawing *d,
+static int plan_work(const stream_options *o, const char *file, const drawing *d,
                 const double start[ENGINE_AXES], const job_options *as, work *w)
 {
     toolpath_options how = planning_path(&o->p);
@@ -115,7 +115,7 @@ static int options_of(const stream_options *o, job_options *as)
     return 0;
 }
 
-static int finish(const char *file, job *j)
+static int finish_job(const char *file, job *j)
 {
     keys_hasty(true);
     const int status = job_finish(j);
@@ -136,12 +136,12 @@ static int dry_run(const stream_options *o, const char *file, const drawing *d)
         as.steps_per_mm[i] = (int32_t)lround(o->p.machine.steps_per_mm[i] * 65536);
     int code = options_of(o, &as);
     if (code == 0)
-        code = plan(o, file, d, start, &as, &w);
+        code = plan_work(o, file, d, start, &as, &w);
     if (code == 0)
-        code = finish(file, &w.j);
+        code = finish_job(file, &w.j);
     if (code == 0)
         print_plan(&w.j, &w.path, o->p.tol);
-    discard(&w);
+    free_work(&w);
     return code;
 }
 
@@ -161,17 +161,17 @@ static int plan_for(const stream_options *o, const char *file, const drawing *d,
 {
     job_options as;
 
-    discard(w);
+    free_work(w);
     machine_limits(s, &as.limits);
     for (int i = 0; i < ENGINE_AXES; i++)
         as.steps_per_mm[i] = s->axis[i].steps_per_mm;
     const int code = options_of(o, &as);
-    return code == 0 ? plan(o, file, d, start, &as, w) : code;
+    return code == 0 ? plan_work(o, file, d, start, &as, w) : code;
 }
 
 /* If the machine has a job it may be this one, which then goes on; it is if it has the same id
  * planned from the same start. */
-static int stream(const stream_options *o, const char *file, const drawing *d,
+static int stream_drawing(const stream_options *o, const char *file, const drawing *d,
                   const drawing *smooth, talk *t)
 {
     const loft_sender *s = &t->sender;
@@ -193,11 +193,11 @@ static int stream(const stream_options *o, const char *file, const drawing *d,
                                        d,    o->record,     &o->p.machine.k };
         code = stream_run(t, &w.j, &about);
     }
-    discard(&w);
+    free_work(&w);
     return code;
 }
 
-static int control(const stream_options *o)
+static int control_machine(const stream_options *o)
 {
     const enum loft_verb verb = o->abort ? LOFT_ABORT : o->hold ? LOFT_HOLD : LOFT_RESUME;
     talk t;
@@ -243,7 +243,7 @@ static int draw_gcode(const stream_options *o, const char *file, const drawing *
     return code;
 }
 
-static int draw(stream_options *o, const char *file)
+static int draw_file(stream_options *o, const char *file)
 {
     toolpath_options how = planning_path(&o->p);
     drawing d = { 0 }, smooth = { 0 };
@@ -257,7 +257,7 @@ static int draw(stream_options *o, const char *file)
     else if (code == 0 && o->dry)
         code = dry_run(o, file, &smooth);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
-        code = stream(o, file, &d, &smooth, &t);
+        code = stream_drawing(o, file, &d, &smooth, &t);
         talk_close(&t);
     }
     drawing_free(&smooth);
@@ -265,7 +265,7 @@ static int draw(stream_options *o, const char *file)
     return code;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_stream(const tool_command *self, int argc, char **argv)
 {
     stream_options o = { .baud = 115200, .wait = 5, .where = "host" };
     int first, code  = planning_start(&o.p, argc, argv);
@@ -324,7 +324,7 @@ static int run(const tool_command *self, int argc, char **argv)
                           "both the drawing and the port are standard input: name one of them");
     keys_start(!controls && !o.dry && strcmp(argv[first], "-") != 0 &&
                (o.port == NULL || strcmp(o.port, "-") != 0));
-    return controls ? control(&o) : draw(&o, argv[first]);
+    return controls ? control_machine(&o) : draw_file(&o, argv[first]);
 }
 
 const tool_command command_stream = {
@@ -334,5 +334,5 @@ const tool_command command_stream = {
     "s says where things are; ^C holds and leaves, twice leaves at once. The machine never leaves\n"
     "the path. A job that was cut off goes on where the machine stopped when the same command is "
     "run again.\n",
-    run
+    run_stream
 };

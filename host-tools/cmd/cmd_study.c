@@ -51,7 +51,7 @@ static int read_expected(table *t, const char *file, bool asked)
 }
 
 /* The numbers behind the key, or NULL. */
-static const char *expected(const table *t, const char *key)
+static const char *expected_numbers(const table *t, const char *key)
 {
     const size_t length = strlen(key);
 
@@ -66,7 +66,7 @@ static const char *expected(const table *t, const char *key)
 static void print_row(void *context, const chapter_row *r)
 {
     table *t = context;
-    const char *at = expected(t, r->key);
+    const char *at = expected_numbers(t, r->key);
 
     for (unsigned i = 0; i < r->count; i++) {
         char *end = NULL;
@@ -88,7 +88,7 @@ static void print_row(void *context, const chapter_row *r)
     }
 }
 
-static int study(table *t, const engine_chapters *e, unsigned fine)
+static int study_pentagons(table *t, const engine_chapters *e, unsigned fine)
 {
     printf("figure;pentagon;quantity;coordinates;%s;expected;difference\n", t->num);
     for (unsigned i = 0; i < 3; i++) {
@@ -107,7 +107,7 @@ static int study(table *t, const engine_chapters *e, unsigned fine)
     return t->off > 0 ? EX_DATAERR : EX_OK;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_study(const tool_command *self, int argc, char **argv)
 {
     const engine *num    = &engine_f64;
     const char *folder   = NULL, *file = NULL;
@@ -138,7 +138,7 @@ static int run(const tool_command *self, int argc, char **argv)
     if (!pictures_only)
         code = read_expected(&t, file ? file : EXPECTED, file != NULL);
     if (code == 0 && !pictures_only)
-        code = study(&t, e, fine);
+        code = study_pentagons(&t, e, fine);
     if ((code == 0 || t.compared > 0) && folder != NULL) {
         const int drawn = study_pictures(num, folder);
         code = drawn ? drawn : code;
@@ -161,5 +161,5 @@ const tool_command command_study = {
     "many are off.\n"
     "Extremes of a sample depend on where its points happen to lie; they are printed and not "
     "judged.\n",
-    run
+    run_study
 };

@@ -8,7 +8,7 @@
 #include "engine/surface.h"
 #include "base/tool.h"
 
-static int run(const tool_command *self, int argc, char **argv)
+static int run_surface(const tool_command *self, int argc, char **argv)
 {
     const engine *e    = &engine_q16;
     const char *output = "mesh.stl";
@@ -51,5 +51,5 @@ const tool_command command_surface = {
     "two triangles (a triangle: N rows); triangles without area, as at the poles of a sphere, are "
     "left out. Corners are\n"
     "points of the library in the number type. PLY has a normal at each of them.\n",
-    run
+    run_surface
 };

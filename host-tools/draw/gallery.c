@@ -115,7 +115,7 @@ static void paint_frame(const hanging *h)
 
 /* A row is as high as the panel that is highest when all have the scale of the one that is
  * widest. */
-static int hang(hanging *h, bool vector)
+static int hang_panels(hanging *h, bool vector)
 {
     const gallery *g = h->g;
     const double room = (has_map(h) ? 840 : 940) - SPACE * (g->columns - 1.0),
@@ -155,7 +155,7 @@ int gallery_draw(const gallery *g, const gallery_panel panel[], size_t count)
     h.scene = tool_grow(NULL, count * sizeof *h.scene);
     look_at(&h);
     agree_on_colours(&h);
-    const int code = hang(&h, !png);
+    const int code = hang_panels(&h, !png);
     for (size_t i = 0; i < count; i++)
         scene_free(&h.scene[i]);
     free(h.scene);

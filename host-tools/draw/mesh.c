@@ -11,7 +11,7 @@
 #include "engine/sided.h"      /* sided_spot */
 #include "base/tool.h"       /* tool_error, tool_grow, sysexits */
 
-static void place(const surface *s, unsigned kite, double u, double v, mesh_vertex *out)
+static void make_vertex(const surface *s, unsigned kite, double u, double v, mesh_vertex *out)
 {
     double at[2] = { u, v };
 
@@ -27,7 +27,7 @@ static int add_vertex(mesh *m, const engine *e, const surface *s, const engine_s
     mesh_vertex *out = &m->vertex[m->vertices];
     engine_look here;
 
-    place(s, kite, u, v, out);
+    make_vertex(s, kite, u, v, out);
     int status = e->surface->kite(held, kite, u, v, out->p);
     if (status != 0)
         return status;
@@ -43,12 +43,15 @@ static int add_vertex(mesh *m, const engine *e, const surface *s, const engine_s
     return status;
 }
 
-static bool on_line(unsigned i, unsigned n, unsigned lines) { return i % lines == 0 || i == n; }
+static bool on_marked_line(unsigned i, unsigned n, unsigned lines)
+{
+    return i % lines == 0 || i == n;
+}
 
 /* Which of the sides of a cell are lines: `at` counts the lines of its own direction. */
-static unsigned char mark(unsigned side, unsigned at, unsigned n, unsigned lines)
+static unsigned char side_marks(unsigned side, unsigned at, unsigned n, unsigned lines)
 {
-    return (unsigned char)((on_line(at, n, lines) ? 1u << side : 0) |
+    return (unsigned char)((on_marked_line(at, n, lines) ? 1u << side : 0) |
                            (at == 0 || at == n ? 16u << side : 0));
 }
 
@@ -57,10 +60,11 @@ static void square_cells(mesh *m, size_t first, unsigned n, unsigned lines)
     for (unsigned i = 0; i < n; i++)
         for (unsigned j = 0; j < n; j++) {
             const size_t at = first + i * (n + 1) + j;
-            m->cell[m->cells++] =
-                (mesh_cell){ { at, at + n + 1, at + n + 2, at + 1 },
-                             (unsigned char)(mark(0, j, n, lines) | mark(1, i + 1, n, lines) |
-                                             mark(2, j + 1, n, lines) | mark(3, i, n, lines)) };
+            m->cell[m->cells++] = (mesh_cell){
+                { at, at + n + 1, at + n + 2, at + 1 },
+                             (unsigned char)(side_marks(0, j, n, lines) | side_marks(1, i + 1, n, lines) |
+                                side_marks(2, j + 1, n, lines) | side_marks(3, i, n, lines))
+            };
         }
 }
 
@@ -72,14 +76,14 @@ static void triangle_cells(mesh *m, size_t first, unsigned n, unsigned lines)
         for (unsigned j = 0; j <= i; j++) {
             const size_t at = first + i * (i + 1) / 2 + j, below = at + i + 1;
             m->cell[m->cells++] = (mesh_cell){ { at, below, below + 1, below + 1 },
-                                               (unsigned char)(mark(0, j, n, lines) |
-                                                               mark(1, i + 1, n, lines) |
-                                                               mark(3, i - j, n, lines)) };
+                                               (unsigned char)(side_marks(0, j, n, lines) |
+                                                               side_marks(1, i + 1, n, lines) |
+                                                               side_marks(3, i - j, n, lines)) };
             if (j < i)
                 m->cell[m->cells++] = (mesh_cell){ { at, below + 1, at + 1, at + 1 },
-                                                   (unsigned char)(mark(0, i - j, n, lines) |
-                                                                   mark(1, j + 1, n, lines) |
-                                                                   mark(3, i, n, lines)) };
+                                                   (unsigned char)(side_marks(0, i - j, n, lines) |
+                                                                   side_marks(1, j + 1, n, lines) |
+                                                                   side_marks(3, i, n, lines)) };
         }
 }
 
@@ -102,7 +106,7 @@ static int add_surface(mesh *m, const surface *s, const engine *e, const engine_
 }
 
 /* Kites of h x h cells. */
-static size_t place_of(sided_node at, unsigned h)
+static size_t node_index(sided_node at, unsigned h)
 {
     return ((size_t)at.kite * (h + 1) + at.i) * (h + 1) + at.j;
 }
@@ -114,7 +118,7 @@ static void kite_cells(mesh *m, const surface *s, const size_t vertex[], unsigne
 
     for (unsigned i = 0; i < h; i++)
         for (unsigned j = 0; j < h; j++) {
-            const size_t at = place_of((sided_node){ kite, i, j }, h);
+            const size_t at = node_index((sided_node){ kite, i, j }, h);
             const unsigned line = (j % lines == 0 ? 1u : 0) | (j == 0 && border ? 16u : 0) |
                                   ((i + 1) % lines == 0 ? 2u : 0) |
                                   ((j + 1) % lines == 0 ? 4u : 0) | (i % lines == 0 ? 8u : 0) |
@@ -137,7 +141,8 @@ static int kite_vertices(mesh *m, const surface *s, const engine *e, const engin
             for (unsigned i = 0; i <= h; i++)
                 for (unsigned j = 0; j <= h && status == 0; j++) {
                     const sided_node at = { k, i, j };
-                    const size_t here = place_of(at, h), owner = place_of(sided_owner(s, at, h), h);
+                    const size_t here = node_index(at, h),
+                                 owner = node_index(sided_owner(s, at, h), h);
                     if (all)
                         vertex[here] = vertex[owner];
                     else if (here == owner) {
@@ -161,7 +166,7 @@ static int add_kites(mesh *m, const surface *s, const engine *e, const engine_su
     return status;
 }
 
-static size_t sum_of_kites(const surfaces *all)
+static size_t count_kites(const surfaces *all)
 {
     size_t kites = 0;
 
@@ -173,7 +178,7 @@ static size_t sum_of_kites(const surfaces *all)
 int mesh_make(mesh *m, const surfaces *all, const char *file, const engine *e, unsigned n,
               unsigned lines)
 {
-    const size_t kites = sum_of_kites(all);
+    const size_t kites = count_kites(all);
 
     m->vertex = tool_grow(NULL, kites * (n + 1) * (n + 1) * sizeof *m->vertex);
     m->cell   = tool_grow(NULL, kites * n * n * sizeof *m->cell);

@@ -41,7 +41,7 @@ static const double grey[3]   = { 0.45, 0.45, 0.45 };
 // ----
 
 /* The move under way, and whether the pen is down. */
-static bool draws(const plan_picture *p, double seconds, size_t *move)
+static bool pen_is_down(const plan_picture *p, double seconds, size_t *move)
 {
     for (size_t k = *move + 1; k < p->path->count; k++)
         if (p->t->part[k].seconds > 0) {
@@ -90,7 +90,7 @@ static void path_by_speed(const plot_view *v, const plan_picture *p, double top)
     cairo_set_line_join(v->cairo, CAIRO_LINE_JOIN_ROUND);
     for (double k = 0; k * LOOK < p->t->seconds; k++) {
         trace_motion m;
-        if (!draws(p, k * LOOK, &move)) {
+        if (!pen_is_down(p, k * LOOK, &move)) {
             plot_brush_up(&b);
             continue;
         }
@@ -140,7 +140,7 @@ static void see_jerk(const trace *t, double seconds, size_t near[2], trace_motio
         m->j[i] = (after.a[i] - before.a[i]) / CHANGE;
 }
 
-static void take(columns *c, int column, const trace_motion *m)
+static void take_motion(columns *c, int column, const trace_motion *m)
 {
     const double value[SIGNALS] = { m->speed, fabs(m->v[0]), fabs(m->v[1]), fabs(m->v[2]),
                                     m->along, m->a[0],       m->a[1],       m->a[2],
@@ -152,7 +152,7 @@ static void take(columns *c, int column, const trace_motion *m)
     }
 }
 
-static void fill(columns *c, const trace *t)
+static void fill_columns(columns *c, const trace *t)
 {
     const double wide = t->seconds / COLUMNS;
     const int looks   = (int)fmin(fmax(ceil(wide / LOOK), 3), LOOKS);
@@ -167,12 +167,12 @@ static void fill(columns *c, const trace *t)
             trace_motion m;
             trace_at(t, wide * (k + (n + 0.5) / looks), &near, &m);
             see_jerk(t, wide * (k + (n + 0.5) / looks), around, &m);
-            take(c, k, &m);
+            take_motion(c, k, &m);
         }
     }
 }
 
-static double peak(const columns *c, enum signal first, enum signal last)
+static double peak_of(const columns *c, enum signal first, enum signal last)
 {
     double most = 0;
 
@@ -225,7 +225,7 @@ static void strip_axes(strip *s, const char *words, bool last)
     s->x += plot_text(v, PLOT_SMALL, s->x, v->top - 9 * v->u, 0, words) + 22 * v->u;
 }
 
-static void entry(strip *s, const double rgb[3], double wide, bool dashed, const char *words)
+static void strip_entry(strip *s, const double rgb[3], double wide, bool dashed, const char *words)
 {
     plot_entry(&s->v, &s->x, s->v.top - 13.5 * s->v.u, rgb, wide, dashed, words);
 }
@@ -249,10 +249,10 @@ static void strip_signal(strip *s, enum signal which, const double rgb[3], doubl
         at = up ? high : low;
     }
     cairo_stroke(v->cairo);
-    entry(s, rgb, wide, false, words);
+    strip_entry(s, rgb, wide, false, words);
 }
 
-static void dash(const strip *s, const double rgb[3])
+static void dash_lines(const strip *s, const double rgb[3])
 {
     const double dashes[2] = { 4 * s->v.u, 3 * s->v.u };
 
@@ -267,16 +267,16 @@ static void strip_limit(strip *s, double limit, const double rgb[3], const char 
 
     snprintf(words, sizeof words, limit > s->high ? "limit%s %g (above)" : "limit%s %g", of, limit);
     if (limit <= s->high) {
-        dash(s, rgb);
+        dash_lines(s, rgb);
         plot_line(&s->v, s->v.left, strip_y(s, limit), s->v.right, strip_y(s, limit));
         if (s->low < 0)
             plot_line(&s->v, s->v.left, strip_y(s, -limit), s->v.right, strip_y(s, -limit));
         cairo_set_dash(s->v.cairo, NULL, 0, 0);
     }
-    entry(s, rgb, 0.9, true, words);
+    strip_entry(s, rgb, 0.9, true, words);
 }
 
-static const char *axes(const strip *s)     { return kinematics_axes(s->p->t->joints->k); }
+static const char *strip_times(const strip *s)     { return kinematics_axes(s->p->t->joints->k); }
 
 /* One line for all axes where they agree. */
 static void strip_limits(strip *s, const double limit[ENGINE_AXES])
@@ -288,7 +288,7 @@ static void strip_limits(strip *s, const double limit[ENGINE_AXES])
     for (int i = 0; i < (same ? 1 : ENGINE_AXES); i++)
         if (limit[i] > 0)
             strip_limit(s, limit[i], same ? grey : ink[i + 1],
-                        same ? " of an axis" : (const char[]){ ' ', axes(s)[i], '\0' });
+                        same ? " of an axis" : (const char[]){ ' ', strip_times(s)[i], '\0' });
 }
 
 /* The feed of the move under way. */
@@ -297,7 +297,7 @@ static void strip_feed(strip *s)
     const trace *t = s->p->t;
     double y = s->v.bottom;
 
-    dash(s, ink[0]);
+    dash_lines(s, ink[0]);
     cairo_new_path(s->v.cairo);
     for (size_t k = 0; k < t->moves; k++)
         if (t->part[k].seconds > 0) {
@@ -308,7 +308,7 @@ static void strip_feed(strip *s)
     cairo_line_to(s->v.cairo, s->v.right, y);
     cairo_stroke(s->v.cairo);
     cairo_set_dash(s->v.cairo, NULL, 0, 0);
-    entry(s, ink[0], 0.9, true, "feed");
+    strip_entry(s, ink[0], 0.9, true, "feed");
 }
 
 /* Room for what is drawn and for the limits that are not far from it. */
@@ -338,7 +338,7 @@ static strip strip_begin(const plan_picture *p, const columns *c, const plot_vie
 static void strip_axis_signals(strip *s, enum signal first)
 {
     for (unsigned i = 0; i < ENGINE_AXES; i++)
-        strip_signal(s, first + i, ink[i + 1], 0.9, (const char[]){ axes(s)[i], '\0' });
+        strip_signal(s, first + i, ink[i + 1], 0.9, (const char[]){ strip_times(s)[i], '\0' });
 }
 
 static void speed_strip(strip s)
@@ -348,7 +348,7 @@ static void speed_strip(strip s)
 
     for (size_t k = 0; k < s.p->t->moves; k++)
         feed = fmax(feed, s.p->t->move[k].feed);
-    strip_range(&s, fmax(peak(s.c, SPEED, VZ), feed), l->max_speed, false);
+    strip_range(&s, fmax(peak_of(s.c, SPEED, VZ), feed), l->max_speed, false);
     strip_axes(&s, "speed, mm/s", false);
     strip_axis_signals(&s, VX);
     strip_signal(&s, SPEED, ink[0], 1.3, "along the path");
@@ -358,7 +358,7 @@ static void speed_strip(strip s)
 
 static void accel_strip(strip s)
 {
-    strip_range(&s, peak(s.c, ALONG, AZ), s.p->t->limits.max_accel, true);
+    strip_range(&s, peak_of(s.c, ALONG, AZ), s.p->t->limits.max_accel, true);
     strip_axes(&s, "acceleration, mm/s\302\262", false);
     strip_axis_signals(&s, AX);
     strip_signal(&s, ALONG, ink[0], 1.3, "along the path");
@@ -373,7 +373,7 @@ static void jerk_strip(strip s)
 
     for (int i = 0; i < ENGINE_AXES; i++)
         limit[i] = s.p->t->limits.max_jerk[i];
-    strip_range(&s, peak(s.c, JX, JZ), limit, true);
+    strip_range(&s, peak_of(s.c, JX, JZ), limit, true);
     strip_axes(&s, "jerk over 16 ms, mm/s\302\263", true);
     strip_axis_signals(&s, JX);
     strip_limits(&s, limit);
@@ -387,7 +387,7 @@ static void jerk_strip(strip s)
 // Picture
 // -------
 
-static void title(const plot_view *v, const plan_picture *p)
+static void draw_title(const plot_view *v, const plan_picture *p)
 {
     trace_part all = { .length = 0 };
     char words[400], limits[200];
@@ -406,7 +406,7 @@ static void title(const plot_view *v, const plan_picture *p)
 }
 
 /* Margins in thousandths of the width; the path is at most half as high as the picture is wide. */
-static void lay_out(plot_view *v, const plan_picture *p)
+static void lay_out_picture(plot_view *v, const plan_picture *p)
 {
     const double left = 70, right = 105, above = 74, most = 420;
     double box[2][2] = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
@@ -440,15 +440,15 @@ int plan_plot(const plan_picture *p)
     columns *c  = tool_grow(NULL, sizeof *c);
     plot_view v = { .magnified = 0 };
 
-    lay_out(&v, p);
+    lay_out_picture(&v, p);
     cairo_surface_t *canvas = plot_begin(&v, p->output);
     cairo_set_source_rgb(v.cairo, 1, 1, 1);
     cairo_paint(v.cairo);
     cairo_select_font_face(v.cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_line_cap(v.cairo, CAIRO_LINE_CAP_BUTT);
-    fill(c, p->t);
-    title(&v, p);
+    fill_columns(c, p->t);
+    draw_title(&v, p);
     path_picture(&v, p);
 
     const double top = v.bottom + 80 * v.u, step = 190 * v.u, high = 150 * v.u;

@@ -47,7 +47,7 @@ static void draw_curves(const plot_view *v, double line, double r, double g, dou
 
 /* Pulses are much denser than the picture: of those that fall on one spot only the last is
  * drawn. */
-static bool is_near(const plot_view *v, const double a[2], const double b[2])
+static bool is_same_spot(const plot_view *v, const double a[2], const double b[2])
 {
     return fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1])) * v->scale < 0.15 * v->u;
 }
@@ -76,7 +76,8 @@ static void draw_machine(const plot_view *v, bool drawing_runs)
             cairo_move_to(v->cairo, plot_x(v, before[0]), plot_y(v, before[1]));
             last = before;
         }
-        if (!is_near(v, last, now) || i + 1 == r->count || record_draws(r, i + 1) != drawing_runs) {
+        if (!is_same_spot(v, last, now) || i + 1 == r->count ||
+            record_draws(r, i + 1) != drawing_runs) {
             cairo_line_to(v->cairo, plot_x(v, now[0]), plot_y(v, now[1]));
             last = now;
             if (drawing_runs && ++pieces % BATCH == 0) {    /* dashes would start anew */
@@ -146,7 +147,7 @@ static void draw_errors(const plot_view *v, double (*point)[2])
     for (size_t i = 0; i < r->count; i++) {
         const bool draws = record_draws(r, i);
         const double *now = r->pulse[i].at;
-        if (most >= 0 && (!draws || !is_near(v, spot, now))) {
+        if (most >= 0 && (!draws || !is_same_spot(v, spot, now))) {
             const int level = (int)(most / v->found.worst * PLOT_LEVELS);
             plot_brush_to(&b, far, level < PLOT_LEVELS ? level : PLOT_LEVELS - 1);
             most = -1;
@@ -173,7 +174,7 @@ static void draw_errors(const plot_view *v, double (*point)[2])
     plot_brush_up(&b);
 }
 
-static void measure(plot_view *v, double (*point)[2])
+static void measure_errors(plot_view *v, double (*point)[2])
 {
     const record *r = v->o->r;
     size_t where = 0;
@@ -252,7 +253,7 @@ static bool ends_with(const char *text, const char *end)
 
 /* Margins in thousandths of the width: letters at the left and below, title above, colour bar at
  * the right. */
-static void lay_out(plot_view *v, bool vector)
+static void lay_out_picture(plot_view *v, bool vector)
 {
     const plot_options *o = v->o;
     const double left = 62, right = o->r != NULL && o->error >= 0 ? 105 : 28,
@@ -286,7 +287,7 @@ static void draw_layers(plot_view *v)
     double (*point)[2] = o->r ? tool_grow(NULL, o->r->count * sizeof *point) : NULL;
 
     if (o->r != NULL)
-        measure(v, point);
+        measure_errors(v, point);
     v->magnified = o->r != NULL ? magnification(v) : 0;
 
     cairo_set_source_rgb(v->cairo, 1, 1, 1);
@@ -321,7 +322,7 @@ bool plot_known(const char *output, bool *png)
 }
 
 /* Cairo's own files do not notice a full disk when they are closed. */
-static cairo_status_t write_some(void *closure, const unsigned char *data, unsigned length)
+static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned length)
 {
     plot_view *v = closure;
 
@@ -341,8 +342,8 @@ cairo_surface_t *plot_begin(plot_view *v, const char *output)
         png ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(v->width),
                                          (int)ceil(v->height))
         : ends_with(output, ".svg")
-            ? cairo_svg_surface_create_for_stream(write_some, v, v->width, v->height)
-            : cairo_pdf_surface_create_for_stream(write_some, v, v->width, v->height);
+            ? cairo_svg_surface_create_for_stream(write_bytes, v, v->width, v->height)
+            : cairo_pdf_surface_create_for_stream(write_bytes, v, v->width, v->height);
     v->cairo = cairo_create(canvas);
     cairo_set_line_cap(v->cairo, CAIRO_LINE_CAP_ROUND);
     return canvas;
@@ -354,7 +355,7 @@ int plot_end(plot_view *v, cairo_surface_t *canvas, const char *output)
 
     cairo_destroy(v->cairo);
     if (status == CAIRO_STATUS_SUCCESS && ends_with(output, ".png"))
-        status = cairo_surface_write_to_png_stream(canvas, write_some, v);
+        status = cairo_surface_write_to_png_stream(canvas, write_bytes, v);
     cairo_surface_finish(canvas);
     if (status == CAIRO_STATUS_SUCCESS)
         status = cairo_surface_status(canvas);
@@ -374,7 +375,7 @@ int plot_draw(const plot_options *o, plot_result *result)
 
     if (!plot_known(o->output, &png))
         return tool_error(EX_USAGE, "%s: give a name that ends with .png, .svg or .pdf", o->output);
-    lay_out(&v, !png);
+    lay_out_picture(&v, !png);
     if (png && (v.width > 30000 || v.height > 30000))
         return tool_error(EX_USAGE, "%s: %.0f x %.0f px are too many: give a smaller --size",
                           o->output, v.width, v.height);

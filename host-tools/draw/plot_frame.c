@@ -78,7 +78,7 @@ static void small_length(char *out, size_t size, double mm)
     snprintf(out, size, mm < 0.1 ? "%.2f um" : "%.4f mm", mm < 0.1 ? mm * 1000 : mm);
 }
 
-static void title(const plot_view *v)
+static void draw_title(const plot_view *v)
 {
     const drawing *d = v->o->d;
     const record *r = v->o->r;
@@ -120,7 +120,7 @@ void plot_entry(const plot_view *v, double *x, double y, const double rgb[3], do
     *x += plot_text(v, SMALL, *x, y + 4.5 * v->u, 0, words) + 22 * v->u;
 }
 
-static void entry(const plot_view *v, double *x, double r, double g, double b, double wide,
+static void legend_entry(const plot_view *v, double *x, double r, double g, double b, double wide,
                   bool dashed, const char *words)
 {
     const double rgb[3] = { r, g, b };
@@ -128,32 +128,32 @@ static void entry(const plot_view *v, double *x, double r, double g, double b, d
     plot_entry(v, x, v->bottom + 58 * v->u, rgb, wide, dashed, words);
 }
 
-static void legend(const plot_view *v)
+static void draw_legend(const plot_view *v)
 {
     const plot_options *o = v->o;
     double x = v->left, rgb[3];
     char words[64];
 
     if (o->r != NULL && v->magnified == 0)
-        entry(v, &x, 0.72, 0.79, 0.88, 2.6, false, "drawing");
+        legend_entry(v, &x, 0.72, 0.79, 0.88, 2.6, false, "drawing");
     else
-        entry(v, &x, 0.13, 0.20, 0.34, 1.3, false, "drawing");
+        legend_entry(v, &x, 0.13, 0.20, 0.34, 1.3, false, "drawing");
     if (o->control)
-        entry(v, &x, 0.90, 0.55, 0.10, 0.8, false, "control polygons");
+        legend_entry(v, &x, 0.90, 0.55, 0.10, 0.8, false, "control polygons");
     if (v->comb > 0) {
         snprintf(words, sizeof words, "curvature, 1/mm = %g mm", v->comb);
-        entry(v, &x, 0.10, 0.55, 0.50, 0.8, false, words);
+        legend_entry(v, &x, 0.10, 0.55, 0.50, 0.8, false, words);
     }
     if (o->r == NULL)
         return;
     if (v->magnified == 0) {
-        entry(v, &x, 0.80, 0.12, 0.16, 0.8, false, "machine");
+        legend_entry(v, &x, 0.80, 0.12, 0.16, 0.8, false, "machine");
     } else {
         plot_colour(0.6, rgb);
         snprintf(words, sizeof words, "machine, error magnified %g times", v->magnified);
-        entry(v, &x, rgb[0], rgb[1], rgb[2], 1.6, false, words);
+        legend_entry(v, &x, rgb[0], rgb[1], rgb[2], 1.6, false, words);
     }
-    entry(v, &x, 0.45, 0.62, 0.80, 0.8, true, "travel");
+    legend_entry(v, &x, 0.45, 0.62, 0.80, 0.8, true, "travel");
 }
 
 void plot_scale_bar(const plot_view *v, double y, double parts)
@@ -218,8 +218,8 @@ void plot_frame(plot_view *v)
                            CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_line_cap(v->cairo, CAIRO_LINE_CAP_BUTT);
     plot_axes(v);
-    title(v);
-    legend(v);
+    draw_title(v);
+    draw_legend(v);
     plot_scale_bar(v, v->bottom + 58 * v->u, 8);
     if (v->magnified > 0 && v->found.worst > 0)
         plot_bar(v, v->found.worst * 1000, "error, um");

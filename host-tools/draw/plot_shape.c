@@ -63,22 +63,22 @@ typedef struct {
     plot_view *v;
     double spacing;         /* mm between two teeth */
     size_t room;
-    double *bend;           /* curvature of each tooth, > 0 turns left */
+    double *curvature;           /* curvature of each tooth, > 0 turns left */
 } combing;
 
-static void add_tooth(combing *c, const double at[3][CURVE_AXES], double bend, bool fresh)
+static void add_tooth(combing *c, const double at[3][CURVE_AXES], double curvature, bool fresh)
 {
     plot_view *v = c->v;
 
     if (v->teeth == c->room) {
         c->room  = c->room ? 2 * c->room : 1024;
         v->tooth = tool_grow(v->tooth, c->room * sizeof *v->tooth);
-        c->bend  = tool_grow(c->bend, c->room * sizeof *c->bend);
+        c->curvature = tool_grow(c->curvature, c->room * sizeof *c->curvature);
     }
     const double speed = hypot(at[1][0], at[1][1]);
     v->tooth[v->teeth] =
         (plot_tooth){ { at[0][0], at[0][1] }, { at[1][1] / speed, -at[1][0] / speed }, fresh };
-    c->bend[v->teeth++] = bend;
+    c->curvature[v->teeth++] = curvature;
 }
 
 /* So many teeth that neighbours are near each other both at the curve and, where it bends, at their
@@ -104,16 +104,16 @@ static void comb_piece(void *context, const piece *p, bool fresh)
     const int count = teeth_of(p, c->spacing);
 
     for (int j = 0; j <= count; j++) {
-        double at[3][CURVE_AXES], bend;
+        double at[3][CURVE_AXES], curvature;
         piece_eval(p, (double)j / count, at);
-        const bool bends = piece_bend(p, (double)j / count, &bend);
-        if (bends)
-            add_tooth(c, (const double (*)[CURVE_AXES])at, bend, fresh);
-        fresh = !bends;
+        const bool is_curved = piece_bend(p, (double)j / count, &curvature);
+        if (is_curved)
+            add_tooth(c, (const double (*)[CURVE_AXES])at, curvature, fresh);
+        fresh = !is_curved;
     }
 }
 
-static int by_size(const void *a, const void *b)
+static int compare_sizes(const void *a, const void *b)
 {
     const double x = fabs(*(const double *)a), y = fabs(*(const double *)b);
 
@@ -125,8 +125,8 @@ static double scale_of(const combing *c, double size)
 {
     double *sorted = tool_grow(NULL, c->v->teeth * sizeof *sorted);
 
-    memcpy(sorted, c->bend, c->v->teeth * sizeof *sorted);
-    qsort(sorted, c->v->teeth, sizeof *sorted, by_size);
+    memcpy(sorted, c->curvature, c->v->teeth * sizeof *sorted);
+    qsort(sorted, c->v->teeth, sizeof *sorted, compare_sizes);
     const double most = c->v->teeth ? fabs(sorted[c->v->teeth * 19 / 20]) : 0;
     free(sorted);
     if (most * size < 1e-9)
@@ -146,11 +146,11 @@ void plot_make_combs(plot_view *v, const double box[2][2])
     v->comb = v->o->comb > 0 ? v->o->comb : scale_of(&c, size);
     const double most = v->o->comb > 0 ? size : TOOTH_MAX * size;
     for (size_t i = 0; i < v->teeth; i++) {
-        const double length = copysign(fmin(fabs(c.bend[i]) * v->comb, most), c.bend[i]);
+        const double length = copysign(fmin(fabs(c.curvature[i]) * v->comb, most), c.curvature[i]);
         for (int k = 0; k < 2; k++)
             v->tooth[i].tip[k] = v->tooth[i].foot[k] + length * v->tooth[i].tip[k];
     }
-    free(c.bend);
+    free(c.curvature);
 }
 
 void plot_combs(const plot_view *v)
@@ -174,12 +174,12 @@ void plot_combs(const plot_view *v)
 // Control
 // -------
 
-static void square(const plot_view *v, const double p[2], double half)
+static void draw_square(const plot_view *v, const double p[2], double half)
 {
     cairo_rectangle(v->cairo, plot_x(v, p[0]) - half, plot_y(v, p[1]) - half, 2 * half, 2 * half);
 }
 
-static void disc(const plot_view *v, const double p[2], double radius)
+static void draw_disc(const plot_view *v, const double p[2], double radius)
 {
     cairo_new_sub_path(v->cairo);
     cairo_arc(v->cairo, plot_x(v, p[0]), plot_y(v, p[1]), radius, 0, 7);
@@ -197,7 +197,7 @@ static void control_cubics(const plot_view *v)
     cairo_stroke(v->cairo);
     for (size_t i = 0; i < d->count; i++)
         for (int k = 0; k < 4; k++)
-            (k == 0 || k == 3 ? square : disc)(v, d->curve[i].p[k], 1.1 * v->u);
+            (k == 0 || k == 3 ? draw_square : draw_disc)(v, d->curve[i].p[k], 1.1 * v->u);
     cairo_fill(v->cairo);
 }
 
@@ -206,7 +206,7 @@ static bool has_derivatives(const curve *c)
     return c->kind == CURVE_HERMITE3 || c->kind == CURVE_HERMITE5;
 }
 
-static bool is_hung_on_points(const curve *c)
+static bool has_control_polygon(const curve *c)
 {
     return c->kind == CURVE_BEZIER || c->kind == CURVE_RATIONAL || c->kind == CURVE_BSPLINE ||
            c->kind == CURVE_NURBS;
@@ -224,7 +224,7 @@ static void control_lines(const plot_view *v, const curve *c)
     for (unsigned k = 0; k < c->count; k++) {
         const double *p = c->point[k].p;
         double handle[2];
-        if (is_hung_on_points(c)) {
+        if (has_control_polygon(c)) {
             (k ? cairo_line_to : cairo_move_to)(v->cairo, plot_x(v, p[0]), plot_y(v, p[1]));
         } else if (has_derivatives(c)) {
             handle_of(&c->point[k], handle);
@@ -237,14 +237,14 @@ static void control_lines(const plot_view *v, const curve *c)
 static void control_dots(const plot_view *v, const curve *c)
 {
     for (unsigned k = 0; k < c->count; k++) {
-        const bool on = !is_hung_on_points(c) ||
+        const bool on = !has_control_polygon(c) ||
                         ((c->kind == CURVE_BEZIER || c->kind == CURVE_RATIONAL) &&
                          (k == 0 || k + 1 == c->count));
         double handle[2];
-        (on ? square : disc)(v, c->point[k].p, 1.6 * v->u);
+        (on ? draw_square : draw_disc)(v, c->point[k].p, 1.6 * v->u);
         if (has_derivatives(c)) {
             handle_of(&c->point[k], handle);
-            disc(v, handle, 1.3 * v->u);
+            draw_disc(v, handle, 1.3 * v->u);
         }
     }
 }
@@ -255,7 +255,7 @@ static void knot_ring(void *context, const piece *p, bool fresh)
     const plot_view *v = *(const plot_view **)context;
 
     if (!fresh)
-        disc(v, p->p[0], 2.6 * v->u);
+        draw_disc(v, p->p[0], 2.6 * v->u);
 }
 
 static void control_curves(const plot_view *v)

@@ -142,31 +142,32 @@ void scene_free(scene *s)
 // The view
 // --------
 
-static double dot(const double a[3], const double b[3])
+static double dot_product(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* In mm from the centre, before scaling. */
-static spot project(const scene *s, const double p[3])
+static spot project_point(const scene *s, const double p[3])
 {
     const double from[3] = { p[0] - s->centre[0], p[1] - s->centre[1], p[2] - s->centre[2] };
-    const double near = dot(from, s->axis[2]), eye = s->distance * s->diameter;
+    const double near = dot_product(from, s->axis[2]), eye = s->distance * s->diameter;
     const double grow = eye > 0 ? eye / fmax(eye - near, 0.05 * eye) : 1;
 
-    return (spot){ dot(from, s->axis[0]) * grow, dot(from, s->axis[1]) * grow, near };
+    return (spot){ dot_product(from, s->axis[0]) * grow, dot_product(from, s->axis[1]) * grow,
+                   near };
 }
 
-static spot on_canvas(const scene *s, const plot_view *v, const double p[3])
+static spot canvas_spot(const scene *s, const plot_view *v, const double p[3])
 {
-    const spot at = project(s, p);
+    const spot at = project_point(s, p);
 
     return (spot){ plot_x(v, at.x), plot_y(v, at.y), at.near };
 }
 
 void scene_place(const scene *s, const plot_view *v, const double p[3], double out[3])
 {
-    const spot at = on_canvas(s, v, p);
+    const spot at = canvas_spot(s, v, p);
 
     out[0] = at.x;
     out[1] = at.y;
@@ -176,7 +177,7 @@ void scene_place(const scene *s, const plot_view *v, const double p[3], double o
 typedef void point_visit(void *context, const double p[3]);
 
 /* All that must be seen. */
-static void visit(const scene *s, point_visit *each, void *context)
+static void visit_points(const scene *s, point_visit *each, void *context)
 {
     for (size_t i = 0; i < s->m->vertices; i++)
         each(context, s->m->vertex[i].p);
@@ -204,7 +205,7 @@ static void widen_space(void *context, const double p[3])
 static void widen_view(void *context, const double p[3])
 {
     extent *e = context;
-    const spot at = project(e->s, p);
+    const spot at = project_point(e->s, p);
     const double seen[3] = { at.x, at.y, at.near };
 
     widen_space(e, seen);
@@ -219,14 +220,14 @@ void scene_look(scene *s)
     extent space = { s, { INFINITY, INFINITY, INFINITY }, { -INFINITY, -INFINITY, -INFINITY } },
            seen = space;
 
-    visit(s, widen_space, &space);
+    visit_points(s, widen_space, &space);
     for (int i = 0; i < 3; i++)
         s->centre[i] = (space.least[i] + space.most[i]) / 2;
     s->diameter = fmax(hypot(hypot(space.most[0] - space.least[0], space.most[1] - space.least[1]),
                              space.most[2] - space.least[2]),
                        1e-9);
     memcpy(s->axis, axis, sizeof axis);
-    visit(s, widen_view, &seen);
+    visit_points(s, widen_view, &seen);
     for (int i = 0; i < 2; i++) {
         s->seen[0][i] = seen.least[i];
         s->seen[1][i] = fmax(seen.most[i], seen.least[i] + 1e-3 * s->diameter);
@@ -253,7 +254,7 @@ static void add_item(painting *p, item it)
     p->items[p->count++] = it;
 }
 
-static double nearness(const painting *p, size_t cell)
+static double cell_nearness(const painting *p, size_t cell)
 {
     const mesh_cell *c = &p->s->m->cell[cell];
     double near = 0;
@@ -264,7 +265,7 @@ static double nearness(const painting *p, size_t cell)
 }
 
 /* Before its cell and those that share a corner with it. */
-static double before_cell(const painting *p, size_t cell)
+static double nearness_before_cell(const painting *p, size_t cell)
 {
     double least = INFINITY, most = -INFINITY;
 
@@ -280,13 +281,13 @@ static void add_cells(painting *p)
 {
     for (size_t i = 0; i < p->s->m->cells; i++) {
         const mesh_cell *c = &p->s->m->cell[i];
-        add_item(p, (item){ .cell = c, .near = nearness(p, i) });
+        add_item(p, (item){ .cell = c, .near = cell_nearness(p, i) });
         for (unsigned k = 0; k < 4; k++)
             if (c->line >> (k + 4) & 1)
                 add_item(p, (item){ .from = p->seen[c->corner[k]],
                                     .to = p->seen[c->corner[(k + 1) % 4]],
                                     .pen = SCENE_EDGE,
-                                    .near = before_cell(p, i) });
+                                    .near = nearness_before_cell(p, i) });
     }
 }
 
@@ -303,21 +304,21 @@ static void add_line(painting *p, const scene_line *l)
             a[i] = l->p[0][i] + (l->p[1][i] - l->p[0][i]) * n / pieces;
             b[i] = l->p[0][i] + (l->p[1][i] - l->p[0][i]) * (n + 1) / pieces;
         }
-        const spot first = on_canvas(p->s, p->v, a), last = on_canvas(p->s, p->v, b);
-        const double near = l->pen == SCENE_CONTOUR ? before_cell(p, l->cell)
+        const spot first = canvas_spot(p->s, p->v, a), last = canvas_spot(p->s, p->v, b);
+        const double near = l->pen == SCENE_CONTOUR ? nearness_before_cell(p, l->cell)
                                                     : (first.near + last.near) / 2;
         add_item(p, (item){ .from = first, .to = last, .pen = l->pen, .near = near + lift });
     }
 }
 
-static int by_depth(const void *a, const void *b)
+static int compare_depths(const void *a, const void *b)
 {
     const double x = ((const item *)a)->near, y = ((const item *)b)->near;
     return x < y ? -1 : x > y;
 }
 
 /* Light from the upper left, before the surface; both sides are lit. */
-static void shade(const scene *s, const mesh_cell *c, double rgb[3])
+static void shade_cell(const scene *s, const mesh_cell *c, double rgb[3])
 {
     static const double light[3] = { -0.42, 0.56, 0.71 };
     double n[3] = { 0, 0, 0 }, value = 0, at[3];
@@ -327,11 +328,11 @@ static void shade(const scene *s, const mesh_cell *c, double rgb[3])
         for (int i = 0; i < 3; i++)
             n[i] += s->m->vertex[c->corner[k]].normal[i];
     }
-    const double length = sqrt(dot(n, n));
+    const double length = sqrt(dot_product(n, n));
     for (int i = 0; i < 3; i++)
-        at[i] = length > 0 ? dot(n, s->axis[i]) / length : i == 2;
+        at[i] = length > 0 ? dot_product(n, s->axis[i]) / length : i == 2;
     const bool back = at[2] < 0;
-    const double lit = fmax((back ? -1 : 1) * dot(at, light), 0), gleam = pow(lit, 24);
+    const double lit = fmax((back ? -1 : 1) * dot_product(at, light), 0), gleam = pow(lit, 24);
     const double dark = s->value ? 0.68 + 0.32 * lit : 0.42 + 0.58 * lit;
     if (s->value)
         scene_colour(&s->scale, value, rgb);
@@ -347,7 +348,7 @@ static void paint_cell(const painting *p, const mesh_cell *c)
     double rgb[3];
 
     if (!p->s->wire) {
-        shade(p->s, c, rgb);
+        shade_cell(p->s, c, rgb);
         cairo_set_source_rgb(cairo, rgb[0], rgb[1], rgb[2]);
         for (int k = 0; k < 4; k++)
             cairo_line_to(cairo, p->seen[c->corner[k]].x, p->seen[c->corner[k]].y);
@@ -391,11 +392,11 @@ void scene_paint(const scene *s, const plot_view *v)
 
     p.seen = tool_grow(NULL, s->m->vertices * sizeof *p.seen);
     for (size_t i = 0; i < s->m->vertices; i++)
-        p.seen[i] = on_canvas(s, v, s->m->vertex[i].p);
+        p.seen[i] = canvas_spot(s, v, s->m->vertex[i].p);
     add_cells(&p);
     for (size_t i = 0; i < s->lines; i++)
         add_line(&p, &s->line[i]);
-    qsort(p.items, p.count, sizeof *p.items, by_depth);
+    qsort(p.items, p.count, sizeof *p.items, compare_depths);
     cairo_new_path(v->cairo);               /* text leaves a point */
     cairo_set_line_join(v->cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(v->cairo, CAIRO_LINE_CAP_ROUND);

@@ -83,7 +83,7 @@ static bool has_room(const labelling *l, const label *here)
     return true;
 }
 
-static void put(labelling *l, const label *here, const char *words)
+static void put_label(labelling *l, const label *here, const char *words)
 {
     const double *rgb = scene_pens[SCENE_CONTOUR], u = l->v->u;
     cairo_t *cairo = l->v->cairo;
@@ -112,7 +112,7 @@ static void try_line(labelling *l, const scene_line *line)
     scene_place(l->s, l->v, middle, at);
     const label here = { at[0], at[1], extents.x_advance, middle[2] };
     if (has_room(l, &here) && is_inside(l, &here) && !is_hidden(l, at))
-        put(l, &here, words);
+        put_label(l, &here, words);
 }
 
 void scene_label(const scene *s, const plot_view *v)

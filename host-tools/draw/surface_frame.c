@@ -7,7 +7,7 @@
 #include "base/source.h"     /* source_name */
 #include "draw/surface_plot.h"
 
-static void title(const surface_view *s)
+static void draw_title(const surface_view *s)
 {
     const surface_options *o = s->o;
     char words[256];
@@ -86,7 +86,7 @@ static void swatch(const surface_view *s, double *x, const double rgb[3], bool l
     *x += plot_text(v, PLOT_SMALL, *x, y + 4.5 * v->u, 0, words) + 24 * v->u;
 }
 
-static void legend(const surface_view *s)
+static void draw_legend(const surface_view *s)
 {
     static const double lines[3] = { 0.35, 0.38, 0.45 };
     double x = s->v.left + 110 * s->v.u;
@@ -125,9 +125,9 @@ void surface_frame(const surface_view *s)
 
     cairo_select_font_face(v->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
-    title(s);
+    draw_title(s);
     surface_axes(v, &s->scene, v->left + 34 * v->u, v->bottom + 52 * v->u);
-    legend(s);
+    draw_legend(s);
     scale_bar(s);
     if (s->o->map != MAP_NONE)
         scene_bar(v, &s->scene.scale, maps[s->o->map], v->right + 34 * v->u, v->top + 6 * v->u,

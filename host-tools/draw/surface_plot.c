@@ -53,7 +53,7 @@ static void add_lines(surface_view *s)
 }
 
 /* Margins in thousandths of the width; the picture is as high as it must, within limits. */
-static void lay_out(surface_view *s, bool vector)
+static void lay_out_picture(surface_view *s, bool vector)
 {
     const double left = 40, right = s->o->map != MAP_NONE ? 150 : 40, above = 58, below = 104,
                  room = 1000 - left - right;
@@ -73,9 +73,9 @@ static void lay_out(surface_view *s, bool vector)
     scene_fit(&s->scene, v);
 }
 
-static int draw(surface_view *s, bool png)
+static int draw_scene(surface_view *s, bool png)
 {
-    lay_out(s, !png);
+    lay_out_picture(s, !png);
     if (png && (s->v.width > 30000 || s->v.height > 30000))
         return tool_error(EX_USAGE, "%s: %.0f x %.0f px are too many: give a smaller --size",
                           s->o->output, s->v.width, s->v.height);
@@ -108,7 +108,7 @@ int surface_plot(const surface_options *o)
         add_lines(&s);
         scene_look(&s.scene);
         double *value = make_map(&s);
-        code = draw(&s, png);
+        code = draw_scene(&s, png);
         free(value);
     }
     scene_free(&s.scene);

@@ -23,7 +23,7 @@ int element_error(const element *x, const char *words)
 // The list
 // --------
 
-static void append(elements *list, const element *x)
+static void append_element(elements *list, const element *x)
 {
     if ((list->count & (list->count - 1)) == 0)         /* room for a power of two */
         list->element = tool_grow(list->element,
@@ -50,7 +50,7 @@ static void add_cubic(void *context, double p[4][CURVE_AXES])
 
     c->x.p = (piece){ .w = { 1, 1, 1, 1 }, .degree = 3 };
     memcpy(c->x.p.p, p, 4 * sizeof p[0]);
-    append(c->list, &c->x);
+    append_element(c->list, &c->x);
 }
 
 /* The spans of an arc are equal; the pieces of all others are those between two breaks. */
@@ -81,7 +81,7 @@ static int add_curve(elements *list, const engine *e, const curve *c, const char
         cut.x.p = *whole;
         const double share = fmax(FINE * tol, engine_finest(e, whole));
         if (cut.x.exact)
-            append(list, &cut.x);
+            append_element(list, &cut.x);
         else
             status = share <= tol / 2 ? e->piece->cubics(whole, share, add_cubic, &cut)
                                       : LOFT_ERR_RANGE;
@@ -110,7 +110,7 @@ void elements_free(elements *list)
 // Parameters
 // ----------
 
-static double distance(const piece *p, double t, const double point[CURVE_AXES])
+static double distance_to(const piece *p, double t, const double point[CURVE_AXES])
 {
     double at[3][CURVE_AXES];
 
@@ -126,7 +126,7 @@ double element_parameter(const element *x, double t, const double point[CURVE_AX
     if (x->exact)
         return x->from + (x->to - x->from) * t;
     for (int j = 0; j <= 64; j++) {
-        const double d = distance(&x->whole, j / 64.0, point);
+        const double d = distance_to(&x->whole, j / 64.0, point);
         if (d < least) {
             least = d;
             best = j / 64.0;
@@ -135,14 +135,14 @@ double element_parameter(const element *x, double t, const double point[CURVE_AX
     double low = fmax(best - 1 / 64.0, 0), high = fmin(best + 1 / 64.0, 1);
     for (int j = 0; j < 60; j++) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        if (distance(&x->whole, a, point) < distance(&x->whole, b, point))
+        if (distance_to(&x->whole, a, point) < distance_to(&x->whole, b, point))
             high = b;
         else
             low = a;
     }
     best = (low + high) / 2;
     for (int end = 0; end < 2; end++)
-        if (distance(&x->whole, end, point) <= distance(&x->whole, best, point))
+        if (distance_to(&x->whole, end, point) <= distance_to(&x->whole, best, point))
             best = end;
     return x->from + (x->to - x->from) * best;
 }
@@ -158,7 +158,7 @@ typedef struct {
     long double low, high, width;
 } footing;
 
-static long double squared(const footing *f, long double t)
+static long double squared_distance(const footing *f, long double t)
 {
     long double at[CURVE_AXES], sum = 0;
 
@@ -169,29 +169,29 @@ static long double squared(const footing *f, long double t)
 }
 
 /* How the squared distance grows at t. */
-static long double slope(const footing *f, long double t)
+static long double distance_slope(const footing *f, long double t)
 {
     const long double h = f->width * 0x1p-26L;
 
-    return squared(f, fminl(t + h, f->high)) - squared(f, fmaxl(t - h, f->low));
+    return squared_distance(f, fminl(t + h, f->high)) - squared_distance(f, fmaxl(t - h, f->low));
 }
 
 /* Downhill by steps that double until the slope turns, then halves: the foot is where it does, or
  * an end. */
 static long double foot_of(const footing *f, long double t)
 {
-    const int way = slope(f, t) < 0 ? 1 : -1;
+    const int way = distance_slope(f, t) < 0 ? 1 : -1;
     long double behind = t, ahead = t;
 
     for (long double step = f->width * 0x1p-30L; step < 2 * (f->high - f->low); step *= 2) {
         ahead = fminl(fmaxl(t + way * step, f->low), f->high);
-        if (way * slope(f, ahead) >= 0)
+        if (way * distance_slope(f, ahead) >= 0)
             break;
         behind = ahead;
     }
     for (int j = 0; j < 64; j++) {
         const long double middle = (behind + ahead) / 2;
-        if (way * slope(f, middle) >= 0)
+        if (way * distance_slope(f, middle) >= 0)
             ahead = middle;
         else
             behind = middle;
@@ -207,9 +207,9 @@ void element_settle(const element *x, const reference *r, const double range[2],
                       foot = foot_of(&f, start);
     long double at[CURVE_AXES];
 
-    n->t = (double)(squared(&f, foot) <= squared(&f, start) ? foot : start);
+    n->t = (double)(squared_distance(&f, foot) <= squared_distance(&f, start) ? foot : start);
     reference_eval(r, n->t, at);
     for (int i = 0; i < CURVE_AXES; i++)
         n->point[i] = (double)at[i];
-    n->distance = (double)sqrtl(squared(&f, n->t));
+    n->distance = (double)sqrtl(squared_distance(&f, n->t));
 }

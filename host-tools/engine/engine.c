@@ -12,7 +12,7 @@
 
 #include "engine/engine_num.h"     /* real_of, vec_of, point_of */
 
-static int hold(double x, double *out)
+static int hold_number(double x, double *out)
 {
     loft_real held;
 
@@ -83,7 +83,7 @@ const engine ENGINE_OF(engine) = { .name = ENGINE_TEXT(LOFT_TAG),
                                               ? DBL_EPSILON
                                               : (double)FLT_EPSILON,
                                    .reach = (double)LOFT_PLAN_REACH / (double)LOFT_REAL(1.0),
-                                   .hold = hold,
+                                   .hold = hold_number,
                                    .curve = &ENGINE_OF(engine_curves),
                                    .piece = &ENGINE_OF(engine_pieces),
                                    .measure = &ENGINE_OF(engine_measures),

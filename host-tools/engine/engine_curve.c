@@ -72,7 +72,7 @@ static void curve_close(engine_curve *e)
 }
 
 /* What stands in the file, in the number type. */
-static int hold(engine_curve *e)
+static int hold_points(engine_curve *e)
 {
     const curve *c = e->c;
 
@@ -137,10 +137,10 @@ static int prepare_arc(engine_curve *e)
     return LOFT_OK;
 }
 
-static int prepare(engine_curve *e)
+static int prepare_curve(engine_curve *e)
 {
     const curve *c = e->c;
-    int status = hold(e);
+    int status = hold_points(e);
 
     if (status != LOFT_OK)
         return status;
@@ -170,7 +170,7 @@ static int curve_open(const curve *c, engine_curve **out)
     engine_curve *e = tool_grow(NULL, sizeof *e);
 
     *e = (engine_curve){ .c = c };
-    const int status = prepare(e);
+    const int status = prepare_curve(e);
     if (status != LOFT_OK)
         curve_close(e);
     else
@@ -182,7 +182,7 @@ static int curve_open(const curve *c, engine_curve **out)
 // Pieces
 // ------
 
-static void take(const engine_curve *e, unsigned first, part *out)
+static void take_points(const engine_curve *e, unsigned first, part *out)
 {
     for (unsigned k = 0; k <= out->degree; k++) {
         out->p[k] = e->p[first + k];
@@ -215,7 +215,7 @@ static int cubic_of(const engine_curve *e, unsigned i, loft_cubic *out)
     }
 }
 
-static int part_of(const engine_curve *e, unsigned i, part *out)
+static int piece_in_type(const engine_curve *e, unsigned i, part *out)
 {
     loft_hermite5 h;
     loft_cubic cubic;
@@ -226,8 +226,8 @@ static int part_of(const engine_curve *e, unsigned i, part *out)
     out->rational = curve_is_rational(e->c);
     switch (e->c->kind) {
     case CURVE_BEZIER:
-    case CURVE_RATIONAL: take(e, 0, out); return LOFT_OK;
-    case CURVE_LINE: take(e, i, out); return LOFT_OK;
+    case CURVE_RATIONAL: take_points(e, 0, out); return LOFT_OK;
+    case CURVE_LINE: take_points(e, i, out); return LOFT_OK;
     case CURVE_PARABOLA: return loft_bezier_from_parabola(e->w, e->p, e->w[0], e->w[2], out->p);
     case CURVE_HERMITE5: h = hermite5_of(e, i); return loft_bezier_from_hermite5(&h, out->p);
     case CURVE_HERMITE3:
@@ -257,7 +257,7 @@ static unsigned curve_count(const engine_curve *e)
 static int curve_piece(engine_curve *e, unsigned i, piece *out)
 {
     part s;
-    const int status = part_of(e, i, &s);
+    const int status = piece_in_type(e, i, &s);
 
     out->degree = e->c->degree;
     for (unsigned k = 0; status == LOFT_OK && k <= s.degree; k++) {
@@ -311,10 +311,10 @@ static int eval_parabola(const engine_curve *e, double t, loft_vec *out)
     return status;
 }
 
-static int eval_part(const engine_curve *e, unsigned i, double t, loft_vec *out)
+static int eval_piece(const engine_curve *e, unsigned i, double t, loft_vec *out)
 {
     part s;
-    const int status = part_of(e, i, &s);
+    const int status = piece_in_type(e, i, &s);
 
     if (status != LOFT_OK)
         return status;
@@ -323,7 +323,7 @@ static int eval_part(const engine_curve *e, unsigned i, double t, loft_vec *out)
 }
 
 /* At `local` within piece i, by the function that evaluates this kind. */
-static int eval_at(const engine_curve *e, unsigned i, double local, loft_vec *out)
+static int eval_local(const engine_curve *e, unsigned i, double local, loft_vec *out)
 {
     loft_hermite h;
     loft_hermite5 h5;
@@ -337,7 +337,7 @@ static int eval_at(const engine_curve *e, unsigned i, double local, loft_vec *ou
     case CURVE_NATURAL:
     case CURVE_CHORD: return loft_natural_eval(&e->natural, i, LOFT_UNIT(local), out);
     case CURVE_ARC: return loft_circle_eval(&e->circle, LOFT_UNIT(local), out);
-    default: return eval_part(e, i, local, out);
+    default: return eval_piece(e, i, local, out);
     }
 }
 
@@ -368,7 +368,7 @@ static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
     case CURVE_NURBS: status = eval_bspline(e, t, &at); break;
     default:
         i = curve_locate(e->c, (long double)t, &local);
-        status = eval_at(e, i, (double)local, &at);
+        status = eval_local(e, i, (double)local, &at);
         break;
     }
     if (status == LOFT_OK)

@@ -18,7 +18,7 @@ typedef struct {
 
 static double double_of_unit(loft_unit t) { return (double)t / (double)LOFT_UNIT(1.0); }
 
-static int part_of(const piece *p, part *out)
+static int piece_in_type(const piece *p, part *out)
 {
     for (unsigned k = 0; k <= p->degree; k++)
         if (!vec_of(p->p[k], &out->p[k]))
@@ -52,7 +52,7 @@ static int measure_nearest(const piece *p, const double point[ENGINE_AXES], doub
     loft_real within;
     loft_vec at;
     part s;
-    int status = part_of(p, &s);
+    int status = piece_in_type(p, &s);
 
     if (status == LOFT_OK && (!vec_of(point, &at) || !real_of(tol, &within)))
         status = LOFT_ERR_RANGE;
@@ -85,11 +85,11 @@ static int measure_meet(const piece *a, const piece *b, double tol,
     loft_crossing c[ENGINE_MEETINGS];
     loft_real within;
     part p, q;
-    int status = part_of(a, &p);
+    int status = piece_in_type(a, &p);
 
     *count = 0;
     if (status == LOFT_OK)
-        status = part_of(b, &q);
+        status = piece_in_type(b, &q);
     if (status == LOFT_OK && !real_of(tol, &within))
         status = LOFT_ERR_RANGE;
     if (status == LOFT_OK)
@@ -104,10 +104,10 @@ static int measure_join(const piece *a, const piece *b, double tol, engine_joint
     loft_join j;
     loft_real within;
     part p, q;
-    int status = part_of(a, &p);
+    int status = piece_in_type(a, &p);
 
     if (status == LOFT_OK)
-        status = part_of(b, &q);
+        status = piece_in_type(b, &q);
     if (status == LOFT_OK && !real_of(tol, &within))
         status = LOFT_ERR_RANGE;
     if (status == LOFT_OK)

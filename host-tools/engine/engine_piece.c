@@ -21,7 +21,7 @@ typedef struct {
     bool rational;
 } part;
 
-static bool part_of(const piece *p, part *out)
+static bool piece_in_type(const piece *p, part *out)
 {
     out->degree   = p->degree;
     out->rational = piece_is_rational(p);
@@ -37,7 +37,7 @@ static bool part_of(const piece *p, part *out)
 // Walks
 // -----
 
-static void give(engine_point_sink *sink, void *context, loft_vec at)
+static void give_point(engine_point_sink *sink, void *context, loft_vec at)
 {
     double point[ENGINE_AXES];
 
@@ -56,11 +56,11 @@ static int walk_bezier(const part *s, uint32_t n, engine_point_sink *sink, void 
     if (status == LOFT_OK)
         status = loft_forward_init(&w, &b, n);
     while (status == LOFT_OK && loft_forward_next(&w, &at))
-        give(sink, context, at);
+        give_point(sink, context, at);
     return status;
 }
 
-static int walk_strict(const part *s, uint32_t n, engine_point_sink *sink, void *context)
+static int walk_exact(const part *s, uint32_t n, engine_point_sink *sink, void *context)
 {
     loft_bezier b;
     loft_forward_exact w;
@@ -70,7 +70,7 @@ static int walk_strict(const part *s, uint32_t n, engine_point_sink *sink, void 
     if (status == LOFT_OK)
         status = loft_forward_exact_init(&w, &b, n);
     while (status == LOFT_OK && loft_forward_exact_next(&w, &at))
-        give(sink, context, at);
+        give_point(sink, context, at);
     return status;
 }
 
@@ -84,12 +84,12 @@ static int walk_rational(const part *s, uint32_t n, engine_point_sink *sink, voi
     if (status == LOFT_OK)
         status = loft_rational_walk_init(&w, &r, n);
     while (status == LOFT_OK && loft_rational_walk_next(&w, &at))
-        give(sink, context, at);
+        give_point(sink, context, at);
     return status;
 }
 
 /* Point by point: degrees and counts of steps that the library does not walk. */
-static int step_through(const part *s, uint32_t n, engine_point_sink *sink, void *context)
+static int step_by_eval(const part *s, uint32_t n, engine_point_sink *sink, void *context)
 {
     loft_rational r;
     loft_bezier b;
@@ -97,7 +97,7 @@ static int step_through(const part *s, uint32_t n, engine_point_sink *sink, void
                              : loft_bezier_init(&b, s->p, s->degree);
 
     for (uint32_t j = 0; status == LOFT_OK && j < n; j++)
-        give(sink, context,
+        give_point(sink, context,
              s->rational ? loft_rational_eval(&r, loft_unit_of(j + 1, n))
                          : loft_bezier_eval(&b, loft_unit_of(j + 1, n)));
     return status;
@@ -108,14 +108,14 @@ static int piece_walk(const piece *p, uint32_t n, engine_point_sink *sink, void 
     int status;
     part s;
 
-    if (!part_of(p, &s))
+    if (!piece_in_type(p, &s))
         return LOFT_ERR_RANGE;
     if (s.degree > LOFT_FORWARD_DEGREE_MAX)
-        return step_through(&s, n, sink, context);
+        return step_by_eval(&s, n, sink, context);
     status = s.rational ? walk_rational(&s, n, sink, context) : walk_bezier(&s, n, sink, context);
     if (status == LOFT_ERR_RANGE && !s.rational)
-        status = walk_strict(&s, n, sink, context);
-    return status == LOFT_ERR_RANGE ? step_through(&s, n, sink, context) : status;
+        status = walk_exact(&s, n, sink, context);
+    return status == LOFT_ERR_RANGE ? step_by_eval(&s, n, sink, context) : status;
 }
 
 
@@ -132,7 +132,7 @@ static int piece_cubics(const piece *p, double tol, engine_cubic_sink *sink, voi
     part s;
     int status;
 
-    if (!part_of(p, &s) || !tol_of(tol, &within))
+    if (!piece_in_type(p, &s) || !tol_of(tol, &within))
         return LOFT_ERR_RANGE;
     status = s.rational ? loft_rational_init(&r, s.weighted, s.degree)
                         : loft_bezier_init(&b, s.p, s.degree);
@@ -205,7 +205,7 @@ static int piece_shape(const piece *p, engine_shape *out)
     part s;
 
     *out = (engine_shape){ .type = NULL };
-    if (!part_of(p, &s))
+    if (!piece_in_type(p, &s))
         return LOFT_ERR_RANGE;
     status = s.rational ? loft_rational_init(&r, s.weighted, s.degree)
                         : loft_bezier_init(&b, s.p, s.degree);

@@ -91,7 +91,7 @@ static int plan_open(const engine_limits *limits, engine_move_source *source, vo
 }
 
 /* Push a move, or the end behind the last one. */
-static int push(engine_plan *p)
+static int push_move(engine_plan *p)
 {
     loft_move move;
 
@@ -126,7 +126,7 @@ static int plan_step(engine_plan *p, engine_span *out)
     loft_span span;
 
     if (p->pushing)
-        return push(p);
+        return push_move(p);
     if (loft_plan_next(&p->plan, &span) != LOFT_PLAN_SPAN) {
         p->pushing = p->next < p->count;
         return p->pushing ? ENGINE_PLAN_BUSY : ENGINE_PLAN_DONE;

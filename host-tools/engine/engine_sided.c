@@ -33,7 +33,7 @@ struct engine_sided {
         loft_spatch spatch;
         loft_toric toric;
         loft_basepoint basepoint;
-        loft_zheng_ball ring;
+        loft_zheng_ball zheng_ball;
         loft_gb gb;
     } as;
 };
@@ -58,7 +58,7 @@ static int hold_point(engine_sided *e, unsigned at, const surface_point *p)
                : LOFT_ERR_RANGE;
 }
 
-static int hold(engine_sided *e)
+static int hold_points(engine_sided *e)
 {
     int status = LOFT_OK;
 
@@ -70,7 +70,7 @@ static int hold(engine_sided *e)
 static int prepare_domain(engine_sided *e)
 {
     const surface *s = e->s;
-    int status = hold(e);
+    int status = hold_points(e);
 
     for (unsigned i = 0; i < s->n; i++)
         for (int k = 0; k < 2; k++)
@@ -102,7 +102,7 @@ static int prepare_gb(engine_sided *e)
 static int prepare_toric(engine_sided *e)
 {
     loft_whole v[SURFACE_SIDES_MAX];
-    int status = hold(e);
+    int status = hold_points(e);
 
     for (unsigned i = 0; i < e->s->n; i++)
         for (int k = 0; k < 2; k++)
@@ -130,20 +130,20 @@ static int prepare_basepoint(engine_sided *e)
     return status ? status : (int)loft_basepoint_init(&e->as.basepoint, e->p, e->w, s->m, cut);
 }
 
-static int prepare_ring(engine_sided *e)
+static int prepare_zheng_ball(engine_sided *e)
 {
-    const int status = hold(e);
-    return status ? status : (int)loft_zheng_ball_init(&e->as.ring, e->p, e->s->n, e->s->m);
+    const int status = hold_points(e);
+    return status ? status : (int)loft_zheng_ball_init(&e->as.zheng_ball, e->p, e->s->n, e->s->m);
 }
 
-static int prepare(engine_sided *e)
+static int prepare_patch(engine_sided *e)
 {
     switch (e->s->kind) {
     case SURFACE_SPATCH:    return prepare_spatch(e);
     case SURFACE_TORIC:     return prepare_toric(e);
     case SURFACE_BASEPOINT: return prepare_basepoint(e);
     case SURFACE_GB:        return prepare_gb(e);
-    default:                return prepare_ring(e);
+    default:                return prepare_zheng_ball(e);
     }
 }
 
@@ -156,7 +156,7 @@ static int sided_open(const surface *s, engine_sided **out)
     e->p = tool_grow(NULL, room * sizeof *e->p);
     e->w = tool_grow(NULL, room * sizeof *e->w);
     e->c = tool_grow(NULL, room * sizeof *e->c);
-    const int status = prepare(e);
+    const int status = prepare_patch(e);
     if (status != LOFT_OK)
         sided_close(e);
     else
@@ -168,7 +168,7 @@ static int sided_open(const surface *s, engine_sided **out)
 // Points
 // ------
 
-static int spot_of(const engine_sided *e, sided_place at, loft_spot *out)
+static int place_spot(const engine_sided *e, sided_place at, loft_spot *out)
 {
     double x[2];
 
@@ -177,7 +177,7 @@ static int spot_of(const engine_sided *e, sided_place at, loft_spot *out)
 }
 
 /* On a side the two coordinates that are not 0 need no point. */
-static int coordinates(const engine_sided *e, sided_place at, loft_sci phi[])
+static int eval_coordinates(const engine_sided *e, sided_place at, loft_sci phi[])
 {
     const unsigned after = (at.k + 1) % e->s->n;
     loft_spot p;
@@ -188,7 +188,7 @@ static int coordinates(const engine_sided *e, sided_place at, loft_sci phi[])
         phi[at.k]  = loft_sci_sub(loft_sci_one(), phi[after]);
         return LOFT_OK;
     }
-    int status = spot_of(e, at, &p);
+    int status = place_spot(e, at, &p);
     if (status != LOFT_OK)
         return status;
     switch (e->s->coordinates) {
@@ -217,7 +217,7 @@ static int coordinate_jets(const engine_sided *e, loft_spot p, loft_jet phi[])
 static int eval_spatch(const engine_sided *e, sided_place at, loft_vec *out)
 {
     loft_sci phi[SURFACE_SIDES_MAX];
-    const int status = coordinates(e, at, phi);
+    const int status = eval_coordinates(e, at, phi);
 
     return status ? status : (int)loft_spatch_eval(&e->as.spatch, phi, out);
 }
@@ -225,7 +225,7 @@ static int eval_spatch(const engine_sided *e, sided_place at, loft_vec *out)
 static int eval_gb(const engine_sided *e, sided_place at, loft_vec *out)
 {
     loft_sci phi[SURFACE_SIDES_MAX];
-    const int status = coordinates(e, at, phi);
+    const int status = eval_coordinates(e, at, phi);
 
     return status ? status : (int)loft_gb_eval(&e->as.gb, phi, out);
 }
@@ -235,7 +235,7 @@ static int eval_toric(const engine_sided *e, sided_place at, loft_vec *out)
 {
     const sided_place middle = sided_middle(e->s);
     loft_spot p;
-    int status = spot_of(e, at, &p);
+    int status = place_spot(e, at, &p);
 
     if (status == LOFT_OK)
         status = loft_toric_eval(&e->as.toric, p, out);
@@ -258,14 +258,14 @@ static int eval_basepoint(const engine_sided *e, sided_place at, loft_vec *out)
 }
 
 /* Parameters of a corner are those of its two sides as if they were the first. */
-static unsigned first_of(const engine_sided *e, sided_place at)
+static unsigned corner_side(const engine_sided *e, sided_place at)
 {
     return at.how == SIDED_CORNER ? at.k + e->s->n - 1 : 0;
 }
 
-static int eval_ring(const engine_sided *e, sided_place at, loft_vec *out)
+static int eval_zheng_ball(const engine_sided *e, sided_place at, loft_vec *out)
 {
-    const unsigned n = e->s->n, first = first_of(e, at);
+    const unsigned n = e->s->n, first = corner_side(e, at);
     loft_sci turned[LOFT_ZHENG_BALL_SIDES], u[LOFT_ZHENG_BALL_SIDES];
     const int status = n == 3 && at.how == SIDED_CORNER
                            ? loft_zheng_ball_lift(LOFT_UNIT(at.u), LOFT_UNIT(at.v), turned)
@@ -275,7 +275,7 @@ static int eval_ring(const engine_sided *e, sided_place at, loft_vec *out)
         return status;
     for (unsigned i = 0; i < n; i++)
         u[(first + i) % n] = turned[i];
-    return loft_zheng_ball_eval(&e->as.ring, u, out);
+    return loft_zheng_ball_eval(&e->as.zheng_ball, u, out);
 }
 
 static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_AXES])
@@ -288,7 +288,7 @@ static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_A
     case SURFACE_TORIC:     status = eval_toric(e, at, &p);     break;
     case SURFACE_BASEPOINT: status = eval_basepoint(e, at, &p); break;
     case SURFACE_GB:        status = eval_gb(e, at, &p);        break;
-    default:                status = eval_ring(e, at, &p);      break;
+    default:                status = eval_zheng_ball(e, at, &p);      break;
     }
     if (status == LOFT_OK)
         point_of(p, out);
@@ -300,9 +300,9 @@ static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_A
 // ----------------------
 
 /* As eval_ring. */
-static int local_ring(const engine_sided *e, sided_place at, loft_differential *out)
+static int differential_zheng_ball(const engine_sided *e, sided_place at, loft_differential *out)
 {
-    const unsigned n = e->s->n, first = first_of(e, at);
+    const unsigned n = e->s->n, first = corner_side(e, at);
     loft_jet turned[LOFT_ZHENG_BALL_SIDES], u[LOFT_ZHENG_BALL_SIDES];
     const loft_unit a = LOFT_UNIT(at.u), b = LOFT_UNIT(at.v);
     const bool lifted = n == 3 && at.how == SIDED_CORNER;
@@ -312,11 +312,11 @@ static int local_ring(const engine_sided *e, sided_place at, loft_differential *
     for (unsigned i = 0; i < n && status == LOFT_OK; i++)
         u[(first + i) % n] = turned[i];
     if (status == LOFT_OK)
-        loft_zheng_ball_differential(&e->as.ring, u, out);
+        loft_zheng_ball_differential(&e->as.zheng_ball, u, out);
     return status;
 }
 
-static void swap(loft_sci a[LOFT_AXES], loft_sci b[LOFT_AXES])
+static void swap_vectors(loft_sci a[LOFT_AXES], loft_sci b[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_sci x = a[i];
@@ -327,7 +327,7 @@ static void swap(loft_sci a[LOFT_AXES], loft_sci b[LOFT_AXES])
 
 /* At a cut corner by the parameters there, which turn the other way round; at one that is not cut
  * by the shares of the triangle's corners. */
-static int local_basepoint(const engine_sided *e, sided_place at, loft_differential *out)
+static int differential_basepoint(const engine_sided *e, sided_place at, loft_differential *out)
 {
     const loft_basepoint *b = &e->as.basepoint;
     double phi[3] = { at.u, at.v, 0 };
@@ -335,8 +335,8 @@ static int local_basepoint(const engine_sided *e, sided_place at, loft_different
     if (at.how == SIDED_CORNER && b->cut[at.k] > 0) {
         const loft_unit u = LOFT_UNIT(at.u), v = LOFT_UNIT(at.v);
         const int status = loft_basepoint_corner_differential(b, at.k, u, v, out);
-        swap(out->u, out->v);
-        swap(out->uu, out->vv);
+        swap_vectors(out->u, out->v);
+        swap_vectors(out->uu, out->vv);
         return status;
     }
     if (at.how == SIDED_CORNER) {
@@ -348,16 +348,16 @@ static int local_basepoint(const engine_sided *e, sided_place at, loft_different
 }
 
 /* The derivatives of a patch at a place: of one over a polygon by the coordinates of its points. */
-static int local_at(const engine_sided *e, sided_place at, loft_differential *out)
+static int differential_at(const engine_sided *e, sided_place at, loft_differential *out)
 {
     loft_jet phi[SURFACE_SIDES_MAX];
     loft_spot p;
 
     if (e->s->kind == SURFACE_BASEPOINT)
-        return local_basepoint(e, at, out);
+        return differential_basepoint(e, at, out);
     if (e->s->kind == SURFACE_RING)
-        return local_ring(e, at, out);
-    int status = spot_of(e, at, &p);
+        return differential_zheng_ball(e, at, out);
+    int status = place_spot(e, at, &p);
     if (status == LOFT_OK && e->s->kind == SURFACE_TORIC)
         return loft_toric_differential(&e->as.toric, p, out);
     if (status == LOFT_OK)
@@ -371,12 +371,12 @@ static int local_at(const engine_sided *e, sided_place at, loft_differential *ou
 static int sided_look(const engine_sided *e, sided_place at, engine_look *out)
 {
     loft_differential here;
-    const int status = local_at(e, at, &here);
+    const int status = differential_at(e, at, &here);
 
     return status ? status : look_of(&here, out);
 }
 
-static int sided_round(const engine_sided *e, loft_disk *out)
+static int sided_disk(const engine_sided *e, loft_disk *out)
 {
     loft_coordinates *const of[] = { [COORDINATES_WACHSPRESS] = loft_wachspress_eval,
                                      [COORDINATES_MEANVALUE] = loft_meanvalue_eval,
@@ -389,7 +389,7 @@ static int sided_round(const engine_sided *e, loft_disk *out)
     case SURFACE_GB: status = loft_disk_from_gb(out, &e->as.gb, &e->domain, phi); break;
     case SURFACE_TORIC: loft_disk_from_toric(out, &e->as.toric); break;
     case SURFACE_BASEPOINT: loft_disk_from_basepoint(out, &e->as.basepoint); break;
-    default: loft_disk_from_zheng_ball(out, &e->as.ring); break;
+    default: loft_disk_from_zheng_ball(out, &e->as.zheng_ball); break;
     }
     if (status == LOFT_OK && e->harmonic != NULL)
         status = loft_disk_harmonic(out, engine_harmonic_of(e->harmonic));
@@ -478,4 +478,4 @@ const engine_sides ENGINE_OF(engine_sides) = { .open = sided_open,
     .look     = sided_look,
     .complete = sided_complete,
     .cut      = sided_cut,
-                                               .round = sided_round };
+                                               .disk = sided_disk };

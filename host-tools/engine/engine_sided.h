@@ -27,7 +27,7 @@ typedef struct {
      * is none. */
     int (*cut)(surface *s, unsigned at[2]);
     /* The whole as a sheet around its middle; it borrows from `e`. */
-    int (*round)(const engine_sided *e, struct loft_disk *out);
+    int (*disk)(const engine_sided *e, struct loft_disk *out);
 } engine_sides;
 
 extern const engine_sides engine_sides_q16, engine_sides_f32, engine_sides_f64;

@@ -58,7 +58,7 @@ static void surface_close(engine_surface *e)
     free(e);
 }
 
-static int hold(engine_surface *e)
+static int hold_points(engine_surface *e)
 {
     const surface *s = e->s;
     const unsigned room = s->count > OCTANT_POINTS ? s->count : OCTANT_POINTS;
@@ -127,10 +127,10 @@ static int prepare_sphere(engine_surface *e)
     return real_of(e->s->radius, &e->as.sphere.radius) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
-static int prepare(engine_surface *e)
+static int prepare_surface(engine_surface *e)
 {
     const surface *s = e->s;
-    const int status = hold(e);
+    const int status = hold_points(e);
 
     if (status != LOFT_OK)
         return status;
@@ -160,7 +160,7 @@ static int surface_open(const surface *s, engine_surface **out)
 
     *e = (engine_surface){ .s = s };
     const int status = surface_is_sided(s) ? ENGINE_OF(engine_sides).open(s, &e->sided)
-                                           : prepare(e);
+                                           : prepare_surface(e);
     if (status != LOFT_OK)
         surface_close(e);
     else
@@ -234,7 +234,7 @@ static int surface_kite(const engine_surface *e, unsigned kite, double u, double
 // ----------------------
 
 /* Of a sphere: outward, and bent away from that. */
-static int look_round(const engine_surface *e, double u, double v, engine_look *out)
+static int look_sphere(const engine_surface *e, double u, double v, engine_look *out)
 {
     double at[ENGINE_AXES], length = 0;
     const int status = surface_eval(e, u, v, at);
@@ -251,7 +251,7 @@ static int look_round(const engine_surface *e, double u, double v, engine_look *
 }
 
 /* The derivatives at (u, v). `net` is that of what is made a tensor product or a triangle. */
-static int local_of(const engine_surface *e, double u, double v, loft_differential *out)
+static int surface_differential(const engine_surface *e, double u, double v, loft_differential *out)
 {
     const loft_bary point = { LOFT_UNIT(u), LOFT_UNIT(v) };
     const loft_bary at = surface_is_triangle(e->s) ? loft_bary_clamp(point) : point;
@@ -286,8 +286,8 @@ static int look_at(const engine_surface *e, unsigned kite, double u, double v, e
     if (e->sided)
         return ENGINE_OF(engine_sides).look(e->sided, sided_kite(e->s, kite, u, v), out);
     if (e->s->kind == SURFACE_SPHERE)
-        return look_round(e, u, v, out);
-    const int status = local_of(e, u, v, &here);
+        return look_sphere(e, u, v, out);
+    const int status = surface_differential(e, u, v, &here);
 
     return status ? status : look_of(&here, out);
 }
@@ -317,16 +317,16 @@ static int surface_look(const engine_surface *e, unsigned kite, double u, double
 typedef struct {
     loft_vec net[10];
     loft_triangle cubic;
-    loft_disk round;
+    loft_disk disk;
 } sheet_room;
 
-static int sheet_of(const engine_surface *e, sheet_room *room, loft_surface *out)
+static int contour_surface(const engine_surface *e, sheet_room *room, loft_surface *out)
 {
     int status = LOFT_OK;
 
     if (e->sided) {
-        status = ENGINE_OF(engine_sides).round(e->sided, &room->round);
-        *out = loft_surface_from_disk(&room->round);
+        status = ENGINE_OF(engine_sides).disk(e->sided, &room->disk);
+        *out = loft_surface_from_disk(&room->disk);
         return status;
     }
     switch (e->s->kind) {
@@ -360,7 +360,7 @@ static int surface_contour(const engine_surface *e, double height, double tol, u
     enum loft_contour_step step;
     double point[ENGINE_AXES];
     sheet_room room;
-    loft_surface sheet;
+    loft_surface target;
     loft_contour c;
     loft_real z, within;
     loft_vec at;
@@ -368,9 +368,9 @@ static int surface_contour(const engine_surface *e, double height, double tol, u
     if (!real_of(height, &z) || !tol_of(tol, &within))
         return LOFT_ERR_RANGE;
     uint8_t *memory = tool_grow(NULL, bytes);
-    int status = sheet_of(e, &room, &sheet);
+    int status = contour_surface(e, &room, &target);
     if (status == LOFT_OK)
-        status = loft_contour_init(&c, sheet, 2, z, within, n, around, memory, bytes);
+        status = loft_contour_init(&c, target, 2, z, within, n, around, memory, bytes);
     while (status == LOFT_OK && (step = loft_contour_next(&c, &at)) != LOFT_CONTOUR_OVER) {
         point_of(at, point);
         sink(context, step == LOFT_CONTOUR_START, point);

@@ -75,7 +75,7 @@ const char *kinematics_axes(const kinematics *k)
 // Places
 // ------
 
-static void from_center(const kinematics *k, const double tool[ENGINE_AXES],
+static void offset_from_center(const kinematics *k, const double tool[ENGINE_AXES],
                         double out[ENGINE_AXES])
 {
     for (int i = 0; i < ENGINE_AXES; i++)
@@ -86,7 +86,7 @@ bool kinematics_beyond(const kinematics *k, const double tool[ENGINE_AXES], char
 {
     double at[ENGINE_AXES];
 
-    from_center(k, tool, at);
+    offset_from_center(k, tool, at);
     const double out = hypot(at[0], at[1]);
     if (k->kind == ENGINE_POLAR && out < k->inside)
         return snprintf(why, 160,
@@ -114,7 +114,7 @@ void kinematics_motors(const kinematics *k, const double tool[ENGINE_AXES],
         memcpy(out, tool, ENGINE_AXES * sizeof *out);
         return;
     }
-    from_center(k, tool, at);
+    offset_from_center(k, tool, at);
     (void)engine_f64.maps->motors(k->kind, k->geometry, at, out);
     for (int i = 0; i < ENGINE_AXES; i++)
         out[i] -= k->zero[i];
@@ -151,13 +151,13 @@ static void arm_of(const kinematics *k, int i, const double tool[ENGINE_AXES],
 {
     double at[ENGINE_AXES];
 
-    from_center(k, tool, at);
+    offset_from_center(k, tool, at);
     out[0] = at[0] - k->geometry[1 + 2 * i];
     out[1] = at[1] - k->geometry[2 + 2 * i];
     out[2] = -sqrt(fmax(k->arm_length * k->arm_length - out[0] * out[0] - out[1] * out[1], 0));
 }
 
-static double dot(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
+static double dot_product(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -169,7 +169,7 @@ void kinematics_slope(const kinematics *k, const double tool[ENGINE_AXES],
 {
     double at[ENGINE_AXES];
 
-    from_center(k, tool, at);
+    offset_from_center(k, tool, at);
     memcpy(out, v, ENGINE_AXES * sizeof *out);
     if (k->kind == ENGINE_COREXY) {
         out[0] = v[0] + v[1];
@@ -182,13 +182,13 @@ void kinematics_slope(const kinematics *k, const double tool[ENGINE_AXES],
         for (int i = 0; i < ENGINE_AXES; i++) {
             double arm[ENGINE_AXES];
             arm_of(k, i, tool, arm);
-            out[i] = dot(arm, v) / arm[2];
+            out[i] = dot_product(arm, v) / arm[2];
         }
     }
 }
 
 /* row x = right, by Cramer's rule. */
-static void solve(double row[ENGINE_AXES][ENGINE_AXES], const double right[ENGINE_AXES],
+static void solve_rows(double row[ENGINE_AXES][ENGINE_AXES], const double right[ENGINE_AXES],
                   double out[ENGINE_AXES])
 {
     double turned[ENGINE_AXES][ENGINE_AXES], det = 0;
@@ -199,7 +199,7 @@ static void solve(double row[ENGINE_AXES][ENGINE_AXES], const double right[ENGIN
         turned[i][1] = a[2] * b[0] - a[0] * b[2];
         turned[i][2] = a[0] * b[1] - a[1] * b[0];
     }
-    det = dot(row[0], turned[0]);
+    det = dot_product(row[0], turned[0]);
     for (int j = 0; j < ENGINE_AXES; j++)
         out[j] = (turned[0][j] * right[0] + turned[1][j] * right[1] + turned[2][j] * right[2]) /
                  det;
@@ -214,12 +214,12 @@ static void move_delta(const kinematics *k, const kinematics_moving *m, kinemati
         arm_of(k, i, t->x, arm[i]);
         right[i] = arm[i][2] * m->v[i];
     }
-    solve(arm, right, t->v);
+    solve_rows(arm, right, t->v);
     for (int i = 0; i < ENGINE_AXES; i++) {
         const double by[ENGINE_AXES] = { t->v[0], t->v[1], t->v[2] - m->v[i] };
-        right[i] = arm[i][2] * m->a[i] - dot(by, by);
+        right[i] = arm[i][2] * m->a[i] - dot_product(by, by);
     }
-    solve(arm, right, t->a);
+    solve_rows(arm, right, t->a);
 }
 
 static void move_polar(const kinematics *k, const kinematics_moving *m, kinematics_moving *t)
@@ -274,7 +274,7 @@ void kinematics_scale(const kinematics *k, double farthest, double scale[ENGINE_
 
 /* The least eigenvalue of the symmetric g, from its invariants (the trigonometric solution of the
  * cubic). */
-static double least_eigenvalue(double g[3][3])
+static double smallest_eigenvalue(double g[3][3])
 {
     const double mean = (g[0][0] + g[1][1] + g[2][2]) / 3,
                  off = g[0][1] * g[0][1] + g[0][2] * g[0][2] + g[1][2] * g[1][2];
@@ -309,8 +309,8 @@ double kinematics_least(const kinematics *k, const double tool[ENGINE_AXES],
     }
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            g[i][j] = dot(column[i], column[j]);
-    return sqrt(fmax(least_eigenvalue(g), 0));
+            g[i][j] = dot_product(column[i], column[j]);
+    return sqrt(fmax(smallest_eigenvalue(g), 0));
 }
 
 void kinematics_text(const kinematics *k, char out[KINEMATICS_TEXT])

@@ -19,13 +19,13 @@
 
 #define WIDE (CURVE_AXES + 1)       /* homogeneous: the last is the weight */
 
-static void blend(long double a[WIDE], const long double b[WIDE], long double t)
+static void blend_points(long double a[WIDE], const long double b[WIDE], long double t)
 {
     for (int i = 0; i < WIDE; i++)
         a[i] += t * (b[i] - a[i]);
 }
 
-static void lift(const curve *c, unsigned k, long double out[WIDE])
+static void lift_point(const curve *c, unsigned k, long double out[WIDE])
 {
     const long double w = curve_is_rational(c) ? (long double)c->point[k].w : 1;
 
@@ -34,22 +34,22 @@ static void lift(const curve *c, unsigned k, long double out[WIDE])
     out[CURVE_AXES] = w;
 }
 
-static void project(const long double p[WIDE], long double out[CURVE_AXES])
+static void project_point(const long double p[WIDE], long double out[CURVE_AXES])
 {
     for (int i = 0; i < CURVE_AXES; i++)
         out[i] = p[i] / p[CURVE_AXES];
 }
 
-static void bezier(const curve *c, long double t, long double out[CURVE_AXES])
+static void eval_bezier(const curve *c, long double t, long double out[CURVE_AXES])
 {
     long double b[CURVE_DEGREE_MAX + 1][WIDE];
 
     for (unsigned k = 0; k <= c->degree; k++)
-        lift(c, k, b[k]);
+        lift_point(c, k, b[k]);
     for (unsigned row = c->degree; row > 0; row--)
         for (unsigned k = 0; k < row; k++)
-            blend(b[k], b[k + 1], t);
-    project(b[0], out);
+            blend_points(b[k], b[k + 1], t);
+    project_point(b[0], out);
 }
 
 /* The last span of knots from knot[s] < knot[s + 1] with knot[s] <= t, by bisection; the first one
@@ -71,27 +71,27 @@ static unsigned span_of(const curve *c, long double t)
     return low;
 }
 
-static void bspline(const curve *c, long double t, long double out[CURVE_AXES])
+static void eval_bspline(const curve *c, long double t, long double out[CURVE_AXES])
 {
     const unsigned n = c->degree;
     const unsigned s = span_of(c, t);
     long double d[CURVE_DEGREE_MAX + 1][WIDE];
 
     for (unsigned k = 0; k <= n; k++)
-        lift(c, s - n + k, d[k]);
+        lift_point(c, s - n + k, d[k]);
     for (unsigned row = 1; row <= n; row++)
         for (unsigned k = n; k >= row; k--) {
             const long double from = (long double)c->knot[s - n + k],
                               to = (long double)c->knot[s + 1 + k - row];
             long double p[WIDE];
             memcpy(p, d[k - 1], sizeof p);
-            blend(p, d[k], (t - from) / (to - from));
+            blend_points(p, d[k], (t - from) / (to - from));
             memcpy(d[k], p, sizeof p);
         }
-    project(d[n], out);
+    project_point(d[n], out);
 }
 
-static void parabola(const curve *c, long double t, long double out[CURVE_AXES])
+static void eval_parabola(const curve *c, long double t, long double out[CURVE_AXES])
 {
     memset(out, 0, CURVE_AXES * sizeof *out);
     for (int k = 0; k < 3; k++) {
@@ -105,7 +105,7 @@ static void parabola(const curve *c, long double t, long double out[CURVE_AXES])
     }
 }
 
-static void hermite(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
+static void eval_hermite(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
 {
     const curve_point *a = &c->point[k], *b = a + 1;
     const long double t2 = t * t, t3 = t2 * t, t4 = t2 * t2, t5 = t4 * t;
@@ -124,7 +124,7 @@ static void hermite(const curve *c, unsigned k, long double t, long double out[C
 
 /* From point k + 1 to k + 2 with the slopes s (P[k+2] - P[k]) and s (P[k+3] - P[k+1]), s = (1 -
  * tension) / 2. */
-static void cardinal(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
+static void eval_cardinal(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
 {
     const curve_point *p = &c->point[k];
     const long double s  = (1 - (long double)c->tension) / 2;
@@ -137,24 +137,24 @@ static void cardinal(const curve *c, unsigned k, long double t, long double out[
     }
 }
 
-static void natural(const reference *r, unsigned k, long double t, long double out[CURVE_AXES])
+static void eval_natural(const reference *r, unsigned k, long double t, long double out[CURVE_AXES])
 {
     const curve_point *p = &r->c->point[k];
     const long double h2 = r->step[k] * r->step[k] / 6, s = 1 - t;
 
     for (int i = 0; i < CURVE_AXES; i++)
         out[i] = s * (long double)p[0].p[i] + t * (long double)p[1].p[i] +
-                 h2 * ((s * s * s - s) * r->bend[k][i] + (t * t * t - t) * r->bend[k + 1][i]);
+                 h2 * ((s * s * s - s) * r->second[k][i] + (t * t * t - t) * r->second[k + 1][i]);
 }
 
 /* Elimination from the first row to the last and back (Thomas); the rows are dominated by their
  * diagonal. */
-static void solve_bends(reference *r, int axis)
+static void solve_second_derivatives(reference *r, int axis)
 {
     const curve *c = r->c;
     long double *over = tool_grow(NULL, c->count * sizeof *over);
 
-    over[0] = r->bend[0][axis] = 0;
+    over[0] = r->second[0][axis] = 0;
     for (unsigned i = 1; i + 1 < c->count; i++) {
         const long double a = r->step[i - 1], b = r->step[i];
         const long double right =
@@ -162,17 +162,17 @@ static void solve_bends(reference *r, int axis)
                  ((long double)c->point[i].p[axis] - (long double)c->point[i - 1].p[axis]) / a);
         const long double pivot = 2 * (a + b) - a * over[i - 1];
         over[i] = b / pivot;
-        r->bend[i][axis] = (right - a * r->bend[i - 1][axis]) / pivot;
+        r->second[i][axis] = (right - a * r->second[i - 1][axis]) / pivot;
     }
-    r->bend[c->count - 1][axis] = 0;
+    r->second[c->count - 1][axis] = 0;
     for (unsigned i = c->count - 1; i-- > 1; )
-        r->bend[i][axis] -= over[i] * r->bend[i + 1][axis];
+        r->second[i][axis] -= over[i] * r->second[i + 1][axis];
     free(over);
 }
 
 /* Turned about the centre by its part of the sweep; what the ends' distances differ by, and the
  * other axes, in proportion. */
-static void arc(const curve *c, long double t, long double out[CURVE_AXES])
+static void eval_arc(const curve *c, long double t, long double out[CURVE_AXES])
 {
     const curve_point *p = c->point;
     const long double a[2] = { (long double)p[0].p[0] - (long double)p[1].p[0],
@@ -193,7 +193,7 @@ static void arc(const curve *c, long double t, long double out[CURVE_AXES])
     out[2] = (long double)p[0].p[2] + t * ((long double)p[2].p[2] - (long double)p[0].p[2]);
 }
 
-static long double distance(const double a[CURVE_AXES], const double b[CURVE_AXES])
+static long double point_distance(const double a[CURVE_AXES], const double b[CURVE_AXES])
 {
     long double sum = 0;
 
@@ -208,21 +208,21 @@ bool reference_init(reference *r, const curve *c)
     if (c->kind != CURVE_NATURAL && c->kind != CURVE_CHORD)
         return true;
     r->step = tool_grow(NULL, c->count * sizeof *r->step);
-    r->bend = tool_grow(NULL, c->count * sizeof *r->bend);
+    r->second = tool_grow(NULL, c->count * sizeof *r->second);
     for (unsigned i = 0; i + 1 < c->count; i++) {
-        r->step[i] = c->kind == CURVE_CHORD ? distance(c->point[i].p, c->point[i + 1].p) : 1;
+        r->step[i] = c->kind == CURVE_CHORD ? point_distance(c->point[i].p, c->point[i + 1].p) : 1;
         if (!(r->step[i] > 0))
             return false;
     }
     for (int i = 0; i < CURVE_AXES; i++)
-        solve_bends(r, i);
+        solve_second_derivatives(r, i);
     return true;
 }
 
 void reference_free(reference *r)
 {
     free(r->step);
-    free(r->bend);
+    free(r->second);
     *r = (reference){ 0 };
 }
 
@@ -235,21 +235,21 @@ void reference_eval(const reference *r, long double t, long double out[CURVE_AXE
 
     switch (c->kind) {
     case CURVE_BEZIER:
-    case CURVE_RATIONAL: bezier(c, t, out); break;
-    case CURVE_PARABOLA:                      parabola(c, t, out); break;
+    case CURVE_RATIONAL: eval_bezier(c, t, out); break;
+    case CURVE_PARABOLA:                      eval_parabola(c, t, out); break;
     case CURVE_HERMITE3:
-    case CURVE_HERMITE5: hermite(c, k, local, out); break;
-    case CURVE_CARDINAL:                      cardinal(c, k, local, out); break;
+    case CURVE_HERMITE5: eval_hermite(c, k, local, out); break;
+    case CURVE_CARDINAL:                      eval_cardinal(c, k, local, out); break;
     case CURVE_NATURAL:
-    case CURVE_CHORD: natural(r, k, local, out); break;
+    case CURVE_CHORD: eval_natural(r, k, local, out); break;
     case CURVE_BSPLINE:
-    case CURVE_NURBS: bspline(c, t, out); break;
+    case CURVE_NURBS: eval_bspline(c, t, out); break;
     case CURVE_LINE:
         for (int i = 0; i < CURVE_AXES; i++)
             out[i] = (long double)c->point[k].p[i] +
                      local * ((long double)c->point[k + 1].p[i] - (long double)c->point[k].p[i]);
         break;
-    case CURVE_ARC: arc(c, t, out); break;
+    case CURVE_ARC: eval_arc(c, t, out); break;
     case CURVE_KINDS: break;
     }
 }

@@ -13,7 +13,7 @@
 typedef struct {
     const curve *c;                             /* borrowed                                      */
     long double *step;                          /* natural: the length of each piece's parameter */
-    long double (*bend)[CURVE_AXES];            /* natural: the second derivative at each point  */
+    long double (*second)[CURVE_AXES];          /* natural: the second derivative at each point  */
 } reference;
 
 /* Prepare; false if the curve is none (natural chord: two points in one). Free in either case. */

@@ -54,7 +54,7 @@ bool sided_is_lattice(const surface *s)
 }
 
 /* The corners of the triangle that base points cut off. */
-static unsigned cut_off(const surface *s)
+static unsigned cut_corners(const surface *s)
 {
     unsigned count = 0;
 
@@ -70,7 +70,7 @@ unsigned sided_points(const surface *s)
     switch (s->kind) {
     case SURFACE_SPATCH:    return loft_multiindex_count(s->n, s->m);
     case SURFACE_TORIC: return lattice_of(s, &lattice) ? loft_lattice_polygon_count(&lattice) : 0;
-    case SURFACE_BASEPOINT: return loft_multiindex_count(3, s->m) - cut_off(s);
+    case SURFACE_BASEPOINT: return loft_multiindex_count(3, s->m) - cut_corners(s);
     case SURFACE_GB:        return loft_gb_count(s->n, s->m);
     default:                return loft_zheng_ball_count(s->n, s->m);
     }
@@ -82,7 +82,7 @@ unsigned sided_points(const surface *s)
 
 /* The u_(i-1) that equals u_(i+1) when u_i = b: where the middle line of side i runs;
  * polygon/disk.c has the equations. */
-static double balanced(unsigned sides, double b)
+static double balanced_parameter(unsigned sides, double b)
 {
     double low = 0, high = 1;
 
@@ -96,13 +96,13 @@ static double balanced(unsigned sides, double b)
 }
 
 /* What all parameters are in the middle. */
-static double central(unsigned sides)
+static double middle_parameter(unsigned sides)
 {
     double low = 0, high = 1;
 
     for (int i = 0; i < 60; i++) {
         const double b = (low + high) / 2;
-        *(balanced(sides, b) < b ? &high : &low) = b;
+        *(balanced_parameter(sides, b) < b ? &high : &low) = b;
     }
     return (low + high) / 2;
 }
@@ -118,13 +118,13 @@ static sided_place triangle_kite(unsigned k, double s, double t)
 }
 
 /* The curves in which the kites meet, and straight lines between them and the sides. */
-static sided_place ring_kite(unsigned sides, unsigned k, double s, double t)
+static sided_place zheng_ball_kite(unsigned sides, unsigned k, double s, double t)
 {
     if (sides == 3)
         return triangle_kite(k, s, t);
-    const double middle = central(sides);
-    return (sided_place){ SIDED_CORNER, k, s * balanced(sides, middle * t),
-                          t * balanced(sides, middle * s) };
+    const double middle = middle_parameter(sides);
+    return (sided_place){ SIDED_CORNER, k, s * balanced_parameter(sides, middle * t),
+                          t * balanced_parameter(sides, middle * s) };
 }
 
 /* A corner of the patch where a side at a cut corner of the triangle begins or ends, or an uncut
@@ -205,7 +205,7 @@ static sided_place polygon_kite(const surface *patch, unsigned kite, double s, d
 sided_place sided_kite(const surface *patch, unsigned k, double s, double t)
 {
     switch (patch->kind) {
-    case SURFACE_RING:      return ring_kite(patch->n, k, s, t);
+    case SURFACE_RING:      return zheng_ball_kite(patch->n, k, s, t);
     case SURFACE_BASEPOINT: return basepoint_kite(patch, k, s, t);
     default:                return polygon_kite(patch, k, s, t);
     }
@@ -235,7 +235,7 @@ static bool earlier_kite(const surface *s, unsigned part, unsigned vertex, unsig
 }
 
 /* One step from a name of a grid point towards that which is used; itself when it is that. */
-static sided_node other_name(const surface *s, sided_node at, unsigned half)
+static sided_node next_node_name(const surface *s, sided_node at, unsigned half)
 {
     const kite_corner k = corner_of(s, at.kite);
     const unsigned sides = s->part[k.part].sides;
@@ -256,11 +256,11 @@ static sided_node other_name(const surface *s, sided_node at, unsigned half)
 
 sided_node sided_owner(const surface *patch, sided_node at, unsigned half)
 {
-    sided_node next = other_name(patch, at, half);
+    sided_node next = next_node_name(patch, at, half);
 
     while (next.kite != at.kite || next.i != at.i || next.j != at.j) {
         at   = next;
-        next = other_name(patch, at, half);
+        next = next_node_name(patch, at, half);
     }
     return at;
 }
@@ -303,7 +303,7 @@ void sided_spot(const surface *patch, sided_place at, double out[2])
 sided_place sided_middle(const surface *patch)
 {
     if (patch->kind == SURFACE_RING) {
-        const double u = patch->n == 3 ? (sqrt(3) - 1) / 2 : central(patch->n);
+        const double u = patch->n == 3 ? (sqrt(3) - 1) / 2 : middle_parameter(patch->n);
         return (sided_place){ SIDED_OWN, 0, u, u };
     }
     if (patch->kind == SURFACE_BASEPOINT)
@@ -326,7 +326,7 @@ static void spatch_net(const surface *s, sided_edge *each, void *context)
 }
 
 /* The place of a whole point among those of the polygon; their count when it is not there. */
-static unsigned place_of(const loft_lattice_polygon *lattice, int x, int y)
+static unsigned lattice_index(const loft_lattice_polygon *lattice, int x, int y)
 {
     loft_whole l;
     unsigned k = 0;
@@ -351,8 +351,8 @@ static void toric_net(const surface *s, sided_edge *each, void *context)
         return;
     loft_lattice_polygon_first(&lattice, &l);
     do {
-        const unsigned right = place_of(&lattice, l.at[0] + 1, l.at[1]),
-                       up = place_of(&lattice, l.at[0], l.at[1] + 1);
+        const unsigned right = lattice_index(&lattice, l.at[0] + 1, l.at[1]),
+                       up = lattice_index(&lattice, l.at[0], l.at[1] + 1);
         if (right < s->count)
             each(context, &s->point[k], &s->point[right]);
         if (up < s->count)
@@ -364,8 +364,9 @@ static void toric_net(const surface *s, sided_edge *each, void *context)
         const int x = e->normal.at[1], y = -e->normal.at[0];
         for (int step = 0; step < e->length && x != 0 && y != 0; step++)
             each(context,
-                 &s->point[place_of(&lattice, e->from.at[0] + step * x, e->from.at[1] + step * y)],
-                 &s->point[place_of(&lattice, e->from.at[0] + (step + 1) * x,
+                 &s->point[lattice_index(&lattice, e->from.at[0] + step * x,
+                                         e->from.at[1] + step * y)],
+                 &s->point[lattice_index(&lattice, e->from.at[0] + (step + 1) * x,
                                     e->from.at[1] + (step + 1) * y)]);
     }
 }
@@ -407,7 +408,7 @@ static void basepoint_net(const surface *s, sided_edge *each, void *context)
  * the a of corner i, then the b of corner i + 1 backwards. For an even degree the last a of each
  * block lead to a point in the middle; for an odd one a GB patch has such a point, to which the
  * innermost ones lead. */
-static void ring_net(const surface *s, sided_edge *each, void *context)
+static void zheng_ball_net(const surface *s, sided_edge *each, void *context)
 {
     const unsigned wide = s->m / 2 + 1, high = (s->m + 1) / 2, block = wide * high;
 
@@ -435,6 +436,6 @@ void sided_net(const surface *patch, sided_edge *each, void *context)
     case SURFACE_SPATCH:    spatch_net(patch, each, context);    break;
     case SURFACE_TORIC:     toric_net(patch, each, context);     break;
     case SURFACE_BASEPOINT: basepoint_net(patch, each, context); break;
-    default:                ring_net(patch, each, context);      break;
+    default:                zheng_ball_net(patch, each, context);      break;
     }
 }

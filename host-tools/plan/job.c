@@ -52,7 +52,7 @@ static void time_item(job *j, size_t n, uint64_t due)
     j->timed = n + 1;
 }
 
-static void add(job *j, const loft_item *item, size_t kept)
+static void add_item(job *j, const loft_item *item, size_t kept)
 {
     make_room(j, kept);
     j->entry[j->count - j->low].item = *item;
@@ -62,7 +62,7 @@ static void add(job *j, const loft_item *item, size_t kept)
 
 static void add_timed(job *j, const loft_item *item, size_t kept)
 {
-    add(j, item, kept);
+    add_item(j, item, kept);
     time_item(j, j->count - 1, j->ticks);
     j->ticks += item->ticks;
 }
@@ -114,7 +114,7 @@ static int add_points(job *j, const loft_item *span, const int32_t from[ENGINE_A
 
 /* A line is said in fewer bytes if its inner points are the thirds of it exactly: rounding has
  * moved them by no more than one step from there. */
-static void straighten(loft_item *item, const int32_t from[ENGINE_AXES])
+static void straighten_item(loft_item *item, const int32_t from[ENGINE_AXES])
 {
     int32_t inner[2][ENGINE_AXES];
 
@@ -136,7 +136,7 @@ static loft_item curve_of(const engine_move *m, const int32_t from[ENGINE_AXES])
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < ENGINE_AXES; i++)
             item.p[k][i] = (int32_t)lround(m->p[k + 1][i] * 65536);
-    straighten(&item, from);
+    straighten_item(&item, from);
     return item;
 }
 
@@ -159,7 +159,7 @@ static void add_curves(job *j, const joints *of)
         j->head.start[i] = j->start[i] = j->end[i] = (int32_t)lround(of->move[0].p[0][i] * 65536);
     for (size_t n = 0; n < of->count; n++) {
         const loft_item item = curve_of(&of->move[n], n > 0 ? j->last : j->head.start);
-        add(j, &item, 0);
+        add_item(j, &item, 0);
     }
 }
 
@@ -183,7 +183,7 @@ static double seconds_of(const engine_move *m)
 
 /* All that is passed was over at the end of the last span. Curves are due when those before them
  * are passed. */
-static void pass(job *j)
+static void pass_moves(job *j)
 {
     const joints *of = j->plan.j;
 
@@ -194,7 +194,7 @@ static void pass(job *j)
     }
 }
 
-static void begin_at(job *j, const int32_t at[ENGINE_AXES])
+static void begin_job_at(job *j, const int32_t at[ENGINE_AXES])
 {
     loft_vec from;
 
@@ -206,14 +206,14 @@ static void begin_at(job *j, const int32_t at[ENGINE_AXES])
         steps_of(from, j->steps_per_mm, j->head.start);
 }
 
-static int take(job *j, const engine_span *span, size_t kept)
+static int take_span(job *j, const engine_span *span, size_t kept)
 {
     loft_item item = { .ticks = span->ticks };
     int32_t from[ENGINE_AXES];
     int status = LOFT_OK;
 
     if (j->count == 0)
-        begin_at(j, span->p[0]);
+        begin_job_at(j, span->p[0]);
     memcpy(item.p, span->p[1], sizeof item.p);
     memcpy(from, j->end, sizeof from);
     memcpy(j->end, span->p[3], sizeof j->end);
@@ -223,11 +223,11 @@ static int take(job *j, const engine_span *span, size_t kept)
         status = add_points(j, &item, from, kept);
     else
         j->ticks += span->ticks;
-    pass(j);
+    pass_moves(j);
     return j->count >= LOFT_ITEMS_OPEN || j->ticks > UINT32_MAX ? LOFT_ERR_RANGE : status;
 }
 
-static void complete(job *j)
+static void complete_job(job *j)
 {
     while (j->head.kind == LOFT_CURVES && j->timed < j->count)
         time_item(j, j->timed, j->ticks);
@@ -237,15 +237,15 @@ static void complete(job *j)
 }
 
 /* One step; enum engine_step or an error. */
-static int step(job *j, size_t kept)
+static int step_plan(job *j, size_t kept)
 {
     engine_span span;
     int state = joints_step(&j->plan, &span), status;
 
-    if (state == ENGINE_PLAN_SPAN && (status = take(j, &span, kept)) != LOFT_OK)
+    if (state == ENGINE_PLAN_SPAN && (status = take_span(j, &span, kept)) != LOFT_OK)
         state = status;
     if (state == ENGINE_PLAN_DONE)
-        complete(j);
+        complete_job(j);
     return state;
 }
 
@@ -261,7 +261,7 @@ int job_plan(job *j, size_t kept, double seconds)
     int state = ENGINE_PLAN_BUSY;
 
     while (state >= 0 && job_waits(j, kept) && tool_clock() < until)
-        state = step(j, kept);
+        state = step_plan(j, kept);
     return state < 0 ? state : LOFT_OK;
 }
 
@@ -358,7 +358,7 @@ int job_open(job *j, joints *of, const job_options *o)
     int status = joints_plan(&j->plan, of, o->e, &o->limits);
     while (status >= 0 && !j->whole &&
            (j->count < FIRST || (tool_clock() < until && job_waits(j, 0))))
-        status = step(j, 0);
+        status = step_plan(j, 0);
     if (status < 0 || j->count == 0)
         return status < 0 ? status : LOFT_ERR_ARG;
     j->head.id = id_of(j, of, o);

@@ -20,7 +20,7 @@
 #define JERK_MAX  1e7
 #define TOL_MIN   (1 / 1024.0)
 #define TOL_MAX   1.0
-#define GRAIN     (1 / 65536.0)     /* of the wire */
+#define LSB       (1 / 65536.0)     /* of the wire */
 
 typedef struct {
     joints *j;
@@ -46,14 +46,14 @@ static double size_of(const double v[ENGINE_AXES])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-static double apart(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
+static double distance(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
 {
     const double by[ENGINE_AXES] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 
     return size_of(by);
 }
 
-static void eval(const engine_move *m, double t, double out[ENGINE_AXES])
+static void eval_move(const engine_move *m, double t, double out[ENGINE_AXES])
 {
     const double s = 1 - t;
 
@@ -62,7 +62,7 @@ static void eval(const engine_move *m, double t, double out[ENGINE_AXES])
                  t * t * t * m->p[3][i];
 }
 
-static void deriv(const engine_move *m, double t, double out[ENGINE_AXES])
+static void deriv_move(const engine_move *m, double t, double out[ENGINE_AXES])
 {
     const double s = 1 - t;
 
@@ -71,7 +71,7 @@ static void deriv(const engine_move *m, double t, double out[ENGINE_AXES])
                       t * t * (m->p[3][i] - m->p[2][i]));
 }
 
-static double radius(const kinematics *k, const double tool[ENGINE_AXES])
+static double pole_distance(const kinematics *k, const double tool[ENGINE_AXES])
 {
     return hypot(tool[0] - k->center[0], tool[1] - k->center[1]);
 }
@@ -81,7 +81,8 @@ static double radius(const kinematics *k, const double tool[ENGINE_AXES])
 // -----------
 
 /* How near the line from a to b comes to the pole. */
-static double passes(const kinematics *k, const double a[ENGINE_AXES], const double b[ENGINE_AXES])
+static double line_pole_distance(const kinematics *k, const double a[ENGINE_AXES],
+                                 const double b[ENGINE_AXES])
 {
     const double bx = b[0] - a[0], by = b[1] - a[1], cx = k->center[0] - a[0],
                  cy = k->center[1] - a[1], square = bx * bx + by * by;
@@ -90,7 +91,7 @@ static double passes(const kinematics *k, const double a[ENGINE_AXES], const dou
     return hypot(cx - z * bx, cy - z * by);
 }
 
-static void line(engine_move *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES])
+static void make_line(engine_move *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES])
 {
     for (int i = 0; i < ENGINE_AXES; i++) {
         m->p[0][i] = from[i];
@@ -107,12 +108,13 @@ static bool is_upright(const engine_move *m)
 
 /* Travels that come too near to the pole go to it and from there on: there the angle may turn
  * without the tool. */
-static void lead_through(toolpath *t, const kinematics *k)
+static void lead_travels_through_pole(toolpath *t, const kinematics *k)
 {
     for (size_t n = 0; n < t->count; n++) {
         engine_move *m = &t->move[n];
-        if (t->curve[n] != TOOLPATH_TRAVEL || is_upright(m) || radius(k, m->p[0]) < POLE ||
-            radius(k, m->p[3]) < POLE || passes(k, m->p[0], m->p[3]) >= k->inside)
+        if (t->curve[n] != TOOLPATH_TRAVEL || is_upright(m) || pole_distance(k, m->p[0]) < POLE ||
+            pole_distance(k, m->p[3]) < POLE ||
+            line_pole_distance(k, m->p[0], m->p[3]) >= k->inside)
             continue;
         t->move  = tool_grow(t->move, (t->count + 1) * sizeof *t->move);
         t->curve = tool_grow(t->curve, (t->count + 1) * sizeof *t->curve);
@@ -120,8 +122,8 @@ static void lead_through(toolpath *t, const kinematics *k)
         memmove(m + 1, m, (t->count - n) * sizeof *m);
         memmove(&t->curve[n + 1], &t->curve[n], (t->count - n) * sizeof *t->curve);
         const double pole[ENGINE_AXES] = { k->center[0], k->center[1], m->p[0][2] };
-        line(&m[1], pole, m[1].p[3]);
-        line(&m[0], m[0].p[0], pole);
+        make_line(&m[1], pole, m[1].p[3]);
+        make_line(&m[0], m[0].p[0], pole);
         t->count++;
         n++;
     }
@@ -131,7 +133,7 @@ static void lead_through(toolpath *t, const kinematics *k)
 // Pieces
 // ------
 
-static void add(mapping *m, const engine_move *move)
+static void add_move(mapping *m, const engine_move *move)
 {
     joints *j = m->j;
 
@@ -146,7 +148,7 @@ static void add(mapping *m, const engine_move *move)
 }
 
 /* Planned length of a velocity of the motors. */
-static double planned(const joints *j, const double v[ENGINE_AXES])
+static double planned_length(const joints *j, const double v[ENGINE_AXES])
 {
     const double scaled[ENGINE_AXES] = { v[0] * j->scale[0], v[1] * j->scale[1],
                                          v[2] * j->scale[2] };
@@ -159,14 +161,14 @@ static void compare_lengths(const joints *j, engine_move *m, double t, piece *p)
 {
     double at[ENGINE_AXES], v[ENGINE_AXES], slope[ENGINE_AXES];
 
-    eval(m, t, at);
-    deriv(m, t, v);
+    eval_move(m, t, at);
+    deriv_move(m, t, v);
     const double size = size_of(v);
     if (!(size > 1e-9))
         return;
     kinematics_slope(j->k, at, v, slope);
-    p->least = fmin(p->least, planned(j, slope) / size);
-    p->most  = fmax(p->most, planned(j, slope) / size);
+    p->least = fmin(p->least, planned_length(j, slope) / size);
+    p->most  = fmax(p->most, planned_length(j, slope) / size);
 }
 
 /* The cubic of the motors that has the places and the directions of the path at t0 and t1 (the
@@ -177,8 +179,8 @@ static void map_piece(const mapping *m, engine_move *move, double t0, double t1,
 
     memcpy(p->move.p[0], m->at, sizeof p->move.p[0]);
     for (int k = 0; k < 2; k++) {
-        eval(move, k ? t1 : t0, tool[k]);
-        deriv(move, k ? t1 : t0, v);
+        eval_move(move, k ? t1 : t0, tool[k]);
+        deriv_move(move, k ? t1 : t0, v);
         kinematics_slope(m->j->k, tool[k], v, slope[k]);
     }
     kinematics_motors(m->j->k, tool[1], m->at, p->move.p[3]);
@@ -189,27 +191,27 @@ static void map_piece(const mapping *m, engine_move *move, double t0, double t1,
 }
 
 /* Look at it along the way: is the tool on the path, and how do lengths compare? */
-static void look(const mapping *m, engine_move *move, double t0, double t1, piece *p)
+static void examine_piece(const mapping *m, engine_move *move, double t0, double t1, piece *p)
 {
     double before[ENGINE_AXES];
 
     map_piece(m, move, t0, t1, p);
     p->least = HUGE_VAL;
     p->most = p->off = p->length = 0;
-    eval(move, t0, before);
+    eval_move(move, t0, before);
     for (int n = 0; n <= LOOKS; n++) {
         const double u = (double)n / LOOKS, t = t0 + u * (t1 - t0);
         double want[ENGINE_AXES], motors[ENGINE_AXES], is[ENGINE_AXES];
-        eval(move, t, want);
-        eval(&p->move, u, motors);
+        eval_move(move, t, want);
+        eval_move(&p->move, u, motors);
         compare_lengths(m->j, move, t, p);
-        p->off = kinematics_tool(m->j->k, motors, is) ? fmax(p->off, apart(is, want)) : HUGE_VAL;
-        p->length += apart(want, before);
+        p->off = kinematics_tool(m->j->k, motors, is) ? fmax(p->off, distance(is, want)) : HUGE_VAL;
+        p->length += distance(want, before);
         memcpy(before, want, sizeof before);
     }
 }
 
-static int refuse(const mapping *m, const double at[ENGINE_AXES], const char *why)
+static int refuse_place(const mapping *m, const double at[ENGINE_AXES], const char *why)
 {
     const size_t curve = m->path->curve[m->number];
     char where[64] = "";
@@ -224,24 +226,25 @@ static int refuse(const mapping *m, const double at[ENGINE_AXES], const char *wh
 
 /* Is each place within reach? Looked at as often as curves are cut, so that none slips through by
  * much. */
-static int within_reach(const mapping *m, engine_move *move)
+static int check_reach(const mapping *m, engine_move *move)
 {
-    const double length = apart(move->p[0], move->p[1]) + apart(move->p[1], move->p[2]) +
-                          apart(move->p[2], move->p[3]);
+    const double length = distance(move->p[0], move->p[1]) + distance(move->p[1], move->p[2]) +
+                          distance(move->p[2], move->p[3]);
     const int n = (int)fmin(
         fmax(m->j->k->kind == ENGINE_POLAR ? 2 * length / m->j->k->inside : length, 8), 10000);
     char why[160];
 
     for (int i = 0; i <= n; i++) {
         double at[ENGINE_AXES];
-        eval(move, (double)i / n, at);
+        eval_move(move, (double)i / n, at);
         if (kinematics_beyond(m->j->k, at, why))
-            return refuse(m, at, why);
+            return refuse_place(m, at, why);
     }
     return 0;
 }
 
-static int reaches(const mapping *m, const engine_move *move, const double at[ENGINE_AXES])
+static int check_piece_reach(const mapping *m, const engine_move *move,
+                             const double at[ENGINE_AXES])
 {
     for (int n = 1; n < 4; n++)
         for (int i = 0; i < ENGINE_AXES; i++)
@@ -249,7 +252,7 @@ static int reaches(const mapping *m, const engine_move *move, const double at[EN
                 char why[160];
                 snprintf(why, sizeof why, "motor %c would be at %.6g, of %.6g that can be planned",
                          kinematics_axes(m->j->k)[i], move->p[n][i], m->o->reach / m->j->scale[i]);
-                return refuse(m, at, why);
+                return refuse_place(m, at, why);
             }
     return 0;
 }
@@ -261,10 +264,10 @@ static int add_piece(mapping *m, piece *p, double feed, const double tool[ENGINE
 
     memcpy(move.p, p->move.p, sizeof move.p);
     if (kinematics_beyond(m->j->k, tool, why))
-        return refuse(m, tool, why);
-    const int code = reaches(m, &move, tool);
+        return refuse_place(m, tool, why);
+    const int code = check_piece_reach(m, &move, tool);
     if (code == 0) {
-        add(m, &move);
+        add_move(m, &move);
         m->j->least = fmin(m->j->least, kinematics_least(m->j->k, tool, m->j->scale));
     }
     return code;
@@ -274,7 +277,7 @@ static int add_piece(mapping *m, piece *p, double feed, const double tool[ENGINE
 static int map_curved(mapping *m, engine_move *move)
 {
     double t = 0, step = 1;
-    int code = within_reach(m, move);
+    int code = check_reach(m, move);
 
     m->j->least = fmin(m->j->least, kinematics_least(m->j->k, move->p[0], m->j->scale));
     while (code == 0 && t < 1) {
@@ -282,16 +285,16 @@ static int map_curved(mapping *m, engine_move *move)
         piece p;
         step = fmin(2 * step, 1 - t);
         for (int cuts = 0;; cuts++, step /= 2) {
-            look(m, move, t, t + step, &p);
+            examine_piece(m, move, t, t + step, &p);
             if (p.off <= m->j->within && (p.most <= EVEN * p.least || p.length <= SHORT))
                 break;
             if (cuts == CUTS) {
-                eval(move, t, tool);
-                return refuse(m, tool, "and cannot be followed: move the drawing");
+                eval_move(move, t, tool);
+                return refuse_place(m, tool, "and cannot be followed: move the drawing");
             }
         }
         t = t + step > 1 - 1e-9 ? 1 : t + step;
-        eval(move, t, tool);
+        eval_move(move, t, tool);
         code = add_piece(m, &p, move->feed, tool);
     }
     return code;
@@ -314,7 +317,7 @@ static int map_linear(mapping *m, engine_move *move)
 /* From or to the pole, or straight up: the angle is that of the other end, and turned to first. */
 static int map_radial(mapping *m, engine_move *move)
 {
-    const bool out = radius(m->j->k, move->p[0]) < POLE;
+    const bool out = pole_distance(m->j->k, move->p[0]) < POLE;
     double from[ENGINE_AXES], to[ENGINE_AXES];
     engine_move turn = { .feed = SPEED_MAX },
                 go = { .feed = fmin(move->feed * m->j->scale[0], SPEED_MAX) };
@@ -325,13 +328,13 @@ static int map_radial(mapping *m, engine_move *move)
         from[1] = to[1];
     else
         to[1] = from[1];
-    line(&turn, m->at, from);
-    line(&go, from, to);
-    int code = reaches(m, &go, move->p[3]);
+    make_line(&turn, m->at, from);
+    make_line(&go, from, to);
+    int code = check_piece_reach(m, &go, move->p[3]);
     if (code == 0 && fabs(from[1] - m->at[1]) > 0)
-        add(m, &turn);
-    if (code == 0 && apart(from, to) > 0)
-        add(m, &go);
+        add_move(m, &turn);
+    if (code == 0 && distance(from, to) > 0)
+        add_move(m, &go);
     return code;
 }
 
@@ -343,7 +346,8 @@ static int map_move(mapping *m, engine_move *move)
     if (k->kind == ENGINE_CARTESIAN || k->kind == ENGINE_COREXY)
         return map_linear(m, move);
     if (k->kind == ENGINE_POLAR && travels &&
-        (radius(k, move->p[0]) < POLE || radius(k, move->p[3]) < POLE || is_upright(move)))
+        (pole_distance(k, move->p[0]) < POLE || pole_distance(k, move->p[3]) < POLE ||
+         is_upright(move)))
         return map_radial(m, move);
     return map_curved(m, move);
 }
@@ -352,13 +356,13 @@ static int map_move(mapping *m, engine_move *move)
 // All of it
 // ---------
 
-static double farthest(const toolpath *path, const kinematics *k)
+static double farthest_radius(const toolpath *path, const kinematics *k)
 {
     double most = 0;
 
     for (size_t n = 0; n < path->count; n++)
         for (int i = 0; i < 4; i++)
-            most = fmax(most, radius(k, path->move[n].p[i]));
+            most = fmax(most, pole_distance(k, path->move[n].p[i]));
     return most;
 }
 
@@ -370,11 +374,11 @@ int joints_make(joints *out, toolpath *path, const kinematics *k, const joints_o
     *out = (joints){ .k = k, .scale = { 1, 1, 1 }, .least = 1 };
     memcpy(m.at, o->start, sizeof m.at);
     if (k->kind == ENGINE_POLAR)
-        lead_through(path, k);
+        lead_travels_through_pole(path, k);
     if (k->kind != ENGINE_CARTESIAN) {
         out->within = k->kind == ENGINE_COREXY ? 0 : o->within;
         if (!o->chip)
-            kinematics_scale(k, farthest(path, k), out->scale);
+            kinematics_scale(k, farthest_radius(path, k), out->scale);
         out->least  = k->kind == ENGINE_POLAR ? out->scale[0] : HUGE_VAL;
     }
     for (int i = 0; i < ENGINE_AXES; i++)
@@ -393,13 +397,13 @@ void joints_free(joints *j)
 
 /* What the way from planned units to those of the wire adds: half a grain of each motor that is
  * scaled, and of the plan. */
-static double rounding(const joints *j)
+static double rounding_error(const joints *j)
 {
     double sum = 0;
 
     for (int i = 0; i < ENGINE_AXES; i++)
         sum += j->scale[i] > 1 ? (j->scale[i] + 1) * (j->scale[i] + 1) : 0;
-    return sqrt(sum) * GRAIN / 2;
+    return sqrt(sum) * LSB / 2;
 }
 
 engine_limits joints_limits(const joints *j, const engine_limits *motors)
@@ -415,7 +419,7 @@ engine_limits joints_limits(const joints *j, const engine_limits *motors)
     }
     l.max_across = fmin(l.max_across * j->least, ACCEL_MAX);
     l.corner = fmin(l.corner * j->least, 1);
-    l.tol    = fmin((l.tol - j->within) * j->least - rounding(j), TOL_MAX);
+    l.tol    = fmin((l.tol - j->within) * j->least - rounding_error(j), TOL_MAX);
     return l;
 }
 

@@ -46,7 +46,7 @@ static double knot_at(const fit *f, long i)
 }
 
 /* The four B-splines that are not 0 on interval k, and their derivatives (de Boor's recurrence). */
-static void basis(const fit *f, size_t k, double u, double value[4], double deriv[4])
+static void basis_values(const fit *f, size_t k, double u, double value[4], double deriv[4])
 {
     double left[4], right[4], lower[3] = { 0 };
 
@@ -71,11 +71,11 @@ static void basis(const fit *f, size_t k, double u, double value[4], double deri
     }
 }
 
-static void eval(const fit *f, size_t k, double u, double out[2], double slope[2])
+static void eval_spline(const fit *f, size_t k, double u, double out[2], double slope[2])
 {
     double value[4], deriv[4];
 
-    basis(f, k, u, value, deriv);
+    basis_values(f, k, u, value, deriv);
     for (int i = 0; i < 2; i++) {
         out[i] = slope[i] = 0;
         for (int r = 0; r < 4; r++) {
@@ -112,7 +112,7 @@ static void solve_banded(double (*a)[4], double (*b)[2], size_t n)
 }
 
 /* Each sample counts as much as the length around it; the ends are exact. */
-static void solve(fit *f)
+static void solve_spline(fit *f)
 {
     const size_t n = f->intervals + 3, last = f->count - 1;
 
@@ -122,7 +122,7 @@ static void solve(fit *f)
         for (size_t s = f->first[k]; s < f->first[k + 1]; s++) {
             const double weight = f->u[s < last ? s + 1 : s] - f->u[s > 0 ? s - 1 : 0];
             double value[4], deriv[4];
-            basis(f, k, f->u[s], value, deriv);
+            basis_values(f, k, f->u[s], value, deriv);
             for (size_t r = 0; r < 4; r++) {
                 for (size_t j = 0; j <= r; j++)
                     f->a[k + r][j] += weight * value[r] * value[r - j];
@@ -154,7 +154,7 @@ static double error_of(const fit *f, size_t k, size_t *where)
             double at[2], slope[2];
             if (u > f->knot[k + 1])
                 break;
-            eval(f, k, u, at, slope);
+            eval_spline(f, k, u, at, slope);
             const double off = hypot(at[0] - f->p[s][0] - part * (f->p[s + 1][0] - f->p[s][0]),
                                      at[1] - f->p[s][1] - part * (f->p[s + 1][1] - f->p[s][1]));
             if (off > worst) {
@@ -167,7 +167,7 @@ static double error_of(const fit *f, size_t k, size_t *where)
 
 /* Halve all intervals that err by more than `within`. Gives how many did; SIZE_MAX if one cannot be
  * halved, at sample *where. */
-static size_t refine(fit *f, double within, size_t *where)
+static size_t refine_intervals(fit *f, double within, size_t *where)
 {
     const size_t before = f->intervals;
     size_t bad = 0, worst_at = 0;
@@ -207,7 +207,7 @@ static bool is_line(const drawing_curve *c)
 
 /* May the vertex between two lines lie on a curve? It turns little, and is not high above the line
  * between its neighbours. */
-static bool smooth_at(const drawing_curve *a, const drawing_curve *b, double within)
+static bool vertex_is_smooth(const drawing_curve *a, const drawing_curve *b, double within)
 {
     const double ax = a->p[3][0] - a->p[0][0], ay = a->p[3][1] - a->p[0][1],
                  bx = b->p[3][0] - b->p[0][0], by = b->p[3][1] - b->p[0][1];
@@ -218,7 +218,7 @@ static bool smooth_at(const drawing_curve *a, const drawing_curve *b, double wit
            across <= 4 * within * hypot(ax + bx, ay + by);
 }
 
-static void sample(fit *f, const double p[2], size_t vertex)
+static void add_sample(fit *f, const double p[2], size_t vertex)
 {
     if (f->count == f->room) {
         f->room   = f->room ? 2 * f->room : 1024;
@@ -242,13 +242,13 @@ static void sample_lines(fit *f, const drawing *d, size_t from, size_t to)
         const int pieces = (int)fmin(fmax(ceil(length / APART), 1), MANY);
         for (int j = 0; j < pieces; j++) {
             const double part = (double)j / pieces;
-            sample(f,
+            add_sample(f,
                    (double[2]){ c->p[0][0] + part * (c->p[3][0] - c->p[0][0]),
                                 c->p[0][1] + part * (c->p[3][1] - c->p[0][1]) },
                    i);
         }
     }
-    sample(f, d->curve[to - 1].p[3], to);
+    add_sample(f, d->curve[to - 1].p[3], to);
     f->knot  = tool_grow(f->knot, (f->count + 2) * sizeof *f->knot);
     f->first = tool_grow(f->first, (f->count + 2) * sizeof *f->first);
     f->a     = tool_grow(f->a, (f->count + 4) * sizeof *f->a);
@@ -270,8 +270,8 @@ static size_t fit_lines(fit *f, const drawing *d, size_t from, size_t to, double
     for (int round = 0; round < ROUNDS; round++) {
         if (f->count < f->intervals + 3)
             break;
-        solve(f);
-        const size_t bad = refine(f, within, &where);
+        solve_spline(f);
+        const size_t bad = refine_intervals(f, within, &where);
         if (bad == 0)
             return to;
         if (bad == SIZE_MAX)
@@ -290,8 +290,8 @@ static void give_spline(drawing *to, const fit *f, bool fresh, unsigned line)
     for (size_t k = 0; k < f->intervals; k++) {
         const double third = (f->knot[k + 1] - f->knot[k]) / 3;
         memcpy(p[0], p[3], sizeof p[0]);
-        eval(f, k, f->knot[k], p[1], slope[0]);
-        eval(f, k, f->knot[k + 1], p[3], slope[1]);
+        eval_spline(f, k, f->knot[k], p[1], slope[0]);
+        eval_spline(f, k, f->knot[k + 1], p[3], slope[1]);
         for (int i = 0; i < 2; i++) {
             p[1][i] = p[0][i] + third * slope[0][i];
             p[2][i] = p[3][i] - third * slope[1][i];
@@ -302,7 +302,7 @@ static void give_spline(drawing *to, const fit *f, bool fresh, unsigned line)
     }
 }
 
-static void copy(drawing *to, const drawing *from, size_t i)
+static void copy_curve(drawing *to, const drawing *from, size_t i)
 {
     double p[4][2];
 
@@ -320,7 +320,7 @@ static size_t smooth_chain(drawing *to, const drawing *d, fit *f, size_t from, s
     while (from < end) {
         if (stop - from < LEAST) {
             while (from < stop)
-                copy(to, d, from++);
+                copy_curve(to, d, from++);
             stop = end;
             continue;
         }
@@ -349,7 +349,7 @@ size_t drawing_smooth(drawing *to, const drawing *from, double within)
         end = i + 1;
         if (within > 0 && is_line(&from->curve[i]))
             while (end < from->count && is_line(&from->curve[end]) &&
-                   smooth_at(&from->curve[end - 1], &from->curve[end], within))
+                   vertex_is_smooth(&from->curve[end - 1], &from->curve[end], within))
                 end++;
         replaced += smooth_chain(to, from, &f, i, end, within);
     }

@@ -18,13 +18,13 @@ typedef struct {
     size_t room;
 } making;
 
-static double apart(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
+static double is_apart(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
 {
     return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
                 (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-static void add(making *m, const engine_move *move, size_t curve)
+static void add_move(making *m, const engine_move *move, size_t curve)
 {
     if (m->t->count == m->room) {
         m->room     = m->room ? 2 * m->room : 64;
@@ -36,12 +36,12 @@ static void add(making *m, const engine_move *move, size_t curve)
     memcpy(m->at, move->p[3], sizeof m->at);
 }
 
-static void go(making *m, double x, double y, double z)
+static void go_to(making *m, double x, double y, double z)
 {
     const double to[ENGINE_AXES] = { x, y, z };
     engine_move line             = { .feed = m->o->travel };
 
-    const double way = apart(m->at, to);
+    const double way = is_apart(m->at, to);
     if (way < SAME)
         return;
     for (int i = 0; i < ENGINE_AXES; i++) {
@@ -52,21 +52,21 @@ static void go(making *m, double x, double y, double z)
         line.p[3][i] = to[i];
     }
     m->t->travelled += way;
-    add(m, &line, TOOLPATH_TRAVEL);
+    add_move(m, &line, TOOLPATH_TRAVEL);
 }
 
 /* With the pen up to (x, y), then down to z. */
-static void travel(making *m, double x, double y, double z)
+static void travel_to(making *m, double x, double y, double z)
 {
     if (hypot(m->at[0] - x, m->at[1] - y) >= SAME) {
         if (m->at[2] < m->o->lift)
-            go(m, m->at[0], m->at[1], m->o->lift);
-        go(m, x, y, m->at[2]);
+            go_to(m, m->at[0], m->at[1], m->o->lift);
+        go_to(m, x, y, m->at[2]);
     }
-    go(m, x, y, z);
+    go_to(m, x, y, z);
 }
 
-static void draw(making *m, const drawing *d, size_t i)
+static void draw_path(making *m, const drawing *d, size_t i)
 {
     const drawing_curve *c = &d->curve[i];
     engine_move move = { .feed = m->o->feed };
@@ -76,11 +76,11 @@ static void draw(making *m, const drawing *d, size_t i)
     for (int k = 1; k < 4; k++) {
         move.p[k][0] = c->p[k][0];
         move.p[k][1] = c->p[k][1];
-        widest       = fmax(widest, apart(move.p[0], move.p[k]));
+        widest       = fmax(widest, is_apart(move.p[0], move.p[k]));
     }
     if (widest < SAME)
         return;
-    add(m, &move, i);
+    add_move(m, &move, i);
     m->t->curves++;
 }
 
@@ -94,13 +94,13 @@ void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
         const drawing_curve *c = &d->curve[i];
         if (i == 0 || c->path != c[-1].path ||
             hypot(m.at[0] - c->p[0][0], m.at[1] - c->p[0][1]) >= SAME)
-            travel(&m, c->p[0][0], c->p[0][1], 0);
-        draw(&m, d, i);
+            travel_to(&m, c->p[0][0], c->p[0][1], 0);
+        draw_path(&m, d, i);
     }
     if (t->count > 0 && o->park)
-        travel(&m, o->zero[0], o->zero[1], o->zero[2]);
+        travel_to(&m, o->zero[0], o->zero[1], o->zero[2]);
     else if (t->count > 0)
-        go(&m, m.at[0], m.at[1], o->lift);
+        go_to(&m, m.at[0], m.at[1], o->lift);
 }
 
 void toolpath_free(toolpath *t)

@@ -20,7 +20,7 @@
 #define SLOWLY   0.02       /* of the feed: as good as the speed of a corner       */
 #define TURN     0.03       /* radians; a smaller turn is no corner                */
 #define NEAR     40         /* moments between passing a corner and being slowest  */
-#define GRAIN    (1 / 65536.0)
+#define LSB      (1 / 65536.0)
 
 /* A short time within a span. */
 typedef struct {
@@ -62,8 +62,8 @@ static void motion_of(const trace *t, const engine_span *s, double h, double z, 
     kinematics_moving motors;
 
     for (int i = 0; i < ENGINE_AXES; i++) {
-        const double p0 = s->p[0][i] * GRAIN, p1 = s->p[1][i] * GRAIN, p2 = s->p[2][i] * GRAIN,
-                     p3 = s->p[3][i] * GRAIN;
+        const double p0 = s->p[0][i] * LSB, p1 = s->p[1][i] * LSB, p2 = s->p[2][i] * LSB,
+                     p3 = s->p[3][i] * LSB;
         out->x[i] = y * y * y * p0 + 3 * y * y * z * p1 + 3 * y * z * z * p2 + z * z * z * p3;
         out->v[i] = 3 * (y * y * (p1 - p0) + 2 * y * z * (p2 - p1) + z * z * (p3 - p2)) / h;
         out->a[i] = 6 * (y * (p0 - 2 * p1 + p2) + z * (p1 - 2 * p2 + p3)) / (h * h);
@@ -97,7 +97,7 @@ typedef struct {
     uint8_t cause;
 } use;
 
-static void use_more(use *u, double part, double used_up, unsigned cause)
+static void use_limit(use *u, double part, double used_up, unsigned cause)
 {
     if (part / used_up > u->most) {
         u->most  = part / used_up;
@@ -110,9 +110,9 @@ static void use_more(use *u, double part, double used_up, unsigned cause)
 static void use_accels(use *u, const trace *t, const trace_motion *m, double h, double share)
 {
     /* what rounding may add */
-    const double coarse = 12 * GRAIN / (h * h), coarser = 24 * GRAIN / (h * h * h);
+    const double coarse = 12 * LSB / (h * h), coarser = 24 * LSB / (h * h * h);
     const double speed = size_of(m->v), all = along_of(m->v, m->a);
-    double bend = 0;
+    double aside_sum = 0;
 
     for (unsigned i = 0; i < ENGINE_AXES; i++) {
         const double along = speed > AT_REST ? all * m->v[i] / speed : m->a[i],
@@ -120,18 +120,18 @@ static void use_accels(use *u, const trace *t, const trace_motion *m, double h, 
         const double most = t->limits.max_accel[i],
                      aside = m->tool.a[i] - (m->speed > AT_REST ? m->along * m->tool.v[i] / m->speed
                                                                 : m->tool.a[i]);
-        bend += aside * aside;
+        aside_sum += aside * aside;
         if (t->limits.max_across > 0)
-            use_more(u, (fabs(along) - coarse) / most, share * USED_UP_ACCEL, TRACE_ACCEL + i);
+            use_limit(u, (fabs(along) - coarse) / most, share * USED_UP_ACCEL, TRACE_ACCEL + i);
         else
-            use_more(u, (fabs(m->a[i]) - coarse) / most, share * USED_UP_ACCEL,
+            use_limit(u, (fabs(m->a[i]) - coarse) / most, share * USED_UP_ACCEL,
                      fabs(across) > fabs(along) ? TRACE_CURVATURE : TRACE_ACCEL + i);
         if (t->limits.max_jerk[i] > 0)
-            use_more(u, (fabs(m->j[i]) - coarser) / t->limits.max_jerk[i], share * USED_UP_JERK,
+            use_limit(u, (fabs(m->j[i]) - coarser) / t->limits.max_jerk[i], share * USED_UP_JERK,
                      TRACE_JERK + i);
     }
     if (t->limits.max_across > 0)
-        use_more(u, (sqrt(bend) - 2 * coarse) / t->limits.max_across, share * USED_UP_ACCEL,
+        use_limit(u, (sqrt(aside_sum) - 2 * coarse) / t->limits.max_across, share * USED_UP_ACCEL,
                  TRACE_CURVATURE);
 }
 
@@ -141,9 +141,9 @@ static uint8_t cause_of(const trace *t, const trace_motion *m, double feed, doub
 {
     use u = { .cause = TRACE_CAUSES };
 
-    use_more(&u, m->speed / feed, USED_UP, TRACE_FEED);
+    use_limit(&u, m->speed / feed, USED_UP, TRACE_FEED);
     for (unsigned i = 0; i < ENGINE_AXES; i++)
-        use_more(&u, fabs(m->v[i]) / t->limits.max_speed[i], USED_UP, TRACE_SPEED + i);
+        use_limit(&u, fabs(m->v[i]) / t->limits.max_speed[i], USED_UP, TRACE_SPEED + i);
     use_accels(&u, t, m, h, 1);
     if (u.most < 1)
         use_accels(&u, t, m, h, ROUNDED);
@@ -197,7 +197,7 @@ static void add_moments(making *m)
 // -----------------
 
 /* The direction in which a move ends, or begins. */
-static bool direction(const engine_move *m, bool end, double out[ENGINE_AXES])
+static bool move_direction(const engine_move *m, bool end, double out[ENGINE_AXES])
 {
     for (int k = 1; k < 4; k++) {
         const double *from = m->p[end ? 3 - k : 0], *to = m->p[end ? 3 : k];
@@ -206,7 +206,7 @@ static bool direction(const engine_move *m, bool end, double out[ENGINE_AXES])
         const double size = size_of(out);
         for (int i = 0; i < ENGINE_AXES; i++)
             out[i] /= size;
-        if (size > GRAIN)
+        if (size > LSB)
             return true;
     }
     return false;
@@ -216,7 +216,7 @@ static bool is_corner(const engine_move *before, const engine_move *after)
 {
     double a[ENGINE_AXES], b[ENGINE_AXES];
 
-    if (!direction(before, true, a) || !direction(after, false, b))
+    if (!move_direction(before, true, a) || !move_direction(after, false, b))
         return false;
     for (int i = 0; i < ENGINE_AXES; i++)
         a[i] -= b[i];
@@ -224,7 +224,7 @@ static bool is_corner(const engine_move *before, const engine_move *after)
 }
 
 /* The slowest moment beside i. */
-static size_t slowest(const making *m, size_t i)
+static size_t slowest_moment(const making *m, size_t i)
 {
     for (int n = 0; n < NEAR; n++) {
         if (i > 0 && m->moment[i - 1].speed < m->moment[i].speed)
@@ -236,7 +236,7 @@ static size_t slowest(const making *m, size_t i)
 }
 
 /* All moments around i that are hardly faster. */
-static void hold_back(making *m, size_t i, double feed)
+static void hold_back_moments(making *m, size_t i, double feed)
 {
     const float speed   = m->moment[i].speed, most = (float)(1.03 * speed + SLOWLY * feed);
     const uint8_t cause = speed < AT_REST ? TRACE_STOP : TRACE_CORNER;
@@ -257,11 +257,11 @@ static void find_corners(making *m)
         for (uint32_t k = before; k < now; k++)
             corner = corner || is_corner(&move[k], &move[k + 1]);
         const double feed = fmin(move[before].feed, move[now].feed);
-        const size_t k    = corner ? slowest(m, i) : i;
+        const size_t k    = corner ? slowest_moment(m, i) : i;
         if (corner && m->moment[k].speed < USED_UP * feed)
-            hold_back(m, k, feed);
+            hold_back_moments(m, k, feed);
         else if (m->moment[i].speed < AT_REST && m->moment[i].cause != TRACE_STOP)
-            hold_back(m, i, feed);
+            hold_back_moments(m, i, feed);
     }
 }
 
@@ -309,12 +309,12 @@ static void add_span(making *m, const engine_span *span)
     t->span[t->count++] = *span;
 
     for (int i = 0; i < ENGINE_AXES; i++)
-        by[i] = (span->p[3][i] - (double)span->p[0][i]) * GRAIN;
+        by[i] = (span->p[3][i] - (double)span->p[0][i]) * LSB;
     m->length += size_of(by);
     progress_show(&m->bar, m->length, "planning");
 }
 
-static void look(making *m)
+static void look_at_plan(making *m)
 {
     trace *t = m->t;
 
@@ -355,7 +355,7 @@ int trace_make(trace *t, const engine *e, const engine_limits *limits, const too
     progress_start(&m.bar, 2 * way_length(&m.path));
     const int status = plan_spans(&m, of, e, limits);
     if (status == 0 && t->count > 0)
-        look(&m);
+        look_at_plan(&m);
     progress_clear(&m.bar);
     way_free(&m.path);
     free(m.moment);

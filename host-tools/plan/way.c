@@ -13,13 +13,13 @@
 #define DRIFT     0.05      /* mm of distance that a mm of a detour is worth */
 #define WIDENINGS 8
 
-static double apart(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
+static double distance(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
 {
     return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
                 (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-static void add(way *w, const double at[ENGINE_AXES], uint32_t move)
+static void add_chord(way *w, const double at[ENGINE_AXES], uint32_t move)
 {
     if (w->count == w->room) {
         w->room = w->room ? 2 * w->room : 256;
@@ -29,7 +29,7 @@ static void add(way *w, const double at[ENGINE_AXES], uint32_t move)
 
     memcpy(e->at, at, sizeof e->at);
     e->move = move;
-    e->s    = w->count > 0 ? e[-1].s + apart(e[-1].at, at) : 0;
+    e->s    = w->count > 0 ? e[-1].s + distance(e[-1].at, at) : 0;
     w->count++;
 }
 
@@ -50,7 +50,7 @@ static void add_move(way *w, const engine_move *m, uint32_t number)
         for (int i = 0; i < ENGINE_AXES; i++)
             at[i] = y * y * y * m->p[0][i] + 3 * y * y * z * m->p[1][i] +
                     3 * y * z * z * m->p[2][i] + z * z * z * m->p[3][i];
-        add(w, at, number);
+        add_chord(w, at, number);
     }
 }
 
@@ -59,7 +59,7 @@ void way_make(way *w, const engine_move move[], size_t moves, double tol)
     *w = (way){ .tol = tol };
     w->length = tool_grow(NULL, moves * sizeof *w->length);
     if (moves > 0)
-        add(w, move[0].p[0], 0);
+        add_chord(w, move[0].p[0], 0);
     for (size_t k = 0; k < moves; k++) {
         const double before = way_length(w);
         add_move(w, &move[k], (uint32_t)k);
@@ -79,7 +79,7 @@ void way_free(way *w)
 double way_length(const way *w) { return w->count > 0 ? w->end[w->count - 1].s : 0; }
 
 /* The nearest place of chord k, not before w->s: gives the distance. */
-static double nearest(const way *w, size_t k, const double x[ENGINE_AXES], double *s)
+static double nearest_on_chord(const way *w, size_t k, const double x[ENGINE_AXES], double *s)
 {
     const way_end *b = &w->end[k], *a = k > 0 ? b - 1 : b;
     const double length = b->s - a->s;
@@ -92,11 +92,11 @@ static double nearest(const way *w, size_t k, const double x[ENGINE_AXES], doubl
     for (int i = 0; i < ENGINE_AXES; i++)
         at[i] = a->at[i] + z * (b->at[i] - a->at[i]);
     *s = a->s + z * length;
-    return apart(x, at);
+    return distance(x, at);
 }
 
 /* The best place within `reach` of the place `goal`; gives the distance. */
-static double search(const way *w, const double x[ENGINE_AXES], double goal, double reach,
+static double search_chords(const way *w, const double x[ENGINE_AXES], double goal, double reach,
                      size_t *near, double *s)
 {
     double least = HUGE_VAL, off = HUGE_VAL;
@@ -104,7 +104,7 @@ static double search(const way *w, const double x[ENGINE_AXES], double goal, dou
     for (size_t k = w->near; k < w->count && (k == w->near || w->end[k - 1].s <= goal + reach);
          k++) {
         double at;
-        const double d = nearest(w, k, x, &at), cost = d + DRIFT * fabs(at - goal);
+        const double d = nearest_on_chord(w, k, x, &at), cost = d + DRIFT * fabs(at - goal);
         if (cost < least) {
             least = cost;
             off   = d;
@@ -117,11 +117,11 @@ static double search(const way *w, const double x[ENGINE_AXES], double goal, dou
 
 uint32_t way_follow(way *w, const double x[ENGINE_AXES])
 {
-    const double step = apart(x, w->x), goal = w->s + step;
+    const double step = distance(x, w->x), goal = w->s + step;
     double reach = 2 * w->tol + step / 4, s = w->s;
     size_t near  = w->near;
 
-    for (int n = 0; n < WIDENINGS && search(w, x, goal, reach, &near, &s) > 2 * w->tol; n++)
+    for (int n = 0; n < WIDENINGS && search_chords(w, x, goal, reach, &near, &s) > 2 * w->tol; n++)
         reach *= 4;
     memcpy(w->x, x, sizeof w->x);
     w->near = near;

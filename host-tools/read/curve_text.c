@@ -149,7 +149,7 @@ static const row *row_of(const curve *c)
 // ------
 
 /* `x y [z]`; the number of axes, 0 if that is not what stands there. */
-static int vector(reading *r, double out[CURVE_AXES])
+static int read_vector(reading *r, double out[CURVE_AXES])
 {
     const int count = lines_vector(&r->at, out);
 
@@ -157,18 +157,18 @@ static int vector(reading *r, double out[CURVE_AXES])
     return count;
 }
 
-static bool scalar(reading *r, double *out) { return lines_numbers(&r->at, out, 1) == 1; }
+static bool read_scalar(reading *r, double *out) { return lines_numbers(&r->at, out, 1) == 1; }
 
 static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
 {
     switch (behind) {
     case NOTHING:     return true;
     case A_WEIGHT:    return !lines_colon(&r->at) || lines_weight(&r->at, &p->w);
-    case A_PARAMETER: return lines_colon(&r->at) && scalar(r, &p->w);
-    case A_VECTOR:    return lines_colon(&r->at) && vector(r, p->d[0]) > 0;
+    case A_PARAMETER: return lines_colon(&r->at) && read_scalar(r, &p->w);
+    case A_VECTOR:    return lines_colon(&r->at) && read_vector(r, p->d[0]) > 0;
     case TWO_VECTORS:
-        return lines_colon(&r->at) && vector(r, p->d[0]) > 0 && lines_colon(&r->at) &&
-               vector(r, p->d[1]) > 0;
+        return lines_colon(&r->at) && read_vector(r, p->d[0]) > 0 && lines_colon(&r->at) &&
+               read_vector(r, p->d[1]) > 0;
     }
     return false;
 }
@@ -187,7 +187,7 @@ static int point_line(reading *r)
     if (r->now == NULL)
         return lines_wrong(&r->at, "a point of no curve", "begin with a kind, as `bezier 3`");
     const row *kind = row_of(r->now);
-    if (vector(r, p.p) == 0 || !what_is_behind(r, kind->behind, &p) || !lines_over(&r->at))
+    if (read_vector(r, p.p) == 0 || !what_is_behind(r, kind->behind, &p) || !lines_over(&r->at))
         return lines_wrong(&r->at, "not a point", kind->point);
     if (r->now->count == most_points(r->now))
         return lines_wrong(
@@ -207,7 +207,7 @@ static int knot_line(reading *r)
 
     if (r->now == NULL || !has_knots(r->now))
         return lines_wrong(&r->at, "knots of no B-spline", "give them below `bspline` or `nurbs`");
-    while (scalar(r, &knot)) {
+    while (read_scalar(r, &knot)) {
         if (r->now->knot_count > CURVE_HUNG_MAX + CURVE_DEGREE_MAX)
             break;
         if (r->now->knot_count > 0 && knot < r->now->knot[r->now->knot_count - 1])
@@ -231,7 +231,7 @@ static int knots_of(curve *c)
 }
 
 /* More equal knots would cut off a point from the curve. */
-static bool too_many_alike(const curve *c)
+static bool has_too_many_equal_knots(const curve *c)
 {
     for (unsigned i = 0; i < c->count; i++)
         if (!(c->knot[i] < c->knot[i + c->degree + 1]))
@@ -254,7 +254,7 @@ static int check_knots(const lines *at, curve *c)
                  c->count, c->degree);
         return lines_wrong(at, words, "give as many as points + degree + 1, or none");
     }
-    if (too_many_alike(c))
+    if (has_too_many_equal_knots(c))
         return lines_wrong(at, "too many equal knots", "give each at most degree + 1 times");
     if (!(c->knot[c->degree] < c->knot[c->count]))
         return lines_wrong(at, "knots that leave no curve",

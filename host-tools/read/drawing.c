@@ -136,7 +136,7 @@ void drawing_deriv(const drawing_curve *c, double t, double out[2])
 
 /* The length of the piece from a to b by Gauss's rule with seven points: exact for a speed of
  * degree 13. */
-static double gauss(const drawing_curve *c, double a, double b)
+static double gauss_length(const drawing_curve *c, double a, double b)
 {
     static const double at[4] = { 0, 0.40584515137739716691, 0.74153118559939443986,
                                   0.94910791234275852453 };
@@ -158,7 +158,8 @@ static double gauss(const drawing_curve *c, double a, double b)
 static double length_between(const drawing_curve *c, double a, double b, double whole, double tol,
                              int levels)
 {
-    const double middle = (a + b) / 2, left = gauss(c, a, middle), right = gauss(c, middle, b);
+    const double middle = (a + b) / 2, left = gauss_length(c, a, middle),
+                 right = gauss_length(c, middle, b);
 
     if (levels == 0 || fabs(left + right - whole) <= tol)
         return left + right;
@@ -175,7 +176,7 @@ double drawing_length(const drawing *d)
         double legs = 0;        /* of the control polygon: not less than the length */
         for (int k = 0; k < 3; k++)
             legs += hypot(c->p[k + 1][0] - c->p[k][0], c->p[k + 1][1] - c->p[k][1]);
-        sum += length_between(c, 0, 1, gauss(c, 0, 1), 1e-8 * legs, 40);
+        sum += length_between(c, 0, 1, gauss_length(c, 0, 1), 1e-8 * legs, 40);
     }
     return sum;
 }

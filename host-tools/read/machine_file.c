@@ -93,7 +93,7 @@ machine_file machine_usual(void)
     return m;
 }
 
-static const row *find(const char *key, size_t length)
+static const row *find_row(const char *key, size_t length)
 {
     for (size_t i = 0; i < ROWS; i++)
         if (strlen(rows[i].key) == length && strncmp(rows[i].key, key, length) == 0)
@@ -102,7 +102,7 @@ static const row *find(const char *key, size_t length)
 }
 
 /* One key has one place; that for all axes stands before those for one. */
-static int once(reading *r, const row *k, int axis)
+static int check_given_once(reading *r, const row *k, int axis)
 {
     unsigned *said = r->said[k - rows], *mine = &said[1 + axis];
 
@@ -116,7 +116,7 @@ static int once(reading *r, const row *k, int axis)
     return 0;
 }
 
-static int set(reading *r, const row *k, int axis, double value)
+static int set_value(reading *r, const row *k, int axis, double value)
 {
     double *to = (double *)((char *)r->m + k->at);
 
@@ -128,12 +128,12 @@ static int set(reading *r, const row *k, int axis, double value)
         if (axis < 0 || axis == i)
             to[i] = value;
     r->m->limited = r->m->limited || k->limits;
-    return once(r, k, axis);
+    return check_given_once(r, k, axis);
 }
 
 /* What is behind a number must be nothing, a comment, or the remark in brackets that grbl
  * prints. */
-static bool ends(const char *s)
+static bool number_ends(const char *s)
 {
     s += strspn(s, " \t\r");
     return *s == '\0' || *s == '\n' || *s == '#' || *s == '(';
@@ -144,18 +144,18 @@ static int read_grbl(reading *r, const char *s)
     double number, value;
 
     s++;
-    if (!scan_number(&s, &number) || *s++ != '=' || !scan_number(&s, &value) || !ends(s))
+    if (!scan_number(&s, &number) || *s++ != '=' || !scan_number(&s, &value) || !number_ends(s))
         return tool_error(EX_DATAERR,
                           "%s:%u: not a setting of grbl: give lines such as $100=250.000", r->file,
                           r->line);
     for (size_t i = 0; i < sizeof grbl / sizeof grbl[0]; i++)
         if (grbl[i].number == number)
-            return set(r, find(grbl[i].key, strlen(grbl[i].key)), grbl[i].axis,
+            return set_value(r, find_row(grbl[i].key, strlen(grbl[i].key)), grbl[i].axis,
                        value * grbl[i].unit);
     return 0;
 }
 
-static int unknown(const reading *r, const char *s, size_t length)
+static int unknown_key(const reading *r, const char *s, size_t length)
 {
     char all[440] = "kinematics";
 
@@ -177,7 +177,7 @@ static int read_kinematics(reading *r, const char *s)
         return tool_error(EX_DATAERR,
                           "%s:%u: kinematics is given in line %u already: take one of them away",
                           r->file, r->line, r->named);
-    if (word == s || !ends(word + length) || !kinematics_find(&r->m->k, word, length))
+    if (word == s || !number_ends(word + length) || !kinematics_find(&r->m->k, word, length))
         return tool_error(EX_DATAERR,
                           "%s:%u: write kinematics = cartesian, corexy, hbot, delta or polar",
                           r->file, r->line);
@@ -199,13 +199,13 @@ static int read_key(reading *r, const char *s)
     const size_t length = strcspn(s, " \t\r\n=#");
     const int axis      = axis_of(s, length);
     const bool named    = axis >= 0;
-    const row *k        = find(named ? s + 2 : s, named ? length - 2 : length);
+    const row *k        = find_row(named ? s + 2 : s, named ? length - 2 : length);
     double value;
 
     if (length == 10 && strncmp(s, "kinematics", 10) == 0)
         return read_kinematics(r, s + length);
     if (k == NULL || (named && !k->axes))
-        return unknown(r, s, length);
+        return unknown_key(r, s, length);
     s += length;
     s += strspn(s, " \t");
     if (*s != '=')
@@ -213,10 +213,10 @@ static int read_key(reading *r, const char *s)
                           k->key, k->key, k->least > 1 ? k->least : 1);
     s++;
     s += strspn(s, " \t");
-    if (!scan_number(&s, &value) || !ends(s))
+    if (!scan_number(&s, &value) || !number_ends(s))
         return tool_error(EX_DATAERR, "%s:%u: %s is not a number: give one in %s", r->file, r->line,
                           k->key, k->unit);
-    return set(r, k, axis, value);
+    return set_value(r, k, axis, value);
 }
 
 
@@ -253,7 +253,7 @@ static int check_keys(const reading *r)
 static int check_delta(const reading *r)
 {
     const kinematics *k = &r->m->k;
-    const unsigned angles = line_of(r, (size_t)(find("tower_angle", 11) - rows));
+    const unsigned angles = line_of(r, (size_t)(find_row("tower_angle", 11) - rows));
 
     if (!(k->arm_length > 0 && k->delta_radius > 0))
         return tool_error(EX_DATAERR, "%s:%u: kinematics = delta needs %s as well: give it in mm",
@@ -262,7 +262,7 @@ static int check_delta(const reading *r)
         return tool_error(EX_DATAERR,
                           "%s:%u: arms of %g mm do not reach the middle from %g mm: give a "
                           "delta_radius of at most %g times arm_length",
-                          r->file, line_of(r, (size_t)(find("delta_radius", 12) - rows)),
+                          r->file, line_of(r, (size_t)(find_row("delta_radius", 12) - rows)),
                           k->arm_length, k->delta_radius, ARM);
     for (int i = 0; i < ENGINE_AXES; i++)
         if (fabs(remainder(k->tower_angle[i] - k->tower_angle[(i + 1) % ENGINE_AXES], 360)) < APART)
@@ -287,7 +287,7 @@ static void share_limits(machine_file *m)
                                                        : fmin(jerk[0], jerk[1]);
 }
 
-static int check(const reading *r)
+static int check_machine(const reading *r)
 {
     int code = check_keys(r);
 
@@ -329,7 +329,7 @@ int machine_read(machine_file *m, const char *file)
         s += *s == '\n';
     }
     free(text);
-    return code ? code : check(&r);
+    return code ? code : check_machine(&r);
 }
 
 int machine_option(machine_file *m, int argc, char **argv)

@@ -170,7 +170,7 @@ void record_free(record *r)
     *r = (record){ 0 };
 }
 
-static const double *place(const record *r, size_t i)
+static const double *place_before(const record *r, size_t i)
 {
     return i > 0 ? r->pulse[i - 1].at : r->start;
 }
@@ -183,7 +183,8 @@ bool record_draws(const record *r, size_t i)
     const size_t to = r->machine.k.kind != ENGINE_DELTA ? i + 1
                       : r->count - i > AROUND           ? i + AROUND
                                                         : r->count;
-    const double *before = place(r, from), *after = place(r, to), *now = r->pulse[i].at;
+    const double *before = place_before(r, from), *after = place_before(r, to),
+                 *now = r->pulse[i].at;
 
     if (now[2] > r->pen_down)
         return false;
@@ -215,7 +216,7 @@ typedef struct {
 
 /* A chord over h of the parameter is within h^2/8 max|P''| of its curve, and P'' is at most 6 times
  * the greater second difference of the control points. */
-static unsigned pieces(const drawing_curve *c)
+static unsigned chord_count(const drawing_curve *c)
 {
     double most = 0;
 
@@ -225,12 +226,12 @@ static unsigned pieces(const drawing_curve *c)
     return (unsigned)ceil(sqrt(6 * most / 8 / CHORD_TOL)) + 1;
 }
 
-static void cut(chords *all, const drawing *d)
+static void cut_chords(chords *all, const drawing *d)
 {
     *all = (chords){ .room = 0 };
     for (size_t i = 0; i < d->count; i++) {
         const drawing_curve *c = &d->curve[i];
-        const unsigned n = pieces(c);
+        const unsigned n = chord_count(c);
         double a[2], b[2];
 
         if (all->room < all->chords.count + n) {
@@ -248,7 +249,7 @@ static void cut(chords *all, const drawing *d)
     nearest_build(&all->chords);
 }
 
-static void discard(chords *all)
+static void free_chords(chords *all)
 {
     nearest_free(&all->chords);
     free(all->of);
@@ -257,7 +258,7 @@ static void discard(chords *all)
 /* From a point on the chord to the point of the curve where p lies on the normal, by Newton's
  * method on (P - p) P' = 0 with P'' left out; the chord is so short that two steps reach
  * rounding. */
-static double polish(const struct chord *c, double u, const double p[2], double out[2])
+static double polish_parameter(const struct chord *c, double u, const double p[2], double out[2])
 {
     double t = c->t0 + u * (c->t1 - c->t0);
 
@@ -282,13 +283,13 @@ double record_worst_error(const drawing *d, const record *r, double (*point)[2],
 
     if (d->count == 0)
         return 0;
-    cut(&all, d);
+    cut_chords(&all, d);
     for (size_t i = 0; i < r->count; i++) {
         if (!record_draws(r, i))
             continue;
         double u, chord, at[2];
         hint = nearest_find(&all.chords, r->pulse[i].at, hint, &u, &chord);
-        const double off = polish(&all.of[hint], u, r->pulse[i].at, at);
+        const double off = polish_parameter(&all.of[hint], u, r->pulse[i].at, at);
         if (point != NULL)
             memcpy(point[i], at, sizeof at);
         if (off > worst) {
@@ -298,7 +299,7 @@ double record_worst_error(const drawing *d, const record *r, double (*point)[2],
     }
     if (where != NULL)
         *where = worst_at;
-    discard(&all);
+    free_chords(&all);
     return worst;
 }
 
@@ -311,11 +312,11 @@ double record_worst_gap(const drawing *d, const record *r, double where[2])
 
     for (size_t i = 0; i < r->count; i++)
         if (record_draws(r, i))
-            nearest_add(&drawn, place(r, i), r->pulse[i].at);
+            nearest_add(&drawn, place_before(r, i), r->pulse[i].at);
     if (drawn.count == 0)
         return HUGE_VAL;
     nearest_build(&drawn);
-    cut(&all, d);
+    cut_chords(&all, d);
     for (size_t i = 0; i < all.chords.count; i++) {
         double u, off;
         hint = nearest_find(&drawn, all.chords.piece[i].b, hint, &u, &off);
@@ -325,7 +326,7 @@ double record_worst_gap(const drawing *d, const record *r, double where[2])
                 memcpy(where, all.chords.piece[i].b, 2 * sizeof *where);
         }
     }
-    discard(&all);
+    free_chords(&all);
     nearest_free(&drawn);
     return worst;
 }

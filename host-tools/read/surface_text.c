@@ -107,7 +107,7 @@ static bool sides_and_degree(reading *r, unsigned most)
     return true;
 }
 
-static int coordinates(reading *r)
+static int read_coordinates(reading *r)
 {
     if (lines_word(&r->at, "meanvalue"))
         r->now->coordinates = COORDINATES_MEANVALUE;
@@ -125,7 +125,7 @@ static int head_spatch(reading *r)
     if (!sides_and_degree(r, SURFACE_SIDES_MAX))
         return lines_wrong(&r->at, "not sides and depth",
                            "give two whole numbers, 3 to 8 sides and a depth of 1 to 9");
-    return coordinates(r);
+    return read_coordinates(r);
 }
 
 static int head_gb(reading *r)
@@ -133,7 +133,7 @@ static int head_gb(reading *r)
     if (!sides_and_degree(r, SURFACE_SIDES_MAX) || r->now->m < 3)
         return lines_wrong(&r->at, "not sides and degree",
                            "give two whole numbers, 3 to 8 sides and a degree of 3 to 9");
-    return coordinates(r);
+    return read_coordinates(r);
 }
 
 static int head_basepoint(reading *r)
@@ -157,7 +157,7 @@ static int head_basepoint(reading *r)
     return 0;
 }
 
-static int head_ring(reading *r)
+static int head_zheng_ball(reading *r)
 {
     if (!sides_and_degree(r, 6) || !lines_over(&r->at) || r->now->n == 4 || r->now->m < 2)
         return lines_wrong(&r->at, "not sides and degree",
@@ -186,7 +186,7 @@ static const row rows[] = {
     { SURFACE_TORIC, head_bare, true,
       "`x y z`, `x y z : weight` or `x y z : weight coefficient`, a weight of 1/256 to 256" },
     { SURFACE_BASEPOINT, head_basepoint, WEIGHTED },
-    { SURFACE_RING, head_ring, false, "`x y z`" },
+    { SURFACE_RING, head_zheng_ball, false, "`x y z`" },
     { SURFACE_GB, head_gb, false, "`x y z`" }
 };
 

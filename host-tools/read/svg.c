@@ -22,13 +22,13 @@ typedef struct use_chain {
     const struct use_chain *up;
 } use_chain;
 
-static bool draw(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain);
+static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain);
 
 
 // What is drawn at all
 // --------------------
 
-static bool one_of(const xmlNode *node, const char *const names[])
+static bool is_one_of(const xmlNode *node, const char *const names[])
 {
     for (; *names != NULL; names++)
         if (strcmp((const char *)node->name, *names) == 0)
@@ -37,7 +37,7 @@ static bool one_of(const xmlNode *node, const char *const names[])
 }
 
 /* Conditional processing: no extension is known here, and the language is English. */
-static bool applies(const xmlNode *node)
+static bool element_applies(const xmlNode *node)
 {
     char *extensions = svg_attribute(node, "requiredExtensions"),
          *language = svg_attribute(node, "systemLanguage");
@@ -179,7 +179,7 @@ static void warn_of(svg_reader *r, const svg_style *style)
 
 /* Read the style of the current element into `space`; *shown: something of it is seen. `scope` must
  * outlive what stands in it, and be closed. */
-static bool enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
+static bool enter_element(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
 {
     svg_style style;
 
@@ -201,10 +201,10 @@ static void warn_undrawn(svg_reader *r, const svg_space *space)
     static const char *const texts[]    = { "text", "flowRoot", NULL };
     static const char *const pictures[] = { "image", "foreignObject", NULL };
 
-    if (space->visible && one_of(r->node, texts))
+    if (space->visible && is_one_of(r->node, texts))
         svg_warn(r, SVG_WARN_TEXT, "<%s> is not drawn: convert text to paths",
                  (const char *)r->node->name);
-    if (space->visible && one_of(r->node, pictures))
+    if (space->visible && is_one_of(r->node, pictures))
         svg_warn(r, SVG_WARN_PICTURE, "<%s> is not drawn: trace pictures to paths",
                  (const char *)r->node->name);
 }
@@ -244,7 +244,7 @@ static bool enter_viewport(const svg_reader *r, svg_space *space, double width, 
 }
 
 /* The sizes that an element gives itself, `width` and `height` if it does not. */
-static bool sizes(const svg_reader *r, const svg_space *space, double *width, double *height)
+static bool read_sizes(const svg_reader *r, const svg_space *space, double *width, double *height)
 {
     const double across = *width, along = *height;
 
@@ -256,7 +256,7 @@ static bool sizes(const svg_reader *r, const svg_space *space, double *width, do
     return true;
 }
 
-static bool moved(const svg_reader *r, svg_space *space)
+static bool move_origin(const svg_reader *r, svg_space *space)
 {
     double x, y;
 
@@ -271,7 +271,7 @@ static bool draw_children(svg_reader *r, const xmlNode *node, svg_space space,
                           const use_chain *chain)
 {
     for (const xmlNode *child = node->children; child != NULL; child = child->next)
-        if (!draw(r, child, space, chain))
+        if (!draw_node(r, child, space, chain))
             return false;
     return true;
 }
@@ -334,15 +334,15 @@ static bool draw_svg(svg_reader *r, const xmlNode *node, svg_space space, const 
 {
     double width = space.width, height = space.height;
 
-    return moved(r, &space) && sizes(r, &space, &width, &height) &&
+    return move_origin(r, &space) && read_sizes(r, &space, &width, &height) &&
            draw_viewport(r, node, space, width, height, chain);
 }
 
 static bool draw_switch(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
 {
     for (const xmlNode *child = node->children; child != NULL; child = child->next)
-        if (svg_is(child, NULL) && applies(child))
-            return draw(r, child, space, chain);
+        if (svg_is(child, NULL) && element_applies(child))
+            return draw_node(r, child, space, chain);
     return true;
 }
 
@@ -350,22 +350,22 @@ static bool draw_switch(svg_reader *r, const xmlNode *node, svg_space space, con
 // Use
 // ---
 
-static int by_id(const void *a, const void *b)
+static int compare_ids(const void *a, const void *b)
 {
     return strcmp(((const svg_named *)a)->id, ((const svg_named *)b)->id);
 }
 
-static const xmlNode *find(const svg_reader *r, const char *id)
+static const xmlNode *find_id(const svg_reader *r, const char *id)
 {
     const svg_named key = { (char *)(size_t)id, NULL };
     const svg_named *found = r->named_count
-                                 ? bsearch(&key, r->named, r->named_count, sizeof key, by_id)
+                                 ? bsearch(&key, r->named, r->named_count, sizeof key, compare_ids)
                                  : NULL;
 
     return found ? found->node : NULL;
 }
 
-static char *reference(const xmlNode *node)
+static char *use_reference(const xmlNode *node)
 {
     char *href = svg_attribute(node, "href");
 
@@ -377,7 +377,7 @@ static char *reference(const xmlNode *node)
 /* The element that the current <use> means; NULL, after a warning, if there is none. */
 static const xmlNode *use_target(svg_reader *r)
 {
-    char *href = reference(r->node);
+    char *href = use_reference(r->node);
     const xmlNode *target = NULL;
 
     if (href == NULL)
@@ -388,23 +388,23 @@ static const xmlNode *use_target(svg_reader *r)
                  "<use> of \"%.60s\" is not drawn, it is not in this file: copy it in, "
                  "and name it as \"#id\"",
                  href);
-    else if ((target = find(r, href + 1)) == NULL)
+    else if ((target = find_id(r, href + 1)) == NULL)
         svg_warn(r, SVG_WARN_USE_MISSING, "<use> of \"%.60s\" is not drawn, no element has this id",
                  href);
     xmlFree(href);
     return target;
 }
 
-static bool is_circle(const use_chain *chain, const xmlNode *target)
+static bool is_in_chain(const use_chain *chain, const xmlNode *target)
 {
     while (chain != NULL && chain->target != target)
         chain = chain->up;
     return chain != NULL;
 }
 
-static bool fail_circle(const svg_reader *r)
+static bool fail_circular_use(const svg_reader *r)
 {
-    char *href = reference(r->node);
+    char *href = use_reference(r->node);
 
     svg_fail(r, "\"%.60s\" uses itself: break the circle", href);
     xmlFree(href);
@@ -420,11 +420,11 @@ static bool draw_use_viewport(svg_reader *r, const xmlNode *node, svg_space spac
     bool shown;
 
     r->node = chain->target;
-    bool good = enter(r, &space, &scope, &shown);
+    bool good = enter_element(r, &space, &scope, &shown);
     if (good && shown) {
-        good = moved(r, &space) && sizes(r, &space, &width, &height);
+        good = move_origin(r, &space) && read_sizes(r, &space, &width, &height);
         r->node = node;
-        good = good && sizes(r, &space, &width, &height) &&
+        good = good && read_sizes(r, &space, &width, &height) &&
                draw_viewport(r, chain->target, space, width, height, chain);
     }
     svg_scope_close(&scope);
@@ -438,13 +438,13 @@ static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const 
 
     if (target == NULL)
         return true;
-    if (is_circle(chain, target))
-        return fail_circle(r);
-    if (!moved(r, &space))
+    if (is_in_chain(chain, target))
+        return fail_circular_use(r);
+    if (!move_origin(r, &space))
         return false;
     if (svg_is(target, "symbol") || svg_is(target, "svg"))
         return draw_use_viewport(r, node, space, &link);
-    return draw(r, target, space, &link);
+    return draw_node(r, target, space, &link);
 }
 
 
@@ -457,7 +457,7 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
     static const char *const groups[] = { "g", "a", NULL };
     bool shape;
 
-    if (one_of(node, groups))
+    if (is_one_of(node, groups))
         return draw_children(r, node, space, chain);
     if (svg_is(node, "svg"))
         return draw_svg(r, node, space, chain);
@@ -485,14 +485,14 @@ static bool is_never_drawn(const xmlNode *node)
                                          "linearGradient", "radialGradient", "filter",
                                          "style",          "script",         "title",
                                          "desc",           "metadata",       NULL };
-    return one_of(node, names);
+    return is_one_of(node, names);
 }
 
 static bool draw_in_space(svg_reader *r, const xmlNode *node, svg_space space,
                           const use_chain *chain)
 {
     svg_scope scope;
-    bool shown, good = enter(r, &space, &scope, &shown);
+    bool shown, good = enter_element(r, &space, &scope, &shown);
     const double area = space.to_mm.a * space.to_mm.d - space.to_mm.b * space.to_mm.c;
 
     if (good && shown && area != 0)     /* flattened to a line or point: SVG draws nothing */
@@ -501,9 +501,9 @@ static bool draw_in_space(svg_reader *r, const xmlNode *node, svg_space space,
     return good;
 }
 
-static bool draw(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
+static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
 {
-    if (!svg_is(node, NULL) || is_never_drawn(node) || !applies(node))
+    if (!svg_is(node, NULL) || is_never_drawn(node) || !element_applies(node))
         return true;
     r->node = node;
     if (++r->visited > SVG_ELEMENTS_MAX)
@@ -546,7 +546,7 @@ static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg
         space->width  = box[2];
         space->height = box[3];
     }
-    if (!sizes(r, space, &width, &height))
+    if (!read_sizes(r, space, &width, &height))
         return false;
     if (given && width < 0)
         width = height < 0 ? box[2] : height * box[2] / box[3];
@@ -559,7 +559,7 @@ static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg
     space->to_mm = (svg_matrix){ MM_PER_PX, 0, 0, -MM_PER_PX, 0, r->d->height };
     space->width = space->height = -1;
     bool shown;
-    const bool good = enter(r, space, scope, &shown);
+    const bool good = enter_element(r, space, scope, &shown);
     *empty = !shown;
     return good && (*empty || enter_viewport(r, space, width, height, empty));
 }

@@ -78,7 +78,7 @@ bool svg_is(const xmlNode *node, const char *name)
 }
 
 /* The element that follows in the file, children first. */
-static const xmlNode *following(const xmlNode *node)
+static const xmlNode *following_element(const xmlNode *node)
 {
     if (node->children != NULL && node->type == XML_ELEMENT_NODE)
         return node->children;
@@ -92,7 +92,7 @@ typedef struct {
     size_t order;
 } numbered;
 
-static int by_id_and_order(const void *a, const void *b)
+static int compare_ids_and_order(const void *a, const void *b)
 {
     const numbered *x = a, *y = b;
     const int order = strcmp(x->named.id, y->named.id);
@@ -101,12 +101,12 @@ static int by_id_and_order(const void *a, const void *b)
 }
 
 /* Collect ids and style sheets. */
-static void survey(svg_reader *r, const xmlNode *root)
+static void collect_ids(svg_reader *r, const xmlNode *root)
 {
     numbered *list = NULL;
     size_t count = 0, room = 0;
 
-    for (const xmlNode *node = root; node != NULL; node = following(node)) {
+    for (const xmlNode *node = root; node != NULL; node = following_element(node)) {
         char *id = node->type == XML_ELEMENT_NODE ? svg_attribute(node, "id") : NULL;
         if (id != NULL) {
             if (count == room)
@@ -119,7 +119,7 @@ static void survey(svg_reader *r, const xmlNode *root)
             svg_sheet_read(r, node);
     }
     if (count > 0)
-        qsort(list, count, sizeof *list, by_id_and_order);
+        qsort(list, count, sizeof *list, compare_ids_and_order);
     r->named = tool_grow(NULL, count * sizeof *r->named);
     for (size_t i = 0; i < count; i++)
         if (r->named_count == 0 || strcmp(r->named[r->named_count - 1].id, list[i].named.id) != 0)
@@ -174,7 +174,7 @@ static void stop_at_limit(xmlParserCtxtPtr parser, const char *format, ...)
     xmlStopParser(parser);
 }
 
-static void expand(xmlParserCtxtPtr parser, size_t bytes)
+static void count_expanded(xmlParserCtxtPtr parser, size_t bytes)
 {
     report *r = parser->_private;
 
@@ -226,7 +226,7 @@ static xmlEntityPtr count_entity(xmlParserCtxtPtr parser, xmlEntityPtr entity)
 
     if (entity == NULL || entity->etype == XML_INTERNAL_PREDEFINED_ENTITY)
         return entity;
-    expand(parser, full_length(parser, entity, 0));
+    count_expanded(parser, full_length(parser, entity, 0));
     if (before != NULL && before->type == XML_TEXT_NODE)
         r->copied += strlen((const char *)before->content);
     if (r->copied > COPIED_MAX)
@@ -277,7 +277,8 @@ static void start_element(void *context, const xmlChar *name, const xmlChar *pre
     report *r = parser->_private;
     const bool inner = parser != r->outer || parser->inputNr > 1;
 
-    expand(parser, defaults_length(namespace_count, namespaces, count, defaulted, attributes));
+    count_expanded(parser,
+                   defaults_length(namespace_count, namespaces, count, defaulted, attributes));
     if (++r->elements > SVG_ELEMENTS_MAX)
         stop_at_limit(parser, "more than %u elements: split the drawing", SVG_ELEMENTS_MAX);
     if (count > ATTRIBUTES_MAX)
@@ -301,7 +302,7 @@ static xmlParserInputPtr load_nothing(const char *url, const char *id, xmlParser
     return NULL;
 }
 
-static xmlDocPtr parse(const char *text, size_t size, report *r)
+static xmlDocPtr parse_document(const char *text, size_t size, report *r)
 {
     xmlParserCtxtPtr context = xmlNewParserCtxt();
     if (context == NULL)
@@ -331,7 +332,7 @@ int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size
 {
     svg_reader r = { .d = d, .file = file };
     report problem;
-    xmlDocPtr document = parse(text, size, &problem);
+    xmlDocPtr document = parse_document(text, size, &problem);
     const xmlNode *root = document ? xmlDocGetRootElement(document) : NULL;
     int code = 0;
 
@@ -344,7 +345,7 @@ int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size
                           "<svg xmlns=\"http://www.w3.org/2000/svg\"> is expected",
                           file, svg_at_line(&r), (const char *)root->name);
     else {
-        survey(&r, root);
+        collect_ids(&r, root);
         code = svg_draw(&r, root) ? 0 : EX_DATAERR;
     }
 

@@ -20,7 +20,7 @@ typedef struct {
     char last_kind;         /* C or Q: what `last` belongs to; 0: nothing to reflect */
 } path;
 
-static bool nonsense(const path *p, const char *wanted)
+static bool refuse_data(const path *p, const char *wanted)
 {
     const int before = p->at - p->data > 20 ? 20 : (int)(p->at - p->data);
 
@@ -45,10 +45,10 @@ static bool read_numbers(path *p, char kind, double v[7])
             scan_space(&p->at);
         if (kind == 'A' && (i == 3 || i == 4)) {
             if (*p->at != '0' && *p->at != '1')
-                return nonsense(p, "a flag, 0 or 1,");
+                return refuse_data(p, "a flag, 0 or 1,");
             v[i] = *p->at++ - '0';
         } else if (!scan_number(&p->at, &v[i])) {
-            return nonsense(p, "a number");
+            return refuse_data(p, "a number");
         }
     }
     return true;
@@ -66,19 +66,19 @@ static void make_absolute(const path *p, char kind, double v[7])
 
 /* The first control point of S or T: the mirror image of the last one, if the last curve was of the
  * same kind. */
-static void reflect(const path *p, char kind, double out[2])
+static void reflect_control(const path *p, char kind, double out[2])
 {
     for (int i = 0; i < 2; i++)
         out[i] = p->last_kind == kind ? 2 * p->pen->at[i] - p->last[i] : p->pen->at[i];
 }
 
-static void keep(path *p, char kind, const double control[2])
+static void keep_control(path *p, char kind, const double control[2])
 {
     memcpy(p->last, control, sizeof p->last);
     p->last_kind = kind;
 }
 
-static bool segment(path *p, char kind, const double v[7])
+static bool draw_segment(path *p, char kind, const double v[7])
 {
     svg_pen *pen = p->pen;
     double c[2];
@@ -90,15 +90,17 @@ static bool segment(path *p, char kind, const double v[7])
     case 'A':
         p->last_kind = 0;
         return svg_arc(pen, v[0], v[1], v[2], v[3] > 0, v[4] > 0, v[5], v[6]);
-    case 'C': keep(p, 'C', v + 2); return svg_cubic(pen, v[0], v[1], v[2], v[3], v[4], v[5]);
-    case 'Q': keep(p, 'Q', v);     return svg_quad(pen, v[0], v[1], v[2], v[3]);
+    case 'C':
+        keep_control(p, 'C', v + 2);
+        return svg_cubic(pen, v[0], v[1], v[2], v[3], v[4], v[5]);
+    case 'Q': keep_control(p, 'Q', v);     return svg_quad(pen, v[0], v[1], v[2], v[3]);
     case 'S':
-        reflect(p, 'C', c);
-        keep(p, 'C', v);
+        reflect_control(p, 'C', c);
+        keep_control(p, 'C', v);
         return svg_cubic(pen, c[0], c[1], v[0], v[1], v[2], v[3]);
     case 'T':
-        reflect(p, 'Q', c);
-        keep(p, 'Q', c);
+        reflect_control(p, 'Q', c);
+        keep_control(p, 'Q', c);
         return svg_quad(pen, c[0], c[1], v[0], v[1]);
     default:
         p->last_kind = 0;
@@ -108,13 +110,13 @@ static bool segment(path *p, char kind, const double v[7])
 }
 
 /* One command letter with all the segments that follow it. */
-static bool command(path *p)
+static bool draw_command(path *p)
 {
     const char letter = *p->at;
     char kind = letter >= 'a' ? (char)(letter - 'a' + 'A') : letter;
 
     if (letter == '\0' || strchr("MLTHVSQCAZ", kind) == NULL)
-        return nonsense(p, "one of MLHVCSQTAZ");
+        return refuse_data(p, "one of MLHVCSQTAZ");
     p->at++;
     if (kind == 'Z') {
         p->last_kind = 0;
@@ -126,7 +128,7 @@ static bool command(path *p)
             return false;
         if (letter >= 'a')
             make_absolute(p, kind, v);
-        if (!segment(p, kind, v))
+        if (!draw_segment(p, kind, v))
             return false;
         kind = kind == 'M' ? 'L' : kind;
 
@@ -145,9 +147,9 @@ bool svg_path(const svg_reader *r, const char *data, svg_pen *pen)
     if (strcmp(p.at, "none") == 0)
         return true;
     if (*p.at != '\0' && *p.at != 'M' && *p.at != 'm')
-        return nonsense(&p, "M");
+        return refuse_data(&p, "M");
     while (*p.at != '\0') {
-        if (!command(&p))
+        if (!draw_command(&p))
             return false;
         scan_space(&p.at);
     }
@@ -158,14 +160,14 @@ bool svg_path(const svg_reader *r, const char *data, svg_pen *pen)
 // Basic shapes
 // ------------
 
-static bool length(const svg_reader *r, const svg_space *s, const char *name, enum svg_side side,
-                   double *out)
+static bool read_length(const svg_reader *r, const svg_space *s, const char *name,
+                        enum svg_side side, double *out)
 {
     return svg_length(r, s, name, side, 0, out);
 }
 
 /* A size: like a length, but not negative. */
-static bool size(const svg_reader *r, const svg_space *s, const char *name, enum svg_side side,
+static bool read_size(const svg_reader *r, const svg_space *s, const char *name, enum svg_side side,
                  double absent, double *out)
 {
     if (!svg_length(r, s, name, side, absent, out))
@@ -189,8 +191,8 @@ static bool draw_line(const svg_reader *r, const svg_space *s)
     svg_pen pen = svg_pen_at(r, s->to_mm);
     double x1, y1, x2, y2;
 
-    if (!length(r, s, "x1", SVG_ACROSS, &x1) || !length(r, s, "y1", SVG_ALONG_Y, &y1) ||
-        !length(r, s, "x2", SVG_ACROSS, &x2) || !length(r, s, "y2", SVG_ALONG_Y, &y2))
+    if (!read_length(r, s, "x1", SVG_ACROSS, &x1) || !read_length(r, s, "y1", SVG_ALONG_Y, &y1) ||
+        !read_length(r, s, "x2", SVG_ACROSS, &x2) || !read_length(r, s, "y2", SVG_ALONG_Y, &y2))
         return false;
     svg_move(&pen, x1, y1);
     return svg_line(&pen, x2, y2);
@@ -236,7 +238,7 @@ static bool draw_polygon(const svg_reader *r, const svg_space *s)
 }
 
 /* Four quarters from three o'clock on, in the direction of growing angles. */
-static bool draw_round(const svg_reader *r, const svg_space *s, double cx, double cy, double rx,
+static bool draw_quarters(const svg_reader *r, const svg_space *s, double cx, double cy, double rx,
                        double ry)
 {
     svg_pen pen = svg_pen_at(r, s->to_mm);
@@ -254,14 +256,15 @@ static bool draw_circle(const svg_reader *r, const svg_space *s)
 {
     double cx, cy, radius;
 
-    return length(r, s, "cx", SVG_ACROSS, &cx) && length(r, s, "cy", SVG_ALONG_Y, &cy) &&
-           size(r, s, "r", SVG_DIAGONAL, 0, &radius) && draw_round(r, s, cx, cy, radius, radius);
+    return read_length(r, s, "cx", SVG_ACROSS, &cx) && read_length(r, s, "cy", SVG_ALONG_Y, &cy) &&
+           read_size(r, s, "r", SVG_DIAGONAL, 0, &radius) &&
+           draw_quarters(r, s, cx, cy, radius, radius);
 }
 
 /* Radii of which one is missing: both are the same. */
-static bool radii(const svg_reader *r, const svg_space *s, double *rx, double *ry)
+static bool read_radii(const svg_reader *r, const svg_space *s, double *rx, double *ry)
 {
-    if (!size(r, s, "rx", SVG_ACROSS, -1, rx) || !size(r, s, "ry", SVG_ALONG_Y, -1, ry))
+    if (!read_size(r, s, "rx", SVG_ACROSS, -1, rx) || !read_size(r, s, "ry", SVG_ALONG_Y, -1, ry))
         return false;
     if (*rx < 0)
         *rx = fmax(*ry, 0);
@@ -274,8 +277,8 @@ static bool draw_ellipse(const svg_reader *r, const svg_space *s)
 {
     double cx, cy, rx, ry;
 
-    return length(r, s, "cx", SVG_ACROSS, &cx) && length(r, s, "cy", SVG_ALONG_Y, &cy) &&
-           radii(r, s, &rx, &ry) && draw_round(r, s, cx, cy, rx, ry);
+    return read_length(r, s, "cx", SVG_ACROSS, &cx) && read_length(r, s, "cy", SVG_ALONG_Y, &cy) &&
+           read_radii(r, s, &rx, &ry) && draw_quarters(r, s, cx, cy, rx, ry);
 }
 
 static bool draw_rect(const svg_reader *r, const svg_space *s)
@@ -283,9 +286,9 @@ static bool draw_rect(const svg_reader *r, const svg_space *s)
     svg_pen pen = svg_pen_at(r, s->to_mm);
     double x, y, w, h, rx, ry;
 
-    if (!length(r, s, "x", SVG_ACROSS, &x) || !length(r, s, "y", SVG_ALONG_Y, &y) ||
-        !radii(r, s, &rx, &ry) || !size(r, s, "width", SVG_ACROSS, 0, &w) ||
-        !size(r, s, "height", SVG_ALONG_Y, 0, &h))
+    if (!read_length(r, s, "x", SVG_ACROSS, &x) || !read_length(r, s, "y", SVG_ALONG_Y, &y) ||
+        !read_radii(r, s, &rx, &ry) || !read_size(r, s, "width", SVG_ACROSS, 0, &w) ||
+        !read_size(r, s, "height", SVG_ALONG_Y, 0, &h))
         return false;
     if (w == 0 || h == 0)
         return true;

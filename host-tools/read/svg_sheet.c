@@ -73,13 +73,13 @@ static bool next_part(const char **at, part *out)
     return true;
 }
 
-static bool is_any(const part *p)
+static bool is_universal(const part *p)
 {
     return p->kind[0] == '\0' && p->length == 1 && *p->word == '*';
 }
 
 /* Is `word` one of `words`? */
-static bool in_words(const char *words, size_t size, const char *word, size_t length)
+static bool has_word(const char *words, size_t size, const char *word, size_t length)
 {
     if (size == 0 || length == 0)
         return false;
@@ -113,17 +113,17 @@ static bool is_root(const xmlNode *node)
     return node->parent == NULL || node->parent->type != XML_ELEMENT_NODE;
 }
 
-static bool fits(const char *selector, const asked *a)
+static bool selector_matches(const char *selector, const asked *a)
 {
     bool good = true;
     part p;
 
     while (good && next_part(&selector, &p))
         switch (p.kind[0]) {
-        case '.': good = in_words(a->class, a->class_length, p.word, p.length);     break;
+        case '.': good = has_word(a->class, a->class_length, p.word, p.length);     break;
         case '#': good = is_word(a->id, &p);                                        break;
         case ':': good = is_root(a->node);                                          break;
-        default:  good = is_any(&p) || is_word((const char *)a->node->name, &p);    break;
+        default:  good = is_universal(&p) || is_word((const char *)a->node->name, &p);    break;
         }
     return good;
 }
@@ -136,7 +136,7 @@ static unsigned long long specificity(const char *selector)
 
     while (next_part(&selector, &p)) {
         const int i = p.kind[0] == '#' ? 0 : p.kind[0] != '\0' ? 1 : 2;
-        count[i] += !is_any(&p) && count[i] < 255;
+        count[i] += !is_universal(&p) && count[i] < 255;
     }
     return (unsigned long long)(count[0] << 16 | count[1] << 8 | count[2]) << 32;
 }
@@ -161,7 +161,7 @@ static list *list_of(const svg_sheet *sheet, const char *word, size_t length, co
     return found;
 }
 
-static void enlist(svg_sheet *sheet, rule *u)
+static void enlist_rule(svg_sheet *sheet, rule *u)
 {
     const char *at = u->selector;
     part p, best = { "", "*", 1 };
@@ -169,7 +169,7 @@ static void enlist(svg_sheet *sheet, rule *u)
 
     while (next_part(&at, &p)) {
         const list *l = list_of(sheet, p.word, p.length, p.kind, false);
-        const size_t count = is_any(&p) ? SIZE_MAX : l ? l->count : 0;
+        const size_t count = is_universal(&p) ? SIZE_MAX : l ? l->count : 0;
         if (count < least) {
             least = count;
             best = p;
@@ -189,7 +189,7 @@ static rule *rule_of(svg_sheet *sheet, const char *selector)
         u = tool_grow(NULL, sizeof *u);
         *u = (rule){ .selector = (char *)xmlStrdup((const xmlChar *)selector) };
         xmlHashAddEntry(sheet->rules, (const xmlChar *)selector, u);
-        enlist(sheet, u);
+        enlist_rule(sheet, u);
     }
     return u;
 }
@@ -406,7 +406,7 @@ static void apply_list(svg_reader *r, const asked *a, const char *word, size_t l
     for (const rule *u = l ? l->first : NULL; u != NULL && r->effort <= SVG_EFFORT_MAX;
          u = u->next) {
         r->effort += a->effort;
-        if (!fits(u->selector, a))
+        if (!selector_matches(u->selector, a))
             continue;
         for (size_t i = 0; i < u->setting_count; i++)
             svg_value_put(&style->value[u->settings[i].property], u->settings[i].value);

@@ -30,7 +30,7 @@ double svg_stretch(svg_matrix m)
 // Transforms
 // ----------
 
-static svg_matrix turned(double degrees)
+static svg_matrix rotation_of(double degrees)
 {
     /* quarter turns exactly: they are what drawings are made of */
     const double quarters = degrees / 90;
@@ -44,7 +44,7 @@ static svg_matrix turned(double degrees)
 }
 
 /* The matrix of one function; false if there is none of that name with so many numbers. */
-static bool one_transform(const char *name, int length, const double v[6], int count,
+static bool transform_of(const char *name, int length, const double v[6], int count,
                           svg_matrix *out)
 {
     static const char *const names[] = {
@@ -61,9 +61,9 @@ static bool one_transform(const char *name, int length, const double v[6], int c
     case 12: *out = (svg_matrix){ 1, 0, 0, 1, v[0], v[1] };                   return true;
     case 21: *out = (svg_matrix){ v[0], 0, 0, v[0], 0, 0 };                   return true;
     case 22: *out = (svg_matrix){ v[0], 0, 0, v[1], 0, 0 };                   return true;
-    case 31: *out = turned(v[0]);                                             return true;
+    case 31: *out = rotation_of(v[0]);                                             return true;
     case 33:
-        *out = svg_multiply(svg_multiply((svg_matrix){ 1, 0, 0, 1, v[1], v[2] }, turned(v[0])),
+        *out = svg_multiply(svg_multiply((svg_matrix){ 1, 0, 0, 1, v[1], v[2] }, rotation_of(v[0])),
                             (svg_matrix){ 1, 0, 0, 1, -v[1], -v[2] });
         return true;
     case 41: *out = (svg_matrix){ 1, 0, tan(v[0] * DEGREE), 1, 0, 0 };        return true;
@@ -73,7 +73,7 @@ static bool one_transform(const char *name, int length, const double v[6], int c
 }
 
 /* The numbers between parentheses; how many, or -1 if something else stands there. */
-static int arguments(const char **at, bool css, double v[6])
+static int read_arguments(const char **at, bool css, double v[6])
 {
     int count = 0;
 
@@ -113,7 +113,7 @@ bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *
 
         at += length;
         scan_space(&at);
-        if (length == 0 || !one_transform(name, length, v, arguments(&at, css, v), &one))
+        if (length == 0 || !transform_of(name, length, v, read_arguments(&at, css, v), &one))
             return svg_fail(
                 r,
                 "transform: \"%.40s\" is none of matrix(6 numbers) translate(1 or 2) scale(1 or 2) "
@@ -138,7 +138,7 @@ static const struct {
 } units[] = { { "", 1 },    { "px", 1 },         { "mm", 96 / 25.4 }, { "cm", 96 / 2.54 },
               { "in", 96 }, { "pt", 96 / 72.0 }, { "pc", 16 },        { "q", 96 / 101.6 } };
 
-static bool percent(const svg_reader *r, const svg_space *space, const char *name,
+static bool percent_of_viewport(const svg_reader *r, const svg_space *space, const char *name,
                     enum svg_side side, double *value)
 {
     if (space->width <= 0 || space->height <= 0)
@@ -185,7 +185,7 @@ bool svg_length(const svg_reader *r, const svg_space *space, const char *name, e
     if (good && which < count)
         *out *= units[which].px;
     else if (good && strcmp(unit, "%") == 0)
-        good = percent(r, space, name, side, out);
+        good = percent_of_viewport(r, space, name, side, out);
     else
         good = svg_fail(r, "%s=\"%.40s\": give a number with px mm cm in pt pc Q or %%", name,
                         text);
@@ -232,7 +232,7 @@ bool svg_view_box(const svg_reader *r, double box[4], bool *given)
 }
 
 /* 0, 1/2, 1 for Min, Mid, Max at `text`; -1 for anything else. */
-static double alignment(const char *text)
+static double read_alignment(const char *text)
 {
     return strncmp(text, "Min", 3) == 0   ? 0
            : strncmp(text, "Mid", 3) == 0 ? 0.5
@@ -240,7 +240,7 @@ static double alignment(const char *text)
                                           : -1;
 }
 
-static bool aspect(const svg_reader *r, bool *stretch, bool *slice, double align[2])
+static bool read_aspect(const svg_reader *r, bool *stretch, bool *slice, double align[2])
 {
     char *text = svg_attribute(r->node, "preserveAspectRatio");
     const char *at = text;
@@ -255,8 +255,8 @@ static bool aspect(const svg_reader *r, bool *stretch, bool *slice, double align
         *stretch = true;
         at += 4;
     } else if (*at == 'x' && strlen(at) >= 8 && at[4] == 'Y') {
-        align[0] = alignment(at + 1);
-        align[1] = alignment(at + 5);
+        align[0] = read_alignment(at + 1);
+        align[1] = read_alignment(at + 5);
         at += 8;
         good = align[0] >= 0 && align[1] >= 0;
     } else {
@@ -282,7 +282,7 @@ bool svg_fit(const svg_reader *r, const double box[4], double width, double heig
     double sx = width / box[2], sy = height / box[3], align[2];
     bool stretch, slice;
 
-    if (!aspect(r, &stretch, &slice, align))
+    if (!read_aspect(r, &stretch, &slice, align))
         return false;
     if (!stretch)
         sx = sy = slice ? fmax(sx, sy) : fmin(sx, sy);

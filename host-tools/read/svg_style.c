@@ -132,7 +132,8 @@ void svg_block_read(svg_block *block, const char *text, unsigned long long rank)
 // Custom properties: --name and var(--name)
 // -----------------------------------------
 
-static const char *variable(svg_reader *r, const svg_scope *scope, const char *name, size_t length)
+static const char *variable_value(svg_reader *r, const svg_scope *scope, const char *name,
+                                  size_t length)
 {
     xmlChar *key = xmlStrndup((const xmlChar *)name, (int)length);
     const char *found = NULL;
@@ -153,7 +154,7 @@ static const char *variable(svg_reader *r, const svg_scope *scope, const char *n
 }
 
 /* The length up to the parenthesis that closes, or to the end. */
-static size_t to_closing(const char *text, size_t size)
+static size_t length_to_parenthesis(const char *text, size_t size)
 {
     int depth = 1;
     size_t n = 0;
@@ -182,9 +183,9 @@ static bool put_variables(svg_reader *r, const svg_scope *scope, const char *tex
             return true;
 
         const char *inner = call + 4;
-        const size_t length = to_closing(inner, size - before - 4);
+        const size_t length = length_to_parenthesis(inner, size - before - 4);
         const char *comma = memchr(inner, ',', length), *name = inner + strspn(inner, blank);
-        const char *value = variable(r, scope, name, strcspn(name, " \t\r\n\f,)"));
+        const char *value = variable_value(r, scope, name, strcspn(name, " \t\r\n\f,)"));
         const char *taken = value ? value : comma ? comma + 1 : NULL;
         if (taken == NULL ||
             !put_variables(r, scope, taken,

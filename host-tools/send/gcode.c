@@ -28,7 +28,7 @@ typedef struct {
     double p[4][3];
 } cubic;
 
-static void put(writer *w, const char *words)
+static void put_line(writer *w, const char *words)
 {
     gcode *g = w->g;
 
@@ -43,7 +43,7 @@ static void put(writer *w, const char *words)
 }
 
 /* Append a word with at most four decimals. */
-static void word(char *text, char letter, double value)
+static void append_word(char *text, char letter, double value)
 {
     char *at = text + strlen(text);
 
@@ -58,13 +58,13 @@ static void word(char *text, char letter, double value)
         strcpy(at + 1, "0");
 }
 
-static void finish(writer *w, char *text, double feed)
+static void finish_line(writer *w, char *text, double feed)
 {
     if (fabs(60 * feed - w->feed) > 1e-9) {
         w->feed = 60 * feed;
-        word(text, 'F', w->feed);
+        append_word(text, 'F', w->feed);
     }
-    put(w, text);
+    put_line(w, text);
 }
 
 static void point_at(const cubic *c, double t, double out[3])
@@ -76,19 +76,19 @@ static void point_at(const cubic *c, double t, double out[3])
                  t * t * t * c->p[3][i];
 }
 
-static void line_to(writer *w, const cubic *c, double feed)
+static void write_line(writer *w, const cubic *c, double feed)
 {
     char text[96] = "G1";
 
     for (int i = 0; i < 3; i++)
         if (fabs(c->p[3][i] - c->p[0][i]) > 0)
-            word(text, "XYZ"[i], c->p[3][i]);
+            append_word(text, "XYZ"[i], c->p[3][i]);
     if (text[2] != '\0')
-        finish(w, text, feed);
+        finish_line(w, text, feed);
 }
 
 /* Is the piece near its chord, and does it not turn back on it? */
-static bool near_line(const cubic *c, double tol)
+static bool is_near_line(const cubic *c, double tol)
 {
     double v[3], q = 0, last = 0;
 
@@ -113,7 +113,7 @@ static bool near_line(const cubic *c, double tol)
 
 /* The circle through both ends and the middle, if the whole piece is near it and goes round it one
  * way. */
-static bool near_arc(const cubic *c, double tol, double centre[2], bool *left)
+static bool is_near_arc(const cubic *c, double tol, double centre[2], bool *left)
 {
     double m[3];
 
@@ -145,19 +145,19 @@ static bool near_arc(const cubic *c, double tol, double centre[2], bool *left)
     return (-x * last[1] + y * last[0] > 0) == *left;       /* less than half a turn */
 }
 
-static void arc_to(writer *w, const cubic *c, const double centre[2], bool left, double feed)
+static void write_arc(writer *w, const cubic *c, const double centre[2], bool left, double feed)
 {
     char text[96];
 
     strcpy(text, left ? "G3" : "G2");
     for (int i = 0; i < 2; i++)
-        word(text, "XY"[i], c->p[3][i]);
+        append_word(text, "XY"[i], c->p[3][i]);
     for (int i = 0; i < 2; i++)
-        word(text, "IJ"[i], centre[i] - c->p[0][i]);
-    finish(w, text, feed);
+        append_word(text, "IJ"[i], centre[i] - c->p[0][i]);
+    finish_line(w, text, feed);
 }
 
-static void halve(const cubic *c, cubic half[2])
+static void halve_cubic(const cubic *c, cubic half[2])
 {
     for (int i = 0; i < 3; i++) {
         const double a = (c->p[0][i] + c->p[1][i]) / 2, m = (c->p[1][i] + c->p[2][i]) / 2,
@@ -177,12 +177,12 @@ static void write_arcs(writer *w, const cubic *c, double feed, int depth)
     cubic half[2];
     bool left;
 
-    if (near_line(c, w->tol) || depth == DEPTH) {
-        line_to(w, c, feed);
-    } else if (near_arc(c, w->tol, centre, &left)) {
-        arc_to(w, c, centre, left, feed);
+    if (is_near_line(c, w->tol) || depth == DEPTH) {
+        write_line(w, c, feed);
+    } else if (is_near_arc(c, w->tol, centre, &left)) {
+        write_arc(w, c, centre, left, feed);
     } else {
-        halve(c, half);
+        halve_cubic(c, half);
         write_arcs(w, &half[0], feed, depth + 1);
         write_arcs(w, &half[1], feed, depth + 1);
     }
@@ -194,12 +194,12 @@ static void write_cubic(writer *w, const cubic *c, double feed)
     char text[128] = "G5";
 
     for (int i = 0; i < 2; i++)
-        word(text, "IJ"[i], c->p[1][i] - c->p[0][i]);
+        append_word(text, "IJ"[i], c->p[1][i] - c->p[0][i]);
     for (int i = 0; i < 2; i++)
-        word(text, "PQ"[i], c->p[2][i] - c->p[3][i]);
+        append_word(text, "PQ"[i], c->p[2][i] - c->p[3][i]);
     for (int i = 0; i < 2; i++)
-        word(text, "XY"[i], c->p[3][i]);
-    finish(w, text, feed);
+        append_word(text, "XY"[i], c->p[3][i]);
+    finish_line(w, text, feed);
 }
 
 void gcode_make(gcode *g, const toolpath *t, double tol, bool cubics)
@@ -207,13 +207,13 @@ void gcode_make(gcode *g, const toolpath *t, double tol, bool cubics)
     writer w = { .g = g, .tol = tol, .cubics = cubics };
 
     *g = (gcode){ .count = 0 };
-    put(&w, "G21G90G94G17");
+    put_line(&w, "G21G90G94G17");
     for (size_t i = 0; i < t->count; i++) {
         cubic c;
         memcpy(c.p, t->move[i].p, sizeof c.p);
         w.move = i;
-        if (near_line(&c, cubics ? 1e-6 : tol))
-            line_to(&w, &c, t->move[i].feed);
+        if (is_near_line(&c, cubics ? 1e-6 : tol))
+            write_line(&w, &c, t->move[i].feed);
         else if (cubics)
             write_cubic(&w, &c, t->move[i].feed);
         else

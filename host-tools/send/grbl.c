@@ -53,7 +53,7 @@ struct grbl {
 // Bytes
 // -----
 
-static bool put(grbl *g, const char *bytes, size_t count)
+static bool put_bytes(grbl *g, const char *bytes, size_t count)
 {
     const double until = tool_clock() + DEAF;
 
@@ -71,10 +71,10 @@ static bool put_byte(grbl *g, int byte)
 {
     const char c = (char)byte;
 
-    return put(g, &c, 1);
+    return put_bytes(g, &c, 1);
 }
 
-static void three(const char *text, double out[ENGINE_AXES])
+static void read_vector(const char *text, double out[ENGINE_AXES])
 {
     (void)sscanf(text, "%lf,%lf,%lf", &out[0], &out[1], &out[2]);
 }
@@ -100,14 +100,14 @@ static void take_status(grbl *g, char *text)
     for (char *part = strchr(text, '|'); part != NULL; part = strchr(part, '|')) {
         part++;
         if (strncmp(part, "MPos:", 5) == 0) {
-            three(part + 5, g->machine);
+            read_vector(part + 5, g->machine);
             g->machined = true;
             g->placed = g->offsetted;
         } else if (strncmp(part, "WPos:", 5) == 0) {
-            three(part + 5, g->place);
+            read_vector(part + 5, g->place);
             g->placed = true;
         } else if (strncmp(part, "WCO:", 4) == 0) {
-            three(part + 4, g->offset);
+            read_vector(part + 4, g->offset);
             g->offsetted = true;
         } else if (strncmp(part, "F:", 2) == 0 || strncmp(part, "FS:", 3) == 0) {
             g->feed = atof(strchr(part, ':') + 1);
@@ -123,7 +123,7 @@ static void take_status(grbl *g, char *text)
 }
 
 /* A line was answered: $I, one of ours, or what was typed before. */
-static void answered(grbl *g)
+static void take_answer(grbl *g)
 {
     g->asking = false;
     if (g->done == g->sent)
@@ -151,14 +151,14 @@ static void take_line(grbl *g, char *text)
     if (text[0] == '<') {
         take_status(g, text + 1);
     } else if (strcmp(text, "ok") == 0) {
-        answered(g);
+        take_answer(g);
     } else if (strncmp(text, "error:", 6) == 0) {
         if (g->error == 0 && g->done < g->sent) {   /* the first one of ours: those behind it may be
                                                      * answered before anybody looks */
             g->error = atoi(text + 6);
             g->wrong = g->done;
         }
-        answered(g);
+        take_answer(g);
     } else if (strncmp(text, "ALARM:", 6) == 0) {
         g->alarm = atoi(text + 6);
     } else if (strncmp(text, "Grbl", 4) == 0) {
@@ -171,7 +171,7 @@ static void take_line(grbl *g, char *text)
     }
 }
 
-static bool pump(grbl *g, int most_ms)
+static bool pump_bytes(grbl *g, int most_ms)
 {
     char bytes[256];
     const double now = tool_clock();
@@ -196,7 +196,7 @@ static bool pump(grbl *g, int most_ms)
     return got >= 0;
 }
 
-static int vanished(const grbl *g)
+static int report_vanished(const grbl *g)
 {
     return tool_error(EX_IOERR,
                       "%s: the port has vanished (%s) at line %zu: this protocol cannot resume; "
@@ -208,7 +208,7 @@ static int vanished(const grbl *g)
 // -------------
 
 /* Why it is not ready, by what came. */
-static int unready(const grbl *g, double seconds)
+static int report_unready(const grbl *g, double seconds)
 {
     const char *name = g->name[0] != '\0' ? g->name : "the controller";
 
@@ -236,7 +236,7 @@ static int unready(const grbl *g, double seconds)
 
 /* A board that is reset when its line is opened, or whose boot loader listens first, answers late:
  * from its first word on it has as long again. */
-static int greet(grbl *g, double seconds)
+static int greet_controller(grbl *g, double seconds)
 {
     double until  = tool_clock() + seconds;
     bool answered = false;
@@ -249,8 +249,8 @@ static int greet(grbl *g, double seconds)
         if (keys_interrupted())
             return tool_error(EX_TEMPFAIL,
                               "stopped before the controller answered: nothing was sent");
-        if (!pump(g, 50))
-            return vanished(g);
+        if (!pump_bytes(g, 50))
+            return report_vanished(g);
         if (g->answered && !answered)
             until = tool_clock() + seconds;
         answered = g->answered;
@@ -258,14 +258,14 @@ static int greet(grbl *g, double seconds)
             waits_for(&waiting, text);
         if (answered && !g->inquired) {
             g->inquired = g->asking = true;
-            if (!put(g, "$I\n", 3))
-                return vanished(g);
+            if (!put_bytes(g, "$I\n", 3))
+                return report_vanished(g);
         }
         if (tool_clock() < until)
             continue;
         if (g->placed)
             break;                      /* $I is unknown: the buffer that all have */
-        return unready(g, seconds);
+        return report_unready(g, seconds);
     }
     if (g->state == ALARM)
         return tool_error(EX_CONFIG,
@@ -284,7 +284,7 @@ int grbl_open(grbl **out, const char *port, unsigned baud, double seconds)
 
     *g = (grbl){ .port = port, .buffer = BUFFER, .rate = 100 };
     int code = transport_open(&g->line, port, baud);
-    if (code == 0 && (code = greet(g, seconds)) != 0)
+    if (code == 0 && (code = greet_controller(g, seconds)) != 0)
         g->line.kind->close(&g->line);
     if (code != 0) {
         free(g);
@@ -316,7 +316,7 @@ static bool send_lines(grbl *g)
         const unsigned size = (unsigned)snprintf(text, sizeof text, "%s\n", g->code->line[g->sent]);
         if (g->under_way + size > g->buffer - 1)
             break;
-        if (!put(g, text, size))
+        if (!put_bytes(g, text, size))
             return false;
         g->size_of[g->sent++ % WAITING] = size;
         g->under_way += size;
@@ -326,7 +326,7 @@ static bool send_lines(grbl *g)
 
 /* Slow down, stand, and forget what was sent: the position is kept, since a reset at rest loses no
  * step. */
-static bool stop(grbl *g)
+static bool stop_controller(grbl *g)
 {
     const double until = tool_clock() + DEAF;
 
@@ -334,7 +334,7 @@ static bool stop(grbl *g)
         return false;
     g->state = UNKNOWN;
     while (g->state != HELD && g->state != IDLE && g->state != ALARM && tool_clock() < until)
-        if (!pump(g, 20))
+        if (!pump_bytes(g, 20))
             return false;
     g->code = NULL;                     /* the greeting that follows is no surprise */
     return put_byte(g, 0x18);
@@ -354,7 +354,7 @@ static bool obey_keys(grbl *g, bool *abort)
 }
 
 /* What is wrong, as an exit code after one line; 0: nothing. */
-static int trouble(grbl *g)
+static int report_trouble(grbl *g)
 {
     const gcode *code = g->code;
     const double now = tool_clock();
@@ -373,7 +373,7 @@ static int trouble(grbl *g)
         return tool_error(EX_PROTOCOL, "%s: alarm %d at line %zu of %zu: %s", g->port, g->alarm,
                           g->done, code->count, grbl_alarm_text(g->alarm));
     if (g->error != 0) {
-        (void)stop(g);
+        (void)stop_controller(g);
         return tool_error(EX_PROTOCOL,
                           "%s: error %d at line %zu of %zu, `%s`: %s; the machine is stopped",
                           g->port, g->error, g->wrong + 1, code->count, code->line[g->wrong],
@@ -385,7 +385,7 @@ static int trouble(grbl *g)
                           "draws what it has and stops",
                           g->port, DEAF, g->done, code->count);
     if (g->state == IDLE && g->done < g->sent && now - g->moved > STUCK) {
-        (void)stop(g);
+        (void)stop_controller(g);
         return tool_error(EX_PROTOCOL,
                           "%s: %zu lines were not answered: bytes were lost on the line, and what "
                           "was drawn cannot be trusted",
@@ -394,7 +394,7 @@ static int trouble(grbl *g)
     return 0;
 }
 
-static void show(const grbl *g, progress *bar)
+static void show_progress(const grbl *g, progress *bar)
 {
     char text[128];
 
@@ -411,21 +411,21 @@ static void show(const grbl *g, progress *bar)
     progress_show(bar, (double)g->done, text);
 }
 
-static int drive(grbl *g, progress *bar)
+static int drive_job(grbl *g, progress *bar)
 {
     bool abort = false;
     waits waiting = { .told = false };
 
     while (g->done < g->code->count || g->state != IDLE) {
-        if (!send_lines(g) || !pump(g, 20) || !obey_keys(g, &abort))
-            return vanished(g);
-        const int code = trouble(g);
+        if (!send_lines(g) || !pump_bytes(g, 20) || !obey_keys(g, &abort))
+            return report_vanished(g);
+        const int code = report_trouble(g);
         if (code != 0)
             return code;
         if (abort || keys_interrupted()) {
             const size_t count = g->code->count;
-            if (!stop(g))
-                return vanished(g);
+            if (!stop_controller(g))
+                return report_vanished(g);
             return tool_error(
                 EX_TEMPFAIL, "aborted at line %zu of %zu: the machine is stopped at %.3f %.3f %.3f",
                 g->done, count, g->place[0], g->place[1], g->place[2]);
@@ -433,7 +433,7 @@ static int drive(grbl *g, progress *bar)
         if (g->done == g->code->count && g->state != RUN && g->state != HOLD && g->state != HELD)
             g->asked = 0;               /* the last line was answered before it was drawn: ask
                                          * again */
-        show(g, bar);
+        show_progress(g, bar);
         waits_for(&waiting, !bar->shown && (g->state == HOLD || g->state == HELD)
                                 ? "the controller is held: its button goes on"
                                 : NULL);
@@ -450,7 +450,7 @@ int grbl_run(grbl *g, const gcode *code, const char *what)
     g->state = UNKNOWN;
     g->heard = g->moved = began;
     progress_start(&bar, (double)code->count);
-    const int result = drive(g, &bar);
+    const int result = drive_job(g, &bar);
     progress_clear(&bar);
     if (result == 0)
         printf("drawn: %s, %zu lines of G-code in %.1f s, %s at %.3f %.3f %.3f\n", what,

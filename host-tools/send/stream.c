@@ -35,7 +35,7 @@ typedef struct {
     int percent;            /* that a key asked for last; 0: none did   */
 } run_state;
 
-static bool standing(const loft_sender *s)
+static bool machine_is_stopped(const loft_sender *s)
 {
     return s->ack.state == LOFT_STATE_HELD || !loft_state_busy(s->ack.state);
 }
@@ -73,7 +73,7 @@ static void measure_pace(run_state *r)
 }
 
 /* Does time stand until somebody or something else goes on? */
-static bool rests(const run_state *r)
+static bool time_rests(const run_state *r)
 {
     const loft_sender *s = &r->t->sender;
 
@@ -82,7 +82,7 @@ static bool rests(const run_state *r)
 }
 
 /* What keeps the job from going on, or NULL. */
-static const char *awaited(const run_state *r, char text[200])
+static const char *awaited_event(const run_state *r, char text[200])
 {
     const loft_sender *s = &r->t->sender;
 
@@ -117,7 +117,7 @@ static const char *awaited(const run_state *r, char text[200])
                                          : "the machine has all items, and does not move";
 }
 
-static void show(run_state *r)
+static void show_progress(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
     char state[32], text[160];
@@ -135,13 +135,13 @@ static void show(run_state *r)
     stream_place(s, r->about->k, s->status.position, at);
     for (int i = 0; i < LOFT_AXES; i++)
         used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], at[i]);
-    if (rests(r))
+    if (time_rests(r))
         progress_rest(&r->bar);
     progress_show(&r->bar, (double)s->status.ticks, text);
 }
 
 /* One line that stays: where things are. */
-static void tell(run_state *r)
+static void tell_state(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
     char state[32], of[32];
@@ -177,7 +177,7 @@ static void obey_keys(run_state *r)
     case '-':
     case '_': change_override(r, -10); break;
     case '0': change_override(r, 0); break;
-    case 's': tell(r); break;
+    case 's': tell_state(r); break;
     case 'h': loft_sender_control(&r->t->sender, LOFT_HOLD);   break;
     case 'r': loft_sender_control(&r->t->sender, LOFT_RESUME); break;
     case 'a': loft_sender_control(&r->t->sender, LOFT_ABORT);  break;
@@ -186,7 +186,7 @@ static void obey_keys(run_state *r)
 }
 
 /* What is to be said and done once when a job is found under way. */
-static void wake(run_state *r)
+static void wake_job(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
     char of[32];
@@ -203,7 +203,7 @@ static void wake(run_state *r)
 
 /* After ^C: hold, wait until the machine stands and has told where. True when that is done or takes
  * too long. */
-static bool stopped(run_state *r)
+static bool has_stopped(run_state *r)
 {
     const double now = tool_clock();
 
@@ -213,7 +213,7 @@ static bool stopped(run_state *r)
         r->stop_at = now;
         loft_sender_control(&r->t->sender, LOFT_HOLD);
     }
-    if (!standing(&r->t->sender) || r->t->sender.phase < LOFT_PHASE_STREAMING)
+    if (!machine_is_stopped(&r->t->sender) || r->t->sender.phase < LOFT_PHASE_STREAMING)
         r->held_at = 0;
     else if (r->held_at <= 0)
         r->held_at = now;
@@ -221,7 +221,7 @@ static bool stopped(run_state *r)
            now - r->stop_at > STOP;
 }
 
-static const char *where(const run_state *r, char text[64])
+static const char *where_text(const run_state *r, char text[64])
 {
     char of[32];
 
@@ -231,7 +231,7 @@ static const char *where(const run_state *r, char text[64])
 
 /* Plan a portion, if one is wanted; true if another is. Greetings and the end after ^C come first:
  * on a busy computer a portion may take long. */
-static bool plan_on(run_state *r)
+static bool plan_portion(run_state *r)
 {
     loft_sender *s = &r->t->sender;
 
@@ -249,18 +249,18 @@ static bool plan_on(run_state *r)
 }
 
 /* Until the sender is at its end, or an exit code. */
-static int loop(run_state *r)
+static int stream_loop(run_state *r)
 {
     loft_sender *s = &r->t->sender;
     char place[64], text[200];
 
     while (s->phase < LOFT_PHASE_DONE) {
-        if (!talk_pump(r->t, plan_on(r) ? 0 : 20)) {
+        if (!talk_pump(r->t, plan_portion(r) ? 0 : 20)) {
             loft_sender_hangup(s);
             if (s->phase >= LOFT_PHASE_DONE)
                 break;
             progress_clear(&r->bar);
-            return talk_vanished(r->t, where(r, place));
+            return talk_vanished(r->t, where_text(r, place));
         }
         if (talk_silence(r->t) > SILENCE) {
             progress_clear(&r->bar);
@@ -268,15 +268,15 @@ static int loop(run_state *r)
                               "%s: the machine has been silent for %g s %s: it stops on the path; "
                               "look at cable and power, "
                               "then run the same command again",
-                              r->t->port, SILENCE, where(r, place));
+                              r->t->port, SILENCE, where_text(r, place));
         }
-        wake(r);
+        wake_job(r);
         obey_keys(r);
-        if (stopped(r))
+        if (has_stopped(r))
             break;
         if (s->phase == LOFT_PHASE_STREAMING)
-            show(r);
-        waits_for(&r->waiting, awaited(r, text));
+            show_progress(r);
+        waits_for(&r->waiting, awaited_event(r, text));
     }
     progress_clear(&r->bar);
     return 0;
@@ -290,7 +290,7 @@ int stream_run(talk *t, job *j, const stream_subject *about)
         return tool_error(EX_SOFTWARE, "the job could not begin: please report this");
     loft_sender_extend(&t->sender, (uint32_t)j->count, job_items(j));
     progress_start(&r.bar, job_ticks(j));
-    const int code = loop(&r);
+    const int code = stream_loop(&r);
     if (code != 0)
         return code;
     if (r.planned != LOFT_OK)
@@ -303,13 +303,13 @@ int stream_run(talk *t, job *j, const stream_subject *about)
 }
 
 /* Has the machine done what `verb` asks for? */
-static bool obeyed(const loft_sender *s, enum loft_verb verb)
+static bool verb_obeyed(const loft_sender *s, enum loft_verb verb)
 {
     if (s->verb != 0)
         return false;
     return verb == LOFT_RESUME
                ? s->ack.state != LOFT_STATE_HELD && s->ack.state != LOFT_STATE_HOLDING
-               : standing(s);
+               : machine_is_stopped(s);
 }
 
 int stream_control(talk *t, enum loft_verb verb, const kinematics *k)
@@ -337,7 +337,7 @@ int stream_control(talk *t, enum loft_verb verb, const kinematics *k)
         waits_for(&waiting, done > 0              ? NULL
                             : verb == LOFT_RESUME ? "the machine does not go on yet"
                                                   : "the machine is not stopped yet");
-        if (done <= 0 && obeyed(s, verb))
+        if (done <= 0 && verb_obeyed(s, verb))
             done = tool_clock();
     }
     return stream_obeyed(t, verb, k);

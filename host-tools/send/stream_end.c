@@ -23,8 +23,8 @@ void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps
 }
 
 /* "12.345 8.000 1.000" of steps. */
-static const char *place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES],
-                         char text[96])
+static const char *place_text(const loft_sender *s, const kinematics *k,
+                              const int32_t steps[LOFT_AXES], char text[96])
 {
     double at[LOFT_AXES];
     size_t used = 0;
@@ -52,7 +52,7 @@ static const engine *engine_of(const loft_welcome *machine)
 }
 
 /* Where the job should end, rounded to steps as the machine rounds. */
-static void commanded(const loft_sender *s, const job *j, int32_t out[LOFT_AXES])
+static void commanded_end(const loft_sender *s, const job *j, int32_t out[LOFT_AXES])
 {
     const engine *e = engine_of(&s->machine);
 
@@ -128,7 +128,7 @@ static int error_text(const loft_sender *s, const stream_subject *about, char te
     return code;
 }
 
-static int drawn(talk *t, job *j, const stream_subject *about)
+static int report_drawn(talk *t, job *j, const stream_subject *about)
 {
     const loft_sender *s = &t->sender;
     int32_t want[LOFT_AXES];
@@ -141,7 +141,7 @@ static int drawn(talk *t, job *j, const stream_subject *about)
     if (status != LOFT_OK)
         return tool_error(EX_DATAERR, "%s: cannot be planned: %s", about->file,
                           engine_status(status));
-    commanded(s, j, want);
+    commanded_end(s, j, want);
     if (memcmp(want, s->report.position, sizeof want) != 0)
         return tool_error(
             EX_SOFTWARE,
@@ -160,7 +160,7 @@ static int drawn(talk *t, job *j, const stream_subject *about)
 }
 
 /* An input ended the job, or let it not begin. */
-static int hindered(const talk *t, const job *j)
+static int report_hindered(const talk *t, const job *j)
 {
     const loft_sender *s = &t->sender;
     const bool began     = s->report.job != 0;
@@ -177,11 +177,11 @@ static int hindered(const talk *t, const job *j)
                       "the path at %s mm, steps %s; "
                       "move away by hand, or with a drawing that leads away and --away",
                       t->port, talk_inputs(by, text), (unsigned)s->report.items, job_of(j, of),
-                      place(s, j->k, s->report.position, at),
+                      place_text(s, j->k, s->report.position, at),
                       steps_text(s->report.position, steps));
 }
 
-static int refused(const talk *t, const job *j)
+static int report_refused(const talk *t, const job *j)
 {
     switch (t->sender.refusal) {
     case LOFT_REFUSAL_START:
@@ -204,7 +204,7 @@ static int refused(const talk *t, const job *j)
         return tool_error(EX_DATAERR,
                           "%s: the machine cannot do item %u: give less --feed or --accel", t->port,
                           (unsigned)t->sender.ack.next);
-    case LOFT_REFUSAL_INPUT: return hindered(t, j);
+    case LOFT_REFUSAL_INPUT: return report_hindered(t, j);
     case LOFT_REFUSAL_FAULT:
         return tool_error(EX_UNAVAILABLE,
                           "%s: the machine does not trust its position: restart and home it",
@@ -223,15 +223,15 @@ int stream_ended(talk *t, job *j, const stream_subject *about)
     char text[96], other[96], of[32];
 
     switch (s->phase) {
-    case LOFT_PHASE_DONE: return drawn(t, j, about);
+    case LOFT_PHASE_DONE: return report_drawn(t, j, about);
     case LOFT_PHASE_ABORTED:
         if (s->refusal != LOFT_REFUSAL_NONE)
-            return refused(t, j);
+            return report_refused(t, j);
         return tool_error(EX_TEMPFAIL,
                           "aborted after %u%s items: the machine is stopped on the path at %s mm, "
                           "steps %s; the next job starts there",
                           (unsigned)s->report.items, job_of(j, of),
-                          place(s, j->k, s->report.position, text),
+                          place_text(s, j->k, s->report.position, text),
                           steps_text(s->report.position, other));
     case LOFT_PHASE_BUSY:
         return tool_error(EX_TEMPFAIL,
@@ -247,7 +247,7 @@ int stream_ended(talk *t, job *j, const stream_subject *about)
         return tool_error(
             EX_CONFIG, "%s: the machine came back with another version or other axes: start again",
             t->port);
-    default: return refused(t, j);
+    default: return report_refused(t, j);
     }
 }
 
@@ -266,7 +266,7 @@ int stream_interrupted(const talk *t, const job *j)
                       "the same command goes on, "
                       "`loft stream --abort --port %s` gives up",
                       (unsigned)s->ack.executed, job_of(j, of),
-                      place(s, j->k, s->status.position, text),
+                      place_text(s, j->k, s->status.position, text),
                       steps_text(s->status.position, other), t->port);
 }
 
@@ -281,7 +281,7 @@ int stream_obeyed(const talk *t, enum loft_verb verb, const kinematics *k)
            verb == LOFT_HOLD     ? "held"
            : verb == LOFT_RESUME ? "resumed"
                                  : "aborted",
-           (unsigned)(told ? s->report.items : s->ack.executed), place(s, k, at, text),
+           (unsigned)(told ? s->report.items : s->ack.executed), place_text(s, k, at, text),
            steps_text(at, other));
     return EX_OK;
 }

@@ -14,12 +14,12 @@ static const char *const names[16] = { [LOFT_HELLO] = "HELLO",      [LOFT_JOB] =
                                        [LOFT_STATUS] = "STATUS",    [LOFT_REPORT] = "REPORT",
                                        [LOFT_DATA_FINE] = "FINE",   [LOFT_DATA_CURVES] = "CURVES" };
 
-static const char *word(const char *const list[], size_t count, unsigned index)
+static const char *word_of(const char *const list[], size_t count, unsigned index)
 {
     return index < count && list[index] != NULL ? list[index] : "?";
 }
 
-#define WORD(list, index) word(list, sizeof list / sizeof *list, index)
+#define WORD(list, index) word_of(list, sizeof list / sizeof *list, index)
 
 static const char *state_word(unsigned state)
 {

@@ -33,11 +33,11 @@ typedef struct {
     void *context;
 } study;
 
-static void give(const study *s, double off, const double value[], unsigned count,
+static void give_row(const study *s, double off, const double value[], unsigned count,
                  const char *figure, const char *kind, const char *format, ...)
     __attribute__((format(printf, 7, 8)));
 
-static void give(const study *s, double off, const double value[], unsigned count,
+static void give_row(const study *s, double off, const double value[], unsigned count,
                  const char *figure, const char *kind, const char *format, ...)
 {
     chapter_row r = { .off = off,
@@ -60,17 +60,18 @@ static void give(const study *s, double off, const double value[], unsigned coun
 /* Sines of whole turns are 1e-16, which is no number for exact decisions. */
 static double tidy(double x) { return fabs(x) < 1e-15 ? 0 : x; }
 
-static void at(const study *s, unsigned kind, double x, double y, bool bent, chapter_point *out)
+static void eval_point(const study *s, unsigned kind, double x, double y, bool bent,
+                       chapter_point *out)
 {
     if (s->e->at(s->patch[kind], tidy(x), tidy(y), bent, out) != 0)
         *out = (chapter_point){ .bent = false };
 }
 
 /* rho of the way from the middle to a point of the boundary. */
-static void on_ray(const study *s, unsigned kind, const double to[2], double rho, bool bent,
+static void eval_on_ray(const study *s, unsigned kind, const double to[2], double rho, bool bent,
                    chapter_point *out)
 {
-    at(s, kind, s->middle[0] + rho * (to[0] - s->middle[0]),
+    eval_point(s, kind, s->middle[0] + rho * (to[0] - s->middle[0]),
        s->middle[1] + rho * (to[1] - s->middle[1]), bent, out);
 }
 
@@ -88,7 +89,7 @@ typedef struct {
     double area;
 } sample;
 
-static void take(const study *s, sample *all, bool bent, double weight, double rho, double x,
+static void take_point(const study *s, sample *all, bool bent, double weight, double rho, double x,
                  double y)
 {
     place *q = &all->place[all->count++];
@@ -97,14 +98,14 @@ static void take(const study *s, sample *all, bool bent, double weight, double r
     all->area += weight;
     for (unsigned k = 0; k < CHAPTER_KINDS; k++) {
         chapter_point p;
-        at(s, k, x, y, bent, &p);
+        eval_point(s, k, x, y, bent, &p);
         q->b0[k] = p.b0.f;
         for (int h = 0; h < HEIGHTS; h++)
             q->gauss[k][h] = p.bent ? chapter_gauss(&p, heights[h]) : 0;
     }
 }
 
-static void take_all(const study *s, bool bent, unsigned fine, sample *all)
+static void take_points(const study *s, bool bent, unsigned fine, sample *all)
 {
     *all = (sample){ .place = least_room(CHAPTER_SIDES * (size_t)fine * fine * sizeof(place)) };
     for (unsigned i = 0; i < CHAPTER_SIDES; i++) {
@@ -115,7 +116,8 @@ static void take_all(const study *s, bool bent, unsigned fine, sample *all)
             for (unsigned k = 0; k < 2 * row + 1; k++) {
                 const double rho = (row + (k % 2 ? 1.0 / 3 : 2.0 / 3)) / fine,
                              share = (k / 2 + (k % 2 ? 2.0 / 3 : 1.0 / 3)) / fine;
-                take(s, all, bent, area, rho, c[0] + rho * (a[0] - c[0]) + share * (b[0] - a[0]),
+                take_point(s, all, bent, area, rho,
+                           c[0] + rho * (a[0] - c[0]) + share * (b[0] - a[0]),
                      c[1] + rho * (a[1] - c[1]) + share * (b[1] - a[1]));
             }
     }
@@ -124,7 +126,7 @@ static void take_all(const study *s, bool bent, unsigned fine, sample *all)
 typedef bool question(const place *q, const void *how);
 
 /* The share of the area from rho `low` to `high` where the answer is yes. */
-static double share(const sample *all, double low, double high, question *is, const void *how)
+static double area_share(const sample *all, double low, double high, question *is, const void *how)
 {
     double yes = 0, area = 0;
 
@@ -142,13 +144,13 @@ static double share(const sample *all, double low, double high, question *is, co
 // 4-3 to 4-5: the weight of V0
 // ----------------------------
 
-static bool is_negative(const place *q, const void *how)
+static bool weight_is_negative(const place *q, const void *how)
 {
     return q->b0[*(const unsigned *)how] < 0;
 }
 
 /* which[0] above which[1], above which[2] when there are three. */
-static bool in_order(const place *q, const void *how)
+static bool weights_in_order(const place *q, const void *how)
 {
     const unsigned *which = how;
     return q->b0[which[0]] > q->b0[which[1]] &&
@@ -156,7 +158,7 @@ static bool in_order(const place *q, const void *how)
 }
 
 /* Where the ray from the middle at an angle leaves the pentagon. */
-static void leave(const study *s, double angle, double out[2])
+static void leave_pentagon(const study *s, double angle, double out[2])
 {
     const double d[2] = { cos(angle), sin(angle) };
 
@@ -179,10 +181,10 @@ static double falling_rays(const study *s, unsigned kind)
     for (int ray = 0; ray < RAYS; ray++) {
         bool falls = true;
         double last = INFINITY;
-        leave(s, 2 * acos(-1) * ray / RAYS, to);
+        leave_pentagon(s, 2 * acos(-1) * ray / RAYS, to);
         for (int i = 0; i < STEPS && falls; i++) {
             chapter_point p;
-            on_ray(s, kind, to, pow((double)i / STEPS, 1.5), false, &p);
+            eval_on_ray(s, kind, to, pow((double)i / STEPS, 1.5), false, &p);
             falls = p.b0.f < last + (s->rough ? 1e-6 : 1e-12);
             last = p.b0.f;
         }
@@ -191,7 +193,7 @@ static double falling_rays(const study *s, unsigned kind)
     return falling / RAYS;
 }
 
-static void weights(const study *s, const sample *all)
+static void study_weights(const study *s, const sample *all)
 {
     for (unsigned k = 0; k < CHAPTER_KINDS; k++) {
         double mean = 0, most = -INFINITY, least = INFINITY;
@@ -201,29 +203,30 @@ static void weights(const study *s, const sample *all)
             most = fmax(most, all->place[i].b0[k]);
             least = fmin(least, all->place[i].b0[k]);
         }
-        at(s, k, s->middle[0], s->middle[1], false, &middle);
-        const double negative = share(all, 0, 1, is_negative, &k), falling = falling_rays(s, k);
-        give(s, s->rough ? 1e-4 : 1e-5, &mean, 1, "4-3", chapter_kinds[k],
+        eval_point(s, k, s->middle[0], s->middle[1], false, &middle);
+        const double negative = area_share(all, 0, 1, weight_is_negative, &k),
+                     falling = falling_rays(s, k);
+        give_row(s, s->rough ? 1e-4 : 1e-5, &mean, 1, "4-3", chapter_kinds[k],
              "mean of B0 over the pentagon (dZ = dz*B0)");
-        give(s, 1e-3, &most, 1, "4-3", chapter_kinds[k], "max of B0 on the sample");
-        give(s, 1e-2, &least, 1, "4-3", chapter_kinds[k], "min of B0 on the sample");
-        give(s, s->rough ? 1e-4 : 1e-9, &middle.b0.f, 1, "4-3", chapter_kinds[k],
+        give_row(s, 1e-3, &most, 1, "4-3", chapter_kinds[k], "max of B0 on the sample");
+        give_row(s, 1e-2, &least, 1, "4-3", chapter_kinds[k], "min of B0 on the sample");
+        give_row(s, s->rough ? 1e-4 : 1e-9, &middle.b0.f, 1, "4-3", chapter_kinds[k],
              "B0 at the centre (vertex mean)");
-        give(s, 2e-3, &negative, 1, "4-3", chapter_kinds[k], "area fraction with B0 < 0");
-        give(s, 0.06, &falling, 1, "4-3", chapter_kinds[k],
+        give_row(s, 2e-3, &negative, 1, "4-3", chapter_kinds[k], "area fraction with B0 < 0");
+        give_row(s, 0.06, &falling, 1, "4-3", chapter_kinds[k],
              "fraction of %d centre rays on which B0 decreases monotonically outward", RAYS);
     }
 }
 
-static void orders(const study *s, const sample *all)
+static void study_orders(const study *s, const sample *all)
 {
     static const unsigned order[4][3] = {
         { 1, 2, CHAPTER_KINDS }, { 2, 0, CHAPTER_KINDS }, { 1, 0, CHAPTER_KINDS }, { 1, 2, 0 }
     };
 
     for (int i = 0; i < 4; i++) {
-        const double part = share(all, 0, 1, in_order, order[i]);
-        give(s, 4e-3, &part, 1, "4-4/4-5", "-",
+        const double part = area_share(all, 0, 1, weights_in_order, order[i]);
+        give_row(s, 4e-3, &part, 1, "4-4/4-5", "-",
              i < 3 ? "area fraction B0_%s > B0_%s" : "area fraction B0_%s > B0_%s > B0_%s",
              chapter_kinds[order[i][0]], chapter_kinds[order[i][1]],
              chapter_kinds[order[i][2] % CHAPTER_KINDS]);
@@ -232,8 +235,8 @@ static void orders(const study *s, const sample *all)
         double most = 0;
         for (size_t k = 0; k < all->count; k++)
             most = fmax(most, fabs(all->place[k].b0[order[i][0]] - all->place[k].b0[order[i][1]]));
-        give(s, 1e-3, &most, 1, "4-4/4-5", "-", "max |B0_%s - B0_%s|", chapter_kinds[order[i][0]],
-             chapter_kinds[order[i][1]]);
+        give_row(s, 1e-3, &most, 1, "4-4/4-5", "-", "max |B0_%s - B0_%s|",
+                 chapter_kinds[order[i][0]], chapter_kinds[order[i][1]]);
     }
 }
 
@@ -241,7 +244,7 @@ static void orders(const study *s, const sample *all)
 // 4-6 to 4-11: ridges and valleys
 // -------------------------------
 
-static void across(const study *s, unsigned kind, bool vertex)
+static void study_ridges(const study *s, unsigned kind, bool vertex)
 {
     static const double rho[3] = { 0.5, 0.75, 0.9 };
     const char *ray = vertex ? "vertex" : "midedge";
@@ -253,20 +256,20 @@ static void across(const study *s, unsigned kind, bool vertex)
         const double to[2] = { vertex ? a[0] : (a[0] + b[0]) / 2,
                                vertex ? a[1] : (a[1] + b[1]) / 2 };
         for (int k = 0; k < 3; k++) {
-            on_ray(s, kind, to, rho[k], true, &p);
+            eval_on_ray(s, kind, to, rho[k], true, &p);
             for (int h = 0; h < SHIFTS; h++)
                 value[h][k] += chapter_across(&p, shifts[h]) / CHAPTER_SIDES;
         }
         for (int k = 1; k < 40; k++) {
-            on_ray(s, kind, to, k / 40.0, true, &p);
+            eval_on_ray(s, kind, to, k / 40.0, true, &p);
             for (int h = 0; h < SHIFTS; h++)
                 valley[h] += (chapter_across(&p, shifts[h]) > 0) / (39.0 * CHAPTER_SIDES);
         }
     }
     for (int h = 0; h < SHIFTS; h++) {
-        give(s, s->rough ? 0.02 : 1e-3, &valley[h], 1, "4-6..4-11", chapter_kinds[kind],
+        give_row(s, s->rough ? 0.02 : 1e-3, &valley[h], 1, "4-6..4-11", chapter_kinds[kind],
              "fraction of the centre-%s ray(s) with Z_tt>0 (valley), dz=%g", ray, shifts[h]);
-        give(s, s->rough ? 0.05 : 1e-6, value[h], 3, "4-6..4-11", chapter_kinds[kind],
+        give_row(s, s->rough ? 0.05 : 1e-6, value[h], 3, "4-6..4-11", chapter_kinds[kind],
              "Z_tt on the centre-%s ray at rho=0.5, 0.75, 0.9; dz=%g", ray, shifts[h]);
     }
 }
@@ -280,7 +283,7 @@ typedef struct {
     int height;
 } comparison;
 
-static bool is_above(const place *q, const void *how)
+static bool curvature_is_above(const place *q, const void *how)
 {
     const comparison *c = how;
     const double w = q->gauss[0][c->height];
@@ -305,8 +308,8 @@ static void curvature_fractions(const study *s, const sample *all, int h)
     for (int i = 0; i < 5; i++)
         for (unsigned which = 0; which < 3; which++) {
             const comparison c = { which, h };
-            const double value = share(all, part[i].low, part[i].high, is_above, &c);
-            give(s, s->rough ? 0.1 : 0.01, &value, 1, "4-13..4-15", "-",
+            const double value = area_share(all, part[i].low, part[i].high, curvature_is_above, &c);
+            give_row(s, s->rough ? 0.1 : 0.01, &value, 1, "4-13..4-15", "-",
                  "area fraction %s, %s, V0 height %g", name[which], part[i].name, heights[h]);
         }
 }
@@ -335,42 +338,42 @@ static double correlation(const sample *all, unsigned a, unsigned b, int h)
     return both / sqrt(square[0] * square[1]);
 }
 
-static int by_value(const void *a, const void *b)
+static int compare_values(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
 /* The least, what 5 %, half, 95 % do not exceed, the most. */
-static void quantiles(const study *s, const sample *all, unsigned kind, int h)
+static void study_quantiles(const study *s, const sample *all, unsigned kind, int h)
 {
     static const double part[5] = { 0, 0.05, 0.5, 0.95, 1 };
     double value[5], *sorted = least_room(all->count * sizeof *sorted);
 
     for (size_t i = 0; i < all->count; i++)
         sorted[i] = all->place[i].gauss[kind][h];
-    qsort(sorted, all->count, sizeof *sorted, by_value);
+    qsort(sorted, all->count, sizeof *sorted, compare_values);
     for (int k = 0; k < 5; k++)
         value[k] = sorted[(size_t)(part[k] * (double)(all->count - 1) + 0.5)];
     free(sorted);
-    give(s, s->rough ? 0.03 : 5e-3, value, 5, "4-12..4-15", chapter_kinds[kind],
+    give_row(s, s->rough ? 0.03 : 5e-3, value, 5, "4-12..4-15", chapter_kinds[kind],
          "K on the sample: min, 5%%, median, 95%%, max; V0 height %g", heights[h]);
 }
 
-static void curvatures(const study *s, const sample *all, int h)
+static void study_curvatures(const study *s, const sample *all, int h)
 {
     for (unsigned k = 0; k < CHAPTER_KINDS; k++) {
         chapter_point middle;
-        at(s, k, s->middle[0], s->middle[1], true, &middle);
+        eval_point(s, k, s->middle[0], s->middle[1], true, &middle);
         const double value = chapter_gauss(&middle, heights[h]);
-        give(s, s->rough ? 3e-3 : 1e-9, &value, 1, "4-12..4-15", chapter_kinds[k],
+        give_row(s, s->rough ? 3e-3 : 1e-9, &value, 1, "4-12..4-15", chapter_kinds[k],
              "analytic K at the centre, V0 height %g (net/8)", heights[h]);
-        quantiles(s, all, k, h);
+        study_quantiles(s, all, k, h);
     }
     const double together[3] = { correlation(all, 1, 2, h), correlation(all, 1, 0, h),
                                  correlation(all, 2, 0, h) };
     curvature_fractions(s, all, h);
-    give(s, s->rough ? 0.05 : 5e-3, together, 3, "4-13..4-15", "-",
+    give_row(s, s->rough ? 0.05 : 5e-3, together, 3, "4-13..4-15", "-",
          "correlation of K, rho<0.9, V0 height %g: (MV,H) (MV,W) (H,W)", heights[h]);
 }
 
@@ -385,21 +388,21 @@ static void mesh_point(const study *s, unsigned kind, double u, double v, double
     const double *a = s->p->v[0], *b = s->p->v[1],
                  to[2] = { a[0] + u * (b[0] - a[0]), a[1] + u * (b[1] - a[1]) };
 
-    on_ray(s, kind, to, v, bent, p);
+    eval_on_ray(s, kind, to, v, bent, p);
     out[0] = p->p[0].f;
     out[1] = p->p[1].f;
     out[2] = chapter_height(p, 1.0 / 8, 8 * height - CHAPTER_V0).f;
 }
 
-static double part_of(double sorted[], size_t count, double part)
+static double triangle_corner(double sorted[], size_t count, double part)
 {
-    qsort(sorted, count, sizeof *sorted, by_value);
+    qsort(sorted, count, sizeof *sorted, compare_values);
     return sorted[(size_t)(part * (double)(count - 1) + 0.5)];
 }
 
 /* A quantile of some hundred different numbers is the next one where one more falls on the other
  * side: off by 0.05 is the same. */
-static void estimator(const study *s, unsigned kind, int h, unsigned n)
+static void study_estimator(const study *s, unsigned kind, int h, unsigned n)
 {
     const size_t most = (size_t)n * n;
     double *error = least_room(most * sizeof *error), *ratio = least_room(most * sizeof *ratio),
@@ -421,11 +424,12 @@ static void estimator(const study *s, unsigned kind, int h, unsigned n)
             ratio[count++] = mesh / gauss;
             largest = fmax(largest, fabs(gauss));
         }
-    const double value[4] = { part_of(error, count, 0.5), part_of(error, count, 0.95),
-                              part_of(ratio, count, 0.5), largest };
+    const double value[4] = { triangle_corner(error, count, 0.5),
+                              triangle_corner(error, count, 0.95),
+                              triangle_corner(ratio, count, 0.5), largest };
     free(error);
     free(ratio);
-    give(s, 0.05, value, 4, "4-6", chapter_kinds[kind],
+    give_row(s, 0.05, value, 4, "4-6", chapter_kinds[kind],
          "discrete (4 neighbour fan on the (u,v) mesh, %ux%u per sector) versus analytic K, V0 "
          "height %g: "
          "median |error|, 95%% |error|, median Kd/K, max |K|",
@@ -436,19 +440,19 @@ static void estimator(const study *s, unsigned kind, int h, unsigned n)
 // The whole
 // ---------
 
-static void all_of(const study *s, const sample *all, const sample *bent)
+static void study_kinds(const study *s, const sample *all, const sample *bent)
 {
-    weights(s, all);
-    orders(s, all);
+    study_weights(s, all);
+    study_orders(s, all);
     for (unsigned k = 0; k < CHAPTER_KINDS; k++)
         for (int vertex = 1; vertex >= 0; vertex--)
-            across(s, k, vertex);
+            study_ridges(s, k, vertex);
     for (int h = 0; h < HEIGHTS; h++)
-        curvatures(s, bent, h);
+        study_curvatures(s, bent, h);
     for (int h = 0; h < 3 && s->p == &chapter_pentagons[0] && !s->rough; h += 2)
         for (unsigned k = 0; k < CHAPTER_KINDS; k++)
             for (unsigned n = 20; n <= 80; n += 60)
-                estimator(s, k, h, n);
+                study_estimator(s, k, h, n);
 }
 
 int chapter_study(const engine_chapters *e, const chapter_pentagon *p, unsigned fine,
@@ -469,9 +473,9 @@ int chapter_study(const engine_chapters *e, const chapter_pentagon *p, unsigned 
     for (unsigned k = 0; k < CHAPTER_KINDS && status == 0; k++)
         status = e->open(p->v, k, &s.patch[k]);
     if (status == 0) {
-        take_all(&s, false, 2 * fine, &all);
-        take_all(&s, true, fine, &bent);
-        all_of(&s, &all, &bent);
+        take_points(&s, false, 2 * fine, &all);
+        take_points(&s, true, fine, &bent);
+        study_kinds(&s, &all, &bent);
         free(all.place);
         free(bent.place);
     }

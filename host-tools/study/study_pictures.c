@@ -73,7 +73,7 @@ static int make_view(album *a, unsigned kind, double scale, double top, view **o
     return mesh_make(&w->m, &w->all, a->p->name, a->e, CELLS, CELLS / 4);
 }
 
-static void clear(album *a)
+static void clear_views(album *a)
 {
     for (size_t i = 0; i < a->count; i++) {
         surfaces_free(&a->seen[i].all);
@@ -86,7 +86,7 @@ static void clear(album *a)
 }
 
 /* Draw what was gathered, unless something went wrong before. */
-static int hang(album *a, int code, gallery g, const char *name)
+static int hang_picture(album *a, int code, gallery g, const char *name)
 {
     char file[400], title[160];
 
@@ -98,11 +98,11 @@ static int hang(album *a, int code, gallery g, const char *name)
         code = gallery_draw(&g, a->panel, a->count);
     if (code == 0)
         printf("drawn %s\n", file);
-    clear(a);
+    clear_views(a);
     return code;
 }
 
-static int movement(album *a)
+static int draw_movement(album *a)
 {
     int code = 0;
 
@@ -113,7 +113,7 @@ static int movement(album *a)
         snprintf(w->title, sizeof w->title, "dz = %g", dz);
         a->panel[a->count - 1].net = &w->all;
     }
-    return hang(a, code,
+    return hang_picture(a, code,
                 (gallery){ .title = "the point in the middle moves up and down",
                            .columns = 3,
                            .azimuth = -60,
@@ -123,7 +123,7 @@ static int movement(album *a)
 }
 
 /* B0 is the height of a patch whose points are flat but for V0. */
-static int weight(album *a)
+static int draw_weight(album *a)
 {
     int code = 0;
 
@@ -140,7 +140,7 @@ static int weight(album *a)
             .m = &w->m, .value = w->value, .level = w->level, .levels = 6, .title = w->title
         };
     }
-    return hang(a, code,
+    return hang_picture(a, code,
                 (gallery){ .title = "weight B0 of the point in the middle",
                            .columns = 3,
                            .values = "B0",
@@ -152,7 +152,7 @@ static int weight(album *a)
                 "weight");
 }
 
-static int contours(album *a)
+static int draw_contours(album *a)
 {
     int code = 0;
 
@@ -166,7 +166,7 @@ static int contours(album *a)
             a->panel[a->count - 1].level = w->level;
             a->panel[a->count - 1].levels = LEVELS;
         }
-    return hang(a, code,
+    return hang_picture(a, code,
                 (gallery){ .title = "contours of the height",
                            .columns = 3,
                            .azimuth = -90,
@@ -176,7 +176,7 @@ static int contours(album *a)
                 "contours");
 }
 
-static int curvature(album *a)
+static int draw_curvature(album *a)
 {
     int code = 0;
 
@@ -190,7 +190,7 @@ static int curvature(album *a)
                 w->value[k] = w->m.vertex[k].gauss;
             a->panel[a->count - 1].value = w->value;
         }
-    return hang(a, code,
+    return hang_picture(a, code,
                 (gallery){ .title = "Gaussian curvature, heights divided by 8",
                            .columns = 3,
                            .values = "K",
@@ -214,10 +214,10 @@ int study_pictures(const engine *e, const char *folder)
     a.folder = folder;
     for (unsigned i = 0; i < 3 && code == 0; i++) {
         a.p = &chapter_pentagons[i];
-        code = movement(&a);
-        code = code ? code : weight(&a);
-        code = code ? code : contours(&a);
-        code = code ? code : curvature(&a);
+        code = draw_movement(&a);
+        code = code ? code : draw_weight(&a);
+        code = code ? code : draw_contours(&a);
+        code = code ? code : draw_curvature(&a);
     }
     return code;
 }
