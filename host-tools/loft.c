@@ -38,7 +38,7 @@ static int help(void)
     return EX_OK;
 }
 
-/* What was printed must have arrived. */
+/* Check that the output was written. */
 static int flushed(int code)
 {
     if ((fflush(stdout) != 0 || ferror(stdout)) && code == EX_OK)

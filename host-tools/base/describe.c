@@ -1,4 +1,4 @@
-/* host-tools/base/describe.c -- a command described: help, man page, completions of shells
+/* host-tools/base/describe.c -- descriptions of commands: help, man page, completions of shells
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
@@ -8,7 +8,7 @@
 
 enum { LONGEST = 40 };      /* of a name, its value, and an option's column in the help */
 
-/* What the value of an option may be. */
+/* The kinds of value that an option takes. */
 enum taken { NOTHING, ANYTHING, A_FILE, A_FOLDER, A_WORD };
 
 static enum taken value_taken_by(const tool_option *o)
@@ -25,7 +25,7 @@ static enum taken value_taken_by(const tool_option *o)
     return strchr(o->argument, '|') ? A_WORD : ANYTHING;
 }
 
-/* The words of "q16|f32|f64" with spaces between. */
+/* The words of "q16|f32|f64", separated by spaces. */
 static const char *words_of(const tool_option *o, char words[LONGEST])
 {
     snprintf(words, LONGEST, "%s", o->argument);
@@ -35,7 +35,7 @@ static const char *words_of(const tool_option *o, char words[LONGEST])
     return words;
 }
 
-/* Text, a backslash before each character of `special`. */
+/* Print text with a backslash before each character of `special`. */
 static void put_escaped(const char *text, const char *special)
 {
     for (; *text; text++) {
@@ -52,7 +52,7 @@ static void put_without(const char *text, const char *special)
             putchar(*text);
 }
 
-/* Between single quotes of a shell. */
+/* Print text between the single quotes of a shell. */
 static void put_quoted(const char *text)
 {
     for (; *text; text++)
@@ -86,8 +86,8 @@ static void print_help(const tool_command *self, const tool_option options[])
 // Man pages
 // ---------
 
-/* A line of roff: a backslash and a minus are written apart, a control character does not begin
- * it. */
+/* Print a line of roff: backslashes and minus signs are escaped, and a control character does not
+ * begin the line. */
 static void put_roff(const char *text, size_t length)
 {
     if (length > 0 && (*text == '.' || *text == '\''))
@@ -103,7 +103,7 @@ static void put_roff(const char *text, size_t length)
 
 static void put_man(const char *text) { put_roff(text, strlen(text)); }
 
-/* Paragraphs; indented lines stay as they are. */
+/* Print paragraphs. Indented lines stay as they are. */
 static void put_paragraphs(const char *text)
 {
     bool kept = false;
@@ -270,7 +270,7 @@ static void fish_command(const tool_command *self, const tool_option options[])
     }
 }
 
-/* What stands before and behind the commands in the completions of a shell. */
+/* What a shell's completions have before and after the list of commands. */
 static const struct shell {
     const char *name;
     void (*command)(const tool_command *self, const tool_option options[]);

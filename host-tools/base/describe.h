@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: MIT
  *
  * `loft COMMAND --help` is for readers. `--help=man` gives the man page of a command or of loft;
- * `loft --help=bash`, `=zsh` and `=fish` give completions of all commands. `make install` puts them
- * in their places.
+ * `loft --help=bash`, `=zsh` and `=fish` give completions of all commands. `make install` installs
+ * them.
  *
- * A value that is one of some words has them in the table as its name: "q16|f32|f64". FILE, PATH
+ * If a value is one of several words, the table lists them as its name: "q16|f32|f64". FILE, PATH
  * and PORT are completed as files, DIR as folders.
  */
 #ifndef LOFT_DESCRIBE_H
@@ -14,11 +14,11 @@
 
 #include "base/tool.h"
 
-/* Print the command in a form: NULL or "" (help), "man", "bash", "zsh", "fish". Gives EX_OK, or
- * EX_USAGE for a form that there is not, which it names. */
+/* Print the command in a form: NULL or "" (help), "man", "bash", "zsh", "fish". Returns EX_OK, or
+ * EX_USAGE after printing that the form is unknown. */
 int describe_command(const char *form, const tool_command *self, const tool_option options[]);
 
-/* Print what is about all commands in one of these forms; `each` describes one of them. */
+/* Print what concerns all commands, in one of these forms. */
 int describe_all(const char *form, const tool_command *const commands[], size_t count);
 
 #endif

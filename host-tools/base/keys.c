@@ -1,7 +1,8 @@
 /* host-tools/base/keys.c -- single keys and ^C while a job runs
  * SPDX-License-Identifier: MIT
  *
- * Signal handlers can only reach globals: the four below, and the program has one terminal.
+ * Signal handlers can only reach globals: the four below. One set suffices: the program has one
+ * terminal.
  */
 #include <poll.h>
 #include <signal.h>
@@ -16,7 +17,7 @@
 static struct termios before;
 static volatile sig_atomic_t raw, stops, at_once;
 
-/* Also at exit; only async-signal-safe calls. */
+/* Also called at exit: only async-signal-safe calls. */
 void keys_stop(void)
 {
     if (raw)

@@ -1,5 +1,5 @@
 /* host-tools/base/keys.h -- single keys and ^C while a job runs; the terminal is restored on every
- * way out
+ * exit
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_KEYS_H
@@ -7,16 +7,16 @@
 
 #include <stdbool.h>
 
-/* Catch ^C, TERM and HUP, and, if `single`, take keys one by one without echo (standard input must
- * be a terminal). */
+/* Catch ^C, TERM and HUP. If `single`, also read keys one by one without echo; standard input must
+ * then be a terminal. */
 void keys_start(bool single);
 void keys_stop(void);
 
 /* The next key, or 0. */
 int keys_next(void);
 
-/* While it is true the first ^C ends the program at once, with EX_TEMPFAIL: nothing has been sent
- * yet, and a long computation has nobody to look at keys_interrupted. */
+/* While this is true, the first ^C ends the program at once, with EX_TEMPFAIL: nothing has been
+ * sent yet, and a long computation does not check keys_interrupted. */
 void keys_hasty(bool hasty);
 
 /* Has the user asked to stop? The second ^C ends the program at once, with EX_TEMPFAIL. */

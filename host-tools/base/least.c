@@ -20,8 +20,8 @@ void *least_room(size_t bytes)
 }
 
 typedef struct {
-    long double *at, scale, square;     /* its entries; what it was multiplied by; of what is left
-                                         * of it, the length squared */
+    long double *at, scale, square;     /* its entries; its scale factor; the squared length of what
+                                         * is left of it */
     size_t place;
 } column;
 
@@ -47,7 +47,7 @@ static void scale_columns(column c[], size_t columns, size_t rows)
     }
 }
 
-/* Bring the longest column to place k. */
+/* Move the longest column to place k. */
 static void choose(column c[], size_t k, size_t columns)
 {
     size_t best = k;
@@ -60,8 +60,8 @@ static void choose(column c[], size_t k, size_t columns)
     c[k] = chosen;
 }
 
-/* The reflection that leaves column k one entry, which is the result; applied to all columns after
- * it. */
+/* Apply the reflection that leaves column k with one entry to all later columns. Returns that
+ * entry. */
 static long double reflect(column c[], size_t k, size_t columns, size_t all, size_t rows)
 {
     const long double length = sqrtl(dot(c[k].at, c[k].at, k, rows)),

@@ -7,15 +7,15 @@
 
 #include <stddef.h>
 
-/* malloc, or the end of the program with a line that says so. */
+/* malloc; on failure, prints one line and ends the program. */
 void *least_room(size_t bytes);
 
-/* Find the x with the least |A x - b|, for several b at once, by Householder's reflections, the
- * longest remaining column first. Columns are scaled to a largest entry of 1; what is shorter than
- * `share` of the first one then is left out (x = 0), so that nearly dependent columns do not get
- * large coefficients that cancel.
+/* Find the x that minimizes |A x - b|, for several b at once, by Householder reflections, with the
+ * longest remaining column first. Columns are scaled to a largest entry of 1. Columns that are then
+ * shorter than `share` of the first one are left out (x = 0). So nearly dependent columns do not
+ * get large coefficients that cancel.
  *
- *   shape   a[(columns + rights) * rows], column after column, the right-hand sides last: is
+ *   shape   a[(columns + rights) * rows], column after column, the right-hand sides last:
  *           overwritten; x[rights * columns]
  *   cost    2 rows (columns + rights) columns products; the number of columns used is the result
  *   see     Golub, Van Loan, Matrix Computations, 5.4.2 */

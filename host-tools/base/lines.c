@@ -1,4 +1,4 @@
-/* host-tools/base/lines.c -- a text read line by line
+/* host-tools/base/lines.c -- reads a text line by line
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>

@@ -1,4 +1,4 @@
-/* host-tools/base/progress.c -- a bar with the time that is left
+/* host-tools/base/progress.c -- a progress bar with the remaining time
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -32,8 +32,7 @@ void progress_start(progress *p, double total)
 
 void progress_rest(progress *p)     { p->resting = true; }
 
-/* From the pace since the first call, which is not the start after a resume; rests are none of
- * it. */
+/* Use the pace since the first call, which is not the start after a resume. Rests do not count. */
 static void measure(progress *p, double done, double now)
 {
     if (p->last < 0) {

@@ -1,4 +1,5 @@
-/* host-tools/base/progress.h -- a bar with the time that is left, on a terminal; nothing in a pipe
+/* host-tools/base/progress.h -- a progress bar with the remaining time, on a terminal; nothing in a
+ * pipe
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_PROGRESS_H
@@ -8,20 +9,20 @@
 
 typedef struct {
     bool shown;                 /* standard error is a terminal      */
-    double total;               /* what 100 % is                     */
-    double last, first;         /* clock of the last call, amount at the first */
-    double worked, left;        /* seconds without rests; that are left        */
+    double total;               /* the amount that is 100 % */
+    double last, first;         /* clock of the last call; amount at the first call */
+    double worked, left;        /* seconds of work without rests; remaining seconds */
     bool resting;
-    double drawn;               /* clock of the last picture         */
+    double drawn;               /* clock of the last redraw */
 } progress;
 
 void progress_start(progress *p, double total);
 
-/* Show `done` of the total and a short text; at most ten times a second. */
+/* Show `done` of the total and a short text, at most ten times a second. */
 void progress_show(progress *p, double done, const char *text);
 
-/* Until the next call of progress_show nothing could go on: this time does not count, and what is
- * left stays. */
+/* Nothing can go on until the next call of progress_show: this time does not count, and the
+ * remaining time stays. */
 void progress_rest(progress *p);
 
 /* Remove the bar, so that a line can be printed. */

@@ -21,7 +21,7 @@ bool scan_comma(const char **at)
 
 static const char *digits(const char *s) { return s + strspn(s, "0123456789"); }
 
-/* Where the number that starts at `s` ends; `s` itself if none does. */
+/* The end of the number that starts at `s`; `s` itself if there is none. */
 static const char *number_end(const char *s)
 {
     const char *whole = s + (*s == '+' || *s == '-'), *end = digits(whole);
@@ -50,7 +50,7 @@ bool scan_number(const char **at, double *out)
     if (end == *at)
         return false;
     *out = strtod(*at, &taken);
-    if (taken != end)           /* 0x10 is a zero, followed by nonsense */
+    if (taken != end)           /* 0x10 is a zero, followed by garbage */
         *out = 0;
     *at = end;
     return true;

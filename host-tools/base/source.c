@@ -1,7 +1,7 @@
-/* host-tools/base/source.c -- reading all of a file
+/* host-tools/base/source.c -- reads a whole file
  * SPDX-License-Identifier: MIT
  *
- * What is packed with gzip, as .svgz, is unpacked by zlib while it is read.
+ * zlib unpacks a file that is packed with gzip (.svgz) while it is read.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -13,13 +13,13 @@
 #include "base/source.h"
 #include "base/tool.h"       /* tool_error, tool_grow, sysexits */
 
-/* bytes; a drawing of the greatest number of curves is smaller */
+/* bytes; a drawing with the largest number of curves is smaller */
 #define FILE_MAX ((size_t)512 << 20)
 
-#define SLICE_MAX (64u << 20)           /* bytes; what is asked for at once */
+#define SLICE_MAX (64u << 20)           /* bytes; requested at once */
 
-/* All of `stream`; NULL on failure with errno set (EFBIG: more than FILE_MAX; EBADMSG: damaged
- * gzip). */
+/* Read all of `stream`. Returns NULL on failure and sets errno (EFBIG: more than FILE_MAX; EBADMSG:
+ * damaged gzip). */
 static char *slurp_stream(gzFile stream, size_t *size)
 {
     size_t room = 1u << 16, used = 0;
@@ -52,7 +52,7 @@ static char *slurp_stream(gzFile stream, size_t *size)
     return NULL;
 }
 
-/* All of what `handle` reads, which is closed. */
+/* Read everything from `handle`, and close it. */
 static char *slurp(int handle, size_t *size)
 {
     gzFile stream = handle < 0 ? NULL : gzdopen(handle, "rb");
@@ -86,8 +86,8 @@ const char *source_name(const char *file)
     return strcmp(file, "-") == 0 ? "standard input" : file;
 }
 
-/* Standard input is read once and kept, since a second reader may ask for it: is it a surface, or
- * curves? */
+/* Standard input is read once and kept, since two readers may want it: the one for surfaces, then
+ * the one for curves. */
 static char *slurp_input(size_t *size)
 {
     static char *kept;

@@ -7,14 +7,16 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* All of `file` ("-" is standard input, which may be read again), with a 0 behind; unpacked, if it
- * is packed with gzip. NULL after printing one line, and *code is of <sysexits.h>. */
+/* Read all of `file` and append a 0. "-" is standard input, which may be read again. A file that is
+ * packed with gzip is unpacked. On failure prints one line, sets *code to a code of <sysexits.h>
+ * and returns NULL. */
 char *source_read(const char *file, size_t *size, int *code);
 
-/* What messages call it. */
+/* The name of the file in messages. */
 const char *source_name(const char *file);
 
-/* XML starts with `<`, behind a byte order mark and white space at most; UTF-16 has a mark. */
+/* Does the text start with `<`, after at most a byte order mark and white space, or with the mark
+ * of UTF-16? */
 bool source_is_xml(const char *text);
 
 #endif

@@ -43,8 +43,8 @@ double tool_clock(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* The number at the start of `text`, and where it ends; false if there is none or it is out of
- * bounds. */
+/* Read the number at the start of `text`, and find its end. Returns false if there is none, or if
+ * it is out of bounds. */
 static bool number_at(const char *text, double least, double most, double *out, char **end)
 {
     const double value = strtod(text, end);
@@ -146,7 +146,7 @@ static bool take_value(const tool_option *o, const char *text)
     return false;
 }
 
-/* The row that -o is short for; -1 if the command writes no file. */
+/* The row that -o abbreviates; -1 if the command writes no file. */
 static int output_row(const tool_option options[])
 {
     for (int i = 0; options[i].kind != TOOL_END; i++)
@@ -155,8 +155,8 @@ static int output_row(const tool_option options[])
     return -1;
 }
 
-/* getopt takes a number that may be left away only behind `=`: the next word, if it is one; NULL if
- * not. */
+/* getopt accepts an optional number only after `=`. Returns the next word if it is a number, else
+ * NULL. */
 static const char *number_behind(int argc, char **argv)
 {
     double value;
@@ -168,7 +168,8 @@ static const char *number_behind(int argc, char **argv)
     return argv[optind++];
 }
 
-/* getopt takes `--f` for `--feed`; a script that says so would mean something else one day. */
+/* getopt accepts `--f` for `--feed`. We refuse that: a script with `--f` could mean another option
+ * one day. */
 static bool is_abbreviated(char **argv, const char *name)
 {
     const bool apart = optarg != NULL && optarg == argv[optind - 1];

@@ -19,7 +19,7 @@ struct tool_command {
     const char *arguments;      /* what follows the name in the usage line              */
     const char *summary;        /* half a line, for `loft --help`                       */
     const char *detail;         /* paragraphs for `loft help NAME`, ends with a newline */
-    int (*run)(const tool_command *self, int argc, char **argv);    /* gives the exit code */
+    int (*run)(const tool_command *self, int argc, char **argv);    /* returns the exit code */
 };
 
 extern const tool_command command_compare, command_contour, command_eval, command_flatten,
@@ -29,16 +29,17 @@ extern const tool_command command_compare, command_contour, command_eval, comman
 /* Print `loft: <message>` and return `code`. */
 int tool_error(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* A number between least and most; on failure prints what option it was and returns false. */
+/* Read a number from `least` to `most`. On failure prints the name of the option and returns
+ * false. */
 bool tool_number(const char *option, const char *text, double least, double most, double *out);
 
-/* realloc or exit(EX_OSERR) with a line; host tools only. */
+/* realloc; on failure prints one line and calls exit(EX_OSERR). For host tools only. */
 void *tool_grow(void *old, size_t bytes);
 
-/* Seconds of a clock that only goes forward. */
+/* The seconds of a monotonic clock. */
 double tool_clock(void);
 
-/* What makes a word plural: "%zu curve%s", n, tool_s(n). */
+/* The plural ending of a word: "%zu curve%s", n, tool_s(n). */
 static inline const char *tool_s(size_t n)      { return n == 1 ? "" : "s"; }
 
 
@@ -57,7 +58,7 @@ enum tool_kind {
     TOOL_IS_MAYBE
 };
 
-/* A list of numbers, "0,0.5,1" or the option repeated. */
+/* A list of numbers: "0,0.5,1", or the option repeated. */
 #define TOOL_LIST_MAX 256
 typedef struct {
     double value[TOOL_LIST_MAX];
@@ -70,12 +71,12 @@ typedef struct {
     const char *argument;       /* its name in the help          */
     void *out;
     double least, most;
-    const char *help;           /* one line; says the default    */
+    const char *help;           /* one line; names the default */
     bool (*parse)(const char *text, void *out);     /* of PARSED; prints its own error */
 } tool_option;
 
 /* Rows of a table that ends with TOOL_OPTIONS_END. Speeds are in mm/s and may be written 20, 20mm/s
- * or 1200mm/min. A MAYBE is a number that may be left away, which is 0 then. `out` is a bool, a
+ * or 1200mm/min. A MAYBE has an optional number, 0 if it is omitted. `out` points to a bool, a
  * double (numbers, speeds), an unsigned (counts), a const char *, a tool_list, or what `parse`
  * fills. */
 #define TOOL_SWITCH(name, out, help)                                                               \
@@ -117,17 +118,17 @@ typedef struct {
 
 #define TOOL_HELP (-1)      /* tool_options has printed the help: return EX_OK */
 
-/* Read the options of `self` from argv[1..]; what remains is argv[*first .. argc-1]. Gives 0,
- * TOOL_HELP or EX_USAGE. */
+/* Read the options of `self` from argv[1..]. The remaining arguments are argv[*first .. argc-1].
+ * Returns 0, TOOL_HELP or EX_USAGE. */
 int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv,
                  int *first);
 
-/* The same for a command that takes one file: its name, "-" if none is said, or else what --points
- * says (NULL: there is no such option, or it is not given). */
+/* The same for a command that takes one file. The file is "-" if none is given, or else the value
+ * of --points (NULL: no such option, or not given). */
 int tool_file_options(const tool_command *self, const tool_option options[], int argc, char **argv,
                       const char *const *points, const char **file);
 
-/* Of this program, from loft.c. */
+/* The version of this program, from loft.c. */
 extern const char tool_version[];
 
 #endif

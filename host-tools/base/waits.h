@@ -1,4 +1,4 @@
-/* host-tools/base/waits.h -- a command that waits says for what, also without a terminal
+/* host-tools/base/waits.h -- says what a command waits for, also without a terminal
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_WAITS_H
@@ -6,17 +6,17 @@
 
 #include <stdbool.h>
 
-#define WAITS_AFTER 1.5     /* s of waiting until it is said */
+#define WAITS_AFTER 1.5     /* s of waiting before the message */
 
-/* Begins as { 0 }. */
+/* Initialize with { 0 }. */
 typedef struct {
-    char what[200];         /* is awaited, "": nothing */
-    double since;           /* the clock               */
+    char what[200];         /* the awaited event, "": none */
+    double since;           /* the clock at its start */
     bool told;
 } waits;
 
-/* Call it in each turn of a loop that waits. `what` has been awaited for WAITS_AFTER: one line on
- * standard error, once. NULL: nothing is awaited. */
+/* Call this in each iteration of a loop that waits. When `what` has been awaited for WAITS_AFTER,
+ * it prints one line on standard error, once. NULL: nothing is awaited. */
 void waits_for(waits *w, const char *what);
 
 #endif

@@ -15,18 +15,18 @@
 #include "base/source.h"         /* source_name */
 #include "base/tool.h"
 
-/* The worst that was seen of one way of computing a curve in one number type. */
+/* The largest error of one way to compute a curve in one number type. */
 typedef struct {
-    const reference *exact;         /* of the curve as the number type holds it      */
+    const reference *exact;         /* of the curve, rounded to the number type */
     const engine *against;          /* NULL: exact, in long double                   */
     engine_curve *other;            /* the curve in `against`                        */
-    uint32_t n, j;                  /* parameters per piece, those that were met     */
+    uint32_t n, j;                  /* parameters per piece, parameters visited */
     double unit;                    /* 1 LSB of the curve in mm                      */
     double worst, sum;              /* LSB                                           */
     double t;
     int axis;
     size_t count;
-    unsigned piece;                 /* of the last parameter, and from where to where it goes */
+    unsigned piece;                 /* the piece of the last parameter, and its range */
     long double from, to;
 } comparison;
 
@@ -52,7 +52,7 @@ static void measure_point(comparison *m, long double t, const double got[ENGINE_
     }
 }
 
-/* Parameter j of all, n per piece; j ascends. */
+/* Parameter j of all, n per piece. Successive calls have ascending j. */
 static long double parameter_of(comparison *m, uint32_t j)
 {
     const unsigned i = (j - 1) / m->n;
@@ -113,8 +113,8 @@ static bool round_numbers(const engine *e, double x[], int count)
     return true;
 }
 
-/* A copy of the curve as the number type has it; false if it does not fit. In either case free
- * it. */
+/* Copy the curve, rounded to the number type. Returns false if it does not fit. Free the copy in
+ * either case. */
 static bool round_curve(const engine *e, const curve *c, curves *out)
 {
     curve *held = curves_add(out, c->kind, c->line);
@@ -138,7 +138,7 @@ static bool round_curve(const engine *e, const curve *c, curves *out)
     return fits && round_numbers(e, &held->tension, 1);
 }
 
-/* Its LSB in mm: fixed, or that of the largest coordinate. */
+/* The LSB in mm: a constant, or that of the largest coordinate. */
 static double unit_of(const engine *e, const curve *c)
 {
     double largest = 0;

@@ -21,9 +21,9 @@ typedef struct {
     unsigned n;
     bool rows;
     tool_list heights;
-    size_t surface;             /* the number of that which is being looked at */
+    size_t surface;             /* the number of the current surface */
     double height;
-    double (*point)[ENGINE_AXES];       /* of the curve that is being followed */
+    double (*point)[ENGINE_AXES];       /* points of the curve that is followed */
     size_t points, room, curves;
 } contouring;
 
@@ -60,7 +60,7 @@ static void take_point(void *context, bool first, const double point[ENGINE_AXES
         c->points = 0;
     }
     if (c->points > 0 && memcmp(c->point[c->points - 1], point, sizeof c->point[0]) == 0)
-        return;                 /* two edges that are crossed in one point */
+        return;                 /* the contour crosses both edges in one point */
     if (c->points == c->room) {
         c->room  = c->room ? 2 * c->room : 256;
         c->point = tool_grow(c->point, c->room * sizeof *c->point);

@@ -1,5 +1,4 @@
-/* host-tools/cmd/cmd_eval.c -- loft eval: points of a curve or a surface, or what a curve looks
- * like
+/* host-tools/cmd/cmd_eval.c -- loft eval: points of a curve or a surface, or the shape of a curve
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
@@ -15,7 +14,7 @@ typedef struct {
     print_options p;
     const tool_list *t;
     const char *file;
-    size_t number;          /* of the curve */
+    size_t number;          /* the number of the curve */
 } evaluation;
 
 
@@ -112,7 +111,7 @@ static int every_curve(evaluation *v, const curves *all, bool shape)
 // Surfaces
 // --------
 
-/* A point for each pair of parameters, an empty line between surfaces. */
+/* Print a point for each pair of parameters, and an empty line between surfaces. */
 static int surface_points_of(const evaluation *v, const surface *s)
 {
     const engine_surfaces *make = v->p.e->surface;

@@ -13,8 +13,8 @@
 
 typedef struct {
     print_options p;
-    double tol;         /* mm, of the command                                */
-    double within;      /* mm, what is left of it for the chords of a cubic  */
+    double tol;         /* mm, given to the command */
+    double within;      /* mm, left for the chords of a cubic */
     int status;
 } flattening;
 
@@ -26,9 +26,9 @@ static void chords(void *context, double p[4][CURVE_AXES])
         f->status = f->p.e->flatten((const double(*)[ENGINE_AXES])p, f->within, print_point, &f->p);
 }
 
-/* Cubics are flattened as they are. Others become cubics first: lines and quadratics lose half an
- * LSB per axis to the rounding of their control points, and for the rest a quarter of the tolerance
- * goes there, or what the library asks. */
+/* Cubics are flattened directly. Other curves become cubics first. For lines and quadratics,
+ * rounding the control points costs half an LSB per axis. For the rest, a quarter of the tolerance
+ * goes there, or as much as the library needs. */
 static int flatten(void *context, const curve *c, engine_curve *held)
 {
     flattening *f = context;

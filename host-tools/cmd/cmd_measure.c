@@ -2,8 +2,8 @@
  * joins; and the path beside
  * SPDX-License-Identifier: MIT
  *
- * Rows of fields with one tab between; the first line, which starts with `#`, names them. A curve
- * is FILE:LINE.
+ * Prints rows of fields that are separated by tabs. The first line starts with `#` and names the
+ * fields. A curve is printed as FILE:LINE.
  */
 #include <math.h>
 #include <stdio.h>
@@ -17,7 +17,7 @@
 #include "base/source.h"         /* source_name */
 #include "base/tool.h"
 
-#define FINE 0.01           /* of the tolerance, for cubics in place of other curves */
+#define FINE 0.01           /* of the tolerance, for cubics that replace other curves */
 
 typedef struct {
     print_options p;
@@ -27,7 +27,7 @@ typedef struct {
 
 static void print_name(const element *x) { printf("%s:%u", x->file, x->of->line); }
 
-/* Coordinates as fields of their own. */
+/* Print coordinates as separate fields. */
 static void print_fields(const measuring *m, const double point[ENGINE_AXES])
 {
     for (int i = 0; i < (m->p.solid ? ENGINE_AXES : 2); i++) {
@@ -38,7 +38,7 @@ static void print_fields(const measuring *m, const double point[ENGINE_AXES])
 
 static void print_value(double x) { printf("\t%.9g", x); }
 
-/* `names` ends with the names of the coordinates; behind them stand those of `rest`. */
+/* `names` ends with the names of the coordinates. Those of `rest` follow. */
 static void print_head(const measuring *m, const char *names, const char *prefix, const char *rest)
 {
     printf("# %s", names);
@@ -47,7 +47,7 @@ static void print_head(const measuring *m, const char *names, const char *prefix
     printf("%s\n", rest);
 }
 
-/* The elements of one curve: first .. result - 1. */
+/* The elements of one curve are first .. result - 1. */
 static size_t curve_end(const elements *list, size_t first)
 {
     size_t last = first;
@@ -77,7 +77,7 @@ static void add_length(void *context, double p[4][CURVE_AXES])
     s->sum += length;
 }
 
-/* Of the tolerance, for cubics in place of an element. */
+/* The part of the tolerance for cubics that replace an element. */
 static double cubics_share(const measuring *m, const element *x)
 {
     return fmax(FINE * m->tol, engine_finest(m->p.e, &x->p));
@@ -147,7 +147,7 @@ static int print_sizes(const measuring *m)
 // Nearest points
 // --------------
 
-/* The point of one curve, elements first .. last - 1. */
+/* The nearest point of one curve, elements first .. last - 1. */
 static int nearest_point(const measuring *m, size_t first, size_t last, engine_near *near)
 {
     const element *x = m->list.element;
@@ -203,8 +203,8 @@ static bool boxes_apart(const element *a, const element *b, double gap)
     return false;
 }
 
-/* A stretch along which two curves meet, and its ends on each: where it begins, where they are
- * closest, where it ends. */
+/* A stretch along which two curves meet, with three places on each: its begin, the closest place,
+ * its end. */
 typedef struct {
     double s[3], t[3], on_first[3][CURVE_AXES], on_second[3][CURVE_AXES];
     double point[ENGINE_AXES], distance;
@@ -214,7 +214,7 @@ typedef struct {
 typedef struct {
     stretch *row;
     size_t count, room;
-    double range[2];            /* of the parameters of both curves */
+    double range[2];            /* the ranges of the parameters of both curves */
 } stretches;
 
 static double stretch_gap(const double a[CURVE_AXES], const double b[CURVE_AXES])
@@ -222,7 +222,8 @@ static double stretch_gap(const double a[CURVE_AXES], const double b[CURVE_AXES]
     return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-/* Does one begin where the other ends, or before? Not across the seam of a closed curve. */
+/* Does one stretch begin where the other ends, or before? The seam of a closed curve does not
+ * count. */
 static bool stretches_touch(const double s[3], double at[3][CURVE_AXES], const double other[3],
                   double other_at[3][CURVE_AXES], double gap, double range)
 {
@@ -243,7 +244,7 @@ static void extend_stretch(double s[3], double at[3][CURVE_AXES], const double o
         }
 }
 
-/* Curves come in pieces: what goes on in the next one is one stretch. */
+/* Curves come in pieces: a stretch that continues in the next piece is one stretch. */
 static void add_stretch(stretches *list, stretch c, double gap)
 {
     for (size_t k = 0; k < list->count; ) {
@@ -268,7 +269,7 @@ static void add_stretch(stretches *list, stretch c, double gap)
     list->row[list->count++] = c;
 }
 
-/* Parameters of the curve and points at three places of an element. */
+/* Parameters of the curve, and points, at three places of an element. */
 static void set_places(const element *x, const double t[3], double out[3], double at[3][CURVE_AXES])
 {
     double d[3][CURVE_AXES];
@@ -307,7 +308,7 @@ static int compare_stretches(const void *a, const void *b)
     return (x->s[1] > y->s[1]) - (x->s[1] < y->s[1]);
 }
 
-/* The stretches of two curves, in the order of the first. */
+/* Print the stretches of two curves in the order of the first curve. */
 static void print_stretches(const measuring *m, const element *a, const element *b, stretches *list)
 {
     if (list->count)
@@ -328,7 +329,7 @@ static void print_stretches(const measuring *m, const element *a, const element 
     list->count = 0;
 }
 
-/* Two curves: elements first .. last - 1 and other .. end - 1. */
+/* Compare two curves: elements first .. last - 1 and other .. end - 1. */
 static int print_pair(const measuring *m, size_t first, size_t last, size_t other, size_t end,
                       stretches *found)
 {
@@ -370,7 +371,7 @@ static int print_meetings(const measuring *m)
 // Joins
 // -----
 
-/* A cubic with the point and the first two derivatives that the piece has at its end, or at its
+/* The cubic that has the point and the first two derivatives of the piece at its end, or at its
  * start. */
 static piece end_jet(const piece *whole, bool end)
 {
@@ -391,7 +392,7 @@ static piece end_jet(const piece *whole, bool end)
     return out;
 }
 
-/* Polynomials of one degree as they are; others by what they are at the joint. */
+/* Join polynomials of one degree directly; for others, use their derivatives at the joint. */
 static int join_elements(const measuring *m, const element *a, const element *b, engine_joint *out)
 {
     if (a->exact && b->exact && a->p.degree == b->p.degree && a->p.degree >= 1)
@@ -476,7 +477,7 @@ static int print_offset(const measuring *m)
                                      : LOFT_ERR_RANGE;
         if (o.status == 0)
             o.status = status;
-        if (o.status != 0 && o.status != LOFT_SINGULAR)     /* a point has nothing beside it */
+        if (o.status != 0 && o.status != LOFT_SINGULAR)     /* a point has no offset */
             return element_error(x, engine_status(o.status));
     }
     return EX_OK;

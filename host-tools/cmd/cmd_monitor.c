@@ -1,4 +1,5 @@
-/* host-tools/cmd/cmd_monitor.c -- loft monitor: between a sender and its machine, the line in words
+/* host-tools/cmd/cmd_monitor.c -- loft monitor: sits between a sender and its machine, and prints
+ * the traffic in words
  * SPDX-License-Identifier: MIT
  */
 #include <errno.h>
@@ -18,7 +19,7 @@ typedef struct {
     double began;
 } monitor;
 
-/* Bytes for the machine: all of them, or the machine is gone. */
+/* Pass bytes to the machine. Returns false if it is gone. */
 static bool pass_down(monitor *m, const uint8_t byte[], size_t count)
 {
     const double until = tool_clock() + 10;
@@ -32,7 +33,7 @@ static bool pass_down(monitor *m, const uint8_t byte[], size_t count)
     return true;
 }
 
-/* Bytes for the sender; what nobody reads is dropped, as on a line with nobody at its end. */
+/* Pass bytes to the sender. If nobody reads them they are dropped, as on a real line. */
 static void pass_up(monitor *m, const uint8_t byte[], size_t count)
 {
     for (size_t sent = 0, put = 1; sent < count && put > 0; sent += put)

@@ -78,7 +78,7 @@ static void put_row(FILE *out, const trace *t, double seconds, size_t *near)
     putc('\n', out);
 }
 
-/* From 0 at equal times, and the end. */
+/* Print rows from time 0 at equal intervals, and the end. */
 static void put_rows(FILE *out, const trace *t, double rate)
 {
     size_t near = 0;

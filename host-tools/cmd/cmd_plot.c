@@ -1,5 +1,5 @@
-/* host-tools/cmd/cmd_plot.c -- loft plot: a picture of the drawing and of what the machine made of
- * it
+/* host-tools/cmd/cmd_plot.c -- loft plot: a picture of the drawing and of the path that the machine
+ * took
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -115,7 +115,7 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
                                                                                           : EX_OK;
 }
 
-/* What the file holds decides. */
+/* The content of the file decides what is drawn. */
 static int plot_file(plot_options *o, const char *record_file, const surface_wishes *w,
                     bool of_drawings)
 {

@@ -7,7 +7,7 @@
 #include "send/transport.h"      /* transport_ports */
 #include "base/tool.h"
 
-/* Who answers there: one line, on standard error if nobody does. */
+/* Print one line about the machine at a port, on standard error if nothing answers. */
 static int ask_port(const char *name, unsigned baud)
 {
     char closed[256];

@@ -30,8 +30,8 @@ static int walk_curve(void *context, const curve *c, engine_curve *held)
     return status;
 }
 
-/* A grid: the rows of u, an empty line behind each and two between surfaces and kites; those of a
- * triangle shrink. */
+/* Print a grid, row by row of u, with an empty line after each row and two between surfaces and
+ * kites. The rows of a triangle get shorter. */
 static int sample_kite(const print_options *p, const surface *s, const engine_surface *held,
                        unsigned kite, unsigned n)
 {

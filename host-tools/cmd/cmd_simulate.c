@@ -1,5 +1,4 @@
-/* host-tools/cmd/cmd_simulate.c -- loft simulate: the machine as a program, behind a pseudo
- * terminal
+/* host-tools/cmd/cmd_simulate.c -- loft simulate: the machine as a program, on a pseudo terminal
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -11,7 +10,7 @@
 #include "read/machine_file.h"   /* machine_option */
 #include "base/tool.h"
 
-/* One number for all axes, or one for each. */
+/* Take one number for all axes, or one for each. */
 static int spread(const char *option, const tool_list *list, double out[LOFT_AXES])
 {
     if (list->count == 0)
@@ -24,7 +23,7 @@ static int spread(const char *option, const tool_list *list, double out[LOFT_AXE
     return 0;
 }
 
-/* The file's numbers are the defaults of the options. */
+/* The numbers of the file are the defaults of the options. */
 static int take_file(struct loft_host_options *o, char text[KINEMATICS_TEXT], int argc, char **argv)
 {
     machine_file m = machine_usual();

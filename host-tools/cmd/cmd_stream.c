@@ -1,4 +1,4 @@
-/* host-tools/cmd/cmd_stream.c -- loft stream: a drawing becomes motion
+/* host-tools/cmd/cmd_stream.c -- loft stream: sends a drawing to a machine
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -31,27 +31,27 @@ static void machine_limits(const loft_sender *s, engine_limits *l)
     l->tick_hz = s->machine.tick_hz;
 }
 
-/* Steps in mm, a whole number of 2^-16, which steps_of turns back into the same steps. */
+/* Steps in mm: a whole multiple of 2^-16, which steps_of converts back to the same steps. */
 static double mm_of(const loft_axis *a, int32_t steps)
 {
     return round((double)steps * 65536 * 65536 / (double)a->steps_per_mm) / 65536;
 }
 
-/* Where a new job starts: where the machine stands. */
+/* The start of a new job: the position of the machine. */
 static void new_start(const loft_sender *s, double out[ENGINE_AXES])
 {
     for (int i = 0; i < ENGINE_AXES; i++)
         out[i] = mm_of(&s->axis[i], s->axis[i].position);
 }
 
-/* Where the machine's job started. */
+/* The start of the machine's current job. */
 static void old_start(const loft_sender *s, bool points, double out[ENGINE_AXES])
 {
     for (int i = 0; i < ENGINE_AXES; i++)
         out[i] = points ? mm_of(&s->axis[i], s->axis[i].start) : (double)s->axis[i].start / 65536;
 }
 
-/* A job and what it is planned from. */
+/* A job and the data that it is planned from. */
 typedef struct {
     toolpath path;
     joints of;
@@ -65,7 +65,7 @@ static void free_work(work *w)
     toolpath_free(&w->path);
 }
 
-/* From where the motors stand, the first portion. */
+/* Plan the first portion, from the position of the motors. */
 static int plan_work(const stream_options *o, const char *file, const drawing *d,
                 const double start[ENGINE_AXES], const job_options *as, work *w)
 {
@@ -100,7 +100,7 @@ static void print_plan(const job *j, const toolpath *path, double tol)
            job_seconds(j), j->count, job_words(j), tol, (unsigned)j->head.id);
 }
 
-/* What a machine of these limits is to get. */
+/* Choose the options of a job for a machine with these limits. */
 static int options_of(const stream_options *o, job_options *as)
 {
     as->e    = o->p.e;
@@ -145,7 +145,7 @@ static int dry_run(const stream_options *o, const char *file, const drawing *d)
     return code;
 }
 
-/* Can the machine do what it is asked for? */
+/* Can the machine do what the options ask? */
 static int check_machine(const stream_options *o, const loft_sender *s)
 {
     if (!o->chip || (s->machine.kinds & 1u << LOFT_CURVES && s->machine.curves > 0))
@@ -169,8 +169,8 @@ static int plan_for(const stream_options *o, const char *file, const drawing *d,
     return code == 0 ? plan_work(o, file, d, start, &as, w) : code;
 }
 
-/* If the machine has a job it may be this one, which then goes on; it is if it has the same id
- * planned from the same start. */
+/* If the machine has a job, it may be this one. It is if its id equals that of this job, planned
+ * from the same start. Then that job continues. */
 static int stream_drawing(const stream_options *o, const char *file, const drawing *d,
                   const drawing *smooth, talk *t)
 {
@@ -210,8 +210,7 @@ static int control_machine(const stream_options *o)
     return code;
 }
 
-/* Lines of G-code to a controller of grbl's kind, or, dry, to standard output. The controller
- * plans. */
+/* Send G-code to a controller of grbl's kind, or, in a dry run, print it. The controller plans. */
 static int draw_gcode(const stream_options *o, const char *file, const drawing *d,
                       toolpath_options *how)
 {

@@ -1,5 +1,5 @@
-/* host-tools/cmd/cmd_study.c -- loft study: what a patch does, in numbers beside those expected,
- * and in pictures
+/* host-tools/cmd/cmd_study.c -- loft study: the behaviour of a patch, in numbers next to the
+ * expected ones, and in pictures
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -16,9 +16,9 @@
 #define EXPECTED "tests/vectors/ch4_numbers.csv"
 
 typedef struct {
-    char **line;                /* of the file of what is expected */
+    char **line;                /* the lines of the file of expected numbers */
     size_t lines;
-    const char *file;           /* that was asked for, or NULL */
+    const char *file;           /* the requested file, or NULL */
     const char *num;
     bool brief;
     unsigned compared, off, alone;
@@ -50,7 +50,7 @@ static int read_expected(table *t, const char *file, bool asked)
                : 0;
 }
 
-/* The numbers behind the key, or NULL. */
+/* The numbers after the key, or NULL. */
 static const char *expected_numbers(const table *t, const char *key)
 {
     const size_t length = strlen(key);
@@ -61,8 +61,9 @@ static const char *expected_numbers(const table *t, const char *key)
     return NULL;
 }
 
-/* One line for each number: what, here, expected, difference; `off` where it is larger than it may
- * be. The first and the last of five are the extremes of a sample: any other has others. */
+/* Print one line for each number: quantity, computed, expected, difference, and `off` if the
+ * difference is too large. The first and the last of five are the extremes of a sample; another
+ * sample has others. */
 static void print_row(void *context, const chapter_row *r)
 {
     table *t = context;

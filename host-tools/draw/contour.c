@@ -1,8 +1,8 @@
 /* host-tools/draw/contour.c -- lines of equal height on a mesh
  * SPDX-License-Identifier: MIT
  *
- * A vertex at the height itself counts as above it, so each triangle is crossed between two of its
- * edges or not at all.
+ * A vertex at the height itself counts as above it. So a contour crosses two edges of a triangle,
+ * or none.
  */
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* host-tools/draw/gallery.c -- several pictures of surfaces in one
  * SPDX-License-Identifier: MIT
  *
- * All panels have one scale of lengths, that of the largest, and one scale of colours.
+ * All panels share one scale of lengths, that of the largest panel, and one scale of colours.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -50,7 +50,7 @@ static void look_at(hanging *h)
     }
 }
 
-/* One scale for the values of all panels. */
+/* Use one colour scale for the values of all panels. */
 static void agree_on_colours(hanging *h)
 {
     scene_scale scale = { .limit = h->g->limit, .signs = h->g->signs };
@@ -71,7 +71,7 @@ static void agree_on_colours(hanging *h)
     free(all);
 }
 
-/* The frame of panel i; its title is above. */
+/* The frame of panel i, below its title. */
 static plot_view frame_of(const hanging *h, size_t i, double wide, double high)
 {
     const double u = h->v.u;
@@ -113,8 +113,7 @@ static void paint_frame(const hanging *h)
                   fmin(400 * v->u, v->height - 150 * v->u));
 }
 
-/* A row is as high as the panel that is highest when all have the scale of the one that is
- * widest. */
+/* A row is as high as its highest panel, when all panels have the scale of the widest one. */
 static int hang_panels(hanging *h, bool vector)
 {
     const gallery *g = h->g;

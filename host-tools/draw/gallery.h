@@ -9,27 +9,27 @@
 
 typedef struct {
     const mesh *m;
-    const double *value;        /* of each vertex: a map of it; NULL: shaded */
+    const double *value;        /* of each vertex: draw a map of it; NULL: shade */
     const double *level;        /* contours at these heights                 */
     size_t levels;
-    const surfaces *net;        /* whose control nets are drawn; NULL: none  */
+    const surfaces *net;        /* draw the control nets of these; NULL: none */
     const char *title;          /* above it                                  */
 } gallery_panel;
 
 typedef struct {
-    const char *title, *output; /* the ending of `output` decides: .png .svg .pdf */
-    const char *values;         /* what the maps show, with its unit */
-    const char *note;           /* below everything: what the lines are; NULL: none */
+    const char *title, *output; /* the file name extension of `output` decides: .png .svg .pdf */
+    const char *values;         /* what the maps show, and its unit */
+    const char *note;           /* text below everything: what the lines mean; NULL: none */
     bool signs;                 /* the values have both signs */
-    double limit;               /* what the ends of the maps stand for; 0: as the values of all
-                                 * panels say */
+    double limit;               /* the value at the ends of the colour scale; 0: from the values of
+                                 * all panels */
     unsigned columns;
-    double azimuth, elevation, distance;        /* as those of a scene; elevation 90: from above, y
-                                                 * upward for azimuth -90 */
+    double azimuth, elevation, distance;        /* as in a scene; elevation 90: from above; y points
+                                                 * up if azimuth is -90 */
     double size;                /* width: px of a PNG, mm of the others; 0: 1600 px, 160 mm */
 } gallery;
 
-/* Draw, panel by panel, row by row. Gives 0, or an exit code after printing one line. */
+/* Draw the panels row by row. Returns 0, or an exit code after printing one line. */
 int gallery_draw(const gallery *g, const gallery_panel panel[], size_t count);
 
 #endif

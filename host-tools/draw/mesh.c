@@ -20,7 +20,8 @@ static void make_vertex(const surface *s, unsigned kite, double u, double v, mes
     *out = (mesh_vertex){ .u = at[0], .v = at[1] };
 }
 
-/* The point in the number type of `e`, the rest in double. What is a line has no normal. */
+/* Compute the point in the number type of `e`, the rest in double. A degenerate surface (a line)
+ * has no normal. */
 static int add_vertex(mesh *m, const engine *e, const surface *s, const engine_surface *held,
                       const engine_surface *fine, unsigned kite, double u, double v)
 {
@@ -48,7 +49,7 @@ static bool on_marked_line(unsigned i, unsigned n, unsigned lines)
     return i % lines == 0 || i == n;
 }
 
-/* Which of the sides of a cell are lines: `at` counts the lines of its own direction. */
+/* Which sides of a cell lie on drawn lines; `at` counts the lines in its own direction. */
 static unsigned char side_marks(unsigned side, unsigned at, unsigned n, unsigned lines)
 {
     return (unsigned char)((on_marked_line(at, n, lines) ? 1u << side : 0) |
@@ -62,14 +63,14 @@ static void square_cells(mesh *m, size_t first, unsigned n, unsigned lines)
             const size_t at = first + i * (n + 1) + j;
             m->cell[m->cells++] = (mesh_cell){
                 { at, at + n + 1, at + n + 2, at + 1 },
-                             (unsigned char)(side_marks(0, j, n, lines) | side_marks(1, i + 1, n, lines) |
+                (unsigned char)(side_marks(0, j, n, lines) | side_marks(1, i + 1, n, lines) |
                                 side_marks(2, j + 1, n, lines) | side_marks(3, i, n, lines))
             };
         }
 }
 
-/* Row i has i + 1 points, j = 0..i of them towards v; below each row but the last one stand i + 1
- * upright triangles and i inverted ones. Lines: i constant, j constant, i - j constant. */
+/* Row i has i + 1 points, j = 0..i towards v. Below each row but the last are i + 1 upright
+ * triangles and i inverted ones. The lines are i constant, j constant, and i - j constant. */
 static void triangle_cells(mesh *m, size_t first, unsigned n, unsigned lines)
 {
     for (unsigned i = 0; i < n; i++)
@@ -105,7 +106,7 @@ static int add_surface(mesh *m, const surface *s, const engine *e, const engine_
     return status;
 }
 
-/* Kites of h x h cells. */
+/* Index of a node; kites have h x h cells. */
 static size_t node_index(sided_node at, unsigned h)
 {
     return ((size_t)at.kite * (h + 1) + at.i) * (h + 1) + at.j;

@@ -1,9 +1,9 @@
 /* host-tools/draw/mesh_file.c -- a mesh as binary STL or PLY
  * SPDX-License-Identifier: MIT
  *
- * Both are little-endian: STL is a header of 80 bytes, the count, and per triangle normal and
- * corners as floats and two bytes; PLY a header of lines, corners with normals as floats, and per
- * triangle a 3 and three indices.
+ * Both are little-endian. STL: a header of 80 bytes, the count, and per triangle the normal and the
+ * corners as floats, and two bytes. PLY: a header of text lines, the corners with normals as
+ * floats, and per triangle a 3 and three indices.
  */
 #include <errno.h>
 #include <math.h>
@@ -31,7 +31,7 @@ static void put_vector(FILE *file, const double v[ENGINE_AXES])
     }
 }
 
-/* The k-th triangle of a cell, and its normal; false for one without area. */
+/* The k-th triangle of a cell, and its normal. Returns false for a triangle without area. */
 static bool triangle(const mesh *m, const mesh_cell *c, int k, size_t corner[3],
                      double normal[ENGINE_AXES])
 {
@@ -58,7 +58,7 @@ static bool triangle(const mesh *m, const mesh_cell *c, int k, size_t corner[3],
 typedef void face_sink(FILE *file, const mesh *m, const size_t corner[3],
                        const double normal[ENGINE_AXES]);
 
-/* Hand over all triangles; gives their number. */
+/* Pass all triangles to the sink. Returns their number. */
 static size_t every_triangle(const mesh *m, face_sink *sink, FILE *file)
 {
     size_t count = 0, corner[3];

@@ -9,26 +9,26 @@
 #include "draw/plan_plot.h"
 #include "base/tool.h"           /* tool_grow */
 
-#define COLUMNS 1100        /* of a strip: what moves within one is drawn as an upright line   */
-#define LOOKS   400         /* in a column at most                                             */
+#define COLUMNS 1100        /* of a strip: motion within one column is drawn as a vertical line */
+#define LOOKS   400         /* samples in a column at most */
 #define LOOK    0.001       /* s                                                               */
-#define CHANGE  0.016       /* s over which a change of acceleration is seen as jerk           */
-#define FAR     2.2         /* a limit more times as large as what is drawn is not in the strip */
+#define CHANGE  0.016       /* s; a change of acceleration over this time is drawn as jerk */
+#define FAR     2.2         /* a limit this many times as large as the data is not in the strip */
 
 enum signal { SPEED, VX, VY, VZ, ALONG, AX, AY, AZ, JX, JY, JZ, SIGNALS };
 
-/* Least and largest value of each signal in each column. */
+/* Smallest and largest value of each signal in each column. */
 typedef struct {
     float least[SIGNALS][COLUMNS], most[SIGNALS][COLUMNS];
 } columns;
 
-/* One diagram over time; in the margins of v stands where. */
+/* One diagram over time; the margins of v give its place. */
 typedef struct {
     const plan_picture *p;
     const columns *c;
     plot_view v;
     double low, high;       /* values at its lower and upper edge */
-    double x;               /* where its legend goes on           */
+    double x;               /* where its legend continues */
 } strip;
 
 static const double ink[4][3] = {
@@ -40,7 +40,7 @@ static const double grey[3]   = { 0.45, 0.45, 0.45 };
 // Path
 // ----
 
-/* The move under way, and whether the pen is down. */
+/* The current move, and whether the pen is down. */
 static bool pen_is_down(const plan_picture *p, double seconds, size_t *move)
 {
     for (size_t k = *move + 1; k < p->path->count; k++)
@@ -79,7 +79,7 @@ static void path_travel(const plot_view *v, const plan_picture *p)
     cairo_set_dash(v->cairo, NULL, 0, 0);
 }
 
-/* Points that fall on one spot are drawn once, the slowest of them. */
+/* Points on the same spot are drawn once, the slowest of them. */
 static void path_by_speed(const plot_view *v, const plan_picture *p, double top)
 {
     plot_brush b = { .v = v };
@@ -128,8 +128,8 @@ static void path_picture(const plot_view *v, const plan_picture *p)
 // What is drawn over time
 // -----------------------
 
-/* Jerk is drawn as what the acceleration changes by in 16 ms: control points are rounded to 1/65536
- * mm, which in a span of 2 ms is up to 45,000 mm/s^3 that nobody planned and no machine feels. */
+/* Jerk is drawn as the change of acceleration over 16 ms. Control points are rounded to 1/65536 mm,
+ * which in a span of 2 ms is up to 45,000 mm/s^3 that nobody planned and no machine feels. */
 static void see_jerk(const trace *t, double seconds, size_t near[2], trace_motion *m)
 {
     trace_motion before, after;
@@ -230,7 +230,7 @@ static void strip_entry(strip *s, const double rgb[3], double wide, bool dashed,
     plot_entry(&s->v, &s->x, s->v.top - 13.5 * s->v.u, rgb, wide, dashed, words);
 }
 
-/* Each column from the end that is nearer to the one before. */
+/* Draw each column from the end that is nearer to the column before. */
 static void strip_signal(strip *s, enum signal which, const double rgb[3], double wide,
                          const char *words)
 {
@@ -278,7 +278,7 @@ static void strip_limit(strip *s, double limit, const double rgb[3], const char 
 
 static const char *strip_times(const strip *s)     { return kinematics_axes(s->p->t->joints->k); }
 
-/* One line for all axes where they agree. */
+/* Draw one line for all axes if they agree. */
 static void strip_limits(strip *s, const double limit[ENGINE_AXES])
 {
     bool same = true;
@@ -291,7 +291,7 @@ static void strip_limits(strip *s, const double limit[ENGINE_AXES])
                         same ? " of an axis" : (const char[]){ ' ', strip_times(s)[i], '\0' });
 }
 
-/* The feed of the move under way. */
+/* Draw the feed of the current move. */
 static void strip_feed(strip *s)
 {
     const trace *t = s->p->t;
@@ -311,7 +311,7 @@ static void strip_feed(strip *s)
     strip_entry(s, ink[0], 0.9, true, "feed");
 }
 
-/* Room for what is drawn and for the limits that are not far from it. */
+/* Choose a range for the data, and for limits that are not far from it. */
 static void strip_range(strip *s, double most, const double limit[ENGINE_AXES], bool both)
 {
     double range = most;
@@ -322,7 +322,7 @@ static void strip_range(strip *s, double most, const double limit[ENGINE_AXES], 
     s->low  = both ? -s->high : 0;
 }
 
-/* A strip below the last one; `first` and `last` are its signals. */
+/* Begin a strip below the last one; `first` and `last` are its signals. */
 static strip strip_begin(const plan_picture *p, const columns *c, const plot_view *v, double top,
                          double high)
 {
@@ -405,7 +405,8 @@ static void draw_title(const plot_view *v, const plan_picture *p)
     plot_text(v, PLOT_SMALL, v->left, 54 * v->u, 0, words);
 }
 
-/* Margins in thousandths of the width; the path is at most half as high as the picture is wide. */
+/* Margins are in thousandths of the width. The path is at most half as high as the picture is
+ * wide. */
 static void lay_out_picture(plot_view *v, const plan_picture *p)
 {
     const double left = 70, right = 105, above = 74, most = 420;

@@ -14,11 +14,11 @@ typedef struct {
     const drawing *d;
     const toolpath *path;
     const trace *t;
-    const char *name, *output;      /* of the drawing; its ending decides: .png .svg .pdf */
+    const char *name, *output;      /* of the drawing; the extension decides: .png .svg .pdf */
     double size;                    /* width: px, or points                               */
 } plan_picture;
 
-/* Draw. Gives 0, or a code of <sysexits.h> after printing one line. */
+/* Draw. Returns 0, or a code of <sysexits.h> after printing one line. */
 int plan_plot(const plan_picture *p);
 
 #endif

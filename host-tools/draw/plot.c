@@ -45,14 +45,13 @@ static void draw_curves(const plot_view *v, double line, double r, double g, dou
 // Machine
 // -------
 
-/* Pulses are much denser than the picture: of those that fall on one spot only the last is
- * drawn. */
+/* Pulses are much denser than the picture. Of those on one spot only the last is drawn. */
 static bool is_same_spot(const plot_view *v, const double a[2], const double b[2])
 {
     return fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1])) * v->scale < 0.15 * v->u;
 }
 
-/* Runs of pulses that draw, or that travel, as lines. */
+/* Draw runs of pulses as lines: the drawing ones, or the travels. */
 static void draw_machine(const plot_view *v, bool drawing_runs)
 {
     const record *r = v->o->r;
@@ -134,8 +133,8 @@ void plot_brush_up(plot_brush *b)
     b->open = false;
 }
 
-/* Each position away from the nearest point of the drawing by its error times `magnified`. Of the
- * pulses that fall on one spot the worst is drawn: no error is hidden by thinning. */
+/* Draw each position at its error times `magnified` from the nearest point of the drawing. Of the
+ * pulses on one spot the worst is drawn: thinning hides no error. */
 static void draw_errors(const plot_view *v, double (*point)[2])
 {
     const record *r = v->o->r;
@@ -190,7 +189,7 @@ static void measure_errors(plot_view *v, double (*point)[2])
     v->found.mean = v->found.drawing_pulses ? sum / (double)v->found.drawing_pulses : 0;
 }
 
-/* A round number that shows the worst error as about four thousandths of the picture. */
+/* A round factor that shows the worst error as about four thousandths of the picture. */
 static double magnification(const plot_view *v)
 {
     if (v->o->error > 0 || v->o->error < 0)
@@ -214,7 +213,7 @@ void plot_join(double box[2][2], const double p[2])
     }
 }
 
-/* What is shown in mm: the part asked for, or page, curves and machine with some air. */
+/* The visible box in mm: the requested part, or page, curves and machine with a margin. */
 static void choose_box(plot_view *v, double box[2][2])
 {
     const plot_options *o = v->o;
@@ -251,8 +250,8 @@ static bool ends_with(const char *text, const char *end)
     return strlen(text) >= strlen(end) && strcasecmp(text + strlen(text) - strlen(end), end) == 0;
 }
 
-/* Margins in thousandths of the width: letters at the left and below, title above, colour bar at
- * the right. */
+/* Margins in thousandths of the width: labels at the left and below, the title above, the colour
+ * bar at the right. */
 static void lay_out_picture(plot_view *v, bool vector)
 {
     const plot_options *o = v->o;
@@ -321,7 +320,7 @@ bool plot_known(const char *output, bool *png)
     return *png || ends_with(output, ".svg") || ends_with(output, ".pdf");
 }
 
-/* Cairo's own files do not notice a full disk when they are closed. */
+/* Cairo's own file output does not notice a full disk when it is closed. */
 static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned length)
 {
     plot_view *v = closure;

@@ -72,7 +72,7 @@ const char *plot_base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* Lengths of the size of errors. */
+/* Print a length of the order of an error. */
 static void small_length(char *out, size_t size, double mm)
 {
     snprintf(out, size, mm < 0.1 ? "%.2f um" : "%.4f mm", mm < 0.1 ? mm * 1000 : mm);
@@ -104,7 +104,7 @@ static void draw_title(const plot_view *v)
     plot_text(v, SMALL, v->left, 54 * v->u, 0, words);
 }
 
-/* A sample of the line and what it means. */
+/* Draw a sample of the line and its meaning. */
 void plot_entry(const plot_view *v, double *x, double y, const double rgb[3], double wide,
                 bool dashed, const char *words)
 {
@@ -172,7 +172,8 @@ void plot_scale_bar(const plot_view *v, double y, double parts)
     plot_text(v, SMALL, x0 - 8 * v->u, y + 4.5 * v->u, 1, label);
 }
 
-/* Dark blue over purple and red to yellow: grows in brightness, so it survives grey printing. */
+/* Dark blue over purple and red to yellow: the brightness increases, so the scale survives grey
+ * printing. */
 void plot_colour(double share, double rgb[3])
 {
     static const double stops[5][3] = { { 0.10, 0.15, 0.55 },

@@ -1,10 +1,9 @@
-/* host-tools/draw/plot_shape.c -- what shapes the curves: control polygons, knots, and combs that
- * show the curvature
+/* host-tools/draw/plot_shape.c -- control polygons, knots, and combs that show the curvature
  * SPDX-License-Identifier: MIT
  *
- * Curves of a .loft file are taken as they stand there, those of other drawings as cubics. A comb's
- * teeth are as long as the curvature and point away from its centre; a step in their ends is a
- * joint that is not G2.
+ * Curves of a .loft file are drawn as they are in the file, those of other drawings as cubics. The
+ * teeth of a comb are as long as the curvature and point away from its centre. A step in their ends
+ * is a joint that is not G2.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -19,7 +18,7 @@
 #define TEETH_MIN  8            /* per piece */
 #define TEETH_MAX  400
 #define TOOTH_TURN 0.04        /* radians */
-/* of the picture: at a cusp curvature has no bound; all of it if the scale is given */
+/* of the picture: curvature has no bound at a cusp; no limit if the scale is given */
 #define TOOTH_MAX  0.25
 
 
@@ -58,12 +57,12 @@ static void every_piece(const drawing *d, piece_taker *take, void *context)
 // Combs
 // -----
 
-/* Teeth of length |curvature| first: how long they are drawn is known when all are there. */
+/* First store teeth of length |curvature|: their scale is known when all are there. */
 typedef struct {
     plot_view *v;
     double spacing;         /* mm between two teeth */
     size_t room;
-    double *curvature;           /* curvature of each tooth, > 0 turns left */
+    double *curvature;          /* curvature of each tooth, > 0: turns left */
 } combing;
 
 static void add_tooth(combing *c, const double at[3][CURVE_AXES], double curvature, bool fresh)
@@ -81,7 +80,7 @@ static void add_tooth(combing *c, const double at[3][CURVE_AXES], double curvatu
     c->curvature[v->teeth++] = curvature;
 }
 
-/* So many teeth that neighbours are near each other both at the curve and, where it bends, at their
+/* The number of teeth that keeps neighbours close, on the curve and, where it bends, at their
  * ends. */
 static int teeth_of(const piece *p, double spacing)
 {
@@ -120,7 +119,7 @@ static int compare_sizes(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* A round number that makes nineteen of twenty teeth shorter than an eighth of the picture. */
+/* A round scale that makes nineteen of twenty teeth shorter than an eighth of the picture. */
 static double scale_of(const combing *c, double size)
 {
     double *sorted = tool_grow(NULL, c->v->teeth * sizeof *sorted);
@@ -212,7 +211,7 @@ static bool has_control_polygon(const curve *c)
            c->kind == CURVE_NURBS;
 }
 
-/* The end of the first derivative, drawn as long as the handle of a cubic is. */
+/* The end of the first derivative, drawn as long as the handle of a cubic. */
 static void handle_of(const curve_point *p, double out[2])
 {
     for (int i = 0; i < 2; i++)
@@ -249,7 +248,7 @@ static void control_dots(const plot_view *v, const curve *c)
     }
 }
 
-/* Where a B-spline goes from one polynomial to the next: rings on the curve. */
+/* Mark where a B-spline goes from one polynomial to the next: circles on the curve. */
 static void knot_ring(void *context, const piece *p, bool fresh)
 {
     const plot_view *v = *(const plot_view **)context;

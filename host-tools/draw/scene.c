@@ -1,8 +1,8 @@
-/* host-tools/draw/scene.c -- a mesh as it is seen, from far to near
+/* host-tools/draw/scene.c -- draws a mesh from far to near
  * SPDX-License-Identifier: MIT
  *
  * Cells, pieces of control nets and contours are sorted by their distance from the eye and painted
- * over each other. Cells are small, so that none of them hides what lies before it.
+ * in that order. Cells are small, so none of them hides something in front of it.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -13,14 +13,14 @@
 #include "engine/sided.h"      /* sided_net */
 #include "base/tool.h"       /* tool_grow */
 
-#define NET_PIECES 24   /* of an edge of a control net */
+#define NET_PIECES 24   /* per edge of a control net */
 
-/* A point as it is seen: on the canvas, and how near. */
+/* A projected point: its place on the canvas, and its nearness. */
 typedef struct {
     double x, y, near;
 } spot;
 
-/* What is painted at once: a cell, or (cell NULL) a piece of a line, or a point (ends in one
+/* One item to paint: a cell, or (cell NULL) a piece of a line, or a point (both ends in one
  * place). */
 typedef struct {
     const mesh_cell *cell;
@@ -89,7 +89,7 @@ static void polygon_net(scene *s, const surface_point *q, unsigned degree)
         add_edge(s, q + k, q + k);
 }
 
-/* Of the boundaries of a Coons patch alone. */
+/* For a Coons patch, only of its boundaries. */
 static void net_of(scene *s, const surface *p)
 {
     const surface_point *v = p->point + 2 * p->orders * (p->m + 1);
@@ -176,7 +176,7 @@ void scene_place(const scene *s, const plot_view *v, const double p[3], double o
 
 typedef void point_visit(void *context, const double p[3]);
 
-/* All that must be seen. */
+/* Visit all points that must be visible. */
 static void visit_points(const scene *s, point_visit *each, void *context)
 {
     for (size_t i = 0; i < s->m->vertices; i++)
@@ -264,7 +264,7 @@ static double cell_nearness(const painting *p, size_t cell)
     return near;
 }
 
-/* Before its cell and those that share a corner with it. */
+/* Nearer than its cell and those that share a corner with it. */
 static double nearness_before_cell(const painting *p, size_t cell)
 {
     double least = INFINITY, most = -INFINITY;
@@ -291,7 +291,8 @@ static void add_cells(painting *p)
     }
 }
 
-/* A little nearer than it is: what touches the surface is seen; a contour lies on its cell. */
+/* Draw a line a little nearer than it is, so that a line that touches the surface is visible; a
+ * contour lies on its cell. */
 static void add_line(painting *p, const scene_line *l)
 {
     const bool point = memcmp(l->p[0], l->p[1], sizeof l->p[0]) == 0;
@@ -317,7 +318,7 @@ static int compare_depths(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* Light from the upper left, before the surface; both sides are lit. */
+/* Light from the upper left, in front of the surface; both sides are lit. */
 static void shade_cell(const scene *s, const mesh_cell *c, double rgb[3])
 {
     static const double light[3] = { -0.42, 0.56, 0.71 };
@@ -397,7 +398,7 @@ void scene_paint(const scene *s, const plot_view *v)
     for (size_t i = 0; i < s->lines; i++)
         add_line(&p, &s->line[i]);
     qsort(p.items, p.count, sizeof *p.items, compare_depths);
-    cairo_new_path(v->cairo);               /* text leaves a point */
+    cairo_new_path(v->cairo);               /* text leaves a current point */
     cairo_set_line_join(v->cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(v->cairo, CAIRO_LINE_CAP_ROUND);
     for (size_t i = 0; i < p.count; i++)

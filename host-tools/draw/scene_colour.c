@@ -1,4 +1,4 @@
-/* host-tools/draw/scene_colour.c -- the colours of maps, and the bar that tells what they mean
+/* host-tools/draw/scene_colour.c -- the colours of maps, and the colour bar
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>

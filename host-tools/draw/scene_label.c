@@ -1,9 +1,9 @@
-/* host-tools/draw/scene_label.c -- heights written on the contours of a scene
+/* host-tools/draw/scene_label.c -- writes heights on the contours of a scene
  * SPDX-License-Identifier: MIT
  *
- * The pieces of a contour are tried one by one: a label goes to where it is seen, where none of the
- * same height is near and none at all lies under it. So every curve of some length gets one, and
- * long ones some.
+ * The pieces of a contour are tried one by one. A label goes to a visible place that has no label
+ * of the same height near it, and no label under it. So every curve of some length gets a label,
+ * and long curves get several.
  */
 #include <math.h>
 #include <stdio.h>
@@ -12,10 +12,10 @@
 #include "draw/scene.h"
 #include "base/tool.h"       /* tool_grow */
 
-#define LETTERS 10.5    /* of a label, in thousandths of the width */
-#define APART   170     /* of two of one height                     */
-#define TRIES   240     /* of each height                           */
-#define LIFT    0.01    /* diameters; what hides is nearer by more  */
+#define LETTERS 10.5    /* size of a label, in thousandths of the width */
+#define APART   170     /* between two labels of one height */
+#define TRIES   240     /* for each height */
+#define LIFT    0.01    /* diameters; a cell that hides is nearer by more */
 
 typedef struct {
     double x, y, wide, height;
@@ -24,7 +24,7 @@ typedef struct {
 typedef struct {
     const scene *s;
     const plot_view *v;
-    double (*seen)[3];          /* of each vertex: on the canvas, and how near */
+    double (*seen)[3];          /* of each vertex: place on the canvas, and nearness */
     label *done;
     size_t count;
 } labelling;
@@ -55,7 +55,8 @@ static bool is_hidden(const labelling *l, const double at[3])
     return false;
 }
 
-/* Both ends lie on a surface as well: a label over the border would not say which line it means. */
+/* Both ends must also lie on a surface: a label over the border would not say which line it
+ * means. */
 static bool is_inside(const labelling *l, const label *here)
 {
     const double reach = here->wide / 2 + 3 * l->v->u,

@@ -47,7 +47,7 @@ void surface_axes(const plot_view *v, const scene *s, double x, double y)
     }
 }
 
-/* Equal steps are told as such. */
+/* Describe the heights in words; equal steps are named as such. */
 void surface_heights(char *out, size_t size, const double height[], size_t count)
 {
     const double step = count > 1 ? height[1] - height[0] : 0;
@@ -106,7 +106,7 @@ static void draw_legend(const surface_view *s)
     }
 }
 
-/* Only without perspective is there one scale. */
+/* There is one scale only without perspective. */
 static void scale_bar(const surface_view *s)
 {
     const plot_view *v = &s->v;

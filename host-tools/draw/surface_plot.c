@@ -52,7 +52,7 @@ static void add_lines(surface_view *s)
     s->scene.plain = o->contours > 0 || o->heights > 0;
 }
 
-/* Margins in thousandths of the width; the picture is as high as it must, within limits. */
+/* Margins in thousandths of the width; the height of the picture follows, within limits. */
 static void lay_out_picture(surface_view *s, bool vector)
 {
     const double left = 40, right = s->o->map != MAP_NONE ? 150 : 40, above = 58, below = 104,

@@ -2,10 +2,10 @@
  * nets, contours, maps of curvature
  * SPDX-License-Identifier: MIT
  *
- *     scene.c          the view, what hides what, shades and colours
+ *     scene.c          the view, hidden parts, shades and colours
  *     scene_label.c    heights written on contours
  *     surface_plot.c   one picture of all surfaces of a file
- *     surface_frame.c  what stands around it: title, axes, legend, scale
+ *     surface_frame.c  the frame: title, axes, legend, scale
  */
 #ifndef LOFT_HOST_SURFACE_PLOT_H
 #define LOFT_HOST_SURFACE_PLOT_H
@@ -21,15 +21,15 @@ typedef struct {
     const engine *e;
     enum surface_map map;
     bool control, wire;         /* control nets; parameter lines only, nothing hidden           */
-    unsigned contours;          /* lines of equal height, about so many at round heights        */
-    const double *height;       /* or at these                                                  */
+    unsigned contours;          /* about this many contours, at round heights */
+    const double *height;       /* or contours at these heights */
     size_t heights;
-    double azimuth, elevation;  /* degrees: from where it is seen, from +x towards +y, and up   */
-    double distance;            /* of the eye, in diameters of the surface; 0: endless          */
+    double azimuth, elevation;  /* degrees: the view direction, from +x towards +y, and up */
+    double distance;            /* of the eye, in diameters of the surface; 0: infinite */
     double size;                /* width: px of a PNG, mm of the others; 0: 1600 px, 160 mm     */
 } surface_options;
 
-/* Draw. Gives 0, or an exit code after printing one line. */
+/* Draw. Returns 0, or an exit code after printing one line. */
 int surface_plot(const surface_options *o);
 
 
@@ -48,10 +48,10 @@ typedef struct {
 
 void surface_frame(const surface_view *s);
 
-/* The three directions as they are seen, around (x, y). */
+/* Draw the three directions as they appear in the view, around (x, y). */
 void surface_axes(const plot_view *v, const scene *s, double x, double y);
 
-/* What heights there are contours at, in words. */
+/* Describe the heights of the contours in words. */
 void surface_heights(char *out, size_t size, const double height[], size_t count);
 
 #endif

@@ -1,4 +1,4 @@
-/* host-tools/draw/without_cairo.c -- in place of all pictures, where loft is built without cairo
+/* host-tools/draw/without_cairo.c -- replaces all pictures if loft is built without cairo
  * SPDX-License-Identifier: MIT
  */
 #include "base/tool.h"
@@ -19,7 +19,7 @@ bool plot_known(const char *output, bool *png)
 {
     (void)output;
     *png = false;
-    return true;                /* what draws refuses it */
+    return true;                /* the functions that draw refuse it */
 }
 
 int plan_plot(const plan_picture *p) { return refused(p->output); }

@@ -1,5 +1,4 @@
-/* host-tools/engine/curve.c -- kinds of curves: their names, their pieces and parameters, lists of
- * them
+/* host-tools/engine/curve.c -- kinds of curves: names, pieces and parameters; lists of curves
  * SPDX-License-Identifier: MIT
  */
 #include <stdlib.h>
@@ -27,7 +26,7 @@ static bool has_knots(const curve *c) { return c->kind == CURVE_BSPLINE || c->ki
 // Pieces
 // ------
 
-/* Knots degree .. count of a B-spline bound its pieces; equal ones bound none. */
+/* Knots degree .. count of a B-spline bound its pieces; equal knots bound none. */
 static unsigned knot_pieces(const curve *c)
 {
     unsigned pieces = 0;
@@ -76,7 +75,7 @@ double curve_to(const curve *c)
     return has_knots(c) ? c->knot[c->count] : curve_break(c, curve_pieces(c));
 }
 
-/* The piece of a B-spline in which t lies, and its ends. */
+/* The piece of a B-spline that contains t, and its ends. */
 static unsigned knot_locate(const curve *c, long double t, double end[2])
 {
     unsigned pieces = 0;
@@ -113,7 +112,7 @@ unsigned curve_locate(const curve *c, long double t, long double *local)
 // Lists
 // -----
 
-/* Room for one more, doubled when it is used up. */
+/* Make room for one more item; the room doubles when it is full. */
 static void *room_for(void *list, size_t count, size_t each)
 {
     return (count & (count - 1)) == 0 ? tool_grow(list, (count ? 2 * count : 1) * each) : list;

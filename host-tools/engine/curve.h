@@ -1,16 +1,15 @@
-/* host-tools/engine/curve.h -- any kind of curve, as it stands in a file: points with what belongs
- * to them
+/* host-tools/engine/curve.h -- any kind of curve, as a file gives it: points with their weights,
+ * parameters or derivatives
  * SPDX-License-Identifier: MIT
  *
  *     curve.c       the kinds, their parameters, the list
- *     curve_read.c  files told apart: SVG, eight numbers per line, control points, .loft
+ *     curve_read.c  detects the format: SVG, eight numbers per line, control points, .loft
  *     curve_text.c  the text format .loft (LOFT.md)
  *     piece.h       what a curve becomes: Bezier pieces
  *     reference.h   its definition in long double
  *
- * A curve runs over its own parameter, from curve_from to curve_to: 0..1 for Bezier curves and
- * arcs, 0..n over n pieces of a spline, the parameters given for a parabola, the knots for a
- * B-spline.
+ * A curve has its own parameter, from curve_from to curve_to: 0..1 for Bezier curves and arcs, 0..n
+ * over n pieces of a spline, the given parameters for a parabola, the knots for a B-spline.
  */
 #ifndef LOFT_HOST_CURVE_H
 #define LOFT_HOST_CURVE_H
@@ -39,7 +38,7 @@ enum curve_kind {
     CURVE_KINDS
 };
 
-/* A point and what stands behind it. */
+/* A point and its attributes. */
 typedef struct {
     double p[CURVE_AXES];       /* arc: start, centre, end                                      */
     double d[2][CURVE_AXES];    /* hermite3: the first derivative; hermite5: the second as well */
@@ -50,12 +49,12 @@ typedef struct curve {
     enum curve_kind kind;
     unsigned degree;            /* of the pieces                                                */
     double tension;             /* cardinal                                                     */
-    int turns;                  /* arc: > 0 left about, counterclockwise; 2: once round and on  */
+    int turns;                  /* arc: > 0 left about, counterclockwise; 2: beyond a full turn */
     curve_point *point;
     unsigned count;
     double *knot;               /* bspline, nurbs: count + degree + 1 of them                   */
     unsigned knot_count;
-    unsigned line;              /* where it starts in the file                                  */
+    unsigned line;              /* its first line in the file */
 } curve;
 
 typedef struct curves {
@@ -66,33 +65,33 @@ typedef struct curves {
 
 const char *curve_name(enum curve_kind kind);
 
-/* Does it have weights? Is it a single Bezier curve, which goes on beyond its ends? */
+/* Does it have weights? Is it a single Bezier curve, which extends beyond its ends? */
 bool curve_is_rational(const curve *c);
 bool curve_extends(const curve *c);
 
-/* The pieces in which it is one polynomial (or rational), and where piece i starts; piece `pieces`
- * is the end. */
+/* The number of pieces that are one polynomial (or rational) each, and the start of piece i; piece
+ * `pieces` is the end. */
 unsigned curve_pieces(const curve *c);
 double   curve_break(const curve *c, unsigned i);
 double   curve_from(const curve *c);
 double   curve_to(const curve *c);
 
-/* The piece in which t lies, the last one at the end, and how far into it: 0..1, or beyond at the
- * outer ends. */
+/* The piece that contains t (the last one at the end), and the position of t in it: 0..1, or
+ * outside 0..1 at the outer ends. */
 unsigned curve_locate(const curve *c, long double t, long double *local);
 
-/* Append to the list a curve without points, or to the last curve a point. */
+/* Append a curve without points to the list, or a point to the last curve. */
 curve *curves_add(curves *all, enum curve_kind kind, unsigned line);
 void   curve_add_point(curve *c, const curve_point *p);
 void   curve_add_knot(curve *c, double knot);
 void   curves_free(curves *all);
 
-/* Read `file` ("-" is standard input) or, if `text` is not NULL, the control points of one Bezier
- * curve in it: "0,0 1,2 3,0". Gives 0 or an exit code after printing one line. `*all` must be
- * zeroed. */
+/* Read `file` ("-" is standard input). If `text` is not NULL, read the control points of one Bezier
+ * curve from it instead: "0,0 1,2 3,0". Returns 0, or an exit code after printing one line. `*all`
+ * must be zeroed. */
 int curves_read(curves *all, const char *file, const char *text);
 
-/* The text format: is it one, and what it holds. */
+/* The text format: does the text look like it? Read it. */
 bool curves_is_text(const char *file, const char *text);
 int  curves_read_text(curves *all, const char *file, const char *text);
 

@@ -11,7 +11,7 @@
 #include "engine/element.h"
 #include "base/tool.h"       /* tool_error, tool_grow, sysexits */
 
-#define FINE 0.01       /* of the tolerance, for cubics in place of a piece with weights */
+#define FINE 0.01       /* of the tolerance, for cubics that replace a piece with weights */
 
 int element_error(const element *x, const char *words)
 {
@@ -53,7 +53,7 @@ static void add_cubic(void *context, double p[4][CURVE_AXES])
     append_element(c->list, &c->x);
 }
 
-/* The spans of an arc are equal; the pieces of all others are those between two breaks. */
+/* The spans of an arc have equal ranges. The pieces of other curves lie between two breaks. */
 static void set_range(element *x, unsigned i, unsigned pieces)
 {
     const bool arc = x->of->kind == CURVE_ARC;
@@ -118,7 +118,8 @@ static double distance_to(const piece *p, double t, const double point[CURVE_AXE
     return hypot(hypot(at[0][0] - point[0], at[0][1] - point[1]), at[0][2] - point[2]);
 }
 
-/* Of a piece with weights: the best of 64 places, and 60 times a third less around it. */
+/* For a piece with weights: take the best of 64 places, then search 60 times around it in a range
+ * that shrinks by a third. */
 double element_parameter(const element *x, double t, const double point[CURVE_AXES])
 {
     double best = 0, least = DBL_MAX;
@@ -151,7 +152,7 @@ double element_parameter(const element *x, double t, const double point[CURVE_AX
 // The foot of a perpendicular
 // ---------------------------
 
-/* Where to look for a foot: on the curve by its definition, between two parameters. */
+/* The search for a foot: on the curve by its definition, between two parameters. */
 typedef struct {
     const reference *r;
     const double *from;
@@ -168,7 +169,7 @@ static long double squared_distance(const footing *f, long double t)
     return sum;
 }
 
-/* How the squared distance grows at t. */
+/* The slope of the squared distance at t. */
 static long double distance_slope(const footing *f, long double t)
 {
     const long double h = f->width * 0x1p-26L;
@@ -176,8 +177,8 @@ static long double distance_slope(const footing *f, long double t)
     return squared_distance(f, fminl(t + h, f->high)) - squared_distance(f, fmaxl(t - h, f->low));
 }
 
-/* Downhill by steps that double until the slope turns, then halves: the foot is where it does, or
- * an end. */
+/* Go downhill by steps that double until the slope turns, then halve. The foot is where it turns,
+ * or an end. */
 static long double foot_of(const footing *f, long double t)
 {
     const int way = distance_slope(f, t) < 0 ? 1 : -1;

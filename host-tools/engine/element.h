@@ -1,11 +1,9 @@
-/* host-tools/engine/element.h -- the curves of files as a list of polynomial pieces, for what
- * measures them
+/* host-tools/engine/element.h -- the curves of files as a list of polynomial pieces, for measuring
  * SPDX-License-Identifier: MIT
  *
- * A piece with weights becomes cubics within a hundredth of the tolerance, or, where the number
- * type cannot, within half of it; all others are what the library makes of them in the number type
- * of the engine. An element knows the curve it is of, and which parameter of that curve a place on
- * it is.
+ * A piece with weights becomes cubics within a hundredth of the tolerance, or, if the number type
+ * cannot do that, within half of it. The library converts all other pieces in the number type of
+ * the engine. An element knows its curve, and maps its own parameter to that of the curve.
  */
 #ifndef LOFT_ELEMENT_H
 #define LOFT_ELEMENT_H
@@ -19,10 +17,11 @@ typedef struct {
     const char *file;
     const curve *of;
     size_t number;          /* of the curve, over all files                          */
-    double from, to;        /* its parameters, if it is polynomial; of the whole piece if not */
-    bool exact;             /* polynomial, not a cubic near a piece with weights     */
+    double from, to;        /* its parameters, if it is polynomial; otherwise those of the whole
+                             * piece */
+    bool exact;             /* polynomial, not a cubic that approximates a piece with weights */
     piece p;                /* polynomial                                            */
-    piece whole;            /* the piece it is of                                    */
+    piece whole;            /* the piece that it belongs to */
     double box[2][CURVE_AXES];  /* of its control points */
 } element;
 
@@ -32,21 +31,21 @@ typedef struct {
     bool solid;
 } elements;
 
-/* Append the curves of a file. Gives 0 or an exit code after printing one line. `all` must outlive
- * the list. */
+/* Append the curves of a file. Returns 0, or an exit code after printing one line. `all` must
+ * outlive the list. */
 int  elements_add(elements *list, const engine *e, const curves *all, const char *file, double tol);
 void elements_free(elements *list);
 
-/* The parameter of the curve at t in 0..1 of the element, whose point there is `point`. */
+/* The parameter of the curve at t in 0..1 of the element; `point` is the point there. */
 double element_parameter(const element *x, double t, const double point[CURVE_AXES]);
 
-/* Move what the engine found nearest to `from` along the curve by its definition, to the foot:
- * where the distance is least near there. t becomes the parameter of the curve, `range` that of all
- * of it; point and distance follow. */
+/* Move the nearest point that the engine found to the true foot of `from`: the place of smallest
+ * distance nearby, on the curve by its definition. t becomes the parameter of the curve, and
+ * `range` is the whole range of that parameter; point and distance are updated. */
 void element_settle(const element *x, const reference *r, const double range[2],
                     const double from[CURVE_AXES], engine_near *n);
 
-/* Print `what: remedy` about the curve of x, as an error of data. */
+/* Print `what: remedy` about the curve of x, as a data error. */
 int element_error(const element *x, const char *words);
 
 #endif

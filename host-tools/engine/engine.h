@@ -17,7 +17,7 @@ struct curve;               /* curve.h */
 struct piece;               /* piece.h */
 struct surface;             /* surface.h */
 
-/* A span as it goes on the wire and into pictures: Bezier points in time, raw Q16.16 mm. */
+/* A span as it is sent and drawn: Bezier points in time, raw Q16.16 mm. */
 typedef struct {
     int32_t  p[4][ENGINE_AXES];
     uint16_t ticks;
@@ -39,44 +39,44 @@ typedef struct {
 
 typedef void engine_point_sink(void *context, const double point[ENGINE_AXES]);
 typedef void engine_cubic_sink(void *context, double p[4][ENGINE_AXES]);
-/* Give move number n; the same each time. */
+/* Give move number n; the same one each time. */
 typedef void engine_move_source(void *context, size_t n, engine_move *out);
 
-/* A curve of any kind as the library holds it. */
+/* A curve of any kind, in the representation of the library. */
 typedef struct engine_curve engine_curve;
 
-/* Functions return enum loft_status (0 = OK, negative = error, LOFT_SINGULAR = there is none).
- * Points in mm. */
+/* Functions return enum loft_status (0 = OK, negative = error, LOFT_SINGULAR = no result). Points
+ * are in mm. */
 typedef struct {
-    /* Make it ready; `c` must outlive it. After an error there is nothing to close. */
+    /* Prepare the curve; `c` must outlive it. After an error there is nothing to close. */
     int (*open)(const struct curve *c, engine_curve **out);
     void (*close)(engine_curve *c);
-    /* The point at t of the curve's own parameter; beyond its ends only where curve_extends. */
+    /* The point at t of the curve's own parameter; outside its range only if curve_extends. */
     int (*eval)(engine_curve *c, double t, double out[ENGINE_AXES]);
-    /* How many Bezier pieces it has, and piece i. */
+    /* The number of Bezier pieces, and piece i. */
     unsigned (*pieces)(const engine_curve *c);
     int (*piece)(engine_curve *c, unsigned i, struct piece *out);
 } engine_curves;
 
-/* What a piece looks like. */
+/* The shape of a piece. */
 typedef struct {
-    const char *type;           /* of a cubic in the plane of x and y: "serpentine" ..; NULL: no
+    const char *type;           /* of a cubic in the plane of x and y: "serpentine" ..; NULL: not a
                                  * cubic */
     unsigned inflections;       /* strictly within 0..1 */
     bool cusp, loop;
     double inflection[2], cusp_at, loop_at[2];
-    bool tight;                 /* the box is that of the curve, otherwise that of its control
+    bool tight;                 /* the box bounds the curve tightly; otherwise it bounds the control
                                  * points */
     double box[2][ENGINE_AXES];
 } engine_shape;
 
-/* Pieces as engine_curves gives them: their numbers are those of the type. */
+/* Pieces as engine_curves gives them: their numbers are exact in the number type. */
 typedef struct {
-    /* n points at equal steps, by forward differences where the library walks (to degree 5), the
-     * start not repeated. */
+    /* n points at equal steps, by forward differences where the library walks (up to degree 5). The
+     * start is not repeated. */
     int (*walk)(const struct piece *p, uint32_t n, engine_point_sink *sink, void *context);
     int (*shape)(const struct piece *p, engine_shape *out);
-    /* A chain of cubics within tol of it, ends and directions shared. */
+    /* A chain of cubics within tol of the piece; neighbours share ends and directions. */
     int (*cubics)(const struct piece *p, double tol, engine_cubic_sink *sink, void *context);
 } engine_pieces;
 
@@ -85,27 +85,27 @@ typedef struct {
     double t, point[ENGINE_AXES], distance;
 } engine_near;
 
-/* Where two pieces meet: from, where they are closest, to; 0..1 on each. */
+/* Where two pieces meet: begin, closest place, end; 0..1 on each. */
 typedef struct {
     double s[3], t[3], point[ENGINE_AXES], distance;
     bool overlap;
 } engine_meeting;
 
-#define ENGINE_MEETINGS 96      /* more than two curves of degree 9 have: 81 */
+#define ENGINE_MEETINGS 96      /* more than the meetings of two curves of degree 9: 81 */
 
 typedef struct {
     bool c[3], g[3];            /* C0 C1 C2, G0 G1 G2                   */
-    double alpha, eta;          /* 0 where G1 or G2 does not hold       */
+    double alpha, eta;          /* 0 if G1 or G2 does not hold */
 } engine_joint;
 
 typedef void engine_offset_sink(void *context, double p[4][ENGINE_AXES], bool behind);
 
-/* Pieces here are polynomial; lengths and distances in mm. */
+/* Pieces are polynomial here; lengths and distances in mm. */
 typedef struct {
     int (*length)(const double p[4][ENGINE_AXES], double tol, double *out);
     int (*nearest)(const struct piece *p, const double point[ENGINE_AXES], double tol,
                    engine_near *out);
-    /* LOFT_MORE when there are more than ENGINE_MEETINGS */
+    /* LOFT_MORE if there are more than ENGINE_MEETINGS */
     int (*meet)(const struct piece *a, const struct piece *b, double tol,
                 engine_meeting out[ENGINE_MEETINGS], size_t *count);
     /* pieces of one degree, 1..9 */
@@ -115,40 +115,40 @@ typedef struct {
 } engine_measures;
 
 extern const engine_measures engine_measures_q16, engine_measures_f32, engine_measures_f64;
-/* A surface of any kind as the library holds it. */
+/* A surface of any kind, in the representation of the library. */
 typedef struct engine_surface engine_surface;
 
-/* A point of a contour; `first`: of a curve that begins. */
+/* A point of a contour; `first`: it begins a curve. */
 typedef void engine_contour_sink(void *context, bool first, const double point[ENGINE_AXES]);
 
 typedef struct {
     double normal[ENGINE_AXES];
-    double gauss, mean;         /* 1/mm^2, 1/mm: positive mean where it bends towards the normal */
+    double gauss, mean;         /* 1/mm^2, 1/mm: mean > 0: bends to the normal */
 } engine_look;
 
 typedef struct {
-    /* As with curves. */
+    /* As for curves. */
     int (*open)(const struct surface *s, engine_surface **out);
     void (*close)(engine_surface *s);
-    /* The point at u, v of 0..1; on a triangle u + v <= 1; of a patch with n sides at its own
+    /* The point at u, v of 0..1; on a triangle u + v <= 1. A patch with n sides has its own
      * parameters. */
     int (*eval)(const engine_surface *s, double u, double v, double out[ENGINE_AXES]);
-    /* The point at u, v of a kite of such a patch (sided.h); of others there is one kite, the
-     * whole. */
+    /* The point at u, v of a kite of a patch with n sides (sided.h). Other surfaces are one
+     * kite. */
     int (*kite)(const engine_surface *s, unsigned kite, double u, double v,
                 double out[ENGINE_AXES]);
-    /* Normal and curvatures there; where there is none at the place itself, at most 2^-9 of the way
-     * to the middle of the kite. LOFT_SINGULAR: nor there. */
+    /* Normal and curvatures there. If they do not exist at that place, it moves towards the middle
+     * of the kite, by at most 2^-9 of the way. LOFT_SINGULAR: they do not exist there either. */
     int (*look)(const engine_surface *s, unsigned kite, double u, double v, engine_look *out);
-    /* The curves in which z is `height`, in their order, z within tol, found on a grid of n x n
+    /* The curves with z = `height` in their order, z within tol. They are found on a grid of n x n
      * cells (n sides: a multiple of them around). */
     int (*contour)(const engine_surface *s, double height, double tol, unsigned n,
                    engine_contour_sink *sink, void *context);
 } engine_surfaces;
 
-/* From the tool to the motors and back, as lib/kinematics/kinematics.h has it. Geometry: polar: the
- * turn; delta: the arm, and x and y of three towers. False: beyond the type, or motors that cannot
- * be so. */
+/* From the tool to the motors and back, as in lib/kinematics/kinematics.h. Geometry: polar: the
+ * units of a turn; delta: the arm, and x and y of three towers. Returns false if a number does not
+ * fit, or if the motors cannot be in that position. */
 enum engine_kinematics { ENGINE_CARTESIAN, ENGINE_COREXY, ENGINE_POLAR, ENGINE_DELTA };
 #define ENGINE_GEOMETRY 7
 
@@ -164,19 +164,21 @@ extern const engine_surfaces engine_surfaces_q16, engine_surfaces_f32, engine_su
 extern const engine_curves engine_curves_q16, engine_curves_f32, engine_curves_f64;
 extern const engine_pieces engine_pieces_q16, engine_pieces_f32, engine_pieces_f64;
 
-/* A plan under way: memory does not depend on how many moves there are. */
+/* A plan in progress: its memory does not depend on the number of moves. */
 typedef struct engine_plan engine_plan;
 
 enum engine_step { ENGINE_PLAN_BUSY, ENGINE_PLAN_SPAN, ENGINE_PLAN_DONE };
 
 typedef struct {
-    /* `count` moves, each from where the one before ended; all are looked at at once, and again
+    /* `count` moves; each starts where the one before ends. All are checked at once, and read again
      * when they are planned. After an error there is nothing to close. */
     int (*open)(const engine_limits *limits, engine_move_source *source, void *context,
                 size_t count, engine_plan **out);
-    /* A little work, 1 ms or so: enum engine_step, with a span or not yet; or an error. */
+    /* Do a little work, about 1 ms. Returns enum engine_step, with or without a span; or an
+     * error. */
     int (*step)(engine_plan *p, engine_span *out);
-    size_t (*passed)(const engine_plan *p);         /* moves behind the end of the last span */
+    size_t (*passed)(const engine_plan *p);         /* moves that end at or before the end of the
+                                                     * last span */
     void (*close)(engine_plan *p);
 } engine_plans;
 
@@ -184,15 +186,15 @@ extern const engine_plans engine_plans_q16, engine_plans_f32, engine_plans_f64;
 
 typedef struct {
     const char *name;                       /* "q16" "f32" "f64"                    */
-    bool fixed;                             /* the step is the same for all sizes   */
-    double lsb;                             /* the step of a coordinate of size 1   */
-    double reach;                           /* mm: what can be planned lies within +- this */
-    int (*hold)(double x, double *out);     /* x as this type has it                */
+    bool fixed;                             /* the resolution is the same everywhere */
+    double lsb;                             /* the resolution at a coordinate of size 1 */
+    double reach;                           /* mm: plans must stay within +- this */
+    int (*hold)(double x, double *out);     /* x rounded to this type */
     const engine_curves *curve;
     const engine_pieces *piece;
     const engine_measures *measure;
-    /* The arc of an SVG path, once about at most, as cubics in the plane within tol of it; turns is
-     * 1 from x to y, or -1. */
+    /* The arc of an SVG path, at most about one turn, as cubics in the plane within tol of it.
+     * turns is 1 from x to y, or -1. */
     int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees,
                    bool large, int turns, double tol, engine_cubic_sink *sink, void *context);
     const engine_surfaces *surface;
@@ -200,19 +202,19 @@ typedef struct {
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink,
                    void *context);
     const engine_plans *plan;
-    int32_t (*steps)(double mm, double steps_per_mm);   /* rounded as a machine of this type does
-                                                         * it */
+    int32_t (*steps)(double mm, double steps_per_mm);   /* rounded as a machine of this type
+                                                         * rounds */
 } engine;
 
 extern const engine engine_q16, engine_f32, engine_f64;
 
-const engine *engine_find(const char *name);    /* NULL if there is none */
+const engine *engine_find(const char *name);    /* NULL if unknown */
 
 /* The option --num TYPE of a command; `out` is the address of a const engine *. */
 #define ENGINE_OPTION(out, help)    TOOL_PARSED("num", "q16|f32|f64", out, engine_parse, help)
 bool engine_parse(const char *text, void *out);
 
-/* The least tolerance, or a little more, within which a piece becomes cubics. */
+/* The smallest tolerance, or a little more, within which a piece becomes cubics. */
 double engine_finest(const engine *e, const struct piece *p);
 const char   *engine_status(int status);        /* a sentence            */
 

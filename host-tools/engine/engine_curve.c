@@ -2,9 +2,9 @@
  * number type
  * SPDX-License-Identifier: MIT
  *
- * A curve is opened: its points are rounded to the number type, what it needs is prepared. Each
- * piece is then a Bezier curve of the library, by the library's own conversion; points come from
- * the function that evaluates that kind.
+ * Opening a curve rounds its points to the number type and prepares its data. Each piece is then a
+ * Bezier curve of the library, by the library's own conversion. Points come from the function that
+ * evaluates that kind of curve.
  */
 #include <float.h>
 #include <stdlib.h>
@@ -25,7 +25,7 @@
 #include "engine/piece.h"
 #include "base/tool.h"           /* tool_grow */
 
-#define ARC_TOL 1e-4    /* mm; how far the cubics of an arc may leave it */
+#define ARC_TOL 1e-4    /* mm; the largest distance of the cubics of an arc from it */
 
 struct engine_curve {
     const curve *c;
@@ -39,8 +39,8 @@ struct engine_curve {
     loft_real *knot;
     loft_bspline bspline;
     loft_nurbs nurbs;
-    unsigned *before;               /* B-splines: for each span the one before it, as the library
-                                     * counts them; 0 first */
+    unsigned *before;               /* B-splines: for each span, the index of the one before it as
+                                     * the library counts; 0 for the first */
     loft_circle circle;
     loft_cubic *cubic;              /* of an arc: its spans */
     unsigned spans;                 /* of B-splines and arcs */
@@ -71,7 +71,7 @@ static void curve_close(engine_curve *e)
     free(e);
 }
 
-/* What stands in the file, in the number type. */
+/* Round the data of the file to the number type. */
 static int hold_points(engine_curve *e)
 {
     const curve *c = e->c;
@@ -106,7 +106,7 @@ static void list_spans(engine_curve *e, const loft_knots *knots)
     }
 }
 
-/* In floats no less than what their step is there. */
+/* In floats the tolerance is at least the resolution there. */
 static double arc_tolerance(const engine_curve *e)
 {
     const double step = LOFT_REAL_LSB > 0                     ? 0
@@ -201,7 +201,7 @@ static loft_hermite5 hermite5_of(const engine_curve *e, unsigned i)
                             e->d[i + 1][0], e->d[i][1],  e->d[i + 1][1] };
 }
 
-/* What the library makes of it: a cubic. */
+/* The library's conversion of the piece: a cubic. */
 static int cubic_of(const engine_curve *e, unsigned i, loft_cubic *out)
 {
     const loft_hermite h = e->c->kind == CURVE_HERMITE3 ? hermite_of(e, i)
@@ -322,7 +322,7 @@ static int eval_piece(const engine_curve *e, unsigned i, double t, loft_vec *out
                       : eval_bezier(s.p, s.degree, t, out);
 }
 
-/* At `local` within piece i, by the function that evaluates this kind. */
+/* Evaluate piece i at `local`, by the function for this kind of curve. */
 static int eval_local(const engine_curve *e, unsigned i, double local, loft_vec *out)
 {
     loft_hermite h;

@@ -10,7 +10,7 @@
 
 #include "engine/engine_num.h"         /* real_of, vec_of, point_of */
 
-/* The geometry as the library has it. */
+/* The geometry as the library takes it. */
 typedef union {
     loft_polar polar;
     loft_delta delta;

@@ -1,8 +1,8 @@
-/* host-tools/engine/engine_num.h -- doubles in and out of the number type that is being compiled
+/* host-tools/engine/engine_num.h -- converts between double and the number type that is compiled
  * SPDX-License-Identifier: MIT
  *
- * For the files that are compiled once per number type. Numbers are made and read through
- * LOFT_REAL(1), the raw value of 1, so those files do not know which type it is.
+ * For the files that are compiled once per number type. Conversions use LOFT_REAL(1), the raw value
+ * of 1, so those files do not depend on the type.
  */
 #ifndef LOFT_ENGINE_NUM_H
 #define LOFT_ENGINE_NUM_H
@@ -30,7 +30,7 @@ static inline bool real_of(double x, loft_real *out)
     return true;
 }
 
-/* A tolerance, never more than said. */
+/* Convert a tolerance, never to a larger one. */
 static inline bool tol_of(double x, loft_real *out)
 {
     if (!real_of(x, out))
@@ -68,7 +68,7 @@ static inline void point_of(loft_vec v, double out[ENGINE_AXES])
         out[i] = double_of(v.axis[i]);
 }
 
-/* Normal and curvatures of what the library found at a place. */
+/* Normal and curvatures from the library's derivatives at a place. */
 static inline int look_of(const loft_differential *here, engine_look *out)
 {
     loft_curvatures k;

@@ -1,5 +1,5 @@
-/* host-tools/engine/engine_piece.c -- Bezier pieces through the library: walks, cubics, and what
- * they look like; compiled once per number type
+/* host-tools/engine/engine_piece.c -- Bezier pieces through the library: walks, cubics and shapes;
+ * compiled once per number type
  * SPDX-License-Identifier: MIT
  */
 #include "curve/bezier.h"           /* loft_bezier */
@@ -45,7 +45,7 @@ static void give_point(engine_point_sink *sink, void *context, loft_vec at)
     sink(context, point);
 }
 
-/* LOFT_ERR_RANGE: too many steps for this walk; nothing was given then. */
+/* LOFT_ERR_RANGE: too many steps for this walk; then no point was given. */
 static int walk_bezier(const part *s, uint32_t n, engine_point_sink *sink, void *context)
 {
     loft_bezier b;
@@ -88,7 +88,7 @@ static int walk_rational(const part *s, uint32_t n, engine_point_sink *sink, voi
     return status;
 }
 
-/* Point by point: degrees and counts of steps that the library does not walk. */
+/* Evaluate point by point: for degrees and counts of steps that the library does not walk. */
 static int step_by_eval(const part *s, uint32_t n, engine_point_sink *sink, void *context)
 {
     loft_rational r;
@@ -183,7 +183,7 @@ static int shape_of_cubic(const part *s, engine_shape *out)
     return LOFT_OK;
 }
 
-/* Lower degrees are not raised: rounding would bend lines. */
+/* Lower degrees are not elevated: rounding would bend lines. */
 static int shape_of_lower(const part *s, engine_shape *out)
 {
     enum loft_convexity convexity;

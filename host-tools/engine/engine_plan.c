@@ -1,9 +1,9 @@
-/* host-tools/engine/engine_plan.c -- moves become spans, one at a time
+/* host-tools/engine/engine_plan.c -- plans moves into spans, one at a time
  * SPDX-License-Identifier: MIT
  *
- * Compiled once per number type. What comes out depends on when moves are pushed: always as many
- * as there is room for, then spans until the plan waits. So it is the same however long the
- * caller pauses between two steps.
+ * Compiled once per number type. The result depends on when moves are pushed. This file pushes as
+ * many as there is room for, then takes spans until the plan waits. So the result does not depend
+ * on how long the caller pauses between two steps.
  */
 #include <stdlib.h>
 
@@ -17,8 +17,8 @@ enum { MOVES = 512, PIECES = MOVES * LOFT_PLAN_PIECES };
 struct engine_plan {
     engine_move_source *source;
     void *context;
-    size_t count, next;             /* moves, and those that were pushed  */
-    size_t passed;                  /* those behind the end of the last span */
+    size_t count, next;             /* moves, and moves pushed */
+    size_t passed;                  /* moves that end by the end of the last span */
     bool pushing;
     loft_plan plan;
     loft_move ring[MOVES];
@@ -48,7 +48,7 @@ static bool move_of(const engine_plan *p, size_t n, loft_move *out)
            real_of(move.feed, &out->feed);
 }
 
-/* Nothing may be refused later, when the machine is moving: look at all moves now. */
+/* Check all moves now: nothing may be refused later, when the machine moves. */
 static bool moves_fit(const engine_plan *p)
 {
     loft_move move;
@@ -90,7 +90,7 @@ static int plan_open(const engine_limits *limits, engine_move_source *source, vo
     return status;
 }
 
-/* Push a move, or the end behind the last one. */
+/* Push a move, or the end after the last one. */
 static int push_move(engine_plan *p)
 {
     loft_move move;
@@ -112,7 +112,7 @@ static int push_move(engine_plan *p)
     return ENGINE_PLAN_BUSY;
 }
 
-/* A span as the wire carries it: raw Q16.16, whatever the type it was planned in. */
+/* Convert a span to raw Q16.16, as it is sent, whatever type it was planned in. */
 static void raw_of(const loft_span *s, engine_span *out)
 {
     for (int k = 0; k < 4; k++)

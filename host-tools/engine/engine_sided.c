@@ -20,7 +20,7 @@
 #include "engine/engine_sided.h"
 #include "base/tool.h"           /* tool_grow */
 
-/* One of the library's; s->kind says which. */
+/* One of the library's patches; s->kind says which. */
 struct engine_sided {
     const surface *s;
     loft_vec *p;
@@ -112,7 +112,7 @@ static int prepare_toric(engine_sided *e)
     return status ? status : (int)loft_toric_init(&e->as.toric, &e->lattice, e->p, e->c, e->w);
 }
 
-/* What is cut off is not listed, and not read. */
+/* Points that are cut off are not listed, and not read. */
 static int prepare_basepoint(engine_sided *e)
 {
     const surface *s = e->s;
@@ -176,7 +176,7 @@ static int place_spot(const engine_sided *e, sided_place at, loft_spot *out)
     return real_of(x[0], &out->at[0]) && real_of(x[1], &out->at[1]) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
-/* On a side the two coordinates that are not 0 need no point. */
+/* On a side, the two coordinates that are not 0 need no point. */
 static int eval_coordinates(const engine_sided *e, sided_place at, loft_sci phi[])
 {
     const unsigned after = (at.k + 1) % e->s->n;
@@ -230,7 +230,7 @@ static int eval_gb(const engine_sided *e, sided_place at, loft_vec *out)
     return status ? status : (int)loft_gb_eval(&e->as.gb, phi, out);
 }
 
-/* A rounded point of a side may lie outside: then it is drawn towards the middle. */
+/* A rounded point of a side may lie outside: then it moves towards the middle. */
 static int eval_toric(const engine_sided *e, sided_place at, loft_vec *out)
 {
     const sided_place middle = sided_middle(e->s);
@@ -257,7 +257,7 @@ static int eval_basepoint(const engine_sided *e, sided_place at, loft_vec *out)
     return loft_basepoint_eval(&e->as.basepoint, LOFT_UNIT(at.u), LOFT_UNIT(at.v), out);
 }
 
-/* Parameters of a corner are those of its two sides as if they were the first. */
+/* Parameters of a corner are those of its two sides; side k counts as the first. */
 static unsigned corner_side(const engine_sided *e, sided_place at)
 {
     return at.how == SIDED_CORNER ? at.k + e->s->n - 1 : 0;
@@ -299,7 +299,7 @@ static int sided_eval(const engine_sided *e, sided_place at, double out[ENGINE_A
 // Normals and curvatures
 // ----------------------
 
-/* As eval_ring. */
+/* As in eval_zheng_ball. */
 static int differential_zheng_ball(const engine_sided *e, sided_place at, loft_differential *out)
 {
     const unsigned n = e->s->n, first = corner_side(e, at);
@@ -325,8 +325,8 @@ static void swap_vectors(loft_sci a[LOFT_AXES], loft_sci b[LOFT_AXES])
     }
 }
 
-/* At a cut corner by the parameters there, which turn the other way round; at one that is not cut
- * by the shares of the triangle's corners. */
+/* At a cut corner use the parameters there, which turn the other way round. At a corner that is not
+ * cut, use the shares of the triangle's corners. */
 static int differential_basepoint(const engine_sided *e, sided_place at, loft_differential *out)
 {
     const loft_basepoint *b = &e->as.basepoint;
@@ -347,7 +347,8 @@ static int differential_basepoint(const engine_sided *e, sided_place at, loft_di
     return loft_basepoint_differential(b, LOFT_UNIT(phi[0]), LOFT_UNIT(phi[1]), out);
 }
 
-/* The derivatives of a patch at a place: of one over a polygon by the coordinates of its points. */
+/* The derivatives of a patch at a place. Over a polygon they come from the coordinates of its
+ * points. */
 static int differential_at(const engine_sided *e, sided_place at, loft_differential *out)
 {
     loft_jet phi[SURFACE_SIDES_MAX];

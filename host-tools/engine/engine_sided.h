@@ -1,5 +1,5 @@
-/* host-tools/engine/engine_sided.h -- surfaces with n sides as the library holds them; part of
- * engine_surface.c
+/* host-tools/engine/engine_sided.h -- surfaces with n sides in the representation of the library;
+ * part of engine_surface.c
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_HOST_ENGINE_SIDED_H
@@ -11,22 +11,22 @@
 typedef struct engine_sided engine_sided;
 struct loft_disk;          /* of the library */
 
-/* As with engine_surfaces. */
+/* As in engine_surfaces. */
 typedef struct {
     int (*open)(const surface *s, engine_sided **out);
     void (*close)(engine_sided *e);
     int (*eval)(const engine_sided *e, sided_place at, double out[ENGINE_AXES]);
-    /* Normal and curvatures, where the patch has them. */
+    /* Normal and curvatures, if the patch has them. */
     int (*look)(const engine_sided *e, sided_place at, engine_look *out);
-    /* Give a GB patch of which the points around it are known, or all but the last, the others;
-     * with any other number nothing. */
+    /* Complete a GB patch whose outer points are known, or all but the last: compute the others.
+     * With any other number of points, do nothing. */
     int (*complete)(surface *s);
-    /* Cut the polygon of a patch into its parts; those without one are one part. LOFT_SINGULAR:
-     * sides at[0] and at[1] cross or touch. LOFT_ERR_ARG: it runs clockwise. LOFT_ERR_RANGE: vertex
-     * at[0] cannot be taken. at[0] is otherwise a vertex that does not turn left, s->n when there
-     * is none. */
+    /* Cut the polygon of a patch into its parts; a patch without a polygon is one part.
+     * LOFT_SINGULAR: sides at[0] and at[1] cross or touch. LOFT_ERR_ARG: the polygon is clockwise.
+     * LOFT_ERR_RANGE: vertex at[0] is out of range. Otherwise at[0] is a vertex that does not turn
+     * left, or s->n if there is none. */
     int (*cut)(surface *s, unsigned at[2]);
-    /* The whole as a sheet around its middle; it borrows from `e`. */
+    /* The whole patch as a surface around its middle; it borrows from `e`. */
     int (*disk)(const engine_sided *e, struct loft_disk *out);
 } engine_sides;
 

@@ -1,4 +1,4 @@
-/* host-tools/engine/engine_status.c -- what a status of the library means to a user
+/* host-tools/engine/engine_status.c -- explains a status of the library to a user
  * SPDX-License-Identifier: MIT
  */
 #include "num/status.h"     /* enum loft_status */

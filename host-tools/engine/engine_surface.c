@@ -2,8 +2,8 @@
  * per number type
  * SPDX-License-Identifier: MIT
  *
- * A surface is opened: its points are rounded to the number type, what it needs is prepared. Points
- * come from the function of the library that evaluates that kind.
+ * Opening a surface rounds its points to the number type and prepares its data. Points come from
+ * the function of the library that evaluates that kind of surface.
  */
 #include <stdlib.h>
 
@@ -27,10 +27,10 @@
 
 #define OCTANT_POINTS 15
 
-/* One of the library's; which says the kind. */
+/* One of the library's surfaces; which says the kind. */
 struct engine_surface {
     const surface *s;
-    engine_sided *sided;        /* with n sides, and then nothing else */
+    engine_sided *sided;        /* for patches with n sides; then nothing else is used */
     loft_vec *p;
     loft_weighted *weighted;
     union {
@@ -73,7 +73,7 @@ static int hold_points(engine_surface *e)
     return LOFT_OK;
 }
 
-/* First 2 orders curves along u, then those along v. */
+/* The first 2 `orders` curves run along u, the others along v. */
 static int prepare_coons(engine_surface *e)
 {
     const surface *s = e->s;
@@ -101,7 +101,7 @@ static int prepare_pn(engine_surface *e)
     return loft_pn_init(&e->as.pn, e->p, normal);
 }
 
-/* The library's octant has its centre at 0. */
+/* The centre of the library's octant is 0. */
 static int prepare_octant(engine_surface *e)
 {
     loft_real radius;
@@ -233,7 +233,7 @@ static int surface_kite(const engine_surface *e, unsigned kite, double u, double
 // Normals and curvatures
 // ----------------------
 
-/* Of a sphere: outward, and bent away from that. */
+/* On a sphere the normal points outward and the surface bends away from it. */
 static int look_sphere(const engine_surface *e, double u, double v, engine_look *out)
 {
     double at[ENGINE_AXES], length = 0;
@@ -250,7 +250,8 @@ static int look_sphere(const engine_surface *e, double u, double v, engine_look 
     return status;
 }
 
-/* The derivatives at (u, v). `net` is that of what is made a tensor product or a triangle. */
+/* The derivatives at (u, v). `net` is the patch for a kind that is converted to a tensor product or
+ * a triangle. */
 static int surface_differential(const engine_surface *e, double u, double v, loft_differential *out)
 {
     const loft_bary point = { LOFT_UNIT(u), LOFT_UNIT(v) };
@@ -292,9 +293,9 @@ static int look_at(const engine_surface *e, unsigned kite, double u, double v, e
     return status ? status : look_of(&here, out);
 }
 
-/* Where rounding leads out of the polygon: a little inside. Where there is no normal, as on an edge
- * that is one point, 2^-21 of the way to the middle, or more: the normal errs by about
- * 2^-43 / share there, and by its turn over the share. */
+/* If rounding leads outside the polygon, move a little inside. If there is no normal (an edge that
+ * is one point), move 2^-21 of the way to the middle, or more. There the normal errs by about 2^-43
+ * / share, and by its turn over the share. */
 static int surface_look(const engine_surface *e, unsigned kite, double u, double v,
                         engine_look *out)
 {
@@ -313,7 +314,7 @@ static int surface_look(const engine_surface *e, unsigned kite, double u, double
 // Contours
 // --------
 
-/* What the sheet of a surface borrows, beside the surface. */
+/* The data that a contour surface borrows, in addition to the surface. */
 typedef struct {
     loft_vec net[10];
     loft_triangle cubic;

@@ -1,4 +1,4 @@
-/* host-tools/engine/engines.c -- finding an engine by name, and what one can resolve
+/* host-tools/engine/engines.c -- finds an engine by name; the resolution of an engine
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>

@@ -7,9 +7,9 @@
 
 #include "engine/kinematics.h"
 
-/* of an arm: how far it may reach sideways, 8 degrees above lying flat */
+/* of an arm: its largest sideways reach, 8 degrees above horizontal */
 #define FLAT   0.99
-#define POLE   1e-6         /* mm: this is the pole */
+#define POLE   1e-6         /* mm: closer than this is the pole */
 #define PI     3.14159265358979323846
 
 static const struct {
@@ -162,8 +162,8 @@ static double dot_product(const double a[ENGINE_AXES], const double b[ENGINE_AXE
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Delta: an arm P stays as long as it is, so P (v - v_carriage) = 0. Polar: v along and across the
- * radius. */
+/* Delta: the length of an arm P is constant, so P (v - v_carriage) = 0. Polar: v along and across
+ * the radius. */
 void kinematics_slope(const kinematics *k, const double tool[ENGINE_AXES],
                       const double v[ENGINE_AXES], double out[ENGINE_AXES])
 {
@@ -187,7 +187,7 @@ void kinematics_slope(const kinematics *k, const double tool[ENGINE_AXES],
     }
 }
 
-/* row x = right, by Cramer's rule. */
+/* Solve row x = right by Cramer's rule. */
 static void solve_rows(double row[ENGINE_AXES][ENGINE_AXES], const double right[ENGINE_AXES],
                   double out[ENGINE_AXES])
 {
@@ -205,7 +205,7 @@ static void solve_rows(double row[ENGINE_AXES][ENGINE_AXES], const double right[
                  det;
 }
 
-/* P (v - v_c) = 0, and once more: P (a - a_c) + (v - v_c)^2 = 0. */
+/* P (v - v_c) = 0, and differentiated: P (a - a_c) + (v - v_c)^2 = 0. */
 static void move_delta(const kinematics *k, const kinematics_moving *m, kinematics_moving *t)
 {
     double arm[ENGINE_AXES][ENGINE_AXES], right[ENGINE_AXES];
@@ -257,9 +257,9 @@ bool kinematics_move(const kinematics *k, const kinematics_moving *m, kinematics
 // Lengths
 // -------
 
-/* CoreXY: the motors are sqrt(2) times as far apart as the tool's places; so z is made as long.
- * Polar: an angle counts as its arc where the path is farthest out; where its unit is the longer
- * one, the others are made as long. */
+/* CoreXY: distances of the motors are sqrt(2) times those of the tool, so z is scaled alike. Polar:
+ * an angle counts as its arc where the path is farthest out; if the unit of the angle is longer,
+ * the other motors are scaled up to it. */
 void kinematics_scale(const kinematics *k, double farthest, double scale[ENGINE_AXES])
 {
     scale[0] = scale[1] = scale[2] = 1;
@@ -272,8 +272,8 @@ void kinematics_scale(const kinematics *k, double farthest, double scale[ENGINE_
     }
 }
 
-/* The least eigenvalue of the symmetric g, from its invariants (the trigonometric solution of the
- * cubic). */
+/* The smallest eigenvalue of the symmetric g, from its invariants (the trigonometric solution of
+ * the cubic). */
 static double smallest_eigenvalue(double g[3][3])
 {
     const double mean = (g[0][0] + g[1][1] + g[2][2]) / 3,
@@ -295,7 +295,7 @@ static double smallest_eigenvalue(double g[3][3])
     return mean + 2 * size * cos(acos(fmin(fmax(half, -1), 1)) / 3 + 2 * PI / 3);
 }
 
-/* The square of a length is v^T g v. */
+/* The squared length is v^T g v. */
 double kinematics_least(const kinematics *k, const double tool[ENGINE_AXES],
                         const double scale[ENGINE_AXES])
 {

@@ -1,9 +1,9 @@
-/* host-tools/engine/nearest.c -- a tree of boxes over the pieces in their own order
+/* host-tools/engine/nearest.c -- a tree of boxes over pieces in their given order
  * SPDX-License-Identifier: MIT
  *
- * Pieces of a path follow each other, so that a range of the list is a compact part of the plane:
- * the tree needs no sorting. Node k covers a range, its children 2k+1 and 2k+2 the two halves;
- * ranges of LEAF pieces are not split.
+ * Pieces of a path follow each other, so a range of the list is a compact part of the plane, and
+ * the tree needs no sorting. Node k covers a range, its children 2k+1 and 2k+2 the two halves.
+ * Ranges of LEAF pieces are not split.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -56,7 +56,7 @@ void nearest_free(nearest *n)
     *n = (nearest){ 0 };
 }
 
-/* The search so far; distances squared. */
+/* The state of a search; distances are squared. */
 typedef struct {
     const nearest *n;
     const double *p;

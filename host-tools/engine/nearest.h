@@ -1,4 +1,4 @@
-/* host-tools/engine/nearest.h -- which of very many line pieces is nearest to a point
+/* host-tools/engine/nearest.h -- finds the nearest of many line pieces to a point
  * SPDX-License-Identifier: MIT
  *
  *     nearest n = { 0 };
@@ -18,14 +18,14 @@ typedef struct {
 typedef struct {
     nearest_piece *piece;       /* in the order in which they were added                        */
     size_t count, room;
-    double (*box)[4];           /* least x, y, greatest x, y of each node of a tree over ranges */
+    double (*box)[4];           /* smallest x, y, largest x, y of each node of a tree over ranges */
 } nearest;
 
 void nearest_add(nearest *n, const double a[2], const double b[2]);
 void nearest_build(nearest *n);
 void nearest_free(nearest *n);
 
-/* The index of the piece nearest to p; `u` 0..1 is where on it. Pieces near `hint` are looked at
+/* The index of the piece nearest to p; `u` 0..1 is the place on it. Pieces near `hint` are tried
  * first.
  *
  *   range   at least one piece

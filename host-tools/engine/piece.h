@@ -1,7 +1,7 @@
 /* host-tools/engine/piece.h -- one Bezier piece of a curve, polynomial or rational, in double
  * SPDX-License-Identifier: MIT
  *
- * The library gives the pieces (engine.h); here they are seen from outside: derivatives for combs.
+ * The library gives the pieces (engine.h). This file computes their derivatives, for combs.
  */
 #ifndef LOFT_PIECE_H
 #define LOFT_PIECE_H
@@ -14,13 +14,13 @@ typedef struct piece {
     unsigned degree;
 } piece;
 
-/* Do its weights differ? */
+/* Are the weights different? */
 bool piece_is_rational(const piece *c);
 
-/* The point at t in 0..1, and its first and second derivative. */
+/* The point at t in 0..1, and its first and second derivatives. */
 void piece_eval(const piece *c, double t, double out[3][CURVE_AXES]);
 
-/* The curvature at t in the plane of x and y, > 0 where it turns left; false where the first
+/* The curvature at t in the plane of x and y, > 0 for a left turn. Returns false where the first
  * derivative vanishes. */
 bool piece_bend(const piece *c, double t, double *out);
 

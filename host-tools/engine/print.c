@@ -8,7 +8,7 @@
 #include "engine/print.h"
 #include "base/tool.h"       /* tool_error, sysexits */
 
-#define SAME 1e-6       /* mm; ends that are nearer count as one point */
+#define SAME 1e-6       /* mm; closer ends count as one point */
 
 void print_number(const engine *e, double x)
 {
@@ -43,7 +43,7 @@ static bool same(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
     return fabs(a[0] - b[0]) <= SAME && fabs(a[1] - b[1]) <= SAME && fabs(a[2] - b[2]) <= SAME;
 }
 
-/* `end` is where the curve before ended, and becomes where this one ends; NULL: there was none. */
+/* `end` is the end of the curve before, and becomes the end of this one; NULL: there was none. */
 static int chain_one(const print_options *p, const curve *c, double end[ENGINE_AXES], bool first,
                      print_curve *one, void *context)
 {

@@ -7,8 +7,8 @@
  *     h[i-1] M[i-1] + 2 (h[i-1] + h[i]) M[i] + h[i] M[i+1] = 6 ((P[i+1] - P[i]) / h[i] - (P[i] -
  *     P[i-1]) / h[i-1])
  *
- * B-splines: de Boor's recurrence in homogeneous coordinates. Knots beyond the curve's own are used
- * as they are.
+ * B-splines: de Boor's recurrence in homogeneous coordinates. Knots outside the curve's range are
+ * used as they are.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -17,7 +17,7 @@
 #include "engine/reference.h"
 #include "base/tool.h"       /* tool_grow */
 
-#define WIDE (CURVE_AXES + 1)       /* homogeneous: the last is the weight */
+#define WIDE (CURVE_AXES + 1)       /* homogeneous: the weight is last */
 
 static void blend_points(long double a[WIDE], const long double b[WIDE], long double t)
 {
@@ -52,12 +52,12 @@ static void eval_bezier(const curve *c, long double t, long double out[CURVE_AXE
     project_point(b[0], out);
 }
 
-/* The last span of knots from knot[s] < knot[s + 1] with knot[s] <= t, by bisection; the first one
- * if t is before it. */
+/* The last span with knot[s] < knot[s + 1] and knot[s] <= t, by bisection; the first span if t is
+ * before it. */
 static unsigned span_of(const curve *c, long double t)
 {
     unsigned low = c->degree, high = c->count;      /* knot[low] <= t, or low is the first; t <
-                                                     * knot[high], or it is the last */
+                                                     * knot[high], or high is the last */
 
     while (high - low > 1) {
         const unsigned middle = (low + high) / 2;
@@ -147,8 +147,7 @@ static void eval_natural(const reference *r, unsigned k, long double t, long dou
                  h2 * ((s * s * s - s) * r->second[k][i] + (t * t * t - t) * r->second[k + 1][i]);
 }
 
-/* Elimination from the first row to the last and back (Thomas); the rows are dominated by their
- * diagonal. */
+/* Elimination forward and back substitution (Thomas); the rows are diagonally dominant. */
 static void solve_second_derivatives(reference *r, int axis)
 {
     const curve *c = r->c;
@@ -170,8 +169,8 @@ static void solve_second_derivatives(reference *r, int axis)
     free(over);
 }
 
-/* Turned about the centre by its part of the sweep; what the ends' distances differ by, and the
- * other axes, in proportion. */
+/* Rotate about the centre by the fraction of the sweep. The difference of the radii at both ends,
+ * and the other axes, change in proportion. */
 static void eval_arc(const curve *c, long double t, long double out[CURVE_AXES])
 {
     const curve_point *p = c->point;

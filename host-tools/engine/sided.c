@@ -12,7 +12,7 @@
 
 #include "engine/sided.h"
 
-#define NOTHING 1e-9            /* of a kite: on the side, however it is rounded */
+#define NOTHING 1e-9            /* of a kite: closer to a side than this is on the side */
 
 unsigned sided_count(const surface *s) { return s->n; }
 
@@ -20,8 +20,8 @@ unsigned sided_count(const surface *s) { return s->n; }
 // Polygons
 // --------
 
-/* Numbers next to 0 that come of cancellation are finer than those that the library decides on
- * exactly. */
+/* Numbers next to 0 that are left by cancellation are finer than the numbers that the library
+ * decides on exactly. */
 static double rounded(double x) { return nearbyint(x * 0x1p52) / 0x1p52; }
 
 void sided_regular(surface *s)
@@ -80,8 +80,8 @@ unsigned sided_points(const surface *s)
 // Kites
 // -----
 
-/* The u_(i-1) that equals u_(i+1) when u_i = b: where the middle line of side i runs;
- * polygon/disk.c has the equations. */
+/* The u_(i-1) that equals u_(i+1) when u_i = b: the middle line of side i. polygon/disk.c has the
+ * equations. */
 static double balanced_parameter(unsigned sides, double b)
 {
     double low = 0, high = 1;
@@ -95,7 +95,7 @@ static double balanced_parameter(unsigned sides, double b)
     return (low + high) / 2;
 }
 
-/* What all parameters are in the middle. */
+/* The value of all parameters in the middle. */
 static double middle_parameter(unsigned sides)
 {
     double low = 0, high = 1;
@@ -107,8 +107,8 @@ static double middle_parameter(unsigned sides)
     return (low + high) / 2;
 }
 
-/* Shares of the three corners of a triangle, those of the next and of the last one: the lines s = 1
- * and t = 1 are where two shares are equal. */
+/* The shares of the three corners of a triangle: this, next and last. On the lines s = 1 and t = 1
+ * two shares are equal. */
 static sided_place triangle_kite(unsigned k, double s, double t)
 {
     const double whole = 1 - s * t / 4;
@@ -117,7 +117,7 @@ static sided_place triangle_kite(unsigned k, double s, double t)
                           t / 2 * (1 - s / 2) / whole };
 }
 
-/* The curves in which the kites meet, and straight lines between them and the sides. */
+/* Straight lines between the sides and the curves in which the kites meet. */
 static sided_place zheng_ball_kite(unsigned sides, unsigned k, double s, double t)
 {
     if (sides == 3)
@@ -127,9 +127,9 @@ static sided_place zheng_ball_kite(unsigned sides, unsigned k, double s, double 
                           t * balanced_parameter(sides, middle * s) };
 }
 
-/* A corner of the patch where a side at a cut corner of the triangle begins or ends, or an uncut
- * corner. With w and 1 - w the shares that the next and the last corner have of what corner c lacks
- * to 1, which is v. */
+/* A corner of the patch: the begin or end of a side at a cut corner of the triangle, or an uncut
+ * corner. Corner c lacks v to 1; w and 1 - w are the fractions of v that the next and the last
+ * corner have. */
 static sided_place basepoint_kite(const surface *patch, unsigned k, double s, double t)
 {
     const loft_basepoint b = { .degree = (uint8_t)patch->m,
@@ -152,7 +152,7 @@ static sided_place basepoint_kite(const surface *patch, unsigned k, double s, do
     return (sided_place){ SIDED_CORNER, side.corner, 1 - w, v };
 }
 
-/* A kite: its part, which corner of that it is at, and the vertices there, before and behind it. */
+/* A kite: its part, its corner of the part, and the vertices there, before it and after it. */
 typedef struct {
     unsigned part, corner, first;       /* first: the kite at corner 0 of the part */
     unsigned vertex, before, after;
@@ -177,7 +177,7 @@ static bool is_side(const surface *s, unsigned from, unsigned to)
     return to == (from + 1) % s->n;
 }
 
-/* Between two sides of a convex polygon and its middle: no cell of this grid is turned over. */
+/* Between two sides of a convex polygon and its middle: no cell of this grid is inverted. */
 static sided_place polygon_kite(const surface *patch, unsigned kite, double s, double t)
 {
     const kite_corner k = corner_of(patch, kite);
@@ -217,8 +217,8 @@ bool sided_is_border(const surface *patch, unsigned kite, bool before)
     return before ? is_side(patch, k.before, k.vertex) : is_side(patch, k.vertex, k.after);
 }
 
-/* The first kite at a vertex; of those in parts before `part` that have the side from `vertex` to
- * `beside`, or with `back` the one from `beside` to `vertex`. False: there is none. */
+/* The first kite at `vertex` in the parts before `part` that have the side from `vertex` to
+ * `beside`, or, with `back`, from `beside` to `vertex`. Returns false if there is none. */
 static bool earlier_kite(const surface *s, unsigned part, unsigned vertex, unsigned beside,
                          bool back, unsigned *out)
 {
@@ -234,7 +234,8 @@ static bool earlier_kite(const surface *s, unsigned part, unsigned vertex, unsig
     return false;
 }
 
-/* One step from a name of a grid point towards that which is used; itself when it is that. */
+/* Go one step from a name of a grid node towards the name that is used; the name itself if it is
+ * that one. */
 static sided_node next_node_name(const surface *s, sided_node at, unsigned half)
 {
     const kite_corner k = corner_of(s, at.kite);
@@ -325,7 +326,7 @@ static void spatch_net(const surface *s, sided_edge *each, void *context)
         each(context, &s->point[l], &s->point[m]);
 }
 
-/* The place of a whole point among those of the polygon; their count when it is not there. */
+/* The index of a lattice point among those of the polygon; their count if it is not one of them. */
 static unsigned lattice_index(const loft_lattice_polygon *lattice, int x, int y)
 {
     loft_whole l;
@@ -340,7 +341,7 @@ static unsigned lattice_index(const loft_lattice_polygon *lattice, int x, int y)
     return k;
 }
 
-/* Steps along x and y, and those along the edges. */
+/* Steps along x and y, and along the edges. */
 static void toric_net(const surface *s, sided_edge *each, void *context)
 {
     loft_lattice_polygon lattice;
@@ -376,7 +377,7 @@ static bool is_cut(const surface *s, const uint8_t l[3])
     return l[0] + s->cut[0] > s->m || l[1] + s->cut[1] > s->m || l[2] + s->cut[2] > s->m;
 }
 
-/* The mesh of the triangle without what is cut off. */
+/* The mesh of the triangle without the parts that are cut off. */
 static void basepoint_net(const surface *s, sided_edge *each, void *context)
 {
     const surface_point *at[(SURFACE_DEGREE_MAX + 1) * (SURFACE_DEGREE_MAX + 2) / 2] = { NULL };
@@ -404,10 +405,10 @@ static void basepoint_net(const surface *s, sided_edge *each, void *context)
     } while (loft_multiindex_next(l, 3));
 }
 
-/* Blocks of a = 0 .. wide - 1, b = 0 .. high - 1 at each corner. The row at distance b from side i:
- * the a of corner i, then the b of corner i + 1 backwards. For an even degree the last a of each
- * block lead to a point in the middle; for an odd one a GB patch has such a point, to which the
- * innermost ones lead. */
+/* Blocks of a = 0 .. wide - 1, b = 0 .. high - 1 at each corner. The row at distance b from side i
+ * runs over the a of corner i, then backwards over the b of corner i + 1. For an even degree the
+ * last a of each block connect to a point in the middle. For an odd degree a GB patch has such a
+ * point, and the innermost points connect to it. */
 static void zheng_ball_net(const surface *s, sided_edge *each, void *context)
 {
     const unsigned wide = s->m / 2 + 1, high = (s->m + 1) / 2, block = wide * high;

@@ -42,7 +42,7 @@ unsigned surface_kites(const surface *s)
     return surface_is_sided(s) ? kites : 1;
 }
 
-/* That the domain is a polygon is known (LOFT.md): not that it is one when it was rounded. */
+/* The domain is known to be a polygon (LOFT.md), but it may not be one after rounding. */
 const char *surface_status(const surface *s, int status)
 {
     const bool polygon = s->kind == SURFACE_SPATCH || s->kind == SURFACE_GB;
@@ -90,8 +90,7 @@ surface *surfaces_add(surfaces *all, enum surface_kind kind, unsigned line)
 
 void surface_add_point(surface *s, const surface_point *p)
 {
-    if ((s->count & (s->count - 1)) == 0)       /* at powers of two there is room for as many
-                                                 * again */
+    if ((s->count & (s->count - 1)) == 0)       /* at powers of two the room doubles */
         s->point = tool_grow(s->point, (s->count ? 2 * s->count : 1) * sizeof *s->point);
     s->point[s->count++] = *p;
 }

@@ -1,4 +1,4 @@
-/* host-tools/plan/job.c -- a job, planned while it is drawn
+/* host-tools/plan/job.c -- plans a job while it is drawn
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -14,18 +14,16 @@
 #include "base/progress.h"       /* progress_show */
 #include "base/tool.h"           /* tool_grow, tool_clock, tool_version */
 
-#define FIRST   64          /* items by which the plan is known again           */
-#define AHEAD                                                                                      \
-    65536            /* items that are planned ahead: more than any machine's queue, for
-                               frames to be filled                              */
-#define OPENING 0.2         /* s for the first portion                          */
-#define KNOWN   0.02        /* of the path: enough to guess how long all of it takes */
+#define FIRST   64          /* items that identify the plan */
+#define AHEAD   65536       /* items planned ahead: more than any queue, so that frames are full */
+#define OPENING 0.2         /* s for the first portion */
+#define KNOWN   0.02        /* of the path: enough to estimate the duration of all of it */
 
 
 // Items
 // -----
 
-/* Forget what is below `kept`, but not for the sake of a few. */
+/* Forget items below `kept`, but only if there are many. */
 static void make_room(job *j, size_t kept)
 {
     const size_t held = j->count - j->low, most = kept < j->count ? kept : j->count;
@@ -42,7 +40,7 @@ static void make_room(job *j, size_t kept)
     j->entry = tool_grow(j->entry, j->room * sizeof *j->entry);
 }
 
-/* Item n is due when `due` ticks have passed. */
+/* Item n is due after `due` ticks. */
 static void time_item(job *j, size_t n, uint64_t due)
 {
     if (n >= j->low)
@@ -91,7 +89,7 @@ static void steps_of(loft_vec at, const int32_t steps_per_mm[ENGINE_AXES], int32
         out[i] = loft_steps_of(at.axis[i], steps_per_mm[i]);
 }
 
-/* Walk a span as a machine does; this file is compiled in q16: a loft_real is a raw coordinate. */
+/* Walk a span as a machine does. This file is compiled in q16: a loft_real is a raw coordinate. */
 static int add_points(job *j, const loft_item *span, const int32_t from[ENGINE_AXES], size_t kept)
 {
     loft_forward w;
@@ -112,8 +110,8 @@ static int add_points(job *j, const loft_item *span, const int32_t from[ENGINE_A
 // Curves
 // ------
 
-/* A line is said in fewer bytes if its inner points are the thirds of it exactly: rounding has
- * moved them by no more than one step from there. */
+/* A line takes fewer bytes if its inner points are exactly its thirds. Rounding has moved them by
+ * at most one step from there. */
 static void straighten_item(loft_item *item, const int32_t from[ENGINE_AXES])
 {
     int32_t inner[2][ENGINE_AXES];
@@ -167,7 +165,7 @@ static void add_curves(job *j, const joints *of)
 // Planning
 // --------
 
-/* At their feeds, along the control points: for comparing what is done with what is to be done. */
+/* The duration at the feeds, along the control points: it measures how much of the work is done. */
 static double seconds_of(const engine_move *m)
 {
     double sum = 0;
@@ -181,8 +179,8 @@ static double seconds_of(const engine_move *m)
     return sum / m->feed;
 }
 
-/* All that is passed was over at the end of the last span. Curves are due when those before them
- * are passed. */
+/* All passed moves end by the end of the last span. A curve is due when the moves before it are
+ * passed. */
 static void pass_moves(job *j)
 {
     const joints *of = j->plan.j;
@@ -236,7 +234,7 @@ static void complete_job(job *j)
     joints_end(&j->plan);
 }
 
-/* One step; enum engine_step or an error. */
+/* Do one step. Returns enum engine_step or an error. */
 static int step_plan(job *j, size_t kept)
 {
     engine_span span;
@@ -303,7 +301,7 @@ static uint32_t limits_crc(uint32_t crc, const engine_limits *l)
     return loft_crc32(crc_of(crc_of(crc_of(crc, l->max_across), l->corner), l->tol), l->tick_hz);
 }
 
-/* All that a plan depends on. */
+/* All data that a plan depends on. */
 static uint32_t input_crc(uint32_t crc, const joints *of, const job_options *o)
 {
     const engine_limits limits = joints_limits(of, &o->limits);
@@ -325,8 +323,8 @@ static uint32_t input_crc(uint32_t crc, const joints *of, const job_options *o)
     return crc;
 }
 
-/* Of curves all are there, and nothing else is sent. Of the others the first ones make out another
- * planner of the same version. */
+/* A job of curves has all its items, and nothing else is sent. In other jobs, the first items
+ * reveal another planner of the same version. */
 static uint32_t id_of(job *j, const joints *of, const job_options *o)
 {
     if (o->kind == LOFT_CURVES)

@@ -1,4 +1,4 @@
-/* host-tools/plan/joints.c -- a toolpath as the motors of a machine go it
+/* host-tools/plan/joints.c -- a toolpath as a path of the motors
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -11,10 +11,10 @@
 #include "base/tool.h"           /* tool_error, tool_grow */
 
 #define LOOKS     8         /* places in a piece where it is compared with the path */
-#define EVEN      1.02      /* how much the feed of the motors may change in a piece */
-#define SHORT     0.02      /* mm: pieces this short may change it more             */
-#define CUTS      20        /* halvings of a move until it cannot be followed       */
-#define POLE      1e-6      /* mm: this is the pole                                 */
+#define EVEN      1.02      /* largest change of the motors' feed within a piece */
+#define SHORT     0.02      /* mm: shorter pieces may change it more */
+#define CUTS      20        /* halvings of a move, then following it fails */
+#define POLE      1e-6      /* mm: closer than this is the pole */
 #define SPEED_MAX 16383.0   /* of a plan, lib/motion/limits.h                       */
 #define ACCEL_MAX 16383.0
 #define JERK_MAX  1e7
@@ -33,7 +33,7 @@ typedef struct {
 /* A piece under examination. */
 typedef struct {
     engine_move move;
-    double least, most;             /* planned length of the motors over that of the tool */
+    double least, most;             /* planned length of the motors over the length of the tool */
     double off, length;             /* of the tool, mm                                    */
 } piece;
 
@@ -80,7 +80,7 @@ static double pole_distance(const kinematics *k, const double tool[ENGINE_AXES])
 // Past a pole
 // -----------
 
-/* How near the line from a to b comes to the pole. */
+/* The smallest distance of the line from a to b from the pole. */
 static double line_pole_distance(const kinematics *k, const double a[ENGINE_AXES],
                                  const double b[ENGINE_AXES])
 {
@@ -106,8 +106,8 @@ static bool is_upright(const engine_move *m)
     return hypot(m->p[0][0] - m->p[3][0], m->p[0][1] - m->p[3][1]) < POLE;
 }
 
-/* Travels that come too near to the pole go to it and from there on: there the angle may turn
- * without the tool. */
+/* A travel that comes too close to the pole goes to it and continues from there: at the pole the
+ * angle may turn without the tool. */
 static void lead_travels_through_pole(toolpath *t, const kinematics *k)
 {
     for (size_t n = 0; n < t->count; n++) {
@@ -156,7 +156,7 @@ static double planned_length(const joints *j, const double v[ENGINE_AXES])
     return size_of(scaled);
 }
 
-/* Lengths of motors and tool at t. */
+/* Compare the lengths of motors and tool at t. */
 static void compare_lengths(const joints *j, engine_move *m, double t, piece *p)
 {
     double at[ENGINE_AXES], v[ENGINE_AXES], slope[ENGINE_AXES];
@@ -171,8 +171,8 @@ static void compare_lengths(const joints *j, engine_move *m, double t, piece *p)
     p->most  = fmax(p->most, planned_length(j, slope) / size);
 }
 
-/* The cubic of the motors that has the places and the directions of the path at t0 and t1 (the
- * derivative by t is that of the path, turned by the map). */
+/* The cubic of the motors that has the positions and the directions of the path at t0 and t1. The
+ * derivative by t is that of the path, mapped to the motors. */
 static void map_piece(const mapping *m, engine_move *move, double t0, double t1, piece *p)
 {
     double tool[2][ENGINE_AXES], v[ENGINE_AXES], slope[2][ENGINE_AXES];
@@ -190,7 +190,7 @@ static void map_piece(const mapping *m, engine_move *move, double t0, double t1,
     }
 }
 
-/* Look at it along the way: is the tool on the path, and how do lengths compare? */
+/* Examine the piece along its way: is the tool on the path, and how do the lengths compare? */
 static void examine_piece(const mapping *m, engine_move *move, double t0, double t1, piece *p)
 {
     double before[ENGINE_AXES];
@@ -224,8 +224,8 @@ static int refuse_place(const mapping *m, const double at[ENGINE_AXES], const ch
                       at[2], kinematics_name(m->j->k), why);
 }
 
-/* Is each place within reach? Looked at as often as curves are cut, so that none slips through by
- * much. */
+/* Is each place within reach? The sampling is as fine as the cuts of curves, so nothing can be far
+ * out of reach unnoticed. */
 static int check_reach(const mapping *m, engine_move *move)
 {
     const double length = distance(move->p[0], move->p[1]) + distance(move->p[1], move->p[2]) +
@@ -273,7 +273,7 @@ static int add_piece(mapping *m, piece *p, double feed, const double tool[ENGINE
     return code;
 }
 
-/* Greedy: the longest piece that will do, twice as long as the last one at most. */
+/* Greedy: take the longest valid piece, at most twice as long as the last one. */
 static int map_curved(mapping *m, engine_move *move)
 {
     double t = 0, step = 1;
@@ -300,8 +300,8 @@ static int map_curved(mapping *m, engine_move *move)
     return code;
 }
 
-/* A matrix: its control points are turned, and the feed by the direction in which it counts
- * least. */
+/* A matrix maps the control points. The feed is scaled by the direction with the smallest
+ * length. */
 static int map_linear(mapping *m, engine_move *move)
 {
     piece p = { .least = HUGE_VAL };
@@ -314,7 +314,8 @@ static int map_linear(mapping *m, engine_move *move)
     return add_piece(m, &p, move->feed, move->p[3]);
 }
 
-/* From or to the pole, or straight up: the angle is that of the other end, and turned to first. */
+/* From or to the pole, or vertical: the angle is that of the other end, and the motor turns to it
+ * first. */
 static int map_radial(mapping *m, engine_move *move)
 {
     const bool out = pole_distance(m->j->k, move->p[0]) < POLE;
@@ -395,8 +396,8 @@ void joints_free(joints *j)
     *j = (joints){ .k = NULL };
 }
 
-/* What the way from planned units to those of the wire adds: half a grain of each motor that is
- * scaled, and of the plan. */
+/* The error of converting planned units to those of the wire: half an LSB for each scaled motor,
+ * and half an LSB of the plan. */
 static double rounding_error(const joints *j)
 {
     double sum = 0;

@@ -1,4 +1,4 @@
-/* host-tools/plan/planning.c -- what is planned, and within which limits
+/* host-tools/plan/planning.c -- chooses what is planned, and within which limits
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -9,10 +9,10 @@
 #include "base/source.h"         /* source_name */
 
 #define JERK_MAX 1e7        /* mm/s^3, of lib/motion/limits.h                    */
-#define SMOOTH_PART 0.2     /* of the tolerance: for making curves of lines      */
-#define MAP_PART    0.2     /* of it: for curves of motors that are not straight  */
+#define SMOOTH_PART 0.2     /* of the tolerance: for replacing lines by curves */
+#define MAP_PART    0.2     /* of the tolerance: for the curves of nonlinear motors */
 #define TOL_MIN     (1 / 1024.0)    /* mm, of lib/motion/limits.h                */
-#define JERK_PER 20         /* times the acceleration: it is reached in 1/20 s   */
+#define JERK_PER 20         /* 1/s times the acceleration: reached in 1/20 s */
 
 int planning_start(planning *p, int argc, char **argv)
 {

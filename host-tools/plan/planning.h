@@ -1,5 +1,5 @@
-/* host-tools/plan/planning.h -- what `loft stream` and `loft plan` are told alike: machine, feeds,
- * limits, tolerance
+/* host-tools/plan/planning.h -- the options that `loft stream` and `loft plan` share: machine,
+ * feeds, limits, tolerance
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_PLANNING_H
@@ -14,12 +14,12 @@
 typedef struct {
     const engine *e;
     machine_file machine;
-    const char *file;               /* the machine's, which has been read          */
+    const char *file;               /* of the machine, after it has been read */
     double feed, travel;            /* mm/s                                        */
-    double accel, jerk, across;     /* mm/s^2, mm/s^3, mm/s^2; below 0: the machine's */
+    double accel, jerk, across;     /* mm/s^2, mm/s^3, mm/s^2; below 0: from the machine */
     double corner, tol, lift;       /* mm                                          */
-    double smooth;                  /* mm of tol, below 0: SMOOTH_PART             */
-    double smoothed;                /* mm of tol that were used up by it           */
+    double smooth;                  /* mm of tol; below 0: SMOOTH_PART */
+    double smoothed;                /* mm of tol that smoothing used up */
     bool park;
 } planning;
 
@@ -49,27 +49,26 @@ typedef struct {
                     "at the end go to the machine's zero, where it was switched on or homed"),     \
         ENGINE_OPTION(&(p)->e, "number type of the planner (q16)")
 
-/* Fill in what holds without options; a machine's file among them is read. Gives 0, or an exit code
- * after one line. */
+/* Set the defaults; reads the machine's file if the options name one. Returns 0, or an exit code
+ * after printing one line. */
 int planning_start(planning *p, int argc, char **argv);
 
-/* The limits of the machine of the file, or of a usual one; and, over any machine's, those of file
- * and options. */
+/* The limits of the machine of the file, or of a typical one. The second function applies those of
+ * file and options to the limits of any machine. */
 void planning_machine(const planning *p, engine_limits *limits);
 void planning_limit(const planning *p, engine_limits *limits);
 
-/* Read a drawing that can be planned, and make of it what is planned. Gives 0, or an exit code
- * after one line. */
+/* Read a drawing that can be planned, and prepare it for planning. Returns 0, or an exit code after
+ * printing one line. */
 int planning_read(planning *p, drawing *d, drawing *smooth, const char *file);
 
-/* How its toolpath is made, from where the tool is when the motors are at `start`; false if they
- * cannot be there. */
+/* The options of the toolpath. The second function sets the tool's start for motors at `start`; it
+ * returns false if they cannot be there. */
 toolpath_options planning_path(const planning *p);
 bool planning_start_at(const planning *p, const double start[ENGINE_AXES], toolpath_options *how);
 
-/* The path as the motors go it from there, for the machine to plan (`chip`) or not; `limits` are
- * those of the motors. Gives 0, or an exit code after one line; free with joints_free in any
- * case. */
+/* The path of the motors from there, for the machine to plan (`chip`) or not; `limits` are those of
+ * the motors. Returns 0, or an exit code after printing one line. Call joints_free in any case. */
 int planning_joints(const planning *p, const char *file, const drawing *d,
                     const double start[ENGINE_AXES], bool chip, const engine_limits *limits,
                     toolpath *path, joints *out);

@@ -1,11 +1,11 @@
 /* host-tools/plan/smooth.c
  * SPDX-License-Identifier: MIT
  *
- * A chain is sampled: its vertices, and places on long lines. A cubic B-spline over the length
- * along the chain is fitted by least squares (C. de Boor, A Practical Guide to Splines, 2001,
- * chapter XIV); the normal equations have seven diagonals. Intervals that err too much are halved,
- * until all is well or a vertex turns out to be a corner: then the chain is cut there, and both
- * parts tried.
+ * A chain is sampled at its vertices and on long lines. A cubic B-spline over the length along the
+ * chain is fitted by least squares (C. de Boor, A Practical Guide to Splines, 2001, chapter XIV);
+ * the normal equations have seven diagonals. Intervals with too large an error are halved until the
+ * fit is good, or until a vertex proves to be a corner. Then the chain is cut there, and both parts
+ * are tried.
  */
 #include <math.h>
 #include <stdint.h>
@@ -15,19 +15,19 @@
 #include "plan/smooth.h"
 #include "base/tool.h"           /* tool_grow */
 
-#define STRAIGHT    1e-6    /* mm: control points this far from the thirds of a line    */
-#define TURN        0.86    /* the least cosine between lines that may be one curve     */
-#define LEAST       4       /* lines that are worth it                                  */
-#define APART       0.25    /* mm: samples on a long line; at most MANY of them         */
+#define STRAIGHT    1e-6    /* mm: control points this close to the thirds of a line */
+#define TURN        0.86    /* the smallest cosine between lines that may be one curve */
+#define LEAST       4       /* lines, at least, to fit a curve */
+#define APART       0.25    /* mm: between samples on a long line; at most MANY of them */
 #define MANY        200
-#define BETWEEN     4       /* places between two samples that are checked              */
-#define CHECKED     0.9     /* of `within` may be used at them                          */
+#define BETWEEN     4       /* checked places between two samples */
+#define CHECKED     0.9     /* of `within` may be used there */
 #define ROUNDS      40
 
-/* Samples of one chain, and the spline through them. */
+/* Samples of a chain, and the spline through them. */
 typedef struct {
     double (*p)[2], *u;     /* place, length along the chain                  */
-    size_t *vertex;         /* the line whose start it is, or that it lies on */
+    size_t *vertex;         /* the line that starts there, or that it lies on */
     size_t count, room;
     double *knot;           /* ends and inner knots, ascending: `intervals` + 1 */
     size_t *first;          /* of each interval: its first sample             */
@@ -85,7 +85,7 @@ static void eval_spline(const fit *f, size_t k, double u, double out[2], double 
     }
 }
 
-/* Seven diagonals, Cholesky: a[i][j] is row i, column i - j. */
+/* Cholesky with seven diagonals: a[i][j] is row i, column i - j. */
 static void solve_banded(double (*a)[4], double (*b)[2], size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -111,7 +111,7 @@ static void solve_banded(double (*a)[4], double (*b)[2], size_t n)
         }
 }
 
-/* Each sample counts as much as the length around it; the ends are exact. */
+/* Each sample counts by the length around it; the ends are exact. */
 static void solve_spline(fit *f)
 {
     const size_t n = f->intervals + 3, last = f->count - 1;
@@ -142,7 +142,7 @@ static void solve_spline(fit *f)
     memcpy(f->c[n - 1], f->p[last], sizeof f->c[n - 1]);
 }
 
-/* The most by which interval k leaves the chain, and the sample behind which it does. */
+/* The largest distance of interval k from the chain, and the sample after which it occurs. */
 static double error_of(const fit *f, size_t k, size_t *where)
 {
     double worst = 0;
@@ -165,7 +165,7 @@ static double error_of(const fit *f, size_t k, size_t *where)
     return worst;
 }
 
-/* Halve all intervals that err by more than `within`. Gives how many did; SIZE_MAX if one cannot be
+/* Halve all intervals with an error above `within`. Returns how many; SIZE_MAX if one cannot be
  * halved, at sample *where. */
 static size_t refine_intervals(fit *f, double within, size_t *where)
 {
@@ -205,8 +205,8 @@ static bool is_line(const drawing_curve *c)
     return true;
 }
 
-/* May the vertex between two lines lie on a curve? It turns little, and is not high above the line
- * between its neighbours. */
+/* Can the vertex between two lines lie on a curve? It must turn little, and not rise high above the
+ * line between its neighbours. */
 static bool vertex_is_smooth(const drawing_curve *a, const drawing_curve *b, double within)
 {
     const double ax = a->p[3][0] - a->p[0][0], ay = a->p[3][1] - a->p[0][1],
@@ -232,7 +232,7 @@ static void add_sample(fit *f, const double p[2], size_t vertex)
     f->vertex[n] = vertex;
 }
 
-/* Lines from..to-1 of `d`. */
+/* Sample lines from..to-1 of `d`. */
 static void sample_lines(fit *f, const drawing *d, size_t from, size_t to)
 {
     f->count = 0;
@@ -261,7 +261,7 @@ static void sample_lines(fit *f, const drawing *d, size_t from, size_t to)
     f->intervals = 1;
 }
 
-/* Give `to`, or the line before which the chain must be cut. */
+/* Returns `to`, or the line before which the chain must be cut. */
 static size_t fit_lines(fit *f, const drawing *d, size_t from, size_t to, double within)
 {
     size_t where = 0;
@@ -311,7 +311,8 @@ static void copy_curve(drawing *to, const drawing *from, size_t i)
                 from->curve[i].line);
 }
 
-/* The chain from..to-1 in as few parts as are found. Gives how many lines were replaced. */
+/* Replace the chain from..to-1 by as few curves as are found. Returns how many lines were
+ * replaced. */
 static size_t smooth_chain(drawing *to, const drawing *d, fit *f, size_t from, size_t end,
                            double within)
 {

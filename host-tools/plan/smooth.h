@@ -1,18 +1,18 @@
-/* host-tools/plan/smooth.h -- smooth: chains of short lines, as dense G-code and many programs
- * write curves, become curves again
+/* host-tools/plan/smooth.h -- replaces chains of short lines, as dense G-code and many programs
+ * write curves, by curves
  * SPDX-License-Identifier: MIT
  *
- * A machine that follows each chord must slow down at each vertex. Where lines turn so little that
- * a smooth curve passes within `within` of all of them, that curve is drawn in their place: a cubic
- * spline with continuous curvature. Corners stay corners.
+ * A machine that follows each chord must slow down at each vertex. If lines turn so little that a
+ * smooth curve passes within `within` of all of them, that curve replaces them: a cubic spline with
+ * continuous curvature. Corners stay corners.
  */
 #ifndef LOFT_SMOOTH_H
 #define LOFT_SMOOTH_H
 
 #include "read/drawing.h"    /* drawing */
 
-/* Make *to, which must be zeroed, of `from`; curves that are no lines are copied. Gives how many
- * lines were replaced.
+/* Convert `from` to *to, which must be zeroed; curves that are not lines are copied. Returns how
+ * many lines were replaced.
  *
  *   error   no point of the spline is farther than `within` (mm) from the chain at the same length
  *           along it, checked at all vertices and at four places between them; none, `within` 0:

@@ -1,4 +1,4 @@
-/* host-tools/plan/toolpath.c -- from a drawing to one connected chain of moves
+/* host-tools/plan/toolpath.c -- converts a drawing to one connected chain of moves
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -55,7 +55,7 @@ static void go_to(making *m, double x, double y, double z)
     add_move(m, &line, TOOLPATH_TRAVEL);
 }
 
-/* With the pen up to (x, y), then down to z. */
+/* Travel with the pen up to (x, y), then go down to z. */
 static void travel_to(making *m, double x, double y, double z)
 {
     if (hypot(m->at[0] - x, m->at[1] - y) >= SAME) {

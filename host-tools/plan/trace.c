@@ -1,4 +1,4 @@
-/* host-tools/plan/trace.c -- a finished plan looked at: motion, and what held it back
+/* host-tools/plan/trace.c -- analyses a finished plan: its motion, and what limits it
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -11,20 +11,20 @@
 #include "base/tool.h"           /* tool_grow */
 #include "plan/way.h"            /* way_follow */
 
-#define MOMENT   0.001      /* s; spans are looked at in parts of at most this     */
+#define MOMENT   0.001      /* s; spans are examined in parts of at most this */
 #define USED_UP  0.97       /* of a speed                                          */
-#define USED_UP_ACCEL 0.94  /* a plan keeps 1/64 for joints, and rounds its beats  */
+#define USED_UP_ACCEL 0.94  /* a plan keeps 1/64 for joints, and rounds its beats */
 #define USED_UP_JERK  0.85
 #define ROUNDED       0.7
 #define AT_REST  1e-3       /* mm/s                                                */
-#define SLOWLY   0.02       /* of the feed: as good as the speed of a corner       */
-#define TURN     0.03       /* radians; a smaller turn is no corner                */
-#define NEAR     40         /* moments between passing a corner and being slowest  */
+#define SLOWLY   0.02       /* of the feed: as good as the speed at a corner */
+#define TURN     0.03       /* radians; a smaller turn is not a corner */
+#define NEAR     40         /* moments between passing a corner and the slowest one */
 #define LSB      (1 / 65536.0)
 
 /* A short time within a span. */
 typedef struct {
-    float    seconds, speed;        /* the least speed in it */
+    float    seconds, speed;        /* the smallest speed in it */
     uint32_t move;
     uint8_t  cause;                 /* TRACE_CAUSES: none    */
 } moment;
@@ -55,7 +55,7 @@ static double along_of(const double v[ENGINE_AXES], const double a[ENGINE_AXES])
     return speed > AT_REST ? (v[0] * a[0] + v[1] * a[1] + v[2] * a[2]) / speed : size_of(a);
 }
 
-/* At the part z of a span that lasts h seconds. */
+/* The motion at fraction z of a span that lasts h seconds. */
 static void motion_of(const trace *t, const engine_span *s, double h, double z, trace_motion *out)
 {
     const double y = 1 - z;
@@ -93,7 +93,7 @@ void trace_at(const trace *t, double seconds, size_t *near, trace_motion *out)
 // ---------------
 
 typedef struct {
-    double most;            /* of what counts as used up */
+    double most;            /* the largest used share so far */
     uint8_t cause;
 } use;
 
@@ -105,11 +105,11 @@ static void use_limit(use *u, double part, double used_up, unsigned cause)
     }
 }
 
-/* Acceleration counts as curvature where more of it is across the path than along it, or where it
- * has a limit there. */
+/* Acceleration counts as curvature if more of it is across the path than along it, or if it has a
+ * limit there. */
 static void use_accels(use *u, const trace *t, const trace_motion *m, double h, double share)
 {
-    /* what rounding may add */
+    /* the error that rounding may add */
     const double coarse = 12 * LSB / (h * h), coarser = 24 * LSB / (h * h * h);
     const double speed = size_of(m->v), all = along_of(m->v, m->a);
     double aside_sum = 0;
@@ -135,8 +135,8 @@ static void use_accels(use *u, const trace *t, const trace_motion *m, double h, 
                  TRACE_CURVATURE);
 }
 
-/* A plan rounds the time in which acceleration changes to beats: what is used up but for that comes
- * second. */
+/* A plan rounds the time in which acceleration changes to beats. A limit that is used up except for
+ * that comes second. */
 static uint8_t cause_of(const trace *t, const trace_motion *m, double feed, double h)
 {
     use u = { .cause = TRACE_CAUSES };
@@ -196,7 +196,7 @@ static void add_moments(making *m)
 // Corners and stops
 // -----------------
 
-/* The direction in which a move ends, or begins. */
+/* The direction at the end of a move, or at its begin. */
 static bool move_direction(const engine_move *m, bool end, double out[ENGINE_AXES])
 {
     for (int k = 1; k < 4; k++) {
@@ -223,7 +223,7 @@ static bool is_corner(const engine_move *before, const engine_move *after)
     return size_of(a) > TURN;
 }
 
-/* The slowest moment beside i. */
+/* The slowest moment near i. */
 static size_t slowest_moment(const making *m, size_t i)
 {
     for (int n = 0; n < NEAR; n++) {
@@ -235,7 +235,7 @@ static size_t slowest_moment(const making *m, size_t i)
     return i;
 }
 
-/* All moments around i that are hardly faster. */
+/* Mark all moments around i that are hardly faster. */
 static void hold_back_moments(making *m, size_t i, double feed)
 {
     const float speed   = m->moment[i].speed, most = (float)(1.03 * speed + SLOWLY * feed);
@@ -267,8 +267,8 @@ static void find_corners(making *m)
 
 static bool is_limit(const moment *m)   { return m->cause < TRACE_CORNER; }
 
-/* Where nothing is used up: the limit that is nearer in time. One walk forth marks the last one
- * before, one back compares. */
+/* Where no limit is used up, take the limit that is closer in time. A forward pass marks the last
+ * one before, a backward pass compares. */
 static void fill_gaps(making *m)
 {
     size_t *before = tool_grow(NULL, m->count * sizeof *before), after = SIZE_MAX;
@@ -393,7 +393,7 @@ static void cause_words(const char *axes, unsigned cause, char out[24])
         snprintf(out, 24, "%s", others[cause - TRACE_CURVATURE]);
 }
 
-/* As many as needed for nine tenths of the time. */
+/* Name as many causes as nine tenths of the time need. */
 void trace_words(const trace *t, const trace_part *p, char *out, size_t size)
 {
     double left[TRACE_CAUSES], told = 0;

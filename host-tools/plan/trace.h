@@ -1,15 +1,14 @@
-/* host-tools/plan/trace.h -- a finished plan looked at: motion at any time, and what held it back,
+/* host-tools/plan/trace.h -- analyses a finished plan: the motion at any time, and what limits it,
  * curve by curve
  * SPDX-License-Identifier: MIT
  *
- * What is looked at is the chain of spans as it goes to the machine: cubics in time, evaluated in
- * double. Nothing is taken from the planner: the limits that it was given are compared with what
- * the machine will do.
+ * The input is the chain of spans that the machine gets: cubics in time, evaluated in double. It
+ * does not use the planner: it compares the limits with the motion of the machine.
  *
- * At each moment the plan uses some part of each limit. The one that is used up is what held it
- * back then; the speed at which a corner or a stop is passed is held back by that. Where nothing is
- * used up (a limited jerk lets the acceleration go and come, before and behind a place that must be
- * passed slowly) it is the limit that was or will be, whichever is nearer in time.
+ * At each moment the plan uses some share of each limit. The limit that is used up is the cause at
+ * that moment; near a corner or a stop, the corner or the stop is. If nothing is used up (limited
+ * jerk makes the acceleration change gradually before and after a slow place), the cause is the
+ * previous or the next one, whichever is closer in time.
  */
 #ifndef LOFT_TRACE_H
 #define LOFT_TRACE_H
@@ -17,7 +16,7 @@
 #include "engine/engine.h"         /* engine_span, engine_limits, engine_move */
 #include "plan/joints.h"         /* joints */
 
-/* What holds a plan back; those of axes are three each, for x, y, z. */
+/* What limits a plan; limits of axes are three each, for x, y, z. */
 enum trace_cause {
     TRACE_FEED,
     TRACE_SPEED,                    /* of an axis                                        */
@@ -25,7 +24,7 @@ enum trace_cause {
     TRACE_JERK  = TRACE_ACCEL + 3,  /* of an axis                                        */
     TRACE_CURVATURE = TRACE_JERK + 3,   /* acceleration of an axis across the path       */
     TRACE_CORNER,                   /* passed slowly                                     */
-    TRACE_STOP,                     /* a corner or an end where it stands                */
+    TRACE_STOP,                     /* a corner or an end with speed 0 */
     TRACE_CAUSES
 };
 
@@ -36,10 +35,10 @@ typedef struct {
     double speed, along;            /* of the tool, along its path                       */
 } trace_motion;
 
-/* A curve, or several of them. */
+/* A curve, or several curves. */
 typedef struct {
     double length, seconds, top;    /* mm, s, mm/s                                       */
-    double from;                    /* s: when it begins                                 */
+    double from;                    /* s: its begin */
     double share[TRACE_CAUSES];     /* seconds                                           */
 } trace_part;
 
@@ -55,8 +54,8 @@ typedef struct {
     trace_part *part;               /* of each move                                      */
 } trace;
 
-/* Plan and look. Gives enum loft_status. `path` and `of`, which was made of it, must outlive it;
- * free with trace_free. Shows a bar where it takes long. */
+/* Plan and analyse. Returns enum loft_status. `path` and `of`, which was made from it, must outlive
+ * *t; free with trace_free. Shows a progress bar if it takes long. */
 int trace_make(trace *t, const engine *e, const engine_limits *limits, const toolpath *path,
                joints *of);
 void trace_free(trace *t);
@@ -67,7 +66,8 @@ void trace_at(const trace *t, double seconds, size_t *near, trace_motion *out);
 /* Add a part to a sum of parts. */
 void trace_add(trace_part *sum, const trace_part *p);
 
-/* "feed 82 %, x jerk 18 %": what takes the most time first, as many as matter. */
+/* "feed 82 %, x jerk 18 %": the causes with the largest share of the time first, as many as
+ * matter. */
 void trace_words(const trace *t, const trace_part *p, char *out, size_t size);
 
 #endif

@@ -1,4 +1,4 @@
-/* host-tools/plan/way.c -- how far along a chain of moves a motion is
+/* host-tools/plan/way.c -- finds how far along a chain of moves a motion is
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -8,9 +8,9 @@
 #include "base/tool.h"           /* tool_grow */
 #include "plan/way.h"
 
-#define SAGITTA   0.0005    /* mm; how far chords leave their curve          */
+#define SAGITTA   0.0005    /* mm; distance of chords from their curve */
 #define CHORDS    4000      /* of a curve at most                            */
-#define DRIFT     0.05      /* mm of distance that a mm of a detour is worth */
+#define DRIFT     0.05      /* mm of distance that cost as much as 1 mm of detour */
 #define WIDENINGS 8
 
 static double distance(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
@@ -33,8 +33,8 @@ static void add_chord(way *w, const double at[ENGINE_AXES], uint32_t move)
     w->count++;
 }
 
-/* The second derivative of a cubic is at most 6 d, d being the largest second difference of its
- * points; n chords leave it by at most 6 d / (8 n^2). */
+/* The second derivative of a cubic is at most 6 d, where d is the largest second difference of its
+ * points. n chords deviate by at most 6 d / (8 n^2). */
 static void add_move(way *w, const engine_move *m, uint32_t number)
 {
     double d = 0, at[ENGINE_AXES];
@@ -78,7 +78,7 @@ void way_free(way *w)
 
 double way_length(const way *w) { return w->count > 0 ? w->end[w->count - 1].s : 0; }
 
-/* The nearest place of chord k, not before w->s: gives the distance. */
+/* The nearest place on chord k, not before w->s. Returns the distance. */
 static double nearest_on_chord(const way *w, size_t k, const double x[ENGINE_AXES], double *s)
 {
     const way_end *b = &w->end[k], *a = k > 0 ? b - 1 : b;
@@ -95,7 +95,7 @@ static double nearest_on_chord(const way *w, size_t k, const double x[ENGINE_AXE
     return distance(x, at);
 }
 
-/* The best place within `reach` of the place `goal`; gives the distance. */
+/* The best place within `reach` of the place `goal`. Returns the distance. */
 static double search_chords(const way *w, const double x[ENGINE_AXES], double goal, double reach,
                      size_t *near, double *s)
 {

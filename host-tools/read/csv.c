@@ -2,8 +2,8 @@
  * line
  * SPDX-License-Identifier: MIT
  *
- * `#` starts a comment; a first line of names is passed over. A curve that starts where the one
- * before ends goes on with its path. Commas, semicolons, tabs and blanks separate.
+ * `#` starts a comment; a first line of names is skipped. A curve that starts where the one before
+ * ends continues its path. Commas, semicolons, tabs and blanks separate numbers.
  */
 #include <ctype.h>
 #include <string.h>

@@ -1,8 +1,9 @@
-/* host-tools/read/curve_read.c -- curves from any file: told apart by what it holds
+/* host-tools/read/curve_read.c -- reads curves from any file; its content tells the format
  * SPDX-License-Identifier: MIT
  *
  * Plain lines: `x y [z]` is a control point, an empty line ends the curve, `#` starts a comment;
- * commas, semicolons and tabs are spaces; a line of eight numbers is a whole cubic in the plane.
+ * commas, semicolons and tabs count as spaces; a line of eight numbers is a whole cubic in the
+ * plane.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -93,7 +94,7 @@ static int read_lines(reading *r, const char *text)
     return code;
 }
 
-/* "0,0 1,2 3,0": the points of one curve, spaces between points, commas within. */
+/* The points of one curve, "0,0 1,2 3,0": spaces between points, commas between coordinates. */
 static int read_points(reading *r, const char *text)
 {
     int code = 0;

@@ -1,9 +1,9 @@
-/* host-tools/read/curve_text.c -- the text format of curves, .loft; LOFT.md says what it is
+/* host-tools/read/curve_text.c -- reads the text format of curves, .loft, as LOFT.md describes it
  * SPDX-License-Identifier: MIT
  *
- * A line that starts with a word begins a curve (or gives its knots), one that starts with a number
- * is a point of it. What is wrong with a line is said at once, what is wrong with a whole curve at
- * its first line, when it ends.
+ * A line that starts with a word begins a curve, or gives its knots. A line that starts with a
+ * number is a point. An error in a line is reported at once; an error of a whole curve is reported
+ * for its first line, when the curve ends.
  */
 #include <ctype.h>
 #include <math.h>
@@ -20,20 +20,20 @@
 typedef struct {
     curves *all;
     lines at;
-    curve *now;             /* NULL before the first and between */
+    curve *now;             /* NULL before the first curve and between curves */
     bool counted;           /* its degree was given              */
 } reading;
 
-/* What stands behind a colon in a point line. */
+/* What follows the colon in a point line. */
 enum behind { NOTHING, A_WEIGHT, A_PARAMETER, A_VECTOR, TWO_VECTORS };
 
 typedef struct {
     const char *word;
     enum curve_kind kind;
-    int (*head)(reading *r);    /* reads the rest of the first line              */
+    int (*head)(reading *r);    /* reads the rest of the first line */
     unsigned least;             /* points                                        */
     enum behind behind;
-    const char *point;          /* how a point is written                        */
+    const char *point;          /* the syntax of a point */
 } row;
 
 
@@ -148,7 +148,7 @@ static const row *row_of(const curve *c)
 // Points
 // ------
 
-/* `x y [z]`; the number of axes, 0 if that is not what stands there. */
+/* Read `x y [z]`. Returns the number of axes, 0 if the text is something else. */
 static int read_vector(reading *r, double out[CURVE_AXES])
 {
     const int count = lines_vector(&r->at, out);
@@ -219,7 +219,7 @@ static int knot_line(reading *r)
                : lines_wrong(&r->at, "not a knot", "give numbers, as many as points + degree + 1");
 }
 
-/* Without knots: 0 .. 0 1 2 .. m .. m, so that the curve starts at its first point and ends at its
+/* Default knots: 0 .. 0 1 2 .. m .. m, so that the curve starts at its first point and ends at its
  * last. */
 static int knots_of(curve *c)
 {
@@ -230,7 +230,7 @@ static int knots_of(curve *c)
     return 0;
 }
 
-/* More equal knots would cut off a point from the curve. */
+/* More equal knots would separate a point from the curve. */
 static bool has_too_many_equal_knots(const curve *c)
 {
     for (unsigned i = 0; i < c->count; i++)
@@ -271,8 +271,8 @@ static int check_parameters(const lines *at, const curve *c)
                                         "give the three points in the order of their t");
 }
 
-/* As the library has it: the ends' distances from the centre may differ by what numbers with few
- * digits make. */
+/* As in the library: the distances of the ends from the centre may differ by the rounding of
+ * numbers with few digits. */
 static int check_radii(const lines *at, const curve *c)
 {
     const curve_point *p = c->point;
@@ -287,7 +287,7 @@ static int check_radii(const lines *at, const curve *c)
     return lines_wrong(at, words, "give start, centre and end so that both are the same");
 }
 
-/* The curve is complete: is it one? */
+/* The curve is complete: is it valid? */
 static int end_curve(reading *r)
 {
     const lines at = { .file = r->at.file, .line = r->now ? r->now->line : 0 };

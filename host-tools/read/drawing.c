@@ -1,4 +1,4 @@
-/* host-tools/read/drawing.c -- reading a file by its content; length and box of a drawing
+/* host-tools/read/drawing.c -- reads a file by its content; the length and the box of a drawing
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -11,12 +11,12 @@
 #include "base/source.h"     /* source_read */
 #include "base/tool.h"       /* tool_error, tool_grow, sysexits */
 
-#define SAME 1e-6       /* mm; ends that are nearer count as one point */
+#define SAME 1e-6       /* mm; closer ends count as one point */
 
 // Reading
 // -------
 
-/* A line of G-code near the beginning: a letter and a number, as G21, N10 or M3. */
+/* Is there a line of G-code near the beginning: a letter and a number, such as G21, N10 or M3? */
 static bool is_gcode(const char *text)
 {
     for (int line = 0; line < 20 && *text != '\0'; line++) {
@@ -134,8 +134,8 @@ void drawing_deriv(const drawing_curve *c, double t, double out[2])
                       t * t * (c->p[3][i] - c->p[2][i]));
 }
 
-/* The length of the piece from a to b by Gauss's rule with seven points: exact for a speed of
- * degree 13. */
+/* The length of the piece from a to b by the seven-point Gauss rule: exact for a speed of degree
+ * 13. */
 static double gauss_length(const drawing_curve *c, double a, double b)
 {
     static const double at[4] = { 0, 0.40584515137739716691, 0.74153118559939443986,
@@ -153,8 +153,8 @@ static double gauss_length(const drawing_curve *c, double a, double b)
     return sum * half;
 }
 
-/* Halve until both halves agree with the whole. Near a cusp the speed has a corner, which the
- * halving closes in on: what is left after 40 levels is 2^-40 of the curve. */
+/* Halve until both halves agree with the whole. Near a cusp the speed has a corner, and the halving
+ * closes in on it: after 40 levels 2^-40 of the curve is left. */
 static double length_between(const drawing_curve *c, double a, double b, double whole, double tol,
                              int levels)
 {
@@ -173,7 +173,7 @@ double drawing_length(const drawing *d)
 
     for (size_t i = 0; i < d->count; i++) {
         const drawing_curve *c = &d->curve[i];
-        double legs = 0;        /* of the control polygon: not less than the length */
+        double legs = 0;        /* of the control polygon: at least the length */
         for (int k = 0; k < 3; k++)
             legs += hypot(c->p[k + 1][0] - c->p[k][0], c->p[k + 1][1] - c->p[k][1]);
         sum += length_between(c, 0, 1, gauss_length(c, 0, 1), 1e-8 * legs, 40);

@@ -1,10 +1,9 @@
-/* host-tools/read/drawing_curves.c -- a drawing of curves of any kind: every one becomes cubics in
+/* host-tools/read/drawing_curves.c -- a drawing of curves of any kind: converts each to cubics in
  * the plane
  * SPDX-License-Identifier: MIT
  *
- * A curve that starts where the one before ends goes on with its path. Polynomials to degree 3 stay
- * what they are; others are cut into cubics that stay within DRAWING_TOL, a fiftieth of what a plan
- * may leave its path.
+ * A curve that starts where the one before ends continues its path. Polynomials up to degree 3 are
+ * kept. Others are cut into cubics within DRAWING_TOL, a fiftieth of the tolerance of a plan.
  */
 #include <string.h>
 

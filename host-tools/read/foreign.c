@@ -1,4 +1,4 @@
-/* host-tools/read/foreign.c -- files of other programs, known by how they begin
+/* host-tools/read/foreign.c -- recognizes files of other programs by their first bytes
  * SPDX-License-Identifier: MIT
  */
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "base/tool.h"       /* tool_error, sysexits */
 #include "read/foreign.h"
 
-/* What a file that cannot be read is, and what to do with it. */
+/* What an unreadable file is, and what to do with it. */
 typedef struct {
     const char *start;
     size_t length;
@@ -44,7 +44,7 @@ static const foreign kinds[] = {
     KIND("\x28\xB5\x2F\xFD", "compressed with zstd", UNPACK)
 };
 
-/* DXF in text: pairs of lines, a code and a value; behind comments (999) it begins with 0,
+/* DXF in text: pairs of lines, a code and a value. After comments (999) it begins with 0,
  * SECTION. */
 static bool is_dxf(const char *text)
 {
@@ -63,8 +63,8 @@ static bool is_dxf(const char *text)
     return false;
 }
 
-/* HP-GL: commands of two letters with numbers, of which the first is one of those that a plot
- * begins with. */
+/* HP-GL: commands of two letters with numbers; the first is one of those that a plot begins
+ * with. */
 static bool is_hpgl(const char *text)
 {
     static const char first[][3] = { "IN", "DF", "SP", "PU", "PA", "PD", "PR",

@@ -1,5 +1,5 @@
 /* host-tools/read/machine_file.c -- reads machines: `key = value` lines, and grbl's `$` numbers;
- * MACHINE.md says what there is
+ * MACHINE.md lists them
  * SPDX-License-Identifier: MIT
  */
 #include <ctype.h>
@@ -13,14 +13,14 @@
 #include "base/source.h"         /* source_read */
 #include "base/tool.h"
 
-/* A key, what it may be, and where it goes. Keys of axes have x, y, z or, for all of them, nothing
- * in front. */
+/* A key, its range, and the field that it sets. Keys of axes have the prefix x, y or z, or none for
+ * all axes. */
 typedef struct {
     const char *key, *unit;
     size_t at;
     bool   axes, whole, limits;
     double least, most;
-    unsigned kinds;             /* kinematics that have it, as bits; 0: all */
+    unsigned kinds;             /* bits: the kinematics that have it; 0: all */
 } row;
 
 #define AT(field) offsetof(machine_file, field)
@@ -51,8 +51,7 @@ static const row rows[] = {
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
-/* grbl 1.1: `$100=250.000`. Rates are in mm/min. Numbers that say nothing about a plan are passed
- * over. */
+/* grbl 1.1: `$100=250.000`. Rates are in mm/min. Numbers that do not affect a plan are skipped. */
 static const struct {
     int number;
     const char *key;
@@ -69,7 +68,7 @@ static const struct {
 typedef struct {
     machine_file *m;
     const char *file;
-    unsigned line, named;                   /* which one gave the kinematics; 0: none */
+    unsigned line, named;                   /* the line that gave the kinematics; 0: none */
     unsigned said[ROWS][1 + ENGINE_AXES];   /* the line of each key: for all axes, for x, y, z */
 } reading;
 
@@ -101,7 +100,7 @@ static const row *find_row(const char *key, size_t length)
     return NULL;
 }
 
-/* One key has one place; that for all axes stands before those for one. */
+/* A key may be given once. The key for all axes comes before those for one axis. */
 static int check_given_once(reading *r, const row *k, int axis)
 {
     unsigned *said = r->said[k - rows], *mine = &said[1 + axis];
@@ -131,8 +130,7 @@ static int set_value(reading *r, const row *k, int axis, double value)
     return check_given_once(r, k, axis);
 }
 
-/* What is behind a number must be nothing, a comment, or the remark in brackets that grbl
- * prints. */
+/* After a number there may be nothing, a comment, or the remark in parentheses that grbl prints. */
 static bool number_ends(const char *s)
 {
     s += strspn(s, " \t\r");
@@ -166,7 +164,7 @@ static int unknown_key(const reading *r, const char *s, size_t length)
                       (int)(length < 30 ? length : 30), s, all);
 }
 
-/* `s` is behind the key. */
+/* `s` is after the key. */
 static int read_kinematics(reading *r, const char *s)
 {
     s += strspn(s, " \t");
@@ -224,7 +222,7 @@ static int read_key(reading *r, const char *s)
 // What must fit together
 // ----------------------
 
-/* The line that gave a key; 0: none did. */
+/* The line that gave a key; 0: it was not given. */
 static unsigned line_of(const reading *r, size_t key)
 {
     unsigned line = 0;
@@ -234,7 +232,7 @@ static unsigned line_of(const reading *r, size_t key)
     return line;
 }
 
-/* Keys of other kinematics, which would do nothing. */
+/* Refuse keys of other kinematics: they would have no effect. */
 static int check_keys(const reading *r)
 {
     for (size_t i = 0; i < ROWS; i++)
@@ -274,8 +272,8 @@ static int check_delta(const reading *r)
     return 0;
 }
 
-/* Both motors of a CoreXY move x and y, so both have one limit, the smaller: then it holds for the
- * motors, and for the tool along x and along y, whichever of them was meant
+/* Both motors of a CoreXY move x and y, so both have one limit, the smaller one. It holds for
+ * the motors, and for the tool along x and along y, whichever was meant
  * (lib/kinematics/kinematics.h). */
 static void share_limits(machine_file *m)
 {

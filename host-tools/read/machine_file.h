@@ -8,34 +8,36 @@
 #include "engine/engine.h"         /* ENGINE_AXES, engine_limits */
 #include "engine/kinematics.h"     /* kinematics */
 
-/* Lengths in mm, times in s. What is one per axis is one per motor. Read with machine_read; what
- * the file does not say keeps its value. */
+/* Lengths in mm, times in s. Numbers per axis are numbers per motor. Read with machine_read; keys
+ * that the file does not give keep their value. */
 typedef struct {
     double steps_per_mm[ENGINE_AXES];
     double max_speed[ENGINE_AXES], max_accel[ENGINE_AXES];
-    double max_jerk[ENGINE_AXES];           /* 0: not limited; below 0: not said            */
-    double max_across;                      /* 0: max_accel counts across the path too      */
-    double corner, tol;                     /* junction deviation; how far from the drawing */
+    double max_jerk[ENGINE_AXES];           /* 0: not limited; below 0: not given */
+    double max_across;                      /* 0: max_accel also limits the acceleration across the
+                                             * path */
+    double corner, tol;                     /* junction deviation; path tolerance */
     double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */
-    bool   limited;                         /* the file says a speed, an acceleration or a jerk */
+    bool   limited;                         /* the file gives a speed, an acceleration or a jerk */
     kinematics k;
 } machine_file;
 
-/* What `loft simulate` is without a file. */
+/* The machine that `loft simulate` is without a file. */
 machine_file machine_usual(void);
 
-/* Read `file` ("-" is standard input) over *m. Gives 0, or an exit code after one line `loft:
- * file:line: ..`. */
+/* Read `file` ("-" is standard input) over *m. Returns 0, or an exit code after printing one line
+ * `loft: file:line: ..`. */
 int machine_read(machine_file *m, const char *file);
 
-/* One line `key = value` over *m. Nothing is checked that needs more than this line. */
+/* Read one line `key = value` over *m. Checks only this line. */
 int machine_line(machine_file *m, const char *file, unsigned line, const char *text);
 
-/* As machine_read, for the option --machine FILE among the arguments, before the others are looked
- * at, so that they can have the file's numbers as defaults; 0 too if there is none. */
+/* Like machine_read, for the option --machine FILE among the arguments. It runs before the other
+ * options are read, so that their defaults can come from the file. Also returns 0 if the option is
+ * not given. */
 int machine_option(machine_file *m, int argc, char **argv);
 
-/* Lower `limits` to those of the machine. */
+/* Lower `limits` to the limits of the machine. */
 void machine_limit(const machine_file *m, engine_limits *limits);
 
 #endif

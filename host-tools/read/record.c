@@ -13,13 +13,13 @@
 #include "base/tool.h"       /* tool_error, tool_grow */
 
 #define CHORD_TOL 1e-4  /* mm between a curve and its chords */
-#define AROUND    64    /* pulses to both sides, of a delta     */
+#define AROUND    64    /* pulses before and after, for a delta */
 
 
 // Reading
 // -------
 
-/* The job that is wanted begins, or another one. */
+/* The wanted job begins, or another one. */
 static void begin_job(record *r, uint32_t id)
 {
     r->other = r->wanted != 0 && id != r->wanted;
@@ -31,7 +31,7 @@ static void begin_job(record *r, uint32_t id)
     (void)kinematics_tool(&r->machine.k, r->now, r->start);
 }
 
-/* `# key = value` or `# key value`; unknown keys are passed over. steps_per_mm may be one number,
+/* `# key = value` or `# key value`; unknown keys are skipped. steps_per_mm may be one number,
  * three, or one per axis. */
 static int read_key(record *r, const char *file, unsigned number, const char *line)
 {
@@ -66,8 +66,8 @@ static int read_key(record *r, const char *file, unsigned number, const char *li
     return 0;
 }
 
-/* Whole numbers with commas or blanks between: slot, x, y and perhaps z. False if it is anything
- * else. */
+/* Read whole numbers, separated by commas or blanks: slot, x, y and perhaps z. Returns false for
+ * anything else. */
 static bool read_pulse(record *r, const char *line)
 {
     double motors[3] = { 0, 0, 0 };
@@ -175,8 +175,8 @@ static const double *place_before(const record *r, size_t i)
     return i > 0 ? r->pulse[i - 1].at : r->start;
 }
 
-/* A step of a delta moves x, y and z: there it draws where more than a few steps lead on rather
- * than up. */
+/* A step of a delta moves x, y and z. There a pulse draws if the tool moves more sideways than up
+ * over a few steps. */
 bool record_draws(const record *r, size_t i)
 {
     const size_t from = r->machine.k.kind != ENGINE_DELTA ? i : i > AROUND ? i - AROUND : 0;
@@ -204,7 +204,7 @@ double record_seconds(const record *r)
 // Measuring
 // ---------
 
-/* The drawing as chords, each with the part of its curve. */
+/* The drawing as chords, each with its range of its curve's parameter. */
 typedef struct {
     nearest chords;
     struct chord {
@@ -214,8 +214,8 @@ typedef struct {
     size_t room;
 } chords;
 
-/* A chord over h of the parameter is within h^2/8 max|P''| of its curve, and P'' is at most 6 times
- * the greater second difference of the control points. */
+/* A chord over a parameter range h is within h^2/8 max|P''| of its curve, and P'' is at most 6
+ * times the larger second difference of the control points. */
 static unsigned chord_count(const drawing_curve *c)
 {
     double most = 0;
@@ -255,8 +255,8 @@ static void free_chords(chords *all)
     free(all->of);
 }
 
-/* From a point on the chord to the point of the curve where p lies on the normal, by Newton's
- * method on (P - p) P' = 0 with P'' left out; the chord is so short that two steps reach
+/* From a point on the chord, find the point of the curve whose normal contains p, by Newton's
+ * method on (P - p) P' = 0 with P'' left out. The chord is so short that two steps reach
  * rounding. */
 static double polish_parameter(const struct chord *c, double u, const double p[2], double out[2])
 {

@@ -1,13 +1,13 @@
-/* host-tools/read/record.h -- what the machine really did: every pulse, and how far from the
+/* host-tools/read/record.h -- what the machine really did: every pulse, and its distance from the
  * drawing
  * SPDX-License-Identifier: MIT
  *
  * The simulated machine writes lines `# key = value` and, for each slot with pulses, `slot,x,y,z`:
- * the positions after it in steps. Steps are of the motors: lines `# kinematics = corexy` and what
- * belongs to it say how they carry the tool, and all places here are the tool's. The pen is down
- * while z is at most half of the greatest z; a record that never moves z is all pen down. A line `#
- * job = 7c3e11d0` stands where a job begins; what was before it is not looked at. A last line
- * without its end is still being written and is passed over.
+ * the positions after it in steps. Steps are those of the motors; lines such as `# kinematics =
+ * corexy` give the map to the tool, and all places here are the tool's. The pen is down while z is
+ * at most half of the largest z; in a record that never moves z the pen is always down. A line `#
+ * job = 7c3e11d0` begins a job; earlier lines are ignored. A last line without a newline is still
+ * being written and is skipped.
  */
 #ifndef LOFT_RECORD_H
 #define LOFT_RECORD_H
@@ -32,25 +32,25 @@ typedef struct {
     double motors[3];           /* after the last pulse */
     double start[3];            /* of the tool          */
     uint32_t wanted;            /* job, 0: any          */
-    bool other;                 /* another job is read  */
+    bool other;                 /* the current job is not the wanted one */
     double now[3];              /* of the motors, in any job */
-    double pen_down;            /* z in mm up to which the pen draws */
+    double pen_down;            /* largest z in mm at which the pen draws */
 } record;
 
-/* Read `file`, "-" is standard input: of several jobs in it `job` as it was done last, or, for 0,
- * the last one. Gives 0, or a code of <sysexits.h> after printing one line. `*r` must be zeroed;
- * free with record_free. */
+/* Read `file`, "-" is standard input. If it holds several jobs, read the last run of `job`, or, for
+ * 0, the last job. Returns 0, or a code of <sysexits.h> after printing one line. `*r` must be
+ * zeroed; free with record_free. */
 int  record_read(record *r, const char *file, uint32_t job);
 void record_free(record *r);
 
-/* Has pulse i moved the pen over the paper? */
+/* Did pulse i move the pen over the paper? */
 bool record_draws(const record *r, size_t i);
 
-/* From the first to the last pulse, in seconds; 0 if the record does not tell its slot rate. */
+/* The time from the first to the last pulse in seconds; 0 if the record has no slot rate. */
 double record_seconds(const record *r);
 
-/* How far the machine was from the true curves, at the worst of all positions with the pen down. 0
- * if there are none.
+/* The largest distance from the true curves of all positions with the pen down; 0 if there are
+ * none.
  *
  *   shape   point: room for r->count points, the nearest of the drawing to each pulse that draws,
  *           or NULL where: the worst pulse, or NULL
@@ -60,8 +60,8 @@ double record_seconds(const record *r);
  *   cost    about 1 us per pulse */
 double record_worst_error(const drawing *d, const record *r, double (*point)[2], size_t *where);
 
-/* The other way round: how far the machine stayed away from that point of the drawing that it came
- * least near to. What is left out shows here. `where`: that point, or NULL. */
+/* The reverse: the largest distance of a point of the drawing from the machine's path. It shows
+ * what the machine left out. `where`: that point, or NULL. */
 double record_worst_gap(const drawing *d, const record *r, double where[2]);
 
 #endif

@@ -1,9 +1,10 @@
-/* host-tools/read/surface_text.c -- surfaces in the text format .loft; LOFT.md says what it is
+/* host-tools/read/surface_text.c -- reads surfaces in the text format .loft, as LOFT.md describes
+ * it
  * SPDX-License-Identifier: MIT
  *
- * A line that starts with a word begins a surface, one that starts with a number is a point of it.
- * What is wrong with a line is said at once, what is wrong with a whole surface at its first line,
- * when it ends.
+ * A line that starts with a word begins a surface. A line that starts with a number is a point. An
+ * error in a line is reported at once; an error of a whole surface is reported for its first line,
+ * when the surface ends.
  */
 #include <ctype.h>
 #include <math.h>
@@ -21,7 +22,7 @@
 typedef struct {
     surfaces *all;
     lines at;
-    surface *now;           /* NULL before the first and between            */
+    surface *now;           /* NULL before the first surface and between surfaces */
     bool counted;           /* its degree was given                         */
 } reading;
 
@@ -94,7 +95,7 @@ static int head_radius(reading *r)
     return 0;
 }
 
-/* A number of sides and a degree, whole numbers both. */
+/* A number of sides and a degree: two whole numbers. */
 static bool sides_and_degree(reading *r, unsigned most)
 {
     double number[2];
@@ -169,7 +170,7 @@ typedef struct {
     enum surface_kind kind;
     int (*head)(reading *r);
     bool weighted;
-    const char *point;      /* how a point is written */
+    const char *point;      /* the syntax of a point */
 } row;
 
 #define WEIGHTED true, "`x y z` or `x y z : weight`, a weight of 1/256 to 256"
@@ -255,7 +256,7 @@ static int point_line(reading *r)
     return 0;
 }
 
-/* Vertices of the polygon that a patch with n sides is over. */
+/* The vertices of the polygon of a patch with n sides. */
 static int domain_line(reading *r)
 {
     double x[2];
@@ -281,7 +282,7 @@ static int domain_line(reading *r)
 // Surfaces
 // --------
 
-/* The degree of a triangle with so many points; 10 for none. */
+/* The degree of a triangle with this many points; 10 if there is none. */
 static unsigned triangle_degree(unsigned count)
 {
     unsigned m = 0;
@@ -291,7 +292,7 @@ static unsigned triangle_degree(unsigned count)
     return m;
 }
 
-/* Sides are counted from 1, side k from vertex k to the next one. */
+/* Sides are counted from 1: side k goes from vertex k to the next one. */
 static int broken_domain(const lines *at, const surface *s, const unsigned side[2])
 {
     const unsigned i = side[0], j = side[1], k = (j + 1) % s->n, n = (i + 1) % s->n;
@@ -319,7 +320,7 @@ static int broken_domain(const lines *at, const surface *s, const unsigned side[
     return lines_wrong(at, words, "list its vertices once around, so that no two sides touch");
 }
 
-/* Is the polygon one, and one that the coordinates are for? */
+/* Is the polygon valid, and valid for these coordinates? */
 static int judge_domain(const lines *at, surface *s)
 {
     unsigned where[2];
@@ -348,7 +349,7 @@ static int judge_domain(const lines *at, surface *s)
     return 0;
 }
 
-/* A patch with n sides has a polygon, if only the regular one. */
+/* A patch with n sides has a polygon: the regular one if none was given. */
 static int end_domain(const lines *at, surface *s)
 {
     char words[64];
@@ -366,7 +367,7 @@ static int end_domain(const lines *at, surface *s)
     return judge_domain(at, s);
 }
 
-/* The surface is complete: is it one? */
+/* The surface is complete: is it valid? */
 static int end_surface(reading *r)
 {
     const lines at = { .file = r->at.file, .line = r->now ? r->now->line : 0 };

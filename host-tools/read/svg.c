@@ -1,8 +1,8 @@
-/* host-tools/read/svg.c -- the SVG document: elements, viewports, <use>, what is hidden
+/* host-tools/read/svg.c -- the SVG document: elements, viewports, <use>, hidden elements
  * SPDX-License-Identifier: MIT
  *
- * What is drawn: path, rect, circle, ellipse, line, polyline, polygon, in g, a, svg, switch and
- * use. What cannot be drawn (text, pictures, clipping) is said once. What is wrong in the file ends
+ * It draws path, rect, circle, ellipse, line, polyline and polygon, within g, a, svg, switch and
+ * use. What it cannot draw (text, pictures, clipping) is reported once. An error in the file ends
  * the reading, with its line.
  */
 #include <stdlib.h>
@@ -12,11 +12,11 @@
 #include "read/svg.h"
 
 #define MM_PER_PX (25.4 / 96)
-#define UNCLIPPED 0.01          /* mm; what leaves a viewport by less is not told */
+#define UNCLIPPED 0.01          /* mm; a smaller excess over a viewport is not reported */
 
 static const xmlChar xlink_namespace[] = "http://www.w3.org/1999/xlink";
 
-/* The targets of the <use> elements that are being drawn, innermost first. */
+/* The targets of the <use> elements that are currently drawn, innermost first. */
 typedef struct use_chain {
     const xmlNode *target;
     const struct use_chain *up;
@@ -36,7 +36,7 @@ static bool is_one_of(const xmlNode *node, const char *const names[])
     return false;
 }
 
-/* Conditional processing: no extension is known here, and the language is English. */
+/* Conditional processing: no extension is supported, and the language is English. */
 static bool element_applies(const xmlNode *node)
 {
     char *extensions = svg_attribute(node, "requiredExtensions"),
@@ -50,7 +50,7 @@ static bool element_applies(const xmlNode *node)
     return good;
 }
 
-/* Is it a colour of which nothing is seen? Those that carry how opaque they are end with it. */
+/* Is the colour fully transparent? The opacity, if there is one, is the last part. */
 static bool is_clear(const char *colour)
 {
     const size_t length = strlen(colour);
@@ -73,7 +73,7 @@ static bool is_inherited(const char *value)
     return value == NULL || strcmp(value, "inherit") == 0 || strcmp(value, "unset") == 0;
 }
 
-/* Does the property paint? If it is not said: as before. */
+/* Does the property paint? If it is not set, the value stays. */
 static void read_paint(svg_reader *r, const svg_style *style, enum svg_property which, bool *paints)
 {
     char *value = svg_property(r, style, which, NULL);
@@ -83,7 +83,7 @@ static void read_paint(svg_reader *r, const svg_style *style, enum svg_property 
     xmlFree(value);
 }
 
-/* Is the number above 0? If it is not said, or no number: as before. */
+/* Is the number above 0? If it is not set, or not a number, the value stays. */
 static void read_positive(svg_reader *r, const svg_style *style, enum svg_property which,
                           bool *positive)
 {
@@ -109,7 +109,7 @@ static void read_visibility(svg_reader *r, const svg_style *style, bool *visible
     xmlFree(value);
 }
 
-/* Read what tells whether the current element is seen; false if nothing of it is. */
+/* Read whether the current element is visible. Returns false if it is not displayed. */
 static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space)
 {
     char *display = svg_property(r, style, SVG_DISPLAY, NULL),
@@ -132,7 +132,7 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     return good;
 }
 
-/* Apply the transform of the current element: of its style, or else its attribute. */
+/* Apply the transform of the current element: that of its style, or else its attribute. */
 static bool enter_transform(svg_reader *r, const svg_style *style, svg_space *space)
 {
     bool css;
@@ -144,7 +144,7 @@ static bool enter_transform(svg_reader *r, const svg_style *style, svg_space *sp
     return good;
 }
 
-/* Say what the drawing will lack. */
+/* Report what the drawing will lack. */
 static void warn_of(svg_reader *r, const svg_style *style)
 {
     static const struct {
@@ -177,8 +177,8 @@ static void warn_of(svg_reader *r, const svg_style *style)
     }
 }
 
-/* Read the style of the current element into `space`; *shown: something of it is seen. `scope` must
- * outlive what stands in it, and be closed. */
+/* Read the style of the current element into `space`; *shown: some of it is visible. `scope` must
+ * outlive `space`, and must be closed. */
 static bool enter_element(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
 {
     svg_style style;
@@ -214,7 +214,7 @@ static void warn_undrawn(svg_reader *r, const svg_space *space)
 // ---------
 
 /* Enter the viewport of the current element: a box of width x height (below 0: unknown) in `space`
- * becomes its viewBox. *empty: it has no size, nothing of it is drawn. */
+ * shows its viewBox. *empty: its size is 0, and nothing of it is drawn. */
 static bool enter_viewport(const svg_reader *r, svg_space *space, double width, double height,
                            bool *empty)
 {
@@ -243,7 +243,7 @@ static bool enter_viewport(const svg_reader *r, svg_space *space, double width, 
     return true;
 }
 
-/* The sizes that an element gives itself, `width` and `height` if it does not. */
+/* The sizes that an element gives itself, or `width` and `height`. */
 static bool read_sizes(const svg_reader *r, const svg_space *space, double *width, double *height)
 {
     const double across = *width, along = *height;
@@ -276,7 +276,7 @@ static bool draw_children(svg_reader *r, const xmlNode *node, svg_space space,
     return true;
 }
 
-/* The curve in the space that `m` turns into mm. */
+/* The curve in the space that `m` maps to mm. */
 static drawing_curve curve_within(const drawing_curve *c, const svg_matrix *m)
 {
     const double area = m->a * m->d - m->b * m->c;
@@ -290,7 +290,7 @@ static drawing_curve curve_within(const drawing_curve *c, const svg_matrix *m)
     return in;
 }
 
-/* Warn if a curve from the first'th on leaves width x height, which a browser would cut. */
+/* Warn if a curve from the first'th on leaves width x height: a browser would clip it. */
 static void warn_unclipped(svg_reader *r, const xmlNode *node, const svg_matrix *frame,
                            double width, double height, size_t first)
 {
@@ -311,7 +311,7 @@ static void warn_unclipped(svg_reader *r, const xmlNode *node, const svg_matrix 
     }
 }
 
-/* An <svg> within the drawing; or the target of a <use>, which gives the sizes. */
+/* An <svg> inside the drawing, or the target of a <use>, which gives the sizes. */
 static bool draw_viewport(svg_reader *r, const xmlNode *node, svg_space space, double width,
                           double height, const use_chain *chain)
 {
@@ -374,7 +374,7 @@ static char *use_reference(const xmlNode *node)
     return href ? href : svg_attribute(node, "xlink:href");
 }
 
-/* The element that the current <use> means; NULL, after a warning, if there is none. */
+/* The target of the current <use>; NULL, after a warning, if there is none. */
 static const xmlNode *use_target(svg_reader *r)
 {
     char *href = use_reference(r->node);
@@ -411,7 +411,7 @@ static bool fail_circular_use(const svg_reader *r)
     return false;
 }
 
-/* A <symbol> or <svg> that the <use> `node` draws: its own sizes, which those of <use> override. */
+/* A <symbol> or <svg> that the <use> `node` draws. The sizes of the <use> override its own. */
 static bool draw_use_viewport(svg_reader *r, const xmlNode *node, svg_space space,
                               const use_chain *chain)
 {
@@ -477,7 +477,7 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
     return true;
 }
 
-/* Elements that only others draw, or nobody. */
+/* Elements that are drawn only through others, or never. */
 static bool is_never_drawn(const xmlNode *node)
 {
     static const char *const names[] = { "defs",           "symbol",         "clipPath",
@@ -495,7 +495,7 @@ static bool draw_in_space(svg_reader *r, const xmlNode *node, svg_space space,
     bool shown, good = enter_element(r, &space, &scope, &shown);
     const double area = space.to_mm.a * space.to_mm.d - space.to_mm.b * space.to_mm.c;
 
-    if (good && shown && area != 0)     /* flattened to a line or point: SVG draws nothing */
+    if (good && shown && area != 0)     /* flattened to a line or a point: SVG draws nothing */
         good = draw_element(r, node, space, chain);
     svg_scope_close(&scope);
     return good;
@@ -523,7 +523,7 @@ static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const
 // The page
 // --------
 
-/* Turn the page into mm, y up. Sizes that are not given are those of the viewBox in px, or
+/* Map the page to mm, y up. Sizes that are not given come from the viewBox, in px, or are
  * unknown. */
 static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg_scope *scope,
                        bool *empty)
@@ -564,7 +564,7 @@ static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg
     return good && (*empty || enter_viewport(r, space, width, height, empty));
 }
 
-/* Without a page the drawing itself is one: its lower left corner is the origin. */
+/* Without a page, the drawing is the page: its lower left corner is the origin. */
 static void shift_to_origin(drawing *d)
 {
     double box[2][2];

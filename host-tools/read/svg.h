@@ -1,16 +1,16 @@
-/* host-tools/read/svg.h -- what the parts of the SVG reader share
+/* host-tools/read/svg.h -- the shared part of the SVG reader
  * SPDX-License-Identifier: MIT
  *
  *     svg_file.c   the XML: read safely, ids, lines for messages
- *     svg.c        the document: elements, viewports, use, what is hidden
+ *     svg.c        the document: elements, viewports, use, hidden elements
  *     svg_shape.c  path data and basic shapes          -> pen
  *     svg_pen.c    lines, cubics, arcs in user units   -> curves in mm
  *     svg_space.c  transforms, lengths with units, viewBox
  *     svg_style.c  properties from attributes, style="" and style sheets; var()
  *     svg_sheet.c  the rules of style sheets
  *
- * Functions that give bool print one line with file and line and give false when the file is at
- * fault; the reading ends there: a machine shall not draw half of a broken drawing.
+ * Functions that return bool print one line with file and line, and return false, if the file is
+ * invalid. Then the reading ends: a machine shall not draw half of a broken drawing.
  */
 #ifndef LOFT_SVG_H
 #define LOFT_SVG_H
@@ -34,27 +34,28 @@ typedef struct {
     const xmlNode *node;
 } svg_named;
 
-/* of a file; and to draw, counting those of a <use> each time */
+/* in a file; and drawn elements, counting those of each <use> */
 #define SVG_ELEMENTS_MAX 2000000u
-/* elements in each other; to draw, counting those of each <use> */
+/* nested elements; and nested drawn elements, counting those of each <use> */
 #define SVG_DEPTH_MAX    500
 
-#define SVG_EFFORT_MAX   100000000u /* rules tried on elements, some seconds */
+#define SVG_EFFORT_MAX   100000000u /* rules tried on elements: a few seconds */
 
 /* One reading of one file. */
 typedef struct {
     drawing *d;
     const char *file;
-    const xmlNode *node;        /* the element being read: its attributes, and for messages */
+    const xmlNode *node;        /* the current element: its attributes, and for messages */
     svg_sheet *sheet;
     unsigned long long effort;  /* rules tried on elements, and custom properties looked up */
-    svg_named *named;           /* sorted; of equal ids the first in the file             */
+    svg_named *named;           /* sorted; of equal ids, only the first in the file */
     size_t named_count;
-    unsigned visited, depth;    /* elements, to stop a flood of <use>; those in each other */
+    unsigned visited, depth;    /* drawn elements, to stop a flood of <use>; nesting */
     unsigned warned;            /* bits, see svg_warn                                     */
 } svg_reader;
 
-/* Where the custom properties --name of an element are found: in it, or in those around it. */
+/* Where the custom properties --name of an element are found: on the element, or on its
+ * ancestors. */
 typedef struct svg_scope {
     const struct svg_scope *up;
     struct {
@@ -65,24 +66,24 @@ typedef struct svg_scope {
     xmlHashTablePtr own;        /* of style="" */
 } svg_scope;
 
-/* The space that an element is drawn in. */
+/* The space in which an element is drawn. */
 typedef struct {
     svg_matrix to_mm;
     double width, height;       /* of the viewport in user units, for %; below 0: unknown */
     bool visible;
-    bool fill, fill_opaque;                 /* what has neither fill nor stroke is not   */
-    bool stroke, stroke_opaque, stroke_wide;/* seen, and not drawn                       */
-    bool clipped;               /* the element, at the edges of its viewport              */
+    bool fill, fill_opaque;                 /* an element with neither fill nor stroke is */
+    bool stroke, stroke_opaque, stroke_wide;/* invisible and not drawn */
+    bool clipped;               /* the element is clipped by its viewport */
     const svg_scope *scope;
 } svg_space;
 
-enum svg_side { SVG_ACROSS, SVG_ALONG_Y, SVG_DIAGONAL };       /* what a % is taken of */
+enum svg_side { SVG_ACROSS, SVG_ALONG_Y, SVG_DIAGONAL };       /* the length that a % refers to */
 
 
 // Document
 // --------
 
-/* Is it an element of SVG, of this name (NULL: of any)? */
+/* Is it an SVG element of this name (NULL: of any name)? */
 bool svg_is(const xmlNode *node, const char *name);
 
 /* Draw everything in the outermost <svg>. */
@@ -92,10 +93,10 @@ bool svg_draw(svg_reader *r, const xmlNode *root);
 // Messages
 // --------
 
-/* The line on which the tag of the current element starts. */
+/* The line where the tag of the current element starts. */
 unsigned svg_at_line(const svg_reader *r);
 
-/* Print `loft: file:line: <message>`, give false. */
+/* Print `loft: file:line: <message>` and return false. */
 bool svg_fail(const svg_reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 enum svg_warning {
@@ -113,7 +114,7 @@ enum svg_warning {
     SVG_WARN_USE_MISSING
 };
 
-/* The same, but the reading goes on; only the first of each kind is printed. */
+/* The same, but the reading continues; only the first warning of each kind is printed. */
 void svg_warn(svg_reader *r, enum svg_warning kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
@@ -144,7 +145,7 @@ enum svg_property {
     SVG_PROPERTIES
 };
 
-/* A value within the text of a style, and what it ranks among others. */
+/* A value in the text of a style, and its rank among other values. */
 typedef struct {
     const char *text;           /* NULL: not set */
     size_t length;
@@ -152,38 +153,38 @@ typedef struct {
 } svg_value;
 
 #define SVG_RANK_IMPORTANT (1ull << 60)
-#define SVG_RANK_OWN       (1ull << 59)     /* of style=""; those of sheets are less */
+#define SVG_RANK_OWN       (1ull << 59)     /* of style=""; ranks of sheets are lower */
 
-/* Put it in place of one of the same or a lower rank. */
+/* Replace the value if the other one has the same or a higher rank. */
 void svg_value_put(svg_value *to, svg_value from);
 
 /* `a: b; --c: d` */
 typedef struct {
     svg_value value[SVG_PROPERTIES];
-    xmlHashTablePtr names;      /* of custom properties, to their values; NULL: none. Free with
+    xmlHashTablePtr names;      /* custom properties to values; NULL: none. Free with
                                  * svg_names_free */
 } svg_block;
 
 void svg_block_read(svg_block *block, const char *text, unsigned long long rank);
 void svg_names_free(xmlHashTablePtr names);
 
-/* All that is set for the current element by style sheets and style="". */
+/* Everything that style sheets and style="" set for the current element. */
 typedef struct {
     svg_value value[SVG_PROPERTIES];
-    unsigned attributes;        /* bits: there is one of the name */
+    unsigned attributes;        /* bits: the element has the attribute */
     char *text;                 /* of style="" */
     const svg_scope *scope;
 } svg_style;
 
-/* Read the style of the current element; `*scope` becomes its own, within `up`. Each is closed by
- * itself. */
+/* Read the style of the current element; `*scope` becomes its scope, within `up`. Close each of the
+ * two separately. */
 void svg_style_open(svg_reader *r, svg_style *style, svg_scope *scope, const svg_scope *up);
 void svg_style_close(svg_style *style);
 void svg_scope_add(svg_scope *scope, xmlHashTablePtr names, unsigned long long rank);
 void svg_scope_close(svg_scope *scope);
 
-/* The value of a property, with all var() put in, or "unset" if one of them is not set; else the
- * attribute; or NULL. *css tells whether it came from a style. Free with xmlFree. */
+/* The value of a property with all var() substituted, or "unset" if one of them is not set;
+ * otherwise the attribute; or NULL. *css tells whether it comes from a style. Free with xmlFree. */
 char *svg_property(svg_reader *r, const svg_style *style, enum svg_property which, bool *css);
 
 void svg_sheet_apply(svg_reader *r, svg_style *style, svg_scope *scope);
@@ -196,24 +197,24 @@ void svg_sheet_free(svg_sheet *sheet);
 
 extern const svg_matrix svg_identity;
 
-/* First `inner`, then `outer`. */
+/* Apply `inner` first, then `outer`. */
 svg_matrix svg_multiply(svg_matrix outer, svg_matrix inner);
 
-/* The greatest factor by which it stretches any length. */
+/* The largest factor by which it stretches a length. */
 double svg_stretch(svg_matrix m);
 
-/* Append the list of transforms in `text` to *m. `css`: numbers may carry px and deg. */
+/* Multiply *m by the list of transforms in `text`. `css`: numbers may have the units px and deg. */
 bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *m);
 
-/* A length attribute of the current element in user units; `absent` if it is missing or `auto`. */
+/* Read a length attribute of the current element in user units; `absent` if it is missing or
+ * `auto`. */
 bool svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
                 double absent, double *out);
 
-/* Numbers of the attribute `viewBox`; *given tells whether there are any. */
+/* Read the numbers of the attribute `viewBox`; *given tells whether it exists. */
 bool svg_view_box(const svg_reader *r, double box[4], bool *given);
 
-/* The matrix that fits `box` into width x height as preserveAspectRatio of the current element
- * says. */
+/* The matrix that fits `box` into width x height, by preserveAspectRatio of the current element. */
 bool svg_fit(const svg_reader *r, const double box[4], double width, double height,
              svg_matrix *out);
 
@@ -224,8 +225,8 @@ typedef struct {
     const svg_reader *r;
     svg_matrix to_mm;
     double start[2], at[2];     /* user units                                    */
-    double end[2];              /* mm; where the drawn path ends                 */
-    bool fresh;                 /* nothing is drawn since the last move          */
+    double end[2];              /* mm; the end of the drawn path */
+    bool fresh;                 /* nothing was drawn since the last move */
     unsigned line;              /* of the file                                   */
 } svg_pen;
 
@@ -242,7 +243,7 @@ bool svg_close(svg_pen *pen);
 // Shapes
 // ------
 
-/* Draw the current element if it is a shape; *known tells whether it is. */
+/* Draw the current element if it is a shape; *known tells whether it is one. */
 bool svg_shape(const svg_reader *r, const svg_space *space, bool *known);
 
 /* Draw path data. */

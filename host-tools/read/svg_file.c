@@ -1,9 +1,10 @@
-/* host-tools/read/svg_file.c -- the XML of an SVG file: safely read, its ids and style sheets
- * found, lines for messages
+/* host-tools/read/svg_file.c -- reads the XML of an SVG file safely: ids, style sheets, lines for
+ * messages
  * SPDX-License-Identifier: MIT
  *
- * libxml2 reads it, without network and external entities. Its limits are lifted, since they refuse
- * good drawings. Here are others: of elements, of their depth, and of what entities stand for.
+ * libxml2 reads it, without network and external entities. Its own limits are switched off, since
+ * they refuse good drawings. This file has other limits: for elements, for their depth, and for the
+ * expansion of entities.
  */
 #include <libxml/parser.h>
 #include <libxml/SAX2.h>
@@ -15,19 +16,19 @@
 #include "read/svg.h"
 #include "base/tool.h"       /* tool_error, tool_grow */
 
-/* bytes that entities and defaults stand for, each time */
+/* bytes from entities and defaults, counted for each use */
 #define EXPANDED_MAX   ((size_t)16 << 20)
 /* bytes that libxml2 copies to append entities to text */
 #define COPIED_MAX     ((size_t)4 << 30)
-#define ENTITY_DEPTH   8                    /* entities in each other */
-#define INNER_DEPTH    50                   /* elements in each other within one entity */
-#define ATTRIBUTES_MAX 1000                 /* of an element: libxml2 compares each with each */
+#define ENTITY_DEPTH   8                    /* nested entities */
+#define INNER_DEPTH    50                   /* nested elements within one entity */
+#define ATTRIBUTES_MAX 1000                 /* per element: libxml2 compares all pairs */
 
 
 // Messages
 // --------
 
-/* Elements of an entity have no line: that of the element counts which the entity stands in. */
+/* Elements of an entity have no line: the line of the element that contains the entity counts. */
 unsigned svg_at_line(const svg_reader *r)
 {
     const xmlNode *node = r->node;
@@ -77,7 +78,7 @@ bool svg_is(const xmlNode *node, const char *name)
            (name == NULL || strcmp((const char *)node->name, name) == 0);
 }
 
-/* The element that follows in the file, children first. */
+/* The next element in the file, children first. */
 static const xmlNode *following_element(const xmlNode *node)
 {
     if (node->children != NULL && node->type == XML_ELEMENT_NODE)
@@ -133,14 +134,14 @@ static void collect_ids(svg_reader *r, const xmlNode *root)
 // XML
 // ---
 
-/* What the XML reader reports while it reads. */
+/* What the XML parser reports while it reads. */
 typedef struct {
-    xmlParserCtxtPtr outer;     /* of the file; libxml2 makes others to read entities        */
-    char message[200];          /* of the first error; those behind it are its consequences  */
+    xmlParserCtxtPtr outer;     /* of the file; libxml2 creates others to read entities */
+    char message[200];          /* of the first error; later ones follow from it */
     int line;
     bool stopped;               /* at a limit                                                 */
     unsigned elements;
-    size_t expanded, room;      /* bytes of entities and defaults, and how many there may be  */
+    size_t expanded, room;      /* bytes from entities and defaults, and their limit */
     size_t copied;
 } report;
 
@@ -185,9 +186,9 @@ static void count_expanded(xmlParserCtxtPtr parser, size_t bytes)
                       EXPANDED_MAX >> 20);
 }
 
-/* The bytes that an entity stands for when those in it are put in, at most EXPANDED_MAX + 1.
- * libxml2 copies what it has read once, so that the calls of find_entity alone do not tell.
- * _private keeps the result, plus one. */
+/* The length of an entity after the entities in it are expanded, at most EXPANDED_MAX + 1. libxml2
+ * copies an entity that it has already read, so the calls of find_entity alone do not count all.
+ * _private holds the result, plus one. */
 static size_t full_length(xmlParserCtxtPtr parser, xmlEntityPtr entity, int depth)
 {
     if (entity == NULL || entity->content == NULL ||
@@ -217,8 +218,8 @@ static size_t full_length(xmlParserCtxtPtr parser, xmlEntityPtr entity, int dept
     return sum;
 }
 
-/* Entities are looked up here each time they are used: a small file cannot stand for gigabytes.
- * Text before the entity is copied when that is appended. */
+/* Entities are looked up here each time they are used: a small file cannot expand to gigabytes. The
+ * text before an entity is copied when the entity is appended. */
 static xmlEntityPtr count_entity(xmlParserCtxtPtr parser, xmlEntityPtr entity)
 {
     report *r = parser->_private;
@@ -244,7 +245,7 @@ static xmlEntityPtr find_parameter(void *context, const xmlChar *name)
     return count_entity(context, xmlSAX2GetParameterEntity(context, name));
 }
 
-/* The line on which the tag starts that the parser has just read: there is no other `<` in it. */
+/* The line on which the tag starts that the parser has just read; it contains no other `<`. */
 static unsigned tag_line(const xmlParserInput *in)
 {
     const xmlChar *at = memrchr(in->base, '<', (size_t)(in->cur - in->base));
@@ -255,8 +256,8 @@ static unsigned tag_line(const xmlParserInput *in)
     return line;
 }
 
-/* What an element takes beside its own text: defaults, and namespaces, which may be defaults
- * too. */
+/* The length of what an element has besides its own text: default attributes, and namespaces, which
+ * may be defaults too. */
 static size_t defaults_length(int namespace_count, const xmlChar **namespaces, int count,
                               int defaulted, const xmlChar **attributes)
 {
@@ -295,7 +296,7 @@ static void start_element(void *context, const xmlChar *name, const xmlChar *pre
         parser->node->_private = (void *)(size_t)tag_line(parser->input);
 }
 
-/* Nothing but the file itself is ever read. */
+/* Read nothing but the file itself. */
 static xmlParserInputPtr load_nothing(const char *url, const char *id, xmlParserCtxtPtr context)
 {
     (void)url, (void)id, (void)context;

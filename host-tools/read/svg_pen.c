@@ -1,4 +1,5 @@
-/* host-tools/read/svg_pen.c -- lines, quadratics, cubics and arcs in user units become cubics in mm
+/* host-tools/read/svg_pen.c -- converts lines, quadratics, cubics and arcs in user units to cubics
+ * in mm
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -7,7 +8,7 @@
 #include "engine/engine.h"     /* engine_f64: arcs */
 #include "read/svg.h"
 
-/* mm; what is shorter is not drawn, ends that are nearer are one point */
+/* mm; shorter curves are not drawn, closer ends are one point */
 #define SAME    1e-6
 #define ARC_TOL 0.0005      /* mm; half of the promised micrometre */
 
@@ -38,8 +39,8 @@ void svg_move(svg_pen *pen, double x, double y)
     pen->fresh = true;
 }
 
-/* What is too short to draw is left out, and the next curve starts where the last drawn one ended:
- * no gap, and a path of many tiny pieces is still followed to SAME. */
+/* A curve that is too short to draw is left out, and the next curve starts where the last drawn one
+ * ended. So there is no gap, and a path of many tiny pieces is still followed to SAME. */
 bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double x, double y)
 {
     drawing *d = pen->r->d;
@@ -85,8 +86,7 @@ bool svg_quad(svg_pen *pen, double x1, double y1, double x, double y)
                      y + (y1 - y) * 2 / 3, x, y);
 }
 
-/* A closing line that only makes up for rounding is not drawn: the end moves onto the start
- * instead. */
+/* A closing line that only corrects rounding is not drawn: the end moves onto the start instead. */
 bool svg_close(svg_pen *pen)
 {
     double start[2];
@@ -117,8 +117,8 @@ static void draw_span(void *context, double p[4][ENGINE_AXES])
                  svg_cubic(arc->pen, p[1][0], p[1][1], p[2][0], p[2][1], p[3][0], p[3][1]);
 }
 
-/* So flat that a line is within 1 nm of it? Then the centre would be too far away to be
- * computed. */
+/* Is it so flat that a line is within 1 nm of it? Then the centre would be too far away to
+ * compute. */
 static bool is_flat(const double radii[2], const double from[2], const double to[2], double stretch)
 {
     const double chord = apart(from, to) / fmin(radii[0], radii[1]);

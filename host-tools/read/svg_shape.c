@@ -11,13 +11,12 @@
 // Path data
 // ---------
 
-/* Path data while it is read. The control point of the last curve is kept for S and T to
- * reflect. */
+/* Path data while it is read. The last control point is kept for S and T to reflect. */
 typedef struct {
     const char *data, *at;
     svg_pen *pen;
     double last[2];
-    char last_kind;         /* C or Q: what `last` belongs to; 0: nothing to reflect */
+    char last_kind;         /* C or Q: the kind of curve that `last` belongs to; 0: none */
 } path;
 
 static bool refuse_data(const path *p, const char *wanted)
@@ -31,8 +30,7 @@ static bool refuse_data(const path *p, const char *wanted)
                     before, p->at - before, wanted);
 }
 
-/* The numbers of one segment: `x` and `y` pairs, or for A two radii, an angle, two flags, x and
- * y. */
+/* The numbers of one segment: `x` and `y` pairs; for A two radii, an angle, two flags, x and y. */
 static bool read_numbers(path *p, char kind, double v[7])
 {
     static const char kinds[] = "MLTHVSQCA", counts[] = "222114467";
@@ -64,7 +62,7 @@ static void make_absolute(const path *p, char kind, double v[7])
         v[i] += p->pen->at[axis];
 }
 
-/* The first control point of S or T: the mirror image of the last one, if the last curve was of the
+/* The first control point of S or T: the mirror image of the last one if the last curve was of the
  * same kind. */
 static void reflect_control(const path *p, char kind, double out[2])
 {
@@ -109,7 +107,7 @@ static bool draw_segment(path *p, char kind, const double v[7])
     }
 }
 
-/* One command letter with all the segments that follow it. */
+/* Read a command letter and all segments that follow it. */
 static bool draw_command(path *p)
 {
     const char letter = *p->at;
@@ -166,7 +164,7 @@ static bool read_length(const svg_reader *r, const svg_space *s, const char *nam
     return svg_length(r, s, name, side, 0, out);
 }
 
-/* A size: like a length, but not negative. */
+/* A size: a length that is not negative. */
 static bool read_size(const svg_reader *r, const svg_space *s, const char *name, enum svg_side side,
                  double absent, double *out)
 {
@@ -237,7 +235,7 @@ static bool draw_polygon(const svg_reader *r, const svg_space *s)
     return draw_points(r, s, true);
 }
 
-/* Four quarters from three o'clock on, in the direction of growing angles. */
+/* Four quarters, starting at three o'clock, in the direction of increasing angles. */
 static bool draw_quarters(const svg_reader *r, const svg_space *s, double cx, double cy, double rx,
                        double ry)
 {
@@ -261,7 +259,7 @@ static bool draw_circle(const svg_reader *r, const svg_space *s)
            draw_quarters(r, s, cx, cy, radius, radius);
 }
 
-/* Radii of which one is missing: both are the same. */
+/* Radii: if one is missing, it equals the other. */
 static bool read_radii(const svg_reader *r, const svg_space *s, double *rx, double *ry)
 {
     if (!read_size(r, s, "rx", SVG_ACROSS, -1, rx) || !read_size(r, s, "ry", SVG_ALONG_Y, -1, ry))

@@ -1,11 +1,11 @@
-/* host-tools/read/svg_sheet.c -- the style sheets of an SVG file: rules, and which of them fit an
+/* host-tools/read/svg_sheet.c -- the style sheets of an SVG file: rules, and which of them match an
  * element
  * SPDX-License-Identifier: MIT
  *
  * Selectors are lists of simple ones, such as `g`, `.st0`, `#title`, `path.a.b`, `*`, `:root`.
- * Others are passed over, with a warning if they would hide or move something. A rule stands in the
- * list of one of the names that its selector asks for, the one with the shortest list: an element
- * looks only at the lists of its own names.
+ * Others are skipped, with a warning if they would hide or move something. A rule is in the list of
+ * one of the names in its selector, the one with the shortest list. So an element checks only the
+ * lists of its own names.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +14,7 @@
 #include "read/svg.h"
 #include "base/tool.h"       /* tool_grow */
 
-/* A property that a rule sets; and custom ones, whose names belong to the sheet. */
+/* A property that a rule sets; also custom ones, whose names belong to the sheet. */
 typedef struct {
     enum svg_property property;
     svg_value value;
@@ -25,7 +25,7 @@ typedef struct {
     unsigned long long rank;
 } naming;
 
-/* All that is said for one selector. */
+/* The declarations for one selector. */
 typedef struct rule {
     struct rule *next;              /* in the same list */
     char *selector;
@@ -41,7 +41,7 @@ typedef struct {
 
 struct svg_sheet {
     xmlHashTablePtr rules;          /* by selector */
-    xmlHashTablePtr lists;          /* by name and its kind: "." "#" ":" "" */
+    xmlHashTablePtr lists;          /* by name and kind of name: "." "#" ":" "" */
     xmlBufferPtr *texts;
     xmlHashTablePtr *names;         /* of all blocks that set custom properties */
     size_t text_count, names_count;
@@ -95,12 +95,12 @@ static bool has_word(const char *words, size_t size, const char *word, size_t le
     return false;
 }
 
-/* What selectors ask of an element. */
+/* The names of an element that selectors can match. */
 typedef struct {
     const xmlNode *node;
     char *class, *id;
     size_t class_length;
-    unsigned effort;            /* of one selector: the words of a long list are all looked at */
+    unsigned effort;            /* for one selector: all words of a long list are compared */
 } asked;
 
 static bool is_word(const char *text, const part *p)
@@ -128,7 +128,7 @@ static bool selector_matches(const char *selector, const asked *a)
     return good;
 }
 
-/* Ids before classes before types. */
+/* Ids rank above classes, classes above types. */
 static unsigned long long specificity(const char *selector)
 {
     unsigned count[3] = { 0 };
@@ -145,7 +145,7 @@ static unsigned long long specificity(const char *selector)
 // Rules
 // -----
 
-/* The list of one name; NULL if there is none and none shall be made. */
+/* The list of one name; NULL if there is none and none shall be created. */
 static list *list_of(const svg_sheet *sheet, const char *word, size_t length, const char *kind,
                      bool make)
 {
@@ -205,7 +205,7 @@ static void set_property(rule *u, enum svg_property property, svg_value value)
     u->settings[u->setting_count++] = (setting){ property, value };
 }
 
-/* Room for one more behind `count`, doubled each time that it is full. */
+/* Make room for one more item after `count`; the room doubles when it is full. */
 static void *room_for_one(void *old, size_t count, size_t size)
 {
     return (count & (count - 1)) == 0 ? tool_grow(old, (count ? 2 * count : 1) * size) : old;
@@ -235,7 +235,7 @@ static bool is_understood(const char *selector)
            (colon == NULL || strcmp(colon, ":root") == 0);
 }
 
-/* Keep what `block` says for one selector. */
+/* Store the declarations of `block` for one selector. */
 static void add_rule(svg_reader *r, const char *text, size_t length, const svg_block *block)
 {
     svg_sheet *sheet = r->sheet;
@@ -267,8 +267,8 @@ static void add_rule(svg_reader *r, const char *text, size_t length, const svg_b
     xmlFree(selector);
 }
 
-/* `a, b { c }` starts at `text`, the brace is at `open`; declarations end at `end`, which is
- * overwritten. */
+/* `a, b { c }` starts at `text`, and its brace is at `open`. The declarations end at `end`, which
+ * is overwritten. */
 static void add_rules(svg_reader *r, const char *text, const char *open, char *end)
 {
     svg_sheet *sheet = r->sheet;
@@ -304,7 +304,7 @@ static void blank_comments(char *text)
     }
 }
 
-/* Where the block or statement that starts at `s` ends: behind its matching brace or its
+/* The end of the block or statement that starts at `s`: after its matching brace or its
  * semicolon. */
 static char *behind_at_rule(char *s)
 {

@@ -19,8 +19,8 @@ svg_matrix svg_multiply(svg_matrix m, svg_matrix n)
                          m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f };
 }
 
-/* The larger singular value: (|u| + |v|) / 2, where u and v are the parts that turn and that
- * mirror. */
+/* The larger singular value: (|u| + |v|) / 2, where u and v are the rotating and the mirroring
+ * parts. */
 double svg_stretch(svg_matrix m)
 {
     return (hypot(m.a + m.d, m.b - m.c) + hypot(m.a - m.d, m.b + m.c)) / 2;
@@ -32,7 +32,7 @@ double svg_stretch(svg_matrix m)
 
 static svg_matrix rotation_of(double degrees)
 {
-    /* quarter turns exactly: they are what drawings are made of */
+    /* quarter turns are exact: drawings are full of them */
     const double quarters = degrees / 90;
     if (isfinite(quarters) && quarters == floor(quarters)) {
         static const double sine[4] = { 0, 1, 0, -1 };
@@ -43,7 +43,8 @@ static svg_matrix rotation_of(double degrees)
     return (svg_matrix){ c, s, -s, c, 0, 0 };
 }
 
-/* The matrix of one function; false if there is none of that name with so many numbers. */
+/* The matrix of one function. Returns false if no function has that name and number of
+ * arguments. */
 static bool transform_of(const char *name, int length, const double v[6], int count,
                           svg_matrix *out)
 {
@@ -72,7 +73,7 @@ static bool transform_of(const char *name, int length, const double v[6], int co
     }
 }
 
-/* The numbers between parentheses; how many, or -1 if something else stands there. */
+/* Read the numbers between parentheses. Returns how many, or -1 for anything else. */
 static int read_arguments(const char **at, bool css, double v[6])
 {
     int count = 0;

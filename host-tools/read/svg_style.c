@@ -2,9 +2,9 @@
  * style sheets of the file
  * SPDX-License-Identifier: MIT
  *
- * What a plotter needs of CSS: which elements are hidden or not painted, transforms, and what the
- * drawing will lack. Of all that set a property, the greatest rank holds: !important, style=""
- * before sheets, selectors, then order.
+ * A plotter needs these parts of CSS: hidden elements, elements without paint, transforms, and what
+ * the drawing will lack. The declaration with the highest rank sets a property: !important, then
+ * style="" before sheets, then selectors, then order.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -12,8 +12,8 @@
 
 #include "read/svg.h"
 
-#define VARIABLE_DEPTH  8           /* var() in the values of others */
-#define VARIABLE_LENGTH 10000       /* bytes of a value with all var() put in */
+#define VARIABLE_DEPTH  8           /* nested var() */
+#define VARIABLE_LENGTH 10000       /* bytes of a value with all var() substituted */
 
 static const char blank[] = " \t\r\n\f";
 
@@ -44,14 +44,14 @@ char *svg_attribute(const xmlNode *node, const char *name)
 // Declarations
 // ------------
 
-/* What stands before and behind the colon of one declaration. */
+/* The text before and after the colon of a declaration. */
 typedef struct {
     const char *name, *value;
     size_t name_length, length;
     bool important;
 } declaration;
 
-/* The next of `a: b; c: d`; false at the end. */
+/* The next declaration of `a: b; c: d`. Returns false at the end. */
 static bool next_declaration(const char **at, declaration *out)
 {
     for (;;) {
@@ -95,7 +95,7 @@ void svg_names_free(xmlHashTablePtr names)
         xmlHashFree(names, free_name);
 }
 
-/* SVG_PROPERTIES if it is none of them. */
+/* SVG_PROPERTIES if the name is unknown. */
 static enum svg_property property_of(const char *name, size_t length)
 {
     int i = 0;
@@ -153,7 +153,7 @@ static const char *variable_value(svg_reader *r, const svg_scope *scope, const c
     return found;
 }
 
-/* The length up to the parenthesis that closes, or to the end. */
+/* The length up to the closing parenthesis, or to the end. */
 static size_t length_to_parenthesis(const char *text, size_t size)
 {
     int depth = 1;
@@ -167,8 +167,8 @@ static size_t length_to_parenthesis(const char *text, size_t size)
     return n;
 }
 
-/* Append `text` with every var(--name, fallback) put in; false if one is not set, or they are too
- * many. */
+/* Append `text` with every var(--name, fallback) substituted. Returns false if one is not set, or
+ * if there are too many. */
 static bool put_variables(svg_reader *r, const svg_scope *scope, const char *text, size_t size,
                           int depth, xmlBufferPtr out)
 {

@@ -1,9 +1,9 @@
 /* host-tools/send/gcode.c
  * SPDX-License-Identifier: MIT
  *
- * A curve is halved until each half is near the arc through its ends and its middle. An arc errs by
- * the fourth power of its length where the curvature changes evenly, a chord by the square: so arcs
- * need far fewer lines.
+ * A curve is halved until each half is close to the arc through its ends and its middle. If the
+ * curvature changes evenly, the error of an arc is proportional to the fourth power of its length,
+ * that of a chord to the square. So arcs need far fewer lines.
  */
 #include <math.h>
 #include <stdio.h>
@@ -14,12 +14,12 @@
 #include "base/tool.h"           /* tool_grow */
 
 #define DEPTH   16          /* halvings at most                                  */
-#define LOOKS   16          /* places of a piece that are looked at              */
-#define WIDE    2000.0      /* mm: the largest radius; beyond, a line is as good */
+#define LOOKS   16          /* checked places per piece */
+#define WIDE    2000.0      /* mm: the largest radius; beyond it a line is as good */
 
 typedef struct {
     gcode *g;
-    double tol, feed;       /* the feed that holds, mm/min */
+    double tol, feed;       /* the active feed, mm/min */
     bool cubics;
     size_t move;
 } writer;
@@ -87,7 +87,7 @@ static void write_line(writer *w, const cubic *c, double feed)
         finish_line(w, text, feed);
 }
 
-/* Is the piece near its chord, and does it not turn back on it? */
+/* Is the piece near its chord, without turning back on it? */
 static bool is_near_line(const cubic *c, double tol)
 {
     double v[3], q = 0, last = 0;
@@ -111,8 +111,8 @@ static bool is_near_line(const cubic *c, double tol)
     return true;
 }
 
-/* The circle through both ends and the middle, if the whole piece is near it and goes round it one
- * way. */
+/* The circle through both ends and the middle, if the whole piece is near it and follows it in one
+ * direction. */
 static bool is_near_arc(const cubic *c, double tol, double centre[2], bool *left)
 {
     double m[3];
@@ -188,7 +188,7 @@ static void write_arcs(writer *w, const cubic *c, double feed, int depth)
     }
 }
 
-/* I J: the first control point from the start; P Q: the second one from the end. */
+/* I J: the first control point relative to the start; P Q: the second one relative to the end. */
 static void write_cubic(writer *w, const cubic *c, double feed)
 {
     char text[128] = "G5";

@@ -1,4 +1,4 @@
-/* host-tools/send/gcode.h -- moves as G-code: straight lines, arcs that stay near the curve, or the
+/* host-tools/send/gcode.h -- converts moves to G-code: straight lines, arcs near the curve, or the
  * cubics themselves (G5)
  * SPDX-License-Identifier: MIT
  */
@@ -11,12 +11,12 @@
 #include "plan/toolpath.h"   /* toolpath */
 
 typedef struct {
-    char **line;        /* each without its end of line      */
+    char **line;        /* each without its newline */
     size_t *move;       /* the move that it draws            */
     size_t count, room;
 } gcode;
 
-/* The lines that draw `t`: mm, absolute places, the plane of x and y. `cubics`: G5 for curves.
+/* The lines that draw `t`: in mm, absolute, in the plane of x and y. `cubics`: G5 for curves.
  *
  *   error   arcs and lines leave the curve by at most `tol` mm, and 0.0001 for their decimals
  *   see     NIST RS274/NGC 3 (G1 G2 G3); LinuxCNC's G5, which grblHAL and Marlin have too */

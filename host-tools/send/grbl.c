@@ -1,9 +1,9 @@
 /* host-tools/send/grbl.c -- the conversation with a controller of grbl's kind
  * SPDX-License-Identifier: MIT
  *
- * Lines are sent ahead as long as their bytes fit the controller's buffer (grbl's wiki, "Streaming
- * a G-code program", character counting): each `ok` or `error:` gives back those of the oldest. ? !
- * ~ and bytes from 0x80 on are taken out of the stream by the controller at once and count nothing.
+ * Lines are sent ahead while their bytes fit the controller's buffer (grbl's wiki, "Streaming a
+ * G-code program", character counting). Each `ok` or `error:` frees the bytes of the oldest line.
+ * The controller takes ? ! ~ and bytes from 0x80 on out of the stream at once; they do not count.
  */
 #include <errno.h>
 #include <math.h>
@@ -19,32 +19,32 @@
 #include "base/waits.h"          /* waits_for */
 #include "send/transport.h"      /* transport */
 
-#define BUFFER      128     /* bytes that every such controller takes            */
-#define ASK         0.2     /* s between two questions for the status            */
-#define DEAF        10.0    /* s without a word until we give up                 */
-#define STUCK       5.0     /* s at rest with lines that were not answered       */
-#define WAITING     512     /* lines on their way at most                        */
+#define BUFFER      128     /* bytes that every such controller accepts */
+#define ASK         0.2     /* s between two status queries */
+#define DEAF        10.0    /* s of silence until we give up */
+#define STUCK       5.0     /* s at rest with unanswered lines */
+#define WAITING     512     /* lines in flight at most */
 
 enum grbl_state { UNKNOWN, IDLE, RUN, HOLD, HELD, ALARM, OTHER };
 
 struct grbl {
     const char *port;
     transport line;
-    char text[256];                     /* a line that is coming in              */
+    char text[256];                     /* a line that is being received */
     size_t size;
     char name[64];                      /* its greeting                          */
     unsigned buffer;
     unsigned long received;             /* bytes                                 */
-    bool answered;                      /* a word of grbl's came                 */
-    bool inquired, asking;              /* $I was sent; it is to be answered     */
+    bool answered;                      /* a word of grbl's arrived */
+    bool inquired, asking;              /* $I was sent; its answer is awaited */
     enum grbl_state state;
     double machine[ENGINE_AXES], offset[ENGINE_AXES], place[ENGINE_AXES];
-    bool placed, machined, offsetted;   /* told: WPos, or MPos and WCO; MPos; WCO */
+    bool placed, machined, offsetted;   /* known: WPos, or MPos and WCO; MPos; WCO */
     double feed;                        /* mm/min                                */
     unsigned rate;                      /* override in percent                   */
     double heard, asked, moved;         /* clocks                                */
     const gcode *code;
-    size_t sent, done, wrong;           /* lines; wrong: the one that error is about */
+    size_t sent, done, wrong;           /* lines; wrong: the line that the error is about */
     unsigned size_of[WAITING], under_way;   /* bytes                             */
     int error, alarm;
     bool restarted;
@@ -122,7 +122,7 @@ static void take_status(grbl *g, char *text)
     }
 }
 
-/* A line was answered: $I, one of ours, or what was typed before. */
+/* A line was answered: $I, one of our lines, or an earlier line of somebody else. */
 static void take_answer(grbl *g)
 {
     g->asking = false;
@@ -153,7 +153,7 @@ static void take_line(grbl *g, char *text)
     } else if (strcmp(text, "ok") == 0) {
         take_answer(g);
     } else if (strncmp(text, "error:", 6) == 0) {
-        if (g->error == 0 && g->done < g->sent) {   /* the first one of ours: those behind it may be
+        if (g->error == 0 && g->done < g->sent) {   /* our first error: lines after it may be
                                                      * answered before anybody looks */
             g->error = atoi(text + 6);
             g->wrong = g->done;
@@ -163,7 +163,8 @@ static void take_line(grbl *g, char *text)
         g->alarm = atoi(text + 6);
     } else if (strncmp(text, "Grbl", 4) == 0) {
         g->restarted = g->code != NULL;
-        if (g->code == NULL)            /* what it said before is over, and so is the question */
+        if (g->code == NULL)            /* what it said before is obsolete, and so is the
+                                         * question */
             g->placed = g->offsetted = g->machined = g->inquired = g->asking = false;
         snprintf(g->name, sizeof g->name, "%.*s", (int)strcspn(text, "["), text);
     } else if (sscanf(text, "[OPT:%*[^,],%u,%u,%u", &first, &second, &bytes) >= 2) {
@@ -207,7 +208,7 @@ static int report_vanished(const grbl *g)
 // The beginning
 // -------------
 
-/* Why it is not ready, by what came. */
+/* Explain, from the received bytes, why the controller is not ready. */
 static int report_unready(const grbl *g, double seconds)
 {
     const char *name = g->name[0] != '\0' ? g->name : "the controller";
@@ -234,8 +235,8 @@ static int report_unready(const grbl *g, double seconds)
                       g->line.text, name);
 }
 
-/* A board that is reset when its line is opened, or whose boot loader listens first, answers late:
- * from its first word on it has as long again. */
+/* A board that is reset when its port is opened, or whose boot loader listens first, answers late:
+ * from its first word on it has the same time again. */
 static int greet_controller(grbl *g, double seconds)
 {
     double until  = tool_clock() + seconds;
@@ -264,7 +265,7 @@ static int greet_controller(grbl *g, double seconds)
         if (tool_clock() < until)
             continue;
         if (g->placed)
-            break;                      /* $I is unknown: the buffer that all have */
+            break;                      /* $I is unknown: use the buffer that all have */
         return report_unready(g, seconds);
     }
     if (g->state == ALARM)
@@ -307,7 +308,7 @@ const double *grbl_place(const grbl *g) { return g->place; }
 // The job
 // -------
 
-/* As many lines as fit. */
+/* Send as many lines as fit. */
 static bool send_lines(grbl *g)
 {
     char text[160];
@@ -324,8 +325,8 @@ static bool send_lines(grbl *g)
     return true;
 }
 
-/* Slow down, stand, and forget what was sent: the position is kept, since a reset at rest loses no
- * step. */
+/* Slow down, stop, and discard the lines that were sent. The position is kept, since a reset at
+ * rest loses no step. */
 static bool stop_controller(grbl *g)
 {
     const double until = tool_clock() + DEAF;
@@ -336,7 +337,7 @@ static bool stop_controller(grbl *g)
     while (g->state != HELD && g->state != IDLE && g->state != ALARM && tool_clock() < until)
         if (!pump_bytes(g, 20))
             return false;
-    g->code = NULL;                     /* the greeting that follows is no surprise */
+    g->code = NULL;                     /* the greeting that follows is expected */
     return put_byte(g, 0x18);
 }
 
@@ -353,7 +354,7 @@ static bool obey_keys(grbl *g, bool *abort)
     }
 }
 
-/* What is wrong, as an exit code after one line; 0: nothing. */
+/* Report what is wrong. Returns an exit code after printing one line; 0: nothing is wrong. */
 static int report_trouble(grbl *g)
 {
     const gcode *code = g->code;

@@ -1,4 +1,4 @@
-/* host-tools/send/grbl_words.h -- what the numbers of grbl's errors and alarms mean, and what to do
+/* host-tools/send/grbl_words.h -- explains the numbers of grbl's errors and alarms, with remedies
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_GRBL_WORDS_H

@@ -1,4 +1,4 @@
-/* host-tools/send/stream.c -- a job goes to the machine
+/* host-tools/send/stream.c -- sends a job to the machine
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -12,27 +12,27 @@
 #include "base/tool.h"
 #include "base/waits.h"          /* waits_for */
 
-#define SILENCE 10.0        /* s without a word until we give up */
-#define STOP    10.0        /* s for the machine to come to a stand */
+#define SILENCE 10.0        /* s of silence until we give up */
+#define STOP    10.0        /* s for the machine to stop */
 #define PORTION 0.005       /* s of planning between two looks at the line */
-/* items before those that the machine has: the sender needs 3, a feed 1 */
+/* items before those that the machine has: the sender needs 3, a feed needs 1 */
 #define KEPT    4
 
 typedef struct {
     talk *t;
     job *j;
     const stream_subject *about;
-    progress bar, again;    /* again: planning up to where a job goes on */
+    progress bar, again;    /* again: planning up to the item where a job continues */
     waits waiting;
     int planned;            /* enum loft_status                         */
-    size_t kept;            /* items before it are not asked for again  */
-    double stop_at;         /* the clock when ^C was seen; 0: not yet   */
-    double held_at;         /* the clock when the machine stood; 0: not */
-    bool woken;             /* a job found under way goes on            */
-    uint32_t ticks, elapsed;/* of the status before                     */
-    double pace;            /* between the last two                     */
-    double moved;           /* the clock when the ticks last went on    */
-    int percent;            /* that a key asked for last; 0: none did   */
+    size_t kept;            /* items before it will not be asked for again */
+    double stop_at;         /* the clock when ^C was seen; 0: not yet */
+    double held_at;         /* the clock when the machine stopped; 0: not yet */
+    bool woken;             /* a job that was already running continues */
+    uint32_t ticks, elapsed;/* of the previous status */
+    double pace;            /* between the last two */
+    double moved;           /* the clock when the ticks last advanced */
+    int percent;            /* that a key last asked for; 0: none */
 } run_state;
 
 static bool machine_is_stopped(const loft_sender *s)
@@ -40,7 +40,7 @@ static bool machine_is_stopped(const loft_sender *s)
     return s->ack.state == LOFT_STATE_HELD || !loft_state_busy(s->ack.state);
 }
 
-/* What the machine is doing, in one width so that the numbers behind it stand still. */
+/* The state of the machine, padded to a fixed width so that the numbers after it do not move. */
 static void state_text(const run_state *r, char text[32])
 {
     const loft_sender *s = &r->t->sender;
@@ -58,7 +58,7 @@ static void state_text(const run_state *r, char text[32])
                  r->pace * job_feed(r->j, job_item_at(r->j, s->status.ticks)));
 }
 
-/* Ticks of the plan over ticks of time, between two answers. */
+/* Ticks of the plan per tick of time, between two answers. */
 static void measure_pace(run_state *r)
 {
     const loft_machine_status *now = &r->t->sender.status;
@@ -72,7 +72,7 @@ static void measure_pace(run_state *r)
     r->elapsed = now->elapsed;
 }
 
-/* Does time stand until somebody or something else goes on? */
+/* Does the job rest until somebody or something lets it continue? */
 static bool time_rests(const run_state *r)
 {
     const loft_sender *s = &r->t->sender;
@@ -81,7 +81,7 @@ static bool time_rests(const run_state *r)
            ((s->ack.flags & LOFT_FLAG_STARVED) && r->pace < 0.02);
 }
 
-/* What keeps the job from going on, or NULL. */
+/* What keeps the job from continuing, or NULL. */
 static const char *awaited_event(const run_state *r, char text[200])
 {
     const loft_sender *s = &r->t->sender;
@@ -91,7 +91,7 @@ static const char *awaited_event(const run_state *r, char text[200])
     if (s->phase == LOFT_PHASE_OPENING)
         return "the machine has not taken the job";
     if (s->phase != LOFT_PHASE_STREAMING || r->bar.shown)
-        return NULL;                    /* a bar says it */
+        return NULL;                    /* the progress bar shows it */
     switch (s->ack.state) {
     case LOFT_STATE_HOLDING:    return "the machine slows down to a hold";
     case LOFT_STATE_STOPPING:   return "the machine slows down, then the job is over";
@@ -140,7 +140,7 @@ static void show_progress(run_state *r)
     progress_show(&r->bar, (double)s->status.ticks, text);
 }
 
-/* One line that stays: where things are. */
+/* Print one line about the current state; it stays on the screen. */
 static void tell_state(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
@@ -157,7 +157,8 @@ static void tell_state(run_state *r)
     fputc('\n', stderr);
 }
 
-/* A key counts from what was last asked for, which the machine may not have said yet. */
+/* A key counts from the override that was last asked for, which the machine may not have confirmed
+ * yet. */
 static void change_override(run_state *r, int by)
 {
     loft_sender *s = &r->t->sender;
@@ -185,7 +186,7 @@ static void obey_keys(run_state *r)
     }
 }
 
-/* What is to be said and done once when a job is found under way. */
+/* Report and prepare, once, when a running job is found. */
 static void wake_job(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
@@ -201,8 +202,8 @@ static void wake_job(run_state *r)
         loft_sender_control(&r->t->sender, LOFT_RESUME);
 }
 
-/* After ^C: hold, wait until the machine stands and has told where. True when that is done or takes
- * too long. */
+/* After ^C: hold, and wait until the machine has stopped and reported its position. Returns true
+ * when that is done or takes too long. */
 static bool has_stopped(run_state *r)
 {
     const double now = tool_clock();
@@ -229,8 +230,8 @@ static const char *where_text(const run_state *r, char text[64])
     return text;
 }
 
-/* Plan a portion, if one is wanted; true if another is. Greetings and the end after ^C come first:
- * on a busy computer a portion may take long. */
+/* Plan a portion, if one is wanted. Returns true if another one is. Greetings and the end after ^C
+ * come first: on a busy computer a portion may take long. */
 static bool plan_portion(run_state *r)
 {
     loft_sender *s = &r->t->sender;
@@ -248,7 +249,7 @@ static bool plan_portion(run_state *r)
     return r->planned == LOFT_OK && job_waits(r->j, r->kept);
 }
 
-/* Until the sender is at its end, or an exit code. */
+/* Loop until the sender has ended, or until there is an exit code. */
 static int stream_loop(run_state *r)
 {
     loft_sender *s = &r->t->sender;
@@ -302,7 +303,7 @@ int stream_run(talk *t, job *j, const stream_subject *about)
     return stream_ended(t, j, about);
 }
 
-/* Has the machine done what `verb` asks for? */
+/* Has the machine done what `verb` asks? */
 static bool verb_obeyed(const loft_sender *s, enum loft_verb verb)
 {
     if (s->verb != 0)

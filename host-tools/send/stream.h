@@ -1,4 +1,4 @@
-/* host-tools/send/stream.h -- a job goes to the machine: keys, progress, the end
+/* host-tools/send/stream.h -- sends a job to the machine: keys, progress, the end
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_STREAM_H
@@ -10,7 +10,7 @@
 #include "plan/job.h"            /* job, kinematics */
 #include "send/talk.h"           /* talk */
 
-/* What is said of the drawing in the closing line. */
+/* What the closing line says about the drawing. */
 typedef struct {
     const char *file;
     size_t curves;
@@ -21,11 +21,12 @@ typedef struct {
     const kinematics *k;
 } stream_subject;
 
-/* Begin `j` on the greeted machine, plan on while it draws, and see it through. Gives an exit code,
- * after the closing line or one error. */
+/* Begin `j` on the greeted machine, plan on while it draws, and wait for the end. Returns an exit
+ * code, after printing the closing line or one error. */
 int stream_run(talk *t, job *j, const stream_subject *about);
 
-/* Hold, resume or abort whatever the machine does, and say where it stands. Gives an exit code. */
+/* Hold, resume or abort whatever the machine does, and print where it stands. Returns an exit
+ * code. */
 int stream_control(talk *t, enum loft_verb verb, const kinematics *k);
 
 #endif

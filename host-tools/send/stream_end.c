@@ -1,4 +1,4 @@
-/* host-tools/send/stream_end.c -- how a job ended, in one line
+/* host-tools/send/stream_end.c -- reports in one line how a job ended
  * SPDX-License-Identifier: MIT
  */
 #include <inttypes.h>
@@ -22,7 +22,7 @@ void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps
         memcpy(out, at, sizeof at);
 }
 
-/* "12.345 8.000 1.000" of steps. */
+/* Positions for steps: "12.345 8.000 1.000". */
 static const char *place_text(const loft_sender *s, const kinematics *k,
                               const int32_t steps[LOFT_AXES], char text[96])
 {
@@ -51,7 +51,7 @@ static const engine *engine_of(const loft_welcome *machine)
                                       : &engine_q16;
 }
 
-/* Where the job should end, rounded to steps as the machine rounds. */
+/* The commanded end of the job, rounded to steps as the machine rounds. */
 static void commanded_end(const loft_sender *s, const job *j, int32_t out[LOFT_AXES])
 {
     const engine *e = engine_of(&s->machine);
@@ -67,7 +67,7 @@ static double machine_seconds(const loft_sender *s)
     return (double)s->report.elapsed / (double)s->machine.tick_hz;
 }
 
-/* Bytes, their share of the line's time, and repairs. */
+/* Bytes, their share of the line's capacity, and repairs. */
 static void print_line(const talk *t, const job *j)
 {
     const loft_sender *s  = &t->sender;
@@ -87,8 +87,8 @@ static void print_line(const talk *t, const job *j)
     printf("%u of %u frames resent\n", (unsigned)s->resent, (unsigned)(s->sent + s->resent));
 }
 
-/* The record of a machine that lives in another process: it is complete when it ends where the
- * report says. */
+/* The record of a machine in another process. It is complete when it ends at the position of the
+ * report. */
 static int read_record(const loft_sender *s, const char *file, record *r)
 {
     for (double until = tool_clock() + 2;;) {
@@ -111,7 +111,7 @@ static int read_record(const loft_sender *s, const char *file, record *r)
     }
 }
 
-/* "worst path error 0.0031 mm", measured, or what was planned. */
+/* "worst path error 0.0031 mm": measured, or as planned. */
 static int error_text(const loft_sender *s, const stream_subject *about, char text[64])
 {
     record r = { 0 };
@@ -135,8 +135,8 @@ static int report_drawn(talk *t, job *j, const stream_subject *about)
     char text[96], other[96], error[64];
     int status = LOFT_OK;
 
-    if (j->head.kind != LOFT_CURVES || j->first > 0)    /* of a job that was drawn before, not all
-                                                         * need be planned */
+    if (j->head.kind != LOFT_CURVES || j->first > 0)    /* a job that was drawn before need not be
+                                                         * planned completely */
         status = job_finish(j);
     if (status != LOFT_OK)
         return tool_error(EX_DATAERR, "%s: cannot be planned: %s", about->file,
@@ -159,7 +159,7 @@ static int report_drawn(talk *t, job *j, const stream_subject *about)
     return EX_OK;
 }
 
-/* An input ended the job, or let it not begin. */
+/* An input ended the job, or prevented its begin. */
 static int report_hindered(const talk *t, const job *j)
 {
     const loft_sender *s = &t->sender;

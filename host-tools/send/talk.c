@@ -12,7 +12,7 @@
 
 static uint32_t now_ms(void) { return (uint32_t)(uint64_t)(1000 * tool_clock()); }
 
-/* Send frames until there are none or the line is full. */
+/* Send frames until there are none, or until the line is full. */
 static bool send_frames(talk *t)
 {
     for (;;) {
@@ -36,8 +36,8 @@ static bool send_frames(talk *t)
     }
 }
 
-/* What has come is read before anything is sent: if this program had no turn for a while, the
- * answers that are here are not late. */
+/* Read what has arrived before sending anything: if this program did not run for a while, the
+ * answers that are waiting are not late. */
 bool talk_pump(talk *t, int most_ms)
 {
     uint8_t bytes[512];

@@ -15,29 +15,29 @@ typedef struct {
     transport line;
     loft_sender sender;
     uint64_t written, received;         /* bytes                          */
-    uint8_t out[LOFT_FRAME_MAX + 1];    /* a frame on its way, from out_at */
+    uint8_t out[LOFT_FRAME_MAX + 1];    /* a frame that is being sent, from out_at on */
     size_t out_size, out_at;
-    FILE *log;                          /* all that passes, in words, or NULL */
+    FILE *log;                          /* everything that passes, in words, or NULL */
     wire_text down, up;
     double began;
 } talk;
 
-/* Open the port and greet; waits for the machine's answer. Gives 0, or an exit code after printing
- * one line. `log`: a file for what passes on the line, in words (wire_text.h), or NULL. */
+/* Open the port, greet, and wait for the machine's answer. Returns 0, or an exit code after
+ * printing one line. `log`: a file for the traffic on the line, in words (wire_text.h), or NULL. */
 int  talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log);
 void talk_close(talk *t);
 
-/* Move bytes both ways, for at most `most_ms`. Gives false if the port has vanished (errno says
+/* Move bytes both ways, for at most `most_ms`. Returns false if the port has vanished (errno says
  * why). */
 bool talk_pump(talk *t, int most_ms);
 
-/* Print that the port has vanished, with `where` the job stands; gives the exit code. */
+/* Print that the port has vanished, and `where` the job is. Returns the exit code. */
 int  talk_vanished(const talk *t, const char *where);
 
-/* "the limit switch of x at its low end, the emergency stop": those inputs that end a job. */
+/* "the limit switch of x at its low end, the emergency stop": the inputs that end a job. */
 const char *talk_inputs(uint16_t inputs, char text[256]);
 
-/* For how many seconds the machine has been silent. */
+/* The time since the machine's last frame, in seconds. */
 double talk_silence(const talk *t);
 
 #endif

@@ -1,4 +1,4 @@
-/* host-tools/send/transport.c -- choosing the kind of a line by its name
+/* host-tools/send/transport.c -- chooses the kind of a line by its name
  * SPDX-License-Identifier: MIT
  */
 #include <errno.h>
@@ -47,7 +47,7 @@ int transport_open(transport *t, const char *name, unsigned baud)
     if (strncmp(name, "unix:", 5) == 0 || strncmp(name, "tcp:", 4) == 0)
         return transport_open_socket(t, name);
 
-    /* libserialport refuses symbolic links; a name without a slash is one of its own, such as
+    /* libserialport refuses symbolic links; a name without a slash is one of its own names, such as
      * COM3 */
     if (strchr(name, '/') == NULL)
         strncat(strcpy(real, ""), name, sizeof real - 1);

@@ -7,7 +7,7 @@
  *     unix:PATH   tcp:HOST:PORT   a socket
  *     -                           standard input and output
  *
- * A port that vanishes is noticed by the next read or write; after that only transport_close may be
+ * The next read or write notices that a port has vanished. After that only transport_close may be
  * called.
  */
 #ifndef LOFT_TRANSPORT_H
@@ -18,8 +18,8 @@
 
 typedef struct transport transport;
 
-/* What a kind of line can do. Reads and writes wait up to timeout_ms and give the count, 0 if there
- * was nothing to do in time, -1 if the line is gone (errno says why). */
+/* The functions of a kind of line. Reads and writes wait up to timeout_ms and return the count: 0
+ * if there was nothing to do in time, -1 if the line is gone (errno says why). */
 typedef struct {
     long (*read)(transport *t, void *bytes, size_t max, int timeout_ms);
     long (*write)(transport *t, const void *bytes, size_t count, int timeout_ms);
@@ -30,33 +30,33 @@ struct transport {
     const transport_kind *kind;
     int in, out;                /* file descriptors           */
     void *port;                 /* of libserialport           */
-    unsigned baud;              /* 0: there is no such thing  */
+    unsigned baud;              /* 0: not applicable */
     char text[128];             /* "/dev/ttyUSB0 at 115200 baud" */
 };
 
-/* Open by name. Gives 0, or an exit code after printing one line. */
+/* Open by name. Returns 0, or an exit code after printing one line. */
 int transport_open(transport *t, const char *name, unsigned baud);
 
-/* The kinds. `serial` gives TRANSPORT_OTHER and prints nothing if libserialport does not know such
- * a device. */
+/* The kinds. `serial` returns TRANSPORT_OTHER and prints nothing if libserialport does not know the
+ * device. */
 #define TRANSPORT_OTHER (-1)
 int transport_open_serial(transport *t, const char *name, unsigned baud);
 int transport_open_terminal(transport *t, const char *name, unsigned baud);
 int transport_open_socket(transport *t, const char *name);
 int transport_open_standard(transport *t);
 
-/* The serial ports of this computer, one by one; those that are not USB have empty words there.
- * Gives 0, or an exit code after printing one line. */
+/* The serial ports of this computer, one by one; ports that are not USB have an empty `usb`.
+ * Returns 0, or an exit code after printing one line. */
 typedef struct {
     const char *name, *description;
     const char *usb;            /* "2341:0043 SERIAL" */
 } transport_port;
 int transport_ports(void (*each)(void *context, const transport_port *port), void *context);
 
-/* A second owner is refused: gives false after printing one line. For the kinds. */
+/* Refuse a second owner: returns false after printing one line. For the kinds. */
 bool transport_own(int fd, const char *name);
 
-/* Print why `name` cannot be opened, with the remedy that errno suggests; gives the exit code. */
+/* Print why `name` cannot be opened, with the remedy for this errno. Returns the exit code. */
 int transport_refused(const char *name, int error);
 
 #endif

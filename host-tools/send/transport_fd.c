@@ -67,8 +67,8 @@ static int take(transport *t, int in, int out, const char *name)
     return 0;
 }
 
-/* Raw bytes, no modem lines; the lock is advisory because TIOCEXCL would outlive a killed sender on
- * a pty. */
+/* Raw bytes, no modem lines. The lock is advisory: TIOCEXCL would outlive a killed sender on a
+ * pty. */
 static int make_raw(int fd, const char *name, unsigned baud)
 {
     struct termios mode;
@@ -165,7 +165,7 @@ static int open_tcp(transport *t, const char *name)
     struct addrinfo *list;
     char host[256];
 
-    const size_t length = (size_t)(colon - name) - 3;   /* "tcp" and what is before the last
+    const size_t length = (size_t)(colon - name) - 3;   /* the text between "tcp" and the last
                                                          * colon */
     if (colon == name + 3 || length > sizeof host || colon[1] == '\0')
         return tool_error(EX_USAGE, "%s: give tcp:HOST:PORT", name);
@@ -186,8 +186,8 @@ int transport_open_socket(transport *t, const char *name)
     return strncmp(name, "unix:", 5) == 0 ? open_unix(t, name) : open_tcp(t, name);
 }
 
-/* What the program prints goes to standard error from now on: standard output is the line. It stays
- * blocking, for its flags are shared with other programs; poll keeps us from waiting. */
+/* From now on the program prints to standard error: standard output is the line. It stays blocking,
+ * since its flags are shared with other programs; poll keeps us from waiting. */
 int transport_open_standard(transport *t)
 {
     const int in = dup(STDIN_FILENO), out = dup(STDOUT_FILENO);

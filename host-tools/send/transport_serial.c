@@ -1,11 +1,11 @@
 /* host-tools/send/transport_serial.c -- serial ports through libserialport
  * SPDX-License-Identifier: MIT
  *
- * What the library leaves to us: a read of a port that was unplugged gives 0, as a timeout does, so
- * after each 0 sp_input_waiting tells the two apart; its blocking read spins, so we poll the
- * descriptor; drivers accept baud rates they do not have, so the rate is read back; a second owner
- * is let in, so the port is locked; closing drops DTR, which resets many boards, so HUPCL is
- * cleared and a second run finds the machine where it stands.
+ * The library leaves this to us. A read of an unplugged port returns 0, as a timeout does: after
+ * each 0, sp_input_waiting tells the two apart. Its blocking read spins: we poll the descriptor.
+ * Drivers accept baud rates that they do not support: we read the rate back. It admits a second
+ * owner: we lock the port. Closing drops DTR, which resets many boards: we clear HUPCL, so a second
+ * run finds the machine where it stands.
  */
 #include <errno.h>
 #include <poll.h>
@@ -47,14 +47,14 @@ static long serial_write(transport *t, const void *bytes, size_t count, int time
     return put;
 }
 
-/* No sp_drain: it waits for ever on a device that holds the line. */
+/* No sp_drain: it waits forever on a device that holds the line. */
 static void serial_close(transport *t)
 {
     sp_close(t->port);
     sp_free_port(t->port);
 }
 
-/* 8N1, no flow control, in one call: each setter of its own costs a round trip on USB. */
+/* 8N1, no flow control, in one call: each separate setter costs a round trip on USB. */
 static bool configure(struct sp_port *port, unsigned baud)
 {
     struct sp_port_config *c;
@@ -84,7 +84,7 @@ static int baud_of(struct sp_port *port)
     return baud;
 }
 
-/* Keep DTR up when we close, and keep others out. */
+/* Keep DTR up after closing, and keep others out. */
 static void keep(int fd)
 {
     struct termios mode;

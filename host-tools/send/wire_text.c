@@ -70,7 +70,7 @@ static void print_ack(FILE *out, const loft_ack *a)
 // From the host
 // -------------
 
-/* A sum of LOFT_INPUT_. */
+/* A sum of LOFT_INPUT_ bits. */
 static void print_inputs(FILE *out, const char *name, uint16_t inputs)
 {
     if (inputs != 0)
@@ -218,8 +218,8 @@ static bool (*const printers[16])(FILE *out, const loft_frame *f) = {
     [LOFT_DATA_FINE] = print_data,  [LOFT_DATA_CURVES] = print_data
 };
 
-/* Frames of items are sealed with what only the two ends know: their check cannot be made here, and
- * the frame is bad to loft_frame_push. What can be read of it is shown. */
+/* Frames of items are sealed with data that only the two ends know. Their check cannot be made
+ * here, and loft_frame_push reports a bad frame. The readable part is printed. */
 static void print_frame(wire_text *w, FILE *out, double seconds, bool good)
 {
     const loft_frame *f = &w->frame;

@@ -1,11 +1,11 @@
-/* host-tools/send/wire_text.h -- the line in words: each frame that passes becomes one line of text
+/* host-tools/send/wire_text.h -- the traffic in words: each frame becomes one line of text
  * SPDX-License-Identifier: MIT
  *
  *     12.345 > JOB     session 12 job 1a2b3c4d spans start 0 0 0
  *     12.347 < ACK     session 12 next 0 limit 64 executed 0 running
  *
- * Seconds, direction (> to the machine), what it is, its fields. A frame that is damaged is shown
- * as such, with its length.
+ * The columns are seconds, direction (> to the machine), kind, fields. A damaged frame is shown as
+ * such, with its length.
  */
 #ifndef LOFT_WIRE_TEXT_H
 #define LOFT_WIRE_TEXT_H
@@ -23,7 +23,7 @@ typedef struct {
 
 void wire_text_init(wire_text *w, char arrow);
 
-/* Bytes that passed at `seconds`: the frames that they complete are printed to `out`. */
+/* Take bytes that passed at `seconds`, and print the frames that they complete to `out`. */
 void wire_text_push(wire_text *w, FILE *out, double seconds, const uint8_t byte[], size_t count);
 
 #endif

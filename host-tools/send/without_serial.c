@@ -1,5 +1,5 @@
-/* host-tools/send/without_serial.c -- in place of serial ports, where loft is built without
- * libserialport: ptys and sockets are there
+/* host-tools/send/without_serial.c -- replaces serial ports if loft is built without libserialport;
+ * ptys and sockets remain
  * SPDX-License-Identifier: MIT
  */
 #include "base/tool.h"

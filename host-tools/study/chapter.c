@@ -7,7 +7,7 @@
 
 const char *const chapter_kinds[CHAPTER_KINDS] = { "W", "MV", "H" };
 
-/* Regular, in the unit circle; two that are not. */
+/* One is regular, in the unit circle; two are not. */
 const chapter_pentagon chapter_pentagons[3] = {
     { "P1_regular",
       { { 0, 1 },
@@ -73,9 +73,9 @@ double chapter_gauss(const chapter_point *p, double height)
     return (l * q - m * m) / (square * square);
 }
 
-/* With the height as a function of X and Y, g = its gradient and H = its second derivatives there:
- * z_x = g . (X, Y)_x, and z_xx less g . (X, Y)_xx is H of (X, Y)_x twice; so for the direction (u,
- * v) of the pentagon with the image T across g, H(T, T) = the same of (u, v). */
+/* Let the height be a function of X and Y with gradient g and second derivatives H: z_x = g . (X,
+ * Y)_x, and z_xx less g . (X, Y)_xx is H of (X, Y)_x twice; so for the direction (u, v) of the
+ * pentagon with the image T across g, H(T, T) = the same of (u, v). */
 double chapter_across(const chapter_point *p, double dz)
 {
     const chapter_jet x = p->p[0], y = p->p[1], z = chapter_height(p, 1, dz);

@@ -1,4 +1,4 @@
-/* host-tools/study/chapter.h -- the pentagonal patch of `loft study gb`, over any pentagon and by
+/* host-tools/study/chapter.h -- the pentagonal patch of `loft study gb`, over any pentagon and with
  * any coordinates
  * SPDX-License-Identifier: MIT
  *
@@ -9,9 +9,9 @@
  *
  *     engine_chapter.c    the patch through the library; compiled once per number type
  *     chapter.c           the pentagons, the net, curvatures at a point
- *     chapter_study.c     what is asked of it: fractions of the area, ridges and valleys,
+ *     chapter_study.c     the quantities: fractions of the area, ridges and valleys,
  *                         curvatures
- *     cmd_study.c         the command: numbers beside those expected, pictures
+ *     cmd_study.c         the command: numbers next to the expected ones, pictures
  */
 #ifndef LOFT_HOST_CHAPTER_H
 #define LOFT_HOST_CHAPTER_H
@@ -23,13 +23,12 @@
 #define CHAPTER_V0    1.6
 #define CHAPTER_KINDS 3     /* Wachspress, mean values, harmonic */
 
-/* A function of the point of the pentagon, with its derivatives by x, y, x twice, x and y, y
- * twice. */
+/* A function of the point of the pentagon, with its derivatives by x, y, xx, xy and yy. */
 typedef struct {
     double f, x, y, xx, xy, yy;
 } chapter_jet;
 
-/* The weight of V0, and the point: its height is p[2] + dz b0 for V0 higher by dz. */
+/* The weight of V0, and the point. If V0 is higher by dz, the height is p[2] + dz b0. */
 typedef struct {
     chapter_jet b0, p[3];
     bool bent;                  /* there are derivatives: not at vertices */
@@ -40,13 +39,13 @@ typedef struct engine_chapter engine_chapter;
 #define CHAPTER_FAN 4
 
 typedef struct {
-    bool rough;                 /* coordinates of 32 bits: numbers are off by what those of the
-                                 * pentagon and the net are */
-    /* kind: 0, 1, 2. Gives enum loft_status; after an error there is nothing to close. */
+    bool rough;                 /* coordinates have 32 bits: numbers err by the rounding of the
+                                 * pentagon and the net */
+    /* kind: 0, 1, 2. Returns enum loft_status; after an error there is nothing to close. */
     int (*open)(const double v[CHAPTER_SIDES][2], unsigned kind, engine_chapter **out);
     void (*close)(engine_chapter *e);
     int (*at)(const engine_chapter *e, double x, double y, bool bent, chapter_point *out);
-    /* Gaussian curvature of a fan of triangles by what its angles lack. */
+    /* The Gaussian curvature of a fan of triangles, from its angle deficit. */
     int (*fan)(const double vertex[3], double ring[][3], unsigned count, double *gauss);
 } engine_chapters;
 
@@ -68,27 +67,27 @@ void chapter_net(const double v[CHAPTER_SIDES][2], unsigned side, unsigned j, un
 // What is asked of it
 // -------------------
 
-/* A quantity: what it is, as `figure;pentagon;quantity;coordinates`, and its numbers. `off` is what
- * a value may differ from another computation of the same. */
+/* A quantity: its name, `figure;pentagon;quantity;coordinates`, and its numbers. `off` is the
+ * allowed difference from another computation of the same quantity. */
 typedef struct {
     char key[260];
     double value[5], off;
     unsigned count;
-    bool sampled;               /* made of many points: of few it is only roughly so */
+    bool sampled;               /* computed from many points: rough if there are few */
 } chapter_row;
 
 typedef void chapter_sink(void *context, const chapter_row *r);
 
-/* All quantities of a pentagon, from a grid of `fine`^2 triangles in each of its five: 60 gives
- * 18000 points. Gives enum loft_status.
+/* All quantities of a pentagon, from a grid of `fine`^2 triangles in each of its five triangles: 60
+ * gives 18000 points. Returns enum loft_status.
  *
  *   cost    f64: 5 s for 60 */
 int chapter_study(const engine_chapters *e, const chapter_pentagon *p, unsigned fine,
                   chapter_sink *sink, void *context);
 
-/* The height with V0 higher by dz, all of it times `scale`; Gaussian curvature with all heights
- * divided by 8 and V0 at `height`; the second derivative of the height along its contour, over the
- * plane, with V0 higher by dz: above 0 in a valley that runs downhill, below on a ridge. */
+/* The height with V0 higher by dz, times `scale`. The Gaussian curvature with all heights divided
+ * by 8 and V0 at `height`. The second derivative of the height along its contour, over the plane,
+ * with V0 higher by dz: above 0 in a valley that runs downhill, below 0 on a ridge. */
 chapter_jet chapter_height(const chapter_point *p, double scale, double dz);
 double chapter_gauss(const chapter_point *p, double height);
 double chapter_across(const chapter_point *p, double dz);

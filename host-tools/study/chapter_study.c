@@ -27,8 +27,8 @@ typedef struct {
     const engine_chapters *e;
     double middle[2];
     bool rough;                 /* as in engine_chapters */
-    double few;                 /* what a sample of fewer points than 18000 may be off by, times
-                                 * that of those */
+    double few;                 /* the error of a sample with fewer than 18000 points, as a multiple
+                                 * of the error with 18000 */
     chapter_sink *sink;
     void *context;
 } study;
@@ -57,7 +57,7 @@ static void give_row(const study *s, double off, const double value[], unsigned 
     s->sink(s->context, &r);
 }
 
-/* Sines of whole turns are 1e-16, which is no number for exact decisions. */
+/* Sines of whole turns are 1e-16, which does not suit exact decisions. */
 static double tidy(double x) { return fabs(x) < 1e-15 ? 0 : x; }
 
 static void eval_point(const study *s, unsigned kind, double x, double y, bool bent,
@@ -67,7 +67,7 @@ static void eval_point(const study *s, unsigned kind, double x, double y, bool b
         *out = (chapter_point){ .bent = false };
 }
 
-/* rho of the way from the middle to a point of the boundary. */
+/* The place at fraction rho of the way from the middle to a point of the boundary. */
 static void eval_on_ray(const study *s, unsigned kind, const double to[2], double rho, bool bent,
                    chapter_point *out)
 {
@@ -125,7 +125,7 @@ static void take_points(const study *s, bool bent, unsigned fine, sample *all)
 
 typedef bool question(const place *q, const void *how);
 
-/* The share of the area from rho `low` to `high` where the answer is yes. */
+/* The share of the area with rho from `low` to `high` where the answer is yes. */
 static double area_share(const sample *all, double low, double high, question *is, const void *how)
 {
     double yes = 0, area = 0;
@@ -149,7 +149,7 @@ static bool weight_is_negative(const place *q, const void *how)
     return q->b0[*(const unsigned *)how] < 0;
 }
 
-/* which[0] above which[1], above which[2] when there are three. */
+/* which[0] is above which[1], and that above which[2] if there are three. */
 static bool weights_in_order(const place *q, const void *how)
 {
     const unsigned *which = how;
@@ -157,7 +157,7 @@ static bool weights_in_order(const place *q, const void *how)
            (which[2] == CHAPTER_KINDS || q->b0[which[1]] > q->b0[which[2]]);
 }
 
-/* Where the ray from the middle at an angle leaves the pentagon. */
+/* The point where the ray from the middle at an angle leaves the pentagon. */
 static void leave_pentagon(const study *s, double angle, double out[2])
 {
     const double d[2] = { cos(angle), sin(angle) };
@@ -314,8 +314,8 @@ static void curvature_fractions(const study *s, const sample *all, int h)
         }
 }
 
-/* Of the curvatures by two kinds of coordinates, within rho < 0.9. Here and in quantiles all points
- * count the same, and so do the five triangles that they lie in, as in the numbers to compare
+/* The correlation of the curvatures for two kinds of coordinates, within rho < 0.9. Here and in the
+ * quantiles all points count the same, and so do their five triangles, as in the numbers to compare
  * with. */
 static double correlation(const sample *all, unsigned a, unsigned b, int h)
 {
@@ -344,7 +344,7 @@ static int compare_values(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The least, what 5 %, half, 95 % do not exceed, the most. */
+/* The smallest value, the 5 %, 50 % and 95 % quantiles, and the largest value. */
 static void study_quantiles(const study *s, const sample *all, unsigned kind, int h)
 {
     static const double part[5] = { 0, 0.05, 0.5, 0.95, 1 };
@@ -381,7 +381,7 @@ static void study_curvatures(const study *s, const sample *all, int h)
 // 4-6: what a mesh makes of the curvature
 // ---------------------------------------
 
-/* The first triangle of the regular pentagon stands for all. u runs along the side, v outward. */
+/* The first triangle of the regular pentagon represents all. u runs along the side, v outward. */
 static void mesh_point(const study *s, unsigned kind, double u, double v, double height, bool bent,
                        chapter_point *p, double out[3])
 {
@@ -400,8 +400,8 @@ static double triangle_corner(double sorted[], size_t count, double part)
     return sorted[(size_t)(part * (double)(count - 1) + 0.5)];
 }
 
-/* A quantile of some hundred different numbers is the next one where one more falls on the other
- * side: off by 0.05 is the same. */
+/* A quantile of a few hundred different numbers is the next number if one more falls on the other
+ * side. So a difference up to 0.05 counts as equal. */
 static void study_estimator(const study *s, unsigned kind, int h, unsigned n)
 {
     const size_t most = (size_t)n * n;

@@ -20,7 +20,7 @@
 struct engine_chapter {
     loft_spot v[CHAPTER_SIDES];
     loft_domain domain;
-    loft_vec p[POINTS], bump[POINTS];   /* bump: 0, and 1 high at V0: a patch whose height is the
+    loft_vec p[POINTS], bump[POINTS];   /* bump: height 1 at V0, else 0: a patch whose height is the
                                          * weight of V0 */
     loft_gb patch, weight;
     unsigned kind;

@@ -23,7 +23,7 @@ static const double shifts[5] = { -1.6, -0.6, 0, 1.4, 4.4 },
                     heights[5] = { 0.05, 0.15, 0.2, 0.25, 0.4 };
 static const char *const names[CHAPTER_KINDS] = { "Wachspress", "mean value", "harmonic" };
 
-/* What is seen in one panel. */
+/* The content of one panel. */
 typedef struct {
     surfaces all;
     mesh m;
@@ -40,7 +40,7 @@ typedef struct {
     size_t count;
 } album;
 
-/* The patch by one kind of coordinates, heights times `scale`, V0 at `top`. */
+/* The patch with one kind of coordinates, heights times `scale`, V0 at `top`. */
 static int make_view(album *a, unsigned kind, double scale, double top, view **out)
 {
     view *w = &a->seen[a->count];
@@ -85,7 +85,7 @@ static void clear_views(album *a)
     a->count = 0;
 }
 
-/* Draw what was gathered, unless something went wrong before. */
+/* Draw the collected views, unless there was an error before. */
 static int hang_picture(album *a, int code, gallery g, const char *name)
 {
     char file[400], title[160];
@@ -122,7 +122,7 @@ static int draw_movement(album *a)
                 "movement");
 }
 
-/* B0 is the height of a patch whose points are flat but for V0. */
+/* B0 is the height of a patch whose points are flat except for V0. */
 static int draw_weight(album *a)
 {
     int code = 0;

@@ -7,9 +7,9 @@
 #include "study/chapter.h"
 #include "engine/engine.h"
 
-/* Draw into a folder, which is made if there is none, for each pentagon: NAME-movement.png,
- * NAME-weight.png, NAME-contours.png and NAME-curvature.png; prints their names. Points in the
- * number type of `e`. Gives 0, or an exit code after printing one line. */
+/* Draw into a folder, which is created if necessary, for each pentagon: NAME-movement.png,
+ * NAME-weight.png, NAME-contours.png and NAME-curvature.png; prints their names. Points are in the
+ * number type of `e`. Returns 0, or an exit code after printing one line. */
 int study_pictures(const engine *e, const char *folder);
 
 #endif
