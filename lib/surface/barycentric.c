@@ -1,18 +1,18 @@
 /* lib/surface/barycentric.c
  * SPDX-License-Identifier: MIT
  *
- * Room of a row, in q16. Coefficients are at most 2^15 times the product G of the growths L of the
- * rows before, and loft_bary_grows sees to it that G L <= 19683 for the row in hand. loft_acc_lerp3
- * forms
+ * Range of a row in q16. Coefficients are at most 2^15 G, where G is the product of the growths L
+ * of the earlier rows. loft_bary_grows guarantees G L <= 19683 for the current row.
+ * loft_acc_lerp3 forms
  *
  *     |v| |y - x| + |w| |z - x|  <=  2 (|v| + |w|) 2^15 G  <=  2 L G 2^15  <  2^30.3
  *
- * and the result is below 2^29.3, both below the 2^31 that it has. Its rounding of 2^-33 is
- * multiplied by the growths of the rows after it, so for rows of one L <= 19683^(1/n)
+ * and the result is below 2^29.3. Both are below the limit 2^31. The rounding of 2^-33 is
+ * multiplied by the growths of the later rows. For rows of one L <= 19683^(1/n) the error is
  *
  *     e_n = 2^-33 (1 + L + .. + L^(n-1)) <= 9841 * 2^-33 < 2^-19.7
  *
- * as for curves (basis/bernstein.c), with the worst at n = 9, L = 3.
+ * as for curves (basis/bernstein.c). The worst case is n = 9, L = 3.
  */
 #include "surface/barycentric.h"
 #include "geom/vec_exact.h"          /* loft_exact: areas and decisions */
@@ -35,7 +35,7 @@ static side between(loft_vec a, loft_vec b)
 
 static loft_exact det(side a, side b) { return loft_exact_det(a.x, a.y, b.x, b.y); }
 
-/* part / whole, part being two determinants and their difference from the whole or from 0. */
+/* part / whole. The parts are two determinants, and their difference from the whole or from 0. */
 static enum loft_status divide(const loft_exact part[3], loft_exact whole, loft_acc out[3])
 {
     loft_acc x[3];
@@ -147,11 +147,11 @@ bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *prod
     return true;
 }
 
-/* Each weight hands the parts v and w to its two neighbours of the next degree and keeps the rest,
- * so the sum stays 1 without error. It is touched by two roundings of what it hands over, and by
- * two of what it is handed; what it had before is passed on with weights of sum 1: 4 * 2^-33 for
- * each degree. Row m is read before row m + 1 is complete: from the last row up, and within a row
- * from the end. */
+/* Each weight passes v and w of itself to its two neighbours of the next degree and keeps the rest.
+ * So the sum stays 1 without error. Two roundings come from what it passes on, and two from what it
+ * receives. Its earlier error is passed on with weights of sum 1. The error is therefore 4 * 2^-33
+ * per degree. Rows run from the last one up, and within a row from the end, so row m is read before
+ * row m + 1 is complete. */
 void loft_bary_weights(unsigned degree, loft_bary u, loft_acc c[])
 {
     c[0] = loft_to_acc(LOFT_REAL(1));
@@ -170,8 +170,8 @@ void loft_bary_weights(unsigned degree, loft_bary u, loft_acc c[])
     }
 }
 
-/* From place p in row m, the places of b_i(j+1)k and b_ij(k+1) are p + m + 1 and p + m + 2: both
- * still unchanged. */
+/* From place p in row m, b_i(j+1)k is at p + m + 1 and b_ij(k+1) at p + m + 2. Both are still
+ * unchanged. */
 void loft_bary_step(loft_acc c[], unsigned degree, loft_bary u)
 {
     for (unsigned m = 0, p = 0; m < degree; m++)

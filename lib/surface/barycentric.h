@@ -1,19 +1,17 @@
-/* lib/surface/barycentric.h -- coordinates in a triangle, and polynomials over it, one value at a
- * time
+/* lib/surface/barycentric.h -- barycentric coordinates, and scalar polynomials over a triangle
  * SPDX-License-Identifier: MIT
  *
- * A point u T1 + v T2 + w T3 with u + v + w = 1 is given by v and w, so that the sum cannot be
- * wrong: u is 1 - v - w. A direction has u + v + w = 0 and is given by the same two. The corners
+ * A point u T1 + v T2 + w T3 with u + v + w = 1 is given by v and w. u is 1 - v - w, so the sum
+ * cannot be wrong. A direction has u + v + w = 0 and is given by the same two numbers. The corners
  * T1, T2, T3 are
  *
  *     { 0, 0 }     { LOFT_UNIT(1), 0 }     { 0, LOFT_UNIT(1) }
  *
  * A polynomial of degree n over a triangle is an array of LOFT_TRIANGLE_POINTS(n) coefficients
- * b_ijk, i + j + k = n, with i descending, then j descending: 200 110 101 020 011 002. b_ijk stands
- * at loft_triangle_place(j, k) whatever the degree, and row j + k is the line of points at that
- * distance from T1.
+ * b_ijk, i + j + k = n. i descends, then j descends: 200 110 101 020 011 002. The index of b_ijk is
+ * loft_triangle_place(j, k) for every degree. Row j + k holds the points at that distance from T1.
  *
- * In the `error` lines L = |u| + |v| + |w|, which is 1 inside and at the edges of the triangle.
+ * In the `error` lines L = |u| + |v| + |w|. L is 1 inside the triangle and on its edges.
  */
 #ifndef LOFT_SURFACE_BARYCENTRIC_H
 #define LOFT_SURFACE_BARYCENTRIC_H
@@ -42,7 +40,7 @@ static inline bool loft_bary_inside(loft_bary u)
     return u.v >= 0 && u.w >= 0 && u.v <= LOFT_UNIT(1) && u.w <= LOFT_UNIT(1) - u.v;
 }
 
-/* The point itself inside, one on an edge otherwise; nan counts as 0. */
+/* The point itself if it is inside, otherwise a point on an edge. NaN counts as 0. */
 static inline loft_bary loft_bary_clamp(loft_bary u)
 {
     u.v = loft_unit_clamp(u.v);
@@ -55,11 +53,11 @@ static inline loft_bary loft_bary_clamp(loft_bary u)
 
 /* Coordinates in a plane triangle
  * -------------------------------
- * In the first two axes; wide, since a point far from a narrow triangle has large ones. Exact up to
- * one rounding.
+ * In the first two axes. The results are wide, because a point far from a narrow triangle has large
+ * coordinates. They are exact up to one rounding.
  *
  *   range   LOFT_SINGULAR for three corners on a line; LOFT_ERR_RANGE when a coordinate is 2^30 or
- *           more, or for numbers that loft_exact_valid refuses; `out` is untouched then
+ *           more, or when loft_exact_valid refuses a number; `out` is then untouched
  *   error   q16: 2^-33 + 2^-60   f32, f64: 0.51 ulp of double
  *   cost    4 determinants and 3 quotients of exact numbers; 1 kB of stack; not for an ISR */
 
@@ -71,7 +69,7 @@ enum loft_status loft_bary_from_point(const loft_vec corner[3], loft_vec x,
 enum loft_status loft_bary_from_vector(const loft_vec corner[3], loft_vec x,
                                        loft_acc out[3]) LOFT_CHECKED;
 
-/* The area, positive when the corners turn left; here LOFT_SINGULAR is never given.
+/* The area, positive when the corners turn left. It never returns LOFT_SINGULAR.
  *
  *   range   LOFT_ERR_RANGE when it does not fit
  *   error   1/2 LSB, in floats 0.51 ulp
@@ -85,8 +83,8 @@ enum loft_status loft_bary_area(const loft_vec corner[3], loft_real *area) LOFT_
  */
 enum loft_status loft_bary_round(const loft_acc wide[3], loft_bary *out) LOFT_CHECKED;
 
-/* Coordinates in a triangle T of the point that has the coordinates x in another one, whose corners
- * have the coordinates corner[0..2] in T.
+/* Change the triangle. x are coordinates in a triangle whose corners have the coordinates
+ * corner[0..2] in a triangle T. The result are the coordinates of the same point in T.
  *
  *   range   |v|, |w| <= 32, otherwise LOFT_ERR_ARG
  *   error   q16: 2^-33 for v and w, 2^-32 for u   f32, f64: 3 L ulp of double of the largest
@@ -97,12 +95,12 @@ enum loft_status loft_bary_change(const loft_bary corner[3], loft_bary x,
 
 /* Polynomials over a triangle
  * ---------------------------
- * Nothing overflows while loft_bary_grows holds for all steps taken. */
+ * Nothing overflows if loft_bary_grows returns true for all steps taken. */
 
-/* *product is a bound of what steps have multiplied the largest coefficient by, 1 before the first
- * one: make it that after `times` steps with u (a point or, with `direction`, a direction). False
- * when coefficients of any size could overflow: q16 and floats above 19683 = 3^9, or |v| or |w| >
- * 32; inside the triangle never.
+/* *product bounds the factor by which steps have multiplied the largest coefficient. It is 1 before
+ * the first step. Update it for `times` steps with u, which is a point or, with `direction`, a
+ * direction. False when coefficients could overflow: a product above 19683 = 3^9, or |v| or |w| >
+ * 32. Points inside the triangle always return true.
  *
  *   error   2^-16 of the product
  *   cost    `times` wide products, none inside the triangle
@@ -119,9 +117,10 @@ bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *prod
  */
 void loft_bary_weights(unsigned degree, loft_bary u, loft_acc w[]);
 
-/* One row of de Casteljau's scheme, in place: b_ijk becomes u b_(i+1)jk + v b_i(j+1)k + w
- * b_ij(k+1), and the coefficients of one degree less remain. Rows with the same u evaluate, with
- * different ones give the polar form, with directions derivatives (without the factor n).
+/* One row of de Casteljau's algorithm, in place: b_ijk becomes u b_(i+1)jk + v b_i(j+1)k + w
+ * b_ij(k+1), and the coefficients of one degree less remain. Rows with the same u give the value.
+ * Rows with different u give the polar form. Rows with directions give derivatives, without the
+ * factor n.
  *
  *   error   q16: 2^-33 per row   f32, f64: 3 L ulp of double per row
  *   cost    degree (degree + 1) wide products
@@ -130,9 +129,9 @@ void loft_bary_weights(unsigned degree, loft_bary u, loft_acc w[]);
 void loft_bary_step(loft_acc c[], unsigned degree, loft_bary u);
 void loft_bary_slope(loft_acc c[], unsigned degree, loft_bary direction);
 
-/* The value at u, by `degree` rows. The coefficients are used up.
+/* The value at u, by `degree` rows. The coefficients are overwritten.
  *
- *   error   q16: 2^-33 (1 + L + .. + L^(degree-1)), inside degree * 2^-33, below 2^-19.7 always
+ *   error   q16: 2^-33 (1 + L + .. + L^(degree-1)); inside degree * 2^-33; always below 2^-19.7
  *           f32, f64: 3 * degree * L^degree ulp of double, of the largest coefficient
  *   cost    degree (degree + 1) (degree + 2) / 3 wide products
  */

@@ -1,19 +1,19 @@
 /* lib/surface/contour.c
  * SPDX-License-Identifier: MIT
  *
- * A corner of the grid is (i, j), i of rows and j of columns. The lower triangle of cell (i, j) has
- * the corners (i, j), (i + 1, j), (i, j + 1), the upper one (i + 1, j + 1), (i, j + 1), (i + 1, j),
- * both counter-clockwise with u to the right. Edge k of a triangle runs from corner k to the next
- * one. A contour that has the higher side to its left enters a triangle over the edge that leads
- * from a higher corner to a lower one and leaves it over the one that leads back: exactly one of
- * each, when the corners differ.
+ * A corner of the grid is (i, j): row i, column j. The lower triangle of cell (i, j) has the
+ * corners (i, j), (i + 1, j), (i, j + 1). The upper one has (i + 1, j + 1), (i, j + 1), (i + 1, j).
+ * Both run counter-clockwise with u to the right. Edge k of a triangle runs from corner k to the
+ * next one. A contour has the higher side to its left. It enters a triangle over the edge from a
+ * higher corner to a lower one, and leaves it over the edge from a lower corner to a higher one.
+ * There is exactly one of each when the corners differ.
  *
- * The same edge has the same lower and the same higher end from both sides, and what is found
- * between them is the same point.
+ * An edge has the same low end and the same high end in both of its triangles. So the search finds
+ * the same point from both sides.
  */
 #include "surface/contour.h"
 
-#define GUESSES 54      /* halvings: more than a parameter has digits */
+#define GUESSES 54      /* bisection steps: more than a parameter has binary digits */
 
 typedef struct {
     unsigned i, j;
@@ -46,7 +46,7 @@ static bool exists(const loft_contour *c, unsigned i, unsigned j, bool upper)
     return i < c->rows && j < c->columns;
 }
 
-/* Corner k of a triangle, k = 0..3, 3 being 0 again. */
+/* Corner k of a triangle, k = 0..3. Corner 3 is corner 0. */
 static corner corner_of(const loft_contour_cell *t, unsigned k)
 {
     const unsigned one = t->upper ? 0 : 1, i = t->i + (k % 3 == 1 ? one : 1 - one),
@@ -55,8 +55,8 @@ static corner corner_of(const loft_contour_cell *t, unsigned k)
     return at;
 }
 
-/* The edge over which a contour enters (`high` true) or leaves the triangle; 3 when it does not
- * cross it. */
+/* The edge over which a contour enters (`high` true) or leaves the triangle. 3 when the contour
+ * does not cross the triangle. */
 static unsigned crossed(const loft_contour *c, const loft_contour_cell *t, bool high)
 {
     unsigned k = 0;
@@ -67,8 +67,8 @@ static unsigned crossed(const loft_contour *c, const loft_contour_cell *t, bool 
     return k;
 }
 
-/* The triangle beyond edge k, in place; false when that is the border. Edge 0 is the line between
- * columns, 1 the diagonal, 2 the line between rows. */
+/* Go to the triangle beyond edge k, in place. False when the edge is on the border. Edge 0 is the
+ * line between columns, edge 1 the diagonal, edge 2 the line between rows. */
 static bool go_beyond(const loft_contour *c, loft_contour_cell *t, unsigned k)
 {
     unsigned i = t->i, j = t->j;
@@ -101,7 +101,7 @@ static bool go_beyond(const loft_contour *c, loft_contour_cell *t, unsigned k)
 typedef struct {
     loft_unit u, v;
     loft_vec p;
-    loft_acc off;               /* its height, less what is looked for */
+    loft_acc off;               /* its height minus the wanted height */
 } spot;
 
 static loft_unit between(loft_unit a, loft_unit b, loft_unit s)
@@ -109,7 +109,7 @@ static loft_unit between(loft_unit a, loft_unit b, loft_unit s)
     return loft_unit_round(loft_acc_lerp(loft_unit_to_acc(a), loft_unit_to_acc(b), s));
 }
 
-/* False when the sheet has no point there. */
+/* False when the surface has no point there. */
 static bool look(const loft_contour *c, spot *s)
 {
     if (c->sheet.eval(c->sheet.surface, s->u, s->v, &s->p) != LOFT_OK)
@@ -130,15 +130,15 @@ static bool is_near(const loft_contour *c, const spot *s)
     return s->off <= loft_to_acc(c->tol) && s->off >= -loft_to_acc(c->tol);
 }
 
-/* Where, between a low and a high corner, low.off < 0 <= high.off. By turns where the chord has the
- * height, and the middle: the chord is good where the surface is smooth, and no surface takes more
- * than twice as long as halving. */
+/* Find the crossing between a low and a high corner, low.off < 0 <= high.off. Secant and bisection
+ * steps alternate. The secant converges fast where the surface is smooth; bisection limits the
+ * steps on any surface to twice those of bisection alone. */
 static spot search(const loft_contour *c, corner from, corner to)
 {
     loft_unit least = 0, most = LOFT_UNIT(1);
     spot a, b, low, high;
 
-    if (!look_at(c, from, &a) || !look_at(c, to, &b))   /* looked at before: it does */
+    if (!look_at(c, from, &a) || !look_at(c, to, &b))   /* never: init has evaluated both */
         return a;
     low = a;
     high = b;
@@ -220,8 +220,8 @@ enum loft_status loft_contour_init(loft_contour *c, loft_surface sheet, unsigned
     return LOFT_OK;
 }
 
-/* Does a curve that was not walked yet begin in this triangle? On the border first, then
- * anywhere. */
+/* Does a curve that is not yet walked begin in this triangle? The first pass looks at the border
+ * only, the second pass everywhere. */
 static bool begins(const loft_contour *c, const loft_contour_cell *t, unsigned *entry)
 {
     loft_contour_cell beyond = *t;

@@ -1,16 +1,18 @@
 /* lib/surface/deficit.c
  * SPDX-License-Identifier: MIT
  *
- * Of the triangle with edges a, b at the vertex and c = b - a, with D = |a x b|, twice its area:
+ * A triangle has the edges a and b at the vertex, and c = b - a. D = |a x b| is twice its area.
  *
- *     angle = atan2(D, a b)     area = D / 4 where a b < 0
- *                                      D / 8 where a c > 0 or b c < 0 (a^2 (b c) - b^2 (a c)) / (8
- *                                      D) otherwise: (a^2 cot at b's end + b^2 cot at a's end) / 8
+ *     angle = atan2(D, a b)
+ *     area  = D / 4                                  where a b < 0
+ *           = D / 8                                  where a c > 0 or b c < 0
+ *           = (a^2 (b c) - b^2 (a c)) / (8 D)        otherwise
  *
- * At a right angle the formulas on both sides agree, so a sign that rounding decides costs no more
- * than rounding does. The terms of the last one are not negative. Where D is small against a^2 both
- * angles far from the vertex are nearly right, and (b c) is off by 2^-60 of |b c|: their sum by
- * that of a^2, which the bound allows for.
+ * The last line is (a^2 cot at b's end + b^2 cot at a's end) / 8. At a right angle the formulas on
+ * both sides agree. So a sign that rounding decides costs no more than rounding itself. The terms
+ * of the last formula are not negative. Where D is small against a^2, both angles away from the
+ * vertex are nearly right and (b c) is off by 2^-60 of |b c|. The sum is then off by that part of
+ * a^2. The bound allows for this.
  */
 #include "surface/deficit.h"
 #include "geom/vec_exact.h" /* loft_vec_exact_valid */
@@ -29,7 +31,7 @@ static void offset(const loft_vec *from, const loft_vec *to, loft_sci out[3])
                               loft_sci_from_real(loft_vec_axis(from, k)));
 }
 
-/* |a x b|, each component as precise as it is small. */
+/* |a x b|. The relative error of each component does not grow when it is small. */
 static loft_sci cross_size(const loft_vec *vertex, const loft_vec *p, const loft_vec *q)
 {
     loft_sci c[3];
@@ -44,7 +46,7 @@ static loft_sci cross_size(const loft_vec *vertex, const loft_vec *p, const loft
     return loft_sci_sqrt(dot(c, c));
 }
 
-/* The angle of (x, y), y >= 0: both are brought to 2^29 of the larger. */
+/* The angle of (x, y), y >= 0. Both are scaled so that the larger is 2^29. */
 static loft_fine angle_of(loft_sci y, loft_sci x)
 {
     const loft_sci size = loft_sci_sign(x) < 0 ? loft_sci_neg(x) : x,

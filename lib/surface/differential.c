@@ -1,45 +1,46 @@
-/* lib/surface/differential.c -- derivatives and what follows from them, in numbers with an exponent
- * of
- * their own
+/* lib/surface/differential.c -- derivatives and curvatures, in numbers with an exponent of their
+ * own
  * SPDX-License-Identifier: MIT
  *
- * Derivatives are schemes of de Casteljau on the differences of the net, which are exact in q16; a
- * lerp x + (y - x) t errs by 3 roundings. In the frame of the unit vectors a along the longer
- * tangent, say P_u = p a, and b at a right angle to it in the tangent plane, P_v = q a + r b, the
- * second fundamental form N . d^2P has the matrix
+ * Derivatives are de Casteljau's algorithm on the differences of the net. The differences are exact
+ * in q16. A lerp x + (y - x) t errs by 3 roundings. Let a be the unit vector along the longer
+ * tangent, P_u = p a. Let b be the unit vector in the tangent plane at a right angle to a,
+ * P_v = q a + r b. In this frame the second fundamental form N . d^2P has the matrix
  *
- *     A = N_uu / p^2     B = (N_uv - q/p N_uu) / (p r)     C = (N_vv - 2 q/p N_uv + (q/p)^2 N_uu) /
- *         r^2      N_uu = P_uu . N ..
+ *     A = N_uu / p^2
+ *     B = (N_uv - q/p N_uu) / (p r)
+ *     C = (N_vv - 2 q/p N_uv + (q/p)^2 N_uu) / r^2            N_uu = P_uu . N ..
  *
- * with |q / p| <= 1, and the principal curvatures (A + C) / 2 +- sqrt(((A - C) / 2)^2 + B^2):
- * nothing cancels but the curvatures themselves. With E = P_u^2, F = P_u P_v and D = |P_u x P_v|:
+ * with |q / p| <= 1. The principal curvatures are (A + C) / 2 +- sqrt(((A - C) / 2)^2 + B^2). So
+ * only the curvatures themselves can cancel. With E = P_u^2, F = P_u P_v and D = |P_u x P_v|:
  * p^2 = E, q / p = F / E, p r = D, r^2 = D^2 / E.
  *
- * A rational patch is P = o + X / w with any o. With o the point itself, but for its rounding, X is
- * small, and
+ * A rational patch is P = o + X / w with any o. If o is the rounded point itself, X is small, and
  *
- *     P_u = (X_u - (P - o) w_u) / w     P_uv = (X_uv - P_u w_v - P_v w_u - (P - o) w_uv) / w
- *         P_uu, P_vv likewise
+ *     P_u  = (X_u - (P - o) w_u) / w
+ *     P_uv = (X_uv - P_u w_v - P_v w_u - (P - o) w_uv) / w           P_uu, P_vv likewise
  *
- * Let e be the error of one operation (q16: 2^-61, floats: 2^-53), x and y the largest coefficients
- * of X_u and X_uu over w. A row errs by 3 e of them. w errs by 3 rows R e of itself, being at least
- * 1 / R of the largest weight, and w_u / w is at most n R. So P_u errs by (3 rows + 4) e x and by
- * (3 rows R + 2) e |P_u|, |P_u| <= x: at most 6 R (rows + 1) e x. P_uu errs by as much of y and of
- * 2 n R x, where w_u and P_u err: at most 8 R (rows + 2) e (y + 2 n R x).
+ * Let e be the error of one operation (q16: 2^-61, floats: 2^-53), and x and y the largest
+ * coefficients of X_u and X_uu over w. A row errs by 3 e of them. w is at least 1 / R of the
+ * largest weight, so it errs by 3 rows R e of itself. w_u / w is at most n R. So P_u errs by (3
+ * rows + 4) e x and by (3 rows R + 2) e |P_u|, where |P_u| <= x: at most 6 R (rows + 1) e x. P_uu
+ * errs by the same multiple of y, and of 2 n R x because w_u and P_u err: at most 8 R (rows + 2) e
+ * (y + 2 n R x).
  *
- * A Coons patch is the Boolean sum of coons.c. H depends on one parameter, so its derivative is
+ * A Coons patch is the Boolean sum of coons.c. Each H depends on one parameter, so the derivative
+ * is
  *
  *     S_jk = sum H_b^(k)(t) U_b^(j)(s) + sum H_a^(j)(s) (V_a^(k)(t) - sum H_b^(k)(t) C_ab)
  *
  * Its width is the same sum with the largest coefficient in place of each value and all signs
  * positive. A curve of degree 9 errs by 28 e of its largest coefficient, H by 17 e, a product and
- * at most 13 sums by 14 e: together below 64 e of the width, 2^-55 in q16 and 2^-47 in floats.
+ * at most 13 sums by 14 e. Together this is below 64 e of the width: 2^-55 in q16, 2^-47 in floats.
  */
 #include "surface/differential.h"
 #define MOST ((LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1))
-#define WEIGHTS (-1)        /* in place of an axis */
+#define WEIGHTS (-1)        /* given in place of an axis */
 
-/* What has coefficients: a patch with or without weights, or a triangle (m = n, its degree). */
+/* A control net: a patch with or without weights, or a triangle (m = n, its degree). */
 typedef struct {
     const loft_vec *p;
     const loft_weighted *weighted;
@@ -64,7 +65,7 @@ static const loft_vec *point_of(const net *s, unsigned k)
     return s->weighted ? &s->weighted[k].p : &s->p[k];
 }
 
-/* Coordinates count from the origin. */
+/* Coordinates are relative to the origin. */
 static void load(const net *s, int axis, loft_sci c[])
 {
     for (unsigned k = 0; k < points_of(s); k++) {
@@ -77,7 +78,7 @@ static void load(const net *s, int axis, loft_sci c[])
     }
 }
 
-/* In floats products of up to six coordinates times small numbers stay below 2^1023. */
+/* In floats, products of up to six coordinates and small numbers stay below 2^1023. */
 static bool admitted(const net *s)
 {
     const loft_sci limit = loft_sci_pow(loft_sci_from_int(2), 100);
@@ -99,13 +100,13 @@ static loft_sci largest_of(const loft_sci c[], unsigned count)
     return most;
 }
 
-/* The derivative of order a by u and b by v at a place, of one axis, and its largest
- * coefficient. */
+/* The derivative of order a by u and order b by v, in one axis, and the largest coefficient of its
+ * net. */
 typedef struct {
     loft_sci value, width;
 } slope;
 
-/* Rows stay n + 1 apart. */
+/* Rows keep their stride n + 1. */
 static slope tensor_slope(const net *s, int axis, unsigned a, unsigned b, loft_sci u, loft_sci v)
 {
     const unsigned stride = s->n + 1;
@@ -125,8 +126,7 @@ static slope tensor_slope(const net *s, int axis, unsigned a, unsigned b, loft_s
     for (; b > 0; b--, n--) {
         factor *= (int32_t)n;
         for (unsigned k = 0; k + 1 < (m + 1) * stride; k++)
-            c[k] = loft_sci_sub(c[k + 1], c[k]);    /* what is beyond the n-th of a row is of no
-                                                     * use, and not used */
+            c[k] = loft_sci_sub(c[k + 1], c[k]);    /* values beyond the n-th of a row are unused */
     }
     for (unsigned i = 0; i <= m; i++) {
         const loft_sci most = largest_of(c + i * stride, n + 1);
@@ -145,8 +145,8 @@ static slope tensor_slope(const net *s, int axis, unsigned a, unsigned b, loft_s
     return r;
 }
 
-/* u and v are the second and third coordinate; a row of the scheme replaces b_ijk by the three
- * below it. */
+/* u and v are the second and third coordinate. A row of the algorithm replaces b_ijk by the three
+ * coefficients below it. */
 static slope triangle_slope(const net *s, int axis, unsigned a, unsigned b, loft_sci u, loft_sci v)
 {
     unsigned degree = s->m;
@@ -246,7 +246,7 @@ static loft_sci less_product(loft_sci x, loft_sci a, loft_sci b)
     return loft_sci_sub(x, loft_sci_mul(a, b));
 }
 
-/* From the derivatives of X, in place, and those of w to those of X / w. */
+/* Turn the derivatives of X, in place, into those of X / w. d holds the derivatives of w. */
 static void divide(loft_differential *x, int i, loft_sci offset, loft_sci w, const loft_sci d[5])
 {
     const loft_sci two = loft_sci_from_int(2);
@@ -310,9 +310,9 @@ enum loft_status loft_triangle_rational_differential(const loft_triangle_rationa
 
 /* Coons patches */
 
-#define ENDS (2 * LOFT_COONS_ORDERS)    /* 2 k + end: the k-th derivative at that end */
+#define ENDS (2 * LOFT_COONS_ORDERS)    /* 2 k + end is the k-th derivative at that end */
 
-/* The coefficients of the k-th derivative, k <= degree, but for the factor that is given. */
+/* The coefficients of the k-th derivative, k <= degree, without the returned factor. */
 static loft_sci differ(loft_sci c[], unsigned degree, unsigned k)
 {
     int32_t factor = 1;
@@ -325,7 +325,8 @@ static loft_sci differ(loft_sci c[], unsigned degree, unsigned k)
     return loft_sci_from_int(factor);
 }
 
-/* The k-th derivative at t of a polynomial with `degree` + 1 coefficients, which are used up. */
+/* The k-th derivative at t of a polynomial with `degree` + 1 coefficients, which are overwritten.
+ * */
 static slope line_slope(loft_sci c[], unsigned degree, unsigned k, loft_sci t)
 {
     slope r = { loft_sci_zero(), loft_sci_zero() };
@@ -356,7 +357,7 @@ static slope curve_slope(const loft_bezier *b, int axis, loft_acc origin, unsign
     return line_slope(c, b->degree, k, t);
 }
 
-/* What a curve says of its own end: a coefficient. `which` is 2 k + end. */
+/* The derivative of a curve at its end, from its coefficients. `which` is 2 k + end. */
 static slope end_slope(const loft_bezier *b, int axis, loft_acc origin, unsigned which)
 {
     const unsigned k = which / 2;
@@ -372,7 +373,7 @@ static slope end_slope(const loft_bezier *b, int axis, loft_acc origin, unsigned
     return r;
 }
 
-/* H_b has Bernstein coefficients of degree 2 orders - 1, whole numbers over 1, 3, 5 or 20. */
+/* H_b has Bernstein coefficients of degree 2 orders - 1: integers over 1, 3, 5 or 20. */
 static slope blend_slope(unsigned orders, unsigned b, unsigned k, loft_sci t)
 {
     static const int8_t whole[LOFT_COONS_ORDERS][ENDS][ENDS] = {
@@ -397,7 +398,8 @@ static slope blend_slope(unsigned orders, unsigned b, unsigned k, loft_sci t)
     return r;
 }
 
-/* One axis of the curves at s and t with their derivatives, what U_b says of its ends, and H_b. */
+/* In one axis: the curves at s and t with their derivatives, the end derivatives of U_b, and H_b.
+ * */
 typedef struct {
     slope u[ENDS][3], v[ENDS][3], corner[ENDS][ENDS];
     slope by_s[ENDS][3], by_t[ENDS][3];
@@ -412,7 +414,7 @@ static void blend_with(blended *x, unsigned orders, loft_sci s, loft_sci t)
         }
 }
 
-/* Points count from a corner; derivatives from 0. */
+/* Points are relative to a corner, derivatives to 0. */
 static void take_curves(blended *x, const loft_coons_bezier *c, int axis, loft_sci s, loft_sci t)
 {
     const loft_acc first = loft_to_acc(c->u[0][0].p[0].axis[axis]);
@@ -435,7 +437,7 @@ static void add_product(slope *sum, slope h, slope x)
     sum->width = loft_sci_add(sum->width, loft_sci_mul(h.width, x.width));
 }
 
-/* The Boolean sum of coons.c, j times by s and k times by t. */
+/* The Boolean sum of coons.c, differentiated j times by s and k times by t. */
 static slope coons_slope(const blended *x, unsigned ends, unsigned j, unsigned k)
 {
     slope sum = { loft_sci_zero(), loft_sci_zero() };
@@ -503,7 +505,7 @@ static loft_sci dot(const loft_sci x[], const loft_sci y[])
                         loft_sci_mul(x[2], y[2]));
 }
 
-/* P_u x P_v and the square of its length; false where it is no more than 2^-30 of the widths. */
+/* P_u x P_v and its squared length. False when the length is at most 2^-30 of the widths. */
 static bool cross(const loft_differential *at, loft_sci n[3], loft_sci *square)
 {
     for (int i = 0; i < 3; i++) {
@@ -589,8 +591,8 @@ enum loft_status loft_differential_curvatures(const loft_differential *at, loft_
 
 #endif
 
-/* A coordinate that is not above 1 / most: rounded to nearest and then one step back where it
- * is. */
+/* Round 1 / most to a coordinate that is not above it: to nearest, and one step back where that is
+ * above. */
 loft_real loft_ball_radius(const loft_curvatures *k)
 {
     loft_acc radius;

@@ -1,18 +1,19 @@
 /* lib/surface/octant.c
  * SPDX-License-Identifier: MIT
  *
- * The net has the symmetry of its corners: a control point is one of four kinds, and each of its
- * coordinates depends on the index of its axis alone.
+ * The net has the symmetry of its corners. There are four kinds of control points, and a coordinate
+ * depends only on the kind and the index of its axis.
  *
  *     b400 = (1, 0, 0)            w400 = 4 sqrt3 (sqrt3 - 1)
- *     b310 = (1, alpha, 0)        w310 = 3 sqrt2                                  alpha = (sqrt3 -
- *         1) / sqrt3
- *     b220 = (beta, beta, 0)      w220 = 4                                        beta  = (sqrt3 +
- *         1) / (2 sqrt3)
- *     b211 = (1, gamma, gamma)    w211 = sqrt2 / sqrt3 (3 + 2 sqrt2 - sqrt3)      gamma = 1 - (5 -
- *         sqrt2) (7 - sqrt3) / 46
+ *     b310 = (1, alpha, 0)        w310 = 3 sqrt2
+ *     b220 = (beta, beta, 0)      w220 = 4
+ *     b211 = (1, gamma, gamma)    w211 = sqrt2 / sqrt3 (3 + 2 sqrt2 - sqrt3)
  *
- * The constants err by 2^-58 (floats 2^-50) and the rows by 2^-58 together; weights are positive.
+ *     alpha = (sqrt3 - 1) / sqrt3
+ *     beta  = (sqrt3 + 1) / (2 sqrt3)
+ *     gamma = 1 - (5 - sqrt2) (7 - sqrt3) / 46
+ *
+ * The constants err by 2^-58 (floats 2^-50), and the rows together by 2^-58. Weights are positive.
  */
 #include "surface/octant.h"
 #include "num/sci.h"                /* loft_sci: irrational weights */
@@ -47,7 +48,7 @@ static shape shape_of(void)
     return s;
 }
 
-/* Of the control point with these indices. */
+/* The weight of the control point with these indices. */
 static loft_sci weight(const shape *s, const unsigned index[SPACE])
 {
     unsigned most = 0, nonzero = 0;
@@ -70,7 +71,7 @@ static loft_sci coordinate(const shape *s, const unsigned index[SPACE], int axis
                                 : loft_sci_one();
 }
 
-/* Weights, or weighted coordinates of an axis, evaluated at u. */
+/* The weights (axis < 0), or the weighted coordinates of an axis, evaluated at u. */
 static loft_sci value(const shape *s, int axis, loft_sci u, loft_sci v, loft_sci w)
 {
     loft_sci c[POINTS];

@@ -1,12 +1,12 @@
 /* lib/surface/plane.c
  * SPDX-License-Identifier: MIT
  *
- * A line is the case of two axes of what is said here of three. With E = LOFT_EXACT_REAL
- * coordinates carry the factor 2^E, the normal 2^E of a line and 2^(2 E) of a plane, the value at a
- * point 2^E more than that.
+ * A line is the two-axis case of the same formulas. With E = LOFT_EXACT_REAL, coordinates carry the
+ * factor 2^E. The normal carries 2^E for a line and 2^(2 E) for a plane. The value at a point
+ * carries one factor 2^E more than the normal.
  *
- * Room: differences have R + 1 bits (32, in floats 129), the normal of a plane 2 R + 3, the value 3
- * R + 6: 99 and 390 bits. What loft_exact_hypot makes of the normal has twice its bits and 130
+ * Range: differences have R + 1 bits (32, in floats 129), the normal of a plane 2 R + 3, the value
+ * 3 R + 6: 99 and 390 bits. The result of loft_exact_hypot has twice the bits of the normal and 130
  * more.
  */
 #include "surface/plane.h"
@@ -116,7 +116,7 @@ static enum loft_status numbers_of(const equation *e, loft_real out[])
 
 static bool extends(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
 
-/* Differences are below 2^16, twice that is. */
+/* Differences are below 2^16, and twice as large when multiplied by `at`. */
 static enum loft_status point_at(const loft_vec p[], int count, const loft_unit at[], loft_vec *out)
 {
     loft_acc x[LOFT_AXES];

@@ -1,18 +1,17 @@
-/* lib/surface/plane.h -- straight lines in the plane and planes in space: by parameters, by
- * equation, with normals
+/* lib/surface/plane.h -- lines in the plane and planes in space: points, equations, normals
  * SPDX-License-Identifier: MIT
  *
- * A line goes through two points of the plane of the first two axes, a facet is the plane through
- * three points of the first three axes (those beyond LOFT_AXES are 0). Plain data, no init.
+ * A line goes through two points of the plane of the first two axes. A facet is the plane through
+ * three points of the first three axes. Axes beyond LOFT_AXES are 0. Plain data, no init.
  *
  *     const loft_facet f = { { p0, p1, p2 } };
- *     if (loft_facet_distance(&f, x, &d) == LOFT_OK && d > 0)     // x lies where the normal points
- *                                                                 to
+ *     if (loft_facet_distance(&f, x, &d) == LOFT_OK && d > 0)     // x is on the side of the normal
  *
- * Everything but a point is computed from whole numbers (num/exact.h) and rounded once. Two points
- * in one place make no line, three on a line no plane: then there is neither normal nor distance,
- * LOFT_SINGULAR, and the equation is 0. What does not fit a coordinate is LOFT_ERR_RANGE, which in
- * floats is as well what loft_exact_valid refuses; results are untouched after both.
+ * Everything but a point is computed from whole numbers (num/exact.h) and rounded once. Two equal
+ * points define no line, and three points on a line define no plane. Then the equation is 0, and
+ * normal and distance return LOFT_SINGULAR. A result that does not fit a coordinate is
+ * LOFT_ERR_RANGE. In floats so is a number that loft_exact_valid refuses. Results are untouched
+ * after both errors.
  */
 #ifndef LOFT_SURFACE_PLANE_H
 #define LOFT_SURFACE_PLANE_H
@@ -40,8 +39,8 @@ enum loft_status loft_line_eval(const loft_line *l, loft_unit s, loft_vec *out) 
 enum loft_status loft_facet_eval(const loft_facet *f, loft_unit s, loft_unit t,
                                  loft_vec *out) LOFT_CHECKED;
 
-/* The numbers of the equation: a x + b y + c = 0 with (a, b) = (y0 - y1, x1 - x0), c = -(a x0 + b
- * y0), and a x + b y + c z + d = 0 with (a, b, c) = (p1 - p0) x (p2 - p0), d = -(a, b, c) p0.
+/* The coefficients of the equation: a x + b y + c = 0 with (a, b) = (y0 - y1, x1 - x0), c = -(a x0
+ * + b y0), and a x + b y + c z + d = 0 with (a, b, c) = (p1 - p0) x (p2 - p0), d = -(a, b, c) p0.
  *
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: 1 ulp
  *   cost    3 or 9 exact products, 3 or 4 quotients; 1.3 kB of stack in q16; not for an ISR
@@ -49,8 +48,7 @@ enum loft_status loft_facet_eval(const loft_facet *f, loft_unit s, loft_unit t,
 enum loft_status loft_line_equation(const loft_line *l, loft_real abc[3]) LOFT_CHECKED;
 enum loft_status loft_facet_equation(const loft_facet *f, loft_real abcd[4]) LOFT_CHECKED;
 
-/* The left side of the equation at x: how far on which side, times the length of (a, b) or (a, b,
- * c).
+/* The left side of the equation at x: the signed distance times the length of (a, b) or (a, b, c).
  *
  *   error   as above
  *   cost    as above, and 2 or 3 exact products more
@@ -58,16 +56,16 @@ enum loft_status loft_facet_equation(const loft_facet *f, loft_real abcd[4]) LOF
 enum loft_status loft_line_value(const loft_line *l, loft_vec x, loft_real *out) LOFT_CHECKED;
 enum loft_status loft_facet_value(const loft_facet *f, loft_vec x, loft_real *out) LOFT_CHECKED;
 
-/* The distance of x, positive on the side to which the normal points: to the left of a line.
+/* The signed distance of x, positive on the side of the normal: to the left of a line.
  *
  *   range   LOFT_SINGULAR where there is no line or plane
  *   error   as above
- *   cost    with an exact root
+ *   cost    as above, and an exact square root
  */
 enum loft_status loft_line_distance(const loft_line *l, loft_vec x, loft_real *out) LOFT_CHECKED;
 enum loft_status loft_facet_distance(const loft_facet *f, loft_vec x, loft_real *out) LOFT_CHECKED;
 
-/* The normal of length 1, 0 in the axes that do not count.
+/* The unit normal; 0 in the axes that are not used.
  *
  *   range   LOFT_SINGULAR where there is no line or plane
  *   error   q16: 1/2 LSB + 2^-16 LSB, far below 2^-14   f32: 0.5001 ulp   f64: 1 ulp

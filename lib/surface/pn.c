@@ -3,13 +3,14 @@
  *
  * With the foot f_ij = <P_j - P_i, N_i> / <N_i, N_i>
  *
- *     b at P_i toward P_j = (2 P_i + P_j - f_ij N_i) / 3          n between P_i and P_j = N_i + N_j
- *                                                                 - 2 g (P_j - P_i)
- *     b111 = E + (E - V) / 2                                      g = <P_j - P_i, N_i + N_j> / |P_j
- *                                                                 - P_i|^2
+ *     b at P_i toward P_j   = (2 P_i + P_j - f_ij N_i) / 3
+ *     b111                  = E + (E - V) / 2
+ *     n between P_i and P_j = N_i + N_j - 2 g (P_j - P_i)
+ *     g                     = <P_j - P_i, N_i + N_j> / |P_j - P_i|^2
  *
- * E the mean of the six, V that of the corners; the normals of length 1 in the second column. |f N|
- * is at most |P_j - P_i|, so the six are below 2^18 and b111 below 2^19 whatever is given.
+ * E is the mean of the six edge points, V the mean of the corners. The normals in the last two
+ * lines have length 1. |f N| is at most |P_j - P_i|. So the six are below 2^18 and b111 below 2^19
+ * for any input.
  */
 #include "surface/pn.h"
 #include "geom/normal.h"            /* loft_vec_unit */
@@ -37,7 +38,7 @@ static loft_sci dot(const sci_vec *a, const sci_vec *b)
     return sum;
 }
 
-/* The control point at p toward q, to its place. */
+/* Set the control point at p toward q. */
 static bool pull(loft_pn *t, unsigned place, loft_vec p, loft_vec q, loft_vec normal)
 {
     const loft_vec origin = { { 0 } };
@@ -56,7 +57,7 @@ static bool pull(loft_pn *t, unsigned place, loft_vec p, loft_vec q, loft_vec no
     return true;
 }
 
-/* The middle one from the others, when they are there. */
+/* Set the middle control point from the others. */
 static bool fill(loft_pn *t)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -69,9 +70,9 @@ static bool fill(loft_pn *t)
     return true;
 }
 
-/* The normal between two corners: the sum of theirs, mirrored in the plane at a right angle to the
- * edge. What it is for two points in one, or for opposite normals that cancel, shows nowhere else:
- * then it is the sum, or 0. */
+/* The normal between two corners: the sum of their normals, mirrored in the plane at a right angle
+ * to the edge. Two corners in one point give the sum, and opposite normals that cancel give 0.
+ * Neither affects the rest of the field. */
 static loft_vec between(const loft_vec corner[3], const loft_vec n[3], int i, int j)
 {
     const sci_vec e = edge(corner[i], corner[j]);
@@ -88,7 +89,7 @@ static loft_vec between(const loft_vec corner[3], const loft_vec n[3], int i, in
                                                  : loft_sci_zero();
     for (int a = 0; a < LOFT_AXES; a++)
         if (!loft_sci_to_acc(loft_sci_sub(sum.axis[a], loft_sci_mul(g, e.axis[a])), &h[a]))
-            return out;                 /* never: a mirror image is no longer */
+            return out;                 /* never: a reflection keeps the length */
     return loft_vec_unit(h, &out) == LOFT_OK ? out : (loft_vec) { { 0 } };
 }
 
@@ -144,7 +145,8 @@ loft_vec loft_pn_eval(const loft_pn *t, loft_bary u)
     return v;
 }
 
-/* Control points err by 2^-32, which three rows multiply by L^3, the rows 2^-33 (1 + L + L^2). */
+/* Control points err by 2^-32, which three rows multiply by L^3. The rows err by
+ * 2^-33 (1 + L + L^2). */
 enum loft_status loft_pn_extrapolate(const loft_pn *t, loft_bary u, loft_vec *out)
 {
     loft_acc product = loft_to_acc(LOFT_REAL(1)), x[LOFT_AXES];

@@ -1,10 +1,10 @@
-/* lib/surface/pn.h -- curved triangles from three points and their normals, as a mesh gives them
+/* lib/surface/pn.h -- curved triangles from the points and normals of a mesh
  * SPDX-License-Identifier: MIT
  *
- * A cubic triangle through the points that is at a right angle to the normals there; its edges
- * depend on nothing but the points and normals at their ends, so that neighbours in a mesh meet
- * without a gap. Beside it goes a quadratic field of normals for shading, which is not the
- * geometric normal between the corners.
+ * A cubic triangle goes through the three points and is at a right angle to their normals. Its
+ * edges depend only on the points and normals at their ends, so neighbours in a mesh meet without a
+ * gap. A quadratic field of normals serves for shading. Between the corners it differs from the
+ * geometric normal.
  *
  *     loft_pn t;
  *     if (loft_pn_init(&t, corner, normal) == LOFT_OK)
@@ -17,7 +17,7 @@
 
 LOFT_BEGIN_C
 
-/* Points wide, so that a point is rounded once. Do not fill it yourself: call init. */
+/* Control points are wide, so that a point is rounded once. Do not fill it yourself: call init. */
 typedef struct {
     loft_acc b[LOFT_AXES][10];
     loft_vec n[6];
@@ -26,10 +26,10 @@ typedef struct {
 /* Make the triangle of three points and normals of any length.
  *
  *   range   LOFT_SINGULAR for a normal of 0; finite coordinates, and control points that fit,
- *           otherwise LOFT_ERR_RANGE; *t is undefined then
+ *           otherwise LOFT_ERR_RANGE; *t is then undefined
  *   error   control points q16: 2^-32   f32, f64: 2^-49 of the largest coordinate
- *   cost    in numbers of num/sci.h about 50 products and 12 quotients; 240 bytes of its own per
- *           triangle in three axes; not for an ISR
+ *   cost    in numbers of num/sci.h about 50 products and 12 quotients; a triangle takes 240 bytes
+ *           in three axes; not for an ISR
  *   see     Vlachos, Peters, Boyd, Mitchell, Curved PN triangles (2001)
  */
 enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3],
@@ -47,18 +47,18 @@ loft_vec loft_pn_eval(const loft_pn *t, loft_bary u);
 /* The point at u, outside the triangle as well; L = |u| + |v| + |w|.
  *
  *   range   LOFT_ERR_RANGE when the point does not fit, for L above 27, |v| or |w| above 32; *out
- *           is untouched then
+ *           is then untouched
  *   error   q16: 1/2 LSB + (2 L^3 + L^2 + L + 1) * 2^-17 LSB   f32: 1/2 ulp of the result and
  *           L^3 2^-48   f64: L^3 2^-48, of the largest coordinate
  *   cost    as eval
  */
 enum loft_status loft_pn_extrapolate(const loft_pn *t, loft_bary u, loft_vec *out) LOFT_CHECKED;
 
-/* The shading normal at u, of length 1; at the corners that of the corner.
+/* The unit shading normal at u. At a corner it is the given normal of that corner.
  *
  *   range   u is clamped; LOFT_SINGULAR where the field vanishes, between opposite normals; *out is
- *           untouched then
- *   error   with h the length of the sum before it is brought to 1: q16: 2^-15 / h   f32: 2^-21 / h
+ *           then untouched
+ *   error   with h the length of the sum before normalization: q16: 2^-15 / h   f32: 2^-21 / h
  *           f64: 2^-48 / h
  *   cost    8 wide products per axis, loft_vec_unit
  */

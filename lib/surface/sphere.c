@@ -8,12 +8,11 @@
 #define ANGLE_MAX LOFT_REAL(32767)
 
 
-/* By angles. An angle is k quarters and a rest of at most 45 degrees (and the rounding of a
- * quotient), taken apart without rounding; the rest in radians, off by 2^-59, has a sine and cosine
- * off by 2^-57 in q16. A product of two of them is off by 2^-56, times a radius below 2^15 by
- * 2^-41, and 2^-33 from rounding to a wide value: 2^-17 LSB, three times less than what is
- * promised. Floats: 2^-52 in place of 2^-57, and products. */
-
+/* By angles. An angle is k quarters and a remainder of at most 45 degrees, up to the rounding of a
+ * quotient. They are separated without rounding. The remainder in radians is off by 2^-59. So its
+ * sine and cosine are off by 2^-57 in q16, and a product of two of them by 2^-56. Times a radius
+ * below 2^15 this is 2^-41, plus 2^-33 from rounding to a wide value: 2^-17 LSB, a third of the
+ * stated error. Floats have 2^-52 in place of 2^-57. */
 typedef struct {
     loft_fine sin, cos;
 } turn;
@@ -89,9 +88,9 @@ enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_
 }
 
 
-/* By whole numbers, which carry 2^E, E = LOFT_EXACT_REAL; the length from the centre 2^(E +
- * LOFT_EXACT_HYPOT). Differences have R + 1 bits, three squares 2 R + 4, 130 more for the root: 196
- * and 390 bits. */
+/* By whole numbers, which carry 2^E, E = LOFT_EXACT_REAL. The distance from the centre carries
+ * 2^(E + LOFT_EXACT_HYPOT). Differences have R + 1 bits, three squares 2 R + 4, the root 130 more:
+ * 196 and 390 bits. */
 
 static bool arm_of(const loft_sphere *s, const loft_vec *x, loft_exact arm[3])
 {

@@ -1,14 +1,14 @@
 /* lib/surface/sphere.h -- spheres: points by longitude and colatitude, normals, distances
  * SPDX-License-Identifier: MIT
  *
- * A sphere lies in the first three axes; the others keep the centre's coordinate. Plain data, no
- * init.
+ * A sphere lies in the first three axes. The other axes have the coordinate of the centre. Plain
+ * data, no init.
  *
- *     x = r cos theta sin phi     y = r sin theta sin phi     z = r cos phi       and the centre
+ *     x = r cos theta sin phi     y = r sin theta sin phi     z = r cos phi       plus the centre
  *
- * Angles are in degrees, unlike elsewhere: a quarter of a turn is 90 exactly, the poles and the
- * equator are met without error, and in q16 a degree has 65536 steps where a radian would have so
- * many for 57.
+ * Angles are in degrees, unlike elsewhere. A quarter turn is exactly 90, so the poles and the
+ * equator have no error. In q16 a degree has 65536 steps; a radian would have as many for 57
+ * degrees.
  */
 #ifndef LOFT_SURFACE_SPHERE_H
 #define LOFT_SURFACE_SPHERE_H
@@ -28,14 +28,14 @@ typedef struct {
  *   range   radius >= 0 and angles of -32767..32767, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when
  *           the point does not fit; *out is untouched then
  *   error   q16: 1/2 LSB + 2^-14 LSB   f32: 0.51 ulp of the result + 2^-24 ulp of the radius   f64:
- *           16 ulp of radius and centre; none but the sum with the centre where both angles are
- *           multiples of 90
+ *           16 ulp of radius and centre; only the sum with the centre is rounded where both angles
+ *           are multiples of 90
  *   cost    2 sines, 2 cosines, 2 quotients of 60 rounds in q16
  */
 enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_real phi,
                                   loft_vec *out) LOFT_CHECKED;
 
-/* The outward normal there, of length 1; for a radius of 0 as well.
+/* The outward unit normal there; also for a radius of 0.
  *
  *   units   degrees
  *   range   as eval
@@ -57,8 +57,7 @@ enum loft_status loft_sphere_distance(const loft_sphere *s, loft_vec x,
                                       loft_real *out) LOFT_CHECKED;
 enum loft_status loft_sphere_value(const loft_sphere *s, loft_vec x, loft_real *out) LOFT_CHECKED;
 
-/* The direction from the centre to x, of length 1: the normal of the sphere through x about the
- * same centre.
+/* The unit vector from the centre to x: the normal of the concentric sphere through x.
  *
  *   range   LOFT_SINGULAR at the centre; otherwise as distance
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: 1 ulp

@@ -1,19 +1,17 @@
-/* lib/surface/surface.h -- a surface of any kind as a function of two parameters, for what walks
- * over
- * surfaces
+/* lib/surface/surface.h -- a surface of any kind as a function of two parameters
  * SPDX-License-Identifier: MIT
  *
- * As loft_side is any curve for coons.h, a sheet is any surface for contour.h and for loft_trace
- * below:
+ * contour.h and loft_trace below work on any surface through a loft_surface, as coons.h works on
+ * any curve through a loft_side:
  *
  *     const loft_surface s = loft_surface_from_tensor(&patch);
  *     loft_trace w;
- *     if (loft_trace_init(&w, s, LOFT_UNIT(0.25), LOFT_UNIT(0), LOFT_UNIT(0.25), LOFT_UNIT(1), 64)
- *     == LOFT_OK)
+ *     if (loft_trace_init(&w, s, LOFT_UNIT(0.25), LOFT_UNIT(0), LOFT_UNIT(0.25), LOFT_UNIT(1),
+ *                         64) == LOFT_OK)
  *         while (loft_trace_next(&w, &p))         // the line u = 1/4
  *             ..
  *
- * Surfaces with n sides become sheets in polygon/disk.h.
+ * polygon/disk.h makes a loft_surface of a patch with n sides.
  */
 #ifndef LOFT_SURFACE_SURFACE_H
 #define LOFT_SURFACE_SURFACE_H
@@ -28,12 +26,11 @@
 
 LOFT_BEGIN_C
 
-/* What u and v run over. */
+/* The parameter domain. */
 enum loft_surface_over {
-    LOFT_SURFACE_SQUARE,          /* 0..1 both */
-    LOFT_SURFACE_TRIANGLE,        /* u the share of the second corner, v that of the third, u + v <=
-                                 * 1 */
-    LOFT_SURFACE_DISK            /* 0..1 both, and v = 1 is v = 0; u = 0 is one point */
+    LOFT_SURFACE_SQUARE,          /* u and v in 0..1 */
+    LOFT_SURFACE_TRIANGLE,        /* u, v: coordinates of corners 2 and 3; u + v <= 1 */
+    LOFT_SURFACE_DISK            /* u and v in 0..1; v = 1 is v = 0; u = 0 is one point */
 };
 
 typedef struct {
@@ -42,11 +39,12 @@ typedef struct {
     enum loft_surface_over over;
 } loft_surface;
 
-/* A surface as sheet, which must outlive it. A sphere: u from the pole down, v around.
+/* Make a loft_surface of a surface, which must outlive it. On a sphere u runs from the pole down, v
+ * around.
  *
- *   error   of a point that of the surface's eval; of a sphere also what rounding the angles does:
+ *   error   a point: that of the surface's eval; on a sphere also that of rounding the angles:
  *           2^-16 degrees (f32: 2^-16) of arc
- *   cost    two pointers copied; each point that of the surface's eval
+ *   cost    two pointers copied; a point: that of the surface's eval
  */
 loft_surface loft_surface_from_tensor(const loft_tensor *s);
 loft_surface loft_surface_from_tensor_rational(const loft_tensor_rational *s);
@@ -60,8 +58,8 @@ loft_surface loft_surface_from_sphere(const loft_sphere *s);
 /* Lines
  * ----- */
 
-/* A walk along a straight line of the parameters: an iso-parametric line where u or v does not
- * change. */
+/* A walk along a straight line in the parameter domain. Where u or v is constant it is an
+ * isoparametric line. */
 typedef struct {
     loft_surface sheet;
     loft_unit from[2], to[2];
@@ -71,20 +69,20 @@ typedef struct {
 /* Prepare to give n + 1 points at equal steps from one pair of parameters to another, both ends
  * included.
  *
- *   range   n >= 1, parameters in 0..1, in a triangle u + v <= 1 too, otherwise LOFT_ERR_ARG; when
- *           the sheet gives no point at an end what it gives; *w is untouched then
+ *   range   n >= 1, parameters in 0..1, in a triangle also u + v <= 1, otherwise LOFT_ERR_ARG; the
+ *           status of the surface when it has no point at an end; *w is then untouched
  *   error   none
- *   cost    a point of each end
+ *   cost    two points of the surface
  */
 enum loft_status loft_trace_init(loft_trace *w, loft_surface sheet, loft_unit u0, loft_unit v0,
                                  loft_unit u1, loft_unit v1, uint32_t n) LOFT_CHECKED;
 
-/* Give the next point; false, and *out is left alone, when the walk is over. Points that the sheet
- * does not give are left out.
+/* Give the next point. Returns false, and leaves *out alone, when the walk is over. Points that the
+ * surface does not have are skipped.
  *
- *   error   that of the sheet, at parameters rounded once: q16: 2^-25   f32, f64: 1 ulp; none where
- *           they do not change
- *   cost    a point of the sheet and two lerps; no memory of the steps before: nothing drifts
+ *   error   that of the surface, at parameters rounded once: q16: 2^-25   f32, f64: 1 ulp; none for
+ *           a constant parameter
+ *   cost    a point of the surface and two lerps; each step is independent, so nothing drifts
  */
 bool loft_trace_next(loft_trace *w, loft_vec *out);
 

@@ -1,13 +1,13 @@
 /* lib/surface/tetra.c
  * SPDX-License-Identifier: MIT
  *
- * From the place p of b_ijkl in layer m = j + k + l and its row n = k + l, those of the next degree
+ * Let p be the place of b_ijkl in layer m = j + k + l, row n = k + l. The places of the next degree
  * are
  *
- *     b_(i+1)jkl: p        b_i(j+1)kl: q = p + (m + 1) (m + 2) / 2        b_ij(k+1)l: q + n + 1
- *         b_ijk(l+1): q + n + 2
+ *     b_(i+1)jkl: p                                   b_ij(k+1)l: q + n + 1
+ *     b_i(j+1)kl: q = p + (m + 1) (m + 2) / 2         b_ijk(l+1): q + n + 2
  *
- * all behind p or p itself, so that a row of the scheme runs in place from the front, and one of
+ * All are p itself or after p. So a row of the algorithm runs in place from the front, and a row of
  * weights from the back.
  */
 #include "surface/tetra.h"
@@ -29,7 +29,7 @@ loft_volume loft_volume_clamp(loft_volume u)
 }
 
 
-/* Coordinates. A difference has 32 bits (floats 129), a determinant 3 times that and 3. */
+/* Coordinates. A difference has 32 bits (floats 129), a determinant 3 times as many and 3 more. */
 
 static loft_exact det(const loft_exact a[SPACE], const loft_exact b[SPACE],
                       const loft_exact c[SPACE])
@@ -69,8 +69,8 @@ enum loft_status loft_volume_from_point(const loft_vec corner[4], loft_vec p, lo
 
 /* Points */
 
-/* Each weight hands on three parts, rounded, and keeps the rest, so the sum stays 1: 6 * 2^-33 for
- * each degree. */
+/* Each weight passes on three parts, rounded, and keeps the rest, so the sum stays 1. The error is
+ * 6 * 2^-33 per degree. */
 void loft_volume_weights(unsigned degree, loft_volume u, loft_acc c[])
 {
     c[0] = loft_to_acc(LOFT_REAL(1));
@@ -91,7 +91,7 @@ void loft_volume_weights(unsigned degree, loft_volume u, loft_acc c[])
     }
 }
 
-/* In q16 two roundings of 2^-33; inside no value leaves the range of the coefficients. */
+/* In q16 two roundings of 2^-33. Inside, no value leaves the range of the coefficients. */
 static void step(loft_acc c[], unsigned degree, loft_volume u)
 {
     for (unsigned m = 0, p = 0; m < degree; m++)
@@ -139,7 +139,7 @@ loft_vec loft_tetra_eval(const loft_tetra *t, loft_volume u)
 }
 
 
-/* Raised */
+/* Degree elevation */
 
 /* sum C(i,q) C(j,r) C(k,s) C(l,t) b_qrst / C(n+m,n) over q + r + s + t = n, with (i, j, k, l) of
  * degree n + m. The products of binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below

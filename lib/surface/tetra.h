@@ -1,12 +1,11 @@
-/* lib/surface/tetra.h -- Bezier tetrahedra of degree 0..9: what varies in space, or bends space
- * itself
+/* lib/surface/tetra.h -- Bezier tetrahedra of degree 0..9: fields and deformations of space
  * SPDX-License-Identifier: MIT
  *
- * A point u T1 + v T2 + w T3 + x T4 with u + v + w + x = 1 is given by the last three. A net of
- * degree n has LOFT_TETRA_POINTS(n) control points b_ijkl, i + j + k + l = n, with i descending,
+ * A point u T1 + v T2 + w T3 + x T4 with u + v + w + x = 1 is given by the last three coordinates.
+ * A net of degree n has LOFT_TETRA_POINTS(n) control points b_ijkl, i + j + k + l = n. i descends,
  * then j, then k: layers of triangles from the corner T1 down to the face T2 T3 T4. With control
- * points in the plane or in space a tetrahedron is a deformation (free form); one coordinate alone
- * is a field, a temperature or a stiffness.
+ * points in the plane or in space a tetrahedron is a free-form deformation. One coordinate alone is
+ * a field, such as a temperature or a stiffness.
  */
 #ifndef LOFT_SURFACE_TETRA_H
 #define LOFT_SURFACE_TETRA_H
@@ -24,25 +23,25 @@ typedef struct {
     loft_unit v, w, x;
 } loft_volume;
 
-/* Where b_ijkl stands, whatever the degree. */
+/* The index of b_ijkl, for every degree. */
 static inline unsigned loft_tetra_place(unsigned j, unsigned k, unsigned l)
 {
     const unsigned m = j + k + l, n = k + l;
     return m * (m + 1) * (m + 2) / 6 + n * (n + 1) / 2 + l;
 }
 
-/* The point itself inside, one on a face otherwise; nan counts as 0.
+/* The point itself if it is inside, otherwise a point on a face. NaN counts as 0.
  *
  *   error   none
  *   cost    nine comparisons
  */
 loft_volume loft_volume_clamp(loft_volume u);
 
-/* u, v, w, x of the point p in the first three axes; wide, since a point far from a flat
- * tetrahedron has large ones.
+/* u, v, w, x of the point p in the first three axes. The results are wide, because a point far from
+ * a flat tetrahedron has large coordinates.
  *
  *   range   LOFT_SINGULAR for four corners in a plane; LOFT_ERR_RANGE when a coordinate is 2^30 or
- *           more, or for numbers that loft_exact_valid refuses; `out` is untouched then
+ *           more, or when loft_exact_valid refuses a number; `out` is then untouched
  *   error   q16: 2^-33 + 2^-60   f32, f64: 0.51 ulp of double
  *   cost    4 determinants of three rows and 4 quotients of exact numbers; 2 kB of stack in q16;
  *           not for an ISR
@@ -69,7 +68,7 @@ typedef struct {
 /* Make a tetrahedron of LOFT_TETRA_POINTS(degree) control points, which must outlive it.
  *
  *   range   degree 0..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise LOFT_ERR_RANGE; *t
- *           is untouched then
+ *           is then untouched
  *   error   none: the points are borrowed
  *   cost    two comparisons a coordinate
  */
@@ -82,19 +81,18 @@ enum loft_status loft_tetra_init(loft_tetra *t, const loft_vec p[], unsigned deg
  *           control value
  *   cost    3 LOFT_TETRA_POINTS(degree - 1) wide products per axis for each degree up to that; 1.8
  *           kB of stack: not for machines with 2 kB of memory
- *   see     Farin, Curves and Surfaces for CAGD, ch. 17: tetrahedra, of which triangles are the
- *           faces
+ *   see     Farin, Curves and Surfaces for CAGD, ch. 17: tetrahedra, whose faces are triangles
  */
 loft_vec loft_tetra_eval(const loft_tetra *t, loft_volume u);
 
-/* The same with a degree higher by `times`: LOFT_TETRA_POINTS(degree + times) control points, not
- * those of t.
+/* The same polynomial with a degree higher by `times`: LOFT_TETRA_POINTS(degree + times) control
+ * points, in memory other than those of t.
  *
  *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree^2 + 3 ulp, of the largest control
  *           value
- *   cost    at most as many small products and one division for each control point of the result as
- *           the net has points
+ *   cost    per control point of the result: at most one small product per point of the net, and
+ *           one division
  */
 enum loft_status loft_tetra_elevate(const loft_tetra *t, unsigned times,
                                     loft_vec out[]) LOFT_CHECKED;

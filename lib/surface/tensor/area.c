@@ -1,22 +1,22 @@
 /* lib/surface/tensor/area.c
  * SPDX-License-Identifier: MIT
  *
- * The area is the integral of |N|, N = P_u x P_v, a vector polynomial of degrees 2 m - 1 and 2 n -
- * 1 with the coefficients
+ * The area is the integral of |N|, N = P_u x P_v. N is a vector polynomial of degrees 2 m - 1 and
+ * 2 n - 1 with the coefficients
  *
  *     N_kl = m n / (C(2m-1,k) C(2n-1,l))  sum over i + i' = k, j + j' = l
  *                 C(m-1,i) C(n,j) C(m,i') C(n-1,j')  (b_(i+1)j - b_ij) x (b_i'(j'+1) - b_i'j')
  *
- * Every Bernstein polynomial has the same integral, 1 / (4 m n) here. So, since |sum| <= integral
- * |N| <= sum of |..|,
+ * Every Bernstein polynomial has the same integral, here 1 / (4 m n). Since |sum| <= integral |N|
+ * <= sum of |..|,
  *
  *     |sum of N_kl| / (4 m n)  <=  area  <=  (sum of |N_kl|) / (4 m n)
  *
- * The mean of the two is taken where they differ by at most 2 tol times the piece's share of the
- * parameters, so that all pieces together err by at most tol. Elsewhere the piece is halved, along
- * u and v in turn; the difference falls with the square of its width, or with the area where N is
- * null. The pieces are the leaves of a binary tree (basis/dyadic.h): every other bit of k is the
- * side in u, the others that in v.
+ * The mean of the two bounds is taken where they differ by at most 2 tol times the piece's share of
+ * the parameter domain. So all pieces together err by at most tol. Elsewhere the piece is halved,
+ * along u and v in turn. The difference falls with the square of the width, or with the area where
+ * N is 0. The pieces are the leaves of a binary tree (basis/dyadic.h). Every other bit of k is the
+ * side in u, the rest are the side in v.
  */
 #include "surface/tensor/area.h"
 #include "basis/dyadic.h"   /* loft_dyad */
@@ -29,7 +29,7 @@ typedef struct {
     loft_sci axis[3];
 } spot;
 
-/* A piece of the patch; coordinates count from the first control point. */
+/* A piece of the patch. Coordinates are relative to the first control point. */
 typedef struct {
     spot c[MOST];
     unsigned m, n;
@@ -49,8 +49,8 @@ static void load(patch *x, const loft_tensor *s)
                                           loft_to_acc(loft_vec_axis(&s->p[0], i)));
 }
 
-/* One half of the curve c[0], c[stride] .. The left half is what the scheme leaves behind at the
- * front, the right half what it leaves at the back. */
+/* One half of the curve c[0], c[stride] .. De Casteljau's algorithm leaves the left half at the
+ * front and the right half at the back. */
 static void halve(spot c[], unsigned degree, unsigned stride, unsigned side)
 {
     const loft_sci half = loft_sci_div(loft_sci_one(), loft_sci_from_int(2));
@@ -128,7 +128,7 @@ static loft_sci length(const spot *x)
     return loft_sci_sqrt(sum);
 }
 
-/* m n / (4 m n) = 1/4 of the sums. */
+/* The bounds are m n / (4 m n) = 1/4 of the sums. */
 static bounds bounds_of(const patch *x)
 {
     const loft_sci four = loft_sci_from_int(4);

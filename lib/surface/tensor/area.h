@@ -1,5 +1,4 @@
-/* lib/surface/tensor/area.h -- the area of a tensor-product patch, within a tolerance that is
- * proven
+/* lib/surface/tensor/area.h -- the area of a tensor-product patch within a proven tolerance
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_SURFACE_TENSOR_AREA_H
@@ -9,21 +8,21 @@
 
 LOFT_BEGIN_C
 
-/* The area over 0..1 x 0..1, in the first three axes; what is covered twice counts twice.
+/* The area over 0..1 x 0..1, in the first three axes. Folds count more than once.
  *
  *   range   tol > 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the area does not fit a loft_acc
  *           (q16: 2^31), in f32 and f64 when loft_exact_valid refuses a coordinate, or when 24
- *           halvings of the patch do not prove `tol`, which is then finer than about 2^-18 of the
- *           area: *out is untouched
- *   error   tol, in units squared, and q16: 2^-32 + 2^-48 A   f32, f64: 2^-40 A with A = m n times
- *           the product of the largest steps of the net along u and v. A patch that is plane and
- *           nowhere folded is exact but for that
- *   cost    per piece 16 m^2 n^2 cross products in numbers of num/sci.h (bicubic: 144 with like
- *           factors joined); pieces about the bend of the patch (in radians) squared times the area
- *           over 4 tol, and for a twisted net that much again; 7 kB of stack in q16, 4 kB in
- *           floats; not for an ISR
- *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997, which
- *           does this for curves
+ *           halvings of the patch do not prove `tol` (a tolerance finer than about 2^-18 of the
+ *           area); *out is then untouched
+ *   error   tol, in units squared, plus q16: 2^-32 + 2^-48 A   f32, f64: 2^-40 A with A = m n times
+ *           the product of the largest steps of the net along u and v. A plane patch without folds
+ *           has only the second part
+ *   cost    per piece 16 m^2 n^2 cross products in numbers of num/sci.h (bicubic: 144 with equal
+ *           factors joined); the number of pieces is about the squared turning of the patch in
+ *           radians times the area over 4 tol, and twice that for a twisted net; 7 kB of stack in
+ *           q16, 4 kB in floats; not for an ISR
+ *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997, the
+ *           same method for curves
  */
 enum loft_status loft_tensor_area(const loft_tensor *s, loft_real tol, loft_acc *out) LOFT_CHECKED;
 

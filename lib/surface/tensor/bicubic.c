@@ -1,15 +1,14 @@
 /* lib/surface/tensor/bicubic.c
  * SPDX-License-Identifier: MIT
  *
- * One axis at a time: along v in each of the four rows, then along u with what came out
+ * One axis at a time: along v in each of the four rows, then along u with the results
  * (basis/interp.h).
  *
- * Error in units of 2^-33: the k-th derivative of a cubic by loft_ends3_deriv is off by e = 4, 2,
- * 1, 0 for k = 0..3, and weighs errors of its data by at most g = 1.25, 5, 20, 36 in sum. Both
- * together: g(j) e(k) + e(j), at most 9 for a point and 144 for j = 3, k = 0. In LSB that is times
- * 2^-17.
+ * Error in units of 2^-33: the k-th derivative of a cubic by loft_ends3_deriv errs by e = 4, 2, 1,
+ * 0 for k = 0..3. It weighs errors of its data by a sum of at most g = 1.25, 5, 20, 36. Together:
+ * g(j) e(k) + e(j), at most 9 for a point and 144 for j = 3, k = 0. In LSB that is times 2^-17.
  *
- * Room in q16: the rows give at most 36 * 2^15 < 2^21, which is what loft_ends3_deriv takes.
+ * Range in q16: the rows give at most 36 * 2^15 < 2^21, which loft_ends3_deriv accepts.
  */
 #include "surface/tensor/bicubic.h"
 #include "basis/interp.h"   /* loft_ends3_deriv */
@@ -69,9 +68,9 @@ enum loft_status loft_tensor_from_bicubic(const loft_bicubic *b, loft_vec net[16
 }
 
 
-/* Joins. With x the numbers of C's last column (derivatives by v at v = 1), y those of A's third: y
- * = lambda x, x not 0. Against the first x that is not 0, y_i x_m = y_m x_i decides for all:
- * products of two. */
+/* Joins. Let x be the coordinates in C's last column (derivatives by v at v = 1), y those in A's
+ * third. The condition is y = lambda x with x not 0. It holds if y_i x_m = y_m x_i for all i, where
+ * x_m is the first x that is not 0: products of two. */
 
 static bool points_valid(const loft_bicubic *b)
 {
@@ -89,13 +88,13 @@ static bool columns_equal(const loft_bicubic *c, int of_c, const loft_bicubic *a
     return true;
 }
 
-/* A number of the column, by its place 0 .. 4 LOFT_AXES - 1. */
+/* A coordinate of the column, by its place 0 .. 4 LOFT_AXES - 1. */
 static loft_exact number(const loft_bicubic *b, int column, int place)
 {
     return loft_exact_from_real(b->at[place / LOFT_AXES][column].axis[place % LOFT_AXES]);
 }
 
-/* The place of the first number that is not 0, 4 LOFT_AXES for none. */
+/* The place of the first coordinate that is not 0; 4 LOFT_AXES if all are 0. */
 static int first_of(const loft_bicubic *b, int column)
 {
     int place = 0;

@@ -1,5 +1,5 @@
-/* lib/surface/tensor/bicubic.h -- bicubic patches from what is known at their four corners, and how
- * two of them join
+/* lib/surface/tensor/bicubic.h -- bicubic patches from values and derivatives at their corners, and
+ * joins of two patches
  * SPDX-License-Identifier: MIT
  *
  * The patch of Coons and Ferguson: Hermite's cubic in both directions. Plain data, no init: fill
@@ -9,9 +9,9 @@
  *                          { u00, u01, t00, t01 }, { u10, u11, t10, t11 } } };
  *     if (loft_bicubic_eval(&b, loft_unit_of(1, 3), loft_unit_of(1, 2), &p) == LOFT_OK) ..
  *
- * Points may lie beyond the coordinates although all data are within: that is reported, never
- * wrapped. In the `error` lines ulp is that of the largest coordinate given. f64 takes coordinates
- * below 2^1000.
+ * A point may lie beyond the coordinate range although all data are within it. That is reported,
+ * never wrapped. In the `error` lines ulp is that of the largest given coordinate. f64 accepts
+ * coordinates below 2^1000.
  */
 #ifndef LOFT_SURFACE_TENSOR_BICUBIC_H
 #define LOFT_SURFACE_TENSOR_BICUBIC_H
@@ -20,9 +20,9 @@
 
 LOFT_BEGIN_C
 
-/* at[a][b]: a = 0, 1: the value at u = 0, 1, a = 2, 3: the derivative by u there; b likewise with
- * v. So at[0][1] is the corner (0, 1), at[2][0] its tangent along u at (0, 0), at[3][3] the twist,
- * the mixed derivative, at (1, 1). */
+/* at[a][b]: a = 0, 1 is the value at u = 0, 1; a = 2, 3 is the derivative by u there; b likewise
+ * with v. So at[0][1] is the corner (0, 1), at[2][0] its tangent along u at (0, 0), and at[3][3]
+ * the twist, the mixed derivative, at (1, 1). */
 typedef struct {
     loft_vec at[4][4];
 } loft_bicubic;
@@ -30,7 +30,7 @@ typedef struct {
 /* The point at (u, v).
  *
  *   range   u, v in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit; *out
- *           is untouched then
+ *           is then untouched
  *   error   q16: 1/2 LSB + 10 * 2^-17 LSB, exact at the corners   f32: 1/2 ulp of the result + 1/2
  *           ulp   f64: 56 ulp
  *   cost    30 wide lerps and 10 divisions by 3 per axis; safe in an ISR
@@ -53,27 +53,25 @@ enum loft_status loft_bicubic_deriv(const loft_bicubic *b, unsigned j, unsigned 
 /* The same patch as a tensor product of degree 3 x 3.
  *
  *   shape   net[16], row by row: 4 i + j for b_ij, i along u
- *   range   LOFT_ERR_RANGE when a point does not fit; net[] is undefined then
+ *   range   LOFT_ERR_RANGE when a point does not fit; net[] is then undefined
  *   error   q16: 1/2 LSB + 2 * 2^-17 LSB, none at the corners   f32: 1/2 ulp of the result + 1/2
  *           ulp   f64: 12 ulp
  *   cost    16 divisions by 3 per axis
  */
 enum loft_status loft_tensor_from_bicubic(const loft_bicubic *b, loft_vec net[16]) LOFT_CHECKED;
 
-/* How patch A goes on from patch C over the edge C(u, 1) = A(u, 0). */
+/* How patch A continues patch C over the edge C(u, 1) = A(u, 0). */
 typedef struct {
-    bool c0;            /* the edge is one curve */
-    bool c1;            /* and so are the derivatives by v along it */
-    bool g1;            /* the derivatives of A are lambda times those of C, lambda > 0, not all of
-                         * them 0 */
+    bool c0;            /* the edges are equal */
+    bool c1;            /* c0, and the derivatives by v along the edge are equal */
+    bool g1;            /* c0, and A's derivatives are lambda > 0 times C's, not all of them 0 */
     loft_real lambda;   /* 0 where g1 does not hold */
 } loft_bicubic_join;
 
-/* Decide how A goes on from C. g1 is enough for one tangent plane along the edge, and not
- * necessary.
+/* Decide how A continues C. g1 is sufficient, not necessary, for one tangent plane along the edge.
  *
- *   range   any; LOFT_ERR_RANGE: lambda does not fit: the flags are right and lambda is 0; or, in
- *           floats, a coordinate that loft_exact_valid refuses, then all is false and 0. *j is
+ *   range   LOFT_ERR_RANGE when lambda does not fit: the flags are then right and lambda is 0. In
+ *           floats also when loft_exact_valid refuses a coordinate: all is then false and 0. *j is
  *           always written
  *   error   none in the flags; lambda q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: 1 ulp
  *   cost    8 exact products per axis and one quotient; 1 kB of stack in q16; not for an ISR

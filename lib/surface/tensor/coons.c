@@ -1,14 +1,14 @@
 /* lib/surface/tensor/coons.c
  * SPDX-License-Identifier: MIT
  *
- * With a blend H_t(x_0 .. x_k) of values (and derivatives) at both ends of 0..1, linear, cubic or
- * quintic, and the curves U_b along u and V_a along v, the Boolean sum is
+ * Let H_t(x_0 .. x_k) blend values (and derivatives) at both ends of 0..1: linear, cubic or
+ * quintic. With the curves U_b along u and V_a along v, the Boolean sum is
  *
- *     S(s, t) = H_t(U_b(s)) + H_s(V_a(t) - H_t(C_ab))         C_ab = the a-th of U_b's own values
- *                                                             and derivatives at its ends
+ *     S(s, t) = H_t(U_b(s)) + H_s(V_a(t) - H_t(C_ab))
  *
- * Since C is taken from U, the second term is V_a at the ends of s, whatever the curves are; at the
- * ends of t it is what V says there less what U says, 0 where they agree. */
+ * C_ab is the a-th value or derivative of U_b at its ends. Since C is taken from U, the patch is
+ * V_a at the ends of s, whatever the curves are. At the ends of t the second term is the difference
+ * of V and U at the corners: 0 where they agree. */
 #include "surface/tensor/coons.h"
 #include "basis/bernstein.h"    /* loft_bernstein_eval */
 #include "basis/interp.h"       /* loft_ends3_deriv, loft_ends5_deriv */
@@ -43,7 +43,7 @@ static void rational_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES
     widen(loft_rational_eval((const loft_rational *)curve, t), out);
 }
 
-/* The place of t in a domain: knots may be anything, their distance no coordinate. */
+/* The parameter of t in a knot domain. The knots are arbitrary; their distance need not fit. */
 static loft_real along(const loft_knots *knots, loft_unit t)
 {
     return loft_acc_round(loft_acc_lerp(loft_to_acc(knots->k[knots->degree]),
@@ -104,8 +104,8 @@ enum loft_status loft_coons_init(loft_coons *c, const loft_side u[2], const loft
     return LOFT_OK;
 }
 
-/* Each term is within three coordinates. The rounding of the lerps: 1 along t, 1 along s, 2 of the
- * corners, in 2^-33. */
+/* Each term is within three coordinates. Rounding of the lerps, in 2^-33: 1 along t, 1 along s, 2
+ * at the corners. */
 enum loft_status loft_coons_eval(const loft_coons *c, loft_unit s, loft_unit t, loft_vec *out)
 {
     loft_acc u[2][LOFT_AXES], v[2][LOFT_AXES], x[LOFT_AXES];
@@ -125,10 +125,10 @@ enum loft_status loft_coons_eval(const loft_coons *c, loft_unit s, loft_unit t, 
 }
 
 
-/* Bezier curves, slopes, curvatures. Room in q16, n = 9: a second derivative at an end is below 72
- * * 4 * 2^15 < 2^23.2, a first one below 2^19.2, a derivative of a blend weighs its data by at most
- * 6: 2^26 for what is blended as a second derivative, 2^22 as a first, 2^20 as a value. That is
- * within what basis/interp.h says of t in 0..1. */
+/* Bezier curves, slopes, curvatures. Range in q16, n = 9: a second derivative at an end is below
+ * 72 * 4 * 2^15 < 2^23.2, a first one below 2^19.2. A derivative of a blend weighs its data by at
+ * most 6. So blended second derivatives are below 2^26, first ones below 2^22, values below 2^20.
+ * basis/interp.h accepts these for t in 0..1. */
 
 /* The k-th derivative of one coordinate at t. */
 static loft_acc bezier_at(const loft_bezier *b, int axis, unsigned k, loft_unit t)
@@ -148,7 +148,7 @@ static loft_acc bezier_at(const loft_bezier *b, int axis, unsigned k, loft_unit 
     return factor * loft_bernstein_eval(c, b->degree - k, t);
 }
 
-/* Value 2 k + end: the k-th derivative at t = end. The order of loft_ends3_deriv and
+/* Value 2 k + end is the k-th derivative at t = end, the order of loft_ends3_deriv and
  * loft_ends5_deriv. */
 static loft_acc bezier_end(const loft_bezier *b, int axis, unsigned which)
 {
@@ -233,8 +233,8 @@ enum loft_status loft_coons_bezier_eval(const loft_coons_bezier *c, loft_unit s,
     return loft_coons_bezier_deriv(c, 0, 0, s, t, out);
 }
 
-/* b_ij = (1 - j/n) u0_i + j/n u1_i + (1 - i/m) v0_j + i/m v1_j - (corners at i/m, j/n), all times m
- * n <= 81: the sum is below 3 * 81 * 2^47 < 2^55. */
+/* b_ij = (1 - j/n) u0_i + j/n u1_i + (1 - i/m) v0_j + i/m v1_j - (corners at i/m, j/n). All terms
+ * are multiplied by m n <= 81, so the sum is below 3 * 81 * 2^47 < 2^55. */
 enum loft_status loft_tensor_from_coons(const loft_coons_bezier *c, loft_vec net[])
 {
     const loft_bezier *u = c->u[0], *v = c->v[0];

@@ -1,10 +1,9 @@
-/* lib/surface/tensor/grid.c -- the arithmetic of one axis is num/walk2.c and, along a row,
- * num/walk.c
+/* lib/surface/tensor/grid.c -- the arithmetic of one axis: num/walk2.c, along a row num/walk.c
  * SPDX-License-Identifier: MIT
  */
 #include "surface/tensor/grid.h"
 
-/* The places in the net of the first and the last control point of row k. */
+/* The indices of the first and the last control point of row k in the net. */
 static size_t first_of(const loft_walk2 *s, unsigned k)
 {
     return s->triangle ? k * (k + 1u) / 2 : k * (s->q + 1u);
@@ -24,8 +23,8 @@ static bool accepted(const loft_vec net[], size_t points)
     return true;
 }
 
-/* The edges along which rows begin and end; the former replaces column 0, which is the same but for
- * rounding. */
+/* The edges along which rows begin and end. The former replaces column 0, which differs from it
+ * only by rounding. */
 static void start_edges(loft_grid *g, const loft_vec net[], int axis, const loft_powers *powers)
 {
     loft_state *column = g->memory + (size_t)axis * g->states;
@@ -44,7 +43,7 @@ static void start_edges(loft_grid *g, const loft_vec net[], int axis, const loft
     g->end[axis] = line[0];
 }
 
-/* The first row, and the last one, walk along the curve of their control points. */
+/* The first row and the last row walk along the curve of their control points. */
 static void start_row(loft_grid *g, const loft_vec control[], unsigned degree)
 {
     loft_powers powers;
@@ -105,7 +104,7 @@ enum loft_status loft_grid_triangle_init(loft_grid *g, const loft_triangle *t, u
     return start(g, t->p, &shape, memory, count);
 }
 
-/* The net as a tensor: its edges are those of `c`, its inside says whether all points fit. */
+/* The net as a tensor. Its edges are those of `c`; its inside shows whether all points fit. */
 enum loft_status loft_grid_coons_init(loft_grid *g, const loft_coons_bezier *c, uint32_t rows,
                                       uint32_t columns, loft_state memory[], size_t count)
 {
@@ -148,7 +147,7 @@ static void next_row(loft_grid *g)
         start_row(g, g->last, q);
 }
 
-/* Where a row begins its first point is d[0] of each walk. */
+/* At the start of a row the first point is d[0] of each walk. */
 static bool is_begin(const loft_grid *g)
 {
     return g->left == (g->shape.triangle ? g->at + 1 : g->shape.columns + 1);

@@ -1,10 +1,10 @@
 /* lib/surface/tensor/tensor.c
  * SPDX-License-Identifier: MIT
  *
- * Room and error. Within 0..1 a row of de Casteljau's scheme makes nothing larger and rounds by
- * 2^-33 (basis/bernstein.c); after m rows along u each of the n + 1 values errs by at most m 2^-33,
- * and along v these errors are averaged while n more roundings come: (m + n) 2^-33, in LSB (m + n)
- * 2^-17.
+ * Range and error. Within 0..1 a row of de Casteljau's algorithm makes no value larger and rounds
+ * by 2^-33 (basis/bernstein.c). After m rows along u each of the n + 1 values errs by at most m
+ * 2^-33. Along v these errors are averaged while n more roundings come: (m + n) 2^-33, in LSB (m +
+ * n) 2^-17.
  */
 #include "surface/tensor/tensor.h"
 
@@ -16,7 +16,7 @@ static loft_bezier row_of(const loft_tensor *s, unsigned i)
     return b;
 }
 
-/* A column lies in steps of n + 1 points: it is copied. */
+/* The points of a column are n + 1 apart, so they are copied. */
 static loft_bezier column_of(const loft_tensor *s, unsigned j, loft_vec copy[])
 {
     const loft_bezier b = { copy, s->m };
@@ -53,7 +53,7 @@ enum loft_status loft_tensor_init(loft_tensor *s, const loft_vec p[], unsigned m
     return LOFT_OK;
 }
 
-/* c[0..degree] to its differences of order k, c[0..degree-k] */
+/* Replace c[0..degree] by its differences of order k, c[0..degree-k]. */
 static void difference(loft_acc c[], unsigned degree, unsigned k)
 {
     for (; k > 0; k--, degree--)
@@ -61,8 +61,8 @@ static void difference(loft_acc c[], unsigned degree, unsigned k)
             c[i] = c[i+1] - c[i];
 }
 
-/* The patch of degrees (m - a) x (n - b) through the differences of one axis, at (u, v). With a + b
- * <= 9 differences are below 2^9 2^47. */
+/* The value at (u, v) of the patch of degrees (m - a) x (n - b) made of the differences of one
+ * axis. With a + b <= 9 differences are below 2^9 2^47. */
 static loft_acc differences_at(const loft_tensor *s, int axis, unsigned a, unsigned b, loft_unit u,
                                loft_unit v)
 {
@@ -99,8 +99,8 @@ static int32_t falling(unsigned n, unsigned k)
     return f;
 }
 
-/* The factor is at most 9! / 5! * 9! / 4! < 2^26, and it is taken only when the value is within
- * twice the range of a coordinate divided by it. */
+/* The factor is at most 9! / 5! * 9! / 4! < 2^26. It is applied only when the value is within twice
+ * the range of a coordinate divided by the factor. */
 enum loft_status loft_tensor_deriv(const loft_tensor *s, unsigned a, unsigned b, loft_unit u,
                                    loft_unit v, loft_vec *out)
 {

@@ -1,24 +1,24 @@
 /* lib/surface/tensor/tensor_join.c
  * SPDX-License-Identifier: MIT
  *
- * Along the edge, with whole numbers throughout,
+ * Along the edge, in whole numbers,
  *
  *     A = P_u / m   of degree n      B = Q_u / m'   of degree n      T = P_v / n   of degree n - 1
  *
- * The normals A x T and B x T are parallel where (A x T) x (B x T) = det(A, B, T) T is null. With T
- * not null that is det(A, B, T) = 0, a polynomial of degree 3 n - 1 whose coefficients are sums of
- * whole numbers.
+ * The normals A x T and B x T are parallel where (A x T) x (B x T) = det(A, B, T) T is 0. Where T
+ * is not 0, that means det(A, B, T) = 0, a polynomial of degree 3 n - 1 whose coefficients are sums
+ * of whole numbers.
  *
- * Parallel normals have one direction where each component of the one has the sign of that of the
- * other, and not all are 0. On a piece of the edge that is proven when in one component all
- * Bernstein coefficients of A x T have one sign, not 0, and all of B x T the same. It is disproven
- * where it fails at the end of a piece. Otherwise the piece is halved: near a point where the
- * normals are not null some component is not either, and pieces that are short enough are proven.
+ * Parallel normals have the same direction where corresponding components have the same sign and
+ * not all are 0. This is proven on a piece of the edge when, in one component, all Bernstein
+ * coefficients of A x T and of B x T have one common sign, not 0. It is disproven where it fails at
+ * the end of a piece. Otherwise the piece is halved. Near a point where the normals are not 0, some
+ * component is not 0 either, so short pieces are proven.
  *
- * Room. A difference is below 2^e, e = 33 in q16 and 129 in floats. A coefficient of det is below 6
- * * 2^(3e) times the sum of the products of binomials, 2^(3n - 1): q16 2^128, floats 2^416. Halving
- * adds sums instead of means, which multiplies A and B by 2^n and T by 2^(n-1) each time: a
- * coefficient of A x T after L halvings is below 2^(2e + 1 + (2n - 1)(L + 1)).
+ * Range. A difference is below 2^e, e = 33 in q16 and 129 in floats. A coefficient of det is below
+ * 6 * 2^(3e) times the sum of the products of binomials, 2^(3n - 1): q16 2^128, floats 2^416.
+ * Halving takes sums instead of means, which multiplies A and B by 2^n and T by 2^(n-1) each time.
+ * After L halvings a coefficient of A x T is below 2^(2e + 1 + (2n - 1)(L + 1)).
  */
 #include "surface/tensor/tensor_join.h"
 #include "basis/dyadic.h"       /* loft_dyad: the pieces of the edge */
@@ -88,14 +88,14 @@ static bool parallel(edge *e)
     return true;
 }
 
-/* One half of a polynomial: sums in place of means, and all coefficients times 2^degree. The left
- * half takes the first value of each row, the right half the last one. */
+/* One half of a polynomial. Sums replace means, so all coefficients are multiplied by 2^degree. The
+ * left half takes the first value of each row, the right half the last one. */
 static void halve(loft_exact x[][3], unsigned degree, unsigned side)
 {
     for (int i = 0; i < 3; i++)
         for (unsigned row = 0; row < degree; row++)
             for (unsigned k = 0; k < degree - row; k++) {
-                const unsigned at = side ? k : degree - k;      /* the one that is replaced */
+                const unsigned at = side ? k : degree - k;      /* the coefficient to replace */
                 x[at][i] = loft_exact_add(x[at][i], x[side ? at + 1 : at - 1][i]);
             }
     for (unsigned k = 0; k <= degree; k++)
@@ -113,7 +113,7 @@ static void cut(edge *e, loft_dyad piece)
     }
 }
 
-/* Have both normals one direction at the first (s = 0) or last coefficient, which are values? */
+/* Do both normals have one direction at the first (s = 0) or last coefficient, which are values? */
 static bool agree(edge *e, unsigned s)
 {
     bool some = false;

@@ -1,16 +1,16 @@
 /* lib/surface/tensor/tensor_rational.c
  * SPDX-License-Identifier: MIT
  *
- * Numerator and denominator are tensor-product polynomials of their own, at the scale of
- * curve/rational.c: in q16 |x| < 2^30 and w' < 2^30, w' >= 2^29 / R, and m + n rows of lerps err by
- * (m + n) 2^-33, the quotient therefore by (m + n) R 2^-30 LSB.
+ * Numerator and denominator are two tensor-product polynomials at the scale of curve/rational.c. In
+ * q16 |x| < 2^30 and w' < 2^30, w' >= 2^29 / R. m + n rows of lerps err by (m + n) 2^-33, so the
+ * quotient errs by (m + n) R 2^-30 LSB.
  */
 #include "surface/tensor/tensor_rational.h"
 #include "num/acc128.h"           /* loft_acc_project */
 #include "surface/differential.h"      /* the derivatives */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
-#define WEIGHTS (-1)            /* in place of an axis */
+#define WEIGHTS (-1)            /* given in place of an axis */
 
 static loft_rational row_of(const loft_tensor_rational *s, unsigned i)
 {
@@ -18,8 +18,8 @@ static loft_rational row_of(const loft_tensor_rational *s, unsigned i)
     return r;
 }
 
-/* A column lies in steps of n + 1 points: it is copied. The scale of the patch is good for each of
- * its curves. */
+/* The points of a column are n + 1 apart, so they are copied. The scale of the patch is valid for
+ * each of its curves. */
 static loft_rational column_of(const loft_tensor_rational *s, unsigned j, loft_weighted copy[])
 {
     const loft_rational r = { copy, s->scale, s->m };

@@ -2,13 +2,12 @@
  * points, derivatives, pieces
  * SPDX-License-Identifier: MIT
  *
- * As surface/tensor/tensor.h, and every control point has a weight (curve/rational.h tells what a
- * weight in q16 can hold). Control points lie in space, not multiplied by their weights. In the
+ * As surface/tensor/tensor.h, with a weight for every control point (curve/rational.h has the range
+ * of weights in q16). Control points lie in space; they are not multiplied by their weights. In the
  * `error` lines R is the largest weight over the smallest, at most 65536, and ulp is that of the
  * largest control value.
  *
- *     loft_tensor_rational s;                          // a quarter of a cylinder, a ring, a piece
- *                                                      of a sphere
+ *     loft_tensor_rational s;                 // a cylinder, a torus, a piece of a sphere ..
  *     if (loft_tensor_rational_init(&s, net, 2, 1) == LOFT_OK)
  *         p = loft_tensor_rational_eval(&s, u, v);
  */
@@ -23,23 +22,23 @@ LOFT_BEGIN_C
 /* A patch. The control points are borrowed. Do not fill it yourself: call init. */
 typedef struct {
     const loft_weighted *p;
-    int32_t scale;              /* a power of two: the largest weight times it is in 2^14 .. 2^15 */
+    int32_t scale;              /* a power of two; scale * the largest weight is in 2^14 .. 2^15 */
     uint8_t m, n;               /* the degrees along u and v */
 } loft_tensor_rational;
 
 /* Make a patch of (m + 1) (n + 1) control points, row by row, which must outlive it.
  *
  *   range   degrees 0..9, otherwise LOFT_ERR_ARG; weights 1/256..256 and finite coordinates,
- *           otherwise LOFT_ERR_RANGE; *s is untouched then
+ *           otherwise LOFT_ERR_RANGE; *s is then untouched
  *   error   none: nothing is rounded
- *   cost    one look at each coordinate and weight
+ *   cost    one check per coordinate and weight
  */
 enum loft_status loft_tensor_rational_init(loft_tensor_rational *s, const loft_weighted p[],
                                            unsigned m, unsigned n) LOFT_CHECKED;
 
 /* The point at (u, v), by de Casteljau's algorithm for numerator and denominator.
  *
- *   range   u and v are clamped to 0..1 (nan to 0): cannot fail
+ *   range   u and v are clamped to 0..1 (NaN to 0): cannot fail
  *   error   q16: 1/2 LSB + (m + n) R * 2^-30 LSB, below 0.502 LSB; exact at the corners
  *           f32: 1 ulp   f64: 6 (m + n) + 4 ulp
  *   cost    LOFT_AXES + 1 times (n + 1) m (m + 1) / 2 + n (n + 1) / 2 wide lerps, a quotient per
@@ -51,8 +50,8 @@ loft_vec loft_tensor_rational_eval(const loft_tensor_rational *s, loft_unit u, l
 /* The derivatives by u and by v.
  *
  *   range   u, v in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when one does not fit (it may be
- *           a degree times R times the distance of two points), or for f32, f64 coordinates of
- *           2^100 and more in size; nothing is written then
+ *           degree * R times the distance of two points), or for f32, f64 absolute coordinates of
+ *           2^100 and more; nothing is then written
  *   error   with d the larger degree, q16: 1/2 LSB + d (m + n) R * 2^-26 LSB
  *           f32, f64: 1/2 ulp of the result + 32 d (m + n + 1) R ulp of double
  *   cost    that of loft_tensor_rational_differential (surface/differential.h)
@@ -63,9 +62,8 @@ enum loft_status loft_tensor_rational_deriv(const loft_tensor_rational *s, loft_
 
 /* Pieces and other forms
  * ----------------------
- * Nets are undefined after an error. Pieces may take the place of the net itself. The points err as
- * those of the curves (curve/rational.h); so do the weights, by 1/2 LSB in q16, which may move the
- * piece by more. */
+ * Nets are undefined after an error. A piece may replace the net itself. Points err as those of the
+ * curves (curve/rational.h). Weights err by 1/2 LSB in q16, which may move the piece by more. */
 
 /* The nets of the pieces 0..t and t..1 in u, or in v. `left` and `right` must differ.
  *
@@ -91,7 +89,7 @@ enum loft_status loft_tensor_rational_elevate_u(const loft_tensor_rational *s, u
 enum loft_status loft_tensor_rational_elevate_v(const loft_tensor_rational *s, unsigned times,
                                               loft_weighted out[]) LOFT_CHECKED;
 
-/* The box of the net. The patch over 0..1 x 0..1 lies inside, rounded or not (f64: but for the
+/* The box of the net. The patch over 0..1 x 0..1 lies inside, even when rounded (f64: up to the
  * error of eval).
  *
  *   error   none

@@ -1,10 +1,10 @@
 /* lib/surface/triangle/triangle.c
  * SPDX-License-Identifier: MIT
  *
- * Every function takes one axis at a time: coefficients widened to loft_acc, rows of de Casteljau's
- * scheme there, one rounding at the end. Room and error of the rows are proved in barycentric.c: in
- * real units e_n = 2^-33 (1 + L + ..), in LSB (2^-16) that is 2^-17 (1 + L + ..), at most 0.08, and
- * the rounding adds 1/2.
+ * Every function takes one axis at a time: coefficients as loft_acc, rows of de Casteljau's
+ * algorithm, one rounding at the end. barycentric.c proves range and error of the rows. In real
+ * units e_n = 2^-33 (1 + L + ..), in LSB (2^-16) 2^-17 (1 + L + ..), at most 0.08. The final
+ * rounding adds 1/2.
  */
 #include "surface/triangle/triangle.h"
 #include "geom/normal.h"            /* loft_vec_normal */
@@ -131,10 +131,10 @@ enum loft_status loft_triangle_normal(const loft_triangle *t, loft_bary u, loft_
     return loft_vec_normal(a, b, out);
 }
 
-/* The differences first, so that their roundings are the least: each of the r rows multiplies what
- * went before by Z, the others by L. The factor is at most 9! < 2^18.5, so the product could
- * overflow: it is taken only when the value is within twice the range of a coordinate divided by
- * it. */
+/* The differences come first, so that their roundings stay small: each of the r rows multiplies
+ * earlier errors by Z, the other rows by L. The factor is at most 9! < 2^18.5, and the product
+ * could overflow. So it is applied only when the value is within twice the range of a coordinate
+ * divided by the factor. */
 enum loft_status loft_triangle_deriv(const loft_triangle *t, unsigned r, loft_bary z, loft_bary u,
                                      loft_vec *out)
 {

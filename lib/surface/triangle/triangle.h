@@ -2,18 +2,18 @@
  * derivatives, curves on them
  * SPDX-License-Identifier: MIT
  *
- * The control points b_ijk stand in the order of barycentric.h: row by row from the corner T1 down
- * to the edge T2 T3. Everything is computed wide and rounded once.
+ * The control points b_ijk are in the order of barycentric.h: row by row from the corner T1 down to
+ * the edge T2 T3. Everything is computed wide and rounded once.
  *
  *     loft_triangle t;
  *     if (loft_triangle_init(&t, points, 3) == LOFT_OK)
  *         p = loft_triangle_eval(&t, (loft_bary) { loft_unit_of(1, 3), loft_unit_of(1, 3) });
  *
- * In the `error` lines ulp is that of the largest control value, L = |u| + |v| + |w|, which is 1
- * inside and at the edges. Outside, and for directions, values are multiplied by up to L in each
- * row: LOFT_ERR_RANGE when the product of all rows exceeds 19683 (degree 9: L to 3, degree 4: 11,
- * degree 2: 140) or |v| or |w| exceeds 32. In q16 the error is then still below 0.58 LSB.
- * Coordinates are accepted as in curve/bezier.h.
+ * In the `error` lines ulp is that of the largest control value, and L = |u| + |v| + |w|, which is
+ * 1 inside and on the edges. The law of growth: outside, and for directions, each row multiplies
+ * values by up to L. The result is LOFT_ERR_RANGE when the product of all rows exceeds 19683
+ * (degree 9: L to 3, degree 4: 11, degree 2: 140) or |v| or |w| exceeds 32. So in q16 the error
+ * stays below 0.58 LSB. Coordinates are accepted as in curve/bezier.h.
  */
 #ifndef LOFT_SURFACE_TRIANGLE_TRIANGLE_H
 #define LOFT_SURFACE_TRIANGLE_TRIANGLE_H
@@ -32,9 +32,9 @@ typedef struct {
 /* Make a triangle of LOFT_TRIANGLE_POINTS(degree) control points, which must outlive it.
  *
  *   range   degree 0..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise LOFT_ERR_RANGE; *t
- *           is untouched then
+ *           is then untouched
  *   error   none: the points are borrowed
- *   cost    two comparisons a coordinate
+ *   cost    two comparisons per coordinate
  */
 enum loft_status loft_triangle_init(loft_triangle *t, const loft_vec p[],
                                     unsigned degree) LOFT_CHECKED;
@@ -54,8 +54,8 @@ loft_vec loft_triangle_eval(const loft_triangle *t, loft_bary u);
 
 /* The point at u, outside the triangle as well.
  *
- *   range   LOFT_ERR_RANGE when the point does not fit or the law above is not kept; *out is
- *           untouched then
+ *   range   LOFT_ERR_RANGE when the point does not fit or the law of growth fails; *out is then
+ *           untouched
  *   error   q16: 1/2 LSB + (1 + L + .. + L^(degree-1)) * 2^-17 LSB
  *           f32: 1/2 ulp of the result + 1/2 ulp   f64: 3 * degree * L^degree ulp
  *   cost    as eval
@@ -63,11 +63,11 @@ loft_vec loft_triangle_eval(const loft_triangle *t, loft_bary u);
 enum loft_status loft_triangle_extrapolate(const loft_triangle *t, loft_bary u,
                                       loft_vec *out) LOFT_CHECKED;
 
-/* The three points of the last row but one, which span the tangent plane at u and of which u, v, w
- * make the point.
+/* The three points of the last row but one. They span the tangent plane at u, and their weighted
+ * sum by u, v, w is the point.
  *
- *   range   degree >= 1, otherwise LOFT_ERR_ARG; then as extend
- *   error   as extend with degree - 1
+ *   range   degree >= 1, otherwise LOFT_ERR_ARG; then as extrapolate
+ *   error   as extrapolate with degree - 1
  *   cost    as eval
  */
 enum loft_status loft_triangle_tangent(const loft_triangle *t, loft_bary u,
@@ -77,7 +77,7 @@ enum loft_status loft_triangle_tangent(const loft_triangle *t, loft_bary u,
  *
  *   range   u is clamped. LOFT_SINGULAR when the three points of loft_triangle_tangent are on a
  *           line, to within a sine of 2^-20, or for fewer than three axes; degree >= 1, otherwise
- *           LOFT_ERR_ARG; *out is untouched then
+ *           LOFT_ERR_ARG; *out is then untouched
  *   error   with s the sine of the angle between the two edges at the first of the three points and
  *           l the shorter edge: q16: 2^-17 + (2^-32 + degree * 2^-31 / l) / s, below 2^-14 where s
  *           > 1/64 and s l > 2^-13
@@ -87,11 +87,11 @@ enum loft_status loft_triangle_tangent(const loft_triangle *t, loft_bary u,
 enum loft_status loft_triangle_normal(const loft_triangle *t, loft_bary u,
                                       loft_vec *out) LOFT_CHECKED;
 
-/* The r-th derivative at u in the direction z; 0 for r > degree. The first one is degree times the
- * sum of the points of loft_triangle_tangent with the coordinates of z.
+/* The r-th derivative at u in the direction z; 0 for r > degree. The first derivative is degree
+ * times the sum of the points of loft_triangle_tangent with the coordinates of z.
  *
- *   range   LOFT_ERR_RANGE when it does not fit or the law above is not kept, with the L of z for r
- *           rows (1 if less); *out is untouched then
+ *   range   LOFT_ERR_RANGE when it does not fit or the law of growth fails, with the L of z for r
+ *           rows (at least 1); *out is then untouched
  *   error   with f = degree! / (degree - r)!, Z = max(1, |u| + |v| + |w|) of z, m = degree - r:
  *           q16: 1/2 LSB + f ((1 + Z + .. + Z^(r-1)) L^m + 1 + L + .. + L^(m-1)) * 2^-17 LSB
  *           f32: 1/2 ulp of the result + 1/2 ulp   f64: 3 f (degree + 1) Z^r L^m ulp
@@ -103,8 +103,8 @@ enum loft_status loft_triangle_deriv(const loft_triangle *t, unsigned r, loft_ba
 
 /* The polar form with `times` arguments a and the others u: (aE)^times (uE)^(degree-times) b.
  *
- *   range   times <= degree, otherwise LOFT_ERR_ARG; then as extend
- *   error   as extend with the larger L
+ *   range   times <= degree, otherwise LOFT_ERR_ARG; then as extrapolate
+ *   error   as extrapolate with the larger L
  *   cost    as eval
  *   see     Ramshaw, blossoming
  */
@@ -115,10 +115,10 @@ enum loft_status loft_triangle_polar(const loft_triangle *t, unsigned times, lof
  * ------
  * `out` has degree + 1 points, the control points of a Bezier curve of the same degree. */
 
-/* The curve on the surface over the straight line of parameters from..to.
+/* The curve on the surface over the straight line from..to in the parameter domain.
  *
- *   range   as extend; `out` is undefined after an error
- *   error   as extend with the larger L, per control point
+ *   range   as extrapolate; `out` is undefined after an error
+ *   error   as extrapolate with the larger L, per control point
  *   cost    degree + 1 times up to that of eval; 1 kB of stack
  *   see     Ramshaw: out[k] = b[from^(degree-k), to^k]
  */
@@ -133,11 +133,11 @@ enum loft_status loft_triangle_line(const loft_triangle *t, loft_bary from, loft
  */
 void loft_triangle_edge(const loft_triangle *t, unsigned side, loft_vec out[]);
 
-/* The box of the control net. The surface over the triangle lies inside; the box is not the
+/* The box of the control net. The surface over the triangle lies inside. The box need not be the
  * smallest.
  *
- *   error   none of the net's; f32, f64: points of eval beyond it by no more than their own error
- *   cost    two comparisons a coordinate
+ *   error   none for the net; f32, f64: points of eval exceed it by at most their own error
+ *   cost    two comparisons per coordinate
  */
 loft_box loft_triangle_box(const loft_triangle *t);
 

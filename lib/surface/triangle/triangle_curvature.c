@@ -1,17 +1,17 @@
 /* lib/surface/triangle/triangle_curvature.c
  * SPDX-License-Identifier: MIT
  *
- * With e, f the edges from the corner b_n00 to its neighbours and the second differences g, h, l
- * there
+ * With e, f the edges from the corner b_n00 to its neighbours, and g, h, l the second differences
+ * there,
  *
  *     S' = n p,             p = v e + w f
  *     S'' = n (n - 1) q,    q = v^2 g + 2 v w h + w^2 l
- *     bend = (n - 1) / n * <q, m> / (|m| |p|^2),    m = e x f
+ *     curvature = (n - 1) / n * <q, m> / (|m| |p|^2),    m = e x f
  *
  * p is a whole number over 2^(R + T), q over 2^(R + 2T), m over 2^(2R), R = LOFT_EXACT_REAL, T =
- * LOFT_EXACT_UNIT. Bits: with coordinates of R' (31, floats 128), p R' + T + 10, q R' + 2T + 19, m
- * 2R' + 4; <q, m> has 3R' + 2T + 25: 166 in q16 and 515 in floats; |p|^2 2R' + 2T + 22 = 132 and
- * 384, and |m|, of which 100 are kept, 100 more.
+ * LOFT_EXACT_UNIT. Bits, with coordinates of R' (31, floats 128): p R' + T + 10, q R' + 2T + 19, m
+ * 2R' + 4; <q, m> has 3R' + 2T + 25: 166 in q16 and 515 in floats. |p|^2 has 2R' + 2T + 22: 132 and
+ * 384. |m|, of which 100 bits are kept, has 100 more.
  */
 #include "surface/triangle/triangle_curvature.h"
 #include "geom/vec_exact.h"         /* loft_exact: no cancellation */
@@ -20,7 +20,7 @@
 #define ROOT_BITS 100
 #define FARTHEST LOFT_UNIT(127)
 
-/* b_n00 and the five points nearest to it, in one axis; the last three are missing for degree 1. */
+/* b_n00 and the five points nearest to it, in one axis. The last three are absent for degree 1. */
 static void take(const loft_triangle *t, int axis, loft_exact b[6])
 {
     for (unsigned k = 0; k < 6; k++)
@@ -44,7 +44,7 @@ static void differ(const loft_exact b[6], loft_exact v, loft_exact w, loft_exact
     *q = loft_exact_add(scaled(first, v), scaled(scaled(l, w), w));
 }
 
-/* |m| 2^shift, to 2^-97 of itself: the components are brought to 100 bits. */
+/* |m| 2^shift, to 2^-97 of itself: the components are scaled to 100 bits. */
 static loft_exact length(const loft_exact m[SPACE], int *shift)
 {
     loft_exact scaled_down[SPACE];

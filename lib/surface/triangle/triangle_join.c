@@ -5,9 +5,9 @@
  *
  *     c_ijk = sum over a + b + c = i of i! / (a! b! c!) u^a v^b w^c b_(a, j+b, k+c)
  *
- * a whole number over 2^(R + i T), R = LOFT_EXACT_REAL, T = LOFT_EXACT_UNIT. Since |u| + |v| + |w|
- * < 509 < 2^9, it has at most 9 (T + 9) bits more than a coordinate: 329 in q16, 687 in floats, of
- * 447 and 1087.
+ * It is a whole number over 2^(R + i T), R = LOFT_EXACT_REAL, T = LOFT_EXACT_UNIT. Since |u| + |v|
+ * + |w| < 509 < 2^9, it has at most 9 (T + 9) bits more than a coordinate: 329 in q16, 687 in
+ * floats. loft_exact has 447 and 1087.
  */
 #include "surface/triangle/triangle_join.h"
 #include "geom/vec_exact.h"         /* loft_exact: no decision depends on rounding */
@@ -51,7 +51,7 @@ static loft_exact line(const loft_triangle *t, int axis, unsigned m, unsigned j,
     return sum;
 }
 
-/* c_ijk 2^(R + i T): Horner's scheme in u over those lines. */
+/* c_ijk 2^(R + i T): Horner's scheme in u over the lines. */
 static loft_exact beyond(const loft_triangle *t, int axis, unsigned i, unsigned k, const weights *x)
 {
     const unsigned j = t->degree - i - k;

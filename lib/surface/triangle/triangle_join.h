@@ -1,14 +1,14 @@
 /* lib/surface/triangle/triangle_join.h -- two Bezier triangles with a common edge: how smoothly
- * they join, and how to go on
+ * they join, and how to continue one
  * SPDX-License-Identifier: MIT
  *
- * The first triangle lies over (T1, T2, T3), the second over (T*, T2, T3), and T* has the
- * coordinates `star` in the first, outside it beyond the edge T2 T3 (u < 0). Both have the same
- * degree and the order of barycentric.h, so that their points with i = 0 lie on the common edge.
+ * The first triangle lies over (T1, T2, T3), the second over (T*, T2, T3). T* has the coordinates
+ * `star` in the first triangle, outside it beyond the edge T2 T3 (u < 0). Both have the same degree
+ * and the order of barycentric.h, so that their points with i = 0 lie on the common edge.
  * Everything is exact in whole numbers (num/exact.h).
  *
- *   range   coordinates that loft_exact_valid: any in q16, multiples of 2^-108 below 2^20 in f32
- *           and f64, otherwise LOFT_ERR_RANGE
+ *   range   coordinates that loft_exact_valid accepts: any in q16, multiples of 2^-108 below 2^20
+ *           in f32 and f64, otherwise LOFT_ERR_RANGE
  *   cost    2 kB of stack in q16; not for an ISR
  *   see     Farin, Curves and Surfaces for CAGD, ch. 17: Cr conditions; Chang, Mathematics of
  *           Surfaces, ch. 8
@@ -27,8 +27,8 @@ LOFT_BEGIN_C
  * that order agree along the edge: row by row from i = 0, in each row with j descending.
  *
  *   shape   out[LOFT_TRIANGLE_ROWS(degree, order)], not the control points themselves
- *   range   order <= degree, otherwise LOFT_ERR_ARG; |v|, |w| < 127 of `star`, otherwise
- *           LOFT_ERR_RANGE, as when a point does not fit; `out` is undefined then
+ *   range   order <= degree, otherwise LOFT_ERR_ARG; |v|, |w| < 127 of `star` and points that fit,
+ *           otherwise LOFT_ERR_RANGE; `out` is then undefined
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1/2 ulp   f64: 1 ulp, of the result
  *   cost    (i + 1) (i + 2) exact products and a quotient for each coordinate of row i
  */
@@ -38,7 +38,7 @@ enum loft_status loft_triangle_join_continue(const loft_triangle *t, loft_bary s
 /* The largest r for which all derivatives up to r agree along the edge; -1 when the edges differ.
  *
  *   range   equal degrees, otherwise LOFT_ERR_ARG; |v|, |w| < 127 of `star`, otherwise
- *           LOFT_ERR_RANGE; *order is untouched then
+ *           LOFT_ERR_RANGE; *order is then untouched
  *   error   none
  *   cost    (i + 1) (i + 2) exact products for each coordinate of row i, up to the first one that
  *           differs

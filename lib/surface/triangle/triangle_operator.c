@@ -1,22 +1,22 @@
 /* lib/surface/triangle/triangle_operator.c
  * SPDX-License-Identifier: MIT
  *
- * B keeps u, v and w, and maps the product of two of them to 1 - 1/n of itself, hence also h = u v
- * + v w + w u. In every node but the corners h >= (n - 1) / n^2. So a function that vanishes in the
- * corners and is at most c in the nodes is there below c n^2 / (n - 1) h, and after k rounds below
- * (1 - 1/n)^k of that:
+ * B keeps u, v and w, and maps the product of two of them to 1 - 1/n of itself. So it does for
+ * h = u v + v w + w u. In every node but the corners h >= (n - 1) / n^2. So a function that
+ * vanishes in the corners and is at most c in the nodes is there below c n^2 / (n - 1) h, and after
+ * k rounds below (1 - 1/n)^k of that.
  *
- * The errors of sampling, e = n 2^-33 a round in the nodes and none in the corners, add up to at
+ * The errors of sampling, e = n 2^-33 per round in the nodes and none in the corners, add up to at
  * most n e n^2 / (n - 1) h <= e n^3 / (3 n - 3), as h <= 1/3. The limit is reached after 512
- * rounds: what f differs from the plane, at most 2^17, is then (8/9)^512 2^17 n^2 / (n - 1) <
- * 2^-66.
+ * rounds: f differs from the plane by at most 2^17 before, and then by (8/9)^512 2^17 n^2 / (n - 1)
+ * < 2^-66.
  */
 #include "surface/triangle/triangle_operator.h"
 
 #define TIMES_MAX 512
 #define MOST LOFT_TRIANGLE_MOST
 
-/* The value at the node (i, j, k) / n. A sum is below n 2^47, each row rounds by 2^-33. */
+/* The value at the node (i, j, k) / n. A sum is below n 2^47, and each row rounds by 2^-33. */
 static loft_acc at_node(loft_acc c[], unsigned n, int32_t i, int32_t j, int32_t k)
 {
     for (unsigned rows = n; rows > 0; rows--)
@@ -45,7 +45,7 @@ static void sample(loft_acc f[], unsigned n)
     copy(g, count, f);
 }
 
-/* The net of the polynomial after so many times, and its degree. */
+/* The net of the polynomial after `times` rounds, and its degree. */
 static enum loft_status iterate(const loft_real f[], unsigned *n, uint32_t times, loft_acc g[])
 {
     if (*n < 1 || *n > LOFT_DEGREE_MAX || times < 1)
@@ -77,8 +77,8 @@ enum loft_status loft_triangle_iterate(const loft_real f[], unsigned n, uint32_t
     return status;
 }
 
-/* What the samples err by, at most s 2^-33, the n rows multiply by L^n. After 512 rounds what is
- * left of f beside the plane is multiplied by at most 2^14.3. */
+/* The samples err by at most s 2^-33, which the n rows multiply by L^n. After 512 rounds the
+ * remaining distance of f from the plane is multiplied by at most 2^14.3. */
 enum loft_status loft_triangle_iterate_extrapolate(const loft_real f[], unsigned n, uint32_t times,
                                               loft_bary u, loft_real *value)
 {

@@ -1,8 +1,8 @@
 /* lib/surface/triangle/triangle_pieces.c
  * SPDX-License-Identifier: MIT
  *
- * One axis at a time: all of it is read before any of it is written, so the result may replace what
- * it is made of. Room and error of the rows: barycentric.c.
+ * One axis at a time. An axis is read completely before it is written, so the result may replace
+ * its input. barycentric.c proves range and error of the rows.
  */
 #include "surface/triangle/triangle_pieces.h"
 
@@ -31,8 +31,8 @@ static void copy(const loft_acc from[], unsigned count, loft_acc to[])
 
 /* Around a point */
 
-/* After r rows what lies on the three edges of the net that is left belongs to the three pieces,
- * with the power r of the new corner: b_0jk, b_i0k and b_ij0. */
+/* After r rows the three edges of the remaining net belong to the three pieces, with the power r of
+ * the new corner: b_0jk, b_i0k and b_ij0. */
 static bool deal(const loft_acc x[], unsigned degree, unsigned r, int axis, loft_vec a[],
                  loft_vec b[], loft_vec c[])
 {
@@ -68,11 +68,10 @@ enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_v
 
 /* Over another triangle */
 
-/* One corner of a part, and the row of the scheme that belongs to it. */
+/* One corner of a sub-triangle, and the row of the algorithm that belongs to it. */
 typedef struct {
     loft_bary u;
-    uint8_t ends[2];                /* for halves: the middle of these two corners, which may be
-                                     * one */
+    uint8_t ends[2];                /* for halves: take the mean of these two corners */
 } corner;
 
 typedef void row(loft_acc c[], unsigned degree, const corner *at);
@@ -82,8 +81,8 @@ static void blend_row(loft_acc c[], unsigned degree, const corner *at)
     loft_bary_step(c, degree, at->u);
 }
 
-/* Corner e = 0, 1, 2 of the small triangle at place p in row m stands at p, p + m + 1, p + m + 2.
- * In q16 a coordinate has 16 bits below its last one, of which nine rows use nine: nothing is
+/* Corner e = 0, 1, 2 of the small triangle at place p in row m is at p, p + m + 1, p + m + 2. In
+ * q16 an acc has 16 bits below the LSB of a coordinate. Nine rows use nine of them, so nothing is
  * rounded. */
 static void halve_row(loft_acc c[], unsigned degree, const corner *at)
 {
@@ -94,8 +93,8 @@ static void halve_row(loft_acc c[], unsigned degree, const corner *at)
         }
 }
 
-/* b[corner0^i, corner1^j, corner2^k]: i rows at the first corner, in a copy j at the second, in a
- * copy of that k at the third. */
+/* b[corner0^i, corner1^j, corner2^k]: i rows at the first corner, then j rows at the second in a
+ * copy, then k rows at the third in a copy of that. */
 static bool reshape(loft_acc c[], unsigned degree, const corner at[3], row *step, int axis,
                     loft_vec out[])
 {
@@ -164,7 +163,7 @@ enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary at[3]
 
 /* sum C(i,r) C(j,s) C(k,t) b_rst / C(n+m,n) over r + s + t = n, with (i, j, k) of degree n + m. The
  * products of binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 <
- * 2^62.6. One division, rounded to 2^-33. */
+ * 2^62.6. One division rounds to 2^-33. */
 static loft_acc raised(const loft_acc c[], unsigned n, unsigned i, unsigned j, unsigned k)
 {
     loft_acc sum = 0;

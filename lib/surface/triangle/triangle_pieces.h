@@ -1,10 +1,10 @@
-/* lib/surface/triangle/triangle_pieces.h -- Bezier triangles cut, reshaped and raised: the same
- * surface with other control points
+/* lib/surface/triangle/triangle_pieces.h -- Bezier triangles split, reparametrized and
+ * degree-elevated
  * SPDX-License-Identifier: MIT
  *
- * Results are nets in the order of barycentric.h. They may be the control points themselves, but
- * not each other, and are undefined after an error. The `error` lines are those of triangle.h, for
- * each control point.
+ * Results are nets in the order of barycentric.h. A result may replace the control points, but
+ * results must not overlap each other. They are undefined after an error. The `error` lines are
+ * those of triangle.h, for each control point.
  */
 #ifndef LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
 #define LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
@@ -16,7 +16,8 @@ LOFT_BEGIN_C
 
 /* The three triangles around the point u: (u, T2, T3), (T1, u, T3) and (T1, T2, u).
  *
- *   range   LOFT_ERR_RANGE when a control point does not fit or the law of triangle.h is not kept
+ *   range   LOFT_ERR_RANGE when a control point does not fit or the law of growth of triangle.h
+ *           fails
  *   error   as loft_triangle_extrapolate
  *   cost    as loft_triangle_eval; 500 bytes of stack
  *   see     Farin, Curves and Surfaces for CAGD, ch. 17: subdivision at a point
@@ -24,7 +25,7 @@ LOFT_BEGIN_C
 enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_vec a[],
                                      loft_vec b[], loft_vec c[]) LOFT_CHECKED;
 
-/* The four triangles between corners and middles of the edges, M12 between T1 and T2 and so on:
+/* The four triangles between the corners and the edge midpoints. M12 is between T1 and T2, etc.:
  *
  *     part 0   T1 M12 M13         part 2   M13 M23 T3
  *     part 1   M12 T2 M23         part 3   M23 M13 M12
@@ -38,12 +39,13 @@ enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_v
 enum loft_status loft_triangle_quarter(const loft_triangle *t, unsigned part,
                                        loft_vec out[]) LOFT_CHECKED;
 
-/* The part over any other triangle, given by its corners: b[corner0^i, corner1^j, corner2^k].
+/* The net over any other triangle, given by its corners: b[corner0^i, corner1^j, corner2^k].
  *
- *   range   LOFT_ERR_RANGE when a control point does not fit or the law of triangle.h is not kept
+ *   range   LOFT_ERR_RANGE when a control point does not fit or the law of growth of triangle.h
+ *           fails
  *   error   as loft_triangle_extrapolate with the largest L
- *   cost    (degree + 1) (degree + 2) (degree + 3) (degree + 8) / 24 blends at most; 1.4 kB of
- *           stack
+ *   cost    (degree + 1) (degree + 2) (degree + 3) (degree + 8) / 24 weighted sums at most; 1.4 kB
+ *           of stack
  *   see     Ramshaw, blossoming
  */
 enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary corner[3],
@@ -54,16 +56,16 @@ enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary corne
  *
  *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree + 3 ulp
- *   cost    at most as many small products and one division for each control point of the result as
- *           the net has points; 450 bytes of stack
+ *   cost    per control point of the result: at most one small product per point of the net, and
+ *           one division; 450 bytes of stack
  *   see     Farin, ch. 17: degree elevation
  */
 enum loft_status loft_triangle_elevate(const loft_triangle *t, unsigned times,
                                      loft_vec out[]) LOFT_CHECKED;
 
-/* The control points of the surface sum a_pr v^p w^r in the coordinates of a loft_bary, the shares
- * of T2 and T3, which are the u and v of a sheet. a is listed by degree, then by the power of w:
- * those of 1, v, w, v^2, v w, w^2, ..
+/* The control points of the surface sum a_pr v^p w^r, where v and w are the coordinates of T2 and
+ * T3 as in a loft_bary, which a loft_surface calls u and v. a is in order of degree, then of the
+ * power of w: the coefficients of 1, v, w, v^2, v w, w^2, ..
  *
  *   range   degree 0..9, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when a point does not fit
  *   error   q16: 1/2 LSB + degree^2 * 2^-17 LSB   f32: 1/2 ulp of the result + 1/2 ulp

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: MIT
  *
  * Points: as for curves (curve/rational.c), with rows over three corners in place of two. Weights
- * are brought to 2^14 .. 2^15, numerators and denominators then stay below 2^30 inside the
- * triangle, each row rounds them by 2^-33, and the quotient errs by n R 2^-30 LSB.
+ * are scaled to 2^14 .. 2^15. So numerators and denominators stay below 2^30 inside the triangle,
+ * each row rounds them by 2^-33, and the quotient errs by n R 2^-30 LSB.
  */
 #include "surface/triangle/triangle_rational.h"
 #include "num/acc128.h"               /* loft_acc_project */
@@ -60,14 +60,14 @@ loft_vec loft_triangle_rational_eval(const loft_triangle_rational *t, loft_bary 
 
 /* Derivatives
  *
- * With the last three numerators x and weights w, the point X / W of them at u, and N, V their sums
- * with the coordinates of z,
+ * Let x and w be the last three numerators and weights, X / W their point at u, and N, V their sums
+ * with the coordinates of z. Then
  *
  *     D = n (N W - X V) / W^2
  *
- * Each row errs by at most 5 * 2^-61 of the largest value, W by that of itself, being a sum of
- * positive numbers. N / W is at most Z R P with the largest coordinate P, so in q16 D errs by n Z R
- * P (10 n + 6) 2^-61, P = 2^31 LSB. */
+ * Each row errs by at most 5 * 2^-61 of the largest value, and W by that part of itself, because it
+ * is a sum of positive numbers. N / W is at most Z R P with the largest coordinate P. So in q16 D
+ * errs by n Z R P (10 n + 6) 2^-61, P = 2^31 LSB. */
 
 typedef struct {
     loft_sci u, v, w;
@@ -89,8 +89,8 @@ static loft_sci blend(loft_sci a, loft_sci b, loft_sci c, const weights *x)
                         loft_sci_mul(x->w, c));
 }
 
-/* The numerators of an axis, or for axis -1 the weights: their three values in the last row but
- * one. */
+/* The three values of the last row but one: the numerators of an axis, or the weights for axis -1.
+ * */
 static void three(const loft_triangle_rational *t, int axis, const weights *u, loft_sci out[3])
 {
     loft_sci c[MOST];

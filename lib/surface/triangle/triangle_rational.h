@@ -2,10 +2,10 @@
  * derivatives
  * SPDX-License-Identifier: MIT
  *
- * Every control point has a weight, as in curve/rational.h, where what a weight in q16 can hold is
- * told. The control points stand in the order of barycentric.h and lie in space, not multiplied by
- * their weights. In the `error` lines R is the largest weight over the smallest, at most 65536, and
- * ulp is that of the largest control value.
+ * Every control point has a weight; curve/rational.h has the range of weights in q16. The control
+ * points are in the order of barycentric.h and lie in space, not multiplied by their weights. In
+ * the `error` lines R is the largest weight over the smallest, at most 65536, and ulp is that of
+ * the largest control value.
  */
 #ifndef LOFT_SURFACE_TRIANGLE_TRIANGLE_RATIONAL_H
 #define LOFT_SURFACE_TRIANGLE_TRIANGLE_RATIONAL_H
@@ -18,16 +18,16 @@ LOFT_BEGIN_C
 /* A triangle of any degree. The control points are borrowed. Do not fill it yourself: call init. */
 typedef struct {
     const loft_weighted *p;
-    int32_t scale;              /* a power of two: the largest weight times it is in 2^14 .. 2^15 */
+    int32_t scale;              /* a power of two; scale * the largest weight is in 2^14 .. 2^15 */
     uint8_t degree;
 } loft_triangle_rational;
 
 /* Make a triangle of LOFT_TRIANGLE_POINTS(degree) control points, which must outlive it.
  *
  *   range   degree 0..9, otherwise LOFT_ERR_ARG; weights 1/256..256 and finite coordinates,
- *           otherwise LOFT_ERR_RANGE; *t is untouched then
+ *           otherwise LOFT_ERR_RANGE; *t is then untouched
  *   error   none: the points are borrowed
- *   cost    three comparisons a control point and two a coordinate
+ *   cost    three comparisons per control point and two per coordinate
  */
 enum loft_status loft_triangle_rational_init(loft_triangle_rational *t, const loft_weighted p[],
                                              unsigned degree) LOFT_CHECKED;
@@ -46,7 +46,7 @@ loft_vec loft_triangle_rational_eval(const loft_triangle_rational *t, loft_bary 
 /* The derivative at u in the direction z, by the quotient rule.
  *
  *   range   u inside the triangle, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the derivative does
- *           not fit (it may be degree * R times the distance of two points); *out is untouched then
+ *           not fit (it may be degree * R times the distance of two points); *out is then untouched
  *   error   with Z = |u| + |v| + |w| of z: q16: 1/2 LSB + degree (degree + 1) Z R * 2^-26 LSB
  *           f32, f64: 1/2 ulp of the result + 16 degree (degree + 1) Z R ulp of double
  *   cost    in numbers of num/sci.h, LOFT_AXES + 1 times degree (degree + 1) (degree + 2) / 2

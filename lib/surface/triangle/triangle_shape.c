@@ -1,7 +1,7 @@
 /* lib/surface/triangle/triangle_shape.c
  * SPDX-License-Identifier: MIT
  *
- * Coefficients have R bits (31, in floats 128); the longest decision is of degree 6 in them, see
+ * Coefficients have R bits (31, in floats 128). The longest decision is of degree 6 in them:
  * roots_sign.
  */
 #include "surface/triangle/triangle_shape.h"
@@ -15,7 +15,7 @@ static bool admits_all(const loft_real b[], unsigned count)
     return true;
 }
 
-/* Where b_ijk stands, whatever the degree: before it 1 + 2 + .. + (j + k), and in its row k. */
+/* The index of b_ijk, for every degree: 1 + 2 + .. + (j + k) before its row, and k in its row. */
 static unsigned place(unsigned j, unsigned k)   { return (j + k) * (j + k + 1) / 2 + k; }
 static unsigned count_of(unsigned degree)       { return (degree + 1) * (degree + 2) / 2; }
 
@@ -41,12 +41,12 @@ static int edge_sign(loft_exact a, loft_exact b, loft_exact c)
                 loft_exact_compare(loft_exact_mul(a, a), bc));
 }
 
-/* sqrt(A B C) + a sqrt A + b sqrt B + c sqrt C for A, B, C >= 0: with
+/* The sign of sqrt(A B C) + a sqrt A + b sqrt B + c sqrt C for A, B, C >= 0. With
  *
  *     p = sqrt A (sqrt(B C) + a)      q = b sqrt B + c sqrt C      p^2 - q^2 = m + n sqrt(B C)
  *     m = A (B C + a^2) - b^2 B - c^2 C      n = 2 (a A - b c)
  *
- * every sign is one of the form x + y sqrt z. Room: m is below 2^(3 R + 2), m^2 and n^2 B C below
+ * every sign is that of some x + y sqrt z. Range: m is below 2^(3 R + 2), m^2 and n^2 B C below
  * 2^(6 R + 4): 190 bits in q16, 772 in floats. */
 static int roots_sign(const form *f)
 {
@@ -103,8 +103,8 @@ enum loft_status loft_triangle2_sign(const loft_real b[6], loft_triangle_sign *o
 
 
 /* Wang and Liu. (n-1)! i / (i! j! k!) = (n-1)! / ((i-1)! j! k!) = C(n-1, k) C(n-1-k, j): at most
- * 560 for n = 9. All of one corner sum to 3^(n-1) <= 6561 < 2^12.7; with the corner once more a sum
- * is below 2^(R + 13). */
+ * 560 for n = 9. All factors of one corner sum to 3^(n-1) <= 6561 < 2^12.7. With the corner itself
+ * a sum is below 2^(R + 13). */
 
 static loft_exact wang_liu_sum(const loft_real b[], unsigned degree, int corner)
 {
@@ -152,8 +152,8 @@ enum loft_status loft_triangle_wang_liu(const loft_real b[], unsigned degree, bo
 }
 
 
-/* Convex nets. Of b_xy, the coefficient x + y + (i j k) with unit steps x and y: D1 = b_11 - b_12 -
- * b_13 + b_23, and so on in cyclic order. D is below 2^(R + 2), a sum of three products of two
+/* Convex nets. b_xy is the coefficient at (i j k) plus unit steps x and y. D1 = b_11 - b_12 - b_13
+ * + b_23, D2 and D3 in cyclic order. D is below 2^(R + 2). A sum of three products of two D is
  * below 2^(2 R + 5.6). */
 
 /* b at (j, k) with the steps x and y, each 0, 1 or 2 for i, j or k */
@@ -171,8 +171,8 @@ static void differences(const loft_real b[], unsigned j, unsigned k, loft_exact 
     }
 }
 
-/* Look at one index of degree n - 2. (E2 - E3)^2 b = D2 + D3: the sum of two is convexity along a
- * mesh line. */
+/* Test one index of degree n - 2. (E2 - E3)^2 b = D2 + D3, so the sum of two is the convexity along
+ * a mesh line. */
 static void look_at(const loft_real b[], unsigned j, unsigned k, loft_net_convexity *out)
 {
     loft_exact d[3], sum = loft_exact_from_int(0);
@@ -191,7 +191,7 @@ static void look_at(const loft_real b[], unsigned j, unsigned k, loft_net_convex
     out->weak = out->weak && pairs && loft_exact_sign(sum) >= 0;
 }
 
-/* Does every step of direction x, from E(x+1) to E(x+2), go up, down, or neither? */
+/* Does every step in direction x, from E(x+1) to E(x+2), go up or down, or do the signs differ? */
 static int8_t trend_of(const loft_real b[], unsigned degree, int x)
 {
     bool up = false, down = false;
