@@ -1,9 +1,9 @@
 /* lib/polygon/basepoint.c
  * SPDX-License-Identifier: MIT
  *
- * Weights and phi are not negative, so nothing cancels, next to a base point either: numerator and
- * denominator err by shares, a term by less than 2 degree + 6 roundings, and the quotient by twice
- * that.
+ * Weights and phi are not negative, so nothing cancels, not even near a base point. Numerator and
+ * denominator have relative errors: a term errs by less than 2 degree + 6 roundings, the quotient
+ * by twice that.
  */
 #include "polygon/basepoint.h"
 #include "curve/rational.h"     /* LOFT_WEIGHT_MIN */
@@ -49,8 +49,8 @@ enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], cons
     return LOFT_OK;
 }
 
-/* The sum of all terms with factor[0]^i factor[1]^j factor[2]^k shared^(degree - the index of the
- * corner - its cut). */
+/* The sum of all terms with factor[0]^i factor[1]^j factor[2]^k shared^(degree - index - cut),
+ * index and cut being those of the corner. */
 static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3], loft_sci shared,
                                 unsigned corner, loft_vec *out)
 {
@@ -76,8 +76,8 @@ static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3
     return loft_weighted_sum_project(&sum, out);
 }
 
-/* Is exactly one of them 0, and the share of the other two one that a loft_unit holds? Then *number
- * is the side there. */
+/* Is exactly one phi 0, and can a loft_unit hold the quotient of the other two? Then *number is the
+ * side there. */
 static bool on_side(const loft_basepoint *b, const loft_sci phi[3], unsigned *number, loft_unit *t)
 {
     unsigned zeros = 0, corner = 0;
@@ -109,7 +109,7 @@ enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, lo
     return sum_all(b, phi, loft_sci_one(), 2, out);
 }
 
-/* Points with i + j < c are cut off: the factor v^c is common to all that are left. */
+/* Points with i + j < c are cut off, so the factor v^c is common to all that remain. */
 enum loft_status loft_basepoint_corner(const loft_basepoint *b, unsigned corner, loft_unit u,
                                        loft_unit v, loft_vec *out)
 {
@@ -159,8 +159,8 @@ loft_basepoint_side loft_basepoint_side_of(const loft_basepoint *b, unsigned num
     return s;
 }
 
-/* Control point t of a side. At a cut corner these are the points that border what is cut off;
- * between corners those on the edge of the triangle, of which the ends may be cut off. */
+/* The rank of control point t of a side. At a cut corner the side has the points next to the cut.
+ * Between corners it has the points on the edge of the triangle without those that are cut off. */
 static unsigned side_rank(const loft_basepoint *b, loft_basepoint_side s, unsigned t)
 {
     const unsigned cut = b->cut[s.corner], one = after(s.corner), two = after(one);
@@ -172,8 +172,8 @@ static unsigned side_rank(const loft_basepoint *b, loft_basepoint_side s, unsign
     return loft_multiindex_rank(l, 3);
 }
 
-/* A side of degree m between corners that are cut is the part C(degree, cut + t) of a curve of the
- * triangle's degree: a factor of C(degree, cut + t) / C(m, t) on its weights. */
+/* A side of degree m between cut corners is a piece of a curve of the triangle's degree. Its
+ * weights have the factor C(degree, cut + t) / C(m, t). */
 static enum loft_status cut_side(const loft_basepoint *b, loft_basepoint_side s, loft_unit at,
                                  loft_vec *out)
 {

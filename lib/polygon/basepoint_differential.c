@@ -1,10 +1,8 @@
-/* lib/polygon/basepoint_differential.c -- derivatives of surfaces from a rational Bezier triangle
- * with cut
- * corners
+/* lib/polygon/basepoint_differential.c -- derivatives of Bezier triangles with cut corners
  * SPDX-License-Identifier: MIT
  *
- * The sums of basepoint.c, in functions of phi_1 and phi_2, or of u and v at a corner, counted from
- * the point itself.
+ * The sums of basepoint.c, as functions of phi_1 and phi_2, or of u and v at a corner. Points are
+ * relative to the point itself.
  */
 #include "polygon/basepoint.h"
 #include "polygon/jet_weighted_sum.h"  /* loft_jet_weighted_sum */
@@ -28,7 +26,7 @@ static bool is_cut(const loft_basepoint *b, const uint8_t l[3])
     return false;
 }
 
-/* The factors of the three indices, and what has the power degree - index - cut of a corner. */
+/* The factors of the three indices, and the factor of power degree - index - cut of a corner. */
 typedef struct {
     loft_jet factor[3], shared;
     unsigned corner;

@@ -1,18 +1,18 @@
 /* lib/polygon/disk.c
  * SPDX-License-Identifier: MIT
  *
- * In a convex polygon the way from the middle to the point of the side is straight. Any other
- * polygon is taken for a convex one with as many sides, the model, in which the ways are straight
- * too. The same diagonals cut both into convex parts (those of a convex polygon never cross), and
- * the triangles between the mean of a part's vertices and two that follow each other are mapped
- * linearly from the one to the other. On a side of a triangle the map depends on its ends alone. So
- * the triangles fit together, none is turned over, and all together cover the polygon once. A
- * convex polygon is one part, and the map of it keeps the shares in each triangle: the ways are
- * straight again.
+ * In a convex polygon the path from the middle to the point of the side is straight. Any other
+ * polygon is replaced by a convex one with as many sides, the model, in which the paths are
+ * straight too. The same diagonals divide both into convex pieces; diagonals of a convex polygon
+ * never cross. In each piece, the triangles between the mean of the vertices and two successive
+ * vertices are mapped linearly from the model to the polygon. On a side of a triangle the map
+ * depends only on its ends. So the triangles fit together, none is turned over, and together they
+ * cover the polygon once. A convex polygon is one piece, and its map keeps the shares in each
+ * triangle, so the paths are straight again.
  *
- * The others are cut into kites, one for each corner k: s along side k and t along side k - 1, 0..1
- * to the middles of both sides, s = t = 1 is the middle of the patch; and in those the way is
- * straight. Kites meet where two parameters are equal.
+ * Other patches are divided into kites, one for each corner k. s runs along side k and t along side
+ * k - 1, each from 0 to 1 at the middle of the side. s = t = 1 is the middle of the patch. In a
+ * kite the path is straight. Kites meet where two parameters are equal.
  */
 #include "polygon/disk.h"
 
@@ -36,7 +36,7 @@ static void phi_of_side(unsigned n, unsigned side, loft_unit share, loft_sci phi
     phi[side] = loft_sci_sub(loft_sci_one(), loft_sci_from_unit(share));
 }
 
-/* From the middle towards a point between a and b. */
+/* A point on the way from the middle to a point between a and b. */
 static loft_spot spot_of(loft_spot middle, loft_spot a, loft_spot b, loft_unit share, loft_unit u)
 {
     loft_spot p;
@@ -48,7 +48,7 @@ static loft_spot spot_of(loft_spot middle, loft_spot a, loft_spot b, loft_unit s
     return p;
 }
 
-/* The model: a convex octagon of whole numbers, or a choice of its vertices. */
+/* The model: a convex octagon of whole numbers, or a subset of its vertices. */
 static void model_vertex(unsigned sides, unsigned i, int32_t out[2])
 {
     static const int8_t octagon[8][2] = { { 1, 0 }, { 2, 0 }, { 3, 1 }, { 3, 2 },
@@ -59,7 +59,7 @@ static void model_vertex(unsigned sides, unsigned i, int32_t out[2])
     out[1] = v[1];
 }
 
-/* The sum of the vertices of a part of the model: as many times the mean of them. */
+/* The sum of the vertices of a piece of the model: their mean times their number. */
 static void model_sum(const loft_disk *r, unsigned part, int32_t out[2])
 {
     int32_t v[2];
@@ -72,7 +72,7 @@ static void model_sum(const loft_disk *r, unsigned part, int32_t out[2])
     }
 }
 
-/* A point of the model, as many times as the first part has sides. */
+/* A point of the model, times the number of sides of the first piece. */
 static void model_point(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
                         loft_acc out[2])
 {
@@ -89,8 +89,8 @@ static void model_point(const loft_disk *r, unsigned side, loft_unit share, loft
     }
 }
 
-/* A triangle of a part, and the shares that a point has of it, of any common size: of the middle,
- * of vertex a, of vertex b. */
+/* A triangle of a piece, and the barycentric coordinates of a point in it with any common factor:
+ * of the middle, of vertex a, of vertex b. */
 typedef struct {
     unsigned part, a, b;
     loft_acc of[3];
@@ -100,8 +100,9 @@ static loft_acc cross(int32_t x, int32_t y, const loft_acc p[2]) { return x * p[
 
 /* With the middle m = M / k, and the point q times n:
  *
- *     of m: k (b - a) x (n q - n a)     of a: (M - k b) x (n q - n b)     of b: (k a - M) x (n q -
- *         n a) */
+ *     of m: k (b - a) x (n q - n a)
+ *     of a: (M - k b) x (n q - n b)
+ *     of b: (k a - M) x (n q - n a) */
 static fan_triangle triangle_of(const loft_disk *r, unsigned part, unsigned corner,
                                 const loft_acc q[2])
 {
@@ -132,7 +133,7 @@ static loft_acc least_share(const fan_triangle *t)
     return loft_acc_min(t->of[0], loft_acc_min(t->of[1], t->of[2]));
 }
 
-/* The triangle that q lies in; next to a border, either of the two. */
+/* The triangle that contains q; on a border between two, either of them. */
 static fan_triangle triangle_around(const loft_disk *r, const loft_acc q[2])
 {
     fan_triangle best = triangle_of(r, 0, 0, q);
@@ -174,7 +175,7 @@ static loft_spot spot_in(const loft_disk *r, unsigned side, loft_unit share, lof
     return spot_of(middle, v[t.a], v[t.b], along, loft_unit_ratio(both, both + t.of[0]));
 }
 
-/* Next to the boundary a point may be rounded to one outside: then the nearest one is taken. */
+/* Near the boundary a point may be rounded to one outside. Then the nearest one is taken. */
 static enum loft_status coordinates_at(const loft_disk *r, unsigned side, loft_unit share,
                                        loft_unit u, loft_sci phi[])
 {
@@ -237,7 +238,7 @@ static loft_spot mean_of_corners(const loft_toric *t)
     return m;
 }
 
-/* A point that is rounded to one outside is drawn towards the middle. */
+/* A point that is rounded to one outside is moved toward the middle. */
 static enum loft_status toric_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
                                  loft_vec *out)
 {
@@ -322,7 +323,7 @@ typedef struct {
     loft_unit s, t;
 } kite;
 
-/* Where the way from the middle to `share` of a side is at u. */
+/* The place at u on the path from the middle to `share` of a side. */
 static kite kite_of(const loft_disk *r, unsigned side, loft_unit share, loft_unit u)
 {
     const bool first = share <= LOFT_UNIT(0.5);
@@ -334,10 +335,10 @@ static kite kite_of(const loft_disk *r, unsigned side, loft_unit share, loft_uni
     return k;
 }
 
-/* A corner where a side at a cut corner of the triangle begins or ends, or one that is not cut.
- * With w and 1 - w the shares that the next and the last corner of the triangle have of what the
- * corner itself lacks to 1, which is v: the kite ends at the lines where two of the three shares
- * are equal,
+/* Three kinds of corners: a side of a cut corner of the triangle begins or ends there, or the
+ * corner is not cut. v is 1 minus the share of the corner itself. w and 1 - w are the parts of v
+ * that belong to the next and the last corner of the triangle. The kite ends at the lines where two
+ * of the three shares are equal,
  *
  *     begins: w = s/2, v = t / (2 - w)      ends: w = 1 - t/2, v = s / (1 + w)
  *     not cut: shares s/2 (1 - t/2) and t/2 (1 - s/2), over 1 - s t / 4 */
@@ -373,11 +374,11 @@ void loft_disk_from_basepoint(loft_disk *r, const loft_basepoint *b)
     r->patch = b;
 }
 
-/* The parameter a of side i - 1 that is that of side i + 1 too, when side i has b:
+/* The parameter a that sides i - 1 and i + 1 have in common when side i has b:
  *
  *     5 sides   b a^2 - 2 a + 1 = 0,  a = 1 / (1 + sqrt(1 - b))
- *     6 sides   2 b a^3 - 4 a^2 + b a + 1 = 0, by Newton's steps from 1/2 + 0.29 b, which is within
- *               0.02 */
+ *     6 sides   2 b a^3 - 4 a^2 + b a + 1 = 0, by Newton's method from 1/2 + 0.29 b, which
+ *               is within 0.02 */
 static loft_sci balanced(unsigned sides, loft_sci b)
 {
     const loft_sci one = loft_sci_one(), two = loft_sci_from_int(2), four = loft_sci_from_int(4);
@@ -400,7 +401,8 @@ static loft_sci balanced(unsigned sides, loft_sci b)
     return a;
 }
 
-/* s balanced(c t), c what all parameters are in the middle: (sqrt 5 - 1) / 2 and sqrt(1/2). */
+/* s balanced(c t). c is the value of all parameters in the middle: (sqrt 5 - 1) / 2 and sqrt(1/2).
+ * */
 static loft_unit ring_parameter(unsigned sides, loft_unit s, loft_unit t)
 {
     const loft_sci middle = loft_sci_from_unit(sides == 5 ? LOFT_UNIT(0.6180339887498949)
@@ -412,7 +414,7 @@ static loft_unit ring_parameter(unsigned sides, loft_unit s, loft_unit t)
     return loft_sci_to_acc(a, &wide) ? loft_unit_round(wide) : 0;
 }
 
-/* Three sides: u_i belongs to corner i + 2, opposite to side i. */
+/* Three sides: u_i belongs to corner i + 2, opposite side i. */
 static enum loft_status triple_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
                                   loft_vec *out)
 {
@@ -455,7 +457,7 @@ void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g)
 }
 
 
-/* The sheet */
+/* The surface */
 
 static enum loft_status round_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {

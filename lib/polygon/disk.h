@@ -1,20 +1,20 @@
-/* lib/polygon/disk.h -- a whole patch with n sides as one sheet around its middle, for contours
- * and lines
+/* lib/polygon/disk.h -- a patch with n sides as one surface around its middle, for contours and
+ * lines
  * SPDX-License-Identifier: MIT
  *
- * u runs from the middle to the boundary, v around: from k / n to (k + 1) / n along side k,
- * straight on it. So there is no seam: the waterlines of surface/contour.h close around the middle,
- * and rows and columns = a multiple of n make a grid with all corners. The polygon may have any
- * shape: the sheet covers every point of it once.
+ * u runs from the middle to the boundary, v around it: from k / n to (k + 1) / n along side k,
+ * linearly. So there is no seam: contours of surface/contour.h close around the middle. If rows and
+ * columns are multiples of n, the grid contains all corners. The polygon may have any shape: the
+ * disk covers each of its points once.
  *
  *     loft_disk r;
  *     if (loft_disk_from_spatch(&r, &patch, &domain, loft_wachspress_eval) == LOFT_OK &&
- *         loft_contour_init(&c, loft_surface_from_disk(&r), 2, height, tol, 32, 40, memory, sizeof
- *         memory) == LOFT_OK) ..
+ *         loft_contour_init(&c, loft_surface_from_disk(&r), 2, height, tol, 32, 40, memory,
+ *                           sizeof memory) == LOFT_OK) ..
  *
- * In q16 the points of a polygon have the step 2^-16, and what is found on the patch the step that
- * this makes there: take a large polygon, not one in the unit circle, for fine contours.
- * Coordinates do not depend on its size.
+ * In q16 the points of a polygon have the step 2^-16, which limits the resolution on the patch. For
+ * fine contours take a large polygon, not one in the unit circle. Coordinates do not depend on its
+ * size.
  */
 #ifndef LOFT_POLYGON_DISK_H
 #define LOFT_POLYGON_DISK_H
@@ -32,7 +32,7 @@ LOFT_BEGIN_C
 
 /* loft_wachspress_eval, loft_meanvalue_eval. */
 typedef enum loft_status loft_coordinates(const loft_domain *d, loft_spot p, loft_sci phi[]);
-
+/* Everything is borrowed. Do not fill it yourself. */
 /* All is borrowed. Do not fill it yourself. */
 typedef struct loft_disk {
     enum loft_status (*at)(const struct loft_disk *r, unsigned side, loft_unit share, loft_unit u,
@@ -41,16 +41,15 @@ typedef struct loft_disk {
     const loft_domain *domain;
     loft_coordinates *coordinates;
     const loft_harmonic *harmonic;
-    loft_partition cut;         /* over a polygon: into convex parts */
+    loft_partition cut;         /* over a polygon: its convex pieces */
     uint8_t sides;
 } loft_disk;
-
-/* Of a patch over a polygon with its coordinates, or (NULL) harmonic ones, see below; of one over
- * whole points; with base points; of Zheng and Ball. The middle is the mean of the vertices, of
- * those of the first part where the polygon is not convex.
+/* Make a disk of a patch over a polygon, with its coordinates or, with NULL, harmonic ones (below);
+ * of a toric patch; of a patch with base points; of a Zheng-Ball patch. The middle is the mean of
+ * the vertices, or of those of the first piece when the polygon is not convex.
  *
- *   range   as many vertices as sides, otherwise LOFT_ERR_ARG; *r is untouched then
- *   error   none: borrowed
+ *   range   as many vertices as sides, otherwise LOFT_ERR_ARG; *r is then untouched
+ *   error   none: everything is borrowed
  *   cost    that of loft_partition_init
  */
 enum loft_status loft_disk_from_spatch(loft_disk *r, const loft_spatch *s, const loft_domain *d,
@@ -61,24 +60,24 @@ void loft_disk_from_toric(loft_disk *r, const loft_toric *t);
 void loft_disk_from_basepoint(loft_disk *r, const loft_basepoint *b);
 void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g);
 
-/* Take harmonic coordinates from now on, which must outlive it.
+/* Use harmonic coordinates, which must outlive the disk.
  *
- *   range   a patch over the domain that h was made for, otherwise LOFT_ERR_ARG
- *   error   none: borrowed
+ *   range   a patch over the domain of h, otherwise LOFT_ERR_ARG
+ *   error   none: everything is borrowed
  *   cost    two pointers copied
  */
 enum loft_status loft_disk_harmonic(loft_disk *r, const loft_harmonic *h) LOFT_CHECKED;
 
-/* As a sheet: LOFT_SURFACE_DISK.
+/* Make a loft_surface of a disk: LOFT_SURFACE_DISK.
  *
  *   range   u, v in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit
  *   error   that of the patch's eval, at parameters rounded to 2^-24 of u and v, of a polygon to
- *           2^-23 and its step; at u = 1 of spatch and gb the point of the side, at v = k / n where
- *           n is a power of two, and v = 1, the corner itself; the nearest point of the boundary
- *           where rounding leads outside
+ *           2^-23 and its step. At u = 1 of spatch and gb it is the point of the side. At v = 1,
+ *           and at v = k / n where n is a power of two, it is the corner itself. It is the nearest
+ *           point of the boundary where rounding leads outside
  *   cost    a point of the patch; over a polygon the coordinates, 6 small products for each side of
- *           each part and six lerps; of rings a root (6 sides: 4 steps of Newton's, 40 products)
- *           twice
+ *           each piece and six lerps; for a Zheng-Ball patch two roots (6 sides: two times 4 steps
+ *           of Newton's method, 40 products)
  */
 loft_surface loft_surface_from_disk(const loft_disk *r);
 

@@ -1,8 +1,8 @@
 /* lib/polygon/domain.c
  * SPDX-License-Identifier: MIT
  *
- * Every decision is a sign of a cross product, which num/sci.h promises exactly, or compares two
- * coordinates.
+ * Every decision is the sign of a cross product, which num/sci.h guarantees to be exact, or a
+ * comparison of two coordinates.
  */
 #include "polygon/domain.h"
 #include "num/exact.h"  /* loft_exact_valid */
@@ -24,7 +24,7 @@ static bool between(loft_real x, loft_real a, loft_real b)
     return a < b ? x >= a && x <= b : x >= b && x <= a;
 }
 
-/* Of a point on the line through a and b: does it lie between them? */
+/* p is on the line through a and b: does it lie between them? */
 static bool within(const loft_spot *p, const loft_spot *a, const loft_spot *b)
 {
     return between(p->at[0], a->at[0], b->at[0]) && between(p->at[1], a->at[1], b->at[1]);
@@ -32,9 +32,9 @@ static bool within(const loft_spot *p, const loft_spot *a, const loft_spot *b)
 
 static bool same(const loft_spot *a, const loft_spot *b) { return within(a, b, b); }
 
-/* Do the edges a b and c d, that do not follow each other, cross? Or touch where one of them
- * starts: where one ends another starts, and if that one follows the edge which is touched, it
- * folds back onto it. */
+/* Do two edges a b and c d that are not neighbours cross, or does one begin on the other? Testing
+ * the begins is enough. Where an edge ends another begins, and if that one is a neighbour of the
+ * touched edge, it folds back onto it. */
 static bool touch(const loft_spot *a, const loft_spot *b, const loft_spot *c, const loft_spot *d)
 {
     const int abc = loft_spot_turn(a, b, c), cda = loft_spot_turn(c, d, a);
@@ -44,9 +44,9 @@ static bool touch(const loft_spot *a, const loft_spot *b, const loft_spot *c, co
     return abc * loft_spot_turn(a, b, d) < 0 && cda * loft_spot_turn(c, d, b) < 0;
 }
 
-/* Does the edge from `at` fold back over the whole of the one before it, which may have no length?
- * Where it covers a part only, the vertex after it touches that edge; of three points on a line one
- * edge covers another. */
+/* Does the edge from `at` fold back over the whole edge before it, which may have no length? If it
+ * covers only a part, the vertex after it touches that edge. Of three points on a line one edge
+ * covers another. */
 static bool folded(const loft_spot *before, const loft_spot *at, const loft_spot *after)
 {
     return !loft_spot_turn(before, at, after) && within(before, at, after);
@@ -68,9 +68,9 @@ bool loft_outline_fault(const loft_spot v[], unsigned sides, unsigned edge[2])
     return false;
 }
 
-/* A simple polygon turns at its lowest vertex (of those the leftmost) as it does as a whole: no
- * edge is below. Where the vertices beside it are on one line with it, one of them would be lower
- * or further left. */
+/* A simple polygon turns at its lowest vertex (of those the leftmost) as it does as a whole, since
+ * no edge is below. The vertices beside it cannot be on one line with it: one of them would be
+ * lower or further left. */
 static int orientation(const loft_spot v[], unsigned sides)
 {
     unsigned least = 0;
@@ -119,9 +119,8 @@ enum loft_status loft_domain_init(loft_domain *d, const loft_spot v[], unsigned 
     return LOFT_OK;
 }
 
-/* A ray from p to the right crosses an edge that has one end above p and one not above it, when p
- * lies left of the edge as it rises or right of it as it falls. Inside, the number of crossings is
- * odd. */
+/* A ray from p to the right crosses an edge that has one end above p and one not above it, if p
+ * lies left of a rising edge or right of a falling one. Inside, the number of crossings is odd. */
 enum loft_place loft_domain_place(const loft_domain *d, loft_spot p, loft_sci area[],
                                   unsigned *index)
 {
@@ -156,8 +155,8 @@ static loft_sci distance(loft_real from, loft_real to)
     return loft_sci_sub(loft_sci_from_real(to), loft_sci_from_real(from));
 }
 
-/* Along the axis in which the edge is longer. Both shares are quotients: neither is 1 minus the
- * other, rounded. */
+/* The shares are taken along the axis in which the edge is longer. Both are quotients, so neither
+ * is the rounded difference of 1 and the other. */
 void loft_domain_edge(const loft_domain *d, loft_spot p, unsigned edge, loft_sci phi[])
 {
     const unsigned after = next(edge, d->sides);
@@ -171,7 +170,7 @@ void loft_domain_edge(const loft_domain *d, loft_spot p, unsigned edge, loft_sci
     phi[after] = loft_sci_div(distance(a->at[tall], p.at[tall]), whole);
 }
 
-/* The point of edge i nearest to p: its share, and the square of its distance. */
+/* The point of edge i nearest to p: its share, and its squared distance. */
 static loft_sci nearest_of_edge(const loft_domain *d, loft_spot p, unsigned i, loft_sci *share)
 {
     const loft_spot *a = &d->v[i], *b = &d->v[next(i, d->sides)];

@@ -2,11 +2,11 @@
  * SPDX-License-Identifier: MIT
  *
  * 1 - s_i = phi_i / (phi_i + phi_(i+1)), 1 - h_i = phi_i + phi_(i+1), and h_i is the sum of the
- * others: where no phi is negative all that is multiplied are sums of positive numbers, their
- * products and quotients. A weight has at most 2 degree + 8 factors, each off by some roundings:
- * q16 2^-54 of it, floats 2^-46. The weights of one ribbon sum to at most 1, those of all to at
- * most 1.5 (the centre of a triangle), and V0 takes what is missing: a point errs by 2^-52 (2^-44)
- * of the largest coordinate.
+ * other phi. If no phi is negative, all factors are sums of positive numbers, their products and
+ * quotients. A weight has at most 2 degree + 8 factors, each off by some roundings: q16 2^-54 of
+ * it, floats 2^-46. The weights of one ribbon sum to at most 1, those of all ribbons to at most 1.5
+ * (the centre of a triangle). V0 has the rest of the weight. So a point errs by 2^-52 (2^-44) of
+ * the largest coordinate.
  */
 #include "polygon/gb.h"
 #include "polygon/weighted_sum.h"      /* loft_weighted_sum, loft_weighted_sum_curve */
@@ -30,7 +30,7 @@ unsigned loft_gb_count(unsigned sides, unsigned degree)
     return sides * wide_of(degree) * high_of(degree) + 1;
 }
 
-/* Beyond its first corner's points, the second's: there j and k change places. */
+/* The points beyond those of the first corner belong to the second, where j and k change places. */
 unsigned loft_gb_place(unsigned sides, unsigned degree, unsigned side, unsigned j, unsigned k)
 {
     const unsigned wide = wide_of(degree), high = high_of(degree);
@@ -94,7 +94,7 @@ enum loft_gb_mu loft_gb_mu_of(unsigned degree, unsigned j, unsigned k)
 
 /* Weights */
 
-/* What the weights of one ribbon are made of: B_j(s_i), times mu as well, B_k(h_i). */
+/* The factors of the weights of one ribbon: B_j(s_i), the same times mu, B_k(h_i). */
 typedef struct {
     loft_sci along[LOFT_DEGREE_MAX + 1], turned[4], across[LAYERS];
 } ribbon;
@@ -115,7 +115,7 @@ static void bernstein(loft_sci out[], unsigned degree, unsigned count, loft_sci 
     }
 }
 
-/* a / (a + b), 1/2 where both are 0, false where only their sum is. */
+/* a / (a + b); 1/2 where both are 0; false where only their sum is 0. */
 static bool portion(loft_sci a, loft_sci b, loft_sci *out)
 {
     const loft_sci sum = loft_sci_add(a, b);
@@ -156,7 +156,7 @@ static loft_sci share_of(const ribbon *r, unsigned degree, unsigned j, unsigned 
     return loft_sci_zero();
 }
 
-/* The first j of row k whose mu is not 0; the last one is as far from the other end. */
+/* The first j of row k whose mu is not 0. The last j is as far from the other end. */
 static unsigned first_of(unsigned k) { return k < 2 ? 0 : k; }
 
 enum loft_status loft_gb_weights(unsigned sides, unsigned degree, const loft_sci phi[],
@@ -191,7 +191,7 @@ enum loft_status loft_gb_weights(unsigned sides, unsigned degree, const loft_sci
 
 /* Points */
 
-/* The side on which all other coordinates are 0; `sides` where there is none. */
+/* The side on which all other coordinates are 0; `sides` if there is none. */
 static unsigned border_of(unsigned sides, const loft_sci phi[])
 {
     unsigned i = 0;

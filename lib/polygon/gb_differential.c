@@ -1,29 +1,29 @@
 /* lib/polygon/gb_differential.c -- derivatives of generalized Bezier patches
  * SPDX-License-Identifier: MIT
  *
- * The formulas of gb.c, in functions of the point. All weights, B0 too, sum to 1, so the
- * derivatives of the weights sum to 0:
+ * The formulas of gb.c, as functions of the point. All weights, including B0, sum to 1, so their
+ * derivatives sum to 0:
  *
  *     S - V0 = sum mu^i_jk B_j(s_i) B_k(h_i) (V^i_jk - V0)
  *
- * Toward vertex i the derivatives of mu grow without bounds, and cancel where ribbons i and i - 1
- * share a point: their mu sum to 1 there. With a = phi_i, b and c those after and before it, R the
- * rest, alpha = h_(i-1) / (h_(i-1) + h_i), beta = 1 - alpha, and
+ * Near vertex i the derivatives of mu are unbounded, and cancel where ribbons i and i - 1 share a
+ * point, because their mu sum to 1 there. Let a = phi_i, b and c the phi after and before it, R the
+ * sum of the others, alpha = h_(i-1) / (h_(i-1) + h_i), beta = 1 - alpha, and
  *
- *     e = a R - b c      e / (a + c) = s_(i-1) R - (1 - s_(i-1)) b      e / (a + b) = (1 - s_i) R -
- *         s_i c
+ *     e = a R - b c
+ *     e / (a + c) = s_(i-1) R - (1 - s_(i-1)) b
+ *     e / (a + b) = (1 - s_i) R - s_i c
  *
- * which are small of the second order there, the four points of a corner have the weights
+ * which are of second order there. The four points of a corner have the weights
  *
- *     V^i_00  a^d                                           V^i_10  d a^(d-1) (b + beta e / (a +
- *                                                                   c))
- *     V^i_01  d a^(d-1) (c + alpha e / (a + b))             V^i_11  d^2 a^(d-1) s_i h_i + d^2
- *                                                                   a^(d-2) beta (1 - s_i) (c - b)
- *                                                                   e / (a + c)
+ *     V^i_00  a^d
+ *     V^i_10  d a^(d-1) (b + beta e / (a + c))
+ *     V^i_01  d a^(d-1) (c + alpha e / (a + b))
+ *     V^i_11  d^2 a^(d-1) s_i h_i + d^2 a^(d-2) beta (1 - s_i) (c - b) e / (a + c)
  *
- * On a far side s_i is 0/0. All weights have squares of what is 0 there as factors, and for second
- * derivatives only the limit of s_i counts, the quotient of derivatives in any direction that
- * leaves the side.
+ * On a far side s_i is 0/0. All weights have squares of factors that are 0 there. So second
+ * derivatives need only the limit of s_i: the quotient of derivatives in any direction that leaves
+ * the side.
  */
 #include "polygon/gb.h"
 #include "polygon/jet_weighted_sum.h"  /* loft_jet_weighted_sum */
@@ -36,7 +36,7 @@ static unsigned after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 
 static bool none(loft_sci x)            { return loft_sci_sign(x) == 0; }
 static loft_sci half_of(void)           { return loft_sci_from_real(LOFT_REAL(0.5)); }
 
-/* Of one side; what is lacking to 1 as well. */
+/* The parameters of one side, and 1 minus each of them. */
 typedef struct {
     loft_jet s, before_s, h, below_h;
 } params;
@@ -74,7 +74,7 @@ static loft_jet rest_of(const loft_jet phi[], unsigned sides, unsigned first, un
     return sum;
 }
 
-/* f / whole, or its limit where both are 0. */
+/* f / whole; its limit where both are 0. */
 static loft_jet portion(const loft_jet *f, const loft_jet *whole)
 {
     const bool tall = loft_sci_less(loft_sci_abs(whole->x), loft_sci_abs(whole->y));
@@ -150,7 +150,7 @@ static bool add_corner(loft_jet_weighted_sum *s, const loft_gb *g, const loft_je
     return true;
 }
 
-/* All others of ribbon i. */
+/* Add all other points of ribbon i. */
 static void add_ribbon(loft_jet_weighted_sum *s, const loft_gb *g, unsigned i, const params *here)
 {
     const unsigned d = g->degree, layers = (d + 1) / 2;

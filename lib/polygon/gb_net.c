@@ -1,22 +1,22 @@
 /* lib/polygon/gb_net.c -- control points of generalized Bezier patches from the curves around them
  * SPDX-License-Identifier: MIT
  *
- * With S_i the side after corner i, d the degree, and a, b steps away from the corner along S_i and
- * S_(i-1), the bilinearly blended Coons net has
+ * Let S_i be the side after corner i, d the degree, and a, b the steps from the corner along S_i
+ * and S_(i-1). The bilinearly blended Coons net is
  *
  *     d^2 V = (d - b) d S_i(a) + b d T(a) + (d - a) d S_(i-1)(d - b) + a d U(b)
  *           - (d - a) (d - b) v_i - a (d - b) v_(i+1) - (d - a) b v_(i-1) - a b o
  *
- * between S_i, S_(i-1) and two curves T, U from v_(i-1), v_(i+1) to a fourth corner o. They are
- * S_(i-2), backward, and S_(i+1), with o - v_(i-2), o - v_(i+2) added in proportion, o being the
+ * between S_i, S_(i-1) and two curves T, U from v_(i-1), v_(i+1) to a fourth corner o. T and U are
+ * S_(i-2), reversed, and S_(i+1), with o - v_(i-2), o - v_(i+2) added in proportion, where o is the
  * mean of both. Then o drops out:
  *
  *     2 d^2 V = 2 d ((d - b) S_i(a) + b S_(i-2)(d - a) + (d - a) S_(i-1)(d - b) + a S_(i+1)(b))
- *             - 2 ((d - a) (d - b) v_i + a (d - b) v_(i+1) + (d - a) b v_(i-1)) - a b (v_(i+2) +
- *             v_(i-2))
+ *             - 2 ((d - a) (d - b) v_i + a (d - b) v_(i+1) + (d - a) b v_(i-1))
+ *             - a b (v_(i+2) + v_(i-2))
  *
- * With four sides v_(i+2) is v_(i-2) and nothing was changed. The weights are whole numbers below
- * 2^10 that sum to 2 d^2.
+ * With four sides v_(i+2) is v_(i-2), so the curves are the given ones. The weights are whole
+ * numbers below 2^10 that sum to 2 d^2.
  */
 #include "polygon/gb.h"
 #include "polygon/weighted_sum.h"      /* loft_weighted_sum */

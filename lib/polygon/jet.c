@@ -1,11 +1,12 @@
 /* lib/polygon/jet.c
  * SPDX-License-Identifier: MIT
  *
- *     (a b)_x = a_x b + a b_x     (a b)_xx = a_xx b + 2 a_x b_x + a b_xx     (a b)_xy = a_xy b +
- *         a_x b_y + a_y b_x + a b_xy
+ *     (a b)_x  = a_x b + a b_x
+ *     (a b)_xx = a_xx b + 2 a_x b_x + a b_xx
+ *     (a b)_xy = a_xy b + a_x b_y + a_y b_x + a b_xy
  *
- * A quotient q = a / b is what makes q b = a, and a root what makes r r = a: the same lines, solved
- * for what is new in them.
+ * A quotient q = a / b solves q b = a, and a root r solves r r = a: the same lines, solved for the
+ * derivatives of q and r.
  */
 #include "polygon/jet.h"
 

@@ -1,10 +1,9 @@
-/* lib/polygon/jet.h -- functions of a point of the plane near that point: value, first and second
- * derivatives
+/* lib/polygon/jet.h -- the value, first and second derivatives of a function of a point in the
+ * plane
  * SPDX-License-Identifier: MIT
  *
- * Sums, products and quotients of functions give those of their derivatives; so whatever is
- * computed from coordinates of a point is differentiated by the same formula, exactly but for
- * roundings.
+ * Sums, products and quotients of jets give those of their derivatives (automatic differentiation).
+ * So a formula in the coordinates of a point also gives its derivatives, exact up to rounding.
  */
 #ifndef LOFT_POLYGON_JET_H
 #define LOFT_POLYGON_JET_H
@@ -27,7 +26,7 @@ loft_jet loft_jet_of(loft_sci c);
 
 /* a + b, a - b, a b, a / b where b is not 0, the root of a > 0.
  *
- *   error   of each part that of as many sums and products of loft_sci as it has
+ *   error   each component: that of its sums and products of loft_sci
  *   cost    sum and difference 6 sums; product 15 products and 11 sums; quotient 9, 11 and 6
  *           quotients; root 8, 3, 5 and a root
  */
@@ -39,7 +38,7 @@ loft_jet loft_jet_sqrt(const loft_jet *a);
 
 /* c a.
  *
- *   error   one rounding of each part
+ *   error   one rounding of each component
  *   cost    6 products
  */
 loft_jet loft_jet_scale(const loft_jet *a, loft_sci c);

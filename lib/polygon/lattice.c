@@ -1,8 +1,8 @@
 /* lib/polygon/lattice.c
  * SPDX-License-Identifier: MIT
  *
- * Vectors between vertices are within 64, products within 4096, their sums within 2^13: int holds
- * them everywhere.
+ * Vectors between vertices are within 64, products within 4096, their sums within 2^13. An int
+ * holds all of them.
  */
 #include "polygon/lattice.h"
 
@@ -13,7 +13,7 @@ static int cross(loft_whole o, loft_whole a, loft_whole b)
     return (a.at[0] - o.at[0]) * (b.at[1] - o.at[1]) - (a.at[1] - o.at[1]) * (b.at[0] - o.at[0]);
 }
 
-/* Euclid. */
+/* The greatest common divisor, by Euclid's algorithm. */
 static int common(int a, int b)
 {
     a = a < 0 ? -a : a;
@@ -34,7 +34,7 @@ static bool small(loft_whole p)
     return true;
 }
 
-/* All others strictly left of every edge. */
+/* Are all other vertices strictly left of every edge? */
 static bool convex(const loft_whole v[], unsigned sides)
 {
     for (unsigned i = 0; i < sides; i++) {
@@ -97,7 +97,7 @@ static bool holds(const loft_lattice_polygon *l, loft_whole p)
     return true;
 }
 
-/* The next point of the box that the polygon holds, p itself included. */
+/* Move p to the next point of the box that lies in the polygon; p itself counts. */
 static bool settle(const loft_lattice_polygon *l, loft_whole *p)
 {
     for (; p->at[1] <= l->high.at[1]; p->at[1]++, p->at[0] = l->low.at[0])

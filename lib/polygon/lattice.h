@@ -1,4 +1,4 @@
-/* lib/polygon/lattice.h -- polygons with whole vertices, and the whole points in them
+/* lib/polygon/lattice.h -- lattice polygons: whole-number vertices, and the whole points inside
  * SPDX-License-Identifier: MIT
  *
  * h_i(x, y) = normal . (x, y) + offset is 0 on edge i, 1 on the next line of whole points inside,
@@ -11,16 +11,16 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_LATTICE_MAX 32     /* the largest coordinate of a vertex, in size */
+#define LOFT_LATTICE_MAX 32     /* the largest absolute coordinate of a vertex */
 
 typedef struct {
     int8_t at[2];
 } loft_whole;
 
 typedef struct {
-    loft_whole from, normal;    /* vertex i, and the shortest whole vector across edge i, inward  */
+    loft_whole from, normal;    /* vertex i; the shortest whole vector across edge i, inward      */
     int16_t offset;
-    uint8_t length;             /* whole points on the edge, less one                             */
+    uint8_t length;             /* the number of whole points on the edge, minus one              */
 } loft_lattice_edge;
 
 /* Do not fill it yourself: call init. */
@@ -33,9 +33,9 @@ typedef struct {
 /* Make a convex lattice polygon.
  *
  *   range   3..8 vertices within -32..32, otherwise LOFT_ERR_ARG; counter-clockwise and strictly
- *           convex, otherwise LOFT_SINGULAR; *l is untouched then
+ *           convex, otherwise LOFT_SINGULAR; *l is then untouched
  *   error   none: exact
- *   cost    no multiplication of numbers; 66 bytes
+ *   cost    only small-integer products; 66 bytes
  */
 enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_whole v[],
                                            unsigned sides) LOFT_CHECKED;
@@ -48,16 +48,16 @@ enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_w
  */
 int loft_lattice_polygon_height(const loft_lattice_polygon *l, unsigned edge, loft_whole p);
 
-/* The whole points of the polygon, edges included, row by row upward, each from the left. first
- * gives one always; next gives the one after *p in place, or false after the last.
+/* The whole points of the polygon, edges included, row by row upward, from left to right. There is
+ * always a first one. next replaces *p by the one after it, and returns false after the last.
  *
  *   error   none
- *   cost    at most `sides` heights for every whole point of the box low..high that is passed over
+ *   cost    at most `sides` heights for every whole point of the box low..high on the way
  */
 void loft_lattice_polygon_first(const loft_lattice_polygon *l, loft_whole *p);
 bool loft_lattice_polygon_next(const loft_lattice_polygon *l, loft_whole *p);
 
-/* How many there are.
+/* The number of whole points.
  *
  *   error   none
  *   cost    at most `sides` heights for every whole point of the box low..high

@@ -9,8 +9,8 @@ static unsigned next(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 
  *
  *     cross / (r_i r_(i+1) + dot)    or    (r_i r_(i+1) - dot) / cross
  *
- * whichever adds two numbers of one sign. The cross product is 0 only where the angle is: p is not
- * on the edge. */
+ * The form that adds two numbers of one sign is taken. The cross product is 0 only where the angle
+ * is 0, because p is not on the edge. */
 static loft_sci half_tangent(const loft_sci d[2][2], loft_sci r0, loft_sci r1, loft_sci cross)
 {
     const loft_sci dot = loft_sci_add(loft_sci_mul(d[0][0], d[1][0]),
@@ -25,10 +25,10 @@ static loft_sci half_tangent(const loft_sci d[2][2], loft_sci r0, loft_sci r1, l
 /* w_i = (t_(i-1) + t_i) / r_i, phi_i = w_i / sum w. The sum of a simple polygon is never 0
  * (Hormann, Floater: it is positive inside and negative outside).
  *
- * A tangent errs by eight roundings of itself, in floats by what the cross product does, and by
- * what the dot product loses: at most 2 roundings of r r', which is no more than the sum it goes
- * into. The two tangents may cancel, and so may the w_i outside: errors count by K = sum (|t_(i-1)|
- * + |t_i|) / r_i over |sum w_i|, and in phi_i = w_i / sum w by (1 + |phi_i|) K. */
+ * A tangent errs by eight roundings of itself, in floats by the error of the cross product, and by
+ * the error of the dot product: at most 2 roundings of r r', which is at most the sum it is part
+ * of. The two tangents may cancel, and outside so may the w_i. So errors are multiplied by K = sum
+ * (|t_(i-1)| + |t_i|) / r_i over |sum w_i|, and in phi_i = w_i / sum w by (1 + |phi_i|) K. */
 enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci phi[])
 {
     loft_sci area[LOFT_SIDES_MAX], r[LOFT_SIDES_MAX], to[LOFT_SIDES_MAX][2], sum = loft_sci_zero();
@@ -68,8 +68,8 @@ enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci
 
 /* Derivatives */
 
-/* Of an edge: t = above / below, from its ends as seen from p; `back` where the angle is more than
- * a right one. */
+/* The tangent of an edge: t = above / below, from its ends as seen from p. `back` is true where the
+ * angle is obtuse. */
 typedef struct {
     loft_jet above, below;
     bool back;
@@ -96,7 +96,7 @@ static void seen(const loft_domain *d, loft_spot p, unsigned i, loft_jet to[2])
     to[1] = distance(p.at[1], d->v[i].at[1], true);
 }
 
-/* The cross product is linear in p: its derivatives are differences of the ends. */
+/* The cross product is linear in p, so its derivatives are differences of the ends. */
 static tangent tangent_at(const loft_domain *d, loft_spot p, unsigned i, const loft_jet r[],
                           loft_sci area)
 {
@@ -115,8 +115,7 @@ static tangent tangent_at(const loft_domain *d, loft_spot p, unsigned i, const l
     return t;
 }
 
-/* t of edge i, times the product of `below` over all edges that are seen at more than a right
- * angle. */
+/* t of edge i, times the product of `below` over all edges that are seen at an obtuse angle. */
 static loft_jet lifted(const tangent t[], unsigned sides, unsigned i)
 {
     loft_jet r = t[i].back ? t[i].above : loft_jet_div(&t[i].above, &t[i].below);
@@ -127,9 +126,9 @@ static loft_jet lifted(const tangent t[], unsigned sides, unsigned i)
     return r;
 }
 
-/* All sum to 1. Toward a vertex, at a distance r, second derivatives of the tangents grow as 1 /
- * r^2, those of coordinates as 1 / r: for the others as they are a product with r, for that of the
- * vertex, the largest, because all sum to 1. */
+/* All coordinates sum to 1. Near a vertex, at a distance r, second derivatives of the tangents grow
+ * as 1 / r^2, those of coordinates as 1 / r. The coordinates of the other vertices have the factor
+ * r. That of the vertex, the largest, follows from the sum 1. */
 static void complete(loft_jet phi[], unsigned sides)
 {
     loft_jet rest = loft_jet_of(loft_sci_zero());
@@ -145,10 +144,11 @@ static void complete(loft_jet phi[], unsigned sides)
     phi[largest] = rest;
 }
 
-/* Toward an edge its tangent is without bounds, and so are the derivatives of all w_i: what is
- * finite is their product with the cross product of that edge. An edge is seen at more than a right
- * angle there: all w_i times `below` of all such edges are finite, on the edges themselves too, and
- * have the same quotients. Inside a convex polygon there are three of them at most. */
+/* Near an edge its tangent is unbounded, and so are the derivatives of all w_i. Their product with
+ * the cross product of that edge is finite. Such an edge is seen at an obtuse angle. So all w_i are
+ * multiplied by `below` of all edges seen at an obtuse angle: the products are finite, also on the
+ * edges, and have the same quotients. Inside a convex polygon there are at most three such edges.
+ * */
 enum loft_status loft_meanvalue_jet(const loft_domain *d, loft_spot p, loft_jet phi[])
 {
     loft_sci area[LOFT_SIDES_MAX];

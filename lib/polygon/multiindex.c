@@ -10,7 +10,7 @@ void loft_multiindex_first(uint8_t l[], unsigned sides, unsigned depth)
     l[0] = (uint8_t)depth;
 }
 
-/* The last part that can hand one on does; what lay at the end follows it. */
+/* The last number that can pass one on does so; the number at the end moves next to it. */
 bool loft_multiindex_next(uint8_t l[], unsigned sides)
 {
     unsigned i = sides - 1;
@@ -26,9 +26,9 @@ bool loft_multiindex_next(uint8_t l[], unsigned sides)
     return true;
 }
 
-/* Before l, with the same first i parts, come those that leave less than l does, `left`, to the k =
- * sides - 1 - i parts after part i: the sum of C(s + k - 1, k - 1) for s < left, which is C(left -
- * 1 + k, k). */
+/* Among the indices with the same first i numbers, those before l leave less to the
+ * k = sides - 1 - i numbers after number i than l does, `left`. Their count is the sum of
+ * C(s + k - 1, k - 1) for s < left, which is C(left - 1 + k, k). */
 unsigned loft_multiindex_rank(const uint8_t l[], unsigned sides)
 {
     unsigned left = 0, rank = 0;

@@ -1,10 +1,9 @@
-/* lib/polygon/multiindex.h -- indices of several parts: the names of the control points of an
- * S-patch
+/* lib/polygon/multiindex.h -- multi-indices: the names of the control points of an S-patch
  * SPDX-License-Identifier: MIT
  *
- * `sides` numbers l[0], l[1] .. >= 0 that sum to `depth`. They are in order from (depth, 0 .. 0) to
- * (0 .. 0, depth), the larger first number first, then the larger second, and so on; the rank of
- * one is its place in that order.
+ * A multi-index is a row of `sides` numbers l[0], l[1] .. >= 0 that sum to `depth`. They are
+ * ordered from (depth, 0 .. 0) to (0 .. 0, depth): first by descending l[0], then by descending
+ * l[1], and so on. The rank of a multi-index is its place in that order.
  *
  *     uint8_t l[LOFT_SIDES_MAX];
  *     loft_multiindex_first(l, sides, depth);
@@ -20,7 +19,7 @@
 
 LOFT_BEGIN_C
 
-/* How many there are: C(sides + depth - 1, depth), at most 19448.
+/* The number of multi-indices: C(sides + depth - 1, depth), at most 19448.
  *
  *   error   none
  *   cost    `depth` products and divisions of 32 bits
@@ -30,21 +29,21 @@ static inline unsigned loft_multiindex_count(unsigned sides, unsigned depth)
     return (unsigned)loft_binomial(sides + depth - 1, depth);
 }
 
-/* (depth, 0 .. 0).
+/* Set l to (depth, 0 .. 0).
  *
  *   error   none
  *   cost    no product
  */
 void loft_multiindex_first(uint8_t l[], unsigned sides, unsigned depth);
 
-/* The one after l, in place; false, and l untouched, after the last.
+/* Set l to the next multi-index. False, and l untouched, after the last.
  *
  *   error   none
  *   cost    at most `sides` comparisons, no product
  */
 bool loft_multiindex_next(uint8_t l[], unsigned sides);
 
-/* The place of l, from 0.
+/* The rank of l, from 0.
  *
  *   error   none
  *   cost    at most sides (sides - 1) / 2 products and divisions of 32 bits

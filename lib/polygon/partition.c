@@ -1,14 +1,14 @@
 /* lib/polygon/partition.c
  * SPDX-License-Identifier: MIT
  *
- * A run of vertices that follow each other may be cut off when they are those of a convex polygon
- * and no other vertex lies in it or on its border. No edge leads through it then: it could enter
- * and leave over the diagonal alone, and meets a line once. A polygon with more than three sides
- * has an ear, a run of three: so something can always be cut off, straight angles or not.
+ * A run of successive vertices may be cut off if it is a convex polygon and no other vertex lies in
+ * it or on its border. Then no edge passes through it: an edge could enter and leave only over the
+ * diagonal, and it meets that line once. A polygon with more than three sides has an ear, a run of
+ * three. So something can always be cut off, with or without straight angles.
  */
 #include "polygon/partition.h"
 
-/* What is left of the polygon, and a run in it. */
+/* The remaining polygon, and a run in it. */
 typedef struct {
     const loft_spot *v;
     uint8_t vertex[LOFT_SIDES_MAX];
@@ -21,7 +21,8 @@ static unsigned vertex_at(const remainder_run *r, unsigned k)
     return r->vertex[(r->start + k) % r->count];
 }
 
-/* On which side of edge k of the run, the last of which closes it: 1 inside, 0 on its line. */
+/* On which side of edge k of the run is the vertex? The last edge closes the run. 1 inside, 0 on
+ * its line. */
 static int turn_at(const remainder_run *r, unsigned k, unsigned vertex)
 {
     const unsigned after = vertex_at(r, k + 1 < r->length ? k + 1 : 0);
@@ -56,7 +57,7 @@ static bool is_part(const remainder_run *r)
     return true;
 }
 
-/* The longest run that is a part, of those the first. */
+/* The longest run that is a convex piece; of those the first. */
 static void find_run(remainder_run *r)
 {
     for (r->length = r->count; r->length > 2; r->length--)
@@ -65,7 +66,7 @@ static void find_run(remainder_run *r)
                 return;
 }
 
-/* Its ends stay. */
+/* Cut off the run; its ends stay. */
 static void cut_off(remainder_run *r)
 {
     uint8_t left[LOFT_SIDES_MAX];

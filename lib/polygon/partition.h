@@ -1,8 +1,8 @@
-/* lib/polygon/partition.h -- a simple polygon cut along diagonals into convex ones
+/* lib/polygon/partition.h -- a simple polygon divided along diagonals into convex pieces
  * SPDX-License-Identifier: MIT
  *
- * No vertex is added: every part has vertices of the polygon, counter-clockwise, and turns left at
- * each. Two parts that touch share a whole diagonal. A strictly convex polygon is its only part.
+ * No vertex is added. Every piece has vertices of the polygon, counter-clockwise, and turns left at
+ * each. Two pieces that touch share a whole diagonal. A strictly convex polygon is its only piece.
  *
  *     loft_partition cut;
  *     loft_partition_init(&cut, &domain);
@@ -18,17 +18,17 @@ LOFT_BEGIN_C
 
 #define LOFT_PARTS_MAX (LOFT_SIDES_MAX - 2)
 
-/* The parts. Do not fill it yourself: call init. */
+/* The pieces. Do not fill it yourself: call init. */
 typedef struct {
     uint8_t count, sides[LOFT_PARTS_MAX];
     uint8_t vertex[LOFT_PARTS_MAX][LOFT_SIDES_MAX];
 } loft_partition;
 
-/* Cut a polygon: again and again the largest convex part behind one diagonal.
+/* Divide a polygon: repeatedly cut off the largest convex piece behind one diagonal.
  *
- *   shape   count <= sides - 2; the sum of all parts' sides less two is that of the polygon
- *   error   none: every decision is a sign of a cross product, every part strictly convex
- *   cost    convex: sides (sides - 2) cross products; others with 8 sides 40 to 622 of them; 55
+ *   shape   count <= sides - 2; the sum of (sides - 2) over all pieces is that of the polygon
+ *   error   none: every decision is a sign of a cross product, every piece is strictly convex
+ *   cost    convex: sides (sides - 2) cross products; others with 8 sides: 40 to 622; 55
  *           bytes
  *   see     Meisters, Polygons have ears (1975)
  */

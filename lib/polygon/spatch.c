@@ -2,13 +2,13 @@
  * SPDX-License-Identifier: MIT
  *
  * Error. A term depth!/l! prod phi_i^l_i V_l is a product of at most 2 depth + sides + 3 factors
- * and partial products, less than 32 roundings of 2^-61 (floats 2^-53) of its size; the terms'
- * sizes sum to M |V|, and the sum of N of them adds one rounding of the largest partial sum each: N
- * <= 11440 < 2^13.5. In q16 |V| = 2^31 LSB:
+ * and partial products: less than 32 roundings of 2^-61 (floats 2^-53) of its absolute value. The
+ * absolute terms sum to M |V|. The sum of N terms adds, for each, one rounding of the largest
+ * partial sum; N <= 11440 < 2^13.5. In q16 |V| = 2^31 LSB:
  *
  *     (32 + 2^13.5) 2^-61 2^31 M LSB < 2^-16 M LSB
  *
- * In floats most terms are far below the sum: 64 ulp of M |V| is what tests hold.
+ * In floats most terms are far below the sum. The tests hold 64 ulp of M |V|.
  */
 #include "polygon/spatch.h"
 #include "curve/rational.h"     /* LOFT_WEIGHT_MIN, loft_weight_clamp */
@@ -43,7 +43,7 @@ static unsigned after(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1
 
 /* Points */
 
-/* Is at most one edge's pair of coordinates not 0? Then *edge is the first of them. */
+/* Are the coordinates 0 except for those of one edge? Then *edge is the first of them. */
 static bool on_edge(const loft_spatch *s, const loft_sci phi[], unsigned *edge)
 {
     const unsigned n = s->sides;
@@ -78,8 +78,9 @@ static enum loft_status edge_point(const loft_spatch *s, const loft_sci phi[], u
     return loft_weighted_sum_curve(p, s->w ? w : NULL, s->depth, share, out);
 }
 
-/* part[i] is the product of C(left, l_j) phi_j^l_j for j < i, where `left` is what the parts before
- * j leave: of one index to the next only those behind the part that changed are new. */
+/* part[i] is the product of C(left, l_j) phi_j^l_j for j < i, where `left` is the depth minus the
+ * numbers before j. From one index to the next, only the factors after the first changed number are
+ * new. */
 static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_weighted_sum *sum)
 {
     loft_sci power[LOFT_SIDES_MAX][LOFT_DEGREE_MAX + 1], part[LOFT_SIDES_MAX + 1];
@@ -124,7 +125,7 @@ enum loft_status loft_spatch_eval(const loft_spatch *s, const loft_sci phi[], lo
     return s->w ? loft_weighted_sum_project(&sum, out) : loft_weighted_sum_point(&sum, out);
 }
 
-/* One depth less, in place: l + e_0 has the same rank as l, l + e_i a higher one. */
+/* Reduce the depth by one, in place: l + e_0 has the same rank as l, l + e_i a higher one. */
 static void reduce(loft_sci c[], const loft_sci phi[], unsigned sides, unsigned depth)
 {
     uint8_t l[LOFT_SIDES_MAX];
@@ -142,7 +143,7 @@ static void reduce(loft_sci c[], const loft_sci phi[], unsigned sides, unsigned 
     } while (loft_multiindex_next(l, sides));
 }
 
-/* A coordinate times its weight, or the weight. */
+/* A coordinate times its weight, or (axis LOFT_AXES) the weight. */
 static loft_sci homogeneous(const loft_spatch *s, unsigned rank, int axis)
 {
     const loft_sci w = weight_of(s, rank);
@@ -185,7 +186,7 @@ enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[
 }
 
 
-/* Other forms: sums of points with whole factors, divided once */
+/* Other forms: sums of points with integer factors, divided once */
 
 static enum loft_status store(const loft_spatch *s, const loft_weighted_sum *sum, loft_sci factors,
                               loft_vec *out, loft_real *w)
@@ -233,7 +234,7 @@ enum loft_status loft_spatch_elevate(const loft_spatch *s, loft_vec out[], loft_
     return status;
 }
 
-/* With phi = ((1-u)(1-v), u(1-v), uv, (1-u)v) the power of u is l_1 + l_2, that of v is l_2 +
+/* With phi = ((1-u)(1-v), u(1-v), uv, (1-u)v) the power of u is l_1 + l_2, and that of v is l_2 +
  * l_3. */
 enum loft_status loft_spatch_tensor(const loft_spatch *s, loft_vec out[], loft_real w[])
 {

@@ -1,19 +1,19 @@
 /* lib/polygon/spatch.h -- S-patches: Bezier surfaces with 3 to 8 sides
  * SPDX-License-Identifier: MIT
  *
- * A control point for every index of polygon/multiindex.h, in its order; a point of the surface for
- * every set of coordinates phi with respect to the vertices of a polygon, whichever coordinates
- * these are:
+ * An S-patch has a control point for every index of polygon/multiindex.h, in its order. It has a
+ * point for every set of coordinates phi with respect to the vertices of a polygon. Any kind of
+ * coordinates will do:
  *
  *     S = sum depth! / l! prod phi_i^l_i V_l
  *
- * Three sides make a Bezier triangle. Along edge i of the polygon S is the Bezier curve of the
- * points (depth - k) e_i + k e_(i+1). Weights make it rational.
+ * Three sides give a Bezier triangle. Along edge i of the polygon S is the Bezier curve of the
+ * points (depth - k) e_i + k e_(i+1). Weights make the patch rational.
  *
  *   error   of every point: q16: 1/2 LSB + (1 + M) * 2^-15 LSB   f32: 1/2 ulp + (1 + M) * 2^-40 ulp
- *           f64: 64 (1 + M) ulp, of the largest coordinate, M = (sum |phi_i|)^depth, which is 1 for
- *           coordinates that are not negative; times the largest weight over |sum of weights| when
- *           rational
+ *           f64: 64 (1 + M) ulp, of the largest coordinate. M = (sum |phi_i|)^depth, which is 1 if
+ *           no coordinate is negative; rational patches multiply M by the largest weight over |sum
+ *           of weights|
  */
 #ifndef LOFT_POLYGON_SPATCH_H
 #define LOFT_POLYGON_SPATCH_H
@@ -25,7 +25,7 @@
 
 LOFT_BEGIN_C
 
-/* Points and weights are borrowed; w is null for weights of 1. Do not fill it yourself: call
+/* Points and weights are borrowed. w is null when all weights are 1. Do not fill it yourself: call
  * init. */
 typedef struct {
     const loft_vec *p;
@@ -36,9 +36,9 @@ typedef struct {
 /* Make a patch of loft_multiindex_count(sides, depth) control points, which must outlive it.
  *
  *   range   sides 3..8, depth 1..9, otherwise LOFT_ERR_ARG; finite coordinates and weights
- *           1/256..256, otherwise LOFT_ERR_RANGE; *s is untouched then
+ *           1/256..256, otherwise LOFT_ERR_RANGE; *s is then untouched
  *   error   none: points and weights are borrowed
- *   cost    per control point 2 comparisons of its weight and a look at each coordinate
+ *   cost    per control point 2 comparisons of its weight and a check of each coordinate
  */
 enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft_real w[],
                                   unsigned sides, unsigned depth) LOFT_CHECKED;
@@ -46,8 +46,8 @@ enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft
 /* The point at phi[sides], by the sum.
  *
  *   range   coordinates that sum to 1; LOFT_ERR_RANGE when the point does not fit, LOFT_SINGULAR
- *           when the weights sum to 0: neither happens where no phi is negative; *out is untouched
- *           then
+ *           when the weights sum to 0: neither happens if no phi is negative; *out is then
+ *           untouched
  *   error   as above; on an edge that of loft_weighted_sum_curve, at a corner none
  *   cost    per control point about 3 products and one per axis, with weights one more; a division
  *           per axis with weights; 1.6 kB of stack in q16
@@ -67,15 +67,14 @@ enum loft_status loft_spatch_eval(const loft_spatch *s, const loft_sci phi[],
 enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[], loft_sci work[],
                                        loft_vec *out) LOFT_CHECKED;
 
-/* The derivatives by x and y of the first and second order, for normals and curvatures
- * (surface/differential.h). Width is the sum of |derivatives of a weight| times |distance of its
- * point|.
+/* The first and second derivatives by x and y, for normals and curvatures (surface/differential.h).
+ * The width is the sum of |derivatives of a weight| times |distance of its point|.
  *
- *   shape   phi[sides] with their derivatives by x and y, wherever they have them
+ *   shape   phi[sides] with their derivatives by x and y
  *   range   as eval
  *   error   with L the largest coordinate, A and B the sums of |first and second derivatives of the
- *           weights| over |the sum of the weights|: first q16: L A 2^-44   f32, f64: L A 2^-36;
- *           second: the same with B + A^2 in place of A; beside what phi has
+ *           weights| over |the sum of the weights|: first derivatives q16: L A 2^-44   f32, f64:
+ *           L A 2^-36; second: the same with B + A^2 in place of A; plus that of phi
  *   cost    per control point 20 (sides + depth) products and 6 per axis; eval once more; q16: 2.7
  *           kB of stack
  */
@@ -84,7 +83,7 @@ enum loft_status loft_spatch_differential(const loft_spatch *s, const loft_jet p
 
 /* The same patch with a depth higher by 1.
  *
- *   shape   out[loft_multiindex_count(sides, depth + 1)], weights too unless s->w is null
+ *   shape   out[loft_multiindex_count(sides, depth + 1)], also w[] unless s->w is null
  *   range   depth 1..8, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: 2 * sides + 4 ulp; weights the same
  *   cost    sides + 1 products and a division per point and axis
@@ -93,12 +92,12 @@ enum loft_status loft_spatch_elevate(const loft_spatch *s, loft_vec out[],
                                    loft_real w[]) LOFT_CHECKED;
 
 /* The tensor product net of a patch with four sides over a parallelogram and Wachspress
- * coordinates: u runs along the edge from vertex 0 to 1, v along that from 0 to 3.
+ * coordinates. u runs along the edge from vertex 0 to 1, v along the edge from 0 to 3.
  *
- *   shape   out[(depth + 1)^2], the point of u^i v^j in out[i * (depth + 1) + j]; weights too
- *           unless s->w is null
+ *   shape   out[(depth + 1)^2], the point of u^i v^j in out[i * (depth + 1) + j]; also w[] unless
+ *           s->w is null
  *   range   4 sides, otherwise LOFT_ERR_ARG
- *   error   as raise
+ *   error   as elevate
  *   cost    (depth + 1) (depth + 2) (depth + 3) / 6 products per axis, a division per point and
  *           axis
  *   see     Loop, DeRose (1989); each sum is divided by C(depth,i) C(depth,j)
@@ -109,18 +108,19 @@ enum loft_status loft_spatch_tensor(const loft_spatch *s, loft_vec out[],
 /* The control net
  * --------------- */
 
-/* A walk over the edges of the net, each once: points l and m with l - e_r = m - e_(r+1). */
+/* A walk over the edges of the net, once each: points l and m with l - e_r = m - e_(r+1). */
 typedef struct {
     uint8_t rest[LOFT_SIDES_MAX], sides, r;
     bool more;
 } loft_links;
 
-/*   shape   sides * loft_multiindex_count(sides, depth - 1) edges; next gives the ranks of both
- * ends,
- *           false at the end
+/* Start a walk; give the next edge as the ranks of its ends. False at the end.
+ *
+ *   shape   sides * loft_multiindex_count(sides, depth - 1) edges
  *   range   sides 3..8, depth 1..9
  *   error   none
- *   cost    start: none; next: two of loft_multiindex_rank */
+ *   cost    start: none; next: two of loft_multiindex_rank
+ */
 void loft_links_start(loft_links *w, unsigned sides, unsigned depth);
 bool loft_links_next(loft_links *w, unsigned *l, unsigned *m);
 

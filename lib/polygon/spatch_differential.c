@@ -1,7 +1,7 @@
 /* lib/polygon/spatch_differential.c -- derivatives of S-patches
  * SPDX-License-Identifier: MIT
  *
- * The sum of spatch.c, in functions of the point, counted from the point itself.
+ * The sum of spatch.c, as functions of the point. Points are relative to the point itself.
  */
 #include "polygon/spatch.h"
 #include "polygon/jet_weighted_sum.h"  /* loft_jet_weighted_sum */

@@ -1,11 +1,11 @@
 /* lib/polygon/toric.c
  * SPDX-License-Identifier: MIT
  *
- * All terms are positive, so numerator and denominator err by shares: a power h^k by k times what h
- * errs by and k roundings at most, h by what a cross product does. Exponents: a product of heights
- * is below 2^900 and, with h >= 2^-16 in q16, above 2^-16 * 900; the smallest in floats may vanish,
- * which no point of the patch notices, because next to a vertex the term of that vertex is a
- * product of the other heights.
+ * All terms are positive, so errors are relative: a power h^k errs by k times the error of h and at
+ * most k roundings, h by the error of a cross product. Exponents: a product of heights is below
+ * 2^900 and, since h >= 2^-16 in q16, above 2^-16 * 900. In floats the smallest terms may vanish.
+ * That changes no point of the patch: near a vertex the term of that vertex is a product of the
+ * other heights.
  */
 #include "polygon/toric.h"
 #include "polygon/weighted_sum.h"      /* loft_weighted_sum */
@@ -21,7 +21,7 @@ static unsigned bits(int h)
     return count;
 }
 
-/* The product of heights at whole point l of a point where each height is the largest of the
+/* The bits of the product of heights at whole point l, if each height were the largest in the
  * polygon. */
 static unsigned bits_of(const loft_lattice_polygon *lattice, const int highest[], loft_whole l)
 {
@@ -81,8 +81,8 @@ static loft_spot spot_of(loft_whole p)
     return s;
 }
 
-/* The heights of p, all exact in sign: the cross product of an edge and the way to p, by the edge's
- * length. False when p is outside. */
+/* The heights of p, all exact in sign: the cross product of an edge and the vector to p, over the
+ * length of the edge. False when p is outside. */
 static bool heights(const loft_lattice_polygon *l, loft_spot p, loft_sci h[])
 {
     for (unsigned i = 0; i < l->sides; i++) {
@@ -129,7 +129,7 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
 
 /* The curves along the edges */
 
-/* The place of whole point l among the control points. */
+/* The index of whole point l among the control points. */
 static unsigned place_of(const loft_lattice_polygon *lattice, loft_whole l)
 {
     loft_whole q;
@@ -151,8 +151,8 @@ static loft_whole along(const loft_lattice_edge *e, unsigned step)
     return l;
 }
 
-/* Weights as loft_rational_weights takes them: the largest brought into 128..256, all times
- * LOFT_PROJECT. */
+/* Scale the weights for loft_rational_weights: the largest to 128..256, and all times LOFT_PROJECT.
+ * */
 static enum loft_status weigh(loft_sci w[], unsigned degree, loft_weighted out[])
 {
     const loft_sci two = loft_sci_from_int(2), top = loft_sci_from_int(256);
@@ -194,8 +194,8 @@ enum loft_status loft_toric_edge(const loft_toric *t, unsigned edge, loft_weight
 }
 
 /* A / (A + B) of the products of heights with positive and with negative exponents. At the first
- * vertex the height of the edge before is 0 and its exponent positive, at the second that of the
- * edge after, negative. */
+ * vertex the height of the edge before is 0 and its exponent is positive. At the second vertex the
+ * height of the edge after is 0 and its exponent is negative. */
 enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_spot p,
                                       loft_unit *out)
 {

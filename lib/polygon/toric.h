@@ -1,15 +1,14 @@
 /* lib/polygon/toric.h -- toric patches: rational surfaces over the whole points of a polygon
  * SPDX-License-Identifier: MIT
  *
- * A control point for every whole point l of a convex lattice polygon, in the order of
- * loft_lattice_polygon_next:
+ * A toric patch has a control point for every whole point l of a convex lattice polygon, in the
+ * order of loft_lattice_polygon_next:
  *
  *     S = sum w_l B_l V_l / sum w_l B_l        B_l(p) = c_l prod h_i(p)^h_i(l)        0^0 = 1
  *
- * A triangle of size d with multinomials c is a rational Bezier triangle, a rectangle with products
- * of binomials a tensor product patch. Along edge i it is a rational Bezier curve of the degree of
- * the edge's length m, with weights w_t c_t / C(m,t), at the parameter that loft_toric_parameter
- * tells.
+ * A triangle of size d with multinomials c is a rational Bezier triangle. A rectangle with products
+ * of binomials is a tensor product patch. Along edge i of length m the patch is a rational Bezier
+ * curve of degree m with the weights w_t c_t / C(m,t), at the parameter of loft_toric_parameter.
  */
 #ifndef LOFT_POLYGON_TORIC_H
 #define LOFT_POLYGON_TORIC_H
@@ -20,7 +19,7 @@
 
 LOFT_BEGIN_C
 
-/* All are borrowed; c and w are null for ones. Do not fill it yourself: call init. */
+/* Everything is borrowed. c and w are null when all are 1. Do not fill it yourself: call init. */
 typedef struct {
     const loft_lattice_polygon *lattice;
     const loft_vec *p;
@@ -31,11 +30,11 @@ typedef struct {
  * outlive it.
  *
  *   range   coefficients above 0 and to 32767, weights 1/256..256, finite coordinates, and a
- *           lattice of which no product of heights can exceed 2^900 (one of several hundred points
- *           may), otherwise LOFT_ERR_RANGE; *t is untouched then
- *   error   none: all is borrowed
- *   cost    two walks over the whole points, `sides` heights for each; 4 comparisons and a look at
- *           each coordinate a point
+ *           lattice where no product of heights can exceed 2^900 (one of several hundred points
+ *           may exceed it), otherwise LOFT_ERR_RANGE; *t is then untouched
+ *   error   none: everything is borrowed
+ *   cost    two walks over the whole points with `sides` heights each; per point 4 comparisons and
+ *           a check of each coordinate
  */
 enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *lattice,
                                  const loft_vec p[], const loft_real c[],
@@ -43,26 +42,24 @@ enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *latt
 
 /* The point at p, in the plane of the lattice.
  *
- *   range   p in the polygon, edges included, otherwise LOFT_ERR_RANGE; *out is untouched then
+ *   range   p in the polygon, edges included, otherwise LOFT_ERR_RANGE; *out is then untouched
  *   error   with N points and H the largest sum h_i(l), which is d in a triangle of size d:
- *           q16: 1/2 LSB + (N + 2 H) 2^-28 LSB   f32: 1/2 ulp + (N + 2^7 H) 2^-29 ulp   f64: N +
- *               2^7 H ulp,
- *           of the largest coordinate; at a vertex q16: none
+ *           q16: 1/2 LSB + (N + 2 H) 2^-28 LSB   f32: 1/2 ulp + (N + 2^7 H) 2^-29 ulp
+ *           f64: N + 2^7 H ulp, of the largest coordinate; at a vertex q16: none
  *   cost    n cross products and divisions; per point 2 log2 h_i + 1 products for every side, three
  *           and one per axis; a division per axis; no table
  *   see     Krasauskas, Toric surface patches (2002)
  */
 enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out) LOFT_CHECKED;
 
-/* The derivatives by x and y of the first and second order, for normals and curvatures
- * (surface/differential.h). Width is the sum of |derivatives of a weight| times |distance of its
- * point|
- * over the sum of weights.
+/* The first and second derivatives by x and y, for normals and curvatures (surface/differential.h).
+ * The width is the sum of |derivatives of a weight| times |distance of its point| over the sum of
+ * weights.
  *
  *   range   as eval
  *   error   with L the largest coordinate, A and B the sums of |first and second derivatives of the
- *           weights| over |the sum of the weights|: first q16: L A 2^-44   f32, f64: L A 2^-36;
- *           second: the same with B + A^2 in place of A
+ *           weights| over |the sum of the weights|: first derivatives q16: L A 2^-44   f32, f64:
+ *           L A 2^-36; second: the same with B + A^2 in place of A
  *   cost    per control point 15 sides (2 log2 h_i + 2) products and 6 per axis; eval once more;
  *           q16: 2.5 kB of stack
  */
@@ -81,7 +78,7 @@ enum loft_status loft_toric_differential(const loft_toric *t, loft_spot p,
 enum loft_status loft_toric_edge(const loft_toric *t, unsigned edge,
                                  loft_weighted out[]) LOFT_CHECKED;
 
-/* Where on that curve the patch is at p, a point of the edge: r / (1 + r), r = prod h_j^(normal_j .
+/* The parameter of p, a point of the edge, on that curve: r / (1 + r), r = prod h_j^(normal_j .
  * direction of the edge).
  *
  *   range   p on the edge or at one of its ends, otherwise LOFT_ERR_ARG

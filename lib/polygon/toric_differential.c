@@ -1,8 +1,8 @@
 /* lib/polygon/toric_differential.c -- derivatives of toric patches
  * SPDX-License-Identifier: MIT
  *
- * The sum of toric.c, in functions of the point, counted from the point itself. The heights are
- * linear: their derivatives are the normals.
+ * The sum of toric.c, as functions of the point. Points are relative to the point itself. The
+ * heights are linear, so their derivatives are the normals.
  */
 #include "polygon/toric.h"
 #include "polygon/jet_weighted_sum.h"  /* loft_jet_weighted_sum */

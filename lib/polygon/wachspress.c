@@ -16,13 +16,13 @@ static unsigned largest_of(const loft_sci area[], unsigned sides)
     return largest;
 }
 
-/* With A_j the area of p, v_j, v_(j+1) and C_i that of v_(i-1), v_i, v_(i+1),
+/* Let A_j be the area of p, v_j, v_(j+1) and C_i that of v_(i-1), v_i, v_(i+1). Then
  *
  *     w_i = C_i prod A_j, j not i - 1 or i        phi_i = w_i / sum w
  *
  * All factors are positive inside, so nothing cancels: n - 1 products, n sums and one quotient of
  * factors that err by 2^-61 (floats: 2^-47) each. In floats an area is at least 2^-216 and at most
- * 2^43; divided by the largest of them they are 2^-259 to 1, and the product of those that do not
+ * 2^43. Divided by the largest of them, areas are 2^-259 to 1. The product of those that do not
  * belong to the nearest vertex stays a normal number unless three of them are that small. */
 enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sci phi[])
 {
@@ -60,7 +60,7 @@ enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sc
 }
 
 /* A_j = (v_j - p) x (v_(j+1) - p) has the derivatives y_j - y_(j+1) and x_(j+1) - x_j. The same
- * products; on an edge and at a vertex as well, where one or two areas are 0. */
+ * products are valid on an edge and at a vertex, where one or two areas are 0. */
 static loft_jet area_at(const loft_domain *d, unsigned j, loft_sci area, loft_sci unit)
 {
     const loft_spot *a = &d->v[j], *b = &d->v[next(j, d->sides)];

@@ -1,10 +1,10 @@
-/* lib/polygon/wachspress.h -- rational coordinates of a point with respect to the vertices of a
- * convex polygon
+/* lib/polygon/wachspress.h -- Wachspress coordinates with respect to the vertices of a convex
+ * polygon
  * SPDX-License-Identifier: MIT
  *
- * phi_i >= 0, sum phi_i = 1, sum phi_i v_i = p; linear on edges, 1 at vertex i. They are the only
- * such coordinates here that an affine map of polygon and point leaves alone, and bilinear on a
- * parallelogram.
+ * They are rational: phi_i >= 0, sum phi_i = 1, sum phi_i v_i = p, linear on edges, 1 at vertex i.
+ * Of the coordinates in this room, only these are unchanged by an affine map of polygon and point,
+ * and bilinear on a parallelogram.
  */
 #ifndef LOFT_POLYGON_WACHSPRESS_H
 #define LOFT_POLYGON_WACHSPRESS_H
@@ -19,7 +19,7 @@ LOFT_BEGIN_C
  *   shape   phi[d->sides]
  *   range   a convex domain, otherwise LOFT_ERR_ARG; p inside, on an edge or at a vertex, otherwise
  *           LOFT_ERR_RANGE
- *   error   of each coordinate, however small it is: q16: n^2 * 2^-60   f32, f64: n^2 * 2^-46
+ *   error   relative to each coordinate: q16: n^2 * 2^-60   f32, f64: n^2 * 2^-46
  *   cost    n (n - 2) products, n cross products, n divisions; no table
  *   see     Wachspress, A Rational Finite Element Basis (1975); Meyer, Barr, Lee, Desbrun,
  *           Generalized Barycentric Coordinates on Irregular Polygons (2002): the form with areas
@@ -27,12 +27,12 @@ LOFT_BEGIN_C
 enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p,
                                       loft_sci phi[]) LOFT_CHECKED;
 
-/* The same with their derivatives by the point.
+/* The coordinates with their derivatives by the point.
  *
  *   shape   phi[d->sides]
  *   range   as loft_wachspress_eval
- *   error   with P and Q the largest first and second derivative: first q16: P 2^-48   f32, f64: P
- *           2^-40; second: the same with P^2 + Q in place of P
+ *   error   with P and Q the largest first and second derivative: first derivatives q16: P 2^-48
+ *           f32, f64: P 2^-40; second: the same with P^2 + Q in place of P
  *   cost    15 n (n - 2) + 22 n products, n cross products, 9 n divisions; no table; q16: 1.8 kB of
  *           stack
  */

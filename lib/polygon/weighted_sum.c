@@ -46,7 +46,7 @@ enum loft_status loft_weighted_sum_project(const loft_weighted_sum *b, loft_vec 
     return loft_weighted_sum_point(&quotient, out);
 }
 
-/* As curve/ does it, with a parameter that its type holds. */
+/* The point as curve/ computes it, for a t that loft_unit holds. */
 static enum loft_status held(const loft_vec p[], const loft_real w[], unsigned degree, loft_unit t,
                              loft_vec *out)
 {
@@ -70,8 +70,8 @@ static enum loft_status held(const loft_vec p[], const loft_real w[], unsigned d
     return status;
 }
 
-/* The weights are C(degree, k) t^k (1 - t)^(degree - k): all positive, each off by 2 degree + 2
- * roundings. */
+/* The weights are C(degree, k) t^k (1 - t)^(degree - k). All are positive, and each errs by 2
+ * degree + 2 roundings. */
 enum loft_status loft_weighted_sum_curve(const loft_vec p[], const loft_real w[], unsigned degree,
                                   const loft_sci share[2], loft_vec *out)
 {

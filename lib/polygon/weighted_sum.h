@@ -1,5 +1,4 @@
-/* lib/polygon/weighted_sum.h -- sums of weighted points, and Bezier curves along the edges of
- * patches
+/* lib/polygon/weighted_sum.h -- sums of weighted points, and Bezier curves along edges of patches
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_POLYGON_WEIGHTED_SUM_H
@@ -16,7 +15,7 @@ typedef struct {
     loft_sci x[LOFT_AXES], w;
 } loft_weighted_sum;
 
-/* Begin with nothing; add a point times a weight of any sign; add a whole other sum times a factor.
+/* Begin an empty sum; add a point times a weight of any sign; add another sum times a factor.
  *
  *   error   one rounding of loft_sci per product and sum
  *   cost    one product per axis, one sum per axis and one more
@@ -25,20 +24,20 @@ void loft_weighted_sum_start(loft_weighted_sum *b);
 void loft_weighted_sum_add(loft_weighted_sum *b, const loft_vec *p, loft_sci weight);
 void loft_weighted_sum_join(loft_weighted_sum *b, const loft_weighted_sum *other, loft_sci factor);
 
-/* The sum itself as a point, for weights whose sum is known to be 1; or divided by the sum of the
+/* The sum itself as a point, for weights that sum to 1; or the sum divided by the sum of the
  * weights.
  *
  *   range   LOFT_ERR_RANGE when a coordinate does not fit, LOFT_SINGULAR when the weights sum to 0;
- *           *out is untouched then
- *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1/2 ulp   f64: 1 ulp, beside what the sum has
+ *           *out is then untouched
+ *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1/2 ulp   f64: 1 ulp, plus that of the sum
  *   cost    project: one division per axis
  */
 enum loft_status loft_weighted_sum_point(const loft_weighted_sum *b, loft_vec *out) LOFT_CHECKED;
 enum loft_status loft_weighted_sum_project(const loft_weighted_sum *b, loft_vec *out) LOFT_CHECKED;
 
-/* The point of the Bezier curve with control points p[0..degree] at t = share[1] = 1 - share[0];
- * with weights when w is not null. Where t is a number that loft_unit holds it is bit for bit that
- * of loft_bezier_eval or loft_rational_eval.
+/* The point of the Bezier curve with control points p[0..degree] at t = share[1] = 1 - share[0],
+ * with weights if w is not null. If loft_unit holds t exactly, the point equals that of
+ * loft_bezier_eval or loft_rational_eval bit for bit.
  *
  *   range   degree 0..9; weights 1/256..256
  *   error   that of these functions, or q16: 1/2 LSB + 2^-16 LSB   f32: 1 ulp   f64: 4 * degree + 8

@@ -8,9 +8,10 @@
  *                                 3 sides: 1 - u_i ((d - k) + (2 k - d) u_(i+1)) if d - k <= k,
  *                                 else 1 - u_i (k + (d - 2 k) u_(i-1))
  *
- * They sum to 1 + e with a small e, of which each of the T points inside takes its part away. All
- * are below 126^2 / 2^4 in size, products of at most 9 sides + 3 factors: they err by 2^-53 (floats
- * 2^-46) at the worst and the sum of 151 of them, of which most are far below 1, by no more.
+ * They sum to 1 + e with a small e. The correction distributes -e evenly over the T points inside.
+ * All weights are below 126^2 / 2^4 in absolute value and have at most 9 sides + 3 factors, so they
+ * err by at most 2^-53 (floats 2^-46). Most of the up to 151 terms are far below 1, so their sum
+ * errs by no more.
  */
 #include "polygon/zheng_ball.h"
 #include "polygon/weighted_sum.h"      /* loft_weighted_sum */
@@ -28,7 +29,7 @@ unsigned loft_zheng_ball_count(unsigned sides, unsigned degree)
     return sides * wide_of(degree) * high_of(degree) + (degree % 2 == 0);
 }
 
-/* The centre is the point a = b = degree / 2 of any corner. */
+/* The corner and the indices a, b of point k. The centre is a = b = degree / 2 of any corner. */
 static void block_of(unsigned sides, unsigned degree, unsigned k, unsigned *corner, unsigned *a,
                      unsigned *b)
 {
@@ -118,8 +119,8 @@ static loft_sci border_factor(const basis *b, unsigned side, unsigned k)
     return loft_sci_sub(loft_sci_one(), loft_sci_mul(b->u[side], sum));
 }
 
-/* The weight of point k before the correction; *inside says whether it is one of those that are
- * corrected. */
+/* The weight of point k before the correction. *inside is true if the point takes part in the
+ * correction. */
 static loft_sci weight_of(const basis *b, unsigned k, bool *inside)
 {
     uint8_t l[LOFT_ZHENG_BALL_SIDES];
@@ -140,13 +141,13 @@ static loft_sci weight_of(const basis *b, unsigned k, bool *inside)
     return weight;
 }
 
-/* How many points are inside. */
+/* The number of points inside. */
 static int32_t inner_count(unsigned sides, unsigned degree)
 {
     return (int32_t)(loft_zheng_ball_count(sides, degree) - sides * degree);
 }
 
-/* What each point inside lacks: (1 - sum) / T. */
+/* The correction of each point inside: (1 - sum) / T. */
 static loft_sci lack(unsigned sides, unsigned degree, loft_sci sum)
 {
     return loft_sci_div(loft_sci_sub(loft_sci_one(), sum),
@@ -177,7 +178,7 @@ void loft_zheng_ball_weights(unsigned sides, unsigned degree, const loft_sci u[]
 
 /* Points */
 
-/* Point k of side i: of the block of its first corner, or of that of its second. */
+/* The index of point k of side i, in the block of its first or its second corner. */
 static unsigned border_place(const loft_zheng_ball *r, unsigned side, unsigned k)
 {
     const unsigned d = r->degree, high = high_of(d), block = wide_of(d) * high;
@@ -196,7 +197,7 @@ static enum loft_status border_point(const loft_zheng_ball *r, const loft_sci u[
     return loft_weighted_sum_curve(p, NULL, r->degree, share, out);
 }
 
-/* The correction is the same for all points inside: their plain sum, times it. */
+/* The correction is the same for all points inside, so it multiplies their plain sum. */
 enum loft_status loft_zheng_ball_eval(const loft_zheng_ball *r, const loft_sci u[], loft_vec *out)
 {
     const unsigned count = loft_zheng_ball_count(r->sides, r->degree);
@@ -222,11 +223,11 @@ enum loft_status loft_zheng_ball_eval(const loft_zheng_ball *r, const loft_sci u
 
 /* Derivatives
  *
- * The same weights in jets, and points counted from the last one, as the weights sum to 1. With P
- * and Q of zheng_ball.h the terms of a first derivative of a product of powers are at most n P, of
- * a
- * second one (n P)^2 + n Q, times weights whose sizes sum to less than 3. They err by 9 sides + 3
- * < 2^6 roundings of 2^-61 (floats 2^-53), their sum and the correction by as much: below 2^-52. */
+ * The same weights as jets. Since the weights sum to 1, points are relative to the last one. With P
+ * and Q of zheng_ball.h, the terms of a first derivative of a product of powers are at most n P,
+ * those of a second one (n P)^2 + n Q, times weights whose absolute values sum to less than 3. They
+ * err by 9 sides + 3 < 2^6 roundings of 2^-61 (floats 2^-53), their sum and the correction by as
+ * much: below 2^-52. */
 
 typedef struct {
     loft_jet factor;            /* f of 5 and 6 sides */
@@ -292,7 +293,7 @@ static loft_jet jet_weight_of(const jet_basis *b, unsigned k, bool *inside)
     return loft_jet_mul(&weight, &factor);
 }
 
-/* What each point inside lacks: (1 - sum) / T. */
+/* The correction of each point inside: (1 - sum) / T. */
 static loft_jet jet_lack(const loft_zheng_ball *r, const loft_jet *sum)
 {
     const loft_jet rest = less_than_one(sum);

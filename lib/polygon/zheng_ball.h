@@ -1,14 +1,14 @@
 /* lib/polygon/zheng_ball.h -- Zheng-Ball patches: Bezier surfaces with 3, 5 or 6 sides
  * SPDX-License-Identifier: MIT
  *
- * A point of the patch has a parameter u_i for every side, 0 on it and 1 on the sides that do not
- * touch it; two neighbours determine the rest. A control point lies l_i steps from side i:
+ * A point of the patch has a parameter u_i for every side: 0 on the side, and 1 on the sides that
+ * do not touch it. Two neighbours determine the rest. A control point lies l_i steps from side i:
  *
  *     S = sum B_l(u) V_l        l_i = 0 .. degree
  *
  * Every corner i, between sides i - 1 and i, has its own block of points, a = l_(i-1) <= degree / 2
- * and b = l_i < degree / 2 steps away from the two; they are in order corner by corner, a by a, b
- * by b, and for an even degree the centre comes last. Along side i S is the Bezier curve of the
+ * and b = l_i < degree / 2 steps from the two sides. They are ordered corner by corner, then by a,
+ * then by b. For an even degree the centre comes last. Along side i S is the Bezier curve of the
  * points l_i = 0, l_(i-1) = 0 .. degree, at u_(i-1).
  *
  *   see     Zheng, Ball, Control point surfaces over non-four-sided areas (1997); Sabin,
@@ -27,7 +27,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_ZHENG_BALL_SIDES 6       /* the most sides of a ring */
+#define LOFT_ZHENG_BALL_SIDES 6       /* the largest number of sides */
 
 /* The control points are borrowed. Do not fill it yourself: call init. */
 typedef struct {
@@ -38,15 +38,15 @@ typedef struct {
 /* Make a patch of loft_zheng_ball_count(sides, degree) points, which must outlive it.
  *
  *   range   3, 5 or 6 sides, degree 2..9, otherwise LOFT_ERR_ARG; finite coordinates, otherwise
- *           LOFT_ERR_RANGE; *r is untouched then
+ *           LOFT_ERR_RANGE; *r is then untouched
  *   error   none: the points are borrowed
- *   cost    a look at each coordinate
+ *   cost    one check per coordinate
  */
 enum loft_status loft_zheng_ball_init(loft_zheng_ball *r, const loft_vec p[], unsigned sides,
                                 unsigned degree) LOFT_CHECKED;
 
-/* How many points there are: sides * floor(degree / 2 + 1) * ceil(degree / 2), and one more for an
- * even degree.
+/* The number of points: sides * floor(degree / 2 + 1) * ceil(degree / 2), and one more for an even
+ * degree.
  *
  *   error   none
  *   cost    2 products of whole numbers
@@ -56,7 +56,7 @@ unsigned loft_zheng_ball_count(unsigned sides, unsigned degree);
 /* The distances l[sides] of point k, k < loft_zheng_ball_count(sides, degree).
  *
  *   error   none
- *   cost    4 quotients or rests and a product of whole numbers
+ *   cost    4 integer quotients or remainders and a product
  */
 void loft_zheng_ball_index(unsigned sides, unsigned degree, unsigned k, uint8_t l[]);
 
@@ -67,9 +67,10 @@ void loft_zheng_ball_index(unsigned sides, unsigned degree, unsigned k, uint8_t 
 /* All parameters from u_1 and u_2.
  *
  *   shape   u[sides]
- *   range   both in 0..1, for 3 sides with a sum to 1, otherwise LOFT_ERR_ARG; LOFT_SINGULAR for
- *           u_1 = u_2 = 1, which every point of a far side has; u is undefined then
- *   error   q16: 2^-54   f32, f64: 2^-48, next to 1 as well
+ *   range   both in 0..1, for 3 sides with a sum of at most 1, otherwise LOFT_ERR_ARG;
+ *           LOFT_SINGULAR for u_1 = u_2 = 1, which all points of a far side share; u is then
+ *           undefined
+ *   error   q16: 2^-54   f32, f64: 2^-48, relative to 1 - u near 1 as well
  *   cost    3 sides: 2 products and a division; 5: 2 and 2; 6: 4 roots, 8 divisions, 120 products;
  *           no table;
  *           q16: 1.6 kB of stack
@@ -78,7 +79,7 @@ enum loft_status loft_zheng_ball_params(unsigned sides, loft_unit u1, loft_unit 
                                   loft_sci u[]) LOFT_CHECKED;
 
 /* The parameters of three sides from barycentric coordinates: u = t (b_1, b_2, b_3) with the t in
- * 1..1.1 for which they fit together. b_3 = 1 - b_1 - b_2.
+ * 1..1.1 that makes them consistent. b_3 = 1 - b_1 - b_2.
  *
  *   shape   u[3]
  *   range   none negative, otherwise LOFT_ERR_ARG
@@ -87,15 +88,15 @@ enum loft_status loft_zheng_ball_params(unsigned sides, loft_unit u1, loft_unit 
  */
 enum loft_status loft_zheng_ball_lift(loft_unit b1, loft_unit b2, loft_sci u[]) LOFT_CHECKED;
 
-/* The same with their first and second derivatives by u_1 and u_2, or by b_1 and b_2.
+/* The parameters with their first and second derivatives by u_1 and u_2, or by b_1 and b_2.
  *
  *   shape   u[sides], u[3]
  *   range   as params, as lift; u is undefined after an error
- *   error   of the values that of params or lift. With r the larger one of 1 - u_1 and 1 - u_2, 1
- *           for three sides, to 2^-8: first q16: 2^-56 / r^2   f32, f64: 2^-48 / r^2; second
- *           q16: 2^-54 / r^4   f32, f64: 2^-46 / r^4
- *   cost    in products of polygon/jet.h, beside params or lift: 3 sides 1 and a quotient, 5: 1 and
- *           two quotients, 6: 44, a lift 11; q16: 1.5 kB of stack
+ *   error   values: that of params or lift. With r the larger of 1 - u_1 and 1 - u_2 (1 for three
+ *           sides, at least 2^-8): first derivatives q16: 2^-56 / r^2   f32, f64: 2^-48 / r^2;
+ *           second q16: 2^-54 / r^4   f32, f64: 2^-46 / r^4
+ *   cost    that of params or lift, and in products of polygon/jet.h: 3 sides 1 and a quotient, 5:
+ *           1 and two quotients, 6: 44, a lift 11; q16: 1.5 kB of stack
  */
 enum loft_status loft_zheng_ball_params_jet(unsigned sides, loft_unit u1, loft_unit u2,
                                       loft_jet u[]) LOFT_CHECKED;
@@ -107,7 +108,7 @@ enum loft_status loft_zheng_ball_lift_jet(loft_unit b1, loft_unit b2, loft_jet u
 
 /* The weights of all control points. They sum to 1; some may be slightly negative from degree 4 on.
  *
- *   shape   out[loft_zheng_ball_count(sides, degree)]; u[sides] that fit together
+ *   shape   out[loft_zheng_ball_count(sides, degree)]; consistent u[sides]
  *   error   q16: 2^-50   f32, f64: 2^-42
  *   cost    per point about 2 sides + 6 products; q16: 1.1 kB of stack
  */
@@ -115,10 +116,10 @@ void loft_zheng_ball_weights(unsigned sides, unsigned degree, const loft_sci u[]
 
 /* The point at u.
  *
- *   range   parameters that fit together; LOFT_ERR_RANGE when the point does not fit, *out is
- *           untouched then
+ *   range   consistent parameters; LOFT_ERR_RANGE when the point does not fit: *out is then
+ *           untouched
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 1/2 ulp + 2^-16 ulp   f64: 2^12 ulp, of the largest
- *           coordinate; beside what u has. On a side that of loft_weighted_sum_curve, at a corner
+ *           coordinate; plus that of u. On a side that of loft_weighted_sum_curve, at a corner
  *           none
  *   cost    per control point about 2 sides + 6 products and one per axis; q16: 1.3 kB of stack; no
  *           table
@@ -126,17 +127,16 @@ void loft_zheng_ball_weights(unsigned sides, unsigned degree, const loft_sci u[]
 enum loft_status loft_zheng_ball_eval(const loft_zheng_ball *r, const loft_sci u[],
                                       loft_vec *out) LOFT_CHECKED;
 
-/* The derivatives of the first and second order by what u has them of, for normals and curvatures
- * (surface/differential.h). Width is the sum of |derivatives of a weight| times |distance of its
- * point
- * from the last one|.
+/* The first and second derivatives by the variables of u, for normals and curvatures
+ * (surface/differential.h). The width is the sum of |derivatives of a weight| times |distance of
+ * its point from the last one|.
  *
- *   shape   u[sides] that fit together, with their derivatives, u[i] of side i: turn what the two
- *           functions above give to have the parameters of another corner
- *   range   parameters of 0..1: cannot fail
+ *   shape   consistent u[sides] with their derivatives, u[i] of side i. Rotate the results of the
+ *           two functions above to have the parameters of another corner
+ *   range   parameters in 0..1: cannot fail
  *   error   with L the largest coordinate, P and Q the largest first and second derivative of u, or
- *           1, and n the degree: first q16: n L P 2^-52   f32, f64: n L P 2^-44; second: the same
- *           with (n P)^2 + n Q in place of n P; beside what u has
+ *           1, and n the degree: first derivatives q16: n L P 2^-52   f32, f64: n L P 2^-44;
+ *           second: the same with (n P)^2 + n Q in place of n P; plus that of u
  *   cost    per control point sides (2 log2 degree + 2) products of polygon/jet.h and 6 per axis;
  *           q16: 2.5 kB of stack
  */

@@ -1,8 +1,8 @@
-/* lib/polygon/zheng_ball_params.c -- parameters of Zheng-Ball patches that fit together
+/* lib/polygon/zheng_ball_params.c -- consistent parameters of Zheng-Ball patches
  * SPDX-License-Identifier: MIT
  *
- * A parameter next to 1 keeps all digits of what it lacks: everything is computed for u and for 1 -
- * u, from which the sums below are made without cancellation.
+ * A parameter near 1 keeps all digits of 1 - u. Everything is computed for u and for 1 - u, and the
+ * sums below are formed from both without cancellation.
  */
 #include "polygon/zheng_ball.h"
 #include "polygon/jet.h"        /* loft_jet: derivatives */
@@ -43,24 +43,24 @@ static void five(share a, share b, loft_sci u[])
     u[4] = loft_sci_div(b.rest, u[3]);
 }
 
-/* Six sides: of three neighbours a, b, x
+/* Six sides: three neighbours a, b, x satisfy
  *
  *     A x^2 + B x + C = 0        A = (1 - ab)(1 - 2ab),  B = 2a - 3a^2 b + a b^2,  C = a^2 - 1
  *
- * with one root in 0..1. Of alpha = 1 - a, beta = 1 - b, sigma = alpha + beta, pi = alpha beta, s =
- * 1 - ab = sigma - pi:
+ * with one root in 0..1. With alpha = 1 - a, beta = 1 - b, sigma = alpha + beta, pi = alpha beta,
+ * s = 1 - ab = sigma - pi:
  *
  *     A = s (2s - 1)        B = a (3 alpha b + beta + beta^2)        -C = alpha (1 + a)
  *     F = A + B + C = a beta (alpha b + beta (2 + a))
  *     M = 2A + B    = (alpha - beta) + sigma (sigma + 4 beta) - pi (5 alpha + 9 beta - 4 pi)
- *     D = B^2 - 4AC = M^2 - 4AF = (alpha - beta)^2 + s (sigma^2 (s + 2) + 4 pi (2 - 3 sigma + 2
- *     pi))
+ *     D = B^2 - 4AC = M^2 - 4AF
+ *       = (alpha - beta)^2 + s (sigma^2 (s + 2) + 4 pi (2 - 3 sigma + 2 pi))
  *
- *     x = -2C / (B + sqrt D)        1 - x = 2F / (M + sqrt D),  for M < 0, where A < 0, (M - sqrt
- *                                                               D) / (2A)
+ *     x     = -2C / (B + sqrt D)
+ *     1 - x = 2F / (M + sqrt D),  for M < 0, where A < 0, (M - sqrt D) / (2A)
  *
- * B, -C, F are sums of positive numbers; D is one where alpha and beta are small, and M next to a =
- * b = 1 is small itself where it cancels, against sqrt D. */
+ * B, -C, F are sums of positive numbers. So is D where alpha and beta are small. M cancels only
+ * near a = b = 1, where it is small against sqrt D. */
 typedef struct {
     loft_sci a, b, c, f, m, d;      /* A, B, -C, F, M, sqrt D */
 } quadratic;
@@ -144,12 +144,12 @@ enum loft_status loft_zheng_ball_params(unsigned sides, loft_unit u1, loft_unit 
     return LOFT_OK;
 }
 
-/* 2 p t^3 - t + 1 = 0, p = b_1 b_2 b_3 <= 1/27, by Newton's steps from t = 1:
+/* Newton's method for 2 p t^3 - t + 1 = 0, p = b_1 b_2 b_3 <= 1/27, from t = 1:
  *
  *     t = (1 - 4 p t^3) / (1 - 6 p t^2)
  *
- * whose errors are at most 0.099, 4e-3, 6e-6, 2e-11, 2e-22: the second derivative over twice the
- * first is below 0.4. */
+ * The errors are at most 0.099, 4e-3, 6e-6, 2e-11, 2e-22, because the second derivative over twice
+ * the first is below 0.4. */
 enum loft_status loft_zheng_ball_lift(loft_unit b1, loft_unit b2, loft_sci u[])
 {
     const loft_sci one = loft_sci_one(), four = loft_sci_from_int(4), six_of = loft_sci_from_int(6);
@@ -176,22 +176,22 @@ enum loft_status loft_zheng_ball_lift(loft_unit b1, loft_unit b2, loft_sci u[])
 
 /* Derivatives
  *
- * The first two are the variables, or b_1 and b_2 of a lift. What fits to them is known as number.
- * Its derivatives follow from the equation G = 0 that it solves. Let G be computed in jets from a
- * jet u whose value is right, and whose derivatives of orders 1 .. k - 1 are. The derivatives of
- * order k of G hold those of u once, times the number G_u, so
+ * The first two parameters, or b_1 and b_2 of a lift, are the variables. The value of each other
+ * parameter is known. Its derivatives follow from the equation G = 0 that it solves. Let G be
+ * computed in jets from a jet u whose value and derivatives of orders 1 .. k - 1 are right. The
+ * derivatives of order k of G contain those of u once, times the number G_u. So
  *
  *     u - G / G_u
  *
- * has those of order k as well: two rounds from a constant give both orders. Of six sides G_x is
- * sqrt D above, which is small where a and b are both next to 1. u_4 follows from u_2 and u_3 or
- * from u_6 and u_5, and u_5 likewise: the pair that is farther from there is taken. For a lift G_t
+ * has the right derivatives of order k as well: two rounds from a constant give both orders. For
+ * six sides G_x is sqrt D above, which is small where a and b are both near 1. u_4 follows from u_2
+ * and u_3 or from u_6 and u_5, and u_5 likewise: the pair farther from 1 is taken. For a lift G_t
  * is between -1 and -0.73.
  *
- * Errors: e = 2^-61 (floats 2^-53), r the larger one of 1 - u_1 and 1 - u_2. Terms of G are at most
- * 6, and it errs by 30 e where its jets are of size 1: 2^-56 in all. Derivatives grow as 1 / r and
- * 1 / r^2 toward u_1 = u_2 = 1, and each round divides by sqrt D, about r^(3/2) there where they
- * are equal: as 1 / r^2 and 1 / r^4 in all, by measure. */
+ * Errors: e = 2^-61 (floats 2^-53), r the larger of 1 - u_1 and 1 - u_2. Terms of G are at most 6.
+ * It errs by 30 e where its jets are of size 1: 2^-56 in all. Derivatives grow as 1 / r and 1 / r^2
+ * toward u_1 = u_2 = 1. Each round divides by sqrt D, which is about r^(3/2) there for u_1 = u_2.
+ * The measured growth of the errors is 1 / r^2 and 1 / r^4 in all. */
 
 /* c - a. */
 static loft_jet jet_from(int32_t c, const loft_jet *a)
@@ -211,7 +211,7 @@ static loft_jet mul3(const loft_jet *a, const loft_jet *b, const loft_jet *c)
     return loft_jet_mul(&ab, c);
 }
 
-/* u - g / slope, the value left as it is. */
+/* u - g / slope; the value stays. */
 static loft_jet corrected(const loft_jet *u, const loft_jet *g, loft_sci slope)
 {
     const loft_jet step = loft_jet_scale(g, loft_sci_div(loft_sci_one(), slope));
@@ -235,7 +235,7 @@ static void neighbour_terms(const loft_jet *a, const loft_jet *b, loft_jet term[
     term[2] = loft_jet_sub(&square, &one);
 }
 
-/* The neighbour of b that is not a, whose value is x. */
+/* The neighbour of b that is not a. Its value x is known. */
 static loft_jet neighbour_jet(const loft_jet *a, const loft_jet *b, loft_sci x)
 {
     loft_jet u = loft_jet_of(x), term[3];
@@ -270,7 +270,7 @@ static void five_jets(loft_jet u[])
 
 static loft_sci lesser(loft_sci a, loft_sci b) { return loft_sci_less(a, b) ? a : b; }
 
-/* From the one pair of neighbours or from the other, whichever is farther from 1. */
+/* From the pair of neighbours that is farther from 1. */
 static loft_jet best_neighbour(const loft_jet u[], const loft_sci at[], const uint8_t pair[4],
                                unsigned i)
 {
@@ -315,7 +315,7 @@ enum loft_status loft_zheng_ball_params_jet(unsigned sides, loft_unit u1, loft_u
     return LOFT_OK;
 }
 
-/* The t of a lift, whose value is known. */
+/* The t of a lift. Its value is known. */
 static loft_jet lift_jet(const loft_jet b[3], loft_sci t)
 {
     const loft_jet p = mul3(&b[0], &b[1], &b[2]), one = loft_jet_of(loft_sci_one());
