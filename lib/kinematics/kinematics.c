@@ -8,8 +8,8 @@
 
 #if LOFT_AXES >= 2
 
-/* a = x + y, b = x - y; x = (a + b) / 2, y = (a - b) / 2. The way back
- * is in acc, for a + b may be beyond a coordinate. */
+/* a = x + y, b = x - y; x = (a + b) / 2, y = (a - b) / 2. The inverse is in acc, because a + b may
+ * exceed a coordinate. */
 loft_vec loft_corexy_motors(const void *geometry, loft_vec tool)
 {
     const loft_real x = tool.axis[0], y = tool.axis[1];
@@ -31,8 +31,8 @@ bool loft_corexy_tool(const void *geometry, loft_vec motors, loft_vec *tool)
     return true;
 }
 
-/* x^2 + y^2 <= 2^29 is exact in acc. The angle over a whole turn is at most 1/2 and errs by 2^-33,
- * which counts `turn` times: turn 2^-33 mm, turn 2^-17 LSB. */
+/* x^2 + y^2 <= 2^29 is exact in acc. The angle over a whole turn is at most 1/2 and errs by 2^-33.
+ * That is multiplied by `turn`: turn 2^-33 mm, turn 2^-17 LSB. */
 loft_vec loft_polar_motors(const void *geometry, loft_vec tool)
 {
     const loft_polar *polar = (const loft_polar *)geometry;
@@ -45,7 +45,7 @@ loft_vec loft_polar_motors(const void *geometry, loft_vec tool)
     return tool;
 }
 
-/* The whole turns between two angles, to nearest. */
+/* The number of whole turns between two angles, to nearest. */
 static int32_t turns_of(loft_real by, loft_real turn)
 {
     return loft_acc_int(loft_to_acc(loft_div(by, turn)));
@@ -60,8 +60,8 @@ loft_vec loft_polar_near(const void *geometry, loft_vec motors, loft_vec before)
     return motors;
 }
 
-/* Whole turns are taken off first, exactly in q16 and f32: what is left is at most half a turn (and
- * what the quotient was rounded by), so the product with 2 pi is below 4. */
+/* Whole turns are removed first, exactly in q16 and f32. The rest is at most half a turn, plus the
+ * rounding of the quotient. So the product with 2 pi is below 4. */
 bool loft_polar_tool(const void *geometry, loft_vec motors, loft_vec *tool)
 {
     const loft_polar *polar = (const loft_polar *)geometry;
@@ -78,8 +78,8 @@ bool loft_polar_tool(const void *geometry, loft_vec motors, loft_vec *tool)
 
 #if LOFT_AXES >= 3
 
-/* Pythagoras: the carriage is above the joint by h, h^2 = arm^2 - dx^2 - dy^2. Products are exact
- * in acc, below 2^28 + 2 * 2^30. */
+/* The carriage is above the joint by h, h^2 = arm^2 - dx^2 - dy^2. Products are exact in acc, below
+ * 2^28 + 2 * 2^30. */
 loft_vec loft_delta_motors(const void *geometry, loft_vec tool)
 {
     const loft_delta *delta = (const loft_delta *)geometry;
@@ -115,7 +115,7 @@ static loft_sci square(arrow a)
                         loft_sci_mul(a.c[2], a.c[2]));
 }
 
-/* From carriage 0 to carriage i; differences of coordinates are exact in acc. */
+/* The vector from carriage 0 to carriage i. Differences of coordinates are exact in acc. */
 static arrow side(const loft_delta *d, loft_vec motors, int i)
 {
     arrow out;
@@ -126,16 +126,16 @@ static arrow side(const loft_delta *d, loft_vec motors, int i)
     return out;
 }
 
-/* Seen from carriage 0, with b and c the sides from there and n = b x c, the centre of the circle
- * around the carriages and its radius are
+/* Seen from carriage 0, with b and c the vectors to the others and n = b x c, the centre and the
+ * radius of the circle through the carriages are
  *
  *     m = (b^2 c x n + c^2 n x b) / (2 n^2)        r^2 = m^2
  *
- * and the tool is at m -+ n sqrt((arm^2 - r^2) / n^2): below, so with the sign of -n_z. q16: the
- * sides are exact; n is the difference of products, off by 2^-60 of them, which for triangles that
- * are not flatter than 1:8 is 2^-57 of n. Each of the other 40 roundings is 2^-61 of a size below
- * 2^15 mm, and arm^2 - r^2 loses by cancelling no more than the arm's steepness: in all below 2^-30
- * mm. */
+ * The tool is at m -+ n sqrt((arm^2 - r^2) / n^2), with the sign of -n_z, because it is below. q16:
+ * the vectors are exact. n is a difference of products and errs by 2^-60 of them. For triangles not
+ * flatter than 1:8 that is 2^-57 of n. Each of the other 40 roundings is 2^-61 of a length below
+ * 2^15 mm. The cancellation in arm^2 - r^2 loses no more than the steepness of the arm: in all
+ * below 2^-30 mm. */
 bool loft_delta_tool(const void *geometry, loft_vec motors, loft_vec *tool)
 {
     const loft_delta *d = (const loft_delta *)geometry;
