@@ -1,13 +1,13 @@
-/* lib/machine/drive.c -- what the main loop does with the drive: jobs begin, items go in, how
- * things stand comes out
+/* lib/machine/drive.c -- the drive's part in the main loop: jobs begin, items go in, reports come
+ * out
  * SPDX-License-Identifier: MIT
  *
- * What interrupts it is drive_tick.c.
+ * drive_tick.c has the part that interrupts it.
  */
 #include "machine/drive.h"
 
-/* A span may move 3 max |p[k+1] - p[k]| / ticks per tick (its derivative is a mean of those
- * differences, times 3). In steps: each difference is known to one step, each end of a tick is
+/* A span may move 3 max |p[k+1] - p[k]| / ticks per tick, because its derivative is a mean of those
+ * differences, times 3. In steps: each difference is known to one step. Each end of a tick is
  * rounded by 1/2 step and, by the walk, by 0.52 LSB, which is 0.26 step at 32768 steps/mm. So
  * |difference| + 1 <= REACH_PER_TICK ticks leaves 3 * 10921 + 2 < 32767 steps. */
 #define REACH_PER_TICK 10921u
@@ -51,7 +51,7 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
     return LOFT_OK;
 }
 
-/* The tick looks at nothing while `active` is 0, so everything may be set here; `active` comes
+/* The tick ignores everything while `active` is 0, so everything may be set here. `active` is set
  * last. */
 enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
                                   const int32_t start[LOFT_AXES])
@@ -64,7 +64,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
             return LOFT_ERR_RANGE;
     if (loft_pace_init(&d->pace, d->slots, d->ramp) != LOFT_OK ||
         loft_queue_init(&d->queue, d->queue.cell, d->queue.count) != LOFT_OK)
-        return LOFT_ERR_RANGE;          /* not after loft_drive_init */
+        return LOFT_ERR_RANGE;          /* never after loft_drive_init */
 
     loft_points_init(&d->points);
     d->kind = (uint8_t)kind;
@@ -163,7 +163,7 @@ void loft_drive_close(loft_drive *d)
         d->state = LOFT_STATE_IDLE;
 }
 
-/* A count of the tick or the slot, read whole: twice the same is not half of each. */
+/* A counter of the tick or the slot, read consistently: two equal reads are not torn. */
 static uint32_t count_of(const volatile uint32_t *count)
 {
     uint32_t once, again = *count;
@@ -175,7 +175,7 @@ static uint32_t count_of(const volatile uint32_t *count)
     return again;
 }
 
-/* The state is read first: once it says that the job is over, nothing changes any more. */
+/* The state is read first. Once it says that the job is over, nothing changes any more. */
 loft_drive_report loft_drive_poll(loft_drive *d)
 {
     loft_drive_report r;

@@ -1,27 +1,26 @@
-/* lib/machine/drive_tick.c -- what interrupts the main loop: ticks are made of the queue, slots of
- * ticks
+/* lib/machine/drive_tick.c -- the drive's part in interrupts: the queue becomes ticks, ticks slots
  * SPDX-License-Identifier: MIT
  */
 #include "machine/drive.h"
 
-/* What a tick is, for counting it once its last pulse is given. */
+/* The kind of a tick, to count it after its last pulse. */
 enum { NO_TICK = 0, TICK = 1, LAST_TICK = 2 };     /* LAST_TICK: of its item */
 
-/* Ticks of the shortest span that needs a walk. One of a tick is its end; one of two is its middle,
- * and its end. */
+/* The shortest span, in ticks, that needs a walk. A span of one tick is just its end, a span of two
+ * its middle and its end. */
 #define WALKED 3
 
-/* How many items one call looks at, or looks ahead. The queue empties by at most one item per tick,
- * so any number above 1 catches up. */
+/* The number of items that one call looks at, or looks ahead. The queue empties by at most one item
+ * per tick, so any number above 1 catches up. */
 #define LOOKS 8
 
 
 // Tick
 // ----
 
-/* The step module holds two ticks: the running and the prepared one. There is room again: the
- * prepared one runs now, so the one that ran before is over. When all is done, the running one is
- * over as well. */
+/* The step module holds two ticks: the running one and the prepared one. When there is room again,
+ * the prepared tick runs, so the tick before it is over. When all is done, the running tick is over
+ * as well. */
 static void count_ticks(loft_drive *d)
 {
     if (d->prepared) {
@@ -39,32 +38,31 @@ static void count_ticks(loft_drive *d)
 
 static bool is_ready(const loft_drive *d)       { return d->ready && d->ready_item == d->item; }
 
-/* The law of supply. What is in the queue is worth as many ticks as it has, or as a queue so full
- * has with full items:
+/* The law of supply. The queue is worth the ticks of its items, or the ticks that an equally full
+ * queue of full items has, whichever is more:
  *
- *     fill = max(ahead, items * 4 H / cells)        H = 16 * the ticks from pace 1 to standing
+ *     fill = max(ahead, items * 4 H / cells)        H = 16 * the ticks from pace 1 to a stop
  *
- * and the pace is fill / H. So a line that delivers a part q of what the plan needs finds the fill
- * at q H and keeps it there: d fill / dt = q - fill / H has no oscillation, and approaches evenly
- * what comes. While the fill is within 1/8 of what belongs to the pace, the pace stays as it is, so
- * that items may come in portions. From standing it takes a sixteenth of pace 1, so that something
- * is there to go on with.
+ * The pace is fill / H. A line that delivers a part q of what the plan needs finds the fill at q H
+ * and keeps it there: d fill / dt = q - fill / H approaches q H without oscillation. While the fill
+ * is within 1/8 of the value for the pace, the pace does not change, so that items may come in
+ * portions. From a stop the fill must reach a sixteenth of that for pace 1, so that the motion can
+ * continue.
  *
- * Whatever that says, in units of the level, which changes by one unit per tick, while each tick
- * takes one of `ahead`:
+ * Independent of that, the level is limited. It changes by one unit per tick, and each tick takes
+ * one of `ahead`. In units of the level:
  *
- *     going down    ahead - level stays
- *     else          ahead - level falls by 2 at most      only while level + 1 <= ahead - 1 -
- *                   MARGIN
+ *     going down    ahead - level is constant
+ *     otherwise     ahead - level falls by 2 at most      only if level + 1 <= ahead - 1 - MARGIN
  *
- * (with a full queue, for which nothing better can come, without MARGIN), so ahead >= level always,
- * and the machine stands before the queue is empty or at its last tick. */
+ * With a full queue, when nothing more can come, MARGIN is 0. So ahead >= level always, and the
+ * machine stops before the queue is empty or at its last tick. */
 static uint16_t level_of(uint16_t full, uint16_t pace)      /* Q8; 2^14 * 2^18 */
 {
     return pace >= 512 ? (uint16_t)(4 * full) : (uint16_t)((uint32_t)full * pace * pace >> 16);
 }
 
-/* Does a span of several ticks come next? Beginning it is work enough for one tick. */
+/* Does a span of several ticks come next? Its beginning is enough work for one tick. */
 static bool begins(const loft_drive *d)
 {
     return d->kind == LOFT_SPANS && d->left == 0 && d->supply && loft_queue_first(&d->queue) &&
@@ -94,16 +92,16 @@ static uint16_t supplied(loft_drive *d)
     return d->supply < sure ? d->supply : (uint16_t)sure;
 }
 
-/* The level of what is ordered, or of what the caps of the items allow if that is less. The level
- * falls by a unit each tick if it must; so it may be so high at the end of the next tick that it
- * comes down to each cap at the beginning of its item,
+/* The level of the override, or the level that the override limits of the items allow if that is
+ * lower. The level can fall by one unit per tick. At the end of the next tick it may therefore be
+ * so high that it still falls to each limit at the beginning of its item,
  *
- *     level <= cap + unit * (ticks before that item - 1)
+ *     level <= limit + unit * (ticks before that item - 1)
  *
- * and, with the next tick's own cap, keeps to it from then on. It never was higher than that: an
- * item that is new in the queue has `ahead` ticks before it, of which the law of supply leaves as
- * many as the level has. A search through the queue ends where even the lowest cap is far enough
- * away; up to pace 1 there is nothing to search for. */
+ * and, by the limit of the next tick itself, it stays within them from then on. It is never too
+ * high when an item arrives: a new item has `ahead` ticks before it, and the law of supply keeps at
+ * least as many ticks as the level needs. The search through the queue ends where even the lowest
+ * limit is far enough away. Up to pace 1 there is nothing to search for. */
 static uint16_t allowed(const loft_drive *d)
 {
     const uint16_t full = loft_pace_full(&d->pace);
@@ -149,7 +147,7 @@ static void finish(loft_drive *d, enum loft_machine_state state)
     d->active = 0;
 }
 
-/* Nothing is to be prepared: time stands still, or all items are used up. */
+/* There is no tick to prepare: time stands still, or all items are used. */
 static void stand(loft_drive *d, bool ended)
 {
     if (!loft_step_done(&d->step))
@@ -185,14 +183,15 @@ static void walk_item(loft_drive_walk *walk, const volatile loft_item *item,
     }
 }
 
-/* Is the next span that needs a walk prepared, be it behind some that need none? */
+/* Is the next span that needs a walk prepared, even if spans that need none come first? */
 static bool is_prepared(const loft_drive *d)
 {
     return d->ready && (uint8_t)(d->ready_item - d->item) < LOOKS;
 }
 
-/* The tick may take items while this runs: the number tells when the walk is to be used. The tick
- * leaves walk[!which] alone until `ready` is set, and counts `item` up before it changes `from`. */
+/* The tick may take items while this runs; the item number tells when the walk is to be used. The
+ * tick does not use walk[!which] before `ready` is set, and increments `item` before it changes
+ * `from`. */
 void loft_drive_prepare(loft_drive *d)
 {
     const volatile int32_t *from = d->from;
@@ -211,7 +210,7 @@ void loft_drive_prepare(loft_drive *d)
         from = item->p[2];
         behind++;
     }
-    /* items taken meanwhile: another time */
+    /* items were taken meanwhile: try again later */
     if (!item || item->ticks < WALKED || number != d->item)
         return;
     walk_item(&d->walk[!d->which], item, from);
@@ -240,7 +239,7 @@ static void aim_at_middle(loft_drive *d, const volatile loft_item *item)
     }
 }
 
-/* Take the next item, of which there is one: it was counted in `ahead`. One of two ticks aims at
+/* Take the next item. There is one, because it was counted in `ahead`. An item of two ticks aims at
  * its middle at once. */
 static bool next_span(loft_drive *d)
 {
@@ -265,7 +264,7 @@ static bool next_span(loft_drive *d)
     return loft_queue_poll(&d->queue);
 }
 
-/* The last tick of an item is its end, so nothing is walked for it. */
+/* The last tick of an item ends at the end of the item, so it needs no walk. */
 static bool next_target(loft_drive *d)
 {
     const bool begun = d->left == 0;
@@ -290,7 +289,7 @@ static bool next_target(loft_drive *d)
     return true;
 }
 
-/* Does a span come next that the main loop has yet to prepare? */
+/* Does a span come next that the main loop must still prepare? */
 static bool must_wait(const loft_drive *d)
 {
     if (LOFT_MACHINE_TICK_PREPARES || d->kind != LOFT_SPANS || d->left || !d->ahead || is_ready(d))
@@ -301,8 +300,7 @@ static bool must_wait(const loft_drive *d)
 
 void loft_drive_next(loft_drive *d)
 {
-    const bool ended = d->ended;        /* before the queue is looked at: what was pushed before it
-                                         * is seen */
+    const bool ended = d->ended;        /* read first, so that no item before the end is missed */
 
     count_ticks(d);
     for (uint8_t looks = 0; looks < LOOKS; looks++) {
@@ -324,7 +322,7 @@ void loft_drive_next(loft_drive *d)
         return;
     }
     if (!next_target(d)) {
-        finish(d, LOFT_STATE_FAULT);    /* not with items that loft_drive_push took */
+        finish(d, LOFT_STATE_FAULT);    /* never with items that loft_drive_push took */
         return;
     }
     if (loft_step_load(&d->step, d->target, slots) > slots)

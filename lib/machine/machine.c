@@ -3,15 +3,15 @@
  */
 #include "machine/machine.h"
 
-/* Its variables are not on the stack of its caller, who calls what needs much of it. */
+/* Keep the variables of such a function off the stack of its caller, which calls deep functions. */
 #if defined(__GNUC__)
 #  define APART __attribute__((noinline))
 #else
 #  define APART
 #endif
 
-/* An item that the machine cannot do, or for which the receiver saw room where there is none, is
- * already counted as taken: the job ends here, on the path. */
+/* The machine cannot execute the item, or the receiver saw room where there is none. The item is
+ * already counted as taken, so the job ends here, on the path. */
 static void give_up(loft_machine *m)
 {
     loft_drive_abort(&m->drive);
@@ -40,7 +40,7 @@ static enum loft_status init_planner(loft_machine *m, loft_machine_config *confi
     return loft_planner_init(m->planner, &config->plan, config->cells);
 }
 
-/* Is the job, under way or over, one of curves? */
+/* Is the job, under way or over, a job of curves? */
 static bool plans(const loft_machine *m)        { return m->job.kind == LOFT_CURVES; }
 
 static enum loft_status begin_planner(loft_machine *m, const loft_job *job)
@@ -50,7 +50,7 @@ static enum loft_status begin_planner(loft_machine *m, const loft_job *job)
     return status == LOFT_OK ? loft_planner_begin(m->planner, m->info, &asked, job->start) : status;
 }
 
-/* An item of the queue is a span; items of the job are curves. */
+/* Queue items are spans, job items are curves. */
 static void count_curves(loft_machine *m, loft_snapshot *now)
 {
     now->room     = loft_planner_room(m->planner);
@@ -174,13 +174,13 @@ static loft_snapshot snapshot_of(loft_machine *m)
     return now;
 }
 
-/* The inputs that end a job which moves away from those of `away`. */
+/* The closed inputs that end a job which moves away from the inputs `away`. */
 static uint16_t ending(const loft_machine *m, uint16_t away)
 {
     return (uint16_t)(m->closed & LOFT_INPUT_ENDING & ~away);
 }
 
-/* No job is under way. The plan of the one before is over with it, even if this one is refused. */
+/* No job is under way. The plan of the last job is discarded, even if this job is refused. */
 static void begin(loft_machine *m, const loft_job *job)
 {
     const bool curves = job->kind == LOFT_CURVES;
@@ -230,7 +230,7 @@ void loft_machine_control(loft_machine *m, enum loft_verb verb)
     case LOFT_RESUME:   loft_drive_hold(&m->drive, false);  break;
     case LOFT_ABORT:    loft_drive_abort(&m->drive);        break;
     case LOFT_CLOSE:    loft_drive_close(&m->drive);        break;
-    case LOFT_OVERRIDE: break;              /* has a value: loft_machine_override */
+    case LOFT_OVERRIDE: break;              /* it has a value: loft_machine_override */
     }
 }
 
@@ -267,7 +267,7 @@ static void act(loft_machine *m, enum loft_event event, const loft_event_data *w
     }
 }
 
-/* What the frame that has come asks for next, of points all; false if there is nothing more. */
+/* Act on the next event of the frame, or on all its points. False if there is no more. */
 static APART bool act_on_frame(loft_machine *m)
 {
     const loft_snapshot now = snapshot_of(m);
@@ -284,14 +284,12 @@ static APART bool act_on_frame(loft_machine *m)
 
 void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count)
 {
-    loft_drive_prepare(&m->drive);              /* here and in loft_machine_poll: each takes a
-                                                 * millisecond on an 8-bit part */
+    loft_drive_prepare(&m->drive);              /* here and in poll: each takes 1 ms on 8 bits */
     for (size_t i = 0; i < count; i++) {
         if (!loft_receiver_push(&m->receiver, byte[i]))
             continue;
         do
-            loft_drive_prepare(&m->drive);      /* looking through a frame, and unpacking an item,
-                                                 * takes longer than a short span lasts */
+            loft_drive_prepare(&m->drive);      /* a frame or an item may outlast a short span */
         while (act_on_frame(m));
     }
 }

@@ -1,18 +1,16 @@
 /* lib/machine/machine.h -- the machine: bytes from the line become pulses, and answers
  * SPDX-License-Identifier: MIT
  *
- * The controller of every firmware and of the simulated machine. A firmware calls
+ * This is the controller of every firmware and of the simulated machine. A firmware calls
  *
  *     loft_machine_init       once
- *     loft_machine_push       in the main loop, with the bytes that have come
- *     loft_machine_poll       in the main loop, for the next frame to be sent, when the line has
- *                             taken the one before
- *     loft_machine_inputs     in the main loop, with the inputs that are closed
- *     loft_machine_slot       in a timer interrupt, tick_hz * slots times per second: what the pins
- *                             do
+ *     loft_machine_push       in the main loop, with the received bytes
+ *     loft_machine_poll       in the main loop, for the next frame to send, when the line is free
+ *     loft_machine_inputs     in the main loop, with the closed inputs
+ *     loft_machine_slot       in a timer interrupt, tick_hz * slots times per second, for the pins
  *     loft_machine_tick       at least once per tick, interruptible by the slots
  *
- * ports/firmware.c is one, and ports/port.h says what it needs of a board.
+ * ports/firmware.c does so, and ports/port.h lists what it needs of a board.
  */
 #ifndef LOFT_MACHINE_MACHINE_H
 #define LOFT_MACHINE_MACHINE_H
@@ -28,34 +26,33 @@ LOFT_BEGIN_C
 
 typedef struct {
     loft_machine_info info;             /* init fills in `queue`, `points`, `curves`, `kinds` */
-    int32_t  position[LOFT_AXES];       /* steps: where the machine stands at the start */
-    uint16_t ramp;                      /* ticks from full pace to standing in a hold */
+    int32_t  position[LOFT_AXES];       /* steps: the position at the start */
+    uint16_t ramp;                      /* ticks from full pace to a stop in a hold */
     volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number */
     uint16_t cells;
-    loft_planner *planner;              /* NULL: the machine does not plan. Borrowed;
-                                         * LOFT_MACHINE_PLANS must be 1 */
+    loft_planner *planner;              /* borrowed; needs LOFT_MACHINE_PLANS; NULL: none */
     loft_planner_memory plan;           /* its memory */
 } loft_machine_config;
 
-/* Complete so that it can be static; the fields may change without notice. */
+/* The struct is complete so that it can be static; the fields may change without notice. */
 typedef struct {
     loft_drive    drive;
     loft_receiver receiver;
     const loft_machine_info *info;
     struct {
         uint32_t id;
-        uint16_t away;                  /* what is left of it: inputs that have not opened since */
+        uint16_t away;                  /* the rest of it: inputs that have not opened since */
         uint8_t  kind;
     } job;                              /* under way or over */
     loft_planner *planner;
-    uint16_t      closed, ended_by;     /* inputs; those that have ended the job */
+    uint16_t      closed, ended_by;     /* closed inputs; inputs that have ended the job */
 } loft_machine;
 
-/* Stand idle and listen.
+/* Prepare, idle and listening.
  *
  *   shape   config stays borrowed; its `queue`, `points`, `curves` and `kinds` are filled in
  *   range   that of loft_receiver_init (LOFT_ERR_ARG), of loft_drive_init (LOFT_ERR_RANGE) and of
- *           loft_planner_init (LOFT_ERR_SPACE); LOFT_ERR_ARG for a planner where LOFT_MACHINE_PLANS
+ *           loft_planner_init (LOFT_ERR_SPACE); LOFT_ERR_ARG for a planner if LOFT_MACHINE_PLANS
  *           is 0 */
 enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config) LOFT_CHECKED;
 
@@ -63,32 +60,31 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
 // Main loop
 // ---------
 
-/* Take bytes from the line, and act on the frames that they complete.
+/* Take bytes from the line, and act on the frames they complete.
  *
  *   range   any bytes */
 void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count);
 
-/* Give the next frame for the line; 0 when there is none. Call it whenever the line has taken the
- * one before. */
+/* Give the next frame for the line; 0 when there is none. Call it whenever the line is free. */
 size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* Plan one span, if the job is one of curves, the queue has room and the next span is certain:
- * returns false if not. loft_machine_push and loft_machine_poll do it once for each item and frame;
- * a main loop with time to spare may call it until it is false.
+/* Plan one span, if the job has curves, the queue has room and the next span is certain; otherwise
+ * return false. loft_machine_push and loft_machine_poll do this once for each item and frame. A
+ * main loop with spare time may call it until it returns false.
  *
  *   cost    as loft_plan_next */
 bool loft_machine_plan(loft_machine *m);
 
-/* The inputs that are closed now, a sum of LOFT_INPUT_, debounced; call it whenever that is known.
- * A limit or the emergency stop that is closed ends the job, on its path, and lets none begin, but
- * one whose JOB says that it moves `away` from it: that goes on as long as it stays closed, and
- * ends when it closes again. A button counts when it closes. */
+/* Set the inputs that are closed now, a sum of LOFT_INPUT_, debounced. Call it whenever they are
+ * read. A closed limit switch or emergency stop ends the job, on its path, and lets no job begin.
+ * The exception is a job whose JOB names the input in `away`: it continues while the input stays
+ * closed, and ends when the input opens and closes again. A button acts when it closes. */
 void loft_machine_inputs(loft_machine *m, uint16_t closed);
 
-/* What a button on the machine does: as if the host had sent it. */
+/* The action of a button on the machine, as if the host had sent it. */
 void loft_machine_control(loft_machine *m, enum loft_verb verb);
 
-/* What a knob on the machine does: see loft_drive_override. */
+/* The action of a knob on the machine: see loft_drive_override. */
 static inline void loft_machine_override(loft_machine *m, unsigned percent)
 {
     loft_drive_override(&m->drive, percent);

@@ -3,8 +3,8 @@
  */
 #include "machine/override_limit.h"
 
-/* With D1, D2, D3 = the largest first, second and third difference of the control points of an
- * axis, and s seconds that the span lasts,
+/* Let D1, D2, D3 be the largest first, second and third difference of the control points of an
+ * axis, and s the seconds of the span. Then
  *
  *     |x'| <= 3 D1 / s      |x''| <= 6 D2 / s^2      |x'''| = 6 D3 / s^3
  *
@@ -12,16 +12,16 @@
  *
  *     r <= V s / (3 D1)     r^2 <= A s^2 / (6 D2)    r^3 <= J s^3 / (6 D3)
  *
- * (D1 to D3 are without what the rounding of points by 1/2 may have done: 1, 2 and 4.) Where a span
- * of n ticks begins, after one of m ticks with the last difference e, the velocity jumps by 3 (d m
- * - e n) / (m n) per tick, d being its own first difference. What exceeds twice the rounding, m +
- * n, is a jump, which must not become greater.
+ * D1 to D3 do not count the possible rounding of points by 1/2: 1, 2 and 4. A span of n ticks may
+ * follow one of m ticks. With d its own first difference and e the last difference of the span
+ * before, the velocity jumps by 3 (d m - e n) / (m n) per tick. More than twice the rounding, m +
+ * n, is a real jump, which must not grow.
  *
- * In numbers: a difference of 2^27 (2 m) or more counts as one that allows nothing; so 6 D3 is
- * below 2^32. s is in Q24, rounded down, below 2^29 (1023 ticks at 50 Hz; a rate below that counts
- * as 50). V s, A s^2 and J s^3 are raw mm, rounded down, at most 2^32 - 1. A quotient is asked for
- * in units of `unit` and only up to `most`; before the division the limit is shifted down to 23
- * bits, the need likewise, but rounded up. */
+ * In numbers: a difference of 2^27 (2 m) or more allows nothing, so 6 D3 is below 2^32. s is in
+ * Q24, rounded down, below 2^29 (1023 ticks at 50 Hz; a lower rate counts as 50). V s, A s^2 and J
+ * s^3 are raw mm, rounded down, at most 2^32 - 1. A quotient is computed in units of 1 / `unit`,
+ * and only up to `most`. Before the division the limit is shifted down to 23 bits, and the need as
+ * well, but rounded up. */
 #define FAR ((uint32_t)1 << 27)
 
 /* limit * seconds / 2^24 */
@@ -42,7 +42,7 @@ static uint16_t quotient(uint32_t limit, uint32_t need, uint16_t unit, uint16_t 
     return q > most ? most : (uint16_t)q;
 }
 
-/* The greatest c = 64 r^2 for 512 r^3: c^3 <= (512 r^3)^2 <= 2^24. */
+/* The largest c = 64 r^2 for 512 r^3: c^3 <= (512 r^3)^2 <= 2^24. */
 static uint16_t square_of_cube(uint16_t cube)
 {
     const uint32_t square = (uint32_t)cube * cube;
@@ -59,7 +59,7 @@ static uint16_t square_of_cube(uint16_t cube)
 static uint16_t lesser(uint16_t a, uint16_t b)      { return a < b ? a : b; }
 static uint32_t greater(uint32_t a, uint32_t b)     { return a > b ? a : b; }
 
-/* The size of a difference beyond what rounding may have made of it. */
+/* The absolute difference beyond the possible rounding. */
 static uint32_t sure(int32_t d, uint8_t rounding)
 {
     const uint32_t size = d < 0 ? 0 - (uint32_t)d : (uint32_t)d;
@@ -67,7 +67,7 @@ static uint32_t sure(int32_t d, uint8_t rounding)
     return size > rounding ? size - rounding : 0;
 }
 
-/* b - a; *far is set if it is. */
+/* b - a; *far is set if it is FAR or more. */
 static int32_t difference(int32_t a, int32_t b, bool *far)
 {
     const uint32_t d = (uint32_t)b - (uint32_t)a;

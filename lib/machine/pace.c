@@ -3,32 +3,32 @@
  */
 #include "machine/pace.h"
 
-/* Even deceleration from pace 1 to 0 in `ramp` ticks of real time covers ramp / 2 ticks of the plan
- * (rounded up). The pace with j left of J levels, u of them a tick, follows from "speed squared is
- * proportional to the distance",
+/* Even deceleration from pace 1 to 0 in `ramp` ticks of real time covers ramp / 2 ticks of the
+ * plan, rounded up. Let j of J levels be left, u levels per tick. "Speed squared is proportional to
+ * the distance" gives the pace
  *
  *     s(j) = sqrt(j / J),        level j = 0..4 J,      J = u ceil(ramp / 2), the field `full`
  *
- * and the tick between the levels i and j, being passed with even acceleration, lasts its length
- * divided by the mean of the two paces:
+ * The tick between the levels i and j passes with even acceleration. It lasts its length divided by
+ * the mean of the two paces:
  *
  *     T = slots / ((s(i) + s(j)) / 2) = 2 slots sqrt(J) / (sqrt(i) + sqrt(j)),      |i - j| <= u
  *
- * So the state of the pace is a whole number that moves by at most u each tick, and mean speeds of
+ * So the state of the pace is a whole number that changes by at most u each tick. Mean speeds of
  * neighbouring ticks, taken at the middles of the ticks, differ by at most the acceleration 1 /
- * ramp. From and to standing no other rule is needed. More levels than one per tick make slower
- * paces, and finer aims, possible.
+ * ramp. From a stop and to a stop no other rule is needed. More levels than one per tick allow
+ * slower paces and finer aims.
  *
- * In numbers: roots in Q8, first = 2 slots sqrt(J) in Q16, T in Q8. Room: first / 2^16 <= 32767 by
- * init, so first < 2^31; a level is at most 4 * 16383, its root below 2^16 in Q8. Error: a root is
- * rounded by at most 1/2 in Q8 and exact for 0 and 1, which leaves a relative error of at most 2^-9
- * / sqrt(J) + 2^-8 / (sqrt(i) + sqrt(j)) <= 0.3 %, with the worst case J = j = 2, u = 1; the
+ * In numbers: roots in Q8, first = 2 slots sqrt(J) in Q16, T in Q8. Range: first / 2^16 <= 32767 by
+ * init, so first < 2^31; a level is at most 4 * 16383, so its root is below 2^16 in Q8. Error: a
+ * root is rounded by at most 1/2 in Q8 and exact for 0 and 1. This is a relative error of at most
+ * 2^-9 / sqrt(J) + 2^-8 / (sqrt(i) + sqrt(j)) <= 0.3 %, with the worst case J = j = 2, u = 1. The
  * division drops at most 2^-8 slot, which is not carried.
  */
 #define FULL_MAX 16383u
 #define UNIT_MAX 16u
 
-/* sqrt(x) rounded to nearest; x <= 65532 * 2^16, the trial below stays within 32 bits for any x */
+/* sqrt(x) rounded to nearest; x <= 65532 * 2^16. The trial below stays within 32 bits for any x. */
 static uint16_t square_root(uint32_t x)
 {
     uint32_t r = 0, bit = (uint32_t)1 << 30;

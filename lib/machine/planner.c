@@ -18,7 +18,7 @@ enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *m
 
 static int32_t lower(int32_t a, int32_t b)      { return b > 0 && b < a ? b : a; }
 
-/* 0 is no limit. */
+/* 0 means no limit. */
 static uint32_t lower_jerk(uint32_t a, uint32_t b) { return a == 0 || (b > 0 && b < a) ? b : a; }
 
 enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *machine,
@@ -74,7 +74,8 @@ void loft_planner_end(loft_planner *p)
     loft_plan_end(&p->plan);
 }
 
-/* Each span is marked with the curves that are behind its end, which are executed when it is. */
+/* Each span is marked with the number of curves that end before its end. They are executed when the
+ * span is. */
 static bool give(loft_planner *p, const loft_span *span, loft_item *out)
 {
     p->memory.passed[p->mark] = loft_plan_passed(&p->plan);
@@ -98,7 +99,7 @@ bool loft_planner_next(loft_planner *p, bool hurry, loft_item *out)
 
 uint32_t loft_planner_executed(loft_planner *p, uint32_t spans)
 {
-    const uint32_t since = p->spans - spans;        /* given, but not executed */
+    const uint32_t since = p->spans - spans;        /* given, but not yet executed */
 
     if (spans > 0 && since < p->marks) {
         const uint32_t at = (uint32_t)p->mark + p->marks - 1u - since;

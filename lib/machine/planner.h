@@ -1,14 +1,14 @@
 /* lib/machine/planner.h -- the planner: curves of a job become the spans that the drive executes
  * SPDX-License-Identifier: MIT
  *
- * All of it belongs to the main loop. The machine pushes curves as they come and takes spans while
- * the drive has room:
+ * It runs in the main loop. The machine pushes curves as they arrive and takes spans while the
+ * drive has room:
  *
  *     curves -> loft_plan (a ring of the caller's memory) -> spans -> queue of the drive
  *
- * A span that depends on curves yet to come is not given; then the queue runs low and the drive
- * slows down on the path, as with a slow sender. So curves that come late cost time, but no stop is
- * planned for them, unless the ring is too short to brake in.
+ * A span that depends on curves yet to come is not given. Then the queue runs low and the drive
+ * slows down on the path, as with a slow sender. So late curves cost time, but no stop is planned
+ * for them, unless the ring is too short to brake in.
  */
 #ifndef LOFT_MACHINE_PLANNER_H
 #define LOFT_MACHINE_PLANNER_H
@@ -22,38 +22,37 @@ LOFT_BEGIN_C
 #error "a machine that plans takes a JOB of curves: LOFT_FRAME_MAX must be >= 27 + 16 * LOFT_AXES"
 #endif
 
-/* Spans that the drive may hold without having executed them, beside those in its queue: the one
- * that runs, the one whose first tick is prepared. */
+/* Spans that the drive may hold unexecuted outside its queue: the running one, and the one whose
+ * first tick is prepared. */
 #define LOFT_PLANNER_AHEAD 3
 
-/* Memory of the caller. Half of the moves must be longer than the way to stop, or the speed is held
- * down. */
+/* Memory of the caller. Half of the moves should be longer than the braking distance; otherwise the
+ * speed is reduced. */
 typedef struct {
     loft_move       *moves;
-    loft_plan_piece *pieces;            /* LOFT_PLAN_PIECES for each move, or less      */
+    loft_plan_piece *pieces;            /* at most LOFT_PLAN_PIECES for each move       */
     uint16_t        *passed;            /* cells of the queue + LOFT_PLANNER_AHEAD      */
     uint16_t move_room, piece_room;
 } loft_planner_memory;
 
-/* Complete so that it can be static; the fields may change without notice. */
+/* The struct is complete so that it can be static; the fields may change without notice. */
 typedef struct {
     loft_plan plan;
     loft_planner_memory memory;
     loft_vec at;                        /* where the last curve ends */
-    uint32_t taken, told, spans;        /* curves pushed, and known to be executed; spans given */
-    uint16_t marks, mark;               /* places in `passed`; the one of the next span */
+    uint32_t taken, told, spans;        /* curves pushed; curves known as executed; spans given */
+    uint16_t marks, mark;               /* places in `passed`; the place of the next span */
     bool ended, rests;                  /* no more curves follow; all are planned */
 } loft_planner;
 
-/* Prepare, with memory for a queue of `cells` spans; a job must begin before anything else is
- * asked.
+/* Prepare, with memory for a queue of `cells` spans. A job must begin before any other call.
  *
- *   range   4 moves, 12 pieces at least; otherwise LOFT_ERR_SPACE */
+ *   range   at least 4 moves and 12 pieces; otherwise LOFT_ERR_SPACE */
 enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *memory,
                                    uint16_t cells) LOFT_CHECKED;
 
-/* Begin a job at `start` (raw Q16.16 mm), within the limits of the machine and those asked for,
- * whichever are lower.
+/* Begin a job at `start` (raw Q16.16 mm), within the lower of the machine's limits and those of the
+ * job.
  *
  *   range   as loft_plan_init */
 enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *machine,
@@ -69,22 +68,23 @@ enum loft_status loft_planner_push(loft_planner *p, const loft_item *item) LOFT_
 /* No more curves follow. */
 void loft_planner_end(loft_planner *p);
 
-/* Give the next span, for which the drive's queue has room. Returns false when there is none now.
+/* Give the next span; the drive's queue must have room for it. Returns false when there is none
+ * now.
  *
- *   shape   hurry: the queue runs low. If then the next span depends on what comes, and so little
- *           of the ring is free that the host may be waiting too (it sends a quarter at a time, and
- *           is told of a quarter at a time), the plan stops where the known curves end
- *   error   rounded to 2^-16 mm, as lib/wire/codec.h says
+ *   shape   hurry: the queue runs low. The next span may then depend on curves to come while the
+ *           ring is so full that the host may be waiting too (it sends a quarter at a time, and is
+ *           told of a quarter at a time). In that case the plan stops where the known curves end
+ *   error   rounded to 2^-16 mm, see lib/wire/codec.h
  *   cost    as loft_plan_next */
 bool loft_planner_next(loft_planner *p, bool hurry, loft_item *span);
 
-/* Have all curves been planned, and do no more follow? */
+/* Are all curves planned, and do no more follow? */
 static inline bool loft_planner_done(const loft_planner *p)     { return p->ended && p->rests; }
 
-/* Curves that can be pushed now. */
+/* The number of curves that can be pushed now. */
 static inline uint16_t loft_planner_room(const loft_planner *p) { return loft_plan_room(&p->plan); }
 
-/* Curves executed, when so many spans are. */
+/* The number of curves executed when `spans` spans are executed. */
 uint32_t loft_planner_executed(loft_planner *p, uint32_t spans);
 
 LOFT_END_C

@@ -3,12 +3,13 @@
  */
 #include "machine/points.h"
 
-/* A cell's `cap` is the number of points in it; and, once no more will follow: */
+/* A cell's `cap` is the number of points in it, plus this flag once no more will follow: */
 #define CLOSED 0x80u
 
-/* A point that comes next takes 1..LOFT_POINT_BYTES2 bytes: steps are known modulo 2^16, and so are
- * their changes. A cell in which it does not fit is closed with less than that left, where the room
- * was 0; so the room falls by one at most, and what the host was told stays true. */
+/* The next point takes 1..LOFT_POINT_BYTES2 bytes, because steps and their changes are known modulo
+ * 2^16. A cell is closed when a point does not fit. It then has less than that left, so its room
+ * was already 0. So the room falls by at most one per point, and what the host was told stays true.
+ * */
 #define SIZE sizeof(loft_item)
 
 static volatile uint8_t *bytes_of(const loft_queue *q, uint16_t cell)
@@ -84,9 +85,9 @@ uint16_t loft_points_room(const loft_points *p, loft_queue *q)
 // Consumer
 // --------
 
-/* `seen` is `tail` with nothing told of it if no cell was looked at, or if all were. */
+/* `seen` is `tail`, with `told` 0, if no cell has been looked at or all have. */
 
-/* Give back the oldest cell if all of it was taken. */
+/* Give back the oldest cell if all its points are taken. */
 static void give_back(loft_points *p, loft_queue *q)
 {
     if (p->taken == 0 || q->cell[q->tail].cap != (CLOSED | p->taken))

@@ -9,9 +9,9 @@ void loft_place_copy(volatile int32_t *to, const volatile int32_t *from)
         to[i] = from[i];
 }
 
-/* The cells are volatile as a whole, so the compiler keeps their accesses in order: the item is
- * written before the byte that hands it over, and read before the byte that gives the cell back. A
- * part with one core keeps the order too. */
+/* The cells are volatile, so the compiler keeps their accesses in order. The item is written before
+ * the byte that hands the cell over, and read before the byte that gives the cell back. A part with
+ * one core keeps the order too. */
 enum loft_status loft_queue_init(loft_queue *q, volatile loft_cell *cell, uint16_t count)
 {
     if (count < 2 || count > LOFT_QUEUE_MAX)
@@ -71,7 +71,7 @@ const volatile loft_item *loft_queue_peek(const loft_queue *q, uint16_t index)
 {
     uint16_t once, tail = q->tail;
 
-    do {                                /* twice the same is not half of each */
+    do {                                /* two equal reads are not torn */
         once = tail;
         tail = q->tail;
     } while (once != tail);

@@ -7,18 +7,18 @@
  *
  *     pulses = floor((j c + h) / n),    h = floor(n / 2)
  *
- * which is j c / n rounded to nearest: n * pulses lies in j c + h - n + 1 .. j c + h, so pulses - j
- * c / n lies within -(n - 1 - h) / n .. h / n, and both ends are at most 1/2 in size. After slot n
- * it is c + floor(h / n) = c. The remainder (j c + h) mod n, less n and modulo 2^16, is `error`, so
- * that a pulse is due when a 16-bit sum wraps; each slot
+ * This is j c / n rounded to nearest: n * pulses lies in j c + h - n + 1 .. j c + h. So pulses - j
+ * c / n lies within -(n - 1 - h) / n .. h / n, and both ends are at most 1/2 in absolute value.
+ * After slot n it is c + floor(h / n) = c. `error` is the remainder (j c + h) mod n, minus n,
+ * modulo 2^16. So a pulse is due when a 16-bit sum wraps. Each slot does
  *
  *     error += c;   if (it has wrapped) { error -= n; pulse }
  *
- * Room: the remainder is below n and c <= n <= 32767, so a sum wraps once at most.
+ * Range: the remainder is below n, and c <= n <= 32767, so a sum wraps at most once.
  *
- * Direction: the bits of a tick are put out in its first slot. An axis that turns must not pulse in
- * that slot, which it would do when h + c >= n; then the tick gets one slot in front for the
- * direction alone (`lead`), for all axes, so that they stay together on the line.
+ * Direction: the direction bits of a tick are set in its first slot. An axis that reverses must not
+ * pulse in that slot, which it would do if h + c >= n. Then the tick gets one more slot in front
+ * for the direction alone (`lead`). It is for all axes, so that they stay together on the line.
  */
 enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
 {
@@ -36,11 +36,10 @@ enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
     return LOFT_OK;
 }
 
-/* The difference of two positions has at most 32 bits: 2^30 + 2^30 = 2^31, taken as unsigned. */
+/* The difference of two positions has at most 32 bits: 2^30 + 2^30 = 2^31, as unsigned. */
 uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t slots)
 {
-    volatile loft_step_tick *t = &s->tick[!s->which];   /* which the slot leaves alone until
-                                                         * `full` */
+    volatile loft_step_tick *t = &s->tick[!s->which];   /* the slot ignores it until `full` */
     uint8_t dir = s->target_dir, turned = 0;
     bool lead = false;
 
@@ -74,7 +73,7 @@ uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t 
 
 #define ALL_AXES (1u << LOFT_AXES)
 
-/* Begin the prepared tick. Gives false in the slot that is for its direction alone. */
+/* Begin the prepared tick. Gives false in the slot for its direction alone. */
 static bool take_tick(loft_step *s)
 {
     s->which ^= 1;
@@ -119,7 +118,7 @@ loft_pins loft_step_next(loft_step *s)
     return pins;
 }
 
-/* One axis in `count` slots, all in registers: the bits go to `step`. Gives its pulses. */
+/* Run one axis for `count` slots, all in registers. The bits go to `step`. Gives its pulses. */
 static uint8_t run_axis(volatile loft_step_axis *axis, uint16_t slots, uint8_t bit, uint8_t step[],
                         uint8_t count)
 {
@@ -128,7 +127,7 @@ static uint8_t run_axis(volatile loft_step_axis *axis, uint16_t slots, uint8_t b
     uint8_t pulses = 0;
 
 #if defined(__AVR__)
-    uint8_t byte;       /* the carry of the sum is the pulse, which C cannot say */
+    uint8_t byte;       /* the carry of the sum is the pulse, which C cannot express */
     __asm__ volatile(
         "1: add %A[error], %A[add]\n adc %B[error], %B[add]\n brcc 2f\n sub %A[error], %A[slots]\n "
         "sbc %B[error], %B[slots]\n"

@@ -1,14 +1,13 @@
 /* lib/machine/step.h -- steps: positions at ticks become step and direction bits per slot
  * SPDX-License-Identifier: MIT
  *
- * A tick lasts a number of slots; a slot is one chance to pulse each axis. The steps of a tick are
+ * A tick lasts a number of slots. A slot is one chance to pulse each axis. The steps of a tick are
  * spread evenly over its slots. Position is the sum of the pulses: no step is lost or doubled.
  *
- * Two contexts share a loft_step: loft_step_next runs in the timer interrupt, once per slot, and is
- * short; loft_step_load prepares the tick after the running one, in the main loop or in an
- * interrupt that may itself be interrupted. They meet in one byte (`full`), so no lock is needed on
- * any machine with one core. The order of calls and what each costs at worst stand in span.h. 72
- * bytes.
+ * Two contexts share a loft_step. loft_step_next runs in the timer interrupt, once per slot, and is
+ * short. loft_step_load prepares the tick after the running one, in the main loop or in an
+ * interrupt that may itself be interrupted. They share one byte (`full`), so no lock is needed on
+ * any machine with one core. span.h has the order of calls and the worst cost of each. 72 bytes.
  */
 #ifndef LOFT_MACHINE_STEP_H
 #define LOFT_MACHINE_STEP_H
@@ -20,54 +19,51 @@ LOFT_BEGIN_C
 #define LOFT_STEP_SLOTS_MAX 32767               /* slots of one tick, and steps of one axis in it */
 #define LOFT_STEP_REACH ((int32_t)1 << 30)      /* positions lie within +-LOFT_STEP_REACH steps */
 
-/* What the pins do in one slot: bit i is axis i. */
+/* The pins in one slot: bit i is axis i. */
 typedef struct {
     uint8_t step;       /* pulse now */
-    uint8_t dir;        /* 1: towards minus; changes at least one slot before the pulse that needs
-                         * it */
+    uint8_t dir;        /* 1: toward minus; changes at least one slot before a pulse */
 } loft_pins;
 
 /* One axis in a tick. */
 typedef struct {
     uint16_t count;                     /* pulses, at most `slots` */
-    uint16_t error;                     /* of Bresenham's line, see step.c */
+    uint16_t error;                     /* of Bresenham's line: see step.c */
 } loft_step_axis;
 
 /* A tick. */
 typedef struct {
     loft_step_axis axis[LOFT_AXES];
-    uint16_t slots, left;               /* left: slots still to come */
+    uint16_t slots, left;               /* left: remaining slots */
     uint8_t dir;
-    bool lead;                          /* one slot before the first for the direction bits alone */
+    bool lead;                          /* one slot in front for the direction bits alone */
 } loft_step_tick;
 
-/* Complete so that it can be static; the fields may change without notice. */
+/* The struct is complete so that it can be static; the fields may change without notice. */
 typedef struct {
     volatile int32_t position[LOFT_AXES];       /* steps: the sum of all pulses so far */
     volatile loft_step_tick tick[2];
-    volatile uint8_t which;                     /* tick[which] is running, the other being
-                                                 * prepared */
-    volatile uint8_t busy;                      /* slots are left of the running tick */
+    volatile uint8_t which;                     /* tick[which] runs, the other is being prepared */
+    volatile uint8_t busy;                      /* the running tick has slots left */
     volatile uint8_t full;                      /* the other tick is prepared */
-    volatile uint8_t changes;                   /* counts slots with pulses, for
-                                                 * loft_step_position */
+    volatile uint8_t changes;                   /* counts pulse slots, for loft_step_position */
     uint8_t dir;
 
     int32_t target[LOFT_AXES];                  /* where the prepared tick ends */
     uint8_t target_dir;
 } loft_step;
 
-/* Stand at `position` with nothing prepared.
+/* Prepare at `position`, with no tick.
  *
  *   range   |position| <= LOFT_STEP_REACH, otherwise LOFT_ERR_RANGE */
 enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES]) LOFT_CHECKED;
 
-/* Prepare the tick that follows the running one: at least `slots` slots, at its end the position is
- * `target`.
+/* Prepare the tick after the running one: at least `slots` slots, with the position `target` at its
+ * end.
  *
- *   shape   gives the slots that it really lasts: more when the steps do not fit, or when an axis
- *           turns and has to pulse at once; the machine is then slower than planned, and nothing is
- *           lost
+ *   shape   gives the number of slots that it really lasts. This is more when the steps do not fit,
+ *           or when an axis reverses and has to pulse at once. The machine is then slower than
+ *           planned, and nothing is lost
  *   range   loft_step_room(s); slots 1..LOFT_STEP_SLOTS_MAX; |target| <= LOFT_STEP_REACH; no axis
  *           moves more than LOFT_STEP_SLOTS_MAX steps
  *   error   within 1/2 step of the straight line from the last target to this one, after every slot
@@ -81,29 +77,28 @@ static inline bool loft_step_room(const loft_step *s)       { return !s->full; }
 /* Have all pulses been given? Position is then the last target. */
 static inline bool loft_step_done(const loft_step *s)       { return !s->full && !s->busy; }
 
-/* What to do in the next slot.
+/* Give the pins of the next slot.
  *
  *   cost    per axis a 16-bit addition, comparison and subtraction and, with a pulse, a 32-bit
  *           count; no division, no multiplication: at most 550 cycles of an ATmega328P, 150
  *           instructions of a Cortex-M4; meant for the timer interrupt */
 loft_pins loft_step_next(loft_step *s);
 
-/* What to do in the next `count` slots at once, or in fewer: up to the end of a tick. step[k] are
- * the step bits of slot k, *dir the direction bits of all of them. Gives how many they are, at
- * least 1; what follows is as after as many loft_step_next.
+/* Give the pins of the next `count` slots at once, or of fewer, up to the end of a tick. step[k]
+ * are the step bits of slot k, *dir the direction bits of all of them. Returns their number, at
+ * least 1. The state afterwards equals that after as many calls of loft_step_next.
  *
  *   range   count 1..255
  *   cost    a tenth of loft_step_next per slot and axis; an axis without steps costs nothing. For a
- *           port that keeps slots in a buffer, from which an interrupt of few instructions takes
- *           them. */
+ *           port with a buffer of slots, which an interrupt of few instructions empties */
 uint8_t loft_step_run(loft_step *s, uint8_t step[], uint8_t count, uint8_t *dir);
 
 /* The position, read while the interrupt runs: all axes of the same slot.
  *
- *   cost    repeats when a pulse came in between */
+ *   cost    repeats the read when a pulse came in between */
 void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES]);
 
-/* mm to the nearest step: the same rounding in sender and machine.
+/* mm to the nearest step. Sender and machine use the same rounding.
  *
  *   range   |mm| <= 32768, 0 < steps_per_mm < 32768: the result is within +-LOFT_STEP_REACH
  *   error   q16: nearest, ties upward, exactly   f32, f64: of the product as a double */
