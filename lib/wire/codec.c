@@ -1,4 +1,4 @@
-/* lib/wire/codec.c -- prediction, and the bytes of what is left to say
+/* lib/wire/codec.c -- prediction, and the encoding of residuals
  * SPDX-License-Identifier: MIT
  */
 #include "wire/codec.h"
@@ -7,8 +7,8 @@
 #include "wire/point_code.h"    /* loft_point_encode */
 #include "wire/varint.h"        /* loft_varint_encode */
 
-/* All differences are taken modulo 2^32 in unsigned arithmetic, so nothing overflows and every
- * int32 returns. */
+/* All differences are unsigned, modulo 2^32. So nothing overflows, and every int32 is restored
+ * exactly. */
 
 static bool is_point(enum loft_kind kind)
 {
@@ -51,11 +51,12 @@ uint32_t loft_predictor_seal(const loft_predictor *p)
 // Spans: ticks, then three residuals per axis
 // -------------------------------------------
 
-/* e1 = (p1 - p0) - change     how the velocity jumps: 0 in a smooth chain of equal spans
+/* e1 = (p1 - p0) - change     the jump of the velocity: 0 in a smooth chain of equal spans
  * e2 = p2 - 2 p1 + p0         acceleration
  * e3 = p3 - 3 p2 + 3 p1 - p0  jerk
  *
- * each modulo 2^32; three equations with unit diagonal, so p1, p2, p3 come back exactly. */
+ * each modulo 2^32. The three equations have a unit diagonal, so p1, p2, p3 are restored exactly.
+ * */
 static uint8_t put_span(uint8_t *byte, const loft_predictor *p, const loft_item *item)
 {
     uint8_t n = loft_varint_encode(byte, item->ticks);
@@ -84,7 +85,7 @@ static const uint8_t *get_span(const uint8_t *byte, const loft_predictor *p, lof
     return byte;
 }
 
-/* The length of the span at byte[0], 0 if there is no good one. */
+/* The length of the span at byte[0]; 0 if it is not valid. */
 static uint8_t span_size(const uint8_t *byte, uint8_t left)
 {
     const uint8_t *at = byte;
@@ -104,14 +105,14 @@ static uint8_t span_size(const uint8_t *byte, uint8_t left)
 }
 
 
-// Points: the second or third difference of each axis, as a rule -2..2
+// Points: the second or third difference of each axis, typically -2..2
 // --------------------------------------------------------------------
 //
-// Rounding to steps makes noise that grows with each difference (its variance is C(2k, k) / 12):
-// where the motion is smooth in steps the second is the shortest, in fine units or coarse sampling
-// the third.
+// Rounding to steps makes noise that grows with each difference (its variance is C(2k, k) / 12).
+// Where the motion is smooth in steps, the second difference is the shortest. In fine units or with
+// coarse sampling it is the third.
 
-/* Where a point is expected. */
+/* The predicted position. */
 static uint32_t expected(enum loft_kind kind, const loft_predictor *p, int i)
 {
     return p->position[i] + p->change[i] + (kind == LOFT_POINTS_FINE ? p->bend[i] : 0);
@@ -166,7 +167,7 @@ static bool is_still(enum loft_kind kind, const loft_predictor *p, const loft_it
     return true;
 }
 
-/* Lengthen the run at the end by one point, or begin one. */
+/* Extend the run at the end by one point, or begin a run. */
 static uint8_t put_run(loft_packer *p, uint8_t *byte)
 {
     if (p->run && p->byte[p->size - 1] < 255u) {

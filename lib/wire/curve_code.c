@@ -3,11 +3,11 @@
  *
  *     bits 0..5 of the first byte     axis i moves: some point is not p0
  *     bit 6                           straight: p1 and p2 are at the thirds
- *     bit 7                           the feed follows, else it is that of the curve before
+ *     bit 7                           the feed follows; otherwise it is that of the last curve
  *
- * then, for each axis that moves, e = p3 - p0 of a straight one, or
+ * Then, for each moving axis, e = p3 - p0 of a straight curve, or
  *
- *     e1 = (p1 - p0) - change     change: p3 - p2 of the curve before; 0 where handles go on alike
+ *     e1 = (p1 - p0) - change     change: p3 - p2 of the last curve; e1 is 0 for equal handles
  *     e2 = p2 - 2 p1 + p0
  *     e3 = p3 - 3 p2 + 3 p1 - p0
  *
@@ -22,7 +22,7 @@
 
 typedef char loft_assert_axes_fit[LOFT_AXES <= 6 ? 1 : -1];
 
-/* The nearest whole number to d / 3, d signed: no d lies half way. */
+/* The nearest whole number to d / 3, d signed. No d lies half way. */
 static uint32_t third(uint32_t d)
 {
     return d & 0x80000000u ? 0u - (0u - d + 1u) / 3u : (d + 1u) / 3u;

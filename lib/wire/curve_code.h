@@ -1,4 +1,4 @@
-/* lib/wire/curve_code.h -- a curve of a job as bytes: a cubic and its feed, for machines that plan
+/* lib/wire/curve_code.h -- curves as bytes: a cubic and its feed, for machines that plan
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_WIRE_CURVE_CODE_H
@@ -8,23 +8,23 @@
 
 LOFT_BEGIN_C
 
-/* Bytes that one curve takes at the most. */
+/* The largest size of a curve in bytes. */
 #define LOFT_CURVE_BYTES (4 + 15 * LOFT_AXES)
 
-/* Write a curve that begins where the predictor is; gives the number of bytes.
+/* Write a curve that begins at the predictor's position. Returns the number of bytes.
  *
- *   shape   a line whose inner points are at its thirds, to the nearest 2^-16 mm, takes one
- *           residual per axis that moves
+ *   shape   a line with its inner points at the thirds, to the nearest 2^-16 mm, takes one
+ *           residual per moving axis
  *   range   any coordinates; a feed of at least 1
  *   error   none
  */
 uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *p,
                           const loft_item *item);
 
-/* Read a curve that loft_curve_size has found good; gives what lies behind it. */
+/* Read a curve that loft_curve_size has accepted. Returns the address after it. */
 const uint8_t *loft_curve_decode(const uint8_t *byte, const loft_predictor *p, loft_item *item);
 
-/* The length of the curve at byte[0], 0 if there is no good one. */
+/* The length of the curve at byte[0]; 0 if it is not valid. */
 uint8_t loft_curve_size(const uint8_t *byte, uint8_t left);
 
 LOFT_END_C

@@ -12,12 +12,13 @@
  *
  *     crc(byte) = two times   crc' = crc >> 4  xor  table[(crc xor nibble) mod 16]
  *
- * Initial value and final inversion are FFFFFFFF: without an inversion a 0x00 put in front of the
- * delimiter or behind the CRC would pass. The register starts where FFFFFFFF has gone after the
- * four bytes "loft": a frame of another protocol with the same CRC is refused at no cost on the
- * wire. After content and its CRC the register holds a constant, whatever the content: one
- * comparison, no second copy of the CRC. A seal on the CRC changes the register by what the seal
- * alone makes of a register of zeros, since a CRC is linear. */
+ * The initial value and the final inversion are FFFFFFFF. Without an inversion, a 0x00 inserted in
+ * front of the delimiter or after the CRC would pass. The register starts with the value of
+ * FFFFFFFF after the four bytes "loft". So a frame of another protocol with the same CRC is
+ * refused, at no cost on the wire. After content and its CRC the register holds a constant,
+ * whatever the content is: one comparison is enough, and no second copy of the CRC. A CRC is
+ * linear, so a seal on the CRC changes the register as the seal alone changes a register of zeros.
+ * */
 #define CRC_START   0x73AC3B06u         /* of "loft"                */
 #define CRC_PASSED  0xB798B438u         /* after any good frame     */
 
@@ -46,15 +47,15 @@ uint32_t loft_crc32(uint32_t crc, uint32_t x)
     return crc;
 }
 
-/* COBS: the content is cut at its zeros; each piece is sent behind a code byte that tells its
- * length + 1, so the zeros themselves need not be sent. A frame is shorter than 254 bytes, hence no
- * piece needs to be split and the overhead is exactly one byte. The code FF, which means a split,
- * makes the frame too long and so refused.
+/* COBS: the content is divided at its zeros. Each piece is sent after a code byte, its length + 1,
+ * so the zeros themselves are not sent. A frame is shorter than 254 bytes. So no piece needs to be
+ * split, and the overhead is exactly one byte. The code FF, which means a split, makes the frame
+ * too long, so it is refused.
  *
  * flags: */
 #define STARTED 1u      /* a byte has come since the last delimiter             */
-#define ZERO    2u      /* before the next piece the zero that was cut out      */
-#define REFUSED 4u      /* too long: ignore all up to the next delimiter        */
+#define ZERO    2u      /* a removed zero belongs before the next piece         */
+#define REFUSED 4u      /* too long: ignore everything up to the next delimiter */
 
 static void restart(loft_frame *f)
 {
@@ -112,8 +113,7 @@ enum loft_status loft_frame_push(loft_frame *f, uint8_t byte)
     return LOFT_MORE;
 }
 
-/* In place, because content starts at wire[1]: the code of a piece takes the place of the zero
- * before it. */
+/* In place, because content starts at wire[1]. The code of a piece replaces the zero before it. */
 static void stuff(uint8_t wire[], size_t size)
 {
     size_t code = 0;

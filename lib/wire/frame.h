@@ -1,9 +1,9 @@
-/* lib/wire/frame.h -- frames: a few bytes, checked and delimited, on a line that may lose, double
- * or bend any of them
+/* lib/wire/frame.h -- frames: a few checked and delimited bytes, on a line that may lose, double or
+ * change any of them
  * SPDX-License-Identifier: MIT
  *
- * A frame is its content, a CRC-32C of it, all stuffed by COBS so that 0x00 occurs only at its end.
- * Whatever happened before, a receiver is in step again after the next 0x00. WIRE.md describes
+ * A frame is its content and a CRC-32C, both stuffed by COBS so that 0x00 occurs only at the end.
+ * Whatever happened before, a receiver is synchronized again after the next 0x00. WIRE.md describes
  * every byte.
  *
  *     uint8_t wire[LOFT_FRAME_MAX];
@@ -21,17 +21,16 @@
 LOFT_BEGIN_C
 
 #define LOFT_FRAME_EXTRA    6                                   /* CRC 4, COBS 1, delimiter 1 */
-#define LOFT_FRAME_CONTENT  (LOFT_FRAME_MAX - LOFT_FRAME_EXTRA) /* the most content of one frame */
+#define LOFT_FRAME_CONTENT  (LOFT_FRAME_MAX - LOFT_FRAME_EXTRA) /* the largest content of a frame */
 
-/* One frame on its way in. `byte` and `count` are the content after LOFT_OK, until the next push;
- * after LOFT_ERR_DATA too if count > 0: then the frame is whole but its check does not fit, unless
- * it was sealed. */
+/* A frame being received. `byte` and `count` are the content after LOFT_OK, until the next push.
+ * They are valid after LOFT_ERR_DATA as well if count > 0: the frame is then complete, but its CRC
+ * is wrong or sealed. */
 typedef struct {
-    uint32_t crc, odd;                      /* odd: by what the check of the last frame is off; 0:
-                                             * LOFT_OK */
+    uint32_t crc, odd;                      /* odd: error of the last frame's CRC; 0: LOFT_OK */
     uint8_t  count;                         /* bytes of content */
     uint8_t  size;                          /* bytes received so far, CRC included */
-    uint8_t  left;                          /* bytes until the next COBS code; 0: a code comes */
+    uint8_t  left;                          /* bytes until the next COBS code; 0: a code is next */
     uint8_t  flags;
     uint8_t  byte[LOFT_FRAME_CONTENT + 4];
 } loft_frame;
@@ -40,18 +39,18 @@ typedef struct {
 // Receiving
 // ---------
 
-/* Prepare to receive. Bytes up to the first 0x00 may be the tail of a frame: they are refused, not
+/* Prepare to receive. Bytes up to the first 0x00 may be the tail of a frame. They are refused, not
  * misread. */
 void loft_frame_init(loft_frame *f);
 
 /* Take one byte from the line.
  *
  *   shape   LOFT_MORE inside a frame; LOFT_OK at the end of a good one; LOFT_ERR_DATA at the end of
- *           a bad one (damaged, cut, too long). A delimiter after nothing is LOFT_MORE: any number
- *           of 0x00 may stand between frames
- *   error   a damaged frame passes with probability 2^-32; one damaged only by one or two flipped
- *           bits, or by one byte lost, doubled or put in, never did in an exhaustive test of full
- *           frames
+ *           a bad one (damaged, cut, too long). A delimiter after no byte is LOFT_MORE: any number
+ *           of 0x00 may separate frames
+ *   error   a damaged frame passes with probability 2^-32. A frame damaged only by one or two
+ *           flipped bits, or by one byte lost, doubled or inserted, never passed in an exhaustive
+ *           test of full frames
  *   cost    one CRC step: 2 table look-ups of 64 bytes in all; no loop over the frame; safe in an
  *           ISR
  *   see     S. Cheshire, M. Baker: Consistent Overhead Byte Stuffing, 1999
@@ -62,30 +61,30 @@ enum loft_status loft_frame_push(loft_frame *f, uint8_t byte) LOFT_CHECKED;
 // Sending
 // -------
 
-/* Finish the frame whose content is wire[1] .. wire[count], in place; gives its length, count +
+/* Finish the frame whose content is wire[1] .. wire[count], in place. Returns its length, count +
  * LOFT_FRAME_EXTRA.
  *
- *   range   2 <= count <= LOFT_FRAME_CONTENT; otherwise 0 and nothing is written
+ *   range   2 <= count <= LOFT_FRAME_CONTENT; otherwise it returns 0 and writes nothing
  *   cost    one CRC step per byte
  */
 size_t loft_frame_encode(uint8_t wire[LOFT_FRAME_MAX], size_t count);
 
-/* The same, with a seal: only who knows it can take the frame. The seal is not sent, it is put on
- * the check (exclusive or); seal 0 is loft_frame_encode. */
+/* The same with a seal: only a receiver that knows the seal can accept the frame. The seal is not
+ * sent; it is combined with the CRC by exclusive or. Seal 0 is loft_frame_encode. */
 size_t loft_frame_seal(uint8_t wire[LOFT_FRAME_MAX], size_t count, uint32_t seal);
 
-/* Is the frame that loft_frame_push ended last (count > 0) good, and sealed so?
+/* Is the last frame that loft_frame_push ended (count > 0) good, with this seal?
  *
  *   error   a damaged or otherwise sealed frame passes with probability 2^-32
  *   cost    4 CRC steps
  */
 bool loft_frame_sealed(const loft_frame *f, uint32_t seal);
 
-/* One byte more into a CRC-32C (Castagnoli, reflected 0x82F63B78), without initial or final
+/* Add one byte to a CRC-32C (Castagnoli, reflected 0x82F63B78), without initial or final
  * inversion. */
 uint32_t loft_crc(uint32_t crc, uint8_t byte);
 
-/* The four bytes of x more, low byte first. */
+/* Add the four bytes of x, low byte first. */
 uint32_t loft_crc32(uint32_t crc, uint32_t x);
 
 LOFT_END_C

@@ -1,19 +1,19 @@
-/* lib/wire/message.c -- every field of every message, in the order in which it travels
+/* lib/wire/message.c -- every field of every message, in the order on the wire
  * SPDX-License-Identifier: MIT
  */
 #include "wire/message.h"
 
-/* What JOB says behind `start` for curves. */
+/* The size of the limits in a JOB of curves, after `start`. */
 #define LIMITS_BYTES (8 + 12 * LOFT_AXES)
 
-/* HELLO and WELCOME never change their form, so they carry version 0. */
+/* HELLO and WELCOME never change their layout, so they carry version 0. */
 #define FOREVER 0
 
 
 // Writing
 // -------
 
-/* A cursor in the frame that is being made; content starts at wire[1]. */
+/* A cursor in the frame being made. Content starts at wire[1]. */
 typedef struct {
     uint8_t *wire;
     size_t size;
@@ -52,7 +52,7 @@ static size_t finish(const writer *w)       { return loft_frame_encode(w->wire, 
 // Reading
 // -------
 
-/* A cursor in the content of a frame. What lies behind its end reads as 0 and makes it bad. */
+/* A cursor in the content of a frame. A read beyond the end gives 0 and sets `bad`. */
 typedef struct {
     const loft_frame *frame;
     uint8_t at;
@@ -123,7 +123,7 @@ size_t loft_hello_encode(const loft_hello *m, uint8_t wire[LOFT_FRAME_MAX])
     return 1 + finish(&w);
 }
 
-/* May grow, as WELCOME. */
+/* It may grow in later versions, as WELCOME. */
 enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m)
 {
     reader r = read_from(f);
@@ -232,7 +232,7 @@ size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
     return finish(&w);
 }
 
-/* Before the items: type, session, first 2, count. */
+/* The bytes before the items: type, session, first 2, count. */
 #define ITEMS_AT 5
 
 void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor,
@@ -365,7 +365,7 @@ enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m)
     m->queue     = get16(&r);
     m->tick_hz   = get16(&r);
     m->slots     = get16(&r);
-    m->kinds     = 1u << LOFT_SPANS | 1u << LOFT_POINTS;    /* of machines that do not say */
+    m->kinds     = 1u << LOFT_SPANS | 1u << LOFT_POINTS;    /* if the machine does not say */
     m->curves    = 0;
     m->points    = m->queue;
     if (f->count > r.at) {

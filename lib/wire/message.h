@@ -1,8 +1,8 @@
-/* lib/wire/message.h -- messages: what the content of a frame says
+/* lib/wire/message.h -- messages: the content of frames
  * SPDX-License-Identifier: MIT
  *
- * Every message is a struct and two functions: encode makes a whole frame of it, ready to be sent;
- * decode reads the content of a received frame. All numbers are little endian; WIRE.md has the
+ * Every message is a struct and two functions. encode makes a complete frame of it, ready to send.
+ * decode reads the content of a received frame. All numbers are little endian. WIRE.md has the
  * tables.
  *
  *     host to machine   HELLO  JOB  SPANS  POINTS  FINE  CURVES  END  CONTROL  POLL
@@ -20,8 +20,7 @@ LOFT_BEGIN_C
 
 enum loft_message {
     LOFT_HELLO = 0x1,
-    LOFT_WELCOME = 0x8, /* who is there? the one thing that never
-                                                     * changes its form */
+    LOFT_WELCOME = 0x8, /* HELLO and WELCOME never change their layout */
     LOFT_JOB = 0x2,
     LOFT_AXIS = 0x9,
     LOFT_DATA_SPANS = 0x3,
@@ -32,24 +31,23 @@ enum loft_message {
     LOFT_REPORT = 0xC,
     LOFT_CONTROL = 0x6,
     LOFT_POLL    = 0x7,
-    LOFT_DATA_FINE   = 0xD,                         /* from the host: POINTS, packed by third
-                                                     * differences */
-    LOFT_DATA_CURVES = 0xE                          /* from the host */
+    LOFT_DATA_FINE   = 0xD,                         /* host: POINTS, packed by third differences */
+    LOFT_DATA_CURVES = 0xE                          /* host */
 };
 
-/* What the machine is doing. */
+/* The state of the machine. */
 enum loft_machine_state {
     LOFT_STATE_IDLE,        /* no job                                                           */
     LOFT_STATE_RUNNING,     /* in a job: moving, or waiting for items                           */
-    LOFT_STATE_HOLDING,     /* slowing down on the path, to be held                             */
-    LOFT_STATE_HELD,        /* standing on the path                                             */
+    LOFT_STATE_HOLDING,     /* slowing down on the path for a hold                              */
+    LOFT_STATE_HELD,        /* stopped on the path                                              */
     LOFT_STATE_STOPPING,    /* slowing down on the path, then the job is over                   */
-    LOFT_STATE_DONE,        /* the job is drawn; the report has not been closed                 */
-    LOFT_STATE_ABORTED,     /* the job was ended early; the report has not been closed          */
-    LOFT_STATE_FAULT        /* position is not to be trusted: no job until the machine restarts */
+    LOFT_STATE_DONE,        /* the job is done; the report has not been closed                  */
+    LOFT_STATE_ABORTED,     /* the job ended early; the report has not been closed              */
+    LOFT_STATE_FAULT        /* the position is unreliable: no job until the machine restarts    */
 };
 
-/* Is a job under way, so that another one cannot begin? */
+/* Is a job under way, so that no other job can begin? */
 static inline bool loft_state_busy(uint8_t state)
 {
     return state >= LOFT_STATE_RUNNING && state <= LOFT_STATE_STOPPING;
@@ -58,98 +56,96 @@ static inline bool loft_state_busy(uint8_t state)
 enum loft_flag {
     LOFT_FLAG_NAK     = 1,  /* a frame was damaged or missing: send again from `next`           */
     LOFT_FLAG_ENDED   = 2,  /* END was taken: all items are here                                */
-    LOFT_FLAG_STARVED = 4,  /* the queue ran low and the job slowed down or stands still        */
-    LOFT_FLAG_OPENED  = 8   /* this session has had its JOB, or found one under way             */
+    LOFT_FLAG_STARVED = 4,  /* the queue ran low and the job slowed down or stopped             */
+    LOFT_FLAG_OPENED  = 8   /* this session has had its JOB, or found a job under way           */
 };
 
-/* Why the machine did not take a JOB, or an item. */
+/* Why the machine refused a JOB or an item. */
 enum loft_refusal {
     LOFT_REFUSAL_NONE,
     LOFT_REFUSAL_BUSY,      /* a job is under way                                               */
-    LOFT_REFUSAL_START,     /* the job does not start where the machine stands                  */
-    LOFT_REFUSAL_KIND,      /* the machine does not take items of this kind                     */
-    LOFT_REFUSAL_ITEM,      /* an item cannot be read, or asks for more than the machine can do */
-    LOFT_REFUSAL_FAULT,     /* the machine's position is not to be trusted                      */
-    LOFT_REFUSAL_LIMITS,    /* the limits that the job asks for are impossible                  */
+    LOFT_REFUSAL_START,     /* the job does not start at the machine's position                 */
+    LOFT_REFUSAL_KIND,      /* the machine does not accept items of this kind                   */
+    LOFT_REFUSAL_ITEM,      /* an item is invalid, or exceeds what the machine can do           */
+    LOFT_REFUSAL_FAULT,     /* the machine's position is unreliable                             */
+    LOFT_REFUSAL_LIMITS,    /* the limits of the job are impossible                             */
     LOFT_REFUSAL_INPUT      /* a limit switch or the emergency stop is closed                   */
 };
 
-/* Inputs of a machine, a bit each, 1: closed. A limit switch that serves both ends of its axis is
- * both. */
+/* Inputs of a machine, one bit each, 1: closed. A limit switch for both ends of its axis is both
+ * bits. */
 #define LOFT_INPUT_LOW(axis)    ((uint16_t)(1u << 2 * (axis)))
 #define LOFT_INPUT_HIGH(axis)   ((uint16_t)(2u << 2 * (axis)))
 #define LOFT_INPUT_ENDS(axis)   ((uint16_t)(3u << 2 * (axis)))
 #define LOFT_INPUT_STOP         0x1000u     /* the emergency stop                               */
 #define LOFT_INPUT_HOLD         0x2000u     /* the buttons                                      */
 #define LOFT_INPUT_RESUME       0x4000u
-#define LOFT_INPUT_ENDING       0x1FFFu     /* those that end a job, and let none begin         */
+#define LOFT_INPUT_ENDING       0x1FFFu     /* inputs that end a job and let no job begin       */
 
 enum loft_verb {
-    LOFT_HOLD   = 1,        /* slow down on the path, stand still                               */
+    LOFT_HOLD   = 1,        /* slow down on the path and stop                                   */
     LOFT_RESUME = 2,
     LOFT_ABORT  = 3,        /* slow down on the path, end the job                               */
     LOFT_CLOSE  = 4,        /* the report was read: forget the job                              */
-    LOFT_OVERRIDE = 5       /* time runs at `value` percent of the plan                         */
+    LOFT_OVERRIDE = 5       /* run time at `value` percent of the plan                          */
 };
 
 typedef struct {
     uint8_t  min_version, max_version;
-    uint32_t nonce;                     /* any number, another one for each connection  */
+    uint32_t nonce;                     /* any number, different for each connection    */
 } loft_hello;
 
-/* What a machine that plans is asked to keep to, beside its own limits. */
+/* Limits of a job for a machine that plans, in addition to its own limits. */
 typedef struct {
     int32_t corner, tol;                /* as in lib/motion/limits.h, mm, raw Q16.16 */
     struct {
-        int32_t  max_speed, max_accel;  /* raw Q16.16; the machine's own are stronger */
+        int32_t  max_speed, max_accel;  /* raw Q16.16; the machine's own limits prevail */
         uint32_t max_jerk;              /* mm/s^3; 0: not limited */
     } axis[LOFT_AXES];
 } loft_job_limits;
 
 typedef struct {
-    uint32_t nonce;                     /* of the HELLO that began the session: a job is for this
-                                         * connection only */
+    uint32_t nonce;                     /* of the session's HELLO: the job is for this connection */
     uint32_t id;                        /* not 0; the same for the same job, see loft_job_id */
     uint8_t  kind;                      /* enum loft_kind */
-    uint16_t away;                      /* inputs from which it moves away: closed, they hinder it
-                                         * not, until they have opened */
+    uint16_t away;                      /* inputs it moves away from: ignored until they open */
     int32_t  start[LOFT_AXES];          /* spans, curves: raw Q16.16 mm; points: steps */
-    const loft_job_limits *limits;      /* to be sent with curves; decode leaves it NULL */
+    const loft_job_limits *limits;      /* encode: for curves; decode sets it to NULL */
 } loft_job;
 
 typedef struct {
-    uint8_t number;                     /* counts up; the same number is obeyed once */
+    uint8_t number;                     /* counts up; each number is executed once */
     uint8_t verb;                       /* enum loft_verb */
     uint8_t value;                      /* of LOFT_OVERRIDE: 1..200; else 0 */
 } loft_control;
 
-/* How far things are: part of every answer. */
+/* The progress of a job: part of every answer. */
 typedef struct {
-    uint32_t next;                      /* items taken = number of the next item wanted */
+    uint32_t next;                      /* items taken = number of the next expected item */
     uint32_t limit;                     /* items below this number may be sent */
     uint32_t executed;                  /* items executed entirely */
     uint8_t  state;                     /* enum loft_machine_state */
     uint8_t  flags;                     /* of enum loft_flag */
     uint8_t  refusal;                   /* enum loft_refusal: the last one in this session */
-    uint8_t  control;                   /* number of the last CONTROL obeyed in this session */
+    uint8_t  control;                   /* number of the last CONTROL executed in this session */
 } loft_ack;
 
 typedef struct {
-    uint8_t  version;                   /* 0: none in common */
-    uint32_t nonce;                     /* HELLO's */
-    uint32_t boot;                      /* another one for each start of the machine */
+    uint8_t  version;                   /* 0: no common version */
+    uint32_t nonce;                     /* that of the HELLO */
+    uint32_t boot;                      /* different for each start of the machine */
     uint32_t job;                       /* 0: none */
     loft_ack ack;
     uint8_t  axes;
     uint8_t  num;                       /* LOFT_Q16, LOFT_F32, LOFT_F64 */
-    uint8_t  frame_max;                 /* the longest frame that the machine takes */
-    uint16_t queue;                     /* spans that fit the queue */
+    uint8_t  frame_max;                 /* the longest frame that the machine accepts */
+    uint16_t queue;                     /* the number of spans that fit the queue */
     uint16_t tick_hz;                   /* ticks per second */
     uint16_t slots;                     /* chances to step per tick */
-    uint8_t  kinds;                     /* bit k: items of kind k are taken */
-    uint16_t curves;                    /* that its plan can hold; 0: it does not plan */
-    uint16_t points;                    /* that fit its queue at the least */
-    uint16_t closed;                    /* inputs */
+    uint8_t  kinds;                     /* bit k: items of kind k are accepted */
+    uint16_t curves;                    /* curves that fit its plan; 0: it does not plan */
+    uint16_t points;                    /* points that fit its queue at least */
+    uint16_t closed;                    /* closed inputs */
 } loft_welcome;
 
 /* One per axis after each WELCOME. */
@@ -159,36 +155,35 @@ typedef struct {
     int32_t max_speed;                  /* mm/s, raw Q16.16 */
     int32_t max_accel;                  /* mm/s^2, raw Q16.16 */
     int32_t position;                   /* steps */
-    int32_t start;                      /* of the job, as in loft_job; 0 if there is none */
+    int32_t start;                      /* of the job, as in loft_job; 0 if there is no job */
 } loft_axis;
 
 typedef struct {
     loft_ack ack;
     uint32_t ticks;                     /* ticks of the job's plan executed */
-    uint32_t elapsed;                   /* ticks of time that took */
-    uint32_t slowed;                    /* ticks that lasted longer because their steps did not
-                                         * fit */
+    uint32_t elapsed;                   /* ticks of time since the job began */
+    uint32_t slowed;                    /* ticks that lasted longer: their steps did not fit */
     uint32_t damaged;                   /* frames that arrived damaged */
     uint32_t dropped;                   /* good frames not taken: repeated, early, unknown, stale */
     uint8_t  override;                  /* percent, as ordered */
-    uint16_t closed;                    /* inputs */
+    uint16_t closed;                    /* closed inputs */
     int32_t  position[LOFT_AXES];       /* steps */
 } loft_machine_status;
 
 typedef struct {
     uint32_t job;
-    uint32_t items;                     /* executed */
+    uint32_t items;                     /* items executed */
     uint32_t ticks, elapsed, slowed;    /* as in loft_machine_status */
     uint8_t  state;                     /* LOFT_STATE_DONE or LOFT_STATE_ABORTED */
-    uint16_t ended_by;                  /* inputs that ended the job; 0: none did */
-    int32_t  position[LOFT_AXES];       /* where the pulses have led, in steps */
+    uint16_t ended_by;                  /* the inputs that ended the job; 0: none */
+    int32_t  position[LOFT_AXES];       /* steps: the sum of all pulses */
 } loft_report;
 
 
 // Any frame
 // ---------
 
-/* Of the content of a frame: what it is, and the session it belongs to. */
+/* The type of a frame's content, and its session. */
 static inline enum loft_message loft_message_type(const loft_frame *f)
 {
     return (enum loft_message)(f->byte[0] >> 4);
@@ -197,10 +192,10 @@ static inline uint8_t loft_message_version(const loft_frame *f) { return f->byte
 static inline uint8_t           loft_message_session(const loft_frame *f) { return f->byte[1]; }
 
 
-// Host to machine: each encode gives the length of the frame
-// ----------------------------------------------------------
+// Host to machine: each encode returns the length of the frame
+// ------------------------------------------------------------
 
-/* HELLO begins with one 0x00 more, which ends whatever the line held before. */
+/* HELLO begins with an additional 0x00, which ends whatever was on the line. */
 size_t loft_hello_encode(const loft_hello *m, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_end_encode(uint32_t total, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
@@ -208,23 +203,24 @@ size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
 /* SPANS, POINTS, FINE and CURVES: init prepares `p` to pack items into the frame, encode finishes
- * it with what was packed. `frame_max` is the longest frame that the machine takes; LOFT_FRAME_MAX
- * is kept to as well; `seal` is loft_predictor_seal of `predictor`, before the items. */
+ * it with the packed items. `frame_max` is the longest frame that the machine accepts;
+ * LOFT_FRAME_MAX applies as well. `seal` is loft_predictor_seal of `predictor`, before the items.
+ * */
 void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor,
                     uint8_t frame_max, uint8_t wire[LOFT_FRAME_MAX]);
-bool   loft_data_carried(const loft_frame *f);     /* is it one of these? */
+bool   loft_data_carried(const loft_frame *f);     /* is it one of the four? */
 size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session,
                         uint8_t wire[LOFT_FRAME_MAX]);
 
-/* SPANS, POINTS, FINE or CURVES: the number of its first item modulo 65536. Look at it before the
- * seal: only the item that `first` names has a predictor to seal with. LOFT_ERR_DATA: too short. */
+/* SPANS, POINTS, FINE or CURVES: the number of the first item modulo 65536. Check it before the
+ * seal, because only the expected item has a predictor for the seal. LOFT_ERR_DATA: too short. */
 enum loft_status loft_data_first(const loft_frame *f, uint16_t *first) LOFT_CHECKED;
 
-/* Each decode gives LOFT_ERR_DATA if the content has another length or holds a value that its table
- * does not list. */
+/* Each decode gives LOFT_ERR_DATA if the content has another length, or a value that its table does
+ * not list. */
 enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m) LOFT_CHECKED;
 enum loft_status loft_job_decode(const loft_frame *f, loft_job *m) LOFT_CHECKED;
-/* of a JOB of curves */
+/* For a JOB of curves. */
 enum loft_status loft_job_limits_decode(const loft_frame *f, loft_job_limits *m) LOFT_CHECKED;
 enum loft_status loft_end_decode(const loft_frame *f, uint32_t *total) LOFT_CHECKED;
 enum loft_status loft_control_decode(const loft_frame *f, loft_control *m) LOFT_CHECKED;
@@ -234,7 +230,7 @@ enum loft_status loft_data_decode(const loft_frame *f, loft_unpacker *u) LOFT_CH
 // Machine to host
 // ---------------
 
-/* As above. WELCOME may grow at its end in later versions: more bytes than known are no error. */
+/* As above. WELCOME may grow at its end in later versions: additional bytes are not an error. */
 size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_axis_encode(const loft_axis *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_ack_encode(const loft_ack *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);

@@ -3,16 +3,16 @@
  */
 #include "wire/point_code.h"
 
-/* A point is one group of residuals for each three axes (the last group may have one or two):
+/* A point is one group of residuals for each three axes. The last group may have one or two.
  *
  *     0..124      residuals r0 r1 r2 in -2..2:  (r0 + 2) + 5 (r1 + 2) + 25 (r2 + 2); absent axes
  *                                               count as r = 0
  *     125         each residual in one byte, int8
  *     126         each in two bytes, int16, low byte first
  *     127         each in four bytes, int32
- *     128..255    b - 127 points whose residuals are all 0; only where a point begins
+ *     128..255    b - 127 points whose residuals are all 0; only at the start of a point
  */
-#define STILL   62u     /* all residuals 0, in a group behind the first */
+#define STILL   62u     /* all residuals 0, in a group after the first */
 #define WIDE8  125u
 #define RUN    LOFT_POINT_RUN
 
@@ -21,7 +21,7 @@ static uint8_t group_axes(int first)
     return (uint8_t)(LOFT_AXES - first < 3 ? LOFT_AXES - first : 3);
 }
 
-/* How many bytes each residual needs: 0 if all fit into the one-byte code. */
+/* The number of bytes of each residual; 0 if all fit into the one-byte code. */
 static uint8_t width_of(const uint32_t r[3])
 {
     uint8_t width = 0;
@@ -63,7 +63,7 @@ uint8_t loft_point_encode(uint8_t byte[LOFT_POINT_BYTES], const uint32_t residua
     return n;
 }
 
-/* The digits of the code one by one: three short loops instead of divisions. */
+/* The digits of the code: three short loops instead of divisions. */
 static void get_digits(uint8_t code, uint32_t r[3])
 {
     for (r[2] = (uint32_t)-2; code >= 25; code = (uint8_t)(code - 25))

@@ -1,17 +1,16 @@
 /* lib/wire/receiver.c -- the machine's half of a session
  * SPDX-License-Identifier: MIT
  *
- * Exactly once: `next` is the number of the only item that is taken, and it grows in the same call
- * that gives the item away. A frame that starts anywhere else is answered with `next` and
- * forgotten, so a repeated frame does nothing and a missing one is asked for. No answer carries a
- * change, only states (next, limit, number of the last control): an answer lost or doubled does no
- * harm.
+ * Exactly once: `next` is the number of the only item that is accepted, and it grows in the same
+ * call that gives the item away. A frame that starts elsewhere is answered with `next` and dropped.
+ * So a repeated frame has no effect, and a missing one is requested. Answers carry no changes, only
+ * states (next, limit, number of the last control). So a lost or doubled answer does no harm.
  */
 #include "wire/receiver.h"
 
 /* due: */
 #define DUE_ACK     1u
-#define DUE_NAK     2u      /* with DUE_ACK: the flag in it */
+#define DUE_NAK     2u      /* with DUE_ACK: sets its flag */
 #define DUE_STATUS  4u
 #define DUE_REPORT  8u
 
@@ -22,7 +21,7 @@ enum loft_status loft_receiver_init(loft_receiver *r, const loft_machine_info *i
 
     loft_frame_init(&r->frame);
     r->info   = info;
-    r->sessions = (uint8_t)(info->boot & 0xFFu);      /* not the numbers of the run before */
+    r->sessions = (uint8_t)(info->boot & 0xFFu);      /* differs from the numbers of the last run */
     r->session  = 0;
     r->nonce    = r->job = r->next = r->told = r->damaged = r->dropped = 0;
     r->kind     = r->control = r->refusal = r->welcome = r->due = 0;
@@ -51,7 +50,7 @@ static bool for_us(const loft_receiver *r)
            loft_message_session(&r->frame) == r->session;
 }
 
-/* A damaged frame. */
+/* Count a damaged frame. */
 static void spoil(loft_receiver *r)
 {
     r->damaged++;
@@ -61,8 +60,7 @@ static void spoil(loft_receiver *r)
 
 bool loft_receiver_push(loft_receiver *r, uint8_t byte)
 {
-    if (r->fresh || r->unpacker.count > 0) {    /* the caller did not look: as if the rest had not
-                                                 * come */
+    if (r->fresh || r->unpacker.count > 0) {    /* the caller did not look: drop the rest */
         r->fresh = false;
         r->unpacker.count = 0;
         r->dropped++;
@@ -72,7 +70,7 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte)
     case LOFT_OK: r->fresh = true; return true;
     case LOFT_ERR_DATA:
         if (r->frame.count > 0 && for_us(r) && loft_data_carried(&r->frame)) {
-            /* sealed: take_data knows */
+            /* it may be sealed: take_data decides */
             r->fresh = true;
             return true;
         }
@@ -99,7 +97,7 @@ static enum loft_event refuse(loft_receiver *r, enum loft_refusal refusal)
     return drop(r, DUE_ACK);
 }
 
-/* The same nonce again is the same connection: its WELCOME was lost. */
+/* The same nonce again means the same connection: its WELCOME was lost. */
 static enum loft_event take_hello(loft_receiver *r, const loft_snapshot *now)
 {
     loft_hello m;
@@ -128,13 +126,11 @@ static enum loft_event take_job(loft_receiver *r, const loft_snapshot *now, loft
     if (loft_job_decode(&r->frame, m) != LOFT_OK || m->nonce != r->nonce)
         return drop(r, 0);
     if (m->id == r->job && (r->opened || now->state == LOFT_STATE_DONE))
-        return drop(r, DUE_ACK);                        /* the same again, or drawn and not yet
-                                                         * reported */
+        return drop(r, DUE_ACK);                        /* the same JOB again, or job done */
     if (r->opened || loft_state_busy(now->state))
         return refuse(r, LOFT_REFUSAL_BUSY);
     if (r->refusal != LOFT_REFUSAL_NONE)
-        return drop(r, DUE_STATUS);                     /* what stood in its way may be gone, and so
-                                                         * may the host */
+        return drop(r, DUE_STATUS);                     /* refused stays refused in this session */
     if (now->state == LOFT_STATE_FAULT)
         return refuse(r, LOFT_REFUSAL_FAULT);
     if (!(r->info->kinds & 1u << m->kind))
@@ -160,8 +156,8 @@ void loft_receiver_answer(loft_receiver *r, const loft_job *job, enum loft_refus
     loft_predictor_init(&r->predictor, job->start);
 }
 
-/* Distance from `next` to the number whose low 16 bits are `first`: windows are shorter than 2^15
- * items. */
+/* The distance from `next` to the number whose low 16 bits are `first`. Windows are shorter than
+ * 2^15 items. */
 static int32_t ahead(const loft_receiver *r, uint16_t first)
 {
     const uint16_t d = (uint16_t)(first - (uint16_t)(r->next & 0xFFFFu));
@@ -212,7 +208,7 @@ static enum loft_event take_end(loft_receiver *r)
     return LOFT_EVENT_END;
 }
 
-/* Numbers count up, so that neither a repeated nor an overtaken control is obeyed. */
+/* Numbers count up, so that neither a repeated nor an overtaken control is executed. */
 static enum loft_event take_control(loft_receiver *r, const loft_snapshot *now,
                                     loft_event_data *out)
 {
@@ -370,8 +366,8 @@ static size_t give_report(loft_receiver *r, const loft_snapshot *now, uint8_t wi
     return loft_report_encode(&m, r->session, wire);
 }
 
-/* Room is told a quarter of the queue at a time: often enough that the host never waits for it with
- * a queue less than three quarters full, seldom enough that it does not send frames of one item. */
+/* Room is reported a quarter of the queue at a time. So the host never waits for a report while the
+ * queue is less than three quarters full, and it does not send frames of one item. */
 static void note_changes(loft_receiver *r, const loft_snapshot *now)
 {
     const loft_machine_info *t = r->info;

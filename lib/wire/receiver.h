@@ -2,7 +2,7 @@
  * once, answers out
  * SPDX-License-Identifier: MIT
  *
- * No memory but the struct, no clock, no transport. The machine's main loop:
+ * It has no memory but the struct, no clock and no transport. The machine's main loop:
  *
  *     while (port has a byte)
  *         if (loft_receiver_push(&r, byte)) {                              // a frame is complete
@@ -16,7 +16,7 @@
  *         write(wire, loft_receiver_poll(&r, &now, wire));
  *     }
  *
- * An item is counted as taken at the moment loft_receiver_next gives it: put it in the queue before
+ * An item counts as taken at the moment loft_receiver_next gives it. Put it in the queue before
  * anything else.
  */
 #ifndef LOFT_WIRE_RECEIVER_H
@@ -29,41 +29,37 @@ LOFT_BEGIN_C
 /* An axis of the machine. */
 typedef struct {
     int32_t  steps_per_mm, max_speed, max_accel;    /* raw Q16.16: of mm, mm/s, mm/s^2 */
-    uint32_t max_jerk;                              /* mm/s^3; 0: not limited. The host is not
-                                                     * told */
+    uint32_t max_jerk;                              /* mm/s^3; 0: no limit; not sent to the host */
 } loft_axis_config;
 
-/* What the machine is; set once. */
+/* The constant data of a machine, set once. */
 typedef struct {
-    uint32_t boot;                      /* another one at each start: a counter in flash, a random
-                                         * number, a clock */
+    uint32_t boot;                      /* different at each start: a counter in flash, a clock */
     uint16_t tick_hz, slots;
     uint16_t queue;                     /* spans that fit the queue */
-    uint16_t points;                    /* points that fit it, at the least */
+    uint16_t points;                    /* points that fit it at least */
     uint16_t curves;                    /* curves that fit the plan */
-    uint8_t  kinds;                     /* bit 1: spans, bit 2: points, bit 4: curves: 1 << enum
-                                         * loft_kind */
+    uint8_t  kinds;                     /* 1 << enum loft_kind: items of this kind are accepted */
     loft_axis_config axis[LOFT_AXES];
 } loft_machine_info;
 
-/* How the machine stands; made afresh for each call. */
+/* The current state of the machine, made anew for each call. */
 typedef struct {
     uint32_t executed;                  /* items of the job executed entirely */
-    uint32_t ticks, elapsed, slowed;    /* as in loft_machine_status; only looked at by poll */
-    int32_t  position[LOFT_AXES];       /* steps; only looked at by poll */
-    uint16_t room;                      /* items of the job's kind that can be taken now */
+    uint32_t ticks, elapsed, slowed;    /* as in loft_machine_status; only poll uses it */
+    int32_t  position[LOFT_AXES];       /* steps; only poll uses it */
+    uint16_t room;                      /* items of the job's kind that fit now */
     uint8_t  state;                     /* enum loft_machine_state */
-    uint8_t  override;                  /* percent; only looked at by poll */
-    uint16_t closed, ended_by;          /* inputs, as in loft_machine_status and loft_report; only
-                                         * looked at by poll */
+    uint8_t  override;                  /* percent; only poll uses it */
+    uint16_t closed, ended_by;          /* inputs, as in the messages; only poll uses it */
     bool     starved;
 } loft_snapshot;
 
 enum loft_event {
     LOFT_EVENT_NONE,
-    LOFT_EVENT_JOB,         /* a job wants to begin, `job`: answer with loft_receiver_answer. What a
-                             * job of curves asks for: loft_job_limits_decode(&r->frame, ..), until
-                             * the next byte */
+    LOFT_EVENT_JOB,         /* `job` wants to begin: answer with loft_receiver_answer. For curves,
+                             * loft_job_limits_decode(&r->frame, ..) has the limits until the next
+                             * byte */
     LOFT_EVENT_ITEM,        /* `item`, the next one: queue it */
     LOFT_EVENT_END,         /* no more items follow: DONE once all are executed */
     LOFT_EVENT_HOLD,
@@ -79,8 +75,8 @@ typedef union {
     uint8_t   percent;
 } loft_event_data;
 
-/* Complete so that it can be static; the counters are yours to read, the other fields may change
- * without notice. */
+/* The struct is complete so that it can be static. The counters are yours to read; the other fields
+ * may change without notice. */
 typedef struct {
     uint32_t damaged, dropped;          /* frames, as in loft_machine_status */
 
@@ -88,12 +84,12 @@ typedef struct {
     loft_frame     frame;
     loft_unpacker  unpacker;
     loft_predictor predictor;
-    uint32_t nonce, job, next, told;    /* told: the limit last sent */
+    uint32_t nonce, job, next, told;    /* told: the last limit sent */
     int32_t  start[LOFT_AXES];          /* of the job */
-    uint8_t  session, sessions;         /* the one under way (0: none), and the last number used */
+    uint8_t  session, sessions;         /* the current one (0: none); the last number used */
     uint8_t  kind, control, refusal;
-    uint8_t  welcome;                   /* WELCOME and AXIS frames still to be sent */
-    uint8_t  due;                       /* other answers still to be sent */
+    uint8_t  welcome;                   /* WELCOME and AXIS frames still to send */
+    uint8_t  due;                       /* other answers still to send */
     bool     fresh;                     /* a frame waits for loft_receiver_next */
     bool     opened;                    /* this session has had its JOB */
     bool     ended, reported;
@@ -105,29 +101,29 @@ typedef struct {
  */
 enum loft_status loft_receiver_init(loft_receiver *r, const loft_machine_info *info) LOFT_CHECKED;
 
-/* Take one byte from the line. Gives true when a frame waits: call loft_receiver_next until it
+/* Take one byte from the line. Returns true when a frame waits: call loft_receiver_next until it
  * gives LOFT_EVENT_NONE.
  *
- *   error   bytes pushed before that are lost (and sent again by the host); nothing else is
+ *   error   a byte pushed earlier discards the waiting frame, which the host sends again
  *   cost    that of loft_frame_push
  */
 bool loft_receiver_push(loft_receiver *r, uint8_t byte);
 
 /* Give the next event of the waiting frame.
  *
- *   shape   `now` as it was before the first event of this frame is good enough for all of them
+ *   shape   the `now` of the first event of a frame may serve for all its events
  *   cost    one item unpacked
  */
 enum loft_event loft_receiver_next(loft_receiver *r, const loft_snapshot *now,
                                    loft_event_data *out);
 
-/* Answer LOFT_EVENT_JOB: LOFT_REFUSAL_NONE begins `job`, item 0 is next; any other is told to the
- * host with a STATUS, and that JOB stays refused in this session. May also be called later with a
- * refusal and no job, to tell why the machine ends it by itself. */
+/* Answer LOFT_EVENT_JOB. LOFT_REFUSAL_NONE begins `job`, and item 0 is next. Any other refusal is
+ * sent to the host in a STATUS, and that JOB stays refused in this session. It may also be called
+ * later with a refusal and no job, to say why the machine ends the job by itself. */
 void loft_receiver_answer(loft_receiver *r, const loft_job *job, enum loft_refusal refusal);
 
-/* Give the next frame to send; 0 when there is none. Call it whenever the line can take one: it
- * also tells the host of room that the queue gained. */
+/* Give the next frame to send; 0 when there is none. Call it whenever the line is free: it also
+ * reports room that the queue has gained. */
 size_t loft_receiver_poll(loft_receiver *r, const loft_snapshot *now, uint8_t wire[LOFT_FRAME_MAX]);
 
 LOFT_END_C

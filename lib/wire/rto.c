@@ -1,9 +1,9 @@
 /* lib/wire/rto.c -- how long to wait for an answer
  * SPDX-License-Identifier: MIT
  *
- * Twice the round trip beside four deviations: on a steady line the deviation goes to nothing, and
- * then a STATUS that stands in the way of an ACK must not look like a loss. Most losses are told by
- * a NAK anyway.
+ * The timeout is twice the round trip plus four deviations. On a steady line the deviation goes to
+ * 0, and then a STATUS that delays an ACK must not look like a loss. A NAK reports most losses
+ * anyway.
  */
 #include "wire/rto.h"
 

@@ -1,4 +1,4 @@
-/* lib/wire/rto.h -- how long to wait for an answer: the retransmission timeout
+/* lib/wire/rto.h -- the retransmission timeout: how long to wait for an answer
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_WIRE_RTO_H
@@ -17,10 +17,10 @@ typedef struct {
     uint32_t rtt8, var4;    /* smoothed round trip and its deviation, times 8 and 4; ms      */
 } loft_rto;
 
-/* Nothing is measured yet: LOFT_RTO_FIRST. */
+/* No measurement yet: LOFT_RTO_FIRST. */
 void loft_rto_init(loft_rto *r);
 
-/* A round trip took `m` ms (0 counts as 1): smooth it. What is to be waited changes with
+/* A round trip took `m` ms (0 counts as 1): smooth it. The timeout itself changes with
  * loft_rto_reset.
  *
  *   range   m to 2^28
@@ -29,13 +29,13 @@ void loft_rto_init(loft_rto *r);
  */
 void loft_rto_take(loft_rto *r, uint32_t m);
 
-/* Wait as long as the measured round trips ask for; as long as before, while there are none. */
+/* Set the timeout from the measured round trips. Without any it does not change. */
 void loft_rto_reset(loft_rto *r);
 
-/* Nothing came in time: wait twice as long. */
+/* No answer came in time: double the timeout. */
 void loft_rto_back_off(loft_rto *r);
 
-/* The smoothed round trip in ms; 0 until one was measured. */
+/* The smoothed round trip in ms; 0 before the first measurement. */
 uint32_t loft_rto_trip(const loft_rto *r);
 
 LOFT_END_C

@@ -1,10 +1,9 @@
-/* lib/wire/sender.c -- the host's half of a session: go back n, with the machine's own count as the
- * only truth
+/* lib/wire/sender.c -- the host's half of a session: go back n; only the machine's count is valid
  * SPDX-License-Identifier: MIT
  *
- * A NAK sends again from what was not acknowledged, and so does a STATUS that still misses what had
- * been sent before it was asked for. Silence alone does not: a machine or a computer that is busy
- * answers late, and everything sent twice makes it later.
+ * After a NAK the host sends everything unacknowledged again. It does the same after a STATUS that
+ * still lacks what was sent before the question. Silence alone causes no repetition: a busy machine
+ * or computer answers late, and everything sent twice makes it later.
  */
 #include "wire/sender.h"
 
@@ -12,7 +11,7 @@
 
 #define ALL_AXES    ((1u << LOFT_AXES) - 1u)
 
-/* The part of `span` ms, begun at `since`, that is left. */
+/* How much is left of `span` ms that began at `since`. */
 static uint32_t left(uint32_t since, uint32_t span, uint32_t now)
 {
     const uint32_t gone = now - since;
@@ -21,7 +20,7 @@ static uint32_t left(uint32_t since, uint32_t span, uint32_t now)
 
 static bool finished(const loft_sender *s)  { return s->phase >= LOFT_PHASE_DONE; }
 
-/* The report is here: it says how the job ended. */
+/* The report has arrived and says how the job ended. */
 static void conclude(loft_sender *s)
 {
     s->phase = s->report.state == LOFT_STATE_DONE ? LOFT_PHASE_DONE : LOFT_PHASE_ABORTED;
@@ -60,7 +59,7 @@ static void stream(loft_sender *s)
     loft_rto_reset(&s->rto);
 }
 
-/* The machine is known and so is the job: what now? */
+/* The machine and the job are known: choose the phase. */
 static void join(loft_sender *s)
 {
     const loft_welcome *w = &s->machine;
@@ -94,12 +93,12 @@ enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t
     s->job     = *job;
     loft_window_init(&s->window, job, count, source, context);
     s->began   = true;
-    s->machine.ack = s->ack;        /* newer than the welcome */
+    s->machine.ack = s->ack;        /* newer than that of the welcome */
     join(s);
     return LOFT_OK;
 }
 
-/* A machine that is beyond all items has another job, though of the same id. */
+/* A machine that is beyond all items has another job with the same id. */
 void loft_sender_extend(loft_sender *s, uint32_t known, uint32_t count)
 {
     loft_window_extend(&s->window, known, count);
@@ -154,8 +153,7 @@ static void take_welcome(loft_sender *s, uint32_t now)
         w.nonce != s->nonce)
         return;
     if (!s->greeted || w.boot != s->machine.boot || loft_message_session(&s->frame) != s->session)
-        s->seen = 0;                            /* otherwise the same WELCOME again, because an AXIS
-                                                 * was lost */
+        s->seen = 0;                            /* otherwise a repeated WELCOME: an AXIS was lost */
     s->machine = w;
     s->closed  = w.closed;
     s->ack     = w.ack;
@@ -166,8 +164,8 @@ static void take_welcome(loft_sender *s, uint32_t now)
         s->phase = LOFT_PHASE_UNFIT;
 }
 
-/* The last AXIS completes the greeting. A control that was not acknowledged is given again: it is a
- * wish, not a step. */
+/* The last AXIS completes the greeting. A control that was not acknowledged is sent again, because
+ * it is a wish, not a step. */
 static void take_axis(loft_sender *s, uint32_t now)
 {
     loft_axis m;
@@ -207,7 +205,7 @@ static void advance(loft_sender *s, uint32_t now)
     s->tried = now;
 }
 
-/* What an answer means while items go out. In-flight frames behind a gap each cause a NAK: one per
+/* Handle an answer while items are sent. All frames in flight after a gap cause a NAK; one NAK per
  * round trip counts. */
 static void take_progress(loft_sender *s, uint32_t now)
 {
@@ -240,8 +238,7 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
     s->ack = *m;
     if (m->refusal)
         s->refusal = m->refusal;
-    if (streaming && s->ack.limit < limit)      /* limits only grow; a lower one is older, or the
-                                                 * job is over */
+    if (streaming && s->ack.limit < limit)      /* limits only grow; a lower one is old */
         s->ack.limit = limit;
 
     if (s->verb_sent && m->control == s->number) {
@@ -266,7 +263,7 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
     }
 }
 
-/* Is an answer due to something that would be sent again? */
+/* Is an answer due to something that could be sent again? */
 static bool waits(const loft_sender *s)
 {
     return s->phase == LOFT_PHASE_STREAMING && !s->aborting &&
@@ -274,8 +271,8 @@ static bool waits(const loft_sender *s)
             (s->window.ended && !(s->ack.flags & LOFT_FLAG_ENDED)));
 }
 
-/* The line keeps the order: what was sent before the question and is still missing is lost. If an
- * earlier question was open, the first answer may be to that one. */
+/* The line keeps the order, so what was sent before the question and is still missing is lost. If
+ * an earlier question was open, the first answer may belong to that one. */
 static void take_status(loft_sender *s, const loft_machine_status *m, uint32_t now)
 {
     s->status  = *m;
@@ -342,7 +339,7 @@ bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms)
 // Frames to the machine
 // ---------------------
 
-/* New items rather a quarter of the machine's queue at a time. */
+/* New items are sent a quarter of the machine's queue at a time. */
 static bool can_send(const loft_sender *s)
 {
     const loft_welcome *w = &s->machine;
@@ -365,7 +362,7 @@ static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
     const bool   waited = waits(s), again = s->window.send < s->window.high;
     const size_t n      = loft_window_give(&s->window, s->ack.limit, s->session, now, wire);
 
-    if (n == 0) {                       /* an item that cannot be said: the job ends */
+    if (n == 0) {                       /* an item cannot be encoded: the job ends */
         s->refusal = LOFT_REFUSAL_ITEM;
         s->aborting = true;
         control(s, LOFT_ABORT);
@@ -413,8 +410,7 @@ static size_t give_control(loft_sender *s, uint32_t now, uint8_t wire[])
     return loft_control_encode(&m, s->session, wire);
 }
 
-/* Silence: from the beginning again. The report in hand, it is the closing alone that went
- * unheard. */
+/* After a silence start again. If the report is here, only the closing was not heard. */
 static void check_silence(loft_sender *s, uint32_t now)
 {
     if (s->phase == LOFT_PHASE_CLOSING && s->attempts >= CLOSE_TRIES &&
@@ -425,8 +421,8 @@ static void check_silence(loft_sender *s, uint32_t now)
         greet(s, now);
 }
 
-/* A job begins free of what was ordered before it, so a hold or an override waits until the machine
- * has the JOB. */
+/* A job begins without earlier orders, so a hold or an override waits until the machine has the
+ * JOB. */
 static bool control_due(const loft_sender *s, uint32_t now)
 {
     return s->verb && s->phase != LOFT_PHASE_HELLO &&
@@ -435,7 +431,7 @@ static bool control_due(const loft_sender *s, uint32_t now)
            (!s->verb_sent || left(s->verb_time, s->rto.ms, now) == 0);
 }
 
-/* An answer is overdue: ask what has come. */
+/* An answer is overdue: ask what has arrived. */
 static bool poll_due(loft_sender *s, uint32_t now)
 {
     if (waits(s) && left(s->tried, s->rto.ms, now) == 0) {

@@ -1,10 +1,9 @@
-/* lib/wire/sender.h -- the host's half of a session: a job goes out, is repaired, resumed and
- * reported
+/* lib/wire/sender.h -- the host's half of a session: a job is sent, repaired, resumed and reported
  * SPDX-License-Identifier: MIT
  *
- * No transport and no clock: the caller moves the bytes and tells the time in ms (any origin, may
- * wrap). Items are asked for by number, again when frames were lost; nothing that was sent is
- * stored. They may still be being made while the first ones are executed.
+ * It has no transport and no clock: the caller moves the bytes and passes the time in ms (any
+ * origin, may wrap). Items are requested by number, again when frames were lost; sent items are not
+ * stored. Later items may still be in the making while the first ones are executed.
  *
  *     loft_sender_init(&s, nonce, now);
  *     loop:
@@ -24,74 +23,66 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_SENDER_SILENCE 1500        /* ms without an answer until HELLO is said again */
-#define LOFT_SENDER_POLL    100         /* ms between two questions for the status        */
+#define LOFT_SENDER_SILENCE 1500        /* ms without an answer before HELLO is sent again */
+#define LOFT_SENDER_POLL    100         /* ms between two requests for the status         */
 
 enum loft_phase {
-    LOFT_PHASE_HELLO,       /* nobody has answered yet; also in mid-job, after a silence: the job
-                             * then goes on */
-    LOFT_PHASE_READY,       /* welcomed: `machine` and `axis` are known; waits for
-                             * loft_sender_begin */
+    LOFT_PHASE_HELLO,       /* no answer yet; also in mid-job, which continues after it */
+    LOFT_PHASE_READY,       /* welcomed: `machine`, `axis` are known; waits for loft_sender_begin */
     LOFT_PHASE_OPENING,     /* JOB is sent */
-    LOFT_PHASE_STREAMING,   /* items go out; also after the last one, until the report */
+    LOFT_PHASE_STREAMING,   /* items are sent; also after the last one, until the report */
     LOFT_PHASE_CLOSING,     /* the report is here, the machine is told so */
-                            /* ... from here on nothing more happens */
-    LOFT_PHASE_DONE,        /* drawn: `report` */
+                            /* ... the phases below are final */
+    LOFT_PHASE_DONE,        /* done: `report` */
     LOFT_PHASE_ABORTED,     /* ended early: `report` if report.job is not 0 */
     LOFT_PHASE_BUSY,        /* another job is under way: `machine.job` */
-    LOFT_PHASE_LOST,        /* the machine restarted or serves another job: its position is not to
-                             * be trusted */
-    LOFT_PHASE_REFUSED,     /* by the machine: refusal */
-    LOFT_PHASE_UNFIT        /* no common version, other number of axes, or too short a frame: see
-                             * `machine` */
+    LOFT_PHASE_LOST,        /* the machine restarted or has another job: position unreliable */
+    LOFT_PHASE_REFUSED,     /* by the machine: `refusal` */
+    LOFT_PHASE_UNFIT        /* no common version, other axes, or too short a frame: `machine` */
 };
 
-/* Complete so that it can be static. Read what stands above the line; the rest may change without
- * notice. */
+/* The struct is complete so that it can be static. Read the fields above the line; the rest may
+ * change without notice. */
 typedef struct {
     enum loft_phase     phase;
     loft_welcome        machine;
     loft_axis           axis[LOFT_AXES];
     loft_ack            ack;                /* the latest */
-    loft_machine_status status;             /* the latest, about LOFT_SENDER_POLL ms old; its ack is
-                                             * not kept */
+    loft_machine_status status;             /* the latest, about LOFT_SENDER_POLL ms old, no ack */
     loft_report         report;
-    uint16_t closed;                        /* inputs of the machine, the latest */
-    uint8_t  refusal;                       /* enum loft_refusal: why REFUSED or ABORTED, if not by
-                                             * wish */
+    uint16_t closed;                        /* closed inputs of the machine, the latest */
+    uint8_t  refusal;                       /* enum loft_refusal: why REFUSED or ABORTED */
     bool     resumed;                       /* the job was already under way when it was begun */
-    bool     collected;                     /* the job was already over: only its report was
-                                             * fetched */
-    /* frames; data frames in the first two */
+    bool     collected;                     /* the job was already over: only its report is read */
+    /* frames; the first two count data frames */
     uint32_t sent, resent, naks, timeouts, hellos, damaged, unknown;
     uint32_t rtt_ms;                        /* smoothed; 0 until measured */
     /* ---- */
     loft_frame  frame;
     loft_job    job;
-    loft_window window;                     /* the items on their way */
-    uint8_t     doubt;                      /* with so many STATUS it is known what of it is lost;
-                                             * 0: no doubt */
-    uint8_t     session, seen;              /* seen: bit i, AXIS i of this session has come */
-    uint8_t     verb, value, number;        /* CONTROL waiting for its acknowledgement */
-    uint8_t     percent;                    /* override that was not acknowledged; 0: none */
-    uint8_t     attempts;                   /* of CONTROL */
+    loft_window window;                     /* the items in flight */
+    uint8_t     doubt;                      /* STATUS to wait for until losses are known; 0: none */
+    uint8_t     session, seen;              /* seen: bit i: AXIS i of this session has come */
+    uint8_t     verb, value, number;        /* the unacknowledged CONTROL */
+    uint8_t     percent;                    /* the unacknowledged override; 0: none */
+    uint8_t     attempts;                   /* to send CONTROL */
     bool        greeted;                    /* WELCOME has come, AXIS may be missing */
     bool        began, asked, opened;       /* loft_sender_begin; JOB was sent; JOB was taken */
     bool        hello_sent, job_sent, verb_sent;    /* in this session */
     bool        aborting, polling;          /* polling: no STATUS since the last POLL */
     uint32_t    nonce, boot;
-    loft_rto    rto;                        /* how long to wait for an answer */
+    loft_rto    rto;                        /* the time to wait for an answer */
     uint32_t    heard, tried, polled, back, verb_time;          /* times */
 } loft_sender;
 
-/* Prepare to greet a machine. `nonce`: any number that the last connection did not use (a clock, a
- * random number). */
+/* Prepare to greet a machine. `nonce` is any number that the last connection did not use (a clock,
+ * a random number). */
 void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms);
 
-/* Begin `job` of `count` items (job->nonce is filled in), or of LOFT_ITEMS_OPEN: see
- * loft_sender_extend. What follows depends on the machine: it is idle: the job starts. It is in the
- * middle of this very job (same id): the job goes on where the machine stands. It has finished it,
- * and nobody has fetched the report: the report is fetched. It is in another job: BUSY.
+/* Begin `job` of `count` items, or of LOFT_ITEMS_OPEN: see loft_sender_extend. job->nonce is filled
+ * in. What follows depends on the machine. If it is idle, the job starts. If it is in the middle of
+ * this job (same id), the job continues at the machine's position. If it has finished this job and
+ * nobody has read the report, the report is read. If it is in another job, the phase is BUSY.
  *
  *   range   phase is LOFT_PHASE_READY, job->id not 0, job->kind known, curves only for a machine
  *           that plans (machine.curves > 0), with job->limits (borrowed); otherwise LOFT_ERR_ARG
@@ -99,37 +90,37 @@ void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms);
 enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count,
                                    loft_item_source *source, void *context) LOFT_CHECKED;
 
-/* More of a job is known that began with LOFT_ITEMS_OPEN: items 0 .. known - 1 can be asked for
- * now. `count`: LOFT_ITEMS_OPEN, or, when these are all, known. A job that goes on at an item
- * beyond `known` waits for it.
+/* More is known of a job that began with LOFT_ITEMS_OPEN: items 0 .. known - 1 can be requested
+ * now. `count` is LOFT_ITEMS_OPEN, or `known` when there are no more. A job that continues at an
+ * item beyond `known` waits for it.
  *
- *   range   known not below what it was; after loft_sender_begin */
+ *   range   known not below its last value; only after loft_sender_begin */
 void loft_sender_extend(loft_sender *s, uint32_t known, uint32_t count);
 
-/* Hold, resume or abort (not LOFT_CLOSE), at any time after the welcome, also with a full window,
- * also when BUSY. The latest counts. After an abort no more items are sent and the phase becomes
- * ABORTED. */
+/* Hold, resume or abort (not LOFT_CLOSE), at any time after the welcome, also with a full window
+ * and when BUSY. The latest control counts. After an abort no more items are sent, and the phase
+ * becomes ABORTED. */
 void loft_sender_control(loft_sender *s, enum loft_verb verb);
 
-/* Let time run at `percent` of the plan, 1..200, from now on until the job ends; when another
- * control is on its way, after it. */
+/* Run time at `percent` of the plan, 1..200, from now on until the job ends. It is sent after a
+ * control in flight. */
 void loft_sender_override(loft_sender *s, unsigned percent);
 
-/* Take one byte from the line. Gives true when `phase`, `ack`, `status` or `report` may have
+/* Take one byte from the line. Returns true when `phase`, `ack`, `status` or `report` may have
  * changed. */
 bool loft_sender_push(loft_sender *s, uint8_t byte, uint32_t now_ms);
 
 /* Give the next frame to send; 0 when there is none now. */
 size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* For how many ms loft_sender_poll has nothing to send if no byte comes in; 0: it has something
- * now. */
+/* The number of ms in which loft_sender_poll has nothing to send if no byte arrives; 0: it has
+ * something now. */
 uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms);
 
-/* The line is gone for good: a job whose report is here has ended all the same. */
+/* The line is gone for good. A job whose report has arrived has still ended. */
 void loft_sender_hangup(loft_sender *s);
 
-/* For how many ms no good frame has come. */
+/* The number of ms without a good frame. */
 uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms);
 
 LOFT_END_C

@@ -1,24 +1,23 @@
-/* lib/wire/session.h -- a session: how a job reaches a machine exactly once, whatever the line does
+/* lib/wire/session.h -- a session: a job reaches a machine exactly once, whatever the line does
  * SPDX-License-Identifier: MIT
  *
- * The two halves know nothing of each other's state but what the messages say:
+ * The two halves know each other's state only from the messages:
  *
  *   receiver.h   the machine: bytes in, items in order, answers out; small, no clock
- *   sender.h     the host: asking, resuming, the report; its parts are window.h, the items on their
- *                way, and rto.h, the time to wait for an answer
+ *   sender.h     the host: requests, resuming, the report; window.h has the items in flight, rto.h
+ *                the time to wait for an answer
  *
- * Rules, with their reasons in WIRE.md:
- *   - a HELLO begins a session; every other frame carries its number and is dropped in another
- *   session
- *   - a session has at most one JOB; a job may live through many sessions
- *   - the number of an item is its sequence number; the machine takes item `next` and no other
- *   - the machine says up to which item it has room, as an absolute number: nothing leaks when an
- *   answer is lost
- *   - the host starts again at `next` after a NAK, and when an answer that it asked for still
- *   misses something; silence alone
- *     makes it ask; the machine drops what it has already
- *   - another boot id in mid-job: the job is lost and nothing moves until the user knows where the
- *   machine stands
+ * Rules; WIRE.md has the reasons:
+ *   - A HELLO begins a session. Every other frame carries its number and is dropped in another
+ *     session.
+ *   - A session has at most one JOB. A job may last for many sessions.
+ *   - The number of an item is its sequence number. The machine takes only item `next`.
+ *   - The machine reports the room up to an absolute item number. So a lost answer loses no credit.
+ *   - The host starts again at `next` after a NAK, and when a requested answer still lacks
+ *   something.
+ *     Silence alone makes it ask. The machine drops what it has already.
+ *   - Another boot id in mid-job: the job is lost, and nothing moves until the user knows the
+ *     machine's position.
  */
 #ifndef LOFT_WIRE_SESSION_H
 #define LOFT_WIRE_SESSION_H

@@ -1,22 +1,22 @@
 /* lib/wire/varint.h -- whole numbers in as few bytes as they need
  * SPDX-License-Identifier: MIT
  *
- * A varint is seven bits per byte, low bits first, the top bit says that more follow; the shortest
- * form only. A residual is a signed number modulo 2^32 as a zigzag varint: 0 -1 1 -2 2 .. become 0
- * 1 2 3 4 ..
+ * A varint has seven bits per byte, low bits first. The top bit says that more bytes follow. Only
+ * the shortest form is valid. A residual is a signed number modulo 2^32 as a zigzag varint: 0 -1 1
+ * -2 2 .. become 0 1 2 3 4 ..
  */
 #ifndef LOFT_WIRE_VARINT_H
 #define LOFT_WIRE_VARINT_H
 
 #include "num/num.h"    /* the integer types */
 
-/* A word as the signed number that it stands for. */
+/* The signed value of a word. */
 static inline int32_t loft_word_signed(uint32_t x)
 {
     return x & 0x80000000u ? -(int32_t)~x - 1 : (int32_t)x;
 }
 
-/* Write x; gives the number of bytes, 1..5. */
+/* Write x. Returns the number of bytes, 1..5. */
 static inline uint8_t loft_varint_encode(uint8_t *byte, uint32_t x)
 {
     uint8_t n = 0;
@@ -31,7 +31,7 @@ static inline uint8_t loft_residual_encode(uint8_t *byte, uint32_t r)
     return loft_varint_encode(byte, (r << 1) ^ (r & 0x80000000u ? 0xFFFFFFFFu : 0u));
 }
 
-/* Read one that loft_varint_size has found good, and step over it. */
+/* Read a varint that loft_varint_size has accepted, and advance past it. */
 static inline uint32_t loft_varint_decode(const uint8_t **byte)
 {
     uint32_t x = 0;
@@ -49,7 +49,7 @@ static inline uint32_t loft_residual_decode(const uint8_t **byte)
     return (z >> 1) ^ (z & 1u ? 0xFFFFFFFFu : 0u);
 }
 
-/* The length of the varint at byte[0], 0 if it is cut off, longer than 32 bits, or not the shortest
+/* The length of the varint at byte[0]; 0 if it is cut off, longer than 32 bits, or not the shortest
  * form. */
 static inline uint8_t loft_varint_size(const uint8_t *byte, uint8_t left)
 {

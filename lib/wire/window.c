@@ -1,16 +1,16 @@
-/* lib/wire/window.c -- items on their way: go back n
+/* lib/wire/window.c -- items in flight: go back n
  * SPDX-License-Identifier: MIT
  *
- * Frames are made again from the items, so the frame that starts at n depends on items n - 3 .. n -
- * 1 and n .. only, whether sent for the first time, again, or by another process.
+ * Frames are made again from the items. So the frame that starts at n depends only on items n - 3
+ * .. n - 1 and n .., whether it is sent for the first time, again, or by another process.
  *
- * A frame of n bytes survives with probability (1 - e)^n: on a bad line short frames go through
- * where long ones never do. So a loss takes a quarter of the length, and each frame that came
- * through gives a few bytes back.
+ * A frame of n bytes survives with probability (1 - e)^n. On a bad line short frames arrive where
+ * long ones never do. So a loss shortens frames by a quarter, and each frame that arrives lengthens
+ * them by a few bytes.
  */
 #include "wire/window.h"
 
-/* bytes of the shortest frame that holds any curve */
+/* The size in bytes of the shortest frame that holds any curve. */
 #define CURVE_LEAST (15 + 15 * LOFT_AXES)
 
 void loft_window_init(loft_window *w, const loft_job *job, uint32_t count, loft_item_source *source,
@@ -58,8 +58,8 @@ static void grow(loft_window *w)
                                                       : w->frame_most;
 }
 
-/* What was sent once measures; what was sent again may be the answer to either (P. Karn, C.
- * Partridge, 1987). */
+/* Only frames sent once give a round trip. The answer to a repeated frame may belong to either (P.
+ * Karn, C. Partridge, 1987). */
 bool loft_window_take(loft_window *w, uint32_t next, uint32_t now_ms, uint32_t *trip)
 {
     bool timed = false;
@@ -76,9 +76,9 @@ bool loft_window_take(loft_window *w, uint32_t next, uint32_t now_ms, uint32_t *
     return timed;
 }
 
-/* One frame too many is cheaper than a frame of one item after each executed item: with little
- * room, wait until the machine has told `step` of it (which it does unasked), unless this is all
- * that is known, or said again. */
+/* One frame too many is cheaper than a frame of one item after each executed item. With little
+ * room, wait until the machine has reported `step` of it, which it does unasked. Exceptions: these
+ * are all known items, or they are sent again. */
 bool loft_window_ready(const loft_window *w, uint32_t limit, uint32_t step)
 {
     const uint32_t most = limit < w->known ? limit : w->known;
@@ -98,7 +98,7 @@ static void predict(const loft_window *w, loft_predictor *p)
     }
 }
 
-/* As many items as fit and may be sent. */
+/* Pack as many items as fit and may be sent. */
 static void pack(const loft_window *w, uint32_t limit, enum loft_kind kind,
                  const loft_predictor *predictor, loft_packer *p, uint8_t wire[])
 {
@@ -113,7 +113,7 @@ static void pack(const loft_window *w, uint32_t limit, enum loft_kind kind,
     }
 }
 
-/* Points by third differences, if they are shorter for this frame. */
+/* Pack points by third differences if that is shorter for this frame. */
 static void pack_shortest(const loft_window *w, uint32_t limit, const loft_predictor *predictor,
                           loft_packer *p, uint8_t wire[])
 {
