@@ -1,4 +1,4 @@
-/* ports/firmware.c -- the firmware: what is the same on every board
+/* ports/firmware.c -- the firmware: the part that all boards share
  * SPDX-License-Identifier: MIT
  */
 #include "port.h"
@@ -21,7 +21,7 @@ void loft_port_tick(void) { loft_machine_tick(&machine); }
 
 void loft_port_byte(uint8_t byte) { loft_ring_put(&line, byte); }
 
-/* About once per `every` slots. */
+/* Sample the switches about once per `every` slots. */
 static void watch_switches(uint8_t every)
 {
     static loft_switches switches;

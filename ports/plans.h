@@ -1,10 +1,9 @@
-/* ports/plans.h -- what a board needs to plan by itself: the planner and its memory, for
- * LOFT_PORT_CURVES curves
+/* ports/plans.h -- the planner of a board and its memory, for LOFT_PORT_CURVES curves
  * SPDX-License-Identifier: MIT
  *
- * Include it behind `CELLS`, the size of the queue, and call loft_port_plans before the
- * configuration is given away. Half of the curves must be longer than the way to stop. Cost: about
- * 0.6 kB of RAM for each, and 42 kB of flash.
+ * Include it after `CELLS`, the size of the queue, is defined. Call loft_port_plans before the
+ * configuration is returned. Half of the curves should be longer than the braking distance. Cost:
+ * about 0.6 kB of RAM for each curve, and 42 kB of flash.
  */
 #ifndef LOFT_PLANS_H
 #define LOFT_PLANS_H

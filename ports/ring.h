@@ -1,5 +1,4 @@
-/* ports/ring.h -- ring: bytes that have come in an interrupt, waiting for the main loop; no lock,
- * they meet in single bytes
+/* ports/ring.h -- ring buffer: bytes from an interrupt wait for the main loop, without a lock
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_RING_H
@@ -10,9 +9,9 @@
 
 #include "machine/machine.h"    /* LOFT_BARRIER */
 
-/* A power of two, at most 32768 and on an 8-bit part 256: what the line brings while the main loop
- * is busy, 1 ms at 1 Mbit/s being 100 bytes; an emulated line has no speed, and may bring all that
- * a sender has under way. */
+/* A power of two, at most 32768, and 256 on an 8-bit part. It must hold what the line brings while
+ * the main loop is busy: 1 ms at 1 Mbit/s is 100 bytes. An emulated line has no speed, and may
+ * bring everything that a sender has in flight. */
 #ifndef LOFT_RING_BYTES
 #  define LOFT_RING_BYTES 1024u
 #endif
@@ -29,7 +28,7 @@ typedef struct {
     loft_ring_index tail;                           /* the main loop */
 } loft_ring;
 
-/* In the interrupt. A byte that finds no room is lost: its frame is then damaged, and sent
+/* For the interrupt. A byte that finds no room is lost. Its frame is then damaged, and is sent
  * again. */
 static inline void loft_ring_put(loft_ring *r, uint8_t byte)
 {
@@ -42,7 +41,7 @@ static inline void loft_ring_put(loft_ring *r, uint8_t byte)
     }
 }
 
-/* In the main loop: as many bytes as there are, at most `max`. */
+/* For the main loop: take the waiting bytes, at most `max`. */
 static inline size_t loft_ring_take(loft_ring *r, uint8_t *bytes, size_t max)
 {
     const loft_ring_index head = r->head;

@@ -1,5 +1,4 @@
-/* ports/switches.h -- limit switches, the emergency stop and buttons: what counts is what stays as
- * it is
+/* ports/switches.h -- limit switches, the emergency stop and buttons, debounced
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_SWITCHES_H
@@ -7,8 +6,8 @@
 
 #include "machine/machine.h"    /* LOFT_INPUT_ENDS */
 
-/* The LOFT_INPUT_ of inputs 0..2 limits of x, y, z, one for both ends, 3 emergency stop, 4 hold, 5
- * resume, a bit each, 1: closed. */
+/* The LOFT_INPUT_ bits of six inputs, one bit each, 1: closed. Bits 0..2 are the limits of x, y, z,
+ * one for both ends, 3 is the emergency stop, 4 hold, 5 resume. */
 static inline uint16_t loft_switches_of(uint32_t closed)
 {
     return (uint16_t)((closed & 1 ? LOFT_INPUT_ENDS(0) : 0) |
@@ -23,7 +22,7 @@ typedef struct {
     uint8_t  same;
 } loft_switches;
 
-/* Is `now` what they are for good? Call it about once per millisecond. */
+/* Is the state `now` steady? Call it about once per millisecond. */
 static inline bool loft_switches_steady(loft_switches *s, uint16_t now)
 {
     s->same = now == s->last ? (uint8_t)(s->same + (s->same < LOFT_SWITCHES_SAME)) : 1;

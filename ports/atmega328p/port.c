@@ -7,10 +7,10 @@
  *              ground
  *     enable   D8 (PB0), low             line     D0 D1 (USART0), 8N1
  *
- * The timer interrupt takes what the pins do in a slot from a ring, so the edges do not depend on
- * how long computing takes. When the ring runs low it goes on, with interrupts enabled again, to
- * make the slots to come, many at once: that and the tick are interrupted by the slots. Pulses are
- * counted when they are made, at most 1.6 ms before they are given.
+ * The timer interrupt takes the pins of a slot from a ring, so the edges do not depend on computing
+ * time. When the ring runs low, the interrupt continues with interrupts enabled and makes the next
+ * slots, many at once. Slots interrupt that and the tick. Pulses are counted when they are made, at
+ * most 1.6 ms before they are given.
  */
 #include <avr/interrupt.h>
 #include <avr/io.h>
@@ -30,12 +30,12 @@
 #  define LOFT_SLOTS 40             /* per tick of 1 ms: 40,000 steps per second and axis */
 #endif
 #ifndef LOFT_INVERT
-#  define LOFT_INVERT 0             /* bits of PORTD to be inverted */
+#  define LOFT_INVERT 0             /* bits of PORTD to invert */
 #endif
 #ifndef PULSE
 #  define PULSE 18                  /* cycles: makes the pulses 2 us long, enough for all drivers */
 #endif
-#define CELLS 14                    /* what RAM is left for */
+#define CELLS 14                    /* as many as fit in RAM */
 
 /* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
 #define AXIS                                                                                       \
@@ -62,7 +62,7 @@ static loft_machine_config config = {
 #define BUTTONS 0x07                /* of PINC  */
 
 #define RING    64                  /* slots */
-/* so many are enough for the longest tick, and half as many again */
+/* enough for the longest tick, and half as many again */
 #define LOW     36
 
 static volatile uint8_t ring[RING], ring_head, ring_tail;
@@ -70,7 +70,7 @@ static volatile uint8_t at_work;
 
 static inline uint8_t ring_count(void)      { return (uint8_t)(ring_head - ring_tail) % RING; }
 
-/* As many slots as there is room for, up to the end of the ring or of a tick. */
+/* Make as many slots as there is room for, up to the end of the ring or of a tick. */
 static void make_slots(void)
 {
     const uint8_t head = ring_head, room = (uint8_t)(RING - 1 - ring_count()),
@@ -89,7 +89,7 @@ static void make_slots(void)
 }
 
 /* Called by the stub below, which has saved the registers, with interrupts enabled. While the
- * machine stands in a job, once per turn is enough to see whether it may go on. */
+ * machine is stopped in a job, one pass is enough to check whether it may continue. */
 __attribute__((used)) void loft_port_work(void);
 void loft_port_work(void)
 {
@@ -112,7 +112,7 @@ void loft_port_work_stub(void)
         "pop r19\n pop r18\n pop r1\n pop r0\n ret\n");
 }
 
-/* One slot. If the ring is empty in mid-job the pulses come later, and none is lost. */
+/* One slot. If the ring is empty in mid-job, the pulses come later, and none is lost. */
 ISR(TIMER1_COMPA_vect)
 {
     const uint8_t tail = ring_tail, head = ring_head;
@@ -155,7 +155,7 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
 // Start
 // -----
 
-/* A number of four bytes in EEPROM counts the starts. */
+/* Count the starts in four bytes of EEPROM. */
 static uint32_t count_start(void)
 {
     uint32_t boot = 0;

@@ -1,4 +1,4 @@
-/* ports/bare/memory.c -- the four functions that a compiler may call where there is no library
+/* ports/bare/memory.c -- the four functions that a compiler may call without a library
  * SPDX-License-Identifier: MIT
  */
 #include <stddef.h>

@@ -1,10 +1,10 @@
-/* ports/cortex-m/cortex.h -- what all Cortex-M cores have: registers, SysTick, interrupts, sleep
+/* ports/cortex-m/cortex.h -- common parts of Cortex-M cores: registers, SysTick, interrupts, sleep
  * SPDX-License-Identifier: MIT
  *
- * A port is compiled with the number of interrupts, CORTEX_IRQS, and that of its line,
- * CORTEX_LINE_IRQ: cortex_line is called when a byte has come. Slots come from SysTick; where
- * CORTEX_SLOT_IRQ is given, from that, by cortex_slot. loft_port_tick runs in the interrupt of
- * lowest priority, when cortex_later has asked for it.
+ * A port is compiled with the number of interrupts, CORTEX_IRQS, and the number of its line's
+ * interrupt, CORTEX_LINE_IRQ. cortex_line is called when a byte is received. SysTick gives the
+ * slots; with CORTEX_SLOT_IRQ that interrupt does, through cortex_slot. loft_port_tick runs in the
+ * interrupt of lowest priority, after cortex_later.
  */
 #ifndef LOFT_CORTEX_H
 #define LOFT_CORTEX_H
@@ -24,8 +24,8 @@
 void cortex_line(void);
 void cortex_slot(void);
 
-/* Let interrupt `irq` come, before the tick and after the slots; with `first` at the same time as
- * slots. */
+/* Enable interrupt `irq` at a priority above the tick and below the slots; with `first` at that of
+ * the slots. */
 static inline void cortex_enable(unsigned irq, int first)
 {
     const unsigned shift = irq % 4 * 8;
@@ -34,10 +34,10 @@ static inline void cortex_enable(unsigned irq, int first)
     NVIC_ISER[irq / 32] = 1u << irq % 32;
 }
 
-/* Slots first, the tick (PendSV) last. */
+/* Slots have the highest priority, the tick (PendSV) the lowest. */
 static inline void cortex_priorities(void)      { SCB_SHPR3 = 0x00C00000; }
 
-/* Call cortex_slot each `cycles` of the core's clock, at most 2^24, from now on. */
+/* Call cortex_slot every `cycles` of the core clock, at most 2^24, from now on. */
 static inline void cortex_systick(uint32_t cycles)
 {
     SYST_RVR = cycles - 1;
@@ -49,14 +49,14 @@ static inline void cortex_later(void)           { SCB_ICSR = 1u << 28; }
 static inline void cortex_interrupts(void)      { __asm__ volatile ("cpsie i" ::: "memory"); }
 static inline void cortex_wait(void)            { __asm__ volatile ("wfi" ::: "memory"); }
 
-/* At least so many cycles. */
+/* Wait at least so many cycles. */
 static inline void cortex_delay(uint32_t cycles)
 {
     for (cycles /= 3; cycles; cycles--)
         __asm__ volatile ("");
 }
 
-/* A number that a reset changes, and whatever memory holds when power comes. */
+/* A number that changes at a reset, and depends on the contents of memory at power-up. */
 uint32_t cortex_starts(void);
 
 #endif

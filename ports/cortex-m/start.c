@@ -31,7 +31,7 @@ void reset(void)
         cortex_wait();
 }
 
-/* Stand still: no slot comes, so no step is made. */
+/* Stop: no slot comes, so no step is made. */
 static void fault(void)
 {
     for (;;) {

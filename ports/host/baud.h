@@ -1,4 +1,4 @@
-/* ports/host/baud.h -- the speeds that a serial port of this computer can be set to
+/* ports/host/baud.h -- the speeds of a serial port of this computer
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_HOST_BAUD_H
@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <termios.h>
 
-/* The system's name of a speed; false if it has none. */
+/* The system's constant for a speed; false if it has none. */
 static inline bool host_baud(unsigned baud, speed_t *out)
 {
     static const struct {

@@ -1,9 +1,9 @@
-/* ports/host/board.h -- the lines of a real board behind the machine as a program
+/* ports/host/board.h -- the lines of a real board, for the machine as a program
  * SPDX-License-Identifier: MIT
  *
- * With a board the program makes slots some ms before they are due, and the board gives them in its
- * own time, in a thread of its own. All functions are called from one thread, in the order begin,
- * any others, end.
+ * With a board the program makes slots some ms before they are due. The board gives them in its own
+ * time, in a thread of its own. All functions are called from one thread, in the order begin, any
+ * others, end.
  */
 #ifndef LOFT_HOST_BOARD_H
 #define LOFT_HOST_BOARD_H
@@ -17,36 +17,37 @@
 #define LOFT_BOARD_WATCHED 8
 
 struct loft_board {
-    unsigned lead_ms;           /* slots are made so long before they are due */
+    unsigned lead_ms;           /* slots are made this long before they are due */
 
-    /* `slot_hz` slots per second will follow, at most `most` of them ahead. Signals are blocked by
-     * now; threads keep it so. Gives 0 or an exit code after one line on standard error. */
+    /* `slot_hz` slots per second will follow, at most `most` of them ahead. Signals are already
+     * blocked; threads must keep it so. Returns 0 or an exit code after one line on standard error.
+     * */
     int      (*begin)(struct loft_board *b, uint32_t slot_hz, uint32_t most);
 
-    /* What the pins do in slot number `slot`, the one behind the slot before. */
+    /* The pins of slot number `slot`, which follows the last one. */
     void     (*slot)(struct loft_board *b, uint64_t slot, loft_pins pins);
 
-    /* What was put down may be given from now on. */
+    /* All slots so far may be given from now on. */
     void     (*give)(struct loft_board *b);
 
-    /* How many of these slots still are to be given. */
+    /* The number of slots still to give. */
     uint64_t (*left)(struct loft_board *b);
 
-    /* The inputs that are closed for good: a sum of LOFT_INPUT_. */
+    /* The closed inputs, debounced: a sum of LOFT_INPUT_. */
     uint16_t (*inputs)(struct loft_board *b);
 
-    /* What is to be watched while the program sleeps, and in *ms for how long, if it is less: gives
-     * the count. */
+    /* The files to watch while the program sleeps, and in *ms the time to sleep, if it is less.
+     * Returns their number. */
     unsigned (*watch)(struct loft_board *b, struct pollfd fd[LOFT_BOARD_WATCHED], int *ms);
 
-    /* Do the lines still obey? After a false the program ends. */
+    /* Do the lines still obey? If not, the program ends. */
     bool     (*works)(struct loft_board *b);
 
-    /* A job is over and its last slot given: print how it went on standard output, and count
-     * anew. */
+    /* A job is over and its last slot is given: print its statistics on standard output, and reset
+     * them. */
     void     (*report)(struct loft_board *b);
 
-    /* The program ends, also in mid-job. */
+    /* The program ends, maybe in mid-job. */
     void     (*end)(struct loft_board *b);
 };
 

@@ -2,15 +2,15 @@
  * simulated time
  * SPDX-License-Identifier: MIT
  *
- * One loop does what on a board are three contexts: bytes in and out, the slots that are due, a
- * tick behind each.
+ * One loop does the work of three contexts on a board: bytes in and out, the slots that are due,
+ * and a tick after each slot.
  *
- * Real time: slots are due as the clock says, in batches of about a millisecond. Simulated time: a
- * batch is due whenever the machine can go on without regard to how fast the line is, that is while
- * the queue is at least half full, the end of the job is known, or nothing has come for GONE_MS of
- * real time (then the sender is gone, and the machine starves as it should). Otherwise time stands.
- * A board's lines: slots are made ahead, and the board gives them in its own time (board.h). In all
- * of them, the loop sleeps in poll while nothing moves.
+ * Real time: the clock makes slots due, in batches of about a millisecond. Simulated time: a batch
+ * is due whenever the machine can continue whatever the speed of the line. That is so while the
+ * queue is at least half full, when the end of the job is known, or when nothing has arrived for
+ * GONE_MS of real time. In the last case the sender is gone, and the machine starves as it should.
+ * Otherwise time stops. A board: slots are made ahead, and the board gives them in its own time
+ * (board.h). In all cases the loop sleeps in poll while nothing moves.
  */
 #include "host/host.h"
 
@@ -29,13 +29,13 @@
 #include "machine/machine.h"    /* loft_machine         */
 
 #define QUIET_MS    300
-/* a sender that plans on a busy computer may have no turn for a second */
+/* a planning sender on a busy computer may not run for a second */
 #define GONE_MS     1500
-/* how long `once` waits for a sender to fetch the report of an ended job */
+/* how long `once` waits for a sender to read the report of an ended job */
 #define LEAVE_MS    5000
-#define STOP_MS     1000        /* how long it waits for the last answer to be read */
-#define BATCH       20          /* ticks of simulated time between two looks at the line */
-#define LATE_MS     100         /* real time that the machine may be behind; more is forgotten */
+#define STOP_MS     1000        /* how long it waits until the last answer is read */
+#define BATCH       20          /* ticks of simulated time between two checks of the line */
+#define LATE_MS     100         /* largest delay in real time; more is dropped */
 
 struct host {
     const struct loft_host_options *o;
@@ -47,15 +47,15 @@ struct host {
     loft_planner_memory plan;
     struct host_line line;
     struct host_record record;
-    uint64_t slot;                          /* slots so far                        */
+    uint64_t slot;                          /* the number of slots so far          */
     int64_t started;                        /* real time of slot 0, in ns          */
-    int64_t heard;                          /* when bytes came last                */
-    int64_t ended;                          /* when the last job ended; 0: none    */
+    int64_t heard;                          /* real time of the last bytes         */
+    int64_t ended;                          /* end of the last job; 0: none        */
     uint8_t wire[LOFT_FRAME_MAX];
     size_t count, sent;
     uint8_t state;
-    bool unreported;                        /* slots have gone to the board since its last report */
-    sigset_t during;                        /* signals that are let through while the loop sleeps */
+    bool unreported;                        /* slots went to the board since its last report */
+    sigset_t during;                        /* the signal mask while the loop sleeps */
 };
 
 static volatile sig_atomic_t stop_wanted;
@@ -134,8 +134,8 @@ static int start_machine(struct host *h)
     return 0;
 }
 
-/* SIGINT and SIGTERM are blocked but in poll, so none comes between looking at stop_wanted and
- * going to sleep. */
+/* SIGINT and SIGTERM are blocked except in poll, so none comes between the check of stop_wanted and
+ * the sleep. */
 static void catch_signals(struct host *h)
 {
     struct sigaction act;
@@ -176,7 +176,7 @@ static void print_job(struct host *h, const char *what)
     print_position(h);
 }
 
-/* Tell what has become of the job. */
+/* Print a change of the job's state. */
 static void note_state(struct host *h)
 {
     const uint8_t before = h->state, now = h->machine.drive.state;
@@ -205,7 +205,7 @@ static void note_state(struct host *h)
 /* Have all slots of the job been given? */
 static bool given(const struct host *h) { return !h->board || h->board->left(h->board) == 0; }
 
-/* Let the board report when the last slot of a job has been given. */
+/* Let the board report after the last slot of a job. */
 static void note_end(struct host *h)
 {
     if (h->unreported && given(h)) {
@@ -228,7 +228,7 @@ static void take_bytes(struct host *h)
     loft_machine_push(&h->machine, byte, count);
 }
 
-/* Gives true while bytes wait for room on the line. */
+/* Returns true while bytes wait for room on the line. */
 static bool give_bytes(struct host *h)
 {
     for (;;) {
@@ -251,7 +251,7 @@ static bool give_bytes(struct host *h)
 
 static bool moving(const struct host *h) { return !loft_step_done(&h->machine.drive.step); }
 
-/* The limit switches where the motors are. */
+/* The closed limit switches at the motor positions. */
 static uint16_t limits_closed(const struct host *h)
 {
     uint16_t closed = 0;
@@ -283,7 +283,7 @@ static void run_slots(struct host *h, uint64_t count)
     loft_machine_tick(&h->machine);
 }
 
-/* Simulated time: does the machine need nothing from the line to go on? */
+/* Simulated time: can the machine continue without the line? */
 static bool supplied(struct host *h)
 {
     const loft_drive *d = &h->machine.drive;
@@ -293,8 +293,8 @@ static bool supplied(struct host *h)
            now_ns() - h->heard > GONE_MS * 1000000LL;
 }
 
-/* Let time go on if it may; gives the ms that the loop may sleep then, negative for as long as
- * nothing comes. */
+/* Advance time if that is allowed. Returns the ms that the loop may then sleep; negative: until
+ * something arrives. */
 static int run_simulated(struct host *h)
 {
     if (!loft_state_busy(h->machine.drive.state))
@@ -305,7 +305,7 @@ static int run_simulated(struct host *h)
     return moving(h) ? 0 : loft_state_busy(h->machine.drive.state) ? QUIET_MS : -1;
 }
 
-/* Standing time counts while a job is under way, so the clock runs on; otherwise it is set anew. */
+/* Stops count as time while a job is under way, so the clock runs on. Otherwise it is reset. */
 static int run_real(struct host *h)
 {
     const double slot_hz = (double)h->o->tick_hz * h->o->slots;
@@ -324,8 +324,8 @@ static int run_real(struct host *h)
     return 1;
 }
 
-/* A board: keep it supplied for lead_ms. It may be standing, waiting for the line; time counts as
- * long as a job is under way. */
+/* A board: keep it supplied for lead_ms. It may be stopped, waiting for the line. Time counts while
+ * a job is under way. */
 static int run_board(struct host *h)
 {
     const uint64_t lead = (uint64_t)h->o->tick_hz * h->o->slots * h->board->lead_ms / 1000;
@@ -346,8 +346,8 @@ static int run_on(struct host *h)
     return h->board ? run_board(h) : h->o->fast ? run_simulated(h) : run_real(h);
 }
 
-/* May the program end? When the host has closed the job and read what was sent last, which would be
- * lost with the line, or when it does not come for it. */
+/* May the program end? Yes when the host has closed the job and read the last answer, which would
+ * be lost with the line, or when the host does not come for it. */
 static bool finished(struct host *h)
 {
     const bool told = h->sent == h->count && host_line_drained(&h->line);
@@ -378,7 +378,7 @@ static void run(struct host *h)
 {
     while (!finished(h)) {
         take_bytes(h);
-        note_state(h);                  /* a job that has begun, before its first pulse */
+        note_state(h);                  /* print a new job before its first pulse */
         if (stop_wanted)
             loft_machine_control(&h->machine, LOFT_ABORT);
         take_inputs(h);

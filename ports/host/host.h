@@ -1,9 +1,8 @@
-/* ports/host/host.h -- the machine as a program: a pseudo terminal in front, every pulse recorded
- * behind
- * SPDX-License-Identifier: MIT
+/* ports/host/host.h -- the machine as a program: a pseudo terminal at one end, recorded pulses at
+ * the other SPDX-License-Identifier: MIT
  *
- * The code between the two is lib/machine, the same as in firmware. The files of this folder are
- * compiled once per number type; one program may hold all three:
+ * The code between them is lib/machine, as in firmware. The files of this folder are compiled once
+ * per number type; one program may contain all three:
  *
  *     struct loft_host_options o = loft_host_defaults();
  *     o.record = "pulses.csv";
@@ -21,34 +20,33 @@
 struct loft_board;
 
 struct loft_host_options {
-    struct loft_board *board;   /* the pulses go to its lines, in real time; NULL: to the record
-                                 * alone */
+    struct loft_board *board;   /* gives the pulses in real time; NULL: they are only recorded */
     const char *port;           /* a serial port in place of a pseudo terminal, or NULL */
     unsigned baud;              /* of the serial port */
-    const char *link;           /* make this symbolic link to the pseudo terminal, in place of that
-                                 * of a machine that is gone; NULL: none */
+    const char *link;           /* make this symbolic link to the pseudo terminal; it may replace
+                                 * the link of a machine that is gone; NULL: none */
     const char *record;         /* write every pulse to this file, "-" is standard output; NULL:
                                  * none */
-    bool     fast;              /* simulated time: as fast as possible, and time stands while the
+    bool     fast;              /* simulated time: as fast as possible, and time stops while the
                                  * line is slow */
     bool     once;              /* end after one job, with its report on standard output */
     bool     quiet;             /* print only the name of the pseudo terminal and errors */
     /* mm/s, mm/s^2 */
     double   steps_per_mm[LOFT_AXES], max_speed[LOFT_AXES], max_accel[LOFT_AXES];
-    double   max_jerk[LOFT_AXES];   /* mm/s^3; 0: not limited */
+    double   max_jerk[LOFT_AXES];   /* mm/s^3; 0: no limit */
     unsigned tick_hz;           /* ticks per second, 1..65535 */
     unsigned slots;             /* chances to step per tick, 1..4096 */
-    unsigned ramp;              /* ticks from full pace to standing in a hold */
+    unsigned ramp;              /* ticks from full pace to a stop in a hold */
     unsigned queue;             /* items, 1..32768 */
-    unsigned curves;            /* that its plan can hold, 4..4096; 0: it does not plan */
-    double   limit[LOFT_AXES][2];   /* of a machine without a board: mm at which the limit switches
-                                     * of the motors close, low and high */
-    const char *note;           /* lines to be added to the head of the record, or NULL */
-    double   noise;             /* of a million bits, how many are flipped on the line, each way */
+    unsigned curves;            /* curves that its plan can hold, 4..4096; 0: it does not plan */
+    double   limit[LOFT_AXES][2];   /* without a board: mm at which the limit switches of the motors
+                                     * close, low and high */
+    const char *note;           /* lines to add to the head of the record, or NULL */
+    double   noise;             /* flipped bits on the line per million, each way */
 };
 
-/* What `loft simulate` does without options: fast, 80 steps/mm, 1000 Hz, 40 slots, ramp 100, queue
- * 256, plan 64. */
+/* The defaults of `loft simulate`: fast, 80 steps/mm, 1000 Hz, 40 slots, ramp 100, queue 256, plan
+ * 64. */
 static inline struct loft_host_options loft_host_defaults(void)
 {
     struct loft_host_options o = { 0 };
@@ -69,19 +67,18 @@ static inline struct loft_host_options loft_host_defaults(void)
     return o;
 }
 
-/* Make a pseudo terminal, or open the port, print its name on standard output as `machine: NAME`,
+/* Make a pseudo terminal, or open the port. Print its name on standard output as `machine: NAME`,
  * and be the machine behind it until SIGINT, SIGTERM or, with `once`, the end of a job. A signal
- * stops the machine on the path first; the record is then complete.
+ * first stops the machine on the path; the record is then complete.
  *
- *   shape   gives 0 or an exit code of <sysexits.h> after one line on standard error
+ *   shape   returns 0 or an exit code of <sysexits.h> after one line on standard error
  *   record  CSV: lines `# key = value`, a line of column names, then `# job = 7c3e11d0` where a job
  *           begins, and per slot with pulses `slot,x,y,z`: the number of the slot since the start
  *           of the machine and the positions after it in steps */
 typedef int loft_host_simulator(const struct loft_host_options *o);
 
 #define loft_host_simulate LOFT_NAME(loft_host_simulate)
-loft_host_simulator loft_host_simulate;             /* of the number type that this file is compiled
-                                                     * with */
+loft_host_simulator loft_host_simulate;             /* in the number type of this compilation */
 #if LOFT_AXES == 3
 loft_host_simulator loft_host_simulate_q16x3, loft_host_simulate_f32x3, loft_host_simulate_f64x3;
 #endif

@@ -18,7 +18,7 @@
 
 #include "host/baud.h"      /* host_baud */
 
-#define AWAY_MS 200             /* between two attempts to open a port that has gone */
+#define AWAY_MS 200             /* between two attempts to open a vanished port */
 
 static int refuse(const char *what, const char *name)
 {
@@ -26,9 +26,9 @@ static int refuse(const char *what, const char *name)
     return EX_OSERR;
 }
 
-/* As long as it lives a machine locks the slave of its pseudo terminal, at the byte that is the
- * number of its link: the slave of a link that was left behind may be that of another machine by
- * now. flock is for the programs that talk to it. */
+/* A machine holds a lock on the slave of its pseudo terminal, at the byte with the inode number of
+ * its link. The slave of an abandoned link may belong to another machine by now. flock is for the
+ * programs that talk to the machine. */
 static struct flock lock_of(const struct stat *link)
 {
     struct flock lock;
@@ -53,8 +53,8 @@ static bool is_alive(const char *name, const struct stat *link)
     return held;
 }
 
-/* NULL: nothing is there, or the link of a machine that is gone, which is removed; else what is
- * there. */
+/* NULL: nothing is there, or it was the link of a machine that is gone, which is removed. Otherwise
+ * what is there. */
 static const char *clear_link(const char *link)
 {
     struct stat info;
@@ -67,7 +67,7 @@ static const char *clear_link(const char *link)
         return "is a file, not a link: give another --link";
     target[length] = '\0';
     if (strncmp(target, "/dev/pts/", 9) != 0)
-        return "is a link to something else than a simulated machine: remove it, or give another "
+        return "is a link to something other than a simulated machine: remove it, or give another "
                "--link";
     if (is_alive(target, &info))
         return "another simulated machine has this link: end it, or give another --link";
@@ -124,7 +124,7 @@ int host_line_open(struct host_line *l, const char *link, double noise)
 // A serial port
 // -------------
 
-/* Gives NULL, or what was not possible. */
+/* Returns NULL, or what failed. */
 static const char *open_serial(struct host_line *l)
 {
     struct termios t;
@@ -158,7 +158,7 @@ int host_line_serial(struct host_line *l, const char *port, unsigned baud)
     return trouble ? refuse(trouble, port) : 0;
 }
 
-/* A port that hung up is let go, and opened again when it is there. */
+/* A port that hung up is closed, and opened again when it is back. */
 static void renew_serial(struct host_line *l, bool gone)
 {
     if (gone && l->master >= 0) {

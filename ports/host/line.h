@@ -25,8 +25,7 @@
 #define host_line_drained   LOFT_NAME(host_line_drained)
 
 struct host_line {
-    int master, slave;          /* -1: none; a serial port is a master that is away while it is
-                                 * -1 */
+    int master, slave;          /* -1: none; a serial port is a master, -1 while it is away */
     const char *port;           /* a serial port, or NULL */
     unsigned baud;
     const char *link;           /* symbolic link to the slave, or NULL            */
@@ -35,21 +34,21 @@ struct host_line {
     uint64_t random;
 };
 
-/* Open a raw pseudo terminal; gives 0 or an exit code after one line on standard error. `noise`:
+/* Open a raw pseudo terminal. Returns 0 or an exit code after one line on standard error. `noise`:
  * see host.h. */
 int  host_line_open(struct host_line *l, const char *link, double noise);
 void host_line_close(struct host_line *l);
 
-/* Open a serial port, raw, 8N1, without touching its modem lines; results as above. No second
- * machine may have it. */
+/* Open a serial port, raw, 8N1, without touching its modem lines. Results as above. The port is
+ * locked against a second machine. */
 int  host_line_serial(struct host_line *l, const char *port, unsigned baud);
 
-/* As many bytes as there are or fit; never wait. */
+/* Read the waiting bytes, or write as many as fit; never wait. */
 size_t host_line_read(struct host_line *l, uint8_t *byte, size_t max);
 size_t host_line_write(struct host_line *l, const uint8_t *byte, size_t count);
 
-/* Wait until bytes can be read (or written, if `write`), `ms` have passed (negative: for ever), or
- * a signal that `during` lets through has come, or one of the `count` others has something. */
+/* Wait until bytes can be read (or written, if `write`), `ms` have passed (negative: no limit), a
+ * signal that `during` allows has come, or one of the `count` others is ready. */
 #define HOST_LINE_OTHERS 8
 void host_line_poll(struct host_line *l, bool write, int ms, const sigset_t *during,
                     struct pollfd *other, unsigned count);

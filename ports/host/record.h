@@ -1,4 +1,4 @@
-/* ports/host/record.h -- every pulse on paper
+/* ports/host/record.h -- a record of every pulse
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_HOST_RECORD_H
@@ -17,21 +17,20 @@
 
 struct host_record {
     FILE *file;                         /* NULL: nothing is written               */
-    int32_t position[LOFT_AXES];        /* counted here, from the pins alone      */
+    int32_t position[LOFT_AXES];        /* counted here, only from the pins       */
 };
 
-/* Begin the file that `o` names, with its header. Gives 0 or an exit code after one line on
- * standard error. */
+/* Begin the file of `o` with its header. Returns 0 or an exit code after one line on standard
+ * error. */
 int host_record_open(struct host_record *r, const struct loft_host_options *o);
 
-/* The pulses that follow are those of this job. */
+/* The pulses that follow belong to this job. */
 void host_record_job(struct host_record *r, uint32_t id);
 
-/* Note what the pins do in slot number `slot`. */
+/* Record the pins of slot number `slot`. */
 void host_record_slot(struct host_record *r, uint64_t slot, loft_pins pins);
 
-/* Write out what is buffered and close the file; gives 0 or an exit code after one line on standard
- * error. */
+/* Flush and close the file. Returns 0 or an exit code after one line on standard error. */
 int host_record_close(struct host_record *r, const struct loft_host_options *o);
 
 #endif

@@ -1,8 +1,7 @@
-/* ports/linux-gpio/gpio.h -- lines of a GPIO chip, whichever libgpiod there is: gpio_v1.c or
- * gpio_v2.c
- * SPDX-License-Identifier: MIT
+/* ports/linux-gpio/gpio.h -- lines of a GPIO chip, for both versions of libgpiod: gpio_v1.c,
+ * gpio_v2.c SPDX-License-Identifier: MIT
  *
- * Values are those of the pins, 0 low and 1 high. What fails leaves its reason in errno.
+ * Values are those of the pins, 0 low and 1 high. A function that fails sets errno.
  */
 #ifndef LOFT_GPIO_H
 #define LOFT_GPIO_H
@@ -28,25 +27,25 @@ void       gpio_chip_close(gpio_chip *chip);
 bool       gpio_chip_label(gpio_chip *chip, char label[GPIO_TEXT]);
 unsigned   gpio_chip_lines(gpio_chip *chip);
 
-/* The number of the line of that name; -1: there is none. */
+/* The number of the line of that name; -1 if there is none. */
 int        gpio_chip_find(gpio_chip *chip, const char *name);
 
-/* Is the line in use? Then `owner` says by whom ("?" if the kernel does not). */
+/* Is the line in use? Then `owner` is the consumer ("?" if the kernel does not say). */
 bool       gpio_chip_owner(gpio_chip *chip, unsigned offset, char owner[GPIO_TEXT]);
 
-/* Take `count` lines as outputs at once; bit i of `high` is what line offset[i] begins with. */
+/* Take `count` lines as outputs at once. Bit i of `high` is the initial value of line offset[i]. */
 gpio_request *gpio_outputs(gpio_chip *chip, const unsigned offset[], unsigned count, uint32_t high);
 
-/* Those lines of the request that `which` names (bit i: offset[i]) become what `high` says, all
- * with one call of the kernel; the others stay. Cost: one system call. */
+/* Set those lines of the request that `which` names (bit i: offset[i]) to the bits of `high`, all
+ * with one system call. The others stay. */
 bool          gpio_set(gpio_request *r, uint32_t which, uint32_t high);
 
-/* Take a line as an input whose edges are told, debounced if gpio_debounces. */
+/* Take a line as an input that reports edges, debounced if gpio_debounces. */
 gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
                          unsigned debounce_us);
 bool          gpio_debounces(void);
 int           gpio_fd(const gpio_request *r);       /* readable when there are edges          */
-bool          gpio_forget_edges(gpio_request *r);   /* take what is there off, without waiting */
+bool          gpio_forget_edges(gpio_request *r);   /* remove waiting edges, without waiting   */
 int           gpio_get(gpio_request *r);            /* 0, 1, or -1 if that failed              */
 
 void          gpio_release(gpio_request *r);

@@ -1,9 +1,9 @@
 /* ports/linux-gpio/gpio_v1.c -- gpio.h over libgpiod 1.x (tested with 1.6.3)
  * SPDX-License-Identifier: MIT
  *
- * A request of several lines writes all of them, whatever is asked for: gpiod_line_set_value on one
- * line of it drives the others low, and says that all went well. So each request keeps what its
- * lines are, and always writes that.
+ * A request of several lines always writes all of them: gpiod_line_set_value on one line of it
+ * drives the others low, and reports success. So each request keeps the values of its lines, and
+ * always writes all of them.
  */
 #include "linux-gpio/gpio.h"
 
@@ -15,7 +15,7 @@
 
 struct gpio_request {
     struct gpiod_line_bulk bulk;
-    int value[GPIO_LINES];      /* what the outputs are */
+    int value[GPIO_LINES];      /* the current values of the outputs */
 };
 
 const char *gpio_library(void) { return gpiod_version_string(); }

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #define CONSUMER "loft"
-#define EDGES    16             /* that are taken off at once */
+#define EDGES    16             /* the number read at once */
 
 struct gpio_request {
     struct gpiod_line_request *request;

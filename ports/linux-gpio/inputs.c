@@ -15,7 +15,7 @@ static int64_t now_ns(void)
     return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
 }
 
-/* A line that cannot be read counts as closed: a chip that has gone must stop the machine. */
+/* A line that cannot be read counts as closed: a vanished chip must stop the machine. */
 static bool is_closed(const struct inputs *in, unsigned i)
 {
     const int value = gpio_get(in->lines->input[i]);
@@ -32,7 +32,7 @@ void inputs_init(struct inputs *in, struct lines *lines, unsigned debounce_us)
             in->input[i].closed = is_closed(in, i);
 }
 
-/* Edges that the kernel had no room for do no harm: it is the line that is read in the end. */
+/* Edges that the kernel had no room for do no harm, because the line itself is read in the end. */
 static void take_edges(struct inputs *in, int64_t now)
 {
     for (unsigned i = 0; i < LINE_INPUTS; i++) {

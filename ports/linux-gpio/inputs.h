@@ -1,5 +1,4 @@
-/* ports/linux-gpio/inputs.h -- switches by their edges: what counts is one that closes and stays
- * closed
+/* ports/linux-gpio/inputs.h -- switches by their edges, debounced
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_INPUTS_H
@@ -9,26 +8,27 @@
 
 #include "linux-gpio/lines.h"
 
-/* A switch. Where the kernel debounces, an edge is a change that has lasted; else it counts when no
- * edge has come for that long. */
+/* A switch. If the kernel debounces, an edge is a steady change. Otherwise it counts when no edge
+ * has come for the debounce time. */
 struct input {
-    int64_t edge;               /* when one came last, in ns; 0: what it has become is known */
+    int64_t edge;               /* time of the last edge in ns; 0: the state is known */
     bool closed;
 };
 
 struct inputs {
     struct lines *lines;
-    unsigned quiet_us;          /* after which an edge was the last             */
-    bool lost;                  /* a chip no longer tells of edges              */
+    unsigned quiet_us;          /* the debounce time                            */
+    bool lost;                  /* a chip no longer reports edges               */
     struct input input[LINE_INPUTS];
 };
 
 void     inputs_init(struct inputs *in, struct lines *lines, unsigned debounce_us);
 
-/* Those that are closed for good: a sum of LOFT_INPUT_; a limit serves both ends of its axis. */
+/* The closed inputs, debounced: a sum of LOFT_INPUT_. A limit serves both ends of its axis. */
 uint16_t inputs_closed(struct inputs *in);
 
-/* What to poll for; *ms becomes less if inputs_closed is to be called sooner. Gives the count. */
+/* The files to poll; *ms is lowered if inputs_closed must be called sooner. Returns their number.
+ * */
 unsigned inputs_watch(struct inputs *in, struct pollfd fd[LINE_INPUTS], int *ms);
 
 #endif

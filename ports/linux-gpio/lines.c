@@ -19,7 +19,7 @@ static int refuse(const struct line_wanted *w, int code, const char *trouble, co
     return code;
 }
 
-/* What errno asks for. */
+/* Print the remedy for errno. */
 static int refused(const struct line_wanted *w, const char *path)
 {
     const int error = errno;
@@ -38,7 +38,7 @@ static int refused(const struct line_wanted *w, const char *path)
 // Finding
 // -------
 
-/* The chip behind a path, opened once; -1 after one line on standard error. */
+/* The chip at a path, opened once; -1 after one line on standard error. */
 static int chip_at(struct lines *l, const struct line_wanted *w, const char *path)
 {
     for (unsigned i = 0; i < l->chips; i++)
@@ -70,7 +70,7 @@ static bool has_label(gpio_chip *chip, const char *label)
     return gpio_chip_label(chip, is) && strcmp(is, label) == 0;
 }
 
-/* Look through all chips for a label or, with `line`, for the name of a line; more than one is as
+/* Search all chips for a label or, with `line`, for the name of a line. More than one match is as
  * bad as none. */
 static bool look_through(const struct line_wanted *w, const char *label, const char *line,
                          char path[40])
@@ -111,8 +111,8 @@ static bool is_number(const char *text)
     return *text && text[strspn(text, "0123456789")] == 0 && strlen(text) < 6;
 }
 
-/* Which chip (its number in `l`) and which line of it? -1: none, after one line on standard
- * error. */
+/* Find the chip (its number in `l`) and the line on it. -1 after one line on standard error if
+ * there is none. */
 static int find(struct lines *l, const struct settings *s, const struct line_wanted *w,
                 unsigned *offset)
 {
@@ -146,7 +146,8 @@ static int find(struct lines *l, const struct settings *s, const struct line_wan
 // Taking
 // ------
 
-/* Is it free? Asked before, since a request of many lines does not say which was refused. */
+/* Is it free? This is checked first, because a request of many lines does not say which is refused.
+ * */
 static int check_free(struct lines *l, const struct line_wanted *w, int chip, unsigned offset)
 {
     char owner[GPIO_TEXT], text[200];
@@ -198,7 +199,7 @@ static int place_output(struct lines *l, const struct settings *s, unsigned numb
     return 0;
 }
 
-/* Bits of outputs become those of the request's lines. */
+/* Map bits of outputs to bits of the request's lines. */
 static uint32_t of_part(const struct lines_part *p, uint32_t bits)
 {
     uint32_t out = 0;

@@ -1,5 +1,4 @@
-/* ports/linux-gpio/lines.h -- the machine's lines, found and taken; outputs by bits, whatever chips
- * they are on
+/* ports/linux-gpio/lines.h -- the machine's lines: found and taken; outputs as bits on any chips
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_LINES_H
@@ -7,7 +6,7 @@
 
 #include "linux-gpio/settings.h"
 
-#define LINES_CHIPS 4           /* different ones */
+#define LINES_CHIPS 4           /* the largest number of chips */
 
 /* The outputs of one chip: one request, so that they change with one system call. */
 struct lines_part {
@@ -27,16 +26,16 @@ struct lines {
     bool input_low[LINE_INPUTS];
 };
 
-/* Find all lines that are wanted and take them: outputs inactive, inputs with edges. `look` only
- * says what they are, and who has them. Gives 0, or an exit code after one line on standard error;
- * either way lines_close gives everything back. */
+/* Find all wanted lines and take them: outputs inactive, inputs with edges. `look` only prints what
+ * they are and who has them. Returns 0, or an exit code after one line on standard error. In either
+ * case lines_close releases everything. */
 int  lines_open(struct lines *l, const struct settings *s, bool look);
 
-/* Outputs `which` become active (bit set in `on`) or inactive. Gives false if a chip did not
- * obey. */
+/* Set outputs `which` active (bit set in `on`) or inactive. Returns false if a chip did not obey.
+ * */
 bool lines_set(struct lines *l, uint32_t which, uint32_t on);
 
-/* All outputs inactive, all lines given back. What a line is from then on its chip decides. */
+/* Set all outputs inactive and release all lines. The chip decides their state from then on. */
 void lines_close(struct lines *l);
 
 #endif

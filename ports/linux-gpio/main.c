@@ -1,7 +1,7 @@
 /* ports/linux-gpio/main.c -- loft-gpio: a machine on the GPIO lines of a Linux board
  * SPDX-License-Identifier: MIT
  *
- * The machine is that of ports/host; here are its board and the command line.
+ * ports/host has the machine; this file has its board and the command line.
  */
 #include <errno.h>
 #include <sched.h>
@@ -32,9 +32,8 @@ struct gpio_board {
 
 static struct gpio_board *of(struct loft_board *b) { return (struct gpio_board *)b; }
 
-/* The thread has the higher priority: the main loop may take the time that is left. All memory is
- * there by now, so that which comes later need not be locked, for which an account may have too
- * little. */
+/* The thread has the higher priority; the main loop may use the rest of the time. All memory is
+ * allocated by now, so later memory need not be locked; an account may be allowed too little. */
 static void make_real_time(unsigned priority)
 {
     const struct sched_param half = { .sched_priority = (int)(priority + 1) / 2 };
@@ -45,8 +44,7 @@ static void make_real_time(unsigned priority)
                 "with `ulimit -l unlimited`\n",
                 strerror(errno));
     if (priority)
-        sched_setscheduler(0, SCHED_FIFO, &half);       /* the thread tells if that is not
-                                                         * allowed */
+        sched_setscheduler(0, SCHED_FIFO, &half);       /* the thread reports a refusal */
 }
 
 static int begin(struct loft_board *b, uint32_t slot_hz, uint32_t most)
@@ -140,7 +138,7 @@ static int usage(const char *trouble, const char *what)
     return EX_USAGE;
 }
 
-/* Gives -1 to go on, or an exit code. */
+/* Returns -1 to continue, or an exit code. */
 static int take_arguments(struct settings *s, int argc, char **argv, bool *look)
 {
     for (int i = 1; i < argc; i++) {
@@ -168,7 +166,7 @@ static int take_arguments(struct settings *s, int argc, char **argv, bool *look)
     return -1;
 }
 
-/* Each axis whole or not at all, and one at least; slots that a thread can tell apart. */
+/* Each axis has both lines or none, and there is one axis at least. The slot rate is limited. */
 static int check_settings(const struct settings *s)
 {
     const double slot_hz = (double)s->host.tick_hz * s->host.slots;

@@ -1,9 +1,9 @@
 /* ports/linux-gpio/pulses.c
  * SPDX-License-Identifier: MIT
  *
- * Main loop and thread meet in `head` and `given`, written by one of them each. The thread sleeps
- * on `wake` when the ring is empty; `waiting` says so, and whoever takes it back posts. When it
- * wakes after that, time begins anew: the slot behind the last one given is due now.
+ * Main loop and thread share `head` and `given`; each is written by one side. The thread sleeps on
+ * `wake` when the ring is empty. `waiting` says so, and the side that clears it posts. After such a
+ * sleep time begins anew: the slot after the last given one is due now.
  */
 #include "linux-gpio/pulses.h"
 
@@ -16,7 +16,7 @@
 #include <sysexits.h>
 #include <time.h>
 
-#define SPIN_NS 50000           /* waits that are shorter do not sleep */
+#define SPIN_NS 50000           /* shorter waits do not sleep          */
 #define STACK   65536           /* of the thread, all of it locked     */
 
 static const int64_t bound_us[PULSES_BINS - 1] = { 10, 20, 50, 100, 200, 500, 1000, 2000, 5000 };
@@ -31,7 +31,7 @@ static int64_t now_ns(void)
     return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
 }
 
-/* Gives what time it is then. */
+/* Returns the time after the wait. */
 static int64_t wait_until(int64_t when)
 {
     const struct timespec t = { .tv_sec = (time_t)(when / 1000000000),
@@ -53,7 +53,7 @@ static int64_t most(int64_t a, int64_t b) { return a > b ? a : b; }
 // The thread
 // ----------
 
-/* From slot 0 on; exact for 2^64 slots. */
+/* The time since slot 0; exact for 2^64 slots. */
 static int64_t time_of(const struct pulses *p, uint64_t slot)
 {
     return (int64_t)(slot / p->slot_hz) * 1000000000 +
@@ -66,7 +66,7 @@ static void set(struct pulses *p, uint32_t which, uint32_t on)
         STORE(p->broken, true);
 }
 
-/* Something was done `late` behind its time. */
+/* Something was done `late` ns after its time. */
 static void note_late(struct pulses *p, int64_t late)
 {
     if (late > p->slot_ns) {
@@ -87,7 +87,7 @@ static void count_pulse(struct pulses *p, int64_t late)
     p->late.worst_ns = most(p->late.worst_ns, late);
 }
 
-/* Direction: not before the step lines have been low for setup_ns. */
+/* Set the direction, but not before the step lines have been low for setup_ns. */
 static void turn(struct pulses *p, int64_t due, uint8_t dir)
 {
     const int64_t now = wait_until(most(due, p->fell + p->setup_ns));
@@ -98,10 +98,10 @@ static void turn(struct pulses *p, int64_t due, uint8_t dir)
     note_late(p, now - due);
 }
 
-/* A pulse: not before the direction has stood for setup_ns, nor half a slot after the last, nor the
- * lines have been low for long enough. Where the thread lost the processor after it had looked at
- * the clock (calls take less than two slots), the pulse is as late as it is seen to be high, and
- * what follows counts from there. */
+/* Give a pulse. It waits until the direction has been stable for setup_ns, until half a slot after
+ * the last pulse, and until the lines have been low for long enough. The thread may lose the
+ * processor after it has read the clock (calls take less than two slots). Then the pulse is as late
+ * as its rising edge was seen, and what follows counts from there. */
 static void pulse(struct pulses *p, int64_t due, uint8_t step)
 {
     const int64_t now = wait_until(most(most(due, p->turned + p->setup_ns),
@@ -192,7 +192,7 @@ int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s
     p->pulse_ns = s->pulse_us * INT64_C(1000);
     p->setup_ns = s->setup_us * INT64_C(1000);
     p->priority = s->priority;
-    /* what happens in each, and the last of each portion */
+    /* an entry for each slot, and one more for the last of each portion */
     for (p->room = 2; p->room <= 2 * most_slots; p->room *= 2) {
     }
     p->ring = calloc(p->room, sizeof *p->ring);
@@ -212,8 +212,8 @@ static void append(struct pulses *p, uint64_t slot, loft_pins pins)
     STORE(p->head, p->head + 1);
 }
 
-/* The thread is told of a slot without pulses once per millisecond, and of the last one: so the
- * main loop learns how far it is. */
+/* The thread gets a slot without pulses once per millisecond, and the last one. So the main loop
+ * learns its progress. */
 void pulses_put(struct pulses *p, uint64_t slot, loft_pins pins)
 {
     p->put = slot + 1;

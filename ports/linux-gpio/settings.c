@@ -13,18 +13,18 @@
 
 static const char axes[] = "xyzabc";
 
-// What there is
-// -------------
+// The keys
+// --------
 
 enum kind { OUTPUT, INPUT, REAL, WHOLE, TEXT };
 
-/* A key. With `axes` it is written x.KEY, y.KEY ..; a number also without, for all axes. */
+/* A key. With `axes` it is written x.KEY, y.KEY ..; a number may also be KEY, for all axes. */
 struct row {
     const char *key;
     enum kind   kind;
     bool        axes;
-    size_t      at;             /* number of the line, or place in struct settings */
-    double      least, most;    /* TEXT: room                                      */
+    size_t      at;             /* number of the line, or offset in struct settings */
+    double      least, most;    /* TEXT: least is the room                         */
     const char *what;
 };
 
@@ -119,8 +119,8 @@ static int wrong(const char *where, const char *key, const char *value, const ch
     return EX_DATAERR;
 }
 
-/* `LINE` or `CHIP:LINE`, the last colon counts: labels have some. Then low, up, down in any
- * order. */
+/* `LINE` or `CHIP:LINE`. The last colon counts, because labels may contain colons. Then low, up,
+ * down in any order. */
 static int take_line(struct line_wanted *to, const struct row *k, const char *where,
                      const char *key, const char *value)
 {
@@ -194,7 +194,7 @@ static int take_value(struct settings *s, const struct row *k, int axis, const c
     }
 }
 
-/* Both kinds of `enable` are found by whether an axis stands before the key. */
+/* The axis in front of the key tells the two kinds of `enable` apart. */
 static const struct row *find(const char *key, bool axis)
 {
     for (size_t i = 0; i < ROWS; i++)
@@ -204,7 +204,7 @@ static const struct row *find(const char *key, bool axis)
     return NULL;
 }
 
-/* Copy without the spaces at both ends; gives false if it is too long. */
+/* Copy without the spaces at both ends. Returns false if it is too long. */
 static bool trim(char *to, size_t room, const char *from, size_t length)
 {
     while (length && isspace((unsigned char)*from))

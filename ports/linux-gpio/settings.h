@@ -1,5 +1,5 @@
-/* ports/linux-gpio/settings.h -- what the machine is and where its lines are: `key = value`, in
- * files and as arguments
+/* ports/linux-gpio/settings.h -- the machine's settings and lines: `key = value`, in files and as
+ * arguments
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_SETTINGS_H
@@ -21,7 +21,7 @@
 #define LINE_LIMIT      3
 #define LINE_INPUTS     (LINE_LIMIT + LOFT_AXES)
 
-/* A line as it was asked for. */
+/* A line as specified. */
 struct line_wanted {
     char key[24];               /* "x.step"; "": not wanted                */
     char chip[GPIO_TEXT];       /* label, name or path; "": see `chip`     */
@@ -40,13 +40,14 @@ struct settings {
 
 struct settings settings_usual(void);
 
-/* `key = value`. Gives 0 or EX_DATAERR after one line on standard error, which `where` begins. */
+/* Read `key = value`. Returns 0, or EX_DATAERR after one line on standard error that begins with
+ * `where`. */
 int settings_take(struct settings *s, const char *where, const char *text);
 
-/* A file of such lines, `#` begins a comment. */
+/* Read a file of such lines. `#` begins a comment. */
 int settings_read(struct settings *s, const char *path);
 
-/* What there is, for --help, with these as what is usual. */
+/* Print all keys for --help, with these defaults. */
 void settings_print(const struct settings *usual);
 
 #endif

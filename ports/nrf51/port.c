@@ -48,7 +48,7 @@ static loft_machine_config config = {
 static const uint8_t step_pin[3] = { 3, 2, 1 }, dir_pin[3] = { 18, 20, 16 },
                      in_pin[3] = { 11, 17, 26 };
 
-/* Wait for an event, but not for ever. */
+/* Wait for an event, but not forever. */
 static bool came(uint32_t address)
 {
     for (uint32_t left = 20000; left; left--)
@@ -136,15 +136,15 @@ void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
     }
 }
 
-/* The event is cleared before the byte is taken: RXD shows the next of six, and the event comes
- * again for it. */
+/* The event is cleared before the byte is read. RXD then shows the next of six bytes, and the event
+ * occurs again for it. */
 void cortex_line(void)
 {
     REG(UART + 0x108) = 0;
     loft_port_byte((uint8_t)REG(UART + 0x518));
 }
 
-/* TXDRDY comes when the byte before has gone; there is none before the first. */
+/* TXDRDY is set when the last byte is sent. Before the first byte there is none. */
 size_t loft_port_write(const uint8_t *bytes, size_t count)
 {
     static bool busy;

@@ -1,10 +1,10 @@
-/* ports/riscv-virt/port.c -- RISC-V (rv32imac) as QEMU's board `virt` has it: three axes
+/* ports/riscv-virt/port.c -- RISC-V (rv32imac), QEMU's board `virt`: three axes
  * SPDX-License-Identifier: MIT
  *
- * It has a serial line (an NS16550 at 0x10000000) and timers, but no pins: `pins` stands for them.
- * Whoever watches its addresses sees each pulse: pins[step + 8 * dir] is written when pins are set.
- * The slot is the timer's interrupt; it asks for the software interrupt, which computes the tick
- * with interrupts enabled.
+ * It has a serial line (an NS16550 at 0x10000000) and timers, but no pins; the array `pins`
+ * replaces them. A program that watches its addresses sees each pulse: pins[step + 8 * dir] is
+ * written when pins are set. The slot is the timer interrupt. It requests the software interrupt,
+ * which computes the tick with interrupts enabled.
  */
 #include "port.h"
 
@@ -41,7 +41,7 @@ static uint32_t period;
 static uint64_t due;
 
 extern volatile uint8_t pins[64];
-/* what the start clears would look like pulses */
+/* if the start cleared it, that would look like pulses */
 volatile uint8_t pins[64] __attribute__((section(".noinit")));
 
 #define CSR_SET(name, bits)                                                                        \
@@ -70,7 +70,7 @@ volatile uint8_t pins[64] __attribute__((section(".noinit")));
 
 static void set_due(void)
 {
-    REG(CMP + 4) = 0xFFFFFFFF;          /* never in between */
+    REG(CMP + 4) = 0xFFFFFFFF;          /* no match while it is half written */
     REG(CMP) = (uint32_t)due;
     REG(CMP + 4) = (uint32_t)(due >> 32);
 }
@@ -83,7 +83,7 @@ static void slot(void)
     REG(MSIP) = 1;
 }
 
-/* Interruptible by slots and the line, not by itself. */
+/* Slots and the line may interrupt it, but not the tick itself. */
 static void tick(void)
 {
     uint32_t epc, status;

@@ -16,7 +16,7 @@
 #  define LOFT_BAUD 115200
 #endif
 #ifndef LOFT_CRYSTAL
-/* MHz, a whole number; without one the clock is that inside, 1 % */
+/* MHz, a whole number; without a crystal the internal clock is used, 1 % */
 #  define LOFT_CRYSTAL 8
 #endif
 #define CORE    168000000u          /* Hz */
@@ -49,7 +49,7 @@ static loft_machine_config config = {
     .cells = CELLS
 };
 
-/* Wait for `bits` in a register, but not for ever: an emulator may not have it. */
+/* Wait for `bits` in a register, but not forever: an emulator may lack it. */
 static bool came(uint32_t address, uint32_t bits)
 {
     for (uint32_t left = 20000; left; left--)
@@ -58,7 +58,7 @@ static bool came(uint32_t address, uint32_t bits)
     return false;
 }
 
-/* Crystal (or the clock inside, 16 MHz) to 168 MHz; APB1 at a quarter, APB2 at half. */
+/* Crystal (or the internal clock, 16 MHz) to 168 MHz; APB1 at a quarter, APB2 at half. */
 static void set_clock(void)
 {
     bool crystal;
@@ -132,7 +132,7 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return 1;
 }
 
-/* An emulator without this port keeps no pull-ups, and has no switches. */
+/* An emulator without this port does not keep pull-ups, and has no switches. */
 uint16_t loft_port_inputs(void)
 {
     return (REG(GPIOC + 0x0C) & 0xFFFu) == PULLED_UP ? loft_switches_of(~REG(GPIOC + 0x10)) : 0;

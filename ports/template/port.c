@@ -21,8 +21,8 @@ static loft_machine_config config = {
     .cells = LOFT_MACHINE_QUEUE
 };
 
-/* Set the clock, make the step and direction pins outputs, open the serial line at the rate that
- * the host uses, let its receive interrupt give each byte to loft_port_byte. */
+/* Set up the clock. Make the step and direction pins outputs. Open the serial line at the host's
+ * rate, and let its receive interrupt pass each byte to loft_port_byte. */
 loft_machine_config *loft_port_init(void)
 {
     for (int i = 1; i < LOFT_AXES; i++)
@@ -42,7 +42,7 @@ void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
     (void)dir_bits;
 }
 
-/* Put into the transmitter as much as fits. */
+/* Put as many bytes into the transmitter as fit. */
 size_t loft_port_write(const uint8_t *bytes, size_t count)
 {
     (void)bytes;
