@@ -18,31 +18,32 @@
  * that. */
 
 /* a - b of two coordinates */
-static loft_exact gap(loft_real a, loft_real b)
+static loft_exact coordinate_gap(loft_real a, loft_real b)
 {
     return loft_exact_sub(loft_exact_from_real(a), loft_exact_from_real(b));
 }
 
 /* - f_i (t_j - t_k) */
-static loft_exact weight(const loft_parabola *p, int i)
+static loft_exact newton_weight(const loft_parabola *p, int i)
 {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    return loft_exact_mul(loft_exact_from_real(p->f[i]), gap(p->t[k], p->t[j]));
+    return loft_exact_mul(loft_exact_from_real(p->f[i]), coordinate_gap(p->t[k], p->t[j]));
 }
 
 /* D */
-static loft_exact spread(const loft_parabola *p)
+static loft_exact parabola_denominator(const loft_parabola *p)
 {
-    return loft_exact_mul(gap(p->t[0], p->t[1]),
-                          loft_exact_mul(gap(p->t[1], p->t[2]), gap(p->t[2], p->t[0])));
+    return loft_exact_mul(
+        coordinate_gap(p->t[0], p->t[1]),
+                          loft_exact_mul(coordinate_gap(p->t[1], p->t[2]), coordinate_gap(p->t[2], p->t[0])));
 }
 
 /* x / D * 2^shift, rounded to a coordinate if it fits */
-static bool over_spread(const loft_parabola *p, loft_exact x, int shift, loft_real *out)
+static bool over_denominator(const loft_parabola *p, loft_exact x, int shift, loft_real *out)
 {
     loft_acc y;
 
-    if (!loft_exact_quot(x, spread(p), shift, &y) || !loft_acc_valid(y))
+    if (!loft_exact_quot(x, parabola_denominator(p), shift, &y) || !loft_acc_valid(y))
         return false;
     *out = loft_acc_round(y);
     return true;
@@ -54,7 +55,7 @@ enum loft_status loft_parabola_init(loft_parabola *p, const loft_real t[3], cons
         if (!loft_exact_valid(t[i]) || !loft_exact_valid(f[i]))
             return LOFT_ERR_RANGE;
     for (int i = 0; i < 3; i++)
-        if (loft_exact_sign(gap(t[i], t[(i + 1) % 3])) == 0)
+        if (loft_exact_sign(coordinate_gap(t[i], t[(i + 1) % 3])) == 0)
             return LOFT_SINGULAR;
     for (int i = 0; i < 3; i++) {
         p->t[i] = t[i];
@@ -64,7 +65,8 @@ enum loft_status loft_parabola_init(loft_parabola *p, const loft_real t[3], cons
 }
 
 /* The blossom: (t - t_j) (t - t_k) becomes half of (u - t_j) (v - t_k) + (u - t_k) (v - t_j). */
-static enum loft_status blossom(const loft_parabola *p, loft_real u, loft_real v, loft_real *out)
+static enum loft_status parabola_blossom(const loft_parabola *p, loft_real u, loft_real v,
+                                         loft_real *out)
 {
     loft_exact sum = loft_exact_from_int(0);
 
@@ -72,16 +74,16 @@ static enum loft_status blossom(const loft_parabola *p, loft_real u, loft_real v
         return LOFT_ERR_RANGE;
     for (int i = 0; i < 3; i++) {
         const loft_real tj = p->t[(i + 1) % 3], tk = p->t[(i + 2) % 3];
-        const loft_exact one = loft_exact_mul(gap(u, tj), gap(v, tk)),
-                         two = loft_exact_mul(gap(u, tk), gap(v, tj));
-        sum = loft_exact_add(sum, loft_exact_mul(weight(p, i), loft_exact_add(one, two)));
+        const loft_exact one = loft_exact_mul(coordinate_gap(u, tj), coordinate_gap(v, tk)),
+                         two = loft_exact_mul(coordinate_gap(u, tk), coordinate_gap(v, tj));
+        sum = loft_exact_add(sum, loft_exact_mul(newton_weight(p, i), loft_exact_add(one, two)));
     }
-    return over_spread(p, sum, -LOFT_EXACT_REAL - 1, out) ? LOFT_OK : LOFT_ERR_RANGE;
+    return over_denominator(p, sum, -LOFT_EXACT_REAL - 1, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_parabola_eval(const loft_parabola *p, loft_real t, loft_real *out)
 {
-    return blossom(p, t, t, out);
+    return parabola_blossom(p, t, t, out);
 }
 
 /* (t - t_j) + (t - t_k) for the product of both */
@@ -92,11 +94,11 @@ enum loft_status loft_parabola_deriv(const loft_parabola *p, loft_real t, loft_r
     if (!loft_exact_valid(t))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < 3; i++) {
-        const loft_exact factor = loft_exact_add(gap(t, p->t[(i + 1) % 3]),
-                                                 gap(t, p->t[(i + 2) % 3]));
-        sum = loft_exact_add(sum, loft_exact_mul(weight(p, i), factor));
+        const loft_exact factor = loft_exact_add(coordinate_gap(t, p->t[(i + 1) % 3]),
+                                                 coordinate_gap(t, p->t[(i + 2) % 3]));
+        sum = loft_exact_add(sum, loft_exact_mul(newton_weight(p, i), factor));
     }
-    return over_spread(p, sum, 0, out) ? LOFT_OK : LOFT_ERR_RANGE;
+    return over_denominator(p, sum, 0, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
 /* (t - t_j) (t - t_k) = t_j t_k - (t_j + t_k) t + t^2 */
@@ -107,7 +109,7 @@ enum loft_status loft_parabola_power(const loft_parabola *p, loft_real a[3])
     for (int m = 0; m < 3; m++)
         sum[m] = loft_exact_from_int(0);
     for (int i = 0; i < 3; i++) {
-        const loft_exact w = weight(p, i);
+        const loft_exact w = newton_weight(p, i);
         const loft_exact tj = loft_exact_from_real(p->t[(i + 1) % 3]),
                          tk = loft_exact_from_real(p->t[(i + 2) % 3]);
         sum[0] = loft_exact_add(sum[0], loft_exact_mul(w, loft_exact_mul(tj, tk)));
@@ -115,7 +117,7 @@ enum loft_status loft_parabola_power(const loft_parabola *p, loft_real a[3])
         sum[2] = loft_exact_add(sum[2], w);
     }
     for (int m = 0; m < 3; m++)
-        if (!over_spread(p, sum[m], (m - 1) * LOFT_EXACT_REAL, &a[m]))
+        if (!over_denominator(p, sum[m], (m - 1) * LOFT_EXACT_REAL, &a[m]))
             return LOFT_ERR_RANGE;
     return LOFT_OK;
 }
@@ -123,12 +125,12 @@ enum loft_status loft_parabola_power(const loft_parabola *p, loft_real a[3])
 enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from, loft_real to,
                                          loft_real c[3])
 {
-    enum loft_status status = blossom(p, from, from, &c[0]);
+    enum loft_status status = parabola_blossom(p, from, from, &c[0]);
 
     if (status == LOFT_OK)
-        status = blossom(p, from, to, &c[1]);
+        status = parabola_blossom(p, from, to, &c[1]);
     if (status == LOFT_OK)
-        status = blossom(p, to, to, &c[2]);
+        status = parabola_blossom(p, to, to, &c[2]);
     return status;
 }
 
@@ -179,7 +181,7 @@ void loft_ends5_bernstein(const loft_acc e[6], loft_acc c[6])
 
 /* The k-th derivative at t of the polynomial with the coefficients c[0..degree], which are used
  * up. */
-static loft_acc derivative(loft_acc c[], unsigned degree, unsigned k, loft_unit t)
+static loft_acc bernstein_derivative(loft_acc c[], unsigned degree, unsigned k, loft_unit t)
 {
     if (k > degree)
         return 0;
@@ -200,7 +202,7 @@ loft_acc loft_ends3_deriv(const loft_acc e[4], unsigned k, loft_unit t)
     c[0] = e[2];
     c[1] = 3 * (e[1] - e[0]) - e[2] - e[3];
     c[2] = e[3];
-    return derivative(c, 2, k - 1, t);
+    return bernstein_derivative(c, 2, k - 1, t);
 }
 
 loft_acc loft_ends5_deriv(const loft_acc e[6], unsigned k, loft_unit t)
@@ -216,5 +218,5 @@ loft_acc loft_ends5_deriv(const loft_acc e[6], unsigned k, loft_unit t)
     c[2] = 5 * (e[1] - e[0]) - 2 * (e[2] + e[3]) - loft_acc_ratio(e[4] - e[5], 4);
     c[3] = e[3] - loft_acc_ratio(e[5], 4);
     c[4] = e[3];
-    return derivative(c, 4, k - 1, t);
+    return bernstein_derivative(c, 4, k - 1, t);
 }

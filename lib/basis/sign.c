@@ -41,7 +41,7 @@ static loft_exact twice(loft_exact x) { return loft_exact_add(x, x); }
  *
  * a quadratic in k: f(0) = m (m - 1) a0, f(1) - f(0) = 2 (m - 1) (a1 - a0), second difference 2 d
  * with d = a0 - 2 a1 + a2. Are all of them > 0? All values are below 62 * 61 * 2^R. */
-static bool raised_is_positive(const loft_exact a[3], loft_exact d, int32_t m)
+static bool elevated_is_positive(const loft_exact a[3], loft_exact d, int32_t m)
 {
     loft_exact f    = loft_exact_mul(loft_exact_from_int(m * (m - 1)), a[0]);
     loft_exact step = loft_exact_mul(loft_exact_from_int(2 * (m - 1)), loft_exact_sub(a[1], a[0]));
@@ -55,10 +55,10 @@ static bool raised_is_positive(const loft_exact a[3], loft_exact d, int32_t m)
     return true;
 }
 
-static int8_t raises(const loft_exact a[3], loft_exact d)
+static int8_t elevations_needed(const loft_exact a[3], loft_exact d)
 {
     for (int8_t r = 0; r <= LOFT_ELEVATIONS_MAX; r++)
-        if (raised_is_positive(a, d, r + 2))
+        if (elevated_is_positive(a, d, r + 2))
             return r;
     return -1;
 }
@@ -80,12 +80,12 @@ enum loft_status loft_quadratic_sign(const loft_real a[3], loft_sign *out)
     const loft_exact d = loft_exact_add(loft_exact_sub(x[0], twice(x[1])), x[2]);
     const int sign = quadratic_sign(x);
 
-    out->least = a[0] < a[2] ? a[0] : a[2];
+    out->min = a[0] < a[2] ? a[0] : a[2];
     if (has_vertex_inside(x) && loft_exact_quot(discriminant(x), d, -LOFT_EXACT_REAL, &vertex))
-        out->least = loft_acc_round(vertex);
+        out->min = loft_acc_round(vertex);
     out->nonnegative = sign >= 0;
     out->positive = sign > 0;
-    out->raises = sign > 0 ? raises(x, d) : -1;
+    out->elevations = sign > 0 ? elevations_needed(x, d) : -1;
     return LOFT_OK;
 }
 

@@ -19,8 +19,8 @@ LOFT_BEGIN_C
 typedef struct {
     bool nonnegative;   /* >= 0 on 0..1, the ends included                                      */
     bool positive;      /* > 0 on 0..1, the ends included                                       */
-    loft_real least;    /* the minimum on 0..1, rounded                                         */
-    int8_t raises;      /* so many degree raises make all coefficients > 0; -1 for none up to 60 */
+    loft_real min;    /* the minimum on 0..1, rounded                                         */
+    int8_t elevations;      /* so many degree raises make all coefficients > 0; -1 for none up to 60 */
 } loft_sign;
 
 /* The sign of the polynomial of degree 2 with Bernstein coefficients a[0..2].

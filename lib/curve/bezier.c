@@ -12,10 +12,10 @@
  */
 #include "curve/bezier.h"
 
-static bool extends(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
+static bool parameter_valid(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
 
 /* Round to a coordinate, if it fits. */
-static bool take(loft_acc x, loft_real *out)
+static bool round_coordinate(loft_acc x, loft_real *out)
 {
     if (!loft_acc_valid(x))
         return false;
@@ -23,16 +23,16 @@ static bool take(loft_acc x, loft_real *out)
     return true;
 }
 
-static void widen(const loft_vec p[], unsigned degree, int axis, loft_acc c[])
+static void widen_axis(const loft_vec p[], unsigned degree, int axis, loft_acc c[])
 {
     for (unsigned k = 0; k <= degree; k++)
         c[k] = loft_to_acc(p[k].axis[axis]);
 }
 
-static bool take_all(const loft_acc c[], unsigned degree, int axis, loft_vec out[])
+static bool round_axis(const loft_acc c[], unsigned degree, int axis, loft_vec out[])
 {
     for (unsigned k = 0; k <= degree; k++)
-        if (!take(c[k], &out[k].axis[axis]))
+        if (!round_coordinate(c[k], &out[k].axis[axis]))
             return false;
     return true;
 }
@@ -61,7 +61,7 @@ loft_vec loft_bezier_eval(const loft_bezier *b, loft_unit t)
 
     t = loft_unit_clamp(t);
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(b->p, b->degree, i, c);
+        widen_axis(b->p, b->degree, i, c);
         v.axis[i] = loft_acc_round(loft_bernstein_eval(c, b->degree, t));
     }
     return v;
@@ -73,7 +73,7 @@ enum loft_status loft_bezier_extrapolate(const loft_bezier *b, loft_unit t, loft
 }
 
 /* c[0..degree] to its differences c[0..degree-1] */
-static void difference(loft_acc c[], unsigned degree)
+static void difference_row(loft_acc c[], unsigned degree)
 {
     for (unsigned i = 0; i < degree; i++)
         c[i] = c[i+1] - c[i];
@@ -90,18 +90,18 @@ enum loft_status loft_bezier_deriv(const loft_bezier *b, unsigned k, loft_unit t
     loft_vec v = { { 0 } };
     int32_t factor = 1;
 
-    if (!extends(t))
+    if (!parameter_valid(t))
         return LOFT_ERR_ARG;
     for (unsigned j = 0; j < k; j++)
         factor = j < b->degree ? factor * (int32_t)(b->degree - j) : 0;
 
     const loft_acc limit = factor ? 2 * loft_acc_ratio(loft_to_acc(LOFT_REAL_MAX), factor) : 0;
     for (int i = 0; i < LOFT_AXES && factor; i++) {
-        widen(b->p, b->degree, i, c);
+        widen_axis(b->p, b->degree, i, c);
         for (unsigned m = b->degree; m > b->degree - k; m--)
-            difference(c, m);
+            difference_row(c, m);
         const loft_acc d = loft_bernstein_eval(c, b->degree - k, t);
-        if (!(d >= -limit && d <= limit) || !take(d * factor, &v.axis[i]))
+        if (!(d >= -limit && d <= limit) || !round_coordinate(d * factor, &v.axis[i]))
             return LOFT_ERR_RANGE;
     }
     *out = v;
@@ -117,18 +117,18 @@ enum loft_status loft_bezier_from_edges(const loft_vec a[], unsigned degree, lof
     loft_acc c[LOFT_DEGREE_MAX + 1];
     loft_vec v;
 
-    if (degree > LOFT_DEGREE_MAX || !extends(t))
+    if (degree > LOFT_DEGREE_MAX || !parameter_valid(t))
         return LOFT_ERR_ARG;
     const bool narrow = degree > 7 && (t < 0 || t > LOFT_UNIT(1));
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(a, degree, i, c);
+        widen_axis(a, degree, i, c);
         for (unsigned k = 1; k <= degree; k++) {
             c[k] += c[k-1];
             if (narrow && !loft_acc_valid(c[k]))
                 return LOFT_ERR_RANGE;
         }
-        if (!take(loft_bernstein_eval(c, degree, t), &v.axis[i]))
+        if (!round_coordinate(loft_bernstein_eval(c, degree, t), &v.axis[i]))
             return LOFT_ERR_RANGE;
     }
     *out = v;
@@ -146,16 +146,16 @@ enum loft_status loft_bezier_split(const loft_bezier *b, loft_unit t, loft_vec l
     const unsigned degree = b->degree;
     loft_acc c[LOFT_DEGREE_MAX + 1];
 
-    if (!extends(t))
+    if (!parameter_valid(t))
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(b->p, degree, i, c);
+        widen_axis(b->p, degree, i, c);
         for (unsigned k = 0; k <= degree; k++) {
-            if (!take(c[0], &left[k].axis[i]))
+            if (!round_coordinate(c[0], &left[k].axis[i]))
                 return LOFT_ERR_RANGE;
             loft_bernstein_step(c, degree - k, t);
         }
-        if (!take_all(c, degree, i, right))
+        if (!round_axis(c, degree, i, right))
             return LOFT_ERR_RANGE;
     }
     return LOFT_OK;
@@ -166,14 +166,14 @@ enum loft_status loft_bezier_sub(const loft_bezier *b, loft_unit from, loft_unit
 {
     loft_acc c[LOFT_DEGREE_MAX + 1], copy[LOFT_DEGREE_MAX + 1];
 
-    if (!extends(from) || !extends(to))
+    if (!parameter_valid(from) || !parameter_valid(to))
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(b->p, b->degree, i, c);
+        widen_axis(b->p, b->degree, i, c);
         for (unsigned k = b->degree + 1u; k-- > 0; ) {
             for (unsigned j = 0; j <= k; j++)
                 copy[j] = c[j];
-            if (!take(loft_bernstein_eval(copy, k, to), &out[k].axis[i]))
+            if (!round_coordinate(loft_bernstein_eval(copy, k, to), &out[k].axis[i]))
                 return LOFT_ERR_RANGE;
             loft_bernstein_step(c, k, from);
         }
@@ -192,7 +192,7 @@ enum loft_status loft_bezier_elevate(const loft_bezier *b, unsigned times, loft_
     if (times > LOFT_ELEVATE_MAX - n)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
-        widen(b->p, n, axis, c);
+        widen_axis(b->p, n, axis, c);
         for (unsigned k = 0; k <= n + times; k++) {
             loft_acc sum = 0;
             for (unsigned i = k > times ? k - times : 0; i <= n && i <= k; i++)
@@ -208,9 +208,9 @@ enum loft_status loft_bezier_power(const loft_bezier *b, loft_vec out[])
     loft_acc c[LOFT_DEGREE_MAX + 1];
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(b->p, b->degree, i, c);
+        widen_axis(b->p, b->degree, i, c);
         loft_bernstein_to_power(c, b->degree);
-        if (!take_all(c, b->degree, i, out))
+        if (!round_axis(c, b->degree, i, out))
             return LOFT_ERR_RANGE;
     }
     return LOFT_OK;
@@ -223,9 +223,9 @@ enum loft_status loft_bezier_from_power(const loft_vec c[], unsigned degree, lof
     if (degree > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(c, degree, i, p);
+        widen_axis(c, degree, i, p);
         loft_bernstein_from_power(p, degree);
-        if (!take_all(p, degree, i, out))
+        if (!round_axis(p, degree, i, out))
             return LOFT_ERR_RANGE;
     }
     return LOFT_OK;

@@ -28,9 +28,9 @@ static loft_acc top_of(const loft_acc c[], unsigned degree)
 }
 
 /* No value of the polynomial is above the result, and some value is not far below it. */
-static loft_acc highest(const loft_acc c[], unsigned degree, loft_acc grain)
+static loft_acc highest(const loft_acc c[], unsigned degree, loft_acc ulp)
 {
-    const loft_acc noise = 3 * (int32_t)degree * grain, enough = 256 * grain;
+    const loft_acc noise = 3 * (int32_t)degree * ulp, enough = 256 * ulp;
     loft_acc best = c[0] > c[degree] ? c[0] : c[degree], bound = best, p[LOFT_DEGREE_MAX + 1];
     loft_dyad n = { 0, 0 };
 

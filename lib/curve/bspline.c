@@ -25,7 +25,7 @@ enum loft_status loft_bspline_init(loft_bspline *b, const loft_vec p[], unsigned
 }
 
 /* The coefficients of one axis on a span */
-static void widen(const loft_bspline *b, unsigned span, int axis, loft_acc c[])
+static void widen_axis(const loft_bspline *b, unsigned span, int axis, loft_acc c[])
 {
     const loft_vec *p = &b->p[span - b->knots.degree];
 
@@ -41,7 +41,7 @@ loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u)
 
     u = loft_knots_clamp(&b->knots, u);
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(b, span, i, c);
+        widen_axis(b, span, i, c);
         v.axis[i] = loft_acc_round(loft_knots_eval(&b->knots, span, u, c));
     }
     return v;
@@ -65,7 +65,7 @@ enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real
     u = loft_knots_clamp(&b->knots, u);
     lower.degree = (uint8_t)k;
     for (int i = 0; i < LOFT_AXES && k <= degree; i++) {
-        widen(b, span, i, c);
+        widen_axis(b, span, i, c);
         for (unsigned rows = degree; rows > k; rows--)
             loft_knots_step(&b->knots, span, rows, u, c);
         loft_knots_bezier(&lower, span, c, piece);
@@ -87,7 +87,7 @@ bool loft_bspline_next(const loft_bspline *b, unsigned *span, loft_vec out[])
 
     *span = loft_knots_next(&b->knots, *span);
     for (int i = 0; i < LOFT_AXES && *span; i++) {
-        widen(b, *span, i, c);
+        widen_axis(b, *span, i, c);
         loft_knots_bezier(&b->knots, *span, c, piece);
         for (unsigned k = 0; k <= b->knots.degree; k++)
             out[k].axis[i] = loft_acc_round(piece[k]);

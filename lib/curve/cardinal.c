@@ -4,7 +4,7 @@
 #include "curve/cardinal.h"
 #include "basis/interp.h"       /* loft_ends3_deriv */
 
-static bool admits(loft_unit tension)
+static bool tension_valid(loft_unit tension)
 {
     return tension >= LOFT_UNIT(-60) && tension <= LOFT_UNIT(60);
 }
@@ -30,7 +30,7 @@ enum loft_status loft_cardinal_deriv(const loft_vec p[4], loft_unit tension, uns
 {
     loft_acc e[4], x[LOFT_AXES];
 
-    if (!admits(tension) || !(t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2)))
+    if (!tension_valid(tension) || !(t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2)))
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++) {
         ends(p, tension, i, e);
@@ -49,7 +49,7 @@ enum loft_status loft_cubic_from_cardinal(const loft_vec p[4], loft_unit tension
 {
     loft_acc e[4], c[4];
 
-    if (!admits(tension))
+    if (!tension_valid(tension))
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++) {
         ends(p, tension, i, e);

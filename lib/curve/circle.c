@@ -18,7 +18,7 @@ typedef struct {
 } pair;
 
 /* Turned by the angle with that sine and cosine. */
-static pair turned(pair a, loft_fine cosine, loft_fine sine)
+static pair rotated_pair(pair a, loft_fine cosine, loft_fine sine)
 {
     const pair b = { loft_fine_scale(a.x, cosine) - loft_fine_scale(a.y, sine),
                      loft_fine_scale(a.x, sine) + loft_fine_scale(a.y, cosine) };
@@ -26,20 +26,20 @@ static pair turned(pair a, loft_fine cosine, loft_fine sine)
 }
 
 /* The length of a vector whose angle is known: loft_acc_hypot has 28 bits, which are too few. */
-static loft_acc length(pair a, loft_fine angle)
+static loft_acc pair_length(pair a, loft_fine angle)
 {
     return loft_fine_scale(a.x, loft_fine_cos(angle)) + loft_fine_scale(a.y, loft_fine_sin(angle));
 }
 
-static loft_fine angle_of(pair a) { return loft_fine_atan2(a.y, a.x); }
+static loft_fine pair_angle(pair a) { return loft_fine_atan2(a.y, a.x); }
 
-static bool accepted(loft_plane plane, int32_t turns)
+static bool arc_arguments_valid(loft_plane plane, int32_t turns)
 {
     return plane.first != plane.second && plane.first < LOFT_AXES && plane.second < LOFT_AXES &&
            turns != 0 && turns >= -LOFT_TURNS_MAX && turns <= LOFT_TURNS_MAX;
 }
 
-static bool finite(loft_vec a)
+static bool point_valid(loft_vec a)
 {
     for (int i = 0; i < LOFT_AXES; i++)
         if (!loft_fine_valid(a.axis[i]))
@@ -48,14 +48,14 @@ static bool finite(loft_vec a)
 }
 
 /* b - a in the plane */
-static pair way(loft_vec a, loft_vec b, loft_plane plane)
+static pair plane_vector(loft_vec a, loft_vec b, loft_plane plane)
 {
     const pair d = { loft_to_acc(b.axis[plane.first]) - loft_to_acc(a.axis[plane.first]),
                      loft_to_acc(b.axis[plane.second]) - loft_to_acc(a.axis[plane.second]) };
     return d;
 }
 
-static bool is_zero(pair a) { return !(a.x < 0) && !(a.x > 0) && !(a.y < 0) && !(a.y > 0); }
+static bool is_zero_pair(pair a) { return !(a.x < 0) && !(a.x > 0) && !(a.y < 0) && !(a.y > 0); }
 
 /* Points */
 
@@ -71,7 +71,7 @@ static pair on_ellipse(const loft_circle *c, loft_acc angle)
 }
 
 /* The rest of the arc when start, u, v, sweep and radius are known. */
-static void finish(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
+static void finish_arc(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
 {
     c->from = from;
     c->to = to;
@@ -115,7 +115,7 @@ static loft_acc more_turns(int32_t turns)
 }
 
 /* The angle from one direction to another, in the sense of `turns`, with its whole turns. */
-static loft_acc sweep_of(loft_fine from, loft_fine to, int32_t turns)
+static loft_acc sweep_between(loft_fine from, loft_fine to, int32_t turns)
 {
     loft_fine a = turns > 0 ? to - from : from - to;
 
@@ -126,7 +126,7 @@ static loft_acc sweep_of(loft_fine from, loft_fine to, int32_t turns)
     return loft_fine_to_acc(a) + more_turns(turns);
 }
 
-static bool alike(loft_acc a, loft_acc b)
+static bool radii_alike(loft_acc a, loft_acc b)
 {
     const loft_acc off = a > b ? a - b : b - a;
     return off <= loft_acc_ratio(a, 256) + 16 * loft_real_ulp(a);
@@ -135,15 +135,15 @@ static bool alike(loft_acc a, loft_acc b)
 enum loft_status loft_circle_from_centre(loft_circle *c, loft_vec from, loft_vec to,
                                          loft_plane plane, loft_vec centre, int32_t turns)
 {
-    if (!accepted(plane, turns))
+    if (!arc_arguments_valid(plane, turns))
         return LOFT_ERR_ARG;
-    if (!finite(from) || !finite(to) || !finite(centre))
+    if (!point_valid(from) || !point_valid(to) || !point_valid(centre))
         return LOFT_ERR_RANGE;
 
-    const pair start = way(centre, from, plane), end = way(centre, to, plane);
-    const loft_fine first = angle_of(start), last = angle_of(end);
-    const loft_acc radius = length(start, first);
-    if (is_zero(start) || !alike(radius, length(end, last)))
+    const pair start = plane_vector(centre, from, plane), end = plane_vector(centre, to, plane);
+    const loft_fine first = pair_angle(start), last = pair_angle(end);
+    const loft_acc radius = pair_length(start, first);
+    if (is_zero_pair(start) || !radii_alike(radius, pair_length(end, last)))
         return LOFT_ERR_ARG;
 
     const int side = turns > 0 ? 1 : -1;
@@ -152,8 +152,8 @@ enum loft_status loft_circle_from_centre(loft_circle *c, loft_vec from, loft_vec
     c->v[0] = -side * start.y;
     c->v[1] = side * start.x;
     c->radius = radius;
-    c->sweep = sweep_of(first, last, turns);
-    finish(c, from, to, plane);
+    c->sweep = sweep_between(first, last, turns);
+    finish_arc(c, from, to, plane);
     return LOFT_OK;
 }
 
@@ -172,23 +172,23 @@ typedef struct {
 } chord;
 
 /* The direction of (hx / rx, hy / ry) is that of (hx ry, hy rx). */
-static loft_fine direction(const chord *d, const loft_real radii[2])
+static loft_fine half_chord_angle(const chord *d, const loft_real radii[2])
 {
     if (!(radii[0] < radii[1]) && !(radii[0] > radii[1]))
-        return angle_of(d->half);
+        return pair_angle(d->half);
     const pair a = { loft_acc_mul(loft_acc_ratio(d->half.x, 4), radii[1]),
                      loft_acc_mul(loft_acc_ratio(d->half.y, 4), radii[0]) };
-    return angle_of(a);
+    return pair_angle(a);
 }
 
 /* p, and q or the stretch; false when the stretched radii do not fit. q is found in the axis that
  * has more of it, and in fine numbers: where it is near 1, its error decides on the centre. */
-static bool measure(chord *d, const loft_real radii[2])
+static bool measure_chord(chord *d, const loft_real radii[2])
 {
     const loft_acc one = loft_to_acc(LOFT_REAL(1)),
                    larger = loft_to_acc(radii[0] > radii[1] ? radii[0] : radii[1]);
 
-    d->p = direction(d, radii);
+    d->p = half_chord_angle(d, radii);
     const loft_fine cosine = loft_fine_cos(d->p), sine = loft_fine_sin(d->p);
     const bool up = loft_fine_mul(sine, sine) > LOFT_FINE_1 / 2;
     const loft_fine part = up ? (sine < 0 ? -sine : sine) : cosine < 0 ? -cosine : cosine;
@@ -214,17 +214,17 @@ static bool measure(chord *d, const loft_real radii[2])
 }
 
 /* A straight way is an arc of no radius whose drift is all of it. */
-static void straight(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
+static void set_straight(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
 {
     c->u[0] = c->u[1] = c->v[0] = c->v[1] = c->radius = 0;
     c->sweep = loft_to_acc(LOFT_REAL(1));
-    finish(c, from, to, plane);
+    finish_arc(c, from, to, plane);
 }
 
 /* u and v in the ellipse's axes, turned by its angle. The centre is to the left of the chord for a
  * small arc to the left. */
-static void place(loft_circle *c, const chord *d, loft_fine cosine, loft_fine sine, bool large,
-                  bool left)
+static void set_ellipse(loft_circle *c, const chord *d, loft_fine cosine, loft_fine sine,
+                        bool large, bool left)
 {
     const loft_fine side = loft_fine_sqrt(loft_fine_mul(LOFT_FINE_1 - d->q, LOFT_FINE_1 + d->q));
     const loft_fine s = large == left ? -side : side;
@@ -235,7 +235,7 @@ static void place(loft_circle *c, const chord *d, loft_fine cosine, loft_fine si
     const pair u = { loft_fine_scale(d->radius[0], x), loft_fine_scale(d->radius[1], y) };
     const pair v = { -way_round * loft_fine_scale(d->radius[0], y),
                      way_round * loft_fine_scale(d->radius[1], x) };
-    const pair start = turned(u, cosine, sine), slope = turned(v, cosine, sine);
+    const pair start = rotated_pair(u, cosine, sine), slope = rotated_pair(v, cosine, sine);
 
     c->u[0] = start.x;
     c->u[1] = start.y;
@@ -246,7 +246,7 @@ static void place(loft_circle *c, const chord *d, loft_fine cosine, loft_fine si
                               loft_fine_atan2((loft_acc)d->q, (loft_acc)(large ? -side : side)));
 }
 
-static bool size_of(loft_real radius, loft_real *size)
+static bool radius_magnitude(loft_real radius, loft_real *size)
 {
     const loft_acc x = radius < 0 ? -loft_to_acc(radius) : loft_to_acc(radius);
 
@@ -263,25 +263,25 @@ enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec
     loft_real radii[2];
     chord d;
 
-    if (!accepted(plane, turns))
+    if (!arc_arguments_valid(plane, turns))
         return LOFT_ERR_ARG;
-    if (!finite(from) || !finite(to) || !size_of(radius, &radii[0]))
+    if (!point_valid(from) || !point_valid(to) || !radius_magnitude(radius, &radii[0]))
         return LOFT_ERR_RANGE;
     radii[1] = radii[0];
-    const pair whole = way(from, to, plane);
+    const pair whole = plane_vector(from, to, plane);
     d.half.x = whole.x / 2;
     d.half.y = whole.y / 2;
-    if (is_zero(whole) || !(radii[0] > 0) || !measure(&d, radii) ||
+    if (is_zero_pair(whole) || !(radii[0] > 0) || !measure_chord(&d, radii) ||
         d.stretch > loft_to_acc(LOFT_REAL(1.00390625)))
         return LOFT_ERR_ARG;
-    place(c, &d, LOFT_FINE_1, 0, large, turns > 0);
+    set_ellipse(c, &d, LOFT_FINE_1, 0, large, turns > 0);
     c->sweep += more_turns(turns);
-    finish(c, from, to, plane);
+    finish_arc(c, from, to, plane);
     return LOFT_OK;
 }
 
 /* The nearest number of quarters of a turn is taken off, exactly. */
-static void turn_of(loft_real degrees, loft_fine *cosine, loft_fine *sine)
+static void rotation_of(loft_real degrees, loft_fine *cosine, loft_fine *sine)
 {
     const loft_acc quarter = loft_to_acc(LOFT_REAL(90));
     const int32_t quarters = loft_acc_int(loft_acc_ratio(loft_to_acc(degrees), 90));
@@ -301,24 +301,25 @@ enum loft_status loft_circle_from_ellipse(loft_circle *c, loft_vec from, loft_ve
     loft_real size[2];
     chord d;
 
-    if (!accepted(plane, turns) || turns > 1 || turns < -1)
+    if (!arc_arguments_valid(plane, turns) || turns > 1 || turns < -1)
         return LOFT_ERR_ARG;
-    if (!finite(from) || !finite(to) || !size_of(radii[0], &size[0]) ||
-        !size_of(radii[1], &size[1]) || !(degrees >= -DEGREES_MAX && degrees <= DEGREES_MAX))
+    if (!point_valid(from) || !point_valid(to) || !radius_magnitude(radii[0], &size[0]) ||
+        !radius_magnitude(radii[1], &size[1]) ||
+        !(degrees >= -DEGREES_MAX && degrees <= DEGREES_MAX))
         return LOFT_ERR_RANGE;
-    const pair whole = way(from, to, plane);
-    if (is_zero(whole) || !(size[0] > 0) || !(size[1] > 0)) {
-        straight(c, from, to, plane);
+    const pair whole = plane_vector(from, to, plane);
+    if (is_zero_pair(whole) || !(size[0] > 0) || !(size[1] > 0)) {
+        set_straight(c, from, to, plane);
         return LOFT_OK;
     }
     if (size[0] < size[1] || size[0] > size[1])
-        turn_of(degrees, &cosine, &sine);
+        rotation_of(degrees, &cosine, &sine);
     d.half.x = whole.x / 2;
     d.half.y = whole.y / 2;
-    d.half = turned(d.half, cosine, -sine);
-    if (!measure(&d, size))
+    d.half = rotated_pair(d.half, cosine, -sine);
+    if (!measure_chord(&d, size))
         return LOFT_ERR_RANGE;
-    place(c, &d, cosine, sine, large, turns > 0);
-    finish(c, from, to, plane);
+    set_ellipse(c, &d, cosine, sine, large, turns > 0);
+    finish_arc(c, from, to, plane);
     return LOFT_OK;
 }

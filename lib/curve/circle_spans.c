@@ -18,27 +18,30 @@
 #include "curve/circle.h"
 
 #define SPANS_MAX ((uint32_t)1 << 20)
-#define OUTER LOFT_REAL(256)
+#define OUTER_WEIGHT LOFT_REAL(256)
 
 typedef struct {
     loft_acc axis[LOFT_AXES];
 } wide_point;
 
 /* The part j/n of the way from 0 to x. */
-static loft_acc part(loft_acc x, uint32_t j, uint32_t n) { return loft_acc_lerp_at(0, x, j, n); }
+static loft_acc part_of_sweep(loft_acc x, uint32_t j, uint32_t n)
+{
+    return loft_acc_lerp_at(0, x, j, n);
+}
 
 static loft_circle_place place_at(const loft_circle *c, uint32_t j, uint32_t n)
 {
-    const loft_fine a = loft_fine_angle(part(c->sweep, j, n)), cosine = loft_fine_cos(a),
+    const loft_fine a = loft_fine_angle(part_of_sweep(c->sweep, j, n)), cosine = loft_fine_cos(a),
                     sine = loft_fine_sin(a);
     const uint8_t plane[2] = { c->plane.first, c->plane.second };
     loft_circle_place at;
 
     for (int i = 0; i < LOFT_AXES; i++)
-        at.p[i] = loft_to_acc(c->from.axis[i]) + part(c->drift[i], j, n);
+        at.p[i] = loft_to_acc(c->from.axis[i]) + part_of_sweep(c->drift[i], j, n);
     for (int i = 0; i < 2; i++) {
         at.p[plane[i]] = c->centre[i] + loft_fine_scale(c->u[i], cosine) +
-                         loft_fine_scale(c->v[i], sine) + part(c->drift[plane[i]], j, n);
+                         loft_fine_scale(c->v[i], sine) + part_of_sweep(c->drift[plane[i]], j, n);
         at.slope[i] = loft_fine_scale(c->v[i], cosine) - loft_fine_scale(c->u[i], sine);
     }
     for (int i = 0; i < LOFT_AXES && (j == 0 || j == n); i++)
@@ -47,7 +50,7 @@ static loft_circle_place place_at(const loft_circle *c, uint32_t j, uint32_t n)
 }
 
 /* The inner point of the end `at`, ahead of it (sign 1) or behind (-1). */
-static wide_point inner(const loft_circle_spans *s, const loft_circle_place *at, int sign)
+static wide_point inner_point(const loft_circle_spans *s, const loft_circle_place *at, int sign)
 {
     const loft_circle *c = s->circle;
     wide_point q;
@@ -60,7 +63,7 @@ static wide_point inner(const loft_circle_spans *s, const loft_circle_place *at,
     return q;
 }
 
-static bool fits(const loft_acc p[])
+static bool point_valid(const loft_acc p[])
 {
     for (int i = 0; i < LOFT_AXES; i++)
         if (!loft_acc_valid(p[i]))
@@ -68,7 +71,7 @@ static bool fits(const loft_acc p[])
     return true;
 }
 
-static loft_vec rounded(const loft_acc p[])
+static loft_vec round_point(const loft_acc p[])
 {
     loft_vec v;
 
@@ -81,7 +84,7 @@ static loft_vec rounded(const loft_acc p[])
 /* How many spans */
 
 /* An upper bound of what n spans err, rounding of the points apart. */
-static loft_acc error_of(const loft_circle *c, enum loft_circle_kind kind, uint32_t n)
+static loft_acc spans_error(const loft_circle *c, enum loft_circle_kind kind, uint32_t n)
 {
     const loft_unit h = loft_unit_from(loft_acc_round(loft_acc_ratio(c->sweep, (int32_t)n)) +
                                        LOFT_REAL_LSB);
@@ -95,21 +98,22 @@ static loft_acc error_of(const loft_circle *c, enum loft_circle_kind kind, uint3
             off = loft_acc_scale(off, h);
     } else {
         off = loft_acc_ratio(
-            loft_acc_mul(c->radius, loft_acc_round(loft_real_ulp(loft_to_acc(OUTER)))), 4096);
+            loft_acc_mul(c->radius, loft_acc_round(loft_real_ulp(loft_to_acc(OUTER_WEIGHT)))),
+            4096);
     }
     return loft_acc_scale(loft_acc_scale(off + lag, h), h);
 }
 
 /* The fewest spans of at most a quarter of a turn (and 2^-16 of one) with an error within `budget`;
  * 0 for none. */
-static uint32_t count(const loft_circle *c, enum loft_circle_kind kind, loft_acc budget)
+static uint32_t count_spans(const loft_circle *c, enum loft_circle_kind kind, loft_acc budget)
 {
     const loft_acc quarters = loft_fine_scale(
         c->sweep, loft_fine_ratio((loft_acc)LOFT_FINE_1, (loft_acc)(LOFT_FINE_PI / 2)));
     const int32_t whole = loft_acc_int(quarters + loft_to_acc(LOFT_REAL(0.499984741)));
     uint32_t few = whole > 1 ? (uint32_t)whole : 1, many = few;
 
-    while (error_of(c, kind, many) > budget) {
+    while (spans_error(c, kind, many) > budget) {
         few = many + 1;
         many *= 2;
         if (many > SPANS_MAX)
@@ -117,7 +121,7 @@ static uint32_t count(const loft_circle *c, enum loft_circle_kind kind, loft_acc
     }
     while (few < many) {
         const uint32_t middle = (few + many) / 2;
-        if (error_of(c, kind, middle) > budget)
+        if (spans_error(c, kind, middle) > budget)
             few = middle + 1;
         else
             many = middle;
@@ -126,7 +130,7 @@ static uint32_t count(const loft_circle *c, enum loft_circle_kind kind, loft_acc
 }
 
 /* The largest coordinate that occurs. */
-static loft_acc extent(const loft_circle *c)
+static loft_acc largest_coordinate(const loft_circle *c)
 {
     loft_acc largest = c->radius;
 
@@ -139,7 +143,7 @@ static loft_acc extent(const loft_circle *c)
     return largest;
 }
 
-static void shape(loft_circle_spans *s)
+static void set_span_shape(loft_circle_spans *s)
 {
     const loft_fine h = loft_fine_angle(loft_acc_ratio(s->circle->sweep, (int32_t)s->n));
     const loft_fine sine = loft_fine_sin(h / 2), cosine = loft_fine_cos(h / 2),
@@ -161,14 +165,14 @@ static void shape(loft_circle_spans *s)
     }
 }
 
-static bool all_fit(const loft_circle_spans *s)
+static bool spans_valid(const loft_circle_spans *s)
 {
     loft_circle_place first = place_at(s->circle, 0, s->n);
 
     for (uint32_t j = 1; j <= s->n; j++) {
         const loft_circle_place last = place_at(s->circle, j, s->n);
-        const wide_point q1 = inner(s, &first, 1), q2 = inner(s, &last, -1);
-        if (!fits(q1.axis) || !fits(q2.axis) || !fits(last.p))
+        const wide_point q1 = inner_point(s, &first, 1), q2 = inner_point(s, &last, -1);
+        if (!point_valid(q1.axis) || !point_valid(q2.axis) || !point_valid(last.p))
             return false;
         first = last;
     }
@@ -178,16 +182,16 @@ static bool all_fit(const loft_circle_spans *s)
 enum loft_status loft_circle_spans_init(loft_circle_spans *s, const loft_circle *c,
                                         enum loft_circle_kind kind, loft_real tolerance)
 {
-    const loft_acc budget = loft_to_acc(tolerance) - 3 * loft_real_ulp(extent(c));
+    const loft_acc budget = loft_to_acc(tolerance) - 3 * loft_real_ulp(largest_coordinate(c));
     loft_circle_spans made = { .circle = c, .next = 0, .kind = (uint8_t)kind };
 
     if (!(budget > 0))
         return LOFT_ERR_RANGE;
-    made.n = count(c, kind, budget);
+    made.n = count_spans(c, kind, budget);
     if (made.n == 0)
         return LOFT_ERR_RANGE;
-    shape(&made);
-    if (!all_fit(&made))
+    set_span_shape(&made);
+    if (!spans_valid(&made))
         return LOFT_ERR_RANGE;
     made.at = place_at(c, 0, made.n);
     *s = made;
@@ -201,12 +205,12 @@ enum loft_status loft_circle_spans_init(loft_circle_spans *s, const loft_circle 
 static void next_points(loft_circle_spans *s, loft_vec out[4])
 {
     const loft_circle_place last = place_at(s->circle, ++s->next, s->n);
-    const wide_point q1 = inner(s, &s->at, 1), q2 = inner(s, &last, -1);
+    const wide_point q1 = inner_point(s, &s->at, 1), q2 = inner_point(s, &last, -1);
 
-    out[0] = rounded(s->at.p);
-    out[1] = rounded(q1.axis);
-    out[2] = rounded(q2.axis);
-    out[3] = rounded(last.p);
+    out[0] = round_point(s->at.p);
+    out[1] = round_point(q1.axis);
+    out[2] = round_point(q2.axis);
+    out[3] = round_point(last.p);
     s->at = last;
 }
 
@@ -230,7 +234,7 @@ bool loft_circle_spans_rational(loft_circle_spans *s, loft_weighted out[])
     for (int k = 0; k < count_of; k++) {
         const bool outer = k == 0 || k == count_of - 1;
         out[k].p = k == count_of - 1 ? p[3] : p[k];
-        out[k].w = outer ? OUTER : weight;
+        out[k].w = outer ? OUTER_WEIGHT : weight;
     }
     return true;
 }

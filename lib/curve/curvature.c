@@ -145,8 +145,9 @@ static enum loft_status check(const loft_bezier *b, loft_unit t, int axes)
 }
 
 /* Both functions: with a sign, or over all pairs of axes. */
-static enum loft_status bend(const loft_bezier *b, loft_unit t, int axes, bool with_sign,
-                             loft_real *curvature, loft_vec *tangent)
+static enum loft_status curvature_and_tangent(const loft_bezier *b, loft_unit t, int axes,
+                                              bool with_sign, loft_real *curvature,
+                                              loft_vec *tangent)
 {
     const enum loft_status status = check(b, t, axes);
     squares s = { loft_exact_from_int(0), 0 };
@@ -173,11 +174,11 @@ static enum loft_status bend(const loft_bezier *b, loft_unit t, int axes, bool w
 enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t, loft_real *curvature,
                                        loft_vec *tangent)
 {
-    return bend(b, t, LOFT_AXES, false, curvature, tangent);
+    return curvature_and_tangent(b, t, LOFT_AXES, false, curvature, tangent);
 }
 
 enum loft_status loft_bezier_curvature_vec(const loft_bezier *b, loft_unit t, loft_real *curvature,
                                   loft_vec *tangent)
 {
-    return bend(b, t, LOFT_AXES < 2 ? LOFT_AXES : 2, true, curvature, tangent);
+    return curvature_and_tangent(b, t, LOFT_AXES < 2 ? LOFT_AXES : 2, true, curvature, tangent);
 }

@@ -37,7 +37,7 @@
 
 /* The distance of w from the chord: that of w from a point of the chord which is nearest but for
  * rounding, so never too small. */
-static loft_acc distance(const loft_acc w[LOFT_AXES], const loft_chord *c)
+static loft_acc chord_distance(const loft_acc w[LOFT_AXES], const loft_chord *c)
 {
     loft_acc r[LOFT_AXES];
 
@@ -46,7 +46,7 @@ static loft_acc distance(const loft_acc w[LOFT_AXES], const loft_chord *c)
 }
 
 /* The bound (1) times 36. */
-static bool is_within(loft_acc d0, loft_acc d1, loft_acc d2, loft_acc d3, loft_acc limit)
+static bool is_bound_within(loft_acc d0, loft_acc d1, loft_acc d2, loft_acc d3, loft_acc limit)
 {
     const loft_acc m = d0 > d3 ? d0 : d3;
     loft_acc a = d1 > d2 ? d1 : d2, b = d1 > d2 ? d2 : d1;
@@ -76,7 +76,7 @@ static void cut_axis(const loft_cubic *curve, int axis, loft_unit from, loft_uni
 }
 
 /* The control points of the piece from..to, relative to the last point. */
-static void cut(const loft_flatten *f, uint32_t from, uint32_t to, loft_acc p[4][LOFT_AXES])
+static void cut_piece(const loft_flatten *f, uint32_t from, uint32_t to, loft_acc p[4][LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc c[4];
@@ -87,25 +87,25 @@ static void cut(const loft_flatten *f, uint32_t from, uint32_t to, loft_acc p[4]
 }
 
 /* Part k of 2^level of the next `steps` steps starts here. */
-static uint32_t start_of(const loft_flatten *f, uint32_t steps, uint32_t k, unsigned level)
+static uint32_t piece_start(const loft_flatten *f, uint32_t steps, uint32_t k, unsigned level)
 {
     return f->at + (uint32_t)((uint64_t)steps * k >> level);
 }
 
 /* Is the curve from the last point to the one at `to` within the limit of the chord to *end? p is
  * its first piece. */
-static bool is_along(const loft_flatten *f, uint32_t to, const loft_chord *c,
+static bool is_curve_along(const loft_flatten *f, uint32_t to, const loft_chord *c,
                      loft_acc p[4][LOFT_AXES])
 {
-    loft_acc d0 = distance(p[0], c);
+    loft_acc d0 = chord_distance(p[0], c);
     unsigned level = 0;
     uint32_t k = 0;
 
     for (;;) {
-        const loft_acc d3 = distance(p[3], c);
+        const loft_acc d3 = chord_distance(p[3], c);
         if (d3 > f->limit)
             return false;
-        if (is_within(d0, distance(p[1], c), distance(p[2], c), d3, f->limit)) {
+        if (is_bound_within(d0, chord_distance(p[1], c), chord_distance(p[2], c), d3, f->limit)) {
             d0 = d3;
             for (k++; level && k % 2 == 0; k /= 2)
                 level--;
@@ -117,24 +117,25 @@ static bool is_along(const loft_flatten *f, uint32_t to, const loft_chord *c,
             k *= 2;
             level++;
         }
-        cut(f, start_of(f, to - f->at, k, level), start_of(f, to - f->at, k + 1, level), p);
+        cut_piece(f, piece_start(f, to - f->at, k, level), piece_start(f, to - f->at, k + 1, level),
+                  p);
     }
 }
 
 /* May a chord lead from the last point to the one at `to`, and where is that? */
-static bool is_flat(const loft_flatten *f, uint32_t to, loft_vec *end)
+static bool is_chord_close(const loft_flatten *f, uint32_t to, loft_vec *end)
 {
     loft_acc p[4][LOFT_AXES];
     loft_chord c;
 
-    cut(f, f->at, to, p);
+    cut_piece(f, f->at, to, p);
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc from = loft_to_acc(f->last.axis[i]);
         end->axis[i] = to == STEPS ? f->curve.p[3].axis[i] : loft_acc_round(p[3][i] + from);
         c.u[i] = loft_to_acc(end->axis[i]) - from;
     }
     loft_chord_aim(&c);
-    return is_along(f, to, &c, p);
+    return is_curve_along(f, to, &c, p);
 }
 
 /* One step of the parameter is always flat: its inner points are within 2^-44 of the largest
@@ -166,7 +167,7 @@ enum loft_status loft_flatten_init(loft_flatten *f, const loft_cubic *c, loft_re
 }
 
 /* The end of the longest chord found, and the parameter there. */
-static uint32_t reach(const loft_flatten *f, loft_vec *end)
+static uint32_t longest_chord(const loft_flatten *f, loft_vec *end)
 {
     uint32_t low = f->at, high = low;
     loft_vec trial;
@@ -175,14 +176,14 @@ static uint32_t reach(const loft_flatten *f, loft_vec *end)
         const uint32_t to = (f->at | (width - 1)) + 1;
         if (to == high)
             continue;
-        if (is_flat(f, to, end) || width == 1)
+        if (is_chord_close(f, to, end) || width == 1)
             low = to;
         else
             high = to;
     }
     while (high > low + 1 + (low - f->at) / FINE) {
         const uint32_t to = low + (high - low) / 2;
-        if (is_flat(f, to, &trial)) {
+        if (is_chord_close(f, to, &trial)) {
             low  = to;
             *end = trial;
         } else {
@@ -198,7 +199,7 @@ bool loft_flatten_next(loft_flatten *f, loft_vec *out)
 
     if (f->at == STEPS)
         return false;
-    f->at   = reach(f, &end);
+    f->at   = longest_chord(f, &end);
     f->last = *out = end;
     return true;
 }

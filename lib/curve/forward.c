@@ -9,7 +9,7 @@ static void control_values(loft_real p[], const loft_bezier *b, int axis)
         p[k] = b->p[k].axis[axis];
 }
 
-static bool accepted(const loft_bezier *b)
+static bool points_valid(const loft_bezier *b)
 {
     loft_real p[LOFT_FORWARD_DEGREE_MAX + 1];
 
@@ -53,7 +53,7 @@ enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32
 
     if (b->degree > LOFT_FORWARD_DEGREE_MAX || n == 0)
         return LOFT_ERR_ARG;
-    if (!loft_walk_steps_valid(b->degree, n) || !accepted(b))
+    if (!loft_walk_steps_valid(b->degree, n) || !points_valid(b))
         return LOFT_ERR_RANGE;
 
     loft_powers_init(&powers, b->degree, n);
@@ -131,7 +131,7 @@ enum loft_status loft_forward_exact_init(loft_forward_exact *w, const loft_bezie
 {
     if (b->degree > LOFT_FORWARD_DEGREE_MAX || n == 0)
         return LOFT_ERR_ARG;
-    if (!loft_walk_exact_steps_valid(b->degree, n) || !accepted(b))
+    if (!loft_walk_exact_steps_valid(b->degree, n) || !points_valid(b))
         return LOFT_ERR_RANGE;
 
     for (int i = 0; i < LOFT_AXES; i++) {

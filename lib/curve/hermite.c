@@ -6,7 +6,7 @@
 #include "curve/hermite.h"
 #include "basis/interp.h"       /* loft_ends3_deriv, loft_ends5_deriv */
 
-static bool extends(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
+static bool parameter_valid(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
 
 static void ends3(const loft_hermite *h, int i, loft_acc e[4])
 {
@@ -29,7 +29,7 @@ enum loft_status loft_hermite_deriv(const loft_hermite *h, unsigned k, loft_unit
 {
     loft_acc e[4], x[LOFT_AXES];
 
-    if (!extends(t))
+    if (!parameter_valid(t))
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++) {
         ends3(h, i, e);
@@ -42,7 +42,7 @@ enum loft_status loft_hermite5_deriv(const loft_hermite5 *h, unsigned k, loft_un
 {
     loft_acc e[6], x[LOFT_AXES];
 
-    if (!extends(t))
+    if (!parameter_valid(t))
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++) {
         ends5(h, i, e);

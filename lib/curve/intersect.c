@@ -65,7 +65,7 @@ typedef struct {
 /* One piece */
 
 /* Are the control points within `limit` of the even steps along the chord? */
-static bool is_flat(const side *s, loft_acc limit)
+static bool is_side_flat(const side *s, loft_acc limit)
 {
     const unsigned n = s->b->degree;
     loft_acc off[LOFT_AXES];
@@ -79,7 +79,7 @@ static bool is_flat(const side *s, loft_acc limit)
     return true;
 }
 
-static void range_of(const side *s, int axis, loft_acc *low, loft_acc *high)
+static void axis_range(const side *s, int axis, loft_acc *low, loft_acc *high)
 {
     *low = *high = s->p[axis][0];
     for (unsigned k = 1; k <= s->b->degree; k++) {
@@ -90,7 +90,7 @@ static void range_of(const side *s, int axis, loft_acc *low, loft_acc *high)
     }
 }
 
-static void cut(search *z, side *s)
+static void cut_side(search *z, side *s)
 {
     loft_acc c[LOFT_DEGREE_MAX + 1], low, high;
 
@@ -100,13 +100,13 @@ static void cut(search *z, side *s)
             c[k] = loft_to_acc(s->b->p[k].axis[i]);
         loft_bernstein_sub(c, s->b->degree, loft_dyad_from(s->n), loft_dyad_to(s->n), s->p[i]);
         s->chord.u[i] = s->p[i][s->b->degree] - s->p[i][0];
-        range_of(s, i, &low, &high);
+        axis_range(s, i, &low, &high);
         if (high - low > s->size)
             s->size = high - low;
     }
     loft_chord_aim(&s->chord);
     const bool last = s->n.level == LOFT_DYAD_LEVELS;
-    s->flat     = last || (s->chord.length <= z->long_enough && is_flat(s, z->eighth));
+    s->flat     = last || (s->chord.length <= z->long_enough && is_side_flat(s, z->eighth));
     s->straight = last || (s->chord.length <= z->short_enough && s->flat);
 }
 
@@ -124,7 +124,7 @@ static void move_to_chord(const side *s, loft_acc x[], loft_acc r[])
 
 /* The extreme of <p_k - x, u> in the direction of u (sign 1) or against it (-1), but no less far
  * than 0. */
-static loft_acc reach(const side *s, const loft_acc x[], const loft_unit u[], int32_t sign)
+static loft_acc hull_extreme(const side *s, const loft_acc x[], const loft_unit u[], int32_t sign)
 {
     loft_acc most = 0;
 
@@ -141,14 +141,14 @@ static loft_acc reach(const side *s, const loft_acc x[], const loft_unit u[], in
 
 /* A pair of pieces */
 
-static bool are_apart(const side *a, const side *b, loft_acc gap)
+static bool are_sides_apart(const side *a, const side *b, loft_acc gap)
 {
     loft_acc x[LOFT_AXES], y[LOFT_AXES], r[LOFT_AXES], low_a, high_a, low_b, high_b;
     loft_unit u[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        range_of(a, i, &low_a, &high_a);
-        range_of(b, i, &low_b, &high_b);
+        axis_range(a, i, &low_a, &high_a);
+        axis_range(b, i, &low_b, &high_b);
         if (low_b - high_a > gap || low_a - high_b > gap)
             return true;
         x[i] = b->p[i][0] + loft_acc_ratio(b->chord.u[i], 2);
@@ -164,12 +164,12 @@ static bool are_apart(const side *a, const side *b, loft_acc gap)
         return false;
     for (int i = 0; i < LOFT_AXES; i++)
         u[i] = loft_unit_ratio(r[i], m);
-    return m - reach(a, x, u, 1) - reach(b, y, u, -1) - 4 * loft_hypot_ulp(m) > gap;
+    return m - hull_extreme(a, x, u, 1) - hull_extreme(b, y, u, -1) - 4 * loft_hypot_ulp(m) > gap;
 }
 
 /* The distance of the point at sigma of a's chord from b's chord, where on it, and the slope along
  * a. */
-static loft_acc gap_at(const side *a, const side *b, loft_unit sigma, loft_unit *tau,
+static loft_acc chord_gap_at(const side *a, const side *b, loft_unit sigma, loft_unit *tau,
                        loft_acc *slope)
 {
     loft_acc w[LOFT_AXES], r[LOFT_AXES];
@@ -184,52 +184,52 @@ static loft_acc gap_at(const side *a, const side *b, loft_unit sigma, loft_unit 
     return loft_acc_hypot(r, LOFT_AXES);
 }
 
-static bool is_near(const side *a, const side *b, loft_unit sigma, loft_acc gap)
+static bool is_chord_near(const side *a, const side *b, loft_unit sigma, loft_acc gap)
 {
     loft_unit tau;
     loft_acc slope;
-    return gap_at(a, b, sigma, &tau, &slope) <= gap;
+    return chord_gap_at(a, b, sigma, &tau, &slope) <= gap;
 }
 
 /* Is all of a's chord near b's? It is if both its ends are. */
-static bool is_along(const side *a, const side *b, loft_acc gap)
+static bool is_chord_along(const side *a, const side *b, loft_acc gap)
 {
-    return is_near(a, b, 0, gap) && is_near(a, b, LOFT_UNIT(1), gap);
+    return is_chord_near(a, b, 0, gap) && is_chord_near(a, b, LOFT_UNIT(1), gap);
 }
 
 /* The least distance of the two chords, and where. */
-static loft_acc closest(const side *a, const side *b, loft_unit *sigma, loft_unit *tau)
+static loft_acc closest_points(const side *a, const side *b, loft_unit *sigma, loft_unit *tau)
 {
     uint32_t low = 0, high = STEPS;
     loft_acc slope;
 
     while (high - low > 1) {
         const uint32_t middle = low + (high - low) / 2;
-        gap_at(a, b, loft_unit_of(middle, STEPS), tau, &slope);
+        chord_gap_at(a, b, loft_unit_of(middle, STEPS), tau, &slope);
         if (slope > 0)
             high = middle;
         else
             low = middle;
     }
     *sigma = loft_unit_of(low, STEPS);
-    const loft_acc left = gap_at(a, b, *sigma, tau, &slope),
-                   right = gap_at(a, b, loft_unit_of(high, STEPS), tau, &slope);
+    const loft_acc left = chord_gap_at(a, b, *sigma, tau, &slope),
+                   right = chord_gap_at(a, b, loft_unit_of(high, STEPS), tau, &slope);
     if (right < left) {
         *sigma = loft_unit_of(high, STEPS);
         return right;
     }
-    return gap_at(a, b, *sigma, tau, &slope);
+    return chord_gap_at(a, b, *sigma, tau, &slope);
 }
 
 /* From sigma, which is near, on to `end`: the last parameter that is, and 2^-10 of the way more. */
-static loft_unit near_until(const side *a, const side *b, loft_unit sigma, loft_unit end,
+static loft_unit near_range_end(const side *a, const side *b, loft_unit sigma, loft_unit end,
                             loft_acc gap)
 {
-    if (is_near(a, b, end, gap))
+    if (is_chord_near(a, b, end, gap))
         return end;
     for (int round = 0; round < 10; round++) {
         const loft_unit middle = sigma + (end - sigma) / 2;
-        if (is_near(a, b, middle, gap))
+        if (is_chord_near(a, b, middle, gap))
             sigma = middle;
         else
             end = middle;
@@ -240,13 +240,13 @@ static loft_unit near_until(const side *a, const side *b, loft_unit sigma, loft_
 
 /* Crossings */
 
-static bool touch(loft_unit from, loft_unit to, loft_unit other_from, loft_unit other_to)
+static bool ranges_touch(loft_unit from, loft_unit to, loft_unit other_from, loft_unit other_to)
 {
     const loft_unit slack = LOFT_UNIT(1.0 / 1048576);
     return from <= other_to + slack && other_from <= to + slack;
 }
 
-static void extend(loft_unit *from, loft_unit *to, loft_unit other_from, loft_unit other_to)
+static void widen_range(loft_unit *from, loft_unit *to, loft_unit other_from, loft_unit other_to)
 {
     if (other_from < *from)
         *from = other_from;
@@ -255,26 +255,26 @@ static void extend(loft_unit *from, loft_unit *to, loft_unit other_from, loft_un
 }
 
 /* c becomes the crossing that c and other make together. */
-static void unite(loft_crossing *c, const loft_crossing *other)
+static void unite_crossings(loft_crossing *c, const loft_crossing *other)
 {
     loft_crossing both = other->distance < c->distance ? *other : *c;
 
-    extend(&both.s_from, &both.s_to, c->s_from, c->s_to);
-    extend(&both.s_from, &both.s_to, other->s_from, other->s_to);
-    extend(&both.t_from, &both.t_to, c->t_from, c->t_to);
-    extend(&both.t_from, &both.t_to, other->t_from, other->t_to);
+    widen_range(&both.s_from, &both.s_to, c->s_from, c->s_to);
+    widen_range(&both.s_from, &both.s_to, other->s_from, other->s_to);
+    widen_range(&both.t_from, &both.t_to, c->t_from, c->t_to);
+    widen_range(&both.t_from, &both.t_to, other->t_from, other->t_to);
     *c = both;
 }
 
 /* Take in all that c touches, then c itself, where s has it. False when there is no room. */
-static bool add(loft_crossing c, loft_crossing out[], size_t room, size_t *count)
+static bool add_crossing(loft_crossing c, loft_crossing out[], size_t room, size_t *count)
 {
     size_t k = 0;
 
     while (k < *count) {
-        if (touch(c.s_from, c.s_to, out[k].s_from, out[k].s_to) &&
-            touch(c.t_from, c.t_to, out[k].t_from, out[k].t_to)) {
-            unite(&c, &out[k]);
+        if (ranges_touch(c.s_from, c.s_to, out[k].s_from, out[k].s_to) &&
+            ranges_touch(c.t_from, c.t_to, out[k].t_from, out[k].t_to)) {
+            unite_crossings(&c, &out[k]);
             for (--*count; k < *count; k++)
                 out[k] = out[k + 1];
             k = 0;
@@ -291,7 +291,7 @@ static bool add(loft_crossing c, loft_crossing out[], size_t room, size_t *count
 }
 
 /* The chords of the current pair, if they meet. False when there is no room. */
-static bool meet(const search *z, loft_crossing out[], size_t room, size_t *count)
+static bool add_chord_crossing(const search *z, loft_crossing out[], size_t room, size_t *count)
 {
     const side *a = &z->a, *b = &z->b;
     const loft_acc gap = z->half;
@@ -299,8 +299,8 @@ static bool meet(const search *z, loft_crossing out[], size_t room, size_t *coun
     loft_unit sigma, tau;
     loft_acc dot = 0;
 
-    c.distance = a->chord.length <= b->chord.length ? closest(a, b, &sigma, &tau)
-                                                    : closest(b, a, &tau, &sigma);
+    c.distance = a->chord.length <= b->chord.length ? closest_points(a, b, &sigma, &tau)
+                                                    : closest_points(b, a, &tau, &sigma);
     if (c.distance > gap)
         return true;
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -312,19 +312,19 @@ static bool meet(const search *z, loft_crossing out[], size_t room, size_t *coun
     }
     c.s       = loft_dyad_at(a->n, sigma);
     c.t       = loft_dyad_at(b->n, tau);
-    c.s_from  = loft_dyad_at(a->n, near_until(a, b, sigma, 0, gap));
-    c.s_to    = loft_dyad_at(a->n, near_until(a, b, sigma, LOFT_UNIT(1), gap));
-    c.t_from  = loft_dyad_at(b->n, near_until(b, a, tau, 0, gap));
-    c.t_to    = loft_dyad_at(b->n, near_until(b, a, tau, LOFT_UNIT(1), gap));
+    c.s_from  = loft_dyad_at(a->n, near_range_end(a, b, sigma, 0, gap));
+    c.s_to    = loft_dyad_at(a->n, near_range_end(a, b, sigma, LOFT_UNIT(1), gap));
+    c.t_from  = loft_dyad_at(b->n, near_range_end(b, a, tau, 0, gap));
+    c.t_to    = loft_dyad_at(b->n, near_range_end(b, a, tau, LOFT_UNIT(1), gap));
     c.along   = dot >= 0;
     c.overlap = false;
-    return add(c, out, room, count);
+    return add_crossing(c, out, room, count);
 }
 
 /* Curves that are the same for a while are so until one of them ends. Which way the second runs is
  * seen from the ends of a long stretch: where the first turns back within tol, its direction at one
  * place says little. */
-static void judge(const search *z, loft_crossing *c, loft_acc least)
+static void judge_crossing(const search *z, loft_crossing *c, loft_acc least)
 {
     const loft_vec from = loft_bezier_eval(z->a.b, c->s_from),
                    to = loft_bezier_eval(z->a.b, c->s_to);
@@ -349,31 +349,31 @@ static void judge(const search *z, loft_crossing *c, loft_acc least)
 /* The walk */
 
 /* Halve the piece that needs it, the larger one if both do. False if neither does. */
-static bool descend(search *z)
+static bool halve_pair(search *z)
 {
     side *a = &z->a, *b = &z->b;
 
     if ((a->straight && b->straight) ||
-        (a->flat && b->flat && (is_along(a, b, z->half) || is_along(b, a, z->half))))
+        (a->flat && b->flat && (is_chord_along(a, b, z->half) || is_chord_along(b, a, z->half))))
         return false;
     const bool halve_a = !a->straight && (b->straight || a->size >= b->size);
     side *s = halve_a ? a : b;
 
     z->halved_a[z->depth++] = halve_a;
     s->n = loft_dyad_half(s->n, 0);
-    cut(z, s);
+    cut_side(z, s);
     return true;
 }
 
 /* On to the pair that follows the current one and what is below it; false when there is none. */
-static bool ascend(search *z)
+static bool next_pair(search *z)
 {
     for (; z->depth; z->depth--) {
         side *s = z->halved_a[z->depth - 1] ? &z->a : &z->b;
         if (s->n.k % 2 == 0) {
             s->n.k++;
-            cut(z, &z->a);
-            cut(z, &z->b);
+            cut_side(z, &z->a);
+            cut_side(z, &z->b);
             return true;
         }
         s->n.k /= 2;
@@ -399,37 +399,37 @@ static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t
     c.distance = o->distance;
     c.along    = along;
     c.overlap  = true;
-    return add(c, out, room, count);
+    return add_crossing(c, out, room, count);
 }
 
 /* Nothing left to find in this pair? */
-static bool is_done(const search *z)
+static bool is_pair_done(const search *z)
 {
     const loft_dyad a = z->a.n, b = z->b.n;
 
-    return are_apart(&z->a, &z->b, z->half) ||
+    return are_sides_apart(&z->a, &z->b, z->half) ||
            (z->shares && loft_overlap_covers(&z->shared, z->a.b, loft_dyad_from(a), loft_dyad_to(a),
                                              loft_dyad_from(b), loft_dyad_to(b)));
 }
 
-static bool walk(search *z, loft_crossing out[], size_t room, size_t *count)
+static bool walk_pairs(search *z, loft_crossing out[], size_t room, size_t *count)
 {
     if (z->shares && !add_shared(z, out, room, count))
         return false;
-    cut(z, &z->a);
-    cut(z, &z->b);
+    cut_side(z, &z->a);
+    cut_side(z, &z->b);
     do {
-        while (!is_done(z))
-            if (!descend(z)) {
-                if (!meet(z, out, room, count))
+        while (!is_pair_done(z))
+            if (!halve_pair(z)) {
+                if (!add_chord_crossing(z, out, room, count))
                     return false;
                 break;
             }
-    } while (ascend(z));
+    } while (next_pair(z));
     return true;
 }
 
-static loft_acc largest(const loft_bezier *b, loft_acc most)
+static loft_acc largest_coordinate(const loft_bezier *b, loft_acc most)
 {
     for (unsigned k = 0; k <= b->degree; k++)
         for (int i = 0; i < LOFT_AXES; i++)
@@ -441,14 +441,14 @@ static loft_acc largest(const loft_bezier *b, loft_acc most)
 enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *b, loft_real tol,
                                        loft_crossing out[], size_t room, size_t *count)
 {
-    const loft_acc wide = loft_to_acc(tol), size = largest(b, largest(a, 0)),
-                   grain = loft_acc_ulp(size);
+    const loft_acc wide = loft_to_acc(tol), size = largest_coordinate(b, largest_coordinate(a, 0)),
+                   ulp = loft_acc_ulp(size);
     search z;
 
     *count = 0;
     if (!(tol > 0) || LOFT_AXES < 2)
         return LOFT_ERR_ARG;
-    if (!loft_real_valid(tol) || wide < 2 * loft_real_ulp(size) || wide < 16384 * grain)
+    if (!loft_real_valid(tol) || wide < 2 * loft_real_ulp(size) || wide < 16384 * ulp)
         return LOFT_ERR_RANGE;
 
     z.a.b = a;
@@ -459,14 +459,14 @@ enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *
     z.eighth = loft_acc_ratio(wide, 8);
     z.half   = loft_acc_ratio(wide, 2);
     z.long_enough = tol < LOFT_REAL(2048) ? 262144 * wide : loft_to_acc(LOFT_REAL_MAX);
-    z.short_enough = loft_acc_mul(wide, wide > 4194304 * grain ? LOFT_REAL(16384)
-                                                               : loft_acc_quot(wide, 256 * grain));
+    z.short_enough = loft_acc_mul(wide, wide > 4194304 * ulp ? LOFT_REAL(16384)
+                                                               : loft_acc_quot(wide, 256 * ulp));
 
     z.shares = loft_bezier_overlap(a, b, tol, &z.shared);
-    const bool complete = walk(&z, out, room, count);
+    const bool complete = walk_pairs(&z, out, room, count);
     bool overlaps = false;
     for (size_t k = 0; k < *count; k++) {
-        judge(&z, &out[k], 4 * wide);
+        judge_crossing(&z, &out[k], 4 * wide);
         overlaps = overlaps || out[k].overlap;
     }
     return !complete ? LOFT_MORE : overlaps ? LOFT_SINGULAR : LOFT_OK;

@@ -139,7 +139,8 @@ enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_b
 
 /* One axis, in units of 2^-R for c[1] * 2^R and c[2] * 2^(2R), R = LOFT_EXACT_REAL: below
  * 2^(3e). */
-static bool extend_axis(const loft_vec last[], int i, loft_real alpha, loft_real eta, loft_vec c[])
+static bool continue_axis(const loft_vec last[], int i, loft_real alpha, loft_real eta,
+                          loft_vec c[])
 {
     const loft_exact one = loft_exact_from_int(1), p = loft_exact_from_real(last[0].axis[i]);
     const loft_exact p1 = loft_exact_from_real(last[-1].axis[i]),
@@ -171,7 +172,7 @@ enum loft_status loft_join_continue(const loft_bezier *p, loft_real alpha, loft_
         if (!loft_vec_exact_valid(last - k, 1, LOFT_AXES))
             return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++)
-        if (!extend_axis(last, i, alpha, eta, out))
+        if (!continue_axis(last, i, alpha, eta, out))
             return LOFT_ERR_RANGE;
     for (int k = 0; k < 3; k++)
         c[k] = out[k];

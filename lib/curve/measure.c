@@ -44,15 +44,15 @@ typedef struct {
     loft_acc chord, polygon, slowest, fastest;
 } pair;
 
-static loft_unit start_of(piece n)  { return loft_unit_of(n.k, (uint32_t)1 << n.level); }
-static loft_unit end_of(piece n)    { return loft_unit_of(n.k + 1, (uint32_t)1 << n.level); }
-static piece     half_of(piece n, uint32_t side)
+static loft_unit piece_start(piece n)  { return loft_unit_of(n.k, (uint32_t)1 << n.level); }
+static loft_unit piece_end(piece n)    { return loft_unit_of(n.k + 1, (uint32_t)1 << n.level); }
+static piece     piece_half(piece n, uint32_t side)
 {
     const piece half = { 2 * n.k + side, (uint8_t)(n.level + 1) };
     return half;
 }
 
-static void prepare(hodograph *h, const loft_cubic *c, loft_acc tol)
+static void prepare_hodograph(hodograph *h, const loft_cubic *c, loft_acc tol)
 {
     h->polygon = 0;
     for (int k = 0; k < 3; k++) {
@@ -64,7 +64,7 @@ static void prepare(hodograph *h, const loft_cubic *c, loft_acc tol)
     h->tol = tol > least ? tol : least;
 }
 
-static pair between(const hodograph *h, loft_unit from, loft_unit to)
+static pair lengths_between(const hodograph *h, loft_unit from, loft_unit to)
 {
     loft_acc v[3][LOFT_AXES], sum[LOFT_AXES], size[3];
     pair p;
@@ -94,29 +94,32 @@ static pair between(const hodograph *h, loft_unit from, loft_unit to)
     return p;
 }
 
-static pair over(const hodograph *h, piece n)   { return between(h, start_of(n), end_of(n)); }
+static pair lengths_over(const hodograph *h, piece n)
+{
+    return lengths_between(h, piece_start(n), piece_end(n));
+}
 
-static loft_acc mean(pair p, piece n)
+static loft_acc mean_length(pair p, piece n)
 {
     return loft_acc_ratio(p.chord + p.polygon, (int32_t)2 << n.level);
 }
 
 /* Add up the leaves below *n, in order, before the one that leads beyond `length` or t. *n becomes
  * that leaf or, when there is none, the piece after the given one. */
-static loft_acc walk(const hodograph *h, piece *n, loft_acc length, loft_unit t)
+static loft_acc walk_leaves(const hodograph *h, piece *n, loft_acc length, loft_unit t)
 {
     const uint8_t top = n->level;
     loft_acc sum = 0;
 
     do {
-        const pair p = over(h, *n);
+        const pair p = lengths_over(h, *n);
         if (p.polygon - p.chord > 2 * h->tol && n->level < LEVELS) {
-            *n = half_of(*n, 0);
+            *n = piece_half(*n, 0);
             continue;
         }
-        if (sum + mean(p, *n) > length || end_of(*n) > t)
+        if (sum + mean_length(p, *n) > length || piece_end(*n) > t)
             break;
-        sum += mean(p, *n);
+        sum += mean_length(p, *n);
         n->k++;
         while (n->level > top && n->k % 2 == 0) {
             n->k /= 2;
@@ -130,44 +133,44 @@ static loft_acc walk(const hodograph *h, piece *n, loft_acc length, loft_unit t)
  * proportional, within tol: the speed is between 3 (slowest - 2 tol) and 3 fastest, hence the
  * length never off the straight line by more than h / 4 times the difference. Every choice depends
  * on the piece alone: the result grows with `rest`. */
-static loft_unit invert(const hodograph *h, piece n, loft_acc rest)
+static loft_unit invert_leaf(const hodograph *h, piece n, loft_acc rest)
 {
-    pair p = over(h, n);
+    pair p = lengths_over(h, n);
 
     while (n.level < LEVELS &&
            (n.level < 3 || loft_acc_ratio(p.fastest - p.slowest, (int32_t)1 << n.level) >
                                loft_acc_ratio(h->tol, 4))) {
-        const piece first = half_of(n, 0);
-        const pair q = over(h, first);
-        const loft_acc length = mean(q, first);
+        const piece first = piece_half(n, 0);
+        const pair q = lengths_over(h, first);
+        const loft_acc length = mean_length(q, first);
         if (rest < length) {
             n = first;
             p = q;
         } else {
             rest -= length;
-            n = half_of(n, 1);
-            p = over(h, n);
+            n = piece_half(n, 1);
+            p = lengths_over(h, n);
         }
     }
-    const loft_acc length = mean(p, n);
+    const loft_acc length = mean_length(p, n);
     if (rest >= length)
-        return end_of(n);
+        return piece_end(n);
     const loft_unit t = loft_unit_ratio(length * (int32_t)n.k + rest,
                                         length * (int32_t)((uint32_t)1 << n.level));
-    return t < start_of(n) ? start_of(n) : t < end_of(n) ? t : end_of(n);
+    return t < piece_start(n) ? piece_start(n) : t < piece_end(n) ? t : piece_end(n);
 }
 
 /* The parameter at which the curve is `length` beyond the start of n. */
-static loft_unit locate(const hodograph *h, piece n, loft_acc length)
+static loft_unit locate_length(const hodograph *h, piece n, loft_acc length)
 {
     const piece top = n;
 
     if (!(length > 0))
-        return start_of(n);
-    length -= walk(h, &n, length, LOFT_UNIT(1));
+        return piece_start(n);
+    length -= walk_leaves(h, &n, length, LOFT_UNIT(1));
     if (n.level == top.level && n.k != top.k)
-        return start_of(n);
-    return invert(h, n, length);
+        return piece_start(n);
+    return invert_leaf(h, n, length);
 }
 
 loft_acc loft_cubic_arclen(const loft_cubic *c, loft_real tol)
@@ -175,8 +178,8 @@ loft_acc loft_cubic_arclen(const loft_cubic *c, loft_real tol)
     hodograph h;
     piece whole = { 0, 0 };
 
-    prepare(&h, c, loft_to_acc(tol));
-    return walk(&h, &whole, 2 * h.polygon, LOFT_UNIT(1));
+    prepare_hodograph(&h, c, loft_to_acc(tol));
+    return walk_leaves(&h, &whole, 2 * h.polygon, LOFT_UNIT(1));
 }
 
 /* Half of tol for the lengths, the other half for the inversion. */
@@ -185,8 +188,8 @@ loft_unit loft_cubic_inv_arclen(const loft_cubic *c, loft_acc length, loft_real 
     const piece whole = { 0, 0 };
     hodograph h;
 
-    prepare(&h, c, loft_acc_ratio(loft_to_acc(tol), 2));
-    return locate(&h, whole, length);
+    prepare_hodograph(&h, c, loft_acc_ratio(loft_to_acc(tol), 2));
+    return locate_length(&h, whole, length);
 }
 
 
@@ -203,10 +206,10 @@ enum loft_status loft_arclen_init(loft_arclen *r, const loft_cubic *c, loft_real
     r->curve   = *c;
     r->tol     = loft_acc_ratio(loft_to_acc(tol), 2);
     r->mark[0] = 0;
-    prepare(&h, c, r->tol);
+    prepare_hodograph(&h, c, r->tol);
     for (uint32_t k = 0; k < LOFT_ARCLEN_MARKS; k++) {
-        piece part = { k, MARK_LEVEL };
-        r->mark[k + 1] = r->mark[k] + walk(&h, &part, 2 * h.polygon, LOFT_UNIT(1));
+        piece sixteenth = { k, MARK_LEVEL };
+        r->mark[k + 1] = r->mark[k] + walk_leaves(&h, &sixteenth, 2 * h.polygon, LOFT_UNIT(1));
     }
     return LOFT_OK;
 }
@@ -220,16 +223,16 @@ loft_acc loft_arclen_eval(const loft_arclen *r, loft_unit t)
     loft_acc sum;
 
     t = loft_unit_clamp(t);
-    while (n.k < LOFT_ARCLEN_MARKS && end_of(n) <= t)
+    while (n.k < LOFT_ARCLEN_MARKS && piece_end(n) <= t)
         n.k++;
     sum = r->mark[n.k];
     if (n.k == LOFT_ARCLEN_MARKS)
         return sum;
-    prepare(&h, &r->curve, r->tol);
-    sum += walk(&h, &n, 2 * h.polygon, t);
+    prepare_hodograph(&h, &r->curve, r->tol);
+    sum += walk_leaves(&h, &n, 2 * h.polygon, t);
 
-    const pair p = between(&h, start_of(n), t);
-    return sum + loft_acc_scale(loft_acc_ratio(p.chord + p.polygon, 2), t - start_of(n));
+    const pair p = lengths_between(&h, piece_start(n), t);
+    return sum + loft_acc_scale(loft_acc_ratio(p.chord + p.polygon, 2), t - piece_start(n));
 }
 
 loft_unit loft_arclen_inverse(const loft_arclen *r, loft_acc length)
@@ -241,6 +244,6 @@ loft_unit loft_arclen_inverse(const loft_arclen *r, loft_acc length)
         n.k++;
     if (n.k == LOFT_ARCLEN_MARKS)
         return LOFT_UNIT(1);
-    prepare(&h, &r->curve, r->tol);
-    return locate(&h, n, length - r->mark[n.k]);
+    prepare_hodograph(&h, &r->curve, r->tol);
+    return locate_length(&h, n, length - r->mark[n.k]);
 }

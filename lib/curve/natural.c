@@ -44,18 +44,18 @@
 #define ONE_SHIFT 24
 #define ONE       (loft_to_acc(LOFT_REAL(1)) * 16777216)
 
-static loft_acc rise(const loft_vec *p, int axis)
+static loft_acc axis_rise(const loft_vec *p, int axis)
 {
     return loft_to_acc(p[1].axis[axis]) - loft_to_acc(p[0].axis[axis]);
 }
 
 /* The chord from p[0] to p[1], times 2^shift. */
-static loft_acc chord(const loft_vec *p, uint8_t *shift)
+static loft_acc chord_length(const loft_vec *p, uint8_t *shift)
 {
     loft_acc d[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++)
-        d[i] = rise(p, i);
+        d[i] = axis_rise(p, i);
     return loft_acc_length(d, LOFT_AXES, shift);
 }
 
@@ -71,11 +71,11 @@ static bool leg_init(leg *g, const loft_vec *p, enum loft_spacing knots)
     g->length = ONE;
     g->shift = 0;
     if (knots == LOFT_CHORD)
-        g->length = chord(p, &g->shift);
+        g->length = chord_length(p, &g->shift);
     if (!(g->length > 0))
         return false;
     for (int i = 0; i < LOFT_AXES; i++) {
-        g->rise[i] = rise(p, i);
+        g->rise[i] = axis_rise(p, i);
         if (knots == LOFT_CHORD)
             g->rise[i] = loft_acc_muldiv(g->rise[i] * (loft_acc)((uint64_t)1 << g->shift), ONE,
                                        g->length);
@@ -84,7 +84,7 @@ static bool leg_init(leg *g, const loft_vec *p, enum loft_spacing knots)
 }
 
 /* w of the point between two legs: both lengths at the coarser of their scales. */
-static loft_acc share(const leg *before, const leg *after)
+static loft_acc leg_share(const leg *before, const leg *after)
 {
     const unsigned common = before->shift < after->shift ? before->shift : after->shift;
     const loft_acc a = loft_acc_down(before->length, before->shift - common);
@@ -94,9 +94,9 @@ static loft_acc share(const leg *before, const leg *after)
 }
 
 /* One row: knot[0] has c in `length` and r in `slope`, knot[1] gets its own. */
-static void eliminate(loft_natural_knot *knot, const leg *before, const leg *after)
+static void eliminate_row(loft_natural_knot *knot, const leg *before, const leg *after)
 {
-    const loft_acc w = share(before, after),
+    const loft_acc w = leg_share(before, after),
                    den = 2 * ONE - loft_acc_muldiv(w, knot[0].length, ONE);
 
     knot[1].length = loft_acc_muldiv(ONE - w, ONE, den);
@@ -108,7 +108,7 @@ static void eliminate(loft_natural_knot *knot, const leg *before, const leg *aft
 }
 
 /* Forward through all points; false when two coincide. */
-static bool forward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
+static bool eliminate_forward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
                     loft_natural_knot knot[])
 {
     leg before, after;
@@ -121,7 +121,7 @@ static bool forward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
     for (uint32_t k = 1; k + 1 < count; k++) {
         if (!leg_init(&after, p + k, knots))
             return false;
-        eliminate(&knot[k-1], &before, &after);
+        eliminate_row(&knot[k-1], &before, &after);
         before = after;
     }
 
@@ -133,7 +133,7 @@ static bool forward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
 }
 
 /* And back, when c makes room for the length of the chord. */
-static void backward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
+static void substitute_back(const loft_vec p[], uint32_t count, enum loft_spacing knots,
                      loft_natural_knot knot[])
 {
     knot[count-1].length = 0;
@@ -144,7 +144,7 @@ static void backward(const loft_vec p[], uint32_t count, enum loft_spacing knots
         knot[k].length = ONE;
         knot[k].shift = 0;
         if (knots == LOFT_CHORD)
-            knot[k].length = chord(p + k, &knot[k].shift);
+            knot[k].length = chord_length(p + k, &knot[k].shift);
     }
 }
 
@@ -156,9 +156,9 @@ enum loft_status loft_natural_init(loft_natural *s, const loft_vec p[], uint32_t
     for (uint32_t k = 0; k < count; k++)
         if (!loft_vec_valid(p[k]))
             return LOFT_ERR_RANGE;
-    if (!forward(p, count, knots, memory))
+    if (!eliminate_forward(p, count, knots, memory))
         return LOFT_SINGULAR;
-    backward(p, count, knots, memory);
+    substitute_back(p, count, knots, memory);
 
     s->p = p;
     s->knot = memory;
@@ -167,13 +167,13 @@ enum loft_status loft_natural_init(loft_natural *s, const loft_vec p[], uint32_t
     return LOFT_OK;
 }
 
-static bool reaches(const loft_natural *s, uint32_t i, loft_unit t)
+static bool segment_valid(const loft_natural *s, uint32_t i, loft_unit t)
 {
     return i < s->count - 1 && t >= 0 && t <= LOFT_UNIT(1);
 }
 
 /* The slope at `end` for a parameter that runs from 0 to 1 over the chord of `knot` */
-static loft_acc reach(const loft_natural *s, const loft_natural_knot *knot,
+static loft_acc segment_slope(const loft_natural *s, const loft_natural_knot *knot,
                       const loft_natural_knot *end, int axis)
 {
     if (s->knots == LOFT_UNIFORM)
@@ -181,24 +181,24 @@ static loft_acc reach(const loft_natural *s, const loft_natural_knot *knot,
     return loft_acc_down(loft_acc_muldiv(end->slope[axis], knot->length, ONE), knot->shift);
 }
 
-static void ends(const loft_natural *s, uint32_t i, int axis, loft_acc e[4])
+static void segment_ends(const loft_natural *s, uint32_t i, int axis, loft_acc e[4])
 {
     const loft_natural_knot *knot = &s->knot[i];
 
     e[0] = loft_to_acc(s->p[i].axis[axis]);
     e[1] = loft_to_acc(s->p[i+1].axis[axis]);
-    e[2] = reach(s, knot, knot, axis);
-    e[3] = reach(s, knot, knot + 1, axis);
+    e[2] = segment_slope(s, knot, knot, axis);
+    e[3] = segment_slope(s, knot, knot + 1, axis);
 }
 
 enum loft_status loft_natural_eval(const loft_natural *s, uint32_t i, loft_unit t, loft_vec *out)
 {
     loft_acc e[4], x[LOFT_AXES];
 
-    if (!reaches(s, i, t))
+    if (!segment_valid(s, i, t))
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
-        ends(s, i, axis, e);
+        segment_ends(s, i, axis, e);
         x[axis] = loft_ends3_deriv(e, 0, t);
     }
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
@@ -212,11 +212,12 @@ enum loft_status loft_natural_eval(const loft_natural *s, uint32_t i, loft_unit 
  * Errors in e / ONE: m 202, q 1.25. k = 1: between m and 3 q - 2 m, 410 and 2 for the scheme,
  * 2^-48, and 2^-33 for the last division: 2^-17 LSB. k = 2: 2 (3 q - 3 m), 1220: 2^-46.7, divided
  * by h >= 2^-16: 2^-14 LSB. */
-static loft_acc per_length(const loft_natural *s, uint32_t i, unsigned k, loft_unit t, int axis)
+static loft_acc derivative_per_length(const loft_natural *s, uint32_t i, unsigned k, loft_unit t,
+                                      int axis)
 {
     const loft_natural_knot *knot = &s->knot[i];
     const loft_acc unit = (loft_acc)((uint64_t)1 << knot->shift);
-    const loft_acc q = loft_acc_muldiv(rise(&s->p[i], axis) * unit, ONE, knot->length);
+    const loft_acc q = loft_acc_muldiv(axis_rise(&s->p[i], axis) * unit, ONE, knot->length);
     const loft_acc e[4] = { 0, q, knot[0].slope[axis], knot[1].slope[axis] };
     const loft_acc x = loft_ends3_deriv(e, k, t);
 
@@ -230,14 +231,14 @@ enum loft_status loft_natural_deriv(const loft_natural *s, uint32_t i, unsigned 
 {
     loft_acc e[4], x[LOFT_AXES];
 
-    if (!reaches(s, i, t) || k < 1 || k > 2)
+    if (!segment_valid(s, i, t) || k < 1 || k > 2)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         if (s->knots == LOFT_UNIFORM) {
-            ends(s, i, axis, e);
+            segment_ends(s, i, axis, e);
             x[axis] = loft_ends3_deriv(e, k, t);
         } else {
-            x[axis] = per_length(s, i, k, t, axis);
+            x[axis] = derivative_per_length(s, i, k, t, axis);
         }
     }
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
@@ -247,10 +248,10 @@ enum loft_status loft_cubic_from_natural(const loft_natural *s, uint32_t i, loft
 {
     loft_acc e[4], c[4];
 
-    if (!reaches(s, i, 0))
+    if (!segment_valid(s, i, 0))
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
-        ends(s, i, axis, e);
+        segment_ends(s, i, axis, e);
         loft_ends3_bernstein(e, c);
         if (!loft_vec_round_axis(c, 4, axis, out->p))
             return LOFT_ERR_RANGE;

@@ -82,7 +82,7 @@ static loft_acc bound_of(const scene *s, loft_unit *t)
     return m + behind + loft_acc_scale(behind, LOFT_UNIT(1.0 / 4194304));
 }
 
-static void cut(scene *s, loft_dyad n)
+static void cut_scene(scene *s, loft_dyad n)
 {
     for (int i = 0; i < LOFT_AXES; i++)
         loft_bernstein_sub(s->whole[i], s->degree, loft_dyad_from(n), loft_dyad_to(n), s->piece[i]);
@@ -94,12 +94,12 @@ static void search(scene *s, loft_vec p, loft_acc tol, loft_nearest *out)
     loft_dyad n = { 0, 0 };
     loft_unit t;
 
-    cut(s, n);
+    cut_scene(s, n);
     try_at(s, n, 0, p, out);
     try_at(s, n, LOFT_UNIT(1), p, out);
     do {
         for (;;) {
-            cut(s, n);
+            cut_scene(s, n);
             const loft_acc bound = bound_of(s, &t);
             try_at(s, n, t, p, out);
             if (bound >= out->distance - tol - 4 * loft_hypot_ulp(out->distance) ||

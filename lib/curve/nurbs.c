@@ -79,7 +79,7 @@ loft_vec loft_nurbs_eval(const loft_nurbs *n, loft_real u)
 }
 
 /* All rows but the last: c[0] and c[1] remain. */
-static void two_of(const loft_nurbs *n, unsigned span, loft_real u, loft_acc128 c[])
+static void last_two(const loft_nurbs *n, unsigned span, loft_real u, loft_acc128 c[])
 {
     const loft_real *hi = &n->knots.k[span + 1];
 
@@ -105,14 +105,14 @@ enum loft_status loft_nurbs_deriv(const loft_nurbs *n, loft_real u, loft_vec *ou
     denominators(n, span, c);
     for (unsigned k = 0; k <= degree; k++)
         w[k] = loft_acc128_guarded(loft_acc_ratio(c[k], LOFT_PROJECT));
-    two_of(n, span, u, w);
+    last_two(n, span, u, w);
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc d = 0;
         numerators(n, span, i, c);
         for (unsigned k = 0; k <= degree; k++)
             x[k] = loft_acc128_guarded(
                 c[k] - loft_prod(o.axis[i], n->p[span - degree + k].w * (loft_real)n->scale));
-        two_of(n, span, u, x);
+        last_two(n, span, u, x);
         if (!loft_acc128_slope(x, w, loft_acc128_lerp_in(w[0], w[1], u, lo, hi), (int32_t)degree,
                                &d) ||
             !loft_acc_rate(d, loft_to_acc(hi) - loft_to_acc(lo), &v.axis[i]))
@@ -144,7 +144,7 @@ bool loft_nurbs_next(const loft_nurbs *n, unsigned *span, loft_weighted out[])
 
 /* The point between k - 1 and k; lo and hi are the knots between which u has its place. The factor
  * 2^15 s of the weight is taken off as it was put on. */
-static loft_weighted between(const loft_nurbs *n, unsigned k, loft_real u, loft_real lo,
+static loft_weighted point_between(const loft_nurbs *n, unsigned k, loft_real u, loft_real lo,
                              loft_real hi)
 {
     const loft_acc w = loft_acc_lerp_in(denominator(n, k - 1), denominator(n, k), u, lo, hi);
@@ -169,7 +169,7 @@ enum loft_status loft_nurbs_insert(const loft_nurbs *n, loft_real u, loft_weight
     for (unsigned k = n->knots.points; k > span; k--)
         p[k] = n->p[k - 1];
     for (unsigned k = span; k > span - degree; k--)
-        p[k] = between(n, k, u, lo[k], hi[k]);
+        p[k] = point_between(n, k, u, lo[k], hi[k]);
     for (unsigned k = 0; k <= span - degree; k++)
         p[k] = n->p[k];
     loft_knots_insert(&n->knots, u, knots);

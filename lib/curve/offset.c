@@ -80,12 +80,12 @@ typedef struct {
 
 static loft_acc wide_unit(loft_unit t)  { return loft_acc_scale(loft_to_acc(LOFT_REAL(1)), t); }
 
-static loft_acc cross(const loft_unit t[2], const loft_acc v[2])
+static loft_acc cross_product(const loft_unit t[2], const loft_acc v[2])
 {
     return loft_acc_scale(v[1], t[0]) - loft_acc_scale(v[0], t[1]);
 }
 
-static loft_acc dot(const loft_unit t[2], const loft_acc v[2])
+static loft_acc dot_product(const loft_unit t[2], const loft_acc v[2])
 {
     return loft_acc_scale(v[0], t[0]) + loft_acc_scale(v[1], t[1]);
 }
@@ -93,7 +93,7 @@ static loft_acc dot(const loft_unit t[2], const loft_acc v[2])
 
 /* The direction of travel */
 
-static bool is_null(const loft_offset *o, unsigned k)
+static bool is_null_coefficient(const loft_offset *o, unsigned k)
 {
     const loft_acc2 v[2] = { o->h[0][k], o->h[1][k] };
     loft_acc any[2];
@@ -104,10 +104,10 @@ static bool is_null(const loft_offset *o, unsigned k)
 /* sum C(m,j) h_j t^j (1-t)^(m-j) without h_0 is t times a sum of degree m - 1 with coefficients m /
  * (j+1) h_(j+1); without h_m it is (1-t) times one with m / (m-j) h_j. m is 1 or 2: the quotients
  * are 1 or 2. False when all are 0. */
-static bool divide(loft_offset *o)
+static bool divide_out_zeros(loft_offset *o)
 {
-    while (o->degree && (is_null(o, 0) || is_null(o, o->degree))) {
-        const bool front = is_null(o, 0);
+    while (o->degree && (is_null_coefficient(o, 0) || is_null_coefficient(o, o->degree))) {
+        const bool front = is_null_coefficient(o, 0);
         const unsigned m = o->degree;
         for (unsigned j = 0; j < m; j++)
             for (int i = 0; i < 2; i++) {
@@ -116,7 +116,7 @@ static bool divide(loft_offset *o)
             }
         o->degree--;
     }
-    return !is_null(o, 0);
+    return !is_null_coefficient(o, 0);
 }
 
 enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real distance,
@@ -144,15 +144,15 @@ enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real
         for (int k = 0; k < 3; k++)
             o->h[i][k] = loft_acc2_sub(c->p[k + 1].axis[i ? Y : 0], c->p[k].axis[i ? Y : 0]);
     o->degree = 2;
-    if (!divide(o))
+    if (!divide_out_zeros(o))
         return LOFT_SINGULAR;
     o->curve    = *c;
     o->distance = distance;
     o->limit = wide - rounding < d
                    ? wide_unit(loft_unit_ratio(wide - rounding, d) - LOFT_UNIT(1.0 / 524288))
                    : wide_unit(LOFT_UNIT(1));
-    o->hardly   = loft_acc_ratio(wide, 4);
-    o->way      = 0;
+    o->quarter_tol   = loft_acc_ratio(wide, 4);
+    o->direction      = 0;
     o->at       = 0;
     return LOFT_OK;
 }
@@ -188,16 +188,16 @@ static bool tangent_of(const loft_acc2 v[2], loft_unit out[2])
 
 /* Tangents, the same for all spans that meet, and H in units. False where H has no direction at an
  * end, or is much longer elsewhere. */
-static bool aim(const loft_offset *o, loft_unit from, loft_unit to, trial *r, loft_acc h[2][3],
-                loft_acc length[3])
+static bool aim_tangents(const loft_offset *o, loft_unit from, loft_unit to, trial *r,
+                         loft_acc h[2][3], loft_acc length[3])
 {
     const unsigned m = o->degree;
-    loft_acc2 broad[6];
+    loft_acc2 coefficient[6];
     loft_acc all[6], most = 0;
 
     for (unsigned k = 0; k < 2 * m + 2; k++)
-        broad[k] = blossom_of(o, (int)(k % 2), k / 2, from, to);
-    if (!loft_acc2_scaled(broad, (int)(2 * m + 2), all))
+        coefficient[k] = blossom_of(o, (int)(k % 2), k / 2, from, to);
+    if (!loft_acc2_scaled(coefficient, (int)(2 * m + 2), all))
         return false;
     for (unsigned j = 0; j <= m; j++) {
         h[0][j] = all[2 * j];
@@ -211,16 +211,16 @@ static bool aim(const loft_offset *o, loft_unit from, loft_unit to, trial *r, lo
     for (int i = 0; i < 2; i++)
         for (unsigned j = 0; j <= m; j++)
             r->h[i][j] = loft_unit_ratio(h[i][j], most);
-    return tangent_of(broad, r->first) && tangent_of(&broad[2 * m], r->last);
+    return tangent_of(coefficient, r->first) && tangent_of(&coefficient[2 * m], r->last);
 }
 
 /* E from the tangents and the turning at both ends, at most m radians each. */
-static bool turn(const loft_offset *o, trial *r, loft_acc h[2][3], const loft_acc length[3])
+static bool turn_normal(const loft_offset *o, trial *r, loft_acc h[2][3], const loft_acc length[3])
 {
     const unsigned m = o->degree;
     const loft_acc second[2] = { h[0][m ? 1 : 0], h[1][m ? 1 : 0] },
                    last_but_one[2] = { h[0][m ? m - 1 : 0], h[1][m ? m - 1 : 0] };
-    const loft_acc x0 = cross(r->first, second), x1 = -cross(r->last, last_but_one);
+    const loft_acc x0 = cross_product(r->first, second), x1 = -cross_product(r->last, last_but_one);
 
     if (loft_acc_abs(x0) > length[0] || loft_acc_abs(x1) > length[m])
         return false;
@@ -239,7 +239,7 @@ static bool turn(const loft_offset *o, trial *r, loft_acc h[2][3], const loft_ac
 }
 
 /* The control points from E. */
-static void place(const loft_offset *o, loft_unit from, loft_unit to, trial *r)
+static void place_points(const loft_offset *o, loft_unit from, loft_unit to, trial *r)
 {
     loft_acc p[4];
 
@@ -258,9 +258,9 @@ static bool try_span(const loft_offset *o, uint32_t start, uint32_t end, trial *
     const loft_unit from = loft_unit_of(start, STEPS), to = loft_unit_of(end, STEPS);
     loft_acc h[2][3], length[3];
 
-    if (!aim(o, from, to, r, h, length) || !turn(o, r, h, length))
+    if (!aim_tangents(o, from, to, r, h, length) || !turn_normal(o, r, h, length))
         return false;
-    place(o, from, to, r);
+    place_points(o, from, to, r);
     return true;
 }
 
@@ -281,11 +281,11 @@ static void hold_normal(const loft_offset *o, uint32_t start, uint32_t end, uint
         r->e[0][k] = -wide_unit(t[1]);
         r->e[1][k] = wide_unit(t[0]);
     }
-    place(o, loft_unit_of(start, STEPS), loft_unit_of(end, STEPS), r);
+    place_points(o, loft_unit_of(start, STEPS), loft_unit_of(end, STEPS), r);
 }
 
 /* The largest coefficient of <E, H>. */
-static loft_acc sideways(const trial *r, unsigned m)
+static loft_acc largest_sideways(const trial *r, unsigned m)
 {
     loft_acc most = 0;
 
@@ -303,7 +303,7 @@ static loft_acc sideways(const trial *r, unsigned m)
 }
 
 /* The largest coefficient of <E, E> - 1. */
-static loft_acc outward(const trial *r)
+static loft_acc largest_outward(const trial *r)
 {
     const loft_acc one = wide_unit(LOFT_UNIT(1));
     loft_acc most = 0;
@@ -322,13 +322,14 @@ static loft_acc outward(const trial *r)
 }
 
 /* The least of H, at least. */
-static loft_acc slowest(const trial *r, unsigned m)
+static loft_acc smallest_speed(const trial *r, unsigned m)
 {
     loft_acc least = wide_unit(LOFT_UNIT(1));
 
     for (unsigned j = 0; j <= m; j++) {
         const loft_acc v[2] = { wide_unit(r->h[0][j]), wide_unit(r->h[1][j]) };
-        const loft_acc forward = loft_acc_ratio(dot(r->first, v) + dot(r->last, v), 2);
+        const loft_acc forward = loft_acc_ratio(dot_product(r->first, v) + dot_product(r->last, v),
+                                                2);
         if (forward < least)
             least = forward;
     }
@@ -336,10 +337,10 @@ static loft_acc slowest(const trial *r, unsigned m)
 }
 
 /* Is the span within the tolerance? */
-static bool is_close(const loft_offset *o, const trial *r)
+static bool is_span_close(const loft_offset *o, const trial *r)
 {
-    const loft_acc quarter = wide_unit(LOFT_UNIT(0.25)), p = sideways(r, o->degree), q = outward(r),
-                   least = slowest(r, o->degree);
+    const loft_acc quarter = wide_unit(LOFT_UNIT(0.25)), p = largest_sideways(r, o->degree),
+                   q = largest_outward(r), least = smallest_speed(r, o->degree);
 
     if (least < loft_acc_ratio(quarter, 2) || p > loft_acc_ratio(least, 4) ||
         q > quarter - loft_acc_ratio(quarter, 4))
@@ -354,33 +355,36 @@ static bool is_close(const loft_offset *o, const trial *r)
 
 /* Does the offset run forwards (1) or backwards (-1) at the start or the end of the span, with a
  * leg beyond `least`? */
-static int runs(const trial *r, int end, loft_acc least)
+static int run_direction(const trial *r, int end, loft_acc least)
 {
     const loft_acc leg[2] = { r->c[0][2 * end + 1] - r->c[0][2 * end],
                               r->c[Y][2 * end + 1] - r->c[Y][2 * end] };
-    const loft_acc forward = dot(end ? r->last : r->first, leg);
+    const loft_acc forward = dot_product(end ? r->last : r->first, leg);
 
     return forward > least ? 1 : forward < -least ? -1 : 0;
 }
 
 /* The same at a place between `start` and `end`. What a leg errs by is no shorter for a short span:
  * the longer one counts. */
-static int runs_at(const loft_offset *o, uint32_t start, uint32_t at, uint32_t end, loft_acc least)
+static int run_direction_at(const loft_offset *o, uint32_t start, uint32_t at, uint32_t end,
+                            loft_acc least)
 {
     const bool before = at - start >= end - at;
     trial r;
 
-    return try_span(o, before ? start : at, before ? at : end, &r) ? runs(&r, before, least) : 0;
+    return try_span(o, before ? start : at, before ? at : end, &r)
+               ? run_direction(&r, before, least)
+               : 0;
 }
 
 /* The first step between low and high at which the offset of start .. end no longer runs as at
  * `low`. */
-static uint32_t cusp(const loft_offset *o, uint32_t start, uint32_t end, uint32_t low,
-                     uint32_t high, int way)
+static uint32_t find_cusp(const loft_offset *o, uint32_t start, uint32_t end, uint32_t low,
+                     uint32_t high, int direction)
 {
     while (high - low > 1) {
         const uint32_t middle = low + (high - low) / 2;
-        if (runs_at(o, start, middle, end, 0) == -way)
+        if (run_direction_at(o, start, middle, end, 0) == -direction)
             high = middle;
         else
             low = middle;
@@ -391,25 +395,25 @@ static uint32_t cusp(const loft_offset *o, uint32_t start, uint32_t end, uint32_
 /* Where the span from `start` to `end` is to end because the offset turns back; *way is how it runs
  * up to there. At the ends of its quarters is seen how it runs, and where hardly, as before; a
  * change at once then happened before. */
-static uint32_t until_cusp(const loft_offset *o, const trial *r, uint32_t start, uint32_t end,
-                           int *way)
+static uint32_t span_until_cusp(const loft_offset *o, const trial *r, uint32_t start, uint32_t end,
+                           int *direction)
 {
-    const int first = runs(r, 0, o->hardly);
+    const int first = run_direction(r, 0, o->quarter_tol);
     uint32_t low = start;
 
-    *way = first ? first : o->way;
+    *direction = first ? first : o->direction;
     for (uint32_t quarter = 1; quarter <= 4; quarter++) {
         const uint32_t at = start + (uint32_t)((uint64_t)(end - start) * quarter / 4);
-        const int then = quarter == 4 ? runs(r, 1, o->hardly)
-                         : at > start ? runs_at(o, start, at, end, o->hardly)
+        const int then = quarter == 4 ? run_direction(r, 1, o->quarter_tol)
+                         : at > start ? run_direction_at(o, start, at, end, o->quarter_tol)
                                       : 0;
-        if (*way && then == -*way) {
-            const uint32_t to = cusp(o, start, end, low, at, *way);
+        if (*direction && then == -*direction) {
+            const uint32_t to = find_cusp(o, start, end, low, at, *direction);
             if (first || to - start > (end - start) / 64)
                 return to;
         }
         if (then) {
-            *way = then;
+            *direction = then;
             low = at;
         }
     }
@@ -419,7 +423,8 @@ static uint32_t until_cusp(const loft_offset *o, const trial *r, uint32_t start,
 
 /* The largest dyadic span from `start` that is close enough, or what a cusp leaves of it: where it
  * ends, 0 if there is none. *way is how it runs, *next how the one after it does. */
-static uint32_t reach(const loft_offset *o, uint32_t start, trial *r, int *way, int *next)
+static uint32_t longest_span(const loft_offset *o, uint32_t start, trial *r, int *direction,
+                             int *next)
 {
     for (uint32_t width = STEPS, before = 0; width; width /= 2) {
         const uint32_t end = (start | (width - 1)) + 1;
@@ -427,17 +432,17 @@ static uint32_t reach(const loft_offset *o, uint32_t start, trial *r, int *way, 
         if (end == before)
             continue;
         before = end;
-        if (!try_span(o, start, end, r) || !is_close(o, r))
+        if (!try_span(o, start, end, r) || !is_span_close(o, r))
             continue;
-        const uint32_t to = until_cusp(o, r, start, end, way);
-        *next = to == end ? *way : -*way;
-        if (to == end || (try_span(o, start, to, r) && is_close(o, r)))
+        const uint32_t to = span_until_cusp(o, r, start, end, direction);
+        *next = to == end ? *direction : -*direction;
+        if (to == end || (try_span(o, start, to, r) && is_span_close(o, r)))
             return to;
     }
     return 0;
 }
 
-static void give(loft_offset *o, const trial *r, uint32_t start, uint32_t end, int way,
+static void give_span(loft_offset *o, const trial *r, uint32_t start, uint32_t end, int direction,
                  loft_offset_span *out)
 {
     for (int k = 0; k < 4; k++)
@@ -445,7 +450,7 @@ static void give(loft_offset *o, const trial *r, uint32_t start, uint32_t end, i
             out->curve.p[k].axis[i] = loft_acc_round(r->c[i][k]);
     out->from   = loft_unit_of(start, STEPS);
     out->to     = loft_unit_of(end, STEPS);
-    out->behind = way < 0;
+    out->behind = direction < 0;
     out->apart  = start > o->at;
     o->at = end;
 }
@@ -453,20 +458,20 @@ static void give(loft_offset *o, const trial *r, uint32_t start, uint32_t end, i
 bool loft_offset_next(loft_offset *o, loft_offset_span *out)
 {
     uint32_t start = o->at, end = 0;
-    int way = o->way, next = o->way;
+    int direction = o->direction, next = o->direction;
     trial r;
 
     if (start == STEPS)
         return false;
     for (; start < STEPS && !end; start += end ? 0 : 1)
-        end = reach(o, start, &r, &way, &next);
+        end = longest_span(o, start, &r, &direction, &next);
     if (end && (o->at > 0 || start == 0)) {
-        o->way = (int8_t)next;
-        give(o, &r, start, end, way, out);
+        o->direction = (int8_t)next;
+        give_span(o, &r, start, end, direction, out);
     } else {                            /* at the first end up to where spans begin, or what is left
                                          * at the last */
         hold_normal(o, o->at, start, end ? start : o->at, &r);
-        give(o, &r, o->at, start, end ? way : o->way, out);
+        give_span(o, &r, o->at, start, end ? direction : o->direction, out);
     }
     return true;
 }

@@ -32,11 +32,11 @@ LOFT_BEGIN_C
 typedef struct {
     loft_cubic curve;
     loft_real  distance;
-    loft_acc   limit, hardly;   /* the tolerance as a part of the distance; a quarter of it */
+    loft_acc   limit, quarter_tol;   /* the tolerance as a part of the distance; a quarter of it */
     loft_acc2  h[2][3];         /* the direction of travel: a polynomial without zeros at 0 and
                                   * 1 */
     uint8_t    degree;          /* of it */
-    int8_t     way;             /* 1: the offset runs forwards, -1: backwards, 0: not known yet */
+    int8_t     direction;             /* 1: the offset runs forwards, -1: backwards, 0: not known yet */
     uint32_t   at;              /* the parameter of the last end, in steps of 2^-24 */
 } loft_offset;
 

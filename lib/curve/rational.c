@@ -39,9 +39,9 @@
 #define LARGEST LOFT_REAL(16384)
 #define FLOOR 1048576       /* one over it; inside 0..1 a denominator is at least 1/65536 */
 
-static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
+static bool parameter_inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
-static bool extends(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
+static bool parameter_valid(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
 
 static void denominators(const loft_rational *r, loft_acc w[])
 {
@@ -55,7 +55,7 @@ static void numerators(const loft_rational *r, int axis, loft_acc x[])
         x[k] = loft_prod(r->p[k].p.axis[axis], r->p[k].w * (loft_real)r->scale);
 }
 
-static void guard(const loft_acc c[], unsigned degree, loft_acc128 out[])
+static void guard_coefficients(const loft_acc c[], unsigned degree, loft_acc128 out[])
 {
     for (unsigned k = 0; k <= degree; k++)
         out[k] = loft_acc128_guarded(c[k]);
@@ -63,35 +63,35 @@ static void guard(const loft_acc c[], unsigned degree, loft_acc128 out[])
 
 /* As numerators and denominators, with guard bits; without the factor LOFT_PROJECT of w' where that
  * is divided by. */
-static void deep_denominators(const loft_rational *r, int32_t by, loft_acc128 w[])
+static void acc128_denominators(const loft_rational *r, int32_t by, loft_acc128 w[])
 {
     loft_acc c[POINTS];
 
     denominators(r, c);
     for (unsigned k = 0; k <= r->degree; k++)
         c[k] = loft_acc_ratio(c[k], by);
-    guard(c, r->degree, w);
+    guard_coefficients(c, r->degree, w);
 }
 
 /* From the coordinate `origin`: |p - origin| s w < 2^31 in q16. */
-static void deep_numerators(const loft_rational *r, int axis, loft_real origin, loft_acc128 x[])
+static void acc128_numerators(const loft_rational *r, int axis, loft_real origin, loft_acc128 x[])
 {
     loft_acc c[POINTS];
 
     numerators(r, axis, c);
     for (unsigned k = 0; k <= r->degree; k++)
         c[k] -= loft_prod(origin, r->p[k].w * (loft_real)r->scale);
-    guard(c, r->degree, x);
+    guard_coefficients(c, r->degree, x);
 }
 
-static void step(loft_acc128 c[], unsigned degree, loft_unit t)
+static void casteljau_row(loft_acc128 c[], unsigned degree, loft_unit t)
 {
     for (unsigned i = 0; i < degree; i++)
         c[i] = loft_acc128_lerp(c[i], c[i + 1], t);
 }
 
 /* The least denominator that is divided by, for weights c[0..degree]. */
-static loft_acc128 floor_of(const loft_acc128 c[], unsigned degree)
+static loft_acc128 smallest_denominator(const loft_acc128 c[], unsigned degree)
 {
     loft_acc128 most = c[0];
 
@@ -148,10 +148,10 @@ loft_vec loft_rational_eval(const loft_rational *r, loft_unit t)
     return v;
 }
 
-static loft_acc128 deep_eval(loft_acc128 c[], unsigned degree, loft_unit t)
+static loft_acc128 acc128_eval(loft_acc128 c[], unsigned degree, loft_unit t)
 {
     for (unsigned k = degree; k > 0; k--)
-        step(c, k, t);
+        casteljau_row(c, k, t);
     return c[0];
 }
 
@@ -160,15 +160,15 @@ enum loft_status loft_rational_extrapolate(const loft_rational *r, loft_unit t, 
     loft_acc128 c[POINTS];
     loft_vec v;
 
-    if (!extends(t))
+    if (!parameter_valid(t))
         return LOFT_ERR_ARG;
-    deep_denominators(r, 1, c);
-    const loft_acc128 least = floor_of(c, r->degree), w = deep_eval(c, r->degree, t);
+    acc128_denominators(r, 1, c);
+    const loft_acc128 least = smallest_denominator(c, r->degree), w = acc128_eval(c, r->degree, t);
     if (loft_acc128_below(w, least))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        deep_numerators(r, i, 0, c);
-        if (!loft_acc128_rate(deep_eval(c, r->degree, t), w, &v.axis[i]))
+        acc128_numerators(r, i, 0, c);
+        if (!loft_acc128_rate(acc128_eval(c, r->degree, t), w, &v.axis[i]))
             return LOFT_ERR_RANGE;
     }
     *out = v;
@@ -176,10 +176,10 @@ enum loft_status loft_rational_extrapolate(const loft_rational *r, loft_unit t, 
 }
 
 /* All but the last step: c[0] and c[1] remain. */
-static void two_of(loft_acc128 c[], unsigned degree, loft_unit t)
+static void last_two(loft_acc128 c[], unsigned degree, loft_unit t)
 {
     for (unsigned k = degree; k > 1; k--)
-        step(c, k, t);
+        casteljau_row(c, k, t);
 }
 
 /* With x_k = s w_k (p_k - o), any o, and the pairs (x0, w0), (x1, w1) before the last step,
@@ -203,12 +203,12 @@ enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_v
 
     if (status != LOFT_OK)
         return status;
-    deep_denominators(r, LOFT_PROJECT, w);
-    two_of(w, n, t);
+    acc128_denominators(r, LOFT_PROJECT, w);
+    last_two(w, n, t);
     for (int i = 0; i < LOFT_AXES && n > 0; i++) {
         loft_acc d = 0;
-        deep_numerators(r, i, o.axis[i], x);
-        two_of(x, n, t);
+        acc128_numerators(r, i, o.axis[i], x);
+        last_two(x, n, t);
         if (!loft_acc128_slope(x, w, loft_acc128_lerp(w[0], w[1], t), (int32_t)n, &d) ||
             !loft_acc_valid(d))
             return LOFT_ERR_RANGE;
@@ -225,13 +225,13 @@ enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_v
  * is read before it is written. */
 
 /* Two roundings of 2^-33 and one to a real. */
-static loft_real unscaled(const loft_rational *r, loft_acc w)
+static loft_real unscaled_weight(const loft_rational *r, loft_acc w)
 {
     return loft_acc_round(loft_acc_ratio(loft_acc_ratio(w, LOFT_PROJECT), r->scale));
 }
 
 /* One axis of the control points; false when one does not fit. */
-static bool project(const loft_acc128 x[], const loft_acc128 w[], unsigned degree, int axis,
+static bool project_axis(const loft_acc128 x[], const loft_acc128 w[], unsigned degree, int axis,
                     loft_weighted out[])
 {
     for (unsigned k = 0; k <= degree; k++)
@@ -240,7 +240,7 @@ static bool project(const loft_acc128 x[], const loft_acc128 w[], unsigned degre
     return true;
 }
 
-static bool divisible(const loft_acc128 w[], unsigned degree, loft_acc128 least)
+static bool denominators_valid(const loft_acc128 w[], unsigned degree, loft_acc128 least)
 {
     for (unsigned k = 0; k <= degree; k++)
         if (loft_acc128_below(w[k], least))
@@ -249,17 +249,18 @@ static bool divisible(const loft_acc128 w[], unsigned degree, loft_acc128 least)
 }
 
 /* The first value of each row goes to `left`; the last ones stay in c. */
-static void halve(loft_acc128 c[], unsigned degree, loft_unit t, loft_acc128 left[])
+static void split_rows(loft_acc128 c[], unsigned degree, loft_unit t, loft_acc128 left[])
 {
     for (unsigned k = 0; k <= degree; k++) {
         left[k] = c[0];
-        step(c, degree - k, t);
+        casteljau_row(c, degree - k, t);
     }
 }
 
 /* The weights as they come. They are means inside 0..1, where only a last bit may have left the
  * range. */
-static bool weigh(const loft_rational *r, const loft_acc128 w[], bool means, loft_weighted out[])
+static bool set_weights(const loft_rational *r, const loft_acc128 w[], bool means,
+                        loft_weighted out[])
 {
     const loft_acc128 most = loft_acc128_times(
         loft_acc128_guarded(loft_to_acc(LOFT_WEIGHT_MAX) * LOFT_PROJECT), (uint32_t)r->scale);
@@ -282,27 +283,28 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
     const unsigned degree = r->degree;
     loft_acc128 w_left[POINTS], w_right[POINTS], x_left[POINTS], x_right[POINTS];
 
-    if (!extends(t))
+    if (!parameter_valid(t))
         return LOFT_ERR_ARG;
-    deep_denominators(r, 1, w_right);
-    const loft_acc128 least = floor_of(w_right, degree);
-    halve(w_right, degree, t, w_left);
-    if (!divisible(w_left, degree, least) || !divisible(w_right, degree, least))
+    acc128_denominators(r, 1, w_right);
+    const loft_acc128 least = smallest_denominator(w_right, degree);
+    split_rows(w_right, degree, t, w_left);
+    if (!denominators_valid(w_left, degree, least) || !denominators_valid(w_right, degree, least))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        deep_numerators(r, i, 0, x_right);
-        halve(x_right, degree, t, x_left);
-        if (!project(x_left, w_left, degree, i, left) ||
-            !project(x_right, w_right, degree, i, right))
+        acc128_numerators(r, i, 0, x_right);
+        split_rows(x_right, degree, t, x_left);
+        if (!project_axis(x_left, w_left, degree, i, left) ||
+            !project_axis(x_right, w_right, degree, i, right))
             return LOFT_ERR_RANGE;
     }
-    return weigh(r, w_left, inside(t), left) && weigh(r, w_right, inside(t), right)
+    return set_weights(r, w_left, parameter_inside(t), left) &&
+                   set_weights(r, w_right, parameter_inside(t), right)
                ? LOFT_OK
                : LOFT_ERR_RANGE;
 }
 
 /* out[k] = c[from^(degree-k), to^k]: after degree - k rows at `from`, k rows at `to` in a copy. */
-static void blossom(loft_acc128 c[], unsigned degree, loft_unit from, loft_unit to,
+static void blossom_points(loft_acc128 c[], unsigned degree, loft_unit from, loft_unit to,
                     loft_acc128 out[])
 {
     loft_acc128 copy[POINTS];
@@ -310,15 +312,15 @@ static void blossom(loft_acc128 c[], unsigned degree, loft_unit from, loft_unit 
     for (unsigned k = degree + 1; k-- > 0; ) {
         for (unsigned j = 0; j <= k; j++)
             copy[j] = c[j];
-        out[k] = deep_eval(copy, k, to);
-        step(c, k, from);
+        out[k] = acc128_eval(copy, k, to);
+        casteljau_row(c, k, from);
     }
 }
 
 /* The least power of two that brings all weights to 256 at most. The smallest of them stay above
  * 1/256, where they were before: the factor 2^15 s / divisor that is left is a power of two and at
  * least 1. */
-static int32_t divisor_of(const loft_acc w[], unsigned degree)
+static int32_t weight_divisor(const loft_acc w[], unsigned degree)
 {
     int32_t divisor = 1;
 
@@ -330,7 +332,7 @@ static int32_t divisor_of(const loft_acc w[], unsigned degree)
 
 void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted out[])
 {
-    const int32_t divisor = divisor_of(w, degree);
+    const int32_t divisor = weight_divisor(w, degree);
 
     for (unsigned k = 0; k <= degree; k++)
         out[k].w = loft_weight_clamp(loft_acc_round(loft_acc_ratio(w[k], divisor)));
@@ -338,7 +340,7 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
 
 /* The weights as wide numbers below 2^30, all divided by the same power of two, which is 1 inside
  * 0..1; false when one is below 1/256 where the largest comes into 128..256. */
-static bool narrow(const loft_acc128 w[], unsigned degree, bool means, loft_acc out[])
+static bool narrow_weights(const loft_acc128 w[], unsigned degree, bool means, loft_acc out[])
 {
     const loft_acc128 limit = loft_acc128_times(loft_acc128_guarded(loft_to_acc(LARGEST)),
                                             2 * LOFT_PROJECT);
@@ -349,7 +351,7 @@ static bool narrow(const loft_acc128 w[], unsigned degree, bool means, loft_acc 
             by *= 2;
     for (unsigned k = 0; k <= degree; k++)
         out[k] = loft_acc128_to_acc(w[k], by);
-    const int32_t divisor = divisor_of(out, degree);
+    const int32_t divisor = weight_divisor(out, degree);
     for (unsigned k = 0; k <= degree; k++)
         if (!means && loft_acc_round(loft_acc_ratio(out[k], divisor)) < LOFT_WEIGHT_MIN)
             return false;
@@ -360,21 +362,21 @@ enum loft_status loft_rational_sub(const loft_rational *r, loft_unit from, loft_
                                     loft_weighted out[])
 {
     const unsigned degree = r->degree;
-    const bool means = inside(from) && inside(to);
+    const bool means = parameter_inside(from) && parameter_inside(to);
     loft_acc128 c[POINTS], w[POINTS], x[POINTS];
     loft_acc narrowed[POINTS];
 
-    if (!extends(from) || !extends(to))
+    if (!parameter_valid(from) || !parameter_valid(to))
         return LOFT_ERR_ARG;
-    deep_denominators(r, 1, c);
-    const loft_acc128 least = floor_of(c, degree);
-    blossom(c, degree, from, to, w);
-    if (!divisible(w, degree, least) || !narrow(w, degree, means, narrowed))
+    acc128_denominators(r, 1, c);
+    const loft_acc128 least = smallest_denominator(c, degree);
+    blossom_points(c, degree, from, to, w);
+    if (!denominators_valid(w, degree, least) || !narrow_weights(w, degree, means, narrowed))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        deep_numerators(r, i, 0, c);
-        blossom(c, degree, from, to, x);
-        if (!project(x, w, degree, i, out))
+        acc128_numerators(r, i, 0, c);
+        blossom_points(c, degree, from, to, x);
+        if (!project_axis(x, w, degree, i, out))
             return LOFT_ERR_RANGE;
     }
     loft_rational_weights(narrowed, degree, out);
@@ -383,7 +385,7 @@ enum loft_status loft_rational_sub(const loft_rational *r, loft_unit from, loft_
 
 /* b_k = k/(n+1) b_(k-1) + (1 - k/(n+1)) b_k, from the last one down, `times` times: each rounds by
  * 2^-33. */
-static void raise(loft_acc c[], unsigned degree, unsigned times)
+static void elevate_axis(loft_acc c[], unsigned degree, unsigned times)
 {
     for (unsigned n = degree; n < degree + times; n++) {
         c[n + 1] = c[n];
@@ -400,15 +402,15 @@ enum loft_status loft_rational_elevate(const loft_rational *r, unsigned times, l
     if (times > LOFT_ELEVATE_MAX - degree)
         return LOFT_ERR_ARG;
     denominators(r, w);
-    raise(w, degree, times);
+    elevate_axis(w, degree, times);
     for (int i = 0; i < LOFT_AXES; i++) {
         numerators(r, i, x);
-        raise(x, degree, times);
+        elevate_axis(x, degree, times);
         for (unsigned k = 0; k <= degree + times; k++)
             out[k].p.axis[i] = loft_acc_project(x[k], w[k]);
     }
     for (unsigned k = 0; k <= degree + times; k++)
-        out[k].w = unscaled(r, w[k]);
+        out[k].w = unscaled_weight(r, w[k]);
     return LOFT_OK;
 }
 

@@ -33,7 +33,7 @@ typedef struct {
     loft_exact u, v, w;
 } invariants;
 
-static bool admitted(const loft_cubic *c)
+static bool points_valid(const loft_cubic *c)
 {
     for (int k = 0; k < 4; k++)
         for (int axis = 0; axis < 2; axis++)
@@ -175,7 +175,7 @@ enum loft_status loft_cubic_shape(const loft_cubic *c, loft_shape *out)
     const loft_shape none = { LOFT_POINT, 0, 0, 0, { 0, 0 }, 0, { 0, 0 } };
     invariants i;
 
-    if (!admitted(c))
+    if (!points_valid(c))
         return LOFT_ERR_RANGE;
     const bool point = find_invariants(c, &i);
 

@@ -55,7 +55,7 @@
 #define ROOT       ((LOFT_AXES + 2) / 2)    /* sqrt(LOFT_AXES) at least              */
 
 
-static loft_vec point(const loft_to_cubics *s, unsigned k)
+static loft_vec control_point(const loft_to_cubics *s, unsigned k)
 {
     return s->weighted ? s->weighted[k].p : s->p[k];
 }
@@ -63,18 +63,18 @@ static loft_vec point(const loft_to_cubics *s, unsigned k)
 
 /* Pieces */
 
-static void whole(loft_to_cubics *s)
+static void load_curve(loft_to_cubics *s)
 {
     for (unsigned k = 0; k <= s->degree; k++) {
         const loft_real w = s->weighted ? s->weighted[k].w * (loft_real)s->scale : ONE;
         for (int i = 0; i < LOFT_AXES; i++)
-            s->x[i][k] = loft_prod(point(s, k).axis[i], w);
+            s->x[i][k] = loft_prod(control_point(s, k).axis[i], w);
         s->x[LOFT_AXES][k] = loft_to_acc(w) * LOFT_PROJECT;
     }
 }
 
 /* de Casteljau at 1/2, in place. */
-static void halve(loft_acc c[], unsigned degree, bool right)
+static void halve_axis(loft_acc c[], unsigned degree, bool right)
 {
     for (unsigned row = degree; row > 0; row--)
         for (unsigned i = 0; i < row; i++)
@@ -84,17 +84,17 @@ static void halve(loft_acc c[], unsigned degree, bool right)
                 c[degree - i] = loft_acc_mean(c[degree - i], c[degree - i - 1]);
 }
 
-static void halve_all(loft_to_cubics *s, bool right)
+static void halve_piece(loft_to_cubics *s, bool right)
 {
     for (int i = 0; i < LOFT_AXES + (s->weighted != NULL); i++)
-        halve(s->x[i], s->degree, right);
+        halve_axis(s->x[i], s->degree, right);
 }
 
-static void find(loft_to_cubics *s)
+static void find_piece(loft_to_cubics *s)
 {
-    whole(s);
+    load_curve(s);
     for (unsigned level = s->piece.level; level-- > 0; )
-        halve_all(s, s->piece.k >> level & 1);
+        halve_piece(s, s->piece.k >> level & 1);
 }
 
 
@@ -102,7 +102,7 @@ static void find(loft_to_cubics *s)
 
 /* One coordinate of the end of an arm: (x0 + n/3 (x1 - x0 w1 / w0)) / w0, cut where only rounding
  * makes it leave the range; false where it is farther away. q16: |n third| <= 2^30. */
-static bool arm(const loft_to_cubics *s, loft_acc x0, loft_acc w0, loft_acc x1, loft_acc w1,
+static bool arm_end(const loft_to_cubics *s, loft_acc x0, loft_acc w0, loft_acc x1, loft_acc w1,
                 loft_real *out)
 {
     const loft_acc high = loft_acc_weigh(w0, s->reach),
@@ -121,7 +121,7 @@ static bool arm(const loft_to_cubics *s, loft_acc x0, loft_acc w0, loft_acc x1, 
     return true;
 }
 
-static bool aim(const loft_to_cubics *s, loft_cubic *c)
+static bool aim_arms(const loft_to_cubics *s, loft_cubic *c)
 {
     const unsigned n = s->degree, near = n > 0;
     const loft_acc *w = s->x[LOFT_AXES];
@@ -131,15 +131,15 @@ static bool aim(const loft_to_cubics *s, loft_cubic *c)
     c->p[0] = s->last;
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc *x = s->x[i];
-        near_enough &= arm(s, x[0], w[0], x[near], w[near], &c->p[1].axis[i]);
-        near_enough &= arm(s, x[n], w[n], x[n - near], w[n - near], &c->p[2].axis[i]);
-        c->p[3].axis[i] = last ? point(s, n).axis[i] : loft_acc_project(x[n], w[n]);
+        near_enough &= arm_end(s, x[0], w[0], x[near], w[near], &c->p[1].axis[i]);
+        near_enough &= arm_end(s, x[n], w[n], x[n - near], w[n - near], &c->p[2].axis[i]);
+        c->p[3].axis[i] = last ? control_point(s, n).axis[i] : loft_acc_project(x[n], w[n]);
     }
     return near_enough;
 }
 
 /* How much of (1) the tolerance allows, less its own error, in units. */
-static loft_acc limit_of(const loft_to_cubics *s)
+static loft_acc error_limit(const loft_to_cubics *s)
 {
     const loft_acc *w = s->x[LOFT_AXES];
     loft_acc least = w[0], most = w[0];
@@ -149,16 +149,16 @@ static loft_acc limit_of(const loft_to_cubics *s)
         most  = w[k] > most ? w[k] : most;
     }
     const loft_acc size = loft_acc_weigh(most, s->reach);
-    const int32_t grains = ROOT * ((int32_t)s->degree * s->piece.level + 16);
+    const int32_t ulps = ROOT * ((int32_t)s->degree * s->piece.level + 16);
     return loft_acc_down(loft_acc_weigh(least, s->tol), UNIT) -
-           loft_acc_down(grains * loft_acc_ulp(size), UNIT) -
+           loft_acc_down(ulps * loft_acc_ulp(size), UNIT) -
            (ROOT + 2) * loft_acc_ulp(loft_acc_down(size, UNIT));
 }
 
-static bool is_close(const loft_to_cubics *s, const loft_cubic *c)
+static bool is_cubic_close(const loft_to_cubics *s, const loft_cubic *c)
 {
     const unsigned n = s->degree;
-    const loft_acc limit = limit_of(s);
+    const loft_acc limit = error_limit(s);
 
     for (unsigned k = 0; k <= n + 3; k++) {
         loft_acc e[LOFT_AXES] = { 0 };
@@ -190,10 +190,10 @@ bool loft_to_cubics_next(loft_to_cubics *s, loft_cubic *out)
         s->more = false;
         return true;
     }
-    find(s);
-    while (!(aim(s, &c) && is_close(s, &c)) && s->piece.level < LEVELS_MAX) {
+    find_piece(s);
+    while (!(aim_arms(s, &c) && is_cubic_close(s, &c)) && s->piece.level < LEVELS_MAX) {
         s->piece = loft_dyad_half(s->piece, 0);
-        halve_all(s, false);
+        halve_piece(s, false);
     }
     s->last = c.p[3];
     s->more = loft_dyad_next(&s->piece);
@@ -204,7 +204,7 @@ bool loft_to_cubics_next(loft_to_cubics *s, loft_cubic *out)
 
 /* Beginnings */
 
-static enum loft_status begin(loft_to_cubics *s, int32_t grains)
+static enum loft_status begin_chain(loft_to_cubics *s, int32_t ulps)
 {
     loft_real size = 0;
 
@@ -212,18 +212,18 @@ static enum loft_status begin(loft_to_cubics *s, int32_t grains)
         return LOFT_ERR_ARG;
     for (unsigned k = 0; k <= s->degree; k++)
         for (int i = 0; i < LOFT_AXES; i++) {
-            const loft_real x = point(s, k).axis[i];
+            const loft_real x = control_point(s, k).axis[i];
             if (!loft_real_valid(x))
                 return LOFT_ERR_RANGE;
             if (x > size || x < -size)
                 size = x > 0 ? x : x < -LOFT_REAL_MAX ? LOFT_REAL_MAX : -x;
         }
     const loft_acc tol = loft_to_acc(s->tol), wide = loft_to_acc(size);
-    if (!loft_real_valid(s->tol) || tol < grains * loft_real_ulp(wide) ||
+    if (!loft_real_valid(s->tol) || tol < ulps * loft_real_ulp(wide) ||
         tol < 8192 * loft_acc_ulp(wide))
         return LOFT_ERR_RANGE;
     s->reach = size > LOFT_REAL_MAX / 2 ? LOFT_REAL_MAX : 2 * size;
-    s->last  = point(s, 0);
+    s->last  = control_point(s, 0);
     s->more  = true;
     s->piece.k = 0;
     s->piece.level = 0;
@@ -237,7 +237,7 @@ enum loft_status loft_to_cubics_init(loft_to_cubics *s, const loft_bezier *b, lo
     s->degree   = b->degree;
     s->tol      = tol;
     s->scale    = 1;
-    return begin(s, 2);
+    return begin_chain(s, 2);
 }
 
 /* The scale of a rational curve brings its largest weight to 2^14 .. 2^15. */
@@ -249,5 +249,5 @@ enum loft_status loft_rational_to_cubics_init(loft_to_cubics *s, const loft_rati
     s->degree   = r->degree;
     s->tol      = tol;
     s->scale    = r->scale / 2;
-    return begin(s, 4);
+    return begin_chain(s, 4);
 }

@@ -8,11 +8,11 @@
 
 #define LIMBS 4
 
-static bool negative(const loft_acc128 *x) { return x->limb[LIMBS - 1] >> 31 != 0; }
+static bool is_negative(const loft_acc128 *x) { return x->limb[LIMBS - 1] >> 31 != 0; }
 
 /* x += (y ^ flip) + carry; returns the carry out of the top. All in 32 bits: an 8-bit core has no
  * more. */
-static uint32_t accumulate(loft_acc128 *x, const loft_acc128 *y, uint32_t flip, uint32_t carry)
+static uint32_t add_limbs(loft_acc128 *x, const loft_acc128 *y, uint32_t flip, uint32_t carry)
 {
     for (int k = 0; k < LIMBS; k++) {
         const uint32_t term = y->limb[k] ^ flip, sum = x->limb[k] + term;
@@ -24,19 +24,19 @@ static uint32_t accumulate(loft_acc128 *x, const loft_acc128 *y, uint32_t flip, 
 
 loft_acc128 loft_acc128_add(loft_acc128 x, loft_acc128 y)
 {
-    accumulate(&x, &y, 0, 0);
+    add_limbs(&x, &y, 0, 0);
     return x;
 }
 loft_acc128 loft_acc128_sub(loft_acc128 x, loft_acc128 y)
 {
-    accumulate(&x, &y, 0xffffffffu, 1);
+    add_limbs(&x, &y, 0xffffffffu, 1);
     return x;
 }
 
-static loft_acc128 negated(const loft_acc128 *x)
+static loft_acc128 negated_acc128(const loft_acc128 *x)
 {
     loft_acc128 r = { { 0 } };
-    accumulate(&r, x, 0xffffffffu, 1);
+    add_limbs(&r, x, 0xffffffffu, 1);
     return r;
 }
 
@@ -50,11 +50,11 @@ loft_acc128 loft_acc128_of(loft_acc x)
 bool loft_acc128_below(loft_acc128 x, loft_acc128 y)
 {
     const loft_acc128 difference = loft_acc128_sub(x, y);
-    return negative(&difference);
+    return is_negative(&difference);
 }
 
 /* x k in `limbs` limbs of out: a product and a carry are at most (2^32 - 1)^2 + 2^32 - 1 < 2^64. */
-static void multiply(const loft_acc128 *x, uint32_t k, uint32_t out[], int limbs)
+static void multiply_limbs(const loft_acc128 *x, uint32_t k, uint32_t out[], int limbs)
 {
     uint32_t carry = 0;
 
@@ -68,7 +68,7 @@ static void multiply(const loft_acc128 *x, uint32_t k, uint32_t out[], int limbs
 loft_acc128 loft_acc128_times(loft_acc128 x, uint32_t k)
 {
     loft_acc128 r;
-    multiply(&x, k, r.limb, LIMBS);
+    multiply_limbs(&x, k, r.limb, LIMBS);
     return r;
 }
 
@@ -83,7 +83,7 @@ loft_acc128 loft_acc128_guarded(loft_acc x)
 void loft_acc128_step(loft_acc128 d[], unsigned degree)
 {
     for (unsigned k = 0; k < degree; k++)
-        accumulate(&d[k], &d[k + 1], 0, 0);
+        add_limbs(&d[k], &d[k + 1], 0, 0);
 }
 
 bool loft_acc128_valid(loft_real a)
@@ -96,12 +96,12 @@ bool loft_acc128_valid(loft_real a)
  * above bit 24. */
 loft_acc128 loft_acc128_lerp(loft_acc128 x, loft_acc128 y, loft_unit t)
 {
-    const loft_acc128 difference = loft_acc128_sub(y, x), opposite = negated(&difference);
-    const bool down = negative(&difference);
+    const loft_acc128 difference = loft_acc128_sub(y, x), opposite = negated_acc128(&difference);
+    const bool down = is_negative(&difference);
     uint32_t product[LIMBS + 1];
     loft_acc128 part;
 
-    multiply(down ? &opposite : &difference, (uint32_t)(t < 0 ? -t : t), product, LIMBS + 1);
+    multiply_limbs(down ? &opposite : &difference, (uint32_t)(t < 0 ? -t : t), product, LIMBS + 1);
     for (uint32_t i = 0, carry = 8388608; i <= LIMBS; i++) {
         product[i] += carry;
         carry = product[i] < carry;
@@ -112,7 +112,7 @@ loft_acc128 loft_acc128_lerp(loft_acc128 x, loft_acc128 y, loft_unit t)
 }
 
 /* The whole part of x / n, x of five limbs and below 2^128 n, and what is left of x. */
-static uint32_t divide(const uint32_t x[LIMBS + 1], uint32_t n, loft_acc128 *out)
+static uint32_t divide_limbs(const uint32_t x[LIMBS + 1], uint32_t n, loft_acc128 *out)
 {
     uint64_t rest = x[LIMBS];
 
@@ -127,14 +127,14 @@ static uint32_t divide(const uint32_t x[LIMBS + 1], uint32_t n, loft_acc128 *out
 /* |x| / k, of which the lowest 46 bits are rounded away. */
 loft_acc loft_acc128_to_acc(loft_acc128 x, uint32_t k)
 {
-    const bool minus = negative(&x);
-    const loft_acc128 size = minus ? negated(&x) : x;
+    const bool minus = is_negative(&x);
+    const loft_acc128 size = minus ? negated_acc128(&x) : x;
     uint32_t five[LIMBS + 1] = { 0 };
     loft_acc128 q;
 
     for (int i = 0; i < LIMBS; i++)
         five[i] = size.limb[i];
-    (void)divide(five, k, &q);
+    (void)divide_limbs(five, k, &q);
     const uint64_t upper = (uint64_t)q.limb[3] << 32 | q.limb[2];
     const int64_t whole = (int64_t)(upper << 18 | q.limb[1] >> 14) + (q.limb[1] >> 13 & 1);
     return minus ? -whole : whole;
@@ -146,13 +146,13 @@ loft_acc128 loft_acc128_lerp_in(loft_acc128 x, loft_acc128 y, loft_real a, loft_
                                 loft_real hi)
 {
     const uint32_t j = (uint32_t)a - (uint32_t)lo, n = (uint32_t)hi - (uint32_t)lo;
-    const loft_acc128 difference = loft_acc128_sub(y, x), opposite = negated(&difference);
-    const bool down = negative(&difference);
+    const loft_acc128 difference = loft_acc128_sub(y, x), opposite = negated_acc128(&difference);
+    const bool down = is_negative(&difference);
     uint32_t product[LIMBS + 1];
     loft_acc128 part;
 
-    multiply(down ? &opposite : &difference, j, product, LIMBS + 1);
-    const uint32_t rest = divide(product, n, &part);
+    multiply_limbs(down ? &opposite : &difference, j, product, LIMBS + 1);
+    const uint32_t rest = divide_limbs(product, n, &part);
     const loft_acc128 up = { { rest >= n - rest, 0, 0, 0 } };
     part = loft_acc128_add(part, up);
     return down ? loft_acc128_sub(x, part) : loft_acc128_add(x, part);
@@ -208,11 +208,11 @@ bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
 }
 
 /* a -= b if that is not negative */
-static bool taken(loft_acc128 *a, const loft_acc128 *b)
+static bool try_subtract(loft_acc128 *a, const loft_acc128 *b)
 {
     loft_acc128 less = *a;
 
-    if (!accumulate(&less, b, 0xffffffffu, 1))
+    if (!add_limbs(&less, b, 0xffffffffu, 1))
         return false;
     *a = less;
     return true;
@@ -220,15 +220,15 @@ static bool taken(loft_acc128 *a, const loft_acc128 *b)
 
 loft_real loft_acc128_project(loft_acc128 x, loft_acc128 w)
 {
-    const bool minus = negative(&x);
-    loft_acc128 rest = minus ? negated(&x) : x;
+    const bool minus = is_negative(&x);
+    loft_acc128 rest = minus ? negated_acc128(&x) : x;
     uint32_t q = 0;
 
     for (int round = 0; round < 32; round++) {
-        q += q + taken(&rest, &w);
-        accumulate(&rest, &rest, 0, 0);
+        q += q + try_subtract(&rest, &w);
+        add_limbs(&rest, &rest, 0, 0);
     }
-    const bool reached = taken(&rest, &w);
+    const bool reached = try_subtract(&rest, &w);
     const bool tie = reached && !(rest.limb[0] | rest.limb[1] | rest.limb[2] | rest.limb[3]);
     return signed_quotient(q, minus, reached && !tie, tie);
 }
@@ -236,11 +236,11 @@ loft_real loft_acc128_project(loft_acc128 x, loft_acc128 w)
 /* As loft_acc_rate, of 128 bits. */
 bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out)
 {
-    const bool minus = negative(&x);
-    const loft_acc128 beyond = loft_acc128_sub(minus ? negated(&x) : x, w);
+    const bool minus = is_negative(&x);
+    const loft_acc128 beyond = loft_acc128_sub(minus ? negated_acc128(&x) : x, w);
     const loft_acc128 room = { { w.limb[1], w.limb[2], w.limb[3], 0 } };
 
-    if (minus ? loft_acc128_below(room, beyond) : !loft_acc128_below(beyond, negated(&room)))
+    if (minus ? loft_acc128_below(room, beyond) : !loft_acc128_below(beyond, negated_acc128(&room)))
         return false;
     *out = loft_acc128_project(x, w);
     return true;

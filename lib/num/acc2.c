@@ -22,7 +22,7 @@ loft_acc2 loft_acc2_lerp(loft_acc2 x, loft_acc2 y, loft_unit t)
 
 static bool is_negative(loft_acc2 x) { return x.limb[3] >> 31 != 0; }
 
-static loft_acc2 size_of(loft_acc2 x)
+static loft_acc2 magnitude(loft_acc2 x)
 {
     const loft_acc2 zero = { { 0 } };
     return is_negative(x) ? loft_acc128_sub(zero, x) : x;
@@ -60,11 +60,11 @@ bool loft_acc2_scaled(const loft_acc2 x[], int n, loft_acc out[])
     int most = 0;
 
     for (int i = 0; i < n; i++) {
-        const int bits = bits_of(size_of(x[i]));
+        const int bits = bits_of(magnitude(x[i]));
         most = bits > most ? bits : most;
     }
     for (int i = 0; most && i < n; i++) {
-        const loft_acc size = bits_from(size_of(x[i]), most - 60);
+        const loft_acc size = bits_from(magnitude(x[i]), most - 60);
         out[i] = is_negative(x[i]) ? -size : size;
     }
     return most > 0;

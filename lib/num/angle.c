@@ -13,7 +13,7 @@
  */
 #include "num/angle.h"
 
-static loft_fine rest_of(loft_acc a, int32_t *quarters);        /* |rest| <= pi/4 and a little */
+static loft_fine quarter_rest(loft_acc a, int32_t *quarters);        /* |rest| <= pi/4 and a little */
 
 #if LOFT_NUM == LOFT_Q16
 
@@ -21,7 +21,7 @@ static loft_fine rest_of(loft_acc a, int32_t *quarters);        /* |rest| <= pi/
 
 /* (a b + 2^59) / 2^60, |a b| < 2^123: four products of 32 bits; on magnitudes, so ties go away from
  * 0. */
-static int64_t multiply(int64_t a, int64_t b)
+static int64_t multiply_fine(int64_t a, int64_t b)
 {
     const uint64_t x = (uint64_t)(a < 0 ? -a : a), y = (uint64_t)(b < 0 ? -b : b);
     const uint64_t x1 = x >> 32, x0 = x & 0xffffffffu, y1 = y >> 32, y0 = y & 0xffffffffu;
@@ -41,11 +41,11 @@ bool loft_fine_valid(loft_real a)
 loft_fine loft_fine_of(loft_real a) { return (loft_fine)a * ((loft_fine)1 << 44); }
 loft_fine loft_fine_unit(loft_unit t) { return (loft_fine)t * ((loft_fine)1 << 36); }
 loft_acc loft_fine_to_acc(loft_fine x) { return (x / 134217728 + (x < 0 ? -1 : 1)) / 2; }
-loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return multiply(x, y); }
-loft_acc  loft_fine_scale(loft_acc a, loft_fine x)      { return multiply(a, x); }
+loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return multiply_fine(x, y); }
+loft_acc  loft_fine_scale(loft_acc a, loft_fine x)      { return multiply_fine(a, x); }
 
 /* `bits` bits of x / y below the point, x < y < 2^63, rounded. */
-static uint64_t fraction(uint64_t x, uint64_t y, int bits)
+static uint64_t fraction_bits(uint64_t x, uint64_t y, int bits)
 {
     uint64_t q = 0;
 
@@ -63,19 +63,19 @@ static uint64_t fraction(uint64_t x, uint64_t y, int bits)
 loft_acc loft_fine_quot(loft_fine x, loft_fine y)
 {
     const uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)(y < 0 ? -y : y);
-    const int64_t q = (int64_t)((n / d << 32) + fraction(n % d, d, 32));
+    const int64_t q = (int64_t)((n / d << 32) + fraction_bits(n % d, d, 32));
     return (x < 0) != (y < 0) ? -q : q;
 }
 
 loft_fine loft_fine_ratio(loft_acc x, loft_acc y)
 {
     const uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)(y < 0 ? -y : y);
-    const loft_fine q = (loft_fine)((n / d << 60) + fraction(n % d, d, 60));
+    const loft_fine q = (loft_fine)((n / d << 60) + fraction_bits(n % d, d, 60));
     return (x < 0) != (y < 0) ? -q : q;
 }
 
 /* Modulo 2^64 the difference is right, whatever its parts lose. */
-static loft_fine rest_of(loft_acc a, int32_t *quarters)
+static loft_fine quarter_rest(loft_acc a, int32_t *quarters)
 {
     const int64_t quarter = HALF_PI >> 28, half = a < 0 ? -(quarter / 2) : quarter / 2;
 
@@ -83,7 +83,7 @@ static loft_fine rest_of(loft_acc a, int32_t *quarters)
     return (loft_fine)((uint64_t)a * 268435456 - (uint64_t)*quarters * (uint64_t)HALF_PI);
 }
 
-static loft_fine rest_of_fine(loft_fine x, int32_t *quarters)
+static loft_fine quarter_rest_fine(loft_fine x, int32_t *quarters)
 {
     *quarters = x > 0 ? (int32_t)((x / 2 + HALF_PI / 4) / (HALF_PI / 2))
                       : -(int32_t)((HALF_PI / 4 - x / 2) / (HALF_PI / 2));
@@ -91,7 +91,7 @@ static loft_fine rest_of_fine(loft_fine x, int32_t *quarters)
 }
 
 /* Both to the same scale, the larger to 2^59 .. 2^60. */
-static void normalise(int64_t *x, int64_t *y)
+static void normalise_vector(int64_t *x, int64_t *y)
 {
     const int64_t top = (int64_t)1 << 59;
 
@@ -120,15 +120,18 @@ loft_fine loft_fine_unit(loft_unit t)                   { return (loft_fine)t; }
 
 /* pi/2 in two parts, the first with 33 bits: its product with a number of quarters to 2^20 is
  * exact. */
-static loft_fine rest_of(loft_acc a, int32_t *quarters)
+static loft_fine quarter_rest(loft_acc a, int32_t *quarters)
 {
     *quarters = loft_acc_int(a / HALF_PI);
     return a - *quarters * 0x1.921fb544p0 - *quarters * 0x1.0b4611a626331p-34;
 }
 
-static loft_fine rest_of_fine(loft_fine x, int32_t *quarters) { return rest_of(x, quarters); }
+static loft_fine quarter_rest_fine(loft_fine x, int32_t *quarters)
+{
+    return quarter_rest(x, quarters);
+}
 
-static void normalise(double *x, double *y)
+static void normalise_vector(double *x, double *y)
 {
     (void)x;
     (void)y;
@@ -181,28 +184,28 @@ static loft_fine sine_at(loft_fine r, int32_t quarters)
 loft_fine loft_fine_sin(loft_fine x)
 {
     int32_t quarters;
-    const loft_fine r = rest_of_fine(x, &quarters);
+    const loft_fine r = quarter_rest_fine(x, &quarters);
     return sine_at(r, quarters);
 }
 
 loft_fine loft_fine_cos(loft_fine x)
 {
     int32_t quarters;
-    const loft_fine r = rest_of_fine(x, &quarters);
+    const loft_fine r = quarter_rest_fine(x, &quarters);
     return sine_at(r, quarters + 1);
 }
 
 loft_acc loft_sin(loft_acc a)
 {
     int32_t quarters;
-    const loft_fine r = rest_of(a, &quarters);
+    const loft_fine r = quarter_rest(a, &quarters);
     return loft_fine_to_acc(sine_at(r, quarters));
 }
 
 loft_acc loft_cos(loft_acc a)
 {
     int32_t quarters;
-    const loft_fine r = rest_of(a, &quarters);
+    const loft_fine r = quarter_rest(a, &quarters);
     return loft_fine_to_acc(sine_at(r, quarters + 1));
 }
 
@@ -211,7 +214,7 @@ loft_acc loft_cos(loft_acc a)
 loft_fine loft_fine_angle(loft_acc a)
 {
     int32_t quarters;
-    const loft_fine r = rest_of(a, &quarters);
+    const loft_fine r = quarter_rest(a, &quarters);
 
     switch (quarters & 3) {
     case 0:  return r;
@@ -233,7 +236,7 @@ loft_fine loft_fine_atan2(loft_acc y, loft_acc x)
 
     if (!(x < 0) && !(x > 0) && !(y < 0) && !(y > 0))
         return 0;
-    normalise(&x, &y);
+    normalise_vector(&x, &y);
     for (int round = 0; round < 3; round++) {
         const loft_fine c = loft_fine_cos(angle), s = loft_fine_sin(angle);
         const loft_fine q = loft_fine_ratio(loft_fine_scale(y, c) - loft_fine_scale(x, s),

@@ -13,10 +13,10 @@
 
 #define TEXT_(x)   #x
 #define TEXT(x)    TEXT_(x)
-#define OWN(f) \
+#define OWN_SECTION(f) \
     ".section .text." TEXT(f) ",\"ax\",@progbits\n.type " TEXT(f) ", @function\n" TEXT(f) ":\n"
-#define BEGIN(f)   ".global " TEXT(f) "\n" OWN(f)
-#define END(f)     ".size " TEXT(f) ", .-" TEXT(f) "\n.text\n"
+#define BEGIN_FUNCTION(f)   ".global " TEXT(f) "\n" OWN_SECTION(f)
+#define END_FUNCTION(f)     ".size " TEXT(f) ", .-" TEXT(f) "\n.text\n"
 
 /* From the lowest byte on the columns of the product are summed in three bytes; column k + 3
  * becomes byte k of the result, where byte k of x is not needed any more. Column 2 is kept on the
@@ -42,7 +42,7 @@
 #define BYTE(k, a)              "mov r" #k ", r" #a "\n clr r" #a "\n"
 
 __asm__ (
-    OWN(loft_avr_negate)
+    OWN_SECTION(loft_avr_negate)
     "com r18\n com r19\n com r20\n com r21\n com r22\n com r23\n com r24\n com r25\n"
     "clr __tmp_reg__\n adc r18, __tmp_reg__\n adc r19, __tmp_reg__\n adc r20, __tmp_reg__\n"
     "adc r21, __tmp_reg__\n"
@@ -51,70 +51,70 @@ __asm__ (
     "loft_avr_opposite: com r14\n com r15\n com r16\n com r17\n"
     "clr __tmp_reg__\n adc r14, __tmp_reg__\n adc r15, __tmp_reg__\n adc r16, __tmp_reg__\n"
     "adc r17, __tmp_reg__\n ret\n"
-    END(loft_avr_negate)
+    END_FUNCTION(loft_avr_negate)
 
-    BEGIN(loft_acc_abs)
+    BEGIN_FUNCTION(loft_acc_abs)
     "sbrs r25, 7\n ret\n jmp loft_avr_negate\n"
-    END(loft_acc_abs)
+    END_FUNCTION(loft_acc_abs)
 
-    BEGIN(loft_acc_min)
+    BEGIN_FUNCTION(loft_acc_min)
     LESS8 "brlt 1f\n" TAKE8 "1: ret\n"
-    END(loft_acc_min)
+    END_FUNCTION(loft_acc_min)
 
-    BEGIN(loft_acc_max)
+    BEGIN_FUNCTION(loft_acc_max)
     LESS8 "brge 1f\n" TAKE8 "1: ret\n"
-    END(loft_acc_max)
+    END_FUNCTION(loft_acc_max)
 
-    BEGIN(loft_accs_add)
+    BEGIN_FUNCTION(loft_accs_add)
     AXES8("clc\n", "adc")
-    END(loft_accs_add)
+    END_FUNCTION(loft_accs_add)
 
-    BEGIN(loft_accs_sub)
+    BEGIN_FUNCTION(loft_accs_sub)
     AXES8("clc\n", "sbc")
-    END(loft_accs_sub)
+    END_FUNCTION(loft_accs_sub)
 
-    BEGIN(loft_accs_triple)
+    BEGIN_FUNCTION(loft_accs_triple)
     "movw r26, r24\n ldi r25, " TEXT(LOFT_AXES) "\n ldi r23, 3\n"
     "1: ldi r24, 8\n clr r22\n"
     "2: ld r20, X\n mul r20, r23\n add r0, r22\n clr r22\n adc r22, r1\n st X+, r0\n dec r24\n"
     "brne 2b\n dec r25\n brne 1b\n clr __zero_reg__\n ret\n"
-    END(loft_accs_triple)
+    END_FUNCTION(loft_accs_triple)
 
-    BEGIN(loft_accs_copy)
+    BEGIN_FUNCTION(loft_accs_copy)
     AXES8("", "mov")
-    END(loft_accs_copy)
+    END_FUNCTION(loft_accs_copy)
 
-    BEGIN(loft_to_acc)
+    BEGIN_FUNCTION(loft_to_acc)
     "movw r20, r22\n movw r22, r24\n clr r18\n clr r19\n mov r24, r23\n lsl r24\n sbc r24, r24\n"
     "mov r25, r24\n ret\n"
-    END(loft_to_acc)
+    END_FUNCTION(loft_to_acc)
 
-    BEGIN(loft_unit_to_acc)
+    BEGIN_FUNCTION(loft_unit_to_acc)
     "clr r18\n mov r19, r22\n mov r20, r23\n mov r21, r24\n mov r22, r25\n mov r23, r25\n"
     "lsl r23\n sbc r23, r23\n mov r24, r23\n mov r25, r23\n ret\n"
-    END(loft_unit_to_acc)
+    END_FUNCTION(loft_unit_to_acc)
 
-    BEGIN(loft_acc_round)
+    BEGIN_FUNCTION(loft_acc_round)
     "lsl r19\n adc r20, __zero_reg__\n adc r21, __zero_reg__\n adc r22, __zero_reg__\n"
     "adc r23, __zero_reg__\n movw r24, r22\n movw r22, r20\n ret\n"
-    END(loft_acc_round)
+    END_FUNCTION(loft_acc_round)
 
-    BEGIN(loft_unit_round)
+    BEGIN_FUNCTION(loft_unit_round)
     "lsl r18\n adc r19, __zero_reg__\n adc r20, __zero_reg__\n adc r21, __zero_reg__\n"
     "adc r22, __zero_reg__\n"
     "mov r25, r22\n mov r24, r21\n mov r23, r20\n mov r22, r19\n ret\n"
-    END(loft_unit_round)
+    END_FUNCTION(loft_unit_round)
 
-    BEGIN(loft_avr_bits)
+    BEGIN_FUNCTION(loft_avr_bits)
     "ldi r26, 64\n"
     "1: tst r25\n brne 2f\n mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n"
     "mov r21, r20\n mov r20, r19\n mov r19, r18\n clr r18\n"
     "subi r26, 8\n brne 1b\n rjmp 3f\n"
     "2: lsl r25\n brcs 3f\n dec r26\n rjmp 2b\n"
     "3: mov r24, r26\n ret\n"
-    END(loft_avr_bits)
+    END_FUNCTION(loft_avr_bits)
 
-    BEGIN(loft_avr_shift)
+    BEGIN_FUNCTION(loft_avr_shift)
     "tst r16\n breq 4f\n brmi 2f\n mov r26, r16\n"
     "1: " HALVE_N "dec r26\n brne 1b\n"
     "adc r18, __zero_reg__\n adc r19, __zero_reg__\n adc r20, __zero_reg__\n"
@@ -125,11 +125,11 @@ __asm__ (
     "3: lsl r18\n rol r19\n rol r20\n rol r21\n rol r22\n rol r23\n rol r24\n rol r25\n inc r26\n"
     "brne 3b\n"
     "4: ret\n"
-    END(loft_avr_shift)
+    END_FUNCTION(loft_avr_shift)
 
     /* The sizes' product, as below, with the sign of both. Columns 0 to 2 are kept on the stack,
      * column 3 where byte 0 of b was. */
-    BEGIN(loft_prod)
+    BEGIN_FUNCTION(loft_prod)
     "mov r26, r25\n eor r26, r21\n bst r26, 7\n"
     "sbrs r25, 7\n rjmp 1f\n com r25\n com r24\n com r23\n neg r22\n sbci r23, 0xff\n"
     "sbci r24, 0xff\n sbci r25, 0xff\n"
@@ -146,9 +146,9 @@ __asm__ (
     "mul r21, r25\n add r30, r0\n adc r26, r1\n mov r24, r30\n mov r25, r26\n"
     "mov r21, r18\n pop r20\n pop r19\n pop r18\n clr __zero_reg__\n"
     "brtc 3f\n jmp loft_avr_negate\n 3: ret\n"
-    END(loft_prod)
+    END_FUNCTION(loft_prod)
 
-    OWN(loft_avr_product)
+    OWN_SECTION(loft_avr_product)
     "sbrs r17, 7\n rjmp 1f\n"
     "call loft_avr_opposite\n call loft_avr_negate\n rcall 1f\n rjmp loft_avr_opposite\n"
     "1: bst r25, 7\n clr r31\n mov r26, r25\n lsl r26\n sbc r26, r26\n cp r26, r25\n"
@@ -184,32 +184,32 @@ __asm__ (
     "mul r23, r16\n add r27, r0\n adc r30, r1\n mov r22, r27\n mov r23, r30\n clr r24\n"
     "brtc 5f\n sub r21, r14\n sbc r22, r15\n sbc r23, r16\n sbc r24, r24\n"
     "5: mov r25, r24\n pop r26\n clr __zero_reg__\n ret\n"
-    END(loft_avr_product)
+    END_FUNCTION(loft_avr_product)
 
     /* half of the last byte, which is in column 2 or 1 */
-    BEGIN(loft_acc_scale)
+    BEGIN_FUNCTION(loft_acc_scale)
     "ldi r30, 0x80\n clr r27\n jmp loft_avr_product\n"
-    END(loft_acc_scale)
+    END_FUNCTION(loft_acc_scale)
 
-    BEGIN(loft_acc_mul)
+    BEGIN_FUNCTION(loft_acc_mul)
     "ldi r27, 0x80\n clr r30\n call loft_avr_product\n"
     "mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n"
     "mov r19, r18\n mov r18, r26\n ret\n"
-    END(loft_acc_mul)
+    END_FUNCTION(loft_acc_mul)
 
     /* b - a has 33 bits, of which S says the sign */
-    BEGIN(loft_lerp)
+    BEGIN_FUNCTION(loft_lerp)
     "push r22\n push r23\n push r24\n push r25\n sub r18, r22\n sbc r19, r23\n sbc r20, r24\n"
     "sbc r21, r25\n"
     "ldi r22, 0\n brge 1f\n ldi r22, 0xff\n 1: mov r23, r22\n movw r24, r22\n"
     "call " TEXT(loft_acc_scale) "\n"
     "pop r25\n pop r24\n pop r23\n pop r22\n add r22, r18\n adc r23, r19\n adc r24, r20\n"
     "adc r25, r21\n ret\n"
-    END(loft_lerp)
+    END_FUNCTION(loft_lerp)
 
     /* (|n| + half) / d without its rest, where half is d / 2 or, for a negative n, (d - 1) / 2.
      * Bytes of n leave at the top and come back at the bottom as those of the quotient. */
-    BEGIN(loft_avr_quotient)
+    BEGIN_FUNCTION(loft_avr_quotient)
     "push r28\n push r29\n movw r26, r14\n movw r30, r16\n bst r25, 7\n brtc 1f\n"
     "call loft_avr_negate\n sbiw r26, 1\n sbci r30, 0\n sbci r31, 0\n"
     "1: lsr r31\n ror r30\n ror r27\n ror r26\n"
@@ -230,27 +230,27 @@ __asm__ (
     "mov r21, r20\n mov r20, r19\n mov r19, r18\n"
     "mov r18, __tmp_reg__\n"
     "7: ret\n"
-    END(loft_avr_quotient)
+    END_FUNCTION(loft_avr_quotient)
 
     /* j 2^24 by n */
-    BEGIN(loft_unit_of)
+    BEGIN_FUNCTION(loft_unit_of)
     "push r14\n push r15\n push r16\n push r17\n movw r14, r18\n movw r16, r20\n"
     "clr r18\n clr r19\n clr r20\n mov r21, r22\n mov r22, r23\n mov r23, r24\n mov r24, r25\n"
     "clr r25\n"
     "call " TEXT(loft_avr_quotient) "\n movw r22, r18\n movw r24, r20\n pop r17\n pop r16\n"
     "pop r15\n pop r14\n ret\n"
-    END(loft_unit_of)
+    END_FUNCTION(loft_unit_of)
 
-    BEGIN(loft_acc_div)
+    BEGIN_FUNCTION(loft_acc_div)
     "movw r24, r22\n movw r22, r20\n movw r20, r18\n clr r18\n clr r19\n sbrs r17, 7\n"
     "jmp " TEXT(loft_avr_quotient) "\n"
     "call loft_avr_negate\n call loft_avr_opposite\n call " TEXT(loft_avr_quotient) "\n"
     "jmp loft_avr_opposite\n"
-    END(loft_acc_div)
+    END_FUNCTION(loft_acc_div)
 
     /* |x| and y are halved until y is below 2^38. Bit by bit from the whole one on; the last rest,
      * doubled, rounds. */
-    BEGIN(loft_unit_ratio)
+    BEGIN_FUNCTION(loft_unit_ratio)
     "bst r25, 7\n brtc 1f\n call loft_avr_negate\n"
     "1: ldi r26, 63\n cp r26, r14\n cpc __zero_reg__, r15\n cpc __zero_reg__, r16\n"
     "cpc __zero_reg__, r17\n brcc 4f\n"
@@ -266,18 +266,18 @@ __asm__ (
     "cp r18, r10\n cpc r19, r11\n cpc r20, r12\n cpc r21, r13\n cpc r22, r14\n brcs 7f\n"
     "adiw r26, 1\n adc r30, __zero_reg__\n adc r31, __zero_reg__\n"
     "7: jmp loft_avr_signed\n"
-    END(loft_unit_ratio)
+    END_FUNCTION(loft_unit_ratio)
 
     /* r31:r30:r27:r26 with the sign that T says */
-    OWN(loft_avr_signed)
+    OWN_SECTION(loft_avr_signed)
     "movw r22, r26\n movw r24, r30\n brtc 1f\n"
     "com r25\n com r24\n com r23\n neg r22\n sbci r23, 0xff\n sbci r24, 0xff\n sbci r25, 0xff\n"
     "1: ret\n"
-    END(loft_avr_signed)
+    END_FUNCTION(loft_avr_signed)
 
     /* |x| and y are halved until |x| is below 2^47; then y is doubled until it is more, for each
      * time there is one more round. A last round is for rounding. */
-    BEGIN(loft_acc_quot)
+    BEGIN_FUNCTION(loft_acc_quot)
     "bst r25, 7\n brtc 1f\n call loft_avr_negate\n"
     "1: " PUSH8 "rjmp 3f\n"
     "2: " HALVE_N HALVE_D
@@ -295,11 +295,11 @@ __asm__ (
     "lsr r31\n ror r30\n ror r27\n ror r26\n adc r26, __zero_reg__\n adc r27, __zero_reg__\n"
     "adc r30, __zero_reg__\n adc r31, __zero_reg__\n"
     POP8 "jmp loft_avr_signed\n"
-    END(loft_acc_quot)
+    END_FUNCTION(loft_acc_quot)
 
     /* Digit by digit, two bits of x a round: r12:r31:r30:r27:r26 is the rest, r17..r13 the root
      * times 2. The root is one more where the rest exceeds it. */
-    BEGIN(loft_avr_root)
+    BEGIN_FUNCTION(loft_avr_root)
     "push r12\n push r13\n push r14\n push r15\n push r16\n push r17\n push r28\n push r29\n"
     "clr r12\n clr r13\n movw r14, r12\n clr r16\n clr r17\n movw r26, r14\n movw r30, r14\n"
     "ldi r29, 8\n"
@@ -320,7 +320,7 @@ __asm__ (
     "pop r29\n pop r28\n pop r17\n pop r16\n pop r15\n pop r14\n pop r13\n pop r12\n ret\n"
     "9: mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n"
     "mov r19, r18\n ret\n"
-    END(loft_avr_root)
+    END_FUNCTION(loft_avr_root)
 );
 
 #endif

@@ -10,7 +10,7 @@
 
 static const loft_exact zero = { { 0 } };
 
-static bool negative(const loft_exact *a) { return a->limb[LIMBS - 1] >> 31 != 0; }
+static bool is_negative(const loft_exact *a) { return a->limb[LIMBS - 1] >> 31 != 0; }
 
 static bool is_zero(const loft_exact *a)
 {
@@ -21,7 +21,7 @@ static bool is_zero(const loft_exact *a)
 }
 
 /* a += (b ^ flip) + carry, with flip = 0 or all ones */
-static void accumulate(loft_exact *a, const loft_exact *b, uint32_t flip, uint32_t carry)
+static void add_limbs(loft_exact *a, const loft_exact *b, uint32_t flip, uint32_t carry)
 {
     for (int k = 0; k < LIMBS; k++) {
         const uint64_t sum = (uint64_t)a->limb[k] + (b->limb[k] ^ flip) + carry;
@@ -30,23 +30,23 @@ static void accumulate(loft_exact *a, const loft_exact *b, uint32_t flip, uint32
     }
 }
 
-static void add_to(loft_exact *a, const loft_exact *b)          { accumulate(a, b, 0, 0); }
-static void subtract_from(loft_exact *a, const loft_exact *b) { accumulate(a, b, 0xffffffffu, 1); }
+static void add_exact(loft_exact *a, const loft_exact *b)          { add_limbs(a, b, 0, 0); }
+static void subtract_exact(loft_exact *a, const loft_exact *b) { add_limbs(a, b, 0xffffffffu, 1); }
 
 loft_exact loft_exact_neg(loft_exact a)
 {
     loft_exact r = zero;
-    subtract_from(&r, &a);
+    subtract_exact(&r, &a);
     return r;
 }
 loft_exact loft_exact_add(loft_exact a, loft_exact b)
 {
-    add_to(&a, &b);
+    add_exact(&a, &b);
     return a;
 }
 loft_exact loft_exact_sub(loft_exact a, loft_exact b)
 {
-    subtract_from(&a, &b);
+    subtract_exact(&a, &b);
     return a;
 }
 
@@ -74,7 +74,7 @@ loft_exact loft_exact_det(loft_exact a, loft_exact b, loft_exact c, loft_exact d
     return loft_exact_sub(loft_exact_mul(a, d), loft_exact_mul(b, c));
 }
 
-int loft_exact_sign(loft_exact a) { return negative(&a) ? -1 : is_zero(&a) ? 0 : 1; }
+int loft_exact_sign(loft_exact a) { return is_negative(&a) ? -1 : is_zero(&a) ? 0 : 1; }
 
 int loft_exact_compare(loft_exact a, loft_exact b) { return loft_exact_sign(loft_exact_sub(a, b)); }
 
@@ -93,7 +93,7 @@ loft_exact loft_exact_from_int(int32_t i)
 
 int loft_exact_bits(loft_exact a)
 {
-    if (negative(&a))
+    if (is_negative(&a))
         a = loft_exact_neg(a);
     for (int k = LIMBS; k-- > 0; )
         if (a.limb[k]) {
@@ -107,11 +107,11 @@ int loft_exact_bits(loft_exact a)
 
 static uint32_t limb_at(const loft_exact *a, int k)
 {
-    return k < 0 ? 0 : k < LIMBS ? a->limb[k] : negative(a) ? 0xffffffffu : 0;
+    return k < 0 ? 0 : k < LIMBS ? a->limb[k] : is_negative(a) ? 0xffffffffu : 0;
 }
 
 /* Limb k of the result is cut out of two neighbours. */
-static loft_exact shift_left(const loft_exact *a, int s)
+static loft_exact shift_limbs_left(const loft_exact *a, int s)
 {
     const int limbs = s / 32, bits = s % 32;
     loft_exact r;
@@ -124,7 +124,7 @@ static loft_exact shift_left(const loft_exact *a, int s)
 }
 
 /* Rounded down. */
-static loft_exact shift_right(const loft_exact *a, int s)
+static loft_exact shift_limbs_right(const loft_exact *a, int s)
 {
     const int limbs = s / 32, bits = s % 32;
     loft_exact r;
@@ -140,39 +140,39 @@ static loft_exact shift_right(const loft_exact *a, int s)
 loft_exact loft_exact_shift(loft_exact a, int s)
 {
     if (s >= 0)
-        return shift_left(&a, s);
+        return shift_limbs_left(&a, s);
     const loft_exact one = loft_exact_from_int(1);
-    a = shift_right(&a, -s - 1);
-    add_to(&a, &one);
-    return shift_right(&a, 1);
+    a = shift_limbs_right(&a, -s - 1);
+    add_exact(&a, &one);
+    return shift_limbs_right(&a, 1);
 }
 
 /* Digit by digit on magnitudes: the rest r stays below b, and 2 r + 1 below 2^LOFT_EXACT_BITS. */
 loft_exact loft_exact_div(loft_exact a, loft_exact b)
 {
-    const bool flip = negative(&a) != negative(&b);
+    const bool flip = is_negative(&a) != is_negative(&b);
     loft_exact q = zero, r;
 
-    if (negative(&a))
+    if (is_negative(&a))
         a = loft_exact_neg(a);
-    if (negative(&b))
+    if (is_negative(&b))
         b = loft_exact_neg(b);
     int k = loft_exact_bits(a) - loft_exact_bits(b) + 1;
     if (k < 0)
         return zero;
-    r = shift_right(&a, k);
+    r = shift_limbs_right(&a, k);
     for (;;) {
         const loft_exact trial = loft_exact_sub(r, b);
-        if (!negative(&trial)) {
+        if (!is_negative(&trial)) {
             r = trial;
             q.limb[k / 32] |= (uint32_t)1 << (k % 32);
         }
         if (k-- == 0)
             break;
-        add_to(&r, &r);
+        add_exact(&r, &r);
         r.limb[0] |= a.limb[k / 32] >> (k % 32) & 1;
     }
-    add_to(&r, &r);
+    add_exact(&r, &r);
     if (loft_exact_compare(r, b) >= 0)
         q = loft_exact_add(q, loft_exact_from_int(1));
     return flip ? loft_exact_neg(q) : q;
@@ -183,15 +183,15 @@ loft_exact loft_exact_root(loft_exact a)
 {
     loft_exact r = zero;
 
-    if (negative(&a))
+    if (is_negative(&a))
         return zero;
     for (int k = (loft_exact_bits(a) + 1) / 2 - 1; k >= 0; k--) {
         loft_exact trial = r;
         /* r holds only bits above this one */
         trial.limb[2 * k / 32] |= (uint32_t)1 << (2 * k % 32);
         trial = loft_exact_sub(a, trial);
-        r = shift_right(&r, 1);
-        if (!negative(&trial)) {
+        r = shift_limbs_right(&r, 1);
+        if (!is_negative(&trial)) {
             a = trial;
             r.limb[2 * k / 32] |= (uint32_t)1 << (2 * k % 32);
         }
@@ -209,7 +209,7 @@ loft_exact loft_exact_hypot(const loft_exact x[], int n)
 }
 
 /* Keep at most 160 bits, and count what was cut off: 2^-160 of it. */
-static loft_exact reduced(loft_exact a, int *cut)
+static loft_exact reduced_bits(loft_exact a, int *cut)
 {
     const int excess = loft_exact_bits(a) - 160;
 
@@ -220,12 +220,12 @@ static loft_exact reduced(loft_exact a, int *cut)
 /* a / b * 2^s to nearest, of which is known that it is below 2^63. Of a and b at most 160 bits
  * count, so that neither of them exceeds 288 bits when shifted: |s| makes both about as long as the
  * other, or 64 bits longer. */
-static int64_t quotient(loft_exact a, loft_exact b, int s)
+static int64_t scaled_quotient(loft_exact a, loft_exact b, int s)
 {
     int cut_a, cut_b;
 
-    a = reduced(a, &cut_a);
-    b = reduced(b, &cut_b);
+    a = reduced_bits(a, &cut_a);
+    b = reduced_bits(b, &cut_b);
     s += cut_a - cut_b;
     if (s >= 0)
         a = loft_exact_shift(a, s);
@@ -233,11 +233,14 @@ static int64_t quotient(loft_exact a, loft_exact b, int s)
         b = loft_exact_shift(b, -s);
     const loft_exact q = loft_exact_div(a, b);
     const uint64_t low = (uint64_t)q.limb[1] << 32 | q.limb[0];
-    return negative(&q) ? -(int64_t)(~low + 1) : (int64_t)low;
+    return is_negative(&q) ? -(int64_t)(~low + 1) : (int64_t)low;
 }
 
 /* log2 |a / b| lies within order - 1 .. order + 1 */
-static int order(loft_exact a, loft_exact b) { return loft_exact_bits(a) - loft_exact_bits(b); }
+static int quotient_log2(loft_exact a, loft_exact b)
+{
+    return loft_exact_bits(a) - loft_exact_bits(b);
+}
 
 #if LOFT_NUM == LOFT_Q16
 
@@ -251,18 +254,18 @@ loft_exact loft_exact_from_unit(loft_unit t)    { return loft_exact_from_int(t);
 
 bool loft_exact_quot(loft_exact a, loft_exact b, int s, loft_acc *out)
 {
-    const int e = is_zero(&a) ? -100 : order(a, b) + s;
+    const int e = is_zero(&a) ? -100 : quotient_log2(a, b) + s;
 
     if (e > 30)
         return false;
-    *out = e < -40 ? 0 : quotient(a, b, s + 32);
+    *out = e < -40 ? 0 : scaled_quotient(a, b, s + 32);
     return true;
 }
 
 #else
 
 /* The whole part of x * 2^(32 limbs), |x| < 1; *rest is what is left of it. All steps are exact. */
-static loft_exact fixed(double x, int limbs, double *rest)
+static loft_exact fixed_point(double x, int limbs, double *rest)
 {
     loft_exact r = zero;
     double left = x < 0 ? -x : x;
@@ -284,20 +287,20 @@ bool loft_exact_valid(loft_real a)
     double rest = 1;
 
     if (a > -REAL_SIZE && a < REAL_SIZE)
-        fixed((double)a / REAL_SIZE, 4, &rest);
+        fixed_point((double)a / REAL_SIZE, 4, &rest);
     return !(rest > 0);
 }
 
 loft_exact loft_exact_from_real(loft_real a)
 {
     double rest;
-    return fixed((double)a / REAL_SIZE, 4, &rest);
+    return fixed_point((double)a / REAL_SIZE, 4, &rest);
 }
 
 loft_exact loft_exact_from_unit(loft_unit t)
 {
     double rest;
-    loft_exact r = fixed((double)t / UNIT_SIZE, 2, &rest);
+    loft_exact r = fixed_point((double)t / UNIT_SIZE, 2, &rest);
 
     if (rest >= 0.5)
         r = loft_exact_add(r, loft_exact_from_int(t < 0 ? -1 : 1));
@@ -318,7 +321,7 @@ static double power_of_two(int s)
 /* 61 to 63 bits of the quotient, rounded to double. */
 bool loft_exact_quot(loft_exact a, loft_exact b, int s, loft_acc *out)
 {
-    const int k = 61 - order(a, b), e = 61 - k + s;
+    const int k = 61 - quotient_log2(a, b), e = 61 - k + s;
 
     if (is_zero(&a) || e < -1000) {
         *out = 0;
@@ -326,7 +329,7 @@ bool loft_exact_quot(loft_exact a, loft_exact b, int s, loft_acc *out)
     }
     if (e >= 1000)
         return false;
-    *out = (double)quotient(a, b, k) * 0x1p-61 * power_of_two(e);
+    *out = (double)scaled_quotient(a, b, k) * 0x1p-61 * power_of_two(e);
     return true;
 }
 

@@ -36,7 +36,7 @@ loft_fine loft_sci_to_fine(loft_sci x)
     return loft_sci_to_acc(x, &wide) ? wide : 0;
 }
 
-static loft_sci share_of(loft_sci x, int32_t *e)
+static loft_sci mantissa_of(loft_sci x, int32_t *e)
 {
     const bool high = x.m > ROOT2;
 
@@ -45,13 +45,13 @@ static loft_sci share_of(loft_sci x, int32_t *e)
     return x;
 }
 
-static loft_sci times_power(loft_sci x, int32_t e)
+static loft_sci times_power_of_two(loft_sci x, int32_t e)
 {
     x.e = (int16_t)(x.e + e);
     return x;
 }
 
-static loft_sci rest_of(loft_sci x, int32_t n)
+static loft_sci ln2_rest(loft_sci x, int32_t n)
 {
     return loft_sci_sub(x, loft_sci_mul(loft_sci_from_int(n), LN2));
 }
@@ -63,7 +63,7 @@ static const loft_sci LN2 = 0x1.62e42fefa39efp-1;
 loft_sci  loft_sci_from_fine(loft_fine x) { return x; }
 loft_fine loft_sci_to_fine(loft_sci x)       { return x; }
 
-static loft_sci share_of(loft_sci x, int32_t *e)
+static loft_sci mantissa_of(loft_sci x, int32_t *e)
 {
     *e = 0;
     for (int step = 64; step; step /= 8) {              /* by 2^64, 2^8, 2 */
@@ -84,7 +84,7 @@ static loft_sci share_of(loft_sci x, int32_t *e)
     return x;
 }
 
-static loft_sci times_power(loft_sci x, int32_t e)
+static loft_sci times_power_of_two(loft_sci x, int32_t e)
 {
     for (; e >= 32; e -= 32)
         x *= 0x1p32;
@@ -98,7 +98,7 @@ static loft_sci times_power(loft_sci x, int32_t e)
 }
 
 /* ln 2 in two parts, the first with 33 bits: its product with n is exact. */
-static loft_sci rest_of(loft_sci x, int32_t n)
+static loft_sci ln2_rest(loft_sci x, int32_t n)
 {
     return x - n * 0x1.62e42fefp-1 - n * 0x1.473de6af278edp-34;
 }
@@ -108,7 +108,7 @@ static loft_sci rest_of(loft_sci x, int32_t n)
 loft_sci loft_sci_log(loft_sci x)
 {
     int32_t e;
-    const loft_sci m = share_of(x, &e), one = loft_sci_one(),
+    const loft_sci m = mantissa_of(x, &e), one = loft_sci_one(),
                    s = loft_sci_div(loft_sci_sub(m, one), loft_sci_add(m, one));
     const loft_fine square = loft_sci_to_fine(loft_sci_mul(s, s));
     loft_fine sum = LOFT_FINE_1 / 25;
@@ -126,9 +126,9 @@ loft_sci loft_sci_exp(loft_sci x)
     if (loft_sci_less(x, loft_sci_from_int(-693)) || !loft_sci_to_acc(loft_sci_div(x, LN2), &ratio))
         return loft_sci_zero();
     const int32_t n = loft_acc_int(ratio);
-    const loft_fine r = loft_sci_to_fine(rest_of(x, n));
+    const loft_fine r = loft_sci_to_fine(ln2_rest(x, n));
     loft_fine sum = LOFT_FINE_1;
     for (int k = 16; k > 0; k--)
         sum = LOFT_FINE_1 + loft_fine_mul(r, sum) / k;
-    return times_power(loft_sci_from_fine(sum), n);
+    return times_power_of_two(loft_sci_from_fine(sum), n);
 }

@@ -9,7 +9,7 @@ typedef struct {
     uint64_t high, low;
 } twice;
 
-static uint64_t size_of(loft_acc x)     { return x < 0 ? 0 - (uint64_t)x : (uint64_t)x; }
+static uint64_t magnitude(loft_acc x)     { return x < 0 ? 0 - (uint64_t)x : (uint64_t)x; }
 static uint64_t upper(uint64_t x)       { return (uint32_t)loft_acc_high((int64_t)x); }
 static uint64_t lower(uint64_t x)       { return loft_acc_low((int64_t)x); }
 
@@ -25,7 +25,7 @@ static bool below(const twice *a, const twice *b)
 }
 
 /* Four products of the halves. The middle: (2^32 - 1)^2 + 2 (2^32 - 1) < 2^64. */
-static twice product(uint64_t x, uint64_t y)
+static twice wide_product(uint64_t x, uint64_t y)
 {
     const uint64_t low = lower(x) * lower(y);
     const uint64_t one = upper(x) * lower(y) + upper(low), two = lower(x) * upper(y) + lower(one);
@@ -38,7 +38,7 @@ static twice product(uint64_t x, uint64_t y)
  * lost. */
 loft_acc loft_acc_muldiv(loft_acc x, loft_acc y, loft_acc z)
 {
-    const twice p = product(size_of(x), size_of(y));
+    const twice p = wide_product(magnitude(x), magnitude(y));
     const uint64_t d = (uint64_t)z;
     uint64_t rest = p.high, q = p.low;
 
@@ -98,15 +98,15 @@ loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift)
 
     *shift = 0;
     for (int i = 0; i < n; i++)
-        if (size_of(x[i]) > largest)
-            largest = size_of(x[i]);
+        if (magnitude(x[i]) > largest)
+            largest = magnitude(x[i]);
     if (largest == 0)
         return 0;
     for (; !(largest >> 58); largest += largest)
         ++*shift;
     for (int i = 0; i < n; i++) {
-        const uint64_t size = size_of(x[i]) << *shift;
-        squares = sum(squares, product(size, size));
+        const uint64_t size = magnitude(x[i]) << *shift;
+        squares = sum(squares, wide_product(size, size));
     }
     return (loft_acc)root_of(squares);
 }

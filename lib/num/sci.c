@@ -9,7 +9,7 @@
 #define TOP 62          /* the highest bit of m */
 
 /* m and 32 bits below it, times 2^e, brought to the form and cut. */
-static loft_sci normal(uint64_t m, uint32_t below, int e, bool minus)
+static loft_sci normal_form(uint64_t m, uint32_t below, int e, bool minus)
 {
     loft_sci r;
 
@@ -34,12 +34,12 @@ static loft_sci normal(uint64_t m, uint32_t below, int e, bool minus)
     return r;
 }
 
-static uint64_t size_of(int64_t x) { return x < 0 ? 0 - (uint64_t)x : (uint64_t)x; }
+static uint64_t magnitude(int64_t x) { return x < 0 ? 0 - (uint64_t)x : (uint64_t)x; }
 
-loft_sci loft_sci_of(loft_acc x)            { return normal(size_of(x), 0, -32, x < 0); }
-loft_sci loft_sci_from_real(loft_real a)    { return normal(size_of(a), 0, -16, a < 0); }
-loft_sci loft_sci_from_unit(loft_unit t)    { return normal(size_of(t), 0, -24, t < 0); }
-loft_sci loft_sci_from_int(int32_t i)       { return normal(size_of(i), 0, 0, i < 0); }
+loft_sci loft_sci_of(loft_acc x)            { return normal_form(magnitude(x), 0, -32, x < 0); }
+loft_sci loft_sci_from_real(loft_real a)    { return normal_form(magnitude(a), 0, -16, a < 0); }
+loft_sci loft_sci_from_unit(loft_unit t)    { return normal_form(magnitude(t), 0, -24, t < 0); }
+loft_sci loft_sci_from_int(int32_t i)       { return normal_form(magnitude(i), 0, 0, i < 0); }
 
 /* The highest limb that is not 0 and the two below it hold 65 bits at least, or all there are. */
 loft_sci loft_sci_from_acc128(loft_acc128 x)
@@ -53,8 +53,8 @@ loft_sci loft_sci_from_acc128(loft_acc128 x)
     while (top > 2 && !x.limb[top])
         top--;
     if (!x.limb[top])
-        return normal((uint64_t)x.limb[1] << 32 | x.limb[0], 0, -32, minus);
-    return normal((uint64_t)x.limb[top] << 32 | x.limb[top - 1], x.limb[top - 2],
+        return normal_form((uint64_t)x.limb[1] << 32 | x.limb[0], 0, -32, minus);
+    return normal_form((uint64_t)x.limb[top] << 32 | x.limb[top - 1], x.limb[top - 2],
                   32 * (top - 1) - 32, minus);
 }
 
@@ -72,11 +72,11 @@ loft_sci loft_sci_add(loft_sci a, loft_sci b)
     const int down = a.e - b.e;
     const uint64_t m = down < 64 ? b.m >> down : 0;
     if (a.minus == b.minus)
-        return normal(a.m + m, 0, a.e, a.minus);
+        return normal_form(a.m + m, 0, a.e, a.minus);
     if (a.m <= m)               /* then down is 0 */
-        return a.m == m ? loft_sci_zero() : normal(m - a.m, 0, a.e, b.minus);
+        return a.m == m ? loft_sci_zero() : normal_form(m - a.m, 0, a.e, b.minus);
     const uint32_t lost = down > 0 && down < 64 ? (uint32_t)(b.m << (64 - down) >> 32) : 0;
-    return normal(a.m - m - (lost != 0), 0u - lost, a.e, a.minus);
+    return normal_form(a.m - m - (lost != 0), 0u - lost, a.e, a.minus);
 }
 
 loft_sci loft_sci_sub(loft_sci a, loft_sci b) { return loft_sci_add(a, loft_sci_neg(b)); }
@@ -90,7 +90,7 @@ loft_sci loft_sci_mul(loft_sci a, loft_sci b)
 
     if (!m)
         return loft_sci_zero();
-    return normal(m, (uint32_t)(cross & 0xffffffffu), a.e + b.e + 64, a.minus != b.minus);
+    return normal_form(m, (uint32_t)(cross & 0xffffffffu), a.e + b.e + 64, a.minus != b.minus);
 }
 
 /* a.m / b.m > 1/2: the first round finds the whole part, 62 more the bits below. */
@@ -108,7 +108,7 @@ loft_sci loft_sci_div(loft_sci a, loft_sci b)
         }
         rest += rest;
     }
-    return normal(q, 0, a.e - b.e - TOP, a.minus != b.minus);
+    return normal_form(q, 0, a.e - b.e - TOP, a.minus != b.minus);
 }
 
 /* The root of m 2^58 for an even exponent e: 61 bits, two bits of the radicand a round. Before a
@@ -129,7 +129,7 @@ loft_sci loft_sci_sqrt(loft_sci a)
             r++;
         }
     }
-    return normal(r, 0, (a.e - odd - 58) / 2, false);
+    return normal_form(r, 0, (a.e - odd - 58) / 2, false);
 }
 
 bool loft_sci_to_acc(loft_sci x, loft_acc *out)
@@ -160,10 +160,10 @@ bool loft_sci_is_unit(loft_sci x, loft_unit *t)
 }
 
 /* Each difference has 32 bits and a sign, each product 64, their difference 65. */
-static loft_acc128 product(int64_t x, int64_t y)
+static loft_acc128 signed_product(int64_t x, int64_t y)
 {
-    const loft_acc128 size = loft_acc128_times(loft_acc128_of((int64_t)size_of(x)),
-                                               (uint32_t)size_of(y)),
+    const loft_acc128 size = loft_acc128_times(loft_acc128_of((int64_t)magnitude(x)),
+                                               (uint32_t)magnitude(y)),
                     zero = { { 0 } };
     return (x < 0) != (y < 0) ? loft_acc128_sub(zero, size) : size;
 }
@@ -174,7 +174,7 @@ loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_r
     const int64_t ux = (int64_t)b[0] - a[0], uy = (int64_t)b[1] - a[1];
     const int64_t vx = (int64_t)d[0] - c[0], vy = (int64_t)d[1] - c[1];
 
-    return loft_sci_from_acc128(loft_acc128_sub(product(ux, vy), product(uy, vx)));
+    return loft_sci_from_acc128(loft_acc128_sub(signed_product(ux, vy), signed_product(uy, vx)));
 }
 
 #else
@@ -214,12 +214,12 @@ bool loft_sci_is_unit(loft_sci x, loft_unit *t)
     return true;
 }
 
-static loft_exact difference(loft_real a, loft_real b)
+static loft_exact exact_difference(loft_real a, loft_real b)
 {
     return loft_exact_sub(loft_exact_from_real(b), loft_exact_from_real(a));
 }
 
-static bool is_difference(double d, double b, double a)
+static bool is_exact_difference(double d, double b, double a)
 {
     const double tail = loft_difference_tail(b, a, d);
     return !(tail > 0) && !(tail < 0);
@@ -240,16 +240,17 @@ loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_r
 
     if ((cross < 0 ? -cross : cross) >= size * 0.0625)
         return cross;
-    if (is_difference(ux, (double)b[0], (double)a[0]) &&
-        is_difference(uy, (double)b[1], (double)a[1]) &&
-        is_difference(vx, (double)d[0], (double)c[0]) &&
-        is_difference(vy, (double)d[1], (double)c[1])) {
+    if (is_exact_difference(ux, (double)b[0], (double)a[0]) &&
+        is_exact_difference(uy, (double)b[1], (double)a[1]) &&
+        is_exact_difference(vx, (double)d[0], (double)c[0]) &&
+        is_exact_difference(vy, (double)d[1], (double)c[1])) {
         cross += loft_product_tail(ux, vy, p) - loft_product_tail(uy, vx, q);
         if ((cross < 0 ? -cross : cross) >= size * 0x1p-50)
             return cross;
     }
-    const loft_exact det = loft_exact_det(difference(a[0], b[0]), difference(a[1], b[1]),
-                                          difference(c[0], d[0]), difference(c[1], d[1]));
+    const loft_exact det = loft_exact_det(
+        exact_difference(a[0], b[0]), exact_difference(a[1], b[1]), exact_difference(c[0], d[0]),
+        exact_difference(c[1], d[1]));
     return loft_exact_quot(det, loft_exact_from_int(1), -2 * LOFT_EXACT_REAL, &exact) ? exact
                                                                                       : cross;
 }

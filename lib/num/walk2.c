@@ -32,13 +32,13 @@
  */
 #include "num/walk2.h"
 
-#define ADMITTED (UINT32_MAX - 4194303)
+#define BINOMIAL_SUM_MAX (UINT32_MAX - 4194303)
 
-static uint64_t choices(unsigned degree, uint64_t n)
+static uint64_t binomial_sum(unsigned degree, uint64_t n)
 {
     uint64_t choose = 1, sum = 0;
 
-    for (unsigned k = 1; k <= degree && k <= n && sum <= ADMITTED; k++) {
+    for (unsigned k = 1; k <= degree && k <= n && sum <= BINOMIAL_SUM_MAX; k++) {
         choose = choose * (n - k + 1) / k;      /* both factors below 2^32 once k > 1 */
         sum += choose;
     }
@@ -46,7 +46,7 @@ static uint64_t choices(unsigned degree, uint64_t n)
 }
 
 /* log2 n, 33 when n is no power of two */
-static unsigned power_of_two(uint32_t n)
+static unsigned log2_exact(uint32_t n)
 {
     unsigned m = 0;
 
@@ -60,13 +60,13 @@ static unsigned power_of_two(uint32_t n)
 bool loft_walk2_steps_valid(const loft_walk2 *s)
 {
     if (s->triangle)
-        return s->p * power_of_two(s->rows) <= 32 ||
-               choices(s->p, (uint64_t)s->rows * 2) <= ADMITTED;
-    const unsigned a = power_of_two(s->rows), b = power_of_two(s->columns);
+        return s->p * log2_exact(s->rows) <= 32 ||
+               binomial_sum(s->p, (uint64_t)s->rows * 2) <= BINOMIAL_SUM_MAX;
+    const unsigned a = log2_exact(s->rows), b = log2_exact(s->columns);
     if (s->blend ? s->p * a + b <= 32 && a + s->q * b <= 32 : s->p * a + s->q * b <= 32)
         return true;
-    const uint64_t u = 1 + choices(s->p, s->rows), v = 1 + choices(s->q, s->columns);
-    return u - 1 <= ADMITTED && v - 1 <= ADMITTED && u * v - 1 <= ADMITTED;
+    const uint64_t u = 1 + binomial_sum(s->p, s->rows), v = 1 + binomial_sum(s->q, s->columns);
+    return u - 1 <= BINOMIAL_SUM_MAX && v - 1 <= BINOMIAL_SUM_MAX && u * v - 1 <= BINOMIAL_SUM_MAX;
 }
 
 static unsigned binomial(unsigned n, unsigned k)
@@ -80,7 +80,7 @@ static unsigned binomial(unsigned n, unsigned k)
 
 /* The values of the net into the state: in the triangle row r, place c stands in column c at r -
  * c. */
-static void load(loft_state d[], const loft_walk2 *s, const loft_real net[], size_t stride)
+static void load_net(loft_state d[], const loft_walk2 *s, const loft_real net[], size_t stride)
 {
     for (unsigned r = 0; r <= s->p; r++) {
         const unsigned last = s->triangle ? r : s->q;
@@ -90,7 +90,7 @@ static void load(loft_state d[], const loft_walk2 *s, const loft_real net[], siz
 }
 
 /* E^l, then D^k, then the factors. Wrapping integers hold negative numbers as well. */
-static void take_powers(loft_state d[], const loft_walk2 *s)
+static void powers_from_net(loft_state d[], const loft_walk2 *s)
 {
     const unsigned lean = s->triangle;
 
@@ -116,7 +116,7 @@ static void take_powers(loft_state d[], const loft_walk2 *s)
 /* The blend of the edges has the same polynomials at u = 0, v = 0, u = 1 and v = 1. The first two
  * are the coefficients with k = 0 or l = 0; at u = 1 that of v^l is the sum over k, at v = 1 that
  * of u^k the sum over l. Where both are above 1 there is none. */
-static void take_blend(loft_state g[], const loft_walk2 *s)
+static void blend_powers(loft_state g[], const loft_walk2 *s)
 {
     const unsigned p = s->p, stride = p + 1;
 
@@ -174,7 +174,8 @@ bool loft_walk2_valid(loft_real a)
 #define STATES ((LOFT_WALK_DEGREE_MAX + 1) * (LOFT_WALK_DEGREE_MAX + 1))
 
 /* g / (rows^k columns^l): *d with 32 bits below the LSB and the 32 bits below those. */
-static void scale(loft_state *d, loft_state *below, const loft_walk2 *s, unsigned k, unsigned l)
+static void scale_coefficient(loft_state *d, loft_state *below, const loft_walk2 *s, unsigned k,
+                              unsigned l)
 {
     const bool minus = *d >> 63 != 0;
     const uint64_t size = minus ? 0 - *d : *d;
@@ -193,7 +194,7 @@ static void scale(loft_state *d, loft_state *below, const loft_walk2 *s, unsigne
 }
 
 /* What is below exceeds its 32 bits: 2^32 541 at most, after one direction. */
-static void carry(loft_state d[], loft_state below[], size_t count)
+static void carry_below(loft_state d[], loft_state below[], size_t count)
 {
     for (size_t k = 0; k < count; k++) {
         d[k] += below[k] >> 32;
@@ -206,16 +207,17 @@ void loft_walk2_init(loft_state d[], const loft_walk2 *s, const loft_real net[],
     const size_t count = loft_walk2_column(s, s->q) + loft_walk2_degree(s, s->q) + 1;
     loft_state below[STATES];
 
-    load(d, s, net, stride);
-    take_powers(d, s);
+    load_net(d, s, net, stride);
+    powers_from_net(d, s);
     if (s->blend)
-        take_blend(d, s);
+        blend_powers(d, s);
     for (unsigned l = 0; l <= s->q; l++)
         for (unsigned k = 0; k <= loft_walk2_degree(s, l); k++)
-            scale(&d[loft_walk2_column(s, l) + k], &below[loft_walk2_column(s, l) + k], s, k, l);
+            scale_coefficient(&d[loft_walk2_column(s, l) + k], &below[loft_walk2_column(s, l) + k],
+                              s, k, l);
     columns_to_differences(d, s);
     columns_to_differences(below, s);
-    carry(d, below, count);
+    carry_below(d, below, count);
     rows_to_differences(d, s);
     rows_to_differences(below, s);
     for (size_t k = 0; k < count; k++)
@@ -234,10 +236,10 @@ bool loft_walk2_valid(loft_real a)
 
 void loft_walk2_init(loft_state d[], const loft_walk2 *s, const loft_real net[], size_t stride)
 {
-    load(d, s, net, stride);
-    take_powers(d, s);
+    load_net(d, s, net, stride);
+    powers_from_net(d, s);
     if (s->blend)
-        take_blend(d, s);
+        blend_powers(d, s);
     for (unsigned l = 0; l <= s->q; l++)
         for (unsigned k = 0; k <= loft_walk2_degree(s, l); k++) {
             loft_state *x = &d[loft_walk2_column(s, l) + k];

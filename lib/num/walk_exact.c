@@ -44,12 +44,12 @@ uint64_t loft_walk_exact_power(unsigned degree, uint32_t n)
 #if LOFT_NUM == LOFT_Q16
 
 /* c(k, j) for j <= k <= 5. */
-static const uint8_t maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 1] = {
+static const uint8_t onto_maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 1] = {
     { 1 }, { 0, 1 }, { 0, 1, 2 }, { 0, 1, 6, 6 }, { 0, 1, 14, 36, 24 }, { 0, 1, 30, 150, 240, 120 }
 };
 
 /* e_j as a whole number and the rest over n^degree, for j >= 1. */
-static int64_t difference(const loft_acc g[], unsigned degree, unsigned j, uint32_t n,
+static int64_t exact_difference(const loft_acc g[], unsigned degree, unsigned j, uint32_t n,
                           uint64_t *rest)
 {
     int64_t whole = 0;
@@ -57,7 +57,7 @@ static int64_t difference(const loft_acc g[], unsigned degree, unsigned j, uint3
 
     *rest = 0;
     for (unsigned k = degree; k >= 1; k--) {
-        whole += g[k] * maps[k][j];
+        whole += g[k] * onto_maps[k][j];
         int64_t quotient = whole / n, left = whole - quotient * n;
         if (left < 0) {
             left += n;
@@ -81,7 +81,7 @@ void loft_walk_exact_init(loft_walk_exact *s, const loft_real p[], unsigned degr
         s->whole[j] = 0;
         s->rest[j] = 0;
         if (j <= degree)
-            s->whole[j] = (uint32_t)difference(g, degree, j, n, &s->rest[j]);
+            s->whole[j] = (uint32_t)exact_difference(g, degree, j, n, &s->rest[j]);
     }
 }
 

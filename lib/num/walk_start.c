@@ -58,7 +58,7 @@ void loft_walk_differences(loft_state a[], unsigned degree)
 #if LOFT_NUM == LOFT_Q16
 
 #if defined(__AVR__)
-static uint64_t join(uint32_t high, uint32_t low)
+static uint64_t join_words(uint32_t high, uint32_t low)
 {
     loft_bytes b;
     b.half.high = (int32_t)high;
@@ -66,11 +66,11 @@ static uint64_t join(uint32_t high, uint32_t low)
     return (uint64_t)b.all;
 }
 #else
-static uint64_t join(uint32_t high, uint32_t low)       { return (uint64_t)high << 32 | low; }
+static uint64_t join_words(uint32_t high, uint32_t low)       { return (uint64_t)high << 32 | low; }
 #endif
 
 /* x / 2^m in place, cut, m < 32. */
-static void shift_down(uint32_t x[], int limbs, uint8_t m)
+static void shift_limbs_down(uint32_t x[], int limbs, uint8_t m)
 {
     for (int i = 0; m && i < limbs; i++)
         x[i] = x[i] >> m | (i + 1 < limbs ? x[i + 1] << (32 - m) : 0);
@@ -80,7 +80,7 @@ static void shift_down(uint32_t x[], int limbs, uint8_t m)
 
 /* x / n in place, cut, bit by bit from the highest: a third of the time that divisions of 32 bits
  * take. */
-static void divide_short(uint32_t x[], int limbs, uint16_t n)
+static void divide_limbs_short(uint32_t x[], int limbs, uint16_t n)
 {
     uint8_t *byte = (uint8_t *)(x + limbs), bytes = (uint8_t)(4 * limbs), bits, part;
     uint16_t rest = 0;
@@ -101,7 +101,7 @@ static void divide_short(uint32_t x[], int limbs, uint16_t n)
 
 /* The same with divisions of 32 bits, the fastest on other cores, which take 16 bits of x at a
  * time. */
-static void divide_short(uint32_t x[], int limbs, uint16_t n)
+static void divide_limbs_short(uint32_t x[], int limbs, uint16_t n)
 {
     uint32_t rest = 0;
 
@@ -116,16 +116,16 @@ static void divide_short(uint32_t x[], int limbs, uint16_t n)
 #endif
 
 /* x / n in place, cut. */
-static void divide(uint32_t x[], int limbs, uint32_t n)
+static void divide_limbs(uint32_t x[], int limbs, uint32_t n)
 {
     uint32_t rest = 0;
 
     if (n >> 16 == 0) {
-        divide_short(x, limbs, (uint16_t)n);
+        divide_limbs_short(x, limbs, (uint16_t)n);
         return;
     }
     for (int i = limbs - 1; i >= 0; i--) {
-        const uint64_t part = join(rest, x[i]);
+        const uint64_t part = join_words(rest, x[i]);
         x[i] = (uint32_t)(part / n);
         rest = (uint32_t)(part % n);
     }
@@ -138,13 +138,13 @@ void loft_limbs_divide(uint32_t x[], int limbs, uint32_t n)
     while (n > (uint32_t)1 << m && m < 31)
         m++;
     if (n == (uint32_t)1 << m)
-        shift_down(x, limbs, m);
+        shift_limbs_down(x, limbs, m);
     else
-        divide(x, limbs, n);
+        divide_limbs(x, limbs, n);
 }
 
 /* 1 is 2^96 - 1 here, low by 2^-96. */
-static void invert(uint32_t inverse[][3], unsigned degree, uint32_t n)
+static void invert_steps(uint32_t inverse[][3], unsigned degree, uint32_t n)
 {
     uint32_t x[3] = { UINT32_MAX, UINT32_MAX, UINT32_MAX };
 
@@ -157,15 +157,15 @@ static void invert(uint32_t inverse[][3], unsigned degree, uint32_t n)
 
 void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 {
-    invert(powers->inverse, degree, n);
+    invert_steps(powers->inverse, degree, n);
 }
-void loft_powers3_init(loft_powers3 *powers, uint32_t n) { invert(powers->inverse, 3, n); }
+void loft_powers3_init(loft_powers3 *powers, uint32_t n) { invert_steps(powers->inverse, 3, n); }
 
 #if !defined(__AVR__)
 
-static uint32_t high(uint64_t x) { return (uint32_t)loft_acc_high((int64_t)x); }
-static uint32_t low(uint64_t x)                         { return (uint32_t)(x & 0xffffffffu); }
-static uint64_t product(uint32_t a, uint32_t b)         { return (uint64_t)a * b; }
+static uint32_t high_word(uint64_t x) { return (uint32_t)loft_acc_high((int64_t)x); }
+static uint32_t low_word(uint64_t x)                         { return (uint32_t)(x & 0xffffffffu); }
+static uint64_t word_product(uint32_t a, uint32_t b)         { return (uint64_t)a * b; }
 
 typedef struct {
     uint64_t value;         /* in 2^-32, wraps          */
@@ -174,17 +174,17 @@ typedef struct {
 
 /* g times inverse, |g| < 2^38: the product has five places of 32 bits, of which 1 is `below` and 2,
  * 3 are `value`. Place 1 sums to less than 2^32 + 2^32 + 2^38. */
-static term scaled(int64_t g, const uint32_t inverse[3])
+static term scaled_term(int64_t g, const uint32_t inverse[3])
 {
     const uint64_t size = (uint64_t)(g < 0 ? -g : g);
-    const uint64_t at_1 = product(low(size), inverse[1]);
-    const uint64_t sum_1 = product(high(size), inverse[0]) + high(product(low(size), inverse[0])) +
-                           low(at_1);
+    const uint64_t at_1 = word_product(low_word(size), inverse[1]);
+    const uint64_t sum_1 = word_product(high_word(size), inverse[0]) +
+                           high_word(word_product(low_word(size), inverse[0])) + low_word(at_1);
     term t;
 
-    t.below = low(sum_1);
-    t.value = product(low(size), inverse[2]) + product(high(size), inverse[1]) + high(sum_1) +
-              high(at_1) + join(high(size) * inverse[2], 0);
+    t.below = low_word(sum_1);
+    t.value = word_product(low_word(size), inverse[2]) + word_product(high_word(size), inverse[1]) +
+              high_word(sum_1) + high_word(at_1) + join_words(high_word(size) * inverse[2], 0);
     if (g < 0) {
         t.below = 0 - t.below;
         t.value = 0 - t.value - (t.below != 0);
@@ -195,22 +195,22 @@ static term scaled(int64_t g, const uint32_t inverse[3])
 typedef uint64_t wide;
 
 /* Room for degree + 1 numbers is the caller's. */
-static void start(loft_state d[], const loft_real p[], unsigned degree, const uint32_t inverse[][3],
-                  wide below[])
+static void start_walk(loft_state d[], const loft_real p[], unsigned degree,
+                       const uint32_t inverse[][3], wide below[])
 {
     loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
 
     loft_walk_powers(g, p, degree);
-    d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
+    d[0] = join_words((uint32_t)p[0], (uint32_t)1 << 31);
     for (unsigned k = 1; k <= degree; k++) {
-        const term t = scaled(g[k], inverse[k - 1]);
+        const term t = scaled_term(g[k], inverse[k - 1]);
         d[k] = t.value;
         below[k] = t.below;
     }
     loft_walk_differences(d, degree);
     loft_walk_differences(below, degree);
     for (unsigned k = 1; k <= degree; k++)
-        d[k] += high(below[k] + ((uint32_t)1 << 31));
+        d[k] += high_word(below[k] + ((uint32_t)1 << 31));
 }
 
 #else
@@ -281,7 +281,7 @@ static void wide_negate(wide *a)
     *a = zero;
 }
 
-/* a times inverse, |a| < 2^38, as `scaled` above: of the 17 bytes of the product the lowest four
+/* a times inverse, |a| < 2^38, as `scaled_term` above: of the 17 bytes of the product the lowest four
  * are cut. */
 static void wide_scale(wide *a, const uint32_t inverse[3])
 {
@@ -305,8 +305,8 @@ static void wide_set(wide *a, int32_t x)
 }
 
 /* loft_walk_powers and loft_walk_differences in these numbers. */
-static void start(loft_state d[], const loft_real p[], unsigned degree, const uint32_t inverse[][3],
-                  wide a[])
+static void start_walk(loft_state d[], const loft_real p[], unsigned degree,
+                       const uint32_t inverse[][3], wide a[])
 {
     uint8_t choose = 1, factorial = 1;
 
@@ -324,7 +324,7 @@ static void start(loft_state d[], const loft_real p[], unsigned degree, const ui
         for (uint8_t k = (uint8_t)(degree - 1); k >= j; k--)
             for (uint8_t times = 0; times < j; times++)
                 wide_add(&a[k], &a[k + 1]);
-    d[0] = join((uint32_t)p[0], (uint32_t)1 << 31);
+    d[0] = join_words((uint32_t)p[0], (uint32_t)1 << 31);
     for (uint8_t k = 1; k <= degree; k++) {
         factorial = (uint8_t)(factorial * k);
         wide_times(&a[k], factorial);
@@ -336,17 +336,17 @@ static void start(loft_state d[], const loft_real p[], unsigned degree, const ui
 
 #endif
 
-static void start_any(loft_state d[], const loft_real p[], unsigned degree,
+static void start_polynomial(loft_state d[], const loft_real p[], unsigned degree,
                       const loft_powers *powers)
 {
     wide room[LOFT_WALK_DEGREE_MAX + 1];
-    start(d, p, degree, powers->inverse, room);
+    start_walk(d, p, degree, powers->inverse, room);
 }
 
 static void start_cubic(loft_state d[], const loft_real p[4], const loft_powers3 *powers)
 {
     wide room[4];
-    start(d, p, 3, powers->inverse, room);
+    start_walk(d, p, 3, powers->inverse, room);
 }
 
 #else
@@ -358,7 +358,7 @@ void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
     powers->n = n;
 }
 
-static void start_any(loft_state d[], const loft_real p[], unsigned degree,
+static void start_polynomial(loft_state d[], const loft_real p[], unsigned degree,
                       const loft_powers *powers)
 {
     loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
@@ -375,7 +375,7 @@ static void start_any(loft_state d[], const loft_real p[], unsigned degree,
 
 static void start_cubic(loft_state d[], const loft_real p[4], const loft_powers3 *powers)
 {
-    start_any(d, p, 3, powers);
+    start_polynomial(d, p, 3, powers);
 }
 
 #endif
@@ -384,7 +384,7 @@ void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const lo
 {
     for (unsigned k = degree + 1; k <= LOFT_WALK_DEGREE_MAX; k++)
         w->d[k] = 0;
-    start_any(w->d, p, degree, powers);
+    start_polynomial(w->d, p, degree, powers);
     loft_walk_keep(w, p[degree]);
 }
 

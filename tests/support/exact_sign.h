@@ -9,8 +9,8 @@
 
 typedef struct {
     bool nonnegative, positive;
-    int raises;
-    long double least;
+    int elevations;
+    long double min;
 } exact_sign;
 
 /* The minimum of the quadratic a on 0..1 as a fraction of whole numbers, over a positive one. */
@@ -69,10 +69,10 @@ static inline exact_sign exact_sign_of(const loft_real x[3])
     exact_least(a, &top, &bottom);
     s.nonnegative = top >= 0;
     s.positive = top > 0;
-    s.least = (long double)top / (long double)bottom / 65536;
-    for (int r = 0; r <= 60 && s.raises < 0; r++)
+    s.min = (long double)top / (long double)bottom / 65536;
+    for (int r = 0; r <= 60 && s.elevations < 0; r++)
         if (r <= 12 ? exact_all_positive(a, r) : exact_formula_positive(a, r + 2))
-            s.raises = r;
+            s.elevations = r;
     return s;
 }
 

@@ -152,18 +152,18 @@ static void positivity1d(row *r)
     if (loft_quadratic_sign(a, &s) != LOFT_OK)
         row_complain(r, "refused");
     const exact_sign own = exact_sign_of(a);
-    if (s.nonnegative != own.nonnegative || s.positive != own.positive || s.raises != own.raises)
+    if (s.nonnegative != own.nonnegative || s.positive != own.positive ||
+        s.elevations != own.elevations)
         row_complain(r, "%d %d %d, but the coordinates as read make %d %d %d", s.nonnegative,
-                     s.positive, s.raises, own.nonnegative, own.positive, own.raises);
-    row_within(r, "min, as read", fabsl(exact_of(s.least) - own.least) * 65536,
-               ulp(own.least) * 65536);
+                     s.positive, s.elevations, own.nonnegative, own.positive, own.elevations);
+    row_within(r, "min, as read", fabsl(exact_of(s.min) - own.min) * 65536, ulp(own.min) * 65536);
     if (!as_given(r))
         return;
     row_expect_flag(r, "nonneg", s.nonnegative);
     row_expect_flag(r, "positive", s.positive);
-    snprintf(raises, sizeof raises, "%d", s.raises);
+    snprintf(raises, sizeof raises, "%d", s.elevations);
     row_expect_word(r, "rpos", raises);
-    answer_real(least, s.least);
+    answer_real(least, s.min);
     row_expect(r, "min", least, (law) { .lsb = 0.5L + 1 / 65536.0L, .roundings = 1 });
 }
 

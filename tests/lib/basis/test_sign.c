@@ -39,9 +39,9 @@ static void flags_and_counts_are_exact(arb *a)
     const exact_sign want = exact_sign_of(c);
     CHECK(loft_quadratic_sign(c, &s) == LOFT_OK);
     CHECK(s.nonnegative == want.nonnegative && s.positive == want.positive &&
-          s.raises == want.raises);
-    CHECK_EXACT(exact_of(s.least), want.least,
-                BY_NUM(LSB / 2 + LSB * 0x1p-16L, ulp(want.least), ulp(want.least)));
+          s.elevations == want.elevations);
+    CHECK_EXACT(exact_of(s.min), want.min,
+                BY_NUM(LSB / 2 + LSB * 0x1p-16L, ulp(want.min), ulp(want.min)));
 }
 
 static void all_answers_are_tried(arb *a)
@@ -55,8 +55,8 @@ static void all_answers_are_tried(arb *a)
         positive += s.positive;
         touching += s.nonnegative && !s.positive;
         negative += !s.nonnegative;
-        raised += s.raises > 0;
-        never += s.positive && s.raises < 0;
+        raised += s.elevations > 0;
+        never += s.positive && s.elevations < 0;
     }
     CHECK(check_sampled() ||
           (positive > 100 && touching > 100 && negative > 100 && raised > 50 && never > 50));
@@ -74,8 +74,8 @@ static void the_minimum_is_not_undercut(arb *a)
         const long double x[3] = { exact_of(c[0]), exact_of(c[1]), exact_of(c[2]) };
         lowest = fminl(lowest, exact_eval(x, 2, j / 64.0L));
     }
-    CHECK(exact_of(s.least) <= lowest + ulp(lowest));
-    CHECK(s.least <= c[0] && s.least <= c[2]);
+    CHECK(exact_of(s.min) <= lowest + ulp(lowest));
+    CHECK(s.min <= c[0] && s.min <= c[2]);
 }
 
 static void the_sign_is_symmetric(arb *a)
@@ -87,8 +87,9 @@ static void the_sign_is_symmetric(arb *a)
     for (int k = 0; k < 3; k++)
         d[k] = c[2 - k];
     CHECK(loft_quadratic_sign(c, &s) == LOFT_OK && loft_quadratic_sign(d, &r) == LOFT_OK);
-    CHECK(s.nonnegative == r.nonnegative && s.positive == r.positive && s.raises == r.raises);
-    CHECK(!(s.least < r.least) && !(s.least > r.least));
+    CHECK(s.nonnegative == r.nonnegative && s.positive == r.positive &&
+          s.elevations == r.elevations);
+    CHECK(!(s.min < r.min) && !(s.min > r.min));
 }
 
 /* b with second differences d: lines, s^2 -s t t^2, anything, one LSB beside. */
@@ -143,7 +144,8 @@ static void numbers_outside_the_window_are_refused(arb *a)
     c[arb_below(a, 3)] = (loft_real)BY_NUM(INT32_MAX, 3e6, 3e6);
     CHECK(loft_quadratic_sign(c, &s) == want &&
           loft_bernstein_convex(c, 2, &net, &polynomial) == want);
-    CHECK(BY_NUM(s.raises == 0, s.raises == 7 && s.least >= 5, s.raises == 7 && s.least >= 5));
+    CHECK(BY_NUM(s.elevations == 0, s.elevations == 7 && s.min >= 5,
+                 s.elevations == 7 && s.min >= 5));
 }
 
 int main(void)
