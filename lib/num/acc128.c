@@ -10,8 +10,8 @@
 
 static bool is_negative(const loft_acc128 *x) { return x->limb[LIMBS - 1] >> 31 != 0; }
 
-/* x += (y ^ flip) + carry; returns the carry out of the top. All in 32 bits: an 8-bit core has no
- * more. */
+/* x += (y ^ flip) + carry; returns the carry out of the top limb. It uses 32-bit words: an 8-bit
+ * core has no wider ones. */
 static uint32_t add_limbs(loft_acc128 *x, const loft_acc128 *y, uint32_t flip, uint32_t carry)
 {
     for (int k = 0; k < LIMBS; k++) {
@@ -53,7 +53,7 @@ bool loft_acc128_below(loft_acc128 x, loft_acc128 y)
     return is_negative(&difference);
 }
 
-/* x k in `limbs` limbs of out: a product and a carry are at most (2^32 - 1)^2 + 2^32 - 1 < 2^64. */
+/* x k in `limbs` limbs of out. A product plus a carry is at most (2^32 - 1)^2 + 2^32 - 1 < 2^64. */
 static void multiply_limbs(const loft_acc128 *x, uint32_t k, uint32_t out[], int limbs)
 {
     uint32_t carry = 0;
@@ -72,7 +72,7 @@ loft_acc128 loft_acc128_times(loft_acc128 x, uint32_t k)
     return r;
 }
 
-/* By one limb, and by 14 bits. */
+/* Shift by one limb and 14 bits. */
 loft_acc128 loft_acc128_guarded(loft_acc x)
 {
     const loft_acc128 r = { { 0, loft_acc_low(x), (uint32_t)loft_acc_high(x),
@@ -92,8 +92,8 @@ bool loft_acc128_valid(loft_real a)
     return true;
 }
 
-/* (|y - x| |t| + 2^23) / 2^24: five limbs, less than 2^126 * 2^25 + 2^23. Four limbs are cut out
- * above bit 24. */
+/* (|y - x| |t| + 2^23) / 2^24. The five limbs hold less than 2^126 * 2^25 + 2^23; the four limbs
+ * above bit 24 are the result. */
 loft_acc128 loft_acc128_lerp(loft_acc128 x, loft_acc128 y, loft_unit t)
 {
     const loft_acc128 difference = loft_acc128_sub(y, x), opposite = negated_acc128(&difference);
@@ -111,7 +111,8 @@ loft_acc128 loft_acc128_lerp(loft_acc128 x, loft_acc128 y, loft_unit t)
     return down != (t < 0) ? loft_acc128_sub(x, part) : loft_acc128_add(x, part);
 }
 
-/* The whole part of x / n, x of five limbs and below 2^128 n, and what is left of x. */
+/* The integer part of x / n goes to *out, the remainder is returned. x has five limbs and is below
+ * 2^128 n. */
 static uint32_t divide_limbs(const uint32_t x[LIMBS + 1], uint32_t n, loft_acc128 *out)
 {
     uint64_t rest = x[LIMBS];
@@ -124,7 +125,7 @@ static uint32_t divide_limbs(const uint32_t x[LIMBS + 1], uint32_t n, loft_acc12
     return (uint32_t)rest;
 }
 
-/* |x| / k, of which the lowest 46 bits are rounded away. */
+/* |x| / k, with the lowest 46 bits rounded off. */
 loft_acc loft_acc128_to_acc(loft_acc128 x, uint32_t k)
 {
     const bool minus = is_negative(&x);
@@ -140,8 +141,8 @@ loft_acc loft_acc128_to_acc(loft_acc128 x, uint32_t k)
     return minus ? -whole : whole;
 }
 
-/* |y - x| j / n with j <= n < 2^32: a product of five limbs, and a division limb by limb, the rest
- * below n. */
+/* |y - x| j / n with j <= n < 2^32: a five-limb product, then a division limb by limb with a
+ * remainder below n. */
 loft_acc128 loft_acc128_lerp_in(loft_acc128 x, loft_acc128 y, loft_real a, loft_real lo,
                                 loft_real hi)
 {
@@ -158,8 +159,8 @@ loft_acc128 loft_acc128_lerp_in(loft_acc128 x, loft_acc128 y, loft_real a, loft_
     return down ? loft_acc128_sub(x, part) : loft_acc128_add(x, part);
 }
 
-/* Digit by digit: the first round finds the whole part of |x| / w, which is 0 or 1, the next 31 the
- * bits below. Ties go upward: away from 0 for a positive x only. */
+/* Digit by digit. The first round gives the integer part of |x| / w, which is 0 or 1; the next 31
+ * give the fraction bits. Ties go upward: away from 0 only for a positive x. */
 static loft_real signed_quotient(uint32_t q, bool minus, bool above, bool tie)
 {
     if (above || (tie && !minus))
@@ -184,8 +185,8 @@ loft_real loft_acc_project(loft_acc x, loft_acc w)
     return signed_quotient(q, x < 0, rest > d, rest == d);
 }
 
-/* The halves of w apart: high a 2^32 / 2^31, and low a / 2^31, |low a| < 2^63 - 2^31, with 1/2
- * added. */
+/* The halves of w are multiplied separately: high a 2^32 / 2^31 and low a / 2^31, with |low a| <
+ * 2^63 - 2^31 and 1/2 added. */
 loft_acc loft_acc_weigh(loft_acc w, loft_real a)
 {
     const int64_t low = (int64_t)loft_acc_low(w) * a + 1073741824;
@@ -194,9 +195,9 @@ loft_acc loft_acc_weigh(loft_acc w, loft_real a)
            (loft_acc_low(low) >> 31);
 }
 
-/* 2^15 x / (2^15 h), and 2^15 h < 2^63. With e = |x| - 2^15 h it rounds to a coordinate when e /
- * (2^15 h) is below -2^-32, or at most 2^-32 where x is negative: of whole numbers, compared with
- * the whole part of 2^15 h / 2^32. */
+/* The quotient is 2^15 x / (2^15 h), with 2^15 h < 2^63. Let e = |x| - 2^15 h. The result rounds to
+ * a valid coordinate if e / (2^15 h) is below -2^-32, or at most 2^-32 for a negative x. All are
+ * integers, so e is compared with the integer part of 2^15 h / 2^32. */
 bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
 {
     const loft_acc w = h * LOFT_PROJECT, beyond = (x < 0 ? -x : x) - w;
@@ -207,7 +208,7 @@ bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
     return true;
 }
 
-/* a -= b if that is not negative */
+/* a -= b unless the result is negative */
 static bool try_subtract(loft_acc128 *a, const loft_acc128 *b)
 {
     loft_acc128 less = *a;
@@ -233,7 +234,7 @@ loft_real loft_acc128_project(loft_acc128 x, loft_acc128 w)
     return signed_quotient(q, minus, reached && !tie, tie);
 }
 
-/* As loft_acc_rate, of 128 bits. */
+/* As loft_acc_rate, with 128 bits. */
 bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out)
 {
     const bool minus = is_negative(&x);
@@ -246,8 +247,8 @@ bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out)
     return true;
 }
 
-/* x, w and v have a factor in common, of which the quotient has none. Five products, quotients and
- * differences, each off by 2^-61 of its result. */
+/* x, w and v share a common factor, which cancels in the quotient. The five products, quotients and
+ * differences are each in error by 2^-61 of their result. */
 bool loft_acc128_slope(const loft_acc128 x[2], const loft_acc128 w[2], loft_acc128 v, int32_t k,
                      loft_acc *out)
 {
@@ -302,7 +303,8 @@ bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out)
 {
     const double rate = x / w * LOFT_PROJECT;
 
-    if (!loft_acc_valid(rate * (1 - 0x1p-40)))       /* a mean of f32's largest is one, rounded */
+    if (!loft_acc_valid(rate * (1 - 0x1p-40)))       /* an average of f32's largest values may round
+                                                      * above it */
         return false;
     *out = loft_acc_round(rate);
     return true;

@@ -1,16 +1,16 @@
-/* lib/num/acc128.h -- numbers deeper than loft_acc, for curves with weights
+/* lib/num/acc128.h -- numbers with more bits than loft_acc, for curves with weights
  * SPDX-License-Identifier: MIT
  *
- * A point of a rational curve is the pair (x, w) of a sum of weighted points and a sum of weights.
- * Both are kept at one scale: with a coordinate p and a weight v,
+ * A point of a rational curve is a pair (x, w): a sum of weighted points and a sum of weights. Both
+ * have the same scale. For a coordinate p and a weight v,
  *
- *     x = loft_prod(p, v)        w = loft_to_acc(v) * LOFT_PROJECT        loft_acc_project(x, w) =
- *     p
+ *     x = loft_prod(p, v)        w = loft_to_acc(v) * LOFT_PROJECT
+ *     loft_acc_project(x, w) = p
  *
- * so that |x| <= w whatever p is, and dividing is 32 subtractions.
+ * Then |x| <= w for any p, and a division takes 32 subtractions.
  *
- *   loft_acc128   q16: a whole number of 128 bits in two's complement, which wraps   f32, f64:
- *                 double
+ *   loft_acc128   q16: an integer of 128 bits in two's complement, which wraps
+ *                 f32, f64: double
  */
 #ifndef LOFT_NUM_ACC128_H
 #define LOFT_NUM_ACC128_H
@@ -41,7 +41,7 @@ typedef double loft_acc128;
  */
 loft_real loft_acc_project(loft_acc x, loft_acc w);
 
-/* The other way: w a / LOFT_PROJECT, the weighted coordinate of a.
+/* The inverse: w a / LOFT_PROJECT, the weighted coordinate of a.
  *
  *   range   q16: 0 <= w <= 2^30
  *   error   q16: 2^-33, ties upward   f32, f64: 1/2 ulp of double
@@ -49,22 +49,22 @@ loft_real loft_acc_project(loft_acc x, loft_acc w);
  */
 loft_acc loft_acc_weigh(loft_acc w, loft_real a);
 
-/* loft_acc_project of deep numbers; q16: 32 rounds of 128 bits.
+/* loft_acc_project for loft_acc128; q16: 32 rounds of 128 bits.
  *
  *   range   as loft_acc_project
  *   error   as loft_acc_project
  */
 loft_real loft_acc128_project(loft_acc128 x, loft_acc128 w);
 
-/* The same of any deep numbers, where w > 0; false, and *out untouched, when the result does not
- * fit.
+/* The same for any x and any w > 0. Returns false, and leaves *out untouched, if the result does
+ * not fit.
  *
  *   error   as loft_acc_project
  *   cost    q16: 33 rounds of 128 bits
  */
 bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out) LOFT_CHECKED;
 
-/* x / h as real; false, and *out untouched, when that does not fit.
+/* x / h as a real. Returns false, and leaves *out untouched, if it does not fit.
  *
  *   range   h > 0; q16: h < 2^16, -32768 - 2^-17 <= x / h < 32768 - 2^-17 fits
  *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: 1/2 ulp
@@ -72,7 +72,8 @@ bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out) LOFT_CHECKED
  */
 bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out) LOFT_CHECKED;
 
-/* x, and in q16 x with 46 more bits below the last one, for a chain of lerps: |x| < 2^109 then.
+/* x| < 2^109 then. | x as a loft_acc128; `guarded` adds 46 guard bits below in q16, for a chain of
+ * lerps: then |x| < 2^109. |x| < 2^109 then.
  *
  *   error   none
  *   cost    guarded: 4 products of 32 bits
@@ -80,7 +81,7 @@ bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out) LOFT_CHECKED;
 loft_acc128 loft_acc128_of(loft_acc x);
 loft_acc128 loft_acc128_guarded(loft_acc x);
 
-/* Back: the x of loft_acc128_guarded(x), divided by k >= 1.
+/* The inverse of loft_acc128_guarded, divided by k >= 1.
  *
  *   range   q16: |x / k| < 2^31
  *   error   q16: 2^-33 + 2^-78   f32, f64: 1/2 ulp of double
@@ -88,15 +89,16 @@ loft_acc128 loft_acc128_guarded(loft_acc x);
  */
 loft_acc loft_acc128_to_acc(loft_acc128 x, uint32_t k);
 
-/*   error   q16: none, modulo 2^128   f32, f64: 1/2 ulp of double
+/* x + y, x - y, k x.
  *
- *   cost    q16: one pass over 4 limbs; times: 4 products of 32 bits
+ *   error   q16: none, modulo 2^128   f32, f64: 1/2 ulp of double
+ *   cost    q16: one pass over 4 limbs; times: 4 32-bit products
  */
 loft_acc128 loft_acc128_add(loft_acc128 x, loft_acc128 y);
 loft_acc128 loft_acc128_sub(loft_acc128 x, loft_acc128 y);
 loft_acc128 loft_acc128_times(loft_acc128 x, uint32_t k);
 
-/* x < y? q16: |x|, |y| < 2^126
+/* x|, |y| < 2^126 | Is x < y? q16: |x|, |y| < 2^126 |x|, |y| < 2^126
  *
  *   error   none
  *   cost    q16: one pass over 4 limbs
@@ -110,7 +112,7 @@ bool      loft_acc128_below(loft_acc128 x, loft_acc128 y);
  */
 void loft_acc128_step(loft_acc128 d[], unsigned degree);
 
-/* Is a coordinate small enough for a walk? f64: below 2^900, to leave room for a weight and
+/* Is a coordinate small enough for a walk? f64: below 2^900, which leaves headroom for a weight and
  * n^degree.
  *
  *   error   none
@@ -118,7 +120,7 @@ void loft_acc128_step(loft_acc128 d[], unsigned degree);
  */
 bool loft_acc128_valid(loft_real a);
 
-/* x at t = 0, y at t = 1.
+/* The value that is x at t = 0, y at t = 1, and linear in t.
  *
  *   range   t in -1..2; q16: |x|, |y| < 2^125, and the result
  *   error   q16: 1/2 of the last bit   f32, f64: 2 ulp of double of the larger of |x|, |y|, outside
@@ -127,8 +129,7 @@ bool loft_acc128_valid(loft_real a);
  */
 loft_acc128 loft_acc128_lerp(loft_acc128 x, loft_acc128 y, loft_unit t);
 
-/* x at a = lo, y at a = hi, and between them exactly where a lies between lo and hi, as
- * loft_acc_lerp_in.
+/* The value that is x at a = lo, y at a = hi, and linear in a, as loft_acc_lerp_in.
  *
  *   range   lo <= a <= hi, lo < hi; q16: |x|, |y| < 2^125
  *   error   q16: 1/2 of the last bit   f32, f64: as loft_acc_lerp_in; none at lo and hi
@@ -137,12 +138,13 @@ loft_acc128 loft_acc128_lerp(loft_acc128 x, loft_acc128 y, loft_unit t);
 loft_acc128 loft_acc128_lerp_in(loft_acc128 x, loft_acc128 y, loft_real a, loft_real lo,
                                 loft_real hi);
 
-/* k (x[1] w[0] - x[0] w[1]) / (v v), v between w[0] and w[1], as a wide value; false, and *out
- * untouched, when that does not fit (q16: 2^31). All guarded and not projected: weights without the
- * factor LOFT_PROJECT.
+/* k (x[1] w[0] - x[0] w[1]) / (v v), v between w[0] and w[1], as an acc. Returns false, and leaves
+ * *out untouched, if it does not fit (q16: 2^31). All arguments have guard bits; the weights do not
+ * have the factor LOFT_PROJECT.
  *
  *   range   v > 0, k = 0..9
- *   error   q16: 2^-33 + 2^-58 of the result's two parts   f32, f64: 4 ulp of double of the parts
+ *   error   q16: 2^-33 + 2^-58 of the two terms of the result   f32, f64: 4 ulp of double of the
+ *           terms
  *   cost    q16: 2 products of 64 bits and 3 quotients of 63 rounds
  */
 bool loft_acc128_slope(const loft_acc128 x[2], const loft_acc128 w[2], loft_acc128 v, int32_t k,

@@ -5,8 +5,8 @@
 
 #if LOFT_NUM == LOFT_Q16
 
-/* The unit is 2^-88 LSB: a difference is below 2^32 LSB, hence below 2^120, and twice that leaves
- * loft_acc128_lerp room. */
+/* The unit is 2^-88 LSB. A difference is below 2^32 LSB, hence below 2^120; twice that is still
+ * within the range of loft_acc128_lerp. */
 loft_acc2 loft_acc2_sub(loft_real a, loft_real b)
 {
     const loft_acc x = ((loft_acc)a - b) * 16777216;
@@ -28,7 +28,7 @@ static loft_acc2 magnitude(loft_acc2 x)
     return is_negative(x) ? loft_acc128_sub(zero, x) : x;
 }
 
-/* The bits of a number that is not negative. */
+/* The number of bits of a number that is not negative. */
 static int bits_of(loft_acc2 size)
 {
     int limb = 3, bits = 0;
@@ -40,7 +40,7 @@ static int bits_of(loft_acc2 size)
     return 32 * limb + bits;
 }
 
-/* 60 bits of the number, the lowest of which is bit `low`; below bit 0 there are zeros. */
+/* 60 bits of the number, starting at bit `low`; bits below bit 0 are 0. */
 static loft_acc bits_from(loft_acc2 size, int low)
 {
     uint64_t out = 0;
@@ -72,7 +72,7 @@ bool loft_acc2_scaled(const loft_acc2 x[], int n, loft_acc out[])
 
 #else
 
-/* Counted in 2^64, lest the halves of a product overflow. */
+/* The unit is 2^64, so that the halves of a product do not overflow. */
 loft_acc2 loft_acc2_sub(loft_real a, loft_real b)
 {
     const double x = (double)a * 0x1p-64, y = (double)b * 0x1p-64;
@@ -86,7 +86,7 @@ loft_acc2 loft_acc2_twice(loft_acc2 x)
     return r;
 }
 
-/* What the sum leaves of two doubles is its own first rounding error and that of the tails. */
+/* The low part of a sum of two doubles is the rounding error of that sum plus the tails. */
 static loft_acc2 sum_of(double x, double y, double tails)
 {
     const double sum = x + y, tail = loft_difference_tail(x, -y, sum) + tails, high = sum + tail;
@@ -94,8 +94,8 @@ static loft_acc2 sum_of(double x, double y, double tails)
     return r;
 }
 
-/* 1 - t is exact. The tails are below 2^-52 of the larger number, and what they err by below 2^-103
- * of it. */
+/* 1 - t is exact. The tails are below 2^-52 of the larger number, and their errors below 2^-103 of
+ * it. */
 loft_acc2 loft_acc2_lerp(loft_acc2 x, loft_acc2 y, loft_unit t)
 {
     const double v = (double)t, u = 1 - v, p = x.high * u, q = y.high * v;

@@ -1,22 +1,21 @@
-/* lib/num/acc2.h -- numbers with twice the bits of loft_acc, for sums that nearly cancel
+/* lib/num/acc2.h -- numbers with twice the bits of loft_acc, for sums with cancellation
  * SPDX-License-Identifier: MIT
  *
  * The direction of a curve is that of a sum of differences of its control points. Where the curve
- * nearly stands they cancel, and few bits of a loft_acc are left. Vectors of broad numbers keep a
- * direction there:
+ * nearly stops, these differences cancel and few bits of a loft_acc remain. Vectors of loft_acc2
+ * keep the direction there:
  *
  *     loft_acc2 v[2];
  *     loft_acc  d[2];
  *     for (int i = 0; i < 2; i++)
  *         v[i] = loft_acc2_lerp(loft_acc2_sub(b.axis[i], a.axis[i]),
- *                                loft_acc2_sub(d.axis[i], c.axis[i]), t);
+ *                               loft_acc2_sub(d.axis[i], c.axis[i]), t);
  *     if (loft_acc2_scaled(v, 2, d))
  *         use(d);                         // the direction; false where v is 0
  *
- *   loft_acc2   q16: a whole number of 128 bits   f32, f64: the sum of two doubles
+ *   loft_acc2   q16: an integer of 128 bits   f32, f64: the sum of two doubles
  *
- * A broad number counts a unit of its own, the same for all: only quotients of two of them mean
- * anything.
+ * All loft_acc2 share one unit, which is private: only quotients of two of them have a meaning.
  */
 #ifndef LOFT_NUM_ACC2_H
 #define LOFT_NUM_ACC2_H
@@ -40,8 +39,8 @@ typedef struct {
 
 /* a - b, and twice x.
  *
- *   range   twice: a difference or a lerp of differences, once
- *   error   none; f64: where it is below 2^-850, all of it
+ *   range   twice: a difference or a lerp of differences, and only once
+ *   error   none; f64: a result below 2^-850 is lost entirely
  *   cost    q16: a pass over 4 limbs   floats: 7 operations
  */
 loft_acc2 loft_acc2_sub(loft_real a, loft_real b);
@@ -55,8 +54,8 @@ loft_acc2 loft_acc2_twice(loft_acc2 x);
  */
 loft_acc2 loft_acc2_lerp(loft_acc2 x, loft_acc2 y, loft_unit t);
 
-/* All of x[0..n-1] times one power of two, so that the largest is 2^27 .. 2^28 in size; false, and
- * out[] untouched, when all are 0.
+/* Scale all of x[0..n-1] by one power of two, so that the largest magnitude is 2^27 .. 2^28.
+ * Returns false, and leaves out[] untouched, if all are 0.
  *
  *   error   q16: 2^-32, toward 0   f32, f64: 1/2 ulp of double of each
  *   cost    q16: two passes over 4 limbs a number   floats: 10 products a number

@@ -1,7 +1,8 @@
 /* lib/num/accs.h -- wide vectors: LOFT_AXES accs, changed in place
  * SPDX-License-Identifier: MIT
  *
- * Each does to every axis what the operation of num.h does to one, with its range and error.
+ * Each function applies the operation of num.h of the same name to every axis, with the same range
+ * and error.
  */
 #ifndef LOFT_NUM_ACCS_H
 #define LOFT_NUM_ACCS_H

@@ -1,26 +1,25 @@
 /* lib/num/angle.c
  * SPDX-License-Identifier: MIT
  *
- * An angle is k quarters of a turn and a rest r, |r| <= pi/4, where the series
+ * An angle is reduced to k quarter turns and a remainder r, |r| <= pi/4. For r the series
  *
- *     sin r = r (1 - r^2/(2*3) (1 - r^2/(4*5) (1 - .. r^2/(16*17))))      the next term is below
- *         2^-63
- *     cos r =    1 - r^2/(1*2) (1 - r^2/(3*4) (1 - .. r^2/(17*18)))       2^-68
+ *     sin r = r (1 - r^2/(2*3) (1 - r^2/(4*5) (1 - .. r^2/(16*17))))      next term below 2^-63
+ *     cos r =    1 - r^2/(1*2) (1 - r^2/(3*4) (1 - .. r^2/(17*18)))       next term below 2^-68
  *
- * is summed from its end. Each step rounds by 2^-60 at most, and the next ones multiply that by
- * r^2/2 < 0.31 or less: in all below 2^-58 (q16). In doubles the steps round by 2^-54, the last one
- * by 2^-53.
+ * are summed from the end. Each step rounds by at most 2^-60, and the following steps multiply that
+ * by r^2/2 < 0.31 or less: the sum of the errors is below 2^-58 (q16). In doubles the steps round
+ * by 2^-54, the last one by 2^-53.
  */
 #include "num/angle.h"
 
-static loft_fine quarter_rest(loft_acc a, int32_t *quarters);        /* |rest| <= pi/4 and a little */
+static loft_fine quarter_rest(loft_acc a, int32_t *quarters);  /* |r| <= pi/4, about */
 
 #if LOFT_NUM == LOFT_Q16
 
 #define HALF_PI ((loft_fine)1811004864519280711)
 
-/* (a b + 2^59) / 2^60, |a b| < 2^123: four products of 32 bits; on magnitudes, so ties go away from
- * 0. */
+/* (a b + 2^59) / 2^60, |a b| < 2^123: four 32-bit products. It works on magnitudes, so ties go away
+ * from 0. */
 static int64_t multiply_fine(int64_t a, int64_t b)
 {
     const uint64_t x = (uint64_t)(a < 0 ? -a : a), y = (uint64_t)(b < 0 ? -b : b);
@@ -44,7 +43,7 @@ loft_acc loft_fine_to_acc(loft_fine x) { return (x / 134217728 + (x < 0 ? -1 : 1
 loft_fine loft_fine_mul(loft_fine x, loft_fine y)       { return multiply_fine(x, y); }
 loft_acc  loft_fine_scale(loft_acc a, loft_fine x)      { return multiply_fine(a, x); }
 
-/* `bits` bits of x / y below the point, x < y < 2^63, rounded. */
+/* `bits` fraction bits of x / y, x < y < 2^63, rounded. */
 static uint64_t fraction_bits(uint64_t x, uint64_t y, int bits)
 {
     uint64_t q = 0;
@@ -74,7 +73,7 @@ loft_fine loft_fine_ratio(loft_acc x, loft_acc y)
     return (x < 0) != (y < 0) ? -q : q;
 }
 
-/* Modulo 2^64 the difference is right, whatever its parts lose. */
+/* The difference is correct modulo 2^64, whatever its operands lose. */
 static loft_fine quarter_rest(loft_acc a, int32_t *quarters)
 {
     const int64_t quarter = HALF_PI >> 28, half = a < 0 ? -(quarter / 2) : quarter / 2;
@@ -90,7 +89,7 @@ static loft_fine quarter_rest_fine(loft_fine x, int32_t *quarters)
     return x - *quarters * HALF_PI;
 }
 
-/* Both to the same scale, the larger to 2^59 .. 2^60. */
+/* Scale both alike, the larger to 2^59 .. 2^60. */
 static void normalise_vector(int64_t *x, int64_t *y)
 {
     const int64_t top = (int64_t)1 << 59;
@@ -118,7 +117,7 @@ loft_acc  loft_fine_quot(loft_fine x, loft_fine y)      { return x / y; }
 loft_fine loft_fine_ratio(loft_acc x, loft_acc y)       { return x / y; }
 loft_fine loft_fine_unit(loft_unit t)                   { return (loft_fine)t; }
 
-/* pi/2 in two parts, the first with 33 bits: its product with a number of quarters to 2^20 is
+/* pi/2 is split into two parts. The first has 33 bits, so its product with up to 2^20 quarters is
  * exact. */
 static loft_fine quarter_rest(loft_acc a, int32_t *quarters)
 {
@@ -139,8 +138,8 @@ static void normalise_vector(double *x, double *y)
 
 #endif
 
-/* Newton's method from above: each step is at least the root, and below the one before until it is
- * met. */
+/* Newton's method from above: each step is at least the root, and decreases until it reaches the
+ * root. */
 loft_fine loft_fine_sqrt(loft_fine x)
 {
     loft_fine root = LOFT_FINE_1, next = (LOFT_FINE_1 + x) / 2;
@@ -174,7 +173,7 @@ static loft_fine short_cosine(loft_fine r)
     return sum;
 }
 
-/* The sine of r and `quarters` quarters of a turn. */
+/* The sine of r plus `quarters` quarter turns. */
 static loft_fine sine_at(loft_fine r, int32_t quarters)
 {
     const loft_fine size = quarters & 1 ? short_cosine(r) : short_sine(r);
@@ -209,8 +208,8 @@ loft_acc loft_cos(loft_acc a)
     return loft_fine_to_acc(sine_at(r, quarters + 1));
 }
 
-/* Four quarters are none, three are one backwards, and two go to the side of the rest that stays
- * within a half. */
+/* Four quarters are none, and three are one backwards. Two are added with the sign that keeps the
+ * result within half a turn. */
 loft_fine loft_fine_angle(loft_acc a)
 {
     int32_t quarters;
@@ -224,8 +223,9 @@ loft_fine loft_fine_angle(loft_acc a)
     }
 }
 
-/* From the nearest axis, turn the vector back by the angle found so far; what is left has tangent q
- * and angle q - q^3/3 to within q^5/5. From |q| <= 1 on that leaves 0.12, 5e-6 and 1e-27. */
+/* Start from the nearest axis and rotate the vector back by the angle found so far. The rotated
+ * vector has tangent q and angle q - q^3/3 to within q^5/5. From |q| <= 1 on, the remaining error
+ * is 0.12, 5e-6 and 1e-27. */
 loft_fine loft_fine_atan2(loft_acc y, loft_acc x)
 {
     const bool behind = x < 0 && -x > (y < 0 ? -y : y),

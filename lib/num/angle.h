@@ -1,11 +1,11 @@
 /* lib/num/angle.h -- sine, cosine and the angle of a vector, to the last bits
  * SPDX-License-Identifier: MIT
  *
- * Angles are in radians. Computations with angles need more than the 32 bits that loft_acc has
- * below the point, and little above it: loft_fine. Between two fine numbers + - < and products by
- * small whole numbers are plain.
+ * Angles are in radians. Computations with angles need more than the 32 fraction bits of loft_acc,
+ * but a small range: loft_fine. On loft_fine numbers, + - < and products by small integers are
+ * plain C.
  *
- *   loft_fine   a number below 8 in size   q16: int64_t times 2^60   f32, f64: double
+ *   loft_fine   a number below 8 in magnitude   q16: int64_t times 2^60   f32, f64: double
  */
 #ifndef LOFT_NUM_ANGLE_H
 #define LOFT_NUM_ANGLE_H
@@ -28,7 +28,7 @@ typedef double loft_fine;
 
 #endif
 
-/* Is a coordinate one to compute angles with? f32, f64: below 2^400. */
+/* Is a coordinate in the range of these functions? f32, f64: below 2^400. */
 bool loft_fine_valid(loft_real a);
 
 /*   range   |a| < 8, |x| < 8
@@ -37,21 +37,21 @@ loft_fine loft_fine_of(loft_real a);
 loft_fine loft_fine_unit(loft_unit t);
 loft_acc  loft_fine_to_acc(loft_fine x);
 
-/* An angle of any number of turns, within -pi..pi.
+/* Reduce an angle of any number of turns to -pi..pi.
  *
  *   range   |a| < 2^20
  *   error   q16: 2^-61 of |a| and 2^-60   f32, f64: 2^-51
  */
 loft_fine loft_fine_angle(loft_acc a);
 
-/*   range   |x| < 8
+/* range   |x| < 8
  *   error   q16: 2^-58   f32, f64: 2^-52
  *   cost    10 products and 9 divisions of 64 bits in q16
- *   see     the series, after reducing to a quarter of a turn */
+ *   see     Taylor series, after reduction to a quarter turn */
 loft_fine loft_fine_sin(loft_fine x);
 loft_fine loft_fine_cos(loft_fine x);
 
-/* The angle from the first axis to (x, y), within -pi..pi; 0 for no vector.
+/* The angle from the first axis to (x, y), within -pi..pi; 0 for the null vector.
  *
  *   range   q16: any   f32, f64: |x|, |y| from 2^-500 to 2^1000, or 0
  *   error   q16: 2^-56   f32, f64: 2^-50
@@ -59,10 +59,10 @@ loft_fine loft_fine_cos(loft_fine x);
  */
 loft_fine loft_fine_atan2(loft_acc y, loft_acc x);
 
-/* Products, quotients and roots. A quotient may be of two fine numbers or of two wide ones.
+/* Products, quotients and roots. Both arguments of a quotient are loft_fine, or both are loft_acc.
  *
- *   range   mul: |x y| < 8   scale: |a x| < 2^30   quot: y != 0, |x / y| < 2^30   ratio: y != 0, |x
- *           / y| < 7 sqrt: 0..1
+ *   range   mul: |x y| < 8   scale: |a x| < 2^30   quot: y != 0, |x / y| < 2^30   x / y| < 7 sqrt:
+ *           0..1 | ratio: y != 0, |x / y| < 7   sqrt: 0..1 |x / y| < 7 sqrt: 0..1
  *   error   q16: mul 2^-61, scale 2^-33, quot 2^-33, ratio 2^-61, sqrt 2^-59   f32, f64: 1/2 ulp of
  *           double, sqrt 1
  *   cost    ratio: 60 rounds of shift and subtraction in q16; sqrt: 7 to 36 ratios

@@ -1,12 +1,12 @@
 /* lib/num/avr.c
  * SPDX-License-Identifier: MIT
  *
- * Arguments and results are in the registers that avr-gcc gives them: eight bytes in r18..r25, four
- * more in r14..r17, results in r18..r25 or r22..r25. r0, r18..r27, r30, r31 may be changed, r1 is 0
- * between functions.
+ * Arguments and results are in the registers that avr-gcc assigns: eight bytes in r18..r25, four
+ * more in r14..r17, results in r18..r25 or r22..r25. A function may change r0, r18..r27, r30 and
+ * r31; r1 is 0 between functions.
  */
 /* clang-format off */
-#include "num/num.h"    /* loft_avr_*, where they are needed */
+#include "num/num.h"    /* loft_avr_*, where needed          */
 #include "num/accs.h"   /* loft_accs_* */
 
 #if defined(__AVR__)
@@ -18,10 +18,10 @@
 #define BEGIN_FUNCTION(f)   ".global " TEXT(f) "\n" OWN_SECTION(f)
 #define END_FUNCTION(f)     ".size " TEXT(f) ", .-" TEXT(f) "\n.text\n"
 
-/* From the lowest byte on the columns of the product are summed in three bytes; column k + 3
- * becomes byte k of the result, where byte k of x is not needed any more. Column 2 is kept on the
- * stack for products that are cut two bytes lower. As x is taken without its sign, a negative x has
- * its t 2^64 too much. */
+/* The columns of the product are summed in three bytes, from the lowest byte up. Column k + 3
+ * becomes byte k of the result, which replaces byte k of x once that is no longer needed. Column 2
+ * is kept on the stack for products that are truncated two bytes lower. x is taken as unsigned, so
+ * for a negative x the sum is too large by t 2^64. */
 #define TERM(x, t, a, b, c) \
     "mul r" #x ", r" #t "\n add r" #a ", r0\n adc r" #b ", r1\n adc r" #c ", r31\n"
 #define PUSH8 \
@@ -127,8 +127,8 @@ __asm__ (
     "4: ret\n"
     END_FUNCTION(loft_avr_shift)
 
-    /* The sizes' product, as below, with the sign of both. Columns 0 to 2 are kept on the stack,
-     * column 3 where byte 0 of b was. */
+    /* The product of the magnitudes, as below, with the sign of both. Columns 0 to 2 are kept on
+     * the stack, column 3 in place of byte 0 of b. */
     BEGIN_FUNCTION(loft_prod)
     "mov r26, r25\n eor r26, r21\n bst r26, 7\n"
     "sbrs r25, 7\n rjmp 1f\n com r25\n com r24\n com r23\n neg r22\n sbci r23, 0xff\n"
@@ -172,7 +172,7 @@ __asm__ (
     "mul r25, r17\n add r27, r0\n mov r25, r27\n"
     "brtc 2f\n sub r23, r14\n sbc r24, r15\n sbc r25, r16\n"
     "2: pop r26\n clr __zero_reg__\n ret\n"
-    /* six bytes times three, the most there are on most ways */
+    /* six bytes times three, the most that usually occurs */
     "4: clr r26\n" TERM(18, 14, 26, 27, 30) "clr r26\n"
     TERM(18, 15, 27, 30, 26) TERM(19, 14, 27, 30, 26) "clr r27\n"
     TERM(18, 16, 30, 26, 27) TERM(19, 15, 30, 26, 27) TERM(20, 14, 30, 26, 27)
@@ -197,7 +197,7 @@ __asm__ (
     "mov r19, r18\n mov r18, r26\n ret\n"
     END_FUNCTION(loft_acc_mul)
 
-    /* b - a has 33 bits, of which S says the sign */
+    /* b - a has 33 bits; S holds its sign */
     BEGIN_FUNCTION(loft_lerp)
     "push r22\n push r23\n push r24\n push r25\n sub r18, r22\n sbc r19, r23\n sbc r20, r24\n"
     "sbc r21, r25\n"
@@ -207,8 +207,8 @@ __asm__ (
     "adc r25, r21\n ret\n"
     END_FUNCTION(loft_lerp)
 
-    /* (|n| + half) / d without its rest, where half is d / 2 or, for a negative n, (d - 1) / 2.
-     * Bytes of n leave at the top and come back at the bottom as those of the quotient. */
+    /* (|n| + half) / d without the remainder, where half is d / 2 or, for a negative n, (d - 1) /
+     * 2. Bytes of n leave at the top, and bytes of the quotient enter at the bottom. */
     BEGIN_FUNCTION(loft_avr_quotient)
     "push r28\n push r29\n movw r26, r14\n movw r30, r16\n bst r25, 7\n brtc 1f\n"
     "call loft_avr_negate\n sbiw r26, 1\n sbci r30, 0\n sbci r31, 0\n"
@@ -232,7 +232,7 @@ __asm__ (
     "7: ret\n"
     END_FUNCTION(loft_avr_quotient)
 
-    /* j 2^24 by n */
+    /* j 2^24 / n */
     BEGIN_FUNCTION(loft_unit_of)
     "push r14\n push r15\n push r16\n push r17\n movw r14, r18\n movw r16, r20\n"
     "clr r18\n clr r19\n clr r20\n mov r21, r22\n mov r22, r23\n mov r23, r24\n mov r24, r25\n"
@@ -248,8 +248,8 @@ __asm__ (
     "jmp loft_avr_opposite\n"
     END_FUNCTION(loft_acc_div)
 
-    /* |x| and y are halved until y is below 2^38. Bit by bit from the whole one on; the last rest,
-     * doubled, rounds. */
+    /* |x| and y are halved until y is below 2^38. The quotient is computed bit by bit from the
+     * integer bit on; the doubled last remainder decides the rounding. */
     BEGIN_FUNCTION(loft_unit_ratio)
     "bst r25, 7\n brtc 1f\n call loft_avr_negate\n"
     "1: ldi r26, 63\n cp r26, r14\n cpc __zero_reg__, r15\n cpc __zero_reg__, r16\n"
@@ -268,15 +268,15 @@ __asm__ (
     "7: jmp loft_avr_signed\n"
     END_FUNCTION(loft_unit_ratio)
 
-    /* r31:r30:r27:r26 with the sign that T says */
+    /* r31:r30:r27:r26 with the sign in T */
     OWN_SECTION(loft_avr_signed)
     "movw r22, r26\n movw r24, r30\n brtc 1f\n"
     "com r25\n com r24\n com r23\n neg r22\n sbci r23, 0xff\n sbci r24, 0xff\n sbci r25, 0xff\n"
     "1: ret\n"
     END_FUNCTION(loft_avr_signed)
 
-    /* |x| and y are halved until |x| is below 2^47; then y is doubled until it is more, for each
-     * time there is one more round. A last round is for rounding. */
+    /* |x| and y are halved until |x| is below 2^47. Then y is doubled until it is larger; each
+     * doubling adds a round. One last round decides the rounding. */
     BEGIN_FUNCTION(loft_acc_quot)
     "bst r25, 7\n brtc 1f\n call loft_avr_negate\n"
     "1: " PUSH8 "rjmp 3f\n"
@@ -297,8 +297,8 @@ __asm__ (
     POP8 "jmp loft_avr_signed\n"
     END_FUNCTION(loft_acc_quot)
 
-    /* Digit by digit, two bits of x a round: r12:r31:r30:r27:r26 is the rest, r17..r13 the root
-     * times 2. The root is one more where the rest exceeds it. */
+    /* Digit by digit, two bits of x per round: r12:r31:r30:r27:r26 is the remainder, r17..r13 twice
+     * the root. The root is incremented if the remainder exceeds it. */
     BEGIN_FUNCTION(loft_avr_root)
     "push r12\n push r13\n push r14\n push r15\n push r16\n push r17\n push r28\n push r29\n"
     "clr r12\n clr r13\n movw r14, r12\n clr r16\n clr r17\n movw r26, r14\n movw r30, r14\n"

@@ -1,15 +1,15 @@
 /* lib/num/avr.h -- wide arithmetic out of line, for avr-gcc
  * SPDX-License-Identifier: MIT
  *
- * avr-gcc expands every operation of 64 bits in place and divides and multiplies by shifts of
- * single bits; these are the same operations once, in registers. No other compiler sees this file.
+ * avr-gcc expands every 64-bit operation in place, and divides and multiplies by shifts of single
+ * bits. These are the same operations, once, in registers. No other compiler sees this file.
  */
 #ifndef LOFT_NUM_AVR_H
 #define LOFT_NUM_AVR_H
 
 #include <stdint.h>
 
-#include "config.h"     /* names, so that the symbols carry their arithmetic */
+#include "config.h"     /* names: the symbols carry their number type        */
 
 LOFT_BEGIN_C
 
@@ -21,7 +21,7 @@ LOFT_BEGIN_C
 int64_t loft_acc_scale(int64_t x, int32_t t);
 int64_t loft_acc_mul(int64_t x, int32_t a);
 
-/* As num.h says.
+/* As in num.h.
  *
  *   cost    about 20 cycles, loft_prod 130 */
 int64_t loft_acc_abs(int64_t x);
@@ -33,7 +33,7 @@ int32_t loft_acc_round(int64_t x);
 int32_t loft_unit_round(int64_t x);
 int64_t loft_prod(int32_t a, int32_t b);
 
-/* How many bits x has, without leading zeros. */
+/* The number of bits of x, without leading zeros. */
 uint8_t loft_avr_bits(uint64_t x);
 
 /* x / 2^n to nearest, ties upward; a negative n: times 2^-n.
@@ -42,14 +42,14 @@ uint8_t loft_avr_bits(uint64_t x);
  *   cost    11 cycles for each of n */
 uint64_t loft_avr_shift(uint64_t x, int8_t n);
 
-/* As num.h says.
+/* As in num.h.
  *
  *   cost    about 180 cycles */
 int32_t loft_lerp(int32_t a, int32_t b, int32_t t);
 
-/* As num.h says.
+/* As in num.h.
  *
- *   cost    that of loft_avr_quotient and 50 cycles */
+ *   cost    that of loft_avr_quotient plus 50 cycles */
 int64_t loft_acc_div(int64_t x, int32_t a);
 int32_t loft_unit_of(uint32_t j, uint32_t n);
 
@@ -60,14 +60,14 @@ int32_t loft_unit_of(uint32_t j, uint32_t n);
  *   cost    about 150 cycles for each byte of n, without leading zeros */
 int64_t loft_avr_quotient(int64_t n, uint32_t d);
 
-/* The whole number nearest to the square root of x.
+/* The integer nearest to the square root of x.
  *
  *   range   x < 2^63
  *   error   1/2
  *   cost    about 140 cycles for each byte of x, without leading zeros */
 uint32_t loft_avr_root(uint64_t x);
 
-/* A table that stays in flash, where RAM would hold a copy of it, and an entry of it.
+/* A table that stays in flash (RAM would hold a copy of it), and access to an entry.
  *
  *   cost    4 cycles more than from RAM */
 #define LOFT_AVR_FLASH __attribute__((section(".progmem.data")))

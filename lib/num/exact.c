@@ -1,8 +1,8 @@
 /* lib/num/exact.c -- the classical algorithms on limbs of 32 bits
  * SPDX-License-Identifier: MIT
  *
- * Two's complement makes sums, differences and products the same for all signs: they are those of
- * unsigned numbers, cut to the width.
+ * In two's complement, sums, differences and products are the same for all signs: they are those of
+ * unsigned numbers, truncated to the width.
  */
 #include "num/exact.h"
 
@@ -110,7 +110,7 @@ static uint32_t limb_at(const loft_exact *a, int k)
     return k < 0 ? 0 : k < LIMBS ? a->limb[k] : is_negative(a) ? 0xffffffffu : 0;
 }
 
-/* Limb k of the result is cut out of two neighbours. */
+/* Each limb k of the result is assembled from two neighbouring limbs. */
 static loft_exact shift_limbs_left(const loft_exact *a, int s)
 {
     const int limbs = s / 32, bits = s % 32;
@@ -147,7 +147,8 @@ loft_exact loft_exact_shift(loft_exact a, int s)
     return shift_limbs_right(&a, 1);
 }
 
-/* Digit by digit on magnitudes: the rest r stays below b, and 2 r + 1 below 2^LOFT_EXACT_BITS. */
+/* Digit by digit on magnitudes. The remainder r stays below b, and 2 r + 1 below
+ * 2^LOFT_EXACT_BITS. */
 loft_exact loft_exact_div(loft_exact a, loft_exact b)
 {
     const bool flip = is_negative(&a) != is_negative(&b);
@@ -178,7 +179,7 @@ loft_exact loft_exact_div(loft_exact a, loft_exact b)
     return flip ? loft_exact_neg(q) : q;
 }
 
-/* Two bits of a a round, as for 64 bits in num.c. */
+/* Two bits of a per round, as for 64 bits in num.c. */
 loft_exact loft_exact_root(loft_exact a)
 {
     loft_exact r = zero;
@@ -208,7 +209,7 @@ loft_exact loft_exact_hypot(const loft_exact x[], int n)
     return loft_exact_root(loft_exact_shift(sum, 2 * LOFT_EXACT_HYPOT));
 }
 
-/* Keep at most 160 bits, and count what was cut off: 2^-160 of it. */
+/* Keep at most 160 bits and count the bits dropped: the error is 2^-160 of the value. */
 static loft_exact reduced_bits(loft_exact a, int *cut)
 {
     const int excess = loft_exact_bits(a) - 160;
@@ -217,9 +218,9 @@ static loft_exact reduced_bits(loft_exact a, int *cut)
     return excess > 0 ? loft_exact_shift(a, -excess) : a;
 }
 
-/* a / b * 2^s to nearest, of which is known that it is below 2^63. Of a and b at most 160 bits
- * count, so that neither of them exceeds 288 bits when shifted: |s| makes both about as long as the
- * other, or 64 bits longer. */
+/* a / b * 2^s to nearest, which must be below 2^63. At most 160 bits of a and b are used, so
+ * neither exceeds 288 bits when shifted: |s| makes them about equally long, or one 64 bits
+ * longer. */
 static int64_t scaled_quotient(loft_exact a, loft_exact b, int s)
 {
     int cut_a, cut_b;
@@ -236,7 +237,7 @@ static int64_t scaled_quotient(loft_exact a, loft_exact b, int s)
     return is_negative(&q) ? -(int64_t)(~low + 1) : (int64_t)low;
 }
 
-/* log2 |a / b| lies within order - 1 .. order + 1 */
+/* log2 |a / b| lies within result - 1 .. result + 1 */
 static int quotient_log2(loft_exact a, loft_exact b)
 {
     return loft_exact_bits(a) - loft_exact_bits(b);
@@ -264,7 +265,8 @@ bool loft_exact_quot(loft_exact a, loft_exact b, int s, loft_acc *out)
 
 #else
 
-/* The whole part of x * 2^(32 limbs), |x| < 1; *rest is what is left of it. All steps are exact. */
+/* The integer part of x * 2^(32 limbs), |x| < 1; *rest is the remainder of x. All steps are
+ * exact. */
 static loft_exact fixed_point(double x, int limbs, double *rest)
 {
     loft_exact r = zero;

@@ -1,28 +1,27 @@
-/* lib/num/exact.h -- whole numbers wide enough that no decision depends on rounding
+/* lib/num/exact.h -- integers wide enough that no decision depends on rounding
  * SPDX-License-Identifier: MIT
  *
  * Whether three points turn left, whether a curve has a cusp, whether two edges are parallel: such
- * answers are signs of sums of products of coordinates, and they are exact here, in every number
- * type. A coordinate x becomes the whole number x * 2^LOFT_EXACT_REAL, a parameter t the whole
- * number t * 2^LOFT_EXACT_UNIT:
+ * answers are signs of sums of products of coordinates. Here they are exact in every number type. A
+ * coordinate x becomes the integer x * 2^LOFT_EXACT_REAL, a parameter t the integer t *
+ * 2^LOFT_EXACT_UNIT:
  *
  *     const loft_exact ax = loft_exact_sub(loft_exact_from_real(p1.axis[0]),
  *                                          loft_exact_from_real(p0.axis[0]));
  *     ...
  *     const int turn = loft_exact_sign(loft_exact_det(ax, ay, bx, by));
  *
- * Nothing may exceed LOFT_EXACT_BITS; who multiplies shows that it does not. With coordinates below
- * 2^R (R = 31 in q16, 128 in floats) a sum of m products of d differences each is below m * 2^(d (R
- * + 1)): thirteen factors fit in q16, eight in floats.
+ * No number may exceed LOFT_EXACT_BITS; the caller of a product proves that it does not. With
+ * coordinates below 2^R (R = 31 in q16, 128 in floats) a sum of m products of d differences each is
+ * below m * 2^(d (R + 1)): thirteen factors fit in q16, eight in floats.
  *
  *   range   q16: any coordinate
- *           f32, f64: multiples of 2^-108 below 2^20 in size, which are all doubles from 1.4e-17
- *           and all floats from 2.6e-26 to 1048575, and 0; loft_exact_valid says whether a number
- *           is one
- *   error   none, where nothing else is said
- *   cost    56 bytes a number in q16, 136 in floats; a product takes about 100 products of 32 bits
- *           in q16 and 600 in floats, less for a small first factor >= 0; sums take one pass. Stack
- *           in q16: up to 1 kB for a quotient, 0.5 kB for anything else. Not for an ISR
+ *           f32, f64: 0, and multiples of 2^-108 below 2^20 in magnitude: these are all doubles
+ *           from 1.4e-17 and all floats from 2.6e-26 to 1048575; loft_exact_valid checks a number
+ *   error   none unless stated
+ *   cost    56 bytes per number in q16, 136 in floats. A product takes about 100 32-bit products in
+ *           q16 and 600 in floats, fewer if the first factor is small and >= 0; a sum takes one
+ *           pass. Stack in q16: up to 1 kB for a quotient, 0.5 kB for anything else. Not for an ISR
  *   see     Knuth, The Art of Computer Programming, vol. 2, 4.3.1: the classical algorithms
  */
 #ifndef LOFT_NUM_EXACT_H
@@ -44,22 +43,22 @@ LOFT_BEGIN_C
 
 #define LOFT_EXACT_BITS (32 * LOFT_EXACT_LIMBS - 1)     /* |x| < 2^LOFT_EXACT_BITS */
 
-/* A whole number in two's complement, lowest limb first. */
+/* An integer in two's complement, lowest limb first. */
 typedef struct {
     uint32_t limb[LOFT_EXACT_LIMBS];
 } loft_exact;
 
-/* Can this coordinate be taken exactly? Always in q16; false for nan. */
+/* Can this coordinate be represented exactly? Always true in q16; false for nan. */
 bool       loft_exact_valid(loft_real a);
 
-/* x * 2^LOFT_EXACT_REAL of an admitted coordinate; a whole number as it is. */
+/* x * 2^LOFT_EXACT_REAL of a valid coordinate; an integer unchanged. */
 loft_exact loft_exact_from_real(loft_real a);
 loft_exact loft_exact_from_int(int32_t i);
 
 /* t * 2^LOFT_EXACT_UNIT.
  *
  *   range   q16: any   f32, f64: -1024..1024
- *   error   q16: none   f32, f64: none for multiples of 2^-53, otherwise t is rounded to one
+ *   error   q16: none   f32, f64: none for multiples of 2^-53; any other t is rounded to one
  */
 loft_exact loft_exact_from_unit(loft_unit t);
 
@@ -72,14 +71,14 @@ loft_exact loft_exact_mul(loft_exact a, loft_exact b);
 /* a d - b c, the determinant of the rows (a, b) and (c, d). */
 loft_exact loft_exact_det(loft_exact a, loft_exact b, loft_exact c, loft_exact d);
 
-/* -1, 0 or 1: of a, and of a - b. */
+/* The sign -1, 0 or 1 of a, and of a - b. */
 int        loft_exact_sign(loft_exact a);
 int        loft_exact_compare(loft_exact a, loft_exact b);
 
-/* The least k with |a| < 2^k. */
+/* The smallest k with |a| < 2^k. */
 int        loft_exact_bits(loft_exact a);
 
-/* a * 2^s; for s < 0 rounded to nearest, ties upward.
+/* a * 2^s; a negative s rounds to nearest, ties upward.
  *
  *   range   loft_exact_bits(a) + s <= LOFT_EXACT_BITS
  */
@@ -102,13 +101,13 @@ loft_exact loft_exact_root(loft_exact a);
 
 /* The length of the vector x[0..n-1], times 2^LOFT_EXACT_HYPOT, rounded down.
  *
- *   range   n = 0..6; twice the bits of the largest + 131 <= LOFT_EXACT_BITS
- *   error   2^-64 of the result: less than 1, and the result is at least 2^64, unless it is 0
+ *   range   n = 0..6; 2 * (bits of the largest) + 131 <= LOFT_EXACT_BITS
+ *   error   2^-64 of the result: less than 1, and a nonzero result is at least 2^64
  *   cost    n products and a root
  */
 loft_exact loft_exact_hypot(const loft_exact x[], int n);
 
-/* a / b * 2^s as a wide value; false, and *out untouched, when that does not fit.
+/* a / b * 2^s as a loft_acc. Returns false, and leaves *out untouched, if it does not fit.
  *
  *   range   b != 0; every result below 2^30 (q16) or 2^999 (floats) fits; below 2^-1000 it is 0
  *   error   q16: 2^-33 + 2^-60   f32, f64: 0.51 ulp of double
@@ -116,7 +115,7 @@ loft_exact loft_exact_hypot(const loft_exact x[], int n);
  */
 bool       loft_exact_quot(loft_exact a, loft_exact b, int s, loft_acc *out) LOFT_CHECKED;
 
-/* The same as a coordinate; false, and *out untouched, when it does not fit one.
+/* The same as a coordinate. Returns false, and leaves *out untouched, if it does not fit one.
  *
  *   range   b != 0
  *   error   that of loft_exact_quot, and q16: 1/2 LSB   f32: 1/2 ulp   f64: none

@@ -1,15 +1,14 @@
 /* lib/num/explog.c
  * SPDX-License-Identifier: MIT
  *
- * ln x = e ln 2 + ln m, x = m 2^e with m in 1/sqrt 2 .. sqrt 2, and with s = (m - 1) / (m + 1), |s|
- * < 0.1716,
+ * ln x = e ln 2 + ln m, where x = m 2^e with m in 1/sqrt 2 .. sqrt 2. With s = (m - 1) / (m + 1),
+ * |s| < 0.1716,
  *
- *     ln m = 2 s (1 + s^2/3 + s^4/5 + .. + s^24/25)               the next term is below 2^-70 of
- *                                                                 the first
+ *     ln m = 2 s (1 + s^2/3 + s^4/5 + .. + s^24/25)         next term below 2^-70 of the first
  *
- * e^x = 2^n e^r, n the whole number nearest to x / ln 2, |r| <= 0.347, and
+ * e^x = 2^n e^r, where n is the integer nearest to x / ln 2 and |r| <= 0.347, and
  *
- *     e^r = 1 + r (1 + r/2 (1 + r/3 (1 + .. r/16)))               the next term is below 2^-74
+ *     e^r = 1 + r (1 + r/2 (1 + r/3 (1 + .. r/16)))         next term below 2^-74
  */
 #include "num/explog.h"
 
@@ -97,7 +96,7 @@ static loft_sci times_power_of_two(loft_sci x, int32_t e)
     return x;
 }
 
-/* ln 2 in two parts, the first with 33 bits: its product with n is exact. */
+/* ln 2 is split into two parts. The first has 33 bits, so its product with n is exact. */
 static loft_sci ln2_rest(loft_sci x, int32_t n)
 {
     return x - n * 0x1.62e42fefp-1 - n * 0x1.473de6af278edp-34;

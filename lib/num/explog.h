@@ -9,10 +9,10 @@
 
 LOFT_BEGIN_C
 
-/* A fine number as it is; and back, the nearest one.
+/* Conversion from a loft_fine, and to the nearest one.
  *
- *   range   fine: |x| < 8
- *   error   of: none   fine: q16: 2^-61   f32, f64: none
+ *   range   to_fine: |x| < 8
+ *   error   from_fine: none   to_fine: q16: 2^-61   f32, f64: none
  */
 loft_sci  loft_sci_from_fine(loft_fine x);
 loft_fine loft_sci_to_fine(loft_sci x);
@@ -22,16 +22,16 @@ loft_fine loft_sci_to_fine(loft_sci x);
  *   range   x > 0
  *   error   q16: 2^-57 and 2^-60 of the result   f32, f64: 2^-51 of the result
  *   cost    15 products and 13 divisions of 64 bits and a quotient in q16; no table
- *   see     the series of the area tangent, after taking a power of two off
+ *   see     the series of artanh, after removing a power of two
  */
 loft_sci  loft_sci_log(loft_sci x);
 
-/* e^x; 0 where that is below 2^-1000.
+/* e^x; 0 if that is below 2^-1000.
  *
  *   range   x < 690
  *   error   of the result, q16: 2^-56 + |x| 2^-60   f32, f64: 2^-51
  *   cost    17 products and 16 divisions of 64 bits in q16; no table
- *   see     the series, after taking a power of two off
+ *   see     Taylor series, after removing a power of two
  */
 loft_sci  loft_sci_exp(loft_sci x);
 

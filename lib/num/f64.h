@@ -15,7 +15,7 @@ typedef double loft_unit;
 typedef double loft_acc;
 
 #define LOFT_REAL_MAX      DBL_MAX
-#define LOFT_REAL_REACH    1.0715086071862673e301      /* 2^1000, as C++11 can write it */
+#define LOFT_REAL_REACH    1.0715086071862673e301      /* 2^1000, in a form that C++11 accepts */
 #define LOFT_REAL_EPSILON  DBL_EPSILON
 
 #include "num/floats.h" /* the operations */

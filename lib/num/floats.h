@@ -2,15 +2,14 @@
  * SPDX-License-Identifier: MIT
  *
  * Included by f32.h and f64.h after their types. Each operation is one to four correctly rounded
- * IEEE operations; nothing is reordered that the compiler was not told to. "ulp" is one of
- * loft_real for functions that return a real or a unit, one of double for those that return an acc,
- * each of the result where nothing else is said, and results stay within the normal numbers of
- * their type.
+ * IEEE operations, and the compiler must not reorder them. "ulp" is one of loft_real for functions
+ * that return a real or a unit, one of double for those that return an acc. It is an ulp of the
+ * result unless stated. Results must stay within the normal numbers of their type.
  */
 #ifndef LOFT_NUM_FLOATS_H
 #define LOFT_NUM_FLOATS_H
 
-/* Bounds count one rounding of each operation; an x87 rounds to 64 bits first. */
+/* The bounds count one rounding per operation; an x87 rounds to 64 bits first. */
 #if FLT_EVAL_METHOD == 2
 #  error "f32 and f64 on a 32-bit x86 need SSE2: compile with -msse2 -mfpmath=sse"
 #endif
@@ -26,31 +25,31 @@ static inline loft_acc  loft_to_acc(loft_real a)                  { return (loft
 /* error f32: none   f64: 1/2 ulp */
 static inline loft_acc loft_prod(loft_real a, loft_real b) { return (loft_acc)a * (loft_acc)b; }
 
-/* Does x round into a real? (Not said of the half ulp of f32 above LOFT_REAL_MAX, nor of NaN.) */
+/* Does x round into a real? (The half ulp of f32 above LOFT_REAL_MAX, and NaN, are not covered.) */
 static inline bool      loft_acc_valid(loft_acc x)
 {
     return x <= (loft_acc)LOFT_REAL_MAX && x >= -(loft_acc)LOFT_REAL_MAX;
 }
 
-/* Neither infinite nor nan; f64: below 2^1000, so that no sum or small multiple overflows. */
+/* Is it finite? f64: below 2^1000, so that no sum or small multiple overflows. */
 static inline bool      loft_real_valid(loft_real a)
 {
     return a >= -LOFT_REAL_REACH && a <= LOFT_REAL_REACH;
 }
 
-/* At least the distance between neighbours at `size` and below, at most twice that. Exact at powers
- * of two */
+/* Between once and twice the distance between neighbouring numbers up to that size; exact at powers
+ * of two. */
 static inline loft_acc  loft_acc_ulp(loft_acc size)           { return size * DBL_EPSILON; }
 static inline loft_acc loft_real_ulp(loft_acc size) { return size * (loft_acc)LOFT_REAL_EPSILON; }
 
-/* At least the error of loft_acc_hypot, for that result. */
+/* An upper bound of the error of loft_acc_hypot for that result. */
 static inline loft_acc loft_hypot_ulp(loft_acc length) { return length * (4 * DBL_EPSILON); }
 
 /* error f32: 1/2 ulp   f64: none */
 static inline loft_real loft_acc_round(loft_acc x)              { return (loft_real)x; }
 
-/* error 1/2, ties upward; -2^31 <= x < 2^31 - 1/2. Cut toward zero first: the rest is then
- * exact. */
+/* error 1/2, ties upward; -2^31 <= x < 2^31 - 1/2. Truncation toward zero comes first: the
+ * remainder is then exact. */
 static inline int32_t   loft_acc_int(loft_acc x)
 {
     const int32_t i = (int32_t)x;
@@ -79,7 +78,7 @@ static inline loft_acc  loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
 }
 
 /* error 3 ulp of the largest of |x|, |y|, |z|, times |1 - v - w| + |v| + |w|; none at the corners.
- * The weight of x errs by one rounding of 1 and one of 1 - v */
+ * The weight of x has one rounding error of 1 and one of 1 - v */
 static inline loft_acc  loft_acc_lerp3(loft_acc x, loft_acc y, loft_acc z, loft_unit v, loft_unit w)
 {
     return (1 - (loft_acc)v - (loft_acc)w) * x + (loft_acc)v * y + (loft_acc)w * z;
@@ -94,8 +93,9 @@ static inline loft_acc  loft_acc_max(loft_acc x, loft_acc y)  { return x > y ? x
 /* error 1/2 ulp */
 static inline loft_acc  loft_acc_mean(loft_acc x, loft_acc y)   { return (x + y) * 0.5; }
 
-/* error 3 ulp of the larger of |x|, |y|, and of their size times j / n above n; none at j = 0 and
- * n. n >= 1 */
+/* x|, |y|, and of their size times j / n above n; none at j = 0 and n. n >= 1 | error 3 ulp of the
+ * larger of |x|, |y|, for j above n times j / n; none at j = 0 and n. n >= 1 |x|, |y|, and of their
+ * size times j / n above n; none at j = 0 and n. n >= 1 */
 static inline loft_acc  loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint32_t n)
 {
     const loft_acc t = (loft_acc)j / (loft_acc)n;
@@ -125,8 +125,7 @@ static inline loft_unit loft_unit_round(loft_acc x)             { return (loft_u
 /* exact */
 static inline loft_acc  loft_unit_to_acc(loft_unit t)             { return (loft_acc)t; }
 
-/* raw Q16.16; error from real: 2^-17, to real: f32 1/2 ulp, f64 none; range as loft_raw_valid
- * says */
+/* raw Q16.16; error from real: 2^-17, to real: f32 1/2 ulp, f64 none; range: see loft_raw_valid */
 static inline bool      loft_raw_valid(loft_real a)
 {
     return (double)a * 65536 > -2147483648.5 && (double)a * 65536 < 2147483647.5;
@@ -140,8 +139,8 @@ static inline loft_real loft_real_from_raw(int32_t raw) { return (loft_real)(raw
 /* error none for |i| <= 2^24, f32: 1/2 ulp above */
 static inline loft_real loft_real_from_int(int32_t i)           { return (loft_real)i; }
 
-/* x y - p, where p is that product rounded: halves of 26 bits whose products are exact (Dekker
- * 1971). error none; |x|, |y| < 2^996, |p| > 2^-968 */
+/* x y - p, where p is the rounded product: the factors are split into 26-bit halves with exact
+ * products (Dekker 1971). error none; |x|, |y| < 2^996, |p| > 2^-968 */
 static inline double    loft_product_tail(double x, double y, double p)
 {
     const double cut = 134217729.0, xc = x * cut, yc = y * cut;
@@ -150,7 +149,7 @@ static inline double    loft_product_tail(double x, double y, double p)
     return xl * yl - (((p - xh * yh) - xl * yh) - xh * yl);
 }
 
-/* (a - b) - d, where d is that difference rounded (Knuth 1969). error none */
+/* (a - b) - d, where d is the rounded difference (Knuth 1969). error none */
 static inline double    loft_difference_tail(double a, double b, double d)
 {
     const double t = d - a;

@@ -24,7 +24,7 @@ static bool below(const twice *a, const twice *b)
     return a->high != b->high ? a->high < b->high : a->low < b->low;
 }
 
-/* Four products of the halves. The middle: (2^32 - 1)^2 + 2 (2^32 - 1) < 2^64. */
+/* Four products of the halves. The middle sum is at most (2^32 - 1)^2 + 2 (2^32 - 1) < 2^64. */
 static twice wide_product(uint64_t x, uint64_t y)
 {
     const uint64_t low = lower(x) * lower(y);
@@ -33,9 +33,9 @@ static twice wide_product(uint64_t x, uint64_t y)
     return r;
 }
 
-/* Long division, bit by bit. The rest stays below z < 2^63, so twice the rest fits; the quotient is
- * below 2^63, so the upper half of the product is below z / 2 and nothing of the quotient is
- * lost. */
+/* Long division, bit by bit. The remainder stays below z < 2^63, so twice the remainder fits. The
+ * quotient is below 2^63, so the upper half of the product is below z / 2 and no bit of the
+ * quotient is lost. */
 loft_acc loft_acc_muldiv(loft_acc x, loft_acc y, loft_acc z)
 {
     const twice p = wide_product(magnitude(x), magnitude(y));
@@ -55,8 +55,8 @@ loft_acc loft_acc_muldiv(loft_acc x, loft_acc y, loft_acc z)
     return (x < 0) != (y < 0) ? -(loft_acc)q : (loft_acc)q;
 }
 
-/* For h >= 1 the result is at most 9 |x|. Below 1, h 2^26 fits a loft_acc, and its share by k is
- * what x may be. */
+/* For h >= 1 the result is at most 9 |x|. For h < 1, h 2^26 fits a loft_acc; x may be up to h 2^26
+ * / k. */
 bool loft_acc_grow(loft_acc *x, int32_t k, loft_acc h)
 {
     const loft_acc most = loft_to_acc(LOFT_REAL(1)) * 67108864, size = *x < 0 ? -*x : *x;
@@ -67,7 +67,7 @@ bool loft_acc_grow(loft_acc *x, int32_t k, loft_acc h)
     return true;
 }
 
-/* The root of x < 2^122, to nearest: as in num.c, two bits of x a round. All of trial is below
+/* The root of x < 2^122, to nearest: as in num.c, two bits of x per round. `trial` is below
  * 2^123. */
 static uint64_t root_of(twice x)
 {
@@ -89,7 +89,7 @@ static uint64_t root_of(twice x)
     return r.low + (x.high || x.low > r.low);
 }
 
-/* The largest component is brought to 2^58..2^59, which loses nothing; six squares sum to less than
+/* The largest component is scaled to 2^58..2^59, which loses nothing. Six squares sum to less than
  * 2^120.6. */
 loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift)
 {
@@ -111,7 +111,7 @@ loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift)
     return (loft_acc)root_of(squares);
 }
 
-/* The part above the bits cut off, and the highest of them. */
+/* The bits above the dropped ones, plus the highest dropped bit. */
 loft_acc loft_acc_down(loft_acc x, unsigned shift)
 {
     return shift ? (x >> shift) + (x >> (shift - 1) & 1) : x;

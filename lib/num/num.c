@@ -6,8 +6,9 @@
 
 #if LOFT_NUM == LOFT_Q16
 
-/* The largest r with r^2 <= x, digit by digit (two bits of x a round); the rest tells x > (r +
- * 1/2)^2 = r^2 + r + 1/4. x < 2^63, so r < 2^31.5 and (2r+1) << 2k below stays within 64 bits. */
+/* The largest r with r^2 <= x, digit by digit (two bits of x per round). The remainder tells
+ * whether x > (r + 1/2)^2 = r^2 + r + 1/4. x < 2^63, so r < 2^31.5 and (2r+1) << 2k below stays
+ * within 64 bits. */
 static uint32_t square_root(uint64_t x)
 {
 #if defined(__AVR__)
@@ -29,7 +30,7 @@ static uint32_t square_root(uint64_t x)
 #endif
 }
 
-/* sqrt(X / 2^32) = sqrt(X) / 2^16: the root of the raw number is the raw root. */
+/* sqrt(X / 2^32) = sqrt(X) / 2^16: the raw root is the root of the raw number. */
 loft_real loft_acc_sqrt(loft_acc x)
 {
     if (x <= 0)
@@ -40,7 +41,7 @@ loft_real loft_acc_sqrt(loft_acc x)
 
 #if !defined(__AVR__)
 
-/* By how many bits x must be shifted down to be below 2^(32 + bits). */
+/* The number of bits to shift x down so that it is below 2^(32 + bits). */
 static uint8_t bits_above(uint64_t x, uint8_t bits)
 {
     uint8_t down = 0;
@@ -50,8 +51,8 @@ static uint8_t bits_above(uint64_t x, uint8_t bits)
     return down;
 }
 
-/* With y below 2^38 the quotient has all 24 bits; a larger y, and x with it, loses low bits: 2^-37
- * of y each. */
+/* With y below 2^38 the quotient has all 24 bits. A larger y is shifted down together with x, which
+ * loses low bits: 2^-37 of y each. */
 loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
 {
     uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)y;
@@ -63,7 +64,7 @@ loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
     return x < 0 ? -q : q;
 }
 
-/* Both are halved until x < 2^47; then y >= 2^31, of which the bits lost are less than 2^-30. */
+/* Both are halved until x < 2^47. Then y >= 2^31, and the bits lost are less than 2^-30 of it. */
 loft_real loft_acc_quot(loft_acc x, loft_acc y)
 {
     uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)y;
@@ -77,7 +78,7 @@ loft_real loft_acc_quot(loft_acc x, loft_acc y)
 
 #endif
 
-/* How many bits x has. */
+/* The number of bits of x. */
 static uint8_t bits_of(uint64_t x)
 {
 #if defined(__AVR__)
@@ -103,10 +104,11 @@ static uint64_t shift(uint64_t x, int8_t down)
 #endif
 }
 
-/* All components are brought to the same scale, the largest L to 2^29 <= L < 2^30, so that six
- * squares sum to at most 6 * 2^60 < 2^63. Scaled down, each component errs by at most 1/2, the
- * result therefore by 1/2 sum |x_i| / |x|, and its root by 1/2 again: together less than 1.29 units
- * of 2^-29 L (the worst of six: five are 0.29 L). Scaled up nothing is lost before the root. */
+/* All components are scaled alike, so that the largest, L, satisfies 2^29 <= L < 2^30 and six
+ * squares sum to at most 6 * 2^60 < 2^63. If scaled down, each component is off by at most 1/2, the
+ * result therefore by 1/2 sum |x_i| / |x|, and its root by another 1/2: together less than 1.29
+ * units of 2^-29 L (the worst case with six: five are 0.29 L). If scaled up, nothing is lost before
+ * the root. */
 loft_acc loft_acc_hypot(const loft_acc x[], int n)
 {
     uint64_t all = 0, sum = 0;
@@ -124,8 +126,8 @@ loft_acc loft_acc_hypot(const loft_acc x[], int n)
     return (loft_acc)shift(square_root(sum), (int8_t)-down);
 }
 
-/* Between lo and hi there are n < 2^32 steps, a is step j. |y - x| = q n + r with r < n, so q j <=
- * |y - x| < 2^63 and r j < 2^64: the result q j + r j / n is rounded once, a tie away from x. */
+/* There are n < 2^32 steps between lo and hi, and a is step j. |y - x| = q n + r with r < n, so q j
+ * <= |y - x| < 2^63 and r j < 2^64. The result q j + r j / n is rounded once, ties away from x. */
 loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi)
 {
     const uint32_t j = (uint32_t)a - (uint32_t)lo, n = (uint32_t)hi - (uint32_t)lo;
@@ -143,9 +145,9 @@ loft_real loft_acc_sqrt(loft_acc x) { return (loft_real)loft_sci_sqrt(x); }
 
 loft_real loft_acc_quot(loft_acc x, loft_acc y) { return (loft_real)(x / y); }
 
-/* Each share is right to 3 roundings of itself, and its product to one more; the sum is the fifth.
- * No share is 1 minus the other: where values of one sign differ much, the small one keeps all its
- * digits. */
+/* Each weight has a relative error of 3 roundings, its product one more, and the sum is the fifth.
+ * Neither weight is computed as 1 minus the other: if values of one sign differ greatly, the small
+ * one keeps all its digits. */
 loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi)
 {
     const loft_acc length = loft_to_acc(hi) - loft_to_acc(lo);
@@ -154,7 +156,7 @@ loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, lof
            (loft_to_acc(a) - loft_to_acc(lo)) / length * y;
 }
 
-/* Scaled by the largest component, so that no square overflows or vanishes. */
+/* The vector is scaled by the largest component, so that no square overflows or underflows. */
 loft_acc loft_acc_hypot(const loft_acc x[], int n)
 {
     loft_acc largest = 0, sum = 0;

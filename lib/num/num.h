@@ -1,4 +1,4 @@
-/* lib/num/num.h -- what loft asks of a number
+/* lib/num/num.h -- the operations that loft needs of a number type
  * SPDX-License-Identifier: MIT
  *
  * Every algorithm in lib/ is written once, with these three types:
@@ -9,43 +9,44 @@
  *
  * and these operations, which mean the same in every build:
  *
- *   a + b   a - b   -a   a < b   3 * a      plain C, within one type
- *   loft_mul(a, b)       loft_div(a, b)     rounded product and quotient of two reals
- *   loft_lerp(a, b, t)                      real between two reals: a at t = 0, b at t = 1, exactly
- *   loft_to_acc(a)                            a real as acc, exactly
- *   loft_prod(a, b)                         product of two reals as acc, exactly in q16 and f32
- *   loft_acc_lerp(x, y, t)                  acc between two accs
- *   loft_acc_lerp_at(x, y, j, n)            acc between two accs, at exactly j / n
- *   loft_acc_lerp_in(x, y, a, lo, hi)       acc between two accs, exactly where a lies between two
- *                                           reals
- *   loft_acc_lerp3(x, y, z, v, w)           acc between three accs: x at 0 0, y at 1 0, z at 0 1
- *   loft_acc_mean(x, y)                     acc in the middle of two accs
- *   loft_acc_abs(x)     loft_real_abs(a)  |x|, |a|
- *   loft_acc_min(x, y) loft_acc_max(x, y)    the smaller, the larger of two
- *   loft_acc_scale(x, t)                    acc times unit
- *   loft_acc_mul(x, a)   loft_acc_div(x, a) acc times and by a real
- *   loft_acc_ratio(x, k)                    acc by a whole number k >= 1
- *   loft_acc_quot(x, y)                     quotient of two accs as real
- *   loft_acc_valid(x)     loft_acc_round(x)  does it fit a real? the nearest real
- *   loft_real_valid(a)                      is it a number to compute with? always in q16
- *   loft_acc_ulp(s)    loft_real_ulp(s) the distance between neighbours at size s
- *   loft_acc_int(x)                         the nearest whole number, ties upward
- *   loft_acc_sqrt(x)                        square root as real
- *   loft_acc_hypot(x, n)                    sqrt(x[0]^2 + .. + x[n-1]^2), no overflow inside
- *   loft_hypot_ulp(s)                     what that is off by, at most, for a result s
- *   loft_unit_of(j, n)                      the parameter j / n
- *   loft_unit_ratio(x, y)                   the parameter x / y of two accs
- *   loft_unit_from(a)                       a real as unit, |a| < 128, exactly in q16
- *   loft_unit_round(x)                      the unit nearest to an acc, |x| < 128
- *   loft_unit_to_acc(t)                       a unit as acc, exactly
- *   loft_real_from_int(i)                   a whole number as real
- *   loft_real_floor(a)                      the whole number below a real
- *   loft_real_from_raw(i)                   a raw Q16.16, the form of the wire, as real
- *   loft_raw_from_real(a) loft_raw_valid(a)  and back
- *   LOFT_REAL(1.25)  LOFT_UNIT(0.5)         constants, folded by the compiler
+ *   a + b   a - b   -a   a < b   3 * a        plain C, within one type
+ *   loft_mul(a, b)      loft_div(a, b)        rounded product and quotient of two reals
+ *   loft_lerp(a, b, t)                        real between two reals: a at t = 0, b at t = 1,
+ *                                             both exactly
+ *   loft_to_acc(a)                            real to acc, exactly
+ *   loft_prod(a, b)                           product of two reals as acc, exactly in q16 and f32
+ *   loft_acc_lerp(x, y, t)                    acc between two accs
+ *   loft_acc_lerp_at(x, y, j, n)              acc between two accs, at exactly j / n
+ *   loft_acc_lerp_in(x, y, a, lo, hi)         acc between two accs, at exactly the place of a
+ *                                             between two reals
+ *   loft_acc_lerp3(x, y, z, v, w)             acc between three accs: x at 0 0, y at 1 0, z at 0 1
+ *   loft_acc_mean(x, y)                       mean of two accs
+ *   loft_acc_abs(x)     loft_real_abs(a)      |x|, |a|
+ *   loft_acc_min(x, y)  loft_acc_max(x, y)    the smaller, the larger of two
+ *   loft_acc_scale(x, t)                      acc times unit
+ *   loft_acc_mul(x, a)  loft_acc_div(x, a)    acc times real, acc divided by real
+ *   loft_acc_ratio(x, k)                      acc divided by an integer k >= 1
+ *   loft_acc_quot(x, y)                       quotient of two accs as real
+ *   loft_acc_valid(x)   loft_acc_round(x)     does it fit a real? the nearest real
+ *   loft_real_valid(a)                        is it a valid coordinate? always true in q16
+ *   loft_acc_ulp(s)     loft_real_ulp(s)      the distance between neighbouring numbers of size s
+ *   loft_acc_int(x)                           the nearest integer, ties upward
+ *   loft_acc_sqrt(x)                          square root as real
+ *   loft_acc_hypot(x, n)                      sqrt(x[0]^2 + .. + x[n-1]^2), without inner overflow
+ *   loft_hypot_ulp(s)                         an upper bound of the error of a loft_acc_hypot of s
+ *   loft_unit_of(j, n)                        the parameter j / n
+ *   loft_unit_ratio(x, y)                     the parameter x / y of two accs
+ *   loft_unit_from(a)                         real to unit, |a| < 128, exactly in q16
+ *   loft_unit_round(x)                        the unit nearest to an acc, |x| < 128
+ *   loft_unit_to_acc(t)                       unit to acc, exactly
+ *   loft_real_from_int(i)                     integer to real
+ *   loft_real_floor(a)                        the largest integer <= a real
+ *   loft_real_from_raw(i)                     raw Q16.16, the form on the wire, to real
+ *   loft_raw_from_real(a) loft_raw_valid(a)   real to raw Q16.16; does it fit?
+ *   LOFT_REAL(1.25)  LOFT_UNIT(0.5)           constants, folded by the compiler
  *
  * q16 rounds to nearest, ties upward. Nothing saturates and nothing may wrap: each operation states
- * its range, and the algorithms that use it check theirs once, in init.
+ * its range, and the algorithms check their ranges once, in init.
  *
  * Only the files in this room may test LOFT_NUM.
  */
@@ -79,7 +80,7 @@ LOFT_BEGIN_C
  */
 loft_real loft_acc_sqrt(loft_acc x);
 
-/* x / y for two wide numbers of any size.
+/* x / y for two accs of any size.
  *
  *   range   y > 0, |x / y| < 32767
  *   error   q16: 1/2 LSB + 2^-30 of the quotient   f32: 1/2 ulp   f64: 1/2 ulp
@@ -87,8 +88,8 @@ loft_real loft_acc_sqrt(loft_acc x);
  */
 loft_real loft_acc_quot(loft_acc x, loft_acc y);
 
-/* x at a = lo, y at a = hi, and between them exactly where a lies between lo and hi: no parameter
- * is rounded.
+/* The value that is x at a = lo, y at a = hi, and linear in a between them: no parameter is
+ * rounded.
  *
  *   range   lo <= a <= hi, lo < hi, any size; q16: |x|, |y| < 2^30
  *   error   q16: 2^-33   f32, f64: 5 ulp of double of the larger of |x|, |y|, and 5 ulp of the

@@ -2,13 +2,14 @@
  * SPDX-License-Identifier: MIT
  *
  * A loft_acc holds a value times 2^32: a coordinate with 16 guard bits below its LSB and 15 bits of
- * room above. The product of two reals is an acc without any shift, its square root a real.
+ * headroom above. The product of two reals is an acc without any shift, and its square root is a
+ * real.
  */
 #ifndef LOFT_NUM_Q16_H
 #define LOFT_NUM_Q16_H
 
 typedef int32_t loft_real;      /* Q16.16: -32768 .. 32767.99998, LSB = 2^-16           */
-typedef int32_t loft_unit;      /* Q8.24: -128 .. 127.99999994, 0..1 as fine as a float */
+typedef int32_t loft_unit;      /* Q8.24: -128 .. 127.99999994, resolution of a float in 0..1 */
 typedef int64_t loft_acc;       /* Q32.32: value * 2^32                                 */
 
 #define LOFT_REAL(x)   ((loft_real)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
@@ -17,8 +18,8 @@ typedef int64_t loft_acc;       /* Q32.32: value * 2^32                         
 /* the distance between neighbouring coordinates; 0 in floats */
 #define LOFT_REAL_LSB  ((loft_real)1)
 
-/* The only places where a wide number is shifted. A right shift of a negative number must be
- * arithmetic. avr-gcc shifts 64 bits one by one in a loop; there a shift by bytes is a move. */
+/* All shifts of wide numbers are here. A right shift of a negative number must be arithmetic.
+ * avr-gcc shifts 64 bits one bit at a time in a loop; there a shift by whole bytes is a move. */
 typedef char loft_assert_arithmetic_shift[((-1 >> 1) == -1) ? 1 : -1];
 
 #if defined(__AVR__)
@@ -95,7 +96,7 @@ static inline int64_t  loft_quotient(int64_t n, uint32_t d)
 }
 #endif
 
-/* a / 8 without what it leaves, downward */
+/* a / 8 rounded down */
 static inline int32_t  loft_eighth(loft_real a)   { return a >> 3; }
 
 #if !defined(__AVR__)
@@ -103,14 +104,14 @@ static inline int32_t  loft_eighth(loft_real a)   { return a >> 3; }
 static inline loft_acc loft_prod(loft_real a, loft_real b)  { return (loft_acc)a * b; }
 #endif
 
-/* Every coordinate is one to compute with. */
+/* Every coordinate is valid. */
 static inline bool loft_real_valid(loft_real a)
 {
     (void)a;
     return true;
 }
 
-/* The distance between neighbours, at any size: 2^-32 and 2^-16. */
+/* The distance between neighbouring numbers, of any size: 2^-32 and 2^-16. */
 static inline loft_acc loft_acc_ulp(loft_acc size)
 {
     (void)size;
@@ -122,7 +123,7 @@ static inline loft_acc loft_real_ulp(loft_acc size)
     return 65536;
 }
 
-/* At least the error of loft_acc_hypot, for that result. */
+/* An upper bound of the error of loft_acc_hypot for that result. */
 static inline loft_acc loft_hypot_ulp(loft_acc length)    { return length / 268435456 + 1; }
 
 /* Does x round into a real? */
@@ -153,7 +154,7 @@ static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
     return (loft_real)(a + loft_shift_24(((int64_t)b - a) * t + 8388608));
 }
 
-/* x * t: the two 32-bit halves of x apart, so that no product exceeds 64 bits.
+/* x * t: the two 32-bit halves of x are multiplied separately, so that no product exceeds 64 bits.
  * error 2^-33 (1/2 of an acc LSB); |x * t| <= 2^30 */
 static inline loft_acc loft_acc_scale(loft_acc x, loft_unit t)
 {
@@ -168,9 +169,9 @@ static inline loft_acc loft_acc_lerp(loft_acc x, loft_acc y, loft_unit t)
     return x + loft_acc_scale(y - x, t);
 }
 
-/* x + v (y - x) + w (z - x), rounded once: the low halves are summed before they are cut. error
- * 2^-33; |v|, |w| <= 32; |x|, |y|, |z| < 2^30 and v, w, 1 - v - w >= 0, or |y - x| and |z - x| <
- * 2^31 and (|v| |y - x| + |w| |z - x|) < 2^31 - 2^8 and the result below 2^31; none at the
+/* x + v (y - x) + w (z - x), rounded once: the low halves are summed before they are truncated.
+ * error 2^-33; |v|, |w| <= 32; |x|, |y|, |z| < 2^30 and v, w, 1 - v - w >= 0, or |y - x| and |z -
+ * x| < 2^31 and (|v| |y - x| + |w| |z - x|) < 2^31 - 2^8 and the result below 2^31; none at the
  * corners */
 static inline loft_acc loft_acc_lerp3(loft_acc x, loft_acc y, loft_acc z, loft_unit v, loft_unit w)
 {
@@ -181,8 +182,8 @@ static inline loft_acc loft_acc_lerp3(loft_acc x, loft_acc y, loft_acc z, loft_u
 }
 
 /* error 2^-33; |x|, |y| < 2^30, j <= n or |(y - x) j / n| <= 2^30 and j <= 2 n, 1 <= n < 2^30; none
- * at j = 0 and n. The quotient of y - x by n times j is whole; the rest is below n, times j below
- * 2^61. */
+ * at j = 0 and n. The integer quotient of y - x by n, times j, is exact; the remainder is below n,
+ * and times j below 2^61. */
 static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint32_t n)
 {
     const int64_t d = n, quotient = (y - x) / d, rest = (y - x) % d * j;
@@ -235,7 +236,7 @@ static inline loft_unit loft_unit_of(uint32_t j, uint32_t n)
 #endif
 
 /* error 1/2 LSB; b != 0, -32768 <= a / b < 32768: the quotient of the raw numbers. (It cannot round
- * up to 32768: b would have to exceed 2, and then a would not fit.) */
+ * up to 32768: that needs b > 2, and then a does not fit.) */
 static inline loft_real loft_div(loft_real a, loft_real b) { return (loft_real)loft_acc_div(a, b); }
 
 /* exact; |a| < 128 */

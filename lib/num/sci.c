@@ -2,13 +2,13 @@
  * SPDX-License-Identifier: MIT
  */
 #include "num/sci.h"
-#include "num/exact.h"  /* loft_exact_det, where doubles cancel */
+#include "num/exact.h"  /* loft_exact_det, if doubles cancel    */
 
 #if LOFT_NUM == LOFT_Q16
 
 #define TOP 62          /* the highest bit of m */
 
-/* m and 32 bits below it, times 2^e, brought to the form and cut. */
+/* Normalise m with 32 bits below it, times 2^e; lower bits are truncated. */
 static loft_sci normal_form(uint64_t m, uint32_t below, int e, bool minus)
 {
     loft_sci r;
@@ -41,7 +41,7 @@ loft_sci loft_sci_from_real(loft_real a)    { return normal_form(magnitude(a), 0
 loft_sci loft_sci_from_unit(loft_unit t)    { return normal_form(magnitude(t), 0, -24, t < 0); }
 loft_sci loft_sci_from_int(int32_t i)       { return normal_form(magnitude(i), 0, 0, i < 0); }
 
-/* The highest limb that is not 0 and the two below it hold 65 bits at least, or all there are. */
+/* The highest nonzero limb and the two below it hold at least 65 bits, or all bits of x. */
 loft_sci loft_sci_from_acc128(loft_acc128 x)
 {
     const loft_acc128 zero = { { 0 } };
@@ -58,8 +58,9 @@ loft_sci loft_sci_from_acc128(loft_acc128 x)
                   32 * (top - 1) - 32, minus);
 }
 
-/* The smaller one is cut to the larger one's exponent, below which a difference takes 32 bits more:
- * where they matter, because the first bits cancel, they are all there are. */
+/* The smaller number is truncated to the exponent of the larger one. A difference uses 32 more
+ * bits: they are all that remains of it in the case in which they matter, when the first bits
+ * cancel. */
 loft_sci loft_sci_add(loft_sci a, loft_sci b)
 {
     if (!a.m || (b.m && b.e > a.e)) {
@@ -81,7 +82,7 @@ loft_sci loft_sci_add(loft_sci a, loft_sci b)
 
 loft_sci loft_sci_sub(loft_sci a, loft_sci b) { return loft_sci_add(a, loft_sci_neg(b)); }
 
-/* The upper 64 of 126 bits, 2^60 at least, and what is below them. */
+/* The upper 64 of 126 bits, at least 2^60, and the 32 bits below them. */
 loft_sci loft_sci_mul(loft_sci a, loft_sci b)
 {
     const uint64_t a1 = a.m >> 32, a0 = a.m & 0xffffffffu, b1 = b.m >> 32, b0 = b.m & 0xffffffffu;
@@ -93,7 +94,7 @@ loft_sci loft_sci_mul(loft_sci a, loft_sci b)
     return normal_form(m, (uint32_t)(cross & 0xffffffffu), a.e + b.e + 64, a.minus != b.minus);
 }
 
-/* a.m / b.m > 1/2: the first round finds the whole part, 62 more the bits below. */
+/* a.m / b.m > 1/2: the first round gives the integer part, 62 more give the bits below. */
 loft_sci loft_sci_div(loft_sci a, loft_sci b)
 {
     uint64_t q = 0, rest = a.m;
@@ -111,8 +112,8 @@ loft_sci loft_sci_div(loft_sci a, loft_sci b)
     return normal_form(q, 0, a.e - b.e - TOP, a.minus != b.minus);
 }
 
-/* The root of m 2^58 for an even exponent e: 61 bits, two bits of the radicand a round. Before a
- * round the root r is below 2^60 and the rest at most 2 r, so neither leaves 64 bits. */
+/* The root of m 2^58 for an even exponent e: 61 bits, two bits of the radicand per round. Before a
+ * round the root r is below 2^60 and the remainder is at most 2 r, so neither exceeds 64 bits. */
 loft_sci loft_sci_sqrt(loft_sci a)
 {
     const bool odd = a.e % 2 != 0;
@@ -143,7 +144,7 @@ bool loft_sci_to_acc(loft_sci x, loft_acc *out)
     return true;
 }
 
-/* 24 bits below the point: m is a multiple of 2^(-24 - e). */
+/* 24 bits below the binary point: m must be a multiple of 2^(-24 - e). */
 bool loft_sci_is_unit(loft_sci x, loft_unit *t)
 {
     const int down = -(x.e + 24);
@@ -159,7 +160,7 @@ bool loft_sci_is_unit(loft_sci x, loft_unit *t)
     return true;
 }
 
-/* Each difference has 32 bits and a sign, each product 64, their difference 65. */
+/* Each difference has 32 bits and a sign, each product 64, and the difference of products 65. */
 static loft_acc128 signed_product(int64_t x, int64_t y)
 {
     const loft_acc128 size = loft_acc128_times(loft_acc128_of((int64_t)magnitude(x)),
@@ -180,9 +181,9 @@ loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_r
 #else
 
 /* Newton's iteration for the reciprocal square root would need a table; halving the exponent by
- * comparison keeps it freestanding: x is scaled by powers of 4 into [1, 4), where Heron's steps
- * from r = (1 + x) / 2 (relative error 1/4 at the worst, x = 4) err by 1/40, 2^-11, 2^-24, 2^-49,
- * 2^-100. */
+ * comparisons keeps this freestanding. x is scaled by powers of 4 into [1, 4). There Heron's steps
+ * from r = (1 + x) / 2 (relative error at most 1/4, at x = 4) have errors of 1/40, 2^-11, 2^-24,
+ * 2^-49, 2^-100. */
 loft_sci loft_sci_sqrt(loft_sci x)
 {
     double scale = 1;
@@ -225,10 +226,10 @@ static bool is_exact_difference(double d, double b, double a)
     return !(tail > 0) && !(tail < 0);
 }
 
-/* Each difference errs by 2^-53 of itself, each product by three times that: p - q by 3 * 2^-53 of
- * |p| + |q|, which is 48 * 2^-53 of the result where that is 1/16 of them. Below that, products of
- * exact differences are taken twice as long, which errs by 2^-104 of |p| + |q|; and below 2^-50
- * everything is exact but one quotient. */
+/* Each difference has a relative error of 2^-53, each product three times that. The error of p - q
+ * is 3 * 2^-53 of |p| + |q|, which is 48 * 2^-53 of a result that is 1/16 of this sum. Below that,
+ * the products of exact differences are computed with twice the length, with an error of 2^-104 of
+ * |p| + |q|. Below 2^-50 everything is exact except for one quotient. */
 loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2],
                         const loft_real d[2])
 {

@@ -1,19 +1,19 @@
-/* lib/num/sci.h -- numbers with an exponent of their own, for products of many factors and
- * quotients of small ones
+/* lib/num/sci.h -- numbers with their own exponent, for products of many factors and quotients of
+ * small numbers
  * SPDX-License-Identifier: MIT
  *
- * A product of six areas, a weight that vanishes toward an edge, the quotient of two such: no fixed
- * place for the point suits them all. Every operation errs by a share of its result, whatever that
- * is:
+ * A product of six areas, a weight that vanishes toward an edge, the quotient of two of these: no
+ * fixed binary point suits all of them. Every operation has a relative error, whatever the size of
+ * its result:
  *
  *   loft_sci   q16: m * 2^e with 62 bits and a sign   f32, f64: double
  *
- *   range   q16: 2^-32000 .. 2^32000 in size, which nobody checks   f32, f64: the normal numbers of
+ *   range   q16: magnitudes 2^-32000 .. 2^32000, not checked   f32, f64: the normal numbers of
  *           double
- *   error   q16: 2^-61 of the result, of its larger part in a sum   f32, f64: 2^-53; none when the
+ *   error   q16: 2^-61 of the result, in a sum of its larger term   f32, f64: 2^-53; none if the
  *           result is exact
- *   cost    q16: mul 4 products of 32 bits, add and sub two shifts, div and sqrt 63 rounds of shift
- *           and subtract; 16 bytes a number; safe in an ISR, but for cross
+ *   cost    q16: mul 4 32-bit products, add and sub two shifts, div and sqrt 63 rounds of shift and
+ *           subtract; 16 bytes per number; safe in an ISR, except for cross
  */
 #ifndef LOFT_NUM_SCI_H
 #define LOFT_NUM_SCI_H
@@ -44,16 +44,17 @@ static inline loft_sci loft_sci_one(void)
     return r;
 }
 
-/* A number as it is: wide, coordinate, parameter, whole, deep (which counts 2^-32).
+/* Conversion from an acc, a coordinate, a parameter, an integer, and a loft_acc128 in units of
+ * 2^-32.
  *
- *   error   none; deep: 2^-61 */
+ *   error   none; from_acc128: 2^-61 */
 loft_sci loft_sci_of(loft_acc x);
 loft_sci loft_sci_from_real(loft_real a);
 loft_sci loft_sci_from_unit(loft_unit t);
 loft_sci loft_sci_from_int(int32_t i);
 loft_sci loft_sci_from_acc128(loft_acc128 x);
 
-/* a + b, a - b, a b, a / b for b != 0, the root of a >= 0. */
+/* a + b, a - b, a b, a / b for b != 0, the square root of a >= 0. */
 loft_sci loft_sci_add(loft_sci a, loft_sci b);
 loft_sci loft_sci_sub(loft_sci a, loft_sci b);
 loft_sci loft_sci_mul(loft_sci a, loft_sci b);
@@ -67,7 +68,7 @@ static inline loft_sci loft_sci_neg(loft_sci a)
 }
 static inline int loft_sci_sign(loft_sci a)     { return a.m ? a.minus ? -1 : 1 : 0; }
 
-/* x as a wide number, rounded to 2^-32; false, and *out untouched, when it does not fit. */
+/* x as an acc, rounded to 2^-32. Returns false, and leaves *out untouched, if it does not fit. */
 bool loft_sci_to_acc(loft_sci x, loft_acc *out) LOFT_CHECKED;
 
 #else
@@ -110,28 +111,28 @@ static inline bool loft_sci_less(loft_sci a, loft_sci b)
     return loft_sci_sign(loft_sci_sub(a, b)) < 0;
 }
 
-/* a^k; 1 for k = 0, also of 0.
+/* a^k; 1 for k = 0, even if a = 0.
  *
  *   error   2 k roundings
  *   cost    at most 2 log2 k products
  */
 loft_sci loft_sci_pow(loft_sci a, unsigned k);
 
-/* Is x a parameter within 0..1 that its type holds exactly? Then *t is that.
+/* Is x a parameter in 0..1 that a loft_unit represents exactly? Then it is stored in *t.
  *
  *   error   none */
 bool     loft_sci_is_unit(loft_sci x, loft_unit *t) LOFT_CHECKED;
 
-/* The cross product of b - a and d - c in the plane: twice the area of the triangle a b d when c =
- * a. Its sign is exact.
+/* The cross product of b - a and d - c in the plane: twice the area of the triangle a b d if c = a.
+ * The sign is exact.
  *
- *   range   f32, f64: what loft_exact_valid
+ *   range   f32, f64: coordinates that pass loft_exact_valid
  *   error   q16: 2^-61   f32, f64: 2^-47 of the result, however close to parallel
- *   cost    q16: 2 products of 33 bits   f32, f64: 2 products, 12 more where they cancel to 1/16;
- *           four of num/exact.h and a quotient where they cancel to 2^-50 or differences are not
- *           doubles
+ *   cost    q16: 2 products of 33 bits   f32, f64: 2 products, 12 more if they cancel to 1/16; four
+ *           products and a quotient of num/exact.h if they cancel to 2^-50 or the differences are
+ *           not doubles
  *   see     Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
- *           predicates (1997): the filter
+ *           predicates (1997): the floating-point filter
  */
 loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_real c[2],
                         const loft_real d[2]);

@@ -5,10 +5,10 @@
 #define LOFT_NUM_STATUS_H
 
 enum loft_status {
-    LOFT_SINGULAR  =  2,    /* an answer: there is none here, no direction, two points in one    */
+    LOFT_SINGULAR  =  2,    /* an answer: none exists here (no direction, two points in one)     */
     LOFT_MORE      =  1,    /* not finished: give more input, or take more output                */
     LOFT_OK        =  0,
-    LOFT_ERR_ARG   = -1,    /* a mistake in the caller: count of zero, degree or t out of bounds */
+    LOFT_ERR_ARG   = -1,    /* a mistake of the caller: a count of 0, degree or t out of range   */
     LOFT_ERR_RANGE = -2,    /* the numbers do not fit: scale the part or take fewer steps        */
     LOFT_ERR_SPACE = -3,    /* the caller's buffer is too small: give a larger one               */
     LOFT_ERR_DATA  = -4     /* the other side sent nonsense: bad CRC, unknown message            */

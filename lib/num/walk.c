@@ -1,7 +1,7 @@
-/* lib/num/walk.c -- which walks are admitted, and the steps of a walk
+/* lib/num/walk.c -- the range checks and the steps of a walk
  * SPDX-License-Identifier: MIT
  *
- * How a walk begins, and what follows from it for its range, is in walk_start.c.
+ * walk_start.c sets up a walk and derives its range.
  */
 #include "num/walk.h"
 
@@ -29,14 +29,14 @@ bool loft_walk_valid(const loft_real p[], unsigned degree)
     return true;
 }
 
-/* loft_walk_halve divides by powers of two and so needs true differences, |D^k| < 2^31 LSB, none
- * wrapped. With n >= 4 steps all parameters that a difference sees, 0 .. 1 + (degree-1)/n, are
- * within 0..2, where a Bezier polynomial is at most 3^degree times its largest control value. So, w
- * being the width of p,
+/* loft_walk_halve divides by powers of two, so it needs true differences that have not wrapped,
+ * |D^k| < 2^31 LSB. With n >= 4 steps, all parameters that a difference uses, 0 .. 1 +
+ * (degree-1)/n, are within 0..2. There a Bezier polynomial is at most 3^degree times its largest
+ * control value. Hence, with w the width of the range of p,
  *
  *     |D^k| <= degree!/(degree-k)! 2^(k-1) w 3^(degree-k) / n^k
  *
- * of which, for n >= 4 and degree <= 5, k = 1 gives the largest: n >= degree 3^(degree-1) w / 2^31
+ * For n >= 4 and degree <= 5 this is largest at k = 1, so n >= degree 3^(degree-1) w / 2^31
  * suffices. */
 uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree)
 {
@@ -55,7 +55,7 @@ uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree)
     return bound < 4 ? 4 : (uint32_t)bound;
 }
 
-/* sum is 2^k times a whole number when no true difference wraps. */
+/* sum is 2^k times an integer if no true difference wraps. */
 static loft_state over_power_of_two(loft_state sum, unsigned k)
 {
     return (uint64_t)((int64_t)sum / (int32_t)(1 << k));
@@ -86,7 +86,7 @@ static loft_state over_power_of_two(loft_state sum, unsigned k) { return sum / (
 
 #if defined(__AVR__)
 
-/* No core with 8-bit registers keeps four numbers of 64 bits in them. */
+/* No core with 8-bit registers holds four 64-bit numbers in registers. */
 void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count)
 {
     for (; count; count--, out += stride)
@@ -95,9 +95,9 @@ void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride
 
 #else
 
-/* The differences are named, not an array: compilers keep names in registers. Those above the
- * degree are 0, so a cubic's road does for all below; two steps a round are 0.7 of the time of
- * one. */
+/* The differences are separate variables, not an array, because compilers keep variables in
+ * registers. Those above the degree are 0, so the cubic code serves all lower degrees. Two steps
+ * per round take 0.7 of the time of one. */
 static void run_cubic(loft_state d[], loft_real out[], size_t stride, uint32_t count)
 {
     loft_state d0 = d[0], d1 = d[1], d2 = d[2];
@@ -156,12 +156,13 @@ void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride
 
 #endif
 
-/* Twice the step, D, from the single, d: 1 + D = (1 + d)^2, so
+/* Let d be the difference operator of the single step and D that of the double step. Then 1 + D =
+ * (1 + d)^2, so
  *
  *     D^k = (2d + d^2)^k = sum_i  C(k, i) 2^(k-i) d^(k+i)
  *
- * The places from k upwards are still those of the single step when D^k is computed, as k rises.
- * The factor goes from i to i + 1 by (k - i) / (2 (i + 1)), without a rest. */
+ * k ascends, so the entries from k upwards are still those of the single step when D^k is computed.
+ * The factor changes from i to i + 1 by (k - i) / (2 (i + 1)), which leaves no remainder. */
 void loft_walk_double(loft_walk *w, unsigned degree)
 {
     for (unsigned k = 1; k <= degree; k++) {
@@ -176,7 +177,7 @@ void loft_walk_double(loft_walk *w, unsigned degree)
     }
 }
 
-/* The same solved for d^k, from the highest difference down. */
+/* The same equation solved for d^k, from the highest difference down. */
 void loft_walk_halve(loft_walk *w, unsigned degree)
 {
     for (unsigned k = degree; k >= 1; k--) {

@@ -1,11 +1,11 @@
-/* lib/num/walk.h -- a polynomial walked at whole numbers by its forward differences, in one
+/* lib/num/walk.h -- forward differencing: a polynomial at equal steps by additions, in one
  * coordinate
  * SPDX-License-Identifier: MIT
  *
- * The state is d[0] = the value and d[k] = the k-th difference; a step is d[k] += d[k+1] for k = 0,
- * 1 .. upwards. curve/forward.h walks all coordinates of a curve with it.
+ * The state is d[0] = the value and d[k] = the k-th difference. A step is d[k] += d[k+1] for k = 0,
+ * 1, .. in ascending order. curve/forward.h walks all coordinates of a curve with it.
  *
- *   q16        wrapping integers, 32 bits below the LSB: no sum rounds, only the start does, once
+ *   q16        wrapping integers, 32 bits below the LSB: only the start rounds, once; no sum does
  *   f32, f64   plain sums of doubles; the last value is the last control value
  */
 #ifndef LOFT_NUM_WALK_H
@@ -19,12 +19,12 @@ LOFT_BEGIN_C
 
 #if LOFT_NUM == LOFT_Q16
 
-typedef uint64_t loft_state;    /* the LSB counts 2^32; wraps, which only a value outside 32 bits
-                                 * would notice */
+typedef uint64_t loft_state;    /* the LSB is 2^32; it wraps, which matters only for a value outside
+                                 * 32 bits */
 
 typedef struct {
-    uint32_t inverse[LOFT_WALK_DEGREE_MAX][3];      /* [k - 1]: n^-k in 96 bits below the point, the
-                                                     * lowest first */
+    uint32_t inverse[LOFT_WALK_DEGREE_MAX][3];      /* [k - 1]: n^-k with 96 bits below the point,
+                                                     * lowest limb first */
 } loft_powers;
 
 /* The same for a cubic, in less memory. */
@@ -33,16 +33,16 @@ typedef struct {
 } loft_powers3;
 
 typedef struct {
-    loft_state d[LOFT_WALK_DEGREE_MAX + 1];     /* d[0] carries the 1/2 LSB that rounds it when it
-                                                 * is cut */
+    loft_state d[LOFT_WALK_DEGREE_MAX + 1];     /* d[0] includes the 1/2 LSB that makes truncation
+                                                 * round to nearest */
 } loft_walk;
 
-/* The same of a cubic, in less memory. */
+/* The same for a cubic, in less memory. */
 typedef struct {
     loft_state d[4];
 } loft_walk3;
 
-/* error none: the rounding is in the state */
+/* error none: the rounding is part of the state */
 static inline loft_real loft_state_real(const loft_state *s)
 {
 #if defined(__AVR__)
@@ -54,7 +54,7 @@ static inline loft_real loft_state_real(const loft_state *s)
 #endif
 }
 
-/* The value that the walk gives as its last one: here the differences lead to it. */
+/* The last value that the walk returns: in q16 the differences lead to it. */
 static inline void loft_walk_keep(loft_walk *w, loft_real end)
 {
     (void)w;
@@ -76,14 +76,15 @@ static inline loft_real loft_walk3_end(const loft_walk3 *w, loft_real arrived)
     return arrived;
 }
 
-/* The middle of a cubic Bezier polynomial: what a walk of two steps passes, bit for bit.
+/* The middle of a cubic Bezier polynomial: bit for bit the middle value of a walk of two steps.
  *
- *   error   1/2 LSB, ties upward; f32, f64: one rounding of coordinates that are multiples of 2^-16
+ *   error   1/2 LSB, ties upward
+ *           f32, f64: one rounding of coordinates that are multiples of 2^-16
  *   cost    AVR: 150 cycles */
 static inline loft_real loft_walk3_middle(loft_real a, loft_real b, loft_real c, loft_real d)
 {
-    /* (a + 3 b + 3 c + d + 4) / 8 in two parts: eight eighths of 29 bits, and what was cut off
-     * them, at most 56 + 4 */
+    /* (a + 3 b + 3 c + d + 4) / 8 in two parts: eight eighths of 29 bits, and the bits they lost,
+     * at most 56 + 4 */
     const uint8_t cut = (uint8_t)((a & 7) + (d & 7) + 3 * ((b & 7) + (c & 7)) + 4);
     return loft_eighth(a) + loft_eighth(d) + 3 * (loft_eighth(b) + loft_eighth(c)) +
            (int32_t)(cut >> 3);
@@ -128,7 +129,7 @@ static inline loft_real loft_walk3_middle(loft_real a, loft_real b, loft_real c,
 
 #endif
 
-/* d[0] += d[1]. avr-gcc calls a function for it, with 16 registers to fill. */
+/* d[0] += d[1]. avr-gcc calls a function for it and loads 16 registers. */
 static inline void loft_state_add(loft_state d[2])
 {
 #if defined(__AVR__)
@@ -156,7 +157,7 @@ static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
     return loft_state_real(w->d);
 }
 
-/* One step of a cubic; the last one gives its last control value. */
+/* One step of a cubic; the last step returns the last control value. */
 static inline loft_real loft_walk3_step(loft_walk3 *w, bool last)
 {
     loft_state_add(w->d);
@@ -165,55 +166,56 @@ static inline loft_real loft_walk3_step(loft_walk3 *w, bool last)
     return last ? loft_walk3_end(w, loft_state_real(w->d)) : loft_state_real(w->d);
 }
 
-/* Does the law of ranges (walk_start.c) admit n >= 1 steps? */
+/* Are n >= 1 steps within the law of ranges (walk_start.c)? */
 bool loft_walk_steps_valid(unsigned degree, uint32_t n);
 
-/* What all axes need of n.
+/* The powers of 1 / n that all axes share.
  *
- *   range   an admitted n
- *   cost    q16: for n < 65536 degree * 6 divisions of 32 bits; AVR: 1,300 cycles per degree
+ *   range   a valid n
+ *   cost    q16: for n < 65536 degree * 6 32-bit divisions; AVR: 1,300 cycles per degree
  */
 void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n);
 void loft_powers3_init(loft_powers3 *powers, uint32_t n);
 
 /* g[k] = C(degree, k) times the k-th difference of p[0..degree]: the polynomial is sum_k g[k] t^k.
- * Whole numbers of LSB in q16, |g| < 2^38. */
+ * In q16 they are integers in units of the LSB, |g| < 2^38. */
 void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree);
 
-/* Start at p[0] of the Bezier polynomial p[0..degree], n steps ahead. Differences above degree are
- * 0.
+/* Start at p[0] of the Bezier polynomial p[0..degree], with n steps to go. Differences above the
+ * degree are 0.
  *
  *   range   f32, f64: |p| <= LOFT_REAL_MAX / 65536
  *   error   q16: 2^-33 + 2^-50 LSB in each difference; none where n^degree divides 2^32
- *   cost    q16: degree * 6 products of 32 bits and degree * (degree + 5) / 2 of small numbers
+ *   cost    q16: degree * 6 32-bit products and degree * (degree + 5) / 2 products of small numbers
  */
 void loft_walk_init(loft_walk *w, const loft_real p[], unsigned degree, const loft_powers *powers);
 
-/* The same of a cubic: the same values, bit for bit. */
+/* The same for a cubic, with the same values bit for bit. */
 void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers3 *powers);
 
 /* `count` steps; the values go to out[0], out[stride] .. */
 void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);
 
-/* From a[k], the coefficient of t^k in steps of 1, to the k-th difference at 0, for k = 1..degree,
- * in place. */
+/* Turn a[k], the coefficient of t^k for steps of 1, into the k-th difference at 0, for k =
+ * 1..degree, in place. */
 void loft_walk_differences(loft_state a[], unsigned degree);
 
 #if LOFT_NUM == LOFT_Q16
 
-/* x / n in place, cut to a whole number: limbs of 32 bits, the lowest first. */
+/* x / n in place, truncated to an integer: 32-bit limbs, lowest first. */
 void loft_limbs_divide(uint32_t x[], int limbs, uint32_t n);
 
 #endif
 
-/* The fewest steps for the whole of p[0..degree] from which loft_walk_halve is proven exact. */
+/* The smallest number of steps over all of p[0..degree] for which loft_walk_halve is proven
+ * exact. */
 uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree);
 
-/* Half and twice the step, at the same point; exact in q16 under the conditions in forward.h. */
+/* Halve and double the step, at the same point; exact in q16 under the conditions in forward.h. */
 void loft_walk_halve(loft_walk *w, unsigned degree);
 void loft_walk_double(loft_walk *w, unsigned degree);
 
-/* Is every value a number that a walk may start from? */
+/* Is every control value within the range of a walk? */
 bool loft_walk_valid(const loft_real p[], unsigned degree);
 
 LOFT_END_C

@@ -1,34 +1,37 @@
 /* lib/num/walk2.c -- the differences of a polynomial in two variables, from its control values
  * SPDX-License-Identifier: MIT
  *
- * With b the control values, D and E the differences of the net from row to row and along the rows,
- * the polynomial at u = i / rows, v = j / columns is
+ * Let b be the control values, and D and E the differences of the net from row to row and along the
+ * rows. The polynomial at u = i / rows, v = j / columns is
  *
  *     square     sum  C(p,k) C(q,l) D^k E^l b  (i / rows)^k (j / columns)^l
  *     triangle   sum  p! / (k! l! (p-k-l)!) D^k E^l b  (i / n)^k (j / n)^l,      k + l <= p
  *
- * In the triangle E is taken from row l downwards, where it exists: E1, E2, E3 being the shifts to
- * the corners, row i and place j in it are the point ((n - i) E1 + (i - j) E2 + j E3)^p b / n^p,
- * and E1 + i/n (E2 - E1) + j/n (E3 - E2) is its operator. The factor is C(q,l) C(p,k) in the square
- * and C(p,l) C(p-l,k) in the triangle.
+ * In the triangle E is taken from row l downwards, where it exists. With the shifts E1, E2, E3 to
+ * the corners, row i and place j of it is the point ((n - i) E1 + (i - j) E2 + j E3)^p b / n^p. Its
+ * operator is E1 + i/n (E2 - E1) + j/n (E3 - E2). The factor is C(q,l) C(p,k) in the square and
+ * C(p,l) C(p-l,k) in the triangle.
  *
- * q16. Coefficients g are whole, |g| < 2^5 2^5 C C 2^31 < 2^48. g / (rows^k columns^l) is cut to 64
- * bits below the LSB, by k + l divisions each cut: off by less than 2^-63. The differences are sums
- * of these times whole numbers (num/walk.c) of which all together are below 541^2 < 2^18.2, so a
- * difference is off by less than 2^-44 before it is rounded to 32 bits, and not at all where it is
- * a multiple of 2^-32.
+ * q16. The coefficients g are integers, |g| < 2^5 2^5 C C 2^31 < 2^48. g / (rows^k columns^l) is
+ * truncated to 64 bits below the LSB by k + l truncating divisions: its error is less than 2^-63.
+ * The differences are sums of these quotients times integers (num/walk.c). All these integers
+ * together are below 541^2 < 2^18.2, so the error of a difference is less than 2^-44 before it is
+ * rounded to 32 bits. A difference that is a multiple of 2^-32 is exact.
  *
- * The law of ranges. The value at (i, j) is sum C(i,k) C(j,l) d[l][k], so it errs by at most S
- * (2^-33 + 2^-44),
+ * The law of ranges. The value at (i, j) is sum C(i,k) C(j,l) d[l][k], so its error is at most S
+ * (2^-33 + 2^-44), with
  *
  *     square     S = (1 + S_u) (1 + S_v) - 1,   S_u = C(rows,1) + .. + C(rows,p),  S_v likewise
- *     triangle   S = C(2n,1) + .. + C(2n,p),    since sum over k + l = s of C(n,k) C(n,l) is
- *                C(2n,s)
+ *     triangle   S = C(2n,1) + .. + C(2n,p)
  *
- * and is admitted while that is below 1/2, S <= 2^32 - 2^22; or where nothing is rounded, powers of
- * two with p log2 rows + q log2 columns <= 32 (triangle: p log2 n <= 32; blend: p log2 rows + log2
- * columns and log2 rows + q log2 columns). Values then stay within the 32 bits in which the net is,
- * and all else may wrap.
+ * since C(2n,s) is the sum of C(n,k) C(n,l) over k + l = s. The walk is valid while this is below
+ * 1/2, that is for S <= 2^32 - 2^22. It is also valid if nothing is rounded, for powers of two with
+ *
+ *     square     p log2 rows + q log2 columns <= 32
+ *     triangle   p log2 n <= 32
+ *     blend      p log2 rows + log2 columns <= 32 and log2 rows + q log2 columns <= 32
+ *
+ * Values then stay within the 32 bits of the net, and everything else may wrap.
  */
 #include "num/walk2.h"
 
@@ -39,13 +42,13 @@ static uint64_t binomial_sum(unsigned degree, uint64_t n)
     uint64_t choose = 1, sum = 0;
 
     for (unsigned k = 1; k <= degree && k <= n && sum <= BINOMIAL_SUM_MAX; k++) {
-        choose = choose * (n - k + 1) / k;      /* both factors below 2^32 once k > 1 */
+        choose = choose * (n - k + 1) / k;      /* both factors are below 2^32 once k > 1 */
         sum += choose;
     }
     return sum;
 }
 
-/* log2 n, 33 when n is no power of two */
+/* log2 n, or 33 if n is not a power of two */
 static unsigned log2_exact(uint32_t n)
 {
     unsigned m = 0;
@@ -78,8 +81,8 @@ static unsigned binomial(unsigned n, unsigned k)
     return c;
 }
 
-/* The values of the net into the state: in the triangle row r, place c stands in column c at r -
- * c. */
+/* Copy the values of the net into the state. In the triangle, row r, place c goes to column c at r
+ * - c. */
 static void load_net(loft_state d[], const loft_walk2 *s, const loft_real net[], size_t stride)
 {
     for (unsigned r = 0; r <= s->p; r++) {
@@ -89,7 +92,7 @@ static void load_net(loft_state d[], const loft_walk2 *s, const loft_real net[],
     }
 }
 
-/* E^l, then D^k, then the factors. Wrapping integers hold negative numbers as well. */
+/* Apply E^l, then D^k, then the factors. Wrapping integers also represent negative numbers. */
 static void powers_from_net(loft_state d[], const loft_walk2 *s)
 {
     const unsigned lean = s->triangle;
@@ -113,9 +116,10 @@ static void powers_from_net(loft_state d[], const loft_walk2 *s)
     }
 }
 
-/* The blend of the edges has the same polynomials at u = 0, v = 0, u = 1 and v = 1. The first two
- * are the coefficients with k = 0 or l = 0; at u = 1 that of v^l is the sum over k, at v = 1 that
- * of u^k the sum over l. Where both are above 1 there is none. */
+/* The bilinear blend of the edges has the same polynomials at u = 0, v = 0, u = 1 and v = 1. The
+ * polynomials at u = 0 and v = 0 are the coefficients with k = 0 or l = 0. At u = 1 the coefficient
+ * of v^l is the sum over k; at v = 1 that of u^k is the sum over l. Coefficients with both k and l
+ * above 1 are 0. */
 static void blend_powers(loft_state g[], const loft_walk2 *s)
 {
     const unsigned p = s->p, stride = p + 1;
@@ -142,7 +146,7 @@ void loft_walk2_step(loft_state d[], const loft_walk2 *s)
     }
 }
 
-/* From coefficients of powers to differences, first by k, then by l. */
+/* Turn power coefficients into differences, first by k, then by l. */
 static void columns_to_differences(loft_state a[], const loft_walk2 *s)
 {
     for (unsigned l = 0; l <= s->q; l++)
@@ -173,7 +177,7 @@ bool loft_walk2_valid(loft_real a)
 
 #define STATES ((LOFT_WALK_DEGREE_MAX + 1) * (LOFT_WALK_DEGREE_MAX + 1))
 
-/* g / (rows^k columns^l): *d with 32 bits below the LSB and the 32 bits below those. */
+/* g / (rows^k columns^l): *d gets the part with 32 bits below the LSB, *below the next 32 bits. */
 static void scale_coefficient(loft_state *d, loft_state *below, const loft_walk2 *s, unsigned k,
                               unsigned l)
 {
@@ -193,7 +197,7 @@ static void scale_coefficient(loft_state *d, loft_state *below, const loft_walk2
     }
 }
 
-/* What is below exceeds its 32 bits: 2^32 541 at most, after one direction. */
+/* `below` may exceed its 32 bits: it is at most 2^32 541 after one direction. */
 static void carry_below(loft_state d[], loft_state below[], size_t count)
 {
     for (size_t k = 0; k < count; k++) {

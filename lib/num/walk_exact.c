@@ -1,21 +1,21 @@
-/* lib/num/walk_exact.c -- the differences of a polynomial as whole numbers and rests
+/* lib/num/walk_exact.c -- the differences of a polynomial as integers and remainders
  * SPDX-License-Identifier: MIT
  *
  * The j-th difference of i^k at i = 0 is c(k, j) = j! S(k, j), the number of ways to map k things
- * onto j (S: Stirling's numbers of the second kind), so a walk of n steps along sum_k g_k t^k
+ * onto j (S: Stirling numbers of the second kind). A walk of n steps along sum_k g_k t^k therefore
  * starts with
  *
  *     e_j = sum_k  g_k c(k, j) / n^k
  *
- * g and c are whole, |g_k c(k, j)| < 2^45, and Horner's scheme in 1/n finds e_j without rounding:
- * if V = I + R / n^s then
+ * g and c are integers, |g_k c(k, j)| < 2^45, and Horner's scheme in 1/n gives e_j without
+ * rounding: if V = I + R / n^s then
  *
  *     V / n = floor(I / n) + (R + (I mod n) n^s) / n^(s+1)
  *
- * After degree divisions R < n^degree < 2^63. The sum of two rests is below 2^64, and what it has
- * above n^degree is carried to the whole numbers, which may wrap: the value is right modulo 2^32
- * and in 32 bits. Half of n^degree is added to the rest of the value once, so that cutting the rest
- * off rounds to nearest.
+ * After `degree` divisions R < n^degree < 2^63. The sum of two remainders is below 2^64; its excess
+ * over n^degree is carried to the integers. The integers may wrap: the value is correct modulo 2^32
+ * and fits 32 bits. Half of n^degree is added once to the remainder of the value, so that dropping
+ * the remainder rounds to nearest.
  */
 #include "num/walk_exact.h"
 
@@ -48,7 +48,7 @@ static const uint8_t onto_maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 
     { 1 }, { 0, 1 }, { 0, 1, 2 }, { 0, 1, 6, 6 }, { 0, 1, 14, 36, 24 }, { 0, 1, 30, 150, 240, 120 }
 };
 
-/* e_j as a whole number and the rest over n^degree, for j >= 1. */
+/* e_j, j >= 1, as an integer and a remainder over n^degree. */
 static int64_t exact_difference(const loft_acc g[], unsigned degree, unsigned j, uint32_t n,
                           uint64_t *rest)
 {

@@ -1,9 +1,9 @@
-/* lib/num/walk_exact.h -- a polynomial walked at whole numbers without any rounding, in one
- * coordinate
+/* lib/num/walk_exact.h -- forward differencing without any rounding, in one coordinate
  * SPDX-License-Identifier: MIT
  *
- * As num/walk.h, but each difference is a whole number and a rest over n^degree: exact for steps
- * that are no power of two, at a few times the cost. In f32 and f64 it is the walk of num/walk.h.
+ * As num/walk.h, but each difference is an integer and a remainder over n^degree. It is exact also
+ * if the number of steps is not a power of two, at a few times the cost. In f32 and f64 it is the
+ * walk of num/walk.h.
  */
 #ifndef LOFT_NUM_WALK_EXACT_H
 #define LOFT_NUM_WALK_EXACT_H
@@ -15,7 +15,7 @@ LOFT_BEGIN_C
 #if LOFT_NUM == LOFT_Q16
 
 typedef struct {
-    uint64_t rest[LOFT_WALK_DEGREE_MAX + 1];    /* below n^degree; rest[0] carries half of that */
+    uint64_t rest[LOFT_WALK_DEGREE_MAX + 1];    /* below n^degree; rest[0] includes half of it  */
     uint32_t whole[LOFT_WALK_DEGREE_MAX + 1];   /* wraps                                        */
 } loft_walk_exact;
 
@@ -52,7 +52,7 @@ static inline loft_real loft_walk_exact_step(loft_walk_exact *s, unsigned degree
 bool     loft_walk_exact_steps_valid(unsigned degree, uint32_t n);
 uint64_t loft_walk_exact_power(unsigned degree, uint32_t n);       /* n^degree */
 
-/* Start at p[0] of the Bezier polynomial p[0..degree], n steps ahead, n admitted.
+/* Start at p[0] of the Bezier polynomial p[0..degree], with a valid n steps to go.
  *
  *   range   f32, f64: |p| <= LOFT_REAL_MAX / 65536
  *   error   q16: none   f32, f64: as loft_walk_init

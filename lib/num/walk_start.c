@@ -1,25 +1,26 @@
 /* lib/num/walk_start.c -- the differences of a polynomial, from its control values
  * SPDX-License-Identifier: MIT
  *
- * With D^k p the k-th difference of the control values at p[0], the Bezier polynomial at t = i/n is
+ * Let D^k p be the k-th difference of the control values at p[0]. The Bezier polynomial at t = i/n
+ * is
  *
  *     P(i/n) = sum_k  g_k (i/n)^k          g_k = C(degree, k) D^k p
  *
- * Written in the products i (i-1) .. (i-k+1) instead of the powers i^k, its coefficients times k!
- * are the differences e_k to start with: e_k is the sum of some G_j = g_j / n^j times whole numbers
- * of 240 at most.
+ * Write it in the products i (i-1) .. (i-k+1) instead of the powers i^k. Its coefficients times k!
+ * are the initial differences e_k. Each e_k is a sum of terms G_j = g_j / n^j, each multiplied by
+ * an integer of at most 240.
  *
- * q16. e_k is kept to 32 bits below the LSB. n^-k is cut to 96 bits, by k divisions each cut: it is
- * low by less than 2^-95. G_k = g_k n^-k is cut to 64 bits below the LSB: off by less than 2^-63 +
- * |g_k| 2^-95. With |p| <= 2^31 the sums of all that are below 2^-50, so e_k, then rounded to 32
- * bits, is off by at most 2^-33 + 2^-50, and not at all where it is a multiple of 2^-32: if
- * n^degree divides 2^32.
+ * q16. e_k has 32 bits below the LSB. n^-k is computed to 96 bits by k truncating divisions, so it
+ * is low by less than 2^-95. G_k = g_k n^-k is truncated to 64 bits below the LSB: its error is
+ * less than 2^-63 + |g_k| 2^-95. With |p| <= 2^31 the sum of all these errors is below 2^-50. e_k
+ * is then rounded to 32 bits, so its error is at most 2^-33 + 2^-50. It is exact if it is a
+ * multiple of 2^-32, that is, if n^degree divides 2^32.
  *
- * The law of ranges. d[0] after i steps is sum_k C(i, k) e_k, so errors of 2^-33 + 2^-50 in e_1..
- * err there by at most S (2^-33 + 2^-50) LSB, S = C(n, 1) + .. + C(n, degree). The walk is admitted
- * while that is below 1/2, S <= 2^32 - 2^15: then no value leaves the 32 bits in which its control
- * values are, and the last one, being whole, is met exactly. All else may wrap: the sums are right
- * modulo 2^64 and d[0] needs no more.
+ * The law of ranges. d[0] after i steps is sum_k C(i, k) e_k. Errors of 2^-33 + 2^-50 in e_1 and
+ * above cause an error of at most S (2^-33 + 2^-50) LSB there, with S = C(n, 1) + .. + C(n,
+ * degree). The walk is valid while this is below 1/2, that is for S <= 2^32 - 2^15. Then no value
+ * leaves the 32 bits of its control values, and the last value, an integer, is exact. Everything
+ * else may wrap: the sums are correct modulo 2^64, and d[0] needs no more.
  */
 #include "num/walk.h"
 
@@ -39,8 +40,9 @@ void loft_walk_powers(loft_acc g[], const loft_real p[], unsigned degree)
     }
 }
 
-/* From a[k] = G_k, k = 1..degree, to a[k] = e_k, linear and in small whole numbers. Dividing by i,
- * i - 1, .. in turn gives the coefficients of i (i-1) .. (i-k+1), whose k-th difference is k!. */
+/* Turn a[k] = G_k, k = 1..degree, into a[k] = e_k. The map is linear with small integer
+ * coefficients. Dividing by i, i - 1, .. in turn gives the coefficients of i (i-1) .. (i-k+1),
+ * whose k-th difference is k!. */
 void loft_walk_differences(loft_state a[], unsigned degree)
 {
     unsigned factorial = 1;
@@ -69,7 +71,7 @@ static uint64_t join_words(uint32_t high, uint32_t low)
 static uint64_t join_words(uint32_t high, uint32_t low)       { return (uint64_t)high << 32 | low; }
 #endif
 
-/* x / 2^m in place, cut, m < 32. */
+/* x / 2^m in place, truncated, m < 32. */
 static void shift_limbs_down(uint32_t x[], int limbs, uint8_t m)
 {
     for (int i = 0; m && i < limbs; i++)
@@ -78,8 +80,8 @@ static void shift_limbs_down(uint32_t x[], int limbs, uint8_t m)
 
 #if defined(__AVR__)
 
-/* x / n in place, cut, bit by bit from the highest: a third of the time that divisions of 32 bits
- * take. */
+/* x / n in place, truncated, bit by bit from the highest. It takes a third of the time of 32-bit
+ * divisions. */
 static void divide_limbs_short(uint32_t x[], int limbs, uint16_t n)
 {
     uint8_t *byte = (uint8_t *)(x + limbs), bytes = (uint8_t)(4 * limbs), bits, part;
@@ -99,8 +101,7 @@ static void divide_limbs_short(uint32_t x[], int limbs, uint16_t n)
 
 #else
 
-/* The same with divisions of 32 bits, the fastest on other cores, which take 16 bits of x at a
- * time. */
+/* The same by 32-bit divisions, each of which handles 16 bits of x: the fastest on other cores. */
 static void divide_limbs_short(uint32_t x[], int limbs, uint16_t n)
 {
     uint32_t rest = 0;
@@ -115,7 +116,7 @@ static void divide_limbs_short(uint32_t x[], int limbs, uint16_t n)
 
 #endif
 
-/* x / n in place, cut. */
+/* x / n in place, truncated. */
 static void divide_limbs(uint32_t x[], int limbs, uint32_t n)
 {
     uint32_t rest = 0;
@@ -143,7 +144,7 @@ void loft_limbs_divide(uint32_t x[], int limbs, uint32_t n)
         divide_limbs(x, limbs, n);
 }
 
-/* 1 is 2^96 - 1 here, low by 2^-96. */
+/* 1 is represented as 2^96 - 1, which is low by 2^-96. */
 static void invert_steps(uint32_t inverse[][3], unsigned degree, uint32_t n)
 {
     uint32_t x[3] = { UINT32_MAX, UINT32_MAX, UINT32_MAX };
@@ -172,8 +173,8 @@ typedef struct {
     uint32_t below;         /* the 32 bits below that   */
 } term;
 
-/* g times inverse, |g| < 2^38: the product has five places of 32 bits, of which 1 is `below` and 2,
- * 3 are `value`. Place 1 sums to less than 2^32 + 2^32 + 2^38. */
+/* g times inverse, |g| < 2^38. The product has five 32-bit places: place 1 is `below`, places 2 and
+ * 3 are `value`. The sum in place 1 is less than 2^32 + 2^32 + 2^38. */
 static term scaled_term(int64_t g, const uint32_t inverse[3])
 {
     const uint64_t size = (uint64_t)(g < 0 ? -g : g);
@@ -194,7 +195,7 @@ static term scaled_term(int64_t g, const uint32_t inverse[3])
 
 typedef uint64_t wide;
 
-/* Room for degree + 1 numbers is the caller's. */
+/* The caller provides space for degree + 1 numbers in `below`. */
 static void start_walk(loft_state d[], const loft_real p[], unsigned degree,
                        const uint32_t inverse[][3], wide below[])
 {
@@ -215,8 +216,8 @@ static void start_walk(loft_state d[], const loft_real p[], unsigned degree,
 
 #else
 
-/* 96 bits, the lowest byte first; wraps. avr-gcc calls a function for each operation of 64 bits,
- * with 16 registers to fill: here value and `below` are one number, and every operation a loop over
+/* 96 bits, lowest byte first; wraps. avr-gcc calls a function for each 64-bit operation and loads
+ * 16 registers for it. Here value and `below` are one number, and every operation is a loop over
  * its bytes. */
 typedef struct {
     uint8_t byte[12];
@@ -258,7 +259,7 @@ static void wide_times(wide *a, uint8_t factor)
         : "memory");
 }
 
-/* sum += inverse * factor; sum[12], which is 0, takes what is left. */
+/* sum += inverse * factor. sum[12], which is 0 on entry, receives the carry. */
 static void add_row(uint8_t sum[13], const uint32_t inverse[3], uint8_t factor)
 {
     const uint8_t zero = 0;
@@ -281,8 +282,8 @@ static void wide_negate(wide *a)
     *a = zero;
 }
 
-/* a times inverse, |a| < 2^38, as `scaled_term` above: of the 17 bytes of the product the lowest four
- * are cut. */
+/* a times inverse, |a| < 2^38, as `scaled_term` above. The lowest 4 of the 17 product bytes are
+ * dropped. */
 static void wide_scale(wide *a, const uint32_t inverse[3])
 {
     const bool negative = a->byte[11] & 0x80u;
@@ -304,7 +305,7 @@ static void wide_set(wide *a, int32_t x)
     __builtin_memset(a->byte + 4, x < 0 ? 0xFF : 0, 8);
 }
 
-/* loft_walk_powers and loft_walk_differences in these numbers. */
+/* loft_walk_powers and loft_walk_differences with 96-bit numbers. */
 static void start_walk(loft_state d[], const loft_real p[], unsigned degree,
                        const uint32_t inverse[][3], wide a[])
 {
