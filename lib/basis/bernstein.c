@@ -3,24 +3,26 @@
  */
 #include "basis/bernstein.h"
 
-/* Room and error of everything below, in q16 (loft_acc counts 2^-32).
+/* Range and error of all functions below, in q16 (a loft_acc counts 2^-32).
  *
  * Coefficients are at most 2^15, that is 2^47 as acc. A row of de Casteljau's scheme at t
  * multiplies the largest of them by at most L = |1 - t| + |t|, which is 1 in 0..1 and at most 3 in
- * -1..2. After nine rows: 3^9 * 2^47 < 2^61.3. Inside the last row the two values are below 3^8 *
- * 2^47 < 2^59.7, their difference below 2^60.7, times t below 2^61.7: within the 2^62 that
- * loft_acc_lerp asks for.
+ * -1..2. After nine rows: 3^9 * 2^47 < 2^61.3. Within the last row, the two values are below 3^8 *
+ * 2^47 < 2^59.7, their difference is below 2^60.7, and times t it is below 2^61.7. loft_acc_lerp
+ * requires 2^62.
  *
- * Each lerp rounds once, by at most 2^-33; the next row multiplies that by L and adds its own:
+ * Each lerp rounds once, by at most 2^-33. The next row multiplies that by L and adds its own
+ * error:
  *
- *     e_n = 2^-33 (1 + L + .. + L^(n-1))         n 2^-33 in 0..1,   9841 * 2^-33 < 2^-19.7 for n =
- *                                                                   9, L = 3
+ *     e_n = 2^-33 (1 + L + .. + L^(n-1))
+ *     in 0..1   n 2^-33
+ *     L = 3     9841 * 2^-33 < 2^-19.7 for n = 9
  *
- * 2^-19.7 is 0.08 LSB: a value rounded to a coordinate afterwards is within 0.58 LSB wherever t is.
+ * 2^-19.7 is 0.08 LSB: a value that is then rounded to a coordinate is within 0.58 LSB for any t.
  * This is the law of extrapolation.
  */
 
-/* C(n,k) = C(n,k-1) (n-k+1) / k; the product is divisible at each step. C(28,14) * 28 < 2^31. */
+/* C(n,k) = C(n,k-1) (n-k+1) / k; each product is divisible. C(28,14) * 28 < 2^31. */
 int32_t loft_binomial(unsigned n, unsigned k)
 {
     int32_t c = 1;
@@ -32,11 +34,11 @@ int32_t loft_binomial(unsigned n, unsigned k)
     return c;
 }
 
-/* B_i^k = (1 - t) B_i^(k-1) + t B_(i-1)^(k-1): each weight of one degree hands the part t to its
- * right neighbour of the next degree and keeps the rest. What is handed over is rounded, what is
- * kept is the difference, so the sum stays 1 without error. A weight is touched by two roundings of
- * 2^-33 per degree, and the degrees after that multiply the largest error by at most L: 2 e_k with
- * e_k from above. */
+/* B_i^k = (1 - t) B_i^(k-1) + t B_(i-1)^(k-1): each weight of one degree passes the fraction t to
+ * its right neighbour of the next degree and keeps the rest. The part passed on is rounded and the
+ * part kept is the difference, so the sum stays exactly 1. Each degree adds two roundings of 2^-33
+ * to a weight, and the following degrees multiply the largest error by at most L: 2 e_k, with e_k
+ * as above. */
 void loft_bernstein_weights(unsigned degree, loft_unit t, loft_acc w[])
 {
     w[0] = loft_to_acc(LOFT_REAL(1));
@@ -87,9 +89,9 @@ void loft_bernstein_to_power(loft_acc c[], unsigned degree)
         c[k] *= loft_binomial(degree, k);
 }
 
-/* From the last coefficient down, since b_i needs c_0..c_i. Each term is rounded once; C(i,k) <=
- * 126, so a product is below 2^54. The terms k = 0 (c_0 itself) and i = k = n (c_n itself) are
- * exact. */
+/* It runs from the last coefficient down, since b_i needs c_0..c_i. Each term is rounded once;
+ * C(i,k) <= 126, so a product is below 2^54. The terms k = 0 (c_0 itself) and i = k = n (c_n
+ * itself) are exact. */
 void loft_bernstein_from_power(loft_acc c[], unsigned degree)
 {
     for (unsigned i = degree; i > 0; i--) {
@@ -100,13 +102,13 @@ void loft_bernstein_from_power(loft_acc c[], unsigned degree)
     }
 }
 
-/* v = v x + c_k and d = d x + v, the derivative one step behind. With |x| <= 2:
+/* v = v x + c_k and d = d x + v: the derivative lags one step behind. With |x| <= 2:
  *
- *     |v| <= 2^47 (1 + 2 + .. + 2^9) < 2^57        |d| <= 2^47 (1 + 2*2 + 3*4 + .. + 9*2^8) = 4097
- *                                                  * 2^47 < 2^59.1
+ *     |v| <= 2^47 (1 + 2 + .. + 2^9) < 2^57
+ *     |d| <= 2^47 (1 + 2*2 + 3*4 + .. + 9*2^8) = 4097 * 2^47 < 2^59.1
  *
- * Errors, in units of 2^-33, after k steps: v: 2^k - 1;  d: 2 d + v + 1, from 0 at k = 1, is (k-1)
- * 2^(k-1). For n = 9 that is 511 and 2048, or 2^-8 and 2^-6 LSB. */
+ * Errors after k steps, in units of 2^-33: v: 2^k - 1. The error of d becomes 2 d + v + 1; from 0
+ * at k = 1 this gives (k-1) 2^(k-1). For n = 9 these are 511 and 2048, or 2^-8 and 2^-6 LSB. */
 enum loft_status loft_power_eval(const loft_real c[], unsigned degree, loft_unit x,
                                  loft_real *value, loft_real *deriv)
 {

@@ -2,15 +2,15 @@
  * a time
  * SPDX-License-Identifier: MIT
  *
- * The scalar machinery under curves and surfaces. A polynomial on 0..1 is an array of degree + 1
- * wide coefficients (loft_acc), so that a chain of operations rounds to a coordinate once, at its
- * end:
+ * These are the scalar operations behind curves and surfaces. A polynomial on 0..1 is an array of
+ * degree + 1 wide coefficients (loft_acc), so that a chain of operations rounds to a coordinate
+ * only once, at the end:
  *
  *     loft_acc c[4] = { loft_to_acc(a), loft_to_acc(b), loft_to_acc(d), loft_to_acc(e) };
  *     loft_real y = loft_acc_round(loft_bernstein_eval(c, 3, t));
  *
- * Unless a function says otherwise: coefficients are within the range of loft_real (q16: +-2^15),
- * the degree is 0..9, t is in -1..2, and nothing overflows (bernstein.c has the proof).
+ * Unless stated otherwise, coefficients are within the range of loft_real (q16: +-2^15), the degree
+ * is 0..9, t is in -1..2, and nothing overflows (bernstein.c has the proof).
  */
 #ifndef LOFT_BASIS_BERNSTEIN_H
 #define LOFT_BASIS_BERNSTEIN_H
@@ -29,7 +29,7 @@ LOFT_BEGIN_C
  */
 int32_t loft_binomial(unsigned n, unsigned k);
 
-/* t within 0..1; nan gives 0. */
+/* t clamped to 0..1; nan gives 0. */
 static inline loft_unit loft_unit_clamp(loft_unit t)
 {
     return t > 0 ? t < LOFT_UNIT(1) ? t : LOFT_UNIT(1) : 0;
@@ -50,8 +50,8 @@ static inline loft_unit loft_unit_clamp(loft_unit t)
 void loft_bernstein_weights(unsigned degree, loft_unit t, loft_acc w[]);
 
 /* One row of de Casteljau's scheme, in place: c[i] becomes the value between c[i] and c[i+1] at t,
- * and `degree` coefficients remain. `degree` rows with the same t evaluate, with different t give
- * the blossom.
+ * and `degree` coefficients remain. `degree` rows with the same t evaluate the polynomial; rows
+ * with different t give the blossom.
  *
  *   error   q16: 2^-33 per row (1/2 of the last bit of loft_acc)   f32, f64: 3 ulp of double per
  *           row
@@ -60,21 +60,21 @@ void loft_bernstein_weights(unsigned degree, loft_unit t, loft_acc w[]);
  */
 void loft_bernstein_step(loft_acc c[], unsigned degree, loft_unit t);
 
-/* The value at t. The coefficients are used up.
+/* The value at t. The coefficients are overwritten.
  *
  *   error   law of extrapolation, with L = |1 - t| + |t| (1 in 0..1, at most 3):
- *           q16: 2^-33 * (1 + L + .. + L^(degree-1)), which is degree * 2^-33 in 0..1, below
- *           2^-19.7 always f32, f64: 3 * degree * L^degree ulp of double, of the largest
- *           coefficient
+ *           q16: 2^-33 * (1 + L + .. + L^(degree-1)), which is degree * 2^-33 in 0..1 and always
+ *           below 2^-19.7
+ *           f32, f64: 3 * degree * L^degree ulp of double, of the largest coefficient
  *   cost    degree * (degree + 1) / 2 wide lerps
  */
 loft_acc loft_bernstein_eval(loft_acc c[], unsigned degree, loft_unit t);
 
-/* The value at exactly j / n, a parameter that no number type needs to hold: for equal steps of any
- * degree and any number, where forward.h does not reach. The coefficients are used up.
+/* The value at exactly j / n, which need not fit a number type. It serves equal steps of any degree
+ * and number, beyond the range of forward.h. The coefficients are overwritten.
  *
  *   range   j <= 2 n, 1 <= n < 2^30
- *   error   that of loft_bernstein_eval   f32, f64: 4 in place of 3
+ *   error   as loft_bernstein_eval   f32, f64: with 4 instead of 3
  *   cost    degree * (degree + 1) / 2 wide lerps, each with two long divisions in q16
  */
 loft_acc loft_bernstein_at(loft_acc c[], unsigned degree, uint32_t j, uint32_t n);
@@ -92,25 +92,25 @@ void loft_bernstein_differences(loft_acc c[], unsigned degree);
 
 /* From Bernstein to power coefficients, in place: c_k = C(n,k) D^k c_0.
  *
- *   range   the results may exceed loft_real (to 5376 times the largest); they are exact all the
- *           same
+ *   range   the results may exceed loft_real (up to 5376 times the largest coefficient) and are
+ *           still exact
  *   error   q16: none   f32, f64: (k + 1) * 2^k * C(n,k) roundings of double
- *   cost    as differences, and degree - 1 products by a whole number
+ *   cost    as differences, and degree - 1 products by an integer
  */
 void loft_bernstein_to_power(loft_acc c[], unsigned degree);
 
 /* From power to Bernstein coefficients on 0..1, in place: b_i = sum C(i,k) / C(n,k) c_k.
  *
- *   range   the results may exceed loft_real (to 10 times the largest)
+ *   range   the results may exceed loft_real (up to 10 times the largest coefficient)
  *   error   q16: i * 2^-33 for b_i   f32, f64: (i + 1) * (i + 2) roundings of double
- *   cost    degree * (degree + 1) / 2 products by a whole number and divisions by one
+ *   cost    degree * (degree + 1) / 2 products by an integer and divisions by an integer
  */
 void loft_bernstein_from_power(loft_acc c[], unsigned degree);
 
 /* Value and first derivative of c_0 + c_1 x + .. + c_n x^n, by nested multiplication.
  *
- *   range   x in -2..2 and degree 0..9, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when one of the two
- *           results does not fit; nothing is written then
+ *   range   x in -2..2 and degree 0..9, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE if one of the two
+ *           results does not fit. Nothing is written after an error
  *   error   q16: value 1/2 LSB + (2^n - 1) * 2^-17 LSB, derivative 1/2 LSB + n * 2^(n-1) * 2^-17
  *           LSB: below 0.52
  *           f32, f64: n * 2^n ulp of double for the value, n^2 * 2^n for the derivative, of the

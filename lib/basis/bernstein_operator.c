@@ -1,22 +1,22 @@
-/* lib/basis/bernstein_operator.c -- samples of samples
+/* lib/basis/bernstein_operator.c -- iterates of Bernstein's operator
  * SPDX-License-Identifier: MIT
  *
- * B keeps x, and maps x (1 - x) to (1 - 1/n) x (1 - x). Two things follow for functions that vanish
- * at 0 and 1, of which |g| <= c x (1 - x) is kept as |B g| <= (1 - 1/n) c x (1 - x):
+ * B preserves x, and maps x (1 - x) to (1 - 1/n) x (1 - x). For a function that vanishes at 0 and
+ * 1, |g| <= c x (1 - x) therefore implies |B g| <= (1 - 1/n) c x (1 - x). Two things follow:
  *
- * The errors of sampling, e = n 2^-33 in each inner node and none at the ends (loft_bernstein_at),
- * do not pile up. In the nodes x (1 - x) >= (n - 1) / n^2, so each round adds at most e n^2 / (n -
- * 1) x (1 - x); all rounds together n times that, at most e n^3 / (4 n - 4). For n = 9: 205 *
- * 2^-33, whatever the number of times.
+ * Sampling errors do not accumulate. They are e = n 2^-33 in each inner node and 0 at the ends
+ * (loft_bernstein_at). In the nodes x (1 - x) >= (n - 1) / n^2, so each round adds at most e n^2 /
+ * (n - 1) x (1 - x). All rounds together add at most n times that, e n^3 / (4 n - 4). For n = 9
+ * this is 205 * 2^-33 for any number of rounds.
  *
- * The limit is reached. What f differs from its line, at most 2^17, is at most 2^17 n^2 / (n - 1) x
- * (1 - x), and after 512 rounds (8/9)^512 < 2^-87 of that: nothing in any number type.
+ * The limit is reached. f differs from its line by at most 2^17, which is at most 2^17 n^2 / (n -
+ * 1) x (1 - x). After 512 rounds (8/9)^512 < 2^-87 of that is left: nothing in any number type.
  */
 #include "basis/bernstein_operator.h"
 
 #define TIMES_MAX 512
 
-/* g_i = sum f_j B_j(i / n) for the inner nodes, in place. */
+/* g_i = sum f_j B_j(i / n) at the inner nodes, in place. */
 static void sample(loft_acc f[], unsigned n)
 {
     loft_acc g[LOFT_DEGREE_MAX + 1], c[LOFT_DEGREE_MAX + 1];

@@ -1,25 +1,25 @@
 /* lib/basis/copositive.c
  * SPDX-License-Identifier: MIT
  *
- * Hadeler's theorem: a matrix whose principal submatrices of one order less are copositive is
- * itself not copositive exactly if its determinant is negative and no entry of its adjugate is.
- * Taken from order 1 upwards (there the adjugate is 1) this says: M is copositive if no principal
- * submatrix is such a witness.
+ * Hadeler's theorem: let all principal submatrices of one order less be copositive. Then the matrix
+ * is not copositive exactly if its determinant is negative and no entry of its adjugate is. Applied
+ * from order 1 upwards (where the adjugate is 1): M is copositive if no principal submatrix is such
+ * a witness.
  *
- * Room: entries have R bits (31, in floats 128). A determinant of order 4 is a sum of 24 products
- * of four, below 2^(4 R + 4.6): 129 and 517 bits, within LOFT_EXACT_BITS.
+ * Range: entries have R bits (31, in floats 128). A determinant of order 4 is a sum of 24 products
+ * of four factors, below 2^(4 R + 4.6): 129 and 517 bits, within LOFT_EXACT_BITS.
  */
 #include "basis/copositive.h"
 #include "num/exact.h"          /* loft_exact: the decisions */
 
-/* A principal submatrix: rows and columns at[0..n-1] of the whole one. */
+/* A principal submatrix: rows and columns at[0..n-1] of the matrix. */
 typedef struct {
     const loft_real *m;
     uint8_t whole, n;
     uint8_t at[LOFT_COPOSITIVE_MAX];
 } minor;
 
-/* Rows and columns i <= j of the upper triangle: before row i stand i rows of whole, whole - 1, ..
+/* Row and column i <= j of the upper triangle. Row i follows i rows of whole, whole - 1, ..
  * entries. */
 static loft_exact entry(const minor *a, uint8_t row, uint8_t column)
 {
@@ -34,13 +34,13 @@ static loft_exact det2(const minor *a, const uint8_t row[2], const uint8_t colum
                           entry(a, row[1], column[0]), entry(a, row[1], column[1]));
 }
 
-/* By the first row. */
+/* Expansion by the first row. */
 static loft_exact det3(const minor *a, const uint8_t row[3], const uint8_t column[3])
 {
     loft_exact sum = loft_exact_from_int(0);
 
     for (int c = 0; c < 3; c++) {
-        /* in cyclic order: no sign */
+        /* in cyclic order: no sign needed */
         const uint8_t others[2] = { column[(c + 1) % 3], column[(c + 2) % 3] };
         sum = loft_exact_add(sum,
                              loft_exact_mul(entry(a, row[0], column[c]), det2(a, row + 1, others)));
@@ -48,7 +48,7 @@ static loft_exact det3(const minor *a, const uint8_t row[3], const uint8_t colum
     return sum;
 }
 
-/* The indices but the one at `without`. */
+/* All indices except the one at `without`. */
 static void others(const minor *a, unsigned without, uint8_t out[])
 {
     unsigned k = 0;

@@ -1,11 +1,10 @@
-/* lib/basis/copositive.h -- is a quadratic form >= 0 wherever no variable is negative? Decided
- * exactly
+/* lib/basis/copositive.h -- is a quadratic form >= 0 for all nonnegative variables? Decided exactly
  * SPDX-License-Identifier: MIT
  *
  * A symmetric matrix M is copositive if x^T M x >= 0 for all x >= 0. Every positive semidefinite
- * matrix is, every matrix without negative entries is, and many others are. Whether a quadratic
- * over an interval, a triangle or a tetrahedron is nowhere negative is this question for 2, 3 and 4
- * variables.
+ * matrix is copositive, every matrix without negative entries is, and many others are. Whether a
+ * quadratic polynomial is nonnegative on an interval, a triangle or a tetrahedron is this question
+ * with 2, 3 and 4 variables.
  */
 #ifndef LOFT_BASIS_COPOSITIVE_H
 #define LOFT_BASIS_COPOSITIVE_H
@@ -19,8 +18,8 @@ LOFT_BEGIN_C
 /* Is the matrix of order n copositive?
  *
  *   shape   m: the upper triangle by rows, m11 m12 .. m1n m22 .. mnn: n (n + 1) / 2 numbers
- *   range   n = 1..4, otherwise LOFT_ERR_ARG; f32, f64: numbers that loft_exact_valid, otherwise
- *           LOFT_ERR_RANGE; *copositive is untouched then
+ *   range   n = 1..4, otherwise LOFT_ERR_ARG; f32, f64: numbers that pass loft_exact_valid,
+ *           otherwise LOFT_ERR_RANGE. *copositive is untouched after an error
  *   error   none
  *   cost    about 150 exact products for n = 4, 20 for n = 3; 1.8 kB of stack in q16; not for an
  *           ISR

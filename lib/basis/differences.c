@@ -2,18 +2,18 @@
  * SPDX-License-Identifier: MIT
  *
  * f(t) = sum_k C(d,k) D^k a_0 t^k, and the j-th difference of i^k at i = 0 is T(k,j) = j! S(k,j),
- * with Stirling's numbers of the second kind. At steps of 1/n therefore
+ * with Stirling numbers of the second kind. For steps of 1/n it follows that
  *
  *     e_j = sum_(k >= j) C(d,k) D^k a_0 T(k,j) n^(d-k) / n^d
  *
- * Numerator and denominator are whole numbers. With d <= 9: C <= 126 < 2^7, |D^k a_0| <= 2^9 |a|, T
- * <= 9 8 7! 36 < 2^22, n^d < 2^288, nine terms: below 2^(R + 330) for coefficients of R bits (31 in
- * q16, 128 in floats), which loft_exact holds.
+ * Numerator and denominator are integers. With d <= 9: C <= 126 < 2^7, |D^k a_0| <= 2^9 |a|, T <= 9
+ * 8 7! 36 < 2^22, n^d < 2^288, and nine terms: below 2^(R + 330) for coefficients of R bits (31 in
+ * q16, 128 in floats). loft_exact holds that.
  */
 #include "basis/differences.h"
 #include "num/exact.h"          /* loft_exact_mul, loft_exact_quot */
 
-/* T(k,j) for all j <= k of one row k, in place from the row before: T(k,j) = j (T(k-1,j) +
+/* T(k,j) for all j <= k of one row k, computed in place from the row before: T(k,j) = j (T(k-1,j) +
  * T(k-1,j-1)). */
 static void next_row(int32_t row[], unsigned k)
 {
@@ -22,7 +22,7 @@ static void next_row(int32_t row[], unsigned k)
     row[0] = 0;
 }
 
-/* The numerator of e_j, by Horner's rule over k. d[k] = D^k a_0. */
+/* The numerator of e_j, by Horner's rule over k; d[k] = D^k a_0. */
 static loft_exact numerator(const loft_exact d[], unsigned degree, unsigned j, loft_exact n)
 {
     int32_t row[LOFT_DEGREE_MAX + 1] = { 1 };

@@ -1,10 +1,9 @@
-/* lib/basis/differences.h -- the forward differences of a Bernstein polynomial at equal steps, for
- * any
- * step
+/* lib/basis/differences.h -- the forward differences of a Bernstein polynomial at equal steps of
+ * any size
  * SPDX-License-Identifier: MIT
  *
- * For tables, and for checking: whoever walks a curve takes curve/forward.h, which holds its
- * differences finer than a coordinate.
+ * Use it for tables and for tests. To walk a curve use curve/forward.h, which keeps its differences
+ * with more bits than a coordinate has.
  */
 #ifndef LOFT_BASIS_DIFFERENCES_H
 #define LOFT_BASIS_DIFFERENCES_H
@@ -16,10 +15,10 @@ LOFT_BEGIN_C
 /* The differences e[k] = D^k f(0), k = 0..degree, of f at the steps 0, 1/n, 2/n ..
  *
  *   shape   a[degree + 1] Bernstein coefficients on 0..1; e[degree + 1]
- *   range   degree 0..9 and n >= 1, otherwise LOFT_ERR_ARG; coefficients that loft_exact admits,
- *           and results that fit, otherwise LOFT_ERR_RANGE; then e is untouched. For n < degree the
- *           steps lead beyond 1
- *   error   q16: 1/2 LSB + 2^-16 LSB   f32, f64: 1/2 ulp + 0.51 ulp of double, of each difference
+ *   range   degree 0..9 and n >= 1, otherwise LOFT_ERR_ARG; coefficients that pass
+ *           loft_exact_valid, and results that fit, otherwise LOFT_ERR_RANGE. e is untouched after
+ *           an error. For n < degree the steps go beyond 1
+ *   error   q16: 1/2 LSB + 2^-16 LSB   f32, f64: 1/2 ulp + 0.51 ulp of double, for each difference
  *   cost    2 degree^2 products and degree quotients of loft_exact; 1 kB of stack in q16, 2 kB in
  *           floats; not for an ISR
  *   see     Jordan, Calculus of Finite Differences, ch. 4: Stirling numbers

@@ -13,7 +13,7 @@ loft_unit loft_dyad_at(loft_dyad n, loft_unit t)
     return loft_unit_ratio(loft_acc_lerp(from, to, t), one);
 }
 
-/* After degree - k rows at `from`, k rows at `to` in a copy. */
+/* degree - k rows at `from`, then k rows at `to` in a copy. */
 void loft_bernstein_sub(const loft_acc c[], unsigned degree, loft_unit from, loft_unit to,
                          loft_acc out[])
 {

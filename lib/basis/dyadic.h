@@ -1,9 +1,9 @@
 /* lib/basis/dyadic.h -- the dyadic pieces of 0..1, visited in order without a stack
  * SPDX-License-Identifier: MIT
  *
- * Piece k of level m is k / 2^m .. (k + 1) / 2^m. Halving what is not good enough yet makes a
- * binary tree, whose leaves are met from left to right: the one after piece k is k + 1, or rather
- * its largest ancestor that starts there.
+ * Piece k of level m is k / 2^m .. (k + 1) / 2^m. Halving every piece that is not good enough gives
+ * a binary tree, whose leaves are visited from left to right. The leaf after piece k is k + 1, or
+ * rather the largest ancestor that starts there.
  *
  *     loft_dyad n = { 0, 0 };
  *     do {
@@ -12,8 +12,8 @@
  *         use(n);
  *     } while (loft_dyad_next(&n));
  *
- * The state is the piece itself, so there is no stack whose size would need a proof; that of the
- * loop above is the proof that is_good holds at some level <= LOFT_DYAD_LEVELS.
+ * The state is the piece itself, so no stack is needed whose size would need a proof. The loop
+ * above needs a proof that is_good holds at some level <= LOFT_DYAD_LEVELS.
  */
 #ifndef LOFT_BASIS_DYADIC_H
 #define LOFT_BASIS_DYADIC_H
@@ -45,7 +45,7 @@ static inline loft_dyad loft_dyad_half(loft_dyad n, uint32_t side)
     return half;
 }
 
-/* On to the largest piece that starts where this one ends; false where 0..1 ends. */
+/* Step to the largest piece that starts where this one ends; false at the end of 0..1. */
 static inline bool loft_dyad_next(loft_dyad *n)
 {
     for (n->k++; n->level && n->k % 2 == 0; n->k /= 2)
@@ -60,10 +60,10 @@ static inline bool loft_dyad_next(loft_dyad *n)
  */
 loft_unit loft_dyad_at(loft_dyad n, loft_unit t);
 
-/* The Bernstein coefficients of the part from..to of a polynomial; `out` must not be `c`.
+/* The Bernstein coefficients of the piece from..to of a polynomial; `out` must not be `c`.
  *
  *   range   as basis/bernstein.h
- *   error   that of loft_bernstein_eval; exact at 0 and 1
+ *   error   as loft_bernstein_eval; exact at 0 and 1
  *   cost    degree * (degree + 1) * (degree + 5) / 6 wide lerps at most
  *   see     Ramshaw, blossoming: out[k] = c[from^(degree-k), to^k]
  */

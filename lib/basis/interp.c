@@ -8,14 +8,14 @@
 
 /* The parabola. With i, j, k in cyclic order,
  *
- *     p(t) = - sum f_i (t_j - t_k) (t - t_j) (t - t_k) / D        D = (t_0 - t_1) (t_1 - t_2) (t_2
- *                                                                 - t_0)
+ *     p(t) = - sum f_i (t_j - t_k) (t - t_j) (t - t_k) / D
+ *     D    = (t_0 - t_1) (t_1 - t_2) (t_2 - t_0)
  *
  * is Newton's form f_0 + (t - t_0) [01] + (t - t_0) (t - t_1) [012] with its divided differences
- * brought to one denominator. Each result is the quotient of such a sum and D. The longest sum has
- * four factors (twice that for the blossom), 4 (R + 1) + 3 bits: 131 in q16, 519 in floats. Numbers
- * carry 2^E, E = LOFT_EXACT_REAL, D carries 2^(3E): the quotient is shifted by what is left of
- * that. */
+ * over one common denominator. Each result is the quotient of such a sum and D. The longest sum has
+ * four factors (and twice as many terms for the blossom), 4 (R + 1) + 3 bits: 131 in q16, 519 in
+ * floats. Numbers carry the factor 2^E, E = LOFT_EXACT_REAL, and D carries 2^(3E); the quotient is
+ * shifted by the difference. */
 
 /* a - b of two coordinates */
 static loft_exact coordinate_gap(loft_real a, loft_real b)
@@ -35,7 +35,7 @@ static loft_exact parabola_denominator(const loft_parabola *p)
 {
     return loft_exact_mul(
         coordinate_gap(p->t[0], p->t[1]),
-                          loft_exact_mul(coordinate_gap(p->t[1], p->t[2]), coordinate_gap(p->t[2], p->t[0])));
+        loft_exact_mul(coordinate_gap(p->t[1], p->t[2]), coordinate_gap(p->t[2], p->t[0])));
 }
 
 /* x / D * 2^shift, rounded to a coordinate if it fits */
@@ -64,7 +64,8 @@ enum loft_status loft_parabola_init(loft_parabola *p, const loft_real t[3], cons
     return LOFT_OK;
 }
 
-/* The blossom: (t - t_j) (t - t_k) becomes half of (u - t_j) (v - t_k) + (u - t_k) (v - t_j). */
+/* The blossom: (t - t_j) (t - t_k) is replaced by half of (u - t_j) (v - t_k) + (u - t_k) (v -
+ * t_j). */
 static enum loft_status parabola_blossom(const loft_parabola *p, loft_real u, loft_real v,
                                          loft_real *out)
 {
@@ -86,7 +87,7 @@ enum loft_status loft_parabola_eval(const loft_parabola *p, loft_real t, loft_re
     return parabola_blossom(p, t, t, out);
 }
 
-/* (t - t_j) + (t - t_k) for the product of both */
+/* (t - t_j) + (t - t_k) replaces the product of both */
 enum loft_status loft_parabola_deriv(const loft_parabola *p, loft_real t, loft_real *out)
 {
     loft_exact sum = loft_exact_from_int(0);
@@ -135,31 +136,30 @@ enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from,
 }
 
 
-/* Both ends. The coefficients next to an end are what the slope there asks for:
+/* Values and derivatives at both ends. The coefficients next to an end follow from the slope there:
  *
  *     cubic     p0    p0 + t0 / 3    p1 - t1 / 3    p1
- *     quintic   p0    p0 + t0 / 5    p0 + (8 t0 + a0) / 20    p1 - (8 t1 - a1) / 20    p1 - t1 / 5
- *               p1
+ *     quintic   p0    p0 + t0 / 5    p0 + (8 t0 + a0) / 20
+ *               p1 - (8 t1 - a1) / 20    p1 - t1 / 5    p1
  *
- * and those of the derivative need no division but by 4, which loft_acc holds (q16: coordinates
- * have 16 zeros below them; sums that do not are rounded by 2^-33):
+ * The coefficients of the derivative need no division except by 4, which a loft_acc represents
+ * (q16: coordinates have 16 zeros below them; other sums are rounded by 2^-33):
  *
  *     cubic     t0    3 (p1 - p0) - t0 - t1    t1
  *     quintic   t0    t0 + a0 / 4    5 (p1 - p0) - 2 (t0 + t1) - (a0 - a1) / 4    t1 - a1 / 4    t1
  *
- * Room in q16, where values must stay below 2^30 for loft_acc_lerp. k - 1 more differences multiply
- * by n!/(n-k)! / n and 2^(k-1), the scheme by L^(n-k) <= 3^(n-k):
+ * Range in q16, where values must stay below 2^30 for loft_acc_lerp. Another k - 1 differences
+ * multiply by n!/(n-k)! / n and 2^(k-1), the scheme by L^(n-k) <= 3^(n-k):
  *
- *     quintic, |e| <= 2^16            |c| <= 2^16 (5 * 2 + 4 + 1/2) < 2^19.9, times 24 * 8 * 3 at
- *                                     most (k = 4): 2^29.1
- *     cubic, |e| <= 2^21              |c| <= 2^21 (3 * 2 + 2) = 2^24, times 9 at most (k = 1):
- *                                     2^27.2
+ *     quintic, |e| <= 2^16
+ *         |c| <= 2^16 (5 * 2 + 4 + 1/2) < 2^19.9, times at most 24 * 8 * 3 (k = 4): 2^29.1
+ *     cubic, |e| <= 2^21
+ *         |c| <= 2^21 (3 * 2 + 2) = 2^24, times at most 9 (k = 1): 2^27.2
  *     cubic, t in 0..1, |slopes| <= 2^26, |e[1] - e[0]| <= 2^25
- *                                     |c| <= 2^25 (3 + 4) < 2^27.9, the second derivative 2 (2^27.9
- *                                     + 2^26) < 2^29.3
+ *         |c| <= 2^25 (3 + 4) < 2^27.9, the second derivative 2 (2^27.9 + 2^26) < 2^29.3
  *     quintic, t in 0..1, |e| <= 2^24, |e[4]|, |e[5]| <= 2^27
- *                                     |8 e[2] + e[4]| <= 2^28, |c| <= 2^24 + 2^28 / 20 < 2^25; of
- *                                     the first derivative |c| <= 2^24 (10 + 4) + 2^26 < 2^28.2 */
+ *         |8 e[2] + e[4]| <= 2^28, |c| <= 2^24 + 2^28 / 20 < 2^25
+ *         first derivative: |c| <= 2^24 (10 + 4) + 2^26 < 2^28.2 */
 
 void loft_ends3_bernstein(const loft_acc e[4], loft_acc c[4])
 {
@@ -179,8 +179,8 @@ void loft_ends5_bernstein(const loft_acc e[6], loft_acc c[6])
     c[5] = e[1];
 }
 
-/* The k-th derivative at t of the polynomial with the coefficients c[0..degree], which are used
- * up. */
+/* The k-th derivative at t of the polynomial with the coefficients c[0..degree], which are
+ * overwritten. */
 static loft_acc bernstein_derivative(loft_acc c[], unsigned degree, unsigned k, loft_unit t)
 {
     if (k > degree)

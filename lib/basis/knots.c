@@ -1,13 +1,13 @@
 /* lib/basis/knots.c
  * SPDX-License-Identifier: MIT
  *
- * All parameters lie within the span, and the span within every pair of knots that a row looks at:
+ * All parameters lie within the span, and the span lies within every pair of knots that a row uses:
  *
  *     k[s-rows+1+j] <= k[s] <= u <= k[s+1] <= k[s+1+j]        j = 0 .. rows - 1
  *
- * so each step is a mean of two values with shares of 0..1 and no division is by zero, whatever
- * knots repeat. Nothing exceeds the largest coefficient, |c| <= 2^47 of the 2^62 that
- * loft_acc_lerp_in takes, and each of `degree` rows adds its own rounding: degree * 2^-33.
+ * Each step is therefore an average of two values with weights in 0..1, and no division is by zero,
+ * also with repeated knots. Nothing exceeds the largest coefficient, |c| <= 2^47; loft_acc_lerp_in
+ * takes 2^62. Each of `degree` rows adds its own rounding: degree * 2^-33.
  */
 #include "basis/knots.h"
 
@@ -43,7 +43,7 @@ loft_real loft_knots_clamp(const loft_knots *knots, loft_real u)
     return u > start ? u < end ? u : end : start;
 }
 
-/* k[low] <= u always, and u < k[high] but for high = points. At the end of the domain low is then
+/* k[low] <= u always, and u < k[high] except for high = points. At the end of the domain, low is
  * the last index before it, and its span may be empty. */
 unsigned loft_knots_find(const loft_knots *knots, loft_real u)
 {
@@ -73,10 +73,10 @@ unsigned loft_knots_next(const loft_knots *knots, unsigned span)
 
 /* Weights and values */
 
-/* A B-spline of degree r - 1 over lo .. hi hands the share (u - lo) / (hi - lo) of itself to its
- * right neighbour of degree r and keeps the rest. As in loft_bernstein_weights what is handed over
- * is rounded, what is kept is the difference, so the sum stays 1, and a weight takes two roundings
- * per degree. */
+/* A B-spline of degree r - 1 over lo .. hi passes the fraction (u - lo) / (hi - lo) of itself to
+ * its right neighbour of degree r and keeps the rest. As in loft_bernstein_weights, the part passed
+ * on is rounded and the part kept is the difference, so the sum stays 1. Each degree adds two
+ * roundings to a weight. */
 unsigned loft_knots_weights(const loft_knots *knots, loft_real u, loft_acc w[])
 {
     const unsigned s = loft_knots_find(knots, u);
@@ -118,8 +118,8 @@ loft_acc loft_knots_eval(const loft_knots *knots, unsigned span, loft_real u, lo
     return finish(knots, span, knots->degree, u, c);
 }
 
-/* out[j] is the blossom with degree - j arguments k[s] and j arguments k[s+1]: after degree - j
- * rows at the first, j rows at the second in a copy. */
+/* out[j] is the blossom with degree - j arguments k[s] and j arguments k[s+1]: degree - j rows at
+ * the first, then j rows at the second in a copy. */
 void loft_knots_bezier(const loft_knots *knots, unsigned span, loft_acc c[], loft_acc out[])
 {
     const loft_real start = knots->k[span], end = knots->k[span + 1];
@@ -135,7 +135,7 @@ void loft_knots_bezier(const loft_knots *knots, unsigned span, loft_acc c[], lof
 }
 
 
-/* One knot more */
+/* Knot insertion */
 
 bool loft_knots_valid(const loft_knots *knots, loft_real u)
 {

@@ -1,11 +1,11 @@
 /* lib/basis/sign.c
  * SPDX-License-Identifier: MIT
  *
- * Coefficients are R bits (31, in floats 128). Second differences have R + 2, products of two of
- * them 2 R + 4: 66 and 260 bits, far within LOFT_EXACT_BITS.
+ * Coefficients have R bits (31, in floats 128). Second differences have R + 2, products of two of
+ * them 2 R + 4: 66 and 260 bits, well within LOFT_EXACT_BITS.
  */
 #include "basis/sign.h"
-#include "num/exact.h"  /* loft_exact: the decisions */
+#include "num/exact.h"  /* loft_exact: exact decisions */
 
 static bool taken(loft_exact out[], const loft_real a[], unsigned count)
 {
@@ -23,8 +23,9 @@ static loft_exact discriminant(const loft_exact a[3])
     return loft_exact_det(a[0], a[1], a[1], a[2]);
 }
 
-/* Theorem 2.1: a0 >= 0, a2 >= 0 and a1 >= - sqrt(a0 a2); the same with > for a positive one. The
- * smallest of the three signs: 1 positive, 0 touches zero, -1 has negative values. */
+/* Theorem 2.1: a0 >= 0, a2 >= 0 and a1 >= - sqrt(a0 a2); the same with > for a positive polynomial.
+ * The result is the smallest of the three signs: 1 positive, 0 touches zero, -1 has negative
+ * values. */
 static int quadratic_sign(const loft_exact a[3])
 {
     const int s0 = loft_exact_sign(a[0]), s2 = loft_exact_sign(a[2]), least = s0 < s2 ? s0 : s2;
@@ -35,12 +36,13 @@ static int quadratic_sign(const loft_exact a[3])
 
 static loft_exact twice(loft_exact x) { return loft_exact_add(x, x); }
 
-/* Raised to degree m the coefficients are, times m (m - 1),
+/* Elevated to degree m, the coefficients times m (m - 1) are
  *
  *     f(k) = (m - k) (m - k - 1) a0 + 2 k (m - k) a1 + k (k - 1) a2,      k = 0..m
  *
- * a quadratic in k: f(0) = m (m - 1) a0, f(1) - f(0) = 2 (m - 1) (a1 - a0), second difference 2 d
- * with d = a0 - 2 a1 + a2. Are all of them > 0? All values are below 62 * 61 * 2^R. */
+ * This is quadratic in k: f(0) = m (m - 1) a0, f(1) - f(0) = 2 (m - 1) (a1 - a0), and the second
+ * difference is 2 d with d = a0 - 2 a1 + a2. Are all of them > 0? All values are below 62 * 61 *
+ * 2^R. */
 static bool elevated_is_positive(const loft_exact a[3], loft_exact d, int32_t m)
 {
     loft_exact f    = loft_exact_mul(loft_exact_from_int(m * (m - 1)), a[0]);
@@ -63,8 +65,8 @@ static int8_t elevations_needed(const loft_exact a[3], loft_exact d)
     return -1;
 }
 
-/* The vertex lies in 0..1 when both edges point toward it, a0 > a1 < a2; then the minimum is (a0 a2
- * - a1^2) / d, and otherwise at an end. */
+/* The vertex lies in 0..1 if both edges point toward it, a0 > a1 < a2. Then the minimum is (a0 a2 -
+ * a1^2) / d; otherwise it is at an end. */
 static bool has_vertex_inside(const loft_exact a[3])
 {
     return loft_exact_compare(a[0], a[1]) > 0 && loft_exact_compare(a[2], a[1]) > 0;
@@ -90,8 +92,8 @@ enum loft_status loft_quadratic_sign(const loft_real a[3], loft_sign *out)
 }
 
 /* The second derivative is n (n - 1) times the polynomial of degree n - 2 with the second
- * differences as coefficients. Up to degree 1 of it the coefficients decide, for degree 2 theorem
- * 2.1. */
+ * differences as coefficients. If its degree is at most 1, the coefficients decide; for degree 2
+ * theorem 2.1 does. */
 enum loft_status loft_bernstein_convex(const loft_real b[], unsigned degree, bool *net,
                                        bool *polynomial)
 {

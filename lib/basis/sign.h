@@ -1,11 +1,11 @@
 /* lib/basis/sign.h -- where a polynomial in Bernstein form is positive or convex, decided exactly
  * SPDX-License-Identifier: MIT
  *
- * The coefficients prove much at once: if none is negative, neither is the polynomial over 0..1.
- * The converse is false, and degree raising brings the coefficients closer to the polynomial. These
- * functions decide on the polynomial itself. Every decision is a sign of whole numbers
- * (num/exact.h), that of the coefficients as given. In f32 and f64 they must be what
- * loft_exact_valid says, otherwise LOFT_ERR_RANGE; nothing is written then.
+ * The coefficients are a quick test: if none is negative, the polynomial is not negative on 0..1.
+ * The converse is false, and degree elevation brings the coefficients closer to the polynomial.
+ * These functions decide about the polynomial itself. Every decision is a sign of integers
+ * (num/exact.h), for the coefficients exactly as given. In f32 and f64 the coefficients must pass
+ * loft_exact_valid, otherwise LOFT_ERR_RANGE; nothing is written then.
  */
 #ifndef LOFT_BASIS_SIGN_H
 #define LOFT_BASIS_SIGN_H
@@ -14,25 +14,25 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_ELEVATIONS_MAX 60      /* loft_quadratic_sign looks so far */
+#define LOFT_ELEVATIONS_MAX 60      /* loft_quadratic_sign stops there  */
 
 typedef struct {
-    bool nonnegative;   /* >= 0 on 0..1, the ends included                                      */
-    bool positive;      /* > 0 on 0..1, the ends included                                       */
-    loft_real min;    /* the minimum on 0..1, rounded                                         */
-    int8_t elevations;      /* so many degree raises make all coefficients > 0; -1 for none up to 60 */
+    bool nonnegative;       /* >= 0 on 0..1, ends included                                   */
+    bool positive;          /* > 0 on 0..1, ends included                                    */
+    loft_real min;          /* the minimum on 0..1, rounded                                  */
+    int8_t elevations;      /* degree elevations until all coefficients are > 0; -1: over 60 */
 } loft_sign;
 
 /* The sign of the polynomial of degree 2 with Bernstein coefficients a[0..2].
  *
- *   error   none in the flags and the count; least q16: 1/2 LSB + 2^-16 LSB   f32, f64: 1 ulp
- *   cost    5 exact products, one quotient, and below 4000 exact sums; 2.3 kB of stack in q16
+ *   error   none in the flags and the count; min q16: 1/2 LSB + 2^-16 LSB   f32, f64: 1 ulp
+ *   cost    5 exact products, one quotient, and fewer than 4000 exact sums; 2.3 kB of stack in q16
  *   see     Chang, Mathematics of Surfaces, theorem 2.1: a0 >= 0, a2 >= 0, a1 + sqrt(a0 a2) >= 0
  */
 enum loft_status loft_quadratic_sign(const loft_real a[3], loft_sign *out) LOFT_CHECKED;
 
-/* Is a polynomial of degree 0..4 convex on 0..1? `net`: is its control polygon, all second
- * differences >= 0, which is enough, and for degrees up to 3 necessary.
+/* Is a polynomial of degree 0..4 convex on 0..1? `net` tells whether its control polygon is convex:
+ * all second differences >= 0, which is sufficient, and for degrees up to 3 also necessary.
  *
  *   range   degree 0..4, otherwise LOFT_ERR_ARG
  *   error   none

@@ -10,10 +10,11 @@ void loft_chord_aim(loft_chord *c)
         c->toward[i] = c->length > 0 ? loft_unit_ratio(c->u[i], c->length) : 0;
 }
 
-/* The first foot, t u, is off along the chord by up to 2^-23 |u|, which is too much at a right
- * angle to nothing, but r = w - t u shows by how much: the part of r along the chord. Taking that
- * off again needs the direction to few digits only. The foot must not leave the chord; `most`
- * leaves 2^-20 of the way to each end, more than the lengths are wrong by. */
+/* The first nearest point, t u, is off along the chord by up to 2^-23 |u|, which is too much for a
+ * small |r|. But r = w - t u shows the error: it is the component of r along the chord. Subtracting
+ * that needs only a few digits of the direction. The point must not leave the chord, so the
+ * correction stops 2^-20 of the distance short of each end (`most`, `ahead`); the lengths are more
+ * exact than that. */
 loft_acc loft_chord_foot(const loft_chord *c, const loft_acc w[LOFT_AXES], loft_acc r[LOFT_AXES])
 {
     loft_acc along = 0, rest = 0;

@@ -1,7 +1,7 @@
-/* lib/geom/chord.h -- a straight piece, and its point nearest to another point
+/* lib/geom/chord.h -- a line segment, and its point nearest to another point
  * SPDX-License-Identifier: MIT
  *
- * Everything is wide and relative to where the chord starts, so that nothing is rounded to a
+ * All numbers are wide and relative to the start of the chord, so that nothing is rounded to a
  * coordinate.
  */
 #ifndef LOFT_GEOM_CHORD_H
@@ -25,13 +25,14 @@ typedef struct {
  */
 void loft_chord_aim(loft_chord *c);
 
-/* Find the point of the chord that is nearest to w: the result is how far along the chord it is,
- * 0..length, and r is w minus that point.
+/* Find the point of the chord nearest to w. The result is its distance from the start of the chord,
+ * 0..length; r is w minus that point.
  *
- *   range   as aim, w too
- *   error   |r| is never too small for a point of the chord, nor larger than to the nearest one by
- *           more than q16 2^-31 + 2^-43, f32 2^-43, f64 2^-50 of the larger of |w| and the length.
- *           The result: 2^-23 |r| (f64 2^-49) and in q16 2^-27 of the length + 2^-30
+ *   range   as aim, for w too
+ *   error   |r| is never too small for a point of the chord. It exceeds the smallest distance by at
+ *           most
+ *           q16: 2^-31 + 2^-43, f32: 2^-43, f64: 2^-50 of the larger of |w| and the length. The
+ *           result: 2^-23 |r| (f64 2^-49), and in q16 2^-27 of the length + 2^-30
  *   cost    4 wide products per axis and one division; safe in an ISR
  */
 loft_acc loft_chord_foot(const loft_chord *c, const loft_acc w[LOFT_AXES], loft_acc r[LOFT_AXES]);

@@ -1,8 +1,8 @@
 /* lib/geom/normal.c
  * SPDX-License-Identifier: MIT
  *
- * In numbers with an exponent of their own vectors of any size are alike, and a difference of two
- * products errs by 2^-60 (q16) or 2^-52 (floats) of the larger one.
+ * In numbers with their own exponent, vectors of any size behave alike, and the error of a
+ * difference of two products is 2^-60 (q16) or 2^-52 (floats) of the larger one.
  */
 #include "geom/normal.h"
 #include "num/sci.h"    /* loft_sci: any size */
@@ -18,7 +18,7 @@ static loft_sci square(const loft_sci x[], int n)
     return sum;
 }
 
-/* x / |x| in the first n axes, the others 0. */
+/* x / |x| in the first n axes, 0 in the others. */
 static enum loft_status aim(const loft_sci x[], int n, loft_vec *out)
 {
     const loft_sci length = loft_sci_sqrt(square(x, n));

@@ -1,7 +1,7 @@
-/* lib/geom/vec.h -- what a point is: LOFT_AXES coordinates, and boxes of points
+/* lib/geom/vec.h -- points of LOFT_AXES coordinates, and boxes of points
  * SPDX-License-Identifier: MIT
  *
- * Small structs, passed and returned by value. Sums and differences are plain: they must fit a
+ * Small structs, passed and returned by value. Sums and differences are plain C: they must fit a
  * loft_real, which holds for coordinates within half its range (q16: +-16384).
  */
 #ifndef LOFT_GEOM_VEC_H
@@ -18,7 +18,7 @@ typedef struct {
     loft_vec min, max;
 } loft_box;
 
-/* The coordinate of an axis, 0 for those beyond LOFT_AXES: a plane exists in every build. */
+/* The coordinate of an axis, 0 for axes beyond LOFT_AXES: every build has a plane. */
 static inline loft_real loft_vec_axis(const loft_vec *a, int axis)
 {
     return axis < LOFT_AXES ? a->axis[axis < LOFT_AXES ? axis : 0] : 0;
@@ -55,7 +55,7 @@ static inline bool loft_vec_equal(loft_vec a, loft_vec b)
     return true;
 }
 
-/* The point with these wide coordinates, rounded, if all fit; *out is untouched otherwise. */
+/* Round wide coordinates to a point if all fit; *out is untouched otherwise. */
 static inline bool loft_vec_round(const loft_acc x[LOFT_AXES], loft_vec *out)
 {
     for (int i = 0; i < LOFT_AXES; i++)
@@ -66,7 +66,7 @@ static inline bool loft_vec_round(const loft_acc x[LOFT_AXES], loft_vec *out)
     return true;
 }
 
-/* One axis of `count` points, rounded, if all fit; undefined otherwise. */
+/* Round one axis of `count` points if all fit; undefined otherwise. */
 static inline bool loft_vec_round_axis(const loft_acc x[], unsigned count, int axis, loft_vec out[])
 {
     for (unsigned k = 0; k < count; k++) {
@@ -89,7 +89,7 @@ static inline bool loft_vec_within(loft_vec a, loft_real limit)
 /* The scalar product.
  *
  *   range   q16: the sum of the products must stay within +-2^30 (vectors to 13000 in three axes)
- *   error   q16: none   f32, f64: LOFT_AXES 2^-53 of the sum of the products' sizes */
+ *   error   q16: none   f32, f64: LOFT_AXES 2^-53 of the sum of the products' magnitudes */
 static inline loft_acc loft_vec_dot(loft_vec a, loft_vec b)
 {
     loft_acc sum = 0;
@@ -98,7 +98,7 @@ static inline loft_acc loft_vec_dot(loft_vec a, loft_vec b)
     return sum;
 }
 
-/* Are all coordinates numbers to compute with? Always in q16. */
+/* Are all coordinates valid numbers? Always true in q16. */
 static inline bool loft_vec_valid(loft_vec p)
 {
     for (int i = 0; i < LOFT_AXES; i++)
@@ -119,7 +119,7 @@ static inline loft_acc loft_vec_distance(loft_vec a, loft_vec b)
     return loft_acc_hypot(d, LOFT_AXES);
 }
 
-/* The smallest box around `box` and `p`. Start with { p, p }. */
+/* The smallest box that contains `box` and `p`. Start with { p, p }. */
 static inline loft_box loft_box_join(loft_box box, loft_vec p)
 {
     for (int i = 0; i < LOFT_AXES; i++) {

@@ -12,8 +12,8 @@
  *     loft_vec_exact_sub(&point, &p0, 3, x);
  *     const int side = loft_exact_sign(loft_vec_exact_dot(n, x, 3));
  *
- * Axes beyond LOFT_AXES are 0. Differences carry the factor 2^LOFT_EXACT_REAL, products the
- * product of their factors. Who multiplies shows that the bits suffice (num/exact.h).
+ * Axes beyond LOFT_AXES are 0. Differences carry the factor 2^LOFT_EXACT_REAL, products the product
+ * of their factors. The caller of a product proves that the bits suffice (num/exact.h).
  */
 #ifndef LOFT_GEOM_VEC_EXACT_H
 #define LOFT_GEOM_VEC_EXACT_H
@@ -23,7 +23,8 @@
 
 LOFT_BEGIN_C
 
-/* Can the first `axes` coordinates of all points be taken exactly? Always in q16; false for nan. */
+/* Can the first `axes` coordinates of all points be represented exactly? Always true in q16; false
+ * for nan. */
 bool loft_vec_exact_valid(const loft_vec p[], unsigned count, int axes);
 
 /* One coordinate of a - b.
