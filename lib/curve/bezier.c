@@ -1,13 +1,14 @@
 /* lib/curve/bezier.c
  * SPDX-License-Identifier: MIT
  *
- * Every function takes one axis at a time: coefficients widened to loft_acc, de Casteljau's scheme
- * there, one rounding at the end. Room and error of the scheme are proved in basis/bernstein.c:
+ * Every function processes one axis at a time: it converts the coefficients to loft_acc, applies de
+ * Casteljau's scheme, and rounds once at the end. Range and error of the scheme are proved in
+ * basis/bernstein.c:
  *
- *     |value| < 2^61.3 of 2^63      error e_n = 2^-33 (1 + L + .. + L^(n-1)),   L = |1 - t| + |t|
- *         <= 3
+ *     |value| < 2^61.3 of 2^63
+ *     error e_n = 2^-33 (1 + L + .. + L^(n-1)),   L = |1 - t| + |t| <= 3
  *
- * in real units; in LSB (2^-16) that is 2^-17 (1 + L + ..), at most 0.08, and the rounding adds
+ * in real units. In LSB (2^-16) that is 2^-17 (1 + L + ..), at most 0.08, and the rounding adds
  * 1/2.
  */
 #include "curve/bezier.h"
@@ -81,9 +82,9 @@ static void difference_row(loft_acc c[], unsigned degree)
 
 /* degree! / (degree - k)! times the curve of degree - k through the k-th differences of the points.
  *
- * Differences are below 2^k 2^47 and the scheme multiplies by 3^(degree-k) at most: no more than
- * 3^9 2^47 again. The factor is at most 9! < 2^18.5, so the product could overflow: it is taken
- * only when the value is within twice the range of a coordinate divided by it. */
+ * Differences are below 2^k 2^47 and the scheme multiplies by at most 3^(degree-k): again at most
+ * 3^9 2^47. The factor is at most 9! < 2^18.5, so the product could overflow. It is therefore
+ * computed only if the value is within twice the range of a coordinate divided by the factor. */
 enum loft_status loft_bezier_deriv(const loft_bezier *b, unsigned k, loft_unit t, loft_vec *out)
 {
     loft_acc c[LOFT_DEGREE_MAX + 1];
@@ -109,8 +110,8 @@ enum loft_status loft_bezier_deriv(const loft_bezier *b, unsigned k, loft_unit t
 }
 
 /* Edges and points: |a[0] + .. + a[k]| <= (degree + 1) 2^47. In 0..1 the scheme adds nothing to
- * that. Outside, 8 * 2^47 * 3^7 < 2^61.1 holds for degree 7; above, the sums themselves must be
- * coordinates. */
+ * that. Outside, 8 * 2^47 * 3^7 < 2^61.1 holds for degree 7; for higher degrees the sums themselves
+ * must be coordinates. */
 enum loft_status loft_bezier_from_edges(const loft_vec a[], unsigned degree, loft_unit t,
                                         loft_vec *out)
 {
@@ -138,8 +139,8 @@ enum loft_status loft_bezier_from_edges(const loft_vec a[], unsigned degree, lof
 
 /* Pieces and other forms */
 
-/* The first value of each row belongs to the left piece, the last to the right one; the rows are
- * computed in place, so that in the end c holds the last ones. */
+/* The first value of each row belongs to the left piece, the last one to the right piece. The rows
+ * are computed in place, so c finally holds the last values. */
 enum loft_status loft_bezier_split(const loft_bezier *b, loft_unit t, loft_vec left[],
                                    loft_vec right[])
 {
@@ -161,7 +162,7 @@ enum loft_status loft_bezier_split(const loft_bezier *b, loft_unit t, loft_vec l
     return LOFT_OK;
 }
 
-/* out[k] = b[from^(degree-k), to^k]: after degree - k rows at `from`, k rows at `to` in a copy. */
+/* out[k] = b[from^(degree-k), to^k]: degree - k rows at `from`, then k rows at `to` in a copy. */
 enum loft_status loft_bezier_sub(const loft_bezier *b, loft_unit from, loft_unit to, loft_vec out[])
 {
     loft_acc c[LOFT_DEGREE_MAX + 1], copy[LOFT_DEGREE_MAX + 1];
@@ -182,8 +183,8 @@ enum loft_status loft_bezier_sub(const loft_bezier *b, loft_unit from, loft_unit
 }
 
 /* q_k = sum C(n,i) C(r,k-i) b_i / C(n+r,k), i = max(0,k-r) .. min(n,k). The products of binomials
- * sum to C(n+r,k) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 < 2^62.6. One division,
- * rounded to 2^-33. */
+ * sum to C(n+r,k) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 < 2^62.6. There is one
+ * division, rounded to 2^-33. */
 enum loft_status loft_bezier_elevate(const loft_bezier *b, unsigned times, loft_vec out[])
 {
     const unsigned n = b->degree;

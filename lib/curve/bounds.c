@@ -1,19 +1,19 @@
 /* lib/curve/bounds.c
  * SPDX-License-Identifier: MIT
  *
- * One axis is a polynomial; its values on a piece lie below the largest coefficient of that piece.
- * Pieces are dropped when that is below the best value found at the ends of pieces, or so little
- * above that it can be taken instead. (The roots of the derivative are where the pieces get small;
- * they need not be known.)
+ * Each axis is a polynomial, and its values on a piece are at most the largest coefficient of that
+ * piece. A piece is dropped if that is below the best value found at the ends of pieces, or so
+ * little above it that it can be used as the result. (The pieces become small near the roots of the
+ * derivative, which need not be known.)
  *
  * Depth. A coefficient exceeds the larger end value of its piece by at most n^2 / 8 times the
- * largest second difference, which is h^2 times 4 |c| for a piece of width h: for n = 9 and h =
- * 2^-24 that is |c| 2^-42.6, in q16 2^-11 LSB, less than `enough` below; so there every piece may
- * be taken.
+ * largest second difference, which is h^2 times 4 |c| for a piece of width h. For n = 9 and h =
+ * 2^-24 that is |c| 2^-42.6, in q16 2^-11 LSB, less than `enough` below. At that depth every piece
+ * can therefore be used.
  *
  * Rounding. A coefficient of a piece is off by at most 9 * 2^-33 in q16 (3 * 9 ulp of double in
- * floats); `noise` is at least that, and added where a coefficient is taken as a bound. The whole
- * curve has no noise. */
+ * floats). `noise` is at least that, and is added to a coefficient that is used as a bound. The
+ * whole curve has no noise. */
 #include "curve/bounds.h"
 #include "basis/dyadic.h"   /* loft_dyad, loft_bernstein_sub */
 
@@ -27,7 +27,7 @@ static loft_acc top_of(const loft_acc c[], unsigned degree)
     return top;
 }
 
-/* No value of the polynomial is above the result, and some value is not far below it. */
+/* An upper bound of the polynomial that is not far above one of its values. */
 static loft_acc highest(const loft_acc c[], unsigned degree, loft_acc ulp)
 {
     const loft_acc noise = 3 * (int32_t)degree * ulp, enough = 256 * ulp;
@@ -55,7 +55,7 @@ static loft_acc highest(const loft_acc c[], unsigned degree, loft_acc ulp)
     return bound;
 }
 
-/* The coordinate at or above x, but not above the coordinate `most`. */
+/* The smallest coordinate >= x, but at most the coordinate `most`. */
 static loft_acc ceiling(loft_acc x, loft_acc most)
 {
     const loft_acc beyond = x + loft_real_ulp(x < 0 ? -x : x);
@@ -78,8 +78,8 @@ static loft_acc upper(const loft_acc c[], unsigned degree)
     return ceiling(highest(c, degree, loft_acc_ulp(size)), top_of(c, degree));
 }
 
-/* The smallest value is that of the negated polynomial, as an acc: the negative of a coordinate
- * need not be one. */
+/* The smallest value comes from the negated polynomial, as an acc: the negative of a coordinate may
+ * not be a valid coordinate. */
 loft_box loft_bezier_bounds(const loft_bezier *b)
 {
     loft_acc c[LOFT_DEGREE_MAX + 1];

@@ -9,10 +9,10 @@
 LOFT_BEGIN_C
 
 /* The box around the curve over 0..1. No point of the curve is outside, rounded or not; no side is
- * farther out than loft_bezier_box, the box of the control points, has it.
+ * outside that of loft_bezier_box, the box of the control points.
  *
  *   error   q16: each side is at most 1 LSB beyond the nearest coordinate that holds the curve
- *           f32: 3 ulp of the side   f32, f64: 2^-42 of the axis' largest coordinate
+ *           f32: 3 ulp of the side   f32, f64: 2^-42 of the largest coordinate of the axis
  *   cost    nothing for an axis without extrema between the ends; otherwise about 40 pieces for
  *           each extremum, of degree * (degree + 1) * (degree + 5) / 6 wide lerps (cubic: 16). 700
  *           bytes of stack

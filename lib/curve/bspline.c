@@ -1,7 +1,7 @@
 /* lib/curve/bspline.c
  * SPDX-License-Identifier: MIT
  *
- * One axis at a time, wide: basis/knots.c has the bounds.
+ * Each axis is computed in wide numbers; basis/knots.c has the bounds.
  */
 #include "curve/bspline.h"
 #include "num/muldiv.h"           /* loft_acc_grow */
@@ -47,13 +47,13 @@ loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u)
     return v;
 }
 
-/* After degree - k rows at u the k + 1 values left are the coefficients of a polynomial of degree k
- * on the same knots, whose Bernstein coefficients on the span have the constant k-th difference D:
- * the derivative is f D / h^k, times degree / h, (degree - 1) / h, .. in turn. Each coefficient is
- * off by degree 2^-33, so D by 2^k degree 2^-33; each quotient rounds by 2^-33, and what comes
- * after it multiplies that by max(1, f / h^k) at most, since the factors decrease. |D| <= 2^24, and
- * no value on the way exceeds the last one by more than 9^9 / 9!, below 2^11, so one that does not
- * stay within 2^26 has none that fits at its end. */
+/* After degree - k rows at u, the k + 1 remaining values are the coefficients of a polynomial of
+ * degree k on the same knots. Its Bernstein coefficients on the span have the constant k-th
+ * difference D. The derivative is f D / h^k, computed by factors degree / h, (degree - 1) / h, ..
+ * in turn. Each coefficient is off by degree 2^-33, so D by 2^k degree 2^-33. Each quotient rounds
+ * by 2^-33. The following factors multiply that by at most max(1, f / h^k), since they decrease.
+ * |D| <= 2^24, and no intermediate value exceeds the last one by more than 9^9 / 9!, below 2^11. If
+ * one exceeds 2^26, the result does not fit either. */
 enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real u, loft_vec *out)
 {
     const unsigned span = loft_knots_find(&b->knots, u), degree = b->knots.degree;
@@ -95,9 +95,10 @@ bool loft_bspline_next(const loft_bspline *b, unsigned *span, loft_vec out[])
     return *span != 0;
 }
 
-/* Point k lies where u does between k[k] and k[k+degree], for the `degree` points whose stretch has
- * the span; before them points stay, behind them they move up. From the last one down, so that in
- * place none is read too late. */
+/* Point k is interpolated where u lies between k[k] and k[k+degree], for the `degree` points whose
+ * support contains the span. Points before them stay, points behind them move up. The loop runs
+ * from the last point down, so that an insertion in place reads each point before it is
+ * overwritten. */
 enum loft_status loft_bspline_insert(const loft_bspline *b, loft_real u, loft_vec p[],
                                      loft_real knots[])
 {

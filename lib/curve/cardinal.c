@@ -9,12 +9,12 @@ static bool tension_valid(loft_unit tension)
     return tension >= LOFT_UNIT(-60) && tension <= LOFT_UNIT(60);
 }
 
-/* A cubic of Hermite's with slopes s (p2 - p0), s (p3 - p1). The product of a difference (2^16) and
- * 1 - tension (61) is below 2^22, its half below 2^21: within the range of loft_ends3. Each is
- * rounded twice, by 2^-33: a slope errs by 3/4 of 2^-32, of which a control point has a third and a
- * value at most L^3 times that; with its own rounding that is less than 2 L^3 2^-33. The
- * coefficients of the derivative err by twice that of a slope, 3/2 * 2^-32 = 3 * 2^-33, and each
- * difference doubles it: below 2^k (3!/m!) 2^-33 for every k. */
+/* A Hermite cubic with the slopes s (p2 - p0), s (p3 - p1). The product of a difference (2^16) and
+ * 1 - tension (61) is below 2^22, half of it below 2^21: within the range of loft_ends3. Each is
+ * rounded twice, by 2^-33, so a slope is off by 3/4 of 2^-32. A control point has a third of that,
+ * and a value at most L^3 times that; with its own rounding this is less than 2 L^3 2^-33. The
+ * coefficients of the derivative are off by twice the error of a slope, 3/2 * 2^-32 = 3 * 2^-33,
+ * and each difference doubles it: below 2^k (3!/m!) 2^-33 for every k. */
 static void ends(const loft_vec p[4], loft_unit tension, int i, loft_acc e[4])
 {
     const loft_unit twice = LOFT_UNIT(1) - tension;

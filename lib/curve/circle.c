@@ -1,11 +1,11 @@
-/* lib/curve/circle.c -- arcs from what G-code and SVG say
+/* lib/curve/circle.c -- arcs from the data that G-code and SVG give
  * SPDX-License-Identifier: MIT
  *
- * An arc is kept as u and v, the way from the centre to its start and the derivative there with
- * respect to the angle. u is exact when the centre is given, and sines have 58 bits, so a point
- * errs by roundings of loft_acc (2^-33, a handful) and by the sweep: 2^-33 of it times the radius.
- * The end is then off by as much, and by what the input was off; that remains as drift, in
- * proportion to the angle. So both ends are met.
+ * An arc is stored as u and v: the vector from the centre to its start, and the derivative there
+ * with respect to the angle. u is exact if the centre is given, and sines have 58 bits. The error
+ * of a point is therefore a few roundings of loft_acc (2^-33) and that of the sweep: 2^-33 of it
+ * times the radius. The end is off by as much, plus the error of the input. This difference is
+ * stored as drift, which grows in proportion to the angle, so both ends are exact.
  */
 #include "curve/circle.h"
 
@@ -17,7 +17,7 @@ typedef struct {
     loft_acc x, y;
 } pair;
 
-/* Turned by the angle with that sine and cosine. */
+/* `a` rotated by the angle with that sine and cosine. */
 static pair rotated_pair(pair a, loft_fine cosine, loft_fine sine)
 {
     const pair b = { loft_fine_scale(a.x, cosine) - loft_fine_scale(a.y, sine),
@@ -25,7 +25,7 @@ static pair rotated_pair(pair a, loft_fine cosine, loft_fine sine)
     return b;
 }
 
-/* The length of a vector whose angle is known: loft_acc_hypot has 28 bits, which are too few. */
+/* The length of a vector of known angle: the 28 bits of loft_acc_hypot are too few. */
 static loft_acc pair_length(pair a, loft_fine angle)
 {
     return loft_fine_scale(a.x, loft_fine_cos(angle)) + loft_fine_scale(a.y, loft_fine_sin(angle));
@@ -59,7 +59,7 @@ static bool is_zero_pair(pair a) { return !(a.x < 0) && !(a.x > 0) && !(a.y < 0)
 
 /* Points */
 
-/* Everything but the drift, at an angle. */
+/* The point at an angle, without drift. */
 static pair on_ellipse(const loft_circle *c, loft_acc angle)
 {
     const loft_fine a = loft_fine_angle(angle), cosine = loft_fine_cos(a), sine = loft_fine_sin(a);
@@ -70,7 +70,7 @@ static pair on_ellipse(const loft_circle *c, loft_acc angle)
     return p;
 }
 
-/* The rest of the arc when start, u, v, sweep and radius are known. */
+/* Complete the arc from its start, u, v, sweep and radius. */
 static void finish_arc(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
 {
     c->from = from;
@@ -107,14 +107,14 @@ enum loft_status loft_circle_eval(const loft_circle *c, loft_unit t, loft_vec *o
 
 /* Centre */
 
-/* All turns but the first. */
+/* The angle of all turns after the first. */
 static loft_acc more_turns(int32_t turns)
 {
     const int32_t whole = (turns > 0 ? turns : -turns) - 1;
     return loft_fine_scale(loft_to_acc(loft_real_from_int(2 * whole)), LOFT_FINE_PI);
 }
 
-/* The angle from one direction to another, in the sense of `turns`, with its whole turns. */
+/* The angle from one direction to another in the direction of `turns`, including whole turns. */
 static loft_acc sweep_between(loft_fine from, loft_fine to, int32_t turns)
 {
     loft_fine a = turns > 0 ? to - from : from - to;
@@ -161,14 +161,15 @@ enum loft_status loft_circle_from_centre(loft_circle *c, loft_vec from, loft_vec
 /* Radius and ellipse
  *
  * In the ellipse's own axes, each divided by its radius, the arc is one of the unit circle. There
- * the way from the start to the chord's middle is (hx / rx, hy / ry) = q (cos p, sin p), the centre
- * is s = sqrt(1 - q^2) to its side, and the arc is 2 asin q or the rest of the turn. */
+ * the vector from the start to the middle of the chord is (hx / rx, hy / ry) = q (cos p, sin p).
+ * The centre is at the distance s = sqrt(1 - q^2) to the side of the chord, and the arc is 2 asin q
+ * or the rest of the turn. */
 
 typedef struct {
     pair      half;             /* in the ellipse's axes, not divided */
     loft_acc  radius[2];
     loft_fine p, q;
-    loft_acc  stretch;          /* of the radii, 1 where they reach */
+    loft_acc  stretch;          /* of the radii, 1 if they suffice  */
 } chord;
 
 /* The direction of (hx / rx, hy / ry) is that of (hx ry, hy rx). */
@@ -181,8 +182,8 @@ static loft_fine half_chord_angle(const chord *d, const loft_real radii[2])
     return pair_angle(a);
 }
 
-/* p, and q or the stretch; false when the stretched radii do not fit. q is found in the axis that
- * has more of it, and in fine numbers: where it is near 1, its error decides on the centre. */
+/* Compute p, and q or the stretch; false if the stretched radii do not fit. q is computed in the
+ * axis of the larger component, as a loft_fine: close to 1 its error determines the centre. */
 static bool measure_chord(chord *d, const loft_real radii[2])
 {
     const loft_acc one = loft_to_acc(LOFT_REAL(1)),
@@ -213,7 +214,7 @@ static bool measure_chord(chord *d, const loft_real radii[2])
     return true;
 }
 
-/* A straight way is an arc of no radius whose drift is all of it. */
+/* A straight line is an arc of radius 0 that consists of drift only. */
 static void set_straight(loft_circle *c, loft_vec from, loft_vec to, loft_plane plane)
 {
     c->u[0] = c->u[1] = c->v[0] = c->v[1] = c->radius = 0;
@@ -221,7 +222,7 @@ static void set_straight(loft_circle *c, loft_vec from, loft_vec to, loft_plane 
     finish_arc(c, from, to, plane);
 }
 
-/* u and v in the ellipse's axes, turned by its angle. The centre is to the left of the chord for a
+/* u and v in the ellipse's axes, rotated by its angle. The centre is to the left of the chord for a
  * small arc to the left. */
 static void set_ellipse(loft_circle *c, const chord *d, loft_fine cosine, loft_fine sine,
                         bool large, bool left)
@@ -280,7 +281,7 @@ enum loft_status loft_circle_from_radius(loft_circle *c, loft_vec from, loft_vec
     return LOFT_OK;
 }
 
-/* The nearest number of quarters of a turn is taken off, exactly. */
+/* Subtracts the nearest number of quarter turns, exactly. */
 static void rotation_of(loft_real degrees, loft_fine *cosine, loft_fine *sine)
 {
     const loft_acc quarter = loft_to_acc(LOFT_REAL(90));

@@ -1,19 +1,19 @@
 /* lib/curve/circle_spans.c -- arcs cut into Bezier spans
  * SPDX-License-Identifier: MIT
  *
- * A span of angle h has its inner points on the tangents at its ends, as many slopes away from
- * them:
+ * A span of angle h has its inner points on the tangents at its ends. Their distance, in slopes, is
  *
  *     cubic            4/3 tan(h/4)                                 the middle lies on the circle
  *     conic            tan(h/2)                        w = cos(h/2)
  *     rational cubic   2 sin(h/2) / (1 + 2 cos(h/2))   w = (1 + 2 cos(h/2)) / 3, the conic elevated
  *
- * Error. The cubic leaves the circle by r 2/27 sin^6(h/4) / cos^2(h/4) <= 1.8143e-5 r h^6 for h <=
- * pi/2; an ellipse is an affine image of the unit circle and moves nothing by more than its larger
- * radius. The angle of the cubic at t is not t h but off by up to 2.01e-3 h^3; drift is linear in
- * t, so a helix is off by 2.01e-3 h^2 of the drift of one span. In the conics it is 8.55e-3 h^2.
- * Their weight is rounded by g / 2, g the distance of numbers at 256, of at least 181: that moves
- * the curve by r sin^2(h/2) / cos(h/2) / 4 of it, less than r h^2 g / 4096.
+ * Error. The cubic deviates from the circle by r 2/27 sin^6(h/4) / cos^2(h/4) <= 1.8143e-5 r h^6
+ * for h <= pi/2. An ellipse is an affine image of the unit circle, which moves nothing by more than
+ * its larger radius. The angle of the cubic at t differs from t h by up to 2.01e-3 h^3. Drift is
+ * linear in t, so a helix is off by 2.01e-3 h^2 of the drift of one span; for the conics the factor
+ * is 8.55e-3 h^2. The weight of a conic, at least 181, is rounded by g / 2, where g is the distance
+ * of numbers at 256. That moves the curve by r sin^2(h/2) / cos(h/2) / 4 of it, less than r h^2 g /
+ * 4096.
  */
 #include "curve/circle.h"
 
@@ -24,7 +24,7 @@ typedef struct {
     loft_acc axis[LOFT_AXES];
 } wide_point;
 
-/* The part j/n of the way from 0 to x. */
+/* The fraction j/n of x. */
 static loft_acc part_of_sweep(loft_acc x, uint32_t j, uint32_t n)
 {
     return loft_acc_lerp_at(0, x, j, n);
@@ -49,7 +49,7 @@ static loft_circle_place place_at(const loft_circle *c, uint32_t j, uint32_t n)
     return at;
 }
 
-/* The inner point of the end `at`, ahead of it (sign 1) or behind (-1). */
+/* The inner point next to the end `at`, ahead of it (sign 1) or behind it (-1). */
 static wide_point inner_point(const loft_circle_spans *s, const loft_circle_place *at, int sign)
 {
     const loft_circle *c = s->circle;
@@ -81,9 +81,9 @@ static loft_vec round_point(const loft_acc p[])
 }
 
 
-/* How many spans */
+/* The number of spans */
 
-/* An upper bound of what n spans err, rounding of the points apart. */
+/* An upper bound of the error of n spans, without the rounding of the points. */
 static loft_acc spans_error(const loft_circle *c, enum loft_circle_kind kind, uint32_t n)
 {
     const loft_unit h = loft_unit_from(loft_acc_round(loft_acc_ratio(c->sweep, (int32_t)n)) +
@@ -104,8 +104,8 @@ static loft_acc spans_error(const loft_circle *c, enum loft_circle_kind kind, ui
     return loft_acc_scale(loft_acc_scale(off + lag, h), h);
 }
 
-/* The fewest spans of at most a quarter of a turn (and 2^-16 of one) with an error within `budget`;
- * 0 for none. */
+/* The smallest number of spans of at most a quarter turn (plus 2^-16 of one) with an error within
+ * `budget`; 0 if there is none. */
 static uint32_t count_spans(const loft_circle *c, enum loft_circle_kind kind, loft_acc budget)
 {
     const loft_acc quarters = loft_fine_scale(
@@ -129,7 +129,7 @@ static uint32_t count_spans(const loft_circle *c, enum loft_circle_kind kind, lo
     return many;
 }
 
-/* The largest coordinate that occurs. */
+/* The largest coordinate of the ends, or the radius. */
 static loft_acc largest_coordinate(const loft_circle *c)
 {
     loft_acc largest = c->radius;

@@ -14,7 +14,7 @@ loft_acc loft_circle_arm(void)
     return loft_fine_quot(4 * root, 3 * (LOFT_FINE_1 + root));
 }
 
-/* Of a number below 2^8: x = r + e with a coordinate r, and e^2 is below 2^-34. */
+/* For a number below 2^8: x = r + e with a coordinate r, and e^2 is below 2^-34. */
 static loft_acc square(loft_acc x)
 {
     const loft_real r = loft_acc_round(x);
@@ -26,9 +26,9 @@ static loft_acc square(loft_acc x)
  *
  *     2 v^2 + 8 w^2 - 16 b^2      v = b (3 l - 2) (t - 1/2)      w = b (1 + 3 l / 4)
  *
- * so in q16 it does not fit when |v| or |w| exceeds 256. Both err by 2^-31 at most, |v| <= 0.15 l +
- * 0.1 and |w| <= 0.19 l + 0.25, so the excess errs by 4 |v| 2^-31 + 16 |w| 2^-31 and 2^-30 for the
- * squares: below 2^-28 (1 + l). */
+ * In q16 it therefore does not fit if |v| or |w| exceeds 256. Both are off by at most 2^-31, |v| <=
+ * 0.15 l + 0.1 and |w| <= 0.19 l + 0.25. The excess is off by 4 |v| 2^-31 + 16 |w| 2^-31, and by
+ * 2^-30 for the squares: below 2^-28 (1 + l). */
 enum loft_status loft_circle_quarter(loft_acc arm, loft_unit t, loft_real point[2],
                                      loft_real *excess)
 {
@@ -55,7 +55,7 @@ enum loft_status loft_circle_quarter(loft_acc arm, loft_unit t, loft_real point[
     return LOFT_OK;
 }
 
-/* Sine and cosine of an angle above -pi/6 and below pi/2, both as coordinates. */
+/* Sine and cosine of an angle in -pi/6..pi/2, ends excluded, each rounded to a coordinate. */
 static bool over(loft_real theta, loft_fine *c, loft_fine *s)
 {
     if (!(theta > LOFT_REAL(-1) && theta < LOFT_REAL(2)))
@@ -68,8 +68,8 @@ static bool over(loft_real theta, loft_fine *c, loft_fine *s)
     return true;
 }
 
-/* 2 cos / (1 + 2 sin) and (1 + 2 sin) / 3. The denominator errs by 2^-57, the quotient by that
- * times distance^2 / cos. Where it would exceed a coordinate by far it is not computed. */
+/* 2 cos / (1 + 2 sin) and (1 + 2 sin) / 3. The denominator is off by 2^-57, the quotient by that
+ * times distance^2 / cos. A quotient that would far exceed a coordinate is not computed. */
 enum loft_status loft_circle_over(loft_real theta, loft_real *distance, loft_real *weight)
 {
     loft_fine c, s;
@@ -87,10 +87,10 @@ enum loft_status loft_circle_over(loft_real theta, loft_real *distance, loft_rea
     return LOFT_OK;
 }
 
-/* The conic with weights 1, s, 1, of which the cubic is the elevation; with b = t (1 - t):
+/* The conic with weights 1, s, 1, whose degree elevation is the cubic; with b = t (1 - t):
  *
- *     x = c (1 - 2t) / w      y = (s (1 - 2b) + 2b) / w      w = 1 - 2b (1 - s)  >=  (1 + s) / 2  >
- *         1/4 */
+ *     x = c (1 - 2t) / w      y = (s (1 - 2b) + 2b) / w
+ *     w = 1 - 2b (1 - s)  >=  (1 + s) / 2  >  1/4 */
 enum loft_status loft_circle_over_eval(loft_real theta, loft_unit t, loft_real point[2])
 {
     loft_fine c, s;

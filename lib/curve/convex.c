@@ -1,25 +1,25 @@
 /* lib/curve/convex.c -- is a polygon the boundary of a convex region?
  * SPDX-License-Identifier: MIT
  *
- * Null edges are passed over. The others must turn one way: all products of neighbours >= 0, or all
- * <= 0; if all are 0 then all edges are parallel. How many revolutions they make is told by two
- * half planes of directions, y > 0 or y = 0 < x, and the opposite: an edge that turns by half a
- * revolution or less changes between them once at most, and a full revolution changes twice.
+ * Null edges are skipped. The others must turn one way: all products of neighbours >= 0, or all <=
+ * 0. If all are 0, all edges are parallel. The number of revolutions follows from two half planes
+ * of directions: y > 0 or y = 0 < x, and the opposite. An edge that turns by half a revolution or
+ * less changes between them at most once, and a full revolution changes twice.
  *
- * An edge that goes straight back is half a revolution. It needs no test: the directions of a
- * polygon that makes one revolution would then all lie in the other half plane, and such edges do
- * not sum to 0.
+ * An edge that goes straight back is half a revolution. It needs no test: in a polygon that makes
+ * one revolution, all directions would then lie in the other half plane, and such edges do not sum
+ * to 0.
  *
  * Edges have R + 1 bits, products 2 R + 3 (R = 31, in floats 128).
  */
 #include "curve/shape.h"
-#include "geom/vec_exact.h" /* loft_exact: the decisions */
+#include "geom/vec_exact.h" /* loft_exact: exact decisions */
 
 typedef struct {
     loft_exact x, y;
 } edge;
 
-/* The edge k, closed: the last one leads back to the first point. */
+/* Edge k of the closed polygon: the last one leads back to the first point. */
 static edge edge_at(const loft_vec p[], unsigned count, unsigned k)
 {
     const loft_vec *from = &p[k], *to = &p[k + 1 < count ? k + 1 : 0];
@@ -44,7 +44,7 @@ static int turn(const edge *a, const edge *b)
 }
 
 typedef struct {
-    bool left, right;       /* has it turned left, right? */
+    bool left, right;       /* has a left, a right turn occurred? */
     unsigned changes;       /* of the half plane          */
 } tally;
 
@@ -67,8 +67,7 @@ enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum lo
         if (!loft_exact_valid(loft_vec_axis(&p[k], 0)) ||
             !loft_exact_valid(loft_vec_axis(&p[k], 1)))
             return LOFT_ERR_RANGE;
-    while (last > 0) {                          /* the last edge that is one comes before the
-                                                 * first */
+    while (last > 0) {                          /* the last nonnull edge precedes the first */
         before = edge_at(p, count, --last);
         if (!is_null(&before))
             break;

@@ -3,17 +3,17 @@
  */
 #include "curve/bezier.h"
 
-/* The chord and the distance from it, which has t (1 - t) as a factor:
+/* The chord plus the deviation from it, which has t (1 - t) as a factor:
  *
- *     P = lerp(p0, p3, t) + t (1 - t) lerp(u, v, t)       u = 3 p1 - 2 p0 - p3,   v = 3 p2 - p0 - 2
- *         p3
+ *     P = lerp(p0, p3, t) + t (1 - t) lerp(u, v, t)
+ *     u = 3 p1 - 2 p0 - p3,   v = 3 p2 - p0 - 2 p3
  *
- * since the chord as a cubic has the inner points (2 p0 + p3) / 3 and (p0 + 2 p3) / 3. Four
- * products in place of the six lerps of de Casteljau, and both ends stay exact in every number
+ * since the chord as a cubic has the inner points (2 p0 + p3) / 3 and (p0 + 2 p3) / 3. This takes
+ * four products instead of the six lerps of de Casteljau, and both ends stay exact in every number
  * type.
  *
  * q16: |u|, |v| <= 6 * 2^47 < 2^50. Errors: 2^-33 for the chord, 2^-33 (1/4 + 1 + 1) for the rest,
- * in sum below 2^-31, 2^-15 LSB. Floats, e = 2^-53: u and v are off by 14 e, lerp(u, v) by 32 e,
+ * together below 2^-31, 2^-15 LSB. Floats, e = 2^-53: u and v are off by 14 e, lerp(u, v) by 32 e,
  * times 1/4, and so on: 16 e. */
 static loft_acc point(loft_real p0, loft_real p1, loft_real p2, loft_real p3, loft_unit t)
 {
@@ -64,7 +64,7 @@ void loft_cubic_deriv(const loft_cubic *c, unsigned k, loft_unit t, loft_acc out
  *
  *     b[a,a,a]   b[a,a,b]   b[a,b,b]   b[b,b,b]        a = from, b = to
  *
- * Two rows of de Casteljau at a and two at b; the third row mixes them. */
+ * Two rows of de Casteljau at a and two at b; the third row combines them. */
 loft_cubic loft_cubic_sub(const loft_cubic *c, loft_unit from, loft_unit to)
 {
     loft_cubic piece;

@@ -1,30 +1,29 @@
 /* lib/curve/curvature.c -- curvature without cancellation
  * SPDX-License-Identifier: MIT
  *
- * With the two edges e0, e1 that de Casteljau's scheme has left in its last row but one,
+ * Let e0, e1 be the two edges in the last row but one of de Casteljau's scheme. Then
  *
  *     P' = n q,  q = (1 - t) e0 + t e1        P' x P'' = n^2 (n - 1) e0 x e1
  *     curvature = (n - 1) / n * |e0 x e1| / |q|^3
  *
- * Edges and products are whole numbers, so that q = 0 and e0 x e1 = 0 are decided and no digit
- * cancels. t = j / T, T = 2^LOFT_EXACT_UNIT:
+ * Edges and products are integers, so q = 0 and e0 x e1 = 0 are exact decisions and no digit
+ * cancels. With t = j / T, T = 2^LOFT_EXACT_UNIT, and d_i = b_(i+1) - b_i,
  *
- *     T^(n-2) e_k = sum over i = 0..n-2 of C(n-2, i) (T - j)^(n-2-i) j^i d_(i+k)         d_i =
- *         b_(i+1) - b_i
+ *     T^(n-2) e_k = sum over i = 0..n-2 of C(n-2, i) (T - j)^(n-2-i) j^i d_(i+k)
  *
  * Bits for n = 9, t in -1..2: |T - j| + |j| <= 3 T, so e has R + 1 + 7 (25.6 or 54.6), q 1 (25.6 or
- * 54.6) more and e0 x e1 twice those of e and 1: q16 212, 237, 425; floats 512, 566, 1025.
+ * 54.6) more, and e0 x e1 twice those of e plus 1: q16 212, 237, 425; floats 512, 566, 1025.
  *
- * Lengths: the components are brought to at most 100 bits before they are squared; what is cut off
- * is 2^-100 of the largest, and a root of 200 bits is whole to 2^-99. The cube has below 307 bits,
- * the result errs by 2^-95 of itself before it is rounded.
+ * Lengths: the components are reduced to at most 100 bits before they are squared. The bits dropped
+ * are 2^-100 of the largest, and the integer root of 200 bits is exact to 2^-99. The cube has fewer
+ * than 307 bits, and the result has a relative error of 2^-95 before it is rounded.
  */
 #include "curve/shape.h"
-#include "num/exact.h"  /* loft_exact: the decisions */
+#include "num/exact.h"  /* loft_exact: exact decisions */
 
 #define LENGTH_BITS 100
 
-/* A sum of squares, and the power of two by which what was squared was multiplied. */
+/* A sum of squares, and the power of two by which the squared numbers were multiplied. */
 typedef struct {
     loft_exact sum;
     int shift;
@@ -104,8 +103,8 @@ static loft_exact area(const ends *x, int axes, int *shift)
     return loft_exact_root(s.sum);
 }
 
-/* (n - 1) / n * top / length^3 as it is in coordinates: e0 x e1 has T^(2n-4) G^2, length^3 has
- * T^(3n-3) G^3. */
+/* (n - 1) / n * top / length^3 in units of coordinates: e0 x e1 has the factor T^(2n-4) G^2,
+ * length^3 has T^(3n-3) G^3. */
 static bool quotient(const loft_bezier *b, loft_exact top, int top_shift, loft_exact length,
                      int length_shift, loft_real *out)
 {
@@ -144,7 +143,7 @@ static enum loft_status check(const loft_bezier *b, loft_unit t, int axes)
     return b->degree == 0 ? LOFT_SINGULAR : LOFT_OK;
 }
 
-/* Both functions: with a sign, or over all pairs of axes. */
+/* Both functions: with a sign in the plane, or over all pairs of axes. */
 static enum loft_status curvature_and_tangent(const loft_bezier *b, loft_unit t, int axes,
                                               bool with_sign, loft_real *curvature,
                                               loft_vec *tangent)

@@ -1,33 +1,33 @@
 /* lib/curve/flatten.c -- chords within a tolerance (curve/measure.h)
  * SPDX-License-Identifier: MIT
  *
- * A piece of the curve with the control points b0..b3 and a chord, the closed segment between the
- * *rounded* ends A and B. The distance to a segment is a convex function, so along the piece
+ * Consider a piece of the curve with the control points b0..b3 and a chord, the closed segment
+ * between the *rounded* ends A and B. The distance to a segment is a convex function, so along the
+ * piece
  *
  *     distance(P(t)) <= B0(t) d0 + B1(t) d1 + B2(t) d2 + B3(t) d3         d_i = distance of b_i
  *
- * With m = max(d0, d3), a >= b the excesses of d1 and d2 over m or 0, and B1 + B2 <= 3/4, max B1 =
- * max B2 = 4/9, this is at most
+ * Let m = max(d0, d3), and a >= b the excesses of d1 and d2 over m, or 0. With B1 + B2 <= 3/4 and
+ * max B1 = max B2 = 4/9 this is at most
  *
- *     m + 3/4 b + 4/9 (a - b)
- *         (1)
+ *     m + 3/4 b + 4/9 (a - b)                                             (1)
  *
- * exactly so for equal d1, d2 and for d2 = 0. A piece that misses (1) is cut in two, and both are
- * held against the same chord; so on, until a cut is too far away. The pieces are the leaves of a
- * binary tree, part k of 2^level, visited in order: the one after part k is k + 1, or rather its
- * largest ancestor that starts there.
+ * with equality for d1 = d2 and for d2 = 0. A piece that fails (1) is halved, and both halves are
+ * compared with the same chord, and so on until a piece is too far away. The pieces are the leaves
+ * of a binary tree, piece k of 2^level, visited in order. The one after piece k is k + 1, or rather
+ * the largest ancestor that starts there.
  *
  * The other direction: the nearest point on the chord moves continuously with t and comes within
- * the rounding of both ends, so every point of the chord is the nearest one of some P(t), or lies
- * within the rounding of an end.
+ * the rounding of both ends. Every point of the chord is therefore the nearest one of some P(t), or
+ * lies within the rounding of an end.
  *
- * The search. From the parameter s of the last point the ends of the dyadic intervals that hold s
- * are tried, from the largest down to the first that succeeds; between that end and the one before
- * it is halved. Halving the curve at the middle until both inner points are within tol of the chord
- * gives dyadic pieces with distances of at most 3/4 tol. The rest s..r of such a piece a..r is no
- * worse against its own chord (its sideways motion is a part of the whole's; searched with hill
- * climbing over all such pieces: 3/4 tol), so r is reached from every s in a..r, and the chords
- * here are never behind. */
+ * The search. Let s be the parameter of the last point. The ends of the dyadic intervals that
+ * contain s are tried, from the largest down to the first that succeeds. Bisection between that end
+ * and the previous one follows. Halving the curve at the middle until both inner points are within
+ * tol of the chord gives dyadic pieces with distances of at most 3/4 tol. The remainder s..r of
+ * such a piece a..r is no farther from its own chord: its sideways motion is a part of that of the
+ * whole piece. (Hill climbing over all such pieces found 3/4 tol.) So r is reached from every s in
+ * a..r, and the chords here are never behind. */
 #include "curve/measure.h"
 #include "geom/chord.h"    /* loft_chord_foot */
 
@@ -35,8 +35,8 @@
 #define FINE  256                   /* ends are found to 1 / FINE of the chord             */
 #define DEPTH 14                    /* pieces of a chord: 2^DEPTH where it is closest      */
 
-/* The distance of w from the chord: that of w from a point of the chord which is nearest but for
- * rounding, so never too small. */
+/* An upper bound of the distance of w from the chord: the distance to a point of the chord that is
+ * the nearest one except for rounding. */
 static loft_acc chord_distance(const loft_acc w[LOFT_AXES], const loft_chord *c)
 {
     loft_acc r[LOFT_AXES];
@@ -86,7 +86,7 @@ static void cut_piece(const loft_flatten *f, uint32_t from, uint32_t to, loft_ac
     }
 }
 
-/* Part k of 2^level of the next `steps` steps starts here. */
+/* The start of piece k of 2^level of the next `steps` steps. */
 static uint32_t piece_start(const loft_flatten *f, uint32_t steps, uint32_t k, unsigned level)
 {
     return f->at + (uint32_t)((uint64_t)steps * k >> level);
@@ -122,7 +122,7 @@ static bool is_curve_along(const loft_flatten *f, uint32_t to, const loft_chord 
     }
 }
 
-/* May a chord lead from the last point to the one at `to`, and where is that? */
+/* May a chord lead from the last point to the one at `to`? *end is its end. */
 static bool is_chord_close(const loft_flatten *f, uint32_t to, loft_vec *end)
 {
     loft_acc p[4][LOFT_AXES];
@@ -139,7 +139,7 @@ static bool is_chord_close(const loft_flatten *f, uint32_t to, loft_vec *end)
 }
 
 /* One step of the parameter is always flat: its inner points are within 2^-44 of the largest
- * coordinate of the exact chord, below 1/4 of the smallest tolerance. */
+ * coordinate from the exact chord, below 1/4 of the smallest tolerance. */
 enum loft_status loft_flatten_init(loft_flatten *f, const loft_cubic *c, loft_real tol)
 {
     const loft_acc wide = loft_to_acc(tol);
@@ -166,7 +166,7 @@ enum loft_status loft_flatten_init(loft_flatten *f, const loft_cubic *c, loft_re
     return LOFT_OK;
 }
 
-/* The end of the longest chord found, and the parameter there. */
+/* The end of the longest chord found, and its parameter. */
 static uint32_t longest_chord(const loft_flatten *f, loft_vec *end)
 {
     uint32_t low = f->at, high = low;

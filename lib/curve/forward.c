@@ -21,8 +21,8 @@ static bool points_valid(const loft_bezier *b)
     return true;
 }
 
-/* One halving of the step adds `degree` bits to the fractions of the differences; 32 are there. A
- * step that is no power of two has its fractions rounded, so none is free. */
+/* One halving of the step adds `degree` bits to the fractions of the differences, which have 32
+ * bits. If n is not a power of two, the fractions are rounded and no bits are free. */
 static int8_t halvings(unsigned degree, uint32_t n)
 {
     uint8_t used = 0;
@@ -36,7 +36,7 @@ static int8_t halvings(unsigned degree, uint32_t n)
     return (int8_t)(32 / degree > used ? 32 / degree - used : 0);
 }
 
-/* How often n can be halved and stay at least `coarsest`; -1 if it is below already. */
+/* How often n can be halved and stay at least `coarsest`; -1 if it is already below. */
 static int8_t doublings(uint32_t n, uint32_t coarsest)
 {
     int8_t times = -1;

@@ -1,10 +1,9 @@
 /* lib/curve/forward.h -- walk a Bezier curve at equal parameter steps, by exact forward differences
  * SPDX-License-Identifier: MIT
  *
- * Each point costs as many additions per axis as the curve has degrees, and no multiplication.
- * There
- * is no drift. Use it to trace a curve at a fixed rate. For single points use loft_bezier_eval; for
- * steps that follow the curvature use measure.h.
+ * Each point costs `degree` additions per axis and no multiplication. There is no drift. Use it to
+ * trace a curve at a fixed rate. For single points use loft_bezier_eval; for steps that follow the
+ * curvature use measure.h.
  *
  *     loft_forward w;
  *     loft_vec     p;
@@ -12,8 +11,8 @@
  *         while (loft_forward_next(&w, &p))
  *             move_to(p);                      // 64 points, the last one is the last control point
  *
- * The law of ranges: n steps are accepted while S = C(n,1) + .. + C(n,degree) <= 2^32 - 2^15, in
- * every number type. C(n,k) is the binomial coefficient.
+ * The law of ranges: n steps are valid if S = C(n,1) + .. + C(n,degree) <= 2^32 - 2^15, in every
+ * number type. C(n,k) is the binomial coefficient.
  *
  *     degree                  1        2       3      4     5
  *     n at most   2^32 - 2^15    92,681   2,953    567   220
@@ -34,9 +33,8 @@ typedef struct {
     loft_walk axis[LOFT_AXES];
     uint32_t left;                      /* points to come */
     uint8_t degree;
-    int8_t halvings, doublings;         /* halvings that the guard bits still allow, and doublings
-                                         * from which a halving leads back exactly (negative: none
-                                         * does now) */
+    int8_t halvings, doublings;         /* halvings for which guard bits remain, and doublings that
+                                         * a halving can undo exactly (negative: none) */
 } loft_forward;
 
 /* State of a walk that is exact for any n. */
@@ -51,48 +49,49 @@ typedef struct {
  *
  *   shape   will yield n points, at t = 1/n, 2/n .. 1; the start is not repeated; `b` is not kept
  *   range   degree 0..5, n >= 1, otherwise LOFT_ERR_ARG; n within the law of ranges, any control
- *           points (f32, f64: to LOFT_REAL_MAX / 65536), otherwise LOFT_ERR_RANGE; then *w is
- *           untouched
- *   error   none of its own: that of the points is said below
+ *           points (f32, f64: to LOFT_REAL_MAX / 65536), otherwise LOFT_ERR_RANGE. *w is untouched
+ *           after an error
+ *   error   none of its own: for the points see below
  *   cost    q16: degree * 6 divisions of 32 bits and, per axis, degree * (degree + 15) / 2 products
  *   see     Foley, van Dam, Feiner, Hughes: Computer Graphics, ch. 11
  */
 enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32_t n) LOFT_CHECKED;
 
-/* Give the next point. Returns false, and leaves *out alone, when the walk is over.
+/* Get the next point. Returns false, and leaves *out untouched, at the end of the walk.
  *
  *   error   q16: 1/2 LSB for n = 2^m with degree * m <= 32; any other n: 1/2 LSB + S (2^-33 +
- *           2^-50), which is 0.521 LSB for a cubic of 1023 steps. The last point: none.
+ *           2^-50), which is 0.521 LSB for a cubic of 1023 steps. The last point is exact.
  *           f32, f64: (K n + 8 * 3^degree) / 2^53 of the largest control value, K = 1 3 8 21 56 for
- *           degree 1..5 (a sixth of that was measured), and f32 1/2 ulp more. The last point: none.
+ *           degree 1..5 (a sixth of that was measured); f32 adds 1/2 ulp. The last point is exact.
  *   cost    `degree` additions per axis; no branch on data; safe in an ISR
  */
 bool loft_forward_next(loft_forward *w, loft_vec *out);
 
-/* Give the next `count` points at once, or as many as are left; returns how many. The same points
- * as loft_forward_next, faster: one axis after the other, its state in registers.
+/* Get the next `count` points at once, or all that are left; returns the number. The points are
+ * those of loft_forward_next. It is faster, since it computes one axis after the other with its
+ * state in registers.
  *
  *   error   as loft_forward_next
  *   cost    `degree` additions per axis and point; safe in an ISR
  */
 uint32_t loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count);
 
-/* Go on with half the step, from the point where the walk is: the points to come double in number.
+/* Continue from the current point with half the step: the number of remaining points doubles.
  *
- *   range   q16: n = 2^m with degree * (m + 1) <= 32, m as it is now, or back from
- *           loft_forward_double; 4 steps or more for the whole curve, and control values no wider
- *           apart than 2^31 / (degree * 3^(degree-1)) LSB per step; otherwise LOFT_ERR_RANGE and *w
- *           is untouched.
+ *   range   q16: n = 2^m with degree * (m + 1) <= 32, with the current m, or undoing a
+ *           loft_forward_double; at least 4 steps for the whole curve, and control values at most
+ *           2^31 / (degree * 3^(degree-1)) LSB per step apart; otherwise LOFT_ERR_RANGE, and *w is
+ *           untouched.
  *           f32, f64: degree * (m + 1) <= 32 likewise
  *   error   as if the walk had begun with this step
  *   cost    at most 7 small products and 5 shifts per axis
  */
 enum loft_status loft_forward_halve(loft_forward *w) LOFT_CHECKED;
 
-/* Go on with twice the step.
+/* Continue with twice the step.
  *
- *   range   an even number of points to come; otherwise LOFT_ERR_RANGE and *w is untouched
- *   error   every second point of the walk as it was, bit for bit in q16
+ *   range   an even number of remaining points; otherwise LOFT_ERR_RANGE, and *w is untouched
+ *   error   every second point of the original walk, bit for bit in q16
  *   cost    at most 12 small products per axis
  */
 enum loft_status loft_forward_double(loft_forward *w) LOFT_CHECKED;
@@ -107,9 +106,9 @@ enum loft_status loft_forward_double(loft_forward *w) LOFT_CHECKED;
 enum loft_status loft_forward_exact_init(loft_forward_exact *w, const loft_bezier *b,
                                           uint32_t n) LOFT_CHECKED;
 
-/* Give the next point. Returns false, and leaves *out alone, when the walk is over.
+/* Get the next point. Returns false, and leaves *out untouched, at the end of the walk.
  *
- *   error   q16: 1/2 LSB, and none at the last point   f32, f64: as loft_forward_next
+ *   error   q16: 1/2 LSB, none at the last point   f32, f64: as loft_forward_next
  *   cost    `degree` additions of a quotient and of a remainder per axis; safe in an ISR
  */
 bool loft_forward_exact_next(loft_forward_exact *w, loft_vec *out);

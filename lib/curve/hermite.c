@@ -1,7 +1,7 @@
 /* lib/curve/hermite.c
  * SPDX-License-Identifier: MIT
  *
- * One axis at a time through basis/interp.h, where rooms and errors are derived; rounded once.
+ * Each axis is computed by basis/interp.h, which derives ranges and errors, and is rounded once.
  */
 #include "curve/hermite.h"
 #include "basis/interp.h"       /* loft_ends3_deriv, loft_ends5_deriv */

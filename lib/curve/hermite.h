@@ -7,10 +7,12 @@
  *     loft_cubic c;
  *     if (loft_cubic_from_hermite(&h, &c) == LOFT_OK) ..      // walk it, flatten it, plan it
  *
- * A cubic has 4/3 of a tangent's reach: its points and control points may lie beyond the
- * coordinates although all data are within. Such a result is reported, never wrapped. In the
- * `error` lines L = |1 - t| + |t| and ulp is that of the largest coordinate given. f64 takes
- * coordinates below 2^1000.
+ * 1 - t| + |t| and ulp is that of the largest coordinate given. f64 takes coordinates below 2^1000.
+ * | Control points of a cubic reach up to 4/3 of the range of the data (p0 + t0 / 3), so points and
+ * control points may be out of range although all data are within it. Such a result is reported,
+ * never wrapped. In the `error` lines L = |1 - t| + |t|, and ulp is that of the largest given
+ * coordinate. f64 accepts coordinates below 2^1000. |1 - t| + |t| and ulp is that of the largest
+ * coordinate given. f64 takes coordinates below 2^1000.
  */
 #ifndef LOFT_CURVE_HERMITE_H
 #define LOFT_CURVE_HERMITE_H
@@ -31,8 +33,8 @@ typedef struct {
 
 /* The point at t.
  *
- *   range   t in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit; *out is
- *           untouched then
+ *   range   t in -1..2, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE if the point does not fit. *out is
+ *           untouched after an error
  *   error   n = 3 or 5, q16: 1/2 LSB + (L^n + 1 + L + .. + L^(n-1)) * 2^-17 LSB, exact at 0 and 1
  *           f32: 1/2 ulp of the result + 1/2 ulp   f64: (6 n + 4) L^n ulp
  *   cost    n (n + 1) / 2 wide lerps per axis; safe in an ISR
@@ -54,9 +56,9 @@ enum loft_status loft_hermite_deriv(const loft_hermite *h, unsigned k, loft_unit
 enum loft_status loft_hermite5_deriv(const loft_hermite5 *h, unsigned k, loft_unit t,
                                      loft_vec *out) LOFT_CHECKED;
 
-/* The same curve by its control points: 4, or 6 of degree 5.
+/* The control points of the curve: 4, or 6 for degree 5.
  *
- *   range   LOFT_ERR_RANGE when one does not fit; *out is undefined then
+ *   range   LOFT_ERR_RANGE if one does not fit; *out is undefined then
  *   error   q16: 1/2 LSB + 2^-17 LSB, none at the ends   f32: 1/2 ulp of the result + 1/2 ulp
  *           f64: 3 ulp
  *   cost    2 or 4 divisions by small numbers per axis

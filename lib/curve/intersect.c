@@ -1,12 +1,13 @@
 /* lib/curve/intersect.c
  * SPDX-License-Identifier: MIT
  *
- * Pairs of pieces, one of each curve, starting with both wholes. A pair whose hulls are more than
- * tol / 2 apart is dropped: apart along an axis, or along the direction between the nearest points
- * of the two chords (for any direction u, min <b_i, u> - max <a_i, u> is a lower bound). Otherwise
- * one piece is halved, until both are straight: all control points within tol / 8 of the even steps
- * along the chord, so that the curve is within tol / 8 of the chord at the same parameter. Then the
- * chords decide: with a distance of at most tol / 2 they meet. So
+ * The search examines pairs of pieces, one of each curve, starting with both whole curves. A pair
+ * is dropped if its hulls are more than tol / 2 apart: along an axis, or along the direction
+ * between the nearest points of the two chords (for any direction u, min <b_i, u> - max <a_i, u> is
+ * a lower bound). Otherwise one piece is halved, until both are straight. A piece is straight if
+ * all control points are within tol / 8 of the even steps along the chord; then the curve is within
+ * tol / 8 of the chord at the same parameter. The chords decide: they meet if their distance is at
+ * most tol / 2. So
  *
  *     curves that meet    have chords within  tol / 4 < tol / 2       none is missed
  *     chords that meet    have curves within  tol / 2 + tol / 4       none is invented
@@ -14,25 +15,26 @@
  * and a quarter of tol is left on both sides for rounding.
  *
  * Chords. The distance of the point at sigma of one segment from the other segment is convex in
- * sigma: halving by the sign of its slope finds the least. The slope is wrong where it is within d,
- * the error of a foot, of null: at an angle theta the distance is then off by less than d / sin
- * theta, and by less than L sin theta on a chord of length L anyway, so by less than sqrt(d L).
- * With d = 4 grains (2^-30 in q16; 2^-43 L in f32) that is below tol / 8 for L <= tol^2 / (256
- * grains) and L <= 2^14 tol. A longer chord is halved first, unless the whole of it or of the other
- * is within tol / 2: then they meet all along, and nothing has to be found. Even so L is kept below
- * 2^18 tol, for a parameter on the chord is a loft_unit: 2^-24 L.
+ * sigma, so bisection by the sign of its slope finds the minimum. The sign may be wrong if the
+ * slope is within d of 0, where d is the error of a nearest point. At an angle theta the distance
+ * is then off by less than d / sin theta. On a chord of length L it is also off by less than L sin
+ * theta, so by less than sqrt(d L). With d = 4 ulp (2^-30 in q16; 2^-43 L in f32) that is below tol
+ * / 8 for L <= tol^2 / (256 ulp) and L <= 2^14 tol. A longer chord is halved first, unless the
+ * whole of it or of the other is within tol / 2: then they meet all along, and no search is needed.
+ * L is always kept below 2^18 tol, because a parameter on the chord is a loft_unit: 2^-24 L.
  *
- * The walk. Which of the two was halved on the way down is kept, one flag per level: a piece has at
- * most LOFT_DYAD_LEVELS = 24 levels, hence at most 48 flags. At level 24 a piece is taken for
- * straight. (It is: second differences are 2^-48 of 4 times the largest coordinate, 2^-31 in q16.)
+ * The traversal. One flag per level stores which of the two was halved on the way down: a piece has
+ * at most LOFT_DYAD_LEVELS = 24 levels, hence there are at most 48 flags. At level 24 a piece
+ * counts as straight. (It is: second differences are 2^-48 of 4 times the largest coordinate, 2^-31
+ * in q16.)
  *
- * Stretches. The part of two chords within tol / 2 of each other is a convex set of (sigma, tau),
- * and two such sets of neighbouring pairs meet on the common edge; joining those whose ranges touch
- * makes the whole stretch.
+ * Stretches. The (sigma, tau) where two chords are within tol / 2 of each other form a convex set.
+ * Two such sets of neighbouring pairs meet on the common edge. Joining those whose ranges touch
+ * gives the whole stretch.
  *
  * A stretch that both curves share from end to end is known beforehand (curve/overlap.h). Pairs of
- * pieces that meet only there are passed over, so that what remains is found as quickly as if there
- * were none. */
+ * pieces that meet only there are skipped, so the rest is found as quickly as without the
+ * stretch. */
 #include "curve/intersect.h"
 #include "basis/dyadic.h"   /* loft_dyad, loft_bernstein_sub */
 #include "curve/overlap.h"  /* loft_bezier_overlap */
@@ -110,7 +112,7 @@ static void cut_side(search *z, side *s)
     s->straight = last || (s->chord.length <= z->short_enough && s->flat);
 }
 
-/* From x to the nearest point of the chord: x becomes that point, r where x was from there. */
+/* Move x to the nearest point of the chord; r is the old x minus the new one. */
 static void move_to_chord(const side *s, loft_acc x[], loft_acc r[])
 {
     loft_acc w[LOFT_AXES];
@@ -122,8 +124,7 @@ static void move_to_chord(const side *s, loft_acc x[], loft_acc r[])
         x[i] -= r[i];
 }
 
-/* The extreme of <p_k - x, u> in the direction of u (sign 1) or against it (-1), but no less far
- * than 0. */
+/* The maximum of <p_k - x, u> (sign 1) or of its negative (sign -1), but at least 0. */
 static loft_acc hull_extreme(const side *s, const loft_acc x[], const loft_unit u[], int32_t sign)
 {
     loft_acc most = 0;
@@ -167,8 +168,8 @@ static bool are_sides_apart(const side *a, const side *b, loft_acc gap)
     return m - hull_extreme(a, x, u, 1) - hull_extreme(b, y, u, -1) - 4 * loft_hypot_ulp(m) > gap;
 }
 
-/* The distance of the point at sigma of a's chord from b's chord, where on it, and the slope along
- * a. */
+/* The distance of the point at sigma of a's chord from b's chord, the parameter tau there, and the
+ * slope along a. */
 static loft_acc chord_gap_at(const side *a, const side *b, loft_unit sigma, loft_unit *tau,
                        loft_acc *slope)
 {
@@ -197,7 +198,7 @@ static bool is_chord_along(const side *a, const side *b, loft_acc gap)
     return is_chord_near(a, b, 0, gap) && is_chord_near(a, b, LOFT_UNIT(1), gap);
 }
 
-/* The least distance of the two chords, and where. */
+/* The smallest distance of the two chords, and its parameters. */
 static loft_acc closest_points(const side *a, const side *b, loft_unit *sigma, loft_unit *tau)
 {
     uint32_t low = 0, high = STEPS;
@@ -221,7 +222,8 @@ static loft_acc closest_points(const side *a, const side *b, loft_unit *sigma, l
     return chord_gap_at(a, b, *sigma, tau, &slope);
 }
 
-/* From sigma, which is near, on to `end`: the last parameter that is, and 2^-10 of the way more. */
+/* The last parameter from sigma, which is near, toward `end` that is near, plus 2^-10 of the
+ * distance. */
 static loft_unit near_range_end(const side *a, const side *b, loft_unit sigma, loft_unit end,
                             loft_acc gap)
 {
@@ -254,7 +256,7 @@ static void widen_range(loft_unit *from, loft_unit *to, loft_unit other_from, lo
         *to = other_to;
 }
 
-/* c becomes the crossing that c and other make together. */
+/* Merge `other` into c. */
 static void unite_crossings(loft_crossing *c, const loft_crossing *other)
 {
     loft_crossing both = other->distance < c->distance ? *other : *c;
@@ -266,7 +268,8 @@ static void unite_crossings(loft_crossing *c, const loft_crossing *other)
     *c = both;
 }
 
-/* Take in all that c touches, then c itself, where s has it. False when there is no room. */
+/* Merge all crossings that c touches into it, then insert c, sorted by s. False if `out` is
+ * full. */
 static bool add_crossing(loft_crossing c, loft_crossing out[], size_t room, size_t *count)
 {
     size_t k = 0;
@@ -290,7 +293,7 @@ static bool add_crossing(loft_crossing c, loft_crossing out[], size_t room, size
     return true;
 }
 
-/* The chords of the current pair, if they meet. False when there is no room. */
+/* Add the crossing of the chords of the current pair if they meet. False if `out` is full. */
 static bool add_chord_crossing(const search *z, loft_crossing out[], size_t room, size_t *count)
 {
     const side *a = &z->a, *b = &z->b;
@@ -321,9 +324,9 @@ static bool add_chord_crossing(const search *z, loft_crossing out[], size_t room
     return add_crossing(c, out, room, count);
 }
 
-/* Curves that are the same for a while are so until one of them ends. Which way the second runs is
- * seen from the ends of a long stretch: where the first turns back within tol, its direction at one
- * place says little. */
+/* Curves that agree on a stretch do so until one of them ends. The direction of the second curve
+ * follows from the ends of a long stretch: if the first curve turns back within tol, its direction
+ * at one place means little. */
 static void judge_crossing(const search *z, loft_crossing *c, loft_acc least)
 {
     const loft_vec from = loft_bezier_eval(z->a.b, c->s_from),
@@ -346,9 +349,9 @@ static void judge_crossing(const search *z, loft_crossing *c, loft_acc least)
 }
 
 
-/* The walk */
+/* The traversal */
 
-/* Halve the piece that needs it, the larger one if both do. False if neither does. */
+/* Halve the piece that needs it, or the larger one if both do. False if neither does. */
 static bool halve_pair(search *z)
 {
     side *a = &z->a, *b = &z->b;
@@ -365,7 +368,7 @@ static bool halve_pair(search *z)
     return true;
 }
 
-/* On to the pair that follows the current one and what is below it; false when there is none. */
+/* Go to the pair after the current one and its descendants; false if there is none. */
 static bool next_pair(search *z)
 {
     for (; z->depth; z->depth--) {
@@ -382,7 +385,7 @@ static bool next_pair(search *z)
     return false;
 }
 
-/* What both curves share is the first crossing. False when there is no room. */
+/* The shared stretch is the first crossing. False if `out` is full. */
 static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t *count)
 {
     const loft_overlap *o = &z->shared;
@@ -402,7 +405,7 @@ static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t
     return add_crossing(c, out, room, count);
 }
 
-/* Nothing left to find in this pair? */
+/* Is nothing left to find in this pair? */
 static bool is_pair_done(const search *z)
 {
     const loft_dyad a = z->a.n, b = z->b.n;

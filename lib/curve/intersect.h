@@ -7,9 +7,9 @@
  *         for (size_t k = 0; k < count; k++)
  *             use(c[k].s, c[k].t, c[k].point);
  *
- * Coordinates are rounded, so whether two curves touch can only be said within a tolerance. A
- * crossing is a connected stretch along which they are that close; it is short where they cross at
- * an angle, longer where they touch.
+ * Coordinates are rounded, so whether two curves touch can only be decided within a tolerance. A
+ * crossing is a connected stretch on which they are that close. It is short if they cross at an
+ * angle, and longer if they touch.
  */
 #ifndef LOFT_CURVE_INTERSECT_H
 #define LOFT_CURVE_INTERSECT_H
@@ -19,37 +19,39 @@
 LOFT_BEGIN_C
 
 typedef struct {
-    loft_unit s, t;                             /* where the two are closest, on the first and on
-                                                 * the second */
+    loft_unit s, t;                             /* parameters of the closest points, on the first
+                                                 * and on the second curve */
     loft_vec  point;                            /* half way between the two points there */
-    loft_acc  distance;                         /* of the two points, within tol / 4 */
+    loft_acc  distance;                         /* between the two points, exact to tol / 4 */
     loft_unit s_from, s_to, t_from, t_to;       /* the stretch */
-    bool      along;                            /* the second runs in the direction of the first, or
-                                                 * across */
-    bool      overlap;                          /* they do not part before one of them ends, on
+    bool      along;                            /* the second runs in the direction of the first or
+                                                 * at a right angle */
+    bool      overlap;                          /* they stay together until one of them ends, on
                                                  * either side */
 } loft_crossing;
 
 /* Find all crossings of a and b, sorted by s.
  *
- *   shape   out[room], *count of them are filled
- *   range   tol > 0 and at least two axes (on a line curves do not cross, they overlap: compare
- *           their boxes), otherwise LOFT_ERR_ARG; q16: tol >= 2 LSB, f32: 2^-22, f64: 2^-38 of the
- *           largest coordinate, otherwise LOFT_ERR_RANGE LOFT_MORE: there are more than `room` (a
- *           room of the product of the degrees suffices unless they overlap); LOFT_SINGULAR: at
- *           least one is an overlap, longer than 4 tol. In both cases out[] holds what was found
- *   error   each place where the curves meet lies in the stretch of a crossing, exactly so but for
- *           the rounding of parameters (2^-25 in q16 and f32). Of each crossing the points at s and
- *           t, before that rounding, are within tol of each other, and so are all of a stretch from
- *           the other curve. Two crossings between which the curves stay that close are one. At an
- *           angle of theta a stretch is about tol / sin theta long
+ *   shape   out[room], of which *count are filled
+ *   range   tol > 0 and at least two axes (with one axis curves overlap instead: compare their
+ *           boxes), otherwise LOFT_ERR_ARG; q16: tol >= 2 LSB, f32: 2^-22, f64: 2^-38 of the
+ *           largest coordinate, otherwise LOFT_ERR_RANGE. LOFT_MORE: there are more than `room`
+ *           crossings (the product of the degrees suffices unless the curves overlap).
+ *           LOFT_SINGULAR: at least one is an overlap, longer than 4 tol. In both cases out[] holds
+ *           the crossings found
+ *   error   each place where the curves meet lies in the stretch of a crossing, except for the
+ *           rounding of parameters (2^-25 in q16 and f32). The points of a crossing at s and t,
+ *           before that rounding, are within tol of each other, and all points of a stretch are
+ *           within tol of the other curve. Two crossings between which the curves stay that close
+ *           are merged. At an angle of theta a stretch is about tol / sin theta long
  *   cost    about 70 pieces for two cubics that cross once, each degree * (degree + 1) * (degree +
- *           5) / 6 wide lerps per axis and 5 roots; about 150 more where both are parts of one
- *           curve, however long they overlap; where they touch, or overlap otherwise, about 100 *
- *           length / sqrt(radius * tol), at worst length / tol for straight curves of different
- *           degree. 2.2 KB of stack for three axes in q16; not for an ISR
+ *           5) / 6 wide lerps per axis and 5 roots; about 150 more if both are pieces of one curve,
+ *           for any length of overlap. If they touch, or overlap otherwise, about 100 * length /
+ *           sqrt(radius * tol), at worst length / tol for straight curves of different degree. 2.2
+ *           KB of stack for three axes in q16; not for an ISR
  *   see     Sederberg, White & Zundel, Fat arcs, CAGD 6 (1989), and Lane & Riesenfeld (1980) for
- *           hull and split; the separating plane: Ericson, Real-Time Collision Detection, ch. 5
+ *           hulls and subdivision; the separating plane: Ericson, Real-Time Collision Detection,
+ *           ch. 5
  */
 enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *b, loft_real tol,
                                        loft_crossing out[], size_t room,

@@ -1,14 +1,14 @@
 /* lib/curve/join.c
  * SPDX-License-Identifier: MIT
  *
- * With a = a[n], u = b[1] and whole numbers throughout:
+ * With a = a[n], u = b[1], and integers throughout:
  *
  *     D = <a, a>    N = <u, a>    alpha = N / D
- *     G1: the part of u at a right angle to a is  (D u - N a) / D
- *     W = D^2 b[2] + N^2 a[n-1], which is D^2 (b[2] + alpha^2 a[n-1])
- *     G2: its part at a right angle to a is  (D W - <W, a> a) / D^3,  and eta = <W, a> / D^3
+ *     G1: the component of u perpendicular to a is  (D u - N a) / D
+ *     W = D^2 b[2] + N^2 a[n-1] = D^2 (b[2] + alpha^2 a[n-1])
+ *     G2: its component perpendicular to a is  (D W - <W, a> a) / D^3,  and eta = <W, a> / D^3
  *
- * Room: an edge is below 2^e, e = 32 in q16 and 129 in floats (num/exact.h). With 6 axes D and N
+ * Range: an edge is below 2^e, e = 32 in q16 and 129 in floats (num/exact.h). With 6 axes D and N
  * are below 2^(2e + 2.6), W below 2^(5e + 6.2) and D W - <W, a> a below 2^(7e + 9.8): 234 bits of
  * 447, and 913 of 1087. */
 #include "curve/join.h"
@@ -39,7 +39,7 @@ static void subtract(whole_vec *v, const whole_vec *a)
         v->axis[i] = loft_exact_sub(v->axis[i], a->axis[i]);
 }
 
-/* Is v / d no longer than tol? For tol = 0: is v null? */
+/* Is |v / d| <= tol? For tol = 0: is v null? */
 static bool is_within(const whole_vec *v, loft_exact d, loft_real tol)
 {
     const loft_acc wide = loft_to_acc(tol);
@@ -78,7 +78,7 @@ static void decide_parametric(loft_join *j, const loft_vec p[], const loft_vec q
     }
 }
 
-/* G2 and eta, where G1 holds with alpha = n / d. Is eta a coordinate? */
+/* Decide G2 and eta, for G1 with alpha = n / d. Does eta fit a coordinate? */
 static bool decide_curvature(loft_join *j, const loft_vec p[], const loft_vec q[], loft_exact n,
                              loft_exact d, loft_real tol)
 {
@@ -93,7 +93,7 @@ static bool decide_curvature(loft_join *j, const loft_vec p[], const loft_vec q[
     return !j->g2 || loft_exact_quot_real(along, d3, 0, &j->eta);
 }
 
-/* Of two lines W = (D N + N^2) a: eta = (N D + N^2) / D^2. */
+/* For two lines W = (D N + N^2) a: eta = (N D + N^2) / D^2. */
 static bool decide_lines(loft_join *j, loft_exact n, loft_exact d)
 {
     j->g2 = true;

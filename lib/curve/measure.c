@@ -1,27 +1,26 @@
 /* lib/curve/measure.c -- length, and the parameter at a length (curve/measure.h)
  * SPDX-License-Identifier: MIT
  *
- * With w0 w1 w2 the legs of the control polygon, the piece a..b of the curve, h = b - a, has the
+ * Let w0 w1 w2 be the legs of the control polygon. The piece a..b of the curve, h = b - a, has the
  * legs
  *
- *     h v0,  h v1,  h v2           v0 = w[a,a],  v1 = w[a,b],  v2 = w[b,b]        (blossoms of a
- *            quadratic)
+ *     h v0,  h v1,  h v2           v0 = w[a,a],  v1 = w[a,b],  v2 = w[b,b]
  *
- * and its length lies between chord and polygon,
+ * (blossoms of a quadratic), and its length lies between chord and polygon:
  *
  *     h |v0 + v1 + v2|  <=  length  <=  h (|v0| + |v1| + |v2|)
  *
- * The mean of the two is taken where they differ by at most 2 h tol, so that all pieces together
- * err by at most tol. (For pieces without inflection the mean is far better than that: Gravesen.)
- * Elsewhere the piece is halved. With D the larger of |w1 - w0|, |w2 - w1|, both at most the
- * polygon's length P, two neighbours of v0 v1 v2 are at most h D apart, and the difference is at
- * most 4 h D: at 24 halvings it is below 2 tol for all tol >= 2^-23 P. Twice that is asked, for the
- * rounding of lengths, 2^-28 of each in q16.
+ * The mean of the two is used if they differ by at most 2 h tol, so that the error of all pieces
+ * together is at most tol. (For pieces without inflection the mean is far better: Gravesen.)
+ * Otherwise the piece is halved. Let D be the larger of |w1 - w0|, |w2 - w1|; both are at most the
+ * polygon's length P. Neighbours among v0 v1 v2 are at most h D apart, so the difference is at most
+ * 4 h D. After 24 halvings it is below 2 tol for all tol >= 2^-23 P. Twice that is required,
+ * because of the rounding of lengths, 2^-28 of each in q16.
  *
- * Lengths are those of v, at most 3 * 2^16 sqrt(6) < 2^19; their rounding is scaled down with h.
+ * Lengths are those of v, at most 3 * 2^16 sqrt(6) < 2^19; their rounding is scaled down by h.
  *
- * The pieces are the leaves of a binary tree, piece k of 2^level; they are visited in order. The
- * one after piece k is k + 1, or rather its largest ancestor that starts there: no stack. */
+ * The pieces are the leaves of a binary tree, piece k of 2^level, visited in order. The piece after
+ * k is k + 1, or rather the largest ancestor that starts there: no stack is needed. */
 #include "curve/measure.h"
 
 #define LEVELS     24       /* all k / 2^24 are exact in every number type */
@@ -104,8 +103,8 @@ static loft_acc mean_length(pair p, piece n)
     return loft_acc_ratio(p.chord + p.polygon, (int32_t)2 << n.level);
 }
 
-/* Add up the leaves below *n, in order, before the one that leads beyond `length` or t. *n becomes
- * that leaf or, when there is none, the piece after the given one. */
+/* Add up the leaves below *n, in order, up to the one that passes `length` or t. *n becomes that
+ * leaf, or the piece after the given one if there is none. */
 static loft_acc walk_leaves(const hodograph *h, piece *n, loft_acc length, loft_unit t)
 {
     const uint8_t top = n->level;
@@ -129,10 +128,10 @@ static loft_acc walk_leaves(const hodograph *h, piece *n, loft_acc length, loft_
     return sum;
 }
 
-/* The parameter at `rest` into the leaf n. Leaves are halved until time and length are
- * proportional, within tol: the speed is between 3 (slowest - 2 tol) and 3 fastest, hence the
- * length never off the straight line by more than h / 4 times the difference. Every choice depends
- * on the piece alone: the result grows with `rest`. */
+/* The parameter at the distance `rest` into the leaf n. Leaves are halved until time and length are
+ * proportional within tol. The speed is between 3 (slowest - 2 tol) and 3 fastest, so the length
+ * differs from the straight line by at most h / 4 times the difference. Every choice depends on the
+ * piece alone, so the result increases with `rest`. */
 static loft_unit invert_leaf(const hodograph *h, piece n, loft_acc rest)
 {
     pair p = lengths_over(h, n);
@@ -160,7 +159,7 @@ static loft_unit invert_leaf(const hodograph *h, piece n, loft_acc rest)
     return t < piece_start(n) ? piece_start(n) : t < piece_end(n) ? t : piece_end(n);
 }
 
-/* The parameter at which the curve is `length` beyond the start of n. */
+/* The parameter where the curve is `length` beyond the start of n. */
 static loft_unit locate_length(const hodograph *h, piece n, loft_acc length)
 {
     const piece top = n;
@@ -182,7 +181,7 @@ loft_acc loft_cubic_arclen(const loft_cubic *c, loft_real tol)
     return walk_leaves(&h, &whole, 2 * h.polygon, LOFT_UNIT(1));
 }
 
-/* Half of tol for the lengths, the other half for the inversion. */
+/* Half of tol is for the lengths, the other half for the inversion. */
 loft_unit loft_cubic_inv_arclen(const loft_cubic *c, loft_acc length, loft_real tol)
 {
     const piece whole = { 0, 0 };

@@ -1,41 +1,40 @@
 /* lib/curve/natural.c
  * SPDX-License-Identifier: MIT
  *
- * The unknowns are the slopes m_i at the points. With chords h_i, rises d_i = p_(i+1) - p_i, their
- * quotients q_i = d_i / h_i and w_i = h_i / (h_(i-1) + h_i), the equal second derivatives at each
- * inner point and the vanishing ones at the ends say
+ * The unknowns are the slopes m_i at the points. Let h_i be the chords, d_i = p_(i+1) - p_i the
+ * rises, q_i = d_i / h_i, and w_i = h_i / (h_(i-1) + h_i). The second derivatives are equal at each
+ * inner point and vanish at the ends, which gives
  *
- *     2 m_0 + m_1 = 3 q_0 w_i m_(i-1) + 2 m_i + (1 - w_i) m_(i+1) = 3 (w_i q_(i-1) + (1 - w_i) q_i)
- *     = 3 q_i + w_i 3 (q_(i-1) - q_i) m_(n-1) + 2 m_n = 3 q_(n-1)
+ *     2 m_0 + m_1 = 3 q_0
+ *     w_i m_(i-1) + 2 m_i + (1 - w_i) m_(i+1) = 3 (w_i q_(i-1) + (1 - w_i) q_i)
+ *                                             = 3 q_i + w_i 3 (q_(i-1) - q_i)
+ *     m_(n-1) + 2 m_n = 3 q_(n-1)
  *
- * In each row 2 exceeds what stands beside it by 1 at least. Therefore
+ * In each row the diagonal entry 2 exceeds the sum of the others by at least 1. Therefore |m| <= 3
+ * max |q|, and residuals of size r change the solution by at most r. This holds for any number of
+ * points: errors do not accumulate along the spline.
  *
- *     |m| <= 3 max |q|                            residuals of size r move the solution by r at
- *                                                 most, however
- *                                                 many points there are: errors do not add up along
- *                                                 the spline
- *
- * Elimination from the front: m_i = r_i - c_i m_(i+1), with c_0 = 1/2, r_0 = 3/2 q_0 and
+ * Forward elimination: m_i = r_i - c_i m_(i+1), with c_0 = 1/2, r_0 = 3/2 q_0 and
  *
  *     den = 2 - w_i c_(i-1) >= 3/2      c_i = (1 - w_i) / den in 0..1/2
- *     r_i = (3 q_i + w_i (3 (q_(i-1) - q_i) - r_(i-1))) / den, |r| <= 3 max |q| (it solves a
- *     shorter such system)
+ *     r_i = (3 q_i + w_i (3 (q_(i-1) - q_i) - r_(i-1))) / den
  *
- * then the m from the back. An error of 2^-32 in a slope would be multiplied by chords up to
- * 2^17.3, so numbers without a unit (w, c, den) and the slopes per chord length are kept times ONE
- * = 2^24, in q16 to 2^-57 in rounding steps of e = 2^-33. Largest intermediate: 9 ONE < 2^27.2.
- * Slopes per uniform knot are coordinates, |q| <= 2^16, and are kept as they are: 9 * 2^16.
+ * |r| <= 3 max |q|, since r solves a shorter system of the same kind. Back substitution gives the
+ * m. An error of 2^-32 in a slope would be multiplied by chords up to 2^17.3. Dimensionless numbers
+ * (w, c, den) and the slopes per chord length are therefore scaled by ONE = 2^24: in q16 to 2^-57,
+ * in rounding steps of e = 2^-33. The largest intermediate value is 9 ONE < 2^27.2. Slopes per
+ * uniform knot are coordinates, |q| <= 2^16, and are not scaled: 9 * 2^16.
  *
- * Errors, chord, in e, of what is kept times ONE: lengths are known to 2^-59 (num/muldiv.h), so q:
- * 1.25, w: 1.75 (both lengths, their common scale, the division). The right-hand side: 3.75 + 7.5
- * from q, 9 * 1.75 from w, 1 of its own: 28. c: 3.3, den: 5.2, which the unknown, up to 3,
- * multiplies. r = (28 + 15.6 + w r') / den + 1 with den >= 3/2: r <= 90. m = 90 + 3 * 3.3 + 1/2 m +
- * 1: m <= 202 e / ONE < 2^-49. Uniform: q and w are exact, r = (1 + r' / 2) / 1.75 + 1 <= 2.2 e, m
- * <= 2 (2.2 + 1) e = 6.4 e < 2^-30.
+ * Errors with chord knots, in e, of numbers scaled by ONE. Lengths are known to 2^-59
+ * (num/muldiv.h), so q: 1.25, w: 1.75 (both lengths, their common scale, the division). The
+ * right-hand side: 3.75 + 7.5 from q, 9 * 1.75 from w, 1 of its own: 28. c: 3.3. den: 5.2, which is
+ * multiplied by the unknown, up to 3. r = (28 + 15.6 + w r') / den + 1 with den >= 3/2: r <= 90. m
+ * = 90 + 3 * 3.3 + 1/2 m + 1: m <= 202 e / ONE < 2^-49. Uniform knots: q and w are exact, r = (1 +
+ * r' / 2) / 1.75 + 1 <= 2.2 e, m <= 2 (2.2 + 1) e = 6.4 e < 2^-30.
  *
- * A point needs m h (at most 3 * 2^17.3): 2^-49 * 2^17.3, and 2 e of its own: below 4 e, of which
- * the curve sees t (1 - t) <= 1/4, a control point 1/3; with the roundings of loft_ends3: 6 e = 6 *
- * 2^-17 LSB.
+ * A point needs m h (at most 3 * 2^17.3): 2^-49 * 2^17.3, and 2 e of its own: below 4 e. The curve
+ * sees t (1 - t) <= 1/4 of it, a control point 1/3. With the roundings of loft_ends3 the error is 6
+ * e = 6 * 2^-17 LSB.
  */
 #include "curve/natural.h"
 #include "basis/interp.h"       /* loft_ends3_deriv */
@@ -49,7 +48,7 @@ static loft_acc axis_rise(const loft_vec *p, int axis)
     return loft_to_acc(p[1].axis[axis]) - loft_to_acc(p[0].axis[axis]);
 }
 
-/* The chord from p[0] to p[1], times 2^shift. */
+/* The length of the chord from p[0] to p[1], times 2^shift. */
 static loft_acc chord_length(const loft_vec *p, uint8_t *shift)
 {
     loft_acc d[LOFT_AXES];
@@ -65,7 +64,7 @@ typedef struct {
     uint8_t shift;
 } leg;
 
-/* False when it has no length. d 2^shift <= length is exact in q16. */
+/* False if the chord has length 0. d 2^shift <= length is exact in q16. */
 static bool leg_init(leg *g, const loft_vec *p, enum loft_spacing knots)
 {
     g->length = ONE;
@@ -83,7 +82,7 @@ static bool leg_init(leg *g, const loft_vec *p, enum loft_spacing knots)
     return true;
 }
 
-/* w of the point between two legs: both lengths at the coarser of their scales. */
+/* w at the point between two legs: both lengths are brought to the coarser of their scales. */
 static loft_acc leg_share(const leg *before, const leg *after)
 {
     const unsigned common = before->shift < after->shift ? before->shift : after->shift;
@@ -93,7 +92,7 @@ static loft_acc leg_share(const leg *before, const leg *after)
     return loft_acc_muldiv(b, ONE, a + b);
 }
 
-/* One row: knot[0] has c in `length` and r in `slope`, knot[1] gets its own. */
+/* One row: knot[0] holds c in `length` and r in `slope`; knot[1] gets its own. */
 static void eliminate_row(loft_natural_knot *knot, const leg *before, const leg *after)
 {
     const loft_acc w = leg_share(before, after),
@@ -107,7 +106,7 @@ static void eliminate_row(loft_natural_knot *knot, const leg *before, const leg 
     }
 }
 
-/* Forward through all points; false when two coincide. */
+/* Eliminate over all points; false if two coincide. */
 static bool eliminate_forward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
                     loft_natural_knot knot[])
 {
@@ -132,7 +131,7 @@ static bool eliminate_forward(const loft_vec p[], uint32_t count, enum loft_spac
     return true;
 }
 
-/* And back, when c makes room for the length of the chord. */
+/* Substitute back. Each c is then replaced by the length of the chord. */
 static void substitute_back(const loft_vec p[], uint32_t count, enum loft_spacing knots,
                      loft_natural_knot knot[])
 {
@@ -204,10 +203,10 @@ enum loft_status loft_natural_eval(const loft_natural *s, uint32_t i, loft_unit 
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
-/* Over the chord, per its length: the cubic with the rise q h and the slopes m h, divided by h, has
- * the derivatives wanted times h^(k-1). In q16 the division by h for k = 2 yields x ONE / length
- * with |x| <= 24 ONE (below), length >= 4 ONE: below 2^26.6. That is the second derivative times
- * 2^(48 - shift), and shift <= 42: a shift to the right remains.
+/* On a chord, per unit of its length: take the cubic with the rise q h and the slopes m h, divided
+ * by h. Its derivatives are the wanted ones times h^(k-1). In q16 the division by h for k = 2 gives
+ * x ONE / length with |x| <= 24 ONE (below) and length >= 4 ONE: below 2^26.6. That is the second
+ * derivative times 2^(48 - shift), and shift <= 42, so only a right shift remains.
  *
  * Errors in e / ONE: m 202, q 1.25. k = 1: between m and 3 q - 2 m, 410 and 2 for the scheme,
  * 2^-48, and 2^-33 for the last division: 2^-17 LSB. k = 2: 2 (3 q - 3 m), 1220: 2^-46.7, divided

@@ -1,25 +1,23 @@
 /* lib/curve/nearest.c
  * SPDX-License-Identifier: MIT
  *
- * Branch and bound over the dyadic pieces of the curve, with everything relative to p. F is the
- * point of a piece's chord that is nearest to p, m = |F|, and u = F / m. No point of the piece is
- * nearer than the plane at a right angle to u that has all control points b_i behind it:
+ * Branch and bound over the dyadic pieces of the curve, with all coordinates relative to p. F is
+ * the point of a piece's chord that is nearest to p, m = |F|, and u = F / m. No point of the piece
+ * is nearer than the plane perpendicular to u that has all control points b_i behind it:
  *
- *     |P(t)| >= <P(t), u> >= min <b_i, u> = m + min <b_i - F, u>
- *         (1)
+ *     |P(t)| >= <P(t), u> >= min <b_i, u> = m + min <b_i - F, u>          (1)
  *
- * whichever point F is. A piece is dropped when (1) is not tol below the nearest point found;
- * otherwise it is halved. The point tried on each piece is the one with the parameter of F on the
- * chord.
+ * for any point F. A piece is dropped if (1) is not tol below the smallest distance found;
+ * otherwise it is halved. On each piece the point with the parameter of F on the chord is tried.
  *
- * Both are within O(h^2) of m for a piece of width h: b_i is within n^2 / 8 times the largest
- * second difference, 4 h^2 |P|, of the chord, and so is the point tried within twice that of F. At
- * h = 2^-24 this is 2^-42 |P| (2^-26 units at most in q16, less than 2^-9 LSB), so there each piece
- * may be dropped: the tree is finite.
+ * Both are within O(h^2) of m for a piece of width h. b_i is within n^2 / 8 times the largest
+ * second difference, 4 h^2 |P|, of the chord, and the point tried is within twice that of F. At h =
+ * 2^-24 this is 2^-42 |P| (in q16 at most 2^-26 units, less than 2^-9 LSB). At that level each
+ * piece may be dropped: the tree is finite.
  *
- * Rounding in q16: u is off by 2^-24, which moves (1) by 2^-22 |b_i - F|, taken off below; m by the
- * error of loft_acc_hypot, 2^-28 of it + 2^-32. That counts as tolerance, four times, lest noise is
- * subdivided. */
+ * Rounding in q16: u is off by 2^-24, which changes (1) by 2^-22 |b_i - F|, subtracted below. m is
+ * off by the error of loft_acc_hypot, 2^-28 of it + 2^-32. Four times that is added to the
+ * tolerance, so that noise is not subdivided. */
 #include "curve/nearest.h"
 #include "basis/dyadic.h"   /* loft_dyad, loft_bernstein_sub */
 #include "geom/chord.h"     /* loft_chord_foot */
@@ -31,7 +29,7 @@ typedef struct {
     unsigned degree;
 } scene;
 
-/* Is the point at t of the current piece n nearer than what was found? */
+/* Is the point at t of the current piece n nearer than the best one found? Then store it. */
 static void try_at(scene *s, loft_dyad n, loft_unit t, loft_vec p, loft_nearest *out)
 {
     loft_acc x[LOFT_AXES], c[LOFT_DEGREE_MAX + 1];
@@ -50,7 +48,7 @@ static void try_at(scene *s, loft_dyad n, loft_unit t, loft_vec p, loft_nearest 
         out->point.axis[i] = loft_acc_round(loft_to_acc(p.axis[i]) + x[i]);
 }
 
-/* The bound (1), and where the nearest point of the chord lies on it. */
+/* The bound (1), and the parameter on the chord of its nearest point. */
 static loft_acc bound_of(const scene *s, loft_unit *t)
 {
     loft_acc w[LOFT_AXES], foot[LOFT_AXES], behind = 0;

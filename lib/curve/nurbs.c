@@ -1,24 +1,25 @@
 /* lib/curve/nurbs.c
  * SPDX-License-Identifier: MIT
  *
- * As rational.c: numerator x and denominator w' are splines of their own on the same knots, at one
- * scale for all spans,
+ * As in rational.c, numerator x and denominator w' are separate splines on the same knots, with one
+ * scale for all spans:
  *
- *     x_k = s w_k p_k         w'_k = 2^15 s w_k         point = 2^15 x / w'         |x_k|, w'_k <
- *         2^30
+ *     x_k = s w_k p_k         w'_k = 2^15 s w_k         point = 2^15 x / w'
+ *     |x_k|, w'_k < 2^30
  *
- * No row leaves the range, since each is a mean; each rounds x and w' by 2^-33, where the smallest
- * w' is 2^29 / R, so a quotient errs by degree R 2^-30 LSB and its rounding by 1/2. In floats the
- * denominator errs by 5 degree roundings of itself, all its terms being positive, the numerator by
- * as many of the largest coordinate times the denominator, and four more operations round.
+ * No row leaves the range, since each is an average. Each rounds x and w' by 2^-33. The smallest w'
+ * is 2^29 / R, so a quotient is off by degree R 2^-30 LSB, and its rounding adds 1/2. In floats the
+ * denominator is off by 5 degree roundings of itself, since all its terms are positive. The
+ * numerator is off by as many of the largest coordinate times the denominator, and four more
+ * operations round.
  */
 #include "curve/nurbs.h"
 #include "num/acc128.h"           /* loft_acc_project, loft_acc128_slope */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 
-/* Each point alone is a rational curve of degree 0, with the scale of its weight: the largest
- * weight has the smallest. */
+/* Each single point is a rational curve of degree 0 with the scale of its weight. The largest
+ * weight has the smallest scale. */
 enum loft_status loft_nurbs_init(loft_nurbs *n, const loft_weighted p[], unsigned points,
                                  const loft_real knots[], unsigned degree)
 {
@@ -78,7 +79,7 @@ loft_vec loft_nurbs_eval(const loft_nurbs *n, loft_real u)
     return v;
 }
 
-/* All rows but the last: c[0] and c[1] remain. */
+/* All rows except the last: c[0] and c[1] remain. */
 static void last_two(const loft_nurbs *n, unsigned span, loft_real u, loft_acc128 c[])
 {
     const loft_real *hi = &n->knots.k[span + 1];
@@ -88,10 +89,10 @@ static void last_two(const loft_nurbs *n, unsigned span, loft_real u, loft_acc12
             c[j] = loft_acc128_lerp_in(c[j], c[j + 1], u, hi[(int)j - (int)rows], hi[j]);
 }
 
-/* As loft_rational_deriv: the last row would take (x0, w0) and (x1, w1) at k[s] and k[s+1], with
- * x_k = s w_k (p_k - o) and o the point at u, rounded. The pairs err by degree 2^-79 where w >=
- * 2^14 / R, the quotient rounds by 2^-33, and all is divided by h < 2^16: a rate that fits has a
- * numerator below 2^31. */
+/* As loft_rational_deriv. The last row would interpolate (x0, w0) and (x1, w1) at k[s] and k[s+1],
+ * with x_k = s w_k (p_k - o) and o the rounded point at u. The pairs are off by degree 2^-79 for w
+ * >= 2^14 / R, the quotient rounds by 2^-33, and all is divided by h < 2^16. If the rate fits, its
+ * numerator is below 2^31. */
 enum loft_status loft_nurbs_deriv(const loft_nurbs *n, loft_real u, loft_vec *out)
 {
     const unsigned span = loft_knots_find(&n->knots, u), degree = n->knots.degree;
@@ -142,8 +143,8 @@ bool loft_nurbs_next(const loft_nurbs *n, unsigned *span, loft_weighted out[])
     return true;
 }
 
-/* The point between k - 1 and k; lo and hi are the knots between which u has its place. The factor
- * 2^15 s of the weight is taken off as it was put on. */
+/* The point between k - 1 and k; u lies between the knots lo and hi. The factor 2^15 s of the
+ * weight is removed in the order in which it was applied. */
 static loft_weighted point_between(const loft_nurbs *n, unsigned k, loft_real u, loft_real lo,
                              loft_real hi)
 {

@@ -1,76 +1,74 @@
 /* lib/curve/offset.c
  * SPDX-License-Identifier: MIT
  *
- * A span over from..to is the piece of the curve plus d E(t), where the cubic E stands for the unit
+ * A span over from..to is the piece of the curve plus d E(t). The cubic E approximates the unit
  * normal N of the piece: it has N and N' at both ends. With T the unit tangent and theta' the speed
  * of its angle, N' = -theta' T:
  *
  *     E0 = N(0)   E1 = N(0) - theta'(0) / 3 T(0)   E2 = N(1) + theta'(1) / 3 T(1)   E3 = N(1)
  *
  * The direction is that of H, the derivative without its zeros at 0 and 1 (coincident control
- * points), in broad numbers; with H of degree m and coefficients h0..hm on the span, theta'(0) = m
- * (h0 x h1) / |h0|^2.
+ * points), computed in loft_acc2. With H of degree m and coefficients h0..hm on the span, theta'(0)
+ * = m (h0 x h1) / |h0|^2.
  *
- * Proof of a span. E = x T + (1 + y) N. Both deviations follow from polynomials whose coefficients
- * bound them:
+ * Proof of a span. E = x T + (1 + y) N. Both deviations follow from polynomials, which are bounded
+ * by their coefficients:
  *
  *     p = <E, H>, degree 3 + m:        |x| <= max |p_k| / min |H|
- *     q = <E, E> - 1, degree 6:        (1 + y)^2 = 1 + q - x^2,  so  |y| <= (|q| + x^2) 9/16  for
- *         |q| + x^2 <= 1/4
+ *     q = <E, E> - 1, degree 6:        (1 + y)^2 = 1 + q - x^2,  so
+ *                                      |y| <= (|q| + x^2) 9/16  for |q| + x^2 <= 1/4
  *
- * min |H| is at least the least of <h_j, T(0) + T(1)> / 2. The span is good when (|x| + |y|) |d| is
- * below tol less rounding; as E meets N with its derivative at both ends, |x| and |y| fall with the
- * fourth power of the length.
+ * min |H| is at least the smallest of <h_j, T(0) + T(1)> / 2. The span is good if (|x| + |y|) |d|
+ * is below tol minus rounding. E equals N with its derivative at both ends, so |x| and |y| decrease
+ * with the fourth power of the length.
  *
- * Rounding, q16 (f32 the same): T and the h_j are units, off by 2^-25 per axis; so p_k is off by
- * less than 2^-22.8, which with min |H| >= 1/8 of max |h_j| makes less than 2^-19.8 in x, and q by
- * 2^-22. 2^-19 of d is set aside. The control points are rounded once: sqrt(2) / 2 LSB, of 2 set
- * aside.
+ * Rounding, q16 (f32 likewise): T and the h_j are units, off by 2^-25 per axis. So p_k is off by
+ * less than 2^-22.8, which with min |H| >= 1/8 of max |h_j| gives less than 2^-19.8 in x; q is off
+ * by 2^-22. The margin is 2^-19 of d. The control points are rounded once: sqrt(2) / 2 LSB, within
+ * a margin of 2.
  *
- * Room: on each span h is scaled to 2^27 .. 2^28, E and T are below 2, d E below 2^16.
+ * Range: on each span h is scaled to 2^27 .. 2^28, E and T are below 2, d E is below 2^16.
  *
- * What is left out. As a complex number H(t) = c (t - z_1) .. (t - z_m), m <= 2. With z_j = x_j + i
- * y_j
+ * Stretches left out. As a complex number H(t) = c (t - z_1) .. (t - z_m), m <= 2. With z_j = x_j +
+ * i y_j
  *
  *     theta' = sum y_j / ((t - x_j)^2 + y_j^2),   a term is at most 1 / (2 |t - x_j|)
  *
  * The curve turns fast near x_1 and x_2 and nowhere else: there it has a cusp, or nearly one. A
  * span of one step of 2^-24 is good if both x_j are D >= 15 steps away from it. Let the step be the
  * unit. The k-th derivative of theta is at most 1, 1.3, 2.9, 9.4 over D^k for k = 1..4: twice the
- * most of (k-1)! cos^k(f) sin(kf). So N'''' is at most 17.1 / D^4 along T and 16.8 / D^4 along N.
- * With R = s^2 (1-s)^2, where s is 0..1 on the span:
+ * maximum of (k-1)! cos^k(f) sin(kf). So N'''' is at most 17.1 / D^4 along T and 16.8 / D^4 along
+ * N. With R = s^2 (1-s)^2, where s is 0..1 on the span:
  *
- *     p = R (10 p_2 (1-s) + 10 p_3 s) = <E - N, H> and |E - N| <= R |N''''| / 24. So |p_k| is at
- *     most
- *         18.3 / 240 / D^4 max |H|: T turns by 1/D between the places. max |H| <= (1 + 1/D)^2 min
- *         |H|, and |x| <= 0.1 / D^4.
+ *     p = R (10 p_2 (1-s) + 10 p_3 s) = <E - N, H> and |E - N| <= R |N''''| / 24. So
+ *         |p_k| <= 18.3 / 240 / D^4 max |H|, since T turns by 1/D between the places. Further
+ *         max |H| <= (1 + 1/D)^2 min |H|, and |x| <= 0.1 / D^4.
  *     q_2 and q_3 follow from theta' at the ends, mu - nu and mu + nu, and from the angle mu + e
- *     between
- *         them. Here mu <= 1 / D, |nu| <= 0.65 / D^2, |e| <= 2.9 / 12 / D^3. To the fourth order
- *         15 q_2 = nu^2 - 4 mu e - mu^4 / 12 and 20 q_3 = 2 nu^2 - 8 mu e - mu^4 / 6.
+ *         between them. Here mu <= 1 / D, |nu| <= 0.65 / D^2, |e| <= 2.9 / 12 / D^3. To the fourth
+ *         order 15 q_2 = nu^2 - 4 mu e - mu^4 / 12 and 20 q_3 = 2 nu^2 - 8 mu e - mu^4 / 6.
  *         So |q_k| <= 0.15 / D^4, and |y| <= 0.09 / D^4.
  *
- * |x| + |y| <= 0.2 / D^4 < 4e-6; a search over all z_j finds 0.072 / D^4. The least tolerance that
- * init takes leaves 2^-17 - 2^-19 = 5.7e-6. So steps are left out only within 15 of some x_j, at
- * most 32 for each: 2^-19 of the parameter, and 2^-18 for both.
+ * |x| + |y| <= 0.2 / D^4 < 4e-6; a search over all z_j finds 0.072 / D^4. The smallest tolerance
+ * that init accepts leaves 2^-17 - 2^-19 = 5.7e-6. So steps are left out only within 15 of some
+ * x_j, at most 32 for each: 2^-19 of the parameter, and 2^-18 for both.
  *
- * Elsewhere |H| >= M (15 2^-24)^2 / (1 + 2^-19) > 2^-41 M, M the most of its coefficients. For
- * |h_k| <= |c| R_1 R_2, R_j the larger of |z_j| and |1 - z_j|; and R_j <= 1 + |t - z_j|. Broad
- * numbers err by less than 2^-85 M, so that the direction is good to 2^-44.
+ * Elsewhere |H| >= M (15 2^-24)^2 / (1 + 2^-19) > 2^-41 M, where M is the largest of its
+ * coefficients: |h_k| <= |c| R_1 R_2, with R_j the larger of |z_j| and |1 - z_j|, and R_j <= 1 + |t
+ * - z_j|. The error of loft_acc2 is less than 2^-85 M, so the direction is exact to 2^-44.
  *
- * On a stretch that is left out |t - z_j| < 2^-18 for the near z_j, and the curve goes less than
- * 2^-30 M. So at an end of the curve a stretch is given all the same: as the curve with the normal
- * of the span beside it. */
+ * On a stretch that is left out |t - z_j| < 2^-18 for the near z_j, and the curve moves less than
+ * 2^-30 M. At an end of the curve such a stretch is therefore still returned, as the curve with the
+ * normal of the adjacent span. */
 #include "curve/offset.h"
 #include "basis/dyadic.h"   /* loft_bernstein_sub */
 #include "num/acc2.h"       /* loft_acc2_lerp */
 
 #define STEPS ((uint32_t)1 << 24)   /* of the parameter: all are exact in every number type */
-#define Y     (LOFT_AXES > 1)       /* the second axis; with one, init refuses */
-/* of H, of 2^27 .. 2^28: 2^23. A good span has 2^24 and more */
+#define Y     (LOFT_AXES > 1)       /* the second axis; with one axis init returns an error */
+/* the smallest |h| with h scaled to 2^27 .. 2^28: 2^23. A good span has at least 2^24 */
 #define SMALL (512 * loft_to_acc(LOFT_REAL(16384)))
 
-/* A span on trial. */
+/* A trial span. */
 typedef struct {
     loft_acc  c[LOFT_AXES][4];      /* its control points, not rounded                */
     loft_acc  e[2][4];
@@ -101,9 +99,9 @@ static bool is_null_coefficient(const loft_offset *o, unsigned k)
     return !loft_acc2_scaled(v, 2, any);
 }
 
-/* sum C(m,j) h_j t^j (1-t)^(m-j) without h_0 is t times a sum of degree m - 1 with coefficients m /
- * (j+1) h_(j+1); without h_m it is (1-t) times one with m / (m-j) h_j. m is 1 or 2: the quotients
- * are 1 or 2. False when all are 0. */
+/* sum C(m,j) h_j t^j (1-t)^(m-j) without h_0 is t times a sum of degree m - 1 with the coefficients
+ * m / (j+1) h_(j+1). Without h_m it is (1-t) times one with m / (m-j) h_j. m is 1 or 2, so the
+ * quotients are 1 or 2. False if all are 0. */
 static bool divide_out_zeros(loft_offset *o)
 {
     while (o->degree && (is_null_coefficient(o, 0) || is_null_coefficient(o, o->degree))) {
@@ -158,10 +156,9 @@ enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real
 }
 
 
-/* A span on trial */
+/* A trial span */
 
-/* H between two places: the value of its blossom where k of its arguments are `to`, the others
- * `from`. */
+/* A blossom of H: k of its arguments are `to`, the others are `from`. */
 static loft_acc2 blossom_of(const loft_offset *o, int axis, unsigned k, loft_unit from,
                              loft_unit to)
 {
@@ -173,7 +170,7 @@ static loft_acc2 blossom_of(const loft_offset *o, int axis, unsigned k, loft_uni
     return row[0];
 }
 
-/* T of H; false where that is 0. */
+/* T from H; false if H is 0. */
 static bool tangent_of(const loft_acc2 v[2], loft_unit out[2])
 {
     loft_acc h[2];
@@ -186,8 +183,8 @@ static bool tangent_of(const loft_acc2 v[2], loft_unit out[2])
     return true;
 }
 
-/* Tangents, the same for all spans that meet, and H in units. False where H has no direction at an
- * end, or is much longer elsewhere. */
+/* The tangents, which are the same for all spans that meet, and H in units. False if H has no
+ * direction at an end, or is much longer elsewhere. */
 static bool aim_tangents(const loft_offset *o, loft_unit from, loft_unit to, trial *r,
                          loft_acc h[2][3], loft_acc length[3])
 {
@@ -264,8 +261,8 @@ static bool try_span(const loft_offset *o, uint32_t start, uint32_t end, trial *
     return true;
 }
 
-/* The span whose normal is that at `where`, all along. H is not 0 there: it is an end of a span
- * that is good, or 0. */
+/* The span with the constant normal at `where`. H is not 0 there, since it is an end of a good
+ * span; or it is 0. */
 static void hold_normal(const loft_offset *o, uint32_t start, uint32_t end, uint32_t where,
                         trial *r)
 {
@@ -321,7 +318,7 @@ static loft_acc largest_outward(const trial *r)
     return most;
 }
 
-/* The least of H, at least. */
+/* A lower bound of |H|. */
 static loft_acc smallest_speed(const trial *r, unsigned m)
 {
     loft_acc least = wide_unit(LOFT_UNIT(1));
@@ -354,7 +351,7 @@ static bool is_span_close(const loft_offset *o, const trial *r)
 /* Cusps */
 
 /* Does the offset run forwards (1) or backwards (-1) at the start or the end of the span, with a
- * leg beyond `least`? */
+ * leg longer than `least`? */
 static int run_direction(const trial *r, int end, loft_acc least)
 {
     const loft_acc leg[2] = { r->c[0][2 * end + 1] - r->c[0][2 * end],
@@ -364,8 +361,8 @@ static int run_direction(const trial *r, int end, loft_acc least)
     return forward > least ? 1 : forward < -least ? -1 : 0;
 }
 
-/* The same at a place between `start` and `end`. What a leg errs by is no shorter for a short span:
- * the longer one counts. */
+/* The same at a place between `start` and `end`. The error of a leg does not shrink with the span,
+ * so the longer part is used. */
 static int run_direction_at(const loft_offset *o, uint32_t start, uint32_t at, uint32_t end,
                             loft_acc least)
 {
@@ -377,7 +374,7 @@ static int run_direction_at(const loft_offset *o, uint32_t start, uint32_t at, u
                : 0;
 }
 
-/* The first step between low and high at which the offset of start .. end no longer runs as at
+/* The first step between low and high where the offset of start .. end no longer runs as at
  * `low`. */
 static uint32_t find_cusp(const loft_offset *o, uint32_t start, uint32_t end, uint32_t low,
                      uint32_t high, int direction)
@@ -392,9 +389,9 @@ static uint32_t find_cusp(const loft_offset *o, uint32_t start, uint32_t end, ui
     return high;
 }
 
-/* Where the span from `start` to `end` is to end because the offset turns back; *way is how it runs
- * up to there. At the ends of its quarters is seen how it runs, and where hardly, as before; a
- * change at once then happened before. */
+/* The end of the span from `start` to `end` if the offset turns back: *direction is how it runs up
+ * to there. The direction is tested at the ends of the quarters. Where it is unclear, the previous
+ * one continues, and a sudden change counts as an earlier one. */
 static uint32_t span_until_cusp(const loft_offset *o, const trial *r, uint32_t start, uint32_t end,
                            int *direction)
 {
@@ -421,8 +418,8 @@ static uint32_t span_until_cusp(const loft_offset *o, const trial *r, uint32_t s
 }
 
 
-/* The largest dyadic span from `start` that is close enough, or what a cusp leaves of it: where it
- * ends, 0 if there is none. *way is how it runs, *next how the one after it does. */
+/* The end of the largest dyadic span from `start` that is close enough, or of its part before a
+ * cusp; 0 if there is none. *direction is how it runs, *next how the following span does. */
 static uint32_t longest_span(const loft_offset *o, uint32_t start, trial *r, int *direction,
                              int *next)
 {
@@ -468,8 +465,8 @@ bool loft_offset_next(loft_offset *o, loft_offset_span *out)
     if (end && (o->at > 0 || start == 0)) {
         o->direction = (int8_t)next;
         give_span(o, &r, start, end, direction, out);
-    } else {                            /* at the first end up to where spans begin, or what is left
-                                         * at the last */
+    } else {                            /* at the start, up to the first span; or the rest at the
+                                         * end */
         hold_normal(o, o->at, start, end ? start : o->at, &r);
         give_span(o, &r, o->at, start, end ? direction : o->direction, out);
     }

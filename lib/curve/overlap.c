@@ -1,10 +1,10 @@
 /* lib/curve/overlap.c
  * SPDX-License-Identifier: MIT
  *
- * A stretch ends where one of the curves does: candidates are the pairs (s, t) with an end on one
- * side and the nearest point on the other, and all pairs of ends. Of two candidates the parts of
- * both curves between them are compared: where all control points are within 7/8 tol of each other,
- * so are all points.
+ * A shared stretch ends where one of the curves does. Candidates are the pairs (s, t) of an end of
+ * one curve and the nearest point of the other, and all pairs of ends. Between two candidates the
+ * pieces of both curves are compared: if all control points are within 7/8 tol of each other, so
+ * are all points.
  */
 #include "curve/overlap.h"
 #include "basis/dyadic.h"   /* loft_bernstein_sub */
@@ -19,7 +19,7 @@ typedef struct {
     loft_unit s, t;
 } place;
 
-static void part_of(const loft_bezier *b, loft_unit from, loft_unit to, int axis, loft_acc out[])
+static void sub_axis(const loft_bezier *b, loft_unit from, loft_unit to, int axis, loft_acc out[])
 {
     loft_acc c[POINTS];
 
@@ -29,7 +29,7 @@ static void part_of(const loft_bezier *b, loft_unit from, loft_unit to, int axis
 }
 
 
-/* Finding it */
+/* Finding the stretch */
 
 static void add_ends(const loft_bezier *a, const loft_bezier *b, loft_acc gap, place out[],
                      unsigned *count)
@@ -42,7 +42,7 @@ static void add_ends(const loft_bezier *a, const loft_bezier *b, loft_acc gap, p
     }
 }
 
-/* An end of `a` and the point of `b` nearest to it; `swap` when `a` is the second curve. */
+/* An end of `a` and the point of `b` nearest to it; `swap` if `a` is the second curve. */
 static void add_nearest(const loft_bezier *a, const loft_bezier *b, loft_real tol, bool swap,
                         place out[], unsigned *count)
 {
@@ -59,15 +59,15 @@ static void add_nearest(const loft_bezier *a, const loft_bezier *b, loft_real to
     }
 }
 
-/* Are the parts the same within `limit`, and no point? */
-static bool agree(const loft_bezier *a, const loft_bezier *b, place from, place to, loft_acc limit,
-                  loft_acc *distance)
+/* Do the pieces agree within `limit`, and are they longer than 4 tol? */
+static bool pieces_agree(const loft_bezier *a, const loft_bezier *b, place from, place to,
+                         loft_acc limit, loft_acc *distance)
 {
     loft_acc p[LOFT_AXES][POINTS], q[LOFT_AXES][POINTS], off[LOFT_AXES], extent = 0;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        part_of(a, from.s, to.s, i, p[i]);
-        part_of(b, from.t, to.t, i, q[i]);
+        sub_axis(a, from.s, to.s, i, p[i]);
+        sub_axis(b, from.t, to.t, i, q[i]);
     }
     for (unsigned k = a->degree + 1u; k-- > 0; ) {
         for (int i = 0; i < LOFT_AXES; i++)
@@ -90,9 +90,9 @@ bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real t
     const loft_bezier *lower = a->degree < b->degree ? a : b,
                       *higher = a->degree < b->degree ? b : a;
     loft_vec p[POINTS];
-    loft_bezier raised = { p, higher->degree };
+    loft_bezier elevated = { p, higher->degree };
     place at[PLACES];
-    loft_acc distance = 0;          /* for compilers that do not see that agree() sets it */
+    loft_acc distance = 0;          /* for compilers that do not see that pieces_agree() sets it */
     unsigned count = 0;
 
     if (LOFT_AXES < 2 ||
@@ -105,8 +105,8 @@ bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real t
         for (unsigned k = 0; k < count; k++)
             if (at[j].s + SLACK < at[k].s &&
                 (at[j].t + SLACK < at[k].t || at[k].t + SLACK < at[j].t) &&
-                agree(lower == a ? &raised : a, lower == a ? b : &raised, at[j], at[k], limit,
-                      &distance)) {
+                pieces_agree(lower == a ? &elevated : a, lower == a ? b : &elevated, at[j], at[k],
+                             limit, &distance)) {
                 const loft_overlap found = { at[j].s, at[k].s, at[j].t, at[k].t, distance };
                 *out = found;
                 return true;
@@ -115,10 +115,10 @@ bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real t
 }
 
 
-/* Using it */
+/* Using the stretch */
 
-/* The parameter on the first curve where the second is at t. */
-static loft_unit across(const loft_overlap *o, loft_unit t)
+/* The parameter on the first curve at the place with parameter t on the second. */
+static loft_unit first_parameter(const loft_overlap *o, loft_unit t)
 {
     const loft_acc one = loft_to_acc(LOFT_REAL(1)), way = loft_acc_scale(one, o->t_to - o->t_from);
     const loft_acc gone = loft_acc_scale(one, t - o->t_from),
@@ -128,20 +128,20 @@ static loft_unit across(const loft_overlap *o, loft_unit t)
     return loft_unit_clamp(loft_unit_ratio(loft_acc_scale(one, o->s_from) + s, one));
 }
 
-static bool within(loft_unit from, loft_unit to, loft_unit low, loft_unit high)
+static bool range_within(loft_unit from, loft_unit to, loft_unit low, loft_unit high)
 {
     return from >= low - SLACK && to <= high + SLACK;
 }
 
-/* Edges within 60 degrees of the chord go on along it by half their length each: two points of the
- * part that are within tol of each other have at most 2 tol of it between them. Lengths and
- * directions are right to 2^-20. */
+/* Edges within 60 degrees of the chord advance along it by at least half their length each. Two
+ * points of the piece that are within tol of each other therefore have at most 2 tol of it between
+ * them. Lengths and directions are exact to 2^-20. */
 static bool turns_little(const loft_bezier *a, loft_unit from, loft_unit to)
 {
     loft_acc p[LOFT_AXES][POINTS], chord[LOFT_AXES], edge[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        part_of(a, from, to, i, p[i]);
+        sub_axis(a, from, to, i, p[i]);
         chord[i] = p[i][a->degree] - p[i][0];
     }
     const loft_acc length = loft_acc_hypot(chord, LOFT_AXES);
@@ -164,9 +164,10 @@ bool loft_overlap_covers(const loft_overlap *o, const loft_bezier *a, loft_unit 
 {
     const bool back = o->t_to < o->t_from;
 
-    if (!within(s_from, s_to, o->s_from, o->s_to) ||
-        !within(t_from, t_to, back ? o->t_to : o->t_from, back ? o->t_from : o->t_to))
+    if (!range_within(s_from, s_to, o->s_from, o->s_to) ||
+        !range_within(t_from, t_to, back ? o->t_to : o->t_from, back ? o->t_from : o->t_to))
         return false;
-    const loft_unit one = across(o, back ? t_to : t_from), two = across(o, back ? t_from : t_to);
+    const loft_unit one = first_parameter(o, back ? t_to : t_from),
+                    two = first_parameter(o, back ? t_from : t_to);
     return turns_little(a, one < s_from ? one : s_from, two > s_to ? two : s_to);
 }

@@ -8,15 +8,14 @@
 
 LOFT_BEGIN_C
 
-/* The curve of degree 2 that is at p[i] at the parameter t[i], as the control points of its piece
- * from..to (in the same parameter; from > to gives it reversed).
+/* The curve of degree 2 through p[i] at the parameter t[i], as the control points of its piece
+ * from..to (in the same parameter; from > to reverses it).
  *
- *   range   LOFT_SINGULAR when two of t are the same; LOFT_ERR_RANGE when a control point does not
- *           fit;
- *           f32, f64: numbers that loft_exact_valid, otherwise LOFT_ERR_RANGE; out is undefined
- *           then
+ *   range   LOFT_SINGULAR if two of t are equal; LOFT_ERR_RANGE if a control point does not fit;
+ *           f32, f64: numbers that pass loft_exact_valid, otherwise LOFT_ERR_RANGE. out is
+ *           undefined after an error
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.52 ulp, f64: 1 ulp of the result
- *   cost    that of 3 loft_parabola_eval per axis; stack in q16 2.5 kB; not for an ISR
+ *   cost    as 3 loft_parabola_eval per axis; stack in q16 2.5 kB; not for an ISR
  *   see     basis/interp.h
  */
 enum loft_status loft_bezier_from_parabola(const loft_real t[3], const loft_vec p[3],

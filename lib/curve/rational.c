@@ -1,43 +1,44 @@
 /* lib/curve/rational.c
  * SPDX-License-Identifier: MIT
  *
- * Numerator and denominator are polynomials of their own, evaluated wide one axis at a time, and
- * divided once:
+ * Numerator and denominator are separate polynomials, evaluated in wide numbers one axis at a time,
+ * and divided once:
  *
  *     x_k = s w_k p_k         w'_k = 2^15 s w_k         point = 2^15 x / w'
  *
- * with a power of two s that brings the largest weight into 2^14 .. 2^15. In q16 then |x_k| < 2^30
- * and w'_k < 2^30, exactly (s is whole), and in 0..1 no step leaves that range, which is what
- * loft_acc_lerp asks for.
+ * The power of two s brings the largest weight into 2^14 .. 2^15. In q16 then |x_k| < 2^30 and w'_k
+ * < 2^30, exactly (s is an integer). In 0..1 no step leaves that range, which is that of
+ * loft_acc_lerp.
  *
  * Error. Each of n rows rounds x and w' by 2^-33. The smallest weight is s w >= 2^14 / R, so the
- * quotient errs by
+ * quotient is off by
  *
- *     n 2^-33 / (2^14 / R)  +  2^15 n 2^-33 / (2^29 / R)  =  2 n R 2^-47        n R 2^-30 LSB,   <
- *         0.001 for R = 2^16
+ *     n 2^-33 / (2^14 / R)  +  2^15 n 2^-33 / (2^29 / R)  =  2 n R 2^-47
+ *     = n R 2^-30 LSB,   < 0.001 for R = 2^16
  *
- * and its rounding by 1/2. In floats all terms of the denominator are positive: it errs by 3 n ulp
- * of itself, the numerator by 3 n ulp of the largest coordinate times the denominator, and four
+ * and its rounding adds 1/2. In floats all terms of the denominator are positive: it is off by 3 n
+ * ulp of itself, and the numerator by 3 n ulp of the largest coordinate times the denominator. Four
  * more operations round.
  *
- * Beyond the ends a row multiplies by L = |1 - t| + |t| <= 3 at most, and the denominator may be as
- * small as it likes, 0 or negative: what divides by it is carried in loft_acc128 with 46 guard
- * bits,
- * |x|, w' < 2^62 2^46 3^9 < 2^123, and is refused where the denominator is below FLOOR of the
- * largest weight W; there is no bound that holds for all. Rows round by (1 + L + .. + L^8) / 2 <
- * 2^12.3 last bits, of a denominator of 2^(61 - 20 + 46) at least: a point errs by less than 2^-40
- * LSB more. In floats the n rows err by 3 n L^n ulp of W, which is 3 n K ulp of the denominator,
+ * Beyond the ends a row multiplies by at most L = |1 - t| + |t| <= 3, and the denominator may be
+ * arbitrarily small, 0 or negative. Numbers to be divided by it are loft_acc128 with 46 guard bits,
+ * |x|, w' < 2^62 2^46 3^9 < 2^123. A denominator below 1 / FLOOR of the largest weight W is
+ * refused, since no bound holds for all. Rows round by (1 + L + .. + L^8) / 2 < 2^12.3 last bits,
+ * of a denominator of at least 2^(61 - 20 + 46): this adds less than 2^-40 LSB to the error of a
+ * point. In floats the n rows are off by 3 n L^n ulp of W, which is 3 n K ulp of the denominator,
+ * with
  *
  *     K = L^n W / w(t)
  *
- * Pieces take the same way inside and outside of 0..1.
+ * Subdivision uses the same computation inside and outside of 0..1.
  */
 #include "curve/rational.h"
 #include "num/acc128.h"   /* loft_acc_project, loft_acc128_slope */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 #define LARGEST LOFT_REAL(16384)
-#define FLOOR 1048576       /* one over it; inside 0..1 a denominator is at least 1/65536 */
+/* Its reciprocal is the limit. In 0..1 a denominator is at least 1/65536. */
+#define FLOOR 1048576
 
 static bool parameter_inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
@@ -61,8 +62,8 @@ static void guard_coefficients(const loft_acc c[], unsigned degree, loft_acc128 
         out[k] = loft_acc128_guarded(c[k]);
 }
 
-/* As numerators and denominators, with guard bits; without the factor LOFT_PROJECT of w' where that
- * is divided by. */
+/* As numerators and denominators, with guard bits; without the factor LOFT_PROJECT of w' if `by` is
+ * LOFT_PROJECT. */
 static void acc128_denominators(const loft_rational *r, int32_t by, loft_acc128 w[])
 {
     loft_acc c[POINTS];
@@ -73,7 +74,7 @@ static void acc128_denominators(const loft_rational *r, int32_t by, loft_acc128 
     guard_coefficients(c, r->degree, w);
 }
 
-/* From the coordinate `origin`: |p - origin| s w < 2^31 in q16. */
+/* Relative to the coordinate `origin`: |p - origin| s w < 2^31 in q16. */
 static void acc128_numerators(const loft_rational *r, int axis, loft_real origin, loft_acc128 x[])
 {
     loft_acc c[POINTS];
@@ -90,7 +91,7 @@ static void casteljau_row(loft_acc128 c[], unsigned degree, loft_unit t)
         c[i] = loft_acc128_lerp(c[i], c[i + 1], t);
 }
 
-/* The least denominator that is divided by, for weights c[0..degree]. */
+/* The smallest valid denominator for the weights c[0..degree]. */
 static loft_acc128 smallest_denominator(const loft_acc128 c[], unsigned degree)
 {
     loft_acc128 most = c[0];
@@ -175,7 +176,7 @@ enum loft_status loft_rational_extrapolate(const loft_rational *r, loft_unit t, 
     return LOFT_OK;
 }
 
-/* All but the last step: c[0] and c[1] remain. */
+/* All steps except the last: c[0] and c[1] remain. */
 static void last_two(loft_acc128 c[], unsigned degree, loft_unit t)
 {
     for (unsigned k = degree; k > 1; k--)
@@ -186,13 +187,13 @@ static void last_two(loft_acc128 c[], unsigned degree, loft_unit t)
  *
  *     P' = n (x1 w0 - x0 w1) / w^2
  *
- * and with o the point at t rounded to a coordinate, (1 - t) x0 + t x1 is next to 0: inside 0..1
- * both parts have the same sign, so nothing cancels. In q16 the pairs err by n 2^-79 there, where w
- * >= 2^-2 and n w0 w1 / w^2 <= n 2^17, so the result errs by less than 2^-55.
+ * If o is the point at t rounded to a coordinate, (1 - t) x0 + t x1 is close to 0. Inside 0..1 both
+ * terms then have the same sign, so nothing cancels. In q16 the pairs are off by n 2^-79 there,
+ * with w >= 2^-2 and n w0 w1 / w^2 <= n 2^17, so the result is off by less than 2^-55.
  *
- * Outside, x0 / w and x1 / w are 2 |P'| / n at most and that rounding, below 2^17, |w0| / w and
- * |w1| / w at most K: each of the parts is below 2^18 K and taken to 2^-58 of itself, which is less
- * than 2^-24 K LSB in all. In floats x0 / w errs by 3 n K ulp of the largest value there is, times
+ * Outside, x0 / w and x1 / w are at most 2 |P'| / n plus that rounding, below 2^17, and |w0| / w
+ * and |w1| / w are at most K. Each term is below 2^18 K and computed to 2^-58 of itself, so the sum
+ * is off by less than 2^-24 K LSB. In floats x0 / w is off by 3 n K ulp of the largest value, times
  * K for w0 / w, times n. */
 enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t, loft_vec *out)
 {
@@ -230,7 +231,7 @@ static loft_real unscaled_weight(const loft_rational *r, loft_acc w)
     return loft_acc_round(loft_acc_ratio(loft_acc_ratio(w, LOFT_PROJECT), r->scale));
 }
 
-/* One axis of the control points; false when one does not fit. */
+/* One axis of the control points; false if one does not fit. */
 static bool project_axis(const loft_acc128 x[], const loft_acc128 w[], unsigned degree, int axis,
                     loft_weighted out[])
 {
@@ -248,7 +249,7 @@ static bool denominators_valid(const loft_acc128 w[], unsigned degree, loft_acc1
     return true;
 }
 
-/* The first value of each row goes to `left`; the last ones stay in c. */
+/* The first value of each row goes to `left`; the last values remain in c. */
 static void split_rows(loft_acc128 c[], unsigned degree, loft_unit t, loft_acc128 left[])
 {
     for (unsigned k = 0; k <= degree; k++) {
@@ -257,8 +258,8 @@ static void split_rows(loft_acc128 c[], unsigned degree, loft_unit t, loft_acc12
     }
 }
 
-/* The weights as they come. They are means inside 0..1, where only a last bit may have left the
- * range. */
+/* The weights without a common factor. Inside 0..1 they are averages, which can leave the range
+ * only by a last bit. */
 static bool set_weights(const loft_rational *r, const loft_acc128 w[], bool means,
                         loft_weighted out[])
 {
@@ -303,7 +304,7 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
                : LOFT_ERR_RANGE;
 }
 
-/* out[k] = c[from^(degree-k), to^k]: after degree - k rows at `from`, k rows at `to` in a copy. */
+/* out[k] = c[from^(degree-k), to^k]: degree - k rows at `from`, then k rows at `to` in a copy. */
 static void blossom_points(loft_acc128 c[], unsigned degree, loft_unit from, loft_unit to,
                     loft_acc128 out[])
 {
@@ -317,9 +318,8 @@ static void blossom_points(loft_acc128 c[], unsigned degree, loft_unit from, lof
     }
 }
 
-/* The least power of two that brings all weights to 256 at most. The smallest of them stay above
- * 1/256, where they were before: the factor 2^15 s / divisor that is left is a power of two and at
- * least 1. */
+/* The smallest power of two that brings all weights to at most 256. The smallest weight stays above
+ * 1/256, as before: the remaining factor 2^15 s / divisor is a power of two and at least 1. */
 static int32_t weight_divisor(const loft_acc w[], unsigned degree)
 {
     int32_t divisor = 1;
@@ -338,8 +338,8 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
         out[k].w = loft_weight_clamp(loft_acc_round(loft_acc_ratio(w[k], divisor)));
 }
 
-/* The weights as wide numbers below 2^30, all divided by the same power of two, which is 1 inside
- * 0..1; false when one is below 1/256 where the largest comes into 128..256. */
+/* The weights as accs below 2^30, all divided by the same power of two, which is 1 inside 0..1;
+ * false if one is below 1/256 after the largest is brought into 128..256. */
 static bool narrow_weights(const loft_acc128 w[], unsigned degree, bool means, loft_acc out[])
 {
     const loft_acc128 limit = loft_acc128_times(loft_acc128_guarded(loft_to_acc(LARGEST)),
@@ -383,7 +383,7 @@ enum loft_status loft_rational_sub(const loft_rational *r, loft_unit from, loft_
     return LOFT_OK;
 }
 
-/* b_k = k/(n+1) b_(k-1) + (1 - k/(n+1)) b_k, from the last one down, `times` times: each rounds by
+/* b_k = k/(n+1) b_(k-1) + (1 - k/(n+1)) b_k, from the last one down, `times` times. Each rounds by
  * 2^-33. */
 static void elevate_axis(loft_acc c[], unsigned degree, unsigned times)
 {

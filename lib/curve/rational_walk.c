@@ -1,26 +1,27 @@
 /* lib/curve/rational_walk.c
  * SPDX-License-Identifier: MIT
  *
- * With coefficients c_k of numerator or denominator and g_k = C(d, k) D^k c_0, the polynomial times
- * n^d at i/n is
+ * Let c_k be the coefficients of numerator or denominator and g_k = C(d, k) D^k c_0. The polynomial
+ * at i/n, times n^d, is
  *
  *     n^d F(i/n) = sum_k  g_k n^(d-k) i^k
  *
- * whole for whole c_k. Its differences at i = 0 are whole too, and adding them is exact. In q16 the
- * c_k are whole: below 2^31 2^24 = 2^55 for a coordinate times a weight, and for a weight times
- * 2^31. With n^d < 2^63 all values are below 2^118; the differences may wrap at 2^128, where sums
- * are right all the same. So the quotient is that of the true values and is rounded once.
+ * and an integer for integer c_k. Its differences at i = 0 are integers too, and adding them is
+ * exact. In q16 the c_k are integers: below 2^31 2^24 = 2^55 for a coordinate times a weight, and
+ * for a weight times 2^31. With n^d < 2^63 all values are below 2^118. The differences may wrap at
+ * 2^128, where sums are still correct. So the quotient is that of the true values and is rounded
+ * once.
  *
- * In floats the n^d F are rounded as in forward.c, relative to the largest coefficient; the
- * quotient by the denominator, which is never below the smallest weight, brings the ratio R of the
- * weights in, twice.
+ * In floats the n^d F are rounded as in forward.c, relative to the largest coefficient. The
+ * quotient has a denominator of at least the smallest weight, so the ratio R of the weights enters
+ * twice.
  */
 #include "curve/rational_walk.h"
 #include "num/walk_exact.h"     /* loft_walk_exact_steps_valid */
 
 #define DEGREE LOFT_RATIONAL_WALK_DEGREE_MAX
 
-/* a_k = g_k n^(d-k), in place of the Bernstein coefficients */
+/* a_k = g_k n^(d-k), replacing the Bernstein coefficients */
 static void powers(loft_acc128 a[], unsigned degree, uint32_t n)
 {
     for (unsigned k = 1; k <= degree; k++)
@@ -33,7 +34,7 @@ static void powers(loft_acc128 a[], unsigned degree, uint32_t n)
     }
 }
 
-/* From sum a_k i^k to its differences at i = 0: dividing by i, i - 1, .. in turn gives the
+/* Turn sum a_k i^k into its differences at i = 0: dividing by i, i - 1, .. in turn gives the
  * coefficients of i (i-1) .. (i-k+1), whose k-th difference is k!. */
 static void differences(loft_acc128 a[], unsigned degree)
 {

@@ -1,8 +1,8 @@
 /* lib/curve/shape.c -- the kind of a planar cubic
  * SPDX-License-Identifier: MIT
  *
- * P = p0 + 3 c t + 3 b t^2 + a t^3 with c = p1 - p0, b = p0 - 2 p1 + p2, a = p3 - 3 p2 + 3 p1 - p0,
- * and the three whole numbers (x is the planar product)
+ * P = p0 + 3 c t + 3 b t^2 + a t^3 with c = p1 - p0, b = p0 - 2 p1 + p2, a = p3 - 3 p2 + 3 p1 - p0.
+ * There are three integers (x is the planar product):
  *
  *     u = c x a      v = a x b      w = 3 c x b
  *
@@ -15,19 +15,19 @@
  *
  *     v^2 t^2 - u v t + u^2 + v w = 0        t = (u -+ sqrt(-E)) / (2 v)
  *
- * E decides: two inflections, or a crossing, or for E = 0 both in one, a cusp at u / (2 v). For v =
- * 0 one inflection has gone to infinity; for u = v = 0 and w != 0 a = 0 (otherwise b and c are
- * multiples of a, and w = 0), a parabola.
+ * The sign of E decides: two inflections, or a crossing, or for E = 0 both in one, a cusp at u / (2
+ * v). For v = 0 one inflection is at infinity. For u = v = 0 and w != 0, a = 0 (otherwise b and c
+ * are multiples of a, and w = 0), and the curve is a parabola.
  *
- * Which roots lie inside is decided by the signs of the polynomial at 0 and at 1 and the side of
- * its vertex, without the roots. Bits, from coordinates of R (31, in floats 128): c R + 1, b R + 2,
- * a R + 3; u 2 R + 5, v 2 R + 6, w 2 R + 6; E 4 R + 15; under the root with 128 more 4 R + 145: 269
- * in q16, 657 in floats.
+ * Which roots lie inside is decided without the roots: by the signs of the polynomial at 0 and 1,
+ * and the side of its vertex. Bits, for coordinates of R bits (31, in floats 128): c R + 1, b R +
+ * 2, a R + 3; u 2 R + 5, v 2 R + 6, w 2 R + 6; E 4 R + 15; the radicand with 128 more bits 4 R +
+ * 145: 269 in q16, 657 in floats.
  */
 #include "curve/shape.h"
-#include "num/exact.h"  /* loft_exact: the decisions */
+#include "num/exact.h"  /* loft_exact: exact decisions */
 
-#define GUARD 64        /* a root is whole: so many bits more leave 2^-64 of it */
+#define GUARD 64        /* a root is an integer: these extra bits make it exact to 2^-64 */
 
 typedef struct {
     loft_exact u, v, w;
@@ -62,7 +62,7 @@ static loft_exact times(int32_t k, loft_exact a)
     return loft_exact_mul(loft_exact_from_int(k), a);
 }
 
-/* u, v, w; is it one point? The sign is chosen so that v > 0, or v = 0 and u >= 0. */
+/* Compute u, v, w; is it one point? The sign is chosen so that v > 0, or v = 0 and u >= 0. */
 static bool find_invariants(const loft_cubic *c, invariants *i)
 {
     loft_exact x[3], y[3];
@@ -105,7 +105,7 @@ static loft_unit root(loft_exact m, int sign, loft_exact d, loft_exact n)
 }
 
 /* f(t) = 3 v t^2 - 3 u t - w with v > 0 and two roots; its vertex is u / (2 v). A root is right of
- * 0 unless f(0) and the vertex say that it is not, and so on. */
+ * 0 unless f(0) and the vertex exclude it, and likewise for 1. */
 static void find_inflections(const invariants *i, loft_exact e, loft_shape *s)
 {
     const int at_0 = -loft_exact_sign(i->w);
@@ -139,7 +139,7 @@ static bool vertex_inside(const invariants *i)
     return loft_exact_sign(i->u) >= 0 && loft_exact_compare(i->u, times(2, i->v)) <= 0;
 }
 
-/* g(t) = v^2 t^2 - u v t + u^2 + v w: both roots in 0..1 when the vertex is, and g(0), g(1) >=
+/* g(t) = v^2 t^2 - u v t + u^2 + v w: both roots are in 0..1 if the vertex is, and g(0), g(1) >=
  * 0. */
 static void find_crossing(const invariants *i, loft_exact e, loft_shape *s)
 {

@@ -1,58 +1,59 @@
 /* lib/curve/to_cubics.c
  * SPDX-License-Identifier: MIT
  *
- * A piece of the curve with numerator N = sum B_i x_i, x_i = w_i p_i, and denominator W = sum B_i
- * w_i, both of degree n, and a cubic C with the control points c_0..c_3, *rounded* as they are
- * given:
+ * A piece of the curve has the numerator N = sum B_i x_i, x_i = w_i p_i, and the denominator W =
+ * sum B_i w_i, both of degree n. A cubic C has the control points c_0..c_3, *rounded* as they are
+ * returned. Then
  *
- *     P - C = (N - W C) / W      N - W C = sum_k B_k^(n+3) e_k / C(n+3,k)      e_k = sum_i C(n,i)
- *         C(3,k-i) (x_i - w_i c_(k-i))
+ *     P - C = (N - W C) / W      N - W C = sum_k B_k^(n+3) e_k / C(n+3,k)
+ *     e_k = sum_i C(n,i) C(3,k-i) (x_i - w_i c_(k-i))
  *
- * The B_k are not negative and sum to 1, and so for W: everywhere on the piece
+ * The B_k are nonnegative and sum to 1, also for W. Everywhere on the piece therefore
  *
- *     |P - C| <= max_k |e_k| / C(n+3,k) / min_i w_i
- *         (1)
+ *     |P - C| <= max_k |e_k| / C(n+3,k) / min_i w_i                       (1)
  *
- * A piece is taken when (1) is within tol less what its computation may err, else halved. Rounding
- * of the control points is in (1); nothing is set aside for it.
+ * A piece is accepted if (1) is within tol minus the error of its computation, otherwise halved.
+ * Rounding of the control points is included in (1), so no margin is needed for it.
  *
- * C has the ends of the piece and the derivatives there: P' = n (x_1 - x_0 w_1 / w_0) / w_0 at the
- * start.
+ * C has the end points of the piece and its derivatives there: P' = n (x_1 - x_0 w_1 / w_0) / w_0
+ * at the start.
  *
- * It ends. Let S be half the diagonal of the control points' box, R = max w / min w, g = 2 n, and N
- * taken about the middle of the box. Over the whole curve |W^(j)| / W <= R/2 g^j and |N^(j)| / W <=
- * S R g^j; with P^(m) W = N^(m) - sum C(m,j) W^(j) P^(m-j), starting from |P| <= S, follows
+ * Termination. Let S be half the diagonal of the box of the control points, R = max w / min w, g =
+ * 2 n, and N relative to the middle of the box. Over the whole curve |W^(j)| / W <= R/2 g^j and
+ * |N^(j)| / W <= S R g^j. From P^(m) W = N^(m) - sum C(m,j) W^(j) P^(m-j), starting with |P| <= S,
+ * it follows that
  *
- *     |P'| <= 3/2 S R g    ..    |P''''| <= S g^4 (3/2 R + 21/2 R^2 + 27/2 R^3 + 9/2 R^4) <= 30 S
- *                                (g R)^4
+ *     |P'| <= 3/2 S R g    ..    |P''''| <= S g^4 (3/2 R + 21/2 R^2 + 27/2 R^3 + 9/2 R^4)
+ *                                        <= 30 S (g R)^4
  *
- * and 4.51 S (g R)^4 for R = 2^16. The piece of length h and its C differ by D with D = D' = 0 at
- * both ends, so, with d = h^4 max |P''''|, |D''| <= d/12, |D'''| <= d/2, |D''''| = d, and the
+ * and 4.51 S (g R)^4 for R = 2^16. The piece of length h and its C differ by D, with D = D' = 0 at
+ * both ends. With d = h^4 max |P''''| therefore |D''| <= d/12, |D'''| <= d/2, |D''''| = d. The
  * control values of W D / W(0) are below the sum of its Taylor coefficients: d (1/24 + 1/12 + 1/24)
- * plus what is h g R times smaller. For n = 9, R = 2^16 and h = 2^-31 that is below 2^-43.4 S: less
- * than 2^-11 LSB in q16, less than 2^-42 of the largest coordinate with six axes, an eighth of the
- * least tolerance of f64. What is left of (1) is rounding, which the least tolerances allow for:
+ * plus terms smaller by a factor h g R. For n = 9, R = 2^16 and h = 2^-31 that is below 2^-43.4 S:
+ * less than 2^-11 LSB in q16, and less than 2^-42 of the largest coordinate with six axes, an
+ * eighth of the smallest tolerance of f64. The rest of (1) is rounding, which the smallest
+ * tolerances cover:
  *
- * Rounding. The scale: 2^13 <= s max w < 2^14, x in the size of s w p, w times LOFT_PROJECT, as in
- * num/acc128.h: |x|, w' < 2^29, exact in q16. Each halving rounds n times by 2^-33 (1/2 of the
- * grain
- * g; in floats g is 2^-52 of the largest |x| that could be, s w reach): after m of them x and w' c
- * are off by n m g together. (1) is computed in units of 2^11: |x - w' c| < 2^30, cut to 2^19,
- * times the sum 924 of the binomials below 2^29, what loft_acc_hypot takes. So e_k / C is off by
- * 1/2 unit + (n m + 16) / 2^11 units of g per axis, sqrt(axes) times that altogether, and the limit
- * by 1/2. In LSB, with min s w >= 2^13 / R, a unit is R 2^-18: 1/4 for R = 2^16. There the ends and
- * arms are rounded by 1/2 LSB and 0.2 LSB (2 n^2 m g R / 3 2^-13), sqrt(6) times that is 1.7; with
- * 6 + 1.1 units set aside and 1.6 in error: below 4 LSB, which are asked for. For R = 1 it is
- * sqrt(6) / 2 LSB and hardly more, of 2. In f64 the grains set aside are 2^-40.8 of the largest
- * coordinate and the arms are off by 2^-41.2 of it: with the above less than 2^-39. */
+ * Rounding. The scale: 2^13 <= s max w < 2^14, x has the size of s w p, and w the factor
+ * LOFT_PROJECT, as in num/acc128.h: |x|, w' < 2^29, exact in q16. Each halving rounds n times by
+ * 2^-33, which is 1/2 of the ulp u (in floats u is 2^-52 of the largest possible |x|, s w reach).
+ * After m halvings x and w' c are together off by n m u. (1) is computed in units of 2^11: |x - w'
+ * c| < 2^30 is truncated to 2^19, and times the sum 924 of the binomials it is below 2^29, the
+ * range of loft_acc_hypot. So the error of e_k / C is 1/2 unit + (n m + 16) / 2^11 units of u per
+ * axis, sqrt(axes) times that for the vector, and that of the limit is 1/2. In LSB, with min s w >=
+ * 2^13 / R, a unit is R 2^-18: 1/4 for R = 2^16. For that R the ends and arms are rounded by 1/2
+ * LSB and 0.2 LSB (2 n^2 m u R / 3 2^-13), sqrt(6) times that is 1.7. With a margin of 6 + 1.1
+ * units and an error of 1.6 the sum is below 4 LSB, the smallest tolerance. For R = 1 it is sqrt(6)
+ * / 2 LSB and hardly more, of 2. In f64 the margin in ulp is 2^-40.8 of the largest coordinate and
+ * the arms are off by 2^-41.2 of it: with the above less than 2^-39. */
 #include "curve/to_cubics.h"
 #include "num/acc128.h"   /* LOFT_PROJECT, loft_acc_project, loft_acc_weigh */
 #include "num/muldiv.h"   /* loft_acc_muldiv, loft_acc_down */
 
-#define LEVELS_MAX 31                   /* no piece is halved further: proved above  */
+#define LEVELS_MAX 31                   /* no piece is halved further: proof above   */
 #define UNIT       11                   /* (1) in units of 2^11                      */
 #define ONE        LOFT_REAL(8192)      /* the weight of a polynomial's points       */
-#define ROOT       ((LOFT_AXES + 2) / 2)    /* sqrt(LOFT_AXES) at least              */
+#define ROOT       ((LOFT_AXES + 2) / 2)    /* an upper bound of sqrt(LOFT_AXES)     */
 
 
 static loft_vec control_point(const loft_to_cubics *s, unsigned k)
@@ -98,10 +99,11 @@ static void find_piece(loft_to_cubics *s)
 }
 
 
-/* A cubic on trial */
+/* A trial cubic */
 
-/* One coordinate of the end of an arm: (x0 + n/3 (x1 - x0 w1 / w0)) / w0, cut where only rounding
- * makes it leave the range; false where it is farther away. q16: |n third| <= 2^30. */
+/* One coordinate of the end of an arm: (x0 + n/3 (x1 - x0 w1 / w0)) / w0. It is clamped if it
+ * leaves the range only by rounding; the result is false if it is farther outside. q16: |n third|
+ * <= 2^30. */
 static bool arm_end(const loft_to_cubics *s, loft_acc x0, loft_acc w0, loft_acc x1, loft_acc w1,
                 loft_real *out)
 {
@@ -138,7 +140,7 @@ static bool aim_arms(const loft_to_cubics *s, loft_cubic *c)
     return near_enough;
 }
 
-/* How much of (1) the tolerance allows, less its own error, in units. */
+/* The bound for (1): the tolerance minus the computation's own error, in units. */
 static loft_acc error_limit(const loft_to_cubics *s)
 {
     const loft_acc *w = s->x[LOFT_AXES];
@@ -202,7 +204,7 @@ bool loft_to_cubics_next(loft_to_cubics *s, loft_cubic *out)
 }
 
 
-/* Beginnings */
+/* Initialisation */
 
 static enum loft_status begin_chain(loft_to_cubics *s, int32_t ulps)
 {
