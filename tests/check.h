@@ -1,15 +1,15 @@
 /* tests/check.h -- assertions and seeded properties; no files, no malloc: runs on a target as well
  * SPDX-License-Identifier: MIT
  *
- * A property is a function whose name is a sentence. It is run with many seeds; a failure prints
- * the seed, and LOFT_SEED=<seed> in the environment (or -DLOFT_SEED) repeats that one.
+ * A property is a function whose name is a sentence. It runs with many seeds. A failure prints the
+ * seed, and LOFT_SEED=<seed> in the environment (or -DLOFT_SEED) repeats that case.
  *
  *     static void ends_on_the_last_point(arb *a) { ... CHECK(x == y); ... }
  *     int main(void) { PROPERTY(ends_on_the_last_point, 2000); return check_failures(); }
  *
- * On a target, CHECK_SHARE leaves one of so many seeds; loops over all of something go by
- * CHECK_STEP, and a sum over all seeds is asked for only if !check_sampled(). Each property prints
- * one line, `ok` or `FAIL`; check_failures() prints the sums and gives the exit code.
+ * On a target, only one of CHECK_SHARE seeds runs. Exhaustive loops use the step CHECK_STEP, and
+ * totals over all seeds are checked only if !check_sampled(). Each property prints one line, `ok`
+ * or `FAIL`. check_failures() prints the totals and returns the exit code.
  */
 #ifndef LOFT_TESTS_CHECK_H
 #define LOFT_TESTS_CHECK_H
@@ -22,7 +22,7 @@
 #include "num/num.h"
 #include "support/arb.h"
 
-/* One tolerance per number type, in one place. */
+/* One tolerance for each number type, in one place. */
 #if LOFT_NUM == LOFT_Q16
 #  define BY_NUM(q16, f32, f64) (q16)
 #  define CHECK_NUM "q16"
@@ -71,16 +71,16 @@ static inline void check_near(double got, double want, double bound, const char 
     check_bad = true;
 }
 
-/* Is this a run of less than all seeds? */
+/* Does this run use only some of the seeds? */
 static inline bool check_sampled(void) { return CHECK_SHARE > 1 || getenv("LOFT_SEED") != NULL; }
 
-/* The step of a loop over all of something. */
+/* The step of an exhaustive loop. */
 #define CHECK_STEP (CHECK_SHARE > 1 ? 31 : 1)
 
 #define PROPERTY(name, times) check_property(#name, name, ((times) + CHECK_SHARE - 1) / CHECK_SHARE)
 
-/* One of which a single seed is a matter of seconds: left out, and said so, where CHECK_SHARE is
- * more than 1. */
+/* For properties that take seconds per seed: skipped, with a message, if CHECK_SHARE is more than
+ * 1. */
 #define PROPERTY_LONG(name, times)                                                                 \
     (CHECK_SHARE > 1 ? check_left(#name, name) : PROPERTY(name, times))
 

@@ -1,12 +1,12 @@
-/* tests/bench/bench.c -- ns per point of walking a cubic: loft in q16 against itself and against
- * other libraries
+/* tests/bench/bench.c -- time to walk a cubic, in ns per point: loft in q16 against itself and
+ * against other libraries
  * SPDX-License-Identifier: MIT
  *
- * Each way walks the same cubics in n equal steps, set-up included, and stores its points. The ways
- * take turns, round by round, in CPU time; the table shows medians and the ratio to
- * loft_forward_run. The last column is the worst error in loft's LSB (2^-16) over all points of all
- * curves at n = 1000, against long double; `-` where a way chooses its own points. Compiled once
- * per number of axes.
+ * Each way walks the same cubics in n equal steps, including set-up, and stores its points. The
+ * ways take turns in rounds, measured in CPU time. The table shows medians and the ratio to
+ * loft_forward_run. The last column is the largest error in LSB (2^-16) over all points of all
+ * curves at n = 1000, against long double; `-` if a way chooses its own points. Compiled once per
+ * number of axes.
  */
 #define _POSIX_C_SOURCE 199309L     /* clock_gettime */
 #include <math.h>
@@ -38,7 +38,7 @@ static double     plain[CURVES][4][LOFT_AXES];      /* the same control points *
 static loft_vec   fixed_out[MOST + 1];
 static double     out[MOST + 64][LOFT_AXES];
 
-/* A way walks curve `c` in n steps and returns the points it made. */
+/* A way walks curve `c` in n steps and returns the number of its points. */
 typedef struct {
     const char *name;
     unsigned (*walk)(unsigned c, unsigned n);
@@ -47,7 +47,7 @@ typedef struct {
 
 /* ---- loft ---- */
 
-static loft_bezier bezier(unsigned c)
+static loft_bezier loft_curve(unsigned c)
 {
     loft_bezier b;
     if (loft_bezier_init(&b, curve[c].p, 3) != LOFT_OK)
@@ -55,18 +55,18 @@ static loft_bezier bezier(unsigned c)
     return b;
 }
 
-static unsigned run(unsigned c, unsigned n)
+static unsigned walk_run(unsigned c, unsigned n)
 {
-    const loft_bezier b = bezier(c);
+    const loft_bezier b = loft_curve(c);
     loft_forward w;
     if (loft_forward_init(&w, &b, n) != LOFT_OK)
         abort();
     return loft_forward_run(&w, fixed_out, n);
 }
 
-static unsigned next(unsigned c, unsigned n)
+static unsigned walk_next(unsigned c, unsigned n)
 {
-    const loft_bezier b = bezier(c);
+    const loft_bezier b = loft_curve(c);
     loft_forward w;
     unsigned j = 0;
     if (loft_forward_init(&w, &b, n) != LOFT_OK)
@@ -76,9 +76,9 @@ static unsigned next(unsigned c, unsigned n)
     return j;
 }
 
-static unsigned strict(unsigned c, unsigned n)
+static unsigned walk_exact(unsigned c, unsigned n)
 {
-    const loft_bezier b = bezier(c);
+    const loft_bezier b = loft_curve(c);
     loft_forward_exact w;
     unsigned j = 0;
     if (loft_forward_exact_init(&w, &b, n) != LOFT_OK)
@@ -88,7 +88,7 @@ static unsigned strict(unsigned c, unsigned n)
     return j;
 }
 
-static unsigned eval(unsigned c, unsigned n)
+static unsigned eval_points(unsigned c, unsigned n)
 {
     for (unsigned j = 1; j <= n; j++)
         fixed_out[j - 1] = loft_cubic_eval(&curve[c], loft_unit_of(j, n));
@@ -97,7 +97,7 @@ static unsigned eval(unsigned c, unsigned n)
 
 /* ---- plain double ---- */
 
-static unsigned horner(unsigned c, unsigned n)
+static unsigned eval_horner(unsigned c, unsigned n)
 {
     const double step = 1.0 / n;
     double a[4][LOFT_AXES];
@@ -118,7 +118,7 @@ static unsigned horner(unsigned c, unsigned n)
     return n;
 }
 
-static unsigned de_casteljau(unsigned c, unsigned n)
+static unsigned eval_de_casteljau(unsigned c, unsigned n)
 {
     const double step = 1.0 / n;
 
@@ -135,7 +135,7 @@ static unsigned de_casteljau(unsigned c, unsigned n)
     return n;
 }
 
-static unsigned differences(unsigned c, unsigned n)
+static unsigned add_differences(unsigned c, unsigned n)
 {
     const double h = 1.0 / n;
 
@@ -162,14 +162,14 @@ static unsigned differences(unsigned c, unsigned n)
 /* bench_agg.cpp */
 unsigned bench_agg_curve4_inc(const double p[4][2], unsigned n, double (*points)[2]);
 
-static unsigned agg(unsigned c, unsigned n)
+static unsigned agg_points(unsigned c, unsigned n)
 {
     return bench_agg_curve4_inc((const double (*)[2])plain[c], n, out);
 }
 #endif
 
 #ifdef BENCH_GSL
-/* One span of a cubic B-spline whose knots are 0 0 0 0 1 1 1 1 is the Bezier cubic. */
+/* One span of a cubic B-spline with the knots 0 0 0 0 1 1 1 1 is the Bezier cubic. */
 static unsigned gsl_bspline_way(unsigned c, unsigned n)
 {
     static gsl_bspline_workspace *space;
@@ -192,7 +192,7 @@ static unsigned gsl_bspline_way(unsigned c, unsigned n)
     return n;
 }
 
-/* The natural cubic through the four points: another curve, the same work. */
+/* The natural cubic through the four points: another curve, but the same work. */
 static unsigned gsl_cspline_way(unsigned c, unsigned n)
 {
     static const double at[4] = { 0, 1.0 / 3, 2.0 / 3, 1 };
@@ -237,8 +237,8 @@ static unsigned cairo_points(unsigned c, double tolerance)
     return count;
 }
 
-/* Cairo takes a tolerance, not a count: the coarsest power of two that makes n points, found
- * beforehand. */
+/* Cairo takes a tolerance, not a count: this uses the largest power of two that gives n points,
+ * found beforehand. */
 static unsigned cairo_way(unsigned c, unsigned n)
 {
     static double found[CURVES][MOST + 1];
@@ -258,22 +258,22 @@ static unsigned cairo_way(unsigned c, unsigned n)
 #endif
 
 static const way ways[] = {
-    { "loft_forward_run",         run,             FIXED },
-    { "loft_forward_next",        next,            FIXED },
-    { "loft_forward_exact_next", strict,          FIXED },
-    { "loft_cubic_eval",          eval,            FIXED },
-    { "double Horner",            horner,          PLAIN },
-    { "double de Casteljau",      de_casteljau,    PLAIN },
-    { "double differences",       differences,     PLAIN },
+    { "loft_forward_run",         walk_run,         FIXED },
+    { "loft_forward_next",        walk_next,        FIXED },
+    { "loft_forward_exact_next",  walk_exact,       FIXED },
+    { "loft_cubic_eval",          eval_points,      FIXED },
+    { "double Horner",            eval_horner,      PLAIN },
+    { "double de Casteljau",      eval_de_casteljau, PLAIN },
+    { "double differences",       add_differences,  PLAIN },
 #if defined(BENCH_AGG) && LOFT_AXES == 2
-    { "AGG curve4_inc",           agg,             PLAIN },
+    { "AGG curve4_inc",           agg_points,       PLAIN },
 #endif
 #ifdef BENCH_GSL
-    { "GSL bspline",              gsl_bspline_way, PLAIN },
-    { "GSL cspline",              gsl_cspline_way, OTHER_POINTS },
+    { "GSL bspline",              gsl_bspline_way,  PLAIN },
+    { "GSL cspline",              gsl_cspline_way,  OTHER_POINTS },
 #endif
 #if defined(BENCH_CAIRO) && LOFT_AXES == 2
-    { "cairo flattening",         cairo_way,       OTHER_POINTS },
+    { "cairo flattening",         cairo_way,        OTHER_POINTS },
 #endif
 };
 #define WAYS (sizeof ways / sizeof ways[0])
@@ -287,8 +287,8 @@ static double now_ns(void)
     return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
 }
 
-/* ns per point: all curves, as often as 0.3 ms hold */
-static double timed(const way *w, unsigned n)
+/* ns per point: all curves, repeated for 0.3 ms */
+static double time_way(const way *w, unsigned n)
 {
     static volatile unsigned sink;
     unsigned long points = 0;
@@ -303,7 +303,7 @@ static double timed(const way *w, unsigned n)
     return (end - start) / (double)points;
 }
 
-static int rising(const void *a, const void *b)
+static int compare_times(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -339,7 +339,7 @@ int main(void)
     for (unsigned c = 0; c < CURVES; c++)
         for (int k = 0; k < 4; k++)
             for (int i = 0; i < LOFT_AXES; i++) {
-                /* Numerical Recipes' quick one */
+                /* the quick generator of Numerical Recipes */
                 state = state * 1664525u + 1013904223u;
                 curve[c].p[k].axis[i] = (loft_real)(state >> 6);    /* 0 .. 1024 */
                 plain[c][k][i] = curve[c].p[k].axis[i] / 65536.0;
@@ -348,10 +348,10 @@ int main(void)
     for (unsigned r = 0; r < ROUNDS; r++)
         for (unsigned q = 0; q < COUNTS; q++)
             for (unsigned w = 0; w < WAYS; w++)
-                ns[w][q][r] = timed(&ways[w], counts[q]);
+                ns[w][q][r] = time_way(&ways[w], counts[q]);
     for (unsigned w = 0; w < WAYS; w++)
         for (unsigned q = 0; q < COUNTS; q++)
-            qsort(ns[w][q], ROUNDS, sizeof(double), rising);
+            qsort(ns[w][q], ROUNDS, sizeof(double), compare_times);
 
     printf("%d-D cubics, ns per point", LOFT_AXES);
     for (unsigned q = 0; q < COUNTS; q++)

@@ -1,12 +1,12 @@
-/* tests/bench/bench_frames.c -- damaged frames that are taken for good ones
+/* tests/bench/bench_frames.c -- counts damaged frames that are accepted as good ones
  * SPDX-License-Identifier: MIT
  * usage: bench_frames CLASS COUNT [SEED] ; CLASS is bits, bytes, lost, doubled, inserted, or
- * `every`: of COUNT frames all errors of one and two bits, all bytes lost and doubled, and all
+ * `every`: for COUNT frames, all errors of one and two bits, each byte lost and doubled, and all
  * bytes inserted at all places
  *
- * Frames of 128 bytes on the line, with random content, new for every eighth; each is damaged at
- * random and pushed into loft_frame_push byte by byte. Prints `CLASS frames N accepted N`: accepted
- * are those that came out good and are not what was sent.
+ * Frames have 128 bytes on the line and random content, which is new for every eighth frame. Each
+ * is damaged at random and pushed into loft_frame_push byte by byte. Prints `CLASS frames N
+ * accepted N`: accepted frames came out as good but differ from what was sent.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@
 #include "wire/frame.h"
 
 #define SIZE 128
-#define USES 8          /* of a frame */
+#define USES 8          /* of each frame */
 
 static uint64_t state;
 
@@ -38,8 +38,8 @@ static size_t make(uint8_t wire[LOFT_FRAME_MAX], uint8_t content[SIZE])
     return loft_frame_encode(wire, count);
 }
 
-/* Give the damaged frame's length; `wire` has room for one more byte. The delimiter at the end may
- * be hit as well. */
+/* Returns the length of the damaged frame; `wire` has room for one more byte. The delimiter at the
+ * end may be damaged as well. */
 static size_t damage(const char *class, uint8_t *wire, size_t size)
 {
     const uint32_t at = below((uint32_t)size);
@@ -67,7 +67,7 @@ static uint8_t good[LOFT_FRAME_MAX], wire[LOFT_FRAME_MAX + 1], content[SIZE];
 static size_t length;
 static uint64_t frames, accepted;
 
-/* Is what `wire` holds taken for a frame that was not sent? */
+/* Is the content of `wire` accepted as a frame that was not sent? */
 static void try(size_t size)
 {
     frames++;
@@ -80,7 +80,7 @@ static void try(size_t size)
 
 static void flip(size_t bit)    { wire[bit / 8] ^= (uint8_t)(1u << bit % 8); }
 
-/* One and two bits flipped; a byte lost, doubled, and each one inserted: everywhere. */
+/* Try everywhere: one and two bits flipped; a byte lost, doubled, and each value inserted. */
 static void try_every(void)
 {
     memcpy(wire, good, length);

@@ -1,13 +1,13 @@
-/* tests/bench/bench_line.c -- how many sampled points a second get through a serial line of 115200
- * baud, clean and noisy
+/* tests/bench/bench_line.c -- measures how many sampled points per second a serial line of 115200
+ * baud carries, clean and noisy
  * SPDX-License-Identifier: MIT
  * usage: bench_line [POINTS]
  *
  * The points are a motion on three axes at 250 steps/mm, sampled 1000 times a second: moves from
- * place to place along a law of the fifth degree (speed and acceleration are continuous), 100 mm/s
- * at most. loft_sender, a line that takes ten bits per byte both ways, loft_receiver, and a machine
- * that takes what comes. Every point that arrives is compared. Lines `RATE points_per_second
- * bytes_per_point resent frames`.
+ * place to place by a polynomial of degree five in time (speed and acceleration are continuous), at
+ * most 100 mm/s. The parts are loft_sender, a line with ten bits per byte in both directions,
+ * loft_receiver, and a machine that takes every item at once. Every point that arrives is compared.
+ * Prints lines `RATE points_per_second bytes_per_point resent frames`.
  */
 #include <math.h>
 #include <stdio.h>
@@ -42,7 +42,7 @@ static void make_points(void)
             to[i] = 100 * random_unit();
             d += (to[i] - from[i]) * (to[i] - from[i]);
         }
-        /* the law's top speed is 1.875 of the mean */
+        /* the top speed of the polynomial is 1.875 of the mean */
         const double time = 1.875 * sqrt(d) / 100 + 0.05;
         const uint32_t ticks = (uint32_t)(time * 1000) + 1;
         for (uint32_t k = 1; k <= ticks && n < points; k++, n++) {
@@ -61,7 +61,7 @@ static void source(void *context, uint32_t index, loft_item *out)
     *out = point[index];
 }
 
-/* Each way: a frame that is going out, byte by byte. */
+/* One direction: a frame that is being sent, byte by byte. */
 struct way {
     uint8_t byte[LOFT_FRAME_MAX];
     size_t size, at;
@@ -74,7 +74,7 @@ static uint8_t noisy(uint8_t byte, double rate)
     return byte;
 }
 
-/* False if a point that arrives is not the one that was sent. */
+/* Returns false if a point arrives that differs from the one that was sent. */
 static bool measure(double rate)
 {
     static loft_sender s;

@@ -3,7 +3,8 @@
  * SPDX-License-Identifier: MIT
  * usage: any FIRST LAST            seeds
  *
- * Prints what motion_any.h says of violations, `fault KIND COUNT WORST`, and how many cases passed.
+ * Prints the violations that motion_any.h finds, `fault KIND COUNT WORST`, and how many cases
+ * passed.
  */
 #include "support/motion_any.h"     /* check_case */
 

@@ -1,9 +1,9 @@
 /* tests/bench/bench_motion_deviation.c -- random cubics in a box, planned with the usual tolerance:
- * how far are the spans from them?
+ * measures the distance of the spans
  * SPDX-License-Identifier: MIT
  * usage: deviation BOX CUBICS      BOX in mm
  *
- * Prints `off VALUE SEED`, a part of the tolerance.
+ * Prints `off VALUE SEED`, as a fraction of the tolerance.
  */
 #define CURVES 4
 
@@ -12,7 +12,7 @@
 
 static path track;
 
-/* In the plane, as drawings are; half of them with limited jerk. */
+/* In the plane, as in drawings; half of them with limited jerk. */
 static void random_cubic(uint64_t seed, double box)
 {
     arb a = arb_start(seed);

@@ -1,9 +1,9 @@
-/* tests/bench/bench_motion_limits.c -- how much of each limit the spans of all test paths use, and
- * how far from the path they are
+/* tests/bench/bench_motion_limits.c -- measures how much of each limit the spans of all test paths
+ * use, and their distance from the path
  * SPDX-License-Identifier: MIT
  * usage: limits FOLDER [CHAINS]    FOLDER holds lists of moves; CHAINS random ones as well
  *
- * Prints `what value where`, the largest of all paths.
+ * Prints `what value where`, the largest value of all paths.
  */
 #define CURVES 1024
 
@@ -26,8 +26,8 @@ static void take(int kind, double value, const char *name)
     snprintf(where[kind], sizeof where[kind], "%s", name);
 }
 
-/* `corners`: where jerk is not limited, a corner may be passed with more than the acceleration.
- * `follow`: the distance from the path, too. */
+/* `corners`: without a jerk limit, a corner may be passed with more than the acceleration.
+ * `follow`: also measure the distance from the path. */
 static void measure(const char *name, bool corners, bool follow)
 {
     const arrival all = { CURVES, CURVES * 8, NULL };

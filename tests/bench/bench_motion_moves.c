@@ -1,5 +1,5 @@
-/* tests/bench/bench_motion_moves.c -- a drawing as the chain that would be streamed: one move per
- * line, control points and feed
+/* tests/bench/bench_motion_moves.c -- prints a drawing as the chain of moves that would be
+ * streamed: one move per line, control points and feed
  * SPDX-License-Identifier: MIT
  * usage: moves FILE FEED > list     (feed with the pen up: twice that)
  */

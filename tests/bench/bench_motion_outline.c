@@ -3,10 +3,10 @@
  * SPDX-License-Identifier: MIT
  * usage: outline FOLDER        FOLDER holds lists of moves
  *
- * Prints `ratio` of its time to L / v + v / a; `vary`, the largest less the least speed of the
- * cruise as a part of the feed; `slowest`, the least speed of the cruise, mm/s; `steps`, 1 if the
- * pulses end where the outline does. The cruise is all but twice the length that v^2 / 2a needs, at
- * each end.
+ * Prints `ratio`, its time over L / v + v / a; `vary`, the largest minus the smallest speed of the
+ * cruise as a fraction of the feed; `slowest`, the smallest speed of the cruise, mm/s; `steps`, 1
+ * if the pulses end where the outline ends. The cruise leaves out twice the length v^2 / 2a at each
+ * end.
  */
 #define CURVES 16
 #define PARTS  8       /* of a span */
@@ -15,7 +15,7 @@
 #include "support/motion_paths.h"   /* load_path                 */
 #include "support/motion_steps.h"   /* steps_arrive              */
 
-/* The least and the largest speed in the cruise, exactly. */
+/* The smallest and the largest speed in the cruise, exactly. */
 static void cruise(double length, double skip, double *least, double *most)
 {
     double gone = 0, q[5], turned[5];

@@ -1,10 +1,10 @@
-/* tests/bench/bench_motion_same.c -- does the planner in q16 plan what it plans in f64?
+/* tests/bench/bench_motion_same.c -- does the planner give the same plans in q16 and in f64?
  * SPDX-License-Identifier: MIT
  * usage: same FOLDER [CHAINS]      FOLDER holds lists of moves; CHAINS random smooth ones as well
  *
- * In q16 the spans are written to FOLDER/NAME.spans. In f64 these are read, and followed along the
- * spans that f64 plans: prints `time VALUE NAME`, the largest |t16 / t64 - 1|, and `apart VALUE
- * NAME`, the largest distance, a part of 1 LSB + tolerance.
+ * In q16 it writes the spans to FOLDER/NAME.spans. In f64 it reads them, and compares them with the
+ * spans that f64 plans: it prints `time VALUE NAME`, the largest |t16 / t64 - 1|, and `apart VALUE
+ * NAME`, the largest distance as a fraction of 1 LSB + tolerance.
  */
 #define CURVES   1024
 #define PATH_MAX 400000

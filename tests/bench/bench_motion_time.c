@@ -1,11 +1,11 @@
-/* tests/bench/bench_motion_time.c -- how long plans take, and the least time in which their paths
- * can be passed
+/* tests/bench/bench_motion_time.c -- compares the duration of plans with the shortest possible time
+ * for their paths
  * SPDX-License-Identifier: MIT
  * usage: time FOLDER [CHAINS]      FOLDER holds lists of moves; CHAINS random smooth ones as well
  *
- * Prints `accel NAME PLAN LEAST` where jerk is not limited; `jerk NAME PLAN` where it is, and
- * writes FOLDER/NAME.path for topp_jerk.py; `rest LENGTH PLAN LEAST BEAT` of lines from rest to
- * rest. Seconds.
+ * Prints `accel NAME PLAN LEAST` if jerk is not limited. If it is, prints `jerk NAME PLAN` and
+ * writes FOLDER/NAME.path for topp_jerk.py. Prints `rest LENGTH PLAN LEAST BEAT` for lines from
+ * rest to rest. All in seconds.
  */
 #define CURVES 64
 
@@ -15,10 +15,10 @@
 
 static topp grid;
 
-static double twist[TOPP_MAX][LOFT_AXES];      /* the derivative of the curvature vector by
-                                                * length */
+static double twist[TOPP_MAX][LOFT_AXES];      /* the derivative of the curvature vector with
+                                                * respect to length */
 
-/* From the neighbours on the same curve. */
+/* Computed from the neighbours on the same curve. */
 static void set_twist(unsigned j)
 {
     const unsigned from = j > 0 && grid.node[j - 1].s < grid.node[j].s ? j - 1 : j;
@@ -28,9 +28,9 @@ static void set_twist(unsigned j)
                       (grid.node[to].s - grid.node[from].s);
 }
 
-/* Where curvature jumps, by d at length s, no speed keeps a jerk limit on the path itself. A path
- * that passes from one curvature to the other evenly over a length w leaves it by d w^2 / 24: the
- * longest w that the tolerance allows. */
+/* If the curvature jumps by d at length s, no speed keeps a jerk limit on the path itself. A path
+ * whose curvature changes linearly over a length w deviates by d w^2 / 24: this takes the longest w
+ * that the tolerance allows. */
 static void ease_jump(unsigned j)
 {
     double jump[LOFT_AXES], size = 0;
@@ -107,7 +107,8 @@ static void measure(const char *folder, const char *name)
         printf("accel %s %.6f %.6f\n", name, seconds(), topp_time(&grid));
 }
 
-/* A yardstick's yardstick: its best jerk-limited time is L / v + v / a + a / j = 2.15 s. */
+/* A check of the oracle itself: the best jerk-limited time of this line is L / v + v / a + a / j =
+ * 2.15 s. */
 static void line_path(void)
 {
     const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0, 1 },
@@ -118,8 +119,8 @@ static void line_path(void)
     add_curve(d, e, u, w, 50);
 }
 
-/* The least time from rest to rest: seven parts of even jerk, fewer where the speed, or the
- * acceleration, is not reached. */
+/* The shortest time from rest to rest: seven phases of constant jerk, fewer if the speed or the
+ * acceleration limit is not reached. */
 static double least_time(double length, double v, double a, double j)
 {
     if (v * j < a * a)

@@ -1,4 +1,4 @@
-/* tests/e2e/e2e_pty.c -- what the whole-job tests need of a pseudo terminal
+/* tests/e2e/e2e_pty.c -- the pseudo terminals of the whole-job tests
  * SPDX-License-Identifier: MIT
  *
  *     e2e_pty noise LINK                  a machine that talks nonsense: random bytes, for ever
@@ -27,7 +27,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#define FIFO 512        /* bytes that a line takes at once, as a USB adapter does */
+#define FIFO 512        /* bytes that a line takes at once, like a USB adapter */
 
 static int die(const char *what)
 {
@@ -45,7 +45,7 @@ static int master_of(char *name, size_t size)
     return master;
 }
 
-static double seconds(void)
+static double now_seconds(void)
 {
     struct timespec t;
 
@@ -53,9 +53,9 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Talk or keep silent behind `link` until killed; the slave stays open so that a client may come
- * and go. */
-static int machine(const char *link, int noisy)
+/* Talk or stay silent behind `link` until killed. The slave stays open, so a client may come and
+ * go. */
+static int serve_machine(const char *link, int noisy)
 {
     char name[128];
     unsigned char bytes[64];
@@ -98,7 +98,7 @@ static int server_of(const char *path)
     return server;
 }
 
-static int reopened(const char *link)
+static int reopen_pty(const char *link)
 {
     struct termios mode;
     const int fd = open(link, O_RDWR | O_NOCTTY | O_NONBLOCK);
@@ -110,9 +110,9 @@ static int reopened(const char *link)
     return fd;
 }
 
-/* What one end says goes to the other; what cannot be delivered is lost, as on a wire. 0 or less
- * when `from` is gone. */
-static ssize_t carry(int from, int to, size_t most)
+/* Carry bytes from one end to the other; bytes that cannot be delivered are lost, as on a wire.
+ * Returns 0 or less when `from` is gone. */
+static ssize_t carry_bytes(int from, int to, size_t most)
 {
     unsigned char bytes[FIFO];
     const ssize_t got = read(from, bytes, most < sizeof bytes ? most : sizeof bytes);
@@ -122,13 +122,12 @@ static ssize_t carry(int from, int to, size_t most)
     return got;
 }
 
-/* `left` bytes may pass now; what is not read stays where it is, so that a sender feels a slow
- * line. */
-static void pass(int *from, int to, short ready, double *left)
+/* `left` bytes may pass now. Unread bytes stay where they are, so a sender feels a slow line. */
+static void pass_bytes(int *from, int to, short ready, double *left)
 {
     if (!ready || *left < 1)
         return;
-    const ssize_t got = carry(*from, to, (size_t)*left);
+    const ssize_t got = carry_bytes(*from, to, (size_t)*left);
     if (got > 0) {
         *left -= (double)got;
         return;
@@ -137,35 +136,35 @@ static void pass(int *from, int to, short ready, double *left)
     *from = -1;
 }
 
-static void relay(const char *path, const char *link, double baud)
+static void relay_line(const char *path, const char *link, double baud)
 {
     const int server = server_of(path);
-    double left[2] = { 0, 0 }, then = seconds();
+    double left[2] = { 0, 0 }, then = now_seconds();
 
     for (int client = -1, machine = -1;;) {
         if (client < 0)
             client = accept(server, NULL, NULL);
         if (machine < 0)
-            machine = reopened(link);
+            machine = reopen_pty(link);
         struct pollfd p[2] = { { .fd = client, .events = POLLIN },
                                { .fd = machine, .events = POLLIN } };
         poll(p, 2, 20);
-        const double now = seconds();
+        const double now = now_seconds();
         for (int i = 0; i < 2; i++) {
             left[i] += (now - then) * baud / 10;
-            if (left[i] > FIFO && p[i].revents == 0)    /* an idle line saves nothing up; one that
-                                                         * got no turn has not been idle */
+            if (left[i] > FIFO && p[i].revents == 0)    /* an idle line saves nothing up; a line
+                                                         * that was not scheduled was not idle */
                 left[i] = FIFO;
         }
         then = now;
-        pass(&client, machine, p[0].revents, &left[0]);
-        pass(&machine, client, p[1].revents, &left[1]);
+        pass_bytes(&client, machine, p[0].revents, &left[0]);
+        pass_bytes(&machine, client, p[1].revents, &left[1]);
         if (left[0] < 1 || left[1] < 1)
             usleep(1000);
     }
 }
 
-/* The next "SECONDS:KEY" or "@TEXT@KEY" of the script; text is empty or TEXT. */
+/* Read the next "SECONDS:KEY" or "@TEXT@KEY" of the script; text is empty or TEXT. */
 static int next_key(char **script, double *at, char text[64], char *key)
 {
     char *end;
@@ -190,7 +189,7 @@ static int next_key(char **script, double *at, char text[64], char *key)
     return 1;
 }
 
-/* Has the machine begun a job? It says so in its first lines. */
+/* Has the machine begun a job? Its log says so in its first lines. */
 static int has_begun(const char *log)
 {
     char text[512];
@@ -203,7 +202,7 @@ static int has_begun(const char *log)
     return strstr(text, " begun") != NULL;
 }
 
-static int type(const char *log, char *script, char **command)
+static int type_keys(const char *log, char *script, char **command)
 {
     char name[128], key = 0, bytes[4096], want[64], seen[1 << 16] = "";
     size_t shown = 0;
@@ -241,8 +240,8 @@ static int type(const char *log, char *script, char **command)
             }
         }
         if (start <= 0 && has_begun(log))
-            start = seconds();
-        if (more && start > 0 && seconds() - start >= at && strstr(seen, want) != NULL) {
+            start = now_seconds();
+        if (more && start > 0 && now_seconds() - start >= at && strstr(seen, want) != NULL) {
             if (write(master, &key, 1) != 1)
                 return die("key");
             seen[shown = 0] = '\0';
@@ -258,11 +257,11 @@ static int type(const char *log, char *script, char **command)
 int main(int argc, char **argv)
 {
     if (argc == 3 && (strcmp(argv[1], "noise") == 0 || strcmp(argv[1], "mute") == 0))
-        return machine(argv[2], strcmp(argv[1], "noise") == 0);
+        return serve_machine(argv[2], strcmp(argv[1], "noise") == 0);
     if ((argc == 4 || argc == 5) && strcmp(argv[1], "relay") == 0)
-        relay(argv[2], argv[3], argc == 5 ? atof(argv[4]) : 1e9);
+        relay_line(argv[2], argv[3], argc == 5 ? atof(argv[4]) : 1e9);
     if (argc > 4 && strcmp(argv[1], "type") == 0)
-        return type(argv[2], argv[3], argv + 4);
+        return type_keys(argv[2], argv[3], argv + 4);
     fprintf(stderr, "usage: e2e_pty noise|mute LINK, e2e_pty relay SOCKET LINK [BAUD], or e2e_pty "
                     "type \"SECONDS:KEY ..\" CMD ..\n");
     return 64;

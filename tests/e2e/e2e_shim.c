@@ -1,9 +1,9 @@
-/* tests/e2e/e2e_shim.c -- lets libserialport open a pseudo terminal, so that the road of real
+/* tests/e2e/e2e_shim.c -- lets libserialport open a pseudo terminal, so that the code path of real
  * serial ports is tested
  * SPDX-License-Identifier: MIT
  *
- * LD_PRELOADed. The library looks a port up in /sys/class/tty and asks for its modem lines; a pty
- * has neither.
+ * Loaded with LD_PRELOAD. The library looks up a port in /sys/class/tty and queries its modem
+ * lines; a pty has neither.
  */
 #include <dlfcn.h>
 #include <errno.h>

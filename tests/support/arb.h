@@ -1,9 +1,9 @@
 /* tests/support/arb.h -- arbitrary values from a seed, extremes over-represented
  * SPDX-License-Identifier: MIT
  *
- * arb_real is any coordinate of the number type within +-32767; one in eight is an extreme or next
- * to one. In float builds coordinates are multiples of 2^-16 rounded to the type, so the same seed
- * draws the same shape in every build.
+ * arb_real gives any coordinate of the number type within +-32767; one in eight is an extreme or
+ * next to an extreme. In float builds coordinates are multiples of 2^-16 rounded to the type, so
+ * the same seed draws the same shape in every build.
  */
 #ifndef LOFT_TESTS_ARB_H
 #define LOFT_TESTS_ARB_H

@@ -8,7 +8,7 @@
 
 #define PATCH_POINTS 800
 
-/* What a patch is made of, and its largest coordinate. */
+/* The data of a patch, and its largest coordinate. */
 typedef struct {
     loft_vec p[PATCH_POINTS];
     loft_real w[PATCH_POINTS];
@@ -42,8 +42,8 @@ static inline void arb_net(arb *a, net *s, unsigned count)
     }
 }
 
-/* Compare with what long double says: q16 1/2 LSB and `lsb`, floats half an ulp and `ulps` of
- * double of the largest coordinate. */
+/* Compare with long double. Bound: in q16 1/2 LSB plus `lsb`; in floats half an ulp plus `ulps`
+ * ulps of double at the largest coordinate. */
 static inline void check_axis(loft_real got, long double want, long double largest, long double lsb,
                               long double ulps)
 {

@@ -2,7 +2,7 @@
  * points in, on and beside them
  * SPDX-License-Identifier: MIT
  *
- * All are multiples of 2^-16 that every number type holds.
+ * All coordinates are multiples of 2^-16, exact in every number type.
  */
 #ifndef LOFT_TESTS_ARB_POLYGON_H
 #define LOFT_TESTS_ARB_POLYGON_H
@@ -24,7 +24,7 @@ static inline loft_spot spot_raw(int64_t x, int64_t y)
     return p;
 }
 
-/* Shorter than 24 bits in f32. */
+/* Fits in 24 bits in f32. */
 static inline int32_t arb_size(arb *a)
 {
     const int32_t sizes[6] = {
@@ -39,8 +39,8 @@ static inline int sign_at(const arb_domain *p, unsigned i)
     return (c > 0) - (c < 0);
 }
 
-/* All turns to the left, and once around: a polygon that turns left everywhere but goes round twice
- * has a vertex right of some edge. */
+/* All turns are to the left, and their sum is one revolution. A polygon that turns left everywhere
+ * but goes round twice has a vertex right of some edge. */
 static inline bool is_convex(const arb_domain *p)
 {
     for (unsigned i = 0; i < p->n; i++)
@@ -70,7 +70,7 @@ static inline void around(arb *a, arb_domain *p, bool star)
     }
 }
 
-/* Vertices on a parabola: as flat as the grid allows, from any of them. */
+/* Vertices on a parabola, starting at any of them: as flat as the grid allows. */
 static inline void flat(arb *a, arb_domain *p)
 {
     const int32_t step = 1 + (int32_t)arb_below(a, 1u << arb_below(a, 20)),
@@ -96,7 +96,8 @@ static inline arb_domain arb_convex(arb *a)
     return p;
 }
 
-/* Seen from the origin in order: simple, if the origin is inside. */
+/* The vertices are in angular order about the origin: the polygon is simple if the origin is
+ * inside. */
 static inline bool is_star(const arb_domain *p)
 {
     const loft_spot o = spot_raw(0, 0);
@@ -118,9 +119,9 @@ static inline arb_domain arb_simple(arb *a)
     return p;
 }
 
-/* What is not convex, mostly so that no point inside sees all of it: a notch, L, U, a spiral, a
- * comb, a star, a dart, a notch one unit wide, straight angles, two slivers. From any vertex,
- * turned by right angles, of any size; some with vertices moved by one unit. */
+/* Polygons that are not convex; most have no point inside that sees all of them. Notch, L, U,
+ * spiral, comb, star, dart, a notch one unit wide, straight angles, two slivers. They start at any
+ * vertex, are rotated by right angles, and have any size; some have vertices moved by one unit. */
 static inline arb_domain arb_winding(arb *a)
 {
     static const struct {
@@ -190,10 +191,10 @@ static inline arb_domain arb_winding(arb *a)
     return p;
 }
 
-/* A domain refers to the vertices beside it: after a copy it must be told. */
+/* A domain points to its vertices: after a copy it must point to the copied ones. */
 static inline void settle(arb_domain *p) { p->d.v = p->v; }
 
-/* A whole point of edge i, if there is one between its ends; else an end. */
+/* A grid point on edge i if there is one between its ends; otherwise an end. */
 static inline loft_spot arb_on_edge(arb *a, const arb_domain *p, unsigned i)
 {
     const loft_spot *from = &p->v[i], *to = &p->v[(i + 1) % p->n];
@@ -210,7 +211,7 @@ static inline loft_spot arb_on_edge(arb *a, const arb_domain *p, unsigned i)
     return spot_raw(exact_raw(from->at[0]) + x / g * k, exact_raw(from->at[1]) + y / g * k);
 }
 
-/* Anywhere near: at random in the box of three vertices, or within one LSB of an edge. */
+/* A point nearby: at random in the box of three vertices, or within one LSB of an edge. */
 static inline loft_spot arb_near(arb *a, const arb_domain *p)
 {
     const loft_spot on = arb_on_edge(a, p, arb_below(a, p->n));

@@ -1,4 +1,4 @@
-/* tests/support/arcs.h -- arbitrary arcs, and what they are in long double
+/* tests/support/arcs.h -- arbitrary arcs, and their reference in long double
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TESTS_ARCS_H
@@ -44,7 +44,7 @@ static inline pair minus(pair a, pair b)
 }
 static inline long double size(pair a) { return sqrtl(a.x * a.x + a.y * a.y); }
 
-/* What is left when the ends are known: the drift. */
+/* The remainder when the ends are given: the drift. */
 static inline void complete(truth *t, loft_vec from, loft_vec to, loft_plane plane)
 {
     const long double c = cosl(t->sweep), s = sinl(t->sweep);
@@ -83,8 +83,8 @@ typedef struct {
     loft_circle c;
 } arc;
 
-/* Ends at the same distance from a centre, or off by a little of it; radii from some LSB to the
- * whole range. */
+/* Ends at the same distance from a centre, or off by a small part of it; radii from a few LSB to
+ * the whole range. */
 static inline bool arb_centred(arb *a, arc *s)
 {
     const long double radius = ldexpl(1 + arb_below(a, 1000) / 1000.0L, (int)arb_below(a, 26) - 11);
@@ -113,7 +113,7 @@ static inline bool arb_centred(arb *a, arc *s)
     return true;
 }
 
-/* The same by the definition, in long double. */
+/* The same by definition, in long double. */
 static inline void centred_truth(arc *s)
 {
     truth *t = &s->t;

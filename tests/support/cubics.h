@@ -40,7 +40,7 @@ static inline loft_real tol_of(int32_t raw)
     return BY_NUM(raw, (loft_real)(raw / 65536.0), (loft_real)(raw / 65536.0));
 }
 
-/* A length as acc, cut to its grain. */
+/* A length as acc, truncated to its ulp. */
 static inline loft_acc acc_of(real x)      { return (loft_acc)(BY_NUM(0x1p32L, 1, 1) * x); }
 
 static inline point between(point a, point b, real t)
@@ -91,7 +91,7 @@ static inline real polygon(const exact *c)
     return distance(c->p[0], c->p[1]) + distance(c->p[1], c->p[2]) + distance(c->p[2], c->p[3]);
 }
 
-/* Length within +-tol, by halving until chord and polygon agree. */
+/* The length within +-tol, by halving until chord and polygon agree. */
 static inline real length(const exact *c, real tol, int depth)
 {
     const real p = polygon(c), chord = distance(c->p[0], c->p[3]);
@@ -121,15 +121,16 @@ static inline uint32_t halvings(const exact *c, real tol)
     return halvings(&left, tol) + halvings(&right, tol);
 }
 
-/* on the way from a to b, beyond it too */
+/* between a and b, or beyond */
 static inline loft_real part_of(loft_real a, loft_real b, double t)
 {
     const double x = arb_value(a) + t * (arb_value(b) - arb_value(a));
     return BY_NUM((loft_real)(x * 65536), (loft_real)x, (loft_real)x);
 }
 
-/* Cubics of every kind: any, closed, with double ends, straight and overshooting, cusped, of
- * corners, plane, and almost straight with an inflection; from a few LSB to the whole range. */
+/* Cubics of every kind: arbitrary, closed, with double ends, straight and overshooting, cusped,
+ * made of corners, planar, and almost straight with an inflection; from a few LSB to the whole
+ * range. */
 static inline loft_cubic arb_shape(arb *a)
 {
     loft_cubic c = arb_cubic(a, (1 << arb_below(a, 15)));
@@ -153,7 +154,7 @@ static inline loft_cubic arb_shape(arb *a)
         if (arb_below(a, 2))
             c.p[2].axis[0] += LOFT_REAL(0.01);
         break;
-    case 5:                                         /* legs w, w', -w have a cusp when w' is none */
+    case 5:                                         /* legs w, w', -w have a cusp if w' is 0 */
         for (int i = 0; i < LOFT_AXES; i++) {
             for (int k = 0; k < 3; k++)
                 c.p[k].axis[i] /= 4;
@@ -194,7 +195,7 @@ static inline real size_of(const exact *c)
     return size;
 }
 
-/* A tolerance from `least` LSB up that leaves at most some thousand chords. */
+/* A tolerance of at least `least` LSB that needs at most a few thousand chords. */
 static inline int32_t arb_tol(arb *a, const exact *c, int32_t least)
 {
     int64_t raw = least - 1 + ((int32_t)1 << arb_below(a, 20));

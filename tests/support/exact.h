@@ -1,4 +1,4 @@
-/* tests/support/exact.h -- the reference of curve tests: long double, and what a bound means in
+/* tests/support/exact.h -- the reference of curve tests: long double, and the meaning of a bound in
  * each number type
  * SPDX-License-Identifier: MIT
  *
@@ -24,7 +24,7 @@ static inline long double exact_acc(loft_acc x)
     return BY_NUM((long double)x / 4294967296.0L, x, x);
 }
 
-/* The distance from |x| to the next larger number of the type; in q16 always one LSB. */
+/* The distance from |x| to the next larger number of the type; in q16 it is always one LSB. */
 static inline long double ulp(long double x)
 {
     x = fabsl(x);
@@ -78,7 +78,7 @@ static inline long double exact_deriv(const long double c[], unsigned n, unsigne
     return factor * exact_eval(w, n - k, t);
 }
 
-/* The law of extrapolation: growth L = |1 - t| + |t|, and 1 + L + .. + L^(n-1). */
+/* Extrapolation: the growth L = |1 - t| + |t|, and the sum 1 + L + .. + L^(n-1). */
 static inline long double growth(long double t) { return fabsl(1 - t) + fabsl(t); }
 static inline long double growth_sum(long double t, unsigned n)
 {

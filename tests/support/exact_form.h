@@ -9,7 +9,7 @@
 
 #include "support/exact_whole.h"        /* wide, vast */
 
-/* Determinant of the rows and columns in `rows` and `columns`, by its permutations: up to 24
+/* The determinant of the rows and columns in `rows` and `columns`, by permutations: up to 24
  * products of four. */
 static inline vast exact_minor(wide m[4][4], const int rows[], const int columns[], int n)
 {
@@ -68,7 +68,7 @@ static inline quad exact_root(wide x)
     return x > 0 ? (r + (quad)x / r) / 2 : 0;
 }
 
-/* x >= 0, up to 2^-100 of the sizes that were added to make it */
+/* x >= 0, up to 2^-100 of the size of the terms of its sum */
 static inline bool exact_at_least_zero(quad x, quad size) { return x >= -size * 0x1p-100L; }
 
 /* sqrt(A B C) + a sqrt A + b sqrt B + c sqrt C >= 0, for A, B, C >= 0 */

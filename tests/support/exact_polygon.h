@@ -1,8 +1,8 @@
-/* tests/support/exact_polygon.h -- coordinates with respect to polygons in long double, by other
- * formulas than the library's
+/* tests/support/exact_polygon.h -- coordinates with respect to polygons in long double, by formulas
+ * that differ from the library's
  * SPDX-License-Identifier: MIT
  *
- * Vertices and points are multiples of 2^-16, so that cross products are exact in 128 bits.
+ * Vertices and points are multiples of 2^-16, so cross products are exact in 128 bits.
  */
 #ifndef LOFT_TESTS_EXACT_POLYGON_H
 #define LOFT_TESTS_EXACT_POLYGON_H
@@ -31,7 +31,7 @@ static inline long double exact_dot(const loft_spot *o, const loft_spot *a, cons
            (exact_of(a->at[1]) - exact_of(o->at[1])) * (exact_of(b->at[1]) - exact_of(o->at[1]));
 }
 
-/* The formula with one quotient per vertex, C_i / (A_(i-1) A_i): inside only. */
+/* The formula with one quotient per vertex, C_i / (A_(i-1) A_i): valid only inside. */
 static inline void exact_wachspress(const loft_spot v[], unsigned n, loft_spot p, long double phi[])
 {
     long double sum = 0;
@@ -47,7 +47,7 @@ static inline void exact_wachspress(const loft_spot v[], unsigned n, loft_spot p
         phi[i] /= sum;
 }
 
-/* By angles; not on an edge nor at a vertex. The result is K of polygon/meanvalue.h. */
+/* By angles; neither on an edge nor at a vertex. The result is K of polygon/meanvalue.h. */
 static inline long double exact_meanvalue(const loft_spot v[], unsigned n, loft_spot p,
                                           long double phi[])
 {

@@ -1,8 +1,8 @@
 /* tests/support/exact_quad.h -- coordinates in polygons and generalized Bezier patches in 113 bits
  * SPDX-License-Identifier: MIT
  *
- * At any point, by their definitions. Derivatives are differences over a very small step, which
- * 113 bits leave 50 right bits of.
+ * At any point, by their definitions. Derivatives are differences over a very small step; with 113
+ * bits, 50 bits of them are correct.
  */
 #ifndef LOFT_TESTS_EXACT_QUAD_H
 #define LOFT_TESTS_EXACT_QUAD_H
@@ -73,7 +73,7 @@ static inline void quad_wachspress(const arb_domain *p, quad_spot at, quad phi[]
     quad_normalize(phi, n);
 }
 
-/* On the edge between the two ends as well. */
+/* Also valid on the edge between the two ends. */
 static inline bool quad_linear(unsigned n, unsigned i, const quad r[], quad phi[])
 {
     for (unsigned k = 0; k < n; k++)
@@ -121,7 +121,7 @@ static inline quad quad_mu(unsigned d, unsigned j, unsigned k, quad alpha, quad 
     return j == k || j == d - k ? (quad)0.5 : 1;
 }
 
-/* All weights, by the definition; 0/0 becomes 1/2. */
+/* All weights by definition; 0/0 becomes 1/2. */
 static inline void quad_weights(unsigned n, unsigned d, const quad phi[], quad out[])
 {
     const unsigned last = loft_gb_count(n, d) - 1;
@@ -187,7 +187,7 @@ static inline void quad_stencil(quad_functions f, const void *of, unsigned count
     }
 }
 
-/* Two steps make differences of the fourth order: off by step^4 and by 2^-113 / step^2, for
+/* Two steps give fourth-order differences. Their error is about step^4 plus 2^-113 / step^2, for
  * functions that change over lengths of 1. */
 static inline void quad_differences(quad_functions f, const void *of, unsigned count, quad_spot at,
                                     quad step, quad out[][5])
@@ -201,8 +201,8 @@ static inline void quad_differences(quad_functions f, const void *of, unsigned c
 
 static inline quad quad_less(quad a, quad b) { return a < b ? a : b; }
 
-/* What derivatives of coordinates count by: the least distance of a vertex from an edge that does
- * not end there; of mean values also that of the point from a vertex. */
+/* The length scale of derivatives of coordinates: the smallest distance of a vertex from an edge
+ * that does not end there. For mean values also the distance of the point from a vertex. */
 static inline quad quad_scale(const arb_domain *p, quad_spot at, bool mean)
 {
     quad least = 1e30L;
@@ -218,7 +218,7 @@ static inline quad quad_scale(const arb_domain *p, quad_spot at, bool mean)
     return least;
 }
 
-/* A patch over a polygon, with mean values or by Wachspress. */
+/* A patch over a polygon, with mean value or Wachspress coordinates. */
 typedef struct {
     const loft_gb *g;
     const arb_domain *p;

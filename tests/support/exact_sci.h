@@ -1,4 +1,4 @@
-/* tests/support/exact_sci.h -- numbers with an exponent of their own, as references see them
+/* tests/support/exact_sci.h -- converts numbers with an exponent of their own for references
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TESTS_EXACT_SCI_H
@@ -7,7 +7,7 @@
 #include "support/exact.h"          /* exact_of */
 #include "num/sci.h"        /* loft_sci */
 
-/* Every q16 number has 62 bits, long double has 64: it holds each one. */
+/* A q16 number has 62 bits and long double has 64, so the conversion is exact. */
 static inline long double exact_sci(loft_sci x)
 {
 #if LOFT_NUM == LOFT_Q16

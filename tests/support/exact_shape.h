@@ -1,9 +1,9 @@
-/* tests/support/exact_shape.h -- the shape of planar cubics, curvature, convex polygons, signs: the
- * tests' own answers
+/* tests/support/exact_shape.h -- the shape of planar cubics, curvature, convex polygons, signs: a
+ * reference for tests
  * SPDX-License-Identifier: MIT
  *
- * From the coordinates as the number type holds them, in other ways than lib/: roots are counted by
- * the signs of Bernstein coefficients, revolutions by angles, degree raises one by one.
+ * Computed from the rounded coordinates, in other ways than in lib/: roots are counted by the signs
+ * of Bernstein coefficients, revolutions by angles, and the degree is elevated step by step.
  */
 #ifndef LOFT_TESTS_EXACT_SHAPE_H
 #define LOFT_TESTS_EXACT_SHAPE_H
@@ -27,8 +27,8 @@ static inline void exact_power(const loft_cubic *c, int axis, wide k[3])     /* 
     k[2] = p[3] - 3 * p[2] + 3 * p[1] - p[0];
 }
 
-/* Roots in the open interval of the quadratic with Bernstein coefficients of these signs, which has
- * two roots. */
+/* The number of roots in the open interval of a quadratic with two real roots and Bernstein
+ * coefficients of these signs. */
 static inline unsigned exact_open_roots(int s0, int s1, int s2)
 {
     if (s0 != 0 && s2 != 0)
@@ -36,8 +36,8 @@ static inline unsigned exact_open_roots(int s0, int s1, int s2)
     return s1 * (s0 + s2) < 0;
 }
 
-/* (m + sign sqrt(d)) / n by the stable formula: the root of larger size, the other one from the
- * product. */
+/* (m + sign sqrt(d)) / n by the stable formula: first the root of larger absolute value, then the
+ * other one from the product. */
 static inline void exact_roots(long double m, long double d, long double n, long double product,
                                long double t[2])
 {
@@ -107,12 +107,12 @@ static inline exact_shape exact_shape_of(const loft_cubic *c)
 }
 
 
-/* Curvature: de Casteljau's scheme in 113 bits, and its first derivative modulo 2^128 as well */
+/* Curvature: de Casteljau's scheme in 113 bits, and its first derivative also modulo 2^128 */
 
 typedef struct {
     bool singular;
     long double curvature, tangent[LOFT_AXES];
-    long double unsure;         /* the error of this curvature: the quads hold all bits up to degree
+    long double unsure;         /* the error of this curvature: the quads are exact up to degree
                                  * 6 */
 } exact_bend;
 
@@ -122,8 +122,8 @@ static inline quad quad_root(quad x)
     return r > 0 ? (r + x / r) / 2 : 0;
 }
 
-/* Rows of the scheme at t = j / 65536 until `left` values remain, multiplied by 65536 in each
- * row. */
+/* Rows of the scheme at t = j / 65536 until `left` values remain; each row is multiplied by
+ * 65536. */
 static inline void exact_rows(vast c[], unsigned count, unsigned left, int64_t j)
 {
     for (unsigned k = count; k > left; k--)
@@ -150,8 +150,8 @@ static inline bool exact_ends(const loft_bezier *b, int64_t j, int axis, quad *f
     return *first < 0 || *first > 0;
 }
 
-/* At t = j / 65536, in the first `axes` axes; with a sign when they are two. With P' = n q /
- * T^(n-1) and so on the curvature is (n - 1) / n |q x r| / |q|^3 T^n G; T = G = 65536. */
+/* At t = j / 65536, in the first `axes` axes; signed if there are two. With P' = n q / T^(n-1) and
+ * so on the curvature is (n - 1) / n |q x r| / |q|^3 T^n G; T = G = 65536. */
 static inline exact_bend exact_bend_at(const loft_bezier *b, int64_t j, int axes)
 {
     const unsigned n = b->degree;

@@ -1,5 +1,5 @@
-/* tests/support/exact_sign.h -- positivity and convexity of quadratics and quartics: the tests' own
- * answers
+/* tests/support/exact_sign.h -- positivity and convexity of quadratics and quartics: a reference
+ * for tests
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TESTS_EXACT_SIGN_H
@@ -13,7 +13,8 @@ typedef struct {
     long double min;
 } exact_sign;
 
-/* The minimum of the quadratic a on 0..1 as a fraction of whole numbers, over a positive one. */
+/* The minimum of the quadratic a on 0..1 as a fraction of whole numbers; the denominator is
+ * positive. */
 static inline void exact_least(const wide a[3], wide *top, wide *bottom)
 {
     *top = a[0] < a[2] ? a[0] : a[2];
@@ -25,8 +26,8 @@ static inline void exact_least(const wide a[3], wide *top, wide *bottom)
     }
 }
 
-/* Are all coefficients positive after `times` raises, one by one? Raising to degree m multiplies by
- * m. */
+/* Are all coefficients positive after `times` degree elevations, one by one? An elevation to degree
+ * m multiplies by m. */
 static inline bool exact_all_positive(const wide a[3], int times)
 {
     wide c[80];
@@ -42,7 +43,7 @@ static inline bool exact_all_positive(const wide a[3], int times)
         for (int k = 0; k <= m; k++)
             scale = fmaxl(scale, fabsl((long double)c[k]));
         if (scale > 0x1p100L)
-            return false;                               /* the caller does not come so far */
+            return false;                               /* the caller does not get here */
     }
     for (int k = 0; k <= times + 2; k++)
         if (c[k] <= 0)
@@ -50,8 +51,8 @@ static inline bool exact_all_positive(const wide a[3], int times)
     return true;
 }
 
-/* b_k of degree m is positive when this is: the formula for many raises, where the products above
- * grow too large. */
+/* The sign of b_k of degree m: a formula for many elevations, where the products above would
+ * overflow. */
 static inline bool exact_formula_positive(const wide a[3], int m)
 {
     for (int k = 0; k <= m; k++)
@@ -92,7 +93,7 @@ static inline bool exact_net_convex(const loft_real b[], unsigned n)
     return true;
 }
 
-/* By the minimum of the second derivative. */
+/* Decided by the minimum of the second derivative. */
 static inline bool exact_convex(const loft_real b[], unsigned n)
 {
     wide d[3], top, bottom;

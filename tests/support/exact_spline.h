@@ -1,9 +1,9 @@
-/* tests/support/exact_spline.h -- the reference of interpolating curves: 113 bits, and other ways
- * than lib/
+/* tests/support/exact_spline.h -- the reference of interpolating curves: in 113 bits, by other
+ * methods than lib/
  * SPDX-License-Identifier: MIT
  *
  * Natural splines by their second derivatives (lib: by slopes), parabolas by divided differences
- * (lib: over one denominator). Coordinates are taken as the number type holds them.
+ * (lib: over one denominator). Coordinates are rounded to the number type first.
  */
 #ifndef LOFT_TESTS_EXACT_SPLINE_H
 #define LOFT_TESTS_EXACT_SPLINE_H
@@ -17,7 +17,7 @@ __extension__ typedef __float128 quad;
 
 static inline quad quad_of(loft_real x) { return BY_NUM((quad)x / 65536, (quad)x, (quad)x); }
 
-/* The bound of this number type; unlike BY_NUM it computes all three, so that none is left
+/* The bound of this number type. Unlike BY_NUM this evaluates all three, so that none is left
  * unused. */
 static inline long double bound_by_num(long double q16, long double f32, long double f64)
 {
@@ -25,8 +25,8 @@ static inline long double bound_by_num(long double q16, long double f32, long do
     return bound[BY_NUM(0, 1, 2)];
 }
 
-/* Was a result given that fits, and is it within `lsb` in q16, `room` and 1/2 ulp of it in floats?
- * Values that fit narrowly may be refused. */
+/* Did the function return a result that fits? Is it within `lsb` in q16, or `room` plus 1/2 ulp in
+ * floats? Values that barely fit may be refused. */
 static inline void check_result(enum loft_status status, const loft_vec *got,
                                 const quad want[LOFT_AXES], long double lsb, long double room)
 {
@@ -47,7 +47,7 @@ static inline void check_result(enum loft_status status, const loft_vec *got,
     }
 }
 
-/* One step of Newton's doubles the 64 bits of sqrtl. */
+/* One Newton step doubles the 64 bits of sqrtl. */
 static inline quad quad_sqrt(quad x)
 {
     const quad r = sqrtl((long double)x);

@@ -1,11 +1,11 @@
-/* tests/support/exact_whole.h -- exact decisions of a test, on its own road: __int128, and beyond
- * it 113 bits beside the low ones
+/* tests/support/exact_whole.h -- exact decisions of a test, independent of lib/: __int128, and
+ * beyond it 113 bits next to the low ones
  * SPDX-License-Identifier: MIT
  *
- * Coordinates become whole numbers, their raw Q16.16: exactly in q16, and in floats that hold
- * multiples of 2^-16. A number of up to 200 bits is known by its value modulo 2^128 and by a quad
- * that is off by 2^-110 of the sizes involved: where that is large its sign is right, where it is
- * small the low bits are all there are.
+ * Coordinates become whole numbers, their raw Q16.16: exactly in q16, and in floats that are
+ * multiples of 2^-16. A number of up to 200 bits is stored as its value modulo 2^128 and as a quad
+ * with an error of 2^-110 of the sizes involved. If the quad is large its sign is right; if it is
+ * small the low bits are the whole number.
  */
 #ifndef LOFT_TESTS_EXACT_WHOLE_H
 #define LOFT_TESTS_EXACT_WHOLE_H

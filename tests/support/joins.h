@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  *
  * Coordinates are multiples of 2^-16 below 2^15 here. The condition of G2 is that whole numbers
- * below 2^135 are 0, which they are exactly if they are multiples of three primes above 2^60.
+ * below 2^135 are 0. They are 0 if and only if they are multiples of three primes above 2^60.
  */
 #ifndef LOFT_TESTS_JOINS_H
 #define LOFT_TESTS_JOINS_H

@@ -1,9 +1,9 @@
 /* tests/support/line.h -- a serial line between a loft_sender and a loft_receiver, in virtual time,
- * as bad as you like
+ * with any faults
  * SPDX-License-Identifier: MIT
  *
- * Bytes come out in order, `delay` ms after they went in, unless a fault befalls them. The machine
- * behind the receiver is the smallest one that obeys the contract; it checks each item it is given
+ * Bytes come out in order, `delay` ms after they went in, unless a fault hits them. The machine
+ * behind the receiver is the smallest one that obeys the contract. It checks each item that it gets
  * against the job.
  */
 #ifndef LOFT_TESTS_LINE_H
@@ -17,8 +17,8 @@
 /* Per million bytes. */
 typedef struct {
     uint32_t flip, drop, twice, insert, burst;
-    uint32_t outage, outage_ms;     /* per million ms; up to so long */
-    uint32_t replay;                /* per million ms: a frame of some time ago comes again */
+    uint32_t outage, outage_ms;     /* per million ms; the longest duration */
+    uint32_t replay;                /* per million ms: an earlier frame is repeated */
 } line_faults;
 
 enum { LINE_ROOM = 1 << 14, LINE_FRAMES = 64 };
@@ -101,12 +101,12 @@ typedef struct {
     loft_receiver r;
     loft_snapshot now;
     uint32_t queued, ended, stop_at, wake;
-    uint32_t period;                /* ms per item; 0: at once */
+    uint32_t period;                /* ms per item; 0: immediate */
     enum loft_refusal refuses;
     uint32_t jobs, ends, holds, resumes, aborts, closes, overrides;        /* events */
     uint32_t told;                  /* highest limit that was sent */
     uint32_t delivered;             /* items, counted here and not by the receiver */
-    uint32_t sloppy;                /* per million: forgets to drain a frame */
+    uint32_t sloppy;                /* per million: fails to drain a frame */
 } mill;
 
 static inline void mill_init(mill *m, uint32_t boot, uint16_t queue, uint32_t period)
@@ -129,7 +129,7 @@ static inline void mill_init(mill *m, uint32_t boot, uint16_t queue, uint32_t pe
     CHECK(loft_receiver_init(&m->r, &m->info) == LOFT_OK);
 }
 
-/* The item n of the job with this id: different for every n and id. */
+/* Item n of the job with this id: different for every n and id. */
 static inline void job_item(uint32_t id, enum loft_kind kind, uint32_t n, loft_item *out)
 {
     arb a = arb_start(((uint64_t)id << 32) + n);
@@ -256,10 +256,10 @@ typedef struct {
     loft_job    job;
     uint32_t    count, bytes, steps;        /* bytes: sent by the host */
     bool        begun;
-    bool        buffered;                   /* something takes all bytes at once and passes them on
-                                             * as fast as the line can */
-    uint32_t    asleep, frozen;             /* ms that the host gets no turn; that the line passes
-                                             * nothing on */
+    bool        buffered;                   /* something accepts all bytes at once and passes them
+                                             * on as fast as the line can */
+    uint32_t    asleep, frozen;             /* ms in which the host does not run; in which the line
+                                             * passes nothing */
 } world;
 
 static const loft_job_limits world_limits;
@@ -273,7 +273,7 @@ static inline void world_source(void *context, uint32_t index, loft_item *out)
 
 static inline void world_dial(world *w)
 {
-    w->down.out_size = w->down.out_at = 0;          /* what was half sent stays half sent */
+    w->down.out_size = w->down.out_at = 0;          /* a half-sent frame stays half sent */
     w->begun = false;
     loft_sender_init(&w->s, (uint32_t)arb_next(w->a), w->now);
 }
@@ -359,8 +359,7 @@ static inline void world_step(world *w)
     while (w->asleep == 0 && w->frozen == 0 && line_ready(&w->up, w->now))
         loft_sender_push(&w->s, w->up.byte[w->up.out++ % LINE_ROOM], w->now);
     if (w->s.phase == LOFT_PHASE_READY) {
-        CHECK(!w->begun);                   /* once is enough, also when the line was silent for
-                                             * long */
+        CHECK(!w->begun);                   /* only once, even if the line was silent for long */
         CHECK(loft_sender_begin(&w->s, &w->job, w->count, world_source, w) == LOFT_OK);
         w->begun = true;
     }
@@ -374,7 +373,7 @@ static inline void world_step(world *w)
     CHECK(++w->steps < 2000000);            /* half an hour is never needed */
 }
 
-/* Until the sender has finished, or `ms` have passed. */
+/* Run until the sender has finished, or until `ms` have passed. */
 static inline bool world_run(world *w, uint32_t ms)
 {
     while (ms-- > 0 && w->s.phase < LOFT_PHASE_DONE && !check_bad)
@@ -382,7 +381,7 @@ static inline bool world_run(world *w, uint32_t ms)
     return w->s.phase >= LOFT_PHASE_DONE;
 }
 
-/* Until `phase`, or `ms` have passed. */
+/* Run until `phase`, or until `ms` have passed. */
 static inline bool world_until(world *w, enum loft_phase phase, uint32_t ms)
 {
     while (ms-- > 0 && w->s.phase != phase && w->s.phase < LOFT_PHASE_DONE && !check_bad)

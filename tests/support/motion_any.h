@@ -1,8 +1,8 @@
-/* tests/support/motion_any.h -- a random case: a chain, limits, feeds and how curves arrive; all
- * that its spans must hold
+/* tests/support/motion_any.h -- a random case: a chain, limits, feeds and arrival of curves; checks
+ * everything that spans must hold
  * SPDX-License-Identifier: MIT
  *
- * Prints the first seeds of each kind of violation and each that is worse than all before.
+ * Prints the first seeds of each kind of violation, and each seed that is worse than all before.
  */
 #ifndef LOFT_TESTS_MOTION_ANY_H
 #define LOFT_TESTS_MOTION_ANY_H
@@ -18,7 +18,7 @@ static const char *const fault_name[FAULTS] = { "deadlock", "gap",  "speed",    
 static unsigned long faults[FAULTS];
 static double worst[FAULTS];
 static path   any_track;
-static bool   bad;                  /* the case */
+static bool   bad;                  /* in this case */
 
 static inline void fault(int kind, uint64_t seed, double value)
 {
@@ -34,7 +34,7 @@ static inline void at_most(int kind, uint64_t seed, double value, double bound)
         fault(kind, seed, value);
 }
 
-/* One to six curves of all kinds, of similar size, that take a second or so; `smooth`: tangents
+/* One to six curves of all kinds, of similar size, that take about a second; `smooth`: tangents
  * agree at their joints. */
 static inline void arb_short_chain(arb *a, bool smooth)
 {

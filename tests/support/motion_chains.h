@@ -49,7 +49,7 @@ static inline void arb_direction(arb *a, double d[])
         d[i] /= sqrt(len);
 }
 
-/* Append the curve whose control points lie at u[k] along `d` and w[k] along `e` from here. */
+/* Append the curve whose control points are at u[k] along `d` and w[k] along `e` from here. */
 static inline void add_curve(const double d[], const double e[], const double u[4],
                              const double w[4], double feed)
 {
@@ -98,7 +98,7 @@ static const double shape[KINDS][2][4] = { [LINE] = { { 0, 1 / 3.0, 2 / 3.0, 1 }
     [REVERSED]       = { { 0, 2, -1, 1 },         { 0, 0, 0, 0 } },
                                            [THERE_AND_BACK] = { { 0, 1, 1, 0 }, { 0, 0, 0, 0 } } };
 
-/* `onward`: it begins where the one before was heading. */
+/* `onward`: it begins in the direction in which the one before ends. */
 static inline void arb_curve(arb *a, enum kind kind, double size, double feed, bool onward)
 {
     double d[LOFT_AXES], e[LOFT_AXES], u[4] = { 0, 0, 0, 0 }, w[4] = { 0, 0, 0, 0 };

@@ -1,14 +1,14 @@
-/* tests/support/motion_follow.h -- spans followed along their path: how far from it they are, and
- * how fast where which feed is asked for
+/* tests/support/motion_follow.h -- follows spans along their path: measures their distance, and
+ * their speed relative to the feed there
  * SPDX-License-Identifier: MIT
  *
- * The distance is that of Frechet, the length of the leash on which one walks along the path and a
- * dog along the spans, neither of them ever back: no part of the path is left out, none is passed
- * twice. Path and spans become chords that leave them by at most 1/64 of the tolerance. Whether a
- * leash will do is decided for these exactly: each chord of the one with each of the other is a
- * cell whose places (s, t) within the leash are convex, so that what can be reached on its right
- * and upper side follows from what was reached on the other two [Alt and Godau 1995]. Cells are
- * visited in the order of time; of the path, those that can be reached are kept.
+ * The distance is the Frechet distance: the length of the leash with which a walker goes along the
+ * path and a dog along the spans, neither ever going back. So no part of the path is left out, and
+ * none is passed twice. Path and spans are replaced by chords within 1/64 of the tolerance. For the
+ * chords the decision whether a leash is long enough is exact. Each pair of chords is a cell, in
+ * which the places (s, t) within the leash form a convex set. So the reachable parts of its right
+ * and upper side follow from those of the other two sides [Alt and Godau 1995]. Cells are visited
+ * in the order of time; only the reachable chords of the path are kept.
  */
 #ifndef LOFT_TESTS_MOTION_FOLLOW_H
 #define LOFT_TESTS_MOTION_FOLLOW_H
@@ -21,24 +21,24 @@
 #include "support/motion_uses.h"    /* spans, limits, span_squares, quartic_peak */
 
 typedef struct {
-    double off;         /* the distance of spans and path, mm; at most a 32nd of the tolerance and
-                         * what was asked for too large */
-    double along;       /* speed along the path, part of the feed there */
+    double off;         /* the distance of spans and path, mm; too large by at most a 32nd of the
+                         * tolerance plus `fine` */
+    double along;       /* speed along the path, as a fraction of the feed there */
 } motion_follow;
 
 typedef struct {
-    double low, high;   /* parts of a chord; none if high < low */
+    double low, high;   /* parts of a chord; empty if high < low */
 } stretch;
 
 typedef struct {
     const path   *track;
     double        leash;
-    unsigned      first, last;      /* chords of the path that can be reached now */
+    unsigned      first, last;      /* chords of the path that are reachable now */
     motion_follow out;
 } follower;
 
 static const stretch nowhere = { 1, 0 };
-static stretch reached[PATH_MAX];   /* of them */
+static stretch reached[PATH_MAX];   /* on each of them */
 
 static inline double follow_chord_error(void) { return arb_value(limits.tol) / 64; }
 
@@ -64,8 +64,8 @@ static inline stretch stretch_near(const double a[], const double b[], const dou
 
 static inline bool is_stretch(stretch s) { return s.low <= s.high; }
 
-/* What of `side` can be reached in a cell: all of it from below, or what is not behind the place
- * where it was entered. */
+/* The reachable part of `side` in a cell: all of it from below, or the part that is not before the
+ * place of entry. */
 static inline stretch onward(stretch side, stretch across, stretch opposite)
 {
     return is_stretch(across)     ? side
@@ -73,7 +73,7 @@ static inline stretch onward(stretch side, stretch across, stretch opposite)
                                   : nowhere;
 }
 
-/* The dog is at `from`, at the start: how far can one be? */
+/* The dog is at `from`, the start: how far can the walker be? */
 static inline void follow_begin(follower *f, const double from[])
 {
     const path *p = f->track;
@@ -91,7 +91,7 @@ static inline void follow_begin(follower *f, const double from[])
     }
 }
 
-/* It runs from one place to another; false when the leash is too short. */
+/* The dog runs from one place to another. Returns false if the leash is too short. */
 static inline bool follow_run(follower *f, const double from[], const double to[])
 {
     const path *p = f->track;
@@ -122,14 +122,14 @@ static inline double place_on(const path *p, unsigned chord, double part)
     return p->end[chord].s + part * (p->end[chord + 1].s - p->end[chord].s);
 }
 
-/* The places that can be reached, mm along the path. */
+/* The reachable places, mm along the path. */
 static inline stretch places(const follower *f)
 {
     return (stretch){ place_on(f->track, f->first, reached[f->first].low),
                       place_on(f->track, f->last, reached[f->last].high) };
 }
 
-/* The largest feed of the curves near places; f->first and f->last are not far. */
+/* The largest feed of the curves near these places; f->first and f->last are close. */
 static inline double feed_near(const follower *f, stretch s)
 {
     const path *p = f->track;
@@ -150,7 +150,7 @@ static inline double feed_near(const follower *f, stretch s)
     return feed;
 }
 
-/* Parts of a span that its chords leave by no more than they may. */
+/* The number of parts of a span that keeps its chords within their bound. */
 static inline int parts_of(const loft_span *s)
 {
     const double h = duration(s);
@@ -175,8 +175,8 @@ static inline double part_length(const loft_span *s, double from, double to)
     return sum / 8 * (to - from) * duration(s);
 }
 
-/* Compare the speed in a part of span k, which leads from `before` to where it is now, with the
- * feed there: bit by bit, as the speed is nearly even in it. */
+/* Compare the speed in a part of span k with the feed there, piece by piece, since the speed is
+ * nearly constant in each. The part leads from `before` to the current places. */
 static inline void follow_feed(follower *f, unsigned k, double from, double to, stretch before)
 {
     const double noise = sqrt(LOFT_AXES) * 3 * grain() / duration(&spans[k]);
@@ -194,8 +194,8 @@ static inline void follow_feed(follower *f, unsigned k, double from, double to, 
     }
 }
 
-/* Can one walk along the path while the dog runs along the spans? `feed`: is speed compared with
- * that of the place? */
+/* Can the walker go along the path while the dog runs along the spans? `feed`: also compare the
+ * speed with the feed there. */
 static inline bool follow_all(follower *f, double leash, bool feed)
 {
     double at[LOFT_AXES], to[LOFT_AXES];
@@ -218,8 +218,8 @@ static inline bool follow_all(follower *f, double leash, bool feed)
     return f->last + 2 == f->track->count && reached[f->last].high >= 1;
 }
 
-/* Follow the spans along `moved` moves, and find their distance, which is at most the tolerance or
- * else to `fine` mm. */
+/* Follow the spans along `moved` moves, and bisect for their distance: to `fine` mm, or to 1.5
+ * times the error of the chords. */
 static inline motion_follow follow_path(path *track, const loft_move moves[], unsigned moved,
                                         double fine)
 {

@@ -1,5 +1,5 @@
-/* tests/support/motion_oracle.h -- what spans must be, in double: their polynomials and the path
- * they follow, exactly
+/* tests/support/motion_oracle.h -- the reference for spans, in double: their polynomials and the
+ * exact path
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TESTS_MOTION_ORACLE_H
@@ -14,7 +14,7 @@
 #  define PATH_MAX 60000
 #endif
 
-/* The path as a chain of short chords, each knows its curve. */
+/* The path as a chain of short chords; each knows its curve. */
 typedef struct {
     const loft_move *chain;
     unsigned count;
@@ -68,7 +68,7 @@ static inline void path_add(path *p, unsigned curve, double t)
     p->end[k].s = p->length;
 }
 
-/* Is the chord t..t + dt no longer than `step`, and its curve near it? At least 8 to a curve. */
+/* Is the chord t..t + dt at most `step` long, and its curve close to it? At least 8 per curve. */
 static inline bool chord_is_short(const loft_vec c[4], double t, double dt, double step)
 {
     double a[LOFT_AXES], b[LOFT_AXES], m[LOFT_AXES], middle[LOFT_AXES];
@@ -82,8 +82,8 @@ static inline bool chord_is_short(const loft_vec c[4], double t, double dt, doub
                            (distance(a, b) <= step && distance(m, middle) <= distance(a, b) / 16));
 }
 
-/* Does the curve leave the chord by at most `error`: an eighth of the second derivative, which is
- * largest at an end, times dt^2? */
+/* Is the curve within `error` of the chord? The bound is an eighth of the second derivative, which
+ * is largest at an end, times dt^2. */
 static inline bool chord_is_near(const loft_vec c[4], double t, double dt, double error)
 {
     double most = 0;
@@ -102,7 +102,7 @@ static inline bool chord_is_near(const loft_vec c[4], double t, double dt, doubl
     return most * dt * dt / 8 <= error;
 }
 
-/* Chords that are fine, of 2^-n of a curve each. */
+/* Chords that satisfy the condition, each 2^-n of a curve. */
 static inline void path_trace_by(path *p, const loft_move moves[], unsigned count, double most,
                                  bool (*fine)(const loft_vec c[4], double t, double dt,
                                               double most))
@@ -122,13 +122,13 @@ static inline void path_trace_by(path *p, const loft_move moves[], unsigned coun
     CHECK(p->count < PATH_MAX);
 }
 
-/* Chords of at most `step` mm, more where the curve turns. */
+/* Chords of at most `step` mm, shorter where the curve turns. */
 static inline void path_trace(path *p, const loft_move moves[], unsigned count, double step)
 {
     path_trace_by(p, moves, count, step, chord_is_short);
 }
 
-/* Chords that leave their curves by at most `error`. */
+/* Chords within `error` of their curves. */
 static inline void path_trace_near(path *p, const loft_move moves[], unsigned count, double error)
 {
     path_trace_by(p, moves, count, error, chord_is_near);
@@ -147,8 +147,7 @@ static inline double chord_distance(const double q[], const double a[], const do
     return distance(q, at);
 }
 
-/* The distance of q from the curve under chord j and a little beyond: thirds of the parameter,
- * again and again. */
+/* The distance of q from the curve near chord j: ternary search over the parameter. */
 static inline double curve_distance(const path *p, unsigned j, const double q[])
 {
     const loft_vec *c = p->chain[p->end[j + 1].curve].curve.p;
@@ -168,9 +167,9 @@ static inline double curve_distance(const path *p, unsigned j, const double q[])
     return fmin(distance(q, a), distance(q, b));
 }
 
-/* The distance of q from that part of the path whose length from the start is from..to. *at is a
- * chord near it, for speed, and follows to the nearest one. A curve is looked at when its chord is
- * nearest, or nearly (its own arch, less than an eighth of its length, may make the difference). */
+/* The distance of q from the part of the path at lengths from..to from the start. *at is a chord
+ * nearby, for speed, and moves to the nearest one. A curve is searched if its chord is nearest, or
+ * almost: its own arch, less than an eighth of its length, may decide. */
 static inline double path_distance(const path *p, unsigned *at, const double q[], double from,
                                    double to)
 {
@@ -193,7 +192,7 @@ static inline double path_distance(const path *p, unsigned *at, const double q[]
     return best;
 }
 
-/* Position, velocity (mm/s) and acceleration (mm/s^2) of a span at the part z of its time. */
+/* Position, velocity (mm/s) and acceleration (mm/s^2) of a span at the fraction z of its time. */
 typedef struct {
     double x[LOFT_AXES], v[LOFT_AXES], a[LOFT_AXES], speed;
 } motion;

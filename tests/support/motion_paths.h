@@ -83,8 +83,8 @@ static inline void smooth_path(uint64_t seed, bool jerk)
         arb_jerk(&a);
 }
 
-/* Load the list `folder`/`name`.moves, its feeds scaled so that drawing has the one asked for;
- * false without it. */
+/* Load the list `folder`/`name`.moves; its feeds are scaled so that drawing has the wanted feed.
+ * Returns false if there is no such list. */
 static inline bool load_moves(const char *folder, const char *name, double scale)
 {
     char file[300];

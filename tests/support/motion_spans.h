@@ -1,4 +1,4 @@
-/* tests/support/motion_spans.h -- a chain becomes spans, however its curves arrive
+/* tests/support/motion_spans.h -- plans a chain into spans, with any arrival of its curves
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TESTS_MOTION_SPANS_H
@@ -15,9 +15,9 @@
 static loft_span spans[SPANS];
 static unsigned  count;
 
-/* How curves arrive: rings of this many curves and pieces; `piecemeal` draws how many are pushed
- * and taken at a time, and when the plan is told that nothing comes in time. NULL: all that there
- * is room for, then all that it gives. */
+/* How curves arrive: rings of this many curves and pieces. `piecemeal` draws how many are pushed
+ * and taken at a time, and when the plan is told that no curve comes in time. NULL: push all that
+ * fit, then take all spans. */
 typedef struct {
     uint16_t moves, pieces;
     arb     *piecemeal;
@@ -27,7 +27,7 @@ enum outcome { PLANNED, REFUSED, STUCK, ENDLESS };
 
 static const char *const outcome_name[] = { "planned", "refused", "stuck", "endless" };
 
-/* Plan the chain. STUCK: it neither takes a curve nor gives a span, or is at rest before the
+/* Plan the chain. STUCK: it neither accepts a curve nor gives a span, or it is at rest before the
  * end. */
 static inline enum outcome plan_chain(const arrival *how)
 {
@@ -77,7 +77,7 @@ static inline double seconds(void)
     return ticks / limits.tick_hz;
 }
 
-/* Do they lead from rest on the first control point to rest on the last, without a gap? */
+/* Do the spans lead from rest on the first control point to rest on the last, without a gap? */
 static inline bool spans_connect(void)
 {
     bool good = count > 0 && loft_vec_equal(spans[0].p[0], chain[0].curve.p[0]) &&

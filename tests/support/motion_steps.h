@@ -1,4 +1,4 @@
-/* tests/support/motion_steps.h -- spans become pulses, slot by slot, and the pulses are counted
+/* tests/support/motion_steps.h -- converts spans to pulses, slot by slot, and counts the pulses
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TESTS_MOTION_STEPS_H
@@ -35,8 +35,7 @@ static inline void steps_at(loft_vec at, loft_real per_mm, int32_t target[LOFT_A
         target[i] = loft_steps_of(at.axis[i], per_mm);
 }
 
-/* The pace of a machine whose feed is overridden, held, resumed and starved whenever `a` draws
- * it. */
+/* The pace of a machine that is overridden, held, resumed and starved whenever `a` draws it. */
 typedef struct {
     loft_pace pace;
     arb      *a;
@@ -51,8 +50,8 @@ static inline bool pacing_start(pacing *p, uint16_t slots, arb *a)
     return true;
 }
 
-/* Slots of the next tick, of which `left` are known to come: 0 is a deadlock, for a pace that
- * stands is resumed. */
+/* The slots of the next tick; `left` more are known to come. 0 is a deadlock, since a held pace is
+ * resumed. */
 static inline uint16_t pacing_next(pacing *p, unsigned left)
 {
     if (arb_below(p->a, 40) == 0)
@@ -67,9 +66,9 @@ static inline uint16_t pacing_next(pacing *p, unsigned left)
     return loft_pace_next(&p->pace);
 }
 
-/* Step through all spans with `slots` in a tick, at a pace that `a` draws; NULL: as planned. Gives
- * the number of ticks after which the pulses are not those of the place, at most 1/2 step off; with
- * those of the end 0. */
+/* Step through all spans with `slots` in a tick, at a pace that `a` draws (NULL: as planned).
+ * Returns the number of faults: a pulse count after a tick, or at the end, that differs from the
+ * rounded position, or a deadlock. */
 static inline unsigned steps_arrive(double steps_per_mm, uint16_t slots, arb *a)
 {
     const loft_real per_mm = real_of(steps_per_mm);

@@ -1,19 +1,19 @@
-/* tests/support/motion_uses.h -- how much of each limit spans use, from their control values:
- * exactly, between samples as well
+/* tests/support/motion_uses.h -- how much of each limit the spans use, from their control values:
+ * exact, also between samples
  * SPDX-License-Identifier: MIT
  *
- * Per axis, in the time of a span: velocity is a parabola, acceleration a line, jerk constant. The
- * square of the speed along the path is a polynomial of degree 4; its control values bound it, and
- * halving brings them as near as one likes.
+ * Per axis, over the time of a span, velocity is a parabola, acceleration is linear, jerk is
+ * constant. The square of the speed along the path is a polynomial of degree 4. Its control values
+ * bound it, and halving makes the bound as tight as needed.
  *
- * What rounding adds is taken off, as plan.h states it: half a grain per control value.
+ * The part due to rounding is subtracted, as plan.h states it: half an LSB per control value.
  */
 #ifndef LOFT_TESTS_MOTION_USES_H
 #define LOFT_TESTS_MOTION_USES_H
 
 #include "support/motion_spans.h"   /* spans, count, limits */
 
-/* Parts of the limits; 1 is all. */
+/* Fractions of the limits; 1 is the whole limit. */
 typedef struct {
     double   speed, accel, jerk, along;
     double   jump;                      /* of the acceleration from span to span */
@@ -36,7 +36,7 @@ static inline void span_speeds(const loft_span *s, int i, double v[3])
         v[k] = 3 * (arb_value(s->p[k + 1].axis[i]) - arb_value(s->p[k].axis[i])) / duration(s);
 }
 
-/* The largest size of a parabola on 0..1. */
+/* The largest absolute value of a parabola on 0..1. */
 static inline double parabola_peak(const double v[3])
 {
     const double bend = v[0] - 2 * v[1] + v[2], at = bend != 0 ? (v[0] - v[1]) / bend : -1;
@@ -85,8 +85,8 @@ static inline double hull_top(const double q[5])
     return fmax(fmax(fmax(q[0], q[1]), fmax(q[2], q[3])), q[4]);
 }
 
-/* The largest value of such a polynomial on 0..1, at most a millionth too large: halves that may
- * hold it, one above the other. */
+/* The largest value of such a polynomial on 0..1, at most a millionth too large: keeps a stack of
+ * halves that may contain it. */
 static inline double quartic_peak(const double q[5])
 {
     double todo[24][5], best = fmax(q[0], q[4]);
@@ -140,7 +140,7 @@ static inline void axis_uses(unsigned k, int i, double g, motion_uses *u)
     }
 }
 
-/* Parts of the limits per axis, and of `feed` along the path. */
+/* Fractions of the limits per axis, and of `feed` along the path. */
 static inline motion_uses uses_of_spans(double feed)
 {
     const double g = grain();

@@ -10,7 +10,7 @@
 
 #define REAL_BITS BY_NUM(0, 24, 53)
 
-/* The distance between neighbours of a binary number with that many bits, at x. */
+/* The distance between neighbours of a binary number with `bits` bits, at x. */
 static long double ulp(long double x, int bits)
 {
     int exponent;
@@ -19,12 +19,14 @@ static long double ulp(long double x, int bits)
 }
 
 /* |got - want| within `ulps` of the ulp at `scale`. */
-static void near(long double got, long double want, long double scale, int bits, long double ulps)
+static void check_ulps(long double got, long double want, long double scale, int bits,
+                       long double ulps)
 {
     CHECK_NEAR((got - want) / ulp(scale, bits), 0, ulps);
 }
 
-/* Numbers of all sizes from 2^-40 to 2^40, one in eight a power of two or next to one; never 0. */
+/* Numbers of all sizes from 2^-40 to 2^40; one in eight is a power of two or next to one; never
+ * 0. */
 static double arb_number(arb *a, int bits)
 {
     const uint64_t r = arb_next(a);
@@ -44,9 +46,9 @@ static void products_and_quotients_are_rounded_to_nearest(arb *a)
     const loft_real x = arb_float(a), y = arb_float(a);
     const long double product = (long double)x * y, quotient = (long double)x / y;
 
-    near(loft_mul(x, y), product, product, REAL_BITS, 0.5L);
-    near(loft_div(x, y), quotient, quotient, REAL_BITS, BY_NUM(0, 0.5L, 0.5L + 0x1p-11L));
-    near(loft_prod(x, y), product, product, 53, BY_NUM(0, 0, 0.5L + 0x1p-11L));
+    check_ulps(loft_mul(x, y), product, product, REAL_BITS, 0.5L);
+    check_ulps(loft_div(x, y), quotient, quotient, REAL_BITS, BY_NUM(0, 0.5L, 0.5L + 0x1p-11L));
+    check_ulps(loft_prod(x, y), product, product, 53, BY_NUM(0, 0, 0.5L + 0x1p-11L));
     CHECK(loft_to_acc(x) - x <= 0 && loft_to_acc(x) - x >= 0);
 }
 
@@ -57,14 +59,14 @@ static void lerp_is_within_two_ulps_and_exact_at_the_ends(arb *a)
                                         : (loft_unit)((double)(arb_next(a) >> 11) * 0x1p-53);
     const loft_acc  v = arb_double(a), w = arb_double(a);
 
-    near(loft_lerp(x, y, t), (1 - (long double)t) * x + (long double)t * y, larger(x, y), REAL_BITS,
-         2);
-    near(loft_acc_lerp(v, w, t), (1 - (long double)t) * v + (long double)t * w, larger(v, w), 53,
-         2);
-    near(loft_lerp(x, y, 0), x, x, REAL_BITS, 0);
-    near(loft_lerp(x, y, 1), y, y, REAL_BITS, 0);
-    near(loft_acc_lerp(v, w, 0), v, v, 53, 0);
-    near(loft_acc_lerp(v, w, 1), w, w, 53, 0);
+    check_ulps(loft_lerp(x, y, t), (1 - (long double)t) * x + (long double)t * y, larger(x, y),
+               REAL_BITS, 2);
+    check_ulps(loft_acc_lerp(v, w, t), (1 - (long double)t) * v + (long double)t * w, larger(v, w),
+               53, 2);
+    check_ulps(loft_lerp(x, y, 0), x, x, REAL_BITS, 0);
+    check_ulps(loft_lerp(x, y, 1), y, y, REAL_BITS, 0);
+    check_ulps(loft_acc_lerp(v, w, 0), v, v, 53, 0);
+    check_ulps(loft_acc_lerp(v, w, 1), w, w, 53, 0);
 }
 
 static void a_lerp_at_a_fraction_is_within_three_ulps(arb *a)
@@ -74,10 +76,11 @@ static void a_lerp_at_a_fraction_is_within_three_ulps(arb *a)
                    j = arb_below(a, 2 * n + 1);
     const long double t = (long double)j / n;
 
-    near(loft_acc_lerp_at(x, y, j, n), (1 - t) * x + t * y, larger(x, y) * (j > n ? t : 1), 53, 3);
-    near(loft_acc_lerp_at(x, y, 0, n), x, x, 53, 0);
-    near(loft_acc_lerp_at(x, y, n, n), y, y, 53, 0);
-    near(loft_acc_mean(x, y), ((long double)x + y) / 2, ((long double)x + y) / 2, 53,
+    check_ulps(loft_acc_lerp_at(x, y, j, n), (1 - t) * x + t * y, larger(x, y) * (j > n ? t : 1),
+               53, 3);
+    check_ulps(loft_acc_lerp_at(x, y, 0, n), x, x, 53, 0);
+    check_ulps(loft_acc_lerp_at(x, y, n, n), y, y, 53, 0);
+    check_ulps(loft_acc_mean(x, y), ((long double)x + y) / 2, ((long double)x + y) / 2, 53,
          0.5L + 0x1p-11L);
 }
 
@@ -88,12 +91,12 @@ static void a_blend_is_within_three_ulps_and_exact_at_the_corners(arb *a)
     const loft_unit v = arb_unit(a) * (loft_unit)(arb_below(a, 2) ? 1 : -3), w = arb_unit(a);
     const long double u = 1 - (long double)v - w, growth = fabsl(u) + fabsl(v) + w;
 
-    near(loft_acc_lerp3(x, y, z, v, w), u * x + (long double)v * y + (long double)w * z,
+    check_ulps(loft_acc_lerp3(x, y, z, v, w), u * x + (long double)v * y + (long double)w * z,
          larger(larger(x, y), z) * growth, 53, 3);
-    near(loft_acc_lerp3(x, y, z, 0, 0), x, x, 53, 0);
-    near(loft_acc_lerp3(x, y, z, 1, 0), y, y, 53, 0);
-    near(loft_acc_lerp3(x, y, z, 0, 1), z, z, 53, 0);
-    near(loft_unit_round(x), x, x, REAL_BITS, BY_NUM(0, 0.5L, 0));
+    check_ulps(loft_acc_lerp3(x, y, z, 0, 0), x, x, 53, 0);
+    check_ulps(loft_acc_lerp3(x, y, z, 1, 0), y, y, 53, 0);
+    check_ulps(loft_acc_lerp3(x, y, z, 0, 1), z, z, 53, 0);
+    check_ulps(loft_unit_round(x), x, x, REAL_BITS, BY_NUM(0, 0.5L, 0));
 }
 
 static void wide_operations_are_rounded_to_nearest(arb *a)
@@ -103,11 +106,11 @@ static void wide_operations_are_rounded_to_nearest(arb *a)
     const int32_t   k = 1 + (int32_t)(arb_next(a) >> 33 >> arb_below(a, 30)) % INT32_MAX;
     const long double half = 0.5L + 0x1p-11L;       /* the reference itself has 64 bits */
 
-    near(loft_acc_scale(x, y), (long double)x * y, (long double)x * y, 53, half);
-    near(loft_acc_mul(x, y), (long double)x * y, (long double)x * y, 53, half);
-    near(loft_acc_div(x, y), (long double)x / y, (long double)x / y, 53, half);
-    near(loft_acc_ratio(x, k), (long double)x / k, (long double)x / k, 53, half);
-    near(loft_acc_round(x), x, x, REAL_BITS, BY_NUM(0, 0.5L, 0));
+    check_ulps(loft_acc_scale(x, y), (long double)x * y, (long double)x * y, 53, half);
+    check_ulps(loft_acc_mul(x, y), (long double)x * y, (long double)x * y, 53, half);
+    check_ulps(loft_acc_div(x, y), (long double)x / y, (long double)x / y, 53, half);
+    check_ulps(loft_acc_ratio(x, k), (long double)x / k, (long double)x / k, 53, half);
+    check_ulps(loft_acc_round(x), x, x, REAL_BITS, BY_NUM(0, 0.5L, 0));
 }
 
 static void what_fits_a_real_is_known(arb *a)
@@ -131,11 +134,11 @@ static void roots_are_within_their_bound(arb *a)
         x = ldexp(x,
                   REAL_BITS == 24 ? (int)arb_below(a, 200) - 100 : (int)arb_below(a, 1900) - 950);
     const long double want = sqrtl(x);
-    near(loft_acc_sqrt(x), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 1));
+    check_ulps(loft_acc_sqrt(x), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 1));
     CHECK(!(loft_acc_sqrt(0) > 0) && !(loft_acc_sqrt(-x) > 0));
 
     const loft_acc whole = arb_below(a, 4096);
-    near(loft_acc_sqrt(whole * whole), whole, whole, REAL_BITS, 0);
+    check_ulps(loft_acc_sqrt(whole * whole), whole, whole, REAL_BITS, 0);
 }
 
 static void hypot_is_within_its_bound(arb *a)
@@ -158,17 +161,17 @@ static void parameters_are_nearest(arb *a)
                    j = arb_below(a, n) + arb_below(a, 2);
     const long double want = (long double)j / n;
 
-    near(loft_unit_of(j, n), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 0.5L + 0x1p-11L));
-    near(loft_unit_of(n, n), 1, 1, REAL_BITS, 0);
+    check_ulps(loft_unit_of(j, n), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 0.5L + 0x1p-11L));
+    check_ulps(loft_unit_of(n, n), 1, 1, REAL_BITS, 0);
 }
 
 static void ratios_of_accs_are_nearest(arb *a)
 {
     const loft_acc x = arb_double(a), y = fabs(arb_double(a));
     const long double want = (long double)x / y;
-    near(loft_unit_ratio(x, y), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 0.5L + 0x1p-11L));
-    near(loft_unit_ratio(-y, y), -1, 1, REAL_BITS, 0);
-    near(loft_acc_quot(x, y), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 0.5L + 0x1p-11L));
+    check_ulps(loft_unit_ratio(x, y), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 0.5L + 0x1p-11L));
+    check_ulps(loft_unit_ratio(-y, y), -1, 1, REAL_BITS, 0);
+    check_ulps(loft_acc_quot(x, y), want, want, REAL_BITS, BY_NUM(0, 0.5001L, 0.5L + 0x1p-11L));
 }
 
 static void grains_are_one_to_two_ulps(arb *a)
@@ -183,13 +186,13 @@ static void conversions_are_exact(arb *a)
 {
     const int32_t i = (int32_t)(uint32_t)arb_next(a) >> arb_below(a, 31);
 
-    near(loft_real_from_int(i), i, i, REAL_BITS,
+    check_ulps(loft_real_from_int(i), i, i, REAL_BITS,
          BY_NUM(0, i <= 16777216 && i >= -16777216 ? 0 : 0.5L, 0));
     /* below 2^20 */
     const loft_real x = (loft_real)i * (loft_real)0.000244140625 + arb_real(a, 1);
     CHECK((long double)loft_real_floor(x) - floorl(x) <= 0 &&
           (long double)loft_real_floor(x) - floorl(x) >= 0);
-    near(loft_unit_from(x), x, x, REAL_BITS, 0);
+    check_ulps(loft_unit_from(x), x, x, REAL_BITS, 0);
 }
 
 /* To the nearest whole number, ties upward; and to raw Q16.16 and back. */
@@ -203,7 +206,7 @@ static void whole_and_raw_numbers_are_nearest(arb *a)
     for (int k = 0; k < 5; k++)
         CHECK(loft_acc_int((loft_acc)i + part[k]) == i);
     CHECK(loft_acc_int(most) == INT32_MAX && loft_acc_int(-2147483648.0) == INT32_MIN);
-    near(x, i / 65536.0L, i / 65536.0L, REAL_BITS, BY_NUM(0, 0.5L, 0));
+    check_ulps(x, i / 65536.0L, i / 65536.0L, REAL_BITS, BY_NUM(0, 0.5L, 0));
     if (loft_raw_valid(x))
         CHECK_NEAR(loft_raw_from_real(x), (long double)x * 65536, 0);
     if (loft_raw_valid(y))
@@ -228,9 +231,9 @@ static void floors_of_whole_numbers_and_extremes_are_exact(arb *a)
 static void constants_are_nearest(arb *a)
 {
     (void)a;
-    near(LOFT_REAL(0.1), 0.1L, 0.1L, REAL_BITS, 0.5L);
-    near(LOFT_UNIT(1.0 / 3), 1.0L / 3, 1.0L / 3, REAL_BITS, 0.5001L);
-    near(LOFT_REAL(-32768), -32768, 1, REAL_BITS, 0);
+    check_ulps(LOFT_REAL(0.1), 0.1L, 0.1L, REAL_BITS, 0.5L);
+    check_ulps(LOFT_UNIT(1.0 / 3), 1.0L / 3, 1.0L / 3, REAL_BITS, 0.5001L);
+    check_ulps(LOFT_REAL(-32768), -32768, 1, REAL_BITS, 0);
     CHECK(!(LOFT_REAL_LSB > 0) && !(LOFT_REAL_LSB < 0));
 }
 

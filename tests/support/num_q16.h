@@ -10,8 +10,8 @@
 
 __extension__ typedef __int128 wide;
 
-/* n / d to nearest, ties upward: what q16 promises everywhere. */
-static wide rounded(wide n, wide d)
+/* n / d to nearest, ties upward: the rounding of q16 everywhere. */
+static wide round_quotient(wide n, wide d)
 {
     if (d < 0) {
         n = -n;
@@ -24,10 +24,9 @@ static wide rounded(wide n, wide d)
 
 static wide size_of(wide x) { return x < 0 ? -x : x; }
 
-/* The k-th of EDGES numbers: all of +-2^e - 1, 2^e, 2^e + 1 that have up to `bits` bits and a
- * sign. */
+/* The k-th of EDGES numbers: all of +-2^e - 1, 2^e, 2^e + 1 with up to `bits` bits and a sign. */
 #define EDGES(bits) (6 * (bits) + 3)
-static int64_t edge(int k, int bits)
+static int64_t edge_number(int k, int bits)
 {
     const int64_t most = (int64_t)(((uint64_t)1 << bits) - 1);
     if (k >= 6 * bits)
@@ -36,13 +35,13 @@ static int64_t edge(int k, int bits)
     return k / 3 % 2 ? -v : v;
 }
 
-/* One real from the edges and one from the 16-bit numbers (all of them), at several scales. */
+/* Pairs of an edge number and a 16-bit number (all of them), at several scales. */
 static void each_pair(void (*pair)(int32_t a, int32_t b))
 {
     for (int k = 0; k < EDGES(31); k++) {
-        const int32_t b = (int32_t)edge(k, 31);
+        const int32_t b = (int32_t)edge_number(k, 31);
         for (int j = 0; j < EDGES(31); j++)
-            pair((int32_t)edge(j, 31), b);
+            pair((int32_t)edge_number(j, 31), b);
         for (int32_t j = -32768; j < 32768; j += CHECK_STEP)
             pair(j, b);
         for (int32_t j = -32768; j < 32768; j += 5 * CHECK_STEP)
@@ -50,24 +49,24 @@ static void each_pair(void (*pair)(int32_t a, int32_t b))
     }
 }
 
-static void product(int32_t a, int32_t b)
+static void check_product(int32_t a, int32_t b)
 {
-    const wide exact = (wide)a * b, want = rounded(exact, 65536);
+    const wide exact = (wide)a * b, want = round_quotient(exact, 65536);
 
     CHECK(loft_prod(a, b) == exact);
-    CHECK(loft_acc_int(loft_prod(a, b)) == rounded(exact, (wide)1 << 32));
+    CHECK(loft_acc_int(loft_prod(a, b)) == round_quotient(exact, (wide)1 << 32));
     if (want >= INT32_MIN && want <= INT32_MAX)
         CHECK(loft_mul(a, b) == want);
     CHECK(loft_acc_valid(loft_prod(a, b)) == (want >= INT32_MIN && want <= INT32_MAX));
 }
 
-static void quotient(int32_t a, int32_t b)
+static void check_quotient(int32_t a, int32_t b)
 {
     if (b == 0)
         return;
     const wide n = (wide)a * 65536 * (b < 0 ? -1 : 1), d = size_of(b);
     if (n >= -((wide)1 << 31) * d && n < ((wide)1 << 31) * d)
-        CHECK(loft_div(a, b) == rounded(n, d));
+        CHECK(loft_div(a, b) == round_quotient(n, d));
 }
 
 static void between(int32_t a, int32_t b)
@@ -79,19 +78,19 @@ static void between(int32_t a, int32_t b)
 
     for (unsigned k = 0; k < sizeof t / sizeof *t; k++)
         CHECK(loft_lerp(a, b, t[k]) ==
-              rounded(((wide)b - a) * t[k] + (wide)a * 16777216, 16777216));
+              round_quotient(((wide)b - a) * t[k] + (wide)a * 16777216, 16777216));
     CHECK(loft_lerp(a, b, LOFT_UNIT(1)) == b && loft_lerp(a, b, 0) == a);
 }
 
 static void products_are_rounded_to_nearest(arb *a)
 {
     (void)a;
-    each_pair(product);
+    each_pair(check_product);
 }
 static void quotients_are_rounded_to_nearest(arb *a)
 {
     (void)a;
-    each_pair(quotient);
+    each_pair(check_quotient);
 }
 
 static void lerps_are_rounded_to_nearest(arb *a)
@@ -99,12 +98,13 @@ static void lerps_are_rounded_to_nearest(arb *a)
     (void)a;
     for (int k = 0; k < EDGES(31); k++)
         for (int j = 0; j < EDGES(31); j++)
-            between((int32_t)edge(j, 31), (int32_t)edge(k, 31));
+            between((int32_t)edge_number(j, 31), (int32_t)edge_number(k, 31));
     /* a third of all parameters, of two spans */
     for (int32_t t = 0; t <= 16777216; t += 3 * CHECK_STEP)
         CHECK(loft_lerp(INT32_MIN, INT32_MAX, t) ==
-                  rounded((wide)UINT32_MAX * t + (wide)INT32_MIN * 16777216, 16777216) &&
-              loft_lerp(7, -65536, t) == rounded((wide)-65543 * t + (wide)7 * 16777216, 16777216));
+                  round_quotient((wide)UINT32_MAX * t + (wide)INT32_MIN * 16777216, 16777216) &&
+              loft_lerp(7, -65536, t) ==
+                  round_quotient((wide)-65543 * t + (wide)7 * 16777216, 16777216));
 }
 
 static void random_pairs_obey_the_same_laws(arb *a)
@@ -114,32 +114,33 @@ static void random_pairs_obey_the_same_laws(arb *a)
         const int32_t x = (int32_t)(uint32_t)(r >> 32) >> arb_below(a, 31),
                       y = (int32_t)(uint32_t)r >> arb_below(a, 31);
         const int32_t t = (int32_t)arb_below(a, 16777217);
-        product(x, y);
-        quotient(x, y);
+        check_product(x, y);
+        check_quotient(x, y);
         between(x, y);
-        CHECK(loft_lerp(x, y, t) == rounded(((wide)y - x) * t + (wide)x * 16777216, 16777216));
+        CHECK(loft_lerp(x, y, t) ==
+              round_quotient(((wide)y - x) * t + (wide)x * 16777216, 16777216));
     }
 }
 
-/* One acc x against one real or unit a. */
-static void wide_operations(int64_t x, int32_t a)
+/* One acc x with one real or unit a. */
+static void check_wide(int64_t x, int32_t a)
 {
     const wide room = (wide)1 << 62;
 
     if (size_of((wide)x * a) <= room << 24)
-        CHECK(loft_acc_scale(x, a) == rounded((wide)x * a, 16777216));
+        CHECK(loft_acc_scale(x, a) == round_quotient((wide)x * a, 16777216));
     if (size_of((wide)x * a) <= room << 16)
-        CHECK(loft_acc_mul(x, a) == rounded((wide)x * a, 65536));
+        CHECK(loft_acc_mul(x, a) == round_quotient((wide)x * a, 65536));
     if (a != 0 && size_of(x) < (wide)1 << 47 && size_of((wide)x * 65536) < room * size_of(a))
-        CHECK(loft_acc_div(x, a) == rounded((wide)x * 65536, a));
+        CHECK(loft_acc_div(x, a) == round_quotient((wide)x * 65536, a));
     if (a >= 1)
-        CHECK(loft_acc_ratio(x, a) == rounded(x, a));
+        CHECK(loft_acc_ratio(x, a) == round_quotient(x, a));
     for (int k = 0; k < EDGES(62); k += 5) {
-        const int64_t y = edge(k, 62);
+        const int64_t y = edge_number(k, 62);
         const wide rise = ((wide)y - x) * a;
         if (size_of(x) < room && size_of(y) < room &&
             ((a >= 0 && a <= 16777216) || size_of(rise) <= room << 24))
-            CHECK(loft_acc_lerp(x, y, a) == rounded(rise + (wide)x * 16777216, 16777216));
+            CHECK(loft_acc_lerp(x, y, a) == round_quotient(rise + (wide)x * 16777216, 16777216));
     }
 }
 
@@ -148,10 +149,10 @@ static void wide_operations_are_rounded_to_nearest(arb *a)
     (void)a;
     for (int j = 0; j < EDGES(63); j++)
         for (int k = 0; k < EDGES(31); k++)
-            wide_operations(edge(j, 63), (int32_t)edge(k, 31));
+            check_wide(edge_number(j, 63), (int32_t)edge_number(k, 31));
     for (int32_t t = -65536; t <= 65536; t += CHECK_STEP) {
-        wide_operations(INT64_C(0x123456789abcdef), t * 256);
-        wide_operations(-INT64_C(0x7fffffffffff), t);
+        check_wide(INT64_C(0x123456789abcdef), t * 256);
+        check_wide(-INT64_C(0x7fffffffffff), t);
     }
 }
 
@@ -159,12 +160,12 @@ static void random_wide_operations_are_rounded_to_nearest(arb *a)
 {
     for (int k = 0; k < 200; k++) {
         const int64_t x = (int64_t)arb_next(a) >> arb_below(a, 63);
-        wide_operations(x, (int32_t)(uint32_t)arb_next(a) >> arb_below(a, 31));
-        wide_operations(x, (int32_t)arb_below(a, 16777217));
+        check_wide(x, (int32_t)(uint32_t)arb_next(a) >> arb_below(a, 31));
+        check_wide(x, (int32_t)arb_below(a, 16777217));
     }
 }
 
-/* The parameter j / n is not rounded: beyond n as well, to 2 n. */
+/* The parameter j / n is not rounded; also beyond n, up to 2 n. */
 static void a_lerp_at_a_fraction_is_rounded_to_nearest(arb *a)
 {
     const int64_t x = (int64_t)arb_next(a) >> (1 + arb_below(a, 62)),
@@ -173,18 +174,20 @@ static void a_lerp_at_a_fraction_is_rounded_to_nearest(arb *a)
                    j = arb_below(a, 2 * n + 1);
 
     if (j <= n || size_of(((wide)y - x) * j) <= ((wide)n << 62))
-        CHECK(loft_acc_lerp_at(x, y, j, n) == (int64_t)rounded((wide)x * n + ((wide)y - x) * j, n));
+        CHECK(loft_acc_lerp_at(x, y, j, n) ==
+              (int64_t)round_quotient((wide)x * n + ((wide)y - x) * j, n));
     CHECK(loft_acc_lerp_at(x, y, 0, n) == x && loft_acc_lerp_at(x, y, n, n) == y);
-    CHECK(loft_acc_mean(x, y) == (int64_t)rounded((wide)x + y, 2));
+    CHECK(loft_acc_mean(x, y) == (int64_t)round_quotient((wide)x + y, 2));
 }
 
 static void check_blend(int64_t x, int64_t y, int64_t z, int32_t v, int32_t w)
 {
     CHECK(loft_acc_lerp3(x, y, z, v, w) ==
-          (int64_t)rounded((wide)x * 16777216 + ((wide)y - x) * v + ((wide)z - x) * w, 16777216));
+          (int64_t)round_quotient((wide)x * 16777216 + ((wide)y - x) * v + ((wide)z - x) * w,
+                                  16777216));
 }
 
-/* Inside the triangle of weights any numbers to 2^30, outside it smaller ones. */
+/* Inside the triangle of weights any numbers up to 2^30, outside it smaller ones. */
 static void a_blend_is_rounded_to_nearest(arb *a)
 {
     const int64_t edges[3] = { ((int64_t)1 << 62) - 1, 1 - ((int64_t)1 << 62), 0 };
@@ -205,17 +208,17 @@ static void a_blend_is_rounded_to_nearest(arb *a)
           loft_acc_lerp3(x[0], x[1], x[2], LOFT_UNIT(1), 0) == x[1] &&
           loft_acc_lerp3(x[0], x[1], x[2], 0, LOFT_UNIT(1)) == x[2]);
     const int64_t u = (int64_t)arb_next(a) >> (25 + arb_below(a, 39));
-    CHECK(loft_unit_round(u) == (int32_t)rounded(u, 256));
+    CHECK(loft_unit_round(u) == (int32_t)round_quotient(u, 256));
 }
 
 static void rounding_an_acc_is_exact_where_it_fits(arb *a)
 {
     (void)a;
     for (int j = 0; j < EDGES(31); j++) {
-        const int32_t r = (int32_t)edge(j, 31);
+        const int32_t r = (int32_t)edge_number(j, 31);
         CHECK(loft_acc_round(loft_to_acc(r)) == r && loft_to_acc(r) == (wide)r * 65536);
         for (int32_t low = -65536; low <= 65536; low += CHECK_STEP) {
-            const wide x = (wide)r * 65536 + low, want = rounded(x, 65536);
+            const wide x = (wide)r * 65536 + low, want = round_quotient(x, 65536);
             const bool fits = want >= INT32_MIN && want <= INT32_MAX;
             CHECK(loft_acc_valid((int64_t)x) == fits);
             if (fits)
@@ -226,7 +229,7 @@ static void rounding_an_acc_is_exact_where_it_fits(arb *a)
 }
 
 /* r is the nearest root of x: (r - 1/2)^2 <= x <= (r + 1/2)^2, times 4. */
-static void root(int64_t x)
+static void check_root(int64_t x)
 {
     const wide r = loft_acc_sqrt(x), low = 2*r - 1, high = 2*r + 1;
 
@@ -241,20 +244,21 @@ static void root(int64_t x)
 static void roots_are_nearest(arb *a)
 {
     for (int64_t x = -10; x < 300000; x += CHECK_STEP)
-        root(x);
+        check_root(x);
     for (int j = 0; j < EDGES(63); j++)
-        root(edge(j, 63));
-    for (int64_t r = INT32_MAX; r > 0; r -= 30011) {    /* next to squares and to half-way points */
+        check_root(edge_number(j, 63));
+    for (int64_t r = INT32_MAX; r > 0; r -= 30011) {    /* next to squares and to midpoints between
+                                                         * roots */
         for (int d = -1; d <= 1; d++) {
-            root(r*r + d);
-            root(r*r + r + d);
+            check_root(r*r + d);
+            check_root(r*r + r + d);
         }
     }
     for (int k = 0; k < 200000; k++)
-        root((int64_t)(arb_next(a) >> arb_below(a, 64) >> 1));
-    root(((int64_t)1 << 62) - ((int64_t)1 << 31) + 1);
-    root(INT64_MAX);
-    root(INT64_MIN);
+        check_root((int64_t)(arb_next(a) >> arb_below(a, 64) >> 1));
+    check_root(((int64_t)1 << 62) - ((int64_t)1 << 31) + 1);
+    check_root(INT64_MAX);
+    check_root(INT64_MIN);
 }
 
 static void hypot_is_within_its_bound(arb *a)
@@ -274,7 +278,7 @@ static void hypot_is_within_its_bound(arb *a)
     CHECK_NEAR(got - want, 0, want / 268435456.0L + 1);
 }
 
-/* Each part rounds the same way by nearly 1/2, five in the proportion that hurts the most. */
+/* Each part rounds the same way by nearly 1/2; five of them are in the worst proportion. */
 static void hypot_is_within_its_bound_at_the_worst(arb *a)
 {
     const int down = 1 + (int)arb_below(a, 30);
@@ -305,11 +309,11 @@ static void parameters_are_nearest(arb *a)
 {
     for (uint32_t n = 1; n < 700; n++)
         for (uint32_t j = 0; j <= n; j++)
-            CHECK(loft_unit_of(j, n) == rounded((wide)j << 24, n));
+            CHECK(loft_unit_of(j, n) == round_quotient((wide)j << 24, n));
     for (int k = 0; k < 100000; k++) {
         const uint32_t n = 1 + ((uint32_t)(arb_next(a) >> 32) >> arb_below(a, 32)) % UINT32_MAX,
                        j = arb_below(a, n);
-        CHECK(loft_unit_of(j, n) == rounded((wide)j << 24, n) &&
+        CHECK(loft_unit_of(j, n) == round_quotient((wide)j << 24, n) &&
               loft_unit_of(n, n) == LOFT_UNIT(1));
     }
     CHECK(loft_unit_of(UINT32_MAX, UINT32_MAX) == 16777216 && loft_unit_of(0, UINT32_MAX) == 0);

@@ -1,4 +1,4 @@
-/* tests/support/polygons.h -- polygons of CSVs, and the coordinates that a letter names
+/* tests/support/polygons.h -- polygons of CSV files, and the coordinates that a letter names
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TESTS_POLYGONS_H
@@ -16,26 +16,26 @@ typedef struct {
     const char *kind;
 } polygon;
 
-/* The polygon of polygons.csv with that name; false, with a complaint, when there is none or it was
- * refused. */
+/* The polygon of polygons.csv with that name. Returns false, with a message, if there is none or if
+ * it was refused. */
 bool polygon_of(row *r, const char *id, polygon *p);
 
 /* The point in columns x and y. */
 loft_spot spot_of(row *r);
 
-/* phi by Wachspress (W), mean values (M) or harmonic functions (H). False when the library has none
- * of that name there. */
+/* phi by Wachspress (W), mean values (M) or harmonic functions (H). Returns false if the library
+ * has none of that name there. */
 bool coordinates(row *r, char which, const polygon *p, loft_spot at, loft_sci phi[]);
 
-/* The same with derivatives. False when it has none, which is said. */
+/* The same with derivatives. Returns false, with a message, if there are none. */
 bool coordinate_jets(row *r, char which, const polygon *p, loft_spot at, loft_jet phi[]);
 
-/* Harmonic coordinates of a polygon, solved when first asked for. What they err by, rounding
- * included. */
+/* Harmonic coordinates of a polygon, solved on the first request, with their error bound including
+ * rounding. */
 const solved *solution_of(const polygon *p);
 long double   solution_error(const solved *s);
 
-/* Where the point lies is what the row's column `type` says. */
+/* The place of the point agrees with the row's column `type`. */
 void expect_place(row *r, const polygon *p, loft_spot at);
 
 #endif

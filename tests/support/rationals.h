@@ -17,7 +17,7 @@ typedef struct {
     long double x[LOFT_AXES][POINTS], w[POINTS], largest, ratio;
 } sample;
 
-/* 1/256..256: equal, of two kinds, of any size, or the extremes in turn. */
+/* 1/256..256: equal, of two values, of any size, or alternating extremes. */
 static inline loft_real arb_weight(arb *a, uint32_t kind, unsigned k)
 {
     const double extreme[2] = { 0.00390625, 256 };
@@ -54,7 +54,7 @@ static inline void measure(sample *s)
     s->ratio = most / least;
 }
 
-/* A curve of degree 0..top; one in four is made of the extremes of the number type. */
+/* A curve of degree 0..top; one in four consists of extremes of the number type. */
 static inline sample *arb_rational(arb *a, unsigned top)
 {
     static sample s;

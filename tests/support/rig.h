@@ -1,8 +1,8 @@
-/* tests/support/rig.h -- a random job, the positions that it must pass (walked by the test), and
- * the pulses counted by the test
+/* tests/support/rig.h -- a random job, its positions (walked by the test), and its pulses (counted
+ * by the test)
  * SPDX-License-Identifier: MIT
  *
- * Every slot goes through rig_slot, which checks pulses and plan against each other.
+ * Every slot goes through rig_slot, which checks the pulses against the plan.
  */
 #ifndef LOFT_TESTS_RIG_H
 #define LOFT_TESTS_RIG_H
@@ -31,9 +31,9 @@ typedef struct {
     int32_t at[LOFT_AXES];                      /* the sum of the pulses */
     uint32_t passed;                            /* ticks whose end was reached */
     uint32_t lasts;                             /* slots since then */
-    double pace, lasted;                        /* of the tick before */
-    bool law;                                   /* the tick is always in time: pace changes only by
-                                                 * its law */
+    double pace, lasted;                        /* of the previous tick */
+    bool law;                                   /* the tick always comes in time: pace changes only
+                                                 * by its law */
     uint8_t dir;
 } rig;
 
@@ -60,7 +60,7 @@ static int32_t moved(arb *a, int32_t from, int64_t reach)
     return (int32_t)(to > INT32_MAX ? INT32_MAX : to < INT32_MIN ? INT32_MIN : to);
 }
 
-/* A job of random items; a tick goes at most `reach` steps (but for rounding). */
+/* A job of random items; a tick moves at most `reach` steps (apart from rounding). */
 static void arb_spans(arb *a, int32_t reach)
 {
     int32_t from[LOFT_AXES];
@@ -105,7 +105,7 @@ static void arb_points(arb *a, int32_t reach)
     }
 }
 
-/* A job, and how a machine has to be for it. */
+/* A job, and a configuration of the machine for it. */
 static loft_drive_config rig_init(arb *a, loft_drive *drive, uint16_t slots, uint16_t ramp,
                                   int32_t reach)
 {
@@ -150,7 +150,7 @@ static bool here(const int32_t want[LOFT_AXES])
     return true;
 }
 
-/* Speeds of neighbouring ticks differ by at most 1 / ramp per tick between their middles; see
+/* The speeds of neighbouring ticks differ by at most 1 / ramp per tick between their middles; see
  * test_pace.c. */
 static void check_law(double lasts)
 {
@@ -163,8 +163,8 @@ static void check_law(double lasts)
     r.lasted = lasts;
 }
 
-/* One slot: pulses counted, directions set up in time, and each tick ends where the plan says, in
- * the plan's order. */
+/* Run one slot: count pulses, check that directions are set up in time, and that each tick ends at
+ * the planned place, in the planned order. */
 static void rig_slot(void)
 {
     const bool moving = !loft_step_done(&r.drive->step);

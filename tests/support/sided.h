@@ -1,4 +1,4 @@
-/* tests/support/sided.h -- arbitrary patches with n sides of every kind, as sheets around their
+/* tests/support/sided.h -- arbitrary patches with n sides of every kind, as surfaces around their
  * middle
  * SPDX-License-Identifier: MIT
  */
@@ -16,8 +16,8 @@
 #define KINDS  7
 #define POINTS 500
 
-/* A patch of any kind. Its control points lie over the regular polygon of radius 50, as those of a
- * flat patch that is the polygon, and some are moved; all are higher the nearer they are to the
+/* A patch of any kind. Its control points lie over the regular polygon of radius 50, like those of
+ * a flat patch that equals the polygon; some are moved. All are higher the closer they are to the
  * middle. */
 typedef struct {
     loft_vec p[POINTS];
@@ -68,7 +68,7 @@ static inline void over_multi(scene *x, arb *a, unsigned sides, long double wild
     } while (loft_multiindex_next(l, sides));
 }
 
-/* Corner by corner, as zheng_ball.h and gb.h have them, and the middle. */
+/* Corner by corner in the order of zheng_ball.h and gb.h, then the middle. */
 static inline void over_kites(scene *x, arb *a, long double wild)
 {
     const unsigned d = x->degree;

@@ -1,5 +1,5 @@
 /* tests/support/solved.h -- harmonic coordinates of a polygon: solved by the host's solver for the
- * number type that is compiled
+ * compiled number type
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TESTS_SOLVED_H
@@ -12,7 +12,7 @@ typedef struct {
     harmonic_series series;
     loft_harmonic_table table;
     loft_harmonic h;
-    bool reached, ready;            /* the target; there is a table and it was taken */
+    bool reached, ready;            /* reached the target; a table exists and was accepted */
 } solved;
 
 /* The domain must outlive it. */
@@ -30,7 +30,7 @@ static inline void solve(solved *s, const loft_domain *d)
                loft_harmonic_init(&s->h, d, &s->table) == LOFT_OK;
 }
 
-/* What rounding adds to the bound of the series. */
+/* The rounding error in addition to the bound of the series. */
 static inline long double solved_rounding(const solved *s)
 {
     return s->series.weight * HARMONIC_ROUNDING;

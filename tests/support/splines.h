@@ -24,7 +24,7 @@ static inline loft_real real_of_raw(int64_t raw)
     return (loft_real)BY_NUM(raw, (double)raw / 65536, (double)raw / 65536);
 }
 
-/* One knot, in no order: whole numbers, neighbours by one LSB, anything, the extremes, many equal,
+/* One knot, unsorted: whole numbers, neighbours by one LSB, anything, the extremes, many equal,
  * thirds. */
 static inline loft_real arb_knot(arb *a, unsigned kind)
 {
@@ -50,7 +50,7 @@ static inline void sort(loft_real k[], unsigned count)
         }
 }
 
-/* What the header asks for, counted another way than init does it. */
+/* The conditions of the header, counted in another way than init does. */
 static inline bool good(const grid *g)
 {
     const unsigned last = g->points + g->p;
@@ -98,7 +98,7 @@ static inline loft_real arb_u(arb *a, const grid *g)
     return between < g->k[i] ? g->k[i] : between > g->k[i + 1] ? g->k[i + 1] : between;
 }
 
-/* The span of u by counting. */
+/* The span of u, by counting. */
 static inline unsigned exact_span(const grid *g, loft_real u)
 {
     unsigned s = 0;

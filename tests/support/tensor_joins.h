@@ -1,9 +1,9 @@
-/* tests/support/tensor_joins.h -- the reference of joins of patches: residues for what must vanish,
- * samples for directions
+/* tests/support/tensor_joins.h -- the reference of joins of patches: residues for expressions that
+ * must vanish, samples for directions
  * SPDX-License-Identifier: MIT
  *
- * Coordinates are multiples of 2^-16 below 2^15 here. That det(A, B, T) is null is known when it
- * vanishes at 3 n places modulo three primes above 2^60: its coefficients are below 2^130.
+ * Coordinates are multiples of 2^-16 below 2^15 here. det(A, B, T) is identically zero if it
+ * vanishes at 3 n places modulo three primes above 2^60, since its coefficients are below 2^130.
  */
 #ifndef LOFT_TESTS_TENSOR_JOINS_H
 #define LOFT_TESTS_TENSOR_JOINS_H
@@ -99,7 +99,7 @@ static inline void tj_cross(const long double x[3], const long double y[3], long
         out[i] = x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3];
 }
 
-/* Of parallel normals: 1 one direction, 0 opposite or null somewhere, -1 too close to null to say
+/* For parallel normals: 1 one direction, 0 opposite or zero somewhere, -1 too close to zero to tell
  * from samples. */
 static inline int tj_one_direction(const tj_edge *e)
 {

@@ -16,8 +16,8 @@ typedef struct {
     long double largest;
 } tensor;
 
-/* A net of the given degrees; one in four is made of the extremes of the number type, one in eight
- * in the worst order. */
+/* A net of the given degrees; one in four consists of extremes of the number type, one in eight in
+ * the worst order. */
 static inline void tensor_fill(tensor *x, arb *a, unsigned m, unsigned n)
 {
     const loft_real top = BY_NUM(INT32_MAX, 32767, 32767),
@@ -46,8 +46,8 @@ static inline tensor *arb_tensor(arb *a)
     return &x;
 }
 
-/* The derivative of order a by u, b by v, along v first: the other order of the library.
- * Coordinates count from the first control point, so that a far origin costs no digits. */
+/* The derivative of order a by u and b by v, along v first: the library uses the other order.
+ * Coordinates are relative to the first control point, so a far origin costs no digits. */
 static inline long double tensor_exact(const loft_tensor *s, int axis, unsigned a, unsigned b,
                                        long double u, long double v)
 {

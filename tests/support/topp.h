@@ -1,5 +1,5 @@
-/* tests/support/topp.h -- the least time in which a path can be passed: reachability in double, for
- * limits of speed and acceleration
+/* tests/support/topp.h -- the shortest time for a path: reachability in double, for limits of speed
+ * and acceleration
  * SPDX-License-Identifier: MIT
  *
  * H. Pham, Q.-C. Pham: A new approach to time-optimal path parameterization based on reachability
@@ -10,8 +10,8 @@
  *         vector
  *
  * Backward: the largest x from which the end can still be reached at rest. Forward: as fast as that
- * allows. Between grid points nothing is asked, so the time is a little below the true optimum (by
- * the order of one cell).
+ * allows. Nothing is checked between grid points, so the time is a little below the true optimum
+ * (by the order of one cell).
  */
 #ifndef LOFT_TESTS_TOPP_H
 #define LOFT_TESTS_TOPP_H
@@ -79,8 +79,8 @@ static inline void topp_add(topp *g, const loft_move *m, double t, double s, con
     n->x   = 0;
 }
 
-/* A grid of about `cells` cells to a curve, evenly spaced by length; curves without cusps or specks
- * only. Joints appear twice, once for each side, at the same s. */
+/* A grid of about `cells` cells per curve, evenly spaced by length; only for curves without cusps
+ * or specks. Joints appear twice, once for each side, at the same s. */
 static inline void topp_grid(topp *g, const loft_move moves[], unsigned moved, const loft_limits *l,
                              unsigned cells)
 {
@@ -110,7 +110,7 @@ static inline void topp_grid(topp *g, const loft_move moves[], unsigned moved, c
     CHECK(g->count < TOPP_MAX);
 }
 
-/* The range of a that node n allows at x; false if there is none. */
+/* The range of a that node n allows at x. Returns false if there is none. */
 static inline bool topp_range(const topp *g, const topp_node *n, double x, double *low,
                               double *high)
 {
@@ -138,7 +138,7 @@ static inline bool topp_leads(const topp *g, unsigned i, double x, double to)
            fmax(low, -x / (2 * h)) <= fmin(high, (to - x) / (2 * h));
 }
 
-/* Solve from rest to rest; gives the time in s. */
+/* Solve from rest to rest. Returns the time in s. */
 static inline double topp_time(topp *g)
 {
     double time = 0;
@@ -148,7 +148,7 @@ static inline double topp_time(topp *g)
         topp_node *n = &g->node[i];
         const double to = n[1].x;
         double low = 0, high = n->top, a, b;
-        if (!(n[1].s > n->s)) {             /* a joint: what both sides allow */
+        if (!(n[1].s > n->s)) {             /* a joint: the limits of both sides */
             for (int k = 0; k < 60; k++) {
                 const double x = (low + high) / 2;
                 if (topp_range(g, n, x, &a, &b))

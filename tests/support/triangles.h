@@ -10,7 +10,7 @@
 #include "support/exact_whole.h"            /* exact_of, wide, vast */
 #include "surface/barycentric.h"    /* loft_bary */
 
-/* u, v, w of a point or direction, and the sum of their sizes. */
+/* u, v, w of a point or direction, and the sum of their absolute values. */
 static inline void exact_bary(loft_bary u, bool direction, long double x[3])
 {
     x[1] = exact_unit(u.v);
@@ -77,7 +77,7 @@ static inline loft_bary arb_bary(arb *a)
     return u;
 }
 
-/* Anywhere, |v|, |w| <= far; also as a direction. */
+/* Anywhere, |v|, |w| <= far; also used as a direction. */
 static inline loft_bary arb_far(arb *a, int32_t far)
 {
     return (loft_bary) { loft_unit_from(arb_real(a, far)), loft_unit_from(arb_real(a, far)) };
@@ -99,7 +99,7 @@ static inline void measure_net(arb_net *x)
         }
 }
 
-/* A net of degree least..most; one in four is made of the extremes of the number type. */
+/* A net of degree least..most; one in four consists of extremes of the number type. */
 static inline arb_net *arb_net_of(arb *a, unsigned least, unsigned most, int32_t limit)
 {
     static arb_net many[2];
@@ -130,13 +130,13 @@ static inline long double net_at(const arb_net *x, int axis, loft_bary u)
     return exact_polar(x->c[axis], x->n, at);
 }
 
-/* A bound of each kind: q16 or floats. */
+/* A bound for each kind: q16 or floats. */
 static inline long double by_kind(long double q16, long double floats)
 {
     return BY_NUM(true, false, false) ? q16 : floats;
 }
 
-/* Half a rounding of the result, and what `rows` rows of growth l before it add. */
+/* Half a rounding of the result, plus the error of `rows` rows with growth l before it. */
 static inline long double rows_bound(const arb_net *x, unsigned rows, long double l,
                                      long double want)
 {
@@ -144,7 +144,7 @@ static inline long double rows_bound(const arb_net *x, unsigned rows, long doubl
                    ulp(want) / 2 + (3 * rows + 1) * powl(l, rows) * ulp_double(x->largest));
 }
 
-/* 1: fits, 0: does not, -1: too close to say */
+/* 1: fits, 0: does not fit, -1: too close to tell */
 static inline int exact_fits(long double want)
 {
     const long double over = BY_NUM(32768 - LSB / 2, FLT_MAX, DBL_MAX),
@@ -167,7 +167,7 @@ static inline wide cross_of(loft_vec o, loft_vec a, loft_vec b)
     return x[0] * y[1] - x[1] * y[0];
 }
 
-/* Coordinates of x in the triangle; the result is twice the area, of 2^-32. */
+/* The coordinates of x in the triangle; the result is twice the area, in units of 2^-32. */
 static inline wide exact_point(const loft_vec t[3], loft_vec x, long double u[3])
 {
     const wide whole = cross_of(t[0], t[1], t[2]);
@@ -192,7 +192,7 @@ static inline wide exact_vector(const loft_vec t[3], loft_vec z, long double u[3
 
 static inline wide whole_unit(loft_unit t) { return (wide)(exact_unit(t) * 65536); }
 
-/* 65536^i times the point (i, j, k) beyond the edge, for parameters that are raw Q16.16. */
+/* 65536^i times the point (i, j, k) beyond the edge, for parameters in raw Q16.16. */
 static inline vast beyond_of(const loft_vec p[], int axis, unsigned i, unsigned j, unsigned k,
                              loft_bary star)
 {
@@ -212,7 +212,7 @@ static inline vast beyond_of(const loft_vec p[], int axis, unsigned i, unsigned 
     return sum;
 }
 
-/* To what order two nets of degree n join. */
+/* The order to which two nets of degree n join. */
 static inline int order_of(const loft_vec p[], const loft_vec q[], unsigned n, loft_bary star)
 {
     for (unsigned i = 0; i <= n; i++)

@@ -1,4 +1,4 @@
-/* tests/target/alarm.c -- signal and setitimer by the timer that each core has: SysTick, or mtime
+/* tests/target/alarm.c -- signal and setitimer on the timer of each core: SysTick, or mtime
  * SPDX-License-Identifier: MIT
  */
 #include "alarm.h"
@@ -29,7 +29,7 @@ static void rung(void)
 
 void alarm_stop(void) { REG(CMP + 4) = 0xFFFFFFFF; }
 
-/* Of the timer alone; not in an interrupt, which is not to be interrupted itself. */
+/* Enable only the timer's interrupt, and not inside an interrupt, which must not be interrupted. */
 static void let_interrupts_come(void)
 {
     __asm__ volatile ("csrs mie, %0" : : "r" (1u << 7) : "memory");
@@ -71,7 +71,7 @@ void trap(void)
 
 void alarm_stop(void) { SYST(0) = 0; }
 
-static void let_interrupts_come(void) {}        /* as they do from reset on */
+static void let_interrupts_come(void) {}        /* they are enabled from reset on */
 
 void setitimer(int which, const struct itimerval *once, struct itimerval *before)
 {

@@ -3,8 +3,8 @@
  * usage: chip FIRMWARE.elf --tick ADDRESS --ring HEAD,TAIL [--link PATH] [--record FILE] [--steps
  * N] [--profile FILE]
  *
- * The chip's time stands while it is the host's turn (avr_gate.h). Ends when a job has been drawn
- * and closed, with lines `name value` on standard output.
+ * The chip's time stops while it is the host's turn (avr_gate.h). The program ends when a job has
+ * been drawn and closed, and prints lines `name value`.
  */
 #include <signal.h>
 #include <stdio.h>
@@ -19,13 +19,13 @@
 #include "host/line.h"          /* the pseudo terminal  */
 
 #define HZ          AVR_HZ
-#define BATCH       (HZ / 1000)     /* cycles between two looks at the line */
-#define SETTLE      (HZ / 50)       /* after the last byte, to answer it */
-/* of real time without a byte that is owed: the sender is gone, not only busy */
+#define BATCH       (HZ / 1000)     /* cycles between two checks of the line */
+#define SETTLE      (HZ / 50)       /* after the last byte, time to answer it */
+/* of real time without an expected byte: the sender is gone, not only busy */
 #define QUIET_MS    10000
-/* the same while it may be waiting for what the machine says to its last frames */
+/* the same while it may wait for the machine's answer to its last frames */
 #define WINDOW_MS   400
-#define LEAVE_MS    10000           /* for the last answer to be read */
+#define LEAVE_MS    10000           /* time to read the last answer */
 
 struct chip {
     struct avr_core core;
@@ -33,8 +33,8 @@ struct chip {
     struct host_line line;
     uint8_t out[65536];                 /* to the host; indices wrap                           */
     uint16_t out_head, out_tail;
-    uint32_t given_up;                  /* the limit up to which the host has not sent in time */
-    uint32_t waits;                     /* how often it has not                                */
+    uint32_t given_up;                  /* the limit up to which the host did not send in time */
+    uint32_t waits;                     /* how often that happened */
 };
 
 static volatile sig_atomic_t stop_wanted;
@@ -87,13 +87,13 @@ static void give_bytes(struct chip *c)
     }
 }
 
-static bool pending(const struct chip *c)
+static bool bytes_pending(const struct chip *c)
 {
     return c->core.in_tail != c->core.in_head || c->core.avr->cycle - c->core.heard < SETTLE;
 }
 
-/* Let the host speak while it is its turn: in mid-job until it has sent what it may, else until it
- * says anything. A host that did not is given up until it may send more. */
+/* Let the host speak while it is its turn: during a job until it has sent what it may, otherwise
+ * until it sends anything. If it does not send, stop waiting until it may send more. */
 static void wait_for_host(struct chip *c)
 {
     const bool busy = gate_busy(&c->gate);
@@ -116,21 +116,21 @@ static void wait_for_host(struct chip *c)
     }
 }
 
-static void run(struct chip *c)
+static void run_chip(struct chip *c)
 {
     while (c->gate.jobs == 0 && !stop_wanted) {
         if (!avr_core_run(&c->core, BATCH, true))
             return;
         give_bytes(c);
         if (gate_busy(&c->gate) ? gate_owed(&c->gate) && c->gate.ack.limit != c->given_up
-                                : !pending(c))
+                                : !bytes_pending(c))
             wait_for_host(c);
         else
             take_bytes(c);
     }
     for (const int64_t began = now_ms(); now_ms() - began < LEAVE_MS;) {
         give_bytes(c);
-        usleep(30000);                  /* a pseudo terminal passes bytes on when it likes */
+        usleep(30000);                  /* a pseudo terminal delays bytes */
         if (c->out_tail == c->out_head && host_line_drained(&c->line))
             break;
     }
@@ -237,7 +237,7 @@ int main(int argc, char **argv)
     printf("machine: %s\n", c.line.name);
     fflush(stdout);
     signal(SIGTERM, want_stop);
-    run(&c);
+    run_chip(&c);
     meter_flush(&c.core.meter);
     host_line_close(&c.line);
     print_results(&c);

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sysexits.h>
 
-#define UNMETERED   32              /* cycles between two looks, when none is counted */
+#define UNMETERED   32              /* cycles between two checks without a meter */
 
 static void byte_out(struct avr_irq_t *irq, uint32_t value, void *param)
 {
@@ -22,7 +22,7 @@ static void byte_out(struct avr_irq_t *irq, uint32_t value, void *param)
     c->out(c->context, (uint8_t)value);
 }
 
-/* simavr counts eleven bits per byte; a byte has ten. */
+/* simavr counts eleven bits per byte; the real line has ten. */
 static void correct_baud(struct avr_core *c)
 {
     const uint32_t divider = 1u + (c->avr->data[c->uart->ubrrl.reg] |
@@ -32,8 +32,7 @@ static void correct_baud(struct avr_core *c)
     c->uart->cycles_per_byte = c->byte_cycles;
 }
 
-/* One byte each ten bits. Two wait in the chip; a third one that comes then is lost on silicon, so
- * it is counted. */
+/* One byte per ten bits. Two wait in the chip; a third one is lost on silicon, so it is counted. */
 static void give_byte(struct avr_core *c)
 {
     if (c->in_tail == c->in_head || c->avr->cycle < c->free_at)

@@ -26,13 +26,13 @@ struct avr_core {
     void *context;
 };
 
-/* Load the firmware; 0 or an exit code after one line on standard error. */
+/* Load the firmware. Returns 0, or an exit code after printing one line on standard error. */
 int avr_core_start(struct avr_core *c, const char *file, uint32_t tick_pc);
 
-/* A byte for the chip: it gets it when those before have passed, each in ten bits. */
+/* Send a byte to the chip: it arrives after the bytes before it, each in ten bits. */
 static inline void avr_core_put(struct avr_core *c, uint8_t byte)   { c->in[c->in_head++] = byte; }
 
-/* Let `cycles` pass; with `metered`, each instruction is looked at. False if the firmware has
+/* Run for `cycles`; with `metered`, measure each instruction. Returns false if the firmware has
  * stopped. */
 bool avr_core_run(struct avr_core *c, uint32_t cycles, bool metered);
 

@@ -10,8 +10,8 @@ void gate_init(struct gate *g)
     loft_frame_init(&g->from_machine);
 }
 
-/* The seal of a frame of items is not looked at: this line bends no byte. The number of its first
- * item is one of 16 bits, near `next`. */
+/* The seal of a frame of items is not checked: this line damages no byte. The number of its first
+ * item has 16 bits, and is near `next`. */
 static void take_items(struct gate *g)
 {
     loft_unpacker u;

@@ -1,10 +1,10 @@
-/* tests/target/avr_gate.h -- whose turn it is: may an emulated machine's time go on, or has the
- * host still to speak?
+/* tests/target/avr_gate.h -- decides whose turn it is: may the emulated machine's time advance, or
+ * must the host send first?
  * SPDX-License-Identifier: MIT
  *
- * It listens to both directions of the line. Time stands while no job is under way and the machine
- * has nothing more to say, and while the host may send items and has not: so no result depends on
- * how fast the host is.
+ * It listens to both directions of the line. Time stops while no job is running and the machine has
+ * nothing more to send, and while the host may send items but has not. So no result depends on the
+ * speed of the host.
  */
 #ifndef TARGET_GATE_H
 #define TARGET_GATE_H
@@ -14,9 +14,9 @@
 struct gate {
     loft_frame from_host, from_machine;
     loft_ack ack;               /* the latest                                         */
-    uint32_t sent;              /* items that the host has sent, repeated ones too    */
+    uint32_t sent;              /* items that the host has sent, including repeats */
     uint16_t queue, points;     /* items of both kinds that the machine's queue takes */
-    uint32_t step;              /* so many items at once: see can_send of the sender  */
+    uint32_t step;              /* items sent at once: see can_send of the sender */
     bool ended;                 /* END was sent                                       */
     uint32_t jobs;              /* closed                                             */
     uint32_t frames, naks;      /* of the machine                                     */
@@ -26,15 +26,15 @@ void gate_init(struct gate *g);
 void gate_host(struct gate *g, uint8_t byte);
 void gate_machine(struct gate *g, uint8_t byte);
 
-/* Is a job under way, and is it the host's turn in it? */
+/* Is a job running, and is it the host's turn in it? */
 static inline bool gate_busy(const struct gate *g)      { return loft_state_busy(g->ack.state); }
 static inline bool gate_owed(const struct gate *g)
 {
     return !g->ended && (int32_t)(g->ack.limit - g->sent) >= (int32_t)g->step;
 }
 
-/* Has the machine told of all items that were sent? If not the host may wait for that, and send no
- * more. */
+/* Has the machine acknowledged all items that were sent? If not, the host may wait for that, and
+ * send nothing more. */
 static inline bool gate_answered(const struct gate *g)  { return g->ack.next == g->sent; }
 
 #endif

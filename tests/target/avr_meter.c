@@ -7,14 +7,14 @@
 
 #define RET         0x9508
 #define RETI        0x9518
-/* cycles until the first instruction of an interrupt, which simavr does not count */
+/* cycles until the first instruction of an interrupt; simavr does not count them */
 #define RESPONSE    4
-/* a slot may begin that much sooner than the first one, which came late itself */
+/* a slot may begin this much earlier relative to the first one, which itself was late */
 #define EARLY       8
 #define VECTORS     26
 #define SLOT_VECTOR 11              /* timer 1 compare A */
 #define RX_VECTOR   18
-#define RING        64              /* slots that the firmware's ring has */
+#define RING        64              /* slots in the firmware's ring */
 
 static uint16_t stack(const avr_t *avr)
 {
@@ -43,7 +43,8 @@ void meter_flush(struct meter *m)
     m->step = 0;
 }
 
-/* Pins 2..4 step, 5..7 turn; the pins of one write come one by one, in the same cycle. */
+/* Pins 2..4 step, 5..7 are directions; the pins of one write change one by one, in the same
+ * cycle. */
 static void pin_changed(struct avr_irq_t *irq, uint32_t value, void *param)
 {
     struct meter *m = param;
@@ -158,7 +159,7 @@ void meter_run(struct meter *m)
     if (m->profile)
         m->profile[pc / 2] += took;
     if (stack(avr) < m->deepest && instruction >> 9 != 0xBF >> 1) {
-        /* not between the writes of its two bytes, which are `out` */
+        /* not between the two `out` writes of its bytes */
         m->deepest = stack(avr);
         m->deepest_pc = pc;
     }

@@ -1,5 +1,5 @@
-/* tests/target/avr_trials.c -- jobs over a bad line: loft_sender, the line, and the emulated chip
- * in one program and one time
+/* tests/target/avr_trials.c -- jobs over a bad line: loft_sender, the line and the emulated chip in
+ * one program with one clock
  * SPDX-License-Identifier: MIT
  * usage: trials FIRMWARE.elf KIND COUNT [SEED]
  *
@@ -30,15 +30,15 @@
 
 #define MS          (AVR_HZ / 1000)
 #define ITEMS       400
-#define LONGEST     200000          /* ms of machine time until a trial is given up */
+#define LONGEST     200000          /* ms of machine time after which a trial is given up */
 #define WORKERS     2
 
 enum kind { CALM, BYTE, CUT, FRAMES, KILLED, NOISE };
 
 struct fault {
     enum kind kind;
-    uint64_t at;                    /* the number of a byte, both directions counted together    */
-    uint32_t ms;                    /* how long                                                   */
+    uint64_t at;                    /* the number of a byte; both directions are counted together */
+    uint32_t ms;                    /* the duration */
     uint32_t flip;                  /* probability of a flipped bit, times 2^32                   */
     unsigned what, bit;
 };
@@ -66,7 +66,7 @@ static int32_t calm_position[3];
 // The job
 // -------
 
-static void source(void *context, uint32_t index, loft_item *out)
+static void item_source(void *context, uint32_t index, loft_item *out)
 {
     (void)context;
     *out = item[index];
@@ -108,7 +108,7 @@ static int plan_job(const char *file, uint32_t most)
         memcpy(item[items].p, span.p[1].axis, sizeof item[items].p);
         item[items++].ticks = span.ticks;
     }
-    job.id = loft_job_id(&job, items, source, NULL);
+    job.id = loft_job_id(&job, items, item_source, NULL);
     return items == 0 || items == ITEMS;
 }
 
@@ -126,8 +126,8 @@ static uint64_t random_64(void)     /* splitmix64 (Steele, Lea, Flood 2014) */
 
 static uint32_t now_ms(void)        { return (uint32_t)(core.avr->cycle / MS); }
 
-/* What becomes of a byte: it goes to `carry` no times, once or twice. */
-static void pass(uint8_t byte, void (*carry)(uint8_t byte))
+/* Deliver a byte: it goes to `carry` zero, one or two times. */
+static void pass_byte(uint8_t byte, void (*carry)(uint8_t byte))
 {
     const uint64_t number = passed++;
 
@@ -153,12 +153,12 @@ static void to_host(uint8_t byte)   { (void)loft_sender_push(&sender, byte, now_
 static void chip_said(void *context, uint8_t byte)
 {
     (void)context;
-    pass(byte, to_host);
+    pass_byte(byte, to_host);
 }
 
-static void begin(void) { loft_sender_init(&sender, (uint32_t)random_64(), now_ms()); }
+static void begin_trial(void) { loft_sender_init(&sender, (uint32_t)random_64(), now_ms()); }
 
-/* The fault that begins at a place of the traffic. */
+/* Begin the fault at its place in the traffic. */
 static void break_line(bool boundary)
 {
     const bool here = fault.kind == FRAMES ? boundary && frames_sent == fault.at
@@ -173,7 +173,7 @@ static void break_line(bool boundary)
     core.in_head = core.in_tail;
 }
 
-/* What the host does in a moment in which its line is free. */
+/* The host's work at a moment in which its line is free. */
 static void host_turn(void)
 {
     uint8_t wire[LOFT_FRAME_MAX];
@@ -183,20 +183,20 @@ static void host_turn(void)
         if (dead)
             return;
         dead_until = 0;
-        begin();
+        begin_trial();
     }
     if (sender.phase == LOFT_PHASE_READY && told && sender.machine.ack.state == LOFT_STATE_IDLE) {
         sender.phase = LOFT_PHASE_DONE;
         sender.report = report;
     }
     if (sender.phase == LOFT_PHASE_READY &&
-        loft_sender_begin(&sender, &job, items, source, NULL) != LOFT_OK)
+        loft_sender_begin(&sender, &job, items, item_source, NULL) != LOFT_OK)
         sender.phase = LOFT_PHASE_REFUSED;
     if (core.in_head != core.in_tail)
         return;
     const size_t count = loft_sender_poll(&sender, now_ms(), wire);
     for (size_t i = 0; i < count; i++)
-        pass(wire[i], to_chip);
+        pass_byte(wire[i], to_chip);
     frames_sent += count > 0;
     break_line(count > 0);
 }
@@ -212,7 +212,7 @@ static struct outcome run_trial(void)
 
     passed = 0;
     frames_sent = 0;
-    begin();
+    begin_trial();
     while (sender.phase < LOFT_PHASE_DONE && core.avr->cycle - from < (uint64_t)LONGEST * MS) {
         if (!avr_core_run(&core, MS / 4, false))
             return o;
@@ -234,8 +234,8 @@ static struct outcome run_trial(void)
     return o;
 }
 
-/* Each trial is a copy of this process with the chip waiting for its first byte. */
-static struct outcome in_a_child(struct outcome *shared, const struct fault *f)
+/* Each trial is a copy of this process; the chip waits for its first byte. */
+static struct outcome run_in_child(struct outcome *shared, const struct fault *f)
 {
     fault = *f;
     *shared = run_trial();
@@ -270,7 +270,7 @@ static struct outcome calm_run(void)
     uint8_t *rest = (uint8_t *)(o + 1);
 
     if (fork() == 0) {
-        *o = in_a_child(o, &(struct fault){ .kind = CALM });
+        *o = run_in_child(o, &(struct fault){ .kind = CALM });
         memcpy(rest, core.meter.path, sizeof calm_path);
         memcpy(rest + sizeof calm_path, core.meter.pulses, sizeof calm_pulses);
         memcpy(rest + 2 * sizeof calm_path, core.meter.record.position, sizeof calm_position);
@@ -283,7 +283,7 @@ static struct outcome calm_run(void)
     return *o;
 }
 
-static int trials(enum kind kind, const char *name, uint32_t count, double rate)
+static int run_trials(enum kind kind, const char *name, uint32_t count, double rate)
 {
     const struct outcome calm = calm_run();
     if (kind == FRAMES && calm.frames < count)
@@ -308,7 +308,7 @@ static int trials(enum kind kind, const char *name, uint32_t count, double rate)
         }
         if (fork() == 0) {
             random_state += (uint64_t)i << 32;
-            in_a_child(&o[i], &f);
+            run_in_child(&o[i], &f);
             _exit(0);
         }
         running++;
@@ -347,5 +347,5 @@ int main(int argc, char **argv)
         plan_job("tests/drawings/outline12.csv", kind == NOISE ? 12 : 3) != 0 ||
         !avr_core_run(&core, 50 * MS, false))
         return 70;
-    return trials(kind, names[kind], (uint32_t)atoi(argv[3]), kind == NOISE ? 1e-4 : 0);
+    return run_trials(kind, names[kind], (uint32_t)atoi(argv[3]), kind == NOISE ? 1e-4 : 0);
 }

@@ -1,14 +1,14 @@
 /* tests/target/bad_line.c -- a bad line in front of a machine's socket: bytes are lost, doubled,
- * bent and put in, and the cable is out
+ * changed and inserted, and the cable is unplugged
  * SPDX-License-Identifier: MIT
  * usage: bad_line SOCKET MACHINE BAUD SEED BYTES OUTAGES OUTAGE_MS
  *
- * Serves the Unix socket SOCKET, one client after the other, and passes on to and from the Unix
- * socket MACHINE, at BAUD. Of a million bytes, BYTES are flipped in a bit, as many dropped,
- * doubled, preceded by another one; a third of that are bursts, and frames of some time ago come
- * again. In a million milliseconds the cable is out OUTAGES times, for up to OUTAGE_MS. Runs until
- * it is killed; then prints how many bytes came otherwise than they went, and how often the cable
- * was out.
+ * Serves the Unix socket SOCKET, one client after the other, and passes bytes to and from the Unix
+ * socket MACHINE, at BAUD. Of a million bytes, BYTES have a flipped bit, and as many are dropped,
+ * doubled, or preceded by another one. A third of that are bursts, and earlier frames are repeated.
+ * In a million milliseconds the cable is unplugged OUTAGES times, for up to OUTAGE_MS. Runs until
+ * it is killed; then prints how many bytes arrived differently, and how often the cable was
+ * unplugged.
  */
 #include <poll.h>
 #include <signal.h>
@@ -20,7 +20,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "support/line.h"               /* line, line_faults: what befalls a byte */
+#include "support/line.h"               /* line, line_faults: the faults of bytes */
 
 static volatile sig_atomic_t stop_wanted;
 
@@ -30,7 +30,7 @@ static void want_stop(int number)
     stop_wanted = 1;
 }
 
-static uint32_t byte_us;            /* how long a byte is under way */
+static uint32_t byte_us;            /* the duration of a byte */
 
 static uint64_t now_us(void)
 {
@@ -80,7 +80,7 @@ static int connected(const char *path)
     return fd;
 }
 
-/* One byte into the line; true if it will come out as it went in. */
+/* Send one byte into the line. Returns true if it will come out unchanged. */
 static bool send_byte(line *l, arb *a, const line_faults *f, uint8_t byte, uint64_t now)
 {
     const uint32_t before = l->in;
@@ -96,7 +96,7 @@ static bool send_byte(line *l, arb *a, const line_faults *f, uint8_t byte, uint6
     return l->in == before + 1 && l->byte[before % LINE_ROOM] == byte;
 }
 
-/* What `from` says goes into the line; the number of bytes that are damaged, or -1 when `from` is
+/* Send the bytes of `from` into the line. Returns the number of damaged bytes, or -1 if `from` is
  * gone. */
 static int take(int from, line *l, arb *a, const line_faults *f, uint64_t now)
 {
@@ -111,7 +111,7 @@ static int take(int from, line *l, arb *a, const line_faults *f, uint64_t now)
     return damaged;
 }
 
-/* What has arrived by now. It waits for nobody: an emulator that writes does not read. */
+/* Deliver what has arrived. Never waits: an emulator that writes does not read. */
 static void give(int to, line *l, uint32_t now)
 {
     for (; l->out != l->in && (int32_t)(now - l->due[l->out % LINE_ROOM]) >= 0; l->out++)

@@ -1,9 +1,10 @@
-/* tests/target/calls.c -- what one call of lib/motion costs at worst, on an ATmega328P in cycles,
- * on a Cortex-M in instructions
+/* tests/target/calls.c -- the worst cost of one call of lib/motion: cycles on an ATmega328P,
+ * instructions on a Cortex-M
  * SPDX-License-Identifier: MIT
  *
- * On the ATmega328P alone (simavr), or with microbit.c and netduino.ld. Prints `function worst`
- * lines, and `bytes struct size` lines; calls.sh compares them with the table of lib/motion/span.h.
+ * Runs on the ATmega328P by itself (simavr), or with microbit.c and netduino.ld. Prints `function
+ * worst` lines, and `bytes struct size` lines; calls.sh compares them with the table of
+ * lib/motion/span.h.
  */
 #include "machine/pace.h"
 #include "motion/span.h"

@@ -1,10 +1,10 @@
-/* tests/target/gpio_guest.c -- what a shell cannot do in the guest of gpio.sh; static
+/* tests/target/gpio_guest.c -- what a shell cannot do in the guest of gpio.sh; linked statically
  * SPDX-License-Identifier: MIT
  *
- *     put NAME < FILE             send it to the host, behind a line `=== NAME`, through QEMU's
+ *     put NAME < FILE             send it to the host after a line `=== NAME`, through QEMU's
  *                                 debug port
  *     changes < TRACE             of the tracepoint gpio_value: a line `us line value` for each
- *                                 output that became another
+ *                                 output that changes
  *     pull FILE VALUE US ..       write values into a simulated line's pull, each followed by a
  *                                 pause; tell when: `us VALUE`
  *     exit CODE                   end QEMU with 2 * CODE + 1

@@ -1,10 +1,10 @@
-/* tests/target/gpio_paper.c -- gpio.h on paper: chips named /dev/0 and /dev/1, whose outputs'
+/* tests/target/gpio_paper.c -- a mock of gpio.h: chips named /dev/0 and /dev/1, whose output
  * changes go to the file $LOFT_PAPER
  * SPDX-License-Identifier: MIT
  *
- * As gpio_guest.c's `changes`: lines `us line value`; line 3 of /dev/1 is 103. Main loop and thread
- * come here one after another, and nothing here keeps them apart: what ThreadSanitizer sees is the
- * program's own order.
+ * It writes lines `us line value`, like `changes` of gpio_guest.c; line 3 of /dev/1 is 103. Main
+ * loop and thread call this file without a lock here. So ThreadSanitizer sees the synchronization
+ * of the program itself.
  */
 #include <fcntl.h>
 #include <stdio.h>

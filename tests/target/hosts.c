@@ -1,7 +1,7 @@
-/* tests/target/hosts.c -- the tests in one program for Linux on another processor
+/* tests/target/hosts.c -- the tests in one program, for Linux on another processor
  * SPDX-License-Identifier: MIT
  *
- * Tests are compiled for libc/, as for chips; what libc/ asks of a debugger, Linux gives.
+ * Tests are compiled for libc/, as for chips. Linux does what libc/ asks of a debugger.
  */
 #include "units.h"
 

@@ -1,8 +1,8 @@
-/* tests/target/meter.h -- instructions counted on an emulated Cortex-M
+/* tests/target/meter.h -- counts instructions on an emulated Cortex-M
  * SPDX-License-Identifier: MIT
  *
- * qemu-system-arm -M netduinoplus2 -icount shift=0: TIM2 counts nanoseconds, each instruction takes
- * one. That machine runs code for a Cortex-M0 as well.
+ * qemu-system-arm -M netduinoplus2 -icount shift=0: TIM2 counts nanoseconds, and each instruction
+ * takes one. That machine also runs code for a Cortex-M0.
  */
 #ifndef LOFT_TESTS_METER_H
 #define LOFT_TESTS_METER_H

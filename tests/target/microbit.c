@@ -1,8 +1,8 @@
-/* tests/target/microbit.c -- what a program needs to run on a Cortex-M0 in QEMU (-M microbit)
- * without a library
+/* tests/target/microbit.c -- runs a program without a library on a Cortex-M0 in QEMU (-M microbit)
  * SPDX-License-Identifier: MIT
  *
- * The vector table, a start that clears memory, and output through the debugger (semihost.S).
+ * It has the vector table, a start that clears memory, and output through the debugger
+ * (semihost.S).
  */
 #include <stddef.h>
 #include <stdint.h>
@@ -38,7 +38,7 @@ __attribute__((section(".vectors"), used)) static const vector vectors[4] = {
     { .data = stack_top }, { .code = reset }, { .code = fault }, { .code = fault }
 };
 
-/* What the compiler asks for. */
+/* Functions that the compiler may call. */
 void *memcpy(void *to, const void *from, size_t count)
 {
     for (volatile uint8_t *t = to; count; count--, from = (const uint8_t *)from + 1)

@@ -1,11 +1,11 @@
-/* tests/target/motion.c -- what planning and stepping the outline costs on a Cortex-M, in
+/* tests/target/motion.c -- the cost of planning and stepping the outline on a Cortex-M, in
  * instructions
  * SPDX-License-Identifier: MIT
  *
  * With microbit.c, netduino.ld, -DJERK=mm/s^3 (0: not limited), -DMOVES= and -DPIECES= (the rings).
  * `outline.h` is `static const int32_t outline[12][4][2]`, raw Q16.16 (outline_array.sh). Prints
- * `name number` lines: curves, spans, ticks; the cost of planning, of the dearest call, of ticks,
- * of the dearest tick, of slots.
+ * `name number` lines: curves, spans, ticks; the cost of planning, of the most expensive call, of
+ * ticks, of the most expensive tick, of slots.
  */
 #include "meter.h"          /* meter_start, meter_now       */
 #include "motion/plan.h"    /* loft_plan                    */
@@ -24,7 +24,7 @@ static loft_plan       plan;
 static loft_step       step;
 
 static uint64_t planning, ticking, slotting, begin;     /* sums: limited jerk on a Cortex-M0 may
-                                                         * take more than 2^32 */
+                                                         * exceed 2^32 */
 static uint32_t spans, ticks, plan_worst, tick_worst, slots;
 
 static uint32_t since(uint32_t start)
@@ -52,7 +52,7 @@ static loft_move curve(unsigned c)
     return m;
 }
 
-/* One span: its walk, the steps of each tick, its slots. */
+/* Execute one span: its walk, the steps of each tick, its slots. */
 static void run(const loft_span *span)
 {
     loft_forward walk;

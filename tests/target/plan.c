@@ -1,9 +1,9 @@
-/* tests/target/plan.c -- the outline of 12 cubics planned: on an emulated chip, in its own time,
- * and here for comparison
+/* tests/target/plan.c -- plans the outline of 12 cubics: on an emulated chip, and on the host for
+ * comparison
  * SPDX-License-Identifier: MIT
  *
- * On the chip each span is told to the emulator (plan_chip.c) by a write to GPIOR0, which costs the
- * chip two cycles. Here they are printed, and after them what became of the path.
+ * The chip reports each span to the emulator (plan_chip.c) by writes to GPIOR0, which cost two
+ * cycles each. The host prints the spans, and then a comparison with the path.
  */
 #include "motion/plan.h"    /* loft_plan */
 
@@ -53,7 +53,7 @@ static void set_limits(loft_limits *l)
     }
 }
 
-/* All spans, one after the other, as a machine without a queue asks for them. */
+/* Plan all spans, one after the other, as for a machine without a queue. */
 static void plan_outline(void (*take)(void))
 {
     unsigned next = 0;
@@ -108,7 +108,7 @@ static double bezier(const double p[4], double t)
     return u * u * u * p[0] + 3 * u * u * t * p[1] + 3 * u * t * t * p[2] + t * t * t * p[3];
 }
 
-/* The outline as chords that leave it by less than 2e-5 mm; gives its length. */
+/* The outline as chords within 2e-5 mm. Returns its length. */
 static double set_line(void)
 {
     double length = 0;

@@ -1,5 +1,5 @@
-/* tests/target/plan_chip.c -- an emulated chip of the AVR family plans: the spans it gives, its
- * cycles and its stack
+/* tests/target/plan_chip.c -- runs the planner on an emulated AVR chip: its spans, its cycles and
+ * its stack
  * SPDX-License-Identifier: MIT
  * usage: plan_chip FIRMWARE.elf CHIP SPAN_ADDRESS ; spans to standard output, `cycles N` and `stack
  * N` to standard error

@@ -1,4 +1,4 @@
-/* tests/target/rate.c -- a machine at the rate asked for: some axes straight on, all at the same
+/* tests/target/rate.c -- runs a machine at a given rate: some axes move straight, all at the same
  * number of steps per tick
  * SPDX-License-Identifier: MIT
  * usage: rate PORT AXES STEPS_PER_TICK ; prints `ticks elapsed slowed` and the positions reached,
@@ -15,7 +15,7 @@
 
 #include "wire/sender.h"
 
-#define RAMP    100         /* ticks from standing to the rate, and back */
+#define RAMP    100         /* ticks from rest to the rate, and back */
 #define SPANS   6           /* ramp, four at the rate, ramp              */
 
 static loft_item item[SPANS];
@@ -34,8 +34,8 @@ static void source(void *context, uint32_t index, loft_item *out)
     *out = item[index];
 }
 
-/* A parabola of time at both ends: with d its length, it has the control values 0 0 d/3 d and 0
- * 2d/3 d d. */
+/* A parabola in time at both ends: with d its length, its control values are 0 0 d/3 d and 0 2d/3 d
+ * d. */
 static void plan(const loft_sender *s, int axes, double rate)
 {
     for (int i = 0; i < axes; i++) {
@@ -85,7 +85,7 @@ static int open_port(const char *name)
     return tcsetattr(fd, TCSANOW, &mode) == 0 ? fd : -1;
 }
 
-/* All of it, or false: the line is gone, or took nothing for 15 s. */
+/* Write all bytes. Returns false if the line is gone, or takes nothing for 15 s. */
 static bool give(int fd, const uint8_t *byte, size_t count)
 {
     for (size_t sent = 0; sent < count;) {

@@ -1,4 +1,5 @@
-/* tests/target/say.h -- words and numbers, letter by letter, from a program without a C library
+/* tests/target/say.h -- prints words and numbers, letter by letter, in a program without a C
+ * library
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TARGET_SAY_H
@@ -24,7 +25,7 @@ static inline void say_number(void (*put)(char), uint32_t n)
         put(digits[--k]);
 }
 
-/* A line: words, a number. */
+/* Print a line: words and a number. */
 static inline void say_line(void (*put)(char), const char *words, uint32_t n)
 {
     say_words(put, words);
@@ -33,7 +34,7 @@ static inline void say_line(void (*put)(char), const char *words, uint32_t n)
     put('\n');
 }
 
-/* The same of a number of 64 bits, in halves of nine digits. */
+/* The same for a number of 64 bits, in halves of nine digits. */
 static inline void say_wide(void (*put)(char), const char *words, uint64_t n)
 {
     const uint64_t most = n / 1000000000u;

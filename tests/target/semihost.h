@@ -1,5 +1,4 @@
-/* tests/target/semihost.h -- a word to the debugger that runs a chip, which QEMU is as well: text,
- * an exit code
+/* tests/target/semihost.h -- talks to the debugger of a chip, which QEMU can be: text, an exit code
  * SPDX-License-Identifier: MIT
  *
  * qemu-system-.. -semihosting-config enable=on,target=native: text goes to QEMU's standard error,
@@ -14,7 +13,7 @@
 /* One of the operations of ARM's semihosting. */
 uint32_t semihost(uint32_t operation, const void *argument);
 
-/* SYS_WRITE0: text to its end */
+/* SYS_WRITE0: text up to its 0 */
 static inline void semihost_write(const char *text)     { semihost(4, text); }
 
 /* SYS_EXIT_EXTENDED with ADP_Stopped_ApplicationExit */

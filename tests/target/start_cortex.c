@@ -1,5 +1,5 @@
-/* tests/target/start_cortex.c -- from reset to main on a Cortex-M, for a program that ends; its
- * exit code goes to the debugger
+/* tests/target/start_cortex.c -- runs main after a reset of a Cortex-M, for a program that ends;
+ * its exit code goes to the debugger
  * SPDX-License-Identifier: MIT
  */
 #include <stdint.h>
@@ -21,7 +21,7 @@ void reset(void)
     for (uint32_t *p = bss_begin; p < bss_end; p++)
         *p = 0;
 #ifndef __ARM_ARCH_6M__
-    *(volatile uint32_t *)0xE000ED88 |= 0xFu << 20;     /* CPACR: a floating-point unit is on; the
+    *(volatile uint32_t *)0xE000ED88 |= 0xFu << 20;     /* CPACR: enables a floating-point unit; the
                                                          * library may move integers through it */
     __asm__ volatile ("dsb\n isb" ::: "memory");
 #endif

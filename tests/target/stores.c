@@ -1,10 +1,10 @@
-/* tests/target/stores.c -- a plugin of QEMU: prints each store of the guest to a range of addresses
+/* tests/target/stores.c -- a QEMU plugin: prints each store of the guest to a range of addresses
  * SPDX-License-Identifier: MIT
  *
  *     qemu-system-riscv32 ... -plugin stores.so,lo=0x80001000,hi=0x80001040,out=FILE
  *
- * A line per store: the offset in the range. QEMU's package has no header for plugins: below is
- * what is used of version 1 of its interface.
+ * It prints a line per store: the offset in the range. QEMU's package has no header for plugins:
+ * the declarations below are the used part of version 1 of its interface.
  */
 #include <inttypes.h>
 #include <stdio.h>

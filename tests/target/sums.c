@@ -1,11 +1,12 @@
-/* tests/target/sums.c -- check sums of the arithmetic, to be equal bit for bit on every core in q16
+/* tests/target/sums.c -- check sums of the arithmetic, which must be equal bit for bit on every
+ * core in q16
  * SPDX-License-Identifier: MIT
  *
- * Each line is a name and a sum over many results, extremes included. tests/target/target.sh runs
- * this program here and on emulated chips and compares. On AVR the lines leave through the serial
- * port, on Cortex-M0 through the debugger (microbit.c), and the four parts (-DPART=1 operations, 2
- * points and walking, 3 measures, 4 grids over patches) are programs of their own: together they
- * exceed the flash of an ATmega328P. Its lines that begin with # are times.
+ * Each line is a name and a sum over many results, including extremes. tests/target/target.sh runs
+ * this program on the host and on emulated chips and compares the lines. On AVR they go to the
+ * serial port, on Cortex-M0 to the debugger (microbit.c). The four parts are separate programs
+ * (-DPART=1 operations, 2 points and walking, 3 measures, 4 grids over patches): together they
+ * exceed the flash of an ATmega328P. Lines that begin with # are times.
  */
 #include "num/accs.h"
 #include "curve/forward.h"
@@ -52,13 +53,13 @@ static void stop(void)  {}
 static uint32_t sum;
 static uint64_t state;
 
-static void add(int64_t x)
+static void add_number(int64_t x)
 {
     for (int i = 0; i < 2; i++, x /= 4294967296)
         sum = (sum ^ (uint32_t)(x & 0xffffffff)) * 16777619u;
 }
 
-static void say(const char *name)
+static void say_sum(const char *name)
 {
     say_words(put, name);
     put(' ');
@@ -69,7 +70,7 @@ static void say(const char *name)
 }
 
 /* One in four is next to a power of two; |x| < 2^bits. */
-static int64_t some(unsigned bits)
+static int64_t random_number(unsigned bits)
 {
     state = state * 6364136223846793005u + 1442695040888963407u;
     const uint32_t r = (uint32_t)(state >> 32);
@@ -83,147 +84,151 @@ static int64_t some(unsigned bits)
 }
 
 #if PART == 1
-static int32_t coordinate(void) { return (int32_t)some(31); }
+static int32_t random_coordinate(void) { return (int32_t)random_number(31); }
 #endif
-static loft_unit fraction(void)  { return (loft_unit)((uint32_t)some(31) & 0xffffff); }
+static loft_unit random_fraction(void)
+{
+    return (loft_unit)((uint32_t)random_number(31) & 0xffffff);
+}
 
 #if PART == 2 || PART == 3
-static loft_cubic some_cubic(unsigned bits)
+static loft_cubic random_cubic(unsigned bits)
 {
     loft_cubic c;
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            c.p[k].axis[i] = (loft_real)some(bits);
+            c.p[k].axis[i] = (loft_real)random_number(bits);
     return c;
 }
 #endif
 
 #if PART == 1
 
-static void sums(int rounds)
+static void print_sums(int rounds)
 {
     for (int n = 0; n < rounds; n++) {
-        const loft_acc x = some(47);
+        const loft_acc x = random_number(47);
         if (loft_acc_valid(x))
-            add(loft_acc_round(x));
+            add_number(loft_acc_round(x));
     }
-    say("acc_round");
+    say_sum("acc_round");
     for (int n = 0; n < rounds; n++) {
-        const loft_acc x = loft_prod(coordinate(), coordinate());
+        const loft_acc x = loft_prod(random_coordinate(), random_coordinate());
         if (loft_acc_valid(x))
-            add(loft_acc_round(x));
+            add_number(loft_acc_round(x));
     }
-    say("mul");
+    say_sum("mul");
     for (int n = 0; n < rounds; n++)
-        add(loft_acc_int(some(62)));
-    say("acc_int");
+        add_number(loft_acc_int(random_number(62)));
+    say_sum("acc_int");
     for (int n = 0; n < rounds; n++) {
-        const int32_t a = (int32_t)some(24), b = (int32_t)some(31);
+        const int32_t a = (int32_t)random_number(24), b = (int32_t)random_number(31);
         if (b / 256 != 0)
-            add(loft_div(a, b));
+            add_number(loft_div(a, b));
     }
-    say("div");
+    say_sum("div");
     for (int n = 0; n < rounds; n++) {
-        const int32_t a = coordinate(), b = coordinate();
-        add(loft_lerp(a, b, fraction()));
+        const int32_t a = random_coordinate(), b = random_coordinate();
+        add_number(loft_lerp(a, b, random_fraction()));
     }
-    say("lerp");
+    say_sum("lerp");
     for (int n = 0; n < rounds; n++) {
-        const loft_acc x = some(55);
-        add(loft_acc_scale(x, (loft_unit)some(30)));
+        const loft_acc x = random_number(55);
+        add_number(loft_acc_scale(x, (loft_unit)random_number(30)));
     }
-    say("acc_scale");
+    say_sum("acc_scale");
     for (int n = 0; n < rounds; n++) {
-        const loft_acc x = some(62), y = some(62);
-        add(loft_acc_lerp(x, y, fraction()));
+        const loft_acc x = random_number(62), y = random_number(62);
+        add_number(loft_acc_lerp(x, y, random_fraction()));
     }
-    say("acc_lerp");
+    say_sum("acc_lerp");
     for (int n = 0; n < rounds; n++) {
-        const loft_acc x = some(46);
-        add(loft_acc_mul(x, (loft_real)some(31)));
+        const loft_acc x = random_number(46);
+        add_number(loft_acc_mul(x, (loft_real)random_number(31)));
     }
-    say("acc_mul");
+    say_sum("acc_mul");
     for (int n = 0; n < rounds; n++) {
-        const loft_acc x = some(46);
-        const int32_t a = coordinate();
+        const loft_acc x = random_number(46);
+        const int32_t a = random_coordinate();
         if (a)
-            add(loft_acc_div(x, a));
+            add_number(loft_acc_div(x, a));
     }
-    say("acc_div");
+    say_sum("acc_div");
     for (int n = 0; n < rounds; n++) {
-        const loft_acc x = some(63);
-        add(loft_acc_ratio(x, 1 + ((int32_t)some(31) & 0x3fffffff)));
+        const loft_acc x = random_number(63);
+        add_number(loft_acc_ratio(x, 1 + ((int32_t)random_number(31) & 0x3fffffff)));
     }
-    say("acc_ratio");
+    say_sum("acc_ratio");
     for (int n = 0; n < rounds; n++)
-        add(loft_acc_sqrt(some(63)));
-    say("acc_sqrt");
+        add_number(loft_acc_sqrt(random_number(63)));
+    say_sum("acc_sqrt");
     for (int n = 0; n < rounds; n++) {
-        const loft_acc x[3] = { some(61), some(61), some(50) };
-        add(loft_acc_hypot(x, 3));
+        const loft_acc x[3] = { random_number(61), random_number(61), random_number(50) };
+        add_number(loft_acc_hypot(x, 3));
     }
-    say("acc_hypot");
+    say_sum("acc_hypot");
     for (int n = 0; n < rounds; n++) {
-        const int64_t y = 1 + ((some(62) & INT64_MAX) >> 1), x = some(62) % y;
-        add(loft_unit_ratio(x, y));
+        const int64_t y = 1 + ((random_number(62) & INT64_MAX) >> 1), x = random_number(62) % y;
+        add_number(loft_unit_ratio(x, y));
     }
-    say("unit_ratio");
+    say_sum("unit_ratio");
     for (int n = 0; n < rounds; n++) {
-        const uint32_t k = 1 + ((uint32_t)some(31) & 0x7fffffff), j = (uint32_t)some(31) % k;
-        add(loft_unit_of(j, k));
+        const uint32_t k = 1 + ((uint32_t)random_number(31) & 0x7fffffff),
+                       j = (uint32_t)random_number(31) % k;
+        add_number(loft_unit_of(j, k));
     }
-    say("unit_of");
+    say_sum("unit_of");
     for (int n = 0; n < rounds; n++) {
-        const uint32_t k = UINT32_MAX - ((uint32_t)some(31) & 0x7fffffff),
-                       j = k - ((uint32_t)some(31) & 0x7fffffff);
-        add(loft_unit_of(j, k));
+        const uint32_t k = UINT32_MAX - ((uint32_t)random_number(31) & 0x7fffffff),
+                       j = k - ((uint32_t)random_number(31) & 0x7fffffff);
+        add_number(loft_unit_of(j, k));
     }
-    say("unit_of_more");
+    say_sum("unit_of_more");
     for (int n = 0; n < rounds; n++)
-        add(loft_real_floor(coordinate()));
-    say("real_floor");
+        add_number(loft_real_floor(random_coordinate()));
+    say_sum("real_floor");
     for (int n = 0; n < rounds; n++) {
-        const loft_acc x = some(62), y = n % 8 ? some(62) : x;
-        add(loft_acc_abs(x) ^ loft_acc_min(x, y));
-        add(loft_acc_max(x, y));
+        const loft_acc x = random_number(62), y = n % 8 ? random_number(62) : x;
+        add_number(loft_acc_abs(x) ^ loft_acc_min(x, y));
+        add_number(loft_acc_max(x, y));
     }
-    say("acc_order");
+    say_sum("acc_order");
     for (int n = 0; n < rounds; n++) {
         loft_acc x[LOFT_AXES], y[LOFT_AXES];
         for (int i = 0; i < LOFT_AXES; i++) {
-            x[i] = some(60);
-            y[i] = some(60);
+            x[i] = random_number(60);
+            y[i] = random_number(60);
         }
         loft_accs_add(x, y);
-        add(x[0]);
+        add_number(x[0]);
         loft_accs_copy(y, x);
         loft_accs_triple(y);
         loft_accs_sub(x, y);
         for (int i = 0; i < LOFT_AXES; i++)
-            add(x[i]);
+            add_number(x[i]);
     }
-    say("accs");
+    say_sum("accs");
 }
 
 #elif PART == 2
 
-static void sums(int rounds)
+static void print_sums(int rounds)
 {
     loft_vec p;
 
     for (int n = 0; n < rounds; n++) {
-        const loft_cubic c = some_cubic(31);
+        const loft_cubic c = random_cubic(31);
         loft_bezier b;
         loft_forward w;
         if (loft_bezier_init(&b, c.p, 3) == LOFT_OK &&
             loft_forward_init(&w, &b, n % 2 ? 64 : 100) == LOFT_OK)
             while (loft_forward_next(&w, &p))
                 for (int i = 0; i < LOFT_AXES; i++)
-                    add(p.axis[i]);
-        p = loft_cubic_eval(&c, fraction());
-        add(p.axis[0]);
+                    add_number(p.axis[i]);
+        p = loft_cubic_eval(&c, random_fraction());
+        add_number(p.axis[0]);
     }
-    say("forward");
+    say_sum("forward");
 }
 
 #elif PART == 4
@@ -256,25 +261,25 @@ static void say_time(const char *name, uint32_t n)
 }
 #endif
 
-static void some_net(unsigned bits)
+static void random_net(unsigned bits)
 {
     for (int k = 0; k < 16; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            net[k].axis[i] = (loft_real)some(bits);
+            net[k].axis[i] = (loft_real)random_number(bits);
 }
 
-static uint32_t walk(void)
+static uint32_t walk_grid(void)
 {
     uint32_t points = 0;
     loft_vec p;
 
     for (; loft_grid_next(&grid, &p); points++)
         for (int i = 0; i < LOFT_AXES; i++)
-            add(p.axis[i]);
+            add_number(p.axis[i]);
     return points;
 }
 
-/* Without the sums, for its time. */
+/* Without the sums, to measure the time. */
 static void time_grid(const loft_tensor *s)
 {
     uint32_t points = 0;
@@ -290,59 +295,59 @@ static void time_grid(const loft_tensor *s)
     say_time("# cycles of a point of it:", cycles() / points);
 }
 
-static void sums(int rounds)
+static void print_sums(int rounds)
 {
     loft_triangle t;
     loft_tensor s;
 
     for (int n = 0; n < rounds; n++) {
-        some_net(n == 0 ? 22 : 31);
+        random_net(n == 0 ? 22 : 31);
         if (loft_tensor_init(&s, net, 3, 3) != LOFT_OK)
             return;
         if (n == 0)
             time_grid(&s);
         if (loft_grid_init(&grid, &s, STEPS, STEPS, memory, LOFT_GRID_STATES(3, 3)) == LOFT_OK)
-            walk();
+            walk_grid();
     }
-    say("grid");
+    say_sum("grid");
     if (loft_grid_init(&grid, &s, 11, 13, memory, LOFT_GRID_STATES(3, 3)) == LOFT_OK)
-        walk();
-    say("grid_any");
+        walk_grid();
+    say_sum("grid_any");
     if (loft_triangle_init(&t, net, 3) == LOFT_OK &&
         loft_grid_triangle_init(&grid, &t, STEPS, memory, LOFT_GRID_TRIANGLE_STATES(3)) == LOFT_OK)
-        walk();
-    say("grid_triangle");
+        walk_grid();
+    say_sum("grid_triangle");
     for (int n = 0; n < rounds; n++) {
-        const loft_unit u = fraction(), v = fraction();
+        const loft_unit u = random_fraction(), v = random_fraction();
         const loft_vec p = loft_tensor_eval(&s, u, v);
         for (int i = 0; i < LOFT_AXES; i++)
-            add(p.axis[i]);
+            add_number(p.axis[i]);
     }
-    say("tensor");
+    say_sum("tensor");
 }
 
 #else
 
-static void sums(int rounds)
+static void print_sums(int rounds)
 {
     loft_vec p;
 
     for (int n = 0; n < rounds; n++) {
-        const loft_cubic c = some_cubic(22);
+        const loft_cubic c = random_cubic(22);
         loft_flatten f;
         if (loft_flatten_init(&f, &c, LOFT_REAL(1)) == LOFT_OK)
             while (loft_flatten_next(&f, &p))
                 for (int i = 0; i < LOFT_AXES; i++)
-                    add(p.axis[i]);
+                    add_number(p.axis[i]);
     }
-    say("flatten");
+    say_sum("flatten");
     for (int n = 0; n < rounds; n++) {
-        const loft_cubic c = some_cubic(22);
+        const loft_cubic c = random_cubic(22);
         const loft_acc length = loft_cubic_arclen(&c, LOFT_REAL(0.125));
-        add(length);
-        add(loft_cubic_inv_arclen(&c, length / 3, LOFT_REAL(0.125)));
+        add_number(length);
+        add_number(loft_cubic_inv_arclen(&c, length / 3, LOFT_REAL(0.125)));
     }
-    say("length");
+    say_sum("length");
 }
 
 #endif
@@ -351,7 +356,7 @@ int main(void)
 {
     start();
     sum = 2166136261u;
-    sums(PART == 1 ? 500 : 4);
+    print_sums(PART == 1 ? 500 : 4);
     stop();
     return 0;
 }

@@ -1,8 +1,8 @@
-/* tests/target/units.c -- tests of tests/ on a chip: each in turn, and the stack that it takes
+/* tests/target/units.c -- runs tests of tests/ on a chip: each in turn, with its stack
  * SPDX-License-Identifier: MIT
  *
- * A test's main is compiled under the name that `units`, generated, calls. After each a line `==
- * NAME CODE STACK`.
+ * A test's main is compiled under the name that the generated `units` calls. Prints a line `== NAME
+ * CODE STACK` after each test.
  */
 #include "units.h"
 

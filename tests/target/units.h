@@ -1,4 +1,4 @@
-/* tests/target/units.h -- which tests a program has; the list is generated
+/* tests/target/units.h -- the tests of a program; the list is generated
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TARGET_UNITS_H

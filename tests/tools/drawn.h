@@ -1,4 +1,4 @@
-/* tests/tools/drawn.h -- drawings as text, and the errors of a reader caught instead of printed
+/* tests/tools/drawn.h -- drawings as text; catches the errors of a reader instead of printing them
  * SPDX-License-Identifier: MIT
  *
  * A drawing is written back as path data in the user units of a page of 100 mm, y down: M at the
@@ -14,7 +14,7 @@
 
 #include "check.h"      /* CHECK, PROPERTY */
 #include "read/drawing.h"
-#include "base/tool.h"       /* what is replaced here */
+#include "base/tool.h"       /* replaced here */
 
 static char caught[4096];       /* the lines that tool_error was given */
 static unsigned caught_lines;
@@ -40,7 +40,7 @@ void *tool_grow(void *old, size_t bytes)
     return grown;
 }
 
-/* " x" with at most three decimals, and none that say nothing. */
+/* " x" with at most three decimals, without trailing zeros. */
 static inline void put_number(char *out, size_t size, double x)
 {
     char number[40];
@@ -94,7 +94,7 @@ static inline int read_svg(drawing *d, const char *text)
 /* Read a whole document; CHECK that it draws `wanted` on a page of `page` mm. */
 #define DRAWS_ON(page, text, wanted) check_draws(text, page, wanted, __FILE__, __LINE__)
 
-/* The same for what stands within an <svg> of 100 mm and 100 units. */
+/* The same inside an <svg> of 100 mm and 100 units. */
 #define DRAWS(inner, wanted) DRAWS_ON(100, PAGE(inner), wanted)
 #define PAGE(inner)                                                                                \
     "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "      \
@@ -117,7 +117,7 @@ static inline void check_draws(const char *text, double page, const char *wanted
     drawing_free(&d);
 }
 
-/* CHECK that the document is refused with EX_DATAERR and one line that holds `words`. */
+/* CHECK that the document is refused with EX_DATAERR and one line that contains `words`. */
 #define REFUSES(inner, words) check_refuses(PAGE(inner), words, __FILE__, __LINE__)
 #define REFUSES_PATH(data, words) REFUSES("<path d=\"" data "\"/>", words)
 

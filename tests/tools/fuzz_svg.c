@@ -1,8 +1,8 @@
-/* tests/tools/fuzz_svg.c -- any bytes at all into the SVG reader
+/* tests/tools/fuzz_svg.c -- feeds arbitrary bytes to the SVG reader
  * SPDX-License-Identifier: MIT
  *
- * For libFuzzer (make fuzz-svg). Whatever the bytes, the reader ends with a drawing within its
- * limits, or with EX_DATAERR and one line that is no warning.
+ * For libFuzzer (make fuzz-svg). For any bytes, the reader ends with a drawing within its limits,
+ * or with EX_DATAERR and one line that is not a warning.
  */
 #include <math.h>
 #include <stdint.h>

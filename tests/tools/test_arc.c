@@ -1,8 +1,8 @@
 /* tests/tools/test_arc.c -- arcs against the ellipse of the SVG specification
  * SPDX-License-Identifier: MIT
  *
- * The reference is the conversion to a centre of SVG 2, appendix B.2.4 and B.2.5, in long double
- * and in its own words; the reader finds the centre in another way.
+ * The reference is the conversion to a centre of SVG 2, appendix B.2.4 and B.2.5, in long double,
+ * following its text; the reader finds the centre in another way.
  */
 #include "tools/drawn.h"
 
@@ -50,8 +50,7 @@ static reference reference_of(const double v[9])
     return e;
 }
 
-/* The arc's point at share s of its angle, in mm on a page of 100 mm turned and stretched by
- * `m`. */
+/* The arc's point at the fraction s of its angle, in mm, on a page of 100 mm transformed by `m`. */
 static void point_at(const reference *e, long double s, const double m[6], long double out[2])
 {
     const long double t = e->from + s * e->sweep, u = e->rx * cosl(t), w = e->ry * sinl(t);
@@ -61,8 +60,8 @@ static void point_at(const reference *e, long double s, const double m[6], long 
     out[1] = 100 - (m[1] * x + m[3] * y + m[5]);
 }
 
-/* How far p is from the arc between the shares lo and hi: golden section around the best of some
- * samples, for near a narrow tip both sides are near. */
+/* The distance of p from the arc between the fractions lo and hi: golden section around the best of
+ * some samples, since near a narrow tip both sides are near. */
 static long double distance_to(const reference *e, const double m[6], long double lo,
                                long double hi, const double p[2])
 {
@@ -95,7 +94,7 @@ static double arb_between(arb *a, double lo, double hi)
     return lo + (hi - lo) * (double)(arb_next(a) >> 11) / 9007199254740992.0;
 }
 
-/* Start, radii, angle, flags, end of an arc; and how the page is turned and stretched. */
+/* Start, radii, angle, flags, end of an arc; and the transform of the page. */
 static void arb_arc(arb *a, double v[9], double m[6])
 {
     for (int i = 0; i < 9; i++)
@@ -147,7 +146,7 @@ static void arcs_are_within_a_micrometre(arb *a)
                   PROMISED);
         }
 
-    /* equal pieces of the angle: so piece i starts at share i / count of the true arc */
+    /* the pieces divide the angle equally: piece i starts at fraction i / count of the true arc */
     for (size_t i = 0; i < d.count; i++) {
         long double q[2];
         point_at(&e, (long double)i / (long double)d.count, m, q);
@@ -157,7 +156,7 @@ static void arcs_are_within_a_micrometre(arb *a)
     drawing_free(&d);
 }
 
-/* As few pieces as the tolerance allows: with one less, a circle would be further off than a
+/* The number of pieces is minimal: with one less, a circle would deviate by more than a
  * micrometre. */
 static void circles_have_few_pieces(arb *a)
 {

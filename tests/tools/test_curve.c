@@ -1,5 +1,5 @@
-/* tests/tools/test_curve.c -- the text format of curves: what it holds, what it refuses and on
- * which line; drawings of it
+/* tests/tools/test_curve.c -- the text format of curves: what it accepts, what it refuses and on
+ * which line; drawings from it
  * SPDX-License-Identifier: MIT
  */
 #include "tools/drawn.h"
@@ -15,7 +15,7 @@ static int read_text(curves *all, const char *text)
 }
 
 /* CHECK that the text is refused on that line, with those words, in one line. */
-static void refuses(const char *text, const char *words, int line)
+static void check_refused(const char *text, const char *words, int line)
 {
     curves all;
     const int code = read_text(&all, text);
@@ -28,7 +28,7 @@ static void refuses(const char *text, const char *words, int line)
     }
     curves_free(&all);
 }
-#define REFUSES_TEXT(text, words) refuses(text, words, __LINE__)
+#define REFUSES_TEXT(text, words) check_refused(text, words, __LINE__)
 
 static void every_kind_is_read(arb *a)
 {
@@ -164,7 +164,7 @@ static void a_file_is_known_by_its_first_word(arb *a)
           !curves_is_text("f", "beziers\n") && !curves_is_text("f", ""));
 }
 
-/* Whatever bytes come: an answer and one line, or curves that keep the promises of the format. */
+/* For any bytes: an error code and one line, or curves that keep the promises of the format. */
 static void any_text_is_read_or_refused(arb *a)
 {
     static const char *const words[] = { "bezier 2\n",
@@ -217,7 +217,7 @@ static void any_text_is_read_or_refused(arb *a)
 }
 
 /* `head` and n points of a saw: point i is (i / 100, i mod 3). */
-static char *saw(const char *head, unsigned n)
+static char *saw_text(const char *head, unsigned n)
 {
     char *text = malloc(32 + 24 * (size_t)n), *at = text + sprintf(text, "%s\n", head);
 
@@ -238,7 +238,7 @@ static void a_curve_may_have_many_points(arb *a)
     for (unsigned k = 0; k < 3; k++) {
         engine_curve *held = NULL;
         curves all;
-        char *text = saw(kinds[k].head, n);
+        char *text = saw_text(kinds[k].head, n);
         CHECK(read_text(&all, text) == 0 && all.count == 1 && all.curve[0].count == n &&
               curve_pieces(&all.curve[0]) == n - kinds[k].least);
         CHECK(engine_f64.curve->open(&all.curve[0], &held) == 0);
@@ -252,7 +252,7 @@ static void a_curve_may_have_many_points(arb *a)
         free(text);
         curves_free(&all);
     }
-    char *text = saw("bspline 3", 32001);
+    char *text = saw_text("bspline 3", 32001);
     REFUSES_TEXT(text, "f.loft:32002: more than 32000 points");
     free(text);
 }

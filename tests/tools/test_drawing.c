@@ -1,4 +1,4 @@
-/* tests/tools/test_drawing.c -- files told apart, curves as numbers, lengths and boxes; and the
+/* tests/tools/test_drawing.c -- detection of formats, curves as numbers, lengths and boxes; and the
  * drawing of the demo
  * SPDX-License-Identifier: MIT
  */
@@ -26,7 +26,7 @@ static int read_bytes(drawing *d, const void *bytes, size_t size)
     return code;
 }
 
-static void refuses(const char *bytes, size_t size, const char *words, int line)
+static void check_refused(const char *bytes, size_t size, const char *words, int line)
 {
     drawing d;
     const int code = read_bytes(&d, bytes, size);
@@ -38,7 +38,7 @@ static void refuses(const char *bytes, size_t size, const char *words, int line)
     }
     drawing_free(&d);
 }
-#define REFUSES_FILE(bytes, words) refuses(bytes, sizeof bytes - 1, words, __LINE__)
+#define REFUSES_FILE(bytes, words) check_refused(bytes, sizeof bytes - 1, words, __LINE__)
 
 static void files_are_told_apart_by_content(arb *a)
 {
@@ -62,7 +62,7 @@ static void files_are_told_apart_by_content(arb *a)
     REFUSES_FILE(PAGE(""), "nothing to draw");
 }
 
-/* What others write is named, with what to do; what only looks like it is read. */
+/* Files of other programs are named, with what to do; files that only look like them are read. */
 static void files_of_other_programs_are_named(arb *a)
 {
     drawing d;
@@ -87,7 +87,7 @@ static void files_of_other_programs_are_named(arb *a)
     drawing_free(&d);
 }
 
-/* As .svgz: whatever is packed with gzip is unpacked; and half of it is no drawing. */
+/* As for .svgz: every file that is packed with gzip is unpacked; half of a file is refused. */
 static void packed_files_are_unpacked(arb *a)
 {
     static const char text[] = PAGE("<path d='M1 1h1'/>");
@@ -105,9 +105,9 @@ static void packed_files_are_unpacked(arb *a)
     CHECK(size > 20 && memcmp(packed, "\x1F\x8B", 2) == 0);
     CHECK(read_bytes(&d, packed, size) == 0 && d.count == 1 && d.width > 99.9);
     drawing_free(&d);
-    refuses(packed, size - 20, "is compressed, and damaged or cut off", __LINE__);
+    check_refused(packed, size - 20, "is compressed, and damaged or cut off", __LINE__);
     packed[size - 6] = (char)(packed[size - 6] ^ 1);        /* of the checksum */
-    refuses(packed, size, "is compressed, and damaged or cut off", __LINE__);
+    check_refused(packed, size, "is compressed, and damaged or cut off", __LINE__);
     REFUSES_FILE("\x1F\x8B\x08", "is compressed, and damaged or cut off");
 }
 
@@ -175,7 +175,7 @@ static void lengths_are_true(arb *a)
     CHECK_NEAR(curve_length(parabola), sqrt(5) + asinh(2) / 2, 1e-6 * 2.9);
     CHECK_NEAR(curve_length(cusp), 2 * (13 * sqrt(13) - 8) / 27, 1e-6 * 2.8);
 
-    /* x = 27t - 72t^2 + 48t^3 goes up, down and up: sum of the ways between its extremes */
+    /* x = 27t - 72t^2 + 48t^3 goes up, down and up: sum of the distances between its extremes */
     const double r = sqrt(72.0 * 72 - 3 * 48 * 27), t0 = (72 - r) / 144, t1 = (72 + r) / 144;
     const double x0 = 27 * t0 - 72 * t0 * t0 + 48 * t0 * t0 * t0,
                  x1 = 27 * t1 - 72 * t1 * t1 + 48 * t1 * t1 * t1;

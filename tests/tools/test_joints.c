@@ -1,5 +1,5 @@
-/* tests/tools/test_joints.c -- the way of the tool as cubics of the motors: near enough, of one
- * direction where they meet, as fast as asked for
+/* tests/tools/test_joints.c -- the path of the tool as cubics of the motors: within tolerance,
+ * continuous in direction, at the given feed
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -17,8 +17,8 @@
 #define EVEN   1.02
 #define SHORT  0.02         /* mm */
 
-static double unit(arb *a)      { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
-static double some(arb *a, double size)     { return (2 * unit(a) - 1) * size; }
+static double random_unit(arb *a)      { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
+static double random_signed(arb *a, double size)     { return (2 * random_unit(a) - 1) * size; }
 
 static kinematics kind_of(enum engine_kinematics kind)
 {
@@ -38,7 +38,8 @@ static double size_of(const double v[ENGINE_AXES])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-static void eval(double p[4][ENGINE_AXES], double t, double at[ENGINE_AXES], double v[ENGINE_AXES])
+static void eval_move(double p[4][ENGINE_AXES], double t, double at[ENGINE_AXES],
+                      double v[ENGINE_AXES])
 {
     const double s = 1 - t;
 
@@ -53,30 +54,31 @@ static void eval(double p[4][ENGINE_AXES], double t, double at[ENGINE_AXES], dou
 /* A smooth chain without cusps, within 80 mm of 0,0, drawn at 30 mm/s. */
 static void arb_path(arb *a, toolpath *path)
 {
-    double at[ENGINE_AXES] = { some(a, 20), some(a, 20), 0 }, way = 7 * unit(a);
+    double at[ENGINE_AXES] = { random_signed(a, 20), random_signed(a, 20), 0 },
+           way = 7 * random_unit(a);
 
     *path = (toolpath){ .move = tool_grow(NULL, MOVES * sizeof *path->move),
                         .curve = tool_grow(NULL, MOVES * sizeof *path->curve),
                         .count = MOVES };
     for (int n = 0; n < MOVES; n++) {
         engine_move *m = &path->move[n];
-        const double first = 2 + 5 * unit(a), last = 2 + 5 * unit(a);
+        const double first = 2 + 5 * random_unit(a), last = 2 + 5 * random_unit(a);
         path->curve[n] = 0;
         *m = (engine_move){ .feed = 30 };
         for (int k = 0; k < 4; k++)
             memcpy(m->p[k], at, sizeof at);
         m->p[1][0] += first * cos(way);
         m->p[1][1] += first * sin(way);
-        m->p[3][0] += 12 * cos(way) + some(a, 4);
-        m->p[3][1] += 12 * sin(way) + some(a, 4);
-        way += some(a, 1);
+        m->p[3][0] += 12 * cos(way) + random_signed(a, 4);
+        m->p[3][1] += 12 * sin(way) + random_signed(a, 4);
+        way += random_signed(a, 1);
         m->p[2][0] = m->p[3][0] - last * cos(way);
         m->p[2][1] = m->p[3][1] - last * sin(way);
         memcpy(at, m->p[3], sizeof at);
     }
 }
 
-static int make(joints *j, toolpath *path, const kinematics *k)
+static int make_joints(joints *j, toolpath *path, const kinematics *k)
 {
     const double none[ENGINE_AXES] = { 0, 0, 0 };
     static drawing_curve curve = { .line = 12 };
@@ -89,8 +91,9 @@ static int make(joints *j, toolpath *path, const kinematics *k)
     return joints_make(j, path, k, &o);
 }
 
-/* How far a place is from a move of the tool: the nearest of many places, then thirds. */
-static double to_move(engine_move *m, const double at[ENGINE_AXES])
+/* The distance of a place from a move of the tool: the nearest of many places, then ternary
+ * search. */
+static double distance_to_move(engine_move *m, const double at[ENGINE_AXES])
 {
     double best = 0, least = HUGE_VAL, p[ENGINE_AXES], v[ENGINE_AXES];
 
@@ -100,7 +103,7 @@ static double to_move(engine_move *m, const double at[ENGINE_AXES])
                      from = pass == 0 ? 0 : best - step;
         for (int k = 0; k <= n; k++) {
             const double t = fmin(fmax(from + k * step, 0), 1);
-            eval(m->p, t, p, v);
+            eval_move(m->p, t, p, v);
             const double by[ENGINE_AXES] = { p[0] - at[0], p[1] - at[1], p[2] - at[2] };
             if (size_of(by) < least) {
                 least = size_of(by);
@@ -119,19 +122,19 @@ static void the_tool_stays_within(arb *a)
     joints j;
 
     arb_path(a, &path);
-    CHECK(make(&j, &path, &k) == 0 && j.count > MOVES && j.count < MOVES * 200);
+    CHECK(make_joints(&j, &path, &k) == 0 && j.count > MOVES && j.count < MOVES * 200);
     for (size_t n = 0; n < j.count; n++)
         for (int i = 0; i <= 21; i++) {
-            eval(j.move[n].p, i / 21.0, at, v);
+            eval_move(j.move[n].p, i / 21.0, at, v);
             CHECK(kinematics_tool(&k, at, tool));
-            CHECK_NEAR(to_move(&path.move[j.of[n]], tool), 0, WITHIN * 1.01);
+            CHECK_NEAR(distance_to_move(&path.move[j.of[n]], tool), 0, WITHIN * 1.01);
         }
     joints_free(&j);
     toolpath_free(&path);
 }
 
-/* One ends where the next one begins, and heads where that is heading; the last ends where the
- * tool's way does. */
+/* Each piece ends where the next begins, in the same direction; the last one ends where the tool's
+ * path ends. */
 static void pieces_meet(arb *a)
 {
     const kinematics k = kind_of(arb_below(a, 2) ? ENGINE_DELTA : ENGINE_POLAR);
@@ -140,10 +143,10 @@ static void pieces_meet(arb *a)
     joints j;
 
     arb_path(a, &path);
-    CHECK(make(&j, &path, &k) == 0);
+    CHECK(make_joints(&j, &path, &k) == 0);
     for (size_t n = 1; n < j.count; n++) {
-        eval(j.move[n - 1].p, 1, at, before);
-        eval(j.move[n].p, 0, at, after);
+        eval_move(j.move[n - 1].p, 1, at, before);
+        eval_move(j.move[n].p, 0, at, after);
         for (int i = 0; i < ENGINE_AXES; i++) {
             CHECK(j.move[n - 1].p[3][i] == j.move[n].p[0][i]);
             CHECK_NEAR(before[i] / size_of(before), after[i] / size_of(after), 1e-9);
@@ -157,8 +160,8 @@ static void pieces_meet(arb *a)
     toolpath_free(&path);
 }
 
-/* How far it takes the tool. */
-static double goes(const kinematics *k, const engine_move *m)
+/* The length that a move of the motors moves the tool. */
+static double tool_length(const kinematics *k, const engine_move *m)
 {
     double from[ENGINE_AXES], to[ENGINE_AXES];
 
@@ -168,8 +171,8 @@ static double goes(const kinematics *k, const engine_move *m)
     return size_of(to);
 }
 
-/* Not faster than asked for, by more than the way turns within the tolerance, and hardly slower but
- * in short pieces. */
+/* The tool is not faster than the feed, except for turning within the tolerance, and hardly slower,
+ * except in short pieces. */
 static void the_tool_has_its_feed(arb *a)
 {
     const kinematics k = kind_of(
@@ -180,10 +183,10 @@ static void the_tool_has_its_feed(arb *a)
     joints j;
 
     arb_path(a, &path);
-    CHECK(make(&j, &path, &k) == 0);
+    CHECK(make_joints(&j, &path, &k) == 0);
     for (size_t n = 0; n < j.count; n++)
         for (int i = 0; i <= 10; i++) {
-            eval(j.move[n].p, i / 10.0, motors.x, v);
+            eval_move(j.move[n].p, i / 10.0, motors.x, v);
             for (int axis = 0; axis < ENGINE_AXES; axis++)
                 scaled[axis] = v[axis] * j.scale[axis];
             for (int axis = 0; axis < ENGINE_AXES; axis++)
@@ -191,7 +194,7 @@ static void the_tool_has_its_feed(arb *a)
                                                      : 0;
             CHECK(kinematics_move(&k, &motors, &tool));
             CHECK(size_of(tool.v) <= 30 * 1.005);
-            CHECK(size_of(tool.v) >= 30 / (EVEN * 1.01) || goes(&k, &j.move[n]) <= SHORT);
+            CHECK(size_of(tool.v) >= 30 / (EVEN * 1.01) || tool_length(&k, &j.move[n]) <= SHORT);
         }
     joints_free(&j);
     toolpath_free(&path);
@@ -204,7 +207,7 @@ static void a_matrix_keeps_every_curve(arb *a)
     joints j;
 
     arb_path(a, &path);
-    CHECK(make(&j, &path, &k) == 0 && j.count == MOVES);
+    CHECK(make_joints(&j, &path, &k) == 0 && j.count == MOVES);
     for (size_t n = 0; n < j.count; n++)
         for (int i = 0; i < 4; i++) {
             const double *p = path.move[n].p[i], *m = j.move[n].p[i];
@@ -220,8 +223,8 @@ static void a_matrix_keeps_every_curve(arb *a)
 static void turns_around_the_pole_are_counted(arb *a)
 {
     const kinematics k = kind_of(ENGINE_POLAR);
-    const double r = 5 + 40 * unit(a), handle = 0.5522847498 * r, way = arb_below(a, 2) ? 1 : -1,
-                 begin = some(a, 3);
+    const double r = 5 + 40 * random_unit(a), handle = 0.5522847498 * r,
+                 way = arb_below(a, 2) ? 1 : -1, begin = random_signed(a, 3);
     toolpath path;
     joints j;
 
@@ -235,7 +238,7 @@ static void turns_around_the_pole_are_counted(arb *a)
             path.move[n].p[i][0] = k.center[0] + r * cos(turn) - way * along * sin(turn);
             path.move[n].p[i][1] = k.center[1] + r * sin(turn) + way * along * cos(turn);
         }
-    CHECK(make(&j, &path, &k) == 0);
+    CHECK(make_joints(&j, &path, &k) == 0);
     CHECK_NEAR(j.move[j.count - 1].p[3][1] - j.move[0].p[0][1], way * 360, 1e-6);
     for (size_t n = 0; n < j.count; n++)
         CHECK(way * j.move[n].p[3][1] > way * j.move[n].p[0][1]);
@@ -243,11 +246,11 @@ static void turns_around_the_pole_are_counted(arb *a)
     toolpath_free(&path);
 }
 
-/* Over the pole leads a travel, which stops there while the table turns. */
+/* A travel leads over the pole, and stops there while the table turns. */
 static void a_travel_goes_through_the_pole(arb *a)
 {
     const kinematics k = kind_of(ENGINE_POLAR);
-    const double way = 7 * unit(a);
+    const double way = 7 * random_unit(a);
     size_t turned = 0;
     toolpath path;
     joints j;
@@ -259,7 +262,7 @@ static void a_travel_goes_through_the_pole(arb *a)
         path.move[0].p[i][0] = k.center[0] + 20 * (i / 1.5 - 1) * cos(way) + 0.3 * sin(way);
         path.move[0].p[i][1] = k.center[1] + 20 * (i / 1.5 - 1) * sin(way) - 0.3 * cos(way);
     }
-    CHECK(make(&j, &path, &k) == 0 && path.count == 2 && j.count == 3);
+    CHECK(make_joints(&j, &path, &k) == 0 && path.count == 2 && j.count == 3);
     for (size_t n = 0; n < j.count; n++) {
         const bool turns = fabs(j.move[n].p[3][1] - j.move[n].p[0][1]) > 1;
         CHECK(!turns || fabs(j.move[n].p[0][0]) + fabs(j.move[n].p[3][0]) < 1e-9);
@@ -280,7 +283,7 @@ static void out_of_reach_is_refused(arb *a)
 
     arb_path(a, &path);
     path.move[2].p[1][0] += 800;
-    CHECK(make(&j, &path, &delta) == EX_DATAERR && caught_lines == 1);
+    CHECK(make_joints(&j, &path, &delta) == EX_DATAERR && caught_lines == 1);
     CHECK(strstr(caught, "file.csv:12: ") && strstr(caught, "from the tower of motor"));
     joints_free(&j);
     toolpath_free(&path);
@@ -291,7 +294,7 @@ static void out_of_reach_is_refused(arb *a)
         path.move[0].p[i][0] = polar.center[0] + 10 * (i / 1.5 - 1);
         path.move[0].p[i][1] = polar.center[1] + 0.5;
     }
-    CHECK(make(&j, &path, &polar) == EX_DATAERR && caught_lines == 1 &&
+    CHECK(make_joints(&j, &path, &polar) == EX_DATAERR && caught_lines == 1 &&
           strstr(caught, "from the pole"));
     joints_free(&j);
     toolpath_free(&path);

@@ -15,7 +15,7 @@ static double random_to(arb *a, double most)
 
 static double random_weight(arb *a) { return exp2((double)arb_below(a, 8001) / 1000 - 4); }
 
-/* Points no nearer than 1 to the one before. */
+/* Points at least 1 apart from the one before. */
 static curve_point random_point(arb *a, const curve *c, double ascending)
 {
     curve_point p = { .w = c->kind == CURVE_PARABOLA ? ascending
@@ -30,7 +30,7 @@ static curve_point random_point(arb *a, const curve *c, double ascending)
     return p;
 }
 
-/* None more than `degree` times: the curve does not jump. */
+/* No knot more than `degree` times: the curve does not jump. */
 static void random_knots(arb *a, curve *c)
 {
     double knot = random_to(a, 3);
@@ -108,7 +108,7 @@ static void reference_at(const reference *r, double t, double out[CURVE_AXES])
         out[i] = (double)p[i];
 }
 
-/* In double: points as they are defined, and the Bezier pieces through the same points at the same
+/* In double: points equal the definition, and the Bezier pieces pass the same points at the same
  * parameters. */
 static void every_kind_is_what_its_definition_says(arb *a)
 {
@@ -141,8 +141,9 @@ static void every_kind_is_what_its_definition_says(arb *a)
     curves_free(&all);
 }
 
-/* The least distance of p from the curve within `around` of t, where it has one minimum. */
-static double nearest(const reference *r, const double p[CURVE_AXES], double t, double around)
+/* The smallest distance of p from the curve within `around` of t, where it has one minimum. */
+static double nearest_distance(const reference *r, const double p[CURVE_AXES], double t,
+                               double around)
 {
     double low = t - around, high = t + around, at[CURVE_AXES];
 
@@ -183,7 +184,7 @@ static void arcs_are_within_their_tolerance(arb *a)
             CHECK(make->eval(held, t, got) == 0);
             CHECK_NEAR(distance(got, want), 0, 1e-11);
             piece_eval(&p, j / 16.0, at);
-            CHECK(nearest(&exact, at[0], t, 0.1 / make->pieces(held)) <= 1e-4);
+            CHECK(nearest_distance(&exact, at[0], t, 0.1 / make->pieces(held)) <= 1e-4);
         }
     }
     make->close(held);
@@ -221,7 +222,7 @@ static void derivatives_are_those_of_the_points(arb *a)
         }
 }
 
-/* 1 / radius, left about and right about. */
+/* 1 / radius, for left and right turns. */
 static void the_curvature_of_a_circle_is_constant(arb *a)
 {
     const double r = exp2(random_to(a, 8)), t = (double)arb_below(a, 1001) / 1000;
@@ -243,9 +244,9 @@ typedef struct {
     unsigned count;
 } covering;
 
-/* Each point of the cubic has one of the curve within tol; the curve is looked at densely, and its
- * length between two looks is added. */
-static void cover(void *context, double p[4][CURVE_AXES])
+/* Each point of the cubic has a point of the curve within tol. The curve is sampled densely, and
+ * its length between two samples is added. */
+static void check_cover(void *context, double p[4][CURVE_AXES])
 {
     covering *c = context;
 
@@ -275,7 +276,7 @@ static void cubics_stay_within_their_tolerance(arb *a)
     double from[3][CURVE_AXES];
 
     piece_eval(&p, 0, from);
-    CHECK(engine_f64.piece->cubics(&p, c.tol, cover, &c) == 0 && c.count > 0 &&
+    CHECK(engine_f64.piece->cubics(&p, c.tol, check_cover, &c) == 0 && c.count > 0 &&
           (piece_is_rational(&p) || p.degree > 3 || c.count == 1));
     CHECK_NEAR(c.far, 0, 1e-9);
     CHECK_NEAR(distance(c.end, p.p[p.degree]), 0, 1e-9);

@@ -1,5 +1,5 @@
-/* tests/tools/test_mesh.c -- normals and curvatures of meshes against closed forms; what the text
- * format of surfaces holds
+/* tests/tools/test_mesh.c -- normals and curvatures of meshes against closed forms; the text format
+ * of surfaces
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -10,7 +10,7 @@
 
 #define N 12
 
-static void make(mesh *m, const char *text)
+static void make_mesh(mesh *m, const char *text)
 {
     surfaces all = { 0 };
 
@@ -37,7 +37,7 @@ static void spheres_are_round(arb *a)
 
     (void)a;
     for (int k = 0; k < 2; k++) {
-        make(&m, text[k]);
+        make_mesh(&m, text[k]);
         CHECK(m.vertices == (k ? (N + 1) * (N + 2) / 2 : (N + 1) * (N + 1)) && m.cells == N * N);
         for (size_t i = 0; i < m.vertices; i++) {
             const double normal[3] = { (m.vertex[i].p[0] - 1) / 4, (m.vertex[i].p[1] - 2) / 4,
@@ -55,7 +55,7 @@ static void cylinders_bend_one_way(arb *a)
     mesh m;
 
     (void)a;
-    make(&m, "tensor 2 1\n0 0 0 : 256\n0 30 0 : 256\n0 0 15 : 181.0193359837562\n0 30 15 : "
+    make_mesh(&m, "tensor 2 1\n0 0 0 : 256\n0 30 0 : 256\n0 0 15 : 181.0193359837562\n0 30 15 : "
              "181.0193359837562\n15 0 15 : 256\n15 30 15 : 256\n");
     for (size_t i = 0; i < m.vertices; i++) {
         const double normal[3] = { (m.vertex[i].p[0] - 15) / 15, 0, m.vertex[i].p[2] / 15 };
@@ -76,7 +76,7 @@ static void saddles_bend_both_ways(arb *a)
 
     (void)a;
     for (int k = 0; k < 2; k++) {
-        make(&m, text[k]);
+        make_mesh(&m, text[k]);
         for (size_t i = 0; i < m.vertices; i++) {
             const double p = m.vertex[i].p[1] / 10, q = m.vertex[i].p[0] / 10,
                          w = 1 + p * p + q * q;
@@ -87,7 +87,7 @@ static void saddles_bend_both_ways(arb *a)
     }
 }
 
-static unsigned looked;     /* how many places had normals to compare with */
+static unsigned looked;     /* number of places with normals to compare with */
 
 #define NODES 9         /* of a polynomial through points of the surface, at steps of STEP */
 #define STEP  0.006
@@ -97,7 +97,7 @@ typedef struct {
     double by[5][3];
 } slopes;
 
-/* What the values at the nodes count for the first derivative at node i. */
+/* The weights of the values at the nodes for the first derivative at node i. */
 static void node_weights(unsigned i, double out[NODES])
 {
     static const double binomial[NODES] = { 1, -8, 28, -56, 70, -56, 28, -8, 1 };
@@ -111,7 +111,7 @@ static void node_weights(unsigned i, double out[NODES])
 }
 
 /* A place (u, v), and two ways from it that stay on the surface: toward the far corners of a
- * triangle, or the far sides of a square. */
+ * triangle, or toward the far sides of a square. */
 typedef struct {
     const engine_surface *held;
     unsigned kite;
@@ -156,35 +156,35 @@ static slopes slopes_of(const stencil *s)
     return d;
 }
 
-static double product(const double a[3], const double b[3])
+static double cross_product(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Normal and curvatures by the fundamental forms; false where there is no normal. */
+/* Normal and curvatures by the fundamental forms. Returns false if there is no normal. */
 static bool look_by_slopes(const stencil *s, engine_look *out)
 {
     const slopes d = slopes_of(s);
     const double *a = d.by[0], *b = d.by[1];
     const double turn = s->way[0][0] * s->way[1][1] - s->way[0][1] * s->way[1][0];
-    const double e = product(a, a), f = product(a, b), g = product(b, b);
+    const double e = cross_product(a, a), f = cross_product(a, b), g = cross_product(b, b);
     double n[3];
 
     for (int i = 0; i < 3; i++)
         n[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-    const double area = product(n, n);
+    const double area = cross_product(n, n);
     if (!(area > 1e-9 * (e + g) * (e + g)))
         return false;
     for (int i = 0; i < 3; i++)
         out->normal[i] = n[i] / sqrt(area) * (turn < 0 ? -1 : 1);
-    const double l = product(d.by[2], out->normal), m = product(d.by[3], out->normal);
-    const double k = product(d.by[4], out->normal);
+    const double l = cross_product(d.by[2], out->normal), m = cross_product(d.by[3], out->normal);
+    const double k = cross_product(d.by[4], out->normal);
     out->gauss = (l * k - m * m) / area;
     out->mean  = (e * k - 2 * f * m + g * l) / (2 * area);
     return true;
 }
 
-/* At the vertex of a GB patch curvatures depend on where one comes from. */
+/* At a vertex of a GB patch curvatures depend on the direction of approach. */
 static void check_look(const surface *s, const engine_surface *held, unsigned kite, double u,
                        double v)
 {
@@ -192,7 +192,7 @@ static void check_look(const surface *s, const engine_surface *held, unsigned ki
     engine_look got = { .gauss = 0 }, want;
 
     CHECK(engine_f64.surface->look(held, kite, u, v, &got) == 0);
-    CHECK_NEAR(product(got.normal, got.normal), 1, 1e-12);
+    CHECK_NEAR(cross_product(got.normal, got.normal), 1, 1e-12);
     set_ways(&at, surface_is_triangle(s));
     if (!look_by_slopes(&at, &want))
         return;
@@ -206,13 +206,13 @@ static void check_look(const surface *s, const engine_surface *held, unsigned ki
     looked++;
 }
 
-static unsigned variety(const surface *s)
+static unsigned variety_bit(const surface *s)
 {
     const unsigned one = s->kind == SURFACE_COONS ? s->orders : s->rational;
     return 1u << (s->kind == SURFACE_RING ? s->n : one);
 }
 
-/* Every kind, and each variety of it, on a grid with its edges. */
+/* Every kind, and each variety of it, on a grid that includes its edges. */
 static void normals_are_those_of_the_surface(arb *a)
 {
     static const char *const file[4] = { "patch", "surfaces", "sided", "normals" };
@@ -227,7 +227,7 @@ static void normals_are_those_of_the_surface(arb *a)
         for (size_t j = 0; j < all.count; j++) {
             const surface *s = &all.surface[j];
             engine_surface *held = NULL;
-            seen[s->kind] |= variety(s);
+            seen[s->kind] |= variety_bit(s);
             CHECK(engine_f64.surface->open(s, &held) == 0);
             for (unsigned kite = 0; kite < surface_kites(s); kite++)
                 for (int p = 0; p <= 4; p++)
@@ -243,7 +243,7 @@ static void normals_are_those_of_the_surface(arb *a)
     CHECK(seen[SURFACE_COONS] == 14 && seen[SURFACE_RING] == 104 && looked > 1200);
 }
 
-/* Every corner of a cell turns left as seen from the normal; edges are marked all around and
+/* Every corner of a cell turns left as seen from the normal. Edges are marked all around, and
  * nowhere else. */
 static void cells_face_their_normals(arb *a)
 {
@@ -254,7 +254,7 @@ static void cells_face_their_normals(arb *a)
     (void)a;
     for (int k = 0; k < 3; k++) {
         unsigned edges = 0;
-        make(&m, text[k]);
+        make_mesh(&m, text[k]);
         for (size_t i = 0; i < m.cells; i++) {
             const mesh_vertex *v[3] = { &m.vertex[m.cell[i].corner[0]],
                                         &m.vertex[m.cell[i].corner[1]],

@@ -1,4 +1,4 @@
-/* tests/tools/test_plot.c -- pictures: that they are written, and that ink is where the curves are
+/* tests/tools/test_plot.c -- pictures: they are written, and ink is where the curves are
  * SPDX-License-Identifier: MIT
  */
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include "tools/drawn.h"
 #include "draw/plot.h"
 
-/* The font libraries keep their caches to the end of the program. */
+/* The font libraries keep their caches until the end of the program. */
 const char *__lsan_default_suppressions(void);
 const char *__lsan_default_suppressions(void) { return "leak:libfontconfig"; }
 const char *__lsan_default_options(void);
@@ -43,8 +43,8 @@ static const char *path_of(const char *name)
     return path;
 }
 
-/* The darkest of red, green and blue within two pixels of the place in mm; the frame is found by
- * its own margins. */
+/* The darkest value of red, green and blue within two pixels of the place in mm; the frame is found
+ * by its own margins. */
 static int ink_at(cairo_surface_t *picture, double x, double y, double left, double bottom,
                   double scale)
 {
@@ -62,7 +62,7 @@ static int ink_at(cairo_surface_t *picture, double x, double y, double left, dou
     return least;
 }
 
-/* A plain plot of a page: 62 thousandths left of it, 28 right, 52 above. */
+/* A plain plot of a page: the margins are 62 thousandths on the left, 28 on the right, 52 above. */
 static void ink_is_on_the_curve(arb *a)
 {
     drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 100, 100, NULL };
@@ -90,7 +90,7 @@ static void ink_is_on_the_curve(arb *a)
 }
 
 /* The comb of an arc of radius 20: teeth of SCALE / 20 mm, outwards; between their ends and the arc
- * only thin lines. */
+ * there are only thin lines. */
 static void a_comb_stands_on_the_outside(arb *a)
 {
     static const drawing_curve arc = {

@@ -12,7 +12,7 @@ static char file[] = "/tmp/loft-record-XXXXXX";
 
 static double arb_mm(arb *a) { return (double)arb_raw(a, 100 << 16) / 65536; }
 
-/* The tree finds the same distance as looking at each piece, whatever the hint. */
+/* The tree finds the same distance as a linear search, whatever the hint. */
 static void the_nearest_piece_is_found(arb *a)
 {
     nearest n = { 0 };
@@ -96,8 +96,8 @@ static void records_are_read(arb *a)
     CHECK(record_read(&r, "/tmp", 0) == EX_NOINPUT);
 }
 
-/* Of three jobs, the second twice: the last of all, or the one that is asked for as it was done
- * last, from where it began. */
+/* Of three jobs, the second one twice: read the last of all, or the last run of the wanted job,
+ * from its beginning. */
 static void of_several_jobs_one_is_read(arb *a)
 {
     static const char text[] = HEAD
@@ -125,9 +125,9 @@ static void of_several_jobs_one_is_read(arb *a)
     wanted = 0;
 }
 
-/* A record of positions with the pen down at the points of a curve, each pushed `off` to the side,
- * but those of the share `from`..`to`, which are left out. */
-static void follow(record *r, const drawing_curve *c, double off, double from, double to)
+/* A record of positions with the pen down at the points of a curve, each moved sideways by `off`;
+ * the fraction `from`..`to` is left out. */
+static void make_record(record *r, const drawing_curve *c, double off, double from, double to)
 {
     const size_t points = 2000;
 
@@ -148,9 +148,9 @@ static void follow(record *r, const drawing_curve *c, double off, double from, d
     }
 }
 
-/* A gently bent curve: 50..100 mm long, radii of 20 mm and more, so that a small step aside stays
- * nearest to it. */
-static drawing bent(arb *a)
+/* A gently bent curve: 50..100 mm long, radii of 20 mm and more, so that a small sideways step
+ * stays closest to its point. */
+static drawing bent_curve(arb *a)
 {
     drawing d = { 0 };
     const double x = arb_mm(a), y = arb_mm(a), up = 10.0 * arb_mm(a) / 100,
@@ -163,12 +163,12 @@ static drawing bent(arb *a)
 
 static void a_known_error_is_measured(arb *a)
 {
-    drawing d = bent(a);
+    drawing d = bent_curve(a);
     const double off = (arb_below(a, 2) ? 1 : -1) * ldexp(1, -(int)arb_below(a, 12));
     record r;
     size_t where;
 
-    follow(&r, &d.curve[0], off, 2, 2);
+    make_record(&r, &d.curve[0], off, 2, 2);
     double (*point)[2] = tool_grow(NULL, r.count * sizeof *point);
     const double worst = record_worst_error(&d, &r, point, &where);
     CHECK_NEAR(worst, fabs(off), 1e-4);
@@ -193,8 +193,8 @@ static void a_known_error_is_measured(arb *a)
     drawing_free(&d);
 }
 
-/* What is left out is invisible to the path error, and is what the gap shows: half the length of
- * the piece. */
+/* A gap is invisible to the path error, and the gap measure shows it: half the length of the
+ * piece. */
 static void what_is_left_out_shows_as_a_gap(arb *a)
 {
     drawing d = { 0 };
@@ -202,13 +202,14 @@ static void what_is_left_out_shows_as_a_gap(arb *a)
     record r;
     (void)a;
     drawing_add(&d, p, true, 1);
-    follow(&r, &d.curve[0], 0, 0.5, 0.7);
+    make_record(&r, &d.curve[0], 0, 0.5, 0.7);
     CHECK_NEAR(record_worst_error(&d, &r, NULL, NULL), 0, 1e-9);
-    /* the pen went straight on: it was drawn */
+    /* the pen went straight across: it was drawn */
     CHECK_NEAR(record_worst_gap(&d, &r, where), 0, 1e-9);
     for (size_t i = 0; i < r.count; i++)
         if (r.pulse[i].at[0] > 15.01)
-            r.pulse[i].at[0] = 15;                                  /* half of it never was */
+            r.pulse[i].at[0] = 15;                                  /* half of the gap was never
+                                                                     * drawn */
     CHECK_NEAR(record_worst_gap(&d, &r, where), 15, 1e-9);
     CHECK_NEAR(where[0], 30, 1e-9);
     r.count = 0;

@@ -1,4 +1,4 @@
-/* tests/tools/test_sided.c -- surfaces with n sides: the grids over them, what their text holds;
+/* tests/tools/test_sided.c -- surfaces with n sides: grids over them and their text format;
  * contours on meshes
  * SPDX-License-Identifier: MIT
  */
@@ -12,7 +12,7 @@
 
 #define N 12
 
-static void say(char *text, size_t size, const char *format, ...)
+static void say_text(char *text, size_t size, const char *format, ...)
 {
     const size_t used = strlen(text);
     va_list values;
@@ -44,11 +44,11 @@ static void flat_multi(char *text, size_t size, unsigned sides, unsigned depth,
         }
         if (cut == NULL ||
             (l[0] + cut[0] <= depth && l[1] + cut[1] <= depth && l[2] + cut[2] <= depth))
-            say(text, size, "%.17g %.17g 3\n", at[0], at[1]);
+            say_text(text, size, "%.17g %.17g 3\n", at[0], at[1]);
     } while (loft_multiindex_next(l, sides));
 }
 
-static void flat_ring(char *text, size_t size, unsigned sides, unsigned degree)
+static void flat_zheng_ball(char *text, size_t size, unsigned sides, unsigned degree)
 {
     for (unsigned c = 0; c < sides; c++)
         for (unsigned a = 0; a < degree / 2 + 1; a++)
@@ -61,48 +61,49 @@ static void flat_ring(char *text, size_t size, unsigned sides, unsigned degree)
                 for (int k = 0; k < 2; k++)
                     v[k] = (1 - s) * (1 - t) * v[k] + s * (1 - t) * (v[k] + next[k]) / 2 +
                            (1 - s) * t * (v[k] + last[k]) / 2;
-                say(text, size, "%.17g %.17g 3\n", v[0], v[1]);
+                say_text(text, size, "%.17g %.17g 3\n", v[0], v[1]);
             }
     if (degree % 2 == 0)
-        say(text, size, "0 0 3\n");
+        say_text(text, size, "0 0 3\n");
 }
 
 #define KINDS 11
 
-/* Text of flat patch k over a regular polygon of radius 10; its number of sides. */
-static unsigned flat(char *text, size_t size, unsigned k)
+/* The text of flat patch k over a regular polygon of radius 10. Returns its number of sides. */
+static unsigned flat_text(char *text, size_t size, unsigned k)
 {
     static const unsigned cuts[3][3] = { { 0, 0, 0 }, { 2, 0, 1 }, { 1, 2, 2 } };
 
     *text = '\0';
     if (k < 3) {
-        say(text, size, k == 2 ? "spatch 8 1 meanvalue\n" : "spatch %u %u\n", 5 + k, 3 - k);
+        say_text(text, size, k == 2 ? "spatch 8 1 meanvalue\n" : "spatch %u %u\n", 5 + k, 3 - k);
         flat_multi(text, size, k == 2 ? 8 : 5 + k, 3 - k, NULL);
         return k == 2 ? 8 : 5 + k;
     }
     if (k < 6) {
         const unsigned *cut = cuts[k - 3];
-        say(text, size, "basepoint 5 %u %u %u\n", cut[0], cut[1], cut[2]);
+        say_text(text, size, "basepoint 5 %u %u %u\n", cut[0], cut[1], cut[2]);
         flat_multi(text, size, 3, 5, cut);
         return 3u + (cut[0] > 0) + (cut[1] > 0) + (cut[2] > 0);
     }
     if (k == 9) {
-        say(text, size, "gb 7 4\n");
-        flat_ring(text, size, 7, 4);
+        say_text(text, size, "gb 7 4\n");
+        flat_zheng_ball(text, size, 7, 4);
         return 7;
     }
-    if (k == 10) {                                      /* the boundary alone */
-        say(text, size,
+    if (k == 10) {                                      /* only the boundary */
+        say_text(
+            text, size,
             "gb 4 3\n10 0 3\n10 5 3\n10 8 3\n10 10 3\n5 10 3\n2 10 3\n0 10 3\n0 5 3\n0 2 3\n0 0 "
             "3\n2 0 3\n5 0 3\n");
         return 4;
     }
-    say(text, size, "ring %u %u\n", k == 6 ? 3 : k - 2, k - 4);
-    flat_ring(text, size, k == 6 ? 3 : k - 2, k - 4);
+    say_text(text, size, "ring %u %u\n", k == 6 ? 3 : k - 2, k - 4);
+    flat_zheng_ball(text, size, k == 6 ? 3 : k - 2, k - 4);
     return k == 6 ? 3 : k - 2;
 }
 
-static void make(mesh *m, surfaces *all, const char *text)
+static void make_mesh(mesh *m, surfaces *all, const char *text)
 {
     *all = (surfaces){ 0 };
     *m = (mesh){ 0 };
@@ -116,8 +117,8 @@ static double area_of(const mesh *m, const size_t c[3])
     return ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
 }
 
-/* Are the triangles of a mesh those of a surface: an edge of two of them runs either way, and one
- * of a single triangle is marked? */
+/* Are the triangles of a mesh consistent: does an edge of two triangles run in both directions, and
+ * is an edge of a single triangle marked? */
 static void edges_are_shared(const mesh *m)
 {
     for (size_t i = 0; i < m->cells; i++)
@@ -134,8 +135,8 @@ static void edges_are_shared(const mesh *m)
         }
 }
 
-/* The cells of a flat patch cover the polygon once: none is turned over, and their areas sum to its
- * area, which is what the marked edges go round. Normals point up, nothing is bent. */
+/* The cells of a flat patch cover the polygon once: none is inverted, and their areas sum to its
+ * area, which the marked edges enclose. Normals point up, and nothing is curved. */
 static void kites_cover_the_patch_once(arb *a)
 {
     char text[20000];
@@ -144,10 +145,10 @@ static void kites_cover_the_patch_once(arb *a)
 
     (void)a;
     for (unsigned k = 0; k < KINDS; k++) {
-        const unsigned sides = flat(text, sizeof text, k);
+        const unsigned sides = flat_text(text, sizeof text, k);
         double area = 0, around = 0;
         unsigned edges = 0;
-        make(&m, &all, text);
+        make_mesh(&m, &all, text);
         CHECK(surface_kites(&all.surface[0]) == sides && m.cells == sides * N / 2 * N / 2 &&
               m.vertices == sides * (N / 2 + 1) * (N / 2) + 1);
         for (size_t i = 0; i < m.cells; i++) {
@@ -193,8 +194,8 @@ static const char *const hollow[] = {                   /* the first two by harm
     "0 0 20 0 40 0 40 20 20 20 20 40 0 40"
 };
 
-/* Over polygons that are not convex, by each kind of coordinates that they have: a patch that is
- * its own polygon has the polygon's area, no triangle is turned over, and neighbours share their
+/* Over polygons that are not convex, with each kind of coordinates that they have: a patch that
+ * equals its polygon has the polygon's area, no triangle is inverted, and neighbours share their
  * corners. */
 static void concave_polygons_are_covered_once(arb *a)
 {
@@ -211,13 +212,13 @@ static void concave_polygons_are_covered_once(arb *a)
         for (; sscanf(at, "%lf %lf%n", &p[n][0], &p[n][1], &length) == 2; at += length)
             n++;
         *text = '\0';
-        say(text, sizeof text, "spatch %u 1 %s\ndomain %s\n", n, k < 2 ? "harmonic" : "meanvalue",
-            hollow[k < 2 ? k : k - 2]);
+        say_text(text, sizeof text, "spatch %u 1 %s\ndomain %s\n", n,
+                 k < 2 ? "harmonic" : "meanvalue", hollow[k < 2 ? k : k - 2]);
         for (unsigned i = 0; i < n; i++) {
-            say(text, sizeof text, "%.17g %.17g 3\n", p[i][0], p[i][1]);
+            say_text(text, sizeof text, "%.17g %.17g 3\n", p[i][0], p[i][1]);
             whole += (p[i][0] * p[(i + 1) % n][1] - p[i][1] * p[(i + 1) % n][0]) / 2;
         }
-        make(&m, &all, text);
+        make_mesh(&m, &all, text);
         for (size_t i = 0; i < m.cells; i++) {
             const size_t *c = m.cell[i].corner,
                          half[2][3] = { { c[0], c[1], c[2] }, { c[0], c[2], c[3] } };
@@ -241,8 +242,8 @@ static void parameters_are_points_of_the_polygon(arb *a)
 
     (void)a;
     for (unsigned k = 0; k < 3; k++) {
-        flat(text, sizeof text, k);
-        make(&m, &all, text);
+        flat_text(text, sizeof text, k);
+        make_mesh(&m, &all, text);
         for (size_t i = 0; i < m.vertices; i++) {
             CHECK_NEAR(m.vertex[i].p[0], 10 * m.vertex[i].u, 1e-12);
             CHECK_NEAR(m.vertex[i].p[1], 10 * m.vertex[i].v, 1e-12);
@@ -252,7 +253,7 @@ static void parameters_are_points_of_the_polygon(arb *a)
     }
 }
 
-/* The net of every kind: the number of its edges, and no point without one. */
+/* The net of every kind: the number of its edges, and no isolated point. */
 typedef struct {
     const surface *s;
     unsigned count;
@@ -277,8 +278,8 @@ static void nets_are_whole(arb *a)
 
     (void)a;
     for (unsigned k = 0; k < KINDS; k++) {
-        flat(text, sizeof text, k);
-        make(&m, &all, text);
+        flat_text(text, sizeof text, k);
+        make_mesh(&m, &all, text);
         counting c = { .s = &all.surface[0] };
         sided_net(c.s, count_edge, &c);
         CHECK(c.count == edges[k]);
@@ -295,7 +296,7 @@ typedef struct {
     unsigned ends;
 } ring_of_ends;
 
-static void collect(void *context, size_t cell, const double from[3], const double to[3])
+static void collect_piece(void *context, size_t cell, const double from[3], const double to[3])
 {
     ring_of_ends *r = context;
 
@@ -304,8 +305,8 @@ static void collect(void *context, size_t cell, const double from[3], const doub
         memcpy(r->end[r->ends++], k ? to : from, sizeof r->end[0]);
 }
 
-/* On a sphere of radius 5 each contour is a closed ring of radius sqrt(25 - z^2), less at most the
- * sagitta of a cell; every end of a piece is that of one other. */
+/* On a sphere of radius 5 each contour is a closed circle of radius sqrt(25 - z^2), minus at most
+ * the sagitta of a cell. Every end of a piece coincides with one other. */
 static void contours_are_closed_rings(arb *a)
 {
     static ring_of_ends r;
@@ -313,9 +314,9 @@ static void contours_are_closed_rings(arb *a)
     surfaces all;
     mesh m;
 
-    make(&m, &all, "sphere 5\n");
+    make_mesh(&m, &all, "sphere 5\n");
     r.ends = 0;
-    contour_lines(&m, z, collect, &r);
+    contour_lines(&m, z, collect_piece, &r);
     CHECK(r.ends >= 2 * N);
     for (unsigned i = 0; i < r.ends; i++) {
         unsigned met = 0;
@@ -338,7 +339,7 @@ static void heights_are_round_and_within(arb *a)
     mesh m;
 
     (void)a;
-    make(&m, &all, "sphere 5\n");
+    make_mesh(&m, &all, "sphere 5\n");
     const size_t count = contour_heights(&m, 10, height, 50);
     CHECK(count == 9);
     for (size_t i = 0; i < count; i++)
@@ -348,7 +349,7 @@ static void heights_are_round_and_within(arb *a)
     surfaces_free(&all);
 }
 
-/* What is refused, and at which line. */
+/* What is refused, and on which line. */
 static void broken_texts_are_refused(arb *a)
 {
     static const char *const text[][2] = {

@@ -1,5 +1,5 @@
-/* tests/tools/test_smooth.c -- chains of short lines that become curves: near enough, smooth, and
- * corners stay
+/* tests/tools/test_smooth.c -- chains of short lines are replaced by curves: within tolerance,
+ * smooth, and corners stay
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "tools/drawn.h"
 #include "plan/smooth.h"
 
-static double unit(arb *a)      { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
+static double random_unit(arb *a)      { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
 
 static void line_to(drawing *d, double at[2], double x, double y, bool fresh)
 {
@@ -25,10 +25,10 @@ static void line_to(drawing *d, double at[2], double x, double y, bool fresh)
 }
 
 /* A smooth curve, of waves of random length and height, as `count` chords, rounded to `grid`. */
-static void chain(drawing *d, arb *a, int count, double grid)
+static void make_chain(drawing *d, arb *a, int count, double grid)
 {
-    const double size = 5 + 50 * unit(a), wave = (1 + 3 * unit(a)) * 3.14159 / size,
-                 high = (0.1 + unit(a)) / wave, phase = 6 * unit(a);
+    const double size = 5 + 50 * random_unit(a), wave = (1 + 3 * random_unit(a)) * 3.14159 / size,
+                 high = (0.1 + random_unit(a)) / wave, phase = 6 * random_unit(a);
     double at[2] = { 0, 0 };
 
     for (int i = 0; i <= count; i++) {
@@ -62,8 +62,8 @@ static double to_curve(const double p[2], const drawing_curve *c, double t)
     return hypot(p[0] - at[0], p[1] - at[1]);
 }
 
-/* By thirds; the distance has one least value on so short a piece. */
-static double nearest(const double p[2], const drawing_curve *c, double lo, double hi)
+/* Ternary search; the distance has one minimum on such a short piece. */
+static double nearest_distance(const double p[2], const drawing_curve *c, double lo, double hi)
 {
     for (int i = 0; i < 30; i++) {
         const double a = lo + (hi - lo) / 3, b = hi - (hi - lo) / 3;
@@ -75,9 +75,9 @@ static double nearest(const double p[2], const drawing_curve *c, double lo, doub
     return to_curve(p, c, lo);
 }
 
-/* How far the curves of `d` are from the lines of `lines`, and the ends of the lines from the
- * curves. */
-static double apart(const drawing *d, const drawing *lines)
+/* The largest distance of the curves of `d` from the lines of `lines`, and of the ends of the lines
+ * from the curves. */
+static double largest_distance(const drawing *d, const drawing *lines)
 {
     double worst = 0;
 
@@ -94,8 +94,8 @@ static double apart(const drawing *d, const drawing *lines)
         for (size_t i = 0; i < d->count; i++)
             for (int k = 0; k < 32; k++)
                 if (to_curve(lines->curve[j].p[3], &d->curve[i], (k + 0.5) / 32) < least + 2)
-                    least = fmin(least, nearest(lines->curve[j].p[3], &d->curve[i], k / 32.0,
-                                                (k + 1) / 32.0));
+                    least = fmin(least, nearest_distance(lines->curve[j].p[3], &d->curve[i],
+                                                         k / 32.0, (k + 1) / 32.0));
         worst = fmax(worst, least);
     }
     return worst;
@@ -104,12 +104,12 @@ static double apart(const drawing *d, const drawing *lines)
 static void curves_stay_within(arb *a)
 {
     drawing lines = { .count = 0 }, d = { .count = 0 };
-    const double within = 0.0005 + 0.003 * unit(a);
+    const double within = 0.0005 + 0.003 * random_unit(a);
 
-    chain(&lines, a, 40 + (int)arb_below(a, 200), arb_below(a, 2) ? 0.0001 : 0);
+    make_chain(&lines, a, 40 + (int)arb_below(a, 200), arb_below(a, 2) ? 0.0001 : 0);
     const size_t replaced = drawing_smooth(&d, &lines, within);
     CHECK(replaced <= lines.count && d.count > 0);
-    CHECK_NEAR(apart(&d, &lines), 0, within);
+    CHECK_NEAR(largest_distance(&d, &lines), 0, within);
     for (int i = 0; i < 2; i++) {
         CHECK(d.curve[0].p[0][i] == lines.curve[0].p[0][i]);
         CHECK(d.curve[d.count - 1].p[3][i] == lines.curve[lines.count - 1].p[3][i]);
@@ -123,7 +123,7 @@ static void dense_chains_become_smooth_curves(arb *a)
 {
     drawing lines = { .count = 0 }, d = { .count = 0 };
 
-    chain(&lines, a, 3000, 0);
+    make_chain(&lines, a, 3000, 0);
     const size_t replaced = drawing_smooth(&d, &lines, 0.001);
     CHECK(replaced == lines.count);
     CHECK(d.count * 5 < lines.count);
@@ -147,7 +147,7 @@ static void dense_chains_become_smooth_curves(arb *a)
 static void corners_stay(arb *a)
 {
     drawing lines = { .count = 0 }, d = { .count = 0 };
-    double at[2] = { 0, 0 }, way = 6 * unit(a), corner[2];
+    double at[2] = { 0, 0 }, way = 6 * random_unit(a), corner[2];
     bool found = false;
 
     for (int i = 0; i < 100; i++) {
@@ -155,7 +155,7 @@ static void corners_stay(arb *a)
         way += 0.004;
     }
     memcpy(corner, at, sizeof corner);
-    way += 0.6 + 2 * unit(a);
+    way += 0.6 + 2 * random_unit(a);
     for (int i = 0; i < 100; i++) {
         line_to(&lines, at, at[0] + 0.05 * cos(way), at[1] + 0.05 * sin(way), false);
         way -= 0.004;
@@ -169,7 +169,7 @@ static void corners_stay(arb *a)
     drawing_free(&lines);
 }
 
-/* A polygon of 36 sides is one; curves are copied bit for bit; 0 changes nothing. */
+/* A polygon of 36 sides stays; curves are copied bit for bit; a tolerance of 0 changes nothing. */
 static void what_is_no_chain_is_copied(arb *a)
 {
     drawing lines = { .count = 0 }, d = { .count = 0 };
@@ -181,7 +181,7 @@ static void what_is_no_chain_is_copied(arb *a)
     for (int n = 0; n < 5; n++) {
         for (int k = 0; k < 4; k++)
             for (int i = 0; i < 2; i++)
-                p[k][i] = 20 * unit(a);
+                p[k][i] = 20 * random_unit(a);
         drawing_add(&lines, p, true, 9);
     }
     CHECK(drawing_smooth(&d, &lines, 0.001) == 0);
@@ -191,7 +191,7 @@ static void what_is_no_chain_is_copied(arb *a)
               d.curve[k].path == lines.curve[k].path && d.curve[k].line == lines.curve[k].line);
     drawing_free(&d);
     drawing_free(&lines);
-    chain(&lines, a, 300, 0);
+    make_chain(&lines, a, 300, 0);
     CHECK(drawing_smooth(&d, &lines, 0) == 0 && d.count == lines.count);
     drawing_free(&d);
     drawing_free(&lines);

@@ -134,8 +134,7 @@ static void shapes(arb *a)
           "M 1 1 L 2 1");
 }
 
-/* The corners of <rect>: a missing radius is that of the other, and none is more than half a
- * side. */
+/* The corners of <rect>: a missing radius equals the other, and none is more than half a side. */
 static void rounded_corners(arb *a)
 {
     static const struct {
@@ -224,8 +223,8 @@ static void broken_transforms_are_refused(arb *a)
     REFUSES("<g transform='matrix(1 2 3 4 5)'/>",   "is none of");
 }
 
-/* 1e999 is read as infinite, and two great factors become so: one line says which transform it
- * was. */
+/* 1e999 is read as infinite, and two large factors become infinite: one line names the
+ * transform. */
 static void numbers_beyond_arithmetic_are_refused(arb *a)
 {
     (void)a;
@@ -266,7 +265,7 @@ static void every_unit(arb *a)
     DRAWS_ON(100,     PAGE("<line x1='5mm' x2='5'/>"),      "M 18.898 0 L 5 0");
 }
 
-/* A page whose sizes are not given is its viewBox in px; one that is not known starts at the
+/* A page without sizes has those of its viewBox in px; a page of unknown size starts at the
  * drawing's corner. */
 static void pages_of_unknown_size(arb *a)
 {
@@ -289,8 +288,8 @@ static void pages_of_unknown_size(arb *a)
     drawing_free(&d);
 }
 
-/* Ten units square in 40 x 20 mm: fits twice with 20 mm left across, or covers four times with 20
- * mm too much down. */
+/* A square of ten units in 40 x 20 mm: it fits twice and leaves 20 mm across, or covers four times
+ * and exceeds 20 mm downwards. */
 static void every_aspect_ratio(arb *a)
 {
     static const char *const names[3] = { "Min", "Mid", "Max" };
@@ -401,7 +400,7 @@ static void a_flood_of_uses_is_stopped(arb *a)
     check_refuses(text, "counting each use", __FILE__, __LINE__);
 }
 
-/* Elements in each other, be they written so or by <use>: the stack of the reader has an end. */
+/* Nested elements, written so or by <use>: the reader's stack is limited. */
 static void depth_is_bounded(arb *a)
 {
     enum { FILES = 23, GROUPS = 240 };
@@ -452,7 +451,7 @@ static void switch_draws_the_first_that_applies(arb *a)
           "M 2 2 L 3 2");
 }
 
-/* Others draw the rest; so does this, and says once what is missing. */
+/* Other programs draw the rest; so does this one, and reports once what is missing. */
 #define TELLS(inner, wanted, words) check_tells(PAGE(inner), wanted, words, __FILE__, __LINE__)
 static void check_tells(const char *text, const char *wanted, const char *words, const char *file,
                         int line)
@@ -522,7 +521,7 @@ static void hidden_elements_are_left_out(arb *a)
     DRAWS("<g xmlns='urn:other'>" P "</g><unknown>" P "</unknown>" Q, Q_DRAWN);
 }
 
-/* Programs that make icons put a frame around them that nobody sees. */
+/* Programs for icons put an invisible frame around them. */
 static void what_is_not_painted_is_left_out(arb *a)
 {
     drawing d;
@@ -551,7 +550,7 @@ static void what_is_not_painted_is_left_out(arb *a)
     drawing_free(&d);
 }
 
-/* As in a browser: what is clear, or has no width, is not seen. */
+/* As in a browser: elements that are transparent, or have no width, are not visible. */
 static void what_is_clear_is_left_out(arb *a)
 {
     (void)a;
@@ -607,8 +606,7 @@ static void custom_properties_are_put_in(arb *a)
           Q_DRAWN);
 }
 
-/* Rules by the thousand, for shapes by the thousand: each shape looks only at the rules of its
- * names. */
+/* Thousands of rules, and thousands of shapes: each shape checks only the rules of its names. */
 static void many_rules_cost_little(arb *a)
 {
     enum { MANY = 5000 };
@@ -633,7 +631,7 @@ static void many_rules_cost_little(arb *a)
     }
 }
 
-/* What no order of rules makes cheap ends with a line. */
+/* Rules that no order makes cheap end with a message. */
 static void costly_style_sheets_are_stopped(arb *a)
 {
     static char text[4000000];
@@ -700,7 +698,7 @@ static void what_cannot_be_drawn_is_said_once(arb *a)
     drawing_free(&d);
 }
 
-/* Also where a tag goes over several lines: it is named by the one it starts on. */
+/* Also if a tag spans several lines: the line on which it starts counts. */
 static void every_curve_knows_its_line(arb *a)
 {
     drawing d;
@@ -784,8 +782,8 @@ static void entities_are_read_but_cannot_explode(arb *a)
     check_refuses(text, "entities stand for more than", __FILE__, __LINE__);
 }
 
-/* Short ones, but so many in one text that appending them takes hours; and defaults, which entities
- * are not. */
+/* Short ones, but so many in one text that appending them takes hours; and defaults, which are not
+ * entities. */
 static void other_ways_to_explode_are_stopped(arb *a)
 {
     static char text[10000000];
@@ -816,7 +814,7 @@ static void other_ways_to_explode_are_stopped(arb *a)
     check_refuses(text, "<g> has more than 1000 attributes", __FILE__, __LINE__);
 }
 
-/* Programs write them: one path of a whole scan, or all of a drawing in one line. */
+/* Programs write such files: one path for a whole scan, or a whole drawing in one line. */
 static void long_data_and_long_lines_are_read(arb *a)
 {
     static char text[16000000];
@@ -837,7 +835,7 @@ static void long_data_and_long_lines_are_read(arb *a)
     drawing_free(&d);
 }
 
-/* Whatever the bytes, the reader ends with a drawing within its limits or with one line. */
+/* For any bytes, the reader ends with a drawing within its limits or with one line. */
 static void damaged_documents_do_no_harm(arb *a)
 {
     static const char whole[] = PAGE(

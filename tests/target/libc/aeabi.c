@@ -1,4 +1,5 @@
-/* tests/target/libc/aeabi.c -- how clang calls the functions of ports/bare/memory.c on ARM
+/* tests/target/libc/aeabi.c -- the names by which clang calls the functions of ports/bare/memory.c
+ * on ARM
  * SPDX-License-Identifier: MIT
  */
 #ifdef __arm__

@@ -1,9 +1,9 @@
-/* tests/target/libc/int128.c -- products, quotients and shifts of 128 bits where the compiler's own
+/* tests/target/libc/int128.c -- products, quotients and shifts of 128 bits, if the compiler's
  * library has none
  * SPDX-License-Identifier: MIT
  *
- * clang -Xclang -fforce-enable-int128 calls these functions, by these names. Nothing here may be
- * compiled into a call of itself: shifts go by halves, and a product is of 64 bits.
+ * clang -Xclang -fforce-enable-int128 calls these functions, by these names. No function may be
+ * compiled into a call of itself: shifts work on halves, and products have 64 bits.
  */
 #include <stdint.h>
 
@@ -80,7 +80,7 @@ wide __ashrti3(wide a, int n)
     return (wide)x.whole;
 }
 
-/* a / b, bit by bit; the rest is put into *rest. */
+/* a / b, bit by bit; *rest is the remainder. */
 static uwide divided(uwide a, uwide b, uwide *rest)
 {
     halves q = { a }, d = { b }, r = { 0 };

@@ -1,7 +1,7 @@
 /* tests/target/libc/math.c
  * SPDX-License-Identifier: MIT
  *
- * A long double has 113 bits here; tests are written for one of 64. Nothing is quick: series whose
+ * A long double has 113 bits here; tests are written for 64. Nothing is fast: series end when the
  * next term is below 2^-113.
  */
 #include "math.h"
@@ -34,7 +34,7 @@ static long double power_of_two(int n)          /* -16382 <= n <= 16383 */
     return p.value;
 }
 
-/* In three steps, as a factor has 15 bits of exponent; the last one rounds. */
+/* In three steps, since a factor has 15 bits of exponent; the last one rounds. */
 long double ldexpl(long double x, int n)
 {
     for (; n > 16000; n -= 16000)
@@ -60,7 +60,7 @@ long double frexpl(long double x, int *n)
     return p.value;
 }
 
-/* A number of 2^112 has no fraction. */
+/* A number of 2^112 or more has no fraction. */
 long double truncl(long double x)
 {
     const long double size = fabsl(x), half = 0x1p62L;
@@ -89,7 +89,7 @@ long double roundl(long double x)
     return fabsl(x - t) >= 0.5L ? t + (x < 0 ? -1 : 1) : t;
 }
 
-/* The rest is taken from the largest multiple by a power of two down: each difference is exact. */
+/* Subtract multiples by powers of two, from the largest down: each difference is exact. */
 long double fmodl(long double x, long double y)
 {
     long double rest = fabsl(x);
@@ -106,7 +106,7 @@ long double fmodl(long double x, long double y)
     return x < 0 ? -rest : rest;
 }
 
-/* Of the two nearest multiples at a tie the even one is taken. */
+/* At a tie between two multiples, take the even one. */
 long double remainderl(long double x, long double y)
 {
     const long double by = fabsl(y), rest = fmodl(fabsl(x), 2 * by);
@@ -155,7 +155,7 @@ float nextafterf(float x, float toward)
 // Roots
 // -----
 
-/* The root of m < 2^32, rounded down, bit by bit. */
+/* The square root of m < 2^32, rounded down, bit by bit. */
 static uint32_t whole_root(uint32_t m)
 {
     uint32_t root = 0;
@@ -171,7 +171,7 @@ static uint32_t whole_root(uint32_t m)
     return root;
 }
 
-/* Newton from 15 bits: 30, 60, 120. */
+/* Newton's method, from 15 bits: 30, 60, 120. */
 long double sqrtl(long double x)
 {
     int n;
@@ -191,7 +191,7 @@ long double sqrtl(long double x)
     return ldexpl(y, n / 2);
 }
 
-/* Rounded to 53 bits from 113 it is the nearest: a root is never so near the middle of two
+/* Rounding 113 bits to 53 gives the nearest double: a root is never that close to the middle of two
  * doubles. */
 double sqrt(double x) { return (double)sqrtl(x); }
 
@@ -262,7 +262,7 @@ long double powl(long double x, long double y)
 // ------
 
 /* sin for which = 0, cos for 1, by the nearest multiple of pi / 2 */
-static long double turned(long double x, unsigned which)
+static long double sine_of(long double x, unsigned which)
 {
     const long double n = floorl(x / (PI / 2) + 0.5L), r = x - n * (PI / 2), q = r * r;
     const unsigned quarter = which + (unsigned)(int64_t)n;
@@ -275,12 +275,12 @@ static long double turned(long double x, unsigned which)
     return quarter & 2 ? -sum : sum;
 }
 
-long double sinl(long double x) { return turned(x, 0); }
-long double cosl(long double x) { return turned(x, 1); }
+long double sinl(long double x) { return sine_of(x, 0); }
+long double cosl(long double x) { return sine_of(x, 1); }
 long double tanl(long double x) { return sinl(x) / cosl(x); }
 
 /* In 0..1, by an eighth of the angle */
-static long double arc(long double t)
+static long double arctan_of(long double t)
 {
     long double sum = 0;
 
@@ -294,7 +294,9 @@ static long double arc(long double t)
 long double atan2l(long double y, long double x)
 {
     const long double a = fabsl(x), b = fabsl(y);
-    long double angle = a == 0 && b == 0 ? 0 : b <= a ? arc(b / a) : PI / 2 - arc(a / b);
+    long double angle = a == 0 && b == 0 ? 0
+                        : b <= a         ? arctan_of(b / a)
+                                         : PI / 2 - arctan_of(a / b);
 
     if (x < 0)
         angle = PI - angle;

@@ -1,4 +1,4 @@
-/* tests/target/libc/math.h -- what tests use of <math.h>, where there is no library
+/* tests/target/libc/math.h -- the part of <math.h> that tests use, if there is no library
  * SPDX-License-Identifier: MIT
  *
  *   error   sqrt, floor, ceil, round, ldexp, frexp, fmod, nextafter: none; sqrtl: 2^-62; the rest:

@@ -72,7 +72,7 @@ static void put_real(double x)
     put_whole((uint64_t)(e < 0 ? -e : e), 10);
 }
 
-/* The value behind one `%`; what follows it. */
+/* Print the value for one `%`. Returns the text after it. */
 static const char *put_value(const char *format, va_list *values)
 {
     int longs = 0;

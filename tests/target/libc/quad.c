@@ -1,15 +1,15 @@
-/* tests/target/libc/quad.c -- long double of 128 bits where the compiler's own library has none:
- * the references of tests on a Cortex-M
+/* tests/target/libc/quad.c -- long double of 128 bits, if the compiler's library has none: for the
+ * references of tests on a Cortex-M
  * SPDX-License-Identifier: MIT
  *
  * clang -Xclang -mlong-double-128 calls these functions, by these names. IEEE 754 binary128: sign,
- * 15 bits of exponent, 112 of mantissa; everything is rounded to nearest, ties to even. Checked on
- * this computer, bit for bit, against gcc's __float128 (quad_check.c), for which all names are made
- * others there.
+ * 15 bits of exponent, 112 of mantissa; everything is rounded to nearest, ties to even.
+ * quad_check.c compares it with gcc's __float128 on the host, bit for bit; there all names are
+ * different.
  *
- * A finite number is m * 2^(e - BIAS - 112 - 3) with m of 116 bits: 113 of mantissa and three
- * beyond it, of which the last one is set where anything was cut off. An addition or a product cuts
- * off once and is rounded once, in pack().
+ * A finite number is m * 2^(e - BIAS - 112 - 3) with m of 116 bits: 113 bits of mantissa and three
+ * more. The last one is sticky: it is set if any bit was cut off. An addition or a product cuts off
+ * once and rounds once, in pack().
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -25,7 +25,7 @@ __extension__ typedef __int128 wide;
 #define BIAS    16383
 /* the first bit of a mantissa with three bits beyond it */
 #define TOP     ((uwide)1 << 115)
-/* the exponent of infinities and of what is no number */
+/* the exponent of infinities and NaNs */
 #define E_LAST  ((int)INT16_MAX)
 
 struct parts {
@@ -40,7 +40,7 @@ static int leading_zeros(uwide m)           /* m > 0 */
     return high ? __builtin_clzll(high) : 64 + __builtin_clzll((uint64_t)m);
 }
 
-static uwide shifted_right(uwide m, int n)  /* what is cut off stays as the last bit */
+static uwide shifted_right(uwide m, int n)  /* bits that are cut off stay as the sticky last bit */
 {
     if (n <= 0)
         return m;
@@ -88,12 +88,12 @@ static struct parts unpack(uwide bits)
         p.m <<= n;
         p.e = 1 - n;
     } else {
-        p.e = -BIAS;                            /* zero is below all */
+        p.e = -BIAS;                            /* zero is below all other numbers */
     }
     return p;
 }
 
-/* The number nearest to m * 2^(e - BIAS - 115), of any m below 2^127. */
+/* The number nearest to m * 2^(e - BIAS - 115), for any m below 2^127. */
 static quad pack(bool negative, int e, uwide m)
 {
     if (m == 0)
@@ -112,7 +112,7 @@ static quad pack(bool negative, int e, uwide m)
         m >>= 1;
         e++;
     }
-    if (e == 0 && m >> 112)                     /* the greatest subnormal number has become a normal
+    if (e == 0 && m >> 112)                     /* the largest subnormal number has become a normal
                                                  * one */
         e = 1;
     if (e >= E_LAST)
@@ -152,7 +152,7 @@ quad QUAD(addtf3)(quad x, quad y)
 
 quad QUAD(subtf3)(quad x, quad y) { return QUAD(addtf3)(x, quad_of(bits_of(y) ^ (uwide)1 << 127)); }
 
-/* The upper 128 bits of a product of 256, with the last one set where any bit below is. */
+/* The upper 128 bits of a product of 256 bits; the last one is set if any lower bit is. */
 static uwide upper_product(uwide a, uwide b)
 {
     const uint64_t a1 = (uint64_t)(a >> 64), a0 = (uint64_t)a, b1 = (uint64_t)(b >> 64),
@@ -174,7 +174,7 @@ quad QUAD(multf3)(quad x, quad y)
         return special(negative, true);
     }
     const struct parts p = unpack(a), q = unpack(b);
-    /* of 2^243 the upper part is 2^115 */
+    /* the upper part of 2^243 is 2^115 */
     return pack(negative, p.e + q.e - BIAS, upper_product(p.m << 3, q.m << 10));
 }
 
@@ -192,11 +192,11 @@ quad QUAD(divtf3)(quad x, quad y)
         return quad_of((uwide)negative << 127);
     const struct parts p = unpack(a), q = unpack(b);
     uwide rest = p.m;
-    for (int n = 0; n < 4; n++) {               /* 29 bits each, at most a few too little: rest < 4
-                                                 * q.m again */
+    for (int n = 0; n < 4; n++) {               /* 29 bits each, too small by at most a few: rest <
+                                                 * 4 q.m again */
         const uint64_t digit = (uint64_t)(rest >> 55) / ((uint64_t)(q.m >> 84) + 1);
         quotient = (quotient << 29) + digit;
-        rest = (rest << 29) - digit * q.m;      /* what wraps is above the difference */
+        rest = (rest << 29) - digit * q.m;      /* the part that wraps is above the difference */
     }
     for (; rest >= q.m; quotient++)
         rest -= q.m;
@@ -215,8 +215,8 @@ int QUAD(gttf2)(quad x, quad y);
 int QUAD(getf2)(quad x, quad y);
 int QUAD(unordtf2)(quad x, quad y);
 
-/* -1, 0, 1, or `unordered` where one is no number */
-static int order(quad x, quad y, int unordered)
+/* -1, 0, 1, or `unordered` if one is a NaN */
+static int compare_quads(quad x, quad y, int unordered)
 {
     const uwide a = bits_of(x), b = bits_of(y);
 
@@ -229,12 +229,12 @@ static int order(quad x, quad y, int unordered)
     return (a < b) == (a >> 127 == 0) ? -1 : 1;
 }
 
-int QUAD(eqtf2)(quad x, quad y)     { return order(x, y, 1); }
-int QUAD(netf2)(quad x, quad y)     { return order(x, y, 1); }
-int QUAD(lttf2)(quad x, quad y)     { return order(x, y, 1); }
-int QUAD(letf2)(quad x, quad y)     { return order(x, y, 1); }
-int QUAD(gttf2)(quad x, quad y)     { return order(x, y, -1); }
-int QUAD(getf2)(quad x, quad y)     { return order(x, y, -1); }
+int QUAD(eqtf2)(quad x, quad y)     { return compare_quads(x, y, 1); }
+int QUAD(netf2)(quad x, quad y)     { return compare_quads(x, y, 1); }
+int QUAD(lttf2)(quad x, quad y)     { return compare_quads(x, y, 1); }
+int QUAD(letf2)(quad x, quad y)     { return compare_quads(x, y, 1); }
+int QUAD(gttf2)(quad x, quad y)     { return compare_quads(x, y, -1); }
+int QUAD(getf2)(quad x, quad y)     { return compare_quads(x, y, -1); }
 int QUAD(unordtf2)(quad x, quad y)  { return nan_(bits_of(x)) || nan_(bits_of(y)); }
 
 
@@ -263,8 +263,8 @@ quad QUAD(extenddftf2)(double x)
 
 quad QUAD(extendsftf2)(float x)     { return QUAD(extenddftf2)(x); }
 
-/* A smaller format: `mantissa` bits of mantissa, exponents to 2^`most` - 1. */
-static uint64_t narrowed(uwide bits, int mantissa, int most)
+/* A smaller format: `mantissa` bits of mantissa, exponents up to 2^`most` - 1. */
+static uint64_t narrow_bits(uwide bits, int mantissa, int most)
 {
     const uint64_t negative = (uint64_t)(bits >> 127);
 
@@ -290,7 +290,7 @@ double QUAD(trunctfdf2)(quad x)
     union {
         uint64_t bits;
         double d;
-    } u = { narrowed(bits_of(x), 52, 11) };
+    } u = { narrow_bits(bits_of(x), 52, 11) };
     return u.d;
 }
 
@@ -299,7 +299,7 @@ float QUAD(trunctfsf2)(quad x)
     union {
         uint32_t bits;
         float f;
-    } u = { (uint32_t)narrowed(bits_of(x), 23, 8) };
+    } u = { (uint32_t)narrow_bits(bits_of(x), 23, 8) };
     return u.f;
 }
 
@@ -316,21 +316,21 @@ uint32_t QUAD(fixunstfsi)(quad x);
 uint64_t QUAD(fixunstfdi)(quad x);
 uwide    QUAD(fixunstfti)(quad x);
 
-static quad of_whole(bool negative, uwide size)
+static quad quad_of_whole(bool negative, uwide size)
 {
     return size >> 127 ? pack(negative, BIAS + 116, shifted_right(size, 1))
                        : pack(negative, BIAS + 115, size);
 }
 
-quad QUAD(floattitf)(wide x)            { return of_whole(x < 0, x < 0 ? -(uwide)x : (uwide)x); }
+quad QUAD(floattitf)(wide x)          { return quad_of_whole(x < 0, x < 0 ? -(uwide)x : (uwide)x); }
 quad QUAD(floatditf)(int64_t x)         { return QUAD(floattitf)(x); }
 quad QUAD(floatsitf)(int32_t x)         { return QUAD(floattitf)(x); }
-quad QUAD(floatuntitf)(uwide x)         { return of_whole(false, x); }
-quad QUAD(floatunditf)(uint64_t x)      { return of_whole(false, x); }
-quad QUAD(floatunsitf)(uint32_t x)      { return of_whole(false, x); }
+quad QUAD(floatuntitf)(uwide x)         { return quad_of_whole(false, x); }
+quad QUAD(floatunditf)(uint64_t x)      { return quad_of_whole(false, x); }
+quad QUAD(floatunsitf)(uint32_t x)      { return quad_of_whole(false, x); }
 
 /* Toward zero; |x| < 2^128. */
-static uwide whole(quad x)
+static uwide whole_part(quad x)
 {
     const struct parts p = unpack(bits_of(x));
     const int n = p.e - BIAS - 115;
@@ -340,9 +340,12 @@ static uwide whole(quad x)
     return n > 0 ? p.m << n : p.m >> -n;
 }
 
-wide QUAD(fixtfti)(quad x) { return bits_of(x) >> 127 ? (wide)-whole(x) : (wide)whole(x); }
+wide QUAD(fixtfti)(quad x)
+{
+    return bits_of(x) >> 127 ? (wide)-whole_part(x) : (wide)whole_part(x);
+}
 int64_t  QUAD(fixtfdi)(quad x)          { return (int64_t)QUAD(fixtfti)(x); }
 int32_t  QUAD(fixtfsi)(quad x)          { return (int32_t)QUAD(fixtfti)(x); }
-uwide    QUAD(fixunstfti)(quad x)       { return whole(x); }
-uint64_t QUAD(fixunstfdi)(quad x)       { return (uint64_t)whole(x); }
-uint32_t QUAD(fixunstfsi)(quad x)       { return (uint32_t)whole(x); }
+uwide    QUAD(fixunstfti)(quad x)       { return whole_part(x); }
+uint64_t QUAD(fixunstfdi)(quad x)       { return (uint64_t)whole_part(x); }
+uint32_t QUAD(fixunstfsi)(quad x)       { return (uint32_t)whole_part(x); }

@@ -1,4 +1,4 @@
-/* tests/target/libc/quad_check.c -- is quad.c the same, bit for bit, as gcc's __float128?
+/* tests/target/libc/quad_check.c -- compares quad.c with gcc's __float128, bit for bit
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
@@ -21,7 +21,7 @@ static uint64_t random_64(void)         /* splitmix64 (Steele, Lea, Flood 2014) 
     return z ^ (z >> 31);
 }
 
-/* Any number: few bits or many, near 1 or anywhere, zeros, infinities, no number. */
+/* Any number: few bits or many, near 1 or anywhere, zeros, infinities, NaNs. */
 static uwide arbitrary(void)
 {
     const uint64_t r = random_64();

@@ -1,4 +1,4 @@
-/* tests/target/libc/signal.h -- an interrupt in place of an alarm
+/* tests/target/libc/signal.h -- an interrupt replaces an alarm
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TARGET_SIGNAL_H
@@ -7,7 +7,7 @@
 #define SIGALRM 14
 #define SIG_IGN ((void (*)(int))1)
 
-/* `handler` is called in the timer's interrupt; SIG_IGN stops the timer. */
+/* The timer's interrupt calls `handler`; SIG_IGN stops the timer. */
 void signal(int number, void (*handler)(int));
 
 #endif

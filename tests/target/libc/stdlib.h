@@ -1,4 +1,4 @@
-/* tests/target/libc/stdlib.h -- what tests use of <stdlib.h>
+/* tests/target/libc/stdlib.h -- the part of <stdlib.h> that tests use
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_TARGET_STDLIB_H

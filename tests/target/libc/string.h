@@ -1,4 +1,4 @@
-/* tests/target/libc/string.h -- what tests use of <string.h>; the first four are those of
+/* tests/target/libc/string.h -- the part of <string.h> that tests use; the first four are in
  * ports/bare
  * SPDX-License-Identifier: MIT
  */

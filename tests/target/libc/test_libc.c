@@ -1,4 +1,4 @@
-/* tests/target/libc/test_libc.c -- the mathematics that the tests' references stand on, by
+/* tests/target/libc/test_libc.c -- checks the mathematics under the tests' references, by
  * identities and known values in 113 bits
  * SPDX-License-Identifier: MIT
  */
@@ -11,7 +11,7 @@ static void is_near(long double got, long double want, long double bound)
     CHECK_NEAR((double)(fabsl(got - want) / bound), 0, 1);
 }
 
-/* To 36 digits, by another program */
+/* To 36 digits, from another program */
 static void known_values_are_met(arb *a)
 {
     (void)a;

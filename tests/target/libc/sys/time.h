@@ -13,8 +13,8 @@ struct itimerval {
     struct timeval it_interval, it_value;
 };
 
-/* An interrupt after it_value.tv_usec < 1000 microseconds, or some more or less: the core's clock
- * is taken as 25 MHz. */
+/* An interrupt after about it_value.tv_usec < 1000 microseconds: the core's clock is assumed to be
+ * 25 MHz. */
 void setitimer(int which, const struct itimerval *once, struct itimerval *before);
 
 #endif
