@@ -167,7 +167,7 @@ static void there_and_back_is_where_it_began(arb *a)
         if (fabsl(exact_acc(s.c[k])) > 32768)
             return;
     loft_bernstein_from_power(s.c, s.n);
-    for (unsigned i = 0; i <= s.n; i++)                     /* the divisions come out even */
+    for (unsigned i = 0; i <= s.n; i++)                     /* the divisions have no remainder */
         check_acc(s.c[i], s.exact[i], 0, s.largest, (i + 1) * (i + 2) * 5376);
 }
 

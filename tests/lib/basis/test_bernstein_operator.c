@@ -47,7 +47,7 @@ static long double bound(const loft_real f[], unsigned n, long double x, long do
                   ulp(want) / 2 + gain * ulp(most) / 2, 4 * gain * (n + sampling) * ulp(most));
 }
 
-/* Some number of times, most of them few, some at the change to the limit. */
+/* Some number of iterations, mostly small, sometimes near the change to the limit. */
 static uint32_t some_times(arb *a)
 {
     const uint32_t far[4] = { 511, 512, 513, 700 };

@@ -21,9 +21,9 @@ static int64_t form(int32_t m[4][4], int n, const int64_t x[4], const int64_t y[
     return sum;
 }
 
-/* 1: copositive, -1: not, 0: so many cuts do not tell. Nonnegative products of all corners prove
- * the one, a corner with a negative value the other; a cut goes through the edge with the most
- * negative product. */
+/* 1: copositive, -1: not, 0: undecided after this many cuts. Nonnegative products of all corners
+ * prove the first, a corner with a negative value the second; a cut goes through the edge with the
+ * most negative product. */
 static int cut_the_simplex(int32_t m[4][4], int n)
 {
     static simplex stack[DEPTH + 2];
@@ -92,7 +92,7 @@ static void agrees_with_cutting_the_simplex(arb *a)
         CHECK(decide(m, n) == (sure > 0));
 }
 
-/* The test above is not empty: few are undecided, and many of order 3 and more are of either
+/* The test above is not empty: few cases are undecided, and many of order 3 and above are of either
  * kind. */
 static void cutting_decides_most(arb *a)
 {
@@ -126,8 +126,8 @@ static void permuted_and_scaled_is_the_same(arb *a)
     CHECK(decide(m, n) == decide(q, n));
 }
 
-/* A matrix of the products of n vectors that sum to 0 is 0 at (1 .. 1) and nowhere negative; one
- * LSB less is. */
+/* A matrix of the products of n vectors that sum to 0 is 0 at (1 .. 1) and nowhere negative. With
+ * one LSB less it is negative there. */
 static void one_lsb_decides(arb *a)
 {
     const int n = 2 + (int)arb_below(a, 3), d = 1 + (int)arb_below(a, 3);
@@ -159,8 +159,8 @@ static void takes_the_largest_numbers(arb *a)
         m[k] = arb_below(a, 2) ? LOFT_REAL(32767) : LOFT_REAL(-32767);
     m[0] = m[4] = m[7] = m[9] = LOFT_REAL(32767);
     CHECK(loft_matrix_copositive(m, 4, &flag) == LOFT_OK);
-    for (int set = 0; set < 16; set++) {                /* a sum over a set of variables that is
-                                                         * negative refutes it */
+    for (int set = 0; set < 16; set++) {                /* a negative sum over a set of variables
+                                                         * refutes it */
         int sum = 0, k = 0;
         for (int i = 0; i < 4; i++)
             for (int j = i; j < 4; j++, k++)

@@ -30,8 +30,7 @@ static void add_up_to_the_samples(arb *a)
     loft_real e[LOFT_DEGREE_MAX + 1];
 
     if (loft_bernstein_forward_differences(s.a, s.degree, n, e) != LOFT_OK) {
-        CHECK(n <= s.degree);                           /* only steps beyond 1 lead out of range
-                                                         * here */
+        CHECK(n <= s.degree);                        /* only steps beyond 1 leave the range here */
         return;
     }
     for (unsigned j = 0; j <= s.degree; j++) {
@@ -46,7 +45,7 @@ static void add_up_to_the_samples(arb *a)
     }
 }
 
-/* A polynomial of degree d has an even d-th difference: d! times its leading coefficient over
+/* A polynomial of degree d has a constant d-th difference: d! times its leading coefficient over
  * n^d. */
 static void end_with_the_leading_coefficient(arb *a)
 {

@@ -5,7 +5,7 @@
 #include "basis/dyadic.h"
 #include "support/exact.h"          /* exact_blossom, exact_unit, CHECK_EXACT */
 
-/* Whatever is halved, the leaves lie end to end from 0 to 1. */
+/* For any choice of halvings, the leaves lie end to end from 0 to 1. */
 static void leaves_lie_end_to_end(arb *a)
 {
     loft_dyad n = { 0, 0 };

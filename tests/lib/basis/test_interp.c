@@ -14,7 +14,7 @@ typedef struct {
 
 static bool same(loft_real a, loft_real b) { return !(a < b) && !(b < a); }
 
-/* Places of any size and distance, down to neighbours; in one of four, two may coincide. */
+/* Places of any size and distance, down to neighbours; in one case of four, two may coincide. */
 static bool arb_sample(arb *a, sample *s)
 {
     const int32_t far = (int32_t)1 << arb_below(a, 15), high = (int32_t)1 << arb_below(a, 15);
@@ -112,7 +112,7 @@ static void the_order_of_its_places_does_not_matter(arb *a)
     CHECK(one == two && (one != LOFT_OK || same(x, y)));
 }
 
-/* Per coefficient, as part of a curve too. */
+/* Per coefficient, also as a piece of a curve. */
 static void its_pieces_are_bezier_curves(arb *a)
 {
     sample s;

@@ -115,8 +115,8 @@ static void the_means_of_knots_give_the_parameter(arb *a)
         y += n[i] * sum / g->p;
         largest = fmaxl(largest, fabsl(sum / g->p));
     }
-    CHECK_EXACT(y, exact_of(u), largest * 0x1p-57L);    /* of the reference: the recursion is the
-                                                         * right one */
+    CHECK_EXACT(y, exact_of(u), largest * 0x1p-57L);    /* of the reference: the recursion is
+                                                         * correct */
 }
 
 static void lerp_in_is_exact_but_for_its_rounding(arb *a)

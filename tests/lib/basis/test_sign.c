@@ -11,7 +11,7 @@ static loft_real raw(int64_t i)
     return loft_real_from_raw((int32_t)(i < INT32_MIN ? INT32_MIN : i > INT32_MAX ? INT32_MAX : i));
 }
 
-/* Coefficients of all sizes; s^2, -s t, t^2 touch zero, one LSB beside that they do not or cross
+/* Coefficients of all sizes. s^2, -s t, t^2 touch zero; one LSB off they do not touch it, or cross
  * it. */
 static void some_quadratic(arb *a, loft_real c[3])
 {
@@ -46,7 +46,7 @@ static void flags_and_counts_are_exact(arb *a)
 
 static void all_answers_are_tried(arb *a)
 {
-    unsigned positive = 0, touching = 0, negative = 0, raised = 0, never = 0;
+    unsigned positive = 0, touching = 0, negative = 0, elevated = 0, never = 0;
     loft_real c[3];
 
     for (int k = 0; k < 4000; k += CHECK_STEP) {
@@ -55,11 +55,11 @@ static void all_answers_are_tried(arb *a)
         positive += s.positive;
         touching += s.nonnegative && !s.positive;
         negative += !s.nonnegative;
-        raised += s.elevations > 0;
+        elevated += s.elevations > 0;
         never += s.positive && s.elevations < 0;
     }
     CHECK(check_sampled() ||
-          (positive > 100 && touching > 100 && negative > 100 && raised > 50 && never > 50));
+          (positive > 100 && touching > 100 && negative > 100 && elevated > 50 && never > 50));
 }
 
 static void the_minimum_is_not_undercut(arb *a)
@@ -92,7 +92,7 @@ static void the_sign_is_symmetric(arb *a)
     CHECK(!(s.min < r.min) && !(s.min > r.min));
 }
 
-/* b with second differences d: lines, s^2 -s t t^2, anything, one LSB beside. */
+/* b with second differences d: lines, s^2 -s t t^2, anything, or one LSB off these. */
 static unsigned some_polynomial(arb *a, loft_real b[5])
 {
     const unsigned n = arb_below(a, 5), kind = arb_below(a, 4);
@@ -123,7 +123,7 @@ static void convexity_is_exact(arb *a)
     CHECK(polynomial || !net);
 }
 
-/* The shortest witness: a net that is not convex, of a polynomial that is. */
+/* The shortest witness: a net that is not convex, of a convex polynomial. */
 static void a_polynomial_can_be_convex_without_its_net(arb *a)
 {
     const loft_real b[5] = { LOFT_REAL(1), 0, LOFT_REAL(0.25), 0, LOFT_REAL(1) };

@@ -14,8 +14,8 @@ typedef struct {
     long double c[LOFT_AXES][POINTS], largest;
 } sample;
 
-/* A curve of any degree; one in four is made of the extremes of the number type, in the worst order
- * one in eight. */
+/* A curve of any degree. One in four consists of the extremes of the number type, one in eight in
+ * the worst order. */
 static sample *arb_curve(arb *a)
 {
     static sample s;
@@ -66,8 +66,7 @@ static long double bound_of(const sample *s, long double want, long double q16_s
     return by_num[BY_NUM(0, 1, 2)];
 }
 
-/* Within the range of the type by more than a LSB, without by more than a LSB, or too close to
- * say. */
+/* Does it fit the type? 1 or 0 by more than an LSB, -1 if it is too close to decide. */
 static int fits(long double want)
 {
     const long double over = BY_NUM(32768 - LSB / 2, FLT_MAX, DBL_MAX),
@@ -166,7 +165,7 @@ static void check_points(const sample *s, const loft_vec out[], unsigned count,
         }
 }
 
-/* 1: every blossom value of the piece fits, 0: one does not, -1: too close to say */
+/* 1: every blossom value of the piece fits, 0: one does not, -1: too close to decide */
 static int piece_fits(const sample *s, long double from, long double to)
 {
     int worst = 1;
@@ -224,7 +223,7 @@ static void a_part_is_within_its_bound_in_both_directions(arb *a)
         CHECK(loft_vec_equal(there[k], s->p[k]));
 }
 
-static void a_raised_curve_is_within_its_bound(arb *a)
+static void an_elevated_curve_is_within_its_bound(arb *a)
 {
     const sample *s = arb_curve(a);
     const unsigned r = arb_below(a, LOFT_ELEVATE_MAX - s->n + 1);
@@ -249,7 +248,7 @@ static void a_raised_curve_is_within_its_bound(arb *a)
     CHECK(loft_vec_equal(out[s->n + r], s->p[s->n]));
 }
 
-/* Small enough for every coefficient: both ways, and back to where it came from. */
+/* Small enough for every coefficient: both conversions, and back to the original. */
 static void power_form_is_exact_and_returns(arb *a)
 {
     const sample *s = arb_curve(a);
@@ -282,7 +281,7 @@ static void power_form_is_exact_and_returns(arb *a)
 
 static void points_from_power_coefficients_are_within_their_bound(arb *a)
 {
-    const sample *s = arb_curve(a);                         /* its points taken as coefficients */
+    const sample *s = arb_curve(a);                         /* its points serve as coefficients */
     loft_vec p[POINTS];
     bool all = true, none = true;
     long double want[LOFT_AXES][POINTS];
@@ -359,7 +358,7 @@ static void the_box_holds_the_curve(arb *a)
 static void results_may_replace_the_control_points(arb *a)
 {
     const sample *s = arb_curve(a);
-    loft_vec p[LOFT_ELEVATE_MAX + 1], left[POINTS], right[POINTS], raised[LOFT_ELEVATE_MAX + 1],
+    loft_vec p[LOFT_ELEVATE_MAX + 1], left[POINTS], right[POINTS], elevated[LOFT_ELEVATE_MAX + 1],
         other[POINTS];
     const loft_unit t = arb_unit(a);
     const loft_bezier b = { p, (uint8_t)s->n };
@@ -368,12 +367,12 @@ static void results_may_replace_the_control_points(arb *a)
         for (unsigned k = 0; k <= s->n; k++)
             p[k] = s->p[k];
         CHECK(loft_bezier_split(&s->b, t, left, right) == LOFT_OK);
-        CHECK(loft_bezier_elevate(&s->b, 2, raised) == LOFT_OK);
+        CHECK(loft_bezier_elevate(&s->b, 2, elevated) == LOFT_OK);
         CHECK((way == 0   ? loft_bezier_split(&b, t, p, other)
                : way == 1 ? loft_bezier_split(&b, t, other, p)
                : way == 2 ? loft_bezier_sub(&b, t, LOFT_UNIT(1), p)
                           : loft_bezier_elevate(&b, 2, p)) == LOFT_OK);
-        const loft_vec *want = way == 0 ? left : way == 3 ? raised : right;
+        const loft_vec *want = way == 0 ? left : way == 3 ? elevated : right;
         for (unsigned k = 0;
              k <= s->n + (way == 3 ? 2u : 0u) && (way != 2 || BY_NUM(true, true, false)); k++)
             CHECK(loft_vec_equal(p[k], want[k]));
@@ -486,7 +485,7 @@ int main(void)
     PROPERTY(a_derivative_is_within_its_bound_or_refused,           3000);
     PROPERTY(both_pieces_of_a_split_are_within_their_bound,         2000);
     PROPERTY(a_part_is_within_its_bound_in_both_directions,         2000);
-    PROPERTY(a_raised_curve_is_within_its_bound,                    2000);
+    PROPERTY(an_elevated_curve_is_within_its_bound,                 2000);
     PROPERTY(power_form_is_exact_and_returns,                       2000);
     PROPERTY(points_from_power_coefficients_are_within_their_bound, 2000);
     PROPERTY(edges_hold_the_bound_though_their_sums_overflow,       3000);

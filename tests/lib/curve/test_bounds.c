@@ -10,7 +10,8 @@ typedef struct {
     unsigned n;
 } curve;
 
-/* Any coordinates, or few different ones: then extrema are at ends, double, or everywhere. */
+/* Any coordinates, or only a few different ones: then extrema are at ends, double, or
+ * everywhere. */
 static void arb_curve(arb *a, curve *c)
 {
     const int32_t limit = arb_below(a, 2) ? 32767 : 1 + (int32_t)arb_below(a, 100);
@@ -57,7 +58,7 @@ static long double size_of(const long double c[], unsigned n)
     return size;
 }
 
-/* side >= want, up to the digits of the reference, and not far beyond */
+/* side >= want, up to the accuracy of the reference, and not far beyond */
 static void check_side(long double side, long double want, long double size)
 {
     const long double digits = size * 0x1p-58L;
@@ -84,7 +85,7 @@ static void holds_the_curve_tightly(arb *a)
     }
 }
 
-/* Points that the library rounds are inside as well. */
+/* Points that the library rounds are inside too. */
 static void holds_every_point(arb *a)
 {
     curve c;
@@ -99,7 +100,7 @@ static void holds_every_point(arb *a)
     }
 }
 
-/* Without extrema inside, the box is that of the two ends, exactly. */
+/* Without inner extrema, the box is exactly that of the two ends. */
 static void a_monotone_curve_has_its_ends(arb *a)
 {
     curve c;

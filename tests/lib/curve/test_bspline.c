@@ -23,7 +23,7 @@ static void init(sample *s)
             s->largest = fmaxl(s->largest, fabsl(exact_of(s->p[k].axis[i])));
 }
 
-/* Points of any size, or the extremes in turn. */
+/* Points of any size, or alternating extremes. */
 static sample *arb_bspline(arb *a)
 {
     static sample s;
@@ -90,8 +90,8 @@ static void beyond_the_domain_u_is_clamped(arb *a)
     }
 }
 
-/* The k-th derivative by the derivative's own control points, each on its own knots: another way
- * than lib's. 113 bits, since knots that are close make large differences of them. */
+/* The k-th derivative by the control points of the derivative, each on its own knots: a different
+ * method than in lib/. It needs 113 bits, since close knots make large differences. */
 static quad exact_slope(const sample *s, unsigned k, int axis, unsigned span, quad u)
 {
     const unsigned p = s->g.p;
@@ -117,7 +117,7 @@ static void a_derivative_is_within_its_bound_or_refused(arb *a)
     sample *s = arb_bspline(a);
     const unsigned p = s->g.p, k = arb_below(a, 3) ? arb_below(a, p + 1) : 1;
 
-    if (arb_below(a, 2))                            /* small ones: so that more of them fit */
+    if (arb_below(a, 2))                            /* small ones, so that more of them fit */
         for (unsigned j = 0; j < s->g.points; j++)
             for (int i = 0; i < LOFT_AXES; i++)
                 s->p[j].axis[i] = real_of_raw((int64_t)arb_below(a, 20000) - 10000);
@@ -162,7 +162,8 @@ static void a_derivative_above_the_degree_is_0(arb *a)
           loft_vec_equal(v, loft_bspline_eval(&s->b, u)));
 }
 
-/* A slope of -32768 on a knot span of 1, and the one LSB less that a coordinate does not hold. */
+/* A slope of -32768 on a knot span of 1, and a slope one LSB below, which does not fit a
+ * coordinate. */
 static void a_derivative_reaches_the_end_of_the_range(arb *a)
 {
     const loft_real k[4] = { 0, 0, LOFT_REAL(1), LOFT_REAL(1) };
@@ -207,7 +208,7 @@ static void an_affine_image_has_the_image_of_the_point(arb *a)
                     BY_NUM(2, 3, 10 * s->g.p + 4) * ulp(s->largest + 100));
 }
 
-/* Knots and parameter times 2 and, where that is exact, moved: the place of u is the same. */
+/* Knots and parameter times 2 and, if that is exact, translated: the place of u is the same. */
 static void an_affine_image_of_the_knots_changes_nothing(arb *a)
 {
     sample *s = arb_bspline(a);
@@ -215,7 +216,7 @@ static void an_affine_image_of_the_knots_changes_nothing(arb *a)
     grid twice = s->g;
     loft_bspline b;
 
-    if (s->g.kind == 2 || s->g.kind == 3)               /* as large as they can be */
+    if (s->g.kind == 2 || s->g.kind == 3)               /* as large as possible    */
         return;
     for (unsigned i = 0; i <= s->g.points + s->g.p; i++)
         twice.k[i] = 2 * s->g.k[i] + by;
@@ -282,8 +283,8 @@ static void a_bezier_curve_is_a_special_case(arb *a)
                     BY_NUM(1, 4 * p + 2, 14 * p + 4) * ulp(s->largest));
 }
 
-/* Pieces that meet at a knot of multiplicity p share its control point; the others are their
- * own. */
+/* Pieces that meet at a knot of multiplicity p share its control point; the others belong to one
+ * piece. */
 static void bezier_pieces_come_back_as_they_were(arb *a)
 {
     sample *s = arb_bspline(a);
@@ -332,7 +333,7 @@ static void an_inserted_knot_changes_nothing(arb *a)
     }
 }
 
-/* Of points 0 0 6 0 0 the two pieces are 0 0 3 3 and 3 3 0 0, by inserting 1 twice by hand. */
+/* The two pieces of the points 0 0 6 0 0 are 0 0 3 3 and 3 3 0 0: 1 inserted twice by hand. */
 static void a_clamped_cubic_has_its_known_spans(arb *a)
 {
     const loft_real k[9] = {

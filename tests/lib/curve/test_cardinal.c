@@ -30,7 +30,7 @@ static sample arb_sample(arb *a)
     return s;
 }
 
-/* The functions CAR_0 .. CAR_3 of the texts (corrected) and their derivatives */
+/* The functions CAR_0 .. CAR_3 of the literature (corrected) and their derivatives */
 static quad exact_cardinal(const loft_vec p[4], loft_unit tension, unsigned k, quad t, int i)
 {
     const quad s = (1 - (quad)exact_unit(tension)) / 2;
@@ -79,7 +79,7 @@ static void it_goes_through_the_inner_points(arb *a)
           loft_vec_equal(v, s.p[2]));
 }
 
-/* To the last bit */
+/* Equal to the last bit */
 static void segments_join_with_equal_derivatives(arb *a)
 {
     const sample s = arb_sample(a);
@@ -90,7 +90,7 @@ static void segments_join_with_equal_derivatives(arb *a)
     CHECK(end == start && (end != LOFT_OK || loft_vec_equal(before, after)));
 }
 
-/* Evenly spaced points on a line, without tension: the line, evenly run through. */
+/* Evenly spaced points on a line, without tension: the line at constant speed. */
 static void evenly_spaced_points_make_a_line(arb *a)
 {
     const loft_vec from = arb_vec(a, 8000), step = arb_vec(a, 7000);
@@ -145,7 +145,7 @@ static void reversed_points_make_the_same_curve(arb *a)
                     bound_by_num(LSB, 8 * ulp(scale), 96 * ulp(scale)));
 }
 
-/* Moved by whole LSB, the same to the last bit in q16. */
+/* Translation by whole LSB changes nothing else, to the last bit in q16. */
 static void moved_points_make_the_curve_moved(arb *a)
 {
     const loft_vec by = arb_vec(a, 1000);

@@ -96,7 +96,7 @@ static void an_arc_of_a_radius_has_that_radius_and_side(arb *a)
     const long double half = asinl(fminl(1, size(chord) / 2 / reach));
     CHECK_EXACT(exact_acc(c.sweep), large ? 2 * pi - 2 * half : 2 * half,
                 4 * ill / reach + BY_NUM(0x1p-31L, 1e-14L, 1e-14L));
-    /* the middle of the arc lies to the right of the way when turning left */
+    /* the middle of the arc lies to the right of the chord when turning left */
     const long double middle[2] = {
         exact_acc(c.centre[0] +
                   loft_fine_scale(c.u[0], loft_fine_cos(loft_fine_angle(c.sweep / 2))) +
@@ -112,7 +112,7 @@ static void an_arc_of_a_radius_has_that_radius_and_side(arb *a)
     CHECK_EXACT(-turns * cross / size(chord), bow, 4 * ill + BY_NUM(0x1p-28L, 0, 0));
 }
 
-/* Half turns that whole numbers describe have their centre exactly in the middle of the way. */
+/* Half turns with integer data have their centre exactly in the middle of the chord. */
 static void a_half_turn_of_a_radius_is_one(arb *a)
 {
     static const int triple[4][3] = { { 3, 4, 5 }, { 5, 12, 13 }, { 8, 15, 17 }, { 0, 1, 1 } };
@@ -142,7 +142,7 @@ static pair turned(pair p, long double angle)
     return q;
 }
 
-/* As appendix F.6.5 of SVG computes it. */
+/* The formulas of appendix F.6.5 of SVG. */
 static truth ellipse_truth(loft_vec from, loft_vec to, loft_plane plane, long double rx,
                            long double ry, long double degrees, bool large, bool left,
                            long double *root)
@@ -203,8 +203,8 @@ static void an_arc_of_an_ellipse_is_that_of_svg(arb *a)
     const long double ratio = fmaxl(exact_of(radii[0]) / exact_of(radii[1]),
                                     exact_of(radii[1]) / exact_of(radii[0]));
     /* of q, from the rotation */
-    const long double grain = BY_NUM(0x1p-33L / t.radius * ratio, 0x1p-50L, 0x1p-50L);
-    const long double ill = 8 * ratio * t.radius * fminl(grain / fmaxl(root, 1e-30L), sqrtl(grain));
+    const long double q_ulp = BY_NUM(0x1p-33L / t.radius * ratio, 0x1p-50L, 0x1p-50L);
+    const long double ill = 8 * ratio * t.radius * fminl(q_ulp / fmaxl(root, 1e-30L), sqrtl(q_ulp));
     for (int k = 0; k < 4; k++)
         check_eval(&c, &t, arb_unit(a),
                    ill + 8 * ratio * BY_NUM(0x1p-31L, 0x1p-50L * t.largest, 0x1p-50L * t.largest));

@@ -73,7 +73,7 @@ static uint32_t check_spans(const loft_circle *c, const truth *t, const loft_cir
     return j;
 }
 
-/* Of which the header speaks: what n spans err by, for a circle without drift. */
+/* The bound of the header: the error of n spans, for a circle without drift. */
 static long double cubic_error(const truth *t, uint32_t n)
 {
     const long double h = t->sweep / n;
@@ -98,7 +98,8 @@ static void spans_stay_within_the_tolerance(arb *a)
         check_spans(&s.c, &s.t, &spans, kind, exact_of(tolerance));
     else
         CHECK(status == LOFT_ERR_RANGE);
-    /* refused for the range of the number type, or for a helix too steep for so many spans */
+    /* refused for the range of the number type, or because the helix is too steep for so many
+     * spans */
     long double steep = 0;
     for (int i = 0; i < LOFT_AXES; i++)
         steep = fmaxl(steep, fabsl(s.t.drift[i]));
@@ -126,7 +127,7 @@ static void as_few_cubics_as_the_bound_needs(arb *a)
         CHECK(cubic_error(&t, s.n - 1) > 0.97L * (tolerance - 6 * ulp(radius)));
 }
 
-/* A full circle of three axes is met at its quarters to half a LSB. */
+/* The quarter points of a full circle in three axes are exact to half an LSB. */
 static void conics_of_a_circle_are_exact(arb *a)
 {
     const long double radius = 1 + arb_below(a, 2000);

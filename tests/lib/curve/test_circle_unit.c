@@ -47,7 +47,7 @@ static loft_real of_raw(int32_t raw)
     return (loft_real)BY_NUM(raw, raw / 65536.0, raw / 65536.0);
 }
 
-/* Angles to the last one above -pi/6, where the distance grows without bound. */
+/* Angles down to the last one above -pi/6, where the distance grows without bound. */
 static loft_real arb_theta(arb *a)
 {
     const int32_t least = -34314, most = 102943;
@@ -76,7 +76,7 @@ static void an_arc_over_the_top_is_within_its_bound(arb *a)
                 ulp(base / 3) / 2 + BY_NUM(0x1p-32L, 0x1p-50L, 0x1p-50L));
 }
 
-/* On the circle, and where the rational cubic of that distance and weight is. */
+/* On the circle, and on the rational cubic of that distance and weight. */
 static void its_points_are_on_the_circle(arb *a)
 {
     const loft_real theta = arb_theta(a);

@@ -1,5 +1,5 @@
-/* tests/lib/curve/test_cubics_use.c -- what is made of curves of any degree through
- * lib/curve/to_cubics.h: chords, lengths, plans
+/* tests/lib/curve/test_cubics_use.c -- chords, lengths and plans of curves of any degree, through
+ * lib/curve/to_cubics.h
  * SPDX-License-Identifier: MIT
  */
 #include "support/rationals.h"          /* sample, measure, exact_deriv */
@@ -67,7 +67,7 @@ static void arb_smooth(arb *a)
     measure(&curved);
 }
 
-/* The chain within tol, the polynomial as such; `ends` are where its cubics end. */
+/* The chain within tol; a polynomial is cut as a polynomial. `ends` gets the ends of its cubics. */
 static void cut(loft_real tol, long double ends[])
 {
     loft_vec p[POINTS];
@@ -115,7 +115,7 @@ static void chords_are_within_the_sum_of_both_tolerances(arb *a)
     }
 }
 
-/* Length and turning angle by 24000 steps: off by some 2^-29 of themselves. */
+/* Length and turning angle by 24000 steps: off by about 2^-29 of themselves. */
 static void measured(long double *length, long double *turning)
 {
     place before = point_at(0);
@@ -155,7 +155,7 @@ static void lengths_differ_by_the_tolerance_times_the_turning(arb *a)
     CHECK_EXACT(got, want, exact_of(tol) * turning + count * (0.0001L + 2 * LSB) + want * 1e-6L);
 }
 
-/* The next span of the plan of `moves`, of which *pushed were pushed; false at the end. */
+/* The next span of the plan of `moves`, of which *pushed have been pushed; false at the end. */
 static bool next_span(loft_plan *plan, unsigned *pushed, loft_span *out)
 {
     enum loft_plan_state state;
@@ -204,7 +204,7 @@ static void plans_stay_within_the_sum_of_both_tolerances(arb *a)
                 j = i;
             }
         }
-        /* chords of the looks: 0.002 of 40 */
+        /* chords of the samples: 0.002 of 40 */
         CHECK_EXACT(best, 0, 2 * exact_of(half) + 0.002L);
         last = place_of(span.p[3]);
     }

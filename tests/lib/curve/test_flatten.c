@@ -5,7 +5,7 @@
 #include "curve/measure.h"
 #include "support/cubics.h"          /* the reference, CHECK, PROPERTY, arb_shape */
 
-/* All that is promised of one chord from..to of the parameter. */
+/* All promises for one chord from..to of the parameter. */
 static void check_chord(const exact *e, point from, point to, real s, real t, real tol)
 {
     real worst = 0, back = 0;
@@ -71,9 +71,9 @@ static void never_more_chords_than_halving_gives(arb *a)
     CHECK(chords_of(&c, raw) <= halvings(&e, raw / 65536.0L));
 }
 
-/* A piece that is just flat and long, often almost halting in the middle, and as much of the cubic
- * before it: the hard case, since a chord may end anywhere in the piece and the rest is still to be
- * one chord. */
+/* A piece that is just flat and long, often almost stopping in the middle, and as much of the cubic
+ * before it. This is the hard case: a chord may end anywhere in the piece, and the rest must still
+ * be one chord. */
 static void never_more_chords_than_halving_gives_where_a_piece_halts(arb *a)
 {
     const double reach = 4 << arb_below(a, 9);
@@ -132,7 +132,7 @@ static void a_straight_even_line_is_one_chord(arb *a)
     CHECK(chords_of(&c, 1000) == 1);
 }
 
-/* y = 3 d t (1 - t)(1 - 2 t) is at most d / sqrt(12) to either side, with control points at d. */
+/* y = 3 d t (1 - t)(1 - 2 t) is at most d / sqrt(12) on either side, with control points at d. */
 static void an_inflection_between_sides_within_the_tolerance_is_one_chord(arb *a)
 {
     const int32_t d = 1 + (int32_t)arb_below(a, 300);
@@ -146,8 +146,8 @@ static void an_inflection_between_sides_within_the_tolerance_is_one_chord(arb *a
         CHECK(chords_of(&c, d * 19200) == 1);           /* d / 3.413 > d / sqrt(12) */
 }
 
-/* Along 0, L, 0, L the curve halts in the middle but never turns back. Its second part has control
- * points far behind its start and is one chord all the same. */
+/* Along 0, L, 0, L the curve stops in the middle but never turns back. Its second half has control
+ * points far behind its start and is still one chord. */
 static void a_line_that_halts_is_one_chord(arb *a)
 {
     const loft_vec end = arb_vec(a, 1000);
@@ -185,7 +185,7 @@ static void tolerances_that_cannot_be_kept_are_refused(arb *a)
 #endif
 }
 
-/* The finest tolerance at every size: it still ends, and every piece keeps it. */
+/* The finest tolerance at every size: it terminates, and every piece keeps it. */
 static void the_finest_tolerance_is_kept(arb *a)
 {
     const int32_t limit = (int32_t)(1 + arb_below(a, 16)) << (arb_below(a, 2) ? 0 : 11);

@@ -11,14 +11,14 @@
 #include "support/arb.h"                    /* arb_real, arb_below */
 #include "curve/forward.h"
 
-#define MOST 2000                   /* points of a walk that are looked at one by one */
+#define MOST 2000                   /* points of a walk that are checked one by one   */
 
 typedef struct {
     loft_vec p[LOFT_FORWARD_DEGREE_MAX + 1];
     loft_bezier curve;
 } subject;
 
-/* Any coordinates; one curve in four swings between the two ends of the number type. */
+/* Any coordinates; one curve in four alternates between the two ends of the number type. */
 static void draw(subject *s, arb *a, unsigned degree)
 {
     const bool extreme = arb_below(a, 4) == 0;
@@ -76,7 +76,7 @@ static void check_exact(const subject *s, uint32_t n, uint64_t i, loft_vec got)
     }
 }
 
-/* The most by which rounded differences may displace point i, times 2^33. */
+/* The largest displacement of point i by rounded differences, times 2^33. */
 static uint64_t drift(unsigned degree, uint64_t i)
 {
     uint64_t sum = 0;
@@ -85,7 +85,7 @@ static uint64_t drift(unsigned degree, uint64_t i)
     return sum;
 }
 
-/* Does it keep the law, 1/2 LSB and the drift, 2^-33 + 2^-50 times that? */
+/* Is it within the law of errors, 1/2 LSB plus the drift, 2^-33 + 2^-50 times the above? */
 static void check_law(const subject *s, uint32_t n, uint64_t i, loft_vec got)
 {
     const exact whole = power(n, s->curve.degree), one = (exact)1 << 50;
@@ -137,7 +137,7 @@ static uint32_t most_steps(unsigned degree)
     return most[degree];
 }
 
-/* A number of steps within the law: small ones, any, and the most. */
+/* A number of steps within the law of ranges: small, any, or the largest. */
 static uint32_t draw_steps(arb *a, uint32_t most)
 {
     switch (arb_below(a, 4)) {
@@ -175,7 +175,7 @@ static void powers_of_two_are_walked_exactly(arb *a)
     }
 }
 
-/* The longest walks, to their end. */
+/* The longest walks, up to their end. */
 static void the_longest_walks_end_on_the_last_point(arb *a)
 {
     static const uint32_t longest[][2] = { { 2, 65536 }, { 2, 92681 }, { 3, 1024 },
@@ -216,17 +216,17 @@ static void any_number_of_steps_keeps_the_law(arb *a)
         check_last(&s, p);
 }
 
-static uint32_t most_strict_steps(unsigned degree)
+static uint32_t most_exact_steps(unsigned degree)
 {
     static const uint32_t most[] = { UINT32_MAX, UINT32_MAX, 3037000499u, 2097151, 55108, 6208 };
     return most[degree];
 }
 
-/* With quotient and remainder every point is exact, whatever the number of steps. */
-static void strict_walks_are_exact_for_any_number(arb *a)
+/* With quotient and remainder every point is exact, for any number of steps. */
+static void remainders_make_walks_exact_for_any_number(arb *a)
 {
     const unsigned degree = arb_below(a, 6);
-    const uint32_t n = draw_steps(a, most_strict_steps(degree));
+    const uint32_t n = draw_steps(a, most_exact_steps(degree));
     subject s;
     loft_forward_exact w;
     loft_vec p = { { 0 } };
@@ -271,9 +271,8 @@ static void a_run_gives_the_points_of_single_steps(arb *a)
     CHECK(!loft_forward_next(&w, &after));
 }
 
-/* Half the step from any point on: the points are those of a walk with twice as many. Where the
- * proof of exactness does not reach, and only there, halving is refused and the walk goes on as it
- * was. */
+/* Halving the step at any point gives the points of a walk with twice as many steps. Exactly where
+ * the proof of exactness does not apply, halving is refused and the walk continues unchanged. */
 static void a_halved_step_is_the_finer_walk(arb *a)
 {
     const unsigned degree = 1 + arb_below(a, 5),
@@ -372,7 +371,7 @@ static void a_doubled_step_is_every_second_point(arb *a)
     CHECK(!loft_forward_next(&w, &p));
 }
 
-/* Doubled and halved again, wherever that is not refused, the walk is where it was. */
+/* If doubling and halving again are not refused, the walk is as before. */
 static void halving_undoes_doubling(arb *a)
 {
     const unsigned degree = 1 + arb_below(a, 5);
@@ -401,7 +400,7 @@ static void halving_undoes_doubling(arb *a)
     }
 }
 
-/* One step more than the law of ranges admits is refused, and the object left alone. */
+/* One step more than the law of ranges allows is refused, and the object is untouched. */
 static void what_does_not_fit_is_refused(arb *a)
 {
     loft_forward w, was;
@@ -419,7 +418,7 @@ static void what_does_not_fit_is_refused(arb *a)
             continue;
         CHECK(loft_forward_init(&w, &s.curve, UINT32_MAX) == LOFT_ERR_RANGE);
         CHECK(loft_forward_init(&w, &s.curve, 0) == LOFT_ERR_ARG);
-        CHECK(loft_forward_exact_init(&t, &s.curve, most_strict_steps(degree) + 1) ==
+        CHECK(loft_forward_exact_init(&t, &s.curve, most_exact_steps(degree) + 1) ==
               LOFT_ERR_RANGE);
         CHECK(loft_forward_exact_init(&t, &s.curve, UINT32_MAX) == LOFT_ERR_RANGE);
         CHECK(loft_forward_exact_init(&t, &s.curve, 0) == LOFT_ERR_ARG);
@@ -441,16 +440,16 @@ static void what_does_not_fit_is_refused(arb *a)
 
 int main(void)
 {
-    PROPERTY(powers_of_two_are_walked_exactly,        300);
-    PROPERTY(the_longest_walks_end_on_the_last_point,  60);
-    PROPERTY(any_number_of_steps_keeps_the_law,       300);
-    PROPERTY(strict_walks_are_exact_for_any_number,   300);
-    PROPERTY(a_run_gives_the_points_of_single_steps,  300);
-    PROPERTY(a_halved_step_is_the_finer_walk,         600);
+    PROPERTY(powers_of_two_are_walked_exactly,             300);
+    PROPERTY(the_longest_walks_end_on_the_last_point,       60);
+    PROPERTY(any_number_of_steps_keeps_the_law,            300);
+    PROPERTY(remainders_make_walks_exact_for_any_number,   300);
+    PROPERTY(a_run_gives_the_points_of_single_steps,       300);
+    PROPERTY(a_halved_step_is_the_finer_walk,              600);
     PROPERTY(a_step_that_is_no_power_of_two_is_not_halved, 100);
-    PROPERTY(ordinary_curves_are_halved_to_the_limit, 300);
-    PROPERTY(a_doubled_step_is_every_second_point,    300);
-    PROPERTY(halving_undoes_doubling,                 600);
-    PROPERTY(what_does_not_fit_is_refused,            100);
+    PROPERTY(ordinary_curves_are_halved_to_the_limit,      300);
+    PROPERTY(a_doubled_step_is_every_second_point,         300);
+    PROPERTY(halving_undoes_doubling,                      600);
+    PROPERTY(what_does_not_fit_is_refused,                 100);
     return check_failures();
 }

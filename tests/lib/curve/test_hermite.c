@@ -4,7 +4,7 @@
 #include "support/exact_spline.h"       /* check_result, quad_of; CHECK, PROPERTY, BY_NUM */
 #include "curve/hermite.h"
 
-/* Data of any size, one in eight the extremes; the cubic is the quintic without its last two. */
+/* Data of any size, one in eight the extremes; the cubic is the quintic without the last two. */
 typedef struct {
     loft_hermite three;
     loft_hermite5 five;
@@ -58,7 +58,7 @@ static quad power_deriv(const quad w[], int n, unsigned k, quad t)
     return sum;
 }
 
-/* In powers of t, as the boundary conditions are usually solved. */
+/* In powers of t, the usual solution of the boundary conditions. */
 static quad exact3(const loft_hermite *h, unsigned k, quad t, int i)
 {
     const quad p0 = quad_of(h->p0.axis[i]), p1 = quad_of(h->p1.axis[i]),
@@ -113,7 +113,7 @@ static void points_and_derivatives_are_within_their_bound(arb *a)
         check_deriv(&s, 5, k, t);
 }
 
-/* Exactly, but for the second derivatives of the cubic, which are not given. */
+/* Exactly, except for the second derivatives of the cubic, which are not given. */
 static void the_ends_have_what_was_given(arb *a)
 {
     const sample s = arb_sample(a);
@@ -141,7 +141,7 @@ static loft_vec opposite(loft_vec v)
     return v;
 }
 
-/* Backwards, first derivatives change their sign. */
+/* Reversed, first derivatives change their sign. */
 static void a_reversed_curve_is_the_same_curve(arb *a)
 {
     const sample s = arb_sample(a);
@@ -159,7 +159,7 @@ static void a_reversed_curve_is_the_same_curve(arb *a)
                     bound_by_num(LSB, 2 * ulp(2 * s.largest), 50 * ulp(s.largest)));
 }
 
-/* Moved by whole LSB, in q16 it is the same curve bit for bit. */
+/* Translated by whole LSB, in q16 it is the same curve bit for bit. */
 static void a_moved_curve_is_the_curve_moved(arb *a)
 {
     loft_hermite5 h = arb_sample(a).five;

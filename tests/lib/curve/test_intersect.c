@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  *
  * Random curves are planar, in the first and the last axis: others do not meet. The reference cuts
- * both into chords, intersects all of them and refines by Newton's method, in long double.
+ * both into chords, intersects all pairs and refines by Newton's method, in long double.
  */
 #include "curve/intersect.h"
 #include "support/exact.h"          /* exact_eval, exact_deriv, CHECK_EXACT */
@@ -57,7 +57,7 @@ static long double apart(const curve *a, long double s, const curve *b, long dou
     return sqrtl(sum);
 }
 
-/* Newton's method; false when it leaves 0..1 or finds nothing. */
+/* Newton's method; false if it leaves 0..1 or does not converge. */
 static bool refine(const curve *a, const curve *b, meeting *m)
 {
     for (int round = 0; round < 30; round++) {
@@ -124,7 +124,7 @@ static long double in_time(const curve *a, const curve *b)
     return (a->speed + b->speed) * BY_NUM(0x1.1p-25L, 0x1.1p-25L, 0x1p-50L);
 }
 
-/* What holds for every crossing. */
+/* The properties of every crossing. */
 static void check_crossings(const curve *a, const curve *b, const loft_crossing c[], size_t count,
                             long double tol)
 {
@@ -155,7 +155,7 @@ static bool is_inside(long double x, loft_unit from, loft_unit to)
 
 static int counted, crossings;
 
-/* Every meeting is in a stretch; where meetings are clear, there are as many crossings. */
+/* Every meeting is in a stretch; if meetings are clear, the number of crossings is the same. */
 static void no_meeting_is_missed_and_none_invented(arb *a)
 {
     const int32_t limits[3] = { 5, 300, 30000 }, limit = limits[arb_below(a, 3)];
@@ -201,7 +201,7 @@ static void no_meeting_is_missed_and_none_invented(arb *a)
     crossings += clear && count > 0;
 }
 
-/* In space curves pass each other. */
+/* Curves in space pass each other. */
 static void curves_that_pass_do_not_meet(arb *a)
 {
 #if LOFT_AXES > 2
@@ -225,8 +225,8 @@ static void curves_that_pass_do_not_meet(arb *a)
 #endif
 }
 
-/* A part of a curve lies on it, forwards and backwards, from end to end. */
-static void a_part_overlaps(arb *a)
+/* A piece of a curve lies on it, forwards and backwards, from end to end. */
+static void a_piece_overlaps(arb *a)
 {
     const uint32_t first = arb_below(a, 700), last = first + 100 + arb_below(a, 900 - first);
     const loft_unit from = loft_unit_of(first, 1000), to = loft_unit_of(last, 1000);
@@ -249,8 +249,7 @@ static void a_part_overlaps(arb *a)
           is_inside(exact_unit(to), c[k].s_from, c[k].s_to));
 }
 
-/* As large as they can be, and as fine as they may be asked for: hours, if the stretch were looked
- * through. */
+/* The largest curves with the finest tolerance: hours, if the whole stretch were searched. */
 static void a_long_overlap_takes_no_longer(arb *a)
 {
     const loft_real tol = BY_NUM(8, 0.03f, 1e-6);
@@ -295,7 +294,7 @@ static void lines_overlap_whatever_their_speed(arb *a)
           exact_unit(c[0].t_to) >= 1);
 }
 
-/* A parabola touches its tangent once, and that is no overlap. */
+/* A parabola touches its tangent once, and that is not an overlap. */
 static void touching_is_one_crossing(arb *a)
 {
     const int32_t w = 1 + (int32_t)arb_below(a, 500), h = 1 + (int32_t)arb_below(a, 500);
@@ -323,7 +322,7 @@ static void touching_is_one_crossing(arb *a)
     CHECK_EXACT(exact_unit(c[0].s), 0.5L, 1.01L * sqrtl(exact_of(tol) / h));
 }
 
-/* Curves that go on from each other meet once, in their common end. */
+/* Curves that continue each other meet once, at their common end. */
 static void a_joint_is_one_crossing(arb *a)
 {
     const loft_real tol = loft_real_from_raw(65);
@@ -372,14 +371,14 @@ static void room_and_arguments_are_checked(arb *a)
           LOFT_ERR_RANGE);
 }
 
-/* Most of the clear scenes above were counted exactly. */
+/* Most of the clear scenes above had the exact number of crossings. */
 static void met_enough_crossings(arb *a)
 {
     (void)a;
     CHECK(check_sampled() || (crossings > 50 && counted > crossings * 9 / 10));
 }
 
-/* On a line nothing crosses. */
+/* In one axis nothing crosses. */
 static void one_axis_is_refused(arb *a)
 {
     const loft_vec p[2] = { arb_vec(a, 100), arb_vec(a, 100) };
@@ -399,7 +398,7 @@ int main(void)
         return check_failures();
     PROPERTY(no_meeting_is_missed_and_none_invented, 400);
     PROPERTY(curves_that_pass_do_not_meet,           200);
-    PROPERTY(a_part_overlaps,                        200);
+    PROPERTY(a_piece_overlaps,                       200);
     PROPERTY(a_long_overlap_takes_no_longer,          50);
     PROPERTY(lines_overlap_whatever_their_speed,      50);
     PROPERTY(touching_is_one_crossing,               100);

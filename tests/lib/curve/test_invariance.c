@@ -1,9 +1,9 @@
-/* tests/lib/curve/test_invariance.c -- what holds of every kind of curve: affine images, reversal,
+/* tests/lib/curve/test_invariance.c -- properties of every kind of curve: affine images, reversal,
  * hull, pieces, degree
  * SPDX-License-Identifier: MIT
  *
- * Bezier and B-spline curves, with and without weights, seen from outside: each property compares
- * two ways through the library, so its bound is the sum of both.
+ * Bezier and B-spline curves, with and without weights, through the public interface. Each property
+ * compares two computations by the library, so its bound is the sum of both.
  */
 #include "curve/bspline.h"
 #include "curve/circle.h"
@@ -39,7 +39,7 @@ static void init(shape *s)
                : loft_nurbs_init(&s->nurbs, s->p, s->count, s->knots, s->degree)) == LOFT_OK);
 }
 
-/* Coordinates are multiples of 4 LSB, knots whole numbers, some of them double: halves and mirrors
+/* Coordinates are multiples of 4 LSB, knots are integers, some of them double: halves and mirrors
  * are exact. */
 static void arb_shape(arb *a, shape *s, enum kind kind)
 {
@@ -77,7 +77,7 @@ static loft_vec at(const shape *s, uint32_t j)
                                    : loft_nurbs_eval(&s->nurbs, u);
 }
 
-/* Twice the error of a point: of two curves of that kind and size. */
+/* Twice the error of a point: two curves of that kind and size. */
 static long double twice(const shape *s)
 {
     const long double by_num[3] = { 1.02L * LSB, 2 * ulp(LIMIT),
@@ -87,8 +87,8 @@ static long double twice(const shape *s)
 
 static enum kind arb_kind(arb *a) { return (enum kind)arb_below(a, KINDS); }
 
-/* Every coordinate becomes a mean of itself and another one, turned about and moved: exactly, of
- * multiples of 4. */
+/* Every coordinate becomes an average of itself and another one, reflected and translated: exactly,
+ * for multiples of 4. */
 static loft_vec image(loft_vec p, const int32_t m[2], loft_vec o)
 {
     loft_vec q;
@@ -141,8 +141,8 @@ static void a_reversed_curve_is_the_same(arb *a)
         CHECK_EXACT(exact_of(here.axis[i]), exact_of(there.axis[i]), twice(&s));
 }
 
-/* Of a spline the degree + 1 points that the span sees. In every direction, of which the axes and
- * their sums are some. */
+/* For a spline, the degree + 1 points that the span uses. The property must hold in every
+ * direction; the axes and their sums are tested. */
 static void a_point_lies_in_the_hull_of_the_points(arb *a)
 {
     const uint32_t j = arb_below(a, FINER + 1);
@@ -210,7 +210,7 @@ static void a_split_gives_the_parts(arb *a)
     cut(&s, t, out, part);
     check_points(&s, out[0], part[0]);
     check_points(&s, out[1], part[1]);
-    /* weights: in one ratio for all */
+    /* weights: one ratio for all */
     for (unsigned k = 0; k <= s.degree && s.kind == A_RATIONAL; k++)
         for (int side = 0; side < 2; side++)
             CHECK_EXACT(exact_of(out[side][k].w) * exact_of(part[side][0].w),
@@ -218,8 +218,8 @@ static void a_split_gives_the_parts(arb *a)
                         512 * BY_NUM(LSB, 2 * ulp(256), 80 * ulp(256)));
 }
 
-/* Weights are rounded as well, of at least 1; that moves a point by as much of the width. */
-static void a_raised_curve_is_the_same(arb *a)
+/* Weights of at least 1 are rounded too; that moves a point by as much of the width. */
+static void an_elevated_curve_is_the_same(arb *a)
 {
     const uint32_t j = arb_below(a, FINER + 1);
     shape s, high;
@@ -244,7 +244,7 @@ static void a_raised_curve_is_the_same(arb *a)
         CHECK_EXACT(exact_of(here.axis[i]), exact_of(there.axis[i]), 1.5L * twice(&high) + weights);
 }
 
-/* Its own error e and the rounding of the point, of both. */
+/* The error e of the arc and the rounding of the point, for both. */
 static void check_arc(const loft_circle *c, const loft_circle *other, loft_unit t, bool back,
                       loft_vec o)
 {
@@ -289,7 +289,7 @@ int main(void)
     PROPERTY(a_reversed_curve_is_the_same,                  4000);
     PROPERTY(a_point_lies_in_the_hull_of_the_points,        4000);
     PROPERTY(a_split_gives_the_parts,                       1000);
-    PROPERTY(a_raised_curve_is_the_same,                    2000);
+    PROPERTY(an_elevated_curve_is_the_same,                 2000);
     PROPERTY(an_arc_moves_with_its_points_and_runs_back,    1000);
     return check_failures();
 }

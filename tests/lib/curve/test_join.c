@@ -9,7 +9,7 @@ typedef struct {
     unsigned n;
 } joint;
 
-/* A whole number of LSB. */
+/* An integer number of LSB. */
 static loft_real lsb(int32_t raw) { return (loft_real)BY_NUM(raw, raw / 65536.0, raw / 65536.0); }
 
 static void set(joint *g, unsigned n)
@@ -19,8 +19,8 @@ static void set(joint *g, unsigned n)
     CHECK(loft_bezier_init(&g->second, g->q, n) == LOFT_OK);
 }
 
-/* Coordinates of up to `size` LSB, which all types hold for sizes to 2^23; Q goes on with alpha =
- * up / down. */
+/* Coordinates of up to `size` LSB, exact in all types for sizes up to 2^23; Q continues with alpha
+ * = up / down. */
 static void arb_joint(arb *a, joint *g, unsigned n, int32_t size, int32_t up, int32_t down,
                       int32_t eta)
 {
@@ -59,7 +59,7 @@ static bool agree(const loft_join *a, const loft_join *b)
            a->g2 == b->g2 && a->regular == b->regular;
 }
 
-/* Joins built to be smooth, and one LSB beside: exactly as whole numbers say. */
+/* Joints built to be smooth, and joints one LSB off: exactly the answer of integer arithmetic. */
 static void flags_are_those_of_whole_numbers(arb *a)
 {
     const int32_t sizes[6] = { 1, 2, 5, 300, 65536, 1 << 20 }, size = sizes[arb_below(a, 6)];
@@ -77,7 +77,7 @@ static void flags_are_those_of_whole_numbers(arb *a)
 
     const loft_join j = decide(&g), want = joins_flags(g.p, g.q, n, &alpha, &eta);
     CHECK(agree(&j, &want));
-    /* factors that no coordinate holds: flags alone */
+    /* factors that do not fit a coordinate: flags only */
     if (BY_NUM(alpha > 32767 || fabsl(eta) > 32767, false, false))
         return;
     if (want.g1)
@@ -90,8 +90,8 @@ static void flags_are_those_of_whole_numbers(arb *a)
 
 static int seen[4];
 
-/* The constructed continuation is G2, C2 for alpha = 1, eta = 2; one LSB beside it is not. */
-static void an_extension_is_g2(arb *a)
+/* The constructed continuation is G2, and C2 for alpha = 1, eta = 2; one LSB off it is not. */
+static void a_continuation_is_g2(arb *a)
 {
     const unsigned n = 2 + arb_below(a, LOFT_DEGREE_MAX - 1);
     const int32_t half[4] = { 32768, 65536, 98304, 131072 };
@@ -99,8 +99,7 @@ static void an_extension_is_g2(arb *a)
     joint g;
     loft_vec c[3];
 
-    arb_joint(a, &g, n, 1 << 18, 2, 2, 0);      /* edges are multiples of 4 LSB: nothing is
-                                                 * rounded */
+    arb_joint(a, &g, n, 1 << 18, 2, 2, 0);    /* edges are multiples of 4 LSB: nothing is rounded */
     CHECK(loft_join_continue(&g.first, lsb(alpha), lsb(eta), c) == LOFT_OK);
     for (int k = 0; k < 3; k++)
         g.q[k] = c[k];
@@ -126,8 +125,8 @@ static void an_extension_is_g2(arb *a)
 #endif
 }
 
-/* The points of an extension, against long double. */
-static void extends_by_the_formula(arb *a)
+/* The points of a continuation, against long double. */
+static void continues_by_the_formula(arb *a)
 {
     const unsigned n = 2 + arb_below(a, LOFT_DEGREE_MAX - 1);
     const loft_real alpha = arb_real(a, 4), eta = arb_real(a, 4);
@@ -150,7 +149,7 @@ static void extends_by_the_formula(arb *a)
     }
 }
 
-/* Backwards the same joint is as smooth, and alpha is inverse. */
+/* Reversed, the same joint is as smooth, and alpha is its inverse. */
 static void smooth_both_ways(arb *a)
 {
     const unsigned n = 1 + arb_below(a, LOFT_DEGREE_MAX);
@@ -270,7 +269,7 @@ static void refuses_what_it_cannot_decide(arb *a)
     CHECK(loft_bezier_init(&other, g.q, 1) == LOFT_OK &&
           loft_join_continue(&other, lsb(65536), 0, c) == LOFT_ERR_ARG);
 
-    for (int k = 0; k < 4; k++)         /* edges of 50000: their continuation is beyond q16, and
+    for (int k = 0; k < 4; k++)         /* edges of 50000: their continuation is beyond q16, but
                                          * within floats */
         for (int i = 0; i < LOFT_AXES; i++)
             g.p[k].axis[i] = (loft_real)((k % 2 ? 25000 : -25000) * BY_NUM(65536, 1, 1));
@@ -305,7 +304,7 @@ static void refuses_floats_that_are_not_exact(arb *a)
 }
 #endif
 
-/* The properties above met joins of every kind. */
+/* The properties above covered joints of every kind. */
 static void met_every_kind(arb *a)
 {
     (void)a;
@@ -317,8 +316,8 @@ static void met_every_kind(arb *a)
 int main(void)
 {
     PROPERTY(flags_are_those_of_whole_numbers,  3000);
-    PROPERTY(an_extension_is_g2,                2000);
-    PROPERTY(extends_by_the_formula,            2000);
+    PROPERTY(a_continuation_is_g2,              2000);
+    PROPERTY(continues_by_the_formula,          2000);
     PROPERTY(smooth_both_ways,                  1000);
     PROPERTY(a_tolerance_is_a_length,           3000);
     PROPERTY(refuses_what_it_cannot_decide,       20);

@@ -1,5 +1,5 @@
-/* tests/lib/curve/test_measure.c -- lengths and parameters at a length (lib/curve/measure.h)
- * against long double
+/* tests/lib/curve/test_measure.c -- arc lengths and their inverse (lib/curve/measure.h) against
+ * long double
  * SPDX-License-Identifier: MIT
  */
 #include "curve/measure.h"
@@ -61,7 +61,7 @@ static void the_parameter_at_a_length_has_that_length(arb *a)
         const real got = length_to(&e, parameter(t), bound / 64), before = parameter(t) - 0x1p-24L,
                    after = parameter(t) + 0x1p-24L;
         CHECK(t >= 0 && t <= LOFT_UNIT(1));
-        if (fabsl(got - want) > bound) {        /* a step of t too far at most */
+        if (fabsl(got - want) > bound) {        /* at most one step of t too far */
             const real low  = length_to(&e, before > 0 ? before : 0, bound / 64);
             const real high = length_to(&e, after < 1 ? after : 1, bound / 64);
             CHECK(want >= low - bound && want <= high + bound);
@@ -69,7 +69,7 @@ static void the_parameter_at_a_length_has_that_length(arb *a)
     }
 }
 
-static void a_ruler_measures_from_the_start_to_anywhere(arb *a)
+static void a_table_measures_from_the_start_to_anywhere(arb *a)
 {
     const loft_cubic c = arb_shape(a);
     const exact e = exact_of(&c);
@@ -123,7 +123,7 @@ static void a_point_has_no_length_and_ends_where_it_starts(arb *a)
           loft_arclen_inverse(&r, loft_to_acc(tol)) >= LOFT_UNIT(1));
 }
 
-static void a_ruler_refuses_what_is_no_number(arb *a)
+static void a_table_refuses_what_is_not_a_number(arb *a)
 {
     loft_cubic c = arb_cubic(a, 32767);
     loft_arclen r;
@@ -142,9 +142,9 @@ int main(void)
     PROPERTY(length_is_within_the_tolerance,                  400);
     PROPERTY(the_length_of_a_parabola_is_its_closed_form,      12);
     PROPERTY(the_parameter_at_a_length_has_that_length,       100);
-    PROPERTY(a_ruler_measures_from_the_start_to_anywhere,     200);
+    PROPERTY(a_table_measures_from_the_start_to_anywhere,     200);
     PROPERTY(the_parameter_never_decreases_with_the_length,   100);
     PROPERTY(a_point_has_no_length_and_ends_where_it_starts,   50);
-    PROPERTY(a_ruler_refuses_what_is_no_number,                50);
+    PROPERTY(a_table_refuses_what_is_not_a_number,             50);
     return check_failures();
 }

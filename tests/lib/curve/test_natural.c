@@ -26,8 +26,8 @@ static loft_real nudged(arb *a, loft_real x)
                : x + by;
 }
 
-/* Points of every kind: anywhere, at the extremes in turn, in bunches one LSB apart among long
- * chords, all tiny. */
+/* Points of every kind: anywhere, alternating extremes, bunches one LSB apart among long chords,
+ * all tiny. */
 static void arb_points(arb *a, sample *n, uint32_t count)
 {
     const loft_real top = BY_NUM(INT32_MAX, 32767, 32767),
@@ -63,7 +63,7 @@ static enum loft_status start(sample *n, enum loft_spacing knots)
     return loft_natural_init(&n->s, n->p, n->count, knots, n->memory);
 }
 
-/* A spline, or false when two points coincide and chords are asked for: then that is the answer. */
+/* A spline, or false if two points coincide with chord knots: then init must report that. */
 static bool arb_spline(arb *a, sample *n, uint32_t count)
 {
     arb_points(a, n, count);
@@ -81,7 +81,7 @@ static enum loft_status deriv(const sample *n, uint32_t i, unsigned k, loft_unit
     return k ? loft_natural_deriv(&n->s, i, k, t, v) : loft_natural_eval(&n->s, i, t, v);
 }
 
-/* The bounds of the header: floats without their last rounding. */
+/* The bounds of the header; for floats without the last rounding. */
 static long double room(const sample *n, uint32_t i, unsigned k)
 {
     const long double u = ulp_double(n->largest);
@@ -150,7 +150,7 @@ static void it_goes_through_its_points(arb *a)
     }
 }
 
-/* First derivatives to the last bit, second ones within their two bounds. */
+/* First derivatives to the last bit, second ones within both bounds. */
 static void segments_join_with_two_derivatives(arb *a)
 {
     if (!arb_spline(a, &one, arb_count(a)))
@@ -206,7 +206,7 @@ static void linear_data_make_a_line(arb *a)
                  bound_by_num(0, 4 * ulp(one.largest), 64 * ulp(one.largest)));
 }
 
-/* The values of `two`, which is `one` changed somehow, against those of `one` at the same or the
+/* Compare the values of `two`, a transform of `one`, with those of `one` at the same or the
  * mirrored place. */
 static void compare(arb *a, bool mirrored, long double factor, const loft_vec *by, long double lsb)
 {
@@ -237,7 +237,7 @@ static void reversed_points_make_the_same_curve(arb *a)
     compare(a, true, 1, &zero, 1);
 }
 
-/* In q16 to the last bit: lengths and rises are the same. */
+/* Equal to the last bit in q16: lengths and rises are the same. */
 static void moved_points_make_the_curve_moved(arb *a)
 {
     const loft_vec by = arb_vec(a, 1000);
@@ -267,7 +267,7 @@ static void points_of_double_size_make_the_curve_of_double_size(arb *a)
 }
 
 #if LOFT_NUM != LOFT_Q16
-/* Powers of two far beyond the coordinates of q16 leave all digits as they are. */
+/* Powers of two far beyond the coordinates of q16 keep all digits. */
 static void size_does_not_matter_to_floats(arb *a)
 {
     const long double factor = ldexpl(1, ((int)arb_below(a, 3) - 1) * BY_NUM(0, 80, 900));
@@ -289,7 +289,7 @@ static void size_does_not_matter_to_floats(arb *a)
 }
 #endif
 
-/* Coordinates exchanged: the axes know of each other by the chord only. */
+/* Coordinates exchanged: the axes influence each other only through the chord. */
 static void exchanged_axes_make_the_curve_exchanged(arb *a)
 {
     if (!arb_spline(a, &one, arb_count(a)))

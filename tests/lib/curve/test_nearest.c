@@ -40,7 +40,7 @@ static void prepare(scene *s)
     s->speed = s->n * edge * sqrtl(LOFT_AXES);
 }
 
-/* Large and small curves, points around, on their control points and far away. */
+/* Large and small curves, points near them, on their control points and far away. */
 static void arb_scene(arb *a, scene *s)
 {
     const int32_t limits[3] = { 2, 200, 32767 }, limit = limits[arb_below(a, 3)];
@@ -55,8 +55,8 @@ static void arb_scene(arb *a, scene *s)
     prepare(s);
 }
 
-/* The least distance: of samples, and between the neighbours of each that is nearer than they are,
- * by thirds. */
+/* The smallest distance: of samples, and by thirds between the neighbours of each local minimum of
+ * them. */
 static long double least(const scene *s)
 {
     static long double d[SAMPLES + 1];
@@ -134,7 +134,7 @@ static void a_point_of_the_curve_is_found(arb *a)
     CHECK(exact_acc(found.distance) <= exact_of(tol) + sqrtl(LOFT_AXES) * ulp(32767));
 }
 
-/* Seen from the centre of an arc all points are about equally near. */
+/* From the centre of an arc all points are about equally near. */
 static void the_centre_of_an_arc_does_not_take_forever(arb *a)
 {
     const double radius = 1 + arb_below(a, 3000), inner = 0.5522847498307936 * radius;

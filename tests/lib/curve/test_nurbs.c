@@ -33,7 +33,7 @@ static void init(sample *s)
     s->ratio = most / least;
 }
 
-/* 1/256..256: equal, the extremes in turn, of any size */
+/* 1/256..256: equal, alternating extremes, or of any size */
 static loft_real arb_weight(arb *a, uint32_t kind, unsigned k)
 {
     const double any = (65536 + arb_below(a, 65536)) / 65536.0 * (1 << arb_below(a, 15)) / 128 / 2;
@@ -151,7 +151,7 @@ static void u_is_clamped_and_a_clamped_end_is_its_point(arb *a)
     }
 }
 
-/* 1: fits, 0: does not, -1: too close to say */
+/* 1: fits, 0: does not, -1: too close to decide */
 static int fits(long double want, long double slack)
 {
     const long double over = BY_NUM(32768 - LSB / 2, FLT_MAX, DBL_MAX),
@@ -207,13 +207,14 @@ static quad value_sum(const sample *s, int axis, unsigned span, quad u)
     return c[0];
 }
 
-/* (x' w - x w') / w^2, by the derivatives of numerator and denominator: another way than lib's. */
+/* (x' w - x w') / w^2, by the derivatives of numerator and denominator: a different method than in
+ * lib/. */
 static void a_derivative_is_within_its_bound_or_refused(arb *a)
 {
     sample *s = arb_nurbs(a);
     const unsigned p = s->g.p;
 
-    if (arb_below(a, 2)) {                          /* small ones: so that more of them fit */
+    if (arb_below(a, 2)) {                          /* small ones, so that more of them fit */
         for (unsigned k = 0; k < s->g.points; k++)
             for (int i = 0; i < LOFT_AXES; i++)
                 s->p[k].p.axis[i] = real_of_raw((int64_t)arb_below(a, 2000) - 1000);
@@ -272,8 +273,8 @@ static void equal_weights_give_the_polynomial_derivative(arb *a)
 }
 
 /* Points and weights of the spans: w p and w, as Bernstein coefficients, are numerator and
- * denominator but for the rounding of points and weights. Given points P with weights W that are
- * off by dp and dw each: a point of the span is off by dp, and by dw / w of the width twice. */
+ * denominator except for the rounding of points and weights. If points P with weights W are off by
+ * dp and dw each, a point of the span is off by dp, and by dw / w of the width twice. */
 static void spans_are_the_curve(arb *a)
 {
     const sample *s = arb_nurbs(a);
@@ -308,8 +309,8 @@ static void spans_are_the_curve(arb *a)
     CHECK(count == want);
 }
 
-/* Its nine points, for a radius of 1000 and more: at every u the distance from the centre is the
- * radius. */
+/* A circle of nine points with a radius of at least 1000: at every u the distance from the centre
+ * is the radius. */
 static void nine_points_make_a_circle(arb *a)
 {
 #if LOFT_AXES > 1
@@ -334,7 +335,7 @@ static void nine_points_make_a_circle(arb *a)
     const loft_vec v = loft_nurbs_eval(&n, u);
     const long double length = hypotl(exact_of(v.axis[0]), exact_of(v.axis[1]));
     const long double weight = 0x1p-17L / 181 / 4, bound[3] = {
-        /* 1/4 of what the weight is off, of the distance */
+        /* 1/4 of the error of the weight, times the distance */
         0.75L * LSB + radius * weight, ulp(radius) * 1.5L, ulp(radius) * 40
     };
     CHECK_EXACT(length, radius, bound[BY_NUM(0, 1, 2)]);
@@ -366,7 +367,7 @@ static void a_rational_bezier_curve_is_a_special_case(arb *a)
     CHECK(!loft_nurbs_next(&n, &span, out) && span == 0);
 }
 
-/* In q16 the inserted weights are rounded by 2^-17, of weights of at least 1/256. */
+/* In q16 the inserted weights of at least 1/256 are rounded by 2^-17. */
 static void an_inserted_knot_changes_nothing(arb *a)
 {
     sample *s = arb_nurbs(a);

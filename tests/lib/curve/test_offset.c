@@ -27,7 +27,7 @@ static void arb_scene(arb *a, scene *s, int32_t limit)
         s->curve.p[2] = s->curve.p[3];
 }
 
-/* All spans. The finest tolerances cannot be kept everywhere: then ten times that. */
+/* All spans. The finest tolerances are not possible everywhere: then ten times that. */
 static bool run(scene *s)
 {
     loft_offset o;
@@ -54,8 +54,8 @@ static long double slope(const scene *s, int i, unsigned k, long double t)
     return exact_deriv(s->c[i], 3, k, t);
 }
 
-/* The offset at t; false where there is no direction, or one that long double does not know
- * well. */
+/* The offset at t; false if there is no direction, or if long double does not give it
+ * accurately. */
 static bool offset_at(const scene *s, long double t, long double out[LOFT_AXES])
 {
     long double x = slope(s, 0, 1, t), y = slope(s, 1, 1, t);
@@ -116,8 +116,8 @@ static void spans_are_within_the_tolerance(arb *a)
     spans += (int)s.count;
 }
 
-/* Does it stand for a stretch at an end that cannot be resolved? It keeps to the distance and goes
- * nowhere. */
+/* Is it the span of a stretch at an end that cannot be resolved? It keeps the distance and does not
+ * move. */
 static bool is_held(const scene *s, unsigned k)
 {
     const loft_offset_span *f = &s->span[k];
@@ -134,9 +134,9 @@ static bool is_held(const scene *s, unsigned k)
     return most <= s->t;
 }
 
-/* H, the derivative without its zeros at 0 and 1: its direction is the curve's, everywhere. Returns
- * its length as a part of the largest of its coefficients: what long double knows of that
- * direction. */
+/* H, the derivative without its zeros at 0 and 1: its direction is always that of the curve.
+ * Returns its length over the largest of its coefficients, which tells how accurate that direction
+ * is in long double. */
 static long double direction(const scene *s, long double t, long double at[2])
 {
     long double most = 0, h[2][3];
@@ -160,7 +160,8 @@ static long double direction(const scene *s, long double t, long double at[2])
     return hypotl(at[0], at[1]) / most;
 }
 
-/* Is the span off at u of its way? Not where long double does not know the direction well. */
+/* Is the span wrong at its parameter u? Not tested where long double does not give the direction
+ * accurately. */
 static bool is_off(const scene *s, const loft_offset_span *f, long double u)
 {
     const long double from = exact_unit(f->from), to = exact_unit(f->to),
@@ -180,8 +181,8 @@ static bool is_off(const scene *s, const loft_offset_span *f, long double u)
     return !(sqrtl(off) <= s->t * 1.02L);
 }
 
-/* From 0 to 1, end to end in parameters and bit for bit in points; what is left out is little, and
- * all else is near. */
+/* From 0 to 1, end to end in parameters and bit for bit in points. Little is left out, and all else
+ * is near. */
 static void check_path(const scene *s)
 {
     long double left_out = 0;
@@ -214,8 +215,8 @@ static void spans_follow_each_other(arb *a)
         check_path(&s);
 }
 
-/* Cubics that stand or turn back: on a line there and back, with a zero of the speed of either
- * kind; off it by some of the last bits; and with control points that nearly coincide. */
+/* Cubics that stop or turn back: back and forth on a line, with a zero of the speed of either kind;
+ * off the line by some of the last bits; and with control points that nearly coincide. */
 static void arb_folded(arb *a, scene *s)
 {
     const int32_t unit = (int32_t)1 << arb_below(a, 24), along = (int32_t)arb_below(a, 5) - 2,
@@ -245,7 +246,7 @@ static void arb_folded(arb *a, scene *s)
     }
     s->distance = arb_real(a, 1 + (int32_t)arb_below(a, 70));
     s->tol = loft_real_from_raw(4096 << arb_below(a, 5));
-    if (arb_below(a, 8) == 0)           /* the least that init takes, nearly */
+    if (arb_below(a, 8) == 0)           /* about the smallest tolerance that init accepts */
         s->tol = loft_real_from_raw(4 + loft_raw_from_real(loft_real_abs(s->distance)) / 131072 +
                                     1);
 }
@@ -269,7 +270,7 @@ static void folded_paths_leave_out_little(arb *a)
     }
 }
 
-/* At the quarters of each span the offset runs as the span says. */
+/* At the quarters of each span the offset runs in the reported direction. */
 static void behind_is_where_the_radius_is_smaller(arb *a)
 {
     static scene s;
@@ -287,7 +288,7 @@ static void behind_is_where_the_radius_is_smaller(arb *a)
         }
         backwards += s.span[k].behind;
         if (k && s.span[k].behind != s.span[k - 1].behind && !s.span[k].apart) {
-            /* between them is a cusp */
+            /* a cusp is between them */
             const long double pace = hypotl(slope(&s, 0, 1, from), slope(&s, 1, 1, from)) *
                                      fmaxl(to - from, from - exact_unit(s.span[k - 1].from));
             const long double before = progress(&s, from - 0x1p-23L),
@@ -320,7 +321,7 @@ static void ends_are_parallel(arb *a)
     }
 }
 
-/* A quarter of a circle: few spans, and one more radius. */
+/* A quarter of a circle: few spans, on the circle of the offset radius. */
 static void an_arc_takes_few_spans(arb *a)
 {
     static scene s;
@@ -345,7 +346,7 @@ static void an_arc_takes_few_spans(arb *a)
     }
 }
 
-/* Straight lines, also those drawn with coincident control points, are one span. */
+/* Straight lines, also with coincident control points, are one span. */
 static void a_line_is_one_span(arb *a)
 {
     static scene s;
@@ -364,7 +365,7 @@ static void a_line_is_one_span(arb *a)
     check_span(&s, &s.span[0]);
 }
 
-/* Where the curve has a cusp its offset is in two parts. */
+/* If the curve has a cusp, its offset has two parts. */
 static void a_cusp_sets_spans_apart(arb *a)
 {
     static scene s;
@@ -392,8 +393,8 @@ static void a_cusp_sets_spans_apart(arb *a)
     CHECK(apart == 1);
 }
 
-/* A curve far smaller than the distance: its legs are short beside their rounding errors, which
- * make no cusps. */
+/* A curve far smaller than the distance: its legs are short compared with their rounding errors,
+ * which must not cause cusps. */
 static void a_small_curve_takes_few_spans(arb *a)
 {
     static scene s;
@@ -430,7 +431,8 @@ static void refuses_what_has_no_offset(arb *a)
 #endif
 }
 
-/* The properties above met spans that run backwards, cusps, and ends that cannot be resolved. */
+/* The properties above covered spans that run backwards, cusps, and ends that cannot be
+ * resolved. */
 static void met_enough(arb *a)
 {
     (void)a;
@@ -438,7 +440,7 @@ static void met_enough(arb *a)
           (spans > 1000 && backwards > 100 && cusps > 100 && left_apart > 100 && held > 10));
 }
 
-/* Beside a line there is nothing. */
+/* With one axis there is no offset. */
 static void one_axis_is_refused(arb *a)
 {
     const loft_cubic c = arb_cubic(a, 100);
@@ -448,7 +450,7 @@ static void one_axis_is_refused(arb *a)
           (LOFT_AXES < 2 ? LOFT_ERR_ARG : LOFT_OK));
 }
 
-/* LOFT_CASES=1000000 in the environment: so many folded ones, and nothing else (make
+/* LOFT_CASES=1000000 in the environment: that many folded ones, and nothing else (make
  * sweep-offset). */
 int main(void)
 {

@@ -62,8 +62,9 @@ static void check_overlap(const curve *p, const curve *q, const loft_overlap *o,
     }
 }
 
-/* Of any degree, raised or not, forwards and backwards; in q16 a part is rounded to half an LSB. */
-static void a_part_of_a_curve_is_found(arb *a)
+/* Of any degree, elevated or not, forwards and backwards; in q16 a piece is rounded to half an
+ * LSB. */
+static void a_piece_of_a_curve_is_found(arb *a)
 {
     const uint32_t first = arb_below(a, 700), last = first + 100 + arb_below(a, 900 - first);
     const loft_unit from = loft_unit_of(first, 1000), to = loft_unit_of(last, 1000);
@@ -115,8 +116,8 @@ static void curves_that_go_on_from_each_other_overlap(arb *a)
 
 static int covered, asked;
 
-/* Where a pair of pieces is covered, points of it that meet are few tol apart on the curve: none is
- * a crossing of its own. */
+/* If a pair of pieces is covered, points of it that meet are a few tol apart on the curve: none is
+ * a separate crossing. */
 static void what_is_covered_has_no_crossing_of_its_own(arb *a)
 {
     const loft_real tol = loft_real_from_raw(65);
@@ -171,9 +172,9 @@ static void enough_was_covered(arb *a)
 int main(void)
 {
     PROPERTY(other_curves_share_nothing,                    200);
-    if (LOFT_AXES < 2)                  /* where any two curves lie on each other */
+    if (LOFT_AXES < 2)                  /* where any two curves overlap           */
         return check_failures();
-    PROPERTY(a_part_of_a_curve_is_found,                    400);
+    PROPERTY(a_piece_of_a_curve_is_found,                   400);
     PROPERTY(curves_that_go_on_from_each_other_overlap,     200);
     PROPERTY(what_is_covered_has_no_crossing_of_its_own,    300);
     PROPERTY(enough_was_covered,                              1);

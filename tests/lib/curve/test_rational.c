@@ -31,7 +31,7 @@ static void a_point_is_within_its_bound(arb *a)
     check_point(s, loft_rational_eval(&s->r, t), s->n, want);
 }
 
-/* In f64 the product with the weight is rounded, and the quotient by it. */
+/* In f64 the product with the weight is rounded, and so is the quotient by it. */
 static void the_ends_are_exact_and_beyond_is_clamped(arb *a)
 {
     const sample *s = arb_rational(a, LOFT_DEGREE_MAX);
@@ -98,7 +98,7 @@ static void the_reversed_curve_is_the_same(arb *a)
     check_point(s, loft_rational_eval(&r, LOFT_UNIT(1) - t), s->n, want);
 }
 
-/* 1: fits, 0: does not, -1: too close to say */
+/* 1: fits, 0: does not, -1: too close to decide */
 static int fits(long double want)
 {
     const long double over = BY_NUM(32768 - LSB / 2, FLT_MAX, DBL_MAX),
@@ -201,8 +201,8 @@ static void a_part_is_within_its_bound_in_both_directions(arb *a)
     check_piece(s, out, exact_unit(from), exact_unit(to), exp2l(roundl(log2l(most / largest))));
 }
 
-/* The promise of part: what its rounded weights do to the curve. */
-static void a_part_is_the_same_curve(arb *a)
+/* The promise of loft_rational_sub: how its rounded weights change the curve. */
+static void a_piece_is_the_same_curve(arb *a)
 {
     sample *s = arb_rational(a, LOFT_DEGREE_MAX), piece = *s;
     const loft_unit t = arb_unit(a);
@@ -220,7 +220,7 @@ static void a_part_is_the_same_curve(arb *a)
     }
 }
 
-static void a_raised_curve_is_within_its_bound(arb *a)
+static void an_elevated_curve_is_within_its_bound(arb *a)
 {
     const sample *s = arb_rational(a, LOFT_DEGREE_MAX);
     const unsigned times = arb_below(a, LOFT_ELEVATE_MAX - s->n + 1), top = s->n + times;
@@ -277,14 +277,14 @@ static void results_may_replace_the_control_points(arb *a)
 {
     const sample *s = arb_rational(a, LOFT_DEGREE_MAX);
     const loft_unit t = arb_unit(a);
-    loft_weighted left[POINTS], right[POINTS], part[POINTS], raised[LOFT_ELEVATE_MAX + 1],
+    loft_weighted left[POINTS], right[POINTS], part[POINTS], elevated[LOFT_ELEVATE_MAX + 1],
         p[LOFT_ELEVATE_MAX + 1], other[POINTS];
     loft_rational r = s->r;
 
     r.p = p;
     CHECK(loft_rational_split(&s->r, t, left, right) == LOFT_OK &&
           loft_rational_sub(&s->r, t, 0, part) == LOFT_OK);
-    CHECK(loft_rational_elevate(&s->r, 2, raised) == LOFT_OK);
+    CHECK(loft_rational_elevate(&s->r, 2, elevated) == LOFT_OK);
     for (int way = 0; way < 4; way++) {
         for (unsigned k = 0; k <= s->n; k++)
             p[k] = s->p[k];
@@ -296,7 +296,7 @@ static void results_may_replace_the_control_points(arb *a)
                    way == 0   ? left
                    : way == 1 ? right
                    : way == 2 ? part
-                              : raised,
+                              : elevated,
                    s->n + 1 + (way == 3 ? 2 : 0)));
     }
 }
@@ -348,8 +348,8 @@ int main(void)
     PROPERTY(a_derivative_is_within_its_bound_or_refused,       2000);
     PROPERTY(both_pieces_of_a_split_are_within_their_bound,     1000);
     PROPERTY(a_part_is_within_its_bound_in_both_directions,     1000);
-    PROPERTY(a_part_is_the_same_curve,                          1000);
-    PROPERTY(a_raised_curve_is_within_its_bound,                1000);
+    PROPERTY(a_piece_is_the_same_curve,                         1000);
+    PROPERTY(an_elevated_curve_is_within_its_bound,             1000);
     PROPERTY(the_box_holds_the_curve,                           1000);
     PROPERTY(results_may_replace_the_control_points,             500);
     PROPERTY(nonsense_is_refused,                                300);

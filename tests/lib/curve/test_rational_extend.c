@@ -2,12 +2,12 @@
  * 0..1
  * SPDX-License-Identifier: MIT
  *
- * The denominator shrinks there, and the reference with it: it is computed with 113 bits.
+ * The denominator is small there, which costs the reference accuracy: it uses 113 bits.
  */
 #include "support/rationals.h"          /* arb_rational */
 #include "support/exact_spline.h"       /* quad, quad_of */
 
-#define SLACK 1e-9L             /* of what decides, where a decision depends on rounding */
+#define SLACK 1e-9L             /* relative, where a decision depends on rounding        */
 
 typedef struct {
     quad x[LOFT_AXES][POINTS], w[POINTS];
@@ -46,7 +46,7 @@ static quad blossom_at(const quad c[], unsigned n, unsigned k, quad from, quad t
 
 static quad value_at(const quad c[], unsigned n, quad t) { return blossom_at(c, n, 0, t, t); }
 
-/* Of -1..2, more often next to the ends, so that more curves have a point there. */
+/* In -1..2, more often next to the ends, so that more curves have a point there. */
 static loft_unit arb_beyond(arb *a)
 {
     const double by = arb_below(a, 16777217) / 16777216.0 / (1 << arb_below(a, 8));
@@ -65,7 +65,7 @@ static long double within(long double want[LOFT_AXES], long double largest)
     return largest;
 }
 
-/* 1: all fit, 0: one does not, -1: too close to say */
+/* 1: all fit, 0: one does not, -1: too close to decide */
 static int all_fit(const long double want[LOFT_AXES], long double slack)
 {
     const long double over = BY_NUM(32768 - LSB / 2, FLT_MAX, DBL_MAX),
@@ -91,7 +91,7 @@ static void check_point(const sample *s, loft_vec v, const long double want[], l
                                  ulp(want[i]) / 2 + lost * ulp_double(size), lost * ulp(size)));
 }
 
-/* 1: the weight is large enough to be divided by, 0: it is not, -1: too close to say */
+/* 1: the weight is large enough for a division, 0: it is not, -1: too close to decide */
 static int divisible(const exact_rational *e, unsigned n, long double t, quad w)
 {
     const long double least = e->most / 1048576,
@@ -160,7 +160,7 @@ static void a_derivative_beyond_the_ends_is_within_its_bound_or_refused(arb *a)
 }
 
 typedef struct {
-    bool good, bad;                 /* all can be given, one cannot: for sure */
+    bool good, bad;                 /* all fit, one does not: both for sure   */
     long double want[POINTS][LOFT_AXES], w[POINTS], k[POINTS], least, most;
 } exact_piece;
 
@@ -254,8 +254,8 @@ static void a_part_beyond_the_ends_is_within_its_bound_or_refused(arb *a)
     check_piece(s, out, &p, exp2l(roundl(log2l(most / p.most))));
 }
 
-/* By equal weights the rational curve is the polynomial one, wherever that goes. */
-static void equal_weights_extend_as_the_polynomial(arb *a)
+/* With equal weights the rational curve is the polynomial one, everywhere. */
+static void equal_weights_extrapolate_as_the_polynomial(arb *a)
 {
     sample *s = arb_rational(a, LOFT_DEGREE_MAX);
     const loft_unit t = arb_beyond(a);
@@ -311,7 +311,7 @@ int main(void)
     PROPERTY(a_derivative_beyond_the_ends_is_within_its_bound_or_refused,   4000);
     PROPERTY(a_split_beyond_the_ends_is_within_its_bound_or_refused,        2000);
     PROPERTY(a_part_beyond_the_ends_is_within_its_bound_or_refused,         2000);
-    PROPERTY(equal_weights_extend_as_the_polynomial,                        1000);
+    PROPERTY(equal_weights_extrapolate_as_the_polynomial,                   1000);
     PROPERTY(where_the_denominator_vanishes_there_is_no_point,                 1);
     return check_failures();
 }

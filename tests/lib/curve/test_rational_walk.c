@@ -47,7 +47,7 @@ static void long_walks_do_not_drift(arb *a)
     walk(s, most[s->n]);
 }
 
-/* Of the longest walks the law admits, the first points. */
+/* The first points of the longest walks within the law of ranges. */
 static void the_law_of_ranges_is_kept_at_its_edge(arb *a)
 {
     const uint32_t most[DEGREE + 1] = { UINT32_MAX, UINT32_MAX, 3037000499, 2097151, 55108, 6208 };
@@ -67,8 +67,8 @@ static void the_law_of_ranges_is_kept_at_its_edge(arb *a)
         CHECK(loft_rational_walk_init(&w, &s->r, most[s->n] + 1) == LOFT_ERR_RANGE);
 }
 
-/* Whole numbers small enough to see every tie: 16 bits of coordinate, equal weights, a power of two
- * of steps. */
+/* Integers small enough to produce ties: 16 bits of coordinate, equal weights, a power of two of
+ * steps. */
 static void ties_go_upward_in_q16(arb *a)
 {
     loft_weighted p[2];

@@ -16,13 +16,13 @@ static loft_vec  at(int64_t x, int64_t y)
     return v;
 }
 
-/* One LSB up or down; in floats 2^-16, where they are fine enough. */
+/* One LSB up or down; in floats 2^-16, if they are fine enough. */
 static void nudge(arb *a, loft_real *x)
 {
     *x = raw((int64_t)loft_raw_from_real(*x) + (arb_below(a, 2) ? 1 : -1));
 }
 
-/* A raw coordinate of some size: few LSB, thousands, or all there are. */
+/* A raw coordinate of some size: a few LSB, thousands, or the full range. */
 static int64_t some(arb *a, unsigned size)
 {
     const int32_t limit[4] = { 3, 4000, 40000000, INT32_MAX };
@@ -80,8 +80,7 @@ static loft_cubic with_parabola(arb *a)
     return c;
 }
 
-/* An arbitrary cubic: of all kinds, with coincident points, on a line, and one LSB beside all
- * these. */
+/* An arbitrary cubic: of all kinds, with coincident points, on a line, and one LSB off these. */
 static loft_cubic some_cubic(arb *a)
 {
     const unsigned size = arb_below(a, 4), kind = arb_below(a, 8);
@@ -140,7 +139,7 @@ static void kinds_and_parameters_are_exact(arb *a)
         near_unit(got.loop[k], want.loop[k]);
 }
 
-/* All kinds come up, or the property above says little. */
+/* All kinds occur, otherwise the property above means little. */
 static void all_kinds_are_tried(arb *a)
 {
     unsigned seen[LOFT_CUSP_AT_INFINITY + 1] = { 0 }, loops = 0, pairs = 0, cusps = 0;
@@ -248,10 +247,10 @@ static unsigned some_curve(arb *a, loft_vec p[])
             p[k].axis[i] = raw(arb_raw(a, limit));
     if (arb_below(a, 4) == 0)                       /* leaves its start like a cusp */
         p[1] = p[0];
-    if (arb_below(a, 4) == 0)                       /* there and back: halts halfway */
+    if (arb_below(a, 4) == 0)                       /* back and forth: stops halfway */
         for (unsigned k = 0; 2 * k < n; k++)
             p[n - k] = p[k];
-    if (arb_below(a, 4) == 0)                       /* one LSB beside that */
+    if (arb_below(a, 4) == 0)                       /* one LSB off that    */
         nudge(a, &p[arb_below(a, n + 1)].axis[0]);
     return n;
 }

@@ -20,7 +20,7 @@ static loft_real real_near(long double x)
     return (loft_real)BY_NUM((int32_t)ceill(x * 65536), (float)x, (double)x);
 }
 
-/* The least tolerance that the header grants, or a little more. */
+/* The smallest tolerance of the header, or slightly more. */
 static long double least_of(const chain *c)
 {
     const long double by_num[3] = { c->rational ? 4 * LSB : 2 * LSB,
@@ -30,7 +30,7 @@ static long double least_of(const chain *c)
     return least > 0 ? least : LSB;
 }
 
-/* A curve with weights or without, and a tolerance of `times` the least. */
+/* A curve with or without weights, and a tolerance of `times` the smallest. */
 static chain *start(sample *of, bool rational, long double times)
 {
     static chain c;
@@ -110,7 +110,7 @@ static void even_with_the_least_tolerance(arb *a)
     all_within(start(s, arb_below(a, 3) > 0, 1));
 }
 
-/* The sharpest turn there is: all of the curve but its start happens in the first 2^-16 of the
+/* The sharpest turn possible: all of the curve except its start is in the first 2^-16 of the
  * parameter. */
 static void weights_of_1_to_65536_are_resolved(arb *a)
 {

@@ -10,7 +10,7 @@ typedef struct {
     long double u[LOFT_AXES], x[LOFT_AXES], length, distance, along, size;
 } scene;
 
-/* Chords from 1 LSB to the whole range, points around them and far away. */
+/* Chords from 1 LSB to the whole range, points near them and far away. */
 static void arb_scene(arb *a, scene *s)
 {
     const int32_t limits[4] = { 1, 30, 1000, 32767 }, near = limits[arb_below(a, 4)],
@@ -37,7 +37,7 @@ static void arb_scene(arb *a, scene *s)
     s->size     = fmaxl(s->length, sqrtl(ww));
 }
 
-/* The foot is on the chord, and where it should be. */
+/* The nearest point is on the chord, and at the correct place. */
 static void the_foot_is_the_nearest_point(arb *a)
 {
     scene s;

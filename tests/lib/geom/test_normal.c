@@ -42,7 +42,7 @@ static void a_unit_vector_is_within_its_bound(arb *a)
                     BY_NUM((0.5L + 0x1p-15L) * LSB, ulp(1) / 2, (LOFT_AXES + 4) * ulp(1)));
 }
 
-/* b is close to a: the angle runs down to 2^-18. */
+/* b is close to a: the angle goes down to 2^-18. */
 static void a_normal_is_within_its_bound(arb *a)
 {
     const long double shrink = ldexpl(1, -(int)arb_below(a, 18));

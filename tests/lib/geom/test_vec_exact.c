@@ -1,8 +1,7 @@
 /* tests/lib/geom/test_vec_exact.c -- properties of lib/geom/vec_exact.h
  * SPDX-License-Identifier: MIT
  *
- * Coordinates are multiples of 2^-16, so whole numbers here; the test computes them in wide
- * integers.
+ * Coordinates are multiples of 2^-16, hence integers here; the test computes with wide integers.
  */
 #include "support/exact_whole.h"        /* whole_of */
 #include "geom/vec_exact.h"
@@ -18,7 +17,7 @@ static void draw(arb *a, loft_vec p[], int count)
             p[k].axis[i] = loft_real_from_raw(arb_raw(a, LIMIT));
 }
 
-/* Is x = v * 2^(factors * LOFT_EXACT_REAL), v counting 2^(-16 factors)? */
+/* Is x = v * 2^(factors * LOFT_EXACT_REAL), with v in units of 2^(-16 factors)? */
 static bool is_whole(loft_exact x, wide v, int factors)
 {
     const int32_t part[3] = { (int32_t)(v >> 60), (int32_t)((v >> 30) & 0x3fffffff),
@@ -53,7 +52,7 @@ static void differences_and_products_are_exact(arb *a)
     CHECK(is_whole(n[2], u[0] * v[1] - u[1] * v[0], 2));
 }
 
-/* |a x b|^2 + (a b)^2 = |a|^2 |b|^2, whatever the coordinates are. */
+/* |a x b|^2 + (a b)^2 = |a|^2 |b|^2, for any coordinates. */
 static void lagranges_identity_holds(arb *a)
 {
     const loft_vec p[3] = { arb_vec(a, 32767), arb_vec(a, 32767), arb_vec(a, 32767) };
@@ -72,7 +71,7 @@ static void lagranges_identity_holds(arb *a)
     CHECK(loft_exact_sign(loft_vec_exact_dot(n, x, 3)) == 0);
 }
 
-/* One coordinate of one point is too large, within or beyond the axes that are looked at. */
+/* One coordinate of one point is too large, within or beyond the tested axes. */
 static void a_point_is_valid_if_its_axes_are(arb *a)
 {
     const int k = (int)arb_below(a, 3), axis = (int)arb_below(a, LOFT_AXES);

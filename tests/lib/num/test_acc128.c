@@ -1,13 +1,13 @@
 /* tests/lib/num/test_acc128.c -- properties of lib/num/acc128.h
  * SPDX-License-Identifier: MIT
  *
- * What a deep number is shows in its quotients: all are read through loft_acc128_project, against
- * long double.
+ * The value of a loft_acc128 shows in its quotients: all are read through loft_acc128_project and
+ * compared with long double.
  */
 #include "support/exact.h"              /* exact_acc, exact_unit, CHECK_EXACT */
 #include "num/acc128.h"
 
-/* Below 2^limit in size, whole multiples of the last bit, extremes included. */
+/* Below 2^limit in magnitude, multiples of the last bit, extremes included. */
 static loft_acc arb_acc(arb *a, int limit)
 {
     const int64_t top = ((int64_t)1 << (limit + 31)) + (((int64_t)1 << (limit + 31)) - 1);
@@ -28,7 +28,7 @@ static loft_acc arb_weight(arb *a, int limit)
     return w < 0 ? -w : w > 0 ? w : loft_to_acc(LOFT_REAL(1));
 }
 
-/* The last bits of a coordinate and, in floats, of the operations before. */
+/* The last bits of a coordinate and, in floats, of the operations before it. */
 static long double bound_of(long double want, int roundings)
 {
     const long double by_num[2] = { LSB / 2 + fabsl(want) * 0x1p-61L,
@@ -53,7 +53,7 @@ static void projections_are_rounded_to_nearest(arb *a)
                 bound_of(want, 2));
 }
 
-/* And back, to the coordinate it was. */
+/* The inverse gives the original coordinate. */
 static void weighing_is_the_other_way(arb *a)
 {
     const loft_acc w = arb_weight(a, 30);
@@ -68,7 +68,7 @@ static void weighing_is_the_other_way(arb *a)
                     BY_NUM(0, 0, 2 * ulp(exact_of(c))));
 }
 
-/* Half a LSB exactly: (2 k + 1) / 2 LSB of 2^-16, with w a power of two. */
+/* Exactly half an LSB: (2 k + 1) / 2 LSB of 2^-16, with w a power of two. */
 static void ties_go_upward_in_q16(arb *a)
 {
     const int32_t k = arb_raw(a, 1 << 29);
@@ -114,7 +114,7 @@ static void lerps_keep_their_guard_bits(arb *a)
 
     CHECK_EXACT(exact_of(loft_acc128_project(between, loft_acc128_guarded(w))), want,
                 bound_of(want, 2) + size * BY_NUM(0x1p-60L, 0x1p-50L, 0x1p-50L));
-    /* with a denominator as small as the last bit of a wide number, the bits below it are seen */
+    /* with a denominator as small as the last bit of an acc, the bits below it show */
     const loft_acc least = BY_NUM(1, 0x1p-32, 0x1p-32);
     const loft_acc128 little = loft_acc128_lerp(loft_acc128_guarded(0), loft_acc128_guarded(least),
                                                 t);

@@ -1,30 +1,30 @@
 /* tests/lib/num/test_acc2.c -- properties of lib/num/acc2.h
  * SPDX-License-Identifier: MIT
  *
- * What a broad number is shows beside another: quotients are compared with those of long double, of
- * whole numbers that it holds.
+ * The value of a loft_acc2 shows only relative to another one: quotients are compared with those of
+ * long double, for integers that long double represents.
  */
 #include "support/exact.h"              /* exact_acc, CHECK_EXACT */
 #include "num/acc2.h"
 
 #define STEPS 16777216
 
-static loft_acc2 broad_of(int32_t raw) { return loft_acc2_sub(loft_real_from_raw(raw), 0); }
+static loft_acc2 acc2_of(int32_t raw) { return loft_acc2_sub(loft_real_from_raw(raw), 0); }
 
 /* The quadratic with these Bernstein coefficients at j / 2^24. */
 static loft_acc2 value_of(const int32_t raw[3], uint32_t j)
 {
     const loft_unit t = loft_unit_of(j, STEPS);
-    const loft_acc2 left = loft_acc2_lerp(broad_of(raw[0]), broad_of(raw[1]), t),
-                     right = loft_acc2_lerp(broad_of(raw[1]), broad_of(raw[2]), t);
+    const loft_acc2 left = loft_acc2_lerp(acc2_of(raw[0]), acc2_of(raw[1]), t),
+                     right = loft_acc2_lerp(acc2_of(raw[1]), acc2_of(raw[2]), t);
 
     return loft_acc2_lerp(left, right, t);
 }
 
 static long double size_of(loft_acc x) { return fabsl(exact_acc(x)); }
 
-/* (p t - q (1 - t))^2 beside 1 LSB and beside a multiple of itself, some steps from the place where
- * it is 0: 2^-48 and less of its coefficients is left. */
+/* (p t - q (1 - t))^2 compared with 1 LSB and with a multiple of itself, a few steps from its zero:
+ * 2^-48 or less of its coefficients remains. */
 static void what_nearly_cancels_is_known(arb *a)
 {
     const int32_t p = 1 + (int32_t)arb_below(a, 60), q = 1 + (int32_t)arb_below(a, 60),
@@ -50,8 +50,8 @@ static void what_nearly_cancels_is_known(arb *a)
         CHECK_EXACT(exact_acc(out[1]) / exact_acc(out[0]), 1.0L / factor, 0x1p-30L);
 }
 
-/* A quadratic less its own value rounded: below one of 24 bits that cancel. The sum is whole and
- * wraps: in 2^-48. */
+/* A quadratic minus its own rounded value: 24 bits cancel. The sum is an integer and wraps: in
+ * 2^-48. */
 static void what_is_left_of_a_sum_is_known(arb *a)
 {
     const uint64_t j = arb_below(a, STEPS + 1), n = STEPS - j;
@@ -73,7 +73,7 @@ static void what_is_left_of_a_sum_is_known(arb *a)
     CHECK_EXACT(exact_acc(out[0]) / exact_acc(out[1]), (long double)rest * 0x1p-48L, 0x1p-51L);
 }
 
-/* A difference of coordinates far apart in size keeps both. */
+/* A difference of coordinates of very different size keeps all bits of both. */
 static void differences_are_exact(arb *a)
 {
     const loft_real x = arb_real(a, 16000),
@@ -88,7 +88,7 @@ static void differences_are_exact(arb *a)
     CHECK(!(size_of(out[0] - out[1]) > 0) && !(size_of(out[2] - 2 * out[1]) > 0));
 }
 
-/* The largest is 2^27 .. 2^28, the quotients stay, zeros are told. */
+/* The largest is 2^27 .. 2^28, the quotients are kept, zero vectors are reported. */
 static void vectors_keep_their_direction(arb *a)
 {
     const int32_t limit = (int32_t)1 << arb_below(a, 31),
@@ -98,7 +98,7 @@ static void vectors_keep_their_direction(arb *a)
     loft_acc out[3];
 
     for (int i = 0; i < 3; i++) {
-        v[i] = broad_of(raw[i]);
+        v[i] = acc2_of(raw[i]);
         largest = fmaxl(largest, fabsl(exact_of(loft_real_from_raw(raw[i]))));
     }
     CHECK(loft_acc2_scaled(v, 3, out) == (largest > 0));
@@ -112,7 +112,7 @@ static void vectors_keep_their_direction(arb *a)
                     0x1p-58L);
 }
 
-/* At both ends a lerp is what it was given, and the same from either side. */
+/* At both ends a lerp returns its arguments, and the same from either side. */
 static void lerps_are_exact_at_the_ends(arb *a)
 {
     const loft_acc2 x = loft_acc2_sub(arb_real(a, 32767), arb_real(a, 32767)),

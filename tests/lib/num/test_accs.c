@@ -4,7 +4,7 @@
 #include "num/accs.h"
 #include "check.h"          /* CHECK, PROPERTY */
 
-/* Of all sizes to 2^29. */
+/* Of any size up to 2^29. */
 static loft_acc some_acc(arb *a)
 {
     return loft_acc_scale(loft_acc_mul(loft_to_acc(arb_real(a, 16383)), arb_real(a, 16383)),
@@ -28,7 +28,7 @@ static pair some_pair(arb *a)
 
 static bool same(loft_acc a, loft_acc b) { return !(a < b || b < a); }
 
-/* What lies before and behind the vector stays. */
+/* The memory before and behind the vector is unchanged. */
 static bool stays_beside(const pair *p)
 {
     return same(p->z[0], p->x[0]) && same(p->z[LOFT_AXES + 1], p->x[LOFT_AXES + 1]);

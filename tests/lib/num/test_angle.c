@@ -4,13 +4,13 @@
 #include "support/exact.h"              /* exact_acc, CHECK_EXACT */
 #include "num/angle.h"
 
-#define HALF (0x1p-53L * 1.001L)        /* half an ulp of double, and what the reference rounds */
+#define HALF (0x1p-53L * 1.001L)    /* half an ulp of double, plus the rounding of the reference */
 
 static const long double pi = 3.14159265358979323846264338327950288L;
 
 static long double exact_fine(loft_fine x) { return BY_NUM((long double)x * 0x1p-60L, x, x); }
 
-/* Of one size or another, whole numbers of quarters and next to them included; |x| < limit. */
+/* Of any size, including whole numbers of quarters and their neighbours; |x| < limit. */
 static loft_fine arb_fine(arb *a, double limit)
 {
     const uint32_t kind = arb_below(a, 8);
@@ -38,7 +38,7 @@ static void sines_are_within_their_bound(arb *a)
                 BY_NUM(0x1p-58L, 0x1p-52L, 0x1p-52L));
 }
 
-/* One turn in equal steps, so that no part of it is left out. */
+/* One turn in equal steps, so that every part of it is tested. */
 static void a_turn_of_sines_is_within_its_bound(arb *a)
 {
     (void)a;

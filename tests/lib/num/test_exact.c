@@ -1,5 +1,5 @@
-/* tests/lib/num/test_exact.c -- exact whole numbers against __int128, and against their own laws at
- * full width
+/* tests/lib/num/test_exact.c -- exact integers against __int128, and against algebraic laws at full
+ * width
  * SPDX-License-Identifier: MIT
  */
 #include "support/exact.h"              /* exact_of, BY_NUM */
@@ -69,7 +69,7 @@ static void small_numbers_agree_with_int128(arb *a)
     }
 }
 
-/* What holds in every ring, at the full width. */
+/* The ring axioms, at full width. */
 static void wide_numbers_form_a_ring(arb *a)
 {
     const loft_exact x = arb_exact(a, TOP / 2 - 2), y = arb_exact(a, TOP / 2 - 2);

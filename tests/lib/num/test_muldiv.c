@@ -33,8 +33,8 @@ static void a_part_is_rounded_once(arb *a)
 
 __extension__ typedef __int128 wide;
 
-/* To the last bit, ties away from 0. */
-static void a_part_is_the_nearest_number(arb *a)
+/* Exact to the last bit, ties away from 0. */
+static void a_quotient_is_the_nearest_number(arb *a)
 {
     const loft_acc x = arb_acc(a, 63), y = arb_below(a, 4) ? arb_acc(a, 63) : arb_acc(a, 8),
                    any = arb_acc(a, 63);
@@ -107,7 +107,7 @@ int main(void)
 {
     PROPERTY(a_part_is_rounded_once,              20000);
 #if LOFT_NUM == LOFT_Q16
-    PROPERTY(a_part_is_the_nearest_number,        20000);
+    PROPERTY(a_quotient_is_the_nearest_number,    20000);
     PROPERTY(a_length_is_the_nearest_number,      20000);
     PROPERTY(a_shift_down_is_rounded_upward,      20000);
 #else

@@ -1,5 +1,5 @@
-/* tests/lib/num/test_num.c -- every scalar function of lib/num holds the bound in its docstring, at
- * the extremes too
+/* tests/lib/num/test_num.c -- every scalar function of lib/num keeps the bound in its docstring,
+ * also at the extremes
  * SPDX-License-Identifier: MIT
  */
 #include "num/num.h"

@@ -14,7 +14,7 @@ static bool well_formed(loft_sci x)
 #endif
 }
 
-/* Products and quotients of whole numbers: any digits, any exponent within 2^+-200. */
+/* Products and quotients of integers: any digits, any exponent within 2^+-200. */
 static loft_sci arb_sci(arb *a)
 {
     loft_sci x = loft_sci_from_int((int32_t)arb_below(a, 1u << (1 + arb_below(a, 30))));
@@ -52,7 +52,7 @@ static void sums_products_and_quotients_err_by_a_share_of_the_result(arb *a)
     }
 }
 
-/* x - y of neighbours, where all bits but the last cancel. */
+/* x - y of neighbours, where all bits except the last cancel. */
 static void what_is_exact_stays_exact(arb *a)
 {
     const int32_t i = (int32_t)(arb_below(a, 65536) - 32768),
@@ -115,8 +115,8 @@ static void what_does_not_fit_is_refused(arb *a)
                 BY_NUM(floorl(small * 4294967296.0L + 0.5L) / 4294967296.0L, small, small), 0);
 }
 
-/* Three points on a line but for one LSB, and far apart: sign and value are those of whole
- * numbers. */
+/* Three points on a line except for one LSB, and far apart: sign and value are those of
+ * integers. */
 static void cross_products_are_exact_in_sign_and_close_in_value(arb *a)
 {
     __extension__ typedef __int128 wide;
@@ -154,7 +154,7 @@ static void cross_products_are_exact_in_sign_and_close_in_value(arb *a)
                 BY_NUM(0x1p-60L, 0x1p-47L, 0x1p-47L));
 }
 
-/* Differences that no double holds. */
+/* Differences that no double represents. */
 static void cross_products_of_doubles_of_any_digits_are_exact_in_sign(arb *a)
 {
 #if LOFT_NUM == LOFT_F64
