@@ -7,12 +7,10 @@
  *     loft_cubic c;
  *     if (loft_cubic_from_hermite(&h, &c) == LOFT_OK) ..      // walk it, flatten it, plan it
  *
- * 1 - t| + |t| and ulp is that of the largest coordinate given. f64 takes coordinates below 2^1000.
- * | Control points of a cubic reach up to 4/3 of the range of the data (p0 + t0 / 3), so points and
- * control points may be out of range although all data are within it. Such a result is reported,
- * never wrapped. In the `error` lines L = |1 - t| + |t|, and ulp is that of the largest given
- * coordinate. f64 accepts coordinates below 2^1000. |1 - t| + |t| and ulp is that of the largest
- * coordinate given. f64 takes coordinates below 2^1000.
+ * Control points of a cubic reach up to 4/3 of the range of the data (p0 + t0 / 3). Points and
+ * control points may therefore be out of range although all data are within it. Such a result is
+ * reported, never wrapped. In the `error` lines L = |1 - t| + |t|, and ulp is that of the largest
+ * given coordinate. f64 accepts coordinates below 2^1000.
  */
 #ifndef LOFT_CURVE_HERMITE_H
 #define LOFT_CURVE_HERMITE_H

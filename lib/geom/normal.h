@@ -8,8 +8,7 @@
 
 LOFT_BEGIN_C
 
-/* x|; LOFT_SINGULAR, and *out untouched, for x = 0. | x / |x|. For x = 0 it returns LOFT_SINGULAR
- * and leaves *out untouched. |x|; LOFT_SINGULAR, and *out untouched, for x = 0.
+/* x / |x|. For x = 0 it returns LOFT_SINGULAR and leaves *out untouched.
  *
  *   error   q16: 1/2 LSB + 2^-30 LSB   f32: 1/2 ulp   f64: LOFT_AXES + 4 ulp, of 1
  *   cost    in numbers of num/sci.h one product and one quotient per axis, one square root

@@ -72,8 +72,8 @@ bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out) LOFT_CHECKED
  */
 bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out) LOFT_CHECKED;
 
-/* x| < 2^109 then. | x as a loft_acc128; `guarded` adds 46 guard bits below in q16, for a chain of
- * lerps: then |x| < 2^109. |x| < 2^109 then.
+/* x as a loft_acc128. In q16 `guarded` adds 46 guard bits below the last bit, for a chain of lerps:
+ * then |x| < 2^109.
  *
  *   error   none
  *   cost    guarded: 4 products of 32 bits
@@ -98,7 +98,7 @@ loft_acc128 loft_acc128_add(loft_acc128 x, loft_acc128 y);
 loft_acc128 loft_acc128_sub(loft_acc128 x, loft_acc128 y);
 loft_acc128 loft_acc128_times(loft_acc128 x, uint32_t k);
 
-/* x|, |y| < 2^126 | Is x < y? q16: |x|, |y| < 2^126 |x|, |y| < 2^126
+/* Is x < y? q16: |x|, |y| < 2^126
  *
  *   error   none
  *   cost    q16: one pass over 4 limbs

@@ -61,8 +61,8 @@ loft_fine loft_fine_atan2(loft_acc y, loft_acc x);
 
 /* Products, quotients and roots. Both arguments of a quotient are loft_fine, or both are loft_acc.
  *
- *   range   mul: |x y| < 8   scale: |a x| < 2^30   quot: y != 0, |x / y| < 2^30   x / y| < 7 sqrt:
- *           0..1 | ratio: y != 0, |x / y| < 7   sqrt: 0..1 |x / y| < 7 sqrt: 0..1
+ *   range   mul: |x y| < 8   scale: |a x| < 2^30   quot: y != 0, |x / y| < 2^30
+ *           ratio: y != 0, |x / y| < 7   sqrt: 0..1
  *   error   q16: mul 2^-61, scale 2^-33, quot 2^-33, ratio 2^-61, sqrt 2^-59   f32, f64: 1/2 ulp of
  *           double, sqrt 1
  *   cost    ratio: 60 rounds of shift and subtraction in q16; sqrt: 7 to 36 ratios

@@ -93,9 +93,7 @@ static inline loft_acc  loft_acc_max(loft_acc x, loft_acc y)  { return x > y ? x
 /* error 1/2 ulp */
 static inline loft_acc  loft_acc_mean(loft_acc x, loft_acc y)   { return (x + y) * 0.5; }
 
-/* x|, |y|, and of their size times j / n above n; none at j = 0 and n. n >= 1 | error 3 ulp of the
- * larger of |x|, |y|, for j above n times j / n; none at j = 0 and n. n >= 1 |x|, |y|, and of their
- * size times j / n above n; none at j = 0 and n. n >= 1 */
+/* error 3 ulp of the larger of |x|, |y|, for j above n times j / n; none at j = 0 and n. n >= 1 */
 static inline loft_acc  loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint32_t n)
 {
     const loft_acc t = (loft_acc)j / (loft_acc)n;
