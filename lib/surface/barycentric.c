@@ -28,7 +28,7 @@ typedef struct {
     loft_exact x, y;
 } side;
 
-static side between(loft_vec a, loft_vec b)
+static side exact_side(loft_vec a, loft_vec b)
 {
     return (side) { loft_vec_exact_sub_axis(&b, &a, 0), loft_vec_exact_sub_axis(&b, &a, 1) };
 }
@@ -36,7 +36,7 @@ static side between(loft_vec a, loft_vec b)
 static loft_exact det(side a, side b) { return loft_exact_det(a.x, a.y, b.x, b.y); }
 
 /* part / whole. The parts are two determinants, and their difference from the whole or from 0. */
-static enum loft_status divide(const loft_exact part[3], loft_exact whole, loft_acc out[3])
+static enum loft_status divide_parts(const loft_exact part[3], loft_exact whole, loft_acc out[3])
 {
     loft_acc x[3];
 
@@ -55,13 +55,13 @@ enum loft_status loft_bary_from_point(const loft_vec corner[3], loft_vec x, loft
 {
     if (!loft_vec_exact_valid(corner, 3, 2) || !loft_vec_exact_valid(&x, 1, 2))
         return LOFT_ERR_RANGE;
-    const side a = between(corner[0], corner[1]), b = between(corner[0], corner[2]),
-               p = between(corner[0], x);
+    const side a = exact_side(corner[0], corner[1]), b = exact_side(corner[0], corner[2]),
+               p = exact_side(corner[0], x);
     const loft_exact whole = det(a, b);
     loft_exact part[3] = { whole, det(p, b), det(a, p) };
 
     part[0] = loft_exact_sub(loft_exact_sub(whole, part[1]), part[2]);
-    return divide(part, whole, out);
+    return divide_parts(part, whole, out);
 }
 
 enum loft_status loft_bary_from_vector(const loft_vec corner[3], loft_vec x, loft_acc out[3])
@@ -70,12 +70,12 @@ enum loft_status loft_bary_from_vector(const loft_vec corner[3], loft_vec x, lof
 
     if (!loft_vec_exact_valid(corner, 3, 2) || !loft_vec_exact_valid(&x, 1, 2))
         return LOFT_ERR_RANGE;
-    const side a = between(corner[0], corner[1]), b = between(corner[0], corner[2]),
-               p = between(origin, x);
+    const side a = exact_side(corner[0], corner[1]), b = exact_side(corner[0], corner[2]),
+               p = exact_side(origin, x);
     const loft_exact v = det(p, b), w = det(a, p),
                      part[3] = { loft_exact_neg(loft_exact_add(v, w)), v, w };
 
-    return divide(part, det(a, b), out);
+    return divide_parts(part, det(a, b), out);
 }
 
 enum loft_status loft_bary_area(const loft_vec corner[3], loft_real *area)
@@ -84,7 +84,8 @@ enum loft_status loft_bary_area(const loft_vec corner[3], loft_real *area)
 
     if (!loft_vec_exact_valid(corner, 3, 2))
         return LOFT_ERR_RANGE;
-    const loft_exact twice = det(between(corner[0], corner[1]), between(corner[0], corner[2]));
+    const loft_exact twice = det(exact_side(corner[0], corner[1]),
+                                 exact_side(corner[0], corner[2]));
     if (!loft_exact_quot(twice, loft_exact_from_int(2), -2 * LOFT_EXACT_REAL, &x) ||
         !loft_acc_valid(x))
         return LOFT_ERR_RANGE;
@@ -92,7 +93,7 @@ enum loft_status loft_bary_area(const loft_vec corner[3], loft_real *area)
     return LOFT_OK;
 }
 
-static bool near(loft_bary u)
+static bool bary_near(loft_bary u)
 {
     return u.v >= -FARTHEST && u.v <= FARTHEST && u.w >= -FARTHEST && u.w <= FARTHEST;
 }
@@ -109,16 +110,16 @@ enum loft_status loft_bary_round(const loft_acc wide[3], loft_bary *out)
     return LOFT_OK;
 }
 
-static loft_acc widened(loft_unit t) { return loft_acc_scale(loft_to_acc(LOFT_REAL(1)), t); }
+static loft_acc unit_to_acc(loft_unit t) { return loft_acc_scale(loft_to_acc(LOFT_REAL(1)), t); }
 
 enum loft_status loft_bary_change(const loft_bary corner[3], loft_bary x, loft_acc out[3])
 {
-    if (!near(corner[0]) || !near(corner[1]) || !near(corner[2]) || !near(x))
+    if (!bary_near(corner[0]) || !bary_near(corner[1]) || !bary_near(corner[2]) || !bary_near(x))
         return LOFT_ERR_ARG;
-    out[1] = loft_acc_lerp3(widened(corner[0].v), widened(corner[1].v), widened(corner[2].v), x.v,
-                            x.w);
-    out[2] = loft_acc_lerp3(widened(corner[0].w), widened(corner[1].w), widened(corner[2].w), x.v,
-                            x.w);
+    out[1] = loft_acc_lerp3(unit_to_acc(corner[0].v), unit_to_acc(corner[1].v),
+                            unit_to_acc(corner[2].v), x.v, x.w);
+    out[2] = loft_acc_lerp3(unit_to_acc(corner[0].w), unit_to_acc(corner[1].w),
+                            unit_to_acc(corner[2].w), x.v, x.w);
     out[0] = loft_to_acc(LOFT_REAL(1)) - out[1] - out[2];
     return LOFT_OK;
 }
@@ -133,9 +134,9 @@ bool loft_bary_grows(loft_bary u, bool direction, unsigned times, loft_acc *prod
 
     if (!direction && loft_bary_inside(u))
         return true;
-    if (!near(u))
+    if (!bary_near(u))
         return false;
-    const loft_acc v = widened(u.v), w = widened(u.w);
+    const loft_acc v = unit_to_acc(u.v), w = unit_to_acc(u.w);
     /* at most 129 */
     const loft_acc growth = loft_acc_abs((direction ? 0 : one) - v - w) + loft_acc_abs(v) +
                             loft_acc_abs(w);

@@ -19,7 +19,7 @@ typedef struct {
     unsigned i, j;
 } corner;
 
-static bool bit(const loft_contour *c, uint32_t k)       { return c->memory[k / 8] >> k % 8 & 1; }
+static bool get_bit(const loft_contour *c, uint32_t k) { return c->memory[k / 8] >> k % 8 & 1; }
 static void set_bit(loft_contour *c, uint32_t k)
 {
     c->memory[k / 8] = (uint8_t)(c->memory[k / 8] | 1u << k % 8);
@@ -27,7 +27,7 @@ static void set_bit(loft_contour *c, uint32_t k)
 
 static uint32_t corner_bit(const loft_contour *c, corner k)
 {
-    const unsigned j = c->sheet.over == LOFT_SURFACE_DISK && k.j == c->columns ? 0 : k.j;
+    const unsigned j = c->surface.over == LOFT_SURFACE_DISK && k.j == c->columns ? 0 : k.j;
     return k.i * (c->columns + (uint32_t)1) + j;
 }
 
@@ -37,11 +37,11 @@ static uint32_t cell_bit(const loft_contour *c, const loft_contour_cell *t)
            ((uint32_t)t->i * c->columns + t->j) * 2 + t->upper;
 }
 
-static bool is_high(const loft_contour *c, corner k) { return bit(c, corner_bit(c, k)); }
+static bool is_high(const loft_contour *c, corner k) { return get_bit(c, corner_bit(c, k)); }
 
-static bool exists(const loft_contour *c, unsigned i, unsigned j, bool upper)
+static bool cell_exists(const loft_contour *c, unsigned i, unsigned j, bool upper)
 {
-    if (c->sheet.over == LOFT_SURFACE_TRIANGLE)
+    if (c->surface.over == LOFT_SURFACE_TRIANGLE)
         return i + j + upper < c->rows;
     return i < c->rows && j < c->columns;
 }
@@ -57,7 +57,7 @@ static corner corner_of(const loft_contour_cell *t, unsigned k)
 
 /* The edge over which a contour enters (`high` true) or leaves the triangle. 3 when the contour
  * does not cross the triangle. */
-static unsigned crossed(const loft_contour *c, const loft_contour_cell *t, bool high)
+static unsigned crossed_edge(const loft_contour *c, const loft_contour_cell *t, bool high)
 {
     unsigned k = 0;
 
@@ -69,12 +69,12 @@ static unsigned crossed(const loft_contour *c, const loft_contour_cell *t, bool 
 
 /* Go to the triangle beyond edge k, in place. False when the edge is on the border. Edge 0 is the
  * line between columns, edge 1 the diagonal, edge 2 the line between rows. */
-static bool go_beyond(const loft_contour *c, loft_contour_cell *t, unsigned k)
+static bool go_to_neighbour(const loft_contour *c, loft_contour_cell *t, unsigned k)
 {
     unsigned i = t->i, j = t->j;
 
     if (k == 0 && !t->upper && j == 0) {
-        if (c->sheet.over != LOFT_SURFACE_DISK)
+        if (c->surface.over != LOFT_SURFACE_DISK)
             return false;
         j = c->columns;
     }
@@ -84,9 +84,9 @@ static bool go_beyond(const loft_contour *c, loft_contour_cell *t, unsigned k)
         j = t->upper ? j + 1 : j - 1;
     if (k == 2)
         i = t->upper ? i + 1 : i - 1;
-    if (c->sheet.over == LOFT_SURFACE_DISK && j == c->columns)
+    if (c->surface.over == LOFT_SURFACE_DISK && j == c->columns)
         j = 0;
-    if (!exists(c, i, j, !t->upper))
+    if (!cell_exists(c, i, j, !t->upper))
         return false;
     t->i = (uint16_t)i;
     t->j = (uint16_t)j;
@@ -104,28 +104,28 @@ typedef struct {
     loft_acc off;               /* its height minus the wanted height */
 } spot;
 
-static loft_unit between(loft_unit a, loft_unit b, loft_unit s)
+static loft_unit unit_lerp(loft_unit a, loft_unit b, loft_unit s)
 {
     return loft_unit_round(loft_acc_lerp(loft_unit_to_acc(a), loft_unit_to_acc(b), s));
 }
 
 /* False when the surface has no point there. */
-static bool look(const loft_contour *c, spot *s)
+static bool eval_spot(const loft_contour *c, spot *s)
 {
-    if (c->sheet.eval(c->sheet.surface, s->u, s->v, &s->p) != LOFT_OK)
+    if (c->surface.eval(c->surface.surface, s->u, s->v, &s->p) != LOFT_OK)
         return false;
     s->off = loft_to_acc(s->p.axis[c->axis]) - loft_to_acc(c->height);
     return true;
 }
 
-static bool look_at(const loft_contour *c, corner k, spot *s)
+static bool eval_corner(const loft_contour *c, corner k, spot *s)
 {
     s->u = loft_unit_of(k.i, c->rows);
     s->v = loft_unit_of(k.j, c->columns);
-    return look(c, s);
+    return eval_spot(c, s);
 }
 
-static bool is_near(const loft_contour *c, const spot *s)
+static bool spot_within_tol(const loft_contour *c, const spot *s)
 {
     return s->off <= loft_to_acc(c->tol) && s->off >= -loft_to_acc(c->tol);
 }
@@ -133,30 +133,30 @@ static bool is_near(const loft_contour *c, const spot *s)
 /* Find the crossing between a low and a high corner, low.off < 0 <= high.off. Secant and bisection
  * steps alternate. The secant converges fast where the surface is smooth; bisection limits the
  * steps on any surface to twice those of bisection alone. */
-static spot search(const loft_contour *c, corner from, corner to)
+static spot find_crossing(const loft_contour *c, corner from, corner to)
 {
     loft_unit least = 0, most = LOFT_UNIT(1);
     spot a, b, low, high;
 
-    if (!look_at(c, from, &a) || !look_at(c, to, &b))   /* never: init has evaluated both */
+    if (!eval_corner(c, from, &a) || !eval_corner(c, to, &b))   /* never: init has evaluated both */
         return a;
     low = a;
     high = b;
     for (unsigned guess = 0; guess < 2 * GUESSES && high.off != 0; guess++) {
         const loft_unit share = guess % 2 ? LOFT_UNIT(0.5)
                                           : loft_unit_ratio(-low.off, high.off - low.off);
-        const loft_unit s = between(least, most, share);
+        const loft_unit s = unit_lerp(least, most, share);
         spot x;
         if (!(s > least && s < most)) {
             if (guess % 2)
                 break;
             continue;
         }
-        x.u = between(a.u, b.u, s);
-        x.v = between(a.v, b.v, s);
-        if (!look(c, &x))
+        x.u = unit_lerp(a.u, b.u, s);
+        x.v = unit_lerp(a.v, b.v, s);
+        if (!eval_spot(c, &x))
             break;
-        if (is_near(c, &x))
+        if (spot_within_tol(c, &x))
             return x;
         if (x.off < 0) {
             least = s;
@@ -169,10 +169,10 @@ static spot search(const loft_contour *c, corner from, corner to)
     return high.off < -low.off ? high : low;
 }
 
-static void give(loft_contour *c, unsigned k, bool entry, loft_vec *out)
+static void give_point(loft_contour *c, unsigned k, bool entry, loft_vec *out)
 {
     const corner from = corner_of(&c->at, k), to = corner_of(&c->at, k + 1);
-    const spot s = entry ? search(c, to, from) : search(c, from, to);
+    const spot s = entry ? find_crossing(c, to, from) : find_crossing(c, from, to);
 
     c->u = s.u;
     c->v = s.v;
@@ -182,12 +182,12 @@ static void give(loft_contour *c, unsigned k, bool entry, loft_vec *out)
 
 /* Curves */
 
-enum loft_status loft_contour_init(loft_contour *c, loft_surface sheet, unsigned axis,
+enum loft_status loft_contour_init(loft_contour *c, loft_surface surface, unsigned axis,
                                    loft_real height, loft_real tol, unsigned rows, unsigned columns,
                                    uint8_t memory[], size_t count)
 {
-    const bool round = sheet.over == LOFT_SURFACE_DISK,
-               triangle = sheet.over == LOFT_SURFACE_TRIANGLE;
+    const bool round = surface.over == LOFT_SURFACE_DISK,
+               triangle = surface.over == LOFT_SURFACE_TRIANGLE;
     corner k;
 
     if (rows < 1 || rows > LOFT_CONTOUR_MOST || columns < (round ? 3u : 1u) ||
@@ -198,7 +198,7 @@ enum loft_status loft_contour_init(loft_contour *c, loft_surface sheet, unsigned
         return LOFT_ERR_SPACE;
     for (uint32_t i = 0; i < LOFT_CONTOUR_BYTES(rows, columns); i++)
         memory[i] = 0;
-    c->sheet = sheet;
+    c->surface = surface;
     c->axis = (uint8_t)axis;
     c->height = height;
     c->tol = tol;
@@ -211,7 +211,7 @@ enum loft_status loft_contour_init(loft_contour *c, loft_surface sheet, unsigned
         for (k.j = 0; k.j <= (triangle ? rows - k.i : columns); k.j++) {
             spot s;
             const loft_unit u = loft_unit_of(k.i, rows), v = loft_unit_of(k.j, columns);
-            const enum loft_status status = sheet.eval(sheet.surface, u, v, &s.p);
+            const enum loft_status status = surface.eval(surface.surface, u, v, &s.p);
             if (status != LOFT_OK)
                 return status;
             if (s.p.axis[axis] >= height)
@@ -222,17 +222,17 @@ enum loft_status loft_contour_init(loft_contour *c, loft_surface sheet, unsigned
 
 /* Does a curve that is not yet walked begin in this triangle? The first pass looks at the border
  * only, the second pass everywhere. */
-static bool begins(const loft_contour *c, const loft_contour_cell *t, unsigned *entry)
+static bool curve_begins(const loft_contour *c, const loft_contour_cell *t, unsigned *entry)
 {
     loft_contour_cell beyond = *t;
 
-    if (!exists(c, t->i, t->j, t->upper) || bit(c, cell_bit(c, t)))
+    if (!cell_exists(c, t->i, t->j, t->upper) || get_bit(c, cell_bit(c, t)))
         return false;
-    *entry = crossed(c, t, true);
-    return *entry < 3 && (c->closed || !go_beyond(c, &beyond, *entry));
+    *entry = crossed_edge(c, t, true);
+    return *entry < 3 && (c->closed || !go_to_neighbour(c, &beyond, *entry));
 }
 
-static bool find(loft_contour *c, unsigned *entry)
+static bool find_start(loft_contour *c, unsigned *entry)
 {
     const uint32_t all = (uint32_t)2 * c->rows * c->columns;
 
@@ -241,7 +241,7 @@ static bool find(loft_contour *c, unsigned *entry)
             c->at.i = (uint16_t)(c->next / 2 / c->columns);
             c->at.j = (uint16_t)(c->next / 2 % c->columns);
             c->at.upper = c->next % 2 != 0;
-            if (begins(c, &c->at, entry))
+            if (curve_begins(c, &c->at, entry))
                 return true;
         }
         if (c->closed)
@@ -256,15 +256,15 @@ enum loft_contour_step loft_contour_next(loft_contour *c, loft_vec *out)
     unsigned k = 0;
 
     if (!c->walking) {
-        if (!find(c, &k))
+        if (!find_start(c, &k))
             return LOFT_CONTOUR_OVER;
         c->walking = true;
-        give(c, k, true, out);
+        give_point(c, k, true, out);
         return LOFT_CONTOUR_START;
     }
-    k = crossed(c, &c->at, false);
-    give(c, k, false, out);
+    k = crossed_edge(c, &c->at, false);
+    give_point(c, k, false, out);
     set_bit(c, cell_bit(c, &c->at));
-    c->walking = go_beyond(c, &c->at, k) && !bit(c, cell_bit(c, &c->at));
+    c->walking = go_to_neighbour(c, &c->at, k) && !get_bit(c, cell_bit(c, &c->at));
     return LOFT_CONTOUR_ON;
 }

@@ -39,7 +39,7 @@ typedef struct {
  * parameters of the last point. */
 typedef struct {
     loft_unit u, v;
-    loft_surface sheet;
+    loft_surface surface;
     loft_real height, tol;
     uint8_t *memory;
     uint16_t rows, columns;
@@ -60,7 +60,7 @@ typedef struct {
  *   error   none: a corner exactly at the height counts as higher
  *   cost    (rows + 1) (columns + 1) points of the surface
  */
-enum loft_status loft_contour_init(loft_contour *c, loft_surface sheet, unsigned axis,
+enum loft_status loft_contour_init(loft_contour *c, loft_surface surface, unsigned axis,
                                    loft_real height, loft_real tol, unsigned rows, unsigned columns,
                                    uint8_t memory[], size_t count) LOFT_CHECKED;
 

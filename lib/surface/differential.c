@@ -66,7 +66,7 @@ static const loft_vec *point_of(const net *s, unsigned k)
 }
 
 /* Coordinates are relative to the origin. */
-static void load(const net *s, int axis, loft_sci c[])
+static void load_net(const net *s, int axis, loft_sci c[])
 {
     for (unsigned k = 0; k < points_of(s); k++) {
         const loft_sci w = s->weighted ? loft_sci_from_real(s->weighted[k].w) : loft_sci_one();
@@ -79,7 +79,7 @@ static void load(const net *s, int axis, loft_sci c[])
 }
 
 /* In floats, products of up to six coordinates and small numbers stay below 2^1023. */
-static bool admitted(const net *s)
+static bool net_valid(const net *s)
 {
     const loft_sci limit = loft_sci_pow(loft_sci_from_int(2), 100);
 
@@ -90,7 +90,7 @@ static bool admitted(const net *s)
     return true;
 }
 
-static loft_sci largest_of(const loft_sci c[], unsigned count)
+static loft_sci largest_abs(const loft_sci c[], unsigned count)
 {
     loft_sci most = loft_sci_zero();
 
@@ -117,7 +117,7 @@ static slope tensor_slope(const net *s, int axis, unsigned a, unsigned b, loft_s
 
     if (a > m || b > n)
         return r;
-    load(s, axis, c);
+    load_net(s, axis, c);
     for (; a > 0; a--, m--) {
         factor *= (int32_t)m;
         for (unsigned k = 0; k < m * stride; k++)
@@ -129,7 +129,7 @@ static slope tensor_slope(const net *s, int axis, unsigned a, unsigned b, loft_s
             c[k] = loft_sci_sub(c[k + 1], c[k]);    /* values beyond the n-th of a row are unused */
     }
     for (unsigned i = 0; i <= m; i++) {
-        const loft_sci most = largest_of(c + i * stride, n + 1);
+        const loft_sci most = largest_abs(c + i * stride, n + 1);
         if (loft_sci_less(r.width, most))
             r.width = most;
     }
@@ -156,7 +156,7 @@ static slope triangle_slope(const net *s, int axis, unsigned a, unsigned b, loft
 
     if (a + b > degree)
         return r;
-    load(s, axis, c);
+    load_net(s, axis, c);
     for (; a + b > 0; degree--) {
         const unsigned along = a > 0 ? 0 : 1;       /* to T2, or to T3 */
         factor *= (int32_t)degree;
@@ -168,7 +168,7 @@ static slope triangle_slope(const net *s, int axis, unsigned a, unsigned b, loft
         else
             b--;
     }
-    r.width = largest_of(c, LOFT_TRIANGLE_POINTS(degree));
+    r.width = largest_abs(c, LOFT_TRIANGLE_POINTS(degree));
     for (; degree > 0; degree--)
         for (unsigned row = 0, k = 0; row < degree; row++)
             for (unsigned j = 0; j <= row; j++, k++) {
@@ -181,47 +181,47 @@ static slope triangle_slope(const net *s, int axis, unsigned a, unsigned b, loft
     return r;
 }
 
-static slope slope_of(const net *s, int axis, unsigned a, unsigned b, loft_sci u, loft_sci v)
+static slope net_slope(const net *s, int axis, unsigned a, unsigned b, loft_sci u, loft_sci v)
 {
     return s->triangle ? triangle_slope(s, axis, a, b, u, v) : tensor_slope(s, axis, a, b, u, v);
 }
 
-static void widen(loft_sci *width, loft_sci other)
+static void max_width(loft_sci *width, loft_sci other)
 {
     if (loft_sci_less(*width, other))
         *width = other;
 }
 
-static void find(const net *s, loft_unit u, loft_unit v, loft_differential *out)
+static void eval_net(const net *s, loft_unit u, loft_unit v, loft_differential *out)
 {
     const loft_sci at_u = loft_sci_from_unit(u), at_v = loft_sci_from_unit(v);
 
     out->width_u = out->width_v = loft_sci_zero();
     for (int i = 0; i < LOFT_AXES; i++) {
-        const slope by_u = slope_of(s, i, 1, 0, at_u, at_v),
-                    by_v = slope_of(s, i, 0, 1, at_u, at_v);
+        const slope by_u = net_slope(s, i, 1, 0, at_u, at_v),
+                    by_v = net_slope(s, i, 0, 1, at_u, at_v);
         out->u[i] = by_u.value;
         out->v[i] = by_v.value;
-        widen(&out->width_u, by_u.width);
-        widen(&out->width_v, by_v.width);
-        out->uu[i] = slope_of(s, i, 2, 0, at_u, at_v).value;
-        out->uv[i] = slope_of(s, i, 1, 1, at_u, at_v).value;
-        out->vv[i] = slope_of(s, i, 0, 2, at_u, at_v).value;
+        max_width(&out->width_u, by_u.width);
+        max_width(&out->width_v, by_v.width);
+        out->uu[i] = net_slope(s, i, 2, 0, at_u, at_v).value;
+        out->uv[i] = net_slope(s, i, 1, 1, at_u, at_v).value;
+        out->vv[i] = net_slope(s, i, 0, 2, at_u, at_v).value;
     }
 }
 
-static bool within(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
+static bool unit_valid(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
 enum loft_status loft_tensor_differential(const loft_tensor *s, loft_unit u, loft_unit v,
                                           loft_differential *out)
 {
     const net n = { s->p, NULL, s->p[0], s->m, s->n, false };
 
-    if (!within(u) || !within(v))
+    if (!unit_valid(u) || !unit_valid(v))
         return LOFT_ERR_ARG;
-    if (!admitted(&n))
+    if (!net_valid(&n))
         return LOFT_ERR_RANGE;
-    find(&n, u, v, out);
+    eval_net(&n, u, v, out);
     return LOFT_OK;
 }
 
@@ -232,49 +232,50 @@ enum loft_status loft_triangle_differential(const loft_triangle *t, loft_bary at
 
     if (!loft_bary_inside(at))
         return LOFT_ERR_ARG;
-    if (!admitted(&n))
+    if (!net_valid(&n))
         return LOFT_ERR_RANGE;
-    find(&n, at.v, at.w, out);
+    eval_net(&n, at.v, at.w, out);
     return LOFT_OK;
 }
 
 
 /* Rational patches */
 
-static loft_sci less_product(loft_sci x, loft_sci a, loft_sci b)
+static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
 {
     return loft_sci_sub(x, loft_sci_mul(a, b));
 }
 
 /* Turn the derivatives of X, in place, into those of X / w. d holds the derivatives of w. */
-static void divide(loft_differential *x, int i, loft_sci offset, loft_sci w, const loft_sci d[5])
+static void divide_by_weight(loft_differential *x, int i, loft_sci offset, loft_sci w,
+                             const loft_sci d[5])
 {
     const loft_sci two = loft_sci_from_int(2);
 
-    x->u[i] = loft_sci_div(less_product(x->u[i], offset, d[0]), w);
-    x->v[i] = loft_sci_div(less_product(x->v[i], offset, d[1]), w);
-    x->uu[i] = less_product(less_product(x->uu[i], loft_sci_mul(two, x->u[i]), d[0]), offset, d[2]);
-    x->uv[i] = less_product(less_product(less_product(x->uv[i], x->u[i], d[1]), x->v[i], d[0]),
-                            offset, d[3]);
-    x->vv[i] = less_product(less_product(x->vv[i], loft_sci_mul(two, x->v[i]), d[1]), offset, d[4]);
+    x->u[i] = loft_sci_div(sub_product(x->u[i], offset, d[0]), w);
+    x->v[i] = loft_sci_div(sub_product(x->v[i], offset, d[1]), w);
+    x->uu[i] = sub_product(sub_product(x->uu[i], loft_sci_mul(two, x->u[i]), d[0]), offset, d[2]);
+    x->uv[i] = sub_product(sub_product(sub_product(x->uv[i], x->u[i], d[1]), x->v[i], d[0]), offset,
+                           d[3]);
+    x->vv[i] = sub_product(sub_product(x->vv[i], loft_sci_mul(two, x->v[i]), d[1]), offset, d[4]);
     x->uu[i] = loft_sci_div(x->uu[i], w);
     x->uv[i] = loft_sci_div(x->uv[i], w);
     x->vv[i] = loft_sci_div(x->vv[i], w);
 }
 
 /* The origin of the net is the point itself. */
-static void find_rational(const net *s, loft_unit u, loft_unit v, loft_differential *out)
+static void eval_rational(const net *s, loft_unit u, loft_unit v, loft_differential *out)
 {
     static const uint8_t order[5][2] = { { 1, 0 }, { 0, 1 }, { 2, 0 }, { 1, 1 }, { 0, 2 } };
     const loft_sci at_u = loft_sci_from_unit(u), at_v = loft_sci_from_unit(v);
-    const loft_sci w = slope_of(s, WEIGHTS, 0, 0, at_u, at_v).value;
+    const loft_sci w = net_slope(s, WEIGHTS, 0, 0, at_u, at_v).value;
     loft_sci d[5];
 
-    find(s, u, v, out);
+    eval_net(s, u, v, out);
     for (int k = 0; k < 5; k++)
-        d[k] = slope_of(s, WEIGHTS, order[k][0], order[k][1], at_u, at_v).value;
+        d[k] = net_slope(s, WEIGHTS, order[k][0], order[k][1], at_u, at_v).value;
     for (int i = 0; i < LOFT_AXES; i++)
-        divide(out, i, loft_sci_div(slope_of(s, i, 0, 0, at_u, at_v).value, w), w, d);
+        divide_by_weight(out, i, loft_sci_div(net_slope(s, i, 0, 0, at_u, at_v).value, w), w, d);
     out->width_u = loft_sci_div(out->width_u, w);
     out->width_v = loft_sci_div(out->width_v, w);
 }
@@ -284,12 +285,12 @@ enum loft_status loft_tensor_rational_differential(const loft_tensor_rational *s
 {
     net n = { NULL, s->p, s->p[0].p, s->m, s->n, false };
 
-    if (!within(u) || !within(v))
+    if (!unit_valid(u) || !unit_valid(v))
         return LOFT_ERR_ARG;
-    if (!admitted(&n))
+    if (!net_valid(&n))
         return LOFT_ERR_RANGE;
     n.origin = loft_tensor_rational_eval(s, u, v);
-    find_rational(&n, u, v, out);
+    eval_rational(&n, u, v, out);
     return LOFT_OK;
 }
 
@@ -300,10 +301,10 @@ enum loft_status loft_triangle_rational_differential(const loft_triangle_rationa
 
     if (!loft_bary_inside(at))
         return LOFT_ERR_ARG;
-    if (!admitted(&n))
+    if (!net_valid(&n))
         return LOFT_ERR_RANGE;
     n.origin = loft_triangle_rational_eval(t, at);
-    find_rational(&n, at.v, at.w, out);
+    eval_rational(&n, at.v, at.w, out);
     return LOFT_OK;
 }
 
@@ -313,7 +314,7 @@ enum loft_status loft_triangle_rational_differential(const loft_triangle_rationa
 #define ENDS (2 * LOFT_COONS_ORDERS)    /* 2 k + end is the k-th derivative at that end */
 
 /* The coefficients of the k-th derivative, k <= degree, without the returned factor. */
-static loft_sci differ(loft_sci c[], unsigned degree, unsigned k)
+static loft_sci difference_net(loft_sci c[], unsigned degree, unsigned k)
 {
     int32_t factor = 1;
 
@@ -333,9 +334,9 @@ static slope line_slope(loft_sci c[], unsigned degree, unsigned k, loft_sci t)
 
     if (k > degree)
         return r;
-    const loft_sci factor = differ(c, degree, k);
+    const loft_sci factor = difference_net(c, degree, k);
     degree -= k;
-    r.width = loft_sci_mul(largest_of(c, degree + 1), factor);
+    r.width = loft_sci_mul(largest_abs(c, degree + 1), factor);
     for (; degree > 0; degree--)
         for (unsigned i = 0; i < degree; i++)
             c[i] = sci_lerp(c[i], c[i + 1], t);
@@ -367,7 +368,7 @@ static slope end_slope(const loft_bezier *b, int axis, loft_acc origin, unsigned
     if (k > b->degree)
         return r;
     load_curve(b, axis, origin, c);
-    const loft_sci factor = differ(c, b->degree, k);
+    const loft_sci factor = difference_net(c, b->degree, k);
     r.value = loft_sci_mul(factor, c[which % 2 ? b->degree - k : 0]);
     r.width = loft_sci_abs(r.value);
     return r;
@@ -405,7 +406,7 @@ typedef struct {
     slope by_s[ENDS][3], by_t[ENDS][3];
 } blended;
 
-static void blend_with(blended *x, unsigned orders, loft_sci s, loft_sci t)
+static void set_blends(blended *x, unsigned orders, loft_sci s, loft_sci t)
 {
     for (unsigned b = 0; b < 2 * orders; b++)
         for (unsigned k = 0; k < 3; k++) {
@@ -415,7 +416,7 @@ static void blend_with(blended *x, unsigned orders, loft_sci s, loft_sci t)
 }
 
 /* Points are relative to a corner, derivatives to 0. */
-static void take_curves(blended *x, const loft_coons_bezier *c, int axis, loft_sci s, loft_sci t)
+static void set_curves(blended *x, const loft_coons_bezier *c, int axis, loft_sci s, loft_sci t)
 {
     const loft_acc first = loft_to_acc(c->u[0][0].p[0].axis[axis]);
 
@@ -455,13 +456,13 @@ static slope coons_slope(const blended *x, unsigned ends, unsigned j, unsigned k
     return sum;
 }
 
-static bool curves_admitted(const loft_coons_bezier *c)
+static bool curves_valid(const loft_coons_bezier *c)
 {
     for (unsigned k = 0; k < 2u * c->orders; k++) {
         const loft_bezier *u = &c->u[k / 2][k % 2], *v = &c->v[k / 2][k % 2];
         const net along_u = { u->p, NULL, u->p[0], u->degree, 0, false };
         const net along_v = { v->p, NULL, v->p[0], v->degree, 0, false };
-        if (!admitted(&along_u) || !admitted(&along_v))
+        if (!net_valid(&along_u) || !net_valid(&along_v))
             return false;
     }
     return true;
@@ -474,19 +475,19 @@ enum loft_status loft_coons_bezier_differential(const loft_coons_bezier *c, loft
     const unsigned ends = 2u * c->orders;
     blended x;
 
-    if (!within(s) || !within(t))
+    if (!unit_valid(s) || !unit_valid(t))
         return LOFT_ERR_ARG;
-    if (!curves_admitted(c))
+    if (!curves_valid(c))
         return LOFT_ERR_RANGE;
-    blend_with(&x, c->orders, at_s, at_t);
+    set_blends(&x, c->orders, at_s, at_t);
     out->width_u = out->width_v = loft_sci_zero();
     for (int i = 0; i < LOFT_AXES; i++) {
-        take_curves(&x, c, i, at_s, at_t);
+        set_curves(&x, c, i, at_s, at_t);
         const slope by_u = coons_slope(&x, ends, 1, 0), by_v = coons_slope(&x, ends, 0, 1);
         out->u[i] = by_u.value;
         out->v[i] = by_v.value;
-        widen(&out->width_u, by_u.width);
-        widen(&out->width_v, by_v.width);
+        max_width(&out->width_u, by_u.width);
+        max_width(&out->width_v, by_v.width);
         out->uu[i] = coons_slope(&x, ends, 2, 0).value;
         out->uv[i] = coons_slope(&x, ends, 1, 1).value;
         out->vv[i] = coons_slope(&x, ends, 0, 2).value;
@@ -499,20 +500,20 @@ enum loft_status loft_coons_bezier_differential(const loft_coons_bezier *c, loft
 
 #if LOFT_AXES >= 3
 
-static loft_sci dot(const loft_sci x[], const loft_sci y[])
+static loft_sci sci_dot(const loft_sci x[], const loft_sci y[])
 {
     return loft_sci_add(loft_sci_add(loft_sci_mul(x[0], y[0]), loft_sci_mul(x[1], y[1])),
                         loft_sci_mul(x[2], y[2]));
 }
 
 /* P_u x P_v and its squared length. False when the length is at most 2^-30 of the widths. */
-static bool cross(const loft_differential *at, loft_sci n[3], loft_sci *square)
+static bool cross_tangents(const loft_differential *at, loft_sci n[3], loft_sci *square)
 {
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        n[i] = less_product(loft_sci_mul(at->u[j], at->v[k]), at->u[k], at->v[j]);
+        n[i] = sub_product(loft_sci_mul(at->u[j], at->v[k]), at->u[k], at->v[j]);
     }
-    *square = dot(n, n);
+    *square = sci_dot(n, n);
     const loft_sci least = loft_sci_div(loft_sci_mul(at->width_u, at->width_v),
                                         loft_sci_from_int((int32_t)1 << 30));
     return loft_sci_less(loft_sci_mul(least, least), *square);
@@ -523,7 +524,7 @@ enum loft_status loft_differential_normal(const loft_differential *at, loft_vec 
     loft_sci n[3], square;
     loft_acc x = 0;
 
-    if (!cross(at, n, &square))
+    if (!cross_tangents(at, n, &square))
         return LOFT_SINGULAR;
     const loft_sci length = loft_sci_sqrt(square);
     for (int i = 0; i < LOFT_AXES; i++)
@@ -532,7 +533,8 @@ enum loft_status loft_differential_normal(const loft_differential *at, loft_vec 
     return LOFT_OK;
 }
 
-static bool take(loft_sci gauss, loft_sci mean, loft_sci least, loft_sci most, loft_curvatures *out)
+static bool set_curvatures(loft_sci gauss, loft_sci mean, loft_sci least, loft_sci most,
+                           loft_curvatures *out)
 {
     loft_curvatures k;
 
@@ -547,20 +549,20 @@ enum loft_status loft_differential_curvatures(const loft_differential *at, loft_
 {
     loft_sci n[3], square;
 
-    if (!cross(at, n, &square))
+    if (!cross_tangents(at, n, &square))
         return LOFT_SINGULAR;
-    const bool swap = loft_sci_less(dot(at->u, at->u), dot(at->v, at->v));
+    const bool swap = loft_sci_less(sci_dot(at->u, at->u), sci_dot(at->v, at->v));
     const loft_sci *u = swap ? at->v : at->u, *uu = swap ? at->vv : at->uu,
                    *vv = swap ? at->uu : at->vv;
-    const loft_sci length = loft_sci_sqrt(square), e = dot(u, u),
-                   f = loft_sci_div(dot(at->u, at->v), e);
+    const loft_sci length = loft_sci_sqrt(square), e = sci_dot(u, u),
+                   f = loft_sci_div(sci_dot(at->u, at->v), e);
     /* times the length */
-    const loft_sci n_uu = dot(uu, n), n_uv = dot(at->uv, n), n_vv = dot(vv, n);
+    const loft_sci n_uu = sci_dot(uu, n), n_uv = sci_dot(at->uv, n), n_vv = sci_dot(vv, n);
 
-    const loft_sci lean = less_product(n_uv, f, n_uu);
+    const loft_sci lean = sub_product(n_uv, f, n_uu);
     const loft_sci a = loft_sci_div(n_uu, loft_sci_mul(e, length)), b = loft_sci_div(lean, square);
     const loft_sci c = loft_sci_div(
-        loft_sci_mul(less_product(less_product(n_vv, f, n_uv), f, lean), e),
+        loft_sci_mul(sub_product(sub_product(n_vv, f, n_uv), f, lean), e),
         loft_sci_mul(square, length));
     const loft_sci half = loft_sci_div(loft_sci_one(), loft_sci_from_int(2));
     const loft_sci mean = loft_sci_mul(half, loft_sci_add(a, c)),
@@ -568,7 +570,7 @@ enum loft_status loft_differential_curvatures(const loft_differential *at, loft_
     const loft_sci spread = loft_sci_sqrt(
         loft_sci_add(loft_sci_mul(apart, apart), loft_sci_mul(b, b)));
 
-    return take(less_product(loft_sci_mul(a, c), b, b), mean, loft_sci_sub(mean, spread),
+    return set_curvatures(sub_product(loft_sci_mul(a, c), b, b), mean, loft_sci_sub(mean, spread),
                 loft_sci_add(mean, spread), out)
                ? LOFT_OK
                : LOFT_ERR_RANGE;

@@ -19,7 +19,7 @@ typedef struct {
     int        axes, scale;
 } equation;
 
-static bool of_line(const loft_line *l, equation *e)
+static bool line_equation(const loft_line *l, equation *e)
 {
     e->p0    = l->p[0];
     e->axes  = 2;
@@ -31,7 +31,7 @@ static bool of_line(const loft_line *l, equation *e)
     return true;
 }
 
-static bool of_facet(const loft_facet *f, equation *e)
+static bool facet_equation(const loft_facet *f, equation *e)
 {
     loft_exact a[3], b[3];
 
@@ -46,7 +46,7 @@ static bool of_facet(const loft_facet *f, equation *e)
     return true;
 }
 
-static bool is_nothing(const equation *e)
+static bool normal_is_zero(const equation *e)
 {
     for (int i = 0; i < e->axes; i++)
         if (loft_exact_sign(e->normal[i]) != 0)
@@ -74,7 +74,7 @@ static enum loft_status value_at(const equation *e, loft_vec x, loft_real *out)
 /* The length carries 2^(scale + LOFT_EXACT_HYPOT). */
 static enum loft_status distance_at(const equation *e, loft_vec x, loft_real *out)
 {
-    if (is_nothing(e))
+    if (normal_is_zero(e))
         return LOFT_SINGULAR;
     if (!loft_vec_exact_valid(&x, 1, e->axes) ||
         !loft_exact_quot_real(value(e, &x), loft_exact_hypot(e->normal, e->axes),
@@ -87,7 +87,7 @@ static enum loft_status normal_of(const equation *e, loft_vec *out)
 {
     const loft_vec nothing = { { 0 } };
 
-    if (is_nothing(e))
+    if (normal_is_zero(e))
         return LOFT_SINGULAR;
     const loft_exact length = loft_exact_hypot(e->normal, e->axes);
     *out = nothing;
@@ -114,7 +114,7 @@ static enum loft_status numbers_of(const equation *e, loft_real out[])
     return LOFT_OK;
 }
 
-static bool extends(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
+static bool unit_valid(loft_unit t) { return t >= LOFT_UNIT(-1) && t <= LOFT_UNIT(2); }
 
 /* Differences are below 2^16, and twice as large when multiplied by `at`. */
 static enum loft_status point_at(const loft_vec p[], int count, const loft_unit at[], loft_vec *out)
@@ -132,59 +132,59 @@ static enum loft_status point_at(const loft_vec p[], int count, const loft_unit 
 
 enum loft_status loft_line_eval(const loft_line *l, loft_unit s, loft_vec *out)
 {
-    return extends(s) ? point_at(l->p, 2, &s, out) : LOFT_ERR_ARG;
+    return unit_valid(s) ? point_at(l->p, 2, &s, out) : LOFT_ERR_ARG;
 }
 
 enum loft_status loft_facet_eval(const loft_facet *f, loft_unit s, loft_unit t, loft_vec *out)
 {
     const loft_unit at[2] = { s, t };
-    return extends(s) && extends(t) ? point_at(f->p, 3, at, out) : LOFT_ERR_ARG;
+    return unit_valid(s) && unit_valid(t) ? point_at(f->p, 3, at, out) : LOFT_ERR_ARG;
 }
 
 enum loft_status loft_line_equation(const loft_line *l, loft_real abc[3])
 {
     equation e;
-    return of_line(l, &e) ? numbers_of(&e, abc) : LOFT_ERR_RANGE;
+    return line_equation(l, &e) ? numbers_of(&e, abc) : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_facet_equation(const loft_facet *f, loft_real abcd[4])
 {
     equation e;
-    return of_facet(f, &e) ? numbers_of(&e, abcd) : LOFT_ERR_RANGE;
+    return facet_equation(f, &e) ? numbers_of(&e, abcd) : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_line_value(const loft_line *l, loft_vec x, loft_real *out)
 {
     equation e;
-    return of_line(l, &e) ? value_at(&e, x, out) : LOFT_ERR_RANGE;
+    return line_equation(l, &e) ? value_at(&e, x, out) : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_facet_value(const loft_facet *f, loft_vec x, loft_real *out)
 {
     equation e;
-    return of_facet(f, &e) ? value_at(&e, x, out) : LOFT_ERR_RANGE;
+    return facet_equation(f, &e) ? value_at(&e, x, out) : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_line_distance(const loft_line *l, loft_vec x, loft_real *out)
 {
     equation e;
-    return of_line(l, &e) ? distance_at(&e, x, out) : LOFT_ERR_RANGE;
+    return line_equation(l, &e) ? distance_at(&e, x, out) : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_facet_distance(const loft_facet *f, loft_vec x, loft_real *out)
 {
     equation e;
-    return of_facet(f, &e) ? distance_at(&e, x, out) : LOFT_ERR_RANGE;
+    return facet_equation(f, &e) ? distance_at(&e, x, out) : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_line_normal(const loft_line *l, loft_vec *out)
 {
     equation e;
-    return of_line(l, &e) ? normal_of(&e, out) : LOFT_ERR_RANGE;
+    return line_equation(l, &e) ? normal_of(&e, out) : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_facet_normal(const loft_facet *f, loft_vec *out)
 {
     equation e;
-    return of_facet(f, &e) ? normal_of(&e, out) : LOFT_ERR_RANGE;
+    return facet_equation(f, &e) ? normal_of(&e, out) : LOFT_ERR_RANGE;
 }

@@ -20,7 +20,7 @@ typedef struct {
     loft_sci axis[LOFT_AXES];
 } sci_vec;
 
-static sci_vec edge(loft_vec from, loft_vec to)
+static sci_vec edge_vec(loft_vec from, loft_vec to)
 {
     sci_vec e;
 
@@ -29,7 +29,7 @@ static sci_vec edge(loft_vec from, loft_vec to)
     return e;
 }
 
-static loft_sci dot(const sci_vec *a, const sci_vec *b)
+static loft_sci sci_dot(const sci_vec *a, const sci_vec *b)
 {
     loft_sci sum = loft_sci_zero();
 
@@ -39,11 +39,11 @@ static loft_sci dot(const sci_vec *a, const sci_vec *b)
 }
 
 /* Set the control point at p toward q. */
-static bool pull(loft_pn *t, unsigned place, loft_vec p, loft_vec q, loft_vec normal)
+static bool set_edge_point(loft_pn *t, unsigned place, loft_vec p, loft_vec q, loft_vec normal)
 {
     const loft_vec origin = { { 0 } };
-    const sci_vec e = edge(p, q), n = edge(origin, normal);
-    const loft_sci foot = loft_sci_div(dot(&e, &n), dot(&n, &n));
+    const sci_vec e = edge_vec(p, q), n = edge_vec(origin, normal);
+    const loft_sci foot = loft_sci_div(sci_dot(&e, &n), sci_dot(&n, &n));
 
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc lift = 0;
@@ -58,7 +58,7 @@ static bool pull(loft_pn *t, unsigned place, loft_vec p, loft_vec q, loft_vec no
 }
 
 /* Set the middle control point from the others. */
-static bool fill(loft_pn *t)
+static bool set_middle(loft_pn *t)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_acc *b = t->b[i];
@@ -73,10 +73,10 @@ static bool fill(loft_pn *t)
 /* The normal between two corners: the sum of their normals, mirrored in the plane at a right angle
  * to the edge. Two corners in one point give the sum, and opposite normals that cancel give 0.
  * Neither affects the rest of the field. */
-static loft_vec between(const loft_vec corner[3], const loft_vec n[3], int i, int j)
+static loft_vec edge_normal(const loft_vec corner[3], const loft_vec n[3], int i, int j)
 {
-    const sci_vec e = edge(corner[i], corner[j]);
-    const loft_sci square = dot(&e, &e);
+    const sci_vec e = edge_vec(corner[i], corner[j]);
+    const loft_sci square = sci_dot(&e, &e);
     loft_acc h[LOFT_AXES];
     loft_vec out = { { 0 } };
     sci_vec sum;
@@ -84,7 +84,7 @@ static loft_vec between(const loft_vec corner[3], const loft_vec n[3], int i, in
     for (int a = 0; a < LOFT_AXES; a++)
         sum.axis[a] = loft_sci_add(loft_sci_from_real(n[i].axis[a]),
                                    loft_sci_from_real(n[j].axis[a]));
-    const loft_sci along = dot(&e, &sum);
+    const loft_sci along = sci_dot(&e, &sum);
     const loft_sci g = loft_sci_sign(square) > 0 ? loft_sci_div(loft_sci_add(along, along), square)
                                                  : loft_sci_zero();
     for (int a = 0; a < LOFT_AXES; a++)
@@ -113,15 +113,15 @@ enum loft_status loft_pn_init(loft_pn *t, const loft_vec corner[3], const loft_v
             if (i == j)
                 for (int a = 0; a < LOFT_AXES; a++)
                     t->b[a][place[i][i]] = loft_to_acc(corner[i].axis[a]);
-            else if (!pull(t, place[i][j], corner[i], corner[j], normal[i]))
+            else if (!set_edge_point(t, place[i][j], corner[i], corner[j], normal[i]))
                 return LOFT_ERR_RANGE;
-    if (!fill(t))
+    if (!set_middle(t))
         return LOFT_ERR_RANGE;
     t->n[0] = n[0];
-    t->n[1] = between(corner, n, 0, 1);
-    t->n[2] = between(corner, n, 0, 2);
+    t->n[1] = edge_normal(corner, n, 0, 1);
+    t->n[2] = edge_normal(corner, n, 0, 2);
     t->n[3] = n[1];
-    t->n[4] = between(corner, n, 1, 2);
+    t->n[4] = edge_normal(corner, n, 1, 2);
     t->n[5] = n[2];
     return LOFT_OK;
 }

@@ -44,7 +44,7 @@ static turn turn_of(loft_real degrees)
     return t;
 }
 
-static bool accepts(const loft_sphere *s, loft_real theta, loft_real phi)
+static bool angles_valid(const loft_sphere *s, loft_real theta, loft_real phi)
 {
     return s->radius >= 0 && theta >= -ANGLE_MAX && theta <= ANGLE_MAX && phi >= -ANGLE_MAX &&
            phi <= ANGLE_MAX;
@@ -65,7 +65,7 @@ enum loft_status loft_sphere_eval(const loft_sphere *s, loft_real theta, loft_re
     loft_acc x[LOFT_AXES];
     loft_fine n[3];
 
-    if (!accepts(s, theta, phi))
+    if (!angles_valid(s, theta, phi))
         return LOFT_ERR_ARG;
     direction_of(theta, phi, n);
     for (int i = 0; i < LOFT_AXES; i++)
@@ -79,7 +79,7 @@ enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_
 {
     loft_fine n[3];
 
-    if (!accepts(s, theta, phi))
+    if (!angles_valid(s, theta, phi))
         return LOFT_ERR_ARG;
     direction_of(theta, phi, n);
     for (int i = 0; i < LOFT_AXES; i++)

@@ -49,7 +49,7 @@ static enum loft_status sphere_at(const void *surface, loft_unit u, loft_unit v,
                             loft_lerp(0, LOFT_REAL(180), u), out);
 }
 
-static loft_surface sheet_of(enum loft_status (*eval)(const void *, loft_unit, loft_unit,
+static loft_surface surface_of(enum loft_status (*eval)(const void *, loft_unit, loft_unit,
                                                       loft_vec *),
                            const void *surface, enum loft_surface_over over)
 {
@@ -59,36 +59,36 @@ static loft_surface sheet_of(enum loft_status (*eval)(const void *, loft_unit, l
 
 loft_surface loft_surface_from_tensor(const loft_tensor *s)
 {
-    return sheet_of(tensor_at, s, LOFT_SURFACE_SQUARE);
+    return surface_of(tensor_at, s, LOFT_SURFACE_SQUARE);
 }
 loft_surface loft_surface_from_tensor_rational(const loft_tensor_rational *s)
 {
-    return sheet_of(tensor_rational_at, s, LOFT_SURFACE_SQUARE);
+    return surface_of(tensor_rational_at, s, LOFT_SURFACE_SQUARE);
 }
 loft_surface loft_surface_from_triangle(const loft_triangle *s)
 {
-    return sheet_of(triangle_at, s, LOFT_SURFACE_TRIANGLE);
+    return surface_of(triangle_at, s, LOFT_SURFACE_TRIANGLE);
 }
 loft_surface loft_surface_from_triangle_rational(const loft_triangle_rational *s)
 {
-    return sheet_of(triangle_rational_at, s, LOFT_SURFACE_TRIANGLE);
+    return surface_of(triangle_rational_at, s, LOFT_SURFACE_TRIANGLE);
 }
 loft_surface loft_surface_from_bicubic(const loft_bicubic *s)
 {
-    return sheet_of(bicubic_at, s, LOFT_SURFACE_SQUARE);
+    return surface_of(bicubic_at, s, LOFT_SURFACE_SQUARE);
 }
 loft_surface loft_surface_from_coons(const loft_coons_bezier *s)
 {
-    return sheet_of(coons_at, s, LOFT_SURFACE_SQUARE);
+    return surface_of(coons_at, s, LOFT_SURFACE_SQUARE);
 }
 loft_surface loft_surface_from_sphere(const loft_sphere *s)
 {
-    return sheet_of(sphere_at, s, LOFT_SURFACE_DISK);
+    return surface_of(sphere_at, s, LOFT_SURFACE_DISK);
 }
 
 /* Lines */
 
-static bool holds(const loft_surface *s, const loft_unit at[2])
+static bool domain_holds(const loft_surface *s, const loft_unit at[2])
 {
     for (int i = 0; i < 2; i++)
         if (!(at[i] >= 0 && at[i] <= LOFT_UNIT(1)))
@@ -96,17 +96,17 @@ static bool holds(const loft_surface *s, const loft_unit at[2])
     return s->over != LOFT_SURFACE_TRIANGLE || at[1] <= LOFT_UNIT(1) - at[0];
 }
 
-enum loft_status loft_trace_init(loft_trace *w, loft_surface sheet, loft_unit u0, loft_unit v0,
+enum loft_status loft_trace_init(loft_trace *w, loft_surface surface, loft_unit u0, loft_unit v0,
                                  loft_unit u1, loft_unit v1, uint32_t n)
 {
-    const loft_trace start = { sheet, { u0, v0 }, { u1, v1 }, n, 0 };
+    const loft_trace start = { surface, { u0, v0 }, { u1, v1 }, n, 0 };
     loft_vec p;
 
-    if (n < 1 || !holds(&sheet, start.from) || !holds(&sheet, start.to))
+    if (n < 1 || !domain_holds(&surface, start.from) || !domain_holds(&surface, start.to))
         return LOFT_ERR_ARG;
-    enum loft_status status = sheet.eval(sheet.surface, u0, v0, &p);
+    enum loft_status status = surface.eval(surface.surface, u0, v0, &p);
     if (status == LOFT_OK)
-        status = sheet.eval(sheet.surface, u1, v1, &p);
+        status = surface.eval(surface.surface, u1, v1, &p);
     if (status == LOFT_OK)
         *w = start;
     return status;
@@ -120,7 +120,7 @@ bool loft_trace_next(loft_trace *w, loft_vec *out)
             at[i] = loft_unit_round(loft_acc_lerp_at(loft_unit_to_acc(w->from[i]),
                                                      loft_unit_to_acc(w->to[i]), w->at, w->n));
         w->at++;
-        if (w->sheet.eval(w->sheet.surface, at[0], at[1], out) == LOFT_OK)
+        if (w->surface.eval(w->surface.surface, at[0], at[1], out) == LOFT_OK)
             return true;
     }
     return false;

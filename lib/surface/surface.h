@@ -61,7 +61,7 @@ loft_surface loft_surface_from_sphere(const loft_sphere *s);
 /* A walk along a straight line in the parameter domain. Where u or v is constant it is an
  * isoparametric line. */
 typedef struct {
-    loft_surface sheet;
+    loft_surface surface;
     loft_unit from[2], to[2];
     uint32_t n, at;
 } loft_trace;
@@ -74,7 +74,7 @@ typedef struct {
  *   error   none
  *   cost    two points of the surface
  */
-enum loft_status loft_trace_init(loft_trace *w, loft_surface sheet, loft_unit u0, loft_unit v0,
+enum loft_status loft_trace_init(loft_trace *w, loft_surface surface, loft_unit u0, loft_unit v0,
                                  loft_unit u1, loft_unit v1, uint32_t n) LOFT_CHECKED;
 
 /* Give the next point. Returns false, and leaves *out alone, when the walk is over. Points that the

@@ -92,7 +92,7 @@ void loft_volume_weights(unsigned degree, loft_volume u, loft_acc c[])
 }
 
 /* In q16 two roundings of 2^-33. Inside, no value leaves the range of the coefficients. */
-static void step(loft_acc c[], unsigned degree, loft_volume u)
+static void casteljau_row(loft_acc c[], unsigned degree, loft_volume u)
 {
     for (unsigned m = 0, p = 0; m < degree; m++)
         for (unsigned n = 0; n <= m; n++)
@@ -103,7 +103,7 @@ static void step(loft_acc c[], unsigned degree, loft_volume u)
             }
 }
 
-static void widen(const loft_tetra *t, int axis, loft_acc c[])
+static void axis_to_acc(const loft_tetra *t, int axis, loft_acc c[])
 {
     const unsigned degree = t->degree;
 
@@ -130,9 +130,9 @@ loft_vec loft_tetra_eval(const loft_tetra *t, loft_volume u)
 
     u = loft_volume_clamp(u);
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(t, i, c);
+        axis_to_acc(t, i, c);
         for (unsigned n = t->degree; n > 0; n--)
-            step(c, n, u);
+            casteljau_row(c, n, u);
         out.axis[i] = loft_acc_round(c[0]);
     }
     return out;
@@ -144,8 +144,8 @@ loft_vec loft_tetra_eval(const loft_tetra *t, loft_volume u)
 /* sum C(i,q) C(j,r) C(k,s) C(l,t) b_qrst / C(n+m,n) over q + r + s + t = n, with (i, j, k, l) of
  * degree n + m. The products of binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below
  * 48620 * 2^47 < 2^62.6. */
-static loft_acc raised(const loft_acc c[], unsigned n, unsigned i, unsigned j, unsigned k,
-                       unsigned l)
+static loft_acc elevated_coefficient(const loft_acc c[], unsigned n, unsigned i, unsigned j,
+                                     unsigned k, unsigned l)
 {
     loft_acc sum = 0;
 
@@ -166,11 +166,12 @@ enum loft_status loft_tetra_elevate(const loft_tetra *t, unsigned times, loft_ve
     if (times > LOFT_ELEVATE_MAX - n)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
-        widen(t, axis, c);
+        axis_to_acc(t, axis, c);
         for (unsigned m = 0, p = 0; m <= most; m++)
             for (unsigned r = 0; r <= m; r++)
                 for (unsigned l = 0; l <= r; l++, p++)
-                    out[p].axis[axis] = loft_acc_round(raised(c, n, most - m, m - r, r - l, l));
+                    out[p].axis[axis] = loft_acc_round(
+                        elevated_coefficient(c, n, most - m, m - r, r - l, l));
     }
     return LOFT_OK;
 }

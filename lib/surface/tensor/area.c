@@ -39,7 +39,7 @@ typedef struct {
     loft_sci lower, upper;
 } bounds;
 
-static void load(patch *x, const loft_tensor *s)
+static void load_patch(patch *x, const loft_tensor *s)
 {
     x->m = s->m;
     x->n = s->n;
@@ -51,7 +51,7 @@ static void load(patch *x, const loft_tensor *s)
 
 /* One half of the curve c[0], c[stride] .. De Casteljau's algorithm leaves the left half at the
  * front and the right half at the back. */
-static void halve(spot c[], unsigned degree, unsigned stride, unsigned side)
+static void halve_curve(spot c[], unsigned degree, unsigned stride, unsigned side)
 {
     const loft_sci half = loft_sci_div(loft_sci_one(), loft_sci_from_int(2));
 
@@ -64,20 +64,20 @@ static void halve(spot c[], unsigned degree, unsigned stride, unsigned side)
         }
 }
 
-static void cut(patch *x, loft_dyad piece)
+static void cut_patch(patch *x, loft_dyad piece)
 {
     for (unsigned level = 0; level < piece.level; level++) {
         const unsigned side = piece.k >> (piece.level - 1u - level) & 1;
         if (level % 2 == 0)
             for (unsigned j = 0; j <= x->n; j++)
-                halve(x->c + j, x->m, x->n + 1, side);
+                halve_curve(x->c + j, x->m, x->n + 1, side);
         else
             for (unsigned i = 0; i <= x->m; i++)
-                halve(x->c + i * (x->n + 1), x->n, 1, side);
+                halve_curve(x->c + i * (x->n + 1), x->n, 1, side);
     }
 }
 
-static spot step(const spot *from, const spot *to)
+static spot net_step(const spot *from, const spot *to)
 {
     spot d;
 
@@ -99,19 +99,19 @@ static void add_cross(spot *sum, int32_t weight, const spot *a, const spot *b)
     }
 }
 
-static unsigned above(unsigned x, unsigned y)   { return x > y ? x - y : 0; }
+static unsigned sub_clamped(unsigned x, unsigned y)   { return x > y ? x - y : 0; }
 
 /* N_kl C(2m-1,k) C(2n-1,l) / (m n). The product of the four binomials is at most 70 * 126 * 126 *
  * 70 < 2^27. */
-static spot normal(const patch *x, unsigned k, unsigned l)
+static spot normal_coefficient(const patch *x, unsigned k, unsigned l)
 {
     const unsigned m = x->m, n = x->n, w = n + 1;
     spot sum = { { loft_sci_zero(), loft_sci_zero(), loft_sci_zero() } };
 
-    for (unsigned i = above(k, m); i <= k && i < m; i++)
-        for (unsigned j = above(l, n - 1); j <= l && j <= n; j++) {
+    for (unsigned i = sub_clamped(k, m); i <= k && i < m; i++)
+        for (unsigned j = sub_clamped(l, n - 1); j <= l && j <= n; j++) {
             const spot *a = &x->c[i * w + j], *b = &x->c[(k - i) * w + l - j];
-            const spot along_u = step(a, a + w), along_v = step(b, b + 1);
+            const spot along_u = net_step(a, a + w), along_v = net_step(b, b + 1);
             const int32_t weight = loft_binomial(m - 1, i) * loft_binomial(n, j) *
                                    loft_binomial(m, k - i) * loft_binomial(n - 1, l - j);
             add_cross(&sum, weight, &along_u, &along_v);
@@ -119,7 +119,7 @@ static spot normal(const patch *x, unsigned k, unsigned l)
     return sum;
 }
 
-static loft_sci length(const spot *x)
+static loft_sci spot_length(const spot *x)
 {
     loft_sci sum = loft_sci_zero();
 
@@ -139,19 +139,19 @@ static bounds bounds_of(const patch *x)
         for (unsigned l = 0; l < 2 * x->n; l++) {
             const loft_sci scale = loft_sci_from_int(loft_binomial(2 * x->m - 1, k) *
                                                      loft_binomial(2 * x->n - 1, l));
-            spot one = normal(x, k, l);
+            spot one = normal_coefficient(x, k, l);
             for (int i = 0; i < 3; i++) {
                 one.axis[i] = loft_sci_div(one.axis[i], scale);
                 total.axis[i] = loft_sci_add(total.axis[i], one.axis[i]);
             }
-            r.upper = loft_sci_add(r.upper, length(&one));
+            r.upper = loft_sci_add(r.upper, spot_length(&one));
         }
-    r.lower = loft_sci_div(length(&total), four);
+    r.lower = loft_sci_div(spot_length(&total), four);
     r.upper = loft_sci_div(r.upper, four);
     return r;
 }
 
-static bool admitted(const loft_tensor *s)
+static bool points_valid(const loft_tensor *s)
 {
     for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
         for (int i = 0; i < LOFT_AXES; i++)
@@ -169,12 +169,12 @@ enum loft_status loft_tensor_area(const loft_tensor *s, loft_real tol, loft_acc 
 
     if (!(tol > 0))
         return LOFT_ERR_ARG;
-    if (!admitted(s))
+    if (!points_valid(s))
         return LOFT_ERR_RANGE;
     do {
         for (;;) {
-            load(&x, s);
-            cut(&x, piece);
+            load_patch(&x, s);
+            cut_patch(&x, piece);
             const bounds b = bounds_of(&x);
             const loft_sci share = loft_sci_div(loft_sci_mul(two, loft_sci_from_real(tol)),
                                                 loft_sci_from_int((int32_t)1 << piece.level));

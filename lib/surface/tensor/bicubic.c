@@ -14,9 +14,9 @@
 #include "basis/interp.h"   /* loft_ends3_deriv */
 #include "geom/vec_exact.h"      /* loft_exact: the join */
 
-static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
+static bool unit_valid(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
-static void widen(const loft_vec p[4], int axis, loft_acc e[4])
+static void axis_to_acc(const loft_vec p[4], int axis, loft_acc e[4])
 {
     for (int b = 0; b < 4; b++)
         e[b] = loft_to_acc(p[b].axis[axis]);
@@ -27,11 +27,11 @@ enum loft_status loft_bicubic_deriv(const loft_bicubic *b, unsigned j, unsigned 
 {
     loft_acc row[4], e[4], x[LOFT_AXES];
 
-    if (!inside(u) || !inside(v))
+    if (!unit_valid(u) || !unit_valid(v))
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++) {
         for (int a = 0; a < 4; a++) {
-            widen(b->at[a], i, row);
+            axis_to_acc(b->at[a], i, row);
             e[a] = loft_ends3_deriv(row, k, v);
         }
         x[i] = loft_ends3_deriv(e, j, u);
@@ -50,7 +50,7 @@ enum loft_status loft_tensor_from_bicubic(const loft_bicubic *b, loft_vec net[16
 
     for (int i = 0; i < LOFT_AXES; i++) {
         for (int a = 0; a < 4; a++) {
-            widen(b->at[a], i, row);
+            axis_to_acc(b->at[a], i, row);
             loft_ends3_bernstein(row, along_v[a]);
         }
         for (int column = 0; column < 4; column++) {
@@ -89,25 +89,27 @@ static bool columns_equal(const loft_bicubic *c, int of_c, const loft_bicubic *a
 }
 
 /* A coordinate of the column, by its place 0 .. 4 LOFT_AXES - 1. */
-static loft_exact number(const loft_bicubic *b, int column, int place)
+static loft_exact column_coordinate(const loft_bicubic *b, int column, int place)
 {
     return loft_exact_from_real(b->at[place / LOFT_AXES][column].axis[place % LOFT_AXES]);
 }
 
 /* The place of the first coordinate that is not 0; 4 LOFT_AXES if all are 0. */
-static int first_of(const loft_bicubic *b, int column)
+static int first_nonzero(const loft_bicubic *b, int column)
 {
     int place = 0;
 
-    while (place < 4 * LOFT_AXES && loft_exact_sign(number(b, column, place)) == 0)
+    while (place < 4 * LOFT_AXES && loft_exact_sign(column_coordinate(b, column, place)) == 0)
         place++;
     return place;
 }
 
-static bool proportional(const loft_bicubic *c, const loft_bicubic *a, loft_exact x, loft_exact y)
+static bool columns_proportional(const loft_bicubic *c, const loft_bicubic *a, loft_exact x,
+                                 loft_exact y)
 {
     for (int i = 0; i < 4 * LOFT_AXES; i++)
-        if (loft_exact_sign(loft_exact_det(x, y, number(c, 3, i), number(a, 2, i))) != 0)
+        if (loft_exact_sign(
+                loft_exact_det(x, y, column_coordinate(c, 3, i), column_coordinate(a, 2, i))) != 0)
             return false;
     return loft_exact_sign(x) * loft_exact_sign(y) > 0;
 }
@@ -123,11 +125,11 @@ enum loft_status loft_bicubic_join_init(loft_bicubic_join *j, const loft_bicubic
         return LOFT_ERR_RANGE;
     j->c0 = columns_equal(c, 1, a, 0);
     j->c1 = j->c0 && columns_equal(c, 3, a, 2);
-    const int m = first_of(c, 3);
+    const int m = first_nonzero(c, 3);
     if (!j->c0 || m == 4 * LOFT_AXES)
         return LOFT_OK;
-    const loft_exact x = number(c, 3, m), y = number(a, 2, m);
-    j->g1 = proportional(c, a, x, y);
+    const loft_exact x = column_coordinate(c, 3, m), y = column_coordinate(a, 2, m);
+    j->g1 = columns_proportional(c, a, x, y);
     if (!j->g1)
         return LOFT_OK;
     if (!loft_exact_quot(y, x, 0, &lambda) || !loft_acc_valid(lambda))

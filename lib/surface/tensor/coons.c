@@ -13,9 +13,9 @@
 #include "basis/bernstein.h"    /* loft_bernstein_eval */
 #include "basis/interp.h"       /* loft_ends3_deriv, loft_ends5_deriv */
 
-static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
+static bool unit_valid(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
-static loft_acc wide_between(loft_acc x, loft_acc y) { return x < y ? y - x : x - y; }
+static loft_acc acc_distance(loft_acc x, loft_acc y) { return x < y ? y - x : x - y; }
 
 
 /* Curves of any kind */
@@ -32,7 +32,7 @@ static void bezier_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES])
     }
 }
 
-static void widen(loft_vec p, loft_acc out[LOFT_AXES])
+static void vec_to_acc(loft_vec p, loft_acc out[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++)
         out[i] = loft_to_acc(p.axis[i]);
@@ -40,11 +40,11 @@ static void widen(loft_vec p, loft_acc out[LOFT_AXES])
 
 static void rational_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES])
 {
-    widen(loft_rational_eval((const loft_rational *)curve, t), out);
+    vec_to_acc(loft_rational_eval((const loft_rational *)curve, t), out);
 }
 
 /* The parameter of t in a knot domain. The knots are arbitrary; their distance need not fit. */
-static loft_real along(const loft_knots *knots, loft_unit t)
+static loft_real domain_param(const loft_knots *knots, loft_unit t)
 {
     return loft_acc_round(loft_acc_lerp(loft_to_acc(knots->k[knots->degree]),
                                         loft_to_acc(knots->k[knots->points]), t));
@@ -53,13 +53,13 @@ static loft_real along(const loft_knots *knots, loft_unit t)
 static void bspline_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES])
 {
     const loft_bspline *b = (const loft_bspline *)curve;
-    widen(loft_bspline_eval(b, along(&b->knots, t)), out);
+    vec_to_acc(loft_bspline_eval(b, domain_param(&b->knots, t)), out);
 }
 
 static void nurbs_side(const void *curve, loft_unit t, loft_acc out[LOFT_AXES])
 {
     const loft_nurbs *n = (const loft_nurbs *)curve;
-    widen(loft_nurbs_eval(n, along(&n->knots, t)), out);
+    vec_to_acc(loft_nurbs_eval(n, domain_param(&n->knots, t)), out);
 }
 
 loft_side loft_side_from_bezier(const loft_bezier *b)
@@ -97,7 +97,7 @@ enum loft_status loft_coons_init(loft_coons *c, const loft_side u[2], const loft
             u[b].eval(u[b].curve, a ? LOFT_UNIT(1) : 0, corner);
             v[a].eval(v[a].curve, b ? LOFT_UNIT(1) : 0, other);
             for (int i = 0; i < LOFT_AXES; i++)
-                if (!(wide_between(corner[i], other[i]) <= loft_to_acc(tol)))
+                if (!(acc_distance(corner[i], other[i]) <= loft_to_acc(tol)))
                     return LOFT_ERR_ARG;
         }
     *c = made;
@@ -110,7 +110,7 @@ enum loft_status loft_coons_eval(const loft_coons *c, loft_unit s, loft_unit t, 
 {
     loft_acc u[2][LOFT_AXES], v[2][LOFT_AXES], x[LOFT_AXES];
 
-    if (!inside(s) || !inside(t))
+    if (!unit_valid(s) || !unit_valid(t))
         return LOFT_ERR_ARG;
     for (int k = 0; k < 2; k++) {
         c->u[k].eval(c->u[k].curve, s, u[k]);
@@ -155,7 +155,7 @@ static loft_acc bezier_end(const loft_bezier *b, int axis, unsigned which)
     return bezier_at(b, axis, which / 2, which % 2 ? LOFT_UNIT(1) : 0);
 }
 
-static loft_acc blend(const loft_acc e[], unsigned orders, unsigned k, loft_unit t)
+static loft_acc blend_ends(const loft_acc e[], unsigned orders, unsigned k, loft_unit t)
 {
     switch (orders) {
     case 1:  return k ? e[1] - e[0] : loft_acc_lerp(e[0], e[1], t);
@@ -174,7 +174,7 @@ enum loft_status loft_coons_bezier_init(loft_coons_bezier *c, const loft_bezier 
             for (int i = 0; i < LOFT_AXES; i++) {
                 const loft_acc of_u = loft_to_acc(u[0][b].p[a ? u[0][b].degree : 0].axis[i]);
                 const loft_acc of_v = loft_to_acc(v[0][a].p[b ? v[0][a].degree : 0].axis[i]);
-                if (!(wide_between(of_u, of_v) <= loft_to_acc(tol)))
+                if (!(acc_distance(of_u, of_v) <= loft_to_acc(tol)))
                     return LOFT_ERR_ARG;
             }
     for (unsigned k = 0; k < LOFT_COONS_ORDERS; k++)
@@ -193,14 +193,14 @@ bool loft_coons_bezier_meets(const loft_coons_bezier *c, loft_real tol)
             for (int i = 0; i < LOFT_AXES; i++) {
                 const loft_acc x = bezier_end(&c->u[b / 2][b % 2], i, a),
                                y = bezier_end(&c->v[a / 2][a % 2], i, b);
-                if (!(wide_between(x, y) <= loft_to_acc(tol)))
+                if (!(acc_distance(x, y) <= loft_to_acc(tol)))
                     return false;
             }
     return true;
 }
 
-static loft_acc coordinate(const loft_coons_bezier *c, int axis, unsigned j, unsigned k,
-                           loft_unit s, loft_unit t)
+static loft_acc eval_axis(const loft_coons_bezier *c, int axis, unsigned j, unsigned k, loft_unit s,
+                          loft_unit t)
 {
     loft_acc e[2 * LOFT_COONS_ORDERS], along_t[2 * LOFT_COONS_ORDERS];
     const unsigned n = 2u * c->orders;
@@ -208,11 +208,11 @@ static loft_acc coordinate(const loft_coons_bezier *c, int axis, unsigned j, uns
     for (unsigned a = 0; a < n; a++) {
         for (unsigned b = 0; b < n; b++)
             e[b] = bezier_end(&c->u[b / 2][b % 2], axis, a);
-        along_t[a] = bezier_at(&c->v[a / 2][a % 2], axis, k, t) - blend(e, c->orders, k, t);
+        along_t[a] = bezier_at(&c->v[a / 2][a % 2], axis, k, t) - blend_ends(e, c->orders, k, t);
     }
     for (unsigned b = 0; b < n; b++)
         e[b] = bezier_at(&c->u[b / 2][b % 2], axis, j, s);
-    return blend(e, c->orders, k, t) + blend(along_t, c->orders, j, s);
+    return blend_ends(e, c->orders, k, t) + blend_ends(along_t, c->orders, j, s);
 }
 
 enum loft_status loft_coons_bezier_deriv(const loft_coons_bezier *c, unsigned j, unsigned k,
@@ -220,10 +220,10 @@ enum loft_status loft_coons_bezier_deriv(const loft_coons_bezier *c, unsigned j,
 {
     loft_acc x[LOFT_AXES];
 
-    if (!inside(s) || !inside(t) || j > 1 || k > 1)
+    if (!unit_valid(s) || !unit_valid(t) || j > 1 || k > 1)
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++)
-        x[i] = coordinate(c, i, j, k, s, t);
+        x[i] = eval_axis(c, i, j, k, s, t);
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 

@@ -4,17 +4,17 @@
 #include "surface/tensor/grid.h"
 
 /* The indices of the first and the last control point of row k in the net. */
-static size_t first_of(const loft_walk2 *s, unsigned k)
+static size_t first_in_row(const loft_walk2 *s, unsigned k)
 {
     return s->triangle ? k * (k + 1u) / 2 : k * (s->q + 1u);
 }
 
-static size_t last_of(const loft_walk2 *s, unsigned k)
+static size_t last_in_row(const loft_walk2 *s, unsigned k)
 {
-    return first_of(s, k) + (s->triangle ? k : s->q);
+    return first_in_row(s, k) + (s->triangle ? k : s->q);
 }
 
-static bool accepted(const loft_vec net[], size_t points)
+static bool net_valid(const loft_vec net[], size_t points)
 {
     for (size_t k = 0; k < points; k++)
         for (int i = 0; i < LOFT_AXES; i++)
@@ -33,12 +33,12 @@ static void start_edges(loft_grid *g, const loft_vec net[], int axis, const loft
     loft_walk begin;
 
     for (unsigned k = 0; k <= p; k++)
-        line[k] = net[first_of(&g->shape, k)].axis[axis];
+        line[k] = net[first_in_row(&g->shape, k)].axis[axis];
     loft_walk_init(&begin, line, p, powers);
     for (unsigned k = 0; k <= p; k++)
         column[k] = begin.d[k];
     for (unsigned k = 0; k <= p; k++)
-        line[k] = net[last_of(&g->shape, k)].axis[axis];
+        line[k] = net[last_in_row(&g->shape, k)].axis[axis];
     loft_walk_init(&g->edge[axis], line, p, powers);
     g->end[axis] = line[0];
 }
@@ -57,22 +57,22 @@ static void start_row(loft_grid *g, const loft_vec control[], unsigned degree)
     }
 }
 
-static enum loft_status start(loft_grid *g, const loft_vec net[], const loft_walk2 *shape,
+static enum loft_status start_grid(loft_grid *g, const loft_vec net[], const loft_walk2 *shape,
                               loft_state memory[], size_t count)
 {
     const size_t states = loft_walk2_column(shape, shape->q) + loft_walk2_degree(shape, shape->q) +
                           1;
-    const size_t points = last_of(shape, shape->p) + 1;
+    const size_t points = last_in_row(shape, shape->p) + 1;
     loft_powers powers;
 
-    if (!loft_walk2_steps_valid(shape) || !accepted(net, points))
+    if (!loft_walk2_steps_valid(shape) || !net_valid(net, points))
         return LOFT_ERR_RANGE;
     if (count < states * LOFT_AXES)
         return LOFT_ERR_SPACE;
     g->shape  = *shape;
     g->memory = memory;
     g->states = states;
-    g->last   = net + first_of(shape, shape->p);
+    g->last   = net + first_in_row(shape, shape->p);
     loft_powers_init(&powers, shape->p, shape->rows);
     for (int i = 0; i < LOFT_AXES; i++) {
         loft_walk2_init(memory + (size_t)i * states, shape, &net[0].axis[i], LOFT_AXES);
@@ -91,7 +91,7 @@ enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t row
 
     if (s->m > LOFT_WALK_DEGREE_MAX || s->n > LOFT_WALK_DEGREE_MAX || rows == 0 || columns == 0)
         return LOFT_ERR_ARG;
-    return start(g, s->p, &shape, memory, count);
+    return start_grid(g, s->p, &shape, memory, count);
 }
 
 enum loft_status loft_grid_triangle_init(loft_grid *g, const loft_triangle *t, uint32_t rows,
@@ -101,7 +101,7 @@ enum loft_status loft_grid_triangle_init(loft_grid *g, const loft_triangle *t, u
 
     if (t->degree > LOFT_WALK_DEGREE_MAX || rows == 0)
         return LOFT_ERR_ARG;
-    return start(g, t->p, &shape, memory, count);
+    return start_grid(g, t->p, &shape, memory, count);
 }
 
 /* The net as a tensor. Its edges are those of `c`; its inside shows whether all points fit. */
@@ -119,10 +119,10 @@ enum loft_status loft_grid_coons_init(loft_grid *g, const loft_coons_bezier *c, 
         return LOFT_ERR_ARG;
     enum loft_status status = loft_tensor_from_coons(c, net);
     for (unsigned l = 0; l <= shape.q && status == LOFT_OK; l++)
-        if (!loft_vec_equal(net[first_of(&shape, shape.p) + l], last->p[l]))
+        if (!loft_vec_equal(net[first_in_row(&shape, shape.p) + l], last->p[l]))
             status = LOFT_ERR_ARG;
     if (status == LOFT_OK)
-        status = start(g, net, &shape, memory, count);
+        status = start_grid(g, net, &shape, memory, count);
     if (status == LOFT_OK)
         g->last = last->p;
     return status;
@@ -148,7 +148,7 @@ static void next_row(loft_grid *g)
 }
 
 /* At the start of a row the first point is d[0] of each walk. */
-static bool is_begin(const loft_grid *g)
+static bool at_row_begin(const loft_grid *g)
 {
     return g->left == (g->shape.triangle ? g->at + 1 : g->shape.columns + 1);
 }
@@ -160,7 +160,7 @@ bool loft_grid_next(loft_grid *g, loft_vec *out)
             return false;
         next_row(g);
     }
-    const bool first = is_begin(g);
+    const bool first = at_row_begin(g);
     g->left--;
     for (int i = 0; i < LOFT_AXES; i++) {
         out->axis[i] = first ? loft_state_real(g->row[i].d)
@@ -177,7 +177,7 @@ uint32_t loft_grid_run(loft_grid *g, loft_vec out[], uint32_t count)
 
     if (count == 0)
         return 0;
-    if (g->left == 0 || is_begin(g)) {
+    if (g->left == 0 || at_row_begin(g)) {
         if (!loft_grid_next(g, &out[0]))
             return 0;
         given = 1;

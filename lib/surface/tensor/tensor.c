@@ -8,7 +8,7 @@
  */
 #include "surface/tensor/tensor.h"
 
-static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
+static bool unit_valid(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
 static loft_bezier row_of(const loft_tensor *s, unsigned i)
 {
@@ -54,7 +54,7 @@ enum loft_status loft_tensor_init(loft_tensor *s, const loft_vec p[], unsigned m
 }
 
 /* Replace c[0..degree] by its differences of order k, c[0..degree-k]. */
-static void difference(loft_acc c[], unsigned degree, unsigned k)
+static void difference_net(loft_acc c[], unsigned degree, unsigned k)
 {
     for (; k > 0; k--, degree--)
         for (unsigned i = 0; i < degree; i++)
@@ -71,10 +71,10 @@ static loft_acc differences_at(const loft_tensor *s, int axis, unsigned a, unsig
     for (unsigned j = 0; j <= s->n; j++) {
         for (unsigned i = 0; i <= s->m; i++)
             c[i] = loft_to_acc(s->p[i * (s->n + 1u) + j].axis[axis]);
-        difference(c, s->m, a);
+        difference_net(c, s->m, a);
         row[j] = loft_bernstein_eval(c, s->m - a, u);
     }
-    difference(row, s->n, b);
+    difference_net(row, s->n, b);
     return loft_bernstein_eval(row, s->n - b, v);
 }
 
@@ -90,7 +90,7 @@ loft_vec loft_tensor_eval(const loft_tensor *s, loft_unit u, loft_unit v)
 }
 
 /* n! / (n - k)!, 0 for k > n */
-static int32_t falling(unsigned n, unsigned k)
+static int32_t falling_factorial(unsigned n, unsigned k)
 {
     int32_t f = 1;
 
@@ -106,9 +106,9 @@ enum loft_status loft_tensor_deriv(const loft_tensor *s, unsigned a, unsigned b,
 {
     loft_vec r = { { 0 } };
 
-    if (!inside(u) || !inside(v) || a > LOFT_DEGREE_MAX || b > LOFT_DEGREE_MAX - a)
+    if (!unit_valid(u) || !unit_valid(v) || a > LOFT_DEGREE_MAX || b > LOFT_DEGREE_MAX - a)
         return LOFT_ERR_ARG;
-    const int32_t factor = falling(s->m, a) * falling(s->n, b);
+    const int32_t factor = falling_factorial(s->m, a) * falling_factorial(s->n, b);
     const loft_acc limit = factor ? 2 * loft_acc_ratio(loft_to_acc(LOFT_REAL_MAX), factor) : 0;
 
     for (int i = 0; i < LOFT_AXES && factor; i++) {

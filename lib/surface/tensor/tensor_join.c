@@ -33,7 +33,7 @@ typedef struct {
     unsigned n;
 } edge;
 
-static void load(edge *e, const loft_tensor *p, const loft_tensor *q)
+static void load_edge(edge *e, const loft_tensor *p, const loft_tensor *q)
 {
     const loft_vec *last = p->p + p->m * (p->n + 1u);
 
@@ -49,7 +49,7 @@ static void load(edge *e, const loft_tensor *p, const loft_tensor *q)
 
 /* sum over i + k = s of C(n,i) C(n-1,k) (x_i t_k' - x_i' t_k) with axes c + 1, c + 2: the s-th
  * coefficient of component c of the product, times C(2n-1,s). */
-static loft_exact cross(const edge *e, loft_exact x[][3], unsigned s, unsigned c)
+static loft_exact cross_coefficient(const edge *e, loft_exact x[][3], unsigned s, unsigned c)
 {
     const unsigned one = (c + 1) % 3, two = (c + 2) % 3;
     loft_exact sum = loft_exact_from_int(0);
@@ -64,7 +64,7 @@ static loft_exact cross(const edge *e, loft_exact x[][3], unsigned s, unsigned c
 }
 
 /* One coefficient of det(A, T, B) = (A x T) B, times C(3n-1,s). */
-static bool vanishes(const edge *e, loft_exact a[][3], loft_exact b[][3], unsigned s)
+static bool det_vanishes(const edge *e, loft_exact a[][3], loft_exact b[][3], unsigned s)
 {
     loft_exact sum = loft_exact_from_int(0);
 
@@ -72,7 +72,7 @@ static bool vanishes(const edge *e, loft_exact a[][3], loft_exact b[][3], unsign
         if (s - j > 2 * e->n - 1)
             continue;
         for (unsigned c = 0; c < 3; c++) {
-            const loft_exact term = loft_exact_mul(b[j][c], cross(e, a, s - j, c));
+            const loft_exact term = loft_exact_mul(b[j][c], cross_coefficient(e, a, s - j, c));
             sum = loft_exact_add(sum,
                                  loft_exact_mul(loft_exact_from_int(loft_binomial(e->n, j)), term));
         }
@@ -80,17 +80,17 @@ static bool vanishes(const edge *e, loft_exact a[][3], loft_exact b[][3], unsign
     return loft_exact_sign(sum) == 0;
 }
 
-static bool parallel(edge *e)
+static bool normals_parallel(edge *e)
 {
     for (unsigned s = 0; s < 3 * e->n; s++)
-        if (!vanishes(e, e->a, e->b, s))
+        if (!det_vanishes(e, e->a, e->b, s))
             return false;
     return true;
 }
 
 /* One half of a polynomial. Sums replace means, so all coefficients are multiplied by 2^degree. The
  * left half takes the first value of each row, the right half the last one. */
-static void halve(loft_exact x[][3], unsigned degree, unsigned side)
+static void halve_net(loft_exact x[][3], unsigned degree, unsigned side)
 {
     for (int i = 0; i < 3; i++)
         for (unsigned row = 0; row < degree; row++)
@@ -103,56 +103,56 @@ static void halve(loft_exact x[][3], unsigned degree, unsigned side)
             x[k][i] = loft_exact_shift(x[k][i], (int)(side ? k : degree - k));
 }
 
-static void cut(edge *e, loft_dyad piece)
+static void cut_edge(edge *e, loft_dyad piece)
 {
     for (unsigned bit = piece.level; bit-- > 0; ) {
         const unsigned side = piece.k >> bit & 1;
-        halve(e->a, e->n, side);
-        halve(e->b, e->n, side);
-        halve(e->t, e->n - 1, side);
+        halve_net(e->a, e->n, side);
+        halve_net(e->b, e->n, side);
+        halve_net(e->t, e->n - 1, side);
     }
 }
 
 /* Do both normals have one direction at the first (s = 0) or last coefficient, which are values? */
-static bool agree(edge *e, unsigned s)
+static bool signs_agree(edge *e, unsigned s)
 {
     bool some = false;
 
     for (unsigned c = 0; c < 3; c++) {
-        const int sign = loft_exact_sign(cross(e, e->a, s, c));
-        if (sign != loft_exact_sign(cross(e, e->b, s, c)))
+        const int sign = loft_exact_sign(cross_coefficient(e, e->a, s, c));
+        if (sign != loft_exact_sign(cross_coefficient(e, e->b, s, c)))
             return false;
         some = some || sign;
     }
     return some;
 }
 
-static bool proven(edge *e)
+static bool direction_proven(edge *e)
 {
     for (unsigned c = 0; c < 3; c++) {
-        const int sign = loft_exact_sign(cross(e, e->a, 0, c));
+        const int sign = loft_exact_sign(cross_coefficient(e, e->a, 0, c));
         bool all = sign != 0;
         for (unsigned s = 0; s < 2 * e->n && all; s++)
-            all = loft_exact_sign(cross(e, e->a, s, c)) == sign &&
-                  loft_exact_sign(cross(e, e->b, s, c)) == sign;
+            all = loft_exact_sign(cross_coefficient(e, e->a, s, c)) == sign &&
+                  loft_exact_sign(cross_coefficient(e, e->b, s, c)) == sign;
         if (all)
             return true;
     }
     return false;
 }
 
-static bool one_direction(edge *e, const loft_tensor *p, const loft_tensor *q)
+static bool same_direction(edge *e, const loft_tensor *p, const loft_tensor *q)
 {
     const unsigned levels = (LOFT_EXACT_BITS - 1 - 2 * EDGE_BITS - 1) / (2 * e->n - 1) - 1;
     loft_dyad piece = { 0, 0 };
 
     do {
         for (;;) {
-            load(e, p, q);
-            cut(e, piece);
-            if (!agree(e, 0) || !agree(e, 2 * e->n - 1))
+            load_edge(e, p, q);
+            cut_edge(e, piece);
+            if (!signs_agree(e, 0) || !signs_agree(e, 2 * e->n - 1))
                 return false;
-            if (proven(e))
+            if (direction_proven(e))
                 break;
             if (piece.level >= levels || piece.level >= LOFT_DYAD_LEVELS)
                 return false;
@@ -162,7 +162,7 @@ static bool one_direction(edge *e, const loft_tensor *p, const loft_tensor *q)
     return true;
 }
 
-static bool admitted(const loft_tensor *s)
+static bool points_valid(const loft_tensor *s)
 {
     for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
         for (int i = 0; i < LOFT_AXES; i++)
@@ -171,7 +171,7 @@ static bool admitted(const loft_tensor *s)
     return true;
 }
 
-static bool meet(const loft_tensor *p, const loft_tensor *q)
+static bool edges_meet(const loft_tensor *p, const loft_tensor *q)
 {
     for (unsigned j = 0; j <= p->n; j++)
         if (!loft_vec_equal(p->p[p->m * (p->n + 1u) + j], q->p[j]))
@@ -203,13 +203,13 @@ enum loft_status loft_tensor_join_init(loft_tensor_join *j, const loft_tensor *p
     j->c0 = j->c1 = j->g1 = false;
     if (p->n != q->n || p->m == 0 || q->m == 0)
         return LOFT_ERR_ARG;
-    if (!admitted(p) || !admitted(q))
+    if (!points_valid(p) || !points_valid(q))
         return LOFT_ERR_RANGE;
-    j->c0 = meet(p, q);
+    j->c0 = edges_meet(p, q);
     j->c1 = j->c0 && same_derivatives(p, q);
     if (!j->c0 || p->n == 0)
         return LOFT_OK;
-    load(&e, p, q);
-    j->g1 = parallel(&e) && one_direction(&e, p, q);
+    load_edge(&e, p, q);
+    j->g1 = normals_parallel(&e) && same_direction(&e, p, q);
     return LOFT_OK;
 }

@@ -55,19 +55,19 @@ enum loft_status loft_tensor_rational_init(loft_tensor_rational *s, const loft_w
     return LOFT_OK;
 }
 
-static loft_acc coefficient(const loft_tensor_rational *s, const loft_weighted *p, int axis)
+static loft_acc net_coefficient(const loft_tensor_rational *s, const loft_weighted *p, int axis)
 {
     const loft_real w = p->w * (loft_real)s->scale;
     return axis == WEIGHTS ? loft_to_acc(w) * LOFT_PROJECT : loft_prod(p->p.axis[axis], w);
 }
 
-static loft_acc polynomial(const loft_tensor_rational *s, int axis, loft_unit u, loft_unit v)
+static loft_acc eval_polynomial(const loft_tensor_rational *s, int axis, loft_unit u, loft_unit v)
 {
     loft_acc c[POINTS], row[POINTS];
 
     for (unsigned j = 0; j <= s->n; j++) {
         for (unsigned i = 0; i <= s->m; i++)
-            c[i] = coefficient(s, &s->p[i * (s->n + 1u) + j], axis);
+            c[i] = net_coefficient(s, &s->p[i * (s->n + 1u) + j], axis);
         row[j] = loft_bernstein_eval(c, s->m, u);
     }
     return loft_bernstein_eval(row, s->n, v);
@@ -79,13 +79,13 @@ loft_vec loft_tensor_rational_eval(const loft_tensor_rational *s, loft_unit u, l
 
     u = loft_unit_clamp(u);
     v = loft_unit_clamp(v);
-    const loft_acc w = polynomial(s, WEIGHTS, u, v);
+    const loft_acc w = eval_polynomial(s, WEIGHTS, u, v);
     for (int i = 0; i < LOFT_AXES; i++)
-        p.axis[i] = loft_acc_project(polynomial(s, i, u, v), w);
+        p.axis[i] = loft_acc_project(eval_polynomial(s, i, u, v), w);
     return p;
 }
 
-static bool take(const loft_sci x[LOFT_AXES], loft_vec *out)
+static bool round_derivative(const loft_sci x[LOFT_AXES], loft_vec *out)
 {
     loft_acc wide[LOFT_AXES];
 
@@ -104,7 +104,7 @@ enum loft_status loft_tensor_rational_deriv(const loft_tensor_rational *s, loft_
     const enum loft_status status = loft_tensor_rational_differential(s, u, v, &at);
     if (status != LOFT_OK)
         return status;
-    if (!take(at.u, &one) || !take(at.v, &two))
+    if (!round_derivative(at.u, &one) || !round_derivative(at.v, &two))
         return LOFT_ERR_RANGE;
     *by_u = one;
     *by_v = two;

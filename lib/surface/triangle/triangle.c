@@ -11,7 +11,7 @@
 
 #define MOST LOFT_TRIANGLE_MOST
 
-static void widen(const loft_triangle *t, int axis, loft_acc c[])
+static void axis_to_acc(const loft_triangle *t, int axis, loft_acc c[])
 {
     const unsigned count = LOFT_TRIANGLE_POINTS(t->degree);
 
@@ -20,13 +20,13 @@ static void widen(const loft_triangle *t, int axis, loft_acc c[])
 }
 
 /* `times` rows of a net of that degree. */
-static void step(loft_acc c[], unsigned degree, unsigned times, loft_bary u)
+static void casteljau_rows(loft_acc c[], unsigned degree, unsigned times, loft_bary u)
 {
     for (unsigned n = degree; n > degree - times; n--)
         loft_bary_step(c, n, u);
 }
 
-static bool grows(const loft_triangle *t, loft_bary a, loft_bary b)
+static bool growth_valid(const loft_triangle *t, loft_bary a, loft_bary b)
 {
     loft_acc product = loft_to_acc(LOFT_REAL(1)), other = product;
 
@@ -57,7 +57,7 @@ loft_vec loft_triangle_eval(const loft_triangle *t, loft_bary u)
 
     u = loft_bary_clamp(u);
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(t, i, c);
+        axis_to_acc(t, i, c);
         v.axis[i] = loft_acc_round(loft_bary_eval(c, t->degree, u));
     }
     return v;
@@ -79,20 +79,20 @@ enum loft_status loft_triangle_polar(const loft_triangle *t, unsigned times, lof
         !loft_bary_grows(u, false, t->degree - times, &product))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(t, i, c);
-        step(c, t->degree, times, a);
+        axis_to_acc(t, i, c);
+        casteljau_rows(c, t->degree, times, a);
         x[i] = loft_bary_eval(c, t->degree - times, u);
     }
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
 /* All rows but the last: three coefficients remain. */
-static void three(const loft_triangle *t, loft_bary u, int axis, loft_acc x[3])
+static void last_three(const loft_triangle *t, loft_bary u, int axis, loft_acc x[3])
 {
     loft_acc c[MOST];
 
-    widen(t, axis, c);
-    step(c, t->degree, t->degree - 1u, u);
+    axis_to_acc(t, axis, c);
+    casteljau_rows(c, t->degree, t->degree - 1u, u);
     for (int k = 0; k < 3; k++)
         x[k] = c[k];
 }
@@ -107,7 +107,7 @@ enum loft_status loft_triangle_tangent(const loft_triangle *t, loft_bary u, loft
     if (!loft_bary_grows(u, false, t->degree - 1u, &product))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        three(t, u, i, x);
+        last_three(t, u, i, x);
         if (!loft_vec_round_axis(x, 3, i, v))
             return LOFT_ERR_RANGE;
     }
@@ -124,7 +124,7 @@ enum loft_status loft_triangle_normal(const loft_triangle *t, loft_bary u, loft_
         return LOFT_ERR_ARG;
     u = loft_bary_clamp(u);
     for (int i = 0; i < LOFT_AXES; i++) {
-        three(t, u, i, x);
+        last_three(t, u, i, x);
         a[i] = x[1] - x[0];
         b[i] = x[2] - x[0];
     }
@@ -152,7 +152,7 @@ enum loft_status loft_triangle_deriv(const loft_triangle *t, unsigned r, loft_ba
         factor *= (int32_t)(n - j);
     const loft_acc limit = 2 * loft_acc_ratio(loft_to_acc(LOFT_REAL_MAX), factor);
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(t, i, c);
+        axis_to_acc(t, i, c);
         for (unsigned m = n; m > n - r; m--)
             loft_bary_slope(c, m, z);
         x[i] = loft_bary_eval(c, n - r, u);
@@ -172,10 +172,10 @@ enum loft_status loft_triangle_line(const loft_triangle *t, loft_bary from, loft
 {
     loft_acc c[MOST], copy[MOST], x[LOFT_DEGREE_MAX + 1];
 
-    if (!grows(t, from, to))
+    if (!growth_valid(t, from, to))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(t, i, c);
+        axis_to_acc(t, i, c);
         for (unsigned k = t->degree + 1u; k-- > 0; ) {
             for (unsigned j = 0; j < LOFT_TRIANGLE_POINTS(k); j++)
                 copy[j] = c[j];

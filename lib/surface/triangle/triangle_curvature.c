@@ -21,7 +21,7 @@
 #define FARTHEST LOFT_UNIT(127)
 
 /* b_n00 and the five points nearest to it, in one axis. The last three are absent for degree 1. */
-static void take(const loft_triangle *t, int axis, loft_exact b[6])
+static void load_points(const loft_triangle *t, int axis, loft_exact b[6])
 {
     for (unsigned k = 0; k < 6; k++)
         b[k] = loft_exact_from_real(k < 3 || t->degree > 1 ? loft_vec_axis(&t->p[k], axis) : 0);
@@ -79,7 +79,7 @@ enum loft_status loft_triangle_corner_curvature_vec(const loft_triangle *t, loft
         return status;
     const loft_exact v = loft_exact_from_unit(z.v), w = loft_exact_from_unit(z.w);
     for (int i = 0; i < SPACE; i++) {
-        take(t, i, b);
+        load_points(t, i, b);
         differ(b, v, w, &p[i], &q[i], &e[i], &f[i]);
     }
     loft_vec_exact_cross(e, f, m);

@@ -8,13 +8,13 @@
 
 #define MOST LOFT_TRIANGLE_MOST
 
-static void widen(const loft_vec p[], unsigned count, int axis, loft_acc c[])
+static void axis_to_acc(const loft_vec p[], unsigned count, int axis, loft_acc c[])
 {
     for (unsigned k = 0; k < count; k++)
         c[k] = loft_to_acc(p[k].axis[axis]);
 }
 
-static bool take(loft_acc x, loft_real *out)
+static bool round_axis(loft_acc x, loft_real *out)
 {
     if (!loft_acc_valid(x))
         return false;
@@ -22,7 +22,7 @@ static bool take(loft_acc x, loft_real *out)
     return true;
 }
 
-static void copy(const loft_acc from[], unsigned count, loft_acc to[])
+static void copy_net(const loft_acc from[], unsigned count, loft_acc to[])
 {
     for (unsigned k = 0; k < count; k++)
         to[k] = from[k];
@@ -33,15 +33,16 @@ static void copy(const loft_acc from[], unsigned count, loft_acc to[])
 
 /* After r rows the three edges of the remaining net belong to the three pieces, with the power r of
  * the new corner: b_0jk, b_i0k and b_ij0. */
-static bool deal(const loft_acc x[], unsigned degree, unsigned r, int axis, loft_vec a[],
+static bool deal_row(const loft_acc x[], unsigned degree, unsigned r, int axis, loft_vec a[],
                  loft_vec b[], loft_vec c[])
 {
     const unsigned n = degree - r;
 
     for (unsigned k = 0; k <= n; k++)
-        if (!take(x[loft_triangle_place(n - k, k)], &a[loft_triangle_place(n - k, k)].axis[axis]) ||
-            !take(x[loft_triangle_place(0, k)], &b[loft_triangle_place(r, k)].axis[axis]) ||
-            !take(x[loft_triangle_place(k, 0)], &c[loft_triangle_place(k, r)].axis[axis]))
+        if (!round_axis(x[loft_triangle_place(n - k, k)],
+                        &a[loft_triangle_place(n - k, k)].axis[axis]) ||
+            !round_axis(x[loft_triangle_place(0, k)], &b[loft_triangle_place(r, k)].axis[axis]) ||
+            !round_axis(x[loft_triangle_place(k, 0)], &c[loft_triangle_place(k, r)].axis[axis]))
             return false;
     return true;
 }
@@ -55,9 +56,9 @@ enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_v
     if (!loft_bary_grows(u, false, n, &product))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(t->p, LOFT_TRIANGLE_POINTS(n), i, x);
+        axis_to_acc(t->p, LOFT_TRIANGLE_POINTS(n), i, x);
         for (unsigned r = 0; r <= n; r++) {
-            if (!deal(x, n, r, i, a, b, c))
+            if (!deal_row(x, n, r, i, a, b, c))
                 return LOFT_ERR_RANGE;
             loft_bary_step(x, n - r, u);
         }
@@ -95,18 +96,18 @@ static void halve_row(loft_acc c[], unsigned degree, const corner *at)
 
 /* b[corner0^i, corner1^j, corner2^k]: i rows at the first corner, then j rows at the second in a
  * copy, then k rows at the third in a copy of that. */
-static bool reshape(loft_acc c[], unsigned degree, const corner at[3], row *step, int axis,
+static bool reshape_axis(loft_acc c[], unsigned degree, const corner at[3], row *step, int axis,
                     loft_vec out[])
 {
     loft_acc second[MOST], third[MOST];
 
     for (unsigned m = degree + 1; m-- > 0; ) {
-        copy(c, LOFT_TRIANGLE_POINTS(m), second);
+        copy_net(c, LOFT_TRIANGLE_POINTS(m), second);
         for (unsigned k = m + 1; k-- > 0; ) {
-            copy(second, LOFT_TRIANGLE_POINTS(k), third);
+            copy_net(second, LOFT_TRIANGLE_POINTS(k), third);
             for (unsigned n = k; n > 0; n--)
                 step(third, n, &at[2]);
-            if (!take(third[0], &out[loft_triangle_place(m - k, k)].axis[axis]))
+            if (!round_axis(third[0], &out[loft_triangle_place(m - k, k)].axis[axis]))
                 return false;
             step(second, k, &at[1]);
         }
@@ -122,8 +123,8 @@ static enum loft_status reshape_all(const loft_triangle *t, const corner at[3], 
     loft_acc c[MOST];
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        widen(t->p, count, i, c);
-        if (!reshape(c, t->degree, at, step, i, out))
+        axis_to_acc(t->p, count, i, c);
+        if (!reshape_axis(c, t->degree, at, step, i, out))
             return LOFT_ERR_RANGE;
     }
     return LOFT_OK;
@@ -164,7 +165,8 @@ enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary at[3]
 /* sum C(i,r) C(j,s) C(k,t) b_rst / C(n+m,n) over r + s + t = n, with (i, j, k) of degree n + m. The
  * products of binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 <
  * 2^62.6. One division rounds to 2^-33. */
-static loft_acc raised(const loft_acc c[], unsigned n, unsigned i, unsigned j, unsigned k)
+static loft_acc elevated_coefficient(const loft_acc c[], unsigned n, unsigned i, unsigned j,
+                                     unsigned k)
 {
     loft_acc sum = 0;
 
@@ -183,11 +185,11 @@ enum loft_status loft_triangle_elevate(const loft_triangle *t, unsigned times, l
     if (times > LOFT_ELEVATE_MAX - n)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
-        widen(t->p, LOFT_TRIANGLE_POINTS(n), axis, c);
+        axis_to_acc(t->p, LOFT_TRIANGLE_POINTS(n), axis, c);
         for (unsigned m = 0; m <= most; m++)
             for (unsigned k = 0; k <= m; k++)
                 out[loft_triangle_place(m - k, k)].axis[axis] = loft_acc_round(
-                    raised(c, n, most - m, m - k, k));
+                    elevated_coefficient(c, n, most - m, m - k, k));
     }
     return LOFT_OK;
 }
@@ -195,7 +197,7 @@ enum loft_status loft_triangle_elevate(const loft_triangle *t, unsigned times, l
 /* b_ijk = sum over p <= j, r <= k of C(j,p) C(k,r) a_pr over n! / (p! r! (n-p-r)!) = C(n,p)
  * C(n-p,r). A product is below 126 * 2^47, no quotient exceeds its coefficient, and there are at
  * most 30 of them: below 2^52. */
-static loft_acc from_power(const loft_acc a[], unsigned n, unsigned j, unsigned k)
+static loft_acc power_coefficient(const loft_acc a[], unsigned n, unsigned j, unsigned k)
 {
     loft_acc sum = 0;
 
@@ -214,10 +216,10 @@ enum loft_status loft_triangle_from_power(const loft_vec a[], unsigned degree, l
     if (degree > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
-        widen(a, LOFT_TRIANGLE_POINTS(degree), axis, c);
+        axis_to_acc(a, LOFT_TRIANGLE_POINTS(degree), axis, c);
         for (unsigned m = 0; m <= degree; m++)
             for (unsigned k = 0; k <= m; k++)
-                if (!take(from_power(c, degree, m - k, k),
+                if (!round_axis(power_coefficient(c, degree, m - k, k),
                           &out[loft_triangle_place(m - k, k)].axis[axis]))
                     return LOFT_ERR_RANGE;
     }

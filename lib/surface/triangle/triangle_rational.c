@@ -83,7 +83,7 @@ static weights weights_of(loft_bary u, loft_sci sum)
     return x;
 }
 
-static loft_sci blend(loft_sci a, loft_sci b, loft_sci c, const weights *x)
+static loft_sci weighted_sum(loft_sci a, loft_sci b, loft_sci c, const weights *x)
 {
     return loft_sci_add(loft_sci_add(loft_sci_mul(x->u, a), loft_sci_mul(x->v, b)),
                         loft_sci_mul(x->w, c));
@@ -91,7 +91,7 @@ static loft_sci blend(loft_sci a, loft_sci b, loft_sci c, const weights *x)
 
 /* The three values of the last row but one: the numerators of an axis, or the weights for axis -1.
  * */
-static void three(const loft_triangle_rational *t, int axis, const weights *u, loft_sci out[3])
+static void last_three(const loft_triangle_rational *t, int axis, const weights *u, loft_sci out[3])
 {
     loft_sci c[MOST];
     const unsigned degree = t->degree;
@@ -104,7 +104,7 @@ static void three(const loft_triangle_rational *t, int axis, const weights *u, l
     for (unsigned n = degree; n > 1; n--)
         for (unsigned m = 0, p = 0; m < n; m++)
             for (unsigned k = 0; k <= m; k++, p++)
-                c[p] = blend(c[p], c[p + m + 1], c[p + m + 2], u);
+                c[p] = weighted_sum(c[p], c[p + m + 1], c[p + m + 2], u);
     for (unsigned k = 0; k < 3; k++)
         out[k] = c[k];
 }
@@ -119,13 +119,14 @@ enum loft_status loft_triangle_rational_deriv(const loft_triangle_rational *t, l
     if (!loft_bary_inside(u))
         return LOFT_ERR_ARG;
     if (t->degree > 0) {
-        three(t, -1, &at, w);
-        const loft_sci sum = blend(w[0], w[1], w[2], &at), slope = blend(w[0], w[1], w[2], &toward);
+        last_three(t, -1, &at, w);
+        const loft_sci sum = weighted_sum(w[0], w[1], w[2], &at),
+                       slope = weighted_sum(w[0], w[1], w[2], &toward);
         const loft_sci factor = loft_sci_div(loft_sci_from_int(t->degree), loft_sci_mul(sum, sum));
         for (int i = 0; i < LOFT_AXES; i++) {
-            three(t, i, &at, x);
-            const loft_sci rise = loft_sci_mul(blend(x[0], x[1], x[2], &toward), sum);
-            const loft_sci fall = loft_sci_mul(blend(x[0], x[1], x[2], &at), slope);
+            last_three(t, i, &at, x);
+            const loft_sci rise = loft_sci_mul(weighted_sum(x[0], x[1], x[2], &toward), sum);
+            const loft_sci fall = loft_sci_mul(weighted_sum(x[0], x[1], x[2], &at), slope);
             if (!loft_sci_to_acc(loft_sci_mul(factor, loft_sci_sub(rise, fall)), &d[i]))
                 return LOFT_ERR_RANGE;
         }

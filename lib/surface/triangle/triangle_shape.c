@@ -7,7 +7,7 @@
 #include "surface/triangle/triangle_shape.h"
 #include "num/exact.h"          /* loft_exact: the decisions */
 
-static bool admits_all(const loft_real b[], unsigned count)
+static bool coefficients_valid(const loft_real b[], unsigned count)
 {
     for (unsigned k = 0; k < count; k++)
         if (!loft_exact_valid(b[k]))
@@ -16,7 +16,7 @@ static bool admits_all(const loft_real b[], unsigned count)
 }
 
 /* The index of b_ijk, for every degree: 1 + 2 + .. + (j + k) before its row, and k in its row. */
-static unsigned place(unsigned j, unsigned k)   { return (j + k) * (j + k + 1) / 2 + k; }
+static unsigned place_of(unsigned j, unsigned k)   { return (j + k) * (j + k + 1) / 2 + k; }
 static unsigned count_of(unsigned degree)       { return (degree + 1) * (degree + 2) / 2; }
 
 static loft_exact product3(loft_exact x, loft_exact y, loft_exact z)
@@ -31,13 +31,13 @@ typedef struct {
 } form;
 
 /* x + y sqrt(z), given s, the sign of x^2 - y^2 z */
-static int surd(int x, int y, int s) { return x == y ? x : x == 0 ? y : y == 0 ? x : x * s; }
+static int surd_sign(int x, int y, int s) { return x == y ? x : x == 0 ? y : y == 0 ? x : x * s; }
 
 /* a + sqrt(B C) */
 static int edge_sign(loft_exact a, loft_exact b, loft_exact c)
 {
     const loft_exact bc = loft_exact_mul(b, c);
-    return surd(loft_exact_sign(a), loft_exact_sign(bc),
+    return surd_sign(loft_exact_sign(a), loft_exact_sign(bc),
                 loft_exact_compare(loft_exact_mul(a, a), bc));
 }
 
@@ -54,8 +54,9 @@ static int roots_sign(const form *f)
     const loft_exact bc = loft_exact_mul(s[1], s[2]), aa = loft_exact_mul(x[0], x[0]);
     const loft_exact bbb = product3(x[1], x[1], s[1]), ccc = product3(x[2], x[2], s[2]);
     const int p = loft_exact_sign(s[0]) * edge_sign(x[0], s[1], s[2]);
-    const int q = surd(loft_exact_sign(x[1]) * loft_exact_sign(s[1]),
-                       loft_exact_sign(x[2]) * loft_exact_sign(s[2]), loft_exact_compare(bbb, ccc));
+    const int q = surd_sign(loft_exact_sign(x[1]) * loft_exact_sign(s[1]),
+                            loft_exact_sign(x[2]) * loft_exact_sign(s[2]),
+                            loft_exact_compare(bbb, ccc));
 
     if (p == q || p == 0 || q == 0)
         return p ? p : q;
@@ -65,7 +66,7 @@ static int roots_sign(const form *f)
                                         loft_exact_add(bbb, ccc));
     const int squares = loft_exact_compare(loft_exact_mul(m, m), product3(n, n, bc));
 
-    return p * surd(loft_exact_sign(m), loft_exact_sign(n) * loft_exact_sign(bc), squares);
+    return p * surd_sign(loft_exact_sign(m), loft_exact_sign(n) * loft_exact_sign(bc), squares);
 }
 
 static int determinant_sign(const form *f)
@@ -85,7 +86,7 @@ enum loft_status loft_triangle2_sign(const loft_real b[6], loft_triangle_sign *o
     bool diagonal = true;
     form f;
 
-    if (!admits_all(b, 6))
+    if (!coefficients_valid(b, 6))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < 3; i++) {
         f.square[i] = loft_exact_from_real(b[square[i]]);
@@ -108,13 +109,13 @@ enum loft_status loft_triangle2_sign(const loft_real b[6], loft_triangle_sign *o
 
 static loft_exact wang_liu_sum(const loft_real b[], unsigned degree, int corner)
 {
-    const unsigned corners[3] = { place(0, 0), place(degree, 0), place(0, degree) };
+    const unsigned corners[3] = { place_of(0, 0), place_of(degree, 0), place_of(0, degree) };
     loft_exact sum = loft_exact_from_real(b[corners[corner]]);
 
     for (unsigned rest = 0; rest <= degree; rest++)
         for (unsigned k = 0; k <= rest; k++) {
             unsigned index[3] = { degree - rest, rest - k, k };
-            const loft_real value = b[place(index[1], index[2])];
+            const loft_real value = b[place_of(index[1], index[2])];
             if (!(value < 0) || index[corner] == 0)
                 continue;
             index[corner]--;
@@ -134,7 +135,7 @@ enum loft_status loft_triangle_wang_liu(const loft_real b[], unsigned degree, bo
 
     if (degree < 1 || degree > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
-    if (!admits_all(b, count_of(degree)))
+    if (!coefficients_valid(b, count_of(degree)))
         return LOFT_ERR_RANGE;
     for (int corner = 0; corner < 3; corner++) {
         const loft_exact sum = wang_liu_sum(b, degree, corner);
@@ -157,28 +158,30 @@ enum loft_status loft_triangle_wang_liu(const loft_real b[], unsigned degree, bo
  * below 2^(2 R + 5.6). */
 
 /* b at (j, k) with the steps x and y, each 0, 1 or 2 for i, j or k */
-static loft_exact stepped(const loft_real b[], unsigned j, unsigned k, int x, int y)
+static loft_exact stepped_coefficient(const loft_real b[], unsigned j, unsigned k, int x, int y)
 {
-    return loft_exact_from_real(b[place(j + (x == 1) + (y == 1), k + (x == 2) + (y == 2))]);
+    return loft_exact_from_real(b[place_of(j + (x == 1) + (y == 1), k + (x == 2) + (y == 2))]);
 }
 
-static void differences(const loft_real b[], unsigned j, unsigned k, loft_exact d[3])
+static void second_differences(const loft_real b[], unsigned j, unsigned k, loft_exact d[3])
 {
     for (int x = 0; x < 3; x++) {
         const int y = (x + 1) % 3, z = (x + 2) % 3;
-        const loft_exact plus = loft_exact_add(stepped(b, j, k, x, x), stepped(b, j, k, y, z));
-        d[x] = loft_exact_sub(plus, loft_exact_add(stepped(b, j, k, x, y), stepped(b, j, k, x, z)));
+        const loft_exact plus = loft_exact_add(stepped_coefficient(b, j, k, x, x),
+                                               stepped_coefficient(b, j, k, y, z));
+        d[x] = loft_exact_sub(plus, loft_exact_add(stepped_coefficient(b, j, k, x, y),
+                                                   stepped_coefficient(b, j, k, x, z)));
     }
 }
 
 /* Test one index of degree n - 2. (E2 - E3)^2 b = D2 + D3, so the sum of two is the convexity along
  * a mesh line. */
-static void look_at(const loft_real b[], unsigned j, unsigned k, loft_net_convexity *out)
+static void test_index(const loft_real b[], unsigned j, unsigned k, loft_net_convexity *out)
 {
     loft_exact d[3], sum = loft_exact_from_int(0);
     bool pairs = true;
 
-    differences(b, j, k, d);
+    second_differences(b, j, k, d);
     for (int x = 0; x < 3; x++) {
         const loft_exact y = d[(x + 1) % 3], z = d[(x + 2) % 3];
         const bool along = loft_exact_sign(loft_exact_add(y, z)) >= 0;
@@ -200,8 +203,8 @@ static int8_t trend_of(const loft_real b[], unsigned degree, int x)
         for (unsigned k = 0; k <= rest; k++) {
             const unsigned j = rest - k;
             const int from = (x + 1) % 3, to = (x + 2) % 3;
-            const loft_real a = b[place(j + (from == 1), k + (from == 2))],
-                            z = b[place(j + (to == 1), k + (to == 2))];
+            const loft_real a = b[place_of(j + (from == 1), k + (from == 2))],
+                            z = b[place_of(j + (to == 1), k + (to == 2))];
             up   = up || a < z;
             down = down || a > z;
         }
@@ -214,11 +217,11 @@ enum loft_status loft_triangle_convex(const loft_real b[], unsigned degree, loft
 
     if (degree > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
-    if (!admits_all(b, count_of(degree)))
+    if (!coefficients_valid(b, count_of(degree)))
         return LOFT_ERR_RANGE;
     for (unsigned rest = 0; rest + 2 <= degree; rest++)
         for (unsigned k = 0; k <= rest; k++)
-            look_at(b, rest - k, k, &c);
+            test_index(b, rest - k, k, &c);
     for (int x = 0; x < 3; x++)
         c.trend[x] = trend_of(b, degree, x);
     *out = c;
