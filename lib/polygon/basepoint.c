@@ -9,10 +9,10 @@
 #include "curve/rational.h"     /* LOFT_WEIGHT_MIN */
 #include "polygon/weighted_sum.h"      /* loft_weighted_sum */
 
-static unsigned after(unsigned corner) { return corner < 2 ? corner + 1 : 0; }
+static unsigned next_corner(unsigned corner) { return corner < 2 ? corner + 1 : 0; }
 
 /* Is this control point cut off? */
-static bool is_cut(const uint8_t l[3], unsigned degree, const uint8_t cut[3])
+static bool point_is_cut(const uint8_t l[3], unsigned degree, const uint8_t cut[3])
 {
     for (unsigned i = 0; i < 3; i++)
         if (l[i] + cut[i] > degree)
@@ -29,11 +29,11 @@ enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], cons
     if (degree < 1 || degree > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
     for (unsigned i = 0; i < 3; i++)
-        if ((unsigned)cut[i] + cut[after(i)] >= degree)
+        if ((unsigned)cut[i] + cut[next_corner(i)] >= degree)
             return LOFT_ERR_ARG;
     loft_multiindex_first(l, 3, degree);
     do {
-        const bool read = !is_cut(l, degree, cut);
+        const bool read = !point_is_cut(l, degree, cut);
         if (read && !(w[rank] >= LOFT_WEIGHT_MIN && w[rank] <= LOFT_WEIGHT_MAX))
             return LOFT_ERR_RANGE;
         for (int i = 0; i < LOFT_AXES && read; i++)
@@ -51,8 +51,8 @@ enum loft_status loft_basepoint_init(loft_basepoint *b, const loft_vec p[], cons
 
 /* The sum of all terms with factor[0]^i factor[1]^j factor[2]^k shared^(degree - index - cut),
  * index and cut being those of the corner. */
-static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3], loft_sci shared,
-                                unsigned corner, loft_vec *out)
+static enum loft_status sum_terms(const loft_basepoint *b, const loft_sci factor[3],
+                                  loft_sci shared, unsigned corner, loft_vec *out)
 {
     uint8_t l[3];
     unsigned rank = 0;
@@ -61,7 +61,7 @@ static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3
     loft_weighted_sum_start(&sum);
     loft_multiindex_first(l, 3, b->degree);
     do {
-        if (!is_cut(l, b->degree, b->cut)) {
+        if (!point_is_cut(l, b->degree, b->cut)) {
             loft_sci weight = loft_sci_mul(loft_sci_from_int(loft_multiindex_multinomial(l, 3)),
                                            loft_sci_from_real(b->w[rank]));
             weight = loft_sci_mul(
@@ -78,19 +78,20 @@ static enum loft_status sum_all(const loft_basepoint *b, const loft_sci factor[3
 
 /* Is exactly one phi 0, and can a loft_unit hold the quotient of the other two? Then *number is the
  * side there. */
-static bool on_side(const loft_basepoint *b, const loft_sci phi[3], unsigned *number, loft_unit *t)
+static bool find_side(const loft_basepoint *b, const loft_sci phi[3], unsigned *number,
+                      loft_unit *t)
 {
     unsigned zeros = 0, corner = 0;
 
     for (unsigned i = 0; i < 3; i++)
         if (!loft_sci_sign(phi[i])) {
             zeros++;
-            corner = after(i);
+            corner = next_corner(i);
         }
     *number = corner;
     for (unsigned i = 0; i <= corner; i++)
         *number += b->cut[i] != 0;
-    return zeros == 1 && loft_sci_is_unit(phi[after(corner)], t);
+    return zeros == 1 && loft_sci_is_unit(phi[next_corner(corner)], t);
 }
 
 enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, loft_unit phi2,
@@ -104,9 +105,9 @@ enum loft_status loft_basepoint_eval(const loft_basepoint *b, loft_unit phi1, lo
         phi[2] = loft_sci_sub(phi[2], phi[i]);
     if (!(phi1 >= 0 && phi2 >= 0 && loft_sci_sign(phi[2]) >= 0))
         return LOFT_ERR_ARG;
-    if (on_side(b, phi, &number, &t))
+    if (find_side(b, phi, &number, &t))
         return loft_basepoint_boundary(b, number, t, out);
-    return sum_all(b, phi, loft_sci_one(), 2, out);
+    return sum_terms(b, phi, loft_sci_one(), 2, out);
 }
 
 /* Points with i + j < c are cut off, so the factor v^c is common to all that remain. */
@@ -120,9 +121,9 @@ enum loft_status loft_basepoint_corner(const loft_basepoint *b, unsigned corner,
     const loft_sci x = loft_sci_from_unit(u), y = loft_sci_from_unit(v), one = loft_sci_one();
 
     factor[corner] = loft_sci_sub(one, y);
-    factor[after(corner)] = loft_sci_sub(one, x);
-    factor[after(after(corner))] = x;
-    return sum_all(b, factor, y, corner, out);
+    factor[next_corner(corner)] = loft_sci_sub(one, x);
+    factor[next_corner(next_corner(corner))] = x;
+    return sum_terms(b, factor, y, corner, out);
 }
 
 enum loft_status loft_basepoint_uv(const loft_basepoint *b, loft_unit u, loft_unit v, loft_vec *out)
@@ -155,7 +156,7 @@ loft_basepoint_side loft_basepoint_side_of(const loft_basepoint *b, unsigned num
             break;
     }
     const unsigned cut = b->cut[s.corner];
-    s.degree = (uint8_t)(s.cut ? cut : b->degree - cut - b->cut[after(s.corner)]);
+    s.degree = (uint8_t)(s.cut ? cut : b->degree - cut - b->cut[next_corner(s.corner)]);
     return s;
 }
 
@@ -163,7 +164,7 @@ loft_basepoint_side loft_basepoint_side_of(const loft_basepoint *b, unsigned num
  * Between corners it has the points on the edge of the triangle without those that are cut off. */
 static unsigned side_rank(const loft_basepoint *b, loft_basepoint_side s, unsigned t)
 {
-    const unsigned cut = b->cut[s.corner], one = after(s.corner), two = after(one);
+    const unsigned cut = b->cut[s.corner], one = next_corner(s.corner), two = next_corner(one);
     uint8_t l[3];
 
     l[s.corner] = (uint8_t)(s.cut ? b->degree - cut : b->degree - cut - t);

@@ -7,7 +7,7 @@
 #include "polygon/basepoint.h"
 #include "polygon/jet_weighted_sum.h"  /* loft_jet_weighted_sum */
 
-static void shares(loft_unit phi1, loft_unit phi2, loft_jet phi[3])
+static void phi_jets(loft_unit phi1, loft_unit phi2, loft_jet phi[3])
 {
     const loft_sci one = loft_sci_one();
 
@@ -18,7 +18,7 @@ static void shares(loft_unit phi1, loft_unit phi2, loft_jet phi[3])
     phi[2].x = phi[2].y = loft_sci_neg(one);
 }
 
-static bool is_cut(const loft_basepoint *b, const uint8_t l[3])
+static bool point_is_cut(const loft_basepoint *b, const uint8_t l[3])
 {
     for (unsigned i = 0; i < 3; i++)
         if (l[i] + b->cut[i] > b->degree)
@@ -32,7 +32,7 @@ typedef struct {
     unsigned corner;
 } powers;
 
-static loft_jet weight_of(const loft_basepoint *b, const powers *f, const uint8_t l[3],
+static loft_jet point_weight(const loft_basepoint *b, const powers *f, const uint8_t l[3],
                           unsigned rank)
 {
     const loft_sci ways = loft_sci_from_int(loft_multiindex_multinomial(l, 3));
@@ -57,8 +57,8 @@ static enum loft_status sum_jets(const loft_basepoint *b, const powers *f, loft_
     loft_jet_weighted_sum_start(&sum, here);
     loft_multiindex_first(l, 3, b->degree);
     do {
-        if (!is_cut(b, l)) {
-            const loft_jet weight = weight_of(b, f, l, rank);
+        if (!point_is_cut(b, l)) {
+            const loft_jet weight = point_weight(b, f, l, rank);
             loft_jet_weighted_sum_add(&sum, &b->p[rank], &weight);
         }
         rank++;
@@ -75,7 +75,7 @@ enum loft_status loft_basepoint_differential(const loft_basepoint *b, loft_unit 
     const enum loft_status status = loft_basepoint_eval(b, phi1, phi2, &here);
     if (status != LOFT_OK)
         return status;
-    shares(phi1, phi2, f.factor);
+    phi_jets(phi1, phi2, f.factor);
     f.shared = loft_jet_of(loft_sci_one());
     f.corner = 2;
     return sum_jets(b, &f, here, out);

@@ -16,11 +16,11 @@
  */
 #include "polygon/disk.h"
 
-static unsigned after(unsigned i, unsigned n) { return i + 1 < n ? i + 1 : 0; }
+static unsigned next_side(unsigned i, unsigned n) { return i + 1 < n ? i + 1 : 0; }
 
-static loft_unit rest(loft_unit t) { return LOFT_UNIT(1) - t; }
+static loft_unit one_minus(loft_unit t) { return LOFT_UNIT(1) - t; }
 
-static loft_unit product(loft_unit a, loft_unit b)
+static loft_unit unit_product(loft_unit a, loft_unit b)
 {
     return loft_unit_round(loft_acc_scale(loft_unit_to_acc(a), b));
 }
@@ -32,7 +32,7 @@ static void phi_of_side(unsigned n, unsigned side, loft_unit share, loft_sci phi
 {
     for (unsigned i = 0; i < n; i++)
         phi[i] = loft_sci_zero();
-    phi[after(side, n)] = loft_sci_from_unit(share);
+    phi[next_side(side, n)] = loft_sci_from_unit(share);
     phi[side] = loft_sci_sub(loft_sci_one(), loft_sci_from_unit(share));
 }
 
@@ -81,7 +81,7 @@ static void model_point(const loft_disk *r, unsigned side, loft_unit share, loft
     int32_t a[2], b[2], sum[2];
 
     model_vertex(r->sides, side, a);
-    model_vertex(r->sides, after(side, r->sides), b);
+    model_vertex(r->sides, next_side(side, r->sides), b);
     model_sum(r, 0, sum);
     for (int i = 0; i < 2; i++) {
         const loft_acc on = times * (a[i] * one + (b[i] - a[i]) * loft_unit_to_acc(share));
@@ -96,7 +96,7 @@ typedef struct {
     loft_acc of[3];
 } fan_triangle;
 
-static loft_acc cross(int32_t x, int32_t y, const loft_acc p[2]) { return x * p[1] - y * p[0]; }
+static loft_acc acc_cross(int32_t x, int32_t y, const loft_acc p[2]) { return x * p[1] - y * p[0]; }
 
 /* With the middle m = M / k, and the point q times n:
  *
@@ -110,7 +110,7 @@ static fan_triangle triangle_of(const loft_disk *r, unsigned part, unsigned corn
     const loft_acc one = loft_unit_to_acc(LOFT_UNIT(1));
     fan_triangle t = { part,
                        r->cut.vertex[part][corner],
-                       r->cut.vertex[part][after(corner, r->cut.sides[part])],
+                       r->cut.vertex[part][next_side(corner, r->cut.sides[part])],
                        { 0, 0, 0 } };
     int32_t a[2], b[2], m[2];
     loft_acc from_a[2], from_b[2];
@@ -122,9 +122,9 @@ static fan_triangle triangle_of(const loft_disk *r, unsigned part, unsigned corn
         from_a[i] = q[i] - n * a[i] * one;
         from_b[i] = q[i] - n * b[i] * one;
     }
-    t.of[0] = cross(k * (b[0] - a[0]), k * (b[1] - a[1]), from_a);
-    t.of[1] = cross(m[0] - k * b[0], m[1] - k * b[1], from_b);
-    t.of[2] = cross(k * a[0] - m[0], k * a[1] - m[1], from_a);
+    t.of[0] = acc_cross(k * (b[0] - a[0]), k * (b[1] - a[1]), from_a);
+    t.of[1] = acc_cross(m[0] - k * b[0], m[1] - k * b[1], from_b);
+    t.of[2] = acc_cross(k * a[0] - m[0], k * a[1] - m[1], from_a);
     return t;
 }
 
@@ -243,7 +243,7 @@ static enum loft_status toric_at(const loft_disk *r, unsigned side, loft_unit sh
                                  loft_vec *out)
 {
     const loft_toric *patch = (const loft_toric *)r->patch;
-    const loft_spot a = corner_of(patch, side), b = corner_of(patch, after(side, r->sides)),
+    const loft_spot a = corner_of(patch, side), b = corner_of(patch, next_side(side, r->sides)),
                     middle = mean_of_corners(patch);
     enum loft_status status = loft_toric_eval(patch, spot_of(middle, a, b, share, u), out);
 
@@ -254,7 +254,7 @@ static enum loft_status toric_at(const loft_disk *r, unsigned side, loft_unit sh
     return status;
 }
 
-static enum loft_status over_polygon(loft_disk *r, const loft_domain *d,
+static enum loft_status init_over_polygon(loft_disk *r, const loft_domain *d,
                                      loft_coordinates *coordinates, unsigned sides)
 {
     if (d->sides != sides)
@@ -267,7 +267,7 @@ static enum loft_status over_polygon(loft_disk *r, const loft_domain *d,
     return LOFT_OK;
 }
 
-static void over_none(loft_disk *r, unsigned sides)
+static void init_without_polygon(loft_disk *r, unsigned sides)
 {
     r->domain = NULL;
     r->coordinates = NULL;
@@ -287,7 +287,7 @@ enum loft_status loft_disk_harmonic(loft_disk *r, const loft_harmonic *h)
 enum loft_status loft_disk_from_spatch(loft_disk *r, const loft_spatch *s, const loft_domain *d,
                                         loft_coordinates *coordinates)
 {
-    const enum loft_status status = over_polygon(r, d, coordinates, s->sides);
+    const enum loft_status status = init_over_polygon(r, d, coordinates, s->sides);
 
     if (status == LOFT_OK) {
         r->at = spatch_at;
@@ -299,7 +299,7 @@ enum loft_status loft_disk_from_spatch(loft_disk *r, const loft_spatch *s, const
 enum loft_status loft_disk_from_gb(loft_disk *r, const loft_gb *g, const loft_domain *d,
                                     loft_coordinates *coordinates)
 {
-    const enum loft_status status = over_polygon(r, d, coordinates, g->sides);
+    const enum loft_status status = init_over_polygon(r, d, coordinates, g->sides);
 
     if (status == LOFT_OK) {
         r->at = gb_at;
@@ -310,7 +310,7 @@ enum loft_status loft_disk_from_gb(loft_disk *r, const loft_gb *g, const loft_do
 
 void loft_disk_from_toric(loft_disk *r, const loft_toric *t)
 {
-    over_none(r, t->lattice->sides);
+    init_without_polygon(r, t->lattice->sides);
     r->at = toric_at;
     r->patch = t;
 }
@@ -328,9 +328,9 @@ static kite kite_of(const loft_disk *r, unsigned side, loft_unit share, loft_uni
 {
     const bool first = share <= LOFT_UNIT(0.5);
     /* 1 - s or 1 - t on the side */
-    const loft_unit far = rest(2 * (first ? share : rest(share)));
-    const loft_unit on = rest(product(u, far)), off = rest(u);
-    const kite k = { first ? side : after(side, r->sides), first ? on : off, first ? off : on };
+    const loft_unit far = one_minus(2 * (first ? share : one_minus(share)));
+    const loft_unit on = one_minus(unit_product(u, far)), off = one_minus(u);
+    const kite k = { first ? side : next_side(side, r->sides), first ? on : off, first ? off : on };
 
     return k;
 }
@@ -356,20 +356,20 @@ static enum loft_status basepoint_at(const loft_disk *r, unsigned side, loft_uni
         w = loft_unit_ratio(s, 2 * one);
         v = loft_unit_ratio(t, 2 * one - loft_unit_to_acc(w));
     } else if (b->cut[here.corner]) {
-        w = rest(loft_unit_ratio(t, 2 * one));
+        w = one_minus(loft_unit_ratio(t, 2 * one));
         v = loft_unit_ratio(s, one + loft_unit_to_acc(w));
     } else {
-        const loft_acc both = loft_unit_to_acc(product(k.s, k.t)), next = 2 * s - both,
+        const loft_acc both = loft_unit_to_acc(unit_product(k.s, k.t)), next = 2 * s - both,
                        last = 2 * t - both;
         v = loft_unit_ratio(next + last, 4 * one - both);
         w = next + last > 0 ? loft_unit_ratio(next, next + last) : 0;
     }
-    return loft_basepoint_corner(b, here.corner, rest(w), v, out);
+    return loft_basepoint_corner(b, here.corner, one_minus(w), v, out);
 }
 
 void loft_disk_from_basepoint(loft_disk *r, const loft_basepoint *b)
 {
-    over_none(r, loft_basepoint_sides(b));
+    init_without_polygon(r, loft_basepoint_sides(b));
     r->at = basepoint_at;
     r->patch = b;
 }
@@ -379,7 +379,7 @@ void loft_disk_from_basepoint(loft_disk *r, const loft_basepoint *b)
  *     5 sides   b a^2 - 2 a + 1 = 0,  a = 1 / (1 + sqrt(1 - b))
  *     6 sides   2 b a^3 - 4 a^2 + b a + 1 = 0, by Newton's method from 1/2 + 0.29 b, which
  *               is within 0.02 */
-static loft_sci balanced(unsigned sides, loft_sci b)
+static loft_sci balanced_param(unsigned sides, loft_sci b)
 {
     const loft_sci one = loft_sci_one(), two = loft_sci_from_int(2), four = loft_sci_from_int(4);
     loft_sci a;
@@ -401,14 +401,14 @@ static loft_sci balanced(unsigned sides, loft_sci b)
     return a;
 }
 
-/* s balanced(c t). c is the value of all parameters in the middle: (sqrt 5 - 1) / 2 and sqrt(1/2).
- * */
-static loft_unit ring_parameter(unsigned sides, loft_unit s, loft_unit t)
+/* s balanced_param(c t). c is the value of all parameters in the middle: (sqrt 5 - 1) / 2 or
+ * sqrt(1/2). */
+static loft_unit zheng_ball_param(unsigned sides, loft_unit s, loft_unit t)
 {
     const loft_sci middle = loft_sci_from_unit(sides == 5 ? LOFT_UNIT(0.6180339887498949)
                                                           : LOFT_UNIT(0.7071067811865476));
-    const loft_sci a = loft_sci_mul(loft_sci_from_unit(s),
-                                    balanced(sides, loft_sci_mul(middle, loft_sci_from_unit(t))));
+    const loft_sci a = loft_sci_mul(
+        loft_sci_from_unit(s), balanced_param(sides, loft_sci_mul(middle, loft_sci_from_unit(t))));
     loft_acc wide = 0;
 
     return loft_sci_to_acc(a, &wide) ? loft_unit_round(wide) : 0;
@@ -421,26 +421,26 @@ static enum loft_status triple_at(const loft_disk *r, unsigned side, loft_unit s
     loft_unit of[3] = { 0, 0, 0 };
     loft_sci parameter[3];
 
-    of[after(side, 3)] = share;
-    of[side] = rest(share);
+    of[next_side(side, 3)] = share;
+    of[side] = one_minus(share);
     for (int i = 0; i < 3; i++)
         of[i] = loft_unit_round(
             loft_acc_lerp(loft_unit_to_acc(loft_unit_of(1, 3)), loft_unit_to_acc(of[i]), u));
     if (of[0] + of[2] > LOFT_UNIT(1))
-        of[0] = rest(of[2]);
+        of[0] = one_minus(of[2]);
     const enum loft_status status = loft_zheng_ball_lift(of[2], of[0], parameter);
     return status ? status
                   : loft_zheng_ball_eval((const loft_zheng_ball *)r->patch, parameter, out);
 }
 
-static enum loft_status ring_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
-                                loft_vec *out)
+static enum loft_status zheng_ball_at(const loft_disk *r, unsigned side, loft_unit share,
+                                      loft_unit u, loft_vec *out)
 {
     const unsigned n = r->sides;
     const kite k = kite_of(r, side, share, u);
     loft_sci turned[LOFT_ZHENG_BALL_SIDES], parameter[LOFT_ZHENG_BALL_SIDES];
-    const enum loft_status status = loft_zheng_ball_params(n, ring_parameter(n, k.s, k.t),
-                                                     ring_parameter(n, k.t, k.s), turned);
+    const enum loft_status status = loft_zheng_ball_params(n, zheng_ball_param(n, k.s, k.t),
+                                                     zheng_ball_param(n, k.t, k.s), turned);
 
     if (status != LOFT_OK)
         return status;
@@ -451,15 +451,15 @@ static enum loft_status ring_at(const loft_disk *r, unsigned side, loft_unit sha
 
 void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g)
 {
-    over_none(r, g->sides);
-    r->at = g->sides == 3 ? triple_at : ring_at;
+    init_without_polygon(r, g->sides);
+    r->at = g->sides == 3 ? triple_at : zheng_ball_at;
     r->patch = g;
 }
 
 
 /* The surface */
 
-static enum loft_status round_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
+static enum loft_status disk_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {
     const loft_disk *r = (const loft_disk *)surface;
     loft_unit share = (loft_unit)(r->sides * v);
@@ -474,6 +474,6 @@ static enum loft_status round_at(const void *surface, loft_unit u, loft_unit v, 
 
 loft_surface loft_surface_from_disk(const loft_disk *r)
 {
-    const loft_surface s = { round_at, r, LOFT_SURFACE_DISK };
+    const loft_surface s = { disk_at, r, LOFT_SURFACE_DISK };
     return s;
 }

@@ -7,39 +7,40 @@
 #include "polygon/domain.h"
 #include "num/exact.h"  /* loft_exact_valid */
 
-static unsigned next(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 : 0; }
+static unsigned next_vertex(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 : 0; }
 
-static loft_sci turn(const loft_spot *a, const loft_spot *b, const loft_spot *c)
+static loft_sci turn_area(const loft_spot *a, const loft_spot *b, const loft_spot *c)
 {
     return loft_sci_cross(a->at, b->at, a->at, c->at);
 }
 
 int loft_spot_turn(const loft_spot *a, const loft_spot *b, const loft_spot *c)
 {
-    return loft_sci_sign(turn(a, b, c));
+    return loft_sci_sign(turn_area(a, b, c));
 }
 
-static bool between(loft_real x, loft_real a, loft_real b)
+static bool real_between(loft_real x, loft_real a, loft_real b)
 {
     return a < b ? x >= a && x <= b : x >= b && x <= a;
 }
 
 /* p is on the line through a and b: does it lie between them? */
-static bool within(const loft_spot *p, const loft_spot *a, const loft_spot *b)
+static bool on_segment(const loft_spot *p, const loft_spot *a, const loft_spot *b)
 {
-    return between(p->at[0], a->at[0], b->at[0]) && between(p->at[1], a->at[1], b->at[1]);
+    return real_between(p->at[0], a->at[0], b->at[0]) && real_between(p->at[1], a->at[1], b->at[1]);
 }
 
-static bool same(const loft_spot *a, const loft_spot *b) { return within(a, b, b); }
+static bool spots_equal(const loft_spot *a, const loft_spot *b) { return on_segment(a, b, b); }
 
 /* Do two edges a b and c d that are not neighbours cross, or does one begin on the other? Testing
  * the begins is enough. Where an edge ends another begins, and if that one is a neighbour of the
  * touched edge, it folds back onto it. */
-static bool touch(const loft_spot *a, const loft_spot *b, const loft_spot *c, const loft_spot *d)
+static bool edges_touch(const loft_spot *a, const loft_spot *b, const loft_spot *c,
+                        const loft_spot *d)
 {
     const int abc = loft_spot_turn(a, b, c), cda = loft_spot_turn(c, d, a);
 
-    if ((!abc && within(c, a, b)) || (!cda && within(a, c, d)))
+    if ((!abc && on_segment(c, a, b)) || (!cda && on_segment(a, c, d)))
         return true;
     return abc * loft_spot_turn(a, b, d) < 0 && cda * loft_spot_turn(c, d, b) < 0;
 }
@@ -47,21 +48,21 @@ static bool touch(const loft_spot *a, const loft_spot *b, const loft_spot *c, co
 /* Does the edge from `at` fold back over the whole edge before it, which may have no length? If it
  * covers only a part, the vertex after it touches that edge. Of three points on a line one edge
  * covers another. */
-static bool folded(const loft_spot *before, const loft_spot *at, const loft_spot *after)
+static bool edge_folds(const loft_spot *before, const loft_spot *at, const loft_spot *after)
 {
-    return !loft_spot_turn(before, at, after) && within(before, at, after);
+    return !loft_spot_turn(before, at, after) && on_segment(before, at, after);
 }
 
 bool loft_outline_fault(const loft_spot v[], unsigned sides, unsigned edge[2])
 {
     for (edge[0] = 0; edge[0] < sides; edge[0]++) {
-        const unsigned i = edge[0], j = next(i, sides);
+        const unsigned i = edge[0], j = next_vertex(i, sides);
         edge[1] = j;
-        if (folded(&v[i], &v[j], &v[next(j, sides)]))
+        if (edge_folds(&v[i], &v[j], &v[next_vertex(j, sides)]))
             return true;
         for (edge[1] = i + 2; edge[1] < sides; edge[1]++) {
-            const unsigned k = edge[1], l = next(k, sides);
-            if (l != i && touch(&v[i], &v[j], &v[k], &v[l]))
+            const unsigned k = edge[1], l = next_vertex(k, sides);
+            if (l != i && edges_touch(&v[i], &v[j], &v[k], &v[l]))
                 return true;
         }
     }
@@ -71,7 +72,7 @@ bool loft_outline_fault(const loft_spot v[], unsigned sides, unsigned edge[2])
 /* A simple polygon turns at its lowest vertex (of those the leftmost) as it does as a whole, since
  * no edge is below. The vertices beside it cannot be on one line with it: one of them would be
  * lower or further left. */
-static int orientation(const loft_spot v[], unsigned sides)
+static int outline_turn(const loft_spot v[], unsigned sides)
 {
     unsigned least = 0;
 
@@ -79,7 +80,8 @@ static int orientation(const loft_spot v[], unsigned sides)
         if (v[i].at[1] < v[least].at[1] ||
             (!(v[i].at[1] > v[least].at[1]) && v[i].at[0] < v[least].at[0]))
             least = i;
-    return loft_spot_turn(&v[least ? least - 1 : sides - 1], &v[least], &v[next(least, sides)]);
+    return loft_spot_turn(&v[least ? least - 1 : sides - 1], &v[least],
+                          &v[next_vertex(least, sides)]);
 }
 
 enum loft_outline loft_outline_of(const loft_spot v[], unsigned sides)
@@ -88,10 +90,11 @@ enum loft_outline loft_outline_of(const loft_spot v[], unsigned sides)
 
     if (loft_outline_fault(v, sides, edge))
         return LOFT_OUTLINE_BROKEN;
-    if (orientation(v, sides) < 0)
+    if (outline_turn(v, sides) < 0)
         return LOFT_OUTLINE_CLOCKWISE;
     for (unsigned i = 0; i < sides; i++)
-        if (loft_spot_turn(&v[i], &v[next(i, sides)], &v[next(next(i, sides), sides)]) <= 0)
+        if (loft_spot_turn(&v[i], &v[next_vertex(i, sides)],
+                           &v[next_vertex(next_vertex(i, sides), sides)]) <= 0)
             return LOFT_OUTLINE_SIMPLE;
     return LOFT_OUTLINE_CONVEX;
 }
@@ -115,7 +118,7 @@ enum loft_status loft_domain_init(loft_domain *d, const loft_spot v[], unsigned 
     d->sides = (uint8_t)sides;
     d->convex = outline == LOFT_OUTLINE_CONVEX;
     for (unsigned i = 0; i < sides; i++)
-        d->corner[i] = turn(&v[i ? i - 1 : sides - 1], &v[i], &v[next(i, sides)]);
+        d->corner[i] = turn_area(&v[i ? i - 1 : sides - 1], &v[i], &v[next_vertex(i, sides)]);
     return LOFT_OK;
 }
 
@@ -127,20 +130,20 @@ enum loft_place loft_domain_place(const loft_domain *d, loft_spot p, loft_sci ar
     bool inside = false, on_edge = false;
 
     for (unsigned i = 0; i < d->sides; i++) {
-        const loft_spot *a = &d->v[i], *b = &d->v[next(i, d->sides)];
-        area[i] = turn(&p, a, b);
+        const loft_spot *a = &d->v[i], *b = &d->v[next_vertex(i, d->sides)];
+        area[i] = turn_area(&p, a, b);
         const int sign = loft_sci_sign(area[i]);
         const bool rises = b->at[1] > p.at[1], above = a->at[1] > p.at[1];
 
-        if (!sign && within(&p, a, b) && !on_edge) {
+        if (!sign && on_segment(&p, a, b) && !on_edge) {
             on_edge = true;
-            *index = same(&p, b) ? next(i, d->sides) : i;
+            *index = spots_equal(&p, b) ? next_vertex(i, d->sides) : i;
         }
         if (rises != above && sign == (rises ? 1 : -1))
             inside = !inside;
     }
     if (on_edge)
-        return same(&p, &d->v[*index]) ? LOFT_AT_VERTEX : LOFT_ON_EDGE;
+        return spots_equal(&p, &d->v[*index]) ? LOFT_AT_VERTEX : LOFT_ON_EDGE;
     return inside ? LOFT_INSIDE : LOFT_OUTSIDE;
 }
 
@@ -150,7 +153,7 @@ void loft_domain_vertex(const loft_domain *d, unsigned vertex, loft_sci phi[])
         phi[i] = i == vertex ? loft_sci_one() : loft_sci_zero();
 }
 
-static loft_sci distance(loft_real from, loft_real to)
+static loft_sci sci_difference(loft_real from, loft_real to)
 {
     return loft_sci_sub(loft_sci_from_real(to), loft_sci_from_real(from));
 }
@@ -159,34 +162,34 @@ static loft_sci distance(loft_real from, loft_real to)
  * is the rounded difference of 1 and the other. */
 void loft_domain_edge(const loft_domain *d, loft_spot p, unsigned edge, loft_sci phi[])
 {
-    const unsigned after = next(edge, d->sides);
+    const unsigned after = next_vertex(edge, d->sides);
     const loft_spot *a = &d->v[edge], *b = &d->v[after];
-    const loft_sci x = distance(a->at[0], b->at[0]), y = distance(a->at[1], b->at[1]);
+    const loft_sci x = sci_difference(a->at[0], b->at[0]), y = sci_difference(a->at[1], b->at[1]);
     const bool tall = loft_sci_less(loft_sci_mul(x, x), loft_sci_mul(y, y));
     const loft_sci whole = tall ? y : x;
 
     loft_domain_vertex(d, edge, phi);
-    phi[edge]  = loft_sci_div(distance(p.at[tall], b->at[tall]), whole);
-    phi[after] = loft_sci_div(distance(a->at[tall], p.at[tall]), whole);
+    phi[edge]  = loft_sci_div(sci_difference(p.at[tall], b->at[tall]), whole);
+    phi[after] = loft_sci_div(sci_difference(a->at[tall], p.at[tall]), whole);
 }
 
 /* The point of edge i nearest to p: its share, and its squared distance. */
 static loft_sci nearest_of_edge(const loft_domain *d, loft_spot p, unsigned i, loft_sci *share)
 {
-    const loft_spot *a = &d->v[i], *b = &d->v[next(i, d->sides)];
+    const loft_spot *a = &d->v[i], *b = &d->v[next_vertex(i, d->sides)];
     loft_sci along = loft_sci_zero(), whole = loft_sci_zero(), apart = loft_sci_zero();
 
     for (int k = 0; k < 2; k++) {
-        const loft_sci edge = distance(a->at[k], b->at[k]);
-        along = loft_sci_add(along, loft_sci_mul(distance(a->at[k], p.at[k]), edge));
+        const loft_sci edge = sci_difference(a->at[k], b->at[k]);
+        along = loft_sci_add(along, loft_sci_mul(sci_difference(a->at[k], p.at[k]), edge));
         whole = loft_sci_add(whole, loft_sci_mul(edge, edge));
     }
     *share = loft_sci_sign(along) <= 0     ? loft_sci_zero()
              : loft_sci_less(along, whole) ? loft_sci_div(along, whole)
                                            : loft_sci_one();
     for (int k = 0; k < 2; k++) {
-        const loft_sci off = loft_sci_sub(distance(a->at[k], p.at[k]),
-                                          loft_sci_mul(*share, distance(a->at[k], b->at[k])));
+        const loft_sci off = loft_sci_sub(sci_difference(a->at[k], p.at[k]),
+                                          loft_sci_mul(*share, sci_difference(a->at[k], b->at[k])));
         apart = loft_sci_add(apart, loft_sci_mul(off, off));
     }
     return apart;
@@ -206,6 +209,6 @@ void loft_domain_nearest(const loft_domain *d, loft_spot p, loft_sci phi[])
         }
     }
     loft_domain_vertex(d, edge, phi);
-    phi[next(edge, d->sides)] = best;
+    phi[next_vertex(edge, d->sides)] = best;
     phi[edge] = loft_sci_sub(loft_sci_one(), best);
 }

@@ -14,35 +14,35 @@
 #define LAYERS ((LOFT_DEGREE_MAX + 1) / 2)
 
 /* A corner has `wide` points along the side after it and `high` along the one before. */
-static unsigned wide_of(unsigned degree) { return degree / 2 + 1; }
-static unsigned high_of(unsigned degree) { return (degree + 1) / 2; }
+static unsigned block_width(unsigned degree) { return degree / 2 + 1; }
+static unsigned block_height(unsigned degree) { return (degree + 1) / 2; }
 
-static unsigned before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
-static unsigned after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 1 : 0; }
+static unsigned side_before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
+static unsigned side_after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 1 : 0; }
 
-static bool possible(unsigned sides, unsigned degree)
+static bool sides_valid(unsigned sides, unsigned degree)
 {
     return sides >= 3 && sides <= LOFT_SIDES_MAX && degree >= 3 && degree <= LOFT_DEGREE_MAX;
 }
 
 unsigned loft_gb_count(unsigned sides, unsigned degree)
 {
-    return sides * wide_of(degree) * high_of(degree) + 1;
+    return sides * block_width(degree) * block_height(degree) + 1;
 }
 
 /* The points beyond those of the first corner belong to the second, where j and k change places. */
 unsigned loft_gb_place(unsigned sides, unsigned degree, unsigned side, unsigned j, unsigned k)
 {
-    const unsigned wide = wide_of(degree), high = high_of(degree);
+    const unsigned wide = block_width(degree), high = block_height(degree);
 
     if (j < wide)
         return (side * wide + j) * high + k;
-    return (after(side, sides) * wide + k) * high + degree - j;
+    return (side_after(side, sides) * wide + k) * high + degree - j;
 }
 
 enum loft_status loft_gb_init(loft_gb *g, const loft_vec p[], unsigned sides, unsigned degree)
 {
-    if (!possible(sides, degree))
+    if (!sides_valid(sides, degree))
         return LOFT_ERR_ARG;
     const unsigned count = loft_gb_count(sides, degree);
     for (unsigned k = 0; k < count; k++)
@@ -57,24 +57,24 @@ enum loft_status loft_gb_init(loft_gb *g, const loft_vec p[], unsigned sides, un
 
 /* Parameters */
 
-static bool none(loft_sci x) { return loft_sci_sign(x) == 0; }
+static bool is_zero(loft_sci x) { return loft_sci_sign(x) == 0; }
 
 enum loft_status loft_gb_params(unsigned sides, const loft_sci phi[], loft_gb_side out[])
 {
     for (unsigned i = 0; i < sides; i++) {
-        const unsigned j = after(i, sides);
+        const unsigned j = side_after(i, sides);
         loft_gb_side *o = &out[i];
 
-        o->any = none(phi[i]) && none(phi[j]);
+        o->any = is_zero(phi[i]) && is_zero(phi[j]);
         o->below_h = loft_sci_add(phi[i], phi[j]);
         o->h = loft_sci_zero();
-        for (unsigned k = after(j, sides); k != i; k = after(k, sides))
+        for (unsigned k = side_after(j, sides); k != i; k = side_after(k, sides))
             o->h = loft_sci_add(o->h, phi[k]);
         if (o->any) {
             o->s = o->before_s = loft_sci_from_real(LOFT_REAL(0.5));
             continue;
         }
-        if (none(o->below_h))
+        if (is_zero(o->below_h))
             return LOFT_SINGULAR;
         o->s = loft_sci_div(phi[j], o->below_h);
         o->before_s = loft_sci_div(phi[i], o->below_h);
@@ -100,7 +100,8 @@ typedef struct {
 } ribbon;
 
 /* C(degree, k) x^k y^(degree - k) for k = 0 .. count - 1. */
-static void bernstein(loft_sci out[], unsigned degree, unsigned count, loft_sci x, loft_sci y)
+static void bernstein_values(loft_sci out[], unsigned degree, unsigned count, loft_sci x,
+                             loft_sci y)
 {
     loft_sci power = loft_sci_one();
 
@@ -116,13 +117,13 @@ static void bernstein(loft_sci out[], unsigned degree, unsigned count, loft_sci 
 }
 
 /* a / (a + b); 1/2 where both are 0; false where only their sum is 0. */
-static bool portion(loft_sci a, loft_sci b, loft_sci *out)
+static bool quotient_of_sum(loft_sci a, loft_sci b, loft_sci *out)
 {
     const loft_sci sum = loft_sci_add(a, b);
 
-    if (none(sum) && !none(a))
+    if (is_zero(sum) && !is_zero(a))
         return false;
-    *out = none(sum) ? loft_sci_from_real(LOFT_REAL(0.5)) : loft_sci_div(a, sum);
+    *out = is_zero(sum) ? loft_sci_from_real(LOFT_REAL(0.5)) : loft_sci_div(a, sum);
     return true;
 }
 
@@ -131,11 +132,11 @@ static bool ribbon_start(ribbon *r, const loft_gb_side side[], unsigned sides, u
 {
     loft_sci alpha, beta;
 
-    if (!portion(side[before(i, sides)].h, side[i].h, &alpha) ||
-        !portion(side[after(i, sides)].h, side[i].h, &beta))
+    if (!quotient_of_sum(side[side_before(i, sides)].h, side[i].h, &alpha) ||
+        !quotient_of_sum(side[side_after(i, sides)].h, side[i].h, &beta))
         return false;
-    bernstein(r->along, degree, degree + 1, side[i].s, side[i].before_s);
-    bernstein(r->across, degree, high_of(degree), side[i].h, side[i].below_h);
+    bernstein_values(r->along, degree, degree + 1, side[i].s, side[i].before_s);
+    bernstein_values(r->across, degree, block_height(degree), side[i].h, side[i].below_h);
     for (unsigned j = 0; j < 2; j++) {
         r->turned[j] = loft_sci_mul(alpha, r->along[j]);
         r->turned[3 - j] = loft_sci_mul(beta, r->along[degree - j]);
@@ -144,7 +145,7 @@ static bool ribbon_start(ribbon *r, const loft_gb_side side[], unsigned sides, u
 }
 
 /* mu B_j(s_i), where mu is not 0. */
-static loft_sci share_of(const ribbon *r, unsigned degree, unsigned j, unsigned k)
+static loft_sci point_share(const ribbon *r, unsigned degree, unsigned j, unsigned k)
 {
     switch (loft_gb_mu_of(degree, j, k)) {
     case LOFT_GB_BEFORE:    return r->turned[j];
@@ -157,7 +158,7 @@ static loft_sci share_of(const ribbon *r, unsigned degree, unsigned j, unsigned 
 }
 
 /* The first j of row k whose mu is not 0. The last j is as far from the other end. */
-static unsigned first_of(unsigned k) { return k < 2 ? 0 : k; }
+static unsigned first_of_row(unsigned k) { return k < 2 ? 0 : k; }
 
 enum loft_status loft_gb_weights(unsigned sides, unsigned degree, const loft_sci phi[],
                                  loft_sci out[])
@@ -176,10 +177,10 @@ enum loft_status loft_gb_weights(unsigned sides, unsigned degree, const loft_sci
             continue;
         if (!ribbon_start(&r, side, sides, degree, i))
             return LOFT_SINGULAR;
-        for (unsigned k = 0; k < high_of(degree); k++)
-            for (unsigned j = first_of(k); j <= degree - first_of(k); j++) {
+        for (unsigned k = 0; k < block_height(degree); k++)
+            for (unsigned j = first_of_row(k); j <= degree - first_of_row(k); j++) {
                 loft_sci *o = &out[loft_gb_place(sides, degree, i, j, k)];
-                const loft_sci weight = loft_sci_mul(share_of(&r, degree, j, k), r.across[k]);
+                const loft_sci weight = loft_sci_mul(point_share(&r, degree, j, k), r.across[k]);
                 *o = loft_sci_add(*o, weight);
                 sum = loft_sci_add(sum, weight);
             }
@@ -197,9 +198,9 @@ static unsigned border_of(unsigned sides, const loft_sci phi[])
     unsigned i = 0;
 
     for (; i < sides; i++) {
-        unsigned k = after(after(i, sides), sides);
-        while (k != i && none(phi[k]))
-            k = after(k, sides);
+        unsigned k = side_after(side_after(i, sides), sides);
+        while (k != i && is_zero(phi[k]))
+            k = side_after(k, sides);
         if (k == i)
             break;
     }
@@ -209,7 +210,7 @@ static unsigned border_of(unsigned sides, const loft_sci phi[])
 static enum loft_status border_point(const loft_gb *g, const loft_sci phi[], unsigned side,
                                      loft_vec *out)
 {
-    const loft_sci share[2] = { phi[side], phi[after(side, g->sides)] };
+    const loft_sci share[2] = { phi[side], phi[side_after(side, g->sides)] };
     loft_vec p[LOFT_DEGREE_MAX + 1];
 
     for (unsigned j = 0; j <= g->degree; j++)
@@ -223,9 +224,9 @@ static void add_row(loft_weighted_sum *sum, const loft_gb *g, const ribbon *r, u
     loft_weighted_sum row;
 
     loft_weighted_sum_start(&row);
-    for (unsigned j = first_of(k); j <= g->degree - first_of(k); j++)
+    for (unsigned j = first_of_row(k); j <= g->degree - first_of_row(k); j++)
         loft_weighted_sum_add(&row, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)],
-                       share_of(r, g->degree, j, k));
+                       point_share(r, g->degree, j, k));
     loft_weighted_sum_join(sum, &row, r->across[k]);
 }
 
@@ -246,7 +247,7 @@ enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *
             continue;
         if (!ribbon_start(&r, side, g->sides, g->degree, i))
             return LOFT_SINGULAR;
-        for (unsigned k = 0; k < high_of(g->degree); k++)
+        for (unsigned k = 0; k < block_height(g->degree); k++)
             add_row(&sum, g, &r, i, k);
     }
     loft_weighted_sum_add(&sum, &g->p[loft_gb_count(g->sides, g->degree) - 1],

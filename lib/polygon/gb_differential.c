@@ -30,11 +30,11 @@
 
 #define LAYERS ((LOFT_DEGREE_MAX + 1) / 2)
 
-static unsigned before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
-static unsigned after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 1 : 0; }
+static unsigned side_before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
+static unsigned side_after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 1 : 0; }
 
-static bool none(loft_sci x)            { return loft_sci_sign(x) == 0; }
-static loft_sci half_of(void)           { return loft_sci_from_real(LOFT_REAL(0.5)); }
+static bool is_zero(loft_sci x)            { return loft_sci_sign(x) == 0; }
+static loft_sci one_half(void)           { return loft_sci_from_real(LOFT_REAL(0.5)); }
 
 /* The parameters of one side, and 1 minus each of them. */
 typedef struct {
@@ -48,7 +48,7 @@ static loft_jet mul3(const loft_jet *a, const loft_jet *b, const loft_jet *c)
 }
 
 /* C(degree, k) x^k y^(degree - k) for k = 0 .. count - 1. */
-static void bernstein(loft_jet out[], unsigned degree, unsigned count, const loft_jet *x,
+static void bernstein_jets(loft_jet out[], unsigned degree, unsigned count, const loft_jet *x,
                       const loft_jet *y)
 {
     loft_jet power = loft_jet_of(loft_sci_one());
@@ -65,7 +65,7 @@ static void bernstein(loft_jet out[], unsigned degree, unsigned count, const lof
 }
 
 /* The sum of all but `count` coordinates from `first` on. */
-static loft_jet rest_of(const loft_jet phi[], unsigned sides, unsigned first, unsigned count)
+static loft_jet sum_of_rest(const loft_jet phi[], unsigned sides, unsigned first, unsigned count)
 {
     loft_jet sum = loft_jet_of(loft_sci_zero());
 
@@ -75,26 +75,26 @@ static loft_jet rest_of(const loft_jet phi[], unsigned sides, unsigned first, un
 }
 
 /* f / whole; its limit where both are 0. */
-static loft_jet portion(const loft_jet *f, const loft_jet *whole)
+static loft_jet quotient_or_limit(const loft_jet *f, const loft_jet *whole)
 {
     const bool tall = loft_sci_less(loft_sci_abs(whole->x), loft_sci_abs(whole->y));
 
-    if (!none(whole->f))
+    if (!is_zero(whole->f))
         return loft_jet_div(f, whole);
-    if (none(whole->x) && none(whole->y))
-        return loft_jet_of(half_of());
+    if (is_zero(whole->x) && is_zero(whole->y))
+        return loft_jet_of(one_half());
     return loft_jet_of(tall ? loft_sci_div(f->y, whole->y) : loft_sci_div(f->x, whole->x));
 }
 
 static bool params_at(params *p, const loft_jet phi[], unsigned sides, unsigned i)
 {
-    const loft_jet *a = &phi[i], *b = &phi[after(i, sides)];
+    const loft_jet *a = &phi[i], *b = &phi[side_after(i, sides)];
 
     p->below_h = loft_jet_add(a, b);
-    p->h = rest_of(phi, sides, i, 2);
-    p->s = portion(b, &p->below_h);
-    p->before_s = portion(a, &p->below_h);
-    return !none(p->below_h.f) || none(a->f);
+    p->h = sum_of_rest(phi, sides, i, 2);
+    p->s = quotient_or_limit(b, &p->below_h);
+    p->before_s = quotient_or_limit(a, &p->below_h);
+    return !is_zero(p->below_h.f) || is_zero(a->f);
 }
 
 static void add_point(loft_jet_weighted_sum *s, const loft_gb *g, unsigned side, unsigned j,
@@ -104,7 +104,7 @@ static void add_point(loft_jet_weighted_sum *s, const loft_gb *g, unsigned side,
 }
 
 /* b + share e. */
-static loft_jet moved(const loft_jet *b, const loft_jet *share, const loft_jet *e)
+static loft_jet moved_jet(const loft_jet *b, const loft_jet *share, const loft_jet *e)
 {
     const loft_jet by = loft_jet_mul(share, e);
     return loft_jet_add(b, &by);
@@ -116,10 +116,11 @@ static bool add_corner(loft_jet_weighted_sum *s, const loft_gb *g, const loft_je
 {
     const unsigned n = g->sides, d = g->degree;
     const loft_sci m = loft_sci_from_int((int32_t)d);
-    const loft_jet *a = &phi[i], *b = &phi[after(i, n)], *c = &phi[before(i, n)];
-    const loft_jet rest = rest_of(phi, n, before(i, n), 3), both = loft_jet_add(&last->h, &here->h);
+    const loft_jet *a = &phi[i], *b = &phi[side_after(i, n)], *c = &phi[side_before(i, n)];
+    const loft_jet rest = sum_of_rest(phi, n, side_before(i, n), 3),
+                   both = loft_jet_add(&last->h, &here->h);
 
-    if (none(both.f))
+    if (is_zero(both.f))
         return false;
     const loft_jet alpha = loft_jet_div(&last->h, &both), beta = loft_jet_div(&here->h, &both);
     loft_jet x = loft_jet_mul(&last->s, &rest), y = loft_jet_mul(&last->before_s, b);
@@ -141,10 +142,10 @@ static bool add_corner(loft_jet_weighted_sum *s, const loft_gb *g, const loft_je
     add_point(s, g, i, 0, 0, &y);
 
     power = loft_jet_scale(&power, m);
-    x = moved(b, &beta, &e_c);
+    x = moved_jet(b, &beta, &e_c);
     x = loft_jet_mul(&power, &x);
     add_point(s, g, i, 1, 0, &x);
-    x = moved(c, &alpha, &e_b);
+    x = moved_jet(c, &alpha, &e_b);
     x = loft_jet_mul(&power, &x);
     add_point(s, g, i, 0, 1, &x);
     return true;
@@ -156,13 +157,13 @@ static void add_ribbon(loft_jet_weighted_sum *s, const loft_gb *g, unsigned i, c
     const unsigned d = g->degree, layers = (d + 1) / 2;
     loft_jet along[LOFT_DEGREE_MAX + 1], across[LAYERS];
 
-    bernstein(along, d, d + 1, &here->s, &here->before_s);
-    bernstein(across, d, layers, &here->h, &here->below_h);
+    bernstein_jets(along, d, d + 1, &here->s, &here->before_s);
+    bernstein_jets(across, d, layers, &here->h, &here->below_h);
     for (unsigned k = 0; k < layers; k++)
         for (unsigned j = k < 2 ? 2 : k; j <= d - (k < 2 ? 2 : k); j++) {
             loft_jet weight = loft_jet_mul(&along[j], &across[k]);
             if (loft_gb_mu_of(d, j, k) == LOFT_GB_HALF)
-                weight = loft_jet_scale(&weight, half_of());
+                weight = loft_jet_scale(&weight, one_half());
             add_point(s, g, i, j, k, &weight);
         }
 }

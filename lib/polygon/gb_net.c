@@ -26,13 +26,13 @@ typedef struct {
     unsigned sides, degree;
 } outline;
 
-static void add(loft_weighted_sum *sum, const loft_vec *p, int32_t weight)
+static void add_weighted(loft_weighted_sum *sum, const loft_vec *p, int32_t weight)
 {
     loft_weighted_sum_add(sum, p, loft_sci_from_int(weight));
 }
 
 /* Point k of side i + ahead. */
-static const loft_vec *at(const outline *o, unsigned i, unsigned ahead, unsigned k)
+static const loft_vec *side_point(const outline *o, unsigned i, unsigned ahead, unsigned k)
 {
     return &o->p[((i + ahead) % o->sides * o->degree + k) % (o->sides * o->degree)];
 }
@@ -42,15 +42,15 @@ static void add_point(loft_weighted_sum *sum, const outline *o, unsigned i, unsi
     const unsigned d = o->degree, back = o->sides - 1;
     const int32_t m = (int32_t)d, u = (int32_t)a, v = (int32_t)b;
 
-    add(sum, at(o, i, 0, a), 2 * m * (m - v));
-    add(sum, at(o, i, back, d - b), 2 * m * (m - u));
-    add(sum, at(o, i, 1, b), 2 * m * u);
-    add(sum, at(o, i, back - 1, d - a), 2 * m * v);
-    add(sum, at(o, i, 0, 0), -2 * (m - u) * (m - v));
-    add(sum, at(o, i, 1, 0), -2 * u * (m - v));
-    add(sum, at(o, i, back, 0), -2 * (m - u) * v);
-    add(sum, at(o, i, 2, 0), -u * v);
-    add(sum, at(o, i, back - 1, 0), -u * v);
+    add_weighted(sum, side_point(o, i, 0, a), 2 * m * (m - v));
+    add_weighted(sum, side_point(o, i, back, d - b), 2 * m * (m - u));
+    add_weighted(sum, side_point(o, i, 1, b), 2 * m * u);
+    add_weighted(sum, side_point(o, i, back - 1, d - a), 2 * m * v);
+    add_weighted(sum, side_point(o, i, 0, 0), -2 * (m - u) * (m - v));
+    add_weighted(sum, side_point(o, i, 1, 0), -2 * u * (m - v));
+    add_weighted(sum, side_point(o, i, back, 0), -2 * (m - u) * v);
+    add_weighted(sum, side_point(o, i, 2, 0), -u * v);
+    add_weighted(sum, side_point(o, i, back - 1, 0), -u * v);
 }
 
 /* The point in the middle of a side belongs to both its ends. */
@@ -75,7 +75,7 @@ enum loft_status loft_gb_middle(const loft_vec p[], unsigned sides, unsigned deg
         return LOFT_ERR_ARG;
     loft_weighted_sum_start(&sum);
     for (unsigned i = 0; i < sides; i++)
-        add(&sum, &p[loft_gb_place(sides, degree, i, layers, layers - 1)], 1);
+        add_weighted(&sum, &p[loft_gb_place(sides, degree, i, layers, layers - 1)], 1);
     return loft_weighted_sum_project(&sum, out);
 }
 

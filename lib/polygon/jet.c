@@ -12,7 +12,7 @@
 
 static loft_sci mul(loft_sci a, loft_sci b)             { return loft_sci_mul(a, b); }
 static loft_sci twice(loft_sci a)                       { return loft_sci_add(a, a); }
-static loft_sci less(loft_sci a, loft_sci b, loft_sci c)
+static loft_sci sub_product(loft_sci a, loft_sci b, loft_sci c)
 {
     return loft_sci_sub(a, loft_sci_mul(b, c));
 }
@@ -48,21 +48,21 @@ loft_jet loft_jet_sub(const loft_jet *a, const loft_jet *b)
 }
 
 /* a b' + a' b. */
-static loft_sci first(loft_sci a, loft_sci a_x, loft_sci b, loft_sci b_x)
+static loft_sci product_rule(loft_sci a, loft_sci a_x, loft_sci b, loft_sci b_x)
 {
     return loft_sci_add(mul(a, b_x), mul(a_x, b));
 }
 
 loft_jet loft_jet_mul(const loft_jet *a, const loft_jet *b)
 {
-    const loft_sci xx = twice(mul(a->x, b->x)), xy = first(a->x, a->y, b->x, b->y),
+    const loft_sci xx = twice(mul(a->x, b->x)), xy = product_rule(a->x, a->y, b->x, b->y),
                    yy = twice(mul(a->y, b->y));
     const loft_jet r = { mul(a->f, b->f),
-                         first(a->f, a->x, b->f, b->x),
-                         first(a->f, a->y, b->f, b->y),
-                         loft_sci_add(first(a->f, a->xx, b->f, b->xx), xx),
-                         loft_sci_add(first(a->f, a->xy, b->f, b->xy), xy),
-                         loft_sci_add(first(a->f, a->yy, b->f, b->yy), yy) };
+                         product_rule(a->f, a->x, b->f, b->x),
+                         product_rule(a->f, a->y, b->f, b->y),
+                         loft_sci_add(product_rule(a->f, a->xx, b->f, b->xx), xx),
+                         loft_sci_add(product_rule(a->f, a->xy, b->f, b->xy), xy),
+                         loft_sci_add(product_rule(a->f, a->yy, b->f, b->yy), yy) };
     return r;
 }
 
@@ -71,11 +71,12 @@ loft_jet loft_jet_div(const loft_jet *a, const loft_jet *b)
     loft_jet q;
 
     q.f = loft_sci_div(a->f, b->f);
-    q.x = loft_sci_div(less(a->x, q.f, b->x), b->f);
-    q.y = loft_sci_div(less(a->y, q.f, b->y), b->f);
-    q.xx = loft_sci_div(less(less(a->xx, twice(q.x), b->x), q.f, b->xx), b->f);
-    q.xy = loft_sci_div(less(less(less(a->xy, q.x, b->y), q.y, b->x), q.f, b->xy), b->f);
-    q.yy = loft_sci_div(less(less(a->yy, twice(q.y), b->y), q.f, b->yy), b->f);
+    q.x = loft_sci_div(sub_product(a->x, q.f, b->x), b->f);
+    q.y = loft_sci_div(sub_product(a->y, q.f, b->y), b->f);
+    q.xx = loft_sci_div(sub_product(sub_product(a->xx, twice(q.x), b->x), q.f, b->xx), b->f);
+    q.xy = loft_sci_div(
+        sub_product(sub_product(sub_product(a->xy, q.x, b->y), q.y, b->x), q.f, b->xy), b->f);
+    q.yy = loft_sci_div(sub_product(sub_product(a->yy, twice(q.y), b->y), q.f, b->yy), b->f);
     return q;
 }
 
@@ -87,9 +88,9 @@ loft_jet loft_jet_sqrt(const loft_jet *a)
     r.f = loft_sci_sqrt(a->f);
     r.x = loft_sci_div(mul(half, a->x), r.f);
     r.y = loft_sci_div(mul(half, a->y), r.f);
-    r.xx = loft_sci_div(less(mul(half, a->xx), r.x, r.x), r.f);
-    r.xy = loft_sci_div(less(mul(half, a->xy), r.x, r.y), r.f);
-    r.yy = loft_sci_div(less(mul(half, a->yy), r.y, r.y), r.f);
+    r.xx = loft_sci_div(sub_product(mul(half, a->xx), r.x, r.x), r.f);
+    r.xy = loft_sci_div(sub_product(mul(half, a->xy), r.x, r.y), r.f);
+    r.yy = loft_sci_div(sub_product(mul(half, a->yy), r.y, r.y), r.f);
     return r;
 }
 

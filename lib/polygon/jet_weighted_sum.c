@@ -36,7 +36,7 @@ static loft_sci largest(const loft_sci x[LOFT_AXES])
     return most;
 }
 
-static void take(loft_differential *out, int i, const loft_jet *x)
+static void set_axis(loft_differential *out, int i, const loft_jet *x)
 {
     out->u[i] = x->x;
     out->v[i] = x->y;
@@ -48,7 +48,7 @@ static void take(loft_differential *out, int i, const loft_jet *x)
 void loft_jet_weighted_sum_end(const loft_jet_weighted_sum *b, loft_differential *out)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        take(out, i, &b->x[i]);
+        set_axis(out, i, &b->x[i]);
     out->width_u = largest(b->wide_x);
     out->width_v = largest(b->wide_y);
 }
@@ -60,7 +60,7 @@ enum loft_status loft_jet_weighted_sum_project(const loft_jet_weighted_sum *b,
         return LOFT_SINGULAR;
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_jet quotient = loft_jet_div(&b->x[i], &b->w);
-        take(out, i, &quotient);
+        set_axis(out, i, &quotient);
     }
     const loft_sci w = loft_sci_abs(b->w.f);
     out->width_u = loft_sci_div(largest(b->wide_x), w);

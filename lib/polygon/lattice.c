@@ -14,7 +14,7 @@ static int cross(loft_whole o, loft_whole a, loft_whole b)
 }
 
 /* The greatest common divisor, by Euclid's algorithm. */
-static int common(int a, int b)
+static int common_divisor(int a, int b)
 {
     a = a < 0 ? -a : a;
     b = b < 0 ? -b : b;
@@ -26,7 +26,7 @@ static int common(int a, int b)
     return a;
 }
 
-static bool small(loft_whole p)
+static bool vertex_valid(loft_whole p)
 {
     for (int i = 0; i < 2; i++)
         if (p.at[i] < -LOFT_LATTICE_MAX || p.at[i] > LOFT_LATTICE_MAX)
@@ -48,7 +48,7 @@ static bool convex(const loft_whole v[], unsigned sides)
 
 static loft_lattice_edge edge_of(loft_whole from, loft_whole to)
 {
-    const int x = to.at[0] - from.at[0], y = to.at[1] - from.at[1], length = common(x, y);
+    const int x = to.at[0] - from.at[0], y = to.at[1] - from.at[1], length = common_divisor(x, y);
     loft_lattice_edge e;
 
     e.from = from;
@@ -65,7 +65,7 @@ enum loft_status loft_lattice_polygon_init(loft_lattice_polygon *l, const loft_w
     if (sides < 3 || sides > LOFT_SIDES_MAX)
         return LOFT_ERR_ARG;
     for (unsigned i = 0; i < sides; i++)
-        if (!small(v[i]))
+        if (!vertex_valid(v[i]))
             return LOFT_ERR_ARG;
     if (!convex(v, sides))
         return LOFT_SINGULAR;
@@ -89,7 +89,7 @@ int loft_lattice_polygon_height(const loft_lattice_polygon *l, unsigned edge, lo
     return dot(l->edge[edge].normal, p) + l->edge[edge].offset;
 }
 
-static bool holds(const loft_lattice_polygon *l, loft_whole p)
+static bool polygon_holds(const loft_lattice_polygon *l, loft_whole p)
 {
     for (unsigned i = 0; i < l->sides; i++)
         if (loft_lattice_polygon_height(l, i, p) < 0)
@@ -98,11 +98,11 @@ static bool holds(const loft_lattice_polygon *l, loft_whole p)
 }
 
 /* Move p to the next point of the box that lies in the polygon; p itself counts. */
-static bool settle(const loft_lattice_polygon *l, loft_whole *p)
+static bool find_inside(const loft_lattice_polygon *l, loft_whole *p)
 {
     for (; p->at[1] <= l->high.at[1]; p->at[1]++, p->at[0] = l->low.at[0])
         for (; p->at[0] <= l->high.at[0]; p->at[0]++)
-            if (holds(l, *p))
+            if (polygon_holds(l, *p))
                 return true;
     return false;
 }
@@ -110,7 +110,7 @@ static bool settle(const loft_lattice_polygon *l, loft_whole *p)
 void loft_lattice_polygon_first(const loft_lattice_polygon *l, loft_whole *p)
 {
     *p = l->low;
-    settle(l, p);
+    find_inside(l, p);
 }
 
 bool loft_lattice_polygon_next(const loft_lattice_polygon *l, loft_whole *p)
@@ -118,7 +118,7 @@ bool loft_lattice_polygon_next(const loft_lattice_polygon *l, loft_whole *p)
     loft_whole after = *p;
 
     after.at[0]++;
-    if (!settle(l, &after))
+    if (!find_inside(l, &after))
         return false;
     *p = after;
     return true;

@@ -3,7 +3,7 @@
  */
 #include "polygon/meanvalue.h"
 
-static unsigned next(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 : 0; }
+static unsigned next_vertex(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 : 0; }
 
 /* The tangent of half the signed angle from d_i to d_(i+1), seen from p:
  *
@@ -52,7 +52,7 @@ enum loft_status loft_meanvalue_eval(const loft_domain *d, loft_spot p, loft_sci
             loft_sci_add(loft_sci_mul(to[i][0], to[i][0]), loft_sci_mul(to[i][1], to[i][1])));
     }
     for (unsigned i = 0; i < n; i++) {
-        const unsigned j = next(i, n);
+        const unsigned j = next_vertex(i, n);
         const loft_sci both[2][2] = { { to[i][0], to[i][1] }, { to[j][0], to[j][1] } };
         area[i] = half_tangent(both, r[i], r[j], area[i]);
     }
@@ -75,7 +75,7 @@ typedef struct {
     bool back;
 } tangent;
 
-static loft_jet distance(loft_real from, loft_real to, bool along_y)
+static loft_jet jet_difference(loft_real from, loft_real to, bool along_y)
 {
     const loft_sci minus = loft_sci_neg(loft_sci_one());
     loft_jet r = loft_jet_of(loft_sci_sub(loft_sci_from_real(to), loft_sci_from_real(from)));
@@ -90,22 +90,22 @@ static loft_jet product_sum(const loft_jet a[2], const loft_jet b[2])
     return loft_jet_add(&x, &y);
 }
 
-static void seen(const loft_domain *d, loft_spot p, unsigned i, loft_jet to[2])
+static void vertex_jets(const loft_domain *d, loft_spot p, unsigned i, loft_jet to[2])
 {
-    to[0] = distance(p.at[0], d->v[i].at[0], false);
-    to[1] = distance(p.at[1], d->v[i].at[1], true);
+    to[0] = jet_difference(p.at[0], d->v[i].at[0], false);
+    to[1] = jet_difference(p.at[1], d->v[i].at[1], true);
 }
 
 /* The cross product is linear in p, so its derivatives are differences of the ends. */
 static tangent tangent_at(const loft_domain *d, loft_spot p, unsigned i, const loft_jet r[],
                           loft_sci area)
 {
-    const unsigned j = next(i, d->sides);
+    const unsigned j = next_vertex(i, d->sides);
     loft_jet a[2], b[2], cross = loft_jet_of(area);
     tangent t;
 
-    seen(d, p, i, a);
-    seen(d, p, j, b);
+    vertex_jets(d, p, i, a);
+    vertex_jets(d, p, j, b);
     cross.x = loft_sci_sub(a[1].f, b[1].f);
     cross.y = loft_sci_sub(b[0].f, a[0].f);
     const loft_jet dot = product_sum(a, b), rr = loft_jet_mul(&r[i], &r[j]);
@@ -116,7 +116,7 @@ static tangent tangent_at(const loft_domain *d, loft_spot p, unsigned i, const l
 }
 
 /* t of edge i, times the product of `below` over all edges that are seen at an obtuse angle. */
-static loft_jet lifted(const tangent t[], unsigned sides, unsigned i)
+static loft_jet lifted_tangent(const tangent t[], unsigned sides, unsigned i)
 {
     loft_jet r = t[i].back ? t[i].above : loft_jet_div(&t[i].above, &t[i].below);
 
@@ -129,7 +129,7 @@ static loft_jet lifted(const tangent t[], unsigned sides, unsigned i)
 /* All coordinates sum to 1. Near a vertex, at a distance r, second derivatives of the tangents grow
  * as 1 / r^2, those of coordinates as 1 / r. The coordinates of the other vertices have the factor
  * r. That of the vertex, the largest, follows from the sum 1. */
-static void complete(loft_jet phi[], unsigned sides)
+static void complete_sum(loft_jet phi[], unsigned sides)
 {
     loft_jet rest = loft_jet_of(loft_sci_zero());
     unsigned largest = 0;
@@ -163,20 +163,20 @@ enum loft_status loft_meanvalue_jet(const loft_domain *d, loft_spot p, loft_jet 
         return LOFT_SINGULAR;
     for (unsigned i = 0; i < n; i++) {
         loft_jet to[2];
-        seen(d, p, i, to);
+        vertex_jets(d, p, i, to);
         const loft_jet square = product_sum(to, to);
         r[i] = loft_jet_sqrt(&square);
     }
     for (unsigned i = 0; i < n; i++)
         t[i] = tangent_at(d, p, i, r, area[i]);
     for (unsigned i = 0; i < n; i++) {
-        const loft_jet one = lifted(t, n, i ? i - 1 : n - 1), two = lifted(t, n, i),
+        const loft_jet one = lifted_tangent(t, n, i ? i - 1 : n - 1), two = lifted_tangent(t, n, i),
                        both = loft_jet_add(&one, &two);
         phi[i] = loft_jet_div(&both, &r[i]);
         sum = loft_jet_add(&sum, &phi[i]);
     }
     for (unsigned i = 0; i < n; i++)
         phi[i] = loft_jet_div(&phi[i], &sum);
-    complete(phi, n);
+    complete_sum(phi, n);
     return LOFT_OK;
 }

@@ -33,44 +33,44 @@ enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft
     return LOFT_OK;
 }
 
-static loft_sci weight_of(const loft_spatch *s, unsigned rank)
+static loft_sci point_weight(const loft_spatch *s, unsigned rank)
 {
     return s->w ? loft_sci_from_real(s->w[rank]) : loft_sci_one();
 }
 
-static unsigned after(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 : 0; }
+static unsigned next_vertex(unsigned i, unsigned sides) { return i + 1 < sides ? i + 1 : 0; }
 
 
 /* Points */
 
 /* Are the coordinates 0 except for those of one edge? Then *edge is the first of them. */
-static bool on_edge(const loft_spatch *s, const loft_sci phi[], unsigned *edge)
+static bool find_edge(const loft_spatch *s, const loft_sci phi[], unsigned *edge)
 {
     const unsigned n = s->sides;
     unsigned others = 0;
 
     *edge = 0;
-    while (*edge < n && !(loft_sci_sign(phi[*edge]) && loft_sci_sign(phi[after(*edge, n)])))
+    while (*edge < n && !(loft_sci_sign(phi[*edge]) && loft_sci_sign(phi[next_vertex(*edge, n)])))
         ++*edge;
     if (*edge == n)
         for (*edge = 0; *edge < n - 1u && !loft_sci_sign(phi[*edge]); )
             ++*edge;
     for (unsigned i = 0; i < n; i++)
-        others += loft_sci_sign(phi[i]) && i != *edge && i != after(*edge, n);
+        others += loft_sci_sign(phi[i]) && i != *edge && i != next_vertex(*edge, n);
     return others == 0;
 }
 
 static enum loft_status edge_point(const loft_spatch *s, const loft_sci phi[], unsigned edge,
                                    loft_vec *out)
 {
-    const loft_sci share[2] = { phi[edge], phi[after(edge, s->sides)] };
+    const loft_sci share[2] = { phi[edge], phi[next_vertex(edge, s->sides)] };
     loft_vec p[LOFT_DEGREE_MAX + 1];
     loft_real w[LOFT_DEGREE_MAX + 1];
 
     for (unsigned k = 0; k <= s->depth; k++) {
         uint8_t l[LOFT_SIDES_MAX] = { 0 };
         l[edge] = (uint8_t)(s->depth - k);
-        l[after(edge, s->sides)] = (uint8_t)k;
+        l[next_vertex(edge, s->sides)] = (uint8_t)k;
         const unsigned rank = loft_multiindex_rank(l, s->sides);
         p[k] = s->p[rank];
         w[k] = s->w ? s->w[rank] : LOFT_REAL(1);
@@ -81,7 +81,7 @@ static enum loft_status edge_point(const loft_spatch *s, const loft_sci phi[], u
 /* part[i] is the product of C(left, l_j) phi_j^l_j for j < i, where `left` is the depth minus the
  * numbers before j. From one index to the next, only the factors after the first changed number are
  * new. */
-static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_weighted_sum *sum)
+static void sum_terms(const loft_spatch *s, const loft_sci phi[], loft_weighted_sum *sum)
 {
     loft_sci power[LOFT_SIDES_MAX][LOFT_DEGREE_MAX + 1], part[LOFT_SIDES_MAX + 1];
     uint8_t l[LOFT_SIDES_MAX], last[LOFT_SIDES_MAX] = { 0 };
@@ -108,7 +108,7 @@ static void sum_all(const loft_spatch *s, const loft_sci phi[], loft_weighted_su
         }
         if (loft_sci_sign(part[n]))
             loft_weighted_sum_add(sum, &s->p[rank],
-                           s->w ? loft_sci_mul(part[n], weight_of(s, rank)) : part[n]);
+                           s->w ? loft_sci_mul(part[n], point_weight(s, rank)) : part[n]);
         rank++;
     } while (loft_multiindex_next(l, n));
 }
@@ -118,15 +118,15 @@ enum loft_status loft_spatch_eval(const loft_spatch *s, const loft_sci phi[], lo
     loft_weighted_sum sum;
     unsigned edge;
 
-    if (on_edge(s, phi, &edge))
+    if (find_edge(s, phi, &edge))
         return edge_point(s, phi, edge, out);
     loft_weighted_sum_start(&sum);
-    sum_all(s, phi, &sum);
+    sum_terms(s, phi, &sum);
     return s->w ? loft_weighted_sum_project(&sum, out) : loft_weighted_sum_point(&sum, out);
 }
 
 /* Reduce the depth by one, in place: l + e_0 has the same rank as l, l + e_i a higher one. */
-static void reduce(loft_sci c[], const loft_sci phi[], unsigned sides, unsigned depth)
+static void reduce_depth(loft_sci c[], const loft_sci phi[], unsigned sides, unsigned depth)
 {
     uint8_t l[LOFT_SIDES_MAX];
     unsigned rank = 0;
@@ -144,13 +144,14 @@ static void reduce(loft_sci c[], const loft_sci phi[], unsigned sides, unsigned 
 }
 
 /* A coordinate times its weight, or (axis LOFT_AXES) the weight. */
-static loft_sci homogeneous(const loft_spatch *s, unsigned rank, int axis)
+static loft_sci homogeneous_axis(const loft_spatch *s, unsigned rank, int axis)
 {
-    const loft_sci w = weight_of(s, rank);
+    const loft_sci w = point_weight(s, rank);
     return axis < LOFT_AXES ? loft_sci_mul(w, loft_sci_from_real(s->p[rank].axis[axis])) : w;
 }
 
-static loft_sci cascade(const loft_spatch *s, const loft_sci phi[], int axis, loft_sci work[])
+static loft_sci casteljau_axis(const loft_spatch *s, const loft_sci phi[], int axis,
+                               loft_sci work[])
 {
     const unsigned n = s->sides;
     uint8_t l[LOFT_SIDES_MAX];
@@ -162,13 +163,14 @@ static loft_sci cascade(const loft_spatch *s, const loft_sci phi[], int axis, lo
         for (unsigned i = 0; i < n; i++) {
             l[i]++;
             work[rank] = loft_sci_add(
-                work[rank], loft_sci_mul(phi[i], homogeneous(s, loft_multiindex_rank(l, n), axis)));
+                work[rank],
+                loft_sci_mul(phi[i], homogeneous_axis(s, loft_multiindex_rank(l, n), axis)));
             l[i]--;
         }
         rank++;
     } while (loft_multiindex_next(l, n));
     for (unsigned depth = s->depth - 1u; depth > 0; depth--)
-        reduce(work, phi, n, depth - 1);
+        reduce_depth(work, phi, n, depth - 1);
     return work[0];
 }
 
@@ -178,18 +180,18 @@ enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[
     loft_weighted_sum sum;
 
     for (int axis = 0; axis < LOFT_AXES; axis++)
-        sum.x[axis] = cascade(s, phi, axis, work);
+        sum.x[axis] = casteljau_axis(s, phi, axis, work);
     if (!s->w)
         return loft_weighted_sum_point(&sum, out);
-    sum.w = cascade(s, phi, LOFT_AXES, work);
+    sum.w = casteljau_axis(s, phi, LOFT_AXES, work);
     return loft_weighted_sum_project(&sum, out);
 }
 
 
 /* Other forms: sums of points with integer factors, divided once */
 
-static enum loft_status store(const loft_spatch *s, const loft_weighted_sum *sum, loft_sci factors,
-                              loft_vec *out, loft_real *w)
+static enum loft_status store_mean(const loft_spatch *s, const loft_weighted_sum *sum,
+                                   loft_sci factors, loft_vec *out, loft_real *w)
 {
     loft_acc mean = 0;
 
@@ -201,11 +203,12 @@ static enum loft_status store(const loft_spatch *s, const loft_weighted_sum *sum
     return loft_weighted_sum_project(sum, out);
 }
 
-static void add(const loft_spatch *s, loft_weighted_sum *sum, const uint8_t l[], int32_t factor)
+static void add_weighted(const loft_spatch *s, loft_weighted_sum *sum, const uint8_t l[],
+                         int32_t factor)
 {
     const unsigned rank = loft_multiindex_rank(l, s->sides);
     loft_weighted_sum_add(sum, &s->p[rank],
-                          loft_sci_mul(loft_sci_from_int(factor), weight_of(s, rank)));
+                          loft_sci_mul(loft_sci_from_int(factor), point_weight(s, rank)));
 }
 
 /* V_l = sum l_i / (depth + 1) V_(l - e_i) */
@@ -224,10 +227,10 @@ enum loft_status loft_spatch_elevate(const loft_spatch *s, loft_vec out[], loft_
         for (unsigned i = 0; i < s->sides; i++)
             if (l[i]) {
                 l[i]--;
-                add(s, &sum, l, l[i] + 1);
+                add_weighted(s, &sum, l, l[i] + 1);
                 l[i]++;
             }
-        status = store(s, &sum, loft_sci_from_int(s->depth + 1), &out[rank],
+        status = store_mean(s, &sum, loft_sci_from_int(s->depth + 1), &out[rank],
                        s->w ? &w[rank] : NULL);
         rank++;
     } while (status == LOFT_OK && loft_multiindex_next(l, s->sides));
@@ -250,10 +253,10 @@ enum loft_status loft_spatch_tensor(const loft_spatch *s, loft_vec out[], loft_r
             for (unsigned both = i + j > d ? i + j - d : 0; both <= i && both <= j; both++) {
                 const uint8_t l[4] = { (uint8_t)(d + both - i - j), (uint8_t)(i - both),
                                        (uint8_t)both, (uint8_t)(j - both) };
-                add(s, &sum, l, loft_multiindex_multinomial(l, 4));
+                add_weighted(s, &sum, l, loft_multiindex_multinomial(l, 4));
             }
             const int32_t ways = loft_binomial(d, i) * loft_binomial(d, j);
-            const enum loft_status status = store(s, &sum, loft_sci_from_int(ways), &out[at],
+            const enum loft_status status = store_mean(s, &sum, loft_sci_from_int(ways), &out[at],
                                                   s->w ? &w[at] : NULL);
             if (status != LOFT_OK)
                 return status;
@@ -285,7 +288,7 @@ bool loft_links_next(loft_links *w, unsigned *l, unsigned *m)
     if (!w->more)
         return false;
     *l = rank_beyond(w, w->r);
-    *m = rank_beyond(w, after(w->r, w->sides));
+    *m = rank_beyond(w, next_vertex(w->r, w->sides));
     if (++w->r == w->sides) {
         w->r = 0;
         w->more = loft_multiindex_next(w->rest, w->sides);

@@ -6,7 +6,7 @@
 #include "polygon/spatch.h"
 #include "polygon/jet_weighted_sum.h"  /* loft_jet_weighted_sum */
 
-static loft_jet weight_of(const loft_spatch *s, const loft_jet phi[], const uint8_t l[],
+static loft_jet point_weight(const loft_spatch *s, const loft_jet phi[], const uint8_t l[],
                           unsigned rank)
 {
     const loft_sci ways = loft_sci_from_int(loft_multiindex_multinomial(l, s->sides));
@@ -37,7 +37,7 @@ enum loft_status loft_spatch_differential(const loft_spatch *s, const loft_jet p
     loft_jet_weighted_sum_start(&sum, here);
     loft_multiindex_first(l, s->sides, s->depth);
     do {
-        const loft_jet weight = weight_of(s, phi, l, rank);
+        const loft_jet weight = point_weight(s, phi, l, rank);
         loft_jet_weighted_sum_add(&sum, &s->p[rank++], &weight);
     } while (loft_multiindex_next(l, s->sides));
     if (s->w)

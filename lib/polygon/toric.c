@@ -12,7 +12,7 @@
 
 #define BITS_MAX 900
 
-static unsigned bits(int h)
+static unsigned bit_length(int h)
 {
     unsigned count = 0;
 
@@ -23,16 +23,16 @@ static unsigned bits(int h)
 
 /* The bits of the product of heights at whole point l, if each height were the largest in the
  * polygon. */
-static unsigned bits_of(const loft_lattice_polygon *lattice, const int highest[], loft_whole l)
+static unsigned product_bits(const loft_lattice_polygon *lattice, const int highest[], loft_whole l)
 {
     unsigned sum = 0;
 
     for (unsigned i = 0; i < lattice->sides; i++)
-        sum += (unsigned)loft_lattice_polygon_height(lattice, i, l) * bits(highest[i]);
+        sum += (unsigned)loft_lattice_polygon_height(lattice, i, l) * bit_length(highest[i]);
     return sum;
 }
 
-static bool tame(const loft_lattice_polygon *lattice)
+static bool lattice_valid(const loft_lattice_polygon *lattice)
 {
     int highest[LOFT_SIDES_MAX] = { 0 };
     loft_whole l;
@@ -45,7 +45,7 @@ static bool tame(const loft_lattice_polygon *lattice)
         }
     loft_lattice_polygon_first(lattice, &l);
     do
-        if (bits_of(lattice, highest, l) > BITS_MAX)
+        if (product_bits(lattice, highest, l) > BITS_MAX)
             return false;
     while (loft_lattice_polygon_next(lattice, &l));
     return true;
@@ -63,7 +63,7 @@ enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *latt
         if (!loft_vec_valid(p[k]))
             return LOFT_ERR_RANGE;
     }
-    if (!tame(lattice))
+    if (!lattice_valid(lattice))
         return LOFT_ERR_RANGE;
     t->lattice = lattice;
     t->p = p;
@@ -83,7 +83,7 @@ static loft_spot spot_of(loft_whole p)
 
 /* The heights of p, all exact in sign: the cross product of an edge and the vector to p, over the
  * length of the edge. False when p is outside. */
-static bool heights(const loft_lattice_polygon *l, loft_spot p, loft_sci h[])
+static bool point_heights(const loft_lattice_polygon *l, loft_spot p, loft_sci h[])
 {
     for (unsigned i = 0; i < l->sides; i++) {
         const loft_spot a = spot_of(l->edge[i].from),
@@ -96,7 +96,7 @@ static bool heights(const loft_lattice_polygon *l, loft_spot p, loft_sci h[])
     return true;
 }
 
-static loft_sci factor(const loft_toric *t, unsigned k)
+static loft_sci point_factor(const loft_toric *t, unsigned k)
 {
     const loft_sci c = t->c ? loft_sci_from_real(t->c[k]) : loft_sci_one();
     return t->w ? loft_sci_mul(c, loft_sci_from_real(t->w[k])) : c;
@@ -110,12 +110,12 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
     loft_whole l;
     unsigned k = 0;
 
-    if (!loft_spot_valid(p) || !heights(t->lattice, p, h))
+    if (!loft_spot_valid(p) || !point_heights(t->lattice, p, h))
         return LOFT_ERR_RANGE;
     loft_weighted_sum_start(&sum);
     loft_lattice_polygon_first(t->lattice, &l);
     do {
-        loft_sci weight = factor(t, k);
+        loft_sci weight = point_factor(t, k);
         for (unsigned i = 0; i < sides && loft_sci_sign(weight); i++)
             weight = loft_sci_mul(weight, loft_sci_pow(h[i], (unsigned)loft_lattice_polygon_height(
                                                                  t->lattice, i, l)));
@@ -142,7 +142,7 @@ static unsigned place_of(const loft_lattice_polygon *lattice, loft_whole l)
     return k;
 }
 
-static loft_whole along(const loft_lattice_edge *e, unsigned step)
+static loft_whole edge_point(const loft_lattice_edge *e, unsigned step)
 {
     loft_whole l;
 
@@ -153,7 +153,7 @@ static loft_whole along(const loft_lattice_edge *e, unsigned step)
 
 /* Scale the weights for loft_rational_weights: the largest to 128..256, and all times LOFT_PROJECT.
  * */
-static enum loft_status weigh(loft_sci w[], unsigned degree, loft_weighted out[])
+static enum loft_status scale_weights(loft_sci w[], unsigned degree, loft_weighted out[])
 {
     const loft_sci two = loft_sci_from_int(2), top = loft_sci_from_int(256);
     loft_sci largest = w[0], least = w[0], scale = loft_sci_from_int(LOFT_PROJECT);
@@ -186,11 +186,11 @@ enum loft_status loft_toric_edge(const loft_toric *t, unsigned edge, loft_weight
         return LOFT_ERR_ARG;
     const unsigned m = t->lattice->edge[edge].length;
     for (unsigned step = 0; step <= m; step++) {
-        const unsigned k = place_of(t->lattice, along(&t->lattice->edge[edge], step));
-        w[step] = loft_sci_div(factor(t, k), loft_sci_from_int(loft_binomial(m, step)));
+        const unsigned k = place_of(t->lattice, edge_point(&t->lattice->edge[edge], step));
+        w[step] = loft_sci_div(point_factor(t, k), loft_sci_from_int(loft_binomial(m, step)));
         out[step].p = t->p[k];
     }
-    return weigh(w, m, out);
+    return scale_weights(w, m, out);
 }
 
 /* A / (A + B) of the products of heights with positive and with negative exponents. At the first
@@ -203,7 +203,7 @@ enum loft_status loft_toric_parameter(const loft_toric *t, unsigned edge, loft_s
     loft_sci h[LOFT_SIDES_MAX], product[2] = { loft_sci_one(), loft_sci_one() };
     loft_acc share = 0;
 
-    if (edge >= lattice->sides || !loft_spot_valid(p) || !heights(lattice, p, h) ||
+    if (edge >= lattice->sides || !loft_spot_valid(p) || !point_heights(lattice, p, h) ||
         loft_sci_sign(h[edge]))
         return LOFT_ERR_ARG;
     const loft_whole *n = &lattice->edge[edge].normal;

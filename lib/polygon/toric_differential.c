@@ -7,7 +7,7 @@
 #include "polygon/toric.h"
 #include "polygon/jet_weighted_sum.h"  /* loft_jet_weighted_sum */
 
-static void heights(const loft_lattice_polygon *l, loft_spot p, loft_jet h[])
+static void height_jets(const loft_lattice_polygon *l, loft_spot p, loft_jet h[])
 {
     for (unsigned i = 0; i < l->sides; i++) {
         const loft_sci x = loft_sci_from_int(l->edge[i].normal.at[0]),
@@ -22,7 +22,7 @@ static void heights(const loft_lattice_polygon *l, loft_spot p, loft_jet h[])
     }
 }
 
-static loft_jet weight_of(const loft_toric *t, const loft_jet h[], loft_whole l, unsigned k)
+static loft_jet point_weight(const loft_toric *t, const loft_jet h[], loft_whole l, unsigned k)
 {
     const loft_sci c = t->c ? loft_sci_from_real(t->c[k]) : loft_sci_one();
     loft_jet weight = loft_jet_of(t->w ? loft_sci_mul(c, loft_sci_from_real(t->w[k])) : c);
@@ -46,11 +46,11 @@ enum loft_status loft_toric_differential(const loft_toric *t, loft_spot p, loft_
     const enum loft_status status = loft_toric_eval(t, p, &here);
     if (status != LOFT_OK)
         return status;
-    heights(t->lattice, p, h);
+    height_jets(t->lattice, p, h);
     loft_jet_weighted_sum_start(&sum, here);
     loft_lattice_polygon_first(t->lattice, &l);
     do {
-        const loft_jet weight = weight_of(t, h, l, k);
+        const loft_jet weight = point_weight(t, h, l, k);
         loft_jet_weighted_sum_add(&sum, &t->p[k++], &weight);
     } while (loft_lattice_polygon_next(t->lattice, &l));
     return loft_jet_weighted_sum_project(&sum, out);

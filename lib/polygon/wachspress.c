@@ -3,8 +3,8 @@
  */
 #include "polygon/wachspress.h"
 
-static unsigned next(unsigned i, unsigned sides)   { return i + 1 < sides ? i + 1 : 0; }
-static unsigned before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
+static unsigned next_vertex(unsigned i, unsigned sides)   { return i + 1 < sides ? i + 1 : 0; }
+static unsigned vertex_before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
 
 static unsigned largest_of(const loft_sci area[], unsigned sides)
 {
@@ -50,7 +50,7 @@ enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sc
     for (unsigned i = 0; i < n; i++) {
         phi[i] = d->corner[i];
         for (unsigned j = 0; j < n; j++)
-            if (j != i && j != before(i, n))
+            if (j != i && j != vertex_before(i, n))
                 phi[i] = loft_sci_mul(phi[i], area[j]);
         sum = loft_sci_add(sum, phi[i]);
     }
@@ -63,7 +63,7 @@ enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p, loft_sc
  * products are valid on an edge and at a vertex, where one or two areas are 0. */
 static loft_jet area_at(const loft_domain *d, unsigned j, loft_sci area, loft_sci unit)
 {
-    const loft_spot *a = &d->v[j], *b = &d->v[next(j, d->sides)];
+    const loft_spot *a = &d->v[j], *b = &d->v[next_vertex(j, d->sides)];
     loft_jet r = loft_jet_of(loft_sci_div(area, unit));
 
     r.x = loft_sci_div(loft_sci_sub(loft_sci_from_real(a->at[1]), loft_sci_from_real(b->at[1])),
@@ -90,7 +90,7 @@ enum loft_status loft_wachspress_jet(const loft_domain *d, loft_spot p, loft_jet
     for (unsigned i = 0; i < n; i++) {
         phi[i] = loft_jet_of(d->corner[i]);
         for (unsigned j = 0; j < n; j++)
-            if (j != i && j != before(i, n))
+            if (j != i && j != vertex_before(i, n))
                 phi[i] = loft_jet_mul(&phi[i], &factor[j]);
         sum = loft_jet_add(&sum, &phi[i]);
     }

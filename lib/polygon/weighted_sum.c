@@ -47,8 +47,8 @@ enum loft_status loft_weighted_sum_project(const loft_weighted_sum *b, loft_vec 
 }
 
 /* The point as curve/ computes it, for a t that loft_unit holds. */
-static enum loft_status held(const loft_vec p[], const loft_real w[], unsigned degree, loft_unit t,
-                             loft_vec *out)
+static enum loft_status curve_point(const loft_vec p[], const loft_real w[], unsigned degree,
+                                    loft_unit t, loft_vec *out)
 {
     loft_weighted weighted[LOFT_DEGREE_MAX + 1];
     loft_rational r;
@@ -79,7 +79,7 @@ enum loft_status loft_weighted_sum_curve(const loft_vec p[], const loft_real w[]
     loft_unit t;
 
     if (loft_sci_is_unit(share[1], &t))
-        return held(p, w, degree, t, out);
+        return curve_point(p, w, degree, t, out);
     loft_weighted_sum_start(&sum);
     for (unsigned k = 0; k <= degree; k++) {
         loft_sci weight = loft_sci_mul(loft_sci_pow(share[0], degree - k),

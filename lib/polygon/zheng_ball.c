@@ -18,22 +18,22 @@
 #include "polygon/jet_weighted_sum.h"  /* loft_jet_weighted_sum */
 
 /* The points of a block: a = 0 .. wide - 1, b = 0 .. high - 1. */
-static unsigned wide_of(unsigned degree) { return degree / 2 + 1; }
-static unsigned high_of(unsigned degree) { return (degree + 1) / 2; }
+static unsigned block_width(unsigned degree) { return degree / 2 + 1; }
+static unsigned block_height(unsigned degree) { return (degree + 1) / 2; }
 
-static unsigned before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
-static unsigned after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 1 : 0; }
+static unsigned side_before(unsigned i, unsigned sides) { return i ? i - 1 : sides - 1; }
+static unsigned side_after(unsigned i, unsigned sides)  { return i + 1 < sides ? i + 1 : 0; }
 
 unsigned loft_zheng_ball_count(unsigned sides, unsigned degree)
 {
-    return sides * wide_of(degree) * high_of(degree) + (degree % 2 == 0);
+    return sides * block_width(degree) * block_height(degree) + (degree % 2 == 0);
 }
 
 /* The corner and the indices a, b of point k. The centre is a = b = degree / 2 of any corner. */
 static void block_of(unsigned sides, unsigned degree, unsigned k, unsigned *corner, unsigned *a,
                      unsigned *b)
 {
-    const unsigned high = high_of(degree), block = wide_of(degree) * high;
+    const unsigned high = block_height(degree), block = block_width(degree) * high;
 
     *corner = k / block;
     *a = k % block / high;
@@ -53,12 +53,12 @@ void loft_zheng_ball_index(unsigned sides, unsigned degree, unsigned k, uint8_t 
     for (unsigned i = 0; i < sides; i++)
         l[i] = (uint8_t)(degree - less);
     if (sides == 3) {
-        l[after(corner, sides)] = (uint8_t)(degree - more);
+        l[side_after(corner, sides)] = (uint8_t)(degree - more);
     } else {
-        l[after(corner, sides)] = (uint8_t)(degree - a);
-        l[before(before(corner, sides), sides)] = (uint8_t)(degree - b);
+        l[side_after(corner, sides)] = (uint8_t)(degree - a);
+        l[side_before(side_before(corner, sides), sides)] = (uint8_t)(degree - b);
     }
-    l[before(corner, sides)] = (uint8_t)a;
+    l[side_before(corner, sides)] = (uint8_t)a;
     l[corner] = (uint8_t)b;
 }
 
@@ -113,7 +113,7 @@ static loft_sci border_factor(const basis *b, unsigned side, unsigned k)
 
     if (b->sides != 3)
         return b->factor;
-    const loft_sci *beside = &b->u[far ? after(side, 3) : before(side, 3)];
+    const loft_sci *beside = &b->u[far ? side_after(side, 3) : side_before(side, 3)];
     const loft_sci sum = loft_sci_add(loft_sci_from_int(one),
                                       loft_sci_mul(loft_sci_from_int(rest), *beside));
     return loft_sci_sub(loft_sci_one(), loft_sci_mul(b->u[side], sum));
@@ -121,7 +121,7 @@ static loft_sci border_factor(const basis *b, unsigned side, unsigned k)
 
 /* The weight of point k before the correction. *inside is true if the point takes part in the
  * correction. */
-static loft_sci weight_of(const basis *b, unsigned k, bool *inside)
+static loft_sci point_weight(const basis *b, unsigned k, bool *inside)
 {
     uint8_t l[LOFT_ZHENG_BALL_SIDES];
     unsigned corner, a, c;
@@ -136,7 +136,8 @@ static loft_sci weight_of(const basis *b, unsigned k, bool *inside)
         weight, loft_sci_from_int(loft_binomial(b->degree, a) * loft_binomial(b->degree, c)));
     *inside = a && c;
     if (!*inside)
-        weight = loft_sci_mul(weight, c ? border_factor(b, before(corner, b->sides), b->degree - c)
+        weight = loft_sci_mul(weight,
+                              c ? border_factor(b, side_before(corner, b->sides), b->degree - c)
                                         : border_factor(b, corner, a));
     return weight;
 }
@@ -148,7 +149,7 @@ static int32_t inner_count(unsigned sides, unsigned degree)
 }
 
 /* The correction of each point inside: (1 - sum) / T. */
-static loft_sci lack(unsigned sides, unsigned degree, loft_sci sum)
+static loft_sci correction_of(unsigned sides, unsigned degree, loft_sci sum)
 {
     return loft_sci_div(loft_sci_sub(loft_sci_one(), sum),
                         loft_sci_from_int(inner_count(sides, degree)));
@@ -163,10 +164,10 @@ void loft_zheng_ball_weights(unsigned sides, unsigned degree, const loft_sci u[]
 
     basis_start(&b, sides, degree, u);
     for (unsigned k = 0; k < count; k++) {
-        out[k] = weight_of(&b, k, &inside);
+        out[k] = point_weight(&b, k, &inside);
         sum = loft_sci_add(sum, out[k]);
     }
-    const loft_sci part = lack(sides, degree, sum);
+    const loft_sci part = correction_of(sides, degree, sum);
     for (unsigned k = 0; k < count; k++) {
         unsigned corner, a, c;
         block_of(sides, degree, k, &corner, &a, &c);
@@ -181,15 +182,16 @@ void loft_zheng_ball_weights(unsigned sides, unsigned degree, const loft_sci u[]
 /* The index of point k of side i, in the block of its first or its second corner. */
 static unsigned border_place(const loft_zheng_ball *r, unsigned side, unsigned k)
 {
-    const unsigned d = r->degree, high = high_of(d), block = wide_of(d) * high;
+    const unsigned d = r->degree, high = block_height(d), block = block_width(d) * high;
 
-    return k < wide_of(d) ? side * block + k * high : after(side, r->sides) * block + d - k;
+    return k < block_width(d) ? side * block + k * high
+                              : side_after(side, r->sides) * block + d - k;
 }
 
 static enum loft_status border_point(const loft_zheng_ball *r, const loft_sci u[], unsigned side,
                                      loft_vec *out)
 {
-    const loft_sci share[2] = { u[after(side, r->sides)], u[before(side, r->sides)] };
+    const loft_sci share[2] = { u[side_after(side, r->sides)], u[side_before(side, r->sides)] };
     loft_vec p[LOFT_DEGREE_MAX + 1];
 
     for (unsigned k = 0; k <= r->degree; k++)
@@ -212,11 +214,11 @@ enum loft_status loft_zheng_ball_eval(const loft_zheng_ball *r, const loft_sci u
     loft_weighted_sum_start(&sum);
     loft_weighted_sum_start(&inner);
     for (unsigned k = 0; k < count; k++) {
-        loft_weighted_sum_add(&sum, &r->p[k], weight_of(&b, k, &inside));
+        loft_weighted_sum_add(&sum, &r->p[k], point_weight(&b, k, &inside));
         if (inside)
             loft_weighted_sum_add(&inner, &r->p[k], loft_sci_one());
     }
-    loft_weighted_sum_join(&sum, &inner, lack(r->sides, r->degree, sum.w));
+    loft_weighted_sum_join(&sum, &inner, correction_of(r->sides, r->degree, sum.w));
     return loft_weighted_sum_point(&sum, out);
 }
 
@@ -236,7 +238,7 @@ typedef struct {
 } jet_basis;
 
 /* 1 - a. */
-static loft_jet less_than_one(const loft_jet *a)
+static loft_jet one_minus(const loft_jet *a)
 {
     const loft_jet one = loft_jet_of(loft_sci_one());
     return loft_jet_sub(&one, a);
@@ -249,7 +251,7 @@ static void jet_basis_start(jet_basis *b, const loft_zheng_ball *r, const loft_j
 
     for (unsigned i = 0; i < r->sides; i++)
         all = loft_jet_mul(&all, &u[i]);
-    b->factor = less_than_one(&all);
+    b->factor = one_minus(&all);
     b->u = u;
     b->sides = r->sides;
     b->degree = r->degree;
@@ -263,15 +265,15 @@ static loft_jet border_jet(const jet_basis *b, unsigned side, unsigned k)
 
     if (b->sides != 3)
         return b->factor;
-    const loft_jet *beside = &b->u[far ? after(side, 3) : before(side, 3)];
+    const loft_jet *beside = &b->u[far ? side_after(side, 3) : side_before(side, 3)];
     loft_jet sum = loft_jet_scale(beside, loft_sci_from_int(rest));
     sum.f = loft_sci_add(sum.f, loft_sci_from_int(one));
     const loft_jet product = loft_jet_mul(&b->u[side], &sum);
-    return less_than_one(&product);
+    return one_minus(&product);
 }
 
-/* As weight_of. */
-static loft_jet jet_weight_of(const jet_basis *b, unsigned k, bool *inside)
+/* As point_weight. */
+static loft_jet point_weight_jet(const jet_basis *b, unsigned k, bool *inside)
 {
     uint8_t l[LOFT_ZHENG_BALL_SIDES];
     unsigned corner, a, c;
@@ -288,15 +290,15 @@ static loft_jet jet_weight_of(const jet_basis *b, unsigned k, bool *inside)
     *inside = a && c;
     if (*inside)
         return weight;
-    const loft_jet factor = c ? border_jet(b, before(corner, b->sides), b->degree - c)
+    const loft_jet factor = c ? border_jet(b, side_before(corner, b->sides), b->degree - c)
                               : border_jet(b, corner, a);
     return loft_jet_mul(&weight, &factor);
 }
 
 /* The correction of each point inside: (1 - sum) / T. */
-static loft_jet jet_lack(const loft_zheng_ball *r, const loft_jet *sum)
+static loft_jet correction_jet(const loft_zheng_ball *r, const loft_jet *sum)
 {
-    const loft_jet rest = less_than_one(sum);
+    const loft_jet rest = one_minus(sum);
     const loft_sci count = loft_sci_from_int(inner_count(r->sides, r->degree));
 
     return loft_jet_scale(&rest, loft_sci_div(loft_sci_one(), count));
@@ -313,10 +315,10 @@ void loft_zheng_ball_differential(const loft_zheng_ball *r, const loft_jet u[],
     jet_basis_start(&b, r, u);
     loft_jet_weighted_sum_start(&sum, r->p[count - 1]);
     for (unsigned k = 0; k < count; k++) {
-        const loft_jet weight = jet_weight_of(&b, k, &inside);
+        const loft_jet weight = point_weight_jet(&b, k, &inside);
         loft_jet_weighted_sum_add(&sum, &r->p[k], &weight);
     }
-    const loft_jet part = jet_lack(r, &sum.w);
+    const loft_jet part = correction_jet(r, &sum.w);
     for (unsigned k = 0; k < count; k++) {
         unsigned corner, a, c;
         block_of(r->sides, r->degree, k, &corner, &a, &c);

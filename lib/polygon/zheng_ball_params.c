@@ -18,13 +18,13 @@ static share share_of(loft_unit u)
 }
 
 /* 1 - a b */
-static loft_sci rest_of_product(share a, share b)
+static loft_sci one_minus_product(share a, share b)
 {
     return loft_sci_add(a.rest, loft_sci_mul(a.u, b.rest));
 }
 
 /* u_1 + u_2 + u_3 = 2 u_1 u_2 u_3 + 1 */
-static enum loft_status three(share a, share b, loft_sci u[])
+static enum loft_status three_params(share a, share b, loft_sci u[])
 {
     const loft_sci left = loft_sci_sub(a.rest, b.u), two = loft_sci_from_int(2);
 
@@ -36,9 +36,9 @@ static enum loft_status three(share a, share b, loft_sci u[])
 }
 
 /* u_i = 1 - u_(i+2) u_(i+3) */
-static void five(share a, share b, loft_sci u[])
+static void five_params(share a, share b, loft_sci u[])
 {
-    u[3] = rest_of_product(a, b);
+    u[3] = one_minus_product(a, b);
     u[2] = loft_sci_div(a.rest, u[3]);
     u[4] = loft_sci_div(b.rest, u[3]);
 }
@@ -65,40 +65,40 @@ typedef struct {
     loft_sci a, b, c, f, m, d;      /* A, B, -C, F, M, sqrt D */
 } quadratic;
 
-static loft_sci times(int32_t k, loft_sci x) { return loft_sci_mul(loft_sci_from_int(k), x); }
+static loft_sci times_int(int32_t k, loft_sci x) { return loft_sci_mul(loft_sci_from_int(k), x); }
 
 static quadratic quadratic_of(share a, share b)
 {
     const loft_sci one = loft_sci_one(), alpha = a.rest, beta = b.rest;
-    const loft_sci s = rest_of_product(a, b), sigma = loft_sci_add(alpha, beta),
+    const loft_sci s = one_minus_product(a, b), sigma = loft_sci_add(alpha, beta),
                    pi = loft_sci_mul(alpha, beta);
     const loft_sci apart = loft_sci_sub(alpha, beta), mixed = loft_sci_mul(alpha, b.u);
     quadratic q;
 
-    q.a = loft_sci_mul(s, loft_sci_sub(times(2, s), one));
-    q.b = loft_sci_mul(a.u,
-                       loft_sci_add(times(3, mixed), loft_sci_add(beta, loft_sci_mul(beta, beta))));
+    q.a = loft_sci_mul(s, loft_sci_sub(times_int(2, s), one));
+    q.b = loft_sci_mul(
+        a.u, loft_sci_add(times_int(3, mixed), loft_sci_add(beta, loft_sci_mul(beta, beta))));
     q.c = loft_sci_mul(alpha, loft_sci_add(one, a.u));
     q.f = loft_sci_mul(
         loft_sci_mul(a.u, beta),
         loft_sci_add(mixed, loft_sci_mul(beta, loft_sci_add(loft_sci_from_int(2), a.u))));
 
-    const loft_sci second = loft_sci_mul(sigma, loft_sci_add(sigma, times(4, beta)));
+    const loft_sci second = loft_sci_mul(sigma, loft_sci_add(sigma, times_int(4, beta)));
     const loft_sci third = loft_sci_mul(
-        pi, loft_sci_add(times(5, alpha), loft_sci_sub(times(9, beta), times(4, pi))));
+        pi, loft_sci_add(times_int(5, alpha), loft_sci_sub(times_int(9, beta), times_int(4, pi))));
     q.m = loft_sci_add(apart, loft_sci_sub(second, third));
 
     const loft_sci squares = loft_sci_mul(loft_sci_mul(sigma, sigma),
                                           loft_sci_add(s, loft_sci_from_int(2)));
-    const loft_sci rest = loft_sci_add(loft_sci_sub(loft_sci_from_int(2), times(3, sigma)),
-                                       times(2, pi));
-    const loft_sci sum = loft_sci_add(squares, times(4, loft_sci_mul(pi, rest)));
+    const loft_sci rest = loft_sci_add(loft_sci_sub(loft_sci_from_int(2), times_int(3, sigma)),
+                                       times_int(2, pi));
+    const loft_sci sum = loft_sci_add(squares, times_int(4, loft_sci_mul(pi, rest)));
     q.d = loft_sci_sqrt(loft_sci_add(loft_sci_mul(apart, apart), loft_sci_mul(s, sum)));
     return q;
 }
 
 /* The neighbour of b that is not a. */
-static share neighbour(share a, share b)
+static share neighbour_share(share a, share b)
 {
     const share corner = { loft_sci_one(), loft_sci_zero() };
     const loft_sci two = loft_sci_from_int(2);
@@ -113,34 +113,34 @@ static share neighbour(share a, share b)
     return x;
 }
 
-static void six(share a, share b, loft_sci u[])
+static void six_params(share a, share b, loft_sci u[])
 {
-    const share c = neighbour(a, b), f = neighbour(b, a);
+    const share c = neighbour_share(a, b), f = neighbour_share(b, a);
 
     u[2] = c.u;
-    u[3] = neighbour(b, c).u;
-    u[4] = neighbour(a, f).u;
+    u[3] = neighbour_share(b, c).u;
+    u[4] = neighbour_share(a, f).u;
     u[5] = f.u;
 }
 
-static bool inside(loft_unit u) { return u >= 0 && u <= LOFT_UNIT(1); }
+static bool unit_valid(loft_unit u) { return u >= 0 && u <= LOFT_UNIT(1); }
 
 enum loft_status loft_zheng_ball_params(unsigned sides, loft_unit u1, loft_unit u2, loft_sci u[])
 {
     const share a = share_of(u1), b = share_of(u2);
 
-    if (!inside(u1) || !inside(u2) || (sides != 3 && sides != 5 && sides != 6))
+    if (!unit_valid(u1) || !unit_valid(u2) || (sides != 3 && sides != 5 && sides != 6))
         return LOFT_ERR_ARG;
     if (sides > 3 && u1 >= LOFT_UNIT(1) && u2 >= LOFT_UNIT(1))
         return LOFT_SINGULAR;
     u[0] = a.u;
     u[1] = b.u;
     if (sides == 3)
-        return three(a, b, u);
+        return three_params(a, b, u);
     if (sides == 5)
-        five(a, b, u);
+        five_params(a, b, u);
     else
-        six(a, b, u);
+        six_params(a, b, u);
     return LOFT_OK;
 }
 
@@ -155,7 +155,7 @@ enum loft_status loft_zheng_ball_lift(loft_unit b1, loft_unit b2, loft_sci u[])
     const loft_sci one = loft_sci_one(), four = loft_sci_from_int(4), six_of = loft_sci_from_int(6);
     loft_sci t = one;
 
-    if (!inside(b1) || !inside(b2))
+    if (!unit_valid(b1) || !unit_valid(b2))
         return LOFT_ERR_ARG;
     u[0] = loft_sci_from_unit(b1);
     u[1] = loft_sci_from_unit(b2);
@@ -200,7 +200,7 @@ static loft_jet jet_from(int32_t c, const loft_jet *a)
     return loft_jet_sub(&number, a);
 }
 
-static loft_jet scaled(int32_t c, const loft_jet *a)
+static loft_jet times_int_jet(int32_t c, const loft_jet *a)
 {
     return loft_jet_scale(a, loft_sci_from_int(c));
 }
@@ -212,7 +212,7 @@ static loft_jet mul3(const loft_jet *a, const loft_jet *b, const loft_jet *c)
 }
 
 /* u - g / slope; the value stays. */
-static loft_jet corrected(const loft_jet *u, const loft_jet *g, loft_sci slope)
+static loft_jet corrected_jet(const loft_jet *u, const loft_jet *g, loft_sci slope)
 {
     const loft_jet step = loft_jet_scale(g, loft_sci_div(loft_sci_one(), slope));
     loft_jet r = loft_jet_sub(u, &step);
@@ -225,9 +225,10 @@ static loft_jet corrected(const loft_jet *u, const loft_jet *g, loft_sci slope)
 static void neighbour_terms(const loft_jet *a, const loft_jet *b, loft_jet term[3])
 {
     const loft_jet ab = loft_jet_mul(a, b), left = jet_from(1, &ab);
-    const loft_jet twice = scaled(2, &ab), right = jet_from(1, &twice);
-    const loft_jet aab = loft_jet_mul(a, &ab), abb = loft_jet_mul(&ab, b), two = scaled(2, a);
-    const loft_jet three = scaled(3, &aab), rise = loft_jet_add(&two, &abb);
+    const loft_jet twice = times_int_jet(2, &ab), right = jet_from(1, &twice);
+    const loft_jet aab = loft_jet_mul(a, &ab), abb = loft_jet_mul(&ab, b),
+                   two = times_int_jet(2, a);
+    const loft_jet three = times_int_jet(3, &aab), rise = loft_jet_add(&two, &abb);
     const loft_jet one = loft_jet_of(loft_sci_one()), square = loft_jet_mul(a, a);
 
     term[0] = loft_jet_mul(&left, &right);
@@ -241,18 +242,18 @@ static loft_jet neighbour_jet(const loft_jet *a, const loft_jet *b, loft_sci x)
     loft_jet u = loft_jet_of(x), term[3];
 
     neighbour_terms(a, b, term);
-    const loft_sci slope = loft_sci_add(times(2, loft_sci_mul(term[0].f, x)), term[1].f);
+    const loft_sci slope = loft_sci_add(times_int(2, loft_sci_mul(term[0].f, x)), term[1].f);
     for (int round = 0; round < 2; round++) {
         const loft_jet linear = loft_jet_mul(&term[0], &u), sum = loft_jet_add(&linear, &term[1]);
         const loft_jet product = loft_jet_mul(&sum, &u), g = loft_jet_add(&product, &term[2]);
-        u = corrected(&u, &g, slope);
+        u = corrected_jet(&u, &g, slope);
     }
     return u;
 }
 
 static void three_jets(loft_jet u[])
 {
-    const loft_jet ab = loft_jet_mul(&u[0], &u[1]), twice = scaled(2, &ab);
+    const loft_jet ab = loft_jet_mul(&u[0], &u[1]), twice = times_int_jet(2, &ab);
     const loft_jet sum = loft_jet_add(&u[0], &u[1]);
     const loft_jet above = jet_from(1, &sum), below = jet_from(1, &twice);
 
@@ -268,13 +269,13 @@ static void five_jets(loft_jet u[])
     u[4] = loft_jet_div(&b, &u[3]);
 }
 
-static loft_sci lesser(loft_sci a, loft_sci b) { return loft_sci_less(a, b) ? a : b; }
+static loft_sci sci_min(loft_sci a, loft_sci b) { return loft_sci_less(a, b) ? a : b; }
 
 /* From the pair of neighbours that is farther from 1. */
 static loft_jet best_neighbour(const loft_jet u[], const loft_sci at[], const uint8_t pair[4],
                                unsigned i)
 {
-    const loft_sci one = lesser(at[pair[0]], at[pair[1]]), two = lesser(at[pair[2]], at[pair[3]]);
+    const loft_sci one = sci_min(at[pair[0]], at[pair[1]]), two = sci_min(at[pair[2]], at[pair[3]]);
     const uint8_t *p = loft_sci_less(two, one) ? pair + 2 : pair;
 
     return neighbour_jet(&u[p[0]], &u[p[1]], at[i]);
@@ -284,7 +285,7 @@ static void six_jets(const loft_sci at[], loft_jet u[])
 {
     u[2] = neighbour_jet(&u[0], &u[1], at[2]);
     u[5] = neighbour_jet(&u[1], &u[0], at[5]);
-    if (loft_sci_less(lesser(at[0], at[5]), lesser(at[1], at[2]))) {
+    if (loft_sci_less(sci_min(at[0], at[5]), sci_min(at[1], at[2]))) {
         u[4] = neighbour_jet(&u[0], &u[5], at[4]);
         u[3] = best_neighbour(u, at, (const uint8_t[]) { 1, 2, 5, 4 }, 3);
     } else {
@@ -319,15 +320,15 @@ enum loft_status loft_zheng_ball_params_jet(unsigned sides, loft_unit u1, loft_u
 static loft_jet lift_jet(const loft_jet b[3], loft_sci t)
 {
     const loft_jet p = mul3(&b[0], &b[1], &b[2]), one = loft_jet_of(loft_sci_one());
-    const loft_sci square = times(6, loft_sci_mul(p.f, loft_sci_mul(t, t)));
+    const loft_sci square = times_int(6, loft_sci_mul(p.f, loft_sci_mul(t, t)));
     const loft_sci slope = loft_sci_sub(square, loft_sci_one());
     loft_jet r = loft_jet_of(t);
 
     for (int round = 0; round < 2; round++) {
         const loft_jet cube = mul3(&r, &r, &r), product = loft_jet_mul(&p, &cube);
-        const loft_jet twice = scaled(2, &product);
+        const loft_jet twice = times_int_jet(2, &product);
         const loft_jet rest = loft_jet_sub(&one, &r), g = loft_jet_add(&twice, &rest);
-        r = corrected(&r, &g, slope);
+        r = corrected_jet(&r, &g, slope);
     }
     return r;
 }
