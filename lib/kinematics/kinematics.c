@@ -98,7 +98,7 @@ typedef struct {
     loft_sci c[3];
 } arrow;
 
-static arrow cross(arrow a, arrow b)
+static arrow arrow_cross(arrow a, arrow b)
 {
     arrow out;
 
@@ -109,14 +109,14 @@ static arrow cross(arrow a, arrow b)
     return out;
 }
 
-static loft_sci square(arrow a)
+static loft_sci arrow_square(arrow a)
 {
     return loft_sci_add(loft_sci_add(loft_sci_mul(a.c[0], a.c[0]), loft_sci_mul(a.c[1], a.c[1])),
                         loft_sci_mul(a.c[2], a.c[2]));
 }
 
 /* The vector from carriage 0 to carriage i. Differences of coordinates are exact in acc. */
-static arrow side(const loft_delta *d, loft_vec motors, int i)
+static arrow carriage_side(const loft_delta *d, loft_vec motors, int i)
 {
     arrow out;
 
@@ -139,9 +139,10 @@ static arrow side(const loft_delta *d, loft_vec motors, int i)
 bool loft_delta_tool(const void *geometry, loft_vec motors, loft_vec *tool)
 {
     const loft_delta *d = (const loft_delta *)geometry;
-    const arrow b = side(d, motors, 1), c = side(d, motors, 2), n = cross(b, c), cn = cross(c, n),
-                nb = cross(n, b);
-    const loft_sci b2 = square(b), c2 = square(c), n2 = square(n), arm = loft_sci_from_real(d->arm);
+    const arrow b = carriage_side(d, motors, 1), c = carriage_side(d, motors, 2),
+                n = arrow_cross(b, c), cn = arrow_cross(c, n), nb = arrow_cross(n, b);
+    const loft_sci b2 = arrow_square(b), c2 = arrow_square(c), n2 = arrow_square(n),
+                   arm = loft_sci_from_real(d->arm);
     const loft_real from[3] = { d->tower[0][0], d->tower[0][1], motors.axis[0] };
     loft_acc at[3];
     arrow m;
@@ -151,7 +152,7 @@ bool loft_delta_tool(const void *geometry, loft_vec motors, loft_vec *tool)
     for (int i = 0; i < 3; i++)
         m.c[i] = loft_sci_div(loft_sci_add(loft_sci_mul(b2, cn.c[i]), loft_sci_mul(c2, nb.c[i])),
                               loft_sci_add(n2, n2));
-    const loft_sci left = loft_sci_sub(loft_sci_mul(arm, arm), square(m));
+    const loft_sci left = loft_sci_sub(loft_sci_mul(arm, arm), arrow_square(m));
     if (loft_sci_sign(left) < 0)
         return false;
     const loft_sci part = loft_sci_sqrt(loft_sci_div(left, n2)),
