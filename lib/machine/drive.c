@@ -17,7 +17,7 @@ static int32_t steps_of(const loft_drive *d, int axis, int32_t raw)
     return loft_steps_of(loft_real_from_raw(raw), d->steps_per_mm[axis]);
 }
 
-static uint32_t distance(int32_t a, int32_t b)
+static uint32_t abs_difference(int32_t a, int32_t b)
 {
     return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
 }
@@ -73,7 +73,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
     d->ahead = d->left = 0;
     d->which = d->ready = d->item = 0;
     d->running = d->prepared = 0;
-    d->cap = LOFT_OVERRIDE_LIMIT_ONE;
+    d->limit = LOFT_OVERRIDE_LIMIT_ONE;
     d->percent = d->obeyed = 100;
     d->ordered = loft_pace_full(&d->pace);
     d->supply = 0;
@@ -87,16 +87,16 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
     return LOFT_OK;
 }
 
-static bool point_fits(const loft_drive *d, const loft_item *item)
+static bool point_valid(const loft_drive *d, const loft_item *item)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (distance(item->p[2][i], 0) > (uint32_t)LOFT_STEP_REACH ||
-            distance(item->p[2][i], d->end[i]) > LOFT_STEP_SLOTS_MAX)
+        if (abs_difference(item->p[2][i], 0) > (uint32_t)LOFT_STEP_REACH ||
+            abs_difference(item->p[2][i], d->end[i]) > LOFT_STEP_SLOTS_MAX)
             return false;
     return item->ticks == 1;
 }
 
-static bool span_fits(const loft_drive *d, const loft_item *item)
+static bool span_valid(const loft_drive *d, const loft_item *item)
 {
     if (item->ticks < 1 || item->ticks > LOFT_SPAN_TICKS_MAX)
         return false;
@@ -105,7 +105,7 @@ static bool span_fits(const loft_drive *d, const loft_item *item)
         int32_t before = steps_of(d, i, d->end[i]);
         for (int k = 0; k < 3; k++) {
             const int32_t after = steps_of(d, i, item->p[k][i]);
-            if (distance(before, after) + 1 > reach)
+            if (abs_difference(before, after) + 1 > reach)
                 return false;
             before = after;
         }
@@ -115,12 +115,12 @@ static bool span_fits(const loft_drive *d, const loft_item *item)
 
 static enum loft_status queue_span(loft_drive *d, const loft_item *item)
 {
-    uint8_t cap = LOFT_OVERRIDE_LIMIT_ONE;
+    uint8_t limit = LOFT_OVERRIDE_LIMIT_ONE;
 
     if (LOFT_MACHINE_CAPS || d->percent > 100)
-        cap = loft_override_limit_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue),
+        limit = loft_override_limit_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue),
                                      d->axis, d->tick_hz);
-    return loft_queue_push(&d->queue, item, cap);
+    return loft_queue_push(&d->queue, item, limit);
 }
 
 static enum loft_status queue_point(loft_drive *d, const loft_item *item)
@@ -136,7 +136,7 @@ enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
 {
     if (!d->active || d->abort)
         return LOFT_OK;
-    if (!(d->kind == LOFT_SPANS ? span_fits(d, item) : point_fits(d, item)))
+    if (!(d->kind == LOFT_SPANS ? span_valid(d, item) : point_valid(d, item)))
         return LOFT_ERR_RANGE;
 
     const enum loft_status status = d->kind == LOFT_SPANS ? queue_span(d, item)
@@ -164,7 +164,7 @@ void loft_drive_close(loft_drive *d)
 }
 
 /* A counter of the tick or the slot, read consistently: two equal reads are not torn. */
-static uint32_t count_of(const volatile uint32_t *count)
+static uint32_t read_count(const volatile uint32_t *count)
 {
     uint32_t once, again = *count;
 
@@ -181,10 +181,10 @@ loft_drive_report loft_drive_poll(loft_drive *d)
     loft_drive_report r;
 
     r.state = d->state;
-    r.executed = count_of(&d->executed);
-    r.ticks = count_of(&d->ticks);
-    r.elapsed = count_of(&d->elapsed);
-    r.slowed = count_of(&d->slowed);
+    r.executed = read_count(&d->executed);
+    r.ticks = read_count(&d->ticks);
+    r.elapsed = read_count(&d->elapsed);
+    r.slowed = read_count(&d->slowed);
     r.starved = d->starved && r.ticks > 0;      /* not while the first items are awaited */
     r.room = d->kind == LOFT_POINTS ? loft_points_room(&d->points, &d->queue)
                                     : loft_queue_room(&d->queue);

@@ -75,7 +75,7 @@ typedef struct {
     uint32_t     ahead;                 /* ticks in the queue, and of the current item */
     uint16_t     left;                  /* ticks of the current item */
     uint8_t      running, prepared;     /* kinds of these two ticks: see drive_tick.c */
-    uint8_t      cap;                   /* override limit of the current item */
+    uint8_t      limit;                 /* override limit of the current item */
     uint8_t      obeyed;                /* percent */
     uint16_t     ordered;               /* the level of that percentage */
     uint16_t     supply;                /* the level that the fill of the queue allows */

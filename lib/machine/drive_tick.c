@@ -36,7 +36,7 @@ static void count_ticks(loft_drive *d)
     }
 }
 
-static bool is_ready(const loft_drive *d)       { return d->ready && d->ready_item == d->item; }
+static bool walk_is_ready(const loft_drive *d) { return d->ready && d->ready_item == d->item; }
 
 /* The law of supply. The queue is worth the ticks of its items, or the ticks that an equally full
  * queue of full items has, whichever is more:
@@ -57,19 +57,19 @@ static bool is_ready(const loft_drive *d)       { return d->ready && d->ready_it
  *
  * With a full queue, when nothing more can come, MARGIN is 0. So ahead >= level always, and the
  * machine stops before the queue is empty or at its last tick. */
-static uint16_t level_of(uint16_t full, uint16_t pace)      /* Q8; 2^14 * 2^18 */
+static uint16_t level_of_pace(uint16_t full, uint16_t pace)      /* Q8; 2^14 * 2^18 */
 {
     return pace >= 512 ? (uint16_t)(4 * full) : (uint16_t)((uint32_t)full * pace * pace >> 16);
 }
 
 /* Does a span of several ticks come next? Its beginning is enough work for one tick. */
-static bool begins(const loft_drive *d)
+static bool long_span_begins(const loft_drive *d)
 {
     return d->kind == LOFT_SPANS && d->left == 0 && d->supply && loft_queue_first(&d->queue) &&
            loft_queue_first(&d->queue)->ticks > 1;
 }
 
-static uint16_t supplied(loft_drive *d)
+static uint16_t supplied_level(loft_drive *d)
 {
     const uint16_t full = loft_pace_full(&d->pace), unit = loft_pace_unit(&d->pace);
     const uint32_t need = loft_queue_full(&d->queue) ? 1 : 1 + LOFT_DRIVE_MARGIN,
@@ -78,11 +78,11 @@ static uint16_t supplied(loft_drive *d)
 
     if (fill >= (uint32_t)20 * (d->ramp + 1u)) {
         d->supply = (uint16_t)(4 * full);
-    } else if (!begins(d)) {
+    } else if (!long_span_begins(d)) {
         /* 16 fill / stop; fill gain < 20 (2 stop + 1) 2^16 / stop */
         const uint16_t pace = (uint16_t)(fill * d->gain >> 12);
-        const uint16_t least = level_of(full, (uint16_t)(pace - pace / 8)),
-                       most = level_of(full, (uint16_t)(pace + pace / 8));
+        const uint16_t least = level_of_pace(full, (uint16_t)(pace - pace / 8)),
+                       most = level_of_pace(full, (uint16_t)(pace + pace / 8));
         if (d->supply < least && (d->supply || least >= full / 256 + 1))
             d->supply = least;
         else if (d->supply > most)
@@ -102,7 +102,7 @@ static uint16_t supplied(loft_drive *d)
  * high when an item arrives: a new item has `ahead` ticks before it, and the law of supply keeps at
  * least as many ticks as the level needs. The search through the queue ends where even the lowest
  * limit is far enough away. Up to pace 1 there is nothing to search for. */
-static uint16_t allowed(const loft_drive *d)
+static uint16_t allowed_level(const loft_drive *d)
 {
     const uint16_t full = loft_pace_full(&d->pace);
     const uint8_t unit = loft_pace_unit(&d->pace);
@@ -112,12 +112,12 @@ static uint16_t allowed(const loft_drive *d)
 
     if (level <= full || d->kind == LOFT_POINTS)
         return level < full ? level : full;
-    if (before && level > loft_override_limit_level(d->cap, full))
-        level = loft_override_limit_level(d->cap, full);
+    if (before && level > loft_override_limit_level(d->limit, full))
+        level = loft_override_limit_level(d->limit, full);
     for (uint16_t k = 0;
          level > full && before * unit < level && (cell = loft_queue_cell(&d->queue, k)) != NULL;
          k++) {
-        const uint32_t most = loft_override_limit_level(cell->cap, full) +
+        const uint32_t most = loft_override_limit_level(cell->tag, full) +
                               (before ? (before - 1) * unit : 0);
         if (level > most)
             level = (uint16_t)most;
@@ -126,7 +126,7 @@ static uint16_t allowed(const loft_drive *d)
     return level;
 }
 
-static void steer(loft_drive *d, bool ended)
+static void steer_pace(loft_drive *d, bool ended)
 {
     const uint8_t percent = d->percent;
 
@@ -134,13 +134,13 @@ static void steer(loft_drive *d, bool ended)
         d->obeyed = percent;
         d->ordered = loft_pace_level(&d->pace, percent);
     }
-    uint16_t level = d->hold || d->abort ? 0 : allowed(d);
-    const uint16_t most = ended ? level : supplied(d);
+    uint16_t level = d->hold || d->abort ? 0 : allowed_level(d);
+    const uint16_t most = ended ? level : supplied_level(d);
     d->starved = !ended && most < d->ordered;
     loft_pace_aim(&d->pace, level < most ? level : most);
 }
 
-static void finish(loft_drive *d, enum loft_machine_state state)
+static void finish_job(loft_drive *d, enum loft_machine_state state)
 {
     d->starved = 0;
     d->state = (uint8_t)state;
@@ -148,14 +148,14 @@ static void finish(loft_drive *d, enum loft_machine_state state)
 }
 
 /* There is no tick to prepare: time stands still, or all items are used. */
-static void stand(loft_drive *d, bool ended)
+static void stand_still(loft_drive *d, bool ended)
 {
     if (!loft_step_done(&d->step))
         return;
     if (d->ahead == 0 && ended)
-        finish(d, LOFT_STATE_DONE);
+        finish_job(d, LOFT_STATE_DONE);
     else if (d->abort)
-        finish(d, LOFT_STATE_ABORTED);
+        finish_job(d, LOFT_STATE_ABORTED);
     else
         d->state = d->hold ? LOFT_STATE_HELD : LOFT_STATE_RUNNING;
 }
@@ -184,7 +184,7 @@ static void walk_item(loft_drive_walk *walk, const volatile loft_item *item,
 }
 
 /* Is the next span that needs a walk prepared, even if spans that need none come first? */
-static bool is_prepared(const loft_drive *d)
+static bool walk_is_prepared(const loft_drive *d)
 {
     return d->ready && (uint8_t)(d->ready_item - d->item) < LOOKS;
 }
@@ -198,7 +198,7 @@ void loft_drive_prepare(loft_drive *d)
     const volatile loft_item *item;
     uint8_t number, behind = 0;
 
-    if (!d->active || is_prepared(d) || d->kind != LOFT_SPANS)
+    if (!d->active || walk_is_prepared(d) || d->kind != LOFT_SPANS)
         return;
     d->ready = 0;
     do {
@@ -247,7 +247,7 @@ static bool next_span(loft_drive *d)
 
     if (!item)
         return false;
-    const bool ready = is_ready(d);
+    const bool ready = walk_is_ready(d);
     d->item++;
     if (item->ticks == 2)
         aim_at_middle(d, item);
@@ -260,7 +260,7 @@ static bool next_span(loft_drive *d)
     }
     loft_place_copy(d->from, item->p[2]);
     d->left = item->ticks;
-    d->cap = loft_queue_cell(&d->queue, 0)->cap;
+    d->limit = loft_queue_cell(&d->queue, 0)->tag;
     return loft_queue_poll(&d->queue);
 }
 
@@ -290,9 +290,10 @@ static bool next_target(loft_drive *d)
 }
 
 /* Does a span come next that the main loop must still prepare? */
-static bool must_wait(const loft_drive *d)
+static bool walk_is_missing(const loft_drive *d)
 {
-    if (LOFT_MACHINE_TICK_PREPARES || d->kind != LOFT_SPANS || d->left || !d->ahead || is_ready(d))
+    if (LOFT_MACHINE_TICK_PREPARES || d->kind != LOFT_SPANS || d->left || !d->ahead ||
+        walk_is_ready(d))
         return false;
     const volatile loft_item *item = loft_queue_first(&d->queue);
     return !item || item->ticks >= WALKED;
@@ -310,19 +311,19 @@ void loft_drive_next(loft_drive *d)
             break;
         d->ahead += ticks;
     }
-    steer(d, ended);
-    if (must_wait(d)) {
+    steer_pace(d, ended);
+    if (walk_is_missing(d)) {
         d->slowed += loft_step_done(&d->step) && loft_pace_distance(&d->pace);
         return;
     }
 
     const uint16_t slots = d->ahead ? loft_pace_next(&d->pace) : 0;
     if (slots == 0) {
-        stand(d, ended);
+        stand_still(d, ended);
         return;
     }
     if (!next_target(d)) {
-        finish(d, LOFT_STATE_FAULT);    /* never with items that loft_drive_push took */
+        finish_job(d, LOFT_STATE_FAULT);    /* never with items that loft_drive_push took */
         return;
     }
     if (loft_step_load(&d->step, d->target, slots) > slots)

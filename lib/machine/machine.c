@@ -12,16 +12,16 @@
 
 /* The machine cannot execute the item, or the receiver saw room where there is none. The item is
  * already counted as taken, so the job ends here, on the path. */
-static void give_up(loft_machine *m)
+static void give_up_job(loft_machine *m)
 {
     loft_drive_abort(&m->drive);
     loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_ITEM);
 }
 
-static void queue(loft_machine *m, const loft_item *item)
+static void queue_item(loft_machine *m, const loft_item *item)
 {
     if (loft_drive_push(&m->drive, item) != LOFT_OK)
-        give_up(m);
+        give_up_job(m);
 }
 
 
@@ -41,7 +41,7 @@ static enum loft_status init_planner(loft_machine *m, loft_machine_config *confi
 }
 
 /* Is the job, under way or over, a job of curves? */
-static bool plans(const loft_machine *m)        { return m->job.kind == LOFT_CURVES; }
+static bool job_has_curves(const loft_machine *m)        { return m->job.kind == LOFT_CURVES; }
 
 static enum loft_status begin_planner(loft_machine *m, const loft_job *job)
 {
@@ -71,10 +71,10 @@ bool loft_machine_plan(loft_machine *m)
     loft_drive *d = &m->drive;
     loft_item span;
 
-    if (!plans(m) || !d->active || d->abort || d->ended || loft_queue_room(&d->queue) == 0)
+    if (!job_has_curves(m) || !d->active || d->abort || d->ended || loft_queue_room(&d->queue) == 0)
         return false;
     if (loft_planner_next(m->planner, loft_queue_room(&d->queue) > d->queue.count / 2, &span)) {
-        queue(m, &span);
+        queue_item(m, &span);
         return true;
     }
     if (loft_planner_done(m->planner))
@@ -90,7 +90,7 @@ static enum loft_status init_planner(loft_machine *m, loft_machine_config *confi
     return config->planner ? LOFT_ERR_ARG : LOFT_OK;
 }
 
-static bool plans(const loft_machine *m)
+static bool job_has_curves(const loft_machine *m)
 {
     (void)m;
     return false;
@@ -169,23 +169,23 @@ static loft_snapshot snapshot_of(loft_machine *m)
     now.starved = r.starved;
     now.closed = m->closed;
     now.ended_by = m->ended_by;
-    if (plans(m))
+    if (job_has_curves(m))
         count_curves(m, &now);
     return now;
 }
 
 /* The closed inputs that end a job which moves away from the inputs `away`. */
-static uint16_t ending(const loft_machine *m, uint16_t away)
+static uint16_t ending_inputs(const loft_machine *m, uint16_t away)
 {
     return (uint16_t)(m->closed & LOFT_INPUT_ENDING & ~away);
 }
 
 /* No job is under way. The plan of the last job is discarded, even if this job is refused. */
-static void begin(loft_machine *m, const loft_job *job)
+static void begin_job(loft_machine *m, const loft_job *job)
 {
     const bool curves = job->kind == LOFT_CURVES;
 
-    if (ending(m, job->away)) {
+    if (ending_inputs(m, job->away)) {
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_INPUT);
         return;
     }
@@ -207,17 +207,17 @@ static void begin(loft_machine *m, const loft_job *job)
     }
 }
 
-static void take(loft_machine *m, const loft_item *item)
+static void take_item(loft_machine *m, const loft_item *item)
 {
-    if (!plans(m))
-        queue(m, item);
+    if (!job_has_curves(m))
+        queue_item(m, item);
     else if (take_curve(m, item) != LOFT_OK)
-        give_up(m);
+        give_up_job(m);
 }
 
-static void end(loft_machine *m)
+static void end_job(loft_machine *m)
 {
-    if (plans(m))
+    if (job_has_curves(m))
         end_planner(m);
     else
         loft_drive_end(&m->drive);
@@ -240,7 +240,7 @@ void loft_machine_inputs(loft_machine *m, uint16_t closed)
 
     m->closed   = closed;
     m->job.away = (uint16_t)(m->job.away & closed);
-    const uint16_t why = ending(m, m->job.away);
+    const uint16_t why = ending_inputs(m, m->job.away);
     if (why && m->drive.active && !m->ended_by) {
         m->ended_by = why;
         loft_drive_abort(&m->drive);
@@ -252,13 +252,13 @@ void loft_machine_inputs(loft_machine *m, uint16_t closed)
     }
 }
 
-static void act(loft_machine *m, enum loft_event event, const loft_event_data *what)
+static void act_on_event(loft_machine *m, enum loft_event event, const loft_event_data *what)
 {
     switch (event) {
     case LOFT_EVENT_NONE:                                               break;
-    case LOFT_EVENT_JOB:        begin(m, &what->job);                   break;
-    case LOFT_EVENT_ITEM:       take(m, &what->item);                   break;
-    case LOFT_EVENT_END:        end(m);                                 break;
+    case LOFT_EVENT_JOB:        begin_job(m, &what->job);                   break;
+    case LOFT_EVENT_ITEM:       take_item(m, &what->item);                   break;
+    case LOFT_EVENT_END:        end_job(m);                                 break;
     case LOFT_EVENT_HOLD:       loft_machine_control(m, LOFT_HOLD);     break;
     case LOFT_EVENT_RESUME:     loft_machine_control(m, LOFT_RESUME);   break;
     case LOFT_EVENT_ABORT:      loft_machine_control(m, LOFT_ABORT);    break;
@@ -276,7 +276,7 @@ static APART bool act_on_frame(loft_machine *m)
 
     do {
         event = loft_receiver_next(&m->receiver, &now, &what);
-        act(m, event, &what);
+        act_on_event(m, event, &what);
         (void)loft_machine_plan(m);
     } while (event != LOFT_EVENT_NONE && m->drive.kind == LOFT_POINTS);
     return event != LOFT_EVENT_NONE;

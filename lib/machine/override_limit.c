@@ -25,14 +25,14 @@
 #define FAR ((uint32_t)1 << 27)
 
 /* limit * seconds / 2^24 */
-static uint32_t times(uint32_t limit, uint32_t seconds)
+static uint32_t times_seconds(uint32_t limit, uint32_t seconds)
 {
     const uint64_t product = (uint64_t)limit * seconds;
 
     return product >> 56 ? UINT32_MAX : (uint32_t)(product >> 24);
 }
 
-static uint16_t quotient(uint32_t limit, uint32_t need, uint16_t unit, uint16_t most)
+static uint16_t limit_quotient(uint32_t limit, uint32_t need, uint16_t unit, uint16_t most)
 {
     for (; limit >= (uint32_t)1 << 23; limit >>= 1)
         need = (need >> 1) + (need & 1);
@@ -56,11 +56,11 @@ static uint16_t square_of_cube(uint16_t cube)
     return c;
 }
 
-static uint16_t lesser(uint16_t a, uint16_t b)      { return a < b ? a : b; }
-static uint32_t greater(uint32_t a, uint32_t b)     { return a > b ? a : b; }
+static uint16_t min_u16(uint16_t a, uint16_t b)      { return a < b ? a : b; }
+static uint32_t max_u32(uint32_t a, uint32_t b)     { return a > b ? a : b; }
 
 /* The absolute difference beyond the possible rounding. */
-static uint32_t sure(int32_t d, uint8_t rounding)
+static uint32_t sure_difference(int32_t d, uint8_t rounding)
 {
     const uint32_t size = d < 0 ? 0 - (uint32_t)d : (uint32_t)d;
 
@@ -68,7 +68,7 @@ static uint32_t sure(int32_t d, uint8_t rounding)
 }
 
 /* b - a; *far is set if it is FAR or more. */
-static int32_t difference(int32_t a, int32_t b, bool *far)
+static int32_t raw_difference(int32_t a, int32_t b, bool *far)
 {
     const uint32_t d = (uint32_t)b - (uint32_t)a;
 
@@ -78,35 +78,42 @@ static int32_t difference(int32_t a, int32_t b, bool *far)
 }
 
 /* Does the velocity jump? */
-static bool jumps(int32_t d, uint16_t n, int32_t e, uint16_t m)
+static bool velocity_jumps(int32_t d, uint16_t n, int32_t e, uint16_t m)
 {
     const int64_t by = (int64_t)d * m - (int64_t)e * n, rounding = 2 * (int32_t)(m + n);
 
     return by > rounding || by < -rounding;
 }
 
-static uint16_t cap_of_axis(const int32_t d[3], const loft_axis_config *axis, uint32_t seconds)
+static uint16_t axis_limit(const int32_t d[3], const loft_axis_config *axis, uint32_t seconds)
 {
     const int32_t d20 = d[1] - d[0], d21 = d[2] - d[1];
-    uint16_t cap = 256;
+    uint16_t limit = 256;
 
     if (axis->max_speed > 0) {
-        const uint32_t need = 3 * greater(greater(sure(d[0], 1), sure(d[1], 1)), sure(d[2], 1));
-        const uint16_t r = quotient(times((uint32_t)axis->max_speed, seconds), need, 128, 256);
-        cap = (uint16_t)((uint32_t)r * r >> 8);
+        const uint32_t need = 3 *
+                              max_u32(max_u32(sure_difference(d[0], 1), sure_difference(d[1], 1)),
+                                      sure_difference(d[2], 1));
+        const uint16_t r = limit_quotient(times_seconds((uint32_t)axis->max_speed, seconds), need,
+                                          128, 256);
+        limit = (uint16_t)((uint32_t)r * r >> 8);
     }
     if (axis->max_accel > 0) {
-        const uint32_t need = 6 * greater(sure(d20, 2), sure(d21, 2));
-        cap = lesser(cap, quotient(times(times((uint32_t)axis->max_accel, seconds), seconds), need,
-                                   64, 256));
+        const uint32_t need = 6 * max_u32(sure_difference(d20, 2), sure_difference(d21, 2));
+        limit = min_u16(
+            limit, limit_quotient(
+                       times_seconds(times_seconds((uint32_t)axis->max_accel, seconds), seconds),
+                       need, 64, 256));
     }
     if (axis->max_jerk > 0) {
         const uint64_t raw = (uint64_t)axis->max_jerk * seconds >> 8;
-        const uint32_t change = times(raw > UINT32_MAX ? UINT32_MAX : (uint32_t)raw, seconds);
-        cap = lesser(cap, square_of_cube(
-                              quotient(times(change, seconds), 6 * sure(d21 - d20, 4), 512, 4096)));
+        const uint32_t change = times_seconds(raw > UINT32_MAX ? UINT32_MAX : (uint32_t)raw,
+                                              seconds);
+        limit = min_u16(
+            limit, square_of_cube(limit_quotient(times_seconds(change, seconds),
+                                                 6 * sure_difference(d21 - d20, 4), 512, 4096)));
     }
-    return cap;
+    return limit;
 }
 
 uint8_t loft_override_limit_of(const loft_item *item, const int32_t from[LOFT_AXES],
@@ -114,18 +121,19 @@ uint8_t loft_override_limit_of(const loft_item *item, const int32_t from[LOFT_AX
                                const loft_axis_config axis[LOFT_AXES], uint16_t tick_hz)
 {
     const uint32_t seconds = ((uint32_t)item->ticks << 22) / (tick_hz < 50 ? 50 : tick_hz) << 2;
-    uint16_t cap = 256;
+    uint16_t limit = 256;
     bool far = false;
 
-    for (int i = 0; i < LOFT_AXES && cap > LOFT_OVERRIDE_LIMIT_ONE + 1; i++) {
-        const int32_t d[3] = { difference(from[i], item->p[0][i], &far),
-                               difference(item->p[0][i], item->p[1][i], &far),
-                               difference(item->p[1][i], item->p[2][i], &far) };
-        const int32_t e = before ? difference(before->p[1][i], before->p[2][i], &far) : 0;
-        if (far || jumps(d[0], item->ticks, e, before ? before->ticks : 1))
+    for (int i = 0; i < LOFT_AXES && limit > LOFT_OVERRIDE_LIMIT_ONE + 1; i++) {
+        const int32_t d[3] = { raw_difference(from[i], item->p[0][i], &far),
+                               raw_difference(item->p[0][i], item->p[1][i], &far),
+                               raw_difference(item->p[1][i], item->p[2][i], &far) };
+        const int32_t e = before ? raw_difference(before->p[1][i], before->p[2][i], &far) : 0;
+        if (far || velocity_jumps(d[0], item->ticks, e, before ? before->ticks : 1))
             return LOFT_OVERRIDE_LIMIT_ONE;
         if (d[0] || d[1] || d[2])
-            cap = lesser(cap, cap_of_axis(d, &axis[i], seconds));
+            limit = min_u16(limit, axis_limit(d, &axis[i], seconds));
     }
-    return (uint8_t)((cap < LOFT_OVERRIDE_LIMIT_ONE + 1 ? LOFT_OVERRIDE_LIMIT_ONE + 1 : cap) - 1);
+    return (uint8_t)((limit < LOFT_OVERRIDE_LIMIT_ONE + 1 ? LOFT_OVERRIDE_LIMIT_ONE + 1 : limit) -
+                     1);
 }

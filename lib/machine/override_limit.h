@@ -32,9 +32,9 @@ uint8_t loft_override_limit_of(const loft_item *item, const int32_t from[LOFT_AX
                                const loft_axis_config axis[LOFT_AXES], uint16_t tick_hz);
 
 /* The limit as a level of the pace: full times r^2, rounded down. `full` is the level of pace 1. */
-static inline uint16_t loft_override_limit_level(uint8_t cap, uint16_t full)
+static inline uint16_t loft_override_limit_level(uint8_t limit, uint16_t full)
 {
-    return (uint16_t)((uint32_t)full * ((uint16_t)cap + 1u) >> 6);
+    return (uint16_t)((uint32_t)full * ((uint16_t)limit + 1u) >> 6);
 }
 
 LOFT_END_C

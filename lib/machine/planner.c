@@ -16,7 +16,7 @@ enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *m
     return LOFT_OK;
 }
 
-static int32_t lower(int32_t a, int32_t b)      { return b > 0 && b < a ? b : a; }
+static int32_t lower_limit(int32_t a, int32_t b)      { return b > 0 && b < a ? b : a; }
 
 /* 0 means no limit. */
 static uint32_t lower_jerk(uint32_t a, uint32_t b) { return a == 0 || (b > 0 && b < a) ? b : a; }
@@ -28,9 +28,9 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
 
     for (int i = 0; i < LOFT_AXES; i++) {
         limits.max_speed[i] = loft_real_from_raw(
-            lower(asked->axis[i].max_speed, machine->axis[i].max_speed));
+            lower_limit(asked->axis[i].max_speed, machine->axis[i].max_speed));
         limits.max_accel[i] = loft_real_from_raw(
-            lower(asked->axis[i].max_accel, machine->axis[i].max_accel));
+            lower_limit(asked->axis[i].max_accel, machine->axis[i].max_accel));
         limits.max_jerk[i]  = lower_jerk(machine->axis[i].max_jerk, asked->axis[i].max_jerk);
         p->at.axis[i] = loft_real_from_raw(start[i]);
     }
@@ -76,7 +76,7 @@ void loft_planner_end(loft_planner *p)
 
 /* Each span is marked with the number of curves that end before its end. They are executed when the
  * span is. */
-static bool give(loft_planner *p, const loft_span *span, loft_item *out)
+static bool give_span(loft_planner *p, const loft_span *span, loft_item *out)
 {
     p->memory.passed[p->mark] = loft_plan_passed(&p->plan);
     p->mark = (uint16_t)(p->mark + 1 < p->marks ? p->mark + 1 : 0);
@@ -94,7 +94,7 @@ bool loft_planner_next(loft_planner *p, bool hurry, loft_item *out)
         state = loft_plan_next(&p->plan, &span);
     }
     p->rests = state == LOFT_PLAN_REST;
-    return state == LOFT_PLAN_SPAN && give(p, &span, out);
+    return state == LOFT_PLAN_SPAN && give_span(p, &span, out);
 }
 
 uint32_t loft_planner_executed(loft_planner *p, uint32_t spans)

@@ -3,7 +3,7 @@
  */
 #include "machine/points.h"
 
-/* A cell's `cap` is the number of points in it, plus this flag once no more will follow: */
+/* A cell's `tag` is the number of points in it, plus this flag once no more will follow: */
 #define CLOSED 0x80u
 
 /* The next point takes 1..LOFT_POINT_BYTES2 bytes, because steps and their changes are known modulo
@@ -17,16 +17,16 @@ static volatile uint8_t *bytes_of(const loft_queue *q, uint16_t cell)
     return (volatile uint8_t *)&q->cell[cell].item;
 }
 
-static uint16_t after(const loft_queue *q, uint16_t index)
+static uint16_t next_cell(const loft_queue *q, uint16_t index)
 {
     return (uint16_t)(index + 1 == q->count ? 0 : index + 1);
 }
 
-static int16_t step_of(uint16_t x) { return (int16_t)(x < 0x8000u ? x : (int32_t)x - 0x10000); }
+static int16_t signed_step(uint16_t x) { return (int16_t)(x < 0x8000u ? x : (int32_t)x - 0x10000); }
 
-static int16_t difference(int16_t a, int16_t b)
+static int16_t step_difference(int16_t a, int16_t b)
 {
-    return step_of((uint16_t)((uint16_t)a - (uint16_t)b));
+    return signed_step((uint16_t)((uint16_t)a - (uint16_t)b));
 }
 
 void loft_points_init(loft_points *p) { *p = (loft_points){ .used = 0 }; }
@@ -43,8 +43,8 @@ uint16_t loft_points_capacity(uint16_t cells)
 
 static void close_cell(loft_points *p, loft_queue *q)
 {
-    q->cell[q->head].cap = (uint8_t)(p->count | CLOSED);
-    q->head = after(q, q->head);
+    q->cell[q->head].tag = (uint8_t)(p->count | CLOSED);
+    q->head = next_cell(q, q->head);
     q->room--;
     p->used = p->count = 0;
 }
@@ -55,7 +55,7 @@ enum loft_status loft_points_push(loft_points *p, loft_queue *q, const int16_t s
     uint32_t change[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++)
-        change[i] = (uint32_t)difference(step[i], p->last[i]);
+        change[i] = (uint32_t)step_difference(step[i], p->last[i]);
     const uint8_t size = loft_point_encode(byte, change);
 
     if (p->count > 0 && p->used + (unsigned)size > SIZE)
@@ -68,7 +68,7 @@ enum loft_status loft_points_push(loft_points *p, loft_queue *q, const int16_t s
         p->last[i] = step[i];
     p->used  = (uint8_t)(p->used + size);
     p->count = (uint8_t)(p->count + 1);
-    q->cell[q->head].cap = p->count;
+    q->cell[q->head].tag = p->count;
     return LOFT_OK;
 }
 
@@ -88,30 +88,30 @@ uint16_t loft_points_room(const loft_points *p, loft_queue *q)
 /* `seen` is `tail`, with `told` 0, if no cell has been looked at or all have. */
 
 /* Give back the oldest cell if all its points are taken. */
-static void give_back(loft_points *p, loft_queue *q)
+static void give_back_cell(loft_points *p, loft_queue *q)
 {
-    if (p->taken == 0 || q->cell[q->tail].cap != (CLOSED | p->taken))
+    if (p->taken == 0 || q->cell[q->tail].tag != (CLOSED | p->taken))
         return;
-    q->cell[q->tail].cap = 0;
+    q->cell[q->tail].tag = 0;
     if (q->seen == q->tail && p->told > 0) {
-        q->seen = after(q, q->seen);
+        q->seen = next_cell(q, q->seen);
         p->told = 0;
     }
-    q->tail = after(q, q->tail);
+    q->tail = next_cell(q, q->tail);
     q->looked--;
     p->at = p->taken = 0;
 }
 
 uint8_t loft_points_look(loft_points *p, loft_queue *q)
 {
-    give_back(p, q);
-    if (p->told > 0 && q->cell[q->seen].cap == (CLOSED | p->told)) {
-        q->seen = after(q, q->seen);
+    give_back_cell(p, q);
+    if (p->told > 0 && q->cell[q->seen].tag == (CLOSED | p->told)) {
+        q->seen = next_cell(q, q->seen);
         p->told = 0;
     }
     if (p->told == 0 && loft_queue_full(q))
         return 0;
-    const uint8_t count = q->cell[q->seen].cap & (uint8_t)~CLOSED,
+    const uint8_t count = q->cell[q->seen].tag & (uint8_t)~CLOSED,
                   more = (uint8_t)(count - p->told);
     if (p->told == 0 && count > 0)
         q->looked++;
@@ -123,7 +123,7 @@ bool loft_points_poll(loft_points *p, loft_queue *q)
 {
     const uint8_t count = q->tail == q->seen && p->told > 0
                               ? p->told
-                              : q->cell[q->tail].cap & (uint8_t)~CLOSED;
+                              : q->cell[q->tail].tag & (uint8_t)~CLOSED;
     const volatile uint8_t *from = bytes_of(q, q->tail) + p->at;
     uint8_t byte[LOFT_POINT_BYTES2];
     uint32_t change[LOFT_AXES];
@@ -134,9 +134,9 @@ bool loft_points_poll(loft_points *p, loft_queue *q)
         byte[k] = from[k];
     const uint8_t size = (uint8_t)(loft_point_decode(byte, change) - byte);
     for (int i = 0; i < LOFT_AXES; i++)
-        p->step[i] = step_of((uint16_t)((uint16_t)p->step[i] + (change[i] & 0xFFFFu)));
+        p->step[i] = signed_step((uint16_t)((uint16_t)p->step[i] + (change[i] & 0xFFFFu)));
     p->at    = (uint8_t)(p->at + size);
     p->taken = (uint8_t)(p->taken + 1);
-    give_back(p, q);
+    give_back_cell(p, q);
     return true;
 }

@@ -6,7 +6,7 @@
  * of 12 ms.
  *
  * Producer and consumer may interrupt each other at any place, as with a queue of items. They share
- * the `cap` of a cell: the number of points in it, and whether more will follow. The producer
+ * the `tag` of a cell: the number of points in it, and whether more will follow. The producer
  * increments it after the bytes of each point. The consumer sets it to 0 to give the cell back.
  */
 #ifndef LOFT_MACHINE_POINTS_H

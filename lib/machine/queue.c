@@ -22,19 +22,19 @@ enum loft_status loft_queue_init(loft_queue *q, volatile loft_cell *cell, uint16
     q->head = q->freed = 0;
     q->tail = q->seen = q->looked = 0;
     for (uint16_t i = 0; i < count; i++)
-        cell[i].cap = 0;
+        cell[i].tag = 0;
     return LOFT_OK;
 }
 
-static uint16_t after(const loft_queue *q, uint16_t index)
+static uint16_t next_cell(const loft_queue *q, uint16_t index)
 {
     return (uint16_t)(index + 1 == q->count ? 0 : index + 1);
 }
 
 uint16_t loft_queue_room(loft_queue *q)
 {
-    while (q->room < q->count && !q->cell[q->freed].cap) {
-        q->freed = after(q, q->freed);
+    while (q->room < q->count && !q->cell[q->freed].tag) {
+        q->freed = next_cell(q, q->freed);
         q->room++;
     }
     return q->room;
@@ -51,13 +51,13 @@ static void put_item(volatile loft_item *to, const loft_item *item)
 #endif
 }
 
-enum loft_status loft_queue_push(loft_queue *q, const loft_item *item, uint8_t cap)
+enum loft_status loft_queue_push(loft_queue *q, const loft_item *item, uint8_t tag)
 {
     if (loft_queue_room(q) == 0)
         return LOFT_ERR_SPACE;
     put_item(&q->cell[q->head].item, item);
-    q->cell[q->head].cap = cap;
-    q->head = after(q, q->head);
+    q->cell[q->head].tag = tag;
+    q->head = next_cell(q, q->head);
     q->room--;
     return LOFT_OK;
 }
@@ -79,15 +79,15 @@ const volatile loft_item *loft_queue_peek(const loft_queue *q, uint16_t index)
         return NULL;
     const uint32_t at = (uint32_t)tail + index;
     const volatile loft_cell *cell = &q->cell[at < q->count ? at : at - q->count];
-    return cell->cap ? &cell->item : NULL;
+    return cell->tag ? &cell->item : NULL;
 }
 
 uint16_t loft_queue_look(loft_queue *q)
 {
-    if (loft_queue_full(q) || !q->cell[q->seen].cap)
+    if (loft_queue_full(q) || !q->cell[q->seen].tag)
         return 0;
     const uint16_t ticks = q->cell[q->seen].item.ticks;
-    q->seen = after(q, q->seen);
+    q->seen = next_cell(q, q->seen);
     q->looked++;
     return ticks;
 }
@@ -104,8 +104,8 @@ bool loft_queue_poll(loft_queue *q)
 {
     if (q->looked == 0)
         return false;
-    q->cell[q->tail].cap = 0;
-    q->tail = after(q, q->tail);
+    q->cell[q->tail].tag = 0;
+    q->tail = next_cell(q, q->tail);
     q->looked--;
     return true;
 }

@@ -26,7 +26,7 @@ LOFT_BEGIN_C
 
 typedef struct {
     loft_item item;
-    uint8_t cap;                        /* 0: the cell is empty; else a number for the item */
+    uint8_t tag;                        /* 0: the cell is empty; else a number for the item */
 } loft_cell;
 
 /* The struct is complete so that it can be static; the fields may change without notice. */
@@ -51,8 +51,8 @@ enum loft_status loft_queue_init(loft_queue *q, volatile loft_cell *cell,
 // Producer
 // --------
 
-/* Append a copy of `item` with its cap, 1..255; LOFT_ERR_SPACE if the queue is full. */
-enum loft_status loft_queue_push(loft_queue *q, const loft_item *item, uint8_t cap) LOFT_CHECKED;
+/* Append a copy of `item` with its tag, 1..255; LOFT_ERR_SPACE if the queue is full. */
+enum loft_status loft_queue_push(loft_queue *q, const loft_item *item, uint8_t tag) LOFT_CHECKED;
 
 /* The item that was appended last. For an empty queue: whatever is in that cell. */
 const volatile loft_item *loft_queue_last(const loft_queue *q);

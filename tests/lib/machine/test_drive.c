@@ -265,7 +265,7 @@ static uint32_t cells_used(void)
     uint32_t used = 0;
 
     for (int k = 0; k < r.cells; k++)
-        used += cells[k].cap != 0;
+        used += cells[k].tag != 0;
     return used;
 }
 

@@ -23,7 +23,7 @@ static void arb_step(arb *a, uint32_t n, uint32_t wild)
 
 static void start(uint16_t count)
 {
-    cells[count].cap = 77;
+    cells[count].tag = 77;
     CHECK(loft_queue_init(&queue, cells, count) == LOFT_OK);
     loft_points_init(&points);
 }
@@ -80,7 +80,7 @@ static void points_come_out_in_order_and_unchanged(arb *a)
         n.looked += loft_points_look(&points, &queue);
         poll_point(&n);
     }
-    CHECK(n.polled == n.pushed && cells[count].cap == 77);
+    CHECK(n.polled == n.pushed && cells[count].tag == 77);
 }
 
 /* Motion at even speeds: three axes in a byte, until the last cell is full. */

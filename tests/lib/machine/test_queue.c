@@ -38,7 +38,7 @@ static void items_come_out_in_order_and_unchanged(arb *a)
     loft_queue q;
     loft_item item;
 
-    cells[count].cap = 77;
+    cells[count].tag = 77;
     CHECK(loft_queue_init(&q, cells, count) == LOFT_OK);
     for (int turn = 0; turn < 1000; turn++) {
         if (arb_below(a, 10) < eager) {
@@ -59,8 +59,8 @@ static void items_come_out_in_order_and_unchanged(arb *a)
             if (polled < looked) {
                 item = *first;
                 CHECK(same(&item, &want));
-                CHECK(loft_queue_cell(&q, 0)->cap == cap_of(polled) &&
-                      loft_queue_cell(&q, (uint16_t)(looked - polled - 1))->cap ==
+                CHECK(loft_queue_cell(&q, 0)->tag == cap_of(polled) &&
+                      loft_queue_cell(&q, (uint16_t)(looked - polled - 1))->tag ==
                           cap_of(looked - 1));
             }
             CHECK(loft_queue_cell(&q, (uint16_t)(looked - polled)) == NULL);
@@ -86,7 +86,7 @@ static void items_come_out_in_order_and_unchanged(arb *a)
             CHECK(loft_queue_room(&q) == count - (pushed - polled));
         CHECK(loft_queue_full(&q) == (looked - polled == count));
     }
-    CHECK(cells[count].cap == 77);
+    CHECK(cells[count].tag == 77);
 }
 
 static void init_refuses_a_queue_that_cannot_work(arb *a)
