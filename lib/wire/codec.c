@@ -113,7 +113,7 @@ static uint8_t span_size(const uint8_t *byte, uint8_t left)
 // coarse sampling it is the third.
 
 /* The predicted position. */
-static uint32_t expected(enum loft_kind kind, const loft_predictor *p, int i)
+static uint32_t predicted_position(enum loft_kind kind, const loft_predictor *p, int i)
 {
     return p->position[i] + p->change[i] + (kind == LOFT_POINTS_FINE ? p->bend[i] : 0);
 }
@@ -123,7 +123,7 @@ static uint8_t put_point(uint8_t *byte, enum loft_kind kind, const loft_predicto
 {
     uint32_t r[LOFT_AXES];
     for (int i = 0; i < LOFT_AXES; i++)
-        r[i] = (uint32_t)item->p[2][i] - expected(kind, p, i);
+        r[i] = (uint32_t)item->p[2][i] - predicted_position(kind, p, i);
     return loft_point_encode(byte, r);
 }
 
@@ -138,7 +138,7 @@ static const uint8_t *get_point(const uint8_t *byte, bool still, enum loft_kind 
         byte = loft_point_decode(byte, r);
     for (int i = 0; i < LOFT_AXES; i++) {
         item->p[0][i] = item->p[1][i] = 0;
-        item->p[2][i] = loft_word_signed(expected(kind, p, i) + r[i]);
+        item->p[2][i] = loft_word_signed(predicted_position(kind, p, i) + r[i]);
     }
     return byte;
 }
@@ -159,10 +159,10 @@ void loft_packer_init(loft_packer *p, enum loft_kind kind, const loft_predictor 
     p->run   = false;
 }
 
-static bool is_still(enum loft_kind kind, const loft_predictor *p, const loft_item *item)
+static bool point_is_still(enum loft_kind kind, const loft_predictor *p, const loft_item *item)
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if ((uint32_t)item->p[2][i] != expected(kind, p, i))
+        if ((uint32_t)item->p[2][i] != predicted_position(kind, p, i))
             return false;
     return true;
 }
@@ -178,7 +178,7 @@ static uint8_t put_run(loft_packer *p, uint8_t *byte)
     return 1;
 }
 
-static uint16_t most_ticks(enum loft_kind kind)
+static uint16_t max_ticks(enum loft_kind kind)
 {
     return kind == LOFT_CURVES ? 0xFFFFu : kind == LOFT_SPANS ? LOFT_SPAN_TICKS_MAX : 1;
 }
@@ -194,10 +194,10 @@ static uint8_t put_item(uint8_t *byte, enum loft_kind kind, const loft_predictor
 enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
 {
     const enum loft_kind kind = (enum loft_kind)p->kind;
-    const bool still = is_point(kind) && is_still(kind, &p->predictor, item);
+    const bool still = is_point(kind) && point_is_still(kind, &p->predictor, item);
     uint8_t byte[LOFT_CURVE_BYTES], n;
 
-    if (item->ticks < 1 || item->ticks > most_ticks(kind))
+    if (item->ticks < 1 || item->ticks > max_ticks(kind))
         return LOFT_ERR_RANGE;
     if (p->count == 255)
         return LOFT_ERR_SPACE;

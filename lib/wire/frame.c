@@ -57,7 +57,7 @@ uint32_t loft_crc32(uint32_t crc, uint32_t x)
 #define ZERO    2u      /* a removed zero belongs before the next piece         */
 #define REFUSED 4u      /* too long: ignore everything up to the next delimiter */
 
-static void restart(loft_frame *f)
+static void restart_frame(loft_frame *f)
 {
     f->crc   = CRC_START;
     f->size  = 0;
@@ -67,12 +67,12 @@ static void restart(loft_frame *f)
 
 void loft_frame_init(loft_frame *f)
 {
-    restart(f);
+    restart_frame(f);
     f->count = 0;
     f->odd   = 0;
 }
 
-static void take(loft_frame *f, uint8_t byte)
+static void take_byte(loft_frame *f, uint8_t byte)
 {
     if (f->size == sizeof f->byte) {
         f->flags |= REFUSED;
@@ -82,14 +82,14 @@ static void take(loft_frame *f, uint8_t byte)
     f->crc = loft_crc(f->crc, byte);
 }
 
-static enum loft_status finish(loft_frame *f)
+static enum loft_status finish_frame(loft_frame *f)
 {
     const bool empty = !(f->flags & STARTED);
     const bool whole = !(f->flags & REFUSED) && f->left == 0 && f->size >= 2 + 4;
 
     f->count = whole ? (uint8_t)(f->size - 4) : 0;
     f->odd   = f->crc ^ CRC_PASSED;
-    restart(f);
+    restart_frame(f);
     return whole && f->odd == 0 ? LOFT_OK : empty ? LOFT_MORE : LOFT_ERR_DATA;
 }
 
@@ -98,23 +98,23 @@ bool loft_frame_sealed(const loft_frame *f, uint32_t seal) { return f->odd == lo
 enum loft_status loft_frame_push(loft_frame *f, uint8_t byte)
 {
     if (byte == 0)
-        return finish(f);
+        return finish_frame(f);
 
     f->flags |= STARTED;
     if (f->left == 0) {
         if (f->flags & ZERO)
-            take(f, 0);
+            take_byte(f, 0);
         f->flags |= ZERO;
         f->left = (uint8_t)(byte - 1);
     } else {
-        take(f, byte);
+        take_byte(f, byte);
         f->left--;
     }
     return LOFT_MORE;
 }
 
 /* In place, because content starts at wire[1]. The code of a piece replaces the zero before it. */
-static void stuff(uint8_t wire[], size_t size)
+static void stuff_zeros(uint8_t wire[], size_t size)
 {
     size_t code = 0;
     for (size_t i = 1; i <= size; i++)
@@ -143,6 +143,6 @@ size_t loft_frame_seal(uint8_t wire[LOFT_FRAME_MAX], size_t count, uint32_t seal
     crc ^= 0xFFFFFFFFu ^ seal;
     for (size_t i = 1; i <= 4; i++, crc >>= 8)
         wire[count + i] = (uint8_t)(crc & 0xFFu);
-    stuff(wire, count + 4);
+    stuff_zeros(wire, count + 4);
     return count + LOFT_FRAME_EXTRA;
 }

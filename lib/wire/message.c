@@ -3,7 +3,7 @@
  */
 #include "wire/message.h"
 
-/* The size of the limits in a JOB of curves, after `start`. */
+/* The size of the limits in a JOB of curves, after `start_frame`. */
 #define LIMITS_BYTES (8 + 12 * LOFT_AXES)
 
 /* HELLO and WELCOME never change their layout, so they carry version 0. */
@@ -36,7 +36,7 @@ static void put_axes(writer *w, const int32_t x[LOFT_AXES])
         put32(w, (uint32_t)x[i]);
 }
 
-static writer start(uint8_t wire[], enum loft_message type, uint8_t version, uint8_t session)
+static writer start_frame(uint8_t wire[], enum loft_message type, uint8_t version, uint8_t session)
 {
     writer w;
     w.wire = wire;
@@ -46,7 +46,7 @@ static writer start(uint8_t wire[], enum loft_message type, uint8_t version, uin
     return w;
 }
 
-static size_t finish(const writer *w)       { return loft_frame_encode(w->wire, w->size); }
+static size_t finish_frame(const writer *w)       { return loft_frame_encode(w->wire, w->size); }
 
 
 // Reading
@@ -99,14 +99,14 @@ static void get_axes(reader *r, int32_t x[LOFT_AXES])
         x[i] = get_i32(r);
 }
 
-static enum loft_status read_some(const reader *r, bool sound)
+static enum loft_status end_read(const reader *r, bool sound)
 {
     return !r->bad && sound ? LOFT_OK : LOFT_ERR_DATA;
 }
 
-static enum loft_status read_all(const reader *r, bool sound)
+static enum loft_status end_read_all(const reader *r, bool sound)
 {
-    return read_some(r, sound && r->at == r->frame->count);
+    return end_read(r, sound && r->at == r->frame->count);
 }
 
 
@@ -115,12 +115,12 @@ static enum loft_status read_all(const reader *r, bool sound)
 
 size_t loft_hello_encode(const loft_hello *m, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire + 1, LOFT_HELLO, FOREVER, 0);
+    writer w = start_frame(wire + 1, LOFT_HELLO, FOREVER, 0);
     put8(&w, m->min_version);
     put8(&w, m->max_version);
     put32(&w, m->nonce);
     wire[0] = 0;
-    return 1 + finish(&w);
+    return 1 + finish_frame(&w);
 }
 
 /* It may grow in later versions, as WELCOME. */
@@ -130,7 +130,7 @@ enum loft_status loft_hello_decode(const loft_frame *f, loft_hello *m)
     m->min_version = get8(&r);
     m->max_version = get8(&r);
     m->nonce       = get32(&r);
-    return read_some(&r, m->min_version <= m->max_version);
+    return end_read(&r, m->min_version <= m->max_version);
 }
 
 static void put_limits(writer *w, const loft_job_limits *m)
@@ -146,7 +146,7 @@ static void put_limits(writer *w, const loft_job_limits *m)
 
 size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, LOFT_JOB, LOFT_WIRE_VERSION, session);
+    writer w = start_frame(wire, LOFT_JOB, LOFT_WIRE_VERSION, session);
     put32(&w, m->nonce);
     put32(&w, m->id);
     put8(&w, m->kind);
@@ -154,7 +154,7 @@ size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRA
     put_axes(&w, m->start);
     if (m->kind == LOFT_CURVES)
         put_limits(&w, m->limits);
-    return finish(&w);
+    return finish_frame(&w);
 }
 
 static reader read_job(const loft_frame *f, loft_job *m)
@@ -174,7 +174,7 @@ enum loft_status loft_job_decode(const loft_frame *f, loft_job *m)
     reader r = read_job(f, m);
     if (m->kind == LOFT_CURVES)
         r.at = (uint8_t)(r.at + LIMITS_BYTES);
-    return read_all(&r, m->id != 0 && (m->kind == LOFT_SPANS || m->kind == LOFT_POINTS ||
+    return end_read_all(&r, m->id != 0 && (m->kind == LOFT_SPANS || m->kind == LOFT_POINTS ||
                                        m->kind == LOFT_CURVES));
 }
 
@@ -189,30 +189,30 @@ enum loft_status loft_job_limits_decode(const loft_frame *f, loft_job_limits *m)
         m->axis[i].max_accel = get_i32(&r);
         m->axis[i].max_jerk  = get32(&r);
     }
-    return read_all(&r, job.kind == LOFT_CURVES);
+    return end_read_all(&r, job.kind == LOFT_CURVES);
 }
 
 size_t loft_end_encode(uint32_t total, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, LOFT_END, LOFT_WIRE_VERSION, session);
+    writer w = start_frame(wire, LOFT_END, LOFT_WIRE_VERSION, session);
     put32(&w, total);
-    return finish(&w);
+    return finish_frame(&w);
 }
 
 enum loft_status loft_end_decode(const loft_frame *f, uint32_t *total)
 {
     reader r = read_from(f);
     *total = get32(&r);
-    return read_all(&r, true);
+    return end_read_all(&r, true);
 }
 
 size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, LOFT_CONTROL, LOFT_WIRE_VERSION, session);
+    writer w = start_frame(wire, LOFT_CONTROL, LOFT_WIRE_VERSION, session);
     put8(&w, m->number);
     put8(&w, m->verb);
     put8(&w, m->value);
-    return finish(&w);
+    return finish_frame(&w);
 }
 
 enum loft_status loft_control_decode(const loft_frame *f, loft_control *m)
@@ -221,15 +221,15 @@ enum loft_status loft_control_decode(const loft_frame *f, loft_control *m)
     m->number = get8(&r);
     m->verb   = get8(&r);
     m->value  = get8(&r);
-    return read_all(&r, m->verb == LOFT_OVERRIDE
+    return end_read_all(&r, m->verb == LOFT_OVERRIDE
                             ? m->value >= 1 && m->value <= 200
                             : m->verb >= LOFT_HOLD && m->verb <= LOFT_CLOSE && m->value == 0);
 }
 
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, LOFT_POLL, LOFT_WIRE_VERSION, session);
-    return finish(&w);
+    writer w = start_frame(wire, LOFT_POLL, LOFT_WIRE_VERSION, session);
+    return finish_frame(&w);
 }
 
 /* The bytes before the items: type, session, first 2, count. */
@@ -266,7 +266,8 @@ bool loft_data_carried(const loft_frame *f)
 size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session,
                         uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, (enum loft_message)message_of[p->kind], LOFT_WIRE_VERSION, session);
+    writer w = start_frame(wire, (enum loft_message)message_of[p->kind], LOFT_WIRE_VERSION,
+                           session);
     put16(&w, (uint16_t)(first & 0xFFFFu));
     put8(&w, p->count);
     return loft_frame_seal(w.wire, (size_t)(w.size + p->size), seal);
@@ -318,21 +319,21 @@ static bool get_ack(reader *r, loft_ack *m)
 
 size_t loft_ack_encode(const loft_ack *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, LOFT_ACK, LOFT_WIRE_VERSION, session);
+    writer w = start_frame(wire, LOFT_ACK, LOFT_WIRE_VERSION, session);
     put_ack(&w, m);
-    return finish(&w);
+    return finish_frame(&w);
 }
 
 enum loft_status loft_ack_decode(const loft_frame *f, loft_ack *m)
 {
     reader r = read_from(f);
     const bool sound = get_ack(&r, m);
-    return read_all(&r, sound);
+    return end_read_all(&r, sound);
 }
 
 size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, LOFT_WELCOME, FOREVER, session);
+    writer w = start_frame(wire, LOFT_WELCOME, FOREVER, session);
     put8(&w, m->version);
     put32(&w, m->nonce);
     put32(&w, m->boot);
@@ -348,7 +349,7 @@ size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[
     put16(&w, m->curves);
     put16(&w, m->points);
     put16(&w, m->closed);
-    return finish(&w);
+    return finish_frame(&w);
 }
 
 enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m)
@@ -375,19 +376,19 @@ enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m)
     if (f->count > r.at)
         m->points = get16(&r);
     m->closed = f->count > r.at ? get16(&r) : 0;
-    return read_some(&r, sound);
+    return end_read(&r, sound);
 }
 
 size_t loft_axis_encode(const loft_axis *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, LOFT_AXIS, LOFT_WIRE_VERSION, session);
+    writer w = start_frame(wire, LOFT_AXIS, LOFT_WIRE_VERSION, session);
     put8(&w, m->number);
     put32(&w, (uint32_t)m->steps_per_mm);
     put32(&w, (uint32_t)m->max_speed);
     put32(&w, (uint32_t)m->max_accel);
     put32(&w, (uint32_t)m->position);
     put32(&w, (uint32_t)m->start);
-    return finish(&w);
+    return finish_frame(&w);
 }
 
 enum loft_status loft_axis_decode(const loft_frame *f, loft_axis *m)
@@ -399,13 +400,13 @@ enum loft_status loft_axis_decode(const loft_frame *f, loft_axis *m)
     m->max_accel    = get_i32(&r);
     m->position     = get_i32(&r);
     m->start        = get_i32(&r);
-    return read_all(&r, m->number < LOFT_AXES);
+    return end_read_all(&r, m->number < LOFT_AXES);
 }
 
 size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session,
                                   uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, LOFT_STATUS, LOFT_WIRE_VERSION, session);
+    writer w = start_frame(wire, LOFT_STATUS, LOFT_WIRE_VERSION, session);
     put_ack(&w, &m->ack);
     put32(&w, m->ticks);
     put32(&w, m->elapsed);
@@ -415,7 +416,7 @@ size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session,
     put8(&w, m->override);
     put16(&w, m->closed);
     put_axes(&w, m->position);
-    return finish(&w);
+    return finish_frame(&w);
 }
 
 enum loft_status loft_machine_status_decode(const loft_frame *f, loft_machine_status *m)
@@ -430,12 +431,12 @@ enum loft_status loft_machine_status_decode(const loft_frame *f, loft_machine_st
     m->override = get8(&r);
     m->closed  = get16(&r);
     get_axes(&r, m->position);
-    return read_all(&r, sound);
+    return end_read_all(&r, sound);
 }
 
 size_t loft_report_encode(const loft_report *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
-    writer w = start(wire, LOFT_REPORT, LOFT_WIRE_VERSION, session);
+    writer w = start_frame(wire, LOFT_REPORT, LOFT_WIRE_VERSION, session);
     put32(&w, m->job);
     put32(&w, m->items);
     put32(&w, m->ticks);
@@ -444,7 +445,7 @@ size_t loft_report_encode(const loft_report *m, uint8_t session, uint8_t wire[LO
     put8(&w, m->state);
     put16(&w, m->ended_by);
     put_axes(&w, m->position);
-    return finish(&w);
+    return finish_frame(&w);
 }
 
 enum loft_status loft_report_decode(const loft_frame *f, loft_report *m)
@@ -458,6 +459,6 @@ enum loft_status loft_report_decode(const loft_frame *f, loft_report *m)
     m->state   = get8(&r);
     m->ended_by = get16(&r);
     get_axes(&r, m->position);
-    return read_all(&r,
-                    m->job != 0 && (m->state == LOFT_STATE_DONE || m->state == LOFT_STATE_ABORTED));
+    return end_read_all(&r, m->job != 0 &&
+                                (m->state == LOFT_STATE_DONE || m->state == LOFT_STATE_ABORTED));
 }

@@ -30,12 +30,12 @@ enum loft_status loft_receiver_init(loft_receiver *r, const loft_machine_info *i
     return LOFT_OK;
 }
 
-static bool takes_items(uint8_t state)
+static bool state_takes_items(uint8_t state)
 {
     return state == LOFT_STATE_RUNNING || state == LOFT_STATE_HOLDING || state == LOFT_STATE_HELD;
 }
 
-static bool is_over(uint8_t state)
+static bool job_is_over(uint8_t state)
 {
     return state == LOFT_STATE_DONE || state == LOFT_STATE_ABORTED;
 }
@@ -44,14 +44,14 @@ static bool is_over(uint8_t state)
 // Bytes
 // -----
 
-static bool for_us(const loft_receiver *r)
+static bool frame_is_ours(const loft_receiver *r)
 {
     return loft_message_version(&r->frame) == LOFT_WIRE_VERSION && r->session != 0 &&
            loft_message_session(&r->frame) == r->session;
 }
 
 /* Count a damaged frame. */
-static void spoil(loft_receiver *r)
+static void count_damaged(loft_receiver *r)
 {
     r->damaged++;
     if (r->session && r->job && !r->ended)
@@ -69,12 +69,12 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte)
     switch (loft_frame_push(&r->frame, byte)) {
     case LOFT_OK: r->fresh = true; return true;
     case LOFT_ERR_DATA:
-        if (r->frame.count > 0 && for_us(r) && loft_data_carried(&r->frame)) {
+        if (r->frame.count > 0 && frame_is_ours(r) && loft_data_carried(&r->frame)) {
             /* it may be sealed: take_data decides */
             r->fresh = true;
             return true;
         }
-        spoil(r);
+        count_damaged(r);
         return false;
     default: return false;
     }
@@ -84,17 +84,17 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte)
 // Frames
 // ------
 
-static enum loft_event drop(loft_receiver *r, unsigned due)
+static enum loft_event drop_frame(loft_receiver *r, unsigned due)
 {
     r->dropped++;
     r->due = (uint8_t)(r->due | due);
     return LOFT_EVENT_NONE;
 }
 
-static enum loft_event refuse(loft_receiver *r, enum loft_refusal refusal)
+static enum loft_event refuse_frame(loft_receiver *r, enum loft_refusal refusal)
 {
     r->refusal = (uint8_t)refusal;
-    return drop(r, DUE_ACK);
+    return drop_frame(r, DUE_ACK);
 }
 
 /* The same nonce again means the same connection: its WELCOME was lost. */
@@ -102,7 +102,7 @@ static enum loft_event take_hello(loft_receiver *r, const loft_snapshot *now)
 {
     loft_hello m;
     if (loft_hello_decode(&r->frame, &m) != LOFT_OK)
-        return drop(r, 0);
+        return drop_frame(r, 0);
 
     const bool common = m.min_version <= LOFT_WIRE_VERSION && m.max_version >= LOFT_WIRE_VERSION;
     if (!common) {
@@ -124,17 +124,17 @@ static enum loft_event take_hello(loft_receiver *r, const loft_snapshot *now)
 static enum loft_event take_job(loft_receiver *r, const loft_snapshot *now, loft_job *m)
 {
     if (loft_job_decode(&r->frame, m) != LOFT_OK || m->nonce != r->nonce)
-        return drop(r, 0);
+        return drop_frame(r, 0);
     if (m->id == r->job && (r->opened || now->state == LOFT_STATE_DONE))
-        return drop(r, DUE_ACK);                        /* the same JOB again, or job done */
+        return drop_frame(r, DUE_ACK);                        /* the same JOB again, or job done */
     if (r->opened || loft_state_busy(now->state))
-        return refuse(r, LOFT_REFUSAL_BUSY);
+        return refuse_frame(r, LOFT_REFUSAL_BUSY);
     if (r->refusal != LOFT_REFUSAL_NONE)
-        return drop(r, DUE_STATUS);                     /* refused stays refused in this session */
+        return drop_frame(r, DUE_STATUS);                /* refused stays refused in this session */
     if (now->state == LOFT_STATE_FAULT)
-        return refuse(r, LOFT_REFUSAL_FAULT);
+        return refuse_frame(r, LOFT_REFUSAL_FAULT);
     if (!(r->info->kinds & 1u << m->kind))
-        return refuse(r, LOFT_REFUSAL_KIND);
+        return refuse_frame(r, LOFT_REFUSAL_KIND);
     return LOFT_EVENT_JOB;
 }
 
@@ -158,7 +158,7 @@ void loft_receiver_answer(loft_receiver *r, const loft_job *job, enum loft_refus
 
 /* The distance from `next` to the number whose low 16 bits are `first`. Windows are shorter than
  * 2^15 items. */
-static int32_t ahead(const loft_receiver *r, uint16_t first)
+static int32_t items_ahead(const loft_receiver *r, uint16_t first)
 {
     const uint16_t d = (uint16_t)(first - (uint16_t)(r->next & 0xFFFFu));
     return d < 0x8000u ? (int32_t)d : (int32_t)d - 0x10000;
@@ -170,21 +170,21 @@ static enum loft_event take_data(loft_receiver *r, const loft_snapshot *now)
     loft_unpacker u;
     uint16_t first;
 
-    if (r->job == 0 || r->ended || !takes_items(now->state))
-        return drop(r, DUE_ACK);
-    if (loft_data_first(&r->frame, &first) == LOFT_OK && ahead(r, first) != 0)
-        return drop(r, ahead(r, first) > 0 ? DUE_ACK | DUE_NAK : DUE_ACK);
+    if (r->job == 0 || r->ended || !state_takes_items(now->state))
+        return drop_frame(r, DUE_ACK);
+    if (loft_data_first(&r->frame, &first) == LOFT_OK && items_ahead(r, first) != 0)
+        return drop_frame(r, items_ahead(r, first) > 0 ? DUE_ACK | DUE_NAK : DUE_ACK);
     if (!loft_frame_sealed(&r->frame, loft_predictor_seal(&r->predictor))) {
-        spoil(r);
+        count_damaged(r);
         return LOFT_EVENT_NONE;
     }
     if (loft_data_decode(&r->frame, &u) != LOFT_OK)
-        return refuse(r, LOFT_REFUSAL_ITEM);
+        return refuse_frame(r, LOFT_REFUSAL_ITEM);
     if ((type == LOFT_DATA_SPANS) != (r->kind == LOFT_SPANS) ||
         (type == LOFT_DATA_CURVES) != (r->kind == LOFT_CURVES))
-        return refuse(r, LOFT_REFUSAL_KIND);
+        return refuse_frame(r, LOFT_REFUSAL_KIND);
     if (u.count > now->room || u.count > 0xFFFFFFFFu - r->next)
-        return drop(r, DUE_ACK | DUE_NAK);
+        return drop_frame(r, DUE_ACK | DUE_NAK);
 
     r->unpacker = u;
     r->due |= DUE_ACK;
@@ -195,11 +195,11 @@ static enum loft_event take_end(loft_receiver *r)
 {
     uint32_t total;
     if (loft_end_decode(&r->frame, &total) != LOFT_OK || r->job == 0)
-        return drop(r, 0);
+        return drop_frame(r, 0);
     if (total > r->next)
-        return drop(r, DUE_ACK | DUE_NAK);
+        return drop_frame(r, DUE_ACK | DUE_NAK);
     if (total < r->next)
-        return refuse(r, LOFT_REFUSAL_ITEM);
+        return refuse_frame(r, LOFT_REFUSAL_ITEM);
 
     r->due |= DUE_ACK;
     if (r->ended)
@@ -214,10 +214,10 @@ static enum loft_event take_control(loft_receiver *r, const loft_snapshot *now,
 {
     loft_control m;
     if (loft_control_decode(&r->frame, &m) != LOFT_OK)
-        return drop(r, 0);
+        return drop_frame(r, 0);
     const uint8_t newer = (uint8_t)(m.number - r->control);
     if (newer == 0 || newer >= 128)
-        return drop(r, DUE_ACK);
+        return drop_frame(r, DUE_ACK);
 
     r->control = m.number;
     r->due |= DUE_ACK;
@@ -227,7 +227,7 @@ static enum loft_event take_control(loft_receiver *r, const loft_snapshot *now,
     case LOFT_ABORT:  return LOFT_EVENT_ABORT;
     case LOFT_OVERRIDE: out->percent = m.value; return LOFT_EVENT_OVERRIDE;
     default:
-        if (!is_over(now->state))
+        if (!job_is_over(now->state))
             return LOFT_EVENT_NONE;
         r->job = 0;
         return LOFT_EVENT_CLOSE;
@@ -238,8 +238,8 @@ static enum loft_event take_frame(loft_receiver *r, const loft_snapshot *now, lo
 {
     if (loft_message_type(&r->frame) == LOFT_HELLO)
         return take_hello(r, now);
-    if (!for_us(r))
-        return drop(r, 0);
+    if (!frame_is_ours(r))
+        return drop_frame(r, 0);
 
     switch (loft_message_type(&r->frame)) {
     case LOFT_JOB:          return take_job(r, now, &out->job);
@@ -251,10 +251,10 @@ static enum loft_event take_frame(loft_receiver *r, const loft_snapshot *now, lo
     case LOFT_CONTROL:      return take_control(r, now, out);
     case LOFT_POLL:
         r->due |= DUE_STATUS;
-        if (is_over(now->state) && r->job)
+        if (job_is_over(now->state) && r->job)
             r->due |= DUE_REPORT;
         return LOFT_EVENT_NONE;
-    default: return drop(r, 0);
+    default: return drop_frame(r, 0);
     }
 }
 
@@ -278,7 +278,7 @@ enum loft_event loft_receiver_next(loft_receiver *r, const loft_snapshot *now, l
 
 static uint32_t limit_of(const loft_receiver *r, const loft_snapshot *now)
 {
-    if (r->job == 0 || r->ended || !takes_items(now->state))
+    if (r->job == 0 || r->ended || !state_takes_items(now->state))
         return r->next;
     return now->room < 0xFFFFFFFFu - r->next ? r->next + now->room : 0xFFFFFFFFu;
 }
@@ -378,11 +378,11 @@ static void note_changes(loft_receiver *r, const loft_snapshot *now)
 
     if (limit_of(r, now) > r->told && limit_of(r, now) - r->told >= step)
         r->due |= DUE_ACK;
-    if (is_over(now->state) && r->job && !r->reported) {
+    if (job_is_over(now->state) && r->job && !r->reported) {
         r->due |= DUE_REPORT;
         r->reported = true;
     }
-    if (!is_over(now->state))
+    if (!job_is_over(now->state))
         r->due &= (uint8_t)~DUE_REPORT;
 }
 

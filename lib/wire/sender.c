@@ -12,16 +12,16 @@
 #define ALL_AXES    ((1u << LOFT_AXES) - 1u)
 
 /* How much is left of `span` ms that began at `since`. */
-static uint32_t left(uint32_t since, uint32_t span, uint32_t now)
+static uint32_t time_left(uint32_t since, uint32_t span, uint32_t now)
 {
     const uint32_t gone = now - since;
     return gone >= span ? 0 : span - gone;
 }
 
-static bool finished(const loft_sender *s)  { return s->phase >= LOFT_PHASE_DONE; }
+static bool job_finished(const loft_sender *s)  { return s->phase >= LOFT_PHASE_DONE; }
 
 /* The report has arrived and says how the job ended. */
-static void conclude(loft_sender *s)
+static void conclude_job(loft_sender *s)
 {
     s->phase = s->report.state == LOFT_STATE_DONE ? LOFT_PHASE_DONE : LOFT_PHASE_ABORTED;
 }
@@ -30,7 +30,7 @@ static void conclude(loft_sender *s)
 // Beginning, and beginning again
 // ------------------------------
 
-static void greet(loft_sender *s, uint32_t now)
+static void greet_machine(loft_sender *s, uint32_t now)
 {
     s->phase      = LOFT_PHASE_HELLO;
     s->nonce      = s->nonce * 1664525u + 1013904223u;
@@ -46,10 +46,10 @@ void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms)
     s->nonce = nonce;
     loft_rto_init(&s->rto);
     loft_frame_init(&s->frame);
-    greet(s, now_ms);
+    greet_machine(s, now_ms);
 }
 
-static void stream(loft_sender *s)
+static void start_stream(loft_sender *s)
 {
     s->opened   = true;
     s->phase    = s->ack.next <= s->window.count ? LOFT_PHASE_STREAMING : LOFT_PHASE_LOST;
@@ -60,7 +60,7 @@ static void stream(loft_sender *s)
 }
 
 /* The machine and the job are known: choose the phase. */
-static void join(loft_sender *s)
+static void join_job(loft_sender *s)
 {
     const loft_welcome *w = &s->machine;
     const bool same = w->job == s->job.id && (!s->opened || w->boot == s->boot);
@@ -72,7 +72,7 @@ static void join(loft_sender *s)
              (s->asked || loft_state_busy(w->ack.state) || w->ack.state == LOFT_STATE_DONE)) {
         s->resumed   = s->resumed   || (!s->asked && loft_state_busy(w->ack.state));
         s->collected = s->collected || (!s->asked && w->ack.state == LOFT_STATE_DONE);
-        stream(s);
+        start_stream(s);
     } else if (loft_state_busy(w->ack.state))
         s->phase = LOFT_PHASE_BUSY;
     else if (w->ack.state == LOFT_STATE_FAULT)
@@ -94,7 +94,7 @@ enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t
     loft_window_init(&s->window, job, count, source, context);
     s->began   = true;
     s->machine.ack = s->ack;        /* newer than that of the welcome */
-    join(s);
+    join_job(s);
     return LOFT_OK;
 }
 
@@ -106,7 +106,7 @@ void loft_sender_extend(loft_sender *s, uint32_t known, uint32_t count)
         s->phase = LOFT_PHASE_LOST;
 }
 
-static void control(loft_sender *s, enum loft_verb verb)
+static void set_control(loft_sender *s, enum loft_verb verb)
 {
     s->verb      = (uint8_t)verb;
     s->value     = verb == LOFT_OVERRIDE ? s->percent : 0;
@@ -117,30 +117,30 @@ static void control(loft_sender *s, enum loft_verb verb)
 
 void loft_sender_override(loft_sender *s, unsigned percent)
 {
-    if (s->phase == LOFT_PHASE_CLOSING || finished(s))
+    if (s->phase == LOFT_PHASE_CLOSING || job_finished(s))
         return;
     s->percent = (uint8_t)(percent < 1 ? 1 : percent > 200 ? 200 : percent);
     if (s->verb == 0 || s->verb == LOFT_OVERRIDE)
-        control(s, LOFT_OVERRIDE);
+        set_control(s, LOFT_OVERRIDE);
 }
 
 void loft_sender_control(loft_sender *s, enum loft_verb verb)
 {
-    if (s->phase == LOFT_PHASE_CLOSING || (finished(s) && s->phase != LOFT_PHASE_BUSY))
+    if (s->phase == LOFT_PHASE_CLOSING || (job_finished(s) && s->phase != LOFT_PHASE_BUSY))
         return;
     if (verb == LOFT_ABORT && s->phase != LOFT_PHASE_BUSY) {
         s->aborting = true;
         if (s->began && !s->asked && s->phase == LOFT_PHASE_OPENING)
             s->phase = LOFT_PHASE_ABORTED;
     }
-    control(s, verb);
+    set_control(s, verb);
 }
 
 
 // Frames from the machine
 // -----------------------
 
-static bool fits(const loft_welcome *w)
+static bool welcome_fits(const loft_welcome *w)
 {
     return w->version == LOFT_WIRE_VERSION && w->axes == LOFT_AXES &&
            w->frame_max >= LOFT_WINDOW_LEAST && w->queue > 0 && w->tick_hz > 0 && w->slots > 0;
@@ -160,7 +160,7 @@ static void take_welcome(loft_sender *s, uint32_t now)
     s->session = loft_message_session(&s->frame);
     s->greeted = true;
     s->tried   = now;
-    if (!fits(&w))
+    if (!welcome_fits(&w))
         s->phase = LOFT_PHASE_UNFIT;
 }
 
@@ -182,7 +182,7 @@ static void take_axis(loft_sender *s, uint32_t now)
     s->phase     = LOFT_PHASE_READY;
     loft_rto_reset(&s->rto);
     if (s->began)
-        join(s);
+        join_job(s);
 }
 
 static void go_back(loft_sender *s, uint32_t now)
@@ -192,7 +192,7 @@ static void go_back(loft_sender *s, uint32_t now)
     s->back  = s->tried = now;
 }
 
-static void advance(loft_sender *s, uint32_t now)
+static void advance_window(loft_sender *s, uint32_t now)
 {
     uint32_t trip;
 
@@ -215,10 +215,10 @@ static void take_progress(loft_sender *s, uint32_t now)
     }
     if (s->ack.refusal && !s->aborting) {
         s->aborting = true;
-        control(s, LOFT_ABORT);
+        set_control(s, LOFT_ABORT);
     }
     if (s->ack.next > s->window.base)
-        advance(s, now);
+        advance_window(s, now);
     const uint32_t once = s->rtt_ms ? s->rtt_ms : LOFT_RTO_FIRST / 4;
     if (s->ack.flags & LOFT_FLAG_NAK && (s->window.base < s->window.high || s->window.ended) &&
         now - s->back >= once) {
@@ -247,24 +247,24 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
         s->verb = 0;
         s->verb_sent = false;
         if (s->percent && s->phase != LOFT_PHASE_CLOSING)
-            control(s, LOFT_OVERRIDE);
+            set_control(s, LOFT_OVERRIDE);
     }
     if (streaming) {
         take_progress(s, now);
     } else if (s->phase == LOFT_PHASE_OPENING && s->job_sent) {
         if (m->flags & LOFT_FLAG_OPENED)
-            stream(s);
+            start_stream(s);
         else if (m->refusal)
             s->phase = LOFT_PHASE_REFUSED;
         else if (s->aborting && s->verb == 0)
             s->phase = LOFT_PHASE_ABORTED;
     } else if (s->phase == LOFT_PHASE_CLOSING && (s->verb == 0 || m->state == LOFT_STATE_IDLE)) {
-        conclude(s);
+        conclude_job(s);
     }
 }
 
 /* Is an answer due to something that could be sent again? */
-static bool waits(const loft_sender *s)
+static bool answer_is_due(const loft_sender *s)
 {
     return s->phase == LOFT_PHASE_STREAMING && !s->aborting &&
            (s->window.base < s->window.send ||
@@ -279,7 +279,7 @@ static void take_status(loft_sender *s, const loft_machine_status *m, uint32_t n
     s->closed  = m->closed;
     s->polling = false;
     take_ack(s, &m->ack, now);
-    if (s->doubt > 0 && --s->doubt == 0 && waits(s))
+    if (s->doubt > 0 && --s->doubt == 0 && answer_is_due(s))
         go_back(s, now);
 }
 
@@ -291,7 +291,7 @@ static void take_report(loft_sender *s)
         return;
     s->report = m;
     s->phase  = LOFT_PHASE_CLOSING;
-    control(s, LOFT_CLOSE);
+    set_control(s, LOFT_CLOSE);
 }
 
 static void take_frame(loft_sender *s, uint32_t now)
@@ -359,13 +359,13 @@ static bool can_end(const loft_sender *s)
 
 static size_t give_data(loft_sender *s, uint32_t now, uint8_t wire[])
 {
-    const bool   waited = waits(s), again = s->window.send < s->window.high;
+    const bool   waited = answer_is_due(s), again = s->window.send < s->window.high;
     const size_t n      = loft_window_give(&s->window, s->ack.limit, s->session, now, wire);
 
     if (n == 0) {                       /* an item cannot be encoded: the job ends */
         s->refusal = LOFT_REFUSAL_ITEM;
         s->aborting = true;
-        control(s, LOFT_ABORT);
+        set_control(s, LOFT_ABORT);
         return 0;
     }
     s->tried   = waited ? s->tried : now;
@@ -414,11 +414,11 @@ static size_t give_control(loft_sender *s, uint32_t now, uint8_t wire[])
 static void check_silence(loft_sender *s, uint32_t now)
 {
     if (s->phase == LOFT_PHASE_CLOSING && s->attempts >= CLOSE_TRIES &&
-        left(s->verb_time, s->rto.ms, now) == 0)
-        conclude(s);
+        time_left(s->verb_time, s->rto.ms, now) == 0)
+        conclude_job(s);
     if (s->phase > LOFT_PHASE_HELLO && s->phase < LOFT_PHASE_CLOSING &&
-        left(s->heard, LOFT_SENDER_SILENCE, now) == 0)
-        greet(s, now);
+        time_left(s->heard, LOFT_SENDER_SILENCE, now) == 0)
+        greet_machine(s, now);
 }
 
 /* A job begins without earlier orders, so a hold or an override waits until the machine has the
@@ -427,14 +427,14 @@ static bool control_due(const loft_sender *s, uint32_t now)
 {
     return s->verb && s->phase != LOFT_PHASE_HELLO &&
            !(s->phase == LOFT_PHASE_OPENING && (!s->job_sent || s->verb != LOFT_ABORT)) &&
-           (!finished(s) || s->phase == LOFT_PHASE_BUSY) &&
-           (!s->verb_sent || left(s->verb_time, s->rto.ms, now) == 0);
+           (!job_finished(s) || s->phase == LOFT_PHASE_BUSY) &&
+           (!s->verb_sent || time_left(s->verb_time, s->rto.ms, now) == 0);
 }
 
 /* An answer is overdue: ask what has arrived. */
 static bool poll_due(loft_sender *s, uint32_t now)
 {
-    if (waits(s) && left(s->tried, s->rto.ms, now) == 0) {
+    if (answer_is_due(s) && time_left(s->tried, s->rto.ms, now) == 0) {
         s->timeouts++;
         s->tried = now;
         loft_rto_back_off(&s->rto);
@@ -442,7 +442,7 @@ static bool poll_due(loft_sender *s, uint32_t now)
             s->doubt = s->polling ? 2 : 1;
         return true;
     }
-    return left(s->polled, LOFT_SENDER_POLL, now) == 0;
+    return time_left(s->polled, LOFT_SENDER_POLL, now) == 0;
 }
 
 static size_t give_poll(loft_sender *s, uint32_t now, uint8_t wire[])
@@ -457,7 +457,7 @@ static size_t give_stream(loft_sender *s, uint32_t now, uint8_t wire[])
     if (can_send(s))
         return give_data(s, now, wire);
     if (can_end(s)) {
-        if (!waits(s))
+        if (!answer_is_due(s))
             s->tried = now;
         s->window.ended = true;
         return loft_end_encode(s->window.count, s->session, wire);
@@ -469,39 +469,39 @@ size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME
 {
     check_silence(s, now_ms);
     if (s->phase == LOFT_PHASE_HELLO)
-        return !s->hello_sent || left(s->tried, s->rto.ms, now_ms) == 0
+        return !s->hello_sent || time_left(s->tried, s->rto.ms, now_ms) == 0
                    ? give_hello(s, now_ms, wire)
                    : 0;
     if (control_due(s, now_ms))
         return give_control(s, now_ms, wire);
-    if (finished(s))
+    if (job_finished(s))
         return 0;
     if (poll_due(s, now_ms))
         return give_poll(s, now_ms, wire);
     if (s->phase == LOFT_PHASE_OPENING && !s->aborting &&
-        (!s->job_sent || left(s->tried, s->rto.ms, now_ms) == 0))
+        (!s->job_sent || time_left(s->tried, s->rto.ms, now_ms) == 0))
         return give_job(s, now_ms, wire);
     return s->phase == LOFT_PHASE_STREAMING ? give_stream(s, now_ms, wire) : 0;
 }
 
 uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms)
 {
-    const uint32_t retry = left(s->tried, s->rto.ms, now_ms);
-    uint32_t wait = left(s->polled, LOFT_SENDER_POLL, now_ms);
+    const uint32_t retry = time_left(s->tried, s->rto.ms, now_ms);
+    uint32_t wait = time_left(s->polled, LOFT_SENDER_POLL, now_ms);
 
     if (s->phase == LOFT_PHASE_HELLO)
         return s->hello_sent ? retry : 0;
     if (control_due(s, now_ms) || can_send(s) || can_end(s) ||
         (s->phase == LOFT_PHASE_OPENING && !s->job_sent))
         return 0;
-    if (finished(s))
+    if (job_finished(s))
         return LOFT_SENDER_POLL;
-    if (s->verb_sent && left(s->verb_time, s->rto.ms, now_ms) < wait)
-        wait = left(s->verb_time, s->rto.ms, now_ms);
-    if ((waits(s) || (s->phase == LOFT_PHASE_OPENING && !s->aborting)) && retry < wait)
+    if (s->verb_sent && time_left(s->verb_time, s->rto.ms, now_ms) < wait)
+        wait = time_left(s->verb_time, s->rto.ms, now_ms);
+    if ((answer_is_due(s) || (s->phase == LOFT_PHASE_OPENING && !s->aborting)) && retry < wait)
         wait = retry;
-    return left(s->heard, LOFT_SENDER_SILENCE, now_ms) < wait
-               ? left(s->heard, LOFT_SENDER_SILENCE, now_ms)
+    return time_left(s->heard, LOFT_SENDER_SILENCE, now_ms) < wait
+               ? time_left(s->heard, LOFT_SENDER_SILENCE, now_ms)
                : wait;
 }
 
@@ -510,5 +510,5 @@ uint32_t loft_sender_silence(const loft_sender *s, uint32_t now_ms) { return now
 void loft_sender_hangup(loft_sender *s)
 {
     if (s->phase == LOFT_PHASE_CLOSING)
-        conclude(s);
+        conclude_job(s);
 }

@@ -52,7 +52,7 @@ void loft_window_shrink(loft_window *w)
     w->frame_size = size > least ? size : least;
 }
 
-static void grow(loft_window *w)
+static void grow_frame(loft_window *w)
 {
     w->frame_size = w->frame_most - w->frame_size > 4 ? (uint8_t)(w->frame_size + 4)
                                                       : w->frame_most;
@@ -71,7 +71,7 @@ bool loft_window_take(loft_window *w, uint32_t next, uint32_t now_ms, uint32_t *
         *trip = now_ms - w->flight[w->first].time;
         w->first = (uint8_t)((w->first + 1) % LOFT_WINDOW_FRAMES);
         w->flights--;
-        grow(w);
+        grow_frame(w);
     }
     return timed;
 }
@@ -87,7 +87,7 @@ bool loft_window_ready(const loft_window *w, uint32_t limit, uint32_t step)
            (most == w->known || w->send < w->high || most - w->send >= step);
 }
 
-static void predict(const loft_window *w, loft_predictor *p)
+static void predict_next(const loft_window *w, loft_predictor *p)
 {
     loft_item item;
     loft_predictor_init(p, w->start);
@@ -99,7 +99,7 @@ static void predict(const loft_window *w, loft_predictor *p)
 }
 
 /* Pack as many items as fit and may be sent. */
-static void pack(const loft_window *w, uint32_t limit, enum loft_kind kind,
+static void pack_items(const loft_window *w, uint32_t limit, enum loft_kind kind,
                  const loft_predictor *predictor, loft_packer *p, uint8_t wire[])
 {
     const uint32_t most = limit < w->known ? limit : w->known;
@@ -120,14 +120,14 @@ static void pack_shortest(const loft_window *w, uint32_t limit, const loft_predi
     const enum loft_kind kind = (enum loft_kind)w->kind;
     loft_packer fine;
 
-    pack(w, limit, kind, predictor, p, wire);
+    pack_items(w, limit, kind, predictor, p, wire);
     if (kind != LOFT_POINTS)
         return;
-    pack(w, limit, LOFT_POINTS_FINE, predictor, &fine, wire);
+    pack_items(w, limit, LOFT_POINTS_FINE, predictor, &fine, wire);
     if (fine.count * p->size > p->count * fine.size)
         *p = fine;
     else
-        pack(w, limit, kind, predictor, p, wire);
+        pack_items(w, limit, kind, predictor, p, wire);
 }
 
 size_t loft_window_give(loft_window *w, uint32_t limit, uint8_t session, uint32_t now_ms,
@@ -137,7 +137,7 @@ size_t loft_window_give(loft_window *w, uint32_t limit, uint8_t session, uint32_
     loft_predictor predictor;
     loft_packer p;
 
-    predict(w, &predictor);
+    predict_next(w, &predictor);
     const uint32_t seal = loft_predictor_seal(&predictor);
     pack_shortest(w, limit, &predictor, &p, wire);
     if (p.count == 0)
