@@ -203,12 +203,12 @@ static void note_state(struct host *h)
 
 
 /* Have all slots of the job been given? */
-static bool given(const struct host *h) { return !h->board || h->board->left(h->board) == 0; }
+static bool slots_given(const struct host *h) { return !h->board || h->board->left(h->board) == 0; }
 
 /* Let the board report after the last slot of a job. */
 static void note_end(struct host *h)
 {
-    if (h->unreported && given(h)) {
+    if (h->unreported && slots_given(h)) {
         h->unreported = false;
         h->board->report(h->board);
     }
@@ -249,7 +249,7 @@ static bool give_bytes(struct host *h)
 // Time
 // ----
 
-static bool moving(const struct host *h) { return !loft_step_done(&h->machine.drive.step); }
+static bool machine_moves(const struct host *h) { return !loft_step_done(&h->machine.drive.step); }
 
 /* The closed limit switches at the motor positions. */
 static uint16_t limits_closed(const struct host *h)
@@ -284,7 +284,7 @@ static void run_slots(struct host *h, uint64_t count)
 }
 
 /* Simulated time: can the machine continue without the line? */
-static bool supplied(struct host *h)
+static bool queue_supplied(struct host *h)
 {
     const loft_drive *d = &h->machine.drive;
     const unsigned most = d->kind == LOFT_POINTS ? h->machine.info->points : h->machine.info->queue;
@@ -299,10 +299,10 @@ static int run_simulated(struct host *h)
 {
     if (!loft_state_busy(h->machine.drive.state))
         return -1;
-    if (!supplied(h))
+    if (!queue_supplied(h))
         return QUIET_MS / 10;
     run_slots(h, (uint64_t)BATCH * h->o->slots);
-    return moving(h) ? 0 : loft_state_busy(h->machine.drive.state) ? QUIET_MS : -1;
+    return machine_moves(h) ? 0 : loft_state_busy(h->machine.drive.state) ? QUIET_MS : -1;
 }
 
 /* Stops count as time while a job is under way, so the clock runs on. Otherwise it is reset. */
@@ -332,7 +332,7 @@ static int run_board(struct host *h)
 
     if (!loft_state_busy(h->machine.drive.state)) {
         note_end(h);
-        return given(h) ? -1 : 1;
+        return slots_given(h) ? -1 : 1;
     }
     h->unreported = true;
     while (h->board->left(h->board) < lead)
@@ -341,14 +341,14 @@ static int run_board(struct host *h)
     return (int)h->board->lead_ms / 4;
 }
 
-static int run_on(struct host *h)
+static int advance_time(struct host *h)
 {
     return h->board ? run_board(h) : h->o->fast ? run_simulated(h) : run_real(h);
 }
 
 /* May the program end? Yes when the host has closed the job and read the last answer, which would
  * be lost with the line, or when the host does not come for it. */
-static bool finished(struct host *h)
+static bool may_finish(struct host *h)
 {
     const bool told = h->sent == h->count && host_line_drained(&h->line);
     const int64_t since = (now_ns() - h->ended) / 1000000;
@@ -357,7 +357,7 @@ static bool finished(struct host *h)
         return true;
     if (h->board && !h->board->works(h->board))
         return true;
-    if (loft_state_busy(h->machine.drive.state) || !given(h))
+    if (loft_state_busy(h->machine.drive.state) || !slots_given(h))
         return false;
     if (h->ended == 0 || !(h->o->once || stop_wanted))
         return stop_wanted;
@@ -366,7 +366,7 @@ static bool finished(struct host *h)
     return since > (stop_wanted ? STOP_MS : LEAVE_MS);
 }
 
-static void sleep_until(struct host *h, bool waiting, int ms)
+static void sleep_in_poll(struct host *h, bool waiting, int ms)
 {
     struct pollfd other[LOFT_BOARD_WATCHED];
     const unsigned count = h->board ? h->board->watch(h->board, other, &ms) : 0;
@@ -374,9 +374,9 @@ static void sleep_until(struct host *h, bool waiting, int ms)
     host_line_poll(&h->line, waiting, ms, &h->during, other, count);
 }
 
-static void run(struct host *h)
+static void run_loop(struct host *h)
 {
-    while (!finished(h)) {
+    while (!may_finish(h)) {
         take_bytes(h);
         note_state(h);                  /* print a new job before its first pulse */
         if (stop_wanted)
@@ -385,14 +385,14 @@ static void run(struct host *h)
         bool more = loft_machine_plan(&h->machine);
         while (more && !h->board)
             more = loft_machine_plan(&h->machine);
-        int ms = run_on(h);
+        int ms = advance_time(h);
         if (more)
             ms = 0;                     /* a board must be supplied between two spans */
         note_state(h);
         const bool waiting = give_bytes(h);
         if ((stop_wanted || (h->o->once && h->ended)) && (ms < 0 || ms > 20))
             ms = 20;
-        sleep_until(h, waiting, ms);
+        sleep_in_poll(h, waiting, ms);
     }
 }
 
@@ -426,7 +426,7 @@ int loft_host_simulate(const struct loft_host_options *o)
     if (code == 0) {
         printf("machine: %s\n", h.line.name);
         fflush(stdout);
-        run(&h);
+        run_loop(&h);
         if (h.board) {
             code = h.board->works(h.board) ? 0 : EX_IOERR;
             h.board->end(h.board);

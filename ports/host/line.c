@@ -20,7 +20,7 @@
 
 #define AWAY_MS 200             /* between two attempts to open a vanished port */
 
-static int refuse(const char *what, const char *name)
+static int report_error(const char *what, const char *name)
 {
     fprintf(stderr, "loft: %s: %s: %s\n", name, what, strerror(errno));
     return EX_OSERR;
@@ -100,13 +100,13 @@ int host_line_open(struct host_line *l, const char *link, double noise)
     l->master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (l->master < 0 || grantpt(l->master) != 0 || unlockpt(l->master) != 0 ||
         ptsname_r(l->master, l->name, sizeof l->name) != 0)
-        return refuse("cannot open a pseudo terminal", "/dev/ptmx");
+        return report_error("cannot open a pseudo terminal", "/dev/ptmx");
     l->slave = open(l->name, O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (l->slave < 0 || tcgetattr(l->slave, &t) != 0)
-        return refuse("cannot open", l->name);
+        return report_error("cannot open", l->name);
     cfmakeraw(&t);
     if (tcsetattr(l->slave, TCSANOW, &t) != 0 || fcntl(l->master, F_SETFL, O_NONBLOCK) != 0)
-        return refuse("cannot be made raw", l->name);
+        return report_error("cannot be made raw", l->name);
     if (link) {
         const int code = make_link(link, l->name, l->slave);
         if (code)
@@ -155,7 +155,7 @@ int host_line_serial(struct host_line *l, const char *port, unsigned baud)
     l->baud = baud;
     snprintf(l->name, sizeof l->name, "%.63s", port);
     const char *trouble = open_serial(l);
-    return trouble ? refuse(trouble, port) : 0;
+    return trouble ? report_error(trouble, port) : 0;
 }
 
 /* A port that hung up is closed, and opened again when it is back. */
@@ -193,7 +193,7 @@ static uint32_t random_32(struct host_line *l)          /* splitmix64 (Steele, L
     return (uint32_t)(z >> 32);
 }
 
-static uint8_t disturbed(struct host_line *l, uint8_t byte)
+static uint8_t disturbed_byte(struct host_line *l, uint8_t byte)
 {
     for (int bit = 0; l->flip && bit < 8; bit++)
         if (random_32(l) < l->flip)
@@ -206,7 +206,7 @@ size_t host_line_read(struct host_line *l, uint8_t *byte, size_t max)
     const ssize_t count = read(l->master, byte, max);
 
     for (ssize_t i = 0; i < count; i++)
-        byte[i] = disturbed(l, byte[i]);
+        byte[i] = disturbed_byte(l, byte[i]);
     return count > 0 ? (size_t)count : 0;
 }
 
@@ -217,7 +217,7 @@ size_t host_line_write(struct host_line *l, const uint8_t *byte, size_t count)
     if (count > sizeof out)
         count = sizeof out;
     for (size_t i = 0; i < count; i++)
-        out[i] = disturbed(l, byte[i]);
+        out[i] = disturbed_byte(l, byte[i]);
     const ssize_t written = write(l->master, out, count);
     return written > 0 ? (size_t)written : 0;
 }

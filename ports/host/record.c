@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sysexits.h>
 
-static int refuse(const struct loft_host_options *o)
+static int report_error(const struct loft_host_options *o)
 {
     fprintf(stderr, "loft: %s: cannot write the record: %s\n", o->record, strerror(errno));
     return EX_CANTCREAT;
@@ -36,9 +36,9 @@ int host_record_open(struct host_record *r, const struct loft_host_options *o)
         return 0;
     r->file = strcmp(o->record, "-") == 0 ? stdout : fopen(o->record, "we");
     if (!r->file)
-        return refuse(o);
+        return report_error(o);
     write_header(r->file, o);
-    return fflush(r->file) == 0 ? 0 : refuse(o);
+    return fflush(r->file) == 0 ? 0 : report_error(o);
 }
 
 void host_record_job(struct host_record *r, uint32_t id)
@@ -71,6 +71,6 @@ int host_record_close(struct host_record *r, const struct loft_host_options *o)
         return 0;
     const bool bad = ferror(file) != 0;
     if ((file == stdout ? fflush(file) : fclose(file)) != 0 || bad)
-        return refuse(o);
+        return report_error(o);
     return 0;
 }

@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <sysexits.h>
 
-static int refuse(const struct line_wanted *w, int code, const char *trouble, const char *more)
+static int refuse_line(const struct line_wanted *w, int code, const char *trouble, const char *more)
 {
     fprintf(stderr, "loft-gpio: %s: %s%s%s: %s%s\n", w->key, w->chip, w->chip[0] ? ":" : "",
             w->line, trouble, more);
@@ -20,7 +20,7 @@ static int refuse(const struct line_wanted *w, int code, const char *trouble, co
 }
 
 /* Print the remedy for errno. */
-static int refused(const struct line_wanted *w, const char *path)
+static int refuse_by_errno(const struct line_wanted *w, const char *path)
 {
     const int error = errno;
     char text[160];
@@ -31,7 +31,7 @@ static int refused(const struct line_wanted *w, const char *path)
              : error == ENOTTY || error == ENODEV
                  ? ": this kernel does not serve this version of libgpiod"
                  : "");
-    return refuse(w, EX_NOPERM, text, "");
+    return refuse_line(w, EX_NOPERM, text, "");
 }
 
 
@@ -45,12 +45,12 @@ static int chip_at(struct lines *l, const struct line_wanted *w, const char *pat
         if (strcmp(l->path[i], path) == 0)
             return (int)i;
     if (l->chips == LINES_CHIPS) {
-        refuse(w, 0, "the lines are on too many chips", "");
+        refuse_line(w, 0, "the lines are on too many chips", "");
         return -1;
     }
     l->chip[l->chips] = gpio_chip_open(path);
     if (!l->chip[l->chips]) {
-        refused(w, path);
+        refuse_by_errno(w, path);
         return -1;
     }
     snprintf(l->path[l->chips], sizeof l->path[0], "%.39s", path);
@@ -72,7 +72,7 @@ static bool has_label(gpio_chip *chip, const char *label)
 
 /* Search all chips for a label or, with `line`, for the name of a line. More than one match is as
  * bad as none. */
-static bool look_through(const struct line_wanted *w, const char *label, const char *line,
+static bool search_chips(const struct line_wanted *w, const char *label, const char *line,
                          char path[40])
 {
     unsigned found = 0, barred = 0;
@@ -94,7 +94,7 @@ static bool look_through(const struct line_wanted *w, const char *label, const c
     }
     if (found == 1)
         return true;
-    refuse(w, 0,
+    refuse_line(w, 0,
            found    ? "there are several"
            : barred ? "not among the chips that may be opened: join the group that owns "
                       "/dev/gpiochip* (often gpio), or be root"
@@ -113,7 +113,7 @@ static bool is_number(const char *text)
 
 /* Find the chip (its number in `l`) and the line on it. -1 after one line on standard error if
  * there is none. */
-static int find(struct lines *l, const struct settings *s, const struct line_wanted *w,
+static int find_line(struct lines *l, const struct settings *s, const struct line_wanted *w,
                 unsigned *offset)
 {
     const char *label = w->chip[0] || !is_number(w->line) ? w->chip : s->chip;
@@ -125,17 +125,17 @@ static int find(struct lines *l, const struct settings *s, const struct line_wan
     else if (strncmp(label, "gpiochip", 8) == 0 && is_number(label + 8))
         snprintf(path, sizeof path, "/dev/%.30s", label);
     else if (label[0] || !is_number(w->line)) {
-        if (!look_through(w, label, label[0] ? NULL : w->line, path))
+        if (!search_chips(w, label, label[0] ? NULL : w->line, path))
             return -1;
     } else {
-        refuse(w, 0, "a number, but of which chip? Give CHIP:NUMBER, or chip = CHIP", "");
+        refuse_line(w, 0, "a number, but of which chip? Give CHIP:NUMBER, or chip = CHIP", "");
         return -1;
     }
     if ((chip = chip_at(l, w, path)) < 0)
         return -1;
     line = is_number(w->line) ? atoi(w->line) : gpio_chip_find(l->chip[chip], w->line);
     if (line < 0 || (unsigned)line >= gpio_chip_lines(l->chip[chip])) {
-        refuse(w, 0, path, " has no such line: see gpioinfo");
+        refuse_line(w, 0, path, " has no such line: see gpioinfo");
         return -1;
     }
     *offset = (unsigned)line;
@@ -155,10 +155,10 @@ static int check_free(struct lines *l, const struct line_wanted *w, int chip, un
     if (!gpio_chip_owner(l->chip[chip], offset, owner))
         return 0;
     snprintf(text, sizeof text, "%s line %u is in use by \"%s\"", l->path[chip], offset, owner);
-    return refuse(w, EX_UNAVAILABLE, text, "");
+    return refuse_line(w, EX_UNAVAILABLE, text, "");
 }
 
-static void tell(struct lines *l, const struct line_wanted *w, int chip, unsigned offset)
+static void print_line(struct lines *l, const struct line_wanted *w, int chip, unsigned offset)
 {
     char owner[GPIO_TEXT], label[GPIO_TEXT] = "?";
 
@@ -168,14 +168,14 @@ static void tell(struct lines *l, const struct line_wanted *w, int chip, unsigne
            w->low ? ", active low" : "", used ? "in use by " : "free", used ? owner : "");
 }
 
-static int place(struct lines *l, const struct settings *s, const struct line_wanted *w, bool look,
-                 int *chip, unsigned *offset)
+static int place_line(struct lines *l, const struct settings *s, const struct line_wanted *w,
+                      bool look, int *chip, unsigned *offset)
 {
-    *chip = find(l, s, w, offset);
+    *chip = find_line(l, s, w, offset);
     if (*chip < 0)
         return EX_CONFIG;
     if (look)
-        tell(l, w, *chip, *offset);
+        print_line(l, w, *chip, *offset);
     return look ? 0 : check_free(l, w, *chip, *offset);
 }
 
@@ -183,14 +183,14 @@ static int place_output(struct lines *l, const struct settings *s, unsigned numb
 {
     const struct line_wanted *w = &s->output[number];
     unsigned offset;
-    int chip, code = place(l, s, w, look, &chip, &offset);
+    int chip, code = place_line(l, s, w, look, &chip, &offset);
 
     if (code)
         return code;
     struct lines_part *p = &l->part[chip];
     for (unsigned i = 0; i < p->count; i++)
         if (p->offset[i] == offset)
-            return refuse(w, EX_CONFIG, "is the same line as ", s->output[p->bit[i]].key);
+            return refuse_line(w, EX_CONFIG, "is the same line as ", s->output[p->bit[i]].key);
     p->offset[p->count] = offset;
     p->bit[p->count++] = (uint8_t)number;
     p->all |= 1u << number;
@@ -200,7 +200,7 @@ static int place_output(struct lines *l, const struct settings *s, unsigned numb
 }
 
 /* Map bits of outputs to bits of the request's lines. */
-static uint32_t of_part(const struct lines_part *p, uint32_t bits)
+static uint32_t part_bits(const struct lines_part *p, uint32_t bits)
 {
     uint32_t out = 0;
 
@@ -214,8 +214,8 @@ static int take_outputs(struct lines *l, const struct settings *s)
     for (unsigned i = 0; i < l->chips; i++) {
         struct lines_part *p = &l->part[i];
         if (p->count &&
-            !(p->request = gpio_outputs(l->chip[i], p->offset, p->count, of_part(p, l->low))))
-            return refused(&s->output[p->bit[0]], l->path[i]);
+            !(p->request = gpio_outputs(l->chip[i], p->offset, p->count, part_bits(p, l->low))))
+            return refuse_by_errno(&s->output[p->bit[0]], l->path[i]);
     }
     return 0;
 }
@@ -224,13 +224,13 @@ static int take_input(struct lines *l, const struct settings *s, unsigned number
 {
     const struct line_wanted *w = &s->input[number];
     unsigned offset;
-    int chip, code = place(l, s, w, look, &chip, &offset);
+    int chip, code = place_line(l, s, w, look, &chip, &offset);
 
     if (code || look)
         return code;
     l->input_low[number] = w->low;
     l->input[number] = gpio_input(l->chip[chip], offset, w->bias, s->debounce_us);
-    return l->input[number] ? 0 : refused(w, l->path[chip]);
+    return l->input[number] ? 0 : refuse_by_errno(w, l->path[chip]);
 }
 
 int lines_open(struct lines *l, const struct settings *s, bool look)
@@ -256,7 +256,7 @@ bool lines_set(struct lines *l, uint32_t which, uint32_t on)
     for (unsigned i = 0; i < l->chips; i++) {
         struct lines_part *p = &l->part[i];
         if (p->request && p->all & which)
-            good &= gpio_set(p->request, of_part(p, which), of_part(p, on ^ l->low));
+            good &= gpio_set(p->request, part_bits(p, which), part_bits(p, on ^ l->low));
     }
     return good;
 }

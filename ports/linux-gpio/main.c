@@ -30,7 +30,7 @@ struct gpio_board {
 // The board
 // ---------
 
-static struct gpio_board *of(struct loft_board *b) { return (struct gpio_board *)b; }
+static struct gpio_board *gpio_board_of(struct loft_board *b) { return (struct gpio_board *)b; }
 
 /* The thread has the higher priority; the main loop may use the rest of the time. All memory is
  * allocated by now, so later memory need not be locked; an account may be allowed too little. */
@@ -47,9 +47,9 @@ static void make_real_time(unsigned priority)
         sched_setscheduler(0, SCHED_FIFO, &half);       /* the thread reports a refusal */
 }
 
-static int begin(struct loft_board *b, uint32_t slot_hz, uint32_t most)
+static int board_begin(struct loft_board *b, uint32_t slot_hz, uint32_t most)
 {
-    struct gpio_board *g = of(b);
+    struct gpio_board *g = gpio_board_of(b);
 
     inputs_init(&g->inputs, &g->lines, g->s->debounce_us);
     lines_set(&g->lines, UINT32_MAX << LINE_ENABLE, UINT32_MAX);
@@ -59,50 +59,53 @@ static int begin(struct loft_board *b, uint32_t slot_hz, uint32_t most)
     return code;
 }
 
-static void slot(struct loft_board *b, uint64_t number, loft_pins pins)
+static void board_slot(struct loft_board *b, uint64_t number, loft_pins pins)
 {
-    pulses_put(&of(b)->pulses, number, pins);
+    pulses_put(&gpio_board_of(b)->pulses, number, pins);
 }
 
-static void give(struct loft_board *b) { pulses_give(&of(b)->pulses); }
+static void board_give(struct loft_board *b) { pulses_give(&gpio_board_of(b)->pulses); }
 
-static uint64_t left(struct loft_board *b) { return pulses_left(&of(b)->pulses); }
+static uint64_t board_left(struct loft_board *b) { return pulses_left(&gpio_board_of(b)->pulses); }
 
-static uint16_t inputs(struct loft_board *b) { return inputs_closed(&of(b)->inputs); }
-
-static unsigned watch(struct loft_board *b, struct pollfd fd[LOFT_BOARD_WATCHED], int *ms)
+static uint16_t board_inputs(struct loft_board *b)
 {
-    return inputs_watch(&of(b)->inputs, fd, ms);
+    return inputs_closed(&gpio_board_of(b)->inputs);
 }
 
-static bool works(struct loft_board *b)
+static unsigned board_watch(struct loft_board *b, struct pollfd fd[LOFT_BOARD_WATCHED], int *ms)
 {
-    return pulses_work(&of(b)->pulses) && !of(b)->inputs.lost;
+    return inputs_watch(&gpio_board_of(b)->inputs, fd, ms);
 }
 
-static void report(struct loft_board *b) { pulses_report(&of(b)->pulses); }
-
-static void end(struct loft_board *b)
+static bool board_works(struct loft_board *b)
 {
-    pulses_end(&of(b)->pulses);
-    if (!works(b))
+    return pulses_work(&gpio_board_of(b)->pulses) && !gpio_board_of(b)->inputs.lost;
+}
+
+static void board_report(struct loft_board *b) { pulses_report(&gpio_board_of(b)->pulses); }
+
+static void board_end(struct loft_board *b)
+{
+    pulses_end(&gpio_board_of(b)->pulses);
+    if (!board_works(b))
         fprintf(stderr,
                 "loft-gpio: a chip no longer obeys: is it still there? The position is lost\n");
-    lines_set(&of(b)->lines, UINT32_MAX, 0);
+    lines_set(&gpio_board_of(b)->lines, UINT32_MAX, 0);
 }
 
 static struct loft_board board_of(const struct settings *s)
 {
     return (struct loft_board){ .lead_ms = s->lead_ms,
-                                .begin = begin,
-                                .slot = slot,
-                                .give = give,
-                                .left = left,
-                                .inputs = inputs,
-                                .watch = watch,
-                                .works = works,
-                                .report = report,
-                                .end = end };
+                                .begin = board_begin,
+                                .slot = board_slot,
+                                .give = board_give,
+                                .left = board_left,
+                                .inputs = board_inputs,
+                                .watch = board_watch,
+                                .works = board_works,
+                                .report = board_report,
+                                .end = board_end };
 }
 
 
@@ -132,7 +135,7 @@ static void print_help(void)
            "side.\n");
 }
 
-static int usage(const char *trouble, const char *what)
+static int usage_error(const char *trouble, const char *what)
 {
     fprintf(stderr, "loft-gpio: %s%s: see --help\n", trouble, what);
     return EX_USAGE;
@@ -157,7 +160,7 @@ static int take_arguments(struct settings *s, int argc, char **argv, bool *look)
         else if (strcmp(a, "--record") == 0 && i + 1 < argc)
             s->host.record = argv[++i];
         else if (a[0] == '-')
-            return usage("what is ", a);
+            return usage_error("what is ", a);
         else
             code = strchr(a, '=') ? settings_take(s, "argument", a) : settings_read(s, a);
         if (code)
@@ -188,7 +191,7 @@ static int check_settings(const struct settings *s)
         }
         any |= step;
     }
-    return any ? 0 : usage("no axis: give a file, or x.step=LINE x.dir=LINE", "");
+    return any ? 0 : usage_error("no axis: give a file, or x.step=LINE x.dir=LINE", "");
 }
 
 int main(int argc, char **argv)

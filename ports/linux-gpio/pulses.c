@@ -47,7 +47,7 @@ static int64_t wait_until(int64_t when)
     return now;
 }
 
-static int64_t most(int64_t a, int64_t b) { return a > b ? a : b; }
+static int64_t max_i64(int64_t a, int64_t b) { return a > b ? a : b; }
 
 
 // The thread
@@ -60,7 +60,7 @@ static int64_t time_of(const struct pulses *p, uint64_t slot)
            (int64_t)(slot % p->slot_hz * 1000000000 / p->slot_hz);
 }
 
-static void set(struct pulses *p, uint32_t which, uint32_t on)
+static void set_lines(struct pulses *p, uint32_t which, uint32_t on)
 {
     if (!lines_set(p->lines, which, on))
         STORE(p->broken, true);
@@ -84,15 +84,15 @@ static void count_pulse(struct pulses *p, int64_t late)
         bin++;
     p->late.count[bin]++;
     p->late.pulses++;
-    p->late.worst_ns = most(p->late.worst_ns, late);
+    p->late.worst_ns = max_i64(p->late.worst_ns, late);
 }
 
 /* Set the direction, but not before the step lines have been low for setup_ns. */
-static void turn(struct pulses *p, int64_t due, uint8_t dir)
+static void give_direction(struct pulses *p, int64_t due, uint8_t dir)
 {
-    const int64_t now = wait_until(most(due, p->fell + p->setup_ns));
+    const int64_t now = wait_until(max_i64(due, p->fell + p->setup_ns));
 
-    set(p, (uint32_t)(dir ^ p->dir) << LINE_DIR, (uint32_t)dir << LINE_DIR);
+    set_lines(p, (uint32_t)(dir ^ p->dir) << LINE_DIR, (uint32_t)dir << LINE_DIR);
     p->turned = now_ns();
     p->dir = dir;
     note_late(p, now - due);
@@ -102,35 +102,36 @@ static void turn(struct pulses *p, int64_t due, uint8_t dir)
  * the last pulse, and until the lines have been low for long enough. The thread may lose the
  * processor after it has read the clock (calls take less than two slots). Then the pulse is as late
  * as its rising edge was seen, and what follows counts from there. */
-static void pulse(struct pulses *p, int64_t due, uint8_t step)
+static void give_pulse(struct pulses *p, int64_t due, uint8_t step)
 {
-    const int64_t now = wait_until(most(most(due, p->turned + p->setup_ns),
-                                        most(p->rose + p->slot_ns / 2, p->fell + p->pulse_ns)));
+    const int64_t now = wait_until(
+        max_i64(max_i64(due, p->turned + p->setup_ns),
+                                        max_i64(p->rose + p->slot_ns / 2, p->fell + p->pulse_ns)));
 
-    set(p, (uint32_t)step << LINE_STEP, UINT32_MAX);
+    set_lines(p, (uint32_t)step << LINE_STEP, UINT32_MAX);
     p->rose = now_ns();
     wait_until(p->rose + p->pulse_ns);
-    set(p, (uint32_t)step << LINE_STEP, 0);
+    set_lines(p, (uint32_t)step << LINE_STEP, 0);
     p->fell = now_ns();
     const int64_t late = (p->rose - now > 2 * p->slot_ns ? p->rose : now) - due;
     count_pulse(p, late);
     note_late(p, late);
 }
 
-static void give(struct pulses *p, const struct pulses_entry *e)
+static void give_entry(struct pulses *p, const struct pulses_entry *e)
 {
     const int64_t due = p->origin + time_of(p, e->slot);
 
     if (e->pins.dir != p->dir)
-        turn(p, due, e->pins.dir);
+        give_direction(p, due, e->pins.dir);
     if (e->pins.step)
-        pulse(p, p->origin + time_of(p, e->slot), e->pins.step);
+        give_pulse(p, p->origin + time_of(p, e->slot), e->pins.step);
     else
         wait_until(due);
 }
 
 /* Wait for an entry; false at the end. */
-static bool await(struct pulses *p, uint32_t tail)
+static bool await_entry(struct pulses *p, uint32_t tail)
 {
     while (LOAD(p->head) == tail && !LOAD(p->stop)) {
         STORE(p->waiting, true);
@@ -143,7 +144,7 @@ static bool await(struct pulses *p, uint32_t tail)
     return !LOAD(p->stop);
 }
 
-static void *run(void *argument)
+static void *run_thread(void *argument)
 {
     struct pulses *p = argument;
     const struct sched_param priority = { .sched_priority = (int)p->priority };
@@ -154,9 +155,9 @@ static void *run(void *argument)
                 "loft-gpio: no real-time priority: run as root, or with `ulimit -r %u`; pulses may "
                 "come late, and it will be said how late\n",
                 p->priority);
-    for (uint32_t tail = 0; await(p, tail); tail++) {
+    for (uint32_t tail = 0; await_entry(p, tail); tail++) {
         const struct pulses_entry e = p->ring[tail & (p->room - 1)];
-        give(p, &e);
+        give_entry(p, &e);
         p->done = e.slot + 1;
         STORE(p->given, (uint32_t)p->done);
     }
@@ -175,7 +176,7 @@ static bool start_thread(struct pulses *p)
     if (error == 0) {
         error = pthread_attr_setstacksize(&kind, STACK);
         if (error == 0)
-            error = pthread_create(&p->thread, &kind, run, p);
+            error = pthread_create(&p->thread, &kind, run_thread, p);
         pthread_attr_destroy(&kind);
     }
     errno = error;
@@ -205,7 +206,7 @@ int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s
     return 0;
 }
 
-static void append(struct pulses *p, uint64_t slot, loft_pins pins)
+static void append_entry(struct pulses *p, uint64_t slot, loft_pins pins)
 {
     p->ring[p->head & (p->room - 1)] = (struct pulses_entry){ slot, pins };
     p->told = slot + 1;
@@ -218,7 +219,7 @@ void pulses_put(struct pulses *p, uint64_t slot, loft_pins pins)
 {
     p->put = slot + 1;
     if (pins.step || pins.dir != p->dir_put || p->put - p->told >= p->slot_hz / 1000)
-        append(p, slot, pins);
+        append_entry(p, slot, pins);
     p->dir_put = pins.dir;
 }
 
@@ -227,7 +228,7 @@ uint64_t pulses_left(const struct pulses *p) { return (uint32_t)p->put - LOAD(p-
 void pulses_give(struct pulses *p)
 {
     if (p->told != p->put)
-        append(p, p->put - 1, (loft_pins){ 0, p->dir_put });
+        append_entry(p, p->put - 1, (loft_pins){ 0, p->dir_put });
     if (pulses_left(p) == 0 || !__atomic_exchange_n(&p->waiting, false, __ATOMIC_SEQ_CST))
         return;
     p->dry += p->begun;

@@ -113,7 +113,7 @@ void settings_print(const struct settings *usual)
 // Reading
 // -------
 
-static int wrong(const char *where, const char *key, const char *value, const char *remedy)
+static int wrong_value(const char *where, const char *key, const char *value, const char *remedy)
 {
     fprintf(stderr, "loft-gpio: %s: %s = %s: %s\n", where, key, value, remedy);
     return EX_DATAERR;
@@ -127,17 +127,17 @@ static int take_line(struct line_wanted *to, const struct row *k, const char *wh
     char text[2 * GPIO_TEXT], *rest, *word;
 
     if (!*value)
-        return wrong(where, key, value, "give LINE or CHIP:LINE");
+        return wrong_value(where, key, value, "give LINE or CHIP:LINE");
     memset(to, 0, sizeof *to);
     if (strlen(value) >= sizeof text)
-        return wrong(where, key, value, "is too long");
+        return wrong_value(where, key, value, "is too long");
     strcpy(text, value);
     word = strtok_r(text, " \t", &rest);
     char *colon = strrchr(word, ':'), *line = colon ? colon + 1 : word;
     if (colon)
         *colon = 0;
     if (!*line || strlen(line) >= GPIO_TEXT || (colon && (!*word || strlen(word) >= GPIO_TEXT)))
-        return wrong(where, key, value, "give LINE or CHIP:LINE, each at most 63 characters");
+        return wrong_value(where, key, value, "give LINE or CHIP:LINE, each at most 63 characters");
     strcpy(to->line, line);
     strcpy(to->chip, colon ? word : "");
     while ((word = strtok_r(NULL, " \t", &rest)) != NULL) {
@@ -148,7 +148,7 @@ static int take_line(struct line_wanted *to, const struct row *k, const char *wh
         else if (k->kind == INPUT && strcmp(word, "down") == 0)
             to->bias = GPIO_BIAS_DOWN;
         else
-            return wrong(where, key, value,
+            return wrong_value(where, key, value,
                          k->kind == INPUT ? "low, and up or down, may follow the line"
                                           : "low may follow the line");
     }
@@ -166,7 +166,7 @@ static int take_number(struct settings *s, const struct row *k, int axis, const 
         (k->kind == WHOLE && x != (unsigned)x)) {
         snprintf(remedy, sizeof remedy, "give a %snumber from %.10g to %.10g",
                  k->kind == WHOLE ? "whole " : "", k->least, k->most);
-        return wrong(where, key, value, remedy);
+        return wrong_value(where, key, value, remedy);
     }
     if (k->kind == WHOLE)
         *(unsigned *)((char *)s + k->at) = (unsigned)x;
@@ -187,7 +187,7 @@ static int take_value(struct settings *s, const struct row *k, int axis, const c
         return take_line(&s->input[k->at + (axis < 0 ? 0 : (size_t)axis)], k, where, key, value);
     case TEXT:
         if (strlen(value) >= (size_t)k->least)
-            return wrong(where, key, value, "is too long");
+            return wrong_value(where, key, value, "is too long");
         strcpy((char *)s + k->at, value);
         return 0;
     default: return take_number(s, k, axis, where, key, value);
@@ -195,7 +195,7 @@ static int take_value(struct settings *s, const struct row *k, int axis, const c
 }
 
 /* The axis in front of the key tells the two kinds of `enable` apart. */
-static const struct row *find(const char *key, bool axis)
+static const struct row *find_key(const char *key, bool axis)
 {
     for (size_t i = 0; i < ROWS; i++)
         if (strcmp(rows[i].key, key) == 0 &&
@@ -205,7 +205,7 @@ static const struct row *find(const char *key, bool axis)
 }
 
 /* Copy without the spaces at both ends. Returns false if it is too long. */
-static bool trim(char *to, size_t room, const char *from, size_t length)
+static bool trim_text(char *to, size_t room, const char *from, size_t length)
 {
     while (length && isspace((unsigned char)*from))
         from++, length--;
@@ -224,17 +224,17 @@ int settings_take(struct settings *s, const char *where, const char *text)
     char key[40], value[256];
     int axis = -1;
 
-    if (!equal || !trim(key, sizeof key, text, (size_t)(equal - text)) ||
-        !trim(value, sizeof value, equal + 1, strlen(equal + 1))) {
+    if (!equal || !trim_text(key, sizeof key, text, (size_t)(equal - text)) ||
+        !trim_text(value, sizeof value, equal + 1, strlen(equal + 1))) {
         fprintf(stderr, "loft-gpio: %s: %.60s: give key = value\n", where, text);
         return EX_DATAERR;
     }
     for (int i = 0; i < LOFT_AXES; i++)
         if (key[0] == axes[i] && key[1] == '.')
             axis = i;
-    const struct row *k = find(axis < 0 ? key : key + 2, axis >= 0);
+    const struct row *k = find_key(axis < 0 ? key : key + 2, axis >= 0);
     if (!k)
-        return wrong(where, key, value, "unknown key: see --help");
+        return wrong_value(where, key, value, "unknown key: see --help");
     return take_value(s, k, axis, where, key, value);
 }
 
