@@ -22,8 +22,8 @@ static void corexy_there_and_back_is_where_it_was(arb *a)
     CHECK(motors.axis[2] == tool.axis[2] && back.axis[2] == tool.axis[2]);
 }
 
-/* Limits that both motors keep, the tool keeps along x and along y; and lengths in the plane are
- * sqrt(2) times as long. */
+/* Limits that hold for both motors hold for the tool along x and along y. Lengths in the plane are
+ * sqrt(2) times as long for the motors. */
 static void corexy_motors_that_keep_a_limit_keep_it_for_the_tool(arb *a)
 {
     const int32_t limit = 1 + (int32_t)arb_below(a, 16000);
@@ -126,7 +126,7 @@ static void the_angle_follows_the_one_before(arb *a)
 // Delta
 // -----
 
-/* Any towers, and arms that reach. */
+/* Any towers, with arms that reach. */
 static void the_arms_of_a_delta_keep_their_length(arb *a)
 {
     loft_delta d;
@@ -155,8 +155,8 @@ static void an_arm_that_does_not_reach_lies_flat(arb *a)
     CHECK(loft_delta_motors(&d, tool).axis[0] == tool.axis[2]);
 }
 
-/* A machine as they are built: towers around the middle, a third of a turn apart (within 10
- * degrees), at 0.3 to 0.6 of the arm. */
+/* A typical machine: towers around the middle, a third of a turn apart (within 10 degrees), at 0.3
+ * to 0.6 of the arm. */
 static loft_delta arb_delta(arb *a, double *radius)
 {
     const double arm = 100 + arb_below(a, 900), r = arm * (0.3 + arb_below(a, 300) / 1000.0),
@@ -182,8 +182,8 @@ static loft_vec arb_on_table(arb *a, double radius)
     return tool;
 }
 
-/* Where the arms meet for carriages at m, by Newton's method from the place `at`, in long
- * double. */
+/* The point where the arms meet for carriages at m, by Newton's method from `at`, in long double.
+ * */
 static void meet(const loft_delta *d, const long double m[3], long double at[3])
 {
     for (int round = 0; round < 12; round++) {

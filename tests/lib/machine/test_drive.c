@@ -18,7 +18,7 @@ static void rig_start(arb *a, uint16_t slots, uint16_t ramp, int32_t reach)
     CHECK(loft_drive_begin(&drive, r.kind, r.start) == LOFT_OK);
 }
 
-/* Items that an empty queue takes. */
+/* The number of items that an empty queue takes. */
 static uint16_t room(void)
 {
     return r.kind == LOFT_POINTS ? loft_points_capacity(r.cells) : r.cells;
@@ -34,7 +34,7 @@ static bool rig_push(void)
     return status == LOFT_OK;
 }
 
-/* What a careless line and a nervous operator do; the tick may come late. */
+/* An unreliable line and a restless operator; the tick may come late. */
 static void rig_life(arb *a, uint32_t slot)
 {
     const uint32_t season = slot / 5000 % 3;            /* plenty, little, nothing */
@@ -51,8 +51,7 @@ static void rig_life(arb *a, uint32_t slot)
         loft_drive_override(&drive, arb_below(a, 220));
     if (arb_below(a, 100) == 0)
         loft_drive_prepare(&drive);
-    if (arb_below(a, 3000) == 0) {                      /* as if it had been prepared for an item
-                                                         * that was just taken */
+    if (arb_below(a, 3000) == 0) {                      /* as if prepared for the item just taken */
         drive.walk[!drive.which] = drive.walk[drive.which];
         drive.ready_item = (uint8_t)(drive.item - 1);
         drive.ready = 1;
@@ -88,8 +87,8 @@ static void whatever_happens_a_job_passes_every_point_and_ends_on_the_last(arb *
     CHECK(loft_drive_poll(&drive).state == LOFT_STATE_IDLE);
 }
 
-/* Steps that always fit the slots, a tick that is always in time: then the pace changes by its law
- * alone, also when the queue runs empty, and the machine stands still only at pace 0. */
+/* The steps always fit the slots and the tick is always in time. Then the pace changes only by its
+ * law, even when the queue runs empty, and the machine stops only at pace 0. */
 static void a_queue_that_runs_low_slows_the_machine_down_evenly(arb *a)
 {
     rig_start(a, (uint16_t)(100 + arb_below(a, 100)), (uint16_t)(10 + arb_below(a, 100)), 20);
@@ -159,13 +158,13 @@ static void a_held_machine_stands_at_the_end_of_a_tick_until_it_is_resumed(arb *
         rig_slot();
     }
     CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
-    uint32_t longer = 0;                                /* one of two ticks at most needs no walk */
+    uint32_t longer = 0;                                /* at most one of two ticks needs no walk */
     for (uint32_t n = 0; n < r.items; n++)
         longer += r.item[n].ticks > 2;
     CHECK(prepared == longer);
 }
 
-/* After the abort the machine takes as many ticks as the pace needs, stands on the path, and can
+/* After the abort the machine takes as many ticks as the pace needs, stops on the path, and can
  * begin another job there. */
 static void an_abort_stands_on_the_path_and_the_next_job_begins_there(arb *a)
 {
@@ -178,7 +177,7 @@ static void an_abort_stands_on_the_path_and_the_next_job_begins_there(arb *a)
         }
         if (slot == when) {
             loft_drive_abort(&drive);
-            /* still on the line: forgotten, not refused */
+            /* still on the line: ignored, not refused */
             for (int late = 0; late < 2 * CELLS; late++)
                 CHECK(loft_drive_push(&drive, &r.item[r.pushed ? r.pushed - 1 : 0]) == LOFT_OK);
             left = r.passed + loft_pace_distance(&drive.pace) + 2;
@@ -193,7 +192,7 @@ static void an_abort_stands_on_the_path_and_the_next_job_begins_there(arb *a)
     CHECK(r.passed <= left && end.ticks == r.passed && end.executed == items_in(r.passed));
     CHECK(here(r.path[r.passed]));
 
-    CHECK(loft_drive_push(&drive, &r.item[0]) == LOFT_OK);        /* late on the line: forgotten */
+    CHECK(loft_drive_push(&drive, &r.item[0]) == LOFT_OK);        /* late on the line: ignored */
     int32_t wrong[LOFT_AXES];
     for (int i = 0; i < LOFT_AXES; i++)
         wrong[i] = r.at[i];
@@ -240,8 +239,8 @@ static void items_that_are_too_fast_are_refused_and_change_nothing(arb *a)
     }
 }
 
-/* The fastest items that are taken: thousands of steps per tick. Time is stretched, no step is
- * lost. */
+/* The fastest accepted items: thousands of steps per tick. Time is stretched, and no step is lost.
+ * */
 static void steps_that_do_not_fit_their_tick_are_all_made(arb *a)
 {
     rig_start(a, (uint16_t)(1 + arb_below(a, 60)), 10, 2000);
@@ -269,7 +268,7 @@ static uint32_t cells_used(void)
     return used;
 }
 
-/* From standing: a sixteenth of pace 1 and an eighth more, of the ticks in the queue or of its
+/* From a stop: a sixteenth of the fill for pace 1 and an eighth more, in ticks of the queue or in
  * cells, which hold several points. */
 static void the_machine_starts_with_enough_in_the_queue(arb *a)
 {
@@ -297,7 +296,7 @@ static void the_machine_starts_with_enough_in_the_queue(arb *a)
     CHECK(!loft_step_done(&drive.step));
 }
 
-/* A tick that needs a slot for turning round is longer than planned, and counted as such. */
+/* A tick that needs a slot to reverse is longer than planned, and is counted as such. */
 static void turning_at_full_speed_is_counted_as_slowed(arb *a)
 {
     const uint16_t slots = (uint16_t)(2 * (1 + arb_below(a, 30)));
@@ -319,7 +318,7 @@ static void turning_at_full_speed_is_counted_as_slowed(arb *a)
     CHECK(loft_drive_poll(&drive).slowed == r.ticks - 1);
 }
 
-/* The timer is set anew each time, so the main loop gets its share on any machine. */
+/* The timer is set again each time, so the main loop gets its share on any machine. */
 static void interrupt_in(int us)
 {
     const struct itimerval once = { { 0, 0 }, { 0, us } };

@@ -7,11 +7,11 @@
 #include "machine/machine.h"
 #include "wire/sender.h"
 
-#define PIPE 256            /* bytes on their way                       */
+#define PIPE 256            /* bytes in flight                          */
 #define RATE 12             /* bytes per ms: 115200 baud                */
 #define LONG 600000         /* ms until a test gives up                 */
 
-/* One direction of the line. Of 65536 bytes: how many are bent, lost, doubled. */
+/* One direction of the line. Of 65536 bytes: how many are changed, lost, doubled. */
 typedef struct {
     uint8_t byte[PIPE];
     uint32_t in, out;
@@ -25,7 +25,7 @@ static struct {
     loft_job job;
     pipe down, up;
     uint32_t ms, faults;
-    bool cut;               /* nobody is at the sender's end            */
+    bool cut;               /* the sender's end is not connected        */
     arb arb;
 } w;
 
@@ -88,7 +88,7 @@ static void world_start(arb *a, int32_t reach)
 
 static void make_noise(arb *a)
 {
-    const uint32_t much = 1u << arb_below(a, 9);        /* to 1 byte in 256 */
+    const uint32_t much = 1u << arb_below(a, 9);        /* up to 1 byte in 256 */
     w.down.bend  = arb_below(a, much);
     w.down.lose  = arb_below(a, much);
     w.down.twice = arb_below(a, much);
@@ -97,7 +97,7 @@ static void make_noise(arb *a)
     w.up.twice   = arb_below(a, much);
 }
 
-/* The sender's end, for one ms. */
+/* The sender's end for one ms. */
 static void sender_runs(void)
 {
     uint8_t wire[LOFT_FRAME_MAX];
@@ -117,7 +117,7 @@ static void sender_runs(void)
         pipe_send(&w.down, wire, count);
 }
 
-/* The machine, for one ms = one tick: bytes, answers, slots. */
+/* The machine for one ms = one tick: bytes, answers, slots. */
 static void machine_runs(void)
 {
     uint8_t wire[LOFT_FRAME_MAX];
@@ -164,8 +164,8 @@ static void a_job_is_drawn_exactly_once_over_a_bad_line(arb *a)
     CHECK(w.machine.drive.state == LOFT_STATE_IDLE);
 }
 
-/* The sender dies, again and again, and another one begins the same job: it goes on where the
- * machine stands. */
+/* The sender dies repeatedly, and another one begins the same job. The job continues at the
+ * machine's position. */
 static void a_sender_that_dies_is_replaced_without_a_step_lost_or_doubled(arb *a)
 {
     uint32_t deaths = 0;
@@ -174,7 +174,7 @@ static void a_sender_that_dies_is_replaced_without_a_step_lost_or_doubled(arb *a
     if (arb_below(a, 2))
         make_noise(a);
     while (world_runs()) {
-        /* a sender that is closing has its report: another one would begin the job anew */
+        /* a closing sender has its report: another one would begin the job again */
         if (!w.cut && w.sender.phase < LOFT_PHASE_CLOSING && deaths < 5 && arb_below(a, 150) == 0) {
             deaths++;
             w.cut = true;
@@ -224,7 +224,7 @@ static void a_hold_from_the_host_stands_until_it_is_lifted(arb *a)
     check_drawn();
 }
 
-/* The machine stands, the job before it is over: another one from here, of one item, that moves
+/* The machine is stopped and the last job is over. Begin another job of one item here, which moves
  * away from the inputs `away`. */
 static void another_job(uint16_t away)
 {
@@ -248,7 +248,7 @@ static void an_aborted_job_reports_where_it_stands_and_another_begins_there(arb 
         if (w.ms == when)
             loft_sender_control(&w.sender, LOFT_ABORT);
     if (w.sender.phase == LOFT_PHASE_DONE) {
-        check_drawn();                                  /* it was quicker */
+        check_drawn();                                  /* the job was faster */
         return;
     }
     CHECK(w.sender.phase == LOFT_PHASE_ABORTED);
@@ -264,8 +264,8 @@ static void an_aborted_job_reports_where_it_stands_and_another_begins_there(arb 
     check_drawn();
 }
 
-/* A hold ends with its job, also where the machine was held when that was aborted, or was asked to
- * hold with no job under way. */
+/* A hold ends with its job, also if the machine was held when the job was aborted, or if the hold
+ * came without a job. */
 static void a_job_begins_free_of_the_holds_before_it(arb *a)
 {
     world_start(a, 20);
@@ -303,8 +303,8 @@ static uint16_t arb_ending(arb *a)
     }
 }
 
-/* A limit that closes ends the job on its path, and the report says which; closed, it lets none
- * begin but one that moves away. */
+/* A limit that closes ends the job on its path, and the report names it. While closed, it lets no
+ * job begin except one that moves away. */
 static void a_closed_limit_ends_jobs_and_lets_none_begin(arb *a)
 {
     const uint16_t closed = arb_ending(a);
@@ -327,8 +327,7 @@ static void a_closed_limit_ends_jobs_and_lets_none_begin(arb *a)
               w.sender.closed == closed);
     CHECK(here(r.path[r.passed]) && r.passed < r.ticks);
 
-    for (int turn = 0; turn < 2; turn++) {              /* refused as often as it is tried, from a
-                                                         * session of its own each time */
+    for (int turn = 0; turn < 2; turn++) {              /* refused each time, in its own session */
         another_job(turn ? (uint16_t)(LOFT_INPUT_ENDING & ~closed) : 0);
         while (world_runs()) {
         }
@@ -343,8 +342,8 @@ static void a_closed_limit_ends_jobs_and_lets_none_begin(arb *a)
     CHECK(w.sender.report.ended_by == 0);
 }
 
-/* What a job moves away from may stay closed, but ends it when it has opened and closes again;
- * others end it at once. */
+/* An input that a job moves away from may stay closed, but ends the job when it opens and closes
+ * again. Other inputs end it at once. */
 static void a_limit_that_was_left_ends_the_job_when_it_closes_again(arb *a)
 {
     const uint16_t first = LOFT_INPUT_LOW(0), other = LOFT_INPUT_STOP;
@@ -364,7 +363,7 @@ static void a_limit_that_was_left_ends_the_job_when_it_closes_again(arb *a)
           w.sender.report.ended_by == (again ? first : other));
 }
 
-/* Buttons count when they close. */
+/* Buttons act when they close. */
 static void a_button_that_stays_closed_counts_once(arb *a)
 {
     do
@@ -388,7 +387,7 @@ static void a_job_that_starts_elsewhere_is_refused(arb *a)
     CHECK(here(r.path[0]));
 }
 
-/* An item beyond what the machine can do ends the job on the path, and the host is told why. */
+/* An item beyond the machine's ability ends the job on the path, and the host learns why. */
 static void an_item_that_is_too_fast_ends_the_job_on_the_path(arb *a)
 {
     world_start(a, 20);
@@ -409,7 +408,7 @@ static void an_item_that_is_too_fast_ends_the_job_on_the_path(arb *a)
     CHECK(here(r.path[r.passed]) && r.passed <= r.ticks);
 }
 
-/* Any bytes at all: the machine stands where it stood. */
+/* Any bytes: the machine does not move. */
 static void nonsense_on_the_line_moves_nothing(arb *a)
 {
     uint8_t byte[64], wire[LOFT_FRAME_MAX];

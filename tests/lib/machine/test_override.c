@@ -7,15 +7,13 @@
 #define FASTEST 0.04                                /* mm per tick: 16 steps of axis 2 */
 
 static loft_drive drive;
-static double place[TICKS + 1][LOFT_AXES];          /* mm after each tick of the plan, by real
-                                                     * numbers */
-static double bent[ITEMS][LOFT_AXES];               /* the greatest acceleration of each item, mm
-                                                     * per tick^2 */
+static double place[TICKS + 1][LOFT_AXES];          /* exact mm after each tick of the plan */
+static double bent[ITEMS][LOFT_AXES];               /* the largest acceleration, mm per tick^2 */
 static double limit_v[LOFT_AXES], limit_a[LOFT_AXES];
 
 static double fraction(arb *a) { return (double)arb_below(a, 1000001) / 1000000; }
 
-/* Position and velocity go on from item to item; at both ends the job is at rest. */
+/* Position and velocity are continuous between items; at both ends the job is at rest. */
 static void arb_smooth(arb *a)
 {
     double v[LOFT_AXES] = { 0 };
@@ -67,8 +65,7 @@ static void arb_smooth(arb *a)
     }
 }
 
-/* A job, and axes that can do `spare` times the worst of it and more; *spare 0: as little as half
- * of it. */
+/* A job, and axes that can do at least `spare` times its maximum; *spare 0: at least half of it. */
 static void begin(arb *a, uint16_t slots, uint16_t ramp, double spare)
 {
     loft_drive_config c;
@@ -97,7 +94,7 @@ static void begin(arb *a, uint16_t slots, uint16_t ramp, double spare)
     r.law = true;
 }
 
-/* One slot; gives true when a tick has passed, which lasted *slots. */
+/* One slot. Returns true when a tick has passed, which lasted *slots. */
 static bool one_slot(double *slots)
 {
     const uint32_t passed = r.passed, lasts = r.lasts + 1;
@@ -108,7 +105,7 @@ static bool one_slot(double *slots)
     return r.passed != passed;
 }
 
-/* What the last two ticks say. A tick's length is rounded to slots, and errs by the pace's 0.3 %:
+/* Check the last two ticks. A tick's length is rounded to slots, and errs by 0.3 % of the pace:
  * `noise`. While the pace changes, the speed of the plan over the ramp is added, see
  * machine/pace.h. */
 static void check_limits(double lasted, double lasts)
@@ -164,8 +161,8 @@ static void ticks_were_shorter_than_planned(arb *a)
     CHECK(check_sampled() || hurried > 1000);
 }
 
-/* From 0 to 2 the pace takes twice the ramp, in which as many ticks of the plan pass as would at
- * pace 1. */
+/* From 0 to 2 the pace takes twice the ramp. In that time as many ticks of the plan pass as at pace
+ * 1. */
 static void with_limits_far_away_200_percent_is_half_the_time(arb *a)
 {
     double lasts, sum = 0;

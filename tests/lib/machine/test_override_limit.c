@@ -15,7 +15,7 @@ typedef struct {
 
 static int32_t some(arb *a, uint32_t bits) { return arb_raw(a, (int32_t)1 << arb_below(a, bits)); }
 
-/* A span that goes on as the one before, but for at most the rounding of its points. */
+/* A span that continues the last one, up to the rounding of its points. */
 static void arb_span(arb *a, span_case *c)
 {
     static const uint16_t hz[4] = { 50, 1000, 3000, 50000 };
@@ -39,9 +39,9 @@ static void arb_span(arb *a, span_case *c)
     }
 }
 
-/* What the limits of an axis allow by real numbers, as r^2. Points are taken to be off by
- * `rounding` times 1/2, in the direction that matters. *fine: is each intermediate value at least
- * 2^8 and below 2^32, and the span not one of those that are always as planned? */
+/* The r^2 that the limits of an axis allow in exact numbers. Points may be off by `rounding` times
+ * 1/2, in the worst direction. *fine: each intermediate value is at least 2^8 and below 2^32, and
+ * the span is not one that is always as planned. */
 static double allows(const span_case *c, int i, double rounding, bool *fine)
 {
     const double p[4] = { c->from[i], c->item.p[0][i], c->item.p[1][i], c->item.p[2][i] };
@@ -99,7 +99,8 @@ static void what_stands_still_may_pass_at_any_pace(arb *a)
           LOFT_OVERRIDE_LIMIT_MAX);
 }
 
-/* A corner at full speed is planned as it is; it may not become sharper, whatever the limits. */
+/* A corner at full speed is accepted as planned. It must not become sharper, whatever the limits.
+ * */
 static void a_jump_of_the_velocity_is_never_passed_faster(arb *a)
 {
     span_case c;

@@ -56,7 +56,7 @@ static loft_job_limits asked(void)
     return l;
 }
 
-/* A machine that limits nothing. */
+/* A machine without limits. */
 static loft_machine_info info(void)
 {
     loft_machine_info t = { .tick_hz = limits.tick_hz, .slots = 40 };
@@ -80,7 +80,7 @@ static void arb_job(arb *a, int32_t start[LOFT_AXES])
 // The planner
 // -----------
 
-/* Where on the path a curve begins. */
+/* The place on the path where a curve begins. */
 static double begin_of(unsigned curve)
 {
     for (unsigned k = 1; k < track.count; k++)
@@ -140,8 +140,7 @@ static void curves_are_told_when_they_are_behind(arb *a)
         CHECK(spans[given - 1].p[2][i] == items[curves - 1].p[2][i]);
 }
 
-/* What the planner adds to lib/motion/plan.h are bytes alone: the same curves give the same
- * spans. */
+/* The planner adds only the encoding to lib/motion/plan.h: the same curves give the same spans. */
 static void the_spans_are_those_of_the_plan(arb *a)
 {
     static loft_plan plan;
@@ -181,13 +180,13 @@ static void the_spans_are_those_of_the_plan(arb *a)
           (loft_planner_done(&planner) && loft_plan_next(&plan, &span) == LOFT_PLAN_REST));
 }
 
-/* The planner's limits are those of the machine and of the job, whichever are lower. */
+/* The planner's limits are the lower of those of the machine and of the job. */
 static void the_lower_limit_holds(arb *a)
 {
     const loft_planner_memory memory = memory_of(8, 64);
     const double line[2][4] = { { 0, 200, 400, 600 }, { 0, 0, 0, 0 } };
     double along[LOFT_AXES] = { 1 }, across[LOFT_AXES] = { 0 }, ticks = 0;
-    const int which = (int)arb_below(a, 4);         /* who says the speed, and the acceleration */
+    const int which = (int)arb_below(a, 4);         /* who sets the speed, and the acceleration */
     int32_t start[LOFT_AXES];
     loft_item span;
 
@@ -354,7 +353,7 @@ static void check_drawn(void)
     }
 }
 
-/* The machine stands beside the path no farther than tolerance and steps say. */
+/* The machine is no farther from the path than tolerance and steps allow. */
 static void check_place(double from)
 {
     double at[LOFT_AXES];
@@ -366,8 +365,8 @@ static void check_place(double from)
                arb_value(limits.tol) + sqrt(LOFT_AXES) / 80);
 }
 
-/* Damage, holds and dead senders change when the pulses come, but the path is not left, and all of
- * it is drawn. */
+/* Damage, holds and dead senders change the time of the pulses, but the path is not left, and all
+ * of it is drawn. */
 static void a_drawing_is_planned_and_drawn_whatever_happens(arb *a)
 {
     uint32_t executed = 0;
@@ -394,7 +393,7 @@ static void a_drawing_is_planned_and_drawn_whatever_happens(arb *a)
     check_drawn();
 }
 
-/* Small rings: the machine stops where it knows no more, and still ends where it should. */
+/* Small rings: the machine stops at the end of the known path, and still reaches the end. */
 static void a_small_ring_draws_it_too(arb *a)
 {
     arb_drawing(a);
@@ -403,7 +402,7 @@ static void a_small_ring_draws_it_too(arb *a)
     check_drawn();
 }
 
-/* An abort ends on the path, and the items told are no more than what was drawn. */
+/* An abort ends on the path, and no more items are reported than drawn. */
 static void an_aborted_drawing_stands_on_the_path(arb *a)
 {
     arb_drawing(a);
@@ -422,7 +421,7 @@ static void an_aborted_drawing_stands_on_the_path(arb *a)
     check_place(begin_of(w.sender.report.items));
 }
 
-/* The next job after that is another one. */
+/* The next job is independent of it. */
 static void limits_that_are_impossible_refuse_the_job(arb *a)
 {
     arb_drawing(a);

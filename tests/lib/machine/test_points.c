@@ -12,7 +12,7 @@ static loft_queue  queue;
 static loft_points points;
 static int16_t     steps[MOST][LOFT_AXES];
 
-/* A walk that is even for a while, then wild: steps whose changes take one byte or all of them. */
+/* A walk that is even for a while and then wild: the changes of its steps take one byte, or all. */
 static void arb_step(arb *a, uint32_t n, uint32_t wild)
 {
     for (int i = 0; i < LOFT_AXES; i++)
@@ -32,7 +32,7 @@ typedef struct {
     uint32_t pushed, looked, polled, limit;
 } counts;
 
-/* Room is a promise: what it allowed once stays allowed, and as many are taken. */
+/* Room is a promise: what it allowed stays allowed, and as many points are taken. */
 static void push_point(counts *n)
 {
     const uint16_t room = loft_points_room(&points, &queue);

@@ -29,7 +29,7 @@ static bool same(const loft_item *a, const loft_item *b)
 }
 
 /* Any order of pushes, looks and polls: items come out as they went in, none is lost, and the room
- * is what is left. */
+ * is exact. */
 static void items_come_out_in_order_and_unchanged(arb *a)
 {
     const uint16_t count = (uint16_t)(2 + arb_below(a, CELLS - 1));

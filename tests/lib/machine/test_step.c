@@ -31,8 +31,8 @@ static loft_step arb_step(arb *a, int32_t at[LOFT_AXES])
     return s;
 }
 
-/* The pulses, added up by the test, follow the straight line within half a step in every slot and
- * end on the target. */
+/* The sum of the pulses follows the straight line within half a step in every slot, and ends on the
+ * target. */
 static void pulses_follow_the_straight_line_within_half_a_step(arb *a)
 {
     int32_t at[LOFT_AXES], from[LOFT_AXES], target[LOFT_AXES];
@@ -66,8 +66,7 @@ static void pulses_follow_the_straight_line_within_half_a_step(arb *a)
     }
 }
 
-/* Whatever the targets: in the slot where a direction bit changes there is no pulse on that
- * axis. */
+/* Whatever the targets are: an axis does not pulse in the slot where its direction bit changes. */
 static void directions_change_a_slot_before_the_pulse(arb *a)
 {
     int32_t at[LOFT_AXES], target[LOFT_AXES];
@@ -90,8 +89,8 @@ static void directions_change_a_slot_before_the_pulse(arb *a)
         CHECK(at[i] == target[i]);
 }
 
-/* A tick is longer than asked only if an axis has more steps than slots, or turns and pulses at
- * once. */
+/* A tick is longer than requested only if an axis has more steps than slots, or reverses and pulses
+ * at once. */
 static void a_tick_is_not_longer_than_it_must_be(arb *a)
 {
     int32_t at[LOFT_AXES], target[LOFT_AXES];
@@ -183,7 +182,7 @@ static void ties_go_upward(arb *a)
     CHECK(loft_steps_of(LOFT_REAL(-32767), LOFT_REAL(32767)) == -32767 * 32767);
 }
 
-/* A machine that stands on a step tells it in mm, rounded to a coordinate; that is the same step
+/* A machine on a step reports its position in mm, rounded to a coordinate. That gives the same step
  * again. */
 static void a_position_in_millimetres_is_the_same_step_again(arb *a)
 {
@@ -203,7 +202,7 @@ static void a_position_in_millimetres_is_the_same_step_again(arb *a)
     CHECK(loft_steps_of(at, (loft_real)(LOFT_REAL(1) * (loft_real)per_mm)) == steps);
 }
 
-/* Slots made many at once are those made one by one: bits, directions, positions. */
+/* Slots made many at once equal those made one by one: bits, directions, positions. */
 static void slots_made_at_once_are_those_made_one_by_one(arb *a)
 {
     int32_t at[LOFT_AXES], target[LOFT_AXES], one[LOFT_AXES], many[LOFT_AXES];

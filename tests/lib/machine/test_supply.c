@@ -1,5 +1,5 @@
-/* tests/lib/machine/test_supply.c -- properties of lib/machine/drive.h: what a machine makes of a
- * line that is too slow, uneven or cut
+/* tests/lib/machine/test_supply.c -- properties of lib/machine/drive.h: a machine on a line that is
+ * too slow, uneven or cut
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -13,21 +13,20 @@
 static loft_drive drive;
 static volatile loft_cell cells[CELLS];
 
-/* An even motion without an end, in spans of `ticks`; the line brings `portion` of them at once,
- * `rate` of what pace 1 needs. */
+/* An even motion without an end, in spans of `ticks`. The line brings `portion` of them at once, at
+ * `rate` times the need of pace 1. */
 typedef struct {
     uint16_t cells, ticks, portion, ramp;
     double rate;
     bool cut;
 
     int32_t end[LOFT_AXES];         /* of the last span pushed */
-    uint32_t waiting;               /* spans that have come and not been pushed */
+    uint32_t waiting;               /* received spans that are not yet pushed */
     double due;                     /* ticks of time until the next portion */
-    uint32_t slots;                 /* of the tick under way */
-    uint32_t passed, turns, stands; /* ticks; times that the pace began to rise or to fall; that the
-                                     * machine stood */
+    uint32_t slots;                 /* of the current tick */
+    uint32_t passed, turns, stands; /* ticks; turns of the pace up or down; stops of the machine */
     double slowest, fastest;        /* of the pace */
-    double extreme;                 /* the pace where it turned */
+    double extreme;                 /* the pace at the last turn */
     int sense;
 } line;
 
@@ -51,7 +50,7 @@ static void start(uint16_t count, uint16_t ticks, uint16_t portion, uint16_t ram
     CHECK(loft_drive_begin(&drive, LOFT_SPANS, l.end) == LOFT_OK);
 }
 
-/* Always towards where there is room: 0.01 mm a tick. */
+/* Always toward free space: 0.01 mm per tick. */
 static void push(void)
 {
     loft_item item = { .ticks = l.ticks };
@@ -67,7 +66,7 @@ static void push(void)
     l.waiting--;
 }
 
-/* A change of less than a quarter is none: the slowest paces are as far apart. */
+/* A change of less than a quarter does not count, because the slowest paces differ by as much. */
 static void note(double pace)
 {
     l.slowest = fmin(l.slowest, pace);
@@ -89,7 +88,7 @@ static void forget(void)
     l.sense = 0;
 }
 
-/* One tick of time. The machine stands only where the pace is 0: the queue is never empty while it
+/* One tick of time. The machine stops only where the pace is 0: the queue is never empty while it
  * moves. */
 static void live(void)
 {
@@ -127,7 +126,7 @@ static void settle(double ticks)
 static double horizon(void)         { return 16 * ceil(l.ramp / 2.); }
 static double portion_ticks(void)   { return (double)l.portion * l.ticks; }
 
-/* Portions that the law of supply does not see: below 1/8 of the fill that belongs to the rate. */
+/* Portions below 1/8 of the fill that belongs to the rate: the law of supply ignores them. */
 static void a_line_of_any_rate_makes_an_even_pace(arb *a)
 {
     const uint16_t ramp = (uint16_t)(20 + arb_below(a, 100));
@@ -148,7 +147,7 @@ static void a_line_of_any_rate_makes_an_even_pace(arb *a)
     CHECK_NEAR(l.passed, rate * time, 2 * portion_ticks() + fabs(fill - drive.ahead) + 2);
 }
 
-/* Any portions: the pace may rise and fall with each, no more. */
+/* Any portions: the pace may rise and fall with each, but no more often. */
 static void portions_of_any_size_make_no_oscillation_of_their_own(arb *a)
 {
     start((uint16_t)(8 + arb_below(a, CELLS - 7)), (uint16_t)(1 + arb_below(a, 60)),
@@ -164,8 +163,8 @@ static void portions_of_any_size_make_no_oscillation_of_their_own(arb *a)
                2 * portion_ticks() + fabs((double)fill - drive.ahead - l.waiting * l.ticks) + 2);
 }
 
-/* At once: the machine stands, on the path, with hardly anything left; and goes on when the line is
- * back. */
+/* After a cut of the line the machine stops on the path, with hardly anything left. It continues
+ * when the line is back. */
 static void a_cut_line_lets_the_machine_come_to_a_stand(arb *a)
 {
     start((uint16_t)(16 + arb_below(a, CELLS - 15)), (uint16_t)(1 + arb_below(a, 60)), 1,

@@ -8,7 +8,7 @@
 
 static net points;
 
-/* What is cut off holds nonsense, which must not matter. */
+/* Cut-off entries hold arbitrary values, which must not matter. */
 static loft_basepoint arb_basepoint(arb *a, bool cuts)
 {
     const unsigned d = 1 + arb_below(a, LOFT_DEGREE_MAX);
@@ -118,7 +118,7 @@ static void the_form_in_u_and_v_is_the_same_surface(arb *a)
     }
 }
 
-/* Every side is met by the surface next to it, from base points along lines. */
+/* The surface meets every side that is next to it, from base points along lines. */
 static void sides_bound_the_surface(arb *a)
 {
     const loft_basepoint b = arb_basepoint(a, true);
@@ -136,8 +136,7 @@ static void sides_bound_the_surface(arb *a)
     phi[m] = s.cut ? e * (1 - x) : 0;
     exact_basepoint(&b, phi[0], phi[1], phi[2], 1, 0, want);
     CHECK(loft_basepoint_boundary(&b, number, t, &v) == LOFT_OK);
-    for (int i = 0; i < LOFT_AXES; i++)         /* e times the ratio of two weights and their
-                                                 * binomials, at most */
+    for (int i = 0; i < LOFT_AXES; i++)         /* e times a ratio of two weights with binomials */
         CHECK_EXACT(exact_of(v.axis[i]), want[i],
                     BY_NUM(0.51L * LSB, ulp(points.largest), 150 * ulp_double(points.largest)) +
                         (s.cut ? e * 65536.0L * 65536 * points.largest * power(4, b.degree) : 0));

@@ -5,7 +5,7 @@
 #include "polygon/meanvalue.h"
 #include "polygon/wachspress.h"
 
-/* The place of an arbitrary point, and a point that is inside or on the boundary. */
+/* The place of an arbitrary point, and a point inside or on the boundary. */
 static enum loft_place place_of(const arb_domain *p, loft_spot q)
 {
     loft_sci area[LOFT_SIDES_MAX];
@@ -23,7 +23,7 @@ static loft_spot arb_inside(arb *a, const arb_domain *p)
     return p->v[0];
 }
 
-/* sum phi = 1 and sum phi v = q, each to `bound` times the sizes of what is summed. */
+/* sum phi = 1 and sum phi v = q, each to `bound` times the absolute terms. */
 static void check_sums(const arb_domain *p, loft_spot q, const loft_sci phi[], long double bound)
 {
     long double sum = 0, sizes = 0, at[2] = { 0, 0 }, far = 0;
@@ -144,7 +144,7 @@ static void mean_values_are_within_their_bound(arb *a)
         largest = fmaxl(largest, fabsl(want[i]));
     const long double bound = ROUNDED((1 + largest) * lost * 0x1p-56L,
                                       (1 + largest) * lost * 0x1p-47L);
-    for (unsigned i = 0; i < p.n; i++)          /* the reference loses as much, of 64 bits */
+    for (unsigned i = 0; i < p.n; i++)          /* the reference, of 64 bits, loses as much */
         CHECK_EXACT(exact_sci(phi[i]), want[i], bound);
     check_sums(&p, q, phi, 2 * bound);
 }
@@ -162,7 +162,7 @@ static void mean_values_inside_a_convex_polygon_are_positive(arb *a)
                                              : loft_sci_sign(phi[i]) >= 0);
 }
 
-/* A quarter of a turn changes no bit of the square roots, and in q16 nothing at all. */
+/* A quarter turn changes no bit of the square roots, and nothing at all in q16. */
 static void mean_values_follow_a_quarter_of_a_turn(arb *a)
 {
     arb_domain p = arb_simple(a), m = p;
@@ -184,7 +184,7 @@ static void mean_values_follow_a_quarter_of_a_turn(arb *a)
                     (1 + fabsl(exact_sci(phi[i]))) * lost * ROUNDED(0x1p-55L, 0x1p-46L));
 }
 
-/* On edges and at vertices both are linear: the same, bit for bit, and exact at vertices. */
+/* On edges and at vertices both kinds are linear: equal bit for bit, and exact at vertices. */
 static void boundaries_are_decided_exactly(arb *a)
 {
     arb_domain p = arb_convex(a);

@@ -1,5 +1,5 @@
-/* tests/lib/polygon/test_disk.c -- properties of lib/polygon/disk.h: patches with n sides as
- * sheets around their middle, and their contours
+/* tests/lib/polygon/test_disk.c -- properties of lib/polygon/disk.h: patches with n sides as one
+ * surface around their middle, and their contours
  * SPDX-License-Identifier: MIT
  */
 #include "support/arb_polygon.h"        /* arb_winding */
@@ -9,12 +9,12 @@
 #include "surface/contour.h"
 
 #define ROWS    16
-#define COLUMNS 48              /* of up to 8 sides: not always a multiple */
+#define COLUMNS 48              /* not always a multiple of the sides */
 
 static uint8_t memory[LOFT_CONTOUR_BYTES(ROWS, COLUMNS)];
 
-/* Nowhere does it jump: points whose parameters are 2^-20 apart are no further apart than the
- * steepest of these patches makes them; v = 1 is v = 0, and u = 0 one point. */
+/* The surface is continuous: points at parameters 2^-20 apart are no further apart than the
+ * steepest of these patches allows. v = 1 is v = 0, and u = 0 is one point. */
 static void there_is_no_seam(arb *a)
 {
     const scene *x = arb_kind(a, arb_below(a, KINDS), 5);
@@ -39,7 +39,7 @@ static void there_is_no_seam(arb *a)
     CHECK(apart(&p, &middle) <= BY_NUM(2 * 0x1p-16L, 0x1p-14L, 1e-11L));
 }
 
-/* u = 1 goes along the sides, side k from k / n on. */
+/* u = 1 follows the sides, side k from k / n on. */
 static void the_border_is_the_sides(arb *a)
 {
     const scene *x = arb_kind(a, arb_below(a, KINDS), 5);
@@ -76,8 +76,7 @@ static void the_border_is_the_sides(arb *a)
         CHECK(along % 64 != 0 ||
               loft_basepoint_boundary(&x->basepoint, side, share, &on) == LOFT_OK);
         if (along % 64 != 0)
-            return;                                     /* only the ends: between them the way along
-                                                         * the side is its own */
+            return;                                     /* between the ends sides differ */
     } else {
         loft_vec edge[LOFT_DEGREE_MAX + 1];
         for (unsigned k = 0; k <= x->degree; k++) {
@@ -95,8 +94,8 @@ static void the_border_is_the_sides(arb *a)
     CHECK(apart(&p, &on) <= within);
 }
 
-/* Of a patch that is a dome over its polygon: the cells of the grid seen from above lie side by
- * side, none turned over, and fill the polygon. */
+/* A patch that is a dome over its polygon: seen from above, the cells of the grid are adjacent,
+ * none is turned over, and they fill the polygon. */
 static void the_sheet_covers_the_patch_once(arb *a)
 {
     const scene *x = arb_kind(a, arb_below(a, KINDS), 0);
@@ -125,7 +124,7 @@ static void the_sheet_covers_the_patch_once(arb *a)
     CHECK(whole > 1000 && fabsl(area - whole) < 0.05L);
 }
 
-/* The height of the highest point of the border. */
+/* The height of the highest border point. */
 static long double brim(const scene *x)
 {
     long double most = -1e9L;
@@ -137,9 +136,9 @@ static long double brim(const scene *x)
     return most;
 }
 
-/* A waterline below the top of a dome whose border is lower: one ring around the middle that
- * closes, every point of it on the surface and within the tolerance, up to the step of the
- * polygon's points. */
+/* A contour below the top of a dome whose border is lower: one closed curve around the middle.
+ * Every point of it is on the surface and within the tolerance, up to the step of the polygon's
+ * points. */
 static void waterlines_close_around_the_middle(arb *a)
 {
     const loft_real tol = LOFT_REAL(0.005);
@@ -207,8 +206,8 @@ static const plain *arb_plain(arb *a)
     return &x;
 }
 
-/* How long the line is inside the polygon, axis `axis` being `at`, and in how many pieces; 0 when
- * it passes a vertex too closely. */
+/* The length of the line inside the polygon, where axis `axis` is `at`, and the number of its
+ * pieces; 0 when it passes too close to a vertex. */
 static unsigned pieces_of(const arb_domain *p, int axis, long double at, long double size,
                           long double *length)
 {
@@ -239,8 +238,8 @@ static unsigned pieces_of(const arb_domain *p, int axis, long double at, long do
     return count / 2;
 }
 
-/* A contour of x or y is the straight line through the polygon, all pieces of it, each gone along
- * once and forward: so the sheet covers every point of the polygon, and covers it once. */
+/* A contour of x or y is the straight line through the polygon. Each of its pieces is followed once
+ * and forward, so the surface covers every point of the polygon once. */
 static void lines_through_any_polygon_are_whole(arb *a)
 {
     const plain *x = arb_plain(a);
@@ -275,8 +274,8 @@ static void lines_through_any_polygon_are_whole(arb *a)
     CHECK(fabsl(fabsl(forward) - want) < size * BY_NUM(0x1p-8L, 0x1p-12L, 0x1p-40L));
 }
 
-/* Neighbours on the sheet are neighbours in the polygon, on both sides of every diagonal, and none
- * is outside. */
+/* Neighbours on the surface are neighbours in the polygon, on both sides of every diagonal, and
+ * none is outside. */
 static void no_polygon_makes_the_sheet_jump(arb *a)
 {
     const plain *x = arb_plain(a);
@@ -297,8 +296,8 @@ static void no_polygon_makes_the_sheet_jump(arb *a)
     }
 }
 
-/* Two thin arms, or one strip, so thin that points in them are rounded to points outside: the sheet
- * is that of the same polygon made larger, up to the rounding. */
+/* Two thin arms, or one strip, so thin that rounding moves points in them outside: the surface is
+ * that of the same polygon made larger, up to the rounding. */
 static void slivers_are_as_large_ones(arb *a)
 {
     const int32_t width = 2 + (int32_t)arb_below(a, 40), times = 4096 >> arb_below(a, 3);
@@ -333,8 +332,8 @@ static loft_acc acc_of(long double x)
     return BY_NUM((loft_acc)llroundl(x * 4294967296.0L), (loft_acc)x, (loft_acc)x);
 }
 
-/* Over a triangle harmonic coordinates are the barycentric ones, which are Wachspress's: 1/3 + 2/3
- * of the cosine between p and the vertex, the series 1, Re t, Im t. */
+/* Over a triangle harmonic coordinates are the barycentric ones, as Wachspress's are: 1/3 + 2/3 of
+ * the cosine between p and the vertex, the series 1, Re t, Im t. */
 static void harmonic_coordinates_can_be_taken(arb *a)
 {
     scene *x = arb_kind(a, 0, 5);

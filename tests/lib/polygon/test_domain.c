@@ -53,8 +53,8 @@ static void exchanged_vertices_of_a_convex_polygon_break_it(arb *a)
           loft_domain_init(&p.d, p.v, p.n) == LOFT_SINGULAR);
 }
 
-/* A vertex on another edge or at another vertex; one LSB beside it all is well, if nothing else is
- * in the way. */
+/* A vertex on another edge or at another vertex is broken. One LSB beside it the polygon is simple,
+ * if nothing else is in the way. */
 static void what_touches_itself_is_broken(arb *a)
 {
     arb_domain p = { .n = 5 };
@@ -116,7 +116,7 @@ static void no_length_no_area_and_spikes_are_broken(arb *a)
     CHECK(loft_outline_of(straight, 4) == LOFT_OUTLINE_SIMPLE);
 }
 
-/* Winding number by exact angles: signed crossings of the upward and downward ray, in whole
+/* The winding number by exact angles: signed crossings of the upward and downward ray, in whole
  * numbers. */
 static bool winds(const arb_domain *p, loft_spot q)
 {
@@ -185,7 +185,7 @@ static void a_point_on_an_edge_has_two_coordinates(arb *a)
     CHECK_EXACT(exact_sci(phi[i]), 1 - t, BY_NUM(0x1p-59L, 0x1p-51L, 0x1p-51L));
 }
 
-/* No point of the boundary is nearer than that of the coordinates, which are those of an edge. */
+/* No point of the boundary is nearer than that of the coordinates, which belong to one edge. */
 static void the_nearest_point_of_the_boundary_is_found(arb *a)
 {
     arb_domain p = arb_below(a, 2) ? arb_winding(a) : arb_simple(a);

@@ -21,7 +21,7 @@ static loft_gb arb_gb(arb *a, unsigned sides, unsigned degree)
 
 static unsigned arb_degree(arb *a) { return 3 + arb_below(a, LOFT_DEGREE_MAX - 2); }
 
-/* Coordinates >= 0 that sum to 1, of no polygon in particular, some of them small and neighbours
+/* Coordinates >= 0 that sum to 1, not of a particular polygon, some of them small and neighbours
  * 0. */
 static void arb_phi(arb *a, unsigned n, loft_sci phi[])
 {
@@ -109,7 +109,7 @@ static void other_sizes_and_numbers_are_refused(arb *a)
 #endif
 }
 
-/* The boundary as it is, and the middle by its definition. */
+/* The boundary is kept, and the middle agrees with its definition. */
 static void a_net_from_curves_keeps_the_curves(arb *a)
 {
     const unsigned n = 3 + arb_below(a, 6), d = arb_degree(a), layers = (d + 1) / 2;
@@ -130,7 +130,7 @@ static void a_net_from_curves_keeps_the_curves(arb *a)
     }
 }
 
-/* d^2 V = d (..) of the four curves, less the bilinear surface of the corners. */
+/* d^2 V = d (..) of the four curves, minus the bilinear surface of the corners. */
 static void four_curves_make_the_net_of_their_coons_patch(arb *a)
 {
     const unsigned d = arb_degree(a);
@@ -249,7 +249,7 @@ static void points_are_within_the_bound(arb *a)
                    on_side(n, phi) ? 0x1p-9L : 0x1p-12L, 512);
 }
 
-/* Bit for bit where the place on the edge is a parameter; within 1 ulp elsewhere. */
+/* Bit for bit where a parameter holds the place on the edge; within 1 ulp elsewhere. */
 static void sides_are_bezier_curves(arb *a)
 {
     const unsigned n = 3 + arb_below(a, 6), d = arb_degree(a), i = arb_below(a, n);
@@ -285,7 +285,7 @@ static void corners_are_control_points(arb *a)
     check_same(v, points.p[loft_gb_place(n, d, i, 0, 0)]);
 }
 
-/* x' = 2 x + y + 1 and so on: the map of the point is the point of the mapped net. */
+/* x' = 2 x + y + 1 and so on: the mapped net has the mapped point. */
 static void affine_maps_of_the_net_map_the_patch(arb *a)
 {
     const unsigned n = 3 + arb_below(a, 6), d = arb_degree(a), count = loft_gb_count(n, d);
@@ -315,7 +315,7 @@ static void affine_maps_of_the_net_map_the_patch(arb *a)
     }
 }
 
-/* The square with side 1, u along its first edge: the net's points lie as a tensor product's do. */
+/* The unit square, u along its first edge: the points of the net are those of a tensor product. */
 static void over_a_square_it_is_the_tensor_product(arb *a)
 {
     static loft_vec p[(LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1)];
@@ -360,7 +360,7 @@ static void slopes_of(const loft_jet phi[], unsigned n, long double *first, long
     }
 }
 
-/* `rough`, over a longer step, tells how right the differences are. */
+/* `rough`, over a longer step, gives the error of the differences. */
 static void derivatives_are_limits_of_differences(arb *a)
 {
     const bool mean = arb_below(a, 2);
@@ -398,7 +398,7 @@ static void derivatives_are_limits_of_differences(arb *a)
     }
 }
 
-/* On side i, at h_i = 0: S_s is that of the curve, S_h = d sum B_j(s) (V_j1 - V_j0). */
+/* On side i, at h_i = 0: S_s is that of the curve, and S_h = d sum B_j(s) (V_j1 - V_j0). */
 static void across_a_side_two_rows_count(arb *a)
 {
     const bool mean = arb_below(a, 2);
@@ -440,7 +440,7 @@ static void across_a_side_two_rows_count(arb *a)
 
 #if LOFT_AXES >= 3
 
-/* A polygon near the regular one, and a net near that polygon, bent. */
+/* A polygon near the regular one, and a curved net near that polygon. */
 static loft_gb arb_bent(arb *a, arb_domain *p)
 {
     const unsigned n = p->n = 3 + arb_below(a, 6), d = arb_degree(a);

@@ -32,7 +32,7 @@ static int64_t whole_power(int64_t x, int k)
     return r;
 }
 
-/* What d^k x^i / dx^k is at x. */
+/* The value of d^k x^i / dx^k at x. */
 static int64_t derived(int64_t x, int i, int k)
 {
     int64_t factor = 1;
@@ -198,7 +198,7 @@ static long double loss_of(const coordinates *c, loft_spot q)
                : 1;
 }
 
-/* `rough`, over a longer step, tells how right the differences are. */
+/* `rough`, over a longer step, gives the error of the differences. */
 static void derivatives_of_coordinates_are_limits_of_differences(arb *a)
 {
     const bool mean = arb_below(a, 2);

@@ -1,5 +1,5 @@
-/* tests/lib/polygon/test_laws.c -- what coordinates in a polygon and every patch with n sides have
- * in common
+/* tests/lib/polygon/test_laws.c -- common properties of coordinates in a polygon and of all patches
+ * with n sides
  * SPDX-License-Identifier: MIT
  */
 #include "curve/rational.h"             /* loft_weighted */
@@ -76,7 +76,7 @@ static void coordinates_sum_to_one_and_give_the_point(arb *a)
     }
 }
 
-/* 1 at the own vertex and 0 at all others, exactly; on an edge only those of its ends. */
+/* Exactly 1 at the own vertex and 0 at all others; on an edge only those of its ends are not 0. */
 static void coordinates_belong_to_their_vertex(arb *a)
 {
     loft_spot v[LOFT_SIDES_MAX], middle;
@@ -94,14 +94,14 @@ static void coordinates_belong_to_their_vertex(arb *a)
         for (unsigned i = 0; i < sides; i++)
             CHECK(fabsl(value_of(phi[i]) - (i == at)) <= 0);
         if (!on)
-            continue;                   /* the middle is no number of the type */
+            continue;                   /* the number type does not hold the middle */
         CHECK(kinds[kind](&d, middle, phi) == LOFT_OK);
         for (unsigned i = 0; i < sides; i++)
             CHECK(fabsl(value_of(phi[i]) - (i == at || i == next ? 0.5L : 0)) <= 0);
     }
 }
 
-/* Over a parallelogram Wachspress's are products of the shares along two sides. */
+/* Over a parallelogram Wachspress's are products of the coordinates along two sides. */
 static void over_a_parallelogram_wachspress_is_bilinear(arb *a)
 {
     const int x[2] = { 40 + (int)arb_below(a, 40), (int)arb_below(a, 30) },
@@ -196,7 +196,7 @@ static void a_net_of_the_vertices_is_the_polygon(arb *a)
     }
 }
 
-/* Where the sides meet there is a control point. */
+/* There is a control point where the sides meet. */
 static void corners_are_control_points(arb *a)
 {
     scene *x = arb_kind(a, arb_below(a, KINDS), 5);
@@ -209,8 +209,8 @@ static void corners_are_control_points(arb *a)
     CHECK(nearest <= BY_NUM(8 * 0x1p-16L, 0x1p-12L, 1e-10L));
 }
 
-/* Degree 2, one point cut off corner 3: blown up there it is a rational tensor product of degrees 2
- * and 1, the row v = 0 being the line between two points, raised. */
+/* Degree 2, with one point cut off corner 3: blown up there it is a rational tensor product of
+ * degrees 2 and 1. The row v = 0 is the line between two points, degree-elevated. */
 static void a_triangle_without_its_tip_is_a_tensor_product(arb *a)
 {
     static const uint8_t cut[3] = { 0, 0, 1 };

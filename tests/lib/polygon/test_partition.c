@@ -40,8 +40,8 @@ static void parts_are_strictly_convex(arb *a)
     }
 }
 
-/* Their areas sum to that of the polygon; every side belongs to one part, every diagonal to one on
- * each of its sides. As all parts run counter-clockwise, they cover it once. */
+/* The areas sum to that of the polygon. Every side belongs to one piece, every diagonal to one
+ * piece on each of its sides. All pieces run counter-clockwise, so they cover the polygon once. */
 static void parts_cover_the_polygon_once(arb *a)
 {
     static const uint8_t every[LOFT_SIDES_MAX] = { 0, 1, 2, 3, 4, 5, 6, 7 };

@@ -2,7 +2,7 @@
  * properties of lib/polygon/jet_weighted_sum.h
  * SPDX-License-Identifier: MIT
  *
- * Their weights are products of powers; in 113 bits, one factor after the other.
+ * Their weights are products of powers, computed in 113 bits, one factor after the other.
  */
 #include "support/exact_quad.h"             /* quad */
 #include "support/arb_patch.h"              /* arb_net */
@@ -21,8 +21,8 @@ typedef struct {
     quad f, d[5];
 } function;
 
-/* Sums over all points: value and derivatives, those of the weights, and the sums of their sizes by
- * order. */
+/* Sums over all points: value and derivatives, those of the weights, and the sums of their absolute
+ * values by order. */
 typedef struct {
     quad x[LOFT_AXES][6], w[6], size[2];
 } exact_sum;
@@ -55,7 +55,7 @@ static void add_term(exact_sum *s, const loft_vec *p, quad c, const function f[]
     }
 }
 
-/* The quotient's derivatives against what the library gives. */
+/* The quotient's derivatives against those of the library. */
 static void check_slopes(const exact_sum *s, const loft_differential *got)
 {
     const quad *w = s->w;
@@ -123,7 +123,7 @@ static void derivatives_of_s_patches_are_exact(arb *a)
     check_slopes(&sum, &here);
 }
 
-/* Of an S-patch with three sides and depth 1 over any triangle: the plane through its points. */
+/* An S-patch with three sides and depth 1 over any triangle is the plane through its points. */
 static void a_flat_triangle_does_not_bend(arb *a)
 {
     arb_domain p;
@@ -271,8 +271,8 @@ static void derivatives_at_a_corner_are_exact(arb *a)
     check_slopes(&sum, &here);
 }
 
-/* Weights have a common factor: the surface is the same, and so is what its normals are judged
- * by. */
+/* A common factor of the weights changes neither the surface nor the widths by which normals are
+ * judged. */
 static void widths_are_those_of_the_surface(arb *a)
 {
     arb_domain p = arb_convex(a);

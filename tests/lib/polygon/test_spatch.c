@@ -25,7 +25,7 @@ static loft_spatch arb_spatch(arb *a, unsigned sides, bool rational)
     return s;
 }
 
-/* Coordinates >= 0 that sum to 1, of no polygon in particular. */
+/* Coordinates >= 0 that sum to 1, not of a particular polygon. */
 static void arb_phi(arb *a, unsigned n, loft_sci phi[])
 {
     int32_t left = 1 << 20;
@@ -99,7 +99,8 @@ static void both_roads_are_within_the_bound(arb *a)
     }
 }
 
-/* Beside a polygon coordinates are negative: the patch goes on, or says that it does not fit. */
+/* Beside a polygon coordinates are negative: the patch continues, or reports that it does not fit.
+ * */
 static void outside_of_a_polygon_the_bound_grows(arb *a)
 {
     arb_domain p = arb_simple(a);
@@ -230,7 +231,7 @@ static void three_sides_make_a_triangle(arb *a)
                     BY_NUM(1, 2, 64) * ulp(points.largest));
 }
 
-/* A square, and a parallelogram that is none, of sides 2^-k. */
+/* A square, and a parallelogram that is not a square, with sides 2^-k. */
 static void four_sides_over_a_parallelogram_make_a_tensor_product(arb *a)
 {
     const loft_spatch s = arb_spatch(a, 4, false);
@@ -290,7 +291,7 @@ static void a_rational_tensor_form_is_the_same_surface(arb *a)
                         2 * points.largest * BY_NUM(0x1p-8L, 0x1p-23L, 0x1p-50L));
 }
 
-/* A whole number of LSB added to every point is added to the surface; in q16 bit for bit. */
+/* Adding a whole number of LSB to every point adds it to the surface; in q16 bit for bit. */
 static void a_moved_net_moves_the_surface(arb *a)
 {
     const loft_spatch s = arb_spatch(a, 3 + arb_below(a, 6), false);
@@ -332,7 +333,7 @@ static void the_surface_stays_within_its_points(arb *a)
     }
 }
 
-/* l - e_r = m - e_(r+1), each pair once, as many as there are. */
+/* l - e_r = m - e_(r+1), each pair once, and all of them. */
 static void links_are_the_edges_of_the_net(arb *a)
 {
     static uint8_t l[PATCH_POINTS][LOFT_SIDES_MAX];

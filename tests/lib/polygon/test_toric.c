@@ -9,7 +9,7 @@
 static net points;
 static loft_real factor[PATCH_POINTS];
 
-/* Polygons whose edges have any direction and length. */
+/* Polygons with edges of any direction and length. */
 static const struct {
     loft_whole v[LOFT_SIDES_MAX];
     unsigned n;
@@ -67,7 +67,7 @@ static loft_toric arb_toric(arb *a, const loft_lattice_polygon *l)
     return t;
 }
 
-/* A point of the polygon: inside, on an edge, or 2^-16 next to one. */
+/* A point of the polygon: inside, on an edge, or 2^-16 beside one. */
 static bool arb_spot(arb *a, const loft_lattice_polygon *l, loft_spot *p)
 {
     const loft_whole *s = &l->edge[arb_below(a, l->sides)].from,
@@ -173,8 +173,8 @@ static void a_vertex_is_its_control_point(arb *a)
                     BY_NUM(0, 1, 2) * ulp(points.largest));
 }
 
-/* Its weights are those of the patch over binomials; with these factored in, all are 1 and the
- * curve is exact. */
+/* Its weights are those of the patch over binomials. With these as factors all are 1, and the curve
+ * is exact. */
 static void an_edge_is_a_rational_curve(arb *a)
 {
     const loft_lattice_polygon l = arb_lattice(a);

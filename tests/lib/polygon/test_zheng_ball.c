@@ -18,7 +18,7 @@ static loft_zheng_ball arb_ring(arb *a)
     return r;
 }
 
-/* Next to 0 and 1 as often as between. */
+/* Near 0 and 1 as often as between. */
 static loft_unit arb_share(arb *a)
 {
     const uint32_t n = 65536, small[6] = { 0, 1, 2, n - 2, n - 1, n };
@@ -45,8 +45,8 @@ static void arb_params(arb *a, unsigned sides, loft_sci u[])
     } while (status == LOFT_SINGULAR);
 }
 
-/* The definitions, from the distances alone. The sides i with l_i = 0 say which boundary formula
- * holds. */
+/* The definitions, only from the distances. The sides i with l_i = 0 select the boundary formula.
+ * */
 static long double exact_weight(unsigned n, unsigned d, const uint8_t l[], const long double u[],
                                 bool *inside)
 {
@@ -96,8 +96,8 @@ static void exact_weights(unsigned n, unsigned d, const loft_sci u[], long doubl
         out[k] -= inside[k] ? (sum - 1) / inner : 0;
 }
 
-/* n d on the boundary and, inside, n (d - 2) d / 4 + 1 or n (d - 1)^2 / 4; no two are the same, all
- * are as they should be. */
+/* There are n d points on the boundary and n (d - 2) d / 4 + 1 or n (d - 1)^2 / 4 inside. No two
+ * are equal, and all are valid. */
 static void every_point_has_distances_of_its_own(arb *a)
 {
     const unsigned n = kinds[arb_below(a, 3)], d = 2 + arb_below(a, LOFT_DEGREE_MAX - 1),
@@ -126,8 +126,8 @@ static void every_point_has_distances_of_its_own(arb *a)
     }
 }
 
-/* All relations between neighbours, also those that were not used. Next to 0/0 the relation itself
- * loses digits. */
+/* All relations between neighbours hold, also the unused ones. Near 0/0 the relation itself loses
+ * digits. */
 static void parameters_fit_together_all_around(arb *a)
 {
     const unsigned n = kinds[arb_below(a, 3)];
@@ -152,7 +152,7 @@ static void parameters_fit_together_all_around(arb *a)
     }
 }
 
-/* From the other end the same: u_2 and u_1 of the patch seen in a mirror. */
+/* The reversed order gives the same: u_2 and u_1 of the mirrored patch. */
 static void parameters_of_the_mirror_are_mirrored(arb *a)
 {
     const unsigned n = kinds[arb_below(a, 3)];
@@ -230,7 +230,7 @@ static void a_point_is_within_its_bound(arb *a)
         check_axis(v.axis[i], want[i], points.largest, side ? 0x1p-13L : 0x1p-16L, 4096);
 }
 
-/* How many sides; does u_4 come from u_6 and u_5, or u_5 from u_3 and u_4; or are shares lifted? */
+/* The number of sides; u_4 from u_6 and u_5, or u_5 from u_3 and u_4; or a lift. */
 typedef struct {
     unsigned sides;
     bool fourth, fifth, lift;
@@ -278,7 +278,7 @@ static void quad_params_at(const void *of, quad_spot at, quad u[])
     }
 }
 
-/* Two parameters or shares, and what they are at; r of zheng_ball.h. */
+/* Two parameters or coordinates, and their values; r of zheng_ball.h. */
 static long double arb_pair(arb *a, const quad_params *x, loft_unit at[2])
 {
     do {
@@ -325,7 +325,7 @@ static void parameters_have_their_derivatives(arb *a)
     }
 }
 
-/* In 113 bits, by the definition of exact_weight, at parameters that fit together. */
+/* In 113 bits, by the definition of exact_weight, at consistent parameters. */
 typedef struct {
     const loft_zheng_ball *r;
     quad_params params;
@@ -461,7 +461,7 @@ static void sides_are_the_curves_of_their_points(arb *a)
     check_same(v, loft_bezier_eval(&b, t));
 }
 
-/* Parameters that come from u_1 = 0 are those of side 1. */
+/* Parameters with u_1 = 0 are those of side 1. */
 static void parameters_of_a_side_are_exact(arb *a)
 {
     const unsigned n = kinds[arb_below(a, 3)];

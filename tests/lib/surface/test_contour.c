@@ -19,7 +19,7 @@ typedef struct {
 
 static found list[POINTS];
 
-/* All points; how many. */
+/* Collect all points. Returns their number. */
 static unsigned gather(loft_contour *c)
 {
     enum loft_contour_step step;
@@ -45,7 +45,7 @@ static bool same(const loft_vec *a, const loft_vec *b)
     return true;
 }
 
-/* A surface with control points to 100, of any kind, and how it is cut. */
+/* A surface of any kind with control points to 100, and its grid. */
 typedef struct {
     loft_vec p[TENSOR_POINTS];
     loft_tensor tensor;
@@ -90,7 +90,7 @@ static bool is_high(const scene *x, unsigned i, unsigned j)
     return p.axis[x->axis] >= x->height;
 }
 
-#define STEEPNESS (2 * 5 * 200.0L)      /* |S_u| + |S_v| at most */
+#define STEEPNESS (2 * 5 * 200.0L)      /* a bound of |S_u| + |S_v| */
 
 static void points_have_the_height_and_lie_on_the_surface(arb *a)
 {
@@ -110,8 +110,8 @@ static void points_have_the_height_and_lie_on_the_surface(arb *a)
     }
 }
 
-/* Every triangle whose corners are not all on one side is crossed once, from edge to edge, with its
- * higher corners to the left; every curve closes or begins and ends on the border. */
+/* Every triangle with corners on both sides is crossed once, from edge to edge, with its higher
+ * corners to the left. Every curve is closed, or begins and ends on the border. */
 typedef struct {
     long double u, v;
     bool high;
@@ -131,7 +131,7 @@ static cornered corner_of(const scene *x, unsigned i, unsigned j)
     return c;
 }
 
-/* The triangle that the middle of two points lies in. */
+/* The triangle that contains the midpoint of two points. */
 static void triangle_of(const scene *x, long double u, long double v, cornered out[3])
 {
     unsigned i = (unsigned)(u * x->rows), j = (unsigned)(v * x->columns);
@@ -183,8 +183,7 @@ static void curves_are_complete(arb *a)
         const long double u1 = exact_unit(list[k].u), v1 = exact_unit(list[k].v);
         cornered t[3];
         triangle_of(x, (u0 + u1) / 2, (v0 + v1) / 2, t);
-        if (hypotl(u1 - u0, v1 - v0) > 16 * less)       /* otherwise it may be said to lie in a
-                                                         * neighbour */
+        if (hypotl(u1 - u0, v1 - v0) > 16 * less)       /* shorter ones may fall into a neighbour */
             for (int i = 0; i < 3; i++) {
                 const long double left = (u1 - u0) * (t[i].v - v0) - (v1 - v0) * (t[i].u - u0);
                 CHECK(t[i].high ? left > -less : left < less);
@@ -197,8 +196,8 @@ static void curves_are_complete(arb *a)
     CHECK(count - starts == crossed(x));
 }
 
-/* A sphere about the origin: every height has one curve, closed, once around, of the points at its
- * distance from the axis. */
+/* A sphere about the origin: every height has one closed curve, once around, whose points have the
+ * same distance from the axis. */
 static void a_sphere_has_rings(arb *a)
 {
     const loft_sphere s = { { { 0 } }, LOFT_REAL(50) };
@@ -278,8 +277,8 @@ static void what_is_wrong_is_refused(arb *a)
                             sizeof memory) == LOFT_ERR_ARG);
 }
 
-/* Lines of the parameters: n + 1 points, those of the sheet at equal steps; along an edge those of
- * the edge. */
+/* Lines in the parameter domain: n + 1 points of the surface at equal steps. Along an edge they are
+ * those of the edge. */
 static void traces_are_lines_of_the_parameters(arb *a)
 {
     const scene *x = arb_scene(a);

@@ -28,7 +28,7 @@ static long double dot(const long double a[3], const long double b[3])
 
 static long double length(const long double a[3]) { return sqrtl(dot(a, a)); }
 
-/* By the law of sines and Kahan's formula for the angle between two vectors, not by products. */
+/* By the law of sines and Kahan's formula for the angle between two vectors, without products. */
 static long double angle_between(const long double a[3], const long double b[3])
 {
     long double sum[3], difference[3];
@@ -104,7 +104,7 @@ static void angles_area_and_curvature_hold_their_bounds(arb *a)
     CHECK_NEAR(exact_sci(d.gauss) - gauss, 0, (angle_off + area_off * fabsl(gauss)) / area);
 }
 
-/* An octahedron with its corners anywhere near: every vertex has the four that are not opposite. */
+/* An octahedron with corners anywhere nearby: every vertex has the four that are not opposite. */
 static void deficits_of_a_closed_mesh_sum_to_two_turns(arb *a)
 {
     loft_vec corner[6];

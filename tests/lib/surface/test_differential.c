@@ -68,7 +68,7 @@ static reference tensor_reference(const loft_tensor *s, loft_unit u, loft_unit v
     return r;
 }
 
-/* Patches wide and narrow, down to some LSB, some of them far from the origin; degrees to 9. */
+/* Patches wide and narrow, down to a few LSB, some of them far from the origin; degrees to 9. */
 static tensor *arb_surface(arb *a)
 {
     static tensor x;
@@ -161,8 +161,8 @@ static void curvatures_are_within_their_bounds(arb *a)
     check_curvatures(&at, &r, x->m + x->n);
 }
 
-/* A triangle of degree n written as a quadratic or higher form: derivatives against differences of
- * its values. */
+/* A triangle of degree n that represents a form of degree 2 or higher: derivatives against
+ * differences of its values. */
 static void a_triangle_bends_as_the_patch_it_is_cut_from(arb *a)
 {
     static tensor x;
@@ -201,7 +201,7 @@ static void a_triangle_bends_as_the_patch_it_is_cut_from(arb *a)
     CHECK_NEAR(exact_acc(k.gauss), exact_acc(l.gauss), BY_NUM(1e-9, 1e-6, 1e-12));
 }
 
-/* A quarter of a cylinder and of a ring, up to the rounding of sqrt(1/2). */
+/* A quarter of a cylinder and of a torus, up to the rounding of sqrt(1/2). */
 static void a_rational_cylinder_has_its_radius(arb *a)
 {
     const int32_t radius = 1 + (int32_t)arb_below(a, 200);
@@ -222,7 +222,7 @@ static void a_rational_cylinder_has_its_radius(arb *a)
     CHECK(loft_differential_normal(&at, &n) == LOFT_OK &&
           loft_differential_curvatures(&at, &k) == LOFT_OK);
     const loft_vec p = loft_tensor_rational_eval(&s, u, v);
-    /* outward: the turn is to the left */
+    /* outward: the patch turns left */
     CHECK_EXACT(exact_of(n.axis[0]), exact_of(p.axis[0]) / radius, 0x1p-14L);
     CHECK_EXACT(exact_of(n.axis[1]), exact_of(p.axis[1]) / radius, 0x1p-14L);
     CHECK_EXACT(exact_acc(k.least), -1.0L / radius, BY_NUM(0x1p-22L, 0x1p-22L, 1e-12L));
@@ -291,7 +291,7 @@ static void derivatives_of_a_rational_patch_are_those_of_the_quotient(arb *a)
     }
 }
 
-/* Inside a hollow the ball is the one of the hollow. */
+/* Inside a hollow the ball has the radius of the hollow. */
 static void the_ball_fits_and_no_larger_one(arb *a)
 {
     loft_curvatures k = { 0, 0, 0, 0 };
@@ -305,7 +305,7 @@ static void the_ball_fits_and_no_larger_one(arb *a)
                      BY_NUM(LSB + 0x1p-32L, 0, 0));
 }
 
-/* All of an edge in one point, all of the net on a line. */
+/* All points of an edge in one point; all points of the net on a line. */
 static void degenerate_patches_have_no_normal(arb *a)
 {
     static tensor x;

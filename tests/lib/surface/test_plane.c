@@ -4,8 +4,8 @@
 #include "support/exact_whole.h"        /* wide, whole_of */
 #include "surface/plane.h"
 
-/* A coordinate of the largest, of ordinary or of the smallest size: near ties and overflows are
- * frequent. */
+/* A coordinate of the largest, of an ordinary or of the smallest magnitude: near ties and overflows
+ * are frequent. */
 static loft_vec arb_point(arb *a)
 {
     static const int32_t limit[3] = { 32767 * 65536, 100 * 65536, 3 };
@@ -22,7 +22,7 @@ static wide axis_of(loft_vec v, int i)
     return i < LOFT_AXES ? whole_of(v.axis[i < LOFT_AXES ? i : 0]) : 0;
 }
 
-/* The whole numbers of the plane and its value at x, all times 2^16 for each factor. */
+/* The coefficients of the plane and its value at x as whole numbers, times 2^16 for each factor. */
 static wide plane_of(const loft_facet *f, loft_vec x, wide n[3])
 {
     wide value = 0;
@@ -44,7 +44,7 @@ static long double length_of(const wide n[3])
     return sqrtl(x * x + y * y + z * z);
 }
 
-/* A number is rounded once, or reported when it does not fit. */
+/* A result is rounded once, or reported when it does not fit. */
 static void check_number(enum loft_status status, loft_real got, long double want)
 {
     const long double half = BY_NUM(LSB / 2, 0, 0), top = BY_NUM(32768 - LSB, FLT_MAX, DBL_MAX);
@@ -108,7 +108,7 @@ static void lines_are_exact(arb *a)
                     BY_NUM(LSB / 2 + LSB * LSB, ulp(1), ulp(1)));
 }
 
-/* The numbers of the equation, with a x + b y + c z + d the value. */
+/* The coefficients of the equation; a x + b y + c z + d is the value. */
 static void equations_are_exact(arb *a)
 {
     const loft_vec origin = { { 0 } };
@@ -139,8 +139,7 @@ static void equations_are_exact(arb *a)
     }
 }
 
-/* A point made of the three lies in the plane: there the distance is below what rounding moved
- * it. */
+/* A point made from the three lies in the plane: its distance is below the effect of rounding. */
 static void points_lie_in_their_plane(arb *a)
 {
     const loft_facet f = { { arb_vec(a, 5000), arb_vec(a, 5000), arb_vec(a, 5000) } };
@@ -168,7 +167,7 @@ static void points_lie_in_their_plane(arb *a)
     CHECK(loft_line_eval(&wild, LOFT_UNIT(2), &p) != LOFT_ERR_ARG);
 }
 
-/* The order of the points turns the normal; cyclic, it does not. */
+/* A change of order reverses the normal; a cyclic one does not. */
 static void orientation_follows_the_order(arb *a)
 {
     const loft_facet f = { { arb_point(a), arb_point(a), arb_point(a) } };

@@ -82,7 +82,7 @@ static void control_points_are_within_their_bound(arb *a)
     }
 }
 
-/* Its own control points, which are wide, are the reference; inside it is eval. */
+/* The reference is its own wide control points; inside it is eval. */
 static void the_cubic_goes_on_beyond_the_triangle(arb *a)
 {
     const shell *s = arb_shell(a);
@@ -137,7 +137,7 @@ static void points_and_normals_are_interpolated(arb *a)
     }
 }
 
-/* Of length 1, and what the neighbour across an edge has there, which knows the same two
+/* The normal has length 1, and equals that of the neighbour across an edge, which has the same two
  * corners. */
 static void neighbours_meet_along_an_edge(arb *a)
 {
@@ -163,7 +163,7 @@ static void neighbours_meet_along_an_edge(arb *a)
     }
 }
 
-/* A flat triangle stays flat: normals at a right angle to it change nothing. */
+/* A flat triangle stays flat if the normals are at a right angle to it. */
 static void a_flat_triangle_stays_flat(arb *a)
 {
     loft_vec p[3], n[3];

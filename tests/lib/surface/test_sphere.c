@@ -22,8 +22,7 @@ static long double arm(const loft_sphere *s, loft_vec x, int i)
                          : 0;
 }
 
-/* The rest of an angle after whole turns, in radians: of the angle as it is, without rounding
- * it. */
+/* The rest of an angle after whole turns, in radians, from the unrounded angle. */
 static long double radians(loft_real degrees) { return fmodl(exact_of(degrees), 360) * DEGREE; }
 
 static void points_are_on_the_sphere(arb *a)
@@ -106,7 +105,7 @@ static void distances_keep_their_bound(arb *a)
                     BY_NUM(LSB / 2 + LSB * LSB, ulp(1), ulp(1)));
 }
 
-/* A point by angles has the radius as its distance, and their normal as its direction. */
+/* A point by angles is at the radius from the centre, in the direction of their normal. */
 static void both_forms_agree(arb *a)
 {
     loft_sphere s = arb_sphere(a, 9000);

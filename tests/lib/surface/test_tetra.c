@@ -28,7 +28,7 @@ static long double weight(const unsigned index[4], const long double x[4])
     return w;
 }
 
-/* The value of the k-th axis of a net of degree n: the sum of all, each with its weight. */
+/* The value of the k-th axis of a net of degree n: the sum of all points times weights. */
 static long double value(const loft_vec p[], unsigned n, int axis, const long double x[4])
 {
     long double sum = 0;
@@ -137,7 +137,7 @@ static void beyond_is_clamped_and_corners_are_exact(arb *a)
     CHECK(loft_vec_equal(loft_tetra_eval(&b->t, far), loft_tetra_eval(&b->t, edge)));
 }
 
-/* Each control point is that of raising once, again and again; the value stays. */
+/* Repeated elevation by one gives the same control points; the value stays. */
 static void a_raised_tetrahedron_is_within_its_bound(arb *a)
 {
     static loft_vec out[LOFT_TETRA_POINTS(LOFT_ELEVATE_MAX)];
@@ -172,7 +172,7 @@ static void a_raised_tetrahedron_is_within_its_bound(arb *a)
     }
 }
 
-/* A point made of whole parts of the corners has those parts, where they are exact. */
+/* A point made of whole parts of the corners has these coordinates, where they are exact. */
 static void coordinates_of_a_point_are_found_again(arb *a)
 {
     loft_vec t[4] = { arb_vec(a, 1 << arb_below(a, 13)), arb_vec(a, 1 << arb_below(a, 13)),
@@ -186,8 +186,7 @@ static void coordinates_of_a_point_are_found_again(arb *a)
     for (int i = 0; i < LOFT_AXES; i++)
         p.axis[i] = (loft_real)part[0] * t[0].axis[i] + (loft_real)part[1] * t[1].axis[i] +
                     (loft_real)part[2] * t[2].axis[i] + (loft_real)last * (t[3].axis[i] /= 4);
-    if (BY_NUM(false, true, false))             /* a float may round the point: then it is another
-                                                 * one */
+    if (BY_NUM(false, true, false))             /* a float may round the point to another one */
         for (int i = 0; i < LOFT_AXES; i++)
             if (fabsl(exact_of(p.axis[i]) - part[0] * exact_of(t[0].axis[i]) -
                       part[1] * exact_of(t[1].axis[i]) - part[2] * exact_of(t[2].axis[i]) -

@@ -1,9 +1,9 @@
-/* tests/lib/wire/fuzz_wire.c -- any bytes at all: into the receiver, the sender, the codec
+/* tests/lib/wire/fuzz_wire.c -- arbitrary bytes for the receiver, the sender, the codec
  * SPDX-License-Identifier: MIT
  *
  * For libFuzzer (make fuzz), and for test_wire_fuzz.c, which feeds it from a seed. The first byte
- * chooses the door; behind it either raw bytes, or contents that get a right CRC, without which no
- * fuzzer comes past the frame.
+ * chooses the target. The rest is raw bytes, or contents that get a right CRC, without which no
+ * fuzzer passes the frame.
  */
 #include <stddef.h>
 #include <stdint.h>
@@ -21,8 +21,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
     } while (0)
 
 
-// The codec: what is accepted says the same when it is packed again
-// -----------------------------------------------------------------
+// The codec: accepted bytes give the same bytes when packed again
+// ---------------------------------------------------------------
 
 static void fuzz_codec(const uint8_t *data, size_t size)
 {
@@ -56,8 +56,8 @@ static void fuzz_codec(const uint8_t *data, size_t size)
 }
 
 
-// The receiver, before a machine that obeys
-// -----------------------------------------
+// The receiver, in front of an obedient machine
+// ---------------------------------------------
 
 typedef struct {
     loft_receiver r;
@@ -127,7 +127,8 @@ static void fuzz_answers(machine *m)
         MUST(frames < 20 && n <= 68 && wire[n - 1] == 0);
 }
 
-/* What no fuzzer guesses: the session and its nonce; and a machine that the sender can use. */
+/* Values that no fuzzer guesses: the session and its nonce; and a machine that the sender can use.
+ * */
 static void make_plausible(uint8_t content[], size_t n, uint8_t session, uint32_t nonce)
 {
     const unsigned type = content[0] >> 4;
@@ -148,8 +149,8 @@ static void make_plausible(uint8_t content[], size_t n, uint8_t session, uint32_
     }
 }
 
-/* Contents: a length, then so many bytes, which become a frame; made plausible unless bit 7 is
- * set. */
+/* Contents: a length, then as many bytes, which become a frame; made plausible unless bit 7 is set.
+ * */
 static size_t fuzz_frame(const uint8_t **data, size_t *size, uint8_t session, uint32_t nonce,
                          uint32_t seal, uint8_t wire[LOFT_FRAME_MAX])
 {

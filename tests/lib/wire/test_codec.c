@@ -7,7 +7,7 @@
 #include "wire/codec.h"
 #include "wire/curve_code.h"    /* LOFT_CURVE_BYTES */
 
-/* Any int32 at all, extremes and small numbers over-represented. */
+/* Any int32; extremes and small numbers are frequent. */
 static int32_t arb_int32(arb *a)
 {
     static const int32_t edge[8] = { 0,          1,          -1,
@@ -22,7 +22,7 @@ static int32_t arb_int32(arb *a)
 }
 
 /* Spans of any kind: wild, or a smooth chain with a little noise. Modulo 2^32, so that chains may
- * run over the edge. */
+ * wrap. */
 static void arb_spans(arb *a, loft_item item[], int count)
 {
     const bool wild = arb_below(a, 3) == 0;
@@ -44,7 +44,7 @@ static void arb_spans(arb *a, loft_item item[], int count)
     }
 }
 
-/* Points: wild, or motion whose second difference is small and often nothing. */
+/* Points: wild, or motion whose second difference is small and often 0. */
 static void arb_points(arb *a, loft_item item[], int count)
 {
     const uint32_t taste = arb_below(a, 4), spread = taste == 0 ? 5 : taste == 1 ? 200 : 40000;
@@ -65,7 +65,7 @@ static void arb_points(arb *a, loft_item item[], int count)
     }
 }
 
-/* A line from x: its inner points at the thirds, to the nearest. Modulo 2^32. */
+/* A line from x: its inner points are at the thirds, rounded to nearest. Modulo 2^32. */
 static void make_line(loft_item *item, int i, uint32_t x, int32_t by)
 {
     const int32_t third = (int32_t)(((int64_t)by * 2 + (by < 0 ? -3 : 3)) / 6);
@@ -74,8 +74,8 @@ static void make_line(loft_item *item, int i, uint32_t x, int32_t by)
     item->p[2][i] = (int32_t)(x + (uint32_t)by);
 }
 
-/* Curves as spans are, but for any feed, which often stays; among them lines, points, and axes that
- * do not move. */
+/* Curves like the spans, but with any feed, which often stays. Among them are lines, points, and
+ * axes that do not move. */
 static void arb_curves(arb *a, loft_item item[], int count)
 {
     arb_spans(a, item, count);
@@ -159,7 +159,7 @@ static void any_items_come_out_as_they_went_in(arb *a)
     }
 }
 
-/* The state before item n comes from the three items before it: what lets a sender begin
+/* The state before item n depends only on the three items before it, so that a sender can begin
  * anywhere. */
 static void three_items_are_memory_enough(arb *a)
 {
@@ -181,7 +181,7 @@ static void three_items_are_memory_enough(arb *a)
     }
 }
 
-/* An item without room leaves the packer as it was. */
+/* An item that does not fit leaves the packer unchanged. */
 static void no_room_changes_nothing(arb *a)
 {
     const enum loft_kind kind = arb_kind(a);
@@ -242,7 +242,7 @@ static void ticks_out_of_range_are_refused(arb *a)
     CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE && p.size == 0);
 }
 
-/* The largest item there is: every residual needs five bytes (spans), four (points). */
+/* The largest item: every residual needs five bytes (spans) or four (points). */
 static void the_largest_item_fits_its_bytes(arb *a)
 {
     const int32_t zero[LOFT_AXES] = { 0 };
@@ -302,7 +302,7 @@ static void points_take_the_bytes_of_the_table(arb *a)
     }
 }
 
-/* A line takes one residual per axis that moves, and no feed if it stays. */
+/* A line takes one residual per moving axis, and no feed if it stays. */
 static void lines_take_one_residual_for_each_axis(arb *a)
 {
     const loft_predictor start = arb_predictor(a);
@@ -329,7 +329,7 @@ static void lines_take_one_residual_for_each_axis(arb *a)
     CHECK(loft_packer_push(&p, &item) == LOFT_OK && p.size == size);
 }
 
-/* Motion with even jerk: second differences grow, third ones stay: one byte a point. */
+/* Motion with even jerk: second differences grow, third ones stay: one byte per point. */
 static void fine_points_take_one_byte_at_even_jerk(arb *a)
 {
     const loft_predictor start = arb_predictor(a);
@@ -353,7 +353,7 @@ static void fine_points_take_one_byte_at_even_jerk(arb *a)
     CHECK(p.size >= 5 * ((LOFT_AXES + 2) / 3));
 }
 
-/* Whatever is accepted is exactly what was announced, and says the same when it is packed again. */
+/* Accepted bytes have exactly the announced count, and are the same when packed again. */
 static void any_bytes_are_items_or_refused(arb *a)
 {
     const enum loft_kind kind = arb_kind(a);
@@ -390,7 +390,7 @@ static void any_bytes_are_items_or_refused(arb *a)
     CHECK(accepted <= 1);
 }
 
-/* Cut, lengthened, or with another count, a good row of items is refused. */
+/* A good row of items is refused when it is cut, lengthened, or has another count. */
 static void a_wrong_count_or_length_is_refused(arb *a)
 {
     const enum loft_kind kind = arb_kind(a);
@@ -416,7 +416,7 @@ static void a_wrong_count_or_length_is_refused(arb *a)
     }
 }
 
-/* One row is the only one that says so: no longer varints, no ticks out of range. */
+/* The encoding is unique: no longer varints, no ticks out of range. */
 static void other_spellings_of_a_span_are_refused(arb *a)
 {
     uint8_t byte[LOFT_ITEM_BYTES + 4] = { 0 };
@@ -426,7 +426,7 @@ static void other_spellings_of_a_span_are_refused(arb *a)
 
     byte[0] = 1;
     CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, size, 1) == LOFT_OK);
-    byte[0] = 0;                                                        /* no ticks */
+    byte[0] = 0;                                                        /* 0 ticks */
     CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, size, 1) == LOFT_ERR_DATA);
     byte[0] = 0x80, byte[1] = 0x08;                                     /* 1024 ticks */
     CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_ERR_DATA);
@@ -448,9 +448,9 @@ static void other_spellings_of_a_curve_are_refused(arb *a)
     loft_unpacker u;
     (void)a;
 
-    /* a point, at the feed before */
+    /* a point, with the last feed */
     CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 1, 1) == LOFT_OK);
-    byte[0] = 0x80, byte[1] = 0;                                        /* no feed */
+    byte[0] = 0x80, byte[1] = 0;                                        /* a feed of 0 */
     CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 2, 1) == LOFT_ERR_DATA);
     byte[1] = 0xFF, byte[2] = 0xFF, byte[3] = 0x03;                     /* 65535 */
     CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 4, 1) == LOFT_OK);

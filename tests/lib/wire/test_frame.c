@@ -11,7 +11,7 @@ typedef struct {
     size_t  size;
 } content;
 
-/* Content full of what framing finds hard: zeros, runs without any, values next to both. */
+/* Content that is hard to frame: zeros, long runs without zeros, values next to both. */
 static content arb_content(arb *a, size_t least, size_t most)
 {
     const uint32_t taste = arb_below(a, 5);
@@ -32,7 +32,7 @@ static size_t encode(const content *c, uint8_t wire[LOFT_FRAME_MAX])
     return loft_frame_encode(wire, c->size);
 }
 
-/* What comes out of a decoder, in order. */
+/* The results of a decoder, in order. */
 typedef struct {
     unsigned good, bad;
     content last[4];
@@ -73,7 +73,7 @@ static void what_goes_in_comes_out(arb *a)
     CHECK(r.good == 2 && r.bad == 0 && same(&r.last[0], &c) && same(&r.last[1], &c));
 }
 
-/* "123456789" gives the check value of the catalogue; the start value is what "loft" leaves. */
+/* "123456789" gives the check value of the catalogue; the start value is the state after "loft". */
 static void the_crc_is_crc32c(arb *a)
 {
     uint32_t crc = 0xFFFFFFFFu;
@@ -101,7 +101,7 @@ static void sizes_out_of_range_are_refused(arb *a)
     CHECK(loft_frame_encode(wire, LOFT_FRAME_CONTENT) == LOFT_FRAME_MAX);
 }
 
-/* A frame one byte longer than the longest, CRC and all, is refused and the next one is taken. */
+/* A frame one byte longer than the longest, with a right CRC, is refused; the next one is taken. */
 static void too_long_is_refused(arb *a)
 {
     uint8_t wire[LOFT_FRAME_MAX + 1], good[LOFT_FRAME_MAX];
@@ -192,8 +192,7 @@ static void empty_frames_are_nothing(arb *a)
 // Damage
 // ------
 
-/* Before, damaged, after, after: nothing but what was sent may be taken, and the last one always
- * is. */
+/* Before, damaged, after, after: only sent frames may be taken, and the last one always is. */
 typedef struct {
     content c[3];
     uint8_t wire[3][LOFT_FRAME_MAX];
@@ -237,7 +236,7 @@ static void flip(uint8_t *wire, size_t bit)
     wire[bit / 8] = (uint8_t)(wire[bit / 8] ^ 1u << bit % 8);
 }
 
-/* All of them on a frame of the full length; q16 alone, because no number type is involved. */
+/* All kinds of damage on a frame of full length; only q16, because no number type is involved. */
 static void no_one_or_two_flipped_bits_pass(arb *a)
 {
     scene s = arb_scene(a, LOFT_FRAME_CONTENT);

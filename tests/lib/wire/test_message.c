@@ -42,8 +42,8 @@ static bool same_ack(const loft_ack *a, const loft_ack *b)
            a->control == b->control;
 }
 
-/* The content of the one frame in wire[0..size-1], which nobody can take who does not know its
- * seal. */
+/* The content of the one frame in wire[0..size-1], which only a receiver that knows its seal can
+ * take. */
 static loft_frame sealed_content(const uint8_t wire[], size_t size, uint32_t seal)
 {
     loft_frame f;
@@ -270,7 +270,7 @@ static void answers_come_back(arb *a)
     REFUSES_OTHER_LENGTHS(f, loft_machine_status_decode(&f, &t), false);
 }
 
-/* An answer that contradicts itself is not used. */
+/* A contradictory answer is not used. */
 static void impossible_answers_are_refused(arb *a)
 {
     uint8_t wire[LOFT_FRAME_MAX];
@@ -312,8 +312,8 @@ static void reports_come_back(arb *a)
     CHECK(loft_report_decode(&f, &g) == LOFT_ERR_DATA);
 }
 
-/* Items fill a frame to the machine's size and no further; the number of the first is sent modulo
- * 65536. */
+/* Items fill a frame up to the machine's size. The number of the first item is sent modulo 65536.
+ * */
 static void items_come_back(arb *a)
 {
     const uint8_t frame_max = (uint8_t)(15 + 15 * LOFT_AXES +

@@ -3,7 +3,7 @@
  */
 #include "support/line.h"           /* mill: the smallest machine behind a receiver */
 
-/* Give the receiver one frame; count the events. */
+/* Give one frame to the receiver; count the events. */
 static unsigned give(mill *m, arb *a, const uint8_t wire[], size_t size)
 {
     const uint32_t before = m->jobs + m->delivered + m->ends + m->holds + m->resumes + m->aborts +
@@ -30,8 +30,7 @@ static loft_ack answer(mill *m)
     return ack;
 }
 
-/* Each message repeated does nothing; each out of place does nothing; the wrong session does
- * nothing. */
+/* A repeated message, a misplaced one, and one of a wrong session have no effect. */
 static void a_message_works_once_and_in_its_place(arb *a)
 {
     static mill m;
@@ -115,7 +114,7 @@ static void a_message_works_once_and_in_its_place(arb *a)
     CHECK(give(&m, a, wire, loft_job_encode(&job, s, wire)) == 0);
 }
 
-/* All that the receiver would send now, type by type; the last of each is kept. */
+/* All frames that the receiver would send now, type by type; the last of each is kept. */
 typedef struct {
     uint16_t types;             /* bit t: type t was among them */
     unsigned frames;
@@ -163,7 +162,7 @@ static answers all_answers(mill *m)
 
 #define TYPE(t) (1u << (t))
 
-/* A machine in the middle of a job, with a different number in each place. */
+/* A machine in the middle of a job, with a different number in each field. */
 static void arb_mill(arb *a, mill *m, loft_job *job)
 {
     /* 0 is a nonce like any other */
@@ -197,8 +196,7 @@ static void same_ack(const loft_ack *ack, const mill *m, uint32_t next)
     CHECK(ack->flags == (LOFT_FLAG_OPENED | (m->now.starved ? LOFT_FLAG_STARVED : 0)));
 }
 
-/* The number is right and so is the check, but the sender believes that the decoder stands
- * elsewhere. */
+/* The number and the CRC are right, but the sender assumes another state of the decoder. */
 static void items_for_another_place_are_not_taken(arb *a)
 {
     static mill m;
@@ -226,7 +224,7 @@ static void items_for_another_place_are_not_taken(arb *a)
                loft_data_encode(&k, 0, loft_predictor_seal(&elsewhere), m.r.session, wire)) == 1);
 }
 
-/* Every number of the machine arrives in its place. */
+/* Every number of the machine arrives in its field. */
 static void answers_say_what_is(arb *a)
 {
     const loft_hello hello = { 0, 15, 8 };
@@ -293,8 +291,8 @@ static void answers_say_what_is(arb *a)
     CHECK(all_answers(&m).frames == 0);
 }
 
-/* Nothing is answered that does not ask: noise without a session or after the end, frames of
- * nobody. */
+/* There is no unrequested answer: noise without a session or after the end, frames of unknown
+ * senders. */
 static void silence_where_nothing_is_asked(arb *a)
 {
     static const uint8_t noise[4] = { 5, 5, 5, 0 };
@@ -336,8 +334,8 @@ static void silence_where_nothing_is_asked(arb *a)
     CHECK(all_answers(&m).types == TYPE(LOFT_STATUS));
 }
 
-/* Unasked, when a quarter of the queue more has become free, in each state that takes items and in
- * no other. */
+/* An answer comes unasked when a quarter of the queue more has become free, in each state that
+ * takes items and in no other state. */
 static void room_is_told_in_quarters(arb *a)
 {
     /* by enum loft_machine_state */
@@ -362,7 +360,7 @@ static void room_is_told_in_quarters(arb *a)
     }
 }
 
-/* A frame waits when push says so and not before; one that is not looked at is asked for again. */
+/* A frame waits exactly when push says so. One that is not looked at is requested again. */
 static void push_tells_when_a_frame_waits(arb *a)
 {
     static mill m;

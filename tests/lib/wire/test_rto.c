@@ -35,8 +35,8 @@ static void what_is_measured_is_smoothed(arb *a)
     }
 }
 
-/* Twice as long each time, to LOFT_RTO_MOST; back at once when an answer is here, or not at all if
- * none ever was. */
+/* The timeout doubles each time, to LOFT_RTO_MOST. An answer resets it at once; without any
+ * measurement it stays. */
 static void silence_is_waited_for_ever_longer(arb *a)
 {
     const bool measured = arb_below(a, 2);

@@ -21,8 +21,7 @@ static size_t poll(loft_sender *s, uint32_t now, uint8_t wire[])
     return n;
 }
 
-/* The next frame of this type, and when it comes: ms are counted from *now. Others are thrown
- * away. */
+/* The next frame of this type, and its time in ms, counted from *now. Other frames are dropped. */
 static uint32_t next_of(loft_sender *s, uint32_t *now, enum loft_message type)
 {
     uint8_t wire[LOFT_FRAME_MAX];
@@ -61,7 +60,7 @@ static void hello_is_repeated_ever_less_often(arb *a)
           loft_sender_silence(&s, now) == 200 + 400 + 800 + 3000);
 }
 
-/* Only one AXIS comes through for each HELLO; what has come is kept, unless the machine restarts in
+/* Only one AXIS arrives for each HELLO. What has arrived is kept, unless the machine restarts in
  * between. */
 static void a_greeting_is_put_together(arb *a)
 {
@@ -121,7 +120,7 @@ static void frames_of_another_session_are_counted_and_forgotten(arb *a)
     CHECK(w.s.unknown == unknown + 2 && w.s.ack.next == next);
 }
 
-/* An answer from before the last one, or about items that there are not, moves nothing. */
+/* An outdated answer, or one about items that do not exist, changes nothing. */
 static void stale_answers_are_forgotten(arb *a)
 {
     static world w;
@@ -150,7 +149,7 @@ static void stale_answers_are_forgotten(arb *a)
     CHECK(w.s.phase == LOFT_PHASE_DONE && w.m.delivered == w.count);
 }
 
-/* With room enough, eight frames are on their way, and not nine. */
+/* With enough room eight frames are in flight, not nine. */
 static void the_window_is_used_and_kept(arb *a)
 {
     static world w;
@@ -208,8 +207,8 @@ static void wait_tells_the_truth(arb *a)
     }
 }
 
-/* The round trip is that of the line: delays, the bytes of one frame, those of its answer, and the
- * steps of the world. */
+/* The round trip is that of the line: delays, the bytes of one frame and of its answer, and the
+ * steps of the simulated world. */
 static void the_round_trip_is_measured(arb *a)
 {
     static world w;
@@ -225,8 +224,8 @@ static void the_round_trip_is_measured(arb *a)
     CHECK(w.s.rto.ms >= 2 * w.s.rtt_ms && w.s.rto.ms <= 4 * w.s.rtt_ms + 25);
 }
 
-/* The line dies in mid-job: it asks after rto, twice, four times it .., and sends nothing else;
- * HELLO after 1.5 s without an answer. */
+/* The line dies in mid-job: the sender asks after rto, twice, four times that .., and sends nothing
+ * else. It sends HELLO after 1.5 s without an answer. */
 static void a_dead_line_is_tried_ever_less_often(arb *a)
 {
     static world w;
@@ -266,9 +265,9 @@ static void a_dead_line_is_tried_ever_less_often(arb *a)
     CHECK(!w.s.resumed && !w.s.collected);
 }
 
-/* Behind a buffer that takes everything, answers come late for a while (something got no turn).
- * That is no loss, and nothing goes out twice: repetitions would make the next answers later still,
- * and that never ends. */
+/* With a buffer that accepts everything, answers are late for a while, because a program did not
+ * run. That is not a loss, and nothing is sent twice: repetitions would delay the next answers
+ * further, without end. */
 static void what_is_answered_late_is_not_sent_again(arb *a)
 {
     static world w;
@@ -319,7 +318,7 @@ static void one_lost_frame_costs_one_round_trip(arb *a)
     CHECK(lost <= clean + 150);
 }
 
-/* All answers are lost for a while: what came is known from the next one, and is not sent again. */
+/* All answers are lost for a while. The next answer covers them, and nothing is sent again. */
 static void answers_that_are_lost_cost_nothing(arb *a)
 {
     static world w;
@@ -333,7 +332,7 @@ static void answers_that_are_lost_cost_nothing(arb *a)
     CHECK(w.s.phase == LOFT_PHASE_DONE && w.m.delivered == w.count && w.s.resent == 0);
 }
 
-/* The last frames are lost, and nothing behind them tells: a question does, after a silence. */
+/* The last frames are lost, and no later frame shows it. A question does, after a silence. */
 static void what_is_lost_at_the_end_is_asked_for(arb *a)
 {
     static world w;
@@ -350,7 +349,7 @@ static void what_is_lost_at_the_end_is_asked_for(arb *a)
     CHECK(w.s.resent > 0 && w.s.sent - sent == w.s.resent && w.s.resent <= LOFT_WINDOW_FRAMES);
 }
 
-/* END alone is lost. */
+/* Only END is lost. */
 static void a_lost_end_is_said_again(arb *a)
 {
     static world w;
@@ -363,7 +362,7 @@ static void a_lost_end_is_said_again(arb *a)
     CHECK(w.s.phase == LOFT_PHASE_DONE && w.m.ends == 1 && w.now - begun < 300);
 }
 
-/* JOB alone is lost, again and again. */
+/* Only JOB is lost, repeatedly. */
 static void a_lost_job_is_said_again(arb *a)
 {
     static world w;
@@ -383,7 +382,7 @@ static void a_lost_job_is_said_again(arb *a)
 // The end
 // -------
 
-/* The machine never says that it has closed: four times, then it is enough. */
+/* The machine never confirms the close: the sender gives up after four attempts. */
 static void closing_is_not_waited_for(arb *a)
 {
     static world w;
@@ -404,7 +403,7 @@ static void broken_source(void *context, uint32_t index, loft_item *out)
         out->ticks = 0;
 }
 
-/* An item that no frame can hold ends the job, and the reason is known. */
+/* An item that no frame can hold ends the job, and the reason is reported. */
 static void an_item_that_cannot_be_said_ends_the_job(arb *a)
 {
     static world w;

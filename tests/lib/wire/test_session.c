@@ -26,8 +26,8 @@ static void arb_faults(arb *a, line_faults *f)
     f->outage    = arb_below(a, 3) ? 0 : 200000 / f->outage_ms;     /* a tenth of the time */
 }
 
-/* The job is drawn: every item once, in order (the machine compares each), and both sides say
- * so. */
+/* The job is drawn: every item once, in order (the machine compares each), and both sides report
+ * it. */
 static void check_drawn(const world *w)
 {
     CHECK(w->s.phase == LOFT_PHASE_DONE);
@@ -52,7 +52,7 @@ static void a_good_line_needs_no_repairs(arb *a)
     CHECK(!w.s.resumed && !w.s.collected);
 }
 
-/* 115200 baud, a machine that is never full: more than nine tenths of the line's bytes are
+/* 115200 baud, and a machine that is never full: more than nine tenths of the line's bytes are
  * items. */
 static void a_good_line_is_used_well(arb *a)
 {
@@ -80,7 +80,7 @@ static void a_good_line_is_used_well(arb *a)
     CHECK(took * 8 < payload * 10);
 }
 
-/* A machine much slower than the line: its queue is kept full without frames of one item. */
+/* A machine much slower than the line: its queue stays full without frames of one item. */
 static void a_full_machine_is_fed_in_portions(arb *a)
 {
     static world w;
@@ -122,7 +122,7 @@ static void every_item_arrives_once_over_a_bad_line(arb *a)
     check_drawn(&w);
 }
 
-/* The sender is killed at any moment, in the middle of a frame, and the same command given
+/* The sender is killed at any moment, even in the middle of a frame, and the same command is given
  * again. */
 static void senders_may_die(arb *a)
 {
@@ -150,7 +150,7 @@ static void senders_may_die(arb *a)
     check_drawn(&w);
 }
 
-/* Frames of long ago, of this session and of others before, come again in both directions. */
+/* Old frames, of this session and of earlier ones, come again in both directions. */
 static void stale_frames_change_nothing(arb *a)
 {
     static world w;
@@ -171,7 +171,7 @@ static void stale_frames_change_nothing(arb *a)
     CHECK(w.s.phase == LOFT_PHASE_DONE && w.m.delivered == w.count && w.m.jobs == 1);
 }
 
-/* A machine that does not look at all items of a frame gets the rest again. */
+/* A machine that does not take all items of a frame gets the rest again. */
 static void a_careless_machine_loses_nothing(arb *a)
 {
     static world w;
@@ -276,9 +276,9 @@ static void another_job_is_left_alone(arb *a)
     }
 }
 
-/* The sender died when all was sent; the report waits for the next one, which does not draw it
- * again. */
-/* A line that is gone ends a job whose report has come, and no other. */
+/* The sender died when everything was sent. The report waits for the next sender, which does not
+ * draw the job again. */
+/* A lost line ends a job whose report has come, and no other. */
 static void a_hangup_ends_what_is_reported(arb *a)
 {
     static world w;
@@ -336,8 +336,7 @@ static void a_refusal_is_told(arb *a)
     CHECK(w.m.jobs == 0 && w.m.delivered == 0);
 }
 
-/* A JOB that was refused stays so in its session: one that comes late must not begin when its host
- * has gone. */
+/* A refused JOB stays refused in its session: a late one must not begin after its host has gone. */
 static void a_refused_job_comes_late_and_begins_nothing(arb *a)
 {
     static world w;
@@ -358,7 +357,7 @@ static void a_refused_job_comes_late_and_begins_nothing(arb *a)
     check_drawn(&w);
 }
 
-/* The machine finds in the middle that it cannot: the job is ended and the reason known. */
+/* The machine finds in mid-job that it cannot continue: the job ends and the reason is reported. */
 static void a_late_refusal_ends_the_job(arb *a)
 {
     static world w;
@@ -422,7 +421,7 @@ static void an_unfit_machine_is_not_used(arb *a)
     CHECK((w.s.phase == LOFT_PHASE_UNFIT) == (what < 6));
 }
 
-/* A host of another version is told so, and the job goes on. */
+/* A host of another version is refused, and the job continues. */
 static void no_common_version_is_told(arb *a)
 {
     static world w;
@@ -456,7 +455,7 @@ static void no_common_version_is_told(arb *a)
 // Hold, resume, abort
 // -------------------
 
-/* The queue is full and so is the window; a control is obeyed within a round trip all the same. */
+/* The queue and the window are full; a control is still executed within a round trip. */
 static void controls_pass_a_full_window(arb *a)
 {
     static world w;
@@ -484,8 +483,7 @@ static void controls_pass_a_full_window(arb *a)
     CHECK(w.m.holds == 1 && w.m.resumes == 1 && w.m.aborts == 0);
 }
 
-/* Also one that comes while a hold is on its way: both are obeyed, the override last asked for is
- * what counts. */
+/* An override during a hold in flight: both are executed, and the last override counts. */
 static void overrides_pass_a_full_window_and_replace_no_hold(arb *a)
 {
     static world w;
@@ -515,8 +513,8 @@ static void overrides_pass_a_full_window_and_replace_no_hold(arb *a)
     CHECK(w.s.status.override == percent);
 }
 
-/* Any controls at any time over a bad line: the last one is what the machine does, and none is
- * obeyed twice in a session. */
+/* Any controls at any time over a bad line: the machine follows the last one, and executes none
+ * twice in a session. */
 static void the_last_control_counts(arb *a)
 {
     static world w;
@@ -551,8 +549,8 @@ static void the_last_control_counts(arb *a)
     CHECK(w.m.holds + w.m.resumes <= asked + w.s.hellos);
 }
 
-/* A control that is asked for before the machine has the JOB goes out behind it, over a bad line as
- * well: the job would begin free of it. */
+/* A control before the machine has the JOB is sent after it, even over a bad line, because the job
+ * would begin without it. */
 static void a_hold_asked_for_early_holds_the_job(arb *a)
 {
     static world w;
@@ -599,7 +597,7 @@ static void an_aborted_job_ends_with_a_report(arb *a)
 // Odds and ends
 // -------------
 
-/* Types nobody knows, and the machine's own frames coming back, are skipped and counted. */
+/* Unknown types, and the machine's own frames coming back, are skipped and counted. */
 static void unknown_messages_are_skipped_and_counted(arb *a)
 {
     static world w;

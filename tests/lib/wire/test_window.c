@@ -23,7 +23,7 @@ static void begin(loft_window *w, arb *a)
     loft_window_open(w, 0, LOFT_FRAME_MAX);
 }
 
-/* Of a job that is still being made, some more items are there, or all. */
+/* More items of a job in the making are known, or all. */
 static void extend(loft_window *w, uint32_t by)
 {
     const uint32_t known = w->known + by < COUNT ? w->known + by : COUNT;
@@ -53,8 +53,8 @@ static bool begins_at(const loft_window *w, uint32_t first, const uint8_t wire[]
            loft_data_carried(&f) && loft_data_first(&f, &number) == LOFT_OK && number == first;
 }
 
-/* Whatever arrives, is lost or is asked for again: each frame begins where the last one ended or,
- * gone back, at base, none goes beyond the limit or the window, and what was acknowledged is not
+/* Frames arrive, are lost or are requested again. Each frame begins where the last one ended or,
+ * after going back, at base. None exceeds the limit or the window, and acknowledged items are not
  * sent again. */
 static void frames_follow_each_other(arb *a)
 {
@@ -98,8 +98,8 @@ static void frames_follow_each_other(arb *a)
     CHECK(w.base == COUNT && !loft_window_ready(&w, UINT32_MAX, 1));
 }
 
-/* A frame that is made again from the same item is the same, byte for byte, also by a sender that
- * never made it before. */
+/* A frame made again from the same item is the same, byte for byte, even from a sender that has not
+ * made it before. */
 static void frames_are_made_again_byte_for_byte(arb *a)
 {
     uint8_t wire[2][LOFT_FRAME_MAX];
@@ -122,7 +122,7 @@ static void frames_are_made_again_byte_for_byte(arb *a)
     CHECK(loft_window_give(&other, COUNT, 3, 5, wire[1]) == n && memcmp(wire[0], wire[1], n) == 0);
 }
 
-/* The answer to a frame that was sent twice may be to either: it measures nothing. */
+/* The answer to a frame that was sent twice may belong to either: it measures nothing. */
 static void what_was_sent_twice_measures_nothing(arb *a)
 {
     uint8_t wire[LOFT_FRAME_MAX];
@@ -143,7 +143,7 @@ static void what_was_sent_twice_measures_nothing(arb *a)
     CHECK(!loft_window_take(&w, end, before + time, &trip) && w.flights == 0);
 }
 
-/* New items wait for `step` of room, unless they are the last; what is sent again does not. */
+/* New items wait for `step` of room, unless they are the last. Repeated items do not wait. */
 static void little_room_is_waited_for(arb *a)
 {
     uint8_t wire[LOFT_FRAME_MAX];

@@ -1,6 +1,5 @@
-/* tests/lib/wire/test_wire_fuzz.c -- the entry of the fuzzer, fed from seeds: a short campaign that
- * repeats
- * SPDX-License-Identifier: MIT
+/* tests/lib/wire/test_wire_fuzz.c -- the fuzzer's entry, fed from seeds: a short, repeatable
+ * campaign SPDX-License-Identifier: MIT
  */
 #include "fuzz_wire.c"
 

@@ -1,12 +1,11 @@
-/* tests/lib/wire/test_wire_page.c -- the examples of lib/wire/WIRE.md are what the code says and
- * does
+/* tests/lib/wire/test_wire_page.c -- the examples of lib/wire/WIRE.md agree with the code
  * SPDX-License-Identifier: MIT
  *
- * An example stands between two lines of ```: text that names a message and its fields, then the
- * bytes of its frame in hexadecimal. Each frame is decoded and described in words, the words are
- * compared with the page, and the message is encoded again and compared with the bytes. SPANS and
- * POINTS follow the JOB before them. Items are those of 3 axes. WIRE_PAGE in the environment names
- * another page.
+ * An example is between two lines of ```: text that names a message and its fields, then the bytes
+ * of its frame in hexadecimal. Each frame is decoded and described in words, and the words are
+ * compared with the page. Then the message is encoded again and compared with the bytes. SPANS and
+ * POINTS follow their JOB. Items are those of 3 axes. WIRE_PAGE in the environment names another
+ * page.
  */
 #include <ctype.h>
 #include <stdarg.h>
@@ -159,7 +158,7 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
     }
 }
 
-/* How each data message is called, and the kind of its items. */
+/* The name of each data message, and the kind of its items. */
 static const struct {
     const char *name;
     enum loft_kind kind;
@@ -230,7 +229,7 @@ static void check_example(const example *e)
 // The page
 // --------
 
-/* "   0a FF 00": nothing but pairs of hexadecimal digits. */
+/* "   0a FF 00": only pairs of hexadecimal digits. */
 static bool take_hex(example *e, const char *line)
 {
     const size_t before = e->size;

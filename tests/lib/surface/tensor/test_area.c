@@ -5,7 +5,7 @@
 #include "surface/tensor/area.h"
 #include "support/tensors.h"            /* tensor_fill, tensor_exact */
 
-/* The reference: Gauss's rule with 8 x 8 places on each of PARTS x PARTS pieces. */
+/* The reference: Gauss's rule with 8 x 8 nodes on each of PARTS x PARTS pieces. */
 static long double density(const loft_tensor *s, long double u, long double v)
 {
     long double a[3] = { 0 }, b[3] = { 0 }, sum = 0;
@@ -45,7 +45,7 @@ static long double integral(const loft_tensor *s, unsigned parts)
     return sum / 4 / parts / parts;
 }
 
-/* A sheet over a square of the given size, with bumps of `height` of it. */
+/* A surface over a square of the given size, with bumps of `height` times that size. */
 static tensor *arb_sheet(arb *a, int32_t size, int32_t height)
 {
     static tensor x;
@@ -92,7 +92,7 @@ static void a_finer_tolerance_is_kept_too(arb *a)
     CHECK_EXACT(exact_acc(area), integral(&x->s, 4), exact_of(tol) + 1e-7L);
 }
 
-/* Plane, whatever its parameters: the corners of the rectangle say it. */
+/* A plane patch, whatever its parametrization: the corners of the rectangle give the area. */
 static void a_plane_patch_is_exact(arb *a)
 {
     static tensor x;
@@ -123,7 +123,7 @@ static void what_cannot_be_answered_is_refused(arb *a)
     loft_acc area = 77;
 
     CHECK(loft_tensor_area(&x->s, 0, &area) == LOFT_ERR_ARG);
-    x->p[0].axis[0] -= LOFT_REAL(1);            /* bent: no tolerance that fine can be proven */
+    x->p[0].axis[0] -= LOFT_REAL(1);            /* curved: no tolerance that fine is provable */
     x->p[x->n].axis[LOFT_AXES - 1] += LOFT_REAL(200);
 #if LOFT_NUM != LOFT_Q16
     CHECK(loft_tensor_area(&x->s, (loft_real)1e-15, &area) == LOFT_ERR_RANGE);

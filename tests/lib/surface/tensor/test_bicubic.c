@@ -76,7 +76,7 @@ static void derivatives_keep_their_bound(arb *a)
         }
 }
 
-/* Corners, tangents and twists are met: the data themselves come back. */
+/* Corners, tangents and twists are interpolated: the data come back. */
 static void corners_are_met(arb *a)
 {
     const loft_bicubic b = arb_bicubic(a, 3000);
@@ -90,7 +90,7 @@ static void corners_are_met(arb *a)
         }
 }
 
-/* The net of the tensor product: its corners, and by de Casteljau the same point. */
+/* The net of the tensor product has the corners, and gives the same point by de Casteljau. */
 static void tensor_is_the_same_patch(arb *a)
 {
     const loft_bicubic b = arb_bicubic(a, 9000);
@@ -113,7 +113,7 @@ static void tensor_is_the_same_patch(arb *a)
     }
 }
 
-/* Moving the corners moves the patch; turning the roles of u and v gives the same point. */
+/* Moving the corners moves the patch; exchanging u and v gives the same point. */
 static void moves_and_turns_with_its_data(arb *a)
 {
     loft_bicubic b = arb_bicubic(a, 500), turned;
@@ -146,7 +146,7 @@ static void refuses_what_is_outside(arb *a)
           loft_bicubic_eval(&b, 0, LOFT_UNIT(1.001), &p) == LOFT_ERR_ARG);
 }
 
-/* C0, C1 and G1 of joins made so, and what one LSB does to them. */
+/* C0, C1 and G1 of joins that are constructed so, and after a change by one LSB. */
 static void joins_are_what_they_were_made(arb *a)
 {
     loft_bicubic c = arb_bicubic(a, 3000), g = arb_bicubic(a, 3000);
@@ -184,8 +184,8 @@ static void joins_are_what_they_were_made(arb *a)
         CHECK(loft_bicubic_join_init(&j, &c, &bent) == LOFT_OK && !j.c0 && !j.c1 && !j.g1);
 }
 
-/* A factor that no coordinate holds is reported, and the flags are right; no derivative gives no
- * direction. */
+/* A factor that no coordinate holds is reported, and the flags are right. A derivative of 0 gives
+ * no direction. */
 static void extreme_joins_are_answers(arb *a)
 {
     loft_bicubic c = arb_bicubic(a, 3000), g = c;

@@ -47,7 +47,7 @@ static long double exact_axis(const loft_bezier *b, int axis, unsigned k, long d
 
 static unsigned highest(unsigned m, unsigned n) { return m > n ? m : n; }
 
-/* The sides themselves, whatever the degree: in q16 bit for bit those of loft_bezier_eval. */
+/* The sides are met in any degree, in q16 bit for bit as loft_bezier_eval. */
 static void boundary_is_followed(arb *a)
 {
     const unsigned m = 1 + arb_below(a, 9), n = 1 + arb_below(a, 9);
@@ -109,7 +109,7 @@ static void bilinear_keeps_its_bound(arb *a)
     CHECK(status[0] == (fits ? LOFT_OK : LOFT_ERR_RANGE) && status[1] == status[0]);
 }
 
-/* The net of the boundary polygons is the same patch, and its boundary theirs. */
+/* The net of the boundary polygons is the same patch, with their boundary. */
 static void tensor_is_the_same_patch(arb *a)
 {
     const unsigned m = 1 + arb_below(a, 9), n = 1 + arb_below(a, 9);
@@ -167,8 +167,8 @@ static void moves_with_its_curves(arb *a)
                     BY_NUM(0, 3 * ulp(12000), 200 * ulp(12000)));
 }
 
-/* Curves that are not Bezier curves: a straight B-spline of one span and a rational curve of equal
- * weights are known. */
+/* Curves other than Bezier curves: a straight B-spline of one span and a rational curve of equal
+ * weights have known points. */
 static void any_curve_is_a_side(arb *a)
 {
     const loft_real knots[8] = { LOFT_REAL(-2), LOFT_REAL(-2), LOFT_REAL(-2), LOFT_REAL(-2),
@@ -232,7 +232,7 @@ static void refuses_curves_that_do_not_meet(arb *a)
 
 
 /* Slopes and curvatures: curves taken from a tensor product agree at the corners, and the patch
- * takes on all of them. */
+ * interpolates all of them. */
 
 typedef struct {
     loft_vec p[4 * LOFT_COONS_ORDERS][COUNT];
@@ -309,7 +309,7 @@ static long double error_of(unsigned n, bool derivative, long double reach)
     return BY_NUM(LSB / 2, ulp(reach * 8), 0) + wide[BY_NUM(0, 1, 1)];
 }
 
-/* Values, and slopes across, are those of the eight curves, wherever along them. */
+/* Values and slopes across equal those of the eight curves, anywhere along them. */
 static void slopes_are_followed(arb *a)
 {
     const unsigned orders = 2 + arb_below(a, 2), n = orders + arb_below(a, 5);
@@ -334,7 +334,8 @@ static void slopes_are_followed(arb *a)
         }
 }
 
-/* The blends of values, slopes and curvatures at 0 and 1: coefficients of their powers. */
+/* The blending functions of values, slopes and curvatures at 0 and 1: coefficients of their powers.
+ * */
 static const int *powers_of(unsigned which, unsigned orders)
 {
     static const int cubic[4][6] = {
@@ -348,7 +349,7 @@ static const int *powers_of(unsigned which, unsigned orders)
     return orders == 1 ? linear[which] : orders == 2 ? cubic[which] : quintic[which];
 }
 
-/* k = 0, 1 or 2 times derived. */
+/* Differentiated k = 0, 1 or 2 times. */
 static long double blend_of(unsigned which, unsigned orders, unsigned k, long double t)
 {
     const int *c = powers_of(which, orders);
@@ -359,7 +360,7 @@ static long double blend_of(unsigned which, unsigned orders, unsigned k, long do
     return orders == 3 ? sum / 2 : sum;
 }
 
-/* Against the definition in long double, all derivatives to the first, all orders. */
+/* Against the definition in long double: all first derivatives, all orders. */
 static void patches_keep_their_bound(arb *a)
 {
     const unsigned orders = 1 + arb_below(a, 3), n = 2 + arb_below(a, 8);
@@ -420,7 +421,7 @@ static long double blend_width(unsigned which, unsigned orders, unsigned k)
     return widest(c, degree, k);
 }
 
-/* Points count from the first corner. */
+/* Points are relative to the first corner. */
 static long double curve_width(const web *w, const loft_bezier *b, int axis, unsigned which,
                                unsigned k)
 {
@@ -432,7 +433,7 @@ static long double curve_width(const web *w, const loft_bezier *b, int axis, uns
     return widest(c, b->degree, k);
 }
 
-/* The derivative of the Boolean sum, and the sum of the largest that its parts can be. */
+/* The derivative of the Boolean sum, and the sum of the largest values of its parts. */
 static long double sum_of(const web *w, unsigned orders, int axis, const uint8_t order[2],
                           long double x, long double y, long double *width)
 {
@@ -457,7 +458,7 @@ static long double sum_of(const web *w, unsigned orders, int axis, const uint8_t
     return sum;
 }
 
-/* All five, of curves that agree at their corners or not, near the origin or far from it. */
+/* All five derivatives, for curves that agree at their corners or not, near the origin or far. */
 static void local_derivatives_keep_their_law(arb *a)
 {
     const unsigned orders = 1 + arb_below(a, 3), n = 1 + arb_below(a, 9);
@@ -492,7 +493,7 @@ static void local_derivatives_keep_their_law(arb *a)
     CHECK(loft_coons_bezier_differential(&c, s, LOFT_UNIT(-1), &here) == LOFT_ERR_ARG);
 }
 
-/* A bilinear, bicubic or biquintic tensor product is its own patch, and bends the same. */
+/* A bilinear, bicubic or biquintic tensor product reproduces itself, with its curvatures. */
 static void bends_as_the_tensor_product_it_is(arb *a)
 {
     const unsigned orders = 1 + arb_below(a, 3), n = 2 * orders - 1;
@@ -525,7 +526,7 @@ static void bends_as_the_tensor_product_it_is(arb *a)
     CHECK_EXACT(exact_acc(k[0].mean), exact_acc(k[1].mean), BY_NUM(0x1p-30L, 0x1p-30L, 0x1p-30L));
 }
 
-/* A tensor product of degree 3 x 3, or 5 x 5, is its own patch with slopes, or curvatures. */
+/* A tensor product of degree 3 x 3, or 5 x 5, reproduces itself with slopes, or curvatures. */
 static void reproduces_its_own_degree(arb *a)
 {
     const unsigned orders = 1 + arb_below(a, 3), n = 2 * orders - 1;
@@ -547,7 +548,7 @@ static void reproduces_its_own_degree(arb *a)
     }
 }
 
-/* Twists that disagree are noticed, and then the curves along v are followed all the same. */
+/* Twists that disagree are noticed; the patch then still follows the curves along v. */
 static void twists_that_disagree_favour_v(arb *a)
 {
     const unsigned n = 3;
@@ -570,7 +571,7 @@ static void twists_that_disagree_favour_v(arb *a)
         }
 }
 
-/* Nothing wraps with the largest numbers there are: a result or a report. */
+/* Nothing wraps with the largest numbers: there is a result or a report. */
 static void extremes_are_reported(arb *a)
 {
     static web w;

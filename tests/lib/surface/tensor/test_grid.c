@@ -15,7 +15,7 @@ __extension__ typedef __int128 wide;
 
 static loft_state memory[MEMORY];
 
-/* A patch, or a triangle, and how it is walked. */
+/* A patch or a triangle, and its grid. */
 typedef struct {
     tensor x;                   /* of the triangle: its net, row by row */
     loft_triangle t;
@@ -204,7 +204,7 @@ static void every_point_of_a_triangle_is_within_its_bound(arb *a)
     check_grid(arb_patch(a, true));
 }
 
-/* The largest numbers of steps that the law admits, where everything wraps that may; along the
+/* The largest numbers of steps that the law admits, where every possible value wraps; along the
  * edges of the grid. */
 static void the_longest_walks_are_within_their_bound(arb *a)
 {
@@ -251,8 +251,8 @@ static void a_cubic_triangle_of_1024_rows_is_exact(arb *a)
                 check_point(&x, p, i, j);
 }
 
-/* The edges of a tensor are walked as curves: bit for bit, and every corner is its control
- * point. */
+/* The edges of a tensor are walked as curves, bit for bit, and every corner is its control point.
+ * */
 static void edges_are_those_of_walked_curves(arb *a)
 {
     const patch *x = arb_patch(a, false);
@@ -340,8 +340,7 @@ static void runs_give_the_same_points(arb *a)
           (x->triangle ? (x->rows + 1) * (x->rows + 2) / 2 : (x->rows + 1) * (x->columns + 1)));
 }
 
-/* Four curves with shared corners, within a third of the coordinates so that what they blend to
- * fits. */
+/* Four curves with shared corners, within a third of the coordinates so that their blend fits. */
 typedef struct {
     loft_vec u[2][DEGREE + 1], v[2][DEGREE + 1];
     loft_coons_bezier c;

@@ -97,7 +97,7 @@ static long double falling(unsigned n, unsigned k)
     return f;
 }
 
-/* 1: fits by more than a LSB, 0: does not by more than a LSB, -1: too close to say */
+/* 1: fits by more than one LSB, 0: exceeds by more than one LSB, -1: too close to decide */
 static int fits(long double want)
 {
     const long double over = BY_NUM(32768 - LSB / 2, FLT_MAX, DBL_MAX),
@@ -134,8 +134,8 @@ static void a_derivative_is_within_its_bound_or_refused(arb *a)
     CHECK(status != LOFT_OK || none || f > 1000);
 }
 
-/* The piece, evaluated, is the patch: its control points err by the bound of the curve, and so does
- * its point. */
+/* The piece is the patch: its control points err by the bound of the curve, and so does its point.
+ * */
 static void check_piece(const tensor *x, const loft_vec net[], unsigned m, unsigned n,
                         long double u[2], long double v[2], arb *a)
 {
@@ -224,7 +224,7 @@ static void the_patch_stays_in_its_box(arb *a)
               exact_of(p.axis[i]) <= exact_of(box.max.axis[i]) + slack);
 }
 
-/* Moving, halving and exchanging axes of the net does the same to the points. */
+/* Moving, halving and exchanging axes of the net has the same effect on the points. */
 static void an_affine_map_of_the_net_maps_the_points(arb *a)
 {
     tensor *x = arb_tensor(a);

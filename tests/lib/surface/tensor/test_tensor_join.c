@@ -101,7 +101,7 @@ static void flags_are_those_of_whole_numbers(arb *a)
     }
 }
 
-/* A cusp of the edge at 1/4, which halving meets, and at 1/3, which it does not. */
+/* A cusp of the edge at 1/4, a point of the bisection, and at 1/3, which is none. */
 static void an_edge_with_a_cusp_is_not_g1(arb *a)
 {
     static const int64_t cusp[2][3] = { { 0, -1, 2 }, { 0, -1, 1 } };
@@ -123,8 +123,8 @@ static void an_edge_with_a_cusp_is_not_g1(arb *a)
     CHECK(j.c0 && j.c1 && !j.g1);
 }
 
-/* The normal of the second patch is (1 - 3 v)^2 that of the first, plus a little: null at 1/3, or
- * not. */
+/* The normal of the second patch is (1 - 3 v)^2 times that of the first, plus a little: 0 at 1/3,
+ * or not. */
 static void normals_that_nearly_vanish_are_told_from_null(arb *a)
 {
     static loft_vec p[8], q[8];

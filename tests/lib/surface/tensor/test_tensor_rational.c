@@ -128,7 +128,7 @@ static void derivatives_are_within_their_bounds_or_refused(arb *a)
     CHECK(status == LOFT_OK || (status == LOFT_ERR_RANGE && !all));
 }
 
-/* The piece is the patch, but for what its weights were rounded by. */
+/* The piece is the patch, up to the rounding of its weights. */
 static void check_piece(const rational *x, const loft_weighted net[], unsigned m, unsigned n,
                         const long double u[2], const long double v[2], arb *a)
 {

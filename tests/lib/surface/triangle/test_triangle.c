@@ -19,7 +19,7 @@ static loft_bary arb_point(arb *a)
     return arb_below(a, 3) ? arb_bary(a) : arb_far(a, 1 + (int32_t)arb_below(a, 8));
 }
 
-/* Refused only where a value does not fit or the rows could overflow. */
+/* It is refused only where a value does not fit or the rows could overflow. */
 static bool law_kept(long double growth) { return growth <= 19683 * 0.999L; }
 
 static void a_point_is_within_its_bound(arb *a)
@@ -74,8 +74,7 @@ static void a_point_beyond_is_within_its_bound_or_refused(arb *a)
     CHECK(status == LOFT_OK || loft_vec_equal(v, before));
 }
 
-/* The three points make the point, and degree times their sum with a direction is the
- * derivative. */
+/* The three points give the point. Degree times their sum with a direction is the derivative. */
 static void the_tangent_plane_is_within_its_bound(arb *a)
 {
     const arb_net *x = arb_net_of(a, 1, LOFT_DEGREE_MAX, 32767);
@@ -129,8 +128,8 @@ static void a_derivative_is_within_its_bound_or_refused(arb *a)
     CHECK(status == LOFT_OK ? none : status == LOFT_ERR_RANGE && !(all && law_kept(power)));
 }
 
-/* Of the exact tangent plane; the error of the edges counts by their lengths and the sine of their
- * angle. */
+/* The normal of the exact tangent plane. The error of the edges is divided by their lengths and the
+ * sine of their angle. */
 static void a_normal_is_within_its_bound(arb *a)
 {
     const arb_net *x = arb_net_of(a, 1, LOFT_DEGREE_MAX, 1 << arb_below(a, 15));
@@ -168,8 +167,8 @@ static void a_normal_is_within_its_bound(arb *a)
     CHECK(s < 1 / 64.0L || s * shorter < 0x1p-13L || q16 < 0x1p-14L);
 }
 
-/* Symmetric: the order of the arguments does not count. Affine: half way between two arguments lies
- * half way. */
+/* Symmetric: the order of the arguments does not matter. Affine: the midpoint of two arguments
+ * gives the midpoint. */
 static void the_polar_form_is_symmetric_and_affine(arb *a)
 {
     const arb_net *x = arb_net_of(a, 1, LOFT_DEGREE_MAX, 30000);

@@ -47,7 +47,7 @@ static void a_continuation_is_within_its_bound_or_refused(arb *a)
 }
 
 /* Small whole numbers and quarters of a star: every continuation is a coordinate, so it joins to
- * any order asked for, and spoilt by one LSB in row r to order r - 1 exactly. */
+ * any order asked for. Changed by one LSB in row r, it joins exactly to order r - 1. */
 static void a_continuation_joins_until_it_is_spoilt(arb *a)
 {
     const unsigned n = arb_below(a, 5);

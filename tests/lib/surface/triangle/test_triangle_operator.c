@@ -58,7 +58,7 @@ static void a_value_is_within_its_bound(arb *a)
     CHECK_EXACT(exact_of(y), want, bound_of(x, want));
 }
 
-/* Anywhere that three times the triangle's size allows, or farther for low degrees. */
+/* Anywhere within three times the triangle's size, or farther for low degrees. */
 static void a_value_outside_is_within_its_bound(arb *a)
 {
     const arb_net *x = arb_net_of(a, 1, LOFT_DEGREE_MAX, 32767);

@@ -66,7 +66,7 @@ static void a_split_is_within_its_bound(arb *a)
     }
 }
 
-/* The middles of the edges, exactly; where two parts meet, they have the same control points. */
+/* The midpoints of the edges are exact. Pieces that meet have the same control points. */
 static void quarters_are_within_their_bound_and_join(arb *a)
 {
     static const unsigned corner[4][3] = { { 0, 3, 4 }, { 3, 1, 5 }, { 4, 5, 2 }, { 5, 4, 3 } };
@@ -128,8 +128,8 @@ static void a_part_is_within_its_bound_and_the_same_surface(arb *a)
         check_piece(x, at, out, growth, false);
 }
 
-/* The value of the raised surface is that of the first, and each control point is that of raising
- * once, again and again. */
+/* The elevated surface has the same value. Repeated elevation by one gives the same control points.
+ * */
 static void a_raised_triangle_is_within_its_bound(arb *a)
 {
     static long double c[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)],

@@ -157,7 +157,7 @@ static long double slope(const long double c[], unsigned n, loft_bary at, const 
     return value;
 }
 
-/* The point is the origin: what is left of the numerator there is the rounding of the point. */
+/* The point is the origin, so the rest of the numerator there is the rounding of the point. */
 static void local_derivatives_keep_their_law(arb *a)
 {
     static const uint8_t order[5][2] = { { 1, 0 }, { 0, 1 }, { 2, 0 }, { 1, 1 }, { 0, 2 } };
@@ -201,7 +201,7 @@ static void local_derivatives_keep_their_law(arb *a)
     CHECK_EXACT(width_v, widths[1], 1e-9L * widths[1]);
 }
 
-/* The normal points outward, so the sphere bends away from it. */
+/* The normal points outward, so the sphere curves away from it. */
 static void the_octant_bends_as_its_sphere(arb *a)
 {
     const loft_real r = loft_real_from_int(1 + (int32_t)arb_below(a, 500));

@@ -67,7 +67,7 @@ static wide least_value(unsigned n, const int32_t raw[])
     return least;
 }
 
-/* Hadeler's two roads, through roots and through minors, lead to one answer. */
+/* Hadeler's two criteria, by roots and by minors, agree. */
 static void nonnegative_is_copositive(arb *a)
 {
     int32_t raw[NET_MAX];
@@ -156,7 +156,7 @@ static void wang_liu_is_enough(arb *a)
         CHECK(n > 1 || raw[0] < 0 || raw[1] < 0 || raw[2] < 0);
 }
 
-/* A sum that no coordinate holds is reported, and the flag is right all the same. */
+/* A sum that no coordinate holds is reported, and the flag is still right. */
 static void wang_liu_reports_what_does_not_fit(arb *a)
 {
     loft_real b[NET_MAX], sums[3];
@@ -234,8 +234,8 @@ static void bowls_are_of_every_kind(arb *a)
     CHECK(count[0] > 20 && count[1] > 5 && count[2] > 20);
 }
 
-/* Adding a plane changes nothing, turning the triangle turns the directions, the negative has the
- * negative trends. */
+/* Adding a plane changes nothing. Rotating the triangle rotates the directions. The negative net
+ * has the negative trends. */
 static void convexity_is_affine(arb *a)
 {
     int32_t raw[NET_MAX];
