@@ -50,8 +50,8 @@ uint16_t loft_port_inputs(void);
 /* Nothing has to be done before the next interrupt: sleep until then, or do nothing. */
 void     loft_port_wait(void);
 
-/* CALLBACKS, defined in firmware.c: a slot begins; there is time to compute; a byte was received.
- * */
+/* CALLBACKS, defined in firmware.c: a slot begins; there is time to compute; a byte was
+ * received. */
 void     loft_port_slot(void);
 void     loft_port_tick(void);
 void     loft_port_byte(uint8_t byte);

@@ -8,8 +8,8 @@
 
 /* The next point takes 1..LOFT_POINT_BYTES2 bytes, because steps and their changes are known modulo
  * 2^16. A cell is closed when a point does not fit. It then has less than that left, so its room
- * was already 0. So the room falls by at most one per point, and what the host was told stays true.
- * */
+ * was already 0. So the room falls by at most one per point, and what the host was told stays
+ * true. */
 #define SIZE sizeof(loft_item)
 
 static volatile uint8_t *bytes_of(const loft_queue *q, uint16_t cell)

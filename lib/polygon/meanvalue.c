@@ -147,8 +147,8 @@ static void complete_sum(loft_jet phi[], unsigned sides)
 /* Near an edge its tangent is unbounded, and so are the derivatives of all w_i. Their product with
  * the cross product of that edge is finite. Such an edge is seen at an obtuse angle. So all w_i are
  * multiplied by `below` of all edges seen at an obtuse angle: the products are finite, also on the
- * edges, and have the same quotients. Inside a convex polygon there are at most three such edges.
- * */
+ * edges, and have the same quotients. Inside a convex polygon there are at most three such
+ * edges. */
 enum loft_status loft_meanvalue_jet(const loft_domain *d, loft_spot p, loft_jet phi[])
 {
     loft_sci area[LOFT_SIDES_MAX];

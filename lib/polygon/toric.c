@@ -151,8 +151,8 @@ static loft_whole edge_point(const loft_lattice_edge *e, unsigned step)
     return l;
 }
 
-/* Scale the weights for loft_rational_weights: the largest to 128..256, and all times LOFT_PROJECT.
- * */
+/* Scale the weights for loft_rational_weights: the largest to 128..256, and all times
+ * LOFT_PROJECT. */
 static enum loft_status scale_weights(loft_sci w[], unsigned degree, loft_weighted out[])
 {
     const loft_sci two = loft_sci_from_int(2), top = loft_sci_from_int(256);

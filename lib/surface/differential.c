@@ -326,8 +326,8 @@ static loft_sci difference_net(loft_sci c[], unsigned degree, unsigned k)
     return loft_sci_from_int(factor);
 }
 
-/* The k-th derivative at t of a polynomial with `degree` + 1 coefficients, which are overwritten.
- * */
+/* The k-th derivative at t of a polynomial with `degree` + 1 coefficients, which are
+ * overwritten. */
 static slope line_slope(loft_sci c[], unsigned degree, unsigned k, loft_sci t)
 {
     slope r = { loft_sci_zero(), loft_sci_zero() };
@@ -399,8 +399,8 @@ static slope blend_slope(unsigned orders, unsigned b, unsigned k, loft_sci t)
     return r;
 }
 
-/* In one axis: the curves at s and t with their derivatives, the end derivatives of U_b, and H_b.
- * */
+/* In one axis: the curves at s and t with their derivatives, the end derivatives of U_b, and
+ * H_b. */
 typedef struct {
     slope u[ENDS][3], v[ENDS][3], corner[ENDS][ENDS];
     slope by_s[ENDS][3], by_t[ENDS][3];

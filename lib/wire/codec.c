@@ -55,8 +55,8 @@ uint32_t loft_predictor_seal(const loft_predictor *p)
  * e2 = p2 - 2 p1 + p0         acceleration
  * e3 = p3 - 3 p2 + 3 p1 - p0  jerk
  *
- * each modulo 2^32. The three equations have a unit diagonal, so p1, p2, p3 are restored exactly.
- * */
+ * each modulo 2^32. The three equations have a unit diagonal, so p1, p2, p3 are restored
+ * exactly. */
 static uint8_t put_span(uint8_t *byte, const loft_predictor *p, const loft_item *item)
 {
     uint8_t n = loft_varint_encode(byte, item->ticks);

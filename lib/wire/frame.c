@@ -17,8 +17,8 @@
  * FFFFFFFF after the four bytes "loft". So a frame of another protocol with the same CRC is
  * refused, at no cost on the wire. After content and its CRC the register holds a constant,
  * whatever the content is: one comparison is enough, and no second copy of the CRC. A CRC is
- * linear, so a seal on the CRC changes the register as the seal alone changes a register of zeros.
- * */
+ * linear, so a seal on the CRC changes the register as the seal alone changes a register of
+ * zeros. */
 #define CRC_START   0x73AC3B06u         /* of "loft"                */
 #define CRC_PASSED  0xB798B438u         /* after any good frame     */
 

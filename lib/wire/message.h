@@ -204,8 +204,8 @@ size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
 /* SPANS, POINTS, FINE and CURVES: init prepares `p` to pack items into the frame, encode finishes
  * it with the packed items. `frame_max` is the longest frame that the machine accepts;
- * LOFT_FRAME_MAX applies as well. `seal` is loft_predictor_seal of `predictor`, before the items.
- * */
+ * LOFT_FRAME_MAX applies as well. `seal` is loft_predictor_seal of `predictor`, before the
+ * items. */
 void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor,
                     uint8_t frame_max, uint8_t wire[LOFT_FRAME_MAX]);
 bool   loft_data_carried(const loft_frame *f);     /* is it one of the four? */

@@ -20,8 +20,8 @@ struct loft_board {
     unsigned lead_ms;           /* slots are made this long before they are due */
 
     /* `slot_hz` slots per second will follow, at most `most` of them ahead. Signals are already
-     * blocked; threads must keep it so. Returns 0 or an exit code after one line on standard error.
-     * */
+     * blocked; threads must keep it so. Returns 0 or an exit code after one line on standard
+     * error. */
     int      (*begin)(struct loft_board *b, uint32_t slot_hz, uint32_t most);
 
     /* The pins of slot number `slot`, which follows the last one. */

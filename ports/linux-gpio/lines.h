@@ -31,8 +31,8 @@ struct lines {
  * case lines_close releases everything. */
 int  lines_open(struct lines *l, const struct settings *s, bool look);
 
-/* Set outputs `which` active (bit set in `on`) or inactive. Returns false if a chip did not obey.
- * */
+/* Set outputs `which` active (bit set in `on`) or inactive. Returns false if a chip did not
+ * obey. */
 bool lines_set(struct lines *l, uint32_t which, uint32_t on);
 
 /* Set all outputs inactive and release all lines. The chip decides their state from then on. */

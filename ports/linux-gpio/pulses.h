@@ -75,8 +75,8 @@ uint64_t pulses_left(const struct pulses *p);
 /* Have all lines obeyed? */
 bool     pulses_work(const struct pulses *p);
 
-/* Print the lateness of pulses, and reset it. Call it when no slots are left, or after pulses_end.
- * */
+/* Print the lateness of pulses, and reset it. Call it when no slots are left, or after
+ * pulses_end. */
 void     pulses_report(struct pulses *p);
 
 /* End the thread after its current pulse. */

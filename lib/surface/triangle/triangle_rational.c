@@ -89,8 +89,8 @@ static loft_sci weighted_sum(loft_sci a, loft_sci b, loft_sci c, const weights *
                         loft_sci_mul(x->w, c));
 }
 
-/* The three values of the last row but one: the numerators of an axis, or the weights for axis -1.
- * */
+/* The three values of the last row but one: the numerators of an axis, or the weights for axis
+ * -1. */
 static void last_three(const loft_triangle_rational *t, int axis, const weights *u, loft_sci out[3])
 {
     loft_sci c[MOST];

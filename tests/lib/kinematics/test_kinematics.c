@@ -182,8 +182,8 @@ static loft_vec arb_on_table(arb *a, double radius)
     return tool;
 }
 
-/* The point where the arms meet for carriages at m, by Newton's method from `at`, in long double.
- * */
+/* The point where the arms meet for carriages at m, by Newton's method from `at`, in long
+ * double. */
 static void meet(const loft_delta *d, const long double m[3], long double at[3])
 {
     for (int round = 0; round < 12; round++) {

@@ -239,8 +239,8 @@ static void items_that_are_too_fast_are_refused_and_change_nothing(arb *a)
     }
 }
 
-/* The fastest accepted items: thousands of steps per tick. Time is stretched, and no step is lost.
- * */
+/* The fastest accepted items: thousands of steps per tick. Time is stretched, and no step is
+ * lost. */
 static void steps_that_do_not_fit_their_tick_are_all_made(arb *a)
 {
     rig_start(a, (uint16_t)(1 + arb_below(a, 60)), 10, 2000);

@@ -99,8 +99,8 @@ static void what_stands_still_may_pass_at_any_pace(arb *a)
           LOFT_OVERRIDE_LIMIT_MAX);
 }
 
-/* A corner at full speed is accepted as planned. It must not become sharper, whatever the limits.
- * */
+/* A corner at full speed is accepted as planned. It must not become sharper, whatever the
+ * limits. */
 static void a_jump_of_the_velocity_is_never_passed_faster(arb *a)
 {
     span_case c;

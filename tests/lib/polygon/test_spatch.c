@@ -99,8 +99,8 @@ static void both_roads_are_within_the_bound(arb *a)
     }
 }
 
-/* Beside a polygon coordinates are negative: the patch continues, or reports that it does not fit.
- * */
+/* Beside a polygon coordinates are negative: the patch continues, or reports that it does not
+ * fit. */
 static void outside_of_a_polygon_the_bound_grows(arb *a)
 {
     arb_domain p = arb_simple(a);

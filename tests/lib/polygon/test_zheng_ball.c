@@ -45,8 +45,8 @@ static void arb_params(arb *a, unsigned sides, loft_sci u[])
     } while (status == LOFT_SINGULAR);
 }
 
-/* The definitions, only from the distances. The sides i with l_i = 0 select the boundary formula.
- * */
+/* The definitions, only from the distances. The sides i with l_i = 0 select the boundary
+ * formula. */
 static long double exact_weight(unsigned n, unsigned d, const uint8_t l[], const long double u[],
                                 bool *inside)
 {

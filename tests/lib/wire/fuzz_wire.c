@@ -127,8 +127,8 @@ static void fuzz_answers(machine *m)
         MUST(frames < 20 && n <= 68 && wire[n - 1] == 0);
 }
 
-/* Values that no fuzzer guesses: the session and its nonce; and a machine that the sender can use.
- * */
+/* Values that no fuzzer guesses: the session and its nonce; and a machine that the sender can
+ * use. */
 static void make_plausible(uint8_t content[], size_t n, uint8_t session, uint32_t nonce)
 {
     const unsigned type = content[0] >> 4;
@@ -149,8 +149,8 @@ static void make_plausible(uint8_t content[], size_t n, uint8_t session, uint32_
     }
 }
 
-/* Contents: a length, then as many bytes, which become a frame; made plausible unless bit 7 is set.
- * */
+/* Contents: a length, then as many bytes, which become a frame; made plausible unless bit 7 is
+ * set. */
 static size_t fuzz_frame(const uint8_t **data, size_t *size, uint8_t session, uint32_t nonce,
                          uint32_t seal, uint8_t wire[LOFT_FRAME_MAX])
 {

@@ -312,8 +312,8 @@ static void reports_come_back(arb *a)
     CHECK(loft_report_decode(&f, &g) == LOFT_ERR_DATA);
 }
 
-/* Items fill a frame up to the machine's size. The number of the first item is sent modulo 65536.
- * */
+/* Items fill a frame up to the machine's size. The number of the first item is sent modulo
+ * 65536. */
 static void items_come_back(arb *a)
 {
     const uint8_t frame_max = (uint8_t)(15 + 15 * LOFT_AXES +

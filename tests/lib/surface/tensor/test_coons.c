@@ -334,8 +334,8 @@ static void slopes_are_followed(arb *a)
         }
 }
 
-/* The blending functions of values, slopes and curvatures at 0 and 1: coefficients of their powers.
- * */
+/* The blending functions of values, slopes and curvatures at 0 and 1: coefficients of their
+ * powers. */
 static const int *powers_of(unsigned which, unsigned orders)
 {
     static const int cubic[4][6] = {

@@ -251,8 +251,8 @@ static void a_cubic_triangle_of_1024_rows_is_exact(arb *a)
                 check_point(&x, p, i, j);
 }
 
-/* The edges of a tensor are walked as curves, bit for bit, and every corner is its control point.
- * */
+/* The edges of a tensor are walked as curves, bit for bit, and every corner is its control
+ * point. */
 static void edges_are_those_of_walked_curves(arb *a)
 {
     const patch *x = arb_patch(a, false);

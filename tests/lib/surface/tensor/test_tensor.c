@@ -134,8 +134,8 @@ static void a_derivative_is_within_its_bound_or_refused(arb *a)
     CHECK(status != LOFT_OK || none || f > 1000);
 }
 
-/* The piece is the patch: its control points err by the bound of the curve, and so does its point.
- * */
+/* The piece is the patch: its control points err by the bound of the curve, and so does its
+ * point. */
 static void check_piece(const tensor *x, const loft_vec net[], unsigned m, unsigned n,
                         long double u[2], long double v[2], arb *a)
 {

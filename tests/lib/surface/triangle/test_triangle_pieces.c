@@ -128,8 +128,8 @@ static void a_part_is_within_its_bound_and_the_same_surface(arb *a)
         check_piece(x, at, out, growth, false);
 }
 
-/* The elevated surface has the same value. Repeated elevation by one gives the same control points.
- * */
+/* The elevated surface has the same value. Repeated elevation by one gives the same control
+ * points. */
 static void a_raised_triangle_is_within_its_bound(arb *a)
 {
     static long double c[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)],
