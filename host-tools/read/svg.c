@@ -132,14 +132,39 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     return good;
 }
 
+/* The point about which the current element is transformed. */
+static bool read_origin(svg_reader *r, const svg_style *style, const svg_space *space,
+                        double out[2])
+{
+    bool css;
+    char *box = svg_property(r, style, SVG_BOX, &css);
+    char *text = svg_property(r, style, SVG_ORIGIN, &css);
+
+    if (box != NULL && strcmp(box, "view-box") != 0 && strcmp(box, "unset") != 0)
+        svg_warn(r, SVG_WARN_BOX,
+                 "transform-box: %.20s is read as view-box: apply the transform in the editor",
+                 box);
+    const bool good = text == NULL || (css && strcmp(text, "unset") == 0) ||
+                      svg_origin(r, space, text, out);
+    xmlFree(box);
+    xmlFree(text);
+    return good;
+}
+
 /* Apply the transform of the current element: that of its style, or else its attribute. */
 static bool enter_transform(svg_reader *r, const svg_style *style, svg_space *space)
 {
     bool css;
     char *text = svg_property(r, style, SVG_TRANSFORM, &css);
-    const bool good = text == NULL || (css && strcmp(text, "unset") == 0) ||
-                      svg_transform(r, text, css, &space->to_mm);
+    double at[2] = { 0, 0 };
+    bool good = true;
 
+    if (text != NULL && !(css && strcmp(text, "unset") == 0)) {
+        good = read_origin(r, style, space, at);
+        space->to_mm = svg_multiply(space->to_mm, (svg_matrix){ 1, 0, 0, 1, at[0], at[1] });
+        good = good && svg_transform(r, text, css, &space->to_mm);
+        space->to_mm = svg_multiply(space->to_mm, (svg_matrix){ 1, 0, 0, 1, -at[0], -at[1] });
+    }
     xmlFree(text);
     return good;
 }

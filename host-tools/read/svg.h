@@ -107,6 +107,7 @@ enum svg_warning {
     SVG_WARN_MASK,
     SVG_WARN_DASHES,
     SVG_WARN_MARKER,
+    SVG_WARN_BOX,
     SVG_WARN_UNSEEN,
     SVG_WARN_UNCLIPPED,
     SVG_WARN_USE_NOTHING,
@@ -134,6 +135,8 @@ enum svg_property {
     SVG_STROKE_OPACITY,
     SVG_STROKE_WIDTH,
     SVG_TRANSFORM,
+    SVG_ORIGIN,
+    SVG_BOX,
     SVG_OVERFLOW,
     SVG_CLIP_PATH,
     SVG_MASK,
@@ -205,6 +208,9 @@ double svg_stretch(svg_matrix m);
 
 /* Multiply *m by the list of transforms in `text`. `css`: numbers may have the units px and deg. */
 bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *m);
+
+/* Read a value of transform-origin: the point about which a transform turns and scales. */
+bool svg_origin(const svg_reader *r, const svg_space *space, const char *text, double out[2]);
 
 /* Read a length attribute of the current element in user units; `absent` if it is missing or
  * `auto`. */

@@ -15,7 +15,7 @@ const svg_matrix svg_identity = { 1, 0, 0, 1, 0, 0 };
 svg_matrix svg_multiply(svg_matrix m, svg_matrix n)
 {
     return (svg_matrix){ m.a * n.a + m.c * n.b,       m.b * n.a + m.d * n.b,
-        m.a * n.c + m.c * n.d,          m.b * n.c + m.d * n.d,
+                         m.a * n.c + m.c * n.d,       m.b * n.c + m.d * n.d,
                          m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f };
 }
 
@@ -156,29 +156,19 @@ static bool percent_of_viewport(const svg_reader *r, const svg_space *space, con
     return true;
 }
 
-bool svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
-                double absent, double *out)
+/* One length at *at, on to what follows it. `text` is the whole value, for messages. */
+static bool one_length(const svg_reader *r, const svg_space *space, const char *name,
+                       const char *text, enum svg_side side, const char **at, double *out)
 {
-    char *text = svg_attribute(r->node, name);
-    const char *at = text;
-
-    *out = absent;
-    if (text == NULL)
-        return true;
-    scan_space(&at);
-    if (*at == '\0' || strcmp(at, "auto") == 0) {
-        xmlFree(text);
-        return true;
-    }
     char unit[8] = "";
-    bool good = scan_number(&at, out);
+    bool good = scan_number(at, out);
+
     if (good) {
-        const size_t length = strcspn(at, " \t\r\n\f");
+        const size_t length = strcspn(*at, " \t\r\n\f");
         good = length < sizeof unit;
-        memcpy(unit, at, good ? length : 0);
-        at += length;
-        scan_space(&at);
-        good = good && *at == '\0';
+        memcpy(unit, *at, good ? length : 0);
+        *at += length;
+        scan_space(at);
     }
     size_t which = 0, count = sizeof units / sizeof units[0];
     while (which < count && strcasecmp(unit, units[which].name) != 0)
@@ -190,11 +180,79 @@ bool svg_length(const svg_reader *r, const svg_space *space, const char *name, e
     else
         good = svg_fail(r, "%s=\"%.40s\": give a number with px mm cm in pt pc Q or %%", name,
                         text);
-    if (good && !isfinite(*out))
-        good = svg_fail(r, "%s=\"%.40s\" is too great to compute with: give a smaller number", name,
-                        text);
+    return good && (isfinite(*out) ||
+                    svg_fail(r, "%s=\"%.40s\" is too great to compute with: give a smaller number",
+                             name, text));
+}
+
+bool svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
+                double absent, double *out)
+{
+    char *text = svg_attribute(r->node, name);
+    const char *at = text;
+
+    *out = absent;
+    if (text == NULL)
+        return true;
+    scan_space(&at);
+    bool good = *at == '\0' || strcmp(at, "auto") == 0;
+    if (!good) {
+        good = one_length(r, space, name, text, side, &at, out);
+        if (good && *at != '\0')
+            good = svg_fail(r, "%s=\"%.40s\": give one length", name, text);
+    }
     xmlFree(text);
     return good;
+}
+
+/* One side of an origin: a length, or a word for a part of the viewport, which also says the side.
+ */
+static bool one_origin(const svg_reader *r, const svg_space *space, const char *text,
+                       const char **at, enum svg_side *side, double *out)
+{
+    static const struct {
+        const char *name;
+        double part;
+        int side;           /* -1: of either */
+    } words[] = { { "left", 0, SVG_ACROSS },
+                  { "right", 100, SVG_ACROSS },
+                  { "center", 50, -1 },
+                  { "top", 0, SVG_ALONG_Y },
+                  { "bottom", 100, SVG_ALONG_Y } };
+    const char *name = "transform-origin";
+    const int length = scan_word(*at);
+
+    for (size_t k = 0; length > 0 && k < sizeof words / sizeof words[0]; k++)
+        if (strlen(words[k].name) == (size_t)length &&
+            strncasecmp(words[k].name, *at, (size_t)length) == 0) {
+            *at += length;
+            scan_space(at);
+            *side = words[k].side < 0 ? *side : (enum svg_side)words[k].side;
+            *out = words[k].part;
+            return percent_of_viewport(r, space, name, *side, out);
+        }
+    return one_length(r, space, name, text, *side, at, out);
+}
+
+bool svg_origin(const svg_reader *r, const svg_space *space, const char *text, double out[2])
+{
+    const char *at = text;
+    enum svg_side first = SVG_ACROSS, second = SVG_ALONG_Y;
+    double one, other = 50;
+
+    scan_space(&at);
+    if (!one_origin(r, space, text, &at, &first, &one))
+        return false;
+    second = first == SVG_ALONG_Y ? SVG_ACROSS : SVG_ALONG_Y;
+    const enum svg_side asked = second;
+    if (*at != '\0' ? !one_origin(r, space, text, &at, &second, &other)
+                    : !percent_of_viewport(r, space, "transform-origin", second, &other))
+        return false;
+    if (second != asked && first == second)     /* "center left": the word for a side leads */
+        first = second == SVG_ACROSS ? SVG_ALONG_Y : SVG_ACROSS;
+    out[first == SVG_ACROSS ? 0 : 1] = one;
+    out[second == SVG_ACROSS ? 0 : 1] = other;
+    return true;
 }
 
 

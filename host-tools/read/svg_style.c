@@ -26,6 +26,8 @@ static const char *const property_names[SVG_PROPERTIES] = { [SVG_DISPLAY] = "dis
                                                             [SVG_STROKE_OPACITY] = "stroke-opacity",
                                                             [SVG_STROKE_WIDTH] = "stroke-width",
                                                             [SVG_TRANSFORM] = "transform",
+                                                            [SVG_ORIGIN] = "transform-origin",
+                                                            [SVG_BOX] = "transform-box",
                                                             [SVG_OVERFLOW] = "overflow",
                                                             [SVG_CLIP_PATH] = "clip-path",
                                                             [SVG_MASK] = "mask",

@@ -211,6 +211,30 @@ static void every_transform(arb *a)
           "M 8 21 L 5 23");
 }
 
+static void transforms_are_about_their_origin(arb *a)
+{
+    (void)a;
+    DRAWS("<path transform='rotate(90)' transform-origin='10 10' d='M1 2L3 5'/>", "M 18 1 L 15 3");
+    DRAWS("<path style='transform: scale(2); transform-origin: 1px 2px' d='M1 2L3 5'/>",
+          "M 1 2 L 5 8");
+    DRAWS("<path transform='scale(2)' transform-origin='left bottom' d='M0 100L3 95'/>",
+          "M 0 100 L 6 90");
+    DRAWS("<path transform='scale(2)' transform-origin='bottom left' d='M0 100L3 95'/>",
+          "M 0 100 L 6 90");
+    DRAWS("<path transform='scale(2)' transform-origin='center left' d='M0 50L3 55'/>",
+          "M 0 50 L 6 60");
+    DRAWS("<path transform='scale(2)' transform-origin='center' d='M50 50L55 60'/>",
+          "M 50 50 L 60 70");
+    DRAWS("<path transform='scale(2)' transform-origin='10%' d='M10 50L15 60'/>",
+          "M 10 50 L 20 70");
+    DRAWS("<path transform-origin='10 10' d='M1 2L3 5'/>", "M 1 2 L 3 5");
+    DRAWS("<path transform='scale(2)' style='transform-box: fill-box' d='M1 2L3 5'/>",
+          "M 2 4 L 6 10");
+    CHECK(strstr(caught, "transform-box: fill-box is read as view-box") != NULL);
+    REFUSES("<path transform='scale(2)' transform-origin='3 x' d='M1 2'/>",
+            "transform-origin=\"3 x\": give a number");
+}
+
 static void broken_transforms_are_refused(arb *a)
 {
     (void)a;
@@ -880,6 +904,7 @@ int main(void)
     PROPERTY(rounded_corners, 1);
     PROPERTY(broken_shapes_are_refused, 1);
     PROPERTY(every_transform, 1);
+    PROPERTY(transforms_are_about_their_origin, 1);
     PROPERTY(broken_transforms_are_refused, 1);
     PROPERTY(numbers_beyond_arithmetic_are_refused, 1);
     PROPERTY(every_unit, 1);
