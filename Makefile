@@ -168,6 +168,11 @@ check:
 lint:
 	@sh tests/house/lint.sh
 
+## Compare plans and points bit for bit with those of another commit   OLD=HEAD
+.PHONY: check-same
+check-same: build/loft
+	@bash tests/house/same.sh $(or $(OLD),HEAD) build/loft
+
 ## Break and indent the lines of all C files as .clang-format says
 .PHONY: format
 format:
