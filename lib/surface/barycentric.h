@@ -84,7 +84,7 @@ enum loft_status loft_bary_area(const loft_vec corner[3], loft_real *area) LOFT_
 enum loft_status loft_bary_round(const loft_acc wide[3], loft_bary *out) LOFT_CHECKED;
 
 /* Change the triangle. x are coordinates in a triangle whose corners have the coordinates
- * corner[0..2] in a triangle T. The result are the coordinates of the same point in T.
+ * corner[0..2] in a triangle T. `out` gets the coordinates of the same point in T.
  *
  *   range   |v|, |w| <= 32, otherwise LOFT_ERR_ARG
  *   error   q16: 2^-33 for v and w, 2^-32 for u   f32, f64: 3 L ulp of double of the largest

@@ -83,7 +83,7 @@ typedef struct {
 /* The curvatures.
  *
  *   range   LOFT_SINGULAR where there is no normal; LOFT_ERR_RANGE when one does not fit a
- *           loft_acc; *out is untouched then
+ *           loft_acc; *out is then untouched
  *   error   with S = (|P_uu| + 2 |P_uv| + |P_vv|) max(|P_u|, |P_v|)^2 / |P_u x P_v|^2, where the
  *           derivatives are the largest of the net, and e = 2^-50 rows / W (q16), 2^-44 rows / W
  *           (f32, f64): least, most, mean q16: 2^-32 + e S, f32, f64: e S; gauss q16: 2^-32 +

@@ -26,7 +26,7 @@ typedef struct {
  *
  *   units   degrees
  *   range   radius >= 0 and angles of -32767..32767, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when
- *           the point does not fit; *out is untouched then
+ *           the point does not fit; *out is then untouched
  *   error   q16: 1/2 LSB + 2^-14 LSB   f32: 0.51 ulp of the result + 2^-24 ulp of the radius   f64:
  *           16 ulp of radius and centre; only the sum with the centre is rounded where both angles
  *           are multiples of 90
@@ -48,7 +48,7 @@ enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_
 /* |x - centre| - radius, and (x - centre)^2 - radius^2: negative inside.
  *
  *   range   radius >= 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the result does not fit or, in
- *           floats, loft_exact_valid refuses a number; *out is untouched then
+ *           floats, loft_exact_valid refuses a number; *out is then untouched
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: distance 1 ulp of the radius, value 1
  *           ulp
  *   cost    4 exact products, one exact root, one quotient; 1.2 kB of stack in q16; not for an ISR
