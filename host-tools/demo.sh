@@ -1,6 +1,6 @@
 #!/bin/bash
-# host-tools/demo.sh -- the main job on the simulated machine: a drawing, through a pty, to
-# counted pulses and a picture
+# host-tools/demo.sh -- runs the main job on the simulated machine: from a drawing, through a pty,
+# to counted pulses and a picture
 # SPDX-License-Identifier: MIT
 # usage: host-tools/demo.sh LOFT DRAWING DIRECTORY [MACHINE-FILE]
 set -eu

@@ -1,4 +1,4 @@
-# tests/tests.mk -- the tests of the library, of what reads and draws, of vectors, of whole jobs
+# tests/tests.mk -- the tests of the library, of readers and pictures, of vectors, of whole jobs
 # SPDX-License-Identifier: MIT
 
 TESTED    = -O1 -g1 $(CPPFLAGS) $(CFLAGS)
@@ -9,7 +9,7 @@ TEST_SRC := $(sort $(wildcard tests/lib/*/test_*.c tests/lib/*/*/test_*.c))
 TESTS    := $(sort $(patsubst test_%.c,%,$(notdir $(TEST_SRC))))
 vpath test_%.c $(sort $(dir $(TEST_SRC)))
 
-# the solver of harmonic coordinates, of which tests make tables: on the host, in long double
+# the solver of harmonic coordinates, with which tests make tables: on the host, in long double
 SOLVER_SRC := $(sort $(wildcard host-tools/engine/harmonic*.c)) host-tools/base/least.c
 SOLVER_OBJ := $(patsubst %.c,build/solver/%.o,$(SOLVER_SRC))
 build/solver/%.o: %.c
@@ -112,8 +112,8 @@ check-vectors-all: $(foreach n,$(NUMS),build/vectors/$(n))
 	   echo "sh tests/vectors/runner.sh build/vectors/q16 tests/vectors"; } | \
 	    bash tests/house/beside.sh
 
-# --- what reads, plans and draws: build/test/tools/<module>, sanitized ----------------------------
-# The tests take the place of base/tool.c: they catch what it would print.
+# --- readers, plans and pictures: build/test/tools/<module>, sanitized ----------------------------
+# The tests replace base/tool.c: they catch the lines that it would print.
 TOOL_TESTS  := $(patsubst tests/tools/test_%.c,%,$(sort $(wildcard tests/tools/test_*.c)))
 TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(foreach r,base engine read plan draw, \
                  $(wildcard host-tools/$(r)/*.c))))
@@ -136,14 +136,14 @@ build/test/tools/%: tests/tools/test_%.c build/test/tools/libtools.a build/test/
 -include $(TOOL_TESTED_OBJ:.o=.d) $(patsubst %,build/test/tools/%.d,$(TOOL_TESTS))
 .PRECIOUS: build/test/tools/%.o
 
-## Check what the SVG reader draws and refuses, pulse records and pictures, under ASan and UBSan
+## Test the SVG reader, pulse records and pictures under ASan and UBSan
 .PHONY: test-tools
 test-tools: $(patsubst %,build/test/tools/%,$(TOOL_TESTS))
 	@for t in $(TOOL_TESTS); do echo "echo '-- $$t'; build/test/tools/$$t"; done | \
 	    bash tests/house/beside.sh
 
 # --- how parts fit together -----------------------------------------------------------------------
-## Show that builds that disagree do not link, and that three number types do in one program
+## Show that builds of different arithmetic do not link, but three number types in one program do
 .PHONY: test-mixed
 test-mixed: $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
 	@sh tests/house/mixed.sh build
@@ -158,12 +158,12 @@ test-cplusplus: $(foreach n,$(NUMS),build/$(n)x3/libloft.a)
 test-readme: build/q16x3/libloft.a
 	@sh tests/house/readme.sh build/q16x3/libloft.a build/readme
 
-## Compile and run the programs of lib/examples in all number types, link what lib/RECIPES.md lists
+## Compile and run the programs of lib/examples in all number types, link the files of RECIPES.md
 .PHONY: test-examples
 test-examples: $(foreach n,$(NUMS),build/$(n)x3/libloft.a)
 	@sh tests/house/examples.sh build
 
-## Decode the examples of lib/wire/WIRE.md by a peer that was written from that page alone
+## Decode the examples of lib/wire/WIRE.md with a peer that was written from that page alone
 .PHONY: test-peer
 test-peer:
 	@python3 tests/lib/wire/wire_peer.py
@@ -189,7 +189,7 @@ sweep-offset: $(foreach n,$(NUMS),build/sweep/$(n)/offset)
 	@for t in $^; do LOFT_CASES=$(or $(LOFT_CASES),1000000) $$t || exit 1; done
 
 FUZZ_SECONDS ?= 60
-## Fuzz what comes from the line with libFuzzer for FUZZ_SECONDS (60)
+## Fuzz the input from the line with libFuzzer for FUZZ_SECONDS (60)
 .PHONY: fuzz
 fuzz: lib/names.h
 	@mkdir -p build/fuzz/wire

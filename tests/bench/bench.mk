@@ -1,4 +1,4 @@
-# tests/bench/bench.mk -- what is measured: curves beside other libraries, patches, motion
+# tests/bench/bench.mk -- measurements: curves against other libraries, patches, motion
 # SPDX-License-Identifier: MIT
 
 # --- make bench: build/bench/bench<axes>, with each of AGG, GSL and cairo that pkg-config finds ---
@@ -56,7 +56,7 @@ $(MOTION)/moves: tests/bench/bench_motion_moves.c $(filter-out %/loft.o,$(TOOL_O
 	    $(call tool_flag,q16) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
 
 CASES ?= 100000
-## Measure what motion promises, beside its bounds, in half an hour   CASES=of the property run
+## Measure the promises of motion against their bounds, in half an hour   CASES=of the property run
 .PHONY: bench-motion
 bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MOTION)/$(w)-f64)
 	@bash tests/bench/bench_motion.sh $(MOTION) $(CASES)

@@ -1,10 +1,10 @@
 #!/bin/bash
-# tests/bench/bench_machine.sh -- the controller and its line in numbers, beside those of grbl 1.1
-# on the same chip; ends with the sums
+# tests/bench/bench_machine.sh -- measures the controller and its line against grbl 1.1 on the same
+# chip; ends with the sums
 # SPDX-License-Identifier: MIT
 # usage: tests/bench/bench_machine.sh FIRMWARE.elf LOFT HELPERS ;
 # HELPERS holds chip, rate, trials, bench_line, bench_frames.
-# TRIALS (2000), CUTS (500), FRAMES (100000000) make it shorter.
+# Smaller TRIALS (2000), CUTS (500) and FRAMES (100000000) make it shorter.
 # Emulated: an ATmega328P at 16 MHz, cycle by cycle, 115200 baud.
 set -u
 elf=$1 loft=$2 bin=$3
@@ -31,13 +31,13 @@ seconds() {
 ideal() { awk -v v="$1" 'BEGIN { print 130.819 / v + v / 500 }'; }
 over_ideal() { awk -v t="$(seconds)" -v i="$(ideal "$1")" 'BEGIN { printf "%.3f", t / i }'; }
 
-# The least time at 6000 mm/min within 500 mm/s2 in all is 1.7393 s (tests/support/topp.h;
-# make bench-motion, outline-100-soft); 3 % more, as a part of that ideal.
+# The shortest time at 6000 mm/min within 500 mm/s2 in total is 1.7393 s (tests/support/topp.h;
+# make bench-motion, outline-100-soft). The bound is 3 % more, as a fraction of that ideal.
 SLOWER=$(awk -v i="$(ideal 100)" 'BEGIN { printf "%.3f", 1.03 * 1.7393 / i }')
 BEND=2500
 
-# the speed over windows of 10 ms, between the first and the last 0.2 s: its deviation over its
-# mean, and how many stand
+# the speed in windows of 10 ms, without the first and the last 0.2 s: its deviation over its mean,
+# and the number of windows at rest
 cruise() {
     awk -F, '/^[0-9]/ {
             w = int($1 / 160000); x[w] = $2; y[w] = $3

@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/bench/bench_motion.sh -- what motion promises, measured: one row per number, with its bound
+# tests/bench/bench_motion.sh -- measures the promises of motion: one row per number, with its bound
 # SPDX-License-Identifier: MIT
 # usage: tests/bench/bench_motion.sh BUILD [CASES]
 # BUILD/<what>-<q16|f64> and BUILD/moves are built; CASES of the property run in each type (100000).
@@ -10,7 +10,7 @@ passed=0 failed=0
 trap 'kill $(jobs -p) 2>/dev/null' EXIT
 
 # row WHAT BOUND VALUE WHERE: at most BOUND;
-# WHERE is where the value was found, or what others reach
+# WHERE is the place of the value, or the value of other programs
 row() {
     if [ -n "$3" ] && awk -v v="$3" -v b="$2" 'BEGIN { exit !(v + 0 <= b + 0) }'; then
         verdict=ok; passed=$((passed + 1))
@@ -31,7 +31,7 @@ lists() {       # the drawings as lists of moves, feed 1
         tests/drawings/outline12.csv > "$build/outline12.moves"
 }
 
-# in_both WHAT ARGUMENTS..: run both builds side by side, answers to BUILD/WHAT-NUM.out
+# in_both WHAT ARGUMENTS..: run both builds in parallel, output to BUILD/WHAT-NUM.out
 in_both() {
     for num in q16 f64; do "$build/$1-$num" "${@:2}" > "$build/$1-$num.out" & done
     wait
@@ -86,7 +86,7 @@ time_rows() {
             $1 == "accel" && $2 ~ /^smooth/ && $3 / $4 > most { most = $3 / $4; name = $2 }
             END { print name, most }' "$build/time-$num.out")
         row "time to the least possible, worst of smooth chains, $num" 1.03 "$ratio" "$name"
-        # the spline of the samples lasts two beats more than what is sampled,
+        # the spline lasts two beats longer than the sampled time,
         # and ends at a whole beat
         read -r name ratio < <(awk '
             $1 == "rest" { r = ($3 - 3 * $5) / $4; if (r > most) { most = r; name = $2 } }
@@ -146,7 +146,7 @@ outline_rows() {
     done
 }
 
-# the planner on an AVR, as check-avr-plan measures it: its bounds are those of today
+# the planner on an AVR, as check-avr-plan measures it: the bounds are the current values
 chip_rows() {
     ${MAKE:-make} -s --no-print-directory check-avr-plan > "$build/avr.out" 2>&1
     said() { sed -n "s/^[okFAIL ]* $1 *\([0-9.]*\).*/\1/p" "$build/avr.out"; }
@@ -175,7 +175,7 @@ cortex_rows() { # instructions, for the README
          function per(what, n) { printf "%-66s %10s %12d\n", name what, "", n }' "$build/cortex.out"
 }
 
-# the same cases in both, side by side: 20 minutes for 100000 on two processors of their own
+# the same cases in both, in parallel: 20 minutes for 100000 on two free processors
 property_rows() {
     in_both any 1 "$cases"
     for num in q16 f64; do

@@ -1,6 +1,6 @@
 #!/bin/sh
-# tests/bench/bench_motion_cortex.sh -- instructions of planning and stepping the outline on a
-# Cortex-M0 and M4, in QEMU
+# tests/bench/bench_motion_cortex.sh -- counts instructions for planning and stepping the outline on
+# a Cortex-M0 and M4, in QEMU
 # SPDX-License-Identifier: MIT
 # usage: tests/bench/bench_motion_cortex.sh DIR      prints lines: core, jerk limit, then the names
 # and numbers of tests/target/motion.c

@@ -1,6 +1,6 @@
 #!/bin/sh
-# tests/bench/bench_polygon.sh -- instructions of a point of each patch with n sides on a Cortex-M0
-# and M4, in QEMU, and the same sums as here
+# tests/bench/bench_polygon.sh -- counts instructions for a point of each patch with n sides on a
+# Cortex-M0 and M4, in QEMU, and compares the sums with those of the host
 # SPDX-License-Identifier: MIT
 # usage: tests/bench/bench_polygon.sh DIR
 set -u

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# tests/bench/topp_jerk.py -- the least time found for a path under limits of speed, acceleration
-# and jerk: linear programs
+# tests/bench/topp_jerk.py -- searches the shortest time for a path under limits of speed,
+# acceleration and jerk, by linear programs
 # SPDX-License-Identifier: MIT
 """
 usage: topp_jerk.py [--grid N] FILE..      (needs python3-scipy)
@@ -36,7 +36,7 @@ def read(name):
 
 
 def resample(rows, n):
-    """n + 1 places, denser at both ends; joints and bounds by the worse of their neighbours."""
+    """n + 1 places, denser at both ends; joints and bounds take the worse of their neighbours."""
     s, length = rows[:, 0], rows[-1, 0]
     z = np.linspace(0, 1, n + 1)
     want = length * (z - 0.9 * np.sin(2 * np.pi * z) / (2 * np.pi))
@@ -62,7 +62,7 @@ class Program:
         self.linear()
 
     def linear(self):
-        """rows of acceleration (twice per node, with a before and behind), and of jerk's bracket"""
+        """rows of acceleration (twice per node, with a before and after), and of jerk's bracket"""
         n, h = self.n, self.h
         cell = coo_matrix((np.concatenate([-1 / (2 * h), 1 / (2 * h)]),
                            (np.tile(np.arange(n - 1), 2),

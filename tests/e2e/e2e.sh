@@ -1,20 +1,20 @@
 #!/bin/bash
-# tests/e2e/e2e.sh -- whole jobs: the command, a pseudo terminal, the simulated machine, counted
-# pulses
+# tests/e2e/e2e.sh -- tests whole jobs: the command, a pseudo terminal, the simulated machine,
+# counted pulses
 # SPDX-License-Identifier: MIT
-# usage: tests/e2e/e2e.sh LOFT HELPERS [CASE..] ; HELPERS holds pty and shim.so; each case prints
-# one line, the last line sums them
+# usage: tests/e2e/e2e.sh LOFT HELPERS [CASE..] ; HELPERS contains pty and shim.so. Each case prints
+# one line; the last line is the sum.
 # The cases mostly wait for machines in real time, so several run at once, each in a folder of its
 # own ($tmp).
 set -u
 loft=$1 pty=$2/pty shim=$2/shim.so; shift 2
 top=$(mktemp -d)
 trap 'rm -rf "$top"' EXIT
-echo leak:libfontconfig.so >"$top/leaks"        # it keeps its tables until the program has ended
+echo leak:libfontconfig.so >"$top/leaks"        # it keeps its tables until the program ends
 export LSAN_OPTIONS=suppressions=$top/leaks:print_suppressions=0
 
 
-# --- what the cases are made of -------------------------------------------------------------------
+# --- building blocks of the cases -----------------------------------------------------------------
 
 # A heart, a wave and a line: 7 curves, with corners, pen lifts and a very short one.
 cat >"$top/small.csv" <<'CSV'
@@ -36,7 +36,7 @@ machine() {
     machine=$!; children+=("$machine"); disown "$machine"
     wait_for "$tmp/$name"
 }
-# a busy computer may take its time: a minute
+# a busy computer may take up to a minute
 wait_for() {
     for _ in $(seq 3000); do
         [ -e "$1" ] && return
@@ -68,12 +68,12 @@ run() {
     [ "$got" = "$want" ] || job_fails "exit code $got, not $want: $(head -c 300 "$tmp/err")"
 }
 says() { grep -q -- "$2" "$tmp/$1" || job_fails "does not say \`$2\`: $(tail -c 300 "$tmp/$1")"; }
-# is_empty FILE: it says nothing but what a busy computer was waited for
+# is_empty FILE: it has no lines except those about waiting on a busy computer
 is_empty() {
     ! grep -qv '^waiting: ' "$tmp/$1" || job_fails "says: $(head -c 200 "$tmp/$1")"
 }
 
-# one_line CODE PATTERN COMMAND..: an error of exactly one line that names the remedy's key word
+# one_line CODE PATTERN COMMAND..: the error has exactly one line, with the key word of the remedy
 one_line() {
     local code=$1 pattern=$2; shift 2
     run "$code" "$@"
@@ -91,7 +91,7 @@ counted() {
         || job_fails "said steps \`$said\`, the pulses led to \`$record\`"
 }
 
-# every axis' own row of steps, whatever the time between them
+# the sequence of steps of each axis, without their times
 path_of() {
     awk -F, '!/^#/ && $1 != "slot" {
                  for (i = 2; i <= NF; i++)
@@ -108,9 +108,9 @@ undisturbed() {         # the reference: $tmp/calm.csv
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/calm" "${slowly[@]}"; gone "$machine"
 }
 slowly=(--feed 60)      # the job lasts about 6 s of machine time
-# draws MACHINE: sets ${job[@]}
+# draws MACHINE: set ${job[@]}
 draws() { drawing_on=$1; job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}"); }
-# cut_off SECONDS: ${job[@]} is killed without warning, that long after the machine has begun
+# cut_off SECONDS: kill ${job[@]} without warning, SECONDS after the machine has begun
 cut_off() {
     "${job[@]}" >/dev/null 2>&1 & local sender=$!
     disown $sender
@@ -119,7 +119,7 @@ cut_off() {
     kill -9 $sender || job_fails "the sender ended before it could be killed"
     gone $sender
 }
-cut_off_when_sent() {   # the same, as soon as the machine has taken the last item
+cut_off_when_sent() {   # the same, as soon as the machine has accepted the last item
     "${job[@]}" --log "$tmp/talk.log" >/dev/null 2>&1 & local sender=$!
     disown $sender
     wait_for "$tmp/talk.log"
@@ -139,8 +139,8 @@ exactly() {     # exactly MACHINE PLANNER OPTIONS..
     gone "$machine"
     is_empty err; says out '^drawn: 7 curves, .*as commanded$'; says out '^line: '; counted "m$m$p"
     local worst; worst=$(sed -n 's/.*worst path error \([0-9.]*\) mm.*/\1/p' "$tmp/out")
-    # the tolerance, and on each axis half a step for the place at a tick and half a step for the
-    # slots between
+    # the tolerance, plus on each axis half a step for the position at a tick and half a step for
+    # the slots between
     awk -v w="$worst" 'BEGIN { exit !(w != "" && w <= 0.005 + sqrt(2) / 320 && w > 0) }' \
         || job_fails "worst path error \`$worst\`"
 }
@@ -261,12 +261,11 @@ case_planned_here_or_there() {      # the same drawing: the same end, path, and 
         local took
         took=$(sed -n 's/.* m, \([0-9.]*\) s machine time.*/\1/p' "$tmp"/at-*.out \
             | sort -u | tr '\n' ' ')
-        # on the machine curves come while others are raised, in other portions: 2 % at most was
+        # on the machine, curves arrive during the planning, in other portions: at most 2 % was
         # measured (f32)
         awk -v t="$took" 'BEGIN { split(t, a, " "); b = a[2] ? a[2] : a[1]
                                   exit !(b <= 1.02 * a[1] + 0.11) }' || job_fails "$m: $took s"
-        # frames of curves, each once: how often it is asked how things stand depends on how long
-        # all of it took here
+        # frames of curves, each counted once: the number of status requests depends on the duration
         awk '$2 == ">" && $3 == "CURVES" && !seen[$7]++ { curves += $11; bytes += $12 }
              END { exit !(curves == 17 && bytes > 0 && bytes < 204) }' \
             "$tmp/at-chip.log" || job_fails "$m: $(grep CURVES "$tmp/at-chip.log")"
@@ -284,7 +283,7 @@ case_planned_there_and_killed() {
     says out '^held: [0-9]* items executed'
     run 0 "$loft" stream --resume --port "$tmp/killed"
     one_line 75 'another job' "$loft" stream "$tmp/small.csv" --port "$tmp/killed" "${slowly[@]}" \
-        # the same drawing, but not the same job
+        # the same drawing, but another job
     run 0 "${job[@]}" --record "$tmp/killed.csv"
     gone "$machine"
     says err '^resuming at item'
@@ -463,7 +462,7 @@ case_long_drawing_moves_while_it_is_planned() {
     sleep 1; kill -INT $sender; wait $sender; says err 'held at item'
 }
 case_long_drawing_killed_goes_on() {
-    # the same steps as a run that was never cut off, and as long as when planned at once
+    # the same steps and the same duration as a run that was never cut off
     awk 'BEGIN { print "bspline 3"; for (i = 0; i < 60; i++) print i % 17, i * 7 % 19 }' \
         >"$tmp/more.loft"
     job=("$loft" stream "$tmp/more.loft" --feed 300 --accel 20000)
@@ -481,7 +480,7 @@ case_long_drawing_killed_goes_on() {
     counted cut
     same_path cut calm
 }
-case_memory_of_a_long_job() {           # 800 thousand points, of which each took 48 bytes
+case_memory_of_a_long_job() {           # 800 thousand points, each of which took 48 bytes
     local most=()
     for rows in 10 60; do
         awk -v n=$rows 'BEGIN { for (i = 0; i < n; i++) {
@@ -490,7 +489,7 @@ case_memory_of_a_long_job() {           # 800 thousand points, of which each too
                     a, i / 9, a, i / 9, 200 - a, i / 9, 200 - a, i / 9
             } }' >"$tmp/rows.csv"
         machine "rows$rows" --speed fast --once
-        # what is freed is free at once: a sanitizer would keep it for a while
+        # freed memory is free at once: a sanitizer would keep it for a while
         ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}quarantine_size_mb=0 \
             run 0 python3 -c 'import resource, subprocess, sys
 code = subprocess.run(sys.argv[1:]).returncode
@@ -502,7 +501,7 @@ sys.exit(code)' "$loft" stream "$tmp/rows.csv" --feed 15 --points --port "$tmp/r
     # 131072 items are kept at most
     [ $((most[1] - most[0])) -lt 12000 ] || job_fails "${most[*]} kB"
 }
-case_planning_is_seen() {               # on a terminal a bar, elsewhere nothing
+case_planning_is_seen() {               # on a terminal there is a bar, elsewhere nothing
     long_drawing
     echo ' begun' >"$tmp/any.log"
     "$pty" type "$tmp/any.log" "@planning@^C" "$loft" stream "$tmp/long.loft" \
@@ -829,7 +828,7 @@ case_measure_offset() {
     run 0 "$loft" measure --offset 5 --tol 0.01 "$tmp/arch.loft"; cp "$tmp/out" "$tmp/beside.loft"
     run 0 "$loft" sample --num f64 --n 8 "$tmp/beside.loft"
     grep . "$tmp/out" | tr ' ' , >"$tmp/points"
-    while read -r at; do        # every point of it is as far away as was asked
+    while read -r at; do        # every point has the requested distance
         run 0 "$loft" measure --num f64 --tol 1e-4 --nearest "$at" "$tmp/arch.loft"
         awk -F'\t' 'NR == 2 { exit !($6 > 4.989 && $6 < 5.011) }' "$tmp/out" \
             || job_fails "$at: $(cat "$tmp/out")"
@@ -959,9 +958,9 @@ case_surfaces_with_n_sides_are_used() {
     one_line 65 'n.loft:2: not a point' sh -c \
         "printf 'gb 5 3\n1 x\n' >'$tmp/n.loft'; '$loft' eval '$tmp/n.loft'"
 }
-# A reader of its own: sizes, indices, unit normals on the right side, and the area and volume of a
-# sphere.
-# An eighth of one as a rational triangle (Farin, Piper, Worsey 1987) has its points as normals.
+# A separate reader checks sizes, indices, unit normals on the right side, and the area and volume
+# of a sphere. For an eighth of it, a rational triangle (Farin, Piper, Worsey 1987), the normals
+# equal the points.
 case_meshes_are_read_back() {
     printf 'sphere 20\n1 2 3\n' >"$tmp/ball.loft"
     run 0 "$loft" surface --n 64 -o "$tmp/ball.stl" "$tmp/ball.loft"
@@ -1177,8 +1176,8 @@ case_the_line_in_words() {
     grep -q '^> [0-9]* bytes, [0-9]* frames, 0 damaged$' "$tmp/words" \
         || job_fails "$(tail -2 "$tmp/words")"
 }
-# peer NAME OPTIONS..: a controller of grbl's kind behind $tmp/NAME, what it drew in $tmp/NAME.csv
-# when it has ended
+# peer NAME OPTIONS..: a controller of grbl's kind behind $tmp/NAME; at its end its path is in
+# $tmp/NAME.csv
 peer() {
     local name=$1; shift
     python3 tests/e2e/grbl_peer.py "$tmp/$name" "$tmp/$name.csv" "$@" & peer=$!
@@ -1276,7 +1275,7 @@ case_plan_says_what_limits() {
     for num in q16 f32 f64; do
         plan "$tmp/small.csv" --num $num
         [ "$(grep -c '^[0-9]' "$tmp/out")" = 7 ] || job_fails "$num: $(cat "$tmp/out")"
-        # rows add up, what limits adds up, and all of it is the plan of `stream`
+        # rows add up, limits add up, and the total is the plan of `stream`
         awk '/^[0-9]/ { d += $4; l += $3 } /^drawn/ { a = $3; b = $2 } /^in all/ { w = $4 }
              END { d -= a; l -= b
                    exit !(d < 0.01 && d > -0.01 && l < 0.01 && l > -0.01 && w > a) }' \
@@ -1290,7 +1289,7 @@ case_plan_says_what_limits() {
 }
 case_plan_as_rows() {
     run 0 "$loft" plan "$tmp/small.csv" --csv 500; is_empty err; cp "$tmp/out" "$tmp/rows"
-    # velocity is the slope of the place and acceleration that of the velocity; limits hold; the
+    # velocity is the slope of the position, and acceleration that of the velocity; limits hold; the
     # end is at rest above the last point
     awk -F, 'NR == 1 { if ($0 != "t,x,y,z,vx,vy,vz,ax,ay,az") exit bad = 1; next }
         NF != 10 { exit bad = 1 }
@@ -1376,8 +1375,8 @@ kinematics() {
         'x.center = 20' 'y.center = -30' 'b.max_speed = 400' ;;
     esac >>"$tmp/$1.txt"
 }
-# carries KIND BOUND OPTIONS..: draws on it; the tool errs by at most the tolerance and BOUND, what
-# the steps of its motors make of it
+# carries KIND BOUND OPTIONS..: draw on it; the error of the tool is at most the tolerance plus
+# BOUND, the effect of the steps of its motors
 carries() {
     local kind=$1 bound=$2 worst; shift 2
     kinematics "$kind"
@@ -1393,10 +1392,9 @@ carries() {
     says out "path error $worst mm at worst"
     says "$kind.csv" "^# kinematics = $kind"
 }
-# A motor is off by half a step at a tick and half for the slots between: corexy, 1/320 mm in all.
-# delta: 4 steps of 1/800 mm, at the
-# edge of this drawing. polar: one of radius, 1/320 mm, and one of 1/400 degree, 65 mm from the
-# pole.
+# A motor errs by half a step at a tick and half a step for the slots between. corexy: 1/320 mm in
+# total. delta: 4 steps of 1/800 mm, at the edge of this drawing. polar: one step of radius, 1/320
+# mm, and one of 1/400 degree, 65 mm from the pole.
 case_kinematics_corexy()        { carries corexy 0.0032; carries hbot 0.0032 --num f64; }
 case_kinematics_delta()         { carries delta 0.0050; }
 case_kinematics_polar()         { carries polar 0.0043; }
@@ -1429,11 +1427,10 @@ case_kinematics_plan() {
         run 0 "$loft" plan "$tmp/small.csv" --machine "$tmp/$kind.txt" --csv 500 -o "$tmp/rows" \
             --plot "$tmp/$kind.svg"
         is_empty err
-        # the tool's rows: velocity is the slope of the place, acceleration that of the velocity. A
-        # span of one tick, rounded to 2^-16 mm, has that
-        # of a motor off by 12 * 2^-16 mm / tick^2 = 183 mm/s2 at worst, and the slope over two
-        # ticks by 3 * 2^-16 mm / tick^2 = 46; on the average it is a hundredth.
-        # The feed holds, and travels
+        # The tool's rows: velocity is the slope of the position, acceleration that of the velocity.
+        # In a span of one tick, rounding to 2^-16 mm changes the acceleration of a motor by at most
+        # 12 * 2^-16 mm / tick^2 = 183 mm/s2, and the slope over two ticks by
+        # 3 * 2^-16 mm / tick^2 = 46; the average is a hundredth. The feed holds, also for travels.
         awk -F, 'NR == 1 { next }
             NR > 2 && $1 - t > 0.0019 && $1 - t < 0.0021 {
                 for (i = 2; i < 8; i++) {
@@ -1553,7 +1550,7 @@ run_case() {
     if [ -z "$why" ]; then echo "ok   e2e $1"; else echo "FAIL e2e $1:${why#;}"; fi
 }
 
-main() {        # read as a whole before it runs: the file may be edited meanwhile
+main() {        # the shell reads this as a whole before it runs: the file may be edited meanwhile
     local cases=("$@") passed failed
     [ $# -gt 0 ] || mapfile -t cases < <(sed -n 's/^case_\([a-z0-9_]*\)().*/\1/p' "$0")
     for name in "${cases[@]}"; do

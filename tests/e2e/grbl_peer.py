@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-# tests/e2e/grbl_peer.py -- a controller that speaks grbl's protocol behind a pseudo terminal, as
-# its documentation describes it
+# tests/e2e/grbl_peer.py -- a controller behind a pseudo terminal that speaks grbl's protocol as its
+# documentation describes it
 # SPDX-License-Identifier: MIT
 """usage: grbl_peer.py LINK PATH_FILE [--g5] [--locked] [--error LINE] [--alarm LINE] [--reset LINE]
                     [--mute LINE] [--mpos] [--nowco] [--late MS] [--twice] [--babble]
@@ -45,7 +45,7 @@ class Peer:
         self.say("")
         self.say("Grbl 1.1h ['$' for help]")
 
-    # bytes that are acted on at once
+    # bytes that act at once
     def realtime(self, byte):
         if byte == ord("?"):
             self.polls += 1
@@ -128,7 +128,7 @@ class Peer:
             self.realtime(0x18)
             return
         answer = self.obey(text)
-        if self.o.get("mute") != self.lines:        # else the answer is lost on the line
+        if self.o.get("mute") != self.lines:        # otherwise the answer is lost on the line
             self.say(answer)
         time.sleep(0.001)
 

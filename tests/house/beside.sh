@@ -1,9 +1,9 @@
 #!/bin/bash
-# tests/house/beside.sh -- run commands side by side, as many as there are cores
+# tests/house/beside.sh -- run commands in parallel, as many as there are cores
 # SPDX-License-Identifier: MIT
 # usage: tests/house/beside.sh <COMMANDS ; one to a line
-# What each says is printed whole, in the order of the commands. The exit code is 1 if one of theirs
-# is not 0. For what measures no time.
+# The output of each is printed whole, in the order of the commands. The exit code is 1 if one of
+# theirs is not 0. Not for commands that measure time.
 set -u
 cores=$(nproc) count=0 shown=0 bad=0
 said=$(mktemp -d); trap 'rm -rf "$said"' EXIT

@@ -2,7 +2,7 @@
 # tests/house/check.sh -- run the stages of `make check`, sum their `N passed, N failed` lines
 # SPDX-License-Identifier: MIT
 # usage: tests/house/check.sh STAGE.. ; a stage is a make target, or several with a + between:
-# those run side by side, and what each says is printed whole when it has ended.
+# those run in parallel, and the output of each is printed whole when it has ended.
 # The last line is the sum, alone on a line.
 set -u
 passed=0 failed=0 start=$(date +%s)

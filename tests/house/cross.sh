@@ -1,15 +1,15 @@
 #!/bin/sh
-# tests/house/cross.sh -- lib/ on every microcontroller: what firmware relies on
+# tests/house/cross.sh -- checks lib/ for every microcontroller: the properties that firmware needs
 # SPDX-License-Identifier: MIT
 # Four checks per target, number type and number of axes, each a line `ok` or `FAIL` with places:
-# lib/ compiles without a warning; it has no writable data; it needs nothing but the compiler's own
-# helpers and memcpy, memset; and what runs in an interrupt calls no shift, product or quotient of
-# 64 bits that is a loop on that core.
+# lib/ compiles without a warning; it has no writable data; it needs only the compiler's own helpers
+# and memcpy, memset; and code that runs in an interrupt calls no shift, product or quotient of 64
+# bits that is a loop on that core.
 set -u
 . tests/target/targets.sh
 [ -z "$(missing_tools)" ] || { missing_tools; echo "0 passed, 1 failed"; exit 1; }
 
-# what may run in an interrupt, and the helpers that cost too much there
+# functions that may run in an interrupt, and the helpers that cost too much there
 hot="loft_forward_next loft_forward_run loft_forward_exact_next loft_rational_walk_next"
 hot="$hot loft_pace_next loft_step_load loft_step_next loft_step_run"
 hot="$hot loft_drive_slot loft_drive_run"
@@ -61,7 +61,7 @@ slow_in_interrupts() {
                 }
             }
         }'
-    for f in $hot; do       # a name that is not there would pass unseen
+    for f in $hot; do       # a name that does not exist would pass unnoticed
         "$(binutil "$2" nm)" "$1"/*.o | grep -q " T ${f}_$3\$" || echo "$f: no such function"
     done
 }
@@ -76,7 +76,7 @@ one() {         # one TARGET NUM AXES
     [ "$2" != q16 ] || slow_in_interrupts "$out" "$1" "$2x$3" | check "$what has fast interrupts"
 }
 
-if [ $# -gt 0 ]; then one "$@"; exit; fi          # side by side: it calls itself
+if [ $# -gt 0 ]; then one "$@"; exit; fi          # in parallel: it calls itself
 result=$(mktemp); trap 'rm -f "$result"' EXIT
 for t in $targets; do
     case $t in

@@ -1,8 +1,8 @@
 #!/bin/sh
-# tests/house/example.sh -- compile one example without a warning, run it, compare what it prints
+# tests/house/example.sh -- compile one example without a warning, run it, compare its output
 # SPDX-License-Identifier: MIT
 # usage: tests/house/example.sh NAME SOURCE.c EXPECTED.txt DIR LIBRARY.a [FLAG..]
-# Prints one line, `ok` or `FAIL`, after what the compiler or diff say.
+# Prints one line, `ok` or `FAIL`, after the output of the compiler or of diff.
 set -u
 name=$1 source=$2 expected=$3 dir=$4 library=$5; shift 5
 program=$dir/$(basename "$source" .c)

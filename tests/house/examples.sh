@@ -1,8 +1,8 @@
 #!/bin/sh
-# tests/house/examples.sh -- run the programs of lib/examples, link what lib/RECIPES.md lists
+# tests/house/examples.sh -- run the programs of lib/examples, link the files of lib/RECIPES.md
 # SPDX-License-Identifier: MIT
 # usage: tests/house/examples.sh BUILD ; the libraries BUILD/{q16,f32,f64}x3/libloft.a must exist
-# It calls itself for what runs side by side: examples.sh BUILD linked RECIPE
+# It calls itself for parallel work: examples.sh BUILD linked RECIPE
 set -u
 build=$1 work=$1/examples most=40 page=lib/RECIPES.md
 result=$work/result
@@ -25,7 +25,7 @@ caller() {      # caller FUNCTION..: a program that needs each of them
     echo '};'
     echo 'int main(void) { return all[0] == 0; }'
 }
-taken() {       # taken SOURCE NUM: files that the linker takes from the library, as its trace says
+taken() {       # taken SOURCE NUM: files that the linker takes from the library, by its trace
     given="${CPPFLAGS:-} ${CFLAGS:-} ${LDFLAGS:-}"
     ${CC:-cc} -std=c99 -Ilib $given -DLOFT_NUM="$(macro "$2")" -DLOFT_AXES=3 \
         "$1" "$build/${2}x3/libloft.a" -Wl,-t,-t -o "${1%.c}" > "${1%.c}.trace" || return
@@ -55,7 +55,7 @@ expected() {    # expected SOURCE: the lines of its last comment
          / \*\/$/ { on = 0 }
          on && /^ \* / { print substr($0, 8) }' "$1"
 }
-short() {       # short SOURCE: is the program before that comment at most so long?
+short() {       # short SOURCE: is the program before that comment short enough?
     lines=$(awk '/^\/\* prints$/ { exit } /./ { last = NR } END { print last }' "$1")
     if [ "$lines" -le $most ]; then echo "ok   $1 has $lines lines"
     else echo "FAIL $1 has $lines lines, at most $most are allowed"; fi

@@ -1,11 +1,11 @@
 #!/bin/sh
-# tests/house/lint.sh -- the rules of the house, each one line `ok` or `FAIL` with the places
+# tests/house/lint.sh -- check the rules of the house: one line each, `ok` or `FAIL` with the places
 # SPDX-License-Identifier: MIT
 # usage: tests/house/lint.sh
-# It calls itself for what runs side by side: compiled, compiled_tools, broken.
+# It calls itself for parallel work: compiled, compiled_tools, broken.
 set -u
 result=$(mktemp); trap 'rm -f "$result" "$result.jobs"' EXIT
-rule() {        # rule NAME: standard input lists the offending places; none is good
+rule() {        # rule NAME: standard input lists the offending places; empty means ok
     places=$(cat)
     if [ -z "$places" ]; then echo "ok   lint $1"
     else echo "FAIL lint $1"; echo "$places" | sed 's/^/     /' | head -20; fi | tee -a "$result"
@@ -71,7 +71,7 @@ grep -nE '#[[:space:]]*include[[:space:]]*<' lib/*.h $sources |
 grep -nwE 'malloc|calloc|realloc|free|alloca|printf|setjmp|longjmp' $sources |
     grep -vE ':[0-9]+:[[:space:]]*(/?\*|//)' | rule "no heap and no libc in lib/"
 
-# 3. names.h is what the headers say
+# 3. names.h agrees with the headers
 sh tests/house/names.sh | diff - lib/names.h | rule "names.h is fresh: make lib/names.h"
 sh tests/house/errors.sh | diff - lib/ERRORS.md | rule "ERRORS.md is fresh: make lib/ERRORS.md"
 
@@ -80,7 +80,7 @@ for header in $headers; do
         sort -u
 done | sort | uniq -d | rule "no public name stands for two functions"
 
-# ... and loft.h brings every header, but the inside of motion/ and of the packer
+# ... and loft.h includes every header, except internal ones of motion/ and of the packer
 not_for_users='lib/motion/|lib/num/(q16|f32|f64|floats|avr).h|lib/wire/(curve_code|varint).h'
 echo '#include "loft.h"' | cc -Ilib -M -x c - | tr -d '\\' | tr -s ' ' '\n' |
     { cat; printf '%s\n' $headers | grep -E "$not_for_users"; } | sort -u >"$result.included"
@@ -104,9 +104,9 @@ for header in $headers; do
         }' "$header"
 done | rule "public functions are documented"
 
-# ... and those that compute curves, surfaces and patches over polygons say how much they err and
-# what they cost: in the comment above them, above the first of their group (no empty line
-# between), or at the head of the section (a comment with a line of dashes)
+# ... and those that compute curves, surfaces and patches over polygons state their error and their
+# cost: in the comment above them, above the first of their group (no empty line between), or at the
+# head of the section (a comment with a line of dashes)
 for header in $(printf '%s\n' $headers | grep -E '^lib/(basis|curve|surface|polygon)/'); do
     awk -v file="$header" '
         /^\/\*/                      { said = ""; inside = 1 }
@@ -125,7 +125,7 @@ for header in $(printf '%s\n' $headers | grep -E '^lib/(basis|curve|surface|poly
         }' "$header"
 done | rule "curves and surfaces say their error and their cost"
 
-# 6. every source says its licence and what it is
+# 6. every source names its licence and itself
 named=$(find ports host-tools tests -name '*.[ch]' -o -name '*.sh' -o -name '*.mk')
 for file in lib/*.h $sources lib/examples/*.c $named; do
     head -4 "$file" | grep -q 'SPDX-License-Identifier: MIT' || echo "$file: no SPDX line"
@@ -182,8 +182,7 @@ for name in sys.argv[1:]:
 }
 too_wide | rule "no line has more than 100 columns"
 
-# 7. CPPFLAGS, CFLAGS and LDFLAGS that the user gives stand in every call of the compiler,
-# the last where it links
+# 7. every call of the compiler has the user's CPPFLAGS and CFLAGS, and, if it links, LDFLAGS
 links_and_objects="lib libraries tools test-tools test-axes test-e2e
     build/test/q16/forward build/test/f64/harmonic build/vectors/f32
     build/bench/bench3 build/bench/motion/time-q16 build/bench/motion/moves build/loft-gpio
@@ -203,7 +202,7 @@ flags_that_are_missing() {
 }
 flags_that_are_missing | rule "every rule heeds CPPFLAGS, CFLAGS and LDFLAGS"
 
-# 8. gcc and clang, warnings as errors, all number types, one, three and six axes: side by side
+# 8. gcc and clang, warnings as errors, all number types, one, three and six axes: in parallel
 for compiler in gcc clang; do
     for num in Q16 F32 F64; do
         for axes in 1 3 6; do echo "sh tests/house/lint.sh compiled $compiler $num $axes"; done

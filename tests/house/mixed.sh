@@ -1,5 +1,5 @@
 #!/bin/sh
-# tests/house/mixed.sh -- builds that disagree do not link and say why;
+# tests/house/mixed.sh -- builds with different arithmetic do not link, and the message says why;
 # three number types link into one program
 # SPDX-License-Identifier: MIT
 # usage: tests/house/mixed.sh BUILD ; the libraries BUILD/{q16,f32,f64}x3/libloft.a must exist

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tests/house/size.sh -- bytes of text and worst stack per function of lib/, per module, for
+# tests/house/size.sh -- print bytes of text and worst stack per function of lib/, per module, for
 # four microcontrollers
 # SPDX-License-Identifier: MIT
 # usage: tests/house/size.sh [NUM [AXES]]   (q16 and 3); -Os, without what libgcc adds

@@ -2,7 +2,7 @@
 # tests/model/model.sh -- search every state of the session's model with spin
 # The model is tests/model/session.pml.
 # SPDX-License-Identifier: MIT
-# A line `ok` or `FAIL` per search; the last ones plant a mistake, and the search must find it.
+# Prints a line `ok` or `FAIL` per search. The last searches plant a mistake, which must be found.
 set -u
 if ! command -v spin >/dev/null; then
     echo "FAIL model: spin is not installed (make deps)"
@@ -16,7 +16,7 @@ ok()   { echo "ok   model $*"; }
 fail() { echo "FAIL model $*"; }
 
 # search NAME WANTED "cc flags" "run flags" MODEL-FLAGS..
-# WANTED is `none` or what a planted mistake must break
+# WANTED is `none`, or the property that a planted mistake must break
 search() {
     name=$1 wanted=$2 build=$3 run=$4; shift 4
     count=$((count + 1))
@@ -41,7 +41,7 @@ search() {
 }
 safe='-DSAFETY -DNOCLAIM' live='-DNFAIR=3'
 
-# the long ones beside the others
+# the long ones in parallel with the others
 long_ones() {
     count=100
     search "timeouts at any moment, a frame lost or doubled" \

@@ -2,19 +2,19 @@
  * one item per frame
  * SPDX-License-Identifier: MIT
  *
- * What may happen at any moment, while what is on the line stays there:
+ * These may happen at any moment; frames on the line stay there:
  *
  *     FAULTS    times a frame is lost (damaged ones are: the CRC finds them) or doubled
  *     DEATHS    times the host program dies and is started again
  *     REBOOTS   times the machine restarts
- *     LIMITS    times a limit switch closes, which ends the job or lets none begin, and opens again
+ *     LIMITS    times a limit switch closes, which ends the job or prevents one, and opens again
  *
- * With -DFREE timeouts may come at any moment too (a busy host), otherwise when nothing else can
- * happen. What holds:
+ * With -DFREE timeouts may also come at any moment (a busy host), otherwise only when nothing else
+ * can happen. These properties hold:
  *
- *     safety    every item is taken once, in order, and never more than the queue holds; the report
- *               comes when all of them are executed; after a restart in mid-job nothing is taken
- *               until the user says so; no job begins whose host is at its end
+ *     safety    every item is accepted once, in order, and never more than the queue holds; the
+ *               report comes when all of them are executed; after a restart during a job nothing is
+ *               accepted until the user says so; no job begins whose host has ended
  *     liveness  the job ends, as done, aborted, refused or lost (ltl ends, weak fairness)
  *
  * Numbers on the wire count modulo M (65536 on the real one). `item` in a message is the item
@@ -88,7 +88,7 @@ byte h_base = 0, h_send = 0, h_limit = 0;
 bool h_sent = false, h_opened = false, h_end_sent = false;
 bool h_asked = false, h_silent = false, h_doubt = false;
 
-/* what is proved about */
+/* the subject of the proofs */
 bool in_job = false;            /* JOB was taken and not yet closed                        */
 bool distrusted = false;        /* the machine restarted in mid-job, a host alive all the time */
 
@@ -97,7 +97,7 @@ bool distrusted = false;        /* the machine restarted in mid-job, a host aliv
 #define room    (m_state == ABORTED -> 0 : Q - (m_next - m_executed))
 #define word    ((m_next + room) + 16 * m_state + 64 * m_refused + 128 * m_opened)
 
-/* What is given to the line arrives, or is lost, or arrives twice. */
+/* A frame on the line arrives, or is lost, or arrives twice. */
 inline give(line, what, a, b, c)
 {
     if
@@ -240,7 +240,7 @@ end:
     od
 }
 
-/* The machine is known: a job under way that is ours goes on, ours that is over is collected. */
+/* The machine is known: our running job continues, our finished job is collected. */
 inline host_join(state, next, limit, boot, opened)
 {
     h_sent = false;
@@ -333,13 +333,13 @@ active proctype host()
         h_sent = true; give(to_machine, CLOSE, h_session, 0, 0) }
     :: atomic { h_phase == STREAMING && h_send < K && h_send < h_limit && h_send < h_base + W &&
                 nfull(to_machine) ->
-        /* never more than there is room for */
+        /* never more than fits */
         assert(m_boot != h_boot || h_send < m_executed + Q);
         give(to_machine, ITEM, h_session, h_send % M, h_send); h_send++ }
     :: atomic { h_phase == STREAMING && h_send == K && !h_end_sent && nfull(to_machine) ->
         h_end_sent = true; give(to_machine, END, h_session, K, 0) }
 
-    /* silence: a question, or the same again, once; then from the greeting */
+    /* silence: a question, or the same message again, once; then start with the greeting */
     :: atomic { quiet && h_phase == GREETING && h_sent -> h_sent = false }
     :: atomic { quiet && (h_phase == OPENING || h_phase == CLOSING) && h_sent && !h_silent ->
         h_silent = true; h_sent = false }
@@ -350,7 +350,7 @@ active proctype host()
                 nonces < MOST ->
         host_greet() }
 
-    /* the program dies and is started again: it knows its job and nothing else */
+    /* the program dies and is started again: it knows only its job */
     :: atomic { deaths > 0 && h_phase < CLOSING && !distrusted ->
         deaths--; h_opened = false; h_asked = false;
         h_base = 0; h_send = 0; h_limit = 0; h_boot = 0; host_greet() }

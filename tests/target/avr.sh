@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/target/avr.sh -- whole jobs on an emulated ATmega328P, each number a line `ok` or `FAIL`
+# tests/target/avr.sh -- whole jobs on an emulated ATmega328P, a line `ok` or `FAIL` per number
 # SPDX-License-Identifier: MIT
 # usage: tests/target/avr.sh FIRMWARE.elf LOFT HELPERS ; HELPERS holds chip and rate
 set -u
@@ -46,8 +46,8 @@ row "slot interrupt, worst"                                 "$(value slot_most)"
 row "slot interrupt, latest"                                "$(value slot_late)" "<=" 200 cycles
 row "slots that found the ring empty in mid-job"            "$(value slots_empty)" = 0
 row "making the slots of a tick, and the next tick, mean"   "$(value tick_mean)" "<=" 4000 cycles
-# Not the worst of these calls: one makes one tick or several, as the moment wants it, and may take
-# its time while slots are left.
+# The worst call is not measured: a call prepares one tick or several, and may take time while slots
+# are left.
 row "slots left in the ring when a slot came, fewest" \
     "$(value ring_least)" ">=" 8 "of the 36 at which work begins"
 row "all interrupts"                                        "$(value load)" "<=" 0.85 "of the time"

@@ -1,9 +1,9 @@
 #!/bin/sh
-# tests/target/calls.sh -- the table of lib/motion/span.h beside what its calls cost on an emulated
-# ATmega328P, Cortex-M0 and M4
+# tests/target/calls.sh -- compares the table of lib/motion/span.h with the cost of its calls on an
+# emulated ATmega328P, Cortex-M0 and M4
 # SPDX-License-Identifier: MIT
 # usage: tests/target/calls.sh DIR
-# A line per number: it holds where the call takes at most that, and not less than seven tenths.
+# Prints a line per number: it holds if the call takes at most that, and at least 7/10 of it.
 set -u
 dir=$1
 for tool in avr-gcc simavr arm-none-eabi-gcc qemu-system-arm; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-# tests/target/dense.py -- the drawing as a dense G-code file would have it:
-# points at equal distances along its curves
+# tests/target/dense.py -- prints the drawing as in a dense G-code file: points at equal distances
+# along its curves
 # SPDX-License-Identifier: MIT
 """usage: dense.py CUBICS.csv SPACING > points.loft
 

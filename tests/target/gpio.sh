@@ -1,11 +1,11 @@
 #!/bin/bash
 # tests/target/gpio.sh -- loft-gpio on a real kernel with simulated GPIO chips, with libgpiod 1.x
-# and 2.x; each number a line `ok` or `FAIL`
+# and 2.x; a line `ok` or `FAIL` per number
 # SPDX-License-Identifier: MIT
 # usage: tests/target/gpio.sh CACHE GUEST LOFT ; CACHE is made by gpio_get.sh, GUEST holds
 # loft-gpio1, loft-gpio2 and guest
-# Counted instructions are the clock (-icount, 125 a us; idle time is skipped): how late pulses
-# come does not depend on the load here.
+# Counted instructions are the clock (-icount, 125 per us; idle time is skipped): the lateness of
+# pulses does not depend on the load of this computer.
 # The sender is this computer, at the other end of the guest's serial port.
 set -u
 cache=$1 guest=$2 loft=$3
@@ -58,7 +58,7 @@ wave() {
     code=$(cat "$tmp/$1.code")
 }
 
-# starts CASE: does every axis of the case step as it does in the first part of the slow job here?
+# starts CASE: does every axis step as in the first part of the slow job on the simulated machine?
 starts() {
     python3 - "$tmp/$1.csv" "$tmp/here.slow" <<'P'
 import sys
@@ -109,7 +109,7 @@ paper() {
     [ "$(value code)" = 0 ] || cat "$tmp/said"
 }
 
-# refuses CODE TEXT ARGUMENT..: with that exit code and one line that says so
+# refuses CODE TEXT ARGUMENT..: with that exit code and one line that has TEXT
 refuses() {
     local expected=$1 text=$2 code
     shift 2
@@ -118,10 +118,10 @@ refuses() {
     row "refused: $*" "$code $(wc -l < "$tmp/err") $(grep -c "$text" "$tmp/err")" = "$expected 1 1"
 }
 
-# section NAME: of what the guest put to the debug port
+# section NAME: of the guest's output on the debug port
 section() { awk -v n="=== $1" '/^===/ { on = $0 == n } on' "$tmp/dump"; }
 
-# safe NAME: what holds in each case
+# safe NAME: the properties that hold in each case
 safe() {
     row "$1: steps told and steps counted at the lines"       "$(value told)" = "$(value position)"
     row "$1: shortest pulse (5 us)"                           "$(value width)" ">=" 5 us

@@ -1,6 +1,6 @@
 #!/bin/bash
-# tests/target/gpio_get.sh -- what a Linux with simulated GPIO chips needs, downloaded and built
-# once: prints the folder
+# tests/target/gpio_get.sh -- download and build, once, the parts of a Linux with simulated GPIO
+# chips; prints the folder
 # SPDX-License-Identifier: MIT
 # usage: tests/target/gpio_get.sh [FOLDER] ; ~/.cache/loft/gpio if none is named.
 # No root, nothing is installed.
@@ -27,7 +27,7 @@ mkdir -p "$keep"
 work=$(mktemp -d "$keep/work.XXXXXX"); trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# archive NAME "URI SUITE".. : from now on apt-get and apt-cache see these alone
+# archive NAME "URI SUITE".. : from now on apt-get and apt-cache see only these
 archive() {
     local name=$work/apt-$1
     shift
@@ -67,7 +67,7 @@ get "linux-image-$kernel-unsigned" "${parts[@]}" "linux-source-$series"
 unpack "linux-image-$kernel-unsigned" --wildcards './boot/vmlinuz-*' '*/fs/configfs/configfs.ko'
 for part in "${parts[@]}"; do unpack "$part"; done
 
-# gpio-sim and what it stands on; irq_to_desc is not there for modules, the function behind it is
+# gpio-sim and its dependencies; modules cannot use irq_to_desc, but the function behind it
 source=linux-source-$series
 dpkg-deb --fsys-tarfile "$source"_*.deb | tar -xO "./usr/src/$source.tar.xz" |
     tar -xJ --strip-components=1 "$source/drivers/gpio/gpio-sim.c" \
@@ -82,7 +82,7 @@ sed -i "s|/usr/src/|$work/usr/src/|" "usr/src/linux-headers-$kernel/Makefile"
 make -s -C "$work/usr/src/linux-headers-$kernel" M="$work/module" modules >build.log 2>&1 ||
     { cat build.log >&2; exit 1; }
 
-# gpio-sim.ko last: it is what makes the folder complete
+# gpio-sim.ko last: it completes the folder
 cp boot/vmlinuz-* "$keep/vmlinuz"
 strip --strip-debug -o "$keep/configfs.ko" lib/modules/*/kernel/fs/configfs/configfs.ko
 strip --strip-debug -o "$work/gpio-sim.ko" module/gpio-sim.ko

@@ -1,9 +1,9 @@
 #!/bin/busybox sh
 # tests/target/gpio_init.sh -- the guest of gpio.sh: two simulated GPIO chips, and loft-gpio on
-# their lines in one case after another
+# their lines, case by case
 # SPDX-License-Identifier: MIT
-# It says `job NAME` on the console when a machine listens at its serial port, and puts what came
-# of it to the debug port.
+# It prints `job NAME` on the console when a machine listens at its serial port, and writes the
+# results to the debug port.
 /bin/busybox --install -s /bin
 export PATH=/bin
 mount -t proc p /proc; mount -t sysfs s /sys; mount -t devtmpfs d /dev
@@ -68,8 +68,8 @@ finish() {
     guest put "$2$1.pulls" < /pulls
     : > /pulls
 }
-# moving: wait until a good thousand pulses have been made
-# (what is recorded of them is written in portions)
+# moving: wait until at least a thousand pulses have been made
+# (the record is written in portions)
 moving() { while [ "$(wc -c < /tmp/record)" -lt 16000 ] && kill -0 $pid; do usleep 20000; done; }
 
 : > /pulls
@@ -80,7 +80,7 @@ for version in 1 2; do
     begin $version whole
     finish $version whole
 
-    # a touch shorter than debouncing, then a switch that bounces when it closes and stays closed
+    # a pulse shorter than the debouncing, then a switch that bounces while closing, and stays closed
     begin $version estop max_speed=20
     moving
     guest pull $switches/sim_gpio5/pull up 2000 down 300000 \
@@ -95,7 +95,7 @@ for version in 1 2; do
     finish $version limit
     guest pull $switches/sim_gpio6/pull up 1000 > /dev/null
 
-    # a second machine finds the lines taken; the first is told to end in mid-job
+    # a second machine finds the lines in use; the first one is told to end during the job
     begin $version term max_speed=20
     {   loft-gpio$version --look /machine
         loft-gpio$version link=/tmp/other port= /machine
@@ -105,14 +105,14 @@ for version in 1 2; do
     kill -TERM $pid
     finish $version term
 
-    # an account without rights beside another program that takes all the time it gets
+    # an account without rights, next to another program that uses all the time it gets
     chown plain /dev/gpiochip* /dev/ttyS1
     yes > /dev/null & busy=$!
     begin $version plain
     finish $version plain
     kill $busy
 
-    # a chip that goes in mid-job
+    # a chip that disappears during a job
     begin $version gone max_speed=20
     moving
     echo 0 > /sys/kernel/config/gpio-sim/motors/live

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# tests/target/gpio_wave.py -- numbers of what gpio.sh's guest recorded at its lines
+# tests/target/gpio_wave.py -- prints numbers from the record of gpio.sh's guest at its lines
 # SPDX-License-Identifier: MIT
 """usage: gpio_wave.py DUMP CASE OUT.csv > VALUES
 
@@ -97,8 +97,8 @@ def main(dump, case, out):
         print("slower", report[3])
         print("dry", report[4])
 
-    # a slot with several steps is several pulses, those of another chip some us later:
-    # the first is the slot's
+    # a slot with several steps is several pulses; those of another chip come a few us later:
+    # the first one is the time of the slot
     first, taken = [], 0
     for _, count in slots:
         first += times[taken:taken + 1]

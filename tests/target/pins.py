@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# tests/target/pins.py -- what QEMU logged of a board's pins becomes positions
+# tests/target/pins.py -- convert QEMU's log of a board's pins to positions
 # SPDX-License-Identifier: MIT
 """usage: pins.py BOARD LOG > CSV
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/target/plan.sh -- a drawing planned on an emulated AVR, each number a line `ok` or `FAIL`
+# tests/target/plan.sh -- plan a drawing on an emulated AVR; a line `ok` or `FAIL` per number
 # SPDX-License-Identifier: MIT
 # usage: tests/target/plan.sh IMAGE.elf CHIP HERE PLAN_CHIP ;
 # HERE plans the same on this computer, PLAN_CHIP is the emulator

@@ -3,10 +3,10 @@
 # order of the simulated machine
 # SPDX-License-Identifier: MIT
 # usage: tests/target/qemu.sh FIRMWARE_FOLDER LOFT PLUGIN.so BAD_LINE
-# The same over a bad line (bad_line.c): bytes flipped, lost, doubled, put in;
-# the cable out again and again; the sender killed and started again.
-# Counted instructions are the clock (-icount): a slot lasts as on a real part, idle time is
-# skipped. An emulated line has no speed.
+# The same over a bad line (bad_line.c): bytes flipped, lost, doubled, inserted;
+# the cable unplugged repeatedly; the sender killed and started again.
+# Counted instructions are the clock (-icount): a slot lasts as long as on a real part, and idle
+# time is skipped. An emulated line has no speed.
 set -u
 firmware=$1 loft=$2 plugin=$3 bad_line=$4
 drawing=tests/drawings/outline12.csv feed=50

@@ -17,7 +17,7 @@ row() {
         tee -a "$result"
 }
 
-# every axis' own row of steps, whatever the time between them
+# the sequence of steps of each axis, without their times
 path_of() {
     awk -F, '!/^#/ && $1 != "slot" {
                  for (i = 2; i <= NF; i++)
@@ -29,8 +29,8 @@ path_of() {
 # told OUTPUT: the position that the command reports
 told() { sed -n 's/.*steps \(-*[0-9]* -*[0-9]* -*[0-9]*\).*as commanded.*/\1/p' "$1" | head -1; }
 
-# on_chip CHIP FIRMWARE COMMAND..: the chip behind $tmp/port, its pulses in $tmp/chip.csv, what it
-# came to in $tmp/chip; COMMAND's output in $tmp/out and $tmp/err, its exit code in $code
+# on_chip CHIP FIRMWARE COMMAND..: the chip behind $tmp/port, its pulses in $tmp/chip.csv, its
+# results in $tmp/chip; COMMAND's output in $tmp/out and $tmp/err, its exit code in $code
 on_chip() {
     local chip=$1 elf=$2 tick ring child
     shift 2
@@ -49,7 +49,7 @@ on_chip() {
 }
 value() { awk -v name="$1" '$1 == name { $1 = ""; print substr($0, 2) }' "$tmp/chip"; }
 
-# said NAME: the number behind a name in $tmp/out, or in FILE
+# said NAME: the number after a name in $tmp/out, or in FILE
 said() {
     awk -v name="$1" '{ for (i = 1; i < NF; i++) if ($i == name) print $(i + 1) }' "${2:-$tmp/out}"
 }

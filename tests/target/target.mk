@@ -1,17 +1,17 @@
-# tests/target/target.mk -- what runs on emulated chips: arithmetic, calls, whole jobs, unit tests
+# tests/target/target.mk -- the tests on emulated chips: arithmetic, calls, whole jobs, unit tests
 # SPDX-License-Identifier: MIT
 
-## Check the firmware on emulated chips: arithmetic bit for bit as here, whole jobs, pulses, timing
+## Check the firmware on emulated chips: arithmetic bit for bit, whole jobs, pulses, timing
 .PHONY: check-target
 check-target: lib/names.h
 	@MAKE="$(MAKE)" bash tests/house/check.sh $(TARGET_STAGES)
 
-## Run arithmetic, curves and grids on an emulated ATmega328P and Cortex-M0: bit for bit as here
+## Run arithmetic, curves and grids on an emulated ATmega328P and Cortex-M0: bit for bit
 .PHONY: check-sums
 check-sums: lib/names.h
 	@sh tests/target/target.sh
 
-## Check what the calls of lib/motion/span.h cost on an emulated ATmega328P, Cortex-M0 and M4
+## Check the cost of the calls of lib/motion/span.h on an emulated ATmega328P, Cortex-M0 and M4
 .PHONY: check-calls
 check-calls: lib/names.h
 	@sh tests/target/calls.sh build/calls
@@ -28,7 +28,7 @@ build/target/bad_line: tests/target/bad_line.c build/q16x3/libloft.a
 	    -D_GNU_SOURCE $(call num_flag,q16) $(filter %.c %.a,$^) -o $@
 -include build/target/bad_line.d
 
-## Run a whole job on each 32-bit board in QEMU: every pulse at the pins, over a bad line as well
+## Run a whole job on each 32-bit board in QEMU: every pulse at the pins, also over a bad line
 .PHONY: check-boards
 check-boards: $(addprefix firmware-,$(FIRMWARES)) build/target/stores.so build/target/bad_line \
               $(TOOL_OUT)/loft

@@ -1,8 +1,8 @@
 #!/bin/sh
-# tests/target/target.sh -- is q16 the same, bit for bit, on an ATmega328P and a Cortex-M0?
+# tests/target/target.sh -- check that q16 is the same, bit for bit, on an ATmega328P and Cortex-M0
 # SPDX-License-Identifier: MIT
 # Compiles tests/target/sums.c with lib/ for them and for this computer, runs it in simavr, in QEMU
-# and here, and compares line by line. The AVR backend has code of its own (shifts by moving bytes):
+# and here, and compares line by line. The AVR backend has its own code (shifts by moving bytes):
 # this is its test.
 set -u
 for tool in avr-gcc simavr arm-none-eabi-gcc qemu-system-arm; do
@@ -12,7 +12,7 @@ done
 work=build/target
 mkdir -p $work
 
-sources_of() {  # sources_of PART: what the part is linked with
+sources_of() {  # sources_of PART: the sources that the part links
     echo "tests/target/sums.c lib/num/*.c"
     case $1 in
     4) echo "lib/basis/bernstein.c lib/curve/bezier.c lib/surface/tensor/grid.c"

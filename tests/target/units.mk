@@ -2,13 +2,13 @@
 # instruction set and number type
 # SPDX-License-Identifier: MIT
 #
-# The library is the one of the firmware, by its compiler and flags. Clang compiles the tests, and
-# what they stand on in place of a library: it has a long double of 113 bits and integers of 128 on
-# any core (libc/quad.c, libc/int128.c compute them), so that the references are as exact as here.
+# The library is that of the firmware, with its compiler and flags. Clang compiles the tests and the
+# functions under them, which replace a C library: it has a long double of 113 bits and integers of
+# 128 bits on any core (libc/quad.c, libc/int128.c). So the references are as exact as on the host.
 
 UNIT_SHARE ?= 1000
 UNITS      := build/units
-# raise: no part of a firmware (LOFT_PLAN_FLOW)
+# raise: not part of a firmware (LOFT_PLAN_FLOW)
 UNIT_TESTS := $(filter-out harmonic wire_page yardstick topp raise,$(TESTS))
 UNIT_BASE  := libc/quad libc/int128 libc/aeabi libc/math libc/print alarm units
 UNIT_FLAGS  = -std=c99 -ffreestanding -O1 -Xclang -mlong-double-128 -Xclang -fforce-enable-int128 \
@@ -44,7 +44,7 @@ $(eval $(call unit_set,v7m-q16,Q16,$(UNIT_ARM)v7m-none-eabi -mcpu=cortex-m3,star
 $(eval $(call unit_set,v7em-f32,F32,$(UNIT_ARM)v7em-none-eabihf -mcpu=cortex-m4,start_cortex))
 $(eval $(call unit_set,rv32-q16,Q16,$(UNIT_RV),))
 
-# unit_board NAME, tool prefix: the whole library as its firmware has it, in an archive
+# unit_board NAME, tool prefix: the whole library as in its firmware, in an archive
 define unit_board
 $(UNITS)/$(1)/libloft.a: $(patsubst %.c,build/firmware/$(1)/%.o,$(LIB_SRC) ports/bare/memory.c)
 	@mkdir -p $$(@D)

@@ -18,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 ARM, RISCV = "arm-none-eabi-", "riscv64-unknown-elf-"
 RISCV_CORE = ["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"]
 M0 = ["-mthumb", "-mcpu=cortex-m0"]
-M3 = ["-mthumb", "-mcpu=cortex-m3"]     # integers alone: any core from M3 up links as this one
+M3 = ["-mthumb", "-mcpu=cortex-m3"]     # only integers: any core from M3 up links like this one
 M4F = ["-mthumb", "-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard"]
 K, M = 1024, 1024 * 1024
 
@@ -41,8 +41,8 @@ BOARDS = [
     ("mps2-an505", "M33", "q16", "mps2-an505", "v7m-q16", "mps2-an505",
      M3, (0x10000000, 4 * M), (0x80000000, 16 * M), 6),
 ]
-# bytes of RAM that an image takes beside its tests: the line of text, what the library's functions
-# leave out
+# bytes of RAM of an image besides its tests: the line of text, and data that the library's
+# functions leave out
 OWN = 1200
 NOWHERE = {
     "harmonic": "its tables are solved by code of the command, with a heap",
@@ -52,7 +52,7 @@ NOWHERE = {
     "raise": "boards average a limited jerk: it is no part of their firmware",
 }
 NOT_HERE = {("nrf51", "planner"): "this board's firmware does not plan"}
-SECONDS = 600           # until a chip that hangs is given up, on a busy computer
+SECONDS = 600           # until we give up a chip that hangs, on a busy computer
 
 
 def run(*command):
@@ -88,7 +88,7 @@ class Board:
         self.left += 1
 
     def images(self, tests, stack):
-        """Rows of tests that fit into memory together."""
+        """Rows of tests that fit in memory together."""
         images = []
         for test in sorted(tests, key=lambda t: self.data[t]):
             take, room = self.data[test] + stack.get(test, 64 * K), self.ram[1] - OWN
