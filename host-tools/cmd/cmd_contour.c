@@ -143,7 +143,7 @@ static int run_contour(const tool_command *self, int argc, char **argv)
         TOOL_COUNT("n", "N", &c.n, 3, 1024,
                    "cells along each parameter in which they are looked for (128)"),
         TOOL_NUMBER("tol", "MM", &c.tol, 0, 1000, "of the height (0.001)"),
-        TOOL_SWITCH("csv", &c.rows, "rows surface,height,curve,x,y,z, in place of .loft"),
+        TOOL_SWITCH("csv", &c.rows, "rows surface,height,curve,x,y,z, instead of .loft"),
         TOOL_SWITCH("flat", &flat, "without z: a map, which `loft stream` draws"),
         ENGINE_OPTION(&c.p.e, "number type (q16)"),
         TOOL_OPTIONS_END

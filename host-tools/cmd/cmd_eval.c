@@ -189,7 +189,7 @@ static int run_eval(const tool_command *self, int argc, char **argv)
         TOOL_LIST("uv", "U,V,..", &uv, -32768, 32767,
                   "pairs of parameters on a surface (the middle)"),
         TOOL_SWITCH("shape", &shape,
-                    "not points, but what each piece looks like: its type, inflections, box"),
+                    "not points, but the shape of each piece: its type, inflections, box"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         ENGINE_OPTION(&e, "number type (q16)"),
         TOOL_OPTIONS_END

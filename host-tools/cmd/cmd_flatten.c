@@ -60,7 +60,7 @@ static int run_flatten(const tool_command *self, int argc, char **argv)
 
     const tool_option options[] = {
         TOOL_NUMBER("tol", "MM", &tol, 1e-6, 1000,
-                    "how far a chord may leave its curve, rounding included (0.01)"),
+                    "largest distance of a chord from its curve, rounding included (0.01)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         ENGINE_OPTION(&e, "number type (q16)"), TOOL_OPTIONS_END
     };

@@ -519,7 +519,7 @@ static int run_measure(const tool_command *self, int argc, char **argv)
         TOOL_LIST("nearest", "X,Y[,Z]", &at, -1e6, 1e6,
                   "the point of each curve that is nearest to this one"),
         TOOL_SWITCH("intersect", &meets, "where the curves meet, each with each"),
-        TOOL_SWITCH("joins", &joins, "how smoothly each curve goes on from the one before"),
+        TOOL_SWITCH("joins", &joins, "how smoothly each curve continues the one before"),
         TOOL_NUMBER("offset", "MM", &distance, -1e4, 1e4,
                     "the path at this distance to the left (< 0: right), as .loft"),
         TOOL_NUMBER("tol", "MM", &tol, 1e-9, 1000, "within which all of it is (0.001)"),

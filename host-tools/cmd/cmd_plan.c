@@ -173,7 +173,7 @@ static int run_plan(const tool_command *self, int argc, char **argv)
                   "over time"),
         TOOL_NUMBER("size", "WIDTH", &o.size, 100, 20000,
                     "px of a PNG, points of the others (1600)"),
-        TOOL_SWITCH("total", &o.total, "the sums alone, not every curve"),
+        TOOL_SWITCH("total", &o.total, "only the sums, not every curve"),
         TOOL_OPTIONS_END
     };
     code = tool_options(self, options, argc, argv, &first);

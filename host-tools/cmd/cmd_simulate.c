@@ -101,15 +101,14 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
         TOOL_LIST("accel", "MM/S2,..", &accel, 1, 16383, "of the axes (2000)"),
         TOOL_COUNT("tick-hz", "HZ", &o.tick_hz, 50, 50000, "ticks per second (1000)"),
         TOOL_COUNT("slots", "N", &o.slots, 1, 4096, "chances to step per tick (40)"),
-        TOOL_COUNT("ramp", "TICKS", &o.ramp, 1, 32767,
-                   "from full pace to standing in a hold (100)"),
+        TOOL_COUNT("ramp", "TICKS", &o.ramp, 1, 32767, "from full pace to a stop in a hold (100)"),
         TOOL_COUNT("curves", "N", &o.curves, 0, 4096,
                    "curves that fit its plan; 0: it does not plan (64)"),
         TOOL_COUNT("queue", "N", &o.queue, 2, 32768, "items that fit the queue (256)"),
         TOOL_TEXT("limits", "x-=MM,..", &limits,
                   "limit switches: axis, - or + end, and where its motor closes it (none)"),
         TOOL_NUMBER("noise", "PPM", &o.noise, 0, 100000,
-                    "of a million bits on the line so many are flipped (0)"),
+                    "flipped bits per million on the line (0)"),
         ENGINE_OPTION(&e, "number type of the machine (q16)"),
         TOOL_OPTIONS_END
     };

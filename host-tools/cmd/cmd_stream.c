@@ -284,7 +284,7 @@ static int run_stream(const tool_command *self, int argc, char **argv)
             "grbl", &o.grbl,
             "send G-code to a controller of grbl's kind, which plans; with --dry-run print it"),
         TOOL_SWITCH("g5", &o.g5,
-                    "with --grbl: curves as G5, for controllers that have it, in place of arcs"),
+                    "with --grbl: curves as G5, for controllers that have it, instead of arcs"),
         TOOL_SWITCH("dry-run", &o.dry, "plan for a usual machine, print a summary, move nothing"),
         TOOL_TEXT("record", "FILE", &o.record,
                   "the pulses that `loft simulate --record FILE` writes: measure the path error"),
@@ -317,7 +317,7 @@ static int run_stream(const tool_command *self, int argc, char **argv)
     if (o.hold + o.resume + o.abort > 1 || (controls && first < argc))
         return tool_error(
             EX_USAGE,
-            "--hold, --resume and --abort take nothing beside them: see `loft stream --help`");
+            "--hold, --resume and --abort take no other argument: see `loft stream --help`");
     if (o.port && !controls && strcmp(o.port, "-") == 0 && strcmp(argv[first], "-") == 0)
         return tool_error(EX_USAGE,
                           "both the drawing and the port are standard input: name one of them");

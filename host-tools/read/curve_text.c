@@ -44,7 +44,7 @@ static int head_bare(reading *r)
 {
     return lines_numbers_alone(&r->at, NULL, 0) == 0
                ? 0
-               : lines_wrong(&r->at, "more behind the kind",
+               : lines_wrong(&r->at, "more after the kind",
                              "give its points on lines of their own");
 }
 
@@ -62,7 +62,7 @@ static int head_degree(reading *r)
     r->counted = count == 1;
     r->now->degree = r->counted ? (unsigned)degree : 0;
     if (!r->counted && (r->now->kind == CURVE_BSPLINE || r->now->kind == CURVE_NURBS))
-        return lines_wrong(&r->at, "no degree", "give it behind the kind, as `bspline 3`");
+        return lines_wrong(&r->at, "no degree", "give it after the kind, as `bspline 3`");
     return 0;
 }
 

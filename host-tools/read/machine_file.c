@@ -109,8 +109,7 @@ static int check_given_once(reading *r, const row *k, int axis)
         if (said[i] > 0 && (i == 1 + axis || (axis < 0 && k->axes)))
             return tool_error(EX_DATAERR, "%s:%u: %s is given in line %u already: %s", r->file,
                               r->line, k->key, said[i],
-                              i == 1 + axis ? "take one of them away"
-                                            : "put what holds for all axes first");
+                              i == 1 + axis ? "remove one" : "put what holds for all axes first");
     *mine = r->line;
     return 0;
 }
@@ -172,8 +171,7 @@ static int read_kinematics(reading *r, const char *s)
     const size_t length = strcspn(word, " \t\r\n#");
 
     if (r->named > 0)
-        return tool_error(EX_DATAERR,
-                          "%s:%u: kinematics is given in line %u already: take one of them away",
+        return tool_error(EX_DATAERR, "%s:%u: kinematics is given in line %u already: remove one",
                           r->file, r->line, r->named);
     if (word == s || !number_ends(word + length) || !kinematics_find(&r->m->k, word, length))
         return tool_error(EX_DATAERR,

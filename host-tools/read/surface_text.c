@@ -82,7 +82,7 @@ static int head_bare(reading *r)
 {
     return lines_numbers_alone(&r->at, NULL, 0) == 0
                ? 0
-               : lines_wrong(&r->at, "more behind the kind",
+               : lines_wrong(&r->at, "more after the kind",
                              "give its points on lines of their own");
 }
 
@@ -90,7 +90,7 @@ static int head_radius(reading *r)
 {
     if (lines_numbers_alone(&r->at, &r->now->radius, 1) != 1 || r->now->radius <= 0)
         return lines_wrong(&r->at, "no radius",
-                           "give it behind the kind, as `sphere 20`, and the centre on the next "
+                           "give it after the kind, as `sphere 20`, and the centre on the next "
                            "line, if it is not 0 0 0");
     return 0;
 }

@@ -329,9 +329,9 @@ static void warn_unclipped(svg_reader *r, const xmlNode *node, const svg_matrix 
         r->node = node;
         if (drawing_box(&one, box) && (box[0][0] < -margin || box[0][1] < -margin ||
                                        box[1][0] > width + margin || box[1][1] > height + margin))
-            svg_warn(
-                r, SVG_WARN_UNCLIPPED,
-                "<%s> is not cut at its edges, all of it is drawn: cut the paths in the editor",
+            svg_warn(r, SVG_WARN_UNCLIPPED,
+                "<%s> is not clipped at its edges, all of it is drawn: "
+                "clip the paths in the editor",
                 (const char *)node->name);
     }
 }
@@ -431,7 +431,7 @@ static bool fail_circular_use(const svg_reader *r)
 {
     char *href = use_reference(r->node);
 
-    svg_fail(r, "\"%.60s\" uses itself: break the circle", href);
+    svg_fail(r, "\"%.60s\" uses itself: break the cycle", href);
     xmlFree(href);
     return false;
 }
@@ -497,7 +497,7 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
         (space.stroke && space.stroke_opaque && space.stroke_wide))
         return svg_shape(r, &space, &shape);
     svg_warn(r, SVG_WARN_UNSEEN,
-             "<%s> without fill and stroke is not seen and not drawn: give it a stroke to draw it",
+             "<%s> without fill and stroke is invisible and not drawn: give it a stroke to draw it",
              (const char *)node->name);
     return true;
 }
@@ -535,8 +535,8 @@ static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const
         return svg_fail(r, "more than %u elements, counting each use: split the drawing",
                         SVG_ELEMENTS_MAX);
     if (r->depth >= SVG_DEPTH_MAX)
-        return svg_fail(
-            r, "more than %d elements in each other, counting each use: draw with fewer groups",
+        return svg_fail(r,
+                        "more than %d nested elements, counting each use: draw with fewer groups",
             SVG_DEPTH_MAX);
     r->depth++;
     const bool good = draw_in_space(r, node, space, chain);

@@ -286,7 +286,7 @@ static void start_element(void *context, const xmlChar *name, const xmlChar *pre
         stop_at_limit(parser, "<%s> has more than %d attributes: leave some out",
                       (const char *)name, ATTRIBUTES_MAX);
     if (parser->nodeNr >= (inner ? INNER_DEPTH : SVG_DEPTH_MAX))
-        stop_at_limit(parser, "more than %d elements in each other%s: draw with fewer groups",
+        stop_at_limit(parser, "more than %d nested elements%s: draw with fewer groups",
                       inner ? INNER_DEPTH : SVG_DEPTH_MAX, inner ? " in an entity" : "");
     if (r->stopped)
         return;

@@ -24,7 +24,7 @@ static bool refuse_data(const path *p, const char *wanted)
     const int before = p->at - p->data > 20 ? 20 : (int)(p->at - p->data);
 
     if (*p->at == '\0')
-        return svg_fail(p->pen->r, "path data ends behind \"%.*s\": %s is missing", before,
+        return svg_fail(p->pen->r, "path data ends after \"%.*s\": %s is missing", before,
                         p->at - before, wanted);
     return svg_fail(p->pen->r, "path data: \"%.12s\" behind \"%.*s\": %s is expected", p->at,
                     before, p->at - before, wanted);

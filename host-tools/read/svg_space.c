@@ -117,13 +117,13 @@ bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *
         if (length == 0 || !transform_of(name, length, v, read_arguments(&at, css, v), &one))
             return svg_fail(
                 r,
-                "transform: \"%.40s\" is none of matrix(6 numbers) translate(1 or 2) scale(1 or 2) "
-                "rotate(1 or 3) skewX(1) skewY(1)",
+                "transform: \"%.40s\" is not one of matrix(6 numbers) translate(1 or 2) "
+                "scale(1 or 2) rotate(1 or 3) skewX(1) skewY(1)",
                 name);
         *m = svg_multiply(*m, one);
         if (!is_finite(*m))
             return svg_fail(
-                r, "transform: \"%.40s\" is too great to compute with: give smaller numbers", name);
+                r, "transform: \"%.40s\" is too large to compute with: give smaller numbers", name);
         scan_comma(&at);
     }
     return true;
@@ -181,7 +181,7 @@ static bool one_length(const svg_reader *r, const svg_space *space, const char *
         good = svg_fail(r, "%s=\"%.40s\": give a number with px mm cm in pt pc Q or %%", name,
                         text);
     return good && (isfinite(*out) ||
-                    svg_fail(r, "%s=\"%.40s\" is too great to compute with: give a smaller number",
+                    svg_fail(r, "%s=\"%.40s\" is too large to compute with: give a smaller number",
                              name, text));
 }
 
@@ -285,7 +285,7 @@ bool svg_view_box(const svg_reader *r, double box[4], bool *given)
     for (int i = 0; *given && i < 4; i++)
         if (!isfinite(box[i]))
             *given = svg_fail(
-                r, "viewBox=\"%.60s\" is too great to compute with: give smaller numbers", text);
+                r, "viewBox=\"%.60s\" is too large to compute with: give smaller numbers", text);
     xmlFree(text);
     return *given;
 }

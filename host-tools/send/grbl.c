@@ -226,12 +226,12 @@ static int report_unready(const grbl *g, double seconds)
                           g->line.text, g->received);
     if (g->machined)
         return tool_error(EX_CONFIG,
-                          "%s: %s answers, but tells its place as MPos without WCO: set $10=0 with "
-                          "a terminal, so that it tells WPos",
+                          "%s: %s answers, but reports its position as MPos without WCO: set $10=0 "
+                          "with a terminal, so that it reports WPos",
                           g->line.text, name);
     return tool_error(EX_PROTOCOL,
-                      "%s: %s answers, but does not tell its place when asked by `?`: reset it, or "
-                      "give it firmware that speaks grbl 1.1",
+                      "%s: %s answers, but does not report its position when asked by `?`: "
+                      "reset it, or give it firmware that speaks grbl 1.1",
                       g->line.text, name);
 }
 

@@ -321,7 +321,7 @@ int stream_control(talk *t, enum loft_verb verb, const kinematics *k)
     waits waiting      = { .told = false };
 
     if (!loft_state_busy(s->ack.state))
-        return tool_error(EX_UNAVAILABLE, "%s: no job is under way: nothing to %s", t->port,
+        return tool_error(EX_UNAVAILABLE, "%s: no job is running: nothing to %s", t->port,
                           verb == LOFT_HOLD     ? "hold"
                           : verb == LOFT_RESUME ? "resume"
                                                 : "abort");

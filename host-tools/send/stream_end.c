@@ -192,7 +192,7 @@ static int report_refused(const talk *t, const job *j)
     case LOFT_REFUSAL_KIND:
         return tool_error(
             EX_CONFIG,
-            "%s: the machine does not take items of this kind: try with or without --points",
+            "%s: the machine does not accept items of this kind: try with or without --points",
             t->port);
     case LOFT_REFUSAL_LIMITS:
         return tool_error(EX_DATAERR,
@@ -207,7 +207,7 @@ static int report_refused(const talk *t, const job *j)
     case LOFT_REFUSAL_INPUT: return report_hindered(t, j);
     case LOFT_REFUSAL_FAULT:
         return tool_error(EX_UNAVAILABLE,
-                          "%s: the machine does not trust its position: restart and home it",
+                          "%s: the machine does not know its position: restart and home it",
                           t->port);
     default:
         return tool_error(
@@ -235,7 +235,7 @@ int stream_ended(talk *t, job *j, const stream_subject *about)
                           steps_text(s->report.position, other));
     case LOFT_PHASE_BUSY:
         return tool_error(EX_TEMPFAIL,
-                          "%s: another job (%08x) is under way: wait, or end it with `loft stream "
+                          "%s: another job (%08x) is running: wait, or end it with `loft stream "
                           "--abort --port %s`",
                           t->port, (unsigned)s->machine.job, t->port);
     case LOFT_PHASE_LOST:
@@ -263,7 +263,7 @@ int stream_interrupted(const talk *t, const job *j)
                                     "runs out of items and then stops on the path");
     return tool_error(EX_TEMPFAIL,
                       "held at item %u%s: the machine is stopped on the path at %s mm, steps %s; "
-                      "the same command goes on, "
+                      "the same command continues, "
                       "`loft stream --abort --port %s` gives up",
                       (unsigned)s->ack.executed, job_of(j, of),
                       place_text(s, j->k, s->status.position, text),

@@ -54,7 +54,7 @@ static int make_view(album *a, unsigned kind, double scale, double top, view **o
                                  : COORDINATES_HARMONIC;
     memcpy(s->domain, a->p->v, sizeof a->p->v);
     if (engine_sides_f64.cut(s, where) != 0)
-        return tool_error(EX_DATAERR, "%s: no simple polygon that runs counterclockwise",
+        return tool_error(EX_DATAERR, "%s: not a simple polygon that runs counterclockwise",
                           a->p->name);
     memset(p, 0, sizeof p);
     for (unsigned i = 0; i < CHAPTER_SIDES; i++)

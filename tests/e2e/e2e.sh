@@ -573,7 +573,7 @@ case_abort_from_another_run() {
     says out '^aborted: '
     counted ended
     machine idle --speed fast
-    one_line 69 'no job is under way' "$loft" stream --hold --port "$tmp/idle"
+    one_line 69 'no job is running' "$loft" stream --hold --port "$tmp/idle"
 }
 case_report_is_fetched_later() {
     machine later --speed real
@@ -1234,7 +1234,7 @@ case_grbl_troubles_are_told() {
     refuses 'the controller restarted at line [0-9]*' 76 --reset 20
     refuses '[0-9]* lines were not answered' 76 --mute 20
     cubics='--wait 1'
-    refuses 'answers, but tells its place as MPos without WCO: set $10=0' 78 --nowco
+    refuses 'answers, but reports its position as MPos without WCO: set $10=0' 78 --nowco
     refuses 'bytes came, but no word of grbl' 76 --babble
     cubics=--g5; refuses 'error 20 at line 2 .*run without --g5' 76
 }
@@ -1357,7 +1357,7 @@ case_machines_as_text() {
     bad_machine 'slots = 3.5\n'           '1: slots is 3.5: give a whole number from 1 to 4096'
     bad_machine '# a\n$100=\n'            '2: not a setting of grbl'
     bad_machine 'corner = 0.1\n$11=0.2\n' \
-        '2: corner is given in line 1 already: take one'
+        '2: corner is given in line 1 already: remove one'
     bad_machine 'y.max_jerk = 5\n\nmax_jerk = 6\n' \
         '3: max_jerk is given in line 1 already: put what holds for all axes first'
     bad_machine 'slots = 40\n\0\n'                          ' is not text'

@@ -80,7 +80,7 @@ for version in 1 2; do
     begin $version whole
     finish $version whole
 
-    # a pulse shorter than the debouncing, then a switch that bounces while closing, and stays closed
+    # a pulse shorter than the debouncing, then a switch that bounces and stays closed
     begin $version estop max_speed=20
     moving
     guest pull $switches/sim_gpio5/pull up 2000 down 300000 \

@@ -114,7 +114,7 @@ static void what_is_wrong_is_said_with_its_line(arb *a)
     REFUSES_TEXT("bezier 1\n0 0\n1 1 : 2\n",                   "f.loft:3: not a point");
     REFUSES_TEXT("bezier 1\n0 0\n: 1\n",                       "f.loft:3: not a point");
     REFUSES_TEXT("line\n0 0\n", "f.loft:1: line with 1 point: give at least 2");
-    REFUSES_TEXT("line 3\n0 0\n1 1\n",                         "f.loft:1: more behind the kind");
+    REFUSES_TEXT("line 3\n0 0\n1 1\n",                         "f.loft:1: more after the kind");
     REFUSES_TEXT("rational\n0 0\n1 1 : 0\n", "f.loft:3: not a point: `x y : weight`");
     REFUSES_TEXT("rational\n0 0\n1 1 : -1\n",                  "f.loft:3: not a point");
     REFUSES_TEXT("rational\n0 0 : 256.1\n",                    "f.loft:2: not a point");

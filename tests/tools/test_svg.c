@@ -253,21 +253,21 @@ static void numbers_beyond_arithmetic_are_refused(arb *a)
 {
     (void)a;
     REFUSES("\n<g transform='rotate(1e999)'/>",
-            "test.svg:2: <g>: transform: \"rotate(1e999)\" is too great");
-    REFUSES("<g transform='rotate(-1e999)'/>",      "\"rotate(-1e999)\" is too great");
-    REFUSES("<g transform='rotate(1e999 1 1)'/>",   "is too great");
-    REFUSES("<g transform='rotate(1 1e999 1)'/>",   "is too great");
-    REFUSES("<g transform='translate(1e999)'/>",    "is too great");
-    REFUSES("<g transform='scale(1,1e999)'/>",      "is too great");
-    REFUSES("<g transform='skewX(1e999)'/>",        "is too great");
-    REFUSES("<g transform='skewY(-1e999)'/>",       "is too great");
-    REFUSES("<g transform='matrix(1 0 0 1 0 1e999)'/>", "is too great");
-    REFUSES("<g style='transform:rotate(1e999deg)'/>",  "is too great");
+            "test.svg:2: <g>: transform: \"rotate(1e999)\" is too large");
+    REFUSES("<g transform='rotate(-1e999)'/>",      "\"rotate(-1e999)\" is too large");
+    REFUSES("<g transform='rotate(1e999 1 1)'/>",   "is too large");
+    REFUSES("<g transform='rotate(1 1e999 1)'/>",   "is too large");
+    REFUSES("<g transform='translate(1e999)'/>",    "is too large");
+    REFUSES("<g transform='scale(1,1e999)'/>",      "is too large");
+    REFUSES("<g transform='skewX(1e999)'/>",        "is too large");
+    REFUSES("<g transform='skewY(-1e999)'/>",       "is too large");
+    REFUSES("<g transform='matrix(1 0 0 1 0 1e999)'/>", "is too large");
+    REFUSES("<g style='transform:rotate(1e999deg)'/>",  "is too large");
     REFUSES("<g transform='scale(1e200)'><g transform='translate(3) scale(1e200)'/></g>",
-            "transform: \"scale(1e200)\" is too great");
-    REFUSES("<rect width='1e999' height='1'/>",     "width=\"1e999\" is too great");
-    REFUSES("<line x1='1e308in'/>",                 "x1=\"1e308in\" is too great");
-    REFUSES("<svg viewBox='0 0 1e999 1'/>",         "viewBox=\"0 0 1e999 1\" is too great");
+            "transform: \"scale(1e200)\" is too large");
+    REFUSES("<rect width='1e999' height='1'/>",     "width=\"1e999\" is too large");
+    REFUSES("<line x1='1e308in'/>",                 "x1=\"1e308in\" is too large");
+    REFUSES("<svg viewBox='0 0 1e999 1'/>",         "viewBox=\"0 0 1e999 1\" is too large");
     REFUSES("<svg viewBox='0 0 1e-320 1' preserveAspectRatio='none'/>", "too small to fill");
 }
 
@@ -441,7 +441,7 @@ static void depth_is_bounded(arb *a)
             end += sprintf(end, "</g>");
     }
     sprintf(end, "<g id='g%d'/></defs><use href='#g0'/></svg>", FILES);
-    check_refuses(text, "<g>: more than 500 elements in each other, counting each use", __FILE__,
+    check_refuses(text, "<g>: more than 500 nested elements, counting each use", __FILE__,
                   __LINE__);
 
     end = text + sprintf(text, "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1 1'><path "
@@ -449,7 +449,7 @@ static void depth_is_bounded(arb *a)
     for (int i = 0; i < 600; i++)
         end += sprintf(end, "<use id='g%d' href='#g%d'/>", i + 1, i);
     sprintf(end, "</defs><use href='#g600'/></svg>");
-    check_refuses(text, "in each other, counting each use", __FILE__, __LINE__);
+    check_refuses(text, "nested elements, counting each use", __FILE__, __LINE__);
     sprintf(end, "</defs><use href='#g100' x='5'/></svg>");
     DRAWS_ON(25.4 / 96, text, "M 0 0 L 0.265 0 M 1.323 0 L 1.588 0");
 
@@ -459,7 +459,7 @@ static void depth_is_bounded(arb *a)
     for (int k = 0; k < 600; k++)
         end += sprintf(end, "</g>");
     sprintf(end, "</svg>");
-    check_refuses(text, "test.svg:2: more than 500 elements in each other: draw with fewer groups",
+    check_refuses(text, "test.svg:2: more than 500 nested elements: draw with fewer groups",
                   __FILE__, __LINE__);
 }
 
@@ -501,11 +501,11 @@ static void what_leaves_a_viewport_is_told(arb *a)
 {
     (void)a;
     TELLS("\n<svg width='5' height='5'><path d='M1 1h9'/></svg>", "M 1 1 L 10 1",
-          "test.svg:2: <svg> is not cut at its edges");
+          "test.svg:2: <svg> is not clipped at its edges");
     TELLS("<svg width='5' height='5' viewBox='0 0 10 10'><path d='M1 1h9'/></svg>",
           "M 0.5 0.5 L 5 0.5", "");
     TELLS("<svg width='5' height='5' viewBox='0 0 10 10'><path d='M1 -1h1'/></svg>",
-          "M 0.5 -0.5 L 1 -0.5", "not cut");
+          "M 0.5 -0.5 L 1 -0.5", "not clipped");
     TELLS("<svg width='5' height='5' style='overflow:visible'><path d='M1 1h9'/></svg>",
           "M 1 1 L 10 1", "");
     TELLS("<svg width='9' height='4'><path d='M1 1C1 5 8 5 8 1'/></svg>", "M 1 1 C 1 5 8 5 8 1",
@@ -514,7 +514,7 @@ static void what_leaves_a_viewport_is_told(arb *a)
           "M -1 1 L -1 6", "");
     TELLS("<symbol id='s' viewBox='0 0 4 4'><path d='M1 1h5'/></symbol><use href='#s' width='4' "
           "height='4'/>",
-          "M 1 1 L 6 1", "<symbol> is not cut");
+          "M 1 1 L 6 1", "<symbol> is not clipped");
 }
 
 #define P "<path d='M1 1h1'/>"      /* what must not be drawn */
@@ -562,7 +562,7 @@ static void what_is_not_painted_is_left_out(arb *a)
           Q_DRAWN);
     CHECK(read_svg(&d, PAGE("\n<rect width='9' height='9' fill='none'/>" Q)) == 0 &&
           caught_lines == 1);
-    CHECK(strstr(caught, "test.svg:2: <rect> without fill and stroke is not seen") != NULL);
+    CHECK(strstr(caught, "test.svg:2: <rect> without fill and stroke is invisible") != NULL);
     drawing_free(&d);
     CHECK(read_svg(&d, PAGE("<g stroke-dasharray='none'>" Q "<g style='stroke-dasharray:1,2'>" Q Q
                             "</g></g>")) == 0 &&
