@@ -51,7 +51,7 @@ static inline bool is_convex(const arb_domain *p)
     return true;
 }
 
-static inline void around(arb *a, arb_domain *p, bool star)
+static inline void polygon_around(arb *a, arb_domain *p, bool star)
 {
     const int32_t size = arb_size(a);
     double angle[LOFT_SIDES_MAX];
@@ -71,7 +71,7 @@ static inline void around(arb *a, arb_domain *p, bool star)
 }
 
 /* Vertices on a parabola, starting at any of them: as flat as the grid allows. */
-static inline void flat(arb *a, arb_domain *p)
+static inline void flat_polygon(arb *a, arb_domain *p)
 {
     const int32_t step = 1 + (int32_t)arb_below(a, 1u << arb_below(a, 20)),
                   start = (int32_t)arb_below(a, p->n);
@@ -88,9 +88,9 @@ static inline arb_domain arb_convex(arb *a)
 
     do
         if (arb_below(a, 4) == 0)
-            flat(a, &p);
+            flat_polygon(a, &p);
         else
-            around(a, &p, false);
+            polygon_around(a, &p, false);
     while (!is_convex(&p));
     CHECK(loft_domain_init(&p.d, p.v, p.n) == LOFT_OK && p.d.convex);
     return p;
@@ -113,7 +113,7 @@ static inline arb_domain arb_simple(arb *a)
     arb_domain p = { .n = 3 + arb_below(a, 6) };
 
     do
-        around(a, &p, true);
+        polygon_around(a, &p, true);
     while (!is_star(&p));
     CHECK(loft_domain_init(&p.d, p.v, p.n) == LOFT_OK && p.d.convex == is_convex(&p));
     return p;

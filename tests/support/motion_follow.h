@@ -66,7 +66,7 @@ static inline bool is_stretch(stretch s) { return s.low <= s.high; }
 
 /* The reachable part of `side` in a cell: all of it from below, or the part that is not before the
  * place of entry. */
-static inline stretch onward(stretch side, stretch across, stretch opposite)
+static inline stretch reachable_side(stretch side, stretch across, stretch opposite)
 {
     return is_stretch(across)     ? side
            : is_stretch(opposite) ? (stretch){ fmax(side.low, opposite.low), side.high }
@@ -102,9 +102,9 @@ static inline bool follow_run(follower *f, const double from[], const double to[
         const stretch left = j <= f->last ? reached[j] : nowhere;
         reached[j] = nowhere;
         if (is_stretch(left) || is_stretch(below)) {
-            reached[j] = onward(stretch_near(p->end[j].at, p->end[j + 1].at, to, f->leash), below,
-                                left);
-            below = onward(stretch_near(from, to, p->end[j + 1].at, f->leash), left, below);
+            reached[j] = reachable_side(stretch_near(p->end[j].at, p->end[j + 1].at, to, f->leash),
+                                        below, left);
+            below = reachable_side(stretch_near(from, to, p->end[j + 1].at, f->leash), left, below);
         }
         if (is_stretch(reached[j])) {
             first = j < first ? j : first;
@@ -123,7 +123,7 @@ static inline double place_on(const path *p, unsigned chord, double part)
 }
 
 /* The reachable places, mm along the path. */
-static inline stretch places(const follower *f)
+static inline stretch reachable_places(const follower *f)
 {
     return (stretch){ place_on(f->track, f->first, reached[f->first].low),
                       place_on(f->track, f->last, reached[f->last].high) };
@@ -151,7 +151,7 @@ static inline double feed_near(const follower *f, stretch s)
 }
 
 /* The number of parts of a span that keeps its chords within their bound. */
-static inline int parts_of(const loft_span *s)
+static inline int count_parts(const loft_span *s)
 {
     const double h = duration(s);
     double most = 0;
@@ -180,7 +180,7 @@ static inline double part_length(const loft_span *s, double from, double to)
 static inline void follow_feed(follower *f, unsigned k, double from, double to, stretch before)
 {
     const double noise = sqrt(LOFT_AXES) * 3 * grain() / duration(&spans[k]);
-    const stretch now = places(f);
+    const stretch now = reachable_places(f);
     const int bits = feed_near(f, (stretch){ before.low, before.high }) == feed_near(f, now) ? 1
                                                                                              : 16;
 
@@ -204,9 +204,9 @@ static inline bool follow_all(follower *f, double leash, bool feed)
     cubic_at(spans[0].p, 0, at);
     follow_begin(f, at);
     for (unsigned k = 0; k < count; k++) {
-        const int parts = parts_of(&spans[k]);
+        const int parts = count_parts(&spans[k]);
         for (int j = 1; j <= parts; j++) {
-            const stretch before = places(f);
+            const stretch before = reachable_places(f);
             cubic_at(spans[k].p, (double)j / parts, to);
             if (!follow_run(f, at, to))
                 return false;
