@@ -279,13 +279,11 @@ static int run_compare(const tool_command *self, int argc, char **argv)
 const tool_command command_compare = {
     "compare", "[--num TYPE,..] [FILE|-]",
     "the error of a number type, in LSB, and where it is worst",
-    "For each curve and way of computing it (eval: point by point, walk: forward differences) "
-    "prints one line: the worst\n"
-    "and the mean error in LSB (q16: 2^-16 mm; floats: of the largest coordinate), the worst in "
-    "mm, its t and axis.\n"
-    "What the file gives is rounded to the number type first: what is measured is the arithmetic. "
-    "Walks go along the\n"
-    "Bezier pieces, so the rounding of those counts; arcs, whose pieces have a tolerance, are not "
-    "walked.\n",
+    "For each curve and each way to compute it (eval: point by point, walk: forward\n"
+    "differences) prints one line: the largest and the mean error in LSB (q16: 2^-16 mm;\n"
+    "floats: of the largest coordinate), the largest in mm, its t and its axis. The input is\n"
+    "rounded to the number type first, so this measures the arithmetic. Walks follow the\n"
+    "Bezier pieces, so the rounding of the pieces counts. Arcs, whose pieces have a\n"
+    "tolerance, are not walked.\n",
     run_compare
 };

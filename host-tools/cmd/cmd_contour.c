@@ -166,13 +166,11 @@ static int run_contour(const tool_command *self, int argc, char **argv)
 
 const tool_command command_contour = {
     "contour", "[--levels N|--heights Z,..] FILE|-", "waterlines of surfaces, point by point",
-    "FILE has surfaces of any kind in the format of host-tools/LOFT.md. Where each of them has a "
-    "height is found on a grid of N by N cells, its\n"
-    "points on the surface itself, in the number type. Prints a `line` in .loft for each curve, "
-    "which all commands read; one that\n"
-    "closes ends in its first point. Seen from above, with u to the right and v upward, the higher "
-    "side is to the left. What lies between the\n"
-    "corners of a cell, a peak, is not seen. `loft contour --flat FILE | loft stream -` draws a "
-    "map.\n",
+    "FILE has surfaces of any kind in the format of host-tools/LOFT.md. The curves of a\n"
+    "height are found on a grid of N by N cells, and their points on the surface itself, in\n"
+    "the number type. Prints a `line` in .loft for each curve, which all commands read. A\n"
+    "closed curve ends in its first point. Seen from above, with u to the right and v upward,\n"
+    "the higher side is to the left. A peak between the corners of a cell is not found. `loft\n"
+    "contour --flat FILE | loft stream -` draws a map.\n",
     run_contour
 };

@@ -104,9 +104,8 @@ static int run_monitor(const tool_command *self, int argc, char **argv)
 
 const tool_command command_monitor = {
     "monitor", "--port PORT [--link PATH]", "between a sender and its machine: the line in words",
-    "Makes a pseudo terminal, prints its name and passes all bytes between it and PORT; give it, "
-    "or PATH, to `loft stream --port`.\n"
-    "Each frame is a line: seconds, > to the machine or < from it, what it is, its fields. Ends "
-    "with ^C.\n",
+    "Makes a pseudo terminal, prints its name and passes all bytes between it and PORT. Give\n"
+    "its name, or PATH, to `loft stream --port`. Prints each frame as a line: seconds, > to\n"
+    "the machine or < from it, kind, fields. ^C ends it.\n",
     run_monitor
 };

@@ -202,11 +202,10 @@ static int run_plan(const tool_command *self, int argc, char **argv)
 const tool_command command_plan = {
     "plan", "FILE [--machine FILE] [--csv RATE [-o FILE]] [--plot FILE]",
     "how fast a drawing can be drawn, and what limits it",
-    "Plans as `loft stream` does and looks at the result: of every curve and travel, and in all, "
-    "length, time, top speed, and\n"
-    "what held it back for which part of the time: the feed; speed, acceleration or jerk of an "
-    "axis; acceleration across the\n"
-    "path (curvature); corners; stops. Where no limit is used up it is the one that was or will "
-    "be, whichever is nearer.\n",
+    "Plans like `loft stream` and analyses the result: for every curve and travel, and in\n"
+    "total, the length, time, top speed, and the causes that limit it, with their shares of\n"
+    "the time: the feed; speed, acceleration or jerk of an axis; acceleration across the path\n"
+    "(curvature); corners; stops. Where no limit is used up, the cause is the previous or the\n"
+    "next one, whichever is closer in time.\n",
     run_plan
 };

@@ -196,15 +196,13 @@ static int run_plot(const tool_command *self, int argc, char **argv)
 const tool_command command_plot = {
     "plot", "[-o FILE] [--record FILE [--error N]] DRAWING|-",
     "a picture of a drawing and of what the machine drew, or of surfaces",
-    "Curves are drawn as such, not as chords. With --record the machine's own positions lie over "
-    "them, travel is dashed;\n"
-    "with --error each position is moved away from the drawing by N times its distance, and the "
-    "colour tells how far.\n"
-    "A file of surfaces (host-tools/LOFT.md) is drawn shaded, with its parameter lines, or as a "
-    "map of its curvature: of both\n"
-    "principal curvatures the product (gauss), half the sum (mean) or the larger size, whose "
-    "reciprocal is the radius that fits.\n"
-    "--contours and --heights draw where it is cut by level planes; --view -90,90 shows it from "
-    "above.\n",
+    "Curves are drawn as curves, not as chords. With --record the machine's own positions are\n"
+    "drawn over them; travel is dashed. With --error each position moves away from the\n"
+    "drawing by N times its distance, and the colour shows the distance. A file of surfaces\n"
+    "(host-tools/LOFT.md) is drawn shaded, with its parameter lines, or as a map of its\n"
+    "curvature: of the two principal curvatures the product (gauss), half the sum (mean) or\n"
+    "the larger absolute value, whose reciprocal is the radius of the tool that fits.\n"
+    "--contours and --heights draw its sections with level planes; --view -90,90 shows it\n"
+    "from above.\n",
     run_plot
 };

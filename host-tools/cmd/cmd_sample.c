@@ -117,14 +117,12 @@ static int run_sample(const tool_command *self, int argc, char **argv)
 
 const tool_command command_sample = {
     "sample", "[--n N] [FILE|-]", "a curve or a surface at equal parameter steps",
-    "FILE has one control point per line, or curves of any kind (host-tools/LOFT.md), or is a "
-    "drawing. Prints the start\n"
-    "and N points per piece, an empty line where a curve does not start at the end of the one "
-    "before it. Curves to\n"
-    "degree 5 are walked by forward differences, others are evaluated point by point. Of surfaces "
-    "prints a grid of N + 1 by\n"
-    "N + 1 points, u outside, an empty line behind each row (a triangle: rows that shrink), two "
-    "between surfaces; of those\n"
-    "with n sides a grid for each side, from the corner where it begins to the middle.\n",
+    "FILE has one control point per line, or curves of any kind (host-tools/LOFT.md), or is a\n"
+    "drawing. Prints the start and N points per piece, and an empty line before a curve that\n"
+    "does not start at the end of the one before. Curves up to degree 5 are walked by forward\n"
+    "differences, others are evaluated point by point. For surfaces prints a grid of N + 1 by\n"
+    "N + 1 points, u in the outer loop, with an empty line after each row (a triangle: rows\n"
+    "that shrink), and two between surfaces. For patches with n sides prints a grid for each\n"
+    "side, from the corner where it begins to the middle.\n",
     run_sample
 };

@@ -328,10 +328,9 @@ static int run_stream(const tool_command *self, int argc, char **argv)
 
 const tool_command command_stream = {
     "stream", "FILE --port PORT", "a drawing becomes motion: plan it and stream it to a machine",
-    "Keys while it runs: h holds, r resumes, a aborts, + and - change the override by 10 % "
-    "(10..200), 0 makes it 100 %,\n"
-    "s says where things are; ^C holds and leaves, twice leaves at once. The machine never leaves\n"
-    "the path. A job that was cut off goes on where the machine stopped when the same command is "
-    "run again.\n",
+    "Keys while it runs: h holds, r resumes, a aborts, + and - change the override by 10 %\n"
+    "(10..200), 0 makes it 100 %, s prints where things are; ^C holds and leaves, twice\n"
+    "leaves at once. The machine never leaves the path. A job that was cut off continues\n"
+    "where the machine stopped when the same command runs again.\n",
     run_stream
 };

@@ -153,14 +153,12 @@ static int run_study(const tool_command *self, int argc, char **argv)
 const tool_command command_study = {
     "study", "gb [-o DIR] [--num TYPE]",
     "what a pentagonal GB patch does: numbers beside expected ones, pictures",
-    "A generalized Bezier patch with five sides of degree 5, over three pentagons and by three "
-    "kinds of coordinates (W Wachspress, MV mean value,\n"
-    "H harmonic): how the point in the middle moves the rest (B0, its weight), ridges and valleys "
-    "of the contours (Z_tt), Gaussian curvature (K)\n"
-    "for five heights of that point. Prints "
-    "figure;pentagon;quantity;coordinates;number;expected;difference, a line per number, and how "
-    "many are off.\n"
-    "Extremes of a sample depend on where its points happen to lie; they are printed and not "
-    "judged.\n",
+    "A generalized Bezier patch with five sides of degree 5, over three pentagons and with\n"
+    "three kinds of coordinates (W Wachspress, MV mean value, H harmonic): the influence of\n"
+    "the point in the middle (B0, its weight), ridges and valleys of the contours (Z_tt), and\n"
+    "Gaussian curvature (K) for five heights of that point. Prints\n"
+    "figure;pentagon;quantity;coordinates;number;expected;difference, a line per number, and\n"
+    "how many are off. Extremes of a sample depend on the places of its points; they are\n"
+    "printed, but not judged.\n",
     run_study
 };

@@ -46,10 +46,9 @@ static int run_surface(const tool_command *self, int argc, char **argv)
 
 const tool_command command_surface = {
     "surface", "[--n N] [-o FILE] FILE|-", "a mesh of triangles of surfaces, as STL or PLY",
-    "FILE has surfaces of any kind in the format of host-tools/LOFT.md. Every surface becomes a "
-    "grid of N by N cells, each of\n"
-    "two triangles (a triangle: N rows); triangles without area, as at the poles of a sphere, are "
-    "left out. Corners are\n"
-    "points of the library in the number type. PLY has a normal at each of them.\n",
+    "FILE has surfaces of any kind in the format of host-tools/LOFT.md. Every surface becomes\n"
+    "a grid of N by N cells of two triangles each (a triangle: N rows). Triangles without\n"
+    "area, as at the poles of a sphere, are left out. Corners are points that the library\n"
+    "computes in the number type. PLY has a normal at each corner.\n",
     run_surface
 };
