@@ -657,7 +657,7 @@ case_bad_options() {
     one_line 64 'no --port'      "$loft" stream "$tmp/small.csv"
     one_line 64 'no drawing'     "$loft" stream --port "$tmp/x"
     one_line 64 'more than one'  "$loft" stream a b --port "$tmp/x"
-    one_line 64 'nothing beside' "$loft" stream --hold --abort --port "$tmp/x"
+    one_line 64 'no other argument' "$loft" stream --hold --abort --port "$tmp/x"
     one_line 64 '--feed -3'      "$loft" stream "$tmp/small.csv" --dry-run --feed -3
     one_line 64 'a whole one'    "$loft" sample --n 2.5 --points "0,0 1,1"
     one_line 74 'standard output' sh -c "'$loft' sample --points '0,0 1,1' >/dev/full"
