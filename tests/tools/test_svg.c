@@ -95,7 +95,7 @@ static void broken_path_data_is_refused_with_its_place(arb *a)
     REFUSES("\n\n<path d='M1 1L2 x'/>",
             "test.svg:3: <path>: path data: \"x\" behind \"M1 1L2 \": a number is expected");
     REFUSES_PATH("L1 1",                        "M is expected");
-    REFUSES_PATH("M1 1L2",                      "ends behind \"M1 1L2\"");
+    REFUSES_PATH("M1 1L2",                      "ends after \"M1 1L2\"");
     REFUSES_PATH("M1 1L2 2,",                   "a number is missing");
     REFUSES_PATH("M1 1 G2 2",                   "one of MLHVCSQTAZ");
     REFUSES_PATH("M1 1A5 5 0 2 0 9 9",          "a flag");
@@ -238,13 +238,13 @@ static void transforms_are_about_their_origin(arb *a)
 static void broken_transforms_are_refused(arb *a)
 {
     (void)a;
-    REFUSES("<g transform='rotat(3)'/>",            "transform: \"rotat(3)\" is none of");
-    REFUSES("<g transform='scale(1 2 3)'/>",        "is none of");
-    REFUSES("<g transform='scale(1'/>",             "is none of");
-    REFUSES("<g transform='scale()'/>",             "is none of");
-    REFUSES("<g transform='rotate(1,2)'/>",         "is none of");
-    REFUSES("<g transform='scale(2px)'/>",          "is none of");
-    REFUSES("<g transform='matrix(1 2 3 4 5)'/>",   "is none of");
+    REFUSES("<g transform='rotat(3)'/>",            "transform: \"rotat(3)\" is not one of");
+    REFUSES("<g transform='scale(1 2 3)'/>",        "is not one of");
+    REFUSES("<g transform='scale(1'/>",             "is not one of");
+    REFUSES("<g transform='scale()'/>",             "is not one of");
+    REFUSES("<g transform='rotate(1,2)'/>",         "is not one of");
+    REFUSES("<g transform='scale(2px)'/>",          "is not one of");
+    REFUSES("<g transform='matrix(1 2 3 4 5)'/>",   "is not one of");
 }
 
 /* 1e999 is read as infinite, and two large factors become infinite: one line names the
