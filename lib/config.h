@@ -43,12 +43,13 @@
 #  define LOFT_MACHINE_TICK_PREPARES 1
 #endif
 
-/* When a span's cap, by which an override above 100 percent keeps to the limits of the axes, is
- * computed: 1: always when the span is queued, 6,000 cycles on an AVR with two axes that move; 0:
- * only while the override is above 100. What is in the queue when it is given then passes as
- * planned. */
-#ifndef LOFT_MACHINE_CAPS
-#  define LOFT_MACHINE_CAPS 1
+/* When the override limit of a span is computed, by which an override above 100 percent keeps to
+ * the limits of the axes.
+ *   1: always when the span is queued: 6,000 cycles on an AVR with two axes that move
+ *   0: only while the override is above 100; what is in the queue when it is given passes as
+ *      planned */
+#ifndef LOFT_MACHINE_OVERRIDE_LIMITS
+#  define LOFT_MACHINE_OVERRIDE_LIMITS 1
 #endif
 
 /* May a machine plan by itself, so that curves can be sent to it? 1: those that are given memory

@@ -17,14 +17,14 @@
  *                  tensor/                               patches over a square; grid, area; coons
  *                  triangle/                             Bezier triangles: pieces, joins, shape
  *                  barycentric, tetra                    coordinates, tetrahedra
- *                  octant, pn, sphere, flat              given by normals, elementary
- *                  local, deficit                        normals and curvatures
- *                  sheet, contour                        any surface as a function, waterlines
+ *                  octant, pn, sphere, plane             given by normals, elementary
+ *                  differential, deficit                 normals and curvatures
+ *                  surface, contour                      any surface as a function, waterlines
  *   polygon/     n sides
  *                  domain, partition                     polygons and their convex parts
  *                  wachspress, meanvalue, harmonic       coordinates in them
- *                  spatch, toric, basepoint, ring, gb    Bezier patches over them
- *                  round                                 such a patch as one sheet
+ *                  spatch, toric, basepoint, zheng_ball, gb   Bezier patches over them
+ *                  disk                                  such a patch as one surface
  *   kinematics/  motors and tool: CoreXY, delta, polar
  *   motion/      time: plan (look-ahead), span (a cubic in time)
  *   wire/        bytes: frames, codec, messages, sessions (WIRE.md)

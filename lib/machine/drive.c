@@ -117,7 +117,7 @@ static enum loft_status queue_span(loft_drive *d, const loft_item *item)
 {
     uint8_t limit = LOFT_OVERRIDE_LIMIT_ONE;
 
-    if (LOFT_MACHINE_CAPS || d->percent > 100)
+    if (LOFT_MACHINE_OVERRIDE_LIMITS || d->percent > 100)
         limit = loft_override_limit_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue),
                                      d->axis, d->tick_hz);
     return loft_queue_push(&d->queue, item, limit);
@@ -154,7 +154,7 @@ void loft_drive_abort(loft_drive *d)            { d->abort = 1; }
 
 void loft_drive_override(loft_drive *d, unsigned percent)
 {
-    d->percent = (uint8_t)(percent < 1 ? 1 : percent > LOFT_PACE_MOST ? LOFT_PACE_MOST : percent);
+    d->percent = (uint8_t)(percent < 1 ? 1 : percent > LOFT_PACE_MAX ? LOFT_PACE_MAX : percent);
 }
 
 void loft_drive_close(loft_drive *d)

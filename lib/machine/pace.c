@@ -79,8 +79,8 @@ enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp)
 /* Pace percent / 100 is the level J (percent / 100)^2; J * 4 * 10^4 < 2^30. */
 uint16_t loft_pace_level(const loft_pace *p, unsigned percent)
 {
-    if (percent > LOFT_PACE_MOST)
-        percent = LOFT_PACE_MOST;
+    if (percent > LOFT_PACE_MAX)
+        percent = LOFT_PACE_MAX;
     const uint32_t level = ((uint32_t)p->full * percent * percent + 5000) / 10000;
     return (uint16_t)(level == 0 && percent ? 1 : level);
 }

@@ -27,7 +27,7 @@ LOFT_BEGIN_C
 
 #define LOFT_PACE_SLOTS_MAX 4096
 #define LOFT_PACE_RAMP_MAX  32766
-#define LOFT_PACE_MOST      200     /* percent */
+#define LOFT_PACE_MAX      200     /* percent */
 
 /* The struct is complete so that it can be static; the fields may change without notice. */
 typedef struct {
@@ -49,7 +49,7 @@ enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp) LOF
 /* The level of the pace percent / 100.
  *
  *   cost    a 32-bit division
- *   range   percent 0..LOFT_PACE_MOST; more counts as that. Any percent above 0 gives at least
+ *   range   percent 0..LOFT_PACE_MAX; more counts as that. Any percent above 0 gives at least
  *           level 1 */
 uint16_t loft_pace_level(const loft_pace *p, unsigned percent);
 

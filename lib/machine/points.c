@@ -34,7 +34,7 @@ void loft_points_init(loft_points *p) { *p = (loft_points){ .used = 0 }; }
 uint16_t loft_points_capacity(uint16_t cells)
 {
     const uint32_t points = cells * (uint32_t)LOFT_POINTS_PER_CELL;
-    return (uint16_t)(points < LOFT_POINTS_MOST ? points : LOFT_POINTS_MOST);
+    return (uint16_t)(points < LOFT_POINTS_MAX ? points : LOFT_POINTS_MAX);
 }
 
 

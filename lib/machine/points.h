@@ -17,7 +17,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_POINTS_MOST 32768u     /* the largest room reported: the limit of a frame's number */
+#define LOFT_POINTS_MAX 32768u     /* the largest room reported: the limit of a frame's number */
 
 /* The number of points that a cell holds at least. */
 #define LOFT_POINTS_PER_CELL (sizeof(loft_item) / LOFT_POINT_BYTES2)

@@ -22,7 +22,7 @@
 LOFT_BEGIN_C
 
 #define LOFT_TRIANGLE_POINTS(degree) (((degree) + 1u) * ((degree) + 2u) / 2u)
-#define LOFT_TRIANGLE_MOST LOFT_TRIANGLE_POINTS(LOFT_DEGREE_MAX)
+#define LOFT_TRIANGLE_MAX LOFT_TRIANGLE_POINTS(LOFT_DEGREE_MAX)
 
 /* A point or a direction in a triangle. */
 typedef struct {

@@ -190,8 +190,8 @@ enum loft_status loft_contour_init(loft_contour *c, loft_surface surface, unsign
                triangle = surface.over == LOFT_SURFACE_TRIANGLE;
     corner k;
 
-    if (rows < 1 || rows > LOFT_CONTOUR_MOST || columns < (round ? 3u : 1u) ||
-        columns > LOFT_CONTOUR_MOST || (triangle && rows != columns) || axis >= LOFT_AXES ||
+    if (rows < 1 || rows > LOFT_CONTOUR_MAX || columns < (round ? 3u : 1u) ||
+        columns > LOFT_CONTOUR_MAX || (triangle && rows != columns) || axis >= LOFT_AXES ||
         !(tol >= 0) || !loft_real_valid(height))
         return LOFT_ERR_ARG;
     if (count < LOFT_CONTOUR_BYTES(rows, columns))

@@ -23,7 +23,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_CONTOUR_MOST 1024  /* rows, columns */
+#define LOFT_CONTOUR_MAX 1024  /* rows, columns */
 
 /* The memory that a contour needs, in bytes: one bit per corner, two bits per cell. */
 #define LOFT_CONTOUR_BYTES(rows, columns)                                                          \
@@ -53,7 +53,7 @@ typedef struct {
  *
  *   shape   a triangle: columns = rows; a surface with n sides or n pieces: take multiples of n, so
  *           that grid corners lie on the corners of the surface
- *   range   rows, columns 1..LOFT_CONTOUR_MOST, at least 3 columns on a disk, axis < LOFT_AXES,
+ *   range   rows, columns 1..LOFT_CONTOUR_MAX, at least 3 columns on a disk, axis < LOFT_AXES,
  *           tol >= 0, otherwise LOFT_ERR_ARG; `count` >= LOFT_CONTOUR_BYTES(rows, columns),
  *           otherwise LOFT_ERR_SPACE; the status of the surface when it has no point at a corner of
  *           the grid; *c is then undefined. The memory must outlive the search

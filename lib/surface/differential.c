@@ -152,7 +152,7 @@ static slope triangle_slope(const net *s, int axis, unsigned a, unsigned b, loft
     unsigned degree = s->m;
     slope r = { loft_sci_zero(), loft_sci_zero() };
     int32_t factor = 1;
-    loft_sci c[LOFT_TRIANGLE_MOST];
+    loft_sci c[LOFT_TRIANGLE_MAX];
 
     if (a + b > degree)
         return r;
@@ -539,7 +539,7 @@ static bool set_curvatures(loft_sci gauss, loft_sci mean, loft_sci least, loft_s
     loft_curvatures k;
 
     if (!loft_sci_to_acc(gauss, &k.gauss) || !loft_sci_to_acc(mean, &k.mean) ||
-        !loft_sci_to_acc(least, &k.least) || !loft_sci_to_acc(most, &k.most))
+        !loft_sci_to_acc(least, &k.min) || !loft_sci_to_acc(most, &k.max))
         return false;
     *out = k;
     return true;
@@ -599,8 +599,8 @@ loft_real loft_ball_radius(const loft_curvatures *k)
 {
     loft_acc radius;
 
-    if (!(k->most > 0) ||
-        !loft_sci_to_acc(loft_sci_div(loft_sci_one(), loft_sci_of(k->most)), &radius))
+    if (!(k->max > 0) ||
+        !loft_sci_to_acc(loft_sci_div(loft_sci_one(), loft_sci_of(k->max)), &radius))
         return LOFT_REAL_MAX;
     const loft_acc below = radius - loft_real_ulp(radius);
     if (!loft_acc_valid(radius))

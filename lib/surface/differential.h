@@ -74,10 +74,10 @@ enum loft_status loft_coons_bezier_differential(const loft_coons_bezier *c, loft
  */
 enum loft_status loft_differential_normal(const loft_differential *at, loft_vec *out) LOFT_CHECKED;
 
-/* The principal curvatures, least <= most, their product and their mean. Wide values, in 1 / unit
+/* The principal curvatures, min <= max, their product and their mean. Wide values, in 1 / unit
  * and 1 / unit^2. */
 typedef struct {
-    loft_acc gauss, mean, least, most;
+    loft_acc gauss, mean, min, max;
 } loft_curvatures;
 
 /* The curvatures.
@@ -86,7 +86,7 @@ typedef struct {
  *           loft_acc; *out is then untouched
  *   error   with S = (|P_uu| + 2 |P_uv| + |P_vv|) max(|P_u|, |P_v|)^2 / |P_u x P_v|^2, where the
  *           derivatives are the largest of the net, and e = 2^-50 rows / W (q16), 2^-44 rows / W
- *           (f32, f64): least, most, mean q16: 2^-32 + e S, f32, f64: e S; gauss q16: 2^-32 +
+ *           (f32, f64): min, max, mean q16: 2^-32 + e S, f32, f64: e S; gauss q16: 2^-32 +
  *           e S^2, f32, f64: e S^2
  *   cost    about 60 products, 2 roots and 5 quotients of num/sci.h
  *   see     do Carmo, Differential Geometry of Curves and Surfaces, ch. 3
@@ -95,7 +95,7 @@ enum loft_status loft_differential_curvatures(const loft_differential *at,
                                               loft_curvatures *out) LOFT_CHECKED;
 
 /* The radius of the largest ball that touches the surface here from the side of the normal and does
- * not cut into it nearby: 1 / most, rounded down. LOFT_REAL_MAX where the surface curves away from
+ * not cut into it nearby: 1 / max, rounded down. LOFT_REAL_MAX where the surface curves away from
  * the normal or the radius exceeds that.
  *
  *   error   q16: at most 1 LSB + 2^-30 of the radius too small   f32, f64: 2^-20, 2^-50 of it

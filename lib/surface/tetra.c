@@ -13,7 +13,7 @@
 #include "surface/tetra.h"
 #include "geom/vec_exact.h"     /* loft_exact: volumes and decisions */
 
-#define MOST LOFT_TETRA_MOST
+#define MOST LOFT_TETRA_MAX
 #define SPACE 3
 
 loft_volume loft_volume_clamp(loft_volume u)

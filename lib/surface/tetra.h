@@ -16,7 +16,7 @@
 LOFT_BEGIN_C
 
 #define LOFT_TETRA_POINTS(degree) (((degree) + 1u) * ((degree) + 2u) * ((degree) + 3u) / 6u)
-#define LOFT_TETRA_MOST LOFT_TETRA_POINTS(LOFT_DEGREE_MAX)
+#define LOFT_TETRA_MAX LOFT_TETRA_POINTS(LOFT_DEGREE_MAX)
 
 /* A point in a tetrahedron. */
 typedef struct {

@@ -30,12 +30,9 @@ void loft_rto_take(loft_rto *r, uint32_t m)
 void loft_rto_reset(loft_rto *r)
 {
     const uint32_t ms = r->rtt8 ? r->rtt8 / 4 + r->var4 + 1 : r->ms;
-    r->ms = ms < LOFT_RTO_LEAST ? LOFT_RTO_LEAST : ms > LOFT_RTO_MOST ? LOFT_RTO_MOST : ms;
+    r->ms = ms < LOFT_RTO_MIN ? LOFT_RTO_MIN : ms > LOFT_RTO_MAX ? LOFT_RTO_MAX : ms;
 }
 
-void loft_rto_back_off(loft_rto *r)
-{
-    r->ms = r->ms > LOFT_RTO_MOST / 2 ? LOFT_RTO_MOST : 2 * r->ms;
-}
+void loft_rto_back_off(loft_rto *r) { r->ms = r->ms > LOFT_RTO_MAX / 2 ? LOFT_RTO_MAX : 2 * r->ms; }
 
 uint32_t loft_rto_trip(const loft_rto *r)       { return r->rtt8 / 8; }

@@ -9,11 +9,11 @@
 LOFT_BEGIN_C
 
 #define LOFT_RTO_FIRST  200     /* ms */
-#define LOFT_RTO_LEAST   25
-#define LOFT_RTO_MOST  1000
+#define LOFT_RTO_MIN   25
+#define LOFT_RTO_MAX  1000
 
 typedef struct {
-    uint32_t ms;            /* the time to wait, LOFT_RTO_LEAST .. LOFT_RTO_MOST             */
+    uint32_t ms;            /* the time to wait, LOFT_RTO_MIN .. LOFT_RTO_MAX             */
     uint32_t rtt8, var4;    /* smoothed round trip and its deviation, times 8 and 4; ms      */
 } loft_rto;
 

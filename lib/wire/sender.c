@@ -143,7 +143,7 @@ void loft_sender_control(loft_sender *s, enum loft_verb verb)
 static bool welcome_fits(const loft_welcome *w)
 {
     return w->version == LOFT_WIRE_VERSION && w->axes == LOFT_AXES &&
-           w->frame_max >= LOFT_WINDOW_LEAST && w->queue > 0 && w->tick_hz > 0 && w->slots > 0;
+           w->frame_max >= LOFT_WINDOW_MIN && w->queue > 0 && w->tick_hz > 0 && w->slots > 0;
 }
 
 static void take_welcome(loft_sender *s, uint32_t now)
@@ -178,7 +178,7 @@ static void take_axis(loft_sender *s, uint32_t now)
 
     s->number    = s->verb ? 1 : 0;
     s->verb_sent = false;
-    s->back      = s->polled = now - LOFT_RTO_MOST;
+    s->back      = s->polled = now - LOFT_RTO_MAX;
     s->phase     = LOFT_PHASE_READY;
     loft_rto_reset(&s->rto);
     if (s->began)

@@ -48,7 +48,7 @@ void loft_window_back(loft_window *w)
 void loft_window_shrink(loft_window *w)
 {
     const uint8_t size  = (uint8_t)(w->frame_size - w->frame_size / 4);
-    const uint8_t least = w->kind == LOFT_CURVES ? CURVE_LEAST : LOFT_WINDOW_LEAST;
+    const uint8_t least = w->kind == LOFT_CURVES ? CURVE_LEAST : LOFT_WINDOW_MIN;
     w->frame_size = size > least ? size : least;
 }
 

@@ -15,7 +15,7 @@ LOFT_BEGIN_C
 
 #define LOFT_WINDOW_FRAMES  8                   /* the largest number in flight */
 /* The size in bytes of the shortest frame that holds any span or point. */
-#define LOFT_WINDOW_LEAST   (13 + 15 * LOFT_AXES)
+#define LOFT_WINDOW_MIN   (13 + 15 * LOFT_AXES)
 
 typedef struct {
     loft_item_source *source;
@@ -43,7 +43,7 @@ void loft_window_init(loft_window *w, const loft_job *job, uint32_t count, loft_
 void loft_window_extend(loft_window *w, uint32_t known, uint32_t count);
 
 /* Begin at item `next` with nothing in flight, in frames of at most `frame_most` bytes,
- * LOFT_WINDOW_LEAST or more. */
+ * LOFT_WINDOW_MIN or more. */
 void loft_window_open(loft_window *w, uint32_t next, uint8_t frame_most);
 
 /* All items before `next` have arrived, base < next <= count. Returns true if that measured a round

@@ -6,7 +6,8 @@ AVR_TICK_HZ ?= 1000
 AVR_MAX    = 30720 1600             # bytes of flash, and of RAM without the stack
 AVR_FLAGS  = -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -ffreestanding -ffunction-sections \
              -fdata-sections $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16) \
-             -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_MACHINE_CAPS=0 -DLOFT_FRAME_MAX=88 \
+             -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_MACHINE_OVERRIDE_LIMITS=0 \
+             -DLOFT_FRAME_MAX=88 \
              -DLOFT_BAUD=$(AVR_BAUD) -DLOFT_SLOTS=$(AVR_SLOTS) -DLOFT_TICK_HZ=$(AVR_TICK_HZ)
 AVR_OPTIMIZE = -Os
 AVR_DIR   ?= build/firmware/atmega328p

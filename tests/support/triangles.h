@@ -84,9 +84,9 @@ static inline loft_bary arb_far(arb *a, int32_t far)
 }
 
 typedef struct {
-    loft_vec p[LOFT_TRIANGLE_MOST];
+    loft_vec p[LOFT_TRIANGLE_MAX];
     unsigned n, count;
-    long double c[LOFT_AXES][LOFT_TRIANGLE_MOST], largest;
+    long double c[LOFT_AXES][LOFT_TRIANGLE_MAX], largest;
 } arb_net;
 
 static inline void measure_net(arb_net *x)

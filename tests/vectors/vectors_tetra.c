@@ -26,7 +26,7 @@ static void bernstein_tetra(row *r)
 {
     const unsigned n = row_count(r, "n", LOFT_DEGREE_MAX);
     answer *a = answer_new();
-    loft_acc w[LOFT_TETRA_MOST];
+    loft_acc w[LOFT_TETRA_MAX];
 
     loft_volume_weights(n, row_volume(r, "u_q16"), w);
     for (unsigned k = 0; k < LOFT_TETRA_POINTS(n); k++)
@@ -94,7 +94,7 @@ static unsigned row_tetra(row *r, loft_vec p[], loft_tetra *t)
 
 static void tetra_eval(row *r)
 {
-    loft_vec p[LOFT_TETRA_MOST];
+    loft_vec p[LOFT_TETRA_MAX];
     loft_tetra t;
     const unsigned n = row_tetra(r, p, &t);
     answer *a = answer_new();
@@ -107,7 +107,7 @@ static void tetra_eval(row *r)
 static void tetra_elevate(row *r)
 {
     static loft_vec out[LOFT_TETRA_POINTS(LOFT_DEGREE_MAX + 1)];
-    loft_vec p[LOFT_TETRA_MOST];
+    loft_vec p[LOFT_TETRA_MAX];
     loft_tetra t;
     const unsigned n = row_tetra(r, p, &t);
     answer *a = answer_new();

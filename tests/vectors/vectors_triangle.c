@@ -9,7 +9,7 @@
 #include "surface/triangle/triangle_operator.h"
 #include "surface/triangle/triangle_pieces.h"
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 typedef struct {
     unsigned n, d;

@@ -9,7 +9,7 @@
 #include "surface/triangle/triangle_curvature.h"
 #include "surface/triangle/triangle_rational.h"
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 /* Weights are exact in every number type, so of `inexact` and `largest` only the coordinates
  * count. */

@@ -9,7 +9,7 @@
 #include "surface/triangle/triangle.h"
 #include "geom/normal.h"            /* loft_vec_normal */
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 static void axis_to_acc(const loft_triangle *t, int axis, loft_acc c[])
 {

@@ -14,7 +14,7 @@
 #include "surface/triangle/triangle_operator.h"
 
 #define TIMES_MAX 512
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 /* The value at the node (i, j, k) / n. A sum is below n 2^47, and each row rounds by 2^-33. */
 static loft_acc at_node(loft_acc c[], unsigned n, int32_t i, int32_t j, int32_t k)

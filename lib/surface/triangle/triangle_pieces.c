@@ -6,7 +6,7 @@
  */
 #include "surface/triangle/triangle_pieces.h"
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 static void axis_to_acc(const loft_vec p[], unsigned count, int axis, loft_acc c[])
 {

@@ -9,7 +9,7 @@
 #include "num/acc128.h"               /* loft_acc_project */
 #include "num/sci.h"                /* loft_sci: derivatives */
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 enum loft_status loft_triangle_rational_init(loft_triangle_rational *t, const loft_weighted p[],
                                              unsigned degree)

@@ -3,7 +3,7 @@
  */
 #include "support/triangles.h"          /* arb_bary, exact_weight, exact_point */
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 static void places_follow_each_other(arb *a)
 {

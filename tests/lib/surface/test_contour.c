@@ -269,7 +269,7 @@ static void what_is_wrong_is_refused(arb *a)
                             sizeof memory) == LOFT_ERR_ARG);
     CHECK(loft_contour_init(&c, x->sheet, 0, x->height, x->tol, 0, x->columns, memory,
                             sizeof memory) == LOFT_ERR_ARG);
-    CHECK(loft_contour_init(&c, x->sheet, 0, x->height, x->tol, x->rows, LOFT_CONTOUR_MOST + 1,
+    CHECK(loft_contour_init(&c, x->sheet, 0, x->height, x->tol, x->rows, LOFT_CONTOUR_MAX + 1,
                             memory, sizeof memory) == LOFT_ERR_ARG);
     CHECK(loft_contour_init(&c, loft_surface_from_triangle(&x->triangle), 0, x->height, x->tol, 3,
                             4, memory, sizeof memory) == LOFT_ERR_ARG);

@@ -142,9 +142,9 @@ static void check_curvatures(const loft_differential *at, const reference *r, un
     const long double grain = BY_NUM(0x1p-32L, 0, 0);
     CHECK_EXACT(exact_acc(k.gauss), gauss, grain + err * s * s);
     CHECK_EXACT(exact_acc(k.mean), mean, grain + err * s);
-    CHECK_EXACT((exact_acc(k.most) + exact_acc(k.least)) / 2, mean, grain + err * s);
+    CHECK_EXACT((exact_acc(k.max) + exact_acc(k.min)) / 2, mean, grain + err * s);
     /* the reference loses the difference of two equal curvatures: compare its square */
-    const long double half = (exact_acc(k.most) - exact_acc(k.least)) / 2;
+    const long double half = (exact_acc(k.max) - exact_acc(k.min)) / 2;
     CHECK(half >= 0);
     CHECK_EXACT(half * half, apart * apart,
                 (grain + err * s) * (2 * half + grain + err * s) + 0x1p-58L * s * s / r->share);
@@ -195,9 +195,9 @@ static void a_triangle_bends_as_the_patch_it_is_cut_from(arb *a)
           loft_triangle_differential(&t, at, &two) == LOFT_OK);
     const enum loft_status status = loft_differential_curvatures(&one, &k);
     CHECK(status == loft_differential_curvatures(&two, &l));
-    if (status != LOFT_OK || fabsl(exact_acc(k.most)) + fabsl(exact_acc(k.least)) > 1)
+    if (status != LOFT_OK || fabsl(exact_acc(k.max)) + fabsl(exact_acc(k.min)) > 1)
         return;
-    CHECK_NEAR(exact_acc(k.most), exact_acc(l.most), BY_NUM(1e-9, 1e-6, 1e-12));
+    CHECK_NEAR(exact_acc(k.max), exact_acc(l.max), BY_NUM(1e-9, 1e-6, 1e-12));
     CHECK_NEAR(exact_acc(k.gauss), exact_acc(l.gauss), BY_NUM(1e-9, 1e-6, 1e-12));
 }
 
@@ -225,8 +225,8 @@ static void a_rational_cylinder_has_its_radius(arb *a)
     /* outward: the patch turns left */
     CHECK_EXACT(exact_of(n.axis[0]), exact_of(p.axis[0]) / radius, 0x1p-14L);
     CHECK_EXACT(exact_of(n.axis[1]), exact_of(p.axis[1]) / radius, 0x1p-14L);
-    CHECK_EXACT(exact_acc(k.least), -1.0L / radius, BY_NUM(0x1p-22L, 0x1p-22L, 1e-12L));
-    CHECK_EXACT(exact_acc(k.most), 0, BY_NUM(0x1p-31L, 1e-9L, 1e-12L));
+    CHECK_EXACT(exact_acc(k.min), -1.0L / radius, BY_NUM(0x1p-22L, 0x1p-22L, 1e-12L));
+    CHECK_EXACT(exact_acc(k.max), 0, BY_NUM(0x1p-31L, 1e-9L, 1e-12L));
     CHECK_EXACT(exact_acc(k.gauss), 0, BY_NUM(0x1p-31L, 1e-9L, 1e-12L));
     CHECK(loft_ball_radius(&k) > LOFT_REAL(1000));
 }
@@ -297,7 +297,7 @@ static void the_ball_fits_and_no_larger_one(arb *a)
     loft_curvatures k = { 0, 0, 0, 0 };
     const loft_real most = arb_real(a, 20000);
 
-    k.most = loft_to_acc(most);
+    k.max = loft_to_acc(most);
     const long double want = most > 0 ? 1 / exact_of(most) : INFINITY;
     const long double got = exact_of(loft_ball_radius(&k));
     CHECK(got <= want * (1 + BY_NUM(0, 0, 0x1p-52L)) + BY_NUM(0x1p-32L, 0, 0));

@@ -42,7 +42,7 @@ static long double value(const loft_vec p[], unsigned n, int axis, const long do
 }
 
 typedef struct {
-    loft_vec p[LOFT_TETRA_MOST];
+    loft_vec p[LOFT_TETRA_MAX];
     unsigned n;
     loft_tetra t;
     long double largest;
@@ -72,7 +72,7 @@ static void weights_are_within_their_bound_and_sum_to_one(arb *a)
 {
     const unsigned n = arb_below(a, LOFT_DEGREE_MAX + 1);
     const loft_volume u = arb_volume(a);
-    loft_acc w[LOFT_TETRA_MOST];
+    loft_acc w[LOFT_TETRA_MAX];
     long double x[4], sum = 0;
 
     exact_volume(u, x);

@@ -28,14 +28,12 @@ static void what_is_measured_is_smoothed(arb *a)
 
         loft_rto_reset(&r);
         const uint32_t ms = r.rtt8 / 4 + r.var4 + 1;
-        CHECK(r.ms == (ms < LOFT_RTO_LEAST  ? LOFT_RTO_LEAST
-                       : ms > LOFT_RTO_MOST ? LOFT_RTO_MOST
-                                            : ms));
-        CHECK(r.ms > loft_rto_trip(&r) || r.ms == LOFT_RTO_MOST);
+        CHECK(r.ms == (ms < LOFT_RTO_MIN ? LOFT_RTO_MIN : ms > LOFT_RTO_MAX ? LOFT_RTO_MAX : ms));
+        CHECK(r.ms > loft_rto_trip(&r) || r.ms == LOFT_RTO_MAX);
     }
 }
 
-/* The timeout doubles each time, to LOFT_RTO_MOST. An answer resets it at once; without any
+/* The timeout doubles each time, to LOFT_RTO_MAX. An answer resets it at once; without any
  * measurement it stays. */
 static void silence_is_waited_for_ever_longer(arb *a)
 {
@@ -49,11 +47,11 @@ static void silence_is_waited_for_ever_longer(arb *a)
     const uint32_t first = r.ms;
     for (uint32_t n = 0, ms = first; n < 12; n++) {
         loft_rto_back_off(&r);
-        ms = 2 * ms < LOFT_RTO_MOST ? 2 * ms : LOFT_RTO_MOST;
+        ms = 2 * ms < LOFT_RTO_MAX ? 2 * ms : LOFT_RTO_MAX;
         CHECK(r.ms == ms);
     }
     loft_rto_reset(&r);
-    CHECK(r.ms == (measured ? first : LOFT_RTO_MOST));
+    CHECK(r.ms == (measured ? first : LOFT_RTO_MAX));
 }
 
 int main(void)

@@ -5,7 +5,7 @@
 #include "curve/bezier.h"
 #include "surface/triangle/triangle.h"
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 static loft_triangle triangle_of(const arb_net *x)
 {

@@ -7,7 +7,7 @@
 #include "surface/triangle/triangle_join.h"
 #include "surface/triangle/triangle_pieces.h"
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 static loft_triangle triangle_of(const arb_net *x)
 {

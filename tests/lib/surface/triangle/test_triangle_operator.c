@@ -22,7 +22,7 @@ static long double bound_of(const arb_net *x, long double want)
 /* Sampled again and again, in long double. */
 static long double iterated(const arb_net *x, uint32_t times, loft_bary u)
 {
-    long double f[LOFT_TRIANGLE_MOST], g[LOFT_TRIANGLE_MOST], at[LOFT_DEGREE_MAX + 1][3];
+    long double f[LOFT_TRIANGLE_MAX], g[LOFT_TRIANGLE_MAX], at[LOFT_DEGREE_MAX + 1][3];
     const unsigned n = x->n;
 
     for (unsigned k = 0; k < x->count; k++)
@@ -50,7 +50,7 @@ static void a_value_is_within_its_bound(arb *a)
     const arb_net *x = arb_net_of(a, 1, LOFT_DEGREE_MAX, 32767);
     const uint32_t times = 1 + arb_below(a, arb_below(a, 4) ? 4 : 30);
     const loft_bary u = arb_bary(a);
-    loft_real f[LOFT_TRIANGLE_MOST], y;
+    loft_real f[LOFT_TRIANGLE_MAX], y;
 
     samples_of(x, f);
     CHECK(loft_triangle_iterate(f, x->n, times, u, &y) == LOFT_OK);
@@ -67,7 +67,7 @@ static void a_value_outside_is_within_its_bound(arb *a)
     const loft_bary u = arb_far(a, n < 4 ? 12 : 2);
     const long double s = n > 1 ? n * n * n * n / (3.0L * n - 3) : 0, l = growth3(u);
     const long double grown = powl(l, n), want = iterated(x, times, u);
-    loft_real f[LOFT_TRIANGLE_MOST], y = LOFT_REAL(77);
+    loft_real f[LOFT_TRIANGLE_MAX], y = LOFT_REAL(77);
 
     samples_of(x, f);
     const enum loft_status status = loft_triangle_iterate_extrapolate(f, n, times, u, &y);
@@ -88,7 +88,7 @@ static void beyond_the_triangle_the_polynomial_goes_on(arb *a)
     const arb_net *x = arb_net_of(a, 1, LOFT_DEGREE_MAX, 1000);
     const loft_bary u = arb_bary(a), far = arb_far(a, 10);
     const unsigned at[3] = { 0, loft_triangle_place(x->n, 0), loft_triangle_place(0, x->n) };
-    loft_real f[LOFT_TRIANGLE_MOST], y, z;
+    loft_real f[LOFT_TRIANGLE_MAX], y, z;
     long double share[3], want = 0;
 
     samples_of(x, f);
@@ -107,7 +107,7 @@ static void planes_stay_and_corners_too(arb *a)
     const loft_bary u = arb_bary(a),
                     corner[3] = { { 0, 0 }, { LOFT_UNIT(1), 0 }, { 0, LOFT_UNIT(1) } };
     const unsigned n = x->n, at[3] = { 0, loft_triangle_place(n, 0), loft_triangle_place(0, n) };
-    loft_real f[LOFT_TRIANGLE_MOST], y;
+    loft_real f[LOFT_TRIANGLE_MAX], y;
     long double z[3];
 
     samples_of(x, f);
@@ -129,7 +129,7 @@ static void the_limit_is_reached(arb *a)
 {
     const arb_net *x = arb_net_of(a, 1, arb_below(a, 8) ? 3 : LOFT_DEGREE_MAX, 32767);
     const loft_bary u = arb_bary(a);
-    loft_real f[LOFT_TRIANGLE_MOST], y, z;
+    loft_real f[LOFT_TRIANGLE_MAX], y, z;
 
     samples_of(x, f);
     CHECK(loft_triangle_iterate(f, x->n, 512, u, &y) == LOFT_OK &&

@@ -5,7 +5,7 @@
 #include "support/triangles.h"          /* arb_net_of, exact_polar, rows_bound */
 #include "surface/triangle/triangle_pieces.h"
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 static loft_triangle triangle_of(const arb_net *x)
 {

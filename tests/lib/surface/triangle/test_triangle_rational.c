@@ -10,7 +10,7 @@
 #include "surface/triangle/triangle.h"
 #include "surface/triangle/triangle_rational.h"
 
-#define MOST LOFT_TRIANGLE_MOST
+#define MOST LOFT_TRIANGLE_MAX
 
 typedef struct {
     const arb_net *net;
@@ -224,8 +224,8 @@ static void the_octant_bends_as_its_sphere(arb *a)
     for (int i = 0; i < 3; i++)
         CHECK_EXACT(exact_of(n.axis[i]), exact_of(v.axis[i]) / size,
                     off + BY_NUM(LSB, 0x1p-24L, 0));
-    CHECK_EXACT(exact_acc(k.least), -1 / size, 20 * off / size);
-    CHECK_EXACT(exact_acc(k.most), -1 / size, 20 * off / size);
+    CHECK_EXACT(exact_acc(k.min), -1 / size, 20 * off / size);
+    CHECK_EXACT(exact_acc(k.max), -1 / size, 20 * off / size);
 }
 
 static void nonsense_is_refused(arb *a)
