@@ -7,6 +7,7 @@
  *   curve/       one parameter
  *                  bezier, rational, bspline, nurbs      points, derivatives, subsegments
  *                  hermite, cardinal, natural, parabola  through given points
+ *                  monotone, tween                       functions: y at x
  *                  circle                                arcs of circles and ellipses, helices
  *                  forward, rational_walk                exact walking
  *                  cubics                                any curve as cubics
@@ -70,12 +71,14 @@
 #include "curve/cardinal.h"
 #include "curve/circle.h"
 #include "curve/to_cubics.h"
+#include "curve/tween.h"
 #include "curve/forward.h"
 #include "curve/hermite.h"
 #include "curve/intersect.h"
 #include "curve/overlap.h"
 #include "curve/join.h"
 #include "curve/measure.h"
+#include "curve/monotone.h"
 #include "curve/natural.h"
 #include "curve/nearest.h"
 #include "curve/nurbs.h"

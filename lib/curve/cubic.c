@@ -26,6 +26,18 @@ static loft_acc point(loft_real p0, loft_real p1, loft_real p2, loft_real p3, lo
     return loft_acc_lerp(a, d, t) + bulge;
 }
 
+loft_cubic loft_cubic_line(loft_vec from, loft_vec to)
+{
+    loft_cubic line = { { from, from, to, to } };
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_acc a = loft_to_acc(from.axis[i]), b = loft_to_acc(to.axis[i]);
+        line.p[1].axis[i] = loft_acc_round(loft_acc_lerp_at(a, b, 1, 3));
+        line.p[2].axis[i] = loft_acc_round(loft_acc_lerp_at(a, b, 2, 3));
+    }
+    return line;
+}
+
 loft_vec loft_cubic_eval(const loft_cubic *c, loft_unit t)
 {
     loft_vec v;

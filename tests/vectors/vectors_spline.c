@@ -10,6 +10,7 @@
 #include "basis/interp.h"
 #include "curve/cardinal.h"
 #include "curve/hermite.h"
+#include "curve/monotone.h"
 #include "curve/natural.h"
 
 #define POINTS SPLINE_POINTS
@@ -276,6 +277,37 @@ static void natural_chord(row *r)
     expect_vec(r, "dp", second, dp, n.d, (law) { .lsb = 0.5L + 1 / 4096.0L, .roundings = 512 });
 }
 
+/* f32 reads other points than the row's where it cannot hold them, and secants magnify that. */
+static void monotone_fc(row *r)
+{
+    static loft_real x[POINTS], y[POINTS];
+    static loft_acc slope[POINTS];
+    const unsigned count = row_count(r, "n", POINTS);
+    loft_monotone f;
+    loft_real z;
+    answer *a = answer_new();
+
+    row_reals(r, "x_q16", count, x);
+    row_reals(r, "y_q16", count, y);
+    row_reals(r, "z_q16", 1, &z);
+    if (loft_monotone_init(&f, x, y, count, slope) != LOFT_OK) {
+        row_complain(r, "the function was refused");
+        return;
+    }
+    if (!as_given(r))
+        return;
+    const law exact = { .lsb = 1 / 1024.0L, .roundings = 4096 };
+    for (unsigned i = 0; i < count; i++)
+        answer_wide(a, slope[i]);
+    row_expect(r, "slopes", a, exact);
+    a = answer_new();
+    answer_real(a, loft_monotone_eval(&f, z));
+    row_expect(r, "value", a, (law) { .lsb = 0.5L + 1 / 16.0L, .roundings = 64 });
+    a = answer_new();
+    answer_wide(a, loft_monotone_deriv(&f, z));
+    row_expect(r, "deriv", a, exact);
+}
+
 const vector_system vectors_spline[] = {
     { "interp_parabola", "ti_q16,fi_q16,t_q16,A,value", interp_parabola,
       "1/2 LSB + 2^-16 LSB; f32, f64: 0.52 and 1 ulp of the result" },
@@ -288,6 +320,8 @@ const vector_system vectors_spline[] = {
       "p 1/2 LSB + (2 L^3 + 1 + L + L^2) / 2^17 LSB, dp 1/2 LSB + (6 L^2 + 1 + L) / 2^17 LSB" },
     { "natural_uniform", "N,d,P_q16,i,t_q16,p,dp,ddp", natural_uniform,
       "p 1/2 LSB + 2^-14 LSB, dp, ddp 1/2 LSB + 2^-12 LSB" },
+    { "monotone_fc", "n,x_q16,y_q16,z_q16,slopes,value,deriv", monotone_fc,
+      "slopes and derivative 1/1024, value 1/2 + 1/16" },
     { "natural_chord", "N,d,P_q16,i,t_q16,status,p,dp", natural_chord,
       "status exact, p 1/2 LSB + 2^-14 LSB, dp 1/2 LSB + 2^-12 LSB" },
     { NULL, NULL, NULL, NULL }

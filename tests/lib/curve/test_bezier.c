@@ -409,6 +409,21 @@ static void a_cubic_point_is_within_its_bound(arb *a)
     CHECK(loft_vec_equal(loft_cubic_eval(&c, LOFT_UNIT(2)), c.p[3]));
 }
 
+/* Inner points are the thirds, rounded once, so each point of it is on the line within as much. */
+static void a_line_is_run_through_evenly(arb *a)
+{
+    const loft_vec from = arb_vec(a, 32000), to = arb_vec(a, 32000);
+    const loft_cubic line = loft_cubic_line(from, to);
+
+    CHECK(loft_vec_equal(line.p[0], from) && loft_vec_equal(line.p[3], to));
+    for (int i = 0; i < LOFT_AXES; i++)
+        for (int k = 1; k < 3; k++) {
+            const long double p = exact_of(from.axis[i]), d = exact_of(to.axis[i]) - p;
+            CHECK_NEAR(exact_of(line.p[k].axis[i]), p + d * k / 3,
+                       BY_NUM(0x1.0001p-17L, ulp(32000) / 2, 4 * ulp(32000)));
+        }
+}
+
 static void a_cubic_derivative_is_within_its_bound(arb *a)
 {
     loft_cubic c;
@@ -492,6 +507,7 @@ int main(void)
     PROPERTY(the_box_holds_the_curve,                               1000);
     PROPERTY(results_may_replace_the_control_points,                 500);
     PROPERTY(a_cubic_point_is_within_its_bound,                     3000);
+    PROPERTY(a_line_is_run_through_evenly,                          2000);
     PROPERTY(a_cubic_derivative_is_within_its_bound,                2000);
     PROPERTY(a_cubic_piece_is_within_its_bound,                     2000);
     PROPERTY(mistakes_are_refused_by_name,                           100);
