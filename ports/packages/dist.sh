@@ -16,17 +16,24 @@ packed() {      # packed ARCHIVE FOLDER TREE: FOLDER/TREE as ARCHIVE
 # the sources, as git knows them, or all but build/ where there is no git
 tree=$(mktemp -d); trap 'rm -rf "$tree"' EXIT
 mkdir "$tree/$name"
-if git rev-parse --git-dir >/dev/null 2>&1
+if [ -e .git ]
 then git ls-files -z --cached --others --exclude-standard
 else find . -type f ! -path './build/*' ! -path './debian/*' -printf '%P\0'; fi |
     tar --null -T - -cf - | tar -xf - -C "$tree/$name"
 packed "$name.tar.gz" "$tree" "$name"
 hash=$(sha256sum < "$out/$name.tar.gz" | cut -d' ' -f1)
 
+
+# what it is made of
+from=$(pwd)
+(cd "$tree/$name" && find . -type f -printf '%P\0' | LC_ALL=C sort -z |
+    xargs -0 python3 "$from/ports/packages/sbom.py" "$VERSION" "$DATE" \
+        "$from/$out/$name.tar.gz") > "$out/$name.spdx.json"
+
 # two files
 one=$tree/loft-c-$VERSION
 python3 ports/packages/amalgam/amalgam.py --num "${NUM:-q16}" --rooms "${ROOMS:-all}" --out "$one"
-cp LICENSE "$one"
+cp LICENSE ports/packages/cpp/loft.hpp "$one"
 packed "loft-c-$VERSION.tar.gz" "$tree" "loft-c-$VERSION"
 
 filled() { sed "s/@VERSION@/$VERSION/g; s/@HASH@/$hash/" "$1"; }

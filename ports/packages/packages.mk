@@ -97,15 +97,18 @@ check-quick:
 	@MAKE="$(MAKE)" bash tests/house/check.sh test-quick test-readme
 
 # --- make check-packages: one line per thing that was built and run, `N passed, N failed` ---------
-PACKAGE_ROWS := install tool onefile cmake meson debian arduino
+PACKAGE_ROWS := install tool onefile cmake meson debian arduino boards wasm rust python \
+                cpp hygiene
 
 ## Install what check-packages needs (Debian's build tools, shells, compilers of other languages)
 .PHONY: deps-packages
 deps-packages: deps deps-target
-	@sh tests/house/deps.sh mandoc groff bash zsh fish bsdextrautils musl-tools \
-	    cmake meson ninja-build debhelper lintian fakeroot clang \
-	    arduino-core-avr arduino-builder arduino-ctags libnewlib-arm-none-eabi \
-	    libstdc++-arm-none-eabi-newlib
+	@sh tests/house/deps.sh mandoc groff bash zsh fish bsdextrautils musl-tools cmake meson \
+	    ninja-build debhelper lintian fakeroot clang arduino-core-avr arduino-builder \
+	    arduino-ctags libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib \
+	    python3-kconfiglib python3-yaml lld nodejs rustc cargo bindgen python3-pip \
+	    python3-setuptools python3-wheel python3-dev python3-cffi python3-numpy \
+	    python3-matplotlib reuse
 
 $(PACKAGE_ROWS:%=check-packages-%): check-packages-%: lib/names.h
 	@bash tests/packages/$*.sh

@@ -17,6 +17,7 @@ mkdir -p "$stage/include/loft" "$stage/lib/pkgconfig" "$stage/lib/cmake/loft"
     mkdir -p "$stage/include/loft/$(dirname "$header")"
     cp "lib/$header" "$stage/include/loft/$header"
 done
+cp ports/packages/cpp/loft.hpp "$stage/include/loft/loft.hpp"
 
 suffix=
 [ "$AXES" = 3 ] || suffix=x$AXES
