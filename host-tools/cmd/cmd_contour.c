@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/contour.h"    /* contour_heights */
-#include "engine/print.h"      /* print_words */
-#include "base/source.h"     /* source_name */
+#include "draw/contour.h"   /* contour_heights */
+#include "engine/print.h"   /* print_words */
+#include "base/source.h"    /* source_name */
 #include "engine/surface.h"
 #include "base/tool.h"
 

@@ -5,8 +5,8 @@
 
 #include "engine/piece.h"
 #include "engine/print.h"
-#include "engine/sided.h"      /* sided_has */
-#include "base/source.h"     /* source_name */
+#include "engine/sided.h"   /* sided_has */
+#include "base/source.h"    /* source_name */
 #include "engine/surface.h"
 #include "base/tool.h"
 

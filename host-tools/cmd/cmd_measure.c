@@ -13,8 +13,8 @@
 #include "num/status.h"     /* LOFT_SINGULAR, LOFT_MORE */
 
 #include "engine/element.h"
-#include "engine/print.h"          /* print_words */
-#include "base/source.h"         /* source_name */
+#include "engine/print.h"   /* print_words */
+#include "base/source.h"    /* source_name */
 #include "base/tool.h"
 
 #define FINE 0.01           /* of the tolerance, for cubics that replace other curves */

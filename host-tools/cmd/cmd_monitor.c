@@ -6,8 +6,8 @@
 #include <signal.h>
 #include <string.h>
 
-#include "host/line.h"      /* host_line: the sender's side */
-#include "base/keys.h"           /* keys_interrupted */
+#include "host/line.h"  /* host_line: the sender's side */
+#include "base/keys.h"  /* keys_interrupted */
 #include "base/tool.h"
 #include "send/transport.h"
 #include "send/wire_text.h"

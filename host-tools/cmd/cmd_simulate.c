@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "host/host.h"      /* loft_host_simulate_q16x3 */
-#include "read/machine_file.h"   /* machine_option */
+#include "host/host.h"          /* loft_host_simulate_q16x3 */
+#include "read/machine_file.h"  /* machine_option */
 #include "base/tool.h"
 
 /* Take one number for all axes, or one for each. */

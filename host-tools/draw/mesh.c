@@ -8,8 +8,8 @@
 #include "num/status.h"     /* LOFT_SINGULAR */
 
 #include "draw/mesh.h"
-#include "engine/sided.h"      /* sided_spot */
-#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+#include "engine/sided.h"   /* sided_spot */
+#include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
 static void make_vertex(const surface *s, unsigned kite, double u, double v, mesh_vertex *out)
 {

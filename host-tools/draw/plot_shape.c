@@ -10,10 +10,10 @@
 #include <string.h>
 
 #include "engine/curve.h"
-#include "engine/engine.h"     /* engine_f64: pieces of a curve */
-#include "engine/piece.h"      /* piece_bend */
+#include "engine/engine.h"  /* engine_f64: pieces of a curve */
+#include "engine/piece.h"   /* piece_bend */
 #include "draw/plot.h"
-#include "base/tool.h"       /* tool_grow */
+#include "base/tool.h"      /* tool_grow */
 
 #define TEETH_MIN  8            /* per piece */
 #define TEETH_MAX  400

@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/contour.h"    /* contour_lines */
+#include "draw/contour.h"   /* contour_lines */
 #include "draw/scene.h"
-#include "engine/sided.h"      /* sided_net */
-#include "base/tool.h"       /* tool_grow */
+#include "engine/sided.h"   /* sided_net */
+#include "base/tool.h"      /* tool_grow */
 
 #define NET_PIECES 24   /* per edge of a control net */
 

@@ -8,7 +8,7 @@
 #include "curve/circle.h"   /* loft_circle */
 #include "curve/measure.h"  /* loft_flatten */
 #include "motion/plan.h"    /* LOFT_PLAN_REACH */
-#include "machine/step.h"    /* loft_steps_of */
+#include "machine/step.h"   /* loft_steps_of */
 
 #include "engine/engine_num.h"     /* real_of, vec_of, point_of */
 

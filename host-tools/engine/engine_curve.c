@@ -21,9 +21,9 @@
 #include "curve/rational.h"         /* loft_rational */
 
 #include "engine/curve.h"
-#include "engine/engine_num.h"     /* real_of, vec_of, point_of */
+#include "engine/engine_num.h"  /* real_of, vec_of, point_of */
 #include "engine/piece.h"
-#include "base/tool.h"           /* tool_grow */
+#include "base/tool.h"          /* tool_grow */
 
 #define ARC_TOL 1e-4    /* mm; the largest distance of the cubics of an arc from it */
 

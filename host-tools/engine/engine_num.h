@@ -9,8 +9,8 @@
 
 #include <math.h>
 
-#include "geom/vec.h"       /* loft_vec */
-#include "surface/differential.h"  /* loft_differential_curvatures */
+#include "geom/vec.h"               /* loft_vec */
+#include "surface/differential.h"   /* loft_differential_curvatures */
 
 #include "engine/engine.h"
 

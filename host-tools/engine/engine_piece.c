@@ -4,7 +4,7 @@
  */
 #include "curve/bezier.h"           /* loft_bezier */
 #include "curve/bounds.h"           /* loft_bezier_bounds */
-#include "curve/to_cubics.h"           /* loft_to_cubics */
+#include "curve/to_cubics.h"        /* loft_to_cubics */
 #include "curve/forward.h"          /* loft_forward */
 #include "curve/rational.h"         /* loft_rational */
 #include "curve/rational_walk.h"    /* loft_rational_walk */

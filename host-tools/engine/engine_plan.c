@@ -9,8 +9,8 @@
 
 #include "motion/plan.h"    /* loft_plan */
 
-#include "engine/engine_num.h"     /* real_of, vecs_of, double_of */
-#include "base/tool.h"           /* tool_grow */
+#include "engine/engine_num.h"  /* real_of, vecs_of, double_of */
+#include "base/tool.h"          /* tool_grow */
 
 enum { MOVES = 512, PIECES = MOVES * LOFT_PLAN_PIECES };
 

@@ -5,20 +5,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "polygon/basepoint.h"          /* loft_basepoint */
-#include "polygon/gb.h"                 /* loft_gb */
-#include "polygon/meanvalue.h"          /* loft_meanvalue_eval */
-#include "polygon/partition.h"          /* loft_partition */
-#include "polygon/zheng_ball.h"               /* loft_zheng_ball */
-#include "polygon/disk.h"              /* loft_disk */
-#include "polygon/spatch.h"             /* loft_spatch */
-#include "polygon/toric.h"              /* loft_toric */
-#include "polygon/wachspress.h"         /* loft_wachspress_eval */
+#include "polygon/basepoint.h"      /* loft_basepoint */
+#include "polygon/gb.h"             /* loft_gb */
+#include "polygon/meanvalue.h"      /* loft_meanvalue_eval */
+#include "polygon/partition.h"      /* loft_partition */
+#include "polygon/zheng_ball.h"     /* loft_zheng_ball */
+#include "polygon/disk.h"           /* loft_disk */
+#include "polygon/spatch.h"         /* loft_spatch */
+#include "polygon/toric.h"          /* loft_toric */
+#include "polygon/wachspress.h"     /* loft_wachspress_eval */
 
-#include "engine/engine_harmonic.h"    /* engine_harmonic_solve */
-#include "engine/engine_num.h"     /* real_of, vec_of, point_of */
+#include "engine/engine_harmonic.h"     /* engine_harmonic_solve */
+#include "engine/engine_num.h"          /* real_of, vec_of, point_of */
 #include "engine/engine_sided.h"
-#include "base/tool.h"           /* tool_grow */
+#include "base/tool.h"                  /* tool_grow */
 
 /* One of the library's patches; s->kind says which. */
 struct engine_sided {

@@ -7,23 +7,23 @@
  */
 #include <stdlib.h>
 
-#include "polygon/disk.h"              /* loft_disk */
-#include "surface/tensor/bicubic.h"            /* loft_bicubic */
-#include "surface/contour.h"            /* loft_contour */
-#include "surface/tensor/coons.h"              /* loft_coons_bezier */
-#include "surface/differential.h"              /* loft_differential */
-#include "surface/octant.h"             /* loft_octant_from_radius */
-#include "surface/pn.h"                 /* loft_pn */
-#include "surface/sphere.h"             /* loft_sphere */
-#include "surface/tensor/tensor.h"             /* loft_tensor */
-#include "surface/tensor/tensor_rational.h"    /* loft_tensor_rational */
-#include "surface/triangle/triangle.h"           /* loft_triangle */
-#include "surface/triangle/triangle_rational.h"  /* loft_triangle_rational */
+#include "polygon/disk.h"                           /* loft_disk */
+#include "surface/tensor/bicubic.h"                 /* loft_bicubic */
+#include "surface/contour.h"                        /* loft_contour */
+#include "surface/tensor/coons.h"                   /* loft_coons_bezier */
+#include "surface/differential.h"                   /* loft_differential */
+#include "surface/octant.h"                         /* loft_octant_from_radius */
+#include "surface/pn.h"                             /* loft_pn */
+#include "surface/sphere.h"                         /* loft_sphere */
+#include "surface/tensor/tensor.h"                  /* loft_tensor */
+#include "surface/tensor/tensor_rational.h"         /* loft_tensor_rational */
+#include "surface/triangle/triangle.h"              /* loft_triangle */
+#include "surface/triangle/triangle_rational.h"     /* loft_triangle_rational */
 
-#include "engine/engine_num.h"     /* real_of, vec_of, point_of */
+#include "engine/engine_num.h"  /* real_of, vec_of, point_of */
 #include "engine/engine_sided.h"
 #include "engine/surface.h"
-#include "base/tool.h"           /* tool_grow */
+#include "base/tool.h"          /* tool_grow */
 
 #define OCTANT_POINTS 15
 

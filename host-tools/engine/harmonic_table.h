@@ -8,8 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "engine/harmonic.h"           /* harmonic_series */
-#include "base/least.h"              /* least_room */
+#include "engine/harmonic.h"    /* harmonic_series */
+#include "base/least.h"         /* least_room */
 #include "polygon/harmonic.h"   /* loft_harmonic_table */
 
 /* A wide number's 1 is 2^32 in q16. */

@@ -6,12 +6,12 @@
 
 #include "num/status.h" /* enum loft_status */
 
-#include "engine/engine.h"     /* engine_status */
-#include "base/lines.h"      /* lines_start */
-#include "engine/sided.h"      /* sided_points */
-#include "base/source.h"     /* source_read */
+#include "engine/engine.h"  /* engine_status */
+#include "base/lines.h"     /* lines_start */
+#include "engine/sided.h"   /* sided_points */
+#include "base/source.h"    /* source_read */
 #include "engine/surface.h"
-#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+#include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
 const char *surface_name(enum surface_kind kind)
 {

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "motion/span.h"    /* loft_span_walk */
-#include "machine/step.h"    /* loft_steps_of */
+#include "machine/step.h"   /* loft_steps_of */
 #include "wire/sender.h"    /* loft_job_id */
 
 #include "plan/job.h"

@@ -13,8 +13,8 @@
 #include "wire/job_id.h"    /* LOFT_ITEMS_OPEN */
 #include "wire/message.h"   /* loft_job */
 
-#include "engine/engine.h"         /* engine, engine_limits */
-#include "plan/joints.h"         /* joints */
+#include "engine/engine.h"  /* engine, engine_limits */
+#include "plan/joints.h"    /* joints */
 
 typedef struct {
     loft_item item;

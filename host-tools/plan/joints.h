@@ -14,9 +14,9 @@
 #ifndef LOFT_JOINTS_H
 #define LOFT_JOINTS_H
 
-#include "read/drawing.h"        /* drawing */
-#include "engine/kinematics.h"     /* kinematics */
-#include "plan/toolpath.h"       /* toolpath */
+#include "read/drawing.h"       /* drawing */
+#include "engine/kinematics.h"  /* kinematics */
+#include "plan/toolpath.h"      /* toolpath */
 
 typedef struct {
     const kinematics *k;            /* NULL: not made */

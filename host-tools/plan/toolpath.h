@@ -7,8 +7,8 @@
 #ifndef LOFT_TOOLPATH_H
 #define LOFT_TOOLPATH_H
 
-#include "read/drawing.h"        /* drawing */
-#include "engine/engine.h"         /* engine_move */
+#include "read/drawing.h"   /* drawing */
+#include "engine/engine.h"  /* engine_move */
 
 typedef struct {
     double feed, travel;            /* mm/s, pen down and pen up                            */

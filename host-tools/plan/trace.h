@@ -13,8 +13,8 @@
 #ifndef LOFT_TRACE_H
 #define LOFT_TRACE_H
 
-#include "engine/engine.h"         /* engine_span, engine_limits, engine_move */
-#include "plan/joints.h"         /* joints */
+#include "engine/engine.h"  /* engine_span, engine_limits, engine_move */
+#include "plan/joints.h"    /* joints */
 
 /* What limits a plan; limits of axes are three each, for x, y, z. */
 enum trace_cause {

@@ -11,9 +11,9 @@
 #include <string.h>
 
 #include "engine/curve.h"
-#include "base/lines.h"      /* lines_numbers, lines_wrong */
-#include "base/scan.h"       /* scan_word */
-#include "engine/surface.h"    /* surface_begins */
+#include "base/lines.h"         /* lines_numbers, lines_wrong */
+#include "base/scan.h"          /* scan_word */
+#include "engine/surface.h"     /* surface_begins */
 
 #define TURNS_MAX 1000
 

@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/curve.h"      /* curves_is_text, curves_free */
+#include "engine/curve.h"   /* curves_is_text, curves_free */
 #include "read/drawing.h"
 #include "read/foreign.h"
-#include "base/source.h"     /* source_read */
-#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+#include "base/source.h"    /* source_read */
+#include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
 #define SAME 1e-6       /* mm; closer ends count as one point */
 

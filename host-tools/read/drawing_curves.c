@@ -9,9 +9,9 @@
 
 #include "engine/curve.h"
 #include "read/drawing.h"
-#include "engine/engine.h"     /* engine_f64: pieces of a curve, and cubics */
+#include "engine/engine.h"  /* engine_f64: pieces of a curve, and cubics */
 #include "engine/piece.h"
-#include "base/tool.h"       /* tool_error, sysexits */
+#include "base/tool.h"      /* tool_error, sysexits */
 
 #define DRAWING_TOL 1e-4     /* mm */
 

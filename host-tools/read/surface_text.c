@@ -13,10 +13,10 @@
 
 #include "num/status.h"  /* enum loft_status */
 
-#include "engine/engine_sided.h"   /* complete, cut */
-#include "base/lines.h"      /* lines_numbers, lines_wrong */
-#include "base/scan.h"       /* scan_word */
-#include "engine/sided.h"      /* sided_regular, sided_is_lattice */
+#include "engine/engine_sided.h"    /* complete, cut */
+#include "base/lines.h"             /* lines_numbers, lines_wrong */
+#include "base/scan.h"              /* scan_word */
+#include "engine/sided.h"           /* sided_regular, sided_is_lattice */
 #include "engine/surface.h"
 
 typedef struct {

@@ -9,8 +9,8 @@
 #ifndef LOFT_GRBL_H
 #define LOFT_GRBL_H
 
-#include "engine/engine.h"         /* ENGINE_AXES */
-#include "send/gcode.h"          /* gcode */
+#include "engine/engine.h"  /* ENGINE_AXES */
+#include "send/gcode.h"     /* gcode */
 
 typedef struct grbl grbl;
 

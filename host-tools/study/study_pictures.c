@@ -9,8 +9,8 @@
 
 #include "polygon/gb.h"     /* loft_gb_place */
 
-#include "draw/contour.h"        /* contour_heights */
-#include "engine/engine_sided.h"  /* cut */
+#include "draw/contour.h"           /* contour_heights */
+#include "engine/engine_sided.h"    /* cut */
 #include "draw/gallery.h"
 #include "study/study_pictures.h"
 #include "base/tool.h"

@@ -21,7 +21,7 @@
 #ifndef LOFT_CURVE_FORWARD_H
 #define LOFT_CURVE_FORWARD_H
 
-#include "curve/bezier.h"   /* loft_bezier */
+#include "curve/bezier.h"       /* loft_bezier */
 #include "num/walk_exact.h"     /* loft_walk, loft_walk_exact: the state of one axis */
 
 LOFT_BEGIN_C

@@ -37,8 +37,8 @@
  * e = 6 * 2^-17 LSB.
  */
 #include "curve/natural.h"
-#include "basis/interp.h"       /* loft_ends3_deriv */
-#include "num/muldiv.h"           /* loft_acc_muldiv, loft_acc_length */
+#include "basis/interp.h"   /* loft_ends3_deriv */
+#include "num/muldiv.h"     /* loft_acc_muldiv, loft_acc_length */
 
 #define ONE_SHIFT 24
 #define ONE       (loft_to_acc(LOFT_REAL(1)) * 16777216)

@@ -9,7 +9,7 @@
 #include "curve/overlap.h"
 #include "basis/dyadic.h"   /* loft_bernstein_sub */
 #include "curve/nearest.h"  /* loft_bezier_nearest */
-#include "num/muldiv.h"       /* loft_acc_muldiv */
+#include "num/muldiv.h"     /* loft_acc_muldiv */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 #define PLACES 8

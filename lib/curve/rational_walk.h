@@ -21,7 +21,7 @@
 #define LOFT_CURVE_RATIONAL_WALK_H
 
 #include "curve/rational.h"     /* loft_rational */
-#include "num/acc128.h"           /* loft_acc128: the differences */
+#include "num/acc128.h"         /* loft_acc128: the differences */
 
 LOFT_BEGIN_C
 

@@ -18,13 +18,13 @@
 #ifndef LOFT_MACHINE_DRIVE_H
 #define LOFT_MACHINE_DRIVE_H
 
-#include "machine/override_limit.h"    /* loft_override_limit_of, loft_axis_config       */
-#include "machine/points.h" /* loft_points                         */
-#include "machine/queue.h"  /* loft_queue, loft_item               */
-#include "machine/pace.h"    /* loft_pace                           */
-#include "machine/step.h"    /* loft_step                           */
-#include "num/walk.h"       /* loft_walk3                          */
-#include "wire/message.h"   /* loft_machine_state, loft_kind       */
+#include "machine/override_limit.h"     /* loft_override_limit_of, loft_axis_config       */
+#include "machine/points.h"             /* loft_points                         */
+#include "machine/queue.h"              /* loft_queue, loft_item               */
+#include "machine/pace.h"               /* loft_pace                           */
+#include "machine/step.h"               /* loft_step                           */
+#include "num/walk.h"                   /* loft_walk3                          */
+#include "wire/message.h"               /* loft_machine_state, loft_kind       */
 
 LOFT_BEGIN_C
 

@@ -15,9 +15,9 @@
 #ifndef LOFT_MACHINE_MACHINE_H
 #define LOFT_MACHINE_MACHINE_H
 
-#include "machine/drive.h"  /* loft_drive                    */
+#include "machine/drive.h"      /* loft_drive                    */
 #include "machine/planner.h"    /* loft_planner              */
-#include "wire/receiver.h"  /* loft_receiver, loft_machine_info    */
+#include "wire/receiver.h"      /* loft_receiver, loft_machine_info    */
 
 LOFT_BEGIN_C
 

@@ -18,8 +18,8 @@
 #ifndef LOFT_NUM_SCI_H
 #define LOFT_NUM_SCI_H
 
-#include "num/acc128.h"   /* loft_acc128 */
-#include "num/num.h"    /* loft_real, loft_unit, loft_acc */
+#include "num/acc128.h"     /* loft_acc128 */
+#include "num/num.h"        /* loft_real, loft_unit, loft_acc */
 
 LOFT_BEGIN_C
 

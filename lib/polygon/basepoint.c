@@ -6,8 +6,8 @@
  * by twice that.
  */
 #include "polygon/basepoint.h"
-#include "curve/rational.h"     /* LOFT_WEIGHT_MIN */
-#include "polygon/weighted_sum.h"      /* loft_weighted_sum */
+#include "curve/rational.h"         /* LOFT_WEIGHT_MIN */
+#include "polygon/weighted_sum.h"   /* loft_weighted_sum */
 
 static unsigned next_corner(unsigned corner) { return corner < 2 ? corner + 1 : 0; }
 

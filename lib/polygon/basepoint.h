@@ -14,9 +14,9 @@
 #ifndef LOFT_POLYGON_BASEPOINT_H
 #define LOFT_POLYGON_BASEPOINT_H
 
-#include "geom/vec.h"           /* loft_vec */
-#include "polygon/multiindex.h"      /* loft_multiindex_count */
-#include "surface/differential.h"      /* loft_differential */
+#include "geom/vec.h"               /* loft_vec */
+#include "polygon/multiindex.h"     /* loft_multiindex_count */
+#include "surface/differential.h"   /* loft_differential */
 
 LOFT_BEGIN_C
 

@@ -19,14 +19,14 @@
 #ifndef LOFT_POLYGON_DISK_H
 #define LOFT_POLYGON_DISK_H
 
-#include "polygon/basepoint.h"  /* loft_basepoint */
-#include "polygon/gb.h"         /* loft_gb */
-#include "polygon/harmonic.h"   /* loft_harmonic */
-#include "polygon/partition.h"  /* loft_partition */
-#include "polygon/zheng_ball.h"       /* loft_zheng_ball */
-#include "polygon/spatch.h"     /* loft_spatch */
-#include "polygon/toric.h"      /* loft_toric */
-#include "surface/surface.h"      /* loft_surface */
+#include "polygon/basepoint.h"      /* loft_basepoint */
+#include "polygon/gb.h"             /* loft_gb */
+#include "polygon/harmonic.h"       /* loft_harmonic */
+#include "polygon/partition.h"      /* loft_partition */
+#include "polygon/zheng_ball.h"     /* loft_zheng_ball */
+#include "polygon/spatch.h"         /* loft_spatch */
+#include "polygon/toric.h"          /* loft_toric */
+#include "surface/surface.h"        /* loft_surface */
 
 LOFT_BEGIN_C
 

@@ -29,11 +29,11 @@
 #ifndef LOFT_POLYGON_GB_H
 #define LOFT_POLYGON_GB_H
 
-#include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
-#include "geom/vec.h"           /* loft_vec */
-#include "polygon/domain.h"     /* LOFT_SIDES_MAX */
-#include "polygon/jet.h"        /* loft_jet */
-#include "surface/differential.h"      /* loft_differential */
+#include "basis/bernstein.h"        /* LOFT_DEGREE_MAX */
+#include "geom/vec.h"               /* loft_vec */
+#include "polygon/domain.h"         /* LOFT_SIDES_MAX */
+#include "polygon/jet.h"            /* loft_jet */
+#include "surface/differential.h"   /* loft_differential */
 
 LOFT_BEGIN_C
 

@@ -7,9 +7,9 @@
 #ifndef LOFT_POLYGON_JET_WEIGHTED_SUM_H
 #define LOFT_POLYGON_JET_WEIGHTED_SUM_H
 
-#include "geom/vec.h"           /* loft_vec */
-#include "polygon/jet.h"        /* loft_jet */
-#include "surface/differential.h"      /* loft_differential */
+#include "geom/vec.h"               /* loft_vec */
+#include "polygon/jet.h"            /* loft_jet */
+#include "surface/differential.h"   /* loft_differential */
 
 LOFT_BEGIN_C
 

@@ -11,8 +11,8 @@
  * In floats most terms are far below the sum. The tests hold 64 ulp of M |V|.
  */
 #include "polygon/spatch.h"
-#include "curve/rational.h"     /* LOFT_WEIGHT_MIN, loft_weight_clamp */
-#include "polygon/weighted_sum.h"      /* loft_weighted_sum */
+#include "curve/rational.h"         /* LOFT_WEIGHT_MIN, loft_weight_clamp */
+#include "polygon/weighted_sum.h"   /* loft_weighted_sum */
 
 enum loft_status loft_spatch_init(loft_spatch *s, const loft_vec p[], const loft_real w[],
                                   unsigned sides, unsigned depth)

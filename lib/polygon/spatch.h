@@ -18,10 +18,10 @@
 #ifndef LOFT_POLYGON_SPATCH_H
 #define LOFT_POLYGON_SPATCH_H
 
-#include "geom/vec.h"           /* loft_vec */
-#include "polygon/multiindex.h"      /* loft_multiindex_count */
-#include "polygon/jet.h"        /* loft_jet */
-#include "surface/differential.h"      /* loft_differential */
+#include "geom/vec.h"               /* loft_vec */
+#include "polygon/multiindex.h"     /* loft_multiindex_count */
+#include "polygon/jet.h"            /* loft_jet */
+#include "surface/differential.h"   /* loft_differential */
 
 LOFT_BEGIN_C
 

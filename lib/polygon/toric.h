@@ -13,9 +13,9 @@
 #ifndef LOFT_POLYGON_TORIC_H
 #define LOFT_POLYGON_TORIC_H
 
-#include "curve/rational.h"     /* loft_weighted */
-#include "polygon/lattice.h"    /* loft_lattice_polygon */
-#include "surface/differential.h"      /* loft_differential */
+#include "curve/rational.h"         /* loft_weighted */
+#include "polygon/lattice.h"        /* loft_lattice_polygon */
+#include "surface/differential.h"   /* loft_differential */
 
 LOFT_BEGIN_C
 

@@ -19,11 +19,11 @@
 #ifndef LOFT_POLYGON_ZHENG_BALL_H
 #define LOFT_POLYGON_ZHENG_BALL_H
 
-#include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
-#include "geom/vec.h"           /* loft_vec */
-#include "num/sci.h"            /* loft_sci */
-#include "polygon/jet.h"        /* loft_jet */
-#include "surface/differential.h"      /* loft_differential */
+#include "basis/bernstein.h"        /* LOFT_DEGREE_MAX */
+#include "geom/vec.h"               /* loft_vec */
+#include "num/sci.h"                /* loft_sci */
+#include "polygon/jet.h"            /* loft_jet */
+#include "surface/differential.h"   /* loft_differential */
 
 LOFT_BEGIN_C
 

@@ -15,8 +15,8 @@
  * a^2. The bound allows for this.
  */
 #include "surface/deficit.h"
-#include "geom/vec_exact.h" /* loft_vec_exact_valid */
-#include "num/explog.h"  /* loft_sci_from_fine */
+#include "geom/vec_exact.h"     /* loft_vec_exact_valid */
+#include "num/explog.h"         /* loft_sci_from_fine */
 
 static loft_sci sci_dot(const loft_sci a[3], const loft_sci b[3])
 {

@@ -20,12 +20,12 @@
 #ifndef LOFT_SURFACE_DIFFERENTIAL_H
 #define LOFT_SURFACE_DIFFERENTIAL_H
 
-#include "num/sci.h"                    /* loft_sci */
-#include "surface/tensor/coons.h"              /* loft_coons_bezier */
-#include "surface/tensor/tensor.h"             /* loft_tensor */
-#include "surface/tensor/tensor_rational.h"    /* loft_tensor_rational */
-#include "surface/triangle/triangle.h"           /* loft_triangle */
-#include "surface/triangle/triangle_rational.h"  /* loft_triangle_rational */
+#include "num/sci.h"                                /* loft_sci */
+#include "surface/tensor/coons.h"                   /* loft_coons_bezier */
+#include "surface/tensor/tensor.h"                  /* loft_tensor */
+#include "surface/tensor/tensor_rational.h"         /* loft_tensor_rational */
+#include "surface/triangle/triangle.h"              /* loft_triangle */
+#include "surface/triangle/triangle_rational.h"     /* loft_triangle_rational */
 
 LOFT_BEGIN_C
 

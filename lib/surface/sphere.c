@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: MIT
  */
 #include "surface/sphere.h"
-#include "num/angle.h"  /* loft_fine: sines */
-#include "geom/vec_exact.h"  /* loft_exact: distances */
+#include "num/angle.h"          /* loft_fine: sines */
+#include "geom/vec_exact.h"     /* loft_exact: distances */
 
 #define ANGLE_MAX LOFT_REAL(32767)
 

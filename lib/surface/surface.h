@@ -16,13 +16,13 @@
 #ifndef LOFT_SURFACE_SURFACE_H
 #define LOFT_SURFACE_SURFACE_H
 
-#include "surface/tensor/bicubic.h"            /* loft_bicubic */
-#include "surface/tensor/coons.h"              /* loft_coons_bezier */
-#include "surface/sphere.h"             /* loft_sphere */
-#include "surface/tensor/tensor.h"             /* loft_tensor */
-#include "surface/tensor/tensor_rational.h"    /* loft_tensor_rational */
-#include "surface/triangle/triangle.h"           /* loft_triangle */
-#include "surface/triangle/triangle_rational.h"  /* loft_triangle_rational */
+#include "surface/tensor/bicubic.h"                 /* loft_bicubic */
+#include "surface/tensor/coons.h"                   /* loft_coons_bezier */
+#include "surface/sphere.h"                         /* loft_sphere */
+#include "surface/tensor/tensor.h"                  /* loft_tensor */
+#include "surface/tensor/tensor_rational.h"         /* loft_tensor_rational */
+#include "surface/triangle/triangle.h"              /* loft_triangle */
+#include "surface/triangle/triangle_rational.h"     /* loft_triangle_rational */
 
 LOFT_BEGIN_C
 

@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "host/host.h"          /* struct loft_host_options */
-#include "machine/step.h"        /* loft_pins                */
+#include "host/host.h"      /* struct loft_host_options */
+#include "machine/step.h"   /* loft_pins                */
 
 #define host_record_open    LOFT_NAME(host_record_open)
 #define host_record_slot    LOFT_NAME(host_record_slot)

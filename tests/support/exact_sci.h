@@ -4,7 +4,7 @@
 #ifndef LOFT_TESTS_EXACT_SCI_H
 #define LOFT_TESTS_EXACT_SCI_H
 
-#include "support/exact.h"          /* exact_of */
+#include "support/exact.h"  /* exact_of */
 #include "num/sci.h"        /* loft_sci */
 
 /* A q16 number has 62 bits and long double has 64, so the conversion is exact. */

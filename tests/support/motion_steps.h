@@ -4,8 +4,8 @@
 #ifndef LOFT_TESTS_MOTION_STEPS_H
 #define LOFT_TESTS_MOTION_STEPS_H
 
-#include "machine/pace.h"    /* loft_pace                */
-#include "machine/step.h"    /* loft_step, loft_steps_of */
+#include "machine/pace.h"           /* loft_pace                */
+#include "machine/step.h"           /* loft_step, loft_steps_of */
 #include "support/motion_spans.h"   /* spans, count             */
 
 typedef struct {

@@ -7,11 +7,11 @@
 
 #include <string.h>
 
-#include "check.h"              /* CHECK, BY_NUM */
-#include "support/exact.h"              /* exact_of */
-#include "polygon/meanvalue.h"  /* loft_meanvalue_eval */
+#include "check.h"                  /* CHECK, BY_NUM */
+#include "support/exact.h"          /* exact_of */
+#include "polygon/meanvalue.h"      /* loft_meanvalue_eval */
 #include "polygon/disk.h"
-#include "polygon/wachspress.h" /* loft_wachspress_eval */
+#include "polygon/wachspress.h"     /* loft_wachspress_eval */
 
 #define KINDS  7
 #define POINTS 500

@@ -7,7 +7,7 @@
 
 #include <float.h>
 
-#include "support/exact_whole.h"            /* exact_of, wide, vast */
+#include "support/exact_whole.h"    /* exact_of, wide, vast */
 #include "surface/barycentric.h"    /* loft_bary */
 
 /* u, v, w of a point or direction, and the sum of their absolute values. */

@@ -9,7 +9,7 @@
  */
 #include "meter.h"          /* meter_start, meter_now       */
 #include "motion/plan.h"    /* loft_plan                    */
-#include "machine/step.h"    /* loft_step, loft_steps_of     */
+#include "machine/step.h"   /* loft_step, loft_steps_of     */
 #include "outline.h"        /* outline                      */
 #include "say.h"            /* say_line                     */
 

@@ -14,7 +14,7 @@
 
 #include "check.h"      /* CHECK, PROPERTY */
 #include "read/drawing.h"
-#include "base/tool.h"       /* replaced here */
+#include "base/tool.h"  /* replaced here */
 
 static char caught[4096];       /* the lines that tool_error was given */
 static unsigned caught_lines;

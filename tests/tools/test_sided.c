@@ -5,9 +5,9 @@
 #include <math.h>
 
 #include "draw/contour.h"
-#include "tools/drawn.h"          /* CHECK, tool_error */
+#include "tools/drawn.h"            /* CHECK, tool_error */
 #include "draw/mesh.h"
-#include "polygon/multiindex.h"  /* loft_multiindex_next */
+#include "polygon/multiindex.h"     /* loft_multiindex_next */
 #include "engine/sided.h"
 
 #define N 12

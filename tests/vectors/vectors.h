@@ -23,7 +23,7 @@
 #ifndef LOFT_TESTS_VECTORS_H
 #define LOFT_TESTS_VECTORS_H
 
-#include "support/exact.h"          /* exact_of, exact_acc, ulp, growth_sum */
+#include "support/exact.h"  /* exact_of, exact_acc, ulp, growth_sum */
 #include "geom/vec.h"       /* loft_vec */
 
 #define ROW_COLUMNS 32

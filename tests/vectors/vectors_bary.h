@@ -5,7 +5,7 @@
 #ifndef LOFT_TESTS_VECTORS_BARY_H
 #define LOFT_TESTS_VECTORS_BARY_H
 
-#include "vectors/vectors.h"                /* row */
+#include "vectors/vectors.h"        /* row */
 #include "surface/barycentric.h"    /* loft_bary */
 
 /* `count` points or directions of three coordinates each, separated by `;`; they do not count as

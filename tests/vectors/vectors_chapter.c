@@ -7,9 +7,9 @@
  */
 #include <string.h>
 
-#include "support/polygons.h"               /* decimal, sheet_of */
+#include "support/polygons.h"   /* decimal, sheet_of */
 #include "study/chapter.h"
-#include "names.h"                  /* LOFT_TAG */
+#include "names.h"              /* LOFT_TAG */
 
 #define ENGINE_(tag) engine_chapters_ ## tag
 #define ENGINE__(tag) ENGINE_(tag)

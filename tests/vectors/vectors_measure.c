@@ -1,8 +1,8 @@
 /* tests/vectors/vectors_measure.c -- readers of the systems that measure a curve
  * SPDX-License-Identifier: MIT
  */
-#include "vectors/vectors.h"                /* row, row_within */
-#include "curve/measure.h"          /* loft_flatten */
+#include "vectors/vectors.h"    /* row, row_within */
+#include "curve/measure.h"      /* loft_flatten */
 
 #define SAMPLES 1024                /* of the curve, and PARTS of each chord */
 #define PARTS   8

@@ -1,8 +1,8 @@
 /* tests/vectors/vectors_triangle.c -- readers of the Bezier triangles
  * SPDX-License-Identifier: MIT
  */
-#include "support/triangles.h"              /* sums, growth3, exact_point */
-#include "vectors/vectors_bary.h"           /* row_bary, and row, answer, law */
+#include "support/triangles.h"      /* sums, growth3, exact_point */
+#include "vectors/vectors_bary.h"   /* row_bary, and row, answer, law */
 #include "curve/bezier.h"           /* LOFT_ELEVATE_MAX */
 #include "surface/triangle/triangle.h"
 #include "surface/triangle/triangle_join.h"

@@ -11,8 +11,8 @@
  * Range in q16: the rows give at most 36 * 2^15 < 2^21, which loft_ends3_deriv accepts.
  */
 #include "surface/tensor/bicubic.h"
-#include "basis/interp.h"   /* loft_ends3_deriv */
-#include "geom/vec_exact.h"      /* loft_exact: the join */
+#include "basis/interp.h"       /* loft_ends3_deriv */
+#include "geom/vec_exact.h"     /* loft_exact: the join */
 
 static bool unit_valid(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 

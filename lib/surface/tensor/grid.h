@@ -32,10 +32,10 @@
 #ifndef LOFT_SURFACE_TENSOR_GRID_H
 #define LOFT_SURFACE_TENSOR_GRID_H
 
-#include "num/walk2.h"        /* loft_state, loft_walk2 */
-#include "surface/tensor/coons.h"      /* loft_coons_bezier */
-#include "surface/tensor/tensor.h"     /* loft_tensor */
-#include "surface/triangle/triangle.h"   /* loft_triangle */
+#include "num/walk2.h"                  /* loft_state, loft_walk2 */
+#include "surface/tensor/coons.h"       /* loft_coons_bezier */
+#include "surface/tensor/tensor.h"      /* loft_tensor */
+#include "surface/triangle/triangle.h"  /* loft_triangle */
 
 LOFT_BEGIN_C
 

@@ -6,8 +6,8 @@
  * quotient errs by (m + n) R 2^-30 LSB.
  */
 #include "surface/tensor/tensor_rational.h"
-#include "num/acc128.h"           /* loft_acc_project */
-#include "surface/differential.h"      /* the derivatives */
+#include "num/acc128.h"             /* loft_acc_project */
+#include "surface/differential.h"   /* the derivatives */
 
 #define POINTS (LOFT_DEGREE_MAX + 1)
 #define WEIGHTS (-1)            /* given in place of an axis */

@@ -8,8 +8,8 @@
 #ifndef LOFT_SURFACE_TRIANGLE_TRIANGLE_OPERATOR_H
 #define LOFT_SURFACE_TRIANGLE_TRIANGLE_OPERATOR_H
 
-#include "basis/bernstein_operator.h"         /* LOFT_FOREVER */
-#include "surface/barycentric.h"    /* loft_bary */
+#include "basis/bernstein_operator.h"   /* LOFT_FOREVER */
+#include "surface/barycentric.h"        /* loft_bary */
 
 LOFT_BEGIN_C
 

@@ -9,8 +9,8 @@
 #ifndef LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
 #define LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
 
-#include "curve/bezier.h"           /* LOFT_ELEVATE_MAX */
-#include "surface/triangle/triangle.h"       /* loft_triangle */
+#include "curve/bezier.h"               /* LOFT_ELEVATE_MAX */
+#include "surface/triangle/triangle.h"  /* loft_triangle */
 
 LOFT_BEGIN_C
 

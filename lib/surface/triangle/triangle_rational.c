@@ -6,8 +6,8 @@
  * each row rounds them by 2^-33, and the quotient errs by n R 2^-30 LSB.
  */
 #include "surface/triangle/triangle_rational.h"
-#include "num/acc128.h"               /* loft_acc_project */
-#include "num/sci.h"                /* loft_sci: derivatives */
+#include "num/acc128.h"     /* loft_acc_project */
+#include "num/sci.h"        /* loft_sci: derivatives */
 
 #define MOST LOFT_TRIANGLE_MAX
 

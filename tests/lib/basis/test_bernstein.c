@@ -1,8 +1,8 @@
 /* tests/lib/basis/test_bernstein.c -- properties of lib/basis/bernstein.h
  * SPDX-License-Identifier: MIT
  */
-#include "check.h"              /* CHECK, PROPERTY, BY_NUM */
-#include "support/exact.h"              /* exact_eval, growth, ulp_double */
+#include "check.h"          /* CHECK, PROPERTY, BY_NUM */
+#include "support/exact.h"  /* exact_eval, growth, ulp_double */
 #include "basis/bernstein.h"
 
 #define COUNT (LOFT_DEGREE_MAX + 1)

@@ -1,8 +1,8 @@
 /* tests/lib/basis/test_knots.c -- properties of lib/basis/knots.h
  * SPDX-License-Identifier: MIT
  */
-#include "support/splines.h"            /* arb_grid, exact_weights */
-#include "num/acc128.h"           /* loft_acc_rate */
+#include "support/splines.h"    /* arb_grid, exact_weights */
+#include "num/acc128.h"         /* loft_acc_rate */
 
 static grid *started(arb *a)
 {

@@ -1,8 +1,8 @@
 /* tests/lib/curve/test_bezier.c -- properties of lib/curve/bezier.h
  * SPDX-License-Identifier: MIT
  */
-#include "check.h"              /* CHECK, PROPERTY, BY_NUM */
-#include "support/exact.h"              /* exact_eval, growth, ulp */
+#include "check.h"          /* CHECK, PROPERTY, BY_NUM */
+#include "support/exact.h"  /* exact_eval, growth, ulp */
 #include "curve/bezier.h"
 
 #define POINTS (LOFT_DEGREE_MAX + 1)

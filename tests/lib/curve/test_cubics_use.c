@@ -2,7 +2,7 @@
  * lib/curve/to_cubics.h
  * SPDX-License-Identifier: MIT
  */
-#include "support/rationals.h"          /* sample, measure, exact_deriv */
+#include "support/rationals.h"  /* sample, measure, exact_deriv */
 #include "curve/to_cubics.h"
 #include "curve/measure.h"      /* loft_flatten, loft_cubic_arclen */
 #include "motion/plan.h"        /* loft_plan */

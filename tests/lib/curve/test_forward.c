@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "check.h"                  /* CHECK, CHECK_NEAR, PROPERTY, BY_NUM */
-#include "support/arb.h"                    /* arb_real, arb_below */
+#include "check.h"          /* CHECK, CHECK_NEAR, PROPERTY, BY_NUM */
+#include "support/arb.h"    /* arb_real, arb_below */
 #include "curve/forward.h"
 
 #define MOST 2000                   /* points of a walk that are checked one by one   */

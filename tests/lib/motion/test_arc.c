@@ -3,7 +3,7 @@
  */
 #include <math.h>           /* sqrt, fmax: the reference */
 
-#include "motion/arc.h"     /* loft_arc_next, loft_arc_eval */
+#include "motion/arc.h"             /* loft_arc_next, loft_arc_eval */
 #include "support/motion_oracle.h"  /* cubic_at, distance; CHECK, PROPERTY, arb */
 
 static double wide_value(loft_acc x)

@@ -1,10 +1,10 @@
 /* tests/lib/motion/test_raise.c -- properties of lib/motion/cell.h, raise.h, lane.h and flow.h
  * SPDX-License-Identifier: MIT
  */
-#include "support/exact.h"              /* exact_acc                       */
-#include "support/motion_oracle.h"      /* CHECK, PROPERTY, arb, arb_value */
-#include "support/motion_paths.h"       /* arb_smooth_chain, arb_jerk      */
-#include "motion/flow.h"        /* loft_flow, loft_lane            */
+#include "support/exact.h"          /* exact_acc                       */
+#include "support/motion_oracle.h"  /* CHECK, PROPERTY, arb, arb_value */
+#include "support/motion_paths.h"   /* arb_smooth_chain, arb_jerk      */
+#include "motion/flow.h"            /* loft_flow, loft_lane            */
 
 #define PIECES 2000
 

@@ -1,8 +1,8 @@
 /* tests/lib/num/test_muldiv.c -- properties of lib/num/muldiv.h
  * SPDX-License-Identifier: MIT
  */
-#include "check.h"              /* CHECK, PROPERTY, BY_NUM */
-#include "support/exact.h"              /* exact_acc */
+#include "check.h"          /* CHECK, PROPERTY, BY_NUM */
+#include "support/exact.h"  /* exact_acc */
 #include "num/muldiv.h"
 
 #define ACC_LSB (1 / 4294967296.0L)

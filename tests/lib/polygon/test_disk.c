@@ -2,10 +2,10 @@
  * surface around their middle, and their contours
  * SPDX-License-Identifier: MIT
  */
-#include "support/arb_polygon.h"        /* arb_winding */
-#include "curve/rational.h"     /* loft_rational_eval */
-#include "polygon/weighted_sum.h"      /* loft_weighted_sum_curve */
-#include "support/sided.h"              /* arb_kind */
+#include "support/arb_polygon.h"    /* arb_winding */
+#include "curve/rational.h"         /* loft_rational_eval */
+#include "polygon/weighted_sum.h"   /* loft_weighted_sum_curve */
+#include "support/sided.h"          /* arb_kind */
 #include "surface/contour.h"
 
 #define ROWS    16

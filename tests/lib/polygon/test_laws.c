@@ -2,9 +2,9 @@
  * with n sides
  * SPDX-License-Identifier: MIT
  */
-#include "curve/rational.h"             /* loft_weighted */
+#include "curve/rational.h"                     /* loft_weighted */
 #include "support/sided.h"                      /* arb_kind, point_at */
-#include "surface/tensor/tensor_rational.h"    /* loft_tensor_rational_eval */
+#include "surface/tensor/tensor_rational.h"     /* loft_tensor_rational_eval */
 
 
 // Coordinates

@@ -4,7 +4,7 @@
  */
 #include "check.h"              /* CHECK, PROPERTY, BY_NUM */
 #include "surface/contour.h"
-#include "support/tensors.h"            /* exact_of, ulp */
+#include "support/tensors.h"    /* exact_of, ulp */
 
 #define MOST   24
 #define POINTS (4 * MOST * MOST)

@@ -3,7 +3,7 @@
  */
 #include "check.h"              /* CHECK, PROPERTY, BY_NUM */
 #include "surface/differential.h"
-#include "support/tensors.h"            /* tensor_fill, tensor_exact */
+#include "support/tensors.h"    /* tensor_fill, tensor_exact */
 
 typedef struct {
     /* share: W */

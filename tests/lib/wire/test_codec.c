@@ -3,7 +3,7 @@
  */
 #include <string.h>
 
-#include "check.h"          /* CHECK, PROPERTY, BY_NUM */
+#include "check.h"              /* CHECK, PROPERTY, BY_NUM */
 #include "wire/codec.h"
 #include "wire/curve_code.h"    /* LOFT_CURVE_BYTES */
 

@@ -3,7 +3,7 @@
  */
 #include "wire/rto.h"
 
-#include "support/arb.h"            /* arb */
+#include "support/arb.h"    /* arb */
 #include "check.h"          /* CHECK, PROPERTY */
 
 /* Against the law in double: each division drops less than 1 of 8 ms of the round trip, of 4 ms of

@@ -3,7 +3,7 @@
  */
 #include "check.h"              /* CHECK, PROPERTY, BY_NUM */
 #include "surface/tensor/area.h"
-#include "support/tensors.h"            /* tensor_fill, tensor_exact */
+#include "support/tensors.h"    /* tensor_fill, tensor_exact */
 
 /* The reference: Gauss's rule with 8 x 8 nodes on each of PARTS x PARTS pieces. */
 static long double density(const loft_tensor *s, long double u, long double v)

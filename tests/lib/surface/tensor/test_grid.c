@@ -5,7 +5,7 @@
 #include "check.h"              /* CHECK, PROPERTY, BY_NUM */
 #include "curve/forward.h"      /* the walks of the edges */
 #include "surface/tensor/grid.h"
-#include "support/tensors.h"            /* tensor_fill, tensor_exact */
+#include "support/tensors.h"    /* tensor_fill, tensor_exact */
 
 __extension__ typedef __int128 wide;
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "check.h"              /* CHECK, PROPERTY, BY_NUM */
-#include "support/tensors.h"            /* arb_tensor, tensor_exact */
+#include "support/tensors.h"    /* arb_tensor, tensor_exact */
 
 static long double point_bound(const tensor *x, unsigned rows)
 {

@@ -1,9 +1,9 @@
 /* tests/lib/surface/tensor/test_tensor_join.c -- properties of lib/surface/tensor/tensor_join.h
  * SPDX-License-Identifier: MIT
  */
-#include "check.h"              /* CHECK, PROPERTY, BY_NUM */
-#include "support/tensor_joins.h"       /* tj_flags */
-#include "support/tensors.h"            /* TENSOR_POINTS */
+#include "check.h"                  /* CHECK, PROPERTY, BY_NUM */
+#include "support/tensor_joins.h"   /* tj_flags */
+#include "support/tensors.h"        /* TENSOR_POINTS */
 
 typedef struct {
     loft_vec p[TENSOR_POINTS], q[TENSOR_POINTS];

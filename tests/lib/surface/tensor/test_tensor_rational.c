@@ -4,7 +4,7 @@
  */
 #include "check.h"              /* CHECK, PROPERTY, BY_NUM */
 #include "surface/tensor/tensor_rational.h"
-#include "support/tensors.h"            /* TENSOR_POINTS, exact_deriv */
+#include "support/tensors.h"    /* TENSOR_POINTS, exact_deriv */
 
 typedef struct {
     loft_weighted p[TENSOR_POINTS];
