@@ -1,0 +1,60 @@
+/* lib/motion/coord.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "motion/coord.h"
+
+loft_coord loft_coord_of(loft_acc x)
+{
+    const int32_t whole = loft_acc_int(x);
+    const loft_acc rest = x - loft_to_acc(loft_real_from_int(whole));
+    return loft_coord_plus((loft_coord)((uint32_t)whole << LOFT_COORD_BITS),
+                          loft_acc_int(rest * LOFT_COORD_MM));
+}
+
+loft_acc loft_coord_wide(int64_t x)
+{
+    const int32_t whole = (int32_t)(x >> LOFT_COORD_BITS);
+    const int32_t rest = (int32_t)(x - (int64_t)whole * LOFT_COORD_MM);
+    return loft_to_acc(loft_real_from_int(whole)) +
+           loft_acc_ratio(loft_to_acc(loft_real_from_int(rest >> 11)), LOFT_COORD_MM >> 11) +
+           loft_acc_ratio(loft_to_acc(loft_real_from_int(rest & 2047)), LOFT_COORD_MM);
+}
+
+uint32_t loft_coord_sqrt(uint64_t x)
+{
+    uint64_t root = 0, bit = (uint64_t)1 << 62;
+
+    while (bit > x)
+        bit >>= 2;
+    for (; bit > 0; bit >>= 2) {
+        const bool fits = x >= root + bit;
+        x -= fits ? root + bit : 0;
+        root = (root >> 1) + (fits ? bit : 0);
+    }
+    return (uint32_t)root;
+}
+
+/* Bit by bit: (y + 1)^3 - y^3 = 3 y (y + 1) + 1. */
+uint32_t loft_coord_cbrt(uint64_t x)
+{
+    uint64_t root = 0;
+
+    for (int shift = 63; shift >= 0; shift -= 3) {
+        root *= 2;
+        const uint64_t step = 3 * root * (root + 1) + 1;
+        if (x >> shift >= step) {
+            x -= step << shift;
+            root++;
+        }
+    }
+    return (uint32_t)root;
+}
+
+loft_coord loft_coord_length(const loft_coord x[LOFT_AXES])
+{
+    uint64_t sum = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum += (uint64_t)((int64_t)x[i] * x[i]);
+    return (loft_coord)loft_coord_sqrt(sum);
+}

@@ -1,0 +1,67 @@
+/* lib/motion/coord.h -- whole numbers in which motion is planned, the same in every number type
+ * SPDX-License-Identifier: MIT
+ *
+ * A place is kept in units of 2^-24 mm, modulo 2^8 mm: only differences of neighbours are ever
+ * taken. A factor (of the squared pace, see timing.h) is a multiple of 2^-24.
+ */
+#ifndef LOFT_MOTION_COORD_H
+#define LOFT_MOTION_COORD_H
+
+#include "geom/vec.h"   /* loft_vec */
+
+LOFT_BEGIN_C
+
+typedef int32_t loft_coord;      /* 2^-24 mm */
+
+#define LOFT_COORD_BITS 24
+#define LOFT_COORD_MM   ((loft_coord)1 << LOFT_COORD_BITS)
+
+typedef struct {
+    loft_coord axis[LOFT_AXES];
+} loft_place;
+
+/* a - b of two coordinates that are less than 2^7 mm apart. */
+static inline loft_coord loft_coord_from(loft_coord a, loft_coord b)
+{
+    return (loft_coord)((uint32_t)a - (uint32_t)b);
+}
+
+static inline loft_coord loft_coord_plus(loft_coord a, loft_coord b)
+{
+    return (loft_coord)((uint32_t)a + (uint32_t)b);
+}
+
+static inline int32_t loft_coord_size(int32_t a) { return a < 0 ? -a : a; }
+static inline int64_t loft_long_size(int64_t a) { return a < 0 ? -a : a; }
+
+/* A coordinate or a length, mm.
+ *
+ *   range   |x| < 2^15; modulo 2^8 mm
+ *   error   2^-25 mm
+ */
+loft_coord loft_coord_of(loft_acc x);
+
+/* And back, of as many units as 64 bits hold.
+ *
+ *   range   |x| < 2^38
+ *   error   none in q16 and f64
+ */
+loft_acc loft_coord_wide(int64_t x);
+
+/* The square root and the cube root, rounded down.
+ *
+ *   cost    32 and 21 rounds
+ */
+uint32_t loft_coord_sqrt(uint64_t x);
+uint32_t loft_coord_cbrt(uint64_t x);
+
+/* The length of a vector of differences.
+ *
+ *   range   each below 2^30
+ *   error   1
+ */
+loft_coord loft_coord_length(const loft_coord x[LOFT_AXES]);
+
+LOFT_END_C
+
+#endif

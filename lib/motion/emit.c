@@ -1,0 +1,230 @@
+/* lib/motion/emit.c
+ * SPDX-License-Identifier: MIT
+ *
+ * The third differences of the samples are averages of the jerk, those of the control points are
+ * not: where the jerk changes from one limit to the other within a period they exceed it by some
+ * percent. The points are moved by as little as brings them back: what d exceeds of the difference
+ * with weights w is taken off as d w / |w|^2, again and again (projections onto convex sets).
+ */
+#include "motion/emit.h"
+
+#define AHEAD       5       /* points looked at before one is used */
+#define ROUNDS      8
+
+/* The first difference of axis i up to point k. */
+static loft_coord d1(const loft_emit *e, unsigned k, int i)
+{
+    return loft_coord_from(e->point[k].axis[i], e->point[k - 1].axis[i]);
+}
+
+/* The point of sample k, which two others surround. */
+static void set_point(loft_emit *e, unsigned k)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_coord x = e->sample[k].axis[i];
+        const int64_t d2 = (int64_t)loft_coord_from(e->sample[k - 1].axis[i], x) +
+                           loft_coord_from(e->sample[k + 1].axis[i], x);
+        e->point[k].axis[i] = loft_coord_plus(x, -(loft_coord)(d2 / 6));
+    }
+}
+
+/* The largest n-th difference that the limits allow of axis i. */
+static int64_t most_of(const loft_emit *e, int i, int n)
+{
+    return n == 1 ? e->period->speed[i] : n == 2 ? e->period->accel[i] : e->period->jerk[i];
+}
+
+/* What the n-th difference of the points up to k exceeds its limit by. */
+static int64_t excess(const loft_emit *e, unsigned k, int i, int n)
+{
+    const int64_t most = most_of(e, i, n);
+    int64_t d = d1(e, k, i);
+
+    if (n > 1)
+        d -= (n - 1) * (int64_t)d1(e, k - 1, i);
+    if (n > 2)
+        d += d1(e, k - 2, i);
+    return d > most ? d - most : d < -most ? d + most : 0;
+}
+
+/* Points that may be moved: from .. to - 1. */
+typedef struct {
+    unsigned from, to;
+} range;
+
+static bool is_loose(range r, unsigned k) { return k >= r.from && k < r.to; }
+
+/* Take the excess off, with the least change of the points that are loose. */
+static bool mend_one(loft_emit *e, unsigned k, int i, int n, range loose)
+{
+    static const int8_t weight[3][4] = { { 1, -1, 0, 0 }, { 1, -2, 1, 0 }, { 1, -3, 3, -1 } };
+    const int64_t off = excess(e, k, i, n);
+    int32_t square = 0;
+
+    for (unsigned j = 0; off != 0 && j <= (unsigned)n; j++)
+        if (is_loose(loose, k - j))
+            square += weight[n - 1][j] * weight[n - 1][j];
+    if (square == 0)
+        return false;
+    for (unsigned j = 0; j <= (unsigned)n; j++)
+        if (is_loose(loose, k - j)) {
+            loft_coord *x = &e->point[k - j].axis[i];
+            *x = loft_coord_plus(*x, -(loft_coord)(off * weight[n - 1][j] / square));
+        }
+    return true;
+}
+
+/* Shorten the leg to point k to what the feed allows. */
+static bool mend_feed(loft_emit *e, unsigned k, range loose)
+{
+    const int n = is_loose(loose, k - 1) + is_loose(loose, k);
+    const loft_coord feed = e->feed[k] > e->feed[k - 1] ? e->feed[k] : e->feed[k - 1];
+    loft_coord leg[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        leg[i] = d1(e, k, i);
+    const loft_coord size = loft_coord_length(leg);
+    if (n == 0 || size <= feed)
+        return false;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_coord off = (loft_coord)((int64_t)leg[i] * (size - feed) / size / n);
+        loft_coord *x = &e->point[k].axis[i], *y = &e->point[k - 1].axis[i];
+        if (is_loose(loose, k))
+            *x = loft_coord_plus(*x, -off);
+        if (is_loose(loose, k - 1))
+            *y = loft_coord_plus(*y, off);
+    }
+    return true;
+}
+
+/* Take off by what limits are exceeded up to point `last`. */
+static void mend(loft_emit *e, unsigned last, range loose)
+{
+    bool bad = true;
+
+    for (int round = 0; round < ROUNDS && bad; round++) {
+        bad = false;
+        for (unsigned k = loose.from; k <= last; k++) {
+            bad = mend_feed(e, k, loose) || bad;
+            for (int i = 0; i < LOFT_AXES; i++)
+                for (int n = 1; n <= 3; n++)
+                    bad = mend_one(e, k, i, n, loose) || bad;
+        }
+    }
+}
+
+/* Points that have not been used, and are not at the start. */
+static unsigned first_loose(const loft_emit *e) { return e->next > 1 ? e->next + 2u : 3; }
+
+void loft_emit_begin(loft_emit *emit, const loft_period *period, loft_vec from)
+{
+    emit->count = emit->next = 0;
+    emit->begun = emit->moves = emit->ended = false;
+    emit->period = period;
+    emit->from = emit->last = from;
+}
+
+static void append(loft_emit *e, const loft_place *sample, loft_coord feed, uint16_t number)
+{
+    const unsigned k = e->count++;
+
+    e->sample[k] = e->point[k] = *sample;
+    e->number[k] = number;
+    e->feed[k] = feed;
+}
+
+/* Where the chain begins, on the whole axis. */
+static void set_start(loft_emit *e, const loft_place *sample)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t whole = (int64_t)loft_acc_int(loft_to_acc(e->from.axis[i])) * LOFT_COORD_MM;
+        e->at[i] = whole + loft_coord_from(sample->axis[i], (loft_coord)(uint32_t)whole);
+    }
+    e->begun = true;
+    e->next = 1;
+}
+
+/* At the start there is a sample before the first one, and the next point is on it. */
+void loft_emit_add(loft_emit *emit, const loft_place *sample, loft_coord feed, uint16_t number)
+{
+    if (!emit->begun) {
+        set_start(emit, sample);
+        append(emit, sample, feed, number);
+    }
+    append(emit, sample, feed, number);
+    const unsigned last = emit->count - 1u;
+    if (last < 3)
+        return;
+    if (last == 3 && emit->next == 1)
+        emit->point[2] = emit->sample[1];
+    else
+        set_point(emit, last - 1);
+    if (last > 3)
+        mend(emit, last - 1, (range){ first_loose(emit), last });
+}
+
+/* There is a sample behind the last one, and the point before that is on it. */
+void loft_emit_end(loft_emit *emit, loft_vec to)
+{
+    const unsigned k = emit->count - 1u;
+
+    emit->ended = true;
+    emit->to = to;
+    emit->point[k - 1] = emit->sample[k];
+    append(emit, &emit->sample[k], emit->feed[k], emit->number[k]);
+    mend(emit, k + 1, (range){ first_loose(emit), k - 1 });
+}
+
+/* sum / n of units, mm. */
+static loft_real real_of(int64_t sum, int32_t n)
+{
+    const int64_t whole = sum / n;
+    return loft_acc_round(loft_coord_wide(whole) +
+                          loft_acc_ratio(loft_coord_wide(sum - whole * n), n));
+}
+
+/* The span from sample k, with points k - 1 .. k + 2. */
+static void set_span(loft_emit *e, loft_span *out)
+{
+    const unsigned k = e->next;
+
+    out->p[0] = e->last;
+    out->ticks = e->period->ticks;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t b = e->at[i], c = b + d1(e, k + 1, i), d = c + d1(e, k + 2, i);
+        out->p[1].axis[i] = real_of(2 * b + c, 3);
+        out->p[2].axis[i] = real_of(b + 2 * c, 3);
+        out->p[3].axis[i] = real_of(b + 4 * c + d, 6);
+        e->at[i] = c;
+    }
+    if (!e->moves)
+        out->p[1] = e->from;
+    e->moves = true;
+    if (e->ended && k + 3u == e->count)
+        out->p[2] = out->p[3] = e->to;
+    e->last = out->p[3];
+}
+
+static void drop_first(loft_emit *e)
+{
+    e->count--;
+    for (unsigned k = 0; k < e->count; k++) {
+        e->sample[k] = e->sample[k + 1];
+        e->point[k]  = e->point[k + 1];
+        e->feed[k]   = e->feed[k + 1];
+        e->number[k] = e->number[k + 1];
+    }
+}
+
+bool loft_emit_next(loft_emit *emit, loft_span *out)
+{
+    if (!emit->begun || emit->next + 2u + (emit->ended ? 0 : AHEAD) >= emit->count)
+        return false;
+    set_span(emit, out);
+    emit->next++;
+    if (emit->next > 3) {
+        emit->next--;
+        drop_first(emit);
+    }
+    return true;
+}

@@ -1,0 +1,337 @@
+/* lib/motion/guess.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "motion/guess.h"
+
+#define PERIOD      65536           /* of times */
+#define SWEEPS      40
+#define AHEAD       22              /* knots that the pace of one looks ahead */
+#define BEHIND      16
+#define NEAR        2               /* the least of so many on both sides */
+#define WIDE        5               /* the mean of so many on both sides */
+#define FASTEST     (LOFT_V2_ONE / 5 * 8)
+#define WHOLE       12              /* periods before a sharp place that become whole */
+
+/* --- the pace ------------------------------------------------------------------------------------
+ */
+
+static void least_around(const int32_t in[], int32_t out[], int n)
+{
+    for (int i = 0; i < n; i++) {
+        out[i] = in[i];
+        for (int k = i > NEAR ? i - NEAR : 0; k <= i + NEAR && k < n; k++)
+            out[i] = in[k] < out[i] ? in[k] : out[i];
+    }
+}
+
+static void mean_around(const int32_t in[], int32_t out[], int n)
+{
+    for (int i = 0; i < n; i++) {
+        int64_t sum = 0;
+        for (int k = i - WIDE; k <= i + WIDE; k++)
+            sum += in[k < 0 ? 0 : k < n ? k : n - 1];
+        out[i] = (int32_t)(sum / (2 * WIDE + 1));
+    }
+}
+
+/* Set the control values of the pace, from `timed` on. */
+static void set_pace(loft_guess *g)
+{
+    int32_t a[LOFT_GUESS_KNOTS], b[LOFT_GUESS_KNOTS] = { 0 };
+    const int n = g->count - 3;
+
+    for (int i = 0; i < n; i++)
+        a[i] = g->knot[i + 1].goal < FASTEST ? g->knot[i + 1].goal : FASTEST;
+    least_around(a, b, n);
+    mean_around(b, a, n);
+    mean_around(a, b, n);
+    for (int i = 0; i < n; i++)
+        if (i + 2 >= g->timed)
+            g->knot[i + 2].v2 = b[i];
+    if (g->timed < 2)
+        g->knot[0].v2 = g->knot[1].v2 = g->knot[2].v2;
+    g->knot[g->count - 1].v2 = g->knot[g->count - 2].v2;
+}
+
+/* --- knots ---------------------------------------------------------------------------------------
+ */
+
+static void tie(loft_guess *g)
+{
+    for (int k = 0; k < 3 && g->placed == 0; k++)
+        g->knot[k].point = g->knot[0].on.at;
+    for (int k = 1; k <= 3 && g->ended; k++)
+        g->knot[g->count - k].point = g->knot[g->count - 1].on.at;
+}
+
+/* Knots that do not matter any more. */
+static void forget(loft_guess *g)
+{
+    if (g->at <= BEHIND)
+        return;
+    const unsigned n = g->at - BEHIND;
+    for (unsigned k = n; k < g->count; k++)
+        g->knot[k - n] = g->knot[k];
+    g->count  = (uint8_t)(g->count - n);
+    g->loaded = (uint8_t)(g->loaded - n);
+    g->placed = (uint8_t)(g->placed - n);
+    g->timed  = (uint8_t)(g->timed - n);
+    g->at -= n;
+}
+
+static void append(loft_guess *g, const loft_path_place *p)
+{
+    g->knot[g->count].on = *p;
+    g->knot[g->count].point = p->at;
+    g->count++;
+}
+
+/* The last knot stands for the rest behind the end; there are six at least. */
+static void close_chain(loft_guess *g)
+{
+    loft_path_place first = g->knot[0].on, last = g->knot[g->count - 1].on;
+
+    first.skip = last.skip = 0;
+    while (g->placed == 0 && g->count < 5) {
+        for (unsigned k = g->count; k > 0; k--)
+            g->knot[k] = g->knot[k - 1];
+        g->knot[0].on = first;
+        g->count++;
+    }
+    append(g, &last);
+    g->ended = true;
+}
+
+/* As many knots as there is room for. */
+static enum loft_path_state fill(loft_guess *g)
+{
+    loft_path_place p;
+
+    while (g->count + 1 < LOFT_GUESS_KNOTS && !g->ended) {
+        const enum loft_path_state state = loft_path_next(&g->path, &p);
+        if (state == LOFT_PATH_WAIT || (state == LOFT_PATH_END && g->count == 0))
+            return state;
+        if (state == LOFT_PATH_END) {
+            close_chain(g);
+            break;
+        }
+        append(g, &p);
+        if (g->count == 1)
+            append(g, &p);
+    }
+    return LOFT_PATH_PLACE;
+}
+
+/* The knots before which places may be taken. */
+static unsigned sure(const loft_guess *g)
+{
+    return g->ended ? g->count - 2u : g->count > AHEAD ? g->count - (unsigned)AHEAD : 0;
+}
+
+/* More knots, smoothed and timed. */
+static enum loft_path_state load(loft_guess *g)
+{
+    forget(g);
+    const unsigned known = g->loaded;
+    const enum loft_path_state state = fill(g);
+    if (state != LOFT_PATH_PLACE)
+        return state;
+    loft_tube_load(g->knot, known > 1 ? known - 1 : 1, g->count - 1u);
+    tie(g);
+    const unsigned from = g->placed < 3 ? 3 : g->placed;
+    if (from + 3 < g->count)
+        loft_tube_smooth(g->period, g->knot, from, g->count - 3u, SWEEPS);
+    loft_timing_load(g->period, g->knot, from - 2, g->count - 2u);
+    set_pace(g);
+    g->loaded = g->count;
+    g->placed = (uint8_t)(g->ended ? g->count : sure(g));
+    g->timed  = (uint8_t)(g->placed < g->count ? g->placed : g->count);
+    return LOFT_PATH_PLACE;
+}
+
+/* --- places --------------------------------------------------------------------------------------
+ */
+
+/* The time from the last place to knot k. */
+static int64_t time_to(const loft_guess *g, unsigned k)
+{
+    int64_t time = -g->time;
+    for (unsigned i = g->at; i < k; i++)
+        time += loft_timing_time(g->knot, i);
+    return time;
+}
+
+/* The next sharp knot, or the last that is sure. */
+static unsigned next_sharp(const loft_guess *g, unsigned end)
+{
+    unsigned k = g->at + 1;
+    while (k < end && !g->knot[k].on.sharp)
+        k++;
+    return k;
+}
+
+/* Whole periods to the next sharp place. */
+static int64_t step_of(const loft_guess *g, unsigned sharp, bool known)
+{
+    const int64_t left = time_to(g, sharp);
+    if (!known || left >= WHOLE * PERIOD)
+        return PERIOD;
+    const int64_t n = (left + PERIOD * 6 / 10) / PERIOD;
+    return n > 1 ? left / n : left;
+}
+
+static void around(const loft_guess *g, const loft_path_place *at[4])
+{
+    for (unsigned i = 0; i < 4; i++)
+        at[i] = &g->knot[g->at + i - 1].on;
+}
+
+/* The place that is `time` after knot `at`. */
+static void place_at(const loft_guess *g, int64_t time, loft_place *out)
+{
+    const loft_path_place *at[4];
+    const loft_knot *k = &g->knot[g->at];
+    const int64_t whole = loft_timing_time(g->knot, g->at);
+    const int64_t v0 = loft_coord_sqrt((uint64_t)((int64_t)k[0].v2 + k[1].v2) << 7),
+                  v1 = loft_coord_sqrt((uint64_t)((int64_t)k[1].v2 + k[2].v2) << 7);
+    int64_t z = v0 * time + (v1 - v0) * time / whole * time / 2;   /* 2^-32 */
+
+    z = z >> 8;
+    around(g, at);
+    loft_path_between(at, z < 1 << 24 ? (int32_t)z : 1 << 24, out);
+}
+/* sqrt(2 b 2^24 2^7) = 2^16 sqrt b */
+
+/* Go on by `time`; never beyond knot `end`. */
+static void pass(loft_guess *g, int64_t time, unsigned end)
+{
+    time += g->time;
+    while (g->at < end && time >= loft_timing_time(g->knot, g->at)) {
+        time -= loft_timing_time(g->knot, g->at);
+        g->at++;
+    }
+    g->time = g->at < end ? (int32_t)time : 0;
+}
+
+static void place_here(const loft_guess *g, loft_place *out)
+{
+    if (g->time == 0)
+        *out = g->knot[g->at].on.at;
+    else
+        place_at(g, g->time, out);
+}
+
+static void take(loft_guess *g, loft_path_place *out)
+{
+    const loft_path_place *p = &g->knot[g->at].on, *next = &g->knot[g->at + 1].on;
+
+    place_here(g, &out->at);
+    out->feed   = next->feed < p->feed ? next->feed : p->feed;
+    out->number = p->number;
+    out->skip   = p->skip > next->skip ? p->skip : next->skip;
+    out->sharp  = g->time == 0 && p->sharp;
+    out->s = 0;
+}
+
+/* The first place, or one a period behind the last. */
+static void next_place(loft_guess *g, unsigned end)
+{
+    loft_guess_place *q = &g->queue[g->queued];
+
+    if (!g->begun) {
+        g->begun = true;
+        take(g, &q->on);
+        q[1] = q[0];
+        for (int n = 0; n < 3; n++)
+            q[0].inner[n] = q[0].on.at;
+        g->queued = 2;
+        return;
+    }
+    const unsigned sharp = next_sharp(g, end);
+    const int64_t step = step_of(g, sharp, sharp < end || g->ended);
+    int64_t gone = 0;
+    bool to_sharp = time_to(g, sharp) <= step && (sharp < end || g->ended);
+    loft_coord skip = 0, feed = g->knot[g->at].on.feed;
+
+    for (int n = 0; n < 3; n++) {
+        pass(g, step * (n + 1) / 4 - gone, end);
+        gone = step * (n + 1) / 4;
+        place_here(g, &q[-1].inner[n]);
+        skip = g->knot[g->at].on.skip > skip ? g->knot[g->at].on.skip : skip;
+        feed = g->knot[g->at].on.feed < feed ? g->knot[g->at].on.feed : feed;
+    }
+    pass(g, step - gone, end);
+    if (to_sharp) {
+        g->at = sharp;
+        g->time = 0;
+    }
+    take(g, &q->on);
+    q->on.feed = q->on.feed < feed ? q->on.feed : feed;
+    q[-1].on.skip = q[-1].on.skip > skip ? q[-1].on.skip : skip;
+    g->queued++;
+    g->arrived = g->ended && g->at == end;
+}
+
+/* Are places to be taken from a window that ends too soon for whole periods? Then more are
+ * loaded, if there is room for more. */
+static bool wants_more(const loft_guess *g)
+{
+    if (g->count == 0)
+        return true;
+    return !g->ended && time_to(g, sure(g)) <= (WHOLE + 1) * PERIOD &&
+           (g->at > BEHIND || g->count + 1 < LOFT_GUESS_KNOTS);
+}
+
+static enum loft_path_state queue(loft_guess *g)
+{
+    while (g->queued < LOFT_GUESS_QUEUE && !g->arrived) {
+        const enum loft_path_state state = wants_more(g) ? load(g) : LOFT_PATH_PLACE;
+        if (state == LOFT_PATH_END)
+            break;
+        if (state != LOFT_PATH_PLACE)
+            return state;
+        next_place(g, sure(g));
+    }
+    return LOFT_PATH_PLACE;
+}
+
+enum loft_path_state loft_guess_next(loft_guess *guess, loft_path_place *out)
+{
+    const enum loft_path_state state = queue(guess);
+    const unsigned n = guess->queued;
+    const loft_path_place *at[4];
+
+    if (state != LOFT_PATH_PLACE)
+        return state;
+    if (n < 2)
+        return LOFT_PATH_END;
+    for (unsigned k = 0; k < 4; k++)
+        at[k] = &guess->queue[k < n ? k : n - 1].on;
+    loft_coord off = 0;
+    for (int k = 0; k < 3 && n > 2; k++) {
+        const loft_coord x = loft_path_off(at, (k + 1) << 22, &guess->queue[1].inner[k]);
+        off = x > off ? x : off;
+    }
+    *out = guess->queue[1].on;
+    out->skip = n > 2 ? out->skip + off : 0;
+    guess->queued--;
+    for (unsigned k = 0; k < guess->queued; k++)
+        guess->queue[k] = guess->queue[k + 1];
+    return LOFT_PATH_PLACE;
+}
+
+void loft_guess_begin(loft_guess *guess)
+{
+    loft_path_begin(&guess->path);
+    guess->count = guess->loaded = guess->placed = guess->timed = guess->queued = 0;
+    guess->at = 1;
+    guess->time = 0;
+    guess->begun = guess->ended = guess->arrived = false;
+}
+
+void loft_guess_init(loft_guess *guess, const loft_period *period, loft_move moves[], uint16_t room)
+{
+    guess->period = period;
+    loft_path_init(&guess->path, period, moves, room);
+    loft_guess_begin(guess);
+}

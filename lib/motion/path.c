@@ -1,0 +1,762 @@
+/* lib/motion/path.c
+ * SPDX-License-Identifier: MIT
+ *
+ * From rest, with jerk j in a period, a path is at X(n) = j n^3 / 6 after n periods. A corner that
+ * is passed at speed v = j t^2 / 2 is like a rest that lies X(t) beyond it: at a distance x from it
+ * the launch has lasted N = cbrt(6 (x + X(t)) / j) periods, and a period later, or before, it is at
+ * X(N +- 1). The next place is the nearest that any corner, or the cap of speed, allows.
+ *
+ * The size of a corner is measured at the scale of the tolerance. Let a and b be the points of the
+ * path at the distance l before and behind a joint P, with l = 1, 2, 4, 8, 16 times the tolerance.
+ * If P is nearer to the middle of a and b than 0.65 tol the tolerance swallows it. Otherwise it
+ * turns by w = |a + b - 2 P| / l, and may be passed at
+ *
+ *     v = min(sqrt(8 a tol), 2.9 (j tol^2)^(1/3)) / w
+ *
+ * since a change of velocity v w that takes T = sqrt(4 v w / j) leaves the corner by j T^3 / 40.
+ */
+#include "motion/path.h"
+
+#define ONE         1024                            /* a period, in times of corners */
+#define TIME_MAX    (256 * ONE)
+#define FAR         ((int64_t)1 << 30)              /* what is farther has no effect */
+#define CAP_MAX     (4 * LOFT_COORD_MM)
+#define UNIT        16384                           /* of directions */
+#define SCALES      5
+#define SHARP       1430                            /* 5 degrees */
+#define DUST        4                               /* arcs that are no longer are nothing */
+
+static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
+
+/* --- launches ------------------------------------------------------------------------------------
+ */
+
+/* X(n). */
+static int64_t launched(loft_coord jerk, int32_t n)
+{
+    const int64_t x = ((int64_t)jerk * n >> 4) * n >> 10;
+    return n >= TIME_MAX || x > (int64_t)1 << 42 ? 4 * FAR : (x * n >> 10) / (6 * 64);
+}
+
+/* N(x). */
+static int32_t launch_time(loft_coord jerk, int64_t x)
+{
+    const uint32_t n = x >= FAR ? TIME_MAX
+                                : loft_coord_cbrt(((uint64_t)x * 6 << 30) / (uint32_t)jerk);
+    return n < TIME_MAX ? (int32_t)n : TIME_MAX;
+}
+
+/* The least that the axes allow along a direction. */
+static loft_coord along(const loft_coord limit[], const int16_t u[])
+{
+    int64_t most = CAP_MAX * (int64_t)16;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t part = loft_coord_size(u[i]);
+        if (part * most > (int64_t)limit[i] * UNIT)
+            most = (int64_t)limit[i] * UNIT / part;
+    }
+    return (loft_coord)most;
+}
+
+static loft_coord jerk_along(const loft_period *p, const int16_t u[], loft_coord cap)
+{
+    const int64_t a = along(p->accel, u), soft = 2 * a * a / cap;
+    loft_coord jerk = soft < CAP_MAX ? (loft_coord)soft + 1 : CAP_MAX;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t part = loft_coord_size(u[i]);
+        if (p->jerk[i] > 0 && part * jerk > (int64_t)p->jerk[i] * UNIT)
+            jerk = (loft_coord)((int64_t)p->jerk[i] * UNIT / part) + 1;
+    }
+    return jerk;
+}
+
+static loft_coord cap_of(const loft_path *path, const int16_t u[], loft_real feed)
+{
+    const loft_period *p = path->period;
+    const loft_coord cap = least(least(along(p->speed, u), loft_period_speed(p, feed)), CAP_MAX);
+    return cap - cap / 4 + 1;
+}
+
+/* --- curves --------------------------------------------------------------------------------------
+ */
+
+static loft_move *move_at(const loft_path *path, unsigned i)
+{
+    const unsigned k = path->first + i;
+    return &path->moves[k < path->room ? k : k - path->room];
+}
+
+static loft_move *move_of(const loft_path *path, uint16_t number)
+{
+    return move_at(path, (uint16_t)(number - path->dropped));
+}
+
+/* Go to the next arc; false: it is not known yet. */
+static bool advance(const loft_path *path, loft_path_walk *w)
+{
+    for (;;) {
+        if (w->to == LOFT_ARC_WHOLE) {
+            w->number++;
+            w->to = 0;
+        }
+        if ((uint16_t)(w->number - path->dropped) >= path->count)
+            return false;
+        const loft_cubic *curve = &move_of(path, w->number)->curve;
+        loft_arc arc;
+        const uint32_t from = w->to, to = loft_arc_next(&arc, curve, from, true);
+        w->to = to;
+        if (arc.dust || loft_coord_of(arc.length) < DUST)
+            continue;
+        w->arc  = arc;
+        w->from = from;
+        w->s += w->length;
+        loft_arc_pace(&w->arc, curve, from, to, arc.speck);
+        w->length = loft_coord_of(w->arc.length);
+        if (w->length >= DUST)
+            return true;
+        w->length = 0;
+    }
+}
+
+static void place_at(const loft_path_walk *w, loft_coord off, loft_place *out)
+{
+    loft_acc at[LOFT_AXES];
+
+    loft_arc_eval(&w->arc, loft_coord_wide(off < w->length ? off : w->length), at);
+    for (int i = 0; i < LOFT_AXES; i++)
+        out->axis[i] = loft_coord_of(at[i]);
+}
+
+static void direction(loft_vec u, int16_t out[])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        out[i] = (int16_t)((loft_raw_from_real(u.axis[i]) + 2) >> 2);
+}
+
+/* --- corners -------------------------------------------------------------------------------------
+ */
+
+static void add_stretch(loft_path *path)
+{
+    loft_path_stretch *e = &path->stretch[path->stretches++];
+    const loft_path_walk *w = &path->scan;
+    loft_arc_shape shape;
+
+    loft_arc_measure(&w->arc, &shape, 1 | 4);
+    place_at(w, 0, &e->at);
+    direction(shape.along[0], e->from);
+    direction(shape.along[2], e->to);
+    e->length = w->length;
+    e->s = w->s;
+    const loft_real feed = move_of(path, w->number)->feed;
+    e->cap = least(cap_of(path, e->from, feed), cap_of(path, e->to, feed));
+}
+
+/* How far the path leads in a stretch within l of its start, or back from its end. */
+static void bow(const loft_path_stretch *e, bool back, loft_coord l, loft_coord out[])
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t bend = (int64_t)(e->to[i] - e->from[i]) * l / e->length * l / 2;
+        out[i] = (loft_coord)((back ? bend - (int64_t)e->to[i] * l
+                                    : e->from[i] * (int64_t)l + bend) /
+                              UNIT);
+    }
+}
+
+/* The place l before or behind the start of stretch i, from there; false: it is not known. */
+static bool probe(const loft_path *path, unsigned i, bool back, loft_coord l, loft_coord out[])
+{
+    const loft_place at = path->stretch[i].at;
+    unsigned k = back ? i - 1 : i;
+
+    while (l > path->stretch[k].length) {
+        l -= path->stretch[k].length;
+        if (back ? k == 0 : k + 1 == path->stretches)
+            return false;
+        k = back ? k - 1 : k + 1;
+    }
+    const loft_place *from = &path->stretch[back ? k + 1 : k].at;
+    bow(&path->stretch[k], back, l, out);
+    for (int j = 0; j < LOFT_AXES; j++)
+        out[j] += loft_coord_from(from->axis[j], at.axis[j]);
+    return true;
+}
+
+/* The most that the axes allow across the path, where its velocity changes by `v` of length
+ * `size`. */
+static loft_coord swing(const loft_period *p, const loft_coord v[], loft_coord size)
+{
+    int64_t accel = CAP_MAX, jerk = CAP_MAX;
+    bool soft = false;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t part = loft_coord_size(v[i]) + 1;
+        if (part * accel > (int64_t)p->accel[i] * size)
+            accel = (int64_t)p->accel[i] * size / part;
+        if (p->jerk[i] > 0 && part * jerk > (int64_t)p->jerk[i] * size)
+            jerk = (int64_t)p->jerk[i] * size / part;
+        soft = soft || p->jerk[i] > 0;
+    }
+    const uint64_t change = (uint64_t)jerk * (uint64_t)p->tol / 4096 * (uint64_t)p->tol / 4096;
+    const loft_coord by_accel = (loft_coord)loft_coord_sqrt((uint64_t)(8 * accel * p->tol)),
+                     by_jerk = (loft_coord)(29 * (int64_t)loft_coord_cbrt(change) * 256 / 10);
+    return soft ? least(by_accel, by_jerk) : by_accel / 2;
+}
+
+/* The speed with which the joint before stretch i may be passed. */
+static loft_coord joint_speed(const loft_path *path, unsigned i)
+{
+    const loft_coord tol = path->period->tol;
+    loft_coord speed = CAP_MAX, a[LOFT_AXES], b[LOFT_AXES];
+
+    for (int k = 0; k < SCALES; k++) {
+        const loft_coord l = tol << k;
+        if (!probe(path, i, true, l, a) || !probe(path, i, false, l, b))
+            break;
+        for (int j = 0; j < LOFT_AXES; j++)
+            a[j] += b[j];
+        const loft_coord size = loft_coord_length(a);
+        if ((int64_t)size * 10 > (int64_t)tol * 13) {
+            const int64_t v = (int64_t)swing(path->period, a, size) * l / size;
+            speed = v < speed ? (loft_coord)v : speed;
+        }
+    }
+    return speed;
+}
+
+static loft_path_corner corner_of(int64_t s, loft_coord speed, loft_coord jerk, bool sharp)
+{
+    loft_path_corner c = { .s = s, .jerk = jerk, .sharp = sharp };
+
+    c.time = (int32_t)loft_coord_sqrt(((uint64_t)(uint32_t)speed * 2 << 20) / (uint32_t)jerk);
+    c.way  = (loft_coord)launched(jerk, c.time);
+    return c;
+}
+
+/* A corner that is reached from the one before, or left to it, with less than its own speed is
+ * forgotten. */
+static void add_corner(loft_path *path, loft_path_corner c)
+{
+    while (path->corners > 0) {
+        const loft_path_corner *last = &path->corner[path->corners - 1];
+        const int64_t off = c.s - last->s;
+        if (!c.sharp && c.jerk >= last->jerk && last->way + off <= c.way)
+            return;
+        if (last->sharp || last->jerk < c.jerk || c.way + off > last->way)
+            break;
+        path->corners--;
+    }
+    path->corner[path->corners++] = c;
+}
+
+static bool is_sharp(const loft_path_stretch *before, const loft_path_stretch *after)
+{
+    int64_t square = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        square += (int64_t)(after->from[i] - before->to[i]) * (after->from[i] - before->to[i]);
+    return square > (int64_t)SHARP * SHARP;
+}
+
+/* The joint before stretch `looked`. */
+static void look_at_joint(loft_path *path)
+{
+    const unsigned i = path->looked;
+    const loft_path_stretch *before = &path->stretch[i - 1], *after = &path->stretch[i];
+    const loft_coord speed = joint_speed(path, i), cap = least(before->cap, after->cap);
+
+    if (speed < cap)
+        add_corner(path, corner_of(after->s, speed > 1 ? speed : 1,
+                                   least(jerk_along(path->period, before->to, cap),
+                                         jerk_along(path->period, after->from, cap)),
+                                   is_sharp(before, after)));
+}
+
+static int64_t scanned(const loft_path *path) { return path->scan.s + path->scan.length; }
+
+/* Forget stretches that no joint to come looks back at. */
+static void forget(loft_path *path)
+{
+    unsigned n = 0;
+    const int64_t from = path->looked < path->stretches ? path->stretch[path->looked].s
+                                                        : scanned(path);
+
+    while (n + 1u < path->looked && path->stretch[n + 1].s < from - (path->period->tol << SCALES))
+        n++;
+    if (n == 0 && path->stretches == LOFT_PATH_STRETCHES)
+        n = path->looked > 1 ? (path->looked - 1u + 1) / 2 : 0;
+    for (unsigned k = n; k < path->stretches; k++)
+        path->stretch[k - n] = path->stretch[k];
+    path->stretches = (uint8_t)(path->stretches - n);
+    path->looked = (uint8_t)(path->looked - n);
+}
+
+/* Find corners as far ahead as there is room. */
+static void scan(loft_path *path)
+{
+    const loft_coord need = path->period->tol << (SCALES - 1);
+
+    for (;;) {
+        if (path->corners + 2 >= LOFT_PATH_CORNERS)
+            break;
+        if (path->stretches == LOFT_PATH_STRETCHES)
+            forget(path);
+        const bool more = path->stretches < LOFT_PATH_STRETCHES && advance(path, &path->scan);
+        if (more)
+            add_stretch(path);
+        const bool all = !more && (path->ended || path->count == path->room ||
+                                   path->stretches == LOFT_PATH_STRETCHES);
+        const unsigned before = path->looked;
+        while (path->looked < path->stretches && path->corners + 2 < LOFT_PATH_CORNERS &&
+               (all || scanned(path) - path->stretch[path->looked].s > need)) {
+            if (path->looked > 0)
+                look_at_joint(path);
+            path->looked++;
+        }
+        if (!more && path->looked == before)
+            break;
+    }
+    path->known = path->looked < path->stretches ? path->stretch[path->looked].s : scanned(path);
+}
+
+/* --- places --------------------------------------------------------------------------------------
+ */
+
+/* Where a corner lets the next place be, `part` of a period later. */
+static int64_t corner_allows(const loft_path_corner *c, int64_t s, int32_t part)
+{
+    if (c->s <= s)
+        return c->s - c->way + launched(c->jerk, launch_time(c->jerk, s - c->s + c->way) + part);
+
+    const int32_t time = launch_time(c->jerk, c->s - s + c->way), n = time - part;
+    return time == TIME_MAX ? s + FAR
+           : n >= c->time   ? c->s + c->way - launched(c->jerk, n)
+                            : c->s - c->way + launched(c->jerk, 2 * c->time - n);
+}
+
+static int64_t allowed(const loft_path *path, loft_coord cap, int32_t part)
+{
+    int64_t to = path->s + ((int64_t)cap * part >> 10);
+
+    for (unsigned i = 0; i < path->corners; i++) {
+        const int64_t s = corner_allows(&path->corner[i], path->s, part);
+        to = s < to ? s : to;
+    }
+    return to > path->s ? to : path->s + 1;
+}
+
+/* Of the corners behind only the one that allows the least still matters. */
+static void drop_corners(loft_path *path, loft_coord cap)
+{
+    unsigned n = 0;
+    int64_t to = path->s + cap;
+    const loft_path_corner *tightest = NULL;
+
+    for (unsigned i = 0; i < path->corners && path->corner[i].s <= path->s; i++) {
+        const int64_t s = corner_allows(&path->corner[i], path->s, ONE);
+        tightest = s < to ? &path->corner[i] : tightest;
+        to = s < to ? s : to;
+    }
+    for (unsigned i = 0; i < path->corners; i++)
+        if (path->corner[i].s > path->s || &path->corner[i] == tightest) {
+            const loft_path_corner kept = path->corner[i];
+            path->corner[n++] = kept;
+        }
+    path->corners = (uint8_t)n;
+}
+
+static const loft_path_corner *next_sharp(const loft_path *path)
+{
+    const loft_path_corner *found = NULL;
+
+    for (unsigned i = 0; i < path->corners && !found; i++)
+        if (path->corner[i].sharp && path->corner[i].s > path->s)
+            found = &path->corner[i];
+    return found;
+}
+
+/* Whole periods to the next sharp corner: all of them somewhat shorter or longer. */
+static int64_t next_s(const loft_path *path, loft_coord cap)
+{
+    const loft_path_corner *c = next_sharp(path);
+    int64_t to = allowed(path, cap, ONE);
+
+    if (!c)
+        return to;
+    if (to < c->s) {
+        const int32_t time = launch_time(c->jerk, c->s - path->s + c->way) - c->time;
+        if (time < 6 * ONE && time > ONE) {
+            const int32_t n = (time + ONE * 6 / 10) / ONE;
+            to = allowed(path, cap, time / n);
+        }
+    }
+    return to + (to - path->s) * 3 / 8 >= c->s ? c->s : to;
+}
+
+/* The direction where it is: at the start, in the middle of its arc. */
+static void heading(const loft_path *path, int k, int16_t u[])
+{
+    loft_arc_shape shape;
+
+    loft_arc_measure(&path->walk.arc, &shape, 1u << k);
+    direction(shape.along[k], u);
+}
+
+static loft_coord jerk_here(const loft_path *path, loft_coord cap)
+{
+    int16_t u[LOFT_AXES];
+
+    heading(path, 0, u);
+    return jerk_along(path->period, u, cap);
+}
+
+/* How far ahead places must be known from: a launch to the cap, and a little. */
+static int64_t reach(const loft_path *path, loft_coord cap)
+{
+    const loft_coord jerk = jerk_here(path, cap);
+    return launched(jerk, (int32_t)loft_coord_sqrt(((uint64_t)(uint32_t)cap * 2 << 20) /
+                                                   (uint32_t)jerk)) +
+           2 * (int64_t)cap;
+}
+
+static loft_coord cap_here(const loft_path *path)
+{
+    int16_t u[LOFT_AXES];
+
+    heading(path, 1, u);
+    return cap_of(path, u, move_of(path, path->walk.number)->feed);
+}
+
+/* The first place, when there is a way. */
+static enum loft_path_state start(loft_path *path, loft_path_place *out)
+{
+    if (!advance(path, &path->walk))
+        return path->ended ? LOFT_PATH_END : LOFT_PATH_WAIT;
+    (void)advance(path, &path->check);
+    const loft_coord cap = cap_here(path);
+    add_corner(path, corner_of(0, 0, jerk_here(path, cap), false));
+    path->begun = true;
+    place_at(&path->walk, 0, &out->at);
+    out->number = path->walk.number;
+    out->feed   = loft_period_speed(path->period, move_of(path, out->number)->feed);
+    out->sharp  = false;
+    out->s = 0;
+    return LOFT_PATH_PLACE;
+}
+
+/* All corners are known: so is the end. */
+static bool end_known(const loft_path *path)
+{
+    return path->ended && path->looked == path->stretches &&
+           (uint16_t)(path->scan.number - path->dropped) >= path->count;
+}
+
+/* Walk to a place; gives the least feed on the way. */
+static loft_coord walk_to(const loft_path *path, loft_path_walk *w, int64_t s, loft_place *out)
+{
+    loft_coord feed = loft_period_speed(path->period, move_of(path, w->number)->feed);
+    loft_path_walk last = *w;
+
+    while (s > w->s + w->length && advance(path, w)) {
+        feed = least(feed, loft_period_speed(path->period, move_of(path, w->number)->feed));
+        last = *w;
+    }
+    *w = last;
+    const int64_t off = s - w->s;
+    place_at(w, (loft_coord)(off < w->length ? off : w->length), out);
+    return feed;
+}
+
+/* The next place of the guess. */
+static enum loft_path_state march(loft_path *path, loft_path_place *out)
+{
+    if (!path->begun)
+        return start(path, out);
+    scan(path);
+    if (path->s >= path->known) {
+        drop_corners(path, cap_here(path));
+        scan(path);
+    }
+    if (path->s >= path->known && path->count == path->room)
+        path->ended = true;             /* nothing more can come before it is passed */
+    const bool ends = end_known(path);
+    if (path->s >= path->known)
+        return ends ? LOFT_PATH_END : LOFT_PATH_WAIT;
+    const loft_coord cap = cap_here(path);
+    const bool full = path->count == path->room || path->corners + 2 >= LOFT_PATH_CORNERS ||
+                      path->ended;
+    const bool near = path->known - path->s < reach(path, cap);
+    if (!ends && near && !full)
+        return LOFT_PATH_WAIT;
+    drop_corners(path, cap);
+    const unsigned kept = path->corners;
+    if (ends || near) {
+        const loft_path_stretch *e = &path->stretch[path->stretches - 1];
+        path->corner[path->corners++] = corner_of(path->known, 0,
+                                                  jerk_along(path->period, e->to, e->cap), ends);
+    }
+    const int64_t next = next_s(path, cap), to = next < path->known ? next : path->known;
+    path->corners = (uint8_t)kept;
+    out->sharp = false;
+    for (unsigned i = 0; i < path->corners; i++)
+        out->sharp = out->sharp || (path->corner[i].sharp && path->corner[i].s == to);
+    out->feed = walk_to(path, &path->walk, to, &out->at);
+    for (int i = 0; i < LOFT_AXES && ends && to == path->known; i++)
+        out->at.axis[i] = loft_coord_of(loft_to_acc(path->to.axis[i]));
+    out->number = path->walk.number;
+    out->s = path->s = to;
+    return LOFT_PATH_PLACE;
+}
+
+/* --- the cubic through places --------------------------------------------------------------------
+ */
+
+static void legs_of(const loft_place *a, const loft_place *b, loft_coord leg[])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        leg[i] = loft_coord_from(b->axis[i], a->axis[i]);
+}
+
+static loft_coord largest(const loft_coord x[])
+{
+    loft_coord most = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        most = loft_coord_size(x[i]) > most ? loft_coord_size(x[i]) : most;
+    return most;
+}
+
+/* Half of what a leg differs by from the chord: of one much longer, half the chord at most, so that
+ * the cubic does not turn back. At a sharp place there is none. */
+static void set_turn(loft_coord leg[], const loft_coord chord[], bool sharp)
+{
+    const int64_t size = largest(leg), most = 2 * (int64_t)largest(chord);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t part = size > most ? leg[i] * most / size : leg[i];
+        leg[i] = sharp ? 0 : (loft_coord)((part - chord[i]) / 2);
+    }
+}
+
+void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_place *out)
+{
+    loft_coord before[LOFT_AXES], chord[LOFT_AXES], after[LOFT_AXES];
+    const int32_t y = ((int32_t)1 << 24) - z;
+    const int32_t in = (int32_t)((int64_t)z * y >> 24);
+
+    legs_of(&at[0]->at, &at[1]->at, before);
+    legs_of(&at[1]->at, &at[2]->at, chord);
+    legs_of(&at[2]->at, &at[3]->at, after);
+    set_turn(before, chord, at[1]->sharp);
+    set_turn(after, chord, at[2]->sharp);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t bow = ((int64_t)before[i] * y - (int64_t)after[i] * z) >> 24;
+        out->axis[i] = loft_coord_plus(at[1]->at.axis[i],
+                                       (loft_coord)(((int64_t)chord[i] * z + bow * in) >> 24));
+    }
+}
+
+loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_place *p)
+{
+    loft_place on;
+    loft_coord off[LOFT_AXES], chord[LOFT_AXES];
+    int64_t dot = 0, way = 0;
+
+    loft_path_between(at, z, &on);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        off[i] = loft_coord_from(p->axis[i], on.axis[i]);
+        chord[i] = loft_coord_from(at[2]->at.axis[i], at[1]->at.axis[i]);
+        dot += (int64_t)off[i] * chord[i];
+        way += (int64_t)loft_coord_from(p->axis[i], at[1]->at.axis[i]) * chord[i];
+    }
+    const int64_t size = (int64_t)loft_coord_length(chord) + 1, at_chord = way / size;
+    const int64_t beyond = at_chord < 0 ? at_chord : at_chord > size ? at_chord - size : 0;
+    const int64_t along = dot / size - beyond;
+    for (int i = 0; i < LOFT_AXES; i++)
+        off[i] -= (loft_coord)(along * chord[i] / size);
+    return loft_coord_length(off);
+}
+
+/* --- checked places ------------------------------------------------------------------------------
+ */
+
+static void four(const loft_path_place queue[], unsigned count, const loft_path_place *at[4])
+{
+    at[0] = &queue[0];
+    at[1] = &queue[1];
+    at[2] = &queue[2 < count ? 2 : count - 1];
+    at[3] = &queue[3 < count ? 3 : count - 1];
+}
+
+static loft_coord off_at(const loft_path *path, loft_path_walk *w,
+                         const loft_path_place *const at[4], int64_t s)
+{
+    loft_place p;
+
+    (void)walk_to(path, w, s, &p);
+    const int64_t z = ((s - at[1]->s) << 24) / (at[2]->s - at[1]->s);
+    return loft_path_off(at, (int32_t)z, &p);
+}
+
+/* How far the path is from the cubic, at joints and eighths of the way. */
+static loft_coord skipped(const loft_path *path, const loft_path_place *const at[4])
+{
+    const int64_t way = at[2]->s - at[1]->s;
+    loft_path_walk w = path->check;
+    loft_coord most = 0;
+
+    for (int n = 1; n < 8; n++) {
+        const int64_t s = at[1]->s + way * n / 8;
+        while (s > w.s + w.length) {
+            const int64_t joint = w.s + w.length;
+            if (joint > at[1]->s) {
+                const loft_coord off = off_at(path, &w, at, joint);
+                most = off > most ? off : most;
+            }
+            loft_path_walk next = w;
+            if (!advance(path, &next))
+                break;
+            w = next;
+        }
+        const loft_coord off = off_at(path, &w, at, s);
+        most = off > most ? off : most;
+    }
+    return most;
+}
+
+/* A place in the middle of the next two. */
+static void halve(loft_path *path)
+{
+    loft_path_place *q = path->queue;
+    loft_path_walk w = path->check;
+
+    for (unsigned k = path->queued; k > 2; k--)
+        q[k] = q[k - 1];
+    path->queued++;
+    q[2].s = (q[1].s + q[3].s) / 2;
+    q[2].feed = walk_to(path, &w, q[2].s, &q[2].at);
+    q[2].feed = least(q[2].feed, q[3].feed);
+    q[2].number = w.number;
+    q[2].sharp = false;
+}
+
+static void drop_moves(loft_path *path)
+{
+    while (path->dropped != path->check.number) {
+        path->dropped++;
+        path->count--;
+        path->first = (uint16_t)(path->first + 1 < path->room ? path->first + 1 : 0);
+    }
+}
+
+/* Queue places until there are four, or the last one. */
+static enum loft_path_state fill(loft_path *path)
+{
+    while (path->queued < 4 && !path->last) {
+        const enum loft_path_state state = march(path, &path->queue[path->queued]);
+        if (state == LOFT_PATH_WAIT)
+            return state;
+        if (state == LOFT_PATH_END) {
+            path->last = true;
+            break;
+        }
+        path->queued++;
+        if (path->queued == 1) {            /* the place before the first one is itself */
+            path->queue[1] = path->queue[0];
+            path->queued++;
+        }
+    }
+    return LOFT_PATH_PLACE;
+}
+
+static void finish(loft_path *path)
+{
+    path->over = true;
+    path->end = path->to;
+    path->dropped = (uint16_t)(path->dropped + path->count);
+    path->first = path->count = 0;
+}
+
+enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)
+{
+    const loft_path_place *at[4];
+
+    if (path->over)
+        return LOFT_PATH_END;
+    if (fill(path) == LOFT_PATH_WAIT)
+        return LOFT_PATH_WAIT;
+    if (path->queued < 2) {
+        finish(path);
+        return LOFT_PATH_END;
+    }
+    path->queue[1].skip = 0;
+    while (path->queued > 2) {
+        four(path->queue, path->queued, at);
+        path->queue[1].skip = at[2]->s > at[1]->s ? skipped(path, at) : 0;
+        if (path->queue[1].skip <= path->period->tol / 4 || path->queued == LOFT_PATH_QUEUE ||
+            at[2]->s - at[1]->s < 64)
+            break;
+        halve(path);
+    }
+    *out = path->queue[1];
+    loft_place p;
+    (void)walk_to(path, &path->check, out->s, &p);
+    path->queued--;
+    for (unsigned k = 0; k < path->queued; k++)
+        path->queue[k] = path->queue[k + 1];
+    drop_moves(path);
+    return LOFT_PATH_PLACE;
+}
+
+void loft_path_begin(loft_path *path)
+{
+    path->begun = path->over = path->last = false;
+    path->walk.number = path->dropped;
+    path->walk.from = path->walk.to = 0;
+    path->walk.s = 0;
+    path->walk.length = 0;
+    path->check = path->scan = path->walk;
+    path->stretches = path->looked = path->corners = path->queued = 0;
+    path->s = path->known = 0;
+}
+
+void loft_path_init(loft_path *path, const loft_period *period, loft_move moves[], uint16_t room)
+{
+    path->period = period;
+    path->moves = moves;
+    path->room = room;
+    path->first = path->count = path->dropped = 0;
+    loft_path_begin(path);
+    path->ended = false;
+}
+
+/* As loft_plan_push states it. */
+static enum loft_status accepts(const loft_path *path, const loft_move *move)
+{
+    if (!(move->feed > 0))
+        return LOFT_ERR_ARG;
+    if (move->feed < LOFT_SPEED_MIN || move->feed > LOFT_SPEED_MAX)
+        return LOFT_ERR_RANGE;
+    for (int k = 0; k < 4; k++)
+        if (!loft_vec_within(move->curve.p[k], LOFT_PLAN_REACH))
+            return LOFT_ERR_RANGE;
+    const bool joined = path->count > 0 || (path->begun && !path->over);
+    return joined && !loft_vec_equal(move->curve.p[0], path->to) ? LOFT_ERR_ARG : LOFT_OK;
+}
+
+enum loft_status loft_path_push(loft_path *path, const loft_move *move)
+{
+    const enum loft_status status = accepts(path, move);
+
+    if (status != LOFT_OK)
+        return status;
+    if (path->count == path->room || (path->last && !path->over))
+        return LOFT_ERR_SPACE;
+    if (path->count == 0 && (!path->begun || path->over))
+        path->from = move->curve.p[0];
+    *move_at(path, path->count) = *move;
+    path->count++;
+    path->to = move->curve.p[3];
+    path->ended = path->room == 1;
+    return LOFT_OK;
+}

@@ -1,0 +1,113 @@
+/* lib/motion/path.h -- path: curves become places, graded by the path itself
+ * SPDX-License-Identifier: MIT
+ *
+ * The places are those of a first guess of the motion, one a period apart: slow where the path has
+ * a corner that the tolerance does not swallow, with the jerk of a launch from there, and fast
+ * elsewhere. It is a guess of places only: their timing is found later (timing.h). Joints of the
+ * curves matter only for what they do to the path at the scale of the tolerance, so that it does
+ * not matter into how many curves a path is cut.
+ */
+#ifndef LOFT_MOTION_PATH_H
+#define LOFT_MOTION_PATH_H
+
+#include "motion/arc.h"     /* loft_arc    */
+#include "motion/course.h"  /* loft_move   */
+#include "motion/period.h"  /* loft_period */
+
+LOFT_BEGIN_C
+
+/* Corners that are known ahead, and stretches of the path around one. */
+#define LOFT_PATH_CORNERS   48
+#define LOFT_PATH_STRETCHES 40
+/* Places that are checked before they are given. */
+#define LOFT_PATH_QUEUE     8
+
+/* A place where the first guess is slow. */
+typedef struct {
+    int64_t   s;            /* from the start of the chain */
+    loft_coord jerk;         /* of a launch, along the path */
+    loft_coord way;          /* from a rest to the speed that it is passed with */
+    int32_t   time;         /* and how long that takes, 2^-10 periods */
+    bool      sharp;        /* a place goes onto it */
+} loft_path_corner;
+
+/* A nearly straight part of the path. */
+typedef struct {
+    loft_place at;                                      /* where it begins */
+    int16_t    from[LOFT_AXES], to[LOFT_AXES];          /* directions at its ends, 2^-14 */
+    loft_coord  length, cap;                             /* cap: of speed, in a period */
+    int64_t    s;
+} loft_path_stretch;
+
+/* A curve that is walked by its length. */
+typedef struct {
+    loft_arc arc;
+    uint32_t from, to;          /* parameters */
+    int64_t  s;                 /* where the arc begins */
+    loft_coord length;           /* of the arc; 0: none yet */
+    uint16_t number;            /* of the curve, of all that were pushed */
+} loft_path_walk;
+
+/* A place of the path. */
+typedef struct {
+    loft_place at;
+    loft_coord feed;        /* the speed that is asked for from the last place to this one */
+    loft_coord skip;        /* how far the path is from the cubic through four places
+                             * (loft_path_between), from this one to the next */
+    int64_t    s;           /* from the start of the chain */
+    uint16_t   number;      /* of its curve */
+    bool       sharp;       /* it is a corner */
+} loft_path_place;
+
+enum loft_path_state { LOFT_PATH_PLACE, LOFT_PATH_WAIT, LOFT_PATH_END };
+
+/* Do not rely on the fields. */
+typedef struct {
+    const loft_period *period;
+    loft_move         *moves;
+    uint16_t           room, first, count;
+    uint16_t           dropped;             /* curves before the oldest one, modulo 2^16 */
+    bool               ended, begun, over;
+    loft_path_walk     scan, walk, check;
+    loft_vec           from, to;            /* where the chain begins; where the last curve ends */
+    loft_vec           end;                 /* of the chain that is over */
+    loft_path_stretch  stretch[LOFT_PATH_STRETCHES];
+    uint8_t            stretches, looked;   /* at how many of their starts? */
+    int64_t            known;               /* what the corners are known of */
+    loft_path_corner   corner[LOFT_PATH_CORNERS];
+    uint8_t            corners;
+    int64_t            s;                   /* of the last place */
+    loft_path_place    queue[LOFT_PATH_QUEUE];
+    uint8_t            queued;
+    bool               last;                /* is the last of them the end? */
+} loft_path;
+
+/* Start an empty path in the caller's memory; `period` is kept. */
+void loft_path_init(loft_path *path, const loft_period *period, loft_move moves[], uint16_t room);
+
+/* Append a curve (copied).
+ *
+ *   range   as loft_plan_push
+ */
+enum loft_status loft_path_push(loft_path *path, const loft_move *move) LOFT_CHECKED;
+
+/* The next place: the first is the start of the chain, the last its end.
+ *
+ *   shape   LOFT_PATH_WAIT: that depends on what comes; LOFT_PATH_END: the path ended with the
+ *           place before; what is pushed then begins a chain of its own after loft_path_begin
+ */
+enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out);
+
+/* Begin the next chain, after the end of the last one. */
+void loft_path_begin(loft_path *path);
+
+/* The cubic from b to c, of the places a, b, c, d: at part z, 2^-24, of the way. It ends along its
+ * chord at a sharp place. */
+void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_place *out);
+
+/* How far p is from it, at that part: across the chord from b to c, and beyond its ends. */
+loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_place *p);
+
+LOFT_END_C
+
+#endif

@@ -1,0 +1,33 @@
+/* lib/motion/period.h -- what the limits of a machine allow in a period
+ * SPDX-License-Identifier: MIT
+ *
+ * Motion is planned with places at even periods of time. In one period h, differences of places are
+ * at most v h, a h^2 and j h^3.
+ */
+#ifndef LOFT_MOTION_PERIOD_H
+#define LOFT_MOTION_PERIOD_H
+
+#include "motion/coord.h"    /* loft_coord   */
+#include "motion/limits.h"  /* loft_limits */
+
+LOFT_BEGIN_C
+
+/* Do not rely on the fields. All in units of loft_coord. */
+typedef struct {
+    loft_coord speed[LOFT_AXES];     /* v h, at most 2^30   */
+    loft_coord accel[LOFT_AXES];     /* a h^2               */
+    loft_coord jerk[LOFT_AXES];      /* j h^3; 0: unlimited */
+    loft_coord tol;                  /* how far from the path */
+    uint16_t  tick_hz;
+    uint16_t  ticks;                /* of a period */
+} loft_period;
+
+/* Choose the period for `limits`, which loft_limits_check has accepted. */
+void loft_period_init(loft_period *period, const loft_limits *limits);
+
+/* A speed, mm/s, in a period. */
+loft_coord loft_period_speed(const loft_period *period, loft_real speed);
+
+LOFT_END_C
+
+#endif

@@ -1,0 +1,315 @@
+/* lib/motion/trajectory.c
+ * SPDX-License-Identifier: MIT
+ *
+ *     0 ... at ... sure .......... timed ... placed ......... count
+ *      passed | never  |   may be    |  smooth,  |  may still  |
+ *             | changes|   raised    |  no pace  |   move      |
+ */
+#include "motion/trajectory.h"
+
+#define BEHIND      4
+#define SMOOTHING   24      /* knots whose points may still move */
+#define STEP        20      /* knots at a time, and what they need on both sides */
+#define SWEEPS      60      /* of smoothing */
+#define RAISES      8
+#define CREEP       (LOFT_V2_ONE / 1024)
+
+/* --- knots ---------------------------------------------------------------------------------------
+ */
+
+static void forget(loft_trajectory *t)
+{
+    if (t->at.knot <= BEHIND)
+        return;
+    const unsigned n = t->at.knot - BEHIND;
+    for (unsigned k = n; k < t->count; k++)
+        t->knot[k - n] = t->knot[k];
+    t->count  = (uint16_t)(t->count - n);
+    t->loaded = (uint16_t)(t->loaded - n);
+    t->placed = (uint16_t)(t->placed - n);
+    t->timed  = (uint16_t)(t->timed - n);
+    t->sure   = (uint16_t)(t->sure - n);
+    t->at.knot -= n;
+}
+
+static void append(loft_trajectory *t, const loft_path_place *p)
+{
+    loft_knot *k = &t->knot[t->count++];
+    k->on = *p;
+    k->point = p->at;
+    k->v2 = 0;
+}
+
+/* The last knot stands for the rest behind the end; there are seven at least. */
+static void close_chain(loft_trajectory *t)
+{
+    loft_path_place first = t->knot[0].on, last = t->knot[t->count - 1].on;
+
+    first.skip = last.skip = 0;
+    while (t->placed == 0 && t->count < 6) {
+        for (unsigned k = t->count; k > 0; k--)
+            t->knot[k] = t->knot[k - 1];
+        t->knot[0].on = first;
+        t->count++;
+    }
+    append(t, &last);
+    t->ended = true;
+    t->to = t->guess.path.end;
+}
+
+static enum loft_path_state fill(loft_trajectory *t)
+{
+    loft_path_place p;
+
+    while (t->count + 1 < t->room && !t->ended) {
+        const enum loft_path_state state = loft_guess_next(&t->guess, &p);
+        if (state == LOFT_PATH_WAIT || (state == LOFT_PATH_END && t->count == 0))
+            return state;
+        if (state == LOFT_PATH_END) {
+            close_chain(t);
+            break;
+        }
+        append(t, &p);
+        if (t->count == 1)
+            append(t, &p);
+    }
+    return LOFT_PATH_PLACE;
+}
+
+/* Smooth, and fix what is far enough from the end. */
+static void place(loft_trajectory *t, unsigned known)
+{
+    const unsigned from = t->placed < 3 ? 3 : t->placed;
+
+    loft_tube_load(t->knot, known > 1 ? known - 1 : 1, t->count - 1u);
+    for (int k = 0; k < 3 && t->placed == 0; k++)
+        t->knot[k].point = t->knot[0].on.at;
+    for (int k = 1; k <= 3 && t->ended; k++)
+        t->knot[t->count - k].point = t->knot[t->count - 1].on.at;
+    if (from + 3 < t->count)
+        loft_tube_smooth(&t->period, t->knot, from, t->count - 3u, SWEEPS);
+    t->placed = t->ended ? t->count : (uint16_t)(t->count - SMOOTHING);
+    loft_timing_load(&t->period, t->knot, from > 3 ? from - 2 : 1, t->placed - 2u);
+}
+
+/* --- timing --------------------------------------------------------------------------------------
+ */
+
+static loft_timing timing_of(const loft_trajectory *t)
+{
+    const loft_timing timing = { .period = &t->period,
+        .knot = t->knot,
+        .from = t->sure == 0 ? 1 : t->sure + 2u,
+        .to   = t->ended ? t->placed : t->placed - 3u,
+        .end  = t->placed - 2u,
+                                 .open = !t->ended };
+    return timing;
+}
+
+/* A pace for knots that have none: a creep. */
+static void creep(loft_trajectory *t)
+{
+    const unsigned from = t->timed, to = t->placed;
+    const loft_timing timing = timing_of(t);
+    int32_t b = CREEP;
+
+    for (;; b /= 2) {
+        for (unsigned k = from; k < to; k++)
+            t->knot[k].v2 = b;
+        if (b < 256 || loft_timing_all_hold(&timing, from > 3 ? from - 2 : 1, timing.end))
+            break;
+    }
+    t->timed = (uint16_t)to;
+}
+
+static int64_t time_of(const loft_timing *t)
+{
+    int64_t sum = 0;
+    for (unsigned k = t->from > 3 ? t->from - 2 : 1; k < t->end; k++)
+        sum += loft_timing_time(t->knot, k);
+    return sum;
+}
+
+static void raise(loft_trajectory *t)
+{
+    const loft_timing timing = timing_of(t);
+    int64_t before = time_of(&timing);
+
+    for (unsigned n = 0; n < t->sweeps; n++) {
+        loft_timing_raise(&timing, n * 3);
+        const int64_t now = time_of(&timing);
+        if (before - now < before >> 9)
+            break;
+        before = now;
+    }
+}
+
+/* More knots, smoothed and timed. */
+static enum loft_path_state load(loft_trajectory *t)
+{
+    forget(t);
+    const unsigned known = t->loaded;
+    const enum loft_path_state state = fill(t);
+
+    if (state != LOFT_PATH_PLACE)
+        return state;
+    if (t->ended && t->timed == t->count)
+        return LOFT_PATH_END;
+    if (t->at.knot == 0)
+        t->at.knot = 1;
+    place(t, known);
+    t->loaded = t->count;
+    creep(t);
+    raise(t);
+    const unsigned end = t->placed - 2u;
+    const unsigned look = t->room - SMOOTHING - STEP - BEHIND;
+    const unsigned sure = t->ended ? end : end > look ? end - look : 0;
+    if (sure > t->sure)
+        t->sure = (uint16_t)sure;
+    return LOFT_PATH_PLACE;
+}
+
+/* --- samples -------------------------------------------------------------------------------------
+ */
+
+/* The time that is left comes to a whole number of samples, each somewhat shorter: the more the
+ * nearer to the end, so that no limit notices. */
+static void set_steps(loft_trajectory *t)
+{
+    loft_time left = -t->at.time;
+    for (unsigned k = t->at.knot; k < t->sure; k++)
+        left += loft_sample_time(t->knot, k);
+    const uint32_t n = (uint32_t)((left + LOFT_TIME_ONE - 1) / LOFT_TIME_ONE);
+
+    t->steps = n > 4 ? n : 4;
+    t->step = 0;
+    t->even = !t->emit.begun || t->steps < 8;
+    t->lag = (loft_time)t->steps * LOFT_TIME_ONE - left;
+}
+
+static loft_time step_of(const loft_trajectory *t)
+{
+    const int64_t n = t->steps, i = t->step;
+    if (t->steps == 0)
+        return LOFT_TIME_ONE;
+    if (t->even)
+        return LOFT_TIME_ONE - t->lag / n;
+    return LOFT_TIME_ONE - t->lag / n * 6 * i / (n + 1) * i / (2 * n + 1);
+}
+
+/* The largest feed around a sample. */
+static loft_coord feed_of(const loft_trajectory *t)
+{
+    const loft_knot *k = &t->knot[t->at.knot];
+    return k[0].on.feed > k[1].on.feed ? k[0].on.feed : k[1].on.feed;
+}
+
+static void add_sample(loft_trajectory *t)
+{
+    loft_place p;
+
+    loft_sample_place(&t->at, t->knot, &p);
+    loft_emit_add(&t->emit, &p, feed_of(t), t->knot[t->at.knot].on.number);
+}
+
+static void add_end(loft_trajectory *t)
+{
+    const loft_knot *last = &t->knot[t->count - 1];
+    loft_emit_add(&t->emit, &last->point, last->on.feed, last->on.number);
+    loft_emit_end(&t->emit, t->to);
+}
+
+/* Does a sample fit before `sure`? */
+static bool step_fits(const loft_trajectory *t, loft_time step)
+{
+    loft_time left = -t->at.time;
+    for (unsigned k = t->at.knot; k < t->sure && left <= step; k++)
+        left += loft_sample_time(t->knot, k);
+    return left > step;
+}
+
+/* One more sample; false: more knots are needed. */
+static bool sample(loft_trajectory *t)
+{
+    const bool all = t->ended && t->timed == t->count;
+
+    if (t->sure == 0)
+        return false;
+    if (all && t->steps == 0)
+        set_steps(t);
+    if (!t->emit.begun) {
+        add_sample(t);
+        return true;
+    }
+    t->step++;
+    const loft_time step = step_of(t);
+    if (all && t->step >= t->steps) {
+        add_end(t);
+        return true;
+    }
+    if (!all && !step_fits(t, step)) {
+        t->step--;
+        return false;
+    }
+    (void)loft_sample_pass(&t->at, t->knot, t->sure, step);
+    add_sample(t);
+    return true;
+}
+
+static void begin(loft_trajectory *t)
+{
+    loft_guess_begin(&t->guess);
+    t->count = t->loaded = t->placed = t->timed = t->sure = 0;
+    t->ended = false;
+    t->at = (loft_sample){ 0, 0 };
+    t->steps = t->step = 0;
+    loft_emit_begin(&t->emit, &t->period, t->guess.path.from);
+}
+
+enum loft_trajectory_state loft_trajectory_next(loft_trajectory *t, loft_span *out)
+{
+    for (;;) {
+        if (loft_emit_next(&t->emit, out))
+            return LOFT_TRAJECTORY_SPAN;
+        if (t->emit.ended)
+            begin(t);
+        if (t->count == 0)
+            loft_emit_begin(&t->emit, &t->period, t->guess.path.from);
+        if (sample(t))
+            continue;
+        const enum loft_path_state state = load(t);
+        if (state == LOFT_PATH_WAIT)
+            return t->guess.path.count == 0 && t->count == 0 ? LOFT_TRAJECTORY_REST
+                                                             : LOFT_TRAJECTORY_WAIT;
+        if (state == LOFT_PATH_END) {
+            begin(t);
+            return LOFT_TRAJECTORY_REST;
+        }
+    }
+}
+
+enum loft_status loft_trajectory_push(loft_trajectory *t, const loft_move *move)
+{
+    return loft_path_push(&t->guess.path, move);
+}
+
+void loft_trajectory_end(loft_trajectory *t) { t->guess.path.ended = true; }
+
+enum loft_status loft_trajectory_init(loft_trajectory *t, const loft_limits *limits,
+                                      loft_move moves[], uint16_t move_room, loft_knot knots[],
+                                      uint16_t knot_room)
+{
+    const enum loft_status status = loft_limits_check(limits);
+
+    if (status != LOFT_OK)
+        return status;
+    if (move_room == 0 || knot_room < LOFT_TRAJECTORY_KNOTS_MIN)
+        return LOFT_ERR_SPACE;
+    loft_period_init(&t->period, limits);
+    loft_guess_init(&t->guess, &t->period, moves, move_room);
+    t->knot = knots;
+    t->room = knot_room;
+    t->sweeps = RAISES;
+    begin(t);
+    return LOFT_OK;
+}

@@ -1,0 +1,76 @@
+/* lib/motion/trajectory.h -- look-ahead: curves become a chain of spans within the machine's
+ * limits, while it moves
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_MOTION_TRAJECTORY_H
+#define LOFT_MOTION_TRAJECTORY_H
+
+#include "motion/emit.h"    /* loft_emit   */
+#include "motion/guess.h"   /* loft_guess  */
+#include "motion/sample.h"  /* loft_sample */
+
+LOFT_BEGIN_C
+
+/* The fewest knots. All but 48 of them look ahead, for as many periods; more are faster. */
+#define LOFT_TRAJECTORY_KNOTS_MIN 64
+
+/* Complete so that it can be static; do not rely on the fields. */
+typedef struct {
+    loft_period period;
+    loft_guess  guess;
+    loft_knot  *knot;
+    uint16_t    room, count, loaded;
+    uint16_t    placed;             /* control points before it never change */
+    uint16_t    timed;              /* knots whose timing has begun */
+    uint16_t    sure;               /* knots before which it never changes */
+    uint16_t    sweeps;
+    bool        ended;              /* is the last knot the end of the chain? */
+    loft_sample at;                 /* the last sample */
+    uint32_t    steps, step;        /* samples to the end, and which is next, once it is sure */
+    bool        even;               /* are they all alike? */
+    loft_time   lag;                /* by how much the steps are too long, all of them */
+    loft_emit   emit;
+    loft_vec    to;                 /* the end of the chain */
+    uint16_t    passed;
+} loft_trajectory;
+
+enum loft_trajectory_state {
+    LOFT_TRAJECTORY_SPAN,     /* here is a span                                               */
+    LOFT_TRAJECTORY_WAIT,     /* the next span depends on what comes: push more, or end       */
+    LOFT_TRAJECTORY_REST      /* at rest, exactly on the last control point                   */
+};
+
+/* Plan within `limits` (copied), in memory of the caller.
+ *
+ *   units   mm, mm/s, mm/s^2, mm/s^3
+ *   range   as loft_limits_check; LOFT_ERR_SPACE for no move or less than LOFT_TRAJECTORY_KNOTS_MIN
+ *           knots
+ */
+enum loft_status loft_trajectory_init(loft_trajectory *t, const loft_limits *limits,
+                                      loft_move moves[], uint16_t move_room, loft_knot knots[],
+                                      uint16_t knot_room) LOFT_CHECKED;
+
+/* Append a curve (copied).
+ *
+ *   range   LOFT_ERR_ARG if it does not begin where the last one ended, or for a feed that is not
+ *           positive; LOFT_ERR_RANGE for coordinates beyond LOFT_PLAN_REACH and feeds beyond those
+ *           of limits.h; LOFT_ERR_SPACE while there is no room: take spans, then push again
+ */
+enum loft_status loft_trajectory_push(loft_trajectory *t, const loft_move *move) LOFT_CHECKED;
+
+/* Nothing comes after what was pushed, or not in time: plan to stop there. Another push takes that
+ * back, unless the stop has been reached by what is planned ahead. */
+void loft_trajectory_end(loft_trajectory *t);
+
+/* The next span.
+ *
+ *   shape   each span begins exactly where the one before ended, with its velocity and
+ *           acceleration; the first begins on the first control point, at rest
+ *   error   speed, acceleration and jerk of each axis: the limits, but for what rounding the
+ *           control points adds (plan.h); the path is within limits.tol
+ */
+enum loft_trajectory_state loft_trajectory_next(loft_trajectory *t, loft_span *out);
+
+LOFT_END_C
+
+#endif

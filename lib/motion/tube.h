@@ -1,0 +1,39 @@
+/* lib/motion/tube.h -- one smooth path within the tolerance
+ * SPDX-License-Identifier: MIT
+ *
+ * The path is a uniform cubic B-spline over the knots, which are places of it. It leaves them by
+ * less than the tolerance, and within that its third differences are as small as can be.
+ */
+#ifndef LOFT_MOTION_TUBE_H
+#define LOFT_MOTION_TUBE_H
+
+#include "motion/path.h"    /* loft_path_place, loft_period */
+
+LOFT_BEGIN_C
+
+/* A knot of the path. Do not rely on the fields. */
+typedef struct {
+    loft_path_place on;     /* what is given */
+    loft_place      point;  /* control point of the path */
+    int32_t         v2;     /* control value of the squared pace, 2^-24: timing.h */
+    int32_t         top;    /* the most that speed allows it to be, up to the next knot */
+    int32_t         goal;   /* the most that all limits allow an even one, up to the next knot */
+} loft_knot;
+
+/* Put the control points from..to - 1 where the path through the knots has them.
+ *
+ *   range   0 < from <= to < n
+ */
+void loft_tube_load(loft_knot knot[], unsigned from, unsigned to);
+
+/* Smooth the control points from..to - 1, which three others precede and follow.
+ *
+ *   range   3 <= from <= to <= n - 3
+ *   cost    sweeps * (to - from) * (LOFT_AXES products, a root and LOFT_AXES quotients)
+ */
+void loft_tube_smooth(const loft_period *period, loft_knot knot[], unsigned from, unsigned to,
+                      int sweeps);
+
+LOFT_END_C
+
+#endif

@@ -1,0 +1,153 @@
+/* tests/lib/motion/test_path.c -- properties of lib/motion/path.h
+ * SPDX-License-Identifier: MIT
+ */
+#define CURVES 64
+
+#include "support/motion_any.h"     /* arb_short_chain, path_distance */
+
+#include "motion/path.h"            /* loft_path_next */
+
+#define PLACES 20000
+
+static loft_period     period;
+static loft_path       planned;
+static loft_move       ring[CURVES];
+static loft_path_place found_at[PLACES];
+static unsigned        found;
+
+/* All places of the chain. */
+static bool find_places(void)
+{
+    enum loft_path_state state = LOFT_PATH_PLACE;
+
+    loft_period_init(&period, &limits);
+    loft_path_init(&planned, &period, ring, CURVES);
+    for (unsigned k = 0; k < curves; k++)
+        if (loft_path_push(&planned, &chain[k]) != LOFT_OK)
+            return false;
+    planned.ended = true;
+    for (found = 0; found < PLACES && state == LOFT_PATH_PLACE;) {
+        state = loft_path_next(&planned, &found_at[found]);
+        found += state == LOFT_PATH_PLACE;
+    }
+    return state == LOFT_PATH_END;
+}
+
+static bool is_at(const loft_place *p, loft_vec v)
+{
+    bool good = true;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_coord d = loft_coord_from(p->axis[i], loft_coord_of(loft_to_acc(v.axis[i])));
+        good = good && loft_coord_size(d) <= BY_NUM(64, 64, 64);
+    }
+    return good;
+}
+
+static void arb_case(arb *a)
+{
+    const bool smooth = arb_below(a, 3) == 0;
+
+    arb_limits(a);
+    if (arb_below(a, 2))
+        arb_jerk(a);
+    arb_short_chain(a, smooth);
+}
+
+static void places_lead_from_end_to_end(arb *a)
+{
+    arb_case(a);
+    CHECK(find_places());
+    if (found == 0)
+        return;
+    CHECK(is_at(&found_at[0].at, chain[0].curve.p[0]));
+    CHECK(is_at(&found_at[found - 1].at, chain[curves - 1].curve.p[3]));
+    for (unsigned k = 1; k < found; k++) {
+        CHECK(found_at[k].s >= found_at[k - 1].s);
+        CHECK((int16_t)(found_at[k].number - found_at[k - 1].number) >= 0);
+    }
+}
+
+/* A joint of the path as fast as the cubic through its places: nothing is skipped that is larger
+ * than what they say, which is less than the tolerance. */
+static void what_is_skipped_is_less_than_the_tolerance(arb *a)
+{
+    static path track;
+
+    arb_case(a);
+    CHECK(find_places());
+    path_trace_near(&track, chain, curves, arb_value(limits.tol) / 64);
+    for (unsigned k = 0; k + 1 < found; k++)
+        CHECK(found_at[k].skip <= period.tol / 2 || found_at[k + 1].s - found_at[k].s < 64);
+}
+
+/* Of a curve that is cut in two, exactly, the places are the same. */
+static void it_does_not_matter_how_a_path_is_cut(arb *a)
+{
+    static loft_path_place whole[PLACES];
+
+    even_limits(200, 3000, arb_below(a, 2) ? 100000 : 0);
+    begin_chain();
+    const unsigned n = 1 + arb_below(a, 4);
+    for (unsigned k = 0; k < n; k++)
+        arb_curve(a, SMOOTH, arb_between(a, 5, 20), 200, true);
+    CHECK(find_places());
+    const unsigned count_whole = found;
+    memcpy(whole, found_at, found * sizeof found_at[0]);
+    for (unsigned k = curves; k-- > 0;) {
+        loft_cubic left, right;
+        const loft_move m = chain[k];
+        for (int i = 0; i < LOFT_AXES; i++) {
+            double p[4], q[3], r[2];
+            for (int j = 0; j < 4; j++)
+                p[j] = arb_value(m.curve.p[j].axis[i]);
+            for (int j = 0; j < 3; j++)
+                q[j] = (p[j] + p[j + 1]) / 2;
+            for (int j = 0; j < 2; j++)
+                r[j] = (q[j] + q[j + 1]) / 2;
+            left.p[0].axis[i]  = m.curve.p[0].axis[i];
+            left.p[1].axis[i]  = real_of(q[0]);
+            left.p[2].axis[i]  = real_of(r[0]);
+            left.p[3].axis[i]  = real_of((r[0] + r[1]) / 2);
+            right.p[0].axis[i] = left.p[3].axis[i];
+            right.p[1].axis[i] = real_of(r[1]);
+            right.p[2].axis[i] = real_of(q[2]);
+            right.p[3].axis[i] = m.curve.p[3].axis[i];
+        }
+        chain[2 * k + 1] = (loft_move){ right, m.feed };
+        chain[2 * k]     = (loft_move){ left, m.feed };
+    }
+    curves *= 2;
+    CHECK(find_places());
+    const double more = (double)found - count_whole;
+    CHECK(fabs(more) <= 3 + count_whole / 50.0);
+}
+
+static void curves_that_do_not_fit_are_refused(arb *a)
+{
+    arb_limits(a);
+    begin_chain();
+    arb_curve(a, LINE, 3, 10, false);
+    arb_curve(a, LINE, 3, 10, false);
+    loft_period_init(&period, &limits);
+    loft_path_init(&planned, &period, ring, 2);
+    CHECK(loft_path_push(&planned, &chain[0]) == LOFT_OK);
+    CHECK(loft_path_push(&planned, &chain[0]) == LOFT_ERR_ARG);
+    loft_move m = chain[1];
+    m.feed = 0;
+    CHECK(loft_path_push(&planned, &m) == LOFT_ERR_ARG);
+    m.feed = LOFT_SPEED_MIN / 2;
+    CHECK(loft_path_push(&planned, &m) == LOFT_ERR_RANGE);
+    CHECK(loft_path_push(&planned, &chain[1]) == LOFT_OK);
+    m = chain[1];
+    m.curve.p[0] = m.curve.p[3];
+    CHECK(loft_path_push(&planned, &m) == LOFT_ERR_SPACE);
+}
+
+int main(void)
+{
+    PROPERTY(places_lead_from_end_to_end, 60);
+    PROPERTY(what_is_skipped_is_less_than_the_tolerance, 30);
+    PROPERTY(it_does_not_matter_how_a_path_is_cut, 20);
+    PROPERTY(curves_that_do_not_fit_are_refused, 5);
+    return check_failures();
+}

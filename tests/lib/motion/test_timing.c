@@ -1,0 +1,184 @@
+/* tests/lib/motion/test_timing.c -- properties of lib/motion/timing.h and lib/motion/sample.h
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>                   /* sqrt, fabs */
+
+#include "support/motion_paths.h"   /* even_limits */
+
+#include "motion/sample.h"          /* loft_sample_part */
+#include "motion/timing.h"          /* loft_timing_raise */
+
+#define KNOTS 60
+
+static loft_period period;
+static loft_knot   knot[KNOTS];
+static unsigned    knots;
+
+/* A smooth path from rest to rest, with steps of a period or so. */
+static void arb_path(arb *a)
+{
+    double at[LOFT_AXES] = { 0 }, step[LOFT_AXES], turn[LOFT_AXES];
+
+    even_limits(arb_decades(a, 50, 500), arb_decades(a, 500, 5000), arb_decades(a, 10000, 300000));
+    loft_period_init(&period, &limits);
+    knots = 12 + arb_below(a, KNOTS - 12);
+    arb_direction(a, step);
+    arb_direction(a, turn);
+    for (unsigned k = 0; k < knots; k++) {
+        const double size = period.accel[0] * arb_between(a, 0.5, 1) *
+                            fmin(8, fmin(k, knots - 1 - k)) / 2;
+        knot[k].on.feed = period.speed[0];
+        knot[k].on.skip = 0;
+        for (int i = 0; i < LOFT_AXES; i++) {
+            knot[k].on.at.axis[i] = knot[k].point.axis[i] = (loft_coord)at[i];
+            at[i] += size * (step[i] + 0.02 * k * turn[i]);
+        }
+    }
+    for (unsigned k = 0; k < 3; k++) {
+        knot[k].point = knot[0].point;
+        knot[knots - 1 - k].point = knot[knots - 1].point;
+    }
+    loft_tube_smooth(&period, knot, 3, knots - 3, 20);
+    loft_timing_load(&period, knot, 1, knots - 2);
+}
+
+static double v2_at(unsigned k, double z, double *slope, double *curve)
+{
+    const double x = knot[k].v2, y = knot[k + 1].v2, w = knot[k + 2].v2, one = LOFT_V2_ONE;
+    *curve = (x - 2 * y + w) / one;
+    *slope = (y - x) / one + *curve * z;
+    return ((x + y) / 2 + (y - x) * z) / one + *curve * z * z / 2;
+}
+
+/* The largest parts of speed, acceleration and jerk between knot k and the next. */
+static void uses_of(unsigned k, double use[3])
+{
+    for (int n = 0; n < 3; n++)
+        use[n] = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        for (int s = 0; s <= 16; s++) {
+            const double z = s / 16.0, a = knot[k - 1].point.axis[i], b = knot[k].point.axis[i],
+                         c = knot[k + 1].point.axis[i], d = knot[k + 2].point.axis[i];
+            double slope, curve;
+            const double v2 = v2_at(k, z, &slope, &curve), d3 = d - 3 * c + 3 * b - a;
+            const double d2 = a - 2 * b + c + d3 * z,
+                         d1 = (c - a) / 2 + (a - 2 * b + c) * z + d3 * z * z / 2;
+            use[0] = fmax(use[0], fabs(d1) * sqrt(v2) / period.speed[i]);
+            use[1] = fmax(use[1], fabs(d2 * v2 + d1 * slope / 2) / period.accel[i]);
+            use[2] = fmax(use[2], fabs(d3 * v2 + 1.5 * d2 * slope + d1 * curve / 2) * sqrt(v2) /
+                                      period.jerk[i]);
+        }
+}
+
+static void creep(void)
+{
+    for (unsigned k = 0; k < knots; k++)
+        knot[k].v2 = LOFT_V2_ONE / 1024;
+}
+
+static loft_timing timing_of(bool open)
+{
+    return (loft_timing){ &period, knot, 1, open ? knots - 4 : knots, knots - 2, open };
+}
+
+/* What holds holds nearly so between the places that are looked at as well, even for a pace that
+ * jumps from knot to knot. */
+static void what_holds_holds_all_the_way(arb *a)
+{
+    arb_path(a);
+    for (unsigned k = 0; k < knots; k++)
+        knot[k].v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.01, 2));
+    for (unsigned k = 1; k + 2 < knots; k++) {
+        double use[3];
+        uses_of(k, use);
+        const bool holds = loft_timing_holds(&period, knot, k, 64);
+        if (holds)
+            CHECK(use[0] <= 1.001 && use[1] <= 1.1 && use[2] <= 1.3);
+        if (use[0] < 0.9 && use[1] < 0.97 && use[2] < 0.97 && knot[k].top > 3 * LOFT_V2_ONE)
+            CHECK(holds);
+    }
+}
+
+/* Each raise leaves all limits held, and takes no more time than before. */
+static void raising_holds_all_limits(arb *a)
+{
+    arb_path(a);
+    creep();
+    const bool open = arb_below(a, 2);
+    const loft_timing t = timing_of(open);
+    CHECK(loft_timing_all_hold(&t, 1, t.end));
+    double before = 1e300;
+    for (unsigned n = 0; n < 12; n++) {
+        loft_timing_raise(&t, n);
+        CHECK(loft_timing_all_hold(&t, 1, t.end));
+        double time = 0;
+        for (unsigned k = 1; k < t.end; k++)
+            time += (double)loft_sample_time(knot, k);
+        CHECK(time <= before * (1 + 1e-9));
+        before = time;
+    }
+    for (unsigned k = knots - 4; open && k < knots; k++)
+        CHECK(knot[k].v2 == LOFT_V2_ONE / 1024);
+    double most = 0;
+    for (unsigned k = 1; k + 2 < knots; k++) {
+        double use[3];
+        uses_of(k, use);
+        most = fmax(most, fmax(use[0], fmax(use[1], use[2])));
+    }
+    CHECK(most <= 1.15 && (open || most >= 0.9));
+}
+
+static void an_even_pace_holds(arb *a)
+{
+    arb_path(a);
+    for (unsigned k = 1; k + 2 < knots; k++) {
+        const int32_t v2 = loft_timing_even(&period, knot, k);
+        for (unsigned j = k; j <= k + 2; j++)
+            knot[j].v2 = v2 - v2 / 16;
+        CHECK(loft_timing_holds(&period, knot, k, 64));
+    }
+}
+
+/* The integral of du / sqrt(v2), and back. */
+static void times_are_those_of_the_pace(arb *a)
+{
+    knots = 3;
+    knot[0].v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.01, 4));
+    for (unsigned k = 1; k < 3; k++)
+        knot[k].v2 = (int32_t)(knot[k - 1].v2 * arb_between(a, 0.75, 1.33));
+    double sum = 0, slope, curve;
+    const int32_t z = (int32_t)(0x1p30 * arb_between(a, 0, 1));
+    double part = 0;
+    for (int n = 0; n < 2000; n++) {
+        sum  += 1 / sqrt(v2_at(0, (n + 0.5) / 2000, &slope, &curve)) / 2000;
+        part += 1 / sqrt(v2_at(0, (n + 0.5) / 2000 * z * 0x1p-30, &slope, &curve)) / 2000 * z *
+                0x1p-30;
+    }
+    CHECK_NEAR((double)loft_sample_time(knot, 0) / 0x1p30, sum, sum * 1e-5);
+    CHECK_NEAR(loft_timing_time(knot, 0) / 65536.0, sum, sum * 0.03 + 0x1p-15);
+    const loft_sample at = { 0, (loft_time)(part * 0x1p30) };
+    CHECK_NEAR(loft_sample_part(&at, knot) * 0x1p-30, z * 0x1p-30, 2e-5);
+}
+
+static void passing_in_steps_is_passing_at_once(arb *a)
+{
+    arb_path(a);
+    for (unsigned k = 0; k < knots; k++)
+        knot[k].v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.1, 2));
+    loft_sample one = { 1, 0 }, many = { 1, 0 };
+    const loft_time step = (loft_time)(0x1p30 * arb_between(a, 0.01, 1.5));
+    CHECK(loft_sample_pass(&one, knot, knots - 2, 7 * step) == 0 || one.knot == knots - 2);
+    for (int n = 0; n < 7; n++)
+        (void)loft_sample_pass(&many, knot, knots - 2, step);
+    CHECK(one.knot == many.knot && one.time == many.time);
+}
+
+int main(void)
+{
+    PROPERTY(what_holds_holds_all_the_way, 300);
+    PROPERTY(raising_holds_all_limits, 60);
+    PROPERTY(an_even_pace_holds, 200);
+    PROPERTY(times_are_those_of_the_pace, 500);
+    PROPERTY(passing_in_steps_is_passing_at_once, 300);
+    return check_failures();
+}

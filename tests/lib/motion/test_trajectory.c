@@ -1,0 +1,169 @@
+/* tests/lib/motion/test_trajectory.c -- properties of motion/trajectory.h and motion/guess.h
+ * SPDX-License-Identifier: MIT
+ */
+#define CURVES 100
+
+#include "support/motion_trajectory.h"  /* check_case */
+
+static const arrival all_at_once = { CURVES, 112, NULL };
+
+/* Chains, limits and arrivals of all kinds: no deadlock, gap or lost step; speed, acceleration and
+ * jerk of each axis, and the path, within their limits. */
+static void random_cases_hold_all_limits(arb *a)
+{
+    bad = false;
+    check_case(arb_below(a, 1000000));
+    CHECK(!bad);
+}
+
+static void add_line(double length, double feed)
+{
+    const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0 },
+                 u[4] = { 0, length / 3, length * 2 / 3, length }, w[4] = { 0 };
+
+    begin_chain();
+    add_curve(d, e, u, w, feed);
+}
+
+static double least_time(double length, double v, double a, double j)
+{
+    const double ramp = v * j < a * a ? 2 * sqrt(v / j) : v / a + a / j;
+    if (length >= v * ramp)
+        return length / v + ramp;
+    if (length < 2 * a * a * a / (j * j))
+        return 4 * cbrt(length / (2 * j));
+    v = (sqrt(a * a * a * a / (j * j) + 4 * a * length) - a * a / j) / 2;
+    return length / v + v / a + a / j;
+}
+
+/* Lines from rest to rest: within 6 % and three periods of the exact S-curve. */
+static void lines_take_little_more_than_an_s_curve(arb *a)
+{
+    const double length = arb_value(real_of(arb_decades(a, 0.2, 60)));
+    loft_period p;
+
+    even_limits(200, 3000, 100000);
+    loft_period_init(&p, &limits);
+    add_line(length, 200);
+    CHECK(plan_chain(&all_at_once) == PLANNED);
+    CHECK(spans_connect());
+    const double least = least_time(length, 200, 3000, 100000);
+    CHECK(seconds() >= least * 0.99);
+    CHECK(seconds() <= least * 1.06 + 3.0 * p.ticks / p.tick_hz);
+}
+
+static void outline(double feed)
+{
+    static const double x[12][8] = {
+        { 0, 0, 0, 3.333333, -3.262825, 7.546261, -5.679492, 10 },
+        { -5.679492, 10, -8.096159, 12.453739, -11.613249, 13.055765, -14.5, 14.722432 },
+        { -14.5, 14.722432, -17.386751, 16.389099, -19.666667, 19.133975, -23, 20 },
+        { -23, 20, -26.333333, 20.866025, -31.613249, 21.585251, -34.5, 19.918584 },
+        { -34.5, 19.918584, -37.386751, 18.251918, -39.403841, 13.319764, -40.320508, 10 },
+        { -40.320508, 10, -41.237175, 6.680236, -40, 3.333333, -40, 0 },
+        { -40, 0, -40, -3.333333, -41.237175, -6.680236, -40.320508, -10 },
+        { -40.320508, -10, -39.403841, -13.319764, -37.386751, -18.251918, -34.5, -19.918584 },
+        { -34.5, -19.918584, -31.613249, -21.585251, -26.333333, -20.866025, -23, -20 },
+        { -23, -20, -19.666667, -19.133975, -17.386751, -16.389099, -14.5, -14.722432 },
+        { -14.5, -14.722432, -11.613249, -13.055765, -8.096159, -12.453739, -5.679492, -10 },
+        { -5.679492, -10, -3.262825, -7.546261, 0, -3.333333, 0, 0 }
+    };
+    begin_chain();
+    for (int c = 0; c < 12; c++, curves++) {
+        chain[c].feed = real_of(feed);
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < LOFT_AXES; i++)
+                chain[c].curve.p[k].axis[i] = real_of(i < 2 ? x[c][2 * k + i] : 0);
+    }
+}
+
+/* Each curve in eight, at even parameters. */
+static void cut_in_eight(void)
+{
+    for (unsigned c = curves; c-- > 0;) {
+        const loft_move whole = chain[c];
+        for (int n = 7; n >= 0; n--) {
+            loft_move *m = &chain[8 * c + (unsigned)n];
+            m->feed = whole.feed;
+            for (int i = 0; i < LOFT_AXES; i++) {
+                double p[4], out[4];
+                for (int k = 0; k < 4; k++)
+                    p[k] = arb_value(whole.curve.p[k].axis[i]);
+                for (int k = 0; k < 4; k++) {           /* blossoms */
+                    double q[4] = { p[0], p[1], p[2], p[3] };
+                    for (int r = 0; r < 3; r++) {
+                        const double t = (n + (r < k)) / 8.0;
+                        for (int j = 0; j < 3 - r; j++)
+                            q[j] += t * (q[j + 1] - q[j]);
+                    }
+                    out[k] = q[0];
+                }
+                for (int k = 0; k < 4; k++)
+                    m->curve.p[k].axis[i] = real_of(out[k]);
+            }
+        }
+    }
+    curves *= 8;
+}
+
+/* 1.5 % is the goal; what follows is where raising gets stuck, by 3 %. */
+static void it_does_not_matter_how_a_path_is_cut(arb *a)
+{
+    const bool soft = arb_below(a, 2);
+    const double feed = soft ? 100 : 200;
+
+    even_limits(feed, soft ? 500 : 3000, soft ? 10000 : 100000);
+    outline(feed);
+    CHECK(plan_chain(&all_at_once) == PLANNED);
+    const double whole = seconds();
+    cut_in_eight();
+    CHECK(curves == 96 && plan_chain(&all_at_once) == PLANNED);
+    CHECK_NEAR(seconds() / whole, 1, 0.03);
+    CHECK(spans_connect());
+    CHECK(whole < (soft ? 2.2 : 1.0));          /* 2.35 and 1.07 by plan.h */
+}
+
+/* A larger tolerance is not slower. */
+static void more_tolerance_is_faster(arb *a)
+{
+    (void)a;
+    even_limits(200, 3000, 100000);
+    outline(200);
+    CHECK(plan_chain(&all_at_once) == PLANNED);
+    const double fine = seconds();
+    limits.tol = real_of(0.02);
+    CHECK(plan_chain(&all_at_once) == PLANNED);
+    const double coarse = seconds();
+    limits.tol = real_of(0.05);
+    CHECK(plan_chain(&all_at_once) == PLANNED);
+    CHECK(coarse <= fine && seconds() <= coarse * 1.005);
+}
+
+static void what_it_cannot_plan_is_refused(arb *a)
+{
+    static loft_trajectory t;
+    static loft_move moves[4];
+    static loft_knot knots[LOFT_TRAJECTORY_KNOTS_MIN];
+    const uint16_t few = LOFT_TRAJECTORY_KNOTS_MIN - 1;
+    loft_span s;
+
+    arb_limits(a);
+    CHECK(loft_trajectory_init(&t, &limits, moves, 0, knots, few + 1) == LOFT_ERR_SPACE);
+    CHECK(loft_trajectory_init(&t, &limits, moves, 4, knots, few) == LOFT_ERR_SPACE);
+    CHECK(loft_trajectory_init(&t, &limits, moves, 4, knots, few + 1) == LOFT_OK);
+    CHECK(loft_trajectory_next(&t, &s) == LOFT_TRAJECTORY_REST);
+    loft_trajectory_end(&t);
+    CHECK(loft_trajectory_next(&t, &s) == LOFT_TRAJECTORY_REST);
+    limits.tol = 0;
+    CHECK(loft_trajectory_init(&t, &limits, moves, 4, knots, few + 1) == LOFT_ERR_ARG);
+}
+
+int main(void)
+{
+    PROPERTY(random_cases_hold_all_limits, 40);
+    PROPERTY(lines_take_little_more_than_an_s_curve, 20);
+    PROPERTY(it_does_not_matter_how_a_path_is_cut, 2);
+    PROPERTY(more_tolerance_is_faster, 1);
+    PROPERTY(what_it_cannot_plan_is_refused, 5);
+    return check_failures();
+}
