@@ -79,42 +79,21 @@ typedef struct {
  * or 1200mm/min. A MAYBE has an optional number, 0 if it is omitted. `out` points to a bool, a
  * double (numbers, speeds), an unsigned (counts), a const char *, a tool_list, or what `parse`
  * fills. */
-#define TOOL_SWITCH(name, out, help)                                                               \
-    {                                                                                              \
-        TOOL_IS_SWITCH, name, NULL, out, 0, 0, help, NULL                                          \
-    }
-#define TOOL_NUMBER(name, argument, out, least, most, help)                                        \
-    {                                                                                              \
-        TOOL_IS_NUMBER, name, argument, out, least, most, help, NULL                               \
-    }
-#define TOOL_COUNT(name, argument, out, least, most, help)                                         \
-    {                                                                                              \
-        TOOL_IS_COUNT, name, argument, out, least, most, help, NULL                                \
-    }
-#define TOOL_SPEED(name, out, least, most, help)                                                   \
-    {                                                                                              \
-        TOOL_IS_SPEED, name, "SPEED", out, least, most, help, NULL                                 \
-    }
-#define TOOL_TEXT(name, argument, out, help)                                                       \
-    {                                                                                              \
-        TOOL_IS_TEXT, name, argument, out, 0, 0, help, NULL                                        \
-    }
-#define TOOL_LIST(name, argument, out, least, most, help)                                          \
-    {                                                                                              \
-        TOOL_IS_LIST, name, argument, out, least, most, help, NULL                                 \
-    }
-#define TOOL_PARSED(name, argument, out, parse, help)                                              \
-    {                                                                                              \
-        TOOL_IS_PARSED, name, argument, out, 0, 0, help, parse                                     \
-    }
-#define TOOL_MAYBE(name, argument, out, least, most, help)                                         \
-    {                                                                                              \
-        TOOL_IS_MAYBE, name, argument, out, least, most, help, NULL                                \
-    }
-#define TOOL_OPTIONS_END                                                                           \
-    {                                                                                              \
-        TOOL_END, NULL, NULL, NULL, 0, 0, NULL, NULL                                               \
-    }
+#define TOOL_SWITCH(name, out, help) { TOOL_IS_SWITCH, name, NULL, out, 0, 0, help, NULL }
+#define TOOL_NUMBER(name, argument, out, least, most, help) \
+    { TOOL_IS_NUMBER, name, argument, out, least, most, help, NULL }
+#define TOOL_COUNT(name, argument, out, least, most, help) \
+    { TOOL_IS_COUNT, name, argument, out, least, most, help, NULL }
+#define TOOL_SPEED(name, out, least, most, help) \
+    { TOOL_IS_SPEED, name, "SPEED", out, least, most, help, NULL }
+#define TOOL_TEXT(name, argument, out, help) { TOOL_IS_TEXT, name, argument, out, 0, 0, help, NULL }
+#define TOOL_LIST(name, argument, out, least, most, help) \
+    { TOOL_IS_LIST, name, argument, out, least, most, help, NULL }
+#define TOOL_PARSED(name, argument, out, parse, help) \
+    { TOOL_IS_PARSED, name, argument, out, 0, 0, help, parse }
+#define TOOL_MAYBE(name, argument, out, least, most, help) \
+    { TOOL_IS_MAYBE, name, argument, out, least, most, help, NULL }
+#define TOOL_OPTIONS_END { TOOL_END, NULL, NULL, NULL, 0, 0, NULL, NULL }
 
 #define TOOL_HELP (-1)      /* tool_options has printed the help: return EX_OK */
 

@@ -16,10 +16,7 @@ typedef struct {
 #define CONVERT "convert it, as with `inkscape FILE --export-filename=drawing.svg`"
 #define TRACE   "trace it to paths, as with `potrace --svg` or in inkscape"
 #define UNPACK  "unpack it first"
-#define KIND(start, name, remedy)                                                                  \
-    {                                                                                              \
-        start, sizeof start - 1, name, remedy                                                      \
-    }
+#define KIND(start, name, remedy) { start, sizeof start - 1, name, remedy }
 
 static const foreign kinds[] = {
     KIND("%PDF-", "PDF", CONVERT),

@@ -5,10 +5,8 @@
 #include "loft.h"
 
 static const loft_limits limits = {
-    /* mm, s */
-    .max_speed = { LOFT_REAL(200), LOFT_REAL(200), LOFT_REAL(20) },
+    .max_speed = { LOFT_REAL(200), LOFT_REAL(200), LOFT_REAL(20) }, /* mm, s */
     .max_accel = { LOFT_REAL(1000), LOFT_REAL(1000), LOFT_REAL(200) },
-    .corner = LOFT_REAL(0.01),
     .tol = LOFT_REAL(0.005),
     .tick_hz = 1000,
 };
@@ -38,8 +36,7 @@ int main(void)
         for (; loft_forward_next(&walk, &at); last = at, ticks++)
             steady += loft_vec_distance(last, at) >= loft_to_acc(LOFT_REAL(0.0499)) &&
                       loft_vec_distance(last, at) <= loft_to_acc(LOFT_REAL(0.0501));
-    printf("%u ticks, %u of them at 50 mm/s within 0.2 %%\n", ticks, steady);
-    return 0;
+    return printf("%u ticks, %u of them at 50 mm/s within 0.2 %%\n", ticks, steady) < 0;
 }
 
 /* prints

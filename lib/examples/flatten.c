@@ -7,12 +7,7 @@
 enum { WIDTH = 44, HEIGHT = 12 };
 static char screen[HEIGHT][WIDTH + 1];
 
-#define XY(x, y)                                                                                   \
-    {                                                                                              \
-        {                                                                                          \
-            LOFT_REAL(x), LOFT_REAL(y), 0                                                          \
-        }                                                                                          \
-    }
+#define XY(x, y) { { LOFT_REAL(x), LOFT_REAL(y), 0 } }
 #define PIXEL(a)   loft_steps_of(a, LOFT_REAL(1))
 
 static void line_to(loft_vec from, loft_vec to)

@@ -4,12 +4,7 @@
 #include <stdio.h>
 #include "loft.h"
 
-#define P(x, y, z)                                                                                 \
-    {                                                                                              \
-        {                                                                                          \
-            LOFT_REAL(x), LOFT_REAL(y), LOFT_REAL(z)                                               \
-        }                                                                                          \
-    }
+#define P(x, y, z) { { LOFT_REAL(x), LOFT_REAL(y), LOFT_REAL(z) } }
 static const loft_vec net[4 * 4] = {
     /* a bicubic hill: v runs along a row */
     P(0, 0, 0),    P(0, 10, 0),  P(0, 20, 0),  P(0, 30, 0),   P(10, 0, 0),   P(10, 10, 40),

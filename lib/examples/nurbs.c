@@ -4,14 +4,8 @@
 #include <stdio.h>
 #include "loft.h"
 
-#define ON(x, y)                                                                                   \
-    {                                                                                              \
-        { { LOFT_REAL(x), LOFT_REAL(y), 0 } }, LOFT_REAL(1)                                        \
-    }
-#define OFF(x, y)                                                                                  \
-    {                                                                                              \
-        { { LOFT_REAL(x), LOFT_REAL(y), 0 } }, LOFT_REAL(0.70710678118654752)                      \
-    }
+#define ON(x, y) { { { LOFT_REAL(x), LOFT_REAL(y), 0 } }, LOFT_REAL(1) }
+#define OFF(x, y) { { { LOFT_REAL(x), LOFT_REAL(y), 0 } }, LOFT_REAL(0.70710678118654752) }
 static const loft_weighted nine[] = {
     ON(10, 0),  OFF(10, 10),   ON(0, 10),  OFF(-10, 10), ON(-10, 0),
                 OFF(-10, -10), ON(0, -10), OFF(10, -10), ON(10, 0),

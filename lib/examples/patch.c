@@ -4,12 +4,7 @@
 #include <stdio.h>
 #include "loft.h"
 
-#define V(x, y)                                                                                    \
-    {                                                                                              \
-        {                                                                                          \
-            LOFT_REAL(x), LOFT_REAL(y)                                                             \
-        }                                                                                          \
-    }
+#define V(x, y) { { LOFT_REAL(x), LOFT_REAL(y) } }
 enum { SIDES = 5, DEPTH = 2 };
 static const loft_spot pentagon[] = { V(0, -10), V(10, -3), V(6, 8), V(-6, 8), V(-10, -3) };
 

@@ -5,22 +5,15 @@
 #include "loft.h"
 
 static const loft_limits limits = {
-    /* mm, s */
-    .max_speed = { LOFT_REAL(200), LOFT_REAL(200), LOFT_REAL(20) },
+    .max_speed = { LOFT_REAL(200), LOFT_REAL(200), LOFT_REAL(20) }, /* mm, s */
     .max_accel = { LOFT_REAL(1000), LOFT_REAL(1000), LOFT_REAL(200) },
     .corner = LOFT_REAL(0.02),
     .tol = LOFT_REAL(0.01),
     .tick_hz = 1000,
 };
-#define XY(x, y)                                                                                   \
-    {                                                                                              \
-        {                                                                                          \
-            LOFT_REAL(x), LOFT_REAL(y), 0                                                          \
-        }                                                                                          \
-    }
+#define XY(x, y) { { LOFT_REAL(x), LOFT_REAL(y), 0 } }
 static const loft_move path[] = {
-    /* a line has its inner points on its thirds */
-    { { { XY(0, 0), XY(10, 0), XY(20, 0), XY(30, 0) } }, LOFT_REAL(100) },
+    { { { XY(0, 0), XY(10, 0), XY(20, 0), XY(30, 0) } }, LOFT_REAL(100) }, /* a line: thirds */
     { { { XY(30, 0), XY(45, 0), XY(45, 20), XY(30, 20) } }, LOFT_REAL(60) },
     { { { XY(30, 20), XY(20, 20), XY(10, 20), XY(0, 20) } }, LOFT_REAL(100) },
     { { { XY(0, 20), XY(0, 14), XY(0, 6), XY(0, 0) } }, LOFT_REAL(100) },
@@ -44,8 +37,7 @@ int main(void)
         if ((state = loft_plan_next(&plan, &span)) == LOFT_PLAN_SPAN)
             ticks += span.ticks;                /* here: put it into the queue of the interrupt */
     } while (state != LOFT_PLAN_REST);
-    printf("%u curves in %u ms, at rest again\n", pushed, ticks);
-    return 0;
+    return printf("%u curves in %u ms, at rest again\n", pushed, ticks) < 0;
 }
 
 /* prints

@@ -4,12 +4,7 @@
 #include <stdio.h>
 #include "loft.h"
 
-#define DEGREES(pan, tilt)                                                                         \
-    {                                                                                              \
-        {                                                                                          \
-            LOFT_REAL(pan), LOFT_REAL(tilt), 0                                                     \
-        }                                                                                          \
-    }
+#define DEGREES(pan, tilt) { { LOFT_REAL(pan), LOFT_REAL(tilt), 0 } }
 static const loft_vec pose[] = { DEGREES(0, 90), DEGREES(60, 30), DEGREES(-45, 75) };
 
 /* Speed and acceleration are 0 at both ends: of all such moves this has the least jerk. */

@@ -4,12 +4,7 @@
 #include <stdio.h>
 #include "loft.h"
 
-#define XY(x, y)                                                                                   \
-    {                                                                                              \
-        {                                                                                          \
-            LOFT_REAL(x), LOFT_REAL(y), 0                                                          \
-        }                                                                                          \
-    }
+#define XY(x, y) { { LOFT_REAL(x), LOFT_REAL(y), 0 } }
 static const loft_vec points[4] = { XY(0, 0), XY(30, 0), XY(0, 40), XY(30, 40) };     /* in flash */
 
 static loft_forward  walk;

@@ -38,10 +38,7 @@
 #define CELLS 14                    /* as many as fit in RAM */
 
 /* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS                                                                                       \
-    {                                                                                              \
-        LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500), 10000                                         \
-    }
+#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500), 10000 }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine machine;

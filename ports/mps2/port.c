@@ -24,10 +24,7 @@
 #include "plans.h"
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS                                                                                       \
-    {                                                                                              \
-        LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000), 20000                                        \
-    }
+#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(1000), 20000 }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {

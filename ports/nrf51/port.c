@@ -32,10 +32,7 @@
 #define CELLS   160
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS                                                                                       \
-    {                                                                                              \
-        LOFT_RAW(250), LOFT_RAW(80), LOFT_RAW(500), 10000                                          \
-    }
+#define AXIS { LOFT_RAW(250), LOFT_RAW(80), LOFT_RAW(500), 10000 }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {

@@ -36,10 +36,7 @@
 #include "plans.h"
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS                                                                                       \
-    {                                                                                              \
-        LOFT_RAW(250), LOFT_RAW(400), LOFT_RAW(2000), 40000                                        \
-    }
+#define AXIS { LOFT_RAW(250), LOFT_RAW(400), LOFT_RAW(2000), 40000 }
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {

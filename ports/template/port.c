@@ -8,10 +8,7 @@
 
 /* The machine. Values in mm go through LOFT_RAW. */
 /* steps/mm, mm/s, mm/s^2, mm/s^3 or 0 */
-#define AXIS                                                                                       \
-    {                                                                                              \
-        LOFT_RAW(80), LOFT_RAW(200), LOFT_RAW(1000), 0                                             \
-    }
+#define AXIS { LOFT_RAW(80), LOFT_RAW(200), LOFT_RAW(1000), 0 }
 
 static volatile loft_cell cells[LOFT_MACHINE_QUEUE];
 static loft_machine_config config = {

@@ -4,7 +4,8 @@ SPDX-License-Identifier: MIT
 
 usage: format.py [--check] FILE..
 Lines that differ from clang-format's in spaces alone stay as they are written: tables and columns
-of comments are aligned by hand. With --check nothing is written, and what differs is named.
+of comments are aligned by hand. So do definitions of macros: clang-format takes a list in braces
+for a block. With --check nothing is written, and what differs is named.
 """
 import difflib
 import subprocess
@@ -16,6 +17,13 @@ def key(line):
     return "".join(line.split()).rstrip("\\")
 
 
+def of_macro(lines, at):
+    """Does lines[at] belong to a #define?"""
+    while at > 0 and lines[at - 1].endswith("\\"):
+        at -= 1
+    return at < len(lines) and lines[at].lstrip().startswith("#") and "define" in lines[at]
+
+
 def formatted(path):
     old = open(path, encoding="utf-8").read().split("\n")
     new = subprocess.run(["clang-format", "--style=file", path], check=True,
@@ -24,7 +32,8 @@ def formatted(path):
     match = difflib.SequenceMatcher(None, [key(l) for l in old], [key(l) for l in new], False)
     for tag, a, b, c, d in match.get_opcodes():
         blank = not any(key(l) for l in old[a:b] + new[c:d])
-        out += old[a:b] if tag == "equal" or blank else new[c:d]
+        stays = tag == "equal" or blank or (of_macro(old, a) if a < b else of_macro(new, c))
+        out += old[a:b] if stays else new[c:d]
     return old, out
 
 

@@ -7,10 +7,7 @@
 #include "support/joins.h"          /* joins_flags */
 #include "vectors/vectors.h"        /* row, row_expect */
 
-#define HALF                                                                                       \
-    {                                                                                              \
-        .lsb = 0.5L + LSB, .roundings = 2                                                          \
-    }
+#define HALF { .lsb = 0.5L + LSB, .roundings = 2 }
 
 static bool same(const loft_join *a, const loft_join *b)
 {
