@@ -3,7 +3,6 @@
  */
 #include <stdio.h>
 #include "loft.h"
-
 static const loft_limits limits = {
     .max_speed = { LOFT_REAL(200), LOFT_REAL(200), LOFT_REAL(20) }, /* mm, s */
     .max_accel = { LOFT_REAL(1000), LOFT_REAL(1000), LOFT_REAL(200) },

@@ -693,8 +693,10 @@ case_links_of_others_are_left_alone() {
     ln -s "$tmp/file" "$tmp/mine"
     ln -s nowhere "$tmp/dangling"
     mkdir "$tmp/folder"
-    one_line 73 'link to something else' "$loft" simulate --link "$tmp/mine"
-    one_line 73 'link to something else' "$loft" simulate --link "$tmp/dangling"
+    one_line 73 'link to something other than a simulated machine' \
+        "$loft" simulate --link "$tmp/mine"
+    one_line 73 'link to something other than a simulated machine' \
+        "$loft" simulate --link "$tmp/dangling"
     one_line 73 'is a file' "$loft" simulate --link "$tmp/file"
     one_line 73 'is a file' "$loft" simulate --link "$tmp/folder"
     [ "$(readlink "$tmp/mine") $(readlink "$tmp/dangling") $(cat "$tmp/mine")" = \

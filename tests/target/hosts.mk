@@ -6,7 +6,7 @@
 
 HOST_SHARE ?= 1000
 HOSTS      := build/hosts
-HOST_UNITS := $(filter-out harmonic wire_page yardstick topp raise,$(TESTS))      # as units.py says
+HOST_UNITS := $(filter-out $(UNITS_LEFT),$(TESTS))      # as units.py says
 # Linux has an abort of its own
 HOST_UNIT_FLAGS = $(subst -DLOFT_PLAN_FLOW=0,,$(UNIT_FLAGS)) -Dabort=unit_abort
 

@@ -49,6 +49,8 @@ NOWHERE = {
     "wire_page": "it reads a page of text",
     "yardstick": "it tests what other tests measure with, nothing of lib/",
     "topp": "it tests what other tests measure with, nothing of lib/",
+    **dict.fromkeys("coord emit path period timing trajectory tube".split(),
+                    "the planner of trajectory.h is in no firmware yet"),
     "raise": "boards average a limited jerk: it is no part of their firmware",
 }
 NOT_HERE = {("nrf51", "planner"): "this board's firmware does not plan"}
