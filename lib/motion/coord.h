@@ -18,7 +18,7 @@ typedef int32_t loft_coord;      /* 2^-24 mm */
 
 typedef struct {
     loft_coord axis[LOFT_AXES];
-} loft_place;
+} loft_position;
 
 /* a - b of two coordinates that are less than 2^7 mm apart. */
 static inline loft_coord loft_coord_from(loft_coord a, loft_coord b)

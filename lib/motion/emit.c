@@ -124,7 +124,7 @@ void loft_emit_begin(loft_emit *emit, const loft_period *period, loft_vec from)
     emit->from = emit->last = from;
 }
 
-static void append(loft_emit *e, const loft_place *sample, loft_coord feed, uint16_t number)
+static void append(loft_emit *e, const loft_position *sample, loft_coord feed, uint16_t number)
 {
     const unsigned k = e->count++;
 
@@ -134,7 +134,7 @@ static void append(loft_emit *e, const loft_place *sample, loft_coord feed, uint
 }
 
 /* Where the chain begins, on the whole axis. */
-static void set_start(loft_emit *e, const loft_place *sample)
+static void set_start(loft_emit *e, const loft_position *sample)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const int64_t whole = (int64_t)loft_acc_int(loft_to_acc(e->from.axis[i])) * LOFT_COORD_MM;
@@ -145,7 +145,7 @@ static void set_start(loft_emit *e, const loft_place *sample)
 }
 
 /* At the start there is a sample before the first one, and the next point is on it. */
-void loft_emit_add(loft_emit *emit, const loft_place *sample, loft_coord feed, uint16_t number)
+void loft_emit_add(loft_emit *emit, const loft_position *sample, loft_coord feed, uint16_t number)
 {
     if (!emit->begun) {
         set_start(emit, sample);

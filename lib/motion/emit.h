@@ -7,7 +7,7 @@
 #ifndef LOFT_MOTION_EMIT_H
 #define LOFT_MOTION_EMIT_H
 
-#include "motion/period.h"  /* loft_period, loft_place */
+#include "motion/period.h"  /* loft_period, loft_position */
 #include "motion/span.h"    /* loft_span */
 
 LOFT_BEGIN_C
@@ -17,7 +17,7 @@ LOFT_BEGIN_C
 /* Do not rely on the fields. Sample number `first` of the chain is sample[0]. */
 typedef struct {
     const loft_period *period;
-    loft_place sample[LOFT_EMIT_SAMPLES], point[LOFT_EMIT_SAMPLES];
+    loft_position sample[LOFT_EMIT_SAMPLES], point[LOFT_EMIT_SAMPLES];
     loft_coord feed[LOFT_EMIT_SAMPLES];     /* the speed that is asked for before each */
     uint16_t   number[LOFT_EMIT_SAMPLES];   /* curves that are behind each */
     uint8_t    count, next;                 /* the next span begins at sample `next` */
@@ -32,7 +32,7 @@ void loft_emit_begin(loft_emit *emit, const loft_period *period, loft_vec from);
 
 /* Append a sample; there is room for it. `feed`: the speed that is asked for before it; `number`:
  * the curves behind it. */
-void loft_emit_add(loft_emit *emit, const loft_place *sample, loft_coord feed, uint16_t number);
+void loft_emit_add(loft_emit *emit, const loft_position *sample, loft_coord feed, uint16_t number);
 static inline bool loft_emit_room(const loft_emit *emit) { return emit->count < LOFT_EMIT_SAMPLES; }
 
 /* The last sample was the end of the chain, `to`. */

@@ -187,7 +187,7 @@ static void around(const loft_guess *g, const loft_path_place *at[4])
 }
 
 /* The place that is `time` after knot `at`. */
-static void place_at(const loft_guess *g, int64_t time, loft_place *out)
+static void place_at(const loft_guess *g, int64_t time, loft_position *out)
 {
     const loft_path_place *at[4];
     const loft_knot *k = &g->knot[g->at];
@@ -213,7 +213,7 @@ static void pass(loft_guess *g, int64_t time, unsigned end)
     g->time = g->at < end ? (int32_t)time : 0;
 }
 
-static void place_here(const loft_guess *g, loft_place *out)
+static void place_here(const loft_guess *g, loft_position *out)
 {
     if (g->time == 0)
         *out = g->knot[g->at].on.at;

@@ -18,7 +18,7 @@ LOFT_BEGIN_C
 /* A place and three more on the way to the next. */
 typedef struct {
     loft_path_place on;
-    loft_place      inner[3];
+    loft_position      inner[3];
 } loft_guess_place;
 
 /* Do not rely on the fields. */

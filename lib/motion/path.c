@@ -120,7 +120,7 @@ static bool advance(const loft_path *path, loft_path_walk *w)
     }
 }
 
-static void place_at(const loft_path_walk *w, loft_coord off, loft_place *out)
+static void place_at(const loft_path_walk *w, loft_coord off, loft_position *out)
 {
     loft_acc at[LOFT_AXES];
 
@@ -168,7 +168,7 @@ static void bow(const loft_path_stretch *e, bool back, loft_coord l, loft_coord 
 /* The place l before or behind the start of stretch i, from there; false: it is not known. */
 static bool probe(const loft_path *path, unsigned i, bool back, loft_coord l, loft_coord out[])
 {
-    const loft_place at = path->stretch[i].at;
+    const loft_position at = path->stretch[i].at;
     unsigned k = back ? i - 1 : i;
 
     while (l > path->stretch[k].length) {
@@ -177,7 +177,7 @@ static bool probe(const loft_path *path, unsigned i, bool back, loft_coord l, lo
             return false;
         k = back ? k - 1 : k + 1;
     }
-    const loft_place *from = &path->stretch[back ? k + 1 : k].at;
+    const loft_position *from = &path->stretch[back ? k + 1 : k].at;
     bow(&path->stretch[k], back, l, out);
     for (int j = 0; j < LOFT_AXES; j++)
         out[j] += loft_coord_from(from->axis[j], at.axis[j]);
@@ -453,7 +453,7 @@ static bool end_known(const loft_path *path)
 }
 
 /* Walk to a place; gives the least feed on the way. */
-static loft_coord walk_to(const loft_path *path, loft_path_walk *w, int64_t s, loft_place *out)
+static loft_coord walk_to(const loft_path *path, loft_path_walk *w, int64_t s, loft_position *out)
 {
     loft_coord feed = loft_period_speed(path->period, move_of(path, w->number)->feed);
     loft_path_walk last = *w;
@@ -512,7 +512,7 @@ static enum loft_path_state march(loft_path *path, loft_path_place *out)
 /* --- the cubic through places --------------------------------------------------------------------
  */
 
-static void legs_of(const loft_place *a, const loft_place *b, loft_coord leg[])
+static void legs_of(const loft_position *a, const loft_position *b, loft_coord leg[])
 {
     for (int i = 0; i < LOFT_AXES; i++)
         leg[i] = loft_coord_from(b->axis[i], a->axis[i]);
@@ -538,7 +538,7 @@ static void set_turn(loft_coord leg[], const loft_coord chord[], bool sharp)
     }
 }
 
-void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_place *out)
+void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_position *out)
 {
     loft_coord before[LOFT_AXES], chord[LOFT_AXES], after[LOFT_AXES];
     const int32_t y = ((int32_t)1 << 24) - z;
@@ -556,9 +556,9 @@ void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_place
     }
 }
 
-loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_place *p)
+loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_position *p)
 {
-    loft_place on;
+    loft_position on;
     loft_coord off[LOFT_AXES], chord[LOFT_AXES];
     int64_t dot = 0, way = 0;
 
@@ -591,7 +591,7 @@ static void four(const loft_path_place queue[], unsigned count, const loft_path_
 static loft_coord off_at(const loft_path *path, loft_path_walk *w,
                          const loft_path_place *const at[4], int64_t s)
 {
-    loft_place p;
+    loft_position p;
 
     (void)walk_to(path, w, s, &p);
     const int64_t z = ((s - at[1]->s) << 24) / (at[2]->s - at[1]->s);
@@ -699,7 +699,7 @@ enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)
         halve(path);
     }
     *out = path->queue[1];
-    loft_place p;
+    loft_position p;
     (void)walk_to(path, &path->check, out->s, &p);
     path->queued--;
     for (unsigned k = 0; k < path->queued; k++)

@@ -33,7 +33,7 @@ typedef struct {
 
 /* A nearly straight part of the path. */
 typedef struct {
-    loft_place at;                                      /* where it begins */
+    loft_position at;                                      /* where it begins */
     int16_t    from[LOFT_AXES], to[LOFT_AXES];          /* directions at its ends, 2^-14 */
     loft_coord  length, cap;                             /* cap: of speed, in a period */
     int64_t    s;
@@ -50,7 +50,7 @@ typedef struct {
 
 /* A place of the path. */
 typedef struct {
-    loft_place at;
+    loft_position at;
     loft_coord feed;        /* the speed that is asked for from the last place to this one */
     loft_coord skip;        /* how far the path is from the cubic through four places
                              * (loft_path_between), from this one to the next */
@@ -103,10 +103,10 @@ void loft_path_begin(loft_path *path);
 
 /* The cubic from b to c, of the places a, b, c, d: at part z, 2^-24, of the way. It ends along its
  * chord at a sharp place. */
-void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_place *out);
+void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_position *out);
 
 /* How far p is from it, at that part: across the chord from b to c, and beyond its ends. */
-loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_place *p);
+loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_position *p);
 
 LOFT_END_C
 

@@ -74,7 +74,7 @@ int32_t loft_sample_part(const loft_sample *at, const loft_knot knot[])
 }
 
 /* 6 S = 6 Q + D2 + z (6 D1 + z (3 D2 + z D3)) */
-void loft_sample_place(const loft_sample *at, const loft_knot knot[], loft_place *out)
+void loft_sample_place(const loft_sample *at, const loft_knot knot[], loft_position *out)
 {
     const unsigned k = at->knot;
     const int64_t z = loft_sample_part(at, knot);

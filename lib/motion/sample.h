@@ -31,7 +31,7 @@ loft_time loft_sample_pass(loft_sample *at, const loft_knot knot[], unsigned las
 int32_t loft_sample_part(const loft_sample *at, const loft_knot knot[]);
 
 /* Where it is on the path. */
-void loft_sample_place(const loft_sample *at, const loft_knot knot[], loft_place *out);
+void loft_sample_place(const loft_sample *at, const loft_knot knot[], loft_position *out);
 
 LOFT_END_C
 

@@ -206,7 +206,7 @@ static loft_coord feed_of(const loft_trajectory *t)
 
 static void add_sample(loft_trajectory *t)
 {
-    loft_place p;
+    loft_position p;
 
     loft_sample_place(&t->at, t->knot, &p);
     loft_emit_add(&t->emit, &p, feed_of(t), t->knot[t->at.knot].on.number);

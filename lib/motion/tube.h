@@ -14,7 +14,7 @@ LOFT_BEGIN_C
 /* A knot of the path. Do not rely on the fields. */
 typedef struct {
     loft_path_place on;     /* what is given */
-    loft_place      point;  /* control point of the path */
+    loft_position      point;  /* control point of the path */
     int32_t         v2;     /* control value of the squared pace, 2^-24: timing.h */
     int32_t         top;    /* the most that speed allows it to be, up to the next knot */
     int32_t         goal;   /* the most that all limits allow an even one, up to the next knot */

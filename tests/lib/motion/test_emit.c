@@ -50,7 +50,7 @@ static void arb_motion(arb *a, const loft_period *p)
             sample[k][i] *= scale;
 }
 
-static loft_vec vec_of(const loft_place *p)
+static loft_vec vec_of(const loft_position *p)
 {
     loft_vec v;
     for (int i = 0; i < LOFT_AXES; i++)
@@ -58,9 +58,9 @@ static loft_vec vec_of(const loft_place *p)
     return v;
 }
 
-static loft_place place_of(unsigned k)
+static loft_position place_of(unsigned k)
 {
-    loft_place p;
+    loft_position p;
     for (int i = 0; i < LOFT_AXES; i++)
         p.axis[i] = (loft_coord)floor(sample[k][i] + 0.5);
     return p;
@@ -75,7 +75,7 @@ static void all_limits_are_held_exactly(arb *a)
     even_limits(arb_decades(a, 20, 500), arb_decades(a, 300, 5000), arb_decades(a, 5000, 200000));
     loft_period_init(&p, &limits);
     arb_motion(a, &p);
-    const loft_place first = place_of(0), last = place_of(samples - 1);
+    const loft_position first = place_of(0), last = place_of(samples - 1);
     begin_chain();
     curves = 1;
     for (int k = 0; k < 4; k++)
@@ -83,7 +83,7 @@ static void all_limits_are_held_exactly(arb *a)
     loft_emit_begin(&emit, &p, chain[0].curve.p[0]);
     count = 0;
     for (unsigned k = 0; k < samples; k++) {
-        const loft_place at = k + 1 == samples ? last : place_of(k);
+        const loft_position at = k + 1 == samples ? last : place_of(k);
         CHECK(loft_emit_room(&emit));
         loft_emit_add(&emit, &at, LOFT_COORD_MM * 16, 0);
         if (k + 1 == samples)

@@ -33,7 +33,7 @@ static bool find_places(void)
     return state == LOFT_PATH_END;
 }
 
-static bool is_at(const loft_place *p, loft_vec v)
+static bool is_at(const loft_position *p, loft_vec v)
 {
     bool good = true;
     for (int i = 0; i < LOFT_AXES; i++) {
