@@ -198,7 +198,7 @@ static void place_at(const loft_guess *g, int64_t time, loft_position *out)
 
     z = z >> 8;
     around(g, at);
-    loft_path_between(at, z < 1 << 24 ? (int32_t)z : 1 << 24, out);
+    loft_path_between(at, z < INT32_C(1) << 24 ? (int32_t)z : INT32_C(1) << 24, out);
 }
 /* sqrt(2 b 2^24 2^7) = 2^16 sqrt b */
 
@@ -309,7 +309,8 @@ enum loft_path_state loft_guess_next(loft_guess *guess, loft_path_place *out)
         at[k] = &guess->queue[k < n ? k : n - 1].on;
     loft_coord off = 0;
     for (int k = 0; k < 3 && n > 2; k++) {
-        const loft_coord x = loft_path_off(at, (k + 1) << 22, &guess->queue[1].inner[k]);
+        const int32_t quarter = (int32_t)(k + 1) * (INT32_C(1) << 22);
+        const loft_coord x = loft_path_off(at, quarter, &guess->queue[1].inner[k]);
         off = x > off ? x : off;
     }
     *out = guess->queue[1].on;

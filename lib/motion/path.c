@@ -18,7 +18,7 @@
 #include "motion/path.h"
 
 #define ONE         1024                            /* a period, in times of corners */
-#define TIME_MAX    (256 * ONE)
+#define TIME_MAX    ((int32_t)256 * ONE)
 #define FAR         ((int64_t)1 << 30)              /* what is farther has no effect */
 #define CAP_MAX     (4 * LOFT_COORD_MM)
 #define UNIT        16384                           /* of directions */

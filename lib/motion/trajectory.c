@@ -84,7 +84,7 @@ static void place(loft_trajectory *t, unsigned known)
     loft_tube_load(t->knot, known > 1 ? known - 1 : 1, t->count - 1u);
     for (int k = 0; k < 3 && t->placed == 0; k++)
         t->knot[k].point = t->knot[0].on.at;
-    for (int k = 1; k <= 3 && t->ended; k++)
+    for (unsigned k = 1; k <= 3 && t->ended; k++)
         t->knot[t->count - k].point = t->knot[t->count - 1].on.at;
     if (from + 3 < t->count)
         loft_tube_smooth(&t->period, t->knot, from, t->count - 3u, SWEEPS);
