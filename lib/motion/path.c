@@ -750,7 +750,7 @@ enum loft_status loft_path_push(loft_path *path, const loft_move *move)
 
     if (status != LOFT_OK)
         return status;
-    if (path->count == path->room || (path->last && !path->over))
+    if (loft_path_room(path) == 0)
         return LOFT_ERR_SPACE;
     if (path->count == 0 && (!path->begun || path->over))
         path->from = move->curve.p[0];

@@ -91,6 +91,12 @@ void loft_path_init(loft_path *path, const loft_period *period, loft_move moves[
  */
 enum loft_status loft_path_push(loft_path *path, const loft_move *move) LOFT_CHECKED;
 
+/* Curves that can be pushed now. */
+static inline uint16_t loft_path_room(const loft_path *path)
+{
+    return path->last && !path->over ? 0 : (uint16_t)(path->room - path->count);
+}
+
 /* The next place: the first is the start of the chain, the last its end.
  *
  *   shape   LOFT_PATH_WAIT: that depends on what comes; LOFT_PATH_END: the path ended with the

@@ -215,7 +215,7 @@ static void add_sample(loft_trajectory *t)
 static void add_end(loft_trajectory *t)
 {
     const loft_knot *last = &t->knot[t->count - 1];
-    loft_emit_add(&t->emit, &last->point, last->on.feed, last->on.number);
+    loft_emit_add(&t->emit, &last->point, last->on.feed, t->guess.path.dropped);
     loft_emit_end(&t->emit, t->to);
 }
 
@@ -269,8 +269,10 @@ static void begin(loft_trajectory *t)
 enum loft_trajectory_state loft_trajectory_next(loft_trajectory *t, loft_span *out)
 {
     for (;;) {
-        if (loft_emit_next(&t->emit, out))
+        if (loft_emit_next(&t->emit, out)) {
+            t->passed = t->emit.number[t->emit.next];
             return LOFT_TRAJECTORY_SPAN;
+        }
         if (t->emit.ended)
             begin(t);
         if (t->count == 0)
@@ -283,6 +285,7 @@ enum loft_trajectory_state loft_trajectory_next(loft_trajectory *t, loft_span *o
                                                              : LOFT_TRAJECTORY_WAIT;
         if (state == LOFT_PATH_END) {
             begin(t);
+            t->passed = t->guess.path.dropped;
             return LOFT_TRAJECTORY_REST;
         }
     }
@@ -310,6 +313,7 @@ enum loft_status loft_trajectory_init(loft_trajectory *t, const loft_limits *lim
     t->knot = knots;
     t->room = knot_room;
     t->sweeps = RAISES;
+    t->passed = 0;
     begin(t);
     return LOFT_OK;
 }

@@ -31,7 +31,7 @@ typedef struct {
     loft_time   lag;                /* by how much the steps are too long, all of them */
     loft_emit   emit;
     loft_vec    to;                 /* the end of the chain */
-    uint16_t    passed;
+    uint16_t    passed;             /* curves behind the last span */
 } loft_trajectory;
 
 enum loft_trajectory_state {
@@ -70,6 +70,18 @@ void loft_trajectory_end(loft_trajectory *t);
  *           control points adds (plan.h); the path is within limits.tol
  */
 enum loft_trajectory_state loft_trajectory_next(loft_trajectory *t, loft_span *out);
+
+/* Curves that can be pushed now. */
+static inline uint16_t loft_trajectory_room(const loft_trajectory *t)
+{
+    return loft_path_room(&t->guess.path);
+}
+
+/* Curves that lie entirely behind the end of the last span, of all that were pushed, modulo 2^16.
+ *
+ *   error   it may be told a period late
+ */
+static inline uint16_t loft_trajectory_passed(const loft_trajectory *t) { return t->passed; }
 
 LOFT_END_C
 

@@ -139,6 +139,40 @@ static void more_tolerance_is_faster(arb *a)
     CHECK(coarse <= fine && seconds() <= coarse * 1.005);
 }
 
+/* Room falls with each curve; all of them are behind it where it rests, and never more than were
+ * pushed. */
+static void room_and_passed_curves_are_told(arb *a)
+{
+    static loft_trajectory t;
+    static loft_move moves[4];
+    static loft_knot knots[LOFT_TRAJECTORY_KNOTS_MIN];
+    enum loft_trajectory_state state = LOFT_TRAJECTORY_SPAN;
+    uint16_t pushed = 0, passed = 0;
+    loft_span s;
+
+    even_limits(100, 500, 10000);
+    CHECK(loft_trajectory_init(&t, &limits, moves, 4, knots, LOFT_TRAJECTORY_KNOTS_MIN) == LOFT_OK);
+    outline(100);
+    while (state != LOFT_TRAJECTORY_REST) {
+        while (pushed < curves && arb_below(a, 3) > 0) {
+            const uint16_t room = loft_trajectory_room(&t);
+            const bool full = loft_trajectory_push(&t, &chain[pushed]) == LOFT_ERR_SPACE;
+            CHECK(full == (room == 0));
+            if (full)
+                break;
+            pushed++;
+            CHECK(loft_trajectory_room(&t) == room - 1);
+        }
+        if (pushed == curves)
+            loft_trajectory_end(&t);
+        state = loft_trajectory_next(&t, &s);
+        state = state == LOFT_TRAJECTORY_REST && pushed < curves ? LOFT_TRAJECTORY_WAIT : state;
+        CHECK(loft_trajectory_passed(&t) >= passed && loft_trajectory_passed(&t) <= pushed);
+        passed = loft_trajectory_passed(&t);
+    }
+    CHECK(passed == curves && loft_trajectory_room(&t) == 4);
+}
+
 static void what_it_cannot_plan_is_refused(arb *a)
 {
     static loft_trajectory t;
@@ -164,6 +198,7 @@ int main(void)
     PROPERTY(lines_take_little_more_than_an_s_curve, 20);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 2);
     PROPERTY(more_tolerance_is_faster, 1);
+    PROPERTY(room_and_passed_curves_are_told, 2);
     PROPERTY(what_it_cannot_plan_is_refused, 5);
     return check_failures();
 }
