@@ -12,6 +12,7 @@
 #define SMOOTH_PART 0.2     /* of the tolerance: for replacing lines by curves */
 #define MAP_PART    0.2     /* of the tolerance: for the curves of nonlinear motors */
 #define TOL_MIN     (1 / 1024.0)    /* mm, of lib/motion/limits.h                */
+#define RAPID 1000.0        /* mm/s: more than any axis; so its own limits are the rapid speed */
 #define JERK_PER 20         /* 1/s times the acceleration: reached in 1/20 s */
 
 int planning_start(planning *p, int argc, char **argv)
@@ -60,11 +61,15 @@ static int within_reach(const planning *p, const drawing *d, const char *file)
 {
     for (size_t i = 0; i < d->count; i++)
         for (int k = 0; k < 4; k++) {
-            const double *at = d->curve[i].p[k];
+            const double *at = d->curve[i].p[k], z = d->curve[i].z[k];
             if (!(fabs(at[0]) <= p->e->reach && fabs(at[1]) <= p->e->reach))
                 return tool_error(
                     EX_DATAERR, "%s:%u: a point at %.6g,%.6g mm: bring the drawing within +-%g mm",
                     source_name(file), d->curve[i].line, at[0], at[1], p->e->reach);
+            if (!(fabs(z) <= p->e->reach))
+                return tool_error(EX_DATAERR,
+                                  "%s:%u: a point at z %.6g mm: bring the drawing within +-%g mm",
+                    source_name(file), d->curve[i].line, z, p->e->reach);
         }
     return 0;
 }
@@ -89,7 +94,7 @@ toolpath_options planning_path(const planning *p)
 {
     const double motors[ENGINE_AXES] = { 0, 0, 0 };
     toolpath_options how = {
-        .feed = p->feed, .travel = p->travel, .lift = p->lift, .park = p->park
+        .feed = p->feed, .travel = p->travel, .rapid = RAPID, .lift = p->lift, .park = p->park
     };
 
     (void)kinematics_tool(&p->machine.k, motors, how.zero);

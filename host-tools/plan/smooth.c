@@ -26,14 +26,14 @@
 
 /* Samples of a chain, and the spline through them. */
 typedef struct {
-    double (*p)[2], *u;     /* place, length along the chain                  */
+    double (*p)[3], *u;     /* place, length along the chain                  */
     size_t *vertex;         /* the line that starts there, or that it lies on */
     size_t count, room;
     double *knot;           /* ends and inner knots, ascending: `intervals` + 1 */
     size_t *first;          /* of each interval: its first sample             */
     size_t intervals;
-    double (*c)[2];         /* intervals + 3 coefficients                     */
-    double (*a)[4], (*b)[2];
+    double (*c)[3];         /* intervals + 3 coefficients                     */
+    double (*a)[4], (*b)[3];
 } fit;
 
 
@@ -43,6 +43,11 @@ typedef struct {
 static double knot_at(const fit *f, long i)
 {
     return f->knot[i < 0 ? 0 : i > (long)f->intervals ? (long)f->intervals : i];
+}
+
+static double distance(const double a[3], const double b[3])
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 /* The four B-splines that are not 0 on interval k, and their derivatives (de Boor's recurrence). */
@@ -71,12 +76,12 @@ static void basis_values(const fit *f, size_t k, double u, double value[4], doub
     }
 }
 
-static void eval_spline(const fit *f, size_t k, double u, double out[2], double slope[2])
+static void eval_spline(const fit *f, size_t k, double u, double out[3], double slope[3])
 {
     double value[4], deriv[4];
 
     basis_values(f, k, u, value, deriv);
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
         out[i] = slope[i] = 0;
         for (int r = 0; r < 4; r++) {
             out[i]   += value[r] * f->c[k + (size_t)r][i];
@@ -86,7 +91,7 @@ static void eval_spline(const fit *f, size_t k, double u, double out[2], double 
 }
 
 /* Cholesky with seven diagonals: a[i][j] is row i, column i - j. */
-static void solve_banded(double (*a)[4], double (*b)[2], size_t n)
+static void solve_banded(double (*a)[4], double (*b)[3], size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         for (size_t j = i < 3 ? i : 3; j + 1 > 0; j--) {
@@ -97,14 +102,14 @@ static void solve_banded(double (*a)[4], double (*b)[2], size_t n)
             if (j == 0)
                 break;
         }
-        for (int x = 0; x < 2; x++) {
+        for (int x = 0; x < 3; x++) {
             for (size_t j = 1; j <= 3 && j <= i; j++)
                 b[i][x] -= a[i][j] * b[i - j][x];
             b[i][x] /= a[i][0];
         }
     }
     for (size_t i = n; i-- > 0;)
-        for (int x = 0; x < 2; x++) {
+        for (int x = 0; x < 3; x++) {
             for (size_t j = 1; j <= 3 && i + j < n; j++)
                 b[i][x] -= a[i + j][j] * b[i + j][x];
             b[i][x] /= a[i][0];
@@ -126,13 +131,13 @@ static void solve_spline(fit *f)
             for (size_t r = 0; r < 4; r++) {
                 for (size_t j = 0; j <= r; j++)
                     f->a[k + r][j] += weight * value[r] * value[r - j];
-                for (int x = 0; x < 2; x++)
+                for (int x = 0; x < 3; x++)
                     f->b[k + r][x] += weight * value[r] * f->p[s][x];
             }
         }
     f->a[0][0]     += 1e12;
     f->a[n - 1][0] += 1e12;
-    for (int x = 0; x < 2; x++) {
+    for (int x = 0; x < 3; x++) {
         f->b[0][x]     += 1e12 * f->p[0][x];
         f->b[n - 1][x] += 1e12 * f->p[last][x];
     }
@@ -151,12 +156,13 @@ static double error_of(const fit *f, size_t k, size_t *where)
         for (int j = 0; j <= BETWEEN && s + 1 < f->count; j++) {
             const double part = (double)j / (BETWEEN + 1),
                          u = f->u[s] + part * (f->u[s + 1] - f->u[s]);
-            double at[2], slope[2];
+            double at[3], slope[3], chord[3];
             if (u > f->knot[k + 1])
                 break;
             eval_spline(f, k, u, at, slope);
-            const double off = hypot(at[0] - f->p[s][0] - part * (f->p[s + 1][0] - f->p[s][0]),
-                                     at[1] - f->p[s][1] - part * (f->p[s + 1][1] - f->p[s][1]));
+            for (int i = 0; i < 3; i++)
+                chord[i] = f->p[s][i] + part * (f->p[s + 1][i] - f->p[s][i]);
+            const double off = distance(at, chord);
             if (off > worst) {
                 worst  = off;
                 *where = s;
@@ -194,31 +200,53 @@ static size_t refine_intervals(fit *f, double within, size_t *where)
 // Chains
 // ------
 
+static void place_of(const drawing_curve *c, int k, double out[3])
+{
+    out[0] = c->p[k][0];
+    out[1] = c->p[k][1];
+    out[2] = c->z[k];
+}
+
 static bool is_line(const drawing_curve *c)
 {
-    for (int i = 0; i < 2; i++) {
-        const double a = c->p[0][i], b = c->p[3][i];
-        if (fabs(c->p[1][i] - (2 * a + b) / 3) > STRAIGHT ||
-            fabs(c->p[2][i] - (a + 2 * b) / 3) > STRAIGHT)
+    double p[4][3];
+
+    for (int k = 0; k < 4; k++)
+        place_of(c, k, p[k]);
+    for (int i = 0; i < 3; i++) {
+        const double a = p[0][i], b = p[3][i];
+        if (fabs(p[1][i] - (2 * a + b) / 3) > STRAIGHT ||
+            fabs(p[2][i] - (a + 2 * b) / 3) > STRAIGHT)
             return false;
     }
-    return true;
+    return c->feed >= 0;        /* travels of a program stay as they are */
 }
 
 /* Can the vertex between two lines lie on a curve? It must turn little, and not rise high above the
  * line between its neighbours. */
 static bool vertex_is_smooth(const drawing_curve *a, const drawing_curve *b, double within)
 {
-    const double ax = a->p[3][0] - a->p[0][0], ay = a->p[3][1] - a->p[0][1],
-                 bx = b->p[3][0] - b->p[0][0], by = b->p[3][1] - b->p[0][1];
-    const double length = hypot(ax, ay) * hypot(bx, by), across = fabs(ax * by - ay * bx),
-                 along = ax * bx + ay * by;
+    double p[3], q[3], r[3], by[2][3], cross[3], along = 0;
 
-    return a->path == b->path && length > 0 && along > TURN * length &&
-           across <= 4 * within * hypot(ax + bx, ay + by);
+    place_of(a, 0, p);
+    place_of(a, 3, q);
+    place_of(b, 3, r);
+    for (int i = 0; i < 3; i++) {
+        by[0][i] = q[i] - p[i];
+        by[1][i] = r[i] - q[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        cross[i] = by[0][j] * by[1][k] - by[0][k] * by[1][j];
+        along += by[0][i] * by[1][i];
+    }
+    const double length = distance(p, q) * distance(q, r),
+                 across = hypot(hypot(cross[0], cross[1]), cross[2]);
+    return a->path == b->path && !(a->feed < b->feed) && !(a->feed > b->feed) && length > 0 &&
+           along > TURN * length && across <= 4 * within * distance(p, r);
 }
 
-static void add_sample(fit *f, const double p[2], size_t vertex)
+static void add_sample(fit *f, const double p[3], size_t vertex)
 {
     if (f->count == f->room) {
         f->room   = f->room ? 2 * f->room : 1024;
@@ -228,27 +256,28 @@ static void add_sample(fit *f, const double p[2], size_t vertex)
     }
     const size_t n = f->count++;
     memcpy(f->p[n], p, sizeof f->p[n]);
-    f->u[n]      = n > 0 ? f->u[n - 1] + hypot(p[0] - f->p[n - 1][0], p[1] - f->p[n - 1][1]) : 0;
+    f->u[n]      = n > 0 ? f->u[n - 1] + distance(p, f->p[n - 1]) : 0;
     f->vertex[n] = vertex;
 }
 
 /* Sample lines from..to-1 of `d`. */
 static void sample_lines(fit *f, const drawing *d, size_t from, size_t to)
 {
+    double a[3], b[3] = { 0 };
+
     f->count = 0;
     for (size_t i = from; i < to; i++) {
-        const drawing_curve *c = &d->curve[i];
-        const double length = hypot(c->p[3][0] - c->p[0][0], c->p[3][1] - c->p[0][1]);
-        const int pieces = (int)fmin(fmax(ceil(length / APART), 1), MANY);
+        place_of(&d->curve[i], 0, a);
+        place_of(&d->curve[i], 3, b);
+        const int pieces = (int)fmin(fmax(ceil(distance(a, b) / APART), 1), MANY);
         for (int j = 0; j < pieces; j++) {
             const double part = (double)j / pieces;
-            add_sample(f,
-                   (double[2]){ c->p[0][0] + part * (c->p[3][0] - c->p[0][0]),
-                                c->p[0][1] + part * (c->p[3][1] - c->p[0][1]) },
-                   i);
+            const double at[3] = { a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]),
+                                   a[2] + part * (b[2] - a[2]) };
+            add_sample(f, at, i);
         }
     }
-    add_sample(f, d->curve[to - 1].p[3], to);
+    add_sample(f, b, to);
     f->knot  = tool_grow(f->knot, (f->count + 2) * sizeof *f->knot);
     f->first = tool_grow(f->first, (f->count + 2) * sizeof *f->first);
     f->a     = tool_grow(f->a, (f->count + 4) * sizeof *f->a);
@@ -282,9 +311,9 @@ static size_t fit_lines(fit *f, const drawing *d, size_t from, size_t to, double
     return at <= from ? from + 1 : at >= to ? to - 1 : at;
 }
 
-static void give_spline(drawing *to, const fit *f, bool fresh, unsigned line)
+static void give_spline(drawing *to, const fit *f, bool fresh, const drawing_curve *like)
 {
-    double p[4][2], slope[2][2];
+    double p[4][3], slope[2][3];
 
     memcpy(p[3], f->p[0], sizeof p[3]);
     for (size_t k = 0; k < f->intervals; k++) {
@@ -292,23 +321,25 @@ static void give_spline(drawing *to, const fit *f, bool fresh, unsigned line)
         memcpy(p[0], p[3], sizeof p[0]);
         eval_spline(f, k, f->knot[k], p[1], slope[0]);
         eval_spline(f, k, f->knot[k + 1], p[3], slope[1]);
-        for (int i = 0; i < 2; i++) {
+        for (int i = 0; i < 3; i++) {
             p[1][i] = p[0][i] + third * slope[0][i];
             p[2][i] = p[3][i] - third * slope[1][i];
         }
         if (k + 1 == f->intervals)
             memcpy(p[3], f->p[f->count - 1], sizeof p[3]);
-        drawing_add(to, p, fresh && k == 0, line);
+        drawing_add_space(to, p, like->feed, fresh && k == 0, like->line);
     }
 }
 
 static void copy_curve(drawing *to, const drawing *from, size_t i)
 {
-    double p[4][2];
+    double p[4][3];
 
-    memcpy(p, from->curve[i].p, sizeof p);
-    drawing_add(to, p, i == 0 || from->curve[i].path != from->curve[i - 1].path,
-                from->curve[i].line);
+    for (int k = 0; k < 4; k++)
+        place_of(&from->curve[i], k, p[k]);
+    drawing_add_space(to, p, from->curve[i].feed,
+                      i == 0 || from->curve[i].path != from->curve[i - 1].path,
+                      from->curve[i].line);
 }
 
 /* Replace the chain from..to-1 by as few curves as are found. Returns how many lines were
@@ -331,7 +362,7 @@ static size_t smooth_chain(drawing *to, const drawing *d, fit *f, size_t from, s
             continue;
         }
         give_spline(to, f, from == 0 || d->curve[from].path != d->curve[from - 1].path,
-                    d->curve[from].line);
+                    &d->curve[from]);
         replaced += stop - from;
         from = stop;
         stop = end;
@@ -344,8 +375,9 @@ size_t drawing_smooth(drawing *to, const drawing *from, double within)
     fit f = { 0 };
     size_t replaced = 0;
 
-    to->width  = from->width;
-    to->height = from->height;
+    to->width   = from->width;
+    to->height  = from->height;
+    to->program = from->program;
     for (size_t i = 0, end; i < from->count; i = end) {
         end = i + 1;
         if (within > 0 && is_line(&from->curve[i]))

@@ -15,6 +15,7 @@ typedef struct {
     toolpath *t;
     const toolpath_options *o;
     double at[ENGINE_AXES];
+    double up;                      /* mm: height of a travel */
     size_t room;
 } making;
 
@@ -59,8 +60,8 @@ static void go_to(making *m, double x, double y, double z)
 static void travel_to(making *m, double x, double y, double z)
 {
     if (hypot(m->at[0] - x, m->at[1] - y) >= SAME) {
-        if (m->at[2] < m->o->lift)
-            go_to(m, m->at[0], m->at[1], m->o->lift);
+        if (m->at[2] < m->up)
+            go_to(m, m->at[0], m->at[1], m->up);
         go_to(m, x, y, m->at[2]);
     }
     go_to(m, x, y, z);
@@ -69,38 +70,62 @@ static void travel_to(making *m, double x, double y, double z)
 static void draw_path(making *m, const drawing *d, size_t i)
 {
     const drawing_curve *c = &d->curve[i];
-    engine_move move = { .feed = m->o->feed };
+    const bool rapid = c->feed < 0;
+    engine_move move = { .feed = rapid ? m->o->rapid : c->feed > 0 ? c->feed : m->o->feed };
     double widest    = 0;
 
     memcpy(move.p[0], m->at, sizeof move.p[0]);
     for (int k = 1; k < 4; k++) {
         move.p[k][0] = c->p[k][0];
         move.p[k][1] = c->p[k][1];
+        move.p[k][2] = c->z[k];
         widest       = fmax(widest, is_apart(move.p[0], move.p[k]));
     }
     if (widest < SAME)
         return;
-    add_move(m, &move, i);
-    m->t->curves++;
+    add_move(m, &move, rapid ? TOOLPATH_TRAVEL : i);
+    m->t->curves += !rapid;
+}
+
+/* How much of the drawing is travelled. */
+static double length_of_rapids(const drawing *d)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < d->count; i++)
+        if (d->curve[i].feed < 0)
+            sum += hypot(hypot(d->curve[i].p[3][0] - d->curve[i].p[0][0],
+                               d->curve[i].p[3][1] - d->curve[i].p[0][1]),
+                         d->curve[i].z[3] - d->curve[i].z[0]);
+    return sum;
+}
+
+static void go_to_curve(making *m, const drawing *d, size_t i)
+{
+    const drawing_curve *c = &d->curve[i];
+    const double to[ENGINE_AXES] = { c->p[0][0], c->p[0][1], c->z[0] };
+
+    if (d->program)
+        go_to(m, to[0], to[1], to[2]);
+    else if (i == 0 || c->path != c[-1].path || is_apart(m->at, to) >= SAME)
+        travel_to(m, to[0], to[1], to[2]);
 }
 
 void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
 {
-    making m = { .t = t, .o = o };
+    making m = { .t = t, .o = o, .up = drawing_top(d) + (d->program ? 0 : o->lift) };
+    const double rapids = length_of_rapids(d);
 
-    *t = (toolpath){ .drawn = drawing_length(d) };
+    *t = (toolpath){ .drawn = drawing_length(d) - rapids, .travelled = rapids };
     memcpy(m.at, o->start, sizeof m.at);
     for (size_t i = 0; i < d->count; i++) {
-        const drawing_curve *c = &d->curve[i];
-        if (i == 0 || c->path != c[-1].path ||
-            hypot(m.at[0] - c->p[0][0], m.at[1] - c->p[0][1]) >= SAME)
-            travel_to(&m, c->p[0][0], c->p[0][1], 0);
+        go_to_curve(&m, d, i);
         draw_path(&m, d, i);
     }
     if (t->count > 0 && o->park)
         travel_to(&m, o->zero[0], o->zero[1], o->zero[2]);
-    else if (t->count > 0)
-        go_to(&m, m.at[0], m.at[1], o->lift);
+    else if (t->count > 0 && !d->program)
+        go_to(&m, m.at[0], m.at[1], m.up);
 }
 
 void toolpath_free(toolpath *t)

@@ -2,7 +2,8 @@
  * up, travel
  * SPDX-License-Identifier: MIT
  *
- * Paths are drawn in the order of the file at z = 0; between them the pen is lifted to z = lift.
+ * Paths are drawn in the order of the file at their heights, 0 in a flat drawing. Between them the
+ * pen is lifted by `lift` above the highest point. A program is drawn as it is, at its feeds.
  */
 #ifndef LOFT_TOOLPATH_H
 #define LOFT_TOOLPATH_H
@@ -12,6 +13,7 @@
 
 typedef struct {
     double feed, travel;            /* mm/s, pen down and pen up                            */
+    double rapid;                   /* mm/s, travels of a program */
     double lift;                    /* mm                                                   */
     double start[ENGINE_AXES];      /* position of the machine, mm */
     bool park;                      /* go to `zero` at the end */

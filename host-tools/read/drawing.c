@@ -85,28 +85,57 @@ void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line)
     const unsigned path = d->count == 0 ? 0 : d->curve[d->count - 1].path + (fresh ? 1 : 0);
     drawing_curve *c = &d->curve[d->count++];
 
+    *c = (drawing_curve){ .path = path, .line = line };
     memcpy(c->p, p, sizeof c->p);
-    c->path = path;
-    c->line = line;
+}
+
+void drawing_add_space(drawing *d, double p[4][3], double feed, bool fresh, unsigned line)
+{
+    double flat[4][2];
+
+    for (int k = 0; k < 4; k++)
+        memcpy(flat[k], p[k], sizeof flat[k]);
+    drawing_add(d, flat, fresh, line);
+    for (int k = 0; k < 4; k++)
+        d->curve[d->count - 1].z[k] = p[k][2];
+    d->curve[d->count - 1].feed = feed;
+}
+
+static double distance(const double a[3], const double b[3])
+{
+    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 int drawing_join(drawing *d, const char *file, unsigned line, double p[4][2])
 {
-    for (int i = 0; i < 8; i++)
-        if (!(fabs(p[i / 2][i % 2]) <= DRAWING_LIMIT))
+    double space[4][3];
+
+    for (int k = 0; k < 4; k++) {
+        memcpy(space[k], p[k], sizeof p[k]);
+        space[k][2] = 0;
+    }
+    return drawing_join_space(d, file, line, space, 0);
+}
+
+int drawing_join_space(drawing *d, const char *file, unsigned line, double p[4][3], double feed)
+{
+    for (int i = 0; i < 12; i++)
+        if (!(fabs(p[i / 3][i % 3]) <= DRAWING_LIMIT))
             return tool_error(EX_DATAERR, "%s:%u: %g mm is beyond +-%g mm: check the units", file,
-                              line, p[i / 2][i % 2], DRAWING_LIMIT);
+                              line, p[i / 3][i % 3], DRAWING_LIMIT);
     if (d->count >= DRAWING_CURVES_MAX)
         return tool_error(EX_DATAERR, "%s:%u: more than %u curves: split the drawing", file, line,
                           DRAWING_CURVES_MAX);
 
-    const double *end = d->count ? d->curve[d->count - 1].p[3] : NULL;
-    const bool goes_on = end && hypot(end[0] - p[0][0], end[1] - p[0][1]) <= SAME;
+    const drawing_curve *last = d->count ? &d->curve[d->count - 1] : NULL;
+    const double end[3] = { last ? last->p[3][0] : NAN, last ? last->p[3][1] : NAN,
+                            last ? last->z[3] : NAN };
+    const bool goes_on = distance(end, p[0]) <= SAME;
     if (goes_on)
         memcpy(p[0], end, sizeof p[0]);
     for (int k = 1; k < 4; k++)
-        if (hypot(p[k][0] - p[0][0], p[k][1] - p[0][1]) > SAME) {
-            drawing_add(d, p, !goes_on, line);
+        if (distance(p[k], p[0]) > SAME) {
+            drawing_add_space(d, p, feed, !goes_on, line);
             break;                      /* a curve without length draws nothing */
         }
     return 0;
@@ -134,6 +163,17 @@ void drawing_deriv(const drawing_curve *c, double t, double out[2])
                       t * t * (c->p[3][i] - c->p[2][i]));
 }
 
+static double speed_at(const drawing_curve *c, double t)
+{
+    const double s = 1 - t;
+    double v[2];
+
+    drawing_deriv(c, t, v);
+    const double up = 3 * (s * s * (c->z[1] - c->z[0]) + 2 * s * t * (c->z[2] - c->z[1]) +
+                           t * t * (c->z[3] - c->z[2]));
+    return hypot(hypot(v[0], v[1]), up);
+}
+
 /* The length of the piece from a to b by the seven-point Gauss rule: exact for a speed of degree
  * 13. */
 static double gauss_length(const drawing_curve *c, double a, double b)
@@ -145,11 +185,8 @@ static double gauss_length(const drawing_curve *c, double a, double b)
     const double middle = (a + b) / 2, half = (b - a) / 2;
     double sum = 0;
 
-    for (int i = -3; i <= 3; i++) {
-        double v[2];
-        drawing_deriv(c, middle + half * (i < 0 ? -at[-i] : at[i]), v);
-        sum += weight[i < 0 ? -i : i] * hypot(v[0], v[1]);
-    }
+    for (int i = -3; i <= 3; i++)
+        sum += weight[i < 0 ? -i : i] * speed_at(c, middle + half * (i < 0 ? -at[-i] : at[i]));
     return sum * half;
 }
 
@@ -175,7 +212,8 @@ double drawing_length(const drawing *d)
         const drawing_curve *c = &d->curve[i];
         double legs = 0;        /* of the control polygon: at least the length */
         for (int k = 0; k < 3; k++)
-            legs += hypot(c->p[k + 1][0] - c->p[k][0], c->p[k + 1][1] - c->p[k][1]);
+            legs += hypot(hypot(c->p[k + 1][0] - c->p[k][0], c->p[k + 1][1] - c->p[k][1]),
+                          c->z[k + 1] - c->z[k]);
         sum += length_between(c, 0, 1, gauss_length(c, 0, 1), 1e-8 * legs, 40);
     }
     return sum;
@@ -217,4 +255,14 @@ bool drawing_box(const drawing *d, double box[2][2])
     for (size_t i = 0; i < d->count; i++)
         box_curve(box, &d->curve[i]);
     return d->count > 0;
+}
+
+double drawing_top(const drawing *d)
+{
+    double top = d->count > 0 ? -HUGE_VAL : 0;
+
+    for (size_t i = 0; i < d->count; i++)
+        for (int k = 0; k < 4; k++)
+            top = fmax(top, d->curve[i].z[k]);
+    return top;
 }

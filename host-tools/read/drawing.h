@@ -1,9 +1,13 @@
-/* host-tools/read/drawing.h -- a drawing: cubic curves in mm, y up, in drawing order
+/* host-tools/read/drawing.h -- a drawing: cubic curves in mm, y up, in drawing order, flat or in
+ * space
  * SPDX-License-Identifier: MIT
  *
  * The readers svg.c, csv.c and drawing_curves.c fill it; lines and arcs are cubics too. A path is a
  * connected run of curves that is drawn with the pen down. Between paths the pen travels. Nothing
  * is clipped, and colours do not matter: a plotter draws outlines.
+ *
+ * A curve in space has heights beside its points in the plane. A program (G-code) is a drawing that
+ * says every motion: its curves have feeds, travels are curves too, and nothing is added between.
  */
 #ifndef LOFT_DRAWING_H
 #define LOFT_DRAWING_H
@@ -14,6 +18,8 @@
 typedef struct {
     double p[4][2];         /* control points, mm, y up, origin at the lower left corner of the
                              * page */
+    double z[4];            /* their heights, mm */
+    double feed;            /* mm/s; 0: that of the options, DRAWING_RAPID: as fast as can be */
     unsigned path;          /* 0, 1, 2 ..: curves of one path follow each other and are connected */
     unsigned line;          /* its line in the file */
 } drawing_curve;
@@ -22,11 +28,13 @@ typedef struct {
     drawing_curve *curve;
     size_t count, room;
     double width, height;   /* page in mm; 0 if the file gives none */
+    bool program;           /* it says every motion */
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */
 } drawing;
 
 /* mm; coordinates beyond +- this are refused: they must fit Q16.16 sums */
 #define DRAWING_LIMIT 16000.0
+#define DRAWING_RAPID (-1.0)
 #define DRAWING_CURVES_MAX 4000000u     /* more are refused: a few kB can expand to billions */
 
 /* Read `file` ("-" is standard input). Its content tells the format: SVG, curves (LOFT.md) or CSV
@@ -35,24 +43,30 @@ typedef struct {
 int  drawing_read(drawing *d, const char *file);
 void drawing_free(drawing *d);
 
-/* Append one curve; `fresh` begins a new path (the first curve always does). For readers, which
- * check the limits. */
+/* Append one curve, flat or in space; `fresh` begins a new path (the first curve always does). For
+ * readers, which check the limits. */
 void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line);
+void drawing_add_space(drawing *d, double p[4][3], double feed, bool fresh, unsigned line);
 
 /* The same for a curve that may continue the one before: if it starts at that end, it is joined
- * exactly. A curve without length is left out; one beyond the limits is refused with one line. */
+ * exactly. A curve without length is left out; one beyond the limits is refused with one line. The
+ * second function takes a curve in space, and its feed. */
 int drawing_join(drawing *d, const char *file, unsigned line, double p[4][2]);
+int drawing_join_space(drawing *d, const char *file, unsigned line, double p[4][3], double feed);
 
-/* The point of a curve at t in 0..1, and its derivative by t. */
+/* The point of a curve at t in 0..1, and its derivative by t, seen from above. */
 void drawing_eval(const drawing_curve *c, double t, double out[2]);
 void drawing_deriv(const drawing_curve *c, double t, double out[2]);
 
 /* The true length in mm, to 1e-6 relative. */
 double drawing_length(const drawing *d);
 
-/* The smallest box around the curves themselves (not their control points): box[0] smallest, box[1]
- * largest. Returns false if there are no curves. */
+/* The smallest box around the curves themselves (not their control points), seen from above: box[0]
+ * smallest, box[1] largest. Returns false if there are no curves. */
 bool drawing_box(const drawing *d, double box[2][2]);
+
+/* The height of the highest control point; 0 in a flat drawing. */
+double drawing_top(const drawing *d);
 
 /* The readers, chosen by drawing_read. `text` holds `size` bytes, followed by a 0; `file` is for
  * messages. */

@@ -1,12 +1,9 @@
-/* host-tools/read/drawing_curves.c -- a drawing of curves of any kind: converts each to cubics in
- * the plane
+/* host-tools/read/drawing_curves.c -- a drawing of curves of any kind: converts each to cubics
  * SPDX-License-Identifier: MIT
  *
  * A curve that starts where the one before ends continues its path. Polynomials up to degree 3 are
  * kept. Others are cut into cubics within DRAWING_TOL, a fiftieth of the tolerance of a plan.
  */
-#include <string.h>
-
 #include "engine/curve.h"
 #include "read/drawing.h"
 #include "engine/engine.h"  /* engine_f64: pieces of a curve, and cubics */
@@ -25,17 +22,9 @@ typedef struct {
 static void draw(void *context, double p[4][CURVE_AXES])
 {
     pen *out = context;
-    double flat[4][2];
 
-    for (int k = 0; k < 4; k++) {
-        if (out->code == 0 && (p[k][2] < 0 || p[k][2] > 0))
-            out->code = tool_error(
-                EX_DATAERR, "%s:%u: %s: leaves the plane of the drawing: give points without z",
-                out->file, out->c->line, curve_name(out->c->kind));
-        memcpy(flat[k], p[k], sizeof flat[k]);
-    }
     if (out->code == 0)
-        out->code = drawing_join(out->d, out->file, out->c->line, flat);
+        out->code = drawing_join_space(out->d, out->file, out->c->line, p, 0);
 }
 
 static int draw_curve(pen *out)

@@ -1121,9 +1121,8 @@ case_bad_curves() {
     bad_loft 'natural chord\n0 0\n0 0\n1 1\n'            '1: natural chord: two points in one'
     bad_loft 'rational\n0 0 : 300\n1 1\n' \
         '2: not a point: `x y : weight`, a weight of 1/256 to 256'
-    printf 'line\n0 0\n1 1 1\n' >"$tmp/z.loft"
-    one_line 65 'z.loft:1: line: leaves the plane of the drawing' "$loft" stream \
-        --dry-run "$tmp/z.loft"
+    printf 'line\n0 0\n1 1 99999\n' >"$tmp/z.loft"
+    one_line 65 'z.loft:1: 99999 mm is beyond' "$loft" stream --dry-run "$tmp/z.loft"
     printf 'hermite3\n0 0 : 90000 0\n1 0 : 90000 0\n' >"$tmp/far.loft"
     one_line 65 'far.loft:1: .*take --num f64' "$loft" sample "$tmp/far.loft"
     printf 'bspline 2\n0 0\n1 1\n2 0\n' >"$tmp/t.loft"

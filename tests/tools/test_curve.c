@@ -283,8 +283,16 @@ static void curves_become_paths(arb *a)
     }
     CHECK(d.count == 4 && d.curve[1].line == 6 && d.curve[3].line == 10 && d.curve[3].path == 1);
     drawing_free(&d);
-    CHECK(read_drawing(&d, "\nline\n0 0\n1 1 2\n") == EX_DATAERR &&
-          strstr(caught, "f.loft:2: line: leaves the plane") != NULL && caught_lines == 1);
+    CHECK(read_drawing(&d, "\nline\n0 0\n1 1 2\n") == 0 && d.count == 1 && d.curve[0].z[0] == 0 &&
+          d.curve[0].z[3] == 2);
+    CHECK_NEAR(drawing_length(&d), sqrt(6), 1e-9);
+    CHECK_NEAR(drawing_top(&d), 2, 0);
+    drawing_free(&d);
+    CHECK(read_drawing(&d, "line\n0 0 1\n5 0 1\nline\n5 0 2\n9 0 2\n") == 0 && d.count == 2 &&
+          d.curve[1].path == 1);
+    drawing_free(&d);
+    CHECK(read_drawing(&d, "line\n0 0\n1 1 17000\n") == EX_DATAERR &&
+          strstr(caught, "f.loft:1: 17000 mm is beyond") != NULL && caught_lines == 1);
     drawing_free(&d);
     CHECK(read_drawing(&d, "\n\nline\n0 0\n1 17000\n") == EX_DATAERR &&
           strstr(caught, "f.loft:3: 17000 mm is beyond") != NULL && caught_lines == 1);

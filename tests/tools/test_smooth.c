@@ -197,10 +197,49 @@ static void what_is_no_chain_is_copied(arb *a)
     drawing_free(&lines);
 }
 
+/* Chords of a helix become curves of the helix; a chord of another feed stays out of them. */
+static void chains_in_space_become_curves(arb *a)
+{
+    drawing lines = { .program = true }, d = { .count = 0 };
+    const double r = 5 + 20 * random_unit(a), pitch = 10 * random_unit(a);
+    double p[4][3], worst = 0;
+
+    for (int i = 0; i < 400; i++) {
+        for (int k = 0; k < 4; k++)
+            for (int e = 0; e < 2; e++) {
+                const double u = 0.01 * (i + e), part = e ? k / 3.0 : 1 - k / 3.0,
+                             at[3] = { r * cos(u), r * sin(u), pitch * u };
+                for (int x = 0; x < 3; x++)
+                    p[k][x] = (e ? p[k][x] : 0) + part * at[x];
+            }
+        drawing_add_space(&lines, p, i < 200 ? 10 : 20, i == 0, (unsigned)i);
+    }
+    const size_t replaced = drawing_smooth(&d, &lines, 0.001);
+    CHECK(replaced == 400 && d.count < 100 && d.program);
+    for (size_t i = 0; i < d.count; i++) {
+        CHECK(d.curve[i].feed == (d.curve[i].line < 200 ? 10 : 20));
+        for (int k = 0; k <= 16; k++) {
+            double at[2];
+            const double t = k / 16.0, s = 1 - t, *z = d.curve[i].z;
+            drawing_eval(&d.curve[i], t, at);
+            const double u = (s * s * s * z[0] + 3 * s * s * t * z[1] + 3 * s * t * t * z[2] +
+                              t * t * t * z[3]) /
+                             pitch;
+            worst = fmax(worst, hypot(at[0] - r * cos(u), at[1] - r * sin(u)));
+        }
+    }
+    /* the chords leave the helix by r u^2 / 8, and z stands for the place along it */
+    if (pitch > 1)
+        CHECK_NEAR(worst, 0, 0.001 + r * 1e-4 / 8 + 0.001 * r / pitch);
+    drawing_free(&d);
+    drawing_free(&lines);
+}
+
 int main(void)
 {
     PROPERTY(curves_stay_within, 20);
     PROPERTY(dense_chains_become_smooth_curves, 40);
+    PROPERTY(chains_in_space_become_curves, 20);
     PROPERTY(corners_stay, 100);
     PROPERTY(what_is_no_chain_is_copied, 20);
     return check_failures();
