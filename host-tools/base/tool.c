@@ -219,8 +219,8 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
                               options[which].name, self->name);
         } else if (!take_value(&options[which],
                                options[which].kind == TOOL_IS_MAYBE && optarg == NULL
-                                              ? number_behind(argc, argv)
-                                              : optarg)) {
+                                   ? number_behind(argc, argv)
+                                   : optarg)) {
             code = EX_USAGE;
         }
     }

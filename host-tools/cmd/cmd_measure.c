@@ -225,7 +225,7 @@ static double stretch_gap(const double a[CURVE_AXES], const double b[CURVE_AXES]
 /* Does one stretch begin where the other ends, or before? The seam of a closed curve does not
  * count. */
 static bool stretches_touch(const double s[3], double at[3][CURVE_AXES], const double other[3],
-                  double other_at[3][CURVE_AXES], double gap, double range)
+                            double other_at[3][CURVE_AXES], double gap, double range)
 {
     if (s[0] <= other[2] && other[0] <= s[2])
         return true;
@@ -235,7 +235,7 @@ static bool stretches_touch(const double s[3], double at[3][CURVE_AXES], const d
 }
 
 static void extend_stretch(double s[3], double at[3][CURVE_AXES], const double other[3],
-                   double other_at[3][CURVE_AXES])
+                           double other_at[3][CURVE_AXES])
 {
     for (int k = 0; k < 3; k += 2)
         if (k == 0 ? other[k] < s[k] : other[k] > s[k]) {

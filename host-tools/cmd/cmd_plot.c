@@ -117,7 +117,7 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
 
 /* The content of the file decides what is drawn. */
 static int plot_file(plot_options *o, const char *record_file, const surface_wishes *w,
-                    bool of_drawings)
+                     bool of_drawings)
 {
     surfaces all = { 0 };
     int code = surfaces_read(&all, o->name);
@@ -188,7 +188,7 @@ static int run_plot(const tool_command *self, int argc, char **argv)
             memcpy(o.part, part.value, sizeof o.part);
         o.name = argv[first];
         code = plot_file(&o, record_file, &w,
-                        record_file != NULL || o.error >= 0 || o.comb >= 0 || part.count > 0);
+                         record_file != NULL || o.error >= 0 || o.comb >= 0 || part.count > 0);
     }
     return code;
 }

@@ -67,7 +67,7 @@ static void free_work(work *w)
 
 /* Plan the first portion, from the position of the motors. */
 static int plan_work(const stream_options *o, const char *file, const drawing *d,
-                const double start[ENGINE_AXES], const job_options *as, work *w)
+                     const double start[ENGINE_AXES], const job_options *as, work *w)
 {
     toolpath_options how = planning_path(&o->p);
     int status = 0;
@@ -172,7 +172,7 @@ static int plan_for(const stream_options *o, const char *file, const drawing *d,
 /* If the machine has a job, it may be this one. It is if its id equals that of this job, planned
  * from the same start. Then that job continues. */
 static int stream_drawing(const stream_options *o, const char *file, const drawing *d,
-                  const drawing *smooth, talk *t)
+                          const drawing *smooth, talk *t)
 {
     const loft_sender *s = &t->sender;
     double start[ENGINE_AXES];

@@ -121,7 +121,7 @@ void plot_entry(const plot_view *v, double *x, double y, const double rgb[3], do
 }
 
 static void legend_entry(const plot_view *v, double *x, double r, double g, double b, double wide,
-                  bool dashed, const char *words)
+                         bool dashed, const char *words)
 {
     const double rgb[3] = { r, g, b };
 

@@ -98,8 +98,8 @@ static int step_by_eval(const part *s, uint32_t n, engine_point_sink *sink, void
 
     for (uint32_t j = 0; status == LOFT_OK && j < n; j++)
         give_point(sink, context,
-             s->rational ? loft_rational_eval(&r, loft_unit_of(j + 1, n))
-                         : loft_bezier_eval(&b, loft_unit_of(j + 1, n)));
+                   s->rational ? loft_rational_eval(&r, loft_unit_of(j + 1, n))
+                               : loft_bezier_eval(&b, loft_unit_of(j + 1, n)));
     return status;
 }
 

@@ -76,7 +76,7 @@ const char *kinematics_axes(const kinematics *k)
 // ------
 
 static void offset_from_center(const kinematics *k, const double tool[ENGINE_AXES],
-                        double out[ENGINE_AXES])
+                               double out[ENGINE_AXES])
 {
     for (int i = 0; i < ENGINE_AXES; i++)
         out[i] = tool[i] - k->center[i];
@@ -189,7 +189,7 @@ void kinematics_slope(const kinematics *k, const double tool[ENGINE_AXES],
 
 /* Solve row x = right by Cramer's rule. */
 static void solve_rows(double row[ENGINE_AXES][ENGINE_AXES], const double right[ENGINE_AXES],
-                  double out[ENGINE_AXES])
+                       double out[ENGINE_AXES])
 {
     double turned[ENGINE_AXES][ENGINE_AXES], det = 0;
 

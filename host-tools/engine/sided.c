@@ -368,7 +368,7 @@ static void toric_net(const surface *s, sided_edge *each, void *context)
                  &s->point[lattice_index(&lattice, e->from.at[0] + step * x,
                                          e->from.at[1] + step * y)],
                  &s->point[lattice_index(&lattice, e->from.at[0] + (step + 1) * x,
-                                    e->from.at[1] + (step + 1) * y)]);
+                                         e->from.at[1] + (step + 1) * y)]);
     }
 }
 

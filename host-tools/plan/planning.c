@@ -69,7 +69,7 @@ static int within_reach(const planning *p, const drawing *d, const char *file)
             if (!(fabs(z) <= p->e->reach))
                 return tool_error(EX_DATAERR,
                                   "%s:%u: a point at z %.6g mm: bring the drawing within +-%g mm",
-                    source_name(file), d->curve[i].line, z, p->e->reach);
+                                  source_name(file), d->curve[i].line, z, p->e->reach);
         }
     return 0;
 }

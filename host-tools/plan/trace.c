@@ -125,14 +125,14 @@ static void use_accels(use *u, const trace *t, const trace_motion *m, double h, 
             use_limit(u, (fabs(along) - coarse) / most, share * USED_UP_ACCEL, TRACE_ACCEL + i);
         else
             use_limit(u, (fabs(m->a[i]) - coarse) / most, share * USED_UP_ACCEL,
-                     fabs(across) > fabs(along) ? TRACE_CURVATURE : TRACE_ACCEL + i);
+                      fabs(across) > fabs(along) ? TRACE_CURVATURE : TRACE_ACCEL + i);
         if (t->limits.max_jerk[i] > 0)
             use_limit(u, (fabs(m->j[i]) - coarser) / t->limits.max_jerk[i], share * USED_UP_JERK,
-                     TRACE_JERK + i);
+                      TRACE_JERK + i);
     }
     if (t->limits.max_across > 0)
         use_limit(u, (sqrt(aside_sum) - 2 * coarse) / t->limits.max_across, share * USED_UP_ACCEL,
-                 TRACE_CURVATURE);
+                  TRACE_CURVATURE);
 }
 
 /* A plan rounds the time in which acceleration changes to beats. A limit that is used up except for

@@ -97,7 +97,7 @@ static double nearest_on_chord(const way *w, size_t k, const double x[ENGINE_AXE
 
 /* The best place within `reach` of the place `goal`. Returns the distance. */
 static double search_chords(const way *w, const double x[ENGINE_AXES], double goal, double reach,
-                     size_t *near, double *s)
+                            size_t *near, double *s)
 {
     double least = HUGE_VAL, off = HUGE_VAL;
 

@@ -148,7 +148,7 @@ static int read_grbl(reading *r, const char *s)
     for (size_t i = 0; i < sizeof grbl / sizeof grbl[0]; i++)
         if (grbl[i].number == number)
             return set_value(r, find_row(grbl[i].key, strlen(grbl[i].key)), grbl[i].axis,
-                       value * grbl[i].unit);
+                             value * grbl[i].unit);
     return 0;
 }
 

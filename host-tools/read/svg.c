@@ -330,9 +330,9 @@ static void warn_unclipped(svg_reader *r, const xmlNode *node, const svg_matrix 
         if (drawing_box(&one, box) && (box[0][0] < -margin || box[0][1] < -margin ||
                                        box[1][0] > width + margin || box[1][1] > height + margin))
             svg_warn(r, SVG_WARN_UNCLIPPED,
-                "<%s> is not clipped at its edges, all of it is drawn: "
-                "clip the paths in the editor",
-                (const char *)node->name);
+                     "<%s> is not clipped at its edges, all of it is drawn: "
+                     "clip the paths in the editor",
+                     (const char *)node->name);
     }
 }
 
@@ -537,7 +537,7 @@ static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const
     if (r->depth >= SVG_DEPTH_MAX)
         return svg_fail(r,
                         "more than %d nested elements, counting each use: draw with fewer groups",
-            SVG_DEPTH_MAX);
+                        SVG_DEPTH_MAX);
     r->depth++;
     const bool good = draw_in_space(r, node, space, chain);
     r->depth--;

@@ -166,7 +166,7 @@ static bool read_length(const svg_reader *r, const svg_space *s, const char *nam
 
 /* A size: a length that is not negative. */
 static bool read_size(const svg_reader *r, const svg_space *s, const char *name, enum svg_side side,
-                 double absent, double *out)
+                      double absent, double *out)
 {
     if (!svg_length(r, s, name, side, absent, out))
         return false;
@@ -237,7 +237,7 @@ static bool draw_polygon(const svg_reader *r, const svg_space *s)
 
 /* Four quarters, starting at three o'clock, in the direction of increasing angles. */
 static bool draw_quarters(const svg_reader *r, const svg_space *s, double cx, double cy, double rx,
-                       double ry)
+                          double ry)
 {
     svg_pen pen = svg_pen_at(r, s->to_mm);
 

@@ -46,7 +46,7 @@ static svg_matrix rotation_of(double degrees)
 /* The matrix of one function. Returns false if no function has that name and number of
  * arguments. */
 static bool transform_of(const char *name, int length, const double v[6], int count,
-                          svg_matrix *out)
+                         svg_matrix *out)
 {
     static const char *const names[] = {
         "matrix", "translate", "scale", "rotate", "skewX", "skewY"
@@ -140,7 +140,7 @@ static const struct {
               { "in", 96 }, { "pt", 96 / 72.0 }, { "pc", 16 },        { "q", 96 / 101.6 } };
 
 static bool percent_of_viewport(const svg_reader *r, const svg_space *space, const char *name,
-                    enum svg_side side, double *value)
+                                enum svg_side side, double *value)
 {
     if (space->width <= 0 || space->height <= 0)
         return svg_fail(

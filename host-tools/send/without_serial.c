@@ -18,5 +18,5 @@ int transport_ports(void (*each)(void *context, const transport_port *port), voi
     (void)each;
     (void)context;
     return tool_error(EX_UNAVAILABLE, "this loft was built without libserialport, which lists "
-                      "ports: name a terminal, unix:PATH or tcp:HOST:PORT");
+                                      "ports: name a terminal, unix:PATH or tcp:HOST:PORT");
 }

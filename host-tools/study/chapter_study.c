@@ -34,11 +34,11 @@ typedef struct {
 } study;
 
 static void give_row(const study *s, double off, const double value[], unsigned count,
-                 const char *figure, const char *kind, const char *format, ...)
+                     const char *figure, const char *kind, const char *format, ...)
     __attribute__((format(printf, 7, 8)));
 
 static void give_row(const study *s, double off, const double value[], unsigned count,
-                 const char *figure, const char *kind, const char *format, ...)
+                     const char *figure, const char *kind, const char *format, ...)
 {
     chapter_row r = { .off = off,
                       .count = count,
@@ -69,10 +69,10 @@ static void eval_point(const study *s, unsigned kind, double x, double y, bool b
 
 /* The place at fraction rho of the way from the middle to a point of the boundary. */
 static void eval_on_ray(const study *s, unsigned kind, const double to[2], double rho, bool bent,
-                   chapter_point *out)
+                        chapter_point *out)
 {
     eval_point(s, kind, s->middle[0] + rho * (to[0] - s->middle[0]),
-       s->middle[1] + rho * (to[1] - s->middle[1]), bent, out);
+               s->middle[1] + rho * (to[1] - s->middle[1]), bent, out);
 }
 
 
@@ -90,7 +90,7 @@ typedef struct {
 } sample;
 
 static void take_point(const study *s, sample *all, bool bent, double weight, double rho, double x,
-                 double y)
+                       double y)
 {
     place *q = &all->place[all->count++];
 
@@ -118,7 +118,7 @@ static void take_points(const study *s, bool bent, unsigned fine, sample *all)
                              share = (k / 2 + (k % 2 ? 2.0 / 3 : 1.0 / 3)) / fine;
                 take_point(s, all, bent, area, rho,
                            c[0] + rho * (a[0] - c[0]) + share * (b[0] - a[0]),
-                     c[1] + rho * (a[1] - c[1]) + share * (b[1] - a[1]));
+                           c[1] + rho * (a[1] - c[1]) + share * (b[1] - a[1]));
             }
     }
 }
@@ -207,14 +207,14 @@ static void study_weights(const study *s, const sample *all)
         const double negative = area_share(all, 0, 1, weight_is_negative, &k),
                      falling = falling_rays(s, k);
         give_row(s, s->rough ? 1e-4 : 1e-5, &mean, 1, "4-3", chapter_kinds[k],
-             "mean of B0 over the pentagon (dZ = dz*B0)");
+                 "mean of B0 over the pentagon (dZ = dz*B0)");
         give_row(s, 1e-3, &most, 1, "4-3", chapter_kinds[k], "max of B0 on the sample");
         give_row(s, 1e-2, &least, 1, "4-3", chapter_kinds[k], "min of B0 on the sample");
         give_row(s, s->rough ? 1e-4 : 1e-9, &middle.b0.f, 1, "4-3", chapter_kinds[k],
-             "B0 at the centre (vertex mean)");
+                 "B0 at the centre (vertex mean)");
         give_row(s, 2e-3, &negative, 1, "4-3", chapter_kinds[k], "area fraction with B0 < 0");
         give_row(s, 0.06, &falling, 1, "4-3", chapter_kinds[k],
-             "fraction of %d centre rays on which B0 decreases monotonically outward", RAYS);
+                 "fraction of %d centre rays on which B0 decreases monotonically outward", RAYS);
     }
 }
 
@@ -227,9 +227,9 @@ static void study_orders(const study *s, const sample *all)
     for (int i = 0; i < 4; i++) {
         const double part = area_share(all, 0, 1, weights_in_order, order[i]);
         give_row(s, 4e-3, &part, 1, "4-4/4-5", "-",
-             i < 3 ? "area fraction B0_%s > B0_%s" : "area fraction B0_%s > B0_%s > B0_%s",
-             chapter_kinds[order[i][0]], chapter_kinds[order[i][1]],
-             chapter_kinds[order[i][2] % CHAPTER_KINDS]);
+                 i < 3 ? "area fraction B0_%s > B0_%s" : "area fraction B0_%s > B0_%s > B0_%s",
+                 chapter_kinds[order[i][0]], chapter_kinds[order[i][1]],
+                 chapter_kinds[order[i][2] % CHAPTER_KINDS]);
     }
     for (int i = 0; i < 3; i++) {
         double most = 0;
@@ -268,9 +268,9 @@ static void study_ridges(const study *s, unsigned kind, bool vertex)
     }
     for (int h = 0; h < SHIFTS; h++) {
         give_row(s, s->rough ? 0.02 : 1e-3, &valley[h], 1, "4-6..4-11", chapter_kinds[kind],
-             "fraction of the centre-%s ray(s) with Z_tt>0 (valley), dz=%g", ray, shifts[h]);
+                 "fraction of the centre-%s ray(s) with Z_tt>0 (valley), dz=%g", ray, shifts[h]);
         give_row(s, s->rough ? 0.05 : 1e-6, value[h], 3, "4-6..4-11", chapter_kinds[kind],
-             "Z_tt on the centre-%s ray at rho=0.5, 0.75, 0.9; dz=%g", ray, shifts[h]);
+                 "Z_tt on the centre-%s ray at rho=0.5, 0.75, 0.9; dz=%g", ray, shifts[h]);
     }
 }
 
@@ -310,7 +310,7 @@ static void curvature_fractions(const study *s, const sample *all, int h)
             const comparison c = { which, h };
             const double value = area_share(all, part[i].low, part[i].high, curvature_is_above, &c);
             give_row(s, s->rough ? 0.1 : 0.01, &value, 1, "4-13..4-15", "-",
-                 "area fraction %s, %s, V0 height %g", name[which], part[i].name, heights[h]);
+                     "area fraction %s, %s, V0 height %g", name[which], part[i].name, heights[h]);
         }
 }
 
@@ -357,7 +357,7 @@ static void study_quantiles(const study *s, const sample *all, unsigned kind, in
         value[k] = sorted[(size_t)(part[k] * (double)(all->count - 1) + 0.5)];
     free(sorted);
     give_row(s, s->rough ? 0.03 : 5e-3, value, 5, "4-12..4-15", chapter_kinds[kind],
-         "K on the sample: min, 5%%, median, 95%%, max; V0 height %g", heights[h]);
+             "K on the sample: min, 5%%, median, 95%%, max; V0 height %g", heights[h]);
 }
 
 static void study_curvatures(const study *s, const sample *all, int h)
@@ -367,14 +367,14 @@ static void study_curvatures(const study *s, const sample *all, int h)
         eval_point(s, k, s->middle[0], s->middle[1], true, &middle);
         const double value = chapter_gauss(&middle, heights[h]);
         give_row(s, s->rough ? 3e-3 : 1e-9, &value, 1, "4-12..4-15", chapter_kinds[k],
-             "analytic K at the centre, V0 height %g (net/8)", heights[h]);
+                 "analytic K at the centre, V0 height %g (net/8)", heights[h]);
         study_quantiles(s, all, k, h);
     }
     const double together[3] = { correlation(all, 1, 2, h), correlation(all, 1, 0, h),
                                  correlation(all, 2, 0, h) };
     curvature_fractions(s, all, h);
     give_row(s, s->rough ? 0.05 : 5e-3, together, 3, "4-13..4-15", "-",
-         "correlation of K, rho<0.9, V0 height %g: (MV,H) (MV,W) (H,W)", heights[h]);
+             "correlation of K, rho<0.9, V0 height %g: (MV,H) (MV,W) (H,W)", heights[h]);
 }
 
 
@@ -430,10 +430,10 @@ static void study_estimator(const study *s, unsigned kind, int h, unsigned n)
     free(error);
     free(ratio);
     give_row(s, 0.05, value, 4, "4-6", chapter_kinds[kind],
-         "discrete (4 neighbour fan on the (u,v) mesh, %ux%u per sector) versus analytic K, V0 "
-         "height %g: "
-         "median |error|, 95%% |error|, median Kd/K, max |K|",
-         n, n, heights[h]);
+             "discrete (4 neighbour fan on the (u,v) mesh, %ux%u per sector) versus analytic K, V0 "
+             "height %g: "
+             "median |error|, 95%% |error|, median Kd/K, max |K|",
+             n, n, heights[h]);
 }
 
 

@@ -114,12 +114,12 @@ static int draw_movement(album *a)
         a->panel[a->count - 1].net = &w->all;
     }
     return hang_picture(a, code,
-                (gallery){ .title = "the point in the middle moves up and down",
-                           .columns = 3,
-                           .azimuth = -60,
-                           .elevation = 22,
-                           .size = 1100 },
-                "movement");
+                        (gallery){ .title = "the point in the middle moves up and down",
+                                   .columns = 3,
+                                   .azimuth = -60,
+                                   .elevation = 22,
+                                   .size = 1100 },
+                        "movement");
 }
 
 /* B0 is the height of a patch whose points are flat except for V0. */
@@ -141,15 +141,15 @@ static int draw_weight(album *a)
         };
     }
     return hang_picture(a, code,
-                (gallery){ .title = "weight B0 of the point in the middle",
-                           .columns = 3,
-                           .values = "B0",
-                           .signs = false,
-                           .azimuth = -90,
-                           .elevation = 90,
-                           .note = "lines at 0, 0.05, 0.1 .. 0.25",
-                           .size = 1100 },
-                "weight");
+                        (gallery){ .title = "weight B0 of the point in the middle",
+                                   .columns = 3,
+                                   .values = "B0",
+                                   .signs = false,
+                                   .azimuth = -90,
+                                   .elevation = 90,
+                                   .note = "lines at 0, 0.05, 0.1 .. 0.25",
+                                   .size = 1100 },
+                        "weight");
 }
 
 static int draw_contours(album *a)
@@ -167,13 +167,13 @@ static int draw_contours(album *a)
             a->panel[a->count - 1].levels = LEVELS;
         }
     return hang_picture(a, code,
-                (gallery){ .title = "contours of the height",
-                           .columns = 3,
-                           .azimuth = -90,
-                           .elevation = 90,
-                           .note = "lines every 0.1, the outermost at 0.1",
-                           .size = 1100 },
-                "contours");
+                        (gallery){ .title = "contours of the height",
+                                   .columns = 3,
+                                   .azimuth = -90,
+                                   .elevation = 90,
+                                   .note = "lines every 0.1, the outermost at 0.1",
+                                   .size = 1100 },
+                        "contours");
 }
 
 static int draw_curvature(album *a)
@@ -191,15 +191,15 @@ static int draw_curvature(album *a)
             a->panel[a->count - 1].value = w->value;
         }
     return hang_picture(a, code,
-                (gallery){ .title = "Gaussian curvature, heights divided by 8",
-                           .columns = 3,
-                           .values = "K",
-                           .signs = true,
-                           .limit = 0.3,
-                           .azimuth = -90,
-                           .elevation = 90,
-                           .size = 1100 },
-                "curvature");
+                        (gallery){ .title = "Gaussian curvature, heights divided by 8",
+                                   .columns = 3,
+                                   .values = "K",
+                                   .signs = true,
+                                   .limit = 0.3,
+                                   .azimuth = -90,
+                                   .elevation = 90,
+                                   .size = 1100 },
+                        "curvature");
 }
 
 int study_pictures(const engine *e, const char *folder)

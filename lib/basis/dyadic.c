@@ -15,7 +15,7 @@ loft_unit loft_dyad_at(loft_dyad n, loft_unit t)
 
 /* degree - k rows at `from`, then k rows at `to` in a copy. */
 void loft_bernstein_sub(const loft_acc c[], unsigned degree, loft_unit from, loft_unit to,
-                         loft_acc out[])
+                        loft_acc out[])
 {
     loft_acc row[LOFT_DEGREE_MAX + 1], copy[LOFT_DEGREE_MAX + 1];
 

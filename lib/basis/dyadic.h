@@ -68,7 +68,7 @@ loft_unit loft_dyad_at(loft_dyad n, loft_unit t);
  *   see     Ramshaw, blossoming: out[k] = c[from^(degree-k), to^k]
  */
 void loft_bernstein_sub(const loft_acc c[], unsigned degree, loft_unit from, loft_unit to,
-                         loft_acc out[]);
+                        loft_acc out[]);
 
 LOFT_END_C
 

@@ -123,7 +123,7 @@ enum loft_status loft_bezier_split(const loft_bezier *b, loft_unit t, loft_vec l
  *   see     Ramshaw, blossoming: out[k] = b[from^(degree-k), to^k]
  */
 enum loft_status loft_bezier_sub(const loft_bezier *b, loft_unit from, loft_unit to,
-                                  loft_vec out[]) LOFT_CHECKED;
+                                 loft_vec out[]) LOFT_CHECKED;
 
 /* The same curve with its degree elevated by `times`: degree + times + 1 control points.
  *
@@ -133,7 +133,7 @@ enum loft_status loft_bezier_sub(const loft_bezier *b, loft_unit from, loft_unit
  *   see     Farin, ch. 6: repeated degree elevation
  */
 enum loft_status loft_bezier_elevate(const loft_bezier *b, unsigned times,
-                                   loft_vec out[]) LOFT_CHECKED;
+                                     loft_vec out[]) LOFT_CHECKED;
 
 /* The coefficients of t^0..t^degree.
  *

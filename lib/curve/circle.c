@@ -244,7 +244,7 @@ static void set_ellipse(loft_circle *c, const chord *d, loft_fine cosine, loft_f
     c->v[1] = slope.y;
     c->radius = d->radius[0] > d->radius[1] ? d->radius[0] : d->radius[1];
     c->sweep = loft_fine_to_acc(2 *
-                              loft_fine_atan2((loft_acc)d->q, (loft_acc)(large ? -side : side)));
+                                loft_fine_atan2((loft_acc)d->q, (loft_acc)(large ? -side : side)));
 }
 
 static bool radius_magnitude(loft_real radius, loft_real *size)

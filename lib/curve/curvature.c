@@ -177,7 +177,7 @@ enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t, loft_r
 }
 
 enum loft_status loft_bezier_curvature_vec(const loft_bezier *b, loft_unit t, loft_real *curvature,
-                                  loft_vec *tangent)
+                                           loft_vec *tangent)
 {
     return curvature_and_tangent(b, t, LOFT_AXES < 2 ? LOFT_AXES : 2, true, curvature, tangent);
 }

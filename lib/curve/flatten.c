@@ -95,7 +95,7 @@ static uint32_t piece_start(const loft_flatten *f, uint32_t steps, uint32_t k, u
 /* Is the curve from the last point to the one at `to` within the limit of the chord to *end? p is
  * its first piece. */
 static bool is_curve_along(const loft_flatten *f, uint32_t to, const loft_chord *c,
-                     loft_acc p[4][LOFT_AXES])
+                           loft_acc p[4][LOFT_AXES])
 {
     loft_acc d0 = chord_distance(p[0], c);
     unsigned level = 0;

@@ -104,7 +104,7 @@ enum loft_status loft_forward_double(loft_forward *w) LOFT_CHECKED;
  *   cost    q16: degree^2 divisions of 64 bits per axis
  */
 enum loft_status loft_forward_exact_init(loft_forward_exact *w, const loft_bezier *b,
-                                          uint32_t n) LOFT_CHECKED;
+                                         uint32_t n) LOFT_CHECKED;
 
 /* Get the next point. Returns false, and leaves *out untouched, at the end of the walk.
  *

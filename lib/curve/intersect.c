@@ -171,7 +171,7 @@ static bool are_sides_apart(const side *a, const side *b, loft_acc gap)
 /* The distance of the point at sigma of a's chord from b's chord, the parameter tau there, and the
  * slope along a. */
 static loft_acc chord_gap_at(const side *a, const side *b, loft_unit sigma, loft_unit *tau,
-                       loft_acc *slope)
+                             loft_acc *slope)
 {
     loft_acc w[LOFT_AXES], r[LOFT_AXES];
 
@@ -225,7 +225,7 @@ static loft_acc closest_points(const side *a, const side *b, loft_unit *sigma, l
 /* The last parameter from sigma, which is near, toward `end` that is near, plus 2^-10 of the
  * distance. */
 static loft_unit near_range_end(const side *a, const side *b, loft_unit sigma, loft_unit end,
-                            loft_acc gap)
+                                loft_acc gap)
 {
     if (is_chord_near(a, b, end, gap))
         return end;
@@ -463,7 +463,7 @@ enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *
     z.half   = loft_acc_ratio(wide, 2);
     z.long_enough = tol < LOFT_REAL(2048) ? 262144 * wide : loft_to_acc(LOFT_REAL_MAX);
     z.short_enough = loft_acc_mul(wide, wide > 4194304 * ulp ? LOFT_REAL(16384)
-                                                               : loft_acc_quot(wide, 256 * ulp));
+                                                             : loft_acc_quot(wide, 256 * ulp));
 
     z.shares = loft_bezier_overlap(a, b, tol, &z.shared);
     const bool complete = walk_pairs(&z, out, room, count);

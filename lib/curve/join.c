@@ -159,7 +159,7 @@ static bool continue_axis(const loft_vec last[], int i, loft_real alpha, loft_re
 }
 
 enum loft_status loft_join_continue(const loft_bezier *p, loft_real alpha, loft_real eta,
-                                  loft_vec c[3])
+                                    loft_vec c[3])
 {
     const loft_vec *last = p->p + p->degree;
     loft_vec out[3];

@@ -64,7 +64,7 @@ enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_b
  *   see     Farin, ch. 11: osculants and G2
  */
 enum loft_status loft_join_continue(const loft_bezier *p, loft_real alpha, loft_real eta,
-                                  loft_vec c[3]) LOFT_CHECKED;
+                                    loft_vec c[3]) LOFT_CHECKED;
 
 LOFT_END_C
 

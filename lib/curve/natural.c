@@ -77,7 +77,7 @@ static bool leg_init(leg *g, const loft_vec *p, enum loft_spacing knots)
         g->rise[i] = axis_rise(p, i);
         if (knots == LOFT_CHORD)
             g->rise[i] = loft_acc_muldiv(g->rise[i] * (loft_acc)((uint64_t)1 << g->shift), ONE,
-                                       g->length);
+                                         g->length);
     }
     return true;
 }
@@ -102,13 +102,13 @@ static void eliminate_row(loft_natural_knot *knot, const leg *before, const leg 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_acc back = 3 * (before->rise[i] - after->rise[i]) - knot[0].slope[i];
         knot[1].slope[i] = loft_acc_muldiv(3 * after->rise[i] + loft_acc_muldiv(back, w, ONE), ONE,
-                                         den);
+                                           den);
     }
 }
 
 /* Eliminate over all points; false if two coincide. */
 static bool eliminate_forward(const loft_vec p[], uint32_t count, enum loft_spacing knots,
-                    loft_natural_knot knot[])
+                              loft_natural_knot knot[])
 {
     leg before, after;
 
@@ -127,13 +127,13 @@ static bool eliminate_forward(const loft_vec p[], uint32_t count, enum loft_spac
     loft_natural_knot *last = &knot[count-1];
     for (int i = 0; i < LOFT_AXES; i++)
         last->slope[i] = loft_acc_muldiv(3 * before.rise[i] - last[-1].slope[i], ONE,
-                                       2 * ONE - last[-1].length);
+                                         2 * ONE - last[-1].length);
     return true;
 }
 
 /* Substitute back. Each c is then replaced by the length of the chord. */
 static void substitute_back(const loft_vec p[], uint32_t count, enum loft_spacing knots,
-                     loft_natural_knot knot[])
+                            loft_natural_knot knot[])
 {
     knot[count-1].length = 0;
     knot[count-1].shift = 0;
@@ -173,7 +173,7 @@ static bool segment_valid(const loft_natural *s, uint32_t i, loft_unit t)
 
 /* The slope at `end` for a parameter that runs from 0 to 1 over the chord of `knot` */
 static loft_acc segment_slope(const loft_natural *s, const loft_natural_knot *knot,
-                      const loft_natural_knot *end, int axis)
+                              const loft_natural_knot *end, int axis)
 {
     if (s->knots == LOFT_UNIFORM)
         return end->slope[axis];

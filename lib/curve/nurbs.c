@@ -146,7 +146,7 @@ bool loft_nurbs_next(const loft_nurbs *n, unsigned *span, loft_weighted out[])
 /* The point between k - 1 and k; u lies between the knots lo and hi. The factor 2^15 s of the
  * weight is removed in the order in which it was applied. */
 static loft_weighted point_between(const loft_nurbs *n, unsigned k, loft_real u, loft_real lo,
-                             loft_real hi)
+                                   loft_real hi)
 {
     const loft_acc w = loft_acc_lerp_in(denominator(n, k - 1), denominator(n, k), u, lo, hi);
     loft_weighted q;

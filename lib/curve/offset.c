@@ -160,7 +160,7 @@ enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real
 
 /* A blossom of H: k of its arguments are `to`, the others are `from`. */
 static loft_acc2 blossom_of(const loft_offset *o, int axis, unsigned k, loft_unit from,
-                             loft_unit to)
+                            loft_unit to)
 {
     loft_acc2 row[3] = { o->h[axis][0], o->h[axis][1], o->h[axis][2] };
 
@@ -377,7 +377,7 @@ static int run_direction_at(const loft_offset *o, uint32_t start, uint32_t at, u
 /* The first step between low and high where the offset of start .. end no longer runs as at
  * `low`. */
 static uint32_t find_cusp(const loft_offset *o, uint32_t start, uint32_t end, uint32_t low,
-                     uint32_t high, int direction)
+                          uint32_t high, int direction)
 {
     while (high - low > 1) {
         const uint32_t middle = low + (high - low) / 2;
@@ -393,7 +393,7 @@ static uint32_t find_cusp(const loft_offset *o, uint32_t start, uint32_t end, ui
  * to there. The direction is tested at the ends of the quarters. Where it is unclear, the previous
  * one continues, and a sudden change counts as an earlier one. */
 static uint32_t span_until_cusp(const loft_offset *o, const trial *r, uint32_t start, uint32_t end,
-                           int *direction)
+                                int *direction)
 {
     const int first = run_direction(r, 0, o->quarter_tol);
     uint32_t low = start;
@@ -440,7 +440,7 @@ static uint32_t longest_span(const loft_offset *o, uint32_t start, trial *r, int
 }
 
 static void give_span(loft_offset *o, const trial *r, uint32_t start, uint32_t end, int direction,
-                 loft_offset_span *out)
+                      loft_offset_span *out)
 {
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < LOFT_AXES; i++)

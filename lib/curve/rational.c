@@ -233,7 +233,7 @@ static loft_real unscaled_weight(const loft_rational *r, loft_acc w)
 
 /* One axis of the control points; false if one does not fit. */
 static bool project_axis(const loft_acc128 x[], const loft_acc128 w[], unsigned degree, int axis,
-                    loft_weighted out[])
+                         loft_weighted out[])
 {
     for (unsigned k = 0; k <= degree; k++)
         if (!loft_acc128_rate(x[k], w[k], &out[k].p.axis[axis]))
@@ -306,7 +306,7 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
 
 /* out[k] = c[from^(degree-k), to^k]: degree - k rows at `from`, then k rows at `to` in a copy. */
 static void blossom_points(loft_acc128 c[], unsigned degree, loft_unit from, loft_unit to,
-                    loft_acc128 out[])
+                           loft_acc128 out[])
 {
     loft_acc128 copy[POINTS];
 
@@ -343,7 +343,7 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
 static bool narrow_weights(const loft_acc128 w[], unsigned degree, bool means, loft_acc out[])
 {
     const loft_acc128 limit = loft_acc128_times(loft_acc128_guarded(loft_to_acc(LARGEST)),
-                                            2 * LOFT_PROJECT);
+                                                2 * LOFT_PROJECT);
     uint32_t by = 1;
 
     for (unsigned k = 0; k <= degree; k++)
@@ -359,7 +359,7 @@ static bool narrow_weights(const loft_acc128 w[], unsigned degree, bool means, l
 }
 
 enum loft_status loft_rational_sub(const loft_rational *r, loft_unit from, loft_unit to,
-                                    loft_weighted out[])
+                                   loft_weighted out[])
 {
     const unsigned degree = r->degree;
     const bool means = parameter_inside(from) && parameter_inside(to);

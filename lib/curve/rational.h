@@ -98,7 +98,7 @@ loft_vec loft_rational_eval(const loft_rational *r, loft_unit t);
  *           of 128 bits per axis; 500 bytes of stack
  */
 enum loft_status loft_rational_extrapolate(const loft_rational *r, loft_unit t,
-                                      loft_vec *out) LOFT_CHECKED;
+                                           loft_vec *out) LOFT_CHECKED;
 
 /* The first derivative with respect to t, by Floater's form of the quotient rule. With the two
  * points p0, p1 and weights w0, w1 before the last step it is n w0 w1 / w^2 (p1 - p0).
@@ -145,7 +145,7 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
  *   see     Ramshaw, blossoming, for numerator and denominator
  */
 enum loft_status loft_rational_sub(const loft_rational *r, loft_unit from, loft_unit to,
-                                    loft_weighted out[]) LOFT_CHECKED;
+                                   loft_weighted out[]) LOFT_CHECKED;
 
 /* Set the weights of out[0..degree] from weights in the form of num/acc128.h, scaled as in
  * loft_rational_sub.
@@ -167,7 +167,7 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
  *   see     Farin, ch. 13: degree elevation
  */
 enum loft_status loft_rational_elevate(const loft_rational *r, unsigned times,
-                                     loft_weighted out[]) LOFT_CHECKED;
+                                       loft_weighted out[]) LOFT_CHECKED;
 
 /* The box of the control polygon. The curve over 0..1 lies inside; the box is not the smallest.
  *

@@ -105,7 +105,7 @@ static void find_piece(loft_to_cubics *s)
  * leaves the range only by rounding; the result is false if it is farther outside. q16: |n third|
  * <= 2^30. */
 static bool arm_end(const loft_to_cubics *s, loft_acc x0, loft_acc w0, loft_acc x1, loft_acc w1,
-                loft_real *out)
+                    loft_real *out)
 {
     const loft_acc high = loft_acc_weigh(w0, s->reach),
                    low = loft_acc_weigh(w0, -s->reach - LOFT_REAL_LSB);

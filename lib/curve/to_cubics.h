@@ -63,7 +63,7 @@ enum loft_status loft_to_cubics_init(loft_to_cubics *s, const loft_bezier *b,
  *   cost    nothing yet
  */
 enum loft_status loft_rational_to_cubics_init(loft_to_cubics *s, const loft_rational *r,
-                                           loft_real tol) LOFT_CHECKED;
+                                              loft_real tol) LOFT_CHECKED;
 
 /* Get the next cubic, for the largest piece k / 2^m .. (k + 1) / 2^m that can be proved valid.
  * Returns false, and leaves *out untouched, after the last.

@@ -23,7 +23,7 @@ static loft_acc value(const loft_acc c[3], loft_unit s)
 }
 
 enum loft_status loft_tween_init(loft_tween *e, loft_unit x1, loft_unit y1, loft_unit x2,
-                                  loft_unit y2)
+                                 loft_unit y2)
 {
     const loft_unit one = LOFT_UNIT(1);
 

@@ -29,7 +29,7 @@ typedef struct {
  *   cost    additions
  */
 enum loft_status loft_tween_init(loft_tween *e, loft_unit x1, loft_unit y1, loft_unit x2,
-                                  loft_unit y2) LOFT_CHECKED;
+                                 loft_unit y2) LOFT_CHECKED;
 
 /* The share of the way at the share t of the time; 0 before 0, 1 behind 1, each exactly.
  *

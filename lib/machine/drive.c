@@ -119,7 +119,7 @@ static enum loft_status queue_span(loft_drive *d, const loft_item *item)
 
     if (LOFT_MACHINE_OVERRIDE_LIMITS || d->percent > 100)
         limit = loft_override_limit_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue),
-                                     d->axis, d->tick_hz);
+                                       d->axis, d->tick_hz);
     return loft_queue_push(&d->queue, item, limit);
 }
 

@@ -46,7 +46,7 @@ static bool on_chord(const loft_vec *p, const loft_vec *a, const loft_vec *b)
         q.axis[i] = p->axis[i] - a->axis[i];
         c.axis[i] = b->axis[i] - a->axis[i];
         most = loft_acc_max(most,
-                             loft_acc_abs(loft_prod(c.axis[i], LOFT_REAL(0.0000152587890625))));
+                            loft_acc_abs(loft_prod(c.axis[i], LOFT_REAL(0.0000152587890625))));
     }
     for (int i = 0; i < LOFT_AXES; i++)
         for (int j = 0; j < i; j++)

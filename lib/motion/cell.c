@@ -424,9 +424,9 @@ static bool bows(const loft_plan_cell *c, const place *p, const place *q)
     const loft_acc change = q->a - p->a, changed = change + q->up.a - p->up.a;
     const loft_acc a = loft_acc_max(loft_acc_abs(p->a), loft_acc_abs(q->a)),
                    raised = loft_acc_max(loft_acc_abs(p->a + p->up.a),
-                                          loft_acc_abs(q->a + q->up.a));
+                                         loft_acc_abs(q->a + q->up.a));
     const loft_acc more = loft_acc_scale(loft_acc_max(loft_acc_abs(change), loft_acc_abs(changed)),
-                              c->bow_change) +
+                                         c->bow_change) +
                           loft_acc_scale(loft_acc_max(a, raised), c->bow_accel);
 
     return (p->a > 0 && q->a < 0) || (p->up.a > 0 && q->up.a < 0) ||

@@ -8,7 +8,7 @@ loft_coord loft_coord_of(loft_acc x)
     const int32_t whole = loft_acc_int(x);
     const loft_acc rest = x - loft_to_acc(loft_real_from_int(whole));
     return loft_coord_plus((loft_coord)((uint32_t)whole << LOFT_COORD_BITS),
-                          loft_acc_int(rest * LOFT_COORD_MM));
+                           loft_acc_int(rest * LOFT_COORD_MM));
 }
 
 loft_acc loft_coord_wide(int64_t x)

@@ -202,7 +202,7 @@ static void add_joint(loft_course *c, const part *t)
         spacing = loft_acc_min(spacing, t->arc.length);
     if (c->crumb && c->count > 0)
         spacing = loft_acc_min(spacing,
-                                 loft_unit_to_acc(loft_course_piece(c, c->count - 1u)->length));
+                               loft_unit_to_acc(loft_course_piece(c, c->count - 1u)->length));
     if (set_joint(&joint, c, t, spacing)) {
         loft_plan_piece *p = loft_course_add(c);
         joint.from = p->from;

@@ -295,7 +295,7 @@ static loft_acc beyond(loft_lane *l, const loft_course *c, uint32_t end)
     loft_cell_init(&cell, b, &arc, &shape, move->feed);
     const loft_real v = loft_acc_sqrt(cell.most);
     l->beyond = loft_acc_min(loft_unit_to_acc(cell.length),
-                               even_part(b, v, reaches(b, loft_real_min(b->gain), v)));
+                             even_part(b, v, reaches(b, loft_real_min(b->gain), v)));
     return l->beyond;
 }
 
@@ -320,7 +320,7 @@ static loft_acc fitting(const loft_lane *l, const loft_course *c, const loft_pla
 
     if (l->last > 0)
         most = loft_acc_min(loft_acc_max(loft_acc_min(most * 8 / 5, l->last), most / 2),
-                              l->last * 2);
+                            l->last * 2);
     if (straight(b, whole))
         most = loft_acc_max(most, loft_acc_min(l->last * 8 / 5, loft_to_acc(LOFT_REAL(32))));
     most = loft_acc_min(most, near + l->run * 3 / 4);

@@ -123,7 +123,7 @@ static loft_real most_of_axis(const loft_limits *limits, loft_unit usable)
     for (loft_real step = LOFT_ACCEL_MAX / 2; step > LOFT_REAL(0.01); step /= 2) {
         for (int i = 0; i < LOFT_AXES; i++)
             size[i] = loft_to_acc(limits->max_accel[i] < most + step ? limits->max_accel[i]
-                                                                   : most + step);
+                                                                     : most + step);
         most += loft_acc_hypot(size, LOFT_AXES) > whole ? 0 : step;
     }
     return most;
@@ -211,7 +211,7 @@ loft_acc loft_budget_joint(const loft_budget *b, const loft_vec *before, const l
                            loft_acc spacing, bool corner)
 {
     const loft_real apart = spacing < loft_to_acc(SPACING_MAX) ? loft_acc_round(spacing)
-                                                             : SPACING_MAX;
+                                                               : SPACING_MAX;
     loft_real jump[LOFT_AXES], v = LOFT_SPEED_MAX;
 
     for (int i = 0; i < LOFT_AXES; i++) {

@@ -65,6 +65,6 @@ void loft_period_init(loft_period *period, const loft_limits *limits)
         const loft_coord jerk = cut_off(in_period(period, in_period(period, j)));
         period->jerk[i] = limits->max_jerk[i] == 0 || jerk > period->accel[i] ? period->accel[i]
                           : jerk > ROUNDING                                  ? jerk - ROUNDING
-                                                                             : 1;
+                                                                              : 1;
     }
 }

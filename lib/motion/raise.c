@@ -209,7 +209,7 @@ static void raise(const loft_course *c, const loft_row *row, unsigned middle, un
                                     tied_last ? length_of(c, to) : 0);
     touched t = { low > row->first ? low - 1 : low, high + 1 < row->end ? high + 1 : high };
     loft_acc rise = loft_acc_min(cell_of(c, middle)->top - cell_of(c, middle)->b,
-                                   4 * cell_of(c, middle)->b);
+                                 4 * cell_of(c, middle)->b);
 
     for (unsigned i = t.low > row->first ? t.low - 1 : t.low; i <= t.high + 1 && i < row->end; i++)
         cell_of(c, i)->rise = 0;
@@ -236,7 +236,7 @@ static loft_acc gentle(loft_real accel, loft_real s, loft_acc d)
     const loft_real turn = loft_real_cap(LOFT_SPEED_MAX, accel / 2, s);
 
     return v < loft_to_acc(turn) ? loft_prod(loft_acc_round(v), loft_acc_round(v))
-                               : loft_acc_mul(d, accel) - loft_prod(turn, turn);
+                                 : loft_acc_mul(d, accel) - loft_prod(turn, turn);
 }
 
 /* How far the pieces may be raised. */

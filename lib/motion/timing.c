@@ -28,7 +28,7 @@ typedef struct {
 static legs legs_of(const loft_knot knot[], unsigned k, int i)
 {
     const loft_coord q0 = knot[k - 1].point.axis[i], q1 = knot[k].point.axis[i],
-                    q2 = knot[k + 1].point.axis[i], q3 = knot[k + 2].point.axis[i];
+                     q2 = knot[k + 1].point.axis[i], q3 = knot[k + 2].point.axis[i];
     return (legs){ loft_coord_from(q1, q0), loft_coord_from(q2, q1), loft_coord_from(q3, q2) };
 }
 
@@ -36,7 +36,7 @@ static legs legs_of(const loft_knot knot[], unsigned k, int i)
 static loft_coord fastest(legs e)
 {
     const loft_coord first = loft_coord_size(e.a + e.b), last = loft_coord_size(e.b + e.c),
-                    middle = loft_coord_size((e.a + 6 * e.b + e.c) / 4);
+                     middle = loft_coord_size((e.a + 6 * e.b + e.c) / 4);
     const loft_coord most = first > last ? first : last;
     return most > middle ? most : middle;
 }

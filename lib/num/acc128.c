@@ -250,7 +250,7 @@ bool loft_acc128_rate(loft_acc128 x, loft_acc128 w, loft_real *out)
 /* x, w and v share a common factor, which cancels in the quotient. The five products, quotients and
  * differences are each in error by 2^-61 of their result. */
 bool loft_acc128_slope(const loft_acc128 x[2], const loft_acc128 w[2], loft_acc128 v, int32_t k,
-                     loft_acc *out)
+                       loft_acc *out)
 {
     const loft_sci by = loft_sci_from_acc128(v), w0 = loft_sci_from_acc128(w[0]),
                    w1 = loft_sci_from_acc128(w[1]);
@@ -317,7 +317,7 @@ void loft_acc128_step(loft_acc128 d[], unsigned degree)
 }
 
 bool loft_acc128_slope(const loft_acc128 x[2], const loft_acc128 w[2], loft_acc128 v, int32_t k,
-                     loft_acc *out)
+                       loft_acc *out)
 {
     *out = k * (x[1] / v * (w[0] / v) - x[0] / v * (w[1] / v));
     return *out >= -DBL_MAX && *out <= DBL_MAX;

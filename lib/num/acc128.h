@@ -148,7 +148,7 @@ loft_acc128 loft_acc128_lerp_in(loft_acc128 x, loft_acc128 y, loft_real a, loft_
  *   cost    q16: 2 products of 64 bits and 3 quotients of 63 rounds
  */
 bool loft_acc128_slope(const loft_acc128 x[2], const loft_acc128 w[2], loft_acc128 v, int32_t k,
-                     loft_acc *out) LOFT_CHECKED;
+                       loft_acc *out) LOFT_CHECKED;
 
 LOFT_END_C
 

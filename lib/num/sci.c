@@ -55,7 +55,7 @@ loft_sci loft_sci_from_acc128(loft_acc128 x)
     if (!x.limb[top])
         return normal_form((uint64_t)x.limb[1] << 32 | x.limb[0], 0, -32, minus);
     return normal_form((uint64_t)x.limb[top] << 32 | x.limb[top - 1], x.limb[top - 2],
-                  32 * (top - 1) - 32, minus);
+                       32 * (top - 1) - 32, minus);
 }
 
 /* The smaller number is truncated to the exponent of the larger one. A difference uses 32 more
@@ -165,7 +165,7 @@ static loft_acc128 signed_product(int64_t x, int64_t y)
 {
     const loft_acc128 size = loft_acc128_times(loft_acc128_of((int64_t)magnitude(x)),
                                                (uint32_t)magnitude(y)),
-                    zero = { { 0 } };
+                      zero = { { 0 } };
     return (x < 0) != (y < 0) ? loft_acc128_sub(zero, size) : size;
 }
 

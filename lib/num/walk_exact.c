@@ -50,7 +50,7 @@ static const uint8_t onto_maps[LOFT_WALK_DEGREE_MAX + 1][LOFT_WALK_DEGREE_MAX + 
 
 /* e_j, j >= 1, as an integer and a remainder over n^degree. */
 static int64_t exact_difference(const loft_acc g[], unsigned degree, unsigned j, uint32_t n,
-                          uint64_t *rest)
+                                uint64_t *rest)
 {
     int64_t whole = 0;
     uint64_t power = 1;

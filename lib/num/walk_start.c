@@ -338,7 +338,7 @@ static void start_walk(loft_state d[], const loft_real p[], unsigned degree,
 #endif
 
 static void start_polynomial(loft_state d[], const loft_real p[], unsigned degree,
-                      const loft_powers *powers)
+                             const loft_powers *powers)
 {
     wide room[LOFT_WALK_DEGREE_MAX + 1];
     start_walk(d, p, degree, powers->inverse, room);
@@ -360,7 +360,7 @@ void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 }
 
 static void start_polynomial(loft_state d[], const loft_real p[], unsigned degree,
-                      const loft_powers *powers)
+                             const loft_powers *powers)
 {
     loft_acc g[LOFT_WALK_DEGREE_MAX + 1];
     double scale = powers->n;

@@ -33,7 +33,7 @@ typedef struct {
 } powers;
 
 static loft_jet point_weight(const loft_basepoint *b, const powers *f, const uint8_t l[3],
-                          unsigned rank)
+                             unsigned rank)
 {
     const loft_sci ways = loft_sci_from_int(loft_multiindex_multinomial(l, 3));
     const unsigned shared = (unsigned)b->degree - l[f->corner] - b->cut[f->corner];

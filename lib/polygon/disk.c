@@ -255,7 +255,7 @@ static enum loft_status toric_at(const loft_disk *r, unsigned side, loft_unit sh
 }
 
 static enum loft_status init_over_polygon(loft_disk *r, const loft_domain *d,
-                                     loft_coordinates *coordinates, unsigned sides)
+                                          loft_coordinates *coordinates, unsigned sides)
 {
     if (d->sides != sides)
         return LOFT_ERR_ARG;
@@ -285,7 +285,7 @@ enum loft_status loft_disk_harmonic(loft_disk *r, const loft_harmonic *h)
 }
 
 enum loft_status loft_disk_from_spatch(loft_disk *r, const loft_spatch *s, const loft_domain *d,
-                                        loft_coordinates *coordinates)
+                                       loft_coordinates *coordinates)
 {
     const enum loft_status status = init_over_polygon(r, d, coordinates, s->sides);
 
@@ -297,7 +297,7 @@ enum loft_status loft_disk_from_spatch(loft_disk *r, const loft_spatch *s, const
 }
 
 enum loft_status loft_disk_from_gb(loft_disk *r, const loft_gb *g, const loft_domain *d,
-                                    loft_coordinates *coordinates)
+                                   loft_coordinates *coordinates)
 {
     const enum loft_status status = init_over_polygon(r, d, coordinates, g->sides);
 
@@ -440,7 +440,7 @@ static enum loft_status zheng_ball_at(const loft_disk *r, unsigned side, loft_un
     const kite k = kite_of(r, side, share, u);
     loft_sci turned[LOFT_ZHENG_BALL_SIDES], parameter[LOFT_ZHENG_BALL_SIDES];
     const enum loft_status status = loft_zheng_ball_params(n, zheng_ball_param(n, k.s, k.t),
-                                                     zheng_ball_param(n, k.t, k.s), turned);
+                                                           zheng_ball_param(n, k.t, k.s), turned);
 
     if (status != LOFT_OK)
         return status;

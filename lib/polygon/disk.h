@@ -53,9 +53,9 @@ typedef struct loft_disk {
  *   cost    that of loft_partition_init
  */
 enum loft_status loft_disk_from_spatch(loft_disk *r, const loft_spatch *s, const loft_domain *d,
-                                        loft_coordinates *coordinates) LOFT_CHECKED;
+                                       loft_coordinates *coordinates) LOFT_CHECKED;
 enum loft_status loft_disk_from_gb(loft_disk *r, const loft_gb *g, const loft_domain *d,
-                                    loft_coordinates *coordinates) LOFT_CHECKED;
+                                   loft_coordinates *coordinates) LOFT_CHECKED;
 void loft_disk_from_toric(loft_disk *r, const loft_toric *t);
 void loft_disk_from_basepoint(loft_disk *r, const loft_basepoint *b);
 void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g);

@@ -226,7 +226,7 @@ static void add_row(loft_weighted_sum *sum, const loft_gb *g, const ribbon *r, u
     loft_weighted_sum_start(&row);
     for (unsigned j = first_of_row(k); j <= g->degree - first_of_row(k); j++)
         loft_weighted_sum_add(&row, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)],
-                       point_share(r, g->degree, j, k));
+                              point_share(r, g->degree, j, k));
     loft_weighted_sum_join(sum, &row, r->across[k]);
 }
 
@@ -251,6 +251,6 @@ enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *
             add_row(&sum, g, &r, i, k);
     }
     loft_weighted_sum_add(&sum, &g->p[loft_gb_count(g->sides, g->degree) - 1],
-                   loft_sci_sub(loft_sci_one(), sum.w));
+                          loft_sci_sub(loft_sci_one(), sum.w));
     return loft_weighted_sum_point(&sum, out);
 }

@@ -175,7 +175,7 @@ enum loft_status loft_gb_eval(const loft_gb *g, const loft_sci phi[], loft_vec *
  *           40 layers + 400) more; 24 sides quotients; q16: 4.5 kB of stack
  */
 enum loft_status loft_gb_differential(const loft_gb *g, const loft_jet phi[],
-                               loft_differential *out) LOFT_CHECKED;
+                                      loft_differential *out) LOFT_CHECKED;
 
 LOFT_END_C
 

@@ -49,7 +49,7 @@ static loft_jet mul3(const loft_jet *a, const loft_jet *b, const loft_jet *c)
 
 /* C(degree, k) x^k y^(degree - k) for k = 0 .. count - 1. */
 static void bernstein_jets(loft_jet out[], unsigned degree, unsigned count, const loft_jet *x,
-                      const loft_jet *y)
+                           const loft_jet *y)
 {
     loft_jet power = loft_jet_of(loft_sci_one());
 

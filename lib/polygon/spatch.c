@@ -108,7 +108,7 @@ static void sum_terms(const loft_spatch *s, const loft_sci phi[], loft_weighted_
         }
         if (loft_sci_sign(part[n]))
             loft_weighted_sum_add(sum, &s->p[rank],
-                           s->w ? loft_sci_mul(part[n], point_weight(s, rank)) : part[n]);
+                                  s->w ? loft_sci_mul(part[n], point_weight(s, rank)) : part[n]);
         rank++;
     } while (loft_multiindex_next(l, n));
 }
@@ -231,7 +231,7 @@ enum loft_status loft_spatch_elevate(const loft_spatch *s, loft_vec out[], loft_
                 l[i]++;
             }
         status = store_mean(s, &sum, loft_sci_from_int(s->depth + 1), &out[rank],
-                       s->w ? &w[rank] : NULL);
+                            s->w ? &w[rank] : NULL);
         rank++;
     } while (status == LOFT_OK && loft_multiindex_next(l, s->sides));
     return status;
@@ -257,7 +257,7 @@ enum loft_status loft_spatch_tensor(const loft_spatch *s, loft_vec out[], loft_r
             }
             const int32_t ways = loft_binomial(d, i) * loft_binomial(d, j);
             const enum loft_status status = store_mean(s, &sum, loft_sci_from_int(ways), &out[at],
-                                                  s->w ? &w[at] : NULL);
+                                                       s->w ? &w[at] : NULL);
             if (status != LOFT_OK)
                 return status;
         }

@@ -79,7 +79,7 @@ enum loft_status loft_spatch_casteljau(const loft_spatch *s, const loft_sci phi[
  *           kB of stack
  */
 enum loft_status loft_spatch_differential(const loft_spatch *s, const loft_jet phi[],
-                                   loft_differential *out) LOFT_CHECKED;
+                                          loft_differential *out) LOFT_CHECKED;
 
 /* The same patch with a depth higher by 1.
  *
@@ -89,7 +89,7 @@ enum loft_status loft_spatch_differential(const loft_spatch *s, const loft_jet p
  *   cost    sides + 1 products and a division per point and axis
  */
 enum loft_status loft_spatch_elevate(const loft_spatch *s, loft_vec out[],
-                                   loft_real w[]) LOFT_CHECKED;
+                                     loft_real w[]) LOFT_CHECKED;
 
 /* The tensor product net of a patch with four sides over a parallelogram and Wachspress
  * coordinates. u runs along the edge from vertex 0 to 1, v along the edge from 0 to 3.

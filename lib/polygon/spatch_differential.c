@@ -7,7 +7,7 @@
 #include "polygon/jet_weighted_sum.h"  /* loft_jet_weighted_sum */
 
 static loft_jet point_weight(const loft_spatch *s, const loft_jet phi[], const uint8_t l[],
-                          unsigned rank)
+                             unsigned rank)
 {
     const loft_sci ways = loft_sci_from_int(loft_multiindex_multinomial(l, s->sides));
     loft_jet weight = loft_jet_of(s->w ? loft_sci_mul(ways, loft_sci_from_real(s->w[rank])) : ways);

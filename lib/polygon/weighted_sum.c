@@ -73,7 +73,7 @@ static enum loft_status curve_point(const loft_vec p[], const loft_real w[], uns
 /* The weights are C(degree, k) t^k (1 - t)^(degree - k). All are positive, and each errs by 2
  * degree + 2 roundings. */
 enum loft_status loft_weighted_sum_curve(const loft_vec p[], const loft_real w[], unsigned degree,
-                                  const loft_sci share[2], loft_vec *out)
+                                         const loft_sci share[2], loft_vec *out)
 {
     loft_weighted_sum sum;
     loft_unit t;

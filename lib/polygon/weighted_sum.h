@@ -46,7 +46,7 @@ enum loft_status loft_weighted_sum_project(const loft_weighted_sum *b, loft_vec 
  *           point
  */
 enum loft_status loft_weighted_sum_curve(const loft_vec p[], const loft_real w[], unsigned degree,
-                                  const loft_sci share[2], loft_vec *out) LOFT_CHECKED;
+                                         const loft_sci share[2], loft_vec *out) LOFT_CHECKED;
 
 LOFT_END_C
 

@@ -138,7 +138,7 @@ static loft_sci point_weight(const basis *b, unsigned k, bool *inside)
     if (!*inside)
         weight = loft_sci_mul(weight,
                               c ? border_factor(b, side_before(corner, b->sides), b->degree - c)
-                                        : border_factor(b, corner, a));
+                                : border_factor(b, corner, a));
     return weight;
 }
 

@@ -43,7 +43,7 @@ typedef struct {
  *   cost    one check per coordinate
  */
 enum loft_status loft_zheng_ball_init(loft_zheng_ball *r, const loft_vec p[], unsigned sides,
-                                unsigned degree) LOFT_CHECKED;
+                                      unsigned degree) LOFT_CHECKED;
 
 /* The number of points: sides * floor(degree / 2 + 1) * ceil(degree / 2), and one more for an even
  * degree.
@@ -76,7 +76,7 @@ void loft_zheng_ball_index(unsigned sides, unsigned degree, unsigned k, uint8_t 
  *           q16: 1.6 kB of stack
  */
 enum loft_status loft_zheng_ball_params(unsigned sides, loft_unit u1, loft_unit u2,
-                                  loft_sci u[]) LOFT_CHECKED;
+                                        loft_sci u[]) LOFT_CHECKED;
 
 /* The parameters of three sides from barycentric coordinates: u = t (b_1, b_2, b_3) with the t in
  * 1..1.1 that makes them consistent. b_3 = 1 - b_1 - b_2.
@@ -99,7 +99,7 @@ enum loft_status loft_zheng_ball_lift(loft_unit b1, loft_unit b2, loft_sci u[]) 
  *           1 and two quotients, 6: 44, a lift 11; q16: 1.5 kB of stack
  */
 enum loft_status loft_zheng_ball_params_jet(unsigned sides, loft_unit u1, loft_unit u2,
-                                      loft_jet u[]) LOFT_CHECKED;
+                                            loft_jet u[]) LOFT_CHECKED;
 enum loft_status loft_zheng_ball_lift_jet(loft_unit b1, loft_unit b2, loft_jet u[]) LOFT_CHECKED;
 
 

@@ -295,7 +295,7 @@ enum loft_status loft_tensor_rational_differential(const loft_tensor_rational *s
 }
 
 enum loft_status loft_triangle_rational_differential(const loft_triangle_rational *t, loft_bary at,
-                                              loft_differential *out)
+                                                     loft_differential *out)
 {
     net n = { NULL, t->p, t->p[0].p, t->degree, t->degree, true };
 
@@ -529,7 +529,7 @@ enum loft_status loft_differential_normal(const loft_differential *at, loft_vec 
     const loft_sci length = loft_sci_sqrt(square);
     for (int i = 0; i < LOFT_AXES; i++)
         out->axis[i] = i < 3 && loft_sci_to_acc(loft_sci_div(n[i], length), &x) ? loft_acc_round(x)
-                                                                              : 0;
+                                                                                : 0;
     return LOFT_OK;
 }
 
@@ -571,7 +571,7 @@ enum loft_status loft_differential_curvatures(const loft_differential *at, loft_
         loft_sci_add(loft_sci_mul(apart, apart), loft_sci_mul(b, b)));
 
     return set_curvatures(sub_product(loft_sci_mul(a, c), b, b), mean, loft_sci_sub(mean, spread),
-                loft_sci_add(mean, spread), out)
+                          loft_sci_add(mean, spread), out)
                ? LOFT_OK
                : LOFT_ERR_RANGE;
 }
@@ -606,5 +606,5 @@ loft_real loft_ball_radius(const loft_curvatures *k)
     if (!loft_acc_valid(radius))
         return LOFT_REAL_MAX;
     return loft_to_acc(loft_acc_round(radius)) <= radius ? loft_acc_round(radius)
-                                                       : loft_acc_round(below);
+                                                         : loft_acc_round(below);
 }

@@ -54,14 +54,14 @@ typedef struct {
  *           stack
  */
 enum loft_status loft_tensor_differential(const loft_tensor *s, loft_unit u, loft_unit v,
-                                   loft_differential *out) LOFT_CHECKED;
+                                          loft_differential *out) LOFT_CHECKED;
 enum loft_status loft_tensor_rational_differential(const loft_tensor_rational *s, loft_unit u,
                                                    loft_unit v,
-                                            loft_differential *out) LOFT_CHECKED;
+                                                   loft_differential *out) LOFT_CHECKED;
 enum loft_status loft_triangle_differential(const loft_triangle *t, loft_bary at,
-                                     loft_differential *out) LOFT_CHECKED;
+                                            loft_differential *out) LOFT_CHECKED;
 enum loft_status loft_triangle_rational_differential(const loft_triangle_rational *t, loft_bary at,
-                                              loft_differential *out) LOFT_CHECKED;
+                                                     loft_differential *out) LOFT_CHECKED;
 enum loft_status loft_coons_bezier_differential(const loft_coons_bezier *c, loft_unit s,
                                                 loft_unit t, loft_differential *out) LOFT_CHECKED;
 

@@ -50,8 +50,8 @@ static enum loft_status sphere_at(const void *surface, loft_unit u, loft_unit v,
 }
 
 static loft_surface surface_of(enum loft_status (*eval)(const void *, loft_unit, loft_unit,
-                                                      loft_vec *),
-                           const void *surface, enum loft_surface_over over)
+                                                        loft_vec *),
+                               const void *surface, enum loft_surface_over over)
 {
     const loft_surface s = { eval, surface, over };
     return s;

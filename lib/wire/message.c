@@ -175,7 +175,7 @@ enum loft_status loft_job_decode(const loft_frame *f, loft_job *m)
     if (m->kind == LOFT_CURVES)
         r.at = (uint8_t)(r.at + LIMITS_BYTES);
     return end_read_all(&r, m->id != 0 && (m->kind == LOFT_SPANS || m->kind == LOFT_POINTS ||
-                                       m->kind == LOFT_CURVES));
+                                           m->kind == LOFT_CURVES));
 }
 
 enum loft_status loft_job_limits_decode(const loft_frame *f, loft_job_limits *m)
@@ -222,8 +222,8 @@ enum loft_status loft_control_decode(const loft_frame *f, loft_control *m)
     m->verb   = get8(&r);
     m->value  = get8(&r);
     return end_read_all(&r, m->verb == LOFT_OVERRIDE
-                            ? m->value >= 1 && m->value <= 200
-                            : m->verb >= LOFT_HOLD && m->verb <= LOFT_CLOSE && m->value == 0);
+                                ? m->value >= 1 && m->value <= 200
+                                : m->verb >= LOFT_HOLD && m->verb <= LOFT_CLOSE && m->value == 0);
 }
 
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX])

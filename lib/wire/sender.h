@@ -32,7 +32,7 @@ enum loft_phase {
     LOFT_PHASE_OPENING,     /* JOB is sent */
     LOFT_PHASE_STREAMING,   /* items are sent; also after the last one, until the report */
     LOFT_PHASE_CLOSING,     /* the report is here, the machine is told so */
-                            /* ... the phases below are final */
+                          /* ... the phases below are final */
     LOFT_PHASE_DONE,        /* done: `report` */
     LOFT_PHASE_ABORTED,     /* ended early: `report` if report.job is not 0 */
     LOFT_PHASE_BUSY,        /* another job is under way: `machine.job` */

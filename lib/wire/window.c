@@ -100,7 +100,7 @@ static void predict_next(const loft_window *w, loft_predictor *p)
 
 /* Pack as many items as fit and may be sent. */
 static void pack_items(const loft_window *w, uint32_t limit, enum loft_kind kind,
-                 const loft_predictor *predictor, loft_packer *p, uint8_t wire[])
+                       const loft_predictor *predictor, loft_packer *p, uint8_t wire[])
 {
     const uint32_t most = limit < w->known ? limit : w->known;
     enum loft_status status = LOFT_OK;

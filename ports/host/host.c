@@ -121,8 +121,8 @@ static int start_machine(struct host *h)
         c->info.axis[i].max_speed = raw_of(o->max_speed[i]);
         c->info.axis[i].max_accel = raw_of(o->max_accel[i]);
         c->info.axis[i].max_jerk = o->max_jerk[i] > 0 && o->max_jerk[i] < 1e9
-                                         ? (uint32_t)o->max_jerk[i]
-                                         : 0;
+                                       ? (uint32_t)o->max_jerk[i]
+                                       : 0;
     }
     c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
     c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);

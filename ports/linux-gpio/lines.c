@@ -95,14 +95,14 @@ static bool search_chips(const struct line_wanted *w, const char *label, const c
     if (found == 1)
         return true;
     refuse_line(w, 0,
-           found    ? "there are several"
-           : barred ? "not among the chips that may be opened: join the group that owns "
-                      "/dev/gpiochip* (often gpio), or be root"
-           : line   ? "no chip has a line of this name"
-                    : "no chip has this label",
-           found    ? ": name the chip, as in gpiochip0:LINE"
-           : barred ? ""
-                    : ": see gpioinfo");
+                found    ? "there are several"
+                : barred ? "not among the chips that may be opened: join the group that owns "
+                           "/dev/gpiochip* (often gpio), or be root"
+                : line   ? "no chip has a line of this name"
+                         : "no chip has this label",
+                found    ? ": name the chip, as in gpiochip0:LINE"
+                : barred ? ""
+                         : ": see gpioinfo");
     return false;
 }
 
@@ -114,7 +114,7 @@ static bool is_number(const char *text)
 /* Find the chip (its number in `l`) and the line on it. -1 after one line on standard error if
  * there is none. */
 static int find_line(struct lines *l, const struct settings *s, const struct line_wanted *w,
-                unsigned *offset)
+                     unsigned *offset)
 {
     const char *label = w->chip[0] || !is_number(w->line) ? w->chip : s->chip;
     char path[40];

@@ -106,7 +106,7 @@ static void give_pulse(struct pulses *p, int64_t due, uint8_t step)
 {
     const int64_t now = wait_until(
         max_i64(max_i64(due, p->turned + p->setup_ns),
-                                        max_i64(p->rose + p->slot_ns / 2, p->fell + p->pulse_ns)));
+                max_i64(p->rose + p->slot_ns / 2, p->fell + p->pulse_ns)));
 
     set_lines(p, (uint32_t)step << LINE_STEP, UINT32_MAX);
     p->rose = now_ns();

@@ -149,8 +149,8 @@ static int take_line(struct line_wanted *to, const struct row *k, const char *wh
             to->bias = GPIO_BIAS_DOWN;
         else
             return wrong_value(where, key, value,
-                         k->kind == INPUT ? "low, and up or down, may follow the line"
-                                          : "low may follow the line");
+                               k->kind == INPUT ? "low, and up or down, may follow the line"
+                                                : "low may follow the line");
     }
     snprintf(to->key, sizeof to->key, "%s", key);
     return 0;

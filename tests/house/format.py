@@ -3,11 +3,13 @@
 SPDX-License-Identifier: MIT
 
 usage: format.py [--check] FILE..
-Lines that differ from clang-format's in spaces alone stay as they are written: tables and columns
-of comments are aligned by hand. So do definitions of macros: clang-format takes a list in braces
-for a block. With --check nothing is written, and what differs is named.
+Within a line spaces stay as they are written, and so does the indentation of comments and of lists
+in braces: tables and columns of comments are aligned by hand. Definitions of macros stay as well:
+clang-format takes a list in braces for a block. With --check nothing is written, and what differs
+is named.
 """
 import difflib
+import re
 import subprocess
 import sys
 
@@ -24,15 +26,44 @@ def of_macro(lines, at):
     return at < len(lines) and lines[at].lstrip().startswith("#") and "define" in lines[at]
 
 
+def listed(lines):
+    """For each line: does it begin between the braces of a list, not of a block?"""
+    text = re.sub(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'",
+                  lambda m: re.sub(r"[^\n]", " ", m.group()), "\n".join(lines), flags=re.S)
+    inside, before, found = [], "", []
+    for line in text.split("\n"):
+        found.append(bool(inside) and inside[-1] == "list")
+        for c in line:
+            if c in "([{":
+                inside.append("list" if c == "{" and before in ("=", ",", "(", "{") or
+                              c == "{" and before == ")" and "list" in inside else c)
+            elif c in ")]}" and inside:
+                inside.pop()
+            before = c if c.strip() else before
+    return found
+
+
+def indented(line, like):
+    """`line` with the indentation of `like`."""
+    if not line.strip() or line.lstrip().startswith("*"):
+        return line
+    return like[:len(like) - len(like.lstrip())] + line.lstrip()
+
+
 def formatted(path):
     old = open(path, encoding="utf-8").read().split("\n")
     new = subprocess.run(["clang-format", "--style=file", path], check=True,
                          capture_output=True, text=True).stdout.split("\n")
     out = []
+    lists = listed(old)
     match = difflib.SequenceMatcher(None, [key(l) for l in old], [key(l) for l in new], False)
     for tag, a, b, c, d in match.get_opcodes():
         blank = not any(key(l) for l in old[a:b] + new[c:d])
-        stays = tag == "equal" or blank or (of_macro(old, a) if a < b else of_macro(new, c))
+        if tag == "equal":
+            out += [old[k] if lists[k] or of_macro(old, k) else indented(old[k], new[c + k - a])
+                    for k in range(a, b)]
+            continue
+        stays = blank or (of_macro(old, a) if a < b else of_macro(new, c))
         out += old[a:b] if stays else new[c:d]
     return old, out
 

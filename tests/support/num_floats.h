@@ -81,7 +81,7 @@ static void a_lerp_at_a_fraction_is_within_three_ulps(arb *a)
     check_ulps(loft_acc_lerp_at(x, y, 0, n), x, x, 53, 0);
     check_ulps(loft_acc_lerp_at(x, y, n, n), y, y, 53, 0);
     check_ulps(loft_acc_mean(x, y), ((long double)x + y) / 2, ((long double)x + y) / 2, 53,
-         0.5L + 0x1p-11L);
+               0.5L + 0x1p-11L);
 }
 
 static void a_blend_is_within_three_ulps_and_exact_at_the_corners(arb *a)
@@ -92,7 +92,7 @@ static void a_blend_is_within_three_ulps_and_exact_at_the_corners(arb *a)
     const long double u = 1 - (long double)v - w, growth = fabsl(u) + fabsl(v) + w;
 
     check_ulps(loft_acc_lerp3(x, y, z, v, w), u * x + (long double)v * y + (long double)w * z,
-         larger(larger(x, y), z) * growth, 53, 3);
+               larger(larger(x, y), z) * growth, 53, 3);
     check_ulps(loft_acc_lerp3(x, y, z, 0, 0), x, x, 53, 0);
     check_ulps(loft_acc_lerp3(x, y, z, 1, 0), y, y, 53, 0);
     check_ulps(loft_acc_lerp3(x, y, z, 0, 1), z, z, 53, 0);
@@ -187,7 +187,7 @@ static void conversions_are_exact(arb *a)
     const int32_t i = (int32_t)(uint32_t)arb_next(a) >> arb_below(a, 31);
 
     check_ulps(loft_real_from_int(i), i, i, REAL_BITS,
-         BY_NUM(0, i <= 16777216 && i >= -16777216 ? 0 : 0.5L, 0));
+               BY_NUM(0, i <= 16777216 && i >= -16777216 ? 0 : 0.5L, 0));
     /* below 2^20 */
     const loft_real x = (loft_real)i * (loft_real)0.000244140625 + arb_real(a, 1);
     CHECK((long double)loft_real_floor(x) - floorl(x) <= 0 &&

@@ -143,7 +143,7 @@ static inline scene *arb_kind(arb *a, unsigned kind, long double wild)
         make_domain(&x);
         CHECK(loft_spatch_init(&x.spatch, x.p, NULL, x.sides, x.degree) == LOFT_OK);
         CHECK(loft_disk_from_spatch(&x.round, &x.spatch, &x.domain,
-                                     kind ? loft_meanvalue_eval : loft_wachspress_eval) == LOFT_OK);
+                                    kind ? loft_meanvalue_eval : loft_wachspress_eval) == LOFT_OK);
         break;
     case 2:
     case 3: /* gb */

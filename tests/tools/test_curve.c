@@ -33,20 +33,20 @@ static void check_refused(const char *text, const char *words, int line)
 static void every_kind_is_read(arb *a)
 {
     static const char text[] = "\xEF\xBB\xBF# all kinds\r\n\r\n"
-        "bezier 3\n0 0\n1,2\n  3\t4 # a comment\n5;6\n"              /* line 3 */
-        "bezier\n0 0 1\n1 -.5e1 2\n"
-        "line\n0 0\n1 0\n1 1\n"
-        "rational 2\n1 0\n1 1 : 0.5\n0 1 2 : 3\n"
-        "parabola\n0 0 : 0\n1 1 : 0.25\n2 0 : 2\n"
-        "hermite3\n0 0 : 1 2\n\n1 1 : 3 4 5\n"
-        "hermite5\n0 0 : 1 2 : 3 4\n1 1 : 5 6 : 7 8\n"
-        "cardinal 0.5\n0 0\n1 0\n2 0\n3 0\n"
-        "cardinal\n0 0\n1 0\n2 0\n3 0\n4 0\n"
-        "natural\n0 0\n1 0\n"
-        "natural chord\n0 0\n1 0\n2 0\n"
-        "bspline 2\n0 0\n1 0\n2 0\n3 0\n"
-        "nurbs 1\nknots 0 0 1\nknots 3 3 # more\n0 0\n1 0 : 2\n2 0\n"
-        "arc right 2\n5 6\n15 6\n15 16";
+                               "bezier 3\n0 0\n1,2\n  3\t4 # a comment\n5;6\n" /* line 3 */
+                               "bezier\n0 0 1\n1 -.5e1 2\n"
+                               "line\n0 0\n1 0\n1 1\n"
+                               "rational 2\n1 0\n1 1 : 0.5\n0 1 2 : 3\n"
+                               "parabola\n0 0 : 0\n1 1 : 0.25\n2 0 : 2\n"
+                               "hermite3\n0 0 : 1 2\n\n1 1 : 3 4 5\n"
+                               "hermite5\n0 0 : 1 2 : 3 4\n1 1 : 5 6 : 7 8\n"
+                               "cardinal 0.5\n0 0\n1 0\n2 0\n3 0\n"
+                               "cardinal\n0 0\n1 0\n2 0\n3 0\n4 0\n"
+                               "natural\n0 0\n1 0\n"
+                               "natural chord\n0 0\n1 0\n2 0\n"
+                               "bspline 2\n0 0\n1 0\n2 0\n3 0\n"
+                               "nurbs 1\nknots 0 0 1\nknots 3 3 # more\n0 0\n1 0 : 2\n2 0\n"
+                               "arc right 2\n5 6\n15 6\n15 16";
     static const struct {
         enum curve_kind kind;
         unsigned degree, count, pieces;

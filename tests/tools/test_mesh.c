@@ -56,7 +56,7 @@ static void cylinders_bend_one_way(arb *a)
 
     (void)a;
     make_mesh(&m, "tensor 2 1\n0 0 0 : 256\n0 30 0 : 256\n0 0 15 : 181.0193359837562\n0 30 15 : "
-             "181.0193359837562\n15 0 15 : 256\n15 30 15 : 256\n");
+                  "181.0193359837562\n15 0 15 : 256\n15 30 15 : 256\n");
     for (size_t i = 0; i < m.vertices; i++) {
         const double normal[3] = { (m.vertex[i].p[0] - 15) / 15, 0, m.vertex[i].p[2] / 15 };
         check_vertex(&m.vertex[i], normal, 0, -1 / 30.0, 1e-7);

@@ -15,7 +15,7 @@ static law extrapolation(unsigned n, loft_unit t, long double gain)
 {
     const long double x = exact_unit(t);
     return (law){ .lsb = 0.5L + gain * growth_sum(x, n) / 131072,
-        .gain      = gain * powl(growth(x), n),
+                  .gain      = gain * powl(growth(x), n),
                   .roundings = 3 * n };
 }
 

@@ -58,7 +58,7 @@ static void start_row(loft_grid *g, const loft_vec control[], unsigned degree)
 }
 
 static enum loft_status start_grid(loft_grid *g, const loft_vec net[], const loft_walk2 *shape,
-                              loft_state memory[], size_t count)
+                                   loft_state memory[], size_t count)
 {
     const size_t states = loft_walk2_column(shape, shape->q) + loft_walk2_degree(shape, shape->q) +
                           1;

@@ -173,7 +173,7 @@ enum loft_status loft_tensor_split_v(const loft_tensor *s, loft_unit t, loft_vec
 }
 
 enum loft_status loft_tensor_sub_u(const loft_tensor *s, loft_unit from, loft_unit to,
-                                    loft_vec out[])
+                                   loft_vec out[])
 {
     loft_vec copy[LOFT_DEGREE_MAX + 1];
 
@@ -188,12 +188,12 @@ enum loft_status loft_tensor_sub_u(const loft_tensor *s, loft_unit from, loft_un
 }
 
 enum loft_status loft_tensor_sub_v(const loft_tensor *s, loft_unit from, loft_unit to,
-                                    loft_vec out[])
+                                   loft_vec out[])
 {
     for (unsigned i = 0; i <= s->m; i++) {
         const loft_bezier row = row_of(s, i);
         const enum loft_status status = loft_bezier_sub(&row, from, to,
-                                                         out + (size_t)i * (s->n + 1u));
+                                                        out + (size_t)i * (s->n + 1u));
         if (status != LOFT_OK)
             return status;
     }
@@ -219,7 +219,7 @@ enum loft_status loft_tensor_elevate_v(const loft_tensor *s, unsigned times, lof
     for (unsigned i = 0; i <= s->m; i++) {
         const loft_bezier row = row_of(s, i);
         const enum loft_status status = loft_bezier_elevate(&row, times,
-                                                          out + (size_t)i * (s->n + times + 1));
+                                                            out + (size_t)i * (s->n + times + 1));
         if (status != LOFT_OK)
             return status;
     }

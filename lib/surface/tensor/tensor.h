@@ -100,9 +100,9 @@ enum loft_status loft_tensor_split_v(const loft_tensor *s, loft_unit t, loft_vec
  *   cost    that of loft_bezier_sub for each column, or row
  */
 enum loft_status loft_tensor_sub_u(const loft_tensor *s, loft_unit from, loft_unit to,
-                                    loft_vec out[]) LOFT_CHECKED;
+                                   loft_vec out[]) LOFT_CHECKED;
 enum loft_status loft_tensor_sub_v(const loft_tensor *s, loft_unit from, loft_unit to,
-                                    loft_vec out[]) LOFT_CHECKED;
+                                   loft_vec out[]) LOFT_CHECKED;
 
 /* The same patch with the degree in u, or in v, higher by `times`. `out` must not overlap the net.
  *
@@ -112,9 +112,9 @@ enum loft_status loft_tensor_sub_v(const loft_tensor *s, loft_unit from, loft_un
  *   cost    that of loft_bezier_elevate for each column, or row
  */
 enum loft_status loft_tensor_elevate_u(const loft_tensor *s, unsigned times,
-                                     loft_vec out[]) LOFT_CHECKED;
+                                       loft_vec out[]) LOFT_CHECKED;
 enum loft_status loft_tensor_elevate_v(const loft_tensor *s, unsigned times,
-                                     loft_vec out[]) LOFT_CHECKED;
+                                       loft_vec out[]) LOFT_CHECKED;
 
 /* The net with u and v exchanged: (n + 1) (m + 1) points. `out` must not overlap the net.
  *

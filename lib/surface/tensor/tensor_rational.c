@@ -145,7 +145,7 @@ enum loft_status loft_tensor_rational_split_v(const loft_tensor_rational *s, lof
 }
 
 enum loft_status loft_tensor_rational_elevate_u(const loft_tensor_rational *s, unsigned times,
-                                              loft_weighted out[])
+                                                loft_weighted out[])
 {
     loft_weighted copy[POINTS], line[LOFT_ELEVATE_MAX + 1];
 
@@ -160,12 +160,12 @@ enum loft_status loft_tensor_rational_elevate_u(const loft_tensor_rational *s, u
 }
 
 enum loft_status loft_tensor_rational_elevate_v(const loft_tensor_rational *s, unsigned times,
-                                              loft_weighted out[])
+                                                loft_weighted out[])
 {
     for (unsigned i = 0; i <= s->m; i++) {
         const loft_rational row = row_of(s, i);
         const enum loft_status status = loft_rational_elevate(&row, times,
-                                                            out + (size_t)i * (s->n + times + 1));
+                                                              out + (size_t)i * (s->n + times + 1));
         if (status != LOFT_OK)
             return status;
     }

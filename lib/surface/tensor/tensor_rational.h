@@ -85,9 +85,9 @@ enum loft_status loft_tensor_rational_split_v(const loft_tensor_rational *s, lof
  *   cost    that of loft_rational_elevate for each column, or row
  */
 enum loft_status loft_tensor_rational_elevate_u(const loft_tensor_rational *s, unsigned times,
-                                              loft_weighted out[]) LOFT_CHECKED;
+                                                loft_weighted out[]) LOFT_CHECKED;
 enum loft_status loft_tensor_rational_elevate_v(const loft_tensor_rational *s, unsigned times,
-                                              loft_weighted out[]) LOFT_CHECKED;
+                                                loft_weighted out[]) LOFT_CHECKED;
 
 /* The box of the net. The patch over 0..1 x 0..1 lies inside, even when rounded (f64: up to the
  * error of eval).

@@ -61,7 +61,7 @@ loft_vec loft_triangle_eval(const loft_triangle *t, loft_bary u);
  *   cost    as eval
  */
 enum loft_status loft_triangle_extrapolate(const loft_triangle *t, loft_bary u,
-                                      loft_vec *out) LOFT_CHECKED;
+                                           loft_vec *out) LOFT_CHECKED;
 
 /* The three points of the last row but one. They span the tangent plane at u, and their weighted
  * sum by u, v, w is the point.

@@ -22,7 +22,7 @@ LOFT_BEGIN_C
  *   see     do Carmo, Differential Geometry of Curves and Surfaces, 3-2
  */
 enum loft_status loft_triangle_corner_curvature_vec(const loft_triangle *t, loft_bary z,
-                                           loft_real *out) LOFT_CHECKED;
+                                                    loft_real *out) LOFT_CHECKED;
 
 LOFT_END_C
 

@@ -81,7 +81,7 @@ static bool extend_axis(const loft_triangle *t, int axis, unsigned order, const 
 }
 
 enum loft_status loft_triangle_join_continue(const loft_triangle *t, loft_bary star, unsigned order,
-                                           loft_vec out[])
+                                             loft_vec out[])
 {
     weights x;
 

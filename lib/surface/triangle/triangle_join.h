@@ -33,7 +33,7 @@ LOFT_BEGIN_C
  *   cost    (i + 1) (i + 2) exact products and a quotient for each coordinate of row i
  */
 enum loft_status loft_triangle_join_continue(const loft_triangle *t, loft_bary star, unsigned order,
-                                           loft_vec out[]) LOFT_CHECKED;
+                                             loft_vec out[]) LOFT_CHECKED;
 
 /* The largest r for which all derivatives up to r agree along the edge; -1 when the edges differ.
  *

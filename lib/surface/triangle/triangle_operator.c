@@ -80,7 +80,7 @@ enum loft_status loft_triangle_iterate(const loft_real f[], unsigned n, uint32_t
 /* The samples err by at most s 2^-33, which the n rows multiply by L^n. After 512 rounds the
  * remaining distance of f from the plane is multiplied by at most 2^14.3. */
 enum loft_status loft_triangle_iterate_extrapolate(const loft_real f[], unsigned n, uint32_t times,
-                                              loft_bary u, loft_real *value)
+                                                   loft_bary u, loft_real *value)
 {
     loft_acc g[MOST], product = loft_to_acc(LOFT_REAL(1));
 

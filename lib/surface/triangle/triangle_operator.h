@@ -38,7 +38,7 @@ enum loft_status loft_triangle_iterate(const loft_real f[], unsigned n, uint32_t
  *   cost    as iterate
  */
 enum loft_status loft_triangle_iterate_extrapolate(const loft_real f[], unsigned n, uint32_t times,
-                                              loft_bary u, loft_real *value) LOFT_CHECKED;
+                                                   loft_bary u, loft_real *value) LOFT_CHECKED;
 
 LOFT_END_C
 

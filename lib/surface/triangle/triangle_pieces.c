@@ -34,7 +34,7 @@ static void copy_net(const loft_acc from[], unsigned count, loft_acc to[])
 /* After r rows the three edges of the remaining net belong to the three pieces, with the power r of
  * the new corner: b_0jk, b_i0k and b_ij0. */
 static bool deal_row(const loft_acc x[], unsigned degree, unsigned r, int axis, loft_vec a[],
-                 loft_vec b[], loft_vec c[])
+                     loft_vec b[], loft_vec c[])
 {
     const unsigned n = degree - r;
 
@@ -97,7 +97,7 @@ static void halve_row(loft_acc c[], unsigned degree, const corner *at)
 /* b[corner0^i, corner1^j, corner2^k]: i rows at the first corner, then j rows at the second in a
  * copy, then k rows at the third in a copy of that. */
 static bool reshape_axis(loft_acc c[], unsigned degree, const corner at[3], row *step, int axis,
-                    loft_vec out[])
+                         loft_vec out[])
 {
     loft_acc second[MOST], third[MOST];
 
@@ -220,7 +220,7 @@ enum loft_status loft_triangle_from_power(const loft_vec a[], unsigned degree, l
         for (unsigned m = 0; m <= degree; m++)
             for (unsigned k = 0; k <= m; k++)
                 if (!round_axis(power_coefficient(c, degree, m - k, k),
-                          &out[loft_triangle_place(m - k, k)].axis[axis]))
+                                &out[loft_triangle_place(m - k, k)].axis[axis]))
                     return LOFT_ERR_RANGE;
     }
     return LOFT_OK;

@@ -49,7 +49,7 @@ enum loft_status loft_triangle_quarter(const loft_triangle *t, unsigned part,
  *   see     Ramshaw, blossoming
  */
 enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary corner[3],
-                                    loft_vec out[]) LOFT_CHECKED;
+                                   loft_vec out[]) LOFT_CHECKED;
 
 /* The same surface with a degree higher by `times`: LOFT_TRIANGLE_POINTS(degree + times) control
  * points.
@@ -61,7 +61,7 @@ enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary corne
  *   see     Farin, ch. 17: degree elevation
  */
 enum loft_status loft_triangle_elevate(const loft_triangle *t, unsigned times,
-                                     loft_vec out[]) LOFT_CHECKED;
+                                       loft_vec out[]) LOFT_CHECKED;
 
 /* The control points of the surface sum a_pr v^p w^r, where v and w are the coordinates of T2 and
  * T3 as in a loft_bary, which a loft_surface calls u and v. a is in order of degree, then of the

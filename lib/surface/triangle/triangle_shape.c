@@ -38,7 +38,7 @@ static int edge_sign(loft_exact a, loft_exact b, loft_exact c)
 {
     const loft_exact bc = loft_exact_mul(b, c);
     return surd_sign(loft_exact_sign(a), loft_exact_sign(bc),
-                loft_exact_compare(loft_exact_mul(a, a), bc));
+                     loft_exact_compare(loft_exact_mul(a, a), bc));
 }
 
 /* The sign of sqrt(A B C) + a sqrt A + b sqrt B + c sqrt C for A, B, C >= 0. With

@@ -219,7 +219,7 @@ static void bad_tolerances_and_coordinates_are_refused(arb *a)
     CHECK(loft_rational_to_cubics_init(&q, &s->r, -LOFT_REAL(1)) == LOFT_ERR_ARG);
     CHECK(!(s->largest > 0) ||
           loft_rational_to_cubics_init(&q, &s->r,
-                                    (loft_real)(least * BY_NUM(65536 * 3 / 4.0, 0.5, 0.99))) ==
+                                       (loft_real)(least * BY_NUM(65536 * 3 / 4.0, 0.5, 0.99))) ==
               LOFT_ERR_RANGE);
     CHECK(loft_bezier_init(&b, p, 1) == LOFT_OK);
     CHECK(loft_to_cubics_init(&q, &b, 0) == LOFT_ERR_ARG);

@@ -90,7 +90,7 @@ static void sums_and_products_are_exact_in_q16(arb *a)
     const uint32_t k = (uint32_t)arb_next(a) | 1, m = (uint32_t)arb_next(a) | 1;
     const loft_acc128 sum = loft_acc128_sub(
         loft_acc128_add(loft_acc128_times(loft_acc128_times(loft_acc128_of(x), k), m),
-                      loft_acc128_times(loft_acc128_of(y), k)),
+                        loft_acc128_times(loft_acc128_of(y), k)),
         loft_acc128_times(loft_acc128_of(z), m));
     const loft_acc128 by = loft_acc128_times(
         loft_acc128_times(loft_acc128_of(loft_to_acc(LOFT_REAL(4096)) * 512), k), m);

@@ -16,7 +16,7 @@ static loft_acc2 value_of(const int32_t raw[3], uint32_t j)
 {
     const loft_unit t = loft_unit_of(j, STEPS);
     const loft_acc2 left = loft_acc2_lerp(acc2_of(raw[0]), acc2_of(raw[1]), t),
-                     right = loft_acc2_lerp(acc2_of(raw[1]), acc2_of(raw[2]), t);
+                    right = loft_acc2_lerp(acc2_of(raw[1]), acc2_of(raw[2]), t);
 
     return loft_acc2_lerp(left, right, t);
 }
@@ -37,7 +37,7 @@ static void what_nearly_cancels_is_known(arb *a)
                                    : at;
     const long double root = (long double)(p * j - q * (STEPS - j)) / STEPS;
     const loft_acc2 x = value_of(c, (uint32_t)j), beside[2] = { x, value_of(ones, (uint32_t)j) },
-                     alike[2] = { value_of(more, (uint32_t)j), x };
+                    alike[2] = { value_of(more, (uint32_t)j), x };
     loft_acc out[2];
 
     CHECK(loft_acc2_scaled(beside, 2, out) && size_of(out[1]) > 0);
@@ -79,8 +79,8 @@ static void differences_are_exact(arb *a)
     const loft_real x = arb_real(a, 16000),
                     e = BY_NUM((loft_real)1, (loft_real)0x1p-40, (loft_real)0x1p-70);
     const loft_acc2 half = loft_acc2_lerp(loft_acc2_sub(x, -e), loft_acc2_sub(0, x),
-                                            LOFT_UNIT(0.5)),
-                     whole = loft_acc2_sub(e, 0);
+                                          LOFT_UNIT(0.5)),
+                    whole = loft_acc2_sub(e, 0);
     const loft_acc2 v[3] = { loft_acc2_twice(half), whole, loft_acc2_twice(whole) };
     loft_acc out[3];
 
@@ -116,7 +116,7 @@ static void vectors_keep_their_direction(arb *a)
 static void lerps_are_exact_at_the_ends(arb *a)
 {
     const loft_acc2 x = loft_acc2_sub(arb_real(a, 32767), arb_real(a, 32767)),
-                     y = loft_acc2_sub(arb_real(a, 32767), arb_real(a, 32767));
+                    y = loft_acc2_sub(arb_real(a, 32767), arb_real(a, 32767));
     const loft_acc2 v[4] = { x, loft_acc2_lerp(x, y, 0), y, loft_acc2_lerp(x, y, LOFT_UNIT(1)) };
     loft_acc out[4];
 

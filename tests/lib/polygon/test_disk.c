@@ -193,7 +193,7 @@ static void make_plain(plain *x)
             x->net[i].axis[k] = k < 2 ? x->p.v[i].at[k] : 0;
     CHECK(loft_spatch_init(&x->patch, x->net, NULL, x->p.n, 1) == LOFT_OK);
     CHECK(loft_disk_from_spatch(&x->round, &x->patch, &x->p.d,
-                                 x->p.d.convex ? loft_wachspress_eval : loft_meanvalue_eval) ==
+                                x->p.d.convex ? loft_wachspress_eval : loft_meanvalue_eval) ==
           LOFT_OK);
 }
 
@@ -318,7 +318,7 @@ static void slivers_are_as_large_ones(arb *a)
     make_plain(&x);
     make_plain(&y);
     const loft_surface small = loft_surface_from_disk(&x.round),
-                     large = loft_surface_from_disk(&y.round);
+                       large = loft_surface_from_disk(&y.round);
     const loft_unit u = arb_unit(a), w = arb_unit(a);
     CHECK(small.eval(small.surface, u, w, &p) == LOFT_OK &&
           large.eval(large.surface, u, w, &q) == LOFT_OK);
