@@ -9,6 +9,8 @@ AXES ?= 3
 NUMS := q16 f32 f64
 
 CC     ?= cc
+# no built-in rules: to read 3000 files of dependencies takes 0.3 s instead of 1.6
+MAKEFLAGS += -r
 INCLUDE := -Ilib
 # what the user gives follows what the house gives, and wins: CPPFLAGS and CFLAGS in every call of
 # the compiler, LDFLAGS where it links; the same sources give the same bytes in any folder
@@ -17,7 +19,7 @@ WARN   := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wm
           -Wundef
 STD    := -std=c99 $(WARN)
 DEPS   := -MMD -MP
-upper     = $(shell echo $(1) | tr a-z A-Z)
+upper     = $(subst q,Q,$(subst f,F,$(1)))
 num_flag  = -DLOFT_NUM=LOFT_$(call upper,$(1)) -DLOFT_AXES=$(AXES)
 
 # each compilation is one short line; V=1 prints the commands
@@ -76,8 +78,10 @@ lib:
 PKG_CONFIG ?= pkg-config
 TOOL_PKG  := libxml-2.0 zlib $(filter-out $(WITHOUT),cairo libserialport)
 TOOL_OUT  ?= build
+# asked once, when the first file is compiled: make deps may have just installed it
+TOOL_CFLAGS = $(eval TOOL_CFLAGS := $(shell $(PKG_CONFIG) --cflags $(TOOL_PKG)))$(TOOL_CFLAGS)
 TOOL_INC   = -Ihost-tools -Iports $(if $(filter cairo,$(WITHOUT)),-DLOFT_WITHOUT_CAIRO) \
-             $(patsubst -I%,-isystem %,$(shell $(PKG_CONFIG) --cflags $(TOOL_PKG)))
+             $(patsubst -I%,-isystem %,$(TOOL_CFLAGS))
 TOOL_STD   = $(STD) $(DEPS) -D_GNU_SOURCE $(TOOL_INC)
 tool_flag  = -DLOFT_NUM=LOFT_$(call upper,$(1)) -DLOFT_AXES=3
 TOOL_ONCE := host-tools/engine/engine_status.c host-tools/engine/engines.c
