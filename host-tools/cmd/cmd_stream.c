@@ -10,6 +10,7 @@
 #include "send/grbl.h"           /* grbl_run */
 #include "plan/planning.h"       /* planning_limit */
 #include "send/stream.h"         /* stream_run */
+#include "plan/table.h"          /* table_check */
 #include "base/tool.h"
 #include "plan/toolpath.h"       /* toolpath_make */
 
@@ -231,9 +232,11 @@ static int draw_gcode(const stream_options *o, const char *file, const drawing *
     if (path.count == 0)
         code = tool_error(EX_DATAERR,
                           "%s: nothing to draw in it: give a drawing with visible outlines", file);
-    else if (g != NULL)
-        code = grbl_run(g, &lines, what);
     else
+        code = table_check(&o->p.machine, file, d, &path, o->p.tol);
+    if (code == 0 && g != NULL)
+        code = grbl_run(g, &lines, what);
+    else if (code == 0)
         for (size_t i = 0; i < lines.count; i++)
             puts(lines.line[i]);
     gcode_free(&lines);

@@ -6,6 +6,7 @@
 
 #include "plan/planning.h"
 #include "plan/smooth.h"         /* drawing_smooth */
+#include "plan/table.h"          /* table_check */
 #include "base/source.h"         /* source_name */
 
 #define JERK_MAX 1e7        /* mm/s^3, of lib/motion/limits.h                    */
@@ -114,8 +115,11 @@ int planning_joints(const planning *p, const char *file, const drawing *d,
         .file = file, .d = d, .within = MAP_PART * p->tol, .reach = p->e->reach, .chip = chip
     };
 
+    *out = (joints){ .k = NULL };
     memcpy(o.start, start, sizeof o.start);
-    const int code = joints_make(out, path, &p->machine.k, &o);
+    int code = table_check(&p->machine, file, d, path, p->tol);
+    if (code == 0)
+        code = joints_make(out, path, &p->machine.k, &o);
     if (code != 0)
         return code;
     const double tol = joints_limits(out, limits).tol;

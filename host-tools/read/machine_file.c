@@ -37,6 +37,8 @@ static const row rows[] = {
     { "max_across", "mm/s^2", AT(max_across), false, false, false, 0, 16383, 0 },
     { "corner", "mm", AT(corner), false, false, false, 0, 1, 0 },
     { "tolerance", "mm", AT(tol), false, false, false, 1 / 1024.0, 1, 0 },
+    { "travel", "mm", AT(travel), true, false, false, 0, 16383, 0 },
+    { "min", "mm", AT(min), true, false, false, -16383, 16383, 0 },
     { "tick_hz", "ticks/s", AT(tick_hz), false, true, false, 50, 50000, 0 },
     { "slots", "per tick", AT(slots), false, true, false, 1, 4096, 0 },
     { "ramp", "ticks", AT(ramp), false, true, false, 1, 32767, 0 },
@@ -63,6 +65,8 @@ static const struct {
     { 110, "max_speed", 0, 1 / 60.0 }, { 111, "max_speed", 1, 1 / 60.0 },
     { 112, "max_speed", 2, 1 / 60.0 }, { 120, "max_accel", 0, 1 },
     { 121, "max_accel", 1, 1 },        { 122, "max_accel", 2, 1 },
+    { 130, "travel", 0, 1 },           { 131, "travel", 1, 1 },
+    { 132, "travel", 2, 1 },
 };
 
 typedef struct {
@@ -154,7 +158,7 @@ static int read_grbl(reading *r, const char *s)
 
 static int unknown_key(const reading *r, const char *s, size_t length)
 {
-    char all[440] = "kinematics";
+    char all[500] = "kinematics";
 
     for (size_t i = 0, used = strlen(all); i < ROWS; i++)
         used += (size_t)snprintf(all + used, sizeof all - used, ", %s%s",
@@ -246,6 +250,20 @@ static int check_keys(const reading *r)
     return 0;
 }
 
+/* Refuse the low end of a table without a size: it would have no effect. */
+static int check_table(const reading *r)
+{
+    const unsigned line = line_of(r, (size_t)(find_row("min", 3) - rows));
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        if (r->m->min[i] != 0 && !(r->m->travel[i] > 0))
+            return tool_error(EX_DATAERR,
+                              "%s:%u: %c.min is %g, but the table has no size there: give %c.travel"
+                              " in mm",
+                              r->file, line, "xyz"[i], r->m->min[i], "xyz"[i]);
+    return 0;
+}
+
 static int check_delta(const reading *r)
 {
     const kinematics *k = &r->m->k;
@@ -287,6 +305,8 @@ static int check_machine(const reading *r)
 {
     int code = check_keys(r);
 
+    if (code == 0)
+        code = check_table(r);
     if (code == 0 && r->m->k.kind == ENGINE_DELTA)
         code = check_delta(r);
     if (code == 0 && r->m->k.kind == ENGINE_COREXY)

@@ -17,6 +17,8 @@ typedef struct {
     double max_across;                      /* 0: max_accel also limits the acceleration across the
                                              * path */
     double corner, tol;                     /* junction deviation; path tolerance */
+    double travel[ENGINE_AXES], min[ENGINE_AXES];   /* the table, for the tool: its size, 0: not
+                                                     * limited; its low end */
     double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */
     bool   limited;                         /* the file gives a speed, an acceleration or a jerk */
     kinematics k;

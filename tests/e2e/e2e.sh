@@ -1365,6 +1365,49 @@ case_machines_as_text() {
     one_line 66 'none.txt' "$loft" simulate --machine "$tmp/none.txt"
 }
 
+case_a_drawing_that_leaves_the_table() {
+    # an arch: x 10..50, y 0..30, though its control points reach to 40
+    printf '10,0,10,40,50,40,50,0\n' >"$tmp/arch.csv"
+    table() { printf "$1" >"$tmp/table.txt"; }
+    fits() { table "$1"; run 0 "$loft" stream "$tmp/arch.csv" --dry-run \
+        --machine "$tmp/table.txt"; is_empty err; }
+    leaves() { table "$1"; one_line 65 "arch.csv: takes the tool to $2" "$loft" stream \
+        "$tmp/arch.csv" --dry-run --machine "$tmp/table.txt" "${@:3}"; }
+    fits 'x.travel = 50\ny.travel = 30\n'
+    fits 'x.travel = 40\nx.min = 10\ny.travel = 30\nz.travel = 1\n'
+    fits 'x.travel = 49.996\n'                         # as far as the tolerance
+    leaves 'x.travel = 49.99\n' 'x 10..50, and the table is x 0..49.99: moved by -0.01,0 it fits'
+    leaves 'x.travel = 40\nx.min = 20\ny.travel = 30\ny.min = 5\n' \
+        'x 10..50, y 0..30, and the table is x 20..60, y 5..35: moved by 10,5 it fits'
+    leaves 'x.travel = 30\ny.travel = 50\n' 'x 10..50, y 0..30, .*: turned by 90 degrees it fits'
+    leaves 'x.travel = 20\ny.travel = 20\n' '.* x 0..20, y 0..20: at 0.5 of its size it fits'
+    leaves 'z.travel = 3\n' 'z 0..4, and the table is z 0..3: the drawing fits: .* --lift' --lift 4
+    leaves 'z.travel = 3\nz.min = 1\n' 'z 0..1, .* z 1..4: the pen draws at z 0..0: give a z.min'
+    printf 'line\n0 0 -2\n9 9 3\n' >"$tmp/space.loft"
+    table 'z.travel = 9\nz.min = -2\n'
+    run 0 "$loft" plan "$tmp/space.loft" --machine "$tmp/table.txt"
+    table 'z.travel = 9\nz.min = -1\n'
+    one_line 65 'z -2..4, .* z -1..8: the pen draws at z -2..3: give' "$loft" plan \
+        "$tmp/space.loft" --machine "$tmp/table.txt"
+    leaves 'x.min = 10\nx.travel = 40\n' 'x 0..50, .* leave out --park' --park
+    leaves '$130=49.000\n$131=200.000\n' 'x 10..50, y 0..30, and the table is x 0..49, y 0..200'
+    for kind in corexy polar; do        # the table is for the tool
+        leaves "kinematics = $kind\nx.travel = 49\n" 'x 10..50, and the table is x 0..49'
+    done
+    table 'x.travel = 40\n'
+    one_line 65 'x 0..40: moved by -10,0' "$loft" plan "$tmp/arch.csv" --machine "$tmp/table.txt"
+    one_line 65 'x 0..40: moved by -10,0' "$loft" stream "$tmp/arch.csv" --grbl --dry-run \
+        --machine "$tmp/table.txt"
+    machine tabled --speed fast --machine "$tmp/table.txt"
+    one_line 65 'x 0..40: moved by -10,0' "$loft" stream "$tmp/arch.csv" --port "$tmp/tabled" \
+        --machine "$tmp/table.txt"
+    grep -q ' begun' "$tmp/tabled.log" && job_fails "the machine has begun the job"
+    [ "$(grep -c '^[0-9]' "$tmp/tabled.csv")" = 0 ] || job_fails "the machine has moved"
+    table 'y.min = 5\n'
+    one_line 65 'table.txt:1: y.min is 5, but the table has no size there: give y.travel' \
+        "$loft" plan "$tmp/arch.csv" --machine "$tmp/table.txt"
+}
+
 # kinematics KIND: a machine of this kind in $tmp/KIND.txt, for small.csv
 kinematics() {
     printf 'kinematics = %s\nslots = 200\n' "$1" >"$tmp/$1.txt"

@@ -1,0 +1,20 @@
+/* host-tools/plan/table.h -- does a drawing stay on the machine's table?
+ * SPDX-License-Identifier: MIT
+ *
+ * The table is a box for the tool: `x.min` and `x.travel` of the machine's file. An axis without a
+ * travel is not limited.
+ */
+#ifndef LOFT_TABLE_H
+#define LOFT_TABLE_H
+
+#include "read/drawing.h"        /* drawing */
+#include "read/machine_file.h"   /* machine_file */
+#include "plan/toolpath.h"       /* toolpath */
+
+/* Check everything but the place where the machine stands now. The motion may leave the path by
+ * `tol`, and the path the table by as much. Returns 0, or EX_DATAERR after one line with both boxes
+ * and with what would fit. */
+int table_check(const machine_file *m, const char *file, const drawing *d, const toolpath *path,
+                double tol);
+
+#endif
