@@ -9,7 +9,6 @@
 #include "base/tool.h"       /* tool_command */
 #include "loft.h"            /* LOFT_VERSION */
 
-const char tool_version[] = LOFT_VERSION;
 
 static const tool_command *const commands[] = {
     &command_stream,  &command_plan,    &command_simulate, &command_monitor, &command_ports,

@@ -12,6 +12,9 @@
 
 #include "base/describe.h"   /* describe_command */
 #include "base/tool.h"
+#include "loft.h"            /* LOFT_VERSION */
+
+const char tool_version[] = LOFT_VERSION;
 
 int tool_error(int code, const char *format, ...)
 {

@@ -107,7 +107,7 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
 int tool_file_options(const tool_command *self, const tool_option options[], int argc, char **argv,
                       const char *const *points, const char **file);
 
-/* The version of this program, from loft.c. */
+/* The version of this program. */
 extern const char tool_version[];
 
 #endif

@@ -1315,6 +1315,38 @@ case_plan_as_rows() {
     run 0 sh -c "cat '$tmp/small.csv' | '$loft' plan - --csv 10 --num f64 --park | tail -1"
     says out ',0.000000,0.000000,0.000000,0.00000,0.00000,0.00000,'
 }
+case_plan_as_spans() {
+    run 0 "$loft" plan "$tmp/small.csv" --spans; is_empty err; cp "$tmp/out" "$tmp/spans"
+    # no gap in time or place, from rest to rest; every coordinate is a whole number of 2^-16 mm
+    /usr/bin/python3 - "$tmp/spans" >"$tmp/why" 2>&1 <<'PY' || job_fails "$(tail -1 "$tmp/why")"
+import csv, sys
+from fractions import Fraction
+rows = list(csv.reader(open(sys.argv[1])))
+names = [a + str(k) for a in 'xyz' for k in range(4)]
+assert rows[0] == ['start_s', 'duration_s'] + names, rows[0]
+now, at = Fraction(0), ['0', '0', '0']
+for row in rows[1:]:
+    row = dict(zip(rows[0], row))
+    assert Fraction(row['start_s']) == now and Fraction(row['duration_s']) > 0, row
+    assert [row[a + '0'] for a in 'xyz'] == at, row
+    assert all((Fraction(row[n]) * 65536).denominator == 1 for n in names), row
+    at, now = [row[a + '3'] for a in 'xyz'], now + Fraction(row['duration_s'])
+assert at == ['60', '30', '1'] and [row[a + '2'] for a in 'xyz'] == at, row
+PY
+    run 0 "$loft" plan "$tmp/small.csv" --spans -o "$tmp/file.csv"; says out '^in all '
+    cmp -s "$tmp/file.csv" "$tmp/spans" || job_fails "the file has other spans"
+    one_line 64 'give one of them'   "$loft" plan "$tmp/small.csv" --spans --csv 10
+}
+case_plan_is_certified() {
+    run 0 "$loft" plan tests/drawings/outline12.csv --certify; is_empty err
+    [ "$(grep -c ' ok$' "$tmp/out")" = 11 ] || job_fails "$(cat "$tmp/out")"
+    awk '/^(motion|drawing) from/ { exit !($4 > 0 && $4 <= 0.005) }' "$tmp/out" ||
+        job_fails "$(cat "$tmp/out")"
+    printf 'kinematics = delta\narm_length = 200\ndelta_radius = 95\n' >"$tmp/delta.txt"
+    one_line 64 'a delta machine'    "$loft" plan "$tmp/small.csv" --certify \
+        --machine "$tmp/delta.txt"
+    one_line 64 'give -o FILE'       "$loft" plan "$tmp/small.csv" --certify --spans
+}
 case_plan_as_a_picture() {
     run 0 "$loft" plan "$tmp/small.csv" --total --plot "$tmp/a.png" --size 400; says out '^drawn '
     run 0 "$loft" plan tests/drawings/curves.loft --total --jerk 0 --plot "$tmp/b.svg"

@@ -1,0 +1,58 @@
+/* host-tools/plan/certify.h -- judges a plan: the worst of each limit at any instant, and how far
+ * motion and drawing are apart at most
+ * SPDX-License-Identifier: MIT
+ *
+ * A plan is a chain of cubics in time with control points that are integers times 2^-16 mm. The
+ * largest speed, acceleration and jerk of each are fractions of integers: nothing is sampled.
+ */
+#ifndef LOFT_CERTIFY_H
+#define LOFT_CERTIFY_H
+
+#include "engine/kinematics.h"  /* kinematics, engine_span, engine_limits, engine_move */
+
+/* What a plan holds: these parts of the limits of speed, acceleration and jerk. */
+#define CERTIFY_SPEED 1.001
+#define CERTIFY_ACCEL 1.005
+#define CERTIFY_JERK  1.02
+
+/* A worst value and where it is: its time, or its move for certify.missed; its place. */
+typedef struct {
+    double worst, seconds, at[ENGINE_AXES];
+    size_t move;
+} certify_worst;
+
+typedef struct {
+    certify_worst speed[ENGINE_AXES], accel[ENGINE_AXES], jerk[ENGINE_AXES]; /* of the limits */
+    certify_worst off, missed;      /* mm: of the motion from the drawing, and of the drawing from
+                                     * the motion */
+    bool connected;                 /* does each span begin where the last one ended? */
+} certify;
+
+typedef struct {
+    const kinematics *k;            /* of motors that a matrix maps */
+    const engine_limits *limits;    /* of the motors */
+    const engine_span *span;
+    size_t spans;
+    const engine_move *move;        /* of the drawing, for the tool */
+    size_t moves;
+    double tol;                     /* mm */
+} certify_plan;
+
+/* Judge.
+ *
+ *   shape   both paths are cut into parts, and each part is compared with chords of the other path
+ *           near it
+ *   error   parts of limits: 2^-48 of themselves above the exact value, and not below it; distances
+ *           are at most tol / 100 above the exact ones, and not below them. A distance above tol
+ *           may be farther above
+ *   cost    about 10 us for each chord, of which the sagitta is tol / 200 */
+void certify_make(certify *c, const certify_plan *plan);
+
+/* Is everything within its bounds? */
+bool certify_holds(const certify *c, double tol);
+
+/* Print the table. `axes` are the names of the motors. Returns whether everything is within its
+ * bounds. */
+bool certify_print(const certify *c, const certify_plan *plan, const char *axes);
+
+#endif

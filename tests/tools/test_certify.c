@@ -1,0 +1,200 @@
+/* tests/tools/test_certify.c -- the judgement of a plan: exact limits, distances both ways
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <string.h>
+
+#include "tools/drawn.h"          /* CHECK, PROPERTY, tool_grow */
+#include "plan/certify.h"
+
+#define SPANS 8
+#define TOL   0.005
+#define HZ    1000
+#define LSB   (1 / 65536.0)
+
+static engine_span span[SPANS];
+static engine_move move[SPANS];
+static engine_limits limits;
+static kinematics axes;
+static certify_plan plan;
+
+static double random_signed(arb *a, double size)
+{
+    return (2 * ((double)(arb_next(a) >> 11) / 9007199254740992.0) - 1) * size;
+}
+
+/* A chain of smooth cubics that is the drawing of itself, `count` spans of `ticks`. */
+static void arb_plan(arb *a, size_t count, uint16_t ticks)
+{
+    axes = kinematics_usual();
+    kinematics_ready(&axes);
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        double at = 0, by = 0;
+        for (size_t n = 0; n < count; n++)
+            for (int k = 0; k < 4; k++) {
+                span[n].p[k][i] = (int32_t)lround(at * 65536);
+                by += k < 2 ? random_signed(a, 0.05) : 0;
+                at += k < 3 ? by : 0;
+            }
+        limits.max_speed[i] = 100;
+        limits.max_accel[i] = 2000;
+        limits.max_jerk[i]  = 40000;
+    }
+    for (size_t n = 0; n < count; n++) {
+        span[n].ticks = ticks;
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < ENGINE_AXES; i++)
+                move[n].p[k][i] = span[n].p[k][i] * LSB;
+    }
+    limits.tick_hz = HZ;
+    plan = (certify_plan){ .k = &axes,
+                           .limits = &limits,
+                           .span = span,
+                           .spans = count,
+                           .move = move,
+                           .moves = count,
+                           .tol = TOL };
+}
+
+static double speed_at(const engine_span *s, int i, double z)
+{
+    const double y = 1 - z, h = (double)s->ticks / HZ;
+
+    return 3 * LSB / h *
+           (y * y * (s->p[1][i] - (double)s->p[0][i]) +
+            2 * y * z * (s->p[2][i] - (double)s->p[1][i]) +
+            z * z * (s->p[3][i] - (double)s->p[2][i]));
+}
+
+/* No sample is above the worst, and a sample comes close to it. */
+static void worst_speed_is_reached_and_never_exceeded(arb *a)
+{
+    certify c;
+
+    arb_plan(a, SPANS, (uint16_t)(1 + arb_below(a, 1023)));
+    certify_make(&c, &plan);
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        double most = 0, then = 0;
+        for (int n = 0; n < SPANS; n++)
+            for (int k = 0; k <= 256; k++) {
+                const double v = fabs(speed_at(&span[n], i, k / 256.0)) / limits.max_speed[i];
+                then = v > most ? (n + k / 256.0) * span[n].ticks / HZ : then;
+                most = fmax(most, v);
+            }
+        CHECK(most <= c.speed[i].worst);
+        CHECK_NEAR(c.speed[i].worst, most, 1e-4 * most);
+        CHECK_NEAR(c.speed[i].seconds, then, span[0].ticks / 64.0 / HZ);
+    }
+}
+
+/* Acceleration and jerk by differences of the polynomial. */
+static void worst_acceleration_and_jerk_are_those_of_the_cubics(arb *a)
+{
+    certify c;
+
+    arb_plan(a, SPANS, (uint16_t)(1 + arb_below(a, 1023)));
+    certify_make(&c, &plan);
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        double accel = 0, jerk = 0;
+        for (int n = 0; n < SPANS; n++) {
+            const double h = (double)span[n].ticks / HZ, v0 = speed_at(&span[n], i, 0),
+                         v1 = speed_at(&span[n], i, 0.5), v2 = speed_at(&span[n], i, 1);
+            accel = fmax(accel, fmax(fabs(4 * v1 - 3 * v0 - v2), fabs(v0 + 3 * v2 - 4 * v1)) / h);
+            jerk  = fmax(jerk, fabs(4 * v2 - 8 * v1 + 4 * v0) / (h * h));
+        }
+        CHECK_NEAR(c.accel[i].worst, accel / 2000, 1e-9 * accel / 2000);
+        CHECK_NEAR(c.jerk[i].worst, jerk / 40000, 1e-9 * jerk / 40000);
+    }
+    limits.max_jerk[1] = 0;
+    certify_make(&c, &plan);
+    CHECK(c.jerk[1].worst == 0);
+}
+
+/* A motion beside the drawing is as far as it was moved, both ways. */
+static void a_moved_path_is_as_far_as_it_was_moved(arb *a)
+{
+    const double by = (double)arb_below(a, 600) * 1e-5;
+    certify c;
+
+    arb_plan(a, 1 + arb_below(a, SPANS), 10);
+    for (size_t n = 0; n < plan.moves; n++)
+        for (int k = 0; k < 4; k++) {
+            move[n].p[k][0] = move[n].p[k][1] = 0;
+            move[n].p[k][2] = by;
+            span[n].p[k][1] = span[n].p[k][2] = 0;
+            span[n].p[k][0] = (int32_t)(65536 * (3 * n + (size_t)k));
+            move[n].p[k][0] = 3 * (double)n + k;
+        }
+    certify_make(&c, &plan);
+    CHECK(c.off.worst >= by && c.off.worst <= by + TOL / 100);
+    CHECK(c.missed.worst >= by && c.missed.worst <= by + TOL / 100);
+    CHECK(certify_holds(&c, TOL) == (c.off.worst <= TOL && c.speed[0].worst <= CERTIFY_SPEED));
+}
+
+/* Curves that the motion follows exactly: only the bound on the distance is left. */
+static void the_own_path_is_no_distance_away(arb *a)
+{
+    certify c;
+
+    arb_plan(a, 1 + arb_below(a, SPANS), 10);
+    certify_make(&c, &plan);
+    CHECK(c.connected);
+    CHECK(c.off.worst <= TOL / 100 && c.missed.worst <= TOL / 100);
+}
+
+/* What the motion leaves out, and what it adds, is found on the side that has it. */
+static void a_spur_is_found(arb *a)
+{
+    const double high = 0.001 + 0.0001 * (double)arb_below(a, 200);
+    const bool drawn = arb_below(a, 2);
+    certify c;
+
+    arb_plan(a, 3, 10);
+    for (int n = 0; n < 3; n++)
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < ENGINE_AXES; i++) {
+                const double at = i != 0 ? 0 : n == 1 ? 3 : 3 * n + k - (n == 2 ? 3 : 0);
+                span[n].p[k][i] = (int32_t)lround(65536 * at);
+                move[n].p[k][i] = at;
+            }
+    for (int k = 1; k < 3; k++) {
+        if (drawn)
+            move[1].p[k][1] = high;
+        else
+            span[1].p[k][1] = (int32_t)lround(65536 * high);
+    }
+    certify_make(&c, &plan);
+    const certify_worst *found = drawn ? &c.missed : &c.off, *other = drawn ? &c.off : &c.missed;
+    CHECK(found->worst >= 0.75 * high - LSB && found->worst <= 0.75 * high + LSB + TOL / 50);
+    CHECK(other->worst <= TOL / 100);
+    if (high > TOL / 10)
+        CHECK_NEAR(found->at[0], 3, 2 * TOL);
+    if (drawn && high > TOL / 10)
+        CHECK(found->move == 1);
+}
+
+static void a_gap_is_refused(arb *a)
+{
+    certify c;
+
+    arb_plan(a, SPANS, 10);
+    limits.max_speed[0] = limits.max_speed[1] = limits.max_speed[2] = 1e5;
+    for (int i = 0; i < ENGINE_AXES; i++)
+        limits.max_accel[i] = limits.max_jerk[i] = 1e12;
+    certify_make(&c, &plan);
+    CHECK(certify_holds(&c, TOL));
+    span[1 + arb_below(a, SPANS - 1)].p[0][arb_below(a, ENGINE_AXES)]++;
+    certify_make(&c, &plan);
+    CHECK(!c.connected && !certify_holds(&c, TOL));
+}
+
+int main(void)
+{
+    PROPERTY(worst_speed_is_reached_and_never_exceeded, 30);
+    PROPERTY(worst_acceleration_and_jerk_are_those_of_the_cubics, 30);
+    PROPERTY(a_moved_path_is_as_far_as_it_was_moved, 50);
+    PROPERTY(the_own_path_is_no_distance_away, 30);
+    PROPERTY(a_spur_is_found, 200);
+    PROPERTY(a_gap_is_refused, 20);
+    return check_failures();
+}
