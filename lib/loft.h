@@ -27,7 +27,7 @@
  *                  spatch, toric, basepoint, zheng_ball, gb   Bezier patches over them
  *                  disk                                  such a patch as one surface
  *   kinematics/  motors and tool: CoreXY, delta, polar
- *   motion/      time: plan (look-ahead), span (a cubic in time)
+ *   motion/      time: plan (look-ahead), span (a cubic in time), scurve (one axis to a target)
  *   wire/        bytes: frames, codec, messages, sessions (WIRE.md)
  *   machine/     the controller: queue, pace (hold and resume), step (pulses)
  *
@@ -129,6 +129,7 @@
 #include "polygon/wachspress.h"
 #include "motion/plan.h"
 #include "kinematics/kinematics.h"
+#include "motion/scurve.h"
 #include "motion/span.h"
 #include "machine/pace.h"
 #include "machine/step.h"

@@ -4,9 +4,10 @@
  *
  * Runs on the ATmega328P by itself (simavr), or with microbit.c and netduino.ld. Prints `function
  * worst` lines, and `bytes struct size` lines; calls.sh compares them with the table of
- * lib/motion/span.h.
+ * lib/motion/span.h and lib/motion/scurve.h.
  */
 #include "machine/pace.h"
+#include "motion/scurve.h"
 #include "motion/span.h"
 #include "machine/step.h"
 
@@ -15,6 +16,7 @@
 #define TICKS  600
 #define SPANS  40
 #define SLOTS  40
+#define MOVES  40
 #define BATCH  20           /* of loft_step_run */
 
 int main(void);
@@ -69,10 +71,12 @@ static void start(void)     { meter_start(); }
 static void stop(void)      {}
 #endif
 
-enum { SLOT, RUN, LOAD, PACE, TICK, STEPS, POSITION, WALK, CALLS };
-static const char names[CALLS][20] = { "loft_step_next",     "loft_step_run",     "loft_step_load",
-                                       "loft_pace_next",     "loft_forward_next", "loft_steps_of",
-                                       "loft_step_position", "loft_span_walk" };
+enum { SLOT, RUN, LOAD, PACE, TICK, STEPS, POSITION, WALK, MOVE, PLACE, TURN, CALLS };
+static const char names[CALLS][24] = {
+    "loft_step_next",    "loft_step_run",    "loft_step_load",      "loft_pace_next",
+    "loft_forward_next", "loft_steps_of",    "loft_step_position",  "loft_span_walk",
+    "loft_scurve_init",  "loft_scurve_eval", "loft_scurve_retarget"
+};
 static uint32_t worst[CALLS], empty, random_state;
 
 static loft_pace pace;
@@ -156,6 +160,35 @@ static void spans(void)
     }
 }
 
+/* Each begins as one move, and becomes two. */
+static void moves(void)
+{
+    loft_scurve move;
+    volatile loft_real at;
+
+    for (unsigned n = 0; n < MOVES; n++) {
+        const loft_scurve_limits limits = { .max_speed = (loft_real)any(),
+                                            .max_accel = LOFT_REAL(1) + (loft_real)(any() << 2),
+                                            .max_jerk = 1000 + any() % 100000,
+                                            .tick_hz = 1000 };
+        uint32_t begin = now();
+        enum loft_status status = loft_scurve_init(&move, 0, (loft_real)any(), &limits);
+        took(MOVE, begin);
+        for (int k = 0; k < 4 && status == LOFT_OK; k++) {
+            const uint32_t tick = any() % move.ticks;
+            begin = now();
+            at = loft_scurve_eval(&move, tick);
+            took(PLACE, begin);
+            if (k == 1) {
+                begin = now();
+                status = loft_scurve_retarget(&move, tick, (loft_real)any());
+                took(TURN, begin);
+            }
+        }
+        (void)at;
+    }
+}
+
 int main(void)
 {
     static const int32_t origin[LOFT_AXES] = { 0 };
@@ -168,6 +201,7 @@ int main(void)
         return 1;
     ticks();
     spans();
+    moves();
     put('\n');
     for (int k = 0; k < CALLS; k++)
         say_line(put, names[k], worst[k]);
@@ -175,6 +209,7 @@ int main(void)
     say_line(put, "bytes loft_pace", sizeof pace);
     say_line(put, "bytes loft_forward", sizeof walk);
     say_line(put, "bytes loft_span", sizeof(loft_span));
+    say_line(put, "bytes loft_scurve", sizeof(loft_scurve));
     stop();
     return 0;
 }

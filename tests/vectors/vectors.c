@@ -27,7 +27,8 @@ static const vector_system *const tables[] = {
     vectors_curve,   vectors_measure,  vectors_shape,    vectors_rational,        vectors_bspline,
     vectors_join,    vectors_spline,   vectors_sign,     vectors_coons,           vectors_tensor,
     vectors_polygon, vectors_harmonic, vectors_deficit,  vectors_chapter,         vectors_spatch,
-    vectors_npatch,  vectors_gb,       vectors_triangle, vectors_triangle_curved, vectors_tetra
+    vectors_npatch,  vectors_gb,       vectors_triangle, vectors_triangle_curved, vectors_tetra,
+    vectors_motion
 };
 
 #define DIGITS 1e-9L            /* LSB: what 20 significant digits leave open */
