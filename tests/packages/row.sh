@@ -7,12 +7,15 @@ rm -rf "$work"
 mkdir -p "$work"
 passed=0 failed=0
 verdict() {     # verdict WHAT COMMAND..: is the command true? what it says is shown if not
-    what=$1; shift
-    if "$@" >"$work/log" 2>&1; then echo "ok   $row: $what"; passed=$((passed + 1))
+    what=$1 began=$SECONDS; shift
+    if "$@" >"$work/log" 2>&1; then echo "ok   $row: $what$(took)"; passed=$((passed + 1))
     else
-        echo "FAIL $row: $what"; failed=$((failed + 1))
+        echo "FAIL $row: $what$(took)"; failed=$((failed + 1))
         tail -15 "$work/log" | sed 's/^/     /'
     fi
+}
+took() {        # the time of a slow one
+    [ $((SECONDS - began)) -lt 10 ] || echo ", in $((SECONDS - began)) s"
 }
 needs() {       # needs TOOL..: is each there?
     for tool in "$@"; do

@@ -23,8 +23,13 @@ verdict "loft ports is refused, with the cause" refuses libserialport ports
 streams() {     # a whole job on the simulated machine
     "$without" simulate --once --quiet --link "$work/machine" & local machine=$!
     for _ in 1 2 3 4 5 6 7 8 9; do [ -e "$work/machine" ] || sleep 0.2; done
-    echo 0,0,1,2,3,2,4,0 | "$without" stream - --port "$work/machine" </dev/stdin &&
+    if echo 0,0,1,2,3,2,4,0 | timeout 60 "$without" stream - --port "$work/machine"; then
         wait $machine
+    else                            # nothing is left running
+        kill $machine
+        wait $machine
+        false
+    fi
 }
 verdict "loft stream draws on the simulated machine" streams
 ended
