@@ -140,6 +140,15 @@ static int write_lines(const plan_options *o, const trace *t)
 // All of it
 // ---------
 
+static void print_page(const plan_options *o, const drawing *d, const toolpath *path,
+                       const trace *t)
+{
+    char words[160];
+
+    print_table(o, d, path, t);
+    printf("drawing: %s\n", page_words(d, words));
+}
+
 /* Judge the plan by the drawing as it is in the file. */
 static int certify_drawing(const plan_options *o, const toolpath *path, const trace *t)
 {
@@ -178,7 +187,7 @@ static int report_plan(const plan_options *o, const drawing *d, const toolpath *
     else if (code == 0 && lines && o->output == NULL)
         put_lines(stdout, o, t);
     else if (code == 0)
-        print_table(o, d, path, t);
+        print_page(o, d, path, t);
     return code;
 }
 

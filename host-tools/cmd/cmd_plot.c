@@ -9,6 +9,7 @@
 #include "engine/curve.h"
 #include "draw/plot.h"
 #include "draw/surface_plot.h"
+#include "plan/page.h"
 #include "base/tool.h"
 
 static int print_result(const plot_options *o, const plot_result *found)
@@ -25,13 +26,15 @@ static int print_result(const plot_options *o, const plot_result *found)
                : EX_OK;
 }
 
-static int plot_files(plot_options *o, const char *record_file)
+static int plot_files(plot_options *o, const page_options *sheet, const char *record_file)
 {
     drawing d = { 0 };
     record r  = { 0 };
     plot_result found = { 0 };
     int code = drawing_read(&d, o->name);
 
+    if (code == 0)
+        code = page_apply(sheet, &d, o->name);
     o->d = &d;
     if (code == 0 && record_file != NULL) {
         code = record_read(&r, record_file, 0);
@@ -116,8 +119,8 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
 }
 
 /* The content of the file decides what is drawn. */
-static int plot_file(plot_options *o, const char *record_file, const surface_wishes *w,
-                     bool of_drawings)
+static int plot_file(plot_options *o, const page_options *sheet, const char *record_file,
+                     const surface_wishes *w, bool of_drawings)
 {
     surfaces all = { 0 };
     int code = surfaces_read(&all, o->name);
@@ -132,7 +135,7 @@ static int plot_file(plot_options *o, const char *record_file, const surface_wis
                           "--wire are for surfaces",
                           o->name);
     else if (code == 0)
-        code = all.count > 0 ? plot_surfaces(o, w, &all) : plot_files(o, record_file);
+        code = all.count > 0 ? plot_surfaces(o, w, &all) : plot_files(o, sheet, record_file);
     surfaces_free(&all);
     return code;
 }
@@ -143,6 +146,7 @@ static int run_plot(const tool_command *self, int argc, char **argv)
     tool_list part = { .count = 0 };
     plot_options o = { .error = PLOT_NO_ERROR, .comb = PLOT_NO_COMB, .output = "plot.png" };
     surface_wishes w = { .map = NULL };
+    page_options sheet = { .gap = PAGE_GAP };
     int first;
 
     const tool_option options[] = {
@@ -169,6 +173,7 @@ static int run_plot(const tool_command *self, int argc, char **argv)
         TOOL_SWITCH("wire", &w.wire, "draw only the lines of a surface, nothing hidden"),
         TOOL_NUMBER("size", "WIDTH", &o.size, 10, 30000,
                     "px of a PNG (1600), mm of the others (true to scale)"),
+        PAGE_OPTIONS(&sheet),
         TOOL_OPTIONS_END
     };
     int code = tool_options(self, options, argc, argv, &first);
@@ -187,7 +192,7 @@ static int run_plot(const tool_command *self, int argc, char **argv)
         if (part.count == 4)
             memcpy(o.part, part.value, sizeof o.part);
         o.name = argv[first];
-        code = plot_file(&o, record_file, &w,
+        code = plot_file(&o, &sheet, record_file, &w,
                          record_file != NULL || o.error >= 0 || o.comb >= 0 || part.count > 0);
     }
     return code;

@@ -126,7 +126,15 @@ static int finish_job(const char *file, job *j)
                : tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
 }
 
-static int dry_run(const stream_options *o, const char *file, const drawing *d)
+static void print_page(const drawing *d)
+{
+    char words[160];
+
+    printf("drawing: %s\n", page_words(d, words));
+}
+
+static int dry_run(const stream_options *o, const char *file, const drawing *d,
+                   const drawing *smooth)
 {
     const double start[ENGINE_AXES] = { 0, 0, 0 };
     job_options as;
@@ -137,11 +145,13 @@ static int dry_run(const stream_options *o, const char *file, const drawing *d)
         as.steps_per_mm[i] = (int32_t)lround(o->p.machine.steps_per_mm[i] * 65536);
     int code = options_of(o, &as);
     if (code == 0)
-        code = plan_work(o, file, d, start, &as, &w);
+        code = plan_work(o, file, smooth, start, &as, &w);
     if (code == 0)
         code = finish_job(file, &w.j);
-    if (code == 0)
+    if (code == 0) {
+        print_page(d);
         print_plan(&w.j, &w.path, o->p.tol);
+    }
     free_work(&w);
     return code;
 }
@@ -257,7 +267,7 @@ static int draw_file(stream_options *o, const char *file)
     if (code == 0 && o->grbl)
         code = draw_gcode(o, file, &smooth, &how);
     else if (code == 0 && o->dry)
-        code = dry_run(o, file, &smooth);
+        code = dry_run(o, file, &d, &smooth);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
         code = stream_drawing(o, file, &d, &smooth, &t);
         talk_close(&t);

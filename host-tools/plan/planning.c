@@ -26,7 +26,8 @@ int planning_start(planning *p, int argc, char **argv)
                      .jerk = -1,
                      .across = -1,
                      .lift = 1,
-                     .smooth = -1 };
+                     .smooth = -1,
+                     .sheet = { .gap = PAGE_GAP } };
     const int code = machine_option(&p->machine, argc, argv);
 
     p->corner = p->machine.corner;
@@ -84,6 +85,8 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
             EX_USAGE, "--smooth %g: leave at least half of the tolerance of %g mm to the machine",
             within, p->tol);
     int code = drawing_read(d, file);
+    if (code == 0)
+        code = page_apply(&p->sheet, d, file);
     if (code == 0)
         code = within_reach(p, d, file);
     if (code == 0 && drawing_smooth(smooth, d, within) > 0)

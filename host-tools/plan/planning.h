@@ -9,6 +9,7 @@
 #include "plan/joints.h"         /* joints */
 #include "read/machine_file.h"   /* machine_file */
 #include "base/tool.h"           /* tool_option */
+#include "plan/page.h"          /* page_options */
 #include "plan/toolpath.h"       /* toolpath_options */
 
 typedef struct {
@@ -21,6 +22,7 @@ typedef struct {
     double smooth;                  /* mm of tol; below 0: SMOOTH_PART */
     double smoothed;                /* mm of tol that smoothing used up */
     bool park;
+    page_options sheet;
 } planning;
 
 /* Rows of a table of options. */
@@ -47,7 +49,7 @@ typedef struct {
         TOOL_NUMBER("lift", "MM", &(p)->lift, 0, 100, "height of the pen while travelling (1)"),   \
         TOOL_SWITCH("park", &(p)->park,                                                            \
                     "at the end go to the machine's zero, where it was switched on or homed"),     \
-        ENGINE_OPTION(&(p)->e, "number type of the planner (q16)")
+        PAGE_OPTIONS(&(p)->sheet), ENGINE_OPTION(&(p)->e, "number type of the planner (q16)")
 
 /* Set the defaults; reads the machine's file if the options name one. Returns 0, or an exit code
  * after printing one line. */
@@ -58,8 +60,8 @@ int planning_start(planning *p, int argc, char **argv);
 void planning_machine(const planning *p, engine_limits *limits);
 void planning_limit(const planning *p, engine_limits *limits);
 
-/* Read a drawing that can be planned, and prepare it for planning. Returns 0, or an exit code after
- * printing one line. */
+/* Read a drawing that can be planned, lay it out on its page, and prepare it for planning. Returns
+ * 0, or an exit code after printing one line. */
 int planning_read(planning *p, drawing *d, drawing *smooth, const char *file);
 
 /* The options of the toolpath. The second function sets the tool's start for motors at `start`; it

@@ -76,17 +76,25 @@ void drawing_free(drawing *d)
     *d = (drawing){ 0 };
 }
 
-void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line)
+void drawing_add_like(drawing *d, const drawing_curve *c, bool fresh)
 {
+    const unsigned path     = d->count == 0 ? 0 : d->curve[d->count - 1].path + (fresh ? 1 : 0);
+    const drawing_curve one = *c;       /* it may be one of this drawing */
+
     if (d->count == d->room) {
-        d->room = d->room ? 2 * d->room : 256;
+        d->room  = d->room ? 2 * d->room : 256;
         d->curve = tool_grow(d->curve, d->room * sizeof *d->curve);
     }
-    const unsigned path = d->count == 0 ? 0 : d->curve[d->count - 1].path + (fresh ? 1 : 0);
-    drawing_curve *c = &d->curve[d->count++];
+    d->curve[d->count]        = one;
+    d->curve[d->count++].path = path;
+}
 
-    *c = (drawing_curve){ .path = path, .line = line };
-    memcpy(c->p, p, sizeof c->p);
+void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line)
+{
+    drawing_curve c = { .line = line };
+
+    memcpy(c.p, p, sizeof c.p);
+    drawing_add_like(d, &c, fresh);
 }
 
 void drawing_add_space(drawing *d, double p[4][3], double feed, bool fresh, unsigned line)

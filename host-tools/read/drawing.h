@@ -43,10 +43,11 @@ typedef struct {
 int  drawing_read(drawing *d, const char *file);
 void drawing_free(drawing *d);
 
-/* Append one curve, flat or in space; `fresh` begins a new path (the first curve always does). For
- * readers, which check the limits. */
+/* Append one curve, flat or in space, or a copy of all but the path; `fresh` begins a new path (the
+ * first curve always does). For readers, which check the limits. */
 void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line);
 void drawing_add_space(drawing *d, double p[4][3], double feed, bool fresh, unsigned line);
+void drawing_add_like(drawing *d, const drawing_curve *c, bool fresh);
 
 /* The same for a curve that may continue the one before: if it starts at that end, it is joined
  * exactly. A curve without length is left out; one beyond the limits is refused with one line. The

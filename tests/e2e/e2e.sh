@@ -677,6 +677,15 @@ case_bad_options() {
     done
     one_line 64 'HOST:PORT'      "$loft" stream "$tmp/small.csv" --port tcp:1234
 }
+case_pages() {
+    run 0 "$loft" stream "$tmp/small.csv" --dry-run --page A4 --fit --margin 10 --rotate auto
+    says out '^drawing: 190.000 x 235.731 mm at 10.000,30.634 on a page of 210 x 297 mm$'
+    run 0 "$loft" plan "$tmp/small.csv" --total --page 100x60 --at 0,0 --copies 2x1
+    says out '^drawing: 115.000 x .*, 15.000 mm beyond it$'; says out '^drawn  *360.541 '
+    run 0 "$loft" plot "$tmp/small.csv" --page 40x20 --crop -o "$tmp/cut.svg"; says out ' curves'
+    one_line 64 'say which, as --page A4' "$loft" plan "$tmp/small.csv" --fit
+    one_line 64 '--page B9' "$loft" stream "$tmp/small.csv" --dry-run --page B9
+}
 case_bad_ports() {
     one_line 69 'No such file'      "$loft" stream "$tmp/small.csv" --port /dev/ttyNONE
     one_line 69 'not a serial port' "$loft" stream "$tmp/small.csv" --port /dev/null
