@@ -149,6 +149,11 @@ deps:
 deps-bench:
 	@sh tests/house/deps.sh g++ libagg-dev libgsl-dev python3-scipy
 
+## Install what `make check-gcode` compares with (LinuxCNC's rs274)
+.PHONY: deps-gcode
+deps-gcode:
+	@sh tests/house/deps.sh linuxcnc-uspace
+
 ## Install the cross compilers and the emulators that check-cross, check-target and size need
 .PHONY: deps-target
 deps-target:

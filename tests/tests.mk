@@ -142,6 +142,22 @@ test-tools: $(patsubst %,build/test/tools/%,$(TOOL_TESTS))
 	@for t in $(TOOL_TESTS); do echo "echo '-- $$t'; build/test/tools/$$t"; done | \
 	    bash tests/house/beside.sh
 
+# --- G-code beside LinuxCNC's interpreter, which is large: make deps-gcode ------------------------
+build/gcode/canon: tests/gcode/canon.c build/test/tools/libtools.a build/test/f64/libloft.a
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -MF $@.d -MT $@ $(filter %.c %.a,$^) \
+	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o $@
+
+NC_FILES := $(wildcard /usr/share/linuxcnc/ncfiles)
+GCODE_CASES ?= 1000
+## Compare G-code with LinuxCNC's rs274, motion by motion   GCODE_CASES=programs from a seed
+.PHONY: check-gcode
+check-gcode: build/gcode/canon
+	@{ echo "python3 tests/gcode/peer.py $< --cases $(GCODE_CASES)"; \
+	   $(if $(NC_FILES),echo "python3 tests/gcode/peer.py $< $(NC_FILES)";) } | \
+	    bash tests/house/beside.sh
+
 # --- how parts fit together -----------------------------------------------------------------------
 ## Show that builds of different arithmetic do not link, but three number types in one program do
 .PHONY: test-mixed

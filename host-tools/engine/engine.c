@@ -22,22 +22,12 @@ static int hold_number(double x, double *out)
     return LOFT_OK;
 }
 
-static int ellipse(const double from[2], const double to[2], const double radii[2], double degrees,
-                   bool large, int turns, double tol, engine_cubic_sink *sink, void *context)
+static int give_circle(const loft_circle *of, loft_real tol, engine_cubic_sink *sink, void *context)
 {
-    const double ends[2][ENGINE_AXES] = { { from[0], from[1] }, { to[0], to[1] } };
     loft_circle_spans s;
-    loft_circle arc;
     loft_cubic c;
-    loft_vec p[2];
-    loft_real r[2], angle, within;
+    const int status = loft_circle_spans_init(&s, of, LOFT_CIRCLE_CUBIC, tol);
 
-    if (!vecs_of(ends, 2, p) || !real_of(radii[0], &r[0]) || !real_of(radii[1], &r[1]) ||
-        !real_of(degrees, &angle) || !tol_of(tol, &within))
-        return LOFT_ERR_RANGE;
-    int status = loft_circle_from_ellipse(&arc, p[0], p[1], LOFT_PLANE_XY, r, angle, large, turns);
-    if (status == LOFT_OK)
-        status = loft_circle_spans_init(&s, &arc, LOFT_CIRCLE_CUBIC, within);
     while (status == LOFT_OK && loft_circle_spans_next(&s, &c)) {
         double out[4][ENGINE_AXES];
         for (int k = 0; k < 4; k++)
@@ -45,6 +35,37 @@ static int ellipse(const double from[2], const double to[2], const double radii[
         sink(context, out);
     }
     return status;
+}
+
+static int ellipse(const double from[2], const double to[2], const double radii[2], double degrees,
+                   bool large, int turns, double tol, engine_cubic_sink *sink, void *context)
+{
+    const double ends[2][ENGINE_AXES] = { { from[0], from[1] }, { to[0], to[1] } };
+    loft_circle arc;
+    loft_vec p[2];
+    loft_real r[2], angle, within;
+
+    if (!vecs_of(ends, 2, p) || !real_of(radii[0], &r[0]) || !real_of(radii[1], &r[1]) ||
+        !real_of(degrees, &angle) || !tol_of(tol, &within))
+        return LOFT_ERR_RANGE;
+    const int status = loft_circle_from_ellipse(&arc, p[0], p[1], LOFT_PLANE_XY, r, angle, large,
+                                                turns);
+    return status == LOFT_OK ? give_circle(&arc, within, sink, context) : status;
+}
+
+static int arc(const double from[ENGINE_AXES], const double to[ENGINE_AXES], int across,
+               const double centre[ENGINE_AXES], int turns, double tol, engine_cubic_sink *sink,
+               void *context)
+{
+    const loft_plane plane = { (uint8_t)((across + 1) % 3), (uint8_t)((across + 2) % 3) };
+    loft_circle circle;
+    loft_vec a, z, c;
+    loft_real within;
+
+    if (!vec_of(from, &a) || !vec_of(to, &z) || !vec_of(centre, &c) || !tol_of(tol, &within))
+        return LOFT_ERR_RANGE;
+    const int status = loft_circle_from_centre(&circle, a, z, plane, c, turns);
+    return status == LOFT_OK ? give_circle(&circle, within, sink, context) : status;
 }
 
 static int flatten(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink,
@@ -88,6 +109,7 @@ const engine ENGINE_OF(engine) = { .name = ENGINE_TEXT(LOFT_TAG),
                                    .piece = &ENGINE_OF(engine_pieces),
                                    .measure = &ENGINE_OF(engine_measures),
                                    .ellipse = ellipse,
+                                   .arc = arc,
                                    .surface = &ENGINE_OF(engine_surfaces),
                                    .maps = &ENGINE_OF(engine_maps),
                                    .flatten = flatten,

@@ -197,6 +197,11 @@ typedef struct {
      * turns is 1 from x to y, or -1. */
     int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees,
                    bool large, int turns, double tol, engine_cubic_sink *sink, void *context);
+    /* The arc of G-code around a centre, and its helix along the axis across its plane. turns is 1
+     * counterclockwise, -1 clockwise, 2, -2 .. a turn more; `across` is that axis. */
+    int (*arc)(const double from[ENGINE_AXES], const double to[ENGINE_AXES], int across,
+               const double centre[ENGINE_AXES], int turns, double tol, engine_cubic_sink *sink,
+               void *context);
     const engine_surfaces *surface;
     const engine_maps *maps;
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink,

@@ -6,6 +6,7 @@
 #define LOFT_PLANNING_H
 
 #include "read/drawing.h"        /* drawing */
+#include "read/gcode.h"          /* GCODE_OPTION */
 #include "plan/joints.h"         /* joints */
 #include "read/machine_file.h"   /* machine_file */
 #include "base/tool.h"           /* tool_option */
@@ -16,6 +17,7 @@ typedef struct {
     const engine *e;
     machine_file machine;
     const char *file;               /* of the machine, after it has been read */
+    int dialect;                    /* of G-code */
     double feed, travel;            /* mm/s                                        */
     double accel, jerk, across;     /* mm/s^2, mm/s^3, mm/s^2; below 0: from the machine */
     double corner, tol, lift;       /* mm                                          */
@@ -49,7 +51,8 @@ typedef struct {
         TOOL_NUMBER("lift", "MM", &(p)->lift, 0, 100, "height of the pen while travelling (1)"),   \
         TOOL_SWITCH("park", &(p)->park,                                                            \
                     "at the end go to the machine's zero, where it was switched on or homed"),     \
-        PAGE_OPTIONS(&(p)->sheet), ENGINE_OPTION(&(p)->e, "number type of the planner (q16)")
+        PAGE_OPTIONS(&(p)->sheet), GCODE_OPTION(&(p)->dialect),                                    \
+        ENGINE_OPTION(&(p)->e, "number type of the planner (q16)")
 
 /* Set the defaults; reads the machine's file if the options name one. Returns 0, or an exit code
  * after printing one line. */

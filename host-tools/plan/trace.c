@@ -236,14 +236,19 @@ static size_t slowest_moment(const making *m, size_t i)
 }
 
 /* Mark all moments around i that are hardly faster. */
-static void hold_back_moments(making *m, size_t i, double feed)
+static bool is_held_back(const making *m, size_t k, float speed)
 {
-    const float speed   = m->moment[i].speed, most = (float)(1.03 * speed + SLOWLY * feed);
+    return m->moment[k].speed <= 1.03 * speed + SLOWLY * m->t->move[m->moment[k].move].feed;
+}
+
+static void hold_back_moments(making *m, size_t i)
+{
+    const float speed   = m->moment[i].speed;
     const uint8_t cause = speed < AT_REST ? TRACE_STOP : TRACE_CORNER;
 
-    for (size_t k = i; k < m->count && m->moment[k].speed <= most; k++)
+    for (size_t k = i; k < m->count && is_held_back(m, k, speed); k++)
         m->moment[k].cause = cause;
-    for (size_t k = i; k > 0 && m->moment[k - 1].speed <= most; k--)
+    for (size_t k = i; k > 0 && is_held_back(m, k - 1, speed); k--)
         m->moment[k - 1].cause = cause;
 }
 
@@ -259,9 +264,9 @@ static void find_corners(making *m)
         const double feed = fmin(move[before].feed, move[now].feed);
         const size_t k    = corner ? slowest_moment(m, i) : i;
         if (corner && m->moment[k].speed < USED_UP * feed)
-            hold_back_moments(m, k, feed);
+            hold_back_moments(m, k);
         else if (m->moment[i].speed < AT_REST && m->moment[i].cause != TRACE_STOP)
-            hold_back_moments(m, i, feed);
+            hold_back_moments(m, i);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "engine/curve.h"   /* curves_is_text, curves_free */
 #include "read/drawing.h"
 #include "read/foreign.h"
+#include "read/gcode.h"
 #include "base/source.h"    /* source_read */
 #include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
@@ -16,38 +17,22 @@
 // Reading
 // -------
 
-/* Is there a line of G-code near the beginning: a letter and a number, such as G21, N10 or M3? */
-static bool is_gcode(const char *text)
-{
-    for (int line = 0; line < 20 && *text != '\0'; line++) {
-        text += strspn(text, " \t\r");
-        if (strchr("GMNgmn", *text) && *text != '\0' && strspn(text + 1, "0123456789") > 0)
-            return true;
-        text += strcspn(text, "\n");
-        text += *text == '\n';
-    }
-    return false;
-}
-
 static int read_text(drawing *d, const char *file, const char *text, size_t size)
 {
     if (text[strspn(text, " \t\r\n")] == '\0' && strlen(text) == size)
-        return tool_error(EX_DATAERR, "%s: is empty: a drawing is expected, SVG, CSV or .loft",
-                          file);
+        return tool_error(EX_DATAERR,
+                          "%s: is empty: a drawing is expected, SVG, G-code, CSV or .loft", file);
     if (source_is_xml(text))
         return drawing_read_svg(d, file, text, size);
     if (foreign_refuse(file, text, size) != 0)
         return EX_DATAERR;
     if (strlen(text) != size)
-        return tool_error(EX_DATAERR, "%s: is not text: a drawing is expected, SVG, CSV or .loft",
-                          file);
+        return tool_error(
+            EX_DATAERR, "%s: is not text: a drawing is expected, SVG, G-code, CSV or .loft", file);
     if (curves_is_text(file, text))
         return drawing_read_curves(d, file, text);
-    if (is_gcode(text))
-        return tool_error(EX_DATAERR,
-                          "%s: is G-code: give the drawing that it was made of, as SVG, CSV or "
-                          ".loft, or its points as .loft `line`",
-                          file);
+    if (gcode_is_text(file, text))
+        return drawing_read_gcode(d, file, text, size);
     return drawing_read_csv(d, file, text, size);
 }
 

@@ -2,8 +2,8 @@
  * space
  * SPDX-License-Identifier: MIT
  *
- * The readers svg.c, csv.c and drawing_curves.c fill it; lines and arcs are cubics too. A path is a
- * connected run of curves that is drawn with the pen down. Between paths the pen travels. Nothing
+ * The readers svg.c, csv.c, drawing_curves.c and gcode_draw.c fill it; lines and arcs are cubics
+ * too. A path is a connected run of curves that is drawn with the pen down. Between paths the pen travels. Nothing
  * is clipped, and colours do not matter: a plotter draws outlines.
  *
  * A curve in space has heights beside its points in the plane. A program (G-code) is a drawing that
@@ -29,17 +29,19 @@ typedef struct {
     size_t count, room;
     double width, height;   /* page in mm; 0 if the file gives none */
     bool program;           /* it says every motion */
+    int dialect;            /* of G-code: enum gcode_dialect (gcode.h); set before reading */
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */
 } drawing;
 
 /* mm; coordinates beyond +- this are refused: they must fit Q16.16 sums */
 #define DRAWING_LIMIT 16000.0
 #define DRAWING_RAPID (-1.0)
+#define DRAWING_TOL   1e-4          /* mm between a curve and its cubics, a fiftieth of a plan's */
 #define DRAWING_CURVES_MAX 4000000u     /* more are refused: a few kB can expand to billions */
 
-/* Read `file` ("-" is standard input). Its content tells the format: SVG, curves (LOFT.md) or CSV
- * (x0,y0,..,x3,y3 in mm per line). Returns 0, or a code of <sysexits.h> after printing one line.
- * `*d` must be zeroed; free with drawing_free. */
+/* Read `file` ("-" is standard input). Its content tells the format: SVG, curves (LOFT.md), G-code
+ * or CSV (x0,y0,..,x3,y3 in mm per line). Returns 0, or a code of <sysexits.h> after printing one
+ * line. `*d` must be zeroed but for `dialect`; free with drawing_free. */
 int  drawing_read(drawing *d, const char *file);
 void drawing_free(drawing *d);
 
@@ -74,5 +76,6 @@ double drawing_top(const drawing *d);
 int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size);
 int drawing_read_csv(drawing *d, const char *file, const char *text, size_t size);
 int drawing_read_curves(drawing *d, const char *file, const char *text);
+int drawing_read_gcode(drawing *d, const char *file, const char *text, size_t size);
 
 #endif

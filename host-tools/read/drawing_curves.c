@@ -2,15 +2,13 @@
  * SPDX-License-Identifier: MIT
  *
  * A curve that starts where the one before ends continues its path. Polynomials up to degree 3 are
- * kept. Others are cut into cubics within DRAWING_TOL, a fiftieth of the tolerance of a plan.
+ * kept. Others are cut into cubics within DRAWING_TOL.
  */
 #include "engine/curve.h"
 #include "read/drawing.h"
 #include "engine/engine.h"  /* engine_f64: pieces of a curve, and cubics */
 #include "engine/piece.h"
 #include "base/tool.h"      /* tool_error, sysexits */
-
-#define DRAWING_TOL 1e-4     /* mm */
 
 typedef struct {
     drawing *d;

@@ -628,6 +628,18 @@ case_machine_is_mute() {
 }
 
 
+case_gcode() {                          # every place, and back: counted, and as commanded
+    printf '%s\n' 'G21 G90' 'G0 Z1' 'G0 X10 Y10' 'G1 Z-1 F600' 'X20 F2400' 'G3 X30 Y20 R10' \
+        'G5 I0 J5 P0 Q-5 X40 Y20' 'G2 X10 Y10 R20 Z-2' 'G0 Z0' 'M2' >"$tmp/part.nc"
+    machine gcode --speed fast --once
+    run 0 "$loft" stream "$tmp/part.nc" --port "$tmp/gcode"; gone "$machine"
+    is_empty err; says out '^drawn: .*as commanded$'; counted gcode
+    tail -1 "$tmp/gcode.csv" | awk -F, '$2 != 800 || $3 != 800 || $4 != 0 { exit 1 }' \
+        || job_fails "it does not end at 10,10,0: $(tail -1 "$tmp/gcode.csv")"
+    run 0 "$loft" plan --total "$tmp/part.nc"
+    run 0 "$loft" plot -o "$tmp/part.png" "$tmp/part.nc"
+}
+
 # --- bad input ------------------------------------------------------------------------------------
 
 case_bad_drawings() {
@@ -635,8 +647,9 @@ case_bad_drawings() {
     printf '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm"></svg>' \
         >"$tmp/empty.svg"
     printf 'this is no drawing\n' >"$tmp/text.txt"
-    printf '(made by x)\n%%\nG21 G90\nG1 X1 Y2 F100\n' >"$tmp/job.nc"
-    one_line 65 'job.nc: is G-code' "$loft" stream "$tmp/job.nc" --dry-run
+    printf '(made by x)\n%%\nG21 G90\nG1 X1 Y2 F100\nG1 X\n' >"$tmp/job.nc"
+    one_line 65 'job.nc:5: a number is missing' "$loft" stream "$tmp/job.nc" --dry-run
+    one_line 64 '--dialect x: give linuxcnc, grbl' "$loft" plan "$tmp/job.nc" --dialect x
     head -c 4096 /dev/urandom >"$tmp/random.bin"
     : >"$tmp/nothing"
     one_line 66 'no such file' "$loft" stream "$tmp/absent.svg" --dry-run

@@ -1,0 +1,98 @@
+/* host-tools/read/gcode.h -- reads G-code: line by line, its motions as events
+ * SPDX-License-Identifier: MIT
+ *
+ *     gcode_block.h     a line as words with numbers
+ *     gcode_state.h     what the words mean: modes, coordinates, units
+ *     gcode_run.c       one line: its words in their order of execution
+ *     gcode_motion.c    straight motions, arcs, cubics, NURBS
+ *     gcode_cycle.c     drilling
+ *     gcode_offset.c    coordinate systems, home, tools
+ *     gcode_radius.c    tool radius compensation
+ *     gcode_draw.c      the motions as a drawing
+ *
+ * Coordinates of an event are those of the program, in its units: so its numbers stay as written.
+ * gcode_place converts them to mm of the machine.
+ */
+#ifndef LOFT_READ_GCODE_H
+#define LOFT_READ_GCODE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "read/drawing.h"
+
+enum gcode_kind {
+    GCODE_RAPID,            /* straight to `to`, as fast as can be */
+    GCODE_LINE,             /* straight to `to` */
+    GCODE_ARC,
+    GCODE_CUBIC,
+    GCODE_QUADRATIC,
+    GCODE_NURBS,
+    GCODE_WAIT,             /* `seconds` */
+    GCODE_STOP,             /* M0 M1 M60, a tool change: until somebody resumes */
+    GCODE_SAY               /* (MSG,text) */
+};
+
+/* From the coordinates of the program to those of the machine: add `shift`, turn by `degrees`
+ * around z, add `origin`; all in units of `unit` mm. */
+typedef struct {
+    double unit, shift[3], degrees, origin[3];
+} gcode_frame;
+
+typedef struct {
+    enum gcode_kind kind;
+    unsigned line;
+    double from[3], to[3];
+    int plane;              /* ARC: the axis across it: 2 is G17, 1 is G18, 0 is G19 */
+    int turns;              /* ARC: 1 counterclockwise, -1 clockwise, 2, -2 .. a turn more */
+    double centre[3];       /* ARC: in its plane */
+    double inner[2][3];     /* CUBIC: control points between; QUADRATIC: the one */
+    const double (*points)[3];      /* NURBS: x, y, weight */
+    unsigned count, degree; /* NURBS */
+    double feed;            /* mm/s; 0: none is set */
+    double seconds;         /* WAIT */
+    const char *text;       /* SAY */
+    size_t length;
+    const gcode_frame *frame;
+} gcode_event;
+
+/* Returns 0, or an exit code that ends the reading. */
+typedef int gcode_sink(void *context, const gcode_event *e);
+
+/* The program as a machine of this kind reads it. */
+enum gcode_dialect { GCODE_ANY, GCODE_LINUXCNC, GCODE_GRBL, GCODE_FLUIDNC, GCODE_MARLIN };
+
+/* The option --dialect NAME of a command; `out` is the address of an int. */
+#define GCODE_OPTION(out)                                                                          \
+    TOOL_PARSED("dialect", "NAME", out, gcode_parse_dialect,                                       \
+                "of G-code: linuxcnc, grbl, fluidnc or marlin (3-D printers) (found by the file)")
+bool gcode_parse_dialect(const char *text, void *out);
+
+typedef struct gcode_program gcode_program;
+
+/* Begin a program at machine coordinates 0, 0, 0; GCODE_ANY is LINUXCNC or, for a 3-D printer's
+ * file, MARLIN. Free with gcode_close. */
+gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *sink, void *context);
+
+/* Read a line of `length` characters, without its newline. Returns 0, or an exit code after
+ * printing one line. */
+int  gcode_line(gcode_program *g, const char *text, size_t length);
+
+/* Has the program said its end (M2, M30 or the second %)? */
+bool gcode_ended(const gcode_program *g);
+
+/* Check the end of the program. */
+int  gcode_finish(gcode_program *g);
+void gcode_close(gcode_program *g);
+
+/* All lines of a text. */
+int  gcode_read(gcode_program *g, const char *text, size_t size);
+
+/* A point of the program in mm of the machine. */
+void gcode_place(const gcode_frame *f, const double at[3], double out[3]);
+
+/* Is it G-code, by its name or its first lines? Is it that of a 3-D printer? */
+bool gcode_is_text(const char *file, const char *text);
+bool gcode_is_printer(const char *text);
+
+#endif

@@ -1,0 +1,69 @@
+/* host-tools/read/gcode_block.h -- one line of G-code as words: letters with their numbers
+ * SPDX-License-Identifier: MIT
+ *
+ * Blanks count nowhere, and small letters are capital letters. A number is written out, or is an
+ * expression [1 + 2 * SIN[30]], or a parameter #5 or #<name>. `#5 = 2` sets a parameter after the
+ * whole line is read.
+ */
+#ifndef LOFT_GCODE_BLOCK_H
+#define LOFT_GCODE_BLOCK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define GCODE_LINE_MAX  65536   /* characters of a line */
+#define GCODE_CODES     16      /* G words, and M words, of a line */
+#define GCODE_SETTINGS  16      /* parameters that a line sets */
+#define GCODE_NUMBERED  5603    /* parameters #1 .. #5602 */
+#define GCODE_NAMED     256     /* parameters #<name> */
+#define GCODE_NAME_MAX  64
+
+typedef struct {
+    char name[GCODE_NAME_MAX];
+    double value;
+} gcode_named;
+
+/* All parameters of a program. */
+typedef struct {
+    double number[GCODE_NUMBERED];
+    gcode_named named[GCODE_NAMED];
+    unsigned count;
+} gcode_parameters;
+
+typedef struct {
+    const char *file;
+    unsigned line;
+    bool printer;               /* of a 3-D printer: M117 takes text, a checksum may follow * */
+    bool skip;                  /* leave out lines that begin with / */
+    gcode_parameters *at;
+    /* ---- */
+    uint32_t has;               /* bit n: the letter 'A' + n, except G and M */
+    double value[26];
+    short g[GCODE_CODES], m[GCODE_CODES];       /* in tenths: G5.1 is 51 */
+    unsigned gs, ms;
+    const char *say;            /* (MSG,text), or NULL, and its length */
+    size_t say_length;
+    bool percent;               /* the line is % */
+} gcode_block;
+
+#define GCODE_BIT(letter) (1u << ((letter) - 'A'))
+
+static inline bool gcode_has(const gcode_block *b, char letter)
+{
+    return (b->has & GCODE_BIT(letter)) != 0;
+}
+
+static inline double gcode_value(const gcode_block *b, char letter)
+{
+    return b->value[letter - 'A'];
+}
+
+/* Read a line of `length` characters, without its newline, into the second half of *b. Returns 0,
+ * or EX_DATAERR after printing one line `file:line: what: remedy`. */
+int gcode_block_read(gcode_block *b, const char *text, size_t length);
+
+/* Print `file:line: what: remedy`. Returns EX_DATAERR. */
+int gcode_wrong(const gcode_block *b, const char *what, const char *remedy);
+
+#endif

@@ -1,0 +1,140 @@
+/* host-tools/read/gcode_cycle.c -- drilling: G73, G74, G81 to G89
+ * SPDX-License-Identifier: MIT
+ *
+ * NIST RS274/NGC version 3, section 3.5.16. The tool goes to the hole at the height where it is,
+ * down to R, does the work, and returns to R (G99) or to the height before the first hole (G98).
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "read/gcode_state.h"
+
+#define CHIP 0.254              /* mm: the way back that breaks a chip, of LinuxCNC */
+#define HOLES_MOST 100000       /* of a line, and pecks of a hole */
+
+/* Straight along the axis across the plane. */
+static int plunge(gcode_program *g, enum gcode_kind kind, double height)
+{
+    double to[3];
+
+    memcpy(to, g->at, sizeof to);
+    to[g->plane] = height;
+    return gcode_go(g, kind, to);
+}
+
+/* G83 returns to R each time, G73 a little. */
+static int peck(gcode_program *g, double r, double bottom, double step, bool whole)
+{
+    const double chip = CHIP / g->frame.unit;
+    int code = 0;
+
+    if (!(step > 0) || (r - bottom) / step > HOLES_MOST)
+        return gcode_fails(g, "Q: the step of the pecks", "give Q above 0, and not too small");
+    for (double at = r - step; at > bottom && code == 0; at -= step) {
+        code = plunge(g, GCODE_LINE, at);
+        if (code == 0 && whole)
+            code = plunge(g, GCODE_RAPID, r);
+        if (code == 0)
+            code = plunge(g, GCODE_RAPID, at + chip);
+    }
+    return code == 0 ? plunge(g, GCODE_LINE, bottom) : code;
+}
+
+/* One hole, from R down and up to `clear`. */
+static int drill_hole(gcode_program *g, double r, double bottom, double clear)
+{
+    const int c   = g->cycle.code;
+    const bool waits = c == 820 || c == 860 || c == 880 || c == 890,
+               feeds = c == 850 || c == 890 || c == 840 || c == 740;
+    int code = c == 830 || c == 730 ? peck(g, r, bottom, g->cycle.q, c == 830)
+                                    : plunge(g, GCODE_LINE, bottom);
+
+    if (code == 0 && (waits || g->cycle.p > 0) && c != 810 && c != 850 && c != 830 && c != 730)
+        code = gcode_wait(g, g->cycle.p);
+    if (code == 0 && c == 880) {
+        gcode_event stop = { .kind = GCODE_STOP };
+        code = gcode_give(g, &stop, 0);
+    }
+    if (code == 0 && feeds)
+        code = plunge(g, GCODE_LINE, c == 890 ? clear : r);
+    return code == 0 && c != 890 ? plunge(g, GCODE_RAPID, clear) : code;
+}
+
+/* The words of the line; those that it does not give stay from the hole before. */
+static int take_words(gcode_program *g)
+{
+    const gcode_block *b = &g->b;
+    const char up = (char)('X' + g->plane);
+    const bool first = g->cycle.code != g->motion;
+
+    if (g->feed_mode == 930)
+        return gcode_fails(g, "drilling in G93", "give G94 before");
+    if (first && (!gcode_has(b, 'R') || !gcode_has(b, up)))
+        return gcode_fails(g, "drilling without R and its depth",
+                           "give R, and Z in the plane of x "
+                           "and y");
+    if (first)
+        g->cycle.p = g->cycle.q = 0;
+    if (gcode_has(b, 'R'))
+        g->cycle.r = gcode_value(b, 'R');
+    if (gcode_has(b, up))
+        g->cycle.z = gcode_value(b, up);
+    if (gcode_has(b, 'P'))
+        g->cycle.p = gcode_value(b, 'P');
+    if (gcode_has(b, 'Q'))
+        g->cycle.q = gcode_value(b, 'Q');
+    g->cycle.code = g->motion;
+    return 0;
+}
+
+/* The height before the first hole. */
+static double first_height(gcode_program *g)
+{
+    if (!g->cycle.leveled)
+        g->cycle.initial = g->at[g->plane];
+    g->cycle.leveled = true;
+    return g->cycle.initial;
+}
+
+static int drill_at(gcode_program *g, const double over[3], double r, double bottom, double clear)
+{
+    int code = gcode_go(g, GCODE_RAPID, over);
+
+    if (code == 0 && fabs(g->at[g->plane] - r) > 0)
+        code = plunge(g, GCODE_RAPID, r);
+    return code == 0 ? drill_hole(g, r, bottom, clear) : code;
+}
+
+int gcode_drill(gcode_program *g)
+{
+    const double times = gcode_has(&g->b, 'L') ? gcode_value(&g->b, 'L') : 1;
+    const int up = g->plane;
+    double at[3], step[3] = { 0 };
+    int code = take_words(g);
+
+    if (code != 0)
+        return code;
+    if (!(times >= 0 && times <= HOLES_MOST) || times > floor(times))
+        return gcode_fails(g, "L of drilling is its number of holes", "give a whole number");
+    const double top = first_height(g), r = g->incremental ? top + g->cycle.r : g->cycle.r,
+                 bottom = g->incremental ? r + g->cycle.z : g->cycle.z,
+                 clear = g->retract_to_r ? r : fmax(top, r);
+    if (bottom > r)
+        return gcode_fails(g, "drilling from R upwards", "give a depth below R");
+    memcpy(at, g->at, sizeof at);
+    at[up] = fmax(g->retract_to_r ? g->at[up] : top, r);
+    for (int i = 0; i < 3; i++)
+        if (i != up && gcode_has(&g->b, (char)('X' + i)))
+            step[i] = gcode_value(&g->b, (char)('X' + i));
+    if (top < r)
+        code = plunge(g, GCODE_RAPID, r);
+    for (int n = 0; n < (int)times && code == 0; n++) {
+        for (int i = 0; i < 3; i++)
+            if (i != up && gcode_has(&g->b, (char)('X' + i)))
+                at[i] = g->incremental ? at[i] + step[i] : step[i];
+        code   = drill_at(g, at, r, bottom, clear);
+        at[up] = clear;
+    }
+    return code;
+}

@@ -1,0 +1,322 @@
+/* host-tools/read/gcode_motion.c -- the motions of G-code: straight, arcs, cubics, NURBS
+ * SPDX-License-Identifier: MIT
+ *
+ * Arcs: NIST RS274/NGC version 3, section 3.5.3. G5, G5.1, G5.2: the documentation of LinuxCNC.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "read/gcode_state.h"
+
+#define SPIRAL_PART 0.001       /* of the radius: distances from the centre may differ so much, */
+#define SPIRAL      0.005       /* mm, or so much, */
+#define SPIRAL_MOST 0.5         /* mm, and never more */
+#define RADIUS_LEAST 1e-6       /* mm */
+#define ORDER_MOST  10          /* of a NURBS: degree 9 of the library */
+
+void gcode_target(const gcode_program *g, double out[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const bool given  = gcode_has(&g->b, (char)('X' + i));
+        const double said = gcode_value(&g->b, (char)('X' + i));
+        out[i] = !given ? g->at[i] : g->incremental ? g->at[i] + said : said;
+    }
+}
+
+/* G53: the words are coordinates of the machine, without tool length. */
+static int target_of_machine(const gcode_program *g, double out[3])
+{
+    const gcode_frame *f = &g->frame;
+
+    if (g->incremental)
+        return gcode_fails(g, "G53 with G91", "give G90 first");
+    if (fabs(f->degrees) > 0)
+        return gcode_fails(g, "G53 in a rotated coordinate system", "give G54 to G59 without R");
+    for (int i = 0; i < 3; i++)
+        out[i] = gcode_has(&g->b, (char)('X' + i))
+                     ? gcode_value(&g->b, (char)('X' + i)) + g->tool[i] / f->unit - f->origin[i] -
+                           f->shift[i]
+                     : g->at[i];
+    return 0;
+}
+
+static bool line_has(const gcode_program *g, int code)
+{
+    for (unsigned i = 0; i < g->b.gs; i++)
+        if (g->b.g[i] == code)
+            return true;
+    return false;
+}
+
+
+// Arcs
+// ----
+
+/* The distance from the centre, and the angle of the arc. */
+static double radius_at(const gcode_program *g, const double centre[3], const double at[3])
+{
+    return hypot(at[gcode_first(g)] - centre[gcode_first(g)],
+                 at[gcode_second(g)] - centre[gcode_second(g)]);
+}
+
+static double length_of_arc(const gcode_program *g, const gcode_event *e)
+{
+    const int a = gcode_first(g), b = gcode_second(g), up = g->plane;
+    const double from = atan2(g->at[b] - e->centre[b], g->at[a] - e->centre[a]),
+                 to = atan2(e->to[b] - e->centre[b], e->to[a] - e->centre[a]), turn = 2 * acos(-1);
+    double angle = e->turns > 0 ? to - from : from - to;
+
+    while (angle <= 0)
+        angle += turn;
+    angle += turn * (abs(e->turns) - 1);
+    return hypot(angle * radius_at(g, e->centre, g->at), e->to[up] - g->at[up]);
+}
+
+/* The centre on the left or on the right of the chord. */
+static int centre_by_radius(const gcode_program *g, double turn, gcode_event *e)
+{
+    const int a = gcode_first(g), b = gcode_second(g);
+    const double r = gcode_value(&g->b, 'R'), x = e->to[a] - g->at[a], y = e->to[b] - g->at[b],
+                 half = hypot(x, y) / 2;
+    const double over = half - fabs(r);
+    char what[96];
+
+    if (!(half > 0))
+        return gcode_fails(g, "an arc with R that ends where it starts",
+                           "give its centre by I, J, K for a full circle");
+    if (over > SPIRAL_PART * fabs(r) && over * g->frame.unit > SPIRAL) {
+        snprintf(what, sizeof what, "R%.6g is too small for ends %.6g apart", r, 2 * half);
+        return gcode_fails(g, what, "correct R");
+    }
+    const double off = over < 0 ? sqrt((fabs(r) - half) * (fabs(r) + half)) : 0,
+                 side = turn * (r < 0 ? -1 : 1) * off / (2 * half);
+    e->centre[a] = (g->at[a] + e->to[a]) / 2 - side * y;
+    e->centre[b] = (g->at[b] + e->to[b]) / 2 + side * x;
+    return 0;
+}
+
+static int centre_by_offset(const gcode_program *g, gcode_event *e)
+{
+    const int axis[2] = { gcode_first(g), gcode_second(g) };
+    double r[2];
+    char what[128];
+    bool any = false;
+
+    for (int i = 0; i < 2; i++) {
+        const char letter = (char)('I' + axis[i]);
+        const bool given  = gcode_has(&g->b, letter);
+        any = any || given;
+        if (!given && g->centre_absolute)
+            return gcode_fails(g, "an arc without both numbers of its centre",
+                               "in G90.1 give both, or G91.1 before");
+        e->centre[axis[i]] = (given ? gcode_value(&g->b, letter) : 0) +
+                             (g->centre_absolute ? 0 : g->at[axis[i]]);
+    }
+    if (!any)
+        return gcode_fails(g, "an arc without I, J, K in its plane or R",
+                           "give its centre, or its radius");
+    r[0] = radius_at(g, e->centre, g->at);
+    r[1] = radius_at(g, e->centre, e->to);
+    const double off = fabs(r[0] - r[1]) * g->frame.unit;
+    if (off > SPIRAL_MOST || (off > SPIRAL && off > SPIRAL_PART * r[0] * g->frame.unit)) {
+        snprintf(what, sizeof what, "an arc that starts %.6g and ends %.6g from its centre", r[0],
+                 r[1]);
+        return gcode_fails(g, what, "correct I, J, K, or write more digits");
+    }
+    if (!(r[0] * g->frame.unit > RADIUS_LEAST))
+        return gcode_fails(g, "an arc without a radius", "correct I, J, K");
+    return 0;
+}
+
+static int move_arc(gcode_program *g)
+{
+    gcode_event e    = { .kind = GCODE_ARC };
+    const int turn   = g->motion == 30 ? 1 : -1;
+    const bool has_p = gcode_has(&g->b, 'P') && !g->printer;
+    const double p   = has_p ? gcode_value(&g->b, 'P') : 1;
+
+    if (!(p >= 1 && p <= 4096) || p > floor(p))
+        return gcode_fails(g, "P of an arc is its number of turns", "give a whole number from 1");
+    e.turns = turn * (int)p;
+    gcode_target(g, e.to);
+    memcpy(e.centre, g->at, sizeof e.centre);
+    const int code = gcode_has(&g->b, 'R') ? centre_by_radius(g, turn, &e)
+                                           : centre_by_offset(g, &e);
+    return code == 0 ? gcode_give(g, &e, g->feed_mode == 930 ? length_of_arc(g, &e) : 0) : code;
+}
+
+
+// Cubics
+// ------
+
+static double length_of_legs(const gcode_program *g, const gcode_event *e)
+{
+    const double *a = g->at, (*m)[3] = e->inner, *z = e->to;
+
+    return hypot(m[0][0] - a[0], m[0][1] - a[1]) + hypot(m[1][0] - m[0][0], m[1][1] - m[0][1]) +
+           hypot(z[0] - m[1][0], z[1] - m[1][1]);
+}
+
+static int check_curve(const gcode_program *g)
+{
+    if (g->plane != 2)
+        return gcode_fails(g, "G5 outside of the plane of x and y", "give G17 before");
+    if (gcode_has(&g->b, 'Z'))
+        return gcode_fails(g, "G5 with Z", "it lies in the plane of x and y: leave Z out");
+    return 0;
+}
+
+/* G5: I J from the start, P Q from the end. Without I J it goes on as the cubic before ended. */
+static int move_cubic(gcode_program *g)
+{
+    const gcode_block *b = &g->b;
+    const bool i = gcode_has(b, 'I'), j = gcode_has(b, 'J');
+    gcode_event e = { .kind = GCODE_CUBIC };
+
+    if (i != j || (!i && !g->after_cubic))
+        return gcode_fails(g, "G5 without I and J", "give both; only behind a G5 none are needed");
+    if (!gcode_has(b, 'P') || !gcode_has(b, 'Q'))
+        return gcode_fails(g, "G5 without P and Q", "give both");
+    gcode_target(g, e.to);
+    memcpy(e.inner[0], g->at, sizeof e.inner[0]);
+    memcpy(e.inner[1], e.to, sizeof e.inner[1]);
+    e.inner[0][0] += i ? gcode_value(b, 'I') : -g->last_pq[0];
+    e.inner[0][1] += i ? gcode_value(b, 'J') : -g->last_pq[1];
+    e.inner[1][0] += g->last_pq[0] = gcode_value(b, 'P');
+    e.inner[1][1] += g->last_pq[1] = gcode_value(b, 'Q');
+    g->after_cubic = true;
+    return gcode_give(g, &e, g->feed_mode == 930 ? length_of_legs(g, &e) : 0);
+}
+
+/* G5.1: I J from the start to the one control point. */
+static int move_quadratic(gcode_program *g)
+{
+    gcode_event e = { .kind = GCODE_QUADRATIC };
+
+    if (!gcode_has(&g->b, 'I') && !gcode_has(&g->b, 'J'))
+        return gcode_fails(g, "G5.1 without I and J", "give the control point from the start");
+    gcode_target(g, e.to);
+    for (int i = 0; i < 3; i++)
+        e.inner[0][i] = g->at[i] + (i < 2 && gcode_has(&g->b, (char)('I' + i))
+                                        ? gcode_value(&g->b, (char)('I' + i))
+                                        : 0);
+    memcpy(e.inner[1], e.inner[0], sizeof e.inner[1]);
+    return gcode_give(g, &e, g->feed_mode == 930 ? length_of_legs(g, &e) : 0);
+}
+
+static int add_pole(gcode_program *g, double x, double y)
+{
+    double *pole = g->pole[g->poles];
+
+    if (g->poles == GCODE_POLES)
+        return gcode_fails(g, "a NURBS of more than 1024 control points", "split it");
+    if (!(g->pole_weight > 0))
+        return gcode_fails(g, "a weight that is not above 0", "give P above 0");
+    pole[0] = x;
+    pole[1] = y;
+    pole[2] = g->pole_weight;
+    g->poles++;
+    return 0;
+}
+
+/* G5.2 X Y P L: a control point, its weight and the order. The first one is where the tool is; a
+ * first line without X Y gives its weight. */
+static int move_nurbs(gcode_program *g)
+{
+    const gcode_block *b = &g->b;
+    const bool point = gcode_has(b, 'X') || gcode_has(b, 'Y');
+    const double order = gcode_has(b, 'L') ? gcode_value(b, 'L') : 3;
+    int code = 0;
+
+    g->pole_weight = gcode_has(b, 'P') && (point || g->poles > 0) ? gcode_value(b, 'P') : 1;
+    if (g->poles == 0) {
+        const double said = g->pole_weight;
+        if (!(order >= 2 && order <= ORDER_MOST) || order > floor(order))
+            return gcode_fails(g, "L of G5.2 is the order", "give 2 to 10; 3 if it is left out");
+        g->degree      = (unsigned)order - 1;
+        g->pole_line   = b->line;
+        g->pole_weight = !point && gcode_has(b, 'P') ? gcode_value(b, 'P') : 1;
+        code = add_pole(g, g->at[0], g->at[1]);
+        g->pole_weight = said;
+    }
+    if (code != 0 || !point)
+        return code;
+    const double *last = g->pole[g->poles - 1];
+    const double x = gcode_has(b, 'X') ? gcode_value(b, 'X') + (g->incremental ? last[0] : 0)
+                                       : last[0],
+                 y = gcode_has(b, 'Y') ? gcode_value(b, 'Y') + (g->incremental ? last[1] : 0)
+                                       : last[1];
+    return add_pole(g, x, y);
+}
+
+int gcode_nurbs_end(gcode_program *g)
+{
+    gcode_event e = { .kind = GCODE_NURBS,
+                      .points = (const double(*)[3])g->pole,
+                      .count = g->poles,
+                      .degree = g->degree };
+    double length = 0;
+
+    if (g->poles == 0)
+        return gcode_fails(g, "G5.3 without G5.2", "begin the NURBS with G5.2");
+    if (g->poles <= g->degree)
+        return gcode_fails(g, "a NURBS with fewer control points than its order",
+                           "give more, or a smaller L");
+    e.to[0] = g->pole[g->poles - 1][0];
+    e.to[1] = g->pole[g->poles - 1][1];
+    e.to[2] = g->at[2];
+    for (unsigned i = 1; i < g->poles; i++)
+        length += hypot(g->pole[i][0] - g->pole[i - 1][0], g->pole[i][1] - g->pole[i - 1][1]);
+    g->poles  = 0;
+    g->motion = GCODE_CANCEL;
+    return gcode_give(g, &e, length);
+}
+
+
+// All motions
+// -----------
+
+static int move_straight(gcode_program *g)
+{
+    double to[3];
+    int code = 0;
+
+    if (line_has(g, 530))
+        code = target_of_machine(g, to);
+    else
+        gcode_target(g, to);
+    return code == 0 ? gcode_go(g, g->motion == 0 ? GCODE_RAPID : GCODE_LINE, to) : code;
+}
+
+int gcode_move(gcode_program *g)
+{
+    const bool after_cubic = g->after_cubic;
+    int code = 0;
+
+    if (g->poles > 0 && g->motion != 52 && g->motion != 53)
+        return gcode_fails(g, "a motion between G5.2 and G5.3", "end the NURBS with G5.3");
+    g->after_cubic = false;
+    if (g->motion < 730 || g->motion == GCODE_CANCEL)
+        g->cycle.code = 0, g->cycle.leveled = false;
+    if (g->motion == 50 || g->motion == 51 || g->motion == 52)
+        code = check_curve(g);
+    if (code != 0)
+        return code;
+    switch (g->motion) {
+    case 0:
+    case 10: return move_straight(g);
+    case 20:
+    case 30: return move_arc(g);
+    case 50: g->after_cubic = after_cubic; return move_cubic(g);
+    case 51: return move_quadratic(g);
+    case 52: return move_nurbs(g);
+    case 53: return gcode_nurbs_end(g);
+    case GCODE_CANCEL:
+        return line_has(g, 800)
+                   ? 0
+                   : gcode_fails(g, "X, Y or Z without a motion", "give G0, G1, G2 or G3 with it");
+    default: return gcode_drill(g);
+    }
+}

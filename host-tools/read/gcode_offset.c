@@ -1,0 +1,206 @@
+/* host-tools/read/gcode_offset.c -- coordinate systems, home, units and tool lengths of G-code
+ * SPDX-License-Identifier: MIT
+ *
+ * machine = origin of the system + rotation (program + G92's shift) + tool, as in LinuxCNC. After a
+ * change the program's coordinates of the place where the machine stands are computed anew.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "read/gcode_state.h"
+
+#define HOME   5161
+#define HOME_2 5181
+#define SHIFT  5210             /* 1 if it is in force, then its numbers */
+#define SYSTEM 5220             /* its number; those of system n begin at 5201 + 20 n */
+#define RADIANS (3.14159265358979323846 / 180)
+
+static double *system_of(gcode_program *g, int system)
+{
+    return &g->all.number[5201 + 20 * system];
+}
+
+/* The place of the machine, in units of the program. */
+static void machine_place(const gcode_program *g, double out[3])
+{
+    gcode_place(&g->frame, g->at, out);
+    for (int i = 0; i < 3; i++)
+        out[i] /= g->frame.unit;
+}
+
+/* From the machine's coordinates to those of the program, in its units. */
+static void program_place(const gcode_program *g, const double machine[3], double out[3])
+{
+    const gcode_frame *f = &g->frame;
+    const double x = machine[0] - f->origin[0], y = machine[1] - f->origin[1],
+                 c = cos(f->degrees * RADIANS), s = sin(f->degrees * RADIANS);
+
+    out[0] = (fabs(f->degrees) > 0 ? c * x + s * y : x) - f->shift[0];
+    out[1] = (fabs(f->degrees) > 0 ? c * y - s * x : y) - f->shift[1];
+    out[2] = machine[2] - f->origin[2] - f->shift[2];
+}
+
+void gcode_use_offsets(gcode_program *g)
+{
+    const double *system = system_of(g, g->system);
+
+    for (int i = 0; i < 3; i++) {
+        g->frame.origin[i] = (system[i] + g->tool[i]) / g->frame.unit;
+        g->frame.shift[i]  = g->shifted ? g->all.number[SHIFT + 1 + i] / g->frame.unit : 0;
+    }
+    g->frame.degrees = system[9];
+}
+
+/* Use changed offsets; the machine stays where it is. */
+static void stay(gcode_program *g)
+{
+    double machine[3];
+
+    machine_place(g, machine);
+    gcode_use_offsets(g);
+    program_place(g, machine, g->at);
+}
+
+int gcode_use_units(gcode_program *g, double unit)
+{
+    const double by = g->frame.unit / unit;
+
+    for (int i = 0; i < 3; i++)
+        g->at[i] *= by;
+    g->feed *= g->feed_mode == 930 ? 1 : by;
+    g->cycle.r *= by;
+    g->cycle.z *= by;
+    g->cycle.q *= by;
+    g->cycle.initial *= by;
+    g->frame.unit = unit;
+    gcode_use_offsets(g);
+    return 0;
+}
+
+int gcode_use_system(gcode_program *g, int system)
+{
+    g->system = system;
+    g->all.number[SYSTEM] = system;
+    stay(g);
+    return 0;
+}
+
+/* G43.1 takes the offset from the line, G49 none. */
+int gcode_use_tool(gcode_program *g, int code)
+{
+    if (code == 430 || code == 432)
+        return gcode_fails(g, "G43: there is no table of tools",
+                           "give the length itself, as G43.1 Z12");
+    for (int i = 0; i < 3; i++)
+        if (code == 490)
+            g->tool[i] = 0;
+        else if (gcode_has(&g->b, (char)('X' + i)))
+            g->tool[i] = gcode_value(&g->b, (char)('X' + i)) * g->frame.unit;
+    if (code == 431)
+        g->b.has &= ~(GCODE_BIT('X') | GCODE_BIT('Y') | GCODE_BIT('Z'));
+    stay(g);
+    return 0;
+}
+
+/* G10 L2 sets the origin of a system, L20 so that the machine stands at the given numbers. */
+static int set_system(gcode_program *g)
+{
+    const gcode_block *b = &g->b;
+    const double l = gcode_has(b, 'L') ? gcode_value(b, 'L') : 0,
+                 p = gcode_has(b, 'P') ? gcode_value(b, 'P') : 0;
+    double machine[3];
+
+    if (!(l >= 2 && l <= 2) && !(l >= 20 && l <= 20))
+        return gcode_fails(g, "G10 without L2 or L20",
+                           "only origins of coordinate systems are set");
+    if (!(p >= 0 && p <= GCODE_SYSTEMS) || p > floor(p))
+        return gcode_fails(g, "G10: no such coordinate system",
+                           "give P1 to P9, or P0 for this one");
+    double *system = system_of(g, p > 0 ? (int)p : g->system);
+    machine_place(g, machine);
+    if (l < 3 && gcode_has(b, 'R'))
+        system[9] = gcode_value(b, 'R');
+    const double c = cos(system[9] * RADIANS), s = sin(system[9] * RADIANS);
+    double want[3];
+    for (int i = 0; i < 3; i++)
+        want[i] = (gcode_has(b, (char)('X' + i)) ? gcode_value(b, (char)('X' + i)) : g->at[i]) +
+                  g->frame.shift[i];
+    const double turned[3] = { c * want[0] - s * want[1], s * want[0] + c * want[1], want[2] };
+    for (int i = 0; i < 3; i++)
+        if (gcode_has(b, (char)('X' + i)))
+            system[i] = l < 3 ? gcode_value(b, (char)('X' + i)) * g->frame.unit
+                              : (machine[i] - turned[i]) * g->frame.unit - g->tool[i];
+    stay(g);
+    return 0;
+}
+
+/* G92: the machine stands at the given numbers from now on. G52 (`local`) gives the shift itself. */
+static int set_shift(gcode_program *g, bool local)
+{
+    double *held = &g->all.number[SHIFT + 1];
+    bool any     = false;
+
+    for (int i = 0; i < 3; i++) {
+        held[i] = g->frame.shift[i] * g->frame.unit;
+        if (!gcode_has(&g->b, (char)('X' + i)))
+            continue;
+        const double said = gcode_value(&g->b, (char)('X' + i)),
+                     place = g->at[i] + g->frame.shift[i], shift = local ? said : place - said;
+        held[i]  = shift * g->frame.unit;
+        g->at[i] = local ? place - said : said;
+        any = true;
+    }
+    if (!any && !g->printer)
+        return gcode_fails(g, "G92 without X, Y or Z", "give the coordinates of this place");
+    g->shifted = true;
+    g->all.number[SHIFT] = 1;
+    gcode_use_offsets(g);
+    return 0;
+}
+
+/* G92.1 forgets the shift, G92.2 keeps it for G92.3. */
+static int switch_shift(gcode_program *g, int code)
+{
+    for (int i = 1; i <= 3 && code == 921; i++)
+        g->all.number[SHIFT + i] = 0;
+    g->shifted = code == 923;
+    g->all.number[SHIFT] = g->shifted;
+    stay(g);
+    return 0;
+}
+
+/* G28, G30: over the given place, if there is one, to the stored place of the machine; with axes
+ * given only these. Their .1 store the place. */
+static int go_home(gcode_program *g, const double stored[3])
+{
+    double over[3], home[3], machine[3], to[3];
+    bool any = false;
+
+    for (int i = 0; i < 3; i++)
+        any = any || gcode_has(&g->b, (char)('X' + i));
+    gcode_target(g, over);
+    for (int i = 0; i < 3; i++)
+        machine[i] = stored[i] / g->frame.unit;
+    if (!g->printer) {
+        const int code = gcode_go(g, GCODE_RAPID, over);
+        if (code != 0)
+            return code;
+    }
+    program_place(g, machine, home);
+    for (int i = 0; i < 3; i++)
+        to[i] = !any || gcode_has(&g->b, (char)('X' + i)) ? home[i] : g->at[i];
+    return gcode_go(g, GCODE_RAPID, to);
+}
+
+int gcode_nonmodal(gcode_program *g, int code)
+{
+    switch (code) {
+    case 100: return g->printer ? 0 : set_system(g);
+    case 280: return go_home(g, &g->all.number[HOME]);
+    case 300: return go_home(g, &g->all.number[HOME_2]);
+    case 920: return set_shift(g, false);
+    case 520: return set_shift(g, true);
+    default:  return switch_shift(g, code);
+    }
+}

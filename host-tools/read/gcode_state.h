@@ -1,0 +1,98 @@
+/* host-tools/read/gcode_state.h -- the modes of a G-code program
+ * SPDX-License-Identifier: MIT
+ *
+ * Shared by the files gcode_*.c. Positions are in the coordinates of the program, in its units.
+ * Offsets are kept in mm, as parameters of the program: 5161.. home, 5181.. second home, 5211..
+ * G92, 5221.. coordinate systems (20 numbers each).
+ */
+#ifndef LOFT_READ_GCODE_STATE_H
+#define LOFT_READ_GCODE_STATE_H
+
+#include "read/gcode.h"
+#include "read/gcode_block.h"
+
+#define GCODE_SYSTEMS 9
+#define GCODE_POLES   1024      /* control points of a NURBS */
+
+/* Codes in tenths: G5.1 is 51. */
+#define GCODE_NONE    (-1)
+#define GCODE_CANCEL  800       /* G80 */
+
+struct gcode_program {
+    const char *file;
+    gcode_sink *sink;
+    void *context;
+    enum gcode_dialect dialect;
+    bool printer, ended, begun;
+    unsigned percents;
+    gcode_parameters all;
+    gcode_block b;              /* the line under way */
+
+    double at[3];
+    gcode_frame frame;
+    int motion;                 /* 0 10 20 30 50 51 52, 810 .. or GCODE_CANCEL */
+    int plane;                  /* the axis across it */
+    bool incremental, centre_absolute;
+    int feed_mode;              /* 930 940 950 */
+    double feed;                /* units per minute, per turn; 1/minutes */
+    double speed;               /* S */
+    bool retract_to_r;          /* G99 */
+    int system;                 /* 1 .. 9: G54 .. G59.3 */
+    bool shifted;               /* G92 is in force */
+    double tool[3];             /* length offset, mm */
+    double last_pq[2];          /* G5: of the cubic before */
+    bool after_cubic;
+
+    struct {                    /* sticky words of drilling */
+        double r, z, p, q;
+        double initial;         /* the height before the first one */
+        bool leveled;           /* is `initial` known? */
+        int code;               /* 0: none before */
+    } cycle;
+
+    double pole[GCODE_POLES][3];
+    unsigned poles, degree;     /* poles > 0: between G5.2 and G5.3 */
+    double pole_weight;
+    unsigned pole_line;
+
+    struct {                    /* words that this machine has no use for, said at the end */
+        char letter;
+        int code;
+        unsigned line, count;
+    } left[64];
+    unsigned lefts;
+};
+
+/* The axes of the plane, and the one across it: X Y Z, Z X Y or Y Z X. */
+static inline int gcode_first(const gcode_program *g)   { return (g->plane + 1) % 3; }
+static inline int gcode_second(const gcode_program *g)  { return (g->plane + 2) % 3; }
+
+static inline int gcode_fails(const gcode_program *g, const char *what, const char *remedy)
+{
+    return gcode_wrong(&g->b, what, remedy);
+}
+
+/* Give an event, completed with line, start, frame and feed. `length`: of the motion in units of
+ * the program, for inverse time. Moves the position to e->to if it is a motion. */
+int gcode_give(gcode_program *g, gcode_event *e, double length);
+int gcode_go(gcode_program *g, enum gcode_kind kind, const double to[3]);
+int gcode_wait(gcode_program *g, double seconds);
+
+/* Where the axis words of the line lead. */
+void gcode_target(const gcode_program *g, double out[3]);
+
+/* gcode_motion.c: the motion of the line. */
+int gcode_move(gcode_program *g);
+int gcode_nurbs_end(gcode_program *g);
+
+/* gcode_cycle.c */
+int gcode_drill(gcode_program *g);
+
+/* gcode_offset.c */
+void gcode_use_offsets(gcode_program *g);
+int  gcode_use_units(gcode_program *g, double unit);
+int  gcode_nonmodal(gcode_program *g, int code);
+int  gcode_use_system(gcode_program *g, int system);
+int  gcode_use_tool(gcode_program *g, int code);
+
+#endif

@@ -1,0 +1,290 @@
+#!/usr/bin/env python3
+# tests/gcode/peer.py -- compares the G-code reader with LinuxCNC's stand-alone interpreter
+# SPDX-License-Identifier: MIT
+"""usage: peer.py CANON [--cases N] [--seed N] [FILE|FOLDER..]
+
+Each program is run by rs274 (Debian's linuxcnc-uspace) and by CANON (tests/gcode/canon.c). All
+motions must agree in every printed digit: ends, centres, turns; and in mm of the machine and in
+feed to the four printed digits. Without files, programs are made from a seed. The last line is
+`N passed, N failed`. LOFT_RS274 names another rs274.
+"""
+import math
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+CALL = re.compile(r'\s*\d+\s+N\S+\s+([A-Z0-9_]+)\((.*)\)\s*$')
+MOTIONS = ('STRAIGHT_TRAVERSE', 'STRAIGHT_FEED', 'ARC_FEED', 'NURBS_FEED', 'DWELL')
+# what this reader does not run, and says so
+NOT_RUN = re.compile(r': (O: subroutines|[ABCUVW]: this machine|G43: there is no table|'
+                     r'G41|G42|G\S+: is not known here|M\S+: is not known here|M98|M99|'
+                     r'G10 without L2|G7: diam|O:|.*the radius of the tool)')
+
+
+def numbers(text):
+    return [float(n) for n in re.findall(r'-?\d+\.\d+|-?\d+', text)]
+
+
+class Peer:
+    """The machine behind rs274's canonical functions."""
+
+    def __init__(self):
+        self.unit, self.degrees, self.feed = 1.0, 0.0, 0.0
+        self.g5x, self.g92, self.tool = [0.0] * 3, [0.0] * 3, [0.0] * 3
+
+    def take(self, name, args):
+        values = numbers(args)
+        if name == 'USE_LENGTH_UNITS':
+            unit = 25.4 if 'INCHES' in args else 1.0
+            for held in (self.g5x, self.g92, self.tool):
+                held[:] = [n * self.unit / unit for n in held]
+            self.feed *= self.unit / unit
+            self.unit = unit
+        elif name == 'SET_G5X_OFFSET':
+            self.g5x = values[1:4]
+        elif name == 'SET_G92_OFFSET':
+            self.g92 = values[:3]
+        elif name == 'SET_XY_ROTATION':
+            self.degrees = values[0]
+        elif name == 'USE_TOOL_LENGTH_OFFSET':
+            self.tool = values[:3]
+        elif name == 'SET_FEED_RATE':
+            self.feed = values[0]
+
+    def place(self, at):
+        x, y = at[0] + self.g92[0], at[1] + self.g92[1]
+        c, s = math.cos(math.radians(self.degrees)), math.sin(math.radians(self.degrees))
+        where = [c * x - s * y, s * x + c * y, at[2] + self.g92[2]]
+        return [(w + o + t) * self.unit for w, o, t in zip(where, self.g5x, self.tool)]
+
+
+def run_peer(rs274, table, name, folder):
+    """The motions: [function with its numbers, place in mm or None, feed in mm/min], or None."""
+    var = os.path.join(folder, 'peer.var')
+    for old in (var, var + '.bak'):
+        if os.path.exists(old):
+            os.remove(old)
+    open(var, 'w').close()
+    got = subprocess.run([rs274, '-t', table, '-v', var, '-g', name], capture_output=True,
+                         text=True, errors='replace', timeout=300, cwd=folder, check=False)
+    machine, out, plane = Peer(), [], 2
+    for line in got.stdout.splitlines():
+        match = CALL.match(line)
+        if not match:
+            continue
+        call, args = match.groups()
+        if call == 'SELECT_PLANE':
+            plane = {'XY': 2, 'XZ': 1, 'YZ': 0}[args[-2:]]
+        if call not in MOTIONS:
+            machine.take(call, args)
+            continue
+        values = [n.strip() for n in args.split(',')]
+        place = None
+        if call.startswith('STRAIGHT'):
+            values = values[:3]
+            place = machine.place([float(n) for n in values])
+        elif call == 'ARC_FEED':
+            values = values[:6]
+            end = [0.0] * 3
+            end[(plane + 1) % 3], end[(plane + 2) % 3] = float(values[0]), float(values[1])
+            end[plane] = float(values[5])
+            place = machine.place(end)
+        elif call == 'NURBS_FEED':
+            values = values[:1]
+        said = re.sub(r'-0\.0000\b', '0.0000', '%s(%s)' % (call, ', '.join(values)))
+        out.append([said, place, machine.feed * machine.unit])
+    # it ends with code 0 also after an error: that is one line on standard error
+    bad = [n for n in got.stderr.splitlines()
+           if n.strip() and not n.startswith(('executing', 'link (', 'rename'))]
+    return out, got.returncode != 0 or bool(bad), ' '.join(bad[-2:])
+
+
+def run_own(canon, name):
+    got = subprocess.run([canon, name], capture_output=True, text=True, errors='replace',
+                         timeout=300, check=False)
+    out = []
+    for line in got.stdout.splitlines():
+        said, place = line.rsplit(' | ', 1)
+        number, call = said.split(' ', 1)
+        if call.startswith(MOTIONS):
+            place = [float(n) for n in place.split()]
+            out.append([re.sub(r'-0\.0000\b', '0.0000', call), place[:3], place[3], number])
+    return out, got.returncode, got.stderr.strip()
+
+
+def differ(peer, own):
+    """None, or the first difference."""
+    for n, (a, b) in enumerate(zip(peer, own)):
+        if a[0] != b[0]:
+            return 'motion %d, line %s: %s, not %s' % (n + 1, b[3], b[0], a[0])
+        # four digits in inches, of three sums
+        if a[1] and max(abs(x - y) for x, y in zip(a[1], b[1])) > 0.0051:
+            return 'motion %d, line %s: at %s mm, not %s' % (n + 1, b[3], b[1], a[1])
+        fed = a[0].startswith(('STRAIGHT_FEED', 'ARC')) and b[2] > 0
+        if fed and abs(a[2] - b[2]) > 0.003 + 1e-6 * a[2]:
+            return 'motion %d, line %s: feed %g, not %g' % (n + 1, b[3], b[2], a[2])
+    if len(peer) != len(own):
+        rest = (peer if len(peer) > len(own) else own)[min(len(peer), len(own))]
+        return '%d motions, not %d: %s' % (len(own), len(peer), rest[0])
+    return None
+
+
+class Maker:
+    """A random program of what both run."""
+
+    def __init__(self, seed):
+        self.r = random.Random(seed)
+
+    def number(self, most=50):
+        return round(self.r.uniform(-most, most), self.r.choice((0, 1, 2, 3, 4)))
+
+    def axes(self, some=True):
+        words = [a + str(self.number()) for a in 'XYZ' if self.r.random() < 0.6]
+        return ' '.join(words) or ('X' + str(self.number()) if some else '')
+
+    def arc(self, state):
+        """A full arc in the plane that the state names, incremental centre, exact ends."""
+        a, b = {'G17': 'XY', 'G18': 'ZX', 'G19': 'YZ'}[state['plane']]
+        ia, ib = {'X': 'I', 'Y': 'J', 'Z': 'K'}[a], {'X': 'I', 'Y': 'J', 'Z': 'K'}[b]
+        # quarters and halves of circles have exact ends in any unit
+        r = round(self.r.uniform(0.5, 20), 3)
+        i, j = self.r.choice(((r, 0), (0, r), (-r, 0), (0, -r)))
+        turn = self.r.choice(('G2', 'G3'))
+        quarter = self.r.choice(((i + j, j - i), (i - j, i + j), (2 * i, 2 * j), (0, 0)))
+        other = ({'X', 'Y', 'Z'} - {a, b}).pop()
+        helix = ' %s%s' % (other, self.number(5)) if self.r.random() < 0.3 else ''
+        turns = ' P%d' % self.r.randint(1, 3) if self.r.random() < 0.2 else ''
+        words = '%s%.4f %s%.4f' % (a, quarter[0], b, quarter[1])
+        if self.r.random() < 0.3 and quarter != (0, 0):
+            size = math.hypot(*quarter) * self.r.uniform(0.51, 3)
+            return 'G91 %s %s%s%s R%.4f' % (turn, words, helix, turns,
+                                            self.r.choice((1, -1)) * size)
+        return 'G91 %s %s%s%s %s%.4f %s%.4f' % (turn, words, helix, turns, ia, i, ib, j)
+
+    def drill(self):
+        code = self.r.choice(('G81', 'G82', 'G83', 'G73', 'G85', 'G89'))
+        words = 'G17 G90 %s %s X%s Y%s Z%s R%s' % (self.r.choice(('G98', 'G99')), code,
+                                               self.number(), self.number(),
+                                               round(self.r.uniform(-9, 0), 2),
+                                               round(self.r.uniform(0, 5), 2))
+        if code in ('G82', 'G89'):
+            words += ' P%s' % round(self.r.uniform(0, 3), 2)
+        if code in ('G83', 'G73'):
+            words += ' Q%s' % round(self.r.uniform(0.5, 3), 2)
+        lines = [words]
+        for _ in range(self.r.randint(0, 3)):
+            lines.append(self.r.choice(('X%s', 'Y%s', 'X%s L2', 'Z-9 X%s')) % self.number())
+        if self.r.random() < 0.4:
+            lines = [n.replace('G90', 'G91') for n in lines]
+        return lines + ['G80 G90']
+
+    def line(self, state):
+        kind = self.r.random()
+        if kind < 0.3:
+            return [self.r.choice(('G0 ', 'G1 ', 'G1', 'g 1 ')) + self.axes()]
+        if kind < 0.5:
+            return [self.arc(state), self.r.choice(('G90', 'G91'))]
+        if kind < 0.56:
+            state['plane'] = self.r.choice(('G17', 'G18', 'G19'))
+            return [state['plane']]
+        if kind < 0.6:
+            # this rs274 keeps a tool's length as a number when the unit changes: none is set then
+            return ['G49', self.r.choice(('G20', 'G21'))]
+        if kind < 0.65:
+            return [self.r.choice(('G90', 'G91'))]
+        # this rs274 leaves G92's shift out when it turns its own place: a program has one of them
+        if kind < 0.69 and not state['turns']:
+            return ['G92 ' + self.axes()]
+        if kind < 0.72 and not state['turns']:
+            return [self.r.choice(('G92.1', 'G92.2', 'G92.3'))]
+        if kind < 0.77:
+            if self.r.random() < 0.5:
+                return ['G10 L20 P%d %s' % (self.r.randint(0, 9), self.axes())]
+            turn = ' R%s' % self.number(90) if state['turns'] and self.r.random() < 0.5 else ''
+            return ['G10 L2 P%d %s%s' % (self.r.randint(0, 9), self.axes(), turn)]
+        if kind < 0.82:
+            return ['G' + self.r.choice('54 55 56 57 58 59 59.1 59.2 59.3'.split())]
+        if kind < 0.85:
+            return ['F%.2f' % self.r.uniform(1, 2000)]
+        if kind < 0.88:
+            return ['G4 P%.2f' % self.r.uniform(0, 2)]
+        if kind < 0.91:
+            return ['G43.1 Z%s' % self.number(9) if self.r.random() < 0.7 else 'G49']
+        if kind < 0.93:
+            return [self.r.choice(('G28', 'G30', 'G28 Z%s' % self.number()))]
+        if kind < 0.97:
+            back = state['plane']
+            return self.drill() + [back]
+        if kind < 0.98:
+            return ['G93 G1 F%.2f %s' % (self.r.uniform(0.5, 10), self.axes()), 'G94 F300']
+        p = self.r.randint(1, 99)
+        return ['#%d = [%s * 2 + ABS[%s]]' % (p, self.number(9), self.number(9)),
+                'G1 X#%d Y[#%d / 3 - 1] Z[SIN[#%d] ** 2]' % (p, p, p)]
+
+    def program(self):
+        state = {'plane': 'G17', 'turns': self.r.random() < 0.5}
+        lines = ['(a program from a seed)', 'G21 G17 G90 G94 F500', 'G0 X0 Y0 Z10']
+        for _ in range(self.r.randint(5, 60)):
+            lines += self.line(state)
+        return '\n'.join(lines + ['M2', ''])
+
+
+def main():
+    args, cases, seed = sys.argv[1:], 300, int(os.environ.get('LOFT_SEED', '1'))
+    canon = args.pop(0)
+    while args and args[0].startswith('--'):
+        option, value = args.pop(0), int(args.pop(0))
+        cases, seed = (value, seed) if option == '--cases' else (cases, value)
+    rs274 = os.environ.get('LOFT_RS274') or shutil.which('rs274')
+    if not rs274:
+        print('rs274 is not installed: make deps-gcode')
+        print('0 passed, 1 failed')
+        return 1
+    passed = failed = motions = 0
+    refused = {}
+    with tempfile.TemporaryDirectory() as folder:
+        table = os.path.join(folder, 'tool.tbl')
+        with open(table, 'w', encoding='ascii') as out:
+            out.write('T1 P1 D6.0 Z+12.5 ;\nT2 P2 D3.0 Z+20 ;\n')
+        names = []
+        for arg in args:
+            names += sorted(os.path.join(top, n) for top, _, files in os.walk(arg) for n in files
+                            if n.endswith(('.ngc', '.nc'))) if os.path.isdir(arg) else [arg]
+        for n in range(0 if args else cases):
+            names.append(os.path.join(folder, 'seed-%d.ngc' % (seed + n)))
+            with open(names[-1], 'w', encoding='ascii') as out:
+                out.write(Maker(seed + n).program())
+        for name in names:
+            full = os.path.abspath(name)
+            own, code, said = run_own(canon, full)
+            if code != 0 and NOT_RUN.search(said):
+                what = NOT_RUN.search(said).group(1)[:24]
+                refused.setdefault(what, []).append(name)
+                continue
+            peer, bad, why = run_peer(rs274, table, full, folder)
+            if bad and code != 0:
+                passed += 1
+                continue
+            wrong = differ(peer, own)
+            if wrong is None and bad != (code != 0):
+                wrong = ('refused here: ' + said) if code else 'refused there: ' + why
+            if wrong:
+                failed += 1
+                print('FAIL %s: %s %s' % (name, wrong, said if code else why))
+                if not args:
+                    shutil.copy(full, '/tmp')
+            else:
+                passed += 1
+                motions += len(peer)
+    for what, which in sorted(refused.items()):
+        print('not run, and said so: %s: %d, as %s' % (what, len(which), which[0]))
+    print('%d motions agree' % motions)
+    print('%d passed, %d failed' % (passed, failed))
+    return failed > 0 or passed == 0
+
+
+sys.exit(main())

@@ -1,0 +1,297 @@
+/* tests/tools/test_gcode.c -- the reader of G-code: motions, coordinates, feeds, drilling, messages
+ * SPDX-License-Identifier: MIT
+ *
+ * Expected motions are those that LinuxCNC's rs274 prints (make check-gcode compares many more), as
+ * R x y z for a rapid, L for a line, A with first and second axis of the plane, centre, turns and
+ * the end across it, C for a cubic, N for a NURBS, W for a wait, S for a stop.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/drawn.h"
+#include "read/gcode.h"
+
+typedef struct {
+    char text[8192];
+    double feed;                /* of the last motion, mm/min */
+    double mm[3];               /* and its end on the machine */
+} seen;
+
+static void put(seen *s, const double *numbers, int count)
+{
+    for (int i = 0; i < count; i++)
+        put_number(s->text, sizeof s->text, numbers[i]);
+}
+
+static int see(void *context, const gcode_event *e)
+{
+    seen *s     = context;
+    const int a = (e->plane + 1) % 3, b = (e->plane + 2) % 3;
+    const double arc[] = {
+        e->to[a], e->to[b], e->centre[a], e->centre[b], e->turns, e->to[e->plane]
+    };
+
+    snprintf(s->text + strlen(s->text), sizeof s->text - strlen(s->text), "%s%c",
+             s->text[0] != '\0' ? " " : "", "RLACQNWS!"[e->kind]);
+    switch (e->kind) {
+    case GCODE_ARC: put(s, arc, 6); break;
+    case GCODE_CUBIC:
+    case GCODE_QUADRATIC:
+        put(s, e->inner[0], 2);
+        put(s, e->inner[1], 2);
+        put(s, e->to, 2);
+        break;
+    case GCODE_NURBS:
+        for (unsigned i = 0; i < e->count; i++)
+            put(s, e->points[i], 3);
+        break;
+    case GCODE_WAIT: put(s, &e->seconds, 1); break;
+    case GCODE_STOP:
+    case GCODE_SAY: break;
+    default: put(s, e->to, 3);
+    }
+    s->feed = 60 * e->feed;
+    gcode_place(e->frame, e->to, s->mm);
+    return 0;
+}
+
+static int run(seen *s, enum gcode_dialect d, const char *text)
+{
+    gcode_program *g = gcode_open("part.nc", d, see, s);
+
+    *s = (seen){ .feed = 0 };
+    caught[0] = '\0';
+    caught_lines = 0;
+    const int code = gcode_read(g, text, strlen(text));
+    gcode_close(g);
+    return code;
+}
+
+static void check_moves(const char *text, const char *want, int line)
+{
+    seen s;
+    const int code = run(&s, GCODE_ANY, text);
+
+    if (code != 0 || strcmp(s.text, want) != 0) {
+        printf("line %d: code %d %s\n  program %s\n  moves  %s\n  wanted %s\n", line, code, caught,
+               text, s.text, want);
+        check_bad = true;
+    }
+}
+#define MOVES(text, want) check_moves(text, want, __LINE__)
+
+static void check_fails(const char *text, const char *words, int line)
+{
+    seen s;
+    const int code = run(&s, GCODE_ANY, text);
+
+    if (code != EX_DATAERR || caught_lines != 1 || strstr(caught, words) == NULL) {
+        printf("line %d: code %d, %u lines: %s\n  wanted: %s\n", line, code, caught_lines, caught,
+               words);
+        check_bad = true;
+    }
+}
+#define FAILS(text, words) check_fails(text, words, __LINE__)
+
+static void lines_and_modes(arb *a)
+{
+    (void)a;
+    MOVES("G21 G90\nG0 X1 Y2 Z3\nG1 X4 F60\nY5\n", "R 1 2 3 L 4 2 3 L 4 5 3");
+    MOVES("%\nN10 G91 g1 x1 (a comment) f9 ; and one more\n\tX 1 . 5\n%\nG1 X9\n",
+          "L 1 0 0 L 2.5 0 0");
+    MOVES("G0 X1\r\n/G0 X2\r\nM2\r\nG0 X3\r\n", "R 1 0 0 R 2 0 0");
+    MOVES("G20 G1 X1 F1\nG21 X1\n", "L 1 0 0 L 1 0 0");
+    MOVES("G1 X-.5Y+1.25F1", "L -0.5 1.25 0");
+    MOVES("G0 X1 Y1\nG53 G0 X0\nG4 P0.25\nM0\n", "R 1 1 0 R 0 1 0 W 0.25 S");
+    MOVES("#1 = 2 #<half> = 0.5\nG0 X[#1 + 3 * 2 ** 2] Y#<half> Z-[10 MOD 4]\n", "R 14 0.5 -2");
+    MOVES("G0 X[ATAN[1]/[1]] Y[SQRT[16] LT 5] Z[FIX[-1.5] + FUP[1.2] + ROUND[-0.5]]\n",
+          "R 45 1 -1");
+    MOVES("#3=1\n#3=5 G0 X#3\nX#3\n", "R 1 0 0 R 5 0 0");
+}
+
+static void arcs_as_written(arb *a)
+{
+    (void)a;
+    MOVES("G0 X10\nG2 X0 Y-10 I-10 F1\n", "R 10 0 0 A 0 -10 0 0 -1 0");
+    MOVES("G0 X10\nG3 I-10 F1 P3 Z2\n", "R 10 0 0 A 10 0 0 0 3 2");
+    MOVES("G18 G2 X2 Z0 I1 F1\nG19 G3 Y2 K0 J1\n", "A 0 2 0 1 -1 0 A 2 0 1 0 1 2");
+    MOVES("G90.1 G0 X10\nG3 X-10 I0 J0 F1\n", "R 10 0 0 A -10 0 0 0 1 0");
+    MOVES("G3 X10 Y10 R10 F1\n", "A 10 10 0 10 1 0");
+    MOVES("G3 X10 Y10 R-10 F1\n", "A 10 10 10 0 1 0");
+    MOVES("G2 X10 Y10 R10 F1\n", "A 10 10 10 0 -1 0");
+    MOVES("G3 X10 R5 F1\n", "A 10 0 5 0 1 0");
+}
+
+static void cubics_and_nurbs(arb *a)
+{
+    (void)a;
+    MOVES("G5 I1 J2 P-1 Q2 X10 F1\nG5 P0 Q3 X20\n", "C 1 2 9 2 10 0 C 11 -2 20 3 20 0");
+    MOVES("G5.1 I5 J10 X10 F1\n", "Q 5 10 5 10 10 0");
+    MOVES("F1\nG5.2 P2\nG5.2 X1 Y1 P3 L3\nX2 Y0\nX3 Y1 P1\nG5.3\n", "N 0 0 2 1 1 3 2 0 1 3 1 1");
+}
+
+/* As rs274 2.9 does, with its extra moves. */
+static void holes(arb *a)
+{
+    (void)a;
+    MOVES("G0 Z10\nG98 G81 X1 Y2 Z-1 R3 F9\nX2\nG80\n",
+          "R 0 0 10 R 1 2 10 R 1 2 3 L 1 2 -1 R 1 2 10 R 2 2 10 R 2 2 3 L 2 2 -1 R 2 2 10");
+    MOVES("G0 Z10\nG99 G82 X1 Z-1 R3 P0.5 F9\n",
+          "R 0 0 10 R 1 0 10 R 1 0 3 L 1 0 -1 W 0.5 R 1 0 3");
+    MOVES("G0 Z10\nG99 G83 X1 Z-1 R3 Q3 F9\n",
+          "R 0 0 10 R 1 0 10 R 1 0 3 L 1 0 0 R 1 0 3 R 1 0 0.254 L 1 0 -1 R 1 0 3");
+    MOVES("G0 Z10\nG91 G99 G81 X1 Z-2 R-7 L2 F9\n",
+          "R 0 0 10 R 1 0 10 R 1 0 3 L 1 0 1 R 1 0 3 R 2 0 3 L 2 0 1 R 2 0 3");
+    FAILS("G81 X1 F9\n", "part.nc:1: drilling without R and its depth: ");
+    FAILS("G83 X1 Z-1 R1 F9\n", "part.nc:1: Q: the step of the pecks");
+}
+
+static void check_place(const char *text, double x, double y, double z, double feed, int line)
+{
+    seen s;
+    const int code = run(&s, GCODE_ANY, text);
+
+    if (code != 0 || fabs(s.mm[0] - x) + fabs(s.mm[1] - y) + fabs(s.mm[2] - z) > 1e-9 ||
+        fabs(s.feed - feed) > 1e-9 * feed) {
+        printf("line %d: code %d %s\n  at %g %g %g, feed %g\n", line, code, caught, s.mm[0],
+               s.mm[1], s.mm[2], s.feed);
+        check_bad = true;
+    }
+}
+#define ENDS_AT(text, x, y, z, feed) check_place(text, x, y, z, feed, __LINE__)
+
+static void places_on_the_machine(arb *a)
+{
+    (void)a;
+    ENDS_AT("G20\nG1 X1 Y2 Z-1 F10\n", 25.4, 50.8, -25.4, 254);
+    ENDS_AT("G20 G1 X1 F10\n", 25.4, 0, 0, 10);    /* F is read before G20 */
+    ENDS_AT("F10 G20\nG21 G1 X1\n", 1, 0, 0, 10);
+    ENDS_AT("G10 L2 P2 X10 Y20 Z30\nG55 G1 X1 Y1 Z1 F5\n", 11, 21, 31, 5);
+    ENDS_AT("G0 X5 Y5\nG10 L20 P1 X0 Y0\nG1 X1 F5\n", 6, 5, 0, 5);
+    ENDS_AT("G0 X5\nG92 X0\nG1 X1 F5\n", 6, 0, 0, 5);
+    ENDS_AT("G0 X5\nG92 X0\nG92.1 G1 X1 F5\n", 1, 0, 0, 5);
+    ENDS_AT("G52 X2\nG1 X1 F5\n", 3, 0, 0, 5);
+    ENDS_AT("G10 L2 P1 R90\nG1 X1 Y2 Z3 F5\n", -2, 1, 3, 5);
+    ENDS_AT("G43.1 Z5\nG1 Z1 F5\nG49 G1 X1 Z1\n", 1, 0, 1, 5);
+    ENDS_AT("G93 G1 X10 F2\n", 10, 0, 0, 20);
+    ENDS_AT("G93 G3 X20 I10 F1\n", 20, 0, 0, 10 * acos(-1));
+    ENDS_AT("S100 G95 G1 X10 F0.1\n", 10, 0, 0, 10);
+}
+
+static void what_is_wrong_has_its_line(arb *a)
+{
+    (void)a;
+    FAILS("G0 X1\nX\n", "part.nc:2: a number is missing: ");
+    FAILS("G0 X1 X2\n", "part.nc:1: X twice in a line: ");
+    FAILS("\n\nhello\n", "part.nc:3: a number is missing: ");
+    FAILS("G0 X1 (open\n", "part.nc:1: ( without ): ");
+    FAILS("X1\n", "part.nc:1: X, Y or Z without a motion: ");
+    FAILS("G0 G1 X1\n", "part.nc:1: G1: a second word of its kind in the line: ");
+    FAILS("G38.2 X1 F1\n", "part.nc:1: G38.2: is not known here: ");
+    FAILS("M111\nM300\n", "part.nc:2: M300: is not known here: ");
+    FAILS("G0 A90\n", "part.nc:1: A: this machine has the axes X, Y and Z: ");
+    FAILS("O100 sub\n", "part.nc:1: O: subroutines, loops and branches are not run: ");
+    FAILS("G2 X10 F1\n", "part.nc:1: an arc without I, J, K in its plane or R: ");
+    FAILS("G2 X10 I4 F1\n", "part.nc:1: an arc that starts 4 and ends 6 from its centre: ");
+    FAILS("G2 X10 R4 F1\n", "part.nc:1: R4 is too small for ends 10 apart: ");
+    FAILS("G5 X1 P1 Q1 F1\n", "part.nc:1: G5 without I and J: ");
+    FAILS("G5.2 X1 L3 F1\nX2\n", "part.nc:1: G5.2 without G5.3: ");
+    FAILS("G0 X[1/0]\n", "part.nc:1: a number that is not finite: ");
+    FAILS("G0 X#<none>\n", "part.nc:1: #<NONE> has no value: ");
+    FAILS("G0 X#9999\n", "part.nc:1: #: no such parameter: ");
+    FAILS("G0 X1e\n", "part.nc:1: a number is missing: ");
+    FAILS("G0 X\001\n", "part.nc:1: a number is missing: ");
+    FAILS("G0 \001\n", "part.nc:1: a character of code 1: ");
+    FAILS("G4\n", "part.nc:1: G4 without P: ");
+    FAILS("G93 F1 G1 X1\nX2\n", "part.nc:2: no F: in G93 each line has its time: ");
+}
+
+/* Bounded work for any line: deep brackets, long numbers, long lines, many words. */
+static void hostile_lines_end(arb *a)
+{
+    static char text[70000];
+    (void)a;
+    memset(text, '[', sizeof text - 1);
+    memcpy(text, "G0X", 3);
+    FAILS(text, "part.nc:1: a line of more than 65536 characters: ");
+    text[60000] = '\0';
+    FAILS(text, "part.nc:1: an expression of more than 32 levels: ");
+    memset(text + 3, '-', 50000);
+    FAILS(text, "part.nc:1: an expression of more than 32 levels: ");
+    memset(text + 3, '1', 50000);
+    FAILS(text, "part.nc:1: a number of more than 60 digits: ");
+    for (int i = 0; i < 20; i++)
+        memcpy(text + 3 * i, "M08", 4);
+    FAILS(text, "part.nc:1: more than 16 M words in a line: ");
+    FAILS("G91 G81 X1 Z-1 R1 L100001 F1\n", "part.nc:1: L of drilling is its number of holes: ");
+    FAILS("G83 X1 Z-1e9 R1 Q1 F1\n", "part.nc:1: E: an extruder: ");
+    FAILS("G83 X1 Z-900000 R1 Q1 F1\n", "part.nc:1: Q: the step of the pecks");
+}
+
+/* A printer's file: heaters and extruder are left out, once told; G28 goes to 0; G0 has a feed. */
+static void printers_are_understood(arb *a)
+{
+    seen s;
+    (void)a;
+    CHECK(run(&s, GCODE_MARLIN,
+              "M104 S200\nG28 X\nG1 X10 E1 F600\nG0 Y5 E2 *12\nM117 hello (\n"
+              "G92 E0\n") == 0);
+    CHECK(strcmp(s.text, "R 0 0 0 L 10 0 0 R 10 5 0") == 0);
+    CHECK_NEAR(s.feed, 600, 1e-9);
+    CHECK(strstr(caught, "part.nc:1: M104: has no meaning") != NULL &&
+          strstr(caught, "part.nc:3: E (3 times): there is no extruder") != NULL &&
+          strstr(caught, "part.nc:5: M117: ") != NULL && caught_lines == 3);
+    CHECK(gcode_is_printer("; x\nM109 S200\n") && !gcode_is_printer("M3 S1000\nG1 X1\n"));
+}
+
+static int read_text(drawing *d, const char *text)
+{
+    *d = (drawing){ 0 };
+    caught[0] = '\0';
+    caught_lines = 0;
+    return drawing_read_gcode(d, "part.nc", text, strlen(text));
+}
+
+/* All curves follow each other; arcs keep their radius; feeds and rapids are those of the file. */
+static void a_program_is_a_drawing(arb *a)
+{
+    drawing d;
+    (void)a;
+    CHECK(read_text(&d, "G0 X10 Z5\nG1 Z-1 F120\nG3 X-10 I-10 Z1 F600\nG0 Z5\n") == 0 &&
+          d.program && d.count > 4 && caught_lines == 0);
+    CHECK(d.curve[0].feed < 0 && d.curve[0].line == 1 && fabs(d.curve[1].feed - 2) < 1e-12 &&
+          fabs(d.curve[2].feed - 10) < 1e-12 && d.curve[2].line == 3 &&
+          d.curve[d.count - 1].feed < 0);
+    for (size_t i = 0; i + 1 < d.count; i++)
+        CHECK(d.curve[i].path == 0 && d.curve[i].z[3] == d.curve[i + 1].z[0]);
+    for (size_t i = 2; i + 1 < d.count; i++)
+        for (int k = 0; k <= 8; k++) {
+            double at[2];
+            drawing_eval(&d.curve[i], k / 8.0, at);
+            CHECK_NEAR(hypot(at[0], at[1]), 10, DRAWING_TOL);
+        }
+    CHECK_NEAR(d.curve[d.count - 2].p[3][0], -10, 1e-9);
+    CHECK_NEAR(d.curve[d.count - 2].z[3], 1, 1e-9);
+    drawing_free(&d);
+    CHECK(read_text(&d, "G1 X1000000000 F1\n") == EX_DATAERR &&
+          strstr(caught, "part.nc:1: 3.33333e+08 mm is beyond +-16000 mm") != NULL);
+    drawing_free(&d);
+    CHECK(read_text(&d, "G1 X1 F1\nG4 P1\nG4 P1\nM0\nM3 S9\n") == 0 && caught_lines == 3 &&
+          strstr(caught, "part.nc:2: G4 (2 times): ") != NULL);
+    drawing_free(&d);
+}
+
+int main(void)
+{
+    PROPERTY(lines_and_modes, 1);
+    PROPERTY(arcs_as_written, 1);
+    PROPERTY(cubics_and_nurbs, 1);
+    PROPERTY(holes, 1);
+    PROPERTY(places_on_the_machine, 1);
+    PROPERTY(what_is_wrong_has_its_line, 1);
+    PROPERTY(hostile_lines_end, 1);
+    PROPERTY(printers_are_understood, 1);
+    PROPERTY(a_program_is_a_drawing, 1);
+    return check_failures();
+}
