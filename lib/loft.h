@@ -14,6 +14,7 @@
  *                  measure                               flattening, length
  *                  bounds, nearest, intersect, overlap   where a curve is
  *                  offset, shape, join                   tool paths, cusps, curvature, C0 to G2
+ *                  drawing                               a table of curves in flash
  *   surface/     two parameters
  *                  tensor/                               patches over a square; grid, area; coons
  *                  triangle/                             Bezier triangles: pieces, joins, shape
@@ -27,7 +28,8 @@
  *                  spatch, toric, basepoint, zheng_ball, gb   Bezier patches over them
  *                  disk                                  such a patch as one surface
  *   kinematics/  motors and tool: CoreXY, delta, polar
- *   motion/      time: plan (look-ahead), span (a cubic in time), scurve (one axis to a target)
+ *   motion/      time: plan (look-ahead), span (a cubic in time), scurve (one axis to a target),
+ *                  waypoints (through points)
  *   wire/        bytes: frames, codec, messages, sessions (WIRE.md)
  *   machine/     the controller: queue, pace (hold and resume), step (pulses)
  *
@@ -53,6 +55,7 @@
 #include "num/exact.h"
 #include "num/muldiv.h"
 #include "num/explog.h"
+#include "num/flash.h"
 #include "num/sci.h"
 #include "geom/chord.h"
 #include "geom/normal.h"
@@ -70,6 +73,7 @@
 #include "curve/bspline.h"
 #include "curve/cardinal.h"
 #include "curve/circle.h"
+#include "curve/drawing.h"
 #include "curve/to_cubics.h"
 #include "curve/tween.h"
 #include "curve/forward.h"
@@ -131,6 +135,7 @@
 #include "kinematics/kinematics.h"
 #include "motion/scurve.h"
 #include "motion/span.h"
+#include "motion/waypoints.h"
 #include "machine/pace.h"
 #include "machine/step.h"
 #include "wire/frame.h"

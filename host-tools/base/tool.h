@@ -22,9 +22,9 @@ struct tool_command {
     int (*run)(const tool_command *self, int argc, char **argv);    /* returns the exit code */
 };
 
-extern const tool_command command_compare, command_contour, command_eval, command_flatten,
-    command_harmonic, command_measure, command_monitor, command_plan, command_plot, command_ports,
-    command_sample, command_simulate, command_stream, command_study, command_surface;
+extern const tool_command command_compare, command_contour, command_eval, command_export,
+    command_flatten, command_harmonic, command_measure, command_monitor, command_plan, command_plot,
+    command_ports, command_sample, command_simulate, command_stream, command_study, command_surface;
 
 /* Print `loft: <message>` and return `code`. */
 int tool_error(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -2,13 +2,13 @@
  * lib/polygon/harmonic.h
  * SPDX-License-Identifier: MIT
  */
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "engine/engine_harmonic.h"    /* harmonic_solve; the domain that judges polygons */
+#include "base/c_name.h"
 #include "base/lines.h"
 #include "base/source.h"
 #include "base/tool.h"
@@ -89,17 +89,6 @@ static int read_polygon(reading *r, const char *file)
 // The table
 // ---------
 
-/* What a C name can be made of the file's. */
-static void name_of(const char *output, char name[64])
-{
-    const char *stem = strrchr(output, '/') ? strrchr(output, '/') + 1 : output;
-    size_t length = 0;
-
-    for (; stem[length] && stem[length] != '.' && length < 63; length++)
-        name[length] = isalnum((unsigned char)stem[length]) ? stem[length] : '_';
-    name[length] = '\0';
-}
-
 static void write_number(FILE *out, long double x, const engine *e)
 {
     if (e == &engine_q16)
@@ -172,7 +161,7 @@ static int write_table(const harmonic_series *s, const engine *e, const char *ou
     if (out == NULL)
         return tool_error(EX_CANTCREAT,
                           "%s: cannot be written: name a file in a folder that exists", output);
-    name_of(output, name);
+    c_name_of(output, name);
     if (output[length - 1] == 'h')
         write_header(out, s, e, name);
     else

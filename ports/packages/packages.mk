@@ -98,7 +98,7 @@ check-quick:
 
 # --- make check-packages: one line per thing that was built and run, `N passed, N failed` ---------
 PACKAGE_ROWS := install tool onefile cmake meson debian arduino boards wasm rust python \
-                cpp hygiene
+                cpp export hygiene
 
 ## Install what check-packages needs (Debian's build tools, shells, compilers of other languages)
 .PHONY: deps-packages

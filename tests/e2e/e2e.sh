@@ -740,7 +740,8 @@ case_help_everywhere() {
     run 0 "$loft" --help;    says out 'usage: loft COMMAND'
     run 0 "$loft" --version; says out '^loft [0-9]'
     run 64 "$loft"
-    for command in stream simulate plot ports eval sample flatten measure compare surface contour
+    for command in stream simulate plot ports eval sample flatten measure compare surface contour \
+                   export
     do
         run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
         run 0 "$loft" $command --help
