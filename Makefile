@@ -200,7 +200,7 @@ size: lib/names.h
 
 # check-target: each port and each test of a chip adds its stages; what measures no time runs side
 # by side
-TARGET_BESIDE := check-sums check-calls bench-polygon check-hosts
+TARGET_BESIDE := check-sums check-calls check-footprint bench-polygon check-hosts
 TARGET_STAGES  = $(subst $() $(),+,$(TARGET_BESIDE)) check-boards check-units
 
 include tests/tests.mk tests/bench/bench.mk

@@ -11,6 +11,16 @@ check-target: lib/names.h
 check-sums: lib/names.h
 	@sh tests/target/target.sh
 
+## Compare flash and RAM of typical selections with the table of lib/COSTS.md: what grew
+.PHONY: check-footprint
+check-footprint: lib/names.h
+	@bash tests/house/footprint.sh
+
+## Write that table
+.PHONY: footprint
+footprint: lib/names.h
+	@bash tests/house/footprint.sh write
+
 ## Check the cost of the calls of lib/motion/span.h on an emulated ATmega328P, Cortex-M0 and M4
 .PHONY: check-calls
 check-calls: lib/names.h
