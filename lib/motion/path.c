@@ -428,11 +428,24 @@ static loft_coord cap_here(const loft_path *path)
     return cap_of(path, u, move_of(path, path->walk.number)->feed);
 }
 
-/* The first place, when there is a way. */
+/* Curves that are behind what is checked. */
+static void drop_moves(loft_path *path)
+{
+    while (path->dropped != path->check.number) {
+        path->dropped++;
+        path->count--;
+        path->first = (uint16_t)(path->first + 1 < path->room ? path->first + 1 : 0);
+    }
+}
+
+/* The first place, when there is a way. Curves without one are dropped: they would fill the ring. */
 static enum loft_path_state start(loft_path *path, loft_path_place *out)
 {
-    if (!advance(path, &path->walk))
+    if (!advance(path, &path->walk)) {
+        path->scan = path->check = path->walk;
+        drop_moves(path);
         return path->ended ? LOFT_PATH_END : LOFT_PATH_WAIT;
+    }
     (void)advance(path, &path->check);
     const loft_coord cap = cap_here(path);
     add_corner(path, corner_of(0, 0, jerk_here(path, cap), false));
@@ -638,15 +651,6 @@ static void halve(loft_path *path)
     q[2].feed = least(q[2].feed, q[3].feed);
     q[2].number = w.number;
     q[2].sharp = false;
-}
-
-static void drop_moves(loft_path *path)
-{
-    while (path->dropped != path->check.number) {
-        path->dropped++;
-        path->count--;
-        path->first = (uint16_t)(path->first + 1 < path->room ? path->first + 1 : 0);
-    }
 }
 
 /* Queue places until there are four, or the last one. */

@@ -16,6 +16,24 @@ static void random_cases_hold_all_limits(arb *a)
     CHECK(!bad);
 }
 
+/* Curves of all kinds, points among them, come into small rings, one by one or in bursts, some of
+ * them late: it gets to the end, and there is no gap. */
+static void no_arrival_stalls_it(arb *a)
+{
+    arb_limits(a);
+    if (arb_below(a, 2))
+        arb_jerk(a);
+    arb_short_chain(a, false);
+    const unsigned points = arb_below(a, 4);
+    for (unsigned k = 0; k < points && k + 1 < curves; k++)
+        for (int n = 0; n < 4; n++)
+            chain[k].curve.p[n] = chain[points < curves ? points : curves - 1].curve.p[0];
+    const arrival how = { (uint16_t)(1 + arb_below(a, 8)), (uint16_t)(64 + arb_below(a, 60)),
+                          arb_below(a, 3) ? a : NULL };
+    CHECK(plan_chain(&how) == PLANNED);
+    CHECK(count == 0 || spans_connect());
+}
+
 static void add_line(double length, double feed)
 {
     const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0 },
@@ -195,6 +213,7 @@ static void what_it_cannot_plan_is_refused(arb *a)
 int main(void)
 {
     PROPERTY(random_cases_hold_all_limits, 40);
+    PROPERTY(no_arrival_stalls_it, 50);
     PROPERTY(lines_take_little_more_than_an_s_curve, 20);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 2);
     PROPERTY(more_tolerance_is_faster, 1);
