@@ -21,9 +21,11 @@
 #define TIME_MAX    ((int32_t)256 * ONE)
 #define FAR         ((int64_t)1 << 30)              /* what is farther has no effect */
 #define CAP_MAX     (4 * LOFT_COORD_MM)
+#define PART_ONE    (INT32_C(1) << 24)              /* a part */
 #define UNIT        16384                           /* of directions */
 #define SCALES      5
 #define SHARP       1430                            /* 5 degrees */
+#define AHEAD       6                               /* places that are settled */
 #define DUST        4                               /* arcs that are no longer are nothing */
 
 static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
@@ -138,20 +140,48 @@ static void direction(loft_vec u, int16_t out[])
 /* --- corners -------------------------------------------------------------------------------------
  */
 
+/* The square of the turn between two directions, 2^-28. */
+static int64_t turn(const int16_t a[], const int16_t b[])
+{
+    int64_t square = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        square += (int64_t)(b[i] - a[i]) * (b[i] - a[i]);
+    return square;
+}
+
+/* Is `after` so short that it may belong to the stretch before? At a cusp arcs become shorter and
+ * shorter: too many of them would hide what is around a joint. */
+static bool is_scrap(const loft_path *path, const loft_path_stretch *before,
+                     const loft_path_stretch *after)
+{
+    return before->length + (int64_t)after->length <= path->period->tol / 4 &&
+           turn(before->from, after->to) <= (int64_t)UNIT * UNIT &&
+           turn(before->to, after->from) <= (int64_t)SHARP * SHARP;
+}
+
 static void add_stretch(loft_path *path)
 {
-    loft_path_stretch *e = &path->stretch[path->stretches++];
+    loft_path_stretch e;
     const loft_path_walk *w = &path->scan;
+    loft_path_stretch *last = &path->stretch[path->stretches > 0 ? path->stretches - 1u : 0];
     loft_arc_shape shape;
 
     loft_arc_measure(&w->arc, &shape, 1 | 4);
-    place_at(w, 0, &e->at);
-    direction(shape.along[0], e->from);
-    direction(shape.along[2], e->to);
-    e->length = w->length;
-    e->s = w->s;
+    place_at(w, 0, &e.at);
+    direction(shape.along[0], e.from);
+    direction(shape.along[2], e.to);
+    e.length = w->length;
+    e.s = w->s;
     const loft_real feed = move_of(path, w->number)->feed;
-    e->cap = least(cap_of(path, e->from, feed), cap_of(path, e->to, feed));
+    e.cap = least(cap_of(path, e.from, feed), cap_of(path, e.to, feed));
+    if (path->stretches == 0 || !is_scrap(path, last, &e)) {
+        path->stretch[path->stretches++] = e;
+        return;
+    }
+    last->length += e.length;
+    last->cap = least(last->cap, e.cap);
+    for (int i = 0; i < LOFT_AXES; i++)
+        last->to[i] = e.to[i];
 }
 
 /* How far the path leads in a stretch within l of its start, or back from its end. */
@@ -253,10 +283,7 @@ static void add_corner(loft_path *path, loft_path_corner c)
 
 static bool is_sharp(const loft_path_stretch *before, const loft_path_stretch *after)
 {
-    int64_t square = 0;
-    for (int i = 0; i < LOFT_AXES; i++)
-        square += (int64_t)(after->from[i] - before->to[i]) * (after->from[i] - before->to[i]);
-    return square > (int64_t)SHARP * SHARP;
+    return turn(before->to, after->from) > (int64_t)SHARP * SHARP;
 }
 
 /* The joint before stretch `looked`. */
@@ -438,7 +465,8 @@ static void drop_moves(loft_path *path)
     }
 }
 
-/* The first place, when there is a way. Curves without one are dropped: they would fill the ring. */
+/* The first place, when there is a way. Curves without one are dropped, or they would fill the
+ * ring. */
 static enum loft_path_state start(loft_path *path, loft_path_place *out)
 {
     if (!advance(path, &path->walk)) {
@@ -551,54 +579,90 @@ static void set_turn(loft_coord leg[], const loft_coord chord[], bool sharp)
     }
 }
 
-void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_position *out)
-{
+/* P + z (chord + (1 - z) ((1 - z) before - z after)). */
+typedef struct {
+    const loft_position *from;
     loft_coord before[LOFT_AXES], chord[LOFT_AXES], after[LOFT_AXES];
-    const int32_t y = ((int32_t)1 << 24) - z;
-    const int32_t in = (int32_t)((int64_t)z * y >> 24);
+} between;
 
-    legs_of(&at[0]->at, &at[1]->at, before);
-    legs_of(&at[1]->at, &at[2]->at, chord);
-    legs_of(&at[2]->at, &at[3]->at, after);
-    set_turn(before, chord, at[1]->sharp);
-    set_turn(after, chord, at[2]->sharp);
+static between between_of(const loft_path_place *const at[4])
+{
+    between w = { .from = &at[1]->at };
+
+    legs_of(&at[0]->at, &at[1]->at, w.before);
+    legs_of(&at[1]->at, &at[2]->at, w.chord);
+    legs_of(&at[2]->at, &at[3]->at, w.after);
+    set_turn(w.before, w.chord, at[1]->sharp);
+    set_turn(w.after, w.chord, at[2]->sharp);
+    return w;
+}
+
+static void place_between(const between *w, int32_t z, loft_position *out)
+{
+    const int32_t y = PART_ONE - z, in = (int32_t)((int64_t)z * y >> 24);
+
     for (int i = 0; i < LOFT_AXES; i++) {
-        const int64_t bow = ((int64_t)before[i] * y - (int64_t)after[i] * z) >> 24;
-        out->axis[i] = loft_coord_plus(at[1]->at.axis[i],
-                                       (loft_coord)(((int64_t)chord[i] * z + bow * in) >> 24));
+        const int64_t bow = ((int64_t)w->before[i] * y - (int64_t)w->after[i] * z) >> 24;
+        out->axis[i] = loft_coord_plus(w->from->axis[i],
+                                       (loft_coord)(((int64_t)w->chord[i] * z + bow * in) >> 24));
     }
 }
 
+void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_position *out)
+{
+    const between w = between_of(at);
+    place_between(&w, z, out);
+}
+
+/* Its derivative by z. */
+static void tangent_between(const between *w, int32_t z, loft_coord out[])
+{
+    const int32_t y = PART_ONE - z, in = (int32_t)((int64_t)z * y >> 24);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t bow = ((int64_t)w->before[i] * y - (int64_t)w->after[i] * z) >> 24,
+                      sum = (int64_t)w->before[i] + w->after[i];
+        out[i] = (loft_coord)(w->chord[i] + ((bow * (y - z) - sum * in) >> 24));
+    }
+}
+
+/* Along its tangent, twice; then across that, but beyond its ends. */
 loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_position *p)
 {
-    loft_position on;
-    loft_coord off[LOFT_AXES], chord[LOFT_AXES];
-    int64_t dot = 0, way = 0;
+    const between w = between_of(at);
 
-    loft_path_between(at, z, &on);
-    for (int i = 0; i < LOFT_AXES; i++) {
-        off[i] = loft_coord_from(p->axis[i], on.axis[i]);
-        chord[i] = loft_coord_from(at[2]->at.axis[i], at[1]->at.axis[i]);
-        dot += (int64_t)off[i] * chord[i];
-        way += (int64_t)loft_coord_from(p->axis[i], at[1]->at.axis[i]) * chord[i];
+    for (int round = 0;; round++) {
+        loft_position on;
+        loft_coord off[LOFT_AXES], along[LOFT_AXES];
+        int64_t dot = 0;
+
+        place_between(&w, z, &on);
+        tangent_between(&w, z, along);
+        legs_of(&on, p, off);
+        for (int i = 0; i < LOFT_AXES; i++)
+            dot += (int64_t)off[i] * along[i];
+        const int64_t size = (int64_t)loft_coord_length(along) + 1, way = dot / size,
+                      next = z + way * PART_ONE / size;
+        const bool inside = next >= 0 && next <= PART_ONE;
+        if (round < 2 && (inside || (z > 0 && z < PART_ONE))) {
+            z = next < 0 ? 0 : next > PART_ONE ? PART_ONE : (int32_t)next;
+            continue;
+        }
+        for (int i = 0; i < LOFT_AXES && inside; i++)
+            off[i] -= (loft_coord)(way * along[i] / size);
+        return loft_coord_length(off);
     }
-    const int64_t size = (int64_t)loft_coord_length(chord) + 1, at_chord = way / size;
-    const int64_t beyond = at_chord < 0 ? at_chord : at_chord > size ? at_chord - size : 0;
-    const int64_t along = dot / size - beyond;
-    for (int i = 0; i < LOFT_AXES; i++)
-        off[i] -= (loft_coord)(along * chord[i] / size);
-    return loft_coord_length(off);
 }
 
 /* --- checked places ------------------------------------------------------------------------------
  */
 
-static void four(const loft_path_place queue[], unsigned count, const loft_path_place *at[4])
+/* The places around the way from place k to the next. */
+static void four(const loft_path_place queue[], unsigned count, unsigned k,
+                 const loft_path_place *at[4])
 {
-    at[0] = &queue[0];
-    at[1] = &queue[1];
-    at[2] = &queue[2 < count ? 2 : count - 1];
-    at[3] = &queue[3 < count ? 3 : count - 1];
+    for (unsigned i = 0; i < 4; i++)
+        at[i] = &queue[k + i - 1 < count ? k + i - 1 : count - 1];
 }
 
 static loft_coord off_at(const loft_path *path, loft_path_walk *w,
@@ -611,12 +675,17 @@ static loft_coord off_at(const loft_path *path, loft_path_walk *w,
     return loft_path_off(at, (int32_t)z, &p);
 }
 
-/* How far the path is from the cubic, at joints and eighths of the way. */
-static loft_coord skipped(const loft_path *path, const loft_path_place *const at[4])
+/* How far the path is from the cubic from place k to the next, at joints and eighths of the way. */
+static loft_coord skipped(const loft_path *path, unsigned k)
 {
-    const int64_t way = at[2]->s - at[1]->s;
+    const loft_path_place *at[4];
     loft_path_walk w = path->check;
     loft_coord most = 0;
+
+    four(path->queue, path->queued, k, at);
+    const int64_t way = at[2]->s - at[1]->s;
+    if (way <= 0)
+        return 0;
 
     for (int n = 1; n < 8; n++) {
         const int64_t s = at[1]->s + way * n / 8;
@@ -637,26 +706,50 @@ static loft_coord skipped(const loft_path *path, const loft_path_place *const at
     return most;
 }
 
-/* A place in the middle of the next two. */
-static void halve(loft_path *path)
+/* A place in the middle of place k and the next. */
+static void halve(loft_path *path, unsigned k)
 {
-    loft_path_place *q = path->queue;
+    loft_path_place *q = &path->queue[k];
     loft_path_walk w = path->check;
 
-    for (unsigned k = path->queued; k > 2; k--)
-        q[k] = q[k - 1];
+    for (unsigned i = path->queued - k; i > 1; i--)
+        q[i] = q[i - 1];
     path->queued++;
-    q[2].s = (q[1].s + q[3].s) / 2;
-    q[2].feed = walk_to(path, &w, q[2].s, &q[2].at);
-    q[2].feed = least(q[2].feed, q[3].feed);
-    q[2].number = w.number;
-    q[2].sharp = false;
+    q[1].s = (q[0].s + q[2].s) / 2;
+    q[1].feed = walk_to(path, &w, q[1].s, &q[1].at);
+    q[1].feed = least(q[1].feed, q[2].feed);
+    q[1].number = w.number;
+    q[1].sharp = false;
 }
 
-/* Queue places until there are four, or the last one. */
+/* Set what is skipped from place k to the next; true: a place was put between them. */
+static bool is_halved(loft_path *path, unsigned k)
+{
+    loft_path_place *q = &path->queue[k];
+
+    q->skip = skipped(path, k);
+    if (q->skip <= path->period->tol / 4 || path->queued == LOFT_PATH_QUEUE || q[1].s - q[0].s < 64)
+        return false;
+    halve(path, k);
+    return true;
+}
+
+/* A place that is put between two changes the cubic before them as well. */
+static void settle(loft_path *path)
+{
+    while (path->settled < AHEAD && path->settled + 2u < path->queued) {
+        const unsigned k = path->settled + 1u;
+        if (is_halved(path, k))
+            path->settled = (uint8_t)(k > 2 ? k - 2 : 0);
+        else
+            path->settled++;
+    }
+}
+
+/* Queue places as far ahead as is looked, or the last one. */
 static enum loft_path_state fill(loft_path *path)
 {
-    while (path->queued < 4 && !path->last) {
+    while (path->queued < AHEAD + 3 && !path->last) {
         const enum loft_path_state state = march(path, &path->queue[path->queued]);
         if (state == LOFT_PATH_WAIT)
             return state;
@@ -683,7 +776,7 @@ static void finish(loft_path *path)
 
 enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)
 {
-    const loft_path_place *at[4];
+    loft_position p;
 
     if (path->over)
         return LOFT_PATH_END;
@@ -693,19 +786,13 @@ enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)
         finish(path);
         return LOFT_PATH_END;
     }
-    path->queue[1].skip = 0;
-    while (path->queued > 2) {
-        four(path->queue, path->queued, at);
-        path->queue[1].skip = at[2]->s > at[1]->s ? skipped(path, at) : 0;
-        if (path->queue[1].skip <= path->period->tol / 4 || path->queued == LOFT_PATH_QUEUE ||
-            at[2]->s - at[1]->s < 64)
-            break;
-        halve(path);
-    }
+    settle(path);
     *out = path->queue[1];
-    loft_position p;
+    if (path->queued == 2)
+        out->skip = 0;
     (void)walk_to(path, &path->check, out->s, &p);
     path->queued--;
+    path->settled = (uint8_t)(path->settled > 0 ? path->settled - 1 : 0);
     for (unsigned k = 0; k < path->queued; k++)
         path->queue[k] = path->queue[k + 1];
     drop_moves(path);
@@ -720,7 +807,7 @@ void loft_path_begin(loft_path *path)
     path->walk.s = 0;
     path->walk.length = 0;
     path->check = path->scan = path->walk;
-    path->stretches = path->looked = path->corners = path->queued = 0;
+    path->stretches = path->looked = path->corners = path->queued = path->settled = 0;
     path->s = path->known = 0;
 }
 

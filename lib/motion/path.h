@@ -20,7 +20,7 @@ LOFT_BEGIN_C
 #define LOFT_PATH_CORNERS   48
 #define LOFT_PATH_STRETCHES 40
 /* Places that are checked before they are given. */
-#define LOFT_PATH_QUEUE     8
+#define LOFT_PATH_QUEUE     24
 
 /* A place where the first guess is slow. */
 typedef struct {
@@ -78,7 +78,7 @@ typedef struct {
     uint8_t            corners;
     int64_t            s;                   /* of the last place */
     loft_path_place    queue[LOFT_PATH_QUEUE];
-    uint8_t            queued;
+    uint8_t            queued, settled;     /* how many of them are known to be close enough? */
     bool               last;                /* is the last of them the end? */
 } loft_path;
 
@@ -92,9 +92,9 @@ void loft_path_init(loft_path *path, const loft_period *period, loft_move moves[
 enum loft_status loft_path_push(loft_path *path, const loft_move *move) LOFT_CHECKED;
 
 /* Curves that can be pushed now. */
-static inline uint16_t loft_path_room(const loft_path *path)
+static inline uint16_t loft_path_room(const loft_path *p)
 {
-    return path->last && !path->over ? 0 : (uint16_t)(path->room - path->count);
+    return p->last && !p->over ? 0 : (uint16_t)(p->room - p->count);
 }
 
 /* The next place: the first is the start of the chain, the last its end.
@@ -111,7 +111,10 @@ void loft_path_begin(loft_path *path);
  * chord at a sharp place. */
 void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_position *out);
 
-/* How far p is from it, at that part: across the chord from b to c, and beyond its ends. */
+/* How far p is from it, near that part.
+ *
+ *   error   never too small
+ */
 loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_position *p);
 
 LOFT_END_C

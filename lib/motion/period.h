@@ -18,6 +18,8 @@ typedef struct {
     loft_coord accel[LOFT_AXES];     /* a h^2               */
     loft_coord jerk[LOFT_AXES];      /* j h^3; 0: unlimited */
     loft_coord tol;                  /* how far from the path */
+    loft_coord tube;                 /* how much of it is for the smooth path: spans may leave that
+                                      * by a 36th of a fourth difference */
     uint16_t  tick_hz;
     uint16_t  ticks;                /* of a period */
 } loft_period;

@@ -15,6 +15,7 @@ LOFT_BEGIN_C
 typedef struct {
     loft_path_place on;     /* what is given */
     loft_position      point;  /* control point of the path */
+    loft_coord      room;   /* how far that may be from where it meets the places */
     int32_t         v2;     /* control value of the squared pace, 2^-24: timing.h */
     int32_t         top;    /* the most that speed allows it to be, up to the next knot */
     int32_t         goal;   /* the most that all limits allow an even one, up to the next knot */
