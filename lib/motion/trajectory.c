@@ -37,7 +37,7 @@ static void append(loft_trajectory *t, const loft_path_place *p)
     loft_knot *k = &t->knot[t->count++];
     k->on = *p;
     k->point = p->at;
-    k->v2 = 0;
+    k->v2 = k->goal = 0;
 }
 
 /* The last knot stands for the rest behind the end; there are seven at least. */
