@@ -219,7 +219,8 @@ static bool is_line(const drawing_curve *c)
             fabs(p[2][i] - (a + 2 * b) / 3) > STRAIGHT)
             return false;
     }
-    return c->feed >= 0;        /* travels of a program stay as they are */
+    /* travels of a program stay as they are, and so does its way from where the machine stands */
+    return c->feed >= 0 && c->loose[0] == c->loose[1];
 }
 
 /* Can the vertex between two lines lie on a curve? It must turn little, and not rise high above the
@@ -242,8 +243,9 @@ static bool vertex_is_smooth(const drawing_curve *a, const drawing_curve *b, dou
     }
     const double length = distance(p, q) * distance(q, r),
                  across = hypot(hypot(cross[0], cross[1]), cross[2]);
-    return a->path == b->path && !(a->feed < b->feed) && !(a->feed > b->feed) && length > 0 &&
-           along > TURN * length && across <= 4 * within * distance(p, r);
+    return a->path == b->path && a->loose[1] == b->loose[0] && !(a->feed < b->feed) &&
+           !(a->feed > b->feed) && length > 0 && along > TURN * length &&
+           across <= 4 * within * distance(p, r);
 }
 
 static void add_sample(fit *f, const double p[3], size_t vertex)
@@ -328,6 +330,7 @@ static void give_spline(drawing *to, const fit *f, bool fresh, const drawing_cur
         if (k + 1 == f->intervals)
             memcpy(p[3], f->p[f->count - 1], sizeof p[3]);
         drawing_add_space(to, p, like->feed, fresh && k == 0, like->line);
+        memcpy(to->curve[to->count - 1].loose, like->loose, sizeof like->loose);
     }
 }
 
@@ -340,6 +343,7 @@ static void copy_curve(drawing *to, const drawing *from, size_t i)
     drawing_add_space(to, p, from->curve[i].feed,
                       i == 0 || from->curve[i].path != from->curve[i - 1].path,
                       from->curve[i].line);
+    memcpy(to->curve[to->count - 1].loose, from->curve[i].loose, sizeof from->curve[i].loose);
 }
 
 /* Replace the chain from..to-1 by as few curves as are found. Returns how many lines were

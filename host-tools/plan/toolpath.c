@@ -67,6 +67,16 @@ static void travel_to(making *m, double x, double y, double z)
     go_to(m, x, y, z);
 }
 
+/* Control point k. An axis that is loose at one end of a line is so in part between. */
+static void place_of(const making *m, const drawing_curve *c, int k, double out[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        const int from = c->loose[0] >> i & 1, to = c->loose[1] >> i & 1;
+        out[i] = (i < 2 ? c->p[k][i] : c->z[k]) +
+                 (from + to > 0 ? m->o->start[i] * ((3 - k) * from + k * to) / 3 : 0);
+    }
+}
+
 static void draw_path(making *m, const drawing *d, size_t i)
 {
     const drawing_curve *c = &d->curve[i];
@@ -76,9 +86,7 @@ static void draw_path(making *m, const drawing *d, size_t i)
 
     memcpy(move.p[0], m->at, sizeof move.p[0]);
     for (int k = 1; k < 4; k++) {
-        move.p[k][0] = c->p[k][0];
-        move.p[k][1] = c->p[k][1];
-        move.p[k][2] = c->z[k];
+        place_of(m, c, k, move.p[k]);
         widest       = fmax(widest, is_apart(move.p[0], move.p[k]));
     }
     if (widest < SAME)
@@ -103,7 +111,9 @@ static double length_of_rapids(const drawing *d)
 static void go_to_curve(making *m, const drawing *d, size_t i)
 {
     const drawing_curve *c = &d->curve[i];
-    const double to[ENGINE_AXES] = { c->p[0][0], c->p[0][1], c->z[0] };
+    double to[ENGINE_AXES];
+
+    place_of(m, c, 0, to);
 
     if (d->program)
         go_to(m, to[0], to[1], to[2]);

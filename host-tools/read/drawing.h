@@ -20,6 +20,8 @@ typedef struct {
                              * page */
     double z[4];            /* their heights, mm */
     double feed;            /* mm/s; 0: that of the options, DRAWING_RAPID: as fast as can be */
+    unsigned char loose[2]; /* of its start and end: bit i, axis i counts from where the machine
+                             * stands, for the program has not said where that is */
     unsigned path;          /* 0, 1, 2 ..: curves of one path follow each other and are connected */
     unsigned line;          /* its line in the file */
 } drawing_curve;

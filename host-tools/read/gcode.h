@@ -45,6 +45,7 @@ typedef struct {
     double from[3], to[3];
     int plane;              /* ARC: the axis across it: 2 is G17, 1 is G18, 0 is G19 */
     int turns;              /* ARC: 1 counterclockwise, -1 clockwise, 2, -2 .. a turn more */
+    unsigned char loose[2]; /* of `from` and `to`: axes not yet placed, as in drawing.h */
     double centre[3];       /* ARC: in its plane */
     double inner[2][3];     /* CUBIC: control points between; QUADRATIC: the one */
     const double (*points)[3];      /* NURBS: x, y, weight */

@@ -33,10 +33,17 @@ static void draw(void *context, double p[4][3])
 
     for (int k = 0; k < 4; k++)
         gcode_place(e->frame, p[k], mm[k]);
+    const size_t before = out->d->count;
+    const double feed = e->kind == GCODE_RAPID && !(e->feed > 0) ? DRAWING_RAPID : e->feed;
     if (out->code == 0)
-        out->code = drawing_join_space(out->d, out->file, e->line, mm,
-                                       e->kind == GCODE_RAPID && !(e->feed > 0) ? DRAWING_RAPID
-                                                                                : e->feed);
+        out->code = drawing_join_space(out->d, out->file, e->line, mm, feed);
+    /* no way in numbers may be one on the machine */
+    if (out->code == 0 && out->d->count == before && e->loose[0] != e->loose[1])
+        drawing_add_space(out->d, mm, feed, false, e->line);
+    /* only a line may lead from a loose place to a known one; others start where the numbers say */
+    const bool line = e->kind == GCODE_RAPID || e->kind == GCODE_LINE;
+    if (out->d->count > before && (line || e->loose[0] == e->loose[1]))
+        memcpy(out->d->curve[before].loose, e->loose, sizeof e->loose);
 }
 
 static void draw_cubic(pen *out, const gcode_event *e)

@@ -25,6 +25,16 @@ void gcode_target(const gcode_program *g, double out[3])
     }
 }
 
+unsigned char gcode_loose_there(const gcode_program *g)
+{
+    unsigned char out = g->loose;
+
+    for (int i = 0; i < 3; i++)
+        if (gcode_has(&g->b, (char)('X' + i)) && !g->incremental)
+            out = (unsigned char)((out & ~(1 << i)) | (g->tied & 1 << i));
+    return out;
+}
+
 /* G53: the words are coordinates of the machine, without tool length. */
 static int target_of_machine(const gcode_program *g, double out[3])
 {
@@ -283,11 +293,19 @@ static int move_straight(gcode_program *g)
     double to[3];
     int code = 0;
 
-    if (line_has(g, 530))
+    g->homing = line_has(g, 530);
+    g->homed  = g->loose;
+    for (int i = 0; i < 3; i++)
+        if (gcode_has(&g->b, (char)('X' + i)))
+            g->homed &= (unsigned char)~(1 << i);
+    if (g->homing)
         code = target_of_machine(g, to);
     else
         gcode_target(g, to);
-    return code == 0 ? gcode_go(g, g->motion == 0 ? GCODE_RAPID : GCODE_LINE, to) : code;
+    if (code == 0)
+        code = gcode_go(g, g->motion == 0 ? GCODE_RAPID : GCODE_LINE, to);
+    g->homing = false;
+    return code;
 }
 
 int gcode_move(gcode_program *g)

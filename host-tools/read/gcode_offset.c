@@ -103,6 +103,12 @@ int gcode_use_tool(gcode_program *g, int code)
     return 0;
 }
 
+/* The program's numbers of an axis count from this place, wherever that is. */
+static void tie_axis(gcode_program *g, int axis)
+{
+    g->tied = (unsigned char)((g->tied & ~(1 << axis)) | (g->loose & 1 << axis));
+}
+
 /* G10 L2 sets the origin of a system, L20 so that the machine stands at the given numbers. */
 static int set_system(gcode_program *g)
 {
@@ -128,6 +134,9 @@ static int set_system(gcode_program *g)
                   g->frame.shift[i];
     const double turned[3] = { c * want[0] - s * want[1], s * want[0] + c * want[1], want[2] };
     for (int i = 0; i < 3; i++)
+        if (gcode_has(b, (char)('X' + i)) && l > 3)
+            tie_axis(g, i);
+    for (int i = 0; i < 3; i++)
         if (gcode_has(b, (char)('X' + i)))
             system[i] = l < 3 ? gcode_value(b, (char)('X' + i)) * g->frame.unit
                               : (machine[i] - turned[i]) * g->frame.unit - g->tool[i];
@@ -148,6 +157,8 @@ static int set_shift(gcode_program *g, bool local)
         const double said = gcode_value(&g->b, (char)('X' + i)),
                      place = g->at[i] + g->frame.shift[i], shift = local ? said : place - said;
         held[i]  = shift * g->frame.unit;
+        if (!local)
+            tie_axis(g, i);
         g->at[i] = local ? place - said : said;
         any = true;
     }
@@ -162,6 +173,7 @@ static int set_shift(gcode_program *g, bool local)
 /* G92.1 forgets the shift, G92.2 keeps it for G92.3. */
 static int switch_shift(gcode_program *g, int code)
 {
+    g->tied = code == 923 ? g->tied : 0;
     for (int i = 1; i <= 3 && code == 921; i++)
         g->all.number[SHIFT + i] = 0;
     g->shifted = code == 923;
@@ -188,9 +200,17 @@ static int go_home(gcode_program *g, const double stored[3])
             return code;
     }
     program_place(g, machine, home);
-    for (int i = 0; i < 3; i++)
-        to[i] = !any || gcode_has(&g->b, (char)('X' + i)) ? home[i] : g->at[i];
-    return gcode_go(g, GCODE_RAPID, to);
+    g->homing = true;
+    g->homed  = g->loose;
+    for (int i = 0; i < 3; i++) {
+        const bool goes = !any || gcode_has(&g->b, (char)('X' + i));
+        to[i] = goes ? home[i] : g->at[i];
+        if (goes)
+            g->homed &= (unsigned char)~(1 << i);
+    }
+    const int code = gcode_go(g, GCODE_RAPID, to);
+    g->homing = false;
+    return code;
 }
 
 int gcode_nonmodal(gcode_program *g, int code)

@@ -166,6 +166,9 @@ int gcode_give(gcode_program *g, gcode_event *e, double length)
 
     memcpy(e->from, g->at, sizeof e->from);
     e->line  = g->b.line;
+    e->loose[0] = e->loose[1] = g->loose;
+    if (moves)
+        e->loose[1] = g->loose = g->homing ? g->homed : gcode_loose_there(g);
     e->frame = &g->frame;
     e->plane = g->plane;
     e->feed  = e->kind != GCODE_RAPID || g->printer ? feed_of(g, length) : 0;
@@ -449,6 +452,7 @@ gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *si
     g->feed_mode  = 940;
     g->system     = 1;
     g->all.number[5220] = 1;
+    g->loose = 7;
     gcode_use_offsets(g);
     return g;
 }

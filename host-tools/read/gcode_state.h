@@ -29,6 +29,10 @@ struct gcode_program {
     gcode_block b;              /* the line under way */
 
     double at[3];
+    unsigned char loose;        /* bit i: axis i counts from where the machine stands; */
+    bool homing;                /* the motion ends at a place of the machine, */
+    unsigned char homed;        /* where these axes are loose */
+    unsigned char tied;         /* and the program's numbers too, by G92 or G10 L20 */
     gcode_frame frame;
     int motion;                 /* 0 10 20 30 50 51 52, 810 .. or GCODE_CANCEL */
     int plane;                  /* the axis across it */
@@ -78,8 +82,9 @@ int gcode_give(gcode_program *g, gcode_event *e, double length);
 int gcode_go(gcode_program *g, enum gcode_kind kind, const double to[3]);
 int gcode_wait(gcode_program *g, double seconds);
 
-/* Where the axis words of the line lead. */
+/* Where the axis words of the line lead; and the loose axes there. */
 void gcode_target(const gcode_program *g, double out[3]);
+unsigned char gcode_loose_there(const gcode_program *g);
 
 /* gcode_motion.c: the motion of the line. */
 int gcode_move(gcode_program *g);

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "tools/drawn.h"
+#include "plan/toolpath.h"
 #include "read/gcode.h"
 
 typedef struct {
@@ -282,6 +283,50 @@ static void a_program_is_a_drawing(arb *a)
     drawing_free(&d);
 }
 
+static void make_path(toolpath *t, const char *text)
+{
+    const toolpath_options o = { .feed = 1, .travel = 1, .rapid = 1, .start = { 7, 8, 9 } };
+    drawing d;
+
+    CHECK(read_text(&d, text) == 0);
+    toolpath_make(t, &d, &o);
+    drawing_free(&d);
+}
+
+/* What a program does not say is where the machine stands: at 7, 8, 9. */
+static void it_goes_on_from_the_machine(arb *a)
+{
+    static const struct {
+        const char *text;
+        double end[3];
+        size_t moves;
+    } each[] = {
+        { "G1 X1 F9\n", { 1, 8, 9 }, 1 },
+        { "G91 G1 X1 F9\nG3 X2 I1\n", { 10, 8, 9 }, 0 },
+        { "G0 Z5\nG0 X0 Y0\n", { 0, 0, 5 }, 2 },
+        { "G92 X0 Y0\nG1 X1 Y1 F9\n", { 8, 9, 9 }, 1 },
+        { "G10 L20 P0 Z0\nG1 X1 Z-1 F9\n", { 1, 8, 8 }, 1 },
+        { "G92 X0\nG92.1\nG1 X1 F9\n", { 1, 8, 9 }, 1 },
+        { "G91 G0 Z1\nG90 G28\nG1 X3 F9\n", { 3, 0, 0 }, 3 },
+        { "G53 G0 Z0\nG91 G1 Y1 F9\n", { 7, 9, 0 }, 2 },
+    };
+    (void)a;
+    for (size_t n = 0; n < sizeof each / sizeof each[0]; n++) {
+        const double from[3] = { 7, 8, 9 };
+        toolpath t;
+        make_path(&t, each[n].text);
+        CHECK(t.count > 0 && (each[n].moves == 0 || t.count == each[n].moves));
+        for (int i = 0; i < 3 && t.count > 0; i++) {
+            CHECK_NEAR(t.move[0].p[0][i], from[i], 1e-9);
+            CHECK_NEAR(t.move[t.count - 1].p[3][i], each[n].end[i], 1e-9);
+        }
+        for (size_t k = 1; k < t.count; k++)
+            for (int i = 0; i < 3; i++)
+                CHECK_NEAR(t.move[k].p[0][i], t.move[k - 1].p[3][i], 1e-9);
+        toolpath_free(&t);
+    }
+}
+
 int main(void)
 {
     PROPERTY(lines_and_modes, 1);
@@ -293,5 +338,6 @@ int main(void)
     PROPERTY(hostile_lines_end, 1);
     PROPERTY(printers_are_understood, 1);
     PROPERTY(a_program_is_a_drawing, 1);
+    PROPERTY(it_goes_on_from_the_machine, 1);
     return check_failures();
 }
