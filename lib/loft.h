@@ -7,16 +7,19 @@
  *   curve/       one parameter
  *                  bezier, rational, bspline, nurbs      points, derivatives, subsegments
  *                  hermite, cardinal, natural, parabola  through given points
+ *                  spline, tcb, catmull                  ... with any ends, tension, uneven knots
  *                  monotone, tween                       functions: y at x
  *                  circle                                arcs of circles and ellipses, helices
  *                  forward, rational_walk                exact walking
  *                  cubics                                any curve as cubics
  *                  measure                               flattening, length
  *                  bounds, nearest, intersect, overlap   where a curve is
+ *                  tangent                               second derivatives, curvature with weights
  *                  offset, shape, join                   tool paths, cusps, curvature, C0 to G2
  *                  drawing                               a table of curves in flash
  *   surface/     two parameters
  *                  tensor/                               patches over a square; grid, area; coons
+ *                  ... nurbs_surface, ruled, revolve, skin   B-splines; made from curves
  *                  triangle/                             Bezier triangles: pieces, joins, shape
  *                  barycentric, tetra                    coordinates, tetrahedra
  *                  octant, pn, sphere, plane             given by normals, elementary
@@ -57,6 +60,7 @@
 #include "num/explog.h"
 #include "num/flash.h"
 #include "num/sci.h"
+#include "num/residue.h"
 #include "geom/chord.h"
 #include "geom/normal.h"
 #include "geom/vec.h"
@@ -65,6 +69,7 @@
 #include "basis/copositive.h"
 #include "basis/interp.h"
 #include "basis/knots.h"
+#include "basis/knots_basis.h"
 #include "basis/bernstein_operator.h"
 #include "basis/sign.h"
 #include "basis/differences.h"
@@ -72,6 +77,7 @@
 #include "curve/bounds.h"
 #include "curve/bspline.h"
 #include "curve/cardinal.h"
+#include "curve/catmull.h"
 #include "curve/circle.h"
 #include "curve/drawing.h"
 #include "curve/to_cubics.h"
@@ -91,6 +97,9 @@
 #include "curve/rational.h"
 #include "curve/rational_walk.h"
 #include "curve/shape.h"
+#include "curve/spline.h"
+#include "curve/tangent.h"
+#include "curve/tcb.h"
 #include "surface/tensor/area.h"
 #include "surface/barycentric.h"
 #include "surface/tensor/bicubic.h"
@@ -112,6 +121,10 @@
 #include "surface/tensor/grid.h"
 #include "surface/deficit.h"
 #include "surface/differential.h"
+#include "surface/tensor/nurbs_surface.h"
+#include "surface/tensor/revolve.h"
+#include "surface/tensor/ruled.h"
+#include "surface/tensor/skin.h"
 #include "surface/tensor/tensor.h"
 #include "surface/tensor/tensor_join.h"
 #include "surface/tensor/tensor_rational.h"

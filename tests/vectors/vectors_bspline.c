@@ -95,7 +95,7 @@ static void bspline_bezier(row *r)
     row_expect(r, "B", a, point_law(s->n));
 }
 
-static void nurbs_eval(row *r)
+static void nurbs_point(row *r)
 {
     const spline *s = spline_of(r);
     loft_real w[COUNT_MAX], u;
@@ -128,7 +128,7 @@ const vector_system vectors_bspline[] = {
       "p' 12 n^2 / h" },
     { "bspline_bezier", "n,c,d,K_q16,P_q16,m,B", bspline_bezier,
       "q16 1/2 + n 2^-17 LSB; floats 1/2 ulp + 5 n ulp of double" },
-    { "nurbs_eval", "n,c,d,K_q16,P_q16,w_q16,u_q16,p", nurbs_eval,
+    { "nurbs_point", "n,c,d,K_q16,P_q16,w_q16,u_q16,p", nurbs_point,
       "q16 1/2 + n R 2^-30 LSB; floats 1/2 ulp + (10 n + 4) ulp of double" },
     { 0 }
 };

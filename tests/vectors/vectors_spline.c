@@ -5,7 +5,7 @@
  * other curves than the row's: there answers and statuses are those of the coordinates as read, by
  * the tests' own reference.
  */
-#include "vectors/vectors.h"                /* row, answer, law */
+#include "vectors/vectors_points.h"         /* expect_vec, as_given; row, answer, law */
 #include "support/exact_spline.h"           /* exact_parabola, exact_natural */
 #include "basis/interp.h"
 #include "curve/cardinal.h"
@@ -14,20 +14,6 @@
 #include "curve/natural.h"
 
 #define POINTS SPLINE_POINTS
-
-static bool as_given(const row *r)  { return !(r->inexact > 0); }
-
-static unsigned dimension(row *r)   { return row_count(r, "d", LOFT_AXES); }
-
-static void expect_vec(row *r, const char *column, enum loft_status status, loft_vec v, unsigned d,
-                       law l)
-{
-    answer *a = answer_new();
-
-    answer_status(r, a, status);
-    answer_vec(a, v, d);
-    row_expect(r, column, a, l);
-}
 
 /* The point once more, by the control points, which may lie further out than the point. They are
  * rounded: by 1/2 LSB, in doubles this is in the roundings; f32 rounds them to other numbers than

@@ -1,5 +1,5 @@
-/* lib/surface/triangle/triangle_rational.h -- rational Bezier triangles of degree 0..9: points and
- * derivatives
+/* lib/surface/triangle/triangle_rational.h -- rational Bezier triangles of degree 0..9: points,
+ * derivatives, pieces
  * SPDX-License-Identifier: MIT
  *
  * Every control point has a weight; curve/rational.h has the range of weights in q16. The control
@@ -55,6 +55,58 @@ loft_vec loft_triangle_rational_eval(const loft_triangle_rational *t, loft_bary 
  */
 enum loft_status loft_triangle_rational_deriv(const loft_triangle_rational *t, loft_bary z,
                                               loft_bary u, loft_vec *out) LOFT_CHECKED;
+
+/* The mixed second derivative at u in the directions y and z: 0 for y = 0 or z = 0 alone, since
+ * triangles of degree 1 have one by their weights.
+ *
+ *   range   as loft_triangle_rational_deriv
+ *   error   with Y and Z the |u| + |v| + |w| of y and z, and E = degree^2 Y Z R^2 times the
+ *           distance between two control points: q16: 1/2 LSB + 2^-17 LSB + 2^-55 E   f32: 1/2 ulp
+ *           of the result + 2^-46 E   f64: 2^-46 E
+ *   cost    in numbers of num/sci.h, LOFT_AXES + 1 times 4 runs of de Casteljau's algorithm;
+ *           q16: 1.2 kB of stack
+ */
+enum loft_status loft_triangle_rational_deriv2(const loft_triangle_rational *t, loft_bary y,
+                                               loft_bary z, loft_bary u,
+                                               loft_vec *out) LOFT_CHECKED;
+
+/* The three triangles between u and the sides, as loft_triangle_split: a is P T2 T3, b T1 P T3, c
+ * T1 T2 P. Weights are not rescaled, so all three keep the parameters of the whole. The results
+ * must differ from each other and from the control points.
+ *
+ *   range   u inside the triangle, otherwise LOFT_ERR_ARG
+ *   error   points: as loft_triangle_rational_eval; weights: q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp
+ *           f64: 6 degree ulp
+ *   cost    in numbers of num/sci.h, LOFT_AXES + 1 runs of de Casteljau's algorithm, and as many
+ *           quotients as coordinates; q16: 2 kB of stack
+ *   see     Farin, Curves and Surfaces for CAGD, ch. 17
+ */
+enum loft_status loft_triangle_rational_split(const loft_triangle_rational *t, loft_bary u,
+                                              loft_weighted a[], loft_weighted b[],
+                                              loft_weighted c[]) LOFT_CHECKED;
+
+/* The same surface with a degree higher by `times`: LOFT_TRIANGLE_POINTS(degree + times) control
+ * points, which must not be those of t.
+ *
+ *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
+ *   error   points: q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: 128 ulp
+ *           weights: q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: 128 ulp
+ *   cost    per control point of the result and axis: two products of num/sci.h per point of the
+ *           net
+ *   see     Farin, ch. 17: degree elevation
+ */
+enum loft_status loft_triangle_rational_elevate(const loft_triangle_rational *t, unsigned times,
+                                                loft_weighted out[]) LOFT_CHECKED;
+
+/* Has the surface a tangent plane at u? Its derivatives there are not parallel and not 0, as the
+ * given numbers decide.
+ *
+ *   range   u inside the triangle; f32, f64: numbers that pass loft_exact_valid, otherwise false
+ *   error   none
+ *   cost    4 runs of de Casteljau's algorithm modulo one prime (num/residue.h), where there is
+ *           none modulo many; q16: 0.4 kB of stack
+ */
+bool loft_triangle_rational_regular(const loft_triangle_rational *t, loft_bary u);
 
 LOFT_END_C
 

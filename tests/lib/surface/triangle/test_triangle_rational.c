@@ -277,6 +277,109 @@ static void its_net_is_a_sphere_of_the_radius(arb *a)
                 by_kind(1.5L * LSB + size * 0x1p-22L, size * BY_NUM(0, 0x1p-22L, 0x1p-46L)));
 }
 
+/* Pieces: at the place that a point of the piece has in the whole, both surfaces agree. */
+static void pieces_are_the_same_surface(arb *a)
+{
+    static loft_weighted out[3][MOST];
+    const sheet *s = arb_sheet(a, 0);
+    const loft_bary u = { loft_unit_of(1 + arb_below(a, 3), 8),
+                          loft_unit_of(1 + arb_below(a, 4), 8) };
+    const loft_bary in = { loft_unit_of(arb_below(a, 5), 8), loft_unit_of(arb_below(a, 4), 8) };
+    const long double iv = exact_unit(in.v), iw = exact_unit(in.w), iu = 1 - iv - iw;
+    const long double pv = exact_unit(u.v), pw = exact_unit(u.w);
+
+    CHECK(loft_triangle_rational_split(&s->t, u, out[0], out[1], out[2]) == LOFT_OK);
+    for (unsigned k = 0; k < 3; k++) {
+        const long double v = k == 0   ? iu * pv + iv
+                              : k == 1 ? iv * pv
+                                       : iv + iw * pv,
+                          w = k == 0   ? iu * pw + iw
+                              : k == 1 ? iv * pw + iw
+                                       : iw * pw;
+        const loft_bary whole = { BY_NUM((loft_unit)(v * 16777216), (loft_unit)v, (loft_unit)v),
+                                  BY_NUM((loft_unit)(w * 16777216), (loft_unit)w, (loft_unit)w) };
+        loft_triangle_rational part;
+        if (loft_triangle_rational_init(&part, out[k], s->net->n) != LOFT_OK || s->ratio > 16)
+            continue;
+        const loft_vec one = loft_triangle_rational_eval(&part, in),
+                       two = loft_triangle_rational_eval(&s->t, whole);
+        /* the weights of the piece are rounded by 1/2 LSB, 2^-17 of 1 / 256 * ratio and more */
+        for (int i = 0; i < LOFT_AXES; i++)
+            CHECK_EXACT(exact_of(one.axis[i]), exact_of(two.axis[i]),
+                        BY_NUM(2 * LSB + 0x1p-16L * 65536 / exact_of(out[k][0].w) * s->ratio,
+                               64 * 65536 * s->ratio * 0x1p-24L,
+                               256 * 65536 * s->ratio * 0x1p-53L));
+    }
+}
+
+static void raised_nets_are_the_same_surface(arb *a)
+{
+    static loft_weighted out[MOST];
+    const sheet *s = arb_sheet(a, 0);
+    const unsigned times = arb_below(a, LOFT_DEGREE_MAX - s->net->n + 1);
+    const loft_bary u = arb_bary(a);
+    loft_triangle_rational raised;
+
+    CHECK(loft_triangle_rational_elevate(&s->t, times, out) == LOFT_OK);
+    if (loft_triangle_rational_init(&raised, out, s->net->n + times) != LOFT_OK)
+        return;
+    const loft_vec one = loft_triangle_rational_eval(&raised, u),
+                   two = loft_triangle_rational_eval(&s->t, u);
+    for (int i = 0; i < LOFT_AXES && s->ratio <= 16; i++)
+        CHECK_EXACT(exact_of(one.axis[i]), exact_of(two.axis[i]),
+                    BY_NUM(2 * LSB + 0x1p-16L * 65536 * 256, 256 * 65536 * s->ratio * 0x1p-24L,
+                           256 * 65536 * s->ratio * 0x1p-53L));
+    CHECK(loft_triangle_rational_elevate(&s->t, LOFT_ELEVATE_MAX + 1, out) == LOFT_ERR_ARG);
+}
+
+/* The mixed derivative is bilinear, so those of surface/differential.h make all others. */
+static void second_derivatives_are_those_along_the_sides(arb *a)
+{
+    const sheet *s = arb_sheet(a, 0);
+    const loft_bary u = arb_bary(a), y = { LOFT_UNIT(0.5), LOFT_UNIT(-0.75) },
+                    z = { LOFT_UNIT(1), LOFT_UNIT(0.25) };
+    loft_differential d;
+    loft_vec v = { { 0 } };
+
+    CHECK(loft_triangle_rational_differential(&s->t, u, &d) == LOFT_OK);
+    if (loft_triangle_rational_deriv2(&s->t, y, z, u, &v) != LOFT_OK || s->ratio > 1024)
+        return;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const long double want = 0.5L * exact_sci(d.uu[i]) - 0.1875L * exact_sci(d.vv[i]) +
+                                 (0.125L - 0.75L) * exact_sci(d.uv[i]);
+        const long double scale = powl(s->net->n * s->ratio, 2) * 65536 * 16;
+        CHECK_EXACT(exact_of(v.axis[i]), want,
+                    ulp(want) / 2 + BY_NUM(LSB / 1024, 0, 0) +
+                        scale * BY_NUM(0x1p-55L, 0x1p-47L, 0x1p-47L));
+    }
+}
+
+/* Nets that collapse to a line have no tangent plane; others have one but by chance. */
+static void collapsed_nets_are_not_regular(arb *a)
+{
+    const sheet *s = arb_sheet(a, 1);
+    loft_weighted p[MOST];
+    loft_triangle_rational t;
+    const loft_bary u = arb_bary(a);
+
+    for (unsigned k = 0; k < s->net->count; k++) {
+        const int32_t at = (int32_t)arb_below(a, 1000);
+        p[k] = s->p[k];
+        for (int i = 0; i < LOFT_AXES; i++)
+            p[k].p.axis[i] = loft_real_from_raw(at * (3 + 7 * i));
+    }
+    CHECK(loft_triangle_rational_init(&t, p, s->net->n) == LOFT_OK);
+    CHECK(!loft_triangle_rational_regular(&t, u));
+    if (LOFT_AXES < 3)
+        return;
+    for (unsigned k = 0; k < s->net->count; k++)        /* a plane, 1 LSB from a line */
+        p[k].p = (loft_vec) { { loft_real_from_raw((int32_t)k * 1000) } };
+    p[0].p.axis[1] = loft_real_from_raw(1);
+    CHECK(loft_triangle_rational_init(&t, p, s->net->n) == LOFT_OK);
+    CHECK(loft_triangle_rational_regular(&t, (loft_bary) { LOFT_UNIT(0.25), LOFT_UNIT(0.25) }));
+    CHECK(!loft_triangle_rational_regular(&t, (loft_bary) { LOFT_UNIT(1), LOFT_UNIT(1) }));
+}
+
 int main(void)
 {
     PROPERTY(a_point_is_within_its_bound,                    6000);
@@ -287,5 +390,9 @@ int main(void)
     PROPERTY(nonsense_is_refused,                             400);
     PROPERTY(the_octant_is_on_the_sphere,                     400);
     PROPERTY(its_net_is_a_sphere_of_the_radius,              4000);
+    PROPERTY(pieces_are_the_same_surface,                    500);
+    PROPERTY(raised_nets_are_the_same_surface,               500);
+    PROPERTY(second_derivatives_are_those_along_the_sides,   300);
+    PROPERTY(collapsed_nets_are_not_regular,                 100);
     return check_failures();
 }

@@ -1,0 +1,208 @@
+/* lib/curve/tangent.c
+ * SPDX-License-Identifier: MIT
+ *
+ * With X = sum N_i w_i (p_i - o) and w = sum N_i w_i for any o, P = o + X / w and
+ *
+ *     P'  = (X' - w' Y) / w        P'' = (X'' - 2 w' P' - w'' Y) / w        Y = X / w
+ *
+ * o is the rounded point of the curve: Y is below one LSB, and what the weights do hardly shows.
+ *
+ * P' is 0 if and only if X' w = w' X, for any o: here o = 0. N is a B-spline, or a Bernstein
+ * polynomial, which is a B-spline on the knots 0 and 1.
+ */
+#include "curve/tangent.h"
+#include "basis/knots_basis.h"  /* loft_knots_basis */
+#include "num/residue.h"        /* loft_residue */
+
+#define MOST (LOFT_DEGREE_MAX + 1)
+
+/* One piece of either kind: its points, and its knots with the place among them. */
+typedef struct {
+    const loft_weighted *p;
+    loft_knots knots;
+    unsigned span;
+    loft_real u;
+} piece;
+
+/* sum basis_i w_i (p_i - o) of one axis; of the weights alone for axis -1 */
+static loft_sci weighted_sum(const piece *s, const loft_sci basis[], int axis, loft_vec origin)
+{
+    loft_sci sum = loft_sci_zero();
+
+    for (unsigned i = 0; i <= s->knots.degree; i++) {
+        loft_sci term = loft_sci_mul(basis[i], loft_sci_from_real(s->p[i].w));
+        if (axis >= 0)
+            term = loft_sci_mul(term, loft_sci_sub(loft_sci_from_real(s->p[i].p.axis[axis]),
+                                                   loft_sci_from_real(origin.axis[axis])));
+        sum = loft_sci_add(sum, term);
+    }
+    return sum;
+}
+
+static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
+{
+    return loft_sci_sub(x, loft_sci_mul(a, b));
+}
+
+static uint32_t weighted_residue(const piece *s, const loft_residue *r, const uint32_t basis[],
+                                 int axis)
+{
+    uint32_t sum = 0;
+
+    for (unsigned i = 0; i <= s->knots.degree; i++) {
+        uint32_t term = loft_residue_mul(r, basis[i], loft_residue_real(r, s->p[i].w));
+        if (axis >= 0)
+            term = loft_residue_mul(r, term, loft_residue_real(r, s->p[i].p.axis[axis]));
+        sum = loft_residue_add(r, sum, term);
+    }
+    return sum;
+}
+
+/* Is X' w = w' X modulo this prime? */
+static bool stops_modulo(const piece *s, const loft_residue *r, const uint32_t at[],
+                         const uint32_t slope[])
+{
+    const uint32_t w = weighted_residue(s, r, at, -1), dw = weighted_residue(s, r, slope, -1);
+
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        const uint32_t left = loft_residue_mul(r, weighted_residue(s, r, slope, axis), w);
+        const uint32_t right = loft_residue_mul(r, weighted_residue(s, r, at, axis), dw);
+        if (left != right)
+            return false;
+    }
+    return true;
+}
+
+static bool curve_stops(const piece *s)
+{
+    uint32_t at[MOST], slope[MOST];
+    loft_residue r;
+
+    loft_residue_start(&r, 2 * (loft_knots_basis_bits(&s->knots) + 2 * LOFT_RESIDUE_REAL + 4) + 1);
+    while (loft_residue_next(&r)) {
+        if (!loft_knots_basis_residue(&s->knots, s->span, s->u, 0, &r, at) ||
+            !loft_knots_basis_residue(&s->knots, s->span, s->u, 1, &r, slope))
+            loft_residue_skip(&r);
+        else if (!stops_modulo(s, &r, at, slope))
+            return false;
+    }
+    return true;
+}
+
+static bool piece_valid(const piece *s)
+{
+    const unsigned degree = s->knots.degree;
+
+    for (unsigned i = 0; i <= degree; i++) {
+        if (!loft_exact_valid(s->p[i].w))
+            return false;
+        for (int axis = 0; axis < LOFT_AXES; axis++)
+            if (!loft_exact_valid(s->p[i].p.axis[axis]))
+                return false;
+    }
+    for (unsigned i = s->span + 1 - degree; i <= s->span + degree; i++)
+        if (!loft_exact_valid(s->knots.k[i]))
+            return false;
+    return loft_exact_valid(s->u);
+}
+
+static enum loft_status piece_tangent(const piece *s, loft_vec origin, loft_tangent *out)
+{
+    loft_sci basis[3][MOST], w[3];
+
+    if (!piece_valid(s))
+        return LOFT_ERR_RANGE;
+    for (unsigned k = 0; k < 3; k++) {
+        loft_knots_basis(&s->knots, s->span, s->u, k, basis[k]);
+        w[k] = weighted_sum(s, basis[k], -1, origin);
+    }
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        const loft_sci y = loft_sci_div(weighted_sum(s, basis[0], axis, origin), w[0]);
+        const loft_sci d = sub_product(weighted_sum(s, basis[1], axis, origin), w[1], y);
+        const loft_sci dd = sub_product(weighted_sum(s, basis[2], axis, origin), w[2], y);
+        const loft_sci first = loft_sci_div(d, w[0]);
+        const loft_sci twice = loft_sci_mul(loft_sci_from_int(2), w[1]);
+        out->first[axis] = first;
+        out->second[axis] = loft_sci_div(sub_product(dd, twice, first), w[0]);
+    }
+    out->stops = curve_stops(s);
+    for (int axis = 0; axis < LOFT_AXES && out->stops; axis++)
+        out->first[axis] = loft_sci_zero();
+    return LOFT_OK;
+}
+
+enum loft_status loft_nurbs_tangent(const loft_nurbs *n, loft_real u, loft_tangent *out)
+{
+    const loft_real at = loft_knots_clamp(&n->knots, u);
+    const unsigned span = loft_knots_find(&n->knots, at);
+    const piece s = { n->p + span - n->knots.degree, n->knots, span, at };
+
+    return piece_tangent(&s, loft_nurbs_eval(n, at), out);
+}
+
+/* A parameter as a coordinate: 256 times as large, which no number type rounds. */
+static loft_real scaled_parameter(loft_unit t) { return loft_acc_round(loft_unit_to_acc(t) * 256); }
+
+enum loft_status loft_rational_tangent(const loft_rational *r, loft_unit t, loft_tangent *out)
+{
+    loft_real k[2 * MOST];
+    const loft_sci scale = loft_sci_from_int(256);
+    const piece s = { r->p,
+                      { k, (uint16_t)(r->degree + 1), r->degree },
+                      r->degree,
+                      scaled_parameter(loft_unit_clamp(t)) };
+
+    if (!(t >= 0 && t <= LOFT_UNIT(1)))
+        return LOFT_ERR_ARG;
+    for (unsigned i = 0; i <= r->degree; i++) {
+        k[i] = LOFT_REAL(0);
+        k[r->degree + 1 + i] = LOFT_REAL(256);
+    }
+    const enum loft_status status = piece_tangent(&s, loft_rational_eval(r, t), out);
+    if (status != LOFT_OK)
+        return status;
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        out->first[axis] = loft_sci_mul(out->first[axis], scale);
+        out->second[axis] = loft_sci_mul(out->second[axis], loft_sci_mul(scale, scale));
+    }
+    return LOFT_OK;
+}
+
+enum loft_status loft_tangent_deriv(const loft_tangent *at, unsigned k, loft_vec *out)
+{
+    loft_acc x[LOFT_AXES];
+
+    if (k < 1 || k > 2)
+        return LOFT_ERR_ARG;
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (!loft_sci_to_acc(k == 1 ? at->first[i] : at->second[i], &x[i]))
+            return LOFT_ERR_RANGE;
+    return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
+}
+
+/* x'y'' - x''y' of two axes */
+static loft_sci turn_of(const loft_tangent *at, int i, int j)
+{
+    return sub_product(loft_sci_mul(at->first[i], at->second[j]), at->second[i], at->first[j]);
+}
+
+enum loft_status loft_tangent_curvature(const loft_tangent *at, bool plane, loft_acc *out)
+{
+    const int axes = plane && LOFT_AXES > 2 ? 2 : LOFT_AXES;
+    loft_sci square = loft_sci_zero(), turns = loft_sci_zero(), turn = loft_sci_zero();
+
+    for (int i = 0; i < axes; i++) {
+        square = loft_sci_add(square, loft_sci_mul(at->first[i], at->first[i]));
+        for (int j = i + 1; j < axes; j++) {
+            turn = turn_of(at, i, j);
+            turns = loft_sci_add(turns, loft_sci_mul(turn, turn));
+        }
+    }
+    if (at->stops || loft_sci_sign(square) <= 0)
+        return LOFT_SINGULAR;
+    if (!plane)
+        turn = loft_sci_sqrt(turns);
+    return loft_sci_to_acc(loft_sci_div(turn, loft_sci_mul(square, loft_sci_sqrt(square))), out)
+               ? LOFT_OK
+               : LOFT_ERR_RANGE;
+}
