@@ -155,6 +155,7 @@
 #include "wire/codec.h"
 #include "wire/message.h"
 #include "wire/session.h"
+#include "machine/latch.h"
 #include "machine/machine.h"
 
 #endif

@@ -14,6 +14,8 @@ void loft_port_slot(void)
     const loft_pins pins = loft_machine_slot(&machine);
 
     loft_port_pins(pins.step, pins.dir);
+    if (loft_machine_senses(&machine))
+        loft_machine_sense(&machine, loft_port_inputs());
     slots++;
 }
 
@@ -31,6 +33,7 @@ static void watch_switches(uint8_t every)
         return;
     sampled = slots;
     const uint16_t closed = loft_port_inputs();
+    loft_machine_sample(&machine, closed);
     if (loft_switches_steady(&switches, closed))
         loft_machine_inputs(&machine, closed);
 }
@@ -43,6 +46,7 @@ int main(void)
     const uint8_t every = (uint8_t)(slot_hz / 1000 < 255 ? slot_hz / 1000 : 255);
     size_t count = 0, sent = 0;
 
+    config->senses = true;
     if (loft_machine_init(&machine, config) != LOFT_OK)
         return 1;                       /* the configuration does not fit: see drive.h */
     loft_port_start(slot_hz);

@@ -44,7 +44,7 @@ void     loft_port_pins(uint8_t step_bits, uint8_t dir_bits);
 size_t   loft_port_write(const uint8_t *bytes, size_t count);
 
 /* The inputs that are closed now, a sum of LOFT_INPUT_ (wire/message.h); 0 on a board without
- * inputs. switches.h may help. */
+ * inputs. switches.h may help. Called from the main loop and, while a guard waits, in each slot. */
 uint16_t loft_port_inputs(void);
 
 /* Nothing has to be done before the next interrupt: sleep until then, or do nothing. */

@@ -95,6 +95,7 @@ static bool print_job(FILE *out, const loft_frame *f)
         return false;
     fprintf(out, " job %08" PRIx32 " %s", m.id, kind_word(m.kind));
     print_inputs(out, "away", m.away);
+    print_inputs(out, "guarded by", m.guard.inputs);
     print_places(out, "start", m.start);
     return true;
 }
@@ -127,6 +128,8 @@ static bool print_control(FILE *out, const loft_frame *f)
     if (loft_control_decode(f, &m) != LOFT_OK)
         return false;
     fprintf(out, " number %u %s", m.number, verb_word(m.verb));
+    if (m.verb == LOFT_PLACE)
+        print_places(out, "position", m.position);
     return true;
 }
 
@@ -202,6 +205,8 @@ static bool print_report(FILE *out, const loft_frame *f)
             m.job, m.items, m.ticks, m.elapsed, state_word(m.state));
     print_inputs(out, "ended by", m.ended_by);
     print_places(out, "position", m.position);
+    if (m.guarded)
+        print_places(out, "latched", m.latched);
     return true;
 }
 

@@ -87,6 +87,19 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
     return LOFT_OK;
 }
 
+enum loft_status loft_drive_place(loft_drive *d, uint8_t axes, const int32_t position[LOFT_AXES])
+{
+    int32_t to[LOFT_AXES];
+
+    if (d->active || d->state == LOFT_STATE_FAULT)
+        return LOFT_ERR_ARG;
+    loft_step_position(&d->step, to);
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (axes & 1u << i)
+            to[i] = position[i];
+    return loft_step_place(&d->step, to);
+}
+
 static bool point_valid(const loft_drive *d, const loft_item *item)
 {
     for (int i = 0; i < LOFT_AXES; i++)

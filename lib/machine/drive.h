@@ -112,6 +112,12 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
 enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
                                   const int32_t start[LOFT_AXES]) LOFT_CHECKED;
 
+/* Say where the machine stands: axis i, of bit i of `axes`, is at position[i] steps.
+ *
+ *   range   no job is under way, otherwise LOFT_ERR_ARG; that of loft_step_place */
+enum loft_status loft_drive_place(loft_drive *d, uint8_t axes,
+                                  const int32_t position[LOFT_AXES]) LOFT_CHECKED;
+
 /* Append an item. An item is ignored when the job is over or being aborted.
  *
  *   range   no axis goes faster than LOFT_STEP_SLOTS_MAX steps per tick, otherwise LOFT_ERR_RANGE

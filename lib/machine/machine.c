@@ -141,11 +141,13 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
 
     config->info.queue  = config->cells;
     config->info.points = loft_points_capacity(config->cells);
-    config->info.kinds  = 1u << LOFT_SPANS | 1u << LOFT_POINTS;
+    config->info.kinds  = (uint8_t)(1u << LOFT_SPANS | 1u << LOFT_POINTS | LOFT_TAKES_PLACES |
+                                   (config->senses ? LOFT_TAKES_GUARDS : 0));
     config->info.curves = 0;
     m->job.kind = LOFT_SPANS;
     m->job.id = m->job.away = 0;
     m->closed = m->ended_by = 0;
+    loft_latch_init(&m->latch);
     enum loft_status status = init_planner(m, config);
     if (status == LOFT_OK)
         status = loft_receiver_init(&m->receiver, m->info);
@@ -169,15 +171,16 @@ static loft_snapshot snapshot_of(loft_machine *m)
     now.starved = r.starved;
     now.closed = m->closed;
     now.ended_by = m->ended_by;
+    now.latched = loft_latch_place(&m->latch);
     if (job_has_curves(m))
         count_curves(m, &now);
     return now;
 }
 
-/* The closed inputs that end a job which moves away from the inputs `away`. */
-static uint16_t ending_inputs(const loft_machine *m, uint16_t away)
+/* The closed inputs that end a job which moves away from the inputs `away`, with this guard. */
+static uint16_t ending_inputs(const loft_machine *m, uint16_t away, const loft_guard *guard)
 {
-    return (uint16_t)(m->closed & LOFT_INPUT_ENDING & ~away);
+    return (uint16_t)(m->closed & LOFT_INPUT_ENDING & ~away & ~guard->inputs);
 }
 
 /* No job is under way. The plan of the last job is discarded, even if this job is refused. */
@@ -185,7 +188,7 @@ static void begin_job(loft_machine *m, const loft_job *job)
 {
     const bool curves = job->kind == LOFT_CURVES;
 
-    if (ending_inputs(m, job->away)) {
+    if (ending_inputs(m, job->away, &job->guard)) {
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_INPUT);
         return;
     }
@@ -200,6 +203,7 @@ static void begin_job(loft_machine *m, const loft_job *job)
         m->job.kind = job->kind;
         m->job.away = job->away;
         m->ended_by = 0;
+        loft_latch_arm(&m->latch, &job->guard);
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_NONE);
         break;
     case LOFT_ERR_RANGE: loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_START); break;
@@ -230,8 +234,28 @@ void loft_machine_control(loft_machine *m, enum loft_verb verb)
     case LOFT_RESUME:   loft_drive_hold(&m->drive, false);  break;
     case LOFT_ABORT:    loft_drive_abort(&m->drive);        break;
     case LOFT_CLOSE:    loft_drive_close(&m->drive);        break;
-    case LOFT_OVERRIDE: break;              /* it has a value: loft_machine_override */
+    case LOFT_OVERRIDE:                     /* these have values: loft_machine_override, and */
+    case LOFT_PLACE: break;                 /* loft_drive_place */
     }
+}
+
+/* An input ends the job. */
+static void end_by_input(loft_machine *m, uint16_t why)
+{
+    m->ended_by = why;
+    loft_drive_abort(&m->drive);
+    loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_INPUT);
+}
+
+void loft_machine_sample(loft_machine *m, uint16_t inputs)
+{
+    if (!m->drive.active) {
+        loft_latch_rest(&m->latch);
+        return;
+    }
+    const uint16_t why = loft_latch_sample(&m->latch, inputs);
+    if (why && !m->ended_by)
+        end_by_input(m, why);
 }
 
 void loft_machine_inputs(loft_machine *m, uint16_t closed)
@@ -240,16 +264,21 @@ void loft_machine_inputs(loft_machine *m, uint16_t closed)
 
     m->closed   = closed;
     m->job.away = (uint16_t)(m->job.away & closed);
-    const uint16_t why = ending_inputs(m, m->job.away);
+    const uint16_t why = ending_inputs(m, m->job.away, &m->latch.guard);
     if (why && m->drive.active && !m->ended_by) {
-        m->ended_by = why;
-        loft_drive_abort(&m->drive);
-        loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_INPUT);
+        end_by_input(m, why);
     } else if (fresh & LOFT_INPUT_HOLD) {
         loft_machine_control(m, LOFT_HOLD);
     } else if (fresh & LOFT_INPUT_RESUME) {
         loft_machine_control(m, LOFT_RESUME);
     }
+}
+
+static void place_machine(loft_machine *m, const loft_control *place)
+{
+    loft_drive_close(&m->drive);
+    if (loft_drive_place(&m->drive, place->value, place->position) != LOFT_OK)
+        loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_START);
 }
 
 static void act_on_event(loft_machine *m, enum loft_event event, const loft_event_data *what)
@@ -264,6 +293,7 @@ static void act_on_event(loft_machine *m, enum loft_event event, const loft_even
     case LOFT_EVENT_ABORT:      loft_machine_control(m, LOFT_ABORT);    break;
     case LOFT_EVENT_OVERRIDE:   loft_machine_override(m, what->percent); break;
     case LOFT_EVENT_CLOSE:      loft_machine_control(m, LOFT_CLOSE);    break;
+    case LOFT_EVENT_PLACE:      place_machine(m, &what->place);             break;
     }
 }
 

@@ -7,6 +7,8 @@
  *     loft_machine_push       in the main loop, with the received bytes
  *     loft_machine_poll       in the main loop, for the next frame to send, when the line is free
  *     loft_machine_inputs     in the main loop, with the closed inputs
+ *     loft_machine_sample     in the main loop, each ms, with the inputs as they are, and
+ *     loft_machine_sense      in each slot: for guards
  *     loft_machine_slot       in a timer interrupt, tick_hz * slots times per second, for the pins
  *     loft_machine_tick       at least once per tick, interruptible by the slots
  *
@@ -16,6 +18,7 @@
 #define LOFT_MACHINE_MACHINE_H
 
 #include "machine/drive.h"      /* loft_drive                    */
+#include "machine/latch.h"      /* loft_latch                    */
 #include "machine/planner.h"    /* loft_planner              */
 #include "wire/receiver.h"      /* loft_receiver, loft_machine_info    */
 
@@ -30,6 +33,8 @@ typedef struct {
     uint16_t ramp;                      /* ticks from full pace to a stop in a hold */
     volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number */
     uint16_t cells;
+    bool     senses;                    /* jobs may carry guards: the port calls loft_machine_sample
+                                         * and loft_machine_sense */
     loft_planner *planner;              /* borrowed; needs LOFT_MACHINE_PLANS; NULL: none */
     loft_planner_memory plan;           /* its memory */
 } loft_machine_config;
@@ -44,6 +49,7 @@ typedef struct {
         uint16_t away;                  /* the rest of it: inputs that have not opened since */
         uint8_t  kind;
     } job;                              /* under way or over */
+    loft_latch    latch;                /* the guard of this job or of the last one */
     loft_planner *planner;
     uint16_t      closed, ended_by;     /* closed inputs; inputs that have ended the job */
 } loft_machine;
@@ -78,8 +84,14 @@ bool loft_machine_plan(loft_machine *m);
 /* Set the inputs that are closed now, a sum of LOFT_INPUT_, debounced. Call it whenever they are
  * read. A closed limit switch or emergency stop ends the job, on its path, and lets no job begin.
  * The exception is a job whose JOB names the input in `away`: it continues while the input stays
- * closed, and ends when the input opens and closes again. A button acts when it closes. */
+ * closed, and ends when the input opens and closes again. An input of the job's guard does neither:
+ * the guard decides. A button acts when it closes. */
 void loft_machine_inputs(loft_machine *m, uint16_t closed);
+
+/* Sample the inputs for a guard: `inputs` are those that are closed in this moment, as they bounce.
+ * Call it about once per millisecond. The job ends, on its path, when its guard has come true: see
+ * latch.h. */
+void loft_machine_sample(loft_machine *m, uint16_t inputs);
 
 /* The action of a button on the machine, as if the host had sent it. */
 void loft_machine_control(loft_machine *m, enum loft_verb verb);
@@ -96,6 +108,18 @@ static inline void loft_machine_override(loft_machine *m, unsigned percent)
 /* See loft_drive_tick and loft_drive_slot. */
 static inline void      loft_machine_tick(loft_machine *m)      { loft_drive_tick(&m->drive); }
 static inline loft_pins loft_machine_slot(loft_machine *m) { return loft_drive_slot(&m->drive); }
+
+/* Latch the position when an input of a guard changes. `inputs` are those that are closed in this
+ * slot, as they bounce. Call it after loft_machine_slot. It has an effect only while
+ * loft_machine_senses. */
+static inline bool loft_machine_senses(const loft_machine *m)
+{
+    return loft_latch_waits(&m->latch);
+}
+static inline void loft_machine_sense(loft_machine *m, uint16_t inputs)
+{
+    loft_latch_sense(&m->latch, inputs, m->drive.step.position);
+}
 
 LOFT_END_C
 

@@ -18,8 +18,8 @@
 
 LOFT_BEGIN_C
 
-#if LOFT_MACHINE_PLANS && LOFT_FRAME_MAX < 27 + 16 * LOFT_AXES
-#error "a machine that plans takes a JOB of curves: LOFT_FRAME_MAX must be >= 27 + 16 * LOFT_AXES"
+#if LOFT_MACHINE_PLANS && LOFT_FRAME_MAX < 31 + 16 * LOFT_AXES
+#error "a machine that plans takes a JOB of curves: LOFT_FRAME_MAX must be >= 31 + 16 * LOFT_AXES"
 #endif
 
 /* Spans that the drive may hold unexecuted outside its queue: the running one, and the one whose

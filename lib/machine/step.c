@@ -20,7 +20,7 @@
  * pulse in that slot, which it would do if h + c >= n. Then the tick gets one more slot in front
  * for the direction alone (`lead`). It is for all axes, so that they stay together on the line.
  */
-enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
+enum loft_status loft_step_place(loft_step *s, const int32_t position[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++)
         if (position[i] < -LOFT_STEP_REACH || position[i] > LOFT_STEP_REACH)
@@ -28,6 +28,13 @@ enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
 
     for (int i = 0; i < LOFT_AXES; i++)
         s->position[i] = s->target[i] = position[i];
+    return LOFT_OK;
+}
+
+enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
+{
+    if (loft_step_place(s, position) != LOFT_OK)
+        return LOFT_ERR_RANGE;
     s->which = 0;
     s->busy = 0;
     s->dir = s->target_dir = 0;

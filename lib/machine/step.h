@@ -58,6 +58,11 @@ typedef struct {
  *   range   |position| <= LOFT_STEP_REACH, otherwise LOFT_ERR_RANGE */
 enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES]) LOFT_CHECKED;
 
+/* Say where the motors stand: they do not move. No tick may be prepared or running.
+ *
+ *   range   |position| <= LOFT_STEP_REACH, otherwise LOFT_ERR_RANGE */
+enum loft_status loft_step_place(loft_step *s, const int32_t position[LOFT_AXES]) LOFT_CHECKED;
+
 /* Prepare the tick after the running one: at least `slots` slots, with the position `target` at its
  * end.
  *

@@ -144,13 +144,22 @@ static void put_limits(writer *w, const loft_job_limits *m)
     }
 }
 
+/* A bit of `kind`: a guard follows. */
+#define GUARDED 0x80u
+
 size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
 {
+    const bool guarded = m->guard.inputs != 0;
     writer w = start_frame(wire, LOFT_JOB, LOFT_WIRE_VERSION, session);
     put32(&w, m->nonce);
     put32(&w, m->id);
-    put8(&w, m->kind);
+    put8(&w, (uint8_t)(m->kind | (guarded ? GUARDED : 0)));
     put16(&w, m->away);
+    if (guarded) {
+        put16(&w, m->guard.inputs);
+        put8(&w, m->guard.how);
+        put8(&w, m->guard.filter);
+    }
     put_axes(&w, m->start);
     if (m->kind == LOFT_CURVES)
         put_limits(&w, m->limits);
@@ -164,6 +173,16 @@ static reader read_job(const loft_frame *f, loft_job *m)
     m->id    = get32(&r);
     m->kind  = get8(&r);
     m->away  = get16(&r);
+    m->guard.inputs = 0;
+    m->guard.how = m->guard.filter = 0;
+    if (m->kind & GUARDED) {
+        m->kind = (uint8_t)(m->kind & ~GUARDED);
+        m->guard.inputs = get16(&r);
+        m->guard.how = get8(&r);
+        m->guard.filter = get8(&r);
+        if (m->guard.inputs == 0 || m->guard.how > (LOFT_GUARD_OPENS | LOFT_GUARD_EDGE))
+            r.bad = true;
+    }
     get_axes(&r, m->start);
     m->limits = NULL;
     return r;
@@ -212,6 +231,8 @@ size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[
     put8(&w, m->number);
     put8(&w, m->verb);
     put8(&w, m->value);
+    if (m->verb == LOFT_PLACE)
+        put_axes(&w, m->position);
     return finish_frame(&w);
 }
 
@@ -221,6 +242,10 @@ enum loft_status loft_control_decode(const loft_frame *f, loft_control *m)
     m->number = get8(&r);
     m->verb   = get8(&r);
     m->value  = get8(&r);
+    if (m->verb == LOFT_PLACE) {
+        get_axes(&r, m->position);
+        return end_read_all(&r, m->value >= 1 && m->value < 1u << LOFT_AXES);
+    }
     return end_read_all(&r, m->verb == LOFT_OVERRIDE
                                 ? m->value >= 1 && m->value <= 200
                                 : m->verb >= LOFT_HOLD && m->verb <= LOFT_CLOSE && m->value == 0);
@@ -445,6 +470,8 @@ size_t loft_report_encode(const loft_report *m, uint8_t session, uint8_t wire[LO
     put8(&w, m->state);
     put16(&w, m->ended_by);
     put_axes(&w, m->position);
+    if (m->guarded)
+        put_axes(&w, m->latched);
     return finish_frame(&w);
 }
 
@@ -459,6 +486,9 @@ enum loft_status loft_report_decode(const loft_frame *f, loft_report *m)
     m->state   = get8(&r);
     m->ended_by = get16(&r);
     get_axes(&r, m->position);
+    m->guarded = f->count > r.at;
+    if (m->guarded)
+        get_axes(&r, m->latched);
     return end_read_all(&r, m->job != 0 &&
                                 (m->state == LOFT_STATE_DONE || m->state == LOFT_STATE_ABORTED));
 }

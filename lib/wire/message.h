@@ -87,8 +87,23 @@ enum loft_verb {
     LOFT_RESUME = 2,
     LOFT_ABORT  = 3,        /* slow down on the path, end the job                               */
     LOFT_CLOSE  = 4,        /* the report was read: forget the job                              */
-    LOFT_OVERRIDE = 5       /* run time at `value` percent of the plan                          */
+    LOFT_OVERRIDE = 5,      /* run time at `value` percent of the plan                          */
+    LOFT_PLACE  = 6         /* the machine stands at `position`: bit i of `value`: axis i       */
 };
+
+/* What a machine can do besides its kinds of items: bits of `kinds`. */
+#define LOFT_TAKES_GUARDS 0x01u         /* a JOB with a guard   */
+#define LOFT_TAKES_PLACES 0x80u         /* LOFT_PLACE           */
+
+/* A guard ends a job when an input changes: see machine/latch.h. */
+#define LOFT_GUARD_OPENS 1u             /* an input that opens, in place of one that closes */
+#define LOFT_GUARD_EDGE  2u             /* not one that is like that already: it changes first */
+
+typedef struct {
+    uint16_t inputs;                    /* any of these; 0: no guard */
+    uint8_t  how;                       /* a sum of LOFT_GUARD_ */
+    uint8_t  filter;                    /* ms that the input must stay so */
+} loft_guard;
 
 typedef struct {
     uint8_t  min_version, max_version;
@@ -109,6 +124,7 @@ typedef struct {
     uint32_t id;                        /* not 0; the same for the same job, see loft_job_id */
     uint8_t  kind;                      /* enum loft_kind */
     uint16_t away;                      /* inputs it moves away from: ignored until they open */
+    loft_guard guard;
     int32_t  start[LOFT_AXES];          /* spans, curves: raw Q16.16 mm; points: steps */
     const loft_job_limits *limits;      /* encode: for curves; decode sets it to NULL */
 } loft_job;
@@ -116,7 +132,8 @@ typedef struct {
 typedef struct {
     uint8_t number;                     /* counts up; each number is executed once */
     uint8_t verb;                       /* enum loft_verb */
-    uint8_t value;                      /* of LOFT_OVERRIDE: 1..200; else 0 */
+    uint8_t value;                      /* of LOFT_OVERRIDE: 1..200, of LOFT_PLACE: axes; else 0 */
+    int32_t position[LOFT_AXES];        /* of LOFT_PLACE alone: steps */
 } loft_control;
 
 /* The progress of a job: part of every answer. */
@@ -142,7 +159,7 @@ typedef struct {
     uint16_t queue;                     /* the number of spans that fit the queue */
     uint16_t tick_hz;                   /* ticks per second */
     uint16_t slots;                     /* chances to step per tick */
-    uint8_t  kinds;                     /* bit k: items of kind k are accepted */
+    uint8_t  kinds;                     /* bit k: items of kind k are accepted; LOFT_TAKES_ */
     uint16_t curves;                    /* curves that fit its plan; 0: it does not plan */
     uint16_t points;                    /* points that fit its queue at least */
     uint16_t closed;                    /* closed inputs */
@@ -176,7 +193,10 @@ typedef struct {
     uint32_t ticks, elapsed, slowed;    /* as in loft_machine_status */
     uint8_t  state;                     /* LOFT_STATE_DONE or LOFT_STATE_ABORTED */
     uint16_t ended_by;                  /* the inputs that ended the job; 0: none */
+    bool     guarded;                   /* the job had a guard */
     int32_t  position[LOFT_AXES];       /* steps: the sum of all pulses */
+    int32_t  latched[LOFT_AXES];        /* of a guard that has ended the job: steps, where its input
+                                         * changed */
 } loft_report;
 
 

@@ -133,7 +133,8 @@ static enum loft_event take_job(loft_receiver *r, const loft_snapshot *now, loft
         return drop_frame(r, DUE_STATUS);                /* refused stays refused in this session */
     if (now->state == LOFT_STATE_FAULT)
         return refuse_frame(r, LOFT_REFUSAL_FAULT);
-    if (!(r->info->kinds & 1u << m->kind))
+    if (!(r->info->kinds & 1u << m->kind) ||
+        (m->guard.inputs && !(r->info->kinds & LOFT_TAKES_GUARDS)))
         return refuse_frame(r, LOFT_REFUSAL_KIND);
     return LOFT_EVENT_JOB;
 }
@@ -212,20 +213,25 @@ static enum loft_event take_end(loft_receiver *r)
 static enum loft_event take_control(loft_receiver *r, const loft_snapshot *now,
                                     loft_event_data *out)
 {
-    loft_control m;
-    if (loft_control_decode(&r->frame, &m) != LOFT_OK)
+    loft_control *m = &out->place;
+    if (loft_control_decode(&r->frame, m) != LOFT_OK)
         return drop_frame(r, 0);
-    const uint8_t newer = (uint8_t)(m.number - r->control);
+    const uint8_t newer = (uint8_t)(m->number - r->control);
     if (newer == 0 || newer >= 128)
         return drop_frame(r, DUE_ACK);
 
-    r->control = m.number;
+    r->control = m->number;
     r->due |= DUE_ACK;
-    switch (m.verb) {
+    switch (m->verb) {
     case LOFT_HOLD:   return LOFT_EVENT_HOLD;
     case LOFT_RESUME: return LOFT_EVENT_RESUME;
     case LOFT_ABORT:  return LOFT_EVENT_ABORT;
-    case LOFT_OVERRIDE: out->percent = m.value; return LOFT_EVENT_OVERRIDE;
+    case LOFT_OVERRIDE: out->percent = m->value; return LOFT_EVENT_OVERRIDE;
+    case LOFT_PLACE:
+        if (loft_state_busy(now->state) || now->state == LOFT_STATE_FAULT)
+            return refuse_frame(r, LOFT_REFUSAL_BUSY);
+        r->job = 0;
+        return LOFT_EVENT_PLACE;
     default:
         if (!job_is_over(now->state))
             return LOFT_EVENT_NONE;
@@ -360,8 +366,11 @@ static size_t give_report(loft_receiver *r, const loft_snapshot *now, uint8_t wi
     m.slowed  = now->slowed;
     m.state   = now->state;
     m.ended_by = now->ended_by;
-    for (int i = 0; i < LOFT_AXES; i++)
+    m.guarded = now->latched != NULL;
+    for (int i = 0; i < LOFT_AXES; i++) {
         m.position[i] = now->position[i];
+        m.latched[i] = m.guarded ? now->latched[i] : 0;
+    }
     r->due &= (uint8_t)~DUE_REPORT;
     return loft_report_encode(&m, r->session, wire);
 }

@@ -39,7 +39,8 @@ typedef struct {
     uint16_t queue;                     /* spans that fit the queue */
     uint16_t points;                    /* points that fit it at least */
     uint16_t curves;                    /* curves that fit the plan */
-    uint8_t  kinds;                     /* 1 << enum loft_kind: items of this kind are accepted */
+    uint8_t  kinds;                     /* 1 << enum loft_kind: items of this kind are accepted;
+                                         * LOFT_TAKES_ */
     loft_axis_config axis[LOFT_AXES];
 } loft_machine_info;
 
@@ -52,6 +53,7 @@ typedef struct {
     uint8_t  state;                     /* enum loft_machine_state */
     uint8_t  override;                  /* percent; only poll uses it */
     uint16_t closed, ended_by;          /* inputs, as in the messages; only poll uses it */
+    const int32_t *latched;             /* LOFT_AXES steps; NULL: no guard; only poll uses it */
     bool     starved;
 } loft_snapshot;
 
@@ -66,12 +68,16 @@ enum loft_event {
     LOFT_EVENT_RESUME,
     LOFT_EVENT_ABORT,
     LOFT_EVENT_OVERRIDE,    /* `percent` */
-    LOFT_EVENT_CLOSE        /* the host has the report: IDLE */
+    LOFT_EVENT_CLOSE,       /* the host has the report: IDLE */
+    LOFT_EVENT_PLACE        /* `place`: no job is under way, and one that is over is closed; the
+                             * machine stands there. If it cannot, answer LOFT_REFUSAL_START without
+                             * a job */
 };
 
 typedef union {
     loft_job  job;
     loft_item item;
+    loft_control place;
     uint8_t   percent;
 } loft_event_data;
 

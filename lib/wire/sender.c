@@ -88,7 +88,8 @@ enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t
 {
     if (s->phase != LOFT_PHASE_READY || job->id == 0 ||
         (job->kind != LOFT_SPANS && job->kind != LOFT_POINTS && job->kind != LOFT_CURVES) ||
-        (job->kind == LOFT_CURVES && (!job->limits || s->machine.curves == 0)))
+        (job->kind == LOFT_CURVES && (!job->limits || s->machine.curves == 0)) ||
+        (job->guard.inputs && !(s->machine.kinds & LOFT_TAKES_GUARDS)))
         return LOFT_ERR_ARG;
     s->job     = *job;
     loft_window_init(&s->window, job, count, source, context);
@@ -109,7 +110,7 @@ void loft_sender_extend(loft_sender *s, uint32_t known, uint32_t count)
 static void set_control(loft_sender *s, enum loft_verb verb)
 {
     s->verb      = (uint8_t)verb;
-    s->value     = verb == LOFT_OVERRIDE ? s->percent : 0;
+    s->value     = verb == LOFT_OVERRIDE ? s->percent : verb == LOFT_PLACE ? s->axes : 0;
     s->verb_sent = false;
     s->attempts  = 0;
     s->number++;
@@ -122,6 +123,18 @@ void loft_sender_override(loft_sender *s, unsigned percent)
     s->percent = (uint8_t)(percent < 1 ? 1 : percent > 200 ? 200 : percent);
     if (s->verb == 0 || s->verb == LOFT_OVERRIDE)
         set_control(s, LOFT_OVERRIDE);
+}
+
+enum loft_status loft_sender_place(loft_sender *s, uint8_t axes, const int32_t position[LOFT_AXES])
+{
+    if (s->phase != LOFT_PHASE_READY || !(s->machine.kinds & LOFT_TAKES_PLACES) || axes == 0 ||
+        axes > ALL_AXES)
+        return LOFT_ERR_ARG;
+    s->axes = axes;
+    for (int i = 0; i < LOFT_AXES; i++)
+        s->place[i] = position[i];
+    set_control(s, LOFT_PLACE);
+    return LOFT_OK;
 }
 
 void loft_sender_control(loft_sender *s, enum loft_verb verb)
@@ -228,6 +241,13 @@ static void take_progress(loft_sender *s, uint32_t now)
     }
 }
 
+static void take_place(loft_sender *s, const loft_ack *m)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (m->refusal == LOFT_REFUSAL_NONE && s->axes & 1u << i)
+            s->axis[i].position = s->place[i];
+}
+
 static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
 {
     const bool streaming = s->phase == LOFT_PHASE_STREAMING;
@@ -244,6 +264,8 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
     if (s->verb_sent && m->control == s->number) {
         if (s->verb == LOFT_OVERRIDE && s->value == s->percent)
             s->percent = 0;
+        if (s->verb == LOFT_PLACE)
+            take_place(s, m);
         s->verb = 0;
         s->verb_sent = false;
         if (s->percent && s->phase != LOFT_PHASE_CLOSING)
@@ -404,6 +426,8 @@ static size_t give_control(loft_sender *s, uint32_t now, uint8_t wire[])
     m.number = s->number;
     m.verb   = s->verb;
     m.value  = s->value;
+    for (int i = 0; i < LOFT_AXES; i++)
+        m.position[i] = s->place[i];
     s->verb_sent = true;
     s->verb_time = now;
     s->attempts++;

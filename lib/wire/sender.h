@@ -54,6 +54,7 @@ typedef struct {
     uint8_t  refusal;                       /* enum loft_refusal: why REFUSED or ABORTED */
     bool     resumed;                       /* the job was already under way when it was begun */
     bool     collected;                     /* the job was already over: only its report is read */
+    uint8_t  verb;                          /* the unacknowledged CONTROL; 0: none */
     /* frames; the first two count data frames */
     uint32_t sent, resent, naks, timeouts, hellos, damaged, unknown;
     uint32_t rtt_ms;                        /* smoothed; 0 until measured */
@@ -63,8 +64,10 @@ typedef struct {
     loft_window window;                     /* the items in flight */
     uint8_t     doubt;                      /* STATUS to wait for until losses are known; 0: none */
     uint8_t     session, seen;              /* seen: bit i: AXIS i of this session has come */
-    uint8_t     verb, value, number;        /* the unacknowledged CONTROL */
+    uint8_t     value, number;              /* of the unacknowledged CONTROL */
     uint8_t     percent;                    /* the unacknowledged override; 0: none */
+    uint8_t     axes;                       /* of the unacknowledged place */
+    int32_t     place[LOFT_AXES];
     uint8_t     attempts;                   /* to send CONTROL */
     bool        greeted;                    /* WELCOME has come, AXIS may be missing */
     bool        began, asked, opened;       /* loft_sender_begin; JOB was sent; JOB was taken */
@@ -85,7 +88,8 @@ void loft_sender_init(loft_sender *s, uint32_t nonce, uint32_t now_ms);
  * nobody has read the report, the report is read. If it is in another job, the phase is BUSY.
  *
  *   range   phase is LOFT_PHASE_READY, job->id not 0, job->kind known, curves only for a machine
- *           that plans (machine.curves > 0), with job->limits (borrowed); otherwise LOFT_ERR_ARG
+ *           that plans (machine.curves > 0), with job->limits (borrowed), a guard only for one that
+ *           takes it (LOFT_TAKES_GUARDS); otherwise LOFT_ERR_ARG
  */
 enum loft_status loft_sender_begin(loft_sender *s, const loft_job *job, uint32_t count,
                                    loft_item_source *source, void *context) LOFT_CHECKED;
@@ -101,6 +105,15 @@ void loft_sender_extend(loft_sender *s, uint32_t known, uint32_t count);
  * and when BUSY. The latest control counts. After an abort no more items are sent, and the phase
  * becomes ABORTED. */
 void loft_sender_control(loft_sender *s, enum loft_verb verb);
+
+/* Say where the machine stands: axis i, of bit i of `axes`, is at position[i] steps. When `verb` is
+ * 0 again, the machine has obeyed, and axis[].position is corrected; or `ack.refusal` says why it
+ * has not, and it refuses the job of this session as well.
+ *
+ *   range   phase is LOFT_PHASE_READY; machine.kinds has LOFT_TAKES_PLACES; 0 < axes < 2^LOFT_AXES;
+ *           otherwise LOFT_ERR_ARG */
+enum loft_status loft_sender_place(loft_sender *s, uint8_t axes,
+                                   const int32_t position[LOFT_AXES]) LOFT_CHECKED;
 
 /* Run time at `percent` of the plan, 1..200, from now on until the job ends. It is sent after a
  * control in flight. */

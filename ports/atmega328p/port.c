@@ -46,7 +46,8 @@ static loft_machine_config config = {
     .info = { .tick_hz = LOFT_TICK_HZ, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
     .ramp = 40,
     .cell = cells,
-    .cells = CELLS
+    .cells = CELLS,
+    .senses = true
 };
 
 
@@ -65,11 +66,56 @@ static loft_machine_config config = {
 static volatile uint8_t ring[RING], ring_head, ring_tail;
 static volatile uint8_t at_work;
 
+static volatile uint8_t changed;            /* an input of a guard has changed, before this slot: */
+static volatile uint8_t changed_at;
+
+/* Inputs that are closed now, as they bounce. */
+static uint16_t closed_inputs(void)
+{
+    const uint8_t limits = (uint8_t)~PINB, buttons = ~PINC & BUTTONS;
+
+    return loft_switches_of((limits >> 1 & 3u) | (limits >> 2 & 4u) | (unsigned)buttons << 3);
+}
+
 static inline uint8_t ring_count(void)      { return (uint8_t)(ring_head - ring_tail) % RING; }
+
+/* For a guard: the position at the pins is the one that is counted, without the pulses from
+ * `changed_at` on, which are still in the ring. */
+static void sense_inputs(void)
+{
+    int32_t at[LOFT_AXES];
+
+    for (uint8_t i = 0; i < LOFT_AXES; i++) {
+        const uint8_t step = (uint8_t)(4 << i), dir = (uint8_t)(32 << i);
+        at[i] = machine.drive.step.position[i];
+        for (uint8_t k = changed_at; k != ring_head; k = (uint8_t)(k + 1) % RING) {
+            const uint8_t pins = ring[k] ^ LOFT_INVERT;
+            if (pins & step)
+                at[i] += pins & dir ? 1 : -1;
+        }
+    }
+    changed = 0;
+    loft_latch_keep(&machine.latch, at);
+}
+
+/* Called with interrupts disabled. */
+static inline void note_change(void)
+{
+    if (!loft_latch_waits(&machine.latch) || changed ||
+        !loft_latch_wanted(&machine.latch, closed_inputs()))
+        return;
+    changed_at = ring_tail;
+    changed = 1;
+}
+
+ISR(PCINT0_vect) { note_change(); }
+ISR(PCINT1_vect) { note_change(); }
 
 /* Make as many slots as there is room for, up to the end of the ring or of a tick. */
 static void make_slots(void)
 {
+    if (changed)
+        sense_inputs();
     const uint8_t head = ring_head, room = (uint8_t)(RING - 1 - ring_count()),
                   end = (uint8_t)(RING - head);
     uint8_t *slot = (uint8_t *)&ring[head], dir;
@@ -193,6 +239,10 @@ loft_machine_config *loft_port_init(void)
     UBRR0 = (F_CPU / 4 / LOFT_BAUD - 1) / 2;
     UCSR0B = 1 << RXEN0 | 1 << TXEN0 | 1 << RXCIE0;
 
+    PCMSK0 = LIMITS;
+    PCMSK1 = BUTTONS;
+    PCICR = 1 << PCIE1 | 1 << PCIE0;
+
     TCCR0B = 1 << CS02 | 1 << CS00;             /* free running, 64 us: the clock of the switches */
     return &config;
 }
@@ -218,9 +268,13 @@ static void watch_switches(void)
     if ((uint8_t)(TCNT0 - sampled) < 16)
         return;
     sampled = TCNT0;
-    const uint8_t limits = (uint8_t)~PINB, buttons = ~PINC & BUTTONS;
-    const uint16_t closed = loft_switches_of((limits >> 1 & 3u) | (limits >> 2 & 4u) |
-                                             (unsigned)buttons << 3);
+    const uint16_t closed = closed_inputs();
+
+    cli();
+    note_change();                          /* one that is like that from the start */
+    changed = changed && machine.drive.active;
+    sei();
+    loft_machine_sample(&machine, closed);
     if (loft_switches_steady(&switches, closed))
         loft_machine_inputs(&machine, closed);
 }

@@ -3,7 +3,7 @@
 AVR_BAUD  ?= 115200
 AVR_SLOTS ?= 40
 AVR_TICK_HZ ?= 1000
-AVR_MAX    = 30720 1600             # bytes of flash, and of RAM without the stack
+AVR_MAX    = 32256 1600             # bytes of flash, and of RAM without the stack
 AVR_FLAGS  = -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -ffreestanding -ffunction-sections \
              -fdata-sections $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16) \
              -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_MACHINE_OVERRIDE_LIMITS=0 \

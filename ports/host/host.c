@@ -124,6 +124,7 @@ static int start_machine(struct host *h)
                                        ? (uint32_t)o->max_jerk[i]
                                        : 0;
     }
+    c->senses = !h->board;              /* a board gives its slots later than they are made */
     c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
     c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);
     if (!give_memory(h, c) || loft_machine_init(&h->machine, c) != LOFT_OK) {
@@ -272,13 +273,17 @@ static void take_inputs(struct host *h)
 static void run_slots(struct host *h, uint64_t count)
 {
     for (uint64_t i = 0; i < count; i++) {
-        if (!h->board && h->slot % h->o->slots == 0)
+        if (!h->board && h->slot % h->o->slots == 0) {
             take_inputs(h);
+            loft_machine_sample(&h->machine, limits_closed(h));
+        }
         loft_machine_tick(&h->machine);
         const loft_pins pins = loft_machine_slot(&h->machine);
         if (h->board)
             h->board->slot(h->board, h->slot, pins);
         host_record_slot(&h->record, h->slot++, pins);
+        if (loft_machine_senses(&h->machine))
+            loft_machine_sense(&h->machine, limits_closed(h));
     }
     loft_machine_tick(&h->machine);
 }

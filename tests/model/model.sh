@@ -61,6 +61,12 @@ long_ones >"$work/long" &
         none "$safe" "" -DK=2 -DFAULTS=2 -DDEATHS=1 -DLIMITS=2
     search "the job ends, a frame lost or doubled, a limit closes" \
         none "$live" "-a -f" -DK=2 -DFAULTS=1 -DLIMITS=1
+    search "placed at any time, 2 frames lost or doubled, killed, the guard comes true" \
+        none "$safe" "" -DK=2 -DFAULTS=2 -DDEATHS=1 -DGUARDS=1 -DPLACES=2
+    search "the job ends, placed first, a frame lost or doubled, the guard comes true" \
+        none "$live" "-a -f" -DK=2 -DFAULTS=1 -DGUARDS=1 -DPLACES=1
+    search "planted: a place is obeyed in a job" \
+        "m_state!=" "$safe" "" -DK=2 -DFAULTS=2 -DDEATHS=1 -DPLACES=2 -DBUG=5
     search "planted: a refused JOB begins later" \
         "((h_phase==" "$safe" "" -DK=2 -DFAULTS=2 -DLIMITS=1 -DBUG=4
     search "planted: END counts nothing" "m_executed==" "$safe" "" -DBUG=1

@@ -8,17 +8,21 @@
  *     DEATHS    times the host program dies and is started again
  *     REBOOTS   times the machine restarts
  *     LIMITS    times a limit switch closes, which ends the job or prevents one, and opens again
+ *     GUARDS    times the guard of the job comes true, which ends it
+ *     PLACES    1: a host with a new job first says where the machine stands; 2: any host does,
+ *               whatever the machine is doing
  *
  * With -DFREE timeouts may also come at any moment (a busy host), otherwise only when nothing else
  * can happen. These properties hold:
  *
  *     safety    every item is accepted once, in order, and never more than the queue holds; the
  *               report comes when all of them are executed; after a restart during a job nothing is
- *               accepted until the user says so; no job begins whose host has ended
+ *               accepted until the user says so; no job begins whose host has ended; the machine is
+ *               placed between jobs alone, and a job whose host has placed it begins there
  *     liveness  the job ends, as done, aborted, refused or lost (ltl ends, weak fairness)
  *
  * Numbers on the wire count modulo M (65536 on the real one). `item` in a message is the item
- * itself; the protocol never looks at it. BUG=1..4 plants a mistake that must be found: see
+ * itself; the protocol never looks at it. BUG=1..5 plants a mistake that must be found: see
  * tests/model/model.sh.
  */
 #ifndef K
@@ -48,11 +52,18 @@
 #ifndef LIMITS
 #define LIMITS 0
 #endif
+#ifndef GUARDS
+#define GUARDS 0
+#endif
+#ifndef PLACES
+#define PLACES 0
+#endif
 #ifndef BUG
 #define BUG 0           /* 1: END is taken whatever it counts
                          * 2: an item ahead of `next` is taken
                          * 3: credit is counted
-                         * 4: a JOB that was refused may begin later in its session */
+                         * 4: a JOB that was refused may begin later in its session
+                         * 5: a place is obeyed in any state, each time it arrives */
 #endif
 
 #define IDLE 0          /* of the machine */
@@ -66,19 +77,23 @@
 #define CLOSING 3
 #define FINISHED 4
 #define LOST 5
+#define PLACING 6
 
-mtype = { HELLO, JOB, ITEM, END, POLL, CLOSE, WELCOME, ACK, REPORT };
+mtype = { HELLO, JOB, ITEM, END, POLL, CLOSE, PLACE, WELCOME, ACK, REPORT };
 
 /* session, number or nonce, item */
 chan to_machine = [CH] of { mtype, byte, byte, byte };
-/* session, nonce, next, limit, boot; limit + 16 * state, + 64: refused, + 128: opened */
+/* session, nonce, next, limit, boot; next + 64: placed; limit + 16 * state, + 64: refused,
+ * + 128: opened */
 chan to_host    = [CH] of { mtype, byte, byte, byte, byte, byte };
+byte guards = GUARDS;
 byte faults = FAULTS, deaths = DEATHS, reboots = REBOOTS, limits = LIMITS;
 byte nonces = 0;                /* each HELLO of a new connection has another nonce */
 
 /* the machine */
 byte m_state = IDLE, m_session = 0, m_sessions = 0, m_nonce = 0, m_boot = 0;
 byte m_next = 0, m_executed = 0;
+bool m_placed = false;          /* the number of the PLACE of this session was obeyed or refused */
 bool m_opened = false, m_ended = false, m_closed = false, m_refused = false;
 bool due_welcome = false, due_ack = false, due_report = false;
 
@@ -89,6 +104,7 @@ bool h_sent = false, h_opened = false, h_end_sent = false;
 bool h_asked = false, h_silent = false, h_doubt = false;
 
 /* the subject of the proofs */
+bool placed = false;            /* the machine was told where it stands */
 bool in_job = false;            /* JOB was taken and not yet closed                        */
 bool distrusted = false;        /* the machine restarted in mid-job, a host alive all the time */
 
@@ -106,15 +122,16 @@ inline give(line, what, a, b, c)
     :: faults > 0 && len(line) < CH - 1 -> faults--; line!what, a, b, c; line!what, a, b, c
     fi
 }
+#define counts  (m_next + 64 * m_placed)
 inline answer(what)
 {
     if
-    :: to_host!what, m_session, m_nonce, m_next, word, m_boot
+    :: to_host!what, m_session, m_nonce, counts, word, m_boot
     :: faults > 0 -> faults--
     :: faults > 0 && len(to_host) < CH - 1 ->
         faults--
-        to_host!what, m_session, m_nonce, m_next, word, m_boot;
-        to_host!what, m_session, m_nonce, m_next, word, m_boot
+        to_host!what, m_session, m_nonce, counts, word, m_boot;
+        to_host!what, m_session, m_nonce, counts, word, m_boot
     fi
 }
 
@@ -125,7 +142,8 @@ inline machine_hello(nonce)
         m_sessions++;
         m_session = m_sessions;
         m_opened  = (m_state == RUNNING);
-        m_refused = false
+        m_refused = false;
+        m_placed  = false
     :: else
     fi
     m_nonce     = nonce;
@@ -145,6 +163,7 @@ inline machine_job(nonce)
        !m_closed && (!m_refused || BUG == 4) ->
         assert(!over);                                  /* somebody is there */
         assert(!in_job);                                /* never a job within a job */
+        assert(!PLACES || placed);
         assert(!distrusted);
         in_job   = true;
         m_state  = RUNNING;
@@ -169,6 +188,22 @@ inline machine_item(number, item)
     due_ack = true
 }
 
+/* Its number makes it exactly once: each session has at most one here. A job that is over is
+ * forgotten. */
+inline machine_place()
+{
+    if
+    :: m_placed && BUG != 5
+    :: (!m_placed && m_state != RUNNING) || BUG == 5 ->
+        assert(m_state != RUNNING && !distrusted);
+        m_state = IDLE; in_job = false; due_report = false;
+        m_placed = true;
+        placed = true
+    :: !m_placed && m_state == RUNNING && BUG != 5 -> m_placed = true; m_refused = true
+    fi
+    due_ack = true
+}
+
 active proctype machine()
 {
     mtype what;
@@ -189,6 +224,7 @@ end:
                 :: else
                 fi
                 due_ack = true
+            :: what == PLACE -> machine_place()
             :: what == POLL  ->
                 due_ack = true;
                 if :: m_state == DONE || m_state == ABORTED -> due_report = true :: else fi
@@ -230,12 +266,17 @@ end:
         fi }
     :: atomic { m_closed -> m_closed = false }
 
+    :: atomic { guards > 0 && m_state == RUNNING ->
+        guards--;
+        m_state = ABORTED; in_job = false;
+        if :: m_session != 0 -> due_report = true; due_ack = true :: else fi }
+
     :: atomic { reboots > 0 ->
         reboots--;
         if :: in_job && h_opened -> distrusted = true :: else fi;
         m_boot++;
         m_state = IDLE; m_session = 0; m_sessions = m_boot; m_nonce = 0; m_next = 0; m_executed = 0;
-        m_opened = false; m_ended = false; m_refused = false; in_job = false;
+        m_opened = false; m_ended = false; m_refused = false; in_job = false; m_placed = false;
         due_welcome = false; due_ack = false; due_report = false }
     od
 }
@@ -248,7 +289,10 @@ inline host_join(state, next, limit, boot, opened)
     :: h_opened && (state == IDLE || boot != h_boot) -> h_phase = LOST
     :: else ->
         if
-        :: state == IDLE || (state == ABORTED && !h_asked) -> h_phase = OPENING
+        :: PLACES && !h_asked && (state == IDLE || state == ABORTED || PLACES == 2) ->
+            h_phase = PLACING
+        :: (!PLACES || h_asked) && (state == IDLE || (state == ABORTED && !h_asked)) ->
+            h_phase = OPENING
         :: else ->
             h_phase = STREAMING; h_opened = true;
             h_base = next; h_send = next; h_limit = limit; h_end_sent = false
@@ -257,9 +301,12 @@ inline host_join(state, next, limit, boot, opened)
     h_boot = boot
 }
 
-inline host_ack(state, next, limit, opened, refused)
+inline host_ack(state, next, limit, opened, refused, obeyed)
 {
     if
+    :: h_phase == PLACING && h_sent && obeyed ->
+        h_sent = false; h_silent = false;
+        if :: refused -> h_phase = FINISHED :: else -> h_phase = OPENING fi
     :: h_phase == OPENING && h_sent && !opened && refused -> h_phase = FINISHED
     :: h_phase == OPENING && h_sent && opened ->
         h_phase = STREAMING; h_opened = true;
@@ -303,7 +350,7 @@ active proctype host()
 {
     mtype what;
     byte session, nonce, next, state, boot;
-    bool opened, refused;
+    bool opened, refused, obeyed;
 
     atomic { host_greet() }
     do
@@ -311,22 +358,26 @@ active proctype host()
         opened = state >= 128;
         refused = (state % 128) >= 64;
         state  = state % 64;
+        obeyed = next >= 64;
+        next   = next % 64;
         if :: session == h_session -> h_silent = false :: else fi;
         if
         :: what == WELCOME && h_phase == GREETING && nonce == h_nonce ->
             h_session = session;
             host_join(state / 16, next, state % 16, boot, opened)
         :: what == ACK && h_phase != GREETING && session == h_session ->
-            host_ack(state / 16, next, state % 16, opened, refused)
+            host_ack(state / 16, next, state % 16, opened, refused, obeyed)
         :: what == REPORT && h_phase == STREAMING && session == h_session ->
             h_phase = CLOSING; h_sent = false
         :: else
         fi;
         what = HELLO; session = 0; nonce = 0; next = 0; state = 0; boot = 0;
-        opened = false; refused = false }
+        opened = false; refused = false; obeyed = false }
 
     :: atomic { h_phase == GREETING && !h_sent && nfull(to_machine) ->
         h_sent = true; give(to_machine, HELLO, 0, h_nonce, 0) }
+    :: atomic { h_phase == PLACING && !h_sent && nfull(to_machine) ->
+        h_sent = true; give(to_machine, PLACE, h_session, 0, 0) }
     :: atomic { h_phase == OPENING && !h_sent && nfull(to_machine) ->
         h_sent = true; h_asked = true; give(to_machine, JOB, h_session, h_nonce, 0) }
     :: atomic { h_phase == CLOSING && !h_sent && nfull(to_machine) ->
@@ -341,17 +392,18 @@ active proctype host()
 
     /* silence: a question, or the same message again, once; then start with the greeting */
     :: atomic { quiet && h_phase == GREETING && h_sent -> h_sent = false }
-    :: atomic { quiet && (h_phase == OPENING || h_phase == CLOSING) && h_sent && !h_silent ->
+    :: atomic { quiet && (h_phase == OPENING || h_phase == CLOSING || h_phase == PLACING) &&
+                h_sent && !h_silent ->
         h_silent = true; h_sent = false }
     :: atomic { quiet && h_phase == CLOSING && h_sent && h_silent -> h_phase = FINISHED }
     :: atomic { quiet && h_phase == STREAMING && !h_silent && nfull(to_machine) ->
         h_silent = true; h_doubt = true; give(to_machine, POLL, h_session, 0, 0) }
-    :: atomic { quiet && (h_phase == OPENING || h_phase == STREAMING) && h_silent &&
-                nonces < MOST ->
+    :: atomic { quiet && (h_phase == OPENING || h_phase == STREAMING || h_phase == PLACING) &&
+                h_silent && nonces < MOST ->
         host_greet() }
 
     /* the program dies and is started again: it knows only its job */
-    :: atomic { deaths > 0 && h_phase < CLOSING && !distrusted ->
+    :: atomic { deaths > 0 && (h_phase < CLOSING || h_phase == PLACING) && !distrusted ->
         deaths--; h_opened = false; h_asked = false;
         h_base = 0; h_send = 0; h_limit = 0; h_boot = 0; host_greet() }
     :: over -> break

@@ -103,7 +103,8 @@ typedef struct {
     uint32_t queued, ended, stop_at, wake;
     uint32_t period;                /* ms per item; 0: immediate */
     enum loft_refusal refuses;
-    uint32_t jobs, ends, holds, resumes, aborts, closes, overrides;        /* events */
+    uint32_t jobs, ends, holds, resumes, aborts, closes, overrides, places;        /* events */
+    int32_t place[LOFT_AXES];
     uint32_t told;                  /* highest limit that was sent */
     uint32_t delivered;             /* items, counted here and not by the receiver */
     uint32_t sloppy;                /* per million: fails to drain a frame */
@@ -196,6 +197,10 @@ static inline void mill_act(mill *m, enum loft_event e, const loft_event_data *d
     case LOFT_EVENT_OVERRIDE:
         m->overrides++;
         m->now.override = data->percent;
+        break;
+    case LOFT_EVENT_PLACE:
+        m->places++;
+        memcpy(m->place, data->place.position, sizeof m->place);
         break;
     case LOFT_EVENT_CLOSE:
         m->closes++;

@@ -85,6 +85,24 @@ rates "60 steps/ms, 3 axes" 3 60
 row "60 steps/ms, 3 axes: it says how many ticks were slowed" "$(said slowed)" ">=" 1
 row "60 steps/ms, 3 axes: slots missed"                     "$(value slots_missed)" = 0
 
+echo "-- a guarded job: the switch of x closes with one pulse, without and with bouncing"
+# guarded NAME STEPS_PER_TICK STEPS[,MS]
+guarded() {
+    touch=$3
+    on_chip "$chip" "$elf" "$rate" "$tmp/port" 3 "$2" 8
+    touch=
+    row "$1: the guard ends the job"                        "$code" = 0
+    row "$1: the latched place, in steps"                   "$(said latched)" = "${3%,*}"
+    row "$1: rests behind it, on its count" \
+        "$(said position)" = "$(value position | awk '{ print $1 }')"
+    row "$1: slots missed"                                  "$(value slots_missed)" = 0
+}
+guarded "5 mm/s"                     1.25 400
+guarded "5 mm/s, bounces for 5 ms"   1.25 400,5
+guarded "160 mm/s"                   40 10001
+guarded "160 mm/s, bounces for 5 ms" 40 10001,5
+row "guards: RAM, data, bss and the deepest stack"          "$(ram)" "<=" 1988 bytes
+
 echo "-- a line that is cut"
 "$loft" simulate --link "$tmp/cut" --speed real >"$tmp/log" & here=$!
 for _ in $(seq 3000); do [ -e "$tmp/cut" ] && break; sleep 0.02; done

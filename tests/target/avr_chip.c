@@ -1,12 +1,15 @@
 /* tests/target/avr_chip.c -- the emulated chip behind a pseudo terminal
  * SPDX-License-Identifier: MIT
  * usage: chip FIRMWARE.elf --tick ADDRESS --ring HEAD,TAIL [--link PATH] [--record FILE] [--steps
- * N] [--profile FILE]
+ * N] [--profile FILE] [--touch STEPS[,MS]]
+ *
+ * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS.
  *
  * The chip's time stops while it is the host's turn (avr_gate.h). The program ends when a job has
  * been drawn and closed, and prints lines `name value`.
  */
 #include <signal.h>
+#include <simavr/avr_ioport.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,6 +29,7 @@
 /* the same while it may wait for the machine's answer to its last frames */
 #define WINDOW_MS   400
 #define LEAVE_MS    10000           /* time to read the last answer */
+#define BOUNCE      (HZ / 10000)    /* cycles between two changes of a contact, at least */
 
 struct chip {
     struct avr_core core;
@@ -35,7 +39,57 @@ struct chip {
     uint16_t out_head, out_tail;
     uint32_t given_up;                  /* the limit up to which the host did not send in time */
     uint32_t waits;                     /* how often that happened */
+    int32_t x, touch;                   /* steps of x at the pins; where its switch closes or 0 */
+    avr_cycle_count_t bounce;           /* cycles, and until when */
+    avr_cycle_count_t settled;
 };
+
+
+// The switch of x: D9, low when closed
+// ------------------------------------
+
+static void set_switch(avr_t *avr, bool closed)
+{
+    avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('B'), 1), !closed);
+}
+
+static avr_cycle_count_t bounces(avr_t *avr, avr_cycle_count_t when, void *param)
+{
+    const struct chip *c = param;
+    static bool closed = true;
+
+    closed = when >= c->settled || !closed;
+    set_switch(avr, closed);
+    return when >= c->settled ? 0 : when + BOUNCE + when * 7 % (BOUNCE * 3);
+}
+
+static void x_steps(struct avr_irq_t *irq, uint32_t value, void *param)
+{
+    struct chip *c = param;
+    avr_t *avr = c->core.avr;
+
+    (void)irq;
+    if (!value)
+        return;
+    c->x += avr->data[0x2B] & 0x20 ? -1 : 1;
+    if (c->x != c->touch || c->settled)
+        return;
+    c->settled = avr->cycle + c->bounce + 1;
+    set_switch(avr, true);
+    if (c->bounce)
+        avr_cycle_timer_register(avr, BOUNCE, bounces, c);
+}
+
+static void watch_x(struct chip *c, const char *touch)
+{
+    char *tail;
+
+    c->touch = (int32_t)strtol(touch, &tail, 0);
+    c->bounce = (avr_cycle_count_t)(*tail ? atof(tail + 1) : 0) * (HZ / 1000);
+    if (c->touch)
+        avr_irq_register_notify(avr_io_getirq(c->core.avr, AVR_IOCTL_IOPORT_GETIRQ('D'), 2),
+                                x_steps, c);
+}
 
 static volatile sig_atomic_t stop_wanted;
 
@@ -198,6 +252,7 @@ int main(int argc, char **argv)
 {
     static struct chip c;
     struct loft_host_options o = loft_host_defaults();
+    const char *touch = "0";
     const char *profile = NULL, *tick = "0", *ring = "0,0";
     double steps = 250;
 
@@ -214,6 +269,8 @@ int main(int argc, char **argv)
             o.record = argv[i + 1];
         if (strcmp(argv[i], "--steps") == 0)
             steps = atof(argv[i + 1]);
+        if (strcmp(argv[i], "--touch") == 0)
+            touch = argv[i + 1];
         if (strcmp(argv[i], "--profile") == 0)
             profile = argv[i + 1];
     }
@@ -224,8 +281,10 @@ int main(int argc, char **argv)
     gate_init(&c.gate);
     int code = argc < 2 ? EX_USAGE
                         : avr_core_start(&c.core, argv[1], (uint32_t)strtoul(tick, NULL, 0));
-    if (code == 0)
+    if (code == 0) {
+        watch_x(&c, touch);
         code = host_record_open(&c.core.meter.record, &o);
+    }
     if (code == 0)
         code = host_line_open(&c.line, o.link, 0);
     if (code != 0)

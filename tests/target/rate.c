@@ -1,8 +1,9 @@
 /* tests/target/rate.c -- runs a machine at a given rate: some axes move straight, all at the same
  * number of steps per tick
  * SPDX-License-Identifier: MIT
- * usage: rate PORT AXES STEPS_PER_TICK ; prints `ticks elapsed slowed` and the positions reached,
- * and fails if they are not those of the plan
+ * usage: rate PORT AXES STEPS_PER_TICK [FILTER] ; prints `ticks elapsed slowed` and the positions
+ * reached, and fails if they are not those of the plan. With FILTER, in ms, the limit switch of x
+ * guards the job: prints `latched` and the place, and fails if that has not ended the job.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -62,9 +63,12 @@ static void plan(const loft_sender *s, int axes, double rate)
                                             s->axis[i].steps_per_mm);
 }
 
-static int begin(loft_sender *s, int axes, double rate)
+static int begin(loft_sender *s, int axes, double rate, const char *filter)
 {
     loft_job job = { .kind = LOFT_SPANS };
+
+    if (filter)
+        job.guard = (loft_guard){ .inputs = LOFT_INPUT_ENDS(0), .filter = (uint8_t)atoi(filter) };
 
     plan(s, axes, rate);
     for (int i = 0; i < LOFT_AXES; i++)
@@ -102,12 +106,13 @@ static bool give(int fd, const uint8_t *byte, size_t count)
 
 int main(int argc, char **argv)
 {
-    const int fd = argc == 4 ? open_port(argv[1]) : -1, axes = argc == 4 ? atoi(argv[2]) : 0;
+    const bool known = argc == 4 || argc == 5;
+    const int fd = known ? open_port(argv[1]) : -1, axes = known ? atoi(argv[2]) : 0;
     static loft_sender s;
     int failed = 0;
 
     if (fd < 0 || axes < 1 || axes > LOFT_AXES) {
-        fprintf(stderr, "usage: rate PORT AXES STEPS_PER_TICK\n");
+        fprintf(stderr, "usage: rate PORT AXES STEPS_PER_TICK [FILTER]\n");
         return 64;
     }
     loft_sender_init(&s, now_ms() + (uint32_t)getpid(), now_ms());
@@ -127,13 +132,17 @@ int main(int argc, char **argv)
         for (ssize_t i = 0; i < got; i++)
             (void)loft_sender_push(&s, byte[i], now_ms());
         if (s.phase == LOFT_PHASE_READY)
-            failed = begin(&s, axes, atof(argv[3]));
+            failed = begin(&s, axes, atof(argv[3]), argc == 5 ? argv[4] : NULL);
     }
     printf("ticks %u elapsed %u slowed %u position", (unsigned)s.report.ticks,
            (unsigned)s.report.elapsed, (unsigned)s.report.slowed);
     for (int i = 0; i < LOFT_AXES; i++)
         printf(" %d", (int)s.report.position[i]);
     printf(" planned %d\n", (int)end_steps);
+    if (argc == 5) {
+        printf("latched %d\n", (int)s.report.latched[0]);
+        return s.phase != LOFT_PHASE_ABORTED || s.report.ended_by != LOFT_INPUT_ENDS(0);
+    }
     for (int i = 0; i < axes; i++)
         failed |= s.report.position[i] != end_steps;
     return failed || s.phase != LOFT_PHASE_DONE;

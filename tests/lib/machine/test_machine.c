@@ -71,7 +71,8 @@ static void world_start(arb *a, int32_t reach)
     w.config = (loft_machine_config){ .info = { .boot = 77, .tick_hz = 1000, .slots = slots },
                                       .ramp = r.ramp,
                                       .cell = cells,
-                                      .cells = r.cells };
+                                      .cells = r.cells,
+                                      .senses = true };
     for (int i = 0; i < LOFT_AXES; i++) {
         w.config.info.axis[i].steps_per_mm = per_mm[i];
         w.config.position[i] = c.position[i];
@@ -98,7 +99,7 @@ static void make_noise(arb *a)
 }
 
 /* The sender's end for one ms. */
-static void sender_runs(void)
+static void sender_talks(void)
 {
     uint8_t wire[LOFT_FRAME_MAX];
     size_t count;
@@ -110,15 +111,20 @@ static void sender_runs(void)
     }
     if (w.cut)
         return;
-    if (w.sender.phase == LOFT_PHASE_READY)
-        CHECK(loft_sender_begin(&w.sender, &w.job, r.items, items_of, NULL) == LOFT_OK);
     if (pipe_room(&w.down) >= 2 * LOFT_FRAME_MAX - 1 &&
         (count = loft_sender_poll(&w.sender, w.ms, wire)) != 0)
         pipe_send(&w.down, wire, count);
 }
 
-/* The machine for one ms = one tick: bytes, answers, slots. */
-static void machine_runs(void)
+static void sender_runs(void)
+{
+    if (!w.cut && w.sender.phase == LOFT_PHASE_READY)
+        CHECK(loft_sender_begin(&w.sender, &w.job, r.items, items_of, NULL) == LOFT_OK);
+    sender_talks();
+}
+
+/* The machine for one ms = one tick: bytes and answers, then slots. */
+static void machine_gets(void)
 {
     uint8_t wire[LOFT_FRAME_MAX];
     size_t count;
@@ -128,6 +134,11 @@ static void machine_runs(void)
     if (pipe_room(&w.up) >= 2 * LOFT_FRAME_MAX - 1 &&
         (count = loft_machine_poll(&w.machine, wire)) != 0)
         pipe_send(&w.up, wire, count);
+}
+
+static void machine_runs(void)
+{
+    machine_gets();
     for (uint16_t slot = 0; slot < r.slots; slot++) {
         loft_machine_tick(&w.machine);
         rig_slot();
@@ -363,6 +374,95 @@ static void a_limit_that_was_left_ends_the_job_when_it_closes_again(arb *a)
           w.sender.report.ended_by == (again ? first : other));
 }
 
+/* A guard ends the job on its path. It latches the place of the first slot in which its input has
+ * changed, though the contact bounces for 5 ms, and a shorter disturbance before is forgotten. The
+ * machine is then told where it stands, and the next job begins there. */
+static void a_guard_ends_the_job_and_tells_the_place_of_the_edge(arb *a)
+{
+    const bool opens = arb_below(a, 2);
+    const uint16_t input = arb_below(a, 3) ? arb_ending(a) : 0x8000u;
+    const uint32_t when = 100 + arb_below(a, 300), early = 20 + arb_below(a, when - 60);
+    int32_t place[LOFT_AXES], edge[LOFT_AXES] = { 0 };
+    uint32_t begun = 0;
+    bool noted = false;
+
+    do
+        world_start(a, 20);
+    while (r.ticks < 1000);
+    if (arb_below(a, 2))
+        make_noise(a);
+    w.job.guard = (loft_guard){ .inputs = input,
+                                .how = (uint8_t)((opens ? LOFT_GUARD_OPENS : 0) |
+                                                 (arb_below(a, 2) ? LOFT_GUARD_EDGE : 0)),
+                                .filter = 8 };
+    if (opens)
+        loft_machine_inputs(&w.machine, input);         /* it lets the job begin */
+    do {
+        sender_runs();
+        machine_gets();
+        if (begun == 0 && w.machine.drive.active)
+            begun = w.ms + 1;
+        const uint32_t t = begun ? w.ms + 1 - begun : 0;
+        const uint16_t first = (uint16_t)arb_below(a, r.slots);
+        for (uint16_t slot = 0; slot < r.slots; slot++) {
+            const bool edge_now = t == when && slot == first;
+            const bool bounces = (t >= when && t < when + 5) || t == early;
+            const bool on = t == when && slot < first
+                                ? false
+                                : edge_now || t >= when + 5 || (bounces && arb_below(a, 2));
+            const uint16_t closed = on != opens ? input : 0;
+            loft_machine_tick(&w.machine);
+            rig_slot();
+            if (edge_now) {
+                noted = true;
+                for (int i = 0; i < LOFT_AXES; i++)
+                    edge[i] = r.at[i];
+            }
+            if (loft_machine_senses(&w.machine))
+                loft_machine_sense(&w.machine, closed);
+            if (slot == 0)
+                loft_machine_sample(&w.machine, closed);
+        }
+        loft_machine_tick(&w.machine);
+        CHECK(w.machine.drive.abort == 0 || t >= when + 8);
+    } while (++w.ms < LONG && w.sender.phase < LOFT_PHASE_DONE);
+
+    CHECK(noted && w.sender.phase == LOFT_PHASE_ABORTED && w.sender.report.guarded);
+    CHECK(w.sender.report.ended_by == input && here(r.path[r.passed]) && r.passed < r.ticks);
+    for (int i = 0; i < LOFT_AXES; i++)
+        CHECK(w.sender.report.latched[i] == edge[i] && w.sender.report.position[i] == r.at[i]);
+
+    while (w.machine.drive.state != LOFT_STATE_IDLE && w.ms < LONG)
+        world_runs();
+    greet();
+    while (w.sender.phase != LOFT_PHASE_READY && w.ms < LONG) {
+        sender_talks();
+        machine_runs();
+        w.ms++;
+    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        place[i] = arb_raw(a, 100000);
+    CHECK(loft_sender_place(&w.sender, 1u << LOFT_AXES, place) == LOFT_ERR_ARG);
+    CHECK(loft_sender_place(&w.sender, (1u << LOFT_AXES) - 1, place) == LOFT_OK);
+    for (int i = 0; i < LOFT_AXES; i++)
+        r.at[i] = place[i];
+    while (w.sender.verb && w.ms < LONG) {
+        sender_talks();
+        machine_runs();
+        w.ms++;
+    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        CHECK(w.sender.axis[i].position == place[i] &&
+              w.machine.drive.step.position[i] == place[i]);
+    w.job.guard.inputs = 0;
+    loft_machine_inputs(&w.machine, 0);
+    another_job(0);
+    while (world_runs()) {
+    }
+    check_drawn();
+    CHECK(!w.sender.report.guarded);
+}
+
 /* Buttons act when they close. */
 static void a_button_that_stays_closed_counts_once(arb *a)
 {
@@ -435,6 +535,7 @@ int main(void)
     PROPERTY(a_job_begins_free_of_the_holds_before_it,                           20);
     PROPERTY(a_closed_limit_ends_jobs_and_lets_none_begin,                       30);
     PROPERTY(a_limit_that_was_left_ends_the_job_when_it_closes_again,            10);
+    PROPERTY(a_guard_ends_the_job_and_tells_the_place_of_the_edge,               20);
     PROPERTY(a_button_that_stays_closed_counts_once,                              5);
     PROPERTY(a_job_that_starts_elsewhere_is_refused,                             10);
     PROPERTY(an_item_that_is_too_fast_ends_the_job_on_the_path,                  20);

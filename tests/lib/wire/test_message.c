@@ -148,6 +148,19 @@ static void axes_come_back(arb *a)
     CHECK(loft_axis_decode(&f, &g) == LOFT_ERR_DATA);
 }
 
+/* Any guard, or none. */
+static loft_guard arb_guard(arb *a)
+{
+    loft_guard g = { 0, 0, 0 };
+
+    if (arb_below(a, 2))
+        return g;
+    g.inputs = (uint16_t)(1 + arb_below(a, 65535));
+    g.how = (uint8_t)arb_below(a, 4);
+    g.filter = arb_u8(a);
+    return g;
+}
+
 static void jobs_come_back(arb *a)
 {
     uint8_t wire[LOFT_FRAME_MAX];
@@ -155,16 +168,27 @@ static void jobs_come_back(arb *a)
     loft_job m, g;
     m.nonce = arb_u32(a), m.id = arb_u32(a) | 1, m.kind = (uint8_t)(1 + arb_below(a, 2)),
     m.away = arb_u16(a);
+    m.guard = arb_guard(a);
     arb_axes(a, m.start);
     const size_t n = loft_job_encode(&m, session, wire);
-    CHECK(n == 19 + 4 * LOFT_AXES);
+    CHECK(n == 19 + 4 * LOFT_AXES + (m.guard.inputs ? 4 : 0));
     loft_frame f = content(wire, n);
     IS(f, LOFT_JOB, LOFT_WIRE_VERSION, session);
     CHECK(loft_job_decode(&f, &g) == LOFT_OK && g.nonce == m.nonce && g.id == m.id &&
           g.kind == m.kind && g.away == m.away);
     CHECK(memcmp(g.start, m.start, sizeof g.start) == 0);
+    CHECK(g.guard.inputs == m.guard.inputs && g.guard.how == m.guard.how &&
+          g.guard.filter == m.guard.filter);
+    if (m.guard.inputs) {
+        f.byte[15] = (uint8_t)(4 + arb_below(a, 252));                          /* how */
+        CHECK(loft_job_decode(&f, &g) == LOFT_ERR_DATA);
+        f.byte[15] = m.guard.how;
+        f.byte[13] = f.byte[14] = 0;                                            /* no inputs */
+        CHECK(loft_job_decode(&f, &g) == LOFT_ERR_DATA);
+        f = content(wire, loft_job_encode(&m, session, wire));
+    }
     REFUSES_OTHER_LENGTHS(f, loft_job_decode(&f, &g), false);
-    f.byte[10] = (uint8_t)(arb_below(a, 2) ? 0 : 5 + arb_below(a, 251));        /* kind */
+    f.byte[10] = (uint8_t)((f.byte[10] & 128) | (arb_below(a, 2) ? 0 : 5 + arb_below(a, 123)));
     CHECK(loft_job_decode(&f, &g) == LOFT_ERR_DATA);
     m.id = 0;
     f = content(wire, loft_job_encode(&m, session, wire));
@@ -179,6 +203,7 @@ static void jobs_of_curves_bring_their_limits(arb *a)
 
     m.nonce = arb_u32(a), m.id = arb_u32(a) | 1, m.kind = LOFT_CURVES,
     m.away = (uint16_t)arb_u32(a), m.limits = &l;
+    m.guard = arb_guard(a);
     arb_axes(a, m.start);
     memset(&l, 0, sizeof l);
     memset(&k, 0, sizeof k);
@@ -187,10 +212,11 @@ static void jobs_of_curves_bring_their_limits(arb *a)
         l.axis[i].max_speed = arb_i32(a), l.axis[i].max_accel = arb_i32(a),
         l.axis[i].max_jerk = arb_u32(a);
     const size_t n = loft_job_encode(&m, 9, wire);
-    CHECK(n == 27 + 16 * LOFT_AXES);
+    CHECK(n == 27 + 16 * LOFT_AXES + (m.guard.inputs ? 4 : 0));
     loft_frame f = content(wire, n);
     CHECK(loft_job_decode(&f, &g) == LOFT_OK && g.id == m.id && g.kind == LOFT_CURVES &&
-          g.away == m.away && memcmp(g.start, m.start, sizeof g.start) == 0);
+          g.away == m.away && memcmp(g.start, m.start, sizeof g.start) == 0 &&
+          g.guard.inputs == m.guard.inputs);
     CHECK(loft_job_limits_decode(&f, &k) == LOFT_OK && memcmp(&l, &k, sizeof l) == 0);
     REFUSES_OTHER_LENGTHS(f, loft_job_decode(&f, &g), false);
     REFUSES_OTHER_LENGTHS(f, loft_job_limits_decode(&f, &k), false);
@@ -207,7 +233,7 @@ static void short_ones_come_back(arb *a)
     uint8_t wire[LOFT_FRAME_MAX];
     const uint8_t session = arb_u8(a);
     const uint32_t total = arb_u32(a);
-    loft_control m = { arb_u8(a), (uint8_t)(1 + arb_below(a, 5)), 0 }, g;
+    loft_control m = { .number = arb_u8(a), .verb = (uint8_t)(1 + arb_below(a, 5)) }, g;
     uint32_t got;
 
     if (m.verb == LOFT_OVERRIDE)
@@ -231,6 +257,18 @@ static void short_ones_come_back(arb *a)
     CHECK(loft_control_decode(&f, &g) == LOFT_ERR_DATA);
     f.byte[4] = m.value;
     f.byte[3] = (uint8_t)(arb_below(a, 2) ? 0 : 6 + arb_below(a, 250));
+    CHECK(loft_control_decode(&f, &g) == LOFT_ERR_DATA);
+
+    m.verb = LOFT_PLACE;
+    m.value = (uint8_t)(1 + arb_below(a, (1u << LOFT_AXES) - 1));
+    arb_axes(a, m.position);
+    n = loft_control_encode(&m, session, wire);
+    CHECK(n == 11 + 4 * LOFT_AXES);
+    f = content(wire, n);
+    CHECK(loft_control_decode(&f, &g) == LOFT_OK && g.verb == LOFT_PLACE && g.value == m.value &&
+          memcmp(g.position, m.position, sizeof g.position) == 0);
+    REFUSES_OTHER_LENGTHS(f, loft_control_decode(&f, &g), false);
+    f.byte[4] = (uint8_t)(arb_below(a, 2) ? 0 : (1u << LOFT_AXES) + arb_below(a, 100));
     CHECK(loft_control_decode(&f, &g) == LOFT_ERR_DATA);
 
     n = loft_poll_encode(session, wire);
@@ -297,15 +335,19 @@ static void reports_come_back(arb *a)
     m.state = arb_below(a, 2) ? LOFT_STATE_DONE : LOFT_STATE_ABORTED;
     m.ended_by = (uint16_t)arb_u32(a);
     arb_axes(a, m.position);
+    arb_axes(a, m.latched);
+    m.guarded = arb_below(a, 2);
     const size_t n = loft_report_encode(&m, session, wire);
-    CHECK(n == 31 + 4 * LOFT_AXES);
+    CHECK(n == 31 + 4 * LOFT_AXES + (m.guarded ? 4 * LOFT_AXES : 0));
     loft_frame f = content(wire, n);
     IS(f, LOFT_REPORT, LOFT_WIRE_VERSION, session);
     CHECK(loft_report_decode(&f, &g) == LOFT_OK && g.job == m.job && g.items == m.items &&
           g.ticks == m.ticks);
     CHECK(g.elapsed == m.elapsed && g.slowed == m.slowed && g.state == m.state &&
           g.ended_by == m.ended_by);
-    CHECK(memcmp(g.position, m.position, sizeof g.position) == 0);
+    CHECK(memcmp(g.position, m.position, sizeof g.position) == 0 && g.guarded == m.guarded);
+    if (m.guarded)
+        CHECK(memcmp(g.latched, m.latched, sizeof g.latched) == 0);
     REFUSES_OTHER_LENGTHS(f, loft_report_decode(&f, &g), false);
     m.state = LOFT_STATE_RUNNING;
     f = content(wire, loft_report_encode(&m, session, wire));

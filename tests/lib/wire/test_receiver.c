@@ -7,11 +7,11 @@
 static unsigned give(mill *m, arb *a, const uint8_t wire[], size_t size)
 {
     const uint32_t before = m->jobs + m->delivered + m->ends + m->holds + m->resumes + m->aborts +
-                            m->closes;
+                            m->closes + m->places;
     for (size_t i = 0; i < size; i++)
         mill_byte(m, a, wire[i], 0);
-    return m->jobs + m->delivered + m->ends + m->holds + m->resumes + m->aborts + m->closes -
-           before;
+    return m->jobs + m->delivered + m->ends + m->holds + m->resumes + m->aborts + m->closes +
+           m->places - before;
 }
 
 static loft_ack answer(mill *m)
@@ -36,7 +36,7 @@ static void a_message_works_once_and_in_its_place(arb *a)
     static mill m;
     uint8_t wire[LOFT_FRAME_MAX], data[LOFT_FRAME_MAX];
     loft_hello hello = { LOFT_WIRE_VERSION, LOFT_WIRE_VERSION, 1 };
-    loft_control control = { 1, LOFT_HOLD, 0 };
+    loft_control control = { .number = 1, .verb = LOFT_HOLD };
     loft_job job = { 0 };
     loft_predictor p;
     loft_packer k;
@@ -94,6 +94,10 @@ static void a_message_works_once_and_in_its_place(arb *a)
     CHECK(give(&m, a, wire, loft_control_encode(&control, s, wire)) == 0 && m.r.job == 5);
     control.number = 3, control.verb = LOFT_RESUME;
     CHECK(give(&m, a, wire, loft_control_encode(&control, s, wire)) == 1);
+    control.number = 4, control.verb = LOFT_PLACE, control.value = 1;       /* not in a job */
+    CHECK(give(&m, a, wire, loft_control_encode(&control, s, wire)) == 0 && m.places == 0);
+    CHECK(answer(&m).refusal == LOFT_REFUSAL_BUSY);
+    control.value = 0;
 
     CHECK(give(&m, a, wire, loft_end_encode(1, s, wire)) == 1);
     CHECK(give(&m, a, wire, loft_end_encode(1, s, wire)) == 0);
@@ -110,6 +114,13 @@ static void a_message_works_once_and_in_its_place(arb *a)
           answer(&m).refusal == 0);
     control.number = 1, control.verb = LOFT_CLOSE;
     CHECK(give(&m, a, wire, loft_control_encode(&control, s, wire)) == 1 && m.r.job == 0);
+
+    control.number = 2, control.verb = LOFT_PLACE, control.value = 1;       /* idle: obeyed, once */
+    CHECK(m.places == 0);
+    CHECK(give(&m, a, wire, loft_control_encode(&control, s, wire)) == 1 && m.places == 1);
+    CHECK(give(&m, a, wire, loft_control_encode(&control, s, wire)) == 0 && m.places == 1);
+    ack = answer(&m);
+    CHECK(ack.control == 2 && ack.refusal == LOFT_REFUSAL_NONE);
     /* one job per session */
     CHECK(give(&m, a, wire, loft_job_encode(&job, s, wire)) == 0);
 }
@@ -185,6 +196,7 @@ static void arb_mill(arb *a, mill *m, loft_job *job)
     CHECK(all.welcome.job == 0 && all.axis[LOFT_AXES - 1].start == 0);
 
     job->nonce = 0, job->id = 1 + arb_below(a, 1000), job->kind = LOFT_SPANS;
+    job->guard = (loft_guard){ .inputs = 0 };
     CHECK(give(m, a, wire, loft_job_encode(job, m->r.session, wire)) == 1);
 }
 
@@ -298,7 +310,7 @@ static void silence_where_nothing_is_asked(arb *a)
     static const uint8_t noise[4] = { 5, 5, 5, 0 };
     static mill m;
     uint8_t wire[LOFT_FRAME_MAX], s;
-    loft_control control = { 128, LOFT_HOLD, 0 };
+    loft_control control = { .number = 128, .verb = LOFT_HOLD };
     loft_job job;
     answers all;
 

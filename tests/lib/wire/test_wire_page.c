@@ -84,7 +84,9 @@ static size_t say_host(const loft_frame *f, uint8_t wire[])
     case LOFT_JOB:
         CHECK(loft_job_decode(f, &job) == LOFT_OK);
         say("JOB session=%u nonce=0x%08lX id=0x%08lX kind=%u away=%u", session, ul(job.nonce),
-            ul(job.id), job.kind, job.away);
+            ul(job.id), job.kind + (job.guard.inputs ? 128u : 0u), job.away);
+        if (job.guard.inputs)
+            say(" guard=%u,%u,%u", job.guard.inputs, job.guard.how, job.guard.filter);
         say_axes("start", job.start);
         if (job.kind == LOFT_CURVES)
             say_limits(f, &limits);
@@ -99,6 +101,8 @@ static size_t say_host(const loft_frame *f, uint8_t wire[])
         CHECK(loft_control_decode(f, &control) == LOFT_OK);
         say("CONTROL session=%u number=%u verb=%u value=%u", session, control.number, control.verb,
             control.value);
+        if (control.verb == LOFT_PLACE)
+            say_axes("position", control.position);
         return loft_control_encode(&control, session, wire);
     case LOFT_POLL: say("POLL session=%u", session); return loft_poll_encode(session, wire);
     default: return 0;
@@ -153,6 +157,8 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
             session, ul(report.job), ul(report.items), ul(report.ticks), ul(report.elapsed),
             ul(report.slowed), report.state, report.ended_by);
         say_axes("position", report.position);
+        if (report.guarded)
+            say_axes("latched", report.latched);
         return loft_report_encode(&report, session, wire);
     default: return 0;
     }

@@ -137,11 +137,18 @@ class Decoder:
             return ' '.join([head] + items)
         name, fields = (HOST if kind < 8 else MACHINE)[kind]
         said = [name] + (['session=%d' % session] if kind != 1 else [])
-        if kind == 2 and payload[8] == 4:
+        if kind == 2 and payload[8] & 127 == 4:
             fields += ' ' + LIMITS
+        if kind == 2 and payload[8] & 128:
+            fields = fields.replace('start:', 'guard:G start:')
+        if kind == 6 and payload[1] == 6:
+            fields += ' position:A'
+        if kind == 12 and len(payload) > 23 + 4 * AXES:
+            fields += ' latched:A'
         for field in fields.split():
             label, form = field.split(':')
-            form, n = {'X': 'I', 'A': 'i', 'L': 'iiI'}.get(form, form), AXES if form == 'A' else 1
+            n = AXES if form == 'A' else 1
+            form = {'X': 'I', 'A': 'i', 'L': 'iiI', 'G': 'HBB'}.get(form, form)
             form = '<' + form * n
             size = struct.calcsize(form)
             value, payload = struct.unpack(form, payload[:size]), payload[size:]
