@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: MIT
  *
  * A property is a function whose name is a sentence. It runs with many seeds. A failure prints the
- * seed, and LOFT_SEED=<seed> in the environment (or -DLOFT_SEED) repeats that case.
+ * seed, and LOFT_SEED=<seed> in the environment (or -DLOFT_SEED) repeats that case. A long sweep
+ * can be cut into parts: LOFT_SEED=<first>-<last>.
  *
  *     static void ends_on_the_last_point(arb *a) { ... CHECK(x == y); ... }
  *     int main(void) { PROPERTY(ends_on_the_last_point, 2000); return check_failures(); }
@@ -87,7 +88,9 @@ static inline bool check_sampled(void) { return CHECK_SHARE > 1 || getenv("LOFT_
 static inline void check_property(const char *name, void (*property)(arb *), unsigned times)
 {
     const char *one = getenv("LOFT_SEED");
-    const uint64_t first = one ? strtoull(one, NULL, 10) : 1, last = one ? first : times;
+    char *end = NULL;
+    const uint64_t first = one ? strtoull(one, &end, 10) : 1,
+                   last  = !one ? times : *end == '-' ? strtoull(end + 1, NULL, 10) : first;
 
     check_bad = false;
     for (check_seed = first; check_seed <= last && !check_bad; check_seed++) {
@@ -98,7 +101,8 @@ static inline void check_property(const char *name, void (*property)(arb *), uns
         check_failed++;
     else
         check_passed++;
-    printf("%s %s %s (%u)\n", check_bad ? "FAIL" : "ok  ", CHECK_NUM, name, times);
+    printf("%s %s %s (%u)\n", check_bad ? "FAIL" : "ok  ", CHECK_NUM, name,
+           (unsigned)(last - first + 1));
     fflush(stdout);
 }
 
