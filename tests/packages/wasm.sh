@@ -31,5 +31,23 @@ for num in q16 f32 f64; do
     verdict "$num: no imports, every function exported, a curve walked by node" \
         node "$work/run.mjs" "build/wasm/loft-$num.wasm" $num
 done
+# what a few functions take, beside the table of the page
+selection() {   # selection BYTES FUNCTION..: within 1 %
+    local said=$1 exports='' bytes
+    shift
+    for name in "$@"; do exports="$exports -Wl,--export=loft_${name}_q16x3"; done
+    clang --target=wasm32 -std=c99 -Oz -ffreestanding -nostdlib -ffunction-sections \
+        -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all $exports -Ilib \
+        $(ls lib/num/*.c lib/geom/*.c lib/basis/*.c lib/curve/*.c lib/motion/scurve.c) \
+        ports/bare/memory.c -o "$work/part.wasm" || return
+    bytes=$(wc -c < "$work/part.wasm")
+    echo "$bytes bytes, the page says $said"
+    [ $((100 * (bytes > said ? bytes - said : said - bytes))) -le "$said" ]
+}
+while IFS='|' read -r _ functions said _; do
+    verdict "$(echo $functions: $said) bytes" selection "$(echo "$said" | tr -d ' ,')" $functions
+done < <(grep -E '^\| [a-z_ ]+ \| [0-9,]+ \|$' ports/wasm/README.md)
+counted() { [ "$passed" -ge 7 ]; }
+verdict "the page has three selections" counted
 ls -l build/wasm/*.wasm | awk '{ print "     " $5 " bytes in " $9 }'
 ended
