@@ -71,8 +71,16 @@ darwin() {      # objects of macOS: without its SDK, which Debian does not have
 }
 verdict "macOS, arm64 and x86_64: loft.c compiled by clang, not linked (no SDK here)" darwin
 on_musl() {
-    musl-gcc -std=c99 -O1 -static -I"$work/c" tests/packages/user.c "$work/c/loft.c" \
-        -o "$work/c/user" && "$work/c/user"
+    musl-gcc -std=c99 -O1 -c "$work/c/loft.c" -o "$work/c/loft.o" &&
+        musl-gcc -std=c99 -O1 -static -I"$work/c" tests/packages/user.c "$work/c/loft.o" \
+            -o "$work/c/user" && "$work/c/user"
 }
 verdict "musl: loft.c and a program, built statically and run" on_musl
+tested() {
+    for test in num bezier forward nurbs scurve drawing codec frame machine; do
+        musl-gcc -std=c99 -O1 -static -Ilib -Itests "$(find tests/lib -name "test_$test.c")" \
+            "$work/c/loft.o" -lm -o "$work/c/test" && LOFT_CASES=200 "$work/c/test" || return
+    done
+}
+verdict "musl: nine tests of the library" tested
 ended
