@@ -27,7 +27,8 @@ int planning_start(planning *p, int argc, char **argv)
                      .across = -1,
                      .lift = 1,
                      .smooth = -1,
-                     .sheet = { .gap = PAGE_GAP } };
+                     .sheet = { .gap = PAGE_GAP },
+                     .order = { .effort = ORDER_EFFORT, .join = ORDER_JOIN } };
     const int code = machine_option(&p->machine, argc, argv);
 
     p->corner = p->machine.corner;
@@ -88,6 +89,8 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
     int code = drawing_read(d, file);
     if (code == 0)
         code = page_apply(&p->sheet, d, file);
+    if (code == 0)
+        code = order_apply(&p->order, d, planning_path(p).zero, p->park, file);
     if (code == 0)
         code = within_reach(p, d, file);
     if (code == 0 && drawing_smooth(smooth, d, within) > 0)

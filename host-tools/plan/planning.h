@@ -10,7 +10,8 @@
 #include "plan/joints.h"         /* joints */
 #include "read/machine_file.h"   /* machine_file */
 #include "base/tool.h"           /* tool_option */
-#include "plan/page.h"          /* page_options */
+#include "plan/order.h"          /* order_options */
+#include "plan/page.h"           /* page_options */
 #include "plan/toolpath.h"       /* toolpath_options */
 
 typedef struct {
@@ -25,6 +26,7 @@ typedef struct {
     double smoothed;                /* mm of tol that smoothing used up */
     bool park;
     page_options sheet;
+    order_options order;
 } planning;
 
 /* Rows of a table of options. */
@@ -51,7 +53,7 @@ typedef struct {
         TOOL_NUMBER("lift", "MM", &(p)->lift, 0, 100, "height of the pen while travelling (1)"),   \
         TOOL_SWITCH("park", &(p)->park,                                                            \
                     "at the end go to the machine's zero, where it was switched on or homed"),     \
-        PAGE_OPTIONS(&(p)->sheet), GCODE_OPTION(&(p)->dialect),                                    \
+        PAGE_OPTIONS(&(p)->sheet), ORDER_OPTIONS(&(p)->order), GCODE_OPTION(&(p)->dialect),        \
         ENGINE_OPTION(&(p)->e, "number type of the planner (q16)")
 
 /* Set the defaults; reads the machine's file if the options name one. Returns 0, or an exit code
