@@ -113,9 +113,9 @@ static void write_header(FILE *out, const harmonic_series *s, const engine *e, c
         fprintf(out, "\n");
     }
     fprintf(out, "};\n");
-    if (s->poles > 0)
-        fprintf(out, "static const loft_harmonic_pole %s_pole[%u] = {\n", name, s->poles);
-    for (unsigned i = 0; i < s->poles; i++) {
+    if (s->pole_count > 0)
+        fprintf(out, "static const loft_harmonic_pole %s_pole[%u] = {\n", name, s->pole_count);
+    for (unsigned i = 0; i < s->pole_count; i++) {
         fprintf(out, "    { {");
         write_number(out, s->pole[i][0], e);
         write_number(out, s->pole[i][1], e);
@@ -126,17 +126,20 @@ static void write_header(FILE *out, const harmonic_series *s, const engine *e, c
     fprintf(out,
             "%sstatic const loft_harmonic_table %s_table = {\n    %s_coefficient, %s%s, %u, %u, "
             "%u, %u, {",
-            s->poles > 0 ? "};\n" : "", name, name, s->poles > 0 ? name : "0",
-            s->poles > 0 ? "_pole" : "", s->terms, s->sides, s->poles, s->degree);
+            s->pole_count > 0 ? "};\n" : "", name, name, s->pole_count > 0 ? name : "0",
+            s->pole_count > 0 ? "_pole" : "", s->terms, s->sides, s->poles, s->degree);
     for (unsigned i = 0; i < s->sides; i++)
         fprintf(out, " %u,", s->powers[i]);
-    fprintf(out, " }, %u\n};\n", s->straight);
+    fprintf(out, " }, %u, {", s->straight);
+    for (unsigned i = 0; i < s->sides; i++)
+        fprintf(out, " %u,", s->corner_poles[i]);
+    fprintf(out, " }\n};\n");
 }
 
 /* A row for each pole, then one for each term. */
 static void write_csv(FILE *out, const harmonic_series *s)
 {
-    for (unsigned i = 0; i < s->poles; i++)
+    for (unsigned i = 0; i < s->pole_count; i++)
         fprintf(out, "pole %u,%.17Lg,%.17Lg,%.17Lg\n", i, s->pole[i][0], s->pole[i][1],
                 s->pole[i][2]);
     fprintf(out, "term,coefficients of each vertex\n");
@@ -211,9 +214,10 @@ static int run(const tool_command *self, int argc, char **argv)
             printf("%s%.15Lg", i ? "," : "", phi[i]);
         printf("\n");
     } else {
-        printf("error at most %.2Lg, found on %u points of the boundary; %u terms (polynomial of "
-               "degree %u, %u poles), table of %u bytes\n",
-               error, s.points, s.terms, s.degree, s.poles, s.terms * s.sides * 8 + s.poles * 24);
+        printf("error at most %.2Lg, proved on the whole boundary from %u points; %u terms "
+               "(polynomial of degree %u, %u poles), table of %u bytes\n",
+               error, s.points, s.terms, s.degree, s.pole_count,
+               s.terms * s.sides * 8 + s.pole_count * 24);
     }
     if (output != NULL)
         code = write_table(&s, e, output);
@@ -230,6 +234,6 @@ const tool_command command_harmonic = {
     "harmonic coordinates of a polygon as a table for lib/polygon/harmonic.h",
     "POLYGON has one vertex per line, x and y, counterclockwise, 3 to 8 of them; it need not be "
     "convex. Solves Laplace's equation on it and\n"
-    "prints the largest error, which is found on the boundary, and the size of the table.\n",
+    "prints a bound of the error, which holds on the whole polygon, and the size of the table.\n",
     run
 };

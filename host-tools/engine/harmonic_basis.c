@@ -11,6 +11,8 @@ static long double cross(harmonic_point a, harmonic_point b) { return cimagl(con
 
 static long double near_zero(long double angle) { return angle - TURN * roundl(angle / TURN); }
 
+static void find_rooms(harmonic_shape *h);
+
 void harmonic_shape_of(double v[][2], unsigned sides, harmonic_shape *h)
 {
     h->sides = sides;
@@ -39,6 +41,7 @@ void harmonic_shape_of(double v[][2], unsigned sides, harmonic_shape *h)
             h->turn[i][f] = h->turn[i][e] + cargl((h->v[f] - h->v[i]) / (h->v[e] - h->v[i]));
         }
     }
+    find_rooms(h);
 }
 
 
@@ -91,32 +94,53 @@ static harmonic_point quotient(harmonic_point x)
     return sum;
 }
 
+harmonic_point harmonic_log(const harmonic_shape *h, unsigned at, harmonic_point z, int edge)
+{
+    return logl(cabsl(z - h->v[at]) / h->far[at]) + I * angle_at(h, at, z, edge);
+}
+
+static long double *put_parts(harmonic_point f, long double *out)
+{
+    *out++ = creall(f);
+    *out++ = cimagl(f);
+    return out;
+}
+
+/* The powers of a corner, then its poles: at the corner itself l is minus infinity. */
+static long double *put_corner(const harmonic_shape *h, const harmonic_series *s, unsigned i,
+                               harmonic_point l, bool there, const long double (*pole)[3],
+                               long double *out)
+{
+    const long double a = HARMONIC_PI / h->angle[i];
+    const harmonic_point w = there ? cexpl(a * l) : 0, root = there ? cexpl(l / 2) : 0;
+    harmonic_point power = w;
+
+    for (unsigned k = 1; k <= s->powers[i]; k++, power *= w)
+        *out++ = k > 1 || !(s->straight >> i & 1) ? cimagl(power)
+                 : there                          ? cimagl(cexpl(l) * l * quotient((a - 1) * l))
+                                                  : 0;
+    for (unsigned k = 0; k < s->corner_poles[i]; k++)
+        out = put_parts(pole[k][2] / (root - (pole[k][0] + I * pole[k][1])), out);
+    return out;
+}
+
 void harmonic_terms(const harmonic_shape *h, const harmonic_series *s, harmonic_point z, int edge,
                     long double out[])
 {
-    for (unsigned i = 0; i < h->sides; i++) {
-        const long double a = HARMONIC_PI / h->angle[i], r = cabsl(z - h->v[i]) / h->far[i];
-        const bool there = r > 0 && s->powers[i] > 0;
-        const harmonic_point l = there ? logl(r) + I * angle_at(h, i, z, edge) : 0,
-                             w = there ? cexpl(a * l) : 0;
-        harmonic_point power = w;
-        for (unsigned k = 1; k <= s->powers[i]; k++, power *= w)
-            *out++ = k > 1 || !(s->straight >> i & 1) ? cimagl(power)
-                     : there                          ? cimagl(cexpl(l) * l * quotient((a - 1) * l))
-                                                      : 0;
+    const long double(*pole)[3] = s->pole;
+
+    for (unsigned i = 0; i < h->sides; pole += s->corner_poles[i++]) {
+        const bool there = cabsl(z - h->v[i]) > 0, used = s->powers[i] || s->corner_poles[i];
+        out = put_corner(h, s, i, there && used ? harmonic_log(h, i, z, edge) : 0, there, pole,
+                         out);
     }
-    for (unsigned i = 0; i < s->poles; i++) {
-        const harmonic_point q = s->pole[i][2] / (z - (s->pole[i][0] + I * s->pole[i][1]));
-        *out++ = creall(q);
-        *out++ = cimagl(q);
-    }
+    for (unsigned i = 0; i < s->poles; i++, pole++)
+        out = put_parts((*pole)[2] / (z - ((*pole)[0] + I * (*pole)[1])), out);
     const harmonic_point t = (z - h->middle) / h->reach;
     harmonic_point power = t;
     *out++ = 1;
-    for (unsigned k = 1; k <= s->degree; k++, power *= t) {
-        *out++ = creall(power);
-        *out++ = cimagl(power);
-    }
+    for (unsigned k = 1; k <= s->degree; k++, power *= t)
+        out = put_parts(power, out);
 }
 
 
@@ -165,20 +189,59 @@ long double harmonic_clearance(const harmonic_shape *h, const harmonic_place *fr
     return first * most;
 }
 
-/* Distances to edges that do not touch this one, and to its ends. */
-static long double narrowness(const harmonic_shape *h, unsigned e, long double along, int depth)
+/* How near the nearest edge is that does not end at this corner; its own edges count with their
+ * lengths. */
+static long double corner_room(const harmonic_shape *h, unsigned i)
 {
-    const harmonic_point a = h->v[e], d = h->v[(e + 1) % h->sides] - a;
-    const long double length = cabsl(d),
-                      end = fmaxl(fminl(along, length - along), ldexpl(length, -depth));
-    long double least = end;
+    const unsigned n = h->sides;
+    long double least = fminl(cabsl(h->v[(i + 1) % n] - h->v[i]),
+                              cabsl(h->v[(i + n - 1) % n] - h->v[i]));
 
-    for (unsigned k = 2; k + 1 < h->sides; k++)
-        least = fminl(least, distance_to(h, a + d * (along / length), (e + k) % h->sides));
-    return fmaxl(least, ldexpl(length, -depth));
+    for (unsigned k = 1; k + 1 < n; k++)
+        least = fminl(least, distance_to(h, h->v[i], (i + k) % n));
+    return least;
 }
 
-size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least, int depth,
+static void find_foot(harmonic_shape *h, unsigned at, unsigned e)
+{
+    const harmonic_point a = h->v[e], d = h->v[(e + 1) % h->sides] - a;
+    const long double t = creall(conjl(d) * (h->v[at] - a)) / creall(conjl(d) * d),
+                      room = distance_to(h, h->v[at], e);
+    const harmonic_point foot = a + t * d;
+
+    if (!(t > 0 && t < 1) || cross(d, h->v[at] - a) <= 0)
+        return;
+    for (unsigned i = 0; i < h->sides; i++)
+        if (i != at && cabsl(h->v[i] - foot) < 0.5L * room)
+            return;
+    h->foot[h->feet++] = (harmonic_foot){ e, t * cabsl(d), room, foot };
+}
+
+static void find_rooms(harmonic_shape *h)
+{
+    h->feet = 0;
+    for (unsigned i = 0; i < h->sides; i++)
+        h->room[i] = corner_room(h, i);
+    for (unsigned i = 0; i < h->sides; i++)
+        for (unsigned k = 1; k + 1 < h->sides; k++)
+            find_foot(h, i, (i + k) % h->sides);
+}
+
+/* The scale of what happens at a place of an edge: the distance from the nearest vertex or foot, or
+ * a share of the room there. */
+static long double place_scale(const harmonic_shape *h, unsigned e, harmonic_point z)
+{
+    long double least = 4 * h->reach;
+
+    for (unsigned i = 0; i < h->sides; i++)
+        least = fminl(least, fmaxl(cabsl(z - h->v[i]), h->room[i] * 0x1p-9L));
+    for (unsigned i = 0; i < h->feet; i++)
+        if (h->foot[i].edge == e)
+            least = fminl(least, fmaxl(cabsl(z - h->foot[i].at), h->foot[i].room / 2));
+    return least;
+}
+
+size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least,
                      harmonic_place out[], size_t most)
 {
     size_t count = 0;
@@ -186,15 +249,16 @@ size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least, 
     for (unsigned e = 0; e < h->sides; e++) {
         const harmonic_point a = h->v[e], d = h->v[(e + 1) % h->sides] - a;
         const long double length = cabsl(d);
+        if (count < most)
+            out[count] = (harmonic_place){ e, 0, a };
+        count++;
         for (long double along = 0; along < length; count++) {
-            const long double way = fminl(
-                                  fminl(step * narrowness(h, e, along, depth), length / least),
-                                  length - along),
+            const long double scale = place_scale(h, e, a + d * (along / length)),
+                              way = fminl(fminl(step * scale, length / least), length - along),
                               here = along + way / 2;
             if (count < most)
-                out[count] = (harmonic_place){ e, here, narrowness(h, e, here, depth),
-                                               a + d * (here / length) };
-            along += fmaxl(way, length * 1e-9L);
+                out[count] = (harmonic_place){ e, here, a + d * (here / length) };
+            along += fmaxl(way, length * 1e-12L);
         }
     }
     return count;

@@ -13,6 +13,13 @@
 
 typedef long double complex harmonic_point;
 
+/* Where a vertex is near an edge: the foot of the perpendicular, how far along, and how near. */
+typedef struct {
+    unsigned edge;
+    long double along, room;
+    harmonic_point at;
+} harmonic_foot;
+
 /* A polygon as the terms see it. */
 typedef struct {
     unsigned sides;
@@ -23,6 +30,9 @@ typedef struct {
         start[HARMONIC_SIDES]; /* at the corner; the direction of the edge that leaves */
     long double turn[HARMONIC_SIDES]
                     [HARMONIC_SIDES]; /* as in loft_harmonic_corner                           */
+    long double room[HARMONIC_SIDES]; /* of a corner: how near the next edge is */
+    harmonic_foot foot[HARMONIC_SIDES * HARMONIC_SIDES];
+    unsigned feet;
 } harmonic_shape;
 
 void harmonic_shape_of(double v[][2], unsigned sides, harmonic_shape *out);
@@ -32,20 +42,22 @@ void harmonic_shape_of(double v[][2], unsigned sides, harmonic_shape *out);
 void harmonic_terms(const harmonic_shape *h, const harmonic_series *s, harmonic_point z, int edge,
                     long double out[]);
 
-/* A place on the boundary: its distance along the edge, how narrow the polygon is there. */
+/* ln((z - v) / far) at a corner, with the angle followed along the boundary. */
+harmonic_point harmonic_log(const harmonic_shape *h, unsigned at, harmonic_point z, int edge);
+
+/* A place on the boundary, and its distance along the edge. */
 typedef struct {
     unsigned edge;
-    long double along, narrow;
+    long double along;
     harmonic_point at;
 } harmonic_place;
 
-/* Walk along the edges in steps of `step` times the narrowness, which near a vertex is the distance
- * from it, at least 2^-depth
- * of the edge, but `least` of them on every edge. Gives how many places there are, `most` at most
- * are written.
+/* Walk along the edges, from each vertex, in steps of `step` times the distance from the nearest
+ * vertex or foot, but `least` of them on every edge. Gives how many places there are, `most` at
+ * most are written.
  *
  *   shape   out[most] */
-size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least, int depth,
+size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least,
                      harmonic_place out[], size_t most);
 
 /* Is z outside? And how far from the boundary? */
@@ -56,5 +68,24 @@ long double harmonic_distance(const harmonic_shape *h, harmonic_point z);
  * most `most`. */
 long double harmonic_clearance(const harmonic_shape *h, const harmonic_place *from,
                                long double most);
+
+/* A place of the boundary in the plane of a corner's root. */
+typedef struct {
+    double x, y;
+} harmonic_root;
+
+/* Append the poles of a corner, and those behind a foot, in steps of `ratio`, to the series.
+ * `place` are places around the whole boundary in their order.
+ *
+ *   shape   root[count]: room to work in */
+void harmonic_corner_poles(const harmonic_shape *h, unsigned i, const harmonic_place place[],
+                           size_t count, long double ratio, harmonic_root root[],
+                           harmonic_series *s);
+void harmonic_foot_poles(const harmonic_shape *h, const harmonic_foot *foot, long double ratio,
+                         harmonic_series *s);
+
+/* A bound of the error on the whole boundary, at most about 1.5 times the largest error there when
+ * `sampled` is about that one. Infinite when there is none. Sets s->points. */
+long double harmonic_bound(const harmonic_shape *h, harmonic_series *s, long double sampled);
 
 #endif

@@ -26,24 +26,31 @@ static inline bool harmonic_table_of(const harmonic_series *s, loft_harmonic_tab
 {
     const size_t count = (size_t)s->terms * s->sides;
     loft_acc *coefficient = least_room(count * sizeof *coefficient);
-    loft_harmonic_pole *pole = least_room((s->poles + 1) * sizeof *pole);
+    loft_harmonic_pole *pole = least_room((s->pole_count + 1) * sizeof *pole);
     bool fits = true;
 
     for (size_t k = 0; k < count; k++) {
         fits = fits && fabsl(s->coefficient[k]) < 0x1p31L;
         coefficient[k] = fits ? harmonic_acc(s->coefficient[k]) : 0;
     }
-    for (unsigned i = 0; i < s->poles; i++) {
+    for (unsigned i = 0; i < s->pole_count; i++) {
         pole[i].at[0] = harmonic_acc(s->pole[i][0]);
         pole[i].at[1] = harmonic_acc(s->pole[i][1]);
         pole[i].size = harmonic_acc(s->pole[i][2]);
     }
-    *out = (loft_harmonic_table){
-        coefficient,        pole,  (uint16_t)s->terms,  (uint8_t)s->sides, (uint8_t)s->poles,
-        (uint8_t)s->degree, { 0 }, (uint8_t)s->straight
-    };
-    for (unsigned i = 0; i < s->sides; i++)
+    *out = (loft_harmonic_table){ coefficient,
+                                  pole,
+                                  (uint16_t)s->terms,
+                                  (uint8_t)s->sides,
+                                  (uint8_t)s->poles,
+                                  (uint8_t)s->degree,
+                                  { 0 },
+                                  (uint8_t)s->straight,
+                                  { 0 } };
+    for (unsigned i = 0; i < s->sides; i++) {
         out->powers[i] = (uint8_t)s->powers[i];
+        out->corner_poles[i] = (uint8_t)s->corner_poles[i];
+    }
     if (fits)
         return true;
     free(coefficient);

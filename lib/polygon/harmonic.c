@@ -12,13 +12,15 @@
  *     w = e^(a l)     (w^k)' = k a w^k / (z - v)     (w^k)'' = k a (k a - 1) w^k / (z - v)^2
  *
  * Where the corner is nearly straight, w and zeta = e^l are nearly the same, and the solution needs
- * their difference: it is
- * the first term instead of w,
+ * their difference. The first term is then, instead of w,
  *
- *     f = (w - zeta) / (a - 1) = zeta l (e^x - 1) / x, x = (a - 1) l     f' = (a f + zeta) / (z -
- *     v)     f'' = a w / (z - v)^2
+ *     f = (w - zeta) / (a - 1) = zeta l (e^x - 1) / x, x = (a - 1) l
+ *     f' = (a f + zeta) / (z - v)     f'' = a w / (z - v)^2
  *
- * which is zeta l where the corner is straight.
+ * which is zeta l where the corner is straight. A pole p of the root s = e^(l / 2) has, with
+ * q = size / (s - p) and g = s' / (s - p) = s / (s - p) / (2 (z - v)),
+ *
+ *     f = q     f' = -q g     f'' = q g (2 g + 1 / (2 (z - v)))
  */
 #include "polygon/harmonic.h"
 #include "num/explog.h"  /* loft_sci_log, loft_sci_exp */
@@ -214,13 +216,43 @@ static void nearly_straight(number l, number w, number by, loft_sci a, number f[
     f[2] = scaled(times(times(w, by), by), a);
 }
 
-static void add_corner(const loft_harmonic *h, unsigned at, loft_spot p, sums *s)
+static number distance_inverse(number z, const loft_harmonic_pole *pole)
+{
+    z.re = loft_sci_sub(z.re, loft_sci_of(pole->at[0]));
+    z.im = loft_sci_sub(z.im, loft_sci_of(pole->at[1]));
+    return inverse(z);
+}
+
+/* `by` is 1 / (z - v). */
+static void add_corner_pole(const loft_harmonic_pole *pole, number root, number by, sums *s)
+{
+    const loft_sci half = loft_sci_from_unit(LOFT_UNIT(0.5));
+    const number share = distance_inverse(root, pole);
+    number f[3], g, slope;
+
+    f[0] = scaled(share, loft_sci_of(pole->size));
+    if (s->jet) {
+        by = scaled(by, half);
+        g = times(times(root, share), by);
+        slope = scaled(g, loft_sci_from_int(2));
+        slope.re = loft_sci_add(slope.re, by.re);
+        slope.im = loft_sci_add(slope.im, by.im);
+        f[1] = times(f[0], g);
+        f[2] = times(f[1], slope);
+        f[1] = scaled(f[1], loft_sci_from_int(-1));
+    }
+    add_term(s, f);
+    add_imaginary(s, f);
+}
+
+static void add_corner(const loft_harmonic *h, unsigned at, const loft_harmonic_pole *pole,
+                       loft_spot p, sums *s)
 {
     const loft_harmonic_corner *c = &h->corner[at];
     const number d = offset(&h->domain->v[at], &p);
     const loft_fine angle = direction(&h->domain->v[at], &p) - c->start;
     const int32_t turns = turns_to(loft_fine_to_acc(angle), angle_near(h, at, p));
-    number l, f[3], w, power, by = { loft_sci_zero(), loft_sci_zero() };
+    number l, f[3], w, power, root, by = { loft_sci_zero(), loft_sci_zero() };
 
     l.re = loft_sci_sub(half_of(loft_sci_log(square_of(d))), c->log_reach);
     l.im = loft_sci_add(loft_sci_from_fine(angle), loft_sci_mul(loft_sci_from_fine(LOFT_FINE_PI),
@@ -241,6 +273,11 @@ static void add_corner(const loft_harmonic *h, unsigned at, loft_spot p, sums *s
         }
         add_imaginary(s, f);
     }
+    if (h->table->corner_poles[at] == 0)
+        return;
+    root = exponential(scaled(l, loft_sci_from_unit(LOFT_UNIT(0.5))));
+    for (int k = h->table->corner_poles[at]; k-- > 0;)
+        add_corner_pole(pole++, root, by, s);
 }
 
 
@@ -250,13 +287,11 @@ static void add_corner(const loft_harmonic *h, unsigned at, loft_spot p, sums *s
 /* q = size / (z - pole): q' = -q / (z - pole), q'' = -2 q' / (z - pole). */
 static void add_pole(const loft_harmonic_pole *pole, loft_spot p, sums *s)
 {
-    const loft_sci size = loft_sci_of(pole->size);
-    number by, f[3];
+    const number z = { loft_sci_from_real(p.at[0]), loft_sci_from_real(p.at[1]) },
+                 by = distance_inverse(z, pole);
+    number f[3];
 
-    by.re = loft_sci_sub(loft_sci_from_real(p.at[0]), loft_sci_of(pole->at[0]));
-    by.im = loft_sci_sub(loft_sci_from_real(p.at[1]), loft_sci_of(pole->at[1]));
-    by = inverse(by);
-    f[0] = scaled(by, size);
+    f[0] = scaled(by, loft_sci_of(pole->size));
     f[1] = scaled(times(f[0], by), loft_sci_from_int(-1));
     f[2] = scaled(times(f[1], by), loft_sci_from_int(-2));
     add_term(s, f);
@@ -284,11 +319,17 @@ static void add_polynomial(const loft_harmonic *h, loft_spot p, sums *s)
 
 static void add_all(const loft_harmonic *h, loft_spot p, sums *s)
 {
-    for (unsigned i = 0; i < h->table->sides; i++)
-        if (h->table->powers[i])
-            add_corner(h, i, p, s);
-    for (unsigned i = 0; i < h->table->poles; i++)
-        add_pole(&h->table->pole[i], p, s);
+    const loft_harmonic_table *t = h->table;
+    const loft_harmonic_pole *pole = t->pole;
+
+    for (unsigned i = 0; i < t->sides; i++) {
+        if (t->powers[i] || t->corner_poles[i])
+            add_corner(h, i, pole, p, s);
+        if (t->corner_poles[i]) /* there may be no array */
+            pole += t->corner_poles[i];
+    }
+    for (unsigned i = 0; i < t->poles; i++)
+        add_pole(pole++, p, s);
     add_polynomial(h, p, s);
 }
 
@@ -330,7 +371,7 @@ enum loft_status loft_harmonic_init(loft_harmonic *h, const loft_domain *domain,
     unsigned terms = 1u + 2u * table->degree + 2u * table->poles;
 
     for (unsigned i = 0; i < n; i++)
-        terms += table->powers[i];
+        terms += table->powers[i] + 2u * table->corner_poles[i];
     if (table->sides != n || table->terms != terms)
         return LOFT_ERR_ARG;
 
@@ -354,11 +395,14 @@ enum loft_status loft_harmonic_init(loft_harmonic *h, const loft_domain *domain,
     return LOFT_OK;
 }
 
-/* Inside, no coordinate leaves 0..1: what does is nearer there. */
+/* Inside, no coordinate leaves 0..1, nor is 0: what does is nearer there. A 0 would say that the
+ * point lies on an edge, and the parameters of far sides would be free. */
 static loft_sci within(loft_sci x)
 {
-    if (loft_sci_sign(x) < 0)
-        return loft_sci_zero();
+    const loft_sci least = loft_sci_from_unit(LOFT_UNIT(0x1p-24));
+
+    if (loft_sci_sign(x) <= 0)
+        return loft_sci_mul(least, least);
     return loft_sci_less(loft_sci_one(), x) ? loft_sci_one() : x;
 }
 

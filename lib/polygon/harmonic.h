@@ -3,28 +3,28 @@
  * SPDX-License-Identifier: MIT
  *
  * phi_i solves Laplace's equation inside and is linear on the edges, 1 at vertex i, 0 at the
- * others; so inside 0 < phi_i < 1
- * in polygons that are not convex too, sum phi_i = 1 and sum phi_i v_i = p. There is no formula:
- * the host solves the
- * equation once for a polygon (`loft harmonic`, host-tools/engine/harmonic.h), and what is
- * evaluated is a series
+ * others. So 0 < phi_i < 1 inside, in polygons that are not convex too, sum phi_i = 1 and
+ * sum phi_i v_i = p. There is no formula: the host solves the equation once for a polygon (`loft
+ * harmonic`, host-tools/engine/harmonic.h), and what is evaluated is a series
  *
- *     phi_i = sum c_k Im w^k + sum Re, Im of c_k / (z - pole) + sum Re, Im of c_k t^k
+ *     phi_i = sum c_k Im w^k + sum Re, Im of c_k / (s - pole)
+ *             + sum Re, Im of c_k / (z - pole) + sum Re, Im of c_k t^k
  *
  * with, at each corner, w = zeta^(pi / angle), the power of the offset from it that is real on both
- * its edges, poles
- * outside and a polynomial. Each term is harmonic, so the error inside is at most that on the
- * boundary, which the host prints.
+ * its edges, and s = zeta^(1/2); poles outside; a polynomial. Each term is harmonic, so the error
+ * inside is at most the one on the boundary. The host bounds that one between its samples too, and
+ * prints it. Polygons without a narrow place have no poles.
  *
  *     static const loft_acc coefficient[] = { .. };
  *     static const loft_harmonic_table table = { .. };             written by the host
  *     loft_harmonic h;
- *     if (loft_harmonic_init(&h, &domain, &table) == LOFT_OK && loft_harmonic_eval(&h, p, phi) ==
- *     LOFT_OK) ..
+ *     if (loft_harmonic_init(&h, &domain, &table) == LOFT_OK &&
+ *         loft_harmonic_eval(&h, p, phi) == LOFT_OK) ..
  *
  *   see     Joshi, Meyer, DeRose, Green, Sanocki, Harmonic coordinates for character articulation
- *           (2007); Betcke,
- *           Trefethen, Reviving the method of particular solutions (2005): the series
+ *           (2007); Betcke, Trefethen, Reviving the method of particular solutions (2005): the
+ *           powers; Gopal, Trefethen, Solving Laplace problems with corner singularities via
+ *           rational functions (2019): the poles
  */
 #ifndef LOFT_POLYGON_HARMONIC_H
 #define LOFT_POLYGON_HARMONIC_H
@@ -35,22 +35,24 @@
 
 LOFT_BEGIN_C
 
-/* A pole outside the polygon, and the size of its term's numerator. */
+/* A pole outside the polygon, in the plane of s or of z, and the numerator of its term. */
 typedef struct {
     loft_acc at[2], size;
 } loft_harmonic_pole;
 
-/* What the host found. Terms in the order of corners, poles (real and imaginary part), powers of
- * the polynomial (1, then both parts of each), for each of them the coefficients of all
- * coordinates. */
+/* What the host found. Terms: at each corner its powers, then its poles; the poles in the plane;
+ * the powers of the polynomial. Poles have a real and an imaginary part, and so has each power of
+ * the polynomial but 1. For each term the coefficients of all coordinates. */
 typedef struct {
     const loft_acc *coefficient;                /* terms * sides                        */
-    const loft_harmonic_pole *pole;             /* null when there are none             */
+    const loft_harmonic_pole *pole;             /* those of s at each corner, then those of z;
+                                                 * null when there are none             */
     uint16_t terms;
-    uint8_t sides, poles, degree;
+    uint8_t sides, poles, degree;               /* poles: of z                          */
     uint8_t powers[LOFT_SIDES_MAX];             /* of w at each corner                  */
     uint8_t straight;                           /* bit i: at corner i the first one is
                                                  * (w - zeta) / (power - 1)             */
+    uint8_t corner_poles[LOFT_SIDES_MAX];       /* poles of s at each corner            */
 } loft_harmonic_table;
 
 /* What the series has at a corner. */
@@ -85,14 +87,15 @@ enum loft_status loft_harmonic_init(loft_harmonic *h, const loft_domain *domain,
  *   shape   phi[sides]
  *   range   p inside, on an edge or at a vertex, otherwise LOFT_ERR_RANGE
  *   error   the table's bound, and for rounding 2^-48 of the sum of its coefficients for one
- *           coordinate: the host prints both in one.
- *           Measured for polygons with 4 to 8 sides that are nowhere narrower than 1/10: q16: 2^-22
- *           with 5..200 terms
- *           f32: 2^-30 with 5..270   f64: 2^-44 with 5..350; on edges and at vertices as
- *           loft_domain_edge. None is negative nor larger than 1
- *   cost    per corner an angle, a sine, a cosine, a logarithm and an exponential; per term a
- *           product of complex numbers and one
- *           per coordinate; table: 8 bytes a term and coordinate, 24 a pole
+ *           coordinate: the host prints the sum of both. Bounds of polygons with 4 to 8 sides
+ *           that are nowhere narrower than 1/10: q16: 2^-22 with 5..125 terms   f32: 2^-30
+ *           f64: 6e-14 with 5..361, but 1e-12 for a star of 8 sides and 2e-12 for a spiral.
+ *           In q16 a strip of 1:100 and an inner spike have 6e-8, an L of 1:100 has 2e-7, a kite
+ *           of 1 degree 3e-7. The host refuses what is above 1e-6, after some 12 s at most.
+ *           On edges and at vertices as loft_domain_edge. Inside, none is below 2^-48 or above 1
+ *   cost    per corner an angle, a sine, a cosine, a logarithm and an exponential, twice where it
+ *           has poles; per term a product of complex numbers and one per coordinate, per pole an
+ *           inverse; table: 8 bytes a term and coordinate, 24 a pole
  */
 enum loft_status loft_harmonic_eval(const loft_harmonic *h, loft_spot p,
                                     loft_sci phi[]) LOFT_CHECKED;

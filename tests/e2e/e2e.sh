@@ -1635,6 +1635,8 @@ case_harmonic_coordinates_as_a_table() {
     one_line 65 'cross.csv: .*cross' "$loft" harmonic "$tmp/cross.csv"
     one_line 65 'not 3 to 8' "$loft" harmonic /dev/null
     one_line 66 'none.csv' "$loft" harmonic "$tmp/none.csv"
+    printf '0,0\n4,0\n4,3\n2.0005,3\n2,0.0005\n' >"$tmp/deep.csv"
+    run 65 "$loft" harmonic "$tmp/deep.csv"; says err 'deep.csv: the error is above 1e-6: the poly'
 }
 
 

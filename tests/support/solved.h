@@ -16,10 +16,8 @@ typedef struct {
 } solved;
 
 /* The domain must outlive it. */
-static inline void solve(solved *s, const loft_domain *d)
+static inline void solve_to(solved *s, const loft_domain *d, harmonic_target target)
 {
-    const harmonic_target target = BY_NUM(HARMONIC_TARGET_Q16, HARMONIC_TARGET_F32,
-                                          HARMONIC_TARGET_F64);
     double v[LOFT_SIDES_MAX][2];
 
     for (unsigned i = 0; i < d->sides; i++)
@@ -28,6 +26,12 @@ static inline void solve(solved *s, const loft_domain *d)
     s->reached = harmonic_solve(v, d->sides, target, &s->series);
     s->ready = harmonic_table_of(&s->series, &s->table) &&
                loft_harmonic_init(&s->h, d, &s->table) == LOFT_OK;
+}
+
+/* To the target of the number type. */
+static inline void solve(solved *s, const loft_domain *d)
+{
+    solve_to(s, d, BY_NUM(HARMONIC_TARGET_Q16, HARMONIC_TARGET_F32, HARMONIC_TARGET_F64));
 }
 
 /* The rounding error in addition to the bound of the series. */

@@ -5,7 +5,8 @@
 #include "support/arb_polygon.h"            /* exact_sci, spot_raw */
 #include "support/solved.h"
 
-#define SHAPES 12
+#define SHAPES 18
+#define NARROW_TARGET ((harmonic_target){ 5e-7L, 4e-7L, 0, 3e-13L })
 
 /* Polygons that ask for everything: corners of all kinds, straight and nearly so, a vertex that is
  * not seen from most of the inside. */
@@ -51,8 +52,26 @@ static const struct {
         { 0.5, -0.5 } } },
     { "spiral",
       8,
-      { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 1, 4 }, { 1, 2 }, { 3, 3 }, { 3, 1 }, { 0, 1 } } }
+      { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 1, 4 }, { 1, 2 }, { 3, 3 }, { 3, 1 }, { 0, 1 } } },
+    { "strip", 4, { { 0, 0 }, { 100, 0.2 }, { 98, 1 }, { 1, 2 } } },
+    { "spike", 5, { { 0, 0 }, { 4, 0 }, { 4, 3 }, { 2.02, 3 }, { 2, 0.5 } } },
+    { "dart", 4, { { 0, 0 }, { 10, -0.3 }, { 2, 0 }, { 10, 1 } } },
+    { "sliver", 3, { { 0, 0 }, { 57.25, 0 }, { 57.25, 1 } } },
+    { "blade", 4, { { 0, 0 }, { 57.25, -0.5 }, { 60, 0 }, { 57.25, 0.5 } } },
+    { "octagon",
+      8,
+      { { 2, 0 },
+        { 1.5, 1.3 },
+        { 0.2, 2.1 },
+        { -1.4, 1.2 },
+        { -1.9, 0.3 },
+        { -1.2, -1.5 },
+        { 0.1, -1.8 },
+        { 1.3, -1.4 } } }
 };
+
+/* They have a target of their own, which takes about a second each in f64 too. */
+static bool is_narrow(unsigned k) { return k >= 12 && k < 17; }
 
 static struct {
     arb_domain p;
@@ -71,7 +90,10 @@ static solved *shape_of(unsigned k)
         p->v[i] = spot_raw((int64_t)(shapes[k].v[i][0] * 65536),
                            (int64_t)(shapes[k].v[i][1] * 65536));
     CHECK(loft_domain_init(&p->d, p->v, p->n) == LOFT_OK);
-    solve(&known[k].s, &p->d);
+    if (is_narrow(k))
+        solve_to(&known[k].s, &p->d, BY_NUM(HARMONIC_TARGET_Q16, NARROW_TARGET, NARROW_TARGET));
+    else
+        solve(&known[k].s, &p->d);
     CHECK(known[k].s.ready);
     known[k].begun = true;
     return &known[k].s;
@@ -98,8 +120,42 @@ static void the_bound_is_reached(arb *a)
     const unsigned k = arb_below(a, SHAPES);
     const solved *s = shape_of(k);
 
-    CHECK(s->reached || s->series.bound < BY_NUM(1e-6L, 1e-6L, 1e-8L));
+    CHECK(s->series.bound + solved_rounding(s) <
+          (is_narrow(k) ? 1e-6L : BY_NUM(1e-6L, 1e-6L, 1e-10L)));
     CHECK(s->series.largest < 0x1p31L && s->series.points > 200);
+}
+
+/* No point of the boundary, however close to a vertex, has an error above the bound. */
+static void the_bound_holds_between_the_samples(arb *a)
+{
+    const unsigned k = arb_below(a, SHAPES), n = shapes[k].n, edge = arb_below(a, n),
+                   after = (edge + 1) % n;
+    const solved *s = shape_of(k);
+    const double(*v)[2] = (const double(*)[2])s->series.v;
+    const double share = ldexp(1 + arb_below(a, 65536) / 65536.0, -1 - (int)arb_below(a, 24));
+    long double phi[LOFT_SIDES_MAX], t[2];
+    double at[2];
+
+    for (int i = 0; i < 2; i++)
+        at[i] = v[edge][i] + (v[after][i] - v[edge][i]) * share;
+    harmonic_at(&s->series, at, phi);
+    t[0] = hypotl(at[0] - v[edge][0], at[1] - v[edge][1]);
+    t[1] = hypotl(at[0] - v[after][0], at[1] - v[after][1]);
+    /* The point is rounded, and next to a vertex the slope is infinite. */
+    for (unsigned i = 0; i < n; i++)
+        CHECK_NEAR(phi[i] - (i == edge    ? t[1] / (t[0] + t[1])
+                             : i == after ? t[0] / (t[0] + t[1])
+                                          : 0),
+                   0, s->series.bound + 6e-10L);
+}
+
+/* 1e-12 in f64, rounding included. */
+static void an_irregular_octagon_has_twelve_digits(arb *a)
+{
+    const solved *s = shape_of(SHAPES - 1);
+
+    (void)a;
+    CHECK(s->series.bound + solved_rounding(s) < BY_NUM(0x1p-21L, 1e-8L, 1e-12L));
 }
 
 static void the_library_evaluates_the_series(arb *a)
@@ -119,7 +175,7 @@ static void the_library_evaluates_the_series(arb *a)
     CHECK(loft_harmonic_eval(&s->h, q, phi) == LOFT_OK);
     for (unsigned i = 0; i < p->n; i++) {
         CHECK_NEAR(exact_sci(phi[i]) - fminl(fmaxl(want[i], 0), 1), 0, solved_rounding(s));
-        CHECK(exact_sci(phi[i]) >= 0 && exact_sci(phi[i]) <= 1);
+        CHECK(exact_sci(phi[i]) > 0 && exact_sci(phi[i]) <= 1);
     }
 }
 
@@ -131,7 +187,7 @@ static void constants_and_the_point_are_reproduced(arb *a)
     const solved *s = shape_of(shape);
     const arb_domain *p = &known[shape].p;
     const long double off = (long double)p->n * (s->series.bound + solved_rounding(s));
-    long double sum = 0, x[2] = { 0, 0 };
+    long double sum = 0, x[2] = { 0, 0 }, size = 4;
     loft_sci phi[LOFT_SIDES_MAX];
     loft_spot q;
 
@@ -140,12 +196,14 @@ static void constants_and_the_point_are_reproduced(arb *a)
     CHECK(loft_harmonic_eval(&s->h, q, phi) == LOFT_OK);
     for (unsigned i = 0; i < p->n; i++) {
         sum += exact_sci(phi[i]);
-        for (int k = 0; k < 2; k++)
+        for (int k = 0; k < 2; k++) {
             x[k] += exact_sci(phi[i]) * exact_of(p->v[i].at[k]);
+            size = fmaxl(size, fabsl(exact_of(p->v[i].at[k])));
+        }
     }
     CHECK_NEAR(sum - 1, 0, off);
     for (int k = 0; k < 2; k++)
-        CHECK_NEAR(x[k] - exact_of(q.at[k]), 0, 4 * off);
+        CHECK_NEAR(x[k] - exact_of(q.at[k]), 0, size * off);
 }
 
 /* Known without a solver: barycentric in a triangle, bilinear in a square. */
@@ -181,6 +239,7 @@ static void next_to_an_edge_it_is_nearly_linear(arb *a)
     const solved *s = shape_of(shape);
     const arb_domain *p = &known[shape].p;
     const unsigned edge = arb_below(a, p->n), after = (edge + 1) % p->n;
+    const long double off = is_narrow(shape) ? 0.05L : 0.02L;
     const loft_spot on = arb_on_edge(a, p, edge);
     const loft_spot q = spot_raw(exact_raw(on.at[0]) + (int)arb_below(a, 5) - 2,
                                  exact_raw(on.at[1]) + (int)arb_below(a, 5) - 2);
@@ -199,7 +258,7 @@ static void next_to_an_edge_it_is_nearly_linear(arb *a)
         CHECK_NEAR(exact_sci(phi[i]) - (i == edge    ? 1 - t
                                         : i == after ? t
                                                      : 0),
-                   0, 0.02L + s->series.bound);
+                   0, off + s->series.bound);
 }
 
 static void edges_and_vertices_are_exact_and_outside_is_refused(arb *a)
@@ -304,6 +363,8 @@ static void a_table_for_another_polygon_is_refused(arb *a)
 int main(void)
 {
     PROPERTY(the_bound_is_reached, 100);
+    PROPERTY(the_bound_holds_between_the_samples, 1500);
+    PROPERTY(an_irregular_octagon_has_twelve_digits, 1);
     PROPERTY(the_library_evaluates_the_series, 1500);
     PROPERTY(constants_and_the_point_are_reproduced, 1500);
     PROPERTY(triangle_and_square_are_what_formulas_say, 1000);
