@@ -118,6 +118,7 @@ TOOL_TESTS  := $(patsubst tests/tools/test_%.c,%,$(sort $(wildcard tests/tools/t
 TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(foreach r,base engine read plan draw, \
                  $(wildcard host-tools/$(r)/*.c))))
 TOOL_TESTED := $(filter-out host-tools/engine/engines.c,$(TOOL_TESTED))
+TOOL_TESTED += host-tools/send/gcode.c
 TOOL_FLAGS   = $(INCLUDE) $(TESTED) $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
 TOOL_TESTED_OBJ := $(patsubst %.c,build/test/tools/%.o,$(TOOL_TESTED))
 
@@ -234,6 +235,15 @@ fuzz-svg: build/fuzz/tools.a
 	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o build/fuzz/svg_fuzz
 	build/fuzz/svg_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \
 	    -print_final_stats=1 build/fuzz/svg tests/tools/seeds
+
+## Fuzz the reader of G-code with libFuzzer for FUZZ_SECONDS (60)
+.PHONY: fuzz-gcode
+fuzz-gcode: build/fuzz/tools.a
+	@mkdir -p build/fuzz/gcode
+	clang $(FUZZED) -fsanitize=fuzzer tests/gcode/fuzz_gcode.c $< \
+	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o build/fuzz/gcode_fuzz
+	build/fuzz/gcode_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \
+	    -print_final_stats=1 build/fuzz/gcode tests/gcode/seeds
 
 # --- whole jobs -----------------------------------------------------------------------------------
 ## Run whole jobs: the command, sanitized, on the simulated machine   CASE=one of tests/e2e/e2e.sh

@@ -1,4 +1,5 @@
-/* host-tools/cmd/cmd_export.c -- loft export: a drawing as a table in C for lib/curve/drawing.h
+/* host-tools/cmd/cmd_export.c -- loft export: a drawing as G-code, in other forms, or as a table in
+ * C for lib/curve/drawing.h
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -6,11 +7,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/c_name.h"
 #include "base/source.h"        /* source_name */
 #include "base/tool.h"
+#include "draw/export.h"
+#include "plan/planning.h"
 #include "read/drawing.h"
+#include "send/gcode.h"
 
 typedef struct {
     int16_t *word;
@@ -111,58 +116,165 @@ static void write_header(const table *t, const drawing *d, const char *name, FIL
             t->count, t->bits);
 }
 
-static int write_file(const table *t, const drawing *d, const char *output)
+static void write_table(const drawing *d, const char *output, FILE *out)
 {
-    char name[64];
+    char name[64] = "drawing";
+    table t       = { 0 };
 
-    if (output == NULL) {
-        write_header(t, d, "drawing", stdout);
-        return 0;
+    if (output != NULL)
+        c_name_of(output, name);
+    fill(&t, d);
+    write_header(&t, d, name, out);
+    if (output != NULL) {
+        printf("%s: ", output);
+        print_words(&t, stdout);
+        printf("\n");
     }
-    FILE *out = fopen(output, "w");
+    free(t.word);
+}
+
+
+// G-code
+// ------
+
+typedef struct {
+    planning p;
+    const char *output, *as, *curves, *file;
+} export_wishes;
+
+static bool curves_of(const export_wishes *w, enum gcode_curves *out)
+{
+    static const char *const names[] = {
+        [GCODE_ARCS] = "arcs", [GCODE_G5] = "g5", [GCODE_CHORDS] = "lines"
+    };
+
+    for (int i = 0; i < 3; i++)
+        if (strcmp(w->curves, names[i]) == 0) {
+            *out = (enum gcode_curves)i;
+            return true;
+        }
+    return false;
+}
+
+/* From 0, 0, 0. Travels are G0. */
+static int write_gcode(const export_wishes *w, const drawing *d, FILE *out)
+{
+    const toolpath_options how = planning_path(&w->p);
+    gcode_options as = { .tol = (w->p.tol - w->p.smoothed) / 2, .rapids = true };
+    toolpath path;
+    gcode lines;
+
+    if (!curves_of(w, &as.curves))
+        return tool_error(EX_USAGE, "--curves %s: give arcs, g5 or lines", w->curves);
+    toolpath_make(&path, d, &how);
+    gcode_make(&lines, &path, &as);
+    for (size_t i = 0; i < lines.count; i++)
+        fprintf(out, "%s\n", lines.line[i]);
+    fputs("M2\n", out);
+    gcode_free(&lines);
+    toolpath_free(&path);
+    return 0;
+}
+
+
+// The command
+// -----------
+
+enum form { FORM_TABLE, FORM_GCODE, FORM_SVG, FORM_CSV, FORM_LOFT, FORM_HPGL, FORMS };
+
+/* Which form a name means by its end, or `as` as such an end without its point. */
+static enum form form_of(const export_wishes *w)
+{
+    static const struct {
+        const char *end;
+        enum form form;
+    } ends[] = { { "h", FORM_TABLE },   { "nc", FORM_GCODE },   { "ngc", FORM_GCODE },
+                 { "gcode", FORM_GCODE }, { "tap", FORM_GCODE }, { "cnc", FORM_GCODE },
+                 { "svg", FORM_SVG },   { "csv", FORM_CSV },    { "loft", FORM_LOFT },
+                 { "hpgl", FORM_HPGL }, { "plt", FORM_HPGL } };
+    const char *dot = w->output ? strrchr(w->output, '.') : NULL;
+    const char *end = w->as ? w->as : dot ? dot + 1 : w->output ? "" : "h";
+
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
+        if (strcasecmp(ends[i].end, end) == 0)
+            return ends[i].form;
+    return FORMS;
+}
+
+static int write_form(const export_wishes *w, enum form form, const drawing *d,
+                      const drawing *smooth, FILE *out)
+{
+    const export_options o = { .d = d, .name = source_name(w->file), .tol = w->p.tol };
+
+    switch (form) {
+    case FORM_GCODE: return write_gcode(w, smooth, out);
+    case FORM_SVG:   return export_svg(&o, out);
+    case FORM_CSV:   return export_csv(&o, out);
+    case FORM_LOFT:  return export_loft(&o, out);
+    case FORM_HPGL:  return export_hpgl(&o, out);
+    default:         write_table(d, w->output, out); return 0;
+    }
+}
+
+static int write_file(const export_wishes *w, enum form form, const drawing *d,
+                      const drawing *smooth)
+{
+    FILE *out = w->output ? fopen(w->output, "w") : stdout;
+
     if (out == NULL)
         return tool_error(EX_CANTCREAT,
-                          "%s: cannot be written: name a file in a folder that exists", output);
-    c_name_of(output, name);
-    write_header(t, d, name, out);
-    if (fclose(out) != 0)
-        return tool_error(EX_IOERR, "%s: cannot be written: is the disk full?", output);
-    printf("%s: ", output);
-    print_words(t, stdout);
-    printf("\n");
-    return 0;
+                          "%s: cannot be written: name a file in a folder that exists", w->output);
+    const int code = write_form(w, form, d, smooth, out);
+    const bool bad = ferror(out) != 0;
+    if (out != stdout && (fclose(out) != 0 || bad) && code == 0)
+        return tool_error(EX_IOERR, "%s: cannot be written: is the disk full?", w->output);
+    return code;
 }
 
 static int run(const tool_command *self, int argc, char **argv)
 {
-    const char *output = NULL, *file;
-    drawing d = { 0 };
-    table t = { 0 };
+    export_wishes w = { .curves = "arcs" };
+    drawing d       = { 0 }, smooth = { 0 };
+    int code        = planning_start(&w.p, argc, argv);
 
-    const tool_option options[] = { TOOL_TEXT("output", "FILE.h", &output,
-                                              "or -o: where the table goes (standard output)"),
-                                    TOOL_OPTIONS_END };
-    int code = tool_file_options(self, options, argc, argv, NULL, &file);
+    if (code != 0)
+        return code;
+    const tool_option options[] = {
+        TOOL_TEXT("output", "FILE", &w.output,
+                  "or -o: .h .nc .ngc .gcode .svg .csv .loft .hpgl or .plt (standard output)"),
+        TOOL_TEXT("as", "END", &w.as, "the form, as nc, whatever the name of the file (h)"),
+        TOOL_TEXT("curves", "arcs|g5|lines", &w.curves, "of G-code (arcs)"),
+        TOOL_NUMBER("tol", "MM", &w.p.tol, 0.0005, 1, "how far arcs and chords may be off (0.005)"),
+        TOOL_NUMBER("smooth", "MM", &w.p.smooth, 0, 1,
+                    "of this tolerance, for chains of short lines to become curves, in G-code (a "
+                    "fifth)"),
+        TOOL_SPEED("feed", &w.p.feed, 0.016, 1000, "of G-code, pen down (30)"),
+        TOOL_NUMBER("lift", "MM", &w.p.lift, 0, 100, "of G-code: height while travelling (1)"),
+        PAGE_OPTIONS(&w.p.sheet),
+        GCODE_OPTION(&w.p.dialect),
+        TOOL_OPTIONS_END
+    };
+    code = tool_file_options(self, options, argc, argv, NULL, &w.file);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
-    code = drawing_read(&d, file);
-    if (code == 0 && d.count == 0)
-        code = tool_error(EX_DATAERR, "%s: nothing to draw: give curves", source_name(file));
-    if (code == 0) {
-        fill(&t, &d);
-        code = write_file(&t, &d, output);
-    }
-    free(t.word);
+    const enum form form = form_of(&w);
+    if (form == FORMS)
+        return tool_error(EX_USAGE, "%s %s: give h, nc, svg, csv, loft or hpgl as its end",
+                          w.as ? "--as" : "-o", w.as ? w.as : w.output);
+    w.p.e = &engine_f64;
+    code  = planning_read(&w.p, &d, &smooth, w.file);
+    if (code == 0)
+        code = write_file(&w, form, &d, &smooth);
+    drawing_free(&smooth);
     drawing_free(&d);
     return code;
 }
 
 const tool_command command_export = {
-    "export", "[-o ICON.h] [DRAWING|-]", "a drawing as a table in C, for the flash of a chip",
-    "DRAWING is an SVG file, curves of any kind (host-tools/LOFT.md) or lines of eight numbers. "
-    "The "
-    "table has the name of\n"
-    "the file; lib/curve/drawing.h reads it curve by curve. A curve takes 12 bytes, a line 4; "
-    "coordinates have 16 bits.\n",
+    "export", "[-o FILE] [DRAWING|-]", "a drawing as G-code, HP-GL, SVG, numbers or a table in C",
+    "The end of FILE tells the form. .nc: arcs, G5 or lines within the tolerance, at feeds and\n"
+    "heights. .svg, .csv, .loft: the curves themselves. .hpgl, .plt: chords. .h: a table for the\n"
+    "flash of a chip with the name of the file, which lib/curve/drawing.h reads curve by curve:\n"
+    "12 bytes a curve, 4 a line; coordinates have 16 bits.\n",
     run
 };

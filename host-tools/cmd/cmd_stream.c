@@ -236,7 +236,10 @@ static int draw_gcode(const stream_options *o, const char *file, const drawing *
     if (g != NULL)
         memcpy(how->start, grbl_place(g), sizeof how->start);
     toolpath_make(&path, d, how);
-    gcode_make(&lines, &path, (o->p.tol - o->p.smoothed) / 2, o->g5);
+    const gcode_options as = { .tol = (o->p.tol - o->p.smoothed) / 2,
+                               .curves = o->g5 ? GCODE_G5 : GCODE_ARCS,
+                               .rapids = d->program };
+    gcode_make(&lines, &path, &as);
     snprintf(what, sizeof what, "%zu curve%s, %.3f m", path.curves, tool_s(path.curves),
              path.drawn / 1000);
     if (path.count == 0)

@@ -19,8 +19,8 @@
 
 typedef struct {
     gcode *g;
-    double tol, feed;       /* the active feed, mm/min */
-    bool cubics;
+    const gcode_options *o;
+    double feed;            /* the active one, mm/min */
     size_t move;
 } writer;
 
@@ -60,7 +60,7 @@ static void append_word(char *text, char letter, double value)
 
 static void finish_line(writer *w, char *text, double feed)
 {
-    if (fabs(60 * feed - w->feed) > 1e-9) {
+    if (feed > 0 && fabs(60 * feed - w->feed) > 1e-9) {
         w->feed = 60 * feed;
         append_word(text, 'F', w->feed);
     }
@@ -76,9 +76,12 @@ static void point_at(const cubic *c, double t, double out[3])
                  t * t * t * c->p[3][i];
 }
 
+/* `feed` 0: a rapid. */
 static void write_line(writer *w, const cubic *c, double feed)
 {
     char text[96] = "G1";
+
+    text[1] = feed > 0 ? '1' : '0';
 
     for (int i = 0; i < 3; i++)
         if (fabs(c->p[3][i] - c->p[0][i]) > 0)
@@ -121,14 +124,15 @@ static bool is_near_arc(const cubic *c, double tol, double centre[2], bool *left
     const double ax = m[0] - c->p[0][0], ay = m[1] - c->p[0][1], bx = c->p[3][0] - c->p[0][0],
                  by = c->p[3][1] - c->p[0][1];
     const double cross = ax * by - ay * bx, a = ax * ax + ay * ay, b = bx * bx + by * by;
-    if (cross == 0 || c->p[0][2] != c->p[3][2])
+    if (cross == 0)
         return false;
     const double x = (by * a - ay * b) / (2 * cross), y = (ax * b - bx * a) / (2 * cross),
                  r = hypot(x, y);
-    double last[2] = { -x, -y };
+    double last[2] = { -x, -y }, angle[LOOKS + 1] = { 0 }, height[LOOKS + 1];
 
     if (r > WIDE)
         return false;
+    height[0] = c->p[0][2];
     centre[0] = c->p[0][0] + x;
     centre[1] = c->p[0][1] + y;
     *left = cross > 0;
@@ -140,18 +144,26 @@ static bool is_near_arc(const cubic *c, double tol, double centre[2], bool *left
         if (fabs(hypot(now[0], now[1]) - r) > tol || (turn > 0) != *left ||
             last[0] * now[0] + last[1] * now[1] < 0)
             return false;
+        angle[k]  = angle[k - 1] + fabs(atan2(turn, last[0] * now[0] + last[1] * now[1]));
+        height[k] = p[2];
         memcpy(last, now, sizeof last);
     }
+    /* a helix rises in proportion to the angle */
+    for (int k = 1; k < LOOKS; k++)
+        if (fabs(height[k] - height[0] - (height[LOOKS] - height[0]) * angle[k] / angle[LOOKS]) >
+            tol)
+            return false;
     return (-x * last[1] + y * last[0] > 0) == *left;       /* less than half a turn */
 }
 
 static void write_arc(writer *w, const cubic *c, const double centre[2], bool left, double feed)
 {
-    char text[96];
+    char text[128];
 
     strcpy(text, left ? "G3" : "G2");
-    for (int i = 0; i < 2; i++)
-        append_word(text, "XY"[i], c->p[3][i]);
+    for (int i = 0; i < 3; i++)
+        if (i < 2 || fabs(c->p[3][2] - c->p[0][2]) > 0)
+            append_word(text, "XYZ"[i], c->p[3][i]);
     for (int i = 0; i < 2; i++)
         append_word(text, "IJ"[i], centre[i] - c->p[0][i]);
     finish_line(w, text, feed);
@@ -171,15 +183,24 @@ static void halve_cubic(const cubic *c, cubic half[2])
     }
 }
 
+static bool is_flat(const cubic *c)
+{
+    return !(fabs(c->p[1][2] - c->p[0][2]) + fabs(c->p[2][2] - c->p[0][2]) +
+                 fabs(c->p[3][2] - c->p[0][2]) >
+             0);
+}
+
 static void write_arcs(writer *w, const cubic *c, double feed, int depth)
 {
     double centre[2];
     cubic half[2];
     bool left;
 
-    if (is_near_line(c, w->tol) || depth == DEPTH) {
+    /* off the arc and off its height add up */
+    if (is_near_line(c, w->o->tol) || depth == DEPTH) {
         write_line(w, c, feed);
-    } else if (is_near_arc(c, w->tol, centre, &left)) {
+    } else if (w->o->curves != GCODE_CHORDS &&
+               is_near_arc(c, w->o->tol * (is_flat(c) ? 1 : 0.7), centre, &left)) {
         write_arc(w, c, centre, left, feed);
     } else {
         halve_cubic(c, half);
@@ -202,9 +223,9 @@ static void write_cubic(writer *w, const cubic *c, double feed)
     finish_line(w, text, feed);
 }
 
-void gcode_make(gcode *g, const toolpath *t, double tol, bool cubics)
+void gcode_make(gcode *g, const toolpath *t, const gcode_options *o)
 {
-    writer w = { .g = g, .tol = tol, .cubics = cubics };
+    writer w = { .g = g, .o = o };
 
     *g = (gcode){ .count = 0 };
     put_line(&w, "G21G90G94G17");
@@ -212,7 +233,10 @@ void gcode_make(gcode *g, const toolpath *t, double tol, bool cubics)
         cubic c;
         memcpy(c.p, t->move[i].p, sizeof c.p);
         w.move = i;
-        if (is_near_line(&c, cubics ? 1e-6 : tol))
+        const bool cubics = o->curves == GCODE_G5 && is_flat(&c);
+        if (t->curve[i] == TOOLPATH_TRAVEL && o->rapids)
+            write_line(&w, &c, 0);
+        else if (is_near_line(&c, cubics ? 1e-6 : o->tol))
             write_line(&w, &c, t->move[i].feed);
         else if (cubics)
             write_cubic(&w, &c, t->move[i].feed);

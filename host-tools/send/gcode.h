@@ -16,11 +16,19 @@ typedef struct {
     size_t count, room;
 } gcode;
 
-/* The lines that draw `t`: in mm, absolute, in the plane of x and y. `cubics`: G5 for curves.
+enum gcode_curves { GCODE_ARCS, GCODE_G5, GCODE_CHORDS };
+
+typedef struct {
+    double tol;                 /* mm */
+    enum gcode_curves curves;   /* as what they are written; G5 where z does not change */
+    bool rapids;                /* travels are G0, without a feed */
+} gcode_options;
+
+/* The lines that draw `t`: in mm, absolute, arcs in the plane of x and y, with z as a helix.
  *
  *   error   arcs and lines leave the curve by at most `tol` mm, and 0.0001 for their decimals
  *   see     NIST RS274/NGC 3 (G1 G2 G3); LinuxCNC's G5, which grblHAL and Marlin have too */
-void gcode_make(gcode *g, const toolpath *t, double tol, bool cubics);
+void gcode_make(gcode *g, const toolpath *t, const gcode_options *o);
 void gcode_free(gcode *g);
 
 #endif

@@ -628,6 +628,33 @@ case_machine_is_mute() {
 }
 
 
+case_export() {                         # the same drawing by way of each form
+    local form
+    printf '<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="50mm" viewBox="0 0 90 50">
+            <path d="M5 5h20C40 5 40 25 25 25z"/><circle cx="60" cy="25" r="12"/></svg>' \
+        >"$tmp/export.svg"
+    run 0 "$loft" export "$tmp/export.svg" --as csv; cp "$tmp/out" "$tmp/want.csv"
+    for form in svg csv loft; do
+        run 0 "$loft" export "$tmp/export.svg" -o "$tmp/again.$form"; is_empty err
+        run 0 "$loft" export "$tmp/again.$form" --as csv
+        paste -d, "$tmp/want.csv" "$tmp/out" | awk -F, 'NR > 1 {
+            for (i = 1; i <= 8; i++) if (($i - $(i + 8)) ^ 2 > 1e-11) exit 1 }
+            END { exit NR < 5 }' || job_fails "by way of .$form the curves differ"
+    done
+    run 0 "$loft" plan --total "$tmp/export.svg"
+    local drawn; drawn=$(awk '$1 == "drawn" { print $2 }' "$tmp/out")
+    for form in arcs g5 lines; do
+        run 0 "$loft" export "$tmp/export.svg" --curves $form -o "$tmp/again.nc"; is_empty err
+        run 0 "$loft" plan --total "$tmp/again.nc"
+        awk -v want="$drawn" '$1 == "drawn" && ($2 - want) ^ 2 < 0.05 ^ 2 { good = 1 }
+            END { exit !good }' "$tmp/out" || job_fails "as $form: $(cat "$tmp/out")"
+    done
+    one_line 64 '-o x.doc: give h, nc, svg' "$loft" export "$tmp/export.svg" -o x.doc
+    one_line 64 '--curves x: give arcs, g5 or lines' "$loft" export "$tmp/export.svg" --as nc \
+        --curves x
+    one_line 73 'cannot be written' "$loft" export "$tmp/export.svg" -o "$tmp/no/x.nc"
+}
+
 case_gcode() {                          # every place, and back: counted, and as commanded
     printf '%s\n' 'G21 G90' 'G0 Z1' 'G0 X10 Y10' 'G1 Z-1 F600' 'X20 F2400' 'G3 X30 Y20 R10' \
         'G5 I0 J5 P0 Q-5 X40 Y20' 'G2 X10 Y10 R20 Z-2' 'G0 Z0' 'M2' >"$tmp/part.nc"
