@@ -14,7 +14,7 @@
 
 #define WIDEST      16
 #define EASY        32      /* knots before an open end */
-#define FINE        200
+#define FINE        1000
 
 typedef struct {
     int32_t b, slope;
@@ -109,10 +109,8 @@ static bool axis_holds(const loft_period *p, legs e, int i, const pace at[3], in
     return true;
 }
 
-static void set_pace(const loft_knot knot[], unsigned k, pace at[3])
+static void set_pace(int32_t x, int32_t y, int32_t z, pace at[3])
 {
-    const int32_t x = knot[k].v2, y = knot[k + 1].v2, z = knot[k + 2].v2;
-
     at[0] = (pace){ (x + y) / 2, y - x };
     at[1] = (pace){ (int32_t)(((int64_t)x + 6 * (int64_t)y + z) / 8), (z - x) / 2 };
     at[2] = (pace){ (y + z) / 2, z - y };
@@ -123,7 +121,7 @@ bool loft_timing_holds(const loft_period *period, const loft_knot knot[], unsign
     pace at[3];
     const int32_t curve = knot[k].v2 - 2 * knot[k + 1].v2 + knot[k + 2].v2, top = knot[k].top;
 
-    set_pace(knot, k, at);
+    set_pace(knot[k].v2, knot[k + 1].v2, knot[k + 2].v2, at);
     if (at[0].b > top || at[1].b > top || at[2].b > top)
         return false;
     for (int i = 0; i < LOFT_AXES; i++)
@@ -165,15 +163,6 @@ static int32_t bump(int i, int width)
     return z < 32768 ? 65536 - (int32_t)((int64_t)z * z >> 15) : (int32_t)((int64_t)y * y >> 15);
 }
 
-static void add(const loft_timing *t, unsigned at, int width, int32_t by, int sign)
-{
-    for (int i = -width; i <= width; i++) {
-        const int k = (int)at + i;
-        if (k >= (int)t->from && k < (int)t->to)
-            t->knot[k].v2 += sign * (int32_t)((int64_t)bump(i, width) * by >> 16);
-    }
-}
-
 /* Towards an open end little is used of the limits, so that what comes later can still raise
  * it. */
 static int share_of(const loft_timing *t, unsigned k)
@@ -189,28 +178,138 @@ bool loft_timing_all_hold(const loft_timing *t, unsigned from, unsigned to)
     return true;
 }
 
-static bool bump_holds(const loft_timing *t, unsigned at, unsigned width)
+/* A bump around a knot: how much of it each of them gets, 2^-16. */
+typedef struct {
+    unsigned from, to;              /* knots from..to - 1 */
+    int32_t  part[2 * WIDEST + 1];
+} bump_of_knots;
+
+static void set_bump(const loft_timing *t, unsigned at, int width, bump_of_knots *out)
 {
-    const unsigned low = at > t->from + width ? at - width : t->from,
-                   high = at + width < t->to ? at + width : t->to - 1;
-    return loft_timing_all_hold(t, low > 3 ? low - 2 : 1, high < t->end ? high + 1 : t->end);
+    unsigned n = 0;
+
+    out->from = at > t->from + (unsigned)width ? at - (unsigned)width : t->from;
+    for (int i = (int)out->from - (int)at; i <= width && (int)at + i < (int)t->to; i++)
+        out->part[n++] = bump(i, width);
+    out->to = out->from + n;
 }
 
+static int32_t part_at(const bump_of_knots *bumps, unsigned k)
+{
+    return k >= bumps->from && k < bumps->to ? bumps->part[k - bumps->from] : 0;
+}
+
+/* 1 / sqrt b from below, 2^-24, for b of 2^14 at least: Newton from a straight line. */
+static int64_t inverse_root(int32_t b)
+{
+    int p = -4;
+
+    while (b >> (8 + 2 * p) >= 65536)
+        p++;
+    const uint32_t m = (uint32_t)b >> (8 + 2 * p);          /* b = 4^p m 2^8, m 2^14 to 2^16 */
+    uint32_t y = 36258 - (m * 20324 >> 16);                 /* 2^-14 */
+    for (int n = 0; n < 2; n++)
+        y = y * (49152 - ((y * y >> 14) * m >> 16)) >> 15;
+    y -= 8;
+    return p < 0 ? (int64_t)y << (10 - p) : (int64_t)(y << 10) >> p;
+}
+
+/* The largest step, `by` at most, so that at + slope * step <= most. */
+static int32_t step_to(int64_t most, int64_t at, int64_t slope, int32_t by)
+{
+    if (slope <= 0 || slope * by <= most - at)
+        return by;
+    return most > at ? (int32_t)((most - at) / slope) : 0;
+}
+
+/* What the pace is in one place between two knots, and what a bump adds to it. */
+typedef struct {
+    pace    now, more;
+    int64_t root, fall;             /* 1 / sqrt b, and how it falls with a step, 2^-24 */
+} place_of_pace;
+
+static void set_fall(place_of_pace *x)
+{
+    const int32_t floor = (int32_t)1 << 14, b = x->now.b > floor ? x->now.b : floor;
+    const int64_t root = inverse_root(b), square = root * root >> 24;
+
+    x->root = root + ((root >> 1) * (b - x->now.b)) / b;
+    x->fall = (root * square >> 24) * x->more.b >> 17;
+}
+
+/* 1 / sqrt b is convex: its tangent is below it. */
+static int32_t axis_step(const loft_period *p, legs e, int i, const place_of_pace at[3],
+                         int32_t curve, int32_t more, int share, int32_t by)
+{
+    const loft_coord d2[3] = { e.b - e.a, (e.c - e.a) / 2, e.c - e.b };
+    const loft_coord d1[3] = { e.a + e.b, (e.a + 6 * e.b + e.c) / 4, e.b + e.c };
+    const loft_coord d3 = d2[2] - d2[0], j = part_of(p->jerk[i], share);
+    const int64_t a = (int64_t)part_of(p->accel[i], share) << 24;
+
+    for (int n = 0; n < 3 && by > 0; n++) {
+        const pace *x = &at[n].now, *y = &at[n].more;
+        const int64_t accel = (int64_t)d2[n] * x->b + (int64_t)d1[n] * x->slope / 4,
+                      rise = ((int64_t)d2[n] * y->b + (int64_t)d1[n] * y->slope / 4) >> 16;
+        by = step_to(a, accel, rise, by);
+        by = step_to(a, -accel, -rise, by);
+        const int64_t jerk = (int64_t)d3 * x->b + (int64_t)d2[n] * x->slope * 3 / 2 +
+                             (int64_t)d1[n] * curve / 4,
+                      swell = ((int64_t)d3 * y->b + (int64_t)d2[n] * y->slope * 3 / 2 +
+                               (int64_t)d1[n] * more / 4) >>
+                              16,
+                      most = j * at[n].root, fall = (j * at[n].fall >> 24) + 1;
+        by = step_to(most, jerk, swell + fall, by);
+        by = step_to(most, -jerk, fall - swell, by);
+    }
+    return by;
+}
+
+/* How much of a bump all limits allow between knot k and the next. */
+static int32_t step_between(const loft_timing *t, unsigned k, const bump_of_knots *bumps,
+                            int32_t by)
+{
+    const loft_knot *q = &t->knot[k];
+    const int32_t w0 = part_at(bumps, k), w1 = part_at(bumps, k + 1), w2 = part_at(bumps, k + 2);
+    const int32_t curve = q[0].v2 - 2 * q[1].v2 + q[2].v2, more = w0 - 2 * w1 + w2;
+    const int share = share_of(t, k);
+    pace now[3], add[3];
+    place_of_pace at[3];
+
+    set_pace(q[0].v2, q[1].v2, q[2].v2, now);
+    set_pace(w0, w1, w2, add);
+    for (int n = 0; n < 3; n++) {
+        at[n].now = now[n];
+        at[n].more = add[n];
+        set_fall(&at[n]);
+        if (((int64_t)by * add[n].b >> 16) > q->top - now[n].b)
+            by = q->top > now[n].b ? (int32_t)(((int64_t)(q->top - now[n].b) << 16) / add[n].b) : 0;
+    }
+    for (int i = 0; i < LOFT_AXES && by > 0; i++) {
+        const legs e = legs_of(t->knot, k, i);
+        if ((e.a | e.b | e.c) != 0)
+            by = axis_step(t->period, e, i, at, curve, more, share, by);
+    }
+    return by;
+}
+
+/* Half of what all limits allow is used, so that others may be raised as well. */
 static bool raise(const loft_timing *t, unsigned at, int width)
 {
-    loft_knot *k = &t->knot[at];
-    const int32_t fine = k->v2 / FINE;
-    int32_t by = k->v2 / 2;
+    const loft_knot *q = &t->knot[at];
+    const int32_t fine = q->v2 / FINE, wide = q[-1].goal - q->v2;
+    bump_of_knots bumps;
+    int32_t by = wide > q->v2 ? wide : q->v2;
 
-    if ((k[-1].goal - k->v2) / 2 > by)
-        by = (k[-1].goal - k->v2) / 2;
-    for (; by > fine; by /= 4) {
-        add(t, at, width, by, 1);
-        if (k->v2 < LOFT_V2_MAX && bump_holds(t, at, (unsigned)width))
-            return true;
-        add(t, at, width, by, -1);
-    }
-    return false;
+    set_bump(t, at, width, &bumps);
+    const unsigned to = bumps.to < t->end ? bumps.to : t->end;
+    for (unsigned k = bumps.from > 3 ? bumps.from - 2 : 1; k < to && by > fine; k++)
+        by = step_between(t, k, &bumps, by);
+    by /= 2;
+    if (by <= fine || q->v2 > LOFT_V2_MAX - by)
+        return false;
+    for (unsigned k = bumps.from; k < bumps.to; k++)
+        t->knot[k].v2 += (int32_t)((int64_t)part_at(&bumps, k) * by >> 16);
+    return true;
 }
 
 int32_t loft_timing_time(const loft_knot knot[], unsigned k)

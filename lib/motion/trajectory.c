@@ -11,7 +11,7 @@
 #define SMOOTHING   24      /* knots whose points may still move */
 #define STEP        20      /* knots at a time, and what they need on both sides */
 #define SWEEPS      60      /* of smoothing */
-#define RAISES      8
+#define RAISES      4
 #define CREEP       (LOFT_V2_ONE / 1024)
 
 /* --- knots ---------------------------------------------------------------------------------------
