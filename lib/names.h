@@ -338,6 +338,7 @@
 #define loft_grid_next             LOFT_NAME(loft_grid_next)
 #define loft_grid_run              LOFT_NAME(loft_grid_run)
 #define loft_grid_triangle_init    LOFT_NAME(loft_grid_triangle_init)
+#define loft_guess_again           LOFT_NAME(loft_guess_again)
 #define loft_guess_begin           LOFT_NAME(loft_guess_begin)
 #define loft_guess_init            LOFT_NAME(loft_guess_init)
 #define loft_guess_next            LOFT_NAME(loft_guess_next)

@@ -330,6 +330,21 @@ void loft_guess_begin(loft_guess *guess)
     guess->begun = guess->ended = guess->arrived = false;
 }
 
+bool loft_guess_again(loft_guess *g, const loft_knot knots[], unsigned count)
+{
+    if (count > LOFT_GUESS_KNOTS)
+        return false;
+    for (unsigned k = 0; k < count; k++)
+        g->knot[k] = knots[k];
+    g->count = g->loaded = g->placed = g->timed = (uint8_t)count;
+    g->at = 1;
+    g->time = 0;
+    g->queued = 0;
+    g->begun = g->arrived = false;
+    g->ended = true;
+    return true;
+}
+
 void loft_guess_init(loft_guess *guess, const loft_period *period, loft_move moves[], uint16_t room)
 {
     guess->period = period;

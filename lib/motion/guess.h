@@ -12,7 +12,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_GUESS_KNOTS 60
+#define LOFT_GUESS_KNOTS 80
 #define LOFT_GUESS_QUEUE 4
 
 /* A place and three more on the way to the next. */
@@ -41,6 +41,10 @@ void loft_guess_init(loft_guess *guess, const loft_period *period, loft_move mov
 
 /* The next place; as loft_path_next. */
 enum loft_path_state loft_guess_next(loft_guess *guess, loft_path_place *out);
+
+/* Give places of the whole chain again, at even periods of its timed knots; false: there are too
+ * many. */
+bool loft_guess_again(loft_guess *guess, const loft_knot knots[], unsigned count);
 
 /* Begin the next chain. */
 void loft_guess_begin(loft_guess *guess);

@@ -77,8 +77,7 @@ static loft_coord jerk_along(const loft_period *p, const int16_t u[], loft_coord
 static loft_coord cap_of(const loft_path *path, const int16_t u[], loft_real feed)
 {
     const loft_period *p = path->period;
-    const loft_coord cap = least(least(along(p->speed, u), loft_period_speed(p, feed)), CAP_MAX);
-    return cap - cap / 4 + 1;
+    return least(least(along(p->speed, u), loft_period_speed(p, feed)), CAP_MAX) + 1;
 }
 
 /* --- curves --------------------------------------------------------------------------------------
@@ -362,15 +361,24 @@ static int64_t corner_allows(const loft_path_corner *c, int64_t s, int32_t part)
                             : c->s - c->way + launched(c->jerk, 2 * c->time - n);
 }
 
+/* As far as the corners behind, those ahead and the cap allow. Where launch and landing meet their
+ * jerks would add up: less then, by up to 3/10. */
 static int64_t allowed(const loft_path *path, loft_coord cap, int32_t part)
 {
-    int64_t to = path->s + ((int64_t)cap * part >> 10);
+    const int64_t most = (int64_t)cap * part >> 10;
+    int64_t from = most, to = most;
 
     for (unsigned i = 0; i < path->corners; i++) {
-        const int64_t s = corner_allows(&path->corner[i], path->s, part);
-        to = s < to ? s : to;
+        const loft_path_corner *c = &path->corner[i];
+        const int64_t way = corner_allows(c, path->s, part) - path->s;
+        if (c->s <= path->s)
+            from = way < from ? way : from;
+        else
+            to = way < to ? way : to;
     }
-    return to > path->s ? to : path->s + 1;
+    const int64_t low = from < to ? from : to, high = from < to ? to : from;
+    const int64_t way = low - low * low / (high + 1) * 3 / 10;
+    return path->s + (way > 1 ? way : 1);
 }
 
 /* Of the corners behind only the one that allows the least still matters. */

@@ -12,6 +12,7 @@
 #define STEP        20      /* knots at a time, and what they need on both sides */
 #define SWEEPS      60      /* of smoothing */
 #define RAISES      4
+#define REFINED     2
 #define CREEP       (LOFT_V2_ONE / 1024)
 
 /* --- knots ---------------------------------------------------------------------------------------
@@ -130,17 +131,37 @@ static int64_t time_of(const loft_timing *t)
     return sum;
 }
 
-static void raise(loft_trajectory *t)
+static void raise(loft_trajectory *t, unsigned sweeps)
 {
     const loft_timing timing = timing_of(t);
     int64_t before = time_of(&timing);
 
-    for (unsigned n = 0; n < t->sweeps; n++) {
+    for (unsigned n = 0; n < sweeps; n++) {
         loft_timing_raise(&timing, n * 3);
         const int64_t now = time_of(&timing);
         if (before - now < before >> 9)
             break;
         before = now;
+    }
+}
+
+static void time_knots(loft_trajectory *t, unsigned known, unsigned sweeps)
+{
+    place(t, known);
+    t->loaded = t->count;
+    creep(t);
+    raise(t, sweeps);
+}
+
+/* The whole chain is known and none of it has been used: its timing is a better guess than the
+ * first one was. */
+static void refine(loft_trajectory *t)
+{
+    for (int n = 0; n < REFINED && loft_guess_again(&t->guess, t->knot, t->count); n++) {
+        t->count = t->placed = t->timed = 0;
+        t->ended = false;
+        (void)fill(t);
+        time_knots(t, 0, 2 * RAISES);
     }
 }
 
@@ -157,10 +178,9 @@ static enum loft_path_state load(loft_trajectory *t)
         return LOFT_PATH_END;
     if (t->at.knot == 0)
         t->at.knot = 1;
-    place(t, known);
-    t->loaded = t->count;
-    creep(t);
-    raise(t);
+    time_knots(t, known, RAISES);
+    if (t->ended && known == 0)
+        refine(t);
     const unsigned end = t->placed - 2u;
     const unsigned look = t->room - SMOOTHING - STEP - BEHIND;
     const unsigned sure = t->ended ? end : end > look ? end - look : 0;
@@ -172,14 +192,46 @@ static enum loft_path_state load(loft_trajectory *t)
 /* --- samples -------------------------------------------------------------------------------------
  */
 
-/* The time that is left comes to a whole number of samples, each somewhat shorter: the more the
- * nearer to the end, so that no limit notices. */
+/* Is all of it as good as straight? */
+static bool is_straight(const loft_trajectory *t)
+{
+    loft_coord leg[LOFT_AXES], all[LOFT_AXES] = { 0 };
+    int64_t way = 0;
+
+    for (unsigned k = 1; k < t->count; k++) {
+        for (int i = 0; i < LOFT_AXES; i++) {
+            leg[i] = loft_coord_from(t->knot[k].point.axis[i], t->knot[k - 1].point.axis[i]);
+            all[i] += leg[i] / 256;
+        }
+        way += loft_coord_length(leg);
+    }
+    return loft_coord_length(all) >= way / 256 - way / 16384;
+}
+
+/* Could all of it be faster by a 40th, as far as speed and acceleration are concerned? */
+static bool has_spare(const loft_trajectory *t)
+{
+    loft_period p = t->period;
+    bool has = !t->emit.begun && is_straight(t);
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        p.jerk[i] = 0;
+    for (unsigned k = 1; k < t->sure && has; k++)
+        has = t->knot[k + 1].v2 < t->knot[k].top - t->knot[k].top / 8 &&
+              loft_timing_holds(&p, t->knot, k, 60);
+    return has;
+}
+
+/* The time that is left comes to a whole number of samples, each somewhat shorter, the more the
+ * nearer to the end; in a chain of which none has been used all the same. On a line they may be
+ * longer instead, where only the jerk is at its limit: spans are made to hold it. */
 static void set_steps(loft_trajectory *t)
 {
     loft_time left = -t->at.time;
     for (unsigned k = t->at.knot; k < t->sure; k++)
         left += loft_sample_time(t->knot, k);
-    const uint32_t n = (uint32_t)((left + LOFT_TIME_ONE - 1) / LOFT_TIME_ONE);
+    const loft_time more = has_spare(t) ? left / 40 : 0;
+    const uint32_t n = (uint32_t)((left - more + LOFT_TIME_ONE - 1) / LOFT_TIME_ONE);
 
     t->steps = n > 4 ? n : 4;
     t->step = 0;
@@ -312,7 +364,6 @@ enum loft_status loft_trajectory_init(loft_trajectory *t, const loft_limits *lim
     loft_guess_init(&t->guess, &t->period, moves, move_room);
     t->knot = knots;
     t->room = knot_room;
-    t->sweeps = RAISES;
     t->passed = 0;
     begin(t);
     return LOFT_OK;

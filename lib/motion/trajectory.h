@@ -23,7 +23,6 @@ typedef struct {
     uint16_t    placed;             /* control points before it never change */
     uint16_t    timed;              /* knots whose timing has begun */
     uint16_t    sure;               /* knots before which it never changes */
-    uint16_t    sweeps;
     bool        ended;              /* is the last knot the end of the chain? */
     loft_sample at;                 /* the last sample */
     uint32_t    steps, step;        /* samples to the end, and which is next, once it is sure */

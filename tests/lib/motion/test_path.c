@@ -7,7 +7,7 @@
 
 #include "motion/path.h"            /* loft_path_next */
 
-#define PLACES 20000
+#define PLACES 30000
 
 static loft_period     period;
 static loft_path       planned;

@@ -54,7 +54,8 @@ static double least_time(double length, double v, double a, double j)
     return length / v + v / a + a / j;
 }
 
-/* Lines from rest to rest: within 6 % and three periods of the exact S-curve. */
+/* Lines from rest to rest: within 2 % and a period of the exact S-curve; a fifth of a period more
+ * where not all of it is refined. */
 static void lines_take_little_more_than_an_s_curve(arb *a)
 {
     const double length = arb_value(real_of(arb_decades(a, 0.2, 60)));
@@ -67,7 +68,7 @@ static void lines_take_little_more_than_an_s_curve(arb *a)
     CHECK(spans_connect());
     const double least = least_time(length, 200, 3000, 100000);
     CHECK(seconds() >= least * 0.99);
-    CHECK(seconds() <= least * 1.06 + 3.0 * p.ticks / p.tick_hz);
+    CHECK(seconds() <= least * 1.02 + (length > 22 ? 1.2 : 1) * p.ticks / p.tick_hz);
 }
 
 static void outline(double feed)
@@ -124,7 +125,6 @@ static void cut_in_eight(void)
     curves *= 8;
 }
 
-/* 1.5 % is the goal; what follows is where raising gets stuck, by 3 %. */
 static void it_does_not_matter_how_a_path_is_cut(arb *a)
 {
     const bool soft = arb_below(a, 2);
@@ -136,9 +136,9 @@ static void it_does_not_matter_how_a_path_is_cut(arb *a)
     const double whole = seconds();
     cut_in_eight();
     CHECK(curves == 96 && plan_chain(&all_at_once) == PLANNED);
-    CHECK_NEAR(seconds() / whole, 1, 0.03);
+    CHECK_NEAR(seconds() / whole, 1, 0.015);
     CHECK(spans_connect());
-    CHECK(whole < (soft ? 2.2 : 1.0));          /* 2.35 and 1.07 by plan.h */
+    CHECK(whole < (soft ? 2.05 : 0.95));        /* 2.35 and 1.07 by plan.h */
 }
 
 /* A larger tolerance is not slower. */
