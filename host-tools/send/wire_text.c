@@ -38,11 +38,10 @@ static const char *kind_word(unsigned kind)
 
 static const char *verb_word(unsigned verb)
 {
-    static const char *const words[] = { [LOFT_HOLD] = "hold",
-                                         [LOFT_RESUME] = "resume",
-                                         [LOFT_ABORT] = "abort",
-                                         [LOFT_CLOSE] = "close",
-                                         [5] = "override" };
+    static const char *const words[] = {
+        [LOFT_HOLD] = "hold",   [LOFT_RESUME] = "resume",     [LOFT_ABORT] = "abort",
+        [LOFT_CLOSE] = "close", [LOFT_OVERRIDE] = "override", [LOFT_PLACE] = "place"
+    };
     return WORD(words, verb);
 }
 

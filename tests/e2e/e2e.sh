@@ -1447,6 +1447,33 @@ case_machines_as_text() {
     one_line 66 'none.txt' "$loft" simulate --machine "$tmp/none.txt"
 }
 
+case_zero_tells_the_machine_where_it_stands() {
+    machine there --speed fast
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/there"
+    run 0 "$loft" zero xy --port "$tmp/there" --log "$tmp/talk.log"
+    says out '^the tool was at 60.000 30.000 1.000, and is now at 0.000 0.000 1.000$'
+    says talk.log '> CONTROL .* place position 0 0 80'
+    run 0 "$loft" zero z --at -2.5 --port "$tmp/there"
+    says out 'and is now at 0.000 0.000 -2.500$'
+    printf '3,4,3,5,3,6,3,7\n' >"$tmp/line.csv"     # the next job begins there, and is drawn right
+    run 0 "$loft" stream "$tmp/line.csv" --port "$tmp/there"
+    says out 'steps 240 560 80 as commanded$'
+    run 0 "$loft" zero --port "$tmp/there"
+    says out '^the tool was at 3.000 7.000 1.000, and is now at 0.000 0.000 0.000$'
+    one_line 64 'xx: give each axis once' "$loft" zero xx --port "$tmp/there"
+    one_line 64 'no --port' "$loft" zero xy
+    one_line 64 'name the axes in one word' "$loft" zero x y --port "$tmp/there"
+    machine busy --speed real
+    draws busy; cut_off 0.5                             # it waits for the rest of its job
+    one_line 75 'a job is running: wait' "$loft" zero --port "$tmp/busy"
+    run 0 "${job[@]}"; says err '^resuming at item'; says out 'as commanded$'
+    kinematics corexy
+    machine corexy --speed fast --machine "$tmp/corexy.txt"
+    run 0 "$loft" zero x --at 7 --port "$tmp/corexy" --machine "$tmp/corexy.txt"
+    says out 'now at 7.000 0.000 0.000$'
+    run 0 "$loft" zero y --at 2 --port "$tmp/corexy" --machine "$tmp/corexy.txt"
+    says out '^the tool was at 7.000 0.000 0.000, and is now at 7.000 2.000 0.000$'
+}
 case_a_drawing_that_leaves_the_table() {
     # an arch: x 10..50, y 0..30, though its control points reach to 40
     printf '10,0,10,40,50,40,50,0\n' >"$tmp/arch.csv"
