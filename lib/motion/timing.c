@@ -215,11 +215,20 @@ static int64_t inverse_root(int32_t b)
 }
 
 /* The largest step, `by` at most, so that at + slope * step <= most. */
-static int32_t step_to(int64_t most, int64_t at, int64_t slope, int32_t by)
+static int32_t step_up_to(int64_t most, int64_t at, int64_t slope, int32_t by)
 {
     if (slope <= 0 || slope * by <= most - at)
         return by;
     return most > at ? (int32_t)((most - at) / slope) : 0;
+}
+
+/* The largest step, `by` at most, so that the size of at + slope * step is at most most - fall *
+ * step. */
+static int32_t step_to(int64_t most, int64_t fall, int64_t at, int64_t slope, int32_t by)
+{
+    if ((loft_long_size(slope) + fall) * by <= most - loft_long_size(at))
+        return by;
+    return step_up_to(most, -at, fall - slope, step_up_to(most, at, fall + slope, by));
 }
 
 /* What the pace is in one place between two knots, and what a bump adds to it. */
@@ -250,34 +259,32 @@ static int32_t axis_step(const loft_period *p, legs e, int i, const place_of_pac
         const pace *x = &at[n].now, *y = &at[n].more;
         const int64_t accel = (int64_t)d2[n] * x->b + (int64_t)d1[n] * x->slope / 4,
                       rise = ((int64_t)d2[n] * y->b + (int64_t)d1[n] * y->slope / 4) >> 16;
-        by = step_to(a, accel, rise, by);
-        by = step_to(a, -accel, -rise, by);
+        by = step_to(a, 0, accel, rise, by);
         const int64_t jerk = (int64_t)d3 * x->b + (int64_t)d2[n] * x->slope * 3 / 2 +
                              (int64_t)d1[n] * curve / 4,
                       swell = ((int64_t)d3 * y->b + (int64_t)d2[n] * y->slope * 3 / 2 +
                                (int64_t)d1[n] * more / 4) >>
                               16,
                       most = j * at[n].root, fall = (j * at[n].fall >> 24) + 1;
-        by = step_to(most, jerk, swell + fall, by);
-        by = step_to(most, -jerk, fall - swell, by);
+        by = step_to(most, fall, jerk, swell, by);
     }
     return by;
 }
 
-/* How much of a bump all limits allow between knot k and the next. */
+/* How much of a bump all limits allow between knot k and the next. at[0] is set if `k` is not the
+ * first one; at[2] is the next at[0]. */
 static int32_t step_between(const loft_timing *t, unsigned k, const bump_of_knots *bumps,
-                            int32_t by)
+                            place_of_pace at[3], bool first, int32_t by)
 {
     const loft_knot *q = &t->knot[k];
     const int32_t w0 = part_at(bumps, k), w1 = part_at(bumps, k + 1), w2 = part_at(bumps, k + 2);
     const int32_t curve = q[0].v2 - 2 * q[1].v2 + q[2].v2, more = w0 - 2 * w1 + w2;
     const int share = share_of(t, k);
     pace now[3], add[3];
-    place_of_pace at[3];
 
     set_pace(q[0].v2, q[1].v2, q[2].v2, now);
     set_pace(w0, w1, w2, add);
-    for (int n = 0; n < 3; n++) {
+    for (int n = first ? 0 : 1; n < 3; n++) {
         at[n].now = now[n];
         at[n].more = add[n];
         set_fall(&at[n]);
@@ -298,12 +305,16 @@ static bool raise(const loft_timing *t, unsigned at, int width)
     const loft_knot *q = &t->knot[at];
     const int32_t fine = q->v2 / FINE, wide = q[-1].goal - q->v2;
     bump_of_knots bumps;
+    place_of_pace places[3];
     int32_t by = wide > q->v2 ? wide : q->v2;
 
     set_bump(t, at, width, &bumps);
     const unsigned to = bumps.to < t->end ? bumps.to : t->end;
-    for (unsigned k = bumps.from > 3 ? bumps.from - 2 : 1; k < to && by > fine; k++)
-        by = step_between(t, k, &bumps, by);
+    const unsigned from = bumps.from > 3 ? bumps.from - 2 : 1;
+    for (unsigned k = from; k < to && by > fine; k++) {
+        by = step_between(t, k, &bumps, places, k == from, by);
+        places[0] = places[2];
+    }
     by /= 2;
     if (by <= fine || q->v2 > LOFT_V2_MAX - by)
         return false;
