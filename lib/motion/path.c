@@ -730,16 +730,30 @@ static void halve(loft_path *path, unsigned k)
     q[1].sharp = false;
 }
 
+/* A place in the middle, if less is skipped then: not of teeth that the tolerance swallows. */
+static bool is_better_halved(loft_path *path, unsigned k)
+{
+    loft_path_place *q = &path->queue[k];
+    const loft_coord whole = q->skip, most = path->period->tol * 13 / 20;
+
+    halve(path, k);
+    const loft_coord first = skipped(path, k), last = skipped(path, k + 1);
+    if (whole > most || (first > last ? first : last) < whole - whole / 4)
+        return true;
+    path->queued--;
+    for (unsigned i = k + 1; i < path->queued; i++)
+        path->queue[i] = path->queue[i + 1];
+    return false;
+}
+
 /* Set what is skipped from place k to the next; true: a place was put between them. */
 static bool is_halved(loft_path *path, unsigned k)
 {
     loft_path_place *q = &path->queue[k];
 
     q->skip = skipped(path, k);
-    if (q->skip <= path->period->tol / 4 || path->queued == LOFT_PATH_QUEUE || q[1].s - q[0].s < 64)
-        return false;
-    halve(path, k);
-    return true;
+    return q->skip > path->period->tol / 4 && path->queued < LOFT_PATH_QUEUE &&
+           q[1].s - q[0].s >= 64 && is_better_halved(path, k);
 }
 
 /* A place that is put between two changes the cubic before them as well. */

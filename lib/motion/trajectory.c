@@ -41,6 +41,16 @@ static void append(loft_trajectory *t, const loft_path_place *p)
     k->v2 = k->goal = 0;
 }
 
+/* Control points of three knots are at the start, and at the end. The third place is near it. */
+static bool is_far(const loft_trajectory *t, const loft_path_place *a, const loft_path_place *b)
+{
+    loft_coord off[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        off[i] = loft_coord_from(a->at.axis[i], b->at.axis[i]);
+    return loft_coord_length(off) > t->period.tol / 2;
+}
+
 /* The last knot stands for the rest behind the end; there are seven at least. */
 static void close_chain(loft_trajectory *t)
 {
@@ -53,16 +63,26 @@ static void close_chain(loft_trajectory *t)
         t->knot[0].on = first;
         t->count++;
     }
+    if (is_far(t, &t->knot[t->count - 2].on, &last))
+        append(t, &last);
     append(t, &last);
     t->ended = true;
     t->to = t->guess.path.end;
+}
+
+static void append_start(loft_trajectory *t)
+{
+    loft_path_place first = t->knot[0].on;
+
+    t->knot[0].on.skip = t->knot[1].on.skip = 0;
+    append(t, &first);
 }
 
 static enum loft_path_state fill(loft_trajectory *t)
 {
     loft_path_place p;
 
-    while (t->count + 1 < t->room && !t->ended) {
+    while (t->count + 2 < t->room && !t->ended) {
         const enum loft_path_state state = loft_guess_next(&t->guess, &p);
         if (state == LOFT_PATH_WAIT || (state == LOFT_PATH_END && t->count == 0))
             return state;
@@ -70,6 +90,8 @@ static enum loft_path_state fill(loft_trajectory *t)
             close_chain(t);
             break;
         }
+        if (t->count == 2 && is_far(t, &t->knot[1].on, &p))
+            append_start(t);
         append(t, &p);
         if (t->count == 1)
             append(t, &p);
