@@ -338,9 +338,9 @@ void loft_flank_add(loft_flank *side, const loft_plan_piece *p, const loft_budge
 loft_acc loft_profile_jump(const loft_budget *b, const loft_way *before, const loft_way *after,
                            loft_acc spacing, loft_real feed)
 {
-    const loft_real seen = part_of(&(loft_plan_piece){ .length = loft_unit_round(loft_acc_min(
-                                                           spacing, loft_to_acc(LOFT_REAL(64)))) },
-                                   b, feed);
+    const loft_acc most_seen = loft_acc_min(spacing, loft_to_acc(LOFT_REAL(64)));
+    const loft_plan_piece gap = { .length = loft_unit_round(most_seen) };
+    const loft_real seen = part_of(&gap, b, feed);
     loft_acc x = loft_prod(LOFT_SPEED_MAX, LOFT_SPEED_MAX);
 
     for (int i = 0; i < LOFT_AXES; i++) {

@@ -9,8 +9,6 @@ amalgam() { python3 ports/packages/amalgam/amalgam.py "$@"; }
 verdict "loft.h and loft.c of all rooms" amalgam --out "$work/all"
 verdict "loft.h and loft.c of the curves, --num f32" amalgam --rooms curve --num f32 \
     --out "$work/curve"
-verdict "loft.h and loft.c of all rooms but motion and machine, for C++" amalgam \
-    --rooms num,geom,basis,curve,surface,polygon,kinematics --out "$work/plus"
 cp tests/packages/user.c "$work"
 cd "$work" || exit
 warnings="-Wall -Wextra -Wpedantic -Werror"
@@ -49,7 +47,7 @@ verdict "clang -std=c99" alone all clang -std=c99
 cplusplus="-std=gnu++17 -Wno-missing-field-initializers -x c++"
 warnings="-Wall -Wextra -Werror"
 for compiler in g++ "clang++ -Wno-c99-designator"; do
-    verdict "${compiler%% *} -std=gnu++17" alone plus $compiler $cplusplus
+    verdict "${compiler%% *} -std=gnu++17" alone all $compiler $cplusplus
 done
 verdict "avr-gcc for the ATmega328P" alone all avr-gcc -mmcu=atmega328p -std=c99 -Os
 verdict "arm-none-eabi-gcc for the Cortex-M0+" alone all \
