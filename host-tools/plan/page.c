@@ -128,11 +128,43 @@ static void apply_to_point(const affine *a, double p[2])
         p[i] = a->m[i][0] * x + a->m[i][1] * y + a->to[i];
 }
 
+/* Where a place counts from where the machine stands, only its distance from there changes. */
 static void apply_affine(const affine *a, drawing *d)
 {
     for (size_t i = 0; i < d->count; i++)
-        for (int k = 0; k < 4; k++)
-            apply_to_point(a, d->curve[i].p[k]);
+        for (int k = 0; k < 4; k++) {
+            const unsigned char *loose = d->curve[i].loose;
+            affine part                = *a;
+            for (int j = 0; j < 2; j++)
+                part.to[j] *= 1 - ((3 - k) * (loose[0] >> j & 1) + k * (loose[1] >> j & 1)) / 3.0;
+            apply_to_point(&part, d->curve[i].p[k]);
+        }
+}
+
+/* The box of what is drawn at known places. */
+static bool known_box(const drawing *d, double box[2][2])
+{
+    drawing known = { .count = 0 };
+
+    for (size_t i = 0; i < d->count; i++)
+        if (((d->curve[i].loose[0] | d->curve[i].loose[1]) & 3) == 0)
+            drawing_add_like(&known, &d->curve[i], true);
+    const bool some = drawing_box(known.count > 0 ? &known : d, box);
+    drawing_free(&known);
+    return some;
+}
+
+/* Only x or only y counts from there: such a place cannot be turned. */
+static int check_turn(const drawing *d, const char *file)
+{
+    for (size_t i = 0; i < d->count; i++)
+        for (int k = 0; k < 2; k++)
+            if ((d->curve[i].loose[k] & 1) != (d->curve[i].loose[k] >> 1 & 1))
+                return tool_error(EX_DATAERR,
+                                  "%s:%u: moves one axis from where the machine is, so it cannot "
+                                  "be turned: let the program go to X and Y first",
+                                  file, d->curve[i].line);
+    return 0;
 }
 
 /* Cosine and sine; turns by multiples of 90 degrees are exact. */
@@ -185,7 +217,7 @@ static void change_form(const page_options *g, drawing *d, double degrees)
     affine a = form_of(g, degrees);
 
     if (!paged)
-        (void)drawing_box(d, sheet);
+        (void)known_box(d, sheet);
     form_box(&a, (const double (*)[2])sheet, after);
     for (int i = 0; i < 2; i++)
         a.to[i] = sheet[0][i] - after[0][i];
@@ -228,7 +260,7 @@ static bool fits_turned(const page_options *g, const drawing *d, const double ro
     for (int turned = 0; turned < 2; turned++) {
         memcpy(copy.curve, d->curve, d->count * sizeof *copy.curve);
         change_form(g, &copy, 90.0 * turned);
-        (void)drawing_box(&copy, box);
+        (void)known_box(&copy, box);
         factor[turned] = fit_factor(g, (const double (*)[2])box, room);
     }
     free(copy.curve);
@@ -240,7 +272,7 @@ static void place_box(const page_options *g, drawing *d, const double room[2])
     double box[2][2];
     affine a = { { { 1, 0 }, { 0, 1 } }, { 0, 0 } };
 
-    (void)drawing_box(d, box);
+    (void)known_box(d, box);
     const double factor = g->fit ? fit_factor(g, (const double (*)[2])box, room) : 1;
     a.m[0][0] = a.m[1][1] = factor;
     for (int i = 0; i < 2; i++) {
@@ -263,7 +295,7 @@ static int make_copies(const page_options *g, drawing *d, const char *file)
     if ((double)count * across * up > DRAWING_CURVES_MAX)
         return tool_error(EX_DATAERR, "%s: --copies %ux%u: more than %u curves: give fewer copies",
                           file, across, up, DRAWING_CURVES_MAX);
-    (void)drawing_box(d, box);
+    (void)known_box(d, box);
     for (unsigned k = 1; k < across * up; k++)
         for (size_t i = 0; i < count; i++) {
             drawing_curve c = d->curve[i];
@@ -384,6 +416,8 @@ int page_apply(const page_options *g, drawing *d, const char *file)
     }
     if (needed)
         code = find_room(g, size, name, room);
+    if (code == 0 && (g->upright || g->degrees < 0 || g->degrees > 0))
+        code = check_turn(d, name);
     if (code == 0 && changes_form(g))
         change_form(g, d, g->upright ? 90.0 * fits_turned(g, d, room) : g->degrees);
     if (own && !g->upright) {   /* the page of the file has changed with the drawing */
@@ -419,7 +453,7 @@ const char *page_words(const drawing *d, char text[160])
     double box[2][2];
 
     text[0] = '\0';
-    if (!drawing_box(d, box))
+    if (!known_box(d, box))
         return text;
     int used = snprintf(text, 160, "%.3f x %.3f mm at %.3f,%.3f", box[1][0] - box[0][0],
                         box[1][1] - box[0][1], box[0][0], box[0][1]);

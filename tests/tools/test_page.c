@@ -340,6 +340,35 @@ static void heights_stay(arb *a)
 }
 
 
+/* A program that begins where the machine is: what counts from there is not moved, and has no
+ * place in the box; a line from there to a known place is moved at that end only. */
+static void programs_begin_where_the_machine_is(arb *a)
+{
+    double line[4][2] = { { 0, 0 }, { 3, 1 }, { 6, 2 }, { 9, 3 } };
+    double known[4][2] = { { 9, 3 }, { 10, 3 }, { 11, 3 }, { 12, 9 } };
+    drawing d = { .program = true };
+    page_options g = { .at = { { 100, 50 }, 2 }, .scale = { { 2 }, 1 } }, turn = { .degrees = 90 };
+    (void)a;
+    drawing_add(&d, line, true, 1);
+    d.curve[0].loose[0] = 3;
+    drawing_add(&d, known, false, 2);
+    CHECK(apply(&g, &d) == 0);
+    CHECK_NEAR(d.curve[0].p[0][0], 0, 1e-12);
+    CHECK_NEAR(d.curve[0].p[0][1], 0, 1e-12);
+    for (int k = 0; k < 4; k++) {       /* thirds from there to 100,50, where the known begins */
+        CHECK_NEAR(d.curve[0].p[k][0], 100.0 * k / 3, 1e-9);
+        CHECK_NEAR(d.curve[0].p[k][1], 50.0 * k / 3, 1e-9);
+    }
+    CHECK_NEAR(d.curve[1].p[3][0], 106, 1e-9);
+    CHECK_NEAR(d.curve[1].p[3][1], 62, 1e-9);
+    CHECK(apply(&turn, &d) == 0);
+    CHECK_NEAR(d.curve[0].p[0][0], 0, 1e-9);
+    d.curve[0].loose[0] = 1;
+    CHECK(apply(&turn, &d) == EX_DATAERR && strstr(caught, "f:1: moves one axis") != NULL);
+    drawing_free(&d);
+}
+
+
 // Words
 // -----
 
@@ -426,6 +455,7 @@ int main(void)
     PROPERTY(cutting_keeps_what_is_inside, 400);
     PROPERTY(edges_belong_to_the_page, 1);
     PROPERTY(heights_stay, 1);
+    PROPERTY(programs_begin_where_the_machine_is, 1);
     PROPERTY(what_cannot_be_is_refused, 1);
     PROPERTY(pages_have_names_and_numbers, 1);
     return check_failures();
