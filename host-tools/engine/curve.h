@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT
  *
  *     curve.c       the kinds, their parameters, the list
- *     curve_read.c  detects the format: SVG, eight numbers per line, control points, .loft
+ *     curve_read.c  detects the format: SVG, G-code, eight numbers per line, control points, .loft
  *     curve_text.c  the text format .loft (LOFT.md)
  *     piece.h       what a curve becomes: Bezier pieces
  *     reference.h   its definition in long double

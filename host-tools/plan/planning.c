@@ -85,7 +85,8 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
         return tool_error(
             EX_USAGE, "--smooth %g: leave at least half of the tolerance of %g mm to the machine",
             within, p->tol);
-    d->dialect = p->dialect;
+    d->dialect   = p->dialect;
+    d->from_line = p->from_line;
     int code = drawing_read(d, file);
     if (code == 0)
         code = page_apply(&p->sheet, d, file);

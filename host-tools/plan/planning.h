@@ -18,7 +18,8 @@ typedef struct {
     const engine *e;
     machine_file machine;
     const char *file;               /* of the machine, after it has been read */
-    int dialect;                    /* of G-code */
+    int dialect;                    /* of G-code, and */
+    unsigned from_line;             /* its first line that is run; 0: all */
     double feed, travel;            /* mm/s                                        */
     double accel, jerk, across;     /* mm/s^2, mm/s^3, mm/s^2; below 0: from the machine */
     double corner, tol, lift;       /* mm                                          */
@@ -53,7 +54,8 @@ typedef struct {
         TOOL_NUMBER("lift", "MM", &(p)->lift, 0, 100, "height of the pen while travelling (1)"),   \
         TOOL_SWITCH("park", &(p)->park,                                                            \
                     "at the end go to the machine's zero, where it was switched on or homed"),     \
-        PAGE_OPTIONS(&(p)->sheet), ORDER_OPTIONS(&(p)->order), GCODE_OPTION(&(p)->dialect),        \
+        PAGE_OPTIONS(&(p)->sheet), ORDER_OPTIONS(&(p)->order),                                     \
+        GCODE_OPTIONS(&(p)->dialect, &(p)->from_line),                                             \
         ENGINE_OPTION(&(p)->e, "number type of the planner (q16)")
 
 /* Set the defaults; reads the machine's file if the options name one. Returns 0, or an exit code

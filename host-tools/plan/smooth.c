@@ -381,7 +381,9 @@ size_t drawing_smooth(drawing *to, const drawing *from, double within)
 
     to->width   = from->width;
     to->height  = from->height;
-    to->program = from->program;
+    to->program   = from->program;
+    to->from_line = from->from_line;
+    to->clear     = from->clear;
     for (size_t i = 0, end; i < from->count; i = end) {
         end = i + 1;
         if (within > 0 && is_line(&from->curve[i]))

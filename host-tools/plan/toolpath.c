@@ -37,10 +37,10 @@ static void add_move(making *m, const engine_move *move, size_t curve)
     memcpy(m->at, move->p[3], sizeof m->at);
 }
 
-static void go_to(making *m, double x, double y, double z)
+static void go_to(making *m, double x, double y, double z, double feed)
 {
     const double to[ENGINE_AXES] = { x, y, z };
-    engine_move line             = { .feed = m->o->travel };
+    engine_move line             = { .feed = feed };
 
     const double way = is_apart(m->at, to);
     if (way < SAME)
@@ -56,15 +56,15 @@ static void go_to(making *m, double x, double y, double z)
     add_move(m, &line, TOOLPATH_TRAVEL);
 }
 
-/* Travel with the pen up to (x, y), then go down to z. */
-static void travel_to(making *m, double x, double y, double z)
+/* Travel with the pen up to (x, y), then go down to z at `feed`. */
+static void travel_to(making *m, double x, double y, double z, double feed)
 {
     if (hypot(m->at[0] - x, m->at[1] - y) >= SAME) {
         if (m->at[2] < m->up)
-            go_to(m, m->at[0], m->at[1], m->up);
-        go_to(m, x, y, m->at[2]);
+            go_to(m, m->at[0], m->at[1], m->up, m->o->travel);
+        go_to(m, x, y, m->at[2], m->o->travel);
     }
-    go_to(m, x, y, z);
+    go_to(m, x, y, z, feed);
 }
 
 /* Control point k. An axis that is loose at one end of a line is so in part between. */
@@ -115,10 +115,12 @@ static void go_to_curve(making *m, const drawing *d, size_t i)
 
     place_of(m, c, 0, to);
 
-    if (d->program)
-        go_to(m, to[0], to[1], to[2]);
+    if (d->program && d->from_line > 0 && i == 0)
+        travel_to(m, to[0], to[1], to[2], c->feed > 0 ? c->feed : m->o->feed);
+    else if (d->program)
+        go_to(m, to[0], to[1], to[2], m->o->rapid);
     else if (i == 0 || c->path != c[-1].path || is_apart(m->at, to) >= SAME)
-        travel_to(m, to[0], to[1], to[2]);
+        travel_to(m, to[0], to[1], to[2], m->o->travel);
 }
 
 void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
@@ -127,15 +129,17 @@ void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
     const double rapids = length_of_rapids(d);
 
     *t = (toolpath){ .drawn = drawing_length(d) - rapids, .travelled = rapids };
+    if (d->from_line > 0)
+        m.up = fmax(m.up, d->clear);
     memcpy(m.at, o->start, sizeof m.at);
     for (size_t i = 0; i < d->count; i++) {
         go_to_curve(&m, d, i);
         draw_path(&m, d, i);
     }
     if (t->count > 0 && o->park)
-        travel_to(&m, o->zero[0], o->zero[1], o->zero[2]);
+        travel_to(&m, o->zero[0], o->zero[1], o->zero[2], o->travel);
     else if (t->count > 0 && !d->program)
-        go_to(&m, m.at[0], m.at[1], m.up);
+        go_to(&m, m.at[0], m.at[1], m.up, o->travel);
 }
 
 void toolpath_free(toolpath *t)

@@ -12,6 +12,7 @@
 #include "engine/curve.h"
 #include "read/drawing.h"    /* drawing_read_svg */
 #include "read/foreign.h"
+#include "read/gcode.h"      /* gcode_is_text */
 #include "base/scan.h"       /* scan_numbers */
 #include "base/source.h"     /* source_read */
 #include "base/tool.h"       /* tool_error, sysexits */
@@ -113,14 +114,17 @@ static int read_points(reading *r, const char *text)
     return code;
 }
 
-static int read_svg(reading *r, const char *text, size_t size)
+/* The travels of a program are no curves. */
+static int read_drawing(reading *r, const char *text, size_t size, bool svg)
 {
     drawing d = { 0 };
-    int code  = drawing_read_svg(&d, r->file, text, size);
+    int code  = (svg ? drawing_read_svg : drawing_read_gcode)(&d, r->file, text, size);
 
     for (size_t i = 0; i < d.count && code == 0; i++) {
-        for (int k = 0; k < 4; k++)
-            (void)add_point(r, d.curve[i].p[k], 2, d.curve[i].line);
+        for (int k = 0; k < 4 && !(d.curve[i].feed < 0); k++) {
+            const double at[3] = { d.curve[i].p[k][0], d.curve[i].p[k][1], d.curve[i].z[k] };
+            (void)add_point(r, at, svg ? 2 : 3, d.curve[i].line);
+        }
         end_curve(r);
     }
     drawing_free(&d);
@@ -136,7 +140,7 @@ static int read_file(reading *r, const char *file)
     if (text == NULL)
         return code;
     if (source_is_xml(text))
-        code = read_svg(r, text, size);
+        code = read_drawing(r, text, size, true);
     else if (foreign_refuse(r->file, text, size) != 0)
         code = EX_DATAERR;
     else if (strlen(text) != size)
@@ -144,6 +148,8 @@ static int read_file(reading *r, const char *file)
                           r->file);
     else if (curves_is_text(file, text))
         code = curves_read_text(r->all, r->file, text);
+    else if (gcode_is_text(file, text))
+        code = read_drawing(r, text, size, false);
     else
         code = read_lines(r, text);
     free(text);

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: MIT
  *
  * The readers svg.c, csv.c, drawing_curves.c and gcode_draw.c fill it; lines and arcs are cubics
- * too. A path is a connected run of curves that is drawn with the pen down. Between paths the pen travels. Nothing
- * is clipped, and colours do not matter: a plotter draws outlines.
+ * too. A path is a connected run of curves that is drawn with the pen down. Between paths the pen
+ * travels. Nothing is clipped, and colours do not matter: a plotter draws outlines.
  *
  * A curve in space has heights beside its points in the plane. A program (G-code) is a drawing that
  * says every motion: its curves have feeds, travels are curves too, and nothing is added between.
@@ -32,6 +32,9 @@ typedef struct {
     double width, height;   /* page in mm; 0 if the file gives none */
     bool program;           /* it says every motion */
     int dialect;            /* of G-code: enum gcode_dialect (gcode.h); set before reading */
+    unsigned from_line;     /* of G-code: no motions before it; 0: all; set before reading */
+    double clear;           /* then the height of the way to the first one: that of the whole
+                             * program */
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */
 } drawing;
 
@@ -43,7 +46,7 @@ typedef struct {
 
 /* Read `file` ("-" is standard input). Its content tells the format: SVG, curves (LOFT.md), G-code
  * or CSV (x0,y0,..,x3,y3 in mm per line). Returns 0, or a code of <sysexits.h> after printing one
- * line. `*d` must be zeroed but for `dialect`; free with drawing_free. */
+ * line. `*d` must be zeroed but for what is set before; free with drawing_free. */
 int  drawing_read(drawing *d, const char *file);
 void drawing_free(drawing *d);
 

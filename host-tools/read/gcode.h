@@ -63,10 +63,13 @@ typedef int gcode_sink(void *context, const gcode_event *e);
 /* The program as a machine of this kind reads it. */
 enum gcode_dialect { GCODE_ANY, GCODE_LINUXCNC, GCODE_GRBL, GCODE_FLUIDNC, GCODE_MARLIN };
 
-/* The option --dialect NAME of a command; `out` is the address of an int. */
-#define GCODE_OPTION(out)                                                                          \
-    TOOL_PARSED("dialect", "NAME", out, gcode_parse_dialect,                                       \
-                "of G-code: linuxcnc, grbl, fluidnc or marlin (3-D printers) (found by the file)")
+/* The options --dialect NAME and --from-line N; the addresses of an int and of an unsigned. */
+#define GCODE_OPTIONS(dialect, from_line)                                                          \
+    TOOL_PARSED("dialect", "NAME", dialect, gcode_parse_dialect,                                   \
+                "of G-code: linuxcnc, grbl, fluidnc or marlin, for 3-D printers (found)"),         \
+        TOOL_COUNT("from-line", "N", from_line, 1, 4000000000u,                                    \
+                   "of G-code: read all, but move from this line on; the way there is above all "  \
+                   "of the program")
 bool gcode_parse_dialect(const char *text, void *out);
 
 typedef struct gcode_program gcode_program;

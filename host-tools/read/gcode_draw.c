@@ -4,6 +4,7 @@
  * Straight motions, G5 and G5.1 are exact cubics. Arcs and NURBS are cubics within DRAWING_TOL.
  */
 #include <ctype.h>
+#include <math.h>
 #include <string.h>
 #include <strings.h>
 
@@ -31,8 +32,12 @@ static void draw(void *context, double p[4][3])
     const gcode_event *e = out->e;
     double mm[4][3];
 
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < 4; k++) {
         gcode_place(e->frame, p[k], mm[k]);
+        out->d->clear = fmax(out->d->clear, mm[k][2]);
+    }
+    if (e->line < out->d->from_line)
+        return;
     const size_t before = out->d->count;
     const double feed = e->kind == GCODE_RAPID && !(e->feed > 0) ? DRAWING_RAPID : e->feed;
     if (out->code == 0)
@@ -145,6 +150,7 @@ int drawing_read_gcode(drawing *d, const char *file, const char *text, size_t si
     const bool printer = d->dialect == GCODE_ANY && gcode_is_printer(text);
     gcode_program *g   = gcode_open(file, printer ? GCODE_MARLIN : (enum gcode_dialect)d->dialect,
                                   take, &out);
+    d->clear       = -HUGE_VAL;
     const int code = gcode_read(g, text, size);
 
     gcode_close(g);

@@ -373,6 +373,8 @@ static int set_modes(gcode_program *g, const int of[GROUPS])
                           "let the CAM compute the path of the tool's centre");
     if (code == 0 && of[LENGTH] != GCODE_NONE)
         code = gcode_use_tool(g, of[LENGTH]);
+    if (of[PATH] == 640 && gcode_has(&g->b, 'P'))
+        leave_out(g, 'G', 640);
     if (code == 0 && of[SYSTEM] != GCODE_NONE)
         code = gcode_use_system(g,
                                 of[SYSTEM] < 591 ? (of[SYSTEM] - 530) / 10 : 6 + of[SYSTEM] - 590);
@@ -514,6 +516,8 @@ static const char *reason_of(char letter, int code)
 
     if (letter == 'E')
         return "there is no extruder: its words are left out";
+    if (letter == 'G' && code == 640)
+        return "the path stays within --tol everywhere: give the tolerance there";
     if (letter == '$')
         return "commands of a controller are left out: give them to it yourself";
     if (letter == 'M' && m >= 3 && m <= 5)

@@ -283,6 +283,29 @@ static void a_program_is_a_drawing(arb *a)
     drawing_free(&d);
 }
 
+/* From a line on: the modes of the lines before, the way there above all of the program. */
+static void it_begins_at_a_line(arb *a)
+{
+    static const char text[] = "G21 G0 Z8\nG0 X1\nG1 Z-1 F60\nX2\nX3\nG0 Z8\n";
+    const toolpath_options o = { .feed = 9, .travel = 5, .rapid = 100, .start = { 0, 0, 1 } };
+    static const double ends[][3] = {
+        { 0, 0, 8 }, { 2, 0, 8 }, { 2, 0, -1 }, { 3, 0, -1 }, { 3, 0, 8 }
+    };
+    drawing d = { .from_line = 5 };
+    toolpath t;
+
+    (void)a;
+    CHECK(drawing_read_gcode(&d, "part.nc", text, strlen(text)) == 0 && d.count == 2);
+    toolpath_make(&t, &d, &o);
+    CHECK(t.count == 5);
+    for (size_t n = 0; n < t.count && n < 5; n++)
+        for (int i = 0; i < 3; i++)
+            CHECK_NEAR(t.move[n].p[3][i], ends[n][i], 1e-9);
+    CHECK(t.count == 5 && t.move[2].feed == 1 && t.move[3].feed == 1 && t.move[4].feed == 100);
+    toolpath_free(&t);
+    drawing_free(&d);
+}
+
 static void make_path(toolpath *t, const char *text)
 {
     const toolpath_options o = { .feed = 1, .travel = 1, .rapid = 1, .start = { 7, 8, 9 } };
@@ -338,6 +361,7 @@ int main(void)
     PROPERTY(hostile_lines_end, 1);
     PROPERTY(printers_are_understood, 1);
     PROPERTY(a_program_is_a_drawing, 1);
+    PROPERTY(it_begins_at_a_line, 1);
     PROPERTY(it_goes_on_from_the_machine, 1);
     return check_failures();
 }
