@@ -156,7 +156,7 @@ enum loft_status loft_rational_tangent(const loft_rational *r, loft_unit t, loft
         return LOFT_ERR_ARG;
     for (unsigned i = 0; i <= r->degree; i++) {
         k[i] = LOFT_REAL(0);
-        k[r->degree + 1 + i] = LOFT_REAL(256);
+        k[r->degree + 1u + i] = LOFT_REAL(256);
     }
     const enum loft_status status = piece_tangent(&s, loft_rational_eval(r, t), out);
     if (status != LOFT_OK)
