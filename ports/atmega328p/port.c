@@ -35,6 +35,7 @@
 #ifndef PULSE
 #  define PULSE 18                  /* cycles: makes the pulses 2 us long, enough for all drivers */
 #endif
+#define ANSWER_MOST (47 + 4 * LOFT_AXES)    /* bytes of STATUS, the longest answer: WIRE.md */
 #define CELLS 14                    /* as many as fit in RAM */
 
 /* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
@@ -80,8 +81,8 @@ static uint16_t closed_inputs(void)
 static inline uint8_t ring_count(void)      { return (uint8_t)(ring_head - ring_tail) % RING; }
 
 /* For a guard: the position at the pins is the one that is counted, without the pulses from
- * `changed_at` on, which are still in the ring. */
-static void sense_inputs(void)
+ * `changed_at` on, which are still in the ring. Its variables stay off the stack of its caller. */
+__attribute__((noinline)) static void sense_inputs(void)
 {
     int32_t at[LOFT_AXES];
 
@@ -281,7 +282,7 @@ static void watch_switches(void)
 
 int main(void)
 {
-    static uint8_t wire[LOFT_FRAME_MAX];
+    static uint8_t wire[ANSWER_MOST];
     uint8_t byte[16];
     uint8_t count = 0, sent = 0;
 
