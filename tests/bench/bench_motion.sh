@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: MIT
 # usage: tests/bench/bench_motion.sh BUILD [CASES]
 # BUILD/<what>-<q16|f64> and BUILD/moves are built; CASES of the property run in each type (100000).
+# ROWS in the environment: some of the groups of rows alone.
 set -u
 build=$1 cases=${2:-100000}
 chains=400 cubics=2000 smooth=40
@@ -22,6 +23,8 @@ row() {
 note() { printf '%-66s %s\n' "" "$1"; }
 # pick FILE KEY FIELD
 pick() { awk -v key="$2" '$1 == key { print $'"$3"'; exit }' "$build/$1"; }
+
+. tests/bench/bench_motion_table.sh     # table_rows
 
 lists() {       # the drawings as lists of moves, feed 1
     for drawing in demo.svg curves.loft; do
@@ -188,6 +191,8 @@ property_rows() {
 
 printf '%-66s %10s %12s  %-6s %s\n' what "at most" measured "" "where"
 lists
-for rows in limits deviation time jerk same outline chip cortex property; do ${rows}_rows; done
+for rows in ${ROWS:-table limits deviation time jerk same outline chip cortex property}; do
+    ${rows}_rows
+done
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

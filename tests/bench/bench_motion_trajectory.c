@@ -7,7 +7,7 @@
  * axis that the spans use; the distance (Frechet) over the tolerance, 1 if it is less, else the
  * power of two; spans; milliseconds of processor per second of motion.
  */
-#define CURVES   600
+#define CURVES   16384
 #define PATH_MAX 400000
 
 #include <time.h>           /* clock */

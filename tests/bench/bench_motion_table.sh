@@ -1,0 +1,123 @@
+# tests/bench/bench_motion_table.sh -- rows of bench_motion.sh: lib/motion/trajectory.h at the hard
+# end, on machines with 100 and 200 mm/s
+# SPDX-License-Identifier: MIT
+#
+# It is sourced. A row without a number is a promise that nothing measures yet.
+
+table_machines="A:100:500:10000 B:200:3000:100000 C:100:2000:40000 D:100:500:0"
+
+# measured NUM TOL KNOTS MACHINE LIST.. > rows of bench_motion_trajectory.c
+measured() {
+    local num=$1 tol=$2 knots=$3 machine=$4; shift 4
+    local v=${machine#*:}; local a=${v#*:}; local j=${a#*:}
+    (cd "$build/lists" &&
+        "$table_bin/trajectory-$num" ${v%%:*} ${a%%:*} "$j" "$tol" "$knots" "$@") |
+        sed '/^list /d; /^sum /d'
+}
+# largest COLUMN PATTERN FILE..: the value, and the list that has it
+largest() {
+    awk -v c="$1" -v p="$2" '$1 ~ p && NF == 8 && $c + 0 > most + 0 { most = $c; name = $1 }
+        END { print most, name }' "${@:3}"
+}
+# summed PATTERN FILE: seconds of all lists; nothing, if one has no plan
+summed() {
+    awk -v p="$1" '$1 ~ p { bad += NF != 8; s += $2; n++ }
+        END { if (n > 0 && !bad) print s }' "$2"
+}
+ratio() { awk -v a="$1" -v b="$2" 'BEGIN { if (a > 0 && b > 0) printf "%.4f\n", a / b }'; }
+
+table_lists() {
+    mkdir -p "$build/lists"
+    /usr/bin/python3 tests/bench/motion_lists.py "$build/lists" || exit 1
+    # 60 drawings that Debian packages have installed here, evenly chosen by name
+    find /usr/share -name '*.svg' -size -40k 2>/dev/null | LC_ALL=C sort > "$build/svg"
+    awk -v n="$(wc -l < "$build/svg")" 'int(NR * 60 / n) > int((NR - 1) * 60 / n)' "$build/svg" |
+        nl -w1 -s' ' > "$build/icons"
+    while read -r k file; do
+        "$build/moves" "$file" 1 2>/dev/null | head -16000 > "$build/lists/icon-$k.moves"
+        [ -s "$build/lists/icon-$k.moves" ] || rm -f "$build/lists/icon-$k.moves"
+    done < "$build/icons"
+}
+
+cut_rows() {        # MACHINE
+    local m=${1%%:*} file
+    measured q16 0.005 400 "$1" $shapes > "$build/table-$m.out" &
+    measured f64 0.005 400 "$1" $shapes > "$build/table-$m-f64.out"; wait $!
+    for shape in outline star; do
+        read -r value name < <(awk -v p="^$shape-" '
+            $1 ~ p && NF == 8 { if (!least || $2 < least) least = $2
+                                if ($2 > most) { most = $2; name = $1 } }
+            $1 ~ p && NF != 8 { bad = $1 " " $2 }
+            END { print bad ? "- " bad : most / least " " name }' "$build/table-$m.out")
+        row "($m) $shape cut 1x .. 32x and in chords: longest over shortest time" \
+            1.015 "${value#-}" "$name"
+    done
+    file="$build/table-$m.out $build/table-$m-f64.out"
+    row "($m) speed of an axis, of the limit" 1.001 $(largest 3 . $file)
+    row "($m) acceleration of an axis, of the limit" 1.005 $(largest 4 . $file)
+    [ $m = D ] || row "($m) jerk of an axis, of the limit" 1.02 $(largest 5 . $file)
+    row "($m) distance from the path (Frechet), of the tolerance" 1 $(largest 6 . $file)
+    row "($m) time of q16 over f64, off 1 by, worst list" 0.003 $(awk '
+        NR == FNR { t[$1] = $2; next }
+        NF == 8 && t[$1] > 0 { d = $2 / t[$1] - 1; d = d < 0 ? -d : d
+                               if (d > most) { most = d; name = $1 } }
+        END { print most + 0, name }' "$build/table-$m-f64.out" "$build/table-$m.out")
+}
+
+more_rows() {       # machine B
+    local b=B:200:3000:100000 at before="" value name file
+    for tol in 0.005 0.02 0.05; do
+        measured q16 $tol 400 $b outline-cut-1 star-cut-1 $icons > "$build/table-$tol.out"
+    done
+    for pair in "0.005 0.02" "0.02 0.05"; do
+        read -r at before <<< "$pair"
+        read -r value name < <(awk '
+            NR == FNR { t[$1] = $2; next }
+            NF == 8 && t[$1] > 0 && $2 / t[$1] > most { most = $2 / t[$1]; name = $1 }
+            END { print most, name }' "$build/table-$at.out" "$build/table-$before.out")
+        row "(B) time with $before mm over time with $at mm, worst drawing" 1 "$value" "$name"
+    done
+    value=$(summed ^icon "$build/table-0.005.out")
+    row "(B) icons: time with 0.02 mm over 0.005" \
+        0.93 "$(ratio "$(summed ^icon "$build/table-0.02.out")" "$value")" "$value s"
+    row "(B) icons: time with 0.05 mm over 0.005" \
+        0.90 "$(ratio "$(summed ^icon "$build/table-0.05.out")" "$value")"
+    row "(B) icons whose plan does not arrive" 0 \
+        "$(awk '/^icon/ && NF != 8 { n++ } END { print n + 0 }' "$build/table-0.005.out")" \
+        "of $(wc -l < "$build/icons")"
+    row "(B) time over the reference that stops at corners, outline" 1.00 "" "no reference here"
+    row "(B) time over the reference that stops at corners, icons" 0.94 "" "no reference here"
+    row "(D) time over TOPP with stops at corners" 1.00 "" "no reference here"
+    row "(D) time over TOPP with blends of 0.005 mm" 1.05 "" "no reference here"
+    file="$build/table-0.005.out $build/table-0.02.out $build/table-0.05.out"
+    row "(B) icons: speed of an axis, of the limit" 1.001 $(largest 3 ^icon $file)
+    row "(B) icons: acceleration of an axis, of the limit" 1.005 $(largest 4 ^icon $file)
+    row "(B) icons: jerk of an axis, of the limit" 1.02 $(largest 5 ^icon $file)
+    row "(B) icons: distance from the path (Frechet), of the tolerance" \
+        1 $(largest 6 ^icon $file)
+    measured q16 0.005 176 $b outline-cut-1 star-cut-1 > "$build/table-ahead.out"
+    for shape in outline star; do
+        row "(B) $shape: 128 periods ahead over 352" 1.03 \
+            "$(ratio "$(summed ^$shape "$build/table-ahead.out")" \
+                "$(summed ^$shape-cut-1$ "$build/table-0.005.out")")"
+    done
+    read -r value name < <(awk '
+        /^line-/ { split($1, w, "-"); l = w[2]; v = 200; a = 3000; j = 100000
+                   top = (sqrt(a ^ 4 / j ^ 2 + 4 * a * l) - a * a / j) / 2
+                   if (l < 2 * a ^ 3 / j ^ 2) t = 4 * (l / (2 * j)) ^ (1 / 3)
+                   else { if (top > v) top = v; t = l / top + top / a + a / j }
+                   r = ($2 - 0.003) / t; if (r > most) { most = r; name = $1 } }
+        END { print most, name }' "$build/table-B.out")
+    row "(B) lines, less a period of 3 ms, over the exact S-curve, worst" 1.02 "$value" "$name mm"
+    row "(B) host: ms for each curve of 2.5 mm" 0.3 \
+        "$(awk '$1 == "outline-cut-4" { print $8 * $2 / 48 }' "$build/table-B.out")"
+}
+
+table_rows() {
+    table_bin=$(cd "$build" && pwd)
+    table_lists
+    shapes=$(cd "$build/lists" && ls | sed -n 's/\.moves$//; /^outline\|^star\|^line/p')
+    icons=$(cd "$build/lists" && ls | sed -n 's/\.moves$//; /^icon/p')
+    for machine in $table_machines; do cut_rows "$machine"; done
+    more_rows
+}
