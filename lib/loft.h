@@ -14,6 +14,7 @@
  *                  cubics                                any curve as cubics
  *                  measure                               flattening, length
  *                  bounds, nearest, intersect, overlap   where a curve is
+ *                  conic, reduce, enclosed               kinds, lower degrees, areas
  *                  tangent                               second derivatives, curvature with weights
  *                  offset, shape, join                   tool paths, cusps, curvature, C0 to G2
  *                  drawing                               a table of curves in flash
@@ -71,11 +72,16 @@
 #include "basis/knots.h"
 #include "basis/knots_basis.h"
 #include "basis/bernstein_operator.h"
+#include "basis/integral.h"
+#include "basis/positivity.h"
 #include "basis/sign.h"
 #include "basis/differences.h"
 #include "curve/bezier.h"
 #include "curve/bounds.h"
 #include "curve/bspline.h"
+#include "curve/conic.h"
+#include "curve/enclosed.h"
+#include "curve/reduce.h"
 #include "curve/cardinal.h"
 #include "curve/catmull.h"
 #include "curve/circle.h"
@@ -126,6 +132,8 @@
 #include "surface/tensor/ruled.h"
 #include "surface/tensor/skin.h"
 #include "surface/tensor/tensor.h"
+#include "surface/tensor/volume.h"
+#include "surface/triangle/triangle_integral.h"
 #include "surface/tensor/tensor_join.h"
 #include "surface/tensor/tensor_rational.h"
 #include "polygon/basepoint.h"

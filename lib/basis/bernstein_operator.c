@@ -57,3 +57,36 @@ enum loft_status loft_bernstein_iterate(const loft_real f[], unsigned n, uint32_
     *value = loft_acc_round(y);
     return LOFT_OK;
 }
+
+/* De Casteljau's algorithm on n + 1 numbers, in place: n roundings of 2^-33. The differences of the
+ * derivative are below 2^17, and n times their average below 2^23. */
+static loft_acc average(loft_acc c[], unsigned n, loft_unit x)
+{
+    for (; n > 0; n--)
+        for (unsigned i = 0; i < n; i++)
+            c[i] = loft_acc_lerp(c[i], c[i + 1], x);
+    return c[0];
+}
+
+enum loft_status loft_bernstein_operator(const loft_real f[], unsigned n, loft_unit x,
+                                         loft_real *value, loft_real *deriv)
+{
+    loft_acc c[LOFT_OPERATOR_MAX + 1];
+
+    if (n < 1 || n > LOFT_OPERATOR_MAX || !(x >= 0 && x <= LOFT_UNIT(1)))
+        return LOFT_ERR_ARG;
+    for (unsigned i = 0; i <= n; i++) {
+        if (!loft_real_valid(f[i]))
+            return LOFT_ERR_RANGE;
+        c[i] = loft_to_acc(f[i]);
+    }
+    const loft_acc y = average(c, n, x);
+    for (unsigned i = 0; i < n; i++)
+        c[i] = loft_to_acc(f[i + 1]) - loft_to_acc(f[i]);
+    const loft_acc slope = (loft_acc)n * average(c, n - 1, x);
+    if (!loft_acc_valid(y) || !loft_acc_valid(slope))
+        return LOFT_ERR_RANGE;
+    *value = loft_acc_round(y);
+    *deriv = loft_acc_round(slope);
+    return LOFT_OK;
+}

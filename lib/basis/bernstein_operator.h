@@ -31,6 +31,24 @@ LOFT_BEGIN_C
 enum loft_status loft_bernstein_iterate(const loft_real f[], unsigned n, uint32_t times,
                                         loft_unit x, loft_real *value) LOFT_CHECKED;
 
+#define LOFT_OPERATOR_MAX 64
+
+/* The value at x of B f for the function with f[i] = f(i / n), once, for many samples, and of its
+ * first derivative.
+ *
+ *   shape   f[n + 1]
+ *   range   n in 1..64, x in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE for numbers that are not
+ *           valid, and if a result does not fit; the results are untouched after an error
+ *   error   value: q16: 1/2 LSB + n 2^-17 LSB   f32: 1/2 ulp of the result + 2^-20 ulp   f64: 4 n
+ *           ulp of the largest f[i]
+ *           deriv: q16: 1/2 LSB + n^2 2^-17 LSB   f32: 1/2 ulp of the result + 2^-14 ulp   f64: 8
+ *           n^2 ulp of the largest f[i]
+ *   cost    n (n + 1) / 2 wide lerps each; 520 bytes of stack
+ *   see     Chang, Mathematics of Surfaces, 2.4, 2.5; Lorentz, Bernstein polynomials (1953)
+ */
+enum loft_status loft_bernstein_operator(const loft_real f[], unsigned n, loft_unit x,
+                                         loft_real *value, loft_real *deriv) LOFT_CHECKED;
+
 LOFT_END_C
 
 #endif

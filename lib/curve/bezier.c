@@ -184,22 +184,39 @@ enum loft_status loft_bezier_sub(const loft_bezier *b, loft_unit from, loft_unit
 
 /* q_k = sum C(n,i) C(r,k-i) b_i / C(n+r,k), i = max(0,k-r) .. min(n,k). The products of binomials
  * sum to C(n+r,k) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 < 2^62.6. There is one
- * division, rounded to 2^-33. */
+ * division, rounded to 2^-33. Beyond degree 18 the degree is raised by one at a time, q_k = (k
+ * q_(k-1) + (d + 1 - k) q_k) / (d + 1), which rounds once more. */
+#define AT_ONCE LOFT_ELEVATE_MAX
+
+static void elevate_axis(const loft_acc c[], unsigned n, unsigned times, loft_acc q[])
+{
+    const unsigned first = n + times > AT_ONCE ? AT_ONCE - n : times;
+
+    for (unsigned k = 0; k <= n + first; k++) {
+        loft_acc sum = 0;
+        for (unsigned i = k > first ? k - first : 0; i <= n && i <= k; i++)
+            sum += c[i] * (loft_binomial(n, i) * loft_binomial(first, k - i));
+        q[k] = loft_acc_ratio(sum, loft_binomial(n + first, k));
+    }
+    for (unsigned d = n + first; d < n + times; d++) {
+        q[d + 1] = q[d];
+        for (unsigned k = d; k > 0; k--)
+            q[k] = loft_acc_lerp_at(q[k], q[k - 1], k, d + 1);
+    }
+}
+
 enum loft_status loft_bezier_elevate(const loft_bezier *b, unsigned times, loft_vec out[])
 {
     const unsigned n = b->degree;
-    loft_acc c[LOFT_DEGREE_MAX + 1];
+    loft_acc c[LOFT_DEGREE_MAX + 1], q[LOFT_BEZIER_ELEVATE_MAX + 1];
 
-    if (times > LOFT_ELEVATE_MAX - n)
+    if (times > LOFT_BEZIER_ELEVATE_MAX - n)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         widen_axis(b->p, n, axis, c);
-        for (unsigned k = 0; k <= n + times; k++) {
-            loft_acc sum = 0;
-            for (unsigned i = k > times ? k - times : 0; i <= n && i <= k; i++)
-                sum += c[i] * (loft_binomial(n, i) * loft_binomial(times, k - i));
-            out[k].axis[axis] = loft_acc_round(loft_acc_ratio(sum, loft_binomial(n + times, k)));
-        }
+        elevate_axis(c, n, times, q);
+        for (unsigned k = 0; k <= n + times; k++)
+            out[k].axis[axis] = loft_acc_round(q[k]);
     }
     return LOFT_OK;
 }

@@ -28,7 +28,8 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_ELEVATE_MAX 18       /* the highest degree that loft_bezier_elevate returns */
+#define LOFT_BEZIER_ELEVATE_MAX 32      /* the highest degree that loft_bezier_elevate returns */
+#define LOFT_ELEVATE_MAX 18             /* ... that elevation of other curves and nets does */
 
 /* A cubic, by value: the input of motion planning and flattening. */
 typedef struct {
@@ -127,9 +128,11 @@ enum loft_status loft_bezier_sub(const loft_bezier *b, loft_unit from, loft_unit
 
 /* The same curve with its degree elevated by `times`: degree + times + 1 control points.
  *
- *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
- *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree + 3 ulp
- *   cost    (degree + 1) * (times + 1) small products and degree + times + 1 divisions per axis
+ *   range   degree + times <= LOFT_BEZIER_ELEVATE_MAX, otherwise LOFT_ERR_ARG
+ *   error   with e = degree + times - 18, 0 if that is negative: q16: 1/2 LSB + (1 + e) 2^-17 LSB
+ *           f32: 1 ulp   f64: degree + 3 + 4 e ulp
+ *   cost    (degree + 1) * (times + 1) small products and degree + times + 1 divisions per axis;
+ *           beyond degree 18 a division for each point of each degree
  *   see     Farin, ch. 6: repeated degree elevation
  */
 enum loft_status loft_bezier_elevate(const loft_bezier *b, unsigned times,

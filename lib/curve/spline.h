@@ -23,10 +23,10 @@
  * differ by any factor. A natural spline with uniform or chord length knots is faster by natural.h.
  *
  * In the `error` lines h is the step of the segment and S the largest slope, of the spline or of a
- * chord over its step. Q is 1 for all ends but not-a-knot; there it is the larger ratio of the
- * first two and of the last two steps. In q16 2^-57 S h Q exceeds 2^-17 LSB only for not-a-knot
- * ends, where a step of a few LSB stands beside one of thousands. f64 accepts coordinates below
- * 2^1000.
+ * chord over its step. Q is 1 for all ends but not-a-knot. There it is the product of two ratios,
+ * at least 1: the first step over the second, and the last over the last but one. In q16 2^-57 S h
+ * Q exceeds 2^-17 LSB only there, where a step of a few LSB stands beside one of thousands. f64
+ * accepts coordinates below 2^1000.
  */
 #ifndef LOFT_CURVE_SPLINE_H
 #define LOFT_CURVE_SPLINE_H

@@ -163,8 +163,9 @@ static void bezier_segment(row *r)
 
 static void bezier_elevate(row *r)
 {
-    loft_vec p[POINTS], out[LOFT_ELEVATE_MAX + 1];
-    const unsigned n = degree(r), d = dimension(r), times = row_count(r, "r", LOFT_ELEVATE_MAX - n);
+    loft_vec p[POINTS], out[LOFT_BEZIER_ELEVATE_MAX + 1];
+    const unsigned n = degree(r), d = dimension(r),
+                   times = row_count(r, "r", LOFT_BEZIER_ELEVATE_MAX - n);
     const loft_bezier b = curve(r, n, d, p);
 
     const enum loft_status status = loft_bezier_elevate(&b, times, out);

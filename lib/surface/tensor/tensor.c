@@ -204,6 +204,8 @@ enum loft_status loft_tensor_elevate_u(const loft_tensor *s, unsigned times, lof
 {
     loft_vec copy[LOFT_DEGREE_MAX + 1], line[LOFT_ELEVATE_MAX + 1];
 
+    if (times > LOFT_ELEVATE_MAX - (unsigned)s->m)
+        return LOFT_ERR_ARG;
     for (unsigned j = 0; j <= s->n; j++) {
         const loft_bezier column = column_of(s, j, copy);
         const enum loft_status status = loft_bezier_elevate(&column, times, line);
@@ -216,6 +218,8 @@ enum loft_status loft_tensor_elevate_u(const loft_tensor *s, unsigned times, lof
 
 enum loft_status loft_tensor_elevate_v(const loft_tensor *s, unsigned times, loft_vec out[])
 {
+    if (times > LOFT_ELEVATE_MAX - (unsigned)s->n)
+        return LOFT_ERR_ARG;
     for (unsigned i = 0; i <= s->m; i++) {
         const loft_bezier row = row_of(s, i);
         const enum loft_status status = loft_bezier_elevate(&row, times,

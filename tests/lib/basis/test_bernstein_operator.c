@@ -105,6 +105,39 @@ static void lines_and_ends_are_kept(arb *a)
           !(y > f[n]));
 }
 
+/* Many samples: value and derivative, by de Casteljau's algorithm in long double. */
+static void one_application_takes_many_samples(arb *a)
+{
+    const unsigned n = 1 + arb_below(a, LOFT_OPERATOR_MAX);
+    const int32_t limit = (int32_t)1 << arb_below(a, 9);
+    const loft_unit x = arb_unit(a);
+    const long double t = exact_unit(x);
+    loft_real f[LOFT_OPERATOR_MAX + 1], y = 0, slope = 0;
+    long double c[LOFT_OPERATOR_MAX + 1], before[2] = { 0, 0 };
+
+    for (unsigned i = 0; i <= n; i++) {
+        f[i] = arb_real(a, limit);
+        c[i] = exact_of(f[i]);
+    }
+    for (unsigned m = n; m > 0; m--) {
+        before[0] = c[0];
+        before[1] = c[1];
+        for (unsigned i = 0; i < m; i++)
+            c[i] = (1 - t) * c[i] + t * c[i + 1];
+    }
+    const long double want = n * (before[1] - before[0]);
+    const enum loft_status status = loft_bernstein_operator(f, n, x, &y, &slope);
+    CHECK(status == LOFT_OK || (status == LOFT_ERR_RANGE && fabsl(want) > 32767));
+    if (status != LOFT_OK)
+        return;
+    CHECK_EXACT(exact_of(y), c[0],
+                BY_NUM(LSB / 2 + n * LSB / 131072, ulp(c[0]) / 2 + 0x1p-20L * ulp(limit),
+                       4 * n * ulp(limit)));
+    CHECK_EXACT(exact_of(slope), want,
+                BY_NUM(LSB / 2 + n * n * LSB / 131072, ulp(want) / 2 + 0x1p-14L * ulp(limit),
+                       8 * n * n * ulp(limit)));
+}
+
 static void mistakes_are_told(arb *a)
 {
     loft_real f[LOFT_DEGREE_MAX + 1], y = LOFT_REAL(3);
@@ -115,6 +148,9 @@ static void mistakes_are_told(arb *a)
     CHECK(loft_bernstein_iterate(f, 0, 1, 0, &y) == LOFT_ERR_ARG);
     CHECK(loft_bernstein_iterate(f, LOFT_DEGREE_MAX + 1, 1, 0, &y) == LOFT_ERR_ARG);
     CHECK(loft_bernstein_iterate(f, 3, 0, 0, &y) == LOFT_ERR_ARG);
+    CHECK(loft_bernstein_operator(f, 0, 0, &y, &y) == LOFT_ERR_ARG &&
+          loft_bernstein_operator(f, LOFT_OPERATOR_MAX + 1, 0, &y, &y) == LOFT_ERR_ARG &&
+          loft_bernstein_operator(f, 3, LOFT_UNIT(1.5), &y, &y) == LOFT_ERR_ARG);
     CHECK(loft_bernstein_iterate(f, 3, 1, LOFT_UNIT(2.5), &y) == LOFT_ERR_ARG);
 #if LOFT_NUM != LOFT_Q16
     f[2] = (loft_real)INFINITY;
@@ -131,6 +167,7 @@ int main(void)
     PROPERTY(iterates_are_within_their_bound,       2000);
     PROPERTY(the_limit_is_the_line_between_the_ends,  60);
     PROPERTY(lines_and_ends_are_kept,                300);
+    PROPERTY(one_application_takes_many_samples,     500);
     PROPERTY(mistakes_are_told,                        1);
     return check_failures();
 }

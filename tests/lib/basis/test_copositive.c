@@ -170,15 +170,85 @@ static void takes_the_largest_numbers(arb *a)
     }
 }
 
+/* Place (i, j) of the upper triangle of order n. */
+static unsigned place_of(unsigned n, unsigned i, unsigned j)
+{
+    const unsigned row = i < j ? i : j, column = i < j ? j : i;
+    return row * n - row * (row + 1) / 2 + column;
+}
+
+/* Horn's matrix of order 5, scaled and permuted, in order 5 or 6: copositive, though neither
+ * semidefinite nor the sum of such a matrix and a nonnegative one. One LSB less on its diagonal or
+ * beside it, and it is not. */
+static void horn_matrices_are_copositive_by_one_lsb(arb *a)
+{
+    const unsigned n = 5 + arb_below(a, 2);
+    unsigned order[6] = { 0, 1, 2, 3, 4, 5 };
+    const int32_t scale = 1 + (int32_t)arb_below(a, 1000);
+    loft_real m[21] = { 0 };
+    bool flag = false;
+
+    for (unsigned i = n - 1; i > 0; i--) {
+        const unsigned k = arb_below(a, i + 1), swap = order[i];
+        order[i] = order[k];
+        order[k] = swap;
+    }
+    for (unsigned i = 0; i < 5; i++)
+        for (unsigned j = i; j < 5; j++) {
+            const unsigned apart = (j - i) % 5;
+            const int32_t sign = apart == 1 || apart == 4 ? -1 : 1;
+            m[place_of(n, order[i], order[j])] = loft_real_from_raw(sign * scale);
+        }
+    CHECK(loft_matrix_copositive(m, n, &flag) == LOFT_OK && flag);
+    const unsigned i = arb_below(a, 5), j = arb_below(a, 2) ? i : (i + 1) % 5;
+    loft_real *one = &m[place_of(n, order[i], order[j])];
+    *one = loft_real_from_raw(loft_raw_from_real(*one) - 1);
+    CHECK(loft_matrix_copositive(m, n, &flag) == LOFT_OK && !flag);
+}
+
+/* Orders 5 and 6: a Gram matrix plus a nonnegative one is copositive; a nonnegative vector with a
+ * negative form refutes. */
+static void orders_five_and_six_agree_with_samples(arb *a)
+{
+    const unsigned n = 5 + arb_below(a, 2);
+    int32_t g[6][6], m[6][6];
+    loft_real upper[21];
+    bool flag = false, refuted = false, gram = arb_below(a, 2);
+
+    for (unsigned i = 0; i < n; i++)
+        for (unsigned j = 0; j < n; j++)
+            g[i][j] = (int32_t)arb_below(a, 7) - 3;
+    for (unsigned i = 0; i < n; i++)
+        for (unsigned j = i; j < n; j++) {
+            int32_t sum = gram ? (int32_t)arb_below(a, 2) : g[i][j] + (i == j ? 4 : 0);
+            for (unsigned k = 0; k < n && gram; k++)
+                sum += g[k][i] * g[k][j];
+            m[i][j] = m[j][i] = sum;
+            upper[place_of(n, i, j)] = loft_real_from_raw(sum);
+        }
+    CHECK(loft_matrix_copositive(upper, n, &flag) == LOFT_OK);
+    CHECK(flag || !gram);
+    for (int tries = 0; tries < 300; tries++) {
+        int32_t x[6], form = 0;
+        for (unsigned i = 0; i < n; i++)
+            x[i] = arb_below(a, 2) ? (int32_t)arb_below(a, 5) : 0;
+        for (unsigned i = 0; i < n; i++)
+            for (unsigned j = 0; j < n; j++)
+                form += x[i] * x[j] * m[i][j];
+        refuted = refuted || form < 0;
+    }
+    CHECK(!refuted || !flag);
+}
+
 static void refuses_other_orders_and_numbers(arb *a)
 {
-    loft_real m[15] = { 0 };
+    loft_real m[28] = { 0 };
     bool flag = true;
     const loft_real odd = BY_NUM(0, 1e30f, 1e300);
 
     (void)a;
     CHECK(loft_matrix_copositive(m, 0, &flag) == LOFT_ERR_ARG);
-    CHECK(loft_matrix_copositive(m, 5, &flag) == LOFT_ERR_ARG);
+    CHECK(loft_matrix_copositive(m, 7, &flag) == LOFT_ERR_ARG);
     m[9] = odd;
     CHECK(loft_matrix_copositive(m, 4, &flag) == BY_NUM(LOFT_OK, LOFT_ERR_RANGE, LOFT_ERR_RANGE));
     CHECK(flag);
@@ -191,6 +261,8 @@ int main(void)
     PROPERTY(permuted_and_scaled_is_the_same, 300);
     PROPERTY(one_lsb_decides, 400);
     PROPERTY(takes_the_largest_numbers, 50);
+    PROPERTY(horn_matrices_are_copositive_by_one_lsb, 60);
+    PROPERTY(orders_five_and_six_agree_with_samples, 60);
     PROPERTY(refuses_other_orders_and_numbers, 1);
     return check_failures();
 }

@@ -1,0 +1,278 @@
+/* lib/curve/conic.c
+ * SPDX-License-Identifier: MIT
+ *
+ * With the triangle's barycentric coordinates u, v, w of a point, the conic is w0 w2 v^2 - 4 w1^2 u
+ * w = 0. Twice the area times u is a0 x + b0 y + .., a0 = y1 - y2, b0 = x2 - x1 and so on in turn,
+ * so up to a factor the coefficients of x^2, y^2 and x y are
+ *
+ *     w0 w2 a1^2 - 4 w1^2 a0 a2      w0 w2 b1^2 - 4 w1^2 b0 b2
+ *     2 w0 w2 a1 b1 - 4 w1^2 (a0 b2 + a2 b0)
+ *
+ * It is a circle if the first two are equal and the third is 0. Bits: two weights and two
+ * differences, 4 R + 6.
+ *
+ * Axes (Lee): with k = w0 w2 / w1^2 and s = k / (2 (k - 1)) the centre is s p0 + (1 - 2 s) p1 + s
+ * p2, and c + x U + y V with U = p2 - p0, V = (p0 + p2) / 2 - p1 is on the conic if x^2 / f + y^2 /
+ * g = 1, f = s^2 (k - 1) / k, g = 4 s^2 / k. So the squares of the semi-axes, with a sign, are the
+ * eigenvalues of f U U^T + g V V^T. Let D = w0 w2 - w1^2, whose products are exact in q16 (62
+ * bits): s = w0 w2 / (2 D), f = w0 w2 / (4 D), g = w0 w2 w1^2 / D^2.
+ *
+ * Of the two eigenvalues h +- r, h half the trace and r the root of a sum of squares, the one of
+ * the larger magnitude is taken as a sum; the other is the determinant f g (U x V)^2 over it.
+ */
+#include "curve/conic.h"
+#include "geom/vec_exact.h"     /* loft_vec_exact_sub */
+#include "num/sci.h"            /* loft_sci */
+
+static bool numbers_exact(const loft_weighted p[], unsigned count)
+{
+    for (unsigned k = 0; k < count; k++) {
+        if (!loft_exact_valid(p[k].w))
+            return false;
+        for (int axis = 0; axis < 2; axis++)
+            if (!loft_exact_valid(loft_vec_axis(&p[k].p, axis)))
+                return false;
+    }
+    return true;
+}
+
+static int real_sign(loft_real a) { return (a > 0) - (a < 0); }
+
+static loft_exact weight_product(const loft_weighted *a, const loft_weighted *b)
+{
+    return loft_exact_mul(loft_exact_from_real(a->w), loft_exact_from_real(b->w));
+}
+
+static bool same_place(const loft_weighted *a, const loft_weighted *b)
+{
+    loft_exact d[2];
+
+    loft_vec_exact_sub(&a->p, &b->p, 2, d);
+    return loft_exact_sign(d[0]) == 0 && loft_exact_sign(d[1]) == 0;
+}
+
+/* Twice the area of the triangle, exactly. */
+static loft_exact triangle_area(const loft_weighted p[3])
+{
+    loft_exact a[2], b[2];
+
+    loft_vec_exact_sub(&p[1].p, &p[0].p, 2, a);
+    loft_vec_exact_sub(&p[2].p, &p[0].p, 2, b);
+    return loft_exact_det(a[0], a[1], b[0], b[1]);
+}
+
+static bool triangle_flat(const loft_weighted p[3])
+{
+    for (int k = 0; k < 3; k++)
+        if (real_sign(p[k].w) == 0)
+            return true;
+    return loft_exact_sign(triangle_area(p)) == 0;
+}
+
+/* Of dependent points: line, point, null. */
+static enum loft_conic_kind flat_kind(const loft_weighted p[3])
+{
+    const loft_weighted *first = NULL;
+
+    for (int k = 0; k < 3; k++) {
+        if (real_sign(p[k].w) == 0)
+            continue;
+        if (!first)
+            first = &p[k];
+        else if (!same_place(first, &p[k]))
+            return LOFT_CONIC_LINE;
+    }
+    return first ? LOFT_CONIC_POINT : LOFT_CONIC_NULL;
+}
+
+/* The sign of w1^2 - w0 w2 */
+static int discriminant_sign(const loft_weighted p[3])
+{
+    return loft_exact_compare(weight_product(&p[1], &p[1]), weight_product(&p[0], &p[2]));
+}
+
+/* The denominator w0 (1-t)^2 + 2 w1 t (1-t) + w2 t^2 has no zero if both ends have one sign and, as
+ * theorem 2.1 says for that sign, w1 > - sqrt(w0 w2). */
+static bool weights_finite(const loft_weighted p[3])
+{
+    const int sign = real_sign(p[0].w);
+
+    if (sign == 0 || real_sign(p[2].w) != sign)
+        return false;
+    return real_sign(p[1].w) * sign >= 0 || discriminant_sign(p) < 0;
+}
+
+static loft_exact times_int(int32_t k, loft_exact x)
+{
+    return loft_exact_mul(loft_exact_from_int(k), x);
+}
+
+/* w0 w2 a1 b1 times 2 - 4 w1^2 (a0 b2 + a2 b0): twice the coefficient of a square for a = b */
+static loft_exact implicit(const loft_weighted p[3], const loft_exact a[3], const loft_exact b[3])
+{
+    const loft_exact outer = loft_exact_mul(weight_product(&p[0], &p[2]),
+                                            times_int(2, loft_exact_mul(a[1], b[1])));
+    const loft_exact inner = loft_exact_add(loft_exact_mul(a[0], b[2]), loft_exact_mul(a[2], b[0]));
+
+    return loft_exact_sub(outer, loft_exact_mul(weight_product(&p[1], &p[1]), times_int(4, inner)));
+}
+
+static bool is_circle(const loft_weighted p[3])
+{
+    loft_exact a[3], b[3], d[2];
+
+    for (int k = 0; k < 3; k++) {
+        loft_vec_exact_sub(&p[(k + 2) % 3].p, &p[(k + 1) % 3].p, 2, d);
+        a[k] = loft_exact_neg(d[1]);
+        b[k] = d[0];
+    }
+    return loft_exact_compare(implicit(p, a, a), implicit(p, b, b)) == 0 &&
+           loft_exact_sign(implicit(p, a, b)) == 0;
+}
+
+enum loft_status loft_conic_init(loft_conic *out, const loft_weighted p[3])
+{
+    if (!numbers_exact(p, 3))
+        return LOFT_ERR_RANGE;
+    out->finite = weights_finite(p);
+    out->circle = false;
+    if (triangle_flat(p)) {
+        out->kind = flat_kind(p);
+        return LOFT_OK;
+    }
+    const int sign = discriminant_sign(p);
+    out->kind = sign < 0    ? LOFT_CONIC_ELLIPSE
+                : sign == 0 ? LOFT_CONIC_PARABOLA
+                            : LOFT_CONIC_HYPERBOLA;
+    out->circle = sign < 0 && is_circle(p);
+    return LOFT_OK;
+}
+
+static loft_sci sci_axis(const loft_weighted *p, int axis)
+{
+    return loft_sci_from_real(loft_vec_axis(&p->p, axis));
+}
+
+/* The semi-axes from the eigenvalues of f U U^T + g V V^T. */
+static void principal(loft_sci f, loft_sci g, const loft_sci u[2], const loft_sci v[2],
+                      loft_sci out[2])
+{
+    const loft_sci two = loft_sci_from_int(2);
+    loft_sci m[3];                          /* xx, xy, yy */
+
+    for (int k = 0; k < 3; k++) {
+        const int i = k == 2, j = k > 0;
+        m[k] = loft_sci_add(loft_sci_mul(f, loft_sci_mul(u[i], u[j])),
+                            loft_sci_mul(g, loft_sci_mul(v[i], v[j])));
+    }
+    const loft_sci half = loft_sci_div(loft_sci_add(m[0], m[2]), two),
+                   apart = loft_sci_div(loft_sci_sub(m[0], m[2]), two);
+    const loft_sci r = loft_sci_sqrt(
+        loft_sci_add(loft_sci_mul(apart, apart), loft_sci_mul(m[1], m[1])));
+    const loft_sci cross = loft_sci_sub(loft_sci_mul(u[0], v[1]), loft_sci_mul(u[1], v[0]));
+    const loft_sci det = loft_sci_mul(loft_sci_mul(f, g), loft_sci_mul(cross, cross));
+    const bool up = loft_sci_sign(half) >= 0;
+    const loft_sci large = up ? loft_sci_add(half, r) : loft_sci_sub(half, r);
+    const loft_sci other = loft_sci_div(det, large);
+    /* the positive one of a hyperbola, the larger one of an ellipse first */
+    const bool swap = loft_sci_sign(large) < 0;
+    out[0] = loft_sci_sqrt(loft_sci_abs(swap ? other : large));
+    out[1] = loft_sci_sqrt(loft_sci_abs(swap ? large : other));
+}
+
+static bool round_real(loft_sci x, loft_real *out)
+{
+    loft_acc wide;
+
+    if (!loft_sci_to_acc(x, &wide) || !loft_acc_valid(wide))
+        return false;
+    *out = loft_acc_round(wide);
+    return true;
+}
+
+enum loft_status loft_conic_axes(const loft_weighted p[3], loft_vec *centre, loft_real axes[2])
+{
+    const loft_sci two = loft_sci_from_int(2);
+    loft_conic kind;
+    loft_sci u[2], v[2], length[2];
+    loft_vec c = { { 0 } };
+    loft_real own[2];
+
+    if (loft_conic_init(&kind, p) != LOFT_OK)
+        return LOFT_ERR_RANGE;
+    if (kind.kind != LOFT_CONIC_ELLIPSE && kind.kind != LOFT_CONIC_HYPERBOLA)
+        return LOFT_SINGULAR;
+    const loft_sci w1 = loft_sci_from_real(p[1].w), square = loft_sci_mul(w1, w1);
+    const loft_sci outer = loft_sci_mul(loft_sci_from_real(p[0].w), loft_sci_from_real(p[2].w));
+    const loft_sci d = loft_sci_sub(outer, square), s = loft_sci_div(outer, loft_sci_mul(two, d));
+    for (int i = 0; i < 2; i++) {
+        const loft_sci p0 = sci_axis(&p[0], i), p1 = sci_axis(&p[1], i), p2 = sci_axis(&p[2], i);
+        u[i] = loft_sci_sub(p2, p0);
+        v[i] = loft_sci_sub(loft_sci_div(loft_sci_add(p0, p2), two), p1);
+        const loft_sci x = loft_sci_add(p1, loft_sci_mul(loft_sci_mul(two, s), v[i]));
+        if (i < LOFT_AXES && !round_real(x, &c.axis[i < LOFT_AXES ? i : 0]))
+            return LOFT_ERR_RANGE;
+    }
+    const loft_sci f = loft_sci_div(s, two),
+                   g = loft_sci_div(loft_sci_mul(outer, square), loft_sci_mul(d, d));
+    principal(f, g, u, v, length);
+    if (!round_real(length[0], &own[0]) || !round_real(length[1], &own[1]))
+        return LOFT_ERR_RANGE;
+    *centre = c;
+    axes[0] = own[0];
+    axes[1] = own[1];
+    return LOFT_OK;
+}
+
+/* Is h3 - 3 h2 + 3 h1 - h0 = 0 for h = w x (axis) or h = w (axis -1)? */
+static bool third_difference_zero(const loft_weighted p[4], int axis)
+{
+    static const int8_t factor[4] = { -1, 3, -3, 1 };
+    loft_exact sum = loft_exact_from_int(0);
+
+    for (int k = 0; k < 4; k++) {
+        loft_exact h = loft_exact_from_real(p[k].w);
+        if (axis >= 0)
+            h = loft_exact_mul(h, loft_exact_from_real(loft_vec_axis(&p[k].p, axis)));
+        sum = loft_exact_add(sum, times_int(factor[k], h));
+    }
+    return loft_exact_sign(sum) == 0;
+}
+
+static bool cubic_exact(const loft_weighted p[4])
+{
+    for (int k = 0; k < 4; k++)
+        if (!loft_exact_valid(p[k].w) || !loft_vec_exact_valid(&p[k].p, 1, LOFT_AXES))
+            return false;
+    return true;
+}
+
+enum loft_status loft_conic_from_cubic(const loft_weighted p[4], loft_weighted out[3])
+{
+    const loft_sci three = loft_sci_from_int(3), two = loft_sci_from_int(2);
+    loft_weighted middle;
+
+    if (!cubic_exact(p))
+        return LOFT_ERR_RANGE;
+    for (int axis = -1; axis < LOFT_AXES; axis++)
+        if (!third_difference_zero(p, axis))
+            return LOFT_SINGULAR;
+    const loft_sci w0 = loft_sci_from_real(p[0].w), w1 = loft_sci_from_real(p[1].w);
+    const loft_sci w = loft_sci_sub(loft_sci_mul(three, w1), w0);
+    if (loft_sci_sign(w) == 0)
+        return LOFT_SINGULAR;
+    if (!round_real(loft_sci_div(w, two), &middle.w))
+        return LOFT_ERR_RANGE;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_sci h1 = loft_sci_mul(w1, loft_sci_from_real(p[1].p.axis[i])),
+                       h0 = loft_sci_mul(w0, loft_sci_from_real(p[0].p.axis[i]));
+        const loft_sci x = loft_sci_div(loft_sci_sub(loft_sci_mul(three, h1), h0), w);
+        if (!round_real(x, &middle.p.axis[i]))
+            return LOFT_ERR_RANGE;
+    }
+    const loft_weighted ends[2] = { p[0], p[3] };
+    out[0] = ends[0];
+    out[1] = middle;
+    out[2] = ends[1];
+    return LOFT_OK;
+}

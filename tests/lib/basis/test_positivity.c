@@ -1,0 +1,163 @@
+/* tests/lib/basis/test_positivity.c -- properties of lib/basis/positivity.h
+ * SPDX-License-Identifier: MIT
+ *
+ * Polynomials are made as products of known factors with small whole coefficients, so roots and
+ * their multiplicities are known. Others are compared with their values.
+ */
+#include "support/exact.h"          /* exact_eval; CHECK, PROPERTY, BY_NUM */
+#include "basis/positivity.h"
+#include "basis/sign.h"
+
+#define MOST LOFT_DEGREE_MAX
+
+typedef struct {
+    unsigned degree;
+    int64_t c[MOST + 1];            /* Bernstein coefficients times binomials */
+} product;
+
+/* Times a factor of degree 1 or 2, given the same way. */
+static void multiply(product *p, const int64_t f[], unsigned n)
+{
+    int64_t out[MOST + 1] = { 0 };
+
+    for (unsigned i = 0; i <= p->degree; i++)
+        for (unsigned j = 0; j <= n; j++)
+            out[i + j] += p->c[i] * f[j];
+    p->degree += n;
+    for (unsigned i = 0; i <= p->degree; i++)
+        p->c[i] = out[i];
+}
+
+/* Bernstein coefficients: times a common multiple of the binomials, 2520 at most. False if they do
+ * not fit a coordinate of 23 bits. */
+static bool to_reals(const product *p, loft_real out[])
+{
+    for (unsigned i = 0; i <= p->degree; i++) {
+        const int64_t raw = p->c[i] * 2520 / loft_binomial(p->degree, i);
+        if (raw * loft_binomial(p->degree, i) != p->c[i] * 2520 || raw > 8000000 || raw < -8000000)
+            return false;
+        out[i] = loft_real_from_raw((int32_t)raw);
+    }
+    return true;
+}
+
+typedef struct {
+    bool changes, ends;
+    int roots;
+} known;
+
+/* Roots a / b in 0..1, each once, twice or three times, and a factor without real roots. */
+static known arb_product(arb *a, product *p)
+{
+    static const int64_t none[2][3] = { { 1, 1, 1 }, { 2, 2, 1 } };
+    known k = { false, false, 0 };
+    bool used[7] = { false };
+
+    *p = (product) { 0, { arb_below(a, 2) ? 1 : -1 } };
+    for (unsigned tries = arb_below(a, 4); tries > 0; tries--) {
+        const unsigned at = arb_below(a, 7), times = 1 + arb_below(a, 3);
+        const int64_t root[2] = { -(int64_t)at, 6 - (int64_t)at };     /* 6 t - at */
+        if (used[at] || p->degree + times > 7)
+            continue;
+        used[at] = true;
+        for (unsigned i = 0; i < times; i++)
+            multiply(p, root, 1);
+        k.roots++;
+        k.ends = k.ends || at == 0 || at == 6;
+        k.changes = k.changes || (at > 0 && at < 6 && times % 2);
+    }
+    if (arb_below(a, 2))
+        multiply(p, none[arb_below(a, 2)], 2);
+    return k;
+}
+
+static long double value_at(const loft_real b[], unsigned n, long double t)
+{
+    long double c[MOST + 1];
+    for (unsigned i = 0; i <= n; i++)
+        c[i] = exact_of(b[i]);
+    return exact_eval(c, n, t);
+}
+
+static void known_roots_are_counted(arb *a)
+{
+    product p;
+    loft_real b[MOST + 1];
+    loft_positivity got = { false, false, 0 };
+    const known k = arb_product(a, &p);
+
+    if (!to_reals(&p, b))
+        return;
+    CHECK(loft_bernstein_positivity(b, p.degree, &got) == LOFT_OK);
+    CHECK(got.roots == k.roots);
+    const bool above = value_at(b, p.degree, 1 / 12.0L) > 0;        /* no root is there */
+    CHECK(got.nonnegative == (above && !k.changes));
+    CHECK(got.positive == (above && k.roots == 0));
+}
+
+/* Random coefficients: no root is missed between values of different signs, none is claimed where
+ * all coefficients have one sign, and positive ones have positive values. */
+static void answers_agree_with_values(arb *a)
+{
+    const unsigned n = arb_below(a, MOST + 1);
+    const int32_t limit = 1 + (int32_t)arb_below(a, 100);
+    loft_real b[MOST + 1];
+    loft_positivity got = { false, false, 0 };
+    int changes = 0, before = 0;
+    bool one_sign = true;
+
+    for (unsigned i = 0; i <= n; i++) {
+        b[i] = arb_real(a, limit);
+        one_sign = one_sign && b[i] > 0;
+    }
+    CHECK(loft_bernstein_positivity(b, n, &got) == LOFT_OK);
+    for (int i = 0; i <= 64; i++) {
+        const long double y = value_at(b, n, i / 64.0L);
+        const int sign = fabsl(y) < 1e-12L ? 0 : y > 0 ? 1 : -1;
+        changes += sign && before && sign != before;
+        before = sign ? sign : before;
+        CHECK(sign >= 0 || !got.nonnegative);
+        CHECK(sign > 0 || !got.positive || fabsl(y) < 1e-12L);
+    }
+    CHECK(got.roots < 0 || got.roots >= changes);
+    CHECK(!one_sign || (got.positive && got.roots == 0));
+}
+
+/* Degree 2: sign.h decides by another theorem. */
+static void degree_two_is_that_of_the_theorem(arb *a)
+{
+    const int32_t limit = 1 + (int32_t)arb_below(a, 100);
+    loft_real b[3] = { arb_real(a, limit), arb_real(a, limit), arb_real(a, limit) };
+    loft_positivity got = { false, false, 0 };
+    loft_sign want;
+
+    if (arb_below(a, 3) == 0) {             /* a double root: b1^2 = b0 b2 */
+        const int32_t x = 1 + (int32_t)arb_below(a, 2000), y = 1 + (int32_t)arb_below(a, 2000);
+        b[0] = loft_real_from_raw(x * x);
+        b[1] = loft_real_from_raw(-x * y + (int32_t)arb_below(a, 3) - 1);
+        b[2] = loft_real_from_raw(y * y);
+    }
+    CHECK(loft_bernstein_positivity(b, 2, &got) == LOFT_OK &&
+          loft_quadratic_sign(b, &want) == LOFT_OK);
+    CHECK(got.nonnegative == want.nonnegative && got.positive == want.positive);
+}
+
+static void mistakes_and_zero_are_told(arb *a)
+{
+    const loft_real b[MOST + 2] = { 0 };
+    loft_positivity got = { false, false, 7 };
+
+    (void)a;
+    CHECK(loft_bernstein_positivity(b, MOST + 1, &got) == LOFT_ERR_ARG && got.roots == 7);
+    CHECK(loft_bernstein_positivity(b, MOST, &got) == LOFT_OK);
+    CHECK(got.nonnegative && !got.positive && got.roots == -1);
+}
+
+int main(void)
+{
+    PROPERTY(known_roots_are_counted,           300);
+    PROPERTY(answers_agree_with_values,         150);
+    PROPERTY(degree_two_is_that_of_the_theorem, 300);
+    PROPERTY(mistakes_and_zero_are_told,          1);
+    return check_failures();
+}
