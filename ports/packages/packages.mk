@@ -111,8 +111,8 @@ deps-packages: deps deps-target
 	    python3-matplotlib reuse
 
 $(PACKAGE_ROWS:%=check-packages-%): check-packages-%: lib/names.h
-	@timeout 1800 bash tests/packages/$*.sh || \
-	    { [ $$? != 124 ] || echo "FAIL $*: not over after 1800 s"; exit 1; }
+	@timeout 3600 bash tests/packages/$*.sh || \
+	    { [ $$? != 124 ] || echo "FAIL $*: not over after 3600 s"; exit 1; }
 
 ## Build and run loft in every tool chain (one: make check-packages-cmake)
 .PHONY: check-packages $(PACKAGE_ROWS:%=check-packages-%)

@@ -65,7 +65,7 @@ verdict "CPPFLAGS and CFLAGS on the command line are heeded" flags
 darwin() {      # objects of macOS: without its SDK, which Debian does not have
     python3 ports/packages/amalgam/amalgam.py --out "$work/c" &&
         for cpu in arm64 x86_64; do
-            clang --target=$cpu-apple-macos11 -std=c99 -ffreestanding -Wall -Wextra -Werror -O1 \
+            clang --target=$cpu-apple-macos11 -std=c99 -ffreestanding -Wall -Wextra -Werror -O0 \
                 -c "$work/c/loft.c" -o "$work/c/$cpu.o" || return
         done
 }
