@@ -230,7 +230,7 @@ static bool is_straight(const loft_trajectory *t)
     return loft_coord_length(all) >= way / 256 - way / 16384;
 }
 
-/* Could all of it be faster by a 40th, as far as speed and acceleration are concerned? */
+/* Could all of it be faster by a 100th, as far as speed and acceleration are concerned? */
 static bool has_spare(const loft_trajectory *t)
 {
     loft_period p = t->period;
@@ -252,7 +252,7 @@ static void set_steps(loft_trajectory *t)
     loft_time left = -t->at.time;
     for (unsigned k = t->at.knot; k < t->sure; k++)
         left += loft_sample_time(t->knot, k);
-    const loft_time more = has_spare(t) ? left / 40 : 0;
+    const loft_time more = has_spare(t) ? left / 100 : 0;
     const uint32_t n = (uint32_t)((left - more + LOFT_TIME_ONE - 1) / LOFT_TIME_ONE);
 
     t->steps = n > 4 ? n : 4;
