@@ -195,7 +195,7 @@
 #define loft_coord_length          LOFT_NAME(loft_coord_length)
 #define loft_coord_of              LOFT_NAME(loft_coord_of)
 #define loft_coord_sqrt            LOFT_NAME(loft_coord_sqrt)
-#define loft_coord_wide            LOFT_NAME(loft_coord_wide)
+#define loft_coord_to_acc          LOFT_NAME(loft_coord_to_acc)
 #define loft_corexy_motors         LOFT_NAME(loft_corexy_motors)
 #define loft_corexy_tool           LOFT_NAME(loft_corexy_tool)
 #define loft_cos                   LOFT_NAME(loft_cos)

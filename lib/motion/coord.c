@@ -7,11 +7,11 @@ loft_coord loft_coord_of(loft_acc x)
 {
     const int32_t whole = loft_acc_int(x);
     const loft_acc rest = x - loft_to_acc(loft_real_from_int(whole));
-    return loft_coord_plus((loft_coord)((uint32_t)whole << LOFT_COORD_BITS),
-                           loft_acc_int(rest * LOFT_COORD_MM));
+    return loft_coord_add((loft_coord)((uint32_t)whole << LOFT_COORD_BITS),
+                          loft_acc_int(rest * LOFT_COORD_MM));
 }
 
-loft_acc loft_coord_wide(int64_t x)
+loft_acc loft_coord_to_acc(int64_t x)
 {
     const int32_t whole = (int32_t)(x >> LOFT_COORD_BITS);
     const int32_t rest = (int32_t)(x - (int64_t)whole * LOFT_COORD_MM);

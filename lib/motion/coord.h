@@ -21,18 +21,18 @@ typedef struct {
 } loft_position;
 
 /* a - b of two coordinates that are less than 2^7 mm apart. */
-static inline loft_coord loft_coord_from(loft_coord a, loft_coord b)
+static inline loft_coord loft_coord_sub(loft_coord a, loft_coord b)
 {
     return (loft_coord)((uint32_t)a - (uint32_t)b);
 }
 
-static inline loft_coord loft_coord_plus(loft_coord a, loft_coord b)
+static inline loft_coord loft_coord_add(loft_coord a, loft_coord b)
 {
     return (loft_coord)((uint32_t)a + (uint32_t)b);
 }
 
-static inline int32_t loft_coord_size(int32_t a) { return a < 0 ? -a : a; }
-static inline int64_t loft_long_size(int64_t a) { return a < 0 ? -a : a; }
+static inline int32_t loft_coord_abs(int32_t a) { return a < 0 ? -a : a; }
+static inline int64_t loft_long_abs(int64_t a) { return a < 0 ? -a : a; }
 
 /* A coordinate or a length, mm.
  *
@@ -46,7 +46,7 @@ loft_coord loft_coord_of(loft_acc x);
  *   range   |x| < 2^38
  *   error   none in q16 and f64
  */
-loft_acc loft_coord_wide(int64_t x);
+loft_acc loft_coord_to_acc(int64_t x);
 
 /* The square root and the cube root, rounded down.
  *

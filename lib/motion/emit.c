@@ -14,7 +14,7 @@
 /* The first difference of axis i up to point k. */
 static loft_coord d1(const loft_emit *e, unsigned k, int i)
 {
-    return loft_coord_from(e->point[k].axis[i], e->point[k - 1].axis[i]);
+    return loft_coord_sub(e->point[k].axis[i], e->point[k - 1].axis[i]);
 }
 
 /* The point of sample k, which two others surround. */
@@ -22,9 +22,9 @@ static void set_point(loft_emit *e, unsigned k)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_coord x = e->sample[k].axis[i];
-        const int64_t d2 = (int64_t)loft_coord_from(e->sample[k - 1].axis[i], x) +
-                           loft_coord_from(e->sample[k + 1].axis[i], x);
-        e->point[k].axis[i] = loft_coord_plus(x, -(loft_coord)(d2 / 6));
+        const int64_t d2 = (int64_t)loft_coord_sub(e->sample[k - 1].axis[i], x) +
+                           loft_coord_sub(e->sample[k + 1].axis[i], x);
+        e->point[k].axis[i] = loft_coord_add(x, -(loft_coord)(d2 / 6));
     }
 }
 
@@ -69,7 +69,7 @@ static bool mend_one(loft_emit *e, unsigned k, int i, int n, range loose)
     for (unsigned j = 0; j <= (unsigned)n; j++)
         if (is_loose(loose, k - j)) {
             loft_coord *x = &e->point[k - j].axis[i];
-            *x = loft_coord_plus(*x, -(loft_coord)(off * weight[n - 1][j] / square));
+            *x = loft_coord_add(*x, -(loft_coord)(off * weight[n - 1][j] / square));
         }
     return true;
 }
@@ -90,9 +90,9 @@ static bool mend_feed(loft_emit *e, unsigned k, range loose)
         const loft_coord off = (loft_coord)((int64_t)leg[i] * (size - feed) / size / n);
         loft_coord *x = &e->point[k].axis[i], *y = &e->point[k - 1].axis[i];
         if (is_loose(loose, k))
-            *x = loft_coord_plus(*x, -off);
+            *x = loft_coord_add(*x, -off);
         if (is_loose(loose, k - 1))
-            *y = loft_coord_plus(*y, off);
+            *y = loft_coord_add(*y, off);
     }
     return true;
 }
@@ -138,7 +138,7 @@ static void set_start(loft_emit *e, const loft_position *sample)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const int64_t whole = (int64_t)loft_acc_int(loft_to_acc(e->from.axis[i])) * LOFT_COORD_MM;
-        e->at[i] = whole + loft_coord_from(sample->axis[i], (loft_coord)(uint32_t)whole);
+        e->at[i] = whole + loft_coord_sub(sample->axis[i], (loft_coord)(uint32_t)whole);
     }
     e->begun = true;
     e->next = 1;
@@ -179,8 +179,8 @@ void loft_emit_end(loft_emit *emit, loft_vec to)
 static loft_real real_of(int64_t sum, int32_t n)
 {
     const int64_t whole = sum / n;
-    return loft_acc_round(loft_coord_wide(whole) +
-                          loft_acc_ratio(loft_coord_wide(sum - whole * n), n));
+    return loft_acc_round(loft_coord_to_acc(whole) +
+                          loft_acc_ratio(loft_coord_to_acc(sum - whole * n), n));
 }
 
 /* The span from sample k, with points k - 1 .. k + 2. */

@@ -54,7 +54,7 @@ static loft_coord along(const loft_coord limit[], const int16_t u[])
     int64_t most = CAP_MAX * (int64_t)16;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const int64_t part = loft_coord_size(u[i]);
+        const int64_t part = loft_coord_abs(u[i]);
         if (part * most > (int64_t)limit[i] * UNIT)
             most = (int64_t)limit[i] * UNIT / part;
     }
@@ -67,7 +67,7 @@ static loft_coord jerk_along(const loft_period *p, const int16_t u[], loft_coord
     loft_coord jerk = soft < CAP_MAX ? (loft_coord)soft + 1 : CAP_MAX;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const int64_t part = loft_coord_size(u[i]);
+        const int64_t part = loft_coord_abs(u[i]);
         if (p->jerk[i] > 0 && part * jerk > (int64_t)p->jerk[i] * UNIT)
             jerk = (loft_coord)((int64_t)p->jerk[i] * UNIT / part) + 1;
     }
@@ -125,7 +125,7 @@ static void place_at(const loft_path_walk *w, loft_coord off, loft_position *out
 {
     loft_acc at[LOFT_AXES];
 
-    loft_arc_eval(&w->arc, loft_coord_wide(off < w->length ? off : w->length), at);
+    loft_arc_eval(&w->arc, loft_coord_to_acc(off < w->length ? off : w->length), at);
     for (int i = 0; i < LOFT_AXES; i++)
         out->axis[i] = loft_coord_of(at[i]);
 }
@@ -209,7 +209,7 @@ static bool probe(const loft_path *path, unsigned i, bool back, loft_coord l, lo
     const loft_position *from = &path->stretch[back ? k + 1 : k].at;
     bow(&path->stretch[k], back, l, out);
     for (int j = 0; j < LOFT_AXES; j++)
-        out[j] += loft_coord_from(from->axis[j], at.axis[j]);
+        out[j] += loft_coord_sub(from->axis[j], at.axis[j]);
     return true;
 }
 
@@ -221,7 +221,7 @@ static loft_coord swing(const loft_period *p, const loft_coord v[], loft_coord s
     bool soft = false;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const int64_t part = loft_coord_size(v[i]) + 1;
+        const int64_t part = loft_coord_abs(v[i]) + 1;
         if (part * accel > (int64_t)p->accel[i] * size)
             accel = (int64_t)p->accel[i] * size / part;
         if (p->jerk[i] > 0 && part * jerk > (int64_t)p->jerk[i] * size)
@@ -564,14 +564,14 @@ static enum loft_path_state march(loft_path *path, loft_path_place *out)
 static void legs_of(const loft_position *a, const loft_position *b, loft_coord leg[])
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        leg[i] = loft_coord_from(b->axis[i], a->axis[i]);
+        leg[i] = loft_coord_sub(b->axis[i], a->axis[i]);
 }
 
 static loft_coord largest(const loft_coord x[])
 {
     loft_coord most = 0;
     for (int i = 0; i < LOFT_AXES; i++)
-        most = loft_coord_size(x[i]) > most ? loft_coord_size(x[i]) : most;
+        most = loft_coord_abs(x[i]) > most ? loft_coord_abs(x[i]) : most;
     return most;
 }
 
@@ -611,8 +611,8 @@ static void place_between(const between *w, int32_t z, loft_position *out)
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const int64_t bow = ((int64_t)w->before[i] * y - (int64_t)w->after[i] * z) >> 24;
-        out->axis[i] = loft_coord_plus(w->from->axis[i],
-                                       (loft_coord)(((int64_t)w->chord[i] * z + bow * in) >> 24));
+        out->axis[i] = loft_coord_add(w->from->axis[i],
+                                      (loft_coord)(((int64_t)w->chord[i] * z + bow * in) >> 24));
     }
 }
 

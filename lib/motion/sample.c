@@ -81,15 +81,15 @@ void loft_sample_place(const loft_sample *at, const loft_knot knot[], loft_posit
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_coord q = knot[k].point.axis[i];
-        const int64_t a = loft_coord_from(q, knot[k - 1].point.axis[i]),
-                      b = loft_coord_from(knot[k + 1].point.axis[i], q),
-                      c = z > 0 ? loft_coord_from(knot[k + 2].point.axis[i],
-                                                  knot[k + 1].point.axis[i])
-                                : b;
+        const int64_t a = loft_coord_sub(q, knot[k - 1].point.axis[i]),
+                      b = loft_coord_sub(knot[k + 1].point.axis[i], q),
+                      c = z > 0
+                              ? loft_coord_sub(knot[k + 2].point.axis[i], knot[k + 1].point.axis[i])
+                              : b;
         int64_t sum = c - 2 * b + a;
         sum = 3 * (b - a) + (sum * z >> 30);
         sum = 3 * (a + b) + (sum * z >> 30);
         sum = (b - a) + (sum * z >> 30);
-        out->axis[i] = loft_coord_plus(q, (loft_coord)((sum + (sum < 0 ? -3 : 3)) / 6));
+        out->axis[i] = loft_coord_add(q, (loft_coord)((sum + (sum < 0 ? -3 : 3)) / 6));
     }
 }

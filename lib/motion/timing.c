@@ -29,14 +29,14 @@ static legs legs_of(const loft_knot knot[], unsigned k, int i)
 {
     const loft_coord q0 = knot[k - 1].point.axis[i], q1 = knot[k].point.axis[i],
                      q2 = knot[k + 1].point.axis[i], q3 = knot[k + 2].point.axis[i];
-    return (legs){ loft_coord_from(q1, q0), loft_coord_from(q2, q1), loft_coord_from(q3, q2) };
+    return (legs){ loft_coord_sub(q1, q0), loft_coord_sub(q2, q1), loft_coord_sub(q3, q2) };
 }
 
 /* The largest that twice D1 is between two knots, per axis. */
 static loft_coord fastest(legs e)
 {
-    const loft_coord first = loft_coord_size(e.a + e.b), last = loft_coord_size(e.b + e.c),
-                     middle = loft_coord_size((e.a + 6 * e.b + e.c) / 4);
+    const loft_coord first = loft_coord_abs(e.a + e.b), last = loft_coord_abs(e.b + e.c),
+                     middle = loft_coord_abs((e.a + 6 * e.b + e.c) / 4);
     const loft_coord most = first > last ? first : last;
     return most > middle ? most : middle;
 }
@@ -70,7 +70,7 @@ void loft_timing_load(const loft_period *period, loft_knot knot[], unsigned from
 /* |g| sqrt b <= limit, with g 2^-8 units? */
 static bool jerk_holds(int64_t g, int32_t b, loft_coord limit)
 {
-    const int64_t size = loft_long_size(g) >> 8;
+    const int64_t size = loft_long_abs(g) >> 8;
     if (size <= limit && b <= LOFT_V2_ONE)
         return true;
     if (size > (int64_t)limit * 128)
@@ -97,7 +97,7 @@ static bool axis_holds(const loft_period *p, legs e, int i, const pace at[3], in
 
     for (int n = 0; n < 3; n++) {
         const int64_t accel = (int64_t)d2[n] * at[n].b + (int64_t)d1[n] * at[n].slope / 4;
-        if (loft_long_size(accel) >> 24 > a)
+        if (loft_long_abs(accel) >> 24 > a)
             return false;
         if (p->jerk[i] == 0)
             continue;
@@ -136,8 +136,8 @@ int32_t loft_timing_even(const loft_period *period, const loft_knot knot[], unsi
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const legs e = legs_of(knot, k, i);
-        const loft_coord first = loft_coord_size(e.b - e.a), last = loft_coord_size(e.c - e.b);
-        const int64_t d2 = first > last ? first : last, d3 = loft_coord_size(e.c - 2 * e.b + e.a);
+        const loft_coord first = loft_coord_abs(e.b - e.a), last = loft_coord_abs(e.c - e.b);
+        const int64_t d2 = first > last ? first : last, d3 = loft_coord_abs(e.c - 2 * e.b + e.a);
         if (d2 * b > (int64_t)period->accel[i] << 24)
             b = ((int64_t)period->accel[i] << 24) / d2;
         if (period->jerk[i] == 0)
@@ -226,7 +226,7 @@ static int32_t step_up_to(int64_t most, int64_t at, int64_t slope, int32_t by)
  * step. */
 static int32_t step_to(int64_t most, int64_t fall, int64_t at, int64_t slope, int32_t by)
 {
-    if ((loft_long_size(slope) + fall) * by <= most - loft_long_size(at))
+    if ((loft_long_abs(slope) + fall) * by <= most - loft_long_abs(at))
         return by;
     return step_up_to(most, -at, fall - slope, step_up_to(most, at, fall + slope, by));
 }

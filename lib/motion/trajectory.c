@@ -47,7 +47,7 @@ static bool is_far(const loft_trajectory *t, const loft_path_place *a, const lof
     loft_coord off[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++)
-        off[i] = loft_coord_from(a->at.axis[i], b->at.axis[i]);
+        off[i] = loft_coord_sub(a->at.axis[i], b->at.axis[i]);
     return loft_coord_length(off) > t->period.tol / 2;
 }
 
@@ -222,7 +222,7 @@ static bool is_straight(const loft_trajectory *t)
 
     for (unsigned k = 1; k < t->count; k++) {
         for (int i = 0; i < LOFT_AXES; i++) {
-            leg[i] = loft_coord_from(t->knot[k].point.axis[i], t->knot[k - 1].point.axis[i]);
+            leg[i] = loft_coord_sub(t->knot[k].point.axis[i], t->knot[k - 1].point.axis[i]);
             all[i] += leg[i] / 256;
         }
         way += loft_coord_length(leg);

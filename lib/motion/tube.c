@@ -21,14 +21,14 @@ static loft_coord sixth(loft_coord x) { return (loft_coord)(((int64_t)x * SIXTH 
 
 static loft_coord second(loft_coord a, loft_coord b, loft_coord c)
 {
-    return loft_coord_from(a, b) + loft_coord_from(c, b);
+    return loft_coord_sub(a, b) + loft_coord_sub(c, b);
 }
 
 static loft_coord centre(const loft_knot knot[], unsigned k, int i)
 {
     const loft_coord at = knot[k].on.at.axis[i];
-    return loft_coord_plus(
-        at, -sixth(second(knot[k - 1].on.at.axis[i], at, knot[k + 1].on.at.axis[i])));
+    return loft_coord_add(at,
+                          -sixth(second(knot[k - 1].on.at.axis[i], at, knot[k + 1].on.at.axis[i])));
 }
 
 void loft_tube_load(loft_knot knot[], unsigned from, unsigned to)
@@ -40,8 +40,8 @@ void loft_tube_load(loft_knot knot[], unsigned from, unsigned to)
 
 static int64_t off(const loft_knot knot[], unsigned k, int d, int i, loft_coord q)
 {
-    return (int64_t)loft_coord_from(knot[k - (unsigned)d].point.axis[i], q) +
-           loft_coord_from(knot[k + (unsigned)d].point.axis[i], q);
+    return (int64_t)loft_coord_sub(knot[k - (unsigned)d].point.axis[i], q) +
+           loft_coord_sub(knot[k + (unsigned)d].point.axis[i], q);
 }
 
 /* The centre of a knot; of the first one that is kept, its place. */
@@ -63,9 +63,9 @@ static loft_coord off_between(const loft_knot knot[], unsigned k, const loft_pat
     centre_of(knot, k + 1, c);
     centre_of(knot, k + 2, d);
     for (int i = 0; i < LOFT_AXES; i++) {
-        const int64_t sum = (int64_t)loft_coord_from(a[i], b[i]) +
-                            23 * (int64_t)loft_coord_from(c[i], b[i]) + loft_coord_from(d[i], b[i]);
-        p.axis[i] = loft_coord_plus(b[i], (loft_coord)(sum / 48));
+        const int64_t sum = (int64_t)loft_coord_sub(a[i], b[i]) +
+                            23 * (int64_t)loft_coord_sub(c[i], b[i]) + loft_coord_sub(d[i], b[i]);
+        p.axis[i] = loft_coord_add(b[i], (loft_coord)(sum / 48));
     }
     return loft_path_off(at, INT32_C(1) << 23, &p);
 }
@@ -81,7 +81,7 @@ static loft_coord off_at(const loft_knot knot[], unsigned k, const loft_path_pla
     centre_of(knot, k, b);
     centre_of(knot, k + 1, c);
     for (int i = 0; i < LOFT_AXES; i++)
-        p.axis[i] = loft_coord_plus(b[i], sixth(second(a[i], b[i], c[i])));
+        p.axis[i] = loft_coord_add(b[i], sixth(second(a[i], b[i], c[i])));
     const loft_coord x = loft_path_off(before, INT32_C(1) << 24, &p),
                      y = loft_path_off(behind, 0, &p);
     return x < y ? x : y;
@@ -130,7 +130,7 @@ static void relax(loft_knot knot[], unsigned k)
         const int64_t sum = 15 * off(knot, k, 1, i, q) - 6 * off(knot, k, 2, i, q) +
                             off(knot, k, 3, i, q);
         c[i] = centre(knot, k, i);
-        e[i] = loft_coord_from(q, c[i]) + (loft_coord)((sum * RELAX + 32768) >> 16);
+        e[i] = loft_coord_sub(q, c[i]) + (loft_coord)((sum * RELAX + 32768) >> 16);
         square += (uint64_t)((int64_t)e[i] * e[i]);
     }
     if (square > (uint64_t)((int64_t)r * r)) {
@@ -139,7 +139,7 @@ static void relax(loft_knot knot[], unsigned k)
             e[i] = (loft_coord)((int64_t)e[i] * r / size);
     }
     for (int i = 0; i < LOFT_AXES; i++)
-        knot[k].point.axis[i] = loft_coord_plus(c[i], e[i]);
+        knot[k].point.axis[i] = loft_coord_add(c[i], e[i]);
 }
 
 void loft_tube_smooth(const loft_period *period, loft_knot knot[], unsigned from, unsigned to,

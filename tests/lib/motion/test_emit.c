@@ -54,7 +54,7 @@ static loft_vec vec_of(const loft_position *p)
 {
     loft_vec v;
     for (int i = 0; i < LOFT_AXES; i++)
-        v.axis[i] = loft_acc_round(loft_coord_wide(p->axis[i]));
+        v.axis[i] = loft_acc_round(loft_coord_to_acc(p->axis[i]));
     return v;
 }
 

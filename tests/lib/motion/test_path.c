@@ -37,8 +37,8 @@ static bool is_at(const loft_position *p, loft_vec v)
 {
     bool good = true;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_coord d = loft_coord_from(p->axis[i], loft_coord_of(loft_to_acc(v.axis[i])));
-        good = good && loft_coord_size(d) <= BY_NUM(64, 64, 64);
+        const loft_coord d = loft_coord_sub(p->axis[i], loft_coord_of(loft_to_acc(v.axis[i])));
+        good = good && loft_coord_abs(d) <= BY_NUM(64, 64, 64);
     }
     return good;
 }
