@@ -251,6 +251,7 @@ static int run(const tool_command *self, int argc, char **argv)
         TOOL_SPEED("feed", &w.p.feed, 0.016, 1000, "of G-code, pen down (30)"),
         TOOL_NUMBER("lift", "MM", &w.p.lift, 0, 100, "of G-code: height while travelling (1)"),
         PAGE_OPTIONS(&w.p.sheet),
+        ORDER_OPTIONS(&w.p.order),
         GCODE_OPTIONS(&w.p.dialect, &w.p.from_line),
         TOOL_OPTIONS_END
     };

@@ -26,6 +26,9 @@ static int read_text(drawing *d, const char *file, const char *text, size_t size
         return drawing_read_svg(d, file, text, size);
     if (foreign_refuse(file, text, size) != 0)
         return EX_DATAERR;
+    if (d->layers != NULL)
+        return tool_error(EX_USAGE, "%s: --layer %s: only SVG has layers: leave it out", file,
+                          d->layers);
     if (strlen(text) != size)
         return tool_error(
             EX_DATAERR, "%s: is not text: a drawing is expected, SVG, G-code, CSV or .loft", file);

@@ -35,6 +35,7 @@ typedef struct {
     unsigned from_line;     /* of G-code: no motions before it; 0: all; set before reading */
     double clear;           /* then the height of the way to the first one: that of the whole
                              * program */
+    const char *layers;     /* of SVG: draw only these, as "Ink,2"; NULL: all; set before reading */
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */
 } drawing;
 

@@ -52,6 +52,7 @@ typedef struct {
     size_t named_count;
     unsigned visited, depth;    /* drawn elements, to stop a flood of <use>; nesting */
     unsigned warned;            /* bits, see svg_warn                                     */
+    unsigned chosen;            /* layers around the current element that are to be drawn */
 } svg_reader;
 
 /* Where the custom properties --name of an element are found: on the element, or on its

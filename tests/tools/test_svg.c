@@ -890,6 +890,49 @@ static void damaged_documents_do_no_harm(arb *a)
     drawing_free(&d);
 }
 
+/* Layers of Inkscape by name, or by the number that their names begin with, with what is in them;
+ * what is in none of them is left out. */
+static void layers_are_chosen(arb *a)
+{
+    static const char text[] =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" "
+        "viewBox=\"0 0 100 100\" xmlns:i=\"http://www.inkscape.org/namespaces/inkscape\">"
+        "<g i:groupmode=\"layer\" i:label=\"2 red\"><path d=\"M1 1h1\"/>"
+        "<g i:groupmode=\"layer\" i:label=\"fine\"><path d=\"M2 2h1\"/></g></g>"
+        "<g i:groupmode=\"layer\" i:label=\"20 blue\"><g><path d=\"M3 3h1\"/></g></g>"
+        "<g i:groupmode=\"layer\" id=\"frame\"><path d=\"M4 4h1\"/></g>"
+        "<g i:label=\"2 group\"><path d=\"M5 5h1\"/></g><path d=\"M6 6h1\"/></svg>";
+    static const struct {
+        const char *layers, *drawn;
+    } chosen[] = { { "2", "M 1 1 L 2 1 M 2 2 L 3 2" },
+                   { "2 red", "M 1 1 L 2 1 M 2 2 L 3 2" },
+                   { "fine", "M 2 2 L 3 2" },
+                   { "frame,20", "M 3 3 L 4 3 M 4 4 L 5 4" },
+                   { "fine,2", "M 1 1 L 2 1 M 2 2 L 3 2" },
+                   { NULL,
+                     "M 1 1 L 2 1 M 2 2 L 3 2 M 3 3 L 4 3 M 4 4 L 5 4 M 5 5 L 6 5 M 6 6 L 7 6" } };
+    static const char *const none[] = { "red", "2 group", "3", "", "2,,20", "frame," };
+    char got[400];
+    (void)a;
+    for (size_t i = 0; i < sizeof chosen / sizeof chosen[0]; i++) {
+        drawing d = { .layers = chosen[i].layers };
+        CHECK(drawing_read_svg(&d, "f", text, sizeof text - 1) == 0);
+        put_drawing(got, sizeof got, &d, 100);
+        if (strcmp(got, chosen[i].drawn) != 0)
+            printf("%s: %s\n", chosen[i].layers, got);
+        CHECK(strcmp(got, chosen[i].drawn) == 0);
+        drawing_free(&d);
+    }
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+        drawing d    = { .layers = none[i] };
+        caught[0]    = '\0';
+        caught_lines = 0;
+        CHECK(drawing_read_svg(&d, "f", text, sizeof text - 1) == EX_DATAERR && caught_lines == 1);
+        CHECK(strstr(caught, "give one of \"2 red\", \"fine\", \"20 blue\", \"frame\"") != NULL);
+        drawing_free(&d);
+    }
+}
+
 int main(void)
 {
     PROPERTY(lines_absolute_and_relative, 1);
@@ -933,5 +976,6 @@ int main(void)
     PROPERTY(other_ways_to_explode_are_stopped, 1);
     PROPERTY(long_data_and_long_lines_are_read, 1);
     PROPERTY(damaged_documents_do_no_harm, 3000);
+    PROPERTY(layers_are_chosen, 1);
     return check_failures();
 }
