@@ -90,7 +90,9 @@ static inline void check_property(const char *name, void (*property)(arb *), uns
     const char *one = getenv("LOFT_SEED");
     char *end = NULL;
     const uint64_t first = one ? strtoull(one, &end, 10) : 1,
-                   last  = !one ? times : *end == '-' ? strtoull(end + 1, NULL, 10) : first;
+                   last = !one          ? times
+                          : *end == '-' ? strtoull(end + 1, NULL, 10)
+                                        : first;
 
     check_bad = false;
     for (check_seed = first; check_seed <= last && !check_bad; check_seed++) {
