@@ -144,7 +144,7 @@ static int set_system(gcode_program *g)
     return 0;
 }
 
-/* G92: the machine stands at the given numbers from now on. G52 (`local`) gives the shift itself. */
+/* G92: the machine stands at the given numbers from now on. G52 (`local`): they are the shift. */
 static int set_shift(gcode_program *g, bool local)
 {
     double *held = &g->all.number[SHIFT + 1];
