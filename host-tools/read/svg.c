@@ -697,6 +697,7 @@ bool svg_draw(svg_reader *r, const xmlNode *root)
     svg_scope scope = { .up = NULL };
     svg_space space;
     bool empty;
+    r->node = root;
     const bool good = check_layers(r, root) && enter_page(r, root, &space, &scope, &empty) &&
                       (empty || draw_children(r, root, space, NULL));
 
