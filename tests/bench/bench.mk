@@ -56,7 +56,7 @@ $(MOTION)/moves: tests/bench/bench_motion_moves.c $(filter-out %/loft.o,$(TOOL_O
 	    $(call tool_flag,q16) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
 
 CASES ?= 100000
-## Measure the promises of motion, in half an hour   CASES=of the property run  ROWS=table: 4 minutes
+## Measure the promises of motion, in half an hour   CASES=of the property run  ROWS=table, 4 min
 .PHONY: bench-motion
 bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MOTION)/$(w)-f64)
 	@bash tests/bench/bench_motion.sh $(MOTION) $(CASES)

@@ -15,7 +15,7 @@ page=lib/COSTS.md out=build/footprint chips="m0plus m4 atmega328p rv32imac"
 selections='a point of a cubic|cubic_eval|cubic
 walk a curve exactly|bezier_init forward_init forward_next|bezier forward
 flatten a cubic for a display|flatten_init flatten_next|flatten
-a drawing in flash, flattened|drawing_begin drawing_next flatten_init flatten_next|drawing_walk flatten
+flatten a drawing in flash|drawing_begin drawing_next flatten_init flatten_next|drawing_walk flatten
 y at x, without overshoot|monotone_init monotone_eval|monotone
 easing as in CSS|tween_init tween_eval|tween
 one axis to a target|scurve_init scurve_eval|scurve
@@ -47,7 +47,8 @@ measured() {    # measured CHIP FUNCTIONS STRUCTS: `flash RAM`
     $(compiler "$1") -nostdlib -nostartfiles -Wl,--gc-sections -Wl,--entry="$first" $wanted \
         "$out/$1"/[!p]*.o $library -o "$out/linked" || return
     for s in $3; do
-        ram=$((ram + 0x$($(binutil "$1" nm) -S "$out/$1.o" | awk -v s="size_$s" '$4 == s {print $2}')))
+        size=$($(binutil "$1" nm) -S "$out/$1.o" | awk -v s="size_$s" '$4 == s { print $2 }')
+        ram=$((ram + 0x$size))
     done
     $(binutil "$1" size) "$out/linked" | awk -v ram=$ram 'NR == 2 { print $1 + $2, ram }'
 }
@@ -86,8 +87,12 @@ while IFS='|' read -r name functions structs; do
 done <<< "$selections"
 if [ "$write" = write ]; then
     awk -v table="$out/table" '
-        /^\| selection \|/ { print; getline; print; while ((getline l < table) > 0) print l; skip = 1
-                             next }
+        /^\| selection \|/ {
+            print; getline; print
+            while ((getline l < table) > 0) print l
+            skip = 1
+            next
+        }
         skip && /^\|/ { next }
         { skip = 0; print }' $page > "$out/page" && cp "$out/page" $page
     exit
