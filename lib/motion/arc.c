@@ -370,7 +370,7 @@ void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape, unsigned which
             }
         else if (which & 1u << k)
             set_station(arc, k, &shape->along[k], &shape->bend[k]);
-        if ((arc->dust || which & 1u << k) && !loft_vec_within(shape->bend[k], BEND_MAX))
+        if (!loft_vec_within(shape->bend[k], BEND_MAX))
             shape->tight = true;
     }
 }

@@ -163,7 +163,7 @@ static void add_stretch(loft_path *path)
     loft_path_stretch e;
     const loft_path_walk *w = &path->scan;
     loft_path_stretch *last = &path->stretch[path->stretches > 0 ? path->stretches - 1u : 0];
-    loft_arc_shape shape;
+    loft_arc_shape shape = { .tight = false };      /* the others are not asked for */
 
     loft_arc_measure(&w->arc, &shape, 1 | 4);
     place_at(w, 0, &e.at);
@@ -432,7 +432,7 @@ static int64_t next_s(const loft_path *path, loft_coord cap)
 /* The direction where it is: at the start, in the middle of its arc. */
 static void heading(const loft_path *path, int k, int16_t u[])
 {
-    loft_arc_shape shape;
+    loft_arc_shape shape = { .tight = false };      /* the others are not asked for */
 
     loft_arc_measure(&path->walk.arc, &shape, 1u << k);
     direction(shape.along[k], u);
