@@ -115,10 +115,14 @@ int drawing_join(drawing *d, const char *file, unsigned line, double p[4][2])
 
 int drawing_join_space(drawing *d, const char *file, unsigned line, double p[4][3], double feed)
 {
-    for (int i = 0; i < 12; i++)
-        if (!(fabs(p[i / 3][i % 3]) <= DRAWING_LIMIT))
+    static const int ends_first[] = { 0, 3, 1, 2 };     /* these numbers stand in the file */
+
+    for (int i = 0; i < 12; i++) {
+        const double x = p[ends_first[i / 3]][i % 3];
+        if (!(fabs(x) <= DRAWING_LIMIT))
             return tool_error(EX_DATAERR, "%s:%u: %g mm is beyond +-%g mm: check the units", file,
-                              line, p[i / 3][i % 3], DRAWING_LIMIT);
+                              line, x, DRAWING_LIMIT);
+    }
     if (d->count >= DRAWING_CURVES_MAX)
         return tool_error(EX_DATAERR, "%s:%u: more than %u curves: split the drawing", file, line,
                           DRAWING_CURVES_MAX);
