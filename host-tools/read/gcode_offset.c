@@ -136,8 +136,9 @@ static int set_system(gcode_program *g)
     for (int i = 0; i < 3; i++)
         if (gcode_has(b, (char)('X' + i)) && l > 3)
             tie_axis(g, i);
-    for (int i = 0; i < 3; i++)
-        if (gcode_has(b, (char)('X' + i)))
+    const bool turns = l > 3 && s * s > 0 && (gcode_has(b, 'X') || gcode_has(b, 'Y'));
+    for (int i = 0; i < 3; i++)         /* where axes are turned, one number moves both origins */
+        if (gcode_has(b, (char)('X' + i)) || (turns && i < 2))
             system[i] = l < 3 ? gcode_value(b, (char)('X' + i)) * g->frame.unit
                               : (machine[i] - turned[i]) * g->frame.unit - g->tool[i];
     stay(g);

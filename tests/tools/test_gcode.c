@@ -170,6 +170,7 @@ static void places_on_the_machine(arb *a)
     ENDS_AT("F10 G20\nG21 G1 X1\n", 1, 0, 0, 10);
     ENDS_AT("G10 L2 P2 X10 Y20 Z30\nG55 G1 X1 Y1 Z1 F5\n", 11, 21, 31, 5);
     ENDS_AT("G0 X5 Y5\nG10 L20 P1 X0 Y0\nG1 X1 F5\n", 6, 5, 0, 5);
+    ENDS_AT("G10 L2 P1 R90\nG0 X5 Y0\nG10 L20 P1 Y7\nG1 Y8 F5\n", -1, 5, 0, 5);
     ENDS_AT("G0 X5\nG92 X0\nG1 X1 F5\n", 6, 0, 0, 5);
     ENDS_AT("G0 X5\nG92 X0\nG92.1 G1 X1 F5\n", 1, 0, 0, 5);
     ENDS_AT("G52 X2\nG1 X1 F5\n", 3, 0, 0, 5);
@@ -276,7 +277,7 @@ static void a_program_is_a_drawing(arb *a)
     CHECK_NEAR(d.curve[d.count - 2].z[3], 1, 1e-9);
     drawing_free(&d);
     CHECK(read_text(&d, "G1 X1000000000 F1\n") == EX_DATAERR &&
-          strstr(caught, "part.nc:1: 3.33333e+08 mm is beyond +-16000 mm") != NULL);
+          strstr(caught, "part.nc:1: 1e+09 mm is beyond +-16000 mm") != NULL);
     drawing_free(&d);
     CHECK(read_text(&d, "G1 X1 F1\nG4 P1\nG4 P1\nM0\nM3 S9\n") == 0 && caught_lines == 3 &&
           strstr(caught, "part.nc:2: G4 (2 times): ") != NULL);
