@@ -53,6 +53,11 @@ removed = cd build/stage/$(1) && find . ! -type d | while read -r f; do \
 libraries:
 	+@$(PARALLEL) $(STATIC) $(SHARED)
 
+# lib, libraries and tools each call make: one after the other, also with -j
+libraries: | $(filter lib,$(MAKECMDGOALS))
+tools: | $(filter lib,$(MAKECMDGOALS)) \
+         $(if $(filter libraries install uninstall,$(MAKECMDGOALS)),libraries)
+
 ## Install headers, libraries and the command   DESTDIR= PREFIX=/usr/local (LIBDIR= BINDIR= ..)
 .PHONY: install
 install: install-lib tools
@@ -113,6 +118,9 @@ deps-packages: deps deps-target
 $(PACKAGE_ROWS:%=check-packages-%): check-packages-%: lib/names.h
 	@timeout 3600 bash tests/packages/$*.sh || \
 	    { [ $$? != 124 ] || echo "FAIL $*: not over after 3600 s"; exit 1; }
+
+# these compare with the archives, or link them
+check-packages-onefile check-packages-install check-packages-cpp: $(STATIC)
 
 ## Build and run loft in every tool chain (one: make check-packages-cmake)
 .PHONY: check-packages $(PACKAGE_ROWS:%=check-packages-%)
