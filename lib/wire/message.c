@@ -270,10 +270,9 @@ void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *p
     loft_packer_init(p, kind, predictor, wire + 1 + ITEMS_AT, room);
 }
 
-static const uint8_t message_of[] = { [LOFT_SPANS] = LOFT_DATA_SPANS,
-                                      [LOFT_POINTS] = LOFT_DATA_POINTS,
-                                      [LOFT_POINTS_FINE] = LOFT_DATA_FINE,
-                                      [LOFT_CURVES] = LOFT_DATA_CURVES };
+/* Of each loft_kind, from 1 on; without designators, which g++ does not know. */
+static const uint8_t message_of[LOFT_CURVES + 1] = { 0, LOFT_DATA_SPANS, LOFT_DATA_POINTS,
+                                                     LOFT_DATA_FINE, LOFT_DATA_CURVES };
 
 static enum loft_kind kind_of(enum loft_message type)
 {
