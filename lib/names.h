@@ -588,6 +588,7 @@
 #define loft_sample_time           LOFT_NAME(loft_sample_time)
 #define loft_sci_add               LOFT_NAME(loft_sci_add)
 #define loft_sci_cross             LOFT_NAME(loft_sci_cross)
+#define loft_sci_deriv             LOFT_NAME(loft_sci_deriv)
 #define loft_sci_div               LOFT_NAME(loft_sci_div)
 #define loft_sci_exp               LOFT_NAME(loft_sci_exp)
 #define loft_sci_from_acc128       LOFT_NAME(loft_sci_from_acc128)

@@ -210,7 +210,7 @@ FUZZ_SECONDS ?= 60
 .PHONY: fuzz
 fuzz: lib/names.h
 	@mkdir -p build/fuzz/wire
-	clang $(INCLUDE) -O1 -g $(STD) -fsanitize=fuzzer,address,undefined \
+	clang $(INCLUDE) -Itests -O1 -g $(STD) -fsanitize=fuzzer,address,undefined \
 	    -fno-sanitize-recover=all $(call num_flag,q16) \
 	    tests/lib/wire/fuzz_wire.c $(wildcard lib/wire/*.c) \
 	    -o build/fuzz/wire_fuzz
@@ -227,23 +227,24 @@ build/fuzz/tools.a: $(patsubst %.c,build/fuzz/tools/%.o,$(TOOL_TESTED) $(LIB_SRC
 	$(SAY) "  AR  $@"
 	$(Q)rm -f $@; $(AR) rcs $@ $^
 
+# fuzz_reader NAME, folder: build its program and feed it, beginning with the folder's seeds
+define fuzz_reader
+	@mkdir -p build/fuzz/$(1)
+	clang $(FUZZED) -Itests -fsanitize=fuzzer tests/$(2)/fuzz_$(1).c $< \
+	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o build/fuzz/$(1)_fuzz
+	build/fuzz/$(1)_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \
+	    -print_final_stats=1 build/fuzz/$(1) tests/$(2)/seeds
+endef
+
 ## Fuzz the SVG reader with libFuzzer for FUZZ_SECONDS (60)
 .PHONY: fuzz-svg
 fuzz-svg: build/fuzz/tools.a
-	@mkdir -p build/fuzz/svg
-	clang $(FUZZED) -fsanitize=fuzzer tests/tools/fuzz_svg.c $< \
-	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o build/fuzz/svg_fuzz
-	build/fuzz/svg_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \
-	    -print_final_stats=1 build/fuzz/svg tests/tools/seeds
+	$(call fuzz_reader,svg,tools)
 
 ## Fuzz the reader of G-code with libFuzzer for FUZZ_SECONDS (60)
 .PHONY: fuzz-gcode
 fuzz-gcode: build/fuzz/tools.a
-	@mkdir -p build/fuzz/gcode
-	clang $(FUZZED) -fsanitize=fuzzer tests/gcode/fuzz_gcode.c $< \
-	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o build/fuzz/gcode_fuzz
-	build/fuzz/gcode_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \
-	    -print_final_stats=1 build/fuzz/gcode tests/gcode/seeds
+	$(call fuzz_reader,gcode,gcode)
 
 # --- whole jobs -----------------------------------------------------------------------------------
 ## Run whole jobs: the command, sanitized, on the simulated machine   CASE=one of tests/e2e/e2e.sh

@@ -288,10 +288,7 @@ static int run_stream(const tool_command *self, int argc, char **argv)
     if (code != 0)
         return code;
     const tool_option options[] = {
-        TOOL_TEXT("port", "PORT", &o.port,
-                  "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)"),
-        TOOL_COUNT("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
-        TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
+        TALK_OPTIONS(o),
         PLANNING_OPTIONS(&o.p),
         TOOL_TEXT("plan", "host|chip", &o.where,
                   "host: spans are sent; chip: curves are, and the machine plans (host)"),

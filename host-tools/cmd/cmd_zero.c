@@ -123,10 +123,7 @@ static int run_zero(const tool_command *self, int argc, char **argv)
     if (code != 0)
         return code;
     const tool_option options[] = {
-        TOOL_TEXT("port", "PORT", &o.port,
-                  "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)"),
-        TOOL_COUNT("baud", "RATE", &o.baud, 300, 4000000, "of a serial port (115200)"),
-        TOOL_NUMBER("wait", "S", &o.wait, 0.1, 600, "for the machine's first answer (5)"),
+        TALK_OPTIONS(o),
         TOOL_NUMBER("at", "MM", &o.at, -16383, 16383, "the axes are here, not at 0 (0)"),
         TOOL_TEXT("machine", "FILE", &o.machine,
                   "a machine as text, see host-tools/MACHINE.md: if its motors are not axes"),

@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "plan/certify.h"
+#include "base/space.h"          /* space_distance, space_eval */
 #include "base/tool.h"           /* tool_grow */
 
 #define LSB      (1 / 65536.0)
@@ -118,20 +119,7 @@ static void cubic_of_move(const certify_plan *plan, size_t n, cubic *out)
 
 typedef void cubic_source(const certify_plan *plan, size_t n, cubic *out);
 
-static void eval(const cubic *c, double t, double out[ENGINE_AXES])
-{
-    const double s = 1 - t;
-
-    for (int i = 0; i < ENGINE_AXES; i++)
-        out[i] = s * s * s * c->p[0][i] + 3 * s * s * t * c->p[1][i] + 3 * s * t * t * c->p[2][i] +
-                 t * t * t * c->p[3][i];
-}
-
-static double distance(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
-{
-    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-                (a[2] - b[2]) * (a[2] - b[2]));
-}
+static void eval(const cubic *c, double t, double out[ENGINE_AXES]) { space_eval(c->p, t, out); }
 
 /* How far the curve may be from its chord; of a part of it: times the square of its length. */
 static double bulge_of(const cubic *c)
@@ -159,7 +147,7 @@ static void add_end(chords *c, const double at[ENGINE_AXES])
         c->s    = tool_grow(c->s, c->room * sizeof *c->s);
     }
     memcpy(c->end[n], at, sizeof c->end[n]);
-    c->s[n]   = n > 0 ? c->s[n - 1] + distance(at, c->end[n - 1]) : 0;
+    c->s[n]   = n > 0 ? c->s[n - 1] + space_distance(at, c->end[n - 1]) : 0;
     c->chords = n;
 }
 
@@ -203,7 +191,7 @@ static double segment_distance(const double p[ENGINE_AXES], const double a[ENGIN
     const double z = square > 0 ? fmin(fmax(along / square, 0), 1) : 0;
     for (int i = 0; i < ENGINE_AXES; i++)
         at[i] = a[i] + z * (b[i] - a[i]);
-    return distance(p, at);
+    return space_distance(p, at);
 }
 
 /* How far the segment from a to b is from chord k at most. */
@@ -222,7 +210,7 @@ static double least_distance(search *s, const double a[ENGINE_AXES], const doubl
                              double enough)
 {
     const chords *c = s->to;
-    const double size = distance(a, b), reach = size > s->tol ? size : NEAR;
+    const double size = space_distance(a, b), reach = size > s->tol ? size : NEAR;
     size_t low = s->near, high = low + 1;
     double least = chord_distance(c, s->near, a, b);
 
@@ -260,7 +248,7 @@ static bool compare_curve(search *s, const cubic *c, double *t)
                      off  = least_distance(s, a, b, most - more) + more;
         if (off <= most)
             continue;
-        if ((distance(a, b) <= s->fine && more <= 2 * s->fine) || parts > DEPTH) {
+        if ((space_distance(a, b) <= s->fine && more <= 2 * s->fine) || parts > DEPTH) {
             s->worst = off;
             *t = middle;
             worse = true;

@@ -8,6 +8,7 @@
 
 #include "plan/joints.h"
 #include "base/source.h"         /* source_name */
+#include "base/space.h"          /* space_distance, space_eval */
 #include "base/tool.h"           /* tool_error, tool_grow */
 
 #define LOOKS     8         /* places in a piece where it is compared with the path */
@@ -46,20 +47,9 @@ static double size_of(const double v[ENGINE_AXES])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-static double distance(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
-{
-    const double by[ENGINE_AXES] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-
-    return size_of(by);
-}
-
 static void eval_move(const engine_move *m, double t, double out[ENGINE_AXES])
 {
-    const double s = 1 - t;
-
-    for (int i = 0; i < ENGINE_AXES; i++)
-        out[i] = s * s * s * m->p[0][i] + 3 * s * s * t * m->p[1][i] + 3 * s * t * t * m->p[2][i] +
-                 t * t * t * m->p[3][i];
+    space_eval(m->p, t, out);
 }
 
 static void deriv_move(const engine_move *m, double t, double out[ENGINE_AXES])
@@ -205,8 +195,9 @@ static void examine_piece(const mapping *m, engine_move *move, double t0, double
         eval_move(move, t, want);
         eval_move(&p->move, u, motors);
         compare_lengths(m->j, move, t, p);
-        p->off = kinematics_tool(m->j->k, motors, is) ? fmax(p->off, distance(is, want)) : HUGE_VAL;
-        p->length += distance(want, before);
+        p->off = kinematics_tool(m->j->k, motors, is) ? fmax(p->off, space_distance(is, want))
+                                                      : HUGE_VAL;
+        p->length += space_distance(want, before);
         memcpy(before, want, sizeof before);
     }
 }
@@ -228,8 +219,9 @@ static int refuse_place(const mapping *m, const double at[ENGINE_AXES], const ch
  * out of reach unnoticed. */
 static int check_reach(const mapping *m, engine_move *move)
 {
-    const double length = distance(move->p[0], move->p[1]) + distance(move->p[1], move->p[2]) +
-                          distance(move->p[2], move->p[3]);
+    const double length = space_distance(move->p[0], move->p[1]) +
+                          space_distance(move->p[1], move->p[2]) +
+                          space_distance(move->p[2], move->p[3]);
     const int n = (int)fmin(
         fmax(m->j->k->kind == ENGINE_POLAR ? 2 * length / m->j->k->inside : length, 8), 10000);
     char why[160];
@@ -334,7 +326,7 @@ static int map_radial(mapping *m, engine_move *move)
     int code = check_piece_reach(m, &go, move->p[3]);
     if (code == 0 && fabs(from[1] - m->at[1]) > 0)
         add_move(m, &turn);
-    if (code == 0 && distance(from, to) > 0)
+    if (code == 0 && space_distance(from, to) > 0)
         add_move(m, &go);
     return code;
 }

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "plan/smooth.h"
+#include "base/space.h"          /* space_distance */
 #include "base/tool.h"           /* tool_grow */
 
 #define STRAIGHT    1e-6    /* mm: control points this close to the thirds of a line */
@@ -43,11 +44,6 @@ typedef struct {
 static double knot_at(const fit *f, long i)
 {
     return f->knot[i < 0 ? 0 : i > (long)f->intervals ? (long)f->intervals : i];
-}
-
-static double distance(const double a[3], const double b[3])
-{
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 /* The four B-splines that are not 0 on interval k, and their derivatives (de Boor's recurrence). */
@@ -162,7 +158,7 @@ static double error_of(const fit *f, size_t k, size_t *where)
             eval_spline(f, k, u, at, slope);
             for (int i = 0; i < 3; i++)
                 chord[i] = f->p[s][i] + part * (f->p[s + 1][i] - f->p[s][i]);
-            const double off = distance(at, chord);
+            const double off = space_distance(at, chord);
             if (off > worst) {
                 worst  = off;
                 *where = s;
@@ -241,11 +237,11 @@ static bool vertex_is_smooth(const drawing_curve *a, const drawing_curve *b, dou
         cross[i] = by[0][j] * by[1][k] - by[0][k] * by[1][j];
         along += by[0][i] * by[1][i];
     }
-    const double length = distance(p, q) * distance(q, r),
+    const double length = space_distance(p, q) * space_distance(q, r),
                  across = hypot(hypot(cross[0], cross[1]), cross[2]);
     return a->path == b->path && a->loose[1] == b->loose[0] && !(a->feed < b->feed) &&
            !(a->feed > b->feed) && length > 0 && along > TURN * length &&
-           across <= 4 * within * distance(p, r);
+           across <= 4 * within * space_distance(p, r);
 }
 
 static void add_sample(fit *f, const double p[3], size_t vertex)
@@ -258,7 +254,7 @@ static void add_sample(fit *f, const double p[3], size_t vertex)
     }
     const size_t n = f->count++;
     memcpy(f->p[n], p, sizeof f->p[n]);
-    f->u[n]      = n > 0 ? f->u[n - 1] + distance(p, f->p[n - 1]) : 0;
+    f->u[n]      = n > 0 ? f->u[n - 1] + space_distance(p, f->p[n - 1]) : 0;
     f->vertex[n] = vertex;
 }
 
@@ -271,7 +267,7 @@ static void sample_lines(fit *f, const drawing *d, size_t from, size_t to)
     for (size_t i = from; i < to; i++) {
         place_of(&d->curve[i], 0, a);
         place_of(&d->curve[i], 3, b);
-        const int pieces = (int)fmin(fmax(ceil(distance(a, b) / APART), 1), MANY);
+        const int pieces = (int)fmin(fmax(ceil(space_distance(a, b) / APART), 1), MANY);
         for (int j = 0; j < pieces; j++) {
             const double part = (double)j / pieces;
             const double at[3] = { a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]),

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/space.h"          /* space_distance */
 #include "base/tool.h"           /* tool_grow */
 #include "plan/way.h"
 
@@ -12,12 +13,6 @@
 #define CHORDS    4000      /* of a curve at most                            */
 #define DRIFT     0.05      /* mm of distance that cost as much as 1 mm of detour */
 #define WIDENINGS 8
-
-static double distance(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
-{
-    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-                (a[2] - b[2]) * (a[2] - b[2]));
-}
 
 static void add_chord(way *w, const double at[ENGINE_AXES], uint32_t move)
 {
@@ -29,7 +24,7 @@ static void add_chord(way *w, const double at[ENGINE_AXES], uint32_t move)
 
     memcpy(e->at, at, sizeof e->at);
     e->move = move;
-    e->s    = w->count > 0 ? e[-1].s + distance(e[-1].at, at) : 0;
+    e->s    = w->count > 0 ? e[-1].s + space_distance(e[-1].at, at) : 0;
     w->count++;
 }
 
@@ -92,7 +87,7 @@ static double nearest_on_chord(const way *w, size_t k, const double x[ENGINE_AXE
     for (int i = 0; i < ENGINE_AXES; i++)
         at[i] = a->at[i] + z * (b->at[i] - a->at[i]);
     *s = a->s + z * length;
-    return distance(x, at);
+    return space_distance(x, at);
 }
 
 /* The best place within `reach` of the place `goal`. Returns the distance. */
@@ -117,7 +112,7 @@ static double search_chords(const way *w, const double x[ENGINE_AXES], double go
 
 uint32_t way_follow(way *w, const double x[ENGINE_AXES])
 {
-    const double step = distance(x, w->x), goal = w->s + step;
+    const double step = space_distance(x, w->x), goal = w->s + step;
     double reach = 2 * w->tol + step / 4, s = w->s;
     size_t near  = w->near;
 

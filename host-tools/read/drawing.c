@@ -10,6 +10,7 @@
 #include "read/foreign.h"
 #include "read/gcode.h"
 #include "base/source.h"    /* source_read */
+#include "base/space.h"     /* space_distance */
 #include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
 #define SAME 1e-6       /* mm; closer ends count as one point */
@@ -97,11 +98,6 @@ void drawing_add_space(drawing *d, double p[4][3], double feed, bool fresh, unsi
     d->curve[d->count - 1].feed = feed;
 }
 
-static double distance(const double a[3], const double b[3])
-{
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
-}
-
 int drawing_join(drawing *d, const char *file, unsigned line, double p[4][2])
 {
     double space[4][3];
@@ -130,11 +126,11 @@ int drawing_join_space(drawing *d, const char *file, unsigned line, double p[4][
     const drawing_curve *last = d->count ? &d->curve[d->count - 1] : NULL;
     const double end[3] = { last ? last->p[3][0] : NAN, last ? last->p[3][1] : NAN,
                             last ? last->z[3] : NAN };
-    const bool goes_on = distance(end, p[0]) <= SAME;
+    const bool goes_on = space_distance(end, p[0]) <= SAME;
     if (goes_on)
         memcpy(p[0], end, sizeof p[0]);
     for (int k = 1; k < 4; k++)
-        if (distance(p[k], p[0]) > SAME) {
+        if (space_distance(p[k], p[0]) > SAME) {
             drawing_add_space(d, p, feed, !goes_on, line);
             break;                      /* a curve without length draws nothing */
         }

@@ -22,6 +22,13 @@ typedef struct {
     double began;
 } talk;
 
+/* Where the machine is: options of a command, into o.port, o.baud and o.wait. */
+#define TALK_OPTIONS(o)                                                                            \
+    TOOL_TEXT("port", "PORT", &(o).port,                                                           \
+              "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)"),          \
+        TOOL_COUNT("baud", "RATE", &(o).baud, 300, 4000000, "of a serial port (115200)"),          \
+        TOOL_NUMBER("wait", "S", &(o).wait, 0.1, 600, "for the machine's first answer (5)")
+
 /* Open the port, greet, and wait for the machine's answer. Returns 0, or an exit code after
  * printing one line. `log`: a file for the traffic on the line, in words (wire_text.h), or NULL. */
 int  talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log);

@@ -258,6 +258,23 @@ loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_r
 
 #endif
 
+loft_sci loft_sci_deriv(loft_sci c[], unsigned degree, unsigned order, loft_sci t)
+{
+    int32_t factor = 1;
+
+    if (order > degree)
+        return loft_sci_zero();
+    for (; order > 0; order--, degree--) {
+        factor *= (int32_t)degree;
+        for (unsigned i = 0; i < degree; i++)
+            c[i] = loft_sci_sub(c[i + 1], c[i]);
+    }
+    for (; degree > 0; degree--)
+        for (unsigned i = 0; i < degree; i++)
+            c[i] = loft_sci_lerp(c[i], c[i + 1], t);
+    return loft_sci_mul(c[0], loft_sci_from_int(factor));
+}
+
 loft_sci loft_sci_pow(loft_sci a, unsigned k)
 {
     loft_sci r = loft_sci_one();

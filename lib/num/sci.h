@@ -111,6 +111,23 @@ static inline bool loft_sci_less(loft_sci a, loft_sci b)
     return loft_sci_sign(loft_sci_sub(a, b)) < 0;
 }
 
+/* x + (y - x) t.
+ *
+ *   error   3 roundings */
+static inline loft_sci loft_sci_lerp(loft_sci x, loft_sci y, loft_sci t)
+{
+    return loft_sci_add(x, loft_sci_mul(loft_sci_sub(y, x), t));
+}
+
+/* The derivative of this order at t of the polynomial with `degree` + 1 Bernstein coefficients,
+ * which are overwritten. Order 0 is the value; beyond the degree it is 0.
+ *
+ *   range   degree 0..9
+ *   error   order + 3 (degree - order) + 2 roundings, each of the largest difference of that order
+ *   cost    degree (degree + 1) / 2 lerps
+ */
+loft_sci loft_sci_deriv(loft_sci c[], unsigned degree, unsigned order, loft_sci t);
+
 /* a^k; 1 for k = 0, even if a = 0.
  *
  *   error   2 k roundings

@@ -49,11 +49,6 @@ typedef struct {
     bool triangle;
 } net;
 
-static loft_sci sci_lerp(loft_sci x, loft_sci y, loft_sci t)
-{
-    return loft_sci_add(x, loft_sci_mul(loft_sci_sub(y, x), t));
-}
-
 
 static unsigned points_of(const net *s)
 {
@@ -136,10 +131,10 @@ static slope tensor_slope(const net *s, int axis, unsigned a, unsigned b, loft_s
     for (; m > 0; m--)
         for (unsigned i = 0; i < m; i++)
             for (unsigned j = 0; j <= n; j++)
-                c[i * stride + j] = sci_lerp(c[i * stride + j], c[(i + 1) * stride + j], u);
+                c[i * stride + j] = loft_sci_lerp(c[i * stride + j], c[(i + 1) * stride + j], u);
     for (; n > 0; n--)
         for (unsigned j = 0; j < n; j++)
-            c[j] = sci_lerp(c[j], c[j + 1], v);
+            c[j] = loft_sci_lerp(c[j], c[j + 1], v);
     r.value = loft_sci_mul(c[0], loft_sci_from_int(factor));
     r.width = loft_sci_mul(r.width, loft_sci_from_int(factor));
     return r;
@@ -337,10 +332,7 @@ static slope line_slope(loft_sci c[], unsigned degree, unsigned k, loft_sci t)
     const loft_sci factor = difference_net(c, degree, k);
     degree -= k;
     r.width = loft_sci_mul(largest_abs(c, degree + 1), factor);
-    for (; degree > 0; degree--)
-        for (unsigned i = 0; i < degree; i++)
-            c[i] = sci_lerp(c[i], c[i + 1], t);
-    r.value = loft_sci_mul(c[0], factor);
+    r.value = loft_sci_mul(loft_sci_deriv(c, degree, 0, t), factor);
     return r;
 }
 

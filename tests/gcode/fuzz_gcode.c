@@ -6,47 +6,16 @@
  * chooses the dialect.
  */
 #include <math.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "base/tool.h"
+#include "tools/fuzz_reader.h"
 #include "read/drawing.h"
 #include "read/gcode.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-#define MUST(condition)                                                                            \
-    do {                                                                                           \
-        if (!(condition))                                                                          \
-            abort();                                                                               \
-    } while (0)
-
-static unsigned refusals;
-
-int tool_error(int code, const char *format, ...)
-{
-    (void)format;
-    refusals += code != EX_OK;
-    return code;
-}
-
-void *tool_grow(void *old, size_t bytes)
-{
-    void *grown = realloc(old, bytes ? bytes : 1);
-
-    MUST(grown != NULL);
-    return grown;
-}
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    char *text = tool_grow(NULL, size + 1);
+    char *text = text_of(data, size);
     drawing d  = { .dialect = size > 0 && data[0] % 2 ? GCODE_MARLIN : GCODE_LINUXCNC };
 
-    memcpy(text, data, size);
-    text[size] = '\0';
-    refusals = 0;
     const int code = drawing_read_gcode(&d, "fuzz.nc", text, size);
     MUST(code == (refusals ? EX_DATAERR : 0) && refusals <= 1);
     for (size_t i = 0; code == 0 && i < d.count; i++)

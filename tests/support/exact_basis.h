@@ -5,21 +5,6 @@
 #define LOFT_TESTS_EXACT_BASIS_H
 
 #include "support/exact_spline.h"       /* quad, quad_of */
-#include "num/sci.h"
-
-static inline quad quad_sci(loft_sci x)
-{
-#if LOFT_NUM == LOFT_Q16
-    quad q = (quad)x.m;
-    for (int e = x.e; e < 0; e++)
-        q /= 2;
-    for (int e = x.e; e > 0; e--)
-        q *= 2;
-    return x.minus ? -q : q;
-#else
-    return (quad)x;
-#endif
-}
 
 /* The k-th derivative at u of B-spline i of degree d, of the piece on `span`; 0/0 = 0. */
 static inline quad quad_basis(const loft_real knot[], unsigned i, unsigned d, quad u, unsigned k,

@@ -10,12 +10,27 @@
 
 #include "support/exact.h"              /* exact_of */
 #include "geom/vec.h"
+#include "num/sci.h"
 
 __extension__ typedef __float128 quad;
 
 #define SPLINE_POINTS 1200
 
 static inline quad quad_of(loft_real x) { return BY_NUM((quad)x / 65536, (quad)x, (quad)x); }
+
+static inline quad quad_sci(loft_sci x)
+{
+#if LOFT_NUM == LOFT_Q16
+    quad q = (quad)x.m;
+    for (int e = x.e; e < 0; e++)
+        q /= 2;
+    for (int e = x.e; e > 0; e--)
+        q *= 2;
+    return x.minus ? -q : q;
+#else
+    return (quad)x;
+#endif
+}
 
 /* The bound of this number type. Unlike BY_NUM this evaluates all three, so that none is left
  * unused. */

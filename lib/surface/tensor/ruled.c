@@ -23,29 +23,13 @@ enum loft_status loft_tensor_from_ruled(const loft_bezier *a, const loft_bezier 
     return LOFT_OK;
 }
 
-static loft_sci sci_lerp(loft_sci x, loft_sci y, loft_sci t)
-{
-    return loft_sci_add(x, loft_sci_mul(loft_sci_sub(y, x), t));
-}
-
 static loft_sci curve_slope(const loft_bezier *b, unsigned order, loft_sci t, int axis)
 {
-    loft_sci c[LOFT_DEGREE_MAX + 1], factor = loft_sci_one();
-    unsigned n = b->degree;
+    loft_sci c[LOFT_DEGREE_MAX + 1];
 
-    if (order > n)
-        return loft_sci_zero();
-    for (unsigned i = 0; i <= n; i++)
+    for (unsigned i = 0; i <= b->degree; i++)
         c[i] = loft_sci_from_real(b->p[i].axis[axis]);
-    for (; order > 0; order--, n--) {
-        factor = loft_sci_mul(factor, loft_sci_from_int((int32_t)n));
-        for (unsigned i = 0; i < n; i++)
-            c[i] = loft_sci_sub(c[i + 1], c[i]);
-    }
-    for (; n > 0; n--)
-        for (unsigned i = 0; i < n; i++)
-            c[i] = sci_lerp(c[i], c[i + 1], t);
-    return loft_sci_mul(factor, c[0]);
+    return loft_sci_deriv(c, b->degree, order, t);
 }
 
 static bool unit_valid(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
@@ -60,7 +44,7 @@ enum loft_status loft_ruled_deriv(const loft_bezier *a, const loft_bezier *b, un
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         const loft_sci from = curve_slope(a, j, at, axis), to = curve_slope(b, j, at, axis);
-        const loft_sci s = k == 0   ? sci_lerp(from, to, along)
+        const loft_sci s = k == 0   ? loft_sci_lerp(from, to, along)
                            : k == 1 ? loft_sci_sub(to, from)
                                     : loft_sci_zero();
         if (!loft_sci_to_acc(s, &x[axis]))

@@ -44,29 +44,6 @@ static uint32_t piece_of(const loft_skin *s, loft_real v, loft_sci *x)
     return low;
 }
 
-static loft_sci sci_lerp(loft_sci x, loft_sci y, loft_sci t)
-{
-    return loft_sci_add(x, loft_sci_mul(loft_sci_sub(y, x), t));
-}
-
-/* The j-th derivative of the curve with the coefficients c, which are overwritten. */
-static loft_sci curve_slope(loft_sci c[], unsigned n, unsigned j, loft_sci t)
-{
-    loft_sci factor = loft_sci_one();
-
-    if (j > n)
-        return loft_sci_zero();
-    for (; j > 0; j--, n--) {
-        factor = loft_sci_mul(factor, loft_sci_from_int((int32_t)n));
-        for (unsigned i = 0; i < n; i++)
-            c[i] = loft_sci_sub(c[i + 1], c[i]);
-    }
-    for (; n > 0; n--)
-        for (unsigned i = 0; i < n; i++)
-            c[i] = sci_lerp(c[i], c[i + 1], t);
-    return loft_sci_mul(factor, c[0]);
-}
-
 enum loft_status loft_skin_deriv(const loft_skin *s, unsigned j, unsigned k, loft_unit u,
                                  loft_real v, loft_vec *out)
 {
@@ -79,7 +56,7 @@ enum loft_status loft_skin_deriv(const loft_skin *s, unsigned j, unsigned k, lof
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         for (unsigned i = 0; i <= s->degree; i++)
             c[i] = loft_spline_slope(&s->line[i], piece, k, x, axis);
-        if (!loft_sci_to_acc(curve_slope(c, s->degree, j, loft_sci_from_unit(u)), &sum[axis]))
+        if (!loft_sci_to_acc(loft_sci_deriv(c, s->degree, j, loft_sci_from_unit(u)), &sum[axis]))
             return LOFT_ERR_RANGE;
     }
     return loft_vec_round(sum, out) ? LOFT_OK : LOFT_ERR_RANGE;

@@ -22,20 +22,6 @@ typedef struct {
     long double scale;          /* the largest slope, of points or of chords */
 } sample;
 
-static quad quad_sci(loft_sci x)
-{
-#if LOFT_NUM == LOFT_Q16
-    quad q = (quad)x.m;
-    for (int e = x.e; e < 0; e++)
-        q /= 2;
-    for (int e = x.e; e > 0; e--)
-        q *= 2;
-    return x.minus ? -q : q;
-#else
-    return (quad)x;
-#endif
-}
-
 static void set_steps(sample *x)
 {
     x->segments = x->count - (x->ends != LOFT_ENDS_CLOSED);

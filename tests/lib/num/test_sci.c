@@ -173,10 +173,40 @@ static void cross_products_of_doubles_of_any_digits_are_exact_in_sign(arb *a)
 #endif
 }
 
+/* Small coefficients and an eighth: all exact. The power form is differentiated term by term. */
+static void derivatives_are_those_of_the_power_form(arb *a)
+{
+    const unsigned degree = arb_below(a, 5), order = arb_below(a, 7), eighths = arb_below(a, 9);
+    const double t = eighths / 8.0;
+    loft_sci c[5];
+    double b[5], want = 0;
+
+    for (unsigned i = 0; i <= degree; i++) {
+        const int32_t x = (int32_t)arb_below(a, 201) - 100;
+        b[i] = x;
+        c[i] = loft_sci_from_int(x);
+    }
+    double choose = 1;
+    for (unsigned k = 0; k <= degree; k++) {
+        for (unsigned j = degree; j > k; j--)       /* differences of order k + 1 wait at k + 1.. */
+            b[j] -= b[j - 1];
+        double term = choose * b[k];
+        for (unsigned j = 0; j < order; j++)
+            term *= (double)k - (double)j;
+        for (unsigned j = order; j < k; j++)
+            term *= t;
+        want += k < order ? 0 : term;
+        choose *= (double)(degree - k) / (k + 1);
+    }
+    CHECK_EXACT(exact_sci(loft_sci_deriv(c, degree, order, loft_sci_from_unit(LOFT_UNIT(t)))),
+                (long double)want, 0);
+}
+
 int main(void)
 {
     PROPERTY(sums_products_and_quotients_err_by_a_share_of_the_result,   400);
     PROPERTY(what_is_exact_stays_exact,                                 2000);
+    PROPERTY(derivatives_are_those_of_the_power_form,                   2000);
     PROPERTY(numbers_come_in_and_go_out_as_they_are,                    2000);
     PROPERTY(what_does_not_fit_is_refused,                               200);
     PROPERTY(cross_products_are_exact_in_sign_and_close_in_value,       4000);

@@ -5,20 +5,10 @@
  * chooses the target. The rest is raw bytes, or contents that get a right CRC, without which no
  * fuzzer passes the frame.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "support/fuzz.h"
 #include "wire/session.h"
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-#define MUST(condition)                                                                            \
-    do {                                                                                           \
-        if (!(condition))                                                                          \
-            abort();                                                                               \
-    } while (0)
 
 
 // The codec: accepted bytes give the same bytes when packed again
