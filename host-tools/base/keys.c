@@ -41,7 +41,13 @@ static void stop(int number)
     _exit(EX_TEMPFAIL);
 }
 
-void keys_hasty(bool hasty) { at_once = hasty; }
+/* A ^C that came just before this is not lost: whoever computes now does not look for it. */
+void keys_hasty(bool hasty)
+{
+    at_once = hasty;
+    if (hasty && stops > 0)
+        stop(SIGINT);
+}
 
 static void catch(int number, void (*handler)(int))
 {
