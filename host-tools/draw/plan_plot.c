@@ -174,12 +174,12 @@ static void fill_columns(columns *c, const trace *t)
 
 static double peak_of(const columns *c, enum signal first, enum signal last)
 {
-    double most = 0;
+    float most = 0;
 
     for (unsigned s = first; s <= last; s++)
         for (int k = 0; k < COLUMNS; k++)
-            most = fmax(most, fmax(fabs((double)c->least[s][k]), fabs((double)c->most[s][k])));
-    return most;
+            most = fmaxf(most, fmaxf(-c->least[s][k], c->most[s][k]));
+    return (double)most;
 }
 
 
