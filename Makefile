@@ -129,6 +129,10 @@ $(TOOL_OUT)/loft: $(TOOL_OBJ) $(TOOL_LIBS)
 tools:
 	+@$(PARALLEL) $(TOOL_OUT)/loft
 
+.PHONY: print-tool-sources
+print-tool-sources:
+	@echo $(TOOL_SRC) $(TOOL_EACH)
+
 DRAWING ?= tests/drawings/demo.svg
 ## Draw it on the simulated machine: counted pulses, drawn.png   DRAWING=file.svg MACHINE=file
 .PHONY: demo
