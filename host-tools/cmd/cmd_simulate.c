@@ -23,8 +23,15 @@ static int spread(const char *option, const tool_list *list, double out[LOFT_AXE
     return 0;
 }
 
+static void tool_of(const void *k, const double motors[LOFT_AXES], double out[LOFT_AXES])
+{
+    if (!kinematics_tool(k, motors, out))
+        memcpy(out, motors, LOFT_AXES * sizeof *out);
+}
+
 /* The numbers of the file are the defaults of the options. */
-static int take_file(struct loft_host_options *o, char text[KINEMATICS_TEXT], int argc, char **argv)
+static int take_file(struct loft_host_options *o, kinematics *k, char text[KINEMATICS_TEXT],
+                     int argc, char **argv)
 {
     machine_file m = machine_usual();
     const int code = machine_option(&m, argc, argv);
@@ -40,27 +47,34 @@ static int take_file(struct loft_host_options *o, char text[KINEMATICS_TEXT], in
     o->ramp = (unsigned)m.ramp;
     o->queue = (unsigned)m.queue;
     o->curves = (unsigned)m.curves;
-    kinematics_text(&m.k, text);
+    *k = m.k;
+    kinematics_text(k, text);
     o->note = text;
+    o->tool = k->kind == ENGINE_COREXY ? tool_of : NULL;
+    o->kinematics = k;
     return code;
 }
 
-/* `x-=-5,y+=200`: at -5 mm the limit switch at the low end of x closes. */
-static int take_limits(const char *text, double limit[LOFT_AXES][2])
+/* `x-=-5,y+=200`: there is something at -5 mm at the low end of x. `opens`: a switch may be wired
+ * the other way, `x-=-5nc`. */
+static int take_ends(const char *option, const char *text, bool opens,
+                     struct loft_host_end ends[LOFT_AXES][2])
 {
     static const char names[] = "xyzabc";
 
     for (const char *at = text; at && *at;) {
         const char *axis = strchr(names, at[0]);
         char *end = NULL;
-        double where = 0;
+        struct loft_host_end e = { 0, false };
         if (axis && axis - names < LOFT_AXES && (at[1] == '-' || at[1] == '+') && at[2] == '=')
-            where = strtod(at + 3, &end);
-        if (!end || end == at + 3 || !(fabs(where) < 32768) || (*end && *end != ','))
-            return tool_error(EX_USAGE,
-                              "--limits %s: give axis, end and mm of each switch, as x-=-5,x+=200",
-                              text);
-        limit[axis - names][at[1] == '+'] = where;
+            e.at = strtod(at + 3, &end);
+        e.opens = opens && end && strncmp(end, "nc", 2) == 0;
+        if (!end || end == at + 3 || !(fabs(e.at) < 32768) ||
+            (end[e.opens ? 2 : 0] && end[e.opens ? 2 : 0] != ','))
+            return tool_error(EX_USAGE, "--%s %s: give axis, end and mm of each, as x-=-5,x+=200%s",
+                              option, text, opens ? ", or x-=-5nc if it opens there" : "");
+        ends[axis - names][at[1] == '+'] = e;
+        end += e.opens ? 2 : 0;
         at = *end ? end + 1 : end;
     }
     return 0;
@@ -81,11 +95,12 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
     const engine *e            = &engine_q16;
     const char *speed          = o.fast ? "fast" : "real";
     tool_list steps = { .count = 0 }, fastest = { .count = 0 }, accel = { .count = 0 };
-    const char *machine = NULL, *limits = NULL;
+    const char *machine = NULL, *limits = NULL, *walls = NULL, *probe = NULL;
+    kinematics k;
     char text[KINEMATICS_TEXT];
     int first;
 
-    int code = take_file(&o, text, argc, argv);
+    int code = take_file(&o, &k, text, argc, argv);
     if (code != 0)
         return code;
     const tool_option options[] = {
@@ -106,7 +121,15 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
                    "curves that fit its plan; 0: it does not plan (64)"),
         TOOL_COUNT("queue", "N", &o.queue, 2, 32768, "items that fit the queue (256)"),
         TOOL_TEXT("limits", "x-=MM,..", &limits,
-                  "limit switches: axis, - or + end, and where its motor closes it (none)"),
+                  "limit switches: axis, - or + end, and mm from the start, where it closes; "
+                  "x-=MMnc: it opens there (none)"),
+        TOOL_SWITCH("shared", &o.shared,
+                    "the switches of both ends of an axis share one input, as on an Uno"),
+        TOOL_TEXT("walls", "x-=MM,..", &walls,
+                  "where the table ends: steps that run into a wall are lost (none)"),
+        TOOL_TEXT("probe", "z-=MM,..", &probe, "where the probe touches something (none)"),
+        TOOL_NUMBER("bounce", "MS", &o.bounce_ms, 0, 100,
+                    "how long the contacts of switches and probe bounce (0)"),
         TOOL_NUMBER("noise", "PPM", &o.noise, 0, 100000,
                     "flipped bits per million on the line (0)"),
         ENGINE_OPTION(&e, "number type of the machine (q16)"),
@@ -125,7 +148,9 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
     if ((code = spread("steps", &steps, o.steps_per_mm)) != 0 ||
         (code = spread("max-speed", &fastest, o.max_speed)) != 0 ||
         (code = spread("accel", &accel, o.max_accel)) != 0 ||
-        (code = take_limits(limits, o.limit)) != 0)
+        (code = take_ends("limits", limits, true, o.limit)) != 0 ||
+        (code = take_ends("walls", walls, false, o.wall)) != 0 ||
+        (code = take_ends("probe", probe, false, o.probe)) != 0)
         return code;
     o.fast = strcmp(speed, "fast") == 0;
     return simulate(&o, e);

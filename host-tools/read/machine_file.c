@@ -21,35 +21,44 @@ typedef struct {
     bool   axes, whole, limits;
     double least, most;
     unsigned kinds;             /* bits: the kinematics that have it; 0: all */
+    const char *word[2];        /* the value is one of these, as 0 and 1 */
 } row;
 
 #define AT(field) offsetof(machine_file, field)
 #define POLAR     (1u << ENGINE_POLAR)
 #define DELTA     (1u << ENGINE_DELTA)
 #define ARM       0.99      /* the radius of a delta, over its arm, at most */
+#define HOME_SEARCH 1.1     /* times travel                                 */
 #define APART     30        /* degrees between towers, at least             */
 
 static const row rows[] = {
-    { "steps_per_mm", "steps/mm", AT(steps_per_mm), true, false, false, 0.01, 30000, 0 },
-    { "max_speed", "mm/s", AT(max_speed), true, false, true, 1 / 64.0, 16383, 0 },
-    { "max_accel", "mm/s^2", AT(max_accel), true, false, true, 1, 16383, 0 },
-    { "max_jerk", "mm/s^3", AT(max_jerk), true, false, true, 0, 1e7, 0 },
-    { "max_across", "mm/s^2", AT(max_across), false, false, false, 0, 16383, 0 },
-    { "corner", "mm", AT(corner), false, false, false, 0, 1, 0 },
-    { "tolerance", "mm", AT(tol), false, false, false, 1 / 1024.0, 1, 0 },
-    { "travel", "mm", AT(travel), true, false, false, 0, 16383, 0 },
-    { "min", "mm", AT(min), true, false, false, -16383, 16383, 0 },
-    { "tick_hz", "ticks/s", AT(tick_hz), false, true, false, 50, 50000, 0 },
-    { "slots", "per tick", AT(slots), false, true, false, 1, 4096, 0 },
-    { "ramp", "ticks", AT(ramp), false, true, false, 1, 32767, 0 },
-    { "queue", "items", AT(queue), false, true, false, 2, 32768, 0 },
-    { "curves", "curves", AT(curves), false, true, false, 0, 4096, 0 },
-    { "center", "mm", AT(k.center), true, false, false, -8191, 8191, POLAR | DELTA },
-    { "arm_length", "mm", AT(k.arm_length), false, false, false, 1, 8191, DELTA },
-    { "delta_radius", "mm", AT(k.delta_radius), false, false, false, 1, 8191, DELTA },
-    { "tower_angle", "degrees", AT(k.tower_angle), true, false, false, -360, 360, DELTA },
-    { "turn", "per turn", AT(k.turn), false, false, false, 6, 8191, POLAR },
-    { "inside", "mm", AT(k.inside), false, false, false, 0.01, 1000, POLAR },
+    { "steps_per_mm", "steps/mm", AT(steps_per_mm), true, false, false, 0.01, 30000, 0, { 0 } },
+    { "max_speed", "mm/s", AT(max_speed), true, false, true, 1 / 64.0, 16383, 0, { 0 } },
+    { "max_accel", "mm/s^2", AT(max_accel), true, false, true, 1, 16383, 0, { 0 } },
+    { "max_jerk", "mm/s^3", AT(max_jerk), true, false, true, 0, 1e7, 0, { 0 } },
+    { "max_across", "mm/s^2", AT(max_across), false, false, false, 0, 16383, 0, { 0 } },
+    { "corner", "mm", AT(corner), false, false, false, 0, 1, 0, { 0 } },
+    { "tolerance", "mm", AT(tol), false, false, false, 1 / 1024.0, 1, 0, { 0 } },
+    { "travel", "mm", AT(travel), true, false, false, 0, 16383, 0, { 0 } },
+    { "min", "mm", AT(min), true, false, false, -16383, 16383, 0, { 0 } },
+    { "home_order", "", AT(home_order), true, true, false, 0, 3, 0, { 0 } },
+    { "home_end", "", AT(home_end), true, true, false, 0, 1, 0, { "low", "high" } },
+    { "home_at", "mm", AT(home_at), true, false, false, -16383, 16383, 0, { 0 } },
+    { "home_seek", "mm/s", AT(home_seek), true, false, false, 1 / 64.0, 1000, 0, { 0 } },
+    { "home_touch", "mm/s", AT(home_touch), true, false, false, 1 / 64.0, 1000, 0, { 0 } },
+    { "home_back", "mm", AT(home_back), true, false, false, 0.01, 100, 0, { 0 } },
+    { "home_search", "mm", AT(home_search), true, false, false, 0, 16383, 0, { 0 } },
+    { "tick_hz", "ticks/s", AT(tick_hz), false, true, false, 50, 50000, 0, { 0 } },
+    { "slots", "per tick", AT(slots), false, true, false, 1, 4096, 0, { 0 } },
+    { "ramp", "ticks", AT(ramp), false, true, false, 1, 32767, 0, { 0 } },
+    { "queue", "items", AT(queue), false, true, false, 2, 32768, 0, { 0 } },
+    { "curves", "curves", AT(curves), false, true, false, 0, 4096, 0, { 0 } },
+    { "center", "mm", AT(k.center), true, false, false, -8191, 8191, POLAR | DELTA, { 0 } },
+    { "arm_length", "mm", AT(k.arm_length), false, false, false, 1, 8191, DELTA, { 0 } },
+    { "delta_radius", "mm", AT(k.delta_radius), false, false, false, 1, 8191, DELTA, { 0 } },
+    { "tower_angle", "degrees", AT(k.tower_angle), true, false, false, -360, 360, DELTA, { 0 } },
+    { "turn", "per turn", AT(k.turn), false, false, false, 6, 8191, POLAR, { 0 } },
+    { "inside", "mm", AT(k.inside), false, false, false, 0.01, 1000, POLAR, { 0 } },
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
@@ -66,7 +75,8 @@ static const struct {
     { 112, "max_speed", 2, 1 / 60.0 }, { 120, "max_accel", 0, 1 },
     { 121, "max_accel", 1, 1 },        { 122, "max_accel", 2, 1 },
     { 130, "travel", 0, 1 },           { 131, "travel", 1, 1 },
-    { 132, "travel", 2, 1 },
+    { 132, "travel", 2, 1 },           { 24, "home_touch", -1, 1 / 60.0 },
+    { 25, "home_seek", -1, 1 / 60.0 }, { 27, "home_back", -1, 1 },
 };
 
 typedef struct {
@@ -92,6 +102,10 @@ machine_file machine_usual(void)
         m.max_speed[i] = 500;
         m.max_accel[i] = 2000;
         m.max_jerk[i] = -1;
+        m.home_at[i] = NAN;
+        m.home_seek[i] = 20;
+        m.home_touch[i] = 2;
+        m.home_back[i] = 3;
     }
     return m;
 }
@@ -158,7 +172,7 @@ static int read_grbl(reading *r, const char *s)
 
 static int unknown_key(const reading *r, const char *s, size_t length)
 {
-    char all[500] = "kinematics";
+    char all[800] = "kinematics";
 
     for (size_t i = 0, used = strlen(all); i < ROWS; i++)
         used += (size_t)snprintf(all + used, sizeof all - used, ", %s%s",
@@ -194,6 +208,19 @@ static int axis_of(const char *s, size_t length)
     return at ? (int)(strchr("xyzabc", *at) - "xyzabc") % ENGINE_AXES : -1;
 }
 
+/* The value of a key that is a word. `s` is after `=`. */
+static int read_word(reading *r, const row *k, int axis, const char *s)
+{
+    const size_t length = strcspn(s, " \t\r\n#");
+
+    for (int i = 0; i < 2; i++)
+        if (strlen(k->word[i]) == length && strncmp(s, k->word[i], length) == 0 &&
+            number_ends(s + length))
+            return set_value(r, k, axis, i);
+    return tool_error(EX_DATAERR, "%s:%u: write %s = %s, or %s", r->file, r->line, k->key,
+                      k->word[0], k->word[1]);
+}
+
 static int read_key(reading *r, const char *s)
 {
     const size_t length = strcspn(s, " \t\r\n=#");
@@ -213,6 +240,8 @@ static int read_key(reading *r, const char *s)
                           k->key, k->key, k->least > 1 ? k->least : 1);
     s++;
     s += strspn(s, " \t");
+    if (k->word[0])
+        return read_word(r, k, axis, s);
     if (!scan_number(&s, &value) || !number_ends(s))
         return tool_error(EX_DATAERR, "%s:%u: %s is not a number: give one in %s", r->file, r->line,
                           k->key, k->unit);
@@ -357,6 +386,18 @@ int machine_option(machine_file *m, int argc, char **argv)
             return machine_read(m, argv[i + 1]);
     }
     return 0;
+}
+
+double machine_home_at(const machine_file *m, int axis)
+{
+    const double end = m->home_end[axis] > 0 ? m->min[axis] + m->travel[axis] : m->min[axis];
+
+    return isnan(m->home_at[axis]) ? end : m->home_at[axis];
+}
+
+double machine_home_search(const machine_file *m, int axis)
+{
+    return m->home_search[axis] > 0 ? m->home_search[axis] : HOME_SEARCH * m->travel[axis];
 }
 
 void machine_limit(const machine_file *m, engine_limits *limits)

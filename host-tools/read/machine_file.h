@@ -19,6 +19,11 @@ typedef struct {
     double corner, tol;                     /* junction deviation; path tolerance */
     double travel[ENGINE_AXES], min[ENGINE_AXES];   /* the table, for the tool: its size, 0: not
                                                      * limited; its low end */
+    double home_order[ENGINE_AXES];         /* 1 to 3: when the axis is homed; 0: it is not */
+    double home_end[ENGINE_AXES];           /* its switch: 0: at the low end, 1: high */
+    double home_at[ENGINE_AXES];            /* where the switch is; NAN: at that end of the table */
+    double home_seek[ENGINE_AXES], home_touch[ENGINE_AXES], home_back[ENGINE_AXES];
+    double home_search[ENGINE_AXES];        /* how far to look; 0: HOME_SEARCH travels */
     double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */
     bool   limited;                         /* the file gives a speed, an acceleration or a jerk */
     kinematics k;
@@ -38,6 +43,10 @@ int machine_line(machine_file *m, const char *file, unsigned line, const char *t
  * options are read, so that their defaults can come from the file. Also returns 0 if the option is
  * not given. */
 int machine_option(machine_file *m, int argc, char **argv);
+
+/* Where the homing switch of an axis is, and how far to look for it; 0: the file does not say. */
+double machine_home_at(const machine_file *m, int axis);
+double machine_home_search(const machine_file *m, int axis);
 
 /* Lower `limits` to the limits of the machine. */
 void machine_limit(const machine_file *m, engine_limits *limits);

@@ -145,12 +145,18 @@ int talk_open(talk *t, const char *port, unsigned baud, double seconds, const ch
         talk_close(t);
         return code;
     }
-    loft_sender_init(&t->sender,
-                     (uint32_t)(uint64_t)(1e9 * tool_clock()) ^ (uint32_t)getpid() << 16, now_ms());
-    code = greet(t, seconds);
+    code = talk_again(t, seconds);
     if (code != 0)
         talk_close(t);
     return code;
+}
+
+int talk_again(talk *t, double seconds)
+{
+    t->out_at = t->out_size = 0;
+    loft_sender_init(&t->sender,
+                     (uint32_t)(uint64_t)(1e9 * tool_clock()) ^ (uint32_t)getpid() << 16, now_ms());
+    return greet(t, seconds);
 }
 
 void talk_close(talk *t)

@@ -34,6 +34,10 @@ typedef struct {
 int  talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log);
 void talk_close(talk *t);
 
+/* Begin another session over the same line: a session has one job. Results as above; after an error
+ * the line is still open. */
+int  talk_again(talk *t, double seconds);
+
 /* Move bytes both ways, for at most `most_ms`. Returns false if the port has vanished (errno says
  * why). */
 bool talk_pump(talk *t, int most_ms);

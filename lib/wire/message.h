@@ -80,6 +80,7 @@ enum loft_refusal {
 #define LOFT_INPUT_STOP         0x1000u     /* the emergency stop                               */
 #define LOFT_INPUT_HOLD         0x2000u     /* the buttons                                      */
 #define LOFT_INPUT_RESUME       0x4000u
+#define LOFT_INPUT_PROBE        0x8000u     /* it only ends jobs whose guard names it           */
 #define LOFT_INPUT_ENDING       0x1FFFu     /* inputs that end a job and let no job begin       */
 
 enum loft_verb {

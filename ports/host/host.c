@@ -26,7 +26,9 @@
 #include "host/board.h"         /* struct loft_board    */
 #include "host/line.h"          /* the pseudo terminal  */
 #include "host/record.h"        /* the pulses           */
+#include "host/world.h"         /* walls and switches   */
 #include "machine/machine.h"    /* loft_machine         */
+#include "switches.h"           /* loft_switches        */
 
 #define QUIET_MS    300
 /* a planning sender on a busy computer may not run for a second */
@@ -47,6 +49,8 @@ struct host {
     loft_planner_memory plan;
     struct host_line line;
     struct host_record record;
+    struct host_world world;                /* without a board                     */
+    loft_switches switches;
     uint64_t slot;                          /* the number of slots so far          */
     int64_t started;                        /* real time of slot 0, in ns          */
     int64_t heard;                          /* real time of the last bytes         */
@@ -166,6 +170,16 @@ static void print_position(struct host *h)
     fflush(stdout);
 }
 
+/* `table: the tool is at 12.500 3.000 0.000, 37 steps lost`: what no machine knows by itself. */
+static void print_table(const struct host *h)
+{
+    printf("table: the tool is at");
+    for (int i = 0; i < LOFT_AXES; i++)
+        printf(" %.4f", h->world.at[i]);
+    printf(", %llu steps lost\n", (unsigned long long)h->world.lost);
+    fflush(stdout);
+}
+
 /* `job 0badcafe done: 1234 items, 61234 ticks in 61.301 s, 0 slowed, position 100 -200 0` */
 static void print_job(struct host *h, const char *what)
 {
@@ -175,6 +189,8 @@ static void print_job(struct host *h, const char *what)
            (unsigned long)h->machine.job.id, what, (unsigned long)r.executed,
            (unsigned long)r.ticks, r.elapsed / (double)h->o->tick_hz, (unsigned long)r.slowed);
     print_position(h);
+    if (!h->board && host_world_limited(&h->world))
+        print_table(h);
 }
 
 /* Print a change of the job's state. */
@@ -252,38 +268,42 @@ static bool give_bytes(struct host *h)
 
 static bool machine_moves(const struct host *h) { return !loft_step_done(&h->machine.drive.step); }
 
-/* The closed limit switches at the motor positions. */
-static uint16_t limits_closed(const struct host *h)
-{
-    uint16_t closed = 0;
-
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const double at = h->record.position[i] / h->o->steps_per_mm[i];
-        closed = (uint16_t)(closed | (at <= h->o->limit[i][0] ? LOFT_INPUT_LOW(i) : 0) |
-                            (at >= h->o->limit[i][1] ? LOFT_INPUT_HIGH(i) : 0));
-    }
-    return closed;
-}
-
+/* Between slots. The contacts of a machine that rests have settled. */
 static void take_inputs(struct host *h)
 {
-    loft_machine_inputs(&h->machine, h->board ? h->board->inputs(h->board) : limits_closed(h));
+    if (h->board) {
+        loft_machine_inputs(&h->machine, h->board->inputs(h->board));
+    } else if (!loft_state_busy(h->machine.drive.state)) {
+        host_world_settle(&h->world);
+        loft_machine_inputs(&h->machine, h->world.inputs);
+    }
+}
+
+/* Each ms of slots. */
+static void sample_inputs(struct host *h)
+{
+    loft_machine_sample(&h->machine, h->world.inputs);
+    if (loft_switches_steady(&h->switches, h->world.inputs))
+        loft_machine_inputs(&h->machine, h->world.inputs);
 }
 
 static void run_slots(struct host *h, uint64_t count)
 {
+    const uint32_t slot_hz = (uint32_t)h->o->tick_hz * h->o->slots;
+    const uint32_t every   = slot_hz > 1000 ? slot_hz / 1000 : 1;
+
     for (uint64_t i = 0; i < count; i++) {
-        if (!h->board && h->slot % h->o->slots == 0) {
-            take_inputs(h);
-            loft_machine_sample(&h->machine, limits_closed(h));
-        }
+        if (!h->board && h->slot % every == 0)
+            sample_inputs(h);
         loft_machine_tick(&h->machine);
         const loft_pins pins = loft_machine_slot(&h->machine);
         if (h->board)
             h->board->slot(h->board, h->slot, pins);
+        else
+            host_world_slot(&h->world, h->slot, pins);
         host_record_slot(&h->record, h->slot++, pins);
         if (loft_machine_senses(&h->machine))
-            loft_machine_sense(&h->machine, limits_closed(h));
+            loft_machine_sense(&h->machine, h->world.inputs);
     }
     loft_machine_tick(&h->machine);
 }
@@ -418,6 +438,7 @@ int loft_host_simulate(const struct loft_host_options *o)
     h.o = o;
     h.board = o->board;
     h.line.master = h.line.slave = -1;
+    host_world_init(&h.world, o);
     code = start_machine(&h);
     if (code == 0)
         code = host_record_open(&h.record, o);

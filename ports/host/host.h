@@ -19,6 +19,12 @@
 
 struct loft_board;
 
+/* What is at an end of an axis: mm from where the machine was switched on; infinite: nothing. */
+struct loft_host_end {
+    double at;
+    bool   opens;               /* a switch that is wired the other way: it opens there */
+};
+
 struct loft_host_options {
     struct loft_board *board;   /* gives the pulses in real time; NULL: they are only recorded */
     const char *port;           /* a serial port in place of a pseudo terminal, or NULL */
@@ -39,8 +45,14 @@ struct loft_host_options {
     unsigned ramp;              /* ticks from full pace to a stop in a hold */
     unsigned queue;             /* items, 1..32768 */
     unsigned curves;            /* curves that its plan can hold, 4..4096; 0: it does not plan */
-    double   limit[LOFT_AXES][2];   /* without a board: mm at which the limit switches of the motors
-                                     * close, low and high */
+    /* without a board: the limit switches at the low and the high end of each axis, the walls, and
+     * what a probe touches */
+    struct loft_host_end limit[LOFT_AXES][2], wall[LOFT_AXES][2], probe[LOFT_AXES][2];
+    bool     shared;            /* one input for both switches of an axis */
+    double   bounce_ms;         /* how long their contacts bounce */
+    void   (*tool)(const void *kinematics, const double motors[LOFT_AXES],
+                 double out[LOFT_AXES]);  /* mm; NULL: axes are motors */
+    const void *kinematics;
     const char *note;           /* lines to add to the head of the record, or NULL */
     double   noise;             /* flipped bits on the line per million, each way */
 };
@@ -56,8 +68,8 @@ static inline struct loft_host_options loft_host_defaults(void)
         o.steps_per_mm[i] = 80;
         o.max_speed[i] = 500;
         o.max_accel[i] = 2000;
-        o.limit[i][0] = -HUGE_VAL;
-        o.limit[i][1] = HUGE_VAL;
+        o.limit[i][0].at = o.wall[i][0].at = o.probe[i][0].at = -HUGE_VAL;
+        o.limit[i][1].at = o.wall[i][1].at = o.probe[i][1].at = HUGE_VAL;
     }
     o.tick_hz = 1000;
     o.slots = 40;

@@ -552,9 +552,34 @@ case_a_closed_limit_ends_a_job_and_lets_none_begin() {
         says $m.talk 'away inputs 0002'
         run 0 "$loft" stream "$tmp/back.csv" --port "$tmp/$m"; says out 'as commanded$'; counted $m
     done
-    for bad in x=3 x-=y q+=3 x+=1e9 x+=3y; do
-        one_line 64 'give axis, end and mm' "$loft" simulate --limits $bad
+    for bad in x=3 x-=y q+=3 x+=1e9 x+=3y x+=3nd; do
+        one_line 64 'limits .*give axis, end and mm' "$loft" simulate --limits $bad
+        one_line 64 'walls .*give axis, end and mm' "$loft" simulate --walls $bad
     done
+    one_line 64 'probe z-=3nc: give axis, end and mm' "$loft" simulate --probe z-=3nc
+}
+case_a_wall_stops_the_tool_but_not_the_count() {
+    printf '0,0,10,0,20,0,30,0\n' >"$tmp/right.csv"
+    machine wall --speed fast --walls x+=20 --once      # 10 mm of 80 steps are lost
+    run 0 "$loft" stream "$tmp/right.csv" --port "$tmp/wall"
+    says out 'steps 2400 0 80 as commanded$'
+    gone "$machine"; counted wall
+    says wall.log '^table: the tool is at 20.0000 0.0000 1.0000, 800 steps lost$'
+    printf 'kinematics = corexy\n' >"$tmp/corexy.txt"   # walls are of the tool, steps of the motors
+    machine cross --speed fast --walls y-=-3 --once --machine "$tmp/corexy.txt"
+    printf '0,0,0,-4,0,-8,0,-12\n' >"$tmp/down.csv"
+    run 0 "$loft" stream "$tmp/down.csv" --port "$tmp/cross" --machine "$tmp/corexy.txt"
+    gone "$machine"
+    says cross.log '^table: the tool is at 0.0000 -3.0000 1.0000, 1440 steps lost$'
+    # a switch that bounces for 20 ms ends the job once; one that opens there is closed before
+    machine jumpy --speed fast --limits x+=20 --bounce 20
+    one_line 75 'the limit switch of x at its high end closed and ended' \
+        "$loft" stream "$tmp/right.csv" --port "$tmp/jumpy"
+    one_line 69 'the limit switch of x at its high end is closed: move away' \
+        "$loft" stream "$tmp/right.csv" --port "$tmp/jumpy"
+    machine wired --speed fast --limits x+=20nc
+    one_line 69 'the limit switch of x at its high end is closed: move away' \
+        "$loft" stream "$tmp/right.csv" --port "$tmp/wired"
 }
 case_park_after_an_abort() {
     machine parked --speed real
@@ -1473,6 +1498,116 @@ case_zero_tells_the_machine_where_it_stands() {
     says out 'now at 7.000 0.000 0.000$'
     run 0 "$loft" zero y --at 2 --port "$tmp/corexy" --machine "$tmp/corexy.txt"
     says out '^the tool was at 7.000 0.000 0.000, and is now at 7.000 2.000 0.000$'
+}
+# a table of 40 x 30 x 14 mm; the machine is switched on somewhere on it
+home_file() {
+    cat >"$tmp/home.txt" <<'END'
+x.travel = 40
+y.travel = 30
+z.travel = 14
+z.min = -4
+z.home_order = 1
+z.home_end = high
+x.home_order = 2
+y.home_order = 3
+y.home_at = -1.5
+z.home_back = 2
+END
+}
+table_of() {            # the last place of the tool on its table, and the steps lost
+    sed -n 's/^table: the tool is at //p' "$tmp/$1.log" | tail -1
+}
+case_home_finds_its_switches() {
+    home_file
+    local ends=x-=-33.37,y-=-12,z+=6 walls=x-=-36,y-=-15,z+=9
+    for m in q16 f32 f64; do
+        machine $m --speed fast --num $m --limits $ends --walls $walls --bounce 5
+        run 0 "$loft" home --port "$tmp/$m" --machine "$tmp/home.txt" --touches 5
+        is_empty err
+        says out '^z: its switch at the high end, after 6.000 mm, is at 10.000: 5 touches within 0'
+        says out '^x: .* low end, after 33.37[0-9] mm, is at 0.000: 5 touches within [01] steps\?$'
+        says out '^y: its switch at the low end, after 12.000 mm, is at -1.500: 5 touches within 0'
+        says out '^homed: the tool is at 3.000 1.500 8.000$'
+        [ "$(table_of $m)" = '-30.3750 -9.0000 4.0000, 0 steps lost' ] || job_fails "$(table_of $m)"
+    done
+    # what is told of the place is kept: the switch of x is at 0, and its motor stands at 3 mm
+    run 0 "$loft" home x --port "$tmp/q16" --machine "$tmp/home.txt"
+    says out '^x: .* after 3.000 mm, is at 0.000: 2 touches within 0 steps$'
+    printf '5,5,6,5,7,5,8,5\n' >"$tmp/line.csv"
+    run 0 "$loft" stream "$tmp/line.csv" --port "$tmp/q16" --machine "$tmp/home.txt"
+    says out 'steps 640 400 80 as commanded$'
+    [ "$(table_of q16)" = '-25.3750 -5.5000 -3.0000, 0 steps lost' ] || job_fails "$(table_of q16)"
+    # one input for both ends; the tool stands on the switch already
+    machine uno --speed fast --shared --limits x-=0,x+=40,y-=-12,z+=6 --walls $walls
+    run 0 "$loft" home --port "$tmp/uno" --machine "$tmp/home.txt"
+    says out '^homed: the tool is at 3.000 1.500 8.000$'
+    [ "$(table_of uno)" = '3.0000 -9.0000 4.0000, 0 steps lost' ] || job_fails "$(table_of uno)"
+    # corexy: the switches are of the tool
+    { echo 'kinematics = corexy'; cat "$tmp/home.txt"; } >"$tmp/corexy.txt"
+    machine corexy --speed fast --limits $ends --walls $walls --bounce 5 --machine "$tmp/corexy.txt"
+    run 0 "$loft" home --port "$tmp/corexy" --machine "$tmp/corexy.txt"
+    says out '^homed: the tool is at [23]\.[09][0-9]* 1.500 8.000$'
+    [[ "$(table_of corexy)" =~ ^-30\.3[678].*\ -9\.0000\ 4\.0000,\ 0\ steps ]] \
+        || job_fails "$(table_of corexy)"
+}
+case_home_says_what_is_wrong() {
+    home_file
+    local file=(--machine "$tmp/home.txt")
+    machine none --speed fast --walls x-=-3
+    one_line 69 'x: no switch at the low end within 44 mm: look at switch, wire and motor' \
+        "$loft" home x --port "$tmp/none" "${file[@]}"
+    machine stuck --speed fast --limits x-=-33nc
+    one_line 69 'x: its switch at the low end stays closed over 12 mm: is it stuck' \
+        "$loft" home x --port "$tmp/stuck" "${file[@]}"
+    machine turned --speed fast --limits x+=-5nc                # the motor turns the wrong way
+    one_line 69 'x: looking for the switch at the low end, the other one closed: the motor turns' \
+        "$loft" home x --port "$tmp/turned" "${file[@]}"
+    one_line 78 'no axis has a switch for homing: give z.home_order' "$loft" home --port "$tmp/none"
+    one_line 78 'x: how far is its switch at most. give x.travel, or x.home_search' \
+        "$loft" home x --port "$tmp/none"
+    one_line 64 'xq: give each axis once' "$loft" home xq --port "$tmp/none"
+    one_line 64 'name the axes in one word' "$loft" home x y --port "$tmp/none"
+    one_line 64 'no --port' "$loft" home x "${file[@]}"
+    printf 'kinematics = polar\n' >"$tmp/polar.txt"
+    one_line 78 'kinematics = polar: only a cartesian' \
+        "$loft" home x --port "$tmp/none" --machine "$tmp/polar.txt"
+    bad_file() {
+        printf "$1" >"$tmp/bad.txt"
+        one_line 65 "bad.txt:$2" "$loft" home --machine "$tmp/bad.txt" --port "$tmp/none"
+    }
+    bad_file 'x.home_end = left\n' '1: write home_end = low, or high'
+    bad_file 'home_end\n' '1: no `=` behind home_end'
+    bad_file 'x.home_order = 4\n' '1: home_order is 4: give a whole number from 0 to 3'
+    bad_file 'x.home_end = low\nx.home_end = high\n' '2: home_end is given in line 1 already'
+    # ^C ends it on the path; what is known of the place is said, and the next run works
+    machine slow --speed real --limits x-=-33
+    "$loft" home x --port "$tmp/slow" "${file[@]}" >"$tmp/out" 2>"$tmp/err" & local homing=$!
+    until_log slow ' begun'; sleep 0.5; kill -INT $homing; wait $homing
+    [ $? = 75 ] || job_fails "stopped with another code"
+    says err '^loft: stopped: the tool is at -[0-9]*\.[0-9]* 0.000 0.000$'
+    # killed without warning: the machine ends its move at the switch, and is free for the next one
+    machine killed --speed fast --limits x-=-33
+    "$loft" home x --port "$tmp/killed" "${file[@]}" >/dev/null 2>&1 & homing=$!
+    disown $homing; until_log killed ' begun'; kill -9 $homing; gone $homing
+    until_log killed 'aborted'
+    run 0 "$loft" home x --port "$tmp/killed" "${file[@]}"
+    says out '^homed: the tool is at 3.000 0.000 0.000$'
+}
+case_unlock_leads_away_from_a_switch() {
+    printf '0,0,4,0,8,0,12,0\n' >"$tmp/right.csv"
+    machine high --speed fast --limits x+=5 --walls x+=9
+    run 75 "$loft" stream "$tmp/right.csv" --port "$tmp/high" --feed 20
+    run 0 "$loft" unlock --port "$tmp/high"
+    says out '^free: the tool is at [34]\.[0-9]* 0.000 0.000$'
+    run 0 "$loft" unlock --port "$tmp/high"; says out '^no switch is closed'
+    machine uno --speed fast --limits x+=5 --shared
+    run 75 "$loft" stream "$tmp/right.csv" --port "$tmp/uno" --feed 20
+    one_line 69 'at which end is not known: name the way out, as `loft unlock x+`' \
+        "$loft" unlock --port "$tmp/uno"
+    one_line 69 'x: its switch .* stays closed over 12 mm' "$loft" unlock x+ --port "$tmp/uno"
+    one_line 69 'x: its switch .* stays closed over 12 mm' "$loft" unlock x- --port "$tmp/uno"
+    run 0 "$loft" unlock x- --port "$tmp/uno"; says out '^free: the tool is at [34]\.[0-9]* '
+    one_line 64 'x: name one way out' "$loft" unlock x --port "$tmp/uno"
 }
 case_a_drawing_that_leaves_the_table() {
     # an arch: x 10..50, y 0..30, though its control points reach to 40

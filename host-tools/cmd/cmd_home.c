@@ -1,0 +1,334 @@
+/* host-tools/cmd/cmd_home.c -- loft home, loft unlock: finds the switches of the axes, and leaves
+ * them
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tool.h"
+#include "send/mover.h"
+
+#define FILTER 10               /* ms: longer than contacts bounce */
+#define AGAIN  2                /* how far to touch again, in home_back */
+#define FREE   4                /* how far to back off from a closed switch, in home_back */
+
+/* One axis and its switch. */
+typedef struct {
+    mover *v;
+    int axis;
+    double sign;                /* towards the switch */
+    uint16_t own, other;        /* the inputs at this end and at the other */
+} homing;
+
+static const char *end_name(const homing *h) { return h->sign < 0 ? "low" : "high"; }
+
+static double back_of(const homing *h) { return h->v->p.machine.home_back[h->axis]; }
+
+static homing homing_of(mover *v, int axis)
+{
+    const bool high = v->p.machine.home_end[axis] > 0;
+    const uint16_t low_end = LOFT_INPUT_LOW(axis), high_end = LOFT_INPUT_HIGH(axis);
+
+    return (homing){ v, axis, high ? 1 : -1, high ? high_end : low_end, high ? low_end : high_end };
+}
+
+/* Move the axis by `by` mm, positive: towards the switch. */
+static int move_axis(const homing *h, double by, double feed, const loft_guard *guard,
+                     mover_outcome *out)
+{
+    mover *v     = h->v;
+    mover_move m = { .feed = feed };
+
+    memcpy(m.to, v->at, sizeof m.to);
+    m.to[h->axis] += h->sign * by;
+    m.away = v->t.sender.closed & LOFT_INPUT_ENDING;
+    if (guard)
+        m.guard = *guard;
+    return mover_go(v, &m, out);
+}
+
+/* Leave the closed switch. A machine that does not report which end is closed has one pin for both;
+ * the way is then away from the homing switch. */
+static int leave_switch(const homing *h)
+{
+    const loft_guard opens = { h->own, LOFT_GUARD_OPENS, FILTER };
+    const double most      = FREE * back_of(h);
+    mover_outcome out;
+    int code = move_axis(h, -most, h->v->p.machine.home_touch[h->axis], &opens, &out);
+
+    if (code == 0 && out.how == MOVER_ARRIVED)
+        code = tool_error(
+            EX_UNAVAILABLE,
+            "%c: its switch at the %s end stays closed over %g mm: is it stuck, wired "
+            "the other way, or does the motor turn the wrong way?",
+            "xyz"[h->axis], end_name(h), most);
+    return code ? code : mover_ready(h->v);
+}
+
+static int look_for(const homing *h, double distance, double feed, mover_outcome *out)
+{
+    const uint16_t ends = h->own | (h->v->t.sender.closed & h->other ? 0 : h->other);
+    const loft_guard closes = { ends, 0, FILTER };
+    int code = move_axis(h, distance, feed, &closes, out);
+
+    if (code == 0 && out->how == MOVER_ARRIVED)
+        code = tool_error(EX_UNAVAILABLE,
+                          "%c: no switch at the %s end within %.6g mm: look at switch, wire and "
+                          "motor, or give a larger %c.home_search",
+                          "xyz"[h->axis], end_name(h), distance, "xyz"[h->axis]);
+    else if (code == 0 && !(out->by & h->own))
+        code = tool_error(
+            EX_UNAVAILABLE,
+            "%c: looking for the switch at the %s end, the other one closed: the motor "
+            "turns the wrong way, or give the other %c.home_end",
+            "xyz"[h->axis], end_name(h), "xyz"[h->axis]);
+    return code ? code : mover_ready(h->v);
+}
+
+/* Back off from the switch that was found at `out`, to `back` mm before it. */
+static int back_off(const homing *h, const mover_outcome *out)
+{
+    const double beyond = h->sign * (h->v->at[h->axis] - out->latched[h->axis]);
+    mover_outcome moved;
+    int code = move_axis(h, -(beyond + back_of(h)), h->v->p.machine.home_seek[h->axis], NULL,
+                         &moved);
+
+    if (code == 0)
+        code = mover_ready(h->v);
+    if (code == 0 && h->v->t.sender.closed & h->own)
+        code = tool_error(EX_UNAVAILABLE,
+                          "%c: its switch at the %s end stays closed %g mm before it: is it stuck? "
+                          "or give a larger %c.home_back",
+                          "xyz"[h->axis], end_name(h), back_of(h), "xyz"[h->axis]);
+    return code;
+}
+
+/* Touch the switch `times` times. *spread: the steps between the first and the last place. */
+static int touch_switch(const homing *h, unsigned times, mover_outcome *out, int *spread)
+{
+    const double feed = h->v->p.machine.home_touch[h->axis];
+    int32_t least[LOFT_AXES], most[LOFT_AXES];
+    int code = 0;
+
+    for (unsigned i = 0; i < times && code == 0; i++) {
+        if (i > 0)
+            code = back_off(h, out);
+        if (code == 0)
+            code = look_for(h, AGAIN * back_of(h), feed, out);
+        for (int k = 0; k < LOFT_AXES && code == 0; k++) {
+            least[k] = i == 0 || out->steps[k] < least[k] ? out->steps[k] : least[k];
+            most[k]  = i == 0 || out->steps[k] > most[k] ? out->steps[k] : most[k];
+            *spread  = most[k] - least[k] > *spread ? most[k] - least[k] : *spread;
+        }
+    }
+    return code;
+}
+
+/* Say where the tool is: the switch, where it was latched, is at its place. */
+static int set_axis(const homing *h, const mover_outcome *out)
+{
+    double at[ENGINE_AXES];
+
+    memcpy(at, h->v->at, sizeof at);
+    at[h->axis] += machine_home_at(&h->v->p.machine, h->axis) - out->latched[h->axis];
+    const double moved = at[h->axis] - h->v->at[h->axis];
+    const int code     = mover_place(h->v, at);
+    mover_outcome now  = *out;
+    now.latched[h->axis] += moved;
+    return code ? code : back_off(h, &now);
+}
+
+static int home_axis(mover *v, int axis, unsigned touches)
+{
+    const homing h        = homing_of(v, axis);
+    const machine_file *m = &v->p.machine;
+    const double search   = machine_home_search(m, axis), from = v->at[axis];
+    mover_outcome out;
+    int spread = 0, code = 0;
+
+    if (!(search > 0))
+        return tool_error(
+            EX_CONFIG,
+            "%c: how far is its switch at most? give %c.travel, or %c.home_search, in "
+            "the machine file",
+            "xyz"[axis], "xyz"[axis], "xyz"[axis]);
+    if (v->t.sender.closed & h.own)
+        code = leave_switch(&h);
+    if (code == 0)
+        code = look_for(&h, search, m->home_seek[axis], &out);
+    const double way = code == 0 ? fabs(out.latched[axis] - from) : 0;
+    if (code == 0)
+        code = back_off(&h, &out);
+    if (code == 0)
+        code = touch_switch(&h, touches, &out, &spread);
+    if (code == 0)
+        code = set_axis(&h, &out);
+    if (code == 0)
+        printf("%c: its switch at the %s end, after %.3f mm, is at %.3f: %u touch%s within %d "
+               "step%s\n",
+               "xyz"[axis], end_name(&h), way, machine_home_at(m, axis), touches,
+               touches == 1 ? "" : "es", spread, tool_s((size_t)spread));
+    fflush(stdout);
+    return code;
+}
+
+static int check_machine(const mover *v)
+{
+    const machine_file *m = &v->p.machine;
+
+    if (m->k.kind != ENGINE_CARTESIAN && m->k.kind != ENGINE_COREXY)
+        return tool_error(EX_CONFIG,
+                          "kinematics = %s: only a cartesian, corexy or hbot machine can be homed: "
+                          "move it by hand, then `loft zero`",
+                          kinematics_name(&m->k));
+    if (!(v->t.sender.machine.kinds & LOFT_TAKES_GUARDS))
+        return tool_error(EX_CONFIG,
+                          "%s: this machine cannot look for a switch: give it a newer firmware",
+                          v->port);
+    return 0;
+}
+
+/* The axes in their order; without an order, those that are asked for come last. */
+static int home_axes(mover *v, const bool axis[ENGINE_AXES], unsigned touches)
+{
+    char text[96];
+    int code = check_machine(v);
+
+    for (int order = 1; order <= 4 && code == 0; order++)
+        for (int i = 0; i < ENGINE_AXES && code == 0; i++) {
+            const double own = v->p.machine.home_order[i];
+            if (axis[i] && (own > 0 ? own : 4) == order)
+                code = home_axis(v, i, touches);
+        }
+    if (code == 0)
+        printf("homed: the tool is at %s\n", mover_text(v->at, text));
+    return code;
+}
+
+/* The axes of the file, or those of the argument. */
+static int choose_axes(const mover *v, const char *text, bool axis[ENGINE_AXES])
+{
+    bool any = false;
+
+    if (text)
+        return mover_axes(text, axis);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        any = (axis[i] = v->p.machine.home_order[i] > 0) || any;
+    return any ? 0
+               : tool_error(EX_CONFIG, "no axis has a switch for homing: give z.home_order = 1, "
+                                       "x.home_order = 2 .. in the machine file");
+}
+
+static int run_home(const tool_command *self, int argc, char **argv)
+{
+    bool axis[ENGINE_AXES] = { false };
+    unsigned touches       = 2;
+    mover v;
+    int first, code = mover_start(&v, argc, argv);
+
+    if (code != 0)
+        return code;
+    const tool_option options[] = { MOVER_OPTIONS(v),
+                                    TOOL_COUNT("touches", "N", &touches, 1, 20,
+                                               "how often each switch is touched slowly (2)"),
+                                    TOOL_OPTIONS_END };
+    code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (first + 1 < argc)
+        return tool_error(EX_USAGE, "%s: name the axes in one word, as xy", argv[first + 1]);
+    code = choose_axes(&v, first < argc ? argv[first] : NULL, axis);
+    if (code == 0)
+        code = mover_open(&v);
+    if (code == 0)
+        code = home_axes(&v, axis, touches);
+    mover_close(&v);
+    return code;
+}
+
+const tool_command command_home = {
+    "home", "[AXES] --port PORT", "find the switches of the axes, and know where the tool is",
+    "AXES are letters, as xy or z; without them those with a home_order in the machine file, in\n"
+    "this order. Each axis seeks its switch, backs off, touches it slowly, and is then home_back\n"
+    "before it. Guard the first run with a hand at the power switch.\n",
+    run_home
+};
+
+
+// Unlock
+// ------
+
+/* `x+`: away from the switch is plus. */
+static int unlock_axis(mover *v, int axis, double sign)
+{
+    const uint16_t ends = v->t.sender.closed & LOFT_INPUT_ENDS(axis);
+    const homing h = { v, axis, -sign, ends, 0 };
+
+    return leave_switch(&h);
+}
+
+static int unlock_axes(mover *v, int axis, double sign)
+{
+    char text[256], at[96];
+    int code = check_machine(v);
+
+    if (code == 0 && (v->t.sender.closed & LOFT_INPUT_ENDING) == 0) {
+        printf("no switch is closed: the machine is free\n");
+        return 0;
+    }
+    if (code == 0 && v->t.sender.closed & LOFT_INPUT_STOP)
+        return tool_error(EX_UNAVAILABLE, "%s: the emergency stop is closed: open it", v->port);
+    for (int i = 0; i < ENGINE_AXES && code == 0; i++) {
+        const uint16_t ends = v->t.sender.closed & LOFT_INPUT_ENDS(i);
+        if (ends == 0)
+            continue;
+        if (ends == LOFT_INPUT_ENDS(i) && axis != i)
+            return tool_error(EX_UNAVAILABLE,
+                              "%s: %s is closed, at which end is not known: name the way out, as "
+                              "`loft unlock %c+`",
+                              v->port, talk_inputs(ends, text), "xyz"[i]);
+        code = unlock_axis(v, i, axis == i ? sign : ends == LOFT_INPUT_LOW(i) ? 1 : -1);
+    }
+    if (code == 0 && v->t.sender.closed & LOFT_INPUT_ENDING)
+        return tool_error(EX_UNAVAILABLE, "%s: %s is still closed", v->port,
+                          talk_inputs(v->t.sender.closed, text));
+    if (code == 0)
+        printf("free: the tool is at %s\n", mover_text(v->at, at));
+    return code;
+}
+
+static int run_unlock(const tool_command *self, int argc, char **argv)
+{
+    mover v;
+    int first, axis = -1, code = mover_start(&v, argc, argv);
+    double sign = 1;
+
+    if (code != 0)
+        return code;
+    const tool_option options[] = { MOVER_OPTIONS(v), TOOL_OPTIONS_END };
+    code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (first < argc) {
+        const char *word = argv[first], *known = strchr("xyz", word[0]);
+        if (first + 1 < argc || word[0] == '\0' || known == NULL || strlen(word) != 2 ||
+            (word[1] != '+' && word[1] != '-'))
+            return tool_error(EX_USAGE, "%s: name one way out, as x+ or y-", word);
+        axis = (int)(known - "xyz");
+        sign = word[1] == '+' ? 1 : -1;
+    }
+    code = mover_open(&v);
+    if (code == 0)
+        code = unlock_axes(&v, axis, sign);
+    mover_close(&v);
+    return code;
+}
+
+const tool_command command_unlock = {
+    "unlock", "[AXIS+|AXIS-] --port PORT", "lead the tool away from a closed limit switch",
+    "Where one switch serves both ends of its axis, name the way out, as x+. It moves slowly, at\n"
+    "most four times home_back, and ends where the switch has opened.\n",
+    run_unlock
+};
