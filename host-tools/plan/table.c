@@ -71,15 +71,20 @@ static table_box box_of_path(const table_box *drawn, const toolpath *path)
     return b;
 }
 
+void table_ends(const machine_file *m, int axis, double *least, double *most)
+{
+    const bool limited = m->travel[axis] > 0;
+
+    *least = limited ? m->min[axis] : -HUGE_VAL;
+    *most  = limited ? m->min[axis] + m->travel[axis] : HUGE_VAL;
+}
+
 static table_box box_of_table(const machine_file *m)
 {
     table_box b;
 
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        const bool limited = m->travel[i] > 0;
-        b.least[i] = limited ? m->min[i] : -HUGE_VAL;
-        b.most[i] = limited ? m->min[i] + m->travel[i] : HUGE_VAL;
-    }
+    for (int i = 0; i < ENGINE_AXES; i++)
+        table_ends(m, i, &b.least[i], &b.most[i]);
     return b;
 }
 
@@ -154,4 +159,17 @@ int table_check(const machine_file *m, const char *file, const drawing *d, const
     remedy_words(&drawn, &table, tol, remedy, sizeof remedy);
     return tool_error(EX_DATAERR, "%s: takes the tool to %s, and the table is %s: %s",
                       source_name(file), takes, ends, remedy);
+}
+
+int table_place(const machine_file *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES],
+                double tol)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        double least, most;
+        table_ends(m, i, &least, &most);
+        if (to[i] < fmin(least - tol, from[i]) || to[i] > fmax(most + tol, from[i]))
+            return tool_error(EX_DATAERR, "%c %.6g is beyond the table, %.6g..%.6g: stay on it",
+                              "xyz"[i], to[i], least, most);
+    }
+    return 0;
 }

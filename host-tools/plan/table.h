@@ -17,4 +17,12 @@
 int table_check(const machine_file *m, const char *file, const drawing *d, const toolpath *path,
                 double tol);
 
+/* Check a straight move of the tool. An axis that begins outside may return, or stay. Returns
+ * as above. */
+int table_place(const machine_file *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES],
+                double tol);
+
+/* The ends of the table on an axis; infinite without a travel. */
+void table_ends(const machine_file *m, int axis, double *least, double *most);
+
 #endif

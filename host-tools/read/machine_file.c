@@ -48,6 +48,9 @@ static const row rows[] = {
     { "home_touch", "mm/s", AT(home_touch), true, false, false, 1 / 64.0, 1000, 0, { 0 } },
     { "home_back", "mm", AT(home_back), true, false, false, 0.01, 100, 0, { 0 } },
     { "home_search", "mm", AT(home_search), true, false, false, 0, 16383, 0, { 0 } },
+    { "park", "mm", AT(park), true, false, false, -16383, 16383, 0, { 0 } },
+    { "pen_up", "mm", AT(pen_up), false, false, false, -16383, 16383, 0, { 0 } },
+    { "pen_down", "mm", AT(pen_down), false, false, false, -16383, 16383, 0, { 0 } },
     { "tick_hz", "ticks/s", AT(tick_hz), false, true, false, 50, 50000, 0, { 0 } },
     { "slots", "per tick", AT(slots), false, true, false, 1, 4096, 0, { 0 } },
     { "ramp", "ticks", AT(ramp), false, true, false, 1, 32767, 0, { 0 } },
@@ -90,6 +93,7 @@ machine_file machine_usual(void)
 {
     machine_file m = { .corner = 0.01,
                        .tol = 0.005,
+                       .pen_up = 1,
                        .tick_hz = 1000,
                        .slots = 40,
                        .ramp = 100,

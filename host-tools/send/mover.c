@@ -50,7 +50,7 @@ int mover_open(mover *v)
 {
     if (v->port == NULL)
         return tool_error(EX_USAGE, "no --port: name the machine's port");
-    keys_start(false);
+    keys_start(v->keys);
     const int code = talk_open(&v->t, v->port, v->baud, v->wait, v->log);
     return code ? code : look(v);
 }

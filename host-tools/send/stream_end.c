@@ -170,15 +170,17 @@ static int report_hindered(const talk *t, const job *j)
     if (!began)
         return tool_error(
             EX_UNAVAILABLE,
-            "%s: %s is closed: move away by hand, or with a drawing that leads away and --away",
+            "%s: %s is closed: move away by hand, with `loft unlock`, or with a drawing that leads "
+            "away and --away",
             t->port, by ? talk_inputs(by, text) : "an input");
-    return tool_error(EX_TEMPFAIL,
-                      "%s: %s closed and ended the job after %u%s items: the machine is stopped on "
-                      "the path at %s mm, steps %s; "
-                      "move away by hand, or with a drawing that leads away and --away",
-                      t->port, talk_inputs(by, text), (unsigned)s->report.items, job_of(j, of),
-                      place_text(s, j->k, s->report.position, at),
-                      steps_text(s->report.position, steps));
+    return tool_error(
+        EX_TEMPFAIL,
+        "%s: %s closed and ended the job after %u%s items: the machine is stopped on "
+        "the path at %s mm, steps %s; "
+        "move away by hand, with `loft unlock`, or with a drawing that leads away and "
+        "--away",
+        t->port, talk_inputs(by, text), (unsigned)s->report.items, job_of(j, of),
+        place_text(s, j->k, s->report.position, at), steps_text(s->report.position, steps));
 }
 
 static int report_refused(const talk *t, const job *j)
