@@ -133,7 +133,7 @@ build/test/tools/%: tests/tools/test_%.c build/test/tools/libtools.a build/test/
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ \
 	    $(filter %.c,$^) $(filter %.a,$^) \
-	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o $@
+	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo) -lm -o $@
 -include $(TOOL_TESTED_OBJ:.o=.d) $(patsubst %,build/test/tools/%.d,$(TOOL_TESTS))
 .PRECIOUS: build/test/tools/%.o
 
@@ -148,7 +148,7 @@ build/gcode/canon: tests/gcode/canon.c build/test/tools/libtools.a build/test/f6
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -MF $@.d -MT $@ $(filter %.c %.a,$^) \
-	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o $@
+	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo) -lm -o $@
 
 NC_FILES := $(wildcard /usr/share/linuxcnc/ncfiles)
 GCODE_CASES ?= 1000
@@ -231,7 +231,7 @@ build/fuzz/tools.a: $(patsubst %.c,build/fuzz/tools/%.o,$(TOOL_TESTED) $(LIB_SRC
 define fuzz_reader
 	@mkdir -p build/fuzz/$(1)
 	clang $(FUZZED) -Itests -fsanitize=fuzzer tests/$(2)/fuzz_$(1).c $< \
-	    $(shell pkg-config --libs libxml-2.0 zlib cairo) -lm -o build/fuzz/$(1)_fuzz
+	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo) -lm -o build/fuzz/$(1)_fuzz
 	build/fuzz/$(1)_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \
 	    -print_final_stats=1 build/fuzz/$(1) tests/$(2)/seeds
 endef

@@ -16,7 +16,7 @@ typedef struct {
     bool upright;           /* turned by 90 degrees if it fits better so */
     tool_list scale, at;
     const char *mirror;     /* "x", "y" or NULL */
-    const char *layers;     /* drawing.h */
+    const char *layers, *text;      /* drawing.h */
     bool fit, centre, crop;
     double margin, gap;     /* mm */
     unsigned copies[2];     /* across, up; 0: one */
@@ -26,6 +26,9 @@ typedef struct {
 #define PAGE_OPTIONS(g)                                                                            \
     TOOL_TEXT("layer", "NAME,..", &(g)->layers,                                                    \
               "of SVG: draw only these layers of Inkscape, by name or first number (all)"),        \
+        TOOL_TEXT("text", "HOW", &(g)->text,                                                           \
+              "of SVG: outline, line or line:FONT: letters of single lines, as line:rowmans; "     \
+              "none (outline)"),                                                                   \
         TOOL_PARSED("page", "SIZE", g, page_parse_size,                                            \
                 "the page: A4, A4-landscape, Letter .., 210x297 mm, 8.5x11in (the file's)"),       \
         TOOL_NUMBER("margin", "MM", &(g)->margin, 0, 8000,                                         \

@@ -88,6 +88,7 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
     d->dialect   = p->dialect;
     d->from_line = p->from_line;
     d->layers    = p->sheet.layers;
+    d->text      = p->sheet.text;
     int code = drawing_read(d, file);
     if (code == 0)
         code = page_apply(&p->sheet, d, file);

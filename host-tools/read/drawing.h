@@ -36,6 +36,8 @@ typedef struct {
     double clear;           /* then the height of the way to the first one: that of the whole
                              * program */
     const char *layers;     /* of SVG: draw only these, as "Ink,2"; NULL: all; set before reading */
+    const char *text;       /* of SVG: "outline", "line", "line:rowmans", "none"; NULL: outline; set
+                             * before reading */
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */
 } drawing;
 

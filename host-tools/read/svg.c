@@ -1,8 +1,8 @@
 /* host-tools/read/svg.c -- the SVG document: elements, viewports, <use>, hidden elements
  * SPDX-License-Identifier: MIT
  *
- * It draws path, rect, circle, ellipse, line, polyline and polygon, within g, a, svg, switch and
- * use. What it cannot draw (text, pictures, clipping) is reported once. An error in the file ends
+ * It draws path, rect, circle, ellipse, line, polyline, polygon and text, within g, a, svg, switch
+ * and use. What it cannot draw (pictures, clipping) is reported once. An error in the file ends
  * the reading, with its line.
  */
 #include <stdio.h>
@@ -203,15 +203,14 @@ static void warn_of(svg_reader *r, const svg_style *style)
     }
 }
 
-/* Read the style of the current element into `space`; *shown: some of it is visible. `scope` must
- * outlive `space`, and must be closed. */
-static bool enter_element(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
+bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
 {
     svg_style style;
 
     svg_style_open(r, &style, scope, space->scope);
     space->scope = style.scope;
     *shown = is_displayed(r, &style, space);
+    svg_font_enter(r, &style, space);
     const bool good = !*shown || enter_transform(r, &style, space);
     if (good && *shown)
         warn_of(r, &style);
@@ -224,12 +223,10 @@ static bool enter_element(svg_reader *r, svg_space *space, svg_scope *scope, boo
 
 static void warn_undrawn(svg_reader *r, const svg_space *space)
 {
-    static const char *const texts[]    = { "text", "flowRoot", NULL };
     static const char *const pictures[] = { "image", "foreignObject", NULL };
 
-    if (space->visible && is_one_of(r->node, texts))
-        svg_warn(r, SVG_WARN_TEXT, "<%s> is not drawn: convert text to paths",
-                 (const char *)r->node->name);
+    if (space->visible && svg_is(r->node, "flowRoot"))
+        svg_warn(r, SVG_WARN_TEXT, "<flowRoot> is not drawn: convert text to paths");
     if (space->visible && is_one_of(r->node, pictures))
         svg_warn(r, SVG_WARN_PICTURE, "<%s> is not drawn: trace pictures to paths",
                  (const char *)r->node->name);
@@ -464,7 +461,7 @@ static int compare_ids(const void *a, const void *b)
     return strcmp(((const svg_named *)a)->id, ((const svg_named *)b)->id);
 }
 
-static const xmlNode *find_id(const svg_reader *r, const char *id)
+const xmlNode *svg_find(const svg_reader *r, const char *id)
 {
     const svg_named key = { (char *)(size_t)id, NULL };
     const svg_named *found = r->named_count
@@ -474,7 +471,7 @@ static const xmlNode *find_id(const svg_reader *r, const char *id)
     return found ? found->node : NULL;
 }
 
-static char *use_reference(const xmlNode *node)
+char *svg_reference(const xmlNode *node)
 {
     char *href = svg_attribute(node, "href");
 
@@ -486,7 +483,7 @@ static char *use_reference(const xmlNode *node)
 /* The target of the current <use>; NULL, after a warning, if there is none. */
 static const xmlNode *use_target(svg_reader *r)
 {
-    char *href = use_reference(r->node);
+    char *href = svg_reference(r->node);
     const xmlNode *target = NULL;
 
     if (href == NULL)
@@ -497,7 +494,7 @@ static const xmlNode *use_target(svg_reader *r)
                  "<use> of \"%.60s\" is not drawn, it is not in this file: copy it in, "
                  "and name it as \"#id\"",
                  href);
-    else if ((target = find_id(r, href + 1)) == NULL)
+    else if ((target = svg_find(r, href + 1)) == NULL)
         svg_warn(r, SVG_WARN_USE_MISSING, "<use> of \"%.60s\" is not drawn, no element has this id",
                  href);
     xmlFree(href);
@@ -513,7 +510,7 @@ static bool is_in_chain(const use_chain *chain, const xmlNode *target)
 
 static bool fail_circular_use(const svg_reader *r)
 {
-    char *href = use_reference(r->node);
+    char *href = svg_reference(r->node);
 
     svg_fail(r, "\"%.60s\" uses itself: break the cycle", href);
     xmlFree(href);
@@ -529,7 +526,7 @@ static bool draw_use_viewport(svg_reader *r, const xmlNode *node, svg_space spac
     bool shown;
 
     r->node = chain->target;
-    bool good = enter_element(r, &space, &scope, &shown);
+    bool good = svg_enter(r, &space, &scope, &shown);
     if (good && shown) {
         good = move_origin(r, &space) && read_sizes(r, &space, &width, &height);
         r->node = node;
@@ -576,6 +573,8 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
         return draw_switch(r, node, space, chain);
     if (r->d->layers != NULL && r->chosen == 0)
         return true;
+    if (svg_is(node, "text"))
+        return svg_text(r, &space);
     warn_undrawn(r, &space);
     if (!space.visible)
         return true;
@@ -603,7 +602,7 @@ static bool draw_in_space(svg_reader *r, const xmlNode *node, svg_space space,
                           const use_chain *chain)
 {
     svg_scope scope;
-    bool shown, good = enter_element(r, &space, &scope, &shown);
+    bool shown, good = svg_enter(r, &space, &scope, &shown);
     const double area = space.to_mm.a * space.to_mm.d - space.to_mm.b * space.to_mm.c;
 
     if (good && shown && area != 0)     /* flattened to a line or a point: SVG draws nothing */
@@ -652,7 +651,8 @@ static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg
                           .fill = true,
                           .fill_opaque = true,
                           .stroke_opaque = true,
-                          .stroke_wide = true };
+                          .stroke_wide = true,
+                          .font = svg_font_usual() };
     r->node = root;
     if (!svg_view_box(r, box, &given))
         return false;
@@ -673,7 +673,7 @@ static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg
     space->to_mm = (svg_matrix){ MM_PER_PX, 0, 0, -MM_PER_PX, 0, r->d->height };
     space->width = space->height = -1;
     bool shown;
-    const bool good = enter_element(r, space, scope, &shown);
+    const bool good = svg_enter(r, space, scope, &shown);
     *empty = !shown;
     return good && (*empty || enter_viewport(r, space, width, height, empty));
 }
@@ -692,13 +692,25 @@ static void shift_to_origin(drawing *d)
         }
 }
 
+/* Is --text one of its words? */
+static bool check_text(const svg_reader *r)
+{
+    const char *text = r->d->text;
+
+    if (text == NULL || strcmp(text, "outline") == 0 || strcmp(text, "line") == 0 ||
+        strncmp(text, "line:", 5) == 0 || strcmp(text, "none") == 0)
+        return true;
+    return svg_fail(r, "--text %.40s: give outline, line, line:FONT or none", text);
+}
+
 bool svg_draw(svg_reader *r, const xmlNode *root)
 {
     svg_scope scope = { .up = NULL };
     svg_space space;
     bool empty;
     r->node = root;
-    const bool good = check_layers(r, root) && enter_page(r, root, &space, &scope, &empty) &&
+    const bool good = check_layers(r, root) && check_text(r) &&
+                      enter_page(r, root, &space, &scope, &empty) &&
                       (empty || draw_children(r, root, space, NULL));
 
     svg_scope_close(&scope);

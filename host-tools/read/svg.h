@@ -8,6 +8,10 @@
  *     svg_space.c  transforms, lengths with units, viewBox
  *     svg_style.c  properties from attributes, style="" and style sheets; var()
  *     svg_sheet.c  the rules of style sheets
+ *     svg_text.c   text: letters, their places, runs     -> shaped glyphs -> pen
+ *     svg_font.c   properties of fonts
+ *     svg_glyphs.c outlines of any installed font (pango, cairo)
+ *     svg_lines.c  letters of single lines (Hershey's fonts)
  *
  * Functions that return bool print one line with file and line, and return false, if the file is
  * invalid. Then the reading ends: a machine shall not draw half of a broken drawing.
@@ -18,6 +22,8 @@
 #include <libxml/hash.h>
 #include <libxml/tree.h>
 #include <stdbool.h>
+
+#include <libxml/dict.h>        /* needs tree.h */
 
 #include "read/drawing.h"
 
@@ -41,6 +47,9 @@ typedef struct {
 
 #define SVG_EFFORT_MAX   100000000u /* rules tried on elements: a few seconds */
 
+typedef struct svg_fonts svg_fonts;     /* the fonts that were opened, see svg_glyphs.c */
+typedef struct svg_lines svg_lines;     /* and see svg_lines.c */
+
 /* One reading of one file. */
 typedef struct {
     drawing *d;
@@ -53,6 +62,10 @@ typedef struct {
     unsigned visited, depth;    /* drawn elements, to stop a flood of <use>; nesting */
     unsigned warned;            /* bits, see svg_warn                                     */
     unsigned chosen;            /* layers around the current element that are to be drawn */
+    xmlDictPtr words;           /* names of fonts */
+    svg_fonts *fonts;
+    svg_lines *lines;
+    unsigned letters;           /* that were drawn, to stop a flood of them */
 } svg_reader;
 
 /* Where the custom properties --name of an element are found: on the element, or on its
@@ -67,6 +80,32 @@ typedef struct svg_scope {
     xmlHashTablePtr own;        /* of style="" */
 } svg_scope;
 
+enum svg_anchor { SVG_ANCHOR_START, SVG_ANCHOR_MIDDLE, SVG_ANCHOR_END };
+enum svg_baseline {
+    SVG_ALPHABETIC,
+    SVG_MIDDLE,                 /* half of the height of an x */
+    SVG_CENTRAL,                /* between ascent and descent */
+    SVG_HANGING,
+    SVG_TOP,
+    SVG_BOTTOM
+};
+
+/* How text looks. Lengths are in user units. */
+typedef struct {
+    const char *family;         /* a list with commas; NULL: any */
+    double size;
+    int weight;                 /* 1 .. 1000 */
+    int slant;                  /* 0: upright, 1: oblique, 2: italic */
+    int stretch;                /* -4 .. 4 */
+    bool small_caps, underlined, overlined, struck;
+    double letter, word;        /* spacing */
+    double shift;               /* of the baseline, upwards */
+    enum svg_anchor anchor;
+    enum svg_baseline baseline;
+    bool leftwards;             /* direction: rtl */
+    bool keeps_space;           /* xml:space="preserve", white-space: pre */
+} svg_font;
+
 /* The space in which an element is drawn. */
 typedef struct {
     svg_matrix to_mm;
@@ -75,6 +114,7 @@ typedef struct {
     bool fill, fill_opaque;                 /* an element with neither fill nor stroke is */
     bool stroke, stroke_opaque, stroke_wide;/* invisible and not drawn */
     bool clipped;               /* the element is clipped by its viewport */
+    svg_font font;
     const svg_scope *scope;
 } svg_space;
 
@@ -90,6 +130,15 @@ bool svg_is(const xmlNode *node, const char *name);
 /* Draw everything in the outermost <svg>. */
 bool svg_draw(svg_reader *r, const xmlNode *root);
 
+/* Read the style of the current element into `space`; *shown: some of it is visible. `scope` must
+ * outlive `space`, and must be closed. */
+bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown);
+
+/* What the current element refers to by href, or NULL; free with xmlFree. And the element with an
+ * id, or NULL. */
+char *svg_reference(const xmlNode *node);
+const xmlNode *svg_find(const svg_reader *r, const char *id);
+
 
 // Messages
 // --------
@@ -103,6 +152,9 @@ bool svg_fail(const svg_reader *r, const char *format, ...) __attribute__((forma
 enum svg_warning {
     SVG_WARN_SELECTOR,
     SVG_WARN_TEXT,
+    SVG_WARN_LETTER,
+    SVG_WARN_LINE,
+    SVG_WARN_UPRIGHT,
     SVG_WARN_PICTURE,
     SVG_WARN_CLIP_PATH,
     SVG_WARN_MASK,
@@ -146,6 +198,23 @@ enum svg_property {
     SVG_MARKER_START,
     SVG_MARKER_MID,
     SVG_MARKER_END,
+    SVG_FONT,
+    SVG_FONT_FAMILY,
+    SVG_FONT_SIZE,
+    SVG_FONT_STYLE,
+    SVG_FONT_WEIGHT,
+    SVG_FONT_STRETCH,
+    SVG_FONT_VARIANT,
+    SVG_LETTER_SPACING,
+    SVG_WORD_SPACING,
+    SVG_TEXT_ANCHOR,
+    SVG_TEXT_DECORATION,
+    SVG_BASELINE,
+    SVG_BASELINE_OWN,
+    SVG_BASELINE_SHIFT,
+    SVG_DIRECTION,
+    SVG_WHITE_SPACE,
+    SVG_WRITING_MODE,
     SVG_PROPERTIES
 };
 
@@ -175,7 +244,7 @@ void svg_names_free(xmlHashTablePtr names);
 /* Everything that style sheets and style="" set for the current element. */
 typedef struct {
     svg_value value[SVG_PROPERTIES];
-    unsigned attributes;        /* bits: the element has the attribute */
+    unsigned long long attributes;  /* bits: the element has the attribute */
     char *text;                 /* of style="" */
     const svg_scope *scope;
 } svg_style;
@@ -218,6 +287,14 @@ bool svg_origin(const svg_reader *r, const svg_space *space, const char *text, d
 bool svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
                 double absent, double *out);
 
+/* Read a list of them; *count tells how many, at most `room`. */
+bool svg_lengths(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
+                 double out[], size_t room, size_t *count);
+
+/* A length of CSS. `hundred` is what 100 % are. Returns false, and leaves *out alone, for anything
+ * else. */
+bool svg_css_length(const svg_space *space, const char *text, double hundred, double *out);
+
 /* Read the numbers of the attribute `viewBox`; *given tells whether it exists. */
 bool svg_view_box(const svg_reader *r, double box[4], bool *given);
 
@@ -247,11 +324,60 @@ bool svg_arc(svg_pen *pen, double rx, double ry, double degrees, bool large, boo
 bool svg_close(svg_pen *pen);
 
 
+// Fonts
+// -----
+
+#define SVG_FONT_SIZE_USUAL 16.0
+
+/* Set the font of the outermost element; and apply the properties of the current one. */
+svg_font svg_font_usual(void);
+void svg_font_enter(svg_reader *r, const svg_style *style, svg_space *space);
+
+/* A part of an outline in em, y down: M and L have one point, C three, Z none. */
+typedef struct {
+    char kind;
+    double p[3][2];
+} svg_part;
+
+/* A glyph, or some that belong together. */
+typedef struct {
+    size_t from;                /* the byte at which its letters begin */
+    double advance;             /* em */
+    size_t first, count;        /* of its parts */
+} svg_cluster;
+
+/* Text as glyphs, from left to right. Free with svg_shaped_free. */
+typedef struct {
+    svg_cluster *cluster;
+    svg_part *part;
+    size_t clusters, cluster_room, parts, part_room;
+    double ascent, descent;     /* em, of the first font, both positive */
+    double underline, thickness;/* em: the middle of a line, downwards */
+    bool missing;               /* a letter is in no font */
+} svg_shaped;
+
+void svg_shaped_add(svg_shaped *s, size_t from, double advance);
+void svg_shaped_part(svg_shaped *s, char kind, const double p[], int points);
+void svg_shaped_free(svg_shaped *s);
+
+/* Shape `length` bytes of UTF-8: outlines of an installed font, or single lines. Return false
+ * without any; svg_lines_shape also if a letter has no lines. */
+bool svg_glyphs_shape(svg_reader *r, const svg_font *font, const char *text, size_t length,
+                      svg_shaped *out);
+bool svg_lines_shape(svg_reader *r, const svg_font *font, const char *text, size_t length,
+                     svg_shaped *out);
+void svg_glyphs_close(svg_fonts *fonts);
+void svg_lines_close(svg_lines *lines);
+
+
 // Shapes
 // ------
 
 /* Draw the current element if it is a shape; *known tells whether it is one. */
 bool svg_shape(const svg_reader *r, const svg_space *space, bool *known);
+
+/* Draw the current element, a <text>. */
+bool svg_text(svg_reader *r, const svg_space *space);
 
 /* Draw path data. */
 bool svg_path(const svg_reader *r, const char *data, svg_pen *pen);

@@ -331,7 +331,7 @@ static xmlDocPtr parse_document(const char *text, size_t size, report *r)
 
 int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size)
 {
-    svg_reader r = { .d = d, .file = file };
+    svg_reader r = { .d = d, .file = file, .words = xmlDictCreate() };
     report problem;
     xmlDocPtr document = parse_document(text, size, &problem);
     const xmlNode *root = document ? xmlDocGetRootElement(document) : NULL;
@@ -354,6 +354,9 @@ int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size
         xmlFree(r.named[i].id);
     free(r.named);
     svg_sheet_free(r.sheet);
+    svg_glyphs_close(r.fonts);
+    svg_lines_close(r.lines);
+    xmlDictFree(r.words);
     if (document != NULL)
         xmlFreeDoc(document);
     return code;

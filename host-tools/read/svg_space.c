@@ -139,6 +139,36 @@ static const struct {
 } units[] = { { "", 1 },    { "px", 1 },         { "mm", 96 / 25.4 }, { "cm", 96 / 2.54 },
               { "in", 96 }, { "pt", 96 / 72.0 }, { "pc", 16 },        { "q", 96 / 101.6 } };
 
+/* The unit of a length in user units; 0: unknown. Those of fonts follow the font. */
+static double unit_of(const svg_space *space, const char *name, size_t length)
+{
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++)
+        if (strncasecmp(units[i].name, name, length) == 0 && units[i].name[length] == '\0')
+            return units[i].px;
+    return length == 2 && strncasecmp(name, "em", 2) == 0   ? space->font.size
+           : length == 2 && strncasecmp(name, "ex", 2) == 0 ? space->font.size / 2
+           : length == 3 && strncasecmp(name, "rem", 3) == 0 ? SVG_FONT_SIZE_USUAL
+                                                             : 0;
+}
+
+bool svg_css_length(const svg_space *space, const char *text, double hundred, double *out)
+{
+    const char *at = text;
+    double x;
+
+    scan_space(&at);
+    if (!scan_number(&at, &x))
+        return false;
+    const size_t length = strcspn(at, " \t\r\n\f");
+    const char *after = at + length;
+    const double unit   = *at == '%' && length == 1 ? hundred / 100 : unit_of(space, at, length);
+    scan_space(&after);
+    if (unit == 0 || *after != '\0' || !isfinite(x * unit))
+        return false;
+    *out = x * unit;
+    return true;
+}
+
 static bool percent_of_viewport(const svg_reader *r, const svg_space *space, const char *name,
                                 enum svg_side side, double *value)
 {
@@ -160,22 +190,19 @@ static bool percent_of_viewport(const svg_reader *r, const svg_space *space, con
 static bool one_length(const svg_reader *r, const svg_space *space, const char *name,
                        const char *text, enum svg_side side, const char **at, double *out)
 {
-    char unit[8] = "";
-    bool good = scan_number(at, out);
+    bool good        = scan_number(at, out), percent = false;
+    double unit      = 0;
 
     if (good) {
-        const size_t length = strcspn(*at, " \t\r\n\f");
-        good = length < sizeof unit;
-        memcpy(unit, *at, good ? length : 0);
+        const size_t length = strcspn(*at, ", \t\r\n\f");
+        unit    = unit_of(space, *at, length);
+        percent = length == 1 && **at == '%';
         *at += length;
         scan_space(at);
     }
-    size_t which = 0, count = sizeof units / sizeof units[0];
-    while (which < count && strcasecmp(unit, units[which].name) != 0)
-        which++;
-    if (good && which < count)
-        *out *= units[which].px;
-    else if (good && strcmp(unit, "%") == 0)
+    if (good && unit > 0)
+        *out *= unit;
+    else if (percent)
         good = percent_of_viewport(r, space, name, side, out);
     else
         good = svg_fail(r, "%s=\"%.40s\": give a number with px mm cm in pt pc Q or %%", name,
@@ -200,6 +227,25 @@ bool svg_length(const svg_reader *r, const svg_space *space, const char *name, e
         good = one_length(r, space, name, text, side, &at, out);
         if (good && *at != '\0')
             good = svg_fail(r, "%s=\"%.40s\": give one length", name, text);
+    }
+    xmlFree(text);
+    return good;
+}
+
+bool svg_lengths(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
+                 double out[], size_t room, size_t *count)
+{
+    char *text = svg_attribute(r->node, name);
+    const char *at = text;
+    bool good = true;
+
+    *count = 0;
+    if (text != NULL)
+        scan_space(&at);
+    while (good && text != NULL && *at != '\0' && *count < room) {
+        good = one_length(r, space, name, text, side, &at, &out[*count]);
+        *count += good;
+        scan_comma(&at);
     }
     xmlFree(text);
     return good;

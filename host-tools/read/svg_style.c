@@ -17,7 +17,8 @@
 
 static const char blank[] = " \t\r\n\f";
 
-static const char *const property_names[SVG_PROPERTIES] = { [SVG_DISPLAY] = "display",
+static const char *const property_names[SVG_PROPERTIES] = {
+    [SVG_DISPLAY] = "display",
                                                             [SVG_VISIBILITY] = "visibility",
                                                             [SVG_OPACITY] = "opacity",
                                                             [SVG_FILL] = "fill",
@@ -35,7 +36,25 @@ static const char *const property_names[SVG_PROPERTIES] = { [SVG_DISPLAY] = "dis
                                                             [SVG_MARKER] = "marker",
                                                             [SVG_MARKER_START] = "marker-start",
                                                             [SVG_MARKER_MID] = "marker-mid",
-                                                            [SVG_MARKER_END] = "marker-end" };
+                                                            [SVG_MARKER_END] = "marker-end",
+                                                            [SVG_FONT] = "font",
+                                                            [SVG_FONT_FAMILY] = "font-family",
+                                                            [SVG_FONT_SIZE] = "font-size",
+                                                            [SVG_FONT_STYLE] = "font-style",
+                                                            [SVG_FONT_WEIGHT] = "font-weight",
+                                                            [SVG_FONT_STRETCH] = "font-stretch",
+                                                            [SVG_FONT_VARIANT] = "font-variant",
+                                                            [SVG_LETTER_SPACING] = "letter-spacing",
+                                                            [SVG_WORD_SPACING] = "word-spacing",
+                                                            [SVG_TEXT_ANCHOR] = "text-anchor",
+    [SVG_TEXT_DECORATION] = "text-decoration",
+                                                            [SVG_BASELINE] = "dominant-baseline",
+    [SVG_BASELINE_OWN] = "alignment-baseline",
+                                                            [SVG_BASELINE_SHIFT] = "baseline-shift",
+                                                            [SVG_DIRECTION] = "direction",
+                                                            [SVG_WHITE_SPACE] = "white-space",
+    [SVG_WRITING_MODE] = "writing-mode"
+};
 
 char *svg_attribute(const xmlNode *node, const char *name)
 {
@@ -224,8 +243,8 @@ void svg_style_open(svg_reader *r, svg_style *style, svg_scope *scope, const svg
     *style = (svg_style){ .text = svg_attribute(r->node, "style") };
     *scope = (svg_scope){ .up = up };
     for (const xmlAttr *a = r->node->properties; a != NULL; a = a->next)
-        style->attributes |= 1u << property_of((const char *)a->name,
-                                               strlen((const char *)a->name));
+        style->attributes |= 1ull << property_of((const char *)a->name,
+                                                 strlen((const char *)a->name));
     svg_sheet_apply(r, style, scope);
     if (style->text != NULL) {
         svg_block block;
@@ -255,7 +274,7 @@ char *svg_property(svg_reader *r, const svg_style *style, enum svg_property whic
 
     if (value->text != NULL)
         text = (char *)xmlStrndup((const xmlChar *)value->text, (int)value->length);
-    else if (style->attributes & 1u << which)
+    else if (style->attributes & 1ull << which)
         text = svg_attribute(r->node, property_names[which]);
     if (css != NULL)
         *css = value->text != NULL;

@@ -751,6 +751,17 @@ case_pages() {
     one_line 64 'say which, as --page A4' "$loft" plan "$tmp/small.csv" --fit
     one_line 64 '--page B9' "$loft" stream "$tmp/small.csv" --dry-run --page B9
 }
+case_text() {
+    cat >"$tmp/text.svg" <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="40mm" viewBox="0 0 90 40">
+<text x="10" y="30" font-size="30">TT</text></svg>
+SVG
+    run 0 "$loft" stream "$tmp/text.svg" --dry-run --text line
+    says out '^drawing: 30.000 x 21.000 mm at 11.000,10.000 '; says out ' 4 curves, 0.070 m drawn'
+    run 0 "$loft" export "$tmp/text.svg" --as csv; says out '^[0-9.,]*$'
+    one_line 65 'nothing to draw' "$loft" stream "$tmp/text.svg" --dry-run --text none
+    one_line 65 'no font "x"' "$loft" stream "$tmp/text.svg" --dry-run --text line:x
+}
 case_bad_ports() {
     one_line 69 'No such file'      "$loft" stream "$tmp/small.csv" --port /dev/ttyNONE
     one_line 69 'not a serial port' "$loft" stream "$tmp/small.csv" --port /dev/null

@@ -25,7 +25,7 @@ compiled() {
 }
 compiled_tools() {      # compiled_tools COMPILER
     $1 -std=c99 -D_GNU_SOURCE ${warnings#-std=c99} -Ilib -Iports -Ihost-tools -I. \
-        $(pkg-config --cflags libxml-2.0 zlib cairo libserialport) \
+        $(pkg-config --cflags libxml-2.0 zlib pangocairo libserialport) \
         -DLOFT_NUM=LOFT_Q16 -fsyntax-only host-tools/*.c host-tools/*/*.c ports/host/*.c \
         ports/linux-gpio/[!g]*.c ports/template/*.c ports/firmware.c 2>&1 |
         rule "$1 host tools and ports"

@@ -1,0 +1,618 @@
+/* host-tools/read/svg_text.c -- text: its letters, their places, and their outlines or lines
+ * SPDX-License-Identifier: MIT
+ *
+ * All letters of a <text> are collected first, each with the x, y, dx, dy and rotate that lists of
+ * its elements give it: those of inner elements win. A letter with an x or a y of its own begins a
+ * chunk, which text-anchor moves as a whole. Letters without a place of their own between them make
+ * a run, which is shaped as one.
+ *   see  SVG 2, 11.5: Text layout algorithm; the white space is that of CSS Text 3, 4.1
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/tool.h"       /* tool_grow */
+#include "read/svg.h"
+
+#define LETTERS_MAX 200000u     /* drawn ones, counting those of each <use>: a few seconds */
+#define RUN_COST    8           /* letters: what it takes to begin a run */
+#define DEGREE 0.017453292519943295769
+#define SAMPLES     32          /* of a curve that carries text */
+
+enum { HAS_X = 1, HAS_Y = 2, HAS_PLACE = HAS_X | HAS_Y, HAS_DX = 4, HAS_DY = 8 };
+
+/* The letters of one element that follow each other. */
+typedef struct {
+    svg_space space;
+    const xmlNode *node, *path;     /* path: what they follow, or NULL */
+    double offset;                  /* where on it they begin; */
+    bool part;                      /* as a part of its length */
+} stretch;
+
+typedef struct {
+    unsigned at;                    /* its first byte */
+    unsigned stretch;
+    unsigned char has;
+    double x, y, dx, dy, rotate;
+} letter;
+
+typedef struct {
+    svg_reader *r;
+    char *text;
+    size_t size, text_room;
+    letter *letter;                 /* and one more, at the end of the text */
+    size_t count, room;
+    stretch *stretch;
+    size_t stretches, stretch_room;
+    bool blank;                     /* the last letter is a space that no other one may follow */
+} collection;
+
+void svg_shaped_add(svg_shaped *s, size_t from, double advance)
+{
+    if (s->clusters == s->cluster_room) {
+        s->cluster_room = s->cluster_room ? 2 * s->cluster_room : 32;
+        s->cluster      = tool_grow(s->cluster, s->cluster_room * sizeof *s->cluster);
+    }
+    s->cluster[s->clusters++] = (svg_cluster){ from, advance, s->parts, 0 };
+}
+
+void svg_shaped_part(svg_shaped *s, char kind, const double p[], int points)
+{
+    if (s->parts == s->part_room) {
+        s->part_room = s->part_room ? 2 * s->part_room : 128;
+        s->part      = tool_grow(s->part, s->part_room * sizeof *s->part);
+    }
+    s->part[s->parts] = (svg_part){ .kind = kind };
+    for (int k = 0; k < 2 * points; k++)
+        s->part[s->parts].p[k / 2][k % 2] = p[k];
+    s->parts++;
+    s->cluster[s->clusters - 1].count++;
+}
+
+void svg_shaped_free(svg_shaped *s)
+{
+    free(s->cluster);
+    free(s->part);
+    *s = (svg_shaped){ .cluster = NULL };
+}
+
+
+// Letters
+// -------
+
+static void add_letter(collection *c, const char *bytes, size_t length)
+{
+    if (c->count + 1 >= c->room) {
+        c->room   = c->room ? 2 * c->room : 64;
+        c->letter = tool_grow(c->letter, c->room * sizeof *c->letter);
+    }
+    if (c->size + length >= c->text_room) {
+        c->text_room = 2 * c->text_room + 64;
+        c->text      = tool_grow(c->text, c->text_room);
+    }
+    memcpy(c->text + c->size, bytes, length);
+    c->letter[c->count++] =
+        (letter){ .at = (unsigned)c->size, .stretch = (unsigned)c->stretches - 1, .rotate = NAN };
+    c->size += length;
+    c->text[c->size]       = '\0';
+    c->letter[c->count].at = (unsigned)c->size;
+}
+
+static void add_text(collection *c, const char *text, bool keeps_space)
+{
+    for (const char *at = text; *at != '\0';) {
+        size_t length    = 1;
+        const bool space = strchr(" \t\r\n\f", *at) != NULL;
+        while (((unsigned char)at[length] & 0xC0) == 0x80)
+            length++;
+        if (!space)
+            add_letter(c, at, length);
+        else if (keeps_space || !c->blank)
+            add_letter(c, " ", 1);
+        c->blank = space && !keeps_space;
+        at += length;
+    }
+}
+
+/* `like` says what they follow. */
+static bool begin_stretch(collection *c, const svg_space *space, const xmlNode *node,
+                          const stretch *like)
+{
+    if (c->stretches == c->stretch_room) {
+        c->stretch_room = c->stretch_room ? 2 * c->stretch_room : 8;
+        c->stretch      = tool_grow(c->stretch, c->stretch_room * sizeof *c->stretch);
+    }
+    c->stretch[c->stretches++] = (stretch){ *space, node, like->path, like->offset, like->part };
+    c->stretch[c->stretches - 1].space.scope = NULL;
+    return true;
+}
+
+/* What the lists of one element say. */
+typedef struct {
+    double *value[5];           /* x, y, dx, dy, rotate */
+    size_t count[5];
+} lists;
+
+static bool read_lists(svg_reader *r, const svg_space *space, lists *l)
+{
+    static const char *const names[]     = { "x", "y", "dx", "dy", "rotate" };
+    static const enum svg_side sides[]   = { SVG_ACROSS, SVG_ALONG_Y, SVG_ACROSS, SVG_ALONG_Y,
+                                             SVG_DIAGONAL };
+
+    *l = (lists){ .count = { 0 } };
+    for (int k = 0; k < 5; k++) {
+        char *text        = svg_attribute(r->node, names[k]);
+        const size_t room = text ? strlen(text) : 0;
+        xmlFree(text);
+        if (room == 0)
+            continue;
+        l->value[k] = tool_grow(NULL, room * sizeof *l->value[k]);
+        if (!svg_lengths(r, space, names[k], sides[k], l->value[k], room, &l->count[k]))
+            return false;
+    }
+    return true;
+}
+
+static void free_lists(lists *l)
+{
+    for (int k = 0; k < 5; k++)
+        free(l->value[k]);
+}
+
+/* Inner elements were applied before: what they said stays. */
+static void apply_lists(collection *c, const lists *l, size_t first)
+{
+    static const unsigned char bits[4] = { HAS_X, HAS_Y, HAS_DX, HAS_DY };
+
+    for (size_t i = first; i < c->count; i++) {
+        letter *to         = &c->letter[i];
+        const size_t n     = i - first;
+        double *const at[] = { &to->x, &to->y, &to->dx, &to->dy };
+        for (int k = 0; k < 4; k++)
+            if (n < l->count[k] && !(to->has & bits[k])) {
+                *at[k] = l->value[k][n];
+                to->has |= bits[k];
+            }
+        if (l->count[4] > 0 && isnan(to->rotate))
+            to->rotate = l->value[4][n < l->count[4] ? n : l->count[4] - 1];
+    }
+}
+
+static bool collect(collection *c, const xmlNode *node, const svg_space *space,
+                    const stretch *like);
+
+/* What a <textPath> follows, and where it begins there. */
+static bool read_path(collection *c, const svg_space *space, stretch *out)
+{
+    char *href = svg_reference(c->r->node);
+
+    *out = (stretch){ .path = href && href[0] == '#' ? svg_find(c->r, href + 1) : NULL };
+    if (out->path == NULL)
+        svg_warn(c->r, SVG_WARN_TEXT,
+                 "<textPath> of \"%.60s\" is not drawn, no element has this id", href ? href : "");
+    xmlFree(href);
+    char *text = svg_attribute(c->r->node, "startOffset");
+    out->part  = text != NULL && strchr(text, '%') != NULL;
+    if (out->part)
+        out->offset = strtod(text, NULL) / 100;
+    xmlFree(text);
+    return out->part || svg_length(c->r, space, "startOffset", SVG_DIAGONAL, 0, &out->offset);
+}
+
+static bool collect_child(collection *c, const xmlNode *node, svg_space space, const stretch *like)
+{
+    stretch own = *like;
+    svg_scope scope;
+    bool shown;
+
+    c->r->node = node;
+    bool good  = svg_enter(c->r, &space, &scope, &shown);
+    if (good && shown && svg_is(node, "textPath"))
+        good = read_path(c, &space, &own);
+    if (good && shown && !(svg_is(node, "textPath") && own.path == NULL))
+        good = collect(c, node, &space, &own);
+    svg_scope_close(&scope);
+    return good;
+}
+
+/* The letters of an element and of those in it. */
+static bool collect(collection *c, const xmlNode *node, const svg_space *space, const stretch *like)
+{
+    const size_t first = c->count;
+    lists l;
+
+    c->r->node = node;
+    bool good  = read_lists(c->r, space, &l);
+    if (++c->r->depth > SVG_DEPTH_MAX)
+        good = good &&
+               svg_fail(c->r, "more than %d nested elements: draw with fewer", SVG_DEPTH_MAX);
+    bool begun = false;
+    for (const xmlNode *child = node->children; child != NULL && good; child = child->next) {
+        if (child->type == XML_TEXT_NODE || child->type == XML_CDATA_SECTION_NODE) {
+            begun = begun || begin_stretch(c, space, node, like);
+            add_text(c, (const char *)child->content, space->font.keeps_space);
+        } else if (svg_is(child, "tspan") || svg_is(child, "a") || svg_is(child, "textPath")) {
+            good  = collect_child(c, child, *space, like);
+            begun = false;
+        }
+    }
+    c->r->depth--;
+    if (good)
+        apply_lists(c, &l, first);
+    free_lists(&l);
+    return good;
+}
+
+
+// Paths that carry text
+// ---------------------
+
+typedef struct {
+    drawing d;                  /* user units times `scale` */
+    double scale;
+    double *until;              /* the length at each sample */
+    double length;
+} rail;
+
+static bool lay_rail(svg_reader *r, const xmlNode *node, const svg_space *space, rail *out)
+{
+    drawing *const to    = r->d;
+    const xmlNode *was   = r->node;
+    svg_space alone      = *space;
+    bool known           = true;
+    const double factor  = svg_stretch(space->to_mm);
+
+    *out        = (rail){ .scale = factor > 0 ? factor : 1 };
+    alone.to_mm = (svg_matrix){ out->scale, 0, 0, out->scale, 0, 0 };
+    r->d        = &out->d;
+    r->node     = node;
+    char *turn  = svg_attribute(node, "transform");
+    bool good   = turn == NULL || svg_transform(r, turn, false, &alone.to_mm);
+    xmlFree(turn);
+    good    = good && svg_shape(r, &alone, &known);
+    r->d    = to;
+    r->node = was;
+    out->until = tool_grow(NULL, (out->d.count * SAMPLES + 1) * sizeof *out->until);
+    out->until[0] = 0;
+    for (size_t i = 0; i < out->d.count * SAMPLES; i++) {
+        const drawing_curve *c = &out->d.curve[i / SAMPLES];
+        double a[2], b[2];
+        drawing_eval(c, (double)(i % SAMPLES) / SAMPLES, a);
+        drawing_eval(c, (double)(i % SAMPLES + 1) / SAMPLES, b);
+        out->until[i + 1] = out->until[i] + hypot(b[0] - a[0], b[1] - a[1]) / out->scale;
+    }
+    out->length = out->until[out->d.count * SAMPLES];
+    return good;
+}
+
+static void free_rail(rail *l)
+{
+    drawing_free(&l->d);
+    free(l->until);
+}
+
+/* The place and the direction at a distance. Returns false beyond the ends. */
+static bool rail_at(const rail *l, double distance, double at[2], double way[2])
+{
+    size_t low = 0, high = l->d.count * SAMPLES;
+
+    if (!(distance >= 0 && distance <= l->length) || high == 0)
+        return false;
+    while (high - low > 1) {
+        const size_t middle = (low + high) / 2;
+        *(l->until[middle] <= distance ? &low : &high) = middle;
+    }
+    const drawing_curve *c = &l->d.curve[low / SAMPLES];
+    const double part      = l->until[low + 1] - l->until[low];
+    const double t =
+        ((double)(low % SAMPLES) + (part > 0 ? (distance - l->until[low]) / part : 0)) / SAMPLES;
+    double next[2], before[2];
+    drawing_eval(c, t, at);
+    drawing_eval(c, fmin(t + 0.5 / SAMPLES, 1), next);
+    drawing_eval(c, fmax(t - 0.5 / SAMPLES, 0), before);
+    drawing_deriv(c, t, way);
+    if (!(hypot(way[0], way[1]) > 1e-9))
+        for (int i = 0; i < 2; i++)
+            way[i] = next[i] - before[i];
+    const double length = hypot(way[0], way[1]);
+    for (int i = 0; i < 2; i++) {
+        way[i] = length > 0 ? way[i] / length : i == 0;
+        at[i] /= l->scale;
+    }
+    return true;
+}
+
+
+// Runs
+// ----
+
+typedef struct {
+    size_t first, last;         /* letters */
+    svg_shaped shaped;
+    double advance;             /* user units, with dx */
+} run;
+
+typedef struct {
+    collection *c;
+    run *all;
+    size_t count, room;
+    double at[2];               /* where the next letter goes */
+} layout;
+
+static const svg_font *font_of(const layout *l, const run *u)
+{
+    return &l->c->stretch[l->c->letter[u->first].stretch].space.font;
+}
+
+/* The spacing behind a cluster. */
+static double gap_after(const layout *l, const run *u, size_t cluster)
+{
+    const svg_font *f = font_of(l, u);
+    const char *text  = l->c->text + l->c->letter[u->first].at + u->shaped.cluster[cluster].from;
+
+    return f->letter + (*text == ' ' ? f->word : 0);
+}
+
+static bool shape_run(layout *l, run *u)
+{
+    svg_reader *r       = l->c->r;
+    const letter *first = &l->c->letter[u->first];
+    const char *text    = l->c->text + first->at;
+    const size_t length = l->c->letter[u->last].at - first->at;
+    const svg_font *f   = font_of(l, u);
+    const bool lines    = r->d->text != NULL && strncmp(r->d->text, "line", 4) == 0;
+
+    r->node = l->c->stretch[first->stretch].node;
+    r->letters += (unsigned)(u->last - u->first) + RUN_COST;
+    if (r->letters > LETTERS_MAX)
+        return svg_fail(r, "more than %u letters, counting each use: split the drawing",
+                        LETTERS_MAX);
+    if (lines) {
+        if (!svg_lines_shape(r, f, text, length, &u->shaped))
+            return false;
+        if (u->shaped.missing) {
+            svg_warn(r, SVG_WARN_LINE,
+                     "\"%.40s\" has letters without single lines: outlines are drawn: use "
+                     "letters of Latin 1",
+                     text);
+            svg_shaped_free(&u->shaped);
+        }
+    }
+    if (u->shaped.clusters == 0) {
+        if (!svg_glyphs_shape(r, f, text, length, &u->shaped))
+            return svg_warn(r, SVG_WARN_TEXT, "<text> is not drawn: convert text to paths"), true;
+        if (u->shaped.missing)
+            svg_warn(r, SVG_WARN_LETTER,
+                     "a letter of \"%.40s\" is in no font and not drawn: install a font with it",
+                     text);
+    }
+    u->advance = first->dx;
+    for (size_t k = 0; k < u->shaped.clusters; k++)
+        u->advance += u->shaped.cluster[k].advance * f->size + gap_after(l, u, k);
+    return true;
+}
+
+/* Does a run begin at letter i? */
+static bool begins_run(const collection *c, size_t i)
+{
+    const letter *a = &c->letter[i];
+
+    if (i == 0 || a->stretch != a[-1].stretch || a->has & HAS_PLACE)
+        return true;
+    return fabs(a->dx) > 0 || fabs(a->dy) > 0 ||
+           (isnan(a->rotate) ? !isnan(a[-1].rotate) : !(fabs(a->rotate - a[-1].rotate) <= 0));
+}
+
+static bool make_runs(layout *l)
+{
+    for (size_t i = 0; i < l->c->count; i++) {
+        if (!begins_run(l->c, i)) {
+            l->all[l->count - 1].last = i + 1;
+            continue;
+        }
+        if (l->count == l->room) {
+            l->room = l->room ? 2 * l->room : 16;
+            l->all  = tool_grow(l->all, l->room * sizeof *l->all);
+        }
+        l->all[l->count++] = (run){ .first = i, .last = i + 1 };
+    }
+    for (size_t k = 0; k < l->count; k++)
+        if (!shape_run(l, &l->all[k]))
+            return false;
+    return true;
+}
+
+
+// Drawing
+// -------
+
+static bool draw_cluster(svg_reader *r, const svg_shaped *s, size_t which, svg_matrix m)
+{
+    const svg_cluster *c = &s->cluster[which];
+    svg_pen pen          = svg_pen_at(r, m);
+    bool good            = true;
+
+    for (size_t i = c->first; i < c->first + c->count && good; i++) {
+        const svg_part *p = &s->part[i];
+        switch (p->kind) {
+        case 'M': svg_move(&pen, p->p[0][0], p->p[0][1]);                           break;
+        case 'L': good = svg_line(&pen, p->p[0][0], p->p[0][1]);                    break;
+        case 'C':
+            good = svg_cubic(&pen, p->p[0][0], p->p[0][1], p->p[1][0], p->p[1][1], p->p[2][0],
+                             p->p[2][1]);
+            break;
+        default:  good = svg_close(&pen);                                           break;
+        }
+    }
+    return good;
+}
+
+static double shift_of(const svg_font *f, const svg_shaped *s)
+{
+    double up = 0;
+
+    switch (f->baseline) {
+    case SVG_ALPHABETIC: up = 0;                              break;
+    case SVG_MIDDLE:     up = -0.25;                          break;
+    case SVG_CENTRAL:    up = (s->descent - s->ascent) / 2;   break;
+    case SVG_HANGING:    up = -0.8 * s->ascent;               break;
+    case SVG_TOP:        up = -s->ascent;                     break;
+    case SVG_BOTTOM:     up = s->descent;                     break;
+    }
+    return up * f->size + f->shift;
+}
+
+static bool is_seen(const svg_space *s)
+{
+    return s->visible &&
+           ((s->fill && s->fill_opaque) || (s->stroke && s->stroke_opaque && s->stroke_wide));
+}
+
+/* Lines below, above and through a run, as wide as it is. */
+static bool draw_decoration(svg_reader *r, const svg_space *space, const run *u, const double at[2])
+{
+    const svg_font *f = &space->font;
+    const double places[3] = { u->shaped.underline, -u->shaped.ascent, -0.3 };
+    const bool asked[3]    = { f->underlined, f->overlined, f->struck };
+    const double half      = u->shaped.thickness / 2;
+    bool good              = true;
+
+    for (int k = 0; k < 3 && good; k++) {
+        svg_pen pen = svg_pen_at(r, space->to_mm);
+        const double y = at[1] + places[k] * f->size, thick = half * f->size;
+        if (!asked[k] || !(u->advance > 0))
+            continue;
+        svg_move(&pen, at[0], y - thick);
+        good = svg_line(&pen, at[0] + u->advance, y - thick);
+        if (half > 0)
+            good = good && svg_line(&pen, at[0] + u->advance, y + thick) &&
+                   svg_line(&pen, at[0], y + thick) && svg_close(&pen);
+    }
+    return good;
+}
+
+/* One run from l->at on, which moves to its end; along a rail, l->at[0] is the distance. */
+static bool draw_run(layout *l, const run *u, const rail *along)
+{
+    const letter *first   = &l->c->letter[u->first];
+    const stretch *of     = &l->c->stretch[first->stretch];
+    const svg_font *f     = &of->space.font;
+    const double turn     = isnan(first->rotate) ? 0 : first->rotate * DEGREE;
+    const double size     = f->size;
+    bool good             = true;
+
+    l->c->r->node = of->node;
+    l->at[0] += first->dx;
+    l->at[1] += first->dy;
+    const double y = l->at[1] - shift_of(f, &u->shaped), from[2] = { l->at[0], y };
+    for (size_t k = 0; k < u->shaped.clusters && good; k++) {
+        const double wide = u->shaped.cluster[k].advance * size;
+        double at[2] = { l->at[0], y }, way[2] = { 1, 0 };
+        bool shown   = is_seen(&of->space);
+        if (along != NULL) {
+            shown = rail_at(along, l->at[0] + wide / 2, at, way) && shown;
+            for (int i = 0; i < 2; i++)
+                at[i] += -way[i] * wide / 2 + (i == 0 ? -way[1] : way[0]) * y;
+        }
+        const svg_matrix place = { way[0], way[1], -way[1], way[0], at[0], at[1] };
+        const svg_matrix own = {
+            size * cos(turn), size * sin(turn), -size * sin(turn), size * cos(turn), 0, 0
+        };
+        if (shown)
+            good = draw_cluster(l->c->r, &u->shaped, k,
+                                svg_multiply(of->space.to_mm, svg_multiply(place, own)));
+        l->at[0] += wide + gap_after(l, u, k);
+    }
+    if (good && along == NULL && is_seen(&of->space) &&
+        (f->underlined || f->overlined || f->struck)) {
+        run plain = *u;
+        plain.advance -= first->dx;
+        good = draw_decoration(l->c->r, &of->space, &plain, from);
+    }
+    return good;
+}
+
+/* Runs first .. last - 1, from the place of the first one. */
+static bool draw_chunk(layout *l, size_t first, size_t last)
+{
+    const letter *begins = &l->c->letter[l->all[first].first];
+    const stretch *of    = &l->c->stretch[begins->stretch];
+    const svg_font *f    = &of->space.font;
+    double wide          = 0;
+    rail along           = { .scale = 1 };
+    bool good            = true;
+
+    for (size_t k = first; k < last; k++)
+        wide += l->all[k].advance;
+    if (begins->has & HAS_X)
+        l->at[0] = begins->x;
+    if (begins->has & HAS_Y)
+        l->at[1] = begins->y;
+    if (of->path != NULL) {
+        l->c->r->node = of->node;
+        good     = lay_rail(l->c->r, of->path, &of->space, &along);
+        l->at[0] = of->offset * (of->part ? along.length : 1);
+        l->at[1] = 0;
+    }
+    if (f->anchor != SVG_ANCHOR_START)
+        l->at[0] -= f->anchor == SVG_ANCHOR_MIDDLE ? wide / 2 : wide;
+    if (f->leftwards && f->anchor != SVG_ANCHOR_MIDDLE)     /* the start is at the right */
+        l->at[0] += f->anchor == SVG_ANCHOR_START ? -wide : wide;
+    for (size_t k = first; k < last && good; k++)
+        good = draw_run(l, &l->all[k], of->path ? &along : NULL);
+    if (of->path != NULL)
+        free_rail(&along);
+    return good;
+}
+
+static bool begins_chunk(const layout *l, size_t k)
+{
+    const letter *a = &l->c->letter[l->all[k].first];
+
+    return a->has & HAS_PLACE ||
+           l->c->stretch[a->stretch].path != l->c->stretch[a[-1].stretch].path;
+}
+
+static bool draw_chunks(layout *l)
+{
+    bool good = true;
+
+    for (size_t first = 0, last; first < l->count && good; first = last) {
+        for (last = first + 1; last < l->count && !begins_chunk(l, last);)
+            last++;
+        good = draw_chunk(l, first, last);
+    }
+    return good;
+}
+
+static void trim_end(collection *c)
+{
+    if (c->blank && c->count > 0 && c->text[c->letter[c->count - 1].at] == ' ')
+        c->count--;
+    if (c->count > 0)
+        c->text[c->letter[c->count].at] = '\0';
+}
+
+bool svg_text(svg_reader *r, const svg_space *space)
+{
+    const xmlNode *node = r->node;
+    collection c        = { .r = r, .blank = true };
+    layout l            = { .c = &c };
+    const stretch plain = { .path = NULL };
+    bool good           = true;
+
+    if (r->d->text != NULL && strcmp(r->d->text, "none") == 0)
+        return true;
+    good = collect(&c, node, space, &plain);
+    if (good)
+        trim_end(&c);
+    good = good && make_runs(&l) && draw_chunks(&l);
+    for (size_t k = 0; k < l.count; k++)
+        svg_shaped_free(&l.all[k].shaped);
+    free(l.all);
+    free(c.letter);
+    free(c.stretch);
+    free(c.text);
+    r->node = node;
+    return good;
+}

@@ -1,0 +1,262 @@
+/* tests/tools/test_text.c -- text of SVG: the outlines that Pango and cairo give at once, the
+ * places that lists, anchors and paths give, and letters of single lines
+ * SPDX-License-Identifier: MIT
+ */
+#include <pango/pangocairo.h>
+
+#include "tools/drawn.h"
+
+#define FONT "DejaVu Sans"
+
+static bool box_of(const char *inner, const char *how, double box[2][2])
+{
+    char text[4000];
+    drawing d = { .text = how };
+
+    snprintf(text, sizeof text, PAGE("<g font-family='" FONT "' font-size='8'>%s</g>"), inner);
+    caught[0]    = '\0';
+    caught_lines = 0;
+    const bool good = drawing_read_svg(&d, "test.svg", text, strlen(text)) == 0 &&
+                      drawing_box(&d, box);
+    drawing_free(&d);
+    return good;
+}
+
+/* Do both draw in boxes that are `x` and `y` apart (mm, y up)? */
+static void check_apart(const char *a, const char *b, double x, double y, const char *file,
+                        int line)
+{
+    double one[2][2], other[2][2];
+    const double by[2] = { x, y };
+
+    if (!box_of(a, NULL, one) || !box_of(b, NULL, other)) {
+        printf("%s:%d: nothing drawn: %s\n", file, line, caught);
+        check_bad = true;
+        return;
+    }
+    for (int k = 0; k < 4; k++)
+        if (fabs(other[k / 2][k % 2] - one[k / 2][k % 2] - by[k % 2]) > 1e-4) {
+            printf("%s:%d: %s %g away\n", file, line, k % 2 ? "y" : "x",
+                   other[k / 2][k % 2] - one[k / 2][k % 2]);
+            check_bad = true;
+        }
+}
+#define APART(a, b, x, y) check_apart(a, b, x, y, __FILE__, __LINE__)
+
+/* The ink and the width that Pango gives for a whole layout, at 1000 px an em. */
+static double layout_box(const char *text, PangoWeight weight, PangoStyle style, double box[2][2])
+{
+    PangoFontMap *map           = pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT);
+    PangoContext *context       = pango_font_map_create_context(map);
+    PangoLayout *layout         = pango_layout_new(context);
+    PangoFontDescription *f     = pango_font_description_from_string(FONT);
+    cairo_font_options_t *plain = cairo_font_options_create();
+    cairo_surface_t *surface    = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
+    cairo_t *cairo              = cairo_create(surface);
+    int width;
+
+    cairo_font_options_set_hint_style(plain, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(plain, CAIRO_HINT_METRICS_OFF);
+    pango_cairo_context_set_font_options(context, plain);
+    pango_context_set_round_glyph_positions(context, FALSE);
+    pango_font_description_set_absolute_size(f, 1000 * PANGO_SCALE);
+    pango_font_description_set_weight(f, weight);
+    pango_font_description_set_style(f, style);
+    pango_layout_set_font_description(layout, f);
+    pango_layout_set_text(layout, text, -1);
+    pango_layout_get_size(layout, &width, NULL);
+    cairo_move_to(cairo, 0, 0);
+    pango_cairo_layout_line_path(cairo, pango_layout_get_line_readonly(layout, 0));
+    cairo_path_extents(cairo, &box[0][0], &box[0][1], &box[1][0], &box[1][1]);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+    cairo_font_options_destroy(plain);
+    pango_font_description_free(f);
+    g_object_unref(layout);
+    g_object_unref(context);
+    g_object_unref(map);
+    return (double)width / PANGO_SCALE / 1000;
+}
+
+static void outlines_are_those_of_a_layout(arb *a)
+{
+    static const struct {
+        PangoWeight weight;
+        PangoStyle style;
+        const char *css;
+    } looks[] = { { PANGO_WEIGHT_NORMAL, PANGO_STYLE_NORMAL, "font-weight:normal" },
+                  { PANGO_WEIGHT_BOLD, PANGO_STYLE_NORMAL, "font-weight:bold" },
+                  { PANGO_WEIGHT_BOLD, PANGO_STYLE_NORMAL, "font:700 16px/1.2 " FONT },
+                  { PANGO_WEIGHT_NORMAL, PANGO_STYLE_ITALIC, "font-style:italic" } };
+    static const char *const words[] = { "AVATAR",
+                                         "fi fl ffi",
+                                         "W\xC3\xB6rter, To.",
+                                         "Tj",
+                                         "\xD7\xA9\xD7\x9C\xD7\x95\xD7\x9D",
+                                         "a \xD7\xA9\xD7\x9C b" };
+    const size_t which = arb_below(a, 6), look = arb_below(a, 4);
+    const double size = 1 + (double)arb_below(a, 400) / 16, x = (double)arb_below(a, 1000) / 16,
+                 y = (double)arb_below(a, 1000) / 16;
+    static const double parts[] = { 0, 0.5, 1 };
+    static const char *const anchors[] = { "start", "middle", "end" };
+    const size_t anchor = arb_below(a, 3);
+    double wanted[2][2], box[2][2];
+    char inner[400];
+
+    const double width = layout_box(words[which], looks[look].weight, looks[look].style, wanted);
+    snprintf(inner, sizeof inner,
+             "<text x='%.4f' y='%.4f' text-anchor='%s' style='%s;font-size:%.4f'>%s</text>", x, y,
+             anchors[anchor], looks[look].css, size, words[which]);
+    CHECK(box_of(inner, NULL, box) && caught_lines == 0);
+    for (int k = 0; k < 2; k++) {
+        const double left = x - parts[anchor] * width * size + wanted[k][0] / 1000 * size,
+                     up   = 100 - y - wanted[1 - k][1] / 1000 * size;
+        CHECK(fabs(box[k][0] - left) < 2e-4 * size && fabs(box[k][1] - up) < 2e-4 * size);
+    }
+}
+
+static void letters_have_places_of_their_own(arb *a)
+{
+    (void)a;
+    APART("<text x='10' y='20'>A</text>", "<text x='30' y='25'>A</text>", 20, -5);
+    APART("<text x='10' y='20'>A</text>", "<text dx='3' dy='-2' x='10' y='20'>A</text>", 3, 2);
+    APART("<text x='10' y='20'>A</text>", "<text dx='1em' x='10' y='20'>A</text>", 8, 0);
+    APART("<text x='10' y='20'>A</text>",
+          "<text x='50' y='50'><tspan x='10' y='20'>A</tspan></text>", 0, 0);
+    APART("<text x='10 30' y='20'>AA</text>", "<text x='10' y='20'>A<tspan x='30'>A</tspan></text>",
+          0, 0);
+    APART("<text x='10' y='20'>oo</text>", "<text x='10' y='20'>o<tspan>o</tspan></text>", 0, 0);
+    APART("<text x='10 20 30' y='20'>A<tspan x='40'>B</tspan>C</text>",
+          "<text x='10' y='20'>A<tspan x='40'>B</tspan><tspan x='30'>C</tspan></text>", 0, 0);
+    APART("<text x='10' y='20' dy='0 5'>AA</text>",
+          "<text x='10' y='20'>A<tspan dy='5'>A</tspan></text>", 0, 0);
+    APART("<text x='10' y='20'>\n  A \n\t B\n </text>", "<text x='10' y='20'>A B</text>", 0, 0);
+    APART("<text x='10' y='20'>A</text>", "<text xml:space='preserve' x='10' y='20'>A </text>", 0,
+          0);
+    APART("<text x='10' y='20'>A</text>",
+          "<text x='10' y='20'>A<tspan display='none'>BBB</tspan></text>", 0, 0);
+    APART("<text x='10' y='20'>A</text>",
+          "<text x='10' y='20'>A<tspan visibility='hidden'>BBB</tspan></text>", 0, 0);
+    APART("<text x='10' y='20'>A</text>",
+          "<text x='10' y='20' transform='translate(1 2)'><tspan baseline-shift='3'>A</tspan>"
+          "</text>",
+          1, 1);
+    APART("<g transform='translate(10 20) rotate(30)'><text>A</text></g>",
+          "<text x='10' y='20' rotate='30'>A</text>", 0, 0);
+    APART("<text x='10' y='20' letter-spacing='5'>oo</text>",
+          "<text x='10' y='20'>o<tspan dx='5'>o</tspan></text>", 0, 0);
+    APART("<text x='10' y='20'>o o</text>",
+          "<text x='10' y='20' word-spacing='-2'>o <tspan dx='2'>o</tspan></text>", 0, 0);
+}
+
+static void text_follows_a_path(arb *a)
+{
+    (void)a;
+    const char *line = "<defs><path id='p' d='M10 50H40H90'/></defs>";
+    char both[400];
+
+    snprintf(both, sizeof both, "%s<text><textPath href='#p'>Along</textPath></text>", line);
+    APART("<text x='10' y='50'>Along</text>", both, 0, 0);
+    snprintf(both, sizeof both,
+             "%s<text text-anchor='end'><textPath startOffset='50%%' href='#p'>Along</textPath>"
+             "</text>",
+             line);
+    APART("<text x='50' y='50' text-anchor='end'>Along</text>", both, 0, 0);
+    snprintf(both, sizeof both,
+             "<defs><path id='p' d='M10 50V90'/></defs>"
+             "<text dy='3'><textPath href='#p' startOffset='5'>A</textPath></text>");
+    APART("<g transform='translate(10 50) rotate(90)'><text x='5' y='0'>A</text></g>", both, -3, 0);
+    double box[2][2];
+    snprintf(both, sizeof both,
+             "%s<text><textPath startOffset='79' href='#p'>AAA</textPath></text>", line);
+    CHECK(!box_of(both, NULL, box));        /* beyond its end */
+}
+
+/* Like DRAWS, with letters of single lines: a unit of Hershey is size / 30. */
+static void single_lines(arb *a)
+{
+    static const struct {
+        const char *inner, *drawn;
+    } texts[] = {
+        { "<text x='10' y='50' font-size='30'>T</text>", "M 18 29 L 18 50 M 11 29 L 25 29" },
+        { "<text x='10' y='50' font-size='30' text-anchor='end'>T</text>",
+          "M 2 29 L 2 50 M -5 29 L 9 29" },
+        { "<text x='10' y='50' font-size='30'>-<tspan dx='1'>-</tspan></text>",
+          "M 14 41 L 32 41 M 41 41 L 59 41" },
+        { "<text x='10' y='50' font-size='30'>\xC3\xA8</text>", NULL },
+        { "<text x='10' y='50' font-size='30'>\xE2\x80\x93</text>", "M 14 41 L 32 41" },
+    };
+
+    (void)a;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        char text[1000], got[4000];
+        drawing d = { .text = "line" };
+        snprintf(text, sizeof text, PAGE("%s"), texts[i].inner);
+        CHECK(drawing_read_svg(&d, "test.svg", text, strlen(text)) == 0);
+        put_drawing(got, sizeof got, &d, 100);
+        if (texts[i].drawn != NULL && strcmp(got, texts[i].drawn) != 0) {
+            printf("%s: %s\n", texts[i].inner, got);
+            check_bad = true;
+        }
+        drawing_free(&d);
+    }
+    double plain[2][2], accent[2][2];
+    CHECK(box_of("<text x='9' y='50'>e</text>", "line", plain) &&
+          box_of("<text x='9' y='50'>\xC3\xA8</text>", "line:futural", accent));
+    CHECK(accent[1][1] > plain[1][1] + 0.2 && accent[0][1] >= plain[0][1]);
+    CHECK(!box_of("<text x='9' y='50'>e</text>", "none", plain) && caught_lines == 0);
+    CHECK(!box_of("<text x='9' y='50'>e</text>", "line:nofont", plain) &&
+          strstr(caught, "--text line: no font \"nofont\""));
+    CHECK(!box_of("<text/>", "thick", plain) && strstr(caught, "give outline, line, line:FONT"));
+    CHECK(box_of("<text x='9' y='50'>\xD0\x96</text>", "line", plain) &&
+          strstr(caught, "letters without single lines"));
+}
+
+static void floods_of_letters_are_stopped(arb *a)
+{
+    char *text = tool_grow(NULL, 300000);
+    char *end  = text + sprintf(text, "<svg xmlns='http://www.w3.org/2000/svg' width='9' "
+                                     "height='9'><text id='t'>");
+
+    (void)a;
+    for (int i = 0; i < 210000; i++)
+        *end++ = 'i';
+    strcpy(end, "</text></svg>");
+    check_refuses(text, "<text>: more than 200000 letters", __FILE__, __LINE__);
+    free(text);
+}
+
+static void damaged_text_does_no_harm(arb *a)
+{
+    char text[] = PAGE("<path id='p' d='M1 9C2 3 4 5 60 70'/><text x='1 2' y='3em' rotate='5 6' "
+                       "style='font:bold 9px/1 serif;letter-spacing:1px'>ab \xC3\xA4<tspan dx='1' "
+                       "dy='2 3'>c</tspan><textPath xlink:href='#p' startOffset='9%'>on it"
+                       "</textPath></text>");
+    drawing d = { .text = arb_below(a, 2) ? "line" : NULL };
+
+    for (size_t k = 1 + arb_below(a, 4); k > 0; k--)
+        text[arb_below(a, sizeof text - 1)] = (char)(1 + arb_below(a, 255));
+    caught[0]    = '\0';
+    caught_lines = 0;
+    const int code = drawing_read_svg(&d, "test.svg", text, strlen(text));
+    CHECK(code == 0 || (code == EX_DATAERR && caught_lines >= 1));
+    for (size_t i = 0; code == 0 && i < d.count; i++)
+        for (int k = 0; k < 4; k++)
+            CHECK(isfinite(d.curve[i].p[k][0]) && isfinite(d.curve[i].p[k][1]));
+    drawing_free(&d);
+}
+
+/* fontconfig keeps its tables until the program ends. */
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void) { return "leak:libfontconfig"; }
+
+int main(void)
+{
+    PROPERTY(outlines_are_those_of_a_layout, 200);
+    PROPERTY(letters_have_places_of_their_own, 1);
+    PROPERTY(text_follows_a_path, 1);
+    PROPERTY(single_lines, 1);
+    PROPERTY(floods_of_letters_are_stopped, 1);
+    PROPERTY(damaged_text_does_no_harm, 300);
+    return check_failures();
+}
