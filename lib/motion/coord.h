@@ -7,7 +7,7 @@
 #ifndef LOFT_MOTION_COORD_H
 #define LOFT_MOTION_COORD_H
 
-#include "geom/vec.h"   /* loft_vec */
+#include "geom/vec.h"   /* loft_vec, loft_root */
 
 LOFT_BEGIN_C
 
@@ -50,9 +50,9 @@ loft_acc loft_coord_to_acc(int64_t x);
 
 /* The square root and the cube root, rounded down.
  *
- *   cost    32 and 21 rounds
+ *   cost    loft_root; 21 rounds
  */
-uint32_t loft_coord_sqrt(uint64_t x);
+static inline uint32_t loft_coord_sqrt(uint64_t x) { return loft_root(x); }
 uint32_t loft_coord_cbrt(uint64_t x);
 
 /* The length of a vector of differences.

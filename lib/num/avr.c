@@ -298,11 +298,15 @@ __asm__ (
     END_FUNCTION(loft_acc_quot)
 
     /* Digit by digit, two bits of x per round: r12:r31:r30:r27:r26 is the remainder, r17..r13 twice
-     * the root. The root is incremented if the remainder exceeds it. */
-    BEGIN_FUNCTION(loft_avr_root)
-    "push r12\n push r13\n push r14\n push r15\n push r16\n push r17\n push r28\n push r29\n"
-    "clr r12\n clr r13\n movw r14, r12\n clr r16\n clr r17\n movw r26, r14\n movw r30, r14\n"
-    "ldi r29, 8\n"
+     * the root. To nearest, the root is incremented if the remainder exceeds it. */
+    BEGIN_FUNCTION(loft_root)
+    "clr __tmp_reg__\n rjmp 7f\n"
+    ".size " TEXT(loft_root) ", .-" TEXT(loft_root) "\n"
+    ".global " TEXT(loft_root_nearest) "\n.type " TEXT(loft_root_nearest) ", @function\n"
+    TEXT(loft_root_nearest) ": clr __tmp_reg__\n inc __tmp_reg__\n"
+    "7: push r12\n push r13\n push r14\n push r15\n push r16\n push r17\n push r28\n push r29\n"
+    "clr r12\n clr r13\n movw r14, r12\n clr r16\n clr r17\n"
+    "movw r26, r14\n movw r30, r14\n ldi r29, 8\n"
     "1: tst r25\n brne 2f\n rcall 9f\n dec r29\n brne 1b\n rjmp 6f\n"
     "2: ldi r28, 4\n"
     "3: lsl r25\n rol r26\n rol r27\n rol r30\n rol r31\n rol r12\n"
@@ -314,13 +318,13 @@ __asm__ (
     "5: dec r28\n brne 3b\n rcall 9f\n dec r29\n brne 2b\n"
     "6: lsr r17\n ror r16\n ror r15\n ror r14\n ror r13\n"
     "cp r13, r26\n cpc r14, r27\n cpc r15, r30\n cpc r16, r31\n cpc r17, r12\n"
-    "mov r22, r13\n mov r23, r14\n mov r24, r15\n mov r25, r16\n"
+    "sbrs __tmp_reg__, 0\n clc\n mov r22, r13\n mov r23, r14\n mov r24, r15\n mov r25, r16\n"
     "adc r22, __zero_reg__\n adc r23, __zero_reg__\n adc r24, __zero_reg__\n"
     "adc r25, __zero_reg__\n"
     "pop r29\n pop r28\n pop r17\n pop r16\n pop r15\n pop r14\n pop r13\n pop r12\n ret\n"
     "9: mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n"
     "mov r19, r18\n ret\n"
-    END_FUNCTION(loft_avr_root)
+    END_FUNCTION(loft_root_nearest)
 );
 
 #endif

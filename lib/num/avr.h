@@ -60,13 +60,6 @@ int32_t loft_unit_of(uint32_t j, uint32_t n);
  *   cost    about 150 cycles for each byte of n, without leading zeros */
 int64_t loft_avr_quotient(int64_t n, uint32_t d);
 
-/* The integer nearest to the square root of x.
- *
- *   range   x < 2^63
- *   error   1/2
- *   cost    about 140 cycles for each byte of x, without leading zeros */
-uint32_t loft_avr_root(uint64_t x);
-
 /* A table that stays in flash (RAM would hold a copy of it), and access to an entry.
  *
  *   cost    4 cycles more than from RAM */

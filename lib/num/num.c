@@ -4,38 +4,85 @@
 #include "num/num.h"
 #include "num/sci.h"    /* loft_sci_sqrt, of doubles */
 
-#if LOFT_NUM == LOFT_Q16
 
-/* The largest r with r^2 <= x, digit by digit (two bits of x per round). The remainder tells
- * whether x > (r + 1/2)^2 = r^2 + r + 1/4. x < 2^63, so r < 2^31.5 and (2r+1) << 2k below stays
- * within 64 bits. */
-static uint32_t square_root(uint64_t x)
+// Roots of whole numbers
+// ----------------------
+
+#if !defined(__AVR__)
+
+/* 2^8 / sqrt(h / 2^32) - 2^8 for h = (k + 32.5) 2^25, to nearest: the first 9 bits of the inverse
+ * root of every h from 2^30 on, within 2^-6.8 of it. */
+static const uint8_t seed[96] = { 252, 244, 237, 230, 223, 217, 211, 205, 199, 194, 188, 183,
+                                  178, 173, 169, 164, 160, 156, 152, 148, 144, 140, 136, 133,
+                                  129, 126, 123, 119, 116, 113, 110, 107, 105, 102, 99,  97,
+                                  94,  91,  89,  87,  84,  82,  80,  77,  75,  73,  71,  69,
+                                  67,  65,  63,  61,  59,  57,  55,  54,  52,  50,  48,  47,
+                                  45,  44,  42,  40,  39,  37,  36,  34,  33,  31,  30,  29,
+                                  27,  26,  25,  23,  22,  21,  20,  18,  17,  16,  15,  13,
+                                  12,  11,  10,  9,   8,   7,   6,   5,   4,   3,   2,   1 };
+
+/* a b / 2^32, rounded down */
+static uint32_t high(uint32_t a, uint32_t b) { return (uint32_t)((uint64_t)a * b >> 32); }
+
+/* 2^30 / sqrt(h / 2^32), for h >= 2^30: too small by 2^-25 of it at most, and never too large.
+ *
+ * Two steps of Newton, y <- y (3 - h y^2) / 2, for which y (1 - e) becomes at most y (1 - 1.5 e^2 +
+ * 0.5 e^3) <= y. The first has numbers of 32 bits alone, and an error below 2^-13; the second
+ * takes two units less than 3, as its two products are rounded down by less than one each. */
+static uint32_t inverse_root(uint32_t h)
 {
-#if defined(__AVR__)
-    return loft_avr_root(x);
-#else
-    uint64_t r = 0, bit = (uint64_t)1 << 62;
+    const uint32_t rough = UINT32_C(256) + seed[(h >> 25) - 32];
+    const uint32_t first = 3 * ((uint32_t)1 << 30) - rough * rough * (h >> 18);     /* 2^30 */
+    const uint32_t y = 2 * rough * (first >> 10);                                   /* 2^30 y */
+    const uint32_t second = 3 * ((uint32_t)1 << 28) - 2 - high(high(y, y), h);      /* 2^28 */
 
-    while (bit > x)
-        bit >>= 2;
-    for (; bit; bit >>= 2) {
-        const uint64_t trial = r + bit;
-        r >>= 1;
-        if (x >= trial) {
-            x -= trial;
-            r += bit;
-        }
-    }
-    return (uint32_t)(x > r ? r + 1 : r);
-#endif
+    return (uint32_t)((uint64_t)y * second >> 29);
 }
+
+/* x is multiplied by a power of 4 until it is 2^62 at least; its root s by one of 2. With the
+ * inverse i of the root of its high half, root <= s by at most 2^7. Then root + (x - root^2) i / 2
+ * is too small by less than 1 + 2^-16: by rounding down, and by dividing by 2 s instead of s +
+ * root. So the last comparison finds what is missing. */
+uint32_t loft_root(uint64_t x)
+{
+    uint8_t down = 0;
+
+    if (x == 0)
+        return 0;
+    for (uint8_t bits = 32; bits > 1; bits /= 2)
+        if (x >> (64 - bits) == 0) {
+            x <<= bits;
+            down = (uint8_t)(down + bits / 2);
+        }
+    const uint32_t h = (uint32_t)(x >> 32), inverse = inverse_root(h);
+    uint32_t root = (uint32_t)((uint64_t)inverse * h >> 30);
+    const uint32_t rest = (uint32_t)((x - (uint64_t)root * root) >> 12);    /* below 2^29 */
+    root += (uint32_t)((uint64_t)rest * inverse >> 51);
+    root += x - (uint64_t)root * root > 2 * (uint64_t)root;
+    return root >> down;
+}
+
+/* x > (r + 1/2)^2 = r^2 + r + 1/4 */
+uint32_t loft_root_nearest(uint64_t x)
+{
+    const uint32_t r = loft_root(x);
+    return r + (x - (uint64_t)r * r > r);
+}
+
+#endif
+
+
+// Operations of the number type
+// -----------------------------
+
+#if LOFT_NUM == LOFT_Q16
 
 /* sqrt(X / 2^32) = sqrt(X) / 2^16: the raw root is the root of the raw number. */
 loft_real loft_acc_sqrt(loft_acc x)
 {
     if (x <= 0)
         return 0;
-    const uint32_t r = square_root((uint64_t)x);
+    const uint32_t r = loft_root_nearest((uint64_t)x);
     return r >= INT32_MAX ? INT32_MAX : (loft_real)r;
 }
 
@@ -123,7 +170,7 @@ loft_acc loft_acc_hypot(const loft_acc x[], int n)
         const int32_t size = (int32_t)shift((uint64_t)(x[i] < 0 ? -x[i] : x[i]), down);
         sum += (uint64_t)loft_prod(size, size);
     }
-    return (loft_acc)shift(square_root(sum), (int8_t)-down);
+    return (loft_acc)shift(loft_root_nearest(sum), (int8_t)-down);
 }
 
 /* There are n < 2^32 steps between lo and hi, and a is step j. |y - x| = q n + r with r < n, so q j

@@ -162,6 +162,9 @@ static void print_sums(int rounds)
     for (int n = 0; n < rounds; n++)
         add_number(loft_acc_sqrt(random_number(63)));
     say_sum("acc_sqrt");
+    for (int k = 0; k < rounds; k++)
+        add_number(loft_root((uint64_t)random_number(63)));
+    say_sum("root");
     for (int n = 0; n < rounds; n++) {
         const loft_acc x[3] = { random_number(61), random_number(61), random_number(50) };
         add_number(loft_acc_hypot(x, 3));
