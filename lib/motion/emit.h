@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: MIT
  *
  * The spans are those of a uniform cubic B-spline in time, with the samples X at its knots: control
- * points C = X - D2 X / 6, moved by as little as holds all limits.
+ * points C = X - D2 X / 6, moved by as little as holds all limits, and rounded to 2^-16 mm so that
+ * they are held exactly. In f32 and where coordinates are finer, ends of chains are off by rounding.
  */
 #ifndef LOFT_MOTION_EMIT_H
 #define LOFT_MOTION_EMIT_H
@@ -22,7 +23,8 @@ typedef struct {
     uint16_t   number[LOFT_EMIT_SAMPLES];   /* curves that are behind each */
     uint8_t    count, next;                 /* the next span begins at sample `next` */
     bool       begun, moves, ended;
-    int64_t    at[LOFT_AXES];               /* of point[next] */
+    int64_t    at[LOFT_AXES];               /* of point[next], from the start of the chain */
+    int64_t    grains[LOFT_AXES];           /* 2^-16 mm from there to the end of the last span */
     loft_vec   from, to;                    /* ends of the chain */
     loft_vec   last;                        /* the end of the last span */
 } loft_emit;

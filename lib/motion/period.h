@@ -14,9 +14,9 @@ LOFT_BEGIN_C
 
 /* Do not rely on the fields. All in units of loft_coord. */
 typedef struct {
-    loft_coord speed[LOFT_AXES];     /* v h, at most 2^30   */
-    loft_coord accel[LOFT_AXES];     /* a h^2               */
-    loft_coord jerk[LOFT_AXES];      /* j h^3; 0: unlimited */
+    loft_coord speed[LOFT_AXES];     /* v h, at most 2^28; of 2^-16 mm a multiple of 3 */
+    loft_coord accel[LOFT_AXES];     /* a h^2, a multiple of 6 */
+    loft_coord jerk[LOFT_AXES];      /* j h^3, a multiple of 6; a stand-in where it is not limited */
     loft_coord tol;                  /* how far from the path */
     loft_coord tube;                 /* how much of it is for the smooth path: spans may leave that
                                       * by a 36th of a fourth difference */
@@ -27,7 +27,7 @@ typedef struct {
 /* Choose the period for `limits`, which loft_limits_check has accepted. */
 void loft_period_init(loft_period *period, const loft_limits *limits);
 
-/* A speed, mm/s, in a period. */
+/* A feed, mm/s, in a period, less what rounding spans adds to it. */
 loft_coord loft_period_speed(const loft_period *period, loft_real speed);
 
 LOFT_END_C

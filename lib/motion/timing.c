@@ -84,7 +84,7 @@ static bool jerk_holds(int64_t g, int32_t b, loft_coord limit)
 /* What is used of a limit: 63 / 64 at a full share. */
 static loft_coord part_of(loft_coord limit, int share)
 {
-    return (loft_coord)(((int64_t)limit * share >> 6) - limit / 4096 * share) + 1;
+    return (loft_coord)((int64_t)limit * share >> 6);
 }
 
 static bool axis_holds(const loft_period *p, legs e, int i, const pace at[3], int32_t curve,

@@ -179,7 +179,9 @@ static void time_knots(loft_trajectory *t, unsigned known, unsigned sweeps)
  * first one was. */
 static void refine(loft_trajectory *t)
 {
-    for (int n = 0; n < REFINED && loft_guess_again(&t->guess, t->knot, t->count); n++) {
+    for (int n = 0; n < REFINED && t->ended; n++) {
+        if (!loft_guess_again(&t->guess, t->knot, t->count))
+            break;
         t->count = t->placed = t->timed = 0;
         t->ended = false;
         (void)fill(t);

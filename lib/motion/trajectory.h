@@ -65,8 +65,8 @@ void loft_trajectory_end(loft_trajectory *t);
  *
  *   shape   each span begins exactly where the one before ended, with its velocity and
  *           acceleration; the first begins on the first control point, at rest
- *   error   speed, acceleration and jerk of each axis: the limits, but for what rounding the
- *           control points adds (plan.h); the path is within limits.tol
+ *   error   speed, acceleration and jerk of each axis: the limits, exactly (f32: but for rounding);
+ *           the path is within limits.tol
  */
 enum loft_trajectory_state loft_trajectory_next(loft_trajectory *t, loft_span *out);
 

@@ -29,6 +29,10 @@ static inline enum loft_status trajectory_init(loft_trajectory *t, const loft_li
 #define loft_plan_end   loft_trajectory_end
 #define loft_plan_next  (enum loft_plan_state)loft_trajectory_next
 
+/* Its spans are exact: no part of a limit is left to rounding. */
+#define GRAIN_OF(size) BY_NUM(0, ((size) + 1) * 0x1p-23, 0)
+#define JUMP_GRAINS(g) (12 * 0x1p-16 + 12 * (g))
+
 #include "support/motion_any.h" /* check_case */
 
 #endif

@@ -19,6 +19,11 @@ typedef struct {
     double   jump;                      /* of the acceleration from span to span */
 } motion_uses;
 
+#ifndef GRAIN_OF
+#  define GRAIN_OF(size) BY_NUM(0x1p-16, ((size) + 1) * 0x1p-23, ((size) + 1) * 0x1p-52)
+#  define JUMP_GRAINS(g) (12 * (g))
+#endif
+
 static inline double grain(void)
 {
     double size = 0;
@@ -26,7 +31,7 @@ static inline double grain(void)
         for (int k = 0; k < 4; k++)
             for (int i = 0; i < LOFT_AXES; i++)
                 size = fmax(size, fabs(arb_value(chain[c].curve.p[k].axis[i])));
-    return BY_NUM(0x1p-16, (size + 1) * 0x1p-23, (size + 1) * 0x1p-52);
+    return GRAIN_OF(size);
 }
 
 /* The control values of the velocity of axis i, mm/s. */
@@ -135,7 +140,7 @@ static inline void axis_uses(unsigned k, int i, double g, motion_uses *u)
         const double next = duration(&spans[k + 1]);
         span_speeds(&spans[k + 1], i, v);
         const double jump = 2 * (v[1] - v[0]) / next - last,
-                     noise = 12 * g / (h * h) + 12 * g / (next * next);
+                     noise = JUMP_GRAINS(g) / (h * h) + JUMP_GRAINS(g) / (next * next);
         u->jump = fmax(u->jump, use_of(jump, noise, arb_value(limits.max_accel[i])));
     }
 }

@@ -3,7 +3,7 @@
  */
 #define CURVES 100
 
-#include "support/motion_trajectory.h"  /* check_case */
+#include "support/motion_trajectory.h"
 
 static const arrival all_at_once = { CURVES, 112, NULL };
 
