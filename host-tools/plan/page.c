@@ -392,7 +392,7 @@ static int crop_to_page(const page_options *g, drawing *d, const double size[2],
     return code;
 }
 
-int page_apply(const page_options *g, drawing *d, const char *file)
+static int place(const page_options *g, drawing *d, const char *file)
 {
     const char *name = source_name(file);
     double room[2] = { 0, 0 }, size[2] = { g->size[0], g->size[1] };
@@ -434,7 +434,17 @@ int page_apply(const page_options *g, drawing *d, const char *file)
     d->height = size[1];
     if (code == 0)
         code = check_reach(d, name);
-    return code == 0 && g->crop ? crop_to_page(g, d, size, name) : code;
+    return code;
+}
+
+int page_apply(const page_options *g, drawing *d, const char *file)
+{
+    int code = place(g, d, file);
+
+    if (code == 0)
+        code = fill_apply(&g->fill, d, file);
+    const double size[2] = { d->width, d->height };
+    return code == 0 && g->crop ? crop_to_page(g, d, size, source_name(file)) : code;
 }
 
 /* How far a box is beyond the page, mm. */

@@ -8,6 +8,7 @@
 #define LOFT_PAGE_H
 
 #include "base/tool.h"      /* tool_option, tool_list */
+#include "plan/fill.h"
 #include "read/drawing.h"   /* drawing */
 
 typedef struct {
@@ -20,13 +21,14 @@ typedef struct {
     bool fit, centre, crop;
     double margin, gap;     /* mm */
     unsigned copies[2];     /* across, up; 0: one */
+    fill_options fill;
 } page_options;
 
 /* Rows of a table of options. */
 #define PAGE_OPTIONS(g)                                                                            \
     TOOL_TEXT("layer", "NAME,..", &(g)->layers,                                                    \
               "of SVG: draw only these layers of Inkscape, by name or first number (all)"),        \
-        TOOL_TEXT("text", "HOW", &(g)->text,                                                           \
+        TOOL_TEXT("text", "HOW", &(g)->text,                                                       \
               "of SVG: outline, line or line:FONT: letters of single lines, as line:rowmans; "     \
               "none (outline)"),                                                                   \
         TOOL_PARSED("page", "SIZE", g, page_parse_size,                                            \
@@ -43,7 +45,8 @@ typedef struct {
                   "the lower left corner of what is drawn, mm from that of the page"),             \
         TOOL_PARSED("copies", "NXxNY", g, page_parse_copies, "NX side by side, in NY rows"),       \
         TOOL_NUMBER("gap", "MM", &(g)->gap, 0, 8000, "between copies (5)"),                        \
-        TOOL_SWITCH("crop", &(g)->crop, "draw only what is on the page, without its margin")
+        TOOL_SWITCH("crop", &(g)->crop, "draw only what is on the page, without its margin"),     \
+        FILL_OPTIONS(&(g)->fill)
 
 #define PAGE_GAP 5          /* mm; the default of `gap` */
 
@@ -52,8 +55,8 @@ bool page_parse_size(const char *text, void *out);
 bool page_parse_turn(const char *text, void *out);
 bool page_parse_copies(const char *text, void *out);
 
-/* Scale, mirror, turn and place the drawing, in this order, make the copies and cut them. Returns
- * 0, or an exit code after printing one line; then *d may be changed, but can be freed.
+/* Scale, mirror, turn and place the drawing, in this order, make the copies, fill and cut them.
+ * Returns 0, or an exit code after printing one line; then *d may be changed, but can be freed.
  *
  *   error   8 ulp of the largest coordinate; none for turns by 90 degrees, mirroring and scaling by
  *           powers of 2; --crop: PAGE_CUT */

@@ -24,6 +24,8 @@ typedef struct {
                              * stands, for the program has not said where that is */
     unsigned path;          /* 0, 1, 2 ..: curves of one path follow each other and are connected */
     unsigned line;          /* its line in the file */
+    unsigned fill;          /* of SVG: which shape it outlines times DRAWING_SHAPE, and how that is
+                             * painted */
 } drawing_curve;
 
 typedef struct {
@@ -45,6 +47,10 @@ typedef struct {
 #define DRAWING_LIMIT 16000.0
 #define DRAWING_RAPID (-1.0)
 #define DRAWING_TOL   1e-4          /* mm between a curve and its cubics, a fiftieth of a plan's */
+#define DRAWING_EVENODD 1u
+#define DRAWING_STROKED 2u
+#define DRAWING_FILLED  4u
+#define DRAWING_SHAPE   8u
 #define DRAWING_CURVES_MAX 4000000u     /* more are refused: a few kB can expand to billions */
 
 /* Read `file` ("-" is standard input). Its content tells the format: SVG, curves (LOFT.md), G-code

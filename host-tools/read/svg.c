@@ -99,6 +99,17 @@ static void read_positive(svg_reader *r, const svg_style *style, enum svg_proper
     xmlFree(value);
 }
 
+static void read_rule(svg_reader *r, const svg_style *style, bool *evenodd)
+{
+    char *value = svg_property(r, style, SVG_FILL_RULE, NULL);
+
+    if (value != NULL && strcmp(value, "evenodd") == 0)
+        *evenodd = true;
+    else if (value != NULL && (strcmp(value, "nonzero") == 0 || strcmp(value, "initial") == 0))
+        *evenodd = false;
+    xmlFree(value);
+}
+
 static void read_visibility(svg_reader *r, const svg_style *style, bool *visible)
 {
     char *value = svg_property(r, style, SVG_VISIBILITY, NULL);
@@ -127,6 +138,7 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     read_visibility(r, style, &space->visible);
     read_paint(r, style, SVG_FILL, &space->fill);
     read_paint(r, style, SVG_STROKE, &space->stroke);
+    read_rule(r, style, &space->evenodd);
     read_positive(r, style, SVG_FILL_OPACITY, &space->fill_opaque);
     read_positive(r, style, SVG_STROKE_OPACITY, &space->stroke_opaque);
     read_positive(r, style, SVG_STROKE_WIDTH, &space->stroke_wide);
@@ -557,6 +569,16 @@ static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const 
 // Elements
 // --------
 
+bool svg_begin(svg_reader *r, const svg_space *space)
+{
+    const bool filled  = space->fill && space->fill_opaque,
+               stroked = space->stroke && space->stroke_opaque && space->stroke_wide;
+
+    r->fill = (r->fill / DRAWING_SHAPE + 1) * DRAWING_SHAPE + (filled ? DRAWING_FILLED : 0) +
+              (stroked ? DRAWING_STROKED : 0) + (space->evenodd ? DRAWING_EVENODD : 0);
+    return space->visible && (filled || stroked);
+}
+
 static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
                          const use_chain *chain)
 {
@@ -578,8 +600,7 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
     warn_undrawn(r, &space);
     if (!space.visible)
         return true;
-    if ((space.fill && space.fill_opaque) ||
-        (space.stroke && space.stroke_opaque && space.stroke_wide))
+    if (svg_begin(r, &space))
         return svg_shape(r, &space, &shape);
     svg_warn(r, SVG_WARN_UNSEEN,
              "<%s> without fill and stroke is invisible and not drawn: give it a stroke to draw it",

@@ -65,6 +65,7 @@ typedef struct {
     xmlDictPtr words;           /* names of fonts */
     svg_fonts *fonts;
     svg_lines *lines;
+    unsigned fill;              /* of the current shape, see drawing.h */
     unsigned letters;           /* that were drawn, to stop a flood of them */
 } svg_reader;
 
@@ -113,6 +114,7 @@ typedef struct {
     bool visible;
     bool fill, fill_opaque;                 /* an element with neither fill nor stroke is */
     bool stroke, stroke_opaque, stroke_wide;/* invisible and not drawn */
+    bool evenodd;               /* fill-rule */
     bool clipped;               /* the element is clipped by its viewport */
     svg_font font;
     const svg_scope *scope;
@@ -133,6 +135,9 @@ bool svg_draw(svg_reader *r, const xmlNode *root);
 /* Read the style of the current element into `space`; *shown: some of it is visible. `scope` must
  * outlive `space`, and must be closed. */
 bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown);
+
+/* Begin a shape: the curves that follow are painted together. Returns false if it is invisible. */
+bool svg_begin(svg_reader *r, const svg_space *space);
 
 /* What the current element refers to by href, or NULL; free with xmlFree. And the element with an
  * id, or NULL. */
@@ -184,6 +189,7 @@ enum svg_property {
     SVG_OPACITY,
     SVG_FILL,
     SVG_FILL_OPACITY,
+    SVG_FILL_RULE,
     SVG_STROKE,
     SVG_STROKE_OPACITY,
     SVG_STROKE_WIDTH,

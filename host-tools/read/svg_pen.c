@@ -65,6 +65,7 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
         return svg_fail(pen->r, "more than %u curves: split the drawing", DRAWING_CURVES_MAX);
 
     drawing_add(d, p, pen->fresh, pen->line);
+    d->curve[d->count - 1].fill = pen->r->fill;
     memcpy(pen->end, p[3], sizeof p[3]);
     pen->fresh = false;
     return true;

@@ -329,6 +329,7 @@ static bool rail_at(const rail *l, double distance, double at[2], double way[2])
 typedef struct {
     size_t first, last;         /* letters */
     svg_shaped shaped;
+    bool lines;                 /* its letters are lines, not outlines */
     double advance;             /* user units, with dx */
 } run;
 
@@ -377,6 +378,7 @@ static bool shape_run(layout *l, run *u)
                      text);
             svg_shaped_free(&u->shaped);
         }
+        u->lines = u->shaped.clusters > 0;
     }
     if (u->shaped.clusters == 0) {
         if (!svg_glyphs_shape(r, f, text, length, &u->shaped))
@@ -462,12 +464,6 @@ static double shift_of(const svg_font *f, const svg_shaped *s)
     return up * f->size + f->shift;
 }
 
-static bool is_seen(const svg_space *s)
-{
-    return s->visible &&
-           ((s->fill && s->fill_opaque) || (s->stroke && s->stroke_opaque && s->stroke_wide));
-}
-
 /* Lines below, above and through a run, as wide as it is. */
 static bool draw_decoration(svg_reader *r, const svg_space *space, const run *u, const double at[2])
 {
@@ -501,14 +497,18 @@ static bool draw_run(layout *l, const run *u, const rail *along)
     const double size     = f->size;
     bool good             = true;
 
+    const bool seen       = svg_begin(l->c->r, &of->space);
+
     l->c->r->node = of->node;
+    if (u->lines)
+        l->c->r->fill &= ~(unsigned)DRAWING_FILLED;
     l->at[0] += first->dx;
     l->at[1] += first->dy;
     const double y = l->at[1] - shift_of(f, &u->shaped), from[2] = { l->at[0], y };
     for (size_t k = 0; k < u->shaped.clusters && good; k++) {
         const double wide = u->shaped.cluster[k].advance * size;
         double at[2] = { l->at[0], y }, way[2] = { 1, 0 };
-        bool shown   = is_seen(&of->space);
+        bool shown   = seen;
         if (along != NULL) {
             shown = rail_at(along, l->at[0] + wide / 2, at, way) && shown;
             for (int i = 0; i < 2; i++)
@@ -523,8 +523,7 @@ static bool draw_run(layout *l, const run *u, const rail *along)
                                 svg_multiply(of->space.to_mm, svg_multiply(place, own)));
         l->at[0] += wide + gap_after(l, u, k);
     }
-    if (good && along == NULL && is_seen(&of->space) &&
-        (f->underlined || f->overlined || f->struck)) {
+    if (good && along == NULL && seen && (f->underlined || f->overlined || f->struck)) {
         run plain = *u;
         plain.advance -= first->dx;
         good = draw_decoration(l->c->r, &of->space, &plain, from);

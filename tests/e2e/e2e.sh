@@ -762,6 +762,18 @@ SVG
     one_line 65 'nothing to draw' "$loft" stream "$tmp/text.svg" --dry-run --text none
     one_line 65 'no font "x"' "$loft" stream "$tmp/text.svg" --dry-run --text line:x
 }
+case_fill() {
+    cat >"$tmp/box.svg" <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="40mm" viewBox="0 0 90 40">
+<rect x="10" y="10" width="20" height="10"/></svg>
+SVG
+    run 0 "$loft" stream "$tmp/box.svg" --dry-run --fill hatch:0,2 --outline none
+    says out ' 5 curves, 0.100 m drawn'
+    run 0 "$loft" plan "$tmp/box.svg" --total --fill cross:0,2 --page 25x40 --crop
+    says out '^drawn  *195.000 '
+    one_line 65 'nothing in it is filled' "$loft" plan "$tmp/small.csv" --fill hatch
+    one_line 64 'give hatch:ANGLE,MM' "$loft" plan "$tmp/box.svg" --fill wave
+}
 case_bad_ports() {
     one_line 69 'No such file'      "$loft" stream "$tmp/small.csv" --port /dev/ttyNONE
     one_line 69 'not a serial port' "$loft" stream "$tmp/small.csv" --port /dev/null

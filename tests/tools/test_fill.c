@@ -1,0 +1,182 @@
+/* tests/tools/test_fill.c -- lines that fill shapes: where they are, and where they are not
+ * SPDX-License-Identifier: MIT
+ *
+ * cairo judges: a point is inside a shape or not by its own rule of winding.
+ */
+#include <cairo.h>
+
+#include "plan/fill.h"
+#include "tools/drawn.h"
+
+static bool fill_svg(const char *inner, const char *how, const char *outline, drawing *d)
+{
+    char text[4000];
+    fill_options f = { .outline = outline };
+
+    snprintf(text, sizeof text, PAGE("%s"), inner);
+    return read_svg(d, text) == 0 && fill_parse(how, &f) && fill_apply(&f, d, "test.svg") == 0;
+}
+
+static void check_filled(const char *inner, const char *how, const char *outline,
+                         const char *wanted, int line)
+{
+    char got[4000];
+    drawing d;
+
+    if (!fill_svg(inner, how, outline, &d)) {
+        printf("%s:%d: %s\n", __FILE__, line, caught);
+        check_bad = true;
+        return;
+    }
+    put_drawing(got, sizeof got, &d, 100);
+    if (strcmp(got, wanted) != 0) {
+        printf("%s:%d: %s\n  %s\n", __FILE__, line, got, wanted);
+        check_bad = true;
+    }
+    drawing_free(&d);
+}
+#define FILLS(inner, how, wanted) check_filled(inner, how, "none", wanted, __LINE__)
+
+/* Page heights are 100 - y, so the grid of lines 2 apart lies at odd y. */
+static void lines_fill_shapes(arb *a)
+{
+    (void)a;
+    FILLS("<rect x='10' y='10' width='20' height='4'/>", "hatch:0,2",
+          "M 30 13 L 10 13 M 10 11 L 30 11");
+    FILLS("<rect x='10' y='10' width='4' height='20'/>", "hatch:90,2",
+          "M 13 10 L 13 30 M 11 30 L 11 10");
+    FILLS("<rect x='10' y='10' width='2' height='2'/>", "cross:0,2",
+          "M 10 11 L 12 11 M 11 12 L 11 10");
+    FILLS("<path d='M10 10h20v2h-20'/>", "hatch:0,2", "M 10 11 L 30 11");
+    FILLS("<path d='M10 10h20v2h-20zm5 -1h10v4h-10z'/>", "hatch:0,2",
+          "M 25 13 L 15 13 M 10 11 L 30 11");
+    FILLS("<path fill-rule='evenodd' d='M10 10h20v2h-20zm5 -1h10v4h-10z'/>", "hatch:0,2",
+          "M 25 13 L 15 13 M 10 11 L 15 11 M 25 11 L 30 11");
+    FILLS("<path d='M10 10h20v2h-20zm5 -1v4h10v-4z'/>", "hatch:0,2",
+          "M 25 13 L 15 13 M 10 11 L 15 11 M 25 11 L 30 11");
+    check_filled("<path d='M10 10h2v2h-2z'/><path d='M20 10h2v2h-2z' fill='none' stroke='red'/>",
+                 "hatch:0,2", NULL,
+                 "M 10 10 L 12 10 L 12 12 L 10 12 L 10 10 M 10 11 L 12 11"
+                 " M 20 10 L 22 10 L 22 12 L 20 12 L 20 10",
+                 __LINE__);
+    check_filled("<g stroke='red'><path d='M10 10h2v2h-2z'/></g><path d='M20 10h2v2h-2z'/>",
+                 "hatch:0,2", "stroke",
+                 "M 10 10 L 12 10 L 12 12 L 10 12 L 10 10 M 10 11 L 12 11 M 20 11 L 22 11",
+                 __LINE__);
+}
+
+static void add_curves(cairo_t *cairo, const drawing *d)
+{
+    for (size_t i = 0; i < d->count; i++) {
+        const drawing_curve *c = &d->curve[i];
+        if (i == 0 || c->path != c[-1].path)
+            cairo_move_to(cairo, c->p[0][0], c->p[0][1]);
+        cairo_curve_to(cairo, c->p[1][0], c->p[1][1], c->p[2][0], c->p[2][1], c->p[3][0],
+                       c->p[3][1]);
+    }
+}
+
+/* At a point of the grid: is it on a line, or near the end of one? */
+static int on_lines(const drawing *d, double x, double y)
+{
+    for (size_t i = 0; i < d->count; i++) {
+        const double *a = d->curve[i].p[0], *b = d->curve[i].p[3];
+        if (fabs(a[1] - y) > 1e-6)
+            continue;
+        const double low = fmin(a[0], b[0]), high = fmax(a[0], b[0]);
+        if (fabs(x - low) < 0.2 || fabs(x - high) < 0.2)
+            return -1;
+        if (x > low && x < high)
+            return 1;
+    }
+    return 0;
+}
+
+/* Random curves, also ones that cross themselves: cairo says which points are inside. */
+static void what_is_inside_is_what_is_painted(arb *a)
+{
+    const bool evenodd = arb_below(a, 2);
+    char inner[2000]   = "";
+    drawing outline, lines;
+
+    snprintf(inner, sizeof inner, "<path fill-rule='%s' d='", evenodd ? "evenodd" : "nonzero");
+    for (int path = 0; path < 2; path++) {
+        sprintf(inner + strlen(inner), "M%u %u", 5 + arb_below(a, 90), 5 + arb_below(a, 90));
+        for (int k = 0; k < 4; k++)
+            sprintf(inner + strlen(inner), "C%u %u %u %u %u %u", arb_below(a, 100),
+                    arb_below(a, 100), arb_below(a, 100), arb_below(a, 100), arb_below(a, 100),
+                    arb_below(a, 100));
+    }
+    strcat(inner, "'/>");
+    CHECK(fill_svg(inner, "none", NULL, &outline) && fill_svg(inner, "hatch:0,2", "none", &lines));
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
+    cairo_t *cairo           = cairo_create(surface);
+    cairo_set_tolerance(cairo, 0.01);
+    cairo_set_fill_rule(cairo, evenodd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+    add_curves(cairo, &outline);
+    unsigned judged = 0;
+    for (int k = 0; k < 300; k++) {
+        const double x = arb_below(a, 100000) / 1000.0, y = 1 + 2 * (double)arb_below(a, 50);
+        const int on   = on_lines(&lines, x, y);
+        /* near an edge, cairo's tolerance decides; on an edge, the point is inside for cairo */
+        const bool near = cairo_in_fill(cairo, x - 0.1, y) != cairo_in_fill(cairo, x + 0.1, y) ||
+                          cairo_in_fill(cairo, x, y - 0.1) != cairo_in_fill(cairo, x, y + 0.1);
+        if (on < 0 || near)
+            continue;
+        judged++;
+        CHECK(cairo_in_fill(cairo, x, y) == (on > 0));
+    }
+    CHECK(judged > 100);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+    drawing_free(&outline);
+    drawing_free(&lines);
+}
+
+/* Turned by any angle, the lines have the length that the area wants. */
+static void lines_cover_the_area(arb *a)
+{
+    const double angle = arb_below(a, 36000) / 100.0, apart = 0.1 + arb_below(a, 100) / 500.0;
+    const double r     = 5 + (double)arb_below(a, 30);
+    char inner[200], how[60];
+    drawing d;
+
+    snprintf(inner, sizeof inner, "<circle cx='50' cy='50' r='%.3f'/>", r);
+    snprintf(how, sizeof how, "hatch:%.2f,%.3f", angle, apart);
+    CHECK(fill_svg(inner, how, "none", &d));
+    CHECK(fabs(drawing_length(&d) * apart - M_PI * r * r) < 0.002 * M_PI * r * r + 0.02);
+    for (size_t i = 0; i < d.count; i++)
+        for (int k = 0; k < 4; k += 3)
+            CHECK(fabs(hypot(d.curve[i].p[k][0] - 50, d.curve[i].p[k][1] - 50) - r) < 6e-4);
+    drawing_free(&d);
+}
+
+static void bad_fills_are_refused(arb *a)
+{
+    static const char *const bad[] = {
+        "",     "hatch:",       "hatch:45", "hatch:45,0",  "hatch:x,1",
+        "wave", "hatch:45,1,2", "hatching", "cross:400,1", "hatch:0,nan"
+    };
+    drawing d;
+
+    (void)a;
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        fill_options f = { .distance = 0 };
+        caught[0]      = '\0';
+        CHECK(!fill_parse(bad[i], &f) && strstr(caught, "give hatch:ANGLE,MM"));
+    }
+    CHECK(!fill_svg("<path fill='none' stroke='red' d='M0 0h1v1'/>", "hatch", NULL, &d) &&
+          strstr(caught, "nothing in it is filled"));
+    drawing_free(&d);
+    CHECK(!fill_svg("<path d='M0 0h1v1'/>", "hatch", "some", &d) && strstr(caught, "give all"));
+    drawing_free(&d);
+}
+
+int main(void)
+{
+    PROPERTY(lines_fill_shapes, 1);
+    PROPERTY(what_is_inside_is_what_is_painted, 200);
+    PROPERTY(lines_cover_the_area, 100);
+    PROPERTY(bad_fills_are_refused, 1);
+    return check_failures();
+}
