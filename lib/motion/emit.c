@@ -16,9 +16,10 @@
  * 6 (n1 - n0) / h^3, and limits are whole numbers of grains (period.c). If the wanted w0, w1 are
  * within the limits so are n0, n1 for a choice of floor or floor + 1 of each: if floor(w1) -
  * floor(w0) exceeds the jerk j, it is j + 1, then w0 is no whole number and floor(w0) + 1 will do.
- * So limits are held without any margin. The rounding of n0, n1 and of p0 is made good by v: p3 is
- * off by 2 grains at most, and v by 2. Velocity and acceleration jump by a grain or two where spans
- * meet; rounded for themselves they would jump as well.
+ * What is left of an excess of w1 - w0 is taken off both. So limits are held without any margin. The
+ * rounding of n0, n1 and of p0 is made good by v: p3 is off by 2 grains at most, and v by 2.
+ * Velocity and acceleration jump by a grain or two where spans meet; rounded for themselves they
+ * would jump as well.
  */
 #include "motion/emit.h"
 
@@ -262,9 +263,16 @@ static void set_span(loft_emit *e, loft_span *out)
     for (int i = 0; i < LOFT_AXES; i++) {
         const int64_t ab = d1(e, k, i), bc = d1(e, k + 1, i), cd = d1(e, k + 2, i);
         const int64_t off = e->at[i] - e->grains[i] * GRAIN;        /* of point k */
-        const wanted w = { ab + bc,       bc - ab,
-                           cd - bc,       6 * off + 5 * bc + cd,
-                           off + bc + cd, e->ended && k + 4u == e->count };
+        const int64_t jerk = cd - 2 * bc + ab, most = e->period->jerk[i],
+                      more = jerk > most    ? jerk - most
+                             : jerk < -most ? jerk + most
+                                            : 0;
+        wanted w = { .v = ab + bc,
+                     .n0 = bc - ab + more / 2,
+                     .ends = e->ended && k + 4u == e->count };
+        w.n1 = cd - bc - (more - more / 2);
+        w.way = 6 * off + 5 * bc + cd;
+        w.rest = off + bc + cd;
         const steps_of_axis x = rounded(e->period, i, &w);
         const int64_t p0 = e->grains[i], p1 = p0 + x.v, p2 = p1 + x.v + x.n0;
         e->grains[i] = p0 + way_of(x);

@@ -3,7 +3,7 @@
  *
  * The spans are those of a uniform cubic B-spline in time, with the samples X at its knots: control
  * points C = X - D2 X / 6, moved by as little as holds all limits, and rounded to 2^-16 mm so that
- * they are held exactly. In f32 and where coordinates are finer, ends of chains are off by rounding.
+ * they are held exactly, but in f32.
  */
 #ifndef LOFT_MOTION_EMIT_H
 #define LOFT_MOTION_EMIT_H

@@ -16,7 +16,7 @@ LOFT_BEGIN_C
 typedef struct {
     loft_coord speed[LOFT_AXES];     /* v h, at most 2^28; of 2^-16 mm a multiple of 3 */
     loft_coord accel[LOFT_AXES];     /* a h^2, a multiple of 6 */
-    loft_coord jerk[LOFT_AXES];      /* j h^3, a multiple of 6; a stand-in where it is not limited */
+    loft_coord jerk[LOFT_AXES];      /* j h^3, a multiple of 6, limited or not */
     loft_coord tol;                  /* how far from the path */
     loft_coord tube;                 /* how much of it is for the smooth path: spans may leave that
                                       * by a 36th of a fourth difference */

@@ -129,12 +129,23 @@ static loft_timing timing_of(const loft_trajectory *t)
     return timing;
 }
 
-/* A pace for knots that have none: a creep. */
+/* The even pace that all limits allow from knot to knot. */
+static int32_t evenly(const loft_trajectory *t)
+{
+    int32_t b = LOFT_V2_ONE;
+
+    for (unsigned k = 1; k + 2 < t->count; k++)
+        b = t->knot[k].goal < b ? t->knot[k].goal : b;
+    return b - b / 32;
+}
+
+/* A pace for knots that have none: a creep, or, where the chain is known as a whole, an even one.
+ */
 static void creep(loft_trajectory *t)
 {
     const unsigned from = t->timed, to = t->placed;
     const loft_timing timing = timing_of(t);
-    int32_t b = CREEP;
+    int32_t b = t->ended && from == 0 ? evenly(t) : CREEP;
 
     for (;; b /= 2) {
         for (unsigned k = from; k < to; k++)
