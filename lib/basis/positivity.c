@@ -25,24 +25,14 @@
  * Bits: a coefficient of q has R + 7, R those of a number; one of q' or g 4 more; an entry of B 5
  * more than their product; a minor of order k is below k! entry^k: 9 (2 R + 23) + 19. A coefficient
  * of q_m o is at most q_m 2^m |q| (Mignotte), 2 R + 25 bits: a minor has 9 (4 R + 60) + 19.
- *
- * The sign of an integer v, |v| < M / 2, M the product of the primes: v or M + v is d_0 + d_1 p_0 +
- * d_2 p_0 p_1 + .. with digits d_i < p_i. (M - 1) / 2 has the digits (p_i - 1) / 2, and v is
- * negative if its digits, compared from the last, are larger.
  */
 #include "basis/positivity.h"
-#include "num/residue.h"        /* loft_residue */
+#include "basis/residue_poly.h" /* loft_residue_poly, loft_residue_bezout */
 
 #define MOST      LOFT_DEGREE_MAX
 #define FIRST     (MOST * (2 * LOFT_RESIDUE_REAL + 23) + 20)
 #define SECOND    (MOST * (4 * LOFT_RESIDUE_REAL + 60) + 20)
 #define PRIMES    (SECOND / 30 + 2)
-
-/* A polynomial modulo a prime. */
-typedef struct {
-    uint32_t c[MOST + 2];
-    unsigned degree;
-} poly;
 
 /* The minors of two forms, as mixed radix digits: minor[f][k - 1] of order k */
 typedef struct {
@@ -50,73 +40,18 @@ typedef struct {
     unsigned primes, orders;
 } minors;
 
-static poly poly_derivative(const loft_residue *r, const poly *q)
-{
-    poly d = { { 0 }, q->degree > 0 ? q->degree - 1 : 0 };
-
-    for (unsigned j = 1; j <= q->degree; j++)
-        d.c[j - 1] = loft_residue_mul(r, q->c[j], j);
-    return d;
-}
-
-static bool poly_is_zero(const poly *q) { return q->degree == 0 && q->c[0] == 0; }
-
-static void poly_trim(poly *q)
-{
-    while (q->degree > 0 && q->c[q->degree] == 0)
-        q->degree--;
-}
-
-/* a / b; what remains is left in a. */
-static poly poly_divide(const loft_residue *r, poly *a, const poly *b)
-{
-    poly quotient = { { 0 }, 0 };
-    const uint32_t inverse = loft_residue_inverse(r, b->c[b->degree]);
-
-    if (a->degree < b->degree)
-        return quotient;
-    quotient.degree = a->degree - b->degree;
-    for (unsigned k = quotient.degree + 1; k-- > 0; ) {
-        const uint32_t f = loft_residue_mul(r, a->c[k + b->degree], inverse);
-        quotient.c[k] = f;
-        for (unsigned j = 0; j <= b->degree; j++)
-            a->c[k + j] = loft_residue_sub(r, a->c[k + j], loft_residue_mul(r, f, b->c[j]));
-    }
-    poly_trim(a);
-    return quotient;
-}
-
-static poly poly_gcd(const loft_residue *r, poly a, poly b)
-{
-    while (!poly_is_zero(&b)) {
-        (void)poly_divide(r, &a, &b);
-        const poly swap = a;
-        a = b;
-        b = swap;
-    }
-    return a;
-}
-
-static poly poly_product(const loft_residue *r, const poly *a, const poly *b)
-{
-    poly c = { { 0 }, a->degree + b->degree };
-
-    for (unsigned i = 0; i <= a->degree; i++)
-        for (unsigned j = 0; j <= b->degree; j++)
-            c.c[i + j] = loft_residue_add(r, c.c[i + j], loft_residue_mul(r, a->c[i], b->c[j]));
-    return c;
-}
-
 /* The product of the x - root of odd multiplicity, times the leading coefficient. */
-static poly odd_part(const loft_residue *r, const poly *q)
+static loft_residue_poly odd_part(const loft_residue *r, const loft_residue_poly *q)
 {
     const uint32_t lead = q->c[q->degree];
-    poly odd = { { 1 }, 0 }, rest = *q;
+    loft_residue_poly odd = { { 1 }, 0 }, rest = *q;
 
     for (bool times = true; rest.degree > 0; times = !times) {
-        const poly gcd = poly_gcd(r, rest, poly_derivative(r, &rest));
-        const poly simple = poly_divide(r, &rest, &gcd);
-        odd = times ? poly_product(r, &odd, &simple) : poly_divide(r, &odd, &simple);
+        const loft_residue_poly gcd = loft_residue_poly_gcd(r, rest,
+                                                            loft_residue_poly_derivative(r, &rest));
+        const loft_residue_poly simple = loft_residue_poly_divide(r, &rest, &gcd);
+        odd = times ? loft_residue_poly_product(r, &odd, &simple)
+                    : loft_residue_poly_divide(r, &odd, &simple);
         rest = gcd;
     }
     const uint32_t scale = loft_residue_mul(r, lead, loft_residue_inverse(r, odd.c[odd.degree]));
@@ -125,57 +60,10 @@ static poly odd_part(const loft_residue *r, const poly *q)
     return odd;
 }
 
-/* Bezout's matrix with rows and columns reversed: leading minors. */
-static void bezout(const loft_residue *r, const poly *q, const poly *g, uint32_t out[MOST][MOST])
-{
-    const unsigned m = q->degree;
-
-    for (unsigned i = 0; i < m; i++)
-        for (unsigned j = 0; j < m; j++) {
-            uint32_t sum = 0;
-            for (unsigned k = 0; k <= i && j + k + 1 <= m; k++) {
-                const uint32_t one = loft_residue_mul(r, q->c[j + k + 1], g->c[i - k]);
-                const uint32_t two = loft_residue_mul(r, q->c[i - k], g->c[j + k + 1]);
-                sum = loft_residue_add(r, sum, loft_residue_sub(r, one, two));
-            }
-            out[m - 1 - i][m - 1 - j] = sum;
-        }
-}
-
-/* The determinant of the first k rows and columns. */
-static uint32_t leading_minor(const loft_residue *r, uint32_t from[MOST][MOST], unsigned k)
-{
-    uint32_t a[MOST][MOST], det = 1;
-
-    for (unsigned i = 0; i < k; i++)
-        for (unsigned j = 0; j < k; j++)
-            a[i][j] = from[i][j];
-    for (unsigned i = 0; i < k; i++) {
-        unsigned pivot = i;
-        while (pivot < k && a[pivot][i] == 0)
-            pivot++;
-        if (pivot == k)
-            return 0;
-        for (unsigned j = i; j < k && pivot != i; j++) {
-            const uint32_t swap = a[i][j];
-            a[i][j] = a[pivot][j];
-            a[pivot][j] = swap;
-        }
-        det = loft_residue_mul(r, pivot == i ? det : loft_residue_sub(r, 0, det), a[i][i]);
-        const uint32_t inverse = loft_residue_inverse(r, a[i][i]);
-        for (unsigned l = i + 1; l < k; l++) {
-            const uint32_t f = loft_residue_mul(r, a[l][i], inverse);
-            for (unsigned j = i; j < k; j++)
-                a[l][j] = loft_residue_sub(r, a[l][j], loft_residue_mul(r, f, a[i][j]));
-        }
-    }
-    return det;
-}
-
 /* x q' - m q, whose coefficient of degree m is 0 */
-static poly lowered(const loft_residue *r, const poly *q)
+static loft_residue_poly lowered(const loft_residue *r, const loft_residue_poly *q)
 {
-    poly g = { { 0 }, q->degree };
+    loft_residue_poly g = { { 0 }, q->degree };
 
     for (unsigned j = 0; j < q->degree; j++)
         g.c[j] = loft_residue_sub(r, 0, loft_residue_mul(r, q->c[j], q->degree - j));
@@ -183,44 +71,26 @@ static poly lowered(const loft_residue *r, const poly *q)
 }
 
 /* Append the digits of all minors of q for one more prime. */
-static void add_prime(const loft_residue *r, const poly *q, minors *x)
+static void add_prime(const loft_residue *r, const loft_residue_poly *q, minors *x)
 {
-    const poly g[2] = { poly_derivative(r, q), lowered(r, q) };
-    uint32_t matrix[MOST][MOST], inverse[PRIMES];
+    const loft_residue_poly g[2] = { loft_residue_poly_derivative(r, q), lowered(r, q) };
+    uint32_t matrix[LOFT_RESIDUE_ORDER][LOFT_RESIDUE_ORDER];
     const unsigned at = x->primes++;
 
     x->prime[at] = r->prime;
     x->orders = q->degree;
-    for (unsigned i = 0; i < at; i++)
-        inverse[i] = loft_residue_inverse(r, x->prime[i] % r->prime);
+    const uint32_t radix = loft_residue_radix(r, x->prime, at);
     for (int f = 0; f < 2; f++) {
-        bezout(r, q, &g[f], matrix);
-        for (unsigned k = 0; k < q->degree; k++) {
-            uint32_t *digit = x->digit[f][k], rest = leading_minor(r, matrix, k + 1);
-            for (unsigned i = 0; i < at; i++)
-                rest = loft_residue_mul(r, loft_residue_sub(r, rest, digit[i] % r->prime),
-                                        inverse[i]);
-            digit[at] = rest;
-        }
+        loft_residue_bezout(r, q, &g[f], q->degree, matrix);
+        for (unsigned k = 0; k < q->degree; k++)
+            x->digit[f][k][at] = loft_residue_digit(r, x->prime, x->digit[f][k], at, radix,
+                                                    loft_residue_minor(r, matrix, k + 1));
     }
 }
 
 static int minor_sign(const minors *x, int form, unsigned order)
 {
-    const uint32_t *digit = x->digit[form][order - 1];
-    bool any = false;
-
-    for (unsigned i = x->primes; i-- > 0; ) {
-        const uint32_t half = (x->prime[i] - 1) / 2;
-        if (digit[i] > half)
-            return -1;
-        any = any || digit[i] != 0;
-        if (digit[i] < half)
-            break;
-    }
-    for (unsigned i = 0; i < x->primes && !any; i++)
-        any = digit[i] != 0;
-    return any;
+    return loft_residue_sign(x->prime, x->digit[form][order - 1], x->primes);
 }
 
 static unsigned rank_of(const minors *x)
@@ -251,10 +121,10 @@ static int signature_of(const minors *x, int form, unsigned rank)
 }
 
 /* q of the coefficients low .. high. */
-static poly load_poly(const loft_residue *r, const loft_real b[], unsigned n, unsigned low,
-                      unsigned high)
+static loft_residue_poly load_poly(const loft_residue *r, const loft_real b[], unsigned n,
+                                   unsigned low, unsigned high)
 {
-    poly q = { { 0 }, high - low };
+    loft_residue_poly q = { { 0 }, high - low };
 
     for (unsigned j = low; j <= high; j++)
         q.c[j - low] = loft_residue_mul(r, loft_residue_real(r, b[j]),
@@ -276,7 +146,7 @@ static void count_roots(const loft_real b[], unsigned n, unsigned low, unsigned 
 
     loft_residue_start(&r, FIRST);
     while (loft_residue_next(&r)) {
-        const poly q = load_poly(&r, b, n, low, high);
+        const loft_residue_poly q = load_poly(&r, b, n, low, high);
         add_prime(&r, &q, &x);
     }
     const unsigned rank = rank_of(&x);
@@ -287,13 +157,14 @@ static void count_roots(const loft_real b[], unsigned n, unsigned low, unsigned 
     x.primes = 0;
     loft_residue_start(&r, SECOND);
     while (loft_residue_next(&r)) {
-        const poly q = load_poly(&r, b, n, low, high);
-        const poly gcd = poly_gcd(&r, q, poly_derivative(&r, &q));
+        const loft_residue_poly q = load_poly(&r, b, n, low, high);
+        const loft_residue_poly gcd = loft_residue_poly_gcd(&r, q,
+                                                            loft_residue_poly_derivative(&r, &q));
         if (q.c[q.degree] == 0 || gcd.degree != q.degree - rank) {
             loft_residue_skip(&r);
             continue;
         }
-        const poly odd = odd_part(&r, &q);
+        const loft_residue_poly odd = odd_part(&r, &q);
         add_prime(&r, &odd, &x);
     }
     *changes = x.orders > 0 ? positive_roots(&x, x.orders) : 0;

@@ -31,14 +31,13 @@ static bool coordinates_exact(const loft_bezier *b)
     return true;
 }
 
-/* The highest k with a k-th difference that is not 0, in one axis. */
-static unsigned axis_degree(const loft_bezier *b, int axis)
+unsigned loft_bezier_axis_degree(const loft_bezier *b, int axis)
 {
     loft_exact c[MOST];
     unsigned degree = 0;
 
     for (unsigned i = 0; i <= b->degree; i++)
-        c[i] = loft_exact_from_real(b->p[i].axis[axis]);
+        c[i] = loft_exact_from_real(loft_vec_axis(&b->p[i], axis));
     for (unsigned k = 1; k <= b->degree; k++)
         for (unsigned i = 0; i + k <= b->degree; i++) {
             c[i] = loft_exact_sub(c[i + 1], c[i]);
@@ -89,7 +88,7 @@ enum loft_status loft_bezier_exact_degree(const loft_bezier *b, unsigned *degree
     if (!coordinates_exact(b))
         return LOFT_ERR_RANGE;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
-        const unsigned k = axis_degree(b, axis);
+        const unsigned k = loft_bezier_axis_degree(b, axis);
         most = k > most ? k : most;
     }
     for (int axis = 0; axis < LOFT_AXES; axis++) {

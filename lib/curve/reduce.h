@@ -29,6 +29,14 @@ LOFT_BEGIN_C
 enum loft_status loft_bezier_exact_degree(const loft_bezier *b, unsigned *degree,
                                           loft_vec out[]) LOFT_CHECKED;
 
+/* The degree of one coordinate as a polynomial: the highest k with a k-th difference that is not 0.
+ *
+ *   range   f32, f64: coordinates that pass loft_exact_valid; axes beyond LOFT_AXES are 0
+ *   error   none
+ *   cost    n^2 / 2 exact sums
+ */
+unsigned loft_bezier_axis_degree(const loft_bezier *b, int axis);
+
 /* The curve with a degree lower by `times` and the same ends whose square of the distance, summed
  * over the parameter, is the smallest: out[degree - times + 1].
  *

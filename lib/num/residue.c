@@ -4,6 +4,10 @@
  * Primes are taken downward from 2^31. There are about 2^31 / 21.5 of them below that, and none is
  * used twice. The test of Miller and Rabin with the bases 2, 3, 5 and 7 is exact below 3.2e9
  * (Jaeschke 1993).
+ *
+ * The sign of an integer v, |v| < M / 2, M the product of the primes: v or M + v is d_0 + d_1 p_0 +
+ * d_2 p_0 p_1 + .. with digits d_i < p_i. (M - 1) / 2 has the digits (p_i - 1) / 2, and v is
+ * negative if its digits, compared from the last, are larger.
  */
 #include "num/residue.h"
 
@@ -106,6 +110,42 @@ uint32_t loft_residue_mul(const loft_residue *r, uint32_t a, uint32_t b)
 uint32_t loft_residue_inverse(const loft_residue *r, uint32_t a)
 {
     return pow_mod(a, r->prime - 2, r->prime);
+}
+
+uint32_t loft_residue_radix(const loft_residue *r, const uint32_t prime[], unsigned at)
+{
+    uint32_t product = 1;
+
+    for (unsigned i = 0; i < at; i++)
+        product = mul_mod(product, prime[i] % r->prime, r->prime);
+    return loft_residue_inverse(r, product);
+}
+
+uint32_t loft_residue_digit(const loft_residue *r, const uint32_t prime[], const uint32_t digit[],
+                            unsigned at, uint32_t radix, uint32_t remainder)
+{
+    uint32_t known = 0;
+
+    for (unsigned i = at; i-- > 0; )        /* d_0 + p_0 (d_1 + p_1 (..)) */
+        known = (uint32_t)(((uint64_t)known * prime[i] + digit[i]) % r->prime);
+    return mul_mod(loft_residue_sub(r, remainder, known), radix, r->prime);
+}
+
+int loft_residue_sign(const uint32_t prime[], const uint32_t digit[], unsigned primes)
+{
+    bool any = false;
+
+    for (unsigned i = primes; i-- > 0; ) {
+        const uint32_t half = (prime[i] - 1) / 2;
+        if (digit[i] > half)
+            return -1;
+        any = any || digit[i] != 0;
+        if (digit[i] < half)
+            break;
+    }
+    for (unsigned i = 0; i < primes && !any; i++)
+        any = digit[i] != 0;
+    return any;
 }
 
 static uint32_t minor2(const loft_residue *r, uint32_t v[][3], unsigned i, unsigned j)

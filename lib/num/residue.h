@@ -59,6 +59,24 @@ uint32_t loft_residue_mul(const loft_residue *r, uint32_t a, uint32_t b);
 /* 1 / a, a != 0. */
 uint32_t loft_residue_inverse(const loft_residue *r, uint32_t a);
 
+/* An integer by its remainders, prime after prime: digits in the radices prime[0], prime[1] ..
+ *
+ *     radix = loft_residue_radix(&r, prime, at);
+ *     digit[at] = loft_residue_digit(&r, prime, digit, at, radix, remainder);
+ *     prime[at++] = r.prime;
+ *     ..
+ *     sign = loft_residue_sign(prime, digit, at);
+ *
+ *   range   twice the magnitude of the integer is below the product of the primes
+ *   error   none
+ *   cost    radix: `at` products and an inverse; digit: 2 at products
+ *   see     Knuth, The Art of Computer Programming, vol. 2, 4.3.2
+ */
+uint32_t loft_residue_radix(const loft_residue *r, const uint32_t prime[], unsigned at);
+uint32_t loft_residue_digit(const loft_residue *r, const uint32_t prime[], const uint32_t digit[],
+                            unsigned at, uint32_t radix, uint32_t remainder);
+int      loft_residue_sign(const uint32_t prime[], const uint32_t digit[], unsigned primes);
+
 /* Are the three vectors of `size` numbers linearly dependent? All minors of order 3 are 0. */
 bool loft_residue_dependent(const loft_residue *r, uint32_t v[][3], unsigned size);
 

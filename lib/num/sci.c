@@ -287,3 +287,18 @@ loft_sci loft_sci_pow(loft_sci a, unsigned k)
     }
     return r;
 }
+
+loft_unit loft_sci_to_unit(loft_sci x)
+{
+    loft_acc t = 0;
+
+    return loft_sci_to_acc(x, &t) ? loft_unit_ratio(t, loft_to_acc(LOFT_REAL(1))) : 0;
+}
+
+loft_sci loft_sci_power2(int k)
+{
+    const loft_sci one = loft_sci_one(), two = loft_sci_from_int(2);
+    const loft_sci p = loft_sci_pow(two, (unsigned)(k < 0 ? -k : k));
+
+    return k < 0 ? loft_sci_div(one, p) : p;
+}

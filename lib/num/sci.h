@@ -140,6 +140,20 @@ loft_sci loft_sci_pow(loft_sci a, unsigned k);
  *   error   none */
 bool     loft_sci_is_unit(loft_sci x, loft_unit *t) LOFT_CHECKED;
 
+/* The nearest parameter.
+ *
+ *   range   |x| <= 100
+ *   error   q16: 2^-25 + 2^-32   f32: 2^-25 of it   f64: none
+ */
+loft_unit loft_sci_to_unit(loft_sci x);
+
+/* 2^k.
+ *
+ *   range   k = -1000..1000
+ *   error   none
+ */
+loft_sci loft_sci_power2(int k);
+
 /* The cross product of b - a and d - c in the plane: twice the area of the triangle a b d if c = a.
  * The sign is exact.
  *
