@@ -259,6 +259,7 @@
 #define loft_drive_begin           LOFT_NAME(loft_drive_begin)
 #define loft_drive_close           LOFT_NAME(loft_drive_close)
 #define loft_drive_end             LOFT_NAME(loft_drive_end)
+#define loft_drive_halt            LOFT_NAME(loft_drive_halt)
 #define loft_drive_hold            LOFT_NAME(loft_drive_hold)
 #define loft_drive_init            LOFT_NAME(loft_drive_init)
 #define loft_drive_next            LOFT_NAME(loft_drive_next)

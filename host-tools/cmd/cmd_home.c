@@ -70,7 +70,8 @@ static int leave_switch(const homing *h)
 static int look_for(const homing *h, double distance, double feed, mover_outcome *out)
 {
     const uint16_t ends = h->own | (h->v->t.sender.closed & h->other ? 0 : h->other);
-    const loft_guard closes = { ends, 0, FILTER };
+    const uint8_t how       = h->v->p.machine.hard_stop > 0 ? LOFT_GUARD_HARD : 0;
+    const loft_guard closes = { ends, how, FILTER };
     int code = move_axis(h, distance, feed, &closes, out);
 
     if (code == 0 && out->how == MOVER_ARRIVED)

@@ -200,6 +200,9 @@ static int stream_drawing(const stream_options *o, const char *file, const drawi
     }
     if (code == 0) {
         w.j.head.away = o->away ? s->closed : 0;
+        code = stream_limits(t, o->p.machine.hard_stop > 0, &w.j.head);
+    }
+    if (code == 0) {
         const stream_subject about = { file, w.path.curves, w.path.drawn,   o->p.tol,
                                        d,    o->record,     &o->p.machine.k };
         code = stream_run(t, &w.j, &about);

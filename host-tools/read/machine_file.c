@@ -48,6 +48,7 @@ static const row rows[] = {
     { "home_touch", "mm/s", AT(home_touch), true, false, false, 1 / 64.0, 1000, 0, { 0 } },
     { "home_back", "mm", AT(home_back), true, false, false, 0.01, 100, 0, { 0 } },
     { "home_search", "mm", AT(home_search), true, false, false, 0, 16383, 0, { 0 } },
+    { "limit_stop", "", AT(hard_stop), false, true, false, 0, 1, 0, { "ramp", "hard" } },
     { "park", "mm", AT(park), true, false, false, -16383, 16383, 0, { 0 } },
     { "pen_up", "mm", AT(pen_up), false, false, false, -16383, 16383, 0, { 0 } },
     { "pen_down", "mm", AT(pen_down), false, false, false, -16383, 16383, 0, { 0 } },

@@ -24,6 +24,7 @@ typedef struct {
     double home_at[ENGINE_AXES];            /* where the switch is; NAN: at that end of the table */
     double home_seek[ENGINE_AXES], home_touch[ENGINE_AXES], home_back[ENGINE_AXES];
     double home_search[ENGINE_AXES];        /* how far to look; 0: HOME_SEARCH travels */
+    double hard_stop;                       /* 1: a limit switch stops it at once */
     double park[ENGINE_AXES], pen_up, pen_down;     /* places of `loft park` and `loft pen` */
     double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */
     bool   limited;                         /* the file gives a speed, an acceleration or a jerk */

@@ -146,14 +146,15 @@ static void free_move(one_move *w)
 // ------
 
 /* A job with a guard is for this run alone: nobody may continue it. */
-static void guard_job(const mover *v, const mover_move *m, job *j)
+static int guard_job(const mover *v, const mover_move *m, job *j)
 {
     j->head.away  = m->away;
     j->head.guard = m->guard;
     if (m->guard.inputs == 0)
-        return;
+        return stream_limits(&v->t, v->p.machine.hard_stop > 0, &j->head);
     j->head.id ^= v->t.sender.nonce;
     j->head.id += j->head.id == 0;
+    return 0;
 }
 
 /* Loop until the job is over. *ended: we asked for its end. */
@@ -226,10 +227,10 @@ int mover_go(mover *v, const mover_move *m, mover_outcome *out)
         return 0;
     if (code == 0)
         code = plan_move(v, m, &w);
-    if (code == 0) {
-        guard_job(v, m, &w.j);
+    if (code == 0)
+        code = guard_job(v, m, &w.j);
+    if (code == 0)
         code = run_job(v, m, &w.j, &ended);
-    }
     if (code == 0)
         code = take_report(v, m, &w.j, ended, out);
     free_move(&w);

@@ -13,6 +13,7 @@
 #include "base/waits.h"          /* waits_for */
 
 #define SILENCE 10.0        /* s of silence until we give up */
+#define LIMIT_FILTER 3      /* ms that a limit switch must stay closed */
 #define STOP    10.0        /* s for the machine to stop */
 #define PORTION 0.005       /* s of planning between two looks at the line */
 /* items before those that the machine has: the sender needs 3, a feed needs 1 */
@@ -311,6 +312,22 @@ static bool verb_obeyed(const loft_sender *s, enum loft_verb verb)
     return verb == LOFT_RESUME
                ? s->ack.state != LOFT_STATE_HELD && s->ack.state != LOFT_STATE_HOLDING
                : machine_is_stopped(s);
+}
+
+int stream_limits(const talk *t, bool hard, loft_job *head)
+{
+    const loft_sender *s = &t->sender;
+
+    if (!hard)
+        return 0;
+    if (!(s->machine.kinds & LOFT_TAKES_GUARDS))
+        return tool_error(EX_CONFIG,
+                          "%s: limit_stop = hard: this machine slows down on the path: give "
+                          "limit_stop = ramp, or a newer firmware",
+                          t->port);
+    head->guard = (loft_guard){ LOFT_INPUT_ENDING & ~s->closed & ~head->away, LOFT_GUARD_HARD,
+                                LIMIT_FILTER };
+    return 0;
 }
 
 int stream_control(talk *t, enum loft_verb verb, const kinematics *k)

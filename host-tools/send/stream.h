@@ -29,4 +29,8 @@ int stream_run(talk *t, job *j, const stream_subject *about);
  * code. */
 int stream_control(talk *t, enum loft_verb verb, const kinematics *k);
 
+/* Let the limit switches and the emergency stop that are open now stop a job at once, if `hard`: a
+ * machine that cannot do so is refused. Returns 0, or an exit code after printing one line. */
+int stream_limits(const talk *t, bool hard, loft_job *head);
+
 #endif

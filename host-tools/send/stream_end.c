@@ -164,6 +164,7 @@ static int report_hindered(const talk *t, const job *j)
 {
     const loft_sender *s = &t->sender;
     const bool began     = s->report.job != 0;
+    const bool hard      = s->report.guarded && j->head.guard.how & LOFT_GUARD_HARD;
     const uint16_t by    = (began ? s->report.ended_by : s->closed) & LOFT_INPUT_ENDING;
     char text[256], at[96], steps[96], of[32];
 
@@ -175,12 +176,13 @@ static int report_hindered(const talk *t, const job *j)
             t->port, by ? talk_inputs(by, text) : "an input");
     return tool_error(
         EX_TEMPFAIL,
-        "%s: %s closed and ended the job after %u%s items: the machine is stopped on "
-        "the path at %s mm, steps %s; "
-        "move away by hand, with `loft unlock`, or with a drawing that leads away and "
-        "--away",
+        "%s: %s closed and ended the job after %u%s items: the machine is stopped %s at %s mm, "
+        "steps %s; move away by hand, with `loft unlock`, or with a drawing that leads away and "
+        "--away%s",
         t->port, talk_inputs(by, text), (unsigned)s->report.items, job_of(j, of),
-        place_text(s, j->k, s->report.position, at), steps_text(s->report.position, steps));
+        hard ? "at once" : "on the path", place_text(s, j->k, s->report.position, at),
+        steps_text(s->report.position, steps),
+        hard ? "; its motors may have lost steps: then home it" : "");
 }
 
 static int report_refused(const talk *t, const job *j)

@@ -163,7 +163,8 @@ enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
 
 void loft_drive_end(loft_drive *d)              { d->ended = 1; }
 void loft_drive_hold(loft_drive *d, bool hold)  { d->hold = hold; }
-void loft_drive_abort(loft_drive *d)            { d->abort = 1; }
+void loft_drive_abort(loft_drive *d)            { d->abort |= 1; }
+void loft_drive_halt(loft_drive *d)             { d->abort = LOFT_DRIVE_HALTS; }
 
 void loft_drive_override(loft_drive *d, unsigned percent)
 {

@@ -29,6 +29,7 @@
 LOFT_BEGIN_C
 
 #define LOFT_DRIVE_MARGIN 2     /* ticks */
+#define LOFT_DRIVE_HALTS  2     /* bit of `abort`: at once */
 
 typedef struct {
     const loft_axis_config *axis;       /* LOFT_AXES of them, borrowed */
@@ -133,6 +134,10 @@ void loft_drive_hold(loft_drive *d, bool hold);
 
 /* Slow down on the path and stop; the job is then over. */
 void loft_drive_abort(loft_drive *d);
+
+/* Stop at once: two ticks are given at most, and none is slower. The job is then over, and the
+ * position is the sum of the pulses; but a motor that is fast may go on by itself. */
+void loft_drive_halt(loft_drive *d);
 
 /* Set the override: 1..200 percent of the plan, until the next job begins. Above 100 the machine
  * goes only so fast that no axis exceeds its limits. That includes queued items. For points there

@@ -317,7 +317,8 @@ void loft_drive_next(loft_drive *d)
         return;
     }
 
-    const uint16_t slots = d->ahead ? loft_pace_next(&d->pace) : 0;
+    const uint16_t slots = d->ahead && !(d->abort & LOFT_DRIVE_HALTS) ? loft_pace_next(&d->pace)
+                                                                      : 0;
     if (slots == 0) {
         stand_still(d, ended);
         return;

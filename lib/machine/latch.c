@@ -36,7 +36,8 @@ static uint8_t count_up(uint8_t count) { return count < UINT8_MAX ? (uint8_t)(co
 uint16_t loft_latch_sample(loft_latch *l, uint16_t inputs)
 {
     const uint16_t wanted = loft_latch_wanted(l, inputs);
-    
+    const uint8_t waited  = l->waits;   /* read first: the slot clears it last, maybe below */
+
     if (l->seen == FRESH) {             /* count from the change on */
         l->seen = KNOWN;
         l->like = l->unlike = 0;
@@ -44,7 +45,7 @@ uint16_t loft_latch_sample(loft_latch *l, uint16_t inputs)
     const bool lasts = l->like >= l->guard.filter, back = l->unlike >= l->guard.filter;
     l->like = wanted ? count_up(l->like) : 0;
     l->unlike = wanted ? 0 : count_up(l->unlike);
-    if (!l->armed || l->waits)
+    if (!l->armed || waited)            /* a change that came meanwhile is newer than `inputs` */
         return 0;
     if (l->seen && wanted && lasts) {
         l->armed = 0;

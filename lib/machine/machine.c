@@ -254,8 +254,11 @@ void loft_machine_sample(loft_machine *m, uint16_t inputs)
         return;
     }
     const uint16_t why = loft_latch_sample(&m->latch, inputs);
-    if (why && !m->ended_by)
+    if (why && !m->ended_by) {
         end_by_input(m, why);
+        if (m->latch.guard.how & LOFT_GUARD_HARD)
+            loft_drive_halt(&m->drive);
+    }
 }
 
 void loft_machine_inputs(loft_machine *m, uint16_t closed)

@@ -180,7 +180,8 @@ static reader read_job(const loft_frame *f, loft_job *m)
         m->guard.inputs = get16(&r);
         m->guard.how = get8(&r);
         m->guard.filter = get8(&r);
-        if (m->guard.inputs == 0 || m->guard.how > (LOFT_GUARD_OPENS | LOFT_GUARD_EDGE))
+        if (m->guard.inputs == 0 ||
+            m->guard.how > (LOFT_GUARD_OPENS | LOFT_GUARD_EDGE | LOFT_GUARD_HARD))
             r.bad = true;
     }
     get_axes(&r, m->start);

@@ -99,6 +99,7 @@ enum loft_verb {
 /* A guard ends a job when an input changes: see machine/latch.h. */
 #define LOFT_GUARD_OPENS 1u             /* an input that opens, in place of one that closes */
 #define LOFT_GUARD_EDGE  2u             /* not one that is like that already: it changes first */
+#define LOFT_GUARD_HARD  4u             /* stop at once, not slowing down: see loft_drive_halt */
 
 typedef struct {
     uint16_t inputs;                    /* any of these; 0: no guard */

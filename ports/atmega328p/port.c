@@ -6,6 +6,7 @@
  *     dir      D5 D6 D7 (PD5..7)         buttons  A0 abort, A1 hold, A2 resume (PC0..2), closing to
  *              ground
  *     enable   D8 (PB0), low             line     D0 D1 (USART0), 8N1
+ *     probe    A5 (PC5), closing to ground
  *
  * The timer interrupt takes the pins of a slot from a ring, so the edges do not depend on computing
  * time. When the ring runs low, the interrupt continues with interrupts enabled and makes the next
@@ -33,7 +34,7 @@
 #  define LOFT_INVERT 0             /* bits of PORTD to invert */
 #endif
 #ifndef PULSE
-#  define PULSE 18                  /* cycles: makes the pulses 2 us long, enough for all drivers */
+#  define PULSE 19                  /* cycles: makes the pulses 2 us long, enough for all drivers */
 #endif
 #define ANSWER_MOST (47 + 4 * LOFT_AXES)    /* bytes of STATUS, the longest answer: WIRE.md */
 #define CELLS 14                    /* as many as fit in RAM */
@@ -59,13 +60,14 @@ static loft_machine_config config = {
 #define RX_PULL 0x01
 #define LIMITS  0x16                /* of PINB  */
 #define BUTTONS 0x07                /* of PINC  */
+#define PROBE   0x20
 
 #define RING    64                  /* slots */
 /* enough for the longest tick, and half as many again */
 #define LOW     36
 
 static volatile uint8_t ring[RING], ring_head, ring_tail;
-static volatile uint8_t at_work;
+static volatile uint8_t at_work;            /* 0 or RING */
 
 static volatile uint8_t changed;            /* an input of a guard has changed, before this slot: */
 static volatile uint8_t changed_at;
@@ -73,9 +75,11 @@ static volatile uint8_t changed_at;
 /* Inputs that are closed now, as they bounce. */
 static uint16_t closed_inputs(void)
 {
-    const uint8_t limits = (uint8_t)~PINB, buttons = ~PINC & BUTTONS;
+    const uint8_t limits = (uint8_t)~PINB, others = (uint8_t)~PINC, buttons = others & BUTTONS;
+    const uint16_t closed = loft_switches_of((limits >> 1 & 3u) | (limits >> 2 & 4u) |
+                                             (unsigned)buttons << 3);
 
-    return loft_switches_of((limits >> 1 & 3u) | (limits >> 2 & 4u) | (unsigned)buttons << 3);
+    return others & PROBE ? closed | LOFT_INPUT_PROBE : closed;
 }
 
 static inline uint8_t ring_count(void)      { return (uint8_t)(ring_head - ring_tail) % RING; }
@@ -166,14 +170,16 @@ ISR(TIMER1_COMPA_vect)
         const uint8_t pins = ring[tail];
         PORTD = pins;
         ring_tail = (uint8_t)(tail + 1) % RING;
-        filled = machine.drive.active && !at_work ? filled : RING;      /* while the pulse lasts */
         __builtin_avr_delay_cycles(PULSE);
+        /* no branch, so that all pulses last as long: without work to do it counts as full */
+        __asm__ volatile ("or %0, %1" : "+r" (filled) : "r" ((uint8_t)(machine.drive.active - 1)));
+        __asm__ volatile ("or %0, %1" : "+r" (filled) : "r" (at_work));
         PORTD = (pins & (uint8_t)~STEPS) | (LOFT_INVERT & STEPS);
     } else if (!machine.drive.active || at_work) {
         return;
     }
     if (filled <= LOW) {
-        at_work = 1;
+        at_work = RING;
         __asm__ volatile ("call loft_port_work_stub" ::: "memory");
         at_work = 0;
     }
@@ -233,7 +239,7 @@ loft_machine_config *loft_port_init(void)
     DDRD = 0xFC;
     PORTB = LIMITS;                             /* pulled up; the drivers are enabled */
     DDRB = 1 << 0;
-    PORTC = BUTTONS;
+    PORTC = BUTTONS | PROBE;
 
     UCSR0A = 1 << U2X0;
     UCSR0C = 1 << UCSZ01 | 1 << UCSZ00;
@@ -241,7 +247,7 @@ loft_machine_config *loft_port_init(void)
     UCSR0B = 1 << RXEN0 | 1 << TXEN0 | 1 << RXCIE0;
 
     PCMSK0 = LIMITS;
-    PCMSK1 = BUTTONS;
+    PCMSK1 = BUTTONS | PROBE;
     PCICR = 1 << PCIE1 | 1 << PCIE0;
 
     TCCR0B = 1 << CS02 | 1 << CS00;             /* free running, 64 us: the clock of the switches */

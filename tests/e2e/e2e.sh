@@ -1616,6 +1616,31 @@ case_home_says_what_is_wrong() {
     run 0 "$loft" home x --port "$tmp/killed" "${file[@]}"
     says out '^homed: the tool is at 3.000 0.000 0.000$'
 }
+case_a_hard_limit_stops_at_once() {
+    local to=x+=20 home='loft unlock.*its motors may have lost steps: then home it$'
+    printf '0,0,20,0,40,0,60,0\n' >"$tmp/right.csv"
+    printf 'limit_stop = hard\n' >"$tmp/hard.txt"
+    for m in q16 f32 f64; do        # 100 mm/s: in 100 ticks it slows down over 5 mm
+        machine $m --speed fast --num $m --limits $to --bounce 5 --walls x+=22
+        one_line 75 'x at its high end closed and ended .* stopped on the path at 25\.' \
+            "$loft" stream "$tmp/right.csv" --port "$tmp/$m" --feed 100
+        run 0 "$loft" unlock --port "$tmp/$m"
+        machine hard$m --speed fast --num $m --limits $to --bounce 5 --walls x+=22
+        one_line 75 "high end closed and ended .* stopped at once at 2[01]\\.[0-9]* 0.000.*$home" \
+            "$loft" stream "$tmp/right.csv" --port "$tmp/hard$m" --feed 100 \
+            --machine "$tmp/hard.txt"
+        [[ "$(table_of $m)" = *', 0 steps lost' ]] && job_fails "no wall was there"
+        [[ "$(table_of hard$m)" = *', 0 steps lost' ]] || job_fails "$(table_of hard$m)"
+        one_line 69 'the limit switch of x at its high end is closed: move away' \
+            "$loft" stream "$tmp/right.csv" --port "$tmp/hard$m" --machine "$tmp/hard.txt"
+        run 0 "$loft" go 5 --port "$tmp/hard$m" --machine "$tmp/hard.txt"
+        one_line 75 'stopped at once at 2[01]\.' \
+            "$loft" go 25 --port "$tmp/hard$m" --machine "$tmp/hard.txt"
+    done
+    printf 'limit_stop = soft\n' >"$tmp/soft.txt"
+    one_line 65 'soft.txt:1: write limit_stop = ramp, or hard' \
+        "$loft" go 5 --port "$tmp/q16" --machine "$tmp/soft.txt"
+}
 case_unlock_leads_away_from_a_switch() {
     printf '0,0,4,0,8,0,12,0\n' >"$tmp/right.csv"
     machine high --speed fast --limits x+=5 --walls x+=9

@@ -96,12 +96,27 @@ guarded() {
     row "$1: rests behind it, on its count" \
         "$(said position)" = "$(value position | awk '{ print $1 }')"
     row "$1: slots missed"                                  "$(value slots_missed)" = 0
+    row "$1: shortest pulse"                                "$(value pulse_least)" ">=" 32 cycles
 }
 guarded "5 mm/s"                     1.25 400
 guarded "5 mm/s, bounces for 5 ms"   1.25 400,5
 guarded "160 mm/s"                   40 10001
 guarded "160 mm/s, bounces for 5 ms" 40 10001,5
 row "guards: RAM, data, bss and the deepest stack"          "$(ram)" "<=" 1988 bytes
+
+echo "-- loft home: the switch of x closes at -2000 steps, bounces for 5 ms, and opens again"
+printf 'x.home_order = 1\nx.home_search = 20\nx.home_at = 100\n' >"$tmp/home.txt"
+touch=-2000,5 jobs=99
+on_chip "$chip" "$elf" "$loft" home --port "$tmp/port" --machine "$tmp/home.txt"
+touch='' jobs=
+row "home: the command ends well"                           "$code" = 0
+row "home: way to the switch, in mm"                        "$(said after)" = 8.000
+row "home: the touches differ by, in steps"                 "$(said within)" = 0
+row "home: the tool is at, in mm" \
+    "$(sed -n 's/^homed: the tool is at //p' "$tmp/out")" = "103.000 0.000 0.000"
+row "home: it stands 3 mm before the switch, by its pulses" "$(value position)" = "-1250 0 0"
+row "home: shortest pulse"                                  "$(value pulse_least)" ">=" 32 cycles
+row "home: RAM, data, bss and the deepest stack"            "$(ram)" "<=" 1988 bytes
 
 echo "-- a line that is cut"
 "$loft" simulate --link "$tmp/cut" --speed real >"$tmp/log" & here=$!

@@ -1,12 +1,13 @@
 /* tests/target/avr_chip.c -- the emulated chip behind a pseudo terminal
  * SPDX-License-Identifier: MIT
  * usage: chip FIRMWARE.elf --tick ADDRESS --ring HEAD,TAIL [--link PATH] [--record FILE] [--steps
- * N] [--profile FILE] [--touch STEPS[,MS]]
+ * N] [--profile FILE] [--touch STEPS[,MS]] [--jobs N]
  *
- * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS.
+ * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS;
+ * behind STEPS, seen from 0, it is closed, and before it is open.
  *
- * The chip's time stops while it is the host's turn (avr_gate.h). The program ends when a job has
- * been drawn and closed, and prints lines `name value`.
+ * The chip's time stops while it is the host's turn (avr_gate.h). The program ends when N jobs, or
+ * one, have been drawn and closed, and prints lines `name value`.
  */
 #include <signal.h>
 #include <simavr/avr_ioport.h>
@@ -40,8 +41,10 @@ struct chip {
     uint32_t given_up;                  /* the limit up to which the host did not send in time */
     uint32_t waits;                     /* how often that happened */
     int32_t x, touch;                   /* steps of x at the pins; where its switch closes or 0 */
+    bool closed, level;                 /* the switch, and its contact that bounces */
     avr_cycle_count_t bounce;           /* cycles, and until when */
     avr_cycle_count_t settled;
+    uint32_t jobs;                      /* until it ends */
 };
 
 
@@ -55,11 +58,10 @@ static void set_switch(avr_t *avr, bool closed)
 
 static avr_cycle_count_t bounces(avr_t *avr, avr_cycle_count_t when, void *param)
 {
-    const struct chip *c = param;
-    static bool closed = true;
+    struct chip *c = param;
 
-    closed = when >= c->settled || !closed;
-    set_switch(avr, closed);
+    c->level = when >= c->settled ? c->closed : !c->level;
+    set_switch(avr, c->level);
     return when >= c->settled ? 0 : when + BOUNCE + when * 7 % (BOUNCE * 3);
 }
 
@@ -72,10 +74,13 @@ static void x_steps(struct avr_irq_t *irq, uint32_t value, void *param)
     if (!value)
         return;
     c->x += avr->data[0x2B] & 0x20 ? -1 : 1;
-    if (c->x != c->touch || c->settled)
+    const bool closed = c->touch < 0 ? c->x <= c->touch : c->x >= c->touch;
+    if (closed == c->closed)
         return;
+    c->closed = c->level = closed;
     c->settled = avr->cycle + c->bounce + 1;
-    set_switch(avr, true);
+    set_switch(avr, closed);
+    avr_cycle_timer_cancel(avr, bounces, c);
     if (c->bounce)
         avr_cycle_timer_register(avr, BOUNCE, bounces, c);
 }
@@ -172,7 +177,7 @@ static void wait_for_host(struct chip *c)
 
 static void run_chip(struct chip *c)
 {
-    while (c->gate.jobs == 0 && !stop_wanted) {
+    while (c->gate.jobs < c->jobs && !stop_wanted) {
         if (!avr_core_run(&c->core, BATCH, true))
             return;
         give_bytes(c);
@@ -271,11 +276,14 @@ int main(int argc, char **argv)
             steps = atof(argv[i + 1]);
         if (strcmp(argv[i], "--touch") == 0)
             touch = argv[i + 1];
+        if (strcmp(argv[i], "--jobs") == 0)
+            c.jobs = (uint32_t)strtoul(argv[i + 1], NULL, 0);
         if (strcmp(argv[i], "--profile") == 0)
             profile = argv[i + 1];
     }
     for (int i = 0; i < LOFT_AXES; i++)
         o.steps_per_mm[i] = steps;
+    c.jobs += c.jobs == 0;
     c.core.out = byte_out;
     c.core.context = &c;
     gate_init(&c.gate);

@@ -379,11 +379,11 @@ static void a_limit_that_was_left_ends_the_job_when_it_closes_again(arb *a)
  * machine is then told where it stands, and the next job begins there. */
 static void a_guard_ends_the_job_and_tells_the_place_of_the_edge(arb *a)
 {
-    const bool opens = arb_below(a, 2);
+    const bool opens = arb_below(a, 2), hard = arb_below(a, 2);
     const uint16_t input = arb_below(a, 3) ? arb_ending(a) : 0x8000u;
     const uint32_t when = 100 + arb_below(a, 300), early = 20 + arb_below(a, when - 60);
     int32_t place[LOFT_AXES], edge[LOFT_AXES] = { 0 };
-    uint32_t begun = 0;
+    uint32_t begun = 0, ended = 0;
     bool noted = false;
 
     do
@@ -393,6 +393,7 @@ static void a_guard_ends_the_job_and_tells_the_place_of_the_edge(arb *a)
         make_noise(a);
     w.job.guard = (loft_guard){ .inputs = input,
                                 .how = (uint8_t)((opens ? LOFT_GUARD_OPENS : 0) |
+                                                 (hard ? LOFT_GUARD_HARD : 0) |
                                                  (arb_below(a, 2) ? LOFT_GUARD_EDGE : 0)),
                                 .filter = 8 };
     if (opens)
@@ -425,9 +426,11 @@ static void a_guard_ends_the_job_and_tells_the_place_of_the_edge(arb *a)
         }
         loft_machine_tick(&w.machine);
         CHECK(w.machine.drive.abort == 0 || t >= when + 8);
+        ended = ended || w.machine.drive.abort == 0 ? ended : r.passed;
     } while (++w.ms < LONG && w.sender.phase < LOFT_PHASE_DONE);
 
     CHECK(noted && w.sender.phase == LOFT_PHASE_ABORTED && w.sender.report.guarded);
+    CHECK(!hard || r.passed <= ended + 2);
     CHECK(w.sender.report.ended_by == input && here(r.path[r.passed]) && r.passed < r.ticks);
     for (int i = 0; i < LOFT_AXES; i++)
         CHECK(w.sender.report.latched[i] == edge[i] && w.sender.report.position[i] == r.at[i]);

@@ -156,7 +156,7 @@ static loft_guard arb_guard(arb *a)
     if (arb_below(a, 2))
         return g;
     g.inputs = (uint16_t)(1 + arb_below(a, 65535));
-    g.how = (uint8_t)arb_below(a, 4);
+    g.how = (uint8_t)arb_below(a, 8);
     g.filter = arb_u8(a);
     return g;
 }
@@ -180,7 +180,7 @@ static void jobs_come_back(arb *a)
     CHECK(g.guard.inputs == m.guard.inputs && g.guard.how == m.guard.how &&
           g.guard.filter == m.guard.filter);
     if (m.guard.inputs) {
-        f.byte[15] = (uint8_t)(4 + arb_below(a, 252));                          /* how */
+        f.byte[15] = (uint8_t)(8 + arb_below(a, 248));                          /* how */
         CHECK(loft_job_decode(&f, &g) == LOFT_ERR_DATA);
         f.byte[15] = m.guard.how;
         f.byte[13] = f.byte[14] = 0;                                            /* no inputs */
