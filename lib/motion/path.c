@@ -194,17 +194,27 @@ static void bow(const loft_path_stretch *e, bool back, loft_coord l, loft_coord 
     }
 }
 
-/* The place l before or behind the start of stretch i, from there; false: it is not known. */
+static bool is_sharp(const loft_path_stretch *before, const loft_path_stretch *after)
+{
+    return turn(before->to, after->from) > (int64_t)SHARP * SHARP;
+}
+
+/* The place l before or behind the start of stretch i, from there; false: it is not known, or, from
+ * a joint that is not sharp, beyond one that is: that is a corner for itself. */
 static bool probe(const loft_path *path, unsigned i, bool back, loft_coord l, loft_coord out[])
 {
-    const loft_position at = path->stretch[i].at;
+    const loft_path_stretch *e = path->stretch;
+    const loft_position at = e[i].at;
+    const bool sharp = is_sharp(&e[i - 1], &e[i]);
     unsigned k = back ? i - 1 : i;
 
-    while (l > path->stretch[k].length) {
-        l -= path->stretch[k].length;
+    while (l > e[k].length) {
+        l -= e[k].length;
         if (back ? k == 0 : k + 1 == path->stretches)
             return false;
         k = back ? k - 1 : k + 1;
+        if (!sharp && is_sharp(&e[back ? k : k - 1], &e[back ? k + 1 : k]))
+            return false;
     }
     const loft_position *from = &path->stretch[back ? k + 1 : k].at;
     bow(&path->stretch[k], back, l, out);
@@ -278,11 +288,6 @@ static void add_corner(loft_path *path, loft_path_corner c)
         path->corners--;
     }
     path->corner[path->corners++] = c;
-}
-
-static bool is_sharp(const loft_path_stretch *before, const loft_path_stretch *after)
-{
-    return turn(before->to, after->from) > (int64_t)SHARP * SHARP;
 }
 
 /* The joint before stretch `looked`. */
