@@ -28,7 +28,10 @@ static int print_result(const plot_options *o, const plot_result *found)
 
 static int plot_files(plot_options *o, const page_options *sheet, const char *record_file)
 {
-    drawing d = { .layers = sheet->layers, .text = sheet->text };
+    drawing d = { .layers = sheet->layers,
+                  .only = sheet->only,
+                  .text = sheet->text,
+                  .areas = sheet->fill.distance > 0 };
     record r  = { 0 };
     plot_result found = { 0 };
     int code = drawing_read(&d, o->name);

@@ -90,32 +90,6 @@ static int find_cuts(const cropping *c, const double p[4][2], cut out[CUTS], siz
     return 0;
 }
 
-/* Control value k of the piece from a to b, by blossoming. */
-static double blossom(const double p[4], double a, double b, int k)
-{
-    double q[4] = { p[0], p[1], p[2], p[3] };
-
-    for (int level = 0; level < 3; level++) {
-        const double t = level < 3 - k ? a : b;
-        for (int j = 0; j < 3 - level; j++)
-            q[j] = (1 - t) * q[j] + t * q[j + 1];
-    }
-    return q[0];
-}
-
-static void cut_piece(drawing_curve *c, double a, double b)
-{
-    const drawing_curve of = *c;
-
-    for (int k = 0; k < 4; k++) {
-        for (int i = 0; i < 2; i++) {
-            const double q[4] = { of.p[0][i], of.p[1][i], of.p[2][i], of.p[3][i] };
-            c->p[k][i] = blossom(q, a, b, k);
-        }
-        c->z[k] = blossom(of.z, a, b, k);
-    }
-}
-
 static bool is_inside(const cropping *c, const double at[2])
 {
     for (int i = 0; i < 2; i++)
@@ -131,7 +105,7 @@ static void keep_piece(cropping *c, const drawing_curve *of, const cut *from, co
     drawing_curve kept = *of;
 
     if (from->t > 0 || to->t < 1)
-        cut_piece(&kept, from->t, to->t);
+        drawing_cut(&kept, from->t, to->t);
     if (from->axis >= 0)
         kept.p[0][from->axis] = from->at;
     if (to->axis >= 0)

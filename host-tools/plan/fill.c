@@ -180,7 +180,7 @@ static int draw_line(filling *g, double level, double x0, double x1, unsigned fi
     }
     set_line(p, ends[0], ends[1]);
     drawing_add(g->to, p, true, g->line);
-    g->to->curve[g->to->count - 1].fill = fill & ~(unsigned)DRAWING_FILLED;
+    g->to->curve[g->to->count - 1].fill = fill & ~(DRAWING_FILLED | DRAWING_HIDDEN);
     return 0;
 }
 
@@ -241,6 +241,8 @@ static int hatch_shape(filling *g, const drawing *d, size_t first, size_t last, 
 
 static bool outline_stays(const fill_options *f, const drawing_curve *c)
 {
+    if (c->fill & DRAWING_HIDDEN)
+        return false;
     if (f->outline == NULL || strcmp(f->outline, "all") == 0 || !(c->fill & DRAWING_FILLED))
         return true;
     return strcmp(f->outline, "stroke") == 0 && c->fill & DRAWING_STROKED;

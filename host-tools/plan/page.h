@@ -17,7 +17,7 @@ typedef struct {
     bool upright;           /* turned by 90 degrees if it fits better so */
     tool_list scale, at;
     const char *mirror;     /* "x", "y" or NULL */
-    const char *layers, *text;      /* drawing.h */
+    const char *layers, *only, *text;       /* drawing.h */
     bool fit, centre, crop;
     double margin, gap;     /* mm */
     unsigned copies[2];     /* across, up; 0: one */
@@ -28,6 +28,9 @@ typedef struct {
 #define PAGE_OPTIONS(g)                                                                            \
     TOOL_TEXT("layer", "NAME,..", &(g)->layers,                                                    \
               "of SVG: draw only these layers of Inkscape, by name or first number (all)"),        \
+        TOOL_TEXT("only", "COLOUR,..", &(g)->only,                                                 \
+                  "of SVG: draw only these colours, of strokes or else of fills, as red,#00f "     \
+                  "(all)"),                                                                        \
         TOOL_TEXT("text", "HOW", &(g)->text,                                                       \
               "of SVG: outline, line or line:FONT: letters of single lines, as line:rowmans; "     \
               "none (outline)"),                                                                   \

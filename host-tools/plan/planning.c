@@ -88,6 +88,8 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
     d->dialect   = p->dialect;
     d->from_line = p->from_line;
     d->layers    = p->sheet.layers;
+    d->areas     = p->sheet.fill.distance > 0;
+    d->only      = p->sheet.only;
     d->text      = p->sheet.text;
     int code = drawing_read(d, file);
     if (code == 0)

@@ -30,6 +30,9 @@ static int read_text(drawing *d, const char *file, const char *text, size_t size
     if (d->layers != NULL)
         return tool_error(EX_USAGE, "%s: --layer %s: only SVG has layers: leave it out", file,
                           d->layers);
+    if (d->only != NULL)
+        return tool_error(EX_USAGE, "%s: --only %s: only SVG has colours: leave it out", file,
+                          d->only);
     if (strlen(text) != size)
         return tool_error(
             EX_DATAERR, "%s: is not text: a drawing is expected, SVG, G-code, CSV or .loft", file);
@@ -157,6 +160,32 @@ void drawing_deriv(const drawing_curve *c, double t, double out[2])
     for (int i = 0; i < 2; i++)
         out[i] = 3 * (s * s * (c->p[1][i] - c->p[0][i]) + 2 * s * t * (c->p[2][i] - c->p[1][i]) +
                       t * t * (c->p[3][i] - c->p[2][i]));
+}
+
+/* Control value k of the piece from a to b, by blossoming. */
+static double blossom(const double p[4], double a, double b, int k)
+{
+    double q[4] = { p[0], p[1], p[2], p[3] };
+
+    for (int level = 0; level < 3; level++) {
+        const double t = level < 3 - k ? a : b;
+        for (int j = 0; j < 3 - level; j++)
+            q[j] = (1 - t) * q[j] + t * q[j + 1];
+    }
+    return q[0];
+}
+
+void drawing_cut(drawing_curve *c, double a, double b)
+{
+    const drawing_curve of = *c;
+
+    for (int k = 0; k < 4; k++) {
+        for (int i = 0; i < 2; i++) {
+            const double q[4] = { of.p[0][i], of.p[1][i], of.p[2][i], of.p[3][i] };
+            c->p[k][i] = blossom(q, a, b, k);
+        }
+        c->z[k] = blossom(of.z, a, b, k);
+    }
 }
 
 static double speed_at(const drawing_curve *c, double t)

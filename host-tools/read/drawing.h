@@ -38,8 +38,12 @@ typedef struct {
     double clear;           /* then the height of the way to the first one: that of the whole
                              * program */
     const char *layers;     /* of SVG: draw only these, as "Ink,2"; NULL: all; set before reading */
+    const char *only;       /* of SVG: draw only these colours, as "red,#00f"; NULL: all; set
+                             * before reading */
     const char *text;       /* of SVG: "outline", "line", "line:rowmans", "none"; NULL: outline; set
                              * before reading */
+    bool areas;             /* of SVG: keep outlines of what is filled also where they are not
+                             * drawn; set before reading */
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */
 } drawing;
 
@@ -50,7 +54,8 @@ typedef struct {
 #define DRAWING_EVENODD 1u
 #define DRAWING_STROKED 2u
 #define DRAWING_FILLED  4u
-#define DRAWING_SHAPE   8u
+#define DRAWING_HIDDEN  8u      /* only filled, not drawn */
+#define DRAWING_SHAPE   16u
 #define DRAWING_CURVES_MAX 4000000u     /* more are refused: a few kB can expand to billions */
 
 /* Read `file` ("-" is standard input). Its content tells the format: SVG, curves (LOFT.md), G-code
@@ -74,6 +79,9 @@ int drawing_join_space(drawing *d, const char *file, unsigned line, double p[4][
 /* The point of a curve at t in 0..1, and its derivative by t, seen from above. */
 void drawing_eval(const drawing_curve *c, double t, double out[2]);
 void drawing_deriv(const drawing_curve *c, double t, double out[2]);
+
+/* Cut out the part from a to b, 0..1; parts that meet have one end. */
+void drawing_cut(drawing_curve *c, double a, double b);
 
 /* The true length in mm, to 1e-6 relative. */
 double drawing_length(const drawing *d);

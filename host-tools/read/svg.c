@@ -74,13 +74,17 @@ static bool is_inherited(const char *value)
     return value == NULL || strcmp(value, "inherit") == 0 || strcmp(value, "unset") == 0;
 }
 
-/* Does the property paint? If it is not set, the value stays. */
-static void read_paint(svg_reader *r, const svg_style *style, enum svg_property which, bool *paints)
+/* Does the property paint, and with which colour? If it is not set, both stay. */
+static void read_paint(svg_reader *r, const svg_style *style, enum svg_property which, bool *paints,
+                       const char **ink)
 {
     char *value = svg_property(r, style, which, NULL);
 
-    if (!is_inherited(value))
+    if (!is_inherited(value)) {
         *paints = strcmp(value, "initial") == 0 ? which == SVG_FILL : !is_clear(value);
+        if (r->d->only != NULL)
+            *ink = svg_ink(r, value);
+    }
     xmlFree(value);
 }
 
@@ -110,6 +114,28 @@ static void read_rule(svg_reader *r, const svg_style *style, bool *evenodd)
     xmlFree(value);
 }
 
+/* The text of an inherited property; `none` and `initial` give NULL. */
+static void read_words(svg_reader *r, const svg_style *style, enum svg_property which,
+                       const char **out)
+{
+    char *value = svg_property(r, style, which, NULL);
+
+    if (!is_inherited(value))
+        *out = strcmp(value, "none") == 0 || strcmp(value, "initial") == 0
+                   ? NULL
+                   : (const char *)xmlDictLookup(r->words, (const xmlChar *)value, -1);
+    xmlFree(value);
+}
+
+static void read_cap(svg_reader *r, const svg_style *style, bool *round)
+{
+    char *value = svg_property(r, style, SVG_LINECAP, NULL);
+
+    if (!is_inherited(value))
+        *round = strcmp(value, "round") == 0 || strcmp(value, "square") == 0;
+    xmlFree(value);
+}
+
 static void read_visibility(svg_reader *r, const svg_style *style, bool *visible)
 {
     char *value = svg_property(r, style, SVG_VISIBILITY, NULL);
@@ -136,9 +162,12 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     xmlFree(overflow);
 
     read_visibility(r, style, &space->visible);
-    read_paint(r, style, SVG_FILL, &space->fill);
-    read_paint(r, style, SVG_STROKE, &space->stroke);
+    read_paint(r, style, SVG_FILL, &space->fill, &space->fill_ink);
+    read_paint(r, style, SVG_STROKE, &space->stroke, &space->stroke_ink);
     read_rule(r, style, &space->evenodd);
+    read_words(r, style, SVG_DASHES, &space->dashes);
+    read_words(r, style, SVG_DASH_OFFSET, &space->dash_offset);
+    read_cap(r, style, &space->round);
     read_positive(r, style, SVG_FILL_OPACITY, &space->fill_opaque);
     read_positive(r, style, SVG_STROKE_OPACITY, &space->stroke_opaque);
     read_positive(r, style, SVG_STROKE_WIDTH, &space->stroke_wide);
@@ -194,9 +223,6 @@ static void warn_of(svg_reader *r, const svg_style *style)
           "clip-path is not applied, the whole outline is drawn: cut the paths in the editor" },
         { SVG_MASK, SVG_WARN_MASK,
           "mask is not applied, the whole outline is drawn: cut the paths in the editor" },
-        { SVG_DASHES, SVG_WARN_DASHES,
-          "stroke-dasharray is not applied, whole lines are drawn: make paths of the dashes in the "
-          "editor" },
         { SVG_MARKER, SVG_WARN_MARKER, "markers are not drawn: make paths of them in the editor" },
         { SVG_MARKER_START, SVG_WARN_MARKER,
           "markers are not drawn: make paths of them in the editor" },
@@ -579,6 +605,29 @@ bool svg_begin(svg_reader *r, const svg_space *space)
     return space->visible && (filled || stroked);
 }
 
+/* AxiDraw leaves out layers whose names begin with %, and reads numbers in others. */
+static bool layer_is_drawn(svg_reader *r, const xmlNode *node)
+{
+    char *name       = layer_name(node);
+    const char *at   = name;
+    const bool named = name != NULL;
+
+    if (named)
+        scan_space(&at);
+    const bool drawn = !named || *at != '%';
+    if (!drawn)
+        svg_warn(r, SVG_WARN_LAYER,
+                 "layer \"%.40s\" is not drawn, as AxiDraw does: name it without %% to draw it",
+                 name);
+    else if (named && (*at == '!' || strstr(at, "+S") || strstr(at, "+H") || strstr(at, "+D")))
+        svg_warn(r, SVG_WARN_LAYER_NUMBERS,
+                 "layer \"%.40s\" has no speed, height, delay or pause of its own: "
+                 "draw it alone with --layer and its options",
+                 name);
+    xmlFree(name);
+    return drawn;
+}
+
 static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
                          const use_chain *chain)
 {
@@ -600,8 +649,12 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
     warn_undrawn(r, &space);
     if (!space.visible)
         return true;
-    if (svg_begin(r, &space))
-        return svg_shape(r, &space, &shape);
+    const bool seen = svg_begin(r, &space);
+    if (seen && !svg_ink_chosen(r, &space, r->fill & DRAWING_STROKED))
+        return true;
+    const size_t first = r->d->count;
+    if (seen)
+        return svg_shape(r, &space, &shape) && svg_dash(r, &space, first);
     svg_warn(r, SVG_WARN_UNSEEN,
              "<%s> without fill and stroke is invisible and not drawn: give it a stroke to draw it",
              (const char *)node->name);
@@ -645,6 +698,8 @@ static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const
                         "more than %d nested elements, counting each use: draw with fewer groups",
                         SVG_DEPTH_MAX);
     const bool chosen = layer_is_chosen(r, node);
+    if (!layer_is_drawn(r, node))
+        return true;
     r->depth++;
     r->chosen += chosen;
     const bool good = draw_in_space(r, node, space, chain);
@@ -733,10 +788,12 @@ bool svg_draw(svg_reader *r, const xmlNode *root)
     const bool good = check_layers(r, root) && check_text(r) &&
                       enter_page(r, root, &space, &scope, &empty) &&
                       (empty || draw_children(r, root, space, NULL));
+    r->node = root;
 
     svg_scope_close(&scope);
-    if (good)
-        shift_to_origin(r->d);
-    return good;
+    if (!good || !svg_ink_check(r))
+        return false;
+    shift_to_origin(r->d);
+    return true;
 }
 

@@ -8,6 +8,8 @@
  *     svg_space.c  transforms, lengths with units, viewBox
  *     svg_style.c  properties from attributes, style="" and style sheets; var()
  *     svg_sheet.c  the rules of style sheets
+ *     svg_dash.c   dashes
+ *     svg_ink.c    colours, and which of them are drawn
  *     svg_text.c   text: letters, their places, runs     -> shaped glyphs -> pen
  *     svg_font.c   properties of fonts
  *     svg_glyphs.c outlines of any installed font (pango, cairo)
@@ -45,6 +47,8 @@ typedef struct {
 /* nested elements; and nested drawn elements, counting those of each <use> */
 #define SVG_DEPTH_MAX    500
 
+#define SVG_INKS 10
+
 #define SVG_EFFORT_MAX   100000000u /* rules tried on elements: a few seconds */
 
 typedef struct svg_fonts svg_fonts;     /* the fonts that were opened, see svg_glyphs.c */
@@ -66,6 +70,9 @@ typedef struct {
     svg_fonts *fonts;
     svg_lines *lines;
     unsigned fill;              /* of the current shape, see drawing.h */
+    double dashes;              /* that were drawn, about */
+    const char *inks[SVG_INKS]; /* the first colours that were seen, if only some are drawn */
+    bool inked;                 /* one of those that are drawn was seen */
     unsigned letters;           /* that were drawn, to stop a flood of them */
 } svg_reader;
 
@@ -115,6 +122,9 @@ typedef struct {
     bool fill, fill_opaque;                 /* an element with neither fill nor stroke is */
     bool stroke, stroke_opaque, stroke_wide;/* invisible and not drawn */
     bool evenodd;               /* fill-rule */
+    const char *dashes, *dash_offset;       /* as written; NULL: none */
+    bool round;                 /* stroke-linecap is not butt */
+    const char *fill_ink, *stroke_ink;      /* colours, of svg_ink; NULL: black */
     bool clipped;               /* the element is clipped by its viewport */
     svg_font font;
     const svg_scope *scope;
@@ -158,6 +168,8 @@ enum svg_warning {
     SVG_WARN_SELECTOR,
     SVG_WARN_TEXT,
     SVG_WARN_LETTER,
+    SVG_WARN_LAYER,
+    SVG_WARN_LAYER_NUMBERS,
     SVG_WARN_LINE,
     SVG_WARN_UPRIGHT,
     SVG_WARN_PICTURE,
@@ -200,6 +212,8 @@ enum svg_property {
     SVG_CLIP_PATH,
     SVG_MASK,
     SVG_DASHES,
+    SVG_DASH_OFFSET,
+    SVG_LINECAP,
     SVG_MARKER,
     SVG_MARKER_START,
     SVG_MARKER_MID,
@@ -330,6 +344,18 @@ bool svg_arc(svg_pen *pen, double rx, double ry, double degrees, bool large, boo
 bool svg_close(svg_pen *pen);
 
 
+// Colours
+// -------
+
+/* A colour as #rrggbb, or as it is written; it lives as long as the reader. */
+const char *svg_ink(svg_reader *r, const char *text);
+
+/* Is a shape with this paint to be drawn? A stroke counts more than a fill. And at the end: was
+ * there any? */
+bool svg_ink_chosen(svg_reader *r, const svg_space *space, bool stroked);
+bool svg_ink_check(const svg_reader *r);
+
+
 // Fonts
 // -----
 
@@ -384,6 +410,9 @@ bool svg_shape(const svg_reader *r, const svg_space *space, bool *known);
 
 /* Draw the current element, a <text>. */
 bool svg_text(svg_reader *r, const svg_space *space);
+
+/* Cut the curves from `first` on into the dashes of the current element. */
+bool svg_dash(svg_reader *r, const svg_space *space, size_t first);
 
 /* Draw path data. */
 bool svg_path(const svg_reader *r, const char *data, svg_pen *pen);

@@ -497,7 +497,8 @@ static bool draw_run(layout *l, const run *u, const rail *along)
     const double size     = f->size;
     bool good             = true;
 
-    const bool seen       = svg_begin(l->c->r, &of->space);
+    const bool seen       = svg_begin(l->c->r, &of->space) &&
+                      svg_ink_chosen(l->c->r, &of->space, l->c->r->fill & DRAWING_STROKED);
 
     l->c->r->node = of->node;
     if (u->lines)
