@@ -395,14 +395,18 @@ int machine_option(machine_file *m, int argc, char **argv)
 
 double machine_home_at(const machine_file *m, int axis)
 {
-    const double end = m->home_end[axis] > 0 ? m->min[axis] + m->travel[axis] : m->min[axis];
+    const double out = m->home_back[axis];
+    const double end = m->home_end[axis] > 0 ? m->min[axis] + m->travel[axis] + out
+                                             : m->min[axis] - out;
 
     return isnan(m->home_at[axis]) ? end : m->home_at[axis];
 }
 
 double machine_home_search(const machine_file *m, int axis)
 {
-    return m->home_search[axis] > 0 ? m->home_search[axis] : HOME_SEARCH * m->travel[axis];
+    if (m->home_search[axis] > 0 || !(m->travel[axis] > 0))
+        return m->home_search[axis];
+    return HOME_SEARCH * m->travel[axis] + 2 * m->home_back[axis];
 }
 
 void machine_limit(const machine_file *m, engine_limits *limits)

@@ -21,9 +21,9 @@ typedef struct {
                                                      * limited; its low end */
     double home_order[ENGINE_AXES];         /* 1 to 3: when the axis is homed; 0: it is not */
     double home_end[ENGINE_AXES];           /* its switch: 0: at the low end, 1: high */
-    double home_at[ENGINE_AXES];            /* where the switch is; NAN: at that end of the table */
+    double home_at[ENGINE_AXES];            /* where the switch is; NAN: home_back outside */
     double home_seek[ENGINE_AXES], home_touch[ENGINE_AXES], home_back[ENGINE_AXES];
-    double home_search[ENGINE_AXES];        /* how far to look; 0: HOME_SEARCH travels */
+    double home_search[ENGINE_AXES];        /* how far to look; 0: the table and more */
     double hard_stop;                       /* 1: a limit switch stops it at once */
     double park[ENGINE_AXES], pen_up, pen_down;     /* places of `loft park` and `loft pen` */
     double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */

@@ -1547,37 +1547,55 @@ case_home_finds_its_switches() {
         machine $m --speed fast --num $m --limits $ends --walls $walls --bounce 5
         run 0 "$loft" home --port "$tmp/$m" --machine "$tmp/home.txt" --touches 5
         is_empty err
-        says out '^z: its switch at the high end, after 6.000 mm, is at 10.000: 5 touches within 0'
-        says out '^x: .* low end, after 33.37[0-9] mm, is at 0.000: 5 touches within [01] steps\?$'
+        says out '^z: its switch at the high end, after 6.000 mm, is at 12.000: 5 touches within 0'
+        says out '^x: .* low end, after 33.37[0-9] mm, is at -3.000: 5 touches within [01] steps\?$'
         says out '^y: its switch at the low end, after 12.000 mm, is at -1.500: 5 touches within 0'
-        says out '^homed: the tool is at 3.000 1.500 8.000$'
+        says out '^homed: the tool is at 0.000 1.500 10.000$'
         [ "$(table_of $m)" = '-30.3750 -9.0000 4.0000, 0 steps lost' ] || job_fails "$(table_of $m)"
     done
-    # what is told of the place is kept: the switch of x is at 0, and its motor stands at 3 mm
+    # what is told of the place is kept: the switch of x is at -3, and its motor stands at 0
     run 0 "$loft" home x --port "$tmp/q16" --machine "$tmp/home.txt"
-    says out '^x: .* after 3.000 mm, is at 0.000: 2 touches within 0 steps$'
+    says out '^x: .* after 3.000 mm, is at -3.000: 2 touches within 0 steps$'
     printf '5,5,6,5,7,5,8,5\n' >"$tmp/line.csv"
     run 0 "$loft" stream "$tmp/line.csv" --port "$tmp/q16" --machine "$tmp/home.txt"
     says out 'steps 640 400 80 as commanded$'
-    [ "$(table_of q16)" = '-25.3750 -5.5000 -3.0000, 0 steps lost' ] || job_fails "$(table_of q16)"
+    [ "$(table_of q16)" = '-22.3750 -5.5000 -5.0000, 0 steps lost' ] || job_fails "$(table_of q16)"
     # one input for both ends; the tool stands on the switch already
     machine uno --speed fast --shared --limits x-=0,x+=40,y-=-12,z+=6 --walls $walls
     run 0 "$loft" home --port "$tmp/uno" --machine "$tmp/home.txt"
-    says out '^homed: the tool is at 3.000 1.500 8.000$'
+    says out '^homed: the tool is at 0.000 1.500 10.000$'
     [ "$(table_of uno)" = '3.0000 -9.0000 4.0000, 0 steps lost' ] || job_fails "$(table_of uno)"
     # corexy: the switches are of the tool
     { echo 'kinematics = corexy'; cat "$tmp/home.txt"; } >"$tmp/corexy.txt"
     machine corexy --speed fast --limits $ends --walls $walls --bounce 5 --machine "$tmp/corexy.txt"
     run 0 "$loft" home --port "$tmp/corexy" --machine "$tmp/corexy.txt"
-    says out '^homed: the tool is at [23]\.[09][0-9]* 1.500 8.000$'
+    says out '^homed: the tool is at -\?0\.0[0-9]* 1.500 10.000$'
     [[ "$(table_of corexy)" =~ ^-30\.3[678].*\ -9\.0000\ 4\.0000,\ 0\ steps ]] \
         || job_fails "$(table_of corexy)"
+}
+case_the_walk_through_the_page_of_the_boards() {
+    local page=ports/README.md block
+    # part 7, and its machine: every line as it is printed, with another port
+    block=$(awk '/^### 7 /{on = 1} on && /^```$/{exit} code && on; on && /^```sh$/{code = 1}' $page)
+    sed -n '/^### Without a board/,/^```$/p' $page | tr -d '\n\\' >"$tmp/alone"
+    read -r -a options < <(sed 's/.*--speed real *\(--limits [^&]*\)&.*/\1/' "$tmp/alone")
+    [ "$(grep -c build/loft <<<"$block")" = 5 ] || job_fails "part 7 has other commands: $block"
+    [ "${options[0]}" = --limits ] || job_fails "no machine: $(cat "$tmp/alone")"
+    machine m --speed fast "${options[@]}" --probe z-=-3
+    block=${block//build\/loft/$(realpath "$loft")} block=${block//\/dev\/ttyACM0/$tmp\/m}
+    (cd "$tmp" && bash -e -c "$block") >"$tmp/out" 2>"$tmp/err" </dev/null \
+        || job_fails "a command fails: $(cat "$tmp/err")"
+    is_empty err
+    says out '^homed: the tool is at 0.000 0.000 30.000$'
+    says out '^the tool is at 100.000 50.000 30.000$'
+    says out '^touched at 100.000 50.000 0.000$'
+    says out '^the tool is at 0.000 0.000 2.000$'
 }
 case_home_says_what_is_wrong() {
     home_file
     local file=(--machine "$tmp/home.txt")
     machine none --speed fast --walls x-=-3
-    one_line 69 'x: no switch at the low end within 44 mm: look at switch, wire and motor' \
+    one_line 69 'x: no switch at the low end within 50 mm: look at switch, wire and motor' \
         "$loft" home x --port "$tmp/none" "${file[@]}"
     machine stuck --speed fast --limits x-=-33nc
     one_line 69 'x: its switch at the low end stays closed over 12 mm: is it stuck' \
@@ -1614,7 +1632,7 @@ case_home_says_what_is_wrong() {
     disown $homing; until_log killed ' begun'; kill -9 $homing; gone $homing
     until_log killed 'aborted'
     run 0 "$loft" home x --port "$tmp/killed" "${file[@]}"
-    says out '^homed: the tool is at 3.000 0.000 0.000$'
+    says out '^homed: the tool is at 0.000 0.000 0.000$'
 }
 case_a_hard_limit_stops_at_once() {
     local to=x+=20 home='loft unlock.*its motors may have lost steps: then home it$'
