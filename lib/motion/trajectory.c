@@ -11,8 +11,9 @@
 #define SMOOTHING   24      /* knots whose points may still move */
 #define STEP        20      /* knots at a time, and what they need on both sides */
 #define SWEEPS      60      /* of smoothing */
-#define RAISES      4
+#define RAISES      4       /* of a whole chain 4 times as many */
 #define REFINED     2
+#define SETTLED     64      /* knots before new ones that are raised again */
 #define CREEP       (LOFT_V2_ONE / 1024)
 
 /* --- knots ---------------------------------------------------------------------------------------
@@ -164,15 +165,17 @@ static int64_t time_of(const loft_timing *t)
     return sum;
 }
 
-static void raise(loft_trajectory *t, unsigned sweeps)
+static void raise(loft_trajectory *t, unsigned old, unsigned sweeps)
 {
-    const loft_timing timing = timing_of(t);
+    loft_timing timing = timing_of(t);
+    if (old > timing.from + SETTLED)
+        timing.from = old - SETTLED;
     int64_t before = time_of(&timing);
 
     for (unsigned n = 0; n < sweeps; n++) {
         loft_timing_raise(&timing, n * 3);
         const int64_t now = time_of(&timing);
-        if (before - now < before >> 9)
+        if (before - now < before >> 10)
             break;
         before = now;
     }
@@ -182,8 +185,9 @@ static void time_knots(loft_trajectory *t, unsigned known, unsigned sweeps)
 {
     place(t, known);
     t->loaded = t->count;
+    const unsigned old = t->timed;
     creep(t);
-    raise(t, sweeps);
+    raise(t, old, sweeps);
 }
 
 /* The whole chain is known and none of it has been used: its timing is a better guess than the
@@ -213,7 +217,7 @@ static enum loft_path_state load(loft_trajectory *t)
         return LOFT_PATH_END;
     if (t->at.knot == 0)
         t->at.knot = 1;
-    time_knots(t, known, RAISES);
+    time_knots(t, known, known == 0 && t->ended ? 4 * RAISES : RAISES);
     if (t->ended && known == 0)
         refine(t);
     const unsigned end = t->placed - 2u;
