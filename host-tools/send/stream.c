@@ -13,7 +13,7 @@
 #include "base/waits.h"          /* waits_for */
 
 #define SILENCE 10.0        /* s of silence until we give up */
-#define LIMIT_FILTER 3      /* ms that a limit switch must stay closed */
+#define LIMIT_FILTER 1      /* ms that a limit switch must stay closed: sparks are shorter */
 #define STOP    10.0        /* s for the machine to stop */
 #define PORTION 0.005       /* s of planning between two looks at the line */
 /* items before those that the machine has: the sender needs 3, a feed needs 1 */

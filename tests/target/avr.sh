@@ -86,10 +86,10 @@ row "60 steps/ms, 3 axes: it says how many ticks were slowed" "$(said slowed)" "
 row "60 steps/ms, 3 axes: slots missed"                     "$(value slots_missed)" = 0
 
 echo "-- a guarded job: the switch of x closes with one pulse, without and with bouncing"
-# guarded NAME STEPS_PER_TICK STEPS[,MS]
+# guarded NAME STEPS_PER_TICK STEPS[,MS] [FILTER]
 guarded() {
     touch=$3
-    on_chip "$chip" "$elf" "$rate" "$tmp/port" 3 "$2" 8
+    on_chip "$chip" "$elf" "$rate" "$tmp/port" 3 "$2" "${4:-8}"
     touch=
     row "$1: the guard ends the job"                        "$code" = 0
     row "$1: the latched place, in steps"                   "$(said latched)" = "${3%,*}"
@@ -102,6 +102,12 @@ guarded "5 mm/s"                     1.25 400
 guarded "5 mm/s, bounces for 5 ms"   1.25 400,5
 guarded "160 mm/s"                   40 10001
 guarded "160 mm/s, bounces for 5 ms" 40 10001,5
+# The filter has 1 ms, the ring 1.6 and the two ticks 2. The rest is the main loop: at this rate the
+# interrupts leave it so little that it samples only every 2 to 4 ms.
+behind() { echo $(($(said position) - $(said latched))); }
+row "160 mm/s: it slows down behind the switch, in steps"   "$(behind)" ">=" 1000
+guarded "160 mm/s, at once"          40 10001 1!
+row "160 mm/s, at once: steps behind the switch"            "$(behind)" "<=" 560
 row "guards: RAM, data, bss and the deepest stack"          "$(ram)" "<=" 1988 bytes
 
 echo "-- loft home: the switch of x closes at -2000 steps, bounces for 5 ms, and opens again"

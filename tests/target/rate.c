@@ -1,15 +1,17 @@
 /* tests/target/rate.c -- runs a machine at a given rate: some axes move straight, all at the same
  * number of steps per tick
  * SPDX-License-Identifier: MIT
- * usage: rate PORT AXES STEPS_PER_TICK [FILTER] ; prints `ticks elapsed slowed` and the positions
- * reached, and fails if they are not those of the plan. With FILTER, in ms, the limit switch of x
- * guards the job: prints `latched` and the place, and fails if that has not ended the job.
+ * usage: rate PORT AXES STEPS_PER_TICK [FILTER[!]]
+ * Prints `ticks elapsed slowed` and the positions reached, and fails if they are not those of the
+ * plan. With FILTER, in ms, the limit switch of x guards the job, and !: stops it at once: prints
+ * `latched` and the place, and fails if that has not ended the job.
  */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
@@ -68,7 +70,9 @@ static int begin(loft_sender *s, int axes, double rate, const char *filter)
     loft_job job = { .kind = LOFT_SPANS };
 
     if (filter)
-        job.guard = (loft_guard){ .inputs = LOFT_INPUT_ENDS(0), .filter = (uint8_t)atoi(filter) };
+        job.guard = (loft_guard){ .inputs = LOFT_INPUT_ENDS(0),
+                                  .how    = strchr(filter, '!') ? LOFT_GUARD_HARD : 0,
+                                  .filter = (uint8_t)atoi(filter) };
 
     plan(s, axes, rate);
     for (int i = 0; i < LOFT_AXES; i++)
