@@ -74,8 +74,6 @@ int mover_ready(mover *v)
 /* A path of one move, and what is planned from it. */
 typedef struct {
     toolpath path;
-    engine_move move;
-    size_t curve;
     joints of;
     job j;
 } one_move;
@@ -116,12 +114,15 @@ static int plan_move(const mover *v, const mover_move *m, one_move *w)
                           "%s: its motors are where those of a %s machine like this "
                           "cannot be: give its --machine FILE",
                           v->port, kinematics_name(&p.machine.k));
+    /* a move past the pole of a polar machine becomes several: the path must be able to grow */
+    w->path = (toolpath){ .move  = tool_grow(NULL, sizeof *w->path.move),
+                          .curve = tool_grow(NULL, sizeof *w->path.curve),
+                          .count = 1 };
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < ENGINE_AXES; i++)
-            w->move.p[k][i] = from[i] + (m->to[i] - from[i]) * k / 3;
-    w->move.feed = m->feed;
-    w->curve     = TOOLPATH_TRAVEL;
-    w->path      = (toolpath){ .move = &w->move, .curve = &w->curve, .count = 1 };
+            w->path.move[0].p[k][i] = from[i] + (m->to[i] - from[i]) * k / 3;
+    w->path.move[0].feed = m->feed;
+    w->path.curve[0]     = TOOLPATH_TRAVEL;
     for (int i = 0; i < ENGINE_AXES; i++) {
         p.machine.travel[i]  = 0;           /* who moves has checked the table */
         as.steps_per_mm[i] = v->t.sender.axis[i].steps_per_mm;
@@ -139,6 +140,7 @@ static void free_move(one_move *w)
 {
     job_free(&w->j);
     joints_free(&w->of);
+    toolpath_free(&w->path);
 }
 
 
@@ -216,7 +218,7 @@ static int take_report(mover *v, const mover_move *m, job *j, bool ended, mover_
 
 int mover_go(mover *v, const mover_move *m, mover_outcome *out)
 {
-    one_move w = { .curve = 0 };
+    one_move w = { .path = { 0 } };
     bool ended = false;
     int code   = 0;
 

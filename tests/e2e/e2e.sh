@@ -1707,6 +1707,11 @@ case_go_moves_straight_to_a_place() {
     machine cross --speed fast --machine "$tmp/corexy.txt"
     goes 10,20 cross '10.000 20.000 0.000' --machine "$tmp/corexy.txt"
     counted_place cross '2400 -800 0'
+    # polar: past the pole, where the angle turns by half a turn
+    printf 'kinematics = polar\nx.center = 0\n' >"$tmp/polar.txt"
+    machine polar --speed fast --machine "$tmp/polar.txt"
+    goes 20,0 polar '20.000 0.000 0.000' --machine "$tmp/polar.txt"
+    goes -20,0 polar '-20.000 -\?0.000 0.000' --machine "$tmp/polar.txt"
     for bad in x 1,2,3,4 1,2x '' 1,1e9; do
         one_line 64 'give a place in mm as X,Y' "$loft" go "$bad" --port "$tmp/there"
     done
