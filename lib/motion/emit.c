@@ -16,8 +16,8 @@
  * 6 (n1 - n0) / h^3, and limits are whole numbers of grains (period.c). If the wanted w0, w1 are
  * within the limits so are n0, n1 for a choice of floor or floor + 1 of each: if floor(w1) -
  * floor(w0) exceeds the jerk j, it is j + 1, then w0 is no whole number and floor(w0) + 1 will do.
- * What is left of an excess of w1 - w0 is taken off both. So limits are held without any margin. The
- * rounding of n0, n1 and of p0 is made good by v: p3 is off by 2 grains at most, and v by 2.
+ * What is left of an excess of w1 - w0 is taken off both. So limits are held without any margin.
+ * The rounding of n0, n1 and of p0 is made good by v: p3 is off by 2 grains at most, and v by 2.
  * Velocity and acceleration jump by a grain or two where spans meet; rounded for themselves they
  * would jump as well.
  */

@@ -8,7 +8,7 @@
  *
  * Control values of spans are multiples of a grain, 2^-16 mm. With n0, n1 the second differences at
  * both ends of a span, in grains, acceleration is 6 n / h^2 and jerk 6 (n1 - n0) / h^3. So what a
- * machine may do is a whole number of 6 grains, of jerk two at least: h^3 >= 12 grains / j.
+ * machine may do is a whole number of 6 grains, and h^3 >= 6 grains / j.
  *
  * Where jerk is not limited, it is 2 tol: a h^2 = 2 tol, and acceleration takes a period to change.
  * Where not even a tick is that short, less of the limits is used.
@@ -17,6 +17,7 @@
 
 #define GRAIN       ((loft_coord)1 << (LOFT_COORD_BITS - 16))
 #define MOST        ((loft_coord)1 << 28)    /* of a difference that is allowed */
+#define TICKS_MAX   1001u                   /* below LOFT_SPAN_TICKS_MAX */
 
 static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
 
@@ -55,7 +56,7 @@ static uint32_t longest(const loft_limits *limits, uint32_t *fewest)
                                  : loft_coord_sqrt(2 * tol * hz * hz * 256 / a);
         most = h < most ? h : most;
         if (j > 0) {
-            const uint32_t least = loft_coord_cbrt(12 * hz * hz / j * hz / 65536) + 1;
+            const uint32_t least = loft_coord_cbrt(6 * hz * hz / j * hz / 65536) + 1;
             *fewest = least > *fewest ? least : *fewest;
             const uint64_t rise = (uint64_t)a * hz * 16 / (8 * 65536 * j);
             ease = rise > ease ? (uint32_t)rise : ease;
@@ -66,19 +67,22 @@ static uint32_t longest(const loft_limits *limits, uint32_t *fewest)
         most = ease > most / 4 * 3 ? ease : most / 4 * 3;
     return most;
 }
-/* (16 hz)^3 * tol / 65536 / j = hz^3 tol / (16 j); jerk: 12 grains * hz^3 / j */
+/* (16 hz)^3 * tol / 65536 / j = hz^3 tol / (16 j); 6 grains * hz^3 / j */
 
 static loft_coord whole(loft_coord x, loft_coord part) { return x > part ? x - x % part : part; }
 
 void loft_period_init(loft_period *period, const loft_limits *limits)
 {
     uint32_t fewest;
-    const uint32_t h = longest(limits, &fewest) / 16 + (longest(limits, &fewest) % 16 >= 12);
-    const uint32_t slow = limits->tick_hz / 20u + 1, ticks = h < slow ? h : slow;
+    const uint32_t h = (longest(limits, &fewest) + 4) / 16;
+    const uint32_t slow = limits->tick_hz < 20000 ? limits->tick_hz / 20u + 1 : TICKS_MAX,
+                   ticks = fewest > h ? fewest
+                           : h > 0    ? h
+                                      : 1;
 
     period->tol = loft_coord_of(loft_to_acc(limits->tol));
     period->tick_hz = limits->tick_hz;
-    period->ticks = (uint16_t)(ticks > fewest ? ticks : fewest);
+    period->ticks = (uint16_t)(ticks < slow ? ticks : slow);
     for (int i = 0; i < LOFT_AXES; i++) {
         const int64_t a = in_period(period, fine_raw(loft_raw_from_real(limits->max_accel[i]))),
                       j = in_period(period, (int64_t)limits->max_jerk[i] << LOFT_COORD_BITS);

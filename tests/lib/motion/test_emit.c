@@ -100,7 +100,7 @@ static void all_limits_are_held_exactly(arb *a)
     for (unsigned k = 0; k < count; k++)        /* the spans pass the samples */
         for (int i = 0; i < LOFT_AXES; i++)
             CHECK_NEAR(arb_value(spans[k].p[3].axis[i]) * LOFT_COORD_MM, sample[k + 1][i],
-                       p.jerk[0] * 0.2 + 0x1p8);
+                       p.jerk[0] * 0.2 + 0x1p9);
 }
 
 int main(void)
