@@ -1,10 +1,8 @@
 /* host-tools/plan/fill.c -- the parts of parallel lines that are inside a shape
  * SPDX-License-Identifier: MIT
  *
- * The shape is turned until the lines are level. Each curve is cut where its height turns, so each
- * piece crosses a height once at most, and bisection finds where. A piece counts from its lower end
- * to below its upper one: so a line through a joint is crossed once, or twice, as it must be. The
- * sum of the directions of all crossings to the left is the winding number.
+ * The shape is turned until the lines are level. The sum of the directions of all crossings to the
+ * left is the winding number.
  *   see  Foley, van Dam, Feiner, Hughes: Computer Graphics, 3.6
  */
 #include <math.h>
@@ -16,7 +14,6 @@
 #include "plan/fill.h"
 
 #define DEGREE 0.017453292519943295769
-#define HALVINGS 60             /* of a parameter: down to the last bit */
 
 bool fill_parse(const char *text, void *out)
 {
@@ -82,61 +79,23 @@ static void add_crossing(filling *g, double level, double x, int turn)
     g->all[g->count++] = (crossing){ level, x, turn };
 }
 
-/* The crossings of the piece from a, at height `from`, to b, at height `to`; it does not turn. */
-static void cross_piece(filling *g, const double x[4], const double y[4], double a, double b,
-                        double from, double to)
-{
-    const double step = g->f->distance, low = fmin(from, to), high = fmax(from, to);
-    const int turn    = to > from ? 1 : -1;
-
-    for (double level = ceil(low / step - 0.5); (level + 0.5) * step < high; level++) {
-        const double height = (level + 0.5) * step;
-        double left = a, right = b;
-        if (height < low)
-            continue;
-        for (int k = 0; k < HALVINGS; k++) {
-            const double middle = (left + right) / 2;
-            *((value_at(y, middle) < height) == (turn > 0) ? &left : &right) = middle;
-        }
-        add_crossing(g, level, value_at(x, (left + right) / 2), turn);
-    }
-}
-
-/* Where the height turns: the zeros of a t^2 + b t + c in 0..1, in order. */
-static int turns_of(const double y[4], double out[2])
-{
-    const double d0 = y[1] - y[0], d1 = y[2] - y[1], d2 = y[3] - y[2];
-    const double a = d0 - 2 * d1 + d2, b = 2 * (d1 - d0);
-    const double q = -(b + copysign(sqrt(fmax(b * b - 4 * a * d0, 0)), b)) / 2;
-    const double root[2] = { q / a, d0 / q };
-    int count = 0;
-
-    for (int k = 0; k < 2; k++)
-        if (root[k] > 0 && root[k] < 1)         /* false for the nan of 0/0 */
-            out[count++] = root[k];
-    if (count == 2 && out[0] > out[1]) {
-        const double first = out[0];
-        out[0] = out[1];
-        out[1] = first;
-    }
-    return count;
-}
-
 static void cross_curve(filling *g, const double p[4][2])
 {
-    double x[4], y[4], cut[4] = { 0 };
+    const double step = g->f->distance;
+    double x[4], y[4], low = HUGE_VAL, high = -HUGE_VAL;
 
     for (int k = 0; k < 4; k++) {
         x[k] = g->c * p[k][0] + g->s * p[k][1];
         y[k] = g->c * p[k][1] - g->s * p[k][0];
+        low  = fmin(low, y[k]);
+        high = fmax(high, y[k]);
     }
-    const int count = turns_of(y, cut + 1);
-    cut[count + 1]  = 1;
-    double from     = y[0];
-    for (int k = 0; k <= count; k++) {
-        const double to = k == count ? y[3] : value_at(y, cut[k + 1]);
-        cross_piece(g, x, y, cut[k], cut[k + 1], from, to);
-        from = to;
+    for (double level = ceil(low / step - 0.5); (level + 0.5) * step < high; level++) {
+        double t[3];
+        int turn[3];
+        const int count = drawing_crossings(y, (level + 0.5) * step, t, turn);
+        for (int k = 0; k < count; k++)
+            add_crossing(g, level, value_at(x, t[k]), turn[k]);
     }
 }
 

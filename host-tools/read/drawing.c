@@ -14,6 +14,7 @@
 #include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
 #define SAME 1e-6       /* mm; closer ends count as one point */
+#define HALVINGS 60     /* of a parameter: down to the last bit */
 
 // Reading
 // -------
@@ -138,6 +139,76 @@ int drawing_join_space(drawing *d, const char *file, unsigned line, double p[4][
             break;                      /* a curve without length draws nothing */
         }
     return 0;
+}
+
+
+// Crossings
+// ---------
+
+static double value_at(const double p[4], double t)
+{
+    const double s = 1 - t;
+
+    return s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] + t * t * t * p[3];
+}
+
+/* Where the height turns: the zeros of a t^2 + b t + c in 0..1, in order. */
+static int turns_of(const double y[4], double out[2])
+{
+    const double d0 = y[1] - y[0], d1 = y[2] - y[1], d2 = y[3] - y[2];
+    const double a = d0 - 2 * d1 + d2, b = 2 * (d1 - d0);
+    const double q = -(b + copysign(sqrt(fmax(b * b - 4 * a * d0, 0)), b)) / 2;
+    const double root[2] = { q / a, d0 / q };
+    int count = 0;
+
+    for (int k = 0; k < 2; k++)
+        if (root[k] > 0 && root[k] < 1)         /* false for the nan of 0/0 */
+            out[count++] = root[k];
+    if (count == 2 && out[0] > out[1]) {
+        const double first = out[0];
+        out[0] = out[1];
+        out[1] = first;
+    }
+    return count;
+}
+
+/* The curve is cut where its height turns, so each piece crosses a height once at most. */
+int drawing_crossings(const double y[4], double height, double t[3], int turn[3])
+{
+    double cut[4]   = { 0 };
+    const int count = turns_of(y, cut + 1);
+    double from     = y[0];
+    int found       = 0;
+
+    cut[count + 1] = 1;
+    for (int k = 0; k <= count; k++) {
+        const double to = k == count ? y[3] : value_at(y, cut[k + 1]);
+        if (height >= fmin(from, to) && height < fmax(from, to)) {
+            double left = cut[k], right = cut[k + 1];
+            for (int i = 0; i < HALVINGS; i++) {
+                const double middle = (left + right) / 2;
+                *((value_at(y, middle) < height) == (to > from) ? &left : &right) = middle;
+            }
+            t[found]      = (left + right) / 2;
+            turn[found++] = to > from ? 1 : -1;
+        }
+        from = to;
+    }
+    return found;
+}
+
+int drawing_winding(const drawing_curve *c, const double at[2])
+{
+    const double x[4] = { c->p[0][0], c->p[1][0], c->p[2][0], c->p[3][0] },
+                 y[4] = { c->p[0][1], c->p[1][1], c->p[2][1], c->p[3][1] };
+    double t[3];
+    int turn[3], sum = 0;
+    const int count = drawing_crossings(y, at[1], t, turn);
+
+    for (int k = 0; k < count; k++)
+        if (value_at(x, t[k]) < at[0])
+            sum += turn[k];
+    return sum;
 }
 
 

@@ -83,6 +83,14 @@ void drawing_deriv(const drawing_curve *c, double t, double out[2]);
 /* Cut out the part from a to b, 0..1; parts that meet have one end. */
 void drawing_cut(drawing_curve *c, double a, double b);
 
+/* Where a cubic of one coordinate, y, crosses a height: its parameters, and 1 where it rises, -1
+ * where it falls. A piece counts from its lower end to below its upper one, so chains of curves
+ * are crossed consistently. Returns how many there are. */
+int drawing_crossings(const double y[4], double height, double t[3], int turn[3]);
+
+/* What a curve adds to the winding number of the outline around a point. */
+int drawing_winding(const drawing_curve *c, const double at[2]);
+
 /* The true length in mm, to 1e-6 relative. */
 double drawing_length(const drawing *d);
 

@@ -103,9 +103,9 @@ static void read_positive(svg_reader *r, const svg_style *style, enum svg_proper
     xmlFree(value);
 }
 
-static void read_rule(svg_reader *r, const svg_style *style, bool *evenodd)
+static void read_rule(svg_reader *r, const svg_style *style, enum svg_property which, bool *evenodd)
 {
-    char *value = svg_property(r, style, SVG_FILL_RULE, NULL);
+    char *value = svg_property(r, style, which, NULL);
 
     if (value != NULL && strcmp(value, "evenodd") == 0)
         *evenodd = true;
@@ -164,7 +164,10 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     read_visibility(r, style, &space->visible);
     read_paint(r, style, SVG_FILL, &space->fill, &space->fill_ink);
     read_paint(r, style, SVG_STROKE, &space->stroke, &space->stroke_ink);
-    read_rule(r, style, &space->evenodd);
+    read_rule(r, style, SVG_FILL_RULE, &space->evenodd);
+    read_rule(r, style, SVG_CLIP_RULE, &space->clip_evenodd);
+    space->clip = NULL;                 /* not inherited */
+    read_words(r, style, SVG_CLIP_PATH, &space->clip);
     read_words(r, style, SVG_DASHES, &space->dashes);
     read_words(r, style, SVG_DASH_OFFSET, &space->dash_offset);
     read_cap(r, style, &space->round);
@@ -219,8 +222,6 @@ static void warn_of(svg_reader *r, const svg_style *style)
         enum svg_warning kind;
         const char *text;
     } left_out[] = {
-        { SVG_CLIP_PATH, SVG_WARN_CLIP_PATH,
-          "clip-path is not applied, the whole outline is drawn: cut the paths in the editor" },
         { SVG_MASK, SVG_WARN_MASK,
           "mask is not applied, the whole outline is drawn: cut the paths in the editor" },
         { SVG_MARKER, SVG_WARN_MARKER, "markers are not drawn: make paths of them in the editor" },
@@ -434,25 +435,41 @@ static drawing_curve curve_within(const drawing_curve *c, const svg_matrix *m)
     return in;
 }
 
-/* Warn if a curve from the first'th on leaves width x height: a browser would clip it. */
-static void warn_unclipped(svg_reader *r, const xmlNode *node, const svg_matrix *frame,
-                           double width, double height, size_t first)
+/* Does a curve from the first'th on leave width x height? */
+static bool leaves_frame(const svg_reader *r, const svg_matrix *frame, double width, double height,
+                         size_t first)
 {
     const double margin = UNCLIPPED / svg_stretch(*frame);
 
-    for (size_t i = first; i < r->d->count && !(r->warned & 1u << SVG_WARN_UNCLIPPED); i++) {
+    for (size_t i = first; i < r->d->count; i++) {
         drawing_curve in = curve_within(&r->d->curve[i], frame);
         const drawing one = { .curve = &in, .count = 1 };
         double box[2][2];
-
-        r->node = node;
         if (drawing_box(&one, box) && (box[0][0] < -margin || box[0][1] < -margin ||
                                        box[1][0] > width + margin || box[1][1] > height + margin))
-            svg_warn(r, SVG_WARN_UNCLIPPED,
-                     "<%s> is not clipped at its edges, all of it is drawn: "
-                     "clip the paths in the editor",
-                     (const char *)node->name);
+            return true;
     }
+    return false;
+}
+
+/* Cut the curves from the first'th on at the edges of a viewport. */
+static bool cut_frame(svg_reader *r, const xmlNode *node, const svg_matrix *frame, double width,
+                      double height, size_t first)
+{
+    drawing edges   = { .count = 0 };
+    drawing *const d = r->d;
+
+    r->node = node;
+    if (!leaves_frame(r, frame, width, height, first))
+        return true;
+    r->d        = &edges;
+    svg_pen pen = svg_pen_at(r, *frame);
+    bool good   = svg_line(&pen, width, 0) && svg_line(&pen, width, height) &&
+                svg_line(&pen, 0, height) && svg_close(&pen);
+    r->d = d;
+    good = good && svg_cut(r, &edges, first);
+    drawing_free(&edges);
+    return good;
 }
 
 /* An <svg> inside the drawing, or the target of a <use>, which gives the sizes. */
@@ -469,9 +486,7 @@ static bool draw_viewport(svg_reader *r, const xmlNode *node, svg_space space, d
         return false;
     if (!empty && !draw_children(r, node, space, chain))
         return false;
-    if (clipped)
-        warn_unclipped(r, node, &frame, width, height, first);
-    return true;
+    return !clipped || cut_frame(r, node, &frame, width, height, first);
 }
 
 static bool draw_svg(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
@@ -597,11 +612,13 @@ static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const 
 
 bool svg_begin(svg_reader *r, const svg_space *space)
 {
-    const bool filled  = space->fill && space->fill_opaque,
-               stroked = space->stroke && space->stroke_opaque && space->stroke_wide;
+    const bool filled  = r->clipping || (space->fill && space->fill_opaque),
+               stroked = !r->clipping && space->stroke && space->stroke_opaque &&
+                         space->stroke_wide,
+               evenodd = r->clipping ? space->clip_evenodd : space->evenodd;
 
     r->fill = (r->fill / DRAWING_SHAPE + 1) * DRAWING_SHAPE + (filled ? DRAWING_FILLED : 0) +
-              (stroked ? DRAWING_STROKED : 0) + (space->evenodd ? DRAWING_EVENODD : 0);
+              (stroked ? DRAWING_STROKED : 0) + (evenodd ? DRAWING_EVENODD : 0);
     return space->visible && (filled || stroked);
 }
 
@@ -672,15 +689,112 @@ static bool is_never_drawn(const xmlNode *node)
     return is_one_of(node, names);
 }
 
+/* The element that clip-path: url(#id) names, or NULL. */
+static const xmlNode *clip_of(svg_reader *r, const char *value)
+{
+    const char *open = strchr(value, '#');
+    char id[200];
+
+    if (strncmp(value, "url(", 4) != 0 || open == NULL) {
+        svg_warn(r, SVG_WARN_CLIP_PATH,
+                 "clip-path: %.30s is not applied: cut the paths in the editor", value);
+        return NULL;
+    }
+    snprintf(id, sizeof id, "%.*s", (int)strcspn(open + 1, ")\"'"), open + 1);
+    const xmlNode *node = svg_find(r, id);
+    return node != NULL && svg_is(node, "clipPath") ? node : NULL;
+}
+
+/* Close each part of an outline by a line. */
+static void close_outline(drawing *d)
+{
+    drawing out = { .count = 0 };
+
+    for (size_t i = 0, begin = 0; i < d->count; i++) {
+        drawing_curve c = d->curve[i];
+        const bool last = i + 1 == d->count || d->curve[i + 1].path != c.path;
+        drawing_add_like(&out, &c, i == begin);
+        if (!last)
+            continue;
+        const double *from = d->curve[i].p[3], *to = d->curve[begin].p[0];
+        for (int k = 0; k < 4; k++)
+            for (int j = 0; j < 2; j++)
+                c.p[k][j] = k == 3 ? to[j] : from[j] + (to[j] - from[j]) * k / 3;
+        if (memcmp(from, to, sizeof c.p[0]) != 0)
+            drawing_add_like(&out, &c, false);
+        begin = i + 1;
+    }
+    drawing_free(d);
+    *d = out;
+}
+
+/* With clipPathUnits="objectBoundingBox", 0..1 is the box of what is clipped. */
+static void enter_box(const svg_reader *r, svg_space *space, size_t first)
+{
+    double all[2][2] = { { 0, 0 }, { 0, 0 } };
+
+    for (size_t i = first; i < r->d->count; i++) {
+        drawing_curve in  = curve_within(&r->d->curve[i], &space->to_mm);
+        const drawing one = { .curve = &in, .count = 1 };
+        double box[2][2];
+        (void)drawing_box(&one, box);
+        for (int k = 0; k < 2; k++) {
+            all[0][k] = i == first || box[0][k] < all[0][k] ? box[0][k] : all[0][k];
+            all[1][k] = i == first || box[1][k] > all[1][k] ? box[1][k] : all[1][k];
+        }
+    }
+    space->to_mm = svg_multiply(
+        space->to_mm,
+        (svg_matrix){ all[1][0] - all[0][0], 0, 0, all[1][1] - all[0][1], all[0][0], all[0][1] });
+}
+
+/* Cut the curves from the first'th on, which the current element has drawn, at its clip path. */
+static bool clip_element(svg_reader *r, const svg_space *of, size_t first)
+{
+    const xmlNode *was = r->node, *node = r->clipping ? NULL : clip_of(r, of->clip);
+    svg_space space    = *of;
+    drawing outline = { .count = 0 }, *const d = r->d;
+    svg_scope scope;
+    bool shown;
+
+    if (node == NULL || r->d->count == first)
+        return true;
+    r->node     = node;
+    char *units = svg_attribute(node, "clipPathUnits");
+    if (units != NULL && strcmp(units, "objectBoundingBox") == 0)
+        enter_box(r, &space, first);
+    xmlFree(units);
+    space.visible = true;
+    space.clip_evenodd = false;
+    const unsigned fill = r->fill;
+    bool good = svg_enter(r, &space, &scope, &shown);
+    r->clipping = true;
+    r->d        = &outline;
+    good = good && (!shown || draw_children(r, node, space, NULL));
+    r->d        = d;
+    r->clipping = false;
+    r->fill     = fill;
+    r->node     = was;
+    svg_scope_close(&scope);
+    close_outline(&outline);
+    good = good && svg_cut(r, &outline, first);
+    drawing_free(&outline);
+    return good;
+}
+
 static bool draw_in_space(svg_reader *r, const xmlNode *node, svg_space space,
                           const use_chain *chain)
 {
     svg_scope scope;
     bool shown, good = svg_enter(r, &space, &scope, &shown);
     const double area = space.to_mm.a * space.to_mm.d - space.to_mm.b * space.to_mm.c;
+    const size_t first = r->d->count;
 
     if (good && shown && area != 0)     /* flattened to a line or a point: SVG draws nothing */
         good = draw_element(r, node, space, chain);
+    r->node = node;
+    if (good && shown && area != 0 && space.clip != NULL)
+        good = clip_element(r, &space, first);
     svg_scope_close(&scope);
     return good;
 }

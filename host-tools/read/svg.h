@@ -8,6 +8,7 @@
  *     svg_space.c  transforms, lengths with units, viewBox
  *     svg_style.c  properties from attributes, style="" and style sheets; var()
  *     svg_sheet.c  the rules of style sheets
+ *     svg_clip.c   clip paths
  *     svg_dash.c   dashes
  *     svg_ink.c    colours, and which of them are drawn
  *     svg_text.c   text: letters, their places, runs     -> shaped glyphs -> pen
@@ -70,6 +71,8 @@ typedef struct {
     svg_fonts *fonts;
     svg_lines *lines;
     unsigned fill;              /* of the current shape, see drawing.h */
+    bool clipping;              /* what is drawn now is a clip path */
+    unsigned long long compared;/* pairs of curves, to stop a flood of them */
     double dashes;              /* that were drawn, about */
     const char *inks[SVG_INKS]; /* the first colours that were seen, if only some are drawn */
     bool inked;                 /* one of those that are drawn was seen */
@@ -121,7 +124,8 @@ typedef struct {
     bool visible;
     bool fill, fill_opaque;                 /* an element with neither fill nor stroke is */
     bool stroke, stroke_opaque, stroke_wide;/* invisible and not drawn */
-    bool evenodd;               /* fill-rule */
+    bool evenodd, clip_evenodd; /* fill-rule, clip-rule */
+    const char *clip;           /* clip-path of this element; NULL: none */
     const char *dashes, *dash_offset;       /* as written; NULL: none */
     bool round;                 /* stroke-linecap is not butt */
     const char *fill_ink, *stroke_ink;      /* colours, of svg_ink; NULL: black */
@@ -179,7 +183,7 @@ enum svg_warning {
     SVG_WARN_MARKER,
     SVG_WARN_BOX,
     SVG_WARN_UNSEEN,
-    SVG_WARN_UNCLIPPED,
+    SVG_WARN_AREA,
     SVG_WARN_USE_NOTHING,
     SVG_WARN_USE_ELSEWHERE,
     SVG_WARN_USE_MISSING
@@ -202,6 +206,7 @@ enum svg_property {
     SVG_FILL,
     SVG_FILL_OPACITY,
     SVG_FILL_RULE,
+    SVG_CLIP_RULE,
     SVG_STROKE,
     SVG_STROKE_OPACITY,
     SVG_STROKE_WIDTH,
@@ -410,6 +415,9 @@ bool svg_shape(const svg_reader *r, const svg_space *space, bool *known);
 
 /* Draw the current element, a <text>. */
 bool svg_text(svg_reader *r, const svg_space *space);
+
+/* Leave out what is outside of an outline, whose parts are closed, from curve `first` on. */
+bool svg_cut(svg_reader *r, const drawing *outline, size_t first);
 
 /* Cut the curves from `first` on into the dashes of the current element. */
 bool svg_dash(svg_reader *r, const svg_space *space, size_t first);

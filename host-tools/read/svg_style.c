@@ -24,6 +24,7 @@ static const char *const property_names[SVG_PROPERTIES] = {
                                                             [SVG_FILL] = "fill",
                                                             [SVG_FILL_OPACITY] = "fill-opacity",
                                                             [SVG_FILL_RULE] = "fill-rule",
+                                                            [SVG_CLIP_RULE] = "clip-rule",
                                                             [SVG_STROKE] = "stroke",
                                                             [SVG_STROKE_OPACITY] = "stroke-opacity",
                                                             [SVG_STROKE_WIDTH] = "stroke-width",

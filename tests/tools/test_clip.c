@@ -1,0 +1,132 @@
+/* tests/tools/test_clip.c -- clip paths of SVG
+ * SPDX-License-Identifier: MIT
+ *
+ * cairo judges which points of a curve are inside of a clip path.
+ */
+#include <cairo.h>
+
+#include "tools/drawn.h"
+
+#define CUT(clip, inner, wanted)                                                                   \
+    DRAWS("<defs><clipPath id='c'>" clip "</clipPath></defs>" inner, wanted)
+#define BOX "<rect x='2' y='2' width='4' height='4'/>"
+
+static void clip_paths_cut(arb *a)
+{
+    (void)a;
+    CUT(BOX, "<path clip-path='url(#c)' d='M0 3H9'/>", "M 2 3 L 6 3");
+    CUT(BOX, "<path style='clip-path:url(\"#c\")' d='M0 3H9'/>", "M 2 3 L 6 3");
+    CUT(BOX, "<g clip-path='url(#c)'><path d='M0 3H9'/><path d='M3 3h1'/><path d='M8 8h1'/></g>",
+        "M 2 3 L 6 3 M 3 3 L 4 3");
+    CUT(BOX, "<path clip-path='url(#c)' d='M0 3H4V9'/>", "M 2 3 L 4 3 L 4 6");
+    CUT(BOX, "<path clip-path='url(#c)' d='M0 3H9V5H0'/>", "M 2 3 L 6 3 M 6 5 L 2 5");
+    CUT(BOX, "<g transform='translate(10 0)'><path clip-path='url(#c)' d='M0 3H9'/></g>",
+        "M 12 3 L 16 3");
+    CUT(BOX, "<g transform='scale(2)' clip-path='url(#c)'><path d='M0 3H9'/></g>", "M 4 6 L 12 6");
+    CUT(BOX BOX, "<path clip-path='url(#c)' d='M0 3H9'/>", "M 2 3 L 6 3");
+    CUT(BOX "<rect x='7' y='2' width='1' height='4'/>", "<path clip-path='url(#c)' d='M0 3H9'/>",
+        "M 2 3 L 6 3 M 7 3 L 8 3");
+    CUT("<path d='M0 0h9v9h-9zM2 2h4v4h-4z' clip-rule='evenodd'/>",
+        "<path clip-path='url(#c)' d='M0 3H12'/>", "M 0 3 L 2 3 M 6 3 L 9 3");
+    CUT("<path d='M0 0h9v9h-9zM2 2h4v4h-4z'/>", "<path clip-path='url(#c)' d='M-1 3H12'/>",
+        "M 0 3 L 9 3");
+    CUT("<path d='M2 2h4v4'/>", "<path clip-path='url(#c)' d='M0 3H9'/>", "M 3 3 L 6 3");
+    CUT("", "<path clip-path='url(#c)' d='M0 3H9'/>", "");
+    CUT(BOX, "<path clip-path='url(#none)' d='M0 3H9'/>", "M 0 3 L 9 3");
+    CUT(BOX, "<rect clip-path='url(#c)' x='2' y='2' width='4' height='4'/>",
+        "M 2 2 L 6 2 L 6 6 L 2 6 L 2 2");
+    DRAWS("<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='.5' height='1'/>"
+          "</clipPath><path clip-path='url(#c)' d='M2 3H10M2 5H10'/>",
+          "M 2 3 L 6 3 M 2 5 L 6 5");
+    DRAWS("<clipPath id='c' transform='translate(1)'>" BOX "</clipPath>"
+          "<path clip-path='url(#c)' d='M0 3H9'/>",
+          "M 3 3 L 7 3");
+    DRAWS("<clipPath id='c'><path clip-path='url(#c)' d='M2 2h4v4h-4z'/></clipPath>"
+          "<path clip-path='url(#c)' d='M0 3H9'/>",
+          "M 2 3 L 6 3");               /* one that clips itself */
+}
+
+static void add_numbers(arb *a, char *to, int count)
+{
+    for (int k = 0; k < count; k++)
+        sprintf(to + strlen(to), " %u", arb_below(a, 100));
+}
+
+/* Is a point on a curve of the drawing? */
+static bool is_drawn(const drawing *d, const double at[2])
+{
+    for (size_t i = 0; i < d->count; i++)
+        for (int k = 0; k <= 400; k++) {
+            double p[2];
+            drawing_eval(&d->curve[i], k / 400.0, p);
+            if (hypot(p[0] - at[0], p[1] - at[1]) < 0.6)
+                return true;
+        }
+    return false;
+}
+
+static void what_is_inside_stays(arb *a)
+{
+    const bool evenodd = arb_below(a, 2);
+    char clip[400] = "M", curve[200] = "M", text[1500];
+    drawing outline, whole, parts;
+
+    add_numbers(a, clip, 2);
+    strcat(clip, "C");
+    add_numbers(a, clip, 24);
+    add_numbers(a, curve, 2);
+    strcat(curve, "C");
+    add_numbers(a, curve, 6);
+    snprintf(text, sizeof text, PAGE("<path d='%s'/>"), clip);
+    CHECK(read_svg(&outline, text) == 0);
+    snprintf(text, sizeof text, PAGE("<path d='%s'/>"), curve);
+    CHECK(read_svg(&whole, text) == 0);
+    snprintf(text, sizeof text,
+             PAGE("<clipPath id='c'><path clip-rule='%s' d='%s'/></clipPath><path "
+                  "clip-path='url(#c)' d='%s'/>"),
+             evenodd ? "evenodd" : "nonzero", clip, curve);
+    CHECK(read_svg(&parts, text) == 0 && caught_lines == 0);
+
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
+    cairo_t *cairo           = cairo_create(surface);
+    cairo_set_tolerance(cairo, 0.01);
+    cairo_set_fill_rule(cairo, evenodd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+    cairo_move_to(cairo, outline.curve[0].p[0][0], outline.curve[0].p[0][1]);
+    for (size_t i = 0; i < outline.count; i++) {
+        const drawing_curve *c = &outline.curve[i];
+        cairo_curve_to(cairo, c->p[1][0], c->p[1][1], c->p[2][0], c->p[2][1], c->p[3][0],
+                       c->p[3][1]);
+    }
+    for (size_t i = 0; i < whole.count; i++)
+        for (int k = 1; k < 60; k++) {
+            double p[2];
+            unsigned in = 0;
+            drawing_eval(&whole.curve[i], k / 60.0, p);
+            for (int n = 0; n < 9; n++)     /* within 1.5 mm all are on one side */
+                in += cairo_in_fill(cairo, p[0] + 1.5 * (n % 3 - 1), p[1] + 1.5 * (n / 3 - 1)) != 0;
+            if (in == 9)
+                CHECK(is_drawn(&parts, p));
+        }
+    for (size_t i = 0; i < parts.count; i++)
+        for (int k = 1; k < 20; k++) {      /* and nothing is drawn outside */
+            double p[2];
+            unsigned in = 0;
+            drawing_eval(&parts.curve[i], k / 20.0, p);
+            for (int n = 0; n < 9; n++)
+                in += cairo_in_fill(cairo, p[0] + 0.02 * (n % 3 - 1), p[1] + 0.02 * (n / 3 - 1)) !=
+                      0;
+            CHECK(in > 0);
+        }
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+    drawing_free(&outline);
+    drawing_free(&whole);
+    drawing_free(&parts);
+}
+
+int main(void)
+{
+    PROPERTY(clip_paths_cut, 1);
+    PROPERTY(what_is_inside_stays, 200);
+    return check_failures();
+}
