@@ -185,6 +185,11 @@ check:
 lint:
 	@sh tests/house/lint.sh
 
+## Print which functions of geometry a command reaches, header by header
+.PHONY: reach
+reach:
+	@sh tests/house/reach.sh
+
 ## Compare plans and points bit for bit with those of another commit   OLD=HEAD
 .PHONY: check-same
 check-same: build/loft

@@ -22,11 +22,11 @@ struct tool_command {
     int (*run)(const tool_command *self, int argc, char **argv);    /* returns the exit code */
 };
 
-extern const tool_command command_compare, command_contour, command_eval, command_export,
-    command_flatten, command_go, command_harmonic, command_home, command_jog, command_measure,
-    command_monitor, command_plan, command_plot, command_ports, command_sample, command_simulate,
-    command_stream, command_study, command_surface, command_park, command_pen, command_probe,
-    command_unlock, command_zero;
+extern const tool_command command_compare, command_contour, command_decide, command_eval,
+    command_export, command_flatten, command_go, command_harmonic, command_home, command_jog,
+    command_make, command_measure, command_monitor, command_plan, command_plot, command_ports,
+    command_sample, command_simulate, command_stream, command_study, command_surface, command_park,
+    command_pen, command_probe, command_unlock, command_zero;
 
 /* Print `loft: <message>` and return `code`. */
 int tool_error(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -816,7 +816,7 @@ case_help_everywhere() {
     run 0 "$loft" --version; says out '^loft [0-9]'
     run 64 "$loft"
     for command in stream simulate plot ports eval sample flatten measure compare surface contour \
-                   export
+                   export decide make
     do
         run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
         run 0 "$loft" $command --help
@@ -834,6 +834,65 @@ case_eval_and_sample() {
     done
     run 0 sh -c "'$loft' sample --n 2 '$tmp/small.csv' | '$loft' flatten - | wc -l"
     says out '^ *[0-9]'
+}
+case_decide() {
+    for num in q16 f32 f64; do
+        run 0 "$loft" decide positive --num $num --of=1,-1,1      # (1 - 2 t)^2
+        [ "$(tr '\n' ';' <"$tmp/out")" = \
+            "positive no;nonnegative yes;roots 1;minimum 0;elevations more than 60;" ] ||
+            job_fails "positive $num: $(cat "$tmp/out")"
+        run 0 "$loft" decide copositive --num $num --of=1,-1,1,1,-1,1,-1,1,1,1,-1,1,1,-1,1
+        says out 'copositive yes'                               # Horn's matrix
+        printf '0 0\n2 4\n4 0\n\n0 2\n4 2\n' >"$tmp/touch.txt"
+        run 0 "$loft" decide meet --num $num "$tmp/touch.txt"
+        [ "$(cat "$tmp/out")" = "0 1 0.5 0.5 multiplicity 2" ] ||
+            job_fails "meet $num: $(cat "$tmp/out")"
+        printf '0 0\n2 4\n4 0\n\n0 2.0001\n4 2.0001\n' >"$tmp/miss.txt"
+        run 0 "$loft" decide meet --num $num "$tmp/miss.txt"
+        [ ! -s "$tmp/out" ] || job_fails "miss $num: $(cat "$tmp/out")"
+        printf 'rational 2\n1 0 : 1\n1 1 : 1\n0 1 : 2\n' >"$tmp/conic.loft"
+        run 0 "$loft" decide conic --num $num "$tmp/conic.loft"
+        says out '^0 circle, ellipse'; says out '^centre 0 0'; says out '^axes 1 1'
+        printf 'tensor 1 1\n0 0 0\n0 2 0\n2 0 0\n2 2 0\n' >"$tmp/plane.loft"
+        run 0 "$loft" decide ray --num $num --of=1,0.5,5,0,0,-2 "$tmp/plane.loft"
+        [ "$(cat "$tmp/out")" = "0 t 2.5 u 0.5 v 0.25" ] ||
+            job_fails "ray $num: $(cat "$tmp/out")"
+        run 0 "$loft" decide nearest --num $num --of=5,1,0 "$tmp/plane.loft"
+        says out '^0 u 1 v 0.5 distance 3 at 2 1 0'
+    done
+    one_line 64 'not known to decide'  "$loft" decide nothing
+    one_line 64 'no numbers'   "$loft" decide positive
+    one_line 65 'holds no surface' "$loft" decide ray --of=1,2,3,4,5,6 "$tmp/touch.txt"
+}
+case_make() {
+    for num in q16 f32 f64; do
+        printf 'bezier 2\n0 0\n4 8\n12 0\n' >"$tmp/curve.loft"
+        run 0 "$loft" make raise --num $num --of 2 "$tmp/curve.loft"
+        cp "$tmp/out" "$tmp/raised.loft"; says out '^bezier 4'
+        run 0 "$loft" make lower --num $num --of 2 "$tmp/raised.loft"
+        grep -v '#' "$tmp/out" | cmp -s - "$tmp/curve.loft" ||
+            job_fails "raised and lowered, $num: $(cat "$tmp/out")"
+        run 0 "$loft" make split --num $num --of 0.25 "$tmp/curve.loft"
+        [ "$(sed -n 4p "$tmp/out")" = "2.25 3" ] || job_fails "split $num: $(cat "$tmp/out")"
+        "$loft" make reverse --num $num "$tmp/out" >"$tmp/back.loft"
+        run 0 "$loft" make reverse --num $num "$tmp/back.loft"
+        [ "$(sed -n 2p "$tmp/out")" = "0 0" ] || job_fails "reverse $num: $(cat "$tmp/out")"
+        printf 'bezier 1\n0 0 3\n9 0 3\nbezier 2\n0 9 0\n4 9 0\n9 9 0\n' >"$tmp/two.loft"
+        for verb in ruled skin; do
+            "$loft" make $verb --num $num "$tmp/two.loft" >"$tmp/$verb.loft" 2>"$tmp/err"
+            run 0 "$loft" eval --num $num --uv 0,0.5 "$tmp/$verb.loft"
+            [ "$(cat "$tmp/out")" = "0 4.5 1.5" ] ||
+                job_fails "$verb $num: $(cat "$tmp/out" "$tmp/err")"
+        done
+        printf 'bezier 1\n5 0 0\n5 0 4\n' >"$tmp/line.loft"
+        "$loft" make revolve --num $num "$tmp/line.loft" >"$tmp/tube.loft"
+        run 0 "$loft" eval --num $num --uv 0.5,0.5 "$tmp/tube.loft"
+        awk 'NF == 3 { r = sqrt($1 * $1 + $2 * $2); n++
+                       if (r < 4.9999 || r > 5.0001 || $3 != 2) exit 1 }
+             END { exit n != 4 }' "$tmp/out" || job_fails "revolve $num: $(cat "$tmp/out")"
+    done
+    one_line 64 'not known to make' "$loft" make nothing "$tmp/curve.loft"
+    one_line 65 'raise' "$loft" make raise "$tmp/curve.loft"
 }
 case_flatten_keeps_its_tolerance() {
     for num in q16 f32 f64; do

@@ -72,6 +72,9 @@ grep -nE '#[[:space:]]*include[[:space:]]*<' lib/*.h $sources |
 grep -nwE 'malloc|calloc|realloc|free|alloca|printf|setjmp|longjmp' $sources |
     grep -vE ':[0-9]+:[[:space:]]*(/?\*|//)' | rule "no heap and no libc in lib/"
 
+sh tests/house/reach.sh --check |
+    rule "a command reaches each function of geometry, or the list says so"
+
 # 3. names.h agrees with the headers
 sh tests/house/names.sh | diff - lib/names.h | rule "names.h is fresh: make lib/names.h"
 sh tests/house/errors.sh | diff - lib/ERRORS.md | rule "ERRORS.md is fresh: make lib/ERRORS.md"

@@ -1,0 +1,36 @@
+/* host-tools/cmd/cmd_decide.c -- loft decide: questions of the texts, decided exactly
+ * SPDX-License-Identifier: MIT
+ */
+#include "study/decide.h"
+
+static int run_decide(const tool_command *self, int argc, char **argv)
+{
+    static const decide_question *const table[3] = { decide_q16, decide_f32, decide_f64 };
+    return decide_run(self, table, DECIDE_QUESTIONS, argc, argv);
+}
+
+const tool_command command_decide = {
+    "decide", "QUESTION [--of NUMBER,..] [FILE|-]",
+    "positive, convex, copositive, which conic, where curves meet, ..",
+    "Of the numbers --of:\n"
+    "  positive    is a polynomial with these Bernstein coefficients above 0? How many roots?\n"
+    "  convex      is it, or its polygon, convex? To degree 4\n"
+    "  copositive  is a symmetric matrix, a11 a12 .. a22 .., copositive? To order 6\n"
+    "  triangle    is a triangular net, row by row, convex and not below 0?\n"
+    "  operator    Bernstein's operator of samples at 0, 1/n, .., 1; the last number is x\n"
+    "Of the curves in FILE (host-tools/LOFT.md):\n"
+    "  bend        first and second derivative and curvature of each piece at --of t,..\n"
+    "  degree      the exact degree, as curves of that degree\n"
+    "  conic       the kind, centre and axes of rational quadratics, and cubics that are conics\n"
+    "  meet        where polynomial pieces of degree 1 to 4 meet in the plane: two numbers of\n"
+    "              pieces, their parameters, the multiplicity (0: ends of one curve)\n"
+    "  enclosed    area, centroid and second moments (xx xy yy) of a closed chain\n"
+    "Of the tensor patches in FILE:\n"
+    "  nearest     the point nearest to --of x,y,z\n"
+    "  ray         where the ray --of x,y,z,dx,dy,dz meets them: t, u, v; `touch` is not decided\n"
+    "  area        of each\n"
+    "  volume      that they enclose\n"
+    "Answers about signs, kinds and numbers are exact for the numbers as read in the number "
+    "type.\n",
+    run_decide
+};

@@ -1,0 +1,28 @@
+/* host-tools/cmd/cmd_make.c -- loft make: curves and surfaces made of curves, as .loft
+ * SPDX-License-Identifier: MIT
+ */
+#include "study/decide.h"
+
+static int run_make(const tool_command *self, int argc, char **argv)
+{
+    static const decide_question *const table[3] = { make_q16, make_f32, make_f64 };
+    return decide_run(self, table, MAKE_VERBS, argc, argv);
+}
+
+const tool_command command_make = {
+    "make", "VERB [--of NUMBER,..] [FILE|-]",
+    "raise, lower, split or reverse curves; surfaces from curves",
+    "Of the curves in FILE (host-tools/LOFT.md), piece by piece, in the same format:\n"
+    "  raise    with a degree higher by --of\n"
+    "  lower    the nearest curve with a degree lower by --of and the same ends, and how near\n"
+    "  split    both parts of each piece, cut at --of t\n"
+    "  reverse  the path from its end to its start\n"
+    "Surfaces, as tensor patches:\n"
+    "  ruled    the lines between two pieces\n"
+    "  skin     through all pieces, in order: the cubic spline of each control point, natural "
+    "ends\n"
+    "  hull     the same, with ends that are not a knot\n"
+    "  revolve  each piece turned about the z axis: four quarters\n"
+    "Pieces of different degrees are raised to the highest one.\n",
+    run_make
+};

@@ -1,0 +1,81 @@
+/* host-tools/study/decide.c -- finds the question, reads the file, asks
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "base/source.h"        /* source_name */
+#include "base/tool.h"
+#include "engine/curve.h"
+#include "engine/engine.h"
+#include "engine/surface.h"
+#include "study/decide.h"
+
+static const decide_question *question_of(const decide_question all[], unsigned count,
+                                          const char *name)
+{
+    for (unsigned k = 0; k < count; k++)
+        if (strcmp(all[k].name, name) == 0)
+            return &all[k];
+    return NULL;
+}
+
+static int ask(const decide_question *q, const decide_input *in, const char *what)
+{
+    const int status = q->answer(in);
+
+    return status == 0 ? EX_OK
+                       : tool_error(EX_DATAERR, "%s: %s: %s", what, q->name, engine_status(status));
+}
+
+static int ask_of_file(const decide_question *q, const decide_input *numbers, const char *file)
+{
+    decide_input in = *numbers;
+    curves all = { 0 };
+    surfaces patches = { 0 };
+    int code = q->takes == DECIDE_CURVES ? curves_read(&all, file, NULL)
+                                         : surfaces_read(&patches, file);
+
+    if (code == 0 && q->takes == DECIDE_SURFACES && patches.count == 0)
+        code = tool_error(EX_DATAERR, "%s: holds no surface: give a file of surfaces",
+                          source_name(file));
+    in.curves = q->takes == DECIDE_CURVES ? &all : NULL;
+    in.surfaces = q->takes == DECIDE_SURFACES ? &patches : NULL;
+    if (code == 0)
+        code = ask(q, &in, source_name(file));
+    curves_free(&all);
+    surfaces_free(&patches);
+    return code;
+}
+
+int decide_run(const tool_command *self, const decide_question *const table[3], unsigned count,
+               int argc, char **argv)
+{
+    const engine *e = &engine_q16;
+    tool_list of = { .count = 0 };
+    int first;
+
+    const tool_option options[] = { TOOL_LIST("of", "NUMBER,..", &of, -32768, 32767,
+                                              "the numbers of the question"),
+                                    ENGINE_OPTION(&e, "number type (q16)"), TOOL_OPTIONS_END };
+    const int code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (first >= argc)
+        return tool_error(EX_USAGE, "no word after %s: see `loft help %s`", self->name, self->name);
+    const decide_question *q = question_of(table[e == &engine_q16   ? 0
+                                                 : e == &engine_f32 ? 1
+                                                                    : 2],
+                                           count, argv[first]);
+    if (q == NULL)
+        return tool_error(EX_USAGE, "%s: not known to %s: see `loft help %s`", argv[first],
+                          self->name, self->name);
+    const decide_input in = { e, &of, NULL, NULL };
+    if (argc - first > (q->takes == DECIDE_NUMBERS ? 1 : 2))
+        return tool_error(EX_USAGE, "%s: one %s too many: see `loft help %s`", argv[argc - 1],
+                          q->takes == DECIDE_NUMBERS ? "word" : "file", self->name);
+    if (q->takes == DECIDE_NUMBERS)
+        return of.count ? ask(q, &in, "--of")
+                        : tool_error(EX_USAGE, "%s: no numbers: give --of=NUMBER,..", q->name);
+    return ask_of_file(q, &in, first + 1 < argc ? argv[first + 1] : "-");
+}

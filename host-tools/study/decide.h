@@ -1,0 +1,50 @@
+/* host-tools/study/decide.h -- questions of the texts, answered by the library: exactly where it
+ * decides
+ * SPDX-License-Identifier: MIT
+ *
+ *     engine_decide.c     the answers; engine_make.c: curves and surfaces made of curves; compiled
+ *                         once per number type
+ *     engine_pieces.h     what both use
+ *     decide.c            what the commands decide and make share
+ */
+#ifndef LOFT_HOST_DECIDE_H
+#define LOFT_HOST_DECIDE_H
+
+#include "base/tool.h"          /* tool_list */
+#include "engine/engine.h"      /* engine */
+
+struct curves;
+struct surfaces;
+
+enum decide_takes { DECIDE_NUMBERS, DECIDE_CURVES, DECIDE_SURFACES };
+
+/* What a question is asked of: numbers, or the curves or surfaces of a file. */
+typedef struct {
+    const engine *e;
+    const tool_list *of;
+    const struct curves *curves;
+    const struct surfaces *surfaces;
+} decide_input;
+
+typedef struct {
+    const char *name;
+    enum decide_takes takes;
+    const char *meaning;
+    /* Prints the answer; enum loft_status. */
+    int (*answer)(const decide_input *in);
+} decide_question;
+
+#define DECIDE_QUESTIONS 14
+
+extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUESTIONS],
+    decide_f64[DECIDE_QUESTIONS];
+
+#define MAKE_VERBS 8
+
+extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f64[MAKE_VERBS];
+
+/* Run a command whose first word is a question of a table, one table per number type. */
+int decide_run(const tool_command *self, const decide_question *const table[3], unsigned count,
+               int argc, char **argv);
+
+#endif

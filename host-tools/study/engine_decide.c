@@ -1,0 +1,432 @@
+/* host-tools/study/engine_decide.c -- the questions of decide.h through the library; compiled once
+ * per number type
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+
+#include "basis/bernstein_operator.h"           /* loft_bernstein_operator */
+#include "basis/copositive.h"                   /* loft_matrix_copositive */
+#include "basis/integral.h"                     /* loft_bernstein_mean */
+#include "basis/positivity.h"                   /* loft_bernstein_positivity */
+#include "basis/sign.h"                         /* loft_quadratic_sign, loft_bernstein_convex */
+#include "curve/conic.h"                        /* loft_conic_init */
+#include "curve/crossings.h"                    /* loft_bezier_crossings */
+#include "curve/enclosed.h"                     /* loft_chain_enclosed */
+#include "curve/rational.h"                     /* loft_rational */
+#include "curve/reduce.h"                       /* loft_bezier_exact_degree */
+#include "curve/tangent.h"                      /* loft_rational_tangent */
+#include "surface/tensor/area.h"                /* loft_tensor_area */
+#include "surface/tensor/tensor_nearest.h"      /* loft_tensor_nearest */
+#include "surface/tensor/tensor_ray.h"          /* loft_tensor_ray */
+#include "surface/tensor/volume.h"              /* loft_tensor_volume */
+#include "surface/triangle/triangle_shape.h"    /* loft_triangle_convex */
+
+#include "engine/surface.h"
+#include "study/decide.h"
+#include "study/engine_pieces.h"                /* numbers_of, visit_pieces, piece_list */
+
+static const char *yes_no(bool x) { return x ? "yes" : "no"; }
+
+/* The degree of a triangular net of so many numbers, or the order of a symmetric matrix less 1. */
+static bool triangular(size_t count, unsigned *degree)
+{
+    for (*degree = 0; (*degree + 1u) * (*degree + 2u) / 2 < count; )
+        ++*degree;
+    return (*degree + 1u) * (*degree + 2u) / 2 == count;
+}
+
+
+// Numbers
+// -------
+
+static int answer_positive(const decide_input *in)
+{
+    loft_real b[MOST];
+    loft_positivity p;
+    loft_sign s;
+    int status = numbers_of(in, b, MOST);
+
+    if (status == LOFT_OK)
+        status = loft_bernstein_positivity(b, (unsigned)in->of->count - 1, &p);
+    if (status != LOFT_OK)
+        return status;
+    printf("positive %s\nnonnegative %s\n", yes_no(p.positive), yes_no(p.nonnegative));
+    if (p.roots < 0)
+        printf("roots everywhere\n");
+    else
+        printf("roots %d\n", p.roots);
+    if (in->of->count != 3)
+        return status;
+    status = loft_quadratic_sign(b, &s);
+    if (status != LOFT_OK)
+        return status;
+    printf("minimum ");
+    print_number(in->e, double_of(s.min));
+    if (s.elevations < 0)
+        printf("\nelevations more than 60\n");
+    else
+        printf("\nelevations %d\n", s.elevations);
+    return status;
+}
+
+static int answer_convex(const decide_input *in)
+{
+    loft_real b[MOST];
+    bool net, polynomial;
+    int status = numbers_of(in, b, MOST);
+
+    if (status == LOFT_OK)
+        status = loft_bernstein_convex(b, (unsigned)in->of->count - 1, &net, &polynomial);
+    if (status == LOFT_OK)
+        printf("polygon %s\npolynomial %s\n", yes_no(net), yes_no(polynomial));
+    return status;
+}
+
+static int answer_copositive(const decide_input *in)
+{
+    loft_real m[LOFT_COPOSITIVE_MAX * (LOFT_COPOSITIVE_MAX + 1) / 2];
+    unsigned order;
+    bool copositive;
+    int status = numbers_of(in, m, sizeof m / sizeof m[0]);
+
+    if (status == LOFT_OK && !triangular(in->of->count, &order))
+        return LOFT_ERR_ARG;
+    if (status == LOFT_OK)
+        status = loft_matrix_copositive(m, order + 1, &copositive);
+    if (status == LOFT_OK)
+        printf("order %u\ncopositive %s\n", order + 1, yes_no(copositive));
+    return status;
+}
+
+static int answer_triangle(const decide_input *in)
+{
+    loft_real b[MOST * (MOST + 1) / 2], sums[3];
+    loft_net_convexity c;
+    loft_triangle_sign s;
+    unsigned degree;
+    bool nonnegative;
+    int status = numbers_of(in, b, sizeof b / sizeof b[0]);
+
+    if (status == LOFT_OK && !triangular(in->of->count, &degree))
+        return LOFT_ERR_ARG;
+    if (status == LOFT_OK)
+        status = loft_triangle_convex(b, degree, &c);
+    if (status == LOFT_OK)
+        printf("degree %u\nnet convex %s\nweakly convex %s\n", degree, yes_no(c.net),
+               yes_no(c.weak));
+    if (status == LOFT_OK && degree == 2) {
+        status = loft_triangle2_sign(b, &s);
+        if (status == LOFT_OK)
+            printf("nonnegative %s\n", yes_no(s.nonnegative));
+    } else if (status == LOFT_OK && degree > 2) {
+        status = loft_triangle_wang_liu(b, degree, &nonnegative, sums);
+        if (status == LOFT_OK)
+            printf("Wang and Liu %s\n", nonnegative ? "nonnegative" : "not decided");
+    }
+    return status;
+}
+
+/* The last number is x. */
+static int answer_operator(const decide_input *in)
+{
+    loft_real f[LOFT_OPERATOR_MAX + 2], value, deriv;
+    int status = numbers_of(in, f, LOFT_OPERATOR_MAX + 2);
+
+    if (status == LOFT_OK && in->of->count < 3)
+        return LOFT_ERR_ARG;
+    const size_t n = in->of->count - 2;
+    if (status == LOFT_OK)
+        status = loft_bernstein_operator(f, (unsigned)n, loft_unit_from(f[n + 1]), &value, &deriv);
+    if (status != LOFT_OK)
+        return status;
+    printf("value ");
+    print_number(in->e, double_of(value));
+    printf("\nderivative ");
+    print_number(in->e, double_of(deriv));
+    putchar('\n');
+    return status;
+}
+
+
+// Curves
+// ------
+
+static int degree_of(void *context, const arc_piece *a, size_t number)
+{
+    const decide_input *in = context;
+    loft_vec q[MOST];
+    unsigned degree;
+
+    if (a->rational)
+        return LOFT_ERR_ARG;
+    const int status = loft_bezier_exact_degree(&a->b, &degree, q);
+    if (status != LOFT_OK)
+        return status;
+    printf("%sbezier %u\n", number ? "\n" : "", degree);
+    for (unsigned k = 0; k <= degree; k++)
+        print_vec(in, q[k]);
+    return status;
+}
+
+static int answer_degree(const decide_input *in) { return visit_pieces(in, degree_of, (void *)in); }
+
+static int conic_of(void *context, const arc_piece *a, size_t number)
+{
+    static const char *const word[] = { "ellipse", "parabola", "hyperbola",
+                                        "line",    "point",    "no curve" };
+    const decide_input *in = context;
+    loft_weighted p[3];
+    loft_conic c;
+    loft_vec centre;
+    loft_real axes[2];
+    int status = LOFT_OK;
+
+    if (a->b.degree == 3)
+        status = loft_conic_from_cubic(a->w, p);
+    else if (a->b.degree != 2)
+        return LOFT_ERR_ARG;
+    for (unsigned k = 0; k < 3 && a->b.degree == 2; k++)
+        p[k] = a->w[k];
+    if (status == LOFT_SINGULAR) {
+        printf("%zu no conic\n", number);
+        return LOFT_OK;
+    }
+    if (status == LOFT_OK)
+        status = loft_conic_init(&c, p);
+    if (status != LOFT_OK)
+        return status;
+    printf("%zu %s%s\n", number, c.circle ? "circle, " : "", word[c.kind]);
+    if (c.kind != LOFT_CONIC_ELLIPSE && c.kind != LOFT_CONIC_HYPERBOLA)
+        return LOFT_OK;
+    status = loft_conic_axes(p, &centre, axes);
+    if (status != LOFT_OK)
+        return status;
+    printf("centre ");
+    print_vec(in, centre);
+    printf("axes ");
+    print_number(in->e, double_of(axes[0]));
+    putchar(' ');
+    print_number(in->e, double_of(axes[1]));
+    putchar('\n');
+    return LOFT_OK;
+}
+
+static int bend_of(void *context, const arc_piece *a, size_t number)
+{
+    const decide_input *in = context;
+    loft_rational r;
+    loft_tangent here;
+    loft_vec d;
+    loft_acc curvature;
+    int status = a->b.degree > 0 ? loft_rational_init(&r, a->w, a->b.degree) : LOFT_ERR_ARG;
+
+    for (size_t j = 0; j < in->of->count && status == LOFT_OK; j++) {
+        status = in->of->value[j] >= 0 && in->of->value[j] <= 1
+                     ? loft_rational_tangent(&r, loft_unit_from(LOFT_REAL(in->of->value[j])), &here)
+                     : LOFT_ERR_ARG;
+        for (unsigned k = 1; k <= 2 && status == LOFT_OK; k++) {
+            status = loft_tangent_deriv(&here, k, &d);
+            if (status == LOFT_OK) {
+                printf("%zu t %.9g %s ", number, in->of->value[j], k == 1 ? "first" : "second");
+                print_vec(in, d);
+            }
+        }
+        if (status == LOFT_OK)
+            status = loft_tangent_curvature(&here, !in->curves->solid, &curvature);
+        if (status == LOFT_OK)
+            printf("%zu t %.9g curvature %.9g\n", number, in->of->value[j],
+                   double_of_acc(curvature));
+        if (status == LOFT_SINGULAR) {
+            printf("%zu t %.9g stops\n", number, in->of->value[j]);
+            status = LOFT_OK;
+        }
+    }
+    return status;
+}
+
+static int answer_bend(const decide_input *in) { return visit_pieces(in, bend_of, (void *)in); }
+
+static int answer_conic(const decide_input *in) { return visit_pieces(in, conic_of, (void *)in); }
+
+static int hold_polynomial(void *context, const arc_piece *a, size_t number)
+{
+    return a->rational ? LOFT_ERR_ARG : hold_piece(context, a, number);
+}
+
+/* Every pair of pieces. */
+static int answer_meet(const decide_input *in)
+{
+    static piece_list all;
+    loft_meeting m[LOFT_MEETINGS_MAX];
+    unsigned count;
+
+    all.count = 0;
+    int status = visit_pieces(in, hold_polynomial, &all);
+    for (size_t i = 0; i < all.count && status >= 0; i++)
+        for (size_t j = i + 1; j < all.count && status >= 0; j++) {
+            status = loft_bezier_crossings(&all.piece[i].b, &all.piece[j].b, m, &count);
+            if (status == LOFT_SINGULAR)
+                printf("%zu %zu overlap\n", i, j);
+            for (unsigned k = 0; k < count && status == LOFT_OK; k++)
+                printf("%zu %zu %.9g %.9g multiplicity %u\n", i, j, double_of_unit(m[k].s),
+                       double_of_unit(m[k].t), m[k].multiplicity);
+        }
+    return status < 0 ? status : LOFT_OK;
+}
+
+static int answer_enclosed(const decide_input *in)
+{
+    static piece_list all;
+    static loft_bezier chain[HELD];
+    loft_enclosed e = { 0 };
+
+    all.count = 0;
+    int status = visit_pieces(in, hold_polynomial, &all);
+    for (size_t i = 0; i < all.count; i++)
+        chain[i] = all.piece[i].b;
+    if (status == LOFT_OK)
+        status = loft_chain_enclosed(chain, (unsigned)all.count, &e);
+    if (status == LOFT_SINGULAR)
+        printf("area 0\n");
+    if (status != LOFT_OK)
+        return status == LOFT_SINGULAR ? LOFT_OK : status;
+    printf("area %.9g\ncentroid %.9g %.9g\nmoments %.9g %.9g %.9g\n", double_of_acc(e.area),
+           double_of_acc(e.centroid[0]), double_of_acc(e.centroid[1]), double_of_acc(e.xx),
+           double_of_acc(e.xy), double_of_acc(e.yy));
+    return status;
+}
+
+
+// Surfaces
+// --------
+
+typedef struct {
+    loft_vec net[MOST * MOST];
+    loft_tensor s;
+} patch;
+
+static int patch_of(const surface *s, patch *out)
+{
+    if (s->kind != SURFACE_TENSOR || s->rational)
+        return LOFT_ERR_ARG;
+    for (unsigned k = 0; k < s->count; k++)
+        if (!vec_of(s->point[k].p, &out->net[k]))
+            return LOFT_ERR_RANGE;
+    return loft_tensor_init(&out->s, out->net, s->m, s->n);
+}
+
+static int answer_nearest(const decide_input *in)
+{
+    loft_real x[3];
+    loft_vec p;
+    int status = in->of->count == 3 ? numbers_of(in, x, 3) : LOFT_ERR_ARG;
+
+    for (size_t i = 0; i < in->surfaces->count && status == LOFT_OK; i++) {
+        static patch held;
+        loft_tensor_near near;
+        for (int axis = 0; axis < 3; axis++)
+            p.axis[axis] = x[axis];
+        status = patch_of(&in->surfaces->surface[i], &held);
+        if (status == LOFT_OK)
+            status = loft_tensor_nearest(&held.s, p, LOFT_REAL(0.0001), &near);
+        if (status < 0)
+            return status;
+        printf("%zu u %.9g v %.9g distance %.9g%s at ", i, double_of_unit(near.u),
+               double_of_unit(near.v), double_of_acc(near.distance),
+               status == LOFT_MORE ? " (not proved)" : "");
+        print_vec(in, near.point);
+        status = LOFT_OK;
+    }
+    return status;
+}
+
+static int answer_ray(const decide_input *in)
+{
+    loft_real x[6];
+    loft_vec from, direction;
+    int status = in->of->count == 6 ? numbers_of(in, x, 6) : LOFT_ERR_ARG;
+
+    for (size_t i = 0; i < in->surfaces->count && status == LOFT_OK; i++) {
+        static patch held;
+        loft_ray_hit hit[64];
+        unsigned count = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            from.axis[axis] = x[axis];
+            direction.axis[axis] = x[axis + 3];
+        }
+        status = patch_of(&in->surfaces->surface[i], &held);
+        if (status == LOFT_OK)
+            status = loft_tensor_ray(&held.s, from, direction, hit, 64, &count);
+        if (status < 0)
+            return status;
+        for (unsigned k = 0; k < count; k++)
+            printf("%zu t %.9g u %.9g v %.9g%s%s\n", i, double_of_acc(hit[k].t),
+                   double_of_unit(hit[k].u), double_of_unit(hit[k].v), hit[k].edge ? " edge" : "",
+                   hit[k].touch ? " touch" : "");
+        if (status == LOFT_MORE)
+            printf("%zu more\n", i);
+        status = LOFT_OK;
+    }
+    return status;
+}
+
+static int answer_area(const decide_input *in)
+{
+    int status = LOFT_OK;
+
+    for (size_t i = 0; i < in->surfaces->count && status == LOFT_OK; i++) {
+        static patch held;
+        loft_acc area;
+        status = patch_of(&in->surfaces->surface[i], &held);
+        if (status == LOFT_OK)
+            status = loft_tensor_area(&held.s, LOFT_REAL(0.001), &area);
+        if (status == LOFT_OK)
+            printf("%zu area %.9g\n", i, double_of_acc(area));
+    }
+    return status;
+}
+
+#define SIDES 64
+
+static int answer_volume(const decide_input *in)
+{
+    static patch held[SIDES];
+    static loft_tensor side[SIDES];
+    loft_acc volume;
+    int status = in->surfaces->count <= SIDES ? LOFT_OK : LOFT_ERR_SPACE;
+
+    for (size_t i = 0; i < in->surfaces->count && status == LOFT_OK; i++) {
+        status = patch_of(&in->surfaces->surface[i], &held[i]);
+        side[i] = held[i].s;
+    }
+    if (status == LOFT_OK)
+        status = loft_tensor_volume(side, (unsigned)in->surfaces->count, &volume);
+    if (status == LOFT_OK)
+        printf("volume %.9g\n", double_of_acc(volume));
+    return status;
+}
+
+const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
+    { "positive", DECIDE_NUMBERS, "is a polynomial with these Bernstein coefficients above 0?",
+      answer_positive },
+    { "convex", DECIDE_NUMBERS, "is it, or its polygon, convex? To degree 4", answer_convex },
+    { "copositive", DECIDE_NUMBERS, "is a symmetric matrix, a11 a12 .. a22 .., copositive?",
+      answer_copositive },
+    { "triangle", DECIDE_NUMBERS, "is a triangular net, row by row, convex and above 0?",
+      answer_triangle },
+    { "operator", DECIDE_NUMBERS, "Bernstein's operator of samples; the last number is x",
+      answer_operator },
+    { "degree", DECIDE_CURVES, "the exact degree, as curves of that degree", answer_degree },
+    { "bend", DECIDE_CURVES, "derivatives and curvature of each piece at --of t,..", answer_bend },
+    { "conic", DECIDE_CURVES, "the kind, centre and axes of rational quadratics and cubics",
+      answer_conic },
+    { "meet", DECIDE_CURVES, "where pieces of degree 1 to 4 meet: numbers, s, t, multiplicity",
+      answer_meet },
+    { "enclosed", DECIDE_CURVES, "area, centroid and second moments of a closed chain",
+      answer_enclosed },
+    { "nearest", DECIDE_SURFACES, "the point of each tensor patch nearest to --of x,y,z",
+      answer_nearest },
+    { "ray", DECIDE_SURFACES, "where --of x,y,z,dx,dy,dz meets each tensor patch", answer_ray },
+    { "area", DECIDE_SURFACES, "the area of each tensor patch", answer_area },
+    { "volume", DECIDE_SURFACES, "what tensor patches enclose", answer_volume },
+};

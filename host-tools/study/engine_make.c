@@ -1,0 +1,279 @@
+/* host-tools/study/engine_make.c -- curves and surfaces made of the curves of a file, as .loft;
+ * compiled once per number type
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+
+#include "curve/reduce.h"                       /* loft_bezier_reduce */
+#include "surface/tensor/revolve.h"             /* loft_tensor_rational_from_revolve */
+#include "surface/tensor/ruled.h"               /* loft_tensor_from_ruled */
+#include "surface/tensor/skin.h"                /* loft_skin */
+
+#include "base/tool.h"                          /* tool_grow */
+#include "study/decide.h"
+#include "study/engine_pieces.h"                /* visit_pieces, piece_list */
+
+// Curves
+// ------
+
+static void write_points(const decide_input *in, const loft_vec p[], unsigned count)
+{
+    for (unsigned k = 0; k < count; k++)
+        print_vec(in, p[k]);
+}
+
+static void write_bezier(const decide_input *in, const loft_vec p[], unsigned degree)
+{
+    printf("bezier %u\n", degree);
+    write_points(in, p, degree + 1);
+}
+
+static void write_weighted(const decide_input *in, const loft_weighted p[], unsigned count)
+{
+    const print_options o = { in->e, in->curves->solid };
+    double point[ENGINE_AXES];
+
+    for (unsigned k = 0; k < count; k++) {
+        point_of(p[k].p, point);
+        print_words(&o, point);
+        printf(" : ");
+        print_number(in->e, double_of(p[k].w));
+        putchar('\n');
+    }
+}
+
+static void write_rational(const decide_input *in, const loft_weighted p[], unsigned degree)
+{
+    printf("rational %u\n", degree);
+    write_weighted(in, p, degree + 1);
+}
+
+/* The one number of --of, a whole one from 1 to `most`. */
+static bool times_of(const decide_input *in, unsigned most, unsigned *out)
+{
+    const double x = in->of->count == 1 ? in->of->value[0] : 0;
+
+    *out = x >= 1 && x <= most ? (unsigned)x : 0;
+    return *out > 0 && !(x > *out) && !(x < *out);
+}
+
+static int raise_piece(void *context, const arc_piece *a, size_t number)
+{
+    const decide_input *in = context;
+    loft_vec p[LOFT_BEZIER_ELEVATE_MAX + 1];
+    loft_weighted w[LOFT_ELEVATE_MAX + 1];
+    loft_rational r;
+    unsigned times;
+    int status = times_of(in, LOFT_DEGREE_MAX - a->b.degree, &times) ? LOFT_OK : LOFT_ERR_ARG;
+
+    (void)number;
+    if (status == LOFT_OK && a->rational) {
+        status = loft_rational_init(&r, a->w, a->b.degree);
+        if (status == LOFT_OK)
+            status = loft_rational_elevate(&r, times, w);
+        if (status == LOFT_OK)
+            write_rational(in, w, a->b.degree + times);
+    } else if (status == LOFT_OK) {
+        status = loft_bezier_elevate(&a->b, times, p);
+        if (status == LOFT_OK)
+            write_bezier(in, p, a->b.degree + times);
+    }
+    return status;
+}
+
+static int make_raise(const decide_input *in) { return visit_pieces(in, raise_piece, (void *)in); }
+
+static int lower_piece(void *context, const arc_piece *a, size_t number)
+{
+    const decide_input *in = context;
+    loft_vec p[MOST];
+    loft_acc bound;
+    unsigned times;
+
+    (void)number;
+    if (a->rational || !times_of(in, LOFT_DEGREE_MAX, &times))
+        return LOFT_ERR_ARG;
+    const int status = loft_bezier_reduce(&a->b, times, p, &bound);
+    if (status != LOFT_OK)
+        return status;
+    write_bezier(in, p, a->b.degree - times);
+    printf("# within %.9g\n", double_of_acc(bound));
+    return status;
+}
+
+static int make_lower(const decide_input *in) { return visit_pieces(in, lower_piece, (void *)in); }
+
+static int split_piece(void *context, const arc_piece *a, size_t number)
+{
+    const decide_input *in = context;
+    loft_vec p[2][MOST];
+    loft_weighted w[2][MOST];
+    loft_rational r;
+
+    (void)number;
+    if (in->of->count != 1 || !(in->of->value[0] > 0 && in->of->value[0] < 1))
+        return LOFT_ERR_ARG;
+    const loft_unit t = (loft_unit)(in->of->value[0] * (double)LOFT_UNIT(1));
+    int status = LOFT_OK;
+    if (a->rational) {
+        status = loft_rational_init(&r, a->w, a->b.degree);
+        if (status == LOFT_OK)
+            status = loft_rational_split(&r, t, w[0], w[1]);
+    } else {
+        status = loft_bezier_split(&a->b, t, p[0], p[1]);
+    }
+    for (unsigned k = 0; k < 2 && status == LOFT_OK; k++)
+        if (a->rational)
+            write_rational(in, w[k], a->b.degree);
+        else
+            write_bezier(in, p[k], a->b.degree);
+    return status;
+}
+
+static int make_split(const decide_input *in) { return visit_pieces(in, split_piece, (void *)in); }
+
+/* The last piece first, each with its points in reverse order. */
+static int make_reverse(const decide_input *in)
+{
+    static piece_list all;
+    loft_weighted w[MOST];
+
+    all.count = 0;
+    const int status = visit_pieces(in, hold_piece, &all);
+    for (size_t i = all.count; i-- > 0 && status == LOFT_OK; ) {
+        const arc_piece *a = &all.piece[i];
+        loft_vec p[MOST];
+        for (unsigned k = 0; k <= a->b.degree; k++) {
+            p[k] = a->p[a->b.degree - k];
+            w[k] = a->w[a->b.degree - k];
+        }
+        if (a->rational)
+            write_rational(in, w, a->b.degree);
+        else
+            write_bezier(in, p, a->b.degree);
+    }
+    return status;
+}
+
+
+// Surfaces
+// --------
+
+/* All pieces, polynomial and raised to one degree. */
+static int sections_of(const decide_input *in, piece_list *all, unsigned *degree)
+{
+    all->count = 0;
+    int status = visit_pieces(in, hold_piece, all);
+
+    *degree = 1;
+    for (size_t i = 0; i < all->count && status == LOFT_OK; i++) {
+        if (all->piece[i].rational || all->piece[i].b.degree < 1)
+            status = LOFT_ERR_ARG;
+        if (all->piece[i].b.degree > *degree)
+            *degree = all->piece[i].b.degree;
+    }
+    for (size_t i = 0; i < all->count && status == LOFT_OK; i++) {
+        arc_piece *a = &all->piece[i];
+        loft_vec p[LOFT_BEZIER_ELEVATE_MAX + 1];
+        status = loft_bezier_elevate(&a->b, *degree - a->b.degree, p);
+        for (unsigned k = 0; k <= *degree && status == LOFT_OK; k++)
+            a->p[k] = p[k];
+        if (status == LOFT_OK)
+            status = loft_bezier_init(&a->b, a->p, *degree);
+    }
+    return status;
+}
+
+static void write_tensor(const decide_input *in, unsigned m, unsigned n, const loft_vec net[])
+{
+    decide_input solid = *in;
+
+    solid.curves = NULL;                        /* with z */
+    printf("tensor %u %u\n", m, n);
+    write_points(&solid, net, (m + 1) * (n + 1));
+}
+
+static int make_ruled(const decide_input *in)
+{
+    static piece_list all;
+    loft_vec net[MOST * MOST];
+    unsigned degree;
+    int status = sections_of(in, &all, &degree);
+
+    if (status == LOFT_OK && all.count != 2)
+        return LOFT_ERR_ARG;
+    if (status == LOFT_OK)
+        status = loft_tensor_from_ruled(&all.piece[0].b, &all.piece[1].b, net);
+    if (status == LOFT_OK)
+        write_tensor(in, degree, 1, net);
+    return status;
+}
+
+static int skin_through(const decide_input *in, enum loft_spline_ends ends)
+{
+    static piece_list all;
+    static loft_vec p[HELD * MOST];
+    static loft_real v[HELD];
+    static loft_spline_knot memory[HELD * MOST];
+    loft_vec net[MOST * MOST];
+    loft_skin s;
+    unsigned degree;
+    int status = sections_of(in, &all, &degree);
+
+    for (size_t i = 0; i < all.count && status == LOFT_OK; i++) {
+        v[i] = loft_real_from_int((int32_t)i);
+        for (unsigned k = 0; k <= degree; k++)
+            p[i * (degree + 1) + k] = all.piece[i].p[k];
+    }
+    if (status == LOFT_OK)
+        status = loft_skin_init(&s, p, degree, (uint32_t)all.count, v, ends, memory);
+    for (uint32_t j = 0; j + 1 < all.count && status == LOFT_OK; j++) {
+        status = loft_tensor_from_skin(&s, j, net);
+        if (status == LOFT_OK)
+            write_tensor(in, degree, 3, net);
+    }
+    return status;
+}
+
+static int make_skin(const decide_input *in) { return skin_through(in, LOFT_ENDS_NATURAL); }
+
+static int make_skin_smooth(const decide_input *in)
+{
+    return skin_through(in, LOFT_ENDS_NOT_A_KNOT);
+}
+
+static int revolve_piece(void *context, const arc_piece *a, size_t number)
+{
+    decide_input in = *(const decide_input *)context;
+    loft_weighted net[3 * MOST];
+    curves solid = { NULL, 0, true };
+    loft_rational r;
+    int status = a->b.degree > 0 ? loft_rational_init(&r, a->w, a->b.degree) : LOFT_ERR_ARG;
+
+    (void)number;
+    in.curves = &solid;
+    for (unsigned k = 0; k < 4 && status == LOFT_OK; k++) {
+        status = loft_tensor_rational_from_revolve(&r, k, net);
+        if (status != LOFT_OK)
+            break;
+        printf("tensor %u 2\n", a->b.degree);
+        write_weighted(&in, net, 3 * (a->b.degree + 1u));
+    }
+    return status;
+}
+
+static int make_revolve(const decide_input *in)
+{
+    return visit_pieces(in, revolve_piece, (void *)in);
+}
+
+const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
+    { "raise", DECIDE_CURVES, "the same pieces with a degree higher by --of", make_raise },
+    { "lower", DECIDE_CURVES, "the nearest pieces with a degree lower by --of", make_lower },
+    { "split", DECIDE_CURVES, "both parts of each piece, cut at --of t", make_split },
+    { "reverse", DECIDE_CURVES, "the path from its end to its start", make_reverse },
+    { "ruled", DECIDE_CURVES, "the surface of lines between two pieces", make_ruled },
+    { "skin", DECIDE_CURVES, "the surface through all pieces; natural ends", make_skin },
+    { "hull", DECIDE_CURVES, "the same, with ends that are not a knot", make_skin_smooth },
+    { "revolve", DECIDE_CURVES, "each piece turned about the z axis", make_revolve },
+};
