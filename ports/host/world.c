@@ -105,10 +105,13 @@ static void feel_all(struct host_world *w, uint64_t slot)
             const struct loft_host_end *limit = &w->o->limit[i][end];
             struct host_contact *c = &w->contact[2 * i + end];
             feel(w, c, beyond(limit, end, w->at[i]), slot);
+            uint16_t input = LOFT_INPUT_LOW(i);
+            if (end)
+                input = LOFT_INPUT_HIGH(i);
+            if (w->o->shared)
+                input = LOFT_INPUT_ENDS(i);
             if (c->closed != limit->opens)
-                w->inputs |= w->o->shared ? LOFT_INPUT_ENDS(i)
-                             : end        ? LOFT_INPUT_HIGH(i)
-                                          : LOFT_INPUT_LOW(i);
+                w->inputs = (uint16_t)(w->inputs | input);
             touched = touched || beyond(&w->o->probe[i][end], end, w->at[i]);
         }
     feel(w, &w->contact[HOST_WORLD_PROBE], touched, slot);
