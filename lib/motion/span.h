@@ -36,7 +36,7 @@
  *   loft_step_run          1,710    1,310   1,110     (20 slots)
  *   loft_step_load           820      290     190
  *   loft_pace_next         1,500      270     170     loft_pace 16
- *   loft_forward_next        850      140     140     loft_forward 152
+ *   loft_forward_next        850      120     100     loft_forward 152
  *   loft_steps_of            340       60      10
  *   loft_step_position       200       20      20
  *   loft_span_walk        46,600   11,000   2,900     loft_span 52

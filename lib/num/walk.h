@@ -149,20 +149,41 @@ static inline void loft_state_add(loft_state d[2])
 #endif
 }
 
+/* One step of three differences. Each is loaded once, but an AVR has too few registers for that. */
+static inline void loft_state_step3(loft_state d[4])
+{
+#if defined(__AVR__)
+    loft_state_add(d);
+    loft_state_add(d + 1);
+    loft_state_add(d + 2);
+#else
+    const loft_state d1 = d[1], d2 = d[2];
+    d[0] += d1;
+    d[1] = d1 + d2;
+    d[2] = d2 + d[3];
+#endif
+}
+
 /* One step of the first `degree` differences. */
 static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
 {
-    for (loft_state *d = w->d, *end = d + degree; d != end; d++)
-        loft_state_add(d);
+#if defined(__AVR__)
+    const bool cubic = false;
+#else
+    const bool cubic = degree == 3;
+#endif
+    if (cubic)
+        loft_state_step3(w->d);
+    else
+        for (loft_state *d = w->d, *end = d + degree; d != end; d++)
+            loft_state_add(d);
     return loft_state_real(w->d);
 }
 
 /* One step of a cubic; the last step returns the last control value. */
 static inline loft_real loft_walk3_step(loft_walk3 *w, bool last)
 {
-    loft_state_add(w->d);
-    loft_state_add(w->d + 1);
-    loft_state_add(w->d + 2);
+    loft_state_step3(w->d);
     return last ? loft_walk3_end(w, loft_state_real(w->d)) : loft_state_real(w->d);
 }
 
