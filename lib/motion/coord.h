@@ -48,11 +48,16 @@ loft_coord loft_coord_of(loft_acc x);
  */
 loft_acc loft_coord_to_acc(int64_t x);
 
-/* The square root and the cube root, rounded down.
+/* The square root, rounded down.
  *
- *   cost    loft_root; 21 rounds
+ *   cost    loft_root
  */
 static inline uint32_t loft_coord_sqrt(uint64_t x) { return loft_root(x); }
+
+/* The cube root, rounded down.
+ *
+ *   cost    22 rounds
+ */
 uint32_t loft_coord_cbrt(uint64_t x);
 
 /* The length of a vector of differences.

@@ -8,7 +8,7 @@
  *
  * Control values of spans are multiples of a grain, 2^-16 mm. With n0, n1 the second differences at
  * both ends of a span, in grains, acceleration is 6 n / h^2 and jerk 6 (n1 - n0) / h^3. So what a
- * machine may do is a whole number of 6 grains, and h^3 >= 6 grains / j.
+ * machine may do is a whole number of 6 grains: h^3 >= 6 grains / j, and h^2 >= 6 grains / a.
  *
  * Where jerk is not limited, it is 2 tol: a h^2 = 2 tol, and acceleration takes a period to change.
  * Where not even a tick is that short, less of the limits is used.
@@ -54,7 +54,9 @@ static uint32_t longest(const loft_limits *limits, uint32_t *fewest)
         const uint64_t j = limits->max_jerk[i];
         const uint32_t h = j > 0 ? loft_coord_cbrt(tol * 11 / 20 * hz * hz / j * hz / 16)
                                  : loft_coord_sqrt(2 * tol * hz * hz * 256 / a);
+        const uint32_t gentle = loft_coord_sqrt(6 * hz * hz / a) + 1;
         most = h < most ? h : most;
+        *fewest = gentle > *fewest ? gentle : *fewest;
         if (j > 0) {
             const uint32_t least = loft_coord_cbrt(6 * hz * hz / j * hz / 65536) + 1;
             *fewest = least > *fewest ? least : *fewest;

@@ -5,6 +5,10 @@
 
 #include "motion/period.h"          /* loft_period_init */
 
+#define GRAIN 256.0                 /* 2^-16 mm: spans are made of them */
+
+static bool is_whole(loft_coord x, int grains) { return x > 0 && x % (256 * grains) == 0; }
+
 static double seconds_of(const loft_period *p) { return (double)p->ticks / p->tick_hz; }
 
 /* A difference of places that holds what a period allows holds the limit. */
@@ -20,15 +24,19 @@ static void no_more_is_allowed_than_the_limits(arb *a)
     CHECK(p.ticks >= 1 && (p.ticks == 1 || h <= 0.05 + 1.0 / p.tick_hz));
     for (int i = 0; i < LOFT_AXES; i++) {
         const double most = arb_value(limits.max_accel[i]) * h * h * unit;
-        CHECK(p.speed[i] <= arb_value(limits.max_speed[i]) * h * unit * 1.000001);
-        CHECK(p.accel[i] >= 1 && p.accel[i] <= most + 1 && p.accel[i] <= 6 * p.tol);
-        CHECK(p.jerk[i] >= 1 && p.jerk[i] <= p.accel[i]);
+        const double fast = arb_value(limits.max_speed[i]) * h * unit * 1.000001;
+        CHECK(is_whole(p.speed[i], 3) && p.speed[i] <= fmax(fast, 3 * GRAIN));
+        CHECK(is_whole(p.accel[i], 6) && p.accel[i] <= most + 1);
+        CHECK(is_whole(p.jerk[i], 6) && p.jerk[i] <= fmax(2.0 * p.tol, 6 * GRAIN));
         if (limits.max_jerk[i] > 0)
             CHECK(p.jerk[i] <= limits.max_jerk[i] * h * h * h * unit + 1);
+        else
+            CHECK(p.accel[i] <= 6 * p.tol && p.jerk[i] <= p.accel[i]);
     }
 }
 
-/* Where a tick is short enough, nothing is given away but by rounding. */
+/* Where a tick is short enough, nothing is given away but by rounding to
+ * whole grains. */
 static void little_less_is_allowed_than_the_limits(arb *a)
 {
     loft_period p;
@@ -41,8 +49,8 @@ static void little_less_is_allowed_than_the_limits(arb *a)
     for (int i = 0; i < LOFT_AXES; i++) {
         const double most = arb_value(limits.max_accel[i]) * h * h * unit;
         const double jerk = limits.max_jerk[i] * h * h * h * unit;
-        CHECK(p.accel[i] >= fmin(most, 6.0 * p.tol) * 0.999 - 2);
-        CHECK(p.jerk[i] >= fmin(jerk, p.accel[i]) * 0.999 - 4 || p.jerk[i] == 1);
+        CHECK(p.accel[i] >= most * 0.999 - 6 * GRAIN);
+        CHECK(p.jerk[i] >= fmin(jerk, 2.0 * p.tol) * 0.999 - 6 * GRAIN);
     }
 }
 
@@ -53,8 +61,9 @@ static void a_speed_is_that_of_a_period(arb *a)
 
     arb_limits(a);
     loft_period_init(&p, &limits);
-    const double want = v * seconds_of(&p) * LOFT_COORD_MM;
-    CHECK_NEAR(loft_period_speed(&p, real_of(v)), fmin(want, 1 << 28), 1 + want * 1e-6);
+    const double want = fmin(v * seconds_of(&p) * LOFT_COORD_MM, 1 << 28);
+    const double less = fmin(6 * GRAIN, want / 4);
+    CHECK_NEAR(loft_period_speed(&p, real_of(v)), want - less, 2 + want * 1e-6);
 }
 
 int main(void)
