@@ -14,6 +14,7 @@
 #define RAISES      4       /* of a whole chain 4 times as many */
 #define REFINED     2
 #define SETTLED     64      /* knots before new ones that are raised again */
+#define MARGIN      4       /* of them, by which is seen if ones before hinder */
 #define CREEP       (LOFT_V2_ONE / 1024)
 
 /* --- knots ---------------------------------------------------------------------------------------
@@ -165,19 +166,36 @@ static int64_t time_of(const loft_timing *t)
     return sum;
 }
 
-static void raise(loft_trajectory *t, unsigned old, unsigned sweeps)
+static void raise_from(loft_timing *t, unsigned sweeps)
 {
-    loft_timing timing = timing_of(t);
-    if (old > timing.from + SETTLED)
-        timing.from = old - SETTLED;
-    int64_t before = time_of(&timing);
+    int64_t before = time_of(t);
 
     for (unsigned n = 0; n < sweeps; n++) {
-        loft_timing_raise(&timing, n * 3);
-        const int64_t now = time_of(&timing);
+        loft_timing_raise(t, n * 3);
+        const int64_t now = time_of(t);
         if (before - now < before >> 10)
             break;
         before = now;
+    }
+}
+
+/* Raise what is near the knots from `old` on. Where that changes the first ones of them, a ramp is
+ * longer, and those before hinder: then twice as many are raised. */
+static void raise(loft_trajectory *t, unsigned old, unsigned sweeps)
+{
+    loft_timing timing = timing_of(t);
+    const unsigned from = timing.from;
+    bool hindered = true;
+
+    for (unsigned near = SETTLED; hindered; near *= 2) {
+        timing.from = old > from + near ? old - near : from;
+        int32_t gain = 0;
+        for (unsigned k = 0; k < MARGIN && timing.from + k < timing.end; k++)
+            gain -= t->knot[timing.from + k].v2 / MARGIN;
+        raise_from(&timing, sweeps);
+        for (unsigned k = 0; k < MARGIN && timing.from + k < timing.end; k++)
+            gain += t->knot[timing.from + k].v2 / MARGIN;
+        hindered = timing.from > from && gain > t->knot[timing.from].v2 / 64;
     }
 }
 

@@ -71,6 +71,19 @@ static void lines_take_little_more_than_an_s_curve(arb *a)
     CHECK(seconds() <= least * 1.02 + 1.05 * p.ticks / p.tick_hz);
 }
 
+/* Ramps that are longer than what is raised at first. */
+static void long_ramps_are_as_steep_as_short_ones(arb *a)
+{
+    const double jerk = arb_below(a, 2) ? 0 : 4000, length = 300 + 100 * arb_below(a, 4);
+    const arrival how = { CURVES, 176, NULL };
+
+    even_limits(100, 200, jerk);
+    add_line(length, 100);
+    CHECK(plan_chain(&how) == PLANNED);
+    CHECK(spans_connect());
+    CHECK(seconds() <= 1.02 * least_time(length, 100, 200, jerk > 0 ? jerk : 1e9));
+}
+
 static void outline(double feed)
 {
     static const double x[12][8] = {
@@ -215,6 +228,7 @@ int main(void)
     PROPERTY(random_cases_hold_all_limits, 40);
     PROPERTY(no_arrival_stalls_it, 50);
     PROPERTY(lines_take_little_more_than_an_s_curve, 20);
+    PROPERTY(long_ramps_are_as_steep_as_short_ones, 8);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 2);
     PROPERTY(more_tolerance_is_faster, 1);
     PROPERTY(room_and_passed_curves_are_told, 2);
