@@ -43,8 +43,8 @@ help:
 # changes only with their names, so that a header rebuilds no more than what includes it.
 build/names.stamp: $(LIB_HDR) tests/house/names.sh
 	@mkdir -p $(@D)
-	@sh tests/house/names.sh > $@.new
-	@if cmp -s $@.new lib/names.h; then rm $@.new; else mv $@.new lib/names.h; fi
+	@sh tests/house/names.sh > $@.$$$$ && \
+	    if cmp -s $@.$$$$ lib/names.h; then rm $@.$$$$; else mv $@.$$$$ lib/names.h; fi
 	@touch $@
 lib/names.h: build/names.stamp
 	@test -f $@

@@ -36,7 +36,7 @@ typedef struct {
  *   error   number and multiplicities: none, except that of pieces of one curve a stretch shorter
  *           than q16: 8 LSB   f32: 2^-20   f64: 2^-36 of the largest coordinate counts as a point,
  *           and that points of both curves at meetings with others count as one if they are within
- *           2^-40 of the largest coordinate and of the length of the polygons
+ *           2^-44 of the largest coordinate and of the length of the polygons
  *           s, t: q16: 2^-25 + 2^-32   f32: 2^-25   f64: 2^-51; for pieces of one curve, unless
  *           ends are equal, those of loft_bezier_intersect
  *   cost    twice loft_whole_roots of the product of the degrees; about 10^7 products of 32 bits
