@@ -74,8 +74,10 @@ int decide_run(const tool_command *self, const decide_question *const table[3], 
     if (argc - first > (q->takes == DECIDE_NUMBERS ? 1 : 2))
         return tool_error(EX_USAGE, "%s: one %s too many: see `loft help %s`", argv[argc - 1],
                           q->takes == DECIDE_NUMBERS ? "word" : "file", self->name);
+    if (of.count < q->least || of.count > q->most)
+        return tool_error(EX_USAGE, "%s: --of has %zu number%s: give %s; see `loft help %s`",
+                          q->name, (size_t)of.count, tool_s(of.count), q->numbers, self->name);
     if (q->takes == DECIDE_NUMBERS)
-        return of.count ? ask(q, &in, "--of")
-                        : tool_error(EX_USAGE, "%s: no numbers: give --of=NUMBER,..", q->name);
+        return ask(q, &in, "--of");
     return ask_of_file(q, &in, first + 1 < argc ? argv[first + 1] : "-");
 }

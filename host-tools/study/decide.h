@@ -29,11 +29,13 @@ typedef struct {
 typedef struct {
     const char *name;
     enum decide_takes takes;
-    const char *meaning;
+    unsigned least, most;       /* numbers of --of */
+    const char *numbers;        /* what they are */
     /* Prints the answer; enum loft_status. */
     int (*answer)(const decide_input *in);
 } decide_question;
 
+#define DECIDE_ANY       1024
 #define DECIDE_QUESTIONS 14
 
 extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUESTIONS],

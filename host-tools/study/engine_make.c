@@ -268,12 +268,12 @@ static int make_revolve(const decide_input *in)
 }
 
 const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
-    { "raise", DECIDE_CURVES, "the same pieces with a degree higher by --of", make_raise },
-    { "lower", DECIDE_CURVES, "the nearest pieces with a degree lower by --of", make_lower },
-    { "split", DECIDE_CURVES, "both parts of each piece, cut at --of t", make_split },
-    { "reverse", DECIDE_CURVES, "the path from its end to its start", make_reverse },
-    { "ruled", DECIDE_CURVES, "the surface of lines between two pieces", make_ruled },
-    { "skin", DECIDE_CURVES, "the surface through all pieces; natural ends", make_skin },
-    { "hull", DECIDE_CURVES, "the same, with ends that are not a knot", make_skin_smooth },
-    { "revolve", DECIDE_CURVES, "each piece turned about the z axis", make_revolve },
+    { "raise", DECIDE_CURVES, 1, 1, "a number of degrees", make_raise },
+    { "lower", DECIDE_CURVES, 1, 1, "a number of degrees", make_lower },
+    { "split", DECIDE_CURVES, 1, 1, "t between 0 and 1", make_split },
+    { "reverse", DECIDE_CURVES, 0, 0, "nothing", make_reverse },
+    { "ruled", DECIDE_CURVES, 0, 0, "nothing", make_ruled },
+    { "skin", DECIDE_CURVES, 0, 0, "nothing", make_skin },
+    { "hull", DECIDE_CURVES, 0, 0, "nothing", make_skin_smooth },
+    { "revolve", DECIDE_CURVES, 0, 0, "nothing", make_revolve },
 };

@@ -861,7 +861,10 @@ case_decide() {
         says out '^0 u 1 v 0.5 distance 3 at 2 1 0'
     done
     one_line 64 'not known to decide'  "$loft" decide nothing
-    one_line 64 'no numbers'   "$loft" decide positive
+    one_line 64 'positive: --of has 0 numbers: give Bernstein'   "$loft" decide positive
+    one_line 64 'bend: --of has 0 numbers: give parameters'      "$loft" decide bend -
+    one_line 64 'ray: --of has 3 numbers: give a point and'      "$loft" decide ray --of=1,2,3 -
+    one_line 64 'raise: --of has 0 numbers: give a number of'    "$loft" make raise -
     one_line 65 'holds no surface' "$loft" decide ray --of=1,2,3,4,5,6 "$tmp/touch.txt"
 }
 case_make() {
