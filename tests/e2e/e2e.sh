@@ -864,7 +864,6 @@ case_decide() {
     one_line 64 'positive: --of has 0 numbers: give Bernstein'   "$loft" decide positive
     one_line 64 'bend: --of has 0 numbers: give parameters'      "$loft" decide bend -
     one_line 64 'ray: --of has 3 numbers: give a point and'      "$loft" decide ray --of=1,2,3 -
-    one_line 64 'raise: --of has 0 numbers: give a number of'    "$loft" make raise -
     one_line 65 'holds no surface' "$loft" decide ray --of=1,2,3,4,5,6 "$tmp/touch.txt"
 }
 case_make() {
@@ -895,7 +894,8 @@ case_make() {
              END { exit n != 4 }' "$tmp/out" || job_fails "revolve $num: $(cat "$tmp/out")"
     done
     one_line 64 'not known to make' "$loft" make nothing "$tmp/curve.loft"
-    one_line 65 'raise' "$loft" make raise "$tmp/curve.loft"
+    one_line 65 raise "$loft" make raise --of 40 "$tmp/curve.loft"
+    one_line 64 'raise: --of has 2 numbers' "$loft" make raise --of 1,2 "$tmp/curve.loft"
 }
 case_flatten_keeps_its_tolerance() {
     for num in q16 f32 f64; do
