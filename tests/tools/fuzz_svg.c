@@ -6,13 +6,16 @@
  */
 #include <math.h>
 
+#include "support/kept_fonts.h"
 #include "tools/fuzz_reader.h"
 #include "read/drawing.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     char *text = text_of(data, size);
-    drawing d = { 0 };
+    drawing d = { .text = size % 3 ? "outline" : "line",
+                  .areas = size % 2,
+                  .only = size % 7 ? NULL : "red,none" };
 
     const int code = drawing_read_svg(&d, "fuzz.svg", text, size);
     MUST(code == (refusals ? EX_DATAERR : 0) && refusals <= 1);

@@ -3,14 +3,9 @@
  */
 #include <unistd.h>
 
+#include "support/kept_fonts.h"
 #include "tools/drawn.h"
 #include "draw/plot.h"
-
-/* The font libraries keep their caches until the end of the program. */
-const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void) { return "leak:libfontconfig"; }
-const char *__lsan_default_options(void);
-const char *__lsan_default_options(void) { return "print_suppressions=0"; }
 
 static char folder[] = "/tmp/loft-plot-XXXXXX";
 

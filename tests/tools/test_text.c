@@ -4,6 +4,7 @@
  */
 #include <pango/pangocairo.h>
 
+#include "support/kept_fonts.h"
 #include "tools/drawn.h"
 
 #define FONT "DejaVu Sans"
@@ -245,10 +246,6 @@ static void damaged_text_does_no_harm(arb *a)
             CHECK(isfinite(d.curve[i].p[k][0]) && isfinite(d.curve[i].p[k][1]));
     drawing_free(&d);
 }
-
-/* fontconfig keeps its tables until the program ends. */
-const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void) { return "leak:libfontconfig"; }
 
 int main(void)
 {
