@@ -72,7 +72,7 @@ static void interpolate(const loft_residue *r, uint32_t y[], unsigned n)
 
 static void resultant(const loft_whole_poly *w, const loft_residue *r, uint32_t c[])
 {
-    const pair *x = w->data;
+    const pair *x = (const pair *)w->data;
     uint32_t matrix[LOFT_RESIDUE_ORDER][LOFT_RESIDUE_ORDER], kept[2][MOST + 1], constant[2];
     loft_residue_poly gone[2];
 
@@ -94,7 +94,7 @@ static void resultant(const loft_whole_poly *w, const loft_residue *r, uint32_t 
 /* The square of the distance of `kept` from the point that `gone` is. */
 static void distance_square(const loft_whole_poly *w, const loft_residue *r, uint32_t c[])
 {
-    const pair *x = w->data;
+    const pair *x = (const pair *)w->data;
     uint32_t kept[MOST + 1];
 
     for (unsigned j = 0; j <= w->degree; j++)
