@@ -7,32 +7,9 @@
 
 #include "base/scan.h"           /* scan_number */
 #include "base/tool.h"
-#include "plan/table.h"          /* table_place */
 #include "send/mover.h"
 
 #define FEED "mm/s, or as 1200mm/min (100)"
-
-/* Move there, if table and switches allow it, and print the place. */
-static int go_to(mover *v, const double to[ENGINE_AXES])
-{
-    mover_move m = { .feed = v->p.travel, .away = mover_away(v, v->at, to) };
-    mover_outcome out;
-    int code = table_place(&v->p.machine, v->at, to, v->p.tol);
-
-    memcpy(m.to, to, sizeof m.to);
-    if (code == 0)
-        code = mover_free(v, to);
-    return code ? code : mover_go(v, &m, &out);
-}
-
-static int print_place(const mover *v, int code)
-{
-    char text[96];
-
-    if (code == 0)
-        printf("the tool is at %s\n", mover_text(v->at, text));
-    return code;
-}
 
 /* `10,20`, `,,5`: an axis without a number stays. */
 static int take_place(const char *text, double to[ENGINE_AXES])
@@ -90,7 +67,7 @@ static int run_go(const tool_command *self, int argc, char **argv)
     for (int i = 0; i < ENGINE_AXES; i++)
         to[i] = isnan(to[i]) ? v.at[i] : to[i] + (by ? v.at[i] : 0);
     if (code == 0)
-        code = print_place(&v, go_to(&v, to));
+        code = mover_told(&v, mover_to(&v, to, v.p.travel));
     mover_close(&v);
     return code;
 }
@@ -112,20 +89,25 @@ static int lift_pen(mover *v, double z)
 {
     const double to[ENGINE_AXES] = { v->at[0], v->at[1], z };
 
-    return go_to(v, to);
+    return mover_to(v, to, v->p.travel);
+}
+
+/* Read the options of a command that moves z or parks: argv[*first] is what follows them. */
+static int begin(const tool_command *self, int argc, char **argv, mover *v, int *first)
+{
+    const int code              = mover_start(v, argc, argv);
+    const tool_option options[] = { MOVER_OPTIONS(*v),
+                                    TOOL_SPEED("feed", &v->p.travel, 0.016, 1000, FEED),
+                                    TOOL_OPTIONS_END };
+
+    return code ? code : tool_options(self, options, argc, argv, first);
 }
 
 static int run_pen(const tool_command *self, int argc, char **argv)
 {
     mover v;
-    int first, code = mover_start(&v, argc, argv);
+    int first, code = begin(self, argc, argv, &v, &first);
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = { MOVER_OPTIONS(v),
-                                    TOOL_SPEED("feed", &v.p.travel, 0.016, 1000, FEED),
-                                    TOOL_OPTIONS_END };
-    code = tool_options(self, options, argc, argv, &first);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
     const bool up = first + 1 == argc && strcmp(argv[first], "up") == 0;
@@ -133,7 +115,7 @@ static int run_pen(const tool_command *self, int argc, char **argv)
         return tool_error(EX_USAGE, "give up or down: see `loft pen --help`");
     code = mover_open(&v);
     if (code == 0)
-        code = print_place(&v, lift_pen(&v, up ? v.p.machine.pen_up : v.p.machine.pen_down));
+        code = mover_told(&v, lift_pen(&v, up ? v.p.machine.pen_up : v.p.machine.pen_down));
     mover_close(&v);
     return code;
 }
@@ -149,20 +131,14 @@ static int park(mover *v)
     const double to[ENGINE_AXES] = { m->park[0], m->park[1], fmax(v->at[2], m->pen_up) };
     const int code               = lift_pen(v, to[2]);
 
-    return code ? code : go_to(v, to);
+    return code ? code : mover_to(v, to, v->p.travel);
 }
 
 static int run_park(const tool_command *self, int argc, char **argv)
 {
     mover v;
-    int first, code = mover_start(&v, argc, argv);
+    int first, code = begin(self, argc, argv, &v, &first);
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = { MOVER_OPTIONS(v),
-                                    TOOL_SPEED("feed", &v.p.travel, 0.016, 1000, FEED),
-                                    TOOL_OPTIONS_END };
-    code = tool_options(self, options, argc, argv, &first);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
     if (first < argc)
@@ -172,7 +148,7 @@ static int run_park(const tool_command *self, int argc, char **argv)
                           argv[first]);
     code = mover_open(&v);
     if (code == 0)
-        code = print_place(&v, park(&v));
+        code = mover_told(&v, park(&v));
     mover_close(&v);
     return code;
 }

@@ -15,7 +15,7 @@
 #include "base/keys.h"           /* keys_next */
 #include "base/scan.h"           /* scan_number */
 #include "base/tool.h"
-#include "plan/table.h"          /* table_place */
+#include "plan/table.h"          /* table_ends */
 #include "send/mover.h"
 
 #define HELD 0.15               /* s between two repetitions of a held key, at most */
@@ -191,25 +191,13 @@ static bool take_line(const char *s, double by[ENGINE_AXES])
 
 static int move_by_line(jog *g, const double by[ENGINE_AXES])
 {
-    mover *v     = &g->v;
-    mover_move m = { .feed = v->p.feed };
-    mover_outcome out;
-    char text[96];
-    int code = mover_ready(v);
+    mover *v = &g->v;
+    double to[ENGINE_AXES];
+    const int code = mover_ready(v);
 
     for (int i = 0; i < ENGINE_AXES; i++)
-        m.to[i] = v->at[i] + by[i];
-    m.away = mover_away(v, v->at, m.to);
-    if (code == 0)
-        code = table_place(&v->p.machine, v->at, m.to, v->p.tol);
-    if (code == 0)
-        code = mover_free(v, m.to);
-    if (code == 0)
-        code = mover_go(v, &m, &out);
-    if (code == 0)
-        printf("the tool is at %s\n", mover_text(v->at, text));
-    fflush(stdout);
-    return code;
+        to[i] = v->at[i] + by[i];
+    return code ? code : mover_told(v, mover_to(v, to, v->p.feed));
 }
 
 static int jog_by_lines(jog *g)
@@ -231,7 +219,6 @@ static int jog_by_lines(jog *g)
 static int run_jog(const tool_command *self, int argc, char **argv)
 {
     jog g = { .size = 2 };
-    char text[96];
     int first, code = mover_start(&g.v, argc, argv);
 
     if (code != 0)
@@ -254,7 +241,7 @@ static int run_jog(const tool_command *self, int argc, char **argv)
     code = mover_open(&g.v);
     if (code == 0 && g.v.keys) {
         code = jog_by_keys(&g);
-        printf("the tool is at %s\n", mover_text(g.v.at, text));
+        (void)mover_told(&g.v, 0);
     } else if (code == 0) {
         code = jog_by_lines(&g);
     }

@@ -65,9 +65,7 @@ static int probe_it(probing *p)
         code = back_off(p, out.latched);
     if (code == 0)
         printf("touched at %s\n", mover_text(out.latched, text));
-    if (code == 0)
-        printf("the tool is at %s\n", mover_text(v->at, text));
-    return code;
+    return mover_told(v, code);
 }
 
 static int run_probe(const tool_command *self, int argc, char **argv)

@@ -8,6 +8,7 @@
 #include "base/keys.h"           /* keys_start, keys_interrupted */
 #include "base/tool.h"
 #include "plan/job.h"            /* job */
+#include "plan/table.h"          /* table_place */
 #include "send/mover.h"
 #include "send/stream_end.h"     /* stream_ended, stream_place */
 
@@ -315,6 +316,28 @@ int mover_free(const mover *v, const double to[ENGINE_AXES])
                                   "%s: %s is closed, and this does not lead away from it: `loft "
                                   "unlock --port %s` does",
                                   v->port, talk_inputs(held, text), v->port);
+}
+
+int mover_to(mover *v, const double to[ENGINE_AXES], double feed)
+{
+    mover_move m = { .feed = feed, .away = mover_away(v, v->at, to) };
+    mover_outcome out;
+    int code = table_place(&v->p.machine, v->at, to, v->p.tol);
+
+    memcpy(m.to, to, sizeof m.to);
+    if (code == 0)
+        code = mover_free(v, to);
+    return code ? code : mover_go(v, &m, &out);
+}
+
+int mover_told(const mover *v, int code)
+{
+    char text[96];
+
+    if (code == 0)
+        printf("the tool is at %s\n", mover_text(v->at, text));
+    fflush(stdout);
+    return code;
 }
 
 const char *mover_text(const double at[ENGINE_AXES], char text[96])

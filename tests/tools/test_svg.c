@@ -884,6 +884,29 @@ static void damaged_documents_do_no_harm(arb *a)
     drawing_free(&d);
 }
 
+/* A choice of layers or colours leaves these curves. */
+static void check_drawn(drawing d, const char *text, const char *choice, const char *drawn)
+{
+    char got[400];
+
+    CHECK(drawing_read_svg(&d, "f", text, strlen(text)) == 0);
+    put_drawing(got, sizeof got, &d, 100);
+    if (strcmp(got, drawn) != 0)
+        printf("%s: %s\n", choice, got);
+    CHECK(strcmp(got, drawn) == 0);
+    drawing_free(&d);
+}
+
+/* A choice of what is not there is refused, and the choices that there are, are named. */
+static void check_refused(drawing d, const char *text, const char *named)
+{
+    caught[0]    = '\0';
+    caught_lines = 0;
+    CHECK(drawing_read_svg(&d, "f", text, strlen(text)) == EX_DATAERR && caught_lines == 1);
+    CHECK(strstr(caught, named) != NULL);
+    drawing_free(&d);
+}
+
 /* Layers of Inkscape by name, or by the number that their names begin with, with what is in them;
  * what is in none of them is left out. */
 static void layers_are_chosen(arb *a)
@@ -906,24 +929,14 @@ static void layers_are_chosen(arb *a)
                    { NULL,
                      "M 1 1 L 2 1 M 2 2 L 3 2 M 3 3 L 4 3 M 4 4 L 5 4 M 5 5 L 6 5 M 6 6 L 7 6" } };
     static const char *const none[] = { "red", "2 group", "3", "", "2,,20", "frame," };
-    char got[400];
     (void)a;
     for (size_t i = 0; i < sizeof chosen / sizeof chosen[0]; i++) {
-        drawing d = { .layers = chosen[i].layers };
-        CHECK(drawing_read_svg(&d, "f", text, sizeof text - 1) == 0);
-        put_drawing(got, sizeof got, &d, 100);
-        if (strcmp(got, chosen[i].drawn) != 0)
-            printf("%s: %s\n", chosen[i].layers, got);
-        CHECK(strcmp(got, chosen[i].drawn) == 0);
-        drawing_free(&d);
+        const drawing d = { .layers = chosen[i].layers };
+        check_drawn(d, text, chosen[i].layers, chosen[i].drawn);
     }
     for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
-        drawing d    = { .layers = none[i] };
-        caught[0]    = '\0';
-        caught_lines = 0;
-        CHECK(drawing_read_svg(&d, "f", text, sizeof text - 1) == EX_DATAERR && caught_lines == 1);
-        CHECK(strstr(caught, "give one of \"2 red\", \"fine\", \"20 blue\", \"frame\"") != NULL);
-        drawing_free(&d);
+        const drawing d = { .layers = none[i] };
+        check_refused(d, text, "give one of \"2 red\", \"fine\", \"20 blue\", \"frame\"");
     }
 }
 
@@ -940,23 +953,13 @@ static void colours_are_chosen(arb *a)
                    { "#00f", "M 3 3 L 4 3" },
                    { "Blue,#000000", "M 3 3 L 4 3 M 5 5 L 6 5" },
                    { "peru", "M 7 7 L 8 7" } };
-    char got[400];
     (void)a;
     for (size_t i = 0; i < sizeof chosen / sizeof chosen[0]; i++) {
-        drawing d = { .only = chosen[i].only };
-        CHECK(drawing_read_svg(&d, "f", text, sizeof text - 1) == 0);
-        put_drawing(got, sizeof got, &d, 100);
-        if (strcmp(got, chosen[i].drawn) != 0)
-            printf("%s: %s\n", chosen[i].only, got);
-        CHECK(strcmp(got, chosen[i].drawn) == 0);
-        drawing_free(&d);
+        const drawing d = { .only = chosen[i].only };
+        check_drawn(d, text, chosen[i].only, chosen[i].drawn);
     }
-    drawing d    = { .only = "green" };
-    caught[0]    = '\0';
-    caught_lines = 0;
-    CHECK(drawing_read_svg(&d, "f", text, sizeof text - 1) == EX_DATAERR && caught_lines == 1);
-    CHECK(strstr(caught, "give one of #ff0000, #0000ff, #000000, url(#g), peru") != NULL);
-    drawing_free(&d);
+    const drawing none = { .only = "green" };
+    check_refused(none, text, "give one of #ff0000, #0000ff, #000000, url(#g), peru");
 }
 
 /* AxiDraw: % is for notes. */

@@ -7,26 +7,9 @@
 #include "support/exact.h"          /* exact_eval; CHECK, PROPERTY, BY_NUM */
 #include "basis/positivity.h"
 #include "basis/sign.h"
+#include "support/products.h"
 
 #define MOST LOFT_DEGREE_MAX
-
-typedef struct {
-    unsigned degree;
-    int64_t c[MOST + 1];            /* Bernstein coefficients times binomials */
-} product;
-
-/* Times a factor of degree 1 or 2, given the same way. */
-static void multiply(product *p, const int64_t f[], unsigned n)
-{
-    int64_t out[MOST + 1] = { 0 };
-
-    for (unsigned i = 0; i <= p->degree; i++)
-        for (unsigned j = 0; j <= n; j++)
-            out[i + j] += p->c[i] * f[j];
-    p->degree += n;
-    for (unsigned i = 0; i <= p->degree; i++)
-        p->c[i] = out[i];
-}
 
 /* Bernstein coefficients: times a common multiple of the binomials, 2520 at most. False if they do
  * not fit a coordinate of 23 bits. */

@@ -5,13 +5,9 @@
  */
 #include "basis/whole_roots.h"
 #include "support/exact.h"          /* exact_acc; CHECK, PROPERTY */
+#include "support/products.h"
 
 #define MOST LOFT_RESIDUE_DEGREE
-
-typedef struct {
-    unsigned degree;
-    int64_t c[MOST + 1];
-} product;
 
 static void residues(const loft_whole_poly *w, const loft_residue *r, uint32_t c[])
 {
@@ -27,18 +23,6 @@ static enum loft_status find(const product *p, loft_whole_root out[], unsigned *
 {
     const loft_whole_poly w = { p->degree, 64, residues, p };
     return loft_whole_roots(&w, out, count);
-}
-
-static void multiply(product *p, const int64_t f[], unsigned n)
-{
-    int64_t out[MOST + 1] = { 0 };
-
-    for (unsigned i = 0; i <= p->degree; i++)
-        for (unsigned j = 0; j <= n; j++)
-            out[i + j] += p->c[i] * f[j];
-    p->degree += n;
-    for (unsigned i = 0; i <= p->degree; i++)
-        p->c[i] = out[i];
 }
 
 static long double place_of(const loft_whole_root *x)
