@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  *
  * It draws path, rect, circle, ellipse, line, polyline, polygon and text, within g, a, svg, switch
- * and use. What it cannot draw (pictures, clipping) is reported once. An error in the file ends
+ * and use. What it cannot draw (pictures, masks) is reported once. An error in the file ends
  * the reading, with its line.
  */
 #include <stdio.h>
@@ -269,89 +269,6 @@ static void warn_undrawn(svg_reader *r, const svg_space *space)
     if (space->visible && is_one_of(r->node, pictures))
         svg_warn(r, SVG_WARN_PICTURE, "<%s> is not drawn: trace pictures to paths",
                  (const char *)r->node->name);
-}
-
-
-// Layers
-// ------
-
-static const xmlChar inkscape_namespace[] = "http://www.inkscape.org/namespaces/inkscape";
-
-/* The name of a layer of Inkscape, or NULL; free with xmlFree. */
-static char *layer_name(const xmlNode *node)
-{
-    xmlChar *mode = svg_is(node, "g")
-                        ? xmlGetNsProp(node, (const xmlChar *)"groupmode", inkscape_namespace)
-                        : NULL;
-    char *name    = NULL;
-
-    if (mode != NULL && strcmp((const char *)mode, "layer") == 0) {
-        name = (char *)xmlGetNsProp(node, (const xmlChar *)"label", inkscape_namespace);
-        name = name ? name : svg_attribute(node, "id");
-    }
-    xmlFree(mode);
-    return name;
-}
-
-/* Is it the name, or the number that the name begins with? AxiDraw numbers layers so. */
-static bool is_layer(const char *name, const char *word, size_t length)
-{
-    const size_t digits = strspn(word, "0123456789");
-
-    if (strncmp(name, word, length) != 0)
-        return false;
-    return name[length] == '\0' ||
-           (length > 0 && digits >= length && strspn(name + length, "0123456789") == 0);
-}
-
-static bool layer_is_chosen(const svg_reader *r, const xmlNode *node)
-{
-    char *name  = r->d->layers ? layer_name(node) : NULL;
-    bool chosen = false;
-
-    for (const char *word = r->d->layers; name != NULL && !chosen;) {
-        const size_t length = strcspn(word, ",");
-        chosen = is_layer(name, word, length);
-        if (word[length] == '\0')
-            break;
-        word += length + 1;
-    }
-    xmlFree(name);
-    return chosen;
-}
-
-/* Look for a layer in the file; its names are added to `names`. */
-static bool has_layer(const xmlNode *node, const char *word, size_t length, char names[200])
-{
-    bool found = false;
-
-    for (; node != NULL && !found; node = node->next) {
-        char *name        = layer_name(node);
-        const size_t used = strlen(names);
-        if (name != NULL)
-            snprintf(names + used, 200 - used, "%s\"%.40s\"", used ? ", " : "", name);
-        found = (name != NULL && is_layer(name, word, length)) ||
-                has_layer(node->children, word, length, names);
-        xmlFree(name);
-    }
-    return found;
-}
-
-/* Is there a layer for each word of --layer? */
-static bool check_layers(const svg_reader *r, const xmlNode *root)
-{
-    for (const char *word = r->d->layers; word != NULL;) {
-        const size_t length = strcspn(word, ",");
-        char names[200]     = "";
-        if (!has_layer(root->children, word, length, names))
-            return svg_fail(r, "no layer \"%.*s\": %s%s", (int)(length < 60 ? length : 60), word,
-                            *names ? "give one of "
-                                   : "it has no layers of Inkscape: leave --layer "
-                                     "out",
-                            names);
-        word = word[length] == '\0' ? NULL : word + length + 1;
-    }
-    return true;
 }
 
 
@@ -622,29 +539,6 @@ bool svg_begin(svg_reader *r, const svg_space *space)
     return space->visible && (filled || stroked);
 }
 
-/* AxiDraw leaves out layers whose names begin with %, and reads numbers in others. */
-static bool layer_is_drawn(svg_reader *r, const xmlNode *node)
-{
-    char *name       = layer_name(node);
-    const char *at   = name;
-    const bool named = name != NULL;
-
-    if (named)
-        scan_space(&at);
-    const bool drawn = !named || *at != '%';
-    if (!drawn)
-        svg_warn(r, SVG_WARN_LAYER,
-                 "layer \"%.40s\" is not drawn, as AxiDraw does: name it without %% to draw it",
-                 name);
-    else if (named && (*at == '!' || strstr(at, "+S") || strstr(at, "+H") || strstr(at, "+D")))
-        svg_warn(r, SVG_WARN_LAYER_NUMBERS,
-                 "layer \"%.40s\" has no speed, height, delay or pause of its own: "
-                 "draw it alone with --layer and its options",
-                 name);
-    xmlFree(name);
-    return drawn;
-}
-
 static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
                          const use_chain *chain)
 {
@@ -811,8 +705,8 @@ static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const
         return svg_fail(r,
                         "more than %d nested elements, counting each use: draw with fewer groups",
                         SVG_DEPTH_MAX);
-    const bool chosen = layer_is_chosen(r, node);
-    if (!layer_is_drawn(r, node))
+    const bool chosen = svg_layer_chosen(r, node);
+    if (!svg_layer_drawn(r, node))
         return true;
     r->depth++;
     r->chosen += chosen;
@@ -899,7 +793,7 @@ bool svg_draw(svg_reader *r, const xmlNode *root)
     svg_space space;
     bool empty;
     r->node = root;
-    const bool good = check_layers(r, root) && check_text(r) &&
+    const bool good = svg_layers_check(r, root) && check_text(r) &&
                       enter_page(r, root, &space, &scope, &empty) &&
                       (empty || draw_children(r, root, space, NULL));
     r->node = root;

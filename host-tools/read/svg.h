@@ -8,6 +8,7 @@
  *     svg_space.c  transforms, lengths with units, viewBox
  *     svg_style.c  properties from attributes, style="" and style sheets; var()
  *     svg_sheet.c  the rules of style sheets
+ *     svg_layer.c  layers of Inkscape
  *     svg_clip.c   clip paths
  *     svg_dash.c   dashes
  *     svg_ink.c    colours, and which of them are drawn
@@ -424,5 +425,14 @@ bool svg_dash(svg_reader *r, const svg_space *space, size_t first);
 
 /* Draw path data. */
 bool svg_path(const svg_reader *r, const char *data, svg_pen *pen);
+
+/* Is there a layer for each word of --layer? */
+bool svg_layers_check(const svg_reader *r, const xmlNode *root);
+
+/* Is it a layer that --layer names? */
+bool svg_layer_chosen(const svg_reader *r, const xmlNode *node);
+
+/* AxiDraw leaves out layers whose names begin with %, and reads numbers in others. */
+bool svg_layer_drawn(svg_reader *r, const xmlNode *node);
 
 #endif

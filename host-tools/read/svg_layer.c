@@ -1,0 +1,108 @@
+/* host-tools/read/svg_layer.c -- layers of Inkscape: which are asked for, and which are drawn
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "base/scan.h"       /* scan_space */
+#include "read/svg.h"
+
+static const xmlChar inkscape_namespace[] = "http://www.inkscape.org/namespaces/inkscape";
+
+/* The name of a layer of Inkscape, or NULL; free with xmlFree. */
+static char *layer_name(const xmlNode *node)
+{
+    xmlChar *mode = svg_is(node, "g")
+                        ? xmlGetNsProp(node, (const xmlChar *)"groupmode", inkscape_namespace)
+                        : NULL;
+    char *name    = NULL;
+
+    if (mode != NULL && strcmp((const char *)mode, "layer") == 0) {
+        name = (char *)xmlGetNsProp(node, (const xmlChar *)"label", inkscape_namespace);
+        name = name ? name : svg_attribute(node, "id");
+    }
+    xmlFree(mode);
+    return name;
+}
+
+/* Is it the name, or the number that the name begins with? AxiDraw numbers layers so. */
+static bool is_layer(const char *name, const char *word, size_t length)
+{
+    const size_t digits = strspn(word, "0123456789");
+
+    if (strncmp(name, word, length) != 0)
+        return false;
+    return name[length] == '\0' ||
+           (length > 0 && digits >= length && strspn(name + length, "0123456789") == 0);
+}
+
+bool svg_layer_chosen(const svg_reader *r, const xmlNode *node)
+{
+    char *name  = r->d->layers ? layer_name(node) : NULL;
+    bool chosen = false;
+
+    for (const char *word = r->d->layers; name != NULL && !chosen;) {
+        const size_t length = strcspn(word, ",");
+        chosen = is_layer(name, word, length);
+        if (word[length] == '\0')
+            break;
+        word += length + 1;
+    }
+    xmlFree(name);
+    return chosen;
+}
+
+/* Look for a layer in the file; its names are added to `names`. */
+static bool has_layer(const xmlNode *node, const char *word, size_t length, char names[200])
+{
+    bool found = false;
+
+    for (; node != NULL && !found; node = node->next) {
+        char *name        = layer_name(node);
+        const size_t used = strlen(names);
+        if (name != NULL)
+            snprintf(names + used, 200 - used, "%s\"%.40s\"", used ? ", " : "", name);
+        found = (name != NULL && is_layer(name, word, length)) ||
+                has_layer(node->children, word, length, names);
+        xmlFree(name);
+    }
+    return found;
+}
+
+bool svg_layers_check(const svg_reader *r, const xmlNode *root)
+{
+    for (const char *word = r->d->layers; word != NULL;) {
+        const size_t length = strcspn(word, ",");
+        char names[200]     = "";
+        if (!has_layer(root->children, word, length, names))
+            return svg_fail(r, "no layer \"%.*s\": %s%s", (int)(length < 60 ? length : 60), word,
+                            *names ? "give one of "
+                                   : "it has no layers of Inkscape: leave --layer "
+                                     "out",
+                            names);
+        word = word[length] == '\0' ? NULL : word + length + 1;
+    }
+    return true;
+}
+
+bool svg_layer_drawn(svg_reader *r, const xmlNode *node)
+{
+    char *name       = layer_name(node);
+    const char *at   = name;
+    const bool named = name != NULL;
+
+    if (named)
+        scan_space(&at);
+    const bool drawn = !named || *at != '%';
+    if (!drawn)
+        svg_warn(r, SVG_WARN_LAYER,
+                 "layer \"%.40s\" is not drawn, as AxiDraw does: name it without %% to draw it",
+                 name);
+    else if (named && (*at == '!' || strstr(at, "+S") || strstr(at, "+H") || strstr(at, "+D")))
+        svg_warn(r, SVG_WARN_LAYER_NUMBERS,
+                 "layer \"%.40s\" has no speed, height, delay or pause of its own: "
+                 "draw it alone with --layer and its options",
+                 name);
+    xmlFree(name);
+    return drawn;
+}
