@@ -31,7 +31,7 @@ build/test/$(1)/libloft.a: $(patsubst %.c,build/test/$(1)/%.o,$(LIB_SRC))
 build/test/$(1)/%: test_%.c build/test/$(1)/libloft.a
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(TESTED) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
-	    $$(SANITIZE) $$(call num_flag,$(1)) $$(filter %.c %.o %.a,$$^) -lm -o $$@
+	    $$(SANITIZE) $$(call num_flag,$(1)) $$< $$(filter %.o %.a,$$^) -lm -o $$@
 build/test/$(1)/$(SOLVED): INCLUDE += -Ihost-tools
 build/test/$(1)/$(SOLVED): $(SOLVER_OBJ)
 -include $(patsubst %.c,build/test/$(1)/%.d,$(LIB_SRC)) $(patsubst %,build/test/$(1)/%.d,$(TESTS))
@@ -61,7 +61,7 @@ define axes_test
 build/axes/$(2)/$(1): test_$(1).c $(patsubst %.c,build/axes/$(2)/%.o,$(call axes_src,$(3)))
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(TESTED) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
-	    $$(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$(2) $$(filter %.c %.o,$$^) -lm -o $$@
+	    $$(SANITIZE) -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=$(2) $$< $$(filter %.o,$$^) -lm -o $$@
 -include build/axes/$(2)/$(1).d
 AXES_EACH += build/axes/$(2)/$(1)
 endef
@@ -132,7 +132,7 @@ build/test/tools/libtools.a: $(TOOL_TESTED_OBJ)
 build/test/tools/%: tests/tools/test_%.c build/test/tools/libtools.a build/test/f64/libloft.a
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ \
-	    $(filter %.c,$^) $(filter %.a,$^) \
+	    $< $(filter %.a,$^) \
 	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo) -lm -o $@
 -include $(TOOL_TESTED_OBJ:.o=.d) $(patsubst %,build/test/tools/%.d,$(TOOL_TESTS))
 .PRECIOUS: build/test/tools/%.o
