@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include "base/keys.h"           /* keys_start, keys_hasty */
+#include "plan/tools.h"          /* tools_split */
+#include "send/change.h"         /* change_tool */
 #include "send/grbl.h"           /* grbl_run */
 #include "plan/planning.h"       /* planning_limit */
 #include "send/stream.h"         /* stream_run */
@@ -19,7 +21,8 @@ typedef struct {
     const char *port, *record, *log;
     unsigned baud;
     double wait;
-    const char *where;
+    const char *where, *from_tool;
+    bool asks;                  /* standard input can answer */
     bool points, grbl, g5, dry, hold, resume, abort, chip, away;
 } stream_options;
 
@@ -52,6 +55,13 @@ static void old_start(const loft_sender *s, bool points, double out[ENGINE_AXES]
         out[i] = points ? mm_of(&s->axis[i], s->axis[i].start) : (double)s->axis[i].start / 65536;
 }
 
+/* A drawing by the tools that draw it, and from which of them on. */
+typedef struct {
+    const char *file;
+    tools_part part[TOOLS_PARTS];
+    size_t count, first;
+} parts;
+
 /* A job and the data that it is planned from. */
 typedef struct {
     toolpath path;
@@ -66,11 +76,49 @@ static void free_work(work *w)
     toolpath_free(&w->path);
 }
 
-/* Plan the first portion, from the position of the motors. */
-static int plan_work(const stream_options *o, const char *file, const drawing *d,
-                     const double start[ENGINE_AXES], const job_options *as, work *w)
+static int find_parts(const stream_options *o, const char *file, const drawing *d,
+                      const drawing *smooth, parts *all)
+{
+    all->file  = file;
+    all->count = tools_split(&o->p.machine.tools, d, smooth, all->part);
+    all->first = 0;
+    if (o->from_tool == NULL)
+        return 0;
+    for (; all->first < all->count; all->first++)
+        if (all->part[all->first].tool != NULL &&
+            strcmp(all->part[all->first].tool->name, o->from_tool) == 0)
+            return 0;
+    return tool_error(EX_USAGE,
+                      "--from-tool %s: %s draws nothing here: `--dry-run` lists those that do",
+                      o->from_tool,
+                      machine_tools_find(&o->p.machine.tools, o->from_tool)
+                          ? "this tool"
+                          : "it is not in the machine file, so it");
+}
+
+/* How a part is drawn: before a pause the tool goes to its parking place, and stays lifted. */
+static toolpath_options way_of(const stream_options *o, const parts *all, size_t k)
 {
     toolpath_options how = planning_path(&o->p);
+    const bool last      = k + 1 == all->count;
+
+    how.lift = tools_lift(all->part[k].tool, o->p.lift);
+    if (last)
+        return how;
+    how.park    = *all->part[k + 1].tool->pause != '\0';
+    how.zero[0] = o->p.machine.park[0];
+    how.zero[1] = o->p.machine.park[1];
+    how.zero[2] = NAN;
+    return how;
+}
+
+/* Plan the first portion of a part, from the position of the motors. */
+static int plan_work(const stream_options *o, const parts *all, size_t k,
+                     const double start[ENGINE_AXES], const job_options *as, work *w)
+{
+    toolpath_options how = way_of(o, all, k);
+    const drawing *d     = &all->part[k].smooth;
+    const char *file     = all->file;
     int status = 0;
 
     if (!planning_start_at(&o->p, start, &how))
@@ -133,26 +181,59 @@ static void print_page(const drawing *d)
     printf("drawing: %s\n", page_words(d, words));
 }
 
-static int dry_run(const stream_options *o, const char *file, const drawing *d,
-                   const drawing *smooth)
+/* Print what a part takes, and add it to the sum. */
+static void print_part(const stream_options *o, const parts *all, size_t k, const work *w,
+                       work *sum, double *seconds)
 {
-    const double start[ENGINE_AXES] = { 0, 0, 0 };
+    const tools_part *p = &all->part[k];
+
+    if (p->tool != NULL)
+        printf("tool %s: ", p->tool->name);
+    else if (all->count > 1)
+        printf("no tool: ");
+    print_plan(&w->j, &w->path, o->p.tol);
+    if (p->tool != NULL && *p->tool->pause != '\0')
+        printf("tool %s: before it: %s\n", p->tool->name, p->tool->pause);
+    sum->path.curves += w->path.curves;
+    sum->path.drawn += w->path.drawn;
+    sum->path.travelled += w->path.travelled;
+    *seconds += job_seconds(&w->j) + (p->tool ? p->tool->delay : 0);
+}
+
+/* Where the motors are when a planned job is over. */
+static void end_of(const job *j, double out[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = j->head.kind == LOFT_POINTS ? 65536.0 * j->last[i] / j->steps_per_mm[i]
+                                             : j->last[i] / 65536.0;
+}
+
+static int dry_run(const stream_options *o, const drawing *d, const parts *all)
+{
+    double start[ENGINE_AXES] = { 0, 0, 0 }, seconds = 0;
     job_options as;
-    work w = { .path = { 0 } };
+    work sum = { .path = { 0 } };
 
     planning_machine(&o->p, &as.limits);
     for (int i = 0; i < ENGINE_AXES; i++)
         as.steps_per_mm[i] = (int32_t)lround(o->p.machine.steps_per_mm[i] * 65536);
     int code = options_of(o, &as);
-    if (code == 0)
-        code = plan_work(o, file, smooth, start, &as, &w);
-    if (code == 0)
-        code = finish_job(file, &w.j);
-    if (code == 0) {
-        print_page(d);
-        print_plan(&w.j, &w.path, o->p.tol);
+    for (size_t k = all->first; k < all->count && code == 0; k++) {
+        work w = { .path = { 0 } };
+        code   = plan_work(o, all, k, start, &as, &w);
+        if (code == 0)
+            code = finish_job(all->file, &w.j);
+        if (code == 0) {
+            if (k == all->first)
+                print_page(d);
+            print_part(o, all, k, &w, &sum, &seconds);
+            end_of(&w.j, start);
+        }
+        free_work(&w);
     }
-    free_work(&w);
+    if (code == 0 && all->count - all->first > 1)
+        printf("in all: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s\n", sum.path.curves,
+               tool_s(sum.path.curves), sum.path.drawn / 1000, sum.path.travelled / 1000, seconds);
     return code;
 }
 
@@ -167,7 +248,7 @@ static int check_machine(const stream_options *o, const loft_sender *s)
                       o->port);
 }
 
-static int plan_for(const stream_options *o, const char *file, const drawing *d,
+static int plan_for(const stream_options *o, const parts *all, size_t k,
                     const double start[ENGINE_AXES], const loft_sender *s, work *w)
 {
     job_options as;
@@ -177,35 +258,81 @@ static int plan_for(const stream_options *o, const char *file, const drawing *d,
     for (int i = 0; i < ENGINE_AXES; i++)
         as.steps_per_mm[i] = s->axis[i].steps_per_mm;
     const int code = options_of(o, &as);
-    return code == 0 ? plan_work(o, file, d, start, &as, w) : code;
+    return code == 0 ? plan_work(o, all, k, start, &as, w) : code;
 }
 
-/* If the machine has a job, it may be this one. It is if its id equals that of this job, planned
- * from the same start. Then that job continues. */
-static int stream_drawing(const stream_options *o, const char *file, const drawing *d,
-                          const drawing *smooth, talk *t)
+/* If the machine has a job, it may be one of these. It is if its id equals that of this job,
+ * planned from the same start. Then *at is its part, and *w the job. */
+static int find_old(const stream_options *o, const parts *all, const loft_sender *s, work *w,
+                    size_t *at)
+{
+    double start[ENGINE_AXES];
+    int code = 0;
+
+    *at = all->count;
+    old_start(s, o->points, start);
+    for (size_t k = all->first; k < all->count && code == 0 && s->machine.job != 0; k++) {
+        code = plan_for(o, all, k, start, s, w);
+        if (code == 0 && w->j.count > 0 && w->j.head.id == s->machine.job) {
+            *at = k;
+            break;
+        }
+    }
+    return code;
+}
+
+/* Send the part that is planned, or else plan it from where the machine is. */
+static int stream_part(const stream_options *o, const parts *all, size_t k, bool planned, talk *t,
+                       work *w)
 {
     const loft_sender *s = &t->sender;
     double start[ENGINE_AXES];
-    work w               = { .path = { 0 } };
-    int code             = check_machine(o, s);
+    int code = 0;
 
-    if (code == 0 && s->machine.job != 0) {
-        old_start(s, o->points, start);
-        code = plan_for(o, file, smooth, start, s, &w);
-    }
-    if (code == 0 && (w.j.count == 0 || w.j.head.id != s->machine.job)) {
+    if (!planned) {
         new_start(s, start);
-        code = plan_for(o, file, smooth, start, s, &w);
+        code = plan_for(o, all, k, start, s, w);
     }
     if (code == 0) {
-        w.j.head.away = o->away ? s->closed : 0;
-        code = stream_limits(t, o->p.machine.hard_stop > 0, &w.j.head);
+        w->j.head.away = o->away ? s->closed : 0;
+        code = stream_limits(t, o->p.machine.hard_stop > 0, &w->j.head);
     }
     if (code == 0) {
-        const stream_subject about = { file, w.path.curves, w.path.drawn,   o->p.tol,
-                                       d,    o->record,     &o->p.machine.k };
-        code = stream_run(t, &w.j, &about);
+        const stream_subject about = { all->file,  w->path.curves,   w->path.drawn, o->p.tol,
+                                       &all->part[k].d, o->record, &o->p.machine.k };
+        code = stream_run(t, &w->j, &about);
+    }
+    return code;
+}
+
+/* Wait until the tool is in, and look where the machine is then. */
+static int change(const stream_options *o, const machine_tool *tool, talk *t)
+{
+    const int code = change_tool(tool, o->asks);
+
+    if (code != 0)
+        return code;
+    return talk_again(t, o->wait);
+}
+
+/* One job for each tool, one after the other. */
+static int stream_drawing(const stream_options *o, const parts *all, talk *t)
+{
+    work w      = { .path = { 0 } };
+    size_t old  = all->count;
+    int code    = check_machine(o, &t->sender);
+
+    if (code == 0)
+        code = find_old(o, all, &t->sender, &w, &old);
+    for (size_t k = old < all->count ? old : all->first; k < all->count && code == 0; k++) {
+        const machine_tool *tool = all->part[k].tool;
+        if (k == old)
+            fprintf(stderr, "%s%s%s", tool ? "tool " : "", tool ? tool->name : "",
+                    tool ? ": " : "");
+        else if (tool != NULL && !loft_state_busy(t->sender.ack.state))
+            code = change(o, tool, t);
+        if (code == 0)
+            code = stream_part(o, all, k, k == old, t, &w);
     }
     free_work(&w);
     return code;
@@ -224,58 +351,77 @@ static int control_machine(const stream_options *o)
     return code;
 }
 
-/* Send G-code to a controller of grbl's kind, or, in a dry run, print it. The controller plans. */
-static int draw_gcode(const stream_options *o, const char *file, const drawing *d,
-                      toolpath_options *how)
+/* The G-code of a part, sent from where the controller is, or printed in a dry run. */
+static int draw_part(const stream_options *o, const parts *all, size_t k, grbl *g,
+                     double start[ENGINE_AXES])
 {
-    grbl *g = NULL;
+    const tools_part *p   = &all->part[k];
+    toolpath_options how  = way_of(o, all, k);
+    const gcode_options as = { .tol = (o->p.tol - o->p.smoothed) / 2,
+                               .curves = o->g5 ? GCODE_G5 : GCODE_ARCS,
+                               .rapids = p->d.program };
+    int code = 0;
     toolpath path;
     gcode lines;
     char what[64];
-    int code = o->dry ? 0 : grbl_open(&g, o->port, o->baud, o->wait);
 
-    if (code != 0)
-        return code;
-    if (g != NULL)
-        memcpy(how->start, grbl_place(g), sizeof how->start);
-    toolpath_make(&path, d, how);
-    const gcode_options as = { .tol = (o->p.tol - o->p.smoothed) / 2,
-                               .curves = o->g5 ? GCODE_G5 : GCODE_ARCS,
-                               .rapids = d->program };
+    memcpy(how.start, g ? grbl_place(g) : start, sizeof how.start);
+    toolpath_make(&path, &p->smooth, &how);
     gcode_make(&lines, &path, &as);
     snprintf(what, sizeof what, "%zu curve%s, %.3f m", path.curves, tool_s(path.curves),
              path.drawn / 1000);
     if (path.count == 0)
         code = tool_error(EX_DATAERR,
-                          "%s: nothing to draw in it: give a drawing with visible outlines", file);
+                          "%s: nothing to draw in it: give a drawing with visible outlines",
+                          all->file);
     else
-        code = table_check(&o->p.machine, file, d, &path, o->p.tol);
+        code = table_check(&o->p.machine, all->file, &p->smooth, &path, o->p.tol);
+    if (code == 0 && g != NULL && p->tool != NULL)
+        code = change_tool(p->tool, o->asks);
     if (code == 0 && g != NULL)
         code = grbl_run(g, &lines, what);
-    else if (code == 0)
-        for (size_t i = 0; i < lines.count; i++)
-            puts(lines.line[i]);
+    if (code == 0 && g == NULL && p->tool != NULL)
+        printf("(tool %s)\n%s", p->tool->name, *p->tool->pause ? "M0\n" : "");
+    for (size_t i = 0; code == 0 && g == NULL && i < lines.count; i++)
+        puts(lines.line[i]);
+    if (path.count > 0)
+        memcpy(start, path.move[path.count - 1].p[3], sizeof how.start);
     gcode_free(&lines);
     toolpath_free(&path);
-    grbl_close(g);
+    return code;
+}
+
+/* A controller of grbl's kind, which plans. */
+static int draw_gcode(const stream_options *o, const parts *all)
+{
+    grbl *g = NULL;
+    double start[ENGINE_AXES] = { 0, 0, 0 };
+    int code = o->dry ? 0 : grbl_open(&g, o->port, o->baud, o->wait);
+
+    for (size_t k = all->first; k < all->count && code == 0; k++)
+        code = draw_part(o, all, k, g, start);
+    if (g != NULL)
+        grbl_close(g);
     return code;
 }
 
 static int draw_file(stream_options *o, const char *file)
 {
-    toolpath_options how = planning_path(&o->p);
     drawing d = { 0 }, smooth = { 0 };
+    parts all;
     talk t;
 
     keys_hasty(true);
     int code = planning_read(&o->p, &d, &smooth, file);
     keys_hasty(false);
+    if (code == 0)
+        code = find_parts(o, file, &d, &smooth, &all);
     if (code == 0 && o->grbl)
-        code = draw_gcode(o, file, &smooth, &how);
+        code = draw_gcode(o, &all);
     else if (code == 0 && o->dry)
-        code = dry_run(o, file, &d, &smooth);
+        code = dry_run(o, &d, &all);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
-        code = stream_drawing(o, file, &d, &smooth, &t);
+        code = stream_drawing(o, &all, &t);
         talk_close(&t);
     }
     drawing_free(&smooth);
@@ -307,6 +453,8 @@ static int run_stream(const tool_command *self, int argc, char **argv)
         TOOL_TEXT("log", "FILE", &o.log, "write what passes on the line, in words"),
         TOOL_SWITCH("away", &o.away,
                     "the drawing leads away from the limit switches that are closed now"),
+        TOOL_TEXT("from-tool", "NAME", &o.from_tool,
+                  "of a machine file with tools: leave out what the tools before it draw"),
         TOOL_SWITCH("hold", &o.hold, "no FILE: slow down on the path and stop"),
         TOOL_SWITCH("resume", &o.resume, "no FILE: go on"),
         TOOL_SWITCH("abort", &o.abort, "no FILE: slow down on the path and end the job"),
@@ -337,8 +485,8 @@ static int run_stream(const tool_command *self, int argc, char **argv)
     if (o.port && !controls && strcmp(o.port, "-") == 0 && strcmp(argv[first], "-") == 0)
         return tool_error(EX_USAGE,
                           "both the drawing and the port are standard input: name one of them");
-    keys_start(!controls && !o.dry && strcmp(argv[first], "-") != 0 &&
-               (o.port == NULL || strcmp(o.port, "-") != 0));
+    o.asks = !controls && !o.dry && strcmp(argv[first], "-") != 0 && strcmp(o.port, "-") != 0;
+    keys_start(o.asks);
     return controls ? control_machine(&o) : draw_file(&o, argv[first]);
 }
 

@@ -56,7 +56,7 @@ typedef struct {
     size_t count, room;
     drawing *to;
     const char *file;
-    unsigned line;              /* of the shape */
+    unsigned line, tool;        /* of the shape */
 } filling;
 
 
@@ -140,6 +140,7 @@ static int draw_line(filling *g, double level, double x0, double x1, unsigned fi
     set_line(p, ends[0], ends[1]);
     drawing_add(g->to, p, true, g->line);
     g->to->curve[g->to->count - 1].fill = fill & ~(DRAWING_FILLED | DRAWING_HIDDEN);
+    g->to->curve[g->to->count - 1].tool = g->tool;
     return 0;
 }
 
@@ -185,6 +186,7 @@ static int hatch_shape(filling *g, const drawing *d, size_t first, size_t last, 
     g->s     = exact ? sine[q] : sin(degrees * DEGREE);
     g->count = 0;
     g->line  = d->curve[first].line;
+    g->tool  = d->curve[first].tool;
     for (size_t i = first, begin = first; i < last; i++) {
         const drawing_curve *c = &d->curve[i];
         cross_curve(g, c->p);

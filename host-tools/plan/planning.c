@@ -7,6 +7,7 @@
 #include "plan/planning.h"
 #include "plan/smooth.h"         /* drawing_smooth */
 #include "plan/table.h"          /* table_check */
+#include "plan/tools.h"          /* tools_apply */
 #include "base/source.h"         /* source_name */
 
 #define JERK_MAX 1e7        /* mm/s^3, of lib/motion/limits.h                    */
@@ -91,11 +92,14 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
     d->areas     = p->sheet.fill.distance > 0;
     d->only      = p->sheet.only;
     d->text      = p->sheet.text;
+    d->tools     = p->machine.tools.count > 0 ? &p->machine.tools : NULL;
     int code = drawing_read(d, file);
     if (code == 0)
         code = page_apply(&p->sheet, d, file);
     if (code == 0)
-        code = order_apply(&p->order, d, planning_path(p).zero, p->park, file);
+        code = tools_apply(&p->machine.tools, d, file);
+    if (code == 0)
+        code = tools_order(&p->order, d, planning_path(p).zero, p->park, file);
     if (code == 0)
         code = within_reach(p, d, file);
     if (code == 0 && drawing_smooth(smooth, d, within) > 0)
@@ -106,9 +110,11 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
 toolpath_options planning_path(const planning *p)
 {
     const double motors[ENGINE_AXES] = { 0, 0, 0 };
-    toolpath_options how = {
-        .feed = p->feed, .travel = p->travel, .rapid = RAPID, .lift = p->lift, .park = p->park
-    };
+    toolpath_options how = { .feed = p->feed,
+        .travel = p->travel,
+        .rapid = RAPID,
+        .lift = tools_most_lift(&p->machine.tools, p->lift),
+                             .park = p->park };
 
     (void)kinematics_tool(&p->machine.k, motors, how.zero);
     return how;

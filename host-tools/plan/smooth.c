@@ -327,6 +327,7 @@ static void give_spline(drawing *to, const fit *f, bool fresh, const drawing_cur
             memcpy(p[3], f->p[f->count - 1], sizeof p[3]);
         drawing_add_space(to, p, like->feed, fresh && k == 0, like->line);
         memcpy(to->curve[to->count - 1].loose, like->loose, sizeof like->loose);
+        to->curve[to->count - 1].tool = like->tool;
     }
 }
 
@@ -340,6 +341,7 @@ static void copy_curve(drawing *to, const drawing *from, size_t i)
                       i == 0 || from->curve[i].path != from->curve[i - 1].path,
                       from->curve[i].line);
     memcpy(to->curve[to->count - 1].loose, from->curve[i].loose, sizeof from->curve[i].loose);
+    to->curve[to->count - 1].tool = from->curve[i].tool;
 }
 
 /* Replace the chain from..to-1 by as few curves as are found. Returns how many lines were

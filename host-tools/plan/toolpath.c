@@ -137,7 +137,7 @@ void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
         draw_path(&m, d, i);
     }
     if (t->count > 0 && o->park)
-        travel_to(&m, o->zero[0], o->zero[1], o->zero[2], o->travel);
+        travel_to(&m, o->zero[0], o->zero[1], isnan(o->zero[2]) ? m.up : o->zero[2], o->travel);
     else if (t->count > 0 && !d->program)
         go_to(&m, m.at[0], m.at[1], m.up, o->travel);
 }

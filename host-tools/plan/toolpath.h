@@ -17,7 +17,8 @@ typedef struct {
     double lift;                    /* mm                                                   */
     double start[ENGINE_AXES];      /* position of the machine, mm */
     bool park;                      /* go to `zero` at the end */
-    double zero[ENGINE_AXES];       /* position with the machine's motors at 0, mm */
+    double zero[ENGINE_AXES];       /* position with the machine's motors at 0, mm; z NAN: it stays
+                                     * lifted */
 } toolpath_options;
 
 #define TOOLPATH_TRAVEL ((size_t)-1)

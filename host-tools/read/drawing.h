@@ -24,6 +24,7 @@ typedef struct {
                              * stands, for the program has not said where that is */
     unsigned path;          /* 0, 1, 2 ..: curves of one path follow each other and are connected */
     unsigned line;          /* its line in the file */
+    unsigned tool;          /* of the machine: its number in the table of tools, from 1; 0: none */
     unsigned fill;          /* of SVG: which shape it outlines times DRAWING_SHAPE, and how that is
                              * painted */
 } drawing_curve;
@@ -42,6 +43,8 @@ typedef struct {
                              * before reading */
     const char *text;       /* of SVG: "outline", "line", "line:rowmans", "none"; NULL: outline; set
                              * before reading */
+    const struct machine_tools *tools;      /* of SVG: which draws what; NULL: none; set before
+                             * reading */
     bool areas;             /* of SVG: keep outlines of what is filled also where they are not
                              * drawn; set before reading */
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */

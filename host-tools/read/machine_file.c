@@ -234,6 +234,8 @@ static int read_key(reading *r, const char *s)
     const row *k        = find_row(named ? s + 2 : s, named ? length - 2 : length);
     double value;
 
+    if (strncmp(s, "tool.", 5) == 0)
+        return machine_tools_line(&r->m->tools, r->file, r->line, s);
     if (length == 10 && strncmp(s, "kinematics", 10) == 0)
         return read_kinematics(r, s + length);
     if (k == NULL || (named && !k->axes))

@@ -7,6 +7,7 @@
 
 #include "engine/engine.h"         /* ENGINE_AXES, engine_limits */
 #include "engine/kinematics.h"     /* kinematics */
+#include "read/machine_tools.h"
 
 /* Lengths in mm, times in s. Numbers per axis are numbers per motor. Read with machine_read; keys
  * that the file does not give keep their value. */
@@ -29,6 +30,7 @@ typedef struct {
     double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */
     bool   limited;                         /* the file gives a speed, an acceleration or a jerk */
     kinematics k;
+    machine_tools tools;                    /* what it draws with, in the order of the file */
 } machine_file;
 
 /* The machine that `loft simulate` is without a file. */

@@ -82,7 +82,7 @@ static void read_paint(svg_reader *r, const svg_style *style, enum svg_property 
 
     if (!is_inherited(value)) {
         *paints = strcmp(value, "initial") == 0 ? which == SVG_FILL : !is_clear(value);
-        if (r->d->only != NULL)
+        if (r->d->only != NULL || r->d->tools != NULL)
             *ink = svg_ink(r, value);
     }
     xmlFree(value);
@@ -536,6 +536,7 @@ bool svg_begin(svg_reader *r, const svg_space *space)
 
     r->fill = (r->fill / DRAWING_SHAPE + 1) * DRAWING_SHAPE + (filled ? DRAWING_FILLED : 0) +
               (stroked ? DRAWING_STROKED : 0) + (evenodd ? DRAWING_EVENODD : 0);
+    r->tool = r->layer_tool ? r->layer_tool : svg_ink_tool(r, space, stroked);
     return space->visible && (filled || stroked);
 }
 
@@ -708,9 +709,12 @@ static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const
     const bool chosen = svg_layer_chosen(r, node);
     if (!svg_layer_drawn(r, node))
         return true;
+    const unsigned tool = r->layer_tool;
+    r->layer_tool = svg_layer_tool(r, node);
     r->depth++;
     r->chosen += chosen;
     const bool good = draw_in_space(r, node, space, chain);
+    r->layer_tool = tool;
     r->chosen -= chosen;
     r->depth--;
     return good;

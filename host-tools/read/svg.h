@@ -71,7 +71,8 @@ typedef struct {
     xmlDictPtr words;           /* names of fonts */
     svg_fonts *fonts;
     svg_lines *lines;
-    unsigned fill;              /* of the current shape, see drawing.h */
+    unsigned fill, tool;        /* of the current shape, see drawing.h */
+    unsigned layer_tool;        /* of the layers around the current element; 0: none */
     bool clipping;              /* what is drawn now is a clip path */
     unsigned long long compared;/* pairs of curves, to stop a flood of them */
     double dashes;              /* that were drawn, about */
@@ -361,6 +362,9 @@ const char *svg_ink(svg_reader *r, const char *text);
 bool svg_ink_chosen(svg_reader *r, const svg_space *space, bool stroked);
 bool svg_ink_check(const svg_reader *r);
 
+/* The number of the tool that draws this paint; 0: none. */
+unsigned svg_ink_tool(const svg_reader *r, const svg_space *space, bool stroked);
+
 
 // Fonts
 // -----
@@ -431,6 +435,10 @@ bool svg_layers_check(const svg_reader *r, const xmlNode *root);
 
 /* Is it a layer that --layer names? */
 bool svg_layer_chosen(const svg_reader *r, const xmlNode *node);
+
+/* The number of the tool that draws this layer, or what is in it; that of the layers around it
+ * otherwise. */
+unsigned svg_layer_tool(const svg_reader *r, const xmlNode *node);
 
 /* AxiDraw leaves out layers whose names begin with %, and reads numbers in others. */
 bool svg_layer_drawn(svg_reader *r, const xmlNode *node);

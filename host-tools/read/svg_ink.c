@@ -11,6 +11,7 @@
 #include <strings.h>
 
 #include "base/scan.h"       /* scan_number, scan_comma */
+#include "read/machine_tools.h"
 #include "read/svg.h"
 
 static const struct {
@@ -91,24 +92,43 @@ static void note_ink(svg_reader *r, const char *ink)
         r->inks[i] = ink;
 }
 
-bool svg_ink_chosen(svg_reader *r, const svg_space *space, bool stroked)
+/* Does a list of colours, with commas, have this one? */
+static bool is_listed(const char *list, const char *ink)
 {
-    const char *ink = stroked ? space->stroke_ink : space->fill_ink;
-    bool chosen     = r->d->only == NULL;
-
-    if (chosen)
-        return true;
-    ink = ink ? ink : "#000000";
-    note_ink(r, ink);
-    for (const char *word = r->d->only; word != NULL && !chosen;) {
+    for (const char *word = list; word != NULL;) {
         const size_t length = strcspn(word, ",");
         char asked[40], plain[40];
         snprintf(asked, sizeof asked, "%.*s", (int)(length < 39 ? length : 39), word);
         plain_colour(asked, plain);
-        chosen = strcmp(plain, ink) == 0;
-        word   = word[length] == '\0' ? NULL : word + length + 1;
+        if (strcmp(plain, ink) == 0)
+            return true;
+        word = word[length] == '\0' ? NULL : word + length + 1;
     }
-    r->inked = r->inked || chosen;
+    return false;
+}
+
+static const char *ink_of(const svg_space *space, bool stroked)
+{
+    const char *ink = stroked ? space->stroke_ink : space->fill_ink;
+
+    return ink ? ink : "#000000";
+}
+
+unsigned svg_ink_tool(const svg_reader *r, const svg_space *space, bool stroked)
+{
+    for (unsigned i = 0; r->d->tools != NULL && i < r->d->tools->count; i++)
+        if (is_listed(r->d->tools->tool[i].colours, ink_of(space, stroked)))
+            return i + 1;
+    return 0;
+}
+
+bool svg_ink_chosen(svg_reader *r, const svg_space *space, bool stroked)
+{
+    if (r->d->only == NULL)
+        return true;
+    note_ink(r, ink_of(space, stroked));
+    const bool chosen = is_listed(r->d->only, ink_of(space, stroked));
+    r->inked          = r->inked || chosen;
     return chosen;
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/scan.h"       /* scan_space */
+#include "read/machine_tools.h"
 #include "read/svg.h"
 
 static const xmlChar inkscape_namespace[] = "http://www.inkscape.org/namespaces/inkscape";
@@ -36,20 +37,38 @@ static bool is_layer(const char *name, const char *word, size_t length)
            (length > 0 && digits >= length && strspn(name + length, "0123456789") == 0);
 }
 
-bool svg_layer_chosen(const svg_reader *r, const xmlNode *node)
+/* Does a list of names and numbers, with commas, name the layer? */
+static bool is_listed(const char *list, const char *name)
 {
-    char *name  = r->d->layers ? layer_name(node) : NULL;
-    bool chosen = false;
-
-    for (const char *word = r->d->layers; name != NULL && !chosen;) {
+    for (const char *word = list;;) {
         const size_t length = strcspn(word, ",");
-        chosen = is_layer(name, word, length);
+        if (length > 0 && is_layer(name, word, length))
+            return true;
         if (word[length] == '\0')
-            break;
+            return false;
         word += length + 1;
     }
+}
+
+bool svg_layer_chosen(const svg_reader *r, const xmlNode *node)
+{
+    char *name        = r->d->layers ? layer_name(node) : NULL;
+    const bool chosen = name != NULL && is_listed(r->d->layers, name);
+
     xmlFree(name);
     return chosen;
+}
+
+unsigned svg_layer_tool(const svg_reader *r, const xmlNode *node)
+{
+    char *name     = r->d->tools ? layer_name(node) : NULL;
+    unsigned found = r->layer_tool;
+
+    for (unsigned i = name ? r->d->tools->count : 0; i-- > 0;)
+        if (is_listed(r->d->tools->tool[i].layers, name))
+            found = i + 1;
+    xmlFree(name);
+    return found;
 }
 
 /* Look for a layer in the file; its names are added to `names`. */
@@ -101,7 +120,7 @@ bool svg_layer_drawn(svg_reader *r, const xmlNode *node)
     else if (named && (*at == '!' || strstr(at, "+S") || strstr(at, "+H") || strstr(at, "+D")))
         svg_warn(r, SVG_WARN_LAYER_NUMBERS,
                  "layer \"%.40s\" has no speed, height, delay or pause of its own: "
-                 "draw it alone with --layer and its options",
+                 "give it a tool with these, in the machine file",
                  name);
     xmlFree(name);
     return drawn;

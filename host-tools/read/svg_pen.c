@@ -66,6 +66,7 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
 
     drawing_add(d, p, pen->fresh, pen->line);
     d->curve[d->count - 1].fill = pen->r->fill;
+    d->curve[d->count - 1].tool = pen->r->tool;
     memcpy(pen->end, p[3], sizeof p[3]);
     pen->fresh = false;
     return true;

@@ -1296,6 +1296,62 @@ case_dry_run_says_the_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 30mm/s
     cmp -s "$tmp/out" "$tmp/minutes" || job_fails "1800mm/min is not 30mm/s"
 }
+case_tools_draw_one_after_the_other() {
+    cat >"$tmp/pens.txt" <<'END'
+x.park = 5
+y.park = 6
+tool.red.colours  = #f00
+tool.red.feed     = 40
+tool.red.pause    = the red pen
+tool.blue.layers  = 2
+tool.blue.pen_up  = 3
+tool.blue.pause   = the blue pen
+END
+    cat >"$tmp/pens.svg" <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="60mm" viewBox="0 0 60 60"
+     xmlns:i="http://www.inkscape.org/namespaces/inkscape">
+  <g i:groupmode="layer" i:label="2 sky"><path d="M10 10h40v40h-40z" stroke="red"/></g>
+  <path d="M20 20l20 20" stroke="red"/>
+</svg>
+END
+    job=("$loft" stream "$tmp/pens.svg" --machine "$tmp/pens.txt" --port "$tmp/pens")
+    run 0 "${job[@]}" --dry-run
+    says out '^tool red: planned: 1 curve, 0.028 m drawn'; says out '^tool blue: planned: 4 curves'
+    says out '^tool blue: before it: the blue pen$'; says out '^in all: 5 curves, 0.188 m drawn'
+    run 0 "${job[@]}" --dry-run --grbl; says out '^(tool blue)$'; says out '^M0$'
+    machine pens --speed fast
+    run 75 "${job[@]}"; says err 'tool red is next: the red pen; then .* --from-tool red goes on'
+    printf '\n' | timeout 200 "${job[@]}" >"$tmp/out" 2>"$tmp/err"
+    [ "${PIPESTATUS[1]}" = 75 ] || job_fails "went on without an answer: $(cat "$tmp/err")"
+    says out '^drawn: 1 curve, .*steps 400 480 80 as commanded'     # parked, and lifted
+    says err 'tool blue is next: the blue pen; then .* --from-tool blue goes on'
+    printf '\n' | timeout 200 "${job[@]}" --from-tool blue >"$tmp/out" 2>"$tmp/err" ||
+        job_fails "$(cat "$tmp/err")"
+    says out '^drawn: 4 curves, .*steps 800 4000 240 as commanded'; counted pens
+    one_line 64 '--from-tool green: it is not in the machine file' "${job[@]}" --from-tool green
+    kill "$machine"; gone "$machine"
+}
+case_a_tool_that_was_cut_off_goes_on() {
+    printf 'tool.a.colours = red\ntool.b.colours = blue\n' >"$tmp/two.txt"
+    printf '<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="60mm" viewBox="0 0 60 60">
+        <path d="M10 10h9" stroke="red"/><path d="M10 10v40h40" stroke="blue"/></svg>' \
+        >"$tmp/two.svg"
+    job=("$loft" stream "$tmp/two.svg" --machine "$tmp/two.txt" --port "$tmp/two" --feed 20)
+    machine whole --speed fast
+    run 0 "${job[@]}" --port "$tmp/whole"; kill "$machine"; gone "$machine"
+    machine two --speed real; drawing_on=two
+    "${job[@]}" >/dev/null 2>&1 & local sender=$!
+    disown $sender
+    for _ in $(seq 3000); do
+        [ "$(grep -c ' begun' "$tmp/two.log")" = 2 ] && break
+        sleep 0.02
+    done
+    sleep 0.5; kill -9 $sender; gone $sender
+    run 0 "${job[@]}"; says err '^tool b: resuming at item [1-9]'
+    says out '^drawn: 2 curves, .*as commanded'; [ "$(grep -c '^drawn' "$tmp/out")" = 1 ] ||
+        job_fails "drew a tool again"
+    kill "$machine"; gone "$machine"; counted two; same_path whole two
+}
 case_short_lines_become_curves() {
     awk 'BEGIN { print "line"
                  for (i = 0; i <= 2000; i++)
