@@ -133,7 +133,7 @@ build/test/tools/%: tests/tools/test_%.c build/test/tools/libtools.a build/test/
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ \
 	    $< $(filter %.a,$^) \
-	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo) -lm -o $@
+	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo geos) -lm -o $@
 -include $(TOOL_TESTED_OBJ:.o=.d) $(patsubst %,build/test/tools/%.d,$(TOOL_TESTS))
 .PRECIOUS: build/test/tools/%.o
 

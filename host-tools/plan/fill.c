@@ -11,9 +11,22 @@
 
 #include "base/scan.h"          /* scan_number */
 #include "base/source.h"        /* source_name */
+#include "plan/contour.h"       /* contour_fill */
 #include "plan/fill.h"
 
 #define DEGREE 0.017453292519943295769
+
+/* What may follow `contour`: ":0.8", ":0.8,spiral", ",spiral" or nothing. */
+static bool parse_contour(const char *at, fill_options *set)
+{
+    if (*at == ':') {
+        at++;
+        if (!scan_number(&at, &set->distance))
+            return false;
+    }
+    set->spiral = strcmp(at, ",spiral") == 0;
+    return set->spiral || *at == '\0';
+}
 
 bool fill_parse(const char *text, void *out)
 {
@@ -22,24 +35,27 @@ bool fill_parse(const char *text, void *out)
     fill_options set = { .degrees = 45, .distance = 1, .outline = f->outline };
     bool good        = true;
 
-    set.cross = strncmp(text, "cross", 5) == 0 && at == text + 5;
+    set.cross   = strncmp(text, "cross", 5) == 0 && at == text + 5;
+    set.contour = strncmp(text, "contour", 7) == 0;
     if (strcmp(text, "none") == 0)
         set.distance = 0;
+    else if (set.contour)
+        good = parse_contour(text + 7, &set);
     else
         good = set.cross || (strncmp(text, "hatch", 5) == 0 && at == text + 5);
-    if (good && *at == ':') {
+    if (good && !set.contour && *at == ':') {
         at++;
         good = scan_number(&at, &set.degrees) && *at++ == ',' && scan_number(&at, &set.distance) &&
-               *at == '\0' && fabs(set.degrees) <= 360 && set.distance >= 0.02 &&
-               set.distance <= 1000;
+               *at == '\0' && fabs(set.degrees) <= 360;
     }
+    good = good && (strcmp(text, "none") == 0 || (set.distance >= 0.02 && set.distance <= 1000));
     if (good)
         *f = set;
     else
         (void)tool_error(
             EX_USAGE,
-            "--fill %s: give hatch:ANGLE,MM or cross:ANGLE,MM, the angle within +-360, "
-            "lines 0.02 to 1000 mm apart, as hatch:45,0.8; or none",
+            "--fill %s: give hatch:ANGLE,MM or cross:ANGLE,MM, the angle within +-360, contour:MM "
+            "or contour:MM,spiral, lines 0.02 to 1000 mm apart, as hatch:45,0.8; or none",
             text);
     return good;
 }
@@ -200,6 +216,15 @@ static int hatch_shape(filling *g, const drawing *d, size_t first, size_t last, 
     return draw_lines(g, d->curve[first].fill & DRAWING_EVENODD, d->curve[first].fill);
 }
 
+static int draw_contours(filling *g, const drawing *d, size_t first, size_t last)
+{
+    const contour_options o = { .distance = g->f->distance, .spiral = g->f->spiral };
+    drawing_curve like      = { .line = d->curve[first].line, .tool = d->curve[first].tool };
+
+    like.fill = d->curve[first].fill & ~(DRAWING_FILLED | DRAWING_HIDDEN);
+    return contour_fill(&o, d, first, last, &like, g->to, g->file);
+}
+
 static bool outline_stays(const fill_options *f, const drawing_curve *c)
 {
     if (c->fill & DRAWING_HIDDEN)
@@ -239,7 +264,8 @@ int fill_apply(const fill_options *f, drawing *d, const char *file)
                                  last == first || d->curve[last].path != d->curve[last - 1].path);
         if (!(shape & DRAWING_FILLED))
             continue;
-        code = hatch_shape(&g, d, first, last, f->degrees);
+        code = f->contour ? draw_contours(&g, d, first, last)
+                          : hatch_shape(&g, d, first, last, f->degrees);
         if (code == 0 && f->cross)
             code = hatch_shape(&g, d, first, last, f->degrees + 90);
     }

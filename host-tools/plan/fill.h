@@ -14,13 +14,15 @@
 typedef struct {
     double degrees, distance;       /* distance: mm; 0: no fill */
     bool cross;                     /* a second time, 90 degrees further */
+    bool contour, spiral;           /* lines parallel to the outline; without lifts */
     const char *outline;            /* "all", "stroke", "none"; NULL: all */
 } fill_options;
 
 /* Rows of a table of options. */
 #define FILL_OPTIONS(f)                                                                            \
     TOOL_PARSED("fill", "HOW", f, fill_parse,                                                      \
-                "of SVG: painted shapes, by lines: hatch:ANGLE,MM or cross:ANGLE,MM (none)"),      \
+                "of SVG: painted shapes, by lines: hatch:ANGLE,MM, cross:ANGLE,MM, contour:MM or " \
+                "contour:MM,spiral (none)"),                                                       \
         TOOL_TEXT("outline", "WHICH", &(f)->outline,                                               \
                   "with --fill: all, stroke (of shapes with a stroke) or none (all)")
 

@@ -29,7 +29,7 @@ def main():
     } for i, name in enumerate(names)]
     sums = ''.join(sorted(f['checksums'][0]['checksumValue'] for f in files))
     needs = {'libxml2': 'MIT', 'zlib': 'Zlib', 'cairo': 'LGPL-2.1-only OR MPL-1.1',
-             'pango': 'LGPL-2.0-or-later',
+             'pango': 'LGPL-2.0-or-later', 'geos': 'LGPL-2.1-or-later',
              'libserialport': 'LGPL-3.0-or-later'}
     packages = [{
         'SPDXID': 'SPDXRef-loft', 'name': 'loft', 'versionInfo': version,

@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/packages/tool.sh -- the command without cairo and libserialport
+# tests/packages/tool.sh -- the command without cairo, GEOS and libserialport
 # SPDX-License-Identifier: MIT
 # usage: tests/packages/tool.sh
 row=tool
@@ -8,10 +8,10 @@ needs musl-gcc
 
 # what is left out is refused in one line, and the rest works
 without=$work/without/loft
-built() { make -s tools WITHOUT="cairo libserialport" TOOL_OUT="$work/without"; }
-verdict "make tools WITHOUT=\"cairo libserialport\"" built
-free() { ! ldd "$without" | grep -E 'cairo|serialport'; }
-verdict "it is linked with neither" free
+built() { make -s tools WITHOUT="cairo geos libserialport" TOOL_OUT="$work/without"; }
+verdict "make tools WITHOUT=\"cairo geos libserialport\"" built
+free() { ! ldd "$without" | grep -E 'cairo|geos|serialport'; }
+verdict "it is linked with none of them" free
 refuses() {     # refuses WORD ARGUMENT..: with the code 69 and one line that has the word
     local word=$1 said
     shift
@@ -19,6 +19,9 @@ refuses() {     # refuses WORD ARGUMENT..: with the code 69 and one line that ha
     [ $? = 69 ] && [ "$(echo "$said" | wc -l)" = 1 ] && echo "$said" | grep -q "without $word"
 }
 verdict "loft plot is refused, with the cause" refuses cairo plot tests/drawings/demo.svg
+echo '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h9v9z"/></svg>' >"$work/filled.svg"
+verdict "contour fills are refused, with the cause" refuses geos plan "$work/filled.svg" \
+    --fill contour
 verdict "loft ports is refused, with the cause" refuses libserialport ports
 streams() {     # a whole job on the simulated machine
     "$without" simulate --once --quiet --link "$work/machine" & local machine=$!
@@ -37,7 +40,8 @@ verdict "loft stream draws on the simulated machine" streams
 on_musl() {
     local sources
     mkdir -p "$work/include" && cp -r /usr/include/{unicode,zlib.h,zconf.h} "$work/include" &&
-        sources=$(make -s WITHOUT="cairo libserialport" print-tool-sources) && [ -n "$sources" ] &&
+        sources=$(make -s WITHOUT="cairo geos libserialport" print-tool-sources) &&
+        [ -n "$sources" ] &&
         for source in $sources; do
             musl-gcc -std=c99 -Wall -Wextra -Werror -D_GNU_SOURCE -DLOFT_WITHOUT_CAIRO -Ilib \
                 -Ihost-tools -Iports -isystem "$work/include" -isystem /usr/include/libxml2 \

@@ -155,7 +155,8 @@ static void bad_fills_are_refused(arb *a)
 {
     static const char *const bad[] = {
         "",     "hatch:",       "hatch:45", "hatch:45,0",  "hatch:x,1",
-        "wave", "hatch:45,1,2", "hatching", "cross:400,1", "hatch:0,nan"
+        "wave", "hatch:45,1,2", "hatching", "cross:400,1", "hatch:0,nan",
+        "contour:", "contour:0", "contour:1,round", "contour:1 spiral"
     };
     drawing d;
 
@@ -172,11 +173,115 @@ static void bad_fills_are_refused(arb *a)
     drawing_free(&d);
 }
 
+/* The distance of a point from the outlines of a drawing. */
+static double edge_distance(const drawing *d, const double at[2])
+{
+    double least = HUGE_VAL;
+
+    for (size_t i = 0; i < d->count; i++)
+        for (int k = 0; k <= 400; k++) {
+            double p[2];
+            drawing_eval(&d->curve[i], k / 400.0, p);
+            least = fmin(least, hypot(p[0] - at[0], p[1] - at[1]));
+        }
+    return least;
+}
+
+static double path_length(const drawing *d, unsigned path)
+{
+    double sum = 0;
+
+    for (size_t i = 0; i < d->count; i++)
+        if (d->curve[i].path == path)
+            sum += hypot(d->curve[i].p[3][0] - d->curve[i].p[0][0],
+                         d->curve[i].p[3][1] - d->curve[i].p[0][1]);
+    return sum;
+}
+
+/* Lengths of rectangles are known exactly. */
+static void contours_of_rectangles(arb *a)
+{
+    drawing d;
+
+    (void)a;
+    CHECK(fill_svg("<rect x='10' y='10' width='20' height='6'/>", "contour:2", "none", &d));
+    CHECK(d.count == 4 && fabs(path_length(&d, 0) - 44) < 1e-6);
+    drawing_free(&d);
+    /* a hole; both, and the corner of the hole is round */
+    CHECK(fill_svg("<path fill-rule='evenodd' d='M10 10h20v20h-20zM15 15h10v10h-10z'/>",
+                   "contour:2", "none", &d));
+    double sum = 0;
+    for (unsigned k = 0; k <= d.curve[d.count - 1].path; k++)
+        sum += path_length(&d, k);
+    CHECK(fabs(sum - (72 + 40 + 2 * 3.14159265358979)) < 0.05);
+    drawing_free(&d);
+    CHECK(fill_svg("<path d='M10 10h20v20h-20zM15 15h10v10h-10z'/>", "contour:8", "none", &d));
+    CHECK(fabs(path_length(&d, 0) - 48) < 1e-6 && d.curve[d.count - 1].path == 0);
+    drawing_free(&d);
+    CHECK(fill_svg("<rect x='10' y='10' width='2' height='1'/><rect x='20' y='10' width='9' "
+                   "height='9'/>",
+                   "contour:4", "none", &d));
+    CHECK(d.count > 0 && d.curve[0].p[0][0] > 20);
+    drawing_free(&d);
+}
+
+/* A line is at half a distance from the edge, or at one and a half .. */
+static void contours_keep_their_distance(arb *a)
+{
+    const double distance = 1 + (arb_below(a, 100000) / 1e5);
+    char inner[1000], how[40], text[1200];
+    double p[7][2];
+    drawing d, outline;
+
+    for (int k = 0; k < 7; k++)
+        for (int i = 0; i < 2; i++)
+            p[k][i] = 5 + 30 * (arb_below(a, 100000) / 1e5);
+    snprintf(inner, sizeof inner,
+             "<path fill-rule='evenodd' d='M%g %gC%g %g %g %g %g %gS%g %g %g %gL%g %gz'/>", p[0][0],
+             p[0][1], p[1][0], p[1][1], p[2][0], p[2][1], p[3][0], p[3][1], p[4][0], p[4][1],
+             p[5][0], p[5][1], p[6][0], p[6][1]);
+    snprintf(how, sizeof how, "contour:%g", distance);
+    snprintf(text, sizeof text, PAGE("%s"), inner);
+    CHECK(read_svg(&outline, text) == 0 && fill_svg(inner, how, "none", &d));
+    for (size_t i = 0; i < d.count; i += 1 + d.count / 40) {
+        const double from = edge_distance(&outline, d.curve[i].p[3]) / distance - 0.5;
+        CHECK(fabs(from - round(from)) < 0.01 + 0.02 * (1 + from));
+    }
+    drawing_free(&d);
+    drawing_free(&outline);
+}
+
+static void spirals_need_no_lift(arb *a)
+{
+    drawing d;
+    double before = 0;
+
+    (void)a;
+    CHECK(fill_svg("<circle cx='50' cy='50' r='10'/>", "contour:1,spiral", "none", &d));
+    CHECK(d.count > 100 && d.curve[d.count - 1].path == 0);
+    for (size_t i = 0; i < d.count; i++) {          /* it never goes outwards */
+        const double r = hypot(d.curve[i].p[3][0] - 50, d.curve[i].p[3][1] - 50);
+        CHECK(i == 0 || r < before + 0.004);
+        CHECK(r < 9.502);
+        before = r;
+    }
+    CHECK(before < 1.01);
+    /* turns are 1 mm apart, so that their length is the area; both ends are drawn whole */
+    CHECK(fabs(path_length(&d, 0) - (9.5 * 9.5 - 0.25 + 2 * 10) * 3.14159265) < 1);
+    drawing_free(&d);
+    CHECK(fill_svg("<circle cx='50' cy='50' r='10'/>", "contour:1", "none", &d));
+    CHECK(d.curve[d.count - 1].path == 9);
+    drawing_free(&d);
+}
+
 int main(void)
 {
     PROPERTY(lines_fill_shapes, 1);
     PROPERTY(what_is_inside_is_what_is_painted, 200);
     PROPERTY(lines_cover_the_area, 100);
+    PROPERTY(contours_of_rectangles, 1);
+    PROPERTY(contours_keep_their_distance, 60);
+    PROPERTY(spirals_need_no_lift, 1);
     PROPERTY(bad_fills_are_refused, 1);
     return check_failures();
 }

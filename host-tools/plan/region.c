@@ -1,0 +1,301 @@
+/* host-tools/plan/region.c -- areas, by the library GEOS
+ * SPDX-License-Identifier: MIT
+ *
+ * Outlines may cross themselves: they are cut where they meet, and of the faces between them those
+ * are kept whose winding number the rule of filling asks for.
+ *   see  libgeos.org: the C API; OverlayNG with a precision, which cannot fail by rounding
+ */
+#include <geos_c.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/source.h"        /* source_name */
+#include "base/tool.h"
+#include "plan/region.h"
+
+#define GRID 1e-6               /* mm: where outlines meet is rounded to it */
+#define CHORDS_MAX 2000000u     /* of one shape */
+
+struct region {
+    GEOSContextHandle_t h;
+    GEOSGeometry *g;
+};
+
+/* Closed chains of points, one after the other. */
+typedef struct {
+    double (*point)[2];
+    size_t count, room;
+    size_t *first;              /* of each chain; one more behind the last */
+    size_t chains, chain_room;
+} polylines;
+
+
+// Chords
+// ------
+
+static bool add_point(polylines *p, const double at[2])
+{
+    const size_t begin = p->first[p->chains];
+
+    if (p->count > begin &&
+        hypot(p->point[p->count - 1][0] - at[0], p->point[p->count - 1][1] - at[1]) < GRID)
+        return true;
+    if (p->count == p->room) {
+        p->room  = p->room ? 2 * p->room : 1024;
+        p->point = tool_grow(p->point, p->room * sizeof *p->point);
+    }
+    memcpy(p->point[p->count++], at, sizeof *p->point);
+    return p->count < CHORDS_MAX;
+}
+
+static unsigned chords_of(const drawing_curve *c)
+{
+    double most = 0;
+
+    for (int k = 0; k < 2; k++)
+        most = fmax(most, hypot(c->p[k][0] - 2 * c->p[k + 1][0] + c->p[k + 2][0],
+                                c->p[k][1] - 2 * c->p[k + 1][1] + c->p[k + 2][1]));
+    return (unsigned)fmin(1 + sqrt(0.75 * most / REGION_TOL), 10000);
+}
+
+static void begin_chain(polylines *p)
+{
+    if (p->chains + 2 > p->chain_room) {
+        p->chain_room = p->chain_room ? 2 * p->chain_room : 64;
+        p->first      = tool_grow(p->first, p->chain_room * sizeof *p->first);
+    }
+    p->first[p->chains] = p->count;
+}
+
+/* The chords of the curves; `closed`: with a line back. */
+static bool find_chords(polylines *p, const drawing *d, size_t first, size_t last, bool closed)
+{
+    bool good = true;
+
+    *p = (polylines){ .count = 0 };
+    begin_chain(p);
+    for (size_t i = first; i < last && good; i++) {
+        const drawing_curve *c = &d->curve[i];
+        const unsigned n       = chords_of(c);
+        if (i == first || c->path != c[-1].path)
+            good = add_point(p, c->p[0]);
+        for (unsigned k = 1; k <= n && good; k++) {
+            double at[2];
+            drawing_eval(c, (double)k / n, at);
+            good = add_point(p, k == n ? c->p[3] : at);
+        }
+        if (i + 1 < last && c[1].path == c->path)
+            continue;
+        const size_t begin = p->first[p->chains];
+        if (closed && good)
+            good = add_point(p, p->point[begin]);
+        if (p->count - begin >= 2)
+            p->chains++;
+        else
+            p->count = begin;
+        begin_chain(p);
+    }
+    return good;
+}
+
+static void free_chords(polylines *p)
+{
+    free(p->point);
+    free(p->first);
+}
+
+static int winding(const polylines *p, const double at[2])
+{
+    int sum = 0;
+
+    for (size_t k = 0; k < p->chains; k++)
+        for (size_t i = p->first[k]; i + 1 < p->first[k + 1]; i++) {
+            const double *a = p->point[i], *b = p->point[i + 1];
+            if ((a[1] <= at[1]) == (b[1] <= at[1]))
+                continue;
+            const double x = a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+            sum += x < at[0] ? (b[1] > a[1] ? 1 : -1) : 0;
+        }
+    return sum;
+}
+
+
+// GEOS
+// ----
+
+static region *new_region(void)
+{
+    region *r = tool_grow(NULL, sizeof *r);
+
+    *r = (region){ .h = GEOS_init_r() };
+    return r;
+}
+
+static region *failed(region *r, const drawing *d, size_t first, const char *file)
+{
+    (void)tool_error(EX_DATAERR,
+                     "%s:%u: its area cannot be found: split the shape, or leave out what fills it",
+                     source_name(file), d->curve[first].line);
+    region_free(r);
+    return NULL;
+}
+
+int region_error(void) { return EX_DATAERR; }
+
+static GEOSGeometry *lines_of(GEOSContextHandle_t h, const polylines *p)
+{
+    GEOSGeometry **line = tool_grow(NULL, (p->chains + 1) * sizeof *line);
+    unsigned count      = 0;
+
+    for (size_t k = 0; k < p->chains; k++) {
+        const size_t n = p->first[k + 1] - p->first[k];
+        GEOSCoordSequence *s = GEOSCoordSeq_copyFromBuffer_r(h, p->point[p->first[k]], (unsigned)n,
+                                                             0, 0);
+        line[count] = s ? GEOSGeom_createLineString_r(h, s) : NULL;
+        count += line[count] != NULL;
+    }
+    GEOSGeometry *all = GEOSGeom_createCollection_r(h, GEOS_MULTILINESTRING, line, count);
+    free(line);
+    return all;
+}
+
+/* Of the faces, those that are inside. */
+static GEOSGeometry *join_faces(GEOSContextHandle_t h, const GEOSGeometry *faces,
+                                const polylines *p, bool evenodd)
+{
+    const int all        = GEOSGetNumGeometries_r(h, faces);
+    GEOSGeometry **inner = tool_grow(NULL, ((size_t)(all > 0 ? all : 0) + 1) * sizeof *inner);
+    unsigned count       = 0;
+
+    for (int i = 0; i < all; i++) {
+        const GEOSGeometry *face = GEOSGetGeometryN_r(h, faces, i);
+        GEOSGeometry *point      = GEOSPointOnSurface_r(h, face);
+        double at[2];
+        const bool good = point != NULL && GEOSGeomGetX_r(h, point, &at[0]) == 1 &&
+                          GEOSGeomGetY_r(h, point, &at[1]) == 1;
+        GEOSGeom_destroy_r(h, point);
+        const int turns = good ? winding(p, at) : 0;
+        if (evenodd ? turns & 1 : turns)
+            inner[count++] = GEOSGeom_clone_r(h, face);
+    }
+    GEOSGeometry *set = GEOSGeom_createCollection_r(h, GEOS_MULTIPOLYGON, inner, count);
+    free(inner);
+    GEOSGeometry *one = set ? GEOSUnaryUnionPrec_r(h, set, GRID) : NULL;
+    GEOSGeom_destroy_r(h, set);
+    return one;
+}
+
+region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd, const char *file)
+{
+    region *r = new_region();
+    polylines p;
+    const bool good     = find_chords(&p, d, first, last, true);
+    GEOSGeometry *lines = good ? lines_of(r->h, &p) : NULL,
+                 *cut = lines ? GEOSUnaryUnionPrec_r(r->h, lines, GRID) : NULL, *faces = NULL;
+
+    if (cut != NULL)
+        faces = GEOSPolygonize_r(r->h, (const GEOSGeometry *const[]){ cut }, 1);
+    if (faces != NULL)
+        r->g = join_faces(r->h, faces, &p, evenodd);
+    GEOSGeom_destroy_r(r->h, lines);
+    GEOSGeom_destroy_r(r->h, cut);
+    GEOSGeom_destroy_r(r->h, faces);
+    free_chords(&p);
+    return r->g ? r : failed(r, d, first, file);
+}
+
+/* Chords of a quarter turn with this radius. */
+static int quarter_chords(double radius)
+{
+    const double half = acos(1 - fmin(REGION_TOL / fmax(radius, REGION_TOL), 0.3));
+
+    return (int)fmin(fmax(ceil(0.7853981633974483 / half), 2), 200);
+}
+
+region *region_of_stroke(const drawing *d, size_t first, size_t last, const region_stroke *s,
+                         const char *file)
+{
+    static const int caps[]  = { GEOSBUF_CAP_FLAT, GEOSBUF_CAP_ROUND, GEOSBUF_CAP_SQUARE },
+                     joins[] = { GEOSBUF_JOIN_MITRE, GEOSBUF_JOIN_ROUND, GEOSBUF_JOIN_BEVEL };
+    region *r = new_region();
+    polylines p;
+
+    if (find_chords(&p, d, first, last, false)) {
+        GEOSGeometry *lines = lines_of(r->h, &p);
+        if (lines != NULL)
+            r->g = GEOSBufferWithStyle_r(r->h, lines, s->width / 2, quarter_chords(s->width / 2),
+                                         caps[s->cap], joins[s->join], s->mitre);
+        GEOSGeom_destroy_r(r->h, lines);
+    }
+    free_chords(&p);
+    return r->g ? r : failed(r, d, first, file);
+}
+
+bool region_shrink(region *r, double by, const char *file)
+{
+    GEOSGeometry *less = GEOSBufferWithStyle_r(r->h, r->g, -by, quarter_chords(by),
+                                               GEOSBUF_CAP_ROUND, GEOSBUF_JOIN_ROUND, 5);
+
+    if (less == NULL) {
+        (void)tool_error(EX_DATAERR,
+                         "%s: --fill: a shape cannot be made smaller by %g mm: give another "
+                         "distance",
+                         source_name(file), by);
+        return false;
+    }
+    GEOSGeom_destroy_r(r->h, r->g);
+    r->g = less;
+    return true;
+}
+
+static void add_ring(GEOSContextHandle_t h, const GEOSGeometry *line, bool hole, region_rings *out)
+{
+    const GEOSCoordSequence *s = line ? GEOSGeom_getCoordSeq_r(h, line) : NULL;
+    unsigned n                 = 0;
+
+    if (s == NULL || GEOSCoordSeq_getSize_r(h, s, &n) != 1 || n < 4)
+        return;
+    double(*point)[2] = tool_grow(NULL, n * sizeof *point);
+    if (GEOSCoordSeq_copyToBuffer_r(h, s, point[0], 0, 0) != 1) {
+        free(point);
+        return;
+    }
+    out->ring = tool_grow(out->ring, (out->count + 1) * sizeof *out->ring);
+    out->ring[out->count++] = (region_ring){ .point = point, .count = n - 1, .hole = hole };
+}
+
+void region_outlines(const region *r, region_rings *out)
+{
+    GEOSGeometry *plain     = GEOSTopologyPreserveSimplify_r(r->h, r->g, REGION_TOL / 4);
+    const GEOSGeometry *all = plain ? plain : r->g;
+    const int parts         = GEOSGetNumGeometries_r(r->h, all);
+
+    *out = (region_rings){ .count = 0 };
+    for (int i = 0; i < parts; i++) {
+        const GEOSGeometry *one = GEOSGetGeometryN_r(r->h, all, i);
+        if (GEOSGeomTypeId_r(r->h, one) != GEOS_POLYGON || GEOSisEmpty_r(r->h, one) == 1)
+            continue;
+        add_ring(r->h, GEOSGetExteriorRing_r(r->h, one), false, out);
+        for (int k = 0; k < GEOSGetNumInteriorRings_r(r->h, one); k++)
+            add_ring(r->h, GEOSGetInteriorRingN_r(r->h, one, k), true, out);
+    }
+    GEOSGeom_destroy_r(r->h, plain);
+}
+
+void region_rings_free(region_rings *rings)
+{
+    for (size_t i = 0; i < rings->count; i++)
+        free(rings->ring[i].point);
+    free(rings->ring);
+    *rings = (region_rings){ .count = 0 };
+}
+
+void region_free(region *r)
+{
+    if (r == NULL)
+        return;
+    GEOSGeom_destroy_r(r->h, r->g);
+    GEOS_finish_r(r->h);
+    free(r);
+}
