@@ -1,15 +1,13 @@
 /* lib/motion/emit.h -- samples of the motion become spans
  * SPDX-License-Identifier: MIT
  *
- * The spans are those of a uniform cubic B-spline in time, with the samples X at its knots: control
- * points C = X - D2 X / 6, moved by as little as holds all limits, and rounded to 2^-16 mm so that
- * they are held exactly, but in f32.
+ * The motion is a uniform cubic B-spline in time, with the samples X at its knots: control points
+ * C = X - D2 X / 6, moved by as little as holds all limits. Of these thin.h makes spans.
  */
 #ifndef LOFT_MOTION_EMIT_H
 #define LOFT_MOTION_EMIT_H
 
-#include "motion/period.h"  /* loft_period, loft_position */
-#include "motion/span.h"    /* loft_span */
+#include "motion/thin.h"    /* loft_thin, loft_period, loft_span */
 
 LOFT_BEGIN_C
 
@@ -21,12 +19,10 @@ typedef struct {
     loft_position sample[LOFT_EMIT_SAMPLES], point[LOFT_EMIT_SAMPLES];
     loft_coord feed[LOFT_EMIT_SAMPLES];     /* the speed that is asked for before each */
     uint16_t   number[LOFT_EMIT_SAMPLES];   /* curves that are behind each */
-    uint8_t    count, next;                 /* the next span begins at sample `next` */
-    bool       begun, moves, ended;
-    int64_t    at[LOFT_AXES];               /* of point[next], from the start of the chain */
-    int64_t    grains[LOFT_AXES];           /* 2^-16 mm from there to the end of the last span */
-    loft_vec   from, to;                    /* ends of the chain */
-    loft_vec   last;                        /* the end of the last span */
+    uint8_t    count, next;                 /* which point is used next? */
+    bool       begun, ended;
+    loft_thin  thin;
+    loft_vec   to;                          /* the end of the chain */
 } loft_emit;
 
 /* Begin a chain of at least two samples. */
@@ -42,6 +38,9 @@ void loft_emit_end(loft_emit *emit, loft_vec to);
 
 /* The next span, when it is sure; false: more samples are needed, or all is done. */
 bool loft_emit_next(loft_emit *emit, loft_span *out);
+
+/* Curves that are behind the end of the last span. */
+static inline uint16_t loft_emit_passed(const loft_emit *emit) { return emit->thin.passed; }
 
 LOFT_END_C
 

@@ -94,5 +94,8 @@ void loft_period_init(loft_period *period, const loft_limits *limits)
         period->accel[i] = whole(jerk > 0 ? accel : least(accel, 6 * period->tol), 6 * GRAIN);
         period->jerk[i] = whole(least(jerk > 0 ? jerk : period->accel[i], soft), 6 * GRAIN);
     }
-    period->tube = period->tol - period->tol / 24 - loft_coord_length(period->jerk) / 18;
+    const loft_coord spans = period->tol / 24 + loft_coord_length(period->jerk) / 18;
+    period->tube = period->tol - spans;
+    period->off = spans / 4 * 3;
+    period->joined = (uint16_t)least(LOFT_PERIOD_JOINED, (loft_coord)TICKS_MAX / period->ticks);
 }

@@ -12,14 +12,18 @@
 
 LOFT_BEGIN_C
 
+/* The most periods in a span. */
+#define LOFT_PERIOD_JOINED 16
+
 /* Do not rely on the fields. All in units of loft_coord. */
 typedef struct {
     loft_coord speed[LOFT_AXES];     /* v h, at most 2^28; of 2^-16 mm a multiple of 3 */
     loft_coord accel[LOFT_AXES];     /* a h^2, a multiple of 6 */
     loft_coord jerk[LOFT_AXES];      /* j h^3, a multiple of 6, limited or not */
     loft_coord tol;                  /* how far from the path */
-    loft_coord tube;                 /* how much of it is for the smooth path: spans may leave that
-                                      * by a 36th of a fourth difference */
+    loft_coord tube;                 /* how much of it is for the smooth path */
+    loft_coord off;                  /* and for spans, to be off its samples */
+    uint16_t  joined;               /* how many periods a span may last */
     uint16_t  tick_hz;
     uint16_t  ticks;                /* of a period */
 } loft_period;

@@ -379,7 +379,7 @@ enum loft_trajectory_state loft_trajectory_next(loft_trajectory *t, loft_span *o
 {
     for (;;) {
         if (loft_emit_next(&t->emit, out)) {
-            t->passed = t->emit.number[t->emit.next];
+            t->passed = loft_emit_passed(&t->emit);
             return LOFT_TRAJECTORY_SPAN;
         }
         if (t->emit.ended)

@@ -10,7 +10,7 @@ UNIT_SHARE ?= 1000
 UNITS      := build/units
 # raise: not part of a firmware (LOFT_PLAN_FLOW)
 UNITS_LEFT := harmonic wire_page yardstick topp raise \
-              coord emit path period timing trajectory tube
+              coord emit path period thin timing trajectory tube
 UNIT_TESTS := $(filter-out $(UNITS_LEFT),$(TESTS))
 UNIT_BASE  := libc/quad libc/int128 libc/aeabi libc/math libc/print alarm units
 UNIT_FLAGS  = -std=c99 -ffreestanding -O1 -Xclang -mlong-double-128 -Xclang -fforce-enable-int128 \

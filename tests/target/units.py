@@ -52,7 +52,7 @@ NOWHERE = {
     "raise": "boards average a limited jerk: it is no part of their firmware",
 }
 # the planner of trajectory.h is in no firmware yet (UNITS_LEFT in units.mk): not counted here
-HOST_ONLY = set("coord emit path period timing trajectory tube".split())
+HOST_ONLY = set("coord emit path period thin timing trajectory tube".split())
 NOT_HERE = {("nrf51", "planner"): "this board's firmware does not plan"}
 SECONDS = 600           # until we give up a chip that hangs, on a busy computer
 

@@ -4,6 +4,7 @@
 #define CURVES 100
 
 #include "support/motion_trajectory.h"
+#include "wire/codec.h"         /* loft_packer */
 
 static const arrival all_at_once = { CURVES, 112, NULL };
 
@@ -154,6 +155,49 @@ static void it_does_not_matter_how_a_path_is_cut(arb *a)
     CHECK(whole < (soft ? 2.05 : 0.95));        /* 2.35 and 1.07 by plan.h */
 }
 
+/* The bytes of all spans on the wire, without frames. */
+static unsigned bytes_of_spans(void)
+{
+    int32_t start[LOFT_AXES];
+    loft_predictor at;
+    loft_item item;
+    unsigned sum = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        start[i] = loft_raw_from_real(spans[0].p[0].axis[i]);
+    loft_predictor_init(&at, start);
+    for (unsigned k = 0; k < count; k++) {
+        uint8_t byte[LOFT_ITEM_BYTES];
+        loft_packer p;
+        loft_packer_init(&p, LOFT_SPANS, &at, byte, LOFT_ITEM_BYTES);
+        CHECK(loft_item_from_span(&item, &spans[k]) == LOFT_OK);
+        CHECK(loft_packer_push(&p, &item) == LOFT_OK);
+        sum += p.size;
+        at = p.predictor;
+    }
+    return sum;
+}
+
+/* Where the motion is smooth a span lasts many periods. With one span a period these are 336, 307
+ * and 432 spans. */
+static void spans_are_few_bytes(arb *a)
+{
+    static const struct {
+        double v, accel, jerk;
+        unsigned spans, bytes;
+    } most[3] = { { 100, 500, 10000, 150, 2200 },
+                  { 200, 3000, 100000, 150, 2200 },
+                  { 100, 500, 0, 210, 2900 } };
+    (void)a;
+    for (int n = 0; n < 3; n++) {
+        even_limits(most[n].v, most[n].accel, most[n].jerk);
+        outline(most[n].v);
+        CHECK(plan_chain(&all_at_once) == PLANNED);
+        const unsigned bytes = bytes_of_spans();
+        CHECK(count <= most[n].spans && bytes <= most[n].bytes);
+    }
+}
+
 /* A larger tolerance is not slower. */
 static void more_tolerance_is_faster(arb *a)
 {
@@ -230,6 +274,7 @@ int main(void)
     PROPERTY(lines_take_little_more_than_an_s_curve, 20);
     PROPERTY(long_ramps_are_as_steep_as_short_ones, 8);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 2);
+    PROPERTY(spans_are_few_bytes, 1);
     PROPERTY(more_tolerance_is_faster, 1);
     PROPERTY(room_and_passed_curves_are_told, 2);
     PROPERTY(what_it_cannot_plan_is_refused, 5);

@@ -1,0 +1,68 @@
+/* lib/motion/thin.h -- control points of a motion in time become spans, as few as will do
+ * SPDX-License-Identifier: MIT
+ *
+ * The points are those of a cubic B-spline in time with a knot at each. Knots are taken out where
+ * limits are held without them, and the motion stays close to its samples. Then a span lasts from
+ * knot to knot. Its control values are rounded to 2^-16 mm so that limits are held exactly, but in
+ * f32.
+ */
+#ifndef LOFT_MOTION_THIN_H
+#define LOFT_MOTION_THIN_H
+
+#include "motion/period.h"  /* loft_period, loft_position */
+#include "motion/span.h"    /* loft_span */
+
+LOFT_BEGIN_C
+
+#define LOFT_THIN_POINTS  13
+#define LOFT_THIN_SAMPLES 64        /* more than three spans of LOFT_PERIOD_JOINED periods */
+
+/* A control point. Its knot is at `time`. */
+typedef struct {
+    int64_t    at[LOFT_AXES];       /* from the start of the chain */
+    loft_coord feed;                /* the speed that is asked for since the knot before */
+    uint16_t   time;                /* periods, modulo 2^16 */
+    uint16_t   number;              /* curves that are behind the sample there */
+} loft_thin_point;
+
+/* Do not rely on the fields. */
+typedef struct {
+    const loft_period *period;
+    loft_thin_point point[LOFT_THIN_POINTS];
+    loft_position   sample[LOFT_THIN_SAMPLES];      /* after `time` periods, modulo their count */
+    loft_position   origin, last;   /* the first point, the last one */
+    uint8_t    count, next;         /* which knot may be taken out next? */
+    bool       ended, moves;
+    uint16_t   passed;              /* curves behind the end of the last span */
+    int64_t    grains[LOFT_AXES];   /* 2^-16 mm from the start to the end of the last span */
+    loft_vec   from, to, end;       /* ends of the chain, of the last span */
+} loft_thin;
+
+/* Begin a chain. */
+void loft_thin_begin(loft_thin *thin, const loft_period *period, loft_vec from);
+
+/* A point and the sample at its knot. */
+typedef struct {
+    loft_position point, sample;
+    loft_coord    feed;             /* the speed that is asked for since the one before */
+    uint16_t      number;           /* curves behind it */
+} loft_thin_input;
+
+/* Append a point; there is room for one after loft_thin_next gave false. The first three are where
+ * the chain begins. */
+void loft_thin_add(loft_thin *thin, const loft_thin_input *in);
+
+/* The last three points were the end of the chain, `to`. */
+void loft_thin_end(loft_thin *thin, loft_vec to);
+
+/* The next span, when it is sure.
+ *
+ *   shape   it begins where the last one ended, with its velocity and acceleration, to rounding
+ *   error   of its end: a grain, 2^-16 mm, more where limits ask for it
+ *   cost    LOFT_AXES times 60 quotients and 300 sums for each point that was added
+ */
+bool loft_thin_next(loft_thin *thin, loft_span *out);
+
+LOFT_END_C
+
+#endif
