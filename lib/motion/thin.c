@@ -58,7 +58,7 @@ typedef struct {
 static int64_t velocity(const loft_thin *t, unsigned k, int i)
 {
     const int64_t leg = t->point[k].at[i] - t->point[k - 1].at[i];
-    return leg * (3 << FINE) / from_to(t, k - 2, k + 1);
+    return leg * ((int32_t)3 << FINE) / from_to(t, k - 2, k + 1);
 }
 
 /* V[from .. to] and A[from .. to - 1]; it rests beyond the ends of the chain. */
@@ -111,9 +111,9 @@ static void set_pair(const loft_thin *t, unsigned j, pair *out)
                   b = from_to(t, j - 2, j), b_all = from_to(t, j - 2, j + 2),
                   c = from_to(t, j, j + 3), c_all = from_to(t, j - 1, j + 3);
     const bool begins = j - 1 <= FIRST + 1, ends = t->ended && j + 5u >= t->count;
-    const int32_t one = 1 << 16, shares = one +
-                                          (begins ? 0 : (b_all - b) * a_all * (one / b_all) / a) +
-                                          (ends ? 0 : b * c_all * (one / b_all) / c);
+    const int32_t one = (int32_t)1 << 16,
+                  shares = one + (begins ? 0 : (b_all - b) * a_all * (one / b_all) / a) +
+                           (ends ? 0 : b * c_all * (one / b_all) / c);
     for (int i = 0; i < LOFT_AXES; i++) {
         const int64_t at[5] = { t->point[j - 2].at[i], t->point[j - 1].at[i], t->point[j].at[i],
                                 t->point[j + 1].at[i], t->point[j + 2].at[i] };
@@ -156,7 +156,8 @@ static bool axis_is_close(const loft_thin *t, unsigned k, int i, const rates *r,
     const ends_of_axis e = ends_of(t, k, i, r);
     const int32_t n = from_to(t, k, k + 1);
     const int64_t most = t->period->off, d3 = (r->a[k + 1] - r->a[k]) / n;
-    int64_t at = e.six_p0 * (1 << FINE) / 6, d1 = e.v0 + r->a[k] / 2 + d3 / 6, d2 = r->a[k] + d3;
+    int64_t at = e.six_p0 * ((int32_t)1 << FINE) / 6, d1 = e.v0 + r->a[k] / 2 + d3 / 6,
+            d2 = r->a[k] + d3;
 
     for (int32_t m = 1; m <= n; m++) {
         const unsigned place = (t->point[k].time + (unsigned)m) % LOFT_THIN_SAMPLES;
