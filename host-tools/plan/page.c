@@ -9,6 +9,7 @@
 
 #include "base/source.h"    /* source_name */
 #include "engine/curve.h"   /* curves_free */
+#include "plan/areas.h"     /* areas_apply */
 #include "plan/page.h"
 
 #define PAGE_MAX 16000.0    /* mm */
@@ -439,8 +440,14 @@ static int place(const page_options *g, drawing *d, const char *file)
 
 int page_apply(const page_options *g, drawing *d, const char *file)
 {
-    int code = place(g, d, file);
+    const bool wide = g->stroke != NULL && strcmp(g->stroke, "outline") == 0;
+    int code        = 0;
 
+    if (g->stroke != NULL && !wide && strcmp(g->stroke, "line") != 0)
+        return tool_error(EX_USAGE, "--stroke %s: give line or outline", g->stroke);
+    code = areas_apply(wide, g->fill.distance > 0, d, file);
+    if (code == 0)
+        code = place(g, d, file);
     if (code == 0)
         code = fill_apply(&g->fill, d, file);
     const double size[2] = { d->width, d->height };

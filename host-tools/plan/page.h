@@ -22,6 +22,7 @@ typedef struct {
     double margin, gap;     /* mm */
     unsigned copies[2];     /* across, up; 0: one */
     fill_options fill;
+    const char *stroke;     /* "line" or "outline"; NULL: line */
 } page_options;
 
 /* Rows of a table of options. */
@@ -49,7 +50,9 @@ typedef struct {
         TOOL_PARSED("copies", "NXxNY", g, page_parse_copies, "NX side by side, in NY rows"),       \
         TOOL_NUMBER("gap", "MM", &(g)->gap, 0, 8000, "between copies (5)"),                        \
         TOOL_SWITCH("crop", &(g)->crop, "draw only what is on the page, without its margin"),     \
-        FILL_OPTIONS(&(g)->fill)
+        FILL_OPTIONS(&(g)->fill),                                                                  \
+        TOOL_TEXT("stroke", "HOW", &(g)->stroke,                                                   \
+                  "of SVG: line: along its middle, outline: around all that it covers (line)")
 
 #define PAGE_GAP 5          /* mm; the default of `gap` */
 

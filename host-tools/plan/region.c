@@ -205,6 +205,53 @@ region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd,
     return r->g ? r : failed(r, d, first, file);
 }
 
+/* All shapes of an outline together. */
+static region *shapes_of(const drawing *outline, const char *file)
+{
+    region *all = NULL;
+
+    for (size_t first = 0, last; first < outline->count; first = last) {
+        const unsigned fill = outline->curve[first].fill;
+        for (last = first; last < outline->count && outline->curve[last].fill == fill; last++)
+            ;
+        region *one = region_inside(outline, first, last, fill & DRAWING_EVENODD, file);
+        if (one == NULL || all == NULL) {
+            if (one == NULL) {
+                region_free(all);
+                return NULL;
+            }
+            all = one;
+            continue;
+        }
+        GEOSGeometry *both = GEOSUnionPrec_r(all->h, all->g, one->g, GRID);
+        region_free(one);
+        GEOSGeom_destroy_r(all->h, all->g);
+        all->g = both;
+        if (both == NULL)
+            return failed(all, outline, first, file);
+    }
+    return all;
+}
+
+bool region_cut(region *r, const drawing *outline, const char *file)
+{
+    region *by = outline->count > 0 ? shapes_of(outline, file) : NULL;
+
+    if (outline->count > 0 && by == NULL)
+        return false;
+    GEOSGeometry *cut = by ? GEOSIntersectionPrec_r(r->h, r->g, by->g, GRID)
+                           : GEOSGeom_createEmptyPolygon_r(r->h);
+    region_free(by);
+    if (cut == NULL) {
+        (void)tool_error(EX_DATAERR, "%s: a clip path cannot be applied: simplify it",
+                         source_name(file));
+        return false;
+    }
+    GEOSGeom_destroy_r(r->h, r->g);
+    r->g = cut;
+    return true;
+}
+
 /* Chords of a quarter turn with this radius. */
 static int quarter_chords(double radius)
 {

@@ -46,6 +46,10 @@ region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd,
 region *region_of_stroke(const drawing *d, size_t first, size_t last, const region_stroke *s,
                          const char *file);
 
+/* Replace it by what is inside of the shapes of an outline too, each by its own rule. Returns
+ * false, after one line, if that fails; nothing may be left. */
+bool region_cut(region *r, const drawing *outline, const char *file);
+
 /* Replace it by all that is farther than `by` from its edge. Returns false, after one line, if that
  * fails; nothing may be left.
  *

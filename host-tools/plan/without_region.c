@@ -27,6 +27,12 @@ region *region_of_stroke(const drawing *d, size_t first, size_t last, const regi
     return refused();
 }
 
+bool region_cut(region *r, const drawing *outline, const char *file)
+{
+    (void)r, (void)outline, (void)file;
+    return false;
+}
+
 bool region_shrink(region *r, double by, const char *file)
 {
     (void)r, (void)by, (void)file;

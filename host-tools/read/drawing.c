@@ -65,8 +65,24 @@ void drawing_free(drawing *d)
     if (d->of != NULL)
         curves_free(d->of);
     free(d->of);
+    for (size_t i = 0; i < d->clips; i++)
+        free(d->clip[i].outline.curve);
+    free(d->clip);
     free(d->curve);
     *d = (drawing){ 0 };
+}
+
+unsigned drawing_add_clip(drawing *d, const drawing *outline, unsigned up)
+{
+    drawing_clip *to;
+
+    d->clip = tool_grow(d->clip, (d->clips + 1) * sizeof *d->clip);
+    to      = &d->clip[d->clips++];
+    *to     = (drawing_clip){ .up = up };
+    for (size_t i = 0; i < outline->count; i++)
+        drawing_add_like(&to->outline, &outline->curve[i],
+                         i == 0 || outline->curve[i].path != outline->curve[i - 1].path);
+    return (unsigned)d->clips;
 }
 
 void drawing_add_like(drawing *d, const drawing_curve *c, bool fresh)

@@ -25,9 +25,14 @@ typedef struct {
     unsigned path;          /* 0, 1, 2 ..: curves of one path follow each other and are connected */
     unsigned line;          /* its line in the file */
     unsigned tool;          /* of the machine: its number in the table of tools, from 1; 0: none */
+    float width, mitre;     /* of SVG: of its stroke, mm, 0: none is known; length over width */
+    unsigned char cap, join;/* of it: butt, round, square; mitre, round, bevel */
+    unsigned clip;          /* of SVG: which area it is cut at, from 1; 0: at none */
     unsigned fill;          /* of SVG: which shape it outlines times DRAWING_SHAPE, and how that is
                              * painted */
 } drawing_curve;
+
+struct drawing_clip;
 
 typedef struct {
     drawing_curve *curve;
@@ -47,8 +52,16 @@ typedef struct {
                              * reading */
     bool areas;             /* of SVG: keep outlines of what is filled also where they are not
                              * drawn; set before reading */
+    struct drawing_clip *clip;      /* areas at which painted shapes are cut */
+    size_t clips;
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */
 } drawing;
+
+/* What is left of a shape is inside of the outline, and of the area number `up`, 0: none. */
+typedef struct drawing_clip {
+    drawing outline;        /* its shapes together, each by its own rule */
+    unsigned up;
+} drawing_clip;
 
 /* mm; coordinates beyond +- this are refused: they must fit Q16.16 sums */
 #define DRAWING_LIMIT 16000.0
@@ -72,6 +85,9 @@ void drawing_free(drawing *d);
 void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line);
 void drawing_add_space(drawing *d, double p[4][3], double feed, bool fresh, unsigned line);
 void drawing_add_like(drawing *d, const drawing_curve *c, bool fresh);
+
+/* The number of the area that is inside of an outline, which is copied, and of another one. */
+unsigned drawing_add_clip(drawing *d, const drawing *outline, unsigned up);
 
 /* The same for a curve that may continue the one before: if it starts at that end, it is joined
  * exactly. A curve without length is left out; one beyond the limits is refused with one line. The

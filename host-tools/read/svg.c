@@ -5,6 +5,7 @@
  * and use. What it cannot draw (pictures, masks) is reported once. An error in the file ends
  * the reading, with its line.
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -127,13 +128,42 @@ static void read_words(svg_reader *r, const svg_style *style, enum svg_property 
     xmlFree(value);
 }
 
-static void read_cap(svg_reader *r, const svg_style *style, bool *round)
+/* One of three words; the first one if it is not set. */
+static void read_choice(svg_reader *r, const svg_style *style, enum svg_property which,
+                        const char *const words[3], int *choice)
 {
-    char *value = svg_property(r, style, SVG_LINECAP, NULL);
+    char *value = svg_property(r, style, which, NULL);
 
-    if (!is_inherited(value))
-        *round = strcmp(value, "round") == 0 || strcmp(value, "square") == 0;
+    for (int i = 0; !is_inherited(value) && i < 3; i++)
+        if (i == 0 || strcmp(value, words[i]) == 0)
+            *choice = i;
     xmlFree(value);
+}
+
+/* How wide a stroke is, in user units, and its ends and corners. */
+static void read_stroke(svg_reader *r, const svg_style *style, svg_space *space)
+{
+    static const char *const caps[] = { "butt", "round", "square" }, *const joins[] = { "miter",
+                                                                                        "round",
+                                                                                        "bevel" };
+    const double across = fmax(space->width, 0), along = fmax(space->height, 0);
+    char *width = svg_property(r, style, SVG_STROKE_WIDTH, NULL),
+         *mitre = svg_property(r, style, SVG_MITRE, NULL);
+    const char *at = mitre;
+    double x;
+
+    if (width != NULL && strcmp(width, "initial") == 0)
+        space->stroke_width = 1;
+    else if (!is_inherited(width) &&
+             svg_css_length(space, width, sqrt((across * across + along * along) / 2), &x) &&
+             x >= 0)
+        space->stroke_width = x;
+    if (!is_inherited(mitre) && scan_number(&at, &x) && x >= 1)
+        space->mitre = x;
+    read_choice(r, style, SVG_LINECAP, caps, &space->cap);
+    read_choice(r, style, SVG_LINEJOIN, joins, &space->join);
+    xmlFree(width);
+    xmlFree(mitre);
 }
 
 static void read_visibility(svg_reader *r, const svg_style *style, bool *visible)
@@ -170,7 +200,7 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     read_words(r, style, SVG_CLIP_PATH, &space->clip);
     read_words(r, style, SVG_DASHES, &space->dashes);
     read_words(r, style, SVG_DASH_OFFSET, &space->dash_offset);
-    read_cap(r, style, &space->round);
+    read_stroke(r, style, space);
     read_positive(r, style, SVG_FILL_OPACITY, &space->fill_opaque);
     read_positive(r, style, SVG_STROKE_OPACITY, &space->stroke_opaque);
     read_positive(r, style, SVG_STROKE_WIDTH, &space->stroke_wide);
@@ -536,6 +566,11 @@ bool svg_begin(svg_reader *r, const svg_space *space)
 
     r->fill = (r->fill / DRAWING_SHAPE + 1) * DRAWING_SHAPE + (filled ? DRAWING_FILLED : 0) +
               (stroked ? DRAWING_STROKED : 0) + (evenodd ? DRAWING_EVENODD : 0);
+    const svg_matrix *m = &space->to_mm;
+    r->width = (float)(space->stroke_width * sqrt(fabs(m->a * m->d - m->b * m->c)));
+    r->mitre = (float)space->mitre;
+    r->cap   = (unsigned char)space->cap;
+    r->join  = (unsigned char)space->join;
     r->tool = r->layer_tool ? r->layer_tool : svg_ink_tool(r, space, stroked);
     return space->visible && (filled || stroked);
 }
@@ -740,6 +775,8 @@ static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg
                           .fill_opaque = true,
                           .stroke_opaque = true,
                           .stroke_wide = true,
+                          .stroke_width = 1,
+                          .mitre = 4,
                           .font = svg_font_usual() };
     r->node = root;
     if (!svg_view_box(r, box, &given))

@@ -72,6 +72,8 @@ typedef struct {
     svg_fonts *fonts;
     svg_lines *lines;
     unsigned fill, tool;        /* of the current shape, see drawing.h */
+    float width, mitre;
+    unsigned char cap, join;
     unsigned layer_tool;        /* of the layers around the current element; 0: none */
     bool clipping;              /* what is drawn now is a clip path */
     unsigned long long compared;/* pairs of curves, to stop a flood of them */
@@ -129,7 +131,8 @@ typedef struct {
     bool evenodd, clip_evenodd; /* fill-rule, clip-rule */
     const char *clip;           /* clip-path of this element; NULL: none */
     const char *dashes, *dash_offset;       /* as written; NULL: none */
-    bool round;                 /* stroke-linecap is not butt */
+    double stroke_width, mitre; /* user units; stroke-miterlimit */
+    int cap, join;              /* of strokes, see drawing.h */
     const char *fill_ink, *stroke_ink;      /* colours, of svg_ink; NULL: black */
     bool clipped;               /* the element is clipped by its viewport */
     svg_font font;
@@ -185,7 +188,6 @@ enum svg_warning {
     SVG_WARN_MARKER,
     SVG_WARN_BOX,
     SVG_WARN_UNSEEN,
-    SVG_WARN_AREA,
     SVG_WARN_USE_NOTHING,
     SVG_WARN_USE_ELSEWHERE,
     SVG_WARN_USE_MISSING
@@ -221,6 +223,8 @@ enum svg_property {
     SVG_DASHES,
     SVG_DASH_OFFSET,
     SVG_LINECAP,
+    SVG_LINEJOIN,
+    SVG_MITRE,
     SVG_MARKER,
     SVG_MARKER_START,
     SVG_MARKER_MID,

@@ -151,15 +151,27 @@ static void keep_parts(const drawing *outline, const drawing_curve *c, const cut
     *drawn = in;
 }
 
-/* What is filled keeps its whole outline for that. */
-static void keep_areas(const drawing *d, size_t first, drawing *out)
+/* The area of an outline within another area; one for all shapes that have this one around them. */
+static unsigned area_within(drawing *d, const drawing *outline, unsigned up, size_t first_clip)
 {
+    for (size_t k = first_clip; k < d->clips; k++)
+        if (d->clip[k].up == up)
+            return (unsigned)k + 1;
+    return drawing_add_clip(d, outline, up);
+}
+
+/* What is filled keeps its whole outline for that. */
+static void keep_areas(drawing *d, const drawing *outline, size_t first, drawing *out)
+{
+    const size_t clips = d->clips;
+
     for (size_t i = first; i < d->count && d->areas; i++) {
         drawing_curve whole = d->curve[i];
         const bool fresh    = i == first || whole.path != d->curve[i - 1].path;
         if (!(whole.fill & DRAWING_FILLED))
             continue;
         whole.fill |= DRAWING_HIDDEN;
+        whole.clip = area_within(d, outline, whole.clip, clips);
         drawing_add_like(out, &whole, fresh);
     }
 }
@@ -171,12 +183,7 @@ bool svg_cut(svg_reader *r, const drawing *outline, size_t first)
     cuts at     = { .at = NULL };
     bool good = true, drawn = false;
 
-    keep_areas(d, first, &out);
-    if (out.count > 0)
-        svg_warn(r, SVG_WARN_AREA,
-                 "clip-path cuts outlines, but not what --fill draws: clip the "
-                 "paths in the editor");
-
+    keep_areas(d, outline, first, &out);
     for (size_t i = first; i < d->count && good; i++) {
         const drawing_curve *c = &d->curve[i];
         const bool fresh       = i == first || c->path != c[-1].path;

@@ -193,7 +193,7 @@ bool svg_dash(svg_reader *r, const svg_space *space, size_t first)
     const size_t last   = d->count;
     dashing g           = { .r = r,
                             .to_user = { m->d / area, -m->b / area, -m->c / area, m->a / area },
-                            .dot = space->round ? DOT / svg_stretch(*m) : 0 };
+                            .dot = space->cap > 0 ? DOT / svg_stretch(*m) : 0 };
     double length       = 0;
 
     if (!(r->fill & DRAWING_STROKED) || first == last || !read_dashes(&g, space))

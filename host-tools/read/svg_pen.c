@@ -65,8 +65,13 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
         return svg_fail(pen->r, "more than %u curves: split the drawing", DRAWING_CURVES_MAX);
 
     drawing_add(d, p, pen->fresh, pen->line);
-    d->curve[d->count - 1].fill = pen->r->fill;
-    d->curve[d->count - 1].tool = pen->r->tool;
+    drawing_curve *c = &d->curve[d->count - 1];
+    c->fill  = pen->r->fill;
+    c->tool  = pen->r->tool;
+    c->width = pen->r->width;
+    c->mitre = pen->r->mitre;
+    c->cap   = pen->r->cap;
+    c->join  = pen->r->join;
     memcpy(pen->end, p[3], sizeof p[3]);
     pen->fresh = false;
     return true;

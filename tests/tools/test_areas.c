@@ -1,0 +1,180 @@
+/* tests/tools/test_areas.c -- strokes as areas, and painted areas cut at clip paths
+ * SPDX-License-Identifier: MIT
+ *
+ * cairo judges: a point is in a stroke, or in what is painted inside of a clip path, or not.
+ */
+#include <cairo.h>
+
+#include "plan/areas.h"
+#include "tools/drawn.h"
+
+static bool areas_of(const char *inner, bool strokes, bool fills, drawing *d)
+{
+    char text[4000];
+
+    snprintf(text, sizeof text, PAGE("%s"), inner);
+    caught[0]    = '\0';
+    caught_lines = 0;
+    *d           = (drawing){ .areas = fills };
+    return drawing_read_svg(d, "test.svg", text, strlen(text)) == 0 &&
+           areas_apply(strokes, fills, d, "test.svg") == 0;
+}
+
+static void add_curves(cairo_t *cairo, const drawing *d, unsigned without)
+{
+    for (size_t i = 0; i < d->count; i++) {
+        const drawing_curve *c = &d->curve[i];
+        if (c->fill & without)
+            continue;
+        if (i == 0 || c->path != c[-1].path || c[-1].fill & without)
+            cairo_move_to(cairo, c->p[0][0], c->p[0][1]);
+        cairo_curve_to(cairo, c->p[1][0], c->p[1][1], c->p[2][0], c->p[2][1], c->p[3][0],
+                       c->p[3][1]);
+    }
+}
+
+static cairo_t *judge_of(const drawing *d, unsigned without)
+{
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
+    cairo_t *cairo           = cairo_create(surface);
+
+    cairo_surface_destroy(surface);
+    cairo_set_tolerance(cairo, 0.001);
+    cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
+    add_curves(cairo, d, without);
+    return cairo;
+}
+
+/* Do both say the same of a point, unless it is near an edge? */
+static bool agree(cairo_t *one, cairo_bool_t (*is_in)(cairo_t *, double, double), cairo_t *area,
+                  double x, double y, unsigned *inside)
+{
+    const double near = 0.03;
+    const bool in     = is_in(one, x, y);
+
+    for (int k = 0; k < 8; k++)
+        if (is_in(one, x + near * ((k % 3) - 1), y + near * ((k / 3) - 1)) != in)
+            return true;
+    *inside += in;
+    return cairo_in_fill(area, x, y) == in;
+}
+
+static void strokes_become_areas(arb *a)
+{
+    static const char *const caps[] = { "butt", "round", "square" }, *const joins[] = { "miter",
+                                                                                        "round",
+                                                                                        "bevel" };
+    const unsigned cap = arb_below(a, 3), join = arb_below(a, 3), width = 1 + arb_below(a, 6);
+    const bool closed = join > 0 && arb_below(a, 2);
+    char inner[1000], shape[300] = "";
+    unsigned inside = 0;
+    drawing line, area;
+
+    /* mitres are within their limit: beyond it browsers cut a corner shorter than GEOS does */
+    snprintf(shape, sizeof shape, "M%u %uC%u %u 60 20 %u %uL%u %uL%u %u%s", 10 + arb_below(a, 10),
+             10 + arb_below(a, 10), 30 + arb_below(a, 10), 40 + arb_below(a, 30),
+             80 + arb_below(a, 9), 20 + arb_below(a, 10), 80 + arb_below(a, 10),
+             80 + arb_below(a, 10), 20 + arb_below(a, 10), 80 + arb_below(a, 10),
+             closed ? "z" : "");
+    snprintf(inner, sizeof inner,
+             "<path transform='translate(5 0) scale(.9)' fill='none' stroke='red' "
+             "stroke-width='%u' stroke-linecap='%s' style='stroke-linejoin:%s' d='%s'/>",
+             width, caps[cap], joins[join], shape);
+    CHECK(areas_of(inner, false, false, &line) && areas_of(inner, true, false, &area));
+    CHECK(area.count > line.count && area.curve[0].fill & DRAWING_FILLED);
+    cairo_t *one = judge_of(&line, 0), *other = judge_of(&area, 0);
+    if (closed)
+        cairo_close_path(one);
+    cairo_set_line_width(one, 0.9 * width);
+    cairo_set_line_cap(one, cap == 0   ? CAIRO_LINE_CAP_BUTT
+                            : cap == 1 ? CAIRO_LINE_CAP_ROUND
+                                       : CAIRO_LINE_CAP_SQUARE);
+    cairo_set_line_join(one, join == 0   ? CAIRO_LINE_JOIN_MITER
+                             : join == 1 ? CAIRO_LINE_JOIN_ROUND
+                                         : CAIRO_LINE_JOIN_BEVEL);
+    cairo_set_miter_limit(one, 4);
+    for (int k = 0; k < 2000; k++)
+        CHECK(agree(one, cairo_in_stroke, other, arb_below(a, 100000) / 1000.0,
+                    arb_below(a, 100000) / 1000.0, &inside));
+    CHECK(inside > 10);
+    cairo_destroy(one);
+    cairo_destroy(other);
+    drawing_free(&line);
+    drawing_free(&area);
+}
+
+static cairo_t *clip, *painted;
+static cairo_bool_t in_both(cairo_t *cairo, double x, double y)
+{
+    (void)cairo;
+    return cairo_in_fill(clip, x, y) && cairo_in_fill(painted, x, y);
+}
+
+static void painted_areas_are_clipped(arb *a)
+{
+    char star[400] = "M50 5", circle[200], inner[1500];
+    unsigned inside = 0;
+    drawing area, plain;
+
+    for (int k = 0; k < 5; k++)
+        snprintf(star + strlen(star), sizeof star - strlen(star), "L%u %u", arb_below(a, 100),
+                 arb_below(a, 100));
+    snprintf(circle, sizeof circle, "<circle cx='%u' cy='%u' r='%u'/>", 30 + arb_below(a, 40),
+             30 + arb_below(a, 40), 10 + arb_below(a, 30));
+    snprintf(inner, sizeof inner,
+             "<clipPath id='c'>%s</clipPath><g clip-path='url(#c)'><path fill-rule='evenodd' "
+             "d='%s'/></g>",
+             circle, star);
+    CHECK(areas_of(inner, false, true, &area));
+    cairo_t *of = judge_of(&area, 0);       /* what is drawn of the outline is no area */
+    cairo_new_path(of);
+    for (size_t i = 0; i < area.count; i++) {
+        const drawing_curve *c = &area.curve[i];
+        if (!(c->fill & DRAWING_HIDDEN))
+            continue;
+        if (i == 0 || c->path != c[-1].path)
+            cairo_move_to(of, c->p[0][0], c->p[0][1]);
+        cairo_line_to(of, c->p[3][0], c->p[3][1]);
+    }
+    CHECK(areas_of(circle, false, false, &plain));
+    clip = judge_of(&plain, 0);
+    drawing_free(&plain);
+    snprintf(inner, sizeof inner, "<path d='%sz'/>", star);
+    CHECK(areas_of(inner, false, false, &plain));
+    painted = judge_of(&plain, 0);
+    drawing_free(&plain);
+    for (int k = 0; k < 1000; k++)
+        CHECK(agree(of, in_both, of, arb_below(a, 100000) / 1000.0, arb_below(a, 100000) / 1000.0,
+                    &inside));
+    cairo_destroy(of);
+    cairo_destroy(clip);
+    cairo_destroy(painted);
+    drawing_free(&area);
+}
+
+/* Two clip paths, one around the other; and one that leaves nothing. */
+static void clip_paths_add_up(arb *a)
+{
+    unsigned hidden = 0;
+    drawing d;
+
+    (void)a;
+    CHECK(areas_of("<clipPath id='c'><path d='M10 10h20v20h-20z'/></clipPath>"
+                   "<clipPath id='d'><path d='M20 20h20v20h-20z'/></clipPath>"
+                   "<clipPath id='e'/>"
+                   "<g clip-path='url(#c)'><g clip-path='url(#d)'><path d='M0 0h99v99h-99z'/></g>"
+                   "<path clip-path='url(#e)' d='M0 0h99v99h-99z'/></g>",
+                   false, true, &d));
+    for (size_t i = 0; i < d.count; i++)
+        hidden += (d.curve[i].fill & DRAWING_HIDDEN) != 0;
+    CHECK(hidden == 4);         /* the second shape has no area, and none of its outline is seen */
+    drawing_free(&d);
+}
+
+int main(void)
+{
+    PROPERTY(strokes_become_areas, 60);
+    PROPERTY(painted_areas_are_clipped, 60);
+    PROPERTY(clip_paths_add_up, 1);
+    return check_failures();
+}
