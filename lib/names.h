@@ -157,6 +157,7 @@
 #define loft_budget_beat           LOFT_NAME(loft_budget_beat)
 #define loft_budget_init           LOFT_NAME(loft_budget_init)
 #define loft_budget_joint          LOFT_NAME(loft_budget_joint)
+#define loft_bump_part             LOFT_NAME(loft_bump_part)
 #define loft_cardinal_deriv        LOFT_NAME(loft_cardinal_deriv)
 #define loft_cardinal_eval         LOFT_NAME(loft_cardinal_eval)
 #define loft_catmull_deriv         LOFT_NAME(loft_catmull_deriv)

@@ -12,7 +12,8 @@
  */
 #include "motion/timing.h"
 
-#define WIDEST      16
+#include "motion/bump.h"    /* loft_bump_part */
+
 #define EASY        32      /* knots before an open end */
 #define FINE        1000
 
@@ -156,13 +157,6 @@ int32_t loft_timing_even(const loft_period *period, const loft_knot knot[], unsi
 /* part = 2^15 r, r = J / D3: b = 2^24 r^(2/3) = 2^24 (part^2 / 2^30)^(1/3)
  *      = 2^14 (part^2)^(1/3) = 2^7 (part^2 2^21)^(1/3) */
 
-/* w(z) = 1 - 2 z^2 up to 1/2, then 2 (1 - z)^2; z = |i| / (width + 1/2); 2^-16 */
-static int32_t bump(int i, int width)
-{
-    const int32_t z = (i < 0 ? -i : i) * 131072 / (2 * width + 1), y = 65536 - z;
-    return z < 32768 ? 65536 - (int32_t)((int64_t)z * z >> 15) : (int32_t)((int64_t)y * y >> 15);
-}
-
 /* Towards an open end little is used of the limits, so that what comes later can still raise
  * it. */
 static int share_of(const loft_timing *t, unsigned k)
@@ -178,148 +172,66 @@ bool loft_timing_all_hold(const loft_timing *t, unsigned from, unsigned to)
     return true;
 }
 
-/* A bump around a knot: how much of it each of them gets, 2^-16. */
+/* Bumps: w(z) = 1 - 2 z^2 up to 1/2, then 2 (1 - z)^2, with z = i / (width + 1/2), 2^-15. */
+static const uint16_t narrowest[] = { 32768, 7281 }, narrow[] = { 32768, 22282, 2621 },
+                      middle[] = { 32768, 29531, 19822, 7281, 809 },
+                      wide[] = { 32768, 31860, 29139, 24604, 18254, 11111, 5669, 2040, 226 },
+                      widest[] = { 32768, 32527, 31805, 30601, 28916, 26750, 24102, 20972, 17361,
+                                   13540, 10170, 7281, 4874, 2948, 1504, 541, 60 };
+
+/* A bump around knot `at`, of the height `by`. */
 typedef struct {
-    unsigned from, to;              /* knots from..to - 1 */
-    int32_t  part[2 * WIDEST + 1];
-} bump_of_knots;
+    const loft_timing *t;
+    const uint16_t *part;
+    unsigned at, width;
+    int32_t  by;
+} bump;
 
-static void set_bump(const loft_timing *t, unsigned at, int width, bump_of_knots *out)
+/* How much of it a knot gets. */
+static int32_t add_at(const bump *b, unsigned k)
 {
-    unsigned n = 0;
-
-    out->from = at > t->from + (unsigned)width ? at - (unsigned)width : t->from;
-    for (int i = (int)out->from - (int)at; i <= width && (int)at + i < (int)t->to; i++)
-        out->part[n++] = bump(i, width);
-    out->to = out->from + n;
+    const unsigned i = k > b->at ? k - b->at : b->at - k;
+    return k < b->t->from || k >= b->t->to || i > b->width
+               ? 0
+               : (b->by >> 15) * b->part[i] +
+                     (int32_t)((uint32_t)(b->by & 32767) * b->part[i] >> 15);
 }
 
-static int32_t part_at(const bump_of_knots *bumps, unsigned k)
+/* Take off it what limits do not allow between knot k and the next. */
+static void shorten(bump *b, unsigned k)
 {
-    return k >= bumps->from && k < bumps->to ? bumps->part[k - bumps->from] : 0;
-}
+    const int32_t add[3] = { add_at(b, k), add_at(b, k + 1), add_at(b, k + 2) };
+    const int32_t part = loft_bump_part(b->t->period, b->t->knot, k, share_of(b->t, k), add);
 
-/* 1 / sqrt b from below, 2^-24, for b of 2^14 at least: Newton from a straight line. */
-static int64_t inverse_root(int32_t b)
-{
-    int p = -4;
-
-    while (b >> (8 + 2 * p) >= 65536)
-        p++;
-    const uint32_t m = (uint32_t)b >> (8 + 2 * p);          /* b = 4^p m 2^8, m 2^14 to 2^16 */
-    uint32_t y = 36258 - (m * 20324 >> 16);                 /* 2^-14 */
-    for (int n = 0; n < 2; n++)
-        y = y * (49152 - ((y * y >> 14) * m >> 16)) >> 15;
-    y -= 8;
-    return p < 0 ? (int64_t)y << (10 - p) : (int64_t)(y << 10) >> p;
-}
-
-/* The largest step, `by` at most, so that at + slope * step <= most. */
-static int32_t step_up_to(int64_t most, int64_t at, int64_t slope, int32_t by)
-{
-    if (slope <= 0 || slope * by <= most - at)
-        return by;
-    return most > at ? (int32_t)((most - at) / slope) : 0;
-}
-
-/* The largest step, `by` at most, so that the size of at + slope * step is at most most - fall *
- * step. */
-static int32_t step_to(int64_t most, int64_t fall, int64_t at, int64_t slope, int32_t by)
-{
-    if ((loft_long_abs(slope) + fall) * by <= most - loft_long_abs(at))
-        return by;
-    return step_up_to(most, -at, fall - slope, step_up_to(most, at, fall + slope, by));
-}
-
-/* What the pace is in one place between two knots, and what a bump adds to it. */
-typedef struct {
-    pace    now, more;
-    int64_t root, fall;             /* 1 / sqrt b, and how it falls with a step, 2^-24 */
-} place_of_pace;
-
-static void set_fall(place_of_pace *x)
-{
-    const int32_t floor = (int32_t)1 << 14, b = x->now.b > floor ? x->now.b : floor;
-    const int64_t root = inverse_root(b), square = root * root >> 24;
-
-    x->root = root + ((root >> 1) * (b - x->now.b)) / b;
-    x->fall = (root * square >> 24) * x->more.b >> 17;
-}
-
-/* 1 / sqrt b is convex: its tangent is below it. */
-static int32_t axis_step(const loft_period *p, legs e, int i, const place_of_pace at[3],
-                         int32_t curve, int32_t more, int share, int32_t by)
-{
-    const loft_coord d2[3] = { e.b - e.a, (e.c - e.a) / 2, e.c - e.b };
-    const loft_coord d1[3] = { e.a + e.b, (e.a + 6 * e.b + e.c) / 4, e.b + e.c };
-    const loft_coord d3 = d2[2] - d2[0], j = part_of(p->jerk[i], share);
-    const int64_t a = (int64_t)part_of(p->accel[i], share) << 24;
-
-    for (int n = 0; n < 3 && by > 0; n++) {
-        const pace *x = &at[n].now, *y = &at[n].more;
-        const int64_t accel = (int64_t)d2[n] * x->b + (int64_t)d1[n] * x->slope / 4,
-                      rise = ((int64_t)d2[n] * y->b + (int64_t)d1[n] * y->slope / 4) >> 16;
-        by = step_to(a, 0, accel, rise, by);
-        const int64_t jerk = (int64_t)d3 * x->b + (int64_t)d2[n] * x->slope * 3 / 2 +
-                             (int64_t)d1[n] * curve / 4,
-                      swell = ((int64_t)d3 * y->b + (int64_t)d2[n] * y->slope * 3 / 2 +
-                               (int64_t)d1[n] * more / 4) >>
-                              16,
-                      most = j * at[n].root, fall = (j * at[n].fall >> 24) + 1;
-        by = step_to(most, fall, jerk, swell, by);
-    }
-    return by;
-}
-
-/* How much of a bump all limits allow between knot k and the next. at[0] is set if `k` is not the
- * first one; at[2] is the next at[0]. */
-static int32_t step_between(const loft_timing *t, unsigned k, const bump_of_knots *bumps,
-                            place_of_pace at[3], bool first, int32_t by)
-{
-    const loft_knot *q = &t->knot[k];
-    const int32_t w0 = part_at(bumps, k), w1 = part_at(bumps, k + 1), w2 = part_at(bumps, k + 2);
-    const int32_t curve = q[0].v2 - 2 * q[1].v2 + q[2].v2, more = w0 - 2 * w1 + w2;
-    const int share = share_of(t, k);
-    pace now[3], add[3];
-
-    set_pace(q[0].v2, q[1].v2, q[2].v2, now);
-    set_pace(w0, w1, w2, add);
-    for (int n = first ? 0 : 1; n < 3; n++) {
-        at[n].now = now[n];
-        at[n].more = add[n];
-        set_fall(&at[n]);
-        if (((int64_t)by * add[n].b >> 16) > q->top - now[n].b)
-            by = q->top > now[n].b ? (int32_t)(((int64_t)(q->top - now[n].b) << 16) / add[n].b) : 0;
-    }
-    for (int i = 0; i < LOFT_AXES && by > 0; i++) {
-        const legs e = legs_of(t->knot, k, i);
-        if ((e.a | e.b | e.c) != 0)
-            by = axis_step(t->period, e, i, at, curve, more, share, by);
-    }
-    return by;
+    if (part < LOFT_BUMP_ONE)
+        b->by = (b->by >> 15) * part + (int32_t)((uint32_t)(b->by & 32767) * (uint32_t)part >> 15);
 }
 
 /* Half of what all limits allow is used, so that others may be raised as well. */
-static bool raise(const loft_timing *t, unsigned at, int width)
+static bool raise(bump *b)
 {
-    const loft_knot *q = &t->knot[at];
-    const int32_t fine = q->v2 / FINE, wide = q[-1].goal - q->v2;
-    bump_of_knots bumps;
-    place_of_pace places[3];
-    int32_t by = wide > q->v2 ? wide : q->v2;
+    const loft_timing *t = b->t;
+    loft_knot *q = &t->knot[b->at];
+    const int32_t fine = q->v2 / FINE, rise = q[-1].goal - q->v2;
+    const unsigned from = b->at > t->from + b->width ? b->at - b->width : t->from,
+                   first = from > 3 ? from - 2 : 1, last = b->at + b->width + 1,
+                   to = last < t->to ? last : t->to, end = to < t->end ? to : t->end;
 
-    set_bump(t, at, width, &bumps);
-    const unsigned to = bumps.to < t->end ? bumps.to : t->end;
-    const unsigned from = bumps.from > 3 ? bumps.from - 2 : 1;
-    for (unsigned k = from; k < to && by > fine; k++) {
-        by = step_between(t, k, &bumps, places, k == from, by);
-        places[0] = places[2];
+    b->by = rise > q->v2 ? rise : q->v2;
+    if (b->by >= LOFT_V2_MAX - q->v2)
+        b->by = LOFT_V2_MAX - q->v2 - 1;
+    /* from the middle outwards: there it is most likely to be refused */
+    for (unsigned n = 0; n <= b->width + 1 && b->by > fine; n++) {
+        if (b->at + n < end)
+            shorten(b, b->at + n);
+        if (b->at >= first + n + 1 && b->at - n - 1 < end && b->by > fine)
+            shorten(b, b->at - n - 1);
     }
-    by /= 2;
-    if (by <= fine || q->v2 > LOFT_V2_MAX - by)
+    b->by /= 2;
+    if (b->by <= fine)
         return false;
-    for (unsigned k = bumps.from; k < bumps.to; k++)
-        t->knot[k].v2 += (int32_t)((int64_t)part_at(&bumps, k) * by >> 16);
+    for (unsigned k = from; k < to; k++)
+        t->knot[k].v2 += add_at(b, k);
     return true;
 }
 
@@ -334,9 +246,13 @@ int32_t loft_timing_time(const loft_knot knot[], unsigned k)
 
 void loft_timing_raise(const loft_timing *t, unsigned shift)
 {
-    for (int width = WIDEST; width > 0; width /= 2) {
-        const unsigned step = width > 1 ? (unsigned)width / 2 : 1;
-        for (unsigned k = t->from + shift % step; k < t->to; k += step)
-            (void)raise(t, k, width);
+    static const uint16_t *const parts[] = { widest, wide, middle, narrow, narrowest };
+
+    for (int n = 0; n < 5; n++) {
+        const unsigned width = 16u >> n, step = width > 1 ? width / 2 : 1;
+        for (unsigned k = t->from + shift % step; k < t->to; k += step) {
+            bump b = { t, parts[n], k, width, 0 };
+            (void)raise(&b);
+        }
     }
 }

@@ -1,10 +1,12 @@
-/* tests/lib/motion/test_timing.c -- properties of lib/motion/timing.h and lib/motion/sample.h
+/* tests/lib/motion/test_timing.c -- properties of lib/motion/timing.h, lib/motion/bump.h and
+ * lib/motion/sample.h
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>                   /* sqrt, fabs */
 
 #include "support/motion_paths.h"   /* even_limits */
 
+#include "motion/bump.h"            /* loft_bump_part */
 #include "motion/sample.h"          /* loft_sample_part */
 #include "motion/timing.h"          /* loft_timing_raise */
 
@@ -99,6 +101,47 @@ static void what_holds_holds_all_the_way(arb *a)
     }
 }
 
+/* Of a change that part is allowed with which all limits are held, as for any less, and that is not
+ * much too small: half as much again, and a quarter of the pace, is too much. */
+static void a_part_of_a_change_holds(arb *a)
+{
+    arb_path(a);
+    for (unsigned k = 0; k < knots; k++)
+        knot[k].v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.001, 0.002));
+    for (unsigned n = 0; n < 200; n++) {
+        const unsigned k = 1 + arb_below(a, knots - 3);
+        const int share = (int)(16 + arb_below(a, 49));
+        int32_t add[3];
+        for (int j = 0; j < 3; j++)
+            add[j] = (int32_t)(knot[k + 1].v2 * arb_decades(a, 0.01, 100));
+        if (!loft_timing_holds(&period, knot, k, share))
+            continue;
+        const int32_t part = loft_bump_part(&period, knot, k, share, add);
+        CHECK(part >= 0 && part <= LOFT_BUMP_ONE);
+        int32_t before[3];
+        for (int j = 0; j < 3; j++)
+            before[j] = knot[k + (unsigned)j].v2;
+        for (int of = 1; of <= 4; of++) {
+            for (unsigned j = 0; j < 3; j++)
+                knot[k + j].v2 = before[j] + (int32_t)((double)add[j] * part * of / 4 / 32768);
+            CHECK(loft_timing_holds(&period, knot, k, share));
+        }
+        double least = 1e9, most = 0;
+        for (unsigned j = 0; j < 3; j++) {
+            least = fmin(least, (double)before[j] / add[j]);
+            most = fmax(most, part / 32768.0 * add[j] / before[j]);
+        }
+        const double more = part / 32768.0 * 1.5 + 0.25 * least;
+        const bool asked = more < 1 && most < 0.5;
+        for (unsigned j = 0; j < 3; j++)
+            knot[k + j].v2 = before[j] + (int32_t)(add[j] * more);
+        if (asked)
+            CHECK(!loft_timing_holds(&period, knot, k, share));
+        for (unsigned j = 0; j < 3; j++)
+            knot[k + j].v2 = before[j];
+    }
+}
+
 /* Each raise leaves all limits held, and takes no more time than before. */
 static void raising_holds_all_limits(arb *a)
 {
@@ -176,6 +219,7 @@ static void passing_in_steps_is_passing_at_once(arb *a)
 int main(void)
 {
     PROPERTY(what_holds_holds_all_the_way, 300);
+    PROPERTY(a_part_of_a_change_holds, 300);
     PROPERTY(raising_holds_all_limits, 60);
     PROPERTY(an_even_pace_holds, 200);
     PROPERTY(times_are_those_of_the_pace, 500);

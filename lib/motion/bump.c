@@ -1,0 +1,276 @@
+/* lib/motion/bump.c
+ * SPDX-License-Identifier: MIT
+ *
+ * Let the legs between four control points be a, b, c, and p = a + b, r = b + c, d0 = b - a, d1 = c
+ * - b, d3 = d1 - d0. With x, y, z the control values of the squared pace, b0 = (x + y) / 2, b1 = (y
+ * + z) / 2, s0 = y - x, s1 = z - y, q = s1 - s0, acceleration and jerk over the root of the pace are
+ *
+ *     A0 = d0 b0 + p s0 / 4                   A1 = d1 b1 + r s1 / 4
+ *     J0 = d3 b0 + 3/2 d0 s0 + p q / 4        J1 = d3 b1 + 3/2 d1 s1 + r q / 4
+ *
+ * at both knots. J is the derivative of A, and a parabola, as b is: so in the middle they are
+ *
+ *     (A0 + A1) / 2 + (J0 - J1) / 8           (J0 + J1) / 2 - 9/16 d3 q
+ *
+ * A is at most the acceleration a, and J at most j / sqrt(b), of which the tangent is taken: that is
+ * below it. All is linear in the control values: what holds for none and for all of a change, holds
+ * for each part of it.
+ *
+ * A product is of 32 and 16 bits, and loses 16: the paces are multiplied by 2^up so that they have
+ * 30 bits, slopes by 2^slope more. Differences d are divided by 2^unit, p and r by 2^(unit + slope +
+ * 2), to 14 bits. Then all sums are multiples of 2^(unit + 16 - up - 24) units, below 2^30.
+ */
+#include "motion/bump.h"
+
+#include "num/part.h"       /* loft_part, loft_doublings */
+
+#define FULL ((int32_t)1 << 30)
+
+/* x 2^n, at most FULL. */
+static inline int32_t scaled(int32_t x, int n)
+{
+    if (n <= 0)
+        return n > -31 ? x >> -n : 0;
+    return n < 30 && x < FULL >> n ? (int32_t)((uint32_t)x << n) : FULL;
+}
+
+static inline int32_t shifted(int32_t x, int n) { return (int32_t)((uint32_t)x << n); }
+static inline uint32_t size_of(int32_t x) { return (uint32_t)(x < 0 ? -x : x); }
+
+/* The sums of an interval. */
+typedef struct {
+    int32_t pace[2], turn[2];       /* b; 3/2 s */
+    int32_t slope[2], curve;        /* s, q, 2^slope more */
+    int32_t bend;                   /* 9/16 q */
+} sums;
+
+/* The differences of an axis. */
+typedef struct {
+    int32_t p[2], d[2], d3;
+} legs;
+
+/* Of an axis: at knot k, in the middle, at the next knot. */
+typedef struct {
+    int32_t accel[3], jerk[3];
+} forms;
+
+/* Where jerk is limited. */
+typedef struct {
+    int32_t root, drop;     /* 1 / sqrt b, 2^15 .. 2^14; which part of it a tangent falls by, 2^-15 */
+    int     half;           /* of that power of 4 */
+} place;
+
+static void set_sums(sums *out, int32_t x, int32_t y, int32_t z)
+{
+    const int32_t s0 = y - x, s1 = z - y;
+
+    out->pace[0] = (x + y) >> 1;
+    out->pace[1] = (y + z) >> 1;
+    out->turn[0] = s0 + (s0 >> 1);
+    out->turn[1] = s1 + (s1 >> 1);
+    out->slope[0] = s0;
+    out->slope[1] = s1;
+    out->bend = 9 * ((s1 - s0) >> 4);
+}
+
+static void set_slopes(sums *out, int slope)
+{
+    out->slope[0] = shifted(out->slope[0], slope);
+    out->slope[1] = shifted(out->slope[1], slope);
+    out->curve = out->slope[1] - out->slope[0];
+}
+
+static void set_forms(forms *out, const sums *s, const legs *e)
+{
+    const int32_t a0 = loft_part(s->pace[0], e->d[0]) + loft_part(s->slope[0], e->p[0]),
+                  a1 = loft_part(s->pace[1], e->d[1]) + loft_part(s->slope[1], e->p[1]);
+    const int32_t j0 = loft_part(s->pace[0], e->d3) + loft_part(s->turn[0], e->d[0]) +
+                       loft_part(s->curve, e->p[0]),
+                  j1 = loft_part(s->pace[1], e->d3) + loft_part(s->turn[1], e->d[1]) +
+                       loft_part(s->curve, e->p[1]);
+
+    out->accel[0] = a0;
+    out->accel[1] = (a0 >> 1) + (a1 >> 1) + (j0 >> 3) - (j1 >> 3);
+    out->accel[2] = a1;
+    out->jerk[0] = j0;
+    out->jerk[1] = (j0 >> 1) + (j1 >> 1) - loft_part(s->bend, e->d3);
+    out->jerk[2] = j1;
+}
+
+static inline bool holds(int32_t x, int32_t most) { return x <= most && -x <= most; }
+
+/* The part of the way from `now` to `all` where the size reaches `most` less that part of `fall`. */
+static int32_t part_to(int32_t now, int32_t all, int32_t most, int32_t fall)
+{
+    const int32_t room = all >= 0 ? most - now : most + now,
+                  need = (all >= 0 ? all - now : now - all) + fall;
+
+    if (room <= 0)
+        return 0;
+    return (int32_t)((uint32_t)room / (((uint32_t)need >> 15) + 1));
+}
+
+/* 1 / sqrt m for m = 16/64, 17/64, .. 1, 2^-14, less 2^-11 of it, so that lines between are below
+ * it. */
+static const uint16_t inverse_roots[49] = {
+    32752, 31774, 30878, 30055, 29294, 28588, 27930, 27317, 26741, 26201, 25692, 25212, 24758,
+    24327, 23918, 23529, 23159, 22805, 22467, 22144, 21834, 21537, 21252, 20978, 20714, 20460,
+    20214, 19978, 19750, 19529, 19316, 19109, 18909, 18715, 18527, 18344, 18167, 17995, 17827,
+    17665, 17506, 17352, 17202, 17055, 16913, 16773, 16638, 16505, 16376
+};
+
+/* v2 4^half is 2^28 to 2^30. */
+static void set_root(place *out, int32_t v2, int even)
+{
+    uint32_t m = (uint32_t)v2 << even;
+    int half = even / 2;
+
+    while (m < (uint32_t)1 << 28) {
+        m <<= 2;
+        half++;
+    }
+    const uint32_t i = (m >> 24) - 16, part = m >> 14 & 1023;
+    const uint32_t y = inverse_roots[i];
+    out->root = (int32_t)(y - ((y - inverse_roots[i + 1]) * part >> 10));
+    out->half = half;
+}
+
+/* more <= 2 v2 */
+static void set_drop(place *x, int32_t more)
+{
+    x->drop = loft_part(shifted(more, 2 * x->half), x->root * x->root >> 15) >> 13;
+}
+
+/* The part of `more` that speed allows, and that at most trebles the pace, so that tangents do. */
+static int32_t by_speed(int32_t pace, int32_t more, int32_t top)
+{
+    const int32_t left = top - pace, most = left < 2 * pace ? left : 2 * pace;
+
+    if (more < most)
+        return LOFT_BUMP_ONE;
+    return most > 0 ? (int32_t)((uint32_t)most / (((uint32_t)more >> 15) + 1)) : 0;
+}
+
+/* The differences of all axes, and the largest p, r and d. */
+static void measure(const loft_knot knot[], unsigned k, legs e[], uint32_t *p, uint32_t *d)
+{
+    *p = *d = 1;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_coord q1 = knot[k].point.axis[i], q2 = knot[k + 1].point.axis[i];
+        const loft_coord a = loft_coord_sub(q1, knot[k - 1].point.axis[i]),
+                         b = loft_coord_sub(q2, q1),
+                         c = loft_coord_sub(knot[k + 2].point.axis[i], q2);
+        e[i].p[0] = a + b;
+        e[i].p[1] = b + c;
+        e[i].d[0] = b - a;
+        e[i].d[1] = c - b;
+        *p |= size_of(e[i].p[0]) | size_of(e[i].p[1]);
+        *d |= size_of(e[i].d[0]) | size_of(e[i].d[1]);
+    }
+}
+
+static void shrink(legs *e, int p, int d)
+{
+    p = p < 31 ? p : 31;
+    e->p[0] >>= p;
+    e->p[1] >>= p;
+    e->d[0] >>= d;
+    e->d[1] >>= d;
+    e->d3 = e->d[1] - e->d[0];
+}
+
+/* All of a change, or what is asked of it so that the limits of an axis are held. */
+typedef struct {
+    sums  now, all;
+    place at[3];
+    int   power, slope, unit;       /* limits are multiplied by 2^power */
+} interval;
+
+static int32_t axis_part(interval *t, const legs *e, int32_t accel, int32_t jerk, int32_t by)
+{
+    const int32_t most = scaled(accel, t->power);
+    int32_t held[3], fall[3];
+    forms now, all;
+
+    set_forms(&all, &t->all, e);
+    bool good = by == LOFT_BUMP_ONE && holds(all.accel[0], most) && holds(all.accel[1], most) &&
+                holds(all.accel[2], most);
+    for (int n = 0; n < 3; n++) {
+        /* root / 2^(17 - half) */
+        held[n] = loft_part(scaled(jerk, t->power + t->at[n].half - 1), t->at[n].root);
+        fall[n] = 2 * loft_part(held[n], t->at[n].drop);
+        good = good && holds(all.jerk[n], held[n] - fall[n]);
+    }
+    if (good)
+        return by;
+    set_forms(&now, &t->now, e);
+    for (int n = 0; n < 3; n++) {
+        if (!holds(all.accel[n], most)) {
+            const int32_t to = part_to(now.accel[n], all.accel[n], most, 0);
+            by = to < by ? to : by;
+        }
+        if (!holds(all.jerk[n], held[n] - fall[n])) {
+            const int32_t to = part_to(now.jerk[n], all.jerk[n], held[n], fall[n]);
+            by = to < by ? to : by;
+        }
+    }
+    return by;
+}
+
+int32_t loft_bump_part(const loft_period *period, const loft_knot knot[], unsigned k, int share,
+                       const int32_t add[3])
+{
+    interval t;                         /* an initial value would be set byte by byte */
+    const int32_t v2[3] = { knot[k].v2, knot[k + 1].v2, knot[k + 2].v2 }, top = knot[k].top;
+    int32_t x = add[0], y = add[1], z = add[2];
+    const int32_t pace[3] = { (v2[0] + v2[1]) >> 1, v2[1] - (v2[1] >> 2) + ((v2[0] + v2[2]) >> 3),
+                              (v2[1] + v2[2]) >> 1 };
+    int32_t more[3] = { (x + y) >> 1, y - (y >> 2) + ((x + z) >> 3), (y + z) >> 1 };
+    int32_t speed = LOFT_BUMP_ONE;
+
+    for (int n = 0; n < 3; n++) {
+        const int32_t to = by_speed(pace[n], more[n], n > 0 ? top : LOFT_V2_MAX);
+        speed = to < speed ? to : speed;
+    }
+    if (speed == 0)
+        return 0;
+    if (speed < LOFT_BUMP_ONE) {
+        x = 2 * loft_part(x, speed);
+        y = 2 * loft_part(y, speed);
+        z = 2 * loft_part(z, speed);
+        for (int n = 0; n < 3; n++)
+            more[n] = 2 * loft_part(more[n], speed);
+    }
+    x += v2[0];
+    y += v2[1];
+    z += v2[2];
+    const int up = loft_doublings((uint32_t)(x | y | z));
+    for (int n = 0; n < 3; n++) {
+        set_root(&t.at[n], pace[n], up & ~1);
+        set_drop(&t.at[n], more[n]);
+    }
+    set_sums(&t.all, shifted(x, up), shifted(y, up), shifted(z, up));
+    set_sums(&t.now, shifted(v2[0], up), shifted(v2[1], up), shifted(v2[2], up));
+    t.slope = loft_doublings(size_of(t.all.slope[0]) | size_of(t.all.slope[1]) |
+                             size_of(t.now.slope[0]) | size_of(t.now.slope[1]) | 1);
+    set_slopes(&t.all, t.slope);
+    set_slopes(&t.now, t.slope);
+
+    legs e[LOFT_AXES];
+    uint32_t p, d;
+    measure(knot, k, e, &p, &d);
+    const int by_p = 14 - loft_doublings(p) - t.slope, by_d = 17 - loft_doublings(d),
+              least = by_p > by_d ? by_p : by_d;
+    t.unit  = least > 0 ? least : 0;
+    t.power = up + 8 - t.unit;
+    int32_t by = LOFT_BUMP_ONE;
+    for (int i = 0; i < LOFT_AXES && by > 0; i++) {
+        if ((e[i].p[0] | e[i].p[1] | e[i].d[0] | e[i].d[1]) == 0)
+            continue;
+        const int32_t accel = (period->accel[i] >> 6) * share,
+                      jerk = (period->jerk[i] >> 6) * share;
+        shrink(&e[i], t.unit + t.slope + 2, t.unit);
+        by = axis_part(&t, &e[i], accel - (accel >> 9), jerk - (jerk >> 9), by);
+    }
+    return speed < LOFT_BUMP_ONE ? 2 * loft_part(speed, by) : by;
+}

@@ -1,0 +1,43 @@
+/* lib/num/part.h -- products of 32 and 16 bits, for loops that are run often on small chips
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_NUM_PART_H
+#define LOFT_NUM_PART_H
+
+#include "num/num.h"    /* int32_t */
+
+LOFT_BEGIN_C
+
+/* a b / 2^16, rounded down.
+ *
+ *   range   |b| <= 2^15
+ *   cost    a Cortex-M0 and an AVR have no product of 64 bits: two of 32, as their high halves are
+ *           not needed
+ */
+static inline int32_t loft_part(int32_t a, int32_t b)
+{
+#if defined(__ARM_ARCH_6M__) || defined(__AVR__)
+    return (a >> 16) * b + (((a & 0xffff) * b) >> 16);
+#else
+    return (int32_t)(((int64_t)a * b) >> 16);
+#endif
+}
+
+/* How often x may be doubled so that it stays below 2^30; x > 0. */
+static inline int loft_doublings(uint32_t x)
+{
+#if defined(__GNUC__) && !defined(__AVR__)
+    const int n = __builtin_clz(x) - 2;
+    return n > 0 ? n : 0;
+#else
+    int n = 0;
+
+    while (n < 29 && x >> (29 - n) == 0)
+        n++;
+    return n;
+#endif
+}
+
+LOFT_END_C
+
+#endif
