@@ -58,6 +58,7 @@
 #include "num/acc128.h"
 #include "num/exact.h"
 #include "num/muldiv.h"
+#include "num/part.h"
 #include "num/explog.h"
 #include "num/flash.h"
 #include "num/sci.h"

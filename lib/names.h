@@ -482,6 +482,7 @@
 #define loft_parabola_eval         LOFT_NAME(loft_parabola_eval)
 #define loft_parabola_init         LOFT_NAME(loft_parabola_init)
 #define loft_parabola_power        LOFT_NAME(loft_parabola_power)
+#define loft_part_root             LOFT_NAME(loft_part_root)
 #define loft_partition_init        LOFT_NAME(loft_partition_init)
 #define loft_path_begin            LOFT_NAME(loft_path_begin)
 #define loft_path_between          LOFT_NAME(loft_path_between)

@@ -1,28 +1,29 @@
 /* lib/motion/bump.c
  * SPDX-License-Identifier: MIT
  *
- * Let the legs between four control points be a, b, c, and p = a + b, r = b + c, d0 = b - a, d1 = c
- * - b, d3 = d1 - d0. With x, y, z the control values of the squared pace, b0 = (x + y) / 2, b1 = (y
- * + z) / 2, s0 = y - x, s1 = z - y, q = s1 - s0, acceleration and jerk over the root of the pace are
+ * Let the legs between four control points be a, b, c, and p = a + b, r = b + c, d0 = b - a,
+ * d1 = c - b, d3 = d1 - d0. With x, y, z the control values of the squared pace, b0 = (x + y) / 2,
+ * b1 = (y + z) / 2, s0 = y - x, s1 = z - y, q = s1 - s0, acceleration and jerk over the root of the
+ * pace are, at both knots,
  *
  *     A0 = d0 b0 + p s0 / 4                   A1 = d1 b1 + r s1 / 4
  *     J0 = d3 b0 + 3/2 d0 s0 + p q / 4        J1 = d3 b1 + 3/2 d1 s1 + r q / 4
  *
- * at both knots. J is the derivative of A, and a parabola, as b is: so in the middle they are
+ * J is the derivative of A, and a parabola, as b is: so in the middle they are
  *
  *     (A0 + A1) / 2 + (J0 - J1) / 8           (J0 + J1) / 2 - 9/16 d3 q
  *
- * A is at most the acceleration a, and J at most j / sqrt(b), of which the tangent is taken: that is
- * below it. All is linear in the control values: what holds for none and for all of a change, holds
- * for each part of it.
+ * A is at most the acceleration a, and J at most j / sqrt(b), of which the tangent is taken: that
+ * is below it. All is linear in the control values: what holds for none and for all of a change,
+ * holds for each part of it.
  *
  * A product is of 32 and 16 bits, and loses 16: the paces are multiplied by 2^up so that they have
- * 30 bits, slopes by 2^slope more. Differences d are divided by 2^unit, p and r by 2^(unit + slope +
- * 2), to 14 bits. Then all sums are multiples of 2^(unit + 16 - up - 24) units, below 2^30.
+ * 30 bits, slopes by 2^slope more. Differences d are divided by 2^unit, p and r by 2^(unit + slope
+ * + 2), to 14 bits. Then all sums are multiples of 2^(unit + 16 - up - 24) units, below 2^30.
  */
 #include "motion/bump.h"
 
-#include "num/part.h"       /* loft_part, loft_doublings */
+#include "num/part.h"       /* loft_part, loft_part_root */
 
 #define FULL ((int32_t)1 << 30)
 
@@ -56,7 +57,7 @@ typedef struct {
 
 /* Where jerk is limited. */
 typedef struct {
-    int32_t root, drop;     /* 1 / sqrt b, 2^15 .. 2^14; which part of it a tangent falls by, 2^-15 */
+    int32_t root, drop;     /* 1 / sqrt b, 2^15 .. 2^14; the part of it that a tangent falls by */
     int     half;           /* of that power of 4 */
 } place;
 
@@ -99,7 +100,7 @@ static void set_forms(forms *out, const sums *s, const legs *e)
 
 static inline bool holds(int32_t x, int32_t most) { return x <= most && -x <= most; }
 
-/* The part of the way from `now` to `all` where the size reaches `most` less that part of `fall`. */
+/* The part of the way from `now` to `all` where the size is `most` less that part of `fall`. */
 static int32_t part_to(int32_t now, int32_t all, int32_t most, int32_t fall)
 {
     const int32_t room = all >= 0 ? most - now : most + now,
@@ -109,15 +110,6 @@ static int32_t part_to(int32_t now, int32_t all, int32_t most, int32_t fall)
         return 0;
     return (int32_t)((uint32_t)room / (((uint32_t)need >> 15) + 1));
 }
-
-/* 1 / sqrt m for m = 16/64, 17/64, .. 1, 2^-14, less 2^-11 of it, so that lines between are below
- * it. */
-static const uint16_t inverse_roots[49] = {
-    32752, 31774, 30878, 30055, 29294, 28588, 27930, 27317, 26741, 26201, 25692, 25212, 24758,
-    24327, 23918, 23529, 23159, 22805, 22467, 22144, 21834, 21537, 21252, 20978, 20714, 20460,
-    20214, 19978, 19750, 19529, 19316, 19109, 18909, 18715, 18527, 18344, 18167, 17995, 17827,
-    17665, 17506, 17352, 17202, 17055, 16913, 16773, 16638, 16505, 16376
-};
 
 /* v2 4^half is 2^28 to 2^30. */
 static void set_root(place *out, int32_t v2, int even)
@@ -129,9 +121,7 @@ static void set_root(place *out, int32_t v2, int even)
         m <<= 2;
         half++;
     }
-    const uint32_t i = (m >> 24) - 16, part = m >> 14 & 1023;
-    const uint32_t y = inverse_roots[i];
-    out->root = (int32_t)(y - ((y - inverse_roots[i + 1]) * part >> 10));
+    out->root = loft_part_root(m);
     out->half = half;
 }
 

@@ -13,8 +13,8 @@ LOFT_BEGIN_C
 #define LOFT_BUMP_ONE ((int32_t)1 << 15)    /* all of a change */
 
 /* The part of `add` that may be added to v2[k .. k + 2], at most LOFT_BUMP_ONE: speed, acceleration
- * and jerk are held at knot k, at the next one and in the middle, with `share` 64ths of acceleration
- * and jerk, if they are before; speed at knot k is not asked for.
+ * and jerk are held at knot k, at the next one and in the middle, with `share` 64ths of
+ * acceleration and jerk, if they are before; speed at knot k is not asked for.
  *
  *   range   0 <= add, v2 < 2^29; knots k - 1 .. k + 2
  *   error   the part is less by 2^-9 of the limits, and by what a tangent of 1 / sqrt is too low

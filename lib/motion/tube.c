@@ -14,10 +14,12 @@
  */
 #include "motion/tube.h"
 
+#include "num/part.h"       /* loft_part, loft_part_root */
+
 #define RELAX       4588            /* 1.4 / 20, 2^-16 */
 #define SIXTH       10923           /* 1 / 6, 2^-16    */
 
-static loft_coord sixth(loft_coord x) { return (loft_coord)(((int64_t)x * SIXTH + 32768) >> 16); }
+static loft_coord sixth(loft_coord x) { return loft_part(x + 3, SIXTH); }
 
 static loft_coord second(loft_coord a, loft_coord b, loft_coord c)
 {
@@ -36,12 +38,6 @@ void loft_tube_load(loft_knot knot[], unsigned from, unsigned to)
     for (unsigned k = from; k < to; k++)
         for (int i = 0; i < LOFT_AXES; i++)
             knot[k].point.axis[i] = centre(knot, k, i);
-}
-
-static int64_t off(const loft_knot knot[], unsigned k, int d, int i, loft_coord q)
-{
-    return (int64_t)loft_coord_sub(knot[k - (unsigned)d].point.axis[i], q) +
-           loft_coord_sub(knot[k + (unsigned)d].point.axis[i], q);
 }
 
 /* The centre of a knot; of the first one that is kept, its place. */
@@ -119,25 +115,54 @@ static void set_room(const loft_period *p, loft_knot knot[], unsigned from, unsi
     }
 }
 
+/* What the condition is off by, the sixth difference of the points. Only the sum fits 32 bits. */
+static int32_t sixth_difference(const loft_knot *k, int i)
+{
+    const uint32_t q = (uint32_t)k->point.axis[i],
+                   a = (uint32_t)k[-1].point.axis[i] + (uint32_t)k[1].point.axis[i],
+                   b = (uint32_t)k[-2].point.axis[i] + (uint32_t)k[2].point.axis[i],
+                   c = (uint32_t)k[-3].point.axis[i] + (uint32_t)k[3].point.axis[i];
+    return (int32_t)(15 * a - 6 * b + c - 20 * q);
+}
+
+/* Back into a ball: the size of e is not more than r then. */
+static void pull(loft_coord e[], loft_coord r)
+{
+    uint32_t most = 0, square = 0;
+    int down = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        most |= (uint32_t)loft_coord_abs(e[i]);
+    while (most >> down >= 8192)
+        down++;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int32_t x = (loft_coord_abs(e[i]) >> down) + 1;
+        square += (uint32_t)(x * x);
+    }
+    const int half = loft_doublings(square) / 2;
+    /* r / (2^down sqrt square), 2^-15 */
+    const int32_t to = loft_part(r, loft_part_root(square << (2 * half))), shift = down - half - 2;
+    const int32_t part = shift >= 0 ? to >> (shift < 31 ? shift : 31)
+                         : to < LOFT_PART_ONE >> -shift ? to << -shift
+                                                        : LOFT_PART_ONE;
+    for (int i = 0; i < LOFT_AXES && part < LOFT_PART_ONE; i++)
+        e[i] = 2 * loft_part(e[i], part);
+}
+
 static void relax(loft_knot knot[], unsigned k)
 {
     loft_coord e[LOFT_AXES], c[LOFT_AXES];
-    uint64_t square = 0;
     const loft_coord r = knot[k].room;
+    bool far = false;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_coord q = knot[k].point.axis[i];
-        const int64_t sum = 15 * off(knot, k, 1, i, q) - 6 * off(knot, k, 2, i, q) +
-                            off(knot, k, 3, i, q);
         c[i] = centre(knot, k, i);
-        e[i] = loft_coord_sub(q, c[i]) + (loft_coord)((sum * RELAX + 32768) >> 16);
-        square += (uint64_t)((int64_t)e[i] * e[i]);
+        e[i] = loft_coord_sub(knot[k].point.axis[i], c[i]) +
+               loft_part(sixth_difference(&knot[k], i), RELAX);
+        far = far || loft_coord_abs(e[i]) > r / LOFT_AXES;
     }
-    if (square > (uint64_t)((int64_t)r * r)) {
-        const int64_t size = (int64_t)loft_coord_sqrt(square) + 1;
-        for (int i = 0; i < LOFT_AXES; i++)
-            e[i] = (loft_coord)((int64_t)e[i] * r / size);
-    }
+    if (far)
+        pull(e, r);
     for (int i = 0; i < LOFT_AXES; i++)
         knot[k].point.axis[i] = loft_coord_add(c[i], e[i]);
 }

@@ -8,6 +8,8 @@
 
 LOFT_BEGIN_C
 
+#define LOFT_PART_ONE ((int32_t)1 << 15)
+
 /* a b / 2^16, rounded down.
  *
  *   range   |b| <= 2^15
@@ -37,6 +39,14 @@ static inline int loft_doublings(uint32_t x)
     return n;
 #endif
 }
+
+/* 2^29 / sqrt m, never too large.
+ *
+ *   range   2^28 <= m <= 2^30
+ *   error   2^-10 of it
+ *   cost    a product
+ */
+int32_t loft_part_root(uint32_t m);
 
 LOFT_END_C
 
