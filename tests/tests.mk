@@ -10,7 +10,7 @@ TESTS    := $(sort $(patsubst test_%.c,%,$(notdir $(TEST_SRC))))
 vpath test_%.c $(sort $(dir $(TEST_SRC)))
 
 # the solver of harmonic coordinates, with which tests make tables: on the host, in long double
-SOLVER_SRC := $(sort $(wildcard host-tools/engine/harmonic*.c)) host-tools/base/least.c
+SOLVER_SRC := $(sort $(wildcard host-tools/engine/harmonic*.c)) $(wildcard host-tools/base/least*.c)
 SOLVER_OBJ := $(patsubst %.c,build/solver/%.o,$(SOLVER_SRC))
 build/solver/%.o: %.c
 	@mkdir -p $(@D)

@@ -8,8 +8,11 @@
 #include "engine/harmonic_basis.h"
 #include "base/least.h"          /* least_squares, least_room */
 
-#define PLACES 2500 /* of a boundary sample, at most     */
-#define TERMS  700  /* of a series                       */
+#define PLACES 4000 /* of a boundary sample, at most     */
+#define TERMS  1500 /* of a series                       */
+
+#define WIDE 1e-10L    /* what errs less is fitted in long double */
+#define WIDE_TERMS 500 /* .. unless it has more terms             */
 
 /* What kind of series to try: powers at each corner (twice as many where it is more than half a
  * turn), the polynomial's
@@ -51,7 +54,21 @@ static void round_poles(harmonic_series *s, long double grain)
             s->pole[i][k] = roundl(s->pole[i][k] / grain) * grain;
 }
 
-static void lay_out(const problem *p, recipe r, harmonic_series *s)
+/* The places to fit at: those near poles belong to a series. There are more than twice as many as
+ * terms, if there is room, so that nothing grows between them. */
+static void find_places(problem *p, const harmonic_series *s)
+{
+    const size_t wanted = s != NULL && s->pole_count > 0 ? 2 * s->terms + s->terms / 2 : 0;
+    long double step = 0.12L;
+
+    while (harmonic_walk(&p->shape, s, step, 30, NULL, 0) < wanted)
+        step /= 1.2L;
+    while (harmonic_walk(&p->shape, s, step, 30, NULL, 0) > PLACES)
+        step *= 1.1L;
+    p->places = harmonic_walk(&p->shape, s, step, 30, p->place, PLACES);
+}
+
+static void lay_out(problem *p, recipe r, harmonic_series *s)
 {
     const harmonic_shape *h = &p->shape;
 
@@ -70,6 +87,7 @@ static void lay_out(const problem *p, recipe r, harmonic_series *s)
         place_poles(p, r.ratio, s);
     round_poles(s, p->target.grain);
     s->terms += 2 * s->pole_count;
+    find_places(p, s);
 }
 
 /* Coordinate i on an edge. */
@@ -80,31 +98,70 @@ static long double on_edge(const harmonic_shape *h, const harmonic_place *b, uns
     return i == b->edge ? 1 - t : i == (b->edge + 1) % h->sides ? t : 0;
 }
 
+/* The sizes of what is fitted. */
+typedef struct {
+    size_t rows, columns, all, height;
+} extent;
+
+static void put_row(const problem *p, const harmonic_series *s, const extent *e, size_t r,
+                    long double row[])
+{
+    harmonic_terms(&p->shape, s, p->place[r].at, (int)p->place[r].edge, row);
+    for (unsigned i = 0; i < s->sides; i++)
+        row[e->columns + i] = on_edge(&p->shape, &p->place[r], i);
+}
+
+static void fit_wide(const problem *p, const harmonic_series *s, const extent *e, long double x[])
+{
+    long double *a = least_room(e->height * e->all * sizeof *a), row[TERMS + HARMONIC_SIDES];
+
+    memset(a, 0, e->height * e->all * sizeof *a);
+    for (size_t k = 0; k < e->columns; k++)
+        a[k * e->height + e->rows + k] = p->target.damping;
+    for (size_t r = 0; r < e->rows; r++) {
+        put_row(p, s, e, r, row);
+        for (size_t k = 0; k < e->all; k++)
+            a[k * e->height + r] = row[k];
+    }
+    least_squares(a, e->height, e->columns, s->sides, 1e-18L, x);
+    free(a);
+}
+
+static void fit_double(const problem *p, const harmonic_series *s, const extent *e, long double x[])
+{
+    const size_t found = e->columns * s->sides;
+    double *a = least_room(e->height * e->all * sizeof *a), *y = least_room(found * sizeof *y);
+    long double row[TERMS + HARMONIC_SIDES];
+
+    memset(a, 0, e->height * e->all * sizeof *a);
+    for (size_t r = 0; r < e->rows; r++) {
+        put_row(p, s, e, r, row);
+        for (size_t k = 0; k < e->all; k++)
+            a[k * e->height + r] = (double)row[k];
+    }
+    least_damped(a, e->rows, e->columns, s->sides, (double)p->target.damping, y);
+    for (size_t k = 0; k < found; k++)
+        x[k] = y[k];
+    free(a);
+    free(y);
+}
+
 static void fit(const problem *p, harmonic_series *s)
 {
-    const size_t places = p->places, rows = places + s->terms, columns = s->terms,
-                 all = columns + s->sides;
-    long double *a = least_room(rows * all * sizeof *a),
-                *x = least_room(columns * s->sides * sizeof *x), term[TERMS];
+    const extent e = { p->places, s->terms, s->terms + s->sides, p->places + s->terms };
+    long double *x = least_room(e.columns * s->sides * sizeof *x);
 
-    memset(a, 0, rows * all * sizeof *a);
-    for (size_t k = 0; k < columns; k++)
-        a[k * rows + places + k] = p->target.damping;
-    for (size_t r = 0; r < places; r++) {
-        harmonic_terms(&p->shape, s, p->place[r].at, (int)p->place[r].edge, term);
-        for (size_t k = 0; k < columns; k++)
-            a[k * rows + r] = term[k];
-        for (unsigned i = 0; i < s->sides; i++)
-            a[(columns + i) * rows + r] = on_edge(&p->shape, &p->place[r], i);
-    }
-    least_squares(a, rows, columns, s->sides, 1e-18L, x);
+    if (p->target.error > WIDE || e.columns > WIDE_TERMS)
+        fit_double(p, s, &e, x);
+    else
+        fit_wide(p, s, &e, x);
 
-    s->coefficient = least_room(columns * s->sides * sizeof *s->coefficient);
+    s->coefficient = least_room(e.columns * s->sides * sizeof *s->coefficient);
     s->largest = s->weight = 0;
     for (unsigned i = 0; i < s->sides; i++) {
         long double sum = 0;
-        for (size_t k = 0; k < columns; k++) {
-            const long double c = x[i * columns + k], grain = p->target.grain;
+        for (size_t k = 0; k < e.columns; k++) {
+            const long double c = x[i * e.columns + k], grain = p->target.grain;
             s->coefficient[k * s->sides + i] = grain > 0 ? roundl(c / grain) * grain
                                                          : (long double)(double)c;
             s->largest = fmaxl(s->largest, fabsl(c));
@@ -112,7 +169,6 @@ static void fit(const problem *p, harmonic_series *s)
         }
         s->weight = fmaxl(s->weight, sum);
     }
-    free(a);
     free(x);
 }
 
@@ -139,28 +195,23 @@ static void sample_error(const problem *p, harmonic_series *s)
     s->bound = most;
 }
 
-static const recipe recipes[] = {
-    { 2, 2, 0 },    { 3, 3, 0 },    { 3, 9, 0 },      { 4, 4, 0 },       { 4, 12, 0 },
-    { 6, 6, 0 },    { 6, 18, 0 },   { 8, 8, 0 },      { 8, 24, 0 },      { 11, 11, 0 },
-    { 11, 33, 0 },  { 15, 15, 0 },  { 15, 45, 0 },    { 4, 8, 6 },       { 6, 10, 3 },
-    { 8, 14, 1.9L }, { 9, 14, 1.5L }, { 10, 16, 1.35L }, { 20, 20, 0 },   { 20, 60, 0 },
-    { 15, 80, 0 },  { 20, 100, 0 }
-};
+static const recipe recipes[] = { { 2, 2, 0 },       { 3, 3, 0 },   { 3, 9, 0 },   { 4, 4, 0 },
+                                  { 4, 12, 0 },      { 6, 6, 0 },   { 6, 18, 0 },  { 8, 8, 0 },
+                                  { 8, 24, 0 },      { 11, 11, 0 }, { 11, 33, 0 }, { 15, 15, 0 },
+                                  { 15, 45, 0 },     { 6, 10, 3 },  { 8, 14, 2 },  { 9, 14, 1.6L },
+                                  { 10, 16, 1.35L }, { 20, 20, 0 }, { 20, 60, 0 }, { 15, 80, 0 },
+                                  { 20, 100, 0 } };
 
 static void start(double v[][2], unsigned sides, harmonic_target target, problem *p)
 {
-    long double step = 0.12L;
-
     p->target = target;
     harmonic_shape_of(v, sides, &p->shape);
-    while (harmonic_walk(&p->shape, step, 30, NULL, 0) > PLACES)
-        step *= 1.2L;
     p->place = least_room(PLACES * sizeof *p->place);
-    p->places = harmonic_walk(&p->shape, step, 30, p->place, PLACES);
+    find_places(p, NULL);
 }
 
 /* The series of a recipe, if it is better than what there is. Gives its bound. */
-static long double attempt(const problem *p, recipe r, harmonic_series *best)
+static long double attempt(problem *p, recipe r, harmonic_series *best)
 {
     const unsigned tried = best->tried + 1;
     harmonic_series s = *best;

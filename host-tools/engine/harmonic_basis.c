@@ -177,18 +177,6 @@ bool harmonic_outside(const harmonic_shape *h, harmonic_point z)
     return outside;
 }
 
-long double harmonic_clearance(const harmonic_shape *h, const harmonic_place *from,
-                               long double most)
-{
-    const harmonic_point d = h->v[(from->edge + 1) % h->sides] - h->v[from->edge],
-                         out = -I * d / cabsl(d) * most;
-    long double first = 1;
-
-    for (unsigned k = 1; k < h->sides; k++)
-        first = fminl(first, meets(h, from->at, out, (from->edge + k) % h->sides));
-    return first * most;
-}
-
 /* How near the nearest edge is that does not end at this corner; its own edges count with their
  * lengths. */
 static long double corner_room(const harmonic_shape *h, unsigned i)
@@ -202,19 +190,32 @@ static long double corner_room(const harmonic_shape *h, unsigned i)
     return least;
 }
 
+/* Whether no edge lies between a vertex and a point of edge e. */
+static bool is_seen(const harmonic_shape *h, unsigned at, harmonic_point p, unsigned e)
+{
+    const unsigned n = h->sides;
+
+    for (unsigned k = 1; k + 1 < n; k++) {
+        const unsigned other = (at + k) % n;
+        if (other != e && meets(h, h->v[at], p - h->v[at], other) < 0.999L)
+            return false;
+    }
+    return true;
+}
+
+/* An edge that the vertex is before. Its mirror image in the edge's line is there too when the
+ * perpendicular misses the edge. */
 static void find_foot(harmonic_shape *h, unsigned at, unsigned e)
 {
     const harmonic_point a = h->v[e], d = h->v[(e + 1) % h->sides] - a;
     const long double t = creall(conjl(d) * (h->v[at] - a)) / creall(conjl(d) * d),
-                      room = distance_to(h, h->v[at], e);
-    const harmonic_point foot = a + t * d;
+                      share = fminl(fmaxl(t, 0), 1);
+    const harmonic_point at_line = a + t * d, foot = a + share * d;
 
-    if (!(t > 0 && t < 1) || cross(d, h->v[at] - a) <= 0)
+    if (cross(d, h->v[at] - a) <= 0 || !is_seen(h, at, foot, e))
         return;
-    for (unsigned i = 0; i < h->sides; i++)
-        if (i != at && cabsl(h->v[i] - foot) < 0.5L * room)
-            return;
-    h->foot[h->feet++] = (harmonic_foot){ e, t * cabsl(d), room, foot };
+    h->foot[h->feet++] = (harmonic_foot){ e, share * cabsl(d), cabsl(h->v[at] - foot), foot,
+                                          2 * at_line - h->v[at] };
 }
 
 static void find_rooms(harmonic_shape *h)
@@ -241,8 +242,30 @@ static long double place_scale(const harmonic_shape *h, unsigned e, harmonic_poi
     return least;
 }
 
-size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least,
-                     harmonic_place out[], size_t most)
+/* The scale of what the poles of a series make there: twice the distance from the nearest one, that
+ * of a corner's pole as the root of the offset sees it. */
+static long double pole_scale(const harmonic_shape *h, const harmonic_series *s, unsigned e,
+                              harmonic_point z)
+{
+    const long double(*pole)[3] = s->pole;
+    long double least = INFINITY;
+
+    for (unsigned i = 0; i < h->sides; pole += s->corner_poles[i++]) {
+        const long double off = cabsl(z - h->v[i]);
+        if (!(off > 0) || s->corner_poles[i] == 0)
+            continue;
+        const harmonic_point root = cexpl(harmonic_log(h, i, z, (int)e) / 2);
+        const long double slope = 2 * off / cabsl(root);
+        for (unsigned k = 0; k < s->corner_poles[i]; k++)
+            least = fminl(least, slope * cabsl(root - (pole[k][0] + I * pole[k][1])));
+    }
+    for (unsigned k = 0; k < s->poles; k++)
+        least = fminl(least, cabsl(z - (pole[k][0] + I * pole[k][1])));
+    return 2 * least;
+}
+
+size_t harmonic_walk(const harmonic_shape *h, const harmonic_series *s, long double step,
+                     unsigned least, harmonic_place out[], size_t most)
 {
     size_t count = 0;
 
@@ -253,7 +276,9 @@ size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least,
             out[count] = (harmonic_place){ e, 0, a };
         count++;
         for (long double along = 0; along < length; count++) {
-            const long double scale = place_scale(h, e, a + d * (along / length)),
+            const harmonic_point z = a + d * (along / length);
+            const long double scale = fminl(place_scale(h, e, z),
+                                            s != NULL ? pole_scale(h, s, e, z) : INFINITY),
                               way = fminl(fminl(step * scale, length / least), length - along),
                               here = along + way / 2;
             if (count < most)

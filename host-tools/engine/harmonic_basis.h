@@ -13,11 +13,12 @@
 
 typedef long double complex harmonic_point;
 
-/* Where a vertex is near an edge: the foot of the perpendicular, how far along, and how near. */
+/* A vertex before an edge: the point of the edge that is nearest to it, how far along, how near,
+ * and the vertex's mirror image in the edge's line. */
 typedef struct {
     unsigned edge;
     long double along, room;
-    harmonic_point at;
+    harmonic_point at, image;
 } harmonic_foot;
 
 /* A polygon as the terms see it. */
@@ -53,21 +54,16 @@ typedef struct {
 } harmonic_place;
 
 /* Walk along the edges, from each vertex, in steps of `step` times the distance from the nearest
- * vertex or foot, but `least` of them on every edge. Gives how many places there are, `most` at
- * most are written.
+ * vertex or foot, or twice that from a pole of the series, but `least` of them on every edge. Gives
+ * how many places there are, `most` at most are written.
  *
- *   shape   out[most] */
-size_t harmonic_walk(const harmonic_shape *h, long double step, unsigned least,
-                     harmonic_place out[], size_t most);
+ *   shape   out[most]; s may be null */
+size_t harmonic_walk(const harmonic_shape *h, const harmonic_series *s, long double step,
+                     unsigned least, harmonic_place out[], size_t most);
 
 /* Is z outside? And how far from the boundary? */
 bool harmonic_outside(const harmonic_shape *h, harmonic_point z);
 long double harmonic_distance(const harmonic_shape *h, harmonic_point z);
-
-/* How far one can go from a place of the boundary straight out until the boundary is met again; at
- * most `most`. */
-long double harmonic_clearance(const harmonic_shape *h, const harmonic_place *from,
-                               long double most);
 
 /* A place of the boundary in the plane of a corner's root. */
 typedef struct {

@@ -21,7 +21,7 @@ static inline loft_acc harmonic_acc(long double x)
 
 /* The table of a series that was solved for this number type; its two arrays are the caller's to
  * free. False, with an empty table, when
- * a coefficient does not fit. */
+ * a coefficient does not fit, or a corner's count of poles. */
 static inline bool harmonic_table_of(const harmonic_series *s, loft_harmonic_table *out)
 {
     const size_t count = (size_t)s->terms * s->sides;
@@ -42,7 +42,7 @@ static inline bool harmonic_table_of(const harmonic_series *s, loft_harmonic_tab
                                   pole,
                                   (uint16_t)s->terms,
                                   (uint8_t)s->sides,
-                                  (uint8_t)s->poles,
+                                  (uint16_t)s->poles,
                                   (uint8_t)s->degree,
                                   { 0 },
                                   (uint8_t)s->straight,
@@ -50,6 +50,7 @@ static inline bool harmonic_table_of(const harmonic_series *s, loft_harmonic_tab
     for (unsigned i = 0; i < s->sides; i++) {
         out->powers[i] = (uint8_t)s->powers[i];
         out->corner_poles[i] = (uint8_t)s->corner_poles[i];
+        fits = fits && s->corner_poles[i] <= UINT8_MAX;
     }
     if (fits)
         return true;
