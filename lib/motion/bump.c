@@ -131,12 +131,12 @@ static void set_drop(place *x, int32_t more)
     x->drop = loft_part(shifted(more, 2 * x->half), x->root * x->root >> 15) >> 13;
 }
 
-/* The part of `more` that speed allows, and that at most trebles the pace, so that tangents do. */
+/* The part of `more` that speed allows. */
 static int32_t by_speed(int32_t pace, int32_t more, int32_t top)
 {
-    const int32_t left = top - pace, most = left < 2 * pace ? left : 2 * pace;
+    const int32_t most = top - pace;
 
-    if (more < most)
+    if (more <= most)
         return LOFT_BUMP_ONE;
     return most > 0 ? (int32_t)((uint32_t)most / (((uint32_t)more >> 15) + 1)) : 0;
 }
@@ -169,14 +169,31 @@ static void shrink(legs *e, int p, int d)
     e->d3 = e->d[1] - e->d[0];
 }
 
-/* All of a change, or what is asked of it so that the limits of an axis are held. */
+/* What is, and what it is with all of a change. */
 typedef struct {
     sums  now, all;
     place at[3];
     int   power, slope, unit;       /* limits are multiplied by 2^power */
 } interval;
 
-static int32_t axis_part(interval *t, const legs *e, int32_t accel, int32_t jerk, int32_t by)
+/* Does jerk hold on the way to a pace whose inverse root is set: before and with all of it? */
+static bool jumps(const interval *t, const legs *e, int32_t accel, int32_t jerk)
+{
+    const int32_t most = scaled(accel, t->power);
+    forms now, all;
+
+    set_forms(&all, &t->all, e);
+    set_forms(&now, &t->now, e);
+    for (int n = 0; n < 3; n++) {
+        const int32_t held = loft_part(scaled(jerk, t->power + t->at[n].half - 1), t->at[n].root);
+        if (!holds(all.accel[n], most) || !holds(all.jerk[n], held) || !holds(now.jerk[n], held))
+            return false;
+    }
+    return true;
+}
+
+/* The part, `by` at most, with which the limits of an axis hold. */
+static int32_t axis_part(const interval *t, const legs *e, int32_t accel, int32_t jerk, int32_t by)
 {
     const int32_t most = scaled(accel, t->power);
     int32_t held[3], fall[3];
@@ -207,37 +224,36 @@ static int32_t axis_part(interval *t, const legs *e, int32_t accel, int32_t jerk
     return by;
 }
 
-int32_t loft_bump_part(const loft_period *period, const loft_knot knot[], unsigned k, int share,
-                       const int32_t add[3])
+/* v2, the pace at knot k, in the middle and at the next knot. */
+static void set_pace(const int32_t v2[3], int32_t pace[3])
+{
+    pace[0] = (v2[0] + v2[1]) >> 1;
+    pace[1] = v2[1] - (v2[1] >> 2) + ((v2[0] + v2[2]) >> 3);
+    pace[2] = (v2[1] + v2[2]) >> 1;
+}
+
+static int32_t part_of(int32_t x, int32_t part)
+{
+    return part < LOFT_BUMP_ONE ? 2 * loft_part(x, part) : x;
+}
+
+/* The part of the change x, y, z that limits allow. `far`: none or all, by what they are at its
+ * end. */
+static int32_t part_within(const loft_period *period, const loft_knot knot[], unsigned k, int share,
+                           const int32_t add[3], bool far)
 {
     interval t;                         /* an initial value would be set byte by byte */
-    const int32_t v2[3] = { knot[k].v2, knot[k + 1].v2, knot[k + 2].v2 }, top = knot[k].top;
-    int32_t x = add[0], y = add[1], z = add[2];
-    const int32_t pace[3] = { (v2[0] + v2[1]) >> 1, v2[1] - (v2[1] >> 2) + ((v2[0] + v2[2]) >> 3),
-                              (v2[1] + v2[2]) >> 1 };
-    int32_t more[3] = { (x + y) >> 1, y - (y >> 2) + ((x + z) >> 3), (y + z) >> 1 };
-    int32_t speed = LOFT_BUMP_ONE;
+    const int32_t v2[3] = { knot[k].v2, knot[k + 1].v2, knot[k + 2].v2 };
+    const int32_t x = v2[0] + add[0], y = v2[1] + add[1], z = v2[2] + add[2];
+    int32_t pace[3], more[3];
 
-    for (int n = 0; n < 3; n++) {
-        const int32_t to = by_speed(pace[n], more[n], n > 0 ? top : LOFT_V2_MAX);
-        speed = to < speed ? to : speed;
-    }
-    if (speed == 0)
-        return 0;
-    if (speed < LOFT_BUMP_ONE) {
-        x = 2 * loft_part(x, speed);
-        y = 2 * loft_part(y, speed);
-        z = 2 * loft_part(z, speed);
-        for (int n = 0; n < 3; n++)
-            more[n] = 2 * loft_part(more[n], speed);
-    }
-    x += v2[0];
-    y += v2[1];
-    z += v2[2];
+    set_pace(v2, pace);
+    set_pace(add, more);
     const int up = loft_doublings((uint32_t)(x | y | z));
     for (int n = 0; n < 3; n++) {
-        set_root(&t.at[n], pace[n], up & ~1);
-        set_drop(&t.at[n], more[n]);
+        set_root(&t.at[n], far ? pace[n] + more[n] : pace[n], up & ~1);
+        if (!far)
+            set_drop(&t.at[n], more[n]);
     }
     set_sums(&t.all, shifted(x, up), shifted(y, up), shifted(z, up));
     set_sums(&t.now, shifted(v2[0], up), shifted(v2[1], up), shifted(v2[2], up));
@@ -257,10 +273,44 @@ int32_t loft_bump_part(const loft_period *period, const loft_knot knot[], unsign
     for (int i = 0; i < LOFT_AXES && by > 0; i++) {
         if ((e[i].p[0] | e[i].p[1] | e[i].d[0] | e[i].d[1]) == 0)
             continue;
-        const int32_t accel = (period->accel[i] >> 6) * share,
-                      jerk = (period->jerk[i] >> 6) * share;
+        int32_t accel = (period->accel[i] >> 6) * share, jerk = (period->jerk[i] >> 6) * share;
+        accel -= accel >> 9;
+        jerk -= jerk >> 9;
         shrink(&e[i], t.unit + t.slope + 2, t.unit);
-        by = axis_part(&t, &e[i], accel - (accel >> 9), jerk - (jerk >> 9), by);
+        by = !far ? axis_part(&t, &e[i], accel, jerk, by) : jumps(&t, &e[i], accel, jerk) ? by : 0;
     }
-    return speed < LOFT_BUMP_ONE ? 2 * loft_part(speed, by) : by;
+    return by;
+}
+
+/* Does a change treble the pace, or more? Its tangent says nothing then. */
+static bool is_far(const int32_t v2[3], const int32_t add[3])
+{
+    int32_t pace[3], more[3];
+
+    set_pace(v2, pace);
+    set_pace(add, more);
+    return more[0] > 2 * pace[0] || more[1] > 2 * pace[1] || more[2] > 2 * pace[2];
+}
+
+int32_t loft_bump_part(const loft_period *period, const loft_knot knot[], unsigned k, int share,
+                       const int32_t add[3])
+{
+    const int32_t v2[3] = { knot[k].v2, knot[k + 1].v2, knot[k + 2].v2 }, top = knot[k].top;
+    int32_t pace[3], more[3], some[3], part = LOFT_BUMP_ONE;
+
+    set_pace(v2, pace);
+    set_pace(add, more);
+    for (int n = 1; n < 3; n++) {
+        const int32_t to = by_speed(pace[n], more[n], top);
+        part = to < part ? to : part;
+    }
+    for (; part > 0; part /= 4) {
+        for (int n = 0; n < 3; n++)
+            some[n] = part_of(add[n], part);
+        if (!is_far(v2, some))
+            return part_of(part, part_within(period, knot, k, share, some, false));
+        if (part_within(period, knot, k, share, some, true) > 0)
+            return part;
+    }
+    return 0;
 }

@@ -139,8 +139,10 @@ static enum loft_path_state load(loft_guess *g)
     loft_tube_load(g->knot, known > 1 ? known - 1 : 1, g->count - 1u);
     tie(g);
     const unsigned from = g->placed < 3 ? 3 : g->placed;
-    if (from + 3 < g->count)
-        loft_tube_smooth(g->period, g->knot, from, g->count - 3u, SWEEPS);
+    if (from + 3 < g->count) {
+        loft_tube_measure(g->period, g->knot, from, g->count - 3u);
+        loft_tube_smooth(g->knot, from, g->count - 3u, SWEEPS);
+    }
     loft_timing_load(g->period, g->knot, from - 2, g->count - 2u);
     set_pace(g);
     g->loaded = g->count;

@@ -244,15 +244,19 @@ int32_t loft_timing_time(const loft_knot knot[], unsigned k)
 }
 /* v = sqrt(b 2^48) = 2^24 sqrt b */
 
-void loft_timing_raise(const loft_timing *t, unsigned shift)
+void loft_timing_raise_part(const loft_timing *t, unsigned shift, unsigned part)
 {
     static const uint16_t *const parts[] = { widest, wide, middle, narrow, narrowest };
+    const unsigned width = 16u >> part, step = width > 1 ? width / 2 : 1;
 
-    for (int n = 0; n < 5; n++) {
-        const unsigned width = 16u >> n, step = width > 1 ? width / 2 : 1;
-        for (unsigned k = t->from + shift % step; k < t->to; k += step) {
-            bump b = { t, parts[n], k, width, 0 };
-            (void)raise(&b);
-        }
+    for (unsigned k = t->from + shift % step; k < t->to; k += step) {
+        bump b = { t, parts[part], k, width, 0 };
+        (void)raise(&b);
     }
+}
+
+void loft_timing_raise(const loft_timing *t, unsigned shift)
+{
+    for (unsigned part = 0; part < LOFT_TIMING_PARTS; part++)
+        loft_timing_raise_part(t, shift, part);
 }

@@ -9,10 +9,12 @@
 
 #define BEHIND      4
 #define SMOOTHING   24      /* knots whose points may still move */
-#define STEP        20      /* knots at a time, and what they need on both sides */
+#define ALL         (LOFT_TRAJECTORY_EFFORT > 1)
+#define STEP        (ALL ? 20 : 32)     /* knots at a time, and what they need on both sides */
 #define SWEEPS      60      /* of smoothing */
-#define RAISES      4       /* of a whole chain 4 times as many */
-#define REFINED     2
+#define AT_ONCE     (ALL ? SWEEPS : 6)  /* of them in a part */
+#define RAISES      (ALL ? 4 : 1)       /* of a whole chain 4 times as many */
+#define REFINED     (ALL ? 2 : 0)
 #define SETTLED     64      /* knots before new ones that are raised again */
 #define MARGIN      4       /* of them, by which is seen if ones before hinder */
 #define CREEP       (LOFT_V2_ONE / 1024)
@@ -80,41 +82,55 @@ static void append_start(loft_trajectory *t)
     append(t, &first);
 }
 
+static enum loft_path_state next_place(loft_trajectory *t, loft_path_place *out)
+{
+    return ALL ? loft_guess_next(&t->guess, out) : loft_path_next(&t->guess.path, out);
+}
+
+/* One more knot; the chain ends, or there is no room: LOFT_PATH_END. */
 static enum loft_path_state fill(loft_trajectory *t)
 {
     loft_path_place p;
 
-    while (t->count + 2 < t->room && !t->ended) {
-        const enum loft_path_state state = loft_guess_next(&t->guess, &p);
-        if (state == LOFT_PATH_WAIT || (state == LOFT_PATH_END && t->count == 0))
-            return state;
-        if (state == LOFT_PATH_END) {
-            close_chain(t);
-            break;
-        }
-        if (t->count == 2 && is_far(t, &t->knot[1].on, &p))
-            append_start(t);
+    if (t->ended || t->count + 2 >= t->room)
+        return LOFT_PATH_END;
+    const enum loft_path_state state = next_place(t, &p);
+    if (state == LOFT_PATH_END && t->count > 0)
+        close_chain(t);
+    if (state != LOFT_PATH_PLACE)
+        return state;
+    if (t->count == 2 && is_far(t, &t->knot[1].on, &p))
+        append_start(t);
+    append(t, &p);
+    if (t->count == 1)
         append(t, &p);
-        if (t->count == 1)
-            append(t, &p);
-    }
     return LOFT_PATH_PLACE;
 }
 
-/* Smooth, and fix what is far enough from the end. */
-static void place(loft_trajectory *t, unsigned known)
-{
-    const unsigned from = t->placed < 3 ? 3 : t->placed;
+/* Where smoothing begins. */
+static unsigned first_loose(const loft_trajectory *t) { return t->placed < 3 ? 3 : t->placed; }
 
-    loft_tube_load(t->knot, known > 1 ? known - 1 : 1, t->count - 1u);
+static void begin_smoothing(loft_trajectory *t)
+{
+    const unsigned from = first_loose(t);
+
+    loft_tube_load(t->knot, t->known > 1 ? t->known - 1u : 1, t->count - 1u);
     for (int k = 0; k < 3 && t->placed == 0; k++)
         t->knot[k].point = t->knot[0].on.at;
     for (unsigned k = 1; k <= 3 && t->ended; k++)
         t->knot[t->count - k].point = t->knot[t->count - 1].on.at;
     if (from + 3 < t->count)
-        loft_tube_smooth(&t->period, t->knot, from, t->count - 3u, SWEEPS);
+        loft_tube_measure(&t->period, t->knot, from, t->count - 3u);
+}
+
+/* Fix what is far enough from the end. */
+static void place(loft_trajectory *t)
+{
+    const unsigned from = first_loose(t);
+
     t->placed = t->ended ? t->count : (uint16_t)(t->count - SMOOTHING);
     loft_timing_load(&t->period, t->knot, from > 3 ? from - 2 : 1, t->placed - 2u);
+    t->loaded = t->count;
 }
 
 /* --- timing --------------------------------------------------------------------------------------
@@ -166,46 +182,66 @@ static int64_t time_of(const loft_timing *t)
     return sum;
 }
 
-static void raise_from(loft_timing *t, unsigned sweeps)
+/* The pace of the first knots that are raised. */
+static int32_t first_pace(const loft_trajectory *t, const loft_timing *timing)
 {
-    int64_t before = time_of(t);
-
-    for (unsigned n = 0; n < sweeps; n++) {
-        loft_timing_raise(t, n * 3);
-        const int64_t now = time_of(t);
-        if (before - now < before >> 10)
-            break;
-        before = now;
-    }
+    int32_t sum = 0;
+    for (unsigned k = timing->from; k < timing->from + MARGIN && k < timing->end; k++)
+        sum += t->knot[k].v2 / MARGIN;
+    return sum;
 }
 
-/* Raise what is near the knots from `old` on. Where that changes the first ones of them, a ramp is
- * longer, and those before hinder: then twice as many are raised. */
-static void raise(loft_trajectory *t, unsigned old, unsigned sweeps)
+/* One part of raising what is near the knots from `old` on; true: that was the last. Where it
+ * changes the first ones of them, a ramp is longer, and those before hinder: then twice as many are
+ * raised. */
+static bool raise(loft_trajectory *t)
 {
     loft_timing timing = timing_of(t);
     const unsigned from = timing.from;
-    bool hindered = true;
 
-    for (unsigned near = SETTLED; hindered; near *= 2) {
-        timing.from = old > from + near ? old - near : from;
-        int32_t gain = 0;
-        for (unsigned k = 0; k < MARGIN && timing.from + k < timing.end; k++)
-            gain -= t->knot[timing.from + k].v2 / MARGIN;
-        raise_from(&timing, sweeps);
-        for (unsigned k = 0; k < MARGIN && timing.from + k < timing.end; k++)
-            gain += t->knot[timing.from + k].v2 / MARGIN;
-        hindered = timing.from > from && gain > t->knot[timing.from].v2 / 64;
+    timing.from = t->old > from + t->near ? t->old - (unsigned)t->near : from;
+    if (t->sweep == 0 && t->part == 0) {
+        t->first = first_pace(t, &timing);
+        t->time = ALL ? time_of(&timing) : 0;
     }
+    loft_timing_raise_part(&timing, t->sweep * 3u, t->part);
+    t->part++;
+    if (t->part < LOFT_TIMING_PARTS)
+        return false;
+    t->part = 0;
+    t->sweep++;
+    const int64_t now = ALL ? time_of(&timing) : 0, gain = t->time - now;
+    t->time = now;
+    if (t->sweep < t->sweeps && (!ALL || gain >= (now + gain) >> 10))
+        return false;
+    if (!ALL || timing.from <= from ||
+        first_pace(t, &timing) - t->first <= t->knot[timing.from].v2 / 64)
+        return true;
+    t->near = (uint16_t)(2 * t->near);
+    t->sweep = 0;
+    return false;
 }
 
-static void time_knots(loft_trajectory *t, unsigned known, unsigned sweeps)
+enum stage { IDLE, FILLING, SMOOTHING_THEM, PLACING, RAISING };
+
+static void begin_raising(loft_trajectory *t, unsigned sweeps)
 {
-    place(t, known);
-    t->loaded = t->count;
-    const unsigned old = t->timed;
+    t->old = t->timed;
     creep(t);
-    raise(t, old, sweeps);
+    t->near = SETTLED;
+    t->sweep = t->part = 0;
+    t->sweeps = (uint8_t)sweeps;
+}
+
+static void time_knots(loft_trajectory *t, unsigned sweeps)
+{
+    begin_smoothing(t);
+    if (first_loose(t) + 3 < t->count)
+        loft_tube_smooth(t->knot, first_loose(t), t->count - 3u, SWEEPS);
+    place(t);
+    begin_raising(t, sweeps);
+    while (!raise(t)) {
+    }
 }
 
 /* The whole chain is known and none of it has been used: its timing is a better guess than the
@@ -215,35 +251,81 @@ static void refine(loft_trajectory *t)
     for (int n = 0; n < REFINED && t->ended; n++) {
         if (!loft_guess_again(&t->guess, t->knot, t->count))
             break;
-        t->count = t->placed = t->timed = 0;
+        t->count = t->placed = t->timed = t->known = 0;
         t->ended = false;
-        (void)fill(t);
-        time_knots(t, 0, 2 * RAISES);
+        while (fill(t) == LOFT_PATH_PLACE) {
+        }
+        time_knots(t, 2 * RAISES);
     }
 }
 
-/* More knots, smoothed and timed. */
-static enum loft_path_state load(loft_trajectory *t)
+/* All that was loaded is timed. */
+static void finish_load(loft_trajectory *t)
 {
-    forget(t);
-    const unsigned known = t->loaded;
-    const enum loft_path_state state = fill(t);
-
-    if (state != LOFT_PATH_PLACE)
-        return state;
-    if (t->ended && t->timed == t->count)
-        return LOFT_PATH_END;
-    if (t->at.knot == 0)
-        t->at.knot = 1;
-    time_knots(t, known, known == 0 && t->ended ? 4 * RAISES : RAISES);
-    if (t->ended && known == 0)
+    if (t->ended && t->known == 0)
         refine(t);
     const unsigned end = t->placed - 2u;
     const unsigned look = t->room - SMOOTHING - STEP - BEHIND;
     const unsigned sure = t->ended ? end : end > look ? end - look : 0;
     if (sure > t->sure)
         t->sure = (uint16_t)sure;
+    if (t->at.knot == 0)
+        t->at.knot = 1;
+    t->stage = IDLE;
+}
+
+static bool is_all(const loft_trajectory *t)
+{
+    return t->ended && t->timed == t->count && t->stage == IDLE;
+}
+
+/* A part of making more knots: places, smoothed and timed. */
+static enum loft_path_state load(loft_trajectory *t)
+{
+    enum loft_path_state state = LOFT_PATH_PLACE;
+
+    switch ((enum stage)t->stage) {
+    case IDLE:
+        if (is_all(t))
+            return LOFT_PATH_END;
+        forget(t);
+        t->known = t->loaded;
+        t->stage = FILLING;
+        break;
+    case FILLING:
+        state = fill(t);
+        if (state == LOFT_PATH_WAIT || t->count == 0)
+            return state;
+        if (state == LOFT_PATH_END) {
+            begin_smoothing(t);
+            t->sweep = 0;
+            t->stage = SMOOTHING_THEM;
+        }
+        break;
+    case SMOOTHING_THEM:
+        if (first_loose(t) + 3 < t->count)
+            loft_tube_smooth(t->knot, first_loose(t), t->count - 3u, AT_ONCE);
+        t->sweep = (uint8_t)(t->sweep + AT_ONCE);
+        if (t->sweep >= SWEEPS)
+            t->stage = PLACING;
+        break;
+    case PLACING:
+        place(t);
+        begin_raising(t, t->known == 0 ? 4 * RAISES : RAISES);
+        t->stage = RAISING;
+        break;
+    case RAISING:
+        if (raise(t))
+            finish_load(t);
+        break;
+    }
     return LOFT_PATH_PLACE;
+}
+
+/* Is it time to make more knots, so that they are there when they are needed? */
+static bool is_due(const loft_trajectory *t)
+{
+    return t->stage != IDLE || (!t->ended && t->at.knot > BEHIND + STEP / 2);
 }
 
 /* --- samples -------------------------------------------------------------------------------------
@@ -340,7 +422,7 @@ static bool step_fits(const loft_trajectory *t, loft_time step)
 /* One more sample; false: more knots are needed. */
 static bool sample(loft_trajectory *t)
 {
-    const bool all = t->ended && t->timed == t->count;
+    const bool all = is_all(t);
 
     if (t->sure == 0)
         return false;
@@ -370,13 +452,30 @@ static void begin(loft_trajectory *t)
     loft_guess_begin(&t->guess);
     t->count = t->loaded = t->placed = t->timed = t->sure = 0;
     t->ended = false;
+    t->stage = IDLE;
     t->at = (loft_sample){ 0, 0 };
     t->steps = t->step = 0;
     loft_emit_begin(&t->emit, &t->period, t->guess.path.from);
 }
 
+/* Why there is no span. */
+static enum loft_trajectory_state without_span(loft_trajectory *t, enum loft_path_state state)
+{
+    if (state == LOFT_PATH_PLACE)
+        return LOFT_TRAJECTORY_BUSY;
+    if (state == LOFT_PATH_WAIT)
+        return t->guess.path.count == 0 && t->count == 0 ? LOFT_TRAJECTORY_REST
+                                                         : LOFT_TRAJECTORY_WAIT;
+    begin(t);
+    t->passed = t->guess.path.dropped;
+    return LOFT_TRAJECTORY_REST;
+}
+
 enum loft_trajectory_state loft_trajectory_next(loft_trajectory *t, loft_span *out)
 {
+    enum loft_path_state state = !ALL && is_due(t) ? load(t) : LOFT_PATH_PLACE;
+    bool loaded = !ALL && t->stage != IDLE;
+
     for (;;) {
         if (loft_emit_next(&t->emit, out)) {
             t->passed = loft_emit_passed(&t->emit);
@@ -388,15 +487,10 @@ enum loft_trajectory_state loft_trajectory_next(loft_trajectory *t, loft_span *o
             loft_emit_begin(&t->emit, &t->period, t->guess.path.from);
         if (sample(t))
             continue;
-        const enum loft_path_state state = load(t);
-        if (state == LOFT_PATH_WAIT)
-            return t->guess.path.count == 0 && t->count == 0 ? LOFT_TRAJECTORY_REST
-                                                             : LOFT_TRAJECTORY_WAIT;
-        if (state == LOFT_PATH_END) {
-            begin(t);
-            t->passed = t->guess.path.dropped;
-            return LOFT_TRAJECTORY_REST;
-        }
+        if (!loaded)
+            state = load(t);
+        if (state != LOFT_PATH_PLACE || !ALL)
+            return without_span(t, state);
     }
 }
 

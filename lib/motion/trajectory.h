@@ -23,6 +23,11 @@ typedef struct {
     uint16_t    placed;             /* control points before it never change */
     uint16_t    timed;              /* knots whose timing has begun */
     uint16_t    sure;               /* knots before which it never changes */
+    uint16_t    known, old;         /* while more are made: `loaded` and `timed` before */
+    uint16_t    near;               /* how many before `old` are raised? */
+    uint8_t     stage, sweep, sweeps, part;     /* of making them */
+    int32_t     first;              /* the pace of the first ones that are raised, before */
+    int64_t     time;               /* and the time of all */
     bool        ended;              /* is the last knot the end of the chain? */
     loft_sample at;                 /* the last sample */
     uint32_t    steps, step;        /* samples to the end, and which is next, once it is sure */
@@ -36,7 +41,8 @@ typedef struct {
 enum loft_trajectory_state {
     LOFT_TRAJECTORY_SPAN,     /* here is a span                                               */
     LOFT_TRAJECTORY_WAIT,     /* the next span depends on what comes: push more, or end       */
-    LOFT_TRAJECTORY_REST      /* at rest, exactly on the last control point                   */
+    LOFT_TRAJECTORY_REST,     /* at rest, exactly on the last control point                   */
+    LOFT_TRAJECTORY_BUSY      /* not yet: call again (effort 1: a call does a part of the work) */
 };
 
 /* Plan within `limits` (copied), in memory of the caller.

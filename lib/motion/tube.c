@@ -103,7 +103,7 @@ static loft_coord left_between(const loft_period *p, const loft_knot knot[], uns
     return p->tube - knot[k].on.skip - (most > z ? most : z);
 }
 
-static void set_room(const loft_period *p, loft_knot knot[], unsigned from, unsigned to)
+void loft_tube_measure(const loft_period *p, loft_knot knot[], unsigned from, unsigned to)
 {
     for (unsigned k = from; k < to; k++)
         knot[k].room = p->tol - p->tol / 7;
@@ -167,10 +167,8 @@ static void relax(loft_knot knot[], unsigned k)
         knot[k].point.axis[i] = loft_coord_add(c[i], e[i]);
 }
 
-void loft_tube_smooth(const loft_period *period, loft_knot knot[], unsigned from, unsigned to,
-                      int sweeps)
+void loft_tube_smooth(loft_knot knot[], unsigned from, unsigned to, int sweeps)
 {
-    set_room(period, knot, from, to);
     for (int n = 0; n < sweeps; n++)
         for (unsigned k = from; k < to; k++)
             relax(knot, n % 2 ? from + to - 1 - k : k);

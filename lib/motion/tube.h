@@ -27,13 +27,18 @@ typedef struct {
  */
 void loft_tube_load(loft_knot knot[], unsigned from, unsigned to);
 
-/* Smooth the control points from..to - 1, which three others precede and follow.
+/* Set how far the control points from..to - 1, which three others precede and follow, may be moved.
  *
  *   range   3 <= from <= to <= n - 3
- *   cost    sweeps * (to - from) * (LOFT_AXES products, a root and LOFT_AXES quotients)
  */
-void loft_tube_smooth(const loft_period *period, loft_knot knot[], unsigned from, unsigned to,
-                      int sweeps);
+void loft_tube_measure(const loft_period *period, loft_knot knot[], unsigned from, unsigned to);
+
+/* Smooth them; again, when others follow.
+ *
+ *   range   as loft_tube_measure
+ *   cost    sweeps * (to - from) * LOFT_AXES * 7 products of 32 bits; more where it is a corner
+ */
+void loft_tube_smooth(loft_knot knot[], unsigned from, unsigned to, int sweeps);
 
 LOFT_END_C
 

@@ -50,7 +50,8 @@ for what; do
     out=$dir/$core-$machine-$list
     mkdir -p "$out"
     chain_of "$list" > "$out/chain.h"
-    flags="-mthumb -mcpu=$cpu -O2 -std=c99 -ffreestanding -ffunction-sections ${CHIP_FLAGS:-}"
+    flags="-mthumb -mcpu=$cpu -O2 -std=c99 -ffreestanding -ffunction-sections"
+    flags="$flags -DLOFT_TRAJECTORY_EFFORT=1 ${CHIP_FLAGS:-}"
     flags="$flags -Ilib -Itests/target -I$out -DLOFT_AXES=3 $limits -DMOVES=$moves -DKNOTS=$knots"
     [ -s "$dir/$cpu/done" ] || library $cpu "$flags"
     arm-none-eabi-gcc $flags -nostdlib -Wl,--gc-sections -Wl,--no-warn-rwx-segments \

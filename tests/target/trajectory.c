@@ -24,6 +24,7 @@ static loft_move       moves[MOVES];
 static loft_knot       knots[KNOTS];
 static loft_trajectory plan;
 
+static loft_vec last;           /* where the last span ends */
 static uint64_t planning;       /* a sum may exceed 2^32 */
 static uint32_t worst, ticks, calls, spans, empty;
 
@@ -94,6 +95,8 @@ static void plan_chain(void)
         take(start);
         spans += state == LOFT_TRAJECTORY_SPAN;
         ticks += state == LOFT_TRAJECTORY_SPAN ? span.ticks : 0u;
+        if (state == LOFT_TRAJECTORY_SPAN)
+            last = span.p[3];
     }
 }
 
@@ -124,5 +127,6 @@ int main(void)
     say_line(debugger_put, "bytes_plan", sizeof plan);
     say_line(debugger_put, "bytes_knots", sizeof knots);
     say_line(debugger_put, "bytes_moves", sizeof moves);
-    return 0;
+    return last.axis[0] == chain[CURVES - 1][3][0] && last.axis[1] == chain[CURVES - 1][3][1] ? 0
+                                                                                              : 1;
 }

@@ -40,7 +40,8 @@ static void arb_path(arb *a)
         knot[k].point = knot[0].point;
         knot[knots - 1 - k].point = knot[knots - 1].point;
     }
-    loft_tube_smooth(&period, knot, 3, knots - 3, 20);
+    loft_tube_measure(&period, knot, 3, knots - 3);
+    loft_tube_smooth(knot, 3, knots - 3, 20);
     loft_timing_load(&period, knot, 1, knots - 2);
 }
 
@@ -132,7 +133,7 @@ static void a_part_of_a_change_holds(arb *a)
             most = fmax(most, part / 32768.0 * add[j] / before[j]);
         }
         const double more = part / 32768.0 * 1.5 + 0.25 * least;
-        const bool asked = more < 1 && most < 0.5;
+        const bool asked = more < 1 && most < 0.5 && least > 0.5;
         for (unsigned j = 0; j < 3; j++)
             knot[k + j].v2 = before[j] + (int32_t)(add[j] * more);
         if (asked)
