@@ -27,6 +27,7 @@
  *                  differential, deficit                 normals and curvatures
  *                  surface, contour                      any surface as a function, waterlines
  *   polygon/     n sides
+ *   toolpath/    surfaces as the path of a tool
  *                  domain, partition                     polygons and their convex parts
  *                  wachspress, meanvalue, harmonic       coordinates in them
  *                  spatch, toric, basepoint, zheng_ball, gb   Bezier patches over them
@@ -159,6 +160,10 @@
 #include "polygon/spatch.h"
 #include "polygon/toric.h"
 #include "polygon/wachspress.h"
+#include "toolpath/cutter.h"
+#include "toolpath/drop.h"
+#include "toolpath/raster.h"
+#include "toolpath/sheet.h"
 #include "motion/plan.h"
 #include "kinematics/kinematics.h"
 #include "motion/scurve.h"

@@ -21,6 +21,7 @@
 #include "surface/triangle/triangle_rational.h"     /* loft_triangle_rational */
 
 #include "engine/engine_num.h"  /* real_of, vec_of, point_of */
+#include "engine/engine_sheet.h"
 #include "engine/engine_sided.h"
 #include "engine/surface.h"
 #include "base/tool.h"          /* tool_grow */
@@ -33,6 +34,7 @@ struct engine_surface {
     engine_sided *sided;        /* for patches with n sides; then nothing else is used */
     loft_vec *p;
     loft_weighted *weighted;
+    loft_vec *net;              /* of a patch that was converted for its sheets, or NULL */
     union {
         loft_tensor tensor;
         loft_tensor_rational tensor_rational;
@@ -55,6 +57,7 @@ static void surface_close(engine_surface *e)
         ENGINE_OF(engine_sides).close(e->sided);
     free(e->p);
     free(e->weighted);
+    free(e->net);
     free(e);
 }
 
@@ -378,6 +381,71 @@ static int surface_contour(const engine_surface *e, double height, double tol, u
     }
     free(memory);
     return status;
+}
+
+
+// Sheets
+// ------
+
+static int tensor_sheets(const loft_tensor *t, unsigned level, loft_sheet out[])
+{
+    const unsigned n = 1u << level;
+
+    if (level == 0) {
+        const int status = loft_sheet_from_tensor(out, t);
+        return status ? status : 1;
+    }
+    for (unsigned k = 0; k < n * n; k++) {
+        const int status = loft_sheet_from_tensor_part(&out[k], t, level, k / n, k % n);
+        if (status != LOFT_OK)
+            return status;
+    }
+    return (int)(n * n);
+}
+
+/* Write a surface as a tensor product or a triangle of the library, which then replaces it. */
+static int convert_surface(engine_surface *e)
+{
+    int status = LOFT_ERR_ARG;
+
+    e->net = tool_grow(e->net,
+                       (SURFACE_DEGREE_MAX + 1) * (SURFACE_DEGREE_MAX + 1) * sizeof *e->net);
+    if (e->s->kind == SURFACE_BICUBIC) {
+        status = loft_tensor_from_bicubic(&e->as.bicubic, e->net);
+        return status ? status : (int)loft_tensor_init(&e->as.tensor, e->net, 3, 3);
+    }
+    if (e->s->kind == SURFACE_COONS && e->s->orders == 1) {
+        status = loft_tensor_from_coons(&e->as.coons, e->net);
+        return status ? status : (int)loft_tensor_init(&e->as.tensor, e->net, e->s->m, e->s->n);
+    }
+    if (e->s->kind == SURFACE_PN) {
+        loft_pn_net(&e->as.pn, e->net);
+        return loft_triangle_init(&e->as.triangle, e->net, 3);
+    }
+    return status;
+}
+
+int ENGINE_OF(engine_sheets)(engine_surface *e, unsigned level, loft_sheet out[])
+{
+    const enum surface_kind kind = e->s->kind;
+    int status = LOFT_OK;
+
+    if (kind == SURFACE_TENSOR)
+        return !e->s->rational ? tensor_sheets(&e->as.tensor, level, out)
+               : (status = loft_sheet_from_tensor_rational(out, &e->as.tensor_rational)) ? status
+                                                                                         : 1;
+    if (kind == SURFACE_OCTANT || (kind == SURFACE_TRIANGLE && e->s->rational))
+        status = loft_sheet_from_triangle_rational(out, &e->as.triangle_rational);
+    else if (kind == SURFACE_TRIANGLE)
+        status = loft_sheet_from_triangle(out, &e->as.triangle);
+    else {
+        status = convert_surface(e);
+        if (status == LOFT_OK && kind != SURFACE_PN)
+            return tensor_sheets(&e->as.tensor, level, out);
+        if (status == LOFT_OK)
+            status = loft_sheet_from_triangle(out, &e->as.triangle);
+    }
+    return status ? status : 1;
 }
 
 const engine_surfaces ENGINE_OF(engine_surfaces) = { .open = surface_open,

@@ -816,12 +816,36 @@ case_help_everywhere() {
     run 0 "$loft" --version; says out '^loft [0-9]'
     run 64 "$loft"
     for command in stream simulate plot ports eval sample flatten measure compare surface contour \
-                   export decide make
+                   export decide make mill
     do
         run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
         run 0 "$loft" $command --help
         cmp -s "$tmp/out" "$tmp/help" || job_fails "help $command and $command --help differ"
     done
+}
+case_mill() {
+    printf 'bicubic\n' >"$tmp/dome.loft"
+    printf '%s\n' '0 0 0' '0 9 0' '0 9 6' '0 9 -6' '9 0 0' '9 9 0' '0 9 6' '0 9 -6' '9 0 6' \
+                  '9 0 6' '0 0 0' '0 0 0' '9 0 -6' '9 0 -6' '0 0 0' '0 0 0' >>"$tmp/dome.loft"
+    for num in q16 f64; do
+        run 0 "$loft" mill --num $num --tool ball:4 --cusp 0.1 --tol 0.02 "$tmp/dome.loft"
+        is_empty err; says out '^# cuts below the surface: none, proved'
+        says out '^# cusps: at most 0\.0[0-9]*, asked 0.1$'
+        cp "$tmp/out" "$tmp/path.loft"
+        run 0 "$loft" plan "$tmp/path.loft";    says out '^in all'
+    done
+    run 0 "$loft" mill --tool bull:4:0.5 --step 3 --along y "$tmp/dome.loft"
+    says out '^# bull:4:0.5, 4 lines'
+    printf 'octant 9\n' >"$tmp/octant.loft"
+    run 0 "$loft" mill --tool flat:3 --step 3 --floor 4 "$tmp/octant.loft"; says out '^# flat:3, 4'
+    printf 'sphere 9\n' >"$tmp/ball.loft"
+    one_line 65 'sphere: cannot be milled' "$loft" mill "$tmp/ball.loft"
+    one_line 64 'is for a ball'           "$loft" mill --tool flat:4 --cusp 0.1 "$tmp/dome.loft"
+    one_line 64 'give ball:DIAMETER'      "$loft" mill --tool ball "$tmp/dome.loft"
+    one_line 64 'give one of them'        "$loft" mill --cusp 1 --step 1 "$tmp/dome.loft"
+    one_line 64 'give x or y'             "$loft" mill --along z "$tmp/dome.loft"
+    one_line 64 'two corners apart'       "$loft" mill --area 1,1,1,5 "$tmp/dome.loft"
+    one_line 65 'no surface in it'        "$loft" mill "$tmp/small.csv"
 }
 case_eval_and_sample() {
     for num in q16 f32 f64; do

@@ -1,0 +1,215 @@
+/* host-tools/cmd/cmd_mill.c -- loft mill: the path of a cutter over surfaces, as a curve in space
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/progress.h"
+#include "base/source.h"        /* source_name */
+#include "base/tool.h"
+#include "engine/mill.h"
+#include "engine/print.h"       /* print_point */
+#include "engine/surface.h"
+#include "num/status.h"         /* LOFT_ERR_ARG */
+
+typedef struct {
+    mill_order o;
+    const char *name;           /* of the tool, as given */
+} tool_wish;
+
+/* ball:6, flat:6, bull:6:1 */
+static bool parse_tool(const char *text, void *out)
+{
+    static const char *const kinds[] = { "ball:", "flat:", "bull:" };
+    tool_wish *w = out;
+    double diameter = 0, corner = 0;
+    char rest = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const size_t length = strlen(kinds[k]);
+        if (strncmp(text, kinds[k], length) != 0)
+            continue;
+        const int read = k < 2 ? sscanf(text + length, "%lf%c", &diameter, &rest)
+                               : sscanf(text + length, "%lf:%lf%c", &diameter, &corner, &rest);
+        if (read != (k < 2 ? 1 : 2) ||
+            !(diameter >= 0.05 && diameter <= 250 && corner >= 0 && corner <= diameter / 2))
+            break;
+        w->o.radius = diameter / 2;
+        w->o.corner = k == 0 ? diameter / 2 : corner;
+        w->name = text;
+        return true;
+    }
+    (void)tool_error(EX_USAGE,
+                     "--tool %s: give ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER, with a "
+                     "diameter of 0.05 to 250 mm",
+                     text);
+    return false;
+}
+
+typedef struct {
+    double (*point)[ENGINE_AXES];
+    size_t count, room;
+    progress bar;
+    const mill_order *o;
+} path;
+
+static void take_point(void *context, const double point[ENGINE_AXES])
+{
+    path *p = context;
+
+    if (p->count == p->room) {
+        p->room  = p->room ? 2 * p->room : 1024;
+        p->point = tool_grow(p->point, p->room * sizeof *p->point);
+    }
+    memcpy(p->point[p->count++], point, sizeof *p->point);
+    if (p->bar.shown) {
+        const unsigned across = 1 - p->o->axis;
+        progress_show(&p->bar, point[across] - p->o->area[0][across], "milling");
+    }
+}
+
+static double way_of(const path *p)
+{
+    double sum = 0;
+
+    for (size_t i = 1; i < p->count; i++)
+        sum += sqrt(pow(p->point[i][0] - p->point[i - 1][0], 2) +
+                    pow(p->point[i][1] - p->point[i - 1][1], 2) +
+                    pow(p->point[i][2] - p->point[i - 1][2], 2));
+    return sum;
+}
+
+/* The path from a safe height to a safe height, below what is known of it. */
+static int print_path(const engine *e, const tool_wish *w, const path *p, const mill_report *r,
+                      double safe)
+{
+    const print_options out = { e, true };
+    double end[ENGINE_AXES];
+
+    printf("# %s, %zu lines, %zu points, %.1f mm\n", w->name, r->lines, p->count, way_of(p));
+    printf("# cuts below the surface: none, proved for each of %zu chords\n", p->count - 1);
+    printf("# above the lowest way: at most %g\n", w->o.tol);
+    if (r->cusp > 0)
+        printf("# cusps: at most %.6f, asked %g\n", r->cusp, w->o.cusp);
+    puts("line");
+    for (size_t i = 0; i < p->count + 2; i++) {
+        const bool first = i == 0, last = i == p->count + 1;
+        memcpy(end, p->point[first ? 0 : last ? p->count - 1 : i - 1], sizeof end);
+        if (first || last)
+            end[2] = fmax(r->top + safe, end[2]);
+        print_point((void *)&out, end);
+    }
+    return ferror(stdout) ? EX_IOERR : EX_OK;
+}
+
+static int refuse(const char *file, const surfaces *all, const mill_report *r, int status)
+{
+    if (r->failed < all->count) {
+        const surface *s = &all->surface[r->failed];
+        if (status == LOFT_ERR_ARG)
+            return tool_error(EX_DATAERR,
+                              "%s:%u: %s: cannot be milled: give tensor, bicubic, coons, triangle, "
+                              "pn or octant",
+                              file, s->line, surface_name(s->kind));
+        return tool_error(EX_DATAERR, "%s:%u: %s: %s", file, s->line, surface_name(s->kind),
+                          surface_status(s, status));
+    }
+    return tool_error(EX_DATAERR, "%s: --tool, --cusp, --step, --area: %s", file,
+                      engine_status(status));
+}
+
+static int mill_surfaces(const engine *e, tool_wish *w, const char *file, double safe)
+{
+    engine_mill *const run = e == &engine_q16   ? engine_mill_q16
+                             : e == &engine_f32 ? engine_mill_f32
+                                                : engine_mill_f64;
+    surfaces all = { 0 };
+    path p = { .o = &w->o };
+    mill_report r;
+    int code = surfaces_read_only(&all, file);
+
+    if (code == 0) {
+        progress_start(&p.bar, 0);
+        const int status = run(&all, &w->o, take_point, &p, &r);
+        progress_clear(&p.bar);
+        code = status == 0 ? print_path(e, w, &p, &r, safe)
+                           : refuse(source_name(file), &all, &r, status);
+    }
+    free(p.point);
+    surfaces_free(&all);
+    return code;
+}
+
+static int run_mill(const tool_command *self, int argc, char **argv)
+{
+    const engine *e = &engine_f64;
+    tool_wish w = { .o = { .radius = 3, .corner = 3, .tol = 0.01 }, .name = "ball:6" };
+    tool_list area = { .count = 0 }, lowest = { .count = 0 };
+    const char *along = "x";
+    double safe = 5;
+    int first;
+
+    const tool_option options[] = {
+        TOOL_PARSED("tool", "KIND:MM[:MM]", &w, parse_tool,
+                    "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER (ball:6)"),
+        TOOL_NUMBER("cusp", "MM", &w.o.cusp, 0.0005, 60,
+                    "height that a ball may leave between two lines (0.02)"),
+        TOOL_NUMBER("step", "MM", &w.o.step, 0.001, 1000, "distance of lines, instead of --cusp"),
+        TOOL_TEXT("along", "x|y", &along, "direction of the lines (x)"),
+        TOOL_NUMBER("tol", "MM", &w.o.tol, 0.001, 10,
+                    "how much higher than necessary the path may be (0.01)"),
+        TOOL_LIST("area", "X,Y,X,Y", &area, -4096, 4096,
+                  "where the axis of the tool may be: two corners (the box of the surfaces)"),
+        TOOL_LIST("floor", "Z", &lowest, -4096, 4096,
+                  "lowest height of the tip (that of the surfaces)"),
+        TOOL_NUMBER("safe", "MM", &safe, 0, 1000,
+                    "height above the surfaces where the path begins and ends (5)"),
+        ENGINE_OPTION(&e, "number type (f64)"),
+        TOOL_OPTIONS_END
+    };
+    const int code = tool_options(self, options, argc, argv, &first);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    if (argc - first != 1)
+        return tool_error(EX_USAGE, "mill: give one file: see `loft mill --help`");
+    if (w.o.cusp > 0 && w.o.step > 0)
+        return tool_error(EX_USAGE, "--cusp and --step: give one of them");
+    const bool ball = w.o.corner == w.o.radius;
+    if (w.o.cusp > 0 && !ball)
+        return tool_error(EX_USAGE, "--cusp: is for a ball: give --step for %s", w.name);
+    if (w.o.cusp >= w.o.radius / 2)
+        return tool_error(EX_USAGE, "--cusp %g: give less than a quarter of the diameter",
+                          w.o.cusp);
+    if (w.o.cusp == 0 && w.o.step == 0)
+        *(ball ? &w.o.cusp : &w.o.step) = ball ? fmin(0.02, w.o.radius / 8) : w.o.radius;
+    if (strcmp(along, "x") != 0 && strcmp(along, "y") != 0)
+        return tool_error(EX_USAGE, "--along %s: give x or y", along);
+    w.o.axis = along[0] == 'y';
+    if (lowest.count > 1 || (area.count != 0 && area.count != 4))
+        return tool_error(EX_USAGE, lowest.count > 1 ? "--floor: give one height"
+                                                     : "--area: give X,Y,X,Y: two corners");
+    w.o.floored = lowest.count == 1;
+    w.o.lowest = w.o.floored ? lowest.value[0] : 0;
+    w.o.bounded = area.count == 4;
+    for (int k = 0; k < 2 && w.o.bounded; k++) {
+        w.o.area[0][k] = fmin(area.value[k], area.value[k + 2]);
+        w.o.area[1][k] = fmax(area.value[k], area.value[k + 2]);
+        if (!(w.o.area[0][k] < w.o.area[1][k]))
+            return tool_error(EX_USAGE, "--area: is empty: give two corners apart");
+    }
+    return mill_surfaces(e, &w, argv[first], safe);
+}
+
+const tool_command command_mill = {
+    "mill", "[--tool ball:6] [--cusp MM|--step MM] FILE|-",
+    "the path of a mill's tool over surfaces, as a curve in space",
+    "FILE has surfaces in the format of host-tools/LOFT.md: tensor, bicubic, coons, triangle,\n"
+    "pn, octant. Prints the path of the tip as one `line` in .loft, which `loft stream` mills\n"
+    "with z: lines there and back, their distance from the cusps that a ball leaves, in\n"
+    "chords within --tol. Each chord is proved not to cut below any surface; beside walls the\n"
+    "path goes up and down on the spot. The first lines of the output say what is proved and\n"
+    "measured. Surfaces are seen from above.\n",
+    run_mill
+};

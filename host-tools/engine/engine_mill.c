@@ -1,0 +1,114 @@
+/* host-tools/engine/engine_mill.c -- the path of a cutter over the surfaces of a file; compiled
+ * once per number type
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+
+#include "toolpath/raster.h"        /* loft_raster */
+
+#include "base/tool.h"              /* tool_grow */
+#include "engine/engine_sheet.h"
+#include "engine/mill.h"
+
+#define FEW 16          /* so many surfaces are cut into 64 sheets each */
+
+/* Surfaces stay open, for sheets borrow them. */
+typedef struct {
+    engine_surface **held;
+    loft_sheet *sheet;
+    size_t count, sheets;
+} sheet_list;
+
+static void close_sheets(sheet_list *l)
+{
+    while (l->count > 0)
+        ENGINE_OF(engine_surfaces).close(l->held[--l->count]);
+    free(l->held);
+    free(l->sheet);
+}
+
+static int open_sheets(sheet_list *l, const surfaces *all, size_t *failed)
+{
+    const unsigned level = all->count <= FEW ? 3 : 0;
+
+    l->held = tool_grow(NULL, all->count * sizeof *l->held);
+    l->sheet = tool_grow(NULL, (all->count << 2 * level) * sizeof *l->sheet);
+    for (size_t i = 0; i < all->count; i++) {
+        *failed = i;
+        int status = ENGINE_OF(engine_surfaces).open(&all->surface[i], &l->held[i]);
+        if (status != LOFT_OK)
+            return status;
+        l->count++;
+        status = ENGINE_OF(engine_sheets)(l->held[i], level, l->sheet + l->sheets);
+        if (status < 0)
+            return status;
+        l->sheets += (size_t)status;
+    }
+    *failed = all->count;
+    return LOFT_OK;
+}
+
+/* What the order leaves open is that of the sheets. */
+static int complete_order(const sheet_list *l, mill_order *o, loft_box *area, mill_report *out)
+{
+    loft_box box = l->sheet[0].box;
+
+    for (size_t k = 0; k < l->sheets; k++)
+        box = loft_box_join(loft_box_join(box, l->sheet[k].box.min), l->sheet[k].box.max);
+    out->top = double_of(box.max.axis[2]);
+    if (!o->floored)
+        o->lowest = double_of(box.min.axis[2]);
+    for (int k = 0; k < 2 && !o->bounded; k++) {
+        o->area[0][k] = double_of(box.min.axis[k]);
+        o->area[1][k] = double_of(box.max.axis[k]);
+    }
+    *area = box;
+    for (int k = 0; k < 2; k++)
+        if (!real_of(o->area[0][k], &area->min.axis[k]) ||
+            !real_of(o->area[1][k], &area->max.axis[k]))
+            return LOFT_ERR_RANGE;
+    return LOFT_OK;
+}
+
+static int start_raster(const sheet_list *l, const mill_order *o, const loft_box *area,
+                        loft_raster *r)
+{
+    loft_real radius, corner, tol, lowest, cusp, step;
+    loft_cutter cutter;
+    loft_drop d;
+
+    if (!real_of(o->radius, &radius) || !real_of(o->corner, &corner) || !tol_of(o->tol, &tol) ||
+        !real_of(o->lowest, &lowest) || !tol_of(o->cusp, &cusp) || !real_of(o->step, &step))
+        return LOFT_ERR_RANGE;
+    int status = loft_cutter_init(&cutter, radius, corner);
+    if (status == LOFT_OK)
+        status = loft_drop_init(&d, l->sheet, (uint32_t)l->sheets, &cutter, tol, lowest);
+    return status ? status : (int)loft_raster_init(r, &d, area, o->axis, cusp, step);
+}
+
+int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, engine_point_sink *sink,
+                           void *context, mill_report *out)
+{
+    sheet_list l = { 0 };
+    loft_raster r;
+    loft_box area;
+    loft_vec tip;
+
+    *out = (mill_report){ 0 };
+    int status = open_sheets(&l, all, &out->failed);
+    if (status == LOFT_OK)
+        status = complete_order(&l, o, &area, out);
+    if (status == LOFT_OK)
+        status = start_raster(&l, o, &area, &r);
+    while (status == LOFT_OK && loft_raster_next(&r, &tip)) {
+        double point[ENGINE_AXES];
+        point_of(tip, point);
+        sink(context, point);
+    }
+    if (status == LOFT_OK) {
+        out->lines = r.lines;
+        out->cusp = double_of(r.cusp);
+    }
+    close_sheets(&l);
+    return status;
+}

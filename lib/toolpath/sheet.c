@@ -1,0 +1,241 @@
+/* lib/toolpath/sheet.c
+ * SPDX-License-Identifier: MIT
+ *
+ * A function f on a square of side h differs from the bilinear function of its corners by at most
+ *
+ *     h^2 (|f_uu| + |f_vv|) / 8
+ *
+ * and on the triangle u, v >= 0, u + v <= h, from the linear function of its corners, by at most
+ *
+ *     h^2 (|f_uu| + 2 |f_uv| + |f_vv|) / 8
+ *
+ * With barycentric coordinates l of the place the Taylor series at it gives half of the sum of
+ * l_i f''(v_i - x, v_i - x), where the sums of l_i du_i^2, of l_i dv_i^2 and of l_i |du_i dv_i| are
+ * at most h^2 / 4. The derivatives are bounded by the differences of the net.
+ *
+ * A rational surface P = N / W, measured from a point c within r of all control points, has
+ *
+ *     P_u  = (N_u - P W_u) / W                        |P| <= r
+ *     P_uv = (N_uv - P_u W_v - P_v W_u - P W_uv) / W
+ */
+#include "num/sci.h"
+#include "toolpath/sheet.h"
+
+/* A net in rows: where a point is, and which of the first and second differences exist. */
+typedef struct {
+    const loft_vec *p;
+    const loft_weighted *w;             /* NULL: all weights are 1 */
+    unsigned m, n;                      /* degrees; a triangle: both are its degree */
+    bool triangle;
+    loft_acc centre[3];
+} net_view;
+
+static unsigned place_of(const net_view *s, unsigned i, unsigned j)
+{
+    return s->triangle ? loft_triangle_place(i, j) : i * (s->n + 1) + j;
+}
+
+static bool net_has(const net_view *s, unsigned i, unsigned j)
+{
+    return s->triangle ? i + j <= s->m : i <= s->m && j <= s->n;
+}
+
+static const loft_vec *point_of(const net_view *s, unsigned k)
+{
+    return s->w ? &s->w[k].p : &s->p[k];
+}
+
+/* Coordinate `axis` of point k from the centre, times its weight; axis 3: the weight. */
+static loft_sci value_of(const net_view *s, unsigned k, int axis)
+{
+    const loft_sci w = s->w ? loft_sci_from_real(s->w[k].w) : loft_sci_one();
+
+    if (axis == 3)
+        return w;
+    const loft_acc from = loft_to_acc(loft_vec_axis(point_of(s, k), axis)) - s->centre[axis];
+    return loft_sci_mul(loft_sci_of(from), w);
+}
+
+/* The largest difference of orders a along u and b along v, a + b <= 2, times its factor. */
+static loft_sci largest_difference(const net_view *s, unsigned a, unsigned b, int axis)
+{
+    static const signed char share[3][3] = { { 1, 0, 0 }, { -1, 1, 0 }, { 1, -2, 1 } };
+    loft_sci most = loft_sci_zero();
+    int32_t factor = 1;
+
+    for (unsigned i = 0; net_has(s, i + a, 0); i++)
+        for (unsigned j = 0; net_has(s, i + a, j + b); j++) {
+            loft_sci sum = loft_sci_zero();
+            for (unsigned k = 0; k <= a; k++)
+                for (unsigned l = 0; l <= b; l++)
+                    sum = loft_sci_add(sum,
+                                       loft_sci_mul(loft_sci_from_int(share[a][k] * share[b][l]),
+                                                    value_of(s, place_of(s, i + k, j + l), axis)));
+            if (loft_sci_less(most, loft_sci_abs(sum)))
+                most = loft_sci_abs(sum);
+        }
+    for (unsigned k = 0; k < a; k++)
+        factor *= (int32_t)(s->m - k);
+    for (unsigned k = 0; k < b; k++)
+        factor *= (int32_t)(s->n - k - (s->triangle ? a : 0));
+    return loft_sci_mul(most, loft_sci_from_int(factor));
+}
+
+/* The length of the vector of largest differences: no derivative of the numerator is longer. */
+static loft_sci largest_length(const net_view *s, unsigned a, unsigned b)
+{
+    loft_sci sum = loft_sci_zero();
+
+    if (!net_has(s, a, b))
+        return sum;
+    for (int axis = 0; axis < 3; axis++) {
+        const loft_sci x = largest_difference(s, a, b, axis);
+        sum = loft_sci_add(sum, loft_sci_mul(x, x));
+    }
+    return loft_sci_sqrt(sum);
+}
+
+/* The same for the weights. */
+static loft_sci largest_weight(const net_view *s, unsigned a, unsigned b)
+{
+    return s->w && net_has(s, a, b) ? largest_difference(s, a, b, 3) : loft_sci_zero();
+}
+
+typedef struct {
+    loft_sci radius, least;             /* around the centre; the smallest weight */
+    loft_sci first[2], weight[2];       /* |P_u|, |P_v|, |W_u|, |W_v| */
+} quotient;
+
+/* |P| of that order: (N + sum of the rest) / W. */
+static loft_sci second_derivative(const net_view *s, const quotient *q, unsigned a, unsigned b)
+{
+    const unsigned x = a > 0 ? 0 : 1, y = b > 0 ? 1 : 0;
+    loft_sci sum = largest_length(s, a, b);
+
+    if (!s->w)
+        return sum;
+    sum = loft_sci_add(sum, loft_sci_mul(q->first[x], q->weight[y]));
+    sum = loft_sci_add(sum, loft_sci_mul(q->first[y], q->weight[x]));
+    sum = loft_sci_add(sum, loft_sci_mul(q->radius, largest_weight(s, a, b)));
+    return loft_sci_div(sum, q->least);
+}
+
+static void measure_quotient(const net_view *s, unsigned count, quotient *q)
+{
+    q->radius = loft_sci_zero();
+    q->least = s->w ? loft_sci_from_real(s->w[0].w) : loft_sci_one();
+    for (unsigned k = 0; k < count && s->w; k++) {
+        loft_sci sum = loft_sci_zero();
+        const loft_sci w = loft_sci_from_real(s->w[k].w);
+        for (int axis = 0; axis < 3; axis++) {
+            const loft_sci x = loft_sci_div(value_of(s, k, axis), w);
+            sum = loft_sci_add(sum, loft_sci_mul(x, x));
+        }
+        sum = loft_sci_sqrt(sum);
+        if (loft_sci_less(q->radius, sum))
+            q->radius = sum;
+        if (loft_sci_less(w, q->least))
+            q->least = w;
+    }
+    for (unsigned k = 0; k < 2; k++) {
+        const unsigned a = k == 0, b = k == 1;
+        q->weight[k] = largest_weight(s, a, b);
+        q->first[k] = loft_sci_div(
+            loft_sci_add(largest_length(s, a, b), loft_sci_mul(q->radius, q->weight[k])), q->least);
+    }
+}
+
+static enum loft_status make_sheet(loft_sheet *s, net_view *net, unsigned count,
+                                   loft_surface surface)
+{
+    loft_sheet made = { surface, { *point_of(net, 0), *point_of(net, 0) }, 0, 0, 0, 0, 0 };
+    loft_real most = 0;
+    quotient q;
+
+    if (LOFT_AXES < 3)
+        return LOFT_ERR_ARG;
+    for (unsigned k = 0; k < count; k++) {
+        if (!loft_vec_within(*point_of(net, k), LOFT_REAL(LOFT_SHEET_REACH)))
+            return LOFT_ERR_RANGE;
+        made.box = loft_box_join(made.box, *point_of(net, k));
+        for (int axis = 0; axis < 3; axis++) {
+            const loft_real x = loft_real_abs(loft_vec_axis(point_of(net, k), axis));
+            most = x > most ? x : most;
+        }
+    }
+    for (int axis = 0; axis < 3; axis++)
+        net->centre[axis] = loft_acc_mean(loft_to_acc(loft_vec_axis(&made.box.min, axis)),
+                                          loft_to_acc(loft_vec_axis(&made.box.max, axis)));
+    measure_quotient(net, count, &q);
+    loft_sci sum = loft_sci_add(second_derivative(net, &q, 2, 0), second_derivative(net, &q, 0, 2));
+    if (net->triangle) {
+        const loft_sci mixed = second_derivative(net, &q, 1, 1);
+        sum = loft_sci_add(sum, loft_sci_add(mixed, mixed));
+    }
+    sum = loft_sci_div(sum, loft_sci_from_int(8));
+    if (loft_sci_less(loft_sci_from_int(1048575), sum) || !loft_sci_to_acc(sum, &made.bend))
+        return LOFT_ERR_RANGE;
+    const loft_acc size = loft_to_acc(most);
+    /* the sums of sci err by 2^-50 of it; points by 2 ulp per axis, in f64 by 200 */
+    made.bend += loft_acc_ratio(made.bend, 1048576) + loft_acc_ulp(size);
+    made.fuzz = 4 * loft_real_ulp(size) + 512 * loft_acc_ulp(size);
+    *s = made;
+    return LOFT_OK;
+}
+
+enum loft_status loft_sheet_from_tensor(loft_sheet *s, const loft_tensor *t)
+{
+    net_view net = { t->p, NULL, t->m, t->n, false, { 0, 0, 0 } };
+
+    return make_sheet(s, &net, (t->m + 1u) * (t->n + 1u), loft_surface_from_tensor(t));
+}
+
+enum loft_status loft_sheet_from_tensor_part(loft_sheet *s, const loft_tensor *t, unsigned level,
+                                             unsigned i, unsigned j)
+{
+    const uint32_t n = (uint32_t)1 << (level <= LOFT_SHEET_LEVELS ? level : 0);
+    loft_vec across[(LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1)],
+        part[(LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1)];
+    const loft_tensor half = { across, t->m, t->n };
+    net_view net = { part, NULL, t->m, t->n, false, { 0, 0, 0 } };
+
+    if (level > LOFT_SHEET_LEVELS || i >= n || j >= n)
+        return LOFT_ERR_ARG;
+    enum loft_status status = loft_tensor_sub_u(t, loft_unit_of(i, n), loft_unit_of(i + 1, n),
+                                                across);
+    if (status == LOFT_OK)
+        status = loft_tensor_sub_v(&half, loft_unit_of(j, n), loft_unit_of(j + 1, n), part);
+    if (status == LOFT_OK)
+        status = make_sheet(s, &net, (t->m + 1u) * (t->n + 1u), loft_surface_from_tensor(t));
+    if (status != LOFT_OK)
+        return status;
+    /* the net is rounded twice: 4 points of a difference, in three axes, both directions */
+    s->bend += s->fuzz * (int32_t)(t->m * t->m + t->n * t->n);
+    s->level = (uint8_t)level;
+    s->i = (uint16_t)i;
+    s->j = (uint16_t)j;
+    return LOFT_OK;
+}
+
+enum loft_status loft_sheet_from_tensor_rational(loft_sheet *s, const loft_tensor_rational *t)
+{
+    net_view net = { NULL, t->p, t->m, t->n, false, { 0, 0, 0 } };
+
+    return make_sheet(s, &net, (t->m + 1u) * (t->n + 1u), loft_surface_from_tensor_rational(t));
+}
+
+enum loft_status loft_sheet_from_triangle(loft_sheet *s, const loft_triangle *t)
+{
+    net_view net = { t->p, NULL, t->degree, t->degree, true, { 0, 0, 0 } };
+
+    return make_sheet(s, &net, (t->degree + 1u) * (t->degree + 2u) / 2,
+                      loft_surface_from_triangle(t));
+}
+
+enum loft_status loft_sheet_from_triangle_rational(loft_sheet *s, const loft_triangle_rational *t)
+{
+    net_view net = { NULL, t->p, t->degree, t->degree, true, { 0, 0, 0 } };
+
+    return make_sheet(s, &net, (t->degree + 1u) * (t->degree + 2u) / 2,
+                      loft_surface_from_triangle_rational(t));
+}

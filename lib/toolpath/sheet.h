@@ -1,0 +1,60 @@
+/* lib/toolpath/sheet.h -- a surface of which every piece is known to be nearly flat, and how nearly
+ * SPDX-License-Identifier: MIT
+ *
+ * Over a square of parameters of side 2^-k the surface lies within bend / 4^k of the quadrilateral
+ * of its corners; over a triangle, of the triangle. So a search can leave out whole pieces of a
+ * surface, with certainty, by looking at their corners alone.
+ *
+ *     loft_sheet s;
+ *     if (loft_sheet_from_tensor(&s, &patch) == LOFT_OK) ..
+ */
+#ifndef LOFT_TOOLPATH_SHEET_H
+#define LOFT_TOOLPATH_SHEET_H
+
+#include "surface/surface.h"    /* loft_surface */
+
+LOFT_BEGIN_C
+
+#define LOFT_SHEET_REACH    4096    /* the largest coordinate */
+#define LOFT_SHEET_LEVELS   4
+
+/* A sheet. It borrows the surface. Do not fill it yourself: call one of the functions below. */
+typedef struct {
+    loft_surface surface;
+    loft_box box;               /* of the control points, which err by `fuzz` */
+    loft_acc bend;              /* of the part */
+    loft_acc fuzz;              /* the error of its points, and of those of a part's net */
+    uint16_t i, j;              /* the part: squares of 2^-level from the start */
+    uint8_t level;
+} loft_sheet;
+
+/* Make a sheet of a surface, which must outlive it.
+ *
+ *   range   three axes, otherwise LOFT_ERR_ARG; coordinates within LOFT_SHEET_REACH and a bend
+ *           below 2^20, otherwise LOFT_ERR_RANGE; *s is then untouched
+ *   error   bend: never too small. Polynomials: it is that of the second differences of the net;
+ *           rational surfaces: up to R^2 times as large, R the quotient of the largest weight and
+ *           the smallest
+ *   cost    one pass over the second differences of the net; rational: in numbers of num/sci.h
+ *   see     Filip, Magedson, Markot, Surface algorithms using bounds on derivatives (1986)
+ */
+enum loft_status loft_sheet_from_tensor(loft_sheet *s, const loft_tensor *t) LOFT_CHECKED;
+enum loft_status loft_sheet_from_tensor_rational(loft_sheet *s,
+                                                 const loft_tensor_rational *t) LOFT_CHECKED;
+enum loft_status loft_sheet_from_triangle(loft_sheet *s, const loft_triangle *t) LOFT_CHECKED;
+enum loft_status loft_sheet_from_triangle_rational(loft_sheet *s,
+                                                   const loft_triangle_rational *t) LOFT_CHECKED;
+
+/* One of the 2^level x 2^level parts of a patch, with a box and a bend of its own: searches in many
+ * parts are faster. Its points are those of the whole patch.
+ *
+ *   range   level 0..LOFT_SHEET_LEVELS, i, j below 2^level, otherwise LOFT_ERR_ARG; as above
+ *   error   as above
+ *   cost    as above, and the net of the part; 2.4 kB of stack
+ */
+enum loft_status loft_sheet_from_tensor_part(loft_sheet *s, const loft_tensor *t, unsigned level,
+                                             unsigned i, unsigned j) LOFT_CHECKED;
+
+LOFT_END_C
+
+#endif
