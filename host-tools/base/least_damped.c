@@ -13,8 +13,8 @@
 #define BLOCK 8     /* columns */
 
 typedef struct {
-    double *a, *half;           /* column after column; of the squares of the reflections' vectors */
-    size_t height, reach;       /* of a column; of a reflection's vector                           */
+    double *a, *half;       /* columns; half the squares of the reflections' vectors */
+    size_t height, reach;   /* of a column, of a vector                              */
 } matrix;
 
 /* Four sums at a time: each waits for its own last addition only. */
