@@ -176,6 +176,7 @@
 #include "wire/message.h"
 #include "wire/session.h"
 #include "machine/latch.h"
+#include "machine/settings.h"
 #include "machine/machine.h"
 
 #endif

@@ -107,6 +107,8 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
         TOOL_TEXT("machine", "FILE", &machine,
                   "a machine as text, see host-tools/MACHINE.md; the options below are stronger"),
         TOOL_TEXT("link", "PATH", &o.link, "make PATH a symbolic link to the pseudo terminal"),
+        TOOL_TEXT("keep", "FILE", &o.kept,
+                  "keep the settings in FILE, as an EEPROM does (while it runs)"),
         TOOL_TEXT("record", "FILE", &o.record, "write every pulse with its time to FILE (CSV)"),
         TOOL_TEXT("speed", "real|fast", &speed, "real time, or fast: as fast as it goes (fast)"),
         TOOL_SWITCH("once", &o.once, "end after one job"),

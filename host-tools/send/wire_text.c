@@ -12,7 +12,8 @@ static const char *const names[16] = { [LOFT_HELLO] = "HELLO",      [LOFT_JOB] =
                                        [LOFT_POLL] = "POLL",        [LOFT_WELCOME] = "WELCOME",
                                        [LOFT_AXIS] = "AXIS",        [LOFT_ACK] = "ACK",
                                        [LOFT_STATUS] = "STATUS",    [LOFT_REPORT] = "REPORT",
-                                       [LOFT_DATA_FINE] = "FINE",   [LOFT_DATA_CURVES] = "CURVES" };
+                                       [LOFT_DATA_FINE] = "FINE",   [LOFT_DATA_CURVES] = "CURVES",
+                                       [LOFT_SET] = "SET",          [LOFT_KEPT] = "KEPT" };
 
 static const char *word_of(const char *const list[], size_t count, unsigned index)
 {
@@ -139,6 +140,16 @@ static bool print_poll(FILE *out, const loft_frame *f)
     return true;
 }
 
+static bool print_set(FILE *out, const loft_frame *f)
+{
+    loft_set m;
+
+    if (loft_set_decode(f, &m) != LOFT_OK)
+        return false;
+    fprintf(out, " at %u, %u bytes", m.at, m.count);
+    return true;
+}
+
 // From the machine
 // ----------------
 
@@ -209,6 +220,18 @@ static bool print_report(FILE *out, const loft_frame *f)
     return true;
 }
 
+static bool print_kept(FILE *out, const loft_frame *f)
+{
+    static const char *const origins[] = { "kept", "usual", "damaged" };
+    loft_kept m;
+
+    if (loft_kept_decode(f, &m) != LOFT_OK)
+        return false;
+    fprintf(out, " at %u, %u bytes of %u, %s%s", m.at, m.count, m.room, WORD(origins, m.origin),
+            m.busy ? " busy" : "");
+    return true;
+}
+
 // Frames
 // ------
 
@@ -219,7 +242,8 @@ static bool (*const printers[16])(FILE *out, const loft_frame *f) = {
     [LOFT_POLL] = print_poll,       [LOFT_WELCOME] = print_welcome,
     [LOFT_AXIS] = print_axis,       [LOFT_ACK] = print_acknowledgement,
     [LOFT_STATUS] = print_status,   [LOFT_REPORT] = print_report,
-    [LOFT_DATA_FINE] = print_data,  [LOFT_DATA_CURVES] = print_data
+    [LOFT_DATA_FINE] = print_data,  [LOFT_DATA_CURVES] = print_data,
+    [LOFT_SET] = print_set,         [LOFT_KEPT] = print_kept
 };
 
 /* Frames of items are sealed with data that only the two ends know. Their check cannot be made

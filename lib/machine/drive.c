@@ -14,7 +14,7 @@
 
 static int32_t steps_of(const loft_drive *d, int axis, int32_t raw)
 {
-    return loft_steps_of(loft_real_from_raw(raw), d->steps_per_mm[axis]);
+    return loft_steps_of(loft_real_from_raw(raw), loft_drive_gear(d, axis));
 }
 
 static uint32_t abs_difference(int32_t a, int32_t b)
@@ -33,8 +33,6 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
         loft_queue_init(&d->queue, config->cell, config->cells) != LOFT_OK)
         return LOFT_ERR_RANGE;
 
-    for (int i = 0; i < LOFT_AXES; i++)
-        d->steps_per_mm[i] = loft_real_from_raw(config->axis[i].steps_per_mm);
     d->axis = config->axis;
     d->kind = LOFT_SPANS;
     d->tick_hz = config->tick_hz;

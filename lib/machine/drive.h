@@ -32,7 +32,8 @@ LOFT_BEGIN_C
 #define LOFT_DRIVE_HALTS  2     /* bit of `abort`: at once */
 
 typedef struct {
-    const loft_axis_config *axis;       /* LOFT_AXES of them, borrowed */
+    const loft_axis_config *axis;       /* LOFT_AXES of them, borrowed; they may change while no
+                                         * job is under way */
     int32_t  position[LOFT_AXES];       /* steps: the position at the start */
     uint16_t tick_hz, slots;            /* ticks per second, slots per tick */
     uint16_t ramp;                      /* ticks from full pace to a stop; make the queue longer */
@@ -88,12 +89,17 @@ typedef struct {
     uint8_t  kind;
     bool     fresh;                     /* main loop: nothing is pushed yet */
     int32_t  end[LOFT_AXES];            /* main loop: the end of the last pushed item */
-    loft_real steps_per_mm[LOFT_AXES];
     const loft_axis_config *axis;
     uint16_t ramp, tick_hz;
     uint16_t share;                     /* law of supply: ticks that an item is worth */
     uint16_t gain;                      /* law of supply: pace per tick, 2^-20 */
 } loft_drive;
+
+/* Steps per mm of an axis. */
+static inline loft_real loft_drive_gear(const loft_drive *d, int axis)
+{
+    return loft_real_from_raw(d->axis[axis].steps_per_mm);
+}
 
 /* Prepare, idle.
  *

@@ -235,7 +235,7 @@ static void aim_at_middle(loft_drive *d, const volatile loft_item *item)
         const loft_real half = loft_walk3_middle(
             loft_real_from_raw(d->from[i]), loft_real_from_raw(item->p[0][i]),
             loft_real_from_raw(item->p[1][i]), loft_real_from_raw(item->p[2][i]));
-        d->target[i] = loft_steps_of(half, d->steps_per_mm[i]);
+        d->target[i] = loft_steps_of(half, loft_drive_gear(d, i));
     }
 }
 
@@ -274,9 +274,9 @@ static bool next_target(loft_drive *d)
     d->ahead--;
     if (--d->left == 0) {
         for (int i = 0; i < LOFT_AXES; i++)
-            d->target[i] = d->kind == LOFT_POINTS
-                               ? d->from[i]
-                               : loft_steps_of(loft_real_from_raw(d->from[i]), d->steps_per_mm[i]);
+            d->target[i] = d->kind == LOFT_POINTS ? d->from[i]
+                                                  : loft_steps_of(loft_real_from_raw(d->from[i]),
+                                                                  loft_drive_gear(d, i));
         return true;
     }
     if (begun && d->left + 1 < WALKED)
@@ -285,7 +285,7 @@ static bool next_target(loft_drive *d)
     for (int i = 0; i < LOFT_AXES; i++)
         if (walk->moves & 1u << i)
             d->target[i] = loft_steps_of(loft_walk3_step(&walk->axis[i], false),
-                                         d->steps_per_mm[i]);
+                                         loft_drive_gear(d, i));
     return true;
 }
 

@@ -47,7 +47,8 @@ static enum loft_status begin_planner(loft_machine *m, const loft_job *job)
 {
     loft_job_limits asked;
     const enum loft_status status = loft_job_limits_decode(&m->receiver.frame, &asked);
-    return status == LOFT_OK ? loft_planner_begin(m->planner, m->info, &asked, job->start) : status;
+    return status == LOFT_OK ? loft_planner_begin(m->planner, &m->config->info, &asked, job->start)
+                             : status;
 }
 
 /* Queue items are spans, job items are curves. */
@@ -86,8 +87,9 @@ bool loft_machine_plan(loft_machine *m)
 
 static enum loft_status init_planner(loft_machine *m, loft_machine_config *config)
 {
-    m->planner = NULL;
-    return config->planner ? LOFT_ERR_ARG : LOFT_OK;
+    (void)m;
+    (void)config;
+    return LOFT_OK;
 }
 
 static bool job_has_curves(const loft_machine *m)
@@ -129,10 +131,13 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
 {
     loft_drive_config drive;
 
-    m->info = &config->info;
+    m->config = config;
+    m->set.session = 0;
+    if (config->settings.get)
+        loft_settings_init(&config->settings, config->info.axis);
     for (int i = 0; i < LOFT_AXES; i++)
         drive.position[i] = config->position[i];
-    drive.axis = m->info->axis;
+    drive.axis = m->config->info.axis;
     drive.tick_hz = config->info.tick_hz;
     drive.slots = config->info.slots;
     drive.ramp = config->ramp;
@@ -142,6 +147,7 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     config->info.queue  = config->cells;
     config->info.points = loft_points_capacity(config->cells);
     config->info.kinds  = (uint8_t)(1u << LOFT_SPANS | 1u << LOFT_POINTS | LOFT_TAKES_PLACES |
+                                   (config->settings.get ? LOFT_TAKES_SETTINGS : 0) |
                                    (config->senses ? LOFT_TAKES_GUARDS : 0));
     config->info.curves = 0;
     m->job.kind = LOFT_SPANS;
@@ -150,7 +156,7 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     loft_latch_init(&m->latch);
     enum loft_status status = init_planner(m, config);
     if (status == LOFT_OK)
-        status = loft_receiver_init(&m->receiver, m->info);
+        status = loft_receiver_init(&m->receiver, &m->config->info);
     return status == LOFT_OK ? loft_drive_init(&m->drive, &drive) : status;
 }
 
@@ -284,6 +290,39 @@ static void place_machine(loft_machine *m, const loft_control *place)
         loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_START);
 }
 
+#define BUSY (LOFT_KEPT_MOST + 1)
+
+/* What was planned with other gearing must not begin: the host greets again. */
+static APART void take_set(loft_machine *m, const loft_set *set)
+{
+    m->set.at      = set->at;
+    m->set.wrote   = set->count && m->drive.active ? BUSY : set->count;
+    m->set.session = m->receiver.session;
+    if (m->set.wrote != BUSY &&
+        loft_settings_put(&m->config->settings, set->at, set->byte, set->count))
+        loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_LIMITS);
+}
+
+static APART size_t answer_set(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])
+{
+    const bool busy = m->set.wrote == BUSY, spare = m->set.at && m->set.wrote && !busy;
+    loft_kept kept;
+
+    kept.at     = m->set.at;
+    kept.room   = m->config->settings.room;
+    kept.origin = m->config->settings.origin;
+    kept.busy   = busy;
+    kept.count  = m->set.wrote && !busy ? m->set.wrote : LOFT_KEPT_MOST;
+    for (uint8_t i = 0; i < kept.count; i++) {
+        const uint16_t at = (uint16_t)(kept.at + i);
+        kept.byte[i] = spare ? loft_settings_spare(&m->config->settings, at)
+                             : loft_settings_get(&m->config->settings, at);
+    }
+    const uint8_t session = m->set.session;
+    m->set.session = 0;
+    return loft_kept_encode(&kept, session, wire);
+}
+
 static void act_on_event(loft_machine *m, enum loft_event event, const loft_event_data *what)
 {
     switch (event) {
@@ -297,6 +336,7 @@ static void act_on_event(loft_machine *m, enum loft_event event, const loft_even
     case LOFT_EVENT_OVERRIDE:   loft_machine_override(m, what->percent); break;
     case LOFT_EVENT_CLOSE:      loft_machine_control(m, LOFT_CLOSE);    break;
     case LOFT_EVENT_PLACE:      place_machine(m, &what->place);             break;
+    case LOFT_EVENT_SET:        take_set(m, &what->set);                    break;
     }
 }
 
@@ -331,6 +371,8 @@ size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])
 {
     (void)loft_machine_plan(m);
     loft_drive_prepare(&m->drive);
+    if (m->set.session)
+        return answer_set(m, wire);
     const loft_snapshot now = snapshot_of(m);
     return loft_receiver_poll(&m->receiver, &now, wire);
 }

@@ -20,6 +20,7 @@
 #include "machine/drive.h"      /* loft_drive                    */
 #include "machine/latch.h"      /* loft_latch                    */
 #include "machine/planner.h"    /* loft_planner              */
+#include "machine/settings.h"   /* loft_settings             */
 #include "wire/receiver.h"      /* loft_receiver, loft_machine_info    */
 
 LOFT_BEGIN_C
@@ -35,31 +36,42 @@ typedef struct {
     uint16_t cells;
     bool     senses;                    /* jobs may carry guards: the port calls loft_machine_sample
                                          * and loft_machine_sense */
-    loft_planner *planner;              /* borrowed; needs LOFT_MACHINE_PLANS; NULL: none */
+    loft_settings settings;             /* `get` NULL: it keeps none; otherwise init puts them in
+                                         * force */
+#if LOFT_MACHINE_PLANS
+    loft_planner *planner;              /* borrowed; NULL: none */
     loft_planner_memory plan;           /* its memory */
+#endif
 } loft_machine_config;
 
 /* The struct is complete so that it can be static; the fields may change without notice. */
 typedef struct {
     loft_drive    drive;
     loft_receiver receiver;
-    const loft_machine_info *info;
+    loft_machine_config *config;
     struct {
         uint32_t id;
         uint16_t away;                  /* the rest of it: inputs that have not opened since */
         uint8_t  kind;
     } job;                              /* under way or over */
     loft_latch    latch;                /* the guard of this job or of the last one */
+    struct {
+        uint16_t at;
+        uint8_t  session;               /* who asked; 0: nobody */
+        uint8_t  wrote;                 /* bytes; LOFT_KEPT_MOST + 1: none, there was a job */
+    } set;                              /* the last SET, to be answered */
+#if LOFT_MACHINE_PLANS
     loft_planner *planner;
+#endif
     uint16_t      closed, ended_by;     /* closed inputs; inputs that have ended the job */
 } loft_machine;
 
 /* Prepare, idle and listening.
  *
- *   shape   config stays borrowed; its `queue`, `points`, `curves` and `kinds` are filled in
+ *   shape   config stays borrowed; its `queue`, `points`, `curves` and `kinds` are filled in, and
+ *           its axes and wiring are those of the settings that are kept
  *   range   that of loft_receiver_init (LOFT_ERR_ARG), of loft_drive_init (LOFT_ERR_RANGE) and of
- *           loft_planner_init (LOFT_ERR_SPACE); LOFT_ERR_ARG for a planner if LOFT_MACHINE_PLANS
- *           is 0 */
+ *           loft_planner_init (LOFT_ERR_SPACE) */
 enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config) LOFT_CHECKED;
 
 

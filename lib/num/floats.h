@@ -132,7 +132,10 @@ static inline int32_t loft_raw_from_real(loft_real a)
 {
     return (int32_t)((double)a * 65536 + (a < 0 ? -0.5 : 0.5));
 }
-static inline loft_real loft_real_from_raw(int32_t raw) { return (loft_real)(raw / 65536.0); }
+static inline loft_real loft_real_from_raw(int32_t raw) 
+{
+    return (loft_real)raw * (loft_real)(1 / 65536.0);
+}
 
 /* error none for |i| <= 2^24, f32: 1/2 ulp above */
 static inline loft_real loft_real_from_int(int32_t i)           { return (loft_real)i; }

@@ -258,6 +258,24 @@ size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
     return finish_frame(&w);
 }
 
+size_t loft_set_encode(const loft_set *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start_frame(wire, LOFT_SET, LOFT_WIRE_VERSION, session);
+    put16(&w, m->at);
+    for (uint8_t i = 0; i < m->count; i++)
+        put8(&w, m->byte[i]);
+    return finish_frame(&w);
+}
+
+enum loft_status loft_set_decode(const loft_frame *f, loft_set *m)
+{
+    reader r = read_from(f);
+    m->at    = get16(&r);
+    m->byte  = f->byte + r.at;
+    m->count = (uint8_t)(f->count - r.at);
+    return end_read(&r, m->count <= LOFT_KEPT_MOST);
+}
+
 /* The bytes before the items: type, session, first 2, count. */
 #define ITEMS_AT 5
 
@@ -491,4 +509,32 @@ enum loft_status loft_report_decode(const loft_frame *f, loft_report *m)
         get_axes(&r, m->latched);
     return end_read_all(&r, m->job != 0 &&
                                 (m->state == LOFT_STATE_DONE || m->state == LOFT_STATE_ABORTED));
+}
+
+/* A bit of `origin` on the wire. */
+#define BUSY 0x80u
+
+size_t loft_kept_encode(const loft_kept *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX])
+{
+    writer w = start_frame(wire, LOFT_KEPT, LOFT_WIRE_VERSION, session);
+    put16(&w, m->at);
+    put16(&w, m->room);
+    put8(&w, (uint8_t)(m->origin | (m->busy ? BUSY : 0)));
+    for (uint8_t i = 0; i < m->count; i++)
+        put8(&w, m->byte[i]);
+    return finish_frame(&w);
+}
+
+enum loft_status loft_kept_decode(const loft_frame *f, loft_kept *m)
+{
+    reader r = read_from(f);
+    m->at     = get16(&r);
+    m->room   = get16(&r);
+    m->origin = get8(&r);
+    m->busy   = m->origin & BUSY;
+    m->origin = (uint8_t)(m->origin & ~BUSY);
+    m->count  = (uint8_t)(f->count - r.at);
+    for (uint8_t i = 0; i < m->count && i < LOFT_KEPT_MOST; i++)
+        m->byte[i] = get8(&r);
+    return end_read_all(&r, m->count <= LOFT_KEPT_MOST && m->origin <= LOFT_SETTINGS_DAMAGED);
 }

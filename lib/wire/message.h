@@ -5,8 +5,8 @@
  * decode reads the content of a received frame. All numbers are little endian. WIRE.md has the
  * tables.
  *
- *     host to machine   HELLO  JOB  SPANS  POINTS  FINE  CURVES  END  CONTROL  POLL
- *     machine to host   WELCOME  AXIS  ACK  STATUS  REPORT
+ *     host to machine   HELLO  JOB  SPANS  POINTS  FINE  CURVES  END  CONTROL  POLL  SET
+ *     machine to host   WELCOME  AXIS  ACK  STATUS  REPORT  KEPT
  */
 #ifndef LOFT_WIRE_MESSAGE_H
 #define LOFT_WIRE_MESSAGE_H
@@ -32,7 +32,9 @@ enum loft_message {
     LOFT_CONTROL = 0x6,
     LOFT_POLL    = 0x7,
     LOFT_DATA_FINE   = 0xD,                         /* host: POINTS, packed by third differences */
-    LOFT_DATA_CURVES = 0xE                          /* host */
+    LOFT_DATA_CURVES = 0xE,                         /* host */
+    LOFT_SET  = 0xF,                                /* host */
+    LOFT_KEPT = 0x0                                 /* machine */
 };
 
 /* The state of the machine. */
@@ -95,6 +97,7 @@ enum loft_verb {
 /* What a machine can do besides its kinds of items: bits of `kinds`. */
 #define LOFT_TAKES_GUARDS 0x01u         /* a JOB with a guard   */
 #define LOFT_TAKES_PLACES 0x80u         /* LOFT_PLACE           */
+#define LOFT_TAKES_SETTINGS 0x40u       /* LOFT_SET             */
 
 /* A guard ends a job when an input changes: see machine/latch.h. */
 #define LOFT_GUARD_OPENS 1u             /* an input that opens, in place of one that closes */
@@ -137,6 +140,33 @@ typedef struct {
     uint8_t value;                      /* of LOFT_OVERRIDE: 1..200, of LOFT_PLACE: axes; else 0 */
     int32_t position[LOFT_AXES];        /* of LOFT_PLACE alone: steps */
 } loft_control;
+
+#define LOFT_KEPT_MOST 32               /* bytes of settings in a frame */
+
+/* Ask for settings, or write some: see machine/settings.h. */
+typedef struct {
+    uint16_t at;                        /* where, in a copy of the settings */
+    uint8_t  count;                     /* 0: a question */
+    const uint8_t *byte;                /* into the frame */
+} loft_set;
+
+/* Where the settings in force come from. */
+enum loft_settings_origin {
+    LOFT_SETTINGS_KEPT,                 /* from the machine's memory */
+    LOFT_SETTINGS_USUAL,                /* from its firmware: nothing was written yet */
+    LOFT_SETTINGS_DAMAGED               /* from its firmware: what was written is damaged */
+};
+
+/* The answer to SET. */
+typedef struct {
+    uint16_t at;                        /* as in SET */
+    uint16_t room;                      /* bytes that settings may have */
+    uint8_t  origin;                    /* enum loft_settings_origin */
+    bool     busy;                      /* a job is under way: nothing was written */
+    uint8_t  count;
+    uint8_t  byte[LOFT_KEPT_MOST];      /* of the settings in force; after a write beyond the check,
+                                         * what was written, read back */
+} loft_kept;
 
 /* The progress of a job: part of every answer. */
 typedef struct {
@@ -223,6 +253,7 @@ size_t loft_job_encode(const loft_job *m, uint8_t session, uint8_t wire[LOFT_FRA
 size_t loft_end_encode(uint32_t total, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_poll_encode(uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_set_encode(const loft_set *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
 /* SPANS, POINTS, FINE and CURVES: init prepares `p` to pack items into the frame, encode finishes
  * it with the packed items. `frame_max` is the longest frame that the machine accepts;
@@ -247,6 +278,7 @@ enum loft_status loft_job_limits_decode(const loft_frame *f, loft_job_limits *m)
 enum loft_status loft_end_decode(const loft_frame *f, uint32_t *total) LOFT_CHECKED;
 enum loft_status loft_control_decode(const loft_frame *f, loft_control *m) LOFT_CHECKED;
 enum loft_status loft_data_decode(const loft_frame *f, loft_unpacker *u) LOFT_CHECKED;
+enum loft_status loft_set_decode(const loft_frame *f, loft_set *m) LOFT_CHECKED;
 
 
 // Machine to host
@@ -259,6 +291,7 @@ size_t loft_ack_encode(const loft_ack *m, uint8_t session, uint8_t wire[LOFT_FRA
 size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session,
                                   uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_report_encode(const loft_report *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
+size_t loft_kept_encode(const loft_kept *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
 /* As above. */
 enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m) LOFT_CHECKED;
@@ -267,6 +300,7 @@ enum loft_status loft_ack_decode(const loft_frame *f, loft_ack *m) LOFT_CHECKED;
 enum loft_status loft_machine_status_decode(const loft_frame *f,
                                             loft_machine_status *m) LOFT_CHECKED;
 enum loft_status loft_report_decode(const loft_frame *f, loft_report *m) LOFT_CHECKED;
+enum loft_status loft_kept_decode(const loft_frame *f, loft_kept *m) LOFT_CHECKED;
 
 LOFT_END_C
 

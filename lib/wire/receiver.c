@@ -260,6 +260,11 @@ static enum loft_event take_frame(loft_receiver *r, const loft_snapshot *now, lo
         if (job_is_over(now->state) && r->job)
             r->due |= DUE_REPORT;
         return LOFT_EVENT_NONE;
+    case LOFT_SET:
+        if (r->info->kinds & LOFT_TAKES_SETTINGS &&
+            loft_set_decode(&r->frame, &out->set) == LOFT_OK)
+            return LOFT_EVENT_SET;
+        return drop_frame(r, 0);
     default: return drop_frame(r, 0);
     }
 }

@@ -69,6 +69,7 @@ enum loft_event {
     LOFT_EVENT_ABORT,
     LOFT_EVENT_OVERRIDE,    /* `percent` */
     LOFT_EVENT_CLOSE,       /* the host has the report: IDLE */
+    LOFT_EVENT_SET,         /* `set`: settings are asked for or written. The machine answers KEPT */
     LOFT_EVENT_PLACE        /* `place`: no job is under way, and one that is over is closed; the
                              * machine stands there. If it cannot, answer LOFT_REFUSAL_START without
                              * a job */
@@ -78,6 +79,7 @@ typedef union {
     loft_job  job;
     loft_item item;
     loft_control place;
+    loft_set  set;
     uint8_t   percent;
 } loft_event_data;
 

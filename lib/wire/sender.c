@@ -137,6 +137,20 @@ enum loft_status loft_sender_place(loft_sender *s, uint8_t axes, const int32_t p
     return LOFT_OK;
 }
 
+enum loft_status loft_sender_set(loft_sender *s, uint16_t at, const uint8_t byte[], uint8_t count)
+{
+    if (s->phase != LOFT_PHASE_READY || !(s->machine.kinds & LOFT_TAKES_SETTINGS) || s->asking ||
+        count > LOFT_KEPT_MOST)
+        return LOFT_ERR_ARG;
+    s->set.at    = at;
+    s->set.count = count;
+    for (uint8_t i = 0; i < count; i++)
+        s->set_byte[i] = byte[i];
+    s->asking   = true;
+    s->set_sent = false;
+    return LOFT_OK;
+}
+
 void loft_sender_control(loft_sender *s, enum loft_verb verb)
 {
     if (s->phase == LOFT_PHASE_CLOSING || (job_finished(s) && s->phase != LOFT_PHASE_BUSY))
@@ -190,7 +204,7 @@ static void take_axis(loft_sender *s, uint32_t now)
         return;
 
     s->number    = s->verb ? 1 : 0;
-    s->verb_sent = false;
+    s->verb_sent = s->set_sent = false;
     s->back      = s->polled = now - LOFT_RTO_MAX;
     s->phase     = LOFT_PHASE_READY;
     loft_rto_reset(&s->rto);
@@ -316,6 +330,18 @@ static void take_report(loft_sender *s)
     set_control(s, LOFT_CLOSE);
 }
 
+/* The line keeps the order, so an answer to an earlier question is for another place. */
+static void take_kept(loft_sender *s)
+{
+    loft_kept m;
+    if (!s->asking || !s->set_sent || loft_kept_decode(&s->frame, &m) != LOFT_OK ||
+        m.at != s->set.at)
+        return;
+    s->kept   = m;
+    s->asking = false;
+    loft_rto_reset(&s->rto);
+}
+
 static void take_frame(loft_sender *s, uint32_t now)
 {
     loft_machine_status status;
@@ -325,6 +351,7 @@ static void take_frame(loft_sender *s, uint32_t now)
     case LOFT_WELCOME: take_welcome(s, now); break;
     case LOFT_AXIS:    take_axis(s, now);    break;
     case LOFT_REPORT:  take_report(s);       break;
+    case LOFT_KEPT:    take_kept(s);         break;
     case LOFT_ACK:
         if (s->phase != LOFT_PHASE_HELLO && loft_ack_decode(&s->frame, &ack) == LOFT_OK)
             take_ack(s, &ack, now);
@@ -434,6 +461,16 @@ static size_t give_control(loft_sender *s, uint32_t now, uint8_t wire[])
     return loft_control_encode(&m, s->session, wire);
 }
 
+static size_t give_set(loft_sender *s, uint32_t now, uint8_t wire[])
+{
+    if (s->set_sent)
+        loft_rto_back_off(&s->rto);
+    s->set_sent = true;
+    s->tried    = now;
+    s->set.byte = s->set_byte;
+    return loft_set_encode(&s->set, s->session, wire);
+}
+
 /* After a silence start again. If the report is here, only the closing was not heard. */
 static void check_silence(loft_sender *s, uint32_t now)
 {
@@ -453,6 +490,12 @@ static bool control_due(const loft_sender *s, uint32_t now)
            !(s->phase == LOFT_PHASE_OPENING && (!s->job_sent || s->verb != LOFT_ABORT)) &&
            (!job_finished(s) || s->phase == LOFT_PHASE_BUSY) &&
            (!s->verb_sent || time_left(s->verb_time, s->rto.ms, now) == 0);
+}
+
+static bool set_due(const loft_sender *s, uint32_t now)
+{
+    return s->asking && s->phase == LOFT_PHASE_READY &&
+           (!s->set_sent || time_left(s->tried, s->rto.ms, now) == 0);
 }
 
 /* An answer is overdue: ask what has arrived. */
@@ -500,6 +543,8 @@ size_t loft_sender_poll(loft_sender *s, uint32_t now_ms, uint8_t wire[LOFT_FRAME
         return give_control(s, now_ms, wire);
     if (job_finished(s))
         return 0;
+    if (set_due(s, now_ms))
+        return give_set(s, now_ms, wire);
     if (poll_due(s, now_ms))
         return give_poll(s, now_ms, wire);
     if (s->phase == LOFT_PHASE_OPENING && !s->aborting &&
@@ -515,14 +560,16 @@ uint32_t loft_sender_wait(const loft_sender *s, uint32_t now_ms)
 
     if (s->phase == LOFT_PHASE_HELLO)
         return s->hello_sent ? retry : 0;
-    if (control_due(s, now_ms) || can_send(s) || can_end(s) ||
+    if (control_due(s, now_ms) || set_due(s, now_ms) || can_send(s) || can_end(s) ||
         (s->phase == LOFT_PHASE_OPENING && !s->job_sent))
         return 0;
     if (job_finished(s))
         return LOFT_SENDER_POLL;
     if (s->verb_sent && time_left(s->verb_time, s->rto.ms, now_ms) < wait)
         wait = time_left(s->verb_time, s->rto.ms, now_ms);
-    if ((answer_is_due(s) || (s->phase == LOFT_PHASE_OPENING && !s->aborting)) && retry < wait)
+    if ((answer_is_due(s) || (s->asking && s->phase == LOFT_PHASE_READY) ||
+         (s->phase == LOFT_PHASE_OPENING && !s->aborting)) &&
+        retry < wait)
         wait = retry;
     return time_left(s->heard, LOFT_SENDER_SILENCE, now_ms) < wait
                ? time_left(s->heard, LOFT_SENDER_SILENCE, now_ms)

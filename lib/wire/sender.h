@@ -55,6 +55,8 @@ typedef struct {
     bool     resumed;                       /* the job was already under way when it was begun */
     bool     collected;                     /* the job was already over: only its report is read */
     uint8_t  verb;                          /* the unacknowledged CONTROL; 0: none */
+    bool     asking;                        /* SET is not answered; when it is: `kept` */
+    loft_kept kept;
     /* frames; the first two count data frames */
     uint32_t sent, resent, naks, timeouts, hellos, damaged, unknown;
     uint32_t rtt_ms;                        /* smoothed; 0 until measured */
@@ -69,6 +71,9 @@ typedef struct {
     uint8_t     axes;                       /* of the unacknowledged place */
     int32_t     place[LOFT_AXES];
     uint8_t     attempts;                   /* to send CONTROL */
+    loft_set    set;                        /* what is asked, and its bytes */
+    uint8_t     set_byte[LOFT_KEPT_MOST];
+    bool        set_sent;                   /* in this session */
     bool        greeted;                    /* WELCOME has come, AXIS may be missing */
     bool        began, asked, opened;       /* loft_sender_begin; JOB was sent; JOB was taken */
     bool        hello_sent, job_sent, verb_sent;    /* in this session */
@@ -114,6 +119,14 @@ void loft_sender_control(loft_sender *s, enum loft_verb verb);
  *           otherwise LOFT_ERR_ARG */
 enum loft_status loft_sender_place(loft_sender *s, uint8_t axes,
                                    const int32_t position[LOFT_AXES]) LOFT_CHECKED;
+
+/* Ask for the settings from `at` on, or write `count` bytes there (machine/settings.h). When
+ * `asking` is false again, `kept` is the answer. After a write at 0 greet the machine again.
+ *
+ *   range   phase is LOFT_PHASE_READY; machine.kinds has LOFT_TAKES_SETTINGS; not asking; count
+ *           0..LOFT_KEPT_MOST; otherwise LOFT_ERR_ARG */
+enum loft_status loft_sender_set(loft_sender *s, uint16_t at, const uint8_t byte[],
+                                 uint8_t count) LOFT_CHECKED;
 
 /* Run time at `percent` of the plan, 1..200, from now on until the job ends. It is sent after a
  * control in flight. */

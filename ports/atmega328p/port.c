@@ -42,6 +42,35 @@
 /* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
 #define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500), 10000 }
 
+/* The EEPROM: four bytes count the starts, then come the settings. */
+#define BOOT_AT     0
+#define SETTINGS_AT 4
+#define ROOM        508
+
+static uint8_t eeprom_get(uint16_t at)
+{
+    EEAR = SETTINGS_AT + at;
+    EECR |= 1 << EERE;
+    return EEDR;
+}
+
+/* 3.3 ms. */
+static void eeprom_put(uint16_t at, uint8_t byte)
+{
+    EEAR = SETTINGS_AT + at;
+    EEDR = byte;
+    const uint8_t status = SREG;
+    cli();                                  /* the two must follow each other */
+    EECR |= 1 << EEMPE;
+    EECR |= 1 << EEPE;
+    SREG = status;
+    while (EECR & 1 << EEPE) {
+    }
+}
+
+#define IN_FORCE(k) config.settings.wiring[k]
+#define OBEYED      (1 << LOFT_WIRING_REVERSED | 1 << LOFT_WIRING_IDLE | 1 << LOFT_WIRING_OPENS)
+
 static volatile loft_cell cells[CELLS];
 static loft_machine machine;
 static loft_machine_config config = {
@@ -49,7 +78,11 @@ static loft_machine_config config = {
     .ramp = 40,
     .cell = cells,
     .cells = CELLS,
-    .senses = true
+    .senses = true,
+    .settings = { .get = eeprom_get,
+                  .put = eeprom_put,
+                  .room = ROOM,
+                  .wiring = { 0, 0, 2, 0, 0, 0, OBEYED } }
 };
 
 
@@ -79,7 +112,10 @@ static uint16_t closed_inputs(void)
     const uint16_t closed = loft_switches_of((limits >> 1 & 3u) | (limits >> 2 & 4u) |
                                              (unsigned)buttons << 3);
 
-    return others & PROBE ? closed | LOFT_INPUT_PROBE : closed;
+    const uint16_t opens = (uint16_t)(IN_FORCE(LOFT_WIRING_OPENS) | IN_FORCE(LOFT_WIRING_OPENS + 1)
+                                                                        << 8);
+
+    return (uint16_t)((others & PROBE ? closed | LOFT_INPUT_PROBE : closed) ^ opens);
 }
 
 static inline uint8_t ring_count(void)      { return (uint8_t)(ring_head - ring_tail) % RING; }
@@ -94,7 +130,8 @@ __attribute__((noinline)) static void sense_inputs(void)
         const uint8_t step = (uint8_t)(4 << i), dir = (uint8_t)(32 << i);
         at[i] = machine.drive.step.position[i];
         for (uint8_t k = changed_at; k != ring_head; k = (uint8_t)(k + 1) % RING) {
-            const uint8_t pins = ring[k] ^ LOFT_INVERT;
+            const uint8_t pins = ring[k] ^ LOFT_INVERT ^
+                                 (uint8_t)(IN_FORCE(LOFT_WIRING_REVERSED) << 5);
             if (pins & step)
                 at[i] += pins & dir ? 1 : -1;
         }
@@ -129,7 +166,7 @@ static void make_slots(void)
     if (count == 0)
         return;
     count = loft_drive_run(&machine.drive, slot, count, &dir);
-    dir = (uint8_t)(dir << 5 | RX_PULL) ^ LOFT_INVERT;
+    dir = (uint8_t)((dir ^ IN_FORCE(LOFT_WIRING_REVERSED)) << 5 | RX_PULL) ^ LOFT_INVERT;
     for (uint8_t left = count; left; left--, slot++)
         *slot = dir ^ (uint8_t)(*slot << 2);
     LOFT_BARRIER();
@@ -205,28 +242,18 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
 // Start
 // -----
 
-/* Count the starts in four bytes of EEPROM. */
 static uint32_t count_start(void)
 {
     uint32_t boot = 0;
 
-    for (uint8_t i = 0; i < 4; i++) {
-        EEAR = i;
-        EECR |= 1 << EERE;
-        boot |= (uint32_t)EEDR << 8 * i;
-    }
+    for (uint8_t i = 4; i > 0; i--)
+        boot = boot << 8 | eeprom_get((uint16_t)(BOOT_AT - SETTINGS_AT + i - 1));
     boot++;
     for (uint8_t i = 0; i < 4; i++) {
-        EEAR = i;
-        EECR |= 1 << EERE;
+        const uint16_t at = (uint16_t)(BOOT_AT - SETTINGS_AT + i);
         const uint8_t byte = (uint8_t)(boot >> 8 * i);
-        if (EEDR == byte)
-            continue;
-        EEDR = byte;
-        EECR |= 1 << EEMPE;
-        EECR |= 1 << EEPE;
-        while (EECR & 1 << EEPE) {
-        }
+        if (eeprom_get(at) != byte)
+            eeprom_put(at, byte);
     }
     return boot;
 }
@@ -263,6 +290,22 @@ void loft_port_start(uint32_t slot_hz)
 }
 
 
+// Motors at rest
+// --------------
+
+/* Switch the drivers off after as long as the settings say. `now`, in 64 us, begins again each
+ * 16 ms. */
+static void watch_motors(uint8_t now)
+{
+    static uint16_t rested;
+
+    if (machine.drive.active)
+        rested = 0;
+    else if (now < 16 && IN_FORCE(LOFT_WIRING_IDLE) && ++rested == 61u * IN_FORCE(LOFT_WIRING_IDLE))
+        PORTB |= 1 << 0;
+}
+
+
 // Switches
 // --------
 
@@ -275,6 +318,7 @@ static void watch_switches(void)
     if ((uint8_t)(TCNT0 - sampled) < 16)
         return;
     sampled = TCNT0;
+    watch_motors(sampled);
     const uint16_t closed = closed_inputs();
 
     cli();
@@ -297,6 +341,8 @@ int main(void)
     loft_port_start((uint32_t)config.info.tick_hz * config.info.slots);
     for (;;) {
         loft_machine_push(&machine, byte, loft_ring_take(&line, byte, sizeof byte));
+        if (machine.drive.active && PORTB & 1 << 0)
+            PORTB &= (uint8_t)~(1 << 0);
         if (sent == count) {
             sent = 0;
             count = (uint8_t)loft_machine_poll(&machine, wire);

@@ -25,6 +25,7 @@
 
 #include "host/board.h"         /* struct loft_board    */
 #include "host/line.h"          /* the pseudo terminal  */
+#include "host/memory.h"        /* kept settings        */
 #include "host/record.h"        /* the pulses           */
 #include "host/world.h"         /* walls and switches   */
 #include "machine/machine.h"    /* loft_machine         */
@@ -128,6 +129,11 @@ static int start_machine(struct host *h)
                                        ? (uint32_t)o->max_jerk[i]
                                        : 0;
     }
+    c->settings.get = host_memory_get;
+    c->settings.put = host_memory_put;
+    c->settings.room = HOST_MEMORY_ROOM;
+    c->settings.wiring[LOFT_WIRING_OBEYED] = 1 << LOFT_WIRING_REVERSED | 1 << LOFT_WIRING_OPENS |
+                                             (h->board ? 0 : 1 << LOFT_WIRING_IDLE);
     c->senses = !h->board;              /* a board gives its slots later than they are made */
     c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
     c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);
@@ -268,23 +274,33 @@ static bool give_bytes(struct host *h)
 
 static bool machine_moves(const struct host *h) { return !loft_step_done(&h->machine.drive.step); }
 
+/* The closed inputs, as they are wired. */
+static uint16_t closed_of(const struct host *h, uint16_t inputs)
+{
+    const uint8_t *opens = h->config.settings.wiring + LOFT_WIRING_OPENS;
+
+    return (uint16_t)(inputs ^ (opens[0] | opens[1] << 8));
+}
+
 /* Between slots. The contacts of a machine that rests have settled. */
 static void take_inputs(struct host *h)
 {
     if (h->board) {
-        loft_machine_inputs(&h->machine, h->board->inputs(h->board));
+        loft_machine_inputs(&h->machine, closed_of(h, h->board->inputs(h->board)));
     } else if (!loft_state_busy(h->machine.drive.state)) {
         host_world_settle(&h->world);
-        loft_machine_inputs(&h->machine, h->world.inputs);
+        loft_machine_inputs(&h->machine, closed_of(h, h->world.inputs));
     }
 }
 
 /* Each ms of slots. */
 static void sample_inputs(struct host *h)
 {
-    loft_machine_sample(&h->machine, h->world.inputs);
-    if (loft_switches_steady(&h->switches, h->world.inputs))
-        loft_machine_inputs(&h->machine, h->world.inputs);
+    const uint16_t closed = closed_of(h, h->world.inputs);
+
+    loft_machine_sample(&h->machine, closed);
+    if (loft_switches_steady(&h->switches, closed))
+        loft_machine_inputs(&h->machine, closed);
 }
 
 static void run_slots(struct host *h, uint64_t count)
@@ -296,14 +312,15 @@ static void run_slots(struct host *h, uint64_t count)
         if (!h->board && h->slot % every == 0)
             sample_inputs(h);
         loft_machine_tick(&h->machine);
-        const loft_pins pins = loft_machine_slot(&h->machine);
+        loft_pins pins = loft_machine_slot(&h->machine);
+        pins.dir ^= h->config.settings.wiring[LOFT_WIRING_REVERSED];
         if (h->board)
             h->board->slot(h->board, h->slot, pins);
         else
             host_world_slot(&h->world, h->slot, pins);
         host_record_slot(&h->record, h->slot++, pins);
         if (loft_machine_senses(&h->machine))
-            loft_machine_sense(&h->machine, h->world.inputs);
+            loft_machine_sense(&h->machine, closed_of(h, h->world.inputs));
     }
     loft_machine_tick(&h->machine);
 }
@@ -312,7 +329,7 @@ static void run_slots(struct host *h, uint64_t count)
 static bool queue_supplied(struct host *h)
 {
     const loft_drive *d = &h->machine.drive;
-    const unsigned most = d->kind == LOFT_POINTS ? h->machine.info->points : h->machine.info->queue;
+    const unsigned most = d->kind == LOFT_POINTS ? h->config.info.points : h->config.info.queue;
 
     return d->ended || d->abort || 2u * loft_drive_poll(&h->machine.drive).room <= most ||
            now_ns() - h->heard > GONE_MS * 1000000LL;
@@ -439,7 +456,9 @@ int loft_host_simulate(const struct loft_host_options *o)
     h.board = o->board;
     h.line.master = h.line.slave = -1;
     host_world_init(&h.world, o);
-    code = start_machine(&h);
+    code = host_memory_open(o->kept);
+    if (code == 0)
+        code = start_machine(&h);
     if (code == 0)
         code = host_record_open(&h.record, o);
     if (code == 0)
@@ -465,6 +484,7 @@ int loft_host_simulate(const struct loft_host_options *o)
         print_position(&h);
     }
     host_line_close(&h.line);
+    host_memory_close();
     end = host_record_close(&h.record, o);
     free((void *)(uintptr_t)h.cell);
     free(h.plan.moves);

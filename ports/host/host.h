@@ -31,6 +31,7 @@ struct loft_host_options {
     unsigned baud;              /* of the serial port */
     const char *link;           /* make this symbolic link to the pseudo terminal; it may replace
                                  * the link of a machine that is gone; NULL: none */
+    const char *kept;           /* the file that keeps the settings; NULL: only while it runs */
     const char *record;         /* write every pulse to this file, "-" is standard output; NULL:
                                  * none */
     bool     fast;              /* simulated time: as fast as possible, and time stops while the

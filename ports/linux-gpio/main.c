@@ -214,6 +214,7 @@ int main(int argc, char **argv)
         s.host.board = &g.board;
         s.host.port = s.port[0] ? s.port : NULL;
         s.host.link = s.link[0] ? s.link : NULL;
+        s.host.kept = s.keep[0] ? s.keep : NULL;
         code = loft_host_simulate(&s.host);
     }
     lines_close(&g.lines);

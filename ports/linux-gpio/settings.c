@@ -48,6 +48,8 @@ static const struct row rows[] = {
       "serial port of the sender; without one there is a pseudo terminal" },
     { "baud", WHOLE, false, AT(host.baud), 9600, 2000000, "of the port" },
     { "link", TEXT, false, AT(link), ROOM(link), 0, "symbolic link to the pseudo terminal" },
+    { "keep", TEXT, false, AT(keep), ROOM(keep), 0,
+      "file that keeps what `loft set` sets; it overrules the numbers here" },
     { "pulse_us", WHOLE, false, AT(pulse_us), 1, 1000,
       "length of a step pulse, and between two, at least" },
     { "setup_us", WHOLE, false, AT(setup_us), 0, 10000,

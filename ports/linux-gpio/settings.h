@@ -34,6 +34,7 @@ struct settings {
     struct loft_host_options host;
     char chip[GPIO_TEXT];       /* where numbers count if no chip is named */
     char port[256], link[256];  /* one of them                             */
+    char keep[256];             /* the file of `loft set`                  */
     struct line_wanted output[LINE_OUTPUTS], input[LINE_INPUTS];
     unsigned pulse_us, setup_us, debounce_us, lead_ms, priority;
 };

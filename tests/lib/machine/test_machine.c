@@ -2,6 +2,8 @@
  * to the pulses, over a bad line
  * SPDX-License-Identifier: MIT
  */
+#include <string.h>
+
 #include "support/rig.h"
 
 #include "machine/machine.h"
@@ -192,6 +194,154 @@ static void a_sender_that_dies_is_replaced_without_a_step_lost_or_doubled(arb *a
         } else if (w.cut && arb_below(a, 400) == 0) {
             greet();
         }
+    }
+    check_drawn();
+}
+
+
+// Settings
+// --------
+
+#define ROOM 256u
+
+static uint8_t kept[2 * ROOM];
+static uint32_t power;                  /* bytes that can be written until it fails */
+
+static uint8_t kept_get(uint16_t at) { return kept[at]; }
+static void kept_put(uint16_t at, uint8_t byte)
+{
+    if (power > 0 && power-- > 0)
+        kept[at] = byte;
+}
+
+/* A machine whose memory holds settings; it starts anew. */
+static void machine_starts(void)
+{
+    w.machine.receiver.session = 0;
+    w.config.settings.get      = kept_get;
+    w.config.settings.put      = kept_put;
+    w.config.settings.room     = ROOM;
+    w.config.info.boot++;
+    for (int i = 0; i < LOFT_AXES; i++)
+        w.config.info.axis[i].steps_per_mm = per_mm[i];
+    CHECK(loft_machine_init(&w.machine, &w.config) == LOFT_OK);
+}
+
+/* One ms without a job. */
+static bool line_runs(void)
+{
+    sender_talks();
+    machine_gets();
+    return ++w.ms < LONG;
+}
+
+/* Ask or write, and wait for the answer. */
+static bool settings_asked(uint16_t at, const uint8_t byte[], uint8_t count)
+{
+    while (w.sender.phase != LOFT_PHASE_READY)
+        if (!line_runs())
+            return false;
+    CHECK(loft_sender_set(&w.sender, at, byte, count) == LOFT_OK);
+    while (w.sender.asking)
+        if (!line_runs())
+            return false;
+    return w.sender.kept.at == at;
+}
+
+/* Settings whose gearing is `steps`, numbered `number`. */
+static uint16_t settings_block(uint8_t block[ROOM], uint8_t number, int32_t steps)
+{
+    uint32_t crc = 0xFFFFFFFFu;
+
+    memset(block, 0x5A, ROOM);
+    block[4] = number;
+    block[5] = LOFT_SETTINGS_LAYOUT;
+    block[6] = LOFT_SETTINGS_TEXT + 20;
+    block[7] = 0;
+    for (unsigned i = 0; i < LOFT_AXES; i++)
+        for (unsigned k = 0; k < 4; k++)
+            block[LOFT_SETTINGS_AXES + 16 * i + k] = (uint8_t)((uint32_t)steps >> 8 * k & 0xFF);
+    for (uint16_t at = 4; at < block[6]; at++)
+        crc = loft_crc(crc, block[at]);
+    for (int i = 0; i < 4; i++)
+        block[i] = (uint8_t)(~crc >> 8 * i & 0xFF);
+    return block[6];
+}
+
+/* A sender that may die anywhere writes new settings; then the power may fail. The machine has the
+ * old or the new ones, and tells them to the next sender. */
+static void settings_are_written_whole_or_not_at_all(arb *a)
+{
+    uint8_t block[ROOM];
+    int32_t now = per_mm[0];
+
+    world_start(a, 20);
+    memset(kept, 0xFF, sizeof kept);
+    power = LONG;
+    machine_starts();
+    make_noise(a);
+    for (uint8_t number = 1; number < 6; number++) {
+        const int32_t steps = (number + 3) * 65536;
+        const uint16_t size = settings_block(block, number, steps);
+        const uint32_t dies = arb_below(a, 3) ? LONG : arb_below(a, 10);
+        power               = arb_below(a, 3) ? LONG : arb_below(a, size);
+        const bool fails    = power < LONG;
+        bool written        = false;
+        uint32_t frames     = 0;
+        greet();
+        for (uint16_t at = 4; at < size && frames < dies; at = (uint16_t)(at + 32), frames++)
+            CHECK(settings_asked(at, block + at, (uint8_t)(size - at < 32 ? size - at : 32)));
+        if (frames < dies) {
+            CHECK(settings_asked(0, block, 4));
+            written = memcmp(w.sender.kept.byte, block, 4) == 0;
+            CHECK(written || fails);
+        }
+        if (arb_below(a, 2))
+            machine_starts();
+        power = LONG;
+        greet();
+        CHECK(settings_asked(LOFT_SETTINGS_AXES, NULL, 0));
+        const uint8_t *told = w.sender.kept.byte;
+        if (written)
+            now = steps;
+        CHECK((told[0] | told[1] << 8 | (int32_t)told[2] << 16 | (int32_t)told[3] << 24) == now);
+        CHECK(w.sender.axis[0].steps_per_mm == now);
+        CHECK(loft_drive_gear(&w.machine.drive, 0) == loft_real_from_raw(now));
+    }
+}
+
+/* A job that was planned before the settings changed does not begin, and none are written while one
+ * is under way. */
+static void a_job_and_new_settings_exclude_each_other(arb *a)
+{
+    uint8_t block[ROOM];
+    const uint16_t size = settings_block(block, 1, 7 * 65536);
+
+    world_start(a, 20);
+    memset(kept, 0xFF, sizeof kept);
+    power = LONG;
+    machine_starts();
+    greet();
+    for (uint16_t at = 4; at < size; at = (uint16_t)(at + 32))
+        CHECK(settings_asked(at, block + at, (uint8_t)(size - at < 32 ? size - at : 32)));
+    if (arb_below(a, 2)) {
+        CHECK(settings_asked(0, block, 4) && w.sender.kept.origin == LOFT_SETTINGS_KEPT);
+        while (world_runs()) {
+        }
+        CHECK(w.sender.phase == LOFT_PHASE_REFUSED && w.sender.refusal == LOFT_REFUSAL_LIMITS);
+        return;
+    }
+    while (w.sender.phase < LOFT_PHASE_STREAMING && world_runs()) {
+    }
+    if (!w.machine.drive.active)
+        return;
+    uint8_t wire[LOFT_FRAME_MAX];
+    const loft_set set = { .at = 0, .count = 4, .byte = block };
+    const size_t n     = loft_set_encode(&set, w.machine.receiver.session, wire);
+    loft_machine_push(&w.machine, (const uint8_t[]){ 0 }, 1);   /* ends the frame that is coming */
+    loft_machine_push(&w.machine, wire, n);
+    CHECK(w.machine.set.wrote > LOFT_KEPT_MOST && w.config.settings.size == 0);
+    while (world_runs()) {
     }
     check_drawn();
 }
@@ -532,6 +682,8 @@ int main(void)
 {
     PROPERTY(a_job_is_drawn_exactly_once_over_a_bad_line,                        30);
     PROPERTY(a_sender_that_dies_is_replaced_without_a_step_lost_or_doubled,      30);
+    PROPERTY(settings_are_written_whole_or_not_at_all,                           60);
+    PROPERTY(a_job_and_new_settings_exclude_each_other,                          40);
     PROPERTY(a_job_may_be_held_and_resumed_from_the_host,                        20);
     PROPERTY(a_hold_from_the_host_stands_until_it_is_lifted,                     10);
     PROPERTY(an_aborted_job_reports_where_it_stands_and_another_begins_there,    30);

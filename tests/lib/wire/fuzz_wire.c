@@ -89,6 +89,10 @@ static void obey(machine *m, enum loft_event e, const loft_event_data *data)
             m->now.state = LOFT_STATE_ABORTED;
         break;
     case LOFT_EVENT_CLOSE:  m->now.state = LOFT_STATE_IDLE; break;
+    case LOFT_EVENT_SET:
+        MUST(data->set.count <= LOFT_KEPT_MOST && data->set.byte >= m->r.frame.byte &&
+             data->set.byte + data->set.count <= m->r.frame.byte + m->r.frame.count);
+        break;
     default: break;
     }
 }
@@ -170,7 +174,7 @@ static void fuzz_receiver(const uint8_t *data, size_t size, bool raw)
                                         .points = 80,
                                         .curves = 16,
                                         .kinds = 1u << LOFT_SPANS | 1u << LOFT_POINTS |
-                                                 1u << LOFT_CURVES };
+                                                 1u << LOFT_CURVES | LOFT_TAKES_SETTINGS };
     uint8_t wire[LOFT_FRAME_MAX];
     machine m;
 
@@ -234,7 +238,12 @@ static void fuzz_sender(const uint8_t *data, size_t size, bool raw)
             n = fuzz_frame(&data, &size, s.session, s.nonce, 0, wire);
         for (size_t i = 0; i < n; i++)
             loft_sender_push(&s, wire[i], now);
-        if (s.phase == LOFT_PHASE_READY)
+        const bool asking = s.asking;
+        MUST(s.kept.count <= LOFT_KEPT_MOST);
+        if (s.phase == LOFT_PHASE_READY && n % 2 && s.machine.kinds & LOFT_TAKES_SETTINGS)
+            MUST((loft_sender_set(&s, (uint16_t)(size % 64), wire, (uint8_t)(n % 33)) == LOFT_OK) ==
+                 !asking);
+        else if (s.phase == LOFT_PHASE_READY)
             MUST(loft_sender_begin(&s, &job, count, fuzz_source, &count) == LOFT_OK);
         if (n == 0 && size > 0)
             loft_sender_control(&s, (enum loft_verb)(1 + *data % 3));

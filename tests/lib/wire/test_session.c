@@ -621,7 +621,7 @@ static void unknown_messages_are_skipped_and_counted(arb *a)
         for (size_t i = 0; i < n && (type < LOFT_WELCOME || type > LOFT_REPORT); i++)
             loft_sender_push(&w.s, wire[i], w.now);
     }
-    CHECK(w.m.r.dropped == dropped + 7 && w.s.unknown == unknown + 11);
+    CHECK(w.m.r.dropped == dropped + 7 && w.s.unknown == unknown + 10);
     world_run(&w, 60000);
     check_drawn(&w);
 }

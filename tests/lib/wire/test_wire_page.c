@@ -66,6 +66,13 @@ static void say_limits(const loft_frame *f, loft_job_limits *m)
             ul(m->axis[i].max_jerk));
 }
 
+static void say_bytes(const uint8_t *byte, uint8_t count)
+{
+    say(" bytes=");
+    for (uint8_t i = 0; i < count; i++)
+        say("%02X", byte[i]);
+}
+
 static size_t say_host(const loft_frame *f, uint8_t wire[])
 {
     const uint8_t session = loft_message_session(f);
@@ -73,6 +80,7 @@ static size_t say_host(const loft_frame *f, uint8_t wire[])
     loft_hello hello;
     loft_job job;
     loft_control control;
+    loft_set set;
     uint32_t total;
 
     switch (loft_message_type(f)) {
@@ -105,6 +113,11 @@ static size_t say_host(const loft_frame *f, uint8_t wire[])
             say_axes("position", control.position);
         return loft_control_encode(&control, session, wire);
     case LOFT_POLL: say("POLL session=%u", session); return loft_poll_encode(session, wire);
+    case LOFT_SET:
+        CHECK(loft_set_decode(f, &set) == LOFT_OK);
+        say("SET session=%u at=%u", session, set.at);
+        say_bytes(set.byte, set.count);
+        return loft_set_encode(&set, session, wire);
     default: return 0;
     }
 }
@@ -117,6 +130,7 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
     loft_ack ack;
     loft_machine_status status;
     loft_report report;
+    loft_kept kept;
 
     switch (loft_message_type(f)) {
     case LOFT_WELCOME:
@@ -129,6 +143,12 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
             welcome.axes, welcome.num, welcome.frame_max, welcome.queue, welcome.tick_hz,
             welcome.slots, welcome.kinds, welcome.curves, welcome.points, welcome.closed);
         return loft_welcome_encode(&welcome, session, wire);
+    case LOFT_KEPT:
+        CHECK(loft_kept_decode(f, &kept) == LOFT_OK);
+        say("KEPT session=%u at=%u room=%u origin=%u", session, kept.at, kept.room,
+            kept.origin + (kept.busy ? 128u : 0u));
+        say_bytes(kept.byte, kept.count);
+        return loft_kept_encode(&kept, session, wire);
     case LOFT_AXIS:
         CHECK(loft_axis_decode(f, &axis) == LOFT_OK);
         say("AXIS session=%u number=%u steps_per_mm=%ld max_speed=%ld max_accel=%ld position=%ld "
@@ -222,8 +242,8 @@ static void check_example(const example *e)
                       loft_frame_sealed(&f, loft_predictor_seal(&state))
                 : ended == LOFT_OK);
     n = items ? say_items(&f, wire)
-        : type >= LOFT_WELCOME ? say_machine(&f, wire)
-                               : say_host(&f, wire);
+        : type == LOFT_KEPT || (type >= LOFT_WELCOME && type <= LOFT_REPORT) ? say_machine(&f, wire)
+                                                                             : say_host(&f, wire);
     shown = (uint16_t)(shown | 1u << type);
     CHECK(strcmp(said.text, e->text) == 0);
     CHECK(n == e->size && memcmp(wire, e->byte, n) == 0);
@@ -297,7 +317,7 @@ static void every_example_is_true(arb *a)
     }
     if (page)
         fclose(page);
-    for (unsigned type = LOFT_HELLO; type <= LOFT_DATA_CURVES; type++)
+    for (unsigned type = LOFT_KEPT; type <= LOFT_SET; type++)
         CHECK(shown & 1u << type);
 }
 

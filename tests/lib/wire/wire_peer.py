@@ -12,9 +12,11 @@ import sys
 AXES = 3
 HOST = {1: ('HELLO', 'min_version:B max_version:B nonce:X'),
         2: ('JOB', 'nonce:X id:X kind:B away:H start:A'), 5: ('END', 'total:I'),
-        6: ('CONTROL', 'number:B verb:B value:B'), 7: ('POLL', '')}
+        6: ('CONTROL', 'number:B verb:B value:B'), 7: ('POLL', ''),
+        15: ('SET', 'at:H bytes:Z')}
 STANDING = 'next:I limit:I executed:I state:B flags:B refusal:B control:B '
-MACHINE = {8: ('WELCOME', 'version:B nonce:X boot:X job:X ' + STANDING +
+MACHINE = {0: ('KEPT', 'at:H room:H origin:B bytes:Z'),
+           8: ('WELCOME', 'version:B nonce:X boot:X job:X ' + STANDING +
                'axes:B num:B frame_max:B queue:H tick_hz:H slots:H '
                'kinds:B curves:H points:H closed:H'),
            9: ('AXIS', 'number:B steps_per_mm:i max_speed:i max_accel:i position:i start:i'),
@@ -135,7 +137,7 @@ class Decoder:
                 raise ValueError('%d items, %d announced' % (len(items), count))
             head = '%s session=%d first=%d count=%d' % (ITEMS[kind], session, first, count)
             return ' '.join([head] + items)
-        name, fields = (HOST if kind < 8 else MACHINE)[kind]
+        name, fields = (HOST if kind in HOST else MACHINE)[kind]
         said = [name] + (['session=%d' % session] if kind != 1 else [])
         if kind == 2 and payload[8] & 127 == 4:
             fields += ' ' + LIMITS
@@ -147,6 +149,10 @@ class Decoder:
             fields += ' latched:A'
         for field in fields.split():
             label, form = field.split(':')
+            if form == 'Z':
+                said.append('%s=%s' % (label, payload.hex().upper()))
+                payload = bytearray()
+                continue
             n = AXES if form == 'A' else 1
             form = {'X': 'I', 'A': 'i', 'L': 'iiI', 'G': 'HBB'}.get(form, form)
             form = '<' + form * n
