@@ -208,13 +208,11 @@ static int home_axes(mover *v, const bool axis[ENGINE_AXES], unsigned touches)
     return code;
 }
 
-/* The axes of the file, or those of the argument. */
-static int choose_axes(const mover *v, const char *text, bool axis[ENGINE_AXES])
+/* The axes of the machine file or of the machine's settings. */
+static int choose_axes(const mover *v, bool axis[ENGINE_AXES])
 {
     bool any = false;
 
-    if (text)
-        return mover_axes(text, axis);
     for (int i = 0; i < ENGINE_AXES; i++)
         any = (axis[i] = v->p.machine.home_order[i] > 0) || any;
     return any ? 0
@@ -240,9 +238,12 @@ static int run_home(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
     if (first + 1 < argc)
         return tool_error(EX_USAGE, "%s: name the axes in one word, as xy", argv[first + 1]);
-    code = choose_axes(&v, first < argc ? argv[first] : NULL, axis);
+    if (first < argc)
+        code = mover_axes(argv[first], axis);
     if (code == 0)
         code = mover_open(&v);
+    if (code == 0 && first == argc)
+        code = choose_axes(&v, axis);
     if (code == 0)
         code = home_axes(&v, axis, touches);
     mover_close(&v);

@@ -11,6 +11,7 @@
 #include "send/change.h"         /* change_tool */
 #include "send/grbl.h"           /* grbl_run */
 #include "plan/planning.h"       /* planning_limit */
+#include "send/settings.h"       /* settings_adopt */
 #include "send/stream.h"         /* stream_run */
 #include "plan/table.h"          /* table_check */
 #include "base/tool.h"
@@ -421,7 +422,10 @@ static int draw_file(stream_options *o, const char *file)
     else if (code == 0 && o->dry)
         code = dry_run(o, &d, &all);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
-        code = stream_drawing(o, &all, &t);
+        if (o->p.file == NULL)
+            code = settings_adopt(&o->p.machine, &t);
+        if (code == 0)
+            code = stream_drawing(o, &all, &t);
         talk_close(&t);
     }
     drawing_free(&smooth);

@@ -50,6 +50,12 @@ static const row rows[] = {
     { "home_search", "mm", AT(home_search), true, false, false, 0, 16383, 0, { 0 } },
     { "limit_stop", "", AT(hard_stop), false, true, false, 0, 1, 0, { "ramp", "hard" } },
     { "park", "mm", AT(park), true, false, false, -16383, 16383, 0, { 0 } },
+    { "reversed", "", AT(reversed), true, true, false, 0, 1, 0, { "no", "yes" } },
+    { "limit", "", AT(limit_opens), true, true, false, 0, 1, 0, { "closes", "opens" } },
+    { "probe", "", AT(probe_opens), false, true, false, 0, 1, 0, { "closes", "opens" } },
+    { "buttons", "", AT(buttons_open), false, true, false, 0, 1, 0, { "closes", "opens" } },
+    { "idle", "s", AT(idle), false, true, false, 0, 254, 0, { 0 } },
+    { "pulse", "us", AT(pulse), false, true, false, 1, 254, 0, { 0 } },
     { "pen_up", "mm", AT(pen_up), false, false, false, -16383, 16383, 0, { 0 } },
     { "pen_down", "mm", AT(pen_down), false, false, false, -16383, 16383, 0, { 0 } },
     { "tick_hz", "ticks/s", AT(tick_hz), false, true, false, 50, 50000, 0, { 0 } },
@@ -95,6 +101,8 @@ machine_file machine_usual(void)
     machine_file m = { .corner = 0.01,
                        .tol = 0.005,
                        .pen_up = 1,
+                       .idle = -1,
+                       .pulse = -1,
                        .tick_hz = 1000,
                        .slots = 40,
                        .ramp = 100,
@@ -358,19 +366,11 @@ int machine_line(machine_file *m, const char *file, unsigned line, const char *t
     return read_key(&r, text);
 }
 
-int machine_read(machine_file *m, const char *file)
+int machine_text(machine_file *m, const char *name, const char *text)
 {
-    reading r = { .m = m, .file = source_name(file), .line = 1 };
-    size_t size;
-    int code = 0;
-    char *text = source_read(file, &size, &code);
+    reading r = { .m = m, .file = name, .line = 1 };
+    int code  = 0;
 
-    if (text == NULL)
-        return code;
-    if (strlen(text) != size)
-        code = tool_error(
-            EX_DATAERR,
-            "%s: is not text: lines `key = value` are expected, see host-tools/MACHINE.md", r.file);
     for (const char *s = text; *s != '\0' && code == 0; r.line++) {
         const char *first = s + strspn(s, " \t\r");
         if (*first == '$')
@@ -380,8 +380,115 @@ int machine_read(machine_file *m, const char *file)
         s += strcspn(s, "\n");
         s += *s == '\n';
     }
-    free(text);
     return code ? code : check_machine(&r);
+}
+
+int machine_read(machine_file *m, const char *file)
+{
+    size_t size;
+    int code   = 0;
+    char *text = source_read(file, &size, &code);
+
+    if (text == NULL)
+        return code;
+    code = strlen(text) == size
+               ? machine_text(m, source_name(file), text)
+               : tool_error(EX_DATAERR,
+                            "%s: is not text: lines `key = value` are expected, see "
+                            "host-tools/MACHINE.md",
+                            source_name(file));
+    free(text);
+    return code;
+}
+
+
+// Who keeps what
+// --------------
+
+static enum machine_keeper keeper_of(const row *k)
+{
+    static const struct {
+        const char *key;
+        enum machine_keeper of;
+    } others[] = {
+        { "steps_per_mm", MACHINE_OBEYS }, { "max_speed", MACHINE_OBEYS },
+        { "max_accel", MACHINE_OBEYS },    { "max_jerk", MACHINE_OBEYS },
+        { "reversed", MACHINE_OBEYS },     { "limit", MACHINE_OBEYS },
+        { "probe", MACHINE_OBEYS },        { "buttons", MACHINE_OBEYS },
+        { "idle", MACHINE_OBEYS },         { "pulse", MACHINE_OBEYS },
+        { "tick_hz", MACHINE_FIRMWARE },   { "slots", MACHINE_FIRMWARE },
+        { "ramp", MACHINE_FIRMWARE },      { "queue", MACHINE_FIRMWARE },
+        { "curves", MACHINE_FIRMWARE },    { "max_across", MACHINE_PLAN },
+        { "corner", MACHINE_PLAN },        { "tolerance", MACHINE_PLAN },
+    };
+
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
+        if (strcmp(others[i].key, k->key) == 0)
+            return others[i].of;
+    return MACHINE_TEXT;
+}
+
+static const double *values_of(const machine_file *m, const row *k)
+{
+    return (const double *)((const char *)m + k->at);
+}
+
+/* The shortest number that is read as this one again. */
+static void print_value(const row *k, double value, FILE *out)
+{
+    char text[40];
+
+    if (k->word[0]) {
+        fprintf(out, "%s\n", k->word[value > 0]);
+        return;
+    }
+    for (int digits = 9; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+            break;
+    }
+    fprintf(out, "%s\n", text);
+}
+
+/* Neither NAN nor, where that is not a value, below the range: it was given. */
+static bool value_given(const row *k, double value) { return value >= k->least; }
+
+static bool same_value(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
+
+static void print_row(const row *k, const double *value, const double *usual, FILE *out)
+{
+    const bool alike = !k->axes ||
+                       (same_value(value[0], value[1]) && same_value(value[0], value[2]));
+
+    for (int i = 0; i < (alike ? 1 : ENGINE_AXES); i++)
+        if (value_given(k, value[i]) && (usual == NULL || !same_value(value[i], usual[i]))) {
+            if (!alike)
+                fprintf(out, "%c.", "xyz"[i]);
+            fprintf(out, "%s = ", k->key);
+            print_value(k, value[i], out);
+        }
+}
+
+void machine_print(const machine_file *m, enum machine_keeper of, FILE *out)
+{
+    const machine_file usual = machine_usual();
+
+    if (of == MACHINE_TEXT && m->k.kind != usual.k.kind)
+        fprintf(out, "kinematics = %s\n", kinematics_name(&m->k));
+    for (size_t i = 0; i < ROWS; i++)
+        if (keeper_of(&rows[i]) == of && (rows[i].kinds == 0 || rows[i].kinds & 1u << m->k.kind))
+            print_row(&rows[i], values_of(m, &rows[i]),
+                      of == MACHINE_TEXT ? values_of(&usual, &rows[i]) : NULL, out);
+}
+
+const char *machine_differs(const machine_file *a, const machine_file *b, enum machine_keeper of)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        for (int k = 0; k < (rows[i].axes ? ENGINE_AXES : 1); k++)
+            if (keeper_of(&rows[i]) == of &&
+                !same_value(values_of(a, &rows[i])[k], values_of(b, &rows[i])[k]))
+                return rows[i].key;
+    return NULL;
 }
 
 int machine_option(machine_file *m, int argc, char **argv)

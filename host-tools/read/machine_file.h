@@ -5,6 +5,8 @@
 #ifndef LOFT_MACHINE_FILE_H
 #define LOFT_MACHINE_FILE_H
 
+#include <stdio.h>
+
 #include "engine/engine.h"         /* ENGINE_AXES, engine_limits */
 #include "engine/kinematics.h"     /* kinematics */
 #include "read/machine_tools.h"
@@ -27,6 +29,10 @@ typedef struct {
     double home_search[ENGINE_AXES];        /* how far to look; 0: the table and more */
     double hard_stop;                       /* 1: a limit switch stops it at once */
     double park[ENGINE_AXES], pen_up, pen_down;     /* places of `loft park` and `loft pen` */
+    double reversed[ENGINE_AXES];           /* 1: the motor turns the other way */
+    double limit_opens[ENGINE_AXES], probe_opens, buttons_open;    /* 1: the contact opens */
+    double idle, pulse;                     /* s to the motors' rest, 0: none; us; below 0: not
+                                             * given */
     double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */
     bool   limited;                         /* the file gives a speed, an acceleration or a jerk */
     kinematics k;
@@ -39,6 +45,19 @@ machine_file machine_usual(void);
 /* Read `file` ("-" is standard input) over *m. Returns 0, or an exit code after printing one line
  * `loft: file:line: ..`. */
 int machine_read(machine_file *m, const char *file);
+
+/* Like machine_read, from a text; `name` is that of its place. */
+int machine_text(machine_file *m, const char *name, const char *text);
+
+/* Who keeps a key: a machine that obeys it, a machine as text for the host, or no machine: because
+ * it is about its firmware, or about the plan. */
+enum machine_keeper { MACHINE_OBEYS, MACHINE_TEXT, MACHINE_FIRMWARE, MACHINE_PLAN };
+
+/* Print the lines of a keeper: of MACHINE_TEXT those that are not as usual. */
+void machine_print(const machine_file *m, enum machine_keeper of, FILE *out);
+
+/* The first key of a keeper in which they differ; NULL: none. */
+const char *machine_differs(const machine_file *a, const machine_file *b, enum machine_keeper of);
 
 /* Read one line `key = value` over *m. Checks only this line. */
 int machine_line(machine_file *m, const char *file, unsigned line, const char *text);

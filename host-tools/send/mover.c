@@ -10,6 +10,7 @@
 #include "plan/job.h"            /* job */
 #include "plan/table.h"          /* table_place */
 #include "send/mover.h"
+#include "send/settings.h"       /* settings_adopt */
 #include "send/stream_end.h"     /* stream_ended, stream_place */
 
 #define SILENCE 10.0        /* s of silence until we give up */
@@ -52,7 +53,9 @@ int mover_open(mover *v)
     if (v->port == NULL)
         return tool_error(EX_USAGE, "no --port: name the machine's port");
     keys_start(v->keys);
-    const int code = talk_open(&v->t, v->port, v->baud, v->wait, v->log);
+    int code = talk_open(&v->t, v->port, v->baud, v->wait, v->log);
+    if (code == 0 && v->p.file == NULL)
+        code = settings_adopt(&v->p.machine, &v->t);
     return code ? code : look(v);
 }
 

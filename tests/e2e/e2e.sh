@@ -1637,6 +1637,115 @@ case_machines_as_text() {
     one_line 66 'none.txt' "$loft" simulate --machine "$tmp/none.txt"
 }
 
+# kept_lines FILE: settings without their first line, which names the port
+kept_lines() { tail -n +2 "$1"; }
+
+case_settings_live_in_the_machine() {
+    local m
+    for m in q16 f32 f64; do
+        machine $m --speed fast --num $m --keep "$tmp/$m.kept"
+        run 0 "$loft" settings --port "$tmp/$m"
+        says out 'those of its firmware: it keeps none yet'; says out '^steps_per_mm = 80$'
+        run 0 "$loft" set x.steps_per_mm=157.48 travel=50 y.min=-5 --port "$tmp/$m" \
+            --log "$tmp/talk.log"
+        says out '^kept: [0-9]* of 2000 bytes; steps/mm 157.48 80 80$'
+        says out 'another one now: `loft home` it, or `loft zero`$'
+        says talk.log '> SET .* at 0, 4 bytes$'; says talk.log '< KEPT .* kept$'
+        kill "$machine"; gone "$machine"; rm -f "$tmp/$m"
+        machine $m --speed fast --num $m --keep "$tmp/$m.kept"
+        run 0 "$loft" settings --port "$tmp/$m"; cp "$tmp/out" "$tmp/$m.said"
+        says out 'kept by the machine'; says out '^x.steps_per_mm = 157.48$'
+        says out '^travel = 50$'; says out '^y.min = -5$'
+        # the machine knows its table and its gearing; a file overrules
+        one_line 65 'small.csv: takes the tool to x 5..60' \
+            "$loft" stream "$tmp/small.csv" --port "$tmp/$m"
+        printf 'travel = 80\nmin = -15\n' >"$tmp/wide.txt"
+        run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/$m" --machine "$tmp/wide.txt"
+        says out 'steps 9449 2400 80 as commanded$'
+        one_line 65 'the table' "$loft" go 70,0 --port "$tmp/$m"
+        kill "$machine"; gone "$machine"
+    done
+    kept_lines "$tmp/q16.said" | cmp -s - <(kept_lines "$tmp/f64.said") ||
+        job_fails "settings differ by number type"
+}
+case_settings_are_copied_as_a_file() {
+    machine from --speed fast --shared --limits x+=40nc
+    one_line 69 'the limit switch of x' "$loft" stream "$tmp/small.csv" --port "$tmp/from"
+    run 0 "$loft" set x.limit=opens max_jerk=30000 --port "$tmp/from"
+    one_line 75 'the limit switch of x closed and ended' \
+        "$loft" stream "$tmp/small.csv" --port "$tmp/from"
+    run 0 "$loft" settings --port "$tmp/from" --save "$tmp/saved.txt"
+    says saved.txt '^x.limit = opens$'; says saved.txt '^max_jerk = 30000$'
+    machine to --speed fast
+    run 0 "$loft" set --machine "$tmp/saved.txt" --port "$tmp/to"
+    run 0 "$loft" settings --port "$tmp/to"
+    kept_lines "$tmp/out" | cmp -s - <(kept_lines "$tmp/saved.txt") ||
+        job_fails "another machine has other settings: $(cat "$tmp/out")"
+    # a motor that turns the other way, and a machine that homes by what it keeps
+    machine turned --speed fast --once
+    run 0 "$loft" set x.reversed=yes --port "$tmp/turned"
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/turned"; gone "$machine"
+    says turned.csv ',-4800,2400,80$'
+    home_file
+    machine homed --speed fast --limits x-=-3,y-=-1.5,z+=12 --walls x-=-9,y-=-9,z+=20
+    run 0 "$loft" set --machine "$tmp/home.txt" --port "$tmp/homed"
+    run 0 "$loft" home --port "$tmp/homed"
+    says out '^homed: the tool is at'
+}
+case_settings_are_whole_after_a_kill() {
+    local i
+    machine cut --speed fast --noise 1500 --keep "$tmp/cut.kept"
+    run 0 "$loft" set steps_per_mm=100 travel=100 --port "$tmp/cut" --wait 60
+    for i in 1 2 3 4; do
+        "$loft" set steps_per_mm=20$i travel=20$i --port "$tmp/cut" --wait 60 \
+            --log "$tmp/kill.log" >/dev/null 2>&1 & local setting=$!
+        for _ in $(seq 3000); do
+            grep -q '> SET .* at [1-9][0-9]*, [1-9]' "$tmp/kill.log" 2>/dev/null && break
+            sleep 0.01
+        done
+        if [ $((i % 2)) = 0 ]; then                     # the power fails
+            kill -9 "$machine"; gone "$machine"; rm -f "$tmp/cut"
+            machine cut --speed fast --noise 1500 --keep "$tmp/cut.kept"
+        fi
+        kill -9 $setting 2>/dev/null; wait $setting 2>/dev/null; rm -f "$tmp/kill.log"
+        run 0 "$loft" settings --port "$tmp/cut" --wait 60
+        says out 'kept by the machine'
+        [ "$(sed -n 's/^steps_per_mm = //p' "$tmp/out")" = \
+          "$(sed -n 's/^travel = //p' "$tmp/out")" ] || job_fails "mixed: $(cat "$tmp/out")"
+    done
+}
+case_settings_that_cannot_be() {
+    machine plain --speed fast --keep "$tmp/plain.kept"
+    local to=(--port "$tmp/plain")
+    one_line 64 'nothing to set: give NAME=VALUE' "$loft" set "${to[@]}"
+    one_line 64 'no --port' "$loft" set x.travel=3
+    one_line 64 'no --port' "$loft" settings
+    one_line 64 'takes no file' "$loft" settings saved.txt "${to[@]}"
+    one_line 65 'set:1: unknown key "x.speed"' "$loft" set x.speed=3 "${to[@]}"
+    one_line 65 'set:2: max_accel is 0: give a number from 1' \
+        "$loft" set x.travel=10 max_accel=0 "${to[@]}"
+    one_line 78 'queue is part of the machine.s firmware' "$loft" set queue=9 "${to[@]}"
+    one_line 78 'tolerance is about the plan' "$loft" set tolerance=0.1 "${to[@]}"
+    one_line 78 'this board cannot do it: pulse' "$loft" set pulse=9 "${to[@]}"
+    one_line 73 'name a file that can be written' \
+        "$loft" settings "${to[@]}" --save "$tmp/none/saved.txt"
+    run 0 "$loft" settings "${to[@]}"; says out 'it keeps none yet'      # nothing was changed
+    run 0 "$loft" set x.travel=100 "${to[@]}"
+    run 0 "$loft" set x.travel=200 "${to[@]}"
+    kill "$machine"; gone "$machine"; rm -f "$tmp/plain"
+    local at
+    for at in 30 2030; do printf '\252' | dd of="$tmp/plain.kept" bs=1 seek=$at conv=notrunc \
+        2>/dev/null; done
+    machine plain --speed fast --keep "$tmp/plain.kept"
+    run 0 "$loft" settings "${to[@]}"; says out 'what it kept is damaged'
+    run 0 "$loft" stream "$tmp/small.csv" "${to[@]}"
+    says err '^loft: .*plain: its settings are damaged: it runs with those of its firmware'
+    machine busy --speed real
+    draws busy; cut_off 0.5
+    one_line 75 'a job is running: wait' "$loft" set x.travel=9 --port "$tmp/busy"
+    run 0 "${job[@]}"; says out 'as commanded$'
+}
+
 case_zero_tells_the_machine_where_it_stands() {
     machine there --speed fast
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/there"
@@ -1716,16 +1825,36 @@ case_home_finds_its_switches() {
         || job_fails "$(table_of corexy)"
 }
 case_the_walk_through_the_page_of_the_boards() {
-    local page=ports/README.md block
-    # part 7, and its machine: every line as it is printed, with another port
-    block=$(awk '/^### 7 /{on = 1} on && /^```$/{exit} code && on; on && /^```sh$/{code = 1}' $page)
+    local page=ports/README.md block words
+    # parts 5 and 7, and their machine: every line as it is printed, with another port
+    block_of() {
+        awk -v part="^### $1 " -v which="$2" '
+            /^### /{on = $0 ~ part} on && /^```$/{code = 0} code == which && which
+            on && /^```sh$/{code = ++count}' $page
+    }
+    local here; here=$(realpath "$loft")
+    at() { local text=${1//build\/loft/$here}; echo "${text//\/dev\/ttyACM0/$tmp\/$2}"; }
+    block=$(block_of 7 1)
     sed -n '/^### Without a board/,/^```$/p' $page | tr -d '\n\\' >"$tmp/alone"
     read -r -a options < <(sed 's/.*--speed real *\(--limits [^&]*\)&.*/\1/' "$tmp/alone")
     [ "$(grep -c build/loft <<<"$block")" = 5 ] || job_fails "part 7 has other commands: $block"
     [ "${options[0]}" = --limits ] || job_fails "no machine: $(cat "$tmp/alone")"
-    machine m --speed fast "${options[@]}" --probe z-=-3
-    block=${block//build\/loft/$(realpath "$loft")} block=${block//\/dev\/ttyACM0/$tmp\/m}
-    (cd "$tmp" && bash -e -c "$block") >"$tmp/out" 2>"$tmp/err" </dev/null \
+    words=$(block_of 5 2)
+    [ "$(grep -c 'build/loft set' <<<"$words")" = 2 ] || job_fails "part 5 has other words: $words"
+    machine m --speed fast "${options[@]}" --probe z-=-3 --steps 250
+    local first; first=$(block_of 5 1)
+    (cd "$tmp" && bash -e -c "$(at "$first" m)") >"$tmp/out" 2>"$tmp/err" </dev/null \
+        || job_fails "part 5 fails: $(cat "$tmp/err")"
+    says out '^kept: .*; steps/mm 80 80 80$'; says out '^x.travel = 280$'
+    kill "$machine"; gone "$machine"
+    machine words --speed fast
+    bash -e -c "$(at "$words" words)" >"$tmp/out" 2>"$tmp/err" </dev/null \
+        || job_fails "part 5 fails: $(cat "$tmp/err")"
+    run 0 "$loft" settings --port "$tmp/words"
+    says out '^x.reversed = yes$'; says out '^limit = opens$'; says out '^idle = 60$'
+    machine table --speed fast "${options[@]}" --probe z-=-3
+    run 0 "$loft" set --machine "$tmp/mine.txt" --port "$tmp/table"
+    (cd "$tmp" && bash -e -c "$(at "$block" table)") >"$tmp/out" 2>"$tmp/err" </dev/null \
         || job_fails "a command fails: $(cat "$tmp/err")"
     is_empty err
     says out '^homed: the tool is at 0.000 0.000 30.000$'
