@@ -124,6 +124,27 @@ row "home: it stands 3 mm before the switch, by its pulses" "$(value position)" 
 row "home: shortest pulse"                                  "$(value pulse_least)" ">=" 32 cycles
 row "home: RAM, data, bss and the deepest stack"            "$(ram)" "<=" 1988 bytes
 
+echo "-- loft set: the chip keeps its settings in its EEPROM, and starts again for each command"
+eeprom=$tmp/eeprom jobs=99
+on_chip "$chip" "$elf" "$loft" set steps_per_mm=80 max_speed=100 x.travel=60 x.reversed=yes idle=1 \
+    --port "$tmp/port"
+row "set: the command ends well"                            "$code" = 0
+row "set: RAM, data, bss and the deepest stack"             "$(ram)" "<=" 1988 bytes
+on_chip "$chip" "$elf" "$loft" settings --port "$tmp/port"
+row "settings: the next start has them"     "$(grep -c 'kept by the machine' "$tmp/out")" = 1
+row "settings: steps/mm"                    "$(sed -n 's/^steps_per_mm = //p' "$tmp/out")" = 80
+row "settings: table"                       "$(sed -n 's/^x.travel = //p' "$tmp/out")" = 60
+printf '0,0,5,0,15,0,20,0\n' >"$tmp/line.csv"
+on_chip "$chip" "$elf" "$loft" stream "$tmp/line.csv" --lift 0 --port "$tmp/port"
+row "settings: a line of 20 mm, told"                       "$(told "$tmp/out")" = "1600 0 0"
+row "settings: the same at the pins, x turned"              "$(value position)" = "-1600 0 0"
+row "settings: RAM, data, bss and the deepest stack"        "$(ram)" "<=" 1988 bytes
+for at in 40 548; do printf '\252' | dd of="$eeprom" bs=1 seek=$at conv=notrunc 2>/dev/null; done
+on_chip "$chip" "$elf" "$loft" settings --port "$tmp/port"
+row "settings: damaged ones are told"       "$(grep -c 'what it kept is damaged' "$tmp/out")" = 1
+row "settings: then its firmware's"         "$(sed -n 's/^steps_per_mm = //p' "$tmp/out")" = 250
+eeprom='' jobs=
+
 echo "-- a line that is cut"
 "$loft" simulate --link "$tmp/cut" --speed real >"$tmp/log" & here=$!
 for _ in $(seq 3000); do [ -e "$tmp/cut" ] && break; sleep 0.02; done

@@ -1,15 +1,18 @@
 /* tests/target/avr_chip.c -- the emulated chip behind a pseudo terminal
  * SPDX-License-Identifier: MIT
  * usage: chip FIRMWARE.elf --tick ADDRESS --ring HEAD,TAIL [--link PATH] [--record FILE] [--steps
- * N] [--profile FILE] [--touch STEPS[,MS]] [--jobs N]
+ * N] [--profile FILE] [--touch STEPS[,MS]] [--jobs N] [--eeprom FILE]
  *
  * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS;
  * behind STEPS, seen from 0, it is closed, and before it is open.
+ *
+ * --eeprom: FILE holds the EEPROM between two runs.
  *
  * The chip's time stops while it is the host's turn (avr_gate.h). The program ends when N jobs, or
  * one, have been drawn and closed, and prints lines `name value`.
  */
 #include <signal.h>
+#include <simavr/avr_eeprom.h>
 #include <simavr/avr_ioport.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,7 +27,9 @@
 
 #define HZ          AVR_HZ
 #define BATCH       (HZ / 1000)     /* cycles between two checks of the line */
-#define SETTLE      (HZ / 50)       /* after the last byte, time to answer it */
+#define SETTLE      (HZ / 50)       /* after the last byte, time to answer it: */
+#define KEEPS       (HZ / 5)        /* more while it writes to its EEPROM, 3.3 ms a byte */
+#define EEPROM      1024
 /* of real time without an expected byte: the sender is gone, not only busy */
 #define QUIET_MS    10000
 /* the same while it may wait for the machine's answer to its last frames */
@@ -45,6 +50,7 @@ struct chip {
     avr_cycle_count_t bounce;           /* cycles, and until when */
     avr_cycle_count_t settled;
     uint32_t jobs;                      /* until it ends */
+    const char *eeprom;                 /* a file, or NULL */
 };
 
 
@@ -112,6 +118,36 @@ static int64_t now_ms(void)
 }
 
 
+// The EEPROM
+// ----------
+
+/* A file that is not there is an EEPROM that was never written. */
+static void load_eeprom(struct chip *c)
+{
+    uint8_t byte[EEPROM];
+    avr_eeprom_desc_t all = { .ee = byte, .offset = 0, .size = EEPROM };
+    FILE *f = c->eeprom ? fopen(c->eeprom, "rb") : NULL;
+
+    if (f == NULL)
+        return;
+    if (fread(byte, 1, EEPROM, f) == EEPROM)
+        avr_ioctl(c->core.avr, AVR_IOCTL_EEPROM_SET, &all);
+    fclose(f);
+}
+
+static int save_eeprom(const struct chip *c)
+{
+    avr_eeprom_desc_t all = { .ee = NULL, .offset = 0, .size = EEPROM };
+    FILE *f = c->eeprom ? fopen(c->eeprom, "wb") : NULL;
+
+    if (f == NULL)
+        return c->eeprom ? EX_CANTCREAT : 0;
+    avr_ioctl(c->core.avr, AVR_IOCTL_EEPROM_GET, &all);
+    const size_t written = fwrite(all.ee, 1, EEPROM, f);
+    return fclose(f) == 0 && written == EEPROM ? 0 : EX_IOERR;
+}
+
+
 // The line to the host
 // --------------------
 
@@ -148,7 +184,9 @@ static void give_bytes(struct chip *c)
 
 static bool bytes_pending(const struct chip *c)
 {
-    return c->core.in_tail != c->core.in_head || c->core.avr->cycle - c->core.heard < SETTLE;
+    const uint64_t settle = c->eeprom ? KEEPS : SETTLE;
+
+    return c->core.in_tail != c->core.in_head || c->core.avr->cycle - c->core.heard < settle;
 }
 
 /* Let the host speak while it is its turn: during a job until it has sent what it may, otherwise
@@ -278,6 +316,8 @@ int main(int argc, char **argv)
             touch = argv[i + 1];
         if (strcmp(argv[i], "--jobs") == 0)
             c.jobs = (uint32_t)strtoul(argv[i + 1], NULL, 0);
+        if (strcmp(argv[i], "--eeprom") == 0)
+            c.eeprom = argv[i + 1];
         if (strcmp(argv[i], "--profile") == 0)
             profile = argv[i + 1];
     }
@@ -291,6 +331,7 @@ int main(int argc, char **argv)
                         : avr_core_start(&c.core, argv[1], (uint32_t)strtoul(tick, NULL, 0));
     if (code == 0) {
         watch_x(&c, touch);
+        load_eeprom(&c);
         code = host_record_open(&c.core.meter.record, &o);
     }
     if (code == 0)
@@ -309,5 +350,7 @@ int main(int argc, char **argv)
     host_line_close(&c.line);
     print_results(&c);
     code = host_record_close(&c.core.meter.record, &o);
+    if (code == 0)
+        code = save_eeprom(&c);
     return profile && code == 0 ? write_profile(&c, profile) : code;
 }

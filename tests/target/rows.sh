@@ -31,7 +31,8 @@ told() { sed -n 's/.*steps \(-*[0-9]* -*[0-9]* -*[0-9]*\).*as commanded.*/\1/p' 
 
 # on_chip CHIP FIRMWARE COMMAND..: the chip behind $tmp/port, its pulses in $tmp/chip.csv, its
 # results in $tmp/chip; with $touch set, the switch of x closes there; with $jobs, it runs so many
-# jobs, or until COMMAND ends; COMMAND's output in $tmp/out and $tmp/err, its exit code in $code
+# jobs, or until COMMAND ends; with $eeprom set, that file is its EEPROM;
+# COMMAND's output in $tmp/out and $tmp/err, its exit code in $code
 on_chip() {
     local chip=$1 elf=$2 tick ring child
     shift 2
@@ -39,7 +40,8 @@ on_chip() {
     ring=$(avr-nm "$elf" |
         awk '{ at[$3] = substr($1, 5) } END { print "0x" at["ring_head"] ",0x" at["ring_tail"] }')
     "$chip" "$elf" --tick "$tick" --ring "$ring" --link "$tmp/port" --record "$tmp/chip.csv" \
-        ${touch:+--touch "$touch"} ${jobs:+--jobs "$jobs"} >"$tmp/chip" 2>"$tmp/chip.err" &
+        ${touch:+--touch "$touch"} ${jobs:+--jobs "$jobs"} \
+        ${eeprom:+--eeprom "$eeprom"} >"$tmp/chip" 2>"$tmp/chip.err" &
     child=$!
     for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done
     timeout 300 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?

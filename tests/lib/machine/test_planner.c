@@ -271,11 +271,15 @@ static void switch_on(arb *a, uint16_t move_room)
     w.config = (loft_machine_config){ .info = { .boot = 77, .tick_hz = 1000, .slots = 40 },
                                       .ramp = 30,
                                       .cell = w.cell,
-                                      .cells = CELLS,
-                                      .planner = &planner,
-                                      .plan = memory_of(move_room,
-                                                        (uint16_t)(move_room * LOFT_PLAN_PIECES)) };
+                                      .cells = CELLS };
+    const loft_planner_memory plan = memory_of(move_room, (uint16_t)(move_room * LOFT_PLAN_PIECES));
 
+#if LOFT_MACHINE_PLANS          /* on a chip that does not plan this is compiled, and not run */
+    w.config.planner = &planner;
+    w.config.plan = plan;
+#else
+    (void)plan;
+#endif
     limits.tick_hz = 1000;
     for (int i = 0; i < LOFT_AXES; i++) {
         w.config.info.axis[i].steps_per_mm = 80 * 65536;
