@@ -9,6 +9,7 @@
 #include "base/keys.h"           /* keys_start, keys_hasty */
 #include "plan/tools.h"          /* tools_split */
 #include "send/change.h"         /* change_tool */
+#include "plan/check.h"          /* check_print */
 #include "send/grbl.h"           /* grbl_run */
 #include "plan/planning.h"       /* planning_limit */
 #include "send/settings.h"       /* settings_adopt */
@@ -24,7 +25,7 @@ typedef struct {
     double wait;
     const char *where, *from_tool;
     bool asks;                  /* standard input can answer */
-    bool points, grbl, g5, dry, hold, resume, abort, chip, away;
+    bool points, grbl, g5, dry, check, hold, resume, abort, chip, away;
 } stream_options;
 
 static void machine_limits(const loft_sender *s, engine_limits *l)
@@ -228,6 +229,8 @@ static int dry_run(const stream_options *o, const drawing *d, const parts *all)
             if (k == all->first)
                 print_page(d);
             print_part(o, all, k, &w, &sum, &seconds);
+            if (o->check)
+                check_print(&o->p.machine, all->file, &all->part[k].smooth, &w.path, o->p.feed);
             end_of(&w.j, start);
         }
         free_work(&w);
@@ -452,6 +455,8 @@ static int run_stream(const tool_command *self, int argc, char **argv)
         TOOL_SWITCH("g5", &o.g5,
                     "with --grbl: curves as G5, for controllers that have it, instead of arcs"),
         TOOL_SWITCH("dry-run", &o.dry, "plan for a usual machine, print a summary, move nothing"),
+        TOOL_SWITCH("check", &o.check,
+                    "the same, and judge it: box, feeds, what an axis cannot do, rapids below 0"),
         TOOL_TEXT("record", "FILE", &o.record,
                   "the pulses that `loft simulate --record FILE` writes: measure the path error"),
         TOOL_TEXT("log", "FILE", &o.log, "write what passes on the line, in words"),
@@ -467,6 +472,10 @@ static int run_stream(const tool_command *self, int argc, char **argv)
     code = tool_options(self, options, argc, argv, &first);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
+    o.dry = o.dry || o.check;
+    if (o.check && o.grbl)
+        return tool_error(EX_USAGE, "--check: judges a plan, and --grbl leaves it to a controller: "
+                                    "give one of them");
     if (o.port == NULL && !o.dry)
         return tool_error(EX_USAGE, "no --port: name the machine's port, or plan with --dry-run");
 

@@ -161,6 +161,17 @@ int table_check(const machine_file *m, const char *file, const drawing *d, const
                       source_name(file), takes, ends, remedy);
 }
 
+const char *table_words(const drawing *d, const toolpath *path, char out[160])
+{
+    const table_box drawn = box_of_drawing(d);
+    table_box all         = drawn;
+
+    if (path->count > 0)
+        all = box_of_path(&drawn, path);
+    box_words(&all, &all, out, 160);
+    return out;
+}
+
 int table_place(const machine_file *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES],
                 double tol)
 {

@@ -17,6 +17,9 @@
 int table_check(const machine_file *m, const char *file, const drawing *d, const toolpath *path,
                 double tol);
 
+/* `x -5..215.3, y 10..287, z 0..1`: where the tool is, as table_check sees it. */
+const char *table_words(const drawing *d, const toolpath *path, char out[160]);
+
 /* Check a straight move of the tool. An axis that begins outside may return, or stay. Returns
  * as above. */
 int table_place(const machine_file *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES],

@@ -1320,6 +1320,22 @@ case_dry_run_says_the_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 30mm/s
     cmp -s "$tmp/out" "$tmp/minutes" || job_fails "1800mm/min is not 30mm/s"
 }
+case_a_program_is_checked() {
+    printf '%s\n' 'G21 G90' 'G0 Z5' 'G0 X10 Y10' 'G1 Z-1 F300' 'G1 X50 F60000' 'G0 X20' \
+        'G2 X30 Y20 I0 J10 F1200' 'G0 Z5' M30 >"$tmp/part.nc"
+    printf 'max_speed = 200\ny.max_speed = 100\nx.travel = 60\n' >"$tmp/m.txt"
+    run 0 "$loft" stream "$tmp/part.nc" --check --machine "$tmp/m.txt"; is_empty err
+    says out '^planned: .* s, '; says out '^box: x 0..50, y 0..30, z -1..5$'
+    says out '^feeds: 5 to 1000 mm/s$'
+    says out 'part.nc:5: a feed of 1000 mm/s, and x allows 200 there: 1 curve is drawn slower'
+    says out 'part.nc:6: a rapid at z -1, below 0: 1 of them'
+    printf 'x.travel = 40\n' >"$tmp/m.txt"
+    one_line 65 'takes the tool to x 0..50, and the table is x 0..40' \
+        "$loft" stream "$tmp/part.nc" --check --machine "$tmp/m.txt"
+    one_line 64 'give one of them' "$loft" stream "$tmp/part.nc" --check --grbl
+    run 0 "$loft" stream "$tmp/small.csv" --check; says out '^box: x .*, z 0..1$'
+    says out '^feeds: 30 to 30 mm/s$'; ! grep -q 'allows' "$tmp/out" || job_fails "$(cat "$tmp/out")"
+}
 case_tools_draw_one_after_the_other() {
     cat >"$tmp/pens.txt" <<'END'
 x.park = 5
