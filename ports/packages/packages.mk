@@ -103,7 +103,7 @@ check-quick:
 
 # --- make check-packages: one line per thing that was built and run, `N passed, N failed` ---------
 PACKAGE_ROWS := install tool cross onefile cmake meson debian arduino boards wasm rust \
-                python cpp export hygiene
+                python cpp export inkscape hygiene
 
 ## Install what check-packages needs (Debian's build tools, shells, compilers of other languages)
 .PHONY: deps-packages
@@ -113,7 +113,7 @@ deps-packages: deps deps-target
 	    arduino-ctags libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib \
 	    python3-kconfiglib python3-yaml lld nodejs rustc cargo bindgen python3-pip \
 	    python3-setuptools python3-wheel python3-dev python3-cffi python3-numpy \
-	    python3-matplotlib reuse gcc-aarch64-linux-gnu
+	    python3-matplotlib reuse gcc-aarch64-linux-gnu inkscape xvfb libxml2-utils
 	@sh ports/packages/sysroot.sh arm64 build/sysroot/arm64 \
 	    $(filter-out libclang%,$(filter %-dev,$(HOST_PACKAGES)))
 

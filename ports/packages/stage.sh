@@ -37,7 +37,8 @@ filled ports/packages/cmake/loft-config-version.cmake.in \
 [ -n "$command" ] || exit 0
 share=$stage/share
 mkdir -p "$stage/bin" "$share/man/man1" "$share/bash-completion/completions" \
-    "$share/zsh/site-functions" "$share/fish/vendor_completions.d" "$share/doc/loft"
+    "$share/zsh/site-functions" "$share/fish/vendor_completions.d" "$share/doc/loft" \
+    "$share/inkscape/extensions"
 cp "$command" "$stage/bin/loft"
 page() { sed "1s/ \"\" / \"$DATE\" /" > "$share/man/man1/$1.1"; }
 "$command" --help=man | page loft
@@ -48,3 +49,5 @@ done
 "$command" --help=zsh > "$share/zsh/site-functions/_loft"
 "$command" --help=fish > "$share/fish/vendor_completions.d/loft.fish"
 cp LICENSE README.md CHANGELOG.md host-tools/LOFT.md host-tools/MACHINE.md "$share/doc/loft"
+cp ports/packages/inkscape/loft.inx ports/packages/inkscape/loft_inkscape.py \
+    "$share/inkscape/extensions"

@@ -1334,7 +1334,8 @@ case_a_program_is_checked() {
         "$loft" stream "$tmp/part.nc" --check --machine "$tmp/m.txt"
     one_line 64 'give one of them' "$loft" stream "$tmp/part.nc" --check --grbl
     run 0 "$loft" stream "$tmp/small.csv" --check; says out '^box: x .*, z 0..1$'
-    says out '^feeds: 30 to 30 mm/s$'; ! grep -q 'allows' "$tmp/out" || job_fails "$(cat "$tmp/out")"
+    says out '^feeds: 30 to 30 mm/s$'
+    ! grep -q 'allows' "$tmp/out" || job_fails "$(cat "$tmp/out")"
 }
 case_tools_draw_one_after_the_other() {
     cat >"$tmp/pens.txt" <<'END'
