@@ -156,6 +156,14 @@ DRAWING ?= tests/drawings/demo.svg
 demo: tools
 	@host-tools/demo.sh $(TOOL_OUT)/loft "$(DRAWING)" build/demo $(MACHINE)
 
+SURFACES ?= tests/drawings/patch.loft
+TOOL     ?= ball:4
+CUSP     ?= 0.05
+## Mill surfaces on the simulated machine: left.png   SURFACES=file.loft TOOL=ball:4 CUSP=0.05
+.PHONY: demo-mill
+demo-mill: tools
+	@host-tools/demo_mill.sh $(TOOL_OUT)/loft "$(SURFACES)" build/demo-mill $(TOOL) $(CUSP)
+
 # --- on a fresh machine ---------------------------------------------------------------------------
 HOST_PACKAGES := gcc g++ libc6-dev make pkg-config clang clang-format libclang-rt-14-dev \
                  libxml2-dev zlib1g-dev libcairo2-dev libpango1.0-dev fonts-dejavu-core \

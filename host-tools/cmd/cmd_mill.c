@@ -9,6 +9,8 @@
 #include "base/progress.h"
 #include "base/source.h"        /* source_name */
 #include "base/tool.h"
+#include "draw/left.h"
+#include "draw/surface_plot.h"
 #include "engine/mill.h"
 #include "engine/print.h"       /* print_point */
 #include "engine/surface.h"
@@ -142,12 +144,46 @@ static int mill_surfaces(const engine *e, tool_wish *w, const char *file, double
     return code;
 }
 
+/* A picture of the surfaces, coloured by what a machine left on them. */
+static int plot_left(const tool_wish *w, const char *file, const char *record_file,
+                     const char *output)
+{
+    surfaces all = { 0 };
+    record r = { 0 };
+    left_over l;
+    int code = surfaces_read_only(&all, file);
+
+    if (code == 0)
+        code = record_read(&r, record_file, 0);
+    if (code == 0) {
+        left_make(&l, &r, w->o.radius, w->o.corner);
+        const surface_options o = { .all = &all,
+                                    .name = file,
+                                    .output = output,
+                                    .e = &engine_f64,
+                                    .map = MAP_GIVEN,
+                                    .value = left_at,
+                                    .context = &l,
+                                    .words = "left, mm",
+                                    .azimuth = -55,
+                                    .elevation = 40 };
+        code = surface_plot(&o);
+        if (code == 0 && printf("%s: %zu places of the tool, %.4f mm left at worst, %.4f mm cut\n",
+                                output, l.count, l.most[1], l.most[0]) < 0)
+            code = EX_IOERR;
+        left_free(&l);
+    }
+    record_free(&r);
+    surfaces_free(&all);
+    return code;
+}
+
 static int run_mill(const tool_command *self, int argc, char **argv)
 {
     const engine *e = &engine_f64;
     tool_wish w = { .o = { .radius = 3, .corner = 3, .tol = 0.01 }, .name = "ball:6" };
     tool_list area = { .count = 0 }, lowest = { .count = 0 };
-    const char *along = "x";
+    const char *along = "x", *record_file = NULL, *output = "left.png";
     double safe = 5;
     int first;
 
@@ -160,12 +196,16 @@ static int run_mill(const tool_command *self, int argc, char **argv)
         TOOL_TEXT("along", "x|y", &along, "direction of the lines (x)"),
         TOOL_NUMBER("tol", "MM", &w.o.tol, 0.001, 10,
                     "how much higher than necessary the path may be (0.01)"),
-        TOOL_LIST("area", "X,Y,X,Y", &area, -4096, 4096,
-                  "where the axis of the tool may be: two corners (the box of the surfaces)"),
+        TOOL_LIST(
+            "area", "X,Y,X,Y", &area, -4096, 4096,
+            "where the axis of the tool may be: two corners (0.7 radius around the surfaces)"),
         TOOL_LIST("floor", "Z", &lowest, -4096, 4096,
                   "lowest height of the tip (that of the surfaces)"),
         TOOL_NUMBER("safe", "MM", &safe, 0, 1000,
                     "height above the surfaces where the path begins and ends (5)"),
+        TOOL_TEXT("record", "FILE", &record_file,
+                  "no path, but a picture of what is left, by pulses of `loft simulate --record`"),
+        TOOL_TEXT("output", "FILE", &output, "or -o: that picture, .png .svg or .pdf (left.png)"),
         ENGINE_OPTION(&e, "number type (f64)"),
         TOOL_OPTIONS_END
     };
@@ -199,7 +239,8 @@ static int run_mill(const tool_command *self, int argc, char **argv)
         if (!(w.o.area[0][k] < w.o.area[1][k]))
             return tool_error(EX_USAGE, "--area: is empty: give two corners apart");
     }
-    return mill_surfaces(e, &w, argv[first], safe);
+    return record_file != NULL ? plot_left(&w, argv[first], record_file, output)
+                               : mill_surfaces(e, &w, argv[first], safe);
 }
 
 const tool_command command_mill = {
@@ -210,6 +251,7 @@ const tool_command command_mill = {
     "with z: lines there and back, their distance from the cusps that a ball leaves, in\n"
     "chords within --tol. Each chord is proved not to cut below any surface; beside walls the\n"
     "path goes up and down on the spot. The first lines of the output say what is proved and\n"
-    "measured. Surfaces are seen from above.\n",
+    "measured. Surfaces are seen from above. With --record the surfaces are drawn instead,\n"
+    "coloured by what a machine left on them or cut off them.\n",
     run_mill
 };

@@ -120,7 +120,8 @@ void surface_frame(const surface_view *s)
     static const char *const maps[] = { [MAP_NONE] = "",
                                         [MAP_GAUSS] = "Gaussian curvature, 1/mm\302\262",
                                         [MAP_MEAN] = "mean curvature, 1/mm",
-                                        [MAP_LARGEST] = "largest curvature, 1/mm" };
+                                        [MAP_LARGEST] = "largest curvature, 1/mm",
+                                        [MAP_GIVEN] = "" };
     const plot_view *v = &s->v;
 
     cairo_select_font_face(v->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
@@ -130,6 +131,7 @@ void surface_frame(const surface_view *s)
     draw_legend(s);
     scale_bar(s);
     if (s->o->map != MAP_NONE)
-        scene_bar(v, &s->scene.scale, maps[s->o->map], v->right + 34 * v->u, v->top + 6 * v->u,
+        scene_bar(v, &s->scene.scale, s->o->map == MAP_GIVEN ? s->o->words : maps[s->o->map],
+                  v->right + 34 * v->u, v->top + 6 * v->u,
                   fmin(v->bottom - v->top - 40 * v->u, 400 * v->u));
 }

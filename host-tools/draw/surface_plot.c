@@ -13,8 +13,12 @@
 #define PT_PER_MM (72 / 25.4)
 #define CELLS     60000         /* of the whole picture, about */
 
-static double value_of(enum surface_map map, const mesh_vertex *v)
+static double value_of(const surface_options *o, const mesh_vertex *v)
 {
+    const enum surface_map map = o->map;
+
+    if (map == MAP_GIVEN)
+        return o->value(o->context, v);
     return map == MAP_GAUSS ? v->gauss : map == MAP_MEAN ? v->mean : mesh_bend(v);
 }
 
@@ -30,7 +34,7 @@ static double *make_map(surface_view *s)
         return NULL;
     value = tool_grow(NULL, m->vertices * sizeof *value);
     for (size_t i = 0; i < m->vertices; i++)
-        value[i] = value_of(s->o->map, &m->vertex[i]);
+        value[i] = value_of(s->o, &m->vertex[i]);
     s->scene.value = value;
     s->scene.scale.signs = s->o->map != MAP_LARGEST;
     scene_scale_of(&s->scene.scale, value, m->vertices, flat);

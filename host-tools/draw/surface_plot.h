@@ -12,7 +12,7 @@
 
 #include "draw/scene.h"
 
-enum surface_map { MAP_NONE, MAP_GAUSS, MAP_MEAN, MAP_LARGEST };
+enum surface_map { MAP_NONE, MAP_GAUSS, MAP_MEAN, MAP_LARGEST, MAP_GIVEN };
 
 typedef struct {
     const surfaces *all;
@@ -20,6 +20,9 @@ typedef struct {
     const char *output;
     const engine *e;
     enum surface_map map;
+    double (*value)(void *context, const mesh_vertex *v);       /* MAP_GIVEN: the map's values */
+    void *context;
+    const char *words;          /* MAP_GIVEN: what they are */
     bool control, wire;         /* control nets; parameter lines only, nothing hidden           */
     unsigned contours;          /* about this many contours, at round heights */
     const double *height;       /* or contours at these heights */

@@ -10,7 +10,8 @@
 #include "engine/engine_sheet.h"
 #include "engine/mill.h"
 
-#define FEW 16          /* so many surfaces are cut into 64 sheets each */
+#define FEW     16      /* so many surfaces are cut into 64 sheets each */
+#define BEYOND  0.7     /* radii: there a ball touches a border that slopes outward by 45 degrees */
 
 /* Surfaces stay open, for sheets borrow them. */
 typedef struct {
@@ -59,8 +60,8 @@ static int complete_order(const sheet_list *l, mill_order *o, loft_box *area, mi
     if (!o->floored)
         o->lowest = double_of(box.min.axis[2]);
     for (int k = 0; k < 2 && !o->bounded; k++) {
-        o->area[0][k] = double_of(box.min.axis[k]);
-        o->area[1][k] = double_of(box.max.axis[k]);
+        o->area[0][k] = double_of(box.min.axis[k]) - BEYOND * o->radius;
+        o->area[1][k] = double_of(box.max.axis[k]) + BEYOND * o->radius;
     }
     *area = box;
     for (int k = 0; k < 2; k++)

@@ -835,9 +835,18 @@ case_mill() {
         run 0 "$loft" plan "$tmp/path.loft";    says out '^in all'
     done
     run 0 "$loft" mill --tool bull:4:0.5 --step 3 --along y "$tmp/dome.loft"
-    says out '^# bull:4:0.5, 4 lines'
+    says out '^# bull:4:0.5, 5 lines'
     printf 'octant 9\n' >"$tmp/octant.loft"
-    run 0 "$loft" mill --tool flat:3 --step 3 --floor 4 "$tmp/octant.loft"; says out '^# flat:3, 4'
+    run 0 "$loft" mill --tool flat:3 --step 3 --floor 4 "$tmp/octant.loft"
+    says out '^# flat:3, 5 lines'
+    printf '# steps_per_mm = 10\n# slot_hz = 1000\n' >"$tmp/pulses.csv"
+    awk 'BEGIN { s = 0; print ++s ",0,0,200"
+                 for (y = 0; y <= 90; y += 4)
+                     for (x = 0; x <= 90; x += 4) print ++s "," x "," y ",5"
+               }' >>"$tmp/pulses.csv"
+    printf 'tensor 1 1\n0 0 0.4\n0 9 0.4\n9 0 0.4\n9 9 0.4\n' >"$tmp/plane.loft"
+    run 0 "$loft" mill --tool flat:4 --record "$tmp/pulses.csv" -o "$tmp/left.png" "$tmp/plane.loft"
+    says out 'left.png: 529 places of the tool, 0.1000 mm left at worst, 0.0000 mm cut'
     printf 'sphere 9\n' >"$tmp/ball.loft"
     one_line 65 'sphere: cannot be milled' "$loft" mill "$tmp/ball.loft"
     one_line 64 'is for a ball'           "$loft" mill --tool flat:4 --cusp 0.1 "$tmp/dome.loft"

@@ -9,7 +9,8 @@ set -u
 export LC_ALL=C
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 
-for header in $(find lib/geom lib/basis lib/curve lib/surface lib/polygon lib/toolpath -name '*.h' | sort); do
+rooms='lib/geom lib/basis lib/curve lib/surface lib/polygon lib/toolpath'
+for header in $(find $rooms -name '*.h' | sort); do
     sed -n '/^static\|^typedef/d; s/^[a-z][A-Za-z0-9_ ]*[ *]\(loft_[a-z0-9_]*\)(.*/\1/p' "$header" |
         sort -u | sed "s|\$| $header|"
 done | sort >"$work/all"
